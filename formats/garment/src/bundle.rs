@@ -1,0 +1,161 @@
+//! The garment as text: a versioned envelope around the document.
+//!
+//! The same envelope stands in a bundle folder on disk (`garment.json`) and, without what the GLB already
+//! carries, in `extras.toile` of a GLB.
+
+use crate::garment::Garment;
+use serde::{Deserialize, Serialize};
+
+/// `kind` of the envelope.
+pub const KIND: &str = "toile-garment";
+/// Version of the document's form. Raise it when an old reader would read wrongly.
+pub const VERSION: u32 = 1;
+/// Name of the document inside a bundle folder.
+pub const FILE_NAME: &str = "garment.json";
+
+/// Why a bundle was refused.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum BundleError {
+    /// Not JSON of this form.
+    #[error("this is no garment document: {0}")]
+    Form(#[from] serde_json::Error),
+    /// Another kind of document.
+    #[error("the document is of kind `{0}`, expected `{KIND}`")]
+    Kind(String),
+    /// Written by a newer program.
+    #[error("the garment document has version {0}, this program reads up to {VERSION}; use a newer toile")]
+    Version(u32),
+    /// Indices or numbers that cannot be.
+    #[error("the garment document is damaged: {0}")]
+    Damaged(String),
+}
+
+#[derive(Serialize)]
+struct EnvelopeRef<'a> {
+    kind: &'static str,
+    version: u32,
+    garment: &'a Garment,
+}
+
+#[derive(Deserialize)]
+struct Head {
+    kind: String,
+    version: u32,
+}
+
+#[derive(Deserialize)]
+struct Envelope {
+    garment: Garment,
+}
+
+/// The envelope as a JSON value.
+///
+/// # Errors
+/// Never for a garment made by this program; a number that is not finite becomes `null` and is found on reading.
+pub fn to_value(garment: &Garment) -> Result<serde_json::Value, BundleError> {
+    Ok(serde_json::to_value(EnvelopeRef { kind: KIND, version: VERSION, garment })?)
+}
+
+/// The envelope as text, the same bytes for the same garment.
+///
+/// # Errors
+/// As [`to_value`].
+pub fn to_text(garment: &Garment) -> Result<String, BundleError> {
+    Ok(serde_json::to_string(&EnvelopeRef { kind: KIND, version: VERSION, garment })?)
+}
+
+/// Reads an envelope and checks kind, version and every index.
+///
+/// # Errors
+/// See [`BundleError`].
+pub fn from_text(text: &str) -> Result<Garment, BundleError> {
+    let head: Head = serde_json::from_str(text)?;
+    check_head(&head)?;
+    let garment = serde_json::from_str::<Envelope>(text)?.garment;
+    check_indices(&garment)?;
+    Ok(garment)
+}
+
+/// Reads an envelope from a JSON value.
+///
+/// # Errors
+/// See [`BundleError`].
+pub fn from_value(value: serde_json::Value) -> Result<Garment, BundleError> {
+    let head = Head::deserialize(&value)?;
+    check_head(&head)?;
+    let garment = serde_json::from_value::<Envelope>(value)?.garment;
+    check_indices(&garment)?;
+    Ok(garment)
+}
+
+fn check_head(head: &Head) -> Result<(), BundleError> {
+    if head.kind != KIND {
+        return Err(BundleError::Kind(head.kind.clone()));
+    }
+    if head.version > VERSION {
+        return Err(BundleError::Version(head.version));
+    }
+    Ok(())
+}
+
+fn check_indices(garment: &Garment) -> Result<(), BundleError> {
+    let damaged = |what: String| Err(BundleError::Damaged(what));
+    for (i, piece) in garment.pieces.iter().enumerate() {
+        if piece.id.index() != i {
+            return damaged(format!("piece {i} carries the id {}", piece.id.0));
+        }
+        let Some(mesh) = &piece.mesh else { continue };
+        let n = mesh.rest.len();
+        let inside = |v: &u32| (*v as usize) < n;
+        let ids_hold = mesh.triangles.iter().flatten().all(inside)
+            && mesh.chains.iter().flat_map(|c| &c.vertices).all(inside)
+            && mesh.outline_vertex.iter().flatten().all(inside)
+            && piece.darts.iter().filter_map(|d| d.mesh.as_ref()).flat_map(|m| m.legs.iter().flatten()).all(inside);
+        if !ids_hold {
+            return damaged(format!("piece `{}` names a vertex beyond its {n}", piece.name));
+        }
+    }
+    let vertex_count = |piece: crate::ids::PieceId| {
+        garment.pieces.get(piece.index()).and_then(|p| p.mesh.as_ref()).map_or(0, |m| m.rest.len())
+    };
+    for seam in &garment.seams {
+        for stitch in &seam.stitches {
+            for end in [stitch.a, stitch.b] {
+                if end.vertex as usize >= vertex_count(end.piece) {
+                    return damaged(format!("seam `{}` names a vertex that is not there", seam.name));
+                }
+            }
+        }
+    }
+    for shape in [&garment.stitched, &garment.drape, &garment.drape_before_edit].into_iter().flatten() {
+        let fits = shape.positions.len() == garment.pieces.len()
+            && garment
+                .pieces
+                .iter()
+                .zip(&shape.positions)
+                .all(|(p, x)| p.mesh.as_ref().is_some_and(|m| m.rest.len() == x.len()));
+        if !fits {
+            return damaged("positions and vertices differ in number".to_owned());
+        }
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn round_trip_keeps_the_document() {
+        let garment = Garment { style: "s".into(), ..Garment::default() };
+        let text = to_text(&garment).expect("text");
+        assert_eq!(from_text(&text).expect("read"), garment);
+    }
+
+    #[test]
+    fn refuses_other_kinds_and_newer_versions() {
+        assert!(matches!(from_text(r#"{"kind":"x","version":1,"garment":{}}"#), Err(BundleError::Kind(_))));
+        assert!(matches!(from_text(r#"{"kind":"toile-garment","version":99}"#), Err(BundleError::Version(99))));
+    }
+}

@@ -1,0 +1,123 @@
+//! Fabric: measured numbers with unit, method and source.
+//!
+//! Directions after ISO: warp along the grain line, weft across, bias at 45 degrees.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// Tension against strain in one direction.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum StretchLaw {
+    /// `T = stiffness · ε`.
+    Linear {
+        /// N/m.
+        stiffness: f64,
+    },
+    /// `T = k0/beta · (exp(beta ε) − 1)`, fitted to KES EMT and LT (validation §1).
+    Exponential {
+        /// Slope at rest, N/m.
+        k0: f64,
+        /// Dimensionless growth.
+        beta: f64,
+    },
+    /// Measured samples (strain, tension N/m), ascending, first at (0, 0); linear between, last slope beyond.
+    Samples {
+        /// Pairs.
+        points: Vec<[f64; 2]>,
+    },
+}
+
+/// Where a fabric number comes from.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct ValueSource {
+    /// Number and unit as written in the file.
+    pub written: String,
+    /// KES-F, FAST, U3M, cantilever, textbook, …
+    pub method: String,
+    /// Who measured, or which table.
+    pub source: String,
+}
+
+/// A fabric in SI units.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Fabric {
+    /// Name.
+    pub name: String,
+    /// Areal mass, kg/m².
+    pub areal_mass: f64,
+    /// Thickness, m.
+    pub thickness: f64,
+    /// Friction coefficient, cloth on body and on itself.
+    pub friction: f64,
+    /// Tension along the warp.
+    pub stretch_warp: StretchLaw,
+    /// Tension along the weft.
+    pub stretch_weft: StretchLaw,
+    /// Poisson coupling: stress in one direction from strain in the other, as a fraction of the softer modulus.
+    #[serde(default)]
+    pub poisson: f64,
+    /// Shear stiffness G, N/m per radian.
+    pub shear: f64,
+    /// Bending rigidity along the warp, N·m.
+    pub bend_warp: f64,
+    /// Bending rigidity along the weft, N·m.
+    pub bend_weft: f64,
+    /// Bending rigidity on the bias, N·m, where measured.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bend_bias: Option<f64>,
+    /// Bending hysteresis 2HB, N (KES), where measured.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub bend_hysteresis: Option<f64>,
+    /// Largest strain the cloth is used at, along the warp.
+    pub strain_limit_warp: f64,
+    /// Largest strain the cloth is used at, along the weft.
+    pub strain_limit_weft: f64,
+    /// Where each number comes from, by field name.
+    #[serde(default)]
+    pub sources: BTreeMap<String, ValueSource>,
+}
+
+impl StretchLaw {
+    /// Tension, N/m, at a strain. Compression uses the slope at rest.
+    #[must_use]
+    pub fn tension(&self, strain: f64) -> f64 {
+        match self {
+            Self::Linear { stiffness } => stiffness * strain,
+            Self::Exponential { k0, beta } => {
+                if strain <= 0.0 {
+                    k0 * strain
+                } else {
+                    k0 / beta * libm::expm1(beta * strain)
+                }
+            }
+            Self::Samples { points } => {
+                let (a, b) = segment(points, strain);
+                a[1] + (b[1] - a[1]) / (b[0] - a[0]) * (strain - a[0])
+            }
+        }
+    }
+
+    /// Tangent stiffness dT/dε, N/m: the slope of the measured curve, as the paper reads it.
+    #[must_use]
+    pub fn tangent(&self, strain: f64) -> f64 {
+        match self {
+            Self::Linear { stiffness } => *stiffness,
+            Self::Exponential { k0, beta } => k0 * libm::exp(beta * strain.max(0.0)),
+            Self::Samples { points } => {
+                let (a, b) = segment(points, strain);
+                (b[1] - a[1]) / (b[0] - a[0])
+            }
+        }
+    }
+}
+
+fn segment(points: &[[f64; 2]], strain: f64) -> ([f64; 2], [f64; 2]) {
+    let last = points.len().saturating_sub(2);
+    let i = points.iter().skip(1).position(|p| strain <= p[0]).unwrap_or(last).min(last);
+    match (points.get(i), points.get(i + 1)) {
+        (Some(a), Some(b)) => (*a, *b),
+        _ => ([0.0, 0.0], [1.0, 0.0]),
+    }
+}

@@ -1,0 +1,203 @@
+//! The one document that flows through the pipeline.
+
+use crate::Vec3;
+use crate::body::Body;
+use crate::fabric::Fabric;
+use crate::flat::Flat;
+use crate::ids::PieceId;
+use crate::piece::Piece;
+use crate::provenance::Provenance;
+use crate::seam::Seam;
+use crate::sewing::SewingPlan;
+use crate::texture::Textures;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// What a garment can hold; stages say what they need and give.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Aspect {
+    /// Pieces in 2D.
+    Pieces,
+    /// Meshes of all pieces.
+    Mesh,
+    /// Seams with stitches.
+    Seams,
+    /// Positions in 3D, placed and sewn.
+    Stitched,
+    /// Positions in 3D at rest, with a certificate.
+    Drape,
+    /// Texture coordinates and materials.
+    Texture,
+    /// Flattened pieces.
+    Flat,
+    /// Fabric.
+    Fabric,
+    /// Body.
+    Body,
+}
+
+/// The figures of a drape with their limits (contracts §2).
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Certificate {
+    /// All gates held?
+    pub passed: bool,
+    /// Did the solve reach its stop, and not a cap?
+    pub settled: bool,
+    /// Largest net force on a free particle over the mean particle weight.
+    pub residual_rel: f64,
+    /// Elastic energy, J.
+    #[serde(rename = "energy_J")]
+    pub energy_j: f64,
+    /// 95th percentile of the edge strain.
+    pub strain_p95: f64,
+    /// Largest edge strain.
+    pub strain_max: f64,
+    /// Largest gap of a sewn pair, mm.
+    pub seam_gap_max_mm: f64,
+    /// Largest gap of a dart pair, mm.
+    pub dart_gap_max_mm: f64,
+    /// Intersecting triangle pairs of the cloth, exact.
+    pub self_crossings: u64,
+    /// Intersecting pairs of cloth and body triangles, exact.
+    pub body_crossings: u64,
+    /// Deepest cloth vertex inside the body, mm.
+    pub penetration_max_mm: f64,
+    /// Limits by figure name.
+    pub limits: std::collections::BTreeMap<String, f64>,
+}
+
+/// An effect of the simulation and why it was on or off.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct EffectRecord {
+    /// Name, e.g. `self-collision`.
+    pub name: String,
+    /// Was it on?
+    pub on: bool,
+    /// The rule that decided.
+    pub rule: String,
+    /// The evidence.
+    pub evidence: String,
+    /// CPU seconds it cost; only ever written to `run.json`.
+    #[serde(default)]
+    pub cpu_seconds: f64,
+}
+
+/// Positions in 3D.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Shape {
+    /// Per piece, per mesh vertex, metres. Sewn vertices that were welded hold bit-equal positions.
+    #[schemars(with = "Vec<Vec<[f64; 3]>>")]
+    pub positions: Vec<Vec<Vec3>>,
+    /// Are all stitches closed and welded?
+    pub welded: bool,
+}
+
+/// Pieces, seams, fabric, body and everything the stages add.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Garment {
+    /// Style name.
+    #[serde(default)]
+    pub style: String,
+    /// Size label that was chosen.
+    #[serde(default)]
+    pub size: Option<String>,
+    /// Pieces; `pieces[i].id == i`.
+    pub pieces: Vec<Piece>,
+    /// What the sewing file declares.
+    #[serde(default)]
+    pub plan: SewingPlan,
+    /// Seams and darts as sewn; filled by `assemble`.
+    #[serde(default)]
+    pub seams: Vec<Seam>,
+    /// Fabric, by material name; the entry `""` is the default.
+    #[serde(default)]
+    pub fabrics: std::collections::BTreeMap<String, Fabric>,
+    /// Body.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub body: Option<Body>,
+    /// Particles held in place (import-mesh, attachments): vertex and where it is held.
+    #[serde(default)]
+    pub pins: Vec<Pin>,
+    /// Forces on particles (import-mesh).
+    #[serde(default)]
+    pub loads: Vec<Load>,
+    /// Placed and sewn shape; filled by `stitch`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stitched: Option<Shape>,
+    /// Shape at rest; filled by `drape`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub drape: Option<Shape>,
+    /// Shape before a 3D edit, when the drape was edited afterwards: the flattening carries its metric.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub drape_before_edit: Option<Shape>,
+    /// Reaction force on every pin, N; filled by `drape`.
+    #[serde(default)]
+    #[schemars(with = "Vec<[f64; 3]>")]
+    pub reactions: Vec<Vec3>,
+    /// Certificate of the drape.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub certificate: Option<Certificate>,
+    /// Effects of the drape.
+    #[serde(default)]
+    pub effects: Vec<EffectRecord>,
+    /// Textures; filled by `texture`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub textures: Option<Textures>,
+    /// Flattened pieces; filled by `flatten`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub flat: Option<Flat>,
+    /// History; filled by the engine.
+    #[serde(default)]
+    pub provenance: Provenance,
+}
+
+/// A held particle.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Pin {
+    /// Which.
+    pub vertex: crate::ids::MeshVertex,
+    /// Where, metres.
+    #[schemars(with = "[f64; 3]")]
+    pub at: Vec3,
+}
+
+/// A force on a particle.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Load {
+    /// Which.
+    pub vertex: crate::ids::MeshVertex,
+    /// Force, N.
+    #[schemars(with = "[f64; 3]")]
+    pub force: Vec3,
+}
+
+impl Garment {
+    /// Does the garment hold this aspect?
+    #[must_use]
+    pub fn has(&self, aspect: Aspect) -> bool {
+        match aspect {
+            Aspect::Pieces => !self.pieces.is_empty(),
+            Aspect::Mesh => !self.pieces.is_empty() && self.pieces.iter().all(|p| p.mesh.is_some()),
+            Aspect::Seams => !self.seams.is_empty(),
+            Aspect::Stitched => self.stitched.is_some(),
+            Aspect::Drape => self.drape.is_some(),
+            Aspect::Texture => self.textures.is_some(),
+            Aspect::Flat => self.flat.is_some(),
+            Aspect::Fabric => !self.fabrics.is_empty(),
+            Aspect::Body => self.body.is_some(),
+        }
+    }
+
+    /// A piece by its name.
+    #[must_use]
+    pub fn piece_named(&self, name: &str) -> Option<PieceId> {
+        self.pieces.iter().position(|p| p.name == name).map(PieceId::from)
+    }
+
+    /// Fabric of a piece: by its material, else the default.
+    #[must_use]
+    pub fn fabric_of(&self, piece: &Piece) -> Option<&Fabric> {
+        piece.material.as_deref().and_then(|m| self.fabrics.get(m)).or_else(|| self.fabrics.get(""))
+    }
+}

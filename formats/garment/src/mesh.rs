@@ -1,0 +1,67 @@
+//! The mesh of a piece in its own plane.
+
+use crate::Vec2;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// What a chain of mesh edges is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ChainKind {
+    /// The outline (closed).
+    Outline,
+    /// A cutout (closed).
+    Cutout,
+    /// A leg of a dart (open; the same ids stand in the dart).
+    DartLeg,
+    /// An internal line, or a fold line of a pleat.
+    InternalLine,
+}
+
+/// A chain of mesh edges that a line of the piece became.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct MeshChain {
+    /// What it is.
+    pub kind: ChainKind,
+    /// Index of the line it came from (outline 0, cutout k, dart k, internal line k).
+    pub index: u32,
+    /// Vertex ids in order; neighbours are joined by mesh edges. A closed chain does not repeat its first id.
+    pub vertices: Vec<u32>,
+    /// Is the last vertex joined to the first?
+    pub closed: bool,
+}
+
+/// Triangles of a piece, counter-clockwise in the piece plane, right side of the cloth up.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PieceMesh {
+    /// Rest positions, metres.
+    #[schemars(with = "Vec<[f64; 2]>")]
+    pub rest: Vec<Vec2>,
+    /// Triangles.
+    pub triangles: Vec<[u32; 3]>,
+    /// Chains; the first is the outer outline of the meshed cloth (marked dart intakes cut out), counter-clockwise.
+    pub chains: Vec<MeshChain>,
+    /// For every vertex of the piece outline (`Piece::outline.points`) its mesh vertex, where it is one.
+    pub outline_vertex: Vec<Option<u32>>,
+}
+
+impl PieceMesh {
+    /// The chain of the outer outline.
+    #[must_use]
+    pub fn outline(&self) -> Option<&MeshChain> {
+        self.chains.iter().find(|c| c.kind == ChainKind::Outline)
+    }
+
+    /// Area of the mesh, square metres.
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        self.triangles.iter().map(|t| self.triangle_area(*t)).sum()
+    }
+
+    /// Signed area of one triangle, square metres.
+    #[must_use]
+    pub fn triangle_area(&self, t: [u32; 3]) -> f64 {
+        let [a, b, c] = t.map(|i| self.rest[i as usize]);
+        0.5 * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x))
+    }
+}

@@ -1,0 +1,134 @@
+//! A pattern piece.
+
+use crate::dart::Dart;
+use crate::ids::PieceId;
+use crate::mesh::PieceMesh;
+use crate::notch::Notch;
+use crate::outline::{OutlineEdge, PieceLine};
+use crate::{SourceRef, Vec2};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// How often a piece is cut: plain, and mirrored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+pub struct Quantity {
+    /// As drawn.
+    pub plain: u32,
+    /// Mirrored.
+    pub mirrored: u32,
+}
+
+impl Default for Quantity {
+    fn default() -> Self {
+        Self { plain: 1, mirrored: 0 }
+    }
+}
+
+/// A drill hole (layer 13).
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct DrillHole {
+    /// Position, metres.
+    #[schemars(with = "[f64; 2]")]
+    pub at: Vec2,
+    /// Origin.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub source: Option<SourceRef>,
+}
+
+/// A text that belongs to a piece and has no meaning for the program; kept for export.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PieceText {
+    /// Position, metres.
+    #[schemars(with = "[f64; 2]")]
+    pub at: Vec2,
+    /// DXF layer.
+    pub layer: String,
+    /// The text.
+    pub text: String,
+}
+
+/// A pattern piece: what is sewn (`outline`), what is cut (`cut_line`), and all marks on it.
+///
+/// The right side of the cloth faces the reader. `outline` is counter-clockwise, unfolded, and is the line that is
+/// meshed and sewn: the sew line where the file has one, else the cut line. Wedge darts are notched out of it.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Piece {
+    /// Id, equal to the index in `Garment::pieces`.
+    pub id: PieceId,
+    /// Name, unique in the garment.
+    pub name: String,
+    /// DXF block it came from.
+    pub block: String,
+    /// Size label.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub size: Option<String>,
+    /// How often it is cut.
+    #[serde(default)]
+    pub quantity: Quantity,
+    /// Material name, as the file says or the texture stage sets.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub material: Option<String>,
+    /// Category text.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub category: Option<String>,
+    /// Annotation text.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub annotation: Option<String>,
+    /// Is it the mirror image of its block?
+    #[serde(default)]
+    pub mirrored: bool,
+    /// The sewn and meshed line, counter-clockwise.
+    pub outline: PieceLine,
+    /// Edges of `outline` between corners, counter-clockwise, numbered from 0.
+    #[serde(default)]
+    pub edges: Vec<OutlineEdge>,
+    /// The cut line where it differs from `outline` (with seam allowance).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub cut_line: Option<PieceLine>,
+    /// Notches.
+    #[serde(default)]
+    pub notches: Vec<Notch>,
+    /// Drill holes.
+    #[serde(default)]
+    pub drill_holes: Vec<DrillHole>,
+    /// Grain line; from its first to its second point is the warp direction.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<[[f64; 2]; 2]>")]
+    pub grain: Option<[Vec2; 2]>,
+    /// Fold line of a half piece that was unfolded (layer 6).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<[[f64; 2]; 2]>")]
+    pub fold: Option<[Vec2; 2]>,
+    /// Internal lines (layer 8), dart legs of marked darts not among them.
+    #[serde(default)]
+    pub internal_lines: Vec<PieceLine>,
+    /// Cutouts (layer 11), holes in the cloth.
+    #[serde(default)]
+    pub cutouts: Vec<PieceLine>,
+    /// Darts and pleats.
+    #[serde(default)]
+    pub darts: Vec<Dart>,
+    /// Other texts.
+    #[serde(default)]
+    pub texts: Vec<PieceText>,
+    /// The mesh, once triangulated.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mesh: Option<PieceMesh>,
+    /// Origin.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub source: Option<SourceRef>,
+}
+
+impl Default for PieceId {
+    fn default() -> Self {
+        Self(0)
+    }
+}
+
+impl Piece {
+    /// Unit warp direction: the grain line where there is one, else +y.
+    #[must_use]
+    pub fn warp(&self) -> Vec2 {
+        self.grain.map(|[a, b]| b - a).filter(|d| d.norm() > 1e-9).map_or_else(|| Vec2::new(0.0, 1.0), |d| d / d.norm())
+    }
+}

@@ -1,0 +1,218 @@
+//! What the sewing file declares: facts of the style that a DXF cannot hold (contracts §7).
+
+use crate::dart::DartKind;
+use crate::source::SourceRef;
+use crate::{Vec2, Vec3};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A run of outline edges of one piece, as written in the sewing file.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum RunSpec {
+    /// An outline edge by its name or number: `"front.side-left"`, `"front.3"`.
+    Edge {
+        /// Piece name.
+        piece: String,
+        /// Edge name, or its number in decimal.
+        edge: String,
+    },
+    /// Two points in piece coordinates, snapped to the nearest corner or vertex within 1 mm.
+    Points {
+        /// Piece name.
+        piece: String,
+        /// Start, metres.
+        #[schemars(with = "[f64; 2]")]
+        from: Vec2,
+        /// End, metres.
+        #[schemars(with = "[f64; 2]")]
+        to: Vec2,
+        /// Which way along the outline.
+        way: RunWay,
+    },
+}
+
+/// Which way along the outline a run of two points goes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum RunWay {
+    /// The shorter way (the default).
+    #[default]
+    Short,
+    /// The longer way.
+    Long,
+    /// Counter-clockwise: the cloth lies to the left of the walk.
+    Left,
+    /// Clockwise: the cloth lies to the right of the walk.
+    Right,
+}
+
+/// A declared seam.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct SeamSpec {
+    /// Name; `seam-<n>` when the file gives none.
+    pub name: String,
+    /// Side a: runs in order.
+    pub a: Vec<RunSpec>,
+    /// Side b: runs in order.
+    pub b: Vec<RunSpec>,
+    /// Does the file state the direction of b against a? Two-point runs state it; edges by name or number do not,
+    /// unless `reverse` is given.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub reverse: Option<bool>,
+    /// Declared ease (length a minus length b), metres.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ease: Option<f64>,
+    /// Declared gather ratio, longer over shorter.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gather: Option<f64>,
+    /// Origin.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub source: Option<SourceRef>,
+}
+
+/// A declared dart or pleat; `kind = None` says that the wedge found there is no dart.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct DartSpec {
+    /// Piece name.
+    pub piece: String,
+    /// Dart name.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub name: Option<String>,
+    /// Apexes, metres (two for a fish-eye).
+    #[schemars(with = "Vec<[f64; 2]>")]
+    pub apexes: Vec<Vec2>,
+    /// Mouth points, metres.
+    #[schemars(with = "[[f64; 2]; 2]")]
+    pub mouth: [Vec2; 2],
+    /// Kind, or `None` for "this wedge is not a dart".
+    pub kind: Option<DartKind>,
+    /// Origin.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub source: Option<SourceRef>,
+}
+
+/// Where a piece starts in 3D.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Placement {
+    /// `world = rotation · [x, y, 0] + translation`, right side outwards (along rotation · z).
+    Explicit {
+        /// Rows of a rotation matrix.
+        rotation: [[f64; 3]; 3],
+        /// Translation, metres.
+        #[schemars(with = "[f64; 3]")]
+        translation: Vec3,
+    },
+    /// Wrapped around a segment of the body.
+    Around {
+        /// `torso`, `arm-left`, `arm-right`, `leg-left`, `leg-right`, `neck`.
+        segment: String,
+        /// `front`, `back`, `left`, `right`: where the middle of the piece sits.
+        side: String,
+        /// Height of the piece's top edge above the floor (torso, legs) or distance of its top from the joint
+        /// (arms), metres.
+        height: f64,
+        /// Turn in the piece plane before placing, radians, counter-clockwise.
+        turn: f64,
+    },
+}
+
+/// A declared placement.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PlaceSpec {
+    /// Piece name.
+    pub piece: String,
+    /// Where.
+    pub placement: Placement,
+    /// Origin.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub source: Option<SourceRef>,
+}
+
+/// Layer order of pieces, inner to outer.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct LayerSpec {
+    /// Piece names.
+    pub pieces: Vec<String>,
+    /// Order: 0 is the default, smaller lies nearer to the body.
+    pub order: i32,
+}
+
+/// How strongly an edge is held.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum AttachStrength {
+    /// Held at the place it has after sewing.
+    Hold,
+    /// Held by an elastic band of this relative length.
+    Elastic(f64),
+}
+
+/// An edge that is tied to the body.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct AttachSpec {
+    /// Piece name.
+    pub piece: String,
+    /// Edge name or number.
+    pub edge: String,
+    /// Landmark or girth of the body, e.g. `waist`.
+    pub to: String,
+    /// How.
+    pub strength: AttachStrength,
+    /// Origin.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub source: Option<SourceRef>,
+}
+
+/// A second copy of a drawn piece, e.g. the right sleeve of a left one.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct CopySpec {
+    /// Name of the drawn piece.
+    pub piece: String,
+    /// Name of the copy.
+    pub name: String,
+    /// Mirrored (x → −x in the piece plane)?
+    pub mirror: bool,
+    /// Origin.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub source: Option<SourceRef>,
+}
+
+/// A name for an outline edge, given by number or two points.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct EdgeNameSpec {
+    /// The edge.
+    pub run: RunSpec,
+    /// Its name.
+    pub name: String,
+}
+
+/// Everything the sewing file says.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct SewingPlan {
+    /// Seams.
+    #[serde(default)]
+    pub seams: Vec<SeamSpec>,
+    /// Darts and pleats, declared or denied.
+    #[serde(default)]
+    pub darts: Vec<DartSpec>,
+    /// Placements.
+    #[serde(default)]
+    pub places: Vec<PlaceSpec>,
+    /// Layers.
+    #[serde(default)]
+    pub layers: Vec<LayerSpec>,
+    /// Attachments.
+    #[serde(default)]
+    pub attachments: Vec<AttachSpec>,
+    /// Copies of drawn pieces.
+    #[serde(default)]
+    pub copies: Vec<CopySpec>,
+    /// Names of edges.
+    #[serde(default)]
+    pub edge_names: Vec<EdgeNameSpec>,
+    /// Pieces of the DXF that are not part of this garment (linings, fusings).
+    #[serde(default)]
+    pub leave_out: Vec<String>,
+}

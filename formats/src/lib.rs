@@ -1,0 +1,2 @@
+//! Bytes to faithful models to the garment document: one module per file format.
+pub mod sewing;

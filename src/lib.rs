@@ -1,0 +1,1 @@
+//! The engine and command line of toile.

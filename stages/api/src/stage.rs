@@ -1,0 +1,62 @@
+//! The trait an author writes.
+
+use crate::context::StageContext;
+use crate::error::StageError;
+use schemars::JsonSchema;
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+use std::borrow::Cow;
+use toile_garment::{Aspect, Garment, Report};
+
+/// What a stage is called, what it needs and what it gives.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct StageInfo {
+    /// Name in the pipeline, verb-noun in kebab case; a third party's is `vendor.stage`.
+    pub name: Cow<'static, str>,
+    /// One line.
+    pub summary: Cow<'static, str>,
+    /// Aspects that an earlier stage must have given.
+    pub needs: Cow<'static, [Aspect]>,
+    /// Aspects it adds.
+    pub gives: Cow<'static, [Aspect]>,
+    /// Raised whenever the output changes for the same input.
+    pub revision: u32,
+}
+
+impl StageInfo {
+    /// Info of a built-in stage.
+    #[must_use]
+    pub const fn new(
+        name: &'static str,
+        summary: &'static str,
+        needs: &'static [Aspect],
+        gives: &'static [Aspect],
+        revision: u32,
+    ) -> Self {
+        Self {
+            name: Cow::Borrowed(name),
+            summary: Cow::Borrowed(summary),
+            needs: Cow::Borrowed(needs),
+            gives: Cow::Borrowed(gives),
+            revision,
+        }
+    }
+}
+
+/// A stage: takes the garment and gives it back richer.
+pub trait Stage: Send + Sync + 'static {
+    /// Parameters: the table `with` of the pipeline. Use `#[serde(deny_unknown_fields, default)]` where it fits;
+    /// doc comments become the manual and the schema.
+    type Params: DeserializeOwned + Serialize + JsonSchema + Send + Sync + 'static;
+    /// Name, needs, gives.
+    const INFO: StageInfo;
+
+    /// Looks without changing; called just before `run`.
+    fn check(&self, _params: &Self::Params, _garment: &Garment, _report: &mut Report) {}
+
+    /// Does the work. On error nothing half-done survives.
+    ///
+    /// # Errors
+    /// See [`StageError`]: the kind says whose fault it is.
+    fn run(&self, params: &Self::Params, garment: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError>;
+}

@@ -1,0 +1,1 @@
+//! The cloth solver on plain arrays: energies, integrators, contact, effects
