@@ -5,5 +5,6 @@
 
 pub mod builtin;
 pub mod sewing;
+pub mod stitch;
 
 pub use builtin::builtin;
