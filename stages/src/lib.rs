@@ -3,8 +3,11 @@
 //! The data's way: `import_dxf` (or `import_mesh`) → `triangulate` → `assemble` → `stitch` → `drape` → `texture` →
 //! exports, `flatten`, report.
 
+pub mod body;
 pub mod builtin;
+pub mod drape;
 pub mod sewing;
+mod solve;
 pub mod stitch;
 
 pub use builtin::builtin;

@@ -1,4 +1,155 @@
-//! 2D to 3D: pieces placed around the body and sewn (Liu, Chen, Shi 2003, §1.3.2).
+//! 2D to 3D: pieces placed around the body and sewn by the dynamic system (Liu, Chen, Shi 2003, §1.3.2).
 
 pub mod around;
+mod attach;
+mod load;
 pub mod place;
+
+use crate::solve::{Follow, Layout, failure, scene};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use toile_cloth::{Outcome, Settings};
+use toile_garment::garment::Shape;
+use toile_garment::units::{Duration, Length};
+use toile_garment::{Aspect, Diagnostic, Garment, SeamId, Vec3};
+use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+
+/// Places the pieces around the body and closes seams and darts.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Stitch;
+
+/// Parameters of `stitch`.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StitchParams {
+    /// Body: OBJ in metres, feet at y = 0; a side file of the same name with `.toml` may name its landmarks.
+    #[serde(default)]
+    pub body: Option<PathBuf>,
+    /// Fabric of all pieces without one of their own.
+    pub fabric: PathBuf,
+    /// Fabrics by the material name of the pieces.
+    #[serde(default)]
+    pub fabrics: BTreeMap<String, PathBuf>,
+    /// Distance between the body and pieces placed around it.
+    #[serde(default = "clearance")]
+    pub clearance: Length,
+    /// A stitched pair nearer than this counts as sewn.
+    #[serde(default = "sewing_distance")]
+    pub sewing_distance: Length,
+    /// Distance at which cloth is held off the body.
+    #[serde(default = "body_gap")]
+    pub body_gap: Length,
+    /// Longest time the sewing may take in the simulated world.
+    #[serde(default = "max_time")]
+    pub max_time: Duration,
+    /// In-plane model.
+    #[serde(default)]
+    pub model: crate::drape::ModelName,
+}
+
+fn clearance() -> Length {
+    Length(0.02)
+}
+
+fn sewing_distance() -> Length {
+    Length(1e-3)
+}
+
+fn body_gap() -> Length {
+    Length(2e-3)
+}
+
+fn max_time() -> Duration {
+    Duration(6.0)
+}
+
+impl Stage for Stitch {
+    type Params = StitchParams;
+    const INFO: StageInfo = StageInfo::new(
+        "stitch",
+        "places the pieces around the body and sews seams and darts",
+        &[Aspect::Pieces, Aspect::Mesh, Aspect::Seams],
+        &[Aspect::Stitched, Aspect::Fabric, Aspect::Body],
+        1,
+    );
+
+    fn run(
+        &self,
+        params: &StitchParams,
+        mut garment: Garment,
+        cx: &mut StageContext<'_>,
+    ) -> Result<Garment, StageError> {
+        load::fabrics(params, &mut garment, cx)?;
+        if let Some(body) = &params.body {
+            garment.body = Some(load::body(body, cx)?);
+        }
+        let placed = place::place(&garment, params.clearance.0).map_err(StageError::Parameter)?;
+        let pins = attach::pins(&garment, &placed, params.body_gap.0).map_err(StageError::Parameter)?;
+        garment.pins.extend(pins);
+        let layout = Layout::of(&garment);
+        let start = scene(&garment, &layout, layout.join(&placed), Vec3::zeros()).map_err(StageError::Parameter)?;
+        let settings = settings(params, cx.threads);
+        let outcome = toile_cloth::sew(&start, &settings, &mut Follow::new(cx)).map_err(failure)?;
+        tell(&garment, &outcome, settings.sewing_distance, cx);
+        garment.stitched = Some(Shape { positions: layout.split(&outcome.positions), welded: false });
+        Ok(garment)
+    }
+}
+
+fn settings(params: &StitchParams, threads: usize) -> Settings {
+    Settings {
+        model: params.model.into(),
+        sewing_distance: params.sewing_distance.0,
+        body_gap: params.body_gap.0,
+        max_seconds: params.max_time.0,
+        threads,
+        ..Settings::sewing()
+    }
+}
+
+/// Findings on a sewing that did not close.
+fn tell(garment: &Garment, outcome: &Outcome, distance: f64, cx: &mut StageContext<'_>) {
+    if outcome.repaired.0 > 0 {
+        cx.report.push(Diagnostic::info(
+            "start-repaired",
+            format!(
+                "{} vertices started inside the body and were pushed out, by up to {:.1} mm",
+                outcome.repaired.0,
+                outcome.repaired.1 * 1e3
+            ),
+        ));
+    }
+    if outcome.seam_gap_max <= distance {
+        return;
+    }
+    for (name, gap) in open_seams(garment, outcome) {
+        cx.report.push(
+            Diagnostic::warning(
+                "seam-open",
+                format!(
+                    "seam `{name}` is still {:.1} mm open after sewing ({})",
+                    gap * 1e3,
+                    outcome.stop_reason.words()
+                ),
+            )
+            .hint("give the sewing more time (with.max_time), or place the pieces nearer to where they are sewn"),
+        );
+    }
+}
+
+fn open_seams(garment: &Garment, outcome: &Outcome) -> Vec<(String, f64)> {
+    let mut seam_of = Vec::new();
+    for (i, seam) in garment.seams.iter().enumerate() {
+        seam_of.extend(seam.stitches.iter().map(|_| SeamId::from(i)));
+    }
+    let mut open: BTreeMap<SeamId, f64> = BTreeMap::new();
+    for (stitch, gap) in &outcome.open_stitches {
+        if let Some(seam) = seam_of.get(*stitch as usize) {
+            let worst = open.entry(*seam).or_insert(0.0);
+            *worst = worst.max(*gap);
+        }
+    }
+    open.into_iter().map(|(s, gap)| (garment.seams[s.index()].name.clone(), gap)).collect()
+}

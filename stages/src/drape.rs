@@ -1,0 +1,106 @@
+//! Drape: the sewn garment settles under gravity (Liu, Chen, Shi 2003, §2.2–2.3), and is certified.
+
+mod certificate;
+mod params;
+
+pub use params::{AccuracyName, DrapeParams, EffectsParam, IntegratorName, ModelName, SwitchName};
+
+use crate::solve::{Follow, Layout, failure, scene};
+use toile_cloth::{Outcome, Scene, Settings, StopReason};
+use toile_garment::garment::{EffectRecord, Shape};
+use toile_garment::{Aspect, Diagnostic, Garment, Vec3};
+use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+
+/// Settles the garment and certifies the result.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Drape;
+
+impl Stage for Drape {
+    type Params = DrapeParams;
+    const INFO: StageInfo = StageInfo::new(
+        "drape",
+        "settles the sewn garment under gravity and certifies the result",
+        &[Aspect::Mesh, Aspect::Stitched, Aspect::Fabric],
+        &[Aspect::Drape],
+        1,
+    );
+
+    fn run(
+        &self,
+        params: &DrapeParams,
+        mut garment: Garment,
+        cx: &mut StageContext<'_>,
+    ) -> Result<Garment, StageError> {
+        let layout = Layout::of(&garment);
+        let stitched = garment.stitched.take().ok_or_else(|| StageError::Internal("no stitched shape".to_owned()))?;
+        let gravity = Vec3::new(0.0, -params.gravity.0, 0.0);
+        let start =
+            scene(&garment, &layout, layout.join(&stitched.positions), gravity).map_err(StageError::Parameter)?;
+        let settings = params.settings(cx.threads);
+        let sewn = close(&start, params, cx)?;
+        let welded = toile_cloth::weld(&start, &sewn);
+        let outcome = toile_cloth::drape(&welded.scene, &settings, &mut Follow::new(cx)).map_err(failure)?;
+        let stored: Vec<Vec3> = outcome.positions.iter().map(to_f32).collect();
+        let figures = toile_cloth::certify(&welded.scene, &settings, &stored).map_err(failure)?;
+        garment.certificate = Some(certificate::certificate(&garment, params, &outcome, &figures));
+        garment.drape = Some(Shape { positions: layout.split(&welded.spread(&stored)), welded: true });
+        garment.reactions = reactions(&garment, &layout, &welded.map, &outcome);
+        garment.stitched = Some(stitched);
+        tell(&mut garment, &outcome, cx);
+        Ok(garment)
+    }
+}
+
+/// Positions with all stitches closed: a cloth mesh that came without `stitch` is sewn here.
+fn close(start: &Scene, params: &DrapeParams, cx: &mut StageContext<'_>) -> Result<Vec<Vec3>, StageError> {
+    let gap = |s: &[u32; 2]| (start.positions[s[0] as usize] - start.positions[s[1] as usize]).norm();
+    let widest = start.stitches.iter().map(gap).fold(0.0, f64::max);
+    let settings = Settings { threads: cx.threads, model: params.model.into(), ..Settings::sewing() };
+    if widest <= settings.sewing_distance {
+        return Ok(start.positions.clone());
+    }
+    Ok(toile_cloth::sew(start, &settings, &mut Follow::new(cx)).map_err(failure)?.positions)
+}
+
+/// What the GLB will hold: the certificate speaks of the stored numbers.
+#[allow(clippy::cast_possible_truncation)]
+fn to_f32(p: &Vec3) -> Vec3 {
+    p.map(|c| f64::from(c as f32))
+}
+
+fn reactions(garment: &Garment, layout: &Layout, map: &[u32], outcome: &Outcome) -> Vec<Vec3> {
+    let force =
+        |vertex: u32| outcome.reactions.iter().find(|r| r.vertex == vertex).map_or_else(Vec3::zeros, |r| r.force);
+    garment
+        .pins
+        .iter()
+        .map(|p| map.get(layout.index(p.vertex) as usize).map_or_else(Vec3::zeros, |v| force(*v)))
+        .collect()
+}
+
+fn tell(garment: &mut Garment, outcome: &Outcome, cx: &mut StageContext<'_>) {
+    garment.effects = outcome
+        .effects
+        .iter()
+        .map(|e| EffectRecord {
+            name: e.name.to_owned(),
+            on: e.on,
+            rule: e.rule.clone(),
+            evidence: e.evidence.clone(),
+            cpu_seconds: e.cpu_seconds,
+        })
+        .collect();
+    if outcome.stop_reason != StopReason::Settled {
+        cx.report.push(
+            Diagnostic::warning(
+                "drape-not-settled",
+                format!(
+                    "the drape is not at rest: {}, {:.1} mm/s at the fastest vertex",
+                    outcome.stop_reason.words(),
+                    outcome.speed_max * 1e3
+                ),
+            )
+            .hint("give it more time (with.max_time), a coarser mesh, or more damping"),
+        );
+    }
+}

@@ -1,0 +1,68 @@
+//! The certificate: figures counted afresh, each with its limit.
+
+use super::DrapeParams;
+use std::collections::BTreeMap;
+use toile_cloth::{Figures, Outcome};
+use toile_garment::Garment;
+use toile_garment::garment::Certificate;
+use toile_garment::seam::SeamKind;
+
+/// Default gates; the strain gate is the fabric's own limit.
+const GATES: [(&str, f64); 6] = [
+    ("residual_rel", 1.0),
+    ("seam_gap_max_mm", 0.1),
+    ("dart_gap_max_mm", 0.1),
+    ("self_crossings", 0.0),
+    ("body_crossings", 0.0),
+    ("penetration_max_mm", 0.0),
+];
+
+/// Puts figures and limits together.
+#[must_use]
+pub fn certificate(garment: &Garment, params: &DrapeParams, outcome: &Outcome, figures: &Figures) -> Certificate {
+    let mut limits: BTreeMap<String, f64> = GATES.map(|(n, v)| (n.to_owned(), v)).into();
+    limits.insert("strain_max".to_owned(), strain_limit(garment));
+    limits.extend(params.limits.clone());
+    let mut certificate = Certificate {
+        passed: false,
+        settled: outcome.settled,
+        residual_rel: outcome.residual_rel,
+        energy_j: figures.energy,
+        strain_p95: figures.strain_p95,
+        strain_max: figures.strain_max,
+        // Sewn vertices are one vertex now; a stitch that could not be closed was joined at the middle.
+        seam_gap_max_mm: gap(garment, figures, false),
+        dart_gap_max_mm: gap(garment, figures, true),
+        self_crossings: figures.self_crossings as u64,
+        body_crossings: figures.body_crossings as u64,
+        penetration_max_mm: figures.penetration_max * 1e3,
+        limits,
+    };
+    certificate.passed = certificate.settled && within(&certificate);
+    certificate
+}
+
+fn gap(garment: &Garment, figures: &Figures, darts: bool) -> f64 {
+    let any = garment.seams.iter().any(|s| matches!(s.kind, SeamKind::Dart { .. }) == darts);
+    if any { figures.seam_gap_max * 1e3 } else { 0.0 }
+}
+
+/// The largest strain any fabric of the garment is used at.
+fn strain_limit(garment: &Garment) -> f64 {
+    garment.fabrics.values().map(|f| f.strain_limit_warp.max(f.strain_limit_weft)).fold(0.0, f64::max)
+}
+
+fn within(c: &Certificate) -> bool {
+    let figures = [
+        ("residual_rel", c.residual_rel),
+        ("strain_p95", c.strain_p95),
+        ("strain_max", c.strain_max),
+        ("seam_gap_max_mm", c.seam_gap_max_mm),
+        ("dart_gap_max_mm", c.dart_gap_max_mm),
+        ("self_crossings", c.self_crossings as f64),
+        ("body_crossings", c.body_crossings as f64),
+        ("penetration_max_mm", c.penetration_max_mm),
+    ];
+    // A figure that is no number never passes.
+    figures.iter().all(|(name, value)| c.limits.get(*name).is_none_or(|limit| value <= limit))
+}

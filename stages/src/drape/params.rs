@@ -1,0 +1,154 @@
+//! Parameters of `drape` and their meaning for the solver.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use toile_cloth::{Effects, Integrator, Model, Settings, Switch};
+use toile_garment::units::{Acceleration, Duration, Length};
+
+/// In-plane model.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum ModelName {
+    /// The paper's three classes of springs on mesh edges.
+    Springs,
+    /// Triangle springs whose coefficients depend on all three elongations: exact for any orthotropic fabric.
+    #[default]
+    Coupled,
+}
+
+/// Time stepping.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum IntegratorName {
+    /// The paper's explicit central differences with an adaptive step.
+    #[default]
+    CentralDifference,
+}
+
+/// How near to rest the drape is led.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum AccuracyName {
+    /// For a first look.
+    Draft,
+    /// The default.
+    #[default]
+    Normal,
+    /// Five times nearer to rest than normal.
+    Fine,
+}
+
+/// Whether an effect is used.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum SwitchName {
+    /// By the effect's own rule.
+    #[default]
+    Auto,
+    /// Always.
+    On,
+    /// Never.
+    Off,
+}
+
+/// Which effects are simulated.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default, rename_all = "kebab-case")]
+pub struct EffectsParam {
+    /// Cloth against cloth.
+    pub self_contact: SwitchName,
+    /// Cloth against the body.
+    pub body_contact: SwitchName,
+    /// Friction at contacts.
+    pub friction: SwitchName,
+    /// Correction of over-elongation.
+    pub strain_limit: SwitchName,
+}
+
+/// Parameters of `drape`.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct DrapeParams {
+    /// Downward acceleration.
+    pub gravity: Acceleration,
+    /// In-plane model.
+    pub model: ModelName,
+    /// Time stepping.
+    pub integrator: IntegratorName,
+    /// How near to rest.
+    pub accuracy: AccuracyName,
+    /// Effects, each `auto`, `on` or `off`.
+    pub effects: EffectsParam,
+    /// Distance at which cloth is held off the body.
+    pub body_gap: Length,
+    /// Longest time in the simulated world.
+    pub max_time: Duration,
+    /// Gates of the certificate by figure name; they replace the defaults.
+    pub limits: BTreeMap<String, f64>,
+}
+
+impl Default for DrapeParams {
+    fn default() -> Self {
+        Self {
+            gravity: Acceleration(9.81),
+            model: ModelName::default(),
+            integrator: IntegratorName::default(),
+            accuracy: AccuracyName::default(),
+            effects: EffectsParam::default(),
+            body_gap: Length(2e-3),
+            max_time: Duration(20.0),
+            limits: BTreeMap::new(),
+        }
+    }
+}
+
+impl DrapeParams {
+    /// The solver's settings.
+    #[must_use]
+    pub fn settings(&self, threads: usize) -> Settings {
+        let base = Settings::default();
+        let share = match self.accuracy {
+            AccuracyName::Draft => 5.0,
+            AccuracyName::Normal => 1.0,
+            AccuracyName::Fine => 0.2,
+        };
+        Settings {
+            model: self.model.into(),
+            integrator: match self.integrator {
+                IntegratorName::CentralDifference => Integrator::CentralDifference,
+            },
+            effects: Effects {
+                self_contact: self.effects.self_contact.into(),
+                body_contact: self.effects.body_contact.into(),
+                friction: self.effects.friction.into(),
+                strain_limit: self.effects.strain_limit.into(),
+            },
+            body_gap: self.body_gap.0,
+            energy_tolerance: base.energy_tolerance * share,
+            speed_tolerance: base.speed_tolerance * share,
+            max_seconds: self.max_time.0,
+            threads,
+            ..base
+        }
+    }
+}
+
+impl From<ModelName> for Model {
+    fn from(name: ModelName) -> Self {
+        match name {
+            ModelName::Springs => Self::Springs,
+            ModelName::Coupled => Self::Coupled,
+        }
+    }
+}
+
+impl From<SwitchName> for Switch {
+    fn from(name: SwitchName) -> Self {
+        match name {
+            SwitchName::Auto => Self::Auto,
+            SwitchName::On => Self::On,
+            SwitchName::Off => Self::Off,
+        }
+    }
+}

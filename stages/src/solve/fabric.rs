@@ -1,0 +1,30 @@
+//! A fabric of the garment as a material of the solver.
+
+use toile_cloth::{Curve, Material};
+use toile_garment::fabric::{Fabric, StretchLaw};
+
+/// The solver's material for a fabric.
+#[must_use]
+pub fn material(fabric: &Fabric) -> Material {
+    Material {
+        areal_mass: fabric.areal_mass,
+        thickness: fabric.thickness,
+        friction: fabric.friction,
+        warp: curve(&fabric.stretch_warp),
+        weft: curve(&fabric.stretch_weft),
+        shear: fabric.shear,
+        poisson: fabric.poisson,
+        bend_warp: fabric.bend_warp,
+        bend_weft: fabric.bend_weft,
+        bend_bias: fabric.bend_bias,
+        strain_limit: [fabric.strain_limit_warp, fabric.strain_limit_weft],
+    }
+}
+
+fn curve(law: &StretchLaw) -> Curve {
+    match law {
+        StretchLaw::Linear { stiffness } => Curve::Linear { stiffness: *stiffness },
+        StretchLaw::Exponential { k0, beta } => Curve::Exponential { k0: *k0, beta: *beta },
+        StretchLaw::Samples { points } => Curve::Samples(points.clone()),
+    }
+}

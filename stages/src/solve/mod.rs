@@ -1,0 +1,9 @@
+//! Between garment words and the solver's plain arrays: the one place where both are known.
+
+mod fabric;
+pub mod scene;
+pub mod watch;
+
+pub use fabric::material;
+pub use scene::{Layout, scene};
+pub use watch::{Follow, failure};

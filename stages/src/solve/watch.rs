@@ -1,0 +1,47 @@
+//! Progress, stopping and failures of the solver in the engine's words.
+
+use std::sync::atomic::{AtomicBool, Ordering};
+use toile_cloth::{ClothError, Watch};
+use toile_garment::Diagnostic;
+use toile_stage_api::{Progress, StageContext, StageError};
+
+/// Tells the engine how far the solver is.
+pub struct Follow<'a> {
+    progress: &'a mut dyn Progress,
+    cancel: &'a AtomicBool,
+}
+
+impl<'a> Follow<'a> {
+    /// Follows on behalf of a stage.
+    pub fn new(cx: &'a mut StageContext<'_>) -> Self {
+        Self { progress: &mut *cx.progress, cancel: cx.cancel }
+    }
+}
+
+impl Watch for Follow<'_> {
+    fn progress(&mut self, step: u64, words: &str) {
+        self.progress.update(step, 0, words);
+    }
+
+    fn cancelled(&self) -> bool {
+        self.cancel.load(Ordering::Relaxed)
+    }
+}
+
+/// The solver's failure as a stage's: by whose fault it is.
+#[must_use]
+pub fn failure(error: ClothError) -> StageError {
+    match error {
+        ClothError::Cancelled { .. } => StageError::Cancelled,
+        ClothError::BadScene { code, what } => StageError::input(Diagnostic::error(code, what)),
+        ClothError::BadSetting { name, what } => {
+            StageError::parameter(Diagnostic::error("setting-out-of-range", format!("{name}: {what}")))
+        }
+        ClothError::StartCrosses { .. } => StageError::input(
+            Diagnostic::error("start-crosses", error.to_string())
+                .hint("move the pieces apart or further from the body in the sewing file ([[place]])"),
+        ),
+        ClothError::Unstable { .. } => StageError::Unstable(error.to_string()),
+        other => StageError::Internal(other.to_string()),
+    }
+}

@@ -1,0 +1,262 @@
+//! Edges tied to the body: a waist edge is laid on the ring a tape makes around the body there.
+
+use crate::body::{Section, hull, section_at};
+use toile_garment::garment::Pin;
+use toile_garment::sewing::{AttachSpec, AttachStrength};
+use toile_garment::{Diagnostic, Garment, MeshVertex, Piece, Vec2, Vec3};
+
+/// A tape around the body: a convex ring at one height.
+struct Ring {
+    points: Vec<Vec3>,
+    arc: Vec<f64>,
+}
+
+/// One piece's share of a ring.
+struct Share {
+    piece: usize,
+    /// Vertices along the attached edges with their distance from the first, darts closed, metres.
+    stations: Vec<(u32, f64)>,
+    length: f64,
+    /// Arc position of its middle on the ring at the start.
+    middle: f64,
+}
+
+/// Pins that hold the attached edges, `gap` metres off the body.
+///
+/// # Errors
+/// All attachments that cannot be made, each with the reason.
+pub fn pins(garment: &Garment, placed: &[Vec<Vec3>], gap: f64) -> Result<Vec<Pin>, Vec<Diagnostic>> {
+    let mut errors = Vec::new();
+    let mut targets: Vec<&str> = Vec::new();
+    for spec in &garment.plan.attachments {
+        if !targets.contains(&spec.to.as_str()) {
+            targets.push(&spec.to);
+        }
+    }
+    let mut pins = Vec::new();
+    for to in targets {
+        let specs: Vec<&AttachSpec> = garment.plan.attachments.iter().filter(|a| a.to == to).collect();
+        match ring_pins(garment, placed, gap, to, &specs) {
+            Ok(more) => pins.extend(more),
+            Err(finding) => errors.push(finding.at(specs[0].source.clone())),
+        }
+    }
+    if errors.is_empty() { Ok(pins) } else { Err(errors) }
+}
+
+fn ring_pins(
+    garment: &Garment,
+    placed: &[Vec<Vec3>],
+    gap: f64,
+    to: &str,
+    specs: &[&AttachSpec],
+) -> Result<Vec<Pin>, Diagnostic> {
+    let ring = ring(garment, to, gap)?;
+    let mut shares = Vec::new();
+    for spec in specs {
+        match spec.strength {
+            AttachStrength::Elastic(share) if !(share > 0.0 && share <= 1.5) => {
+                return Err(Diagnostic::error("attach-strength", format!("elastic {share} is not between 0 and 1.5")));
+            }
+            // Both end on the same ring: an elastic edge is gathered evenly onto it.
+            AttachStrength::Hold | AttachStrength::Elastic(_) => {}
+        }
+    }
+    for piece in &garment.pieces {
+        let edges = edges_of(piece, specs)?;
+        if !edges.is_empty() {
+            shares.push(share(piece, &placed[piece.id.index()], &edges, &ring));
+        }
+    }
+    Ok(lay(shares, &ring))
+}
+
+fn ring(garment: &Garment, to: &str, gap: f64) -> Result<Ring, Diagnostic> {
+    let body = garment.body.as_ref().ok_or_else(|| {
+        Diagnostic::error("body-missing", format!("an edge is attached to `{to}`, but there is no body"))
+            .hint("give the stage `stitch` a body: with.body = \"…obj\"")
+    })?;
+    let known = || body.landmarks.keys().map(String::as_str).collect::<Vec<_>>().join(", ");
+    let height = body
+        .landmarks
+        .get(to)
+        .or_else(|| body.landmarks.get(&format!("{to}-front")))
+        .map(|p| p.y)
+        .or_else(|| body.measures.get(&format!("{to}_height")).copied())
+        .ok_or_else(|| {
+            Diagnostic::error("attach-target-unknown", format!("the body has no landmark or height `{to}`"))
+                .hint(format!("this body has the landmarks {}", known()))
+        })?;
+    let section = section_at(body, height).ok_or_else(|| {
+        Diagnostic::error("attach-target-empty", format!("the body has no section at `{to}`, {:.0} mm", height * 1e3))
+    })?;
+    Ok(Ring::around(&section, gap))
+}
+
+impl Ring {
+    /// The convex outline of a level section, moved outwards by `gap`; starts at the front, runs to the wearer's left.
+    fn around(section: &Section, gap: f64) -> Self {
+        let height = section.points.first().map_or(0.0, |p| p.y);
+        // In the plane (z, x) a counter-clockwise hull runs from the front to the wearer's left.
+        let hull = hull(section.points.iter().map(|p| Vec2::new(p.z, p.x)).collect());
+        let n = hull.len();
+        let outwards = |a: Vec2, b: Vec2| Vec2::new(b.y - a.y, a.x - b.x).normalize();
+        let mut points = Vec::with_capacity(n);
+        for i in 0..n {
+            let (a, b, c) = (hull[(i + n - 1) % n], hull[i], hull[(i + 1) % n]);
+            let (u, v) = (outwards(a, b), outwards(b, c));
+            let mitre = (u + v) / (1.0 + u.dot(&v)).max(0.2);
+            let p = b + mitre * gap;
+            points.push(Vec3::new(p.y, height, p.x));
+        }
+        let front = (0..n).min_by(|a, b| bearing(points[*a]).abs().total_cmp(&bearing(points[*b]).abs())).unwrap_or(0);
+        points.rotate_left(front);
+        let mut arc = vec![0.0];
+        for i in 0..n {
+            arc.push(arc[i] + (points[(i + 1) % n] - points[i]).norm());
+        }
+        Self { points, arc }
+    }
+
+    fn girth(&self) -> f64 {
+        self.arc[self.points.len()]
+    }
+
+    fn at(&self, arc: f64) -> Vec3 {
+        let rest = arc.rem_euclid(self.girth());
+        let n = self.points.len();
+        let i = self.arc.partition_point(|a| *a <= rest).clamp(1, n) - 1;
+        let share = (rest - self.arc[i]) / (self.arc[i + 1] - self.arc[i]);
+        self.points[i] * (1.0 - share) + self.points[(i + 1) % n] * share
+    }
+
+    /// Arc position of the ring's point that lies in the same direction from the middle.
+    fn arc_towards(&self, p: Vec3) -> f64 {
+        let want = bearing(p);
+        let near = |q: &Vec3| {
+            let d = (bearing(*q) - want).rem_euclid(std::f64::consts::TAU);
+            d.min(std::f64::consts::TAU - d)
+        };
+        let best = (0..self.points.len()).min_by(|a, b| near(&self.points[*a]).total_cmp(&near(&self.points[*b])));
+        best.map_or(0.0, |i| self.arc[i])
+    }
+}
+
+/// Direction from the body's axis: 0 at the front, growing to the wearer's left.
+fn bearing(p: Vec3) -> f64 {
+    libm::atan2(p.x, p.z)
+}
+
+/// Outline edges of a piece that are attached, by name or number, in outline order.
+fn edges_of(piece: &Piece, specs: &[&AttachSpec]) -> Result<Vec<usize>, Diagnostic> {
+    let mut edges = Vec::new();
+    for spec in specs.iter().filter(|s| s.piece.eq_ignore_ascii_case(&piece.name)) {
+        let named: Vec<usize> = piece
+            .edges
+            .iter()
+            .filter(|e| e.name.as_deref() == Some(spec.edge.as_str()) || e.index.to_string() == spec.edge)
+            .map(|e| e.index as usize)
+            .collect();
+        if named.is_empty() {
+            return Err(Diagnostic::error(
+                "edge-unknown",
+                format!("piece `{}` has no edge `{}` to attach", piece.name, spec.edge),
+            )
+            .hint("`toile inspect --svg` draws the numbers of all edges"));
+        }
+        edges.extend(named);
+    }
+    edges.sort_unstable();
+    edges.dedup();
+    Ok(edges)
+}
+
+/// Vertices along the attached edges. Where the next attached edge starts at another vertex (a dart lies between),
+/// the distance goes on from the same value: the dart is closed when sewn.
+fn share(piece: &Piece, placed: &[Vec3], edges: &[usize], ring: &Ring) -> Share {
+    let mut stations: Vec<(u32, f64)> = Vec::new();
+    let mut length = 0.0;
+    for e in in_outline_order(piece, edges) {
+        let chain = edge_vertices(piece, e);
+        let rest = piece.mesh.as_ref().map_or(&[][..], |m| &m.rest);
+        for (k, v) in chain.iter().enumerate() {
+            if k > 0 {
+                length += (rest[*v as usize] - rest[chain[k - 1] as usize]).norm();
+            }
+            stations.push((*v, length));
+        }
+    }
+    if let (Some((first, _)), Some((last, _))) = (stations.first(), stations.last()) {
+        let turn = bearing(placed[*last as usize]) - bearing(placed[*first as usize]);
+        if (turn + std::f64::consts::PI).rem_euclid(std::f64::consts::TAU) < std::f64::consts::PI {
+            // The ring runs to the wearer's left; a top edge walked counter-clockwise runs to the right.
+            stations.iter_mut().for_each(|(_, along)| *along = length - *along);
+        }
+    }
+    let sum: Vec3 = stations.iter().map(|(v, _)| placed[*v as usize]).sum();
+    let middle = ring.arc_towards(sum / (stations.len().max(1) as f64));
+    Share { piece: piece.id.index(), stations, length, middle }
+}
+
+/// Attached edges from the first after a gap, so that a run over the outline's start stays together.
+fn in_outline_order(piece: &Piece, edges: &[usize]) -> Vec<usize> {
+    let n = piece.edges.len();
+    let held = |e: usize| edges.contains(&(e % n));
+    // Two attached edges with only dart legs between them belong together: the longest pause is the real one.
+    let mut best = (0, edges[0]);
+    for e in edges {
+        let pause = (1..=n).take_while(|k| !held(e + n - k)).count();
+        if pause > best.0 {
+            best = (pause, *e);
+        }
+    }
+    (0..n).map(|k| (best.1 + k) % n).filter(|e| edges.contains(e)).collect()
+}
+
+/// Mesh vertices along an outline edge, counter-clockwise.
+fn edge_vertices(piece: &Piece, edge: usize) -> Vec<u32> {
+    let Some(mesh) = &piece.mesh else { return Vec::new() };
+    let Some(chain) = mesh.outline() else { return Vec::new() };
+    let end = |i: u32| mesh.outline_vertex.get(i as usize).copied().flatten();
+    let (Some(from), Some(to)) = (end(piece.edges[edge].from), end(piece.edges[edge].to)) else { return Vec::new() };
+    let n = chain.vertices.len();
+    let Some(start) = chain.vertices.iter().position(|v| *v == from) else { return Vec::new() };
+    let mut out = vec![from];
+    for k in 1..=n {
+        let v = chain.vertices[(start + k) % n];
+        out.push(v);
+        if v == to {
+            break;
+        }
+    }
+    out
+}
+
+/// Lays the shares side by side around the ring, turned so that their middles move least.
+fn lay(mut shares: Vec<Share>, ring: &Ring) -> Vec<Pin> {
+    shares.sort_by(|a, b| a.middle.total_cmp(&b.middle));
+    let total: f64 = shares.iter().map(|s| s.length).sum();
+    let scale = ring.girth() / total.max(1e-9);
+    let mut start = 0.0;
+    let mut starts = Vec::new();
+    let mut offset = 0.0;
+    for s in &shares {
+        starts.push(start);
+        let girth = ring.girth();
+        let away = s.middle - (start + 0.5 * s.length * scale);
+        let first = shares[0].middle - 0.5 * shares[0].length * scale;
+        offset += first + (away - first + 0.5 * girth).rem_euclid(girth) - 0.5 * girth;
+        start += s.length * scale;
+    }
+    offset /= shares.len().max(1) as f64;
+    let mut pins: Vec<Pin> = Vec::new();
+    for (s, from) in shares.iter().zip(&starts) {
+        for (v, along) in &s.stations {
+            let vertex = MeshVertex { piece: toile_garment::PieceId::from(s.piece), vertex: *v };
+            pins.push(Pin { vertex, at: ring.at(from + along * scale + offset) });
+        }
+    }
+    pins.sort_by_key(|p| p.vertex);
+    pins.dedup_by_key(|p| p.vertex);
+    pins
+}
