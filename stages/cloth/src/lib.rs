@@ -1,1 +1,31 @@
-//! The cloth solver on plain arrays: energies, integrators, contact, effects
+//! The cloth solver on plain arrays: energies, integrators, contact, effects.
+//!
+//! It knows no garment and no file: a [`Scene`] of positions, rest triangles, stitches, pins and a body goes in,
+//! an [`Outcome`] with new positions comes out. [`sew`] closes the stitches, [`weld`] makes sewn vertices one,
+//! [`drape`] settles the cloth, [`certify`] counts afresh what the result is worth.
+//!
+//! SI units throughout (m, kg, s, N); tension, stretch and shear stiffness per metre of width (N/m), bending in N·m.
+
+pub mod certificate;
+pub mod curve;
+pub mod error;
+pub mod outcome;
+pub mod scene;
+pub mod settings;
+pub mod watch;
+pub mod weld;
+
+mod run;
+
+pub use certificate::{Figures, certify};
+pub use curve::Curve;
+pub use error::{ClothError, Place};
+pub use outcome::{EffectReport, Outcome, Reaction, StopReason};
+pub use run::{drape, sew};
+pub use scene::{BodyMesh, Element, Load, Material, Pin, Scene};
+pub use settings::{Effects, Integrator, Model, Settings, Switch};
+pub use watch::{Silent, Watch};
+pub use weld::{Welded, weld};
+
+/// A point or vector in the world, metres.
+pub type Vec3 = nalgebra::Vector3<f64>;

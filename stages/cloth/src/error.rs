@@ -1,0 +1,58 @@
+//! Why a run was refused or failed.
+
+use crate::Vec3;
+
+/// Where something is wrong.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Place {
+    /// A cloth triangle there.
+    pub triangle: u32,
+    /// World position, m.
+    pub at: Vec3,
+}
+
+/// Failures of the solver.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ClothError {
+    /// The scene is not usable: an index out of range, a number not finite, a triangle without area …
+    #[error("{what}")]
+    BadScene {
+        /// Fixed kebab-case code.
+        code: &'static str,
+        /// What and where, with numbers.
+        what: String,
+    },
+    /// The setting cannot be used.
+    #[error("setting `{name}`: {what}")]
+    BadSetting {
+        /// Which.
+        name: &'static str,
+        /// Allowed range.
+        what: String,
+    },
+    /// The cloth crosses itself or the body before the first step and could not be freed.
+    #[error("the start is not free: {self_crossings} cloth-cloth and {body_crossings} cloth-body crossings, first near ({:.3}, {:.3}, {:.3}) m", .place.at.x, .place.at.y, .place.at.z)]
+    StartCrosses {
+        /// Crossing pairs of cloth triangles.
+        self_crossings: usize,
+        /// Crossing pairs of a cloth and a body triangle.
+        body_crossings: usize,
+        /// The first of them.
+        place: Place,
+    },
+    /// The numbers left the finite range although the step was halved again and again.
+    #[error("unstable at step {step}: {what}")]
+    Unstable {
+        /// When.
+        step: u64,
+        /// What was seen.
+        what: String,
+    },
+    /// The watch asked to stop.
+    #[error("stopped on request at step {step}")]
+    Cancelled {
+        /// When.
+        step: u64,
+    },
+}

@@ -1,0 +1,81 @@
+//! What a run gives back.
+
+use crate::Vec3;
+
+/// Why a run ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum StopReason {
+    /// Energy change and speed below their tolerances (and, when sewing, every pair closed).
+    Settled,
+    /// The step limit.
+    MaxSteps,
+    /// The limit of simulated time.
+    MaxSeconds,
+}
+
+impl StopReason {
+    /// In words.
+    #[must_use]
+    pub fn words(self) -> &'static str {
+        match self {
+            Self::Settled => "settled",
+            Self::MaxSteps => "the step limit was reached",
+            Self::MaxSeconds => "the limit of simulated time was reached",
+        }
+    }
+}
+
+/// An effect that was on or off, and why.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EffectReport {
+    /// `self-contact`, `body-contact`, `friction`, `strain-limit`, `softened-stretch`, …
+    pub name: &'static str,
+    /// Was it built?
+    pub on: bool,
+    /// The rule that decided.
+    pub rule: String,
+    /// What the scene or the run showed.
+    pub evidence: String,
+    /// CPU time it took, s (0 where it is not measured apart). Never part of a result that must be reproducible.
+    pub cpu_seconds: f64,
+}
+
+/// Force that a pin gives to the cloth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reaction {
+    /// Held vertex.
+    pub vertex: u32,
+    /// N.
+    pub force: Vec3,
+}
+
+/// The end of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outcome {
+    /// Positions, in the order of the scene, m.
+    pub positions: Vec<Vec3>,
+    /// Steps taken.
+    pub steps: u64,
+    /// Simulated time, s.
+    pub seconds: f64,
+    /// True only if every tolerance was met.
+    pub settled: bool,
+    /// Why it ended.
+    pub stop_reason: StopReason,
+    /// Elastic energy, J.
+    pub energy: f64,
+    /// Fastest free vertex at the end, m/s.
+    pub speed_max: f64,
+    /// Largest net force on a free vertex at the end (contact, friction and pins included), over the mean vertex weight.
+    pub residual_rel: f64,
+    /// Largest distance of a stitched pair, m.
+    pub seam_gap_max: f64,
+    /// Stitched pairs not closed: index into the stitches, gap in m; largest gap first, at most 20.
+    pub open_stitches: Vec<(u32, f64)>,
+    /// Effects.
+    pub effects: Vec<EffectReport>,
+    /// Forces on the pins.
+    pub reactions: Vec<Reaction>,
+    /// Vertices that were pushed out of the body before the first step, and the largest push, m.
+    pub repaired: (usize, f64),
+}

@@ -1,0 +1,130 @@
+//! What the solver is given: plain arrays.
+
+use crate::{Curve, Vec3};
+
+/// One triangle of cloth with its own rest shape (so sewn vertices may differ on both sides of a seam).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Element {
+    /// Indices into [`Scene::positions`].
+    pub vertices: [u32; 3],
+    /// Rest corners in the cloth's own axes: x along the weft, y along the warp, metres.
+    pub rest: [[f64; 2]; 3],
+    /// Index into [`Scene::materials`].
+    pub material: u32,
+}
+
+impl Element {
+    /// Signed rest area, m².
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        let [a, b, c] = self.rest;
+        0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
+    }
+
+    /// Rest length of edge `k` (from corner `k` to the next), m.
+    #[must_use]
+    pub fn rest_length(&self, k: usize) -> f64 {
+        let (a, b) = (self.rest[k % 3], self.rest[(k + 1) % 3]);
+        libm::hypot(b[0] - a[0], b[1] - a[1])
+    }
+}
+
+/// A fabric as the solver needs it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    /// kg/m².
+    pub areal_mass: f64,
+    /// m.
+    pub thickness: f64,
+    /// Coulomb coefficient, on the body and on itself.
+    pub friction: f64,
+    /// Tension along the warp.
+    pub warp: Curve,
+    /// Tension along the weft.
+    pub weft: Curve,
+    /// Shear stiffness G, N/m per radian.
+    pub shear: f64,
+    /// Coupling of warp and weft: tension in one direction per strain in the other, as a fraction of the softer
+    /// stiffness at rest; 0 ≤ poisson < 1.
+    pub poisson: f64,
+    /// Bending rigidity along the warp, N·m.
+    pub bend_warp: f64,
+    /// Bending rigidity along the weft, N·m.
+    pub bend_weft: f64,
+    /// Bending rigidity at 45°, N·m; `None`: the orthotropic estimate from warp and weft.
+    pub bend_bias: Option<f64>,
+    /// Largest strain allowed along [warp, weft]; infinite for none.
+    pub strain_limit: [f64; 2],
+}
+
+impl Material {
+    /// Linear, isotropic in the plane: Young modulus per width `young` (N/m), Poisson ratio, bending rigidity (N·m).
+    #[must_use]
+    pub fn isotropic(areal_mass: f64, young: f64, poisson: f64, bending: f64) -> Self {
+        let k = young / (1.0 - poisson * poisson);
+        Self {
+            areal_mass,
+            thickness: 5e-4,
+            friction: 0.3,
+            warp: Curve::Linear { stiffness: k },
+            weft: Curve::Linear { stiffness: k },
+            shear: young / (2.0 * (1.0 + poisson)),
+            poisson,
+            bend_warp: bending,
+            bend_weft: bending,
+            bend_bias: None,
+            strain_limit: [f64::INFINITY; 2],
+        }
+    }
+}
+
+/// A vertex held at a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pin {
+    /// Vertex.
+    pub vertex: u32,
+    /// Where it is held, m. A vertex that starts elsewhere is led there as fast as contact allows.
+    pub at: Vec3,
+}
+
+/// A dead load on a vertex.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Load {
+    /// Vertex.
+    pub vertex: u32,
+    /// N.
+    pub force: Vec3,
+}
+
+/// What the cloth meets: a triangle mesh at rest. Orientation does not matter; closed meshes have an inside.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BodyMesh {
+    /// m.
+    pub positions: Vec<Vec3>,
+    /// Triangles.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// A whole scene.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Scene {
+    /// Start positions, m.
+    pub positions: Vec<Vec3>,
+    /// Cloth triangles.
+    pub triangles: Vec<Element>,
+    /// Fabrics.
+    pub materials: Vec<Material>,
+    /// Held vertices.
+    pub pins: Vec<Pin>,
+    /// Dead loads.
+    pub loads: Vec<Load>,
+    /// Vertex pairs to be sewn together (seams, darts, pleats).
+    pub stitches: Vec<[u32; 2]>,
+    /// The body, if any.
+    pub body: Option<BodyMesh>,
+    /// m/s².
+    pub gravity: Vec3,
+    /// Layer of every vertex (0 next to the body, 1 over it …); may be empty. Order is kept by the contact itself;
+    /// the number only says how many thicknesses further from the body the vertex is held.
+    pub layers: Vec<i32>,
+}

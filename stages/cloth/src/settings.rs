@@ -1,0 +1,142 @@
+//! How to solve: model, integrator, contact, stops. Defaults are for draping; [`Settings::sewing`] for sewing.
+
+/// Which in-plane model carries the cloth.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Model {
+    /// The paper's three classes of springs on the mesh edges (structural, shear, flexion), each with its own
+    /// strain-dependent stiffness. Shear comes out too stiff on triangle meshes (docs/structural.md).
+    Springs,
+    /// Triangle springs whose three coefficients depend on all three elongations: exact for any orthotropic law.
+    #[default]
+    Coupled,
+}
+
+/// How time advances.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Integrator {
+    /// Explicit central differences with an adaptive step (paper equations 8–14).
+    #[default]
+    CentralDifference,
+}
+
+/// Whether an effect is used.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Switch {
+    /// By the effect's own rule.
+    #[default]
+    Auto,
+    /// Whatever the rule says.
+    On,
+    /// Not even built.
+    Off,
+}
+
+/// The effects that a scene may or may not call for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Effects {
+    /// Cloth against cloth.
+    pub self_contact: Switch,
+    /// Cloth against the body.
+    pub body_contact: Switch,
+    /// Coulomb friction at contacts.
+    pub friction: Switch,
+    /// Over-elongation correction after the step (paper §2.2).
+    pub strain_limit: Switch,
+}
+
+/// All numbers of a run.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Settings {
+    /// In-plane model.
+    pub model: Model,
+    /// Time stepping.
+    pub integrator: Integrator,
+    /// Effects.
+    pub effects: Effects,
+    /// Mass-proportional damping rate C_d/m, 1/s (paper equation 7).
+    pub damping: f64,
+    /// Stiffness-proportional damping time, in time steps: quiets the shortest waves, leaves the rest shape alone.
+    pub stiffness_damping: f64,
+    /// Factor on the scene's gravity.
+    pub gravity_scale: f64,
+    /// Distance at which vertices are held off the body, m.
+    pub body_gap: f64,
+    /// Distance at which cloth is held off cloth, m; at least the fabric's thickness is used.
+    pub self_gap: f64,
+    /// Sewing force per gap, in units of the stitch's share of the cloth's stiffness (paper equation 5: c_s).
+    pub sewing_stiffness: f64,
+    /// Largest acceleration a sewing force may give, m/s².
+    pub sewing_acceleration: f64,
+    /// A stitched pair nearer than this counts as sewn and is joined, m (stop condition a).
+    pub sewing_distance: f64,
+    /// Time over which the sewing force grows to full, s.
+    pub sewing_ramp: f64,
+    /// Largest tangent stiffness of the stretch curves used, N/m; infinite for the curves as measured. A lower cap
+    /// allows a longer time step and costs added strain, which the strain limit bounds and the report states.
+    pub stiffness_cap: f64,
+    /// Fraction of the stable time step that is used, 0..1.
+    pub step_fraction: f64,
+    /// Elements much smaller than the rest get inertia (not weight) so that they do not rule the time step.
+    pub even_inertia: bool,
+    /// Stop condition b: relative change of the elastic energy over a check interval.
+    pub energy_tolerance: f64,
+    /// No free vertex may be faster than this for the state to be called settled, m/s.
+    pub speed_tolerance: f64,
+    /// Extra elongation allowed to a bias edge by shear, rad.
+    pub shear_allowance: f64,
+    /// Divides the bending stiffness: hinge factor of the mesh family (1 for regular triangles).
+    pub bending_mesh_factor: f64,
+    /// Most steps.
+    pub max_steps: u64,
+    /// Most simulated time, s.
+    pub max_seconds: f64,
+    /// Most vertices pushed out of the body at the start, as a fraction; above it the start is refused.
+    pub repair_share: f64,
+    /// Threads allowed; results never depend on it.
+    pub threads: usize,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            model: Model::Coupled,
+            integrator: Integrator::CentralDifference,
+            effects: Effects::default(),
+            damping: 4.0,
+            stiffness_damping: 0.3,
+            gravity_scale: 1.0,
+            body_gap: 2e-3,
+            self_gap: 1e-3,
+            sewing_stiffness: 0.05,
+            sewing_acceleration: 200.0,
+            sewing_distance: 1e-3,
+            sewing_ramp: 0.2,
+            stiffness_cap: 2000.0,
+            step_fraction: 0.8,
+            even_inertia: true,
+            energy_tolerance: 1e-3,
+            speed_tolerance: 2e-3,
+            shear_allowance: 0.6,
+            bending_mesh_factor: 1.0,
+            max_steps: 2_000_000,
+            max_seconds: 20.0,
+            repair_share: 0.2,
+            threads: 1,
+        }
+    }
+}
+
+impl Settings {
+    /// Defaults for sewing: no gravity until the seams are closed (the drape brings it), more damping, looser stop.
+    #[must_use]
+    pub fn sewing() -> Self {
+        Self {
+            gravity_scale: 0.0,
+            damping: 10.0,
+            energy_tolerance: 1e-2,
+            speed_tolerance: 5e-2,
+            max_seconds: 6.0,
+            ..Self::default()
+        }
+    }
+}
