@@ -3,6 +3,7 @@
 //! The data's way: `import_dxf` (or `import_mesh`) → `triangulate` → `assemble` → `stitch` → `drape` → `texture` →
 //! exports, `flatten`, report.
 
+pub mod body;
 pub mod builtin;
 pub mod sewing;
 
