@@ -2,6 +2,8 @@
 
 /// Number of values a key carries: half sizes along u and v, centre along u and v.
 pub const VALUES: usize = 4;
+/// Half width of the smoothing that takes the jumps of curvature at the keys away, metres.
+const SMOOTH: f64 = 0.014;
 
 /// A C1 curve through keys that never overshoots them (Fritsch and Butland's harmonic slopes, flat at both ends).
 #[derive(Clone, Debug)]
@@ -42,8 +44,17 @@ impl Curve {
         (self.keys.first().map_or(0.0, |k| k.0), self.keys.last().map_or(0.0, |k| k.0))
     }
 
-    /// Values and their derivatives; constant beyond the ends.
+    /// Values and their derivatives, smoothed over [`SMOOTH`]; constant beyond the ends.
     pub fn at(&self, t: f64) -> ([f64; VALUES], [f64; VALUES]) {
+        let (mut out, before, after) = (self.raw(t), self.raw(t - SMOOTH), self.raw(t + SMOOTH));
+        for c in 0..VALUES {
+            out.0[c] = 0.5 * out.0[c] + 0.25 * (before.0[c] + after.0[c]);
+            out.1[c] = 0.5 * out.1[c] + 0.25 * (before.1[c] + after.1[c]);
+        }
+        out
+    }
+
+    fn raw(&self, t: f64) -> ([f64; VALUES], [f64; VALUES]) {
         let after = self.keys.partition_point(|k| k.0 <= t);
         if after == 0 || after == self.keys.len() {
             let key = if after == 0 { self.keys.first() } else { self.keys.last() };
@@ -81,7 +92,7 @@ mod tests {
         let row = |x: f64| [x, 0.0, 0.0, 0.0];
         let curve = Curve::new(&[(0.0, row(1.0)), (1.0, row(3.0)), (2.0, row(3.0)), (4.0, row(-1.0))]);
         for (t, x) in [(0.0, 1.0), (1.0, 3.0), (2.0, 3.0), (4.0, -1.0), (-5.0, 1.0), (9.0, -1.0)] {
-            assert!((curve.at(t).0[0] - x).abs() < 1e-12);
+            assert!((curve.raw(t).0[0] - x).abs() < 1e-12);
         }
         for i in 0..=400 {
             let x = curve.at(f64::from(i) * 0.01).0[0];

@@ -74,14 +74,14 @@ impl Figure {
     pub fn at(&self, p: Vec3) -> Sample {
         let yokes = pair(p, 0.05, |p| self.yoke.at(p));
         let legs = pair(p, 0.02, |p| self.leg.at(p)).join(self.foot.at(p), 0.03);
-        let trunk = self.torso.at(p).join(yokes, 0.06);
-        let busts = pair(p, 0.045, |p| self.bust.at(p));
+        let trunk = self.torso.at(p).join(yokes, 0.075);
+        let busts = pair(p, 0.07, |p| self.bust.at(p));
         trunk
             .join(self.neck.at(p), 0.055)
             .join(self.head.at(p), 0.04)
-            .join(self.arm.at(p), 0.05)
-            .join(busts, 0.045)
-            .join(legs, 0.05)
+            .join(self.arm.at(p), 0.07)
+            .join(busts, 0.06)
+            .join(legs, 0.06)
     }
 
     /// Axis of the left arm: origin and direction.
@@ -124,17 +124,17 @@ fn torso(m: &BodyMeasures, [hip, waist, under, bust]: [f64; 4], crotch: f64) -> 
     let hip_to_waist = m.waist_height - m.hip_height;
     let bottom = m.crotch_height + crotch;
     let keys = [
-        section(bottom + 0.055, 0.150, 0.078, -0.112, h, h),
-        section(m.hip_height, 0.172, 0.096, -0.134, h, h),
+        section(bottom + 0.026, 0.154, 0.083, -0.119, h, h),
+        section(m.hip_height + 0.004, 0.171, 0.094, -0.130, h, h),
         section(m.hip_height + 0.5 * hip_to_waist, 0.156, 0.104, -0.108, 0.5 * (h + w), 0.5 * (h + w)),
         section(m.waist_height, 0.122, 0.092, -0.088, w, w),
         section(m.bust_height - 0.075, 0.134, 0.098, -0.102, u, u),
-        section(m.bust_height, 0.144, 0.098, -0.112, 0.6 * u + 0.4 * b, 0.6 * u + 0.4 * b),
+        section(m.bust_height, 0.143, 0.090, -0.110, 0.6 * u + 0.4 * b, 0.6 * u + 0.4 * b),
         section(m.bust_height + 0.5 * upper, 0.150, 0.084, -0.112, chest, u),
         section(m.bust_height + 0.78 * upper, 0.138, 0.060, -0.096, wide, u),
         section(top, 0.104, 0.030, -0.076, wide, u),
     ];
-    upright(&keys, 2.25, [0.055, 0.045])
+    upright(&keys, 2.25, [0.026, 0.045])
 }
 
 /// The shoulder: from the neck to the acromion at the shoulders' slope.
@@ -149,9 +149,9 @@ fn yoke(m: &BodyMeasures, acromion: Vec3) -> Sweep {
     let keys = [
         (0.03, [thick, 0.050 * deep, 0.0, -0.010]),
         (0.5 * length, [thick, 0.046 * deep, 0.0, -0.006]),
-        (length - 0.035, [thick, 0.042 * deep, 0.0, 0.0]),
+        (length - 0.055, [thick * 0.97, 0.041 * deep, 0.0, 0.0]),
     ];
-    Sweep { origin, axes: [up, Vec3::z(), along], keys: Curve::new(&keys), power: 2.0, caps: [0.03, 0.035] }
+    Sweep { origin, axes: [up, Vec3::z(), along], keys: Curve::new(&keys), power: 2.0, caps: [0.03, 0.050] }
 }
 
 fn neck_sweep(m: &BodyMeasures, factor: f64) -> Sweep {
@@ -183,9 +183,9 @@ fn bust_egg(m: &BodyMeasures, factor: f64, rise: f64) -> Egg {
     let cup = ((m.bust_girth - m.under_bust()) / (0.135 * m.bust_girth)).clamp(0.2, 2.0);
     let r = libm::sqrt(size) * (0.7 + 0.3 * cup);
     Egg {
-        centre: Vec3::new(0.083 * ribs.min(1.15), m.bust_height + rise, 0.056 * ribs + 0.012 * (size - 1.0)),
-        minus: Vec3::new(0.064, 0.062, 0.060) * r,
-        plus: Vec3::new(0.064, 0.095, 0.058 + 0.35 * (factor - 1.0)) * r,
+        centre: Vec3::new(0.086 * ribs.min(1.15), m.bust_height + rise, 0.056 * ribs + 0.012 * (size - 1.0)),
+        minus: Vec3::new(0.062, 0.060, 0.060) * r,
+        plus: Vec3::new(0.058, 0.092, 0.058 + 0.35 * (factor - 1.0)) * r,
     }
 }
 
@@ -209,19 +209,19 @@ impl ArmPlan {
         let girth_at = UPPER_ARM_AT * reach;
         let hand = m.stature / 1.68;
         let keys = [
-            (0.0, [0.047, 0.052, 0.0, 0.0]),
-            (0.055, [0.5 * (ru + 0.048), 0.4 * ru + 0.033, 0.0, 0.0]),
+            (0.020, [0.047, 0.052, 0.0, 0.0]),
+            (0.070, [0.5 * (ru + 0.047), 0.4 * ru + 0.033, 0.0, 0.0]),
             (girth_at, [ru * 0.99, ru * 1.01, 0.0, 0.0]),
             (elbow, [0.45 * ru + 0.58 * rw, 0.45 * ru + 0.62 * rw, 0.0, 0.0]),
             (elbow + 0.07, [0.43 * ru + 0.62 * rw, 0.43 * ru + 0.70 * rw, 0.0, 0.0]),
             (reach, [rw * 0.88, rw * 1.12, 0.0, 0.0]),
-            (reach + 0.05 * hand, [0.018, 0.038, 0.0, 0.0]),
-            (reach + 0.10 * hand, [0.016, 0.040, 0.0, 0.0]),
-            (reach + 0.145 * hand, [0.013, 0.030, 0.0, 0.0]),
+            (reach + 0.05 * hand, [0.019, 0.036, 0.0, 0.0]),
+            (reach + 0.10 * hand, [0.019, 0.039, 0.0, 0.0]),
+            (reach + 0.140 * hand, [0.018, 0.030, 0.0, 0.0]),
         ];
         let origin = acromion - out * joint;
         let axes = [out, Vec3::z(), along];
-        let sweep = Sweep { origin, axes, keys: Curve::new(&keys), power: 2.0, caps: [0.045, 0.03] };
+        let sweep = Sweep { origin, axes, keys: Curve::new(&keys), power: 2.0, caps: [0.065, 0.03] };
         Self { sweep, girth_at, wrist_at: reach }
     }
 }
@@ -239,9 +239,9 @@ fn leg(m: &BodyMeasures, factor: f64) -> Sweep {
         (0.61 * c, row(0.052 * slim, 0.056 * slim, 0.086 + 0.3 * (top - 0.08), -0.004)),
         (0.80 * c, row(0.068 * s, 0.076 * s, 0.090 + 0.6 * (top - 0.08), -0.004)),
         (c - 0.035, row(top, 0.094 * s, top + THIGH_GAP, -0.012)),
-        (c + 0.070, row(0.066 * s, 0.080 * s, top + 0.004, -0.014)),
+        (c + 0.060, row(0.076 * s, 0.094 * s, top + 0.009, -0.018)),
     ];
-    upright(&keys, 2.0, [0.04, 0.07])
+    upright(&keys, 2.0, [0.04, 0.09])
 }
 
 fn foot(m: &BodyMeasures, floor: f64) -> Sweep {

@@ -65,7 +65,7 @@ fn edge_length(m: &BodyMeasures, p: Vec3) -> f64 {
     let ramp = |x: f64, from: f64, to: f64| ((x - from) / (to - from)).clamp(0.0, 1.0);
     let arm = ramp(p.x, 0.5 * m.shoulder_width + 0.03, 0.5 * m.shoulder_width + 0.25);
     let foot = ramp(-p.y, -0.5, -0.12);
-    0.0175 - 0.0055 * arm.max(foot)
+    0.0185 - 0.0065 * arm.max(foot)
 }
 
 fn turn(m: &BodyMeasures, tune: &mut Tune, taken: &Taken) {
