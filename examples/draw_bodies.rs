@@ -1,0 +1,33 @@
+//! Draws the sample bodies: `cargo run --release --example draw_bodies` writes `samples/bodies/`.
+
+use std::path::Path;
+use std::process::ExitCode;
+use toile_stages::body::{BodyMeasures, SIZES, obj_text, parametric, side_file::side_text};
+
+fn main() -> ExitCode {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/bodies");
+    for (label, _) in SIZES {
+        if let Err(problem) = draw(&folder, label) {
+            report(&format!("size {label}: {problem}"));
+            return ExitCode::FAILURE;
+        }
+    }
+    ExitCode::SUCCESS
+}
+
+#[allow(clippy::print_stderr)]
+fn report(problem: &str) {
+    eprintln!("{problem}");
+}
+
+fn draw(folder: &Path, label: &str) -> Result<(), String> {
+    let measures = BodyMeasures::size(label).ok_or("no such size")?;
+    let body = parametric(&measures)
+        .map_err(|found| found.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))?;
+    let write = |kind: &str, text: String| {
+        let path = folder.join(format!("{}.{kind}", body.name));
+        std::fs::write(&path, text).map_err(|e| format!("{}: {e}", path.display()))
+    };
+    write("obj", obj_text(&body))?;
+    write("toml", side_text(&body))
+}

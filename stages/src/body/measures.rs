@@ -1,0 +1,243 @@
+//! The measures of a body and what is possible among them.
+
+use toile_garment::Diagnostic;
+
+/// Body measures by their ISO 8559-1 names, metres. Girths as a tape gives them, heights over the floor.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BodyMeasures {
+    /// Name of the body, e.g. `size-38`.
+    pub name: String,
+    /// Floor to crown.
+    pub stature: f64,
+    /// Height of the back neck point.
+    pub neck_height: f64,
+    /// Height of the shoulder (acromion) point.
+    pub shoulder_height: f64,
+    /// Height of the bust points.
+    pub bust_height: f64,
+    /// Height of the waist.
+    pub waist_height: f64,
+    /// Height of the hips' largest girth.
+    pub hip_height: f64,
+    /// Height of the crotch.
+    pub crotch_height: f64,
+    /// Acromion to acromion, straight.
+    pub shoulder_width: f64,
+    /// Acromion to wrist, straight arm.
+    pub arm_length: f64,
+    /// Bust girth.
+    pub bust_girth: f64,
+    /// Girth of the rib cage under the bust; a usual cup when `None`.
+    pub under_bust_girth: Option<f64>,
+    /// Waist girth.
+    pub waist_girth: f64,
+    /// Hip girth.
+    pub hip_girth: f64,
+    /// Neck girth, across the neck's axis.
+    pub neck_girth: f64,
+    /// Upper arm girth, half way between shoulder and elbow.
+    pub upper_arm_girth: f64,
+    /// Wrist girth.
+    pub wrist_girth: f64,
+    /// Thigh girth, just under the crotch.
+    pub thigh_girth: f64,
+}
+
+/// The sizes the samples are cut for: label, then bust, waist, hip, neck, upper arm, thigh and wrist girth in mm.
+pub const SIZES: [(&str, [f64; 7]); 3] = [
+    ("36", [840.0, 660.0, 920.0, 350.0, 270.0, 530.0, 155.0]),
+    ("38", [880.0, 700.0, 960.0, 360.0, 280.0, 550.0, 160.0]),
+    ("40", [920.0, 740.0, 1000.0, 370.0, 290.0, 570.0, 165.0]),
+];
+
+impl Default for BodyMeasures {
+    /// Size 38.
+    fn default() -> Self {
+        Self {
+            name: "size-38".to_owned(),
+            stature: 1.680,
+            neck_height: 1.440,
+            shoulder_height: 1.385,
+            bust_height: 1.220,
+            waist_height: 1.050,
+            hip_height: 0.840,
+            crotch_height: 0.770,
+            shoulder_width: 0.380,
+            arm_length: 0.580,
+            bust_girth: 0.880,
+            under_bust_girth: None,
+            waist_girth: 0.700,
+            hip_girth: 0.960,
+            neck_girth: 0.360,
+            upper_arm_girth: 0.280,
+            wrist_girth: 0.160,
+            thigh_girth: 0.550,
+        }
+    }
+}
+
+impl BodyMeasures {
+    /// One of [`SIZES`] by its label.
+    #[must_use]
+    pub fn size(label: &str) -> Option<Self> {
+        let (label, girths) = SIZES.iter().find(|(l, _)| *l == label)?;
+        let [bust, waist, hip, neck, upper_arm, thigh, wrist] = girths.map(|mm| mm / 1000.0);
+        Some(Self {
+            name: format!("size-{label}"),
+            bust_girth: bust,
+            waist_girth: waist,
+            hip_girth: hip,
+            neck_girth: neck,
+            upper_arm_girth: upper_arm,
+            thigh_girth: thigh,
+            wrist_girth: wrist,
+            ..Self::default()
+        })
+    }
+
+    /// The girth under the bust: as given, or that of a usual cup.
+    #[must_use]
+    pub fn under_bust(&self) -> f64 {
+        self.under_bust_girth.unwrap_or(0.865 * self.bust_girth)
+    }
+
+    /// All measures by name, in a fixed order.
+    #[must_use]
+    pub fn entries(&self) -> [(&'static str, f64); 17] {
+        [
+            ("stature", self.stature),
+            ("neck_height", self.neck_height),
+            ("shoulder_height", self.shoulder_height),
+            ("bust_height", self.bust_height),
+            ("waist_height", self.waist_height),
+            ("hip_height", self.hip_height),
+            ("crotch_height", self.crotch_height),
+            ("shoulder_width", self.shoulder_width),
+            ("arm_length", self.arm_length),
+            ("bust_girth", self.bust_girth),
+            ("under_bust_girth", self.under_bust()),
+            ("waist_girth", self.waist_girth),
+            ("hip_girth", self.hip_girth),
+            ("neck_girth", self.neck_girth),
+            ("upper_arm_girth", self.upper_arm_girth),
+            ("wrist_girth", self.wrist_girth),
+            ("thigh_girth", self.thigh_girth),
+        ]
+    }
+
+    /// Sets one measure by its name, metres. False when there is no measure of that name.
+    pub fn set(&mut self, name: &str, value: f64) -> bool {
+        let slot = match name {
+            "stature" => &mut self.stature,
+            "neck_height" => &mut self.neck_height,
+            "shoulder_height" => &mut self.shoulder_height,
+            "bust_height" => &mut self.bust_height,
+            "waist_height" => &mut self.waist_height,
+            "hip_height" => &mut self.hip_height,
+            "crotch_height" => &mut self.crotch_height,
+            "shoulder_width" => &mut self.shoulder_width,
+            "arm_length" => &mut self.arm_length,
+            "bust_girth" => &mut self.bust_girth,
+            "under_bust_girth" => self.under_bust_girth.insert(value),
+            "waist_girth" => &mut self.waist_girth,
+            "hip_girth" => &mut self.hip_girth,
+            "neck_girth" => &mut self.neck_girth,
+            "upper_arm_girth" => &mut self.upper_arm_girth,
+            "wrist_girth" => &mut self.wrist_girth,
+            "thigh_girth" => &mut self.thigh_girth,
+            _ => return false,
+        };
+        *slot = value;
+        true
+    }
+
+    /// What is impossible among these measures: every finding, not only the first.
+    #[must_use]
+    pub fn check(&self) -> Vec<Diagnostic> {
+        let mut found: Vec<Diagnostic> =
+            self.entries().into_iter().zip(RANGES).filter_map(|((name, value), range)| outside(name, value, range)).collect();
+        if found.is_empty() {
+            found.extend(self.relations().into_iter().filter_map(Relation::broken));
+        }
+        found
+    }
+
+    fn relations(&self) -> [Relation; 15] {
+        let rel = |small, low, share, large, high| Relation { small, low, share, large, high };
+        [
+            rel("crotch_height", self.crotch_height + 0.03, 1.0, "hip_height", self.hip_height),
+            rel("hip_height", self.hip_height + 0.10, 1.0, "waist_height", self.waist_height),
+            rel("waist_height", self.waist_height + 0.10, 1.0, "bust_height", self.bust_height),
+            rel("bust_height", self.bust_height + 0.10, 1.0, "shoulder_height", self.shoulder_height),
+            rel("shoulder_height", self.shoulder_height + 0.01, 1.0, "neck_height", self.neck_height),
+            rel("neck_height", self.neck_height + 0.15, 1.0, "stature", self.stature),
+            rel("waist_girth", self.waist_girth, 1.2, "hip_girth", self.hip_girth),
+            rel("waist_girth", self.waist_girth, 1.2, "bust_girth", self.bust_girth),
+            rel("under_bust_girth", self.under_bust(), 0.97, "bust_girth", self.bust_girth),
+            rel("bust_girth", self.bust_girth, 1.35, "under_bust_girth", self.under_bust()),
+            rel("thigh_girth", self.thigh_girth, 0.66, "hip_girth", self.hip_girth),
+            rel("neck_girth", self.neck_girth, 0.55, "bust_girth", self.bust_girth),
+            rel("upper_arm_girth", self.upper_arm_girth, 0.42, "bust_girth", self.bust_girth),
+            rel("wrist_girth", self.wrist_girth, 0.85, "upper_arm_girth", self.upper_arm_girth),
+            rel("shoulder_width", self.shoulder_width, 0.55, "bust_girth", self.bust_girth),
+        ]
+    }
+}
+
+/// Smallest and largest sane value of each measure, in the order of [`BodyMeasures::entries`], metres.
+const RANGES: [(f64, f64); 17] = [
+    (1.30, 2.10),
+    (1.05, 1.85),
+    (1.00, 1.80),
+    (0.85, 1.65),
+    (0.75, 1.45),
+    (0.55, 1.20),
+    (0.50, 1.10),
+    (0.28, 0.55),
+    (0.40, 0.75),
+    (0.65, 1.60),
+    (0.60, 1.50),
+    (0.48, 1.60),
+    (0.70, 1.70),
+    (0.26, 0.55),
+    (0.18, 0.55),
+    (0.11, 0.26),
+    (0.38, 0.95),
+];
+
+fn outside(name: &str, value: f64, (low, high): (f64, f64)) -> Option<Diagnostic> {
+    if (low..=high).contains(&value) {
+        return None;
+    }
+    let message = format!("{name} = {:.1} mm is no measure of a body", value * 1000.0);
+    let hint = format!("give {name} between {:.0} mm and {:.0} mm", low * 1000.0, high * 1000.0);
+    Some(Diagnostic::error("body-measure-out-of-range", message).hint(hint))
+}
+
+/// `low` may be at most `share` of `high`.
+struct Relation {
+    small: &'static str,
+    low: f64,
+    share: f64,
+    large: &'static str,
+    high: f64,
+}
+
+impl Relation {
+    fn broken(self) -> Option<Diagnostic> {
+        let limit = self.share * self.high;
+        if self.low <= limit {
+            return None;
+        }
+        let message = format!(
+            "{} does not go with {} = {:.1} mm: it counts as {:.1} mm, at most {:.1} mm is possible",
+            self.small,
+            self.large,
+            self.high * 1000.0,
+            self.low * 1000.0,
+            limit * 1000.0
+        );
+        let hint = format!("make {} smaller or {} larger", self.small, self.large);
+        Some(Diagnostic::error("body-measures-contradict", message).hint(hint))
+    }
+}

@@ -1,0 +1,112 @@
+//! The parametric body: one closed mesh that meets given girths and heights.
+//!
+//! The body is a field (swept sections and eggs joined with fillets), polygonised on one side of its plane of
+//! symmetry, remeshed to even triangles, and turned until a tape on the mesh gives the wanted measures.
+
+mod curve;
+mod field;
+mod figure;
+mod fit;
+mod landmarks;
+mod measures;
+mod net;
+mod polygonise;
+mod remesh;
+mod section;
+mod segments;
+pub mod side_file;
+
+pub use measures::{BodyMeasures, SIZES};
+pub use section::{Section, girth_at, section_at, section_near, sections};
+
+use fit::{Fitted, Taken, fit, take, wanted};
+use std::collections::BTreeMap;
+use toile_garment::body::Body;
+use toile_garment::{Diagnostic, Vec3};
+
+/// Largest relative difference between a wanted and a measured girth or height.
+const TOLERANCE: f64 = 0.01;
+
+/// The body with these measures: closed, oriented outwards, every edge in two triangles, left as right; metres.
+///
+/// # Errors
+/// Findings `body-measure-out-of-range` and `body-measures-contradict` where the measures are impossible, and
+/// `body-measure-not-met` where no figure of this kind meets them within 1 %.
+pub fn parametric(m: &BodyMeasures) -> Result<Body, Vec<Diagnostic>> {
+    let found = m.check();
+    if !found.is_empty() {
+        return Err(found);
+    }
+    let Fitted { figure, mut net } = fit(m);
+    for p in &mut net.positions {
+        *p = p.map(to_micrometres);
+    }
+    let taken = take(m, &figure, &net);
+    let missed = missed(m, &taken);
+    if !missed.is_empty() {
+        return Err(missed);
+    }
+    let (positions, triangles) = net.whole();
+    let landmarks = landmarks::landmarks(&figure, m);
+    let segments = segments::segments(&figure, m, &positions, &triangles);
+    Ok(Body {
+        name: m.name.clone(),
+        positions,
+        triangles,
+        measures: measured(m, &taken),
+        landmarks: landmarks.into_iter().map(|(name, p)| (name, p.map(to_micrometres))).collect(),
+        segments,
+        digest: String::new(),
+    })
+}
+
+fn to_micrometres(x: f64) -> f64 {
+    // Adding zero turns −0 into 0.
+    (x * 1e6).round() / 1e6 + 0.0
+}
+
+/// The measures a tape finds on the mesh; heights and lengths of construction as asked for.
+fn measured(m: &BodyMeasures, taken: &Taken) -> BTreeMap<String, f64> {
+    let mut all: BTreeMap<String, f64> = m.entries().into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
+    for (name, value) in GIRTHS.iter().zip(taken.girths).chain(HEIGHTS.iter().zip(taken.heights)) {
+        all.insert((*name).to_owned(), to_micrometres(value));
+    }
+    all.remove("floor");
+    all
+}
+
+const GIRTHS: [&str; 8] = [
+    "hip_girth",
+    "waist_girth",
+    "under_bust_girth",
+    "bust_girth",
+    "neck_girth",
+    "upper_arm_girth",
+    "wrist_girth",
+    "thigh_girth",
+];
+const HEIGHTS: [&str; 5] = ["stature", "crotch_height", "shoulder_height", "bust_height", "floor"];
+
+fn missed(m: &BodyMeasures, taken: &Taken) -> Vec<Diagnostic> {
+    let wanted = wanted(m);
+    let girths = GIRTHS.iter().zip(taken.girths.into_iter().zip(wanted.girths));
+    let heights = HEIGHTS.iter().zip(taken.heights.into_iter().zip(wanted.heights));
+    girths
+        .chain(heights)
+        .filter(|(_, (have, want))| (have - want).abs() > TOLERANCE * want.max(0.1))
+        .map(|(name, (have, want))| {
+            let (have, want) = (have * 1000.0, want * 1000.0);
+            let message = format!("{name} = {want:.1} mm cannot be reached with the other measures: the nearest is {have:.1} mm");
+            Diagnostic::error("body-measure-not-met", message).hint("bring the measures closer to each other")
+        })
+        .collect()
+}
+
+/// Points of the outline of a closed mesh as text: Wavefront OBJ, metres, micrometre steps.
+#[must_use]
+pub fn obj_text(body: &Body) -> String {
+    let line = |p: &Vec3| format!("v {:.6} {:.6} {:.6}\n", p.x, p.y, p.z);
+    let vertices: String = body.positions.iter().map(line).collect();
+    let faces: String = body.triangles.iter().map(|t| format!("f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1)).collect();
+    format!("# {}: metres, +y up, +z front, +x the wearer's left\no {}\n{vertices}{faces}", body.name, body.name)
+}
