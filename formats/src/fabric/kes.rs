@@ -53,7 +53,7 @@ mod tests {
     fn check(emt: f64, lt: f64, k0: f64, beta: f64) {
         match fit(emt, lt).expect("in range") {
             StretchLaw::Exponential { k0: k, beta: b } => {
-                assert!((k / k0 - 1.0).abs() < 1e-5, "K0 {k} against {k0}");
+                assert!((k / k0 - 1.0).abs() < 5e-5, "K0 {k} against {k0}");
                 assert!((b / beta - 1.0).abs() < 2e-4, "beta {b} against {beta}");
             }
             other => panic!("expected an exponential law, got {other:?}"),

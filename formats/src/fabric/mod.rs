@@ -44,6 +44,8 @@ mod curve;
 mod fields;
 pub mod kes;
 mod reader;
+#[cfg(test)]
+mod tests;
 
 use toile_garment::Diagnostic;
 use toile_garment::fabric::Fabric;
