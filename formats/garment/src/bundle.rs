@@ -111,6 +111,7 @@ fn check_indices(garment: &Garment) -> Result<(), BundleError> {
         let ids_hold = mesh.triangles.iter().flatten().all(inside)
             && mesh.chains.iter().flat_map(|c| &c.vertices).all(inside)
             && mesh.outline_vertex.iter().flatten().all(inside)
+            && mesh.rest_corners.as_ref().is_none_or(|c| c.len() == mesh.triangles.len())
             && piece.darts.iter().filter_map(|d| d.mesh.as_ref()).flat_map(|m| m.legs.iter().flatten()).all(inside);
         if !ids_hold {
             return damaged(format!("piece `{}` names a vertex beyond its {n}", piece.name));

@@ -147,9 +147,49 @@ pub struct Garment {
     /// Flattened pieces; filled by `flatten`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub flat: Option<Flat>,
+    /// Vertical axis of the mesh files the garment came from (import-mesh); mesh exports turn back to it.
+    #[serde(default, skip_serializing_if = "UpAxis::is_y")]
+    pub file_up: UpAxis,
     /// History; filled by the engine.
     #[serde(default)]
     pub provenance: Provenance,
+}
+
+/// Vertical axis of a mesh file. Inside, +y is up, always.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum UpAxis {
+    /// +y up, +z front.
+    #[default]
+    Y,
+    /// +z up, −y front.
+    Z,
+}
+
+impl UpAxis {
+    /// Is it +y?
+    #[must_use]
+    pub fn is_y(&self) -> bool {
+        *self == Self::Y
+    }
+
+    /// A point or vector of such a file in the world of the program.
+    #[must_use]
+    pub fn from_file(self, p: Vec3) -> Vec3 {
+        match self {
+            Self::Y => p,
+            Self::Z => Vec3::new(p.x, p.z, -p.y),
+        }
+    }
+
+    /// A point or vector of the world as such a file holds it; the exact reverse of [`Self::from_file`].
+    #[must_use]
+    pub fn to_file(self, p: Vec3) -> Vec3 {
+        match self {
+            Self::Y => p,
+            Self::Z => Vec3::new(p.x, -p.z, p.y),
+        }
+    }
 }
 
 /// A held particle.

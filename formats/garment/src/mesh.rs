@@ -43,6 +43,12 @@ pub struct PieceMesh {
     pub chains: Vec<MeshChain>,
     /// For every vertex of the piece outline (`Piece::outline.points`) its mesh vertex, where it is one.
     pub outline_vertex: Vec<Option<u32>>,
+    /// Rest positions of the corners of every triangle, metres, where no single flat layout holds them all: the rest
+    /// shape of a curved cloth mesh (import-mesh), or a layout with cuts. Each triangle has a frame of its own,
+    /// x along the weft, y along the warp, counter-clockwise. When set, it is the rest shape, and `rest` only a picture.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<Vec<[[f64; 2]; 3]>>")]
+    pub rest_corners: Option<Vec<[Vec2; 3]>>,
 }
 
 impl PieceMesh {
@@ -52,10 +58,21 @@ impl PieceMesh {
         self.chains.iter().find(|c| c.kind == ChainKind::Outline)
     }
 
-    /// Area of the mesh, square metres.
+    /// Rest positions of the corners of triangle `t`, metres.
+    #[must_use]
+    pub fn rest_triangle(&self, t: usize) -> Option<[Vec2; 3]> {
+        if let Some(corners) = &self.rest_corners {
+            return corners.get(t).copied();
+        }
+        let [a, b, c] = self.triangles.get(t)?.map(|i| self.rest.get(i as usize).copied());
+        Some([a?, b?, c?])
+    }
+
+    /// Area of the mesh at rest, square metres.
     #[must_use]
     pub fn area(&self) -> f64 {
-        self.triangles.iter().map(|t| self.triangle_area(*t)).sum()
+        let cross = |[a, b, c]: [Vec2; 3]| 0.5 * (b - a).perp(&(c - a));
+        (0..self.triangles.len()).filter_map(|t| self.rest_triangle(t)).map(cross).sum()
     }
 
     /// Signed area of one triangle, square metres.

@@ -1,0 +1,172 @@
+//! The body's mesh made sound: merged, without flat triangles, facing outwards.
+
+use super::place;
+use crate::obj::ObjMesh;
+use std::collections::{BTreeMap, BTreeSet};
+use toile_garment::{Diagnostic, Severity, Vec3};
+
+/// Height of a body that needs no question, metres: a doll to a giant.
+const HEIGHT: std::ops::RangeInclusive<f64> = 0.2..=3.0;
+
+type Mesh = (Vec<Vec3>, Vec<[u32; 3]>);
+
+/// Cleans the mesh; what was done stands in the findings.
+pub fn clean(raw: &ObjMesh, file: &str, findings: &mut Vec<Diagnostic>) -> Result<Mesh, Diagnostic> {
+    let mut note = |severity, code: &str, count: usize, words: &str| {
+        if count > 0 {
+            findings.push(Diagnostic::new(severity, code, format!("`{file}`: {count} {words}")).at(place(file)));
+        }
+    };
+    let (positions, mapped, merged, unused) = merge(raw);
+    note(Severity::Info, "body-vertices-merged", merged, "vertices at the place of another were merged");
+    note(Severity::Info, "body-vertices-unused", unused, "vertices belong to no face and were left out");
+    let (mut triangles, flat, double) = sound(&positions, mapped);
+    note(Severity::Warning, "body-triangles-flat", flat, "triangles without area were left out");
+    note(Severity::Warning, "body-triangles-double", double, "triangles that stand twice were left out");
+    if triangles.is_empty() {
+        return Err(Diagnostic::error("body-empty", format!("`{file}` has no triangle with area")).at(place(file)));
+    }
+    let edges = edges(&triangles);
+    let (open, crowded, mixed) = count(&edges);
+    if mixed > 0 {
+        let message = format!("`{file}`: along {mixed} edges the two triangles face opposite ways");
+        let finding = Diagnostic::error("body-faces-mixed", message).at(place(file));
+        return Err(finding.hint("make all faces point outwards (recalculate the normals) and export again"));
+    }
+    note(Severity::Warning, "body-open", open, "open edges: the body is not closed, inside and outside are guessed");
+    note(Severity::Warning, "body-not-manifold", crowded, "edges belong to more than two triangles");
+    let turned = turn_outwards(&positions, &mut triangles, &edges);
+    note(Severity::Warning, "body-inside-out", turned, "triangles faced inwards and were turned");
+    Ok((positions, triangles))
+}
+
+/// Vertices at bit-equal places become one; those of no face go.
+fn merge(raw: &ObjMesh) -> (Vec<Vec3>, Vec<[u32; 3]>, usize, usize) {
+    let mut used = vec![false; raw.positions.len()];
+    for i in raw.triangles.iter().flatten() {
+        used[*i as usize] = true;
+    }
+    let mut first: BTreeMap<[u64; 3], u32> = BTreeMap::new();
+    let mut target = vec![0u32; raw.positions.len()];
+    let mut positions = Vec::new();
+    let mut merged = 0;
+    for (i, p) in raw.positions.iter().enumerate().filter(|(i, _)| used[*i]) {
+        let next = positions.len() as u32;
+        let id = *first.entry([p.x.to_bits(), p.y.to_bits(), p.z.to_bits()]).or_insert(next);
+        if id == next {
+            positions.push(*p);
+        } else {
+            merged += 1;
+        }
+        target[i] = id;
+    }
+    let triangles = raw.triangles.iter().map(|t| t.map(|i| target[i as usize])).collect();
+    let unused = used.iter().filter(|u| !**u).count();
+    (positions, triangles, merged, unused)
+}
+
+/// Without flat triangles and doubles, and how many of each there were.
+fn sound(positions: &[Vec3], triangles: Vec<[u32; 3]>) -> (Vec<[u32; 3]>, usize, usize) {
+    let (mut flat, mut double) = (0, 0);
+    let mut seen = BTreeSet::new();
+    let mut out = Vec::with_capacity(triangles.len());
+    for t in triangles {
+        let [a, b, c] = t.map(|i| positions[i as usize]);
+        let area = (b - a).cross(&(c - a)).norm();
+        let mut key = t;
+        key.sort_unstable();
+        if key[0] == key[1] || key[1] == key[2] || area == 0.0 {
+            flat += 1;
+        } else if !seen.insert(key) {
+            double += 1;
+        } else {
+            out.push(t);
+        }
+    }
+    (out, flat, double)
+}
+
+/// Triangles on each edge: (triangle, does it run from the smaller to the larger vertex?).
+type Edges = BTreeMap<(u32, u32), Vec<(u32, bool)>>;
+
+fn edges(triangles: &[[u32; 3]]) -> Edges {
+    let mut edges = Edges::new();
+    for (t, [a, b, c]) in triangles.iter().enumerate() {
+        for (from, to) in [(a, b), (b, c), (c, a)] {
+            edges.entry((*from.min(to), *from.max(to))).or_default().push((t as u32, from < to));
+        }
+    }
+    edges
+}
+
+/// Open edges, edges of more than two triangles, edges whose two triangles disagree.
+fn count(edges: &Edges) -> (usize, usize, usize) {
+    let mut counts = (0, 0, 0);
+    for users in edges.values() {
+        match users.as_slice() {
+            [_] => counts.0 += 1,
+            [(_, a), (_, b)] => counts.2 += usize::from(a == b),
+            _ => counts.1 += 1,
+        }
+    }
+    counts
+}
+
+/// Turns every connected part of negative volume; gives the number of turned triangles.
+fn turn_outwards(positions: &[Vec3], triangles: &mut [[u32; 3]], edges: &Edges) -> usize {
+    let part = parts(triangles.len(), edges);
+    let mut volume: BTreeMap<u32, f64> = BTreeMap::new();
+    let mut origin: BTreeMap<u32, Vec3> = BTreeMap::new();
+    for (t, p) in triangles.iter().zip(&part) {
+        let [a, b, c] = t.map(|i| positions[i as usize]);
+        // A point of the part itself: the volume of an open part depends on it least.
+        let o = *origin.entry(*p).or_insert(a);
+        *volume.entry(*p).or_insert(0.0) += (a - o).dot(&(b - o).cross(&(c - o)));
+    }
+    let mut turned = 0;
+    for (t, p) in triangles.iter_mut().zip(&part) {
+        if volume.get(p).is_some_and(|v| *v < 0.0) {
+            t.swap(1, 2);
+            turned += 1;
+        }
+    }
+    turned
+}
+
+/// Number of the connected part of each triangle (its lowest triangle).
+fn parts(count: usize, edges: &Edges) -> Vec<u32> {
+    let mut parent: Vec<u32> = (0..count as u32).collect();
+    fn root(parent: &mut [u32], mut i: u32) -> u32 {
+        while parent[i as usize] != i {
+            parent[i as usize] = parent[parent[i as usize] as usize];
+            i = parent[i as usize];
+        }
+        i
+    }
+    for users in edges.values() {
+        for pair in users.windows(2) {
+            let (a, b) = (root(&mut parent, pair[0].0), root(&mut parent, pair[1].0));
+            parent[a.max(b) as usize] = a.min(b);
+        }
+    }
+    (0..count as u32).map(|i| root(&mut parent, i)).collect()
+}
+
+/// A finding when the height is not one of a person in metres. An error for a body with measures, else a warning: a
+/// test scene may hold a ball.
+pub fn size(raw: &ObjMesh, file: &str, person: bool) -> Option<Diagnostic> {
+    let [low, high] = raw.bounds()?;
+    let height = high.y - low.y;
+    if HEIGHT.contains(&height) {
+        return None;
+    }
+    let units = [("millimetres", 1e-3), ("centimetres", 1e-2), ("inches", 0.0254), ("decimetres", 0.1)];
+    let guess = units.iter().find(|(_, f)| (1.0..=2.4).contains(&(height * f)));
+    let severity = if person { Severity::Error } else { Severity::Warning };
+    let message = format!("`{file}` is {:.3} m high; a body is between 0.2 m and 3 m", height);
+    let hint = guess.map_or_else(
+        || "a body file holds metres, y up".to_owned(),
+        |(unit, _)| format!("the file looks like {unit}; a body file holds metres, y up"),
+    );
+    Some(Diagnostic::new(severity, "body-size", message).at(place(file)).hint(hint))
+}

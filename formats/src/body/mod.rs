@@ -1,0 +1,106 @@
+//! The body: a closed OBJ mesh in metres, and beside it a TOML file with what the mesh cannot say.
+//!
+//! # The file beside the mesh (`<body>.toml`)
+//!
+//! ```toml
+//! name = "woman 38"
+//!
+//! [measures]                                   # ISO 8559-1 names
+//! waist_girth = "720 mm"
+//!
+//! [landmarks]                                  # x to the wearer's left, y up, z to the front
+//! waist = ["0 mm", "1040 mm", "0 mm"]
+//!
+//! [segments.torso]                             # torso, arm-left, arm-right, leg-left, leg-right, neck
+//! from = ["0 mm", "1400 mm", "0 mm"]
+//! to = ["0 mm", "780 mm", "0 mm"]
+//! half_width = "180 mm"
+//! half_depth = "120 mm"
+//! ```
+
+mod mesh;
+mod sidecar;
+#[cfg(test)]
+mod tests;
+
+use crate::obj;
+use toile_garment::body::Body;
+use toile_garment::{Diagnostic, SourceRef};
+
+/// A body and what was found while reading it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ReadBody {
+    /// The body.
+    pub body: Body,
+    /// Notes and warnings: what was merged, dropped, turned, left open.
+    pub findings: Vec<Diagnostic>,
+}
+
+/// Reads a body from its OBJ and, where there is one, the text of the TOML file beside it.
+///
+/// Bit-equal vertices are merged, triangles without area and doubles dropped, parts that face inwards turned; each is
+/// counted in a finding. `obj_name` is the file's name for messages and, without its ending, the body's default name.
+///
+/// # Errors
+/// All mistakes of both files. Triangles that face both ways in one part are refused.
+pub fn read(obj_bytes: &[u8], obj_name: &str, sidecar_toml: Option<&str>) -> Result<ReadBody, Vec<Diagnostic>> {
+    let mut errors = Vec::new();
+    let toml_name = sidecar_name(obj_name);
+    let said = sidecar_toml.map(|text| sidecar::read(text, &toml_name)).transpose().unwrap_or_else(|e| {
+        errors.extend(e);
+        None
+    });
+    let raw = match obj::read(obj_bytes, obj_name) {
+        Ok(raw) => raw,
+        Err(e) => {
+            errors.extend(e);
+            return Err(errors);
+        }
+    };
+    let mut findings = raw.findings.clone();
+    let cleaned = mesh::clean(&raw, obj_name, &mut findings);
+    if let Err(e) = &cleaned {
+        errors.push(e.clone());
+    }
+    if let Some(finding) = mesh::size(&raw, obj_name, said.is_some()) {
+        let list = if finding.severity == toile_garment::Severity::Error { &mut errors } else { &mut findings };
+        list.push(finding);
+    }
+    let (Ok((positions, triangles)), true) = (cleaned, errors.is_empty()) else { return Err(errors) };
+    let said = said.unwrap_or_default();
+    let body = Body {
+        name: if said.name.is_empty() { stem(obj_name) } else { said.name },
+        positions,
+        triangles,
+        measures: said.measures,
+        landmarks: said.landmarks,
+        segments: said.segments,
+        digest: blake3::hash(obj_bytes).to_hex().to_string(),
+    };
+    Ok(ReadBody { body, findings })
+}
+
+/// The body as two texts, OBJ and TOML; the same body gives the same bytes. Reading them gives it back.
+#[must_use]
+pub fn write(body: &Body) -> (String, String) {
+    (obj::write_mesh(&body.name, &body.positions, &body.triangles), sidecar::write(body))
+}
+
+/// Name of the file beside an OBJ: `body.obj` → `body.toml`.
+#[must_use]
+pub fn sidecar_name(obj_name: &str) -> String {
+    let base = match obj_name.rfind('.') {
+        Some(dot) if !obj_name[dot..].contains(['/', '\\']) => &obj_name[..dot],
+        _ => obj_name,
+    };
+    format!("{base}.toml")
+}
+
+fn stem(name: &str) -> String {
+    let file = name.rsplit(['/', '\\']).next().unwrap_or(name);
+    file.rsplit_once('.').map_or(file, |(stem, _)| stem).to_owned()
+}
+
+fn place(file: &str) -> SourceRef {
+    SourceRef::file(file)
+}

@@ -1,0 +1,213 @@
+//! The TOML file beside a body: name, measures, landmarks, segments.
+
+use crate::toml_text::{TomlText, describe, did_you_mean};
+use serde_spanned::Spanned;
+use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+use toile_garment::body::{Body, BodySegment};
+use toile_garment::units::Length;
+use toile_garment::{Diagnostic, Vec3};
+use toml::de::{DeTable, DeValue};
+
+/// Segments a piece can be placed around.
+const SEGMENTS: [&str; 6] = ["torso", "arm-left", "arm-right", "leg-left", "leg-right", "neck"];
+const SEGMENT_KEYS: [&str; 4] = ["from", "to", "half_width", "half_depth"];
+/// Largest length in a body file, metres.
+const MAX: f64 = 10.0;
+
+/// What the file says.
+#[derive(Default)]
+pub struct Sidecar {
+    pub name: String,
+    pub measures: BTreeMap<String, f64>,
+    pub landmarks: BTreeMap<String, Vec3>,
+    pub segments: BTreeMap<String, BodySegment>,
+}
+
+struct Reader<'a> {
+    toml: TomlText<'a>,
+    findings: Vec<Diagnostic>,
+}
+
+/// Reads the file.
+pub fn read(text: &str, file: &str) -> Result<Sidecar, Vec<Diagnostic>> {
+    let mut r = Reader { toml: TomlText::new(text, file), findings: Vec::new() };
+    let root = r.toml.parse("body-syntax")?;
+    let mut out = Sidecar::default();
+    for (key, value) in root.get_ref() {
+        match key.get_ref().as_ref() {
+            "name" => out.name = r.text(key, value),
+            "measures" => {
+                for (name, value) in r.entries(key, value) {
+                    if let Some(x) = r.length(name.get_ref(), value, 0.0) {
+                        out.measures.insert(name.get_ref().to_string(), x);
+                    }
+                }
+            }
+            "landmarks" => {
+                for (name, value) in r.entries(key, value) {
+                    if let Some(p) = r.point(name.get_ref(), value) {
+                        out.landmarks.insert(name.get_ref().to_string(), p);
+                    }
+                }
+            }
+            "segments" => {
+                for (name, value) in r.entries(key, value) {
+                    if let Some(s) = r.segment(name, value) {
+                        out.segments.insert(name.get_ref().to_string(), s);
+                    }
+                }
+            }
+            "note" | "source" => {
+                r.text(key, value);
+            }
+            _ => r.unknown(key, &["name", "measures", "landmarks", "segments", "note", "source"]),
+        }
+    }
+    if r.findings.is_empty() { Ok(out) } else { Err(r.findings) }
+}
+
+impl<'a> Reader<'a> {
+    fn wrong<T>(&mut self, at: &Spanned<T>, message: String) {
+        self.findings.push(Diagnostic::error("body-value", message).at(self.toml.place(at)));
+    }
+
+    fn unknown(&mut self, key: &Spanned<Cow<'_, str>>, known: &[&str]) {
+        let finding = Diagnostic::error("unknown-key", format!("unknown key `{}` in a body file", key.get_ref()));
+        let hint = did_you_mean(key.get_ref(), known.iter().copied());
+        self.findings.push(finding.at(self.toml.place(key)).hint(hint));
+    }
+
+    fn text(&mut self, key: &Spanned<Cow<'_, str>>, value: &Spanned<DeValue<'_>>) -> String {
+        match value.get_ref().as_str() {
+            Some(text) => text.to_owned(),
+            None => {
+                self.wrong(value, format!("`{}` must be a text, not {}", key.get_ref(), describe(value.get_ref())));
+                String::new()
+            }
+        }
+    }
+
+    fn entries<'t>(
+        &mut self,
+        key: &Spanned<Cow<'_, str>>,
+        value: &'t Spanned<DeValue<'a>>,
+    ) -> Vec<(&'t Spanned<Cow<'a, str>>, &'t Spanned<DeValue<'a>>)> {
+        match value.get_ref().as_table() {
+            Some(table) => table.iter().collect(),
+            None => {
+                self.wrong(value, format!("`{}` must be a table, not {}", key.get_ref(), describe(value.get_ref())));
+                Vec::new()
+            }
+        }
+    }
+
+    fn length(&mut self, name: &str, value: &Spanned<DeValue<'_>>, min: f64) -> Option<f64> {
+        let parsed = match value.get_ref() {
+            DeValue::String(text) => text.parse::<Length>().map_err(|e| e.message),
+            other => Err(format!("a length needs a unit, e.g. \"720 mm\", not {}", describe(other))),
+        };
+        match parsed {
+            Ok(x) if (min..=MAX).contains(&x.0) => Some(x.0),
+            Ok(x) => {
+                self.wrong(value, format!("`{name} = {x}` is out of range; allowed is {} m to {MAX} m", min));
+                None
+            }
+            Err(why) => {
+                self.wrong(value, format!("`{name}`: {why}"));
+                None
+            }
+        }
+    }
+
+    fn point(&mut self, name: &str, value: &Spanned<DeValue<'_>>) -> Option<Vec3> {
+        let Some(cells) = value.get_ref().as_array().filter(|a| a.len() == 3) else {
+            self.wrong(value, format!("`{name}` must be three lengths, e.g. [\"0 mm\", \"1040 mm\", \"0 mm\"]"));
+            return None;
+        };
+        let cells: Vec<Option<f64>> = cells.iter().map(|c| self.length(name, c, -MAX)).collect();
+        match cells.as_slice() {
+            [Some(x), Some(y), Some(z)] => Some(Vec3::new(*x, *y, *z)),
+            _ => None,
+        }
+    }
+
+    fn segment(&mut self, name: &Spanned<Cow<'a, str>>, value: &Spanned<DeValue<'a>>) -> Option<BodySegment> {
+        if !SEGMENTS.contains(&name.get_ref().as_ref()) {
+            self.unknown(name, &SEGMENTS);
+            return None;
+        }
+        let Some(table) = value.get_ref().as_table() else {
+            self.wrong(value, format!("`{}` must be a table", name.get_ref()));
+            return None;
+        };
+        for (key, _) in table.iter().filter(|(k, _)| !SEGMENT_KEYS.contains(&k.get_ref().as_ref())) {
+            self.unknown(key, &SEGMENT_KEYS);
+        }
+        let from = self.part(name, table, "from").and_then(|v| self.point("from", v));
+        let to = self.part(name, table, "to").and_then(|v| self.point("to", v));
+        let half_width = self.part(name, table, "half_width").and_then(|v| self.length("half_width", v, 1e-3));
+        let half_depth = self.part(name, table, "half_depth").and_then(|v| self.length("half_depth", v, 1e-3));
+        let segment = BodySegment { from: from?, to: to?, half_width: half_width?, half_depth: half_depth? };
+        if (segment.to - segment.from).norm() < 1e-6 {
+            self.wrong(value, format!("the segment `{}` has no length", name.get_ref()));
+            return None;
+        }
+        Some(segment)
+    }
+
+    fn part<'t>(
+        &mut self,
+        name: &Spanned<Cow<'_, str>>,
+        table: &'t DeTable<'a>,
+        key: &str,
+    ) -> Option<&'t Spanned<DeValue<'a>>> {
+        let found = table.iter().find(|(k, _)| k.get_ref() == key).map(|(_, v)| v);
+        if found.is_none() {
+            self.wrong(name, format!("the segment `{}` has no `{key}`", name.get_ref()));
+        }
+        found
+    }
+}
+
+/// The file of a body.
+pub fn write(body: &Body) -> String {
+    let mut out = String::new();
+    let point = |p: &Vec3| format!("[\"{}\", \"{}\", \"{}\"]", length(p.x), length(p.y), length(p.z));
+    // Writing to a String cannot fail.
+    let _ = writeln!(out, "name = {}", toml::Value::String(body.name.clone()));
+    if !body.measures.is_empty() {
+        out.push_str("\n[measures]\n");
+    }
+    for (name, x) in &body.measures {
+        let _ = writeln!(out, "{} = \"{}\"", quoted(name), length(*x));
+    }
+    if !body.landmarks.is_empty() {
+        out.push_str("\n[landmarks]\n");
+    }
+    for (name, p) in &body.landmarks {
+        let _ = writeln!(out, "{} = {}", quoted(name), point(p));
+    }
+    for (name, s) in &body.segments {
+        let _ = writeln!(out, "\n[segments.{}]", quoted(name));
+        let _ = writeln!(out, "from = {}\nto = {}", point(&s.from), point(&s.to));
+        let _ = writeln!(out, "half_width = \"{}\"\nhalf_depth = \"{}\"", length(s.half_width), length(s.half_depth));
+    }
+    out
+}
+
+/// A length that reads back bit-equal: in millimetres where that is exact.
+fn length(x: f64) -> String {
+    let text = Length(x).to_string();
+    if text.parse() == Ok(Length(x)) { text } else { format!("{x} m") }
+}
+
+/// A TOML key or text: bare where it can be.
+fn quoted(text: &str) -> String {
+    let bare = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
+    if !text.is_empty() && text.chars().all(bare) && text.chars().any(|c| c == '_' || c == '-') {
+        return text.to_owned();
+    }
+    toml::Value::String(text.to_owned()).to_string()
+}

@@ -1,0 +1,64 @@
+//! The fabric file: what was measured on a cloth, each number with unit, method and source.
+//!
+//! # Form
+//!
+//! A TOML file. Quantities are texts with a unit (`"500 N/m"`); pure ratios (`friction`, `poisson`, `lt_warp`) are
+//! plain numbers. Every quantity may instead be a table that says where it comes from:
+//! `emt_warp = { value = "3.5 %", method = "KES-FB1", source = "own laboratory, 2024" }`; without, the `method` and
+//! `source` of its table, then those of the file hold.
+//!
+//! ```toml
+//! name = "cotton shirting"
+//! source = "typical values"
+//! areal_mass = "115 g/m2"            # 1 g/m2 to 10 kg/m2
+//! thickness = "0.28 mm"
+//! friction = 0.4                     # cloth on body and on itself
+//! strain_limit_warp = "3.5 %"        # default: EMT where measured, else 5 %
+//!
+//! [kes]                              # Kawabata: strain at 500 gf/cm and linearity
+//! method = "KES-F"
+//! emt_warp = "3.5 %"
+//! lt_warp = 0.80
+//! emt_weft = "8 %"
+//! lt_weft = 0.80
+//! shear = "45 N/m/rad"               # G, or "0.8 gf/cm/deg"
+//! bending_warp = "8 uN.m"            # B, or "0.08 gf.cm2/cm"
+//! bending_weft = "5 uN.m"
+//! bending_hysteresis = "0.4 mN"      # 2HB, optional
+//! ```
+//!
+//! Other tables for the same properties; tables may be mixed as long as no property is given twice:
+//!
+//! - `[linear]` `stretch_warp`, `stretch_weft` (N/m, uniaxial), `poisson`, `shear` (N/m per rad), `bending` or
+//!   `bending_warp`, `bending_weft`, `bending_bias` (N·m).
+//! - `[isotropic]` `stretch` (N/m: Young's modulus times thickness), `poisson`, `bending`; the shear stiffness is
+//!   `stretch / (2 (1 + poisson))`.
+//! - `[fast]` `e5_…`, `e20_…`, `e100_…` (strain at 5, 20, 100 gf/cm, `_warp` and `_weft`), `eb5` (bias strain at 5 gf/cm,
+//!   from which G = 1.23 / eb5 N/m), `bending_…` or `bending_length_…` (B = areal mass · g · c³).
+//! - `[curve]` `warp = [["0 %", "0 N/m"], ["1 %", "20 N/m"], …]` and `weft`: measured samples, both columns rising.
+//!
+//! `poisson`, `shear` and the bending keys may stand in any table of laws.
+
+mod build;
+mod curve;
+mod fields;
+pub mod kes;
+mod reader;
+#[cfg(test)]
+mod tests;
+
+use toile_garment::Diagnostic;
+use toile_garment::fabric::Fabric;
+
+/// Reads a fabric file. `file` is its name for messages.
+///
+/// # Errors
+/// All mistakes at once, each with line, column, allowed range and remedy.
+pub fn read(text: &str, file: &str) -> Result<Fabric, Vec<Diagnostic>> {
+    let mut entries = reader::read(text, file)?;
+    let fabric = build::fabric(&mut entries);
+    match fabric {
+        Some(fabric) if entries.findings.is_empty() => Ok(fabric),
+        _ => Err(entries.findings),
+    }
+}
