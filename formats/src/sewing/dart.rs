@@ -1,0 +1,69 @@
+//! `[[dart]]`: declared darts and pleats, and wedges that are none.
+
+use super::walk::{Table, Value, Walk};
+use std::ops::Range;
+use toile_garment::Vec2;
+use toile_garment::dart::DartKind;
+use toile_garment::sewing::DartSpec;
+use toml::de::{DeTable, DeValue};
+
+const KINDS: &[(&str, Option<DartKind>)] = &[
+    ("wedge", Some(DartKind::Wedge)),
+    ("fish-eye", Some(DartKind::FishEye)),
+    ("pleat", Some(DartKind::Pleat)),
+    ("none", None),
+];
+
+/// One declared dart.
+pub fn dart(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Option<DartSpec> {
+    let at = span.start;
+    let mut t = Table::new(table, span, Some("dart"));
+    let piece = t.need("piece", "\"front\"", walk).and_then(|v| walk.text(v, "piece"));
+    let name = t.take("name").and_then(|v| walk.text(v, "name"));
+    let kind = match t.take("kind") {
+        Some(value) => walk.word(value, "kind", KINDS),
+        None => Some(Some(DartKind::Wedge)),
+    };
+    let apexes = apexes(&mut t, walk);
+    let mouth = t.need("mouth", "[[\"140 mm\", \"443 mm\"], [\"168 mm\", \"443 mm\"]]", walk);
+    let mouth = mouth.and_then(|v| mouth_points(v, walk));
+    t.finish(&["piece", "name", "kind", "apex", "apexes", "mouth"], "[[dart]]", walk);
+    let (kind, apexes) = (kind?, apexes?);
+    check_count(kind, apexes.len(), at, walk)?;
+    let source = Some(walk.source(at, Some("dart")));
+    Some(DartSpec { piece: piece?, name, apexes, mouth: mouth?, kind, source })
+}
+
+fn apexes(t: &mut Table<'_>, walk: &mut Walk<'_>) -> Option<Vec<Vec2>> {
+    if let Some(value) = t.take("apex") {
+        return Some(vec![walk.point(value, "apex")?]);
+    }
+    let Some(value) = t.take("apexes") else { return Some(Vec::new()) };
+    let DeValue::Array(items) = value.get_ref() else {
+        walk.error("sewing-wrong-type", value.span().start, "`apexes` must be a list of points", |d| d);
+        return None;
+    };
+    let points: Vec<_> = items.iter().map(|item| walk.point(item, "apexes")).collect();
+    points.into_iter().collect()
+}
+
+fn mouth_points(value: Value<'_>, walk: &mut Walk<'_>) -> Option<[Vec2; 2]> {
+    let items = walk.list(value, "mouth", 2, "[[\"140 mm\", \"443 mm\"], [\"168 mm\", \"443 mm\"]]")?;
+    let (a, b) = (walk.point(items[0], "mouth"), walk.point(items[1], "mouth"));
+    Some([a?, b?])
+}
+
+fn check_count(kind: Option<DartKind>, apexes: usize, at: usize, walk: &mut Walk<'_>) -> Option<()> {
+    let (fits, need) = match kind {
+        Some(DartKind::FishEye) => (apexes == 2, "a fish-eye dart has two apexes"),
+        Some(DartKind::Pleat) => (apexes <= 2, "a pleat has no apex, one, or the two ends of its lines"),
+        Some(_) => (apexes == 1, "a wedge dart has one apex"),
+        None => (apexes <= 2, "give the apex of the wedge that is no dart"),
+    };
+    if fits {
+        return Some(());
+    }
+    let message = format!("{need}, found {apexes}");
+    walk.error("sewing-dart-apexes", at, message, |d| d.hint("write apex = [\"154 mm\", \"330 mm\"], or apexes = […]"));
+    None
+}

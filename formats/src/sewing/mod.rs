@@ -1,0 +1,99 @@
+//! The sewing file: what a DXF cannot say (contracts §7).
+//!
+//! Seams, declared darts and pleats, placements, layers, attachments; and what a garment needs beside them: copies of
+//! drawn pieces, names of edges, pieces that are left out. Every quantity carries its unit.
+
+mod dart;
+mod lines;
+mod place;
+mod run;
+mod seam;
+mod walk;
+
+use lines::Lines;
+use serde_spanned::Spanned;
+use toile_garment::Diagnostic;
+use toile_garment::sewing::SewingPlan;
+use toml::de::{DeTable, DeValue};
+use walk::{Table, Walk};
+
+/// Tables and keys at the top of the file.
+const TOP: &[&str] = &["seam", "dart", "place", "layer", "attach", "copy", "edge", "leave_out"];
+
+/// Reads a sewing file. `file` is its name for messages.
+///
+/// # Errors
+/// All mistakes at once, each with line and column.
+pub fn read(text: &str, file: &str) -> Result<SewingPlan, Vec<Diagnostic>> {
+    let lines = Lines::new(text, file);
+    let (document, syntax) = DeTable::parse_recoverable(text);
+    if !syntax.is_empty() {
+        return Err(syntax.iter().map(|e| syntax_error(e, &lines)).collect());
+    }
+    let mut walk = Walk::new(&lines);
+    let plan = plan(document.get_ref(), &mut walk);
+    if walk.errors.is_empty() { Ok(plan) } else { Err(walk.errors) }
+}
+
+fn syntax_error(error: &toml::de::Error, lines: &Lines<'_>) -> Diagnostic {
+    let at = error.span().map_or(0, |s| s.start);
+    Diagnostic::error("sewing-file-syntax", format!("this is not TOML: {}", error.message()))
+        .at(lines.source(at, None))
+        .hint("strings stand in quotes, tables are written [[seam]]")
+}
+
+fn plan(document: &DeTable<'_>, walk: &mut Walk<'_>) -> SewingPlan {
+    let mut plan = SewingPlan::default();
+    let mut top = Table::new(document, 0..0, None);
+    for (n, (table, span)) in tables(&mut top, "seam", walk).into_iter().enumerate() {
+        plan.seams.extend(seam::seam(table, span, n, walk));
+    }
+    for (table, span) in tables(&mut top, "dart", walk) {
+        plan.darts.extend(dart::dart(table, span, walk));
+    }
+    for (table, span) in tables(&mut top, "place", walk) {
+        plan.places.extend(place::place(table, span, walk));
+    }
+    for (table, span) in tables(&mut top, "layer", walk) {
+        plan.layers.extend(place::layer(table, span, walk));
+    }
+    for (table, span) in tables(&mut top, "attach", walk) {
+        plan.attachments.extend(place::attach(table, span, walk));
+    }
+    for (table, span) in tables(&mut top, "copy", walk) {
+        plan.copies.extend(place::copy(table, span, walk));
+    }
+    for (table, span) in tables(&mut top, "edge", walk) {
+        plan.edge_names.extend(run::edge_name(table, span, walk));
+    }
+    if let Some(value) = top.take("leave_out") {
+        plan.leave_out = walk.texts(value, "leave_out").unwrap_or_default();
+    }
+    top.finish(TOP, "the sewing file", walk);
+    plan
+}
+
+/// The tables of a `[[name]]` list.
+fn tables<'v>(top: &mut Table<'v>, name: &str, walk: &mut Walk<'_>) -> Vec<(&'v DeTable<'v>, std::ops::Range<usize>)> {
+    let Some(value) = top.take(name) else { return Vec::new() };
+    let wrong = |walk: &mut Walk<'_>, value: &Spanned<DeValue<'_>>| {
+        walk.error("sewing-wrong-type", value.span().start, format!("`{name}` must be a list of tables"), |d| {
+            d.hint(format!("write [[{name}]]"))
+        });
+    };
+    let DeValue::Array(items) = value.get_ref() else {
+        wrong(walk, value);
+        return Vec::new();
+    };
+    let mut out = Vec::new();
+    for item in items.iter() {
+        match item.get_ref() {
+            DeValue::Table(table) => out.push((table, item.span())),
+            _ => wrong(walk, item),
+        }
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests;

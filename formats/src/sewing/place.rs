@@ -1,0 +1,156 @@
+//! `[[place]]`, `[[layer]]`, `[[attach]]`, `[[copy]]`.
+
+use super::walk::{Table, Value, Walk};
+use std::ops::Range;
+use toile_garment::Vec3;
+use toile_garment::sewing::{AttachSpec, AttachStrength, CopySpec, LayerSpec, PlaceSpec, Placement};
+use toile_garment::units::{Angle, Length};
+use toml::de::DeTable;
+
+const SEGMENTS: &[&str] = &["torso", "arm-left", "arm-right", "leg-left", "leg-right", "neck"];
+const SIDES: &[&str] = &["front", "back", "left", "right"];
+
+/// Where a piece starts in 3D.
+pub fn place(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Option<PlaceSpec> {
+    let at = span.start;
+    let mut t = Table::new(table, span, Some("place"));
+    let piece = t.need("piece", "\"front\"", walk).and_then(|v| walk.text(v, "piece"));
+    let around = t.take("around");
+    let rotation = t.take("rotation");
+    let known: &[&str];
+    let placement = match (around, rotation) {
+        (Some(around), None) => {
+            known = &["piece", "around", "side", "height", "turn"];
+            wrapped(around, &mut t, walk)
+        }
+        (None, Some(rotation)) => {
+            known = &["piece", "rotation", "translation"];
+            explicit(rotation, &mut t, walk)
+        }
+        (both, _) => {
+            let words = if both.is_some() { "`around` and `rotation`" } else { "neither `around` nor `rotation`" };
+            walk.error("sewing-place", at, format!("a place has {words}"), |d| {
+                d.hint("give rotation and translation, or around, side and height")
+            });
+            return None;
+        }
+    };
+    t.finish(known, "[[place]]", walk);
+    Some(PlaceSpec { piece: piece?, placement: placement?, source: Some(walk.source(at, Some("place"))) })
+}
+
+fn wrapped(around: Value<'_>, t: &mut Table<'_>, walk: &mut Walk<'_>) -> Option<Placement> {
+    let words = |list: &'static [&'static str]| list.iter().map(|w| (*w, *w)).collect::<Vec<_>>();
+    let segment = walk.word(around, "around", &words(SEGMENTS));
+    let side = t.need("side", "\"front\"", walk).and_then(|v| walk.word(v, "side", &words(SIDES)));
+    let on_arm = segment.is_some_and(|s| s.starts_with("arm"));
+    let height = match t.take("height") {
+        Some(value) => walk.quantity::<Length>(value, "height"),
+        // On an arm the height counts from the joint: zero is a sound default. Elsewhere there is none.
+        None if on_arm => Some(0.0),
+        None => t.need("height", "\"914 mm\"", walk).map(|_| 0.0),
+    };
+    let turn = match t.take("turn") {
+        Some(value) => walk.quantity::<Angle>(value, "turn"),
+        None => Some(0.0),
+    };
+    Some(Placement::Around { segment: segment?.to_owned(), side: side?.to_owned(), height: height?, turn: turn? })
+}
+
+fn explicit(rotation: Value<'_>, t: &mut Table<'_>, walk: &mut Walk<'_>) -> Option<Placement> {
+    let example = "[\"0 mm\", \"914 mm\", \"250 mm\"]";
+    let translation = t.need("translation", example, walk).and_then(|v| {
+        let items = walk.list(v, "translation", 3, example)?;
+        let parts: Vec<_> = items.iter().map(|i| walk.quantity::<Length>(i, "translation")).collect();
+        Some(Vec3::new(parts[0]?, parts[1]?, parts[2]?))
+    });
+    let rotation = rows(rotation, walk);
+    Some(Placement::Explicit { rotation: rotation?, translation: translation? })
+}
+
+fn rows(value: Value<'_>, walk: &mut Walk<'_>) -> Option<[[f64; 3]; 3]> {
+    let example = "[[1,0,0],[0,1,0],[0,0,1]]";
+    let mut out = [[0.0; 3]; 3];
+    for (row, item) in out.iter_mut().zip(walk.list(value, "rotation", 3, example)?) {
+        for (x, entry) in row.iter_mut().zip(walk.list(item, "rotation", 3, "[1, 0, 0]")?) {
+            *x = walk.number(entry, "rotation")?;
+        }
+    }
+    if is_rotation(&out) {
+        return Some(out);
+    }
+    walk.error("sewing-no-rotation", value.span().start, "`rotation` is no rotation matrix", |d| {
+        d.hint("its rows must be perpendicular, of length 1, and right-handed (determinant +1, no mirror)")
+    });
+    None
+}
+
+fn is_rotation(r: &[[f64; 3]; 3]) -> bool {
+    let [a, b, c] = r.map(|row| Vec3::new(row[0], row[1], row[2]));
+    let near = |x: f64, y: f64| (x - y).abs() < 1e-3;
+    near(a.norm(), 1.0)
+        && near(b.norm(), 1.0)
+        && near(c.norm(), 1.0)
+        && near(a.dot(&b), 0.0)
+        && near(a.dot(&c), 0.0)
+        && near(b.dot(&c), 0.0)
+        && near(a.cross(&b).dot(&c), 1.0)
+}
+
+/// A layer order.
+pub fn layer(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Option<LayerSpec> {
+    let mut t = Table::new(table, span, Some("layer"));
+    let pieces = t.need("pieces", "[\"lining-front\"]", walk).and_then(|v| walk.texts(v, "pieces"));
+    let order = t.need("order", "-1", walk).and_then(|v| walk.integer(v, "order"));
+    t.finish(&["pieces", "order"], "[[layer]]", walk);
+    Some(LayerSpec { pieces: pieces?, order: order? })
+}
+
+/// An edge tied to the body.
+pub fn attach(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Option<AttachSpec> {
+    let at = span.start;
+    let mut t = Table::new(table, span, Some("attach"));
+    let piece = t.need("piece", "\"waistband\"", walk).and_then(|v| walk.text(v, "piece"));
+    let edge = t.need("edge", "\"top\"", walk).and_then(|v| walk.label(v, "edge"));
+    let to = t.need("to", "\"waist\"", walk).and_then(|v| walk.text(v, "to"));
+    let strength = match t.take("strength") {
+        Some(value) => strength(value, walk),
+        None => Some(AttachStrength::Hold),
+    };
+    t.finish(&["piece", "edge", "to", "strength"], "[[attach]]", walk);
+    let source = Some(walk.source(at, Some("attach")));
+    Some(AttachSpec { piece: piece?, edge: edge?, to: to?, strength: strength?, source })
+}
+
+fn strength(value: Value<'_>, walk: &mut Walk<'_>) -> Option<AttachStrength> {
+    let text = walk.text(value, "strength")?;
+    let mut words = text.split_whitespace();
+    let parsed = match (words.next(), words.next(), words.next()) {
+        (Some("hold"), None, _) => Some(AttachStrength::Hold),
+        (Some("elastic"), Some(n), None) => {
+            n.parse::<f64>().ok().filter(|n| *n > 0.0 && *n <= 10.0).map(AttachStrength::Elastic)
+        }
+        _ => None,
+    };
+    if parsed.is_none() {
+        walk.error("sewing-strength", value.span().start, format!("`strength` cannot be `{text}`"), |d| {
+            d.hint("write \"hold\" or \"elastic 0.9\" (relative length of the band, over 0)")
+        });
+    }
+    parsed
+}
+
+/// A second copy of a piece.
+pub fn copy(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Option<CopySpec> {
+    let at = span.start;
+    let mut t = Table::new(table, span, Some("copy"));
+    let piece = t.need("piece", "\"sleeve\"", walk).and_then(|v| walk.text(v, "piece"));
+    let name = t.need("name", "\"sleeve-right\"", walk).and_then(|v| walk.text(v, "name"));
+    let mirror = match t.take("mirror") {
+        Some(value) => walk.flag(value, "mirror"),
+        None => Some(false),
+    };
+    t.finish(&["piece", "name", "mirror"], "[[copy]]", walk);
+    let source = Some(walk.source(at, Some("copy")));
+    Some(CopySpec { piece: piece?, name: name?, mirror: mirror?, source })
+}
