@@ -1,2 +1,3 @@
 //! Bytes to faithful models to the garment document: one module per file format.
+pub mod dxf;
 pub mod sewing;
