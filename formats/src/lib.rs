@@ -2,5 +2,6 @@
 pub mod body;
 pub mod fabric;
 pub mod obj;
+pub mod dxf;
 pub mod sewing;
 mod toml_text;

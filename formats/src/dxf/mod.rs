@@ -1,0 +1,2 @@
+//! DXF-AAMA and DXF-ASTM pattern files.
+pub mod write;

@@ -1,0 +1,89 @@
+//! From a piece of the garment document (metres) to the writer's drawing (millimetres).
+
+use super::fold::half;
+use super::model::{DrawLine, DrawNotch, DrawPoint, LayerText, PieceDrawing};
+use toile_garment::dart::{Dart, DartKind};
+use toile_garment::notch::Notch;
+use toile_garment::outline::{PieceLine, PointKind};
+use toile_garment::{Diagnostic, Piece, Vec2};
+
+/// Millimetres in a metre.
+const MM: f64 = 1e3;
+
+/// How a piece is drawn.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct PieceOptions {
+    /// Draw a piece that was unfolded as its half with a fold line again. Whole pieces are read by more systems.
+    pub half_on_fold: bool,
+}
+
+/// The drawing of a piece. Marked and fish-eye darts become lines on layer 8, as they were.
+pub fn piece_drawing(piece: &Piece, options: PieceOptions, findings: &mut Vec<Diagnostic>) -> PieceDrawing {
+    let boundary = piece.cut_line.as_ref().unwrap_or(&piece.outline);
+    let mut internal: Vec<_> = piece.internal_lines.iter().map(line).collect();
+    internal.extend(piece.darts.iter().flat_map(dart_lines));
+    let drawing = PieceDrawing {
+        name: piece.name.clone(),
+        size: piece.size.clone(),
+        quantity: piece.quantity,
+        material: piece.material.clone(),
+        category: piece.category.clone(),
+        annotation: piece.annotation.clone(),
+        boundary: line(boundary),
+        sew_line: piece.cut_line.is_some().then(|| line(&piece.outline)),
+        internal,
+        cutouts: piece.cutouts.iter().map(line).collect(),
+        notches: piece.notches.iter().map(notch).collect(),
+        drill_holes: piece.drill_holes.iter().map(|d| d.at * MM).collect(),
+        grain: piece.grain.map(|g| g.map(|p| p * MM)),
+        fold: None,
+        texts: piece
+            .texts
+            .iter()
+            .map(|t| LayerText { at: t.at * MM, layer: t.layer.clone(), text: t.text.clone() })
+            .collect(),
+    };
+    match piece.fold.filter(|_| options.half_on_fold) {
+        Some(fold) => half(drawing, fold.map(|p| p * MM), findings),
+        None => drawing,
+    }
+}
+
+fn line(line: &PieceLine) -> DrawLine {
+    let points = line.points.iter().map(|p| DrawPoint { at: p.at * MM, kind: p.kind }).collect();
+    DrawLine { points, closed: line.closed, dense: None }
+}
+
+fn notch(notch: &Notch) -> DrawNotch {
+    DrawNotch {
+        kind: notch.kind,
+        at: notch.at * MM,
+        depth: notch.depth * MM,
+        width: notch.width * MM,
+        angle: notch.angle.map(f64::to_degrees),
+    }
+}
+
+/// The lines of a dart that the outline does not follow.
+fn dart_lines(dart: &Dart) -> Vec<DrawLine> {
+    let [a, b] = &dart.legs;
+    let there = a.iter().copied();
+    match dart.kind {
+        DartKind::Wedge => Vec::new(),
+        DartKind::MarkedWedge => vec![marked(there.chain(b.iter().rev().skip(1).copied()), dart, false)],
+        DartKind::FishEye => {
+            let back = b.iter().rev().skip(1).take(b.len().saturating_sub(2)).copied();
+            vec![marked(there.chain(back), dart, true)]
+        }
+        DartKind::Pleat => [a, b].map(|leg| marked(leg.iter().copied(), dart, false)).into(),
+    }
+}
+
+/// A dart line: apexes and mouth are turn points, the rest of the legs are curve points.
+fn marked(points: impl Iterator<Item = Vec2>, dart: &Dart, closed: bool) -> DrawLine {
+    let corner = |p: &Vec2| dart.apexes.iter().chain(&dart.mouth).any(|c| (c - p).norm() < 1e-6);
+    let points = points
+        .map(|p| DrawPoint { at: p * MM, kind: if corner(&p) { PointKind::Turn } else { PointKind::Curve } })
+        .collect();
+    DrawLine { points, closed, dense: None }
+}

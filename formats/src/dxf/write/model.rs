@@ -1,0 +1,171 @@
+//! What the writer draws: pieces in millimetres, lines whose points know what they are.
+
+use super::tags::decimal;
+use toile_garment::notch::NotchKind;
+use toile_garment::outline::PointKind;
+use toile_garment::piece::Quantity;
+use toile_garment::{Diagnostic, Vec2};
+
+/// Which of the standards' habits the file follows.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Dialect {
+    /// ANSI/AAMA-292: no notch layers 80 and up, no dense copies, `Tolerance`.
+    Aama,
+    /// ASTM D6673: notch layers 80 to 83, dense copies on 84 and 87, right and left quantity.
+    Astm,
+    /// As ASTM, with the version header, upper-case keys and group 250 that CLO writes.
+    Clo,
+}
+
+/// A style: all its pieces in all its sizes.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Drawing {
+    /// Texts of the style.
+    pub style: StyleText,
+    /// One entry per piece and size.
+    pub pieces: Vec<PieceDrawing>,
+}
+
+/// Texts of the style.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct StyleText {
+    /// Style name.
+    pub name: String,
+    /// Base size of a nest.
+    pub sample_size: Option<String>,
+    /// Who made the pattern.
+    pub author: String,
+}
+
+/// A point of a line, millimetres.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrawPoint {
+    /// Where.
+    pub at: Vec2,
+    /// Turn points stand again on layer 2, curve points on layer 3.
+    pub kind: PointKind,
+}
+
+/// An open or closed line.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct DrawLine {
+    /// Vertices; a closed line does not repeat its first.
+    pub points: Vec<DrawPoint>,
+    /// Joined at the ends?
+    pub closed: bool,
+    /// A denser copy for layers 84 and 87, holding every vertex of `points`; `points` itself when there is none.
+    pub dense: Option<Vec<Vec2>>,
+}
+
+/// A notch on the boundary.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrawNotch {
+    /// Shape.
+    pub kind: NotchKind,
+    /// Base point, mm.
+    pub at: Vec2,
+    /// Depth along the angle, mm.
+    pub depth: f64,
+    /// Width at the edge, mm.
+    pub width: f64,
+    /// Direction into the piece, degrees from +x; square to the edge when there is none.
+    pub angle: Option<f64>,
+}
+
+/// A text kept on its layer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct LayerText {
+    /// Where, mm.
+    pub at: Vec2,
+    /// Layer.
+    pub layer: String,
+    /// Text.
+    pub text: String,
+}
+
+/// One piece in one size, millimetres.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PieceDrawing {
+    /// Piece name, the same in all sizes.
+    pub name: String,
+    /// Size label.
+    pub size: Option<String>,
+    /// How often it is cut.
+    pub quantity: Quantity,
+    /// Material.
+    pub material: Option<String>,
+    /// Category.
+    pub category: Option<String>,
+    /// Annotation.
+    pub annotation: Option<String>,
+    /// The line that is cut (layer 1).
+    pub boundary: DrawLine,
+    /// The line that is sewn (layer 14), where it differs; open on a half piece.
+    pub sew_line: Option<DrawLine>,
+    /// Internal lines (8), marked darts among them.
+    pub internal: Vec<DrawLine>,
+    /// Cutouts (11).
+    pub cutouts: Vec<DrawLine>,
+    /// Notches (4, 80 to 83).
+    pub notches: Vec<DrawNotch>,
+    /// Drill holes (13).
+    pub drill_holes: Vec<Vec2>,
+    /// Grain line (7, and again on 5).
+    pub grain: Option<[Vec2; 2]>,
+    /// Fold of a half piece (6).
+    pub fold: Option<[Vec2; 2]>,
+    /// Other texts.
+    pub texts: Vec<LayerText>,
+}
+
+impl DrawLine {
+    /// Positions for layers 84 and 87.
+    #[must_use]
+    pub fn dense_points(&self) -> Vec<Vec2> {
+        self.dense.clone().unwrap_or_else(|| self.points.iter().map(|p| p.at).collect())
+    }
+}
+
+impl PieceDrawing {
+    /// All lines with their layers.
+    pub fn lines(&self) -> impl Iterator<Item = (&'static str, &DrawLine)> {
+        let boundary = std::iter::once(("1", &self.boundary));
+        let sew = self.sew_line.iter().map(|l| ("14", l));
+        let internal = self.internal.iter().map(|l| ("8", l));
+        boundary.chain(sew).chain(internal).chain(self.cutouts.iter().map(|l| ("11", l)))
+    }
+
+    /// Lower left and upper right corner of the boundary, mm.
+    #[must_use]
+    pub fn bounds(&self) -> [Vec2; 2] {
+        let mut points = self.boundary.points.iter().map(|p| p.at);
+        let first = points.next().unwrap_or_else(Vec2::zeros);
+        points.fold([first, first], |[lo, hi], p| [lo.inf(&p), hi.sup(&p)])
+    }
+}
+
+/// Why a piece cannot be written.
+pub fn fault(piece: &PieceDrawing) -> Option<Diagnostic> {
+    if piece.boundary.points.len() < 3 {
+        let n = piece.boundary.points.len();
+        return Some(Diagnostic::error(
+            "boundary-too-short",
+            format!("the boundary of piece `{}` has {n} points, a piece needs at least 3", piece.name),
+        ));
+    }
+    let bad = |p: &Vec2| !(p.x.abs() < 1e7 && p.y.abs() < 1e7);
+    let lines = piece.lines().flat_map(|(_, l)| l.points.iter().map(|p| p.at).chain(l.dense.iter().flatten().copied()));
+    let marks = piece.notches.iter().map(|n| n.at).chain(piece.drill_holes.iter().copied());
+    let sizes = piece.notches.iter().flat_map(|n| [Vec2::new(n.depth, n.width), Vec2::new(n.angle.unwrap_or(0.0), 0.0)]);
+    let rest = piece.grain.iter().chain(&piece.fold).flatten().copied().chain(piece.texts.iter().map(|t| t.at));
+    let wrong = lines.chain(marks).chain(sizes).chain(rest).find(bad)?;
+    Some(Diagnostic::error(
+        "coordinate-out-of-range",
+        format!(
+            "piece `{}` holds ({}, {}) mm, which is not a place on a pattern",
+            piece.name,
+            decimal(wrong.x),
+            decimal(wrong.y)
+        ),
+    ))
+}

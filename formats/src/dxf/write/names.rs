@@ -1,0 +1,134 @@
+//! Names the format can carry: 7-bit ASCII, at most 20 characters, no blanks in block names, each block once.
+
+use super::model::Drawing;
+use std::collections::{BTreeMap, BTreeSet};
+use toile_garment::Diagnostic;
+
+/// Longest name that all readers keep.
+pub const LONGEST: usize = 20;
+
+/// Names of one piece drawing as written.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct PieceName {
+    /// `Piece Name` text, the same for all sizes of a piece.
+    pub piece: String,
+    /// `Size` text.
+    pub size: Option<String>,
+    /// Block name.
+    pub block: String,
+}
+
+/// Names of all pieces, in the order of the drawing.
+pub struct Names {
+    /// One per piece drawing.
+    pub pieces: Vec<PieceName>,
+}
+
+impl Names {
+    /// Finds names; every change is a finding.
+    pub fn of(drawing: &Drawing, findings: &mut Vec<Diagnostic>) -> Self {
+        let mut short: BTreeMap<&str, String> = BTreeMap::new();
+        let mut taken = BTreeSet::new();
+        for piece in &drawing.pieces {
+            if !short.contains_key(piece.name.as_str()) {
+                let name = unique(&clean(&piece.name, "PIECE"), LONGEST, &mut taken);
+                if name != piece.name {
+                    findings.push(renamed("piece-name-changed", &piece.name, &name));
+                }
+                short.insert(&piece.name, name);
+            }
+        }
+        let mut blocks = BTreeSet::new();
+        let mut pieces = Vec::with_capacity(drawing.pieces.len());
+        for piece in &drawing.pieces {
+            let name = short.get(piece.name.as_str()).cloned().unwrap_or_default();
+            let size = piece.size.as_deref().map(|s| clean(s, "SIZE"));
+            if let (Some(was), Some(now)) = (piece.size.as_deref(), size.as_deref())
+                && was != now
+            {
+                findings.push(renamed("size-name-changed", was, now));
+            }
+            let tail = size.as_deref().map(|s| format!("_{}", s.replace(' ', "-"))).unwrap_or_default();
+            let head: String = name.replace(' ', "-").chars().take(LONGEST.saturating_sub(tail.len())).collect();
+            let block = unique(&format!("{head}{tail}"), LONGEST, &mut blocks);
+            pieces.push(PieceName { piece: name, size, block });
+        }
+        Self { pieces }
+    }
+}
+
+fn renamed(code: &str, was: &str, now: &str) -> Diagnostic {
+    Diagnostic::warning(code, format!("`{was}` is written as `{now}`: the format holds {LONGEST} ASCII characters, each name once"))
+        .hint("shorten the name in the pattern to choose it yourself")
+}
+
+/// ASCII with at least one letter or digit, at most [`LONGEST`] characters.
+fn clean(name: &str, empty: &str) -> String {
+    let kept: String = ascii(name).chars().map(|c| if "/\\:;,*?\"<>|=`".contains(c) { '-' } else { c }).collect();
+    let kept: String = kept.trim().chars().take(LONGEST).collect();
+    let kept = kept.trim_end();
+    if !kept.contains(|c: char| c.is_ascii_alphanumeric()) { empty.to_owned() } else { kept.to_owned() }
+}
+
+/// The name, or the name with a number, such that it is new (readers may fold case).
+fn unique(name: &str, longest: usize, taken: &mut BTreeSet<String>) -> String {
+    let mut candidate: String = name.chars().take(longest).collect();
+    let mut n = 2_u32;
+    while !taken.insert(candidate.to_ascii_uppercase()) {
+        let tail = format!("-{n}");
+        let head: String = name.chars().take(longest.saturating_sub(tail.len())).collect();
+        candidate = format!("{head}{tail}");
+        n += 1;
+    }
+    candidate
+}
+
+/// Folds a text to printable 7-bit ASCII: Latin letters lose their accents, anything else becomes `?`.
+pub fn ascii(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        match c {
+            ' '..='~' => out.push(c),
+            _ if c.is_whitespace() || c.is_control() => out.push(' '),
+            _ => out.push_str(fold(c)),
+        }
+    }
+    out
+}
+
+fn fold(c: char) -> &'static str {
+    match c {
+        'À'..='Ã' | 'Å' | 'Ā' | 'Ą' => "A",
+        'Ä' | 'Æ' => "Ae",
+        'à'..='ã' | 'å' | 'ā' | 'ą' => "a",
+        'ä' | 'æ' => "ae",
+        'Ç' | 'Ć' | 'Č' => "C",
+        'ç' | 'ć' | 'č' => "c",
+        'È'..='Ë' | 'Ē' | 'Ę' | 'Ě' => "E",
+        'è'..='ë' | 'ē' | 'ę' | 'ě' => "e",
+        'Ì'..='Ï' | 'İ' => "I",
+        'ì'..='ï' | 'ı' => "i",
+        'Ł' => "L",
+        'ł' => "l",
+        'Ñ' | 'Ń' => "N",
+        'ñ' | 'ń' => "n",
+        'Ò'..='Õ' | 'Ø' | 'Ő' => "O",
+        'Ö' | 'Œ' => "Oe",
+        'ò'..='õ' | 'ø' | 'ő' => "o",
+        'ö' | 'œ' => "oe",
+        'Ś' | 'Š' | 'Ş' => "S",
+        'ś' | 'š' | 'ş' => "s",
+        'ß' => "ss",
+        'Ù'..='Û' | 'Ű' => "U",
+        'Ü' => "Ue",
+        'ù'..='û' | 'ű' => "u",
+        'ü' => "ue",
+        'Ý' => "Y",
+        'ý' | 'ÿ' => "y",
+        'Ź' | 'Ż' | 'Ž' => "Z",
+        'ź' | 'ż' | 'ž' => "z",
+        '–' | '—' => "-",
+        '’' | '‘' => "'",
+        _ => "?",
+    }
+}

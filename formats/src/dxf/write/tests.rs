@@ -1,0 +1,192 @@
+use super::*;
+use toile_garment::notch::NotchKind;
+use toile_garment::outline::PointKind;
+use toile_garment::piece::Quantity;
+use toile_garment::{Piece, Vec2};
+
+/// One entity as a plain reader sees it.
+#[derive(Debug)]
+struct Entity {
+    kind: String,
+    codes: Vec<(u16, String)>,
+}
+
+impl Entity {
+    fn text(&self, code: u16) -> Option<&str> {
+        self.codes.iter().find(|(c, _)| *c == code).map(|(_, v)| v.as_str())
+    }
+
+    fn at(&self) -> Vec2 {
+        let real = |code| self.text(code).map_or(f64::NAN, |v| v.parse().expect("number"));
+        Vec2::new(real(10), real(20))
+    }
+}
+
+fn read(bytes: &[u8]) -> Vec<Entity> {
+    assert!(bytes.is_ascii());
+    let text = std::str::from_utf8(bytes).expect("ascii");
+    assert_eq!(text.matches('\n').count(), text.matches("\r\n").count());
+    let lines: Vec<_> = text.split_terminator("\r\n").collect();
+    assert_eq!(lines.len() % 2, 0);
+    let mut out: Vec<Entity> = Vec::new();
+    for pair in lines.chunks(2) {
+        let code: u16 = pair[0].trim().parse().expect("code");
+        match out.last_mut() {
+            Some(last) if code != 0 => last.codes.push((code, pair[1].to_owned())),
+            _ => out.push(Entity { kind: pair[1].to_owned(), codes: Vec::new() }),
+        }
+    }
+    out
+}
+
+fn census(entities: &[Entity], kind: &str, layer: &str) -> usize {
+    entities.iter().filter(|e| e.kind == kind && e.text(8) == Some(layer)).count()
+}
+
+fn closed(points: &[(f64, f64)]) -> DrawLine {
+    let points = points.iter().map(|(x, y)| DrawPoint { at: Vec2::new(*x, *y), kind: PointKind::Turn }).collect();
+    DrawLine { points, closed: true, dense: None }
+}
+
+fn piece() -> PieceDrawing {
+    let mut boundary = closed(&[(0.0, 0.0), (100.0, 0.0), (104.0, 100.0), (100.0, 200.0), (0.0, 200.0)]);
+    boundary.points[2].kind = PointKind::Curve;
+    boundary.dense = Some(
+        [(0.0, 0.0), (100.0, 0.0), (103.0, 50.0), (104.0, 100.0), (103.0, 150.0), (100.0, 200.0), (0.0, 200.0)]
+            .map(|(x, y)| Vec2::new(x, y))
+            .into(),
+    );
+    let slit = DrawNotch { kind: NotchKind::Slit, at: Vec2::new(50.0, 0.0), depth: 5.0, width: 2.0, angle: Some(90.0) };
+    PieceDrawing {
+        name: "FRONT".into(),
+        size: Some("38".into()),
+        quantity: Quantity { plain: 1, mirrored: 1 },
+        boundary,
+        sew_line: Some(closed(&[(10.0, 10.0), (90.0, 10.0), (90.0, 190.0), (10.0, 190.0)])),
+        internal: vec![DrawLine { closed: false, ..closed(&[(20.0, 20.0), (80.0, 20.0)]) }],
+        cutouts: vec![closed(&[(40.0, 40.0), (60.0, 40.0), (50.0, 60.0)])],
+        notches: vec![slit, DrawNotch { kind: NotchKind::Castle, width: 4.0, angle: None, ..slit }],
+        drill_holes: vec![Vec2::new(50.0, 100.0)],
+        grain: Some([Vec2::new(50.0, 30.0), Vec2::new(50.0, 170.0)]),
+        ..PieceDrawing::default()
+    }
+}
+
+fn drawing(pieces: Vec<PieceDrawing>) -> Drawing {
+    let style = StyleText { name: "TEST".into(), sample_size: Some("38".into()), author: String::new() };
+    Drawing { style, pieces }
+}
+
+#[test]
+fn astm_holds_every_entity_on_its_layer() {
+    let written = write(&drawing(vec![piece()]), Dialect::Astm).expect("written");
+    assert_eq!(written.findings, []);
+    let e = read(&written.bytes);
+    let polylines = |layer| census(&e, "POLYLINE", layer);
+    assert_eq!(["1", "14", "8", "11", "84", "87"].map(polylines), [1; 6]);
+    assert_eq!(["1", "14", "8", "11", "84", "87"].map(|l| census(&e, "VERTEX", l)), [5, 4, 2, 3, 7, 4]);
+    assert_eq!(["2", "3", "4", "81", "13"].map(|l| census(&e, "POINT", l)), [4 + 4 + 2 + 3, 1, 1, 1, 1]);
+    assert_eq!(["7", "5"].map(|l| census(&e, "LINE", l)), [1, 1]);
+    let texts: Vec<_> = e.iter().filter_map(|e| e.text(1)).collect();
+    for text in ["Piece Name: FRONT", "Size: 38", "Quantity: 1,1", "Sample Size: 38", "Units: METRIC"] {
+        assert!(texts.contains(&text), "{text} in {texts:?}");
+    }
+    assert!(texts.contains(&"ASTM/D13Proposal 1 Version: D 6673-04"));
+    let slit = e.iter().find(|e| e.kind == "POINT" && e.text(8) == Some("4")).expect("slit");
+    assert_eq!([30, 39, 50].map(|c| slit.text(c).expect("code")), ["5.0000", "0.0000", "90.0000"]);
+    let header: Vec<_> = e.iter().take(4).map(|e| (e.kind.as_str(), e.text(2))).collect();
+    assert_eq!(
+        header,
+        [("SECTION", Some("HEADER")), ("ENDSEC", None), ("SECTION", Some("BLOCKS")), ("BLOCK", Some("FRONT_38"))]
+    );
+}
+
+#[test]
+fn aama_has_no_layer_of_astm() {
+    let written = write(&drawing(vec![piece()]), Dialect::Aama).expect("written");
+    let e = read(&written.bytes);
+    assert!(e.iter().filter_map(|e| e.text(8)).all(|l| l.parse::<u32>().expect("layer") < 80));
+    assert_eq!(census(&e, "POINT", "4"), 2);
+    let codes: Vec<_> = written.findings.iter().map(|f| f.code.as_str()).collect();
+    assert_eq!(codes, ["quantity-without-sides", "notch-shape-lost"]);
+    assert!(e.iter().any(|e| e.text(1) == Some("Quantity: 2")));
+}
+
+#[test]
+fn clo_has_its_version_its_keys_and_group_250() {
+    let written = write(&drawing(vec![piece()]), Dialect::Clo).expect("written");
+    let e = read(&written.bytes);
+    assert!(e[0].codes.contains(&(1, "AC1006".into())));
+    assert!(e.iter().any(|e| e.text(1) == Some("PIECE NAME: FRONT")));
+    let flags: Vec<_> = e.iter().filter(|e| e.kind == "POLYLINE").map(|e| (e.text(8), e.text(250))).collect();
+    assert!(flags.contains(&(Some("1"), Some("2"))) && flags.contains(&(Some("8"), Some("0"))));
+}
+
+#[test]
+fn names_fit_and_stay_apart() {
+    let named = |name: &str, size: &str| PieceDrawing { name: name.into(), size: Some(size.into()), ..piece() };
+    let long = "Vorderärmel links oben außen";
+    let pieces = vec![named(long, "38"), named(long, "40"), named("Vorderaermel links oben innen", "38"), named("裙子", "38")];
+    let written = write(&drawing(pieces), Dialect::Astm).expect("written");
+    let e = read(&written.bytes);
+    let blocks: Vec<_> = e.iter().filter(|e| e.kind == "BLOCK").filter_map(|e| e.text(2)).collect();
+    assert_eq!(blocks[3], "PIECE_38");
+    let distinct: std::collections::BTreeSet<_> = blocks.iter().collect();
+    assert_eq!(distinct.len(), 4);
+    assert!(blocks.iter().all(|b| b.len() <= 20 && !b.contains(' ')));
+    let names: Vec<_> = e.iter().filter_map(|e| e.text(1)?.strip_prefix("Piece Name: ")).collect();
+    assert_eq!(names[0], names[1]);
+    assert_ne!(names[0], names[2]);
+    assert_eq!(written.findings.iter().filter(|f| f.code == "piece-name-changed").count(), 3);
+    let inserts: Vec<_> = e.iter().filter(|e| e.kind == "INSERT").filter_map(|e| e.text(2)).collect();
+    assert_eq!(inserts, blocks);
+}
+
+#[test]
+fn numbers_that_are_no_place_are_refused() {
+    let mut bad = piece();
+    bad.boundary.points[1].at.x = f64::NAN;
+    let faults = write(&drawing(vec![bad, piece()]), Dialect::Astm).expect_err("refused");
+    assert_eq!(faults[0].code, "coordinate-out-of-range");
+    let empty = PieceDrawing { boundary: DrawLine::default(), ..piece() };
+    assert_eq!(write(&drawing(vec![empty]), Dialect::Astm).expect_err("refused")[0].code, "boundary-too-short");
+}
+
+#[test]
+fn no_negative_zero() {
+    assert_eq!(tags::decimal(-0.000_01), "0.0000");
+    assert_eq!(tags::decimal(-0.000_06), "-0.0001");
+}
+
+/// A symmetric piece about x = 0, metres.
+fn symmetric() -> Piece {
+    use toile_garment::outline::{LinePoint, PieceLine};
+    let ring = |r: f64| {
+        let at = [(-r, 0.0), (r, 0.0), (1.2 * r, 2.0), (-1.2 * r, 2.0)];
+        let points = at.map(|(x, y)| LinePoint { at: Vec2::new(x, y) * 0.1, kind: PointKind::Turn }).into();
+        PieceLine { points, closed: true, ..PieceLine::default() }
+    };
+    Piece {
+        name: "BACK".into(),
+        outline: ring(0.9),
+        cut_line: Some(ring(1.0)),
+        fold: Some([Vec2::new(0.0, 0.0), Vec2::new(0.0, 0.2)]),
+        ..Piece::default()
+    }
+}
+
+#[test]
+fn half_piece_on_its_fold() {
+    let mut findings = Vec::new();
+    let drawn = piece_drawing(&symmetric(), PieceOptions { half_on_fold: true }, &mut findings);
+    assert_eq!(findings, []);
+    let at: Vec<_> = drawn.boundary.points.iter().map(|p| (p.at.x, p.at.y)).collect();
+    assert_eq!(at, [(0.0, 200.0), (-120.0, 200.0), (-100.0, 0.0), (0.0, 0.0)]);
+    let sew = drawn.sew_line.expect("sew line");
+    assert!(!sew.closed && sew.points.len() == 4);
+    assert_eq!(drawn.fold, Some([Vec2::new(0.0, 0.0), Vec2::new(0.0, 200.0)]));
+    let mut skew = symmetric();
+    skew.outline.points[0].at.x -= 0.01;
+    let whole = piece_drawing(&skew, PieceOptions { half_on_fold: true }, &mut findings);
+    assert_eq!((whole.boundary.points.len(), findings[0].code.as_str()), (4, "fold-not-symmetric"));
+}
