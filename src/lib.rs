@@ -1,1 +1,3 @@
 //! The engine and command line of toile.
+
+pub mod pipeline;

@@ -1,0 +1,190 @@
+//! Document → checked chain: stages looked up, parameters parsed, needs and gives matched.
+
+use super::document::{Document, Reader, StageEntry};
+use super::fill::fill_table;
+use super::inputs::{Values, settle};
+use super::nearest::remedy;
+use super::overrides::{self, Overrides};
+use super::params::configure;
+use super::schema_walk::SchemaTree;
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::PathBuf;
+use toile_garment::{Aspect, Report, SourceRef};
+use toile_stage_api::{AnyStage, ReadyStage, Registry};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// A pipeline that can run.
+pub struct Pipeline<'r> {
+    /// Product line.
+    pub line: String,
+    /// Version.
+    pub version: u64,
+    /// Seed.
+    pub seed: u64,
+    /// The chain.
+    pub steps: Vec<Step<'r>>,
+    /// Folders behind `{name}/…`, for paths given on the command line.
+    pub mounts: BTreeMap<String, PathBuf>,
+}
+
+/// One stage of the chain.
+pub struct Step<'r> {
+    /// Id.
+    pub id: String,
+    /// Place of its name in the pipeline file.
+    pub place: SourceRef,
+    /// The stage with its parameters.
+    pub ready: Box<dyn ReadyStage + 'r>,
+    /// Texts of its parameters that look like paths.
+    pub paths: Vec<PathText>,
+}
+
+/// A parameter that looks like a path.
+#[derive(Clone, Debug)]
+pub struct PathText {
+    /// After filling in.
+    pub text: String,
+    /// Where it stands.
+    pub place: SourceRef,
+}
+
+impl PathText {
+    /// Is it an output?
+    #[must_use]
+    pub fn is_output(&self) -> bool {
+        self.text.starts_with("{out}")
+    }
+}
+
+/// Looks up and checks everything. The chain is whole only when the report has no error.
+pub fn link<'r>(document: &Document<'_>, registry: &'r Registry, report: &mut Report) -> Pipeline<'r> {
+    let mut cx = Reader { source: document.source, report };
+    let overrides = overrides::sort(&mut cx, document);
+    let values = settle(&mut cx, &document.inputs, &overrides.inputs, &document.line, document.version);
+    let mut chain = Chain::new(registry);
+    let mut steps = Vec::new();
+    for entry in &document.stages {
+        let Some(stage) = chain.find(&mut cx, entry) else { continue };
+        chain.check(&mut cx, entry, stage);
+        steps.extend(make_step(&mut cx, entry, stage, &overrides, &values));
+    }
+    Pipeline {
+        line: document.line.clone(),
+        version: document.version,
+        seed: document.seed,
+        steps,
+        mounts: values.mounts,
+    }
+}
+
+fn make_step<'r>(
+    cx: &mut Reader<'_>,
+    entry: &StageEntry<'_>,
+    stage: &'r dyn AnyStage,
+    overrides: &Overrides<'_>,
+    values: &Values,
+) -> Option<Step<'r>> {
+    let schema = SchemaTree::of(stage);
+    let mut table = entry.with.get_ref().clone();
+    overrides::apply(cx, entry, &overrides.params, &schema, &mut table);
+    let before = cx.report.findings.len();
+    fill_table(cx, values, &mut table);
+    let filled = cx.report.findings.len() == before;
+    let mut paths = Vec::new();
+    collect_paths(cx, &table, &mut paths);
+    let ready = configure(cx, stage, &schema, table, &entry.with.span(), entry.name.get_ref());
+    let place = cx.source.place(&entry.name.span());
+    ready.filter(|_| filled).map(|ready| Step { id: entry.id.clone(), place, ready, paths })
+}
+
+fn collect_paths(cx: &Reader<'_>, table: &DeTable<'_>, paths: &mut Vec<PathText>) {
+    for (_, value) in table {
+        collect_path(cx, value, paths);
+    }
+}
+
+fn collect_path(cx: &Reader<'_>, value: &Spanned<DeValue<'_>>, paths: &mut Vec<PathText>) {
+    match value.get_ref() {
+        DeValue::String(text) if looks_like_path(text) => {
+            paths.push(PathText { text: text.to_string(), place: cx.source.place(&value.span()) });
+        }
+        DeValue::Table(table) => collect_paths(cx, table, paths),
+        DeValue::Array(items) => items.iter().for_each(|item| collect_path(cx, item, paths)),
+        _ => {}
+    }
+}
+
+/// Parameters do not say which of them are files; these forms can be nothing else.
+fn looks_like_path(text: &str) -> bool {
+    const ENDINGS: [&str; 14] = [
+        ".dxf", ".rul", ".toml", ".obj", ".glb", ".gltf", ".png", ".jpg", ".jpeg", ".svg", ".txt", ".json", ".html",
+        ".csv",
+    ];
+    const STARTS: [&str; 7] = ["{out}", "/", "\\", "./", "../", "..\\", "~/"];
+    let lower = text.to_ascii_lowercase();
+    let drive = text.as_bytes().get(1) == Some(&b':') && text.as_bytes()[0].is_ascii_alphabetic();
+    ENDINGS.iter().any(|e| lower.ends_with(e))
+        || STARTS.iter().any(|s| text.starts_with(s))
+        || drive
+        || text.contains("/../")
+        || text.contains('\0')
+}
+
+/// What the stages so far give.
+struct Chain<'r> {
+    registry: &'r Registry,
+    given: BTreeSet<Aspect>,
+    /// After an unknown stage nobody knows what is there: later needs are not reported.
+    unsure: bool,
+}
+
+impl<'r> Chain<'r> {
+    fn new(registry: &'r Registry) -> Self {
+        Self { registry, given: BTreeSet::new(), unsure: false }
+    }
+
+    fn find(&mut self, cx: &mut Reader<'_>, entry: &StageEntry<'_>) -> Option<&'r dyn AnyStage> {
+        let name = entry.name.get_ref();
+        let found = self.registry.get(name);
+        if found.is_none() {
+            self.unsure = true;
+            let names: Vec<String> = self.registry.iter().map(|s| s.info().name.into_owned()).collect();
+            let hint = if name.contains('.') {
+                format!("a stage of another program needs [plugin.{}]", name.split('.').next().unwrap_or(name))
+            } else {
+                remedy(name, names.iter().map(String::as_str))
+            };
+            cx.push("unknown-stage", &entry.name.span(), format!("unknown stage `{name}`"), hint);
+        }
+        found
+    }
+
+    fn check(&mut self, cx: &mut Reader<'_>, entry: &StageEntry<'_>, stage: &dyn AnyStage) {
+        let info = stage.info();
+        for need in info.needs.iter().filter(|n| !self.given.contains(n)) {
+            if !self.unsure {
+                let message = format!("`{}` needs {}, which no earlier stage gives", info.name, word(*need));
+                cx.push("needs-not-given", &entry.name.span(), message, self.givers(*need));
+            }
+        }
+        self.given.extend(info.gives.iter());
+    }
+
+    fn givers(&self, aspect: Aspect) -> String {
+        let givers: Vec<String> = self
+            .registry
+            .iter()
+            .map(AnyStage::info)
+            .filter(|i| i.gives.contains(&aspect))
+            .map(|i| format!("`{}`", i.name))
+            .collect();
+        if givers.is_empty() { "no known stage gives it".to_owned() } else { format!("put {} before it", givers.join(" or ")) }
+    }
+}
+
+/// The aspect as the stages' manual writes it.
+#[must_use]
+pub fn word(aspect: Aspect) -> String {
+    format!("{aspect:?}").to_lowercase()
+}

@@ -1,0 +1,23 @@
+//! The pipeline file: TOML text → checked chain. Every value keeps its line and column, every mistake is collected.
+//!
+//! Two steps, because stages in other processes must be asked between them: [`parse`] reads the grammar, [`link`]
+//! looks the stages up, parses all parameters and matches needs and gives.
+
+mod chain;
+mod document;
+mod fill;
+mod inputs;
+mod nearest;
+mod overrides;
+mod params;
+mod plugins;
+mod schema_walk;
+mod text;
+
+pub use chain::{PathText, Pipeline, Step, link, word};
+pub use document::{Document, GRAMMAR, MAX_ERRORS, StageEntry, parse};
+pub use inputs::{Input, InputKind};
+pub use nearest::{nearest, remedy};
+pub use plugins::Plugin;
+pub use schema_walk::SchemaTree;
+pub use text::{MAX_BYTES, SourceText};

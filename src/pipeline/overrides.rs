@@ -1,0 +1,149 @@
+//! `--set`: values of inputs and of stage parameters from the command line.
+
+use super::document::{Document, Reader, StageEntry};
+use super::inputs::refuse_unknown_set;
+use super::schema_walk::SchemaTree;
+use std::ops::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// Deepest key path of an override.
+const MAX_DEPTH: usize = 32;
+
+/// One override of a stage's parameter.
+pub(super) struct ParamSet<'t> {
+    /// Id of the stage.
+    pub stage: String,
+    /// Keys below `with`.
+    pub path: Vec<&'t str>,
+    /// Value as typed.
+    pub raw: &'t str,
+    /// Index of the override.
+    pub index: usize,
+}
+
+/// Overrides sorted by what they set.
+#[derive(Default)]
+pub(super) struct Overrides<'t> {
+    /// Name, value, index.
+    pub inputs: Vec<(String, String, usize)>,
+    /// Of stages.
+    pub params: Vec<ParamSet<'t>>,
+}
+
+/// Sorts the overrides and refuses those that name nothing.
+pub(super) fn sort<'t>(cx: &mut Reader<'_>, document: &Document<'t>) -> Overrides<'t> {
+    let mut sorted = Overrides::default();
+    for (index, set) in document.source.sets().iter().enumerate() {
+        let Some((key, raw)) = set.split_once('=') else {
+            let span = document.source.span_of_set(index);
+            cx.push("set-form", &span, format!("`{set}` has no `=`"), "write --set name=value or --set stage-id.key=value");
+            continue;
+        };
+        let key = key.trim();
+        if document.inputs.contains_key(key) {
+            sorted.inputs.push((key.to_owned(), raw.to_owned(), index));
+        } else if let Some((stage, path)) = stage_key(document, key) {
+            sorted.params.push(ParamSet { stage, path, raw, index });
+        } else {
+            let ids = document.stages.iter().map(|s| format!("{}.{}", s.id, key.split('.').next_back().unwrap_or(key)));
+            let known: Vec<String> = document.inputs.keys().cloned().chain(ids).collect();
+            refuse_unknown_set(cx, key, index, &known);
+        }
+    }
+    sorted
+}
+
+/// The longest id that the key begins with, and the keys after it.
+fn stage_key<'t>(document: &Document<'_>, key: &'t str) -> Option<(String, Vec<&'t str>)> {
+    document
+        .stages
+        .iter()
+        .filter_map(|s| Some((s.id.clone(), key.strip_prefix(s.id.as_str())?.strip_prefix('.')?)))
+        .max_by_key(|(id, _)| id.len())
+        .map(|(id, rest)| (id, rest.split('.').collect::<Vec<_>>()))
+        .filter(|(_, path)| path.len() <= MAX_DEPTH && path.iter().all(|k| !k.is_empty()))
+}
+
+/// Puts the overrides of one stage into its parameters.
+pub(super) fn apply<'t>(
+    cx: &mut Reader<'_>,
+    entry: &StageEntry<'t>,
+    sets: &[ParamSet<'t>],
+    schema: &SchemaTree,
+    table: &mut DeTable<'t>,
+) {
+    for set in sets.iter().filter(|s| s.stage == entry.id) {
+        let span = cx.source.span_of_set(set.index);
+        let value = typed(set.raw, schema.wants_text(&set.path), &span);
+        if !insert(table, &set.path, value, &span) {
+            let message = format!("`{}` lies below a value that is no table", set.path.join("."));
+            cx.push("set-form", &span, message, "name the key of a value");
+        }
+    }
+}
+
+/// A TOML value where it reads as one and the parameter is no text; the text itself otherwise.
+fn typed<'t>(raw: &'t str, wants_text: bool, span: &Range<usize>) -> Spanned<DeValue<'t>> {
+    let quoted = raw.trim_start().starts_with(['"', '\'']);
+    let value = match DeValue::parse(raw) {
+        Ok(value) if !wants_text || quoted => value.into_inner(),
+        _ => DeValue::String(raw.into()),
+    };
+    Spanned::new(span.clone(), respan(value, span))
+}
+
+/// Spans within the override mean nothing in the file: all of it stands at the override.
+fn respan<'t>(value: DeValue<'t>, span: &Range<usize>) -> DeValue<'t> {
+    match value {
+        DeValue::Array(items) => {
+            DeValue::Array(items.into_iter().map(|v| Spanned::new(span.clone(), respan(v.into_inner(), span))).collect())
+        }
+        DeValue::Table(table) => DeValue::Table(
+            table
+                .into_iter()
+                .map(|(k, v)| {
+                    (Spanned::new(span.clone(), k.into_inner()), Spanned::new(span.clone(), respan(v.into_inner(), span)))
+                })
+                .collect(),
+        ),
+        other => other,
+    }
+}
+
+fn insert<'t>(table: &mut DeTable<'t>, path: &[&'t str], value: Spanned<DeValue<'t>>, span: &Range<usize>) -> bool {
+    let Some((key, rest)) = path.split_first() else { return false };
+    let name = || Spanned::new(span.clone(), std::borrow::Cow::Borrowed(*key));
+    if rest.is_empty() {
+        // Removed first: an insert would keep the old key with the old place.
+        table.remove(*key);
+        table.insert(name(), value);
+        return true;
+    }
+    if !table.contains_key(*key) {
+        table.insert(name(), Spanned::new(span.clone(), DeValue::Table(DeTable::new())));
+    }
+    match table.get_mut(*key).map(Spanned::get_mut) {
+        Some(DeValue::Table(inner)) => insert(inner, rest, value, span),
+        Some(DeValue::Array(items)) => insert_item(items, rest, value, span),
+        _ => false,
+    }
+}
+
+fn insert_item<'t>(
+    items: &mut toml::de::DeArray<'t>,
+    path: &[&'t str],
+    value: Spanned<DeValue<'t>>,
+    span: &Range<usize>,
+) -> bool {
+    let Some((index, rest)) = path.split_first() else { return false };
+    let Some(item) = index.parse::<usize>().ok().and_then(|i| items.get_mut(i)) else { return false };
+    if rest.is_empty() {
+        *item = value;
+        return true;
+    }
+    match item.get_mut() {
+        DeValue::Table(inner) => insert(inner, rest, value, span),
+        _ => false,
+    }
+}

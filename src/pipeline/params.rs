@@ -1,0 +1,98 @@
+//! One stage's parameters: every mistake in them, not only the first.
+
+use super::document::Reader;
+use super::nearest::nearest;
+use super::schema_walk::SchemaTree;
+use std::ops::Range;
+use toile_stage_api::{AnyStage, ReadyStage};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue, ValueDeserializer};
+
+/// Parses the parameters. `None` when there was a mistake; all that were found are in the report.
+pub(super) fn configure<'r>(
+    cx: &mut Reader<'_>,
+    stage: &'r dyn AnyStage,
+    schema: &SchemaTree,
+    mut table: DeTable<'_>,
+    span: &Range<usize>,
+    owner: &str,
+) -> Option<Box<dyn ReadyStage + 'r>> {
+    let unknown = schema.unknown_keys(&table);
+    for key in &unknown {
+        let message = format!("unknown key `{}` of `{owner}`", key.path.join("."));
+        cx.push("unknown-key", &key.span, message, key.hint.clone());
+        remove(&mut table, &key.path);
+    }
+    let mut removed: Vec<String> = Vec::new();
+    // Each round either succeeds, or takes out one top-level key, or ends.
+    for _ in 0..=table.len() {
+        let value = Spanned::new(span.clone(), DeValue::Table(table.clone()));
+        match stage.configure(ValueDeserializer::from(value)) {
+            Ok(ready) => return (unknown.is_empty() && removed.is_empty()).then_some(ready),
+            Err(error) => {
+                let at = error.span().unwrap_or_else(|| span.clone());
+                if !is_echo(error.message(), &removed) {
+                    report_error(cx, error.message(), &at, schema, owner);
+                }
+                let Some(key) = key_around(&table, &at) else { break };
+                table.remove(key.as_str());
+                removed.push(key);
+            }
+        }
+    }
+    None
+}
+
+/// "missing field" of a key that was taken out because it was wrong.
+fn is_echo(message: &str, removed: &[String]) -> bool {
+    removed.iter().any(|key| message.contains(&format!("missing field `{key}`")))
+}
+
+fn report_error(cx: &mut Reader<'_>, message: &str, span: &Range<usize>, schema: &SchemaTree, owner: &str) {
+    if let Some(key) = message.strip_prefix("missing field `").and_then(|m| m.strip_suffix('`')) {
+        let about = schema.root().get("properties").and_then(|p| p.get(key)?.get("description")?.as_str());
+        let hint = format!("add `with.{key} = …`{}", about.map(|a| format!(": {a}")).unwrap_or_default());
+        cx.push("missing-key", span, format!("`{owner}` needs `{key}`"), hint);
+        return;
+    }
+    let code = if message.starts_with("unknown field") {
+        "unknown-key"
+    } else if message.starts_with("unknown variant") {
+        "unknown-value"
+    } else {
+        "wrong-value"
+    };
+    let hint = expected_hint(message).unwrap_or_else(|| format!("see `toile stages {owner}` for its parameters"));
+    cx.push(code, span, format!("`{owner}`: {message}"), hint);
+}
+
+/// The nearest of the names that the parser says it expected.
+fn expected_hint(message: &str) -> Option<String> {
+    let (wrong, expected) = message.split_once(", expected ")?;
+    let wrong = wrong.split('`').nth(1)?;
+    nearest(wrong, expected.split('`').skip(1).step_by(2)).map(|near| format!("did you mean `{near}`?"))
+}
+
+/// The top-level key whose value or name holds the place.
+fn key_around(table: &DeTable<'_>, at: &Range<usize>) -> Option<String> {
+    let holds = |span: Range<usize>| span.start <= at.start && at.end <= span.end;
+    table.iter().find(|(k, v)| holds(v.span()) || holds(k.span())).map(|(k, _)| k.get_ref().to_string())
+}
+
+fn remove(table: &mut DeTable<'_>, path: &[String]) {
+    let Some((key, rest)) = path.split_first() else { return };
+    if rest.is_empty() {
+        table.remove(key.as_str());
+        return;
+    }
+    match table.get_mut(key.as_str()).map(Spanned::get_mut) {
+        Some(DeValue::Table(inner)) => remove(inner, rest),
+        Some(DeValue::Array(items)) => {
+            let item = rest[0].parse::<usize>().ok().and_then(|i| items.get_mut(i));
+            if let Some(DeValue::Table(inner)) = item.map(Spanned::get_mut) {
+                remove(inner, &rest[1..]);
+            }
+        }
+        _ => {}
+    }
+}

@@ -1,0 +1,143 @@
+//! Parameters seen through their schema: which keys exist, which of them hold text.
+
+use super::nearest::remedy;
+use schemars::generate::SchemaSettings;
+use serde_json::{Map, Value};
+use std::ops::Range;
+use toile_stage_api::AnyStage;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// The schema of one stage's parameters with its definitions.
+pub struct SchemaTree {
+    root: Value,
+    definitions: Map<String, Value>,
+}
+
+/// A key that the schema does not know.
+pub struct UnknownKey {
+    /// Keys from `with` down to it.
+    pub path: Vec<String>,
+    /// Where it stands.
+    pub span: Range<usize>,
+    /// What was meant.
+    pub hint: String,
+}
+
+impl SchemaTree {
+    /// Schema of a stage.
+    #[must_use]
+    pub fn of(stage: &dyn AnyStage) -> Self {
+        let mut generator = SchemaSettings::draft07().into_generator();
+        let root = stage.schema(&mut generator).to_value();
+        Self { root, definitions: generator.take_definitions(true) }
+    }
+
+    /// The root, resolved.
+    #[must_use]
+    pub fn root(&self) -> &Value {
+        self.resolve(&self.root)
+    }
+
+    /// Follows references and "this or nothing" to the schema that says something. Bounded, as a schema may come from
+    /// another program.
+    #[must_use]
+    pub fn resolve<'a>(&'a self, schema: &'a Value) -> &'a Value {
+        let mut at = schema;
+        for _ in 0..16 {
+            let target = at.get("$ref").and_then(Value::as_str).and_then(|r| r.rsplit('/').next());
+            if let Some(next) = target.and_then(|name| self.definitions.get(name)) {
+                at = next;
+            } else if let Some(only) = only_branch(at) {
+                at = only;
+            } else {
+                break;
+            }
+        }
+        at
+    }
+
+    /// Is the parameter at this path a text and nothing else?
+    #[must_use]
+    pub fn wants_text(&self, path: &[&str]) -> bool {
+        let mut at = self.root();
+        for key in path {
+            let step = if key.bytes().all(|b| b.is_ascii_digit()) { at.get("items") } else { None };
+            match step.or_else(|| at.get("properties")?.get(*key)).or_else(|| at.get("additionalProperties")) {
+                Some(next) => at = self.resolve(next),
+                None => return false,
+            }
+        }
+        self.is_text(at)
+    }
+
+    fn is_text(&self, schema: &Value) -> bool {
+        let text_type = match schema.get("type") {
+            Some(Value::String(t)) => t == "string",
+            Some(Value::Array(types)) => types.iter().all(|t| t == "string" || t == "null"),
+            _ => schema.get("const").is_some_and(Value::is_string),
+        };
+        let branches = ["oneOf", "anyOf"].iter().find_map(|k| schema.get(*k)?.as_array());
+        text_type || branches.is_some_and(|b| b.iter().filter(|s| !is_null(s)).all(|s| self.is_text(self.resolve(s))))
+    }
+
+    /// All keys of a table that the schema does not know.
+    #[must_use]
+    pub fn unknown_keys(&self, table: &DeTable<'_>) -> Vec<UnknownKey> {
+        let mut found = Vec::new();
+        self.walk_table(self.root(), table, &mut Vec::new(), &mut found);
+        found
+    }
+
+    fn walk_table(&self, schema: &Value, table: &DeTable<'_>, path: &mut Vec<String>, found: &mut Vec<UnknownKey>) {
+        let open = ["anyOf", "oneOf", "allOf", "if", "patternProperties"].iter().any(|k| schema.get(*k).is_some());
+        let rest = schema.get("additionalProperties").filter(|a| a.is_object() || a.as_bool() == Some(true));
+        let properties = schema.get("properties").and_then(Value::as_object);
+        if properties.is_none() && rest.is_none() && schema.get("additionalProperties").is_none() {
+            return;
+        }
+        for (key, value) in table {
+            let name = key.get_ref().as_ref();
+            path.push(name.to_owned());
+            match properties.and_then(|p| p.get(name)).or(rest) {
+                Some(next) => self.walk(self.resolve(next), value, path, found),
+                None if open => {}
+                None => {
+                    let known = properties.into_iter().flat_map(Map::keys).map(String::as_str);
+                    found.push(UnknownKey { path: path.clone(), span: key.span(), hint: remedy(name, known) });
+                }
+            }
+            path.pop();
+        }
+    }
+
+    fn walk(&self, schema: &Value, value: &Spanned<DeValue<'_>>, path: &mut Vec<String>, found: &mut Vec<UnknownKey>) {
+        match value.get_ref() {
+            DeValue::Table(table) => self.walk_table(schema, table, path, found),
+            DeValue::Array(items) => {
+                let Some(next) = schema.get("items").filter(|i| i.is_object()) else { return };
+                for (i, item) in items.iter().enumerate() {
+                    path.push(i.to_string());
+                    self.walk(self.resolve(next), item, path, found);
+                    path.pop();
+                }
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The one branch beside `null` of "this or nothing", or the only member of `allOf`.
+fn only_branch(schema: &Value) -> Option<&Value> {
+    if let Some(all) = schema.get("allOf").and_then(Value::as_array).filter(|a| a.len() == 1) {
+        return all.first();
+    }
+    let any = schema.get("anyOf").and_then(Value::as_array)?;
+    let mut said = any.iter().filter(|s| !is_null(s));
+    let first = said.next()?;
+    (any.len() > 1 && said.next().is_none()).then_some(first)
+}
+
+fn is_null(schema: &Value) -> bool {
+    schema.get("type").is_some_and(|t| t == "null")
+}
