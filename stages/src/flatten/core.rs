@@ -14,6 +14,9 @@ use toile_garment::mesh::PieceMesh;
 use toile_garment::{Diagnostic, Garment, MeshVertex, Piece, Report, Vec2, Vec3};
 use toile_stage_api::StageError;
 
+/// Repeats of the solve that give back what the smoothing of a noisy surface took from a real edit.
+const REFINEMENTS: u32 = 4;
+
 /// A piece with all that the flattening needs of it.
 struct Source<'a> {
     piece: &'a Piece,
@@ -37,19 +40,10 @@ pub fn flatten_garment(
     let metric = metric_of(garment, params.metric);
     let sources = sources(garment)?;
     findings::metric(garment, metric, report);
-    let targets = sources.iter().map(|s| targets(s, metric, params.smoothing)).collect::<Result<Vec<_>, _>>()?;
+    let wanted = sources.iter().map(|s| wanted(s, metric)).collect::<Result<Vec<_>, _>>()?;
     let edges = MeshEdges::of(garment);
-    let sheet = sheet(&sources, &targets, &sewn::all(garment, &edges), params.pair_stiffness)?;
-    let stop = Stop { motion: params.stop_motion.0, rounds: params.max_rounds };
-    let solved = solve(&sheet, stop, watch).map_err(failure)?;
-    if !solved.converged {
-        return Err(StageError::Unstable(format!(
-            "flattening did not come to rest: after {} rounds a vertex still moves {:.3e} mm a round (goal {:.1e} mm)",
-            solved.rounds,
-            1e3 * solved.last_motion,
-            1e3 * stop.motion
-        )));
-    }
+    let pairs = pairs(&sources, &sewn::all(garment, &edges), params.pair_stiffness);
+    let (sheet, solved, targets) = fitted(&sources, &wanted, pairs, params, watch)?;
     let pieces: Vec<FlatPiece> =
         sources.iter().zip(&targets).map(|(s, t)| measured(garment, s, t, &sheet, &solved)).collect();
     for (source, flat) in sources.iter().zip(&pieces) {
@@ -57,8 +51,8 @@ pub fn flatten_garment(
     }
     let rest: Vec<&[Vec2]> = sources.iter().map(|s| s.mesh.rest.as_slice()).collect();
     let flat: Vec<&[Vec2]> = pieces.iter().map(|p| p.positions.as_slice()).collect();
-    let pairs = garment.seams.iter().map(|s| sewn::change(s, &edges, &rest, &flat)).collect();
-    Ok(Flat { metric, pieces, pairs })
+    let changes = garment.seams.iter().map(|s| sewn::change(s, &edges, &rest, &flat)).collect();
+    Ok(Flat { metric, pieces, pairs: changes })
 }
 
 /// The strain of the cloth is known when the shape before an edit is, or when the drape is our own (it carries a
@@ -102,33 +96,33 @@ fn sources(garment: &Garment) -> Result<Vec<Source<'_>>, StageError> {
     Ok(out)
 }
 
-/// Edge vectors that every triangle of a piece should have, in the coordinates of the stored piece.
-fn targets(source: &Source<'_>, metric: FlatMetric, smoothing: u32) -> Result<Vec<Matrix2<f64>>, StageError> {
-    let mesh = source.mesh;
-    let stored: Vec<Matrix2<f64>> = mesh.triangles.iter().map(|t| edges2(&mesh.rest, *t)).collect();
+/// Stretch that every triangle of the stored piece should get; `None` where the stored piece itself is asked for.
+fn wanted(source: &Source<'_>, metric: FlatMetric) -> Result<Option<Vec<Matrix2<f64>>>, StageError> {
+    let stored = source.stored();
     if let Some(k) = stored.iter().position(|e| !(e.determinant() > 0.0)) {
         return Err(bad_triangle(source, k, "has no area, or lies on its wrong side, in the stored piece"));
     }
     if metric == FlatMetric::Unedited {
-        return Ok(stored);
+        return Ok(None);
     }
     let mut stretch = Vec::with_capacity(stored.len());
-    for (k, (t, e)) in mesh.triangles.iter().zip(&stored).enumerate() {
+    for (k, (t, e)) in source.mesh.triangles.iter().zip(&stored).enumerate() {
         let now = cauchy_green(e, &edges3(source.surface, *t));
         let h = match metric {
-            FlatMetric::Carried => cauchy_green(e, &edges3(source.before, *t)).zip(now).and_then(|(b, n)| carried(&b, &n)),
+            FlatMetric::Carried => {
+                cauchy_green(e, &edges3(source.before, *t)).zip(now).and_then(|(b, n)| carried(&b, &n))
+            }
             _ => now.as_ref().map(sqrt_spd),
         };
         let good = h.filter(|h| h.iter().all(|x| x.is_finite()) && h.determinant() > 1e-6);
         stretch.push(good.ok_or_else(|| bad_triangle(source, k, "has no area in 3D, or is not finite"))?);
     }
-    let area: Vec<f64> = stored.iter().map(|e| 0.5 * e.determinant()).collect();
-    let stretch = smoothed(&stretch, &mesh.triangles, &area, smoothing);
-    Ok(stretch.iter().zip(&stored).map(|(h, e)| h * e).collect())
+    Ok(Some(stretch))
 }
 
 fn bad_triangle(source: &Source<'_>, k: usize, what: &str) -> StageError {
-    let at = source.mesh.triangles.get(k).and_then(|t| source.mesh.rest.get(t[0] as usize)).copied().unwrap_or_default();
+    let at =
+        source.mesh.triangles.get(k).and_then(|t| source.mesh.rest.get(t[0] as usize)).copied().unwrap_or_default();
     let place = format!("{:.2}, {:.2} mm", 1e3 * at.x, 1e3 * at.y);
     StageError::input(
         Diagnostic::error(
@@ -140,33 +134,123 @@ fn bad_triangle(source: &Source<'_>, k: usize, what: &str) -> StageError {
     )
 }
 
-fn sheet(
+/// Target edges of every triangle, per piece.
+type Targets = Vec<Vec<Matrix2<f64>>>;
+
+/// Solves for the wanted stretches, smoothed first where that is asked for.
+///
+/// Smoothing alone would blur a real edit. So the answer is refined: what the smoothing took from the answer's own
+/// metric is given back, and the solve repeated. A metric that can be flat is a fixed point, noise is not.
+fn fitted(
     sources: &[Source<'_>],
-    targets: &[Vec<Matrix2<f64>>],
-    stations: &[Station],
-    stiffness: f64,
-) -> Result<Sheet, StageError> {
-    let mut sheet = Sheet::default();
-    for (source, targets) in sources.iter().zip(targets) {
-        sheet.start.extend_from_slice(&source.mesh.rest);
+    wanted: &[Option<Vec<Matrix2<f64>>>],
+    pairs: Vec<EdgePair>,
+    params: &FlattenParams,
+    watch: &mut dyn FnMut(u32, f64) -> bool,
+) -> Result<(Sheet, Flattened, Targets), StageError> {
+    let blurred: Vec<Option<Vec<Matrix2<f64>>>> =
+        sources.iter().zip(wanted).map(|(s, w)| w.as_ref().map(|h| s.blurred(h, params.smoothing))).collect();
+    let targets: Targets = sources.iter().zip(&blurred).map(|(s, b)| s.targets(b.as_deref())).collect();
+    let start: Vec<Vec2> = sources.iter().flat_map(|s| s.mesh.rest.iter().copied()).collect();
+    let mut best = solved(sources, targets, start, pairs, params, watch)?;
+    if params.smoothing == 0 || blurred.iter().all(Option::is_none) {
+        return Ok(best);
+    }
+    for _ in 0..REFINEMENTS {
+        let x = best.1.positions.clone();
+        let refined =
+            sources.iter().zip(&blurred).map(|(s, b)| s.refined(b.as_deref(), &x, params.smoothing)).collect();
+        let rounds = best.1.rounds;
+        best = solved(sources, refined, x, std::mem::take(&mut best.0.pairs), params, watch)?;
+        best.1.rounds = best.1.rounds.saturating_add(rounds);
+    }
+    Ok(best)
+}
+
+impl Source<'_> {
+    fn stored(&self) -> Vec<Matrix2<f64>> {
+        self.mesh.triangles.iter().map(|t| edges2(&self.mesh.rest, *t)).collect()
+    }
+
+    fn targets(&self, metric: Option<&[Matrix2<f64>]>) -> Vec<Matrix2<f64>> {
+        let stored = self.stored();
+        match metric {
+            Some(metric) => metric.iter().zip(&stored).map(|(c, e)| sqrt_spd(c) * e).collect(),
+            None => stored,
+        }
+    }
+
+    /// The metric of a field of stretches, smoothed.
+    fn blurred(&self, stretch: &[Matrix2<f64>], passes: u32) -> Vec<Matrix2<f64>> {
+        let metric: Vec<Matrix2<f64>> = stretch.iter().map(|h| h.transpose() * h).collect();
+        self.smooth(&metric, passes)
+    }
+
+    fn smooth(&self, metric: &[Matrix2<f64>], passes: u32) -> Vec<Matrix2<f64>> {
+        let area: Vec<f64> = self.stored().iter().map(|e| 0.5 * e.determinant()).collect();
+        smoothed(metric, &self.mesh.triangles, &area, passes)
+    }
+
+    /// Targets with the metric `C(x) + blurred(wanted) − blurred(C(x))` of the answer `x` so far.
+    fn refined(&self, blurred: Option<&[Matrix2<f64>]>, x: &[Vec2], passes: u32) -> Vec<Matrix2<f64>> {
+        let Some(blurred) = blurred else { return self.stored() };
+        let moved = self.mesh.triangles.iter().map(|t| edges2(x, t.map(|v| v + self.offset)));
+        let stretch: Vec<_> = moved.zip(self.stored()).map(|(f, e)| f * e.try_inverse().unwrap_or_default()).collect();
+        let sharp: Vec<Matrix2<f64>> = stretch.iter().map(|h| h.transpose() * h).collect();
+        let soft = self.smooth(&sharp, passes);
+        let metric: Vec<Matrix2<f64>> = (0..sharp.len())
+            .map(|k| {
+                let c = sharp[k] + blurred[k] - soft[k];
+                if c.trace() > 0.0 && c.determinant() > 1e-3 { c } else { blurred[k] }
+            })
+            .collect();
+        self.targets(Some(&metric))
+    }
+}
+
+fn solved(
+    sources: &[Source<'_>],
+    targets: Targets,
+    start: Vec<Vec2>,
+    pairs: Vec<EdgePair>,
+    params: &FlattenParams,
+    watch: &mut dyn FnMut(u32, f64) -> bool,
+) -> Result<(Sheet, Flattened, Targets), StageError> {
+    let mut sheet = Sheet { start, pairs, ..Sheet::default() };
+    for (source, targets) in sources.iter().zip(&targets) {
         for (k, (t, target)) in source.mesh.triangles.iter().zip(targets).enumerate() {
             let triangle = Triangle::new(t.map(|v| v + source.offset), target);
             sheet.triangles.push(triangle.ok_or_else(|| bad_triangle(source, k, "has no area"))?);
         }
     }
-    if stiffness > 0.0 {
-        let vertex = |v: MeshVertex| sources.get(v.piece.index()).map(|s| s.offset + v.vertex);
-        for s in stations {
-            let [Some(a0), Some(a1), Some(b0), Some(b1)] = [s.a[0], s.a[1], s.b[0], s.b[1]].map(vertex) else { continue };
-            let length = |p: u32, q: u32| (sheet.start[q as usize] - sheet.start[p as usize]).norm();
-            let (la, lb) = (length(a0, a1), length(b0, b1));
-            let mean = 0.5 * (la + lb);
-            if la > 1e-9 && lb > 1e-9 {
-                sheet.pairs.push(EdgePair { v: [a0, a1, b0, b1], share: [la / mean, lb / mean], stiffness });
-            }
+    let stop = Stop { motion: params.stop_motion.0, rounds: params.max_rounds };
+    let solved = solve(&sheet, stop, watch).map_err(failure)?;
+    if solved.converged {
+        return Ok((sheet, solved, targets));
+    }
+    Err(StageError::Unstable(format!(
+        "flattening did not come to rest: after {} rounds a vertex still moves {:.3e} mm a round (goal {:.1e} mm)",
+        solved.rounds,
+        1e3 * solved.last_motion,
+        1e3 * stop.motion
+    )))
+}
+
+/// Sewn edges as pairs of the sheet, with the shares of their stored lengths.
+fn pairs(sources: &[Source<'_>], stations: &[Station], stiffness: f64) -> Vec<EdgePair> {
+    let mut out = Vec::new();
+    let vertex = |v: MeshVertex| sources.get(v.piece.index()).map(|s| s.offset + v.vertex);
+    let place = |v: MeshVertex| sources.get(v.piece.index()).and_then(|s| s.mesh.rest.get(v.vertex as usize));
+    let length = |[p, q]: [MeshVertex; 2]| place(p).zip(place(q)).map_or(0.0, |(p, q)| (q - p).norm());
+    for s in stations.iter().filter(|_| stiffness > 0.0) {
+        let [Some(a0), Some(a1), Some(b0), Some(b1)] = [s.a[0], s.a[1], s.b[0], s.b[1]].map(vertex) else { continue };
+        let (la, lb) = (length(s.a), length(s.b));
+        let mean = 0.5 * (la + lb);
+        if la > 1e-9 && lb > 1e-9 {
+            out.push(EdgePair { v: [a0, a1, b0, b1], share: [la / mean, lb / mean], stiffness });
         }
     }
-    Ok(sheet)
+    out
 }
 
 fn failure(error: SolveError) -> StageError {

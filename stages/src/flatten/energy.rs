@@ -140,11 +140,8 @@ impl EdgePair {
                 out.hessian[i][j] = dc[i] * dc[j].transpose() * k2;
             }
         }
-        let (first, n, scale) = if c > 0.0 {
-            (0, na, c / (self.share[0] * length[0]))
-        } else {
-            (2, nb, -c / (self.share[1] * length[1]))
-        };
+        let (first, n, scale) =
+            if c > 0.0 { (0, na, c / (self.share[0] * length[0])) } else { (2, nb, -c / (self.share[1] * length[1])) };
         let across = (Matrix2::identity() - n * n.transpose()) * (k2 * scale);
         for i in 0..2 {
             for j in 0..2 {

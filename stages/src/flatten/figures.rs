@@ -67,12 +67,7 @@ pub fn dart(legs: &ChainPair, rest: &[Vec2], flat: &[Vec2]) -> DartChange {
         name: legs.name.clone(),
         angle: [opening(legs, rest), opening(legs, flat)],
         width: [mouth(legs, rest), mouth(legs, flat)],
-        legs: [
-            length2(rest, &legs.a),
-            length2(rest, &legs.b),
-            length2(flat, &legs.a),
-            length2(flat, &legs.b),
-        ],
+        legs: [length2(rest, &legs.a), length2(rest, &legs.b), length2(flat, &legs.a), length2(flat, &legs.b)],
     }
 }
 

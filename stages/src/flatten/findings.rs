@@ -22,8 +22,11 @@ pub fn metric(garment: &Garment, metric: FlatMetric, report: &mut Report) {
     });
     if garment.drape.as_ref().is_some_and(|d| !d.welded) {
         report.push(
-            Diagnostic::warning("flatten-open-seams", "the 3D shape has seams that are not closed; sewn edges may differ")
-                .hint("run `drape` until its certificate passes"),
+            Diagnostic::warning(
+                "flatten-open-seams",
+                "the 3D shape has seams that are not closed; sewn edges may differ",
+            )
+            .hint("run `drape` until its certificate passes"),
         );
     }
 }

@@ -16,9 +16,9 @@ mod params;
 pub mod sewn;
 pub mod solve;
 mod stage;
-pub mod system;
 #[cfg(test)]
 mod surfaces;
+pub mod system;
 
 pub use self::core::flatten_garment;
 pub use json::json;

@@ -23,8 +23,8 @@ pub enum MetricChoice {
 pub struct FlattenParams {
     /// Which lengths the flattened pieces shall have.
     pub metric: MetricChoice,
-    /// Passes of averaging the stretch between neighbouring triangles, never across a dart or seam. Use 10 to 20 for
-    /// a drape that had not settled; every pass blurs a real edit a little.
+    /// Passes of averaging the stretch between neighbouring triangles, never across a dart or seam. Use 20 for a
+    /// drape that had not settled or a scanned surface; none is needed for a settled one.
     #[schemars(range(max = 200))]
     pub smoothing: u32,
     /// Stop when no vertex moves farther in a round.

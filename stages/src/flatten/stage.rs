@@ -38,7 +38,10 @@ fn check(params: &FlattenParams) -> Result<(), StageError> {
         }
     };
     let motion = params.stop_motion.0;
-    need((1e-12..=1e-3).contains(&motion), format!("stop_motion is {:e} mm; it must lie in 1e-9 to 1 mm", 1e3 * motion));
+    need(
+        (1e-12..=1e-3).contains(&motion),
+        format!("stop_motion is {:e} mm; it must lie in 1e-9 to 1 mm", 1e3 * motion),
+    );
     need(params.smoothing <= 200, format!("smoothing is {}; at most 200 passes are allowed", params.smoothing));
     need((1..=10_000).contains(&params.max_rounds), format!("max_rounds is {}; 1 to 10000", params.max_rounds));
     let stiffness = params.pair_stiffness;

@@ -55,15 +55,10 @@ impl System {
         blocks.sort_unstable();
         blocks.dedup();
         let (block_start, block_row, col_ptr, row_idx) = pattern(n, &blocks)?;
-        let matrix =
-            SymbolicSparseColMatRef::new_checked(dofs as usize, dofs as usize, &col_ptr, None, &row_idx);
-        let symbolic = factorize_symbolic_cholesky(
-            matrix,
-            Side::Lower,
-            SymmetricOrdering::Amd,
-            CholeskySymbolicParams::default(),
-        )
-        .map_err(out_of_memory(n))?;
+        let matrix = SymbolicSparseColMatRef::new_checked(dofs as usize, dofs as usize, &col_ptr, None, &row_idx);
+        let symbolic =
+            factorize_symbolic_cholesky(matrix, Side::Lower, SymmetricOrdering::Amd, CholeskySymbolicParams::default())
+                .map_err(out_of_memory(n))?;
         let values = vec![0.0; row_idx.len()];
         Ok(Self { block_start, block_row, col_ptr, row_idx, held, symbolic, values, rhs: vec![Vec2::zeros(); n] })
     }
