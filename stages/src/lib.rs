@@ -6,6 +6,7 @@
 pub mod body;
 pub mod builtin;
 pub mod drape;
+pub mod flatten;
 pub mod sewing;
 mod solve;
 pub mod stitch;

@@ -66,8 +66,11 @@ pub struct FlatPiece {
     pub rounds: u32,
     /// Largest motion in the last round, metres.
     pub last_motion: f64,
-    /// Enclosed Gaussian curvature (angle defect summed over inner vertices), radians.
+    /// Enclosed Gaussian curvature of the lengths asked for (angle defect summed over inner vertices), radians.
     pub curvature: f64,
+    /// Strain that no flat piece can avoid, lengths asked for against flat: mean and largest of |stretch − 1|.
+    #[serde(default)]
+    pub forced_strain: [f64; 2],
 }
 
 /// A sewn pair after flattening.
@@ -81,9 +84,25 @@ pub struct PairChange {
     pub b: [f64; 2],
 }
 
+/// Which lengths the flattened pieces were asked to have.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum FlatMetric {
+    /// Those of the 3D surface: nothing is known of the cloth's strain.
+    #[default]
+    Surface,
+    /// The stored ones, changed by what the 3D edit changed; the strain of the drape stays in the cloth.
+    Carried,
+    /// The stored ones, since the drape was not edited: the stored piece comes back by construction.
+    Unedited,
+}
+
 /// All flattened pieces.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Flat {
+    /// Lengths asked for.
+    #[serde(default)]
+    pub metric: FlatMetric,
     /// One per piece.
     pub pieces: Vec<FlatPiece>,
     /// Sewn pairs.

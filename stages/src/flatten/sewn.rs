@@ -1,0 +1,77 @@
+//! Sewn edges as pairs of mesh edges, station by station.
+
+use super::figures::length2;
+use std::collections::BTreeSet;
+use toile_garment::flat::PairChange;
+use toile_garment::seam::Seam;
+use toile_garment::{Garment, MeshVertex, Vec2};
+
+/// One mesh edge on each side of a seam or dart.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Station {
+    /// Edge on side a.
+    pub a: [MeshVertex; 2],
+    /// Edge on side b.
+    pub b: [MeshVertex; 2],
+}
+
+/// Mesh edges of every piece, for telling a step along the cloth from a jump between runs.
+pub struct MeshEdges(Vec<BTreeSet<[u32; 2]>>);
+
+impl MeshEdges {
+    /// Of all pieces.
+    #[must_use]
+    pub fn of(garment: &Garment) -> Self {
+        let sides = |t: &[u32; 3]| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]].map(|[a, b]| [a.min(b), a.max(b)]);
+        let piece = |p: &toile_garment::Piece| p.mesh.iter().flat_map(|m| m.triangles.iter()).flat_map(sides).collect();
+        Self(garment.pieces.iter().map(piece).collect())
+    }
+
+    fn joins(&self, [p, q]: [MeshVertex; 2]) -> bool {
+        let side = [p.vertex.min(q.vertex), p.vertex.max(q.vertex)];
+        p.piece == q.piece && self.0.get(p.piece.index()).is_some_and(|s| s.contains(&side))
+    }
+}
+
+/// The stations of a seam: steps between stitches that are mesh edges on both sides.
+#[must_use]
+pub fn stations(seam: &Seam, edges: &MeshEdges) -> Vec<Station> {
+    let step = seam.stitches.windows(2).map(|w| Station { a: [w[0].a, w[1].a], b: [w[0].b, w[1].b] });
+    step.filter(|s| edges.joins(s.a) && edges.joins(s.b)).collect()
+}
+
+/// The stations of all seams, and of dart legs that no seam holds.
+#[must_use]
+pub fn all(garment: &Garment, edges: &MeshEdges) -> Vec<Station> {
+    let mut out: Vec<Station> = garment.seams.iter().flat_map(|s| stations(s, edges)).collect();
+    for piece in &garment.pieces {
+        for legs in piece.darts.iter().filter_map(|d| d.mesh.as_ref()).map(|m| &m.legs) {
+            let at = |vertex: u32| MeshVertex { piece: piece.id, vertex };
+            let step = legs[0].windows(2).zip(legs[1].windows(2));
+            out.extend(step.map(|(a, b)| Station { a: [at(a[0]), at(a[1])], b: [at(b[0]), at(b[1])] }));
+        }
+    }
+    // A dart may stand both as a seam and in its piece, its legs swapped: one spring is enough.
+    let key = |s: &Station| {
+        let sorted = |[p, q]: [MeshVertex; 2]| [p.min(q), p.max(q)];
+        let (a, b) = (sorted(s.a), sorted(s.b));
+        [a.min(b), a.max(b)]
+    };
+    let mut seen = BTreeSet::new();
+    out.retain(|s| edges.joins(s.a) && edges.joins(s.b) && key(s)[0] != key(s)[1] && seen.insert(key(s)));
+    out
+}
+
+/// Lengths of both sides of a seam before and after.
+#[must_use]
+pub fn change(seam: &Seam, edges: &MeshEdges, rest: &[&[Vec2]], flat: &[&[Vec2]]) -> PairChange {
+    let steps = stations(seam, edges);
+    let length = |x: &[&[Vec2]], side: fn(&Station) -> [MeshVertex; 2]| -> f64 {
+        steps.iter().map(side).map(|[p, q]| length2(x[p.piece.index()], &[p.vertex, q.vertex])).sum()
+    };
+    PairChange {
+        name: seam.name.clone(),
+        a: [length(rest, |s| s.a), length(flat, |s| s.a)],
+        b: [length(rest, |s| s.b), length(flat, |s| s.b)],
+    }
+}

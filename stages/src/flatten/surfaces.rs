@@ -1,0 +1,492 @@
+//! Surfaces with known flat answers, made from closed forms.
+//!
+//! A *fold* turns a plane mesh about its rulings, so every triangle keeps its shape exactly. The disc of rings is
+//! for cones and caps that need even triangles.
+
+use super::align::Rigid;
+use super::figures::vertex_areas;
+use super::*;
+use nalgebra::{Rotation3, Unit};
+use std::f64::consts::{PI, TAU};
+use toile_garment::dart::{Dart, DartEvidence, DartKind, DartMesh};
+use toile_garment::flat::{Flat, FlatMetric};
+use toile_garment::garment::Shape;
+use toile_garment::mesh::{ChainKind, MeshChain, PieceMesh};
+use toile_garment::outline::{LinePoint, OutlineEdge, PieceLine, PointKind};
+use toile_garment::seam::{Seam, SeamKind, SeamSide, Stitch};
+use toile_garment::{Garment, MeshVertex, Piece, PieceId, Report, SeamId, Vec2, Vec3};
+
+/// A plane mesh whose columns lie on straight rulings.
+struct Grid {
+    points: Vec<Vec2>,
+    columns: usize,
+    rows: usize,
+}
+
+impl Grid {
+    fn new(columns: usize, rows: usize, at: impl Fn(f64, f64) -> Vec2) -> Self {
+        let share = |k: usize, n: usize| k as f64 / n as f64;
+        let points = (0..=columns)
+            .flat_map(|i| (0..=rows).map(move |j| (i, j)))
+            .map(|(i, j)| at(share(i, columns), share(j, rows)))
+            .collect();
+        Self { points, columns, rows }
+    }
+
+    fn id(&self, i: usize, j: usize) -> u32 {
+        (i * (self.rows + 1) + j) as u32
+    }
+
+    /// Counter-clockwise where columns run to +x and rows to +y.
+    fn triangles(&self) -> Vec<[u32; 3]> {
+        let cell = |(i, j): (usize, usize)| {
+            let [a, b, c, d] = [self.id(i, j), self.id(i + 1, j), self.id(i + 1, j + 1), self.id(i, j + 1)];
+            if (i + j) % 2 == 0 { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] }
+        };
+        (0..self.columns).flat_map(|i| (0..self.rows).map(move |j| (i, j))).flat_map(cell).collect()
+    }
+
+    /// Folds by `angle` at every inner ruling.
+    fn fold(&self, angle: f64) -> Vec<Vec3> {
+        let (mut turn, mut shift) = (Rotation3::identity(), Vec3::zeros());
+        let mut out = Vec::new();
+        for i in 0..=self.columns {
+            let column = &self.points[i * (self.rows + 1)..(i + 1) * (self.rows + 1)];
+            let lifted: Vec<Vec3> = column.iter().map(|p| turn * Vec3::new(p.x, p.y, 0.0) + shift).collect();
+            let (foot, head) = (lifted[0], lifted[self.rows]);
+            let about = Rotation3::from_axis_angle(&Unit::new_normalize(head - foot), angle);
+            (turn, shift) = (about * turn, about * (shift - foot) + foot);
+            out.extend(lifted);
+        }
+        out
+    }
+
+    fn corners(&self) -> [u32; 4] {
+        [self.id(0, 0), self.id(self.columns, 0), self.id(self.columns, self.rows), self.id(0, self.rows)]
+    }
+
+    fn outline(&self) -> Vec<u32> {
+        let (m, n) = (self.columns, self.rows);
+        let bottom = (0..m).map(|i| self.id(i, 0));
+        let right = (0..n).map(|j| self.id(m, j));
+        let top = (1..=m).rev().map(|i| self.id(i, n));
+        let left = (1..=n).rev().map(|j| self.id(0, j));
+        bottom.chain(right).chain(top).chain(left).collect()
+    }
+
+    fn piece(&self) -> Piece {
+        piece(self.points.clone(), self.triangles(), self.outline(), &self.corners())
+    }
+}
+
+fn piece(rest: Vec<Vec2>, triangles: Vec<[u32; 3]>, outline: Vec<u32>, corners: &[u32]) -> Piece {
+    let point = |v: &u32| LinePoint { at: rest[*v as usize], kind: PointKind::Turn };
+    let n = corners.len() as u32;
+    let edge = |k: u32| OutlineEdge { index: k, name: None, from: k, to: (k + 1) % n };
+    Piece {
+        name: "piece".into(),
+        outline: PieceLine { points: corners.iter().map(point).collect(), closed: true, ..PieceLine::default() },
+        edges: (0..n).map(edge).collect(),
+        mesh: Some(PieceMesh {
+            triangles,
+            chains: vec![MeshChain { kind: ChainKind::Outline, index: 0, vertices: outline, closed: true }],
+            outline_vertex: corners.iter().map(|v| Some(*v)).collect(),
+            rest,
+        }),
+        ..Piece::default()
+    }
+}
+
+/// Disc of `rings` rings with a wedge left out; vertex 0 is the centre, dart legs are its two straight sides.
+fn disc(radius: f64, rings: usize, sector: f64) -> (Vec<[f64; 2]>, Vec<[u32; 3]>, Vec<Vec<u32>>) {
+    let closed = sector >= TAU - 1e-12;
+    let mut polar = vec![[0.0, 0.0]];
+    let mut ring_ids: Vec<Vec<u32>> = vec![vec![0]];
+    for j in 1..=rings {
+        let n = (6.0 * j as f64 * sector / TAU).round() as usize;
+        let first = polar.len() as u32;
+        let count = if closed { n } else { n + 1 };
+        polar.extend((0..count).map(|k| [radius * j as f64 / rings as f64, sector * k as f64 / n as f64]));
+        let mut ids: Vec<u32> = (0..count as u32).map(|k| first + k).collect();
+        if closed {
+            ids.push(first);
+        }
+        ring_ids.push(ids);
+    }
+    let mut triangles = Vec::new();
+    for pair in ring_ids.windows(2) {
+        let (inner, outer) = (&pair[0], &pair[1]);
+        let (mut i, mut o) = (0, 0);
+        while o + 1 < outer.len() || i + 1 < inner.len() {
+            let share = |k: usize, ids: &[u32]| (k + 1) as f64 / (ids.len().max(2) - 1) as f64;
+            let take_outer = i + 1 >= inner.len() || (o + 1 < outer.len() && share(o, outer) <= share(i, inner) + 1e-9);
+            if take_outer {
+                triangles.push([inner[i], outer[o], outer[o + 1]]);
+                o += 1;
+            } else {
+                triangles.push([inner[i], outer[o], inner[i + 1]]);
+                i += 1;
+            }
+        }
+    }
+    (polar, triangles, ring_ids)
+}
+
+fn plane(polar: &[[f64; 2]]) -> Vec<Vec2> {
+    polar.iter().map(|[r, a]| Vec2::new(r * libm::cos(*a), r * libm::sin(*a))).collect()
+}
+
+/// A cone of which the sector is the development, the two straight sides welded.
+fn cone(polar: &[[f64; 2]], sector: f64) -> Vec<Vec3> {
+    let slope = sector / TAU;
+    let height = (1.0 - slope * slope).sqrt();
+    let at = |[r, a]: &[f64; 2]| {
+        let turn = if (a - sector).abs() < 1e-12 { 0.0 } else { a / slope };
+        Vec3::new(r * slope * libm::cos(turn), -r * height, -r * slope * libm::sin(turn))
+    };
+    polar.iter().map(at).collect()
+}
+
+/// The disc with its slit as a dart.
+fn dart_piece(polar: &[[f64; 2]], triangles: &[[u32; 3]], rings: &[Vec<u32>]) -> Piece {
+    let rest = plane(polar);
+    let leg = |end: fn(&Vec<u32>) -> u32| rings.iter().rev().map(end).collect::<Vec<u32>>();
+    let (first, last) = (leg(|r| r[0]), leg(|r| r[r.len() - 1]));
+    let mut outline = rings[rings.len() - 1].clone();
+    outline.extend(last[1..].iter().chain(first[1..first.len() - 1].iter().rev()));
+    let corners = [first[0], last[0], 0];
+    let mut piece = piece(rest.clone(), triangles.to_vec(), outline, &corners);
+    let points = |ids: &[u32]| ids.iter().map(|v| rest[*v as usize]).collect::<Vec<_>>();
+    piece.darts.push(Dart {
+        name: "dart".into(),
+        kind: DartKind::Wedge,
+        evidence: DartEvidence::BoundaryWedge,
+        apexes: vec![rest[0]],
+        mouth: [rest[last[0] as usize], rest[first[0] as usize]],
+        legs: [points(&last), points(&first)],
+        line: "cut".into(),
+        depth: None,
+        mesh: Some(DartMesh { legs: [last, first] }),
+        source: None,
+    });
+    piece
+}
+
+fn garment(pieces: Vec<Piece>, surface: Vec<Vec<Vec3>>) -> Garment {
+    let drape = Some(Shape { positions: surface, welded: true });
+    Garment { pieces, drape, ..Garment::default() }
+}
+
+fn edited(piece: Piece, before: Vec<Vec3>, now: Vec<Vec3>) -> Garment {
+    let mut g = garment(vec![piece], vec![now]);
+    g.drape_before_edit = Some(Shape { positions: vec![before], welded: true });
+    g
+}
+
+fn flatten(g: &Garment, params: &FlattenParams) -> Flat {
+    let mut report = Report::default();
+    let flat = flatten_garment(g, params, &mut report, &mut |_, _| true).expect("flattens");
+    let mesh = g.pieces[0].mesh.as_ref().expect("mesh");
+    for t in &mesh.triangles {
+        assert!(metric::edges2(&flat.pieces[0].positions, *t).determinant() > 0.0, "flipped triangle");
+    }
+    flat
+}
+
+/// Largest distance in mm from the known answer, after the best rotation and shift.
+fn error_mm(flat: &[Vec2], answer: &[Vec2], triangles: &[[u32; 3]]) -> f64 {
+    let fit = Rigid::best(flat, answer, &vertex_areas(answer, triangles));
+    flat.iter().zip(answer).map(|(f, a)| 1e3 * (fit.apply(*f) - a).norm()).fold(0.0, f64::max)
+}
+
+/// A stored piece that is wrong everywhere, so that the answer can only come from the surface.
+fn distorted(p: &[Vec2]) -> Vec<Vec2> {
+    p.iter().map(|p| Vec2::new(1.06 * p.x + 0.2 * p.y * p.y, 0.95 * p.y + 0.05 * p.x)).collect()
+}
+
+fn assert_developable(name: &str, grid: &Grid, angle: f64) {
+    let mut piece = grid.piece();
+    piece.mesh.as_mut().expect("mesh").rest = distorted(&grid.points);
+    let g = garment(vec![piece], vec![grid.fold(angle)]);
+    let start = std::time::Instant::now();
+    let flat = flatten(&g, &FlattenParams::default());
+    assert_eq!(flat.metric, FlatMetric::Surface);
+    let error = error_mm(&flat.pieces[0].positions, &grid.points, &grid.triangles());
+    let (count, rounds) = (2 * grid.columns * grid.rows, flat.pieces[0].rounds);
+    println!("{name}: {count} triangles, {rounds} rounds, error {error:.2e} mm, {:?}", start.elapsed());
+    assert!(error <= 1e-6, "{name}: {error} mm");
+    assert!(flat.pieces[0].curvature.abs() < 1e-9);
+}
+
+/// A skirt half: sector of a ring, rulings towards the waist; `worn` lengthens the cloth along them.
+fn skirt(from: f64, to: f64, columns: usize, rows: usize, hung: f64) -> Grid {
+    let (hem, waist) = (0.85, 0.25);
+    Grid::new(columns, rows, move |u, v| {
+        let stretch = hung * (hem - waist) * (0.5 * v * v);
+        let r = hem + v * (waist - hem) - stretch;
+        let a = from + (to - from) * u;
+        Vec2::new(r * libm::cos(a), r * libm::sin(a))
+    })
+}
+
+#[test]
+fn developables_come_back_to_a_millionth_of_a_millimetre() {
+    let sheet = |u: f64, v: f64| Vec2::new(0.4 * u, 0.6 * v);
+    assert_developable("cylinder", &Grid::new(32, 32, sheet), 170f64.to_radians() / 32.0);
+    let slanted = |u: f64, v: f64| Vec2::new(0.8 * u + 0.1 * v * (1.0 - 2.0 * u), 0.08 * v);
+    assert_developable("twisted strip", &Grid::new(100, 10, slanted), 0.05);
+    assert_developable("skirt", &skirt(0.0, PI, 48, 22, 0.0), 0.06);
+    assert_developable("large cylinder", &Grid::new(128, 128, sheet), 170f64.to_radians() / 128.0);
+}
+
+#[test]
+fn an_unedited_drape_gives_the_stored_piece_bit_for_bit() {
+    let grid = skirt(0.0, PI, 24, 12, 0.0);
+    let mut g = garment(vec![grid.piece()], vec![skirt(0.0, PI, 24, 12, 0.015).fold(0.06)]);
+    g.certificate = Some(toile_garment::garment::Certificate::default());
+    let flat = flatten(&g, &FlattenParams::default());
+    assert_eq!(flat.metric, FlatMetric::Unedited);
+    assert_eq!(flat.pieces[0].positions, grid.points);
+    assert_eq!(flat.pieces[0].rounds, 1);
+    // The drape's own strain is still told: 1.5 % along the rulings at the waist.
+    let strained = flat.pieces[0].drape_strain.warp.iter().copied().fold(0.0, f64::max);
+    assert!((0.012..0.0151).contains(&strained), "{strained}");
+}
+
+#[test]
+fn a_hung_skirt_graded_three_percent_grows_by_three_percent() {
+    let (stored, worn) = (skirt(0.0, PI, 48, 22, 0.0), skirt(0.0, PI, 48, 22, 0.015));
+    let before = worn.fold(0.06);
+    let now: Vec<Vec3> = before.iter().map(|p| p * 1.03).collect();
+    let answer: Vec<Vec2> = stored.points.iter().map(|p| p * 1.03).collect();
+    let flat = flatten(&edited(stored.piece(), before, now), &FlattenParams::default());
+    assert_eq!(flat.metric, FlatMetric::Carried);
+    let piece = &flat.pieces[0];
+    let worst = piece.edges.iter().map(|e| 1e3 * (e.flat - 1.03 * e.original).abs()).fold(0.0, f64::max);
+    let error = error_mm(&piece.positions, &answer, &stored.triangles());
+    println!("graded skirt: worst edge {worst:.2e} mm, vertices {error:.2e} mm, {} rounds", piece.rounds);
+    assert_eq!(piece.edges.len(), 4);
+    assert!(worst <= 1e-6 && error <= 1e-6);
+}
+
+/// Pyramid with `m` sides that develops into a sector: every triangle keeps its shape.
+fn pyramid(grid: &Grid, sector: f64) -> Vec<Vec3> {
+    let m = grid.columns as f64;
+    let slope = ((1.0 - libm::cos(sector / m)) / (1.0 - libm::cos(TAU / m))).sqrt();
+    let height = (1.0 - slope * slope).sqrt();
+    let at = |(k, p): (usize, &Vec2)| {
+        let turn = TAU * ((k / (grid.rows + 1)) % grid.columns) as f64 / m;
+        let r = p.norm();
+        Vec3::new(r * slope * libm::cos(turn), r * height, r * slope * libm::sin(turn))
+    };
+    grid.points.iter().enumerate().map(at).collect()
+}
+
+#[test]
+fn a_dart_taken_in_by_six_degrees_is_found_exactly() {
+    let sector = |degrees: f64| {
+        let s = (360.0 - degrees).to_radians();
+        (
+            s,
+            Grid::new(48, 20, move |u, v| {
+                let r = 0.15 - 0.149 * v;
+                Vec2::new(r * libm::cos(s * u), r * libm::sin(s * u))
+            }),
+        )
+    };
+    let ((s20, stored), (s26, answer)) = (sector(20.0), sector(26.0));
+    let mut piece = stored.piece();
+    let leg = |i: usize| (0..=20).map(|j| stored.id(i, j)).collect::<Vec<_>>();
+    piece.darts.push(Dart {
+        mesh: Some(DartMesh { legs: [leg(48), leg(0)] }),
+        ..dart_piece(&disc(0.15, 3, s20).0, &disc(0.15, 3, s20).1, &disc(0.15, 3, s20).2).darts[0].clone()
+    });
+    let g = edited(piece, pyramid(&stored, s20), pyramid(&answer, s26));
+    let start = std::time::Instant::now();
+    let flat = flatten(&g, &FlattenParams::default());
+    let error = error_mm(&flat.pieces[0].positions, &answer.points, &stored.triangles());
+    println!("dart 20 to 26 deg: error {error:.2e} mm, {} rounds, {:?}", flat.pieces[0].rounds, start.elapsed());
+    assert!(error <= 1e-5, "{error}");
+}
+
+/// Gaussian numbers with a fixed seed.
+struct Noise(u64);
+
+impl Noise {
+    fn uniform(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        ((self.0 >> 11) as f64 + 0.5) / (1u64 << 53) as f64
+    }
+
+    fn vector(&mut self, size: f64) -> Vec3 {
+        let mut normal = || (-2.0 * libm::log(self.uniform())).sqrt() * libm::cos(TAU * self.uniform());
+        Vec3::new(normal(), normal(), normal()) * size
+    }
+
+    /// Adds noise; vertices at one place stay at one place.
+    fn on(&mut self, surface: &[Vec3], size: f64) -> Vec<Vec3> {
+        let mut out: Vec<Vec3> = Vec::with_capacity(surface.len());
+        for (k, p) in surface.iter().enumerate() {
+            let twin = surface[..k].iter().position(|q| (q - p).norm() < 1e-12);
+            let moved = twin.map_or_else(|| p + self.vector(size), |j| out[j]);
+            out.push(moved);
+        }
+        out
+    }
+}
+
+/// Worst dart angle error (deg), width error (mm) and leg difference (mm) over five seeds.
+fn noisy_dart(size: f64, taken_in: f64, smoothing: u32) -> [f64; 3] {
+    let (s20, s_new) = (340f64.to_radians(), (340.0 - taken_in).to_radians());
+    let (polar, triangles, rings) = disc(0.15, 18, s20);
+    let new: Vec<[f64; 2]> = polar.iter().map(|[r, a]| [*r, a * s_new / s20]).collect();
+    let exact = 0.3 * libm::sin(0.5 * (TAU - s_new));
+    let mut worst = [0.0f64; 3];
+    for seed in 1..=5 {
+        let mut noise = Noise(seed * 7919);
+        let now = noise.on(&cone(&new, s_new), size);
+        let g = edited(dart_piece(&polar, &triangles, &rings), cone(&polar, s20), now);
+        let flat = flatten(&g, &FlattenParams { smoothing, ..FlattenParams::default() });
+        let d = &flat.pieces[0].darts[0];
+        worst[0] = worst[0].max((d.angle[1] - (TAU - s_new)).abs().to_degrees());
+        worst[1] = worst[1].max(1e3 * (d.width[1] - exact).abs());
+        worst[2] = worst[2].max(1e3 * (d.legs[2] - d.legs[3]).abs());
+    }
+    println!(
+        "noise {:.1} mm, taken in {taken_in} deg: angle {:.3} deg, width {:.3} mm, legs {:.1e} mm",
+        1e3 * size,
+        worst[0],
+        worst[1],
+        worst[2]
+    );
+    worst
+}
+
+#[test]
+fn a_dart_survives_noise_on_the_surface() {
+    let small = noisy_dart(1e-4, 0.0, 20);
+    assert!(small[0] <= 0.10 && small[1] <= 0.25 && small[2] <= 0.02, "{small:?}");
+    let large = noisy_dart(3e-4, 0.0, 20);
+    assert!(large[0] <= 0.5 && large[1] <= 1.3 && large[2] <= 0.02, "{large:?}");
+    let edit = noisy_dart(3e-4, 6.0, 20);
+    let clean = noisy_dart(0.0, 6.0, 20);
+    assert!(clean[0] <= 0.05 && clean[1] <= 0.1, "{clean:?}");
+    assert!(edit[0] <= 0.5 && edit[1] <= 1.3 && edit[2] <= 0.02, "{edit:?}");
+}
+
+fn cap(half_angle: f64) -> (Garment, Vec<[u32; 3]>) {
+    let radius = 0.1;
+    let (polar, triangles, rings) = disc(radius * half_angle, 18, TAU);
+    let on_sphere = |[r, a]: &[f64; 2]| {
+        let t = r / radius;
+        Vec3::new(libm::sin(t) * libm::cos(*a), -libm::sin(t) * libm::sin(*a), libm::cos(t)) * radius
+    };
+    let outline = rings[rings.len() - 1][..rings[rings.len() - 1].len() - 1].to_vec();
+    let corners = [outline[0], outline[outline.len() / 2]];
+    let p = piece(plane(&polar), triangles.clone(), outline, &corners);
+    (garment(vec![p], vec![polar.iter().map(on_sphere).collect()]), triangles)
+}
+
+#[test]
+fn a_bust_cap_keeps_its_mean_strain_low_and_is_told_its_dart() {
+    let (g, triangles) = cap(PI / 6.0);
+    let mut report = Report::default();
+    let flat = flatten_garment(&g, &FlattenParams::default(), &mut report, &mut |_, _| true).expect("flattens");
+    let p = &flat.pieces[0];
+    // Mean of |stretch − 1| of the cloth cut flat and worn on the cap.
+    let (mut sum, mut area) = (0.0, 0.0);
+    let surface = &g.drape.as_ref().expect("drape").positions[0];
+    for t in &triangles {
+        let e = metric::edges2(&p.positions, *t);
+        let c = metric::cauchy_green(&e, &metric::edges3(surface, *t)).expect("regular");
+        let [a, b] = [c.trace(), c.determinant().sqrt()];
+        let (s, d) = ((a + 2.0 * b).sqrt(), (a - 2.0 * b).max(0.0).sqrt());
+        let (s1, s2) = (0.5 * (s + d), 0.5 * (s - d));
+        sum += e.determinant() * 0.5 * ((s1 - 1.0).abs() + (s2 - 1.0).abs());
+        area += e.determinant();
+    }
+    println!("cap: mean strain {:.4} %, forced {:?}, {} rounds", 100.0 * sum / area, p.forced_strain, p.rounds);
+    assert!(100.0 * sum / area <= 1.162, "{}", 100.0 * sum / area);
+    let exact = 360.0 * (1.0 - libm::cos(PI / 6.0));
+    let finding = report.findings.iter().find(|f| f.code == "piece-not-developable").expect("finding");
+    assert!((p.curvature.to_degrees() / exact - 1.0).abs() < 0.12, "{}", p.curvature.to_degrees());
+    assert!(finding.hint.as_ref().is_some_and(|h| h.contains("dart")));
+}
+
+#[test]
+fn a_hemisphere_comes_to_rest_without_a_flip() {
+    let (g, _) = cap(PI / 2.0);
+    let flat = flatten(&g, &FlattenParams::default());
+    println!("hemisphere: {} rounds, forced {:?}", flat.pieces[0].rounds, flat.pieces[0].forced_strain);
+    assert!(flat.pieces[0].last_motion <= 1e-9);
+}
+
+#[test]
+fn sewn_edges_of_two_pieces_stay_equal_under_noise() {
+    // Front and back of a skirt, sewn at both sides; noise moves both sides of a seam alike.
+    let (front, back) = (skirt(0.0, 1.4, 24, 16, 0.0), skirt(0.0, 1.4, 24, 16, 0.0));
+    let surface = front.fold(0.04);
+    let mut noise = Noise(42);
+    let a = noise.on(&surface, 3e-4);
+    let mut b = noise.on(&surface, 3e-4);
+    let mut pieces = vec![front.piece(), back.piece()];
+    pieces[1].id = PieceId(1);
+    let stitch = |i: usize, j: usize| Stitch {
+        a: MeshVertex { piece: PieceId(0), vertex: front.id(i, j) },
+        b: MeshVertex { piece: PieceId(1), vertex: back.id(24 - i, j) },
+    };
+    let mut seams = Vec::new();
+    for (k, i) in [0, 24].into_iter().enumerate() {
+        let stitches: Vec<Stitch> = (0..=16).map(|j| stitch(i, j)).collect();
+        for s in &stitches {
+            // The back lies elsewhere; only the lengths along the seam are shared.
+            b[s.b.vertex as usize] = a[s.a.vertex as usize];
+        }
+        let side = SeamSide::default();
+        let (name, kind) = (format!("side {k}"), SeamKind::Seam);
+        seams.push(Seam {
+            id: SeamId(k as u32),
+            name,
+            kind,
+            a: side.clone(),
+            b: side,
+            ease: 0.0,
+            gather: None,
+            stitches,
+            source: None,
+        });
+    }
+    // Mirror the columns of the back so that its side 24 lies at the place of side 0 of the front.
+    let straight = back.fold(0.04);
+    let mirrored: Vec<Vec3> = (0..=24)
+        .flat_map(|i| (0..=16).map(move |j| (i, j)))
+        .map(|(i, j)| {
+            let k = back.id(i, j) as usize;
+            let sewn = i == 0 || i == 24;
+            if sewn { b[k] } else { noise.vector(3e-4) + straight[back.id(24 - i, j) as usize] }
+        })
+        .collect();
+    let g = Garment { seams, ..garment(pieces, vec![a, mirrored]) };
+    let flat = flatten(&g, &FlattenParams { smoothing: 5, ..FlattenParams::default() });
+    for p in &flat.pairs {
+        println!("{}: {:.2e} mm apart, rounds {}", p.name, 1e3 * (p.a[1] - p.b[1]), flat.pieces[0].rounds);
+        assert!(1e3 * (p.a[1] - p.b[1]).abs() <= 0.02);
+        assert!((p.a[0] - p.b[0]).abs() < 1e-12);
+    }
+}
+
+#[test]
+fn broken_input_is_refused_with_its_place() {
+    let grid = skirt(0.0, 1.0, 4, 4, 0.0);
+    let mut g = garment(vec![grid.piece()], vec![vec![Vec3::zeros(); grid.points.len()]]);
+    let run = |g: &Garment| {
+        flatten_garment(g, &FlattenParams::default(), &mut Report::default(), &mut |_, _| true)
+            .expect_err("refused")
+            .to_string()
+    };
+    assert!(run(&g).contains("no area in 3D"));
+    g.drape.as_mut().expect("drape").positions[0].pop();
+    assert!(run(&g).contains("flatten-vertices-differ"));
+    g.drape = None;
+    assert!(run(&g).contains("no drape"));
+}
