@@ -178,12 +178,13 @@ fn number(field: &Field, value: &DeValue<'_>) -> Result<(f64, String), Diagnosti
 fn unknown(toml: &TomlText<'_>, table: &'static str, key: &Spanned<std::borrow::Cow<'_, str>>) -> Diagnostic {
     let word = key.get_ref().as_ref();
     let place = if table.is_empty() { "at the top of a fabric file".to_owned() } else { format!("in `[{table}]`") };
-    let elsewhere: Vec<&str> =
-        FIELDS.iter().filter(|f| f.key == word).flat_map(|f| f.tables.iter().copied()).collect();
+    let elsewhere: Vec<&str> = FIELDS.iter().filter(|f| f.key == word).flat_map(|f| f.tables.iter().copied()).collect();
     let hint = match elsewhere.as_slice() {
         [] => did_you_mean(word, fields::known(table)),
         [""] => format!("`{word}` stands at the top of the file, before the first table"),
-        tables => format!("`{word}` stands in {}", tables.iter().map(|t| format!("[{t}]")).collect::<Vec<_>>().join(", ")),
+        tables => {
+            format!("`{word}` stands in {}", tables.iter().map(|t| format!("[{t}]")).collect::<Vec<_>>().join(", "))
+        }
     };
     Diagnostic::error("unknown-key", format!("unknown key `{word}` {place}")).at(toml.place(key)).hint(hint)
 }

@@ -16,8 +16,7 @@ pub fn mesh(scan: Scan, file: &str) -> Result<ObjMesh, Diagnostic> {
         first_triangle.push(out.triangles.len());
         let corners = scan.corners.get(face.corners.clone()).unwrap_or_default();
         out.polygons += usize::from(corners.len() > 3);
-        let points: Vec<Vec3> =
-            corners.iter().filter_map(|c| scan.positions.get(c.v as usize).copied()).collect();
+        let points: Vec<Vec3> = corners.iter().filter_map(|c| scan.positions.get(c.v as usize).copied()).collect();
         let Some(cut) = triangles(&points) else {
             let message = format!("the face with {} corners has no simple shape to cut into triangles", corners.len());
             let finding = Diagnostic::error("obj-polygon", message).at(SourceRef::file(file).at_line(face.line));

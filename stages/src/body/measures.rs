@@ -154,8 +154,12 @@ impl BodyMeasures {
     /// What is impossible among these measures: every finding, not only the first.
     #[must_use]
     pub fn check(&self) -> Vec<Diagnostic> {
-        let mut found: Vec<Diagnostic> =
-            self.entries().into_iter().zip(RANGES).filter_map(|((name, value), range)| outside(name, value, range)).collect();
+        let mut found: Vec<Diagnostic> = self
+            .entries()
+            .into_iter()
+            .zip(RANGES)
+            .filter_map(|((name, value), range)| outside(name, value, range))
+            .collect();
         if found.is_empty() {
             found.extend(self.relations().into_iter().filter_map(Relation::broken));
         }

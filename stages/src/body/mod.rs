@@ -17,7 +17,7 @@ mod segments;
 pub mod side_file;
 
 pub use measures::{BodyMeasures, SIZES};
-pub use section::{Section, girth_at, section_at, section_near, sections};
+pub use section::{Section, girth_at, hull, section_at, section_near, sections};
 
 use fit::{Fitted, Taken, fit, take, wanted};
 use std::collections::BTreeMap;
@@ -67,7 +67,8 @@ fn to_micrometres(x: f64) -> f64 {
 
 /// The measures a tape finds on the mesh; heights and lengths of construction as asked for.
 fn measured(m: &BodyMeasures, taken: &Taken) -> BTreeMap<String, f64> {
-    let mut all: BTreeMap<String, f64> = m.entries().into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
+    let mut all: BTreeMap<String, f64> =
+        m.entries().into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
     for (name, value) in GIRTHS.iter().zip(taken.girths).chain(HEIGHTS.iter().zip(taken.heights)) {
         all.insert((*name).to_owned(), to_micrometres(value));
     }
@@ -96,7 +97,8 @@ fn missed(m: &BodyMeasures, taken: &Taken) -> Vec<Diagnostic> {
         .filter(|(_, (have, want))| (have - want).abs() > TOLERANCE * want.max(0.1))
         .map(|(name, (have, want))| {
             let (have, want) = (have * 1000.0, want * 1000.0);
-            let message = format!("{name} = {want:.1} mm cannot be reached with the other measures: the nearest is {have:.1} mm");
+            let message =
+                format!("{name} = {want:.1} mm cannot be reached with the other measures: the nearest is {have:.1} mm");
             Diagnostic::error("body-measure-not-met", message).hint("bring the measures closer to each other")
         })
         .collect()

@@ -60,7 +60,8 @@ impl Section {
     /// The girth of a tape drawn tight: length of the convex hull's edge, metres.
     #[must_use]
     pub fn girth(&self) -> f64 {
-        let hull = hull(self.points.iter().map(|p| Vec2::new(p.dot(&self.across[0]), p.dot(&self.across[1]))).collect());
+        let hull =
+            hull(self.points.iter().map(|p| Vec2::new(p.dot(&self.across[0]), p.dot(&self.across[1]))).collect());
         let turned = hull.iter().skip(1).chain(hull.first());
         hull.iter().zip(turned).map(|(a, b)| (b - a).norm()).sum()
     }
@@ -81,7 +82,8 @@ impl Section {
 }
 
 /// Convex hull, counter-clockwise (Andrew's monotone chain).
-fn hull(mut points: Vec<Vec2>) -> Vec<Vec2> {
+#[must_use]
+pub fn hull(mut points: Vec<Vec2>) -> Vec<Vec2> {
     points.sort_by(|a, b| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
     let mut chain: Vec<Vec2> = Vec::new();
     let rising = points.iter();

@@ -4,6 +4,5 @@ mod fabric;
 pub mod scene;
 pub mod watch;
 
-pub use fabric::material;
 pub use scene::{Layout, scene};
 pub use watch::{Follow, failure};

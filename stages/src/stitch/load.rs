@@ -34,14 +34,14 @@ pub fn body(path: &Path, cx: &mut StageContext<'_>) -> Result<Body, StageError> 
     let bytes = cx.files.read(path)?;
     let side_path = path.with_extension("toml");
     let side = cx.files.read_optional(&side_path)?.map(|b| text(&side_path, &b)).transpose()?;
-    let (body, findings) =
+    let read =
         toile_formats::body::read(&bytes, &path.display().to_string(), side.as_deref()).map_err(StageError::Input)?;
-    for finding in findings {
+    for finding in read.findings {
         if finding.severity != Severity::Info {
             cx.report.push(finding);
         }
     }
-    Ok(body)
+    Ok(read.body)
 }
 
 fn text(path: &Path, bytes: &[u8]) -> Result<String, StageError> {
