@@ -5,8 +5,8 @@ use super::outline::{Node, Outline};
 use toile_garment::Vec2;
 use toile_garment::outline::PointKind;
 
-/// Angle between the legs, degrees. Below are slits and slivers, above are necklines.
-pub const ANGLE: std::ops::RangeInclusive<f64> = 5.0..=60.0;
+/// Angle between the legs, degrees. Real slits and slivers stay below 3 (measured), real darts go down to 4.3.
+pub const ANGLE: std::ops::RangeInclusive<f64> = 3.5..=60.0;
 /// Length of a leg, mm. Below are notches cut into the outline.
 pub const LEG: std::ops::RangeInclusive<f64> = 25.0..=400.0;
 /// Shorter leg over longer leg, at least.
@@ -15,6 +15,8 @@ pub const LEG_RATIO: f64 = 0.6;
 pub const MOUTH: f64 = 150.0;
 /// A leg ends at a corner that turns more than this, degrees.
 const LEG_END: f64 = 20.0;
+/// Farthest look along the outline from an apex, mm: a lens can be cut open down to the hem.
+const WALK: f64 = 1000.0;
 /// The path of a leg over its chord, at most.
 const CURVED: f64 = 1.15;
 
@@ -40,8 +42,10 @@ pub struct DrawnDart {
     pub mouth: [Vec2; 2],
     /// Legs as drawn.
     pub legs: [Vec<Vec2>; 2],
-    /// Legs on the working line.
+    /// Legs on the working line. Where a lens is open to the edge they go on to the edge.
     pub work: [Vec<Vec2>; 2],
+    /// A lens whose lower tip is cut open to the edge: `mouth` and `legs` then end at its widest place.
+    pub open_lens: bool,
     /// `cut`, `sew` or `internal`.
     pub on: &'static str,
     /// Line in the file.
@@ -51,10 +55,10 @@ pub struct DrawnDart {
 }
 
 impl DrawnDart {
-    /// Length of a leg along its path as drawn, mm.
+    /// Length of a leg along its path, mm.
     #[must_use]
     pub fn leg_path(&self, leg: usize) -> f64 {
-        geom::length(&self.legs[leg], false)
+        geom::length(if self.open_lens { &self.legs[leg] } else { &self.work[leg] }, false)
     }
 
     /// Straight length of a leg, mm.
@@ -88,7 +92,7 @@ pub fn wedge_test(apex: Vec2, a: Vec2, b: Vec2, least_angle: f64) -> Result<(), 
         return Err("its legs are too unequal");
     }
     if angle < least_angle {
-        return Err("its angle is below 5 degrees: a slit");
+        return Err("its angle is below 3.5 degrees: a slit");
     }
     if angle > *ANGLE.end() {
         return Err("its angle is above 60 degrees");
@@ -112,21 +116,39 @@ pub fn wedges(outline: &Outline, on: &'static str) -> Vec<DrawnDart> {
             continue;
         }
         let (Some(before), Some(after)) = (walk(nodes, apex, false), walk(nodes, apex, true)) else { continue };
-        let first: Vec<usize> = before.into_iter().rev().collect();
-        let mouth = [first[0], after[after.len() - 1]];
-        let (a, b) = (positions[mouth[0]], positions[mouth[1]]);
-        if mouth[0] == mouth[1] || wedge_test(positions[apex], a, b, *ANGLE.start()).is_err() {
-            continue;
+        let whole: [Vec<usize>; 2] = [before, after].map(|leg| leg.into_iter().rev().collect());
+        let apex_at = positions[apex];
+        let test = |legs: &[Vec<usize>; 2]| {
+            let (a, b) = (positions[legs[0][0]], positions[legs[1][0]]);
+            // The mouth must open to the outside: a chord through cloth means a notch of another kind.
+            let middle = (a + b) * 0.475 + apex_at * 0.05;
+            legs[0][0] != legs[1][0]
+                && wedge_test(apex_at, a, b, *ANGLE.start()).is_ok()
+                && !geom::inside(middle, &positions)
+        };
+        if test(&whole) {
+            found.extend(build(outline, &positions, apex, &whole, &whole, on));
+        } else if let Some(wide) = widest(&whole, &positions).filter(test) {
+            found.extend(build(outline, &positions, apex, &wide, &whole, on));
         }
-        // The mouth must open to the outside: a chord through cloth means a notch of another kind.
-        if geom::inside(a * 0.5 + b * 0.5 + (positions[apex] - (a + b) * 0.5) * 0.05, &positions) {
-            continue;
-        }
-        let legs = [first, after.into_iter().rev().collect::<Vec<_>>()];
-        let Some(dart) = build(outline, &positions, apex, legs, on) else { continue };
-        found.push(dart);
     }
     found
+}
+
+/// A fish-eye dart that is cut open to the edge: its legs close again at the edge. Cut off at the widest place.
+fn widest(whole: &[Vec<usize>; 2], positions: &[Vec2]) -> Option<[Vec<usize>; 2]> {
+    let at = |leg: &[usize], i: usize| positions[leg[i]];
+    let (a, b) = (at(&whole[0], 0), at(&whole[1], 0));
+    let apex = at(&whole[0], whole[0].len() - 1);
+    let axis = (a + b) * 0.5 - apex;
+    let cut = |leg: &[usize]| {
+        let offset = |i: &usize| geom::cross(axis, at(leg, *i) - apex).abs();
+        let i = (1..leg.len().saturating_sub(1)).max_by(|i, j| offset(i).total_cmp(&offset(j)))?;
+        Some(leg[i..].to_vec())
+    };
+    let legs = [cut(&whole[0])?, cut(&whole[1])?];
+    let mouth = (at(&legs[0], 0) - at(&legs[1], 0)).norm();
+    ((a - b).norm() <= 0.25 * mouth).then_some(legs)
 }
 
 /// Along the outline from an apex to the corner where the leg ends; apex first.
@@ -137,7 +159,7 @@ fn walk(nodes: &[Node], apex: usize, forward: bool) -> Option<Vec<usize>> {
     while path.len() <= n {
         let next = step(at);
         length += (nodes[next].at - nodes[at].at).norm();
-        if length > LEG.end() * CURVED {
+        if length > WALK {
             return None;
         }
         path.push(next);
@@ -156,13 +178,14 @@ fn build(
     outline: &Outline,
     positions: &[Vec2],
     apex: usize,
-    legs: [Vec<usize>; 2],
+    legs: &[Vec<usize>; 2],
+    whole: &[Vec<usize>; 2],
     on: &'static str,
 ) -> Option<DrawnDart> {
     let drawn = |leg: &[usize]| leg.iter().map(|i| positions[*i]).collect::<Vec<_>>();
     let place = |i: usize| outline.place.get(i).copied().flatten();
-    let work = work_positions_between(outline, place(legs[0][0])?, place(apex)?);
-    let mut back = work_positions_between(outline, place(apex)?, place(legs[1][0])?);
+    let work = work_positions_between(outline, place(whole[0][0])?, place(apex)?);
+    let mut back = work_positions_between(outline, place(apex)?, place(whole[1][0])?);
     back.reverse();
     Some(DrawnDart {
         form: Form::Wedge,
@@ -170,6 +193,7 @@ fn build(
         mouth: [positions[legs[0][0]], positions[legs[1][0]]],
         legs: [drawn(&legs[0]), drawn(&legs[1])],
         work: [work, back],
+        open_lens: legs != whole,
         on,
         line: outline.line,
         ids: Vec::new(),

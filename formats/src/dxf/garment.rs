@@ -234,12 +234,17 @@ fn dart(d: &DrawnDart, index: usize, source: Option<SourceRef>) -> Dart {
         Form::Marked => (DartKind::MarkedWedge, DartEvidence::InternalLine),
         Form::Lens => (DartKind::FishEye, DartEvidence::Contour),
     };
+    // A wedge is sewn from the edge on, a lens that is open to the edge too.
+    let mouth = match (d.form, d.work[0].first(), d.work[1].first()) {
+        (Form::Wedge, Some(a), Some(b)) => [*a, *b],
+        _ => d.mouth,
+    };
     Dart {
         name: format!("dart-{}", index + 1),
         kind,
         evidence,
         apexes: d.apexes.iter().map(|p| p * M).collect(),
-        mouth: [d.mouth[0] * M, d.mouth[1] * M],
+        mouth: mouth.map(|p| p * M),
         legs: [metres(&d.work[0]), metres(&d.work[1])],
         line: d.on.to_owned(),
         depth: None,

@@ -14,7 +14,7 @@ const CORNER: f64 = 20.0;
 /// Marked curve points further apart than this are control points of a smooth curve, mm.
 const SPARSE: f64 = 3.0;
 /// A dense copy may differ this much from the line it copies, mm.
-const DENSE_MOST: f64 = 2.0;
+const DENSE_MOST: f64 = 3.0;
 /// A corner is found again on the dense copy within this, mm.
 const DENSE_MATCH: f64 = 0.1;
 
@@ -316,7 +316,7 @@ mod tests {
         assert!(o.make_work(Some(&dense)).is_some_and(|v| v.is_ok()));
         assert_eq!(o.work.len(), 6);
         assert_eq!(o.work[o.place[1].expect("corner")].at, Vec2::new(100.0, 0.0));
-        let far = outline(&[(100.0, 0.0), (110.0, 50.0), (100.0, 100.0), (0.0, 100.0), (0.0, 0.0)]);
+        let far = outline(&[(100.0, 0.0), (113.0, 50.0), (100.0, 100.0), (0.0, 100.0), (0.0, 0.0)]);
         let mut o = outline(&[(0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (0.0, 100.0)]);
         o.classify(&Marks::new(&[], &[]));
         assert!(o.make_work(Some(&far)).is_some_and(|v| v.is_err()));

@@ -396,8 +396,18 @@ fn deny_inserts_and_unmarked(pieces: &mut [DrawnPiece], desk: &mut Desk<'_>) {
                 && (geom::inside(d.ends[0], &polygon) || geom::distance(d.ends[0], &polygon, true) <= 20.0)
         })
     };
+    let notched = |piece: &DrawnPiece, dart: &DrawnDart| {
+        dart.mouth.iter().all(|m| piece.notches.iter().any(|n| (n.at - m).norm() <= 12.0))
+    };
     let is_wedge = |d: &DrawnDart| d.form == Form::Wedge;
-    let any_drilled = pieces.iter().any(|p| p.darts.iter().any(|d| is_wedge(d) && drilled(p, d)));
+    // A habit needs more than one witness: at least two drilled darts, and no fewer than without.
+    let (mut with, mut without) = (0_usize, 0_usize);
+    for piece in pieces.iter() {
+        for dart in piece.darts.iter().filter(|d| is_wedge(d)) {
+            if drilled(piece, dart) { with += 1 } else { without += 1 }
+        }
+    }
+    let habit = with >= 2 && with >= without;
     for i in 0..pieces.len() {
         let (name, size) = (pieces[i].name.clone(), pieces[i].size.clone());
         let verdicts: Vec<Option<&'static str>> = pieces[i]
@@ -417,8 +427,8 @@ fn deny_inserts_and_unmarked(pieces: &mut [DrawnPiece], desk: &mut Desk<'_>) {
                 });
                 if other.into_iter().any(|j| points[j].iter().any(fits)) {
                     Some("another piece has a point with sides as long as its legs: an insert (godet) goes there")
-                } else if any_drilled && !drilled(&pieces[i], dart) {
-                    Some("other darts of this file have a drill hole at the apex and this wedge has none")
+                } else if habit && !drilled(&pieces[i], dart) && !notched(&pieces[i], dart) {
+                    Some("the darts of this file have a drill hole at the apex and this wedge has neither that nor notches at its mouth")
                 } else {
                     None
                 }

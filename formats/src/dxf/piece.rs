@@ -564,12 +564,12 @@ fn check_shape(block: &str, outline: &Outline, desk: &mut Desk<'_>) -> Option<()
         let text = format!("the outline of block `{block}` is {:.0} m long", extent / 1000.0);
         return fail("outline-too-large", text, "check the unit of the file");
     }
-    if points.len() < 3 || geom::area(&points).abs() < 1.0 {
-        let text = format!("the outline of block `{block}` at {} encloses no area", mm(points[0]));
-        return fail("outline-without-area", text, "draw a closed outline on layer 1");
-    }
     match geom::crossing(&points) {
-        Crossing::None => Some(()),
+        Crossing::None if points.len() >= 3 && geom::area(&points).abs() >= 1.0 => Some(()),
+        Crossing::None => {
+            let text = format!("the outline of block `{block}` at {} encloses no area", mm(points[0]));
+            fail("outline-without-area", text, "draw a closed outline on layer 1")
+        }
         Crossing::TooMany => {
             let text = format!("the outline of block `{block}` is too entangled to check");
             fail("outline-too-entangled", text, "simplify it")

@@ -38,7 +38,6 @@ pub struct Stroke {
 /// A text with its place.
 #[derive(Clone, Debug)]
 pub struct Note {
-    pub id: u32,
     pub at: Vec2,
     pub layer: String,
     pub text: String,
@@ -169,7 +168,7 @@ impl<'a> Sorter<'a> {
         match (&entity.shape, role) {
             (Shape::Text { at, value }, _) => {
                 accepted(self.ledger, "text");
-                sheet.notes.push(Note { id, at: place(*at), layer: entity.layer.clone(), text: value.clone() });
+                sheet.notes.push(Note { at: place(*at), layer: entity.layer.clone(), text: value.clone() });
             }
             (Shape::Attribute, _) => self.ledger.note(id, Verdict::Interpreted, "attribute: notch link, not needed"),
             (Shape::Point { at, .. }, Role::Turn) => {
