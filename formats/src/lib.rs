@@ -3,5 +3,7 @@ pub mod body;
 pub mod dxf;
 pub mod fabric;
 pub mod obj;
+pub mod encoding;
+pub mod rul;
 pub mod sewing;
 mod toml_text;

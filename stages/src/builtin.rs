@@ -6,4 +6,5 @@ use toile_stage_api::Registry;
 #[must_use]
 pub fn builtin() -> Registry {
     Registry::default().with(crate::flatten::Flatten)
+    Registry::default().with(crate::import_dxf::ImportDxf)
 }

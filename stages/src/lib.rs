@@ -7,6 +7,7 @@ pub mod body;
 pub mod builtin;
 pub mod drape;
 pub mod flatten;
+pub mod import_dxf;
 pub mod sewing;
 mod solve;
 pub mod stitch;

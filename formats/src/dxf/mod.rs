@@ -1,2 +1,43 @@
 //! DXF-AAMA and DXF-ASTM pattern files.
 pub mod write;
+//! DXF pattern files: AAMA-292 and ASTM D6673 with one reader.
+//!
+//! [`read`] gives the pieces as drawn (millimetres, block coordinates) with a ledger of every entity;
+//! [`Pattern::to_garment`] chooses or grades a size and gives the garment document (metres); [`inspect`] tells what is
+//! in a file.
+//! The way of the data: bytes → [`tags`] → [`model`] (faithful) → sheet by layers → pieces → garment.
+
+pub mod chain;
+pub mod curve;
+pub mod darts;
+mod entity;
+mod findings;
+pub mod garment;
+pub mod geom;
+pub mod grade;
+mod inspect;
+pub mod layers;
+pub mod ledger;
+mod lib_curves;
+pub mod limits;
+pub mod marked;
+pub mod model;
+pub mod notches;
+pub mod outline;
+mod parse;
+mod pattern;
+pub mod piece;
+mod sheet;
+mod sizes;
+pub mod tags;
+mod texts;
+mod unfold;
+mod units;
+pub use findings::Findings;
+pub use inspect::{Inspection, inspect, inspect_with};
+pub use lib_curves::Census;
+pub use pattern::{Pattern, ReadOptions, read};
+pub use texts::unit;
+pub use units::Units;
+#[cfg(test)]
+mod tests;

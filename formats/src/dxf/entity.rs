@@ -1,0 +1,270 @@
+//! One entity from its tags.
+
+use super::findings::Findings;
+use super::model::{Entity, Shape, Spline, Vertex};
+use super::parse::Group;
+use super::tags::number;
+use crate::encoding::{self, TextEncoding};
+use toile_garment::{Diagnostic, Vec2};
+
+/// Codes without meaning for a pattern: handles, line types, colours, sub-class marks, extents of text.
+const PLAIN: [i32; 22] = [5, 6, 7, 8, 48, 60, 62, 66, 67, 100, 102, 330, 360, 370, 410, 420, 440, 71, 72, 73, 74, 75];
+const KEPT: usize = 64;
+
+/// An entity with layer, line and unused codes, and the given shape.
+pub(crate) fn shell(id: u32, group: &Group<'_>, encoding: TextEncoding, shape: Shape) -> Entity {
+    let layer = group.tags.iter().find(|t| t.code == 8).map(|t| encoding.decode(t.value)).unwrap_or_default();
+    let other = group
+        .tags
+        .iter()
+        .filter(|t| !(PLAIN.contains(&t.code) || (1..=59).contains(&t.code) || t.code == 70))
+        .take(KEPT)
+        .map(|t| (t.code, encoding.decode(t.value)))
+        .collect();
+    Entity { id, layer, line: group.head.line, shape, other }
+}
+
+/// An integer code, `None` when absent or not a number.
+pub(crate) fn integer(group: &Group<'_>, code: i32) -> Option<i64> {
+    let tag = group.tags.iter().find(|t| t.code == code)?;
+    std::str::from_utf8(tag.value).ok()?.parse().ok()
+}
+
+/// Is the entity drawn looking from behind (extrusion along −z)?
+pub(crate) fn mirrored(group: &Group<'_>) -> bool {
+    group
+        .tags
+        .iter()
+        .find(|t| t.code == 230)
+        .and_then(|t| std::str::from_utf8(t.value).ok()?.parse::<f64>().ok())
+        .is_some_and(|z| z < 0.0)
+}
+
+struct Reader<'a, 'f> {
+    group: &'a Group<'a>,
+    findings: &'f mut Findings,
+    failed: bool,
+}
+
+impl Reader<'_, '_> {
+    /// A number that may be absent; a second one of the same code means that a line between two entities is lost.
+    fn maybe(&mut self, code: i32) -> Option<f64> {
+        let mut found = None;
+        for tag in self.group.tags.iter().filter(|t| t.code == code) {
+            match number(tag, self.findings) {
+                Ok(v) if found.is_none() => found = Some(v),
+                Ok(_) => {
+                    let text = format!(
+                        "group code {code} stands twice in one {}: a line between two entities is lost",
+                        String::from_utf8_lossy(self.group.head.value)
+                    );
+                    self.fail(Diagnostic::error("coordinate-twice", text), tag.line);
+                }
+                Err(e) => {
+                    self.failed = true;
+                    self.findings.push(e);
+                }
+            }
+        }
+        found
+    }
+
+    fn fail(&mut self, finding: Diagnostic, line: u64) {
+        self.failed = true;
+        let place = self.findings.place(line);
+        self.findings.push(finding.at(place));
+    }
+
+    fn need(&mut self, code: i32) -> f64 {
+        let value = self.maybe(code);
+        if value.is_none() && !self.failed {
+            let text = format!("a {} without group code {code}", String::from_utf8_lossy(self.group.head.value));
+            self.fail(Diagnostic::error("coordinate-missing", text), self.group.head.line);
+        }
+        value.unwrap_or(0.0)
+    }
+
+    fn point(&mut self, code: i32) -> Vec2 {
+        Vec2::new(self.need(code), self.need(code + 10))
+    }
+
+    fn maybe_point(&mut self, code: i32) -> Vec2 {
+        Vec2::new(self.maybe(code).unwrap_or(0.0), self.maybe(code + 10).unwrap_or(0.0))
+    }
+
+    fn numbers(&mut self, code: i32) -> Vec<f64> {
+        let mut list = Vec::new();
+        for tag in self.group.tags.iter().filter(|t| t.code == code) {
+            match number(tag, self.findings) {
+                Ok(v) => list.push(v),
+                Err(e) => {
+                    self.failed = true;
+                    self.findings.push(e);
+                }
+            }
+        }
+        list
+    }
+
+    fn points(&mut self, code: i32) -> Vec<Vec2> {
+        let (x, y) = (self.numbers(code), self.numbers(code + 10));
+        if x.len() != y.len() && !self.failed {
+            let text = format!("{} x but {} y coordinates", x.len(), y.len());
+            self.fail(Diagnostic::error("coordinate-missing", text), self.group.head.line);
+        }
+        x.into_iter().zip(y).map(|(x, y)| Vec2::new(x, y)).collect()
+    }
+
+    fn positive(&mut self, code: i32, what: &str) -> f64 {
+        let value = self.need(code);
+        if value <= 0.0 && !self.failed {
+            let text = format!("{what} is {value}, it must be above 0");
+            self.fail(Diagnostic::error("number-out-of-range", text), self.group.head.line);
+        }
+        value
+    }
+}
+
+/// A VERTEX.
+pub(crate) fn vertex(group: &Group<'_>, findings: &mut Findings) -> Option<Vertex> {
+    let mut r = Reader { group, findings, failed: false };
+    let at = r.point(10);
+    r.maybe(30);
+    let bulge = r.maybe(42).unwrap_or(0.0);
+    (!r.failed).then_some(Vertex { at, bulge })
+}
+
+/// Any entity but POLYLINE and VERTEX; `None` when a number in it is bad (which is then a finding).
+pub(crate) fn read(id: u32, group: &Group<'_>, encoding: TextEncoding, findings: &mut Findings) -> Option<Entity> {
+    let name = String::from_utf8_lossy(group.head.value).to_ascii_uppercase();
+    let mut r = Reader { group, findings, failed: false };
+    let mirror = mirrored(group);
+    let flip = |p: Vec2| if mirror { Vec2::new(-p.x, p.y) } else { p };
+    let shape = match name.as_str() {
+        "LINE" => Shape::Line([r.point(10), r.point(11)]),
+        "POINT" => Shape::Point { at: r.point(10), depth: r.maybe(30), width: r.maybe(39), angle: r.maybe(50) },
+        "TEXT" => Shape::Text { at: r.maybe_point(10), value: text_value(group, encoding) },
+        // Releases of 2018 and later repeat code 10 in an embedded object: only the first one counts.
+        "MTEXT" => {
+            let first = |code| group.tags.iter().find(|t| t.code == code).and_then(|t| number(t, r.findings).ok());
+            let at = Vec2::new(first(10).unwrap_or(0.0), first(20).unwrap_or(0.0));
+            Shape::Text { at, value: text_value(group, encoding) }
+        }
+        "INSERT" => insert(&mut r, encoding),
+        "ARC" => {
+            let (center, radius) = (flip(r.point(10)), r.positive(40, "the radius of an ARC"));
+            let (start, end) = (r.need(50), r.need(51));
+            let (start, end) = if mirror { (180.0 - end, 180.0 - start) } else { (start, end) };
+            Shape::Arc { center, radius, start, end }
+        }
+        "CIRCLE" => Shape::Circle { center: flip(r.point(10)), radius: r.positive(40, "the radius of a CIRCLE") },
+        "ELLIPSE" => ellipse(&mut r, mirror),
+        "SPLINE" => spline(&mut r),
+        "LWPOLYLINE" => light_polyline(&mut r, mirror),
+        "ATTDEF" | "ATTRIB" => Shape::Attribute,
+        _ => Shape::Other(encoding.decode(group.head.value).to_ascii_uppercase()),
+    };
+    let failed = r.failed;
+    (!failed).then(|| shell(id, group, encoding, shape))
+}
+
+/// MTEXT splits long text over codes 3 and ends with code 1.
+fn text_value(group: &Group<'_>, encoding: TextEncoding) -> String {
+    let parts = group.tags.iter().filter(|t| t.code == 1 || t.code == 3);
+    encoding::unescape(&parts.map(|t| encoding.decode(t.value)).collect::<String>()).trim().to_owned()
+}
+
+fn insert(r: &mut Reader<'_, '_>, encoding: TextEncoding) -> Shape {
+    let block = r.group.tags.iter().find(|t| t.code == 2);
+    let block = block.map(|t| encoding::unescape(&encoding.decode(t.value))).unwrap_or_default();
+    let at = r.maybe_point(10);
+    let scale = [r.maybe(41).unwrap_or(1.0), r.maybe(42).unwrap_or(1.0)];
+    Shape::Insert { block, at, scale, rotation: r.maybe(50).unwrap_or(0.0) }
+}
+
+fn ellipse(r: &mut Reader<'_, '_>, mirror: bool) -> Shape {
+    let (center, major) = (r.point(10), r.point(11));
+    let ratio = r.positive(40, "the axis ratio of an ELLIPSE");
+    let start = r.maybe(41).unwrap_or(0.0);
+    let end = r.maybe(42).unwrap_or(2.0 * std::f64::consts::PI);
+    // Seen from behind the minor axis points the other way: the parameter runs backwards.
+    let (start, end) = if mirror { (-end, -start) } else { (start, end) };
+    if major.norm() <= 0.0 && !r.failed {
+        let line = r.group.head.line;
+        r.fail(Diagnostic::error("number-out-of-range", "an ELLIPSE without a major axis"), line);
+    }
+    Shape::Ellipse { center, major, ratio, start, end }
+}
+
+fn light_polyline(r: &mut Reader<'_, '_>, mirror: bool) -> Shape {
+    let mut vertices: Vec<Vertex> = Vec::new();
+    let mut y_missing = false;
+    for tag in &r.group.tags {
+        let value = match tag.code {
+            10 | 20 | 42 => number(tag, r.findings),
+            _ => continue,
+        };
+        let value = match value {
+            Ok(v) => v,
+            Err(e) => {
+                r.failed = true;
+                r.findings.push(e);
+                continue;
+            }
+        };
+        match (tag.code, vertices.last_mut()) {
+            (10, _) if y_missing => r.fail(Diagnostic::error("coordinate-missing", "a vertex without y"), tag.line),
+            (10, _) => {
+                vertices.push(Vertex { at: Vec2::new(value, 0.0), bulge: 0.0 });
+                y_missing = true;
+            }
+            (20, Some(v)) if y_missing => {
+                v.at.y = value;
+                y_missing = false;
+            }
+            (42, Some(v)) => v.bulge = value,
+            _ => r.fail(Diagnostic::error("coordinate-missing", "a vertex without x"), tag.line),
+        }
+    }
+    let line = r.group.head.line;
+    if y_missing && !r.failed {
+        r.fail(Diagnostic::error("coordinate-missing", "a vertex without y"), line);
+    }
+    if let Some(count) = integer(r.group, 90).filter(|n| *n != vertices.len() as i64 && !r.failed) {
+        let text = format!("an LWPOLYLINE says {count} vertices and holds {}", vertices.len());
+        r.fail(Diagnostic::error("vertex-count-differs", text), line);
+    }
+    if mirror {
+        for v in &mut vertices {
+            v.at.x = -v.at.x;
+            v.bulge = -v.bulge;
+        }
+    }
+    let closed = integer(r.group, 70).unwrap_or(0) & 1 != 0;
+    Shape::Polyline { vertices, closed, light: true }
+}
+
+fn spline(r: &mut Reader<'_, '_>) -> Shape {
+    let line = r.group.head.line;
+    let degree = integer(r.group, 71).and_then(|d| usize::try_from(d).ok()).unwrap_or(3);
+    let spline = Spline {
+        degree,
+        flags: integer(r.group, 70).unwrap_or(0),
+        knots: r.numbers(40),
+        weights: r.numbers(41),
+        control: r.points(10),
+        fit: r.points(11),
+    };
+    if !r.failed
+        && let Err(text) = spline.check()
+    {
+        r.fail(Diagnostic::error("spline-damaged", text), line);
+    }
+    for (code, have) in [(72, spline.knots.len()), (73, spline.control.len()), (74, spline.fit.len())] {
+        if let Some(count) = integer(r.group, code).filter(|n| *n != have as i64 && !r.failed) {
+            let text = format!("a SPLINE says {count} and holds {have} values (group code {code})");
+            r.fail(Diagnostic::error("vertex-count-differs", text), line);
+        }
+    }
+    Shape::Spline(spline)
+}

@@ -1,0 +1,58 @@
+//! Collects findings while a file is read: many, but no flood.
+
+use super::limits;
+use std::collections::BTreeMap;
+use toile_garment::{Diagnostic, Severity, SourceRef};
+
+/// Findings of one file, with the place filled in.
+#[derive(Clone, Debug, Default)]
+pub struct Findings {
+    file: String,
+    list: Vec<Diagnostic>,
+    seen: BTreeMap<String, usize>,
+}
+
+impl Findings {
+    pub(crate) fn new(file: &str) -> Self {
+        Self { file: file.to_owned(), ..Self::default() }
+    }
+
+    /// Place in this file.
+    pub(crate) fn place(&self, line: u64) -> SourceRef {
+        SourceRef::file(self.file.clone()).at_line(line)
+    }
+
+    /// Place in a block of this file.
+    pub(crate) fn place_in(&self, block: &str, layer: Option<&str>, line: u64) -> SourceRef {
+        SourceRef { block: Some(block.to_owned()), layer: layer.map(str::to_owned), ..self.place(line) }
+    }
+
+    /// Adds a finding; beyond a limit per code they are only counted.
+    pub(crate) fn push(&mut self, finding: Diagnostic) {
+        let seen = self.seen.entry(finding.code.clone()).or_insert(0);
+        *seen = seen.saturating_add(1);
+        if *seen <= limits::FINDINGS_PER_CODE {
+            self.list.push(finding);
+        }
+    }
+
+    pub(crate) fn has_errors(&self) -> bool {
+        self.list.iter().any(|f| f.severity == Severity::Error)
+    }
+
+    pub(crate) fn errors_full(&self) -> bool {
+        self.list.iter().filter(|f| f.severity == Severity::Error).count() >= limits::FINDINGS_PER_CODE
+    }
+
+    /// All findings, and one line for each code of which some were only counted.
+    pub(crate) fn finish(self) -> Vec<Diagnostic> {
+        let mut list = self.list;
+        for (code, seen) in self.seen {
+            if seen > limits::FINDINGS_PER_CODE {
+                let more = seen - limits::FINDINGS_PER_CODE;
+                list.push(Diagnostic::info("more-findings", format!("{more} more findings `{code}` are not listed")));
+            }
+        }
+        list
+    }
+}

@@ -1,0 +1,254 @@
+//! Drawn pieces into the garment document: unfolded, in metres.
+
+use super::chain::Path;
+use super::darts::{DrawnDart, Form};
+use super::notches::DrawnNotch;
+use super::outline::{Node, Outline};
+use super::pattern::Pattern;
+use super::piece::DrawnPiece;
+use super::unfold::Fold;
+use crate::rul::RuleTable;
+use std::collections::BTreeSet;
+use toile_garment::dart::{Dart, DartEvidence, DartKind};
+use toile_garment::notch::Notch;
+use toile_garment::outline::{LinePoint, OutlineEdge, PieceLine, PointKind};
+use toile_garment::piece::{DrillHole, PieceText};
+use toile_garment::{Diagnostic, Garment, Piece, PieceId, SourceRef, Vec2};
+
+/// Metres per millimetre.
+const M: f64 = 1e-3;
+
+impl Pattern {
+    /// The garment in one size: as asked, else the sample size, else the only one. A size that is not drawn is graded
+    /// when the rule table has it. The findings of the choice come with it.
+    ///
+    /// # Errors
+    /// The size is not there (all sizes are listed), or a grade rule is missing.
+    pub fn to_garment(
+        &self,
+        size: Option<&str>,
+        rul: Option<&RuleTable>,
+    ) -> Result<(Garment, Vec<Diagnostic>), Vec<Diagnostic>> {
+        let chosen = self.choose(size, rul)?;
+        let mut names = BTreeSet::new();
+        let pieces = chosen
+            .pieces
+            .iter()
+            .enumerate()
+            .map(|(i, drawn)| {
+                let mut piece = to_piece(drawn, &self.file);
+                piece.id = PieceId::from(i);
+                piece.name = unique(piece.name, &mut names);
+                piece
+            })
+            .collect();
+        let garment =
+            Garment { style: self.style.clone().unwrap_or_default(), size: chosen.size, pieces, ..Garment::default() };
+        Ok((garment, chosen.findings))
+    }
+}
+
+fn unique(name: String, taken: &mut BTreeSet<String>) -> String {
+    let mut candidate = name.clone();
+    let mut n = 2;
+    while !taken.insert(candidate.clone()) {
+        candidate = format!("{name}-{n}");
+        n += 1;
+    }
+    candidate
+}
+
+/// One piece, unfolded, in metres.
+#[must_use]
+pub fn to_piece(drawn: &DrawnPiece, file: &str) -> Piece {
+    let source = |line: u64, layer: &str| {
+        let mut s = SourceRef::file(file).at_line(line);
+        s.block = Some(drawn.block.clone());
+        s.layer = Some(layer.to_owned());
+        Some(s)
+    };
+    let fold = drawn.fold.map(Fold);
+    let mut sewn = drawn.sewn().clone();
+    let mut darts = drawn.darts.clone();
+    anchor_marked(&mut sewn, &mut darts);
+    let nodes = whole(&sewn, fold);
+    let sewn_layer = if drawn.sew.is_some() { "14" } else { "1" };
+    let outline = closed_line(&nodes, source(sewn.line, sewn_layer));
+    let cut_line =
+        drawn.sew.as_ref().map(|_| closed_line(&whole(&drawn.boundary, fold), source(drawn.boundary.line, "1")));
+    if let Some(fold) = fold {
+        let mirrored: Vec<DrawnDart> = darts.iter().filter(|d| beside(fold, &d.apexes)).map(|d| fold.dart(d)).collect();
+        darts.extend(mirrored);
+    }
+    let text = |key: &str| drawn.keys.get(key).filter(|v| !v.is_empty()).cloned();
+    Piece {
+        name: drawn.label().to_owned(),
+        block: drawn.block.clone(),
+        size: drawn.size.clone(),
+        quantity: drawn.quantity,
+        material: text("material").or_else(|| text("fabric")),
+        category: text("category"),
+        annotation: text("annotation"),
+        edges: edges(&outline),
+        outline,
+        cut_line,
+        notches: notches(drawn, fold).into_iter().map(|n| notch(&n, source(n.line, "4"))).collect(),
+        drill_holes: drills(drawn, fold)
+            .into_iter()
+            .map(|(at, line)| DrillHole { at: at * M, source: source(line, "13") })
+            .collect(),
+        grain: drawn.grain.map(|g| g.map(|p| p * M)),
+        fold: drawn.fold.map(|f| f.map(|p| p * M)),
+        internal_lines: internals(drawn, fold).into_iter().map(|p| open_line(&p, source(p.line, "8"))).collect(),
+        cutouts: cutouts(drawn, fold).into_iter().map(|p| open_line(&p, source(p.line, "11"))).collect(),
+        darts: darts
+            .iter()
+            .enumerate()
+            .map(|(i, d)| dart(d, i, source(d.line, if d.form == Form::Wedge { sewn_layer } else { "8" })))
+            .collect(),
+        texts: drawn
+            .texts
+            .iter()
+            .map(|(at, layer, text)| PieceText { at: at * M, layer: layer.clone(), text: text.clone() })
+            .collect(),
+        source: {
+            let mut s = SourceRef::file(file).at_line(drawn.line);
+            s.block = Some(drawn.block.clone());
+            Some(s)
+        },
+        ..Piece::default()
+    }
+}
+
+/// The mouth of a marked dart becomes two vertices of the outline, so that its pointers have something to point to.
+fn anchor_marked(sewn: &mut Outline, darts: &mut [DrawnDart]) {
+    for dart in darts.iter_mut().filter(|d| d.form == Form::Marked) {
+        for leg in 0..2 {
+            let at = sewn.insert_work(dart.mouth[leg]);
+            dart.mouth[leg] = at;
+            if let Some(first) = dart.work[leg].first_mut() {
+                *first = at;
+            }
+        }
+    }
+}
+
+fn whole(outline: &Outline, fold: Option<Fold>) -> Vec<Node> {
+    fold.and_then(|f| f.outline(&outline.work)).unwrap_or_else(|| outline.work.clone())
+}
+
+fn closed_line(nodes: &[Node], source: Option<SourceRef>) -> PieceLine {
+    let points = nodes.iter().map(|n| LinePoint { at: n.at * M, kind: n.kind }).collect();
+    PieceLine { points, closed: true, name: None, source }
+}
+
+fn open_line(path: &Path, source: Option<SourceRef>) -> PieceLine {
+    let points = path.points.iter().map(|(at, _)| LinePoint { at: at * M, kind: PointKind::Plain }).collect();
+    PieceLine { points, closed: path.closed, name: None, source }
+}
+
+/// Edges between corners, from the first corner on.
+fn edges(outline: &PieceLine) -> Vec<OutlineEdge> {
+    let corners: Vec<u32> =
+        (0_u32..).zip(&outline.points).filter(|(_, p)| p.kind == PointKind::Turn).map(|(i, _)| i).collect();
+    let corners = if corners.is_empty() { vec![0] } else { corners };
+    let n = corners.len();
+    (0..n).map(|i| OutlineEdge { index: i as u32, name: None, from: corners[i], to: corners[(i + 1) % n] }).collect()
+}
+
+/// Away from the fold: what lies on it is its own mirror image.
+fn beside(fold: Fold, points: &[Vec2]) -> bool {
+    points.iter().any(|p| fold.distance(*p) > 0.1)
+}
+
+fn notches(drawn: &DrawnPiece, fold: Option<Fold>) -> Vec<DrawnNotch> {
+    let mut list = drawn.notches.clone();
+    if let Some(fold) = fold {
+        let d = fold.0[1] - fold.0[0];
+        let axis = libm::atan2(d.y, d.x);
+        let mirrored: Vec<DrawnNotch> = list
+            .iter()
+            .filter(|n| beside(fold, &[n.at]))
+            .map(|n| DrawnNotch { at: fold.mirror(n.at), angle: n.angle.map(|a| 2.0 * axis - a), ..n.clone() })
+            .collect();
+        list.extend(mirrored);
+    }
+    list
+}
+
+fn notch(n: &DrawnNotch, source: Option<SourceRef>) -> Notch {
+    Notch {
+        kind: n.kind,
+        at: n.at * M,
+        depth: n.depth * M,
+        width: n.width * M,
+        angle: n.angle,
+        on: n.on.to_owned(),
+        name: None,
+        source,
+    }
+}
+
+fn drills(drawn: &DrawnPiece, fold: Option<Fold>) -> Vec<(Vec2, u64)> {
+    let mut list: Vec<(Vec2, u64)> = drawn.drills.iter().map(|d| (d.ends[0], d.line)).collect();
+    if let Some(fold) = fold {
+        let mirrored: Vec<_> = list.iter().filter(|d| beside(fold, &[d.0])).map(|d| (fold.mirror(d.0), d.1)).collect();
+        list.extend(mirrored);
+    }
+    list
+}
+
+fn mirrored_path(path: &Path, fold: Fold) -> Path {
+    Path { points: path.points.iter().map(|(p, own)| (fold.mirror(*p), *own)).collect(), ..path.clone() }
+}
+
+fn internals(drawn: &DrawnPiece, fold: Option<Fold>) -> Vec<Path> {
+    let is_leg = |p: &Path| drawn.darts.iter().any(|d| d.ids.iter().any(|id| p.ids.contains(id)));
+    let mut list = Vec::new();
+    for (i, path) in drawn.internal.iter().enumerate().filter(|(_, p)| !is_leg(p)) {
+        list.push(path.clone());
+        let once = drawn.not_mirrored.get(i).copied().unwrap_or(false);
+        if let Some(fold) = fold.filter(|f| !once && beside(*f, &path.positions())) {
+            list.push(mirrored_path(path, fold));
+        }
+    }
+    list
+}
+
+fn cutouts(drawn: &DrawnPiece, fold: Option<Fold>) -> Vec<Path> {
+    let is_leg = |p: &Path| drawn.darts.iter().any(|d| d.ids.iter().any(|id| p.ids.contains(id)));
+    let mut list = Vec::new();
+    for path in drawn.cutouts.iter().filter(|p| !is_leg(p)) {
+        list.push(path.clone());
+        if let Some(fold) = fold.filter(|f| beside(*f, &path.positions())) {
+            list.push(mirrored_path(path, fold));
+        }
+    }
+    list
+}
+
+fn dart(d: &DrawnDart, index: usize, source: Option<SourceRef>) -> Dart {
+    let metres = |line: &Vec<Vec2>| line.iter().map(|p| p * M).collect::<Vec<_>>();
+    let (kind, evidence) = match d.form {
+        Form::Wedge => (DartKind::Wedge, DartEvidence::BoundaryWedge),
+        Form::Marked => (DartKind::MarkedWedge, DartEvidence::InternalLine),
+        Form::Lens => (DartKind::FishEye, DartEvidence::Contour),
+    };
+    // A wedge is sewn from the edge on, a lens that is open to the edge too.
+    let mouth = match (d.form, d.work[0].first(), d.work[1].first()) {
+        (Form::Wedge, Some(a), Some(b)) => [*a, *b],
+        _ => d.mouth,
+    };
+    Dart {
+        name: format!("dart-{}", index + 1),
+        kind,
+        evidence,
+        apexes: d.apexes.iter().map(|p| p * M).collect(),
+        mouth: mouth.map(|p| p * M),
+        legs: [metres(&d.work[0]), metres(&d.work[1])],
+        line: d.on.to_owned(),
+        depth: None,
+        mesh: None,
+        source,
+    }
+}

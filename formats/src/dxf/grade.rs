@@ -1,0 +1,172 @@
+//! Grading: a size that is not drawn, from the sample size and a rule table.
+
+use super::chain::Path;
+use super::geom::{self, PointIndex};
+use super::outline::{Node, Outline};
+use super::piece::DrawnPiece;
+use crate::rul::RuleTable;
+use toile_garment::Vec2;
+
+/// A rule text stands at its point within this, mm.
+const AT: f64 = 0.02;
+
+/// Why a piece could not be graded.
+#[derive(Clone, Debug, PartialEq)]
+pub enum GradeError {
+    /// The table does not know the size.
+    Size,
+    /// The piece names a rule that the table does not have.
+    Rule(u32),
+    /// The piece has no grade rule on its outline.
+    NoRules,
+}
+
+/// The growth of one piece for one size.
+struct Growth {
+    index: PointIndex,
+    by_point: Vec<Vec2>,
+}
+
+impl Growth {
+    fn new(piece: &DrawnPiece, table: &RuleTable, size: usize) -> Result<Self, GradeError> {
+        // Growths are in the frame of the grade reference line, whose direction is +x.
+        let angle = piece.reference.map_or(0.0, |[a, b]| libm::atan2(b.y - a.y, b.x - a.x));
+        let mut index = PointIndex::new(AT, []);
+        let mut by_point = Vec::new();
+        for (at, rule) in &piece.rules {
+            let growth = match table.rules.get(rule) {
+                Some(list) => list.get(size).copied().ok_or(GradeError::Size)?,
+                None if *rule == 0 => Vec2::zeros(),
+                None => return Err(GradeError::Rule(*rule)),
+            };
+            index.insert(*at, by_point.len());
+            by_point.push(geom::rotate(growth, angle));
+        }
+        Ok(Self { index, by_point })
+    }
+
+    fn at(&self, p: Vec2) -> Option<Vec2> {
+        self.index.near(p, AT).first().map(|(_, i)| self.by_point[*i])
+    }
+
+    /// Growth of each point of a line: as ruled, and between ruled points by arc length. `None` without any rule.
+    fn along(&self, points: &[Vec2], closed: bool) -> Option<Vec<Vec2>> {
+        let n = points.len();
+        let ruled: Vec<(usize, Vec2)> = (0..n).filter_map(|i| self.at(points[i]).map(|g| (i, g))).collect();
+        let (first, last) = (*ruled.first()?, *ruled.last()?);
+        let mut out = vec![Vec2::zeros(); n];
+        let mut spread = |from: (usize, Vec2), steps: usize, to: Vec2| {
+            let step = |k: usize| (points[(from.0 + k + 1) % n] - points[(from.0 + k) % n]).norm();
+            let whole: f64 = (0..steps).map(step).sum();
+            let mut s = 0.0;
+            for k in 0..steps {
+                let t = if whole > 0.0 { s / whole } else { 0.0 };
+                out[(from.0 + k) % n] = from.1 + (to - from.1) * t;
+                s += step(k);
+            }
+        };
+        for pair in ruled.windows(2) {
+            spread(pair[0], pair[1].0 - pair[0].0, pair[1].1);
+        }
+        if closed {
+            spread(last, first.0 + n - last.0, first.1);
+        } else {
+            spread(last, n - last.0, last.1);
+            out[..first.0].fill(first.1);
+        }
+        Some(out)
+    }
+}
+
+/// A line with the growth of each of its points.
+struct Moved {
+    points: Vec<Vec2>,
+    growth: Vec<Vec2>,
+}
+
+impl Moved {
+    /// Where a point near the line goes: with the nearest place of the line.
+    fn carry(&self, p: Vec2) -> Vec2 {
+        let Some(foot) = geom::nearest(p, &self.points, true) else { return p };
+        let (a, b) = (self.growth[foot.segment], self.growth[(foot.segment + 1) % self.points.len()]);
+        p + a + (b - a) * foot.t
+    }
+}
+
+/// The piece in another size.
+///
+/// # Errors
+/// See [`GradeError`].
+pub fn grade(sample: &DrawnPiece, table: &RuleTable, size: &str) -> Result<DrawnPiece, GradeError> {
+    let column = table.size_index(size).ok_or(GradeError::Size)?;
+    let growth = Growth::new(sample, table, column)?;
+    let mut piece = sample.clone();
+    let cut = outline(&mut piece.boundary, &growth, None).ok_or(GradeError::NoRules)?;
+    let sew = piece.sew.as_mut().and_then(|s| outline(s, &growth, Some(&cut)));
+    let sewn = sew.as_ref().unwrap_or(&cut);
+    for notch in &mut piece.notches {
+        notch.at = if notch.on == "sew" { sewn.carry(notch.at) } else { cut.carry(notch.at) };
+    }
+    for drill in &mut piece.drills {
+        let at = growth.at(drill.ends[0]).map_or_else(|| cut.carry(drill.ends[0]), |g| drill.ends[0] + g);
+        drill.ends = [at, at];
+    }
+    for path in piece.internal.iter_mut().chain(&mut piece.cutouts) {
+        line(path, &growth, &cut);
+    }
+    for dart in &mut piece.darts {
+        let carry = |p: Vec2| growth.at(p).map_or_else(|| sewn.carry(p), |g| p + g);
+        dart.apexes.iter_mut().chain(&mut dart.mouth).for_each(|p| *p = carry(*p));
+        dart.legs.iter_mut().chain(&mut dart.work).flatten().for_each(|p| *p = carry(*p));
+    }
+    // The fold moves with the boundary it lies on; the grain keeps its direction.
+    piece.fold = piece.fold.map(|f| f.map(|p| cut.carry(p)));
+    piece.turn_list.iter_mut().for_each(|p| *p = cut.carry(*p));
+    piece.size = Some(table.sizes[column].clone());
+    Ok(piece)
+}
+
+fn outline(o: &mut Outline, growth: &Growth, cut: Option<&Moved>) -> Option<Moved> {
+    let points = o.positions();
+    let moves = match growth.along(&points, true) {
+        Some(moves) => moves,
+        None => points.iter().map(|p| cut.map(|c| c.carry(*p) - *p)).collect::<Option<Vec<_>>>()?,
+    };
+    let moved = Moved { points, growth: moves };
+    let work = o.work_positions();
+    // Anchored at the drawn vertices, between them by arc length of the working line.
+    let mut anchors: Vec<(usize, Vec2)> =
+        o.place.iter().zip(&moved.growth).filter_map(|(place, g)| place.map(|k| (k, *g))).collect();
+    anchors.sort_by_key(|a| a.0);
+    let work_growth = between(&work, &anchors);
+    let shift = |nodes: &mut Vec<Node>, growth: &[Vec2]| nodes.iter_mut().zip(growth).for_each(|(n, g)| n.at += *g);
+    shift(&mut o.drawn, &moved.growth);
+    shift(&mut o.work, &work_growth);
+    Some(moved)
+}
+
+fn between(points: &[Vec2], anchors: &[(usize, Vec2)]) -> Vec<Vec2> {
+    let n = points.len();
+    let mut out = vec![Vec2::zeros(); n];
+    for (i, from) in anchors.iter().enumerate() {
+        let to = anchors[(i + 1) % anchors.len()];
+        let steps = if i + 1 < anchors.len() { to.0 - from.0 } else { to.0 + n - from.0 };
+        let step = |k: usize| (points[(from.0 + k + 1) % n] - points[(from.0 + k) % n]).norm();
+        let whole: f64 = (0..steps).map(step).sum();
+        let mut s = 0.0;
+        for k in 0..steps {
+            let t = if whole > 0.0 { s / whole } else { 0.0 };
+            out[(from.0 + k) % n] = from.1 + (to.1 - from.1) * t;
+            s += step(k);
+        }
+    }
+    out
+}
+
+fn line(path: &mut Path, growth: &Growth, cut: &Moved) {
+    let points = path.positions();
+    let moves = growth.along(&points, path.closed);
+    for (i, p) in path.points.iter_mut().enumerate() {
+        p.0 = moves.as_ref().map_or_else(|| cut.carry(p.0), |m| p.0 + m[i]);
+    }
+}

@@ -1,0 +1,284 @@
+//! What is in a file: JSON (contracts §3) and a table for people.
+
+use super::darts::{DrawnDart, Form};
+use super::garment::to_piece;
+use super::ledger::Verdict;
+use super::pattern::{Pattern, ReadOptions, read};
+use super::piece::DrawnPiece;
+use super::{geom, grade};
+use crate::rul::{self, RuleTable};
+use serde_json::{Map, Value, json};
+use std::fmt::Write as _;
+use toile_garment::{Diagnostic, Piece, Vec2};
+
+/// What is in a file.
+#[derive(Clone, Debug)]
+pub struct Inspection {
+    /// The pattern as read.
+    pub pattern: Pattern,
+    /// One garment piece per drawn piece and size, unfolded: its edges are the ones the sewing file counts.
+    pub pieces: Vec<Piece>,
+    /// Facts by the keys of contracts §3.
+    pub json: Value,
+    /// The same as a table.
+    pub text: String,
+}
+
+/// Looks into a DXF, with its rule table if there is one.
+///
+/// # Errors
+/// All findings, at least one of them an error.
+pub fn inspect(bytes: &[u8], file: &str, rul: Option<&[u8]>) -> Result<Inspection, Vec<Diagnostic>> {
+    inspect_with(bytes, file, rul, &ReadOptions::default())
+}
+
+/// As [`inspect`], with the user's own layers and unit.
+///
+/// # Errors
+/// All findings, at least one of them an error.
+pub fn inspect_with(
+    bytes: &[u8],
+    file: &str,
+    rul: Option<&[u8]>,
+    options: &ReadOptions,
+) -> Result<Inspection, Vec<Diagnostic>> {
+    let mut pattern = read(bytes, file, options)?;
+    let table = rul.map(|r| rul::read(r, &rul_name(file))).transpose()?;
+    if let Some(table) = &table {
+        pattern.findings.extend(table.findings.iter().cloned());
+    }
+    let pieces: Vec<Piece> = pattern.pieces.iter().map(|p| to_piece(p, file)).collect();
+    let json = facts(&pattern, &pieces, table.as_ref());
+    let text = text(&pattern);
+    Ok(Inspection { pattern, pieces, json, text })
+}
+
+/// Name of the rule table that belongs to a DXF: the same with `.rul`.
+#[must_use]
+fn rul_name(file: &str) -> String {
+    match file.rsplit_once('.') {
+        Some((stem, _)) => format!("{stem}.rul"),
+        None => format!("{file}.rul"),
+    }
+}
+
+fn round(v: f64) -> f64 {
+    let r = (v * 1e4).round() / 1e4;
+    if r == 0.0 { 0.0 } else { r }
+}
+
+fn xy(p: Vec2) -> Value {
+    json!([round(p.x), round(p.y)])
+}
+
+fn facts(pattern: &Pattern, pieces: &[Piece], table: Option<&RuleTable>) -> Value {
+    let mut out = Map::new();
+    let mut put = |key: &str, value: Value| {
+        out.insert(key.to_owned(), value);
+    };
+    put("file", json!(pattern.file));
+    put("units", json!(pattern.units.declared));
+    put("mm_per_unit", json!(pattern.units.mm_per_unit));
+    put("dxf_version", json!(pattern.release));
+    put("encoding", json!(pattern.encoding));
+    put("style_name", json!(pattern.style));
+    put("style_texts", json!(pattern.style_texts));
+    put("sizes", json!(pattern.sizes));
+    put("sample_size", json!(pattern.sample_size));
+    put("block_count", json!(pattern.pieces.len()));
+    put("ledger", ledger(pattern));
+    put("findings", json!(pattern.findings));
+    put("pieces", pattern.pieces.iter().zip(pieces).map(|(d, p)| piece(d, p)).collect());
+    if let Some(table) = table {
+        put("rul_sizes", json!(table.sizes));
+        put("rul_sample_size", json!(table.sample));
+        put("graded_turn_points_mm", graded(pattern, table));
+    }
+    Value::Object(out)
+}
+
+fn ledger(pattern: &Pattern) -> Value {
+    let l = &pattern.ledger;
+    let by_rule: Vec<Value> = l
+        .by_rule()
+        .into_iter()
+        .map(|((verdict, rule), count)| {
+            let verdict = match verdict {
+                Verdict::Accepted => "accepted",
+                Verdict::Interpreted => "interpreted",
+                Verdict::Refused => "refused",
+            };
+            json!({ "verdict": verdict, "rule": rule, "count": count })
+        })
+        .collect();
+    json!({
+        "entities": l.entities(),
+        "vertices": pattern.vertices,
+        "accepted": l.count(Verdict::Accepted),
+        "interpreted": l.count(Verdict::Interpreted),
+        "refused": l.count(Verdict::Refused),
+        "by_rule": by_rule,
+        "library_census": { "sent": pattern.census.sent, "agreed": pattern.census.agreed },
+    })
+}
+
+fn graded(pattern: &Pattern, table: &RuleTable) -> Value {
+    let mut out = Map::new();
+    for piece in pattern.pieces.iter().filter(|p| !p.rules.is_empty()) {
+        let mut sizes = Map::new();
+        for size in &table.sizes {
+            if let Ok(graded) = grade::grade(piece, table, size) {
+                sizes.insert(size.clone(), graded.turn_list.iter().map(|p| xy(*p)).collect());
+            }
+        }
+        out.insert(piece.label().to_owned(), Value::Object(sizes));
+    }
+    Value::Object(out)
+}
+
+fn piece(drawn: &DrawnPiece, piece: &Piece) -> Value {
+    let line = drawn.boundary.positions();
+    let area = geom::area(&line).abs() / 100.0;
+    let half = drawn.fold.is_some();
+    let bounds =
+        geom::bounds(line.iter().copied()).map(|(lo, hi)| json!([round(lo.x), round(lo.y), round(hi.x), round(hi.y)]));
+    let net = drawn.sewn().positions();
+    let mut out = json!({
+        "block": drawn.block,
+        "name": drawn.name,
+        "size": drawn.size,
+        "quantity": drawn.quantity.plain,
+        "quantity_pair": [drawn.quantity.plain, drawn.quantity.mirrored],
+        "material": piece.material,
+        "area_cm2": round(area),
+        "area_unfolded_cm2": round(if half { 2.0 * area } else { area }),
+        "perimeter_mm": round(geom::length(&line, true)),
+        "bbox_mm": bounds,
+        "boundary_vertices": drawn.boundary.drawn.iter().filter(|n| n.drawn).count(),
+        "half_piece_on_fold": half,
+        "net_area_cm2": round(geom::area(&net).abs() / 100.0),
+        "net_perimeter_mm": round(geom::length(&net, true)),
+        "sew_line_count": drawn.sew_lines,
+        "darts": drawn.darts.iter().map(dart).collect::<Vec<_>>(),
+        "dart_count": drawn.darts.len(),
+        "darts_unfolded": piece.darts.len(),
+        "notch_count": drawn.notches.len(),
+        "notches": drawn.notches.iter().map(|n| json!({
+            "kind": n.kind, "at_mm": xy(n.at), "depth_mm": round(n.depth), "width_mm": round(n.width), "on": n.on,
+            "angle_deg": n.angle.map(|a| round(a.to_degrees())),
+        })).collect::<Vec<_>>(),
+        "drill_count": drawn.drills.len(),
+        "drills_mm": drawn.drills.iter().map(|d| xy(d.ends[0])).collect::<Vec<_>>(),
+        "internal_line_count": drawn.internal.len(),
+        "cutout_count": drawn.cutouts.len(),
+        "grain_line_mm": drawn.grain.map(|g| g.map(xy)),
+        "turn_point_count": drawn.turn_points,
+        "curve_point_count": drawn.curve_points,
+        "edges": edges(piece),
+    });
+    if let (Some(fold), Some(map)) = (drawn.fold, out.as_object_mut()) {
+        map.insert("fold_line_mm".to_owned(), json!(fold.map(xy)));
+    }
+    out
+}
+
+fn dart(d: &DrawnDart) -> Value {
+    let kind = match d.form {
+        Form::Wedge => "boundary_wedge",
+        Form::Marked => "internal_line",
+        Form::Lens => "contour",
+    };
+    let (chord, path) = ([d.leg_chord(0), d.leg_chord(1)].map(round), [d.leg_path(0), d.leg_path(1)].map(round));
+    let mut out = json!({
+        "kind": kind,
+        "apex_mm": d.apexes.first().map(|p| xy(*p)),
+        "mouth_mm": d.mouth.map(xy),
+        "leg_chord_mm": chord,
+        "leg_path_mm": path,
+        "leg_difference_mm": round((d.leg_path(0) - d.leg_path(1)).abs()),
+        "width_mm": round(d.width()),
+        "line": d.on,
+    });
+    if let (Form::Lens, Some(map)) = (d.form, out.as_object_mut()) {
+        map.insert("apexes_mm".to_owned(), d.apexes.iter().map(|p| xy(*p)).collect());
+    }
+    out
+}
+
+fn edges(piece: &Piece) -> Vec<Value> {
+    let points = piece.outline.positions();
+    let n = points.len();
+    piece
+        .edges
+        .iter()
+        .map(|e| {
+            let (from, to) = (e.from as usize, e.to as usize);
+            let steps = if from == to { n } else { (to + n - from) % n };
+            let length: f64 = (0..steps).map(|k| (points[(from + k + 1) % n] - points[(from + k) % n]).norm()).sum();
+            json!({
+                "index": e.index, "name": e.name, "from_mm": xy(points[from] * 1e3), "to_mm": xy(points[to] * 1e3),
+                "length_mm": round(length * 1e3),
+            })
+        })
+        .collect()
+}
+
+fn text(pattern: &Pattern) -> String {
+    let mut out = String::new();
+    let say = |out: &mut String, line: String| {
+        let _ = writeln!(out, "{line}");
+    };
+    let or = |v: &Option<String>| v.clone().unwrap_or_else(|| "-".to_owned());
+    say(
+        &mut out,
+        format!(
+            "{}  style {}  units {} ({} mm)  text {}",
+            pattern.file,
+            or(&pattern.style),
+            or(&pattern.units.declared),
+            pattern.units.mm_per_unit,
+            pattern.encoding
+        ),
+    );
+    say(&mut out, format!("sizes {}  sample {}", pattern.sizes.join(" "), or(&pattern.sample_size)));
+    say(
+        &mut out,
+        format!(
+            "{:<24} {:<8} {:>10} {:>10} {:>5} {:>5} {:>7} {:>6} {:>5}",
+            "piece", "size", "area cm2", "edge mm", "pts", "darts", "notches", "drills", "fold"
+        ),
+    );
+    for p in &pattern.pieces {
+        let line = p.boundary.positions();
+        let (area, length) = (geom::area(&line).abs() / 100.0, geom::length(&line, true));
+        let size = p.size.clone().unwrap_or_else(|| "-".to_owned());
+        let row = format!(
+            "{:<24} {:<8} {:>10.2} {:>10.1} {:>5} {:>5} {:>7} {:>6} {:>5}",
+            p.label(),
+            size,
+            area,
+            length,
+            line.len(),
+            p.darts.len(),
+            p.notches.len(),
+            p.drills.len(),
+            if p.fold.is_some() { "half" } else { "" }
+        );
+        say(&mut out, row.trim_end().to_owned());
+    }
+    let l = &pattern.ledger;
+    say(
+        &mut out,
+        format!(
+            "{} entities: {} accepted, {} interpreted, {} refused",
+            l.entities(),
+            l.count(Verdict::Accepted),
+            l.count(Verdict::Interpreted),
+            l.count(Verdict::Refused)
+        ),
+    );
+    for finding in &pattern.findings {
+        say(&mut out, finding.to_string());
+    }
+    out
+}

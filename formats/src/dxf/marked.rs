@@ -1,0 +1,256 @@
+//! Darts drawn inside: legs on layer 8 with their ends on the boundary, lenses, and notches with a drill hole.
+
+use super::chain::Path;
+use super::darts::{DrawnDart, Form, wedge_test};
+use super::geom::{self, PointIndex};
+use super::outline::Outline;
+use toile_garment::Vec2;
+
+/// Ends of marked legs lie on the outline within this, mm.
+const ON_OUTLINE: f64 = 1.0;
+/// Two legs share their apex within this, mm.
+const SAME_APEX: f64 = 0.2;
+/// Least angle of a marked dart, degrees: it is drawn on purpose, so narrow ones count.
+const LEAST_ANGLE: f64 = 2.0;
+/// The path of a leg over its chord, at most.
+const CURVED: f64 = 1.15;
+
+/// Marked darts among internal lines.
+#[must_use]
+pub fn marked(internal: &[Path], outline: &Outline) -> Vec<DrawnDart> {
+    let line = outline.positions();
+    let work = outline.work_positions();
+    let on = |p: Vec2| geom::distance(p, &work, true).min(geom::distance(p, &line, true)) <= ON_OUTLINE;
+    let mut found = Vec::new();
+    let mut single: Vec<(Vec<Vec2>, &Path)> = Vec::new();
+    for path in internal.iter().take(2000) {
+        let points = opened(path, &on);
+        if points.len() < 2 {
+            continue;
+        }
+        let ends = [on(points[0]), on(points[points.len() - 1])];
+        match ends {
+            [true, true] if points.len() >= 3 => found.extend(bent(&points, path, &work)),
+            [true, false] => single.push((points, path)),
+            [false, true] => single.push((points.into_iter().rev().collect(), path)),
+            _ => {}
+        }
+    }
+    let apex = |p: &[Vec2]| p[p.len() - 1];
+    let index = PointIndex::new(SAME_APEX, single.iter().enumerate().map(|(i, (p, _))| (apex(p), i)));
+    for (i, (points, path)) in single.iter().enumerate() {
+        let partner = index.near(apex(points), SAME_APEX).into_iter().map(|(_, j)| j).find(|j| *j > i);
+        if let Some(j) = partner {
+            let ids = path.ids.iter().chain(&single[j].1.ids).copied().collect();
+            found.extend(dart([points.clone(), single[j].0.clone()], path.line, ids, &work));
+        }
+    }
+    found
+}
+
+/// A closed triangle whose side lies along the outline is the same as its two legs.
+fn opened(path: &Path, on: &dyn Fn(Vec2) -> bool) -> Vec<Vec2> {
+    let mut points = path.positions();
+    let n = points.len();
+    if path.closed && n >= 3 {
+        let along = (0..n).find(|i| on(points[*i]) && on(points[(i + 1) % n]));
+        match along {
+            Some(i) => points.rotate_left((i + 1) % n),
+            None => return Vec::new(),
+        }
+    }
+    points
+}
+
+/// One line: leg, apex, leg. The apex is its sharpest vertex.
+fn bent(points: &[Vec2], path: &Path, outline: &[Vec2]) -> Option<DrawnDart> {
+    let turn = |i: usize| geom::turn(points[i - 1], points[i], points[i + 1]).abs();
+    let apex = (1..points.len() - 1).max_by(|a, b| turn(*a).total_cmp(&turn(*b)))?;
+    let mut second = points[apex..].to_vec();
+    second.reverse();
+    dart([points[..=apex].to_vec(), second], path.line, path.ids.clone(), outline)
+}
+
+fn dart(mut legs: [Vec<Vec2>; 2], line: u64, ids: Vec<u32>, outline: &[Vec2]) -> Option<DrawnDart> {
+    let apex = *legs[0].last()?;
+    let (a, b) = (legs[0][0], legs[1][0]);
+    wedge_test(apex, a, b, LEAST_ANGLE).ok()?;
+    let straight = legs.iter().all(|l| geom::length(l, false) <= CURVED * (l[0] - l[l.len() - 1]).norm());
+    if !straight || !geom::inside(apex, outline) || geom::distance(apex, outline, true) < 5.0 {
+        return None;
+    }
+    // The leg met first on the counter-clockwise outline: seen from the apex the mouth runs clockwise.
+    if geom::cross(a - apex, b - apex) < 0.0 {
+        legs.reverse();
+    }
+    // Both legs end in one and the same point.
+    if let Some(last) = legs[1].last_mut() {
+        *last = apex;
+    }
+    if let Some(last) = legs[0].last_mut() {
+        *last = apex;
+    }
+    let mouth = [legs[0][0], legs[1][0]];
+    Some(DrawnDart {
+        form: Form::Marked,
+        apexes: vec![apex],
+        mouth,
+        work: legs.clone(),
+        open_lens: false,
+        legs,
+        on: "internal",
+        line,
+        ids,
+    })
+}
+
+/// Length of a lens, mm.
+const LENS_LENGTH: std::ops::RangeInclusive<f64> = 40.0..=600.0;
+/// Width of a lens, mm.
+const LENS_WIDTH: std::ops::RangeInclusive<f64> = 3.0..=100.0;
+/// Widest angle at a tip of a lens, degrees.
+const LENS_TIP: f64 = 75.0;
+
+/// Fish-eye darts: closed lenses on layer 8 or 11, sharp at both ends, as long on one side as on the other.
+#[must_use]
+pub fn lenses(paths: &[Path], outline: &[Vec2]) -> Vec<DrawnDart> {
+    paths
+        .iter()
+        .filter(|p| p.closed && p.points.len() >= 4 && p.points.len() <= 2000)
+        .filter_map(|p| lens(p, outline))
+        .collect()
+}
+
+fn lens(path: &Path, outline: &[Vec2]) -> Option<DrawnDart> {
+    let mut points = path.positions();
+    if geom::area(&points) < 0.0 {
+        points.reverse();
+    }
+    let n = points.len();
+    let (i, j) = farthest(&points)?;
+    let axis = points[j] - points[i];
+    let length = axis.norm();
+    let tip = |k: usize| 180.0 - geom::turn(points[(k + n - 1) % n], points[k], points[(k + 1) % n]).to_degrees().abs();
+    if !LENS_LENGTH.contains(&length) || tip(i) > LENS_TIP || tip(j) > LENS_TIP {
+        return None;
+    }
+    let side = |from: usize, to: usize| (0..=(to + n - from) % n).map(|k| points[(from + k) % n]).collect::<Vec<_>>();
+    let right = side(i, j);
+    let mut left = side(j, i);
+    left.reverse();
+    let offset = |p: &Vec2| geom::cross(axis, p - points[i]) / length;
+    let widest = |side: &[Vec2]| side.iter().copied().max_by(|a, b| offset(a).abs().total_cmp(&offset(b).abs()));
+    let mouth = [widest(&right)?, widest(&left)?];
+    let width = offset(&mouth[1]) - offset(&mouth[0]);
+    let middle = |p: Vec2| (0.15..=0.85).contains(&((p - points[i]).dot(&axis) / (length * length)));
+    let sides = [geom::length(&right, false), geom::length(&left, false)];
+    let alike = (sides[0] - sides[1]).abs() <= 0.1 * sides[0].max(sides[1]);
+    let shaped = LENS_WIDTH.contains(&width) && length >= 2.5 * width && alike && mouth.iter().all(|m| middle(*m));
+    if !shaped || !points.iter().all(|p| geom::inside(*p, outline)) {
+        return None;
+    }
+    Some(DrawnDart {
+        form: Form::Lens,
+        apexes: vec![points[i], points[j]],
+        mouth,
+        work: [right.clone(), left.clone()],
+        open_lens: false,
+        legs: [right, left],
+        on: "internal",
+        line: path.line,
+        ids: path.ids.clone(),
+    })
+}
+
+fn farthest(points: &[Vec2]) -> Option<(usize, usize)> {
+    let stride = points.len() / 400 + 1;
+    let mut best: Option<(f64, usize, usize)> = None;
+    for i in (0..points.len()).step_by(stride) {
+        for j in i + 1..points.len() {
+            let d = (points[j] - points[i]).norm();
+            if best.is_none_or(|b| d > b.0 + 1e-9) {
+                best = Some((d, i, j));
+            }
+        }
+    }
+    best.map(|(_, i, j)| (i, j))
+}
+
+/// Two notches at a mouth and a drill hole near the apex: only a candidate, a person must say.
+#[must_use]
+pub fn candidates(notches: &[Vec2], drills: &[Vec2], darts: &[DrawnDart]) -> Vec<(Vec2, [Vec2; 2])> {
+    let mut found = Vec::new();
+    for drill in drills.iter().take(200) {
+        let taken = darts.iter().any(|d| {
+            let polygon: Vec<Vec2> = d.legs[0].iter().chain(d.legs[1].iter().rev()).copied().collect();
+            d.apexes.iter().any(|a| (a - drill).norm() < 30.0) || geom::inside(*drill, &polygon)
+        });
+        if taken {
+            continue;
+        }
+        let near: Vec<Vec2> =
+            notches.iter().copied().filter(|p| (25.0..=400.0).contains(&(p - drill).norm())).take(200).collect();
+        let pair =
+            near.iter().enumerate().flat_map(|(i, a)| near[i + 1..].iter().map(move |b| (*a, *b))).find(|(a, b)| {
+                let (u, v) = ((a - drill).norm(), (b - drill).norm());
+                (u - v).abs() <= 0.05 * u.max(v) && wedge_test(*drill, *a, *b, 5.0).is_ok()
+            });
+        found.extend(pair.map(|(a, b)| (*drill, [a, b])));
+    }
+    found
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::outline::Marks;
+    use super::*;
+
+    fn path(points: &[(f64, f64)], closed: bool) -> Path {
+        let points = points.iter().map(|(x, y)| (Vec2::new(*x, *y), true)).collect();
+        Path { ids: vec![7], line: 9, points, closed }
+    }
+
+    fn sheet() -> Outline {
+        let mut o = Outline::new(path(&[(0.0, 0.0), (300.0, 0.0), (300.0, 600.0), (0.0, 600.0)], true));
+        o.classify(&Marks::new(&[], &[]));
+        o
+    }
+
+    #[test]
+    fn bent_line_two_lines_and_triangle_are_one_dart() {
+        let forms = [
+            vec![path(&[(135.0, 600.0), (150.0, 500.0), (165.0, 600.0)], false)],
+            vec![path(&[(150.0, 500.0), (135.0, 600.0)], false), path(&[(165.0, 600.0), (150.0, 500.1)], false)],
+            vec![path(&[(165.0, 600.0), (135.0, 600.0), (150.0, 500.0)], true)],
+        ];
+        for form in forms {
+            let darts = marked(&form, &sheet());
+            assert_eq!(darts.len(), 1, "{form:?}");
+            assert!((darts[0].apexes[0] - Vec2::new(150.0, 500.0)).norm() <= 0.1 + 1e-9);
+            assert_eq!(darts[0].mouth[0], Vec2::new(165.0, 600.0), "counter-clockwise first");
+        }
+    }
+
+    #[test]
+    fn lines_that_end_inside_are_no_darts() {
+        assert!(marked(&[path(&[(135.0, 580.0), (150.0, 500.0), (165.0, 580.0)], false)], &sheet()).is_empty());
+    }
+
+    #[test]
+    fn lens_but_not_a_welt_pocket() {
+        let o = sheet().positions();
+        let eye = path(&[(150.0, 450.0), (162.0, 300.0), (150.0, 150.0), (138.0, 300.0)], true);
+        let darts = lenses(&[eye], &o);
+        assert_eq!(darts.len(), 1);
+        assert!((darts[0].width() - 24.0).abs() < 1e-9);
+        assert_eq!(darts[0].apexes.len(), 2);
+        let welt = path(&[(100.0, 300.0), (240.0, 300.0), (240.0, 312.0), (100.0, 312.0)], true);
+        assert!(lenses(&[welt], &o).is_empty());
+    }
+
+    #[test]
+    fn notches_and_drill_are_a_candidate() {
+        let c = candidates(&[Vec2::new(135.0, 600.0), Vec2::new(165.0, 600.0)], &[Vec2::new(150.0, 510.0)], &[]);
+        assert_eq!(c.len(), 1);
+    }
+}

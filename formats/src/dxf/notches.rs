@@ -1,0 +1,199 @@
+//! Notches from points and from strokes.
+
+use super::geom::{self, PointIndex};
+use super::sheet::{Mark, Stroke};
+use toile_garment::Vec2;
+use toile_garment::notch::NotchKind;
+
+/// Notches of one kind this near each other are one, mm.
+const DOUBLED: f64 = 0.05;
+/// A notch lies on a line within this, mm.
+const ON: f64 = 0.5;
+/// Strokes this near each other belong to one notch, mm.
+const ONE_NOTCH: f64 = 1.5;
+
+/// A notch as drawn, mm.
+#[derive(Clone, Debug, PartialEq)]
+pub struct DrawnNotch {
+    /// Shape.
+    pub kind: NotchKind,
+    /// Base point.
+    pub at: Vec2,
+    /// Depth.
+    pub depth: f64,
+    /// Width at the line.
+    pub width: f64,
+    /// Inward direction, radians, where the file gives one.
+    pub angle: Option<f64>,
+    /// `boundary`, `sew`, `internal` or `off`.
+    pub on: &'static str,
+    /// Distance from the boundary.
+    pub off: f64,
+    /// Line in the file.
+    pub line: u64,
+}
+
+/// The lines of a piece a notch can sit on.
+pub struct Ground<'a> {
+    /// Cut line, counter-clockwise.
+    pub boundary: &'a [Vec2],
+    /// Sew line.
+    pub sew: Option<&'a [Vec2]>,
+    /// Internal lines and whether they are closed.
+    pub internal: &'a [(Vec<Vec2>, bool)],
+}
+
+impl Ground<'_> {
+    /// Where a point sits, and how far from the boundary.
+    #[must_use]
+    pub fn place(&self, p: Vec2) -> (&'static str, f64) {
+        let off = geom::distance(p, self.boundary, true);
+        let on = if off <= ON {
+            "boundary"
+        } else if self.sew.is_some_and(|s| geom::distance(p, s, true) <= ON) {
+            "sew"
+        } else if self.internal.iter().any(|(l, closed)| geom::distance(p, l, *closed) <= ON) {
+            "internal"
+        } else {
+            "off"
+        };
+        (on, off)
+    }
+
+    /// Inward normal at the boundary point nearest to `p`, radians.
+    fn inward(&self, p: Vec2) -> Option<f64> {
+        let foot = geom::nearest(p, self.boundary, true)?;
+        let n = self.boundary.len();
+        let d = self.boundary[(foot.segment + 1) % n] - self.boundary[foot.segment];
+        (d.norm() > 0.0).then(|| libm::atan2(d.x, -d.y))
+    }
+}
+
+/// Notches from points: doubled ones merged, direction made to point inwards.
+#[must_use]
+pub fn from_marks(marks: &[Mark], ground: &Ground<'_>) -> (Vec<DrawnNotch>, Vec<u32>) {
+    let mut out: Vec<DrawnNotch> = Vec::new();
+    let mut doubled = Vec::new();
+    let mut seen = PointIndex::new(DOUBLED, []);
+    for mark in marks {
+        if !seen.insert_new(mark.at, out.len(), DOUBLED) {
+            doubled.push(mark.id);
+            continue;
+        }
+        let width = mark.width.unwrap_or(0.0).abs();
+        let kind = mark.kind.unwrap_or(if width > 0.0 { NotchKind::V } else { NotchKind::Slit });
+        let (on, off) = ground.place(mark.at);
+        let angle = mark.angle.map(|a| {
+            let inward = ground.inward(mark.at).unwrap_or(a);
+            if libm::cos(a - inward) >= -1e-9 { a } else { inward }
+        });
+        let depth = mark.depth.unwrap_or(0.0).abs();
+        out.push(DrawnNotch { kind, at: mark.at, depth, width, angle, on, off, line: mark.line });
+    }
+    (out, doubled)
+}
+
+/// Notches drawn as strokes: near strokes are one notch, its base is where it meets the boundary.
+#[must_use]
+pub fn from_strokes(strokes: &[Stroke], ground: &Ground<'_>) -> Vec<DrawnNotch> {
+    groups(strokes).iter().filter_map(|g| grouped(g, ground)).collect()
+}
+
+fn groups(strokes: &[Stroke]) -> Vec<Vec<Stroke>> {
+    let mut group: Vec<usize> = (0..strokes.len()).collect();
+    fn root(group: &mut [usize], mut i: usize) -> usize {
+        while group[i] != i {
+            group[i] = group[group[i]];
+            i = group[i];
+        }
+        i
+    }
+    for i in 0..strokes.len() {
+        for j in 0..i {
+            if near(&strokes[i], &strokes[j]) {
+                let (a, b) = (root(&mut group, i), root(&mut group, j));
+                group[a.max(b)] = a.min(b);
+            }
+        }
+    }
+    let mut out: Vec<Vec<Stroke>> = vec![Vec::new(); strokes.len()];
+    for (i, stroke) in strokes.iter().enumerate() {
+        let r = root(&mut group, i);
+        out[r].push(*stroke);
+    }
+    out.retain(|g| !g.is_empty());
+    out
+}
+
+fn near(a: &Stroke, b: &Stroke) -> bool {
+    let end = |p: Vec2, s: &Stroke| geom::point_segment(p, s.ends[0], s.ends[1]).0;
+    let gap = a.ends.iter().map(|p| end(*p, b)).chain(b.ends.iter().map(|p| end(*p, a))).fold(f64::INFINITY, f64::min);
+    gap <= ONE_NOTCH
+}
+
+fn grouped(group: &[Stroke], ground: &Ground<'_>) -> Option<DrawnNotch> {
+    let ends: Vec<Vec2> = group.iter().flat_map(|s| s.ends).collect();
+    let offs: Vec<f64> = ends.iter().map(|p| geom::distance(*p, ground.boundary, true)).collect();
+    let nearest = offs.iter().copied().fold(f64::INFINITY, f64::min);
+    let depth = offs.iter().copied().fold(0.0, f64::max) - nearest;
+    let base: Vec<Vec2> = ends.iter().zip(&offs).filter(|(_, o)| **o <= nearest + 0.1).map(|(p, _)| *p).collect();
+    let (lo, hi) = geom::bounds(base.iter().copied())?;
+    let (middle, width) = ((lo + hi) * 0.5, (hi - lo).norm());
+    let shares_end = |a: &Stroke, b: &Stroke| a.ends.iter().any(|p| b.ends.iter().any(|q| (p - q).norm() < 0.01));
+    let kind = match group {
+        [_] => NotchKind::Slit,
+        [a, b] if shares_end(a, b) => NotchKind::V,
+        [_, _] => NotchKind::T,
+        [_, _, _] => NotchKind::Castle,
+        _ => NotchKind::U,
+    };
+    let (on, off) = ground.place(middle);
+    Some(DrawnNotch { kind, at: middle, depth, width, angle: None, on, off, line: group[0].line })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn square() -> Vec<Vec2> {
+        [(0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (0.0, 100.0)].map(|(x, y)| Vec2::new(x, y)).to_vec()
+    }
+
+    fn mark(x: f64, y: f64, angle: Option<f64>) -> Mark {
+        let at = Vec2::new(x, y);
+        Mark { id: 0, line: 1, at, depth: Some(-4.0), width: Some(3.0), angle, kind: None }
+    }
+
+    #[test]
+    fn doubled_points_merge_and_outward_angles_turn() {
+        let line = square();
+        let ground = Ground { boundary: &line, sew: None, internal: &[] };
+        // On the right edge inwards is -x, 180 degrees; the file says 0.
+        let marks = [mark(100.0, 50.0, Some(0.0)), mark(100.0, 50.03, None), mark(60.0, 50.0, None)];
+        let (notches, doubled) = from_marks(&marks, &ground);
+        assert_eq!((notches.len(), doubled.len()), (2, 1));
+        assert!((notches[0].angle.expect("angle") - std::f64::consts::PI).abs() < 1e-9);
+        assert_eq!((notches[0].kind, notches[0].depth, notches[0].on), (NotchKind::V, 4.0, "boundary"));
+        assert_eq!((notches[1].on, notches[1].off), ("off", 40.0));
+    }
+
+    #[test]
+    fn strokes_group_into_notches() {
+        let line = square();
+        let ground = Ground { boundary: &line, sew: None, internal: &[] };
+        let stroke =
+            |a: (f64, f64), b: (f64, f64)| Stroke { id: 0, line: 1, ends: [Vec2::new(a.0, a.1), Vec2::new(b.0, b.1)] };
+        let strokes = [
+            stroke((100.0, 80.0), (95.0, 80.0)),
+            stroke((95.0, 30.0), (100.0, 33.0)),
+            stroke((95.0, 30.0), (100.0, 27.0)),
+            stroke((100.0, 50.0), (95.0, 50.0)),
+            stroke((95.0, 48.0), (95.0, 52.0)),
+        ];
+        let notches = from_strokes(&strokes, &ground);
+        let kinds: Vec<NotchKind> = notches.iter().map(|n| n.kind).collect();
+        assert_eq!(kinds, [NotchKind::Slit, NotchKind::V, NotchKind::T]);
+        assert!((notches[1].at - Vec2::new(100.0, 30.0)).norm() < 1e-9 && (notches[1].width - 6.0).abs() < 1e-9);
+        assert!((notches[0].depth - 5.0).abs() < 1e-9);
+    }
+}

@@ -1,0 +1,411 @@
+//! Tags into the faithful model: sections, blocks, polylines with their vertices.
+
+use super::entity;
+use super::findings::Findings;
+use super::limits;
+use super::model::{Block, Drawing, Entity, Shape, Vertex};
+use super::tags::{Tag, Tags, number};
+use crate::encoding::{self, TextEncoding};
+use toile_garment::{Diagnostic, Vec2};
+
+/// A `0` tag and the tags up to the next one.
+pub(crate) struct Group<'a> {
+    pub head: Tag<'a>,
+    pub tags: Vec<Tag<'a>>,
+}
+
+struct Groups<'a> {
+    tags: Tags<'a>,
+    ahead: Option<Tag<'a>>,
+}
+
+impl<'a> Groups<'a> {
+    fn next(&mut self, findings: &mut Findings) -> Result<Option<Group<'a>>, Diagnostic> {
+        let head = match self.ahead.take() {
+            Some(tag) => Some(tag),
+            None => self.tags.next(findings)?,
+        };
+        let Some(head) = head else { return Ok(None) };
+        if head.code != 0 {
+            let text = format!("group code {} stands outside any entity", head.code);
+            return Err(Diagnostic::error("stray-pair", text).at(findings.place(head.line)));
+        }
+        let mut tags = Vec::new();
+        while let Some(tag) = self.tags.next(findings)? {
+            if tag.code == 0 {
+                self.ahead = Some(tag);
+                break;
+            }
+            if tags.len() >= limits::PAIRS_PER_ENTITY {
+                let text = format!("an entity of more than {} pairs", limits::PAIRS_PER_ENTITY);
+                return Err(Diagnostic::error("entity-too-large", text).at(findings.place(head.line)));
+            }
+            tags.push(tag);
+        }
+        Ok(Some(Group { head, tags }))
+    }
+}
+
+#[derive(Default)]
+struct Header {
+    release: Option<String>,
+    code_page: Option<String>,
+    insunits: Option<i64>,
+}
+
+fn read_header(bytes: &[u8], findings: &mut Findings) -> Result<Header, Diagnostic> {
+    let mut groups = Groups { tags: Tags::new(bytes), ahead: None };
+    let mut header = Header::default();
+    while let Some(group) = groups.next(findings)? {
+        if group.head.is("SECTION") && group.tags.first().is_some_and(|t| t.code == 2 && t.is("HEADER")) {
+            let text = |v: &[u8]| String::from_utf8_lossy(v).into_owned();
+            for pair in group.tags.windows(2) {
+                if pair[0].code != 9 {
+                    continue;
+                }
+                if pair[0].is("$ACADVER") {
+                    header.release = Some(text(pair[1].value));
+                } else if pair[0].is("$DWGCODEPAGE") {
+                    header.code_page = Some(text(pair[1].value));
+                } else if pair[0].is("$INSUNITS") {
+                    header.insunits = text(pair[1].value).parse().ok();
+                }
+            }
+            break;
+        }
+        if group.head.is("BLOCK") || group.head.is("EOF") {
+            break;
+        }
+    }
+    Ok(header)
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum Section {
+    None,
+    Blocks,
+    Entities,
+    Skipped,
+}
+
+struct OpenPolyline {
+    entity: Entity,
+    vertices: Vec<Vertex>,
+    closed: bool,
+    mirror: bool,
+    mesh: bool,
+}
+
+struct Parser<'f> {
+    findings: &'f mut Findings,
+    encoding: TextEncoding,
+    blocks: Vec<Block>,
+    entities: Vec<Entity>,
+    section: Section,
+    block: Option<Block>,
+    polyline: Option<OpenPolyline>,
+    count: u32,
+    vertex_count: u64,
+    sections: u32,
+    ended: bool,
+    after_end: bool,
+}
+
+/// Reads a file into the faithful model.
+///
+/// # Errors
+/// The first mistake that makes the rest unsafe to read; mistakes inside entities are collected in `findings`.
+pub fn parse(bytes: &[u8], findings: &mut Findings) -> Result<Drawing, Diagnostic> {
+    let bytes = super::tags::sniff(bytes, findings)?;
+    let header = read_header(bytes, findings)?;
+    let encoding = encoding::choose(bytes, header.release.as_deref(), header.code_page.as_deref());
+    if encoding.guessed {
+        let text = format!("the file names no code page; its text was read as {}", encoding.name());
+        findings.push(Diagnostic::warning("encoding-guessed", text).at(findings.place(1)));
+    }
+    let mut groups = Groups { tags: Tags::new(bytes), ahead: None };
+    let mut parser = Parser {
+        findings,
+        encoding,
+        blocks: Vec::new(),
+        entities: Vec::new(),
+        section: Section::None,
+        block: None,
+        polyline: None,
+        count: 0,
+        vertex_count: 0,
+        sections: 0,
+        ended: false,
+        after_end: false,
+    };
+    while let Some(group) = groups.next(parser.findings)? {
+        parser.group(&group)?;
+    }
+    parser.end(groups.tags)?;
+    Ok(Drawing {
+        release: header.release,
+        insunits: header.insunits,
+        encoding,
+        blocks: parser.blocks,
+        entities: parser.entities,
+        entity_count: parser.count,
+        vertex_count: parser.vertex_count,
+    })
+}
+
+impl Parser<'_> {
+    fn error(&mut self, code: &str, text: String, line: u64) {
+        let place = self.findings.place(line);
+        self.findings.push(Diagnostic::error(code, text).at(place));
+    }
+
+    fn warn(&mut self, code: &str, text: String, line: u64) {
+        let place = self.findings.place(line);
+        self.findings.push(Diagnostic::warning(code, text).at(place));
+    }
+
+    fn text(&self, value: &[u8]) -> String {
+        encoding::unescape(&self.encoding.decode(value))
+    }
+
+    fn group(&mut self, group: &Group<'_>) -> Result<(), Diagnostic> {
+        let head = group.head;
+        if self.ended {
+            if !self.after_end {
+                self.after_end = true;
+                self.warn("data-after-eof", "there are entities after EOF; they were not read".into(), head.line);
+            }
+            return Ok(());
+        }
+        if head.is("SECTION") {
+            return self.open_section(group);
+        }
+        if head.is("ENDSEC") || head.is("EOF") {
+            return self.close_section(&head);
+        }
+        match self.section {
+            Section::None => {
+                let name = self.text(head.value);
+                let text = format!("`{name}` stands outside any SECTION");
+                return Err(Diagnostic::error("outside-section", text)
+                    .at(self.findings.place(head.line))
+                    .hint("a SECTION or ENDSEC line is damaged"));
+            }
+            Section::Skipped => {}
+            Section::Blocks if head.is("BLOCK") => self.open_block(group),
+            Section::Blocks if head.is("ENDBLK") => self.close_block(Some(head.line)),
+            _ => self.entity(group)?,
+        }
+        if self.findings.errors_full() {
+            return Err(Diagnostic::error("too-many-errors", "too many errors; reading stopped here")
+                .at(self.findings.place(head.line)));
+        }
+        Ok(())
+    }
+
+    fn open_section(&mut self, group: &Group<'_>) -> Result<(), Diagnostic> {
+        let line = group.head.line;
+        if self.section != Section::None {
+            self.close_polyline(None);
+            self.close_block(None);
+            self.warn("section-not-closed", "a SECTION begins before the one above has ended".into(), line);
+        }
+        let Some(name) = group.tags.first().filter(|t| t.code == 2) else {
+            return Err(
+                Diagnostic::error("section-without-name", "a SECTION without a name").at(self.findings.place(line))
+            );
+        };
+        self.sections += 1;
+        const KNOWN: [&str; 6] = ["HEADER", "CLASSES", "TABLES", "OBJECTS", "THUMBNAILIMAGE", "ACDSDATA"];
+        self.section = if name.is("BLOCKS") {
+            Section::Blocks
+        } else if name.is("ENTITIES") {
+            Section::Entities
+        } else {
+            if !KNOWN.iter().any(|k| name.is(k)) {
+                let shown = self.text(name.value);
+                self.error("unknown-section", format!("unknown section `{shown}`"), name.line);
+            }
+            Section::Skipped
+        };
+        Ok(())
+    }
+
+    fn close_section(&mut self, head: &Tag<'_>) -> Result<(), Diagnostic> {
+        let open = self.polyline.is_some();
+        self.close_polyline(if open { Some(head.line) } else { None });
+        if self.block.is_some() {
+            self.warn("block-not-closed", "a BLOCK ends without ENDBLK".into(), head.line);
+            self.close_block(None);
+        }
+        if head.is("EOF") {
+            if self.section != Section::None {
+                self.warn("section-not-closed", "the last SECTION ends without ENDSEC".into(), head.line);
+            }
+            self.ended = true;
+        } else if self.section == Section::None {
+            self.warn("endsec-without-section", "ENDSEC without a SECTION".into(), head.line);
+        }
+        self.section = Section::None;
+        Ok(())
+    }
+
+    fn open_block(&mut self, group: &Group<'_>) {
+        self.close_polyline(Some(group.head.line));
+        if self.block.is_some() {
+            self.warn("block-not-closed", "a BLOCK begins before the one above has ended".into(), group.head.line);
+            self.close_block(None);
+        }
+        let mut block = Block { name: String::new(), base: Vec2::zeros(), line: group.head.line, entities: Vec::new() };
+        let mut named = false;
+        for tag in &group.tags {
+            match tag.code {
+                2 => {
+                    block.name = self.text(tag.value);
+                    named = true;
+                }
+                10 | 20 => match number(tag, self.findings) {
+                    Ok(v) if tag.code == 10 => block.base.x = v,
+                    Ok(v) => block.base.y = v,
+                    Err(e) => self.findings.push(e),
+                },
+                _ => {}
+            }
+        }
+        if !named {
+            self.warn("block-without-name", "a BLOCK without a name".into(), block.line);
+            block.name = format!("BLOCK_{}", self.blocks.len() + 1);
+        }
+        self.block = Some(block);
+    }
+
+    fn close_block(&mut self, endblk: Option<u64>) {
+        self.close_polyline(endblk);
+        match (self.block.take(), endblk) {
+            (Some(block), _) => self.blocks.push(block),
+            (None, Some(line)) => self.error("endblk-without-block", "ENDBLK without a BLOCK".into(), line),
+            (None, None) => {}
+        }
+    }
+
+    fn entity(&mut self, group: &Group<'_>) -> Result<(), Diagnostic> {
+        let head = group.head;
+        if head.is("VERTEX") {
+            self.vertex(group);
+            return Ok(());
+        }
+        if head.is("SEQEND") {
+            if self.polyline.is_none() && !self.last_takes_seqend() {
+                self.warn("stray-seqend", "SEQEND without a POLYLINE".into(), head.line);
+            }
+            self.close_polyline(None);
+            return Ok(());
+        }
+        self.close_polyline(Some(head.line));
+        if self.section == Section::Blocks && self.block.is_none() {
+            let name = self.text(head.value);
+            self.error("entity-outside-block", format!("`{name}` stands in BLOCKS but in no BLOCK"), head.line);
+            return Ok(());
+        }
+        let id = self.count;
+        self.count += 1;
+        if self.count as usize > limits::ENTITIES {
+            let text = format!("more than {} entities", limits::ENTITIES);
+            return Err(Diagnostic::error("too-many-entities", text).at(self.findings.place(head.line)));
+        }
+        if head.is("POLYLINE") {
+            self.open_polyline(id, group);
+            return Ok(());
+        }
+        let encoding = self.encoding;
+        let entity = entity::read(id, group, encoding, self.findings);
+        if let Some(entity) = entity {
+            if let Shape::Polyline { vertices, .. } = &entity.shape {
+                self.vertex_count += vertices.len() as u64;
+            }
+            self.store(entity);
+        }
+        Ok(())
+    }
+
+    /// ATTRIBs after an INSERT are closed by a SEQEND too.
+    fn last_takes_seqend(&self) -> bool {
+        let list = self.block.as_ref().map_or(&self.entities, |b| &b.entities);
+        list.last().is_some_and(|e| matches!(e.shape, Shape::Attribute | Shape::Insert { .. }))
+    }
+
+    fn store(&mut self, entity: Entity) {
+        match &mut self.block {
+            Some(block) if self.section == Section::Blocks => block.entities.push(entity),
+            _ => self.entities.push(entity),
+        }
+    }
+
+    fn open_polyline(&mut self, id: u32, group: &Group<'_>) {
+        let flags = entity::integer(group, 70).unwrap_or(0);
+        let entity = entity::shell(id, group, self.encoding, Shape::Other("POLYLINE".into()));
+        self.polyline = Some(OpenPolyline {
+            entity,
+            vertices: Vec::new(),
+            closed: flags & 1 != 0,
+            mirror: entity::mirrored(group),
+            mesh: flags & (16 | 64) != 0,
+        });
+    }
+
+    fn vertex(&mut self, group: &Group<'_>) {
+        let line = group.head.line;
+        if self.polyline.is_none() {
+            self.error("stray-vertex", "a VERTEX outside a POLYLINE: an outline here is incomplete".into(), line);
+            return;
+        }
+        self.vertex_count += 1;
+        // Bit 16: a control point of a curve whose fitted vertices also stand in the file.
+        let frame = entity::integer(group, 70).unwrap_or(0) & 16 != 0;
+        let vertex = entity::vertex(group, self.findings);
+        let (Some(polyline), Some(mut vertex)) = (self.polyline.as_mut(), vertex) else { return };
+        if polyline.mirror {
+            vertex.at.x = -vertex.at.x;
+            vertex.bulge = -vertex.bulge;
+        }
+        if !frame {
+            polyline.vertices.push(vertex);
+        }
+        if polyline.vertices.len() > limits::OUTLINE_POINTS {
+            polyline.vertices.clear();
+            let text = format!("a POLYLINE of more than {} vertices", limits::OUTLINE_POINTS);
+            self.error("polyline-too-long", text, line);
+        }
+    }
+
+    fn close_polyline(&mut self, without_seqend: Option<u64>) {
+        let Some(open) = self.polyline.take() else { return };
+        if let Some(line) = without_seqend {
+            self.warn("polyline-without-seqend", "a POLYLINE ends without SEQEND".into(), line);
+        }
+        let mut entity = open.entity;
+        if !open.mesh {
+            entity.shape = Shape::Polyline { vertices: open.vertices, closed: open.closed, light: false };
+        }
+        self.store(entity);
+    }
+
+    fn end(&mut self, tags: Tags<'_>) -> Result<(), Diagnostic> {
+        tags.report(self.findings);
+        let line = tags.line();
+        if self.ended {
+            return Ok(());
+        }
+        if self.section != Section::None || self.polyline.is_some() || self.block.is_some() {
+            let place = self.findings.place(line);
+            return Err(Diagnostic::error("file-truncated", "the file ends in the middle of a section: it is cut off")
+                .at(place)
+                .hint("get a whole copy of the file"));
+        }
+        if self.sections == 0 {
+            return Err(Diagnostic::error("not-dxf", "there is no SECTION in this file").at(self.findings.place(1)));
+        }
+        self.warn("eof-missing", "the end mark EOF is missing".into(), line);
+        Ok(())
+    }
+}

@@ -1,0 +1,299 @@
+//! A block sorted by layer, in millimetres: lines flattened, points, strokes and texts by their role.
+
+use super::chain::Path;
+use super::curve;
+use super::findings::Findings;
+use super::geom;
+use super::layers::{Layers, Role};
+use super::ledger::{Ledger, Verdict};
+use super::limits;
+use super::model::{Block, Entity, Shape};
+use std::collections::BTreeMap;
+use toile_garment::notch::NotchKind;
+use toile_garment::{Diagnostic, Vec2};
+
+/// Chords keep this near the curve, mm.
+pub const FLATNESS: f64 = 0.05;
+
+/// A notch point.
+#[derive(Clone, Debug)]
+pub struct Mark {
+    pub id: u32,
+    pub line: u64,
+    pub at: Vec2,
+    pub depth: Option<f64>,
+    pub width: Option<f64>,
+    pub angle: Option<f64>,
+    pub kind: Option<NotchKind>,
+}
+
+/// A straight stroke.
+#[derive(Clone, Copy, Debug)]
+pub struct Stroke {
+    pub id: u32,
+    pub line: u64,
+    pub ends: [Vec2; 2],
+}
+
+/// A text with its place.
+#[derive(Clone, Debug)]
+pub struct Note {
+    pub at: Vec2,
+    pub layer: String,
+    pub text: String,
+}
+
+/// A block by layers.
+#[derive(Clone, Debug, Default)]
+pub struct Sheet {
+    pub boundary: Vec<Path>,
+    pub dense: Vec<Path>,
+    pub sew: Vec<Path>,
+    pub dense_sew: Vec<Path>,
+    pub internal: Vec<Path>,
+    pub cutouts: Vec<Path>,
+    pub turn: Vec<Vec2>,
+    pub curve: Vec<Vec2>,
+    pub marks: Vec<Mark>,
+    pub notch_strokes: Vec<Stroke>,
+    pub reference: Vec<Stroke>,
+    pub mirror: Vec<Stroke>,
+    pub grain: Vec<Stroke>,
+    pub drills: Vec<Stroke>,
+    pub notes: Vec<Note>,
+}
+
+/// Placement of an inserted block.
+#[derive(Clone, Copy, Debug)]
+struct Placing {
+    base: Vec2,
+    scale: [f64; 2],
+    angle: f64,
+    at: Vec2,
+}
+
+/// What sorting needs.
+pub(crate) struct Sorter<'a> {
+    pub layers: &'a Layers,
+    pub mm: f64,
+    pub blocks: &'a [Block],
+    pub by_name: &'a BTreeMap<String, Vec<usize>>,
+    pub ledger: &'a mut Ledger,
+    pub findings: &'a mut Findings,
+    expanded: usize,
+}
+
+impl<'a> Sorter<'a> {
+    pub(crate) fn new(
+        layers: &'a Layers,
+        mm: f64,
+        blocks: &'a [Block],
+        by_name: &'a BTreeMap<String, Vec<usize>>,
+        ledger: &'a mut Ledger,
+        findings: &'a mut Findings,
+    ) -> Self {
+        Self { layers, mm, blocks, by_name, ledger, findings, expanded: 0 }
+    }
+
+    /// Does the block hold a line on layer 1 itself?
+    pub(crate) fn has_boundary(&self, block: &Block) -> bool {
+        block.entities.iter().any(|e| self.layers.role(&e.layer) == Role::Boundary && !e.shape.extent().is_empty())
+    }
+
+    /// Sorts one block. `mirror`: the block is inserted with one negative scale, so x is reversed.
+    pub(crate) fn block(&mut self, index: usize, mirror: bool) -> Sheet {
+        let mut sheet = Sheet::default();
+        let mut placings = Vec::new();
+        if mirror {
+            let base = self.blocks[index].base * self.mm;
+            placings.push(Placing { base, scale: [-1.0, 1.0], angle: 0.0, at: base });
+        }
+        let own = self.has_boundary(&self.blocks[index]);
+        self.fill(&mut sheet, index, &placings, own, &mut vec![index]);
+        sheet
+    }
+
+    /// Sorts loose entities.
+    pub(crate) fn loose<'e>(&mut self, entities: impl Iterator<Item = &'e Entity>) -> Sheet {
+        let mut sheet = Sheet::default();
+        for entity in entities {
+            self.entity(&mut sheet, entity, self.layers.role(&entity.layer), &[]);
+        }
+        sheet
+    }
+
+    fn fill(&mut self, sheet: &mut Sheet, index: usize, placings: &[Placing], own: bool, path: &mut Vec<usize>) {
+        let blocks = self.blocks;
+        for entity in &blocks[index].entities {
+            let Shape::Insert { block, at, scale, rotation } = &entity.shape else {
+                self.entity(sheet, entity, self.layers.role(&entity.layer), placings);
+                continue;
+            };
+            let place = self.findings.place_in(&blocks[index].name, Some(&entity.layer), entity.line);
+            let target = self.by_name.get(block).and_then(|list| list.first()).copied();
+            let problem = match target {
+                _ if own => Some(("insert-not-expanded", "the block has an outline of its own")),
+                None => Some(("block-missing", "there is no such block")),
+                Some(t) if path.contains(&t) => Some(("insert-recursive", "it would insert itself")),
+                Some(_) if path.len() >= limits::INSERT_DEPTH => {
+                    Some(("insert-too-deep", "blocks are nested too deeply"))
+                }
+                Some(_) if self.expanded >= limits::ENTITIES => Some(("insert-too-many", "too many entities")),
+                Some(_) => None,
+            };
+            if let Some((code, why)) = problem {
+                let text = format!("the INSERT of `{block}` inside block `{}` was left out: {why}", blocks[index].name);
+                self.findings.push(Diagnostic::warning(code, text).at(place));
+                self.ledger.note(entity.id, Verdict::Refused, "INSERT inside a block, not expanded");
+                continue;
+            }
+            let Some(target) = target else { continue };
+            self.ledger.note(entity.id, Verdict::Interpreted, "INSERT inside a block without outline, expanded");
+            let angle = rotation.to_radians();
+            let mut inner =
+                vec![Placing { base: blocks[target].base * self.mm, scale: *scale, angle, at: at * self.mm }];
+            inner.extend_from_slice(placings);
+            path.push(target);
+            self.fill(sheet, target, &inner, false, path);
+            path.pop();
+        }
+    }
+
+    fn entity(&mut self, sheet: &mut Sheet, entity: &Entity, role: Role, placings: &[Placing]) {
+        self.expanded = self.expanded.saturating_add(1);
+        let mm = self.mm;
+        let place = |p: Vec2| placings.iter().fold(p * mm, |p, placing| placing.apply(p));
+        let (id, line) = (entity.id, entity.line);
+        let accepted = |ledger: &mut Ledger, rule| ledger.note(id, Verdict::Accepted, rule);
+        match (&entity.shape, role) {
+            (Shape::Text { at, value }, _) => {
+                accepted(self.ledger, "text");
+                sheet.notes.push(Note { at: place(*at), layer: entity.layer.clone(), text: value.clone() });
+            }
+            (Shape::Attribute, _) => self.ledger.note(id, Verdict::Interpreted, "attribute: notch link, not needed"),
+            (Shape::Point { at, .. }, Role::Turn) => {
+                accepted(self.ledger, "turn point (layer 2)");
+                sheet.turn.push(place(*at));
+            }
+            (Shape::Point { at, .. }, Role::Curve) => {
+                accepted(self.ledger, "curve point (layer 3)");
+                sheet.curve.push(place(*at));
+            }
+            (Shape::Point { at, depth, width, angle }, Role::Notch(kind)) => {
+                accepted(self.ledger, "notch point (layers 4, 80 to 83)");
+                let turned = |a: f64| turn_angle(a.to_radians(), placings);
+                let (depth, width) = (depth.map(|d| d * mm), width.map(|w| w * mm));
+                let angle = angle.map(turned);
+                sheet.marks.push(Mark { id, line, at: place(*at), depth, width, angle, kind });
+            }
+            (Shape::Point { at, .. }, Role::Drill) => {
+                accepted(self.ledger, "drill hole (layer 13)");
+                let at = place(*at);
+                sheet.drills.push(Stroke { id, line, ends: [at, at] });
+            }
+            (Shape::Circle { center, .. }, Role::Drill) => {
+                self.ledger.note(id, Verdict::Interpreted, "circle on layer 13 read as a drill hole");
+                let at = place(*center);
+                sheet.drills.push(Stroke { id, line, ends: [at, at] });
+            }
+            (Shape::Point { .. }, Role::Boundary) => {
+                self.ledger.note(id, Verdict::Interpreted, "point on layer 1 beside a notch, not needed");
+            }
+            (Shape::Line(ends), Role::Notch(_) | Role::GradeReference | Role::Mirror | Role::Grain) => {
+                let stroke = Stroke { id, line, ends: ends.map(place) };
+                match role {
+                    Role::GradeReference => {
+                        accepted(self.ledger, "grade reference line (layer 5)");
+                        sheet.reference.push(stroke);
+                    }
+                    Role::Mirror => {
+                        accepted(self.ledger, "mirror line (layer 6)");
+                        sheet.mirror.push(stroke);
+                    }
+                    Role::Grain => {
+                        accepted(self.ledger, "grain line (layer 7)");
+                        sheet.grain.push(stroke);
+                    }
+                    _ => {
+                        self.ledger.note(id, Verdict::Interpreted, "line on a notch layer: stroke of a notch");
+                        sheet.notch_strokes.push(stroke);
+                    }
+                }
+            }
+            _ => self.line(sheet, entity, role, &place),
+        }
+    }
+
+    fn line(&mut self, sheet: &mut Sheet, entity: &Entity, role: Role, place: &dyn Fn(Vec2) -> Vec2) {
+        let tol = FLATNESS / self.mm;
+        let drawn = |points: Vec<Vec2>| {
+            let n = points.len();
+            points.into_iter().enumerate().map(move |(i, p)| (p, i == 0 || i + 1 == n)).collect::<Vec<_>>()
+        };
+        let (points, closed, rule) = match &entity.shape {
+            Shape::Polyline { vertices, closed, .. } => (curve::polyline(vertices, *closed, tol), *closed, None),
+            Shape::Line(ends) => (ends.iter().map(|p| (*p, true)).collect(), false, None),
+            Shape::Arc { center, radius, start, end } => {
+                let axis = Vec2::new(*radius, 0.0);
+                let points = curve::ellipse(*center, axis, 1.0, start.to_radians(), end.to_radians(), tol);
+                (drawn(points), false, Some("ARC flattened to 0.05 mm"))
+            }
+            Shape::Circle { center, radius } => {
+                let points = curve::ellipse(*center, Vec2::new(*radius, 0.0), 1.0, 0.0, 0.0, tol);
+                (drawn(points), true, Some("CIRCLE flattened to 0.05 mm"))
+            }
+            Shape::Ellipse { center, major, ratio, start, end } => {
+                let whole = (end - start).abs() < 1e-9 || (end - start - std::f64::consts::TAU).abs() < 1e-6;
+                let points = curve::ellipse(*center, *major, *ratio, *start, *end, tol);
+                (drawn(points), whole, Some("ELLIPSE flattened to 0.05 mm"))
+            }
+            Shape::Spline(s) => (drawn(s.flatten(tol)), s.flags & 1 != 0, Some("SPLINE flattened to 0.05 mm")),
+            Shape::Insert { .. } => return,
+            Shape::Other(_) => {
+                self.ledger.note(entity.id, Verdict::Refused, "entity type not used in patterns");
+                return;
+            }
+            _ => return,
+        };
+        let list = match role {
+            Role::Boundary => (&mut sheet.boundary, "outline (layer 1)"),
+            Role::DenseBoundary => (&mut sheet.dense, "dense copy of the outline (layer 84)"),
+            Role::Sew => (&mut sheet.sew, "sew line (layer 14)"),
+            Role::DenseSew => (&mut sheet.dense_sew, "dense copy of the sew line (layer 87)"),
+            Role::Internal => (&mut sheet.internal, "internal line (layer 8)"),
+            Role::Cutout => (&mut sheet.cutouts, "cutout (layer 11)"),
+            Role::DenseOther => {
+                self.ledger.note(entity.id, Verdict::Interpreted, "dense copy of internal lines, not needed");
+                return;
+            }
+            Role::Match => {
+                self.ledger.note(entity.id, Verdict::Refused, "stripe or plaid line: not used yet");
+                return;
+            }
+            _ => {
+                self.ledger.note(entity.id, Verdict::Refused, "line on a layer without meaning for lines");
+                return;
+            }
+        };
+        match rule {
+            Some(rule) => self.ledger.note(entity.id, Verdict::Interpreted, rule),
+            None => self.ledger.note(entity.id, Verdict::Accepted, list.1),
+        }
+        let points = points.into_iter().map(|(p, own)| (place(p), own)).collect();
+        list.0.push(Path { ids: vec![entity.id], line: entity.line, points, closed });
+    }
+}
+
+impl Placing {
+    fn apply(&self, p: Vec2) -> Vec2 {
+        let local = p - self.base;
+        self.at + geom::rotate(Vec2::new(local.x * self.scale[0], local.y * self.scale[1]), self.angle)
+    }
+}
+
+fn turn_angle(angle: f64, placings: &[Placing]) -> f64 {
+    placings.iter().fold(angle, |a, placing| {
+        let (s, c) = libm::sincos(a);
+        libm::atan2(s * placing.scale[1], c * placing.scale[0]) + placing.angle
+    })
+}

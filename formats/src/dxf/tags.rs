@@ -1,0 +1,195 @@
+//! The tolerant tag reader: code/value pairs with their line numbers.
+
+use super::findings::Findings;
+use super::limits;
+use toile_garment::Diagnostic;
+
+/// One pair; the value is raw bytes without blanks at its ends.
+#[derive(Clone, Copy, Debug)]
+pub struct Tag<'a> {
+    /// Group code.
+    pub code: i32,
+    /// Value.
+    pub value: &'a [u8],
+    /// Line of the code, from 1.
+    pub line: u64,
+}
+
+impl Tag<'_> {
+    /// Is the value this keyword, whatever the case?
+    #[must_use]
+    pub fn is(&self, keyword: &str) -> bool {
+        self.value.eq_ignore_ascii_case(keyword.as_bytes())
+    }
+}
+
+/// Reads pairs one after the other.
+pub struct Tags<'a> {
+    bytes: &'a [u8],
+    at: usize,
+    line: u64,
+    pairs: u64,
+    terminator: u8,
+    comments: u64,
+    blank_lines: u64,
+    first_blank: u64,
+}
+
+const BINARY: &[u8] = b"AutoCAD Binary DXF";
+
+/// Refuses what is no DXF text at all.
+///
+/// # Errors
+/// Empty, too large, binary, UTF-16.
+pub fn sniff<'a>(bytes: &'a [u8], findings: &Findings) -> Result<&'a [u8], Diagnostic> {
+    let place = findings.place(1);
+    if bytes.len() > limits::FILE_BYTES {
+        let text = format!("the file has {} bytes, over the limit of {}", bytes.len(), limits::FILE_BYTES);
+        return Err(Diagnostic::error("file-too-large", text).at(place));
+    }
+    if bytes.starts_with(BINARY) {
+        return Err(Diagnostic::error("binary-dxf", "this is a binary DXF, which pattern files are not")
+            .at(place)
+            .hint("export it as ASCII (text) DXF"));
+    }
+    if bytes.starts_with(&[0xFF, 0xFE]) || bytes.starts_with(&[0xFE, 0xFF]) {
+        return Err(Diagnostic::error("utf-16-text", "the file is UTF-16 text").at(place).hint("save it as UTF-8"));
+    }
+    let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
+    if bytes.iter().all(u8::is_ascii_whitespace) {
+        return Err(Diagnostic::error("file-empty", "the file is empty").at(place));
+    }
+    Ok(bytes)
+}
+
+impl<'a> Tags<'a> {
+    /// Starts at the beginning of sniffed bytes.
+    #[must_use]
+    pub fn new(bytes: &'a [u8]) -> Self {
+        let terminator = if bytes.contains(&b'\n') { b'\n' } else { b'\r' };
+        Self { bytes, at: 0, line: 0, pairs: 0, terminator, comments: 0, blank_lines: 0, first_blank: 0 }
+    }
+
+    fn next_line(&mut self) -> Option<&'a [u8]> {
+        let rest = self.bytes.get(self.at..).filter(|r| !r.is_empty())?;
+        let end = rest.iter().position(|b| *b == self.terminator).unwrap_or(rest.len());
+        self.at += end + 1;
+        self.line += 1;
+        Some(rest[..end].trim_ascii())
+    }
+
+    fn checked_line(&mut self, findings: &Findings) -> Result<Option<&'a [u8]>, Diagnostic> {
+        match self.next_line() {
+            Some(line) if line.len() > limits::LINE_BYTES => {
+                let text = format!("a line of {} bytes, over the limit of {}", line.len(), limits::LINE_BYTES);
+                Err(Diagnostic::error("line-too-long", text).at(findings.place(self.line)))
+            }
+            line => Ok(line),
+        }
+    }
+
+    /// The next pair; comments (999) and blank lines between pairs are passed over and counted.
+    ///
+    /// # Errors
+    /// A code that is no number, a code without a value, too many pairs, a line too long.
+    pub fn next(&mut self, findings: &Findings) -> Result<Option<Tag<'a>>, Diagnostic> {
+        loop {
+            let Some(code) = self.checked_line(findings)? else { return Ok(None) };
+            if code.is_empty() {
+                self.blank_lines += 1;
+                if self.blank_lines == 1 {
+                    self.first_blank = self.line;
+                }
+                continue;
+            }
+            let line = self.line;
+            // Ctrl-Z ends a text file of the DOS age.
+            if code == [0x1A] && self.bytes[self.at.min(self.bytes.len())..].trim_ascii().is_empty() {
+                return Ok(None);
+            }
+            let Some(number) = group_code(code) else { return Err(bad_code(code, line, findings)) };
+            let Some(value) = self.checked_line(findings)? else {
+                let text =
+                    format!("the file ends after group code {number}: its value is missing, the file is cut off");
+                return Err(Diagnostic::error("file-truncated", text)
+                    .at(findings.place(line))
+                    .hint("get a whole copy of the file"));
+            };
+            self.pairs += 1;
+            if self.pairs > limits::PAIRS {
+                let text = format!("more than {} code/value pairs", limits::PAIRS);
+                return Err(Diagnostic::error("too-many-pairs", text).at(findings.place(line)));
+            }
+            if number == 999 {
+                self.comments += 1;
+                continue;
+            }
+            return Ok(Some(Tag { code: number, value, line }));
+        }
+    }
+
+    /// Line reached.
+    #[must_use]
+    pub fn line(&self) -> u64 {
+        self.line
+    }
+
+    /// Says what was passed over.
+    pub fn report(&self, findings: &mut Findings) {
+        if self.blank_lines > 0 {
+            // Blank lines at the very end are how many editors leave a file.
+            let trailing = self.bytes.trim_ascii_end().len();
+            let inside = self.bytes[..trailing].iter().filter(|b| **b == self.terminator).count() as u64;
+            if self.first_blank <= inside {
+                let text = format!("{} blank line(s) between pairs were passed over", self.blank_lines);
+                findings.push(Diagnostic::warning("blank-line", text).at(findings.place(self.first_blank)));
+            }
+        }
+    }
+}
+
+fn group_code(text: &[u8]) -> Option<i32> {
+    let text = std::str::from_utf8(text).ok()?;
+    text.parse::<i32>().ok().filter(|c| (-32_768..=32_767).contains(c))
+}
+
+fn bad_code(code: &[u8], line: u64, findings: &Findings) -> Diagnostic {
+    let shown: String = String::from_utf8_lossy(code).chars().filter(|c| !c.is_control()).take(40).collect();
+    if line == 1 {
+        let text = format!("this is no DXF text: line 1 must be a group code, found `{shown}`");
+        return Diagnostic::error("not-dxf", text).at(findings.place(line));
+    }
+    Diagnostic::error("bad-group-code", format!("expected a group code (a whole number), found `{shown}`"))
+        .at(findings.place(line))
+        .hint("a line is missing or extra just before this one; export the file again")
+}
+
+/// A finite number in range, as every coordinate must be.
+///
+/// # Errors
+/// With the line: not a number, decimal comma, not finite, absurdly large.
+pub fn number(tag: &Tag<'_>, findings: &Findings) -> Result<f64, Diagnostic> {
+    let place = findings.place(tag.line + 1);
+    let shown: String = String::from_utf8_lossy(tag.value).chars().filter(|c| !c.is_control()).take(40).collect();
+    let plain = tag.value.iter().all(|b| b.is_ascii_digit() || b"+-.eE".contains(b));
+    let value = std::str::from_utf8(tag.value).ok().filter(|_| plain).and_then(|t| t.parse::<f64>().ok());
+    match value {
+        Some(v) if v.is_finite() && v.abs() <= limits::COORDINATE => Ok(v),
+        Some(_) => Err(Diagnostic::error(
+            "number-out-of-range",
+            format!("the number `{shown}` (group code {}) is out of range", tag.code),
+        )
+        .at(place)),
+        None if tag.value.contains(&b',') => Err(Diagnostic::error(
+            "decimal-comma",
+            format!("the number `{shown}` (group code {}) has a decimal comma", tag.code),
+        )
+        .at(place)
+        .hint("export with a decimal point")),
+        None => {
+            Err(Diagnostic::error("bad-number", format!("`{shown}` (group code {}) is not a finite number", tag.code))
+                .at(place)
+                .hint("correct the line or export the file again"))
+        }
+    }
+}

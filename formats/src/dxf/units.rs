@@ -1,0 +1,124 @@
+//! Millimetres per file unit: declared, guessed, and checked against the size of the pieces.
+
+use super::findings::Findings;
+use super::texts;
+use toile_garment::Diagnostic;
+
+/// A piece's larger side, mm, is expected in this range.
+const SIDE: std::ops::RangeInclusive<f64> = 50.0..=2000.0;
+/// No piece is larger than this, mm.
+const SIDE_MOST: f64 = 5000.0;
+
+/// The unit of a file.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Units {
+    /// As the style text says it, e.g. `METRIC`.
+    pub declared: Option<String>,
+    /// What was used.
+    pub mm_per_unit: f64,
+}
+
+/// What there is to judge by.
+pub(crate) struct Evidence<'a> {
+    /// The user's own word, mm per unit.
+    pub asked: Option<f64>,
+    /// Value of the text `Units:`.
+    pub text: Option<&'a str>,
+    /// `$INSUNITS`.
+    pub insunits: Option<i64>,
+    /// Value of the text `Tolerance:`.
+    pub tolerance: Option<f64>,
+    /// Larger side of the largest piece, file units.
+    pub side: f64,
+}
+
+pub(crate) fn decide(evidence: &Evidence<'_>, findings: &mut Findings) -> Units {
+    let declared = evidence.text.map(str::to_owned);
+    let place = findings.place(1);
+    let mut say = |f: Diagnostic| findings.push(f.at(place.clone()));
+    let units = |mm_per_unit| Units { declared: declared.clone(), mm_per_unit };
+    if let Some(asked) = evidence.asked {
+        return units(asked);
+    }
+    let from_text = evidence.text.and_then(texts::unit);
+    if let (Some(text), None) = (evidence.text, from_text) {
+        say(Diagnostic::warning("units-unknown", format!("the text `Units: {text}` names no known unit")));
+    }
+    let from_header = match evidence.insunits {
+        Some(1) => Some(25.4),
+        Some(4) => Some(1.0),
+        Some(5) => Some(10.0),
+        Some(6) => Some(1000.0),
+        _ => None,
+    };
+    let side = evidence.side;
+    let Some(mm) = from_text.or(from_header) else {
+        let guess = guess(side, evidence.tolerance);
+        let text = format!(
+            "the file names no unit; {} was taken because the largest piece is then {:.0} mm long",
+            name(guess),
+            side * guess
+        );
+        say(Diagnostic::warning("units-guessed", text).hint("give the unit: units = \"mm\" or \"inch\""));
+        return units(guess);
+    };
+    if side * mm > SIDE_MOST {
+        let better = [1.0, 10.0, 25.4].into_iter().filter(|u| *u < mm).rev().find(|u| SIDE.contains(&(side * u)));
+        if let Some(better) = better {
+            let text = format!(
+                "the file says {}, but a piece would be {:.1} m long; {} was used instead ({:.0} mm)",
+                name(mm),
+                side * mm / 1000.0,
+                name(better),
+                side * better
+            );
+            say(Diagnostic::warning("units-doubtful", text).hint("give the unit: units = \"mm\" or \"inch\""));
+            return units(better);
+        }
+    }
+    if side > 0.0 && (side * mm > SIDE_MOST || side * mm < *SIDE.start()) {
+        let text = format!("with {} the largest piece is only plausible if {:.1} mm is right", name(mm), side * mm);
+        say(Diagnostic::warning("units-doubtful", text).hint("give the unit: units = \"mm\", \"cm\" or \"inch\""));
+    }
+    units(mm)
+}
+
+fn guess(side: f64, tolerance: Option<f64>) -> f64 {
+    if SIDE.contains(&side) {
+        // 50 to 79 units could be inches of a coat; the tolerance of the curves decides.
+        return if side < 79.0 && tolerance.is_some_and(|t| t > 0.0 && t < 0.02) { 25.4 } else { 1.0 };
+    }
+    if SIDE.contains(&(side * 25.4)) { 25.4 } else { 1.0 }
+}
+
+fn name(mm: f64) -> &'static str {
+    match mm {
+        25.4 => "inches",
+        10.0 => "centimetres",
+        1000.0 => "metres",
+        _ => "millimetres",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn mm(text: Option<&str>, insunits: Option<i64>, side: f64) -> (f64, usize) {
+        let mut findings = Findings::new("t.dxf");
+        let e = Evidence { asked: None, text, insunits, tolerance: None, side };
+        let units = decide(&e, &mut findings);
+        (units.mm_per_unit, findings.finish().len())
+    }
+
+    #[test]
+    fn trust_in_order() {
+        assert_eq!(mm(Some("METRIC"), Some(1), 600.0), (1.0, 0));
+        assert_eq!(mm(Some("ENGLISH"), None, 24.0), (25.4, 0));
+        assert_eq!(mm(None, Some(5), 60.0), (10.0, 0));
+        assert_eq!(mm(None, None, 600.0), (1.0, 1));
+        assert_eq!(mm(None, None, 24.0), (25.4, 1));
+        assert_eq!(mm(Some("ENGLISH"), None, 600.0), (1.0, 1));
+        assert_eq!(mm(Some("METRIC"), None, 24.0), (1.0, 1));
+    }
+}

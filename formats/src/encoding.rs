@@ -1,0 +1,165 @@
+//! Text of old files: which code page it is in, and the escapes inside it.
+
+use encoding_rs::{Encoding, GB18030, GBK, UTF_8, WINDOWS_1252};
+
+/// The code page of a file and why it was chosen.
+#[derive(Clone, Copy, Debug)]
+pub struct TextEncoding {
+    encoding: &'static Encoding,
+    /// Was it guessed from the bytes alone?
+    pub guessed: bool,
+}
+
+impl TextEncoding {
+    /// Name for people and reports, e.g. `utf-8`, `gbk`, `windows-1252`.
+    #[must_use]
+    pub fn name(&self) -> String {
+        self.encoding.name().to_ascii_lowercase()
+    }
+
+    /// Decodes one value. Control characters become U+FFFD, so that no name can move a terminal's cursor.
+    #[must_use]
+    pub fn decode(&self, bytes: &[u8]) -> String {
+        let (text, _) = self.encoding.decode_without_bom_handling(bytes);
+        text.chars().map(|c| if c.is_control() && c != '\t' { '\u{FFFD}' } else { c }).collect()
+    }
+}
+
+/// Chooses the code page: UTF-8 for AC1021 and later; else UTF-8 when non-ASCII bytes are valid UTF-8; else the declared
+/// code page; else GBK when the bytes read as Chinese; else Windows-1252.
+#[must_use]
+pub fn choose(bytes: &[u8], release: Option<&str>, code_page: Option<&str>) -> TextEncoding {
+    let sure = |encoding| TextEncoding { encoding, guessed: false };
+    if release.and_then(release_number).is_some_and(|r| r >= 1021) || bytes.is_ascii() {
+        return sure(UTF_8);
+    }
+    if std::str::from_utf8(bytes).is_ok() {
+        return sure(UTF_8);
+    }
+    match code_page.and_then(by_code_page) {
+        Some(encoding) if encoding != WINDOWS_1252 => return sure(encoding),
+        Some(encoding) if !looks_like_gbk(bytes) => return sure(encoding),
+        _ => {}
+    }
+    let encoding = if looks_like_gbk(bytes) { GBK } else { WINDOWS_1252 };
+    TextEncoding { encoding, guessed: true }
+}
+
+fn release_number(release: &str) -> Option<u32> {
+    release.trim().to_ascii_uppercase().strip_prefix("AC")?.parse().ok()
+}
+
+fn by_code_page(name: &str) -> Option<&'static Encoding> {
+    let name = name.trim().to_ascii_lowercase();
+    let number = name.trim_start_matches(|c: char| !c.is_ascii_digit());
+    match number {
+        "936" => Some(GBK),
+        "54936" => Some(GB18030),
+        "932" => Some(encoding_rs::SHIFT_JIS),
+        "949" => Some(encoding_rs::EUC_KR),
+        "950" => Some(encoding_rs::BIG5),
+        "874" => Some(encoding_rs::WINDOWS_874),
+        "1250" | "1251" | "1252" | "1253" | "1254" | "1255" | "1256" | "1257" | "1258" => {
+            Encoding::for_label(format!("windows-{number}").as_bytes())
+        }
+        _ => Encoding::for_label(name.as_bytes()),
+    }
+}
+
+/// Valid GBK throughout, and most double bytes from the common Chinese zone: Western accents hardly ever pair up so.
+fn looks_like_gbk(bytes: &[u8]) -> bool {
+    let (mut pairs, mut common, mut i) = (0_u64, 0_u64, 0);
+    while i < bytes.len() {
+        if bytes[i] < 0x80 {
+            i += 1;
+            continue;
+        }
+        let Some(second) = bytes.get(i + 1) else { return false };
+        if !(0x81..=0xFE).contains(&bytes[i]) || !(0x40..=0xFE).contains(second) || *second == 0x7F {
+            return false;
+        }
+        pairs += 1;
+        common += u64::from(bytes[i] >= 0xA1 && *second >= 0xA1);
+        i += 2;
+    }
+    pairs > 0 && common * 10 >= pairs * 8
+}
+
+/// Resolves `\U+XXXX` and the `%%` codes of DXF text.
+#[must_use]
+pub fn unescape(text: &str) -> String {
+    let chars: Vec<char> = text.chars().collect();
+    let mut out = String::with_capacity(text.len());
+    let mut i = 0;
+    while i < chars.len() {
+        if let Some(c) = unicode_escape(&chars[i..]) {
+            out.push(c);
+            i += 7;
+        } else if chars[i] == '%' && chars.get(i + 1) == Some(&'%') {
+            let (c, used) = percent_code(&chars[i + 2..]);
+            out.extend(c);
+            i += 2 + used;
+        } else {
+            out.push(chars[i]);
+            i += 1;
+        }
+    }
+    out
+}
+
+fn unicode_escape(chars: &[char]) -> Option<char> {
+    if chars.len() < 7 || chars[0] != '\\' || !matches!(chars[1], 'U' | 'u') || chars[2] != '+' {
+        return None;
+    }
+    let hex: String = chars[3..7].iter().collect();
+    let c = char::from_u32(u32::from_str_radix(&hex, 16).ok()?)?;
+    Some(if c.is_control() { '\u{FFFD}' } else { c })
+}
+
+fn percent_code(rest: &[char]) -> (Option<char>, usize) {
+    match rest.first().map(char::to_ascii_lowercase) {
+        Some('d') => (Some('°'), 1),
+        Some('c') => (Some('Ø'), 1),
+        Some('p') => (Some('±'), 1),
+        Some('%') => (Some('%'), 1),
+        Some('u' | 'o' | 'k') => (None, 1),
+        Some(c) if c.is_ascii_digit() && rest.len() >= 3 => {
+            let digits: String = rest[..3].iter().collect();
+            let c = digits.parse::<u32>().ok().and_then(char::from_u32).filter(|c| !c.is_control());
+            (Some(c.unwrap_or('\u{FFFD}')), 3)
+        }
+        _ => (None, 0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn order_of_trust() {
+        let gbk = b"\xc7\xb0\xc6\xac";
+        assert_eq!(choose(gbk, None, None).decode(gbk), "前片");
+        assert!(choose(gbk, None, None).guessed);
+        assert_eq!(choose(gbk, None, Some("ANSI_936")).decode(gbk), "前片");
+        assert_eq!(choose("前片".as_bytes(), None, None).decode("前片".as_bytes()), "前片");
+        let west = b"D\xe9coup\xe9 2";
+        assert_eq!(choose(west, Some("AC1009"), Some("ANSI_1252")).decode(west), "Découpé 2");
+        assert_eq!(choose(west, None, None).decode(west), "Découpé 2");
+        assert_eq!(choose(b"\xcf\xf0", None, Some("ANSI_1251")).decode(b"\xcf\xf0"), "Пр");
+    }
+
+    #[test]
+    fn escapes() {
+        assert_eq!(unescape(r"\U+524D 20%%d %%p1 %%%"), "前 20° ±1 %");
+        assert_eq!(unescape("%%065%%u"), "A");
+        assert_eq!(unescape("%%"), "");
+        assert_eq!(unescape(r"\U+00zz"), r"\U+00zz");
+    }
+
+    #[test]
+    fn terminal_escapes_are_disarmed() {
+        let bytes = b"a\x1b[31mb";
+        assert_eq!(choose(bytes, None, None).decode(bytes), "a\u{FFFD}[31mb");
+    }
+}
