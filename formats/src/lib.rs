@@ -3,5 +3,8 @@ pub mod body;
 pub mod fabric;
 pub mod gltf;
 pub mod obj;
+#[cfg(test)]
+mod sample;
 pub mod sewing;
+pub mod texture;
 mod toml_text;

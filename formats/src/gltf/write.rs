@@ -184,6 +184,7 @@ fn meshes<'a>(garment: &'a Garment, shape: &'a Shape) -> Result<Vec<Mesh<'a>>, W
         if let Some(i) = mesh.triangles.iter().flatten().find(|i| **i as usize >= positions.len()) {
             return Err(WriteError::Damaged(format!("a triangle of piece `{}` names vertex {i}", piece.name)));
         }
+        floats(piece, "the position", positions.iter().map(|p| [p.x, p.y, p.z]))?;
         out.push((positions, mesh.triangles.as_slice()));
     }
     Ok(out)
