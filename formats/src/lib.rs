@@ -2,8 +2,12 @@
 pub mod body;
 pub mod dxf;
 pub mod fabric;
+pub mod gltf;
 pub mod obj;
 pub mod encoding;
 pub mod rul;
+#[cfg(test)]
+mod sample;
 pub mod sewing;
+pub mod texture;
 mod toml_text;

@@ -3,6 +3,7 @@
 //! `tobj` reads the faces, but it renumbers vertices by first use and forgets unused ones, so the file's own order
 //! comes from a scan of ours; the two readings are compared corner by corner and must agree.
 
+mod inspect;
 mod polygon;
 mod prove;
 mod scan;
@@ -13,6 +14,7 @@ mod write;
 use std::collections::BTreeMap;
 use toile_garment::{Diagnostic, SourceRef, Vec3};
 
+pub use inspect::inspect;
 pub use write::{GarmentObjError, MeshText, write_garment, write_mesh};
 
 /// Largest OBJ file, bytes.

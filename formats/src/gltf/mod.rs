@@ -1,0 +1,44 @@
+//! GLB: the garment for looking at, with the whole document inside.
+//!
+//! `write` makes it, `read` gives the garment back from the GLB alone, even after somebody moved its vertices.
+//! Files of others are checked by `container` and `check` before the `gltf` crate sees them: it panics on some.
+
+mod check;
+mod container;
+mod document;
+mod geometry;
+mod inspect;
+mod material;
+mod normals;
+mod read;
+#[cfg(test)]
+mod tests;
+mod write;
+
+pub use inspect::inspect;
+pub use read::{ReadGarment, read_garment, read_garment_with_findings};
+pub use write::{WriteError, write_garment};
+
+/// Largest GLB that is read, bytes.
+pub const MAX_BYTES: usize = 512 << 20;
+
+/// Why a GLB was refused.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[non_exhaustive]
+pub enum ReadError {
+    /// Not a GLB, or cut off, or with lengths that cannot be.
+    #[error("this is no sound GLB: {0}")]
+    Container(String),
+    /// Its JSON breaks the format or a limit.
+    #[error("the glTF inside is damaged: {0}")]
+    Damaged(String),
+    /// It is sound, but not one of ours.
+    #[error("the GLB holds no garment document (extras.toile of the asset); export it with toile")]
+    NoDocument,
+    /// The garment document inside cannot be read.
+    #[error("the garment document in the GLB cannot be read: {0}")]
+    Document(String),
+    /// The 3D shape cannot be matched with the document.
+    #[error("{0}")]
+    Geometry(String),
+}

@@ -1,0 +1,287 @@
+use super::*;
+use crate::sample::two_pieces;
+use serde_json::Value;
+use toile_garment::{Garment, Vec3};
+
+/// The chunks as JSON and bytes.
+fn open_glb(glb: &[u8]) -> (Value, Vec<u8>) {
+    let chunks = container::split(glb).expect("container");
+    (serde_json::from_slice(chunks.json).expect("JSON"), chunks.bin.expect("bin").to_vec())
+}
+
+fn close_glb(json: &Value, bin: &[u8]) -> Vec<u8> {
+    container::join(json.to_string().as_bytes(), bin).expect("small")
+}
+
+fn floats(json: &Value, bin: &[u8], accessor: u64) -> (usize, Vec<f32>) {
+    let a = &json["accessors"][accessor as usize];
+    let v = &json["bufferViews"][a["bufferView"].as_u64().expect("view") as usize];
+    let start = v["byteOffset"].as_u64().expect("offset") as usize;
+    let len = v["byteLength"].as_u64().expect("length") as usize;
+    let values = bin[start..start + len].chunks_exact(4).map(|c| f32::from_le_bytes(c.try_into().expect("4")));
+    (start, values.collect())
+}
+
+fn attribute(json: &Value, mesh: usize, name: &str) -> u64 {
+    json["meshes"][mesh]["primitives"][0]["attributes"][name].as_u64().expect("attribute")
+}
+
+/// What a GLB does not carry.
+fn without_body_mesh(mut garment: Garment) -> Garment {
+    if let Some(body) = &mut garment.body {
+        body.positions.clear();
+        body.triangles.clear();
+    }
+    garment
+}
+
+#[test]
+fn the_round_trip_gives_the_garment_back() {
+    let garment = two_pieces();
+    let glb = write_garment(&garment).expect("GLB");
+    let read = read_garment_with_findings(&glb).expect("read");
+    assert!(!read.edited && read.findings.is_empty());
+    assert_eq!(read.garment, without_body_mesh(garment));
+}
+
+#[test]
+fn same_garment_same_bytes() {
+    let garment = two_pieces();
+    let glb = write_garment(&garment).expect("GLB");
+    assert_eq!(glb, write_garment(&garment).expect("GLB"));
+    let again = read_garment(&glb).expect("read");
+    assert_eq!(glb, write_garment(&again).expect("GLB"), "reading and writing changes nothing");
+    let mut slower = garment.clone();
+    slower.effects[0].cpu_seconds = 77.0;
+    assert_eq!(glb, write_garment(&slower).expect("GLB"), "times stay out");
+}
+
+#[test]
+fn nodes_positions_and_cloth_coordinates() {
+    let garment = two_pieces();
+    let (json, bin) = open_glb(&write_garment(&garment).expect("GLB"));
+    assert_eq!(json["nodes"][0]["name"], "front");
+    assert_eq!(json["meshes"][1]["extras"]["piece"], "back");
+    assert_eq!(json["asset"]["extras"]["toile"]["kind"], "toile-garment");
+    let drape = garment.drape.as_ref().expect("drape");
+    let textures = garment.textures.as_ref().expect("textures");
+    for mesh in 0..2 {
+        let index = attribute(&json, mesh, "POSITION");
+        let (_, p) = floats(&json, &bin, index);
+        let want: Vec<f32> = drape.positions[mesh].iter().flat_map(|p| [p.x as f32, p.y as f32, p.z as f32]).collect();
+        assert_eq!(p, want);
+        for k in 0..3 {
+            let column = || p.iter().skip(k).step_by(3).copied();
+            let (lo, hi) = (column().fold(f32::MAX, f32::min), column().fold(f32::MIN, f32::max));
+            assert_eq!(json["accessors"][index as usize]["min"][k].as_f64(), Some(f64::from(lo)));
+            assert_eq!(json["accessors"][index as usize]["max"][k].as_f64(), Some(f64::from(hi)));
+        }
+        let (_, uv) = floats(&json, &bin, attribute(&json, mesh, "TEXCOORD_0"));
+        for (got, [u, v]) in uv.chunks_exact(2).zip(&textures.pieces[mesh].uv_cloth) {
+            assert_eq!(got, [*u as f32, 0.0 - *v as f32], "u right, v down");
+        }
+    }
+    let info = &json["materials"][0]["pbrMetallicRoughness"]["baseColorTexture"];
+    let scale = &info["extensions"]["KHR_texture_transform"]["scale"];
+    for (k, repeat) in [0.06, 0.04].into_iter().enumerate() {
+        assert!((scale[k].as_f64().expect("scale") * repeat - 1.0).abs() < 1e-6);
+    }
+    assert_eq!(json["extensionsUsed"][0], "KHR_texture_transform");
+    assert_eq!(json["materials"][0]["doubleSided"], true);
+    assert_eq!(json["images"][0]["mimeType"], "image/png");
+}
+
+#[test]
+fn normals_are_unit_smooth_over_the_seam_and_face_outwards() {
+    let garment = two_pieces();
+    let (json, bin) = open_glb(&write_garment(&garment).expect("GLB"));
+    let normals: Vec<Vec<Vec3>> = (0..2)
+        .map(|m| {
+            let (_, n) = floats(&json, &bin, attribute(&json, m, "NORMAL"));
+            n.chunks_exact(3).map(|n| Vec3::new(n[0].into(), n[1].into(), n[2].into())).collect()
+        })
+        .collect();
+    for n in normals.iter().flatten() {
+        assert!((n.norm() - 1.0).abs() < 1e-6, "{n:?}");
+    }
+    for stitch in garment.seams.iter().flat_map(|s| &s.stitches) {
+        let (a, b) = (stitch.a, stitch.b);
+        assert_eq!(
+            normals[a.piece.index()][a.vertex as usize],
+            normals[b.piece.index()][b.vertex as usize],
+            "a crease at a welded seam"
+        );
+    }
+    let drape = garment.drape.expect("drape");
+    for (n, p) in normals[0].iter().zip(&drape.positions[0]) {
+        assert!(n.dot(&Vec3::new(p.x, 0.0, p.z)) > 0.0, "front normals point out of the tube");
+    }
+}
+
+#[test]
+fn flat_and_folded_triangles_still_have_unit_normals() {
+    let mut garment = two_pieces();
+    // Everything in one plane, front and back exactly on each other: seam normals cancel.
+    for p in garment.drape.as_mut().expect("drape").positions.iter_mut().flatten() {
+        p.z = 0.0;
+    }
+    garment.drape.as_mut().expect("drape").positions[0][0] = Vec3::new(-0.15, 0.1, 0.0);
+    let (json, bin) = open_glb(&write_garment(&garment).expect("GLB"));
+    for m in 0..2 {
+        let (_, n) = floats(&json, &bin, attribute(&json, m, "NORMAL"));
+        assert!(n.chunks_exact(3).all(|n| (n.iter().map(|x| x * x).sum::<f32>() - 1.0).abs() < 1e-5));
+    }
+}
+
+#[test]
+fn a_moved_vertex_is_found_and_the_stored_drape_kept() {
+    let garment = two_pieces();
+    let (json, mut bin) = open_glb(&write_garment(&garment).expect("GLB"));
+    let (start, p) = floats(&json, &bin, attribute(&json, 0, "POSITION"));
+    let vertex = 9;
+    let y = p[vertex * 3 + 1] + 0.01;
+    bin[start + vertex * 12 + 4..][..4].copy_from_slice(&y.to_le_bytes());
+    let read = read_garment_with_findings(&close_glb(&json, &bin)).expect("read");
+    assert!(read.edited);
+    assert!(read.findings[0].message.contains("1 vertices moved") && read.findings[0].message.contains("10.000 mm"));
+    assert_eq!(read.garment.drape_before_edit, garment.drape);
+    let (old, new) = (garment.drape.expect("drape"), read.garment.drape.expect("drape"));
+    assert_eq!(new.positions[0][vertex].y, f64::from(y));
+    for (i, (a, b)) in old.positions.iter().flatten().zip(new.positions.iter().flatten()).enumerate() {
+        assert_eq!(a == b, i != vertex, "only the moved vertex differs");
+    }
+    assert!(new.welded, "no seam was touched");
+}
+
+#[test]
+fn a_torn_seam_is_no_longer_welded() {
+    let garment = two_pieces();
+    let stitch = garment.seams[0].stitches[1].a;
+    let (json, mut bin) = open_glb(&write_garment(&garment).expect("GLB"));
+    let (start, _) = floats(&json, &bin, attribute(&json, stitch.piece.index(), "POSITION"));
+    bin[start + stitch.vertex as usize * 12..][..4].copy_from_slice(&0.5f32.to_le_bytes());
+    let read = read_garment(&close_glb(&json, &bin)).expect("read");
+    assert!(!read.drape.expect("drape").welded);
+}
+
+#[test]
+fn node_transforms_are_applied() {
+    let garment = two_pieces();
+    let (mut json, bin) = open_glb(&write_garment(&garment).expect("GLB"));
+    // A parent that lifts by 0.5 m above a child that turns by 90 degrees about y and doubles.
+    let half = std::f64::consts::FRAC_1_SQRT_2;
+    json["nodes"][0]["rotation"] = serde_json::json!([0.0, half, 0.0, half]);
+    json["nodes"][0]["scale"] = serde_json::json!([2.0, 2.0, 2.0]);
+    let parent = serde_json::json!({ "translation": [0.0, 0.5, 0.0], "children": [0] });
+    json["nodes"].as_array_mut().expect("nodes").push(parent);
+    json["scenes"][0]["nodes"] = serde_json::json!([2, 1]);
+    let read = read_garment(&close_glb(&json, &bin)).expect("read");
+    let (old, new) = (garment.drape.expect("drape"), read.drape.expect("drape"));
+    for (a, b) in old.positions[0].iter().zip(&new.positions[0]) {
+        let want = Vec3::new(2.0 * a.z, 2.0 * a.y + 0.5, -2.0 * a.x);
+        assert!((b - want).norm() < 1e-6, "{b:?} against {want:?}");
+    }
+    assert_eq!(old.positions[1], new.positions[1]);
+}
+
+#[test]
+fn vertices_that_an_editor_sorted_and_split_are_matched_by_their_cloth() {
+    let garment = two_pieces();
+    let (mut json, mut bin) = open_glb(&write_garment(&garment).expect("GLB"));
+    // Mesh 0 becomes a soup: three vertices per triangle, triangles backwards, renamed as editors do.
+    let primitive = json["meshes"][0]["primitives"][0].clone();
+    let mesh = garment.pieces[0].mesh.as_ref().expect("mesh");
+    let order: Vec<u32> = mesh.triangles.iter().rev().flatten().copied().collect();
+    let mut attributes = serde_json::Map::new();
+    for name in ["POSITION", "TEXCOORD_0"] {
+        let width = if name == "POSITION" { 3 } else { 2 };
+        let (_, values) = floats(&json, &bin, primitive["attributes"][name].as_u64().expect("accessor"));
+        let start = bin.len();
+        for i in &order {
+            for k in 0..width {
+                let mut x = values[*i as usize * width + k];
+                if name == "POSITION" && *i == 7 && k == 1 {
+                    x += 0.02;
+                }
+                bin.extend_from_slice(&x.to_le_bytes());
+            }
+        }
+        let views = json["bufferViews"].as_array_mut().expect("views");
+        views.push(serde_json::json!({ "buffer": 0, "byteOffset": start, "byteLength": bin.len() - start }));
+        let view = views.len() - 1;
+        let accessors = json["accessors"].as_array_mut().expect("accessors");
+        let kind = if width == 3 { "VEC3" } else { "VEC2" };
+        accessors.push(serde_json::json!({ "bufferView": view, "componentType": 5126, "count": order.len(),
+            "type": kind, "min": vec![0.0; width], "max": vec![0.0; width] }));
+        attributes.insert(name.into(), (accessors.len() - 1).into());
+    }
+    json["meshes"][0]["primitives"][0] = serde_json::json!({ "attributes": attributes });
+    json["nodes"][0]["name"] = "Front.001".into();
+    json["meshes"][0]["name"] = "Front.001".into();
+    json["buffers"][0]["byteLength"] = bin.len().into();
+    let read = read_garment_with_findings(&close_glb(&json, &bin)).expect("read");
+    assert!(read.edited);
+    let (old, new) = (garment.drape.expect("drape"), read.garment.drape.expect("drape"));
+    assert!((new.positions[0][7].y - old.positions[0][7].y - 0.02).abs() < 1e-6);
+    assert_eq!(old.positions[0][8], new.positions[0][8]);
+}
+
+#[test]
+fn a_renamed_piece_or_another_mesh_is_refused_by_name() {
+    let (mut json, bin) = open_glb(&write_garment(&two_pieces()).expect("GLB"));
+    for key in ["nodes", "meshes"] {
+        json[key][1]["name"] = "x".into();
+        json[key][1]["extras"] = Value::Null;
+    }
+    let error = read_garment(&close_glb(&json, &bin)).expect_err("refused").to_string();
+    assert!(error.contains("piece `back`"), "{error}");
+    let (mut json, bin) = open_glb(&write_garment(&two_pieces()).expect("GLB"));
+    json["asset"]["extras"] = Value::Null;
+    assert_eq!(read_garment(&close_glb(&json, &bin)), Err(ReadError::NoDocument));
+}
+
+#[test]
+fn no_path_leaves_the_machine() {
+    let mut garment = two_pieces();
+    garment.provenance.inputs[0].path = "/home/anna/patterns/skirt.dxf".into();
+    garment.provenance.stages[0].params = serde_json::json!({ "file": "C:\\out\\garment.glb", "n": 3 });
+    let glb = write_garment(&garment).expect("GLB");
+    let text = String::from_utf8_lossy(&glb);
+    assert!(!text.contains("anna") && !text.contains("C:\\\\out"));
+    let read = read_garment(&glb).expect("read");
+    assert_eq!(read.provenance.inputs[0].path, "skirt.dxf");
+    assert_eq!(read.provenance.stages[0].params, serde_json::json!({ "file": "garment.glb", "n": 3 }));
+}
+
+#[test]
+fn refuses_to_write_what_is_not_there_or_not_finite() {
+    let mut garment = two_pieces();
+    garment.drape.as_mut().expect("drape").positions[1][2].z = f64::NAN;
+    let error = write_garment(&garment).expect_err("NaN").to_string();
+    assert!(error.contains("vertex 2 of piece `back`"), "{error}");
+    garment.drape = None;
+    garment.stitched = None;
+    assert!(matches!(write_garment(&garment), Err(WriteError::Missing(_))));
+    assert!(matches!(write_garment(&Garment::default()), Err(WriteError::Missing(_))));
+}
+
+#[test]
+fn a_garment_without_textures_gets_a_plain_cloth() {
+    let mut garment = two_pieces();
+    garment.textures = None;
+    let glb = write_garment(&garment).expect("GLB");
+    let (json, _) = open_glb(&glb);
+    assert_eq!(json["materials"].as_array().map(Vec::len), Some(1));
+    assert!(json.get("extensionsUsed").is_none());
+    assert_eq!(read_garment(&glb).expect("read"), without_body_mesh(garment));
+}
+
+#[test]
+fn inspect_says_what_is_inside() {
+    let facts = inspect(&write_garment(&two_pieces()).expect("GLB")).expect("facts");
+    assert_eq!(facts["meshes"][0]["node"], "front");
+    assert_eq!((facts["triangles"].as_u64(), facts["vertices"].as_u64()), (Some(48), Some(40)));
+    assert!((facts["size_m"][0].as_f64().expect("width") - 0.3).abs() < 1e-6);
+    assert_eq!(facts["toile"]["pieces"], serde_json::json!(["front", "back"]));
+    assert_eq!(facts["toile"]["seams"], 2);
+}

@@ -1,0 +1,274 @@
+//! From the garment to a GLB.
+
+use super::{container, document, material, normals};
+use gltf_json as json;
+use json::accessor::{ComponentType, GenericComponentType, Type};
+use json::buffer::Target;
+use json::validation::Checked::Valid;
+use json::validation::USize64;
+use std::collections::BTreeMap;
+use toile_garment::bundle::BundleError;
+use toile_garment::garment::Shape;
+use toile_garment::texture::Material;
+use toile_garment::{Garment, Piece, Vec3};
+
+/// Why a garment cannot be written as GLB.
+#[derive(Debug, thiserror::Error)]
+#[non_exhaustive]
+pub enum WriteError {
+    /// No piece, no mesh, or no positions in 3D.
+    #[error("the garment has no {0} yet")]
+    Missing(String),
+    /// A number that is NaN or infinite.
+    #[error("{what} of vertex {vertex} of piece `{piece}` is not finite")]
+    NotFinite {
+        /// Which number.
+        what: &'static str,
+        /// Piece name.
+        piece: String,
+        /// Vertex in the piece.
+        vertex: usize,
+    },
+    /// A list that does not fit the mesh.
+    #[error("{0}")]
+    Damaged(String),
+    /// Over 4 GiB.
+    #[error("the GLB would be larger than 4 GiB")]
+    TooLarge,
+    /// The document cannot be written.
+    #[error(transparent)]
+    Document(#[from] BundleError),
+    /// The JSON cannot be written.
+    #[error("the glTF text cannot be written: {0}")]
+    Text(#[from] serde_json::Error),
+}
+
+/// The binary chunk while it grows.
+#[derive(Default)]
+pub struct Buffer {
+    bytes: Vec<u8>,
+}
+
+impl Buffer {
+    /// Adds bytes, aligned to four, as a view of their own.
+    pub fn view(&mut self, root: &mut json::Root, bytes: &[u8], target: Option<Target>) -> json::Index<json::buffer::View> {
+        self.bytes.resize(self.bytes.len().next_multiple_of(4), 0);
+        let offset = self.bytes.len();
+        self.bytes.extend_from_slice(bytes);
+        root.push(json::buffer::View {
+            buffer: json::Index::new(0),
+            byte_length: USize64::from(bytes.len()),
+            byte_offset: Some(USize64::from(offset)),
+            byte_stride: None,
+            name: None,
+            target: target.map(Valid),
+            extensions: None,
+            extras: None,
+        })
+    }
+
+    fn floats<const N: usize>(
+        &mut self,
+        root: &mut json::Root,
+        values: &[[f32; N]],
+        type_: Type,
+        bounds: bool,
+    ) -> json::Index<json::Accessor> {
+        let bytes: Vec<u8> = values.iter().flatten().flat_map(|x| x.to_le_bytes()).collect();
+        let view = self.view(root, &bytes, Some(Target::ArrayBuffer));
+        let fold = |pick: fn(f32, f32) -> f32| {
+            let first = values.first().copied().unwrap_or([0.0; N]);
+            let all = values.iter().fold(first, |a, v| std::array::from_fn(|k| pick(a[k], v[k])));
+            serde_json::Value::from(all.to_vec())
+        };
+        root.push(json::Accessor {
+            min: bounds.then(|| fold(f32::min)),
+            max: bounds.then(|| fold(f32::max)),
+            ..accessor(view, values.len(), ComponentType::F32, type_)
+        })
+    }
+
+    /// Triangle indices, two bytes each where that is enough (the value 65535 is reserved).
+    fn indices(&mut self, root: &mut json::Root, triangles: &[[u32; 3]], vertices: usize) -> json::Index<json::Accessor> {
+        let small = vertices < usize::from(u16::MAX);
+        let flat = triangles.iter().flatten();
+        let bytes: Vec<u8> = if small {
+            flat.flat_map(|i| (*i as u16).to_le_bytes()).collect()
+        } else {
+            flat.flat_map(|i| i.to_le_bytes()).collect()
+        };
+        let view = self.view(root, &bytes, Some(Target::ElementArrayBuffer));
+        let kind = if small { ComponentType::U16 } else { ComponentType::U32 };
+        root.push(accessor(view, triangles.len() * 3, kind, Type::Scalar))
+    }
+}
+
+fn accessor(view: json::Index<json::buffer::View>, count: usize, kind: ComponentType, type_: Type) -> json::Accessor {
+    json::Accessor {
+        buffer_view: Some(view),
+        byte_offset: None,
+        count: USize64::from(count),
+        component_type: Valid(GenericComponentType(kind)),
+        extensions: None,
+        extras: None,
+        type_: Valid(type_),
+        min: None,
+        max: None,
+        name: None,
+        normalized: false,
+        sparse: None,
+    }
+}
+
+/// `{"key": value}` as extras.
+pub fn extras(key: &str, value: &serde_json::Value) -> json::Extras {
+    let mut map = serde_json::Map::new();
+    map.insert(key.to_owned(), value.clone());
+    json::extras::RawValue::from_string(serde_json::Value::Object(map).to_string()).ok()
+}
+
+/// A GLB with a node and a mesh for each piece, named after it: metres, +y up; TEXCOORD_0 in metres of cloth,
+/// TEXCOORD_1 packed; images embedded; the garment document in `asset.extras.toile`. Positions are those of the
+/// drape, else of the sewn shape. The same garment gives the same bytes.
+///
+/// # Errors
+/// See [`WriteError`].
+pub fn write_garment(garment: &Garment) -> Result<Vec<u8>, WriteError> {
+    let shape = garment.drape.as_ref().or(garment.stitched.as_ref());
+    let shape = shape.ok_or_else(|| WriteError::Missing("positions in 3D".to_owned()))?;
+    let meshes = meshes(garment, shape)?;
+    let normals = normals::smooth(&meshes);
+    let mut root = json::Root::default();
+    let mut buffer = Buffer::default();
+    for m in materials(garment).iter() {
+        if m.image.as_ref().is_some_and(|i| i.bytes.is_empty()) {
+            return Err(WriteError::Damaged(format!("the image of material `{}` has no bytes", m.name)));
+        }
+        material::push(&mut root, &mut buffer, m);
+    }
+    for ((piece, (positions, triangles)), normals) in garment.pieces.iter().zip(&meshes).zip(&normals) {
+        push_piece(&mut root, &mut buffer, garment, piece, positions, triangles, normals)?;
+    }
+    let nodes: Vec<_> = (0..garment.pieces.len() as u32).map(json::Index::new).collect();
+    let scene = json::Scene { extensions: None, extras: None, name: None, nodes };
+    root.scene = Some(root.push(scene));
+    root.buffers.push(json::Buffer {
+        byte_length: USize64::from(buffer.bytes.len()),
+        name: None,
+        uri: None,
+        extensions: None,
+        extras: None,
+    });
+    root.asset.generator = Some("toile".to_owned());
+    let toile = format!("{{\"toile\":{}}}", document::text(garment)?);
+    root.asset.extras = Some(json::extras::RawValue::from_string(toile)?);
+    let text = root.to_string()?;
+    container::join(text.as_bytes(), &buffer.bytes).ok_or(WriteError::TooLarge)
+}
+
+type Mesh<'a> = (&'a [Vec3], &'a [[u32; 3]]);
+
+fn meshes<'a>(garment: &'a Garment, shape: &'a Shape) -> Result<Vec<Mesh<'a>>, WriteError> {
+    if garment.pieces.is_empty() {
+        return Err(WriteError::Missing("pieces".to_owned()));
+    }
+    let mut out = Vec::with_capacity(garment.pieces.len());
+    for (i, piece) in garment.pieces.iter().enumerate() {
+        let mesh = piece.mesh.as_ref().filter(|m| !m.triangles.is_empty());
+        let mesh = mesh.ok_or_else(|| WriteError::Missing(format!("mesh of piece `{}`", piece.name)))?;
+        let positions = shape.positions.get(i).map_or(&[][..], Vec::as_slice);
+        if positions.len() != mesh.rest.len() {
+            let (n, m) = (positions.len(), mesh.rest.len());
+            return Err(WriteError::Damaged(format!("piece `{}` has {m} vertices but {n} positions", piece.name)));
+        }
+        if let Some(i) = mesh.triangles.iter().flatten().find(|i| **i as usize >= positions.len()) {
+            return Err(WriteError::Damaged(format!("a triangle of piece `{}` names vertex {i}", piece.name)));
+        }
+        floats(piece, "the position", positions.iter().map(|p| [p.x, p.y, p.z]))?;
+        out.push((positions, mesh.triangles.as_slice()));
+    }
+    Ok(out)
+}
+
+/// The fabrics; a plain one where the garment has no textures.
+fn materials(garment: &Garment) -> Vec<Material> {
+    match &garment.textures {
+        Some(textures) if !textures.materials.is_empty() => textures.materials.clone(),
+        _ => vec![Material {
+            name: "cloth".to_owned(),
+            color: [0.6, 0.6, 0.6],
+            image: None,
+            repeat: [1.0, 1.0],
+            roughness: 0.9,
+        }],
+    }
+}
+
+/// A finite `f32` for each number; −0 becomes 0.
+fn floats<const N: usize>(
+    piece: &Piece,
+    what: &'static str,
+    values: impl Iterator<Item = [f64; N]>,
+) -> Result<Vec<[f32; N]>, WriteError> {
+    values
+        .enumerate()
+        .map(|(vertex, v)| {
+            let small = v.map(|x| x as f32 + 0.0);
+            let finite = small.iter().all(|x| x.is_finite());
+            if finite { Ok(small) } else { Err(WriteError::NotFinite { what, piece: piece.name.clone(), vertex }) }
+        })
+        .collect()
+}
+
+fn push_piece(
+    root: &mut json::Root,
+    buffer: &mut Buffer,
+    garment: &Garment,
+    piece: &Piece,
+    positions: &[Vec3],
+    triangles: &[[u32; 3]],
+    normals: &[Vec3],
+) -> Result<(), WriteError> {
+    use json::mesh::Semantic;
+    let mut attributes = BTreeMap::new();
+    let p = floats(piece, "the position", positions.iter().map(|p| [p.x, p.y, p.z]))?;
+    attributes.insert(Valid(Semantic::Positions), buffer.floats(root, &p, Type::Vec3, true));
+    let n = floats(piece, "the normal", normals.iter().map(|n| [n.x, n.y, n.z]))?;
+    attributes.insert(Valid(Semantic::Normals), buffer.floats(root, &n, Type::Vec3, false));
+    let texture = garment.textures.as_ref().and_then(|t| t.pieces.get(piece.id.index()));
+    if let Some(texture) = texture {
+        if texture.uv_cloth.len() != positions.len() || texture.uv_packed.len() != positions.len() {
+            let message = format!("piece `{}` has texture coordinates for another mesh", piece.name);
+            return Err(WriteError::Damaged(message));
+        }
+        // glTF counts v downwards from the top of the image.
+        let cloth = floats(piece, "the texture coordinate", texture.uv_cloth.iter().map(|[u, v]| [*u, -v]))?;
+        attributes.insert(Valid(Semantic::TexCoords(0)), buffer.floats(root, &cloth, Type::Vec2, false));
+        let packed = floats(piece, "the packed coordinate", texture.uv_packed.iter().map(|[u, v]| [*u, 1.0 - v]))?;
+        attributes.insert(Valid(Semantic::TexCoords(1)), buffer.floats(root, &packed, Type::Vec2, false));
+    }
+    let material = texture.map_or(0, |t| t.material);
+    if material as usize >= root.materials.len() {
+        return Err(WriteError::Damaged(format!("piece `{}` names material {material}", piece.name)));
+    }
+    let indices = buffer.indices(root, triangles, positions.len());
+    let primitive = json::mesh::Primitive {
+        attributes,
+        extensions: None,
+        extras: None,
+        indices: Some(indices),
+        material: Some(json::Index::new(material)),
+        mode: Valid(json::mesh::Mode::Triangles),
+        targets: None,
+    };
+    let name = serde_json::Value::from(piece.name.clone());
+    let mesh = root.push(json::Mesh {
+        extensions: None,
+        extras: extras("piece", &name),
+        name: Some(piece.name.clone()),
+        primitives: vec![primitive],
+        weights: None,
+    });
+    root.push(json::Node { mesh: Some(mesh), name: Some(piece.name.clone()), extras: extras("piece", &name), ..Default::default() });
+    Ok(())
+}
