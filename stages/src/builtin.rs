@@ -5,5 +5,5 @@ use toile_stage_api::Registry;
 /// All built-in stages.
 #[must_use]
 pub fn builtin() -> Registry {
-    Registry::default().with(crate::flatten::Flatten)
+    Registry::default().with(crate::flatten::Flatten).with(crate::export_report::ExportReport)
 }

@@ -4,6 +4,7 @@
 //! exports, `flatten`, report.
 
 pub mod builtin;
+pub mod export_report;
 pub mod flatten;
 pub mod sewing;
 
