@@ -11,3 +11,5 @@ mod sample;
 pub mod sewing;
 pub mod texture;
 mod toml_text;
+pub mod report;
+pub mod svg;

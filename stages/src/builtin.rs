@@ -7,4 +7,5 @@ use toile_stage_api::Registry;
 pub fn builtin() -> Registry {
     Registry::default().with(crate::flatten::Flatten)
     Registry::default().with(crate::import_dxf::ImportDxf)
+    Registry::default().with(crate::flatten::Flatten).with(crate::export_report::ExportReport)
 }

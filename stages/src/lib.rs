@@ -6,6 +6,7 @@
 pub mod body;
 pub mod builtin;
 pub mod drape;
+pub mod export_report;
 pub mod flatten;
 pub mod import_dxf;
 pub mod sewing;

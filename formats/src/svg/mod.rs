@@ -1,0 +1,10 @@
+//! Drawings as SVG text: patterns with numbered edges, flattened pieces over the originals.
+//!
+//! All lengths are millimetres, written with fixed decimals so that the same garment gives the same bytes.
+
+pub mod canvas;
+mod flat;
+mod pattern;
+
+pub use flat::{flat_piece, flat_sheet};
+pub use pattern::pattern;

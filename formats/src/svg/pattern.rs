@@ -1,0 +1,318 @@
+//! The pattern as `toile inspect --svg` draws it: pieces side by side with numbered edges.
+
+use super::canvas::{Bounds, Canvas, fixed};
+use toile_garment::dart::{Dart, DartKind};
+use toile_garment::notch::Notch;
+use toile_garment::outline::{OutlineEdge, PieceLine};
+use toile_garment::{Piece, Vec2};
+
+const STYLE: &str = "\
+path{fill:none;stroke-linejoin:round;vector-effect:non-scaling-stroke}\
+.cloth{fill:#fbf8f1;stroke:none}.cut{stroke:#111;stroke-width:1.6px}.sew{stroke:#1a56b0;stroke-width:1.2px;stroke-dasharray:6 3}\
+.internal{stroke:#2c7a4b;stroke-width:1.1px;stroke-dasharray:8 3 2 3}.cutout{fill:#fff;stroke:#111;stroke-width:1.4px}\
+.dart{stroke:#c0261c;stroke-width:1.5px}.dartfill{fill:#f6d9d5;stroke:none}.notch{stroke:#7a1fa2;stroke-width:2px}\
+.grain{stroke:#555;stroke-width:1.2px}.fold{stroke:#555;stroke-width:1px;stroke-dasharray:12 3 2 3 2 3}.scale{stroke:#111;stroke-width:1.4px}\
+.corner{fill:#111}.apex{fill:#c0261c}.drill{fill:#fff;stroke:#111;stroke-width:1.2px;vector-effect:non-scaling-stroke}\
+text{font-family:'DejaVu Sans',Arial,Helvetica,sans-serif;text-anchor:middle;paint-order:stroke;stroke:#fff;stroke-width:.25em;stroke-linejoin:round}\
+.label{fill:#333}.name{fill:#111;font-weight:bold}.edge{fill:#0b3d91}.dartname{fill:#a01810}";
+
+/// Draws pieces side by side: cut and sew line, numbered edges, darts, notches, grain, drill holes, internal lines.
+#[must_use]
+pub fn pattern(pieces: &[Piece], title: &str) -> String {
+    let boxes: Vec<Option<Bounds>> = pieces.iter().map(bounds).collect();
+    let size = text_size(&boxes);
+    let (places, sheet) = shelves(&boxes, 6.0 * size);
+    let mut canvas = Canvas::default();
+    for ((piece, bounds), place) in pieces.iter().zip(&boxes).zip(&places) {
+        if let (Some(bounds), Some(place)) = (bounds, place) {
+            Pen { canvas: &mut canvas, move_by: place - bounds.min, size }.piece(piece, bounds);
+        }
+    }
+    let foot = Vec2::new(sheet.min.x + size, sheet.min.y - 3.5 * size);
+    canvas.scale_bar(foot, 0.4 * sheet.size().x, size);
+    let legend = legend(&mut canvas, Vec2::new(sheet.min.x + size, foot.y - 2.4 * size), sheet.size().x, size);
+    let all = Bounds { min: Vec2::new(sheet.min.x, legend), ..sheet };
+    canvas.finish(all.grown(2.0 * size), title, STYLE)
+}
+
+fn mm(p: Vec2) -> Vec2 {
+    p * 1e3
+}
+
+fn lines(piece: &Piece) -> impl Iterator<Item = &PieceLine> {
+    std::iter::once(&piece.outline).chain(&piece.cut_line).chain(&piece.internal_lines).chain(&piece.cutouts)
+}
+
+fn bounds(piece: &Piece) -> Option<Bounds> {
+    let marks = piece.darts.iter().flat_map(|d| d.legs.iter().flatten().copied());
+    let notches = piece.notches.iter().map(|n| n.at);
+    Bounds::of(lines(piece).flat_map(|l| l.points.iter().map(|p| p.at)).chain(marks).chain(notches).map(mm))
+}
+
+/// Height of text so that about a hundred lines fit the sheet: legible on a screen at full width.
+fn text_size(boxes: &[Option<Bounds>]) -> f64 {
+    let area: f64 = boxes.iter().flatten().map(|b| b.size().x * b.size().y).sum();
+    (area.sqrt() / 62.0).clamp(1.5, 40.0)
+}
+
+/// Lower left corner of each piece on shelves, top shelf first, and the sheet they fill.
+fn shelves(boxes: &[Option<Bounds>], gap: f64) -> (Vec<Option<Vec2>>, Bounds) {
+    let sizes = || boxes.iter().flatten().map(Bounds::size);
+    let area: f64 = sizes().map(|s| (s.x + gap) * (s.y + gap)).sum();
+    let width = sizes().map(|s| s.x + gap).fold((1.9 * area).sqrt(), f64::max);
+    let (mut x, mut y, mut height, mut widest) = (0.0, 0.0, 0.0f64, 1.0f64);
+    let mut places = Vec::new();
+    for bounds in boxes {
+        let Some(size) = bounds.as_ref().map(Bounds::size) else {
+            places.push(None);
+            continue;
+        };
+        if x > 0.0 && x + size.x > width {
+            (x, y, height) = (0.0, y - height - gap, 0.0);
+        }
+        places.push(Some(Vec2::new(x, y - size.y)));
+        widest = widest.max(x + size.x);
+        height = height.max(size.y);
+        x += size.x + gap;
+    }
+    (places, Bounds { min: Vec2::new(0.0, y - height), max: Vec2::new(widest, 0.0) })
+}
+
+struct Pen<'a> {
+    canvas: &'a mut Canvas,
+    move_by: Vec2,
+    size: f64,
+}
+
+impl Pen<'_> {
+    fn at(&self, p: Vec2) -> Vec2 {
+        mm(p) + self.move_by
+    }
+
+    fn line(&mut self, class: &str, line: &PieceLine) {
+        let points: Vec<Vec2> = line.points.iter().map(|p| self.at(p.at)).collect();
+        self.canvas.line(class, &points, line.closed);
+    }
+
+    fn piece(&mut self, piece: &Piece, bounds: &Bounds) {
+        let cut = piece.cut_line.as_ref().unwrap_or(&piece.outline);
+        self.line("cloth", cut);
+        piece.cutouts.iter().for_each(|l| self.line("cutout", l));
+        piece.darts.iter().for_each(|d| self.dart_area(d));
+        self.line("cut", cut);
+        if piece.cut_line.is_some() {
+            self.line("sew", &piece.outline);
+        }
+        piece.internal_lines.iter().for_each(|l| self.line("internal", l));
+        self.grain(piece);
+        piece.darts.iter().for_each(|d| self.dart(d));
+        piece.notches.iter().for_each(|n| self.notch(n, piece));
+        piece.drill_holes.iter().for_each(|h| self.drill(h.at));
+        piece.edges.iter().for_each(|e| self.edge(piece, e));
+        self.name(piece, bounds);
+    }
+
+    fn dart_area(&mut self, dart: &Dart) {
+        if dart.kind == DartKind::Pleat {
+            return;
+        }
+        let back = dart.legs[1].iter().rev();
+        let area: Vec<Vec2> = dart.legs[0].iter().chain(back).map(|p| self.at(*p)).collect();
+        self.canvas.line("dartfill", &area, true);
+    }
+
+    fn dart(&mut self, dart: &Dart) {
+        for leg in &dart.legs {
+            let points: Vec<Vec2> = leg.iter().map(|p| self.at(*p)).collect();
+            self.canvas.line("dart", &points, false);
+        }
+        for apex in &dart.apexes {
+            let at = self.at(*apex);
+            self.canvas.dot("apex", at, 0.3 * self.size);
+        }
+        let middle = (dart.mouth[0] + dart.mouth[1]) * 0.5;
+        let Some(apex) = dart.apexes.first() else { return };
+        let beyond = (apex - middle) * 1e3;
+        let at = match dart.kind {
+            DartKind::FishEye => self.at(middle),
+            _ => self.at(*apex) + beyond / beyond.norm().max(1e-9) * (1.4 * self.size),
+        };
+        let label = format!("{} {} mm", dart.name, fixed(1e3 * dart.intake(), 1));
+        self.canvas.text("dartname", at, 0.85 * self.size, &label);
+    }
+
+    fn notch(&mut self, notch: &Notch, piece: &Piece) {
+        let inward = match notch.angle {
+            Some(a) => Vec2::new(libm::cos(a), libm::sin(a)),
+            None => inward_normal(piece.cut_line.as_ref().unwrap_or(&piece.outline), notch.at),
+        };
+        let (at, length) = (self.at(notch.at), (1e3 * notch.depth).max(0.9 * self.size));
+        let (tip, side) = (at + inward * length, Vec2::new(-inward.y, inward.x) * (0.3 * self.size));
+        use toile_garment::notch::NotchKind as Kind;
+        match notch.kind {
+            Kind::Slit => self.canvas.line("notch", &[at, tip], false),
+            Kind::V | Kind::Check => self.canvas.line("notch", &[at + side, tip, at - side], false),
+            Kind::T => self.canvas.line("notch", &[at, tip, tip + side, tip - side], false),
+            Kind::Castle | Kind::U => {
+                self.canvas.line("notch", &[at + side, tip + side, tip - side, at - side], false);
+            }
+        }
+    }
+
+    fn drill(&mut self, at: Vec2) {
+        let (at, r) = (self.at(at), 0.4 * self.size);
+        self.canvas.dot("drill", at, r);
+        for arm in [Vec2::new(1.6 * r, 0.0), Vec2::new(0.0, 1.6 * r)] {
+            self.canvas.line("scale", &[at - arm, at + arm], false);
+        }
+    }
+
+    fn grain(&mut self, piece: &Piece) {
+        if let Some([a, b]) = piece.fold {
+            let line = [self.at(a), self.at(b)];
+            self.canvas.line("fold", &line, false);
+        }
+        let Some([a, b]) = piece.grain else { return };
+        let (a, b) = (self.at(a), self.at(b));
+        let along = (b - a) / (b - a).norm().max(1e-9) * self.size;
+        let across = Vec2::new(-along.y, along.x) * 0.4;
+        self.canvas.line("grain", &[a, b], false);
+        self.canvas.line("grain", &[b - along + across, b, b - along - across], false);
+    }
+
+    fn edge(&mut self, piece: &Piece, edge: &OutlineEdge) {
+        let points = &piece.outline.points;
+        let Some(from) = points.get(edge.from as usize) else { return };
+        let corner = self.at(from.at);
+        self.canvas.dot("corner", corner, 0.22 * self.size);
+        let Some((middle, inward)) = middle(&piece.outline, edge) else { return };
+        let label = edge.name.as_ref().map_or_else(|| edge.index.to_string(), |n| format!("{} {n}", edge.index));
+        let away = 1.1 + 0.28 * label.chars().count() as f64 * inward.x.abs();
+        let at = self.at(middle) + inward * (away * self.size);
+        self.canvas.text("edge", at, self.size, &label);
+    }
+
+    fn name(&mut self, piece: &Piece, bounds: &Bounds) {
+        let centre = (bounds.min + bounds.max) * 0.5 + self.move_by;
+        let below = Vec2::new(0.0, -1.4 * self.size);
+        self.canvas.text("name", centre, 1.15 * self.size, &piece.name);
+        let q = piece.quantity;
+        let size = piece.size.as_ref().map_or_else(String::new, |s| format!("size {s}, "));
+        let cut = if q.mirrored > 0 {
+            format!("cut {} + {} mirrored", q.plain, q.mirrored)
+        } else {
+            format!("cut {}", q.plain)
+        };
+        self.canvas.text("label", centre + below, 0.85 * self.size, &(size + &cut));
+        let area = fixed(1e4 * piece.outline.signed_area().abs(), 1);
+        self.canvas.text("label", centre + below * 1.9, 0.85 * self.size, &format!("{area} cm²"));
+    }
+}
+
+/// Half-way point of an edge and the direction into the cloth (the left of a counter-clockwise outline).
+fn middle(outline: &PieceLine, edge: &OutlineEdge) -> Option<(Vec2, Vec2)> {
+    let n = outline.points.len();
+    let (from, to) = (edge.from as usize, edge.to as usize);
+    if from >= n || to >= n {
+        return None;
+    }
+    let count = if to > from { to - from } else { to + n - from };
+    let point = |k: usize| outline.points[(from + k) % n].at;
+    let total: f64 = (0..count).map(|k| (point(k + 1) - point(k)).norm()).sum();
+    let mut left = 0.5 * total;
+    for k in 0..count {
+        let step = point(k + 1) - point(k);
+        let length = step.norm();
+        if left <= length && length > 0.0 {
+            let along = step / length;
+            return Some((point(k) + along * left, Vec2::new(-along.y, along.x)));
+        }
+        left -= length;
+    }
+    None
+}
+
+/// Direction into the cloth at the segment of a closed line nearest to a point.
+fn inward_normal(line: &PieceLine, at: Vec2) -> Vec2 {
+    let n = line.points.len();
+    let mut best = (f64::INFINITY, Vec2::new(0.0, 1.0));
+    for k in 0..n {
+        let (a, b) = (line.points[k].at, line.points[(k + 1) % n].at);
+        let step = b - a;
+        let t = ((at - a).dot(&step) / step.norm_squared().max(1e-18)).clamp(0.0, 1.0);
+        let far = (at - a - step * t).norm();
+        if far < best.0 && step.norm() > 0.0 {
+            best = (far, Vec2::new(-step.y, step.x) / step.norm());
+        }
+    }
+    if line.signed_area() < 0.0 { -best.1 } else { best.1 }
+}
+
+/// Draws the key in rows; gives the lowest y it used.
+fn legend(canvas: &mut Canvas, at: Vec2, width: f64, size: f64) -> f64 {
+    let entries = [
+        ("cut", "cut line"),
+        ("sew", "sew line"),
+        ("internal", "internal line"),
+        ("dart", "dart, width of mouth"),
+        ("notch", "notch"),
+        ("grain", "grain"),
+        ("fold", "fold"),
+    ];
+    let (mut x, mut y) = (at.x, at.y);
+    for (class, words) in entries {
+        let room = (4.0 + 0.62 * words.len() as f64) * size;
+        if x > at.x && x + room > at.x + width {
+            (x, y) = (at.x, y - 1.8 * size);
+        }
+        canvas.line(class, &[Vec2::new(x, y), Vec2::new(x + 2.5 * size, y)], false);
+        canvas.text("label", Vec2::new(x + 3.0 * size + 0.29 * words.len() as f64 * size, y), 0.85 * size, words);
+        x += room;
+    }
+    y - size
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use toile_garment::outline::{LinePoint, PointKind};
+
+    fn square(name: &str) -> Piece {
+        let corner = |x: f64, y: f64| LinePoint { at: Vec2::new(x, y), kind: PointKind::Turn };
+        let points = vec![corner(0.0, 0.0), corner(0.2, 0.0), corner(0.2, 0.3), corner(0.0, 0.3)];
+        let edge = |k: u32| OutlineEdge { index: k, name: (k == 1).then(|| "side".into()), from: k, to: (k + 1) % 4 };
+        Piece {
+            name: name.into(),
+            outline: PieceLine { points, closed: true, ..PieceLine::default() },
+            edges: (0..4).map(edge).collect(),
+            grain: Some([Vec2::new(0.1, 0.05), Vec2::new(0.1, 0.25)]),
+            ..Piece::default()
+        }
+    }
+
+    #[test]
+    fn every_edge_is_numbered_and_names_are_escaped() {
+        let svg = pattern(&[square("a<b"), square("c")], "t & u");
+        assert_eq!(svg.matches("class=\"edge\"").count(), 8);
+        assert!(
+            svg.contains(">1 side<")
+                && svg.contains("a&lt;b")
+                && svg.contains("600.0 cm²")
+                && svg.contains("mm</text>")
+        );
+        assert_eq!(svg, pattern(&[square("a<b"), square("c")], "t & u"));
+    }
+
+    #[test]
+    fn labels_lie_inside_the_cloth() {
+        let (at, inward) = middle(&square("a").outline, &square("a").edges[1]).expect("edge");
+        assert!((at - Vec2::new(0.2, 0.15)).norm() < 1e-12 && (inward - Vec2::new(-1.0, 0.0)).norm() < 1e-12);
+        assert!((inward_normal(&square("a").outline, Vec2::new(0.1, 0.301)) - Vec2::new(0.0, -1.0)).norm() < 1e-12);
+    }
+
+    #[test]
+    fn draws_nothing_wrong_for_nothing() {
+        assert!(pattern(&[], "empty").contains("<svg"));
+        assert!(pattern(&[Piece::default()], "empty").contains("</svg>"));
+    }
+}
