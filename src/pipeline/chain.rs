@@ -179,7 +179,11 @@ impl<'r> Chain<'r> {
             .filter(|i| i.gives.contains(&aspect))
             .map(|i| format!("`{}`", i.name))
             .collect();
-        if givers.is_empty() { "no known stage gives it".to_owned() } else { format!("put {} before it", givers.join(" or ")) }
+        if givers.is_empty() {
+            "no known stage gives it".to_owned()
+        } else {
+            format!("put {} before it", givers.join(" or "))
+        }
     }
 }
 

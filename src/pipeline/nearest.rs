@@ -7,7 +7,9 @@ pub fn nearest<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> Opti
     known
         .into_iter()
         .map(|k| (strsim::damerau_levenshtein(name, k), k))
-        .filter(|(distance, k)| *distance <= limit || (k.len() > 3 && name.len() > 3 && (k.contains(name) || name.contains(k))))
+        .filter(|(distance, k)| {
+            *distance <= limit || (k.len() > 3 && name.len() > 3 && (k.contains(name) || name.contains(k)))
+        })
         .min()
         .map(|(_, k)| k)
 }

@@ -37,7 +37,12 @@ pub(super) fn sort<'t>(cx: &mut Reader<'_>, document: &Document<'t>) -> Override
     for (index, set) in document.source.sets().iter().enumerate() {
         let Some((key, raw)) = set.split_once('=') else {
             let span = document.source.span_of_set(index);
-            cx.push("set-form", &span, format!("`{set}` has no `=`"), "write --set name=value or --set stage-id.key=value");
+            cx.push(
+                "set-form",
+                &span,
+                format!("`{set}` has no `=`"),
+                "write --set name=value or --set stage-id.key=value",
+            );
             continue;
         };
         let key = key.trim();
@@ -96,14 +101,17 @@ fn typed<'t>(raw: &'t str, wants_text: bool, span: &Range<usize>) -> Spanned<DeV
 /// Spans within the override mean nothing in the file: all of it stands at the override.
 fn respan<'t>(value: DeValue<'t>, span: &Range<usize>) -> DeValue<'t> {
     match value {
-        DeValue::Array(items) => {
-            DeValue::Array(items.into_iter().map(|v| Spanned::new(span.clone(), respan(v.into_inner(), span))).collect())
-        }
+        DeValue::Array(items) => DeValue::Array(
+            items.into_iter().map(|v| Spanned::new(span.clone(), respan(v.into_inner(), span))).collect(),
+        ),
         DeValue::Table(table) => DeValue::Table(
             table
                 .into_iter()
                 .map(|(k, v)| {
-                    (Spanned::new(span.clone(), k.into_inner()), Spanned::new(span.clone(), respan(v.into_inner(), span)))
+                    (
+                        Spanned::new(span.clone(), k.into_inner()),
+                        Spanned::new(span.clone(), respan(v.into_inner(), span)),
+                    )
                 })
                 .collect(),
         ),
