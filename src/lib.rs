@@ -1,3 +1,12 @@
-//! The engine and command line of toile.
+//! The engine and command line of toile: reads a pipeline, checks the whole chain, runs it, writes outputs and the
+//! record of the run. It knows stages only through a [`Registry`](toile_stage_api::Registry).
 
+pub mod cli;
+pub mod codes;
+pub mod engine;
+pub mod external;
+pub mod load;
 pub mod pipeline;
+pub mod progress;
+pub mod render;
+pub mod schema;

@@ -1,2 +1,5 @@
 //! The command line of toile.
-fn main() {}
+
+fn main() -> std::process::ExitCode {
+    toile::cli::main(toile_stages::builtin())
+}

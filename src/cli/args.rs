@@ -1,0 +1,182 @@
+//! Verbs and their options.
+
+use crate::load::Request;
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use std::path::PathBuf;
+
+/// The virtual trial garment: DXF patterns sewn and draped in 3D, and flattened back to 2D.
+#[derive(Debug, Parser)]
+#[command(name = "toile", version, max_term_width = 100, after_help = HELP)]
+pub struct Cli {
+    /// What to do.
+    #[command(subcommand)]
+    pub verb: Verb,
+}
+
+const HELP: &str = "\
+The usual thing:  toile run pipelines/long-skirt/v1.toml
+Exit codes: 0 good, 1 a gate of the certificate failed, 2 usage or configuration, 3 an input file is wrong,
+4 did not converge or unstable, 5 disk, memory, rights or an internal error, 130 stopped.";
+
+/// The verbs.
+#[derive(Debug, Subcommand)]
+pub enum Verb {
+    /// Run a pipeline; outputs and run.json go into one folder.
+    Run(RunArgs),
+    /// Check everything that can be checked without work, all errors at once.
+    Check(CheckArgs),
+    /// Show what a run would do: stages, parameters, inputs, outputs.
+    Plan(PlanArgs),
+    /// Show what is in a file.
+    Inspect(InspectArgs),
+    /// Flatten a garment back to 2D, from its file alone.
+    Flatten(FlattenArgs),
+    /// List the stages, or explain one with all its parameters.
+    Stages(StagesArgs),
+    /// Print the JSON schema of pipeline files.
+    Schema,
+    /// Explain the code of a finding.
+    Explain(ExplainArgs),
+    /// Print the completion script of a shell.
+    Completions(CompletionsArgs),
+}
+
+/// Which pipeline, and what it may do.
+#[derive(Args, Debug)]
+pub struct PipelineArgs {
+    /// Pipeline file.
+    #[arg(value_name = "PIPELINE.toml")]
+    pub pipeline: PathBuf,
+    /// Set an input (name=value) or a parameter (stage-id.key=value); may be repeated.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    pub set: Vec<String>,
+    /// Let the pipeline read this folder too; may be repeated.
+    #[arg(long, value_name = "DIR")]
+    pub allow_read: Vec<PathBuf>,
+    /// Let the pipeline run the program of this plugin; may be repeated.
+    #[arg(long, value_name = "NAME")]
+    pub allow_run: Vec<String>,
+}
+
+impl PipelineArgs {
+    /// As the loader wants it.
+    pub fn request(&self) -> Request {
+        Request {
+            file: self.pipeline.clone(),
+            set: self.set.clone(),
+            allow_read: self.allow_read.clone(),
+            allow_run: self.allow_run.iter().cloned().collect(),
+        }
+    }
+}
+
+/// `run`
+#[derive(Args, Debug)]
+pub struct RunArgs {
+    /// Pipeline.
+    #[command(flatten)]
+    pub pipeline: PipelineArgs,
+    /// Output folder [default: out/LINE-vVERSION]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Threads [default: all cores, or TOILE_THREADS]; results never depend on it.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// Write events as JSON lines to this file.
+    #[arg(long, value_name = "FILE")]
+    pub events: Option<PathBuf>,
+    /// Let the pipeline write into this folder too; may be repeated.
+    #[arg(long, value_name = "DIR")]
+    pub allow_write: Vec<PathBuf>,
+    /// Replace files that are there.
+    #[arg(long)]
+    pub force: bool,
+    /// Say nothing but errors.
+    #[arg(long)]
+    pub quiet: bool,
+}
+
+/// How findings are printed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum Format {
+    /// For people, on stderr.
+    Text,
+    /// For programs, on stdout.
+    Json,
+}
+
+/// `check`
+#[derive(Args, Debug)]
+pub struct CheckArgs {
+    /// Pipeline.
+    #[command(flatten)]
+    pub pipeline: PipelineArgs,
+    /// How findings are printed.
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: Format,
+}
+
+/// `plan`
+#[derive(Args, Debug)]
+pub struct PlanArgs {
+    /// Pipeline.
+    #[command(flatten)]
+    pub pipeline: PipelineArgs,
+    /// For programs.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `inspect`
+#[derive(Args, Debug)]
+pub struct InspectArgs {
+    /// File.
+    pub file: PathBuf,
+    /// For programs.
+    #[arg(long)]
+    pub json: bool,
+    /// Draw the pieces with edge numbers, darts and notches.
+    #[arg(long, value_name = "OUT")]
+    pub svg: Option<PathBuf>,
+    /// Replace OUT if it is there.
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// `flatten`
+#[derive(Args, Debug)]
+pub struct FlattenArgs {
+    /// Garment.
+    #[arg(value_name = "GARMENT.glb")]
+    pub garment: PathBuf,
+    /// Write the flat pieces as DXF.
+    #[arg(long, value_name = "OUT")]
+    pub dxf: Option<PathBuf>,
+    /// Write the figures as JSON.
+    #[arg(long, value_name = "OUT")]
+    pub json: Option<PathBuf>,
+    /// Replace OUT if it is there.
+    #[arg(long)]
+    pub force: bool,
+}
+
+/// `stages`
+#[derive(Args, Debug)]
+pub struct StagesArgs {
+    /// Stage to explain.
+    pub name: Option<String>,
+}
+
+/// `explain`
+#[derive(Args, Debug)]
+pub struct ExplainArgs {
+    /// Code, e.g. unknown-key; without it all codes are listed.
+    pub code: Option<String>,
+}
+
+/// `completions`
+#[derive(Args, Debug)]
+pub struct CompletionsArgs {
+    /// Shell.
+    pub shell: clap_complete::Shell,
+}

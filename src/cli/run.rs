@@ -1,0 +1,89 @@
+//! `toile run`
+
+use super::args::RunArgs;
+use super::console::Console;
+use crate::engine::{self, Exit, Outcome, RunOptions, Stop, clean, default_out};
+use crate::load;
+use crate::progress::{Teller, Voice};
+use std::io::Write;
+use std::path::Path;
+use std::sync::Arc;
+use toile_garment::Diagnostic;
+use toile_stage_api::Registry;
+
+pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
+    let request = args.pipeline.request();
+    let source = match load::open(&request) {
+        Ok(source) => source,
+        Err(finding) => {
+            console.findings(&[finding], None);
+            return Exit::Usage;
+        }
+    };
+    let loaded = load::check(&source, &request, stop, registry);
+    if loaded.report.has_errors() {
+        console.findings(&loaded.report.findings, Some((source.file(), source.text())));
+        return Exit::of_findings(&loaded.report.findings);
+    }
+    let (Some(pipeline), Some(gate)) = (loaded.pipeline, loaded.gate) else { return Exit::Usage };
+    let events = match open_events(args) {
+        Ok(events) => events,
+        Err(finding) => {
+            console.findings(&[finding], None);
+            return Exit::Usage;
+        }
+    };
+    let out = args.out.clone().unwrap_or_else(|| default_out(&pipeline));
+    let threads = threads(args);
+    let options = RunOptions {
+        out: out.clone(),
+        force: args.force,
+        threads,
+        allow_write: args.allow_write.clone(),
+        set: args.pipeline.set.clone(),
+        pipeline_file: (source.file().to_owned(), source.text().as_bytes().to_vec()),
+    };
+    // A pool that is there already (a library user's) is taken as it is: results do not depend on it.
+    drop(rayon::ThreadPoolBuilder::new().num_threads(threads).build_global());
+    let mut teller = Teller::new(if args.quiet { Voice::Quiet } else { Voice::Auto }, events);
+    let outcome = engine::run(&pipeline, gate, &options, stop, &mut teller, loaded.report);
+    drop(teller);
+    console.result(&summary(&outcome, &out));
+    outcome.exit
+}
+
+fn threads(args: &RunArgs) -> usize {
+    let asked = args.threads.map(usize::from);
+    let from_environment = || std::env::var("TOILE_THREADS").ok()?.parse().ok().filter(|n| (1..=1024).contains(n));
+    let cores = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    asked.or_else(from_environment).unwrap_or_else(cores)
+}
+
+fn open_events(args: &RunArgs) -> Result<Option<Box<dyn Write + Send>>, Diagnostic> {
+    let Some(path) = &args.events else { return Ok(None) };
+    let mut options = std::fs::File::options();
+    options.write(true);
+    if args.force {
+        options.create(true).truncate(true)
+    } else {
+        options.create_new(true)
+    };
+    match options.open(path) {
+        Ok(file) => Ok(Some(Box::new(file))),
+        Err(error) => {
+            Err(Diagnostic::error("write-failed", format!("cannot write events to `{}`: {error}", clean(path)))
+                .hint("choose another file, or pass --force to replace it"))
+        }
+    }
+}
+
+/// What came of it: one line per output.
+fn summary(outcome: &Outcome, out: &Path) -> String {
+    let Some(record) = &outcome.record else { return String::new() };
+    let mut text = String::new();
+    for output in &record.outputs {
+        text.push_str(&format!("{}\n", crate::render::safe(&out.join(&output.path).to_string_lossy())));
+    }
+    text.push_str(&format!("{}\n", crate::render::safe(&out.join(engine::RECORD_NAME).to_string_lossy())));
+    text
+}

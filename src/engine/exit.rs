@@ -1,0 +1,88 @@
+//! Exit codes: whose fault it was.
+
+use toile_garment::Diagnostic;
+use toile_stage_api::{FileError, StageError};
+
+/// How a run ended; the number is the exit code.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Exit {
+    /// Good.
+    Good = 0,
+    /// It ran, but a gate of the certificate failed.
+    Gate = 1,
+    /// Usage or configuration.
+    Usage = 2,
+    /// An input file is wrong.
+    Input = 3,
+    /// It did not converge or became unstable.
+    Unstable = 4,
+    /// Disk, memory, rights; also a mistake of the program itself, which no user can mend.
+    System = 5,
+    /// Stopped by the user.
+    Stopped = 130,
+}
+
+impl Exit {
+    /// The number.
+    #[must_use]
+    pub fn code(self) -> u8 {
+        self as u8
+    }
+
+    /// One word for `run.json`.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Good => "good",
+            Self::Gate => "gate-failed",
+            Self::Usage => "usage",
+            Self::Input => "input",
+            Self::Unstable => "unstable",
+            Self::System => "system",
+            Self::Stopped => "stopped",
+        }
+    }
+
+    /// The code of a set of configuration errors: files that are missing or too large are the input's fault, all
+    /// else is the configuration's.
+    #[must_use]
+    pub fn of_findings(findings: &[Diagnostic]) -> Self {
+        let errors = || findings.iter().filter(|f| f.severity == toile_garment::Severity::Error);
+        let is_input = |f: &Diagnostic| matches!(f.code.as_str(), "file-missing" | "file-too-large" | "not-a-file");
+        if errors().next().is_none() {
+            Self::Good
+        } else if errors().all(is_input) {
+            Self::Input
+        } else {
+            Self::Usage
+        }
+    }
+}
+
+/// Findings and exit code of a stage's failure.
+#[must_use]
+pub fn of_stage_error(error: StageError) -> (Vec<Diagnostic>, Exit) {
+    let one = |code: &str, message: String, exit| (vec![Diagnostic::error(code, message)], exit);
+    match error {
+        StageError::Input(findings) => (findings, Exit::Input),
+        StageError::Parameter(findings) => (findings, Exit::Usage),
+        StageError::Unsupported(_) => one("unsupported", error.to_string(), Exit::Input),
+        StageError::Limit(text) => one("limit", text, Exit::Input),
+        StageError::Unstable(text) => one("unstable", text, Exit::Unstable),
+        StageError::File(error) => of_file_error(&error),
+        StageError::Cancelled => (Vec::new(), Exit::Stopped),
+        other => one("internal-error", other.to_string(), Exit::System),
+    }
+}
+
+/// Findings and exit code of a file that could not be read or written.
+#[must_use]
+pub fn of_file_error(error: &FileError) -> (Vec<Diagnostic>, Exit) {
+    let (code, exit) = match error {
+        FileError::Refused { .. } => ("path-refused", Exit::Usage),
+        FileError::Missing { .. } => ("file-missing", Exit::Input),
+        FileError::TooLarge { .. } => ("file-too-large", Exit::Input),
+        _ => ("write-failed", Exit::System),
+    };
+    (vec![Diagnostic::error(code, error.to_string())], exit)
+}

@@ -1,0 +1,24 @@
+//! Runs a chain: files through the gate, outputs whole or not at all, provenance, stopping, the record of the run.
+
+mod exit;
+mod files;
+mod gate;
+mod meter;
+mod outputs;
+mod panics;
+mod preflight;
+mod record;
+mod run;
+mod stop;
+
+pub use exit::{Exit, of_file_error, of_stage_error};
+pub use files::{MAX_INPUT, RunFiles, read_limited};
+pub use gate::{Gate, clean, output_below, project_root};
+pub use meter::{Meter, peak_mb};
+pub(crate) use outputs::write_whole;
+pub use outputs::{Outputs, RECORD_NAME};
+pub use panics::{panic_text, quiet_panics};
+pub use preflight::{check_paths, planned_inputs, planned_outputs};
+pub use record::{GarmentCounts, OutputRecord, RunRecord, StageRun};
+pub use run::{Outcome, RunOptions, default_out, run};
+pub use stop::Stop;

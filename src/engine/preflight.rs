@@ -1,0 +1,60 @@
+//! What can be said about files before any work: inputs are there and allowed, outputs differ from each other.
+
+use super::gate::{Gate, output_below};
+use crate::pipeline::{PathText, Step, nearest};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+use toile_garment::{Diagnostic, Report, SourceRef};
+use toile_stage_api::FileError;
+
+/// Outputs that the parameters name, as paths below the output folder.
+#[must_use]
+pub fn planned_outputs(steps: &[Step<'_>]) -> Vec<PathBuf> {
+    let outputs = steps.iter().flat_map(|s| &s.paths).filter(|p| p.is_output());
+    outputs.map(|p| PathBuf::from(&p.text)).collect()
+}
+
+/// Inputs that the parameters name.
+pub fn planned_inputs<'a>(steps: &'a [Step<'_>]) -> impl Iterator<Item = &'a PathText> {
+    steps.iter().flat_map(|s| &s.paths).filter(|p| !p.is_output())
+}
+
+/// Looks at every path of the chain.
+pub fn check_paths(steps: &[Step<'_>], gate: &Gate, report: &mut Report) {
+    for input in planned_inputs(steps) {
+        if let Err(error) = gate.input(Path::new(&input.text)) {
+            report.push(input_finding(gate, input, &error));
+        }
+    }
+    let mut seen: BTreeMap<String, SourceRef> = BTreeMap::new();
+    for output in steps.iter().flat_map(|s| &s.paths).filter(|p| p.is_output()) {
+        match output_below(Path::new(&output.text)) {
+            Err(error) => report.push(Diagnostic::error("path-refused", error.to_string()).at(output.place.clone())),
+            Ok(below) => {
+                if let Some(first) = seen.insert(below.to_string_lossy().to_lowercase(), output.place.clone()) {
+                    let message = format!("two outputs are called `{}`; the other stands at {first}", output.text);
+                    let finding = Diagnostic::error("outputs-collide", message);
+                    report.push(finding.at(output.place.clone()).hint("give each output its own name"));
+                }
+            }
+        }
+    }
+}
+
+fn input_finding(gate: &Gate, input: &PathText, error: &FileError) -> Diagnostic {
+    let path = Path::new(&input.text);
+    match error {
+        FileError::Missing { .. } => {
+            let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
+            let neighbours = gate.neighbours(path);
+            let hint = nearest(&name, neighbours.iter().map(String::as_str)).map_or_else(
+                || "paths are relative to the pipeline file".to_owned(),
+                |near| format!("did you mean `{near}`? Paths are relative to the pipeline file"),
+            );
+            Diagnostic::error("file-missing", error.to_string()).at(input.place.clone()).hint(hint)
+        }
+        _ => Diagnostic::error("path-refused", error.to_string())
+            .at(input.place.clone())
+            .hint("paths are relative to the pipeline file and stay in its project; see --allow-read DIR"),
+    }
+}

@@ -1,0 +1,123 @@
+//! `run.json`: what ran, how long, with which result. The only output that may hold times and machine facts.
+
+use super::exit::Exit;
+use serde::Serialize;
+use toile_garment::garment::{Certificate, EffectRecord};
+use toile_garment::provenance::InputRecord;
+use toile_garment::{Diagnostic, Garment};
+
+/// One stage that ran.
+#[derive(Clone, Debug, Serialize)]
+pub struct StageRun {
+    /// Stage.
+    #[serde(rename = "use")]
+    pub name: String,
+    /// Id.
+    pub id: String,
+    /// Revision of the stage's code.
+    pub revision: u32,
+    /// Full parameters.
+    pub params: serde_json::Value,
+    /// Wall time.
+    pub seconds: f64,
+    /// Time of all threads, where the system tells.
+    pub cpu_seconds: Option<f64>,
+    /// Largest resident memory, MB, where the system tells.
+    pub peak_mb: Option<f64>,
+    /// Taken from the cache?
+    pub cached: bool,
+}
+
+/// An output.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct OutputRecord {
+    /// Below the output folder, forward slashes.
+    pub path: String,
+    /// Hex digest.
+    pub blake3: String,
+}
+
+/// Counts of the garment.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct GarmentCounts {
+    /// Pieces.
+    pub pieces: usize,
+    /// Triangles of all pieces.
+    pub triangles: usize,
+    /// Vertices of all pieces, before welding.
+    pub vertices: usize,
+    /// Seams, darts and pleats not counted.
+    pub seams: usize,
+    /// Darts of all pieces.
+    pub darts: usize,
+}
+
+/// The whole record.
+#[derive(Clone, Debug, Serialize)]
+pub struct RunRecord {
+    /// Program version.
+    pub toile: String,
+    /// Product line and version.
+    pub pipeline: String,
+    /// Status in a word.
+    pub status: &'static str,
+    /// Exit code.
+    pub exit_code: u8,
+    /// Overrides of the command line.
+    pub set: Vec<String>,
+    /// Inputs.
+    pub inputs: Vec<InputRecord>,
+    /// Seed.
+    pub seed: u64,
+    /// Threads.
+    pub threads: usize,
+    /// Wall time of the whole run.
+    pub seconds: f64,
+    /// Stages.
+    pub stages: Vec<StageRun>,
+    /// Effects of the drape.
+    pub effects: Vec<EffectRecord>,
+    /// Findings.
+    pub findings: Vec<Diagnostic>,
+    /// Certificate of the drape.
+    pub certificate: Option<Certificate>,
+    /// Counts.
+    pub garment: GarmentCounts,
+    /// Outputs.
+    pub outputs: Vec<OutputRecord>,
+}
+
+impl RunRecord {
+    /// As text.
+    #[must_use]
+    pub fn to_text(&self) -> String {
+        let mut text = serde_json::to_string_pretty(self).unwrap_or_default();
+        text.push('\n');
+        text
+    }
+
+    /// Sets status and code.
+    pub fn end(&mut self, exit: Exit) {
+        self.status = exit.word();
+        self.exit_code = exit.code();
+    }
+}
+
+impl GarmentCounts {
+    /// Counts a garment.
+    #[must_use]
+    pub fn of(garment: &Garment) -> Self {
+        let meshes = || garment.pieces.iter().filter_map(|p| p.mesh.as_ref());
+        Self {
+            pieces: garment.pieces.len(),
+            triangles: meshes().map(|m| m.triangles.len()).sum(),
+            vertices: meshes().map(|m| m.rest.len()).sum(),
+            seams: garment.seams.iter().filter(|s| !is_dart(s)).count(),
+            darts: garment.pieces.iter().map(|p| p.darts.len()).sum(),
+        }
+    }
+}
+
+fn is_dart(seam: &toile_garment::seam::Seam) -> bool {
+    !matches!(seam.kind, toile_garment::seam::SeamKind::Seam)
+}

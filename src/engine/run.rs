@@ -1,0 +1,288 @@
+//! Runs a checked chain.
+
+use super::exit::{Exit, of_file_error, of_stage_error};
+use super::files::RunFiles;
+use super::gate::Gate;
+use super::meter::{Meter, peak_mb};
+use super::outputs::{Outputs, RECORD_NAME};
+use super::preflight::planned_outputs;
+use super::record::{GarmentCounts, OutputRecord, RunRecord, StageRun};
+use super::stop::Stop;
+use crate::pipeline::{Pipeline, Step};
+use crate::progress::Teller;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use toile_garment::garment::EffectRecord;
+use toile_garment::provenance::StageRecord;
+use toile_garment::{Diagnostic, Garment, Report};
+use toile_stage_api::{StageContext, StageError};
+
+/// What the caller wants of a run.
+#[derive(Clone, Debug)]
+pub struct RunOptions {
+    /// Output folder.
+    pub out: PathBuf,
+    /// Replace files that are there?
+    pub force: bool,
+    /// Threads.
+    pub threads: usize,
+    /// Further folders for outputs.
+    pub allow_write: Vec<PathBuf>,
+    /// Overrides, for the record.
+    pub set: Vec<String>,
+    /// Name and bytes of the pipeline file, for the record.
+    pub pipeline_file: (String, Vec<u8>),
+}
+
+/// What came of a run.
+pub struct Outcome {
+    /// How it ended.
+    pub exit: Exit,
+    /// Its record; `None` when it was refused before it began.
+    pub record: Option<RunRecord>,
+    /// Findings of the whole run.
+    pub findings: Vec<Diagnostic>,
+    /// The garment as far as it got.
+    pub garment: Garment,
+}
+
+/// Runs the chain. Outputs appear only if every stage did its work; `run.json` is written in any case.
+pub fn run(
+    pipeline: &Pipeline<'_>,
+    gate: Gate,
+    options: &RunOptions,
+    stop: &Arc<Stop>,
+    teller: &mut Teller,
+    report: Report,
+) -> Outcome {
+    let planned = planned_outputs(&pipeline.steps);
+    let outputs = Outputs::open(&options.out, &options.allow_write, &planned, options.force, Arc::clone(stop));
+    let outputs = match outputs {
+        Ok(outputs) => outputs,
+        Err(error) => return refuse(&error, report, teller),
+    };
+    let mut files = RunFiles::new(gate, outputs);
+    files.note_input(options.pipeline_file.0.clone(), &options.pipeline_file.1);
+    let mut run = Run::new(pipeline, options, files, stop, teller, report);
+    let exit = run.chain(pipeline);
+    run.finish(exit)
+}
+
+fn refuse(error: &toile_stage_api::FileError, mut report: Report, teller: &mut Teller) -> Outcome {
+    let (findings, exit) = of_file_error(error);
+    for finding in findings {
+        teller.finding(&finding);
+        report.push(finding);
+    }
+    Outcome { exit, record: None, findings: report.findings, garment: Garment::default() }
+}
+
+struct Run<'a> {
+    record: RunRecord,
+    report: Report,
+    told: usize,
+    garment: Garment,
+    files: RunFiles,
+    stop: &'a Arc<Stop>,
+    teller: &'a mut Teller,
+    started: Meter,
+}
+
+impl<'a> Run<'a> {
+    fn new(
+        pipeline: &Pipeline<'_>,
+        options: &RunOptions,
+        files: RunFiles,
+        stop: &'a Arc<Stop>,
+        teller: &'a mut Teller,
+        report: Report,
+    ) -> Self {
+        let name = format!("{} v{}", pipeline.line, pipeline.version);
+        let record = RunRecord {
+            toile: env!("CARGO_PKG_VERSION").to_owned(),
+            pipeline: name,
+            status: Exit::Stopped.word(),
+            exit_code: Exit::Stopped.code(),
+            set: options.set.clone(),
+            inputs: Vec::new(),
+            seed: pipeline.seed,
+            threads: options.threads,
+            seconds: 0.0,
+            stages: Vec::new(),
+            effects: Vec::new(),
+            findings: Vec::new(),
+            certificate: None,
+            garment: GarmentCounts::default(),
+            outputs: Vec::new(),
+        };
+        let mut garment = Garment::default();
+        garment.provenance.toile.clone_from(&record.toile);
+        garment.provenance.pipeline.clone_from(&record.pipeline);
+        garment.provenance.seed = pipeline.seed;
+        Self { record, report, told: 0, garment, files, stop, teller, started: Meter::start() }
+    }
+
+    fn chain(&mut self, pipeline: &Pipeline<'_>) -> Exit {
+        for (number, step) in pipeline.steps.iter().enumerate() {
+            if self.stop.asked() {
+                return Exit::Stopped;
+            }
+            self.teller.stage_start(number + 1, pipeline.steps.len(), &step.id);
+            self.remember();
+            let exit = self.step(step);
+            let seconds = self.record.stages.last().map_or(0.0, |s| s.seconds);
+            self.tell_findings();
+            self.teller.stage_end(&step.id, seconds, exit.word());
+            if exit != Exit::Good {
+                return exit;
+            }
+        }
+        self.gate()
+    }
+
+    /// Leaves word for the case that the program has to go without coming back here.
+    fn remember(&mut self) {
+        self.fill_record();
+        let path = self.files.outputs().root().join(RECORD_NAME);
+        self.stop.set_last_words(Some((path, self.record.to_text())));
+    }
+
+    fn step(&mut self, step: &Step<'_>) -> Exit {
+        let info = step.ready.info();
+        let params = step.ready.params();
+        let before = self.report.findings.len();
+        step.ready.check(&self.garment, &mut self.report);
+        if self.errors_since(before) {
+            return Exit::Input;
+        }
+        self.garment.provenance.inputs = self.files.inputs().to_vec();
+        let (stage, id) = (info.name.to_string(), step.id.clone());
+        self.garment.provenance.stages.push(StageRecord { stage, id, revision: info.revision, params: params.clone() });
+        let meter = Meter::start();
+        let result = self.work(step);
+        self.record.stages.push(StageRun {
+            name: info.name.to_string(),
+            id: step.id.clone(),
+            revision: info.revision,
+            params,
+            seconds: meter.seconds(),
+            cpu_seconds: meter.cpu_seconds(),
+            peak_mb: peak_mb(),
+            cached: false,
+        });
+        let exit = match result {
+            Ok(garment) => self.take(garment, before),
+            Err(error) => self.fail(step, error),
+        };
+        if exit != Exit::Good && self.stop.asked() { Exit::Stopped } else { exit }
+    }
+
+    fn work(&mut self, step: &Step<'_>) -> Result<Garment, StageError> {
+        let garment = std::mem::take(&mut self.garment);
+        let mut cx = StageContext {
+            report: &mut self.report,
+            progress: &mut *self.teller,
+            files: &mut self.files,
+            cancel: self.stop.flag(),
+            seed: self.record.seed,
+            threads: self.record.threads,
+        };
+        let guarded = catch_unwind(AssertUnwindSafe(|| step.ready.run(garment, &mut cx)));
+        guarded.unwrap_or_else(|panic| Err(StageError::Internal(super::panic_text(panic.as_ref()))))
+    }
+
+    fn take(&mut self, garment: Garment, before: usize) -> Exit {
+        self.garment = garment;
+        // Times belong into the record alone: in the document they would change its bytes from run to run.
+        for effect in &mut self.garment.effects {
+            let cost = std::mem::take(&mut effect.cpu_seconds);
+            let known = self.record.effects.iter().position(|e| e.name == effect.name);
+            let before = known.map_or(0.0, |i| self.record.effects.remove(i).cpu_seconds);
+            self.record.effects.push(EffectRecord { cpu_seconds: before + cost, ..effect.clone() });
+        }
+        if self.errors_since(before) { Exit::Input } else { Exit::Good }
+    }
+
+    fn fail(&mut self, step: &Step<'_>, error: StageError) -> Exit {
+        let (findings, exit) = of_stage_error(error);
+        for mut finding in findings {
+            finding.source = finding.source.or_else(|| Some(place_of(step, &finding.message)));
+            self.report.push(finding);
+        }
+        exit
+    }
+
+    fn errors_since(&self, before: usize) -> bool {
+        self.report.findings[before..].iter().any(|f| f.severity == toile_garment::Severity::Error)
+    }
+
+    fn tell_findings(&mut self) {
+        for finding in &self.report.findings[self.told..] {
+            self.teller.finding(finding);
+        }
+        self.told = self.report.findings.len();
+    }
+
+    fn gate(&mut self) -> Exit {
+        let Some(certificate) = self.garment.certificate.as_ref().filter(|c| !c.passed) else { return Exit::Good };
+        let message = format!(
+            "the certificate did not pass: {}residual {:.3e}, largest strain {:.1} %, seam gap {:.3} mm, dart gap \
+             {:.3} mm, {} crossings with itself and {} with the body",
+            if certificate.settled { "" } else { "not settled, " },
+            certificate.residual_rel,
+            certificate.strain_max * 100.0,
+            certificate.seam_gap_max_mm,
+            certificate.dart_gap_max_mm,
+            certificate.self_crossings,
+            certificate.body_crossings,
+        );
+        let hint = "the outputs are written for looking at; `limits` in run.json says what was asked";
+        self.report.push(Diagnostic::error("certificate-failed", message).hint(hint));
+        self.tell_findings();
+        Exit::Gate
+    }
+
+    fn fill_record(&mut self) {
+        self.record.inputs = self.files.inputs().to_vec();
+        self.record.findings.clone_from(&self.report.findings);
+        self.record.certificate.clone_from(&self.garment.certificate);
+        self.record.garment = GarmentCounts::of(&self.garment);
+        self.record.seconds = self.started.seconds();
+    }
+
+    fn finish(mut self, exit: Exit) -> Outcome {
+        let mut exit = if exit == Exit::Good && self.stop.asked() { Exit::Stopped } else { exit };
+        self.tell_findings();
+        self.fill_record();
+        self.record.end(exit);
+        let written = if matches!(exit, Exit::Good | Exit::Gate) {
+            let list = self.files.outputs().list();
+            self.record.outputs = list.into_iter().map(|(path, blake3)| OutputRecord { path, blake3 }).collect();
+            self.files.outputs_mut().commit(self.record.to_text().as_bytes())
+        } else {
+            self.stop.set_last_words(None);
+            self.files.outputs().write_record(self.record.to_text().as_bytes())
+        };
+        if let Err(error) = written {
+            let (findings, worse) = of_file_error(&error);
+            exit = if exit == Exit::Good || exit == Exit::Gate { worse } else { exit };
+            findings.into_iter().for_each(|f| self.report.push(f));
+            self.tell_findings();
+        }
+        self.teller.run_end(exit.word(), self.record.seconds);
+        Outcome { exit, record: Some(self.record), findings: self.report.findings, garment: self.garment }
+    }
+}
+
+/// The parameter that a message speaks of, else the stage.
+fn place_of(step: &Step<'_>, message: &str) -> toile_garment::SourceRef {
+    let named = step.paths.iter().find(|p| message.contains(&format!("`{}`", p.text)));
+    named.map_or_else(|| step.place.clone(), |p| p.place.clone())
+}
+
+/// Default output folder.
+#[must_use]
+pub fn default_out(pipeline: &Pipeline<'_>) -> PathBuf {
+    Path::new("out").join(format!("{}-v{}", pipeline.line, pipeline.version))
+}

@@ -1,0 +1,114 @@
+//! Stopping: a signal sets a flag that stages look at; whoever does not look in time is left behind.
+
+use super::outputs::write_whole;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+/// How long a stage has to see the flag before the program leaves without it.
+const GRACE: Duration = Duration::from_millis(350);
+
+/// What must be tidied when the program leaves in the middle of its work.
+#[derive(Default)]
+pub struct Stop {
+    flag: AtomicBool,
+    litter: Mutex<BTreeSet<PathBuf>>,
+    groups: Mutex<BTreeSet<i32>>,
+    last_words: Mutex<Option<(PathBuf, String)>>,
+    committing: Mutex<()>,
+}
+
+impl Stop {
+    /// A stop that nobody has asked for yet.
+    #[must_use]
+    pub fn new() -> Arc<Self> {
+        Arc::default()
+    }
+
+    /// Listens to SIGINT, SIGTERM and SIGHUP. The first sets the flag and leaves after a short grace, the second at
+    /// once. Does nothing when the process listens already.
+    pub fn listen(self: &Arc<Self>) {
+        let stop = Arc::clone(self);
+        let heard = ctrlc::set_handler(move || stop.heard());
+        // A library user may have an own handler; then stopping is theirs.
+        drop(heard);
+    }
+
+    fn heard(self: &Arc<Self>) {
+        if self.flag.swap(true, Ordering::SeqCst) {
+            self.leave();
+        }
+        let stop = Arc::clone(self);
+        std::thread::spawn(move || {
+            std::thread::sleep(GRACE);
+            stop.leave();
+        });
+    }
+
+    /// Asks for a stop.
+    pub fn ask(&self) {
+        self.flag.store(true, Ordering::SeqCst);
+    }
+
+    /// The flag.
+    #[must_use]
+    pub fn flag(&self) -> &AtomicBool {
+        &self.flag
+    }
+
+    /// Was a stop asked for?
+    #[must_use]
+    pub fn asked(&self) -> bool {
+        self.flag.load(Ordering::Relaxed)
+    }
+
+    /// Held while outputs get their final names: nobody leaves in between.
+    pub(super) fn commit_guard(&self) -> MutexGuard<'_, ()> {
+        lock(&self.committing)
+    }
+
+    pub(super) fn add_litter(&self, path: &Path) {
+        lock(&self.litter).insert(path.to_path_buf());
+    }
+
+    pub(super) fn forget_litter(&self, path: &Path) {
+        lock(&self.litter).remove(path);
+    }
+
+    /// `run.json` for the case that nobody is left to write it.
+    pub(super) fn set_last_words(&self, words: Option<(PathBuf, String)>) {
+        *lock(&self.last_words) = words;
+    }
+
+    /// A process group that must not outlive the program.
+    pub(crate) fn add_group(&self, id: i32) {
+        lock(&self.groups).insert(id);
+    }
+
+    pub(crate) fn forget_group(&self, id: i32) {
+        lock(&self.groups).remove(&id);
+    }
+
+    /// Tidies and ends the process.
+    fn leave(&self) -> ! {
+        let _whole = self.commit_guard();
+        for group in lock(&self.groups).iter() {
+            crate::external::kill_group(*group);
+        }
+        for path in lock(&self.litter).iter() {
+            // What cannot be removed is swept by the next run.
+            drop(std::fs::remove_file(path));
+        }
+        if let Some((path, text)) = lock(&self.last_words).take() {
+            drop(write_whole(&path, text.as_bytes()));
+        }
+        std::process::exit(i32::from(super::Exit::Stopped.code()))
+    }
+}
+
+/// A panic elsewhere must not keep the program from tidying.
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}

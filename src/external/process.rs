@@ -1,0 +1,261 @@
+//! Starts a program without a shell, in its own process group, with limits, and listens to it.
+
+use crate::engine::Stop;
+use crate::pipeline::Plugin;
+use std::io::{Read, Write as _};
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, ExitStatus, Stdio};
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, SyncSender, sync_channel};
+use std::time::{Duration, Instant};
+
+/// Longest line on stdout, bytes.
+const MAX_LINE: usize = 1 << 20;
+/// All of stdout, bytes.
+const MAX_STDOUT: usize = 16 << 20;
+/// As much of stderr is kept, bytes.
+const MAX_STDERR: usize = 4096;
+/// Time for `describe`.
+const DESCRIBE_TIME: Duration = Duration::from_secs(10);
+/// How often the stop flag is looked at.
+const TICK: Duration = Duration::from_millis(20);
+/// What programs find on their path; nothing of the caller's environment is handed on.
+const PLAIN_PATH: &str = "/usr/local/bin:/usr/bin:/bin";
+
+/// Why a program did not do its work.
+#[derive(Debug, thiserror::Error)]
+pub enum ProcessError {
+    /// It could not be started.
+    #[error("cannot start `{0}`: {1}")]
+    Start(String, std::io::Error),
+    /// It took too long.
+    #[error("it took longer than {0} s and was ended")]
+    Timeout(f64),
+    /// It wrote too much.
+    #[error("it wrote more than {0} bytes and was ended")]
+    Flood(usize),
+    /// It could not be talked to.
+    #[error("cannot talk to it: {0}")]
+    Talk(#[from] std::io::Error),
+    /// The user stopped the run.
+    #[error("stopped")]
+    Stopped,
+}
+
+/// A declared program.
+#[derive(Clone)]
+pub struct Program {
+    path: PathBuf,
+    arguments: Vec<String>,
+    timeout: Duration,
+    stop: Arc<Stop>,
+}
+
+/// How a program ended.
+pub struct Ended {
+    /// Exit status.
+    pub status: ExitStatus,
+    /// The beginning of stderr.
+    pub stderr: String,
+}
+
+impl Program {
+    /// The program of a plugin; a path with a separator is relative to the pipeline's folder, a bare name is looked
+    /// for on the caller's path.
+    #[must_use]
+    pub fn new(plugin: &Plugin, folder: &Path, stop: Arc<Stop>) -> Self {
+        let (first, arguments) = plugin.command.split_first().map_or(("", &[][..]), |(f, a)| (f.as_str(), a));
+        let timeout = Duration::from_secs_f64(plugin.timeout.clamp(0.001, 86_400.0));
+        Self { path: find(first, folder), arguments: arguments.to_vec(), timeout, stop }
+    }
+
+    /// Asks for the description.
+    ///
+    /// # Errors
+    /// See [`ProcessError`].
+    pub fn describe(&self) -> Result<(Ended, Vec<u8>), ProcessError> {
+        let mut answer = Vec::new();
+        let folder = self.path.parent().unwrap_or(Path::new("/")).to_path_buf();
+        let ended = self.talk("describe", &[], &folder, DESCRIBE_TIME.min(self.timeout), &mut |line| {
+            answer.extend_from_slice(line);
+            answer.push(b'\n');
+        })?;
+        Ok((ended, answer))
+    }
+
+    /// Runs it with a request on stdin.
+    ///
+    /// # Errors
+    /// See [`ProcessError`].
+    pub fn run(&self, request: &[u8], folder: &Path, hear: &mut dyn FnMut(&[u8])) -> Result<Ended, ProcessError> {
+        self.talk("run", request, folder, self.timeout, hear)
+    }
+
+    fn talk(
+        &self,
+        verb: &str,
+        request: &[u8],
+        folder: &Path,
+        limit: Duration,
+        hear: &mut dyn FnMut(&[u8]),
+    ) -> Result<Ended, ProcessError> {
+        let mut child = Running { child: self.start(verb, folder)?, stop: Arc::clone(&self.stop) };
+        self.stop.add_group(child.group());
+        let stdin = child.child.stdin.take();
+        let request = request.to_vec();
+        std::thread::spawn(move || stdin.map(|mut s| s.write_all(&request)));
+        let (send, lines) = sync_channel(64);
+        if let Some(stdout) = child.child.stdout.take() {
+            std::thread::spawn(move || read_lines(stdout, &send));
+        }
+        let stderr = child.child.stderr.take();
+        let errors = std::thread::spawn(move || stderr.map(keep_head).unwrap_or_default());
+        let until = Instant::now() + limit;
+        self.listen(&lines, until, limit, hear)?;
+        let status = child.wait(&self.stop, until, limit)?;
+        // Grandchildren that hold the pipes open must not keep the run waiting.
+        kill_group(child.group());
+        Ok(Ended { status, stderr: errors.join().unwrap_or_default() })
+    }
+
+    fn listen(
+        &self,
+        lines: &Receiver<Heard>,
+        until: Instant,
+        limit: Duration,
+        hear: &mut dyn FnMut(&[u8]),
+    ) -> Result<(), ProcessError> {
+        loop {
+            match lines.recv_timeout(TICK) {
+                Ok(Heard::Line(line)) => hear(&line),
+                Ok(Heard::Flood(limit)) => return Err(ProcessError::Flood(limit)),
+                Err(RecvTimeoutError::Disconnected) => return Ok(()),
+                Err(RecvTimeoutError::Timeout) => {}
+            }
+            check_time(&self.stop, until, limit)?;
+        }
+    }
+
+    fn start(&self, verb: &str, folder: &Path) -> Result<Child, ProcessError> {
+        let mut command = Command::new(&self.path);
+        command.args(&self.arguments).arg(verb).current_dir(folder).env_clear();
+        command.env("PATH", PLAIN_PATH).env("LC_ALL", "C");
+        command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
+        own_group(&mut command);
+        command.spawn().map_err(|e| ProcessError::Start(self.path.display().to_string(), e))
+    }
+}
+
+fn check_time(stop: &Stop, until: Instant, limit: Duration) -> Result<(), ProcessError> {
+    if stop.asked() {
+        return Err(ProcessError::Stopped);
+    }
+    if Instant::now() >= until { Err(ProcessError::Timeout(limit.as_secs_f64())) } else { Ok(()) }
+}
+
+/// A child that does not outlive its handle, nor do its own children.
+struct Running {
+    child: Child,
+    stop: Arc<Stop>,
+}
+
+impl Running {
+    fn group(&self) -> i32 {
+        i32::try_from(self.child.id()).unwrap_or(0)
+    }
+
+    fn wait(&mut self, stop: &Stop, until: Instant, limit: Duration) -> Result<ExitStatus, ProcessError> {
+        loop {
+            if let Some(status) = self.child.try_wait()? {
+                return Ok(status);
+            }
+            check_time(stop, until, limit)?;
+            std::thread::sleep(TICK);
+        }
+    }
+}
+
+impl Drop for Running {
+    fn drop(&mut self) {
+        kill_group(self.group());
+        drop(self.child.kill());
+        drop(self.child.wait());
+        self.stop.forget_group(self.group());
+    }
+}
+
+enum Heard {
+    Line(Vec<u8>),
+    Flood(usize),
+}
+
+fn read_lines(mut stdout: impl Read, send: &SyncSender<Heard>) {
+    let (mut line, mut total, mut buffer) = (Vec::new(), 0_usize, [0_u8; 8192]);
+    while let Ok(n) = stdout.read(&mut buffer) {
+        if n == 0 {
+            break;
+        }
+        total += n;
+        for byte in &buffer[..n] {
+            if *byte != b'\n' {
+                line.push(*byte);
+            } else if send.send(Heard::Line(std::mem::take(&mut line))).is_err() {
+                return;
+            }
+        }
+        if total > MAX_STDOUT || line.len() > MAX_LINE {
+            drop(send.send(Heard::Flood(if total > MAX_STDOUT { MAX_STDOUT } else { MAX_LINE })));
+            return;
+        }
+    }
+    if !line.is_empty() {
+        drop(send.send(Heard::Line(line)));
+    }
+}
+
+fn keep_head(mut stderr: impl Read) -> String {
+    let (mut kept, mut buffer) = (Vec::new(), [0_u8; 4096]);
+    while let Ok(n) = stderr.read(&mut buffer) {
+        if n == 0 {
+            break;
+        }
+        let room = MAX_STDERR.saturating_sub(kept.len()).min(n);
+        kept.extend_from_slice(&buffer[..room]);
+    }
+    String::from_utf8_lossy(&kept).trim().to_owned()
+}
+
+fn find(name: &str, folder: &Path) -> PathBuf {
+    let path = Path::new(name);
+    if path.is_absolute() {
+        return path.to_path_buf();
+    }
+    if name.contains('/') {
+        return folder.join(path);
+    }
+    let search = std::env::var_os("PATH").unwrap_or_default();
+    let found = std::env::split_paths(&search).filter(|d| d.is_absolute()).map(|d| d.join(name)).find(|p| p.is_file());
+    found.unwrap_or_else(|| path.to_path_buf())
+}
+
+#[cfg(unix)]
+fn own_group(command: &mut Command) {
+    use std::os::unix::process::CommandExt as _;
+    command.process_group(0);
+}
+
+#[cfg(not(unix))]
+fn own_group(_: &mut Command) {}
+
+/// Ends a process group.
+#[cfg(unix)]
+pub fn kill_group(id: i32) {
+    if let Some(pid) = rustix::process::Pid::from_raw(id).filter(|_| id > 1) {
+        // It may be gone already, which is as good.
+        let _gone = rustix::process::kill_process_group(pid, rustix::process::Signal::KILL);
+    }
+}
+
+/// Ends a process group: not on this system.
+#[cfg(not(unix))]
+pub fn kill_group(_: i32) {}

@@ -1,0 +1,196 @@
+//! A stage of another program, behind the same trait as the built-in ones.
+
+use super::process::{Ended, ProcessError, Program};
+use super::protocol::{Description, Line, PROTOCOL, Request, StageDescription};
+use crate::engine::{MAX_INPUT, read_limited};
+use schemars::{Schema, SchemaGenerator};
+use serde::Deserialize as _;
+use serde_json::Value;
+use std::path::Path;
+use toile_garment::bundle::{FILE_NAME, from_text, to_text};
+use toile_garment::{Diagnostic, Garment, Report};
+use toile_stage_api::{AnyStage, ReadyStage, StageContext, StageError, StageInfo};
+
+/// Most stages of one program.
+const MAX_STAGES: usize = 100;
+
+/// A stage of another program.
+pub struct ExternalStage {
+    program: Program,
+    info: StageInfo,
+    schema: Value,
+}
+
+/// Asks a program for its stages.
+pub(super) fn describe(program: &Program, plugin: &str) -> Result<Vec<ExternalStage>, String> {
+    let (ended, answer) = program.describe().map_err(|e| e.to_string())?;
+    if !ended.status.success() {
+        return Err(format!("`describe` ended with {}: {}", ended.status, ended.stderr));
+    }
+    let description: Description =
+        serde_json::from_slice(&answer).map_err(|e| format!("its description is wrong: {e}"))?;
+    if description.protocol != PROTOCOL {
+        return Err(format!("it speaks protocol {}, this program speaks {PROTOCOL}", description.protocol));
+    }
+    if description.stages.len() > MAX_STAGES {
+        return Err(format!("it declares more than {MAX_STAGES} stages"));
+    }
+    description.stages.into_iter().map(|stage| ExternalStage::new(program.clone(), stage, plugin)).collect()
+}
+
+impl ExternalStage {
+    fn new(program: Program, described: StageDescription, plugin: &str) -> Result<Self, String> {
+        let short = described.name.strip_prefix(plugin).and_then(|s| s.strip_prefix('.'));
+        let good =
+            |s: &str| !s.is_empty() && s.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-');
+        if !short.is_some_and(good) {
+            return Err(format!("its stage `{}` must be called `{plugin}.name`", crate::render::safe(&described.name)));
+        }
+        if !described.params_schema.is_object() {
+            return Err(format!("the schema of `{}` is no object", described.name));
+        }
+        let info = StageInfo {
+            name: described.name.into(),
+            summary: described.summary.into(),
+            needs: described.needs.into(),
+            gives: described.gives.into(),
+            revision: described.revision,
+        };
+        Ok(Self { program, info, schema: described.params_schema })
+    }
+}
+
+impl AnyStage for ExternalStage {
+    fn info(&self) -> StageInfo {
+        self.info.clone()
+    }
+
+    fn schema(&self, _: &mut SchemaGenerator) -> Schema {
+        Schema::try_from(self.schema.clone()).unwrap_or_default()
+    }
+
+    fn configure<'a>(
+        &'a self,
+        params: toml::de::ValueDeserializer<'_>,
+    ) -> Result<Box<dyn ReadyStage + 'a>, toml::de::Error> {
+        let params = Value::deserialize(params)?;
+        Ok(Box::new(Ready { stage: self, params }))
+    }
+}
+
+struct Ready<'a> {
+    stage: &'a ExternalStage,
+    params: Value,
+}
+
+impl ReadyStage for Ready<'_> {
+    fn info(&self) -> StageInfo {
+        self.stage.info()
+    }
+
+    fn params(&self) -> Value {
+        self.params.clone()
+    }
+
+    fn check(&self, _: &Garment, _: &mut Report) {}
+
+    fn run(&self, garment: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
+        let folder = tempfile::Builder::new().prefix("toile-plugin-").tempdir().map_err(|e| system(&e.to_string()))?;
+        let (input, output) = (folder.path().join("in"), folder.path().join("out"));
+        for dir in [&input, &output] {
+            std::fs::create_dir(dir).map_err(|e| system(&e.to_string()))?;
+        }
+        let text = to_text(&garment).map_err(|e| StageError::Internal(e.to_string()))?;
+        std::fs::write(input.join(FILE_NAME), text).map_err(|e| system(&e.to_string()))?;
+        let stage = self.stage.info.name.to_string();
+        let params = self.params.clone();
+        let request = Request { protocol: PROTOCOL, stage, params, input, output: output.clone(), seed: cx.seed };
+        let request = serde_json::to_vec(&request).map_err(|e| StageError::Internal(e.to_string()))?;
+        self.talk(&request, folder.path(), cx)?;
+        let mut back = self.read_back(&output.join(FILE_NAME))?;
+        // The engine alone writes the history.
+        back.provenance = garment.provenance;
+        self.check_gives(&back)?;
+        Ok(back)
+    }
+}
+
+impl Ready<'_> {
+    fn talk(&self, request: &[u8], folder: &Path, cx: &mut StageContext<'_>) -> Result<(), StageError> {
+        let mut wrong: Option<String> = None;
+        let mut rejections = Vec::new();
+        let ended = self.stage.program.run(request, folder, &mut |line| match serde_json::from_slice(line) {
+            Ok(Line::Progress { done, total, words }) => cx.progress.update(done, total, &crate::render::safe(&words)),
+            Ok(Line::Diagnostic(finding)) if finding.severity == toile_garment::Severity::Error => {
+                rejections.push(finding)
+            }
+            Ok(Line::Diagnostic(finding)) => cx.report.push(finding),
+            Err(error) => {
+                let line = String::from_utf8_lossy(&line[..line.len().min(80)]).into_owned();
+                wrong.get_or_insert(format!(
+                    "the line `{}` is not of protocol {PROTOCOL}: {error}",
+                    crate::render::safe(&line)
+                ));
+            }
+        });
+        let ended = ended.map_err(|e| self.process_error(&e))?;
+        match wrong {
+            Some(wrong) => Err(self.input("plugin-protocol", wrong)),
+            None => self.judge(&ended, rejections),
+        }
+    }
+
+    fn judge(&self, ended: &Ended, mut rejections: Vec<Diagnostic>) -> Result<(), StageError> {
+        match ended.status.code() {
+            Some(0) if rejections.is_empty() => Ok(()),
+            Some(0 | 2) => {
+                if rejections.is_empty() {
+                    let message = format!("`{}` rejected the garment without saying why", self.stage.info.name);
+                    rejections.push(Diagnostic::error("plugin-rejected", message));
+                }
+                Err(StageError::Input(rejections))
+            }
+            _ => {
+                let said = if ended.stderr.is_empty() { String::new() } else { format!("; it said: {}", ended.stderr) };
+                rejections.push(Diagnostic::error("plugin-failed", format!("it ended with {}{said}", ended.status)));
+                Err(StageError::Input(rejections))
+            }
+        }
+    }
+
+    fn process_error(&self, error: &ProcessError) -> StageError {
+        match error {
+            ProcessError::Stopped => StageError::Cancelled,
+            other => self.input("plugin-failed", other.to_string()),
+        }
+    }
+
+    fn read_back(&self, path: &Path) -> Result<Garment, StageError> {
+        let real = std::fs::symlink_metadata(path).is_ok_and(|m| m.is_file());
+        if !real {
+            return Err(self.input("plugin-protocol", format!("it wrote no {FILE_NAME} into its output folder")));
+        }
+        let bytes = read_limited(Path::new(FILE_NAME), path, MAX_INPUT)?;
+        let text = String::from_utf8(bytes).map_err(|e| self.input("plugin-protocol", e.to_string()))?;
+        from_text(&text).map_err(|e| self.input("plugin-protocol", e.to_string()))
+    }
+
+    fn check_gives(&self, garment: &Garment) -> Result<(), StageError> {
+        let missing = self.stage.info.gives.iter().find(|a| !garment.has(**a));
+        match missing {
+            Some(aspect) => Err(self.input("plugin-protocol", format!("it promised {aspect:?} and did not give it"))),
+            None => Ok(()),
+        }
+    }
+
+    fn input(&self, code: &str, message: String) -> StageError {
+        StageError::input(Diagnostic::error(code, format!("plugin stage `{}`: {message}", self.stage.info.name)))
+    }
+}
+
+fn system(message: &str) -> StageError {
+    StageError::File(toile_stage_api::FileError::Write {
+        path: "temporary folder".to_owned(),
+        reason: message.to_owned(),
+    })
+}

@@ -1,0 +1,90 @@
+//! From a file name to a checked chain: what `run`, `check` and `plan` have in common.
+
+use crate::engine::{Gate, Stop, check_paths, read_limited};
+use crate::external;
+use crate::pipeline::{self, MAX_BYTES, Pipeline, SourceText};
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use toile_garment::{Diagnostic, Report, SourceRef};
+use toile_stage_api::Registry;
+
+/// Which pipeline, and what it may do.
+#[derive(Clone, Debug, Default)]
+pub struct Request {
+    /// Pipeline file.
+    pub file: PathBuf,
+    /// Overrides.
+    pub set: Vec<String>,
+    /// Further folders it may read.
+    pub allow_read: Vec<PathBuf>,
+    /// Plugins it may run.
+    pub allow_run: BTreeSet<String>,
+}
+
+/// A chain with what was found. It may run only if the report has no error.
+pub struct Loaded<'r> {
+    /// The chain, as far as it could be read.
+    pub pipeline: Option<Pipeline<'r>>,
+    /// The way to its inputs.
+    pub gate: Option<Gate>,
+    /// Findings.
+    pub report: Report,
+}
+
+/// Reads the text of a pipeline.
+///
+/// # Errors
+/// When it cannot be read, is too large or is not UTF-8.
+pub fn open(request: &Request) -> Result<SourceText, Diagnostic> {
+    let name = Gate::shown(&request.file);
+    let at = |d: Diagnostic| d.at(SourceRef::file(name.clone()));
+    if !request.file.is_file() {
+        return Err(at(Diagnostic::error("file-missing", format!("there is no pipeline file `{name}`"))));
+    }
+    let bytes = read_limited(&request.file, &request.file, MAX_BYTES).map_err(|e| {
+        let (mut findings, _) = crate::engine::of_file_error(&e);
+        at(findings.pop().unwrap_or_else(|| Diagnostic::error("file-missing", e.to_string())))
+    })?;
+    let text = String::from_utf8(bytes).map_err(|e| {
+        let message = format!("the pipeline is no UTF-8 text: byte {} is wrong", e.utf8_error().valid_up_to());
+        at(Diagnostic::error("not-text", message).hint("save it as UTF-8"))
+    })?;
+    Ok(SourceText::new(name, text, request.set.clone()))
+}
+
+/// Checks everything that needs no work; all mistakes are in the report.
+pub fn check<'r>(source: &SourceText, request: &Request, stop: &Arc<Stop>, registry: &'r mut Registry) -> Loaded<'r> {
+    let mut report = Report::default();
+    let Some(document) = pipeline::parse(source, &mut report) else {
+        return Loaded { pipeline: None, gate: None, report };
+    };
+    let folder = folder_of(&request.file);
+    external::connect(&document, &folder, &request.allow_run, stop, registry, &mut report);
+    let registry: &'r Registry = registry;
+    let pipeline = pipeline::link(&document, registry, &mut report);
+    let gate = match Gate::new(&folder, &request.allow_read, &pipeline.mounts) {
+        Ok(gate) => {
+            check_paths(&pipeline.steps, &gate, &mut report);
+            Some(gate)
+        }
+        Err(error) => {
+            let (findings, _) = crate::engine::of_file_error(&error);
+            report.findings.extend(findings);
+            None
+        }
+    };
+    sort_by_place(&mut report);
+    Loaded { pipeline: Some(pipeline), gate, report }
+}
+
+/// The reader meets the mistakes in the order of the file, whatever step found them.
+fn sort_by_place(report: &mut Report) {
+    report.findings.sort_by_key(|f| f.source.as_ref().map(|s| (s.line.is_none(), s.line, s.column)));
+}
+
+fn folder_of(file: &Path) -> PathBuf {
+    let folder = file.parent().filter(|p| !p.as_os_str().is_empty());
+    let folder = folder.map_or_else(|| PathBuf::from("."), Path::to_path_buf);
+    folder.canonicalize().unwrap_or(folder)
+}

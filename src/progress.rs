@@ -1,0 +1,237 @@
+//! How a run tells what it does: bars on a terminal, plain lines every ten seconds off it, nothing when quiet; and
+//! events as JSON lines for other programs. Only this file knows indicatif.
+
+use crate::render::finding_line;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use serde_json::{Value, json};
+use std::io::{IsTerminal as _, Write};
+use std::sync::{Arc, Condvar, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+use toile_garment::Diagnostic;
+use toile_stage_api::Progress;
+
+/// Time between plain lines.
+const LINE_EVERY: Duration = Duration::from_secs(10);
+/// Time between progress events.
+const EVENT_EVERY: Duration = Duration::from_millis(100);
+
+/// How much is said on stderr.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Voice {
+    /// Bars on a terminal, lines elsewhere.
+    Auto,
+    /// Nothing but errors.
+    Quiet,
+    /// Nothing at all.
+    Silent,
+}
+
+/// Tells one run's progress and findings.
+pub struct Teller {
+    voice: Voice,
+    bar: Option<ProgressBar>,
+    lines: Option<Lines>,
+    events: Option<Box<dyn Write + Send>>,
+    sequence: u64,
+    started: Instant,
+    last_event: Option<Instant>,
+    counts: std::collections::BTreeMap<String, usize>,
+}
+
+impl Teller {
+    /// A teller; `events` gets JSON lines.
+    #[must_use]
+    pub fn new(voice: Voice, events: Option<Box<dyn Write + Send>>) -> Self {
+        let terminal = voice == Voice::Auto && std::io::stderr().is_terminal();
+        let bar = terminal.then(make_bar);
+        let lines = (voice == Voice::Auto && !terminal).then(Lines::start);
+        let counts = std::collections::BTreeMap::new();
+        Self { voice, bar, lines, events, sequence: 0, started: Instant::now(), last_event: None, counts }
+    }
+
+    /// A teller that says nothing.
+    #[must_use]
+    pub fn silent() -> Self {
+        Self::new(Voice::Silent, None)
+    }
+
+    /// A stage begins.
+    pub fn stage_start(&mut self, number: usize, total: usize, id: &str) {
+        let prefix = format!("{number}/{total} {id}");
+        if let Some(bar) = &self.bar {
+            bar.set_prefix(prefix.clone());
+            bar.set_message("");
+            bar.set_length(0);
+            bar.set_position(0);
+            bar.enable_steady_tick(EVENT_EVERY);
+        }
+        if let Some(lines) = &self.lines {
+            lines.set(prefix, true);
+        }
+        self.event("stage.start", json!({ "stage": id, "number": number, "total": total }));
+    }
+
+    /// A stage is over.
+    pub fn stage_end(&mut self, id: &str, seconds: f64, status: &str) {
+        if let Some(bar) = &self.bar {
+            let line = format!("{} {seconds:.2} s{}", bar.prefix(), if status == "good" { "" } else { " failed" });
+            bar.println(line);
+        }
+        if let Some(lines) = &self.lines {
+            lines.end(seconds, status);
+        }
+        self.event("stage.end", json!({ "stage": id, "seconds": seconds, "status": status }));
+    }
+
+    /// A finding: the first few of a code, then one line with the count at the end.
+    pub fn finding(&mut self, finding: &Diagnostic) {
+        self.event("finding", serde_json::to_value(finding).unwrap_or(Value::Null));
+        let is_error = finding.severity == toile_garment::Severity::Error;
+        let heard = match self.voice {
+            Voice::Auto => true,
+            Voice::Quiet => is_error,
+            Voice::Silent => false,
+        };
+        let count = self.counts.entry(finding.code.clone()).or_default();
+        *count += 1;
+        if heard && *count <= crate::render::MAX_PER_CODE {
+            self.say(&finding_line(finding));
+        }
+    }
+
+    /// The run is over.
+    pub fn run_end(&mut self, status: &str, seconds: f64) {
+        if self.voice == Voice::Auto {
+            for (code, count) in std::mem::take(&mut self.counts) {
+                if count > crate::render::MAX_PER_CODE {
+                    let more = count - crate::render::MAX_PER_CODE;
+                    self.say(&format!("… and {more} more of `{code}`: see run.json"));
+                }
+            }
+        }
+        if let Some(bar) = &self.bar {
+            bar.finish_and_clear();
+        }
+        self.lines = None;
+        self.event("run.end", json!({ "status": status, "seconds": seconds }));
+    }
+
+    fn say(&self, text: &str) {
+        match &self.bar {
+            Some(bar) => bar.println(text),
+            // A closed stderr is no reason to stop a run.
+            None => drop(writeln!(std::io::stderr(), "{text}")),
+        }
+    }
+
+    fn event(&mut self, kind: &str, mut body: Value) {
+        let Some(events) = &mut self.events else { return };
+        let t = (self.started.elapsed().as_secs_f64() * 1000.0).round() / 1000.0;
+        if let Some(map) = body.as_object_mut() {
+            map.insert("v".to_owned(), json!(1));
+            map.insert("seq".to_owned(), json!(self.sequence));
+            map.insert("t".to_owned(), json!(t));
+            map.insert("kind".to_owned(), json!(kind));
+        }
+        self.sequence += 1;
+        if writeln!(events, "{body}").and_then(|()| events.flush()).is_err() {
+            // Nobody listens any more.
+            self.events = None;
+        }
+    }
+}
+
+impl Progress for Teller {
+    fn update(&mut self, done: u64, total: u64, words: &str) {
+        if let Some(bar) = &self.bar {
+            bar.set_length(total);
+            bar.set_position(done);
+            bar.set_message(words.to_owned());
+        }
+        if let Some(lines) = &self.lines {
+            lines.update(done, total, words);
+        }
+        if self.events.is_some() && self.last_event.is_none_or(|last| last.elapsed() >= EVENT_EVERY) {
+            self.last_event = Some(Instant::now());
+            self.event("progress", json!({ "done": done, "total": total, "words": words }));
+        }
+    }
+}
+
+fn make_bar() -> ProgressBar {
+    let bar = ProgressBar::with_draw_target(Some(0), ProgressDrawTarget::stderr_with_hz(10));
+    let style = ProgressStyle::with_template("{prefix} {wide_bar} {percent:>3} % {elapsed} {msg}");
+    bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+}
+
+/// State of the plain lines, shared with the thread that prints them.
+#[derive(Default)]
+struct State {
+    prefix: String,
+    done: u64,
+    total: u64,
+    words: String,
+    over: bool,
+}
+
+/// Plain lines: one when a stage begins and ends, one every ten seconds between.
+struct Lines {
+    shared: Arc<(Mutex<State>, Condvar)>,
+    thread: Option<std::thread::JoinHandle<()>>,
+}
+
+impl Lines {
+    fn start() -> Self {
+        let shared: Arc<(Mutex<State>, Condvar)> = Arc::default();
+        let other = Arc::clone(&shared);
+        let thread = Some(std::thread::spawn(move || print_lines(&other)));
+        Self { shared, thread }
+    }
+
+    fn set(&self, prefix: String, print: bool) {
+        if print {
+            drop(writeln!(std::io::stderr(), "{prefix}"));
+        }
+        *self.lock() = State { prefix, ..State::default() };
+    }
+
+    fn update(&self, done: u64, total: u64, words: &str) {
+        let mut state = self.lock();
+        state.done = done;
+        state.total = total;
+        words.clone_into(&mut state.words);
+    }
+
+    fn end(&self, seconds: f64, status: &str) {
+        let mut state = self.lock();
+        let failed = if status == "good" { "" } else { ", failed" };
+        drop(writeln!(std::io::stderr(), "{} took {seconds:.2} s{failed}", state.prefix));
+        state.prefix.clear();
+    }
+
+    fn lock(&self) -> std::sync::MutexGuard<'_, State> {
+        self.shared.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+fn print_lines(shared: &(Mutex<State>, Condvar)) {
+    let mut state = shared.0.lock().unwrap_or_else(PoisonError::into_inner);
+    while !state.over {
+        let (next, timeout) = shared.1.wait_timeout(state, LINE_EVERY).unwrap_or_else(PoisonError::into_inner);
+        state = next;
+        if timeout.timed_out() && !state.over && !state.prefix.is_empty() {
+            let share = if state.total > 0 { format!(" {}/{}", state.done, state.total) } else { String::new() };
+            drop(writeln!(std::io::stderr(), "{}{share} {}", state.prefix, state.words));
+        }
+    }
+}
+
+impl Drop for Lines {
+    fn drop(&mut self) {
+        self.lock().over = true;
+        self.shared.1.notify_all();
+        if let Some(thread) = self.thread.take() {
+            drop(thread.join());
+        }
+    }
+}

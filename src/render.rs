@@ -1,0 +1,105 @@
+//! Findings as text or JSON.
+
+use serde_json::{Value, json};
+use std::collections::BTreeMap;
+use toile_garment::{Diagnostic, Severity};
+
+/// Findings of one code that are shown one by one.
+pub const MAX_PER_CODE: usize = 5;
+
+/// One finding as text, safe for a terminal.
+#[must_use]
+pub fn finding_line(finding: &Diagnostic) -> String {
+    safe(&finding.to_string())
+}
+
+/// Text without control characters: names come from files and must not steer a terminal.
+#[must_use]
+pub fn safe(text: &str) -> String {
+    let keep = |c: char| !c.is_control() || c == '\n';
+    let mut out = String::with_capacity(text.len());
+    for c in text.chars() {
+        if keep(c) { out.push(c) } else { out.extend(c.escape_default()) }
+    }
+    out
+}
+
+/// Findings as text: the line of the source below each, the first few of a code one by one, the rest counted.
+#[must_use]
+pub fn findings_text(findings: &[Diagnostic], source: Option<(&str, &str)>) -> String {
+    let mut seen: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut out = String::new();
+    for finding in findings {
+        let count = seen.entry(&finding.code).or_default();
+        *count += 1;
+        if finding.severity == Severity::Error || *count <= MAX_PER_CODE {
+            out.push_str(&with_source_line(finding, source));
+            out.push('\n');
+        }
+    }
+    for (code, count) in seen {
+        let shown =
+            findings.iter().filter(|f| f.code == code && f.severity == Severity::Error).count().max(MAX_PER_CODE);
+        if count > shown {
+            out.push_str(&format!("… and {} more of `{code}`\n", count - shown));
+        }
+    }
+    out
+}
+
+/// The finding with the line of the file it points at.
+fn with_source_line(finding: &Diagnostic, source: Option<(&str, &str)>) -> String {
+    let text = finding_line(finding);
+    let line = source.and_then(|(file, body)| {
+        let place = finding.source.as_ref().filter(|s| s.file == file)?;
+        let index = usize::try_from(place.line?).ok()?.checked_sub(1)?;
+        let line = body.lines().nth(index).filter(|l| l.len() <= 200)?;
+        let column = usize::try_from(place.column?).ok()?.saturating_sub(1);
+        Some(format!("\n    | {}\n    | {}^", safe(line), " ".repeat(column.min(line.chars().count()))))
+    });
+    let Some(line) = line else { return text };
+    match text.split_once("\n  help: ") {
+        Some((head, help)) => format!("{head}{line}\n  help: {help}"),
+        None => format!("{text}{line}"),
+    }
+}
+
+/// Findings as JSON.
+#[must_use]
+pub fn findings_json(findings: &[Diagnostic]) -> Value {
+    let count = |severity| findings.iter().filter(|f| f.severity == severity).count();
+    json!({
+        "errors": count(Severity::Error),
+        "warnings": count(Severity::Warning),
+        "findings": findings,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use toile_garment::SourceRef;
+
+    #[test]
+    fn floods_are_counted() {
+        let many: Vec<Diagnostic> =
+            (0..100).map(|i| Diagnostic::warning("flat-triangle", format!("triangle {i}"))).collect();
+        let text = findings_text(&many, None);
+        assert_eq!(text.lines().count(), MAX_PER_CODE + 1);
+        assert!(text.contains("… and 95 more of `flat-triangle`"));
+    }
+
+    #[test]
+    fn names_from_files_cannot_steer_a_terminal() {
+        let finding = Diagnostic::error("x", "piece \u{1b}[2J");
+        assert!(!finding_line(&finding).contains('\u{1b}'));
+    }
+
+    #[test]
+    fn shows_the_line_it_points_at() {
+        let place = SourceRef { file: "p.toml".into(), line: Some(2), column: Some(5), ..SourceRef::default() };
+        let finding = Diagnostic::error("x", "wrong").at(place).hint("right");
+        let text = findings_text(&[finding], Some(("p.toml", "a\nb = c\n")));
+        assert!(text.contains("p.toml:2:5\n    | b = c\n    |     ^\n  help: right"), "{text}");
+    }
+}
