@@ -1,15 +1,15 @@
 //! Bytes to faithful models to the garment document: one module per file format.
 pub mod body;
 pub mod dxf;
+pub mod encoding;
 pub mod fabric;
 pub mod gltf;
 pub mod obj;
-pub mod encoding;
+pub mod report;
 pub mod rul;
 #[cfg(test)]
 mod sample;
 pub mod sewing;
+pub mod svg;
 pub mod texture;
 mod toml_text;
-pub mod report;
-pub mod svg;

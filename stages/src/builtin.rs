@@ -5,7 +5,10 @@ use toile_stage_api::Registry;
 /// All built-in stages.
 #[must_use]
 pub fn builtin() -> Registry {
-    Registry::default().with(crate::flatten::Flatten)
-    Registry::default().with(crate::import_dxf::ImportDxf)
-    Registry::default().with(crate::flatten::Flatten).with(crate::export_report::ExportReport)
+    Registry::default()
+        .with(crate::import_dxf::ImportDxf)
+        .with(crate::stitch::Stitch)
+        .with(crate::drape::Drape)
+        .with(crate::flatten::Flatten)
+        .with(crate::export_report::ExportReport)
 }

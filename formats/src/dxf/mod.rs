@@ -1,5 +1,3 @@
-//! DXF-AAMA and DXF-ASTM pattern files.
-pub mod write;
 //! DXF pattern files: AAMA-292 and ASTM D6673 with one reader.
 //!
 //! [`read`] gives the pieces as drawn (millimetres, block coordinates) with a ledger of every entity;
@@ -33,6 +31,8 @@ pub mod tags;
 mod texts;
 mod unfold;
 mod units;
+pub mod write;
+
 pub use findings::Findings;
 pub use inspect::{Inspection, inspect, inspect_with};
 pub use lib_curves::Census;

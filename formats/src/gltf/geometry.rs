@@ -32,12 +32,10 @@ pub struct Placed {
 /// Container, JSON and every index checked.
 pub fn open(bytes: &[u8]) -> Result<Sound<'_>, ReadError> {
     let chunks = container::split(bytes)?;
-    let root: json::Root =
-        serde_json::from_slice(chunks.json).map_err(|e| ReadError::Damaged(e.to_string()))?;
+    let root: json::Root = serde_json::from_slice(chunks.json).map_err(|e| ReadError::Damaged(e.to_string()))?;
     check::check(&root, chunks.bin)?;
-    let document = guarded(|| {
-        gltf::Document::from_json(root).map_err(|e| ReadError::Damaged(one_line(&e.to_string())))
-    })?;
+    let document =
+        guarded(|| gltf::Document::from_json(root).map_err(|e| ReadError::Damaged(one_line(&e.to_string()))))?;
     Ok(Sound { document, bin: chunks.bin.unwrap_or_default() })
 }
 

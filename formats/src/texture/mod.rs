@@ -46,8 +46,7 @@ pub fn read_image(bytes: &[u8], file: &str) -> Result<Image, Diagnostic> {
     limits.max_image_width = Some(MAX_SIDE);
     limits.max_image_height = Some(MAX_SIDE);
     limits.max_alloc = Some(MAX_DECODED);
-    let (width, height) =
-        reader(limits.clone()).into_dimensions().map_err(|e| bad("image-broken", e.to_string()))?;
+    let (width, height) = reader(limits.clone()).into_dimensions().map_err(|e| bad("image-broken", e.to_string()))?;
     if width == 0 || height == 0 || width > MAX_SIDE || height > MAX_SIDE {
         let what = format!("{width} × {height} pixels; allowed are 1 to {MAX_SIDE} a side");
         return Err(bad("image-size", what));
