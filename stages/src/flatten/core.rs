@@ -3,7 +3,7 @@
 use super::align::Rigid;
 use super::energy::{EdgePair, Triangle};
 use super::features::{self, Features};
-use super::metric::{carried, cauchy_green, edges2, edges3, smoothed, sqrt_spd};
+use super::metric::{carried, cauchy_green, edges2, edges3, noise_bias, noise_variance, smoothed, sqrt_spd};
 use super::params::{FlattenParams, MetricChoice};
 use super::sewn::{self, MeshEdges, Station};
 use super::solve::{Flattened, Sheet, SolveError, Stop, solve};
@@ -99,7 +99,7 @@ fn sources(garment: &Garment) -> Result<Vec<Source<'_>>, StageError> {
 /// Stretch that every triangle of the stored piece should get; `None` where the stored piece itself is asked for.
 fn wanted(source: &Source<'_>, metric: FlatMetric) -> Result<Option<Vec<Matrix2<f64>>>, StageError> {
     let stored = source.stored();
-    if let Some(k) = stored.iter().position(|e| !(e.determinant() > 0.0)) {
+    if let Some(k) = stored.iter().map(Matrix2::determinant).position(|d| d.is_nan() || d <= 0.0) {
         return Err(bad_triangle(source, k, "has no area, or lies on its wrong side, in the stored piece"));
     }
     if metric == FlatMetric::Unedited {
@@ -180,10 +180,21 @@ impl Source<'_> {
         }
     }
 
-    /// The metric of a field of stretches, smoothed.
+    /// The metric of a field of stretches, smoothed, less what noise adds to it on average.
     fn blurred(&self, stretch: &[Matrix2<f64>], passes: u32) -> Vec<Matrix2<f64>> {
         let metric: Vec<Matrix2<f64>> = stretch.iter().map(|h| h.transpose() * h).collect();
-        self.smooth(&metric, passes)
+        if passes == 0 {
+            return metric;
+        }
+        let (stored, soft) = (self.stored(), self.smooth(&metric, passes));
+        let taken: Vec<Matrix2<f64>> = metric.iter().zip(&soft).map(|(c, s)| c - s).collect();
+        let variance = noise_variance(&taken, &stored);
+        let bias: Vec<Matrix2<f64>> = stored.iter().map(|e| noise_bias(e, variance)).collect();
+        let bias = self.smooth(&bias, passes);
+        soft.iter()
+            .zip(&bias)
+            .map(|(c, b)| if (c - b).determinant() > 1e-3 && (c - b).trace() > 0.0 { c - b } else { *c })
+            .collect()
     }
 
     fn smooth(&self, metric: &[Matrix2<f64>], passes: u32) -> Vec<Matrix2<f64>> {
