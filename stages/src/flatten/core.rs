@@ -17,6 +17,9 @@ use toile_stage_api::StageError;
 /// Repeats of the solve that give back what the smoothing of a noisy surface took from a real edit.
 const REFINEMENTS: u32 = 4;
 
+/// Mean strain above which a second, weighed solve is worth its time.
+const WORTH_RELIEVING: f64 = 1e-4;
+
 /// A piece with all that the flattening needs of it.
 struct Source<'a> {
     piece: &'a Piece,
@@ -43,7 +46,8 @@ pub fn flatten_garment(
     let wanted = sources.iter().map(|s| wanted(s, metric)).collect::<Result<Vec<_>, _>>()?;
     let edges = MeshEdges::of(garment);
     let pairs = pairs(&sources, &sewn::all(garment, &edges), params.pair_stiffness);
-    let (sheet, solved, targets) = fitted(&sources, &wanted, pairs, params, watch)?;
+    let (mut sheet, mut solved, targets) = fitted(&sources, &wanted, pairs, params, watch)?;
+    relieved(&mut sheet, &mut solved, params, watch)?;
     let pieces: Vec<FlatPiece> =
         sources.iter().zip(&targets).map(|(s, t)| measured(garment, s, t, &sheet, &solved)).collect();
     for (source, flat) in sources.iter().zip(&pieces) {
@@ -236,8 +240,32 @@ fn solved(
     }
     let stop = Stop { motion: params.stop_motion.0, rounds: params.max_rounds };
     let solved = solve(&sheet, stop, watch).map_err(failure)?;
+    settled(&solved, stop)?;
+    Ok((sheet, solved, targets))
+}
+
+/// Solves once more with every triangle weighed by what its cloth suffers, where strain cannot be avoided.
+fn relieved(
+    sheet: &mut Sheet,
+    solved: &mut Flattened,
+    params: &FlattenParams,
+    watch: &mut dyn FnMut(u32, f64) -> bool,
+) -> Result<(), StageError> {
+    if forced_strain(sheet, &solved.positions, 0, solved.positions.len())[0] < WORTH_RELIEVING {
+        return Ok(());
+    }
+    sheet.start.clone_from(&solved.positions);
+    sheet.triangles.iter_mut().for_each(|t| t.weigh(&solved.positions));
+    let stop = Stop { motion: params.stop_motion.0, rounds: params.max_rounds };
+    let again = solve(sheet, stop, watch).map_err(failure)?;
+    settled(&again, stop)?;
+    *solved = Flattened { rounds: again.rounds.saturating_add(solved.rounds), ..again };
+    Ok(())
+}
+
+fn settled(solved: &Flattened, stop: Stop) -> Result<(), StageError> {
     if solved.converged {
-        return Ok((sheet, solved, targets));
+        return Ok(());
     }
     Err(StageError::Unstable(format!(
         "flattening did not come to rest: after {} rounds a vertex still moves {:.3e} mm a round (goal {:.1e} mm)",

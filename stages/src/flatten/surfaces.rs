@@ -412,7 +412,7 @@ fn a_bust_cap_keeps_its_mean_strain_low_and_is_told_its_dart() {
         area += e.determinant();
     }
     println!("cap: mean strain {:.4} %, forced {:?}, {} rounds", 100.0 * sum / area, p.forced_strain, p.rounds);
-    assert!(100.0 * sum / area <= 1.162, "{}", 100.0 * sum / area);
+    assert!(100.0 * sum / area <= 1.16, "{}", 100.0 * sum / area);
     let exact = 360.0 * (1.0 - libm::cos(PI / 6.0));
     let finding = report.findings.iter().find(|f| f.code == "piece-not-developable").expect("finding");
     assert!((p.curvature.to_degrees() / exact - 1.0).abs() < 0.12, "{}", p.curvature.to_degrees());
