@@ -30,7 +30,9 @@ pub fn html(garment: &Garment, findings: &[Diagnostic]) -> String {
         escape(title)
     );
     let size = garment.size.as_ref().map_or_else(String::new, |s| format!("size {}, ", escape(s)));
-    let _ = writeln!(out, "<p class=\"sub\">{size}{} pieces. Lengths in millimetres.</p>", garment.pieces.len());
+    let pieces =
+        if garment.pieces.len() == 1 { "1 piece".to_owned() } else { format!("{} pieces", garment.pieces.len()) };
+    let _ = writeln!(out, "<p class=\"sub\">{size}{pieces}. Lengths in millimetres.</p>");
     tiles(&mut out, garment, findings);
     if let Some(flat) = &garment.flat {
         let _ = writeln!(out, "<p>{}</p>", metric_words(flat.metric));

@@ -84,7 +84,7 @@ impl Canvas {
     /// Many closed shapes of one fill colour.
     pub fn shapes(&mut self, class: &str, fill: &str, shapes: &[[Vec2; 3]]) {
         let d: String = shapes.iter().map(|t| path(t) + "Z").collect();
-        let _ = writeln!(self.body, r#"<path class="{class}" fill="{fill}" stroke="{fill}" d="{d}"/>"#);
+        let _ = writeln!(self.body, r#"<path class="{class}" style="fill:{fill};stroke:{fill}" d="{d}"/>"#);
     }
 
     /// A dot.
@@ -133,7 +133,7 @@ impl Canvas {
         let (x, y) = (fixed(bounds.min.x, 2), fixed(-bounds.max.y, 2));
         let (w, h) = (fixed(size.x.max(1.0), 2), fixed(size.y.max(1.0), 2));
         format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{x} {y} {w} {h}\" width=\"{w}mm\" height=\"{h}mm\" role=\"img\">\n\
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"{x} {y} {w} {h}\" role=\"img\">\n\
              <title>{}</title>\n<style>{style}</style>\n{}</svg>\n",
             escape(title),
             self.body

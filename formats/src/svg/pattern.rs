@@ -135,7 +135,7 @@ impl Pen<'_> {
         let beyond = (apex - middle) * 1e3;
         let at = match dart.kind {
             DartKind::FishEye => self.at(middle),
-            _ => self.at(*apex) + beyond / beyond.norm().max(1e-9) * (1.4 * self.size),
+            _ => self.at(*apex) + beyond / beyond.norm().max(1e-9) * (2.6 * self.size),
         };
         let label = format!("{} {} mm", dart.name, fixed(1e3 * dart.intake(), 1));
         self.canvas.text("dartname", at, 0.85 * self.size, &label);
@@ -314,5 +314,98 @@ mod tests {
     fn draws_nothing_wrong_for_nothing() {
         assert!(pattern(&[], "empty").contains("<svg"));
         assert!(pattern(&[Piece::default()], "empty").contains("</svg>"));
+    }
+
+    fn dart(name: &str, kind: DartKind, apexes: &[[f64; 2]], legs: [Vec<[f64; 2]>; 2]) -> Dart {
+        let points = |l: &Vec<[f64; 2]>| l.iter().map(|p| Vec2::new(p[0], p[1])).collect::<Vec<_>>();
+        let middle = |l: &Vec<[f64; 2]>| if kind == DartKind::FishEye { points(l)[l.len() / 2] } else { points(l)[0] };
+        Dart {
+            name: name.into(),
+            kind,
+            evidence: toile_garment::dart::DartEvidence::Declared,
+            apexes: apexes.iter().map(|p| Vec2::new(p[0], p[1])).collect(),
+            mouth: [middle(&legs[0]), middle(&legs[1])],
+            legs: [points(&legs[0]), points(&legs[1])],
+            line: "sew".into(),
+            depth: None,
+            mesh: None,
+            source: None,
+        }
+    }
+
+    /// Half bodice with seam allowance, a wedge, a fish-eye, notches, a drill hole and a pocket line.
+    fn bodice(name: &str) -> Piece {
+        let p = |x: f64, y: f64, kind| LinePoint { at: Vec2::new(x, y), kind };
+        let (turn, curve) = (PointKind::Turn, PointKind::Curve);
+        let sew = vec![
+            p(0.0, 0.0, turn),
+            p(0.09, 0.0, turn),
+            p(0.105, 0.15, turn),
+            p(0.12, 0.0, turn),
+            p(0.23, 0.01, turn),
+            p(0.245, 0.21, turn),
+            p(0.19, 0.26, curve),
+            p(0.185, 0.33, curve),
+            p(0.2, 0.38, turn),
+            p(0.08, 0.41, turn),
+            p(0.05, 0.35, curve),
+            p(0.0, 0.33, turn),
+        ];
+        let corners = [0u32, 1, 2, 3, 4, 5, 8, 9, 11];
+        let edge = |k: usize| OutlineEdge {
+            index: k as u32,
+            name: (k == 4).then(|| "side".into()),
+            from: corners[k],
+            to: corners[(k + 1) % corners.len()],
+        };
+        let cut = [[-0.01, -0.01], [0.24, 0.0], [0.256, 0.216], [0.2, 0.265], [0.196, 0.33], [0.212, 0.388]];
+        let cut = cut.iter().chain(&[[0.075, 0.422], [0.043, 0.358], [-0.01, 0.34]]);
+        let line = |points, closed| PieceLine { points, closed, ..PieceLine::default() };
+        let notch = |x, y, kind| Notch {
+            kind,
+            at: Vec2::new(x, y),
+            depth: 0.005,
+            width: 0.003,
+            angle: None,
+            on: "boundary".into(),
+            name: None,
+            source: None,
+        };
+        use toile_garment::notch::NotchKind as Kind;
+        let fish = [[0.17, 0.06], [0.162, 0.12], [0.17, 0.19]].to_vec();
+        let eye = [[0.17, 0.06], [0.178, 0.12], [0.17, 0.19]].to_vec();
+        Piece {
+            name: name.into(),
+            size: Some("38".into()),
+            outline: line(sew, true),
+            edges: (0..corners.len()).map(edge).collect(),
+            cut_line: Some(line(cut.map(|c| p(c[0], c[1], turn)).collect(), true)),
+            internal_lines: vec![line(vec![p(0.03, 0.24, turn), p(0.13, 0.25, turn)], false)],
+            grain: Some([Vec2::new(0.04, 0.05), Vec2::new(0.04, 0.2)]),
+            fold: Some([Vec2::new(0.0, 0.0), Vec2::new(0.0, 0.33)]),
+            drill_holes: vec![toile_garment::piece::DrillHole { at: Vec2::new(0.105, 0.16), source: None }],
+            notches: vec![notch(0.251, 0.15, Kind::V), notch(0.06, -0.007, Kind::Slit), notch(0.196, 0.33, Kind::T)],
+            darts: vec![
+                dart(
+                    "waist",
+                    DartKind::Wedge,
+                    &[[0.105, 0.15]],
+                    [[[0.09, 0.0], [0.105, 0.15]].to_vec(), [[0.12, 0.0], [0.105, 0.15]].to_vec()],
+                ),
+                dart("eye", DartKind::FishEye, &[[0.17, 0.06], [0.17, 0.19]], [fish, eye]),
+            ],
+            ..Piece::default()
+        }
+    }
+
+    #[test]
+    fn everything_on_a_piece_is_drawn() {
+        let svg = pattern(&[bodice("front"), bodice("back")], "bodice");
+        let count = |class: &str| svg.matches(&format!("class=\"{class}\"")).count();
+        // Every line once per piece, and once in the key.
+        assert_eq!((count("cut"), count("sew"), count("internal"), count("fold")), (3, 3, 3, 3));
+        assert_eq!((count("dart"), count("dartfill"), count("apex")), (9, 4, 6));
+        assert_eq!((count("notch"), count("drill"), count("edge"), count("corner")), (7, 2, 18, 18));
+        assert!(svg.contains("waist 30.0 mm") && svg.contains("eye 16.0 mm") && svg.contains(">4 side<"));
     }
 }

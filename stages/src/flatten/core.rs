@@ -3,7 +3,7 @@
 use super::align::Rigid;
 use super::energy::{EdgePair, Triangle};
 use super::features::{self, Features};
-use super::metric::{carried, cauchy_green, edges2, edges3, smoothed, sqrt_spd};
+use super::metric::{carried, cauchy_green, edges2, edges3, noise_bias, noise_variance, smoothed, sqrt_spd};
 use super::params::{FlattenParams, MetricChoice};
 use super::sewn::{self, MeshEdges, Station};
 use super::solve::{Flattened, Sheet, SolveError, Stop, solve};
@@ -16,6 +16,9 @@ use toile_stage_api::StageError;
 
 /// Repeats of the solve that give back what the smoothing of a noisy surface took from a real edit.
 const REFINEMENTS: u32 = 4;
+
+/// Mean strain above which a second, weighed solve is worth its time.
+const WORTH_RELIEVING: f64 = 1e-4;
 
 /// A piece with all that the flattening needs of it.
 struct Source<'a> {
@@ -43,7 +46,8 @@ pub fn flatten_garment(
     let wanted = sources.iter().map(|s| wanted(s, metric)).collect::<Result<Vec<_>, _>>()?;
     let edges = MeshEdges::of(garment);
     let pairs = pairs(&sources, &sewn::all(garment, &edges), params.pair_stiffness);
-    let (sheet, solved, targets) = fitted(&sources, &wanted, pairs, params, watch)?;
+    let (mut sheet, mut solved, targets) = fitted(&sources, &wanted, pairs, params, watch)?;
+    relieved(&mut sheet, &mut solved, params, watch)?;
     let pieces: Vec<FlatPiece> =
         sources.iter().zip(&targets).map(|(s, t)| measured(garment, s, t, &sheet, &solved)).collect();
     for (source, flat) in sources.iter().zip(&pieces) {
@@ -99,7 +103,7 @@ fn sources(garment: &Garment) -> Result<Vec<Source<'_>>, StageError> {
 /// Stretch that every triangle of the stored piece should get; `None` where the stored piece itself is asked for.
 fn wanted(source: &Source<'_>, metric: FlatMetric) -> Result<Option<Vec<Matrix2<f64>>>, StageError> {
     let stored = source.stored();
-    if let Some(k) = stored.iter().position(|e| !(e.determinant() > 0.0)) {
+    if let Some(k) = stored.iter().map(Matrix2::determinant).position(|d| d.is_nan() || d <= 0.0) {
         return Err(bad_triangle(source, k, "has no area, or lies on its wrong side, in the stored piece"));
     }
     if metric == FlatMetric::Unedited {
@@ -180,10 +184,21 @@ impl Source<'_> {
         }
     }
 
-    /// The metric of a field of stretches, smoothed.
+    /// The metric of a field of stretches, smoothed, less what noise adds to it on average.
     fn blurred(&self, stretch: &[Matrix2<f64>], passes: u32) -> Vec<Matrix2<f64>> {
         let metric: Vec<Matrix2<f64>> = stretch.iter().map(|h| h.transpose() * h).collect();
-        self.smooth(&metric, passes)
+        if passes == 0 {
+            return metric;
+        }
+        let (stored, soft) = (self.stored(), self.smooth(&metric, passes));
+        let taken: Vec<Matrix2<f64>> = metric.iter().zip(&soft).map(|(c, s)| c - s).collect();
+        let variance = noise_variance(&taken, &stored);
+        let bias: Vec<Matrix2<f64>> = stored.iter().map(|e| noise_bias(e, variance)).collect();
+        let bias = self.smooth(&bias, passes);
+        soft.iter()
+            .zip(&bias)
+            .map(|(c, b)| if (c - b).determinant() > 1e-3 && (c - b).trace() > 0.0 { c - b } else { *c })
+            .collect()
     }
 
     fn smooth(&self, metric: &[Matrix2<f64>], passes: u32) -> Vec<Matrix2<f64>> {
@@ -225,8 +240,32 @@ fn solved(
     }
     let stop = Stop { motion: params.stop_motion.0, rounds: params.max_rounds };
     let solved = solve(&sheet, stop, watch).map_err(failure)?;
+    settled(&solved, stop)?;
+    Ok((sheet, solved, targets))
+}
+
+/// Solves once more with every triangle weighed by what its cloth suffers, where strain cannot be avoided.
+fn relieved(
+    sheet: &mut Sheet,
+    solved: &mut Flattened,
+    params: &FlattenParams,
+    watch: &mut dyn FnMut(u32, f64) -> bool,
+) -> Result<(), StageError> {
+    if forced_strain(sheet, &solved.positions, 0, solved.positions.len())[0] < WORTH_RELIEVING {
+        return Ok(());
+    }
+    sheet.start.clone_from(&solved.positions);
+    sheet.triangles.iter_mut().for_each(|t| t.weigh(&solved.positions));
+    let stop = Stop { motion: params.stop_motion.0, rounds: params.max_rounds };
+    let again = solve(sheet, stop, watch).map_err(failure)?;
+    settled(&again, stop)?;
+    *solved = Flattened { rounds: again.rounds.saturating_add(solved.rounds), ..again };
+    Ok(())
+}
+
+fn settled(solved: &Flattened, stop: Stop) -> Result<(), StageError> {
     if solved.converged {
-        return Ok((sheet, solved, targets));
+        return Ok(());
     }
     Err(StageError::Unstable(format!(
         "flattening did not come to rest: after {} rounds a vertex still moves {:.3e} mm a round (goal {:.1e} mm)",

@@ -20,6 +20,8 @@ pub struct Triangle {
     b: [Vec2; 3],
     /// Area of the target.
     pub area: f64,
+    /// Weight of the energy; the area unless [`Self::weigh`] has changed it.
+    weight: f64,
 }
 
 /// Gradient and Hessian blocks of one term; blocks are indexed by local corner.
@@ -40,7 +42,7 @@ impl Triangle {
         }
         let inverse = target.try_inverse()?;
         let (b1, b2) = (inverse.row(0).transpose(), inverse.row(1).transpose());
-        Some(Self { v, b: [-(b1 + b2), b1, b2], area })
+        Some(Self { v, b: [-(b1 + b2), b1, b2], area, weight: area })
     }
 
     fn gradient_of(&self, x: &[Vec2]) -> Matrix2<f64> {
@@ -56,7 +58,7 @@ impl Triangle {
     pub fn energy(&self, x: &[Vec2]) -> f64 {
         let f = self.gradient_of(x);
         let (rotation, _) = nearest_rotation(&f);
-        self.area * (f - rotation).norm_squared()
+        self.weight * (f - rotation).norm_squared()
     }
 
     /// Singular values of the map from target to flat, the larger first.
@@ -68,12 +70,23 @@ impl Triangle {
         [0.5 * (s + d), 0.5 * (s - d)]
     }
 
+    /// Weighs the triangle by what its cloth suffers: `A ‖F − R‖²` counts the way from the worn to the flat shape,
+    /// the cloth goes the other way, `A_flat ‖F⁻¹ − Rᵀ‖²`.
+    pub fn weigh(&mut self, x: &[Vec2]) {
+        let [s1, s2] = self.stretches(x);
+        let there = (s1 - 1.0) * (s1 - 1.0) + (s2 - 1.0) * (s2 - 1.0);
+        if s2 > 0.1 && there > 1e-18 {
+            let (e1, e2) = (1.0 / s1 - 1.0, 1.0 / s2 - 1.0);
+            self.weight = self.area * s1 * s2 * (e1 * e1 + e2 * e2) / there;
+        }
+    }
+
     /// Gradient and positive Hessian.
     #[must_use]
     pub fn local(&self, x: &[Vec2]) -> Local<3> {
         let f = self.gradient_of(x);
         let (rotation, w) = nearest_rotation(&f);
-        let p = (f - rotation) * (2.0 * self.area);
+        let p = (f - rotation) * (2.0 * self.weight);
         let kappa = if w > 2.0 { 1.0 / w } else { 0.5 };
         let turn = rotation * Matrix2::new(0.0, -1.0, 1.0, 0.0);
         let q = self.b.map(|b| turn * b);
@@ -81,7 +94,7 @@ impl Triangle {
         for i in 0..3 {
             for j in 0..3 {
                 let stiff = Matrix2::identity() * (2.0 * self.b[i].dot(&self.b[j]));
-                out.hessian[i][j] = (stiff - q[i] * q[j].transpose() * (2.0 * kappa)) * self.area;
+                out.hessian[i][j] = (stiff - q[i] * q[j].transpose() * (2.0 * kappa)) * self.weight;
             }
         }
         out

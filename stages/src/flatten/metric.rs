@@ -69,6 +69,25 @@ pub fn smoothed(metric: &[Matrix2<f64>], triangles: &[[u32; 3]], area: &[f64], p
     metric
 }
 
+/// Variance (m² per coordinate) of noise on the surface, from what smoothing took out of the metric.
+///
+/// Noise of variance σ² changes the square of an edge of length l by 2 e·δe, of variance 8 l² σ².
+#[must_use]
+pub fn noise_variance(taken: &[Matrix2<f64>], stored: &[Matrix2<f64>]) -> f64 {
+    let edges = |e: &Matrix2<f64>| [e.column(0).into_owned(), e.column(1).into_owned(), e.column(1) - e.column(0)];
+    let all = || taken.iter().zip(stored).flat_map(|(c, e)| edges(e).map(|v| (v.dot(&(c * v)), v.norm_squared())));
+    let sum: f64 = all().map(|(r, l2)| r * r / (8.0 * l2)).sum();
+    let count = all().count();
+    if count > 0 { sum / count as f64 } else { 0.0 }
+}
+
+/// What noise of this variance adds to the metric on average: it makes every edge longer, by 6σ² in its square.
+#[must_use]
+pub fn noise_bias(stored: &Matrix2<f64>, variance: f64) -> Matrix2<f64> {
+    let inverse = stored.try_inverse().unwrap_or_default();
+    inverse.transpose() * Matrix2::new(6.0, 3.0, 3.0, 6.0) * inverse * variance
+}
+
 /// For every triangle the triangles that share an edge with it.
 #[must_use]
 pub fn edge_neighbours(triangles: &[[u32; 3]]) -> Vec<Vec<usize>> {

@@ -97,8 +97,11 @@ fn piece(rest: Vec<Vec2>, triangles: Vec<[u32; 3]>, outline: Vec<u32>, corners: 
     }
 }
 
+/// Polar coordinates, triangles, and the vertices of every ring.
+type Disc = (Vec<[f64; 2]>, Vec<[u32; 3]>, Vec<Vec<u32>>);
+
 /// Disc of `rings` rings with a wedge left out; vertex 0 is the centre, dart legs are its two straight sides.
-fn disc(radius: f64, rings: usize, sector: f64) -> (Vec<[f64; 2]>, Vec<[u32; 3]>, Vec<Vec<u32>>) {
+fn disc(radius: f64, rings: usize, sector: f64) -> Disc {
     let closed = sector >= TAU - 1e-12;
     let mut polar = vec![[0.0, 0.0]];
     let mut ring_ids: Vec<Vec<u32>> = vec![vec![0]];
@@ -236,7 +239,7 @@ fn developables_come_back_to_a_millionth_of_a_millimetre() {
     let slanted = |u: f64, v: f64| Vec2::new(0.8 * u + 0.1 * v * (1.0 - 2.0 * u), 0.08 * v);
     assert_developable("twisted strip", &Grid::new(100, 10, slanted), 0.05);
     assert_developable("skirt", &skirt(0.0, PI, 48, 22, 0.0), 0.06);
-    assert_developable("large cylinder", &Grid::new(128, 128, sheet), 170f64.to_radians() / 128.0);
+    assert_developable("large cylinder", &Grid::new(224, 224, sheet), 170f64.to_radians() / 224.0);
 }
 
 #[test]
@@ -336,12 +339,12 @@ impl Noise {
 }
 
 /// Worst dart angle error (deg), width error (mm) and leg difference (mm) over five seeds.
-fn noisy_dart(size: f64, taken_in: f64, smoothing: u32) -> [f64; 3] {
+fn noisy_dart(size: f64, taken_in: f64, smoothing: u32) -> [f64; 4] {
     let (s20, s_new) = (340f64.to_radians(), (340.0 - taken_in).to_radians());
     let (polar, triangles, rings) = disc(0.15, 18, s20);
     let new: Vec<[f64; 2]> = polar.iter().map(|[r, a]| [*r, a * s_new / s20]).collect();
     let exact = 0.3 * libm::sin(0.5 * (TAU - s_new));
-    let mut worst = [0.0f64; 3];
+    let mut worst = [0.0f64; 4];
     for seed in 1..=5 {
         let mut noise = Noise(seed * 7919);
         let now = noise.on(&cone(&new, s_new), size);
@@ -351,13 +354,16 @@ fn noisy_dart(size: f64, taken_in: f64, smoothing: u32) -> [f64; 3] {
         worst[0] = worst[0].max((d.angle[1] - (TAU - s_new)).abs().to_degrees());
         worst[1] = worst[1].max(1e3 * (d.width[1] - exact).abs());
         worst[2] = worst[2].max(1e3 * (d.legs[2] - d.legs[3]).abs());
+        let rim = &flat.pieces[0].edges[0];
+        worst[3] = worst[3].max(1e3 * (rim.flat - rim.original * s_new / s20).abs());
     }
     println!(
-        "noise {:.1} mm, taken in {taken_in} deg: angle {:.3} deg, width {:.3} mm, legs {:.1e} mm",
+        "noise {:.1} mm, taken in {taken_in} deg: angle {:.3} deg, width {:.3} mm, legs {:.1e} mm, rim {:.3} mm",
         1e3 * size,
         worst[0],
         worst[1],
-        worst[2]
+        worst[2],
+        worst[3]
     );
     worst
 }
@@ -367,11 +373,11 @@ fn a_dart_survives_noise_on_the_surface() {
     let small = noisy_dart(1e-4, 0.0, 20);
     assert!(small[0] <= 0.10 && small[1] <= 0.25 && small[2] <= 0.02, "{small:?}");
     let large = noisy_dart(3e-4, 0.0, 20);
-    assert!(large[0] <= 0.5 && large[1] <= 1.3 && large[2] <= 0.02, "{large:?}");
+    assert!(large[0] <= 0.5 && large[1] <= 1.3 && large[2] <= 0.02 && large[3] <= 1.0, "{large:?}");
     let edit = noisy_dart(3e-4, 6.0, 20);
     let clean = noisy_dart(0.0, 6.0, 20);
     assert!(clean[0] <= 0.05 && clean[1] <= 0.1, "{clean:?}");
-    assert!(edit[0] <= 0.5 && edit[1] <= 1.3 && edit[2] <= 0.02, "{edit:?}");
+    assert!(edit[0] <= 0.5 && edit[1] <= 1.3 && edit[2] <= 0.02 && edit[3] <= 1.0, "{edit:?}");
 }
 
 fn cap(half_angle: f64) -> (Garment, Vec<[u32; 3]>) {
@@ -406,7 +412,7 @@ fn a_bust_cap_keeps_its_mean_strain_low_and_is_told_its_dart() {
         area += e.determinant();
     }
     println!("cap: mean strain {:.4} %, forced {:?}, {} rounds", 100.0 * sum / area, p.forced_strain, p.rounds);
-    assert!(100.0 * sum / area <= 1.162, "{}", 100.0 * sum / area);
+    assert!(100.0 * sum / area <= 1.16, "{}", 100.0 * sum / area);
     let exact = 360.0 * (1.0 - libm::cos(PI / 6.0));
     let finding = report.findings.iter().find(|f| f.code == "piece-not-developable").expect("finding");
     assert!((p.curvature.to_degrees() / exact - 1.0).abs() < 0.12, "{}", p.curvature.to_degrees());
@@ -489,4 +495,79 @@ fn broken_input_is_refused_with_its_place() {
     assert!(run(&g).contains("flatten-vertices-differ"));
     g.drape = None;
     assert!(run(&g).contains("no drape"));
+}
+
+#[test]
+fn the_json_holds_chains_that_follow_the_mesh() {
+    let s20 = 340f64.to_radians();
+    let (polar, triangles, rings) = disc(0.15, 9, s20);
+    let piece = dart_piece(&polar, &triangles, &rings);
+    let surface = cone(&polar, s20);
+    let g = edited(piece, surface.clone(), surface);
+    let flat = flatten(&g, &FlattenParams::default());
+    let value = json(&g, &flat);
+    let p = &value["pieces"][0];
+    for key in ["flat_vertices_mm", "orig_vertices_mm", "surface_vertices_mm"] {
+        assert_eq!(p[key].as_array().expect(key).len(), polar.len());
+    }
+    assert_eq!(p["triangles"].as_array().expect("triangles").len(), triangles.len());
+    let legs = [&p["features"]["darts"][0]["leg_a"], &p["features"]["darts"][0]["leg_b"]];
+    for leg in legs.map(|l| l.as_array().expect("leg")) {
+        // From the mouth to the apex, which both legs share.
+        assert_eq!((leg.len(), leg[9].as_u64()), (10, Some(0)));
+    }
+    let rim = p["features"]["edges"][0]["chain"].as_array().expect("rim");
+    assert_eq!(rim.len(), rings[9].len());
+    assert!((p["figures"]["darts"][0]["flat"]["angle_deg"].as_f64().expect("angle") - 20.0).abs() < 1e-9);
+    assert_eq!(p["features"]["corners"].as_array().expect("corners").len(), 3);
+    assert_eq!(value["metric"], "carried");
+}
+
+#[test]
+fn a_fish_eye_is_read_as_two_darts_from_its_widest_place() {
+    // A plate with a lens cut out of its middle: columns of a grid, the inner ones pulled apart.
+    let grid = Grid::new(2, 8, |u, v| Vec2::new(0.2 * u, 0.4 * v));
+    let mut points = grid.points.clone();
+    let mut triangles = grid.triangles();
+    let mut twin = std::collections::BTreeMap::new();
+    for j in 3..=5 {
+        let id = grid.id(1, j) as usize;
+        twin.insert(id as u32, points.len() as u32);
+        let wide = if j == 4 { 0.01 } else { 0.005 };
+        points.push(points[id] + Vec2::new(wide, 0.0));
+        points[id].x -= wide;
+    }
+    for t in &mut triangles {
+        if t.iter().any(|v| *v >= grid.id(2, 0) && *v <= grid.id(2, 8)) {
+            *t = t.map(|v| twin.get(&v).copied().unwrap_or(v));
+        }
+    }
+    let left: Vec<u32> = (2..=6).map(|j| grid.id(1, j)).collect();
+    let right: Vec<u32> = left.iter().map(|v| twin.get(v).copied().unwrap_or(*v)).collect();
+    let mut p = piece(points.clone(), triangles, grid.outline(), &grid.corners());
+    let at = |ids: &[u32]| ids.iter().map(|v| points[*v as usize]).collect::<Vec<_>>();
+    p.darts.push(Dart {
+        name: "waist".into(),
+        kind: DartKind::FishEye,
+        evidence: DartEvidence::Contour,
+        apexes: vec![at(&left)[0], at(&left)[4]],
+        mouth: [at(&left)[2], at(&right)[2]],
+        legs: [at(&left), at(&right)],
+        line: "internal".into(),
+        depth: None,
+        mesh: Some(DartMesh { legs: [left.clone(), right.clone()] }),
+        source: None,
+    });
+    let surface = points.iter().map(|p| Vec3::new(p.x, p.y, 0.0)).collect();
+    let g = garment(vec![p], vec![surface]);
+    let flat = flatten(&g, &FlattenParams::default());
+    let darts = &flat.pieces[0].darts;
+    assert_eq!(darts.len(), 2);
+    for d in darts {
+        assert!((d.width[0] - 0.02).abs() < 1e-12 && (d.width[1] - 0.02).abs() < 1e-9);
+        assert!((d.legs[2] - d.legs[3]).abs() < 1e-9);
+    }
+    let f = features::of(&g, &g.pieces[0], g.pieces[0].mesh.as_ref().expect("mesh"));
+    assert_eq!(f.darts[0].a, [left[2], left[1], left[0]]);
+    assert_eq!(f.darts[1].b, [right[2], right[3], right[4]]);
 }

@@ -108,8 +108,8 @@ impl System {
     pub fn solve(&mut self) -> Result<(), SystemError> {
         let n = self.held.len();
         for (v, held) in self.held.iter().enumerate() {
-            for d in 0..2 {
-                if held[d] {
+            for (d, held) in held.iter().enumerate() {
+                if *held {
                     self.values[self.col_ptr[2 * v + d] as usize] = 1.0;
                     self.rhs[v][d] = 0.0;
                 }
