@@ -1,9 +1,11 @@
 //! The list of built-in stages: one line each.
 
+use crate::assemble::Assemble;
+use crate::triangulate::Triangulate;
 use toile_stage_api::Registry;
 
 /// All built-in stages.
 #[must_use]
 pub fn builtin() -> Registry {
-    Registry::default()
+    Registry::default().with(Triangulate).with(Assemble)
 }

@@ -3,7 +3,9 @@
 //! The data's way: `import_dxf` (or `import_mesh`) → `triangulate` → `assemble` → `stitch` → `drape` → `texture` →
 //! exports, `flatten`, report.
 
+pub mod assemble;
 pub mod builtin;
 pub mod sewing;
+pub mod triangulate;
 
 pub use builtin::builtin;
