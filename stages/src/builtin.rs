@@ -7,6 +7,8 @@ use toile_stage_api::Registry;
 pub fn builtin() -> Registry {
     Registry::default()
         .with(crate::import_dxf::ImportDxf)
+        .with(crate::triangulate::Triangulate)
+        .with(crate::assemble::Assemble)
         .with(crate::stitch::Stitch)
         .with(crate::drape::Drape)
         .with(crate::flatten::Flatten)

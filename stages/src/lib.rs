@@ -4,6 +4,7 @@
 //! exports, `flatten`, report.
 
 pub mod body;
+pub mod assemble;
 pub mod builtin;
 pub mod drape;
 pub mod export_report;
@@ -12,5 +13,6 @@ pub mod import_dxf;
 pub mod sewing;
 mod solve;
 pub mod stitch;
+pub mod triangulate;
 
 pub use builtin::builtin;

@@ -119,12 +119,6 @@ pub struct Piece {
     pub source: Option<SourceRef>,
 }
 
-impl Default for PieceId {
-    fn default() -> Self {
-        Self(0)
-    }
-}
-
 impl Piece {
     /// Unit warp direction: the grain line where there is one, else +y.
     #[must_use]

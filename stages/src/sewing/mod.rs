@@ -1,15 +1,11 @@
 //! What the sewing file means for the pieces: copies, edge names, declared darts, and seams resolved to outline runs.
+//!
+//! `triangulate` and `assemble` both ask here, so that the vertices the first lays down are the vertices the second sews.
 
-use toile_garment::sewing::SewingPlan;
-use toile_garment::{Garment, Report};
-use toile_stage_api::StageError;
+mod apply;
+mod lookup;
+pub mod resolve;
+pub mod ring;
+pub mod shapes;
 
-/// Applies a plan to freshly imported pieces: leaves out and copies pieces, names edges, adds and removes darts, and
-/// stores the plan in the garment.
-///
-/// # Errors
-/// When the plan names a piece, edge or point that is not there.
-pub fn apply(garment: &mut Garment, plan: SewingPlan, _report: &mut Report) -> Result<(), StageError> {
-    garment.plan = plan;
-    Ok(())
-}
+pub use apply::apply;

@@ -1,0 +1,140 @@
+//! `assemble`: seams and darts become vertex runs and stitches.
+
+mod runs;
+mod stitches;
+
+use crate::sewing::resolve::{Limits, ResolvedSeam, Side, resolve};
+use crate::sewing::shapes::{Shapes, shapes};
+use runs::run_vertices;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use stitches::stitches;
+use toile_garment::dart::DartKind;
+use toile_garment::seam::{Seam, SeamKind, SeamRun, SeamSide};
+use toile_garment::units::Share;
+use toile_garment::{Aspect, DartId, Diagnostic, Garment, Piece, SeamId};
+use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+
+/// Parameters of `assemble`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Params {
+    /// Largest difference in length of two sides that need not be declared, as a share of the shorter.
+    pub max_ease: Share,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Self { max_ease: Share(0.03) }
+    }
+}
+
+/// The stage.
+pub struct Assemble;
+
+impl Stage for Assemble {
+    type Params = Params;
+    const INFO: StageInfo = StageInfo::new(
+        "assemble",
+        "sews meshes on paper: seams and darts become stitches, lengths and directions are checked",
+        &[Aspect::Mesh],
+        &[Aspect::Seams],
+        1,
+    );
+
+    fn run(&self, params: &Params, mut garment: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
+        if !(params.max_ease.0.is_finite() && params.max_ease.0 >= 0.0) {
+            let message = format!("max_ease cannot be {}", params.max_ease);
+            return Err(StageError::parameter(Diagnostic::error("max-ease", message).hint("e.g. max_ease = \"3 %\"")));
+        }
+        let shapes = shapes(&garment).map_err(StageError::Input)?;
+        let limits = Limits { max_ease: params.max_ease.0 };
+        let resolved = resolve(&garment, &shapes, &limits, cx.report).map_err(StageError::Parameter)?;
+        let mut seams = Vec::new();
+        let mut errors = Vec::new();
+        for seam in &resolved {
+            match declared(&garment, &shapes, seam) {
+                Ok(s) => seams.push(s),
+                Err(e) => errors.push(e),
+            }
+        }
+        for piece in &garment.pieces {
+            for d in 0..piece.darts.len() {
+                match dart(piece, d) {
+                    Ok(s) => seams.extend(s),
+                    Err(e) => errors.push(e),
+                }
+            }
+        }
+        if !errors.is_empty() {
+            return Err(StageError::Input(errors));
+        }
+        for (i, seam) in seams.iter_mut().enumerate() {
+            seam.id = SeamId::from(i);
+        }
+        garment.seams = seams;
+        Ok(garment)
+    }
+}
+
+/// A declared seam on the meshes.
+fn declared(garment: &Garment, shapes: &Shapes, seam: &ResolvedSeam) -> Result<Seam, Diagnostic> {
+    let side = |side: &Side| -> Result<SeamSide, Diagnostic> {
+        let mut runs = Vec::new();
+        for span in &side.spans {
+            let piece = &garment.pieces[span.piece.index()];
+            let vertices = run_vertices(piece, &shapes[span.piece.index()], span).ok_or_else(|| {
+                let message = format!("seam `{}`: its ends on piece `{}` are no mesh vertices", seam.name, piece.name);
+                Diagnostic::error("seam-not-in-mesh", message)
+                    .at(seam.source.clone())
+                    .hint("mesh the pieces with the sewing file they are sewn with")
+            })?;
+            runs.push(SeamRun { piece: span.piece, vertices });
+        }
+        Ok(SeamSide { runs, length: side.length })
+    };
+    let (a, b) = (side(&seam.a)?, side(&seam.b)?);
+    let stitches = stitches(&a, &b).map_err(|e| e.finding(&seam.name).at(seam.source.clone()))?;
+    Ok(Seam {
+        id: SeamId(0),
+        name: seam.name.clone(),
+        kind: SeamKind::Seam,
+        ease: a.length - b.length,
+        a,
+        b,
+        gather: seam.gather,
+        stitches,
+        source: seam.source.clone(),
+    })
+}
+
+/// A dart as a seam; none for a dart that takes nothing away.
+fn dart(piece: &Piece, d: usize) -> Result<Option<Seam>, Diagnostic> {
+    let dart = &piece.darts[d];
+    let Some(mesh) = &dart.mesh else { return Ok(None) };
+    let side = |leg: usize| SeamSide {
+        runs: vec![SeamRun { piece: piece.id, vertices: mesh.legs[leg].clone() }],
+        length: dart.leg_length(leg),
+    };
+    let (a, b) = (side(0), side(1));
+    let name = format!("{} {}", piece.name, dart.name);
+    let pairs = if dart.kind == DartKind::Pleat && mesh.legs[0].len() == 1 {
+        stitches::pair(piece.id, mesh.legs[0][0], mesh.legs[1][0])
+    } else {
+        stitches(&a, &b).map_err(|e| e.finding(&name).at(dart.source.clone()))?
+    };
+    Ok(Some(Seam {
+        id: SeamId(0),
+        name,
+        kind: SeamKind::Dart { piece: piece.id, dart: DartId::from(d) },
+        ease: a.length - b.length,
+        a,
+        b,
+        gather: None,
+        stitches: pairs,
+        source: dart.source.clone(),
+    }))
+}
+
+#[cfg(test)]
+mod tests;

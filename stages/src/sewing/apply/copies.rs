@@ -1,0 +1,124 @@
+//! Copies of drawn pieces, plain or mirrored.
+
+use super::number;
+use crate::sewing::lookup;
+use toile_garment::outline::{OutlineEdge, PieceLine};
+use toile_garment::piece::Quantity;
+use toile_garment::sewing::{CopySpec, EdgeNameSpec, RunSpec, RunWay};
+use toile_garment::{Diagnostic, Garment, Piece, Vec2};
+
+/// Adds the copies of the plan at the end of the list.
+pub fn copy(garment: &mut Garment, errors: &mut Vec<Diagnostic>) {
+    for spec in garment.plan.copies.clone() {
+        match one(garment, &spec) {
+            Ok((piece, names)) => {
+                garment.pieces.push(piece);
+                garment.plan.edge_names.extend(names);
+                number(garment);
+            }
+            Err(e) => errors.push(e),
+        }
+    }
+}
+
+fn one(garment: &Garment, spec: &CopySpec) -> Result<(Piece, Vec<EdgeNameSpec>), Diagnostic> {
+    let source = &garment.pieces[lookup::piece(garment, &spec.piece, spec.source.as_ref())?.index()];
+    if garment.pieces.iter().any(|p| p.name.eq_ignore_ascii_case(&spec.name)) {
+        return Err(Diagnostic::error("piece-name-taken", format!("there is a piece `{}` already", spec.name))
+            .at(spec.source.clone())
+            .hint("give the copy another name"));
+    }
+    let mut piece = source.clone();
+    if spec.mirror {
+        mirror(&mut piece);
+    }
+    piece.name.clone_from(&spec.name);
+    piece.quantity = Quantity::default();
+    let names = garment
+        .plan
+        .edge_names
+        .iter()
+        .filter_map(|n| inherited(n, &source.name, spec))
+        .collect();
+    Ok((piece, names))
+}
+
+/// A name given by two points, on the copy.
+fn inherited(name: &EdgeNameSpec, source: &str, spec: &CopySpec) -> Option<EdgeNameSpec> {
+    let RunSpec::Points { piece, from, to, way } = &name.run else { return None };
+    if !piece.eq_ignore_ascii_case(source) {
+        return None;
+    }
+    let image = |p: &Vec2| if spec.mirror { flip(*p) } else { *p };
+    let way = match way {
+        RunWay::Left if spec.mirror => RunWay::Right,
+        RunWay::Right if spec.mirror => RunWay::Left,
+        same => *same,
+    };
+    let run = RunSpec::Points { piece: spec.name.clone(), from: image(from), to: image(to), way };
+    Some(EdgeNameSpec { run, name: name.name.clone() })
+}
+
+fn flip(p: Vec2) -> Vec2 {
+    Vec2::new(-p.x, p.y)
+}
+
+/// Mirrors a piece, x to −x. The outline is counter-clockwise again, its first vertex stays first, and edge k becomes
+/// edge n − 1 − k: the numbers run round the same way as on every piece.
+pub fn mirror(piece: &mut Piece) {
+    let n = piece.outline.points.len();
+    line(&mut piece.outline, true);
+    mirror_edges(&mut piece.edges, n);
+    if let Some(cut) = &mut piece.cut_line {
+        line(cut, true);
+    }
+    for cutout in &mut piece.cutouts {
+        line(cutout, true);
+    }
+    for internal in &mut piece.internal_lines {
+        line(internal, false);
+    }
+    for notch in &mut piece.notches {
+        notch.at = flip(notch.at);
+        notch.angle = notch.angle.map(|a| std::f64::consts::PI - a);
+    }
+    for hole in &mut piece.drill_holes {
+        hole.at = flip(hole.at);
+    }
+    for text in &mut piece.texts {
+        text.at = flip(text.at);
+    }
+    for axis in [&mut piece.grain, &mut piece.fold].into_iter().flatten() {
+        *axis = axis.map(flip);
+    }
+    for dart in &mut piece.darts {
+        let flipped = |points: &[Vec2]| points.iter().map(|p| flip(*p)).collect::<Vec<_>>();
+        dart.apexes = flipped(&dart.apexes);
+        // What was met second is met first now.
+        dart.mouth = [flip(dart.mouth[1]), flip(dart.mouth[0])];
+        dart.legs = [flipped(&dart.legs[1]), flipped(&dart.legs[0])];
+    }
+    piece.mesh = None;
+    piece.mirrored = !piece.mirrored;
+}
+
+fn line(line: &mut PieceLine, turn: bool) {
+    for p in &mut line.points {
+        p.at = flip(p.at);
+    }
+    if turn && line.closed && !line.points.is_empty() {
+        line.points[1..].reverse();
+    }
+}
+
+fn mirror_edges(edges: &mut [OutlineEdge], n: usize) {
+    let count = edges.len();
+    let image = |v: u32| if v == 0 || v as usize >= n { v } else { (n - v as usize) as u32 };
+    for edge in edges.iter_mut() {
+        (edge.from, edge.to) = (image(edge.to), image(edge.from));
+    }
+    edges.reverse();
+    for (k, edge) in edges.iter_mut().enumerate().take(count) {
+        edge.index = k as u32;
+    }
+}

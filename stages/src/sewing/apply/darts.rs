@@ -1,0 +1,212 @@
+//! Declared darts: added, overruled, denied.
+
+use crate::sewing::lookup;
+use crate::sewing::ring::Ring;
+use crate::sewing::shapes::mm;
+use toile_garment::dart::{Dart, DartEvidence, DartKind};
+use toile_garment::outline::{LinePoint, PieceLine, PointKind};
+use toile_garment::sewing::DartSpec;
+use toile_garment::{Diagnostic, Garment, Piece, Report, Vec2};
+
+/// A declared point is the found one within this distance.
+const SAME_POINT: f64 = 2e-3;
+/// A line that ends this near to a dart's point gives its leg.
+const ON_LINE: f64 = 1e-3;
+
+/// Applies the `[[dart]]` tables of these pieces.
+pub fn declare(
+    garment: &mut Garment,
+    wanted: impl Fn(&str) -> bool,
+    report: &mut Report,
+    errors: &mut Vec<Diagnostic>,
+) {
+    let specs: Vec<DartSpec> = garment.plan.darts.iter().filter(|d| wanted(&d.piece)).cloned().collect();
+    for spec in &specs {
+        match lookup::piece(garment, &spec.piece, spec.source.as_ref()) {
+            Ok(id) => one(&mut garment.pieces[id.index()], spec, report, errors),
+            Err(e) => errors.push(e),
+        }
+    }
+}
+
+fn one(piece: &mut Piece, spec: &DartSpec, report: &mut Report, errors: &mut Vec<Diagnostic>) {
+    let known = piece.darts.iter().position(|d| is_same(d, spec));
+    let Some(kind) = spec.kind else {
+        match known {
+            Some(k) => deny(piece, k),
+            None => report.push(
+                Diagnostic::warning(
+                    "dart-to-deny-not-found",
+                    format!("piece `{}` has no dart with its mouth at {}", piece.name, mm(spec.mouth[0])),
+                )
+                .at(spec.source.clone()),
+            ),
+        }
+        return;
+    };
+    let old = known.map(|k| piece.darts.remove(k));
+    let built = match kind {
+        DartKind::FishEye => Ok(fish_eye(piece, spec, old.as_ref())),
+        DartKind::Pleat => Ok(pleat(spec)),
+        DartKind::Wedge | DartKind::MarkedWedge => wedge(piece, spec, old.as_ref()),
+    };
+    match built {
+        Ok(mut dart) => {
+            dart.name = free_name(piece, spec, old.as_ref());
+            piece.darts.push(dart);
+        }
+        Err(e) => errors.push(e.at(spec.source.clone())),
+    }
+}
+
+fn is_same(dart: &Dart, spec: &DartSpec) -> bool {
+    let near = |a: &Vec2, b: &Vec2| (a - b).norm() < SAME_POINT;
+    let [m0, m1] = &spec.mouth;
+    let mouth = near(&dart.mouth[0], m0) && near(&dart.mouth[1], m1)
+        || near(&dart.mouth[0], m1) && near(&dart.mouth[1], m0);
+    let apex = !spec.apexes.is_empty() && spec.apexes.iter().all(|a| dart.apexes.iter().any(|d| near(a, d)));
+    mouth || apex
+}
+
+/// A denied dart is cloth: what marked it stays as lines.
+fn deny(piece: &mut Piece, k: usize) {
+    let dart = piece.darts.remove(k);
+    if dart.kind == DartKind::Wedge {
+        return;
+    }
+    for leg in dart.legs {
+        let points = leg.into_iter().map(|at| LinePoint { at, kind: PointKind::Plain }).collect();
+        piece.internal_lines.push(PieceLine { points, closed: false, name: None, source: dart.source.clone() });
+    }
+}
+
+fn free_name(piece: &Piece, spec: &DartSpec, old: Option<&Dart>) -> String {
+    let taken = |name: &str| piece.darts.iter().any(|d| d.name == name);
+    let asked = spec.name.clone().or_else(|| old.map(|d| d.name.clone()));
+    asked.filter(|n| !taken(n)).unwrap_or_else(|| {
+        (1..).map(|n| format!("dart-{n}")).find(|n| !taken(n)).unwrap_or_default()
+    })
+}
+
+fn dart(spec: &DartSpec, kind: DartKind, mouth: [Vec2; 2], legs: [Vec<Vec2>; 2], line: &str) -> Dart {
+    Dart {
+        name: String::new(),
+        kind,
+        evidence: DartEvidence::Declared,
+        apexes: spec.apexes.clone(),
+        mouth,
+        legs,
+        line: line.to_owned(),
+        depth: None,
+        mesh: None,
+        source: spec.source.clone(),
+    }
+}
+
+/// A wedge: in the outline where its apex is a point of it, else cut out of the cloth.
+fn wedge(piece: &mut Piece, spec: &DartSpec, old: Option<&Dart>) -> Result<Dart, Diagnostic> {
+    let apex = *spec.apexes.first().ok_or_else(|| Diagnostic::error("dart-without-apex", "a wedge dart needs an apex"))?;
+    let ring = Ring::from_line(&piece.outline.positions());
+    if ring.points.len() < 3 {
+        return Err(Diagnostic::error("outline-too-small", format!("piece `{}` has no outline", piece.name)));
+    }
+    let (s, distance) = ring.project(apex);
+    if distance <= ON_LINE {
+        let [m0, m1] = spec.mouth.map(|m| ring.project(m).0);
+        let swap = ring.ahead(m0, s) > ring.ahead(m0, m1);
+        let mouth = if swap { [spec.mouth[1], spec.mouth[0]] } else { spec.mouth };
+        let [from, to] = mouth.map(|m| ring.project(m).0);
+        let down = stretch(&ring, from, s);
+        let mut up = stretch(&ring, s, to);
+        up.reverse();
+        return Ok(dart(spec, DartKind::Wedge, mouth, [down, up], "cut"));
+    }
+    let [m0, m1] = spec.mouth.map(|m| ring.project(m).0);
+    let swap = ring.ahead(m0, m1) > ring.ahead(m1, m0);
+    let mouth = if swap { [spec.mouth[1], spec.mouth[0]] } else { spec.mouth };
+    let legs = mouth.map(|m| leg(piece, old, m, apex));
+    consume(piece, &legs);
+    Ok(dart(spec, DartKind::MarkedWedge, mouth, legs, "internal"))
+}
+
+/// Points of a ring from one position forward to another.
+fn stretch(ring: &Ring, from: f64, to: f64) -> Vec<Vec2> {
+    let d = ring.ahead(from, to);
+    let mut inner: Vec<(f64, Vec2)> =
+        ring.points.iter().zip(&ring.arc).map(|(p, s)| (ring.ahead(from, *s), *p)).filter(|(x, _)| *x > 1e-6 && *x < d - 1e-6).collect();
+    inner.sort_by(|a, b| a.0.total_cmp(&b.0));
+    std::iter::once(ring.at(from)).chain(inner.into_iter().map(|(_, p)| p)).chain([ring.at(to)]).collect()
+}
+
+/// A leg: the found dart's, an internal line that joins both points, else straight.
+fn leg(piece: &Piece, old: Option<&Dart>, mouth: Vec2, apex: Vec2) -> Vec<Vec2> {
+    let old_legs = old.into_iter().flat_map(|d| d.legs.iter());
+    let found = old_legs
+        .cloned()
+        .chain(piece.internal_lines.iter().map(PieceLine::positions))
+        .find_map(|line| between(&line, mouth, apex));
+    found.unwrap_or_else(|| vec![mouth, apex])
+}
+
+/// The part of a line from one point to another, its ends put on them.
+fn between(line: &[Vec2], from: Vec2, to: Vec2) -> Option<Vec<Vec2>> {
+    let at = |p: Vec2| line.iter().position(|q| (q - p).norm() < ON_LINE);
+    let (i, k) = (at(from)?, at(to)?);
+    let mut points = match i.cmp(&k) {
+        std::cmp::Ordering::Less => line[i..=k].to_vec(),
+        std::cmp::Ordering::Greater => line[k..=i].iter().rev().copied().collect(),
+        std::cmp::Ordering::Equal => return None,
+    };
+    let last = points.len() - 1;
+    (points[0], points[last]) = (from, to);
+    Some(points)
+}
+
+/// Internal lines that became legs are lines no more.
+fn consume(piece: &mut Piece, legs: &[Vec<Vec2>; 2]) {
+    let on_leg = |p: &LinePoint| legs.iter().flatten().any(|q| (q - p.at).norm() < ON_LINE);
+    piece.internal_lines.retain(|line| line.points.is_empty() || !line.points.iter().all(on_leg));
+}
+
+fn fish_eye(piece: &mut Piece, spec: &DartSpec, old: Option<&Dart>) -> Dart {
+    let ends = [spec.apexes[0], spec.apexes[1]];
+    let legs = spec.mouth.map(|mouth| {
+        let same = |d: &&Dart| d.kind == DartKind::FishEye;
+        let candidates = old.filter(same).into_iter().flat_map(|d| d.legs.iter().cloned());
+        let near = |leg: &Vec<Vec2>| leg.iter().any(|p| (p - mouth).norm() < SAME_POINT);
+        let found = candidates.filter(near).find_map(|leg| between(&leg, ends[0], ends[1]));
+        found.or_else(|| lens_half(piece, ends, mouth)).unwrap_or_else(|| vec![ends[0], mouth, ends[1]])
+    });
+    consume(piece, &legs);
+    dart(spec, DartKind::FishEye, spec.mouth, legs, "internal")
+}
+
+/// Half of a closed internal line between its two tips, the half that passes the widest point.
+fn lens_half(piece: &Piece, ends: [Vec2; 2], mouth: Vec2) -> Option<Vec<Vec2>> {
+    piece.internal_lines.iter().filter(|l| l.closed).find_map(|line| {
+        let points = line.positions();
+        let n = points.len();
+        let at = |p: Vec2| points.iter().position(|q| (q - p).norm() < ON_LINE);
+        let (i, k) = (at(ends[0])?, at(ends[1])?);
+        let forward: Vec<Vec2> = (0..=(k + n - i) % n).map(|x| points[(i + x) % n]).collect();
+        let backward: Vec<Vec2> = (0..=(i + n - k) % n).map(|x| points[(i + n - x) % n]).collect();
+        [forward, backward].into_iter().find(|half| half.iter().any(|p| (p - mouth).norm() < SAME_POINT))
+    })
+}
+
+/// A pleat: its lines run from the mouth to their ends, or it is held at the mouth only.
+fn pleat(spec: &DartSpec) -> Dart {
+    let ends = match spec.apexes.as_slice() {
+        [] => [None, None],
+        [one] => [Some(*one), Some(*one)],
+        [a, b, ..] => {
+            let straight = (a - spec.mouth[0]).norm() + (b - spec.mouth[1]).norm();
+            let crossed = (b - spec.mouth[0]).norm() + (a - spec.mouth[1]).norm();
+            if straight <= crossed { [Some(*a), Some(*b)] } else { [Some(*b), Some(*a)] }
+        }
+    };
+    let leg = |i: usize| std::iter::once(spec.mouth[i]).chain(ends[i]).collect::<Vec<_>>();
+    let mut out = dart(spec, DartKind::Pleat, spec.mouth, [leg(0), leg(1)], "internal");
+    out.depth = Some(0.5 * (spec.mouth[1] - spec.mouth[0]).norm());
+    out
+}

@@ -1,0 +1,78 @@
+//! The plan applied to freshly imported pieces.
+
+mod claims;
+mod copies;
+mod darts;
+mod names;
+
+use super::resolve::{Limits, resolve};
+use super::shapes::shapes;
+use toile_garment::sewing::SewingPlan;
+use toile_garment::{Diagnostic, Garment, PieceId, Report};
+use toile_stage_api::StageError;
+
+/// Applies a plan to freshly imported pieces: leaves out and copies pieces, names edges, adds and removes darts, and
+/// stores the plan in the garment.
+///
+/// # Errors
+/// When the plan names a piece, edge or point that is not there.
+pub fn apply(garment: &mut Garment, plan: SewingPlan, report: &mut Report) -> Result<(), StageError> {
+    let mut errors = Vec::new();
+    garment.plan = plan;
+    leave_out(garment, &mut errors);
+    // Drawn pieces first, so that copies inherit names and darts; then what is said of the copies themselves.
+    let copies = garment.plan.copies.clone();
+    let is_copy = |name: &str| copies.iter().any(|c| c.name.eq_ignore_ascii_case(name));
+    names::edges(garment, |piece| !is_copy(piece), &mut errors);
+    darts::declare(garment, |piece| !is_copy(piece), report, &mut errors);
+    copies::copy(garment, &mut errors);
+    names::edges(garment, is_copy, &mut errors);
+    darts::declare(garment, is_copy, report, &mut errors);
+    names::canonical(garment, &mut errors);
+    if !errors.is_empty() {
+        return Err(StageError::Parameter(errors));
+    }
+    // Bad outlines are for the stage that needs them, with all their places.
+    let Ok(rings) = shapes(garment) else { return Ok(()) };
+    claims::release(garment, &rings, report).map_err(StageError::Parameter)?;
+    check_seams(garment)
+}
+
+/// Are all seams and attachments where they say?
+fn check_seams(garment: &Garment) -> Result<(), StageError> {
+    let Ok(rings) = shapes(garment) else { return Ok(()) };
+    let mut errors = resolve(garment, &rings, &Limits::NONE, &mut Report::default()).err().unwrap_or_default();
+    for attach in &garment.plan.attachments {
+        let run = toile_garment::sewing::RunSpec::Edge { piece: attach.piece.clone(), edge: attach.edge.clone() };
+        errors.extend(super::lookup::run(garment, &rings, &run, attach.source.as_ref()).err());
+    }
+    if errors.is_empty() { Ok(()) } else { Err(StageError::Parameter(errors)) }
+}
+
+fn leave_out(garment: &mut Garment, errors: &mut Vec<Diagnostic>) {
+    for word in &garment.plan.leave_out {
+        let is = |text: &Option<String>| text.as_deref().is_some_and(|t| t.eq_ignore_ascii_case(word));
+        let before = garment.pieces.len();
+        if garment.pieces.iter().any(|p| p.name.eq_ignore_ascii_case(word)) {
+            garment.pieces.retain(|p| !p.name.eq_ignore_ascii_case(word));
+        } else {
+            garment.pieces.retain(|p| !is(&p.material) && !is(&p.category));
+        }
+        if garment.pieces.len() == before {
+            let names: Vec<_> = garment.pieces.iter().map(|p| p.name.as_str()).collect();
+            let message = format!("leave_out: no piece, material or category is called `{word}`");
+            errors.push(Diagnostic::error("piece-unknown", message).hint(super::lookup::nearest(word, &names)));
+        }
+    }
+    number(garment);
+}
+
+/// Ids follow the order of the list.
+fn number(garment: &mut Garment) {
+    for (i, piece) in garment.pieces.iter_mut().enumerate() {
+        piece.id = PieceId::from(i);
+    }
+}
+
+#[cfg(test)]
+mod tests;

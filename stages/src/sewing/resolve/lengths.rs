@@ -1,0 +1,52 @@
+//! Differences in length: declared ease and gather, and what is over the limit.
+
+use toile_garment::sewing::SeamSpec;
+use toile_garment::{Diagnostic, Report};
+
+/// Differences below this are drawing noise (0.5 mm).
+const NOISE: f64 = 5e-4;
+/// A declared ease or gather may miss what is drawn by 1 mm or 1 %.
+const DECLARED: f64 = 1e-3;
+
+/// How much two sides may differ.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limits {
+    /// Largest undeclared difference as a share of the shorter side.
+    pub max_ease: f64,
+}
+
+impl Limits {
+    /// Nothing is refused: for stages that only need to know where the seams run.
+    pub const NONE: Self = Self { max_ease: f64::INFINITY };
+}
+
+/// Compares the sides' lengths with what is declared.
+pub fn check(spec: &SeamSpec, a: f64, b: f64, limits: &Limits, report: &mut Report) -> Result<(), Diagnostic> {
+    let difference = a - b;
+    let figures = format!("{:.1} mm against {:.1} mm", a * 1e3, b * 1e3);
+    let shorter = a.min(b);
+    if let Some(gather) = spec.gather {
+        let drawn = a.max(b) / shorter;
+        if (drawn / gather - 1.0).abs() > limits.max_ease.max(0.01) {
+            return Err(differ(spec, format!("is declared to gather {gather}, drawn is {drawn:.3} ({figures})"))
+                .hint(format!("write gather = {drawn:.3}, or redraw")));
+        }
+        return Ok(());
+    }
+    let over = difference - spec.ease.unwrap_or(0.0);
+    if over.abs() > (limits.max_ease * shorter).max(DECLARED) {
+        let share = over.abs() / shorter * 100.0;
+        let declared = spec.ease.map_or(String::new(), |e| format!(", declared ease {:.1} mm", e * 1e3));
+        return Err(differ(spec, format!("has sides of {figures}{declared}: {share:.1} % undeclared"))
+            .hint(format!("write ease = \"{:.1} mm\" (a minus b) or gather, or raise max_ease", difference * 1e3)));
+    }
+    if difference.abs() > NOISE {
+        let message = format!("seam `{}` eases {:.1} mm ({figures})", spec.name, difference.abs() * 1e3);
+        report.push(Diagnostic::info("seam-eased", message).at(spec.source.clone()));
+    }
+    Ok(())
+}
+
+fn differ(spec: &SeamSpec, what: String) -> Diagnostic {
+    Diagnostic::error("seam-lengths-differ", format!("seam `{}` {what}", spec.name)).at(spec.source.clone())
+}

@@ -1,0 +1,113 @@
+//! Notches along a seam: which meets which.
+
+use super::side::Side;
+use crate::sewing::shapes::Shapes;
+use toile_garment::sewing::SeamSpec;
+use toile_garment::{Diagnostic, Garment, Piece, Report};
+
+/// Matching notches may differ by this share of the side's length …
+pub const TOLERANCE: f64 = 0.03;
+/// … or by this length, metres.
+const NEAR: f64 = 8e-3;
+/// A notch this far off the sewn line still marks it when the piece has no seam allowance.
+const OFF_LINE: f64 = 3e-3;
+/// The widest seam allowance a notch on the cut line is carried over.
+const ALLOWANCE: f64 = 30e-3;
+/// Notches this near to an end of the seam or to a dart's mouth mark that, and not the run.
+const AT_END: f64 = 1.5e-3;
+
+/// Ring positions of the notches of a piece: (ring, arc position).
+pub fn on_rings(piece: &Piece, shapes: &crate::sewing::shapes::PieceShape) -> Vec<(usize, f64)> {
+    let reach = if piece.cut_line.is_some() { ALLOWANCE } else { OFF_LINE };
+    let Some(ring) = shapes.rings.first() else { return Vec::new() };
+    let mut out = Vec::new();
+    for notch in piece.notches.iter().filter(|n| n.on != "internal" && n.on != "off") {
+        let reach = if notch.on == "sew" { OFF_LINE } else { reach };
+        let (s, distance) = ring.project(notch.at);
+        let at_mouth = || {
+            let p = ring.at(s);
+            ring.gaps.iter().any(|g| [g.from, g.to].iter().any(|i| (ring.points[*i] - p).norm() < AT_END))
+                || ring.gap_around(s).is_some()
+        };
+        if distance <= reach && !at_mouth() {
+            out.push((0, s));
+        }
+    }
+    out
+}
+
+/// Distances of the notches along a side, its ends left out.
+fn along(garment: &Garment, shapes: &Shapes, side: &Side) -> Vec<f64> {
+    let mut pieces: Vec<_> = side.spans.iter().map(|s| s.piece).collect();
+    pieces.sort_unstable();
+    pieces.dedup();
+    let mut out = Vec::new();
+    for id in pieces {
+        for (ring, s) in on_rings(&garment.pieces[id.index()], &shapes[id.index()]) {
+            out.extend(side.find(shapes, id, ring, s));
+        }
+    }
+    let mut ends = side.starts();
+    ends.push(side.length);
+    out.retain(|t| ends.iter().all(|e| (e - t).abs() > AT_END));
+    out.sort_by(f64::total_cmp);
+    out.dedup_by(|a, b| (*a - *b).abs() < AT_END);
+    out
+}
+
+/// Largest difference of relative position when both sides have equally many notches.
+pub fn misfit(garment: &Garment, shapes: &Shapes, a: &Side, b: &Side) -> Option<f64> {
+    let (x, y) = (along(garment, shapes, a), along(garment, shapes, b));
+    if x.is_empty() || x.len() != y.len() {
+        return None;
+    }
+    x.iter().zip(&y).map(|(s, t)| (s / a.length - t / b.length).abs()).max_by(f64::total_cmp)
+}
+
+/// Notches of a that meet notches of b, in order.
+pub fn matched(
+    garment: &Garment,
+    shapes: &Shapes,
+    spec: &SeamSpec,
+    a: &Side,
+    b: &Side,
+    report: &mut Report,
+) -> Vec<(f64, f64)> {
+    let (x, y) = (along(garment, shapes, a), along(garment, shapes, b));
+    if x.is_empty() && y.is_empty() {
+        return Vec::new();
+    }
+    let near = |s: f64, t: f64| {
+        let (s, t) = (s / a.length, t / b.length);
+        (s - t).abs() <= TOLERANCE.max(NEAR / a.length.max(b.length))
+    };
+    if x.len() == y.len() && x.iter().zip(&y).all(|(s, t)| near(*s, *t)) {
+        return x.into_iter().zip(y).collect();
+    }
+    let pairs = nearest_pairs(&x, &y, a.length, b.length, near);
+    let message = format!(
+        "seam `{}` has {} notches on one side and {} on the other, {} of them matched by their place",
+        spec.name,
+        x.len(),
+        y.len(),
+        pairs.len()
+    );
+    report.push(Diagnostic::info("seam-notches-differ", message).at(spec.source.clone()));
+    pairs
+}
+
+/// Pairs that are each other's nearest, in rising order on both sides.
+fn nearest_pairs(x: &[f64], y: &[f64], la: f64, lb: f64, near: impl Fn(f64, f64) -> bool) -> Vec<(f64, f64)> {
+    let gap = |s: f64, t: f64| (s / la - t / lb).abs();
+    let mut out: Vec<(f64, f64)> = Vec::new();
+    for s in x {
+        let best = y.iter().min_by(|t, u| gap(*s, **t).total_cmp(&gap(*s, **u)));
+        let Some(t) = best.filter(|t| near(*s, **t)) else { continue };
+        let back = x.iter().min_by(|p, q| gap(**p, *t).total_cmp(&gap(**q, *t)));
+        let rises = out.last().is_none_or(|(_, last)| t > last);
+        if back == Some(s) && rises {
+            out.push((*s, *t));
+        }
+    }
+    out
+}

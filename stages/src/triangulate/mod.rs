@@ -1,0 +1,214 @@
+//! `triangulate`: pieces become meshes whose lines are chains of mesh edges.
+//!
+//! Corners, notches, mouths, apexes and seam ends become vertices; both sides of a seam and both legs of a dart get
+//! equal counts between them. Inside, a hexagonal lattice turned off the grain, joined by a constrained Delaunay
+//! triangulation and smoothed.
+
+mod cdt;
+mod check;
+mod counts;
+mod crossing;
+mod curve;
+mod lattice;
+mod layout;
+mod lines;
+mod lyon;
+mod net;
+mod regular;
+mod region;
+mod size;
+mod smooth;
+mod write;
+
+use crate::sewing::resolve::{Limits, resolve};
+use crate::sewing::shapes::{mm, shapes};
+use counts::Counts;
+use layout::Layout;
+use net::Net;
+use regular::{FillError, Filled};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use toile_garment::units::{Angle, Length};
+use toile_garment::{Aspect, Diagnostic, Garment, Piece, Report, Vec2};
+use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+
+/// Tries at finer lines before a crossing of sampled lines is an error.
+const TRIES: usize = 5;
+
+/// How the inside is filled.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Mesher {
+    /// Near-equilateral triangles: for draping.
+    #[default]
+    Regular,
+    /// lyon's fill: slivers, no inner points; a draft to look at.
+    Lyon,
+}
+
+/// Parameters of `triangulate`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Params {
+    /// Length of a mesh edge (particle distance), e.g. "12 mm"; 12 mm when `triangles` is not given either.
+    pub edge_length: Option<Length>,
+    /// Number of triangles wanted for the whole garment, instead of an edge length.
+    pub triangles: Option<u32>,
+    /// How the inside is filled.
+    pub mesher: Mesher,
+    /// Angle of the lattice's rows to the weft: off the grain, or creases follow the yarns.
+    pub angle: Angle,
+}
+
+impl Default for Params {
+    fn default() -> Self {
+        Self { edge_length: None, triangles: None, mesher: Mesher::Regular, angle: Angle(15_f64.to_radians()) }
+    }
+}
+
+/// The stage.
+pub struct Triangulate;
+
+impl Stage for Triangulate {
+    type Params = Params;
+    const INFO: StageInfo = StageInfo::new(
+        "triangulate",
+        "meshes every piece; lines become chains of edges, seam sides and dart legs get equal counts",
+        &[Aspect::Pieces],
+        &[Aspect::Mesh],
+        1,
+    );
+
+    fn run(&self, params: &Params, mut garment: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
+        let shapes = shapes(&garment).map_err(StageError::Input)?;
+        // What the seams look like is told by `assemble`; here they only have to be found.
+        let seams = resolve(&garment, &shapes, &Limits::NONE, &mut Report::default()).map_err(StageError::Parameter)?;
+        let h = size::edge_length(params, &garment, &shapes)?;
+        let net = net::build(&garment, &shapes, &seams, h, cx.report).map_err(StageError::Input)?;
+        let mut counts = counts::counts(&net, h);
+        size::check_total(counts.total())?;
+        let meshed = mesh_all(&garment, &net, &mut counts, h, params, cx)?;
+        for ((piece, shape), (layout, filled)) in garment.pieces.iter_mut().zip(&shapes).zip(meshed) {
+            let quality = check::quality(&layout, &filled.0, &filled.1);
+            for finding in check::findings(piece, &quality, params.mesher == Mesher::Lyon) {
+                if finding.severity == toile_garment::Severity::Error {
+                    return Err(StageError::Internal(finding.message));
+                }
+                cx.report.push(finding);
+            }
+            write::write(piece, shape, &net.curves[piece.id.index()], &layout, filled);
+        }
+        Ok(garment)
+    }
+}
+
+/// Meshes all pieces; sampled lines that cross are sampled finer, together with all they are sewn to.
+fn mesh_all(
+    garment: &Garment,
+    net: &Net,
+    counts: &mut Counts,
+    h: f64,
+    params: &Params,
+    cx: &mut StageContext<'_>,
+) -> Result<Vec<(Layout, Filled)>, StageError> {
+    for attempt in 0..TRIES {
+        let mut done = Vec::new();
+        let mut errors = Vec::new();
+        let mut finer = std::collections::BTreeMap::new();
+        for piece in &garment.pieces {
+            if cx.cancelled() {
+                return Err(StageError::Cancelled);
+            }
+            cx.progress.update(done.len() as u64, garment.pieces.len() as u64, &piece.name);
+            let p = piece.id.index();
+            let layout = layout::layout(p, &net.curves[p], counts);
+            match mesh_piece(&layout, piece, h, params) {
+                Ok(filled) => done.push((layout, filled)),
+                Err(crossed) => {
+                    errors.push(crossing_error(piece, &layout, &crossed));
+                    for (k, i) in crossed {
+                        let s = layout.stretch[k].get(i).copied().unwrap_or(0);
+                        finer.insert(counts.group((p, k), s), ((p, k), s));
+                    }
+                }
+            }
+        }
+        if errors.is_empty() {
+            return Ok(done);
+        }
+        if attempt + 1 == TRIES || finer.is_empty() {
+            return Err(StageError::Input(errors));
+        }
+        for (at, s) in finer.into_values() {
+            counts.double(at, s);
+        }
+        size::check_total(counts.total())?;
+    }
+    Err(StageError::Internal("meshing ended without an answer".to_owned()))
+}
+
+/// Meshes one piece, or tells the edges (curve, number) that cross or touch.
+fn mesh_piece(layout: &Layout, piece: &Piece, h: f64, params: &Params) -> Result<Filled, Vec<(usize, usize)>> {
+    let (edges, repeated) = layout.all_edges();
+    if !repeated.is_empty() {
+        return Err(repeated);
+    }
+    let filled = match params.mesher {
+        Mesher::Regular => regular::fill(layout, &edges, h, rows(piece, params.angle.0)),
+        Mesher::Lyon => lyon::fill(layout),
+    };
+    filled.map_err(|e| match e {
+        FillError::Conflicts(list) => edges_of(layout, &list),
+        FillError::Touches(edge) => edges_of(layout, &[edge]),
+        FillError::Points => Vec::new(),
+    })
+}
+
+/// Direction of the lattice's rows: the weft, turned.
+fn rows(piece: &Piece, angle: f64) -> Vec2 {
+    let warp = piece.warp();
+    let weft = Vec2::new(warp.y, -warp.x);
+    let (sin, cos) = libm::sincos(angle);
+    Vec2::new(cos * weft.x - sin * weft.y, sin * weft.x + cos * weft.y)
+}
+
+/// Curve and number of edges given by their vertices; edges that share a vertex with them where they are none.
+fn edges_of(layout: &Layout, list: &[[u32; 2]]) -> Vec<(usize, usize)> {
+    let mut out = Vec::new();
+    for k in 0..layout.chains.len() {
+        for (i, [a, b]) in layout.edges(k).enumerate() {
+            let is = |e: &[u32; 2]| (e[0] == a && e[1] == b) || (e[0] == b && e[1] == a);
+            if list.iter().any(is) {
+                out.push((k, i));
+            }
+        }
+    }
+    if out.is_empty() {
+        for k in 0..layout.chains.len() {
+            for (i, edge) in layout.edges(k).enumerate() {
+                if list.iter().flatten().any(|v| edge.contains(v)) {
+                    out.push((k, i));
+                }
+            }
+        }
+    }
+    out
+}
+
+fn crossing_error(piece: &Piece, layout: &Layout, crossed: &[(usize, usize)]) -> Diagnostic {
+    let places: Vec<String> = crossed
+        .iter()
+        .take(4)
+        .filter_map(|(k, i)| layout.edges(*k).nth(*i))
+        .map(|[a, b]| mm((layout.points[a as usize] + layout.points[b as usize]) * 0.5))
+        .collect();
+    Diagnostic::error(
+        "lines-cross",
+        format!("piece `{}`: lines cross or touch when meshed, near {}", piece.name, places.join(", ")),
+    )
+    .at(piece.source.clone())
+    .hint("use a shorter edge_length, or redraw the lines apart")
+}
+
+#[cfg(test)]
+mod tests;

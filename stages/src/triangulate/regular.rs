@@ -1,0 +1,91 @@
+//! The `regular` mesher: lattice, constrained Delaunay triangulation, smoothing.
+
+use super::cdt::{CdtError, Spade, Triangulator};
+use super::lattice;
+use super::layout::Layout;
+use super::region;
+use super::smooth;
+use toile_garment::Vec2;
+
+const CENTROID_PASSES: usize = 3;
+const ANGLE_PASSES: usize = 4;
+
+/// Points (fixed ones first) and cloth triangles.
+pub type Filled = (Vec<Vec2>, Vec<[u32; 3]>);
+
+/// Why a layout could not be filled.
+#[derive(Clone, Debug, PartialEq)]
+pub enum FillError {
+    /// Edges that cross others, as vertex pairs.
+    Conflicts(Vec<[u32; 2]>),
+    /// The cloth touches itself at this edge.
+    Touches([u32; 2]),
+    /// Points that coincide.
+    Points,
+}
+
+impl From<CdtError> for FillError {
+    fn from(e: CdtError) -> Self {
+        match e {
+            CdtError::Conflicts(c) => Self::Conflicts(c),
+            CdtError::Points => Self::Points,
+        }
+    }
+}
+
+/// Fills a layout. `rows` is the unit direction of the lattice's rows.
+///
+/// # Errors
+/// When lines cross or touch.
+pub fn fill(layout: &Layout, edges: &[[u32; 2]], h: f64, rows: Vec2) -> Result<Filled, FillError> {
+    let fixed = layout.points.len();
+    let boundary = layout.segments(super::curve::CurveKind::bounds_cloth);
+    let lines = layout.segments(|_| true);
+    let mut points = layout.points.clone();
+    // Lines alone first: a crossing is found before the lattice is laid.
+    cloth(&points, edges, layout)?;
+    points.extend(lattice::hexagonal(&boundary, &lines, h, rows, middle(&layout.points)));
+    let mut triangles = cloth(&points, edges, layout)?;
+    for pass in 0..CENTROID_PASSES + ANGLE_PASSES {
+        if points.len() == fixed {
+            break;
+        }
+        if pass < CENTROID_PASSES {
+            smooth::centroids(&mut points, &triangles, fixed);
+        } else {
+            smooth::widen_angles(&mut points, &triangles, fixed);
+        }
+        triangles = cloth(&points, edges, layout)?;
+    }
+    Ok((points, triangles))
+}
+
+fn cloth(points: &[Vec2], edges: &[[u32; 2]], layout: &Layout) -> Result<Vec<[u32; 3]>, FillError> {
+    let hull = Spade.triangulate(points, edges)?;
+    let missing = missing(&hull, edges);
+    if !missing.is_empty() {
+        return Err(FillError::Conflicts(missing));
+    }
+    region::cloth(&hull, &layout.boundary()).map_err(|leak| FillError::Touches(leak.edge))
+}
+
+/// Edges that are no edge of any triangle.
+pub fn missing(triangles: &[[u32; 3]], edges: &[[u32; 2]]) -> Vec<[u32; 2]> {
+    let mut sides: Vec<[u32; 2]> = triangles
+        .iter()
+        .flat_map(|t| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]])
+        .map(|[a, b]| [a.min(b), a.max(b)])
+        .collect();
+    sides.sort_unstable();
+    edges.iter().copied().filter(|[a, b]| sides.binary_search(&[(*a).min(*b), (*a).max(*b)]).is_err()).collect()
+}
+
+/// Middle of the bounding box.
+fn middle(points: &[Vec2]) -> Vec2 {
+    let (mut low, mut high) = (points[0], points[0]);
+    for p in points {
+        low = low.inf(p);
+        high = high.sup(p);
+    }
+    (low + high) * 0.5
+}
