@@ -33,8 +33,14 @@ pub fn choose(bytes: &[u8], release: Option<&str>, code_page: Option<&str>) -> T
     if release.and_then(release_number).is_some_and(|r| r >= 1021) || bytes.is_ascii() {
         return sure(UTF_8);
     }
-    if std::str::from_utf8(bytes).is_ok() {
-        return sure(UTF_8);
+    if let Ok(text) = std::str::from_utf8(bytes) {
+        // A few Chinese words happen to be valid UTF-8; as such they would be letters of no living language.
+        if code_page.is_none() && looks_like_gbk(bytes) && text.chars().any(|c| ('\u{180}'..'\u{370}').contains(&c)) {
+            return TextEncoding { encoding: GBK, guessed: true };
+        }
+        if code_page.and_then(by_code_page) != Some(GBK) || !looks_like_gbk(bytes) {
+            return sure(UTF_8);
+        }
     }
     match code_page.and_then(by_code_page) {
         Some(encoding) if encoding != WINDOWS_1252 => return sure(encoding),

@@ -95,6 +95,8 @@ impl Stream {
     fn point(&mut self, code: i32, p: Vec2) {
         self.number(code, p.x);
         self.number(code + 10, p.y);
+        // The crate keeps spline points only when all three coordinates are there.
+        self.number(code + 20, 0.0);
     }
 }
 
@@ -109,7 +111,8 @@ fn write<'a>(shapes: impl Iterator<Item = &'a Shape>) -> String {
                 s.text(90, &vertices.len().to_string());
                 s.text(70, if *closed { "1" } else { "0" });
                 for v in vertices {
-                    s.point(10, v.at);
+                    s.number(10, v.at.x);
+                    s.number(20, v.at.y);
                     s.number(42, v.bulge);
                 }
             }

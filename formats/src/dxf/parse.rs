@@ -393,7 +393,7 @@ impl Parser<'_> {
     fn end(&mut self, tags: Tags<'_>) -> Result<(), Diagnostic> {
         tags.report(self.findings);
         let line = tags.line();
-        if self.ended {
+        if self.ended && self.sections > 0 {
             return Ok(());
         }
         if self.section != Section::None || self.polyline.is_some() || self.block.is_some() {

@@ -1,0 +1,110 @@
+//! The stage `import-dxf` on a small file written here.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+use toile_garment::{Aspect, Garment, Report};
+use toile_stage_api::{FileError, Files, Stage, StageContext, StageError};
+use toile_stages::builtin;
+use toile_stages::import_dxf::{ImportDxf, ImportDxfParams};
+
+struct InMemory(BTreeMap<String, Vec<u8>>);
+
+impl Files for InMemory {
+    fn read(&mut self, path: &Path) -> Result<Vec<u8>, FileError> {
+        let name = path.to_string_lossy().into_owned();
+        self.0.get(&name).cloned().ok_or(FileError::Missing { path: name, reason: "not there".into() })
+    }
+
+    fn read_optional(&mut self, path: &Path) -> Result<Option<Vec<u8>>, FileError> {
+        Ok(self.0.get(path.to_string_lossy().as_ref()).cloned())
+    }
+
+    fn write(&mut self, _: &Path, _: &[u8]) -> Result<(), FileError> {
+        Ok(())
+    }
+}
+
+fn pairs(list: &[(i32, &str)]) -> String {
+    list.iter().map(|(c, v)| format!("{c}\n{v}\n")).collect()
+}
+
+fn pattern() -> String {
+    let mut body = pairs(&[
+        (0, "SECTION"),
+        (2, "BLOCKS"),
+        (0, "BLOCK"),
+        (2, "BACK_40"),
+        (0, "TEXT"),
+        (8, "1"),
+        (1, "Piece Name: BACK"),
+    ]);
+    body += &pairs(&[(0, "TEXT"), (8, "1"), (1, "Size: 40"), (0, "POLYLINE"), (8, "1"), (70, "1")]);
+    for (x, y) in [("0", "0"), ("200", "0"), ("200", "400"), ("0", "400")] {
+        body += &pairs(&[(0, "VERTEX"), (8, "1"), (10, x), (20, y)]);
+    }
+    body += &pairs(&[(0, "SEQEND"), (0, "TEXT"), (8, "1"), (10, "200"), (20, "400"), (1, "# 1")]);
+    body += &pairs(&[(0, "TEXT"), (8, "1"), (10, "0"), (20, "0"), (1, "# 2"), (0, "ENDBLK"), (0, "ENDSEC")]);
+    body += &pairs(&[
+        (0, "SECTION"),
+        (2, "ENTITIES"),
+        (0, "INSERT"),
+        (2, "BACK_40"),
+        (0, "TEXT"),
+        (8, "1"),
+        (1, "Units: METRIC"),
+    ]);
+    body + &pairs(&[(0, "ENDSEC"), (0, "EOF")])
+}
+
+const RULES: &str =
+    "NUMBER OF SIZES: 2\nSIZE LIST: 40 42\nSAMPLE SIZE: 40\nRULE: DELTA 1\n0 0 20 0\nRULE: DELTA 2\n0 0 0 0\nEND\n";
+
+fn run(params: &str, files: &[(&str, &str)]) -> (Result<Garment, StageError>, Report) {
+    let params: ImportDxfParams = toml::from_str(params).expect("params");
+    let mut files = InMemory(files.iter().map(|(n, t)| ((*n).to_owned(), t.as_bytes().to_vec())).collect());
+    let (mut report, cancel) = (Report::default(), AtomicBool::new(false));
+    let mut cx = StageContext {
+        report: &mut report,
+        progress: &mut (),
+        files: &mut files,
+        cancel: &cancel,
+        seed: 0,
+        threads: 1,
+    };
+    let result = ImportDxf.run(&params, Garment::default(), &mut cx);
+    (result, report)
+}
+
+#[test]
+fn pieces_in_metres_with_ids_and_a_ledger() {
+    let (garment, report) = run("file = \"p.dxf\"", &[("p.dxf", &pattern())]);
+    let garment = garment.expect("garment");
+    assert!(garment.has(Aspect::Pieces));
+    assert_eq!((garment.size.as_deref(), garment.pieces[0].name.as_str()), (Some("40"), "BACK"));
+    assert!((garment.pieces[0].outline.signed_area() - 0.08).abs() < 1e-12);
+    assert!(report.findings.iter().any(|f| f.code == "ledger"));
+}
+
+#[test]
+fn a_size_from_the_table_beside_the_file() {
+    let files = [("p.dxf", pattern()), ("p.rul", RULES.to_owned())];
+    let files: Vec<(&str, &str)> = files.iter().map(|(n, t)| (*n, t.as_str())).collect();
+    let (garment, _) = run("file = \"p.dxf\"\nsize = \"42\"", &files);
+    let garment = garment.expect("graded");
+    let right = garment.pieces[0].outline.positions().iter().map(|p| p.x).fold(0.0, f64::max);
+    assert!((right - 0.22).abs() < 1e-12);
+    assert_eq!(garment.size.as_deref(), Some("42"));
+}
+
+#[test]
+fn wrong_parameters_and_wrong_files_are_told_apart() {
+    let (result, _) = run("file = \"p.dxf\"\nsize = \"44\"", &[("p.dxf", &pattern())]);
+    assert!(matches!(&result, Err(StageError::Parameter(f)) if f[0].message.contains("there are: 40")), "{result:?}");
+    let (result, _) = run("file = \"p.dxf\"", &[("p.dxf", "no dxf")]);
+    assert!(matches!(&result, Err(StageError::Input(f)) if f[0].code == "not-dxf"), "{result:?}");
+    let (result, _) = run("file = \"p.dxf\"", &[]);
+    assert!(matches!(result, Err(StageError::File(_))));
+    assert!(toml::from_str::<ImportDxfParams>("file = \"p.dxf\"\nsizes = 3").is_err());
+    assert!(builtin().get("import-dxf").is_some());
+}
