@@ -1,6 +1,6 @@
 //! From a file name to a checked chain: what `run`, `check` and `plan` have in common.
 
-use crate::engine::{Gate, Stop, check_paths, read_limited};
+use crate::engine::{Gate, Stop, check_paths, clean, read_limited};
 use crate::external;
 use crate::pipeline::{self, MAX_BYTES, Pipeline, SourceText};
 use std::collections::BTreeSet;
@@ -37,7 +37,7 @@ pub struct Loaded<'r> {
 /// # Errors
 /// When it cannot be read, is too large or is not UTF-8.
 pub fn open(request: &Request) -> Result<SourceText, Diagnostic> {
-    let name = Gate::shown(&request.file);
+    let name = clean(&request.file);
     let at = |d: Diagnostic| d.at(SourceRef::file(name.clone()));
     if !request.file.is_file() {
         return Err(at(Diagnostic::error("file-missing", format!("there is no pipeline file `{name}`"))));

@@ -41,8 +41,7 @@ impl RunFiles {
         &mut self.outputs
     }
 
-    /// Notes an input that was read elsewhere, such as the pipeline file.
-    pub fn note_input(&mut self, path: String, bytes: &[u8]) {
+    fn note_input(&mut self, path: String, bytes: &[u8]) {
         let record = InputRecord { path, blake3: blake3::hash(bytes).to_hex().to_string() };
         if !self.inputs.contains(&record) {
             self.inputs.push(record);

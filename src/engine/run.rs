@@ -14,7 +14,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toile_garment::garment::EffectRecord;
-use toile_garment::provenance::StageRecord;
+use toile_garment::provenance::{InputRecord, StageRecord};
 use toile_garment::{Diagnostic, Garment, Report};
 use toile_stage_api::{StageContext, StageError};
 
@@ -62,8 +62,7 @@ pub fn run(
         Ok(outputs) => outputs,
         Err(error) => return refuse(&error, report, teller),
     };
-    let mut files = RunFiles::new(gate, outputs);
-    files.note_input(options.pipeline_file.0.clone(), &options.pipeline_file.1);
+    let files = RunFiles::new(gate, outputs);
     let mut run = Run::new(pipeline, options, files, stop, teller, report);
     let exit = run.chain(pipeline);
     run.finish(exit)
@@ -82,6 +81,8 @@ struct Run<'a> {
     record: RunRecord,
     report: Report,
     told: usize,
+    /// In the record only: a changed comment must not change the document.
+    pipeline_file: InputRecord,
     garment: Garment,
     files: RunFiles,
     stop: &'a Arc<Stop>,
@@ -120,7 +121,9 @@ impl<'a> Run<'a> {
         garment.provenance.toile.clone_from(&record.toile);
         garment.provenance.pipeline.clone_from(&record.pipeline);
         garment.provenance.seed = pipeline.seed;
-        Self { record, report, told: 0, garment, files, stop, teller, started: Meter::start() }
+        let (path, bytes) = &options.pipeline_file;
+        let pipeline_file = InputRecord { path: path.clone(), blake3: blake3::hash(bytes).to_hex().to_string() };
+        Self { record, report, told: 0, pipeline_file, garment, files, stop, teller, started: Meter::start() }
     }
 
     fn chain(&mut self, pipeline: &Pipeline<'_>) -> Exit {
@@ -244,7 +247,8 @@ impl<'a> Run<'a> {
     }
 
     fn fill_record(&mut self) {
-        self.record.inputs = self.files.inputs().to_vec();
+        self.record.inputs = vec![self.pipeline_file.clone()];
+        self.record.inputs.extend_from_slice(self.files.inputs());
         self.record.findings.clone_from(&self.report.findings);
         self.record.certificate.clone_from(&self.garment.certificate);
         self.record.garment = GarmentCounts::of(&self.garment);

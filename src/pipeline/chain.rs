@@ -88,11 +88,11 @@ fn make_step<'r>(
     let schema = SchemaTree::of(stage);
     let mut table = entry.with.get_ref().clone();
     overrides::apply(cx, entry, &overrides.params, &schema, &mut table);
-    let before = cx.report.findings.len();
-    fill_table(cx, values, &mut table);
-    let filled = cx.report.findings.len() == before;
+    let filled = fill_table(cx, values, &mut table);
     let mut paths = Vec::new();
-    collect_paths(cx, &table, &mut paths);
+    if filled {
+        collect_paths(cx, &table, &mut paths);
+    }
     let ready = configure(cx, stage, &schema, table, &entry.with.span(), entry.name.get_ref());
     let place = cx.source.place(&entry.name.span());
     ready.filter(|_| filled).map(|ready| Step { id: entry.id.clone(), place, ready, paths })

@@ -52,7 +52,8 @@ pub fn parse<'t>(source: &'t SourceText, report: &mut Report) -> Option<Document
     }
     let (root, errors) = DeTable::parse_recoverable(source.text());
     for error in errors.iter().take(MAX_ERRORS) {
-        report.push(source.error("toml-syntax", &error.span().unwrap_or(0..0), error.message().to_owned()));
+        let message = error.message().replace("recursion limit", "tables or lists are nested beyond the limit of 80");
+        report.push(source.error("toml-syntax", &error.span().unwrap_or(0..0), message));
     }
     errors.is_empty().then(|| read_root(source, root.get_ref(), report))
 }

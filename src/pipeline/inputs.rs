@@ -2,7 +2,7 @@
 
 use super::document::Reader;
 use super::nearest::remedy;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -39,6 +39,8 @@ pub struct Input {
     pub kind: InputKind,
     /// Default as text.
     pub default: Option<String>,
+    /// A default is there but wrong, and was reported.
+    pub wrong_default: bool,
     /// Where it is declared.
     pub span: Range<usize>,
 }
@@ -48,6 +50,8 @@ pub struct Input {
 pub struct Values {
     /// Text and kind by name, `line` and `version` among them.
     pub by_name: BTreeMap<String, (InputKind, String)>,
+    /// Declared, but without a good value; each was reported once.
+    pub missing: BTreeSet<String>,
     /// Folders that stand behind `{name}/…` for paths given on the command line.
     pub mounts: BTreeMap<String, PathBuf>,
 }
@@ -77,7 +81,7 @@ fn read_input(cx: &mut Reader<'_>, name: &str, span: Range<usize>, value: &Spann
     match value.get_ref() {
         DeValue::String(kind) => {
             let kind = read_kind(cx, kind, &value.span())?;
-            Some(Input { kind, default: None, span })
+            Some(Input { kind, default: None, wrong_default: false, span })
         }
         DeValue::Table(table) => {
             cx.refuse_unknown(table, &["kind", "default", "about"], &format!("the input `{name}`"));
@@ -85,8 +89,9 @@ fn read_input(cx: &mut Reader<'_>, name: &str, span: Range<usize>, value: &Spann
             cx.text(table, "about");
             let word = cx.text(table, "kind")?;
             let kind = read_kind(cx, word.get_ref(), &word.span())?;
-            let default = table.get("default").and_then(|v| read_default(cx, kind, v));
-            Some(Input { kind, default, span })
+            let given = table.get("default");
+            let default = given.and_then(|v| read_default(cx, kind, v));
+            Some(Input { kind, wrong_default: given.is_some() && default.is_none(), default, span })
         }
         _ => {
             cx.wrong_type(value, name, "a kind (\"path\") or a table { kind = \"text\", default = \"38\" }");
@@ -156,8 +161,11 @@ pub(super) fn settle(
                     values.by_name.insert(name.clone(), (input.kind, text.clone()));
                 }
                 None => {
-                    let message = format!("the input `{name}` has no value");
-                    cx.push("missing-input", &input.span, message, format!("give one: --set {name}=…"));
+                    values.missing.insert(name.clone());
+                    if !input.wrong_default {
+                        let message = format!("the input `{name}` has no value");
+                        cx.push("missing-input", &input.span, message, format!("give one: --set {name}=…"));
+                    }
                 }
             },
         }
@@ -171,6 +179,7 @@ fn set_one(cx: &mut Reader<'_>, values: &mut Values, name: &str, kind: InputKind
     if let Err(message) = check(kind, text) {
         let span = cx.source.span_of_set(index);
         cx.push("wrong-type", &span, message, format!("`{name}` is of kind {}", word_of(kind)));
+        values.missing.insert(name.to_owned());
         return;
     }
     let mut text = text.to_owned();

@@ -1,0 +1,42 @@
+//! A toile with stages of your own, without a fork: one type, one line in `main`.
+//!
+//! `cargo run --example own_stages -- stages acme.annotate`
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use toile_garment::{Aspect, Diagnostic, Garment};
+use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+
+/// Writes a text on every piece.
+struct Annotate;
+
+/// Parameters of `acme.annotate`; these comments become the manual and the schema.
+#[derive(Debug, Deserialize, Serialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+struct AnnotateParams {
+    /// What to write.
+    text: String,
+}
+
+impl Stage for Annotate {
+    type Params = AnnotateParams;
+    const INFO: StageInfo = StageInfo::new("acme.annotate", "writes a text on every piece", &[Aspect::Pieces], &[], 1);
+
+    fn run(
+        &self,
+        params: &AnnotateParams,
+        mut garment: Garment,
+        cx: &mut StageContext<'_>,
+    ) -> Result<Garment, StageError> {
+        for piece in &mut garment.pieces {
+            piece.annotation = Some(params.text.clone());
+        }
+        let message = format!("{} pieces annotated", garment.pieces.len());
+        cx.report.push(Diagnostic::info("annotated", message));
+        Ok(garment)
+    }
+}
+
+fn main() -> std::process::ExitCode {
+    toile::cli::main(toile_stages::builtin().with(Annotate))
+}
