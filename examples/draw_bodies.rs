@@ -22,8 +22,8 @@ fn report(problem: &str) {
 
 fn draw(folder: &Path, label: &str) -> Result<(), String> {
     let measures = BodyMeasures::size(label).ok_or("no such size")?;
-    let body = parametric(&measures)
-        .map_err(|found| found.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))?;
+    let body =
+        parametric(&measures).map_err(|found| found.iter().map(ToString::to_string).collect::<Vec<_>>().join("\n"))?;
     let write = |kind: &str, text: String| {
         let path = folder.join(format!("{}.{kind}", body.name));
         std::fs::write(&path, text).map_err(|e| format!("{}: {e}", path.display()))

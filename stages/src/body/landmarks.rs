@@ -63,7 +63,8 @@ fn underarm(figure: &Figure, m: &BodyMeasures) -> Vec3 {
     let start = m.bust_height - 0.10;
     let side = hit(figure, Vec3::new(0.9, start, figure.acromion.z), -Vec3::x()).x;
     let arm_side = side.min(0.5);
-    let torso = (0..200).map(|i| f64::from(i) * 0.002).find(|x| figure.at(Vec3::new(*x, start, figure.acromion.z)).value > 0.0);
+    let torso =
+        (0..200).map(|i| f64::from(i) * 0.002).find(|x| figure.at(Vec3::new(*x, start, figure.acromion.z)).value > 0.0);
     let from = torso.unwrap_or(0.1);
     let columns = (1..200).map(|i| from + f64::from(i) * 0.001).take_while(|x| *x < arm_side);
     columns

@@ -77,7 +77,10 @@ impl Net {
 
     /// The vertices opposite to an edge: two inside, one on the midline, none when it is no edge.
     pub fn opposite(&self, a: u32, b: u32) -> Vec<u32> {
-        self.around(a, b).iter().filter_map(|t| self.triangles[*t as usize].into_iter().find(|v| *v != a && *v != b)).collect()
+        self.around(a, b)
+            .iter()
+            .filter_map(|t| self.triangles[*t as usize].into_iter().find(|v| *v != a && *v != b))
+            .collect()
     }
 
     /// Puts a new vertex into an edge.

@@ -30,7 +30,8 @@ impl Grid {
 }
 
 /// The six tetrahedra of a cube: paths from corner 0 to corner 7 along the axes in every order.
-const TETRAHEDRA: [[usize; 4]; 6] = [[0, 1, 3, 7], [0, 1, 5, 7], [0, 2, 3, 7], [0, 2, 6, 7], [0, 4, 5, 7], [0, 4, 6, 7]];
+const TETRAHEDRA: [[usize; 4]; 6] =
+    [[0, 1, 3, 7], [0, 1, 5, 7], [0, 2, 3, 7], [0, 2, 6, 7], [0, 4, 5, 7], [0, 4, 6, 7]];
 
 /// The surface where `field` is zero (negative inside), open along x = 0.
 pub fn polygonise(grid: Grid, field: impl Fn(Vec3) -> f64) -> Net {
@@ -42,7 +43,8 @@ pub fn polygonise(grid: Grid, field: impl Fn(Vec3) -> f64) -> Net {
             }
         }
     }
-    let mut surface = Surface { grid, values, crossings: BTreeMap::new(), positions: Vec::new(), triangles: Vec::new() };
+    let mut surface =
+        Surface { grid, values, crossings: BTreeMap::new(), positions: Vec::new(), triangles: Vec::new() };
     let cells = grid.nodes.map(|n| n.saturating_sub(1));
     for k in 0..cells[2] {
         for j in 0..cells[1] {
@@ -111,7 +113,9 @@ impl Surface {
     }
 
     fn triangle(&mut self, [a, b, c]: [u32; 3], inside: &[Node], outside: &[Node]) {
-        let mean = |nodes: &[Node]| nodes.iter().map(|n| n.1).sum::<Vec3>() / f64::from(u32::try_from(nodes.len()).unwrap_or(1));
+        let mean = |nodes: &[Node]| {
+            nodes.iter().map(|n| n.1).sum::<Vec3>() / f64::from(u32::try_from(nodes.len()).unwrap_or(1))
+        };
         let [pa, pb, pc] = [a, b, c].map(|v| self.positions[v as usize]);
         let outwards = (pb - pa).cross(&(pc - pa)).dot(&(mean(outside) - mean(inside))) > 0.0;
         self.triangles.push(if outwards { [a, b, c] } else { [a, c, b] });

@@ -60,7 +60,8 @@ impl Section {
     /// The girth of a tape drawn tight: length of the convex hull's edge, metres.
     #[must_use]
     pub fn girth(&self) -> f64 {
-        let hull = hull(self.points.iter().map(|p| Vec2::new(p.dot(&self.across[0]), p.dot(&self.across[1]))).collect());
+        let hull =
+            hull(self.points.iter().map(|p| Vec2::new(p.dot(&self.across[0]), p.dot(&self.across[1]))).collect());
         let turned = hull.iter().skip(1).chain(hull.first());
         hull.iter().zip(turned).map(|(a, b)| (b - a).norm()).sum()
     }
