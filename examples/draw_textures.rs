@@ -2,7 +2,8 @@
 //!
 //! Each bitmap is one repeat of the cloth and tiles without a seam; u (columns) is weft, v (rows) is warp.
 
-use image::{Rgb, RgbImage};
+use image::{ImageFormat, Rgb, RgbImage};
+use std::io::Cursor;
 use std::path::Path;
 use std::process::ExitCode;
 
@@ -11,16 +12,34 @@ const SIZE: u32 = 256;
 
 fn main() -> ExitCode {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/textures");
-    let drawings: [(&str, fn(u32, u32) -> Rgb<u8>); 3] =
-        [("plain-weave", plain_weave), ("twill-stripe", twill_stripe), ("jersey-check", jersey_check)];
-    for (name, pixel) in drawings {
+    for (name, drawing) in drawings() {
         let path = folder.join(format!("{name}.png"));
-        if let Err(problem) = RgbImage::from_fn(SIZE, SIZE, pixel).save(&path) {
+        let written = png(&drawing).and_then(|bytes| Ok(std::fs::write(&path, bytes)?));
+        if let Err(problem) = written {
             report(&format!("{}: {problem}", path.display()));
             return ExitCode::FAILURE;
         }
     }
     ExitCode::SUCCESS
+}
+
+/// All bitmaps with their names.
+pub fn drawings() -> [(&'static str, RgbImage); 3] {
+    [
+        ("plain-weave", RgbImage::from_fn(SIZE, SIZE, plain_weave)),
+        ("twill-stripe", RgbImage::from_fn(SIZE, SIZE, twill_stripe)),
+        ("jersey-check", RgbImage::from_fn(SIZE, SIZE, jersey_check)),
+    ]
+}
+
+/// The bytes of a PNG file.
+///
+/// # Errors
+/// When the encoder refuses the picture.
+pub fn png(drawing: &RgbImage) -> Result<Vec<u8>, image::ImageError> {
+    let mut bytes = Cursor::new(Vec::new());
+    drawing.write_to(&mut bytes, ImageFormat::Png)?;
+    Ok(bytes.into_inner())
 }
 
 #[allow(clippy::print_stderr)]

@@ -5,7 +5,7 @@ use super::field::{Egg, Sample, Sweep, pair};
 use super::measures::BodyMeasures;
 use toile_garment::Vec3;
 
-/// Angle of the arms away from the vertical (A-pose), degrees.
+/// Angle of the arms away from the vertical (A-pose) up to a usual bust girth, degrees.
 const ARM_ANGLE: f64 = 40.0;
 /// Slope of the shoulders, degrees.
 const SHOULDER_SLOPE: f64 = 21.0;
@@ -114,25 +114,33 @@ fn section(y: f64, half_width: f64, front: f64, back: f64, wide: f64, deep: f64)
     (y, [half_width * wide, 0.5 * (front - back) * deep, 0.0, 0.5 * (front + back) * deep])
 }
 
+/// A scale of a girth as scales of width and depth: larger bodies grow deeper more than wider.
+fn spread(scale: f64) -> (f64, f64) {
+    (libm::pow(scale, 0.8), libm::pow(scale, 1.2))
+}
+
 fn torso(m: &BodyMeasures, [hip, waist, under, bust]: [f64; 4], crotch: f64) -> Sweep {
     let (h, w) = (hip * m.hip_girth / 0.960, waist * m.waist_girth / 0.700);
     let (u, b) = (under * m.under_bust() / 0.7612, bust * m.bust_girth / 0.880);
+    let ((hw, hd), (ww, wd), (uw, ud)) = (spread(h), spread(w), spread(u));
+    let (mw, md) = spread(0.5 * (h + w));
+    let (bw, bd) = spread(0.6 * u + 0.4 * b);
     let wide = m.shoulder_width / 0.380;
-    let chest = 0.5 * (wide + u.min(b));
+    let chest = 0.5 * (wide + uw.min(bw));
     let top = m.shoulder_height;
     let upper = top - m.bust_height;
     let hip_to_waist = m.waist_height - m.hip_height;
     let bottom = m.crotch_height + crotch;
     let keys = [
-        section(bottom + 0.026, 0.154, 0.083, -0.119, h, h),
-        section(m.hip_height + 0.004, 0.171, 0.094, -0.130, h, h),
-        section(m.hip_height + 0.5 * hip_to_waist, 0.156, 0.104, -0.108, 0.5 * (h + w), 0.5 * (h + w)),
-        section(m.waist_height, 0.122, 0.092, -0.088, w, w),
-        section(m.bust_height - 0.075, 0.134, 0.098, -0.102, u, u),
-        section(m.bust_height, 0.143, 0.090, -0.110, 0.6 * u + 0.4 * b, 0.6 * u + 0.4 * b),
-        section(m.bust_height + 0.5 * upper, 0.150, 0.084, -0.112, chest, u),
-        section(m.bust_height + 0.78 * upper, 0.138, 0.060, -0.096, wide, u),
-        section(top, 0.104, 0.030, -0.076, wide, u),
+        section(bottom + 0.026, 0.154, 0.083, -0.119, hw, hd),
+        section(m.hip_height + 0.004, 0.171, 0.094, -0.130, hw, hd),
+        section(m.hip_height + 0.5 * hip_to_waist, 0.156, 0.104, -0.108, mw, md),
+        section(m.waist_height, 0.122, 0.092, -0.088, ww, wd),
+        section(m.bust_height - 0.075, 0.134, 0.098, -0.102, uw, ud),
+        section(m.bust_height, 0.143, 0.090, -0.110, bw, bd),
+        section(m.bust_height + 0.5 * upper, 0.150, 0.084, -0.112, chest, ud),
+        section(m.bust_height + 0.78 * upper, 0.138, 0.060, -0.096, wide, 0.5 * (1.0 + ud)),
+        section(top, 0.104, 0.030, -0.076, wide, 0.5 * (1.0 + ud)),
     ];
     upright(&keys, 2.25, [0.026, 0.045])
 }
@@ -145,7 +153,7 @@ fn yoke(m: &BodyMeasures, acromion: Vec3) -> Sweep {
     let length = acromion.x / cos;
     let thick = 0.036;
     let origin = acromion - along * length - up * thick;
-    let deep = m.under_bust() / 0.7612;
+    let deep = 0.5 + 0.5 * m.under_bust() / 0.7612;
     let keys = [
         (0.03, [thick, 0.050 * deep, 0.0, -0.010]),
         (0.5 * length, [thick, 0.046 * deep, 0.0, -0.006]),
@@ -189,6 +197,11 @@ fn bust_egg(m: &BodyMeasures, factor: f64, rise: f64) -> Egg {
     }
 }
 
+/// Larger bodies hold their arms wider, so that the armpits stay above the bust.
+fn arm_angle(m: &BodyMeasures) -> f64 {
+    ARM_ANGLE + (35.0 * (m.bust_girth / 0.95 - 1.0)).clamp(0.0, 15.0)
+}
+
 /// The arm with the positions where it is measured.
 struct ArmPlan {
     sweep: Sweep,
@@ -198,7 +211,7 @@ struct ArmPlan {
 
 impl ArmPlan {
     fn new(m: &BodyMeasures, acromion: Vec3, upper: f64, wrist: f64) -> Self {
-        let (sin, cos) = libm::sincos(ARM_ANGLE.to_radians());
+        let (sin, cos) = libm::sincos(arm_angle(m).to_radians());
         let along = Vec3::new(sin, -cos, 0.0);
         let out = Vec3::new(cos, sin, 0.0);
         let ru = upper * m.upper_arm_girth / (2.0 * std::f64::consts::PI);

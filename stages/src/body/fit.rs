@@ -36,14 +36,14 @@ pub struct Taken {
 /// The figure and mesh that meet the measures as well as they can be met.
 pub fn fit(m: &BodyMeasures) -> Fitted {
     let mut tune = Tune::default();
-    for _ in 0..3 {
+    for _ in 0..2 {
         let figure = Figure::new(m, &tune);
-        let mut net = rough(m, &figure, 0.014);
+        let mut net = rough(m, &figure, 0.020);
         settle(&mut net, &|p| figure.at(p));
         turn(m, &mut tune, &take(m, &figure, &net));
     }
     let mut figure = Figure::new(m, &tune);
-    let mut net = rough(m, &figure, 0.012);
+    let mut net = rough(m, &figure, 0.014);
     remesh(&mut net, 8, &|p| figure.at(p), &|p| edge_length(m, p));
     for _ in 0..16 {
         turn(m, &mut tune, &take(m, &figure, &net));

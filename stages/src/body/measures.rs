@@ -161,24 +161,32 @@ impl BodyMeasures {
             .filter_map(|((name, value), range)| outside(name, value, range))
             .collect();
         if found.is_empty() {
-            found.extend(self.relations().into_iter().filter_map(Relation::broken));
+            found.extend(self.height_gaps().into_iter().filter_map(Gap::broken));
+            found.extend(self.girth_shares().into_iter().filter_map(Share::broken));
         }
         found
     }
 
-    fn relations(&self) -> [Relation; 15] {
-        let rel = |small, low, share, large, high| Relation { small, low, share, large, high };
+    fn height_gaps(&self) -> [Gap; 6] {
+        let gap = |lower, low, least, upper, high| Gap { lower, low, least, upper, high };
         [
-            rel("crotch_height", self.crotch_height + 0.03, 1.0, "hip_height", self.hip_height),
-            rel("hip_height", self.hip_height + 0.10, 1.0, "waist_height", self.waist_height),
-            rel("waist_height", self.waist_height + 0.10, 1.0, "bust_height", self.bust_height),
-            rel("bust_height", self.bust_height + 0.10, 1.0, "shoulder_height", self.shoulder_height),
-            rel("shoulder_height", self.shoulder_height + 0.01, 1.0, "neck_height", self.neck_height),
-            rel("neck_height", self.neck_height + 0.15, 1.0, "stature", self.stature),
+            gap("crotch_height", self.crotch_height, 0.03, "hip_height", self.hip_height),
+            gap("hip_height", self.hip_height, 0.10, "waist_height", self.waist_height),
+            gap("waist_height", self.waist_height, 0.10, "bust_height", self.bust_height),
+            gap("bust_height", self.bust_height, 0.10, "shoulder_height", self.shoulder_height),
+            gap("shoulder_height", self.shoulder_height, 0.01, "neck_height", self.neck_height),
+            gap("neck_height", self.neck_height, 0.15, "stature", self.stature),
+        ]
+    }
+
+    fn girth_shares(&self) -> [Share; 9] {
+        let rel = |small, value, most, large, whole| Share { small, value, most, large, whole };
+        let under = self.under_bust();
+        [
             rel("waist_girth", self.waist_girth, 1.2, "hip_girth", self.hip_girth),
             rel("waist_girth", self.waist_girth, 1.2, "bust_girth", self.bust_girth),
-            rel("under_bust_girth", self.under_bust(), 0.97, "bust_girth", self.bust_girth),
-            rel("bust_girth", self.bust_girth, 1.35, "under_bust_girth", self.under_bust()),
+            rel("under_bust_girth", under, 0.97, "bust_girth", self.bust_girth),
+            rel("bust_girth", self.bust_girth, 1.35, "under_bust_girth", under),
             rel("thigh_girth", self.thigh_girth, 0.66, "hip_girth", self.hip_girth),
             rel("neck_girth", self.neck_girth, 0.55, "bust_girth", self.bust_girth),
             rel("upper_arm_girth", self.upper_arm_girth, 0.42, "bust_girth", self.bust_girth),
@@ -218,27 +226,49 @@ fn outside(name: &str, value: f64, (low, high): (f64, f64)) -> Option<Diagnostic
     Some(Diagnostic::error("body-measure-out-of-range", message).hint(hint))
 }
 
-/// `low` may be at most `share` of `high`.
-struct Relation {
-    small: &'static str,
+/// Two heights of which one lies under the other.
+struct Gap {
+    lower: &'static str,
     low: f64,
-    share: f64,
-    large: &'static str,
+    least: f64,
+    upper: &'static str,
     high: f64,
 }
 
-impl Relation {
+impl Gap {
     fn broken(self) -> Option<Diagnostic> {
-        let limit = self.share * self.high;
-        if self.low <= limit {
+        if self.high - self.low >= self.least {
+            return None;
+        }
+        let (low, high, least) = (self.low * 1000.0, self.high * 1000.0, self.least * 1000.0);
+        let message =
+            format!("{} = {low:.1} mm is not at least {least:.0} mm under {} = {high:.1} mm", self.lower, self.upper);
+        let hint = format!("make {} smaller or {} larger", self.lower, self.upper);
+        Some(Diagnostic::error("body-measures-contradict", message).hint(hint))
+    }
+}
+
+/// A measure that can be at most a share of another.
+struct Share {
+    small: &'static str,
+    value: f64,
+    most: f64,
+    large: &'static str,
+    whole: f64,
+}
+
+impl Share {
+    fn broken(self) -> Option<Diagnostic> {
+        let limit = self.most * self.whole;
+        if self.value <= limit {
             return None;
         }
         let message = format!(
-            "{} does not go with {} = {:.1} mm: it counts as {:.1} mm, at most {:.1} mm is possible",
+            "{} = {:.1} mm does not go with {} = {:.1} mm: at most {:.1} mm is possible",
             self.small,
+            self.value * 1000.0,
             self.large,
-            self.high * 1000.0,
-            self.low * 1000.0,
+            self.whole * 1000.0,
             limit * 1000.0
         );
         let hint = format!("make {} smaller or {} larger", self.small, self.large);

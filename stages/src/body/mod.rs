@@ -19,7 +19,9 @@ pub mod side_file;
 pub use measures::{BodyMeasures, SIZES};
 pub use section::{Section, girth_at, hull, section_at, section_near, sections};
 
+use figure::Figure;
 use fit::{Fitted, Taken, fit, take, wanted};
+use net::Net;
 use std::collections::BTreeMap;
 use toile_garment::body::Body;
 use toile_garment::{Diagnostic, Vec3};
@@ -31,7 +33,7 @@ const TOLERANCE: f64 = 0.01;
 ///
 /// # Errors
 /// Findings `body-measure-out-of-range` and `body-measures-contradict` where the measures are impossible, and
-/// `body-measure-not-met` where no figure of this kind meets them within 1 %.
+/// `body-measure-not-met` or `body-not-clean` where no figure of this kind meets them within 1 %.
 pub fn parametric(m: &BodyMeasures) -> Result<Body, Vec<Diagnostic>> {
     let found = m.check();
     if !found.is_empty() {
@@ -42,11 +44,12 @@ pub fn parametric(m: &BodyMeasures) -> Result<Body, Vec<Diagnostic>> {
         *p = p.map(to_micrometres);
     }
     let taken = take(m, &figure, &net);
-    let missed = missed(m, &taken);
-    if !missed.is_empty() {
-        return Err(missed);
-    }
     let (positions, triangles) = net.whole();
+    let mut findings = missed(m, &taken);
+    findings.extend(shape_findings(&figure, &net, &positions, &triangles));
+    if !findings.is_empty() {
+        return Err(findings);
+    }
     let landmarks = landmarks::landmarks(&figure, m);
     let segments = segments::segments(&figure, m, &positions, &triangles);
     Ok(Body {
@@ -104,11 +107,32 @@ fn missed(m: &BodyMeasures, taken: &Taken) -> Vec<Diagnostic> {
         .collect()
 }
 
-/// Points of the outline of a closed mesh as text: Wavefront OBJ, metres, micrometre steps.
+/// Is the surface one ball without handles, nowhere folded against the figure's own surface?
+fn shape_findings(figure: &Figure, net: &Net, positions: &[Vec3], triangles: &[[u32; 3]]) -> Option<Diagnostic> {
+    // A closed triangle mesh has 3/2 edges a triangle, so a ball has V − T/2 = 2.
+    let ball = positions.len() == triangles.len() / 2 + 2;
+    let folded = net
+        .alive()
+        .filter(|t| {
+            let middle = (net.place(t[0]) + net.place(t[1]) + net.place(t[2])) / 3.0;
+            let (normal, slope) = (net.normal(*t), figure.at(middle).slope);
+            normal.dot(&slope) <= 0.3 * normal.norm() * slope.norm()
+        })
+        .count();
+    if ball && folded == 0 {
+        return None;
+    }
+    let reason = if ball { format!("{folded} triangles fold") } else { "limbs grow together".to_owned() };
+    let message = format!("these measures give no clean body: {reason}");
+    Some(Diagnostic::error("body-not-clean", message).hint("bring the measures closer to a usual size"))
+}
+
+/// The mesh as text: Wavefront OBJ, metres, micrometre steps.
 #[must_use]
 pub fn obj_text(body: &Body) -> String {
     let line = |p: &Vec3| format!("v {:.6} {:.6} {:.6}\n", p.x, p.y, p.z);
     let vertices: String = body.positions.iter().map(line).collect();
     let faces: String = body.triangles.iter().map(|t| format!("f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1)).collect();
-    format!("# {}: metres, +y up, +z front, +x the wearer's left\no {}\n{vertices}{faces}", body.name, body.name)
+    let name = body.name.replace(char::is_control, " ");
+    format!("# {name}: metres, +y up, +z front, +x the wearer's left\no {name}\n{vertices}{faces}")
 }

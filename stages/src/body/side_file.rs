@@ -7,7 +7,8 @@ use toile_garment::body::Body;
 /// The side file of a body (TOML), lengths in millimetres to the micrometre.
 #[must_use]
 pub fn side_text(body: &Body) -> String {
-    let mut text = format!("name = \"{}\"\n\n[measures]\n", body.name);
+    // A JSON string is a TOML string.
+    let mut text = format!("name = {}\n\n[measures]\n", serde_json::Value::from(body.name.as_str()));
     // Writing to a String cannot fail.
     for (name, value) in &body.measures {
         let _ = writeln!(text, "{name} = \"{}\"", length(*value));
