@@ -144,7 +144,8 @@ impl Draft {
             let inward = (high - low).normalize() * 10.0;
             drill_holes.extend([low + inward + self.shift, high - inward + self.shift]);
         }
-        let internal = self.fish_eyes.iter().map(|f| DrawLine { points: f.map(corner).into(), closed: true, dense: None });
+        let internal =
+            self.fish_eyes.iter().map(|f| DrawLine { points: f.map(corner).into(), closed: true, dense: None });
         PieceDrawing {
             name: self.name.to_owned(),
             size: Some(size.to_owned()),

@@ -114,13 +114,7 @@ fn points(tags: &mut Tags, piece: &PieceDrawing) {
     }
 }
 
-fn notch(
-    tags: &mut Tags,
-    notch: &DrawNotch,
-    piece: &PieceDrawing,
-    dialect: Dialect,
-    findings: &mut Vec<Diagnostic>,
-) {
+fn notch(tags: &mut Tags, notch: &DrawNotch, piece: &PieceDrawing, dialect: Dialect, findings: &mut Vec<Diagnostic>) {
     let layer = match notch.kind {
         NotchKind::Slit | NotchKind::V => "4",
         NotchKind::T => "80",

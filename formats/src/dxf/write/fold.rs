@@ -20,7 +20,10 @@ pub fn half(drawing: PieceDrawing, fold: [Vec2; 2], findings: &mut Vec<Diagnosti
         findings.push(
             Diagnostic::warning(
                 "fold-not-symmetric",
-                format!("piece `{}` is not the mirror image of itself about its fold: it is written whole", drawing.name),
+                format!(
+                    "piece `{}` is not the mirror image of itself about its fold: it is written whole",
+                    drawing.name
+                ),
             )
             .hint("take the fold line away, or draw the other half"),
         );
@@ -80,7 +83,8 @@ impl Axis {
     /// `None` when the line does not cross the axis exactly twice.
     fn cut(&self, line: &DrawLine) -> Option<(DrawLine, [Vec2; 2])> {
         let mut points = self.with_crossings(line);
-        let on: Vec<_> = (0..points.len()).filter(|i| self.side(points.get(*i).map_or(self.from, |p| p.at)).abs() <= SAME).collect();
+        let on: Vec<_> =
+            (0..points.len()).filter(|i| self.side(points.get(*i).map_or(self.from, |p| p.at)).abs() <= SAME).collect();
         let &[a, b] = on.as_slice() else { return None };
         let between = points.get(a + 1).is_some_and(|p| b > a + 1 && self.side(p.at) > 0.0);
         let length = if between { b - a + 1 } else { points.len() - b + a + 1 };

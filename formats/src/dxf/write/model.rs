@@ -156,7 +156,8 @@ pub fn fault(piece: &PieceDrawing) -> Option<Diagnostic> {
     let bad = |p: &Vec2| !(p.x.abs() < 1e7 && p.y.abs() < 1e7);
     let lines = piece.lines().flat_map(|(_, l)| l.points.iter().map(|p| p.at).chain(l.dense.iter().flatten().copied()));
     let marks = piece.notches.iter().map(|n| n.at).chain(piece.drill_holes.iter().copied());
-    let sizes = piece.notches.iter().flat_map(|n| [Vec2::new(n.depth, n.width), Vec2::new(n.angle.unwrap_or(0.0), 0.0)]);
+    let sizes =
+        piece.notches.iter().flat_map(|n| [Vec2::new(n.depth, n.width), Vec2::new(n.angle.unwrap_or(0.0), 0.0)]);
     let rest = piece.grain.iter().chain(&piece.fold).flatten().copied().chain(piece.texts.iter().map(|t| t.at));
     let wrong = lines.chain(marks).chain(sizes).chain(rest).find(bad)?;
     Some(Diagnostic::error(

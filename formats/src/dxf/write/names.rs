@@ -58,8 +58,11 @@ impl Names {
 }
 
 fn renamed(code: &str, was: &str, now: &str) -> Diagnostic {
-    Diagnostic::warning(code, format!("`{was}` is written as `{now}`: the format holds {LONGEST} ASCII characters, each name once"))
-        .hint("shorten the name in the pattern to choose it yourself")
+    Diagnostic::warning(
+        code,
+        format!("`{was}` is written as `{now}`: the format holds {LONGEST} ASCII characters, each name once"),
+    )
+    .hint("shorten the name in the pattern to choose it yourself")
 }
 
 /// ASCII with at least one letter or digit, at most [`LONGEST`] characters.

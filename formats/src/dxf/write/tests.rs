@@ -126,7 +126,8 @@ fn clo_has_its_version_its_keys_and_group_250() {
 fn names_fit_and_stay_apart() {
     let named = |name: &str, size: &str| PieceDrawing { name: name.into(), size: Some(size.into()), ..piece() };
     let long = "Vorderärmel links oben außen";
-    let pieces = vec![named(long, "38"), named(long, "40"), named("Vorderaermel links oben innen", "38"), named("裙子", "38")];
+    let pieces =
+        vec![named(long, "38"), named(long, "40"), named("Vorderaermel links oben innen", "38"), named("裙子", "38")];
     let written = write(&drawing(pieces), Dialect::Astm).expect("written");
     let e = read(&written.bytes);
     let blocks: Vec<_> = e.iter().filter(|e| e.kind == "BLOCK").filter_map(|e| e.text(2)).collect();
