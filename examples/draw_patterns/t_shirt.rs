@@ -106,7 +106,7 @@ fn sleeve(m: &Measures, [front, back]: [f64; 2]) -> Draft {
         right_hem,
         -left(right_up),
         [0.33; 2],
-        4,
+        8,
     );
     let edges = vec![
         hem,
