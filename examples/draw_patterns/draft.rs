@@ -168,6 +168,7 @@ pub fn solve(mut lo: f64, mut hi: f64, f: impl Fn(f64) -> f64) -> f64 {
 }
 
 /// Sum of the lengths of edges.
+#[cfg(test)]
 pub fn length(edges: &[Edge]) -> f64 {
     edges.iter().map(Edge::length).sum()
 }

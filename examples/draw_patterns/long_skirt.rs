@@ -1,7 +1,7 @@
 //! The long skirt: A-line, front and back cut whole, two waist darts in each.
 
 use crate::body::{HIP_HEIGHT, Measures, WAIST_HEIGHT};
-use crate::draft::{Edge, at, left, length, solve, towards, whole};
+use crate::draft::{Edge, at, left, solve, towards, whole};
 use crate::sheet::{Draft, Wedge};
 use toile_garment::Vec2;
 use toile_garment::piece::Quantity;
@@ -102,10 +102,10 @@ impl Quarter {
         vec![
             Edge::start("hem", at(0.0, WAIST_HEIGHT - LENGTH)).curve(at(1.0, 0.0), hem, -left(up), third, 10),
             Edge::start("side", hem).line(hip, 16).curve(up, side, top, third, 10),
-            Edge::start("waist-side", side).curve(left(top), b, towards(180.0 - slant), third, 5),
+            Edge::start("waist-side", side).curve(left(top), b, towards(180.0 - slant), third, 10),
             Edge::straight("leg", b, apex),
             Edge::straight("leg", apex, a),
-            Edge::start("waist-centre", a).curve(towards(180.0 + slant), at(0.0, self.centre), at(-1.0, 0.0), third, 5),
+            Edge::start("waist-centre", a).curve(towards(180.0 + slant), at(0.0, self.centre), at(-1.0, 0.0), third, 10),
         ]
     }
 
@@ -119,9 +119,4 @@ impl Quarter {
         });
         hip + down * l
     }
-}
-
-/// Finished waist of the drawn skirt.
-pub fn finished_waist(pieces: &[Draft]) -> f64 {
-    pieces.iter().map(|p| length(&[2, 5, 8].map(|i| p.edges[i].clone()))).sum()
 }

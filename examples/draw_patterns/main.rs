@@ -5,10 +5,13 @@
 
 mod body;
 mod draft;
+mod fitted_bodice;
 mod long_skirt;
 mod sheet;
+mod t_shirt;
 #[cfg(test)]
 mod tests;
+mod upper;
 
 use body::{Measures, SAMPLE_SIZE, SIZES};
 use sheet::Draft;
@@ -21,7 +24,11 @@ struct Style {
     pieces: fn(&Measures) -> Vec<Draft>,
 }
 
-const STYLES: &[Style] = &[Style { file: "long-skirt", pieces: long_skirt::pieces }];
+const STYLES: &[Style] = &[
+    Style { file: "long-skirt", pieces: long_skirt::pieces },
+    Style { file: "fitted-bodice", pieces: fitted_bodice::pieces },
+    Style { file: "t-shirt", pieces: t_shirt::pieces },
+];
 
 /// File names and bytes of all samples.
 fn files() -> Result<Vec<(String, Vec<u8>)>, String> {

@@ -9,7 +9,7 @@ use toile_garment::{Diagnostic, Vec2};
 const PRODUCT: &str = "toile";
 const RELEASE: &str = "1";
 /// Closeness of the drawn curves, mm.
-const TOLERANCE: &str = "0.05";
+const TOLERANCE: &str = "0.2";
 
 /// The header: empty, but for CLO.
 pub fn header(tags: &mut Tags, dialect: Dialect) {
