@@ -15,7 +15,17 @@ pub mod settings;
 pub mod watch;
 pub mod weld;
 
+mod collide;
+mod energy;
+mod exact;
+mod integrate;
+mod limit;
+mod problem;
+mod report;
 mod run;
+mod sewing;
+mod topology;
+mod validate;
 
 pub use certificate::{Figures, certify};
 pub use curve::Curve;

@@ -1,14 +1,25 @@
-//! The loops.
+//! The loop of sewing and draping.
 
-use crate::{ClothError, Outcome, Scene, Settings, Watch};
+use crate::integrate::central::{self, State};
+use crate::problem::Problem;
+use crate::report;
+use crate::{ClothError, Integrator, Outcome, Scene, Settings, StopReason, Vec3, Watch};
+
+/// Steps between two looks at the energy.
+const CHECK: u64 = 64;
+/// Time between two looks at the rest, s (a film frame).
+const WINDOW: f64 = 1.0 / 24.0;
+/// Quiet windows in a row that count as rest.
+const QUIET: u32 = 3;
+const MOST_HALVINGS: u32 = 10;
 
 /// Closes the stitches: the paper's dynamic system with sewing forces, until every pair is closer than the sewing
 /// distance and the elastic energy rests. Pairs that came close are joined exactly (gap 0).
 ///
 /// # Errors
 /// An unusable scene or setting, a start that crosses, instability, or a stop on request.
-pub fn sew(_scene: &Scene, _settings: &Settings, _watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
-    Err(ClothError::BadScene { code: "not-yet", what: "not built yet".into() })
+pub fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
+    run(scene, settings, true, watch)
 }
 
 /// Settles the cloth: the same system without sewing force. Stitches still in the scene are held where they are
@@ -16,6 +27,182 @@ pub fn sew(_scene: &Scene, _settings: &Settings, _watch: &mut dyn Watch) -> Resu
 ///
 /// # Errors
 /// As [`sew`].
-pub fn drape(_scene: &Scene, _settings: &Settings, _watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
-    Err(ClothError::BadScene { code: "not-yet", what: "not built yet".into() })
+pub fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
+    run(scene, settings, false, watch)
+}
+
+fn run(scene: &Scene, settings: &Settings, pulls: bool, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
+    let mut problem = Problem::new(scene, settings, pulls)?;
+    let mut run = Run::new(&mut problem, settings);
+    let reason = run.go(watch)?;
+    Ok(run.outcome(scene, reason))
+}
+
+struct Run<'a> {
+    problem: &'a mut Problem,
+    settings: &'a Settings,
+    state: State,
+    /// The last state whose energy was sound.
+    sound: State,
+    sound_energy: f64,
+    dt: f64,
+    halvings: u32,
+    steps: u64,
+    seconds: f64,
+    /// Positions and elastic energy at the start of the window.
+    window: (Vec<Vec3>, f64, f64),
+    quiet: u32,
+    speed: f64,
+    change: f64,
+}
+
+impl<'a> Run<'a> {
+    fn new(problem: &'a mut Problem, settings: &'a Settings) -> Self {
+        let state = State::at_rest(problem.start.clone());
+        let elastic = problem.elastic(&state.x);
+        let sound_energy = problem.potential(&state.x);
+        let window = (state.x.clone(), elastic, 0.0);
+        let mut run = Self {
+            sound: state.clone(),
+            state,
+            problem,
+            settings,
+            sound_energy,
+            dt: 0.0,
+            halvings: 0,
+            steps: 0,
+            seconds: 0.0,
+            window,
+            quiet: 0,
+            speed: 0.0,
+            change: 0.0,
+        };
+        run.choose_step();
+        run
+    }
+
+    /// The adaptive step: a fraction of the stable one as the cloth stands, halved where energy grew.
+    fn choose_step(&mut self) {
+        let stable = self.problem.stable_step(&self.state.x);
+        self.dt = self.settings.step_fraction * stable / f64::from(1u32 << self.halvings);
+    }
+
+    fn go(&mut self, watch: &mut dyn Watch) -> Result<StopReason, ClothError> {
+        loop {
+            match self.settings.integrator {
+                Integrator::CentralDifference => central::step(self.problem, &mut self.state, self.dt),
+            }
+            self.steps += 1;
+            self.seconds += self.dt;
+            if self.problem.sewing.pulling() {
+                self.problem.sewing.time += self.dt;
+                self.problem.sewing.join(&self.state.x);
+            }
+            if self.steps % CHECK == 0 {
+                if watch.cancelled() {
+                    return Err(ClothError::Cancelled { step: self.steps });
+                }
+                self.check_energy()?;
+                if self.steps % (16 * CHECK) == 0 {
+                    watch.progress(self.steps, &self.words());
+                }
+            }
+            if self.seconds - self.window.2 >= WINDOW && self.look_for_rest() {
+                return Ok(StopReason::Settled);
+            }
+            if self.steps >= self.settings.max_steps {
+                return Ok(StopReason::MaxSteps);
+            }
+            if self.seconds >= self.settings.max_seconds {
+                return Ok(StopReason::MaxSeconds);
+            }
+        }
+    }
+
+    fn words(&self) -> String {
+        let open = self.problem.sewing.open();
+        let seams = if open > 0 { format!("{open} stitches open, ") } else { String::new() };
+        format!(
+            "{seams}{:.2} s simulated, speed {:.1} mm/s (goal {:.1}), energy change {:.2e}",
+            self.seconds,
+            self.speed * 1e3,
+            self.settings.speed_tolerance * 1e3,
+            self.change
+        )
+    }
+
+    /// Halves the step and goes back to the last sound state when the numbers or the energy run away.
+    fn check_energy(&mut self) -> Result<(), ClothError> {
+        let kinetic = self.problem.kinetic(&self.state.v);
+        let elastic = self.problem.elastic(&self.state.x);
+        let total = kinetic + self.problem.potential(&self.state.x);
+        let finite = total.is_finite() && self.state.x.iter().all(|p| p.amax() < 1e6);
+        // Sewing forces and led vertices do work, so growth then proves nothing.
+        let closed = !self.problem.sewing.pulling() && self.problem.pins_placed(&self.sound.x);
+        let grown = closed && total > self.sound_energy + 0.2 * (kinetic + elastic) + 1e-9;
+        if finite && !grown {
+            self.sound_energy = total;
+            self.sound.copy_motion(&self.state);
+            self.choose_step();
+            return Ok(());
+        }
+        if self.halvings >= MOST_HALVINGS {
+            if finite {
+                // The step is a thousandth of the stable one: the growth is no instability.
+                self.sound_energy = total;
+                return Ok(());
+            }
+            let what = "the forces stayed beyond numbers although the step was halved 10 times".into();
+            return Err(ClothError::Unstable { step: self.steps, what });
+        }
+        self.halvings += 1;
+        self.state.copy_motion(&self.sound);
+        if let Some(c) = &mut self.problem.contact {
+            c.measure(&self.state.x, 0.0);
+        }
+        self.sound_energy = f64::INFINITY;
+        self.choose_step();
+        Ok(())
+    }
+
+    /// Has nothing moved for a few windows? Both the paper's energy rule and the speed must agree.
+    fn look_for_rest(&mut self) -> bool {
+        let span = self.seconds - self.window.2;
+        let elastic = self.problem.elastic(&self.state.x);
+        let free = |i: &usize| self.problem.free(*i);
+        let moved = (0..self.state.x.len()).filter(free).map(|i| (self.state.x[i] - self.window.0[i]).norm());
+        self.speed = moved.fold(0.0, f64::max) / span;
+        let scale = elastic.max(self.window.1);
+        self.change = if scale > 0.0 { (elastic - self.window.1).abs() / scale } else { 0.0 };
+        self.window.0.copy_from_slice(&self.state.x);
+        self.window.1 = elastic;
+        self.window.2 = self.seconds;
+        let calm = self.change <= self.settings.energy_tolerance
+            && self.speed <= self.settings.speed_tolerance
+            && !self.problem.sewing.pulling()
+            && self.problem.pins_placed(&self.state.x);
+        self.quiet = if calm { self.quiet + 1 } else { 0 };
+        self.quiet >= QUIET
+    }
+
+    fn outcome(self, scene: &Scene, stop_reason: StopReason) -> Outcome {
+        let gaps = self.problem.sewing.gaps(scene, &self.state.x);
+        let energy = self.problem.elastic(&self.state.x);
+        let balance = report::balance(self.problem, &self.state.x, scene.gravity.norm() * self.settings.gravity_scale);
+        Outcome {
+            steps: self.steps,
+            seconds: self.seconds,
+            settled: stop_reason == StopReason::Settled,
+            stop_reason,
+            energy,
+            speed_max: self.speed,
+            residual_rel: balance.residual_rel,
+            seam_gap_max: gaps.first().map_or(0.0, |g| g.1),
+            open_stitches: gaps.into_iter().filter(|g| g.1 > self.settings.sewing_distance).take(20).collect(),
+            effects: report::effects(self.problem, scene, self.settings),
+            reactions: balance.reactions,
+            repaired: self.problem.repaired,
+            positions: self.state.x,
+        }
+    }
 }

@@ -1,0 +1,181 @@
+//! Runs a scene folder (garment.obj with vt as rest where given, body.obj, pins.txt, stitches.txt; y or z up) and
+//! writes OUT.obj. Usage: run_scene DIR OUT.obj [model=springs] [fabric=cotton] [up=y] [seconds=8] …
+#![allow(clippy::print_stdout, clippy::unwrap_used)]
+
+use std::fmt::Write as _;
+use std::path::Path;
+use std::time::Instant;
+use toile_cloth::{
+    BodyMesh, Curve, Element, Material, Model, Outcome, Pin, Scene, Settings, Vec3, Watch, certify, drape, sew, weld,
+};
+
+struct Print(Instant);
+
+impl Watch for Print {
+    fn progress(&mut self, step: u64, words: &str) {
+        if step % (1024 * 8) == 0 {
+            println!("  {:6.1} s  step {step}: {words}", self.0.elapsed().as_secs_f64());
+        }
+    }
+    fn cancelled(&self) -> bool {
+        false
+    }
+}
+
+type Obj = (Vec<Vec3>, Vec<[f64; 2]>, Vec<[[usize; 2]; 3]>);
+
+fn obj(path: &Path) -> Option<Obj> {
+    let (mut v, mut vt, mut f) = (Vec::new(), Vec::new(), Vec::new());
+    for line in std::fs::read_to_string(path).ok()?.lines() {
+        let p: Vec<&str> = line.split_whitespace().collect();
+        let n = |i: usize| p[i].parse::<f64>().unwrap();
+        match p.first() {
+            Some(&"v") => v.push(Vec3::new(n(1), n(2), n(3))),
+            Some(&"vt") => vt.push([n(1), n(2)]),
+            Some(&"f") => {
+                let corner = |s: &str| {
+                    let mut i = s.split('/').map(|k| k.parse::<usize>().unwrap_or(1) - 1);
+                    let a = i.next().unwrap();
+                    [a, i.next().unwrap_or(a)]
+                };
+                for k in 2..p.len() - 1 {
+                    f.push([corner(p[1]), corner(p[k]), corner(p[k + 1])]);
+                }
+            }
+            _ => {}
+        }
+    }
+    Some((v, vt, f))
+}
+
+fn numbers(path: &Path) -> Vec<Vec<u32>> {
+    let text = std::fs::read_to_string(path).unwrap_or_default();
+    text.lines().map(|l| l.split_whitespace().map(|n| n.parse().unwrap()).collect()).filter(|l: &Vec<u32>| !l.is_empty()).collect()
+}
+
+fn flat(a: Vec3, b: Vec3, c: Vec3) -> [[f64; 2]; 3] {
+    let e = (b - a).normalize();
+    let d = c - a;
+    let x = d.dot(&e);
+    [[0.0, 0.0], [(b - a).norm(), 0.0], [x, (d - e * x).norm()]]
+}
+
+fn cotton() -> Material {
+    Material {
+        areal_mass: 0.115,
+        thickness: 2.8e-4,
+        friction: 0.4,
+        warp: Curve::Exponential { k0: 7117.2, beta: 35.141 },
+        weft: Curve::Exponential { k0: 3113.8, beta: 15.374 },
+        shear: 45.0,
+        poisson: 0.1,
+        bend_warp: 8e-6,
+        bend_weft: 5e-6,
+        bend_bias: None,
+        strain_limit: [0.035, 0.08],
+    }
+}
+
+fn show(name: &str, o: &Outcome, t: Instant) {
+    println!(
+        "{name}: {} in {:.1} s, {} steps, {:.2} s simulated, energy {:.5} J, speed {:.2} mm/s, residual {:.2e}, gap {:.4} mm, open {:?}, repaired {:?}",
+        o.stop_reason.words(),
+        t.elapsed().as_secs_f64(),
+        o.steps,
+        o.seconds,
+        o.energy,
+        o.speed_max * 1e3,
+        o.residual_rel,
+        o.seam_gap_max * 1e3,
+        &o.open_stitches[..o.open_stitches.len().min(4)],
+        o.repaired
+    );
+    for e in &o.effects {
+        println!("   {} {}: {} — {}", e.name, if e.on { "on" } else { "off" }, e.rule, e.evidence);
+    }
+}
+
+fn main() {
+    let args: Vec<String> = std::env::args().collect();
+    let dir = Path::new(&args[1]);
+    let option = |name: &str| args.iter().find_map(|a| a.strip_prefix(&format!("{name}=")).map(str::to_owned));
+    let number = |name: &str, or: f64| option(name).map_or(or, |v| v.parse().unwrap());
+    let (v, vt, f) = obj(&dir.join("garment.obj")).unwrap();
+    let mut material = match option("fabric").as_deref() {
+        Some("cotton") => cotton(),
+        _ => Material { areal_mass: 0.15, ..Material::isotropic(0.15, 500.0, 0.3, 1e-5) },
+    };
+    if let Some(l) = option("limit") {
+        material.strain_limit = [l.parse().unwrap(); 2];
+    }
+    let triangles = f
+        .iter()
+        .map(|t| Element {
+            vertices: t.map(|c| u32::try_from(c[0]).unwrap()),
+            rest: if vt.is_empty() { flat(v[t[0][0]], v[t[1][0]], v[t[2][0]]) } else { t.map(|c| vt[c[1]]) },
+            material: 0,
+        })
+        .collect();
+    let z_up = option("up").as_deref() != Some("y");
+    let scene = Scene {
+        pins: numbers(&dir.join("pins.txt")).iter().map(|p| Pin { vertex: p[0], at: v[p[0] as usize] }).collect(),
+        stitches: numbers(&dir.join("stitches.txt")).iter().map(|p| [p[0], p[1]]).collect(),
+        body: obj(&dir.join("body.obj")).map(|(p, _, f)| BodyMesh {
+            positions: p,
+            triangles: f.iter().map(|t| t.map(|c| u32::try_from(c[0]).unwrap())).collect(),
+        }),
+        gravity: if z_up { Vec3::new(0.0, 0.0, -9.81) } else { Vec3::new(0.0, -9.81, 0.0) },
+        positions: v,
+        triangles,
+        materials: vec![material],
+        ..Scene::default()
+    };
+    println!("{} vertices, {} triangles, {} stitches, {} pins", scene.positions.len(), scene.triangles.len(), scene.stitches.len(), scene.pins.len());
+    let model = if option("model").as_deref() == Some("springs") { Model::Springs } else { Model::Coupled };
+    let with = |s: Settings| Settings { model, stiffness_cap: number("cap", s.stiffness_cap), damping: number("damping", s.damping), ..s };
+    let mut place = scene.positions.clone();
+    let mut finish = scene.clone();
+    let mut map: Vec<u32> = (0..u32::try_from(place.len()).unwrap()).collect();
+    if !scene.stitches.is_empty() {
+        let t = Instant::now();
+        let settings = with(Settings { max_seconds: number("sew", 6.0), ..Settings::sewing() });
+        match sew(&scene, &settings, &mut Print(t)) {
+            Ok(o) => {
+                show("sew", &o, t);
+                place = o.positions;
+                save(&format!("{}.sewn.obj", args[2]), &place, &scene);
+            }
+            Err(e) => return println!("sew failed: {e}"),
+        }
+        let w = weld(&scene, &place);
+        (finish, map) = (w.scene, w.map);
+    }
+    let t = Instant::now();
+    let settings = with(Settings { max_seconds: number("seconds", 20.0), ..Settings::default() });
+    match drape(&finish, &settings, &mut Print(t)) {
+        Ok(o) => {
+            show("drape", &o, t);
+            let t = Instant::now();
+            let figures = certify(&finish, &settings, &o.positions).unwrap();
+            println!("certificate in {:.2} s: {:?}", t.elapsed().as_secs_f64(), toile_cloth::Figures { reactions: vec![], ..figures });
+            place = map.iter().map(|i| o.positions[*i as usize]).collect();
+        }
+        Err(e) => println!("drape failed: {e}"),
+    }
+    save(&args[2], &place, &scene);
+}
+
+fn save(path: &str, x: &[Vec3], scene: &Scene) {
+    let mut text = String::new();
+    for p in x {
+        // As a GLB would store them.
+        #[allow(clippy::cast_possible_truncation)]
+        let p = [p.x as f32, p.y as f32, p.z as f32];
+        writeln!(text, "v {:.9} {:.9} {:.9}", p[0], p[1], p[2]).unwrap();
+    }
+    for t in &scene.triangles {
+        let [a, b, c] = t.vertices.map(|v| v + 1);
+        writeln!(text, "f {a} {b} {c}").unwrap();
+    }
+    std::fs::write(path, text).unwrap();
+}

@@ -1,0 +1,135 @@
+//! The body as parry3d holds it. The only place where f64 and parry's f32 meet: parry finds candidates (boxes grown
+//! by the rounding), all distances that decide are computed in f64 from the original positions.
+
+use super::closest::point_triangle;
+use super::tree::Aabb;
+use crate::topology::Topology;
+use crate::{BodyMesh, Vec3};
+use parry3d::bounding_volume::Aabb as FlatAabb;
+use parry3d::math::Vector as Flat;
+use parry3d::shape::TriMesh;
+
+pub(crate) struct Body {
+    mesh: TriMesh,
+    pub positions: Vec<Vec3>,
+    pub topology: Topology,
+    /// Edges that cloth outside can press on: all but the hollow ones of a closed, oriented mesh.
+    pub pressing_edges: Vec<bool>,
+    pub bounds: Aabb,
+    /// Rounding of the largest coordinate to f32, m.
+    rounding: f64,
+}
+
+fn flat(v: &Vec3) -> Flat {
+    // Rounding to f32 is allowed for by growing every query box.
+    #[allow(clippy::cast_possible_truncation)]
+    Flat::new(v.x as f32, v.y as f32, v.z as f32)
+}
+
+impl Body {
+    /// `None` for a body without triangles.
+    pub fn new(mesh: &BodyMesh) -> Option<Self> {
+        let live: Vec<[u32; 3]> = mesh.triangles.iter().filter(|t| has_area(&mesh.positions, t)).copied().collect();
+        let tri_mesh = TriMesh::new(mesh.positions.iter().map(flat).collect(), live.clone()).ok()?;
+        let bounds = Aabb::of(&live.iter().flatten().map(|v| mesh.positions[*v as usize]).collect::<Vec<_>>());
+        let topology = Topology::new(mesh.positions.len(), live);
+        let size = bounds.low.amax().max(bounds.high.amax());
+        let pressing_edges = pressing(&mesh.positions, &topology);
+        Some(Self {
+            mesh: tri_mesh,
+            positions: mesh.positions.clone(),
+            topology,
+            pressing_edges,
+            bounds,
+            rounding: size * 2.4e-7,
+        })
+    }
+
+    /// Triangles whose boxes may meet `bounds`.
+    pub fn candidates(&self, bounds: &Aabb, mut emit: impl FnMut(u32)) {
+        let b = bounds.grown(self.rounding);
+        let query = FlatAabb::new(flat(&b.low), flat(&b.high));
+        for i in self.mesh.bvh().intersect_aabb(&query) {
+            emit(i);
+        }
+    }
+
+    pub fn triangle(&self, i: u32) -> [Vec3; 3] {
+        self.topology.faces[i as usize].map(|v| self.positions[v as usize])
+    }
+
+    /// Nearest point within `reach` of `p`, and its distance.
+    pub fn nearest(&self, p: &Vec3, reach: f64) -> Option<(Vec3, f64)> {
+        let mut best: Option<(Vec3, f64)> = None;
+        let mut r = (reach / 8.0).max(1e-3).min(reach);
+        loop {
+            self.candidates(&Aabb { low: *p, high: *p }.grown(r), |i| {
+                let [a, b, c] = self.triangle(i);
+                let w = point_triangle(p, &a, &b, &c);
+                let q = a * w[0] + b * w[1] + c * w[2];
+                let d = (p - q).norm();
+                if best.is_none_or(|(_, e)| d < e) {
+                    best = Some((q, d));
+                }
+            });
+            match best {
+                Some((_, d)) if d <= r => return best,
+                _ if r >= reach => return best.filter(|(_, d)| *d <= reach),
+                _ => r = (2.0 * r).min(reach),
+            }
+        }
+    }
+
+    /// Is `p` inside? By the winding number, so that small holes do not matter.
+    pub fn contains(&self, p: &Vec3) -> bool {
+        if (0..3).any(|k| p[k] < self.bounds.low[k] || p[k] > self.bounds.high[k]) {
+            return false;
+        }
+        let solid: f64 = self.topology.faces.iter().map(|t| solid_angle(&t.map(|v| self.positions[v as usize] - p))).sum();
+        (solid / (4.0 * std::f64::consts::PI)).abs() > 0.5
+    }
+}
+
+fn has_area(x: &[Vec3], t: &[u32; 3]) -> bool {
+    let [a, b, c] = t.map(|v| x[v as usize]);
+    (b - a).cross(&(c - a)).norm_squared() > 0.0
+}
+
+/// Signed solid angle of a triangle seen from the origin (Van Oosterom and Strackee).
+fn solid_angle([a, b, c]: &[Vec3; 3]) -> f64 {
+    let (la, lb, lc) = (a.norm(), b.norm(), c.norm());
+    let den = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
+    2.0 * libm::atan2(a.dot(&b.cross(c)), den)
+}
+
+/// An edge that is hollow seen from outside cannot be the first thing a straight edge outside meets. Where the mesh is
+/// not closed or not oriented, nothing is known and every edge counts.
+fn pressing(x: &[Vec3], topology: &Topology) -> Vec<bool> {
+    let all = vec![true; topology.edges.len()];
+    if topology.hinges.len() * 2 != topology.faces.len() * 3 || topology.edges.len() != topology.hinges.len() {
+        return all;
+    }
+    let volume: f64 = topology
+        .faces
+        .iter()
+        .map(|t| {
+            let [a, b, c] = t.map(|v| x[v as usize]);
+            a.dot(&b.cross(&c))
+        })
+        .sum();
+    let mut pressing = all.clone();
+    for h in &topology.hinges {
+        let [f, g] = h.faces.map(|f| topology.faces[f as usize]);
+        let same = f[usize::from(h.sides[0])] == g[usize::from(h.sides[1])];
+        if same {
+            return all;
+        }
+        let [a, b, c] = f.map(|v| x[v as usize]);
+        let n = (b - a).cross(&(c - a)) * volume.signum();
+        let rise = n.dot(&(x[h.vertices[3] as usize] - a));
+        let edge = topology.face_edges[h.faces[0] as usize][usize::from(h.sides[0])];
+        let wing = (x[h.vertices[3] as usize] - a).norm();
+        pressing[edge as usize] = rise < 1e-6 * n.norm() * wing;
+    }
+    pressing
+}

@@ -1,0 +1,388 @@
+//! Contact with a guarantee (docs/contact.md).
+//!
+//! For every vertex the distance from the primitives around it to the nearest primitive not joined to them bounds how
+//! far it may move before the distances are taken again: 0.45 of a cloth–cloth distance (both may move), 0.9 of a
+//! cloth–body distance. As long as every vertex stays in its ball nothing can cross, whatever the forces are.
+//! Linear springs inside the contact thickness keep the distances open, so the balls stay large.
+
+use super::body::Body;
+use super::closest::{point_triangle, segments};
+use super::near::Near;
+use super::tree::Tree;
+use crate::Vec3;
+use crate::topology::Topology;
+
+const OWN_SHARE: f64 = 0.45;
+const BODY_SHARE: f64 = 0.9;
+/// Edges and faces are held off the body at this share of the vertices' gap, so that over a curved body the vertices carry.
+const EDGE_SHARE: f64 = 0.5;
+/// Steps between two measurements of the distances, at least.
+const PATIENCE: u32 = 5;
+/// Contacts on one vertex above which each is softened.
+const CROWD: f64 = 6.0;
+
+/// Two near primitives, one plane between them.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Pair {
+    pub vertices: [u32; 4],
+    pub weights: [f64; 4],
+    pub normal: Vec3,
+    /// Body side of the gap, m.
+    offset: f64,
+    /// Distance below which it pushes, m.
+    gap: f64,
+    /// N/m.
+    stiffness: f64,
+    /// Normal force of the last evaluation, N.
+    pub load: f64,
+    pub friction: f64,
+}
+
+/// What never changes during a run.
+pub(crate) struct Frame {
+    pub topology: Topology,
+    pub groups: Vec<u32>,
+    /// Distance to hold to the body and to cloth, per vertex, m; 0 where the kind is off.
+    pub body_gap: Vec<f64>,
+    pub own_gap: Vec<f64>,
+    pub friction: Vec<f64>,
+    pub inverse_mass: Vec<f64>,
+    /// Mean edge length, m.
+    pub edge: f64,
+    pub own: bool,
+}
+
+/// What happened, for the report.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Tally {
+    pub lists: u64,
+    pub measures: u64,
+    pub held_back: u64,
+    pub own_most: usize,
+    pub body_most: usize,
+    pub own_nearest: f64,
+    pub body_nearest: f64,
+    pub slipped: u64,
+}
+
+pub(crate) struct Contact {
+    frame: Frame,
+    body: Option<Body>,
+    tree: Option<Tree>,
+    near: Near,
+    /// Positions when the lists were made, and how far anything may move from there.
+    listed: Vec<Vec3>,
+    slack: f64,
+    reach: f64,
+    /// Centres and squared radii of the balls.
+    centre: Vec<Vec3>,
+    radius: Vec<f64>,
+    own_distance: Vec<f64>,
+    body_distance: Vec<f64>,
+    body_plane: Vec<Vec3>,
+    body_offset: Vec<f64>,
+    crowd: Vec<f64>,
+    pub pairs: Vec<Pair>,
+    own_pairs: usize,
+    since: u32,
+    /// Stiffness per effective mass, 1/s².
+    rate: f64,
+    pub tally: Tally,
+}
+
+impl Contact {
+    pub fn new(x: &[Vec3], frame: Frame, body: Option<Body>, rate: f64) -> Self {
+        let n = x.len();
+        let tree = frame.own.then(|| Tree::new(x, &frame.topology.faces));
+        let mut contact = Self {
+            frame,
+            body,
+            tree,
+            near: Near::default(),
+            listed: Vec::new(),
+            slack: 0.0,
+            reach: 0.0,
+            centre: x.to_vec(),
+            radius: vec![0.0; n],
+            own_distance: vec![0.0; n],
+            body_distance: vec![0.0; n],
+            body_plane: vec![Vec3::zeros(); n],
+            body_offset: vec![0.0; n],
+            crowd: vec![0.0; n],
+            pairs: Vec::new(),
+            own_pairs: 0,
+            since: PATIENCE,
+            rate,
+            tally: Tally { own_nearest: f64::INFINITY, body_nearest: f64::INFINITY, ..Tally::default() },
+        };
+        contact.measure(x, 0.0);
+        contact
+    }
+
+    pub fn body(&self) -> Option<&Body> {
+        self.body.as_ref()
+    }
+
+    /// Lets `new` be reached from `x` only as far as nothing can cross; takes the difference out of `v`.
+    pub fn guard(&mut self, x: &[Vec3], new: &mut [Vec3], v: &mut [Vec3], dt: f64) {
+        self.since = self.since.saturating_add(1);
+        if self.holds(new) {
+            return;
+        }
+        if self.since > PATIENCE {
+            let pace = x.iter().zip(new.iter()).map(|(p, q)| (p - q).norm_squared()).fold(0.0, f64::max).sqrt();
+            self.measure(x, pace);
+            self.since = 0;
+        }
+        for i in 0..new.len() {
+            let d = new[i] - self.centre[i];
+            let (l, r) = (d.norm(), self.radius[i]);
+            if l > r {
+                // Slightly inside, so that rounding cannot put it out.
+                let kept = self.centre[i] + d * (r / l * (1.0 - 1e-12));
+                v[i] += (kept - new[i]) / dt;
+                new[i] = kept;
+                self.tally.held_back += 1;
+            }
+        }
+    }
+
+    /// Is every vertex in its ball?
+    fn holds(&self, new: &[Vec3]) -> bool {
+        new.iter().zip(&self.centre).zip(&self.radius).all(|((p, q), r)| (p - q).norm_squared() <= r * r)
+    }
+
+    /// Takes all distances at `x`: new balls, new contact planes.
+    pub fn measure(&mut self, x: &[Vec3], pace: f64) {
+        let moved = self.listed.iter().zip(x).map(|(p, q)| (p - q).norm_squared()).fold(0.0, f64::max).sqrt();
+        if self.listed.is_empty() || moved > self.slack {
+            self.list(x, pace);
+        }
+        self.tally.measures += 1;
+        self.centre.copy_from_slice(x);
+        self.own_distance.fill(self.reach);
+        self.body_distance.fill(self.reach);
+        self.pairs.clear();
+        self.own_points(x);
+        self.own_edges(x);
+        self.own_pairs = self.pairs.len();
+        self.body_edges(x);
+        self.body_faces(x);
+        self.body_points(x);
+        for i in 0..x.len() {
+            self.radius[i] = (OWN_SHARE * self.own_distance[i]).min(BODY_SHARE * self.body_distance[i]);
+        }
+        self.soften();
+    }
+
+    fn list(&mut self, x: &[Vec3], pace: f64) {
+        self.tally.lists += 1;
+        let h = self.frame.edge;
+        let thick = self.frame.body_gap.iter().chain(&self.frame.own_gap).fold(0.0f64, |a, b| a.max(*b));
+        self.slack = (40.0 * pace).clamp(0.12 * h, 0.5 * h);
+        self.reach = (1.5 * thick).max(0.2 * h).max((30.0 * pace).min(0.8 * h));
+        if let Some(tree) = &mut self.tree {
+            let reach = self.reach + 2.0 * self.slack;
+            tree.refit(x, &self.frame.topology.faces, 0.5 * reach);
+            self.near.fill_own(x, &self.frame.topology, &self.frame.groups, tree, reach);
+        }
+        if let Some(body) = &self.body {
+            self.near.fill_body(x, &self.frame.topology, body, self.reach + self.slack);
+        }
+        self.listed.clear();
+        self.listed.extend_from_slice(x);
+    }
+
+    fn own_points(&mut self, x: &[Vec3]) {
+        for &[v, a, b, c] in &self.near.points {
+            let [p, q, r, s] = [v, a, b, c].map(|i| x[i as usize]);
+            let w = point_triangle(&p, &q, &r, &s);
+            let d = p - (q * w[0] + r * w[1] + s * w[2]);
+            let weights = [1.0, -w[0], -w[1], -w[2]];
+            own_pair(&mut self.own_distance, &mut self.pairs, &self.frame, self.reach, [v, a, b, c], weights, d, 1.0);
+        }
+    }
+
+    fn own_edges(&mut self, x: &[Vec3]) {
+        for &ends in &self.near.edges {
+            let [p, q, r, s] = ends.map(|i| x[i as usize]);
+            let [t, u] = segments(&p, &q, &r, &s);
+            let d = p + (q - p) * t - (r + (s - r) * u);
+            let weights = [1.0 - t, t, u - 1.0, -u];
+            own_pair(&mut self.own_distance, &mut self.pairs, &self.frame, self.reach, ends, weights, d, EDGE_SHARE);
+        }
+    }
+
+    fn body_points(&mut self, x: &[Vec3]) {
+        let Some(body) = &self.body else { return };
+        let n = x.len();
+        self.crowd.clear();
+        self.crowd.resize(n, f64::INFINITY);
+        for &[v, g] in &self.near.body_points {
+            let [a, b, c] = body.triangle(g);
+            let p = x[v as usize];
+            let w = point_triangle(&p, &a, &b, &c);
+            let q = a * w[0] + b * w[1] + c * w[2];
+            let d = p - q;
+            let l = d.norm();
+            let i = v as usize;
+            if l < self.crowd[i] {
+                self.crowd[i] = l;
+                self.body_plane[i] = d / l.max(1e-300);
+                self.body_offset[i] = self.body_plane[i].dot(&q);
+            }
+        }
+        for i in 0..n {
+            let (l, gap) = (self.crowd[i], self.frame.body_gap[i]);
+            self.body_distance[i] = self.body_distance[i].min(l);
+            self.tally.body_nearest = self.tally.body_nearest.min(l);
+            if l < 2.0 * gap {
+                let v = u32::try_from(i).unwrap_or(u32::MAX);
+                self.pairs.push(Pair {
+                    vertices: [v; 4],
+                    weights: [1.0, 0.0, 0.0, 0.0],
+                    normal: self.body_plane[i],
+                    offset: self.body_offset[i],
+                    gap,
+                    stiffness: 0.0,
+                    load: 0.0,
+                    friction: self.frame.friction[i],
+                });
+            }
+        }
+    }
+
+    fn body_edges(&mut self, x: &[Vec3]) {
+        let Some(body) = &self.body else { return };
+        for &[a, b, p, q] in &self.near.body_edges {
+            let (xa, xb) = (x[a as usize], x[b as usize]);
+            let (yp, yq) = (body.positions[p as usize], body.positions[q as usize]);
+            let [s, t] = segments(&xa, &xb, &yp, &yq);
+            let place = yp + (yq - yp) * t;
+            let weights = [1.0 - s, s, 0.0, 0.0];
+            let d = xa + (xb - xa) * s - place;
+            body_pair(&mut self.body_distance, &mut self.pairs, &self.frame, [a, b, a, a], weights, d, &place);
+        }
+    }
+
+    fn body_faces(&mut self, x: &[Vec3]) {
+        let Some(body) = &self.body else { return };
+        for &[a, b, c, w] in &self.near.body_faces {
+            let place = body.positions[w as usize];
+            let [xa, xb, xc] = [a, b, c].map(|i| x[i as usize]);
+            let s = point_triangle(&place, &xa, &xb, &xc);
+            let d = xa * s[0] + xb * s[1] + xc * s[2] - place;
+            let weights = [s[0], s[1], s[2], 0.0];
+            body_pair(&mut self.body_distance, &mut self.pairs, &self.frame, [a, b, c, a], weights, d, &place);
+        }
+    }
+
+    /// Stiffness from the masses; where many contacts meet on one vertex each is softened, so that together they stay
+    /// under the step's limit.
+    fn soften(&mut self) {
+        self.tally.own_most = self.tally.own_most.max(self.own_pairs);
+        self.tally.body_most = self.tally.body_most.max(self.pairs.len() - self.own_pairs);
+        self.crowd.clear();
+        self.crowd.resize(self.radius.len(), 0.0);
+        for p in &self.pairs {
+            for k in 0..4 {
+                if p.weights[k] != 0.0 {
+                    self.crowd[p.vertices[k] as usize] += p.weights[k].abs();
+                }
+            }
+        }
+        for p in &mut self.pairs {
+            let most = (0..4).map(|k| self.crowd[p.vertices[k] as usize]).fold(0.0, f64::max);
+            let mobility: f64 =
+                (0..4).map(|k| p.weights[k] * p.weights[k] * self.frame.inverse_mass[p.vertices[k] as usize]).sum();
+            p.stiffness = if mobility > 0.0 { self.rate / mobility * (CROWD / most.max(CROWD)) } else { 0.0 };
+        }
+    }
+
+    /// Adds the contact forces at `x` and remembers the normal loads for friction.
+    pub fn add_forces(&mut self, x: &[Vec3], f: &mut [Vec3]) {
+        for p in &mut self.pairs {
+            let g = p.distance(x);
+            p.load = 0.0;
+            if g < p.gap {
+                p.load = p.stiffness * (p.gap - g);
+                let push = p.normal * p.load;
+                for k in 0..4 {
+                    f[p.vertices[k] as usize] += push * p.weights[k];
+                }
+            }
+        }
+    }
+
+    /// J.
+    pub fn energy(&self, x: &[Vec3]) -> f64 {
+        self.pairs.iter().map(|p| 0.5 * p.stiffness * (p.gap - p.distance(x)).max(0.0) * (p.gap - p.distance(x)).max(0.0)).sum()
+    }
+
+    pub fn frame(&self) -> &Frame {
+        &self.frame
+    }
+}
+
+impl Pair {
+    #[inline]
+    fn distance(&self, x: &[Vec3]) -> f64 {
+        let w = &self.weights;
+        let [a, b, c, d] = self.vertices.map(|v| x[v as usize]);
+        self.normal.dot(&(a * w[0] + b * w[1] + c * w[2] + d * w[3])) - self.offset
+    }
+}
+
+#[allow(clippy::too_many_arguments)]
+#[inline]
+fn own_pair(
+    distance: &mut [f64],
+    pairs: &mut Vec<Pair>,
+    frame: &Frame,
+    reach: f64,
+    vertices: [u32; 4],
+    weights: [f64; 4],
+    d: Vec3,
+    share: f64,
+) {
+    let l = d.norm();
+    if l >= reach {
+        return;
+    }
+    let mut gap = f64::INFINITY;
+    for v in vertices {
+        let i = v as usize;
+        distance[i] = distance[i].min(l);
+        gap = gap.min(frame.own_gap[i]);
+    }
+    gap *= share;
+    if l < 2.0 * gap && l > 0.0 {
+        let friction = frame.friction[vertices[0] as usize];
+        pairs.push(Pair { vertices, weights, normal: d / l, offset: 0.0, gap, stiffness: 0.0, load: 0.0, friction });
+    }
+}
+
+#[inline]
+fn body_pair(
+    distance: &mut [f64],
+    pairs: &mut Vec<Pair>,
+    frame: &Frame,
+    vertices: [u32; 4],
+    weights: [f64; 4],
+    d: Vec3,
+    place: &Vec3,
+) {
+    let l = d.norm();
+    let mut gap = f64::INFINITY;
+    for v in vertices {
+        let i = v as usize;
+        distance[i] = distance[i].min(l);
+        gap = gap.min(EDGE_SHARE * frame.body_gap[i]);
+    }
+    if l < 2.0 * gap && l > 0.0 {
+        let normal = d / l;
+        let friction = frame.friction[vertices[0] as usize];
+        let offset = normal.dot(place);
+        pairs.push(Pair { vertices, weights, normal, offset, gap, stiffness: 0.0, load: 0.0, friction });
+    }
+}

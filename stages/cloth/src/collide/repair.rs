@@ -1,0 +1,93 @@
+//! The start: is it free, and if it dips into the body, can it be pushed out?
+
+use super::body::Body;
+use crate::exact::count;
+use crate::topology::Topology;
+use crate::{ClothError, Place, Vec3};
+
+const ROUNDS: usize = 30;
+
+/// For every vertex: is it inside the body? One winding number for each part of the cloth that is joined by triangles
+/// which do not cross the body.
+pub(crate) fn inside(x: &[Vec3], faces: &[[u32; 3]], crossing: &[[u32; 2]], body: &Body) -> Vec<bool> {
+    let mut crosses = vec![false; faces.len()];
+    for p in crossing {
+        crosses[p[0] as usize] = true;
+    }
+    let free = faces.iter().zip(&crosses).filter(|(_, c)| !**c);
+    let links: Vec<[u32; 2]> = free.flat_map(|(t, _)| [[t[0], t[1]], [t[1], t[2]]]).collect();
+    let part = crate::weld::groups(x.len(), &links);
+    let mut known: Vec<Option<bool>> = vec![None; x.len()];
+    part.iter().map(|p| *known[*p as usize].get_or_insert_with(|| body.contains(&x[*p as usize]))).collect()
+}
+
+/// Moves what is inside the body out to `gap` in front of it. Returns how many vertices were moved and the largest
+/// move, m.
+pub(crate) fn free_of_body(
+    x: &mut [Vec3],
+    topology: &Topology,
+    body: &Body,
+    gap: f64,
+    share: f64,
+) -> Result<(usize, f64), ClothError> {
+    let start = x.to_vec();
+    let mut first = None;
+    for round in 0..ROUNDS {
+        let found = count::with_body(x, &topology.faces, &body.positions, &body.topology.faces);
+        let within = inside(x, &topology.faces, &found.pairs, body);
+        let deep = within.iter().filter(|w| **w).count();
+        if found.count == 0 && deep == 0 {
+            let moves = x.iter().zip(&start).map(|(p, q)| (p - q).norm());
+            return Ok(moves.fold((0, 0.0), |(n, m), d| (n + usize::from(d > 0.0), f64::max(m, d))));
+        }
+        first.get_or_insert_with(|| (found.count, place(x, topology, &found.pairs, &within)));
+        if round == 0 && deep as f64 > share * x.len() as f64 {
+            break;
+        }
+        let mut touched = within.clone();
+        for p in &found.pairs {
+            for v in topology.faces[p[0] as usize] {
+                touched[v as usize] = true;
+            }
+        }
+        let clearance = gap * (1.0 + 0.25 * round as f64);
+        for i in (0..x.len()).filter(|i| touched[*i]) {
+            if let Some((q, d)) = body.nearest(&x[i], 1.0).filter(|(_, d)| *d > 0.0) {
+                let out = if within[i] { (q - x[i]) / d } else { (x[i] - q) / d };
+                if within[i] || d < clearance {
+                    x[i] = q + out * clearance;
+                }
+            }
+        }
+    }
+    let (body_crossings, place) = first.unwrap_or((0, Place { triangle: 0, at: Vec3::zeros() }));
+    Err(ClothError::StartCrosses { self_crossings: 0, body_crossings, place })
+}
+
+fn place(x: &[Vec3], topology: &Topology, pairs: &[[u32; 2]], within: &[bool]) -> Place {
+    let any = |t: &[u32; 3]| t.iter().any(|v| within[*v as usize]);
+    let triangle = pairs.first().map_or_else(
+        || topology.faces.iter().position(any).and_then(|i| u32::try_from(i).ok()).unwrap_or(0),
+        |p| p[0],
+    );
+    at_triangle(x, topology, triangle)
+}
+
+/// The middle of a triangle.
+pub(crate) fn at_triangle(x: &[Vec3], topology: &Topology, triangle: u32) -> Place {
+    let t = topology.faces[triangle as usize];
+    Place { triangle, at: t.iter().map(|v| x[*v as usize]).sum::<Vec3>() / 3.0 }
+}
+
+/// Refuses a start that crosses itself.
+pub(crate) fn free_of_itself(x: &[Vec3], topology: &Topology) -> Result<(), ClothError> {
+    let found = count::own(x, &topology.faces);
+    match found.pairs.first() {
+        None => Ok(()),
+        Some(p) => Err(ClothError::StartCrosses {
+            self_crossings: found.count,
+            body_crossings: 0,
+            place: at_triangle(x, topology, p[0]),
+        }),
+    }
+}

@@ -1,0 +1,138 @@
+//! A tree of bounding boxes over triangles (paper §2.3: hierarchy of bounding volumes), built once by median splits
+//! and refitted as the cloth moves.
+
+use crate::Vec3;
+
+/// An axis-aligned box.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Aabb {
+    pub low: Vec3,
+    pub high: Vec3,
+}
+
+impl Aabb {
+    pub const EMPTY: Self = Self {
+        low: Vec3::new(f64::INFINITY, f64::INFINITY, f64::INFINITY),
+        high: Vec3::new(f64::NEG_INFINITY, f64::NEG_INFINITY, f64::NEG_INFINITY),
+    };
+
+    pub fn of(points: &[Vec3]) -> Self {
+        points.iter().fold(Self::EMPTY, |b, p| Self { low: b.low.inf(p), high: b.high.sup(p) })
+    }
+
+    pub fn join(&self, o: &Self) -> Self {
+        Self { low: self.low.inf(&o.low), high: self.high.sup(&o.high) }
+    }
+
+    pub fn grown(&self, by: f64) -> Self {
+        let d = Vec3::repeat(by);
+        Self { low: self.low - d, high: self.high + d }
+    }
+
+    #[inline]
+    pub fn meets(&self, o: &Self) -> bool {
+        self.low.x <= o.high.x
+            && o.low.x <= self.high.x
+            && self.low.y <= o.high.y
+            && o.low.y <= self.high.y
+            && self.low.z <= o.high.z
+            && o.low.z <= self.high.z
+    }
+}
+
+/// A complete binary tree; node 1 is the root, the children of `i` are `2i` and `2i + 1`.
+#[derive(Clone, Debug)]
+pub(crate) struct Tree {
+    boxes: Vec<Aabb>,
+    /// Item of every leaf; `u32::MAX` for padding.
+    items: Vec<u32>,
+}
+
+impl Tree {
+    pub fn new(x: &[Vec3], faces: &[[u32; 3]]) -> Self {
+        let centres: Vec<Vec3> = faces.iter().map(|t| t.iter().map(|v| x[*v as usize]).sum()).collect();
+        let leaves = faces.len().max(1).next_power_of_two();
+        let mut order: Vec<u32> = (0..faces.len()).map(|i| u32::try_from(i).unwrap_or(u32::MAX)).collect();
+        let mut items = vec![u32::MAX; leaves];
+        split(&centres, &mut order, &mut items);
+        let mut tree = Self { boxes: vec![Aabb::EMPTY; 2 * leaves], items };
+        tree.refit(x, faces, 0.0);
+        tree
+    }
+
+    /// New boxes for moved vertices, each face's box grown by `margin`.
+    pub fn refit(&mut self, x: &[Vec3], faces: &[[u32; 3]], margin: f64) {
+        let leaves = self.items.len();
+        for (slot, item) in self.boxes[leaves..].iter_mut().zip(&self.items) {
+            *slot = match faces.get(*item as usize) {
+                Some(t) => Aabb::of(&t.map(|v| x[v as usize])).grown(margin),
+                None => Aabb::EMPTY,
+            };
+        }
+        for i in (1..leaves).rev() {
+            self.boxes[i] = self.boxes[2 * i].join(&self.boxes[2 * i + 1]);
+        }
+    }
+
+    /// Pairs of different items whose boxes meet, in a fixed order.
+    pub fn own_pairs(&self, mut emit: impl FnMut(u32, u32)) {
+        let leaves = self.items.len();
+        let mut stack = vec![(1usize, 1usize)];
+        while let Some((a, b)) = stack.pop() {
+            if a == b {
+                if a < leaves {
+                    stack.extend([(2 * a, 2 * a), (2 * a, 2 * a + 1), (2 * a + 1, 2 * a + 1)]);
+                }
+            } else if self.boxes[a].meets(&self.boxes[b]) {
+                if a < leaves {
+                    for (c, d) in [(2 * a, 2 * b), (2 * a, 2 * b + 1), (2 * a + 1, 2 * b), (2 * a + 1, 2 * b + 1)] {
+                        stack.push((c, d));
+                    }
+                } else {
+                    emit(self.items[a - leaves], self.items[b - leaves]);
+                }
+            }
+        }
+    }
+
+    /// Items whose boxes meet `bounds`.
+    pub fn meeting(&self, bounds: &Aabb, mut emit: impl FnMut(u32)) {
+        let leaves = self.items.len();
+        let mut stack = vec![1usize];
+        while let Some(a) = stack.pop() {
+            if self.boxes[a].meets(bounds) {
+                if a < leaves {
+                    stack.extend([2 * a + 1, 2 * a]);
+                } else {
+                    emit(self.items[a - leaves]);
+                }
+            }
+        }
+    }
+}
+
+/// Puts the items of `order` into the leaves of `slots` (a power of two), half of the slots to each side.
+fn split(centres: &[Vec3], order: &mut [u32], slots: &mut [u32]) {
+    if slots.len() == 1 {
+        if let Some(i) = order.first() {
+            slots[0] = *i;
+        }
+        return;
+    }
+    if order.is_empty() {
+        return;
+    }
+    let bounds = order.iter().fold(Aabb::EMPTY, |b, i| {
+        let c = centres[*i as usize];
+        Aabb { low: b.low.inf(&c), high: b.high.sup(&c) }
+    });
+    let axis = (bounds.high - bounds.low).imax();
+    let half = order.len().div_ceil(2);
+    order.sort_unstable_by(|p, q| {
+        centres[*p as usize][axis].total_cmp(&centres[*q as usize][axis]).then(p.cmp(q))
+    });
+    let (left, right) = order.split_at_mut(half);
+    let (ls, rs) = slots.split_at_mut(slots.len() / 2);
+    split(centres, left, ls);
+    split(centres, right, rs);
+}

@@ -1,0 +1,207 @@
+//! Triangle springs whose coefficients depend on all three elongations (docs/coupled.md; validation §5.4).
+//!
+//! Still springs: forces act along the three edges of a triangle. But each coefficient comes from the Green strain
+//! that the three lengths give together, so that any orthotropic, non-linear fabric is met exactly.
+
+use super::Energy;
+use super::law::Fabric;
+use crate::{Scene, Settings, Vec3};
+
+/// Below this stretch the shear law is not evaluated nearer to collapse.
+const LEAST_STRETCH: f64 = 0.25;
+/// Sine of the shear angle from which the angle is continued in a straight line.
+const STEEP: f64 = 0.8;
+
+struct Triangle {
+    vertices: [u32; 3],
+    fabric: u32,
+    area: f64,
+    /// Half the squared rest length of each edge.
+    half: [f64; 3],
+    /// Green strain (E_weft, E_warp, 2 E_12) = inverse · q.
+    inverse: [[f64; 3]; 3],
+}
+
+pub(crate) struct Coupled {
+    triangles: Vec<Triangle>,
+    /// Shape gradients, only for the step bound.
+    weights: Vec<[[f64; 2]; 3]>,
+    fabrics: Vec<Fabric>,
+}
+
+/// Strain state of a triangle.
+pub(crate) struct Strain {
+    /// Stretch (1 = rest) along weft and warp.
+    pub stretch: [f64; 2],
+    /// Sine of the shear angle.
+    pub sine: f64,
+}
+
+impl Triangle {
+    fn new(e: &crate::Element) -> Self {
+        let edge = |k: usize| {
+            let (a, b) = (e.rest[k], e.rest[(k + 1) % 3]);
+            [b[0] - a[0], b[1] - a[1]]
+        };
+        let rows = [0, 1, 2].map(|k| {
+            let [x, y] = edge(k);
+            [x * x, y * y, x * y]
+        });
+        let half = [0, 1, 2].map(|k| {
+            let [x, y] = edge(k);
+            0.5 * (x * x + y * y)
+        });
+        Self { vertices: e.vertices, fabric: e.material, area: e.area().abs(), half, inverse: inverse(&rows) }
+    }
+
+    #[inline]
+    fn edges(&self, x: &[Vec3]) -> [Vec3; 3] {
+        let [a, b, c] = self.vertices.map(|v| x[v as usize]);
+        [b - a, c - b, a - c]
+    }
+
+    #[inline]
+    fn green(&self, e: &[Vec3; 3]) -> [f64; 3] {
+        let q = [0, 1, 2].map(|k| 0.5 * e[k].norm_squared() - self.half[k]);
+        let m = &self.inverse;
+        [0, 1, 2].map(|r| m[r][0] * q[0] + m[r][1] * q[1] + m[r][2] * q[2])
+    }
+}
+
+fn inverse(m: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    let a = nalgebra::Matrix3::from_fn(|r, c| m[r][c]);
+    // A triangle with area has independent edge directions, so the inverse exists.
+    let i = a.try_inverse().unwrap_or_else(nalgebra::Matrix3::zeros);
+    [0, 1, 2].map(|r| [i[(r, 0)], i[(r, 1)], i[(r, 2)]])
+}
+
+fn strain(green: &[f64; 3]) -> Strain {
+    let a = (1.0 + 2.0 * green[0]).max(0.0).sqrt();
+    let b = (1.0 + 2.0 * green[1]).max(0.0).sqrt();
+    Strain { stretch: [a, b], sine: green[2] / (a.max(LEAST_STRETCH) * b.max(LEAST_STRETCH)) }
+}
+
+/// Shear angle of a sine and its derivative; an even continuation where the cloth would lock.
+#[inline]
+fn angle(sine: f64) -> (f64, f64) {
+    let s = sine.abs();
+    if s < 0.3 {
+        let q = sine * sine;
+        let g = 1.0 + q * (1.0 / 6.0 + q * (3.0 / 40.0 + q * (15.0 / 336.0 + q * (105.0 / 3456.0 + q * 945.0 / 42240.0))));
+        return (sine * g, 1.0 / (1.0 - q).sqrt());
+    }
+    if s < STEEP {
+        return (libm::asin(sine), 1.0 / (1.0 - sine * sine).sqrt());
+    }
+    let slope = 1.0 / (1.0 - STEEP * STEEP).sqrt();
+    ((libm::asin(STEEP) + slope * (s - STEEP)).copysign(sine), slope)
+}
+
+/// Stress conjugate to (E_weft, E_warp, 2 E_12), N/m.
+#[inline]
+fn stress(green: &[f64; 3], fabric: &Fabric) -> [f64; 3] {
+    let s = strain(green);
+    let [a, b] = s.stretch;
+    let (am, bm) = (a.max(LEAST_STRETCH), b.max(LEAST_STRETCH));
+    let (gamma, slope) = angle(s.sine);
+    let tau = fabric.shear * gamma * slope;
+    let weft = (fabric.weft.tension(a - 1.0) + fabric.cross * (b - 1.0)) / a.max(1e-3);
+    let warp = (fabric.warp.tension(b - 1.0) + fabric.cross * (a - 1.0)) / b.max(1e-3);
+    let lean = tau * s.sine;
+    [
+        if a > LEAST_STRETCH { weft - lean / (am * am) } else { weft },
+        if b > LEAST_STRETCH { warp - lean / (bm * bm) } else { warp },
+        tau / (am * bm),
+    ]
+}
+
+impl Coupled {
+    pub fn new(scene: &Scene, settings: &Settings) -> Self {
+        Self {
+            triangles: scene.triangles.iter().map(Triangle::new).collect(),
+            weights: scene.triangles.iter().map(weights).collect(),
+            fabrics: scene.materials.iter().map(|m| Fabric::new(m, settings)).collect(),
+        }
+    }
+
+    /// Strain of every triangle.
+    pub fn strains<'a>(&'a self, x: &'a [Vec3]) -> impl Iterator<Item = Strain> + 'a {
+        self.triangles.iter().map(|t| strain(&t.green(&t.edges(x))))
+    }
+}
+
+impl Energy for Coupled {
+    fn add_forces(&self, x: &[Vec3], f: &mut [Vec3]) {
+        for t in &self.triangles {
+            let e = t.edges(x);
+            let s = stress(&t.green(&e), &self.fabrics[t.fabric as usize]);
+            let m = &t.inverse;
+            let [p, q, r] = [0, 1, 2].map(|k| e[k] * (t.area * (m[0][k] * s[0] + m[1][k] * s[1] + m[2][k] * s[2])));
+            f[t.vertices[0] as usize] += p - r;
+            f[t.vertices[1] as usize] += q - p;
+            f[t.vertices[2] as usize] += r - q;
+        }
+    }
+
+    fn energy(&self, x: &[Vec3]) -> f64 {
+        let of = |t: &Triangle| {
+            let fabric = &self.fabrics[t.fabric as usize];
+            let s = strain(&t.green(&t.edges(x)));
+            let [a, b] = [s.stretch[0] - 1.0, s.stretch[1] - 1.0];
+            let gamma = angle(s.sine).0;
+            let per_area =
+                fabric.weft.energy(a) + fabric.warp.energy(b) + fabric.cross * a * b + 0.5 * fabric.shear * gamma * gamma;
+            t.area * per_area
+        };
+        self.triangles.iter().map(of).sum()
+    }
+
+    fn add_stiffness(&self, x: &[Vec3], k: &mut [f64]) {
+        for (t, w) in self.triangles.iter().zip(&self.weights) {
+            let fabric = &self.fabrics[t.fabric as usize];
+            let s = strain(&t.green(&t.edges(x)));
+            let weft = fabric.weft.tangent(s.stretch[0] - 1.0);
+            let warp = fabric.warp.tangent(s.stretch[1] - 1.0);
+            let (_, slope) = angle(s.sine);
+            let rate = Triangle::rate(w, weft, warp, fabric.cross, fabric.shear * slope * slope);
+            for v in t.vertices {
+                k[v as usize] += t.area / 3.0 * rate;
+            }
+        }
+    }
+}
+
+impl Triangle {
+    /// Largest eigenvalue of the triangle's stiffness over a third of its area, N/m³.
+    fn rate(w: &[[f64; 2]; 3], weft: f64, warp: f64, cross: f64, shear: f64) -> f64 {
+        let sum = |f: &dyn Fn([f64; 2]) -> f64| w.iter().map(|v| f(*v)).sum::<f64>();
+        let (uu, vv, uv) = (sum(&|g| g[0] * g[0]), sum(&|g| g[1] * g[1]), sum(&|g| g[0] * g[1]));
+        let law = nalgebra::Matrix3::new(weft, cross, 0.0, cross, warp, 0.0, 0.0, 0.0, shear);
+        let geometry = nalgebra::Matrix3::new(uu, 0.0, uv, 0.0, vv, uv, uv, uv, uu + vv);
+        largest(&(law * geometry)) * 3.0
+    }
+}
+
+/// Gradients of the three shape functions in the cloth's axes, 1/m.
+fn weights(e: &crate::Element) -> [[f64; 2]; 3] {
+    let double = 2.0 * e.area();
+    [0, 1, 2].map(|k| {
+        let (a, b) = (e.rest[(k + 1) % 3], e.rest[(k + 2) % 3]);
+        [(a[1] - b[1]) / double, (b[0] - a[0]) / double]
+    })
+}
+
+/// Largest eigenvalue of a 3 × 3 product of two positive semi-definite matrices, by power iteration from above.
+fn largest(m: &nalgebra::Matrix3<f64>) -> f64 {
+    let mut v = nalgebra::Vector3::new(1.0, 0.9, 0.4);
+    let mut value = 0.0;
+    for _ in 0..12 {
+        let w = m * v;
+        value = w.norm();
+        if value <= 0.0 {
+            return 0.0;
+        }
+        v = w / value;
+    }
+    value * 1.02
+}

@@ -1,0 +1,105 @@
+//! A stretch curve as a table: tangents at equal strains, linear between, so that tension and energy are its exact
+//! integrals and cost no exponential. The tangent may be capped (validation §8.5).
+
+use crate::{Curve, Material, Settings};
+
+const CELLS: usize = 256;
+
+/// Tabulated stretch law of one direction.
+#[derive(Clone, Debug)]
+pub(crate) struct Law {
+    inverse_step: f64,
+    step: f64,
+    tangent: Vec<f64>,
+    tension: Vec<f64>,
+    energy: Vec<f64>,
+}
+
+impl Law {
+    /// Up to `reach` strain (a straight line beyond), with the tangent capped.
+    pub fn new(curve: &Curve, cap: f64, reach: f64) -> Self {
+        let cells = if matches!(curve, Curve::Linear { .. }) { 1 } else { CELLS };
+        let step = reach / cells as f64;
+        let tangent: Vec<f64> = (0..=cells)
+            .map(|i| match curve {
+                // The mean slope of the cell keeps the tension at its ends exact for measured samples.
+                Curve::Samples(_) => {
+                    let e = step * i as f64;
+                    ((curve.tension(e + step) - curve.tension(e)) / step).min(cap)
+                }
+                _ => curve.tangent(step * i as f64).min(cap),
+            })
+            .collect();
+        let (mut tension, mut energy) = (vec![0.0], vec![0.0]);
+        for i in 0..cells {
+            let (t, k0, k1) = (tension[i], tangent[i], tangent[i + 1]);
+            energy.push(energy[i] + step * (t + step * (k0 / 2.0 + (k1 - k0) / 6.0)));
+            tension.push(t + step * 0.5 * (k0 + k1));
+        }
+        Self { inverse_step: 1.0 / step, step, tangent, tension, energy }
+    }
+
+    #[inline]
+    fn cell(&self, strain: f64) -> Option<(usize, f64)> {
+        let u = strain * self.inverse_step;
+        let i = u as usize;
+        (u > 0.0 && i + 1 < self.tangent.len()).then(|| (i, strain - self.step * i as f64))
+    }
+
+    /// N/m.
+    #[inline]
+    pub fn tension(&self, strain: f64) -> f64 {
+        if let Some((i, r)) = self.cell(strain) {
+            let (k0, k1) = (self.tangent[i], self.tangent[i + 1]);
+            self.tension[i] + r * (k0 + 0.5 * r * (k1 - k0) * self.inverse_step)
+        } else if strain <= 0.0 {
+            self.tangent[0] * strain
+        } else {
+            let n = self.tangent.len() - 1;
+            self.tension[n] + self.tangent[n] * (strain - self.step * n as f64)
+        }
+    }
+
+    /// J/m².
+    pub fn energy(&self, strain: f64) -> f64 {
+        if let Some((i, r)) = self.cell(strain) {
+            let (k0, k1) = (self.tangent[i], self.tangent[i + 1]);
+            self.energy[i] + r * (self.tension[i] + r * (k0 / 2.0 + r * (k1 - k0) * self.inverse_step / 6.0))
+        } else if strain <= 0.0 {
+            0.5 * self.tangent[0] * strain * strain
+        } else {
+            let n = self.tangent.len() - 1;
+            let d = strain - self.step * n as f64;
+            self.energy[n] + d * (self.tension[n] + 0.5 * self.tangent[n] * d)
+        }
+    }
+
+    /// N/m.
+    pub fn tangent(&self, strain: f64) -> f64 {
+        match self.cell(strain) {
+            Some((i, _)) => self.tangent[i].max(self.tangent[i + 1]),
+            None if strain <= 0.0 => self.tangent[0],
+            None => self.tangent[self.tangent.len() - 1],
+        }
+    }
+}
+
+/// Both directions and the shear of a fabric.
+#[derive(Clone, Debug)]
+pub(crate) struct Fabric {
+    pub weft: Law,
+    pub warp: Law,
+    pub shear: f64,
+    /// Coupling modulus of warp and weft, N/m.
+    pub cross: f64,
+}
+
+impl Fabric {
+    pub fn new(m: &Material, s: &Settings) -> Self {
+        let reach = |limit: f64| if limit.is_finite() { (1.5 * limit).clamp(0.02, 2.0) } else { 0.5 };
+        let warp = Law::new(&m.warp, s.stiffness_cap, reach(m.strain_limit[0]));
+        let weft = Law::new(&m.weft, s.stiffness_cap, reach(m.strain_limit[1]));
+        let cross = m.poisson * warp.tangent(0.0).min(weft.tangent(0.0));
+        Self { weft, warp, shear: m.shear, cross }
+    }
+}

@@ -1,0 +1,25 @@
+//! Energies: one file each, each with a page in `docs/`. None knows of the others.
+
+pub(crate) mod coupled;
+pub(crate) mod flexion;
+pub(crate) mod law;
+pub(crate) mod shear;
+pub(crate) mod structural;
+pub(crate) mod weight;
+
+use crate::Vec3;
+
+/// A potential of the positions.
+pub(crate) trait Energy: Send + Sync {
+    /// Adds minus the gradient, N.
+    fn add_forces(&self, x: &[Vec3], f: &mut [Vec3]);
+    /// J.
+    fn energy(&self, x: &[Vec3]) -> f64;
+    /// Is it stored in the cloth (and not weight or load)?
+    fn elastic(&self) -> bool {
+        true
+    }
+    /// Adds to every vertex a bound of its row sum of the stiffness, N/m, as the cloth stands now. The largest ratio
+    /// of these to the masses bounds the square of the highest frequency.
+    fn add_stiffness(&self, x: &[Vec3], k: &mut [f64]);
+}

@@ -1,0 +1,47 @@
+//! Shear springs of the paper (class 2: the cloth's shear), on the edges that lie off the grain (docs/shear.md).
+
+use super::Energy;
+use super::structural::{Spring, pull, row_sums, springs};
+use crate::topology::Topology;
+use crate::{Scene, Vec3};
+
+pub(crate) struct Shear {
+    springs: Vec<Spring>,
+    /// G of every material, N/m.
+    stiffness: Vec<f64>,
+}
+
+impl Shear {
+    pub fn new(scene: &Scene, topology: &Topology) -> Self {
+        let mut springs = springs(scene, topology);
+        springs.retain(|s| s.share[2] > 1e-12);
+        Self { springs, stiffness: scene.materials.iter().map(|m| m.shear).collect() }
+    }
+
+    fn modulus(&self, s: &Spring) -> f64 {
+        s.share[2] * self.stiffness[s.fabric as usize]
+    }
+}
+
+impl Energy for Shear {
+    fn add_forces(&self, x: &[Vec3], f: &mut [Vec3]) {
+        for s in &self.springs {
+            let k = s.section * self.modulus(s);
+            pull(x, f, s, |e| k * e);
+        }
+    }
+
+    fn energy(&self, x: &[Vec3]) -> f64 {
+        let of = |s: &Spring| {
+            let e = (x[s.ends[1] as usize] - x[s.ends[0] as usize]).norm() / s.length - 1.0;
+            0.5 * s.section * s.length * self.modulus(s) * e * e
+        };
+        self.springs.iter().map(of).sum()
+    }
+
+    fn add_stiffness(&self, _: &[Vec3], k: &mut [f64]) {
+        for s in &self.springs {
+            row_sums(s.ends, s.section / s.length * self.modulus(s), k);
+        }
+    }
+}

@@ -1,0 +1,120 @@
+//! Structural springs of the paper (class 1: the cloth's stretch), on the mesh edges (docs/structural.md).
+//!
+//! An edge at angle φ from the weft carries cos⁴φ of the weft curve and sin⁴φ of the warp curve; its cross-section is
+//! the area of its triangles over its length (Van Gelder's weight).
+
+use super::Energy;
+use super::law::Fabric;
+use crate::topology::Topology;
+use crate::{Scene, Settings, Vec3};
+
+/// One triangle's part of an edge spring.
+pub(crate) struct Spring {
+    pub ends: [u32; 2],
+    pub fabric: u32,
+    pub length: f64,
+    /// Area / length, m.
+    pub section: f64,
+    /// Shares of weft curve, warp curve and shear stiffness.
+    pub share: [f64; 3],
+}
+
+/// The springs of all triangle sides, those of one edge merged where both sides agree.
+pub(crate) fn springs(scene: &Scene, topology: &Topology) -> Vec<Spring> {
+    let mut of_edge: Vec<Option<Spring>> = topology.edges.iter().map(|_| None).collect();
+    let mut extra = Vec::new();
+    for (t, ids) in scene.triangles.iter().zip(&topology.face_edges) {
+        for k in 0..3 {
+            let s = side(t, k);
+            match &mut of_edge[ids[k] as usize] {
+                slot @ None => *slot = Some(s),
+                Some(o) if o.fabric == s.fabric && alike(o, &s) => o.section += s.section,
+                Some(_) => extra.push(s),
+            }
+        }
+    }
+    of_edge.into_iter().flatten().chain(extra).collect()
+}
+
+fn alike(a: &Spring, b: &Spring) -> bool {
+    let close = |p: f64, q: f64| (p - q).abs() <= 1e-9;
+    close(a.length, b.length) && (0..3).all(|k| close(a.share[k], b.share[k]))
+}
+
+fn side(t: &crate::Element, k: usize) -> Spring {
+    let (a, b) = (t.rest[k], t.rest[(k + 1) % 3]);
+    let length = t.rest_length(k);
+    let (c, s) = ((b[0] - a[0]) / length, (b[1] - a[1]) / length);
+    let (cc, ss) = (c * c, s * s);
+    Spring {
+        ends: [t.vertices[k], t.vertices[(k + 1) % 3]],
+        fabric: t.material,
+        length,
+        section: t.area().abs() / length,
+        share: [cc * cc, ss * ss, 4.0 * cc * ss],
+    }
+}
+
+pub(crate) struct Structural {
+    springs: Vec<Spring>,
+    fabrics: Vec<Fabric>,
+}
+
+impl Structural {
+    pub fn new(scene: &Scene, topology: &Topology, settings: &Settings) -> Self {
+        let mut springs = springs(scene, topology);
+        springs.retain(|s| s.share[0] + s.share[1] > 1e-12);
+        Self { springs, fabrics: scene.materials.iter().map(|m| Fabric::new(m, settings)).collect() }
+    }
+}
+
+/// Pulls the ends of a spring together with a force.
+#[inline]
+pub(crate) fn pull(x: &[Vec3], f: &mut [Vec3], s: &Spring, force: impl Fn(f64) -> f64) {
+    let [a, b] = s.ends.map(|v| v as usize);
+    let d = x[b] - x[a];
+    let l = d.norm();
+    if l > 0.0 {
+        let p = d * (force(l / s.length - 1.0) / l);
+        f[a] += p;
+        f[b] -= p;
+    }
+}
+
+/// Adds the row sums of a spring of stiffness `k` (N/m between its ends).
+pub(crate) fn row_sums(ends: [u32; 2], k: f64, rows: &mut [f64]) {
+    for v in ends {
+        rows[v as usize] += 2.0 * k;
+    }
+}
+
+fn strain(x: &[Vec3], s: &Spring) -> f64 {
+    (x[s.ends[1] as usize] - x[s.ends[0] as usize]).norm() / s.length - 1.0
+}
+
+impl Energy for Structural {
+    fn add_forces(&self, x: &[Vec3], f: &mut [Vec3]) {
+        for s in &self.springs {
+            let law = &self.fabrics[s.fabric as usize];
+            pull(x, f, s, |e| s.section * (s.share[0] * law.weft.tension(e) + s.share[1] * law.warp.tension(e)));
+        }
+    }
+
+    fn energy(&self, x: &[Vec3]) -> f64 {
+        let of = |s: &Spring| {
+            let law = &self.fabrics[s.fabric as usize];
+            let e = strain(x, s);
+            s.section * s.length * (s.share[0] * law.weft.energy(e) + s.share[1] * law.warp.energy(e))
+        };
+        self.springs.iter().map(of).sum()
+    }
+
+    fn add_stiffness(&self, x: &[Vec3], k: &mut [f64]) {
+        for s in &self.springs {
+            let law = &self.fabrics[s.fabric as usize];
+            let e = strain(x, s);
+            let slope = s.share[0] * law.weft.tangent(e) + s.share[1] * law.warp.tangent(e);
+            row_sums(s.ends, s.section / s.length * slope, k);
+        }
+    }
+}

@@ -1,0 +1,106 @@
+//! No rubber look: the over-elongation correction after the step (paper §2.2, after Kang et al. 2000), for the yarns
+//! through every triangle: warp or weft longer than the limit is brought back by moving the corners; held ones stay.
+
+use crate::{Element, Scene, Vec3};
+
+/// Triangles are looked at again after this many steps; those near the limit at every step.
+const INTERVAL: u32 = 16;
+/// Share of the allowed elongation from which a triangle is watched.
+const NEAR: f64 = 0.8;
+const SWEEPS: usize = 2;
+
+struct Yarn {
+    vertices: [u32; 3],
+    /// Gradient weights of the yarn direction, 1/m.
+    weights: [f64; 3],
+    /// Largest stretch (1 = rest).
+    limit: f64,
+}
+
+pub(crate) struct StrainLimit {
+    yarns: Vec<Yarn>,
+    watched: Vec<u32>,
+    since: u32,
+    pub corrected: u64,
+    pub most_watched: usize,
+}
+
+fn yarn(e: &Element, direction: usize, limit: f64) -> Yarn {
+    let double = 2.0 * e.area();
+    let weights = [0, 1, 2].map(|k| {
+        let (a, b) = (e.rest[(k + 1) % 3], e.rest[(k + 2) % 3]);
+        if direction == 0 { (a[1] - b[1]) / double } else { (b[0] - a[0]) / double }
+    });
+    Yarn { vertices: e.vertices, weights, limit: 1.0 + limit }
+}
+
+impl Yarn {
+    #[inline]
+    fn stretch(&self, x: &[Vec3]) -> (Vec3, f64) {
+        let [a, b, c] = self.vertices.map(|v| x[v as usize]);
+        let d = a * self.weights[0] + b * self.weights[1] + c * self.weights[2];
+        (d, d.norm())
+    }
+}
+
+impl StrainLimit {
+    /// `None` when no fabric has a limit.
+    pub fn new(scene: &Scene) -> Option<Self> {
+        let mut yarns = Vec::new();
+        for e in &scene.triangles {
+            let [warp, weft] = scene.materials[e.material as usize].strain_limit;
+            for (direction, limit) in [(0, weft), (1, warp)] {
+                if limit.is_finite() {
+                    yarns.push(yarn(e, direction, limit));
+                }
+            }
+        }
+        let none = yarns.is_empty();
+        (!none).then_some(Self { yarns, watched: Vec::new(), since: INTERVAL, corrected: 0, most_watched: 0 })
+    }
+
+    /// Corrects the new positions and the velocities with them.
+    pub fn apply(&mut self, x: &mut [Vec3], v: &mut [Vec3], inverse_mass: &[f64], dt: f64) {
+        self.since += 1;
+        if self.since >= INTERVAL {
+            self.since = 0;
+            self.watched.clear();
+            for (i, y) in (0u32..).zip(&self.yarns) {
+                let near = 1.0 + NEAR * (y.limit - 1.0);
+                if y.stretch(x).0.norm_squared() > near * near {
+                    self.watched.push(i);
+                }
+            }
+            self.most_watched = self.most_watched.max(self.watched.len());
+        }
+        for sweep in 0..SWEEPS {
+            let mut any = false;
+            for k in 0..self.watched.len() {
+                // Forwards, then backwards, so that a correction travels both ways.
+                let k = if sweep % 2 == 0 { k } else { self.watched.len() - 1 - k };
+                let y = &self.yarns[self.watched[k] as usize];
+                let (d, stretch) = y.stretch(x);
+                if stretch <= y.limit {
+                    continue;
+                }
+                let mobility: f64 =
+                    (0..3).map(|k| y.weights[k] * y.weights[k] * inverse_mass[y.vertices[k] as usize]).sum();
+                if mobility <= 0.0 {
+                    continue;
+                }
+                any = true;
+                self.corrected += 1;
+                let back = d * ((y.limit - stretch) / (stretch * mobility));
+                for k in 0..3 {
+                    let i = y.vertices[k] as usize;
+                    let move_by = back * (y.weights[k] * inverse_mass[i]);
+                    x[i] += move_by;
+                    v[i] += move_by / dt;
+                }
+            }
+            if !any {
+                break;
+            }
+        }
+    }
+}

@@ -1,0 +1,128 @@
+//! What the run tells: balance of forces, and which effects were on, by which rule and on what evidence.
+
+use crate::problem::Problem;
+use crate::{Curve, EffectReport, Reaction, Scene, Settings, Switch, Vec3};
+
+/// Forces at rest.
+pub(crate) struct Balance {
+    pub residual_rel: f64,
+    pub reactions: Vec<Reaction>,
+}
+
+/// Net forces at `x`: what friction can hold is taken off, vertices that are joined share.
+pub(crate) fn balance(problem: &mut Problem, x: &[Vec3], gravity: f64) -> Balance {
+    let n = x.len();
+    let mut f = vec![Vec3::zeros(); n];
+    let mut sticks = vec![0.0; n];
+    problem.forces(x, &mut f);
+    if let Some(c) = problem.contact.as_ref().filter(|_| problem.friction) {
+        for p in c.pairs.iter().filter(|p| p.load > 0.0) {
+            for k in 0..4 {
+                sticks[p.vertices[k] as usize] += p.weights[k].abs() * p.load * p.friction;
+            }
+        }
+    }
+    let reactions = problem.pins().iter().map(|(i, _)| Reaction { vertex: *i, force: -f[*i as usize] }).collect();
+    problem.sewing.pool(&mut f);
+    let net = (0..n).filter(|i| problem.free(*i)).map(|i| (f[i].norm() - sticks[i]).max(0.0)).fold(0.0, f64::max);
+    let weight = problem.mean_weight(if gravity > 0.0 { gravity } else { 9.81 });
+    Balance { residual_rel: if weight > 0.0 { net / weight } else { 0.0 }, reactions }
+}
+
+pub(crate) fn effects(problem: &Problem, scene: &Scene, s: &Settings) -> Vec<EffectReport> {
+    vec![
+        self_contact(problem, s),
+        body_contact(problem, scene, s),
+        friction(problem, scene, s),
+        strain_limit(problem, scene, s),
+        softened(scene, s),
+    ]
+}
+
+fn switched(switch: Switch, rule: &str) -> String {
+    match switch {
+        Switch::Auto => rule.into(),
+        Switch::On => "asked for".into(),
+        Switch::Off => "switched off".into(),
+    }
+}
+
+fn effect(name: &'static str, on: bool, rule: String, evidence: String) -> EffectReport {
+    EffectReport { name, on, rule, evidence, cpu_seconds: 0.0 }
+}
+
+fn self_contact(problem: &Problem, s: &Settings) -> EffectReport {
+    let on = problem.contact.as_ref().is_some_and(|c| c.frame().own);
+    let evidence = match &problem.contact {
+        Some(c) if on => {
+            let t = c.tally;
+            format!(
+                "up to {} pairs near each other; distances measured {} times, lists made {} times, {} moves held back",
+                t.own_most, t.measures, t.lists, t.held_back
+            )
+        }
+        _ => "cloth may pass through cloth".into(),
+    };
+    effect("self-contact", on, switched(s.effects.self_contact, "cloth that moves freely can meet itself"), evidence)
+}
+
+fn body_contact(problem: &Problem, scene: &Scene, s: &Settings) -> EffectReport {
+    let body = problem.contact.as_ref().and_then(|c| c.body().map(|b| (c, b)));
+    let evidence = match (&body, &scene.body) {
+        (Some((c, b)), _) => format!(
+            "{} body triangles, up to {} contacts, nearest {:.3} mm, {} vertices freed at the start by up to {:.1} mm",
+            b.topology.faces.len(),
+            c.tally.body_most,
+            c.tally.body_nearest * 1e3,
+            problem.repaired.0,
+            problem.repaired.1 * 1e3
+        ),
+        (None, None) => "the scene has no body".into(),
+        (None, Some(_)) => "cloth may pass through the body".into(),
+    };
+    effect("body-contact", body.is_some(), switched(s.effects.body_contact, "the scene has a body"), evidence)
+}
+
+fn friction(problem: &Problem, scene: &Scene, s: &Settings) -> EffectReport {
+    let most = scene.materials.iter().map(|m| m.friction).fold(0.0, f64::max);
+    let slipped = problem.contact.as_ref().map_or(0, |c| c.tally.slipped);
+    let evidence = if problem.friction {
+        format!("coefficient up to {most}; {slipped} slips of a contact in a step, all other contacts stuck")
+    } else if most > 0.0 {
+        "no contact, or switched off".into()
+    } else {
+        "all coefficients are 0".into()
+    };
+    effect("friction", problem.friction, switched(s.effects.friction, "contact and a coefficient above 0"), evidence)
+}
+
+fn strain_limit(problem: &Problem, scene: &Scene, s: &Settings) -> EffectReport {
+    let evidence = match &problem.limit {
+        Some(l) if l.most_watched > 0 => {
+            format!("up to {} yarn directions of triangles near their limit, {} corrections", l.most_watched, l.corrected)
+        }
+        Some(_) => "no triangle came near its limit".into(),
+        None if scene.materials.iter().all(|m| m.strain_limit.iter().all(|l| l.is_infinite())) => {
+            "no fabric has a limit".into()
+        }
+        None => "switched off".into(),
+    };
+    effect("strain-limit", problem.limit.is_some(), switched(s.effects.strain_limit, "a fabric has a limit"), evidence)
+}
+
+/// Stretch curves used softer than measured, and what it costs.
+fn softened(scene: &Scene, s: &Settings) -> EffectReport {
+    let steepest = |c: &Curve| c.tangent(0.0);
+    let rest = scene.materials.iter().map(|m| steepest(&m.warp).max(steepest(&m.weft))).fold(0.0, f64::max);
+    let on = rest > s.stiffness_cap;
+    let evidence = if on {
+        format!(
+            "stiffest curve starts at {rest:.0} N/m, used {:.0} N/m: a tension of 10 N/m adds {:.2} % strain",
+            s.stiffness_cap,
+            100.0 * (10.0 / s.stiffness_cap - 10.0 / rest)
+        )
+    } else {
+        format!("stiffest curve starts at {rest:.0} N/m, the cap is {:.0} N/m", s.stiffness_cap)
+    };
+    effect("softened-stretch", on, "a stretch curve is steeper than the stiffness cap".into(), evidence)
+}

@@ -1,0 +1,86 @@
+//! Edges, hinges and neighbours of a triangle mesh.
+
+use crate::Element;
+
+/// Two triangles that share an edge: edge ends 0 and 1, opposite corners 2 and 3.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct Hinge {
+    pub vertices: [u32; 4],
+    pub faces: [u32; 2],
+    /// Which edge of each face (edge k runs from corner k to the next).
+    pub sides: [u8; 2],
+}
+
+/// Faces as index triples with their edges; every vertex and every edge is owned by one face.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Topology {
+    pub faces: Vec<[u32; 3]>,
+    /// Ends of every edge, smaller index first.
+    pub edges: Vec<[u32; 2]>,
+    pub face_edges: Vec<[u32; 3]>,
+    /// Per face a bit for each corner (0..3) and edge (3..6) that it owns.
+    pub owned: Vec<u8>,
+    pub hinges: Vec<Hinge>,
+}
+
+impl Topology {
+    pub fn new(vertex_count: usize, faces: Vec<[u32; 3]>) -> Self {
+        let mut sides: Vec<(u32, u32, u32, u8)> = Vec::with_capacity(faces.len() * 3);
+        for (f, t) in (0u32..).zip(&faces) {
+            for k in 0..3u8 {
+                let (a, b) = (t[usize::from(k)], t[(usize::from(k) + 1) % 3]);
+                sides.push((a.min(b), a.max(b), f, k));
+            }
+        }
+        sides.sort_unstable();
+        let mut topology =
+            Self { face_edges: vec![[0; 3]; faces.len()], owned: vec![0; faces.len()], faces, ..Self::default() };
+        topology.own_vertices(vertex_count);
+        let mut i = 0;
+        while i < sides.len() {
+            let same = sides[i..].iter().take_while(|s| (s.0, s.1) == (sides[i].0, sides[i].1)).count();
+            topology.add_edge(&sides[i..i + same]);
+            i += same;
+        }
+        topology
+    }
+
+    pub fn of_elements(vertex_count: usize, elements: &[Element]) -> Self {
+        Self::new(vertex_count, elements.iter().map(|e| e.vertices).collect())
+    }
+
+    fn own_vertices(&mut self, vertex_count: usize) {
+        let mut seen = vec![false; vertex_count];
+        for (t, owned) in self.faces.iter().zip(&mut self.owned) {
+            for (k, v) in t.iter().enumerate() {
+                if !std::mem::replace(&mut seen[*v as usize], true) {
+                    *owned |= 1 << k;
+                }
+            }
+        }
+    }
+
+    /// Adds the edge that these sides share; more than two sides make a hinge of each neighbouring pair.
+    fn add_edge(&mut self, sides: &[(u32, u32, u32, u8)]) {
+        let id = u32::try_from(self.edges.len()).unwrap_or(u32::MAX);
+        let (a, b, first, k) = sides[0];
+        self.edges.push([a, b]);
+        self.owned[first as usize] |= 8 << k;
+        for s in sides {
+            self.face_edges[s.2 as usize][usize::from(s.3)] = id;
+        }
+        for w in sides.windows(2) {
+            let opposite = |s: &(u32, u32, u32, u8)| self.faces[s.2 as usize][(usize::from(s.3) + 2) % 3];
+            let vertices = [a, b, opposite(&w[0]), opposite(&w[1])];
+            if vertices[2] != vertices[3] {
+                self.hinges.push(Hinge { vertices, faces: [w[0].2, w[1].2], sides: [w[0].3, w[1].3] });
+            }
+        }
+    }
+
+    /// A number for every face, equal for faces joined through shared vertices.
+    pub fn components(&self, vertex_count: usize) -> Vec<u32> {
+        let links: Vec<[u32; 2]> = self.faces.iter().flat_map(|t| [[t[0], t[1]], [t[1], t[2]]]).collect();
+        crate::weld::groups(vertex_count, &links)
+    }
+}

@@ -1,0 +1,146 @@
+//! The gate: nothing unusable gets behind it.
+
+use crate::{ClothError, Scene, Settings};
+
+fn bad(code: &'static str, what: String) -> Result<(), ClothError> {
+    Err(ClothError::BadScene { code, what })
+}
+
+/// Checks indices, numbers and areas.
+pub(crate) fn scene(scene: &Scene) -> Result<(), ClothError> {
+    let n = scene.positions.len();
+    if scene.triangles.is_empty() {
+        return bad("no-cloth", "the scene has no cloth triangle".into());
+    }
+    if n >= u32::MAX as usize / 4 || scene.triangles.len() >= u32::MAX as usize / 4 {
+        return bad("too-large", format!("{n} vertices are over the limit of this solver"));
+    }
+    finite("cloth", &scene.positions)?;
+    materials(scene)?;
+    triangles(scene)?;
+    for (i, p) in scene.pins.iter().enumerate() {
+        if p.vertex as usize >= n || !p.at.iter().all(|c| c.is_finite()) {
+            return bad("bad-pin", format!("pin {i} names vertex {} of {n} at {:?}", p.vertex, p.at.as_slice()));
+        }
+    }
+    for (i, l) in scene.loads.iter().enumerate() {
+        if l.vertex as usize >= n || !l.force.iter().all(|c| c.is_finite()) {
+            return bad("bad-load", format!("load {i} names vertex {} of {n}", l.vertex));
+        }
+    }
+    for (i, s) in scene.stitches.iter().enumerate() {
+        if s.iter().any(|v| *v as usize >= n) {
+            return bad("bad-stitch", format!("stitch {i} names vertices {} and {} of {n}", s[0], s[1]));
+        }
+    }
+    if !scene.layers.is_empty() && scene.layers.len() != n {
+        return bad("bad-layers", format!("{} layer numbers for {n} vertices", scene.layers.len()));
+    }
+    if !scene.gravity.iter().all(|c| c.is_finite() && c.abs() <= 1e6) {
+        return bad("bad-gravity", format!("gravity is {:?} m/s2", scene.gravity.as_slice()));
+    }
+    body(scene)
+}
+
+fn finite(what: &str, positions: &[crate::Vec3]) -> Result<(), ClothError> {
+    match positions.iter().position(|p| !p.iter().all(|c| c.is_finite() && c.abs() < 1e6)) {
+        Some(i) => bad("bad-position", format!("{what} vertex {i} is at {:?} m", positions[i].as_slice())),
+        None => Ok(()),
+    }
+}
+
+fn triangles(scene: &Scene) -> Result<(), ClothError> {
+    let n = scene.positions.len();
+    for (i, t) in scene.triangles.iter().enumerate() {
+        let [a, b, c] = t.vertices;
+        if t.vertices.iter().any(|v| *v as usize >= n) || a == b || b == c || a == c {
+            return bad("bad-triangle", format!("triangle {i} names vertices {a}, {b}, {c} of {n}"));
+        }
+        if t.material as usize >= scene.materials.len() {
+            return bad("bad-material", format!("triangle {i} names material {}", t.material));
+        }
+        let longest = (0..3).map(|k| t.rest_length(k)).fold(0.0, f64::max);
+        let area = t.area().abs();
+        if !area.is_finite() || area <= 1e-9 * longest * longest {
+            return bad(
+                "flat-triangle",
+                format!("rest triangle {i} has an area of {area:.3e} m2 on an edge of {:.3} mm", longest * 1e3),
+            );
+        }
+    }
+    Ok(())
+}
+
+fn materials(scene: &Scene) -> Result<(), ClothError> {
+    for (i, m) in scene.materials.iter().enumerate() {
+        let positive = [("areal_mass", m.areal_mass), ("shear", m.shear)];
+        for (name, v) in positive {
+            if !(v.is_finite() && v > 0.0) {
+                return bad("bad-material", format!("material {i}: {name} is {v}, it must be > 0"));
+            }
+        }
+        let not_negative = [
+            ("thickness", m.thickness),
+            ("friction", m.friction),
+            ("bend_warp", m.bend_warp),
+            ("bend_weft", m.bend_weft),
+            ("bend_bias", m.bend_bias.unwrap_or(0.0)),
+        ];
+        for (name, v) in not_negative {
+            if !(v.is_finite() && v >= 0.0) {
+                return bad("bad-material", format!("material {i}: {name} is {v}, it must be ≥ 0"));
+            }
+        }
+        if !(0.0..1.0).contains(&m.poisson) {
+            return bad("bad-material", format!("material {i}: poisson is {}, it must be in 0 ≤ … < 1", m.poisson));
+        }
+        if !m.warp.is_sound() || !m.weft.is_sound() {
+            return bad("bad-material", format!("material {i}: a stretch curve does not rise from (0, 0)"));
+        }
+        if m.strain_limit.iter().any(|l| l.is_nan() || *l <= 0.0) {
+            return bad("bad-material", format!("material {i}: strain limits are {:?}", m.strain_limit));
+        }
+    }
+    Ok(())
+}
+
+fn body(scene: &Scene) -> Result<(), ClothError> {
+    let Some(b) = &scene.body else { return Ok(()) };
+    finite("body", &b.positions)?;
+    let n = b.positions.len();
+    match b.triangles.iter().position(|t| t.iter().any(|v| *v as usize >= n)) {
+        Some(i) => bad("bad-body", format!("body triangle {i} names vertices {:?} of {n}", b.triangles[i])),
+        None => Ok(()),
+    }
+}
+
+/// Checks the ranges of all numbers.
+pub(crate) fn settings(s: &Settings) -> Result<(), ClothError> {
+    let ranges: [(&'static str, f64, f64, f64); 16] = [
+        ("damping", s.damping, 0.0, 1e6),
+        ("stiffness_damping", s.stiffness_damping, 0.0, 2.0),
+        ("gravity_scale", s.gravity_scale, -1e6, 1e6),
+        ("body_gap", s.body_gap, 1e-6, 0.1),
+        ("self_gap", s.self_gap, 1e-6, 0.1),
+        ("sewing_stiffness", s.sewing_stiffness, 0.0, 1.0),
+        ("sewing_acceleration", s.sewing_acceleration, 0.0, 1e6),
+        ("sewing_distance", s.sewing_distance, 1e-6, 0.1),
+        ("sewing_ramp", s.sewing_ramp, 0.0, 1e3),
+        ("stiffness_cap", s.stiffness_cap, 1e-6, f64::INFINITY),
+        ("step_fraction", s.step_fraction, 1e-6, 1e3),
+        ("energy_tolerance", s.energy_tolerance, 0.0, 1.0),
+        ("speed_tolerance", s.speed_tolerance, 0.0, 1e3),
+        ("shear_allowance", s.shear_allowance, 0.0, 10.0),
+        ("bending_mesh_factor", s.bending_mesh_factor, 1e-3, 1e3),
+        ("repair_share", s.repair_share, 0.0, 1.0),
+    ];
+    for (name, value, low, high) in ranges {
+        if !(low..=high).contains(&value) {
+            return Err(ClothError::BadSetting { name, what: format!("{value} is outside {low} … {high}") });
+        }
+    }
+    if s.max_seconds.is_nan() || s.max_seconds <= 0.0 {
+        return Err(ClothError::BadSetting { name: "max_seconds", what: format!("{} is not > 0", s.max_seconds) });
+    }
+    Ok(())
+}
