@@ -2,6 +2,7 @@
 
 use super::fabric::material;
 use toile_cloth::{BodyMesh, Element, Load, Material, Pin, Scene};
+use toile_garment::mesh::PieceMesh;
 use toile_garment::{Diagnostic, Garment, MeshVertex, Piece, Vec2, Vec3};
 
 /// Where each piece's vertices stand in the solver's list.
@@ -101,19 +102,22 @@ fn no_fabric(piece: &Piece) -> Diagnostic {
 
 /// Triangles of a piece with rest corners in (weft, warp) metres.
 fn elements<'a>(piece: &'a Piece, layout: &'a Layout, material: u32) -> impl Iterator<Item = Element> + 'a {
-    let warp = piece.warp();
-    let weft = Vec2::new(warp.y, -warp.x);
-    let mesh = piece.mesh.as_ref();
-    mesh.into_iter().flat_map(move |m| {
-        m.triangles.iter().map(move |t| Element {
-            vertices: t.map(|v| layout.index(MeshVertex { piece: piece.id, vertex: v })),
-            rest: t.map(|v| {
-                let p = m.rest[v as usize];
-                [p.dot(&weft), p.dot(&warp)]
-            }),
-            material,
+    piece.mesh.iter().flat_map(move |mesh| {
+        let (weft, warp) = cloth_axes(piece, mesh);
+        mesh.triangles.iter().enumerate().filter_map(move |(i, t)| {
+            Some(Element {
+                vertices: t.map(|v| layout.index(MeshVertex { piece: piece.id, vertex: v })),
+                rest: mesh.rest_triangle(i)?.map(|p| [p.dot(&weft), p.dot(&warp)]),
+                material,
+            })
         })
     })
+}
+
+/// Weft and warp in the frame of the rest corners: corners of their own already stand on the grain.
+fn cloth_axes(piece: &Piece, mesh: &PieceMesh) -> (Vec2, Vec2) {
+    let warp = if mesh.rest_corners.is_some() { Vec2::y() } else { piece.warp() };
+    (Vec2::new(warp.y, -warp.x), warp)
 }
 
 fn layers(garment: &Garment, layout: &Layout) -> Vec<i32> {
