@@ -135,8 +135,9 @@ impl Spline {
             for j in (r..=p).rev() {
                 let (low, high) = (self.knots[j + k - p], self.knots[j + 1 + k - r]);
                 let a = if high > low { (t - low) / (high - low) } else { 0.0 };
-                for c in 0..3 {
-                    d[j][c] = (1.0 - a) * d[j - 1][c] + a * d[j][c];
+                let before = d[j - 1];
+                for (now, before) in d[j].iter_mut().zip(before) {
+                    *now = (1.0 - a) * before + a * *now;
                 }
             }
         }

@@ -209,7 +209,7 @@ mod tests {
                 degree: 2,
                 flags: 12,
                 knots: vec![0.0, 0.0, 0.0, 1.0, 1.0, 1.0],
-                weights: vec![1.0, 0.7071, 1.0],
+                weights: vec![1.0, 0.625, 1.0],
                 control: vec![p(0.0, 0.0), p(1.0, 0.0), p(1.0, 1.0)],
                 fit: vec![],
             }),

@@ -5,6 +5,8 @@
 //! in a file.
 //! The way of the data: bytes → [`tags`] → [`model`] (faithful) → sheet by layers → pieces → garment.
 
+#![allow(clippy::result_large_err, reason = "a failure ends the reading and carries its place and remedy")]
+
 pub mod chain;
 pub mod curve;
 pub mod darts;

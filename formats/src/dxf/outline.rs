@@ -13,8 +13,8 @@ const MATCH: f64 = 0.02;
 const CORNER: f64 = 20.0;
 /// Marked curve points further apart than this are control points of a smooth curve, mm.
 const SPARSE: f64 = 3.0;
-/// A dense copy may differ this much from the line it copies, mm.
-const DENSE_MOST: f64 = 3.0;
+/// A dense copy may differ this much from the smooth curve through the points it copies, mm.
+const DENSE_MOST: f64 = 2.0;
 /// A corner is found again on the dense copy within this, mm.
 const DENSE_MATCH: f64 = 0.1;
 
@@ -157,16 +157,16 @@ impl Outline {
     /// Makes the working line: the dense copy where there is a good one, else smooth runs, else the drawn line.
     /// The outcome of looking at the dense copy comes back for the report.
     pub fn make_work(&mut self, dense: Option<&Outline>) -> Option<Result<f64, f64>> {
-        let verdict = dense.filter(|d| d.drawn.len() > self.drawn.len()).map(|d| self.take_dense(d));
-        if !matches!(verdict, Some(Ok(_))) {
-            self.smooth();
-        }
-        verdict
+        self.smooth();
+        let dense = dense.filter(|d| d.drawn.len() > self.drawn.len())?;
+        let verdict = self.take_dense(dense);
+        Some(verdict)
     }
 
     fn take_dense(&mut self, dense: &Outline) -> Result<f64, f64> {
         let (ours, theirs) = (self.positions(), dense.positions());
-        let deviation = geom::deviation(&theirs, &ours, true).max(geom::deviation(&ours, &theirs, true));
+        let smooth = self.work_positions();
+        let deviation = geom::deviation(&theirs, &smooth, true).max(geom::deviation(&smooth, &theirs, true));
         if deviation > DENSE_MOST {
             return Err(deviation);
         }

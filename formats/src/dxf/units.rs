@@ -6,6 +6,8 @@ use toile_garment::Diagnostic;
 
 /// A piece's larger side, mm, is expected in this range.
 const SIDE: std::ops::RangeInclusive<f64> = 50.0..=2000.0;
+/// The largest piece of a file is hardly ever smaller than this, mm.
+const LARGEST_LEAST: f64 = 100.0;
 /// No piece is larger than this, mm.
 const SIDE_MOST: f64 = 5000.0;
 
@@ -76,8 +78,12 @@ pub(crate) fn decide(evidence: &Evidence<'_>, findings: &mut Findings) -> Units 
             return units(better);
         }
     }
-    if side > 0.0 && (side * mm > SIDE_MOST || side * mm < *SIDE.start()) {
-        let text = format!("with {} the largest piece is only plausible if {:.1} mm is right", name(mm), side * mm);
+    if side > 0.0 && (side * mm > SIDE_MOST || side * mm < LARGEST_LEAST) {
+        let text = format!(
+            "the file says {}, which makes its largest piece {:.1} mm long; that was obeyed, but it is unlikely",
+            name(mm),
+            side * mm
+        );
         say(Diagnostic::warning("units-doubtful", text).hint("give the unit: units = \"mm\", \"cm\" or \"inch\""));
     }
     units(mm)
