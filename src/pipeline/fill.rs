@@ -52,9 +52,9 @@ impl<'v> Filler<'_, '_, 'v> {
             if tail.starts_with("{{") || tail.starts_with("}}") {
                 filled.push_str(&tail[..1]);
                 rest = &tail[2..];
-            } else if tail.starts_with('}') {
+            } else if let Some(after) = tail.strip_prefix('}') {
                 filled.push('}');
-                rest = &tail[1..];
+                rest = after;
             } else {
                 let Some(end) = tail.find('}') else {
                     let hint = "close it with `}`, or write `{{` for a brace";
