@@ -1,4 +1,5 @@
 //! `{name}` in the texts of a stage's parameters. Spans survive: a filled text stands where the template stood.
+//! On the way the one gate for numbers: none that is not finite gets through.
 
 use super::document::Reader;
 use super::inputs::{InputKind, Values};
@@ -36,6 +37,11 @@ impl<'v> Filler<'_, '_, 'v> {
             },
             DeValue::Table(table) => self.table(table),
             DeValue::Array(items) => items.iter_mut().for_each(|item| self.value(item)),
+            DeValue::Float(number) if !number.as_str().parse().is_ok_and(f64::is_finite) => {
+                let message = format!("`{number}` is not a finite number");
+                self.cx.push("wrong-value", &span, message, "write a finite number");
+                self.whole = false;
+            }
             _ => {}
         }
     }
