@@ -76,7 +76,7 @@ fn run() -> ExitCode {
 }
 
 enum Failure {
-    Rejected(Diagnostic),
+    Rejected(Box<Diagnostic>),
     Broken(String),
 }
 
@@ -104,7 +104,7 @@ fn set_material(garment: &mut Garment, params: Params) -> Result<(), Failure> {
     let names: Vec<String> = garment.pieces.iter().map(|p| p.name.clone()).collect();
     let piece = garment.pieces.iter_mut().find(|p| p.name == params.piece).ok_or_else(|| {
         let finding = Diagnostic::error("unknown-piece", format!("there is no piece `{}`", params.piece));
-        Failure::Rejected(finding.hint(format!("the pieces are {}", names.join(", "))))
+        Failure::Rejected(Box::new(finding.hint(format!("the pieces are {}", names.join(", ")))))
     })?;
     let old = piece.material.replace(params.material.clone()).unwrap_or_else(|| "none".to_owned());
     let message = format!("the material of `{}` was {old} and is now {}", params.piece, params.material);

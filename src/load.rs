@@ -36,16 +36,14 @@ pub struct Loaded<'r> {
 ///
 /// # Errors
 /// When it cannot be read, is too large or is not UTF-8.
-pub fn open(request: &Request) -> Result<SourceText, Diagnostic> {
+pub fn open(request: &Request) -> Result<SourceText, Vec<Diagnostic>> {
     let name = clean(&request.file);
-    let at = |d: Diagnostic| d.at(SourceRef::file(name.clone()));
+    let at = |d: Diagnostic| vec![d.at(SourceRef::file(name.clone()))];
     if !request.file.is_file() {
         return Err(at(Diagnostic::error("file-missing", format!("there is no pipeline file `{name}`"))));
     }
-    let bytes = read_limited(&request.file, &request.file, MAX_BYTES).map_err(|e| {
-        let (mut findings, _) = crate::engine::of_file_error(&e);
-        at(findings.pop().unwrap_or_else(|| Diagnostic::error("file-missing", e.to_string())))
-    })?;
+    let bytes = read_limited(&request.file, &request.file, MAX_BYTES)
+        .map_err(|e| crate::engine::of_file_error(&e).0.into_iter().flat_map(&at).collect::<Vec<_>>())?;
     let text = String::from_utf8(bytes).map_err(|e| {
         let message = format!("the pipeline is no UTF-8 text: byte {} is wrong", e.utf8_error().valid_up_to());
         at(Diagnostic::error("not-text", message).hint("save it as UTF-8"))

@@ -16,7 +16,7 @@ pub(super) fn run(args: &CheckArgs, registry: &mut Registry, stop: &Arc<Stop>, c
             let stages = loaded.pipeline.map_or(0, |p| p.steps.len());
             (loaded.report.findings, Some((source.file().to_owned(), source.text().to_owned())), stages)
         }
-        Err(finding) => (vec![finding], None, 0),
+        Err(findings) => (findings, None, 0),
     };
     let exit = if text.is_none() { Exit::Usage } else { Exit::of_findings(&findings) };
     if args.format == Format::Json {

@@ -24,8 +24,8 @@ const JSON_TAP: &str = "export-report";
 pub(super) fn run(args: &FlattenArgs, registry: &Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
     let garment = match read(&args.garment) {
         Ok(garment) => garment,
-        Err(finding) => {
-            console.findings(&[finding], None);
+        Err(findings) => {
+            console.findings(&findings, None);
             return Exit::Input;
         }
     };
@@ -46,14 +46,14 @@ pub(super) fn run(args: &FlattenArgs, registry: &Registry, stop: &Arc<Stop>, con
     }
 }
 
-fn read(path: &Path) -> Result<Garment, Diagnostic> {
-    let bytes = read_limited(path, path, MAX_INPUT)
-        .map_err(|e| of_file_error(&e).0.pop().unwrap_or_else(|| Diagnostic::error("file-missing", e.to_string())))?;
+fn read(path: &Path) -> Result<Garment, Vec<Diagnostic>> {
+    let bytes = read_limited(path, path, MAX_INPUT).map_err(|e| of_file_error(&e).0)?;
     let body = bytes.trim_ascii_start();
     let reader = READERS.iter().find(|(begin, _)| body.starts_with(begin));
     let name = clean(path);
-    let (_, reader) = reader.ok_or_else(|| Diagnostic::error("no-reader", format!("`{name}` is no garment file")))?;
-    reader(&bytes).map_err(|message| Diagnostic::error("garment-file", format!("`{name}`: {message}")))
+    let no_reader = || vec![Diagnostic::error("no-reader", format!("`{name}` is no garment file"))];
+    let (_, reader) = reader.ok_or_else(no_reader)?;
+    reader(&bytes).map_err(|message| vec![Diagnostic::error("garment-file", format!("`{name}`: {message}"))])
 }
 
 /// Reads a garment document.
@@ -100,7 +100,7 @@ fn run_stage(
     }
     let params = ValueDeserializer::from(Spanned::new(0..0, DeValue::Table(table)));
     let ready = stage.configure(params).map_err(|e| StageError::Internal(e.message().to_owned()))?;
-    for need in ready.info().needs.iter().filter(|n| !garment.has(**n)) {
+    if let Some(need) = ready.info().needs.iter().find(|n| !garment.has(**n)) {
         let message = format!("the garment holds no {}, which `{name}` needs", crate::pipeline::word(*need));
         return Err(StageError::input(Diagnostic::error("needs-not-given", message)));
     }

@@ -14,8 +14,8 @@ pub(super) fn run(args: &PlanArgs, registry: &mut Registry, stop: &Arc<Stop>, co
     let request = args.pipeline.request();
     let source = match load::open(&request) {
         Ok(source) => source,
-        Err(finding) => {
-            console.findings(&[finding], None);
+        Err(findings) => {
+            console.findings(&findings, None);
             return Exit::Usage;
         }
     };

@@ -15,8 +15,8 @@ pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, con
     let request = args.pipeline.request();
     let source = match load::open(&request) {
         Ok(source) => source,
-        Err(finding) => {
-            console.findings(&[finding], None);
+        Err(findings) => {
+            console.findings(&findings, None);
             return Exit::Usage;
         }
     };
@@ -28,8 +28,8 @@ pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, con
     let (Some(pipeline), Some(gate)) = (loaded.pipeline, loaded.gate) else { return Exit::Usage };
     let events = match open_events(args) {
         Ok(events) => events,
-        Err(finding) => {
-            console.findings(&[finding], None);
+        Err(findings) => {
+            console.findings(&findings, None);
             return Exit::Usage;
         }
     };
@@ -59,7 +59,7 @@ fn threads(args: &RunArgs) -> usize {
     asked.or_else(from_environment).unwrap_or_else(cores)
 }
 
-fn open_events(args: &RunArgs) -> Result<Option<Box<dyn Write + Send>>, Diagnostic> {
+fn open_events(args: &RunArgs) -> Result<Option<Box<dyn Write + Send>>, Vec<Diagnostic>> {
     let Some(path) = &args.events else { return Ok(None) };
     let mut options = std::fs::File::options();
     options.write(true);
@@ -71,8 +71,9 @@ fn open_events(args: &RunArgs) -> Result<Option<Box<dyn Write + Send>>, Diagnost
     match options.open(path) {
         Ok(file) => Ok(Some(Box::new(file))),
         Err(error) => {
-            Err(Diagnostic::error("write-failed", format!("cannot write events to `{}`: {error}", clean(path)))
-                .hint("choose another file, or pass --force to replace it"))
+            let message = format!("cannot write events to `{}`: {error}", clean(path));
+            let hint = "choose another file, or pass --force to replace it";
+            Err(vec![Diagnostic::error("write-failed", message).hint(hint)])
         }
     }
 }

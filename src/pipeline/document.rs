@@ -159,6 +159,12 @@ impl Reader<'_> {
         self.report.push(finding);
     }
 
+    /// Was something reported at this very place?
+    pub fn has_said(&self, span: &Range<usize>) -> bool {
+        let place = self.source.place(span);
+        self.report.findings.iter().any(|f| f.source.as_ref() == Some(&place))
+    }
+
     pub fn wrong_type(&mut self, value: &Spanned<DeValue<'_>>, key: &str, wanted: &str) {
         let message = format!("`{key}` is {}, but must be {wanted}", value.get_ref().type_str());
         self.push("wrong-type", &value.span(), message, format!("write {wanted}"));

@@ -1,4 +1,5 @@
 //! `{name}` in the texts of a stage's parameters. Spans survive: a filled text stands where the template stood.
+//! On the way the one gate for numbers: none that is not finite gets through.
 
 use super::document::Reader;
 use super::inputs::{InputKind, Values};
@@ -36,6 +37,11 @@ impl<'v> Filler<'_, '_, 'v> {
             },
             DeValue::Table(table) => self.table(table),
             DeValue::Array(items) => items.iter_mut().for_each(|item| self.value(item)),
+            DeValue::Float(number) if !number.as_str().parse().is_ok_and(f64::is_finite) => {
+                let message = format!("`{number}` is not a finite number");
+                self.cx.push("wrong-value", &span, message, "write a finite number");
+                self.whole = false;
+            }
             _ => {}
         }
     }
@@ -52,9 +58,9 @@ impl<'v> Filler<'_, '_, 'v> {
             if tail.starts_with("{{") || tail.starts_with("}}") {
                 filled.push_str(&tail[..1]);
                 rest = &tail[2..];
-            } else if tail.starts_with('}') {
+            } else if let Some(after) = tail.strip_prefix('}') {
                 filled.push('}');
-                rest = &tail[1..];
+                rest = after;
             } else {
                 let Some(end) = tail.find('}') else {
                     let hint = "close it with `}`, or write `{{` for a brace";

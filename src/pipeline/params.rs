@@ -23,6 +23,7 @@ pub(super) fn configure<'r>(
         cx.push("unknown-key", &key.span, message, key.hint.clone());
         remove(&mut table, &key.path);
     }
+    let missing = report_missing(cx, schema, &table, span, owner);
     let mut removed: Vec<String> = Vec::new();
     // Each round either succeeds, or takes out one top-level key, or ends.
     for _ in 0..=table.len() {
@@ -31,7 +32,7 @@ pub(super) fn configure<'r>(
             Ok(ready) => return (unknown.is_empty() && removed.is_empty()).then_some(ready),
             Err(error) => {
                 let at = error.span().unwrap_or_else(|| span.clone());
-                if !is_echo(error.message(), &removed) {
+                if !is_echo(error.message(), &removed, &missing) && !cx.has_said(&at) {
                     report_error(cx, error.message(), &at, schema, owner);
                 }
                 let Some(key) = key_around(&table, &at) else { break };
@@ -43,9 +44,26 @@ pub(super) fn configure<'r>(
     None
 }
 
-/// "missing field" of a key that was taken out because it was wrong.
-fn is_echo(message: &str, removed: &[String]) -> bool {
-    removed.iter().any(|key| message.contains(&format!("missing field `{key}`")))
+/// "missing field" of a key that was taken out because it was wrong, or was reported already.
+fn is_echo(message: &str, removed: &[String], missing: &[String]) -> bool {
+    removed.iter().chain(missing).any(|key| message.contains(&format!("missing field `{key}`")))
+}
+
+/// All keys that must be there and are not; the parser would name the first only.
+fn report_missing(
+    cx: &mut Reader<'_>,
+    schema: &SchemaTree,
+    table: &DeTable<'_>,
+    span: &Range<usize>,
+    owner: &str,
+) -> Vec<String> {
+    let required = schema.root().get("required").and_then(serde_json::Value::as_array);
+    let names = required.into_iter().flatten().filter_map(serde_json::Value::as_str);
+    let missing: Vec<String> = names.filter(|name| !table.contains_key(*name)).map(str::to_owned).collect();
+    for key in &missing {
+        report_error(cx, &format!("missing field `{key}`"), span, schema, owner);
+    }
+    missing
 }
 
 fn report_error(cx: &mut Reader<'_>, message: &str, span: &Range<usize>, schema: &SchemaTree, owner: &str) {

@@ -3,4 +3,5 @@
 #![allow(dead_code)]
 
 pub mod bench;
+pub mod glb;
 pub mod stages;

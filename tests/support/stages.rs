@@ -27,7 +27,7 @@ pub struct SheetParams {
     pub name: String,
     /// How many pieces.
     #[serde(default = "one")]
-    pub count: u32,
+    pub count: u8,
     /// Nested settings.
     #[serde(default)]
     pub mark: Option<Mark>,
@@ -45,7 +45,7 @@ fn front() -> String {
     "front".to_owned()
 }
 
-fn one() -> u32 {
+fn one() -> u8 {
     1
 }
 
@@ -54,7 +54,7 @@ impl Stage for Sheet {
     const INFO: StageInfo = StageInfo::new("test-sheet", "one square piece", &[], &[Aspect::Pieces, Aspect::Mesh], 3);
 
     fn run(&self, p: &SheetParams, mut garment: Garment, _: &mut StageContext<'_>) -> Result<Garment, StageError> {
-        for i in 0..p.count as usize {
+        for i in 0..usize::from(p.count) {
             let s = p.side.0;
             let rest = vec![Vec2::new(0.0, 0.0), Vec2::new(s, 0.0), Vec2::new(s, s), Vec2::new(0.0, s)];
             let mesh = PieceMesh { rest, triangles: vec![[0, 1, 2], [0, 2, 3]], ..PieceMesh::default() };

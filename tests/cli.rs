@@ -1,0 +1,161 @@
+//! What a person sees on the terminal.
+
+mod support;
+use serde_json::Value;
+use std::ffi::OsString;
+use std::process::{Command, Stdio};
+use support::bench::{Bench, Said, command};
+
+fn toile(arguments: &[&str]) -> Said {
+    command(arguments.iter().map(OsString::from).collect())
+}
+
+#[test]
+fn help_and_version_are_results() {
+    let help = toile(&["--help"]);
+    assert_eq!((help.code, help.err.as_str()), (0, ""));
+    for verb in ["run", "check", "plan", "inspect", "flatten", "stages", "schema", "explain", "completions"] {
+        assert!(help.out.contains(&format!("\n  {verb} ")), "{verb} is missing in\n{}", help.out);
+    }
+    assert_eq!(toile(&["--version"]).out, format!("toile {}\n", env!("CARGO_PKG_VERSION")));
+    let wrong = toile(&["inspct"]);
+    assert_eq!((wrong.code, wrong.out.as_str()), (2, ""));
+    assert!(wrong.err.contains("'inspect'"), "{}", wrong.err);
+}
+
+#[test]
+fn an_error_shows_place_line_and_remedy() {
+    let bench = Bench::new();
+    let said = bench.stages("[[stage]]\nuse = \"test-sheet\"\nwith.side = \"1 m\"\nwith.nmae = \"x\"\n").check(&[]);
+    let file = bench.pipeline_file();
+    let expected = format!(
+        "error[unknown-key] unknown key `nmae` of `test-sheet`\n  at {}:8:6\n    | with.nmae = \"x\"\n    |      ^\n  help: did you mean `name`?\n",
+        file.display()
+    );
+    assert_eq!((said.code, said.out.as_str()), (2, ""));
+    assert_eq!(said.err, expected);
+}
+
+#[test]
+fn a_sound_chain_is_said_so() {
+    let bench = Bench::new();
+    bench.stages("[[stage]]\nuse = \"test-sheet\"\nwith.side = \"1 m\"\n");
+    let said = bench.check(&[]);
+    assert_eq!((said.code, said.out.as_str(), said.err.as_str()), (0, "the chain is sound: 1 stages\n", ""));
+    let json: Value = serde_json::from_str(&bench.check(&["--format", "json"]).out).expect("JSON");
+    assert_eq!(json["errors"], 0);
+}
+
+#[test]
+fn a_plan_runs_nothing() {
+    let bench = Bench::new();
+    bench.stages("[[stage]]\nuse = \"test-sheet\"\nwith.side = \"1 m\"\n[[stage]]\nuse = \"test-write\"\nwith.file = \"{out}/a.txt\"\n");
+    let file = bench.pipeline_file();
+    let said = toile(&["plan", file.to_str().expect("text")]);
+    assert_eq!(said.code, 0);
+    assert_eq!(
+        said.out,
+        "test v1\n  1 test-sheet         gives pieces, mesh\n  2 test-write         leaves the garment as it is\nwrites {out}/a.txt\n"
+    );
+    let json: Value =
+        serde_json::from_str(&toile(&["plan", file.to_str().expect("text"), "--json"]).out).expect("JSON");
+    assert_eq!(json["stages"][0]["params"]["name"], "front");
+    assert!(!bench.out().exists());
+}
+
+#[test]
+fn the_manual_comes_from_the_parameter_types() {
+    let all = toile(&["stages"]);
+    assert!(all.out.contains("test-sheet       one square piece\n"), "{}", all.out);
+    let one = toile(&["stages", "test-sheet"]);
+    assert!(one.out.contains("  with.side: string, required\n      Length of a side.\n"), "{}", one.out);
+    let unknown = toile(&["stages", "test-shet"]);
+    assert_eq!(unknown.code, 2);
+    assert!(unknown.err.contains("did you mean `test-sheet`?"));
+}
+
+#[test]
+fn every_code_can_be_explained() {
+    for code in toile(&["explain"]).out.lines() {
+        let said = toile(&["explain", code]);
+        assert_eq!(said.code, 0);
+        assert!(said.out.len() > code.len() + 40, "{code} is hardly explained");
+    }
+    assert!(toile(&["explain", "unknown-kye"]).err.contains("did you mean `unknown-key`?"));
+}
+
+/// Codes written in the engine's sources are in the table, in order, and none is in it for nothing.
+#[test]
+fn the_table_of_codes_is_whole() {
+    let codes: Vec<&str> = toile::codes::ENGINE.iter().map(|c| c.code).collect();
+    assert!(codes.is_sorted(), "keep the table in alphabetical order");
+    let mut source = String::new();
+    read_sources(&std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("src"), &mut source);
+    for code in &codes {
+        assert!(source.contains(&format!("\"{code}\"")), "`{code}` is used nowhere");
+    }
+    for opening in ["Diagnostic::error(\"", "source.error(\"", "self.push(\"", "cx.push(\"", "one(\""] {
+        for tail in source.split(opening).skip(1) {
+            let code = tail.split('"').next().unwrap_or("");
+            assert!(code == "x" || codes.contains(&code), "`{code}` is not in the table");
+        }
+    }
+}
+
+fn read_sources(folder: &std::path::Path, into: &mut String) {
+    for name in support::bench::list(folder) {
+        let path = folder.join(&name);
+        if path.is_dir() {
+            read_sources(&path, into);
+        } else if name != "codes.rs" {
+            let text = std::fs::read_to_string(path).expect("source");
+            into.push_str(
+                &text.replace("\n", " ").split_whitespace().collect::<Vec<_>>().join(" ").replace("( \"", "(\""),
+            );
+        }
+    }
+}
+
+#[test]
+fn the_schema_holds_every_stage() {
+    let schema: Value = serde_json::from_str(&toile(&["schema"]).out).expect("JSON");
+    let uses = schema["properties"]["stage"]["items"]["oneOf"].as_array().expect("stages");
+    let sheet = uses.iter().find(|u| u["title"] == "test-sheet").expect("test-sheet");
+    assert_eq!(sheet["properties"]["use"]["const"], "test-sheet");
+    assert_eq!(schema["$schema"], "http://json-schema.org/draft-07/schema#");
+}
+
+#[test]
+fn completions_name_the_verbs() {
+    for shell in ["bash", "zsh", "fish", "powershell"] {
+        assert!(toile(&["completions", shell]).out.contains("inspect"), "{shell}");
+    }
+}
+
+#[test]
+fn a_closed_pipe_is_a_quiet_end() {
+    let mut child = Command::new(env!("CARGO_BIN_EXE_toile"))
+        .arg("schema")
+        .stdout(Stdio::piped())
+        .stderr(Stdio::piped())
+        .spawn()
+        .expect("toile");
+    drop(child.stdout.take());
+    let ended = child.wait_with_output().expect("end");
+    assert_eq!(ended.status.code(), Some(0));
+    assert_eq!(String::from_utf8_lossy(&ended.stderr), "");
+}
+
+#[test]
+fn looks_into_a_garment_document() {
+    let bench = Bench::new();
+    bench.stages("[[stage]]\nuse = \"test-sheet\"\nwith.side = \"1 m\"\n[[stage]]\nuse = \"test-write\"\nwith = { file = \"{out}/g.json\", document = true }\n");
+    assert_eq!(bench.run(&[]).code, 0);
+    let file = bench.out().join("g.json");
+    let said = toile(&["inspect", file.to_str().expect("text"), "--json"]);
+    let json: Value = serde_json::from_str(&said.out).expect("JSON");
+    assert_eq!((said.code, &json["counts"]["triangles"], &json["pieces"][0]["name"]), (0, &2.into(), &"front".into()));
+    let wrong = toile(&["inspect", bench.pipeline_file().to_str().expect("text")]);
+    assert_eq!(wrong.code, 3);
+    assert!(wrong.err.contains("no-reader"));
+}

@@ -1,0 +1,158 @@
+//! A stage in another process: the example program, and programs that misbehave.
+#![cfg(unix)]
+
+mod support;
+use std::os::unix::fs::PermissionsExt as _;
+use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+use support::bench::{Bench, HEAD};
+
+/// The example that `cargo test` builds beside the tests.
+fn example() -> PathBuf {
+    let path = Path::new(env!("CARGO_BIN_EXE_toile")).with_file_name("examples").join("external_stage");
+    assert!(path.is_file(), "build it first: cargo build --release --example external_stage");
+    path
+}
+
+fn pipeline(program: &Path, stages: &str) -> String {
+    let sheet = "[[stage]]\nuse = \"test-sheet\"\nwith.side = \"1 m\"\n";
+    format!(
+        "{HEAD}[plugin.acme]\ncommand = [{:?}]\ntimeout = \"5 s\"\n{sheet}{stages}",
+        program.to_str().expect("text")
+    )
+}
+
+const SET: &str = "[[stage]]\nuse = \"acme.set-material\"\nwith = { piece = \"front\", material = \"lining\" }\n";
+const KEEP: &str = "[[stage]]\nuse = \"test-write\"\nwith = { file = \"{out}/g.json\", document = true }\n";
+
+#[test]
+fn runs_only_with_consent() {
+    let bench = Bench::new();
+    let marker = bench.path("ran");
+    let program = script(&bench, &format!("touch {}", marker.display()));
+    bench.text(&pipeline(&program, SET));
+    let said = bench.run(&[]);
+    assert_eq!(said.code, 2);
+    assert!(said.err.contains("plugin-needs-consent") && said.err.contains("--allow-run acme"), "{}", said.err);
+    assert_eq!(bench.run(&["--allow-run", "other"]).code, 2);
+    assert!(!marker.exists(), "the program ran without consent");
+    assert!(!bench.out().exists());
+}
+
+#[test]
+fn the_example_does_its_work() {
+    let bench = Bench::new();
+    let said = bench.text(&pipeline(&example(), &format!("{SET}{KEEP}"))).run(&["--allow-run", "acme"]);
+    assert_eq!(said.code, 0, "{said:?}");
+    let garment = toile_garment::bundle::from_text(&bench.output("g.json").expect("document")).expect("garment");
+    assert_eq!(garment.pieces[0].material.as_deref(), Some("lining"));
+    assert_eq!(garment.provenance.stages[1].stage, "acme.set-material");
+    assert_eq!(garment.pieces[0].mesh.as_ref().map(|m| m.rest.len()), Some(4));
+    let record = bench.record();
+    assert_eq!(record["findings"][0]["code"], "material-set");
+    assert_eq!(record["stages"][1]["params"]["material"], "lining");
+}
+
+#[test]
+fn its_parameters_and_needs_are_checked_like_any_others() {
+    let bench = Bench::new();
+    bench.text(&pipeline(&example(), &SET.replace("piece =", "peice =")));
+    let found = bench.findings(&["--allow-run", "acme"]);
+    assert!(found.iter().any(|f| f.0 == "unknown-key" && f.3.contains("did you mean `piece`?")), "{found:?}");
+    let alone = pipeline(&example(), SET).replace("[[stage]]\nuse = \"test-sheet\"\nwith.side = \"1 m\"\n", "");
+    let found = bench.text(&alone).findings(&["--allow-run", "acme"]);
+    assert!(found.iter().any(|f| f.0 == "needs-not-given"), "{found:?}");
+}
+
+#[test]
+fn a_rejected_garment_is_the_inputs_fault() {
+    let bench = Bench::new();
+    bench.text(&pipeline(&example(), &SET.replace("\"front\"", "\"sleeve\"")));
+    assert_eq!(bench.run(&["--allow-run", "acme"]).code, 3);
+    let finding = &bench.record()["findings"][0];
+    assert_eq!(finding["code"], "unknown-piece");
+    assert_eq!(finding["hint"], "the pieces are front");
+    assert_eq!(bench.left(), ["run.json"]);
+}
+
+const DESCRIBE: &str =
+    r#"{"protocol":1,"stages":[{"name":"acme.x","summary":"","needs":[],"gives":[],"revision":1,"params_schema":{}}]}"#;
+
+/// A shell script that answers `describe` and does `body` on `run`.
+fn script(bench: &Bench, body: &str) -> PathBuf {
+    let path = bench.path("program.sh");
+    let text = format!(
+        "#!/bin/sh\nif [ \"$1\" = describe ]; then echo '{DESCRIBE}'; exit 0; fi\ncat > request.json\n{body}\n"
+    );
+    std::fs::write(&path, text).expect("script");
+    std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o755)).expect("rights");
+    path
+}
+
+/// Runs a script as the stage; gives exit code and the first error's text.
+fn misbehave(body: &str) -> (u8, String) {
+    let bench = Bench::new();
+    let program = script(&bench, body);
+    bench.text(&pipeline(&program, "[[stage]]\nuse = \"acme.x\"\n"));
+    let code = bench.run(&["--allow-run", "acme"]).code;
+    let finding = bench.record()["findings"][0].clone();
+    assert_eq!(bench.left(), ["run.json"], "{body}");
+    (code, format!("{} {}", finding["code"].as_str().unwrap_or(""), finding["message"].as_str().unwrap_or("")))
+}
+
+#[test]
+fn what_it_answers_is_read_as_hostile() {
+    for (body, expected) in [
+        ("exit 1", "plugin-failed"),
+        ("echo boom >&2; exit 9", "boom"),
+        ("exit 0", "wrote no garment.json"),
+        ("echo not json", "not of protocol 1"),
+        ("exit 2", "plugin-rejected"),
+        (
+            "echo '{\"kind\":\"toile-garment\",\"version\":99,\"garment\":{\"pieces\":[]}}' > out/garment.json",
+            "version 99",
+        ),
+        (
+            "echo '{\"kind\":\"toile-garment\",\"version\":1,\"garment\":{\"pieces\":7}}' > out/garment.json",
+            "plugin-protocol",
+        ),
+        ("ln -s /etc/passwd out/garment.json", "wrote no garment.json"),
+        ("yes '{\"kind\":\"progress\"}'", "wrote more than"),
+        ("kill -9 $$", "plugin-failed"),
+    ] {
+        let (code, said) = misbehave(body);
+        assert_eq!(code, 3, "{body}: {said}");
+        assert!(said.contains(expected), "{body}: {said}");
+    }
+}
+
+#[test]
+fn it_is_ended_when_it_takes_too_long() {
+    let begun = Instant::now();
+    let (code, said) = misbehave("sleep 60 & sleep 60");
+    assert_eq!(code, 3);
+    assert!(said.contains("longer than 5 s"), "{said}");
+    assert!(begun.elapsed() < Duration::from_secs(20));
+}
+
+#[test]
+fn it_sees_nothing_of_the_callers_environment() {
+    let bench = Bench::new();
+    let seen = bench.path("environment");
+    let program = script(&bench, &format!("env > {}; exit 1", seen.display()));
+    bench.text(&pipeline(&program, "[[stage]]\nuse = \"acme.x\"\n")).run(&["--allow-run", "acme"]);
+    let environment = std::fs::read_to_string(seen).expect("environment");
+    assert!(!environment.contains("HOME=") && !environment.contains("CARGO"), "{environment}");
+}
+
+#[test]
+fn it_is_told_from_other_protocols() {
+    let bench = Bench::new();
+    let program = script(&bench, "");
+    let text = std::fs::read_to_string(&program).expect("script").replace("\"protocol\":1", "\"protocol\":2");
+    std::fs::write(&program, text).expect("script");
+    bench.text(&pipeline(&program, "[[stage]]\nuse = \"acme.x\"\n"));
+    let said = bench.run(&["--allow-run", "acme"]);
+    assert_eq!(said.code, 2);
+    assert!(said.err.contains("speaks protocol 2"), "{}", said.err);
+}
