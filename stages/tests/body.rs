@@ -1,4 +1,5 @@
 //! The parametric body: closed, clean, symmetric, and true to the tape.
+#![allow(clippy::unwrap_used)]
 
 use std::collections::BTreeMap;
 use toile_garment::Vec3;

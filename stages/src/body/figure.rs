@@ -77,7 +77,7 @@ impl Figure {
         let trunk = self.torso.at(p).join(yokes, 0.075);
         let busts = pair(p, 0.07, |p| self.bust.at(p));
         trunk
-            .join(self.neck.at(p), 0.055)
+            .join(self.neck.at(p), 0.035)
             .join(self.head.at(p), 0.04)
             .join(self.arm.at(p), 0.07)
             .join(busts, 0.06)
