@@ -6,4 +6,8 @@ use toile_stage_api::Registry;
 #[must_use]
 pub fn builtin() -> Registry {
     Registry::default()
+        .with(crate::import_mesh::ImportMesh)
+        .with(crate::texture::Texture)
+        .with(crate::export_gltf::ExportGltf)
+        .with(crate::export_obj::ExportObj)
 }

@@ -4,6 +4,10 @@
 //! exports, `flatten`, report.
 
 pub mod builtin;
+pub mod export_gltf;
+pub mod export_obj;
+pub mod import_mesh;
 pub mod sewing;
+pub mod texture;
 
 pub use builtin::builtin;
