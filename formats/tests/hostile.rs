@@ -177,7 +177,7 @@ fn named_damage() {
         ("\"material\":0", "\"material\":9", "do not fit"),
         ("\"buffers\":[{", "\"buffers\":[{\"uri\":\"file:///etc/x\",", "another file"),
         ("\"images\":[{", "\"images\":[{\"uri\":\"../../x.png\",", "another file"),
-        ("\"version\":1,", "\"version\":99,", "newer"),
+        ("\"version\":1}}", "\"version\":99}}", "newer"),
         ("\"kind\":\"toile-garment\"", "\"kind\":\"cake\"", "cake"),
         ("[[0,1,2],[1,3,2]]", "[[0,1,2],[1,3,77]]", "vertex"),
         ("\"toile\":{", "\"cake\":{", "no garment document"),
