@@ -14,5 +14,9 @@ pub mod sewing;
 mod solve;
 pub mod stitch;
 pub mod triangulate;
+pub mod export_gltf;
+pub mod export_obj;
+pub mod import_mesh;
+pub mod texture;
 
 pub use builtin::builtin;

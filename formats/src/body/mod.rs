@@ -25,6 +25,7 @@ mod tests;
 
 use crate::obj;
 use toile_garment::body::Body;
+use toile_garment::garment::UpAxis;
 use toile_garment::{Diagnostic, SourceRef};
 
 /// A body and what was found while reading it.
@@ -78,6 +79,16 @@ pub fn read(obj_bytes: &[u8], obj_name: &str, sidecar_toml: Option<&str>) -> Res
         digest: blake3::hash(obj_bytes).to_hex().to_string(),
     };
     Ok(ReadBody { body, findings })
+}
+
+/// Turns a body that was read from a file with another vertical axis.
+pub fn turn(body: &mut Body, up: UpAxis) {
+    let points = body.positions.iter_mut().chain(body.landmarks.values_mut());
+    points.for_each(|p| *p = up.from_file(*p));
+    for segment in body.segments.values_mut() {
+        segment.from = up.from_file(segment.from);
+        segment.to = up.from_file(segment.to);
+    }
 }
 
 /// The body as two texts, OBJ and TOML; the same body gives the same bytes. Reading them gives it back.

@@ -1,0 +1,234 @@
+//! Stage `import-mesh`: a cloth mesh instead of a pattern, for physics cases and runs side by side with others.
+//!
+//! The garment gets one piece whose mesh holds the vertices of the OBJ in file order, to the end.
+
+mod boundary;
+mod lists;
+mod rest;
+#[cfg(test)]
+mod tests;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+use toile_formats::{body, fabric, obj};
+use toile_garment::fabric::Fabric;
+use toile_garment::garment::{Load, Pin, Shape, UpAxis};
+use toile_garment::ids::{MeshVertex, PieceId, SeamId};
+use toile_garment::outline::{LinePoint, PieceLine, PointKind};
+use toile_garment::seam::{Seam, SeamKind, SeamRun, SeamSide, Stitch};
+use toile_garment::{Aspect, Diagnostic, Garment, Piece, Severity, SourceRef, Vec3};
+use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+
+pub use rest::Rest;
+
+/// Reads a cloth mesh.
+pub struct ImportMesh;
+
+/// Parameters of `import-mesh`. All files share the axes of the mesh; numbers in them are metres and newtons.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ImportMeshParams {
+    /// OBJ with the start positions, metres.
+    pub cloth: String,
+    /// Where the rest shape comes from: the 3D `positions`, or `uv` (`vt` in metres, u along the weft, v along the warp).
+    #[serde(default)]
+    pub rest: Rest,
+    /// Vertical axis of all files: `y` or `z`.
+    #[serde(default)]
+    pub up: UpAxis,
+    /// Held vertices: one index from 0 a line, optionally x y z to hold it elsewhere.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pins: Option<String>,
+    /// Sewn vertices: two indices from 0 a line.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub stitches: Option<String>,
+    /// Forces: index fx fy fz in N a line.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loads: Option<String>,
+    /// OBJ of the body; a TOML file beside it is read too.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub body: Option<String>,
+    /// Fabric file.
+    pub fabric: String,
+}
+
+impl Stage for ImportMesh {
+    type Params = ImportMeshParams;
+    const INFO: StageInfo = StageInfo::new(
+        "import-mesh",
+        "reads a cloth mesh with pins, stitches, loads, body and fabric instead of a pattern",
+        &[],
+        &[Aspect::Pieces, Aspect::Mesh, Aspect::Stitched, Aspect::Fabric],
+        1,
+    );
+
+    fn run(&self, params: &Self::Params, _: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
+        let mut input = Input { params, errors: Vec::new() };
+        let cloth = input.cloth(cx)?;
+        let fabric = input.fabric(cx)?;
+        let body = input.body(cx)?;
+        let count = cloth.as_ref().map_or(usize::MAX, |c| c.positions.len());
+        let pins = input.list(cx, params.pins.as_deref(), |text, file| lists::pins(text, file, count))?;
+        let stitches = input.list(cx, params.stitches.as_deref(), |text, file| lists::stitches(text, file, count))?;
+        let loads = input.list(cx, params.loads.as_deref(), |text, file| lists::loads(text, file, count))?;
+        let (Some(cloth), Some(fabric), true) = (cloth, fabric, input.errors.is_empty()) else {
+            return Err(StageError::Input(input.errors));
+        };
+        let mut garment = one_piece(params, cloth, cx)?;
+        if params.rest == Rest::Positions && turns_with_grain(&fabric) {
+            cx.report.push(rest::grain_note(&params.cloth));
+        }
+        garment.fabrics.insert(String::new(), fabric);
+        garment.body = body;
+        let up = params.up;
+        let start = garment.stitched.as_ref().map_or_else(Vec::new, |s| s.positions.concat());
+        let at = |v: u32, given: Option<Vec3>| given.map_or(start[v as usize], |p| up.from_file(p));
+        garment.pins = pins.iter().map(|(v, p)| Pin { vertex: vertex(*v), at: at(*v, *p) }).collect();
+        garment.loads = loads.iter().map(|(v, f)| Load { vertex: vertex(*v), force: up.from_file(*f) }).collect();
+        if !stitches.is_empty() {
+            garment.seams.push(seam(&stitches, params.stitches.as_deref()));
+        }
+        if let Some(shape) = &mut garment.stitched {
+            shape.welded = stitches.iter().all(|(a, b)| start[*a as usize] == start[*b as usize]);
+        }
+        Ok(garment)
+    }
+}
+
+fn vertex(v: u32) -> MeshVertex {
+    MeshVertex { piece: PieceId(0), vertex: v }
+}
+
+/// Does the direction of the grain matter to this fabric?
+fn turns_with_grain(f: &Fabric) -> bool {
+    f.stretch_warp != f.stretch_weft || f.bend_warp != f.bend_weft || f.bend_bias.is_some_and(|b| b != f.bend_warp)
+}
+
+/// Reads the input files; mistakes of all of them are collected.
+struct Input<'a> {
+    params: &'a ImportMeshParams,
+    errors: Vec<Diagnostic>,
+}
+
+impl Input<'_> {
+    fn keep<T>(&mut self, read: Result<T, Vec<Diagnostic>>) -> Option<T> {
+        read.map_err(|found| self.errors.extend(found)).ok()
+    }
+
+    fn text(&mut self, cx: &mut StageContext<'_>, file: &str) -> Result<Option<String>, StageError> {
+        let bytes = cx.files.read(Path::new(file))?;
+        let text = String::from_utf8(bytes).map_err(|e| {
+            let message = format!("`{file}` is no UTF-8 text (byte {})", e.utf8_error().valid_up_to());
+            vec![Diagnostic::error("text-encoding", message).at(SourceRef::file(file))]
+        });
+        Ok(self.keep(text))
+    }
+
+    fn cloth(&mut self, cx: &mut StageContext<'_>) -> Result<Option<obj::ObjMesh>, StageError> {
+        let file = &self.params.cloth;
+        let bytes = cx.files.read(Path::new(file))?;
+        Ok(self.keep(obj::read(&bytes, file)))
+    }
+
+    fn fabric(&mut self, cx: &mut StageContext<'_>) -> Result<Option<Fabric>, StageError> {
+        let file = &self.params.fabric;
+        let Some(text) = self.text(cx, file)? else { return Ok(None) };
+        Ok(self.keep(fabric::read(&text, file)))
+    }
+
+    fn body(&mut self, cx: &mut StageContext<'_>) -> Result<Option<toile_garment::body::Body>, StageError> {
+        let Some(file) = &self.params.body else { return Ok(None) };
+        let bytes = cx.files.read(Path::new(file))?;
+        let beside = cx.files.read_optional(Path::new(&body::sidecar_name(file)))?;
+        let beside = beside.map(|b| String::from_utf8_lossy(&b).into_owned());
+        let Some(mut read) = self.keep(body::read(&bytes, file, beside.as_deref())) else { return Ok(None) };
+        // A body of a test scene, a ball or a disc, need not be as high as a person.
+        let height = |d: &Diagnostic| d.code == "body-size" && d.severity == Severity::Warning;
+        read.findings.retain(|d| !height(d));
+        cx.report.findings.append(&mut read.findings);
+        body::turn(&mut read.body, self.params.up);
+        Ok(Some(read.body))
+    }
+
+    fn list<T>(
+        &mut self,
+        cx: &mut StageContext<'_>,
+        file: Option<&str>,
+        read: impl Fn(&str, &str) -> Result<Vec<T>, Vec<Diagnostic>>,
+    ) -> Result<Vec<T>, StageError> {
+        let Some(file) = file else { return Ok(Vec::new()) };
+        let Some(text) = self.text(cx, file)? else { return Ok(Vec::new()) };
+        Ok(self.keep(read(&text, file)).unwrap_or_default())
+    }
+}
+
+/// The garment of one piece with mesh and start positions.
+fn one_piece(params: &ImportMeshParams, mut cloth: obj::ObjMesh, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
+    let file = params.cloth.as_str();
+    let place = SourceRef::file(file);
+    cx.report.findings.append(&mut cloth.findings);
+    let positions: Vec<Vec3> = cloth.positions.iter().map(|p| params.up.from_file(*p)).collect();
+    let mut built = rest::build(params.rest, file, &positions, &cloth).map_err(StageError::input)?;
+    cx.report.findings.append(&mut built.findings);
+    let loose = unused(positions.len(), &built.mesh.triangles);
+    if loose > 0 {
+        let message = format!("`{file}`: {loose} vertices belong to no triangle; they stay in the file and do nothing");
+        cx.report.push(Diagnostic::warning("vertices-unused", message).at(place.clone()));
+    }
+    built.mesh.chains = boundary::chains(&built.mesh, file, &mut cx.report.findings);
+    let points: Vec<LinePoint> = built
+        .mesh
+        .outline()
+        .iter()
+        .flat_map(|c| &c.vertices)
+        .map(|v| LinePoint { at: built.mesh.rest[*v as usize], kind: PointKind::Plain })
+        .collect();
+    built.mesh.outline_vertex = built.mesh.outline().iter().flat_map(|c| &c.vertices).map(|v| Some(*v)).collect();
+    let name = file.rsplit(['/', '\\']).next().unwrap_or(file);
+    let name = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+    let piece = Piece {
+        name: name.to_owned(),
+        block: name.to_owned(),
+        outline: PieceLine { points, closed: true, ..PieceLine::default() },
+        mesh: Some(built.mesh),
+        source: Some(place),
+        ..Piece::default()
+    };
+    Ok(Garment {
+        style: name.to_owned(),
+        pieces: vec![piece],
+        stitched: Some(Shape { positions: vec![positions], welded: true }),
+        file_up: params.up,
+        ..Garment::default()
+    })
+}
+
+fn unused(count: usize, triangles: &[[u32; 3]]) -> usize {
+    let mut used = vec![false; count];
+    for v in triangles.iter().flatten() {
+        if let Some(slot) = used.get_mut(*v as usize) {
+            *slot = true;
+        }
+    }
+    used.iter().filter(|u| !**u).count()
+}
+
+fn seam(stitches: &[(u32, u32)], file: Option<&str>) -> Seam {
+    let side = |pick: fn(&(u32, u32)) -> u32| SeamSide {
+        runs: vec![SeamRun { piece: PieceId(0), vertices: stitches.iter().map(pick).collect() }],
+        // The pairs of a file follow no line: there is no length to compare.
+        length: 0.0,
+    };
+    Seam {
+        id: SeamId(0),
+        name: "stitches".to_owned(),
+        kind: SeamKind::Seam,
+        a: side(|s| s.0),
+        b: side(|s| s.1),
+        ease: 0.0,
+        gather: None,
+        stitches: stitches.iter().map(|(a, b)| Stitch { a: vertex(*a), b: vertex(*b) }).collect(),
+        source: file.map(SourceRef::file),
+    }
+}

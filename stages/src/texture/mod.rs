@@ -1,0 +1,92 @@
+//! Stage `texture`: where the fabric lies on every piece, and what it looks like.
+//!
+//! TEXCOORD_0 is the cloth itself, in metres: u along the weft, v along the warp of the piece. TEXCOORD_1 packs all
+//! pieces into one square without overlap.
+
+mod color;
+mod pack;
+mod params;
+#[cfg(test)]
+mod tests;
+
+use params::Look;
+pub use params::TextureParams;
+use std::path::Path;
+use toile_formats::texture::read_image;
+use toile_garment::texture::{Material, PieceTexture, Textures};
+use toile_garment::{Aspect, Diagnostic, Garment, Piece, Severity};
+use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+
+/// Lays the fabric on the pieces.
+pub struct Texture;
+
+impl Stage for Texture {
+    type Params = TextureParams;
+    const INFO: StageInfo = StageInfo::new(
+        "texture",
+        "lays fabric bitmaps on the pieces, on grain and in real size, and packs the pieces into one square",
+        &[Aspect::Mesh],
+        &[Aspect::Texture],
+        1,
+    );
+
+    fn run(
+        &self,
+        params: &Self::Params,
+        mut garment: Garment,
+        cx: &mut StageContext<'_>,
+    ) -> Result<Garment, StageError> {
+        let mut findings = params.check(&garment);
+        let looks = params.looks();
+        let mut materials = Vec::with_capacity(looks.len());
+        for look in &looks {
+            match material(look, cx)? {
+                Ok(m) => materials.push(m),
+                Err(finding) => findings.push(finding),
+            }
+        }
+        if findings.iter().any(|f| f.severity == Severity::Error) {
+            return Err(StageError::Parameter(findings));
+        }
+        cx.report.findings.append(&mut findings);
+        let cloth: Vec<Vec<[f64; 2]>> = garment.pieces.iter().map(cloth_coordinates).collect();
+        let packed = pack::pack(&cloth, params.margin.0);
+        let choose = |piece: &Piece| params.material_of(piece);
+        let pieces = garment
+            .pieces
+            .iter()
+            .zip(cloth)
+            .zip(packed)
+            .map(|((piece, uv_cloth), uv_packed)| PieceTexture { material: choose(piece), uv_cloth, uv_packed })
+            .collect();
+        garment.textures = Some(Textures { materials, pieces });
+        Ok(garment)
+    }
+}
+
+/// A look with its bitmap read.
+fn material(look: &Look<'_>, cx: &mut StageContext<'_>) -> Result<Result<Material, Diagnostic>, StageError> {
+    let image = match look.image {
+        None => None,
+        Some(file) => match read_image(&cx.files.read(Path::new(file))?, file) {
+            Ok(image) => Some(image),
+            Err(finding) if finding.code.starts_with("image") => return Err(StageError::input(finding)),
+            Err(finding) => return Err(StageError::Limit(finding.to_string())),
+        },
+    };
+    Ok(color::linear(look.color).map(|color| Material {
+        name: look.name.to_owned(),
+        color,
+        image,
+        repeat: look.repeat.map(|l| l.0),
+        roughness: look.roughness,
+    }))
+}
+
+/// Metres of cloth: u along the weft, v along the warp. A mesh whose rest shape has no flat layout uses its picture.
+fn cloth_coordinates(piece: &Piece) -> Vec<[f64; 2]> {
+    let warp = piece.warp();
+    // The right side of the cloth is up: the weft lies clockwise of the warp.
+    let weft = toile_garment::Vec2::new(warp.y, -warp.x);
+    piece.mesh.iter().flat_map(|m| &m.rest).map(|r| [r.dot(&weft), r.dot(&warp)]).collect()
+}
