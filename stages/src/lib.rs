@@ -6,6 +6,8 @@
 pub mod assemble;
 pub mod builtin;
 pub mod sewing;
+#[cfg(test)]
+mod testing;
 pub mod triangulate;
 
 pub use builtin::builtin;
