@@ -13,6 +13,8 @@ pub mod import_dxf;
 pub mod sewing;
 mod solve;
 pub mod stitch;
+#[cfg(test)]
+mod testing;
 pub mod triangulate;
 pub mod export_gltf;
 pub mod export_obj;

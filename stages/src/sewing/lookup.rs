@@ -56,12 +56,11 @@ pub fn piece(garment: &Garment, name: &str, at: Option<&SourceRef>) -> Result<Pi
     let mut same = garment.pieces.iter().filter(|p| p.name.eq_ignore_ascii_case(name));
     match (same.next(), same.next()) {
         (Some(p), None) => Ok(p.id),
-        (Some(a), Some(b)) => Err(Diagnostic::error(
-            "piece-ambiguous",
-            format!("`{name}` can be `{}` or `{}`", a.name, b.name),
-        )
-        .at(at.cloned())
-        .hint("write the name in the case of the pattern file")),
+        (Some(a), Some(b)) => {
+            Err(Diagnostic::error("piece-ambiguous", format!("`{name}` can be `{}` or `{}`", a.name, b.name))
+                .at(at.cloned())
+                .hint("write the name in the case of the pattern file"))
+        }
         _ => {
             let names: Vec<_> = garment.pieces.iter().map(|p| p.name.as_str()).collect();
             Err(Diagnostic::error("piece-unknown", format!("there is no piece `{name}`"))
@@ -86,12 +85,7 @@ pub fn nearest(word: &str, known: &[&str]) -> String {
 }
 
 /// Finds a run.
-pub fn run(
-    garment: &Garment,
-    shapes: &Shapes,
-    spec: &RunSpec,
-    at: Option<&SourceRef>,
-) -> Result<RawRun, Diagnostic> {
+pub fn run(garment: &Garment, shapes: &Shapes, spec: &RunSpec, at: Option<&SourceRef>) -> Result<RawRun, Diagnostic> {
     match spec {
         RunSpec::Edge { piece: name, edge } => {
             let id = piece(garment, name, at)?;
@@ -117,10 +111,14 @@ fn edge_run(
     if found.is_empty() {
         found = p.edges.iter().filter(|e| e.name.as_deref().is_some_and(|n| n.eq_ignore_ascii_case(edge))).collect();
     }
-    if found.is_empty() && let Some(spec) = overlay(&garment.plan, &p.name, edge) {
+    if found.is_empty()
+        && let Some(spec) = overlay(&garment.plan, &p.name, edge)
+    {
         return run(garment, shapes, spec, at).map(|r| RawRun { stated: false, ..r });
     }
-    if found.is_empty() && let Ok(number) = edge.parse::<u32>() {
+    if found.is_empty()
+        && let Ok(number) = edge.parse::<u32>()
+    {
         found = p.edges.iter().filter(|e| e.index == number).collect();
     }
     join_edges(p, shape, &found).ok_or_else(|| {
@@ -149,8 +147,11 @@ fn unknown_edge(plan: &SewingPlan, p: &Piece, edge: &str) -> Diagnostic {
 }
 
 fn scattered(p: &Piece, edge: &str) -> Diagnostic {
-    Diagnostic::error("edge-name-scattered", format!("piece `{}`: the edges called `{edge}` do not follow one another", p.name))
-        .hint("name them apart, or give the run by two points")
+    Diagnostic::error(
+        "edge-name-scattered",
+        format!("piece `{}`: the edges called `{edge}` do not follow one another", p.name),
+    )
+    .hint("name them apart, or give the run by two points")
 }
 
 /// Piece name of a run.
@@ -161,11 +162,7 @@ pub fn run_piece(run: &RunSpec) -> &str {
 }
 
 /// One run over edges that follow one another, darts between them allowed.
-fn join_edges(
-    p: &Piece,
-    shape: &PieceShape,
-    edges: &[&toile_garment::outline::OutlineEdge],
-) -> Option<RawRun> {
+fn join_edges(p: &Piece, shape: &PieceShape, edges: &[&toile_garment::outline::OutlineEdge]) -> Option<RawRun> {
     let ring = shape.rings.first()?;
     let position = |vertex: u32| -> Option<f64> {
         let vertex = vertex as usize;
@@ -224,13 +221,8 @@ fn points_run(
 }
 
 fn tied(p: &Piece, from: Vec2, to: Vec2, length: f64) -> Diagnostic {
-    let message = format!(
-        "piece `{}`: both ways from {} to {} are about {:.0} mm long",
-        p.name,
-        mm(from),
-        mm(to),
-        length * 1e3
-    );
+    let message =
+        format!("piece `{}`: both ways from {} to {} are about {:.0} mm long", p.name, mm(from), mm(to), length * 1e3);
     Diagnostic::error("run-way-ambiguous", message)
         .hint("add way = \"left\" (cloth on the left, counter-clockwise) or way = \"right\"")
 }

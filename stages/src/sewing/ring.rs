@@ -97,7 +97,7 @@ fn drop_spikes(kept: &mut Vec<(Vec2, usize)>, target: &mut [usize]) {
         if is_spike(before.0, tip.0, after.0) {
             target[tip.1] = before.1;
             kept.remove(i);
-            if (before.0 - after.0).norm() < SAME {
+            if (before.0 - after.0).norm() < SPIKE {
                 let at = if i == kept.len() { 0 } else { i };
                 target[after.1] = before.1;
                 kept.remove(at);

@@ -116,7 +116,12 @@ fn outer(
         errors.push(
             Diagnostic::error(
                 "darts-overlap",
-                format!("piece `{}`: darts `{}` and `{}` share a part of the outline", piece.name, name(piece, a), name(piece, b)),
+                format!(
+                    "piece `{}`: darts `{}` and `{}` share a part of the outline",
+                    piece.name,
+                    name(piece, a),
+                    name(piece, b)
+                ),
             )
             .at(piece.darts.get(b).and_then(|d| d.source.clone()))
             .hint("deny one of them with [[dart]] kind = \"none\""),
@@ -159,8 +164,7 @@ fn on_ring(ring: &Ring, p: Vec2) -> Result<f64, String> {
 
 fn splice(k: usize, dart: &Dart, ring: &Ring) -> Result<Splice, String> {
     let [m0, m1] = [on_ring(ring, dart.mouth[0])?, on_ring(ring, dart.mouth[1])?];
-    let mut out =
-        Splice { dart: k, kind: dart.kind, from: m0, to: m1, between: None, apex_at: 0, swapped: false };
+    let mut out = Splice { dart: k, kind: dart.kind, from: m0, to: m1, between: None, apex_at: 0, swapped: false };
     match dart.kind {
         DartKind::Wedge => {
             let apex = dart.apexes.first().copied().ok_or("it has no apex")?;

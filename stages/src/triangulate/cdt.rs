@@ -26,8 +26,7 @@ pub struct Spade;
 
 impl Triangulator for Spade {
     fn triangulate(&self, points: &[Vec2], edges: &[[u32; 2]]) -> Result<Vec<[u32; 3]>, CdtError> {
-        let vertices: Vec<Point2<f64>> =
-            points.iter().map(|p| Point2::new(spade::mitigate_underflow(Point2::new(p.x, p.y)).x, spade::mitigate_underflow(Point2::new(p.x, p.y)).y)).collect();
+        let vertices = points.iter().map(|p| spade::mitigate_underflow(Point2::new(p.x, p.y))).collect();
         let pairs = edges.iter().map(|e| e.map(|v| v as usize)).collect();
         let mut conflicts = Vec::new();
         let cdt = ConstrainedDelaunayTriangulation::<Point2<f64>>::try_bulk_load_cdt(vertices, pairs, |e| {

@@ -53,7 +53,7 @@ pub fn quality(layout: &Layout, points: &[Vec2], triangles: &[[u32; 3]]) -> Qual
 }
 
 /// Vertices at which two lines leave at a small angle.
-fn sharp_vertices(layout: &Layout) -> Vec<u32> {
+pub fn sharp_vertices(layout: &Layout) -> Vec<u32> {
     let mut ways: Vec<(u32, f64)> = Vec::new();
     for k in 0..layout.chains.len() {
         for [a, b] in layout.edges(k) {
@@ -67,7 +67,8 @@ fn sharp_vertices(layout: &Layout) -> Vec<u32> {
     for group in ways.chunk_by(|x, y| x.0 == y.0) {
         let n = group.len();
         let sharp = (0..n).any(|i| {
-            let turn = if i + 1 < n { group[i + 1].1 - group[i].1 } else { group[0].1 + std::f64::consts::TAU - group[i].1 };
+            let turn =
+                if i + 1 < n { group[i + 1].1 - group[i].1 } else { group[0].1 + std::f64::consts::TAU - group[i].1 };
             turn < SHARP.to_radians() && n > 1 && turn > 0.0
         });
         if sharp {

@@ -126,7 +126,11 @@ impl Curve {
     pub fn stretch_at(&self, s: f64) -> usize {
         let s = self.wrap(s);
         let after = self.breaks.partition_point(|b| *b <= s);
-        if after == 0 { self.stretches().saturating_sub(1) } else { (after - 1).min(self.stretches().saturating_sub(1)) }
+        if after == 0 {
+            self.stretches().saturating_sub(1)
+        } else {
+            (after - 1).min(self.stretches().saturating_sub(1))
+        }
     }
 
     /// Turning angle at point `i`, radians, without sign.

@@ -1,8 +1,8 @@
 //! The vertices and edges that the lines of one piece become.
 
 use super::counts::Counts;
-use super::curve::{Curve, CurveKind};
 use super::crossing::Segment;
+use super::curve::{Curve, CurveKind};
 use crate::sewing::ring::{SAME, snap};
 use std::collections::BTreeMap;
 use toile_garment::Vec2;
@@ -57,9 +57,8 @@ pub fn layout(piece: usize, curves: &[Curve], counts: &Counts) -> Layout {
         let (mut chain, mut stretch, mut at_break) = (Vec::new(), Vec::new(), Vec::new());
         for s in 0..c.stretches() {
             let (from, length) = c.stretch(s);
-            let n = counts.of((piece, k), s);
-            for j in 0..n {
-                let v = table.vertex(c.at(from + length * (j as f64 / n as f64)));
+            for (j, share) in counts.cuts((piece, k), s).into_iter().enumerate() {
+                let v = table.vertex(c.at(from + length * share));
                 if j == 0 {
                     at_break.push(v);
                 }

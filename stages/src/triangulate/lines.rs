@@ -72,7 +72,8 @@ fn check(piece: &Piece, curves: &[Curve]) -> Result<(), Vec<Diagnostic>> {
         return Err(errors);
     }
     let all: Vec<Segment> = curves.iter().enumerate().flat_map(|(k, c)| segments(&c.points, true, k)).collect();
-    let apart = |s: &Segment, t: &Segment| s.curve != t.curve || !neighbours(s.index, t.index, curves[s.curve].points.len());
+    let apart =
+        |s: &Segment, t: &Segment| s.curve != t.curve || !neighbours(s.index, t.index, curves[s.curve].points.len());
     match meetings(all, apart, SHOWN) {
         Ok(found) if found.is_empty() => {}
         Ok(found) => errors.extend(found.iter().map(|m| {
@@ -87,7 +88,11 @@ fn check(piece: &Piece, curves: &[Curve]) -> Result<(), Vec<Diagnostic>> {
                 .hint("redraw the line so that it encloses one area")
         })),
         Err(TooComplex) => errors.push(
-            Diagnostic::error("outline-too-complex", format!("piece `{}`: its lines overlap too often to be checked", piece.name)).at(at()),
+            Diagnostic::error(
+                "outline-too-complex",
+                format!("piece `{}`: its lines overlap too often to be checked", piece.name),
+            )
+            .at(at()),
         ),
     }
     if errors.is_empty() {
@@ -96,7 +101,8 @@ fn check(piece: &Piece, curves: &[Curve]) -> Result<(), Vec<Diagnostic>> {
             let outside = !inside(std::iter::once(curves[0].points.as_slice()), c.points[0]);
             if outside || inside(holes, c.points[0]) {
                 let where_ = if outside { "lies outside the outline" } else { "lies inside another hole" };
-                let message = format!("piece `{}`: the {} {where_}, at {}", piece.name, what(piece, c.kind), mm(c.points[0]));
+                let message =
+                    format!("piece `{}`: the {} {where_}, at {}", piece.name, what(piece, c.kind), mm(c.points[0]));
                 errors.push(Diagnostic::error("hole-misplaced", message).at(at()));
             }
         }

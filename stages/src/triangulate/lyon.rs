@@ -1,12 +1,13 @@
 //! The only place that knows lyon: paths from layouts, its fill rule and its tessellator (f32), vertices back by id.
 
-use super::curve::CurveKind;
 use super::layout::Layout;
 use super::regular::{FillError, Filled};
 use super::smooth::cross;
 use lyon::math::{Point, point};
 use lyon::path::{FillRule, Path};
-use lyon::tessellation::{FillGeometryBuilder, FillOptions, FillTessellator, FillVertex, GeometryBuilder, GeometryBuilderError, VertexId};
+use lyon::tessellation::{
+    FillGeometryBuilder, FillOptions, FillTessellator, FillVertex, GeometryBuilder, GeometryBuilderError, VertexId,
+};
 use toile_garment::Vec2;
 
 /// Millimetres about the middle of the piece: f32 keeps a ten-thousandth of a millimetre there.
@@ -53,7 +54,7 @@ impl GeometryBuilder for Collector {
 }
 
 impl FillGeometryBuilder for Collector {
-    fn add_fill_vertex(&mut self, mut vertex: FillVertex<'_>) -> Result<VertexId, GeometryBuilderError> {
+    fn add_fill_vertex(&mut self, vertex: FillVertex<'_>) -> Result<VertexId, GeometryBuilderError> {
         let id = VertexId(u32::try_from(self.vertices.len()).map_err(|_| GeometryBuilderError::TooManyVertices)?);
         let found = vertex.as_endpoint_id().and_then(|e| self.of_endpoint.get(&e.0).copied()).or_else(|| {
             vertex.sources().find_map(|s| match s {
@@ -72,12 +73,6 @@ impl FillGeometryBuilder for Collector {
 /// When lyon finds a crossing.
 pub fn fill(layout: &Layout) -> Result<Filled, FillError> {
     let (path, ids) = path(layout);
-    let endpoints = path.iter_with_attributes().filter_map(|event| match event {
-        lyon::path::Event::Begin { at } => Some(at.0),
-        lyon::path::Event::Line { to, .. } => Some(to.0),
-        _ => None,
-    });
-    let _ = endpoints.count();
     let of_endpoint = path
         .id_iter()
         .filter_map(|event| match event {
@@ -105,9 +100,4 @@ pub fn fill(layout: &Layout) -> Result<Filled, FillError> {
         triangles.push(if cross(pa, pb, pc) < 0.0 { [a, c, b] } else { [a, b, c] });
     }
     Ok((layout.points.clone(), triangles))
-}
-
-/// The kinds of lines the draft mesher keeps.
-pub fn keeps(kind: CurveKind) -> bool {
-    kind.bounds_cloth()
 }

@@ -14,8 +14,9 @@ mod layout;
 mod lines;
 mod lyon;
 mod net;
-mod regular;
 mod region;
+mod regular;
+mod repair;
 mod size;
 mod smooth;
 mod write;
@@ -140,7 +141,7 @@ fn mesh_all(
             return Err(StageError::Input(errors));
         }
         for (at, s) in finer.into_values() {
-            counts.double(at, s);
+            counts.halve(at, s);
         }
         size::check_total(counts.total())?;
     }

@@ -73,9 +73,9 @@ impl Track {
     }
 
     /// The curve position at a distance inside the track.
-    fn position(&self, t: f64) -> Option<((usize, usize), f64)> {
+    fn position(&self, t: f64) -> Option<((usize, usize), f64, bool)> {
         let span = self.spans.iter().find(|s| t > s.start + SAME && t < s.start + s.length - SAME)?;
-        Some((span.at, span.place(t)))
+        Some((span.at, span.place(t), span.forward))
     }
 }
 
@@ -251,11 +251,11 @@ fn anchor_notches(net: &mut Net, seam: &ResolvedSeam, h: f64) {
     for (ta, tb) in &seam.notches {
         let places = [net.links[l].sides[0].position(*ta), net.links[l].sides[1].position(*tb)];
         let [Some(a), Some(b)] = places else { continue };
-        let free = |(at, s): ((usize, usize), f64)| {
+        let free = |(at, s, _): ((usize, usize), f64, bool)| {
             net.curves[at.0][at.1].to_break(net.curves[at.0][at.1].wrap(s)).is_none_or(|(_, d)| d > ONE_MARK * h)
         };
         if free(a) && free(b) {
-            for ((p, k), s) in [a, b] {
+            for ((p, k), s, _) in [a, b] {
                 net.curves[p][k].add_break(s);
             }
             insert_anchor(&mut net.links[l].anchors, *ta, *tb);
@@ -265,7 +265,9 @@ fn anchor_notches(net: &mut Net, seam: &ResolvedSeam, h: f64) {
 
 fn insert_anchor(anchors: &mut Vec<(f64, f64)>, ta: f64, tb: f64) {
     let at = anchors.partition_point(|(t, _)| *t < ta);
-    let rises = at > 0 && anchors[at - 1].1 < tb - SAME && anchors.get(at).is_none_or(|(t, u)| *t > ta + SAME && *u > tb + SAME);
+    let rises = at > 0
+        && anchors[at - 1].1 < tb - SAME
+        && anchors.get(at).is_none_or(|(t, u)| *t > ta + SAME && *u > tb + SAME);
     if rises {
         anchors.insert(at, (ta, tb));
     }
@@ -341,7 +343,7 @@ fn carry_link(net: &mut Net, l: usize, one_mark: f64) -> bool {
             }
             let expected = across(&net.links[l].anchors, *t, k == 1);
             let place = net.links[l].sides[1 - k].position(expected);
-            if let Some(((p, c), s)) = place {
+            if let Some(((p, c), s, _)) = place {
                 net.curves[p][c].add_break(s);
             }
             let (ta, tb) = if k == 0 { (*t, expected) } else { (expected, *t) };
@@ -365,18 +367,22 @@ fn across(anchors: &[(f64, f64)], t: f64, back: bool) -> f64 {
     there(lo) + (there(hi) - there(lo)) * ((t - here(lo)) / span)
 }
 
+/// A stretch of a curve: piece and curve, and its number.
+pub type Stretch = ((usize, usize), usize);
+
 impl Link {
-    /// Stretches that meet: for every pair of neighbouring anchors the curve and stretch on both sides.
-    pub fn pairs(&self, curves: &[Vec<Curve>]) -> Vec<[((usize, usize), usize); 2]> {
+    /// Stretches that meet, for every pair of neighbouring anchors, and whether both are walked in the same sense.
+    pub fn pairs(&self, curves: &[Vec<Curve>]) -> Vec<([Stretch; 2], bool)> {
         self.anchors
             .windows(2)
             .filter_map(|w| {
                 let middle = [0.5 * (w[0].0 + w[1].0), 0.5 * (w[0].1 + w[1].1)];
                 let place = |k: usize| {
-                    let (at, s) = self.sides[k].position(middle[k])?;
-                    Some((at, curves[at.0][at.1].stretch_at(s)))
+                    let (at, s, forward) = self.sides[k].position(middle[k])?;
+                    Some(((at, curves[at.0][at.1].stretch_at(s)), forward))
                 };
-                Some([place(0)?, place(1)?])
+                let ((a, fa), (b, fb)) = (place(0)?, place(1)?);
+                Some(([a, b], fa == fb))
             })
             .collect()
     }

@@ -1,9 +1,11 @@
 //! The `regular` mesher: lattice, constrained Delaunay triangulation, smoothing.
 
 use super::cdt::{CdtError, Spade, Triangulator};
+use super::check::sharp_vertices;
 use super::lattice;
 use super::layout::Layout;
 use super::region;
+use super::repair::repair;
 use super::smooth;
 use toile_garment::Vec2;
 
@@ -38,19 +40,32 @@ impl From<CdtError> for FillError {
 /// # Errors
 /// When lines cross or touch.
 pub fn fill(layout: &Layout, edges: &[[u32; 2]], h: f64, rows: Vec2) -> Result<Filled, FillError> {
-    let fixed = layout.points.len();
     let boundary = layout.segments(super::curve::CurveKind::bounds_cloth);
     let lines = layout.segments(|_| true);
     let mut points = layout.points.clone();
     // Lines alone first: a crossing is found before the lattice is laid.
     cloth(&points, edges, layout)?;
     points.extend(lattice::hexagonal(&boundary, &lines, h, rows, middle(&layout.points)));
-    let mut triangles = cloth(&points, edges, layout)?;
-    for pass in 0..CENTROID_PASSES + ANGLE_PASSES {
+    let triangles = cloth(&points, edges, layout)?;
+    let mesh = smoothed(layout, edges, (points, triangles), CENTROID_PASSES, ANGLE_PASSES)?;
+    repair(layout, edges, &sharp_vertices(layout), mesh)
+}
+
+/// Moves the inner vertices, triangulating again after every pass.
+pub fn smoothed(
+    layout: &Layout,
+    edges: &[[u32; 2]],
+    mesh: Filled,
+    centroids: usize,
+    angles: usize,
+) -> Result<Filled, FillError> {
+    let fixed = layout.points.len();
+    let (mut points, mut triangles) = mesh;
+    for pass in 0..centroids + angles {
         if points.len() == fixed {
             break;
         }
-        if pass < CENTROID_PASSES {
+        if pass < centroids {
             smooth::centroids(&mut points, &triangles, fixed);
         } else {
             smooth::widen_angles(&mut points, &triangles, fixed);
@@ -60,7 +75,8 @@ pub fn fill(layout: &Layout, edges: &[[u32; 2]], h: f64, rows: Vec2) -> Result<F
     Ok((points, triangles))
 }
 
-fn cloth(points: &[Vec2], edges: &[[u32; 2]], layout: &Layout) -> Result<Vec<[u32; 3]>, FillError> {
+/// Cloth triangles of points and edges.
+pub fn cloth(points: &[Vec2], edges: &[[u32; 2]], layout: &Layout) -> Result<Vec<[u32; 3]>, FillError> {
     let hull = Spade.triangulate(points, edges)?;
     let missing = missing(&hull, edges);
     if !missing.is_empty() {

@@ -14,9 +14,8 @@ const MOST: f64 = 5e6;
 /// Edge length for the parameters.
 pub fn edge_length(params: &Params, garment: &Garment, shapes: &Shapes) -> Result<f64, StageError> {
     let area = cloth_area(garment, shapes);
-    let wrong = |message: String, hint: &str| {
-        Err(StageError::parameter(Diagnostic::error("edge-length", message).hint(hint)))
-    };
+    let wrong =
+        |message: String, hint: &str| Err(StageError::parameter(Diagnostic::error("edge-length", message).hint(hint)));
     let h = match (params.edge_length, params.triangles) {
         (Some(_), Some(_)) => {
             return wrong("edge_length and triangles are both given".to_owned(), "give one of them");
@@ -41,7 +40,11 @@ pub fn edge_length(params: &Params, garment: &Garment, shapes: &Shapes) -> Resul
     let widest = shapes.iter().filter_map(|s| s.rings.first()).map(|r| 0.5 * r.total()).fold(0.0, f64::max);
     if h > widest {
         return wrong(
-            format!("the edge length {:.1} mm is longer than half the outline of every piece ({:.1} mm)", h * 1e3, widest * 1e3),
+            format!(
+                "the edge length {:.1} mm is longer than half the outline of every piece ({:.1} mm)",
+                h * 1e3,
+                widest * 1e3
+            ),
             "use a shorter edge_length, e.g. \"12 mm\"",
         );
     }
@@ -51,7 +54,9 @@ pub fn edge_length(params: &Params, garment: &Garment, shapes: &Shapes) -> Resul
 /// Refuses too many edges on lines.
 pub fn check_total(edges: usize) -> Result<(), StageError> {
     if edges as f64 > MOST {
-        return Err(StageError::Limit(format!("the lines of the pieces alone need {edges} edges; use a longer edge_length")));
+        return Err(StageError::Limit(format!(
+            "the lines of the pieces alone need {edges} edges; use a longer edge_length"
+        )));
     }
     Ok(())
 }

@@ -66,7 +66,8 @@ fn closed_legs(piece: &mut Piece, curves: &[Curve], layout: &Layout) {
         let dart = &mut piece.darts[d];
         let end = |i: usize| dart.apexes.get(i).and_then(|a| vertex(curves, layout, k, c.project(*a).0));
         let (Some(a), Some(b)) = (end(0), end(1)) else { continue };
-        dart.mesh = Some(DartMesh { legs: [walk(&layout.chains[k], a, b, true), walk(&layout.chains[k], a, b, false)] });
+        dart.mesh =
+            Some(DartMesh { legs: [walk(&layout.chains[k], a, b, true), walk(&layout.chains[k], a, b, false)] });
     }
 }
 

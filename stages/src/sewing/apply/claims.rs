@@ -41,7 +41,8 @@ pub fn release(garment: &mut Garment, shapes: &Shapes, report: &mut Report) -> R
         let p = &mut garment.pieces[piece.index()];
         let dart = p.darts.remove(dart);
         let at = dart.apexes.first().map_or(String::new(), |a| format!(" at {}", mm(*a)));
-        let message = format!("piece `{}`: wedge `{}`{at} has its legs in a declared seam and is no dart", p.name, dart.name);
+        let message =
+            format!("piece `{}`: wedge `{}`{at} has its legs in a declared seam and is no dart", p.name, dart.name);
         report.push(Diagnostic::info("wedge-is-no-dart", message).at(dart.source));
     }
     Ok(())

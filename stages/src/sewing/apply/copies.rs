@@ -34,12 +34,7 @@ fn one(garment: &Garment, spec: &CopySpec) -> Result<(Piece, Vec<EdgeNameSpec>),
     }
     piece.name.clone_from(&spec.name);
     piece.quantity = Quantity::default();
-    let names = garment
-        .plan
-        .edge_names
-        .iter()
-        .filter_map(|n| inherited(n, &source.name, spec))
-        .collect();
+    let names = garment.plan.edge_names.iter().filter_map(|n| inherited(n, &source.name, spec)).collect();
     Ok((piece, names))
 }
 

@@ -62,8 +62,8 @@ fn one(piece: &mut Piece, spec: &DartSpec, report: &mut Report, errors: &mut Vec
 fn is_same(dart: &Dart, spec: &DartSpec) -> bool {
     let near = |a: &Vec2, b: &Vec2| (a - b).norm() < SAME_POINT;
     let [m0, m1] = &spec.mouth;
-    let mouth = near(&dart.mouth[0], m0) && near(&dart.mouth[1], m1)
-        || near(&dart.mouth[0], m1) && near(&dart.mouth[1], m0);
+    let mouth =
+        near(&dart.mouth[0], m0) && near(&dart.mouth[1], m1) || near(&dart.mouth[0], m1) && near(&dart.mouth[1], m0);
     let apex = !spec.apexes.is_empty() && spec.apexes.iter().all(|a| dart.apexes.iter().any(|d| near(a, d)));
     mouth || apex
 }
@@ -83,9 +83,9 @@ fn deny(piece: &mut Piece, k: usize) {
 fn free_name(piece: &Piece, spec: &DartSpec, old: Option<&Dart>) -> String {
     let taken = |name: &str| piece.darts.iter().any(|d| d.name == name);
     let asked = spec.name.clone().or_else(|| old.map(|d| d.name.clone()));
-    asked.filter(|n| !taken(n)).unwrap_or_else(|| {
-        (1..).map(|n| format!("dart-{n}")).find(|n| !taken(n)).unwrap_or_default()
-    })
+    asked
+        .filter(|n| !taken(n))
+        .unwrap_or_else(|| (1..).map(|n| format!("dart-{n}")).find(|n| !taken(n)).unwrap_or_default())
 }
 
 fn dart(spec: &DartSpec, kind: DartKind, mouth: [Vec2; 2], legs: [Vec<Vec2>; 2], line: &str) -> Dart {
@@ -105,7 +105,8 @@ fn dart(spec: &DartSpec, kind: DartKind, mouth: [Vec2; 2], legs: [Vec<Vec2>; 2],
 
 /// A wedge: in the outline where its apex is a point of it, else cut out of the cloth.
 fn wedge(piece: &mut Piece, spec: &DartSpec, old: Option<&Dart>) -> Result<Dart, Diagnostic> {
-    let apex = *spec.apexes.first().ok_or_else(|| Diagnostic::error("dart-without-apex", "a wedge dart needs an apex"))?;
+    let apex =
+        *spec.apexes.first().ok_or_else(|| Diagnostic::error("dart-without-apex", "a wedge dart needs an apex"))?;
     let ring = Ring::from_line(&piece.outline.positions());
     if ring.points.len() < 3 {
         return Err(Diagnostic::error("outline-too-small", format!("piece `{}` has no outline", piece.name)));
@@ -132,8 +133,13 @@ fn wedge(piece: &mut Piece, spec: &DartSpec, old: Option<&Dart>) -> Result<Dart,
 /// Points of a ring from one position forward to another.
 fn stretch(ring: &Ring, from: f64, to: f64) -> Vec<Vec2> {
     let d = ring.ahead(from, to);
-    let mut inner: Vec<(f64, Vec2)> =
-        ring.points.iter().zip(&ring.arc).map(|(p, s)| (ring.ahead(from, *s), *p)).filter(|(x, _)| *x > 1e-6 && *x < d - 1e-6).collect();
+    let mut inner: Vec<(f64, Vec2)> = ring
+        .points
+        .iter()
+        .zip(&ring.arc)
+        .map(|(p, s)| (ring.ahead(from, *s), *p))
+        .filter(|(x, _)| *x > 1e-6 && *x < d - 1e-6)
+        .collect();
     inner.sort_by(|a, b| a.0.total_cmp(&b.0));
     std::iter::once(ring.at(from)).chain(inner.into_iter().map(|(_, p)| p)).chain([ring.at(to)]).collect()
 }

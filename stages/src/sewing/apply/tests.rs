@@ -1,0 +1,259 @@
+use super::*;
+use crate::assemble::Assemble;
+use crate::testing::{dart, line, one, piece, rectangle, run, seam, two_points, v};
+use crate::triangulate::Triangulate;
+use toile_garment::Severity;
+use toile_garment::dart::DartKind;
+use toile_garment::notch::{Notch, NotchKind};
+use toile_garment::outline::PieceLine;
+use toile_garment::sewing::{CopySpec, DartSpec, EdgeNameSpec, RunSpec, SeamSpec};
+
+fn edge(piece: &str, edge: &str) -> Vec<RunSpec> {
+    vec![RunSpec::Edge { piece: piece.into(), edge: edge.into() }]
+}
+
+fn notch(x: f64, y: f64) -> Notch {
+    Notch {
+        kind: NotchKind::V,
+        at: v(x, y),
+        depth: 4e-3,
+        width: 3e-3,
+        angle: Some(0.0),
+        on: "boundary".into(),
+        name: None,
+        source: None,
+    }
+}
+
+fn parameter_errors(result: Result<(), StageError>) -> Vec<Diagnostic> {
+    match result {
+        Err(StageError::Parameter(e)) => e,
+        other => panic!("expected errors of the plan, got {other:?}"),
+    }
+}
+
+#[test]
+fn a_mirrored_copy_is_counter_clockwise_and_keeps_its_marks() {
+    let mut sleeve = piece(0, "sleeve", &[(0.0, 0.0, 't'), (100.0, 0.0, 't'), (80.0, 60.0, 't'), (0.0, 90.0, 't')]);
+    sleeve.edges[1].name = Some("under".into());
+    sleeve.notches = vec![notch(90.0, 30.0)];
+    sleeve.grain = Some([v(10.0, 10.0), v(20.0, 50.0)]);
+    sleeve.darts = vec![dart("d", DartKind::MarkedWedge, &[(40.0, 30.0)], [(30.0, 0.0), (50.0, 0.0)])];
+    let mut garment = one(sleeve);
+    let copy = CopySpec { piece: "Sleeve".into(), name: "sleeve-right".into(), mirror: true, source: None };
+    let plan = SewingPlan { copies: vec![copy], ..SewingPlan::default() };
+    apply(&mut garment, plan, &mut Report::default()).expect("plan");
+    let [left, right] = garment.pieces.as_slice() else { panic!("two pieces") };
+    assert_eq!((right.id, right.mirrored), (PieceId(1), true));
+    assert!((right.outline.signed_area() - left.outline.signed_area()).abs() < 1e-15);
+    assert_eq!(right.outline.points[0].at, v(0.0, 0.0));
+    // Edge k of the drawn piece is edge n − 1 − k of its mirror image, with the same ends.
+    for (k, e) in left.edges.iter().enumerate() {
+        let image = &right.edges[3 - k];
+        assert_eq!((image.index as usize, &image.name), (3 - k, &e.name));
+        let at = |p: &toile_garment::Piece, i: u32| p.outline.points[i as usize].at;
+        assert_eq!(at(right, image.from).x, -at(left, e.to).x);
+        assert_eq!(at(right, image.to).y, at(left, e.from).y);
+    }
+    assert_eq!(right.notches[0].at, v(-90.0, 30.0));
+    assert_eq!(right.notches[0].angle, Some(std::f64::consts::PI));
+    assert!((right.warp().x + left.warp().x).abs() < 1e-15);
+    assert_eq!(right.darts[0].mouth, [v(-50.0, 0.0), v(-30.0, 0.0)], "met in walking order again");
+    assert_eq!(right.darts[0].legs[0], [v(-50.0, 0.0), v(-40.0, 30.0)]);
+    // And it meshes.
+    let (sewn, _) = run(&Triangulate, &Default::default(), garment).expect("mesh");
+    let area = |i: usize| sewn.pieces[i].mesh.as_ref().expect("mesh").area();
+    assert!((area(0) - area(1)).abs() < 1e-12);
+}
+
+#[test]
+fn names_are_found_without_case_and_missed_names_are_suggested() {
+    let mut garment = Garment {
+        pieces: vec![rectangle(0, "FRONT", 100.0, 200.0), rectangle(1, "BACK", 100.0, 200.0)],
+        ..Garment::default()
+    };
+    let name = EdgeNameSpec { run: edge("front", "1").remove(0), name: "side".into() };
+    let plan = SewingPlan {
+        edge_names: vec![name],
+        seams: vec![seam("side", edge("front", "Side"), edge("back", "3"))],
+        ..SewingPlan::default()
+    };
+    apply(&mut garment, plan, &mut Report::default()).expect("plan");
+    assert_eq!(garment.pieces[0].edges[1].name.as_deref(), Some("side"));
+    let RunSpec::Edge { piece, .. } = &garment.plan.seams[0].a[0] else { panic!("edge") };
+    assert_eq!(piece, "FRONT", "later stages find the piece by equality");
+
+    let plan = SewingPlan {
+        seams: vec![
+            seam("x", edge("frnot", "1"), edge("back", "3")),
+            seam("y", edge("front", "sied"), edge("back", "9")),
+        ],
+        ..SewingPlan::default()
+    };
+    let errors = parameter_errors(apply(&mut garment, plan, &mut Report::default()));
+    assert_eq!(errors[0].code, "piece-unknown");
+    assert!(errors[0].hint.as_deref().is_some_and(|h| h.contains("`FRONT`")));
+    let plan = SewingPlan { seams: vec![seam("y", edge("front", "sied"), edge("back", "9"))], ..SewingPlan::default() };
+    let errors = parameter_errors(apply(&mut garment, plan, &mut Report::default()));
+    assert_eq!(errors.len(), 2);
+    assert!(errors[0].hint.as_deref().is_some_and(|h| h.contains("`side`")));
+    assert!(errors[1].hint.as_deref().is_some_and(|h| h.contains("0 to 3")));
+}
+
+#[test]
+fn left_out_pieces_are_gone_and_renumbered() {
+    let mut lining = rectangle(1, "pocket", 50.0, 50.0);
+    lining.material = Some("Lining".into());
+    let pieces = vec![rectangle(0, "fusing", 50.0, 50.0), lining, rectangle(2, "front", 50.0, 50.0)];
+    let mut garment = Garment { pieces, ..Garment::default() };
+    let plan = SewingPlan { leave_out: vec!["LINING".into(), "Fusing".into()], ..SewingPlan::default() };
+    apply(&mut garment, plan, &mut Report::default()).expect("plan");
+    assert_eq!(garment.pieces.len(), 1);
+    assert_eq!((garment.pieces[0].id, garment.pieces[0].name.as_str()), (PieceId(0), "front"));
+    let plan = SewingPlan { leave_out: vec!["fornt".into()], ..SewingPlan::default() };
+    assert_eq!(parameter_errors(apply(&mut garment, plan, &mut Report::default()))[0].code, "piece-unknown");
+}
+
+/// A skirt with a wedge that a godet is sewn into.
+fn godet(seams: Vec<SeamSpec>) -> (Garment, Report) {
+    let mut skirt = piece(
+        0,
+        "skirt",
+        &[
+            (0.0, 0.0, 't'),
+            (180.0, 0.0, 't'),
+            (200.0, 150.0, 't'),
+            (220.0, 0.0, 't'),
+            (400.0, 0.0, 't'),
+            (400.0, 500.0, 't'),
+            (0.0, 500.0, 't'),
+        ],
+    );
+    skirt.darts = vec![dart("dart-1", DartKind::Wedge, &[(200.0, 150.0)], [(180.0, 0.0), (220.0, 0.0)])];
+    let insert = piece(1, "godet", &[(0.0, 0.0, 't'), (100.0, 0.0, 't'), (50.0, 142.7, 't')]);
+    let mut garment = Garment { pieces: vec![skirt, insert], ..Garment::default() };
+    let mut report = Report::default();
+    apply(&mut garment, SewingPlan { seams, ..SewingPlan::default() }, &mut report).expect("plan");
+    (garment, report)
+}
+
+#[test]
+fn a_godet_wedge_is_no_dart() {
+    let seams = vec![
+        seam(
+            "g1",
+            vec![two_points("skirt", (180.0, 0.0), (200.0, 150.0))],
+            vec![two_points("godet", (0.0, 0.0), (50.0, 142.7))],
+        ),
+        seam(
+            "g2",
+            vec![two_points("skirt", (220.0, 0.0), (200.0, 150.0))],
+            vec![two_points("godet", (100.0, 0.0), (50.0, 142.7))],
+        ),
+    ];
+    let (garment, report) = godet(seams);
+    assert!(garment.pieces[0].darts.is_empty());
+    assert_eq!(report.findings[0].code, "wedge-is-no-dart");
+    assert_eq!(report.count(Severity::Warning), 0);
+    let (garment, _) = run(&Triangulate, &Default::default(), garment).expect("mesh");
+    let (garment, _) = run(&Assemble, &Default::default(), garment).expect("seams");
+    assert_eq!(garment.seams.len(), 2);
+    // The whole intake as one run says the same.
+    let one_run = seam(
+        "g",
+        vec![two_points("skirt", (180.0, 0.0), (220.0, 0.0))],
+        vec![
+            RunSpec::Edge { piece: "godet".into(), edge: "2".into() },
+            RunSpec::Edge { piece: "godet".into(), edge: "1".into() },
+        ],
+    );
+    assert!(godet(vec![one_run]).0.pieces[0].darts.is_empty());
+}
+
+#[test]
+fn a_seam_that_repeats_a_dart_is_left_to_the_dart() {
+    let legs = seam(
+        "dart",
+        vec![two_points("skirt", (180.0, 0.0), (200.0, 150.0))],
+        vec![two_points("skirt", (220.0, 0.0), (200.0, 150.0))],
+    );
+    let (garment, report) = godet(vec![legs]);
+    assert_eq!((garment.pieces[0].darts.len(), garment.plan.seams.len()), (1, 0));
+    assert_eq!(report.findings[0].code, "seam-is-dart");
+}
+
+#[test]
+fn darts_are_declared_overruled_and_denied() {
+    let spec = |kind, apexes: &[(f64, f64)], mouth: [(f64, f64); 2]| DartSpec {
+        piece: "front".into(),
+        name: None,
+        apexes: apexes.iter().map(|(x, y)| v(*x, *y)).collect(),
+        mouth: mouth.map(|(x, y)| v(x, y)),
+        kind,
+        source: None,
+    };
+    let mut front = rectangle(0, "front", 300.0, 400.0);
+    front.internal_lines = vec![
+        line(&[(110.0, 0.0), (103.0, 60.0), (100.0, 120.0), (97.0, 60.0), (90.0, 0.0)]),
+        PieceLine { closed: true, ..line(&[(200.0, 100.0), (209.0, 175.0), (200.0, 250.0), (191.0, 175.0)]) },
+        line(&[(20.0, 300.0), (60.0, 300.0)]),
+    ];
+    front.darts = vec![dart("found", DartKind::MarkedWedge, &[(250.0, 100.0)], [(240.0, 0.0), (260.0, 0.0)])];
+    let darts = vec![
+        spec(Some(DartKind::Wedge), &[(100.0, 120.0)], [(110.0, 0.0), (90.0, 0.0)]),
+        spec(Some(DartKind::FishEye), &[(200.0, 100.0), (200.0, 250.0)], [(191.0, 175.0), (209.0, 175.0)]),
+        spec(None, &[], [(240.0, 0.0), (260.0, 0.0)]),
+    ];
+    let mut garment = one(front);
+    apply(&mut garment, SewingPlan { darts, ..SewingPlan::default() }, &mut Report::default()).expect("plan");
+    let front = &garment.pieces[0];
+    let [wedge, fish] = front.darts.as_slice() else { panic!("two darts: {:?}", front.darts) };
+    assert_eq!(wedge.kind, DartKind::MarkedWedge);
+    assert_eq!(wedge.mouth[0], v(90.0, 0.0), "the mouth met first comes first");
+    assert_eq!(wedge.legs[0], [v(90.0, 0.0), v(97.0, 60.0), v(100.0, 120.0)], "the line gives the leg");
+    assert_eq!(fish.legs[0], [v(200.0, 100.0), v(191.0, 175.0), v(200.0, 250.0)]);
+    assert_eq!(front.internal_lines.len(), 3, "pocket line and the two legs of the denied dart");
+    let (garment, _) = run(&Triangulate, &Default::default(), garment).expect("mesh");
+    for d in &garment.pieces[0].darts {
+        let legs = &d.mesh.as_ref().expect("dart mesh").legs;
+        assert_eq!(legs[0].len(), legs[1].len());
+    }
+}
+
+#[test]
+fn notches_against_the_direction_show_both_readings() {
+    let mut front = rectangle(0, "front", 100.0, 300.0);
+    let mut back = rectangle(1, "back", 100.0, 300.0);
+    front.notches = vec![notch(100.0, 80.0)];
+    back.notches = vec![notch(0.0, 220.0)];
+    let mut garment = Garment { pieces: vec![front, back], ..Garment::default() };
+    let mut side = seam("side", edge("front", "1"), edge("back", "3"));
+    let plan = |side: &SeamSpec| SewingPlan { seams: vec![side.clone()], ..SewingPlan::default() };
+    let errors = parameter_errors(apply(&mut garment, plan(&side), &mut Report::default()));
+    assert_eq!(errors[0].code, "seam-direction-ambiguous");
+    assert!(
+        errors[0].message.contains("One reading") && errors[0].message.contains("The other"),
+        "{}",
+        errors[0].message
+    );
+    side.reverse = Some(false);
+    apply(&mut garment, plan(&side), &mut Report::default()).expect("stated");
+}
+
+#[test]
+fn the_neck_of_two_pieces_needs_its_direction() {
+    let pieces = vec![
+        rectangle(0, "front", 100.0, 100.0),
+        rectangle(1, "back", 100.0, 100.0),
+        rectangle(2, "band", 200.0, 30.0),
+    ];
+    let mut garment = Garment { pieces, ..Garment::default() };
+    let both = [edge("front", "2"), edge("back", "2")].concat();
+    let plan = SewingPlan { seams: vec![seam("neck", both.clone(), edge("band", "0"))], ..SewingPlan::default() };
+    let errors = parameter_errors(apply(&mut garment, plan, &mut Report::default()));
+    assert_eq!(errors[0].code, "seam-direction-ambiguous");
+    // A shoulder that joins the end of the first to the start of the second settles it.
+    let shoulder = seam("shoulder", edge("front", "3"), edge("back", "1"));
+    let plan = SewingPlan { seams: vec![shoulder, seam("neck", both, edge("band", "0"))], ..SewingPlan::default() };
+    apply(&mut garment, plan, &mut Report::default()).expect("settled by the shoulder");
+}

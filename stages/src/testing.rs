@@ -1,0 +1,105 @@
+//! Hand-built pieces and a way to run stages on them, for the tests of this package.
+
+use std::path::Path;
+use std::sync::atomic::AtomicBool;
+use toile_garment::dart::{Dart, DartEvidence, DartKind};
+use toile_garment::outline::{LinePoint, OutlineEdge, PieceLine, PointKind};
+use toile_garment::sewing::{RunSpec, RunWay, SeamSpec};
+use toile_garment::{Garment, Piece, PieceId, Report, Vec2};
+use toile_stage_api::{FileError, Files, Stage, StageContext, StageError};
+
+/// No files.
+pub struct NoFiles;
+
+impl Files for NoFiles {
+    fn read(&mut self, path: &Path) -> Result<Vec<u8>, FileError> {
+        Err(FileError::Missing { path: path.display().to_string(), reason: "no files here".into() })
+    }
+    fn read_optional(&mut self, _: &Path) -> Result<Option<Vec<u8>>, FileError> {
+        Ok(None)
+    }
+    fn write(&mut self, _: &Path, _: &[u8]) -> Result<(), FileError> {
+        Ok(())
+    }
+}
+
+/// Runs a stage.
+pub fn run<S: Stage>(stage: &S, params: &S::Params, garment: Garment) -> Result<(Garment, Report), StageError> {
+    let mut report = Report::default();
+    let cancel = AtomicBool::new(false);
+    let mut cx = StageContext {
+        report: &mut report,
+        progress: &mut (),
+        files: &mut NoFiles,
+        cancel: &cancel,
+        seed: 0,
+        threads: 1,
+    };
+    let garment = stage.run(params, garment, &mut cx)?;
+    Ok((garment, report))
+}
+
+/// A point in millimetres.
+pub fn v(x: f64, y: f64) -> Vec2 {
+    Vec2::new(x * 1e-3, y * 1e-3)
+}
+
+/// A piece through points in mm; `c` marks curve points. Edges lie between the others.
+pub fn piece(id: usize, name: &str, points: &[(f64, f64, char)]) -> Piece {
+    let kind = |c: char| if c == 'c' { PointKind::Curve } else { PointKind::Turn };
+    let line: Vec<LinePoint> = points.iter().map(|(x, y, c)| LinePoint { at: v(*x, *y), kind: kind(*c) }).collect();
+    let corners: Vec<u32> = (0..line.len()).filter(|i| line[*i].kind == PointKind::Turn).map(|i| i as u32).collect();
+    let edges = (0..corners.len())
+        .map(|k| OutlineEdge { index: k as u32, name: None, from: corners[k], to: corners[(k + 1) % corners.len()] })
+        .collect();
+    let outline = PieceLine { points: line, closed: true, ..PieceLine::default() };
+    Piece { id: PieceId::from(id), name: name.into(), outline, edges, ..Piece::default() }
+}
+
+/// A rectangle with its corner at the origin, mm.
+pub fn rectangle(id: usize, name: &str, w: f64, h: f64) -> Piece {
+    piece(id, name, &[(0.0, 0.0, 't'), (w, 0.0, 't'), (w, h, 't'), (0.0, h, 't')])
+}
+
+/// A dart with straight legs, mm.
+pub fn dart(name: &str, kind: DartKind, apexes: &[(f64, f64)], mouth: [(f64, f64); 2]) -> Dart {
+    let mouth = mouth.map(|(x, y)| v(x, y));
+    let apexes: Vec<Vec2> = apexes.iter().map(|(x, y)| v(*x, *y)).collect();
+    let legs = match kind {
+        DartKind::FishEye => mouth.map(|m| vec![apexes[0], m, apexes[1]]),
+        _ => mouth.map(|m| vec![m, apexes[0]]),
+    };
+    Dart {
+        name: name.into(),
+        kind,
+        evidence: DartEvidence::Declared,
+        apexes,
+        mouth,
+        legs,
+        line: "cut".into(),
+        depth: None,
+        mesh: None,
+        source: None,
+    }
+}
+
+/// An open line, mm.
+pub fn line(points: &[(f64, f64)]) -> PieceLine {
+    let points = points.iter().map(|(x, y)| LinePoint { at: v(*x, *y), kind: PointKind::Plain }).collect();
+    PieceLine { points, ..PieceLine::default() }
+}
+
+/// A garment of one piece.
+pub fn one(piece: Piece) -> Garment {
+    Garment { pieces: vec![piece], ..Garment::default() }
+}
+
+/// A run by two points, mm.
+pub fn two_points(piece: &str, from: (f64, f64), to: (f64, f64)) -> RunSpec {
+    RunSpec::Points { piece: piece.into(), from: v(from.0, from.1), to: v(to.0, to.1), way: RunWay::Short }
+}
+
+/// A seam without more.
+pub fn seam(name: &str, a: Vec<RunSpec>, b: Vec<RunSpec>) -> SeamSpec {
+    SeamSpec { name: name.into(), a, b, reverse: None, ease: None, gather: None, source: None }
+}
