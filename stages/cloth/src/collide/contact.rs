@@ -202,7 +202,7 @@ impl Contact {
 
     fn own_points(&mut self, x: &[Vec3]) {
         for &[v, a, b, c] in &self.near.points {
-            let [p, q, r, s] = [v, a, b, c].map(|i| x[i as usize]);
+            let [p, q, r, s] = crate::pick4(x, &[v, a, b, c]);
             let w = point_triangle(&p, &q, &r, &s);
             let d = p - (q * w[0] + r * w[1] + s * w[2]);
             let weights = [1.0, -w[0], -w[1], -w[2]];
@@ -212,7 +212,7 @@ impl Contact {
 
     fn own_edges(&mut self, x: &[Vec3]) {
         for &ends in &self.near.edges {
-            let [p, q, r, s] = ends.map(|i| x[i as usize]);
+            let [p, q, r, s] = crate::pick4(x, &ends);
             let [t, u] = segments(&p, &q, &r, &s);
             let d = p + (q - p) * t - (r + (s - r) * u);
             let weights = [1.0 - t, t, u - 1.0, -u];
@@ -277,7 +277,7 @@ impl Contact {
         let Some(body) = &self.body else { return };
         for &[a, b, c, w] in &self.near.body_faces {
             let place = body.positions[w as usize];
-            let [xa, xb, xc] = [a, b, c].map(|i| x[i as usize]);
+            let [xa, xb, xc] = crate::pick3(x, &[a, b, c]);
             let s = point_triangle(&place, &xa, &xb, &xc);
             let d = xa * s[0] + xb * s[1] + xc * s[2] - place;
             let weights = [s[0], s[1], s[2], 0.0];
@@ -363,7 +363,7 @@ impl Pair {
     #[inline]
     fn distance(&self, x: &[Vec3]) -> f64 {
         let w = &self.weights;
-        let [a, b, c, d] = self.vertices.map(|v| x[v as usize]);
+        let [a, b, c, d] = crate::pick4(x, &self.vertices);
         self.normal.dot(&(a * w[0] + b * w[1] + c * w[2] + d * w[3])) - self.offset
     }
 }
