@@ -39,3 +39,15 @@ pub use weld::{Welded, weld};
 
 /// A point or vector in the world, metres.
 pub type Vec3 = nalgebra::Vector3<f64>;
+
+/// Values at three places; written out because mapping an array is not always inlined in the hot loops.
+#[inline]
+pub(crate) fn pick3(x: &[Vec3], i: &[u32; 3]) -> [Vec3; 3] {
+    [x[i[0] as usize], x[i[1] as usize], x[i[2] as usize]]
+}
+
+/// Values at four places.
+#[inline]
+pub(crate) fn pick4(x: &[Vec3], i: &[u32; 4]) -> [Vec3; 4] {
+    [x[i[0] as usize], x[i[1] as usize], x[i[2] as usize], x[i[3] as usize]]
+}

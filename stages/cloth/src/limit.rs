@@ -37,7 +37,7 @@ fn yarn(e: &Element, direction: usize, limit: f64) -> Yarn {
 impl Yarn {
     #[inline]
     fn stretch(&self, x: &[Vec3]) -> (Vec3, f64) {
-        let [a, b, c] = self.vertices.map(|v| x[v as usize]);
+        let [a, b, c] = crate::pick3(x, &self.vertices);
         let d = a * self.weights[0] + b * self.weights[1] + c * self.weights[2];
         (d, d.norm())
     }

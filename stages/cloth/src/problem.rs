@@ -153,8 +153,9 @@ impl Problem {
     /// Friction, joined vertices, held vertices.
     pub fn constrain_velocities(&mut self, v: &mut [Vec3], x: &[Vec3], dt: f64) {
         self.sewing.share_velocity(v, &self.inverse_mass);
-        if self.friction {
-            if let Some(c) = &mut self.contact {
+        if let Some(c) = &mut self.contact {
+            c.stop_approach(v, dt);
+            if self.friction {
                 c.tally.slipped += friction::apply(&c.pairs, &self.inverse_mass, dt, v);
             }
             self.sewing.share_velocity(v, &self.inverse_mass);

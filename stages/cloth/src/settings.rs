@@ -133,6 +133,8 @@ impl Settings {
         Self {
             gravity_scale: 0.0,
             damping: 10.0,
+            // A sewer's hands slide the cloth into place.
+            effects: Effects { friction: Switch::Off, ..Effects::default() },
             energy_tolerance: 1e-2,
             speed_tolerance: 5e-2,
             max_seconds: 6.0,

@@ -106,7 +106,7 @@ impl Sewing {
             return;
         }
         let ramp = if self.ramp > 0.0 { (self.time / self.ramp).min(1.0) } else { 1.0 };
-        let growth = libm::exp2(((self.time - PATIENCE) / DOUBLING).clamp(0.0, 16.0));
+        let growth = libm::exp2(((self.time - PATIENCE) / DOUBLING).clamp(0.0, 7.0));
         for s in self.stitches.iter().filter(|s| s.open) {
             let [a, b] = s.ends.map(|v| v as usize);
             let d = x[b] - x[a];

@@ -55,7 +55,7 @@ impl Body {
     }
 
     pub fn triangle(&self, i: u32) -> [Vec3; 3] {
-        self.topology.faces[i as usize].map(|v| self.positions[v as usize])
+        crate::pick3(&self.positions, &self.topology.faces[i as usize])
     }
 
     /// Nearest point within `reach` of `p`, and its distance.

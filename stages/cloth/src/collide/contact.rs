@@ -18,6 +18,10 @@ const BODY_SHARE: f64 = 0.9;
 const EDGE_SHARE: f64 = 0.5;
 /// Steps between two measurements of the distances, at least.
 const PATIENCE: u32 = 5;
+/// Share of its gap below which a contact is hard: it takes any approach out of the velocities.
+const HARD: f64 = 0.25;
+/// Distances are counted from here, m: far above rounding, also to `f32`.
+const FLOOR: f64 = 2e-6;
 /// Contacts on one vertex above which each is softened.
 const CROWD: f64 = 6.0;
 
@@ -35,6 +39,8 @@ pub(crate) struct Pair {
     stiffness: f64,
     /// Normal force of the last evaluation, N.
     pub load: f64,
+    /// Distance at the last evaluation, m.
+    distance: f64,
     pub friction: f64,
 }
 
@@ -170,7 +176,8 @@ impl Contact {
         self.body_faces(x);
         self.body_points(x);
         for i in 0..x.len() {
-            self.radius[i] = (OWN_SHARE * self.own_distance[i]).min(BODY_SHARE * self.body_distance[i]);
+            let room = |d: f64| (d - FLOOR).max(0.1 * d);
+            self.radius[i] = (OWN_SHARE * room(self.own_distance[i])).min(BODY_SHARE * room(self.body_distance[i]));
         }
         self.soften();
     }
@@ -195,7 +202,7 @@ impl Contact {
 
     fn own_points(&mut self, x: &[Vec3]) {
         for &[v, a, b, c] in &self.near.points {
-            let [p, q, r, s] = [v, a, b, c].map(|i| x[i as usize]);
+            let [p, q, r, s] = crate::pick4(x, &[v, a, b, c]);
             let w = point_triangle(&p, &q, &r, &s);
             let d = p - (q * w[0] + r * w[1] + s * w[2]);
             let weights = [1.0, -w[0], -w[1], -w[2]];
@@ -205,7 +212,7 @@ impl Contact {
 
     fn own_edges(&mut self, x: &[Vec3]) {
         for &ends in &self.near.edges {
-            let [p, q, r, s] = ends.map(|i| x[i as usize]);
+            let [p, q, r, s] = crate::pick4(x, &ends);
             let [t, u] = segments(&p, &q, &r, &s);
             let d = p + (q - p) * t - (r + (s - r) * u);
             let weights = [1.0 - t, t, u - 1.0, -u];
@@ -246,6 +253,7 @@ impl Contact {
                     gap,
                     stiffness: 0.0,
                     load: 0.0,
+                    distance: l,
                     friction: self.frame.friction[i],
                 });
             }
@@ -269,7 +277,7 @@ impl Contact {
         let Some(body) = &self.body else { return };
         for &[a, b, c, w] in &self.near.body_faces {
             let place = body.positions[w as usize];
-            let [xa, xb, xc] = [a, b, c].map(|i| x[i as usize]);
+            let [xa, xb, xc] = crate::pick3(x, &[a, b, c]);
             let s = point_triangle(&place, &xa, &xb, &xc);
             let d = xa * s[0] + xb * s[1] + xc * s[2] - place;
             let weights = [s[0], s[1], s[2], 0.0];
@@ -304,11 +312,38 @@ impl Contact {
         for p in &mut self.pairs {
             let g = p.distance(x);
             p.load = 0.0;
+            p.distance = g;
             if g < p.gap {
                 p.load = p.stiffness * (p.gap - g);
                 let push = p.normal * p.load;
                 for k in 0..4 {
                     f[p.vertices[k] as usize] += push * p.weights[k];
+                }
+            }
+        }
+    }
+
+    /// Where the springs alone cannot hold (a tight seam over an edge of the body), impulses do: no pair nearer than
+    /// its hard distance goes on approaching. The impulses count as normal load for friction.
+    pub fn stop_approach(&mut self, v: &mut [Vec3], dt: f64) {
+        let inverse_mass = &self.frame.inverse_mass;
+        for p in self.pairs.iter_mut().filter(|p| p.load > 0.0) {
+            let mut speed = 0.0;
+            let mut mobility = 0.0;
+            for k in 0..4 {
+                let (w, i) = (p.weights[k], p.vertices[k] as usize);
+                speed += w * p.normal.dot(&v[i]);
+                mobility += w * w * inverse_mass[i];
+            }
+            let room = (p.distance - HARD * p.gap) / dt;
+            // Below the hard distance it is let out slowly, so that no energy comes of it.
+            let least = if room >= 0.0 { -room } else { (-0.05 * room).min(0.1) };
+            if speed < least && mobility > 0.0 {
+                let impulse = (least - speed) / mobility;
+                p.load += impulse / dt;
+                for k in 0..4 {
+                    let i = p.vertices[k] as usize;
+                    v[i] += p.normal * (impulse * p.weights[k] * inverse_mass[i]);
                 }
             }
         }
@@ -328,7 +363,7 @@ impl Pair {
     #[inline]
     fn distance(&self, x: &[Vec3]) -> f64 {
         let w = &self.weights;
-        let [a, b, c, d] = self.vertices.map(|v| x[v as usize]);
+        let [a, b, c, d] = crate::pick4(x, &self.vertices);
         self.normal.dot(&(a * w[0] + b * w[1] + c * w[2] + d * w[3])) - self.offset
     }
 }
@@ -358,7 +393,7 @@ fn own_pair(
     gap *= share;
     if l < 2.0 * gap && l > 0.0 {
         let friction = frame.friction[vertices[0] as usize];
-        pairs.push(Pair { vertices, weights, normal: d / l, offset: 0.0, gap, stiffness: 0.0, load: 0.0, friction });
+        pairs.push(Pair { vertices, weights, normal: d / l, offset: 0.0, gap, stiffness: 0.0, load: 0.0, distance: f64::INFINITY, friction });
     }
 }
 
@@ -383,6 +418,6 @@ fn body_pair(
         let normal = d / l;
         let friction = frame.friction[vertices[0] as usize];
         let offset = normal.dot(place);
-        pairs.push(Pair { vertices, weights, normal, offset, gap, stiffness: 0.0, load: 0.0, friction });
+        pairs.push(Pair { vertices, weights, normal, offset, gap, stiffness: 0.0, load: 0.0, distance: f64::INFINITY, friction });
     }
 }

@@ -20,34 +20,50 @@ pub(crate) struct Near {
     pub body_faces: Vec<[u32; 4]>,
 }
 
-/// Are two edges' (or points') boxes further apart than `reach`?
-#[inline]
-fn far(a: &[Vec3], b: &[Vec3], reach: f64) -> bool {
-    (0..3).any(|k| {
-        let span = |p: &[Vec3]| p.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |s, v| (s.0.min(v[k]), s.1.max(v[k])));
-        let ((l0, h0), (l1, h1)) = (span(a), span(b));
-        l0 > h1 + reach || l1 > h0 + reach
-    })
-}
-
-/// What one face brings to its pairs: the corners and edges it owns.
+/// What one face brings to its pairs: its corners, and the vertices and edges it owns.
 struct Owned {
     corners: [u32; 3],
+    at: [Vec3; 3],
     bits: u8,
 }
 
 impl Owned {
-    fn of(t: &Topology, f: u32) -> Self {
-        Self { corners: t.faces[f as usize], bits: t.owned[f as usize] }
+    #[inline]
+    fn of(t: &Topology, f: u32, x: &[Vec3]) -> Self {
+        let corners = t.faces[f as usize];
+        Self { corners, at: crate::pick3(x, &corners), bits: t.owned[f as usize] }
     }
 
-    fn vertices(&self) -> impl Iterator<Item = u32> + '_ {
-        (0..3).filter(|k| self.bits & (1 << k) != 0).map(|k| self.corners[k])
+    #[inline]
+    fn owns_vertex(&self, k: usize) -> bool {
+        self.bits & (1 << k) != 0
     }
 
-    fn edges(&self) -> impl Iterator<Item = (usize, [u32; 2])> + '_ {
-        (0..3).filter(|k| self.bits & (8 << k) != 0).map(|k| (k, [self.corners[k], self.corners[(k + 1) % 3]]))
+    #[inline]
+    fn owns_edge(&self, k: usize) -> bool {
+        self.bits & (8 << k) != 0
     }
+
+    #[inline]
+    fn edge(&self, k: usize) -> [u32; 2] {
+        [self.corners[k], self.corners[(k + 1) % 3]]
+    }
+
+    #[inline]
+    fn edge_box(&self, k: usize) -> Aabb {
+        Aabb::of_two(&self.at[k], &self.at[(k + 1) % 3])
+    }
+
+    /// The box of the whole face, grown.
+    #[inline]
+    fn bounds(&self, reach: f64) -> Aabb {
+        Aabb::of_three(&self.at).grown(reach)
+    }
+}
+
+#[inline]
+fn point_in(b: &Aabb, p: &Vec3) -> bool {
+    b.meets(&Aabb { low: *p, high: *p })
 }
 
 impl Near {
@@ -55,22 +71,29 @@ impl Near {
     pub fn fill_own(&mut self, x: &[Vec3], topology: &Topology, groups: &[u32], tree: &Tree, reach: f64) {
         self.points.clear();
         self.edges.clear();
-        let at = |v: u32| x[v as usize];
         let group = |v: u32| groups[v as usize];
         tree.own_pairs(|f, g| {
-            let (a, b) = (Owned::of(topology, f), Owned::of(topology, g));
+            let (a, b) = (Owned::of(topology, f, x), Owned::of(topology, g, x));
             for (one, other) in [(&a, &b), (&b, &a)] {
-                for v in one.vertices() {
-                    let c = other.corners;
-                    if c.iter().all(|w| group(*w) != group(v)) && !far(&[at(v)], &c.map(at), reach) {
+                let bounds = other.bounds(reach);
+                let c = other.corners;
+                for k in (0..3).filter(|k| one.owns_vertex(*k)) {
+                    let v = one.corners[k];
+                    let joined = group(v) == group(c[0]) || group(v) == group(c[1]) || group(v) == group(c[2]);
+                    if !joined && point_in(&bounds, &one.at[k]) {
                         self.points.push([v, c[0], c[1], c[2]]);
                     }
                 }
             }
-            for (_, p) in a.edges() {
-                for (_, q) in b.edges() {
-                    let apart = p.iter().all(|v| q.iter().all(|w| group(*v) != group(*w)));
-                    if apart && !far(&p.map(at), &q.map(at), reach) {
+            for i in (0..3).filter(|i| a.owns_edge(*i)) {
+                let (p, bounds) = (a.edge(i), a.edge_box(i).grown(reach));
+                for j in (0..3).filter(|j| b.owns_edge(*j)) {
+                    let q = b.edge(j);
+                    let joined = group(p[0]) == group(q[0])
+                        || group(p[0]) == group(q[1])
+                        || group(p[1]) == group(q[0])
+                        || group(p[1]) == group(q[1]);
+                    if !joined && bounds.meets(&b.edge_box(j)) {
                         self.edges.push([p[0], p[1], q[0], q[1]]);
                     }
                 }
@@ -83,33 +106,34 @@ impl Near {
         self.body_points.clear();
         self.body_edges.clear();
         self.body_faces.clear();
-        let at = |v: u32| x[v as usize];
-        let place = |v: u32| body.positions[v as usize];
         for f in (0u32..).take(topology.faces.len()) {
-            let a = Owned::of(topology, f);
-            let bounds = Aabb::of(&a.corners.map(at)).grown(reach);
+            let a = Owned::of(topology, f, x);
+            let bounds = a.bounds(reach);
             if !bounds.meets(&body.bounds) {
                 continue;
             }
+            let edges = [a.edge_box(0).grown(reach), a.edge_box(1).grown(reach), a.edge_box(2).grown(reach)];
             body.candidates(&bounds, |g| {
-                let b = Owned::of(&body.topology, g);
-                let c = b.corners.map(place);
-                for v in a.vertices() {
-                    if !far(&[at(v)], &c, reach) {
-                        self.body_points.push([v, g]);
+                let b = Owned::of(&body.topology, g, &body.positions);
+                let whole = b.bounds(reach);
+                for k in (0..3).filter(|k| a.owns_vertex(*k)) {
+                    if point_in(&whole, &a.at[k]) {
+                        self.body_points.push([a.corners[k], g]);
                     }
                 }
-                for w in b.vertices() {
-                    if !far(&[place(w)], &a.corners.map(at), reach) {
-                        self.body_faces.push([a.corners[0], a.corners[1], a.corners[2], w]);
+                for k in (0..3).filter(|k| b.owns_vertex(*k)) {
+                    if point_in(&bounds, &b.at[k]) {
+                        self.body_faces.push([a.corners[0], a.corners[1], a.corners[2], b.corners[k]]);
                     }
                 }
-                for (k, q) in b.edges() {
-                    if !body.pressing_edges[body.topology.face_edges[g as usize][k] as usize] {
+                for j in (0..3).filter(|j| b.owns_edge(*j)) {
+                    if !body.pressing_edges[body.topology.face_edges[g as usize][j] as usize] {
                         continue;
                     }
-                    for (_, p) in a.edges() {
-                        if !far(&p.map(at), &q.map(place), reach) {
+                    let (q, bounds) = (b.edge(j), b.edge_box(j));
+                    for i in (0..3).filter(|i| a.owns_edge(*i)) {
+                        if edges[i].meets(&bounds) {
+                            let p = a.edge(i);
                             self.body_edges.push([p[0], p[1], q[0], q[1]]);
                         }
                     }

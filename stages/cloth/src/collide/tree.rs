@@ -20,10 +20,22 @@ impl Aabb {
         points.iter().fold(Self::EMPTY, |b, p| Self { low: b.low.inf(p), high: b.high.sup(p) })
     }
 
+    #[inline]
+    pub fn of_two(a: &Vec3, b: &Vec3) -> Self {
+        Self { low: a.inf(b), high: a.sup(b) }
+    }
+
+    #[inline]
+    pub fn of_three(t: &[Vec3; 3]) -> Self {
+        Self { low: t[0].inf(&t[1]).inf(&t[2]), high: t[0].sup(&t[1]).sup(&t[2]) }
+    }
+
+    #[inline]
     pub fn join(&self, o: &Self) -> Self {
         Self { low: self.low.inf(&o.low), high: self.high.sup(&o.high) }
     }
 
+    #[inline]
     pub fn grown(&self, by: f64) -> Self {
         let d = Vec3::repeat(by);
         Self { low: self.low - d, high: self.high + d }
@@ -65,7 +77,7 @@ impl Tree {
         let leaves = self.items.len();
         for (slot, item) in self.boxes[leaves..].iter_mut().zip(&self.items) {
             *slot = match faces.get(*item as usize) {
-                Some(t) => Aabb::of(&t.map(|v| x[v as usize])).grown(margin),
+                Some(t) => Aabb::of_three(&crate::pick3(x, t)).grown(margin),
                 None => Aabb::EMPTY,
             };
         }

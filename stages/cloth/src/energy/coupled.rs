@@ -56,15 +56,17 @@ impl Triangle {
 
     #[inline]
     fn edges(&self, x: &[Vec3]) -> [Vec3; 3] {
-        let [a, b, c] = self.vertices.map(|v| x[v as usize]);
+        let [a, b, c] = crate::pick3(x, &self.vertices);
         [b - a, c - b, a - c]
     }
 
     #[inline]
     fn green(&self, e: &[Vec3; 3]) -> [f64; 3] {
-        let q = [0, 1, 2].map(|k| 0.5 * e[k].norm_squared() - self.half[k]);
-        let m = &self.inverse;
-        [0, 1, 2].map(|r| m[r][0] * q[0] + m[r][1] * q[1] + m[r][2] * q[2])
+        let q0 = 0.5 * e[0].norm_squared() - self.half[0];
+        let q1 = 0.5 * e[1].norm_squared() - self.half[1];
+        let q2 = 0.5 * e[2].norm_squared() - self.half[2];
+        let row = |m: &[f64; 3]| m[0] * q0 + m[1] * q1 + m[2] * q2;
+        [row(&self.inverse[0]), row(&self.inverse[1]), row(&self.inverse[2])]
     }
 }
 
@@ -136,7 +138,8 @@ impl Energy for Coupled {
             let e = t.edges(x);
             let s = stress(&t.green(&e), &self.fabrics[t.fabric as usize]);
             let m = &t.inverse;
-            let [p, q, r] = [0, 1, 2].map(|k| e[k] * (t.area * (m[0][k] * s[0] + m[1][k] * s[1] + m[2][k] * s[2])));
+            let pull = |k: usize| e[k] * (t.area * (m[0][k] * s[0] + m[1][k] * s[1] + m[2][k] * s[2]));
+            let (p, q, r) = (pull(0), pull(1), pull(2));
             f[t.vertices[0] as usize] += p - r;
             f[t.vertices[1] as usize] += q - p;
             f[t.vertices[2] as usize] += r - q;

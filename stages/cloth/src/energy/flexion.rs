@@ -65,7 +65,7 @@ impl Flexion {
 impl Moment {
     #[inline]
     fn fold(&self, x: &[Vec3]) -> Vec3 {
-        let [a, b, c, d] = self.vertices.map(|v| x[v as usize]);
+        let [a, b, c, d] = crate::pick4(x, &self.vertices);
         let w = &self.weights;
         a * w[0] + b * w[1] + c * w[2] + d * w[3]
     }

@@ -47,7 +47,7 @@ impl Law {
     }
 
     /// N/m.
-    #[inline]
+    #[inline(always)]
     pub fn tension(&self, strain: f64) -> f64 {
         if let Some((i, r)) = self.cell(strain) {
             let (k0, k1) = (self.tangent[i], self.tangent[i + 1]);
