@@ -34,10 +34,6 @@ fn lines(found: &[toile_garment::Diagnostic]) -> String {
 }
 
 fn say(words: &str, code: u8) -> ExitCode {
-    let done = if code == 0 {
-        writeln!(std::io::stdout(), "{words}")
-    } else {
-        writeln!(std::io::stderr(), "{words}")
-    };
+    let done = if code == 0 { writeln!(std::io::stdout(), "{words}") } else { writeln!(std::io::stderr(), "{words}") };
     if done.is_err() { ExitCode::from(5) } else { ExitCode::from(code) }
 }

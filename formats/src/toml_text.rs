@@ -36,10 +36,8 @@ impl<'a> TomlText<'a> {
             .take(50)
             .map(|e| {
                 let message = e.message().lines().collect::<Vec<_>>().join("; ");
-                Diagnostic::error(code, message).at(e.span().map_or_else(
-                    || SourceRef::file(self.file),
-                    |s| self.at(s.start),
-                ))
+                Diagnostic::error(code, message)
+                    .at(e.span().map_or_else(|| SourceRef::file(self.file), |s| self.at(s.start)))
             })
             .collect())
     }

@@ -1,6 +1,8 @@
 //! What may stand in a fabric file: keys, units and allowed ranges.
 
-use toile_garment::units::{ArealMass, Bending, Dimension, Hysteresis, Length, LineForce, Share, Shear, UnitError, parse};
+use toile_garment::units::{
+    ArealMass, Bending, Dimension, Hysteresis, Length, LineForce, Share, Shear, UnitError, parse,
+};
 
 /// Unit of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

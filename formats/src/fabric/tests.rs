@@ -154,10 +154,8 @@ fn refuses_doubles_gaps_and_broken_files() {
 
 #[test]
 fn origin_of_a_single_value() {
-    let text = LINEAR.replace(
-        "\"500 N/m\"",
-        "{ value = \"500 N/m\", method = \"strip test\", source = \"laboratory\" }",
-    );
+    let text =
+        LINEAR.replace("\"500 N/m\"", "{ value = \"500 N/m\", method = \"strip test\", source = \"laboratory\" }");
     let f = read(&text, "f.toml").expect("table form");
     let source = &f.sources["stretch_warp"];
     assert_eq!((source.written.as_str(), source.method.as_str()), ("500 N/m", "strip test"));

@@ -164,7 +164,9 @@ fn check_nodes(root: &json::Root) -> Result<(), ReadError> {
             return bad("a scene names a node that is not there".to_owned());
         }
     }
-    if let Some(Checked::Invalid) = root.meshes.iter().flat_map(|m| &m.primitives).map(|p| &p.mode).find(|m| **m == Checked::Invalid) {
+    if let Some(Checked::Invalid) =
+        root.meshes.iter().flat_map(|m| &m.primitives).map(|p| &p.mode).find(|m| **m == Checked::Invalid)
+    {
         return bad("a mesh has an unknown mode".to_owned());
     }
     Ok(())

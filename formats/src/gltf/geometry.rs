@@ -32,12 +32,10 @@ pub struct Placed {
 /// Container, JSON and every index checked.
 pub fn open(bytes: &[u8]) -> Result<Sound<'_>, ReadError> {
     let chunks = container::split(bytes)?;
-    let root: json::Root =
-        serde_json::from_slice(chunks.json).map_err(|e| ReadError::Damaged(e.to_string()))?;
+    let root: json::Root = serde_json::from_slice(chunks.json).map_err(|e| ReadError::Damaged(e.to_string()))?;
     check::check(&root, chunks.bin)?;
-    let document = guarded(|| {
-        gltf::Document::from_json(root).map_err(|e| ReadError::Damaged(one_line(&e.to_string())))
-    })?;
+    let document =
+        guarded(|| gltf::Document::from_json(root).map_err(|e| ReadError::Damaged(one_line(&e.to_string()))))?;
     Ok(Sound { document, bin: chunks.bin.unwrap_or_default() })
 }
 
@@ -136,7 +134,7 @@ fn read_mesh(
             Some(read) => read.into_u32().collect(),
             None => (0..count as u32).collect(),
         };
-        if corners.len() % 3 != 0 || corners.iter().any(|i| *i as usize >= count) {
+        if !corners.len().is_multiple_of(3) || corners.iter().any(|i| *i as usize >= count) {
             return Err(damaged("its indices are no whole triangles or leave the vertices"));
         }
         let base = u32::try_from(base).map_err(|_| damaged("it is too large"))?;

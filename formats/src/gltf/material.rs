@@ -22,13 +22,7 @@ pub fn push(root: &mut json::Root, buffer: &mut Buffer, material: &Material) {
             extras: None,
         });
         let sampler = if root.samplers.is_empty() { root.push(sampler()) } else { json::Index::new(0) };
-        root.push(json::Texture {
-            name: None,
-            sampler: Some(sampler),
-            source,
-            extensions: None,
-            extras: None,
-        })
+        root.push(json::Texture { name: None, sampler: Some(sampler), source, extensions: None, extras: None })
     });
     let factor = |x: f64| if x.is_finite() { x.clamp(0.0, 1.0) as f32 } else { 1.0 };
     let [r, g, b] = material.color.map(factor);

@@ -29,8 +29,7 @@ pub fn smooth(pieces: &[(&[Vec3], &[[u32; 3]])]) -> Vec<Vec<Vec3>> {
         for (i, p) in positions.iter().enumerate() {
             // Where the sides of a fold cancel, the vertex keeps the normal of its own piece, then of one triangle.
             let shared = place.get(&key(p)).copied().unwrap_or_else(Vec3::zeros);
-            out[k][i] =
-                unit(shared).or_else(|| unit(out[k][i])).or_else(|| unit(any[k][i])).unwrap_or_else(Vec3::z);
+            out[k][i] = unit(shared).or_else(|| unit(out[k][i])).or_else(|| unit(any[k][i])).unwrap_or_else(Vec3::z);
         }
     }
     out

@@ -94,7 +94,11 @@ fn check_kind(image: &Image, material: &str) -> Result<(), ReadError> {
         "image/jpeg" => image.bytes.starts_with(&[0xff, 0xd8, 0xff]),
         _ => false,
     };
-    if known { Ok(()) } else { Err(ReadError::Document(format!("the image of material `{material}` is no {}", image.mime))) }
+    if known {
+        Ok(())
+    } else {
+        Err(ReadError::Document(format!("the image of material `{material}` is no {}", image.mime)))
+    }
 }
 
 /// Lists that the bundle does not compare with the meshes.
@@ -136,8 +140,12 @@ fn take_shape(garment: &mut Garment, placed: &[Placed]) -> Result<(bool, Vec<Dia
             }
         }
         if moved.0 > 0 {
-            let message =
-                format!("piece `{}`: {} vertices moved after the export, by {:.3} mm at most", piece.name, moved.0, moved.1 * 1e3);
+            let message = format!(
+                "piece `{}`: {} vertices moved after the export, by {:.3} mm at most",
+                piece.name,
+                moved.0,
+                moved.1 * 1e3
+            );
             findings.push(Diagnostic::info("shape-edited", message));
         }
     }
@@ -207,7 +215,11 @@ fn by_cloth(positions: &[Vec3], uv: &[[f64; 2]], cloth: &[[f64; 2]]) -> Result<V
             .filter(|i| distance(i) <= UV_ROUNDING)
             .min_by(|a, b| distance(a).total_cmp(&distance(b)));
         let Some(i) = nearest else {
-            return Err(format!("a vertex at ({:.2}, {:.2}) mm of cloth is new; move vertices only", u * 1e3, -v * 1e3));
+            return Err(format!(
+                "a vertex at ({:.2}, {:.2}) mm of cloth is new; move vertices only",
+                u * 1e3,
+                -v * 1e3
+            ));
         };
         match &out[*i] {
             Some(other) if (other - position).norm() > ROUNDING => {
@@ -230,7 +242,10 @@ fn close_seams(garment: &Garment, shape: &mut Shape) {
         let mut changed = false;
         for stitch in garment.seams.iter().flat_map(|s| &s.stitches) {
             let (a, b) = (stitch.a, stitch.b);
-            let (pa, pb) = (shape.positions[a.piece.index()][a.vertex as usize], shape.positions[b.piece.index()][b.vertex as usize]);
+            let (pa, pb) = (
+                shape.positions[a.piece.index()][a.vertex as usize],
+                shape.positions[b.piece.index()][b.vertex as usize],
+            );
             if pa == pb {
                 continue;
             }

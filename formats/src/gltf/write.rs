@@ -51,7 +51,12 @@ pub struct Buffer {
 
 impl Buffer {
     /// Adds bytes, aligned to four, as a view of their own.
-    pub fn view(&mut self, root: &mut json::Root, bytes: &[u8], target: Option<Target>) -> json::Index<json::buffer::View> {
+    pub fn view(
+        &mut self,
+        root: &mut json::Root,
+        bytes: &[u8],
+        target: Option<Target>,
+    ) -> json::Index<json::buffer::View> {
         self.bytes.resize(self.bytes.len().next_multiple_of(4), 0);
         let offset = self.bytes.len();
         self.bytes.extend_from_slice(bytes);
@@ -89,7 +94,12 @@ impl Buffer {
     }
 
     /// Triangle indices, two bytes each where that is enough (the value 65535 is reserved).
-    fn indices(&mut self, root: &mut json::Root, triangles: &[[u32; 3]], vertices: usize) -> json::Index<json::Accessor> {
+    fn indices(
+        &mut self,
+        root: &mut json::Root,
+        triangles: &[[u32; 3]],
+        vertices: usize,
+    ) -> json::Index<json::Accessor> {
         let small = vertices < usize::from(u16::MAX);
         let flat = triangles.iter().flatten();
         let bytes: Vec<u8> = if small {
@@ -269,6 +279,11 @@ fn push_piece(
         primitives: vec![primitive],
         weights: None,
     });
-    root.push(json::Node { mesh: Some(mesh), name: Some(piece.name.clone()), extras: extras("piece", &name), ..Default::default() });
+    root.push(json::Node {
+        mesh: Some(mesh),
+        name: Some(piece.name.clone()),
+        extras: extras("piece", &name),
+        ..Default::default()
+    });
     Ok(())
 }

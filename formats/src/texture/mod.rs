@@ -23,8 +23,10 @@ pub const MAX_BYTES: usize = 256 << 20;
 ///
 /// # Errors
 /// When it is neither PNG nor JPEG, too large, or broken.
-pub fn read_image(bytes: &[u8], file: &str) -> Result<Image, Diagnostic> {
-    let bad = |code: &str, what: String| Diagnostic::error(code, format!("`{file}`: {what}")).at(SourceRef::file(file));
+pub fn read_image(bytes: &[u8], file: &str) -> Result<Image, Box<Diagnostic>> {
+    let bad = |code: &str, what: String| {
+        Box::new(Diagnostic::error(code, format!("`{file}`: {what}")).at(SourceRef::file(file)))
+    };
     if bytes.len() > MAX_BYTES {
         return Err(bad("file-too-large", format!("{} bytes, over the limit of {MAX_BYTES}", bytes.len())));
     }
@@ -34,7 +36,7 @@ pub fn read_image(bytes: &[u8], file: &str) -> Result<Image, Diagnostic> {
         (ImageFormat::Jpeg, "image/jpeg", strip::jpeg(bytes))
     } else {
         let finding = bad("image-kind", "this is neither PNG nor JPEG".to_owned());
-        return Err(finding.hint("save the bitmap as PNG or JPEG"));
+        return Err(Box::new(finding.hint("save the bitmap as PNG or JPEG")));
     };
     let kept = kept.map_err(|what| bad("image-broken", what.to_owned()))?;
     let reader = |limits| {
@@ -46,8 +48,7 @@ pub fn read_image(bytes: &[u8], file: &str) -> Result<Image, Diagnostic> {
     limits.max_image_width = Some(MAX_SIDE);
     limits.max_image_height = Some(MAX_SIDE);
     limits.max_alloc = Some(MAX_DECODED);
-    let (width, height) =
-        reader(limits.clone()).into_dimensions().map_err(|e| bad("image-broken", e.to_string()))?;
+    let (width, height) = reader(limits.clone()).into_dimensions().map_err(|e| bad("image-broken", e.to_string()))?;
     if width == 0 || height == 0 || width > MAX_SIDE || height > MAX_SIDE {
         let what = format!("{width} × {height} pixels; allowed are 1 to {MAX_SIDE} a side");
         return Err(bad("image-size", what));

@@ -1,9 +1,8 @@
 //! Cuts out what is no picture: PNG chunks and JPEG segments, without decoding.
 
 /// PNG chunks that belong to the picture.
-const KEEP: [&[u8; 4]; 11] = [
-    b"IHDR", b"PLTE", b"IDAT", b"IEND", b"tRNS", b"gAMA", b"cHRM", b"sRGB", b"pHYs", b"sBIT", b"bKGD",
-];
+const KEEP: [&[u8; 4]; 11] =
+    [b"IHDR", b"PLTE", b"IDAT", b"IEND", b"tRNS", b"gAMA", b"cHRM", b"sRGB", b"pHYs", b"sBIT", b"bKGD"];
 
 /// A PNG with the chunks of [`KEEP`] alone; everything after its end is dropped.
 pub fn png(bytes: &[u8]) -> Result<Vec<u8>, &'static str> {
