@@ -80,7 +80,7 @@ fn dart(rest: &[Vec2]) -> Dart {
 /// A half tube: bulging to the front (`side` = 1) or to the back (−1), both with the same side edges.
 fn bulge(side: f64) -> Vec<Vec3> {
     let place = |(i, r): (usize, &Vec2)| {
-        let edge = i as u32 % COLUMNS == 0 || i as u32 % COLUMNS == COLUMNS - 1;
+        let edge = (i as u32).is_multiple_of(COLUMNS) || i as u32 % COLUMNS == COLUMNS - 1;
         let x = r.x - WIDTH / 2.0;
         let depth = 0.12 * (1.0 - 4.0 * x * x / (WIDTH * WIDTH));
         // Seen from outside, the back piece runs the other way.

@@ -96,7 +96,7 @@ fn mutant(seed: &[u8], dice: &mut Dice) -> Vec<u8> {
 }
 
 /// Container lengths put right again, so that the JSON inside is what gets read.
-fn relength(glb: &mut Vec<u8>, old: &[u8]) {
+fn relength(glb: &mut [u8], old: &[u8]) {
     if glb.len() < 20 || old.len() < 20 {
         return;
     }

@@ -11,27 +11,30 @@ const HEIGHT: std::ops::RangeInclusive<f64> = 0.2..=3.0;
 type Mesh = (Vec<Vec3>, Vec<[u32; 3]>);
 
 /// Cleans the mesh; what was done stands in the findings.
-pub fn clean(raw: &ObjMesh, file: &str, findings: &mut Vec<Diagnostic>) -> Result<Mesh, Diagnostic> {
+pub fn clean(raw: &ObjMesh, file: &str, findings: &mut Vec<Diagnostic>) -> Result<Mesh, Box<Diagnostic>> {
     let mut note = |severity, code: &str, count: usize, words: &str| {
         if count > 0 {
             findings.push(Diagnostic::new(severity, code, format!("`{file}`: {count} {words}")).at(place(file)));
         }
     };
-    let (positions, mapped, merged, unused) = merge(raw);
+    // A body that is closed as it stands keeps its vertices, also where two of them touch.
+    let closed = count(&edges(&raw.triangles)).0 == 0;
+    let (positions, mapped, merged, unused) = merge(raw, !closed);
     note(Severity::Info, "body-vertices-merged", merged, "vertices at the place of another were merged");
     note(Severity::Info, "body-vertices-unused", unused, "vertices belong to no face and were left out");
     let (mut triangles, flat, double) = sound(&positions, mapped);
     note(Severity::Warning, "body-triangles-flat", flat, "triangles without area were left out");
     note(Severity::Warning, "body-triangles-double", double, "triangles that stand twice were left out");
     if triangles.is_empty() {
-        return Err(Diagnostic::error("body-empty", format!("`{file}` has no triangle with area")).at(place(file)));
+        let finding = Diagnostic::error("body-empty", format!("`{file}` has no triangle with area"));
+        return Err(Box::new(finding.at(place(file))));
     }
     let edges = edges(&triangles);
     let (open, crowded, mixed) = count(&edges);
     if mixed > 0 {
         let message = format!("`{file}`: along {mixed} edges the two triangles face opposite ways");
         let finding = Diagnostic::error("body-faces-mixed", message).at(place(file));
-        return Err(finding.hint("make all faces point outwards (recalculate the normals) and export again"));
+        return Err(Box::new(finding.hint("make all faces point outwards (recalculate the normals) and export again")));
     }
     note(Severity::Warning, "body-open", open, "open edges: the body is not closed, inside and outside are guessed");
     note(Severity::Warning, "body-not-manifold", crowded, "edges belong to more than two triangles");
@@ -40,8 +43,8 @@ pub fn clean(raw: &ObjMesh, file: &str, findings: &mut Vec<Diagnostic>) -> Resul
     Ok((positions, triangles))
 }
 
-/// Vertices at bit-equal places become one; those of no face go.
-fn merge(raw: &ObjMesh) -> (Vec<Vec3>, Vec<[u32; 3]>, usize, usize) {
+/// Vertices at bit-equal places become one, if asked; those of no face go.
+fn merge(raw: &ObjMesh, together: bool) -> (Vec<Vec3>, Vec<[u32; 3]>, usize, usize) {
     let mut used = vec![false; raw.positions.len()];
     for i in raw.triangles.iter().flatten() {
         used[*i as usize] = true;
@@ -52,7 +55,8 @@ fn merge(raw: &ObjMesh) -> (Vec<Vec3>, Vec<[u32; 3]>, usize, usize) {
     let mut merged = 0;
     for (i, p) in raw.positions.iter().enumerate().filter(|(i, _)| used[*i]) {
         let next = positions.len() as u32;
-        let id = *first.entry([p.x.to_bits(), p.y.to_bits(), p.z.to_bits()]).or_insert(next);
+        let key = [p.x.to_bits(), p.y.to_bits(), p.z.to_bits()];
+        let id = if together { *first.entry(key).or_insert(next) } else { next };
         if id == next {
             positions.push(*p);
         } else {
@@ -92,7 +96,7 @@ type Edges = BTreeMap<(u32, u32), Vec<(u32, bool)>>;
 fn edges(triangles: &[[u32; 3]]) -> Edges {
     let mut edges = Edges::new();
     for (t, [a, b, c]) in triangles.iter().enumerate() {
-        for (from, to) in [(a, b), (b, c), (c, a)] {
+        for (from, to) in [(a, b), (b, c), (c, a)].into_iter().filter(|(from, to)| from != to) {
             edges.entry((*from.min(to), *from.max(to))).or_default().push((t as u32, from < to));
         }
     }

@@ -39,7 +39,7 @@ pub struct ReadBody {
 
 /// Reads a body from its OBJ and, where there is one, the text of the TOML file beside it.
 ///
-/// Bit-equal vertices are merged, triangles without area and doubles dropped, parts that face inwards turned; each is
+/// Bit-equal vertices of an open mesh are merged, triangles without area and doubles dropped, parts that face inwards turned; each is
 /// counted in a finding. `obj_name` is the file's name for messages and, without its ending, the body's default name.
 ///
 /// # Errors
@@ -61,7 +61,7 @@ pub fn read(obj_bytes: &[u8], obj_name: &str, sidecar_toml: Option<&str>) -> Res
     let mut findings = raw.findings.clone();
     let cleaned = mesh::clean(&raw, obj_name, &mut findings);
     if let Err(e) = &cleaned {
-        errors.push(e.clone());
+        errors.push((**e).clone());
     }
     if let Some(finding) = mesh::size(&raw, obj_name, said.is_some()) {
         let list = if finding.severity == toile_garment::Severity::Error { &mut errors } else { &mut findings };

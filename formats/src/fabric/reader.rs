@@ -150,7 +150,7 @@ fn read_value(
 }
 
 /// A value in SI inside its range, and the text it was written as.
-fn number(field: &Field, value: &DeValue<'_>) -> Result<(f64, String), Diagnostic> {
+fn number(field: &Field, value: &DeValue<'_>) -> Result<(f64, String), Box<Diagnostic>> {
     let key = field.key;
     let text = match value {
         DeValue::String(text) => text.to_string(),
@@ -159,18 +159,21 @@ fn number(field: &Field, value: &DeValue<'_>) -> Result<(f64, String), Diagnosti
         DeValue::Integer(_) | DeValue::Float(_) => {
             let bare = describe(value);
             let finding = Diagnostic::error("unit-missing", format!("`{key} = {bare}` has no unit"));
-            return Err(finding.hint(format!("write `{key} = \"{}\"`", fields::with_unit(field.unit, &bare))));
+            return Err(Box::new(
+                finding.hint(format!("write `{key} = \"{}\"`", fields::with_unit(field.unit, &bare))),
+            ));
         }
         other => {
             let message = format!("`{key}` must be a quantity, not {}", describe(other));
-            return Err(Diagnostic::error("fabric-value", message));
+            return Err(Box::new(Diagnostic::error("fabric-value", message)));
         }
     };
     let number = fields::value(field.unit, &text)
-        .map_err(|e| Diagnostic::error("fabric-value", format!("`{key}`: {}", e.message)))?;
+        .map_err(|e| Box::new(Diagnostic::error("fabric-value", format!("`{key}`: {}", e.message))))?;
     if !(field.min..=field.max).contains(&number) {
         let message = format!("`{key} = {text}` is out of range; allowed is {}", field.allowed);
-        return Err(Diagnostic::error("value-out-of-range", message).hint("check the number and its unit"));
+        let finding = Diagnostic::error("value-out-of-range", message);
+        return Err(Box::new(finding.hint("check the number and its unit")));
     }
     Ok((number, text))
 }

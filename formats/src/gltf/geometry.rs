@@ -134,7 +134,7 @@ fn read_mesh(
             Some(read) => read.into_u32().collect(),
             None => (0..count as u32).collect(),
         };
-        if corners.len() % 3 != 0 || corners.iter().any(|i| *i as usize >= count) {
+        if !corners.len().is_multiple_of(3) || corners.iter().any(|i| *i as usize >= count) {
             return Err(damaged("its indices are no whole triangles or leave the vertices"));
         }
         let base = u32::try_from(base).map_err(|_| damaged("it is too large"))?;

@@ -83,5 +83,5 @@ pub fn read(bytes: &[u8], file: &str) -> Result<ObjMesh, Vec<Diagnostic>> {
         let message = format!("two readings of the file differ: {why}");
         vec![Diagnostic::error("obj-readers-differ", message).at(SourceRef::file(file))]
     })?;
-    polygon::mesh(scan, file).map_err(|d| vec![d])
+    polygon::mesh(scan, file).map_err(|d| vec![*d])
 }

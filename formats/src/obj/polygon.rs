@@ -8,7 +8,7 @@ use toile_garment::{Diagnostic, SourceRef, Vec3};
 const MAX_EARS: usize = 1000;
 
 /// The mesh of a scan.
-pub fn mesh(scan: Scan, file: &str) -> Result<ObjMesh, Diagnostic> {
+pub fn mesh(scan: Scan, file: &str) -> Result<ObjMesh, Box<Diagnostic>> {
     let whole_uv = !scan.corners.is_empty() && scan.corners.iter().all(|c| c.vt.is_some());
     let mut out = ObjMesh { uv_triangles: whole_uv.then(Vec::new), ..ObjMesh::default() };
     let mut first_triangle = Vec::with_capacity(scan.faces.len());
@@ -20,14 +20,14 @@ pub fn mesh(scan: Scan, file: &str) -> Result<ObjMesh, Diagnostic> {
         let Some(cut) = triangles(&points) else {
             let message = format!("the face with {} corners has no simple shape to cut into triangles", corners.len());
             let finding = Diagnostic::error("obj-polygon", message).at(SourceRef::file(file).at_line(face.line));
-            return Err(finding.hint("triangulate the mesh before export"));
+            return Err(Box::new(finding.hint("triangulate the mesh before export")));
         };
         for t in cut {
             push(&mut out, t, corners);
         }
         if out.triangles.len() > MAX_ITEMS {
             let message = format!("more than {MAX_ITEMS} triangles");
-            return Err(Diagnostic::error("obj-too-many", message).at(SourceRef::file(file)));
+            return Err(Box::new(Diagnostic::error("obj-too-many", message).at(SourceRef::file(file))));
         }
     }
     let end = out.triangles.len();

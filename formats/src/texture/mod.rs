@@ -23,8 +23,10 @@ pub const MAX_BYTES: usize = 256 << 20;
 ///
 /// # Errors
 /// When it is neither PNG nor JPEG, too large, or broken.
-pub fn read_image(bytes: &[u8], file: &str) -> Result<Image, Diagnostic> {
-    let bad = |code: &str, what: String| Diagnostic::error(code, format!("`{file}`: {what}")).at(SourceRef::file(file));
+pub fn read_image(bytes: &[u8], file: &str) -> Result<Image, Box<Diagnostic>> {
+    let bad = |code: &str, what: String| {
+        Box::new(Diagnostic::error(code, format!("`{file}`: {what}")).at(SourceRef::file(file)))
+    };
     if bytes.len() > MAX_BYTES {
         return Err(bad("file-too-large", format!("{} bytes, over the limit of {MAX_BYTES}", bytes.len())));
     }
@@ -34,7 +36,7 @@ pub fn read_image(bytes: &[u8], file: &str) -> Result<Image, Diagnostic> {
         (ImageFormat::Jpeg, "image/jpeg", strip::jpeg(bytes))
     } else {
         let finding = bad("image-kind", "this is neither PNG nor JPEG".to_owned());
-        return Err(finding.hint("save the bitmap as PNG or JPEG"));
+        return Err(Box::new(finding.hint("save the bitmap as PNG or JPEG")));
     };
     let kept = kept.map_err(|what| bad("image-broken", what.to_owned()))?;
     let reader = |limits| {

@@ -164,12 +164,16 @@ impl Input<'_> {
 }
 
 /// The garment of one piece with mesh and start positions.
-fn one_piece(params: &ImportMeshParams, mut cloth: obj::ObjMesh, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
+fn one_piece(
+    params: &ImportMeshParams,
+    mut cloth: obj::ObjMesh,
+    cx: &mut StageContext<'_>,
+) -> Result<Garment, StageError> {
     let file = params.cloth.as_str();
     let place = SourceRef::file(file);
     cx.report.findings.append(&mut cloth.findings);
     let positions: Vec<Vec3> = cloth.positions.iter().map(|p| params.up.from_file(*p)).collect();
-    let mut built = rest::build(params.rest, file, &positions, &cloth).map_err(StageError::input)?;
+    let mut built = rest::build(params.rest, file, &positions, &cloth).map_err(|d| StageError::input(*d))?;
     cx.report.findings.append(&mut built.findings);
     let loose = unused(positions.len(), &built.mesh.triangles);
     if loose > 0 {

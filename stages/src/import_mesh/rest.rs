@@ -33,7 +33,7 @@ pub struct Built {
 }
 
 /// Builds the mesh; triangles without area are left out and counted.
-pub fn build(rest: Rest, file: &str, positions: &[Vec3], cloth: &ObjMesh) -> Result<Built, Diagnostic> {
+pub fn build(rest: Rest, file: &str, positions: &[Vec3], cloth: &ObjMesh) -> Result<Built, Box<Diagnostic>> {
     let place = SourceRef::file(file);
     let corners = match (rest, &cloth.uv_triangles) {
         (Rest::Positions, _) => None,
@@ -41,7 +41,9 @@ pub fn build(rest: Rest, file: &str, positions: &[Vec3], cloth: &ObjMesh) -> Res
         (Rest::Uv, None) => {
             let message = format!("`rest = \"uv\"`, but not every corner in `{file}` has a texture vertex");
             let finding = Diagnostic::error("mesh-without-uv", message).at(place);
-            return Err(finding.hint("export the mesh with texture coordinates in metres, or use rest = \"positions\""));
+            return Err(Box::new(
+                finding.hint("export the mesh with texture coordinates in metres, or use rest = \"positions\""),
+            ));
         }
     };
     let frame = frame_of(positions, &cloth.triangles);
@@ -65,7 +67,8 @@ pub fn build(rest: Rest, file: &str, positions: &[Vec3], cloth: &ObjMesh) -> Res
         shapes.push(shape);
     }
     if triangles.is_empty() {
-        return Err(Diagnostic::error("mesh-empty", format!("`{file}` has no triangle with area at rest")).at(place));
+        let finding = Diagnostic::error("mesh-empty", format!("`{file}` has no triangle with area at rest"));
+        return Err(Box::new(finding.at(place)));
     }
     let mut findings = Vec::new();
     let mut note = |count: usize, code: &str, words: &str| {
@@ -75,7 +78,11 @@ pub fn build(rest: Rest, file: &str, positions: &[Vec3], cloth: &ObjMesh) -> Res
     };
     note(flat, "triangles-flat", "triangles without area at rest were left out");
     let backwards = turned.iter().filter(|t| **t).count();
-    note(backwards, "uv-mirrored", "triangles lie mirrored in the texture plane; the cloth is seen from its back there");
+    note(
+        backwards,
+        "uv-mirrored",
+        "triangles lie mirrored in the texture plane; the cloth is seen from its back there",
+    );
     for (shape, _) in shapes.iter_mut().zip(&turned).filter(|(_, turned)| **turned) {
         shape.iter_mut().for_each(|p| p.x = -p.x);
     }

@@ -33,11 +33,15 @@ const FABRIC: &str = "name = \"t\"\nareal_mass = \"150 g/m2\"\nthickness = \"0.5
 const SQUARE: &str = "v 0 0 1\nv 1 0 1\nv 7 7 7\nv 1 2 1\nv 0 2 1\nvt 0 0\nvt 1 0\nvt 1 2\nvt 0 2\n\
     f 1/1 2/2 4/3\nf 1/1 4/3 5/4\n";
 
-fn run<S: Stage>(stage: &S, params: &S::Params, garment: Garment, files: &mut Memory) -> Result<(Garment, Report), StageError> {
+fn run<S: Stage>(
+    stage: &S,
+    params: &S::Params,
+    garment: Garment,
+    files: &mut Memory,
+) -> Result<(Garment, Report), StageError> {
     let mut report = Report::default();
     let cancel = AtomicBool::new(false);
-    let mut cx =
-        StageContext { report: &mut report, progress: &mut (), files, cancel: &cancel, seed: 0, threads: 1 };
+    let mut cx = StageContext { report: &mut report, progress: &mut (), files, cancel: &cancel, seed: 0, threads: 1 };
     let garment = stage.run(params, garment, &mut cx)?;
     Ok((garment, report))
 }
@@ -77,8 +81,7 @@ fn curved() -> String {
 #[test]
 fn z_up_keeps_order_and_turns_axes_both_ways() {
     let pairs = [("c.obj", SQUARE), ("p.txt", "# held\n0\n1 1 0 0.5\n"), ("l.txt", "3 0 0 -2\n")];
-    let (garment, report) =
-        import("up = \"z\"\npins = \"p.txt\"\nloads = \"l.txt\"", &pairs).expect("garment");
+    let (garment, report) = import("up = \"z\"\npins = \"p.txt\"\nloads = \"l.txt\"", &pairs).expect("garment");
     let start = garment.stitched.as_ref().expect("start");
     assert_eq!(start.positions[0].len(), 5, "the unused vertex stays");
     assert_eq!(start.positions[0][3], Vec3::new(1.0, 1.0, -2.0));
@@ -204,7 +207,8 @@ fn the_whole_way_to_a_glb() {
     let mut png = Vec::new();
     png.extend_from_slice(PNG);
     disk.0.insert("check.png".into(), png);
-    let (garment, _) = run(&ImportMesh, &params("up = \"z\"\nrest = \"uv\""), Garment::default(), &mut disk).expect("garment");
+    let (garment, _) =
+        run(&ImportMesh, &params("up = \"z\"\nrest = \"uv\""), Garment::default(), &mut disk).expect("garment");
     let look: TextureParams =
         toml::from_str("image = \"check.png\"\nrepeat = [\"40 mm\", \"50 mm\"]").expect("parameters");
     let (garment, _) = run(&Texture, &look, garment, &mut disk).expect("texture");
@@ -218,7 +222,7 @@ fn the_whole_way_to_a_glb() {
 
 /// A PNG of one white pixel.
 const PNG: &[u8] = &[
-    137, 80, 78, 71, 13, 10, 26, 10, 0, 0, 0, 13, 73, 72, 68, 82, 0, 0, 0, 1, 0, 0, 0, 1, 8, 0, 0, 0, 0, 58, 126,
-    155, 85, 0, 0, 0, 10, 73, 68, 65, 84, 120, 156, 99, 248, 15, 0, 1, 1, 1, 0, 177, 56, 246, 20, 0, 0, 0, 0, 73,
-    69, 78, 68, 174, 66, 96, 130,
+    137, 80, 78, 71, 13, 10, 26, 10, 0, 0, 0, 13, 73, 72, 68, 82, 0, 0, 0, 1, 0, 0, 0, 1, 8, 0, 0, 0, 0, 58, 126, 155,
+    85, 0, 0, 0, 10, 73, 68, 65, 84, 120, 156, 99, 248, 15, 0, 1, 1, 1, 0, 177, 56, 246, 20, 0, 0, 0, 0, 73, 69, 78,
+    68, 174, 66, 96, 130,
 ];

@@ -3,11 +3,11 @@
 use toile_garment::Diagnostic;
 
 /// Linear RGB of `#rrggbb`.
-pub fn linear(text: &str) -> Result<[f64; 3], Diagnostic> {
+pub fn linear(text: &str) -> Result<[f64; 3], Box<Diagnostic>> {
     let digits = text.trim().strip_prefix('#').filter(|d| d.len() == 6 && d.chars().all(|c| c.is_ascii_hexdigit()));
     let Some(number) = digits.and_then(|d| u32::from_str_radix(d, 16).ok()) else {
         let finding = Diagnostic::error("color", format!("`{text}` is no colour"));
-        return Err(finding.hint("write red, green and blue in hexadecimal, e.g. \"#d8c8b0\""));
+        return Err(Box::new(finding.hint("write red, green and blue in hexadecimal, e.g. \"#d8c8b0\"")));
     };
     Ok([16, 8, 0].map(|shift| decode(f64::from(number >> shift & 0xff) / 255.0)))
 }

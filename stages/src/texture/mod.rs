@@ -42,7 +42,7 @@ impl Stage for Texture {
         for look in &looks {
             match material(look, cx)? {
                 Ok(m) => materials.push(m),
-                Err(finding) => findings.push(finding),
+                Err(finding) => findings.push(*finding),
             }
         }
         if findings.iter().any(|f| f.severity == Severity::Error) {
@@ -65,12 +65,12 @@ impl Stage for Texture {
 }
 
 /// A look with its bitmap read.
-fn material(look: &Look<'_>, cx: &mut StageContext<'_>) -> Result<Result<Material, Diagnostic>, StageError> {
+fn material(look: &Look<'_>, cx: &mut StageContext<'_>) -> Result<Result<Material, Box<Diagnostic>>, StageError> {
     let image = match look.image {
         None => None,
         Some(file) => match read_image(&cx.files.read(Path::new(file))?, file) {
             Ok(image) => Some(image),
-            Err(finding) if finding.code.starts_with("image") => return Err(StageError::input(finding)),
+            Err(finding) if finding.code.starts_with("image") => return Err(StageError::input(*finding)),
             Err(finding) => return Err(StageError::Limit(finding.to_string())),
         },
     };

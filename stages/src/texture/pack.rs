@@ -23,9 +23,9 @@ pub fn pack(pieces: &[Vec<[f64; 2]>], margin: f64) -> Vec<Vec<[f64; 2]>> {
 
 fn bounds(points: &[[f64; 2]]) -> ([f64; 2], [f64; 2]) {
     let first = points.first().copied().unwrap_or([0.0; 2]);
-    points.iter().fold((first, first), |(lo, hi), p| {
-        ([lo[0].min(p[0]), lo[1].min(p[1])], [hi[0].max(p[0]), hi[1].max(p[1])])
-    })
+    points
+        .iter()
+        .fold((first, first), |(lo, hi), p| ([lo[0].min(p[0]), lo[1].min(p[1])], [hi[0].max(p[0]), hi[1].max(p[1])]))
 }
 
 /// The layout whose square is smallest: lower corners and the side of the square.

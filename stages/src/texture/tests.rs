@@ -11,8 +11,7 @@ fn rect(name: &str, w: f64, h: f64) -> Piece {
 #[test]
 fn packed_boxes_fit_keep_their_scale_and_do_not_meet() {
     let sizes = [(0.5, 0.8), (0.5, 0.8), (0.2, 0.6), (0.9, 0.05), (0.3, 0.3), (0.01, 0.01), (0.35, 0.62)];
-    let pieces: Vec<Vec<[f64; 2]>> =
-        sizes.iter().map(|(w, h)| cloth_coordinates(&rect("p", *w, *h))).collect();
+    let pieces: Vec<Vec<[f64; 2]>> = sizes.iter().map(|(w, h)| cloth_coordinates(&rect("p", *w, *h))).collect();
     let margin = 0.01;
     let packed = pack::pack(&pieces, margin);
     assert_eq!(packed, pack::pack(&pieces, margin));
