@@ -1,5 +1,6 @@
 //! Small angles that smoothing cannot cure: a vertex too few or too many near short edges and in narrow strips.
 
+use super::crossing::Segment;
 use super::lattice::distance;
 use super::layout::Layout;
 use super::regular::{FillError, Filled, cloth, smoothed};
@@ -9,6 +10,8 @@ use toile_garment::Vec2;
 /// Triangles above this are left alone.
 const GOOD_ENOUGH: f64 = 36.0 / 180.0 * std::f64::consts::PI;
 const ROUNDS: usize = 8;
+/// Meshes of more triangles get fewer rounds.
+const LARGE: usize = 50_000;
 /// In meshes of fewer triangles the worst one is also tried alone.
 const SINGLE_TRIES: usize = 10_000;
 
@@ -18,18 +21,20 @@ const SINGLE_TRIES: usize = 10_000;
 /// As filling.
 pub fn repair(layout: &Layout, edges: &[[u32; 2]], sharp: &[u32], mut mesh: Filled) -> Result<Filled, FillError> {
     let fixed = layout.points.len();
-    for _ in 0..ROUNDS {
+    let rounds = if mesh.1.len() < LARGE { ROUNDS } else { ROUNDS / 4 };
+    for _ in 0..rounds {
         let bad = bad(&mesh, sharp);
         let Some(before) = bad.first().map(|b| b.0) else { break };
         let mut tries = vec![with_more(&mesh, &bad, layout), with_fewer(&mesh, &bad, fixed)];
         if mesh.1.len() < SINGLE_TRIES {
             tries.push(with_more(&mesh, &bad[..1], layout));
+            tries.extend(with_each(&mesh, bad[0].1, layout).into_iter().map(Some));
             tries.extend(without_each(&mesh, bad[0].1, fixed).into_iter().map(Some));
         }
         let mut best: Option<(f64, usize, Filled)> = None;
-        for points in tries.into_iter().flatten() {
+        for (points, centroids) in tries.into_iter().flatten().flat_map(|p| [(p.clone(), 2), (p, 0)]) {
             let triangles = cloth(&points, edges, layout)?;
-            let next = smoothed(layout, edges, (points, triangles), 2, 4)?;
+            let next = smoothed(layout, edges, (points, triangles), centroids, 4)?;
             let left = self::bad(&next, sharp);
             let worst = left.first().map_or(GOOD_ENOUGH, |b| b.0);
             let better = best.as_ref().is_none_or(|(w, n, _)| worst > w + 1e-3 || worst > w - 1e-3 && left.len() < *n);
@@ -69,15 +74,32 @@ fn with_more(mesh: &Filled, bad: &[(f64, [u32; 3])], layout: &Layout) -> Option<
     let lines = layout.segments(|_| true);
     for (_, t) in bad.iter().take(200) {
         let [a, b, c] = t.map(|v| mesh.0[v as usize]);
-        let shortest = (b - a).norm().min((c - b).norm()).min((a - c).norm());
-        let Some(p) = circumcentre(a, b, c) else { continue };
-        let far = points.iter().all(|q| (q - p).norm() > 0.6 * shortest);
-        let clear = lines.iter().all(|s| distance(s.a, s.b, p) > 0.25 * (s.b - s.a).norm().min(shortest * 2.0));
-        if far && clear && holds(mesh, p) {
+        if let Some(p) = circumcentre(a, b, c)
+            && has_room(mesh, &points, &lines, *t, p)
+        {
             points.push(p);
         }
     }
     (points.len() > before).then_some(points)
+}
+
+/// Is there room for a point that mends a triangle?
+fn has_room(mesh: &Filled, points: &[Vec2], lines: &[Segment], t: [u32; 3], p: Vec2) -> bool {
+    let [a, b, c] = t.map(|v| mesh.0[v as usize]);
+    let shortest = (b - a).norm().min((c - b).norm()).min((a - c).norm());
+    let far = points.iter().all(|q| (q - p).norm() > 0.55 * shortest);
+    let clear = lines.iter().all(|s| distance(s.a, s.b, p) > 0.25 * (s.b - s.a).norm().min(shortest * 2.0));
+    far && clear && holds(mesh, p)
+}
+
+/// With one more vertex at the middle of an edge of a triangle, or beyond it, each in turn.
+fn with_each(mesh: &Filled, t: [u32; 3], layout: &Layout) -> Vec<Vec<Vec2>> {
+    let lines = layout.segments(|_| true);
+    let [a, b, c] = t.map(|v| mesh.0[v as usize]);
+    let room = |p: &Vec2| has_room(mesh, &mesh.0, &lines, t, *p);
+    let more = |p: Vec2| mesh.0.iter().copied().chain([p]).collect();
+    let through = |v: Vec2, p: Vec2, q: Vec2| [1.0, 1.7].map(|f| v + ((p + q) * 0.5 - v) * f);
+    [through(c, a, b), through(a, b, c), through(b, c, a)].into_iter().flatten().filter(room).map(more).collect()
 }
 
 /// Is the point in the cloth? On an edge counts.

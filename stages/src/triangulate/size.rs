@@ -25,7 +25,7 @@ pub fn edge_length(params: &Params, garment: &Garment, shapes: &Shapes) -> Resul
         (None, Some(n)) => (4.0 * area / (3_f64.sqrt() * f64::from(n))).sqrt(),
         (None, None) => DEFAULT,
     };
-    if !(h.is_finite() && h > 0.0) || !params.angle.0.is_finite() {
+    if !(h.is_finite() && h > 0.0 && params.angle.0.is_finite()) {
         return wrong(format!("the edge length {} mm cannot be", h * 1e3), "e.g. edge_length = \"12 mm\"");
     }
     let triangles = 4.0 * area / (3_f64.sqrt() * h * h);
