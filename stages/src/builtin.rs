@@ -5,5 +5,5 @@ use toile_stage_api::Registry;
 /// All built-in stages.
 #[must_use]
 pub fn builtin() -> Registry {
-    Registry::default()
+    Registry::default().with(crate::export_dxf::ExportDxf)
 }

@@ -4,6 +4,7 @@
 //! exports, `flatten`, report.
 
 pub mod builtin;
+pub mod export_dxf;
 pub mod sewing;
 
 pub use builtin::builtin;
