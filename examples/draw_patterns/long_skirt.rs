@@ -105,7 +105,13 @@ impl Quarter {
             Edge::start("waist-side", side).curve(left(top), b, towards(180.0 - slant), third, 10),
             Edge::straight("leg", b, apex),
             Edge::straight("leg", apex, a),
-            Edge::start("waist-centre", a).curve(towards(180.0 + slant), at(0.0, self.centre), at(-1.0, 0.0), third, 10),
+            Edge::start("waist-centre", a).curve(
+                towards(180.0 + slant),
+                at(0.0, self.centre),
+                at(-1.0, 0.0),
+                third,
+                10,
+            ),
         ]
     }
 

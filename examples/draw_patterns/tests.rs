@@ -85,7 +85,10 @@ fn outlines_are_closed_simple_and_counter_clockwise() {
             let sparse: Vec<_> = line.points.iter().map(|p| p.at).collect();
             let worst = dense.iter().map(|p| distance(*p, &sparse)).fold(0.0, f64::max);
             if worst > 0.2 {
-                wide.push(format!("{style} {} {:?}: chords leave the curve by {worst:.3} mm", draft.name, drawing.size));
+                wide.push(format!(
+                    "{style} {} {:?}: chords leave the curve by {worst:.3} mm",
+                    draft.name, drawing.size
+                ));
             }
         }
     }

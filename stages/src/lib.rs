@@ -10,6 +10,7 @@ pub mod drape;
 pub mod export_report;
 pub mod flatten;
 pub mod import_dxf;
+pub mod export_dxf;
 pub mod sewing;
 mod solve;
 pub mod stitch;

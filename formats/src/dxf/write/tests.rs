@@ -87,6 +87,12 @@ fn astm_holds_every_entity_on_its_layer() {
     assert_eq!(["1", "14", "8", "11", "84", "87"].map(|l| census(&e, "VERTEX", l)), [5, 4, 2, 3, 7, 4]);
     assert_eq!(["2", "3", "4", "81", "13"].map(|l| census(&e, "POINT", l)), [4 + 4 + 2 + 3, 1, 1, 1, 1]);
     assert_eq!(["7", "5"].map(|l| census(&e, "LINE", l)), [1, 1]);
+    let at = |kind: &str, layer: &str| {
+        e.iter().filter(|e| e.kind == kind && e.text(8) == Some(layer)).map(Entity::at).collect::<Vec<_>>()
+    };
+    assert_eq!(Some(at("VERTEX", "84")), piece().boundary.dense);
+    assert_eq!(at("VERTEX", "14"), piece().sew_line.expect("sew line").dense_points());
+    assert_eq!((at("POINT", "3"), at("POINT", "13")), (vec![Vec2::new(104.0, 100.0)], piece().drill_holes));
     let texts: Vec<_> = e.iter().filter_map(|e| e.text(1)).collect();
     for text in ["Piece Name: FRONT", "Size: 38", "Quantity: 1,1", "Sample Size: 38", "Units: METRIC"] {
         assert!(texts.contains(&text), "{text} in {texts:?}");

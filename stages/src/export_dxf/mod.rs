@@ -1,0 +1,143 @@
+//! `export-dxf`: the pattern as DXF again, as it came or as it was flattened.
+
+mod carry;
+mod flat_piece;
+mod outline_map;
+#[cfg(test)]
+mod tests;
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+use toile_formats::dxf::write::{self, Drawing, PieceOptions, StyleText, piece_drawing};
+use toile_garment::{Aspect, Diagnostic, Garment, Piece};
+use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+
+pub use flat_piece::flat_piece;
+
+/// Which form of the standard is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum DxfDialect {
+    /// ANSI/AAMA-292.
+    Aama,
+    /// ASTM D6673.
+    #[default]
+    Astm,
+    /// As CLO writes it.
+    Clo,
+}
+
+/// Which pattern is written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum DxfSource {
+    /// The flattened pieces.
+    #[default]
+    Flat,
+    /// The pattern as it was imported.
+    Pattern,
+}
+
+/// Parameters of `export-dxf`.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct ExportDxfParams {
+    /// Output file.
+    pub file: String,
+    /// Form of the standard.
+    pub dialect: DxfDialect,
+    /// The flattened pieces, or the pattern unchanged.
+    pub source: DxfSource,
+    /// Write pieces that were unfolded as halves with a fold line again.
+    pub half_on_fold: bool,
+}
+
+impl Default for ExportDxfParams {
+    fn default() -> Self {
+        Self {
+            file: "{out}/pattern.dxf".to_owned(),
+            dialect: DxfDialect::default(),
+            source: DxfSource::default(),
+            half_on_fold: false,
+        }
+    }
+}
+
+/// The stage.
+pub struct ExportDxf;
+
+impl Stage for ExportDxf {
+    type Params = ExportDxfParams;
+    const INFO: StageInfo = StageInfo::new(
+        "export-dxf",
+        "writes the flattened pieces, or the pattern, as DXF-AAMA or DXF-ASTM",
+        &[Aspect::Pieces],
+        &[],
+        1,
+    );
+
+    fn run(
+        &self,
+        params: &ExportDxfParams,
+        garment: Garment,
+        cx: &mut StageContext<'_>,
+    ) -> Result<Garment, StageError> {
+        let pieces = match params.source {
+            DxfSource::Pattern => garment.pieces.clone(),
+            DxfSource::Flat => flat_pieces(&garment)?,
+        };
+        let written = draw(&garment, &pieces, params).map_err(StageError::Input)?;
+        for finding in written.findings {
+            cx.report.push(finding);
+        }
+        cx.files.write(Path::new(&params.file), &written.bytes)?;
+        Ok(garment)
+    }
+}
+
+/// All pieces at their flattened places.
+fn flat_pieces(garment: &Garment) -> Result<Vec<Piece>, StageError> {
+    let Some(flat) = &garment.flat else {
+        return Err(StageError::parameter(
+            Diagnostic::error("flat-missing", "there are no flattened pieces to write")
+                .hint("put `flatten` before `export-dxf`, or set with.source = \"pattern\""),
+        ));
+    };
+    let mut faults = Vec::new();
+    let mut pieces = Vec::with_capacity(garment.pieces.len());
+    for piece in &garment.pieces {
+        let found = flat.pieces.iter().find(|f| f.piece == piece.id);
+        let moved = found.map_or_else(
+            || Err(Box::new(Diagnostic::error("flat-missing", format!("piece `{}` was not flattened", piece.name)))),
+            |f| flat_piece(piece, f),
+        );
+        match moved {
+            Ok(piece) => pieces.push(piece),
+            Err(fault) => faults.push(*fault),
+        }
+    }
+    if faults.is_empty() { Ok(pieces) } else { Err(StageError::Input(faults)) }
+}
+
+/// The file: bytes and findings.
+///
+/// # Errors
+/// As [`write::write`].
+pub fn draw(garment: &Garment, pieces: &[Piece], params: &ExportDxfParams) -> Result<write::Written, Vec<Diagnostic>> {
+    let dialect = match params.dialect {
+        DxfDialect::Aama => write::Dialect::Aama,
+        DxfDialect::Astm => write::Dialect::Astm,
+        DxfDialect::Clo => write::Dialect::Clo,
+    };
+    let mut findings = Vec::new();
+    let options = PieceOptions { half_on_fold: params.half_on_fold };
+    let drawing = Drawing {
+        style: StyleText { name: garment.style.clone(), sample_size: garment.size.clone(), author: String::new() },
+        pieces: pieces.iter().map(|p| piece_drawing(p, options, &mut findings)).collect(),
+    };
+    let mut written = write::write(&drawing, dialect)?;
+    findings.append(&mut written.findings);
+    written.findings = findings;
+    Ok(written)
+}

@@ -1,0 +1,236 @@
+use super::*;
+use std::sync::atomic::AtomicBool;
+use toile_garment::dart::{Dart, DartEvidence, DartKind, DartMesh};
+use toile_garment::flat::{Flat, FlatPiece, StrainMap};
+use toile_garment::mesh::{ChainKind, MeshChain, PieceMesh};
+use toile_garment::notch::{Notch, NotchKind};
+use toile_garment::outline::{LinePoint, PieceLine, PointKind};
+use toile_garment::piece::DrillHole;
+use toile_garment::{PieceId, Report, Vec2};
+use toile_stage_api::{FileError, Files};
+
+fn mm(x: f64, y: f64) -> Vec2 {
+    Vec2::new(x, y) * 1e-3
+}
+
+fn closed(points: &[Vec2]) -> PieceLine {
+    let points = points.iter().map(|at| LinePoint { at: *at, kind: PointKind::Turn }).collect();
+    PieceLine { points, closed: true, ..PieceLine::default() }
+}
+
+/// Mesh vertices: four corners, the mouth and the apex of a wedge at the top.
+fn rest() -> Vec<Vec2> {
+    [(0., 0.), (200., 0.), (200., 200.), (110., 200.), (100., 100.), (90., 200.), (0., 200.)]
+        .map(|(x, y)| mm(x, y))
+        .into()
+}
+
+/// A square of 200 mm with a wedge dart, a bulge of the lower edge finer than the mesh, and 10 mm of allowance that
+/// runs straight over the mouth.
+fn piece() -> Piece {
+    let v = rest();
+    let mut outline = closed(&[v[0], mm(100.0, -2.0), v[1], v[2], v[3], v[4], v[5], v[6]]);
+    outline.points[1].kind = PointKind::Curve;
+    let mesh = PieceMesh {
+        rest: v.clone(),
+        triangles: vec![[0, 1, 4], [1, 2, 3], [1, 3, 4], [0, 4, 5], [0, 5, 6]],
+        chains: vec![MeshChain { kind: ChainKind::Outline, index: 0, vertices: (0..7).collect(), closed: true }],
+        outline_vertex: vec![Some(0), None, Some(1), Some(2), Some(3), Some(4), Some(5), Some(6)],
+    };
+    let dart = Dart {
+        name: "dart-1".into(),
+        kind: DartKind::Wedge,
+        evidence: DartEvidence::BoundaryWedge,
+        apexes: vec![v[4]],
+        mouth: [v[3], v[5]],
+        legs: [vec![v[3], v[4]], vec![v[5], v[4]]],
+        line: "sew".into(),
+        depth: None,
+        mesh: Some(DartMesh { legs: [vec![3, 4], vec![5, 4]] }),
+        source: None,
+    };
+    let notch = Notch {
+        kind: NotchKind::Slit,
+        at: mm(210.0, 150.0),
+        depth: 5e-3,
+        width: 0.0,
+        angle: Some(std::f64::consts::PI),
+        on: "boundary".into(),
+        name: None,
+        source: None,
+    };
+    let cut =
+        [(-10., -10.), (210., -10.), (210., 210.), (110., 210.), (90., 210.), (-10., 210.)].map(|(x, y)| mm(x, y));
+    Piece {
+        name: "FRONT".into(),
+        outline,
+        cut_line: Some(closed(&cut)),
+        notches: vec![notch],
+        drill_holes: vec![DrillHole { at: mm(150.0, 120.0), source: None }],
+        grain: Some([mm(50.0, 40.0), mm(50.0, 80.0)]),
+        internal_lines: vec![PieceLine { closed: false, ..closed(&[mm(20.0, 20.0), mm(60.0, 20.0)]) }],
+        darts: vec![dart],
+        mesh: Some(mesh),
+        ..Piece::default()
+    }
+}
+
+fn flat(positions: Vec<Vec2>) -> FlatPiece {
+    FlatPiece {
+        piece: PieceId(0),
+        positions,
+        area: [0.0; 3],
+        edges: Vec::new(),
+        darts: Vec::new(),
+        grain_shift: 0.0,
+        drape_strain: StrainMap::default(),
+        flat_strain: StrainMap::default(),
+        rounds: 0,
+        last_motion: 0.0,
+        curvature: 0.0,
+    }
+}
+
+/// Every point of a piece.
+fn points(piece: &Piece) -> Vec<Vec2> {
+    let lines = std::iter::once(&piece.outline).chain(&piece.cut_line).chain(&piece.internal_lines);
+    let mut out: Vec<_> = lines.flat_map(|l| l.positions()).collect();
+    out.extend(piece.notches.iter().map(|n| n.at));
+    out.extend(piece.drill_holes.iter().map(|d| d.at));
+    out.extend(piece.grain.iter().flatten());
+    out.extend(piece.darts.iter().flat_map(|d| d.apexes.iter().chain(&d.mouth).chain(d.legs.iter().flatten())));
+    out
+}
+
+fn turned(p: Vec2, about: Vec2, degrees: f64) -> Vec2 {
+    let (s, c) = libm::sincos(degrees.to_radians());
+    let d = p - about;
+    about + Vec2::new(c * d.x - s * d.y, s * d.x + c * d.y)
+}
+
+fn assert_near(a: f64, b: f64, what: &str) {
+    assert!((a - b).abs() < 1e-9, "{what}: {a} against {b}");
+}
+
+#[test]
+fn an_unmoved_piece_stays_as_it_is() {
+    let piece = piece();
+    let out = flat_piece(&piece, &flat(rest())).expect("moved");
+    for (a, b) in points(&piece).iter().zip(points(&out)) {
+        assert!((a - b).norm() < 1e-12, "{a} against {b}");
+    }
+}
+
+#[test]
+fn a_rigid_motion_moves_everything_alike() {
+    let motion = |p: Vec2| turned(p, mm(30.0, 60.0), 25.0) + mm(400.0, -70.0);
+    let piece = piece();
+    let out = flat_piece(&piece, &flat(rest().into_iter().map(motion).collect())).expect("moved");
+    for (a, b) in points(&piece).iter().zip(points(&out)) {
+        assert!((motion(*a) - b).norm() < 1e-12, "{a}");
+    }
+    let angle = out.notches[0].angle.expect("angle");
+    assert_near(angle, std::f64::consts::PI + 25.0_f64.to_radians(), "notch angle");
+}
+
+/// Distance of a point from the line through two others.
+fn off(p: Vec2, a: Vec2, b: Vec2) -> f64 {
+    let d = b - a;
+    ((d.x * (p.y - a.y) - d.y * (p.x - a.x)) / d.norm()).abs()
+}
+
+#[test]
+fn an_opened_dart_keeps_legs_and_allowance() {
+    // The upper right of the cloth turns about the apex by 3°, away from the other leg.
+    let apex = rest()[4];
+    let mut to = rest();
+    to[2] = turned(to[2], apex, -3.0);
+    to[3] = turned(to[3], apex, -3.0);
+    let out = flat_piece(&piece(), &flat(to.clone())).expect("moved");
+    let dart = &out.darts[0];
+    assert_near(dart.leg_length(0), dart.leg_length(1), "legs");
+    let [a, b] = [dart.mouth[0] - apex, dart.mouth[1] - apex];
+    let angle = libm::acos(a.dot(&b) / a.norm() / b.norm()).to_degrees();
+    let before = 2.0 * libm::atan(0.1).to_degrees();
+    assert_near(angle, before + 3.0, "dart angle");
+    let at: Vec<_> = out.outline.positions();
+    assert_eq!([at[3], at[4], at[5], at[6]], [to[2], to[3], to[4], to[5]]);
+    // The bulge of the lower edge, which did not move.
+    assert!((at[1] - mm(100.0, -2.0)).norm() < 1e-12);
+    let cut = out.cut_line.as_ref().expect("cut line").positions();
+    // The corner keeps 10 mm from both its sides; the turned part of the waist keeps 10 mm along its length.
+    assert_near(off(cut[2], to[1], to[2]), 0.01, "corner, side");
+    assert_near(off(cut[2], to[2], to[3]), 0.01, "corner, top");
+    assert_near(off(cut[4], to[5], to[6]), 0.01, "left of the mouth");
+    let notch = &out.notches[0];
+    assert_near(off(notch.at, to[1], to[2]), 0.01, "notch");
+    let along = to[2] - to[1];
+    let inward = Vec2::new(libm::cos(notch.angle.expect("angle")), libm::sin(notch.angle.expect("angle")));
+    assert_near(inward.dot(&along) / along.norm(), 0.0, "notch stands square");
+}
+
+#[test]
+fn a_flat_of_another_mesh_is_refused() {
+    let fault = flat_piece(&piece(), &flat(vec![mm(0.0, 0.0)])).expect_err("refused");
+    assert_eq!(fault.code, "flat-does-not-fit");
+    let bare = Piece { mesh: None, ..piece() };
+    assert!(flat_piece(&bare, &flat(rest())).is_err());
+}
+
+/// Files in memory.
+#[derive(Default)]
+struct Memory(Vec<(String, Vec<u8>)>);
+
+impl Files for Memory {
+    fn read(&mut self, path: &Path) -> Result<Vec<u8>, FileError> {
+        Err(FileError::Missing { path: path.display().to_string(), reason: "none here".into() })
+    }
+    fn read_optional(&mut self, _: &Path) -> Result<Option<Vec<u8>>, FileError> {
+        Ok(None)
+    }
+    fn write(&mut self, path: &Path, bytes: &[u8]) -> Result<(), FileError> {
+        self.0.push((path.display().to_string(), bytes.to_vec()));
+        Ok(())
+    }
+}
+
+fn run(garment: Garment, params: &ExportDxfParams) -> (Result<Garment, StageError>, Memory, Report) {
+    let (mut report, mut files) = (Report::default(), Memory::default());
+    let cancel = AtomicBool::new(false);
+    let mut cx = StageContext {
+        report: &mut report,
+        progress: &mut (),
+        files: &mut files,
+        cancel: &cancel,
+        seed: 0,
+        threads: 1,
+    };
+    let result = ExportDxf.run(params, garment, &mut cx);
+    (result, files, report)
+}
+
+#[test]
+fn the_stage_writes_flat_pieces_and_the_pattern() {
+    let mut garment = Garment { pieces: vec![piece()], size: Some("38".into()), ..Garment::default() };
+    let (result, files, _) = run(garment.clone(), &ExportDxfParams::default());
+    let error = result.expect_err("nothing flattened yet").to_string();
+    assert!(error.contains("flat-missing") && files.0.is_empty());
+    let pattern =
+        ExportDxfParams { source: DxfSource::Pattern, file: "out/p.dxf".into(), ..ExportDxfParams::default() };
+    let (result, files, report) = run(garment.clone(), &pattern);
+    assert_eq!(result.expect("written"), garment);
+    assert_eq!((files.0[0].0.as_str(), report.findings.len()), ("out/p.dxf", 0));
+    // Flattened without any change it is the same pattern, byte for byte.
+    garment.flat = Some(Flat { pieces: vec![flat(rest())], pairs: Vec::new() });
+    let (result, same, _) = run(garment.clone(), &ExportDxfParams { source: DxfSource::Flat, ..pattern });
+    assert!(result.is_ok() && same.0 == files.0);
+}
+
+#[test]
+fn parameters_are_strict() {
+    let read = |text: &str| toml::from_str::<ExportDxfParams>(text);
+    let params = read("dialect = \"clo\"\nsource = \"pattern\"").expect("params");
+    assert_eq!((params.dialect, params.source), (DxfDialect::Clo, DxfSource::Pattern));
+    assert_eq!(params.file, "{out}/pattern.dxf");
+    assert!(read("dilect = \"clo\"").is_err() && read("dialect = \"gerber\"").is_err());
+}
