@@ -67,7 +67,8 @@ pub fn certify(scene: &Scene, settings: &Settings, positions: &[Vec3]) -> Result
     figures.energy = problem.elastic(x);
     let body = body.filter(|_| settings.effects.body_contact != Switch::Off);
     problem.add_contact(&scene, settings, topology, body, settings.effects.self_contact != Switch::Off);
-    let balance = report::balance(&mut problem, x, scene.gravity.norm() * settings.gravity_scale);
+    let dt = settings.step_fraction.min(1.0) * problem.stable_step(x);
+    let balance = report::balance(&mut problem, x, scene.gravity.norm() * settings.gravity_scale, dt);
     figures.residual_rel = balance.residual_rel;
     figures.reactions = balance.reactions;
     Ok(figures)

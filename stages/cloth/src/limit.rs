@@ -8,6 +8,8 @@ const INTERVAL: u32 = 16;
 /// Share of the allowed elongation from which a triangle is watched.
 const NEAR: f64 = 0.8;
 const SWEEPS: usize = 2;
+/// Sweeps for the balance of a state at rest.
+const SETTLING: usize = 500;
 
 struct Yarn {
     vertices: [u32; 3],
@@ -74,33 +76,57 @@ impl StrainLimit {
             self.most_watched = self.most_watched.max(self.watched.len());
         }
         for sweep in 0..SWEEPS {
-            let mut any = false;
-            for k in 0..self.watched.len() {
-                // Forwards, then backwards, so that a correction travels both ways.
-                let k = if sweep % 2 == 0 { k } else { self.watched.len() - 1 - k };
-                let y = &self.yarns[self.watched[k] as usize];
-                let (d, stretch) = y.stretch(x);
-                if stretch <= y.limit {
-                    continue;
-                }
-                let mobility: f64 =
-                    (0..3).map(|k| y.weights[k] * y.weights[k] * inverse_mass[y.vertices[k] as usize]).sum();
-                if mobility <= 0.0 {
-                    continue;
-                }
-                any = true;
-                self.corrected += 1;
-                let back = d * ((y.limit - stretch) / (stretch * mobility));
-                for k in 0..3 {
-                    let i = y.vertices[k] as usize;
-                    let move_by = back * (y.weights[k] * inverse_mass[i]);
-                    x[i] += move_by;
-                    v[i] += move_by / dt;
-                }
-            }
-            if !any {
+            if !self.sweep(sweep % 2 == 1, x, v, inverse_mass, dt) {
                 break;
             }
         }
+    }
+
+    /// As [`Self::apply`] for a state at rest at `from`: a triangle at (or, by the last sweep's rest, slightly over)
+    /// its limit may stay as it is but not grow, and the sweeps go on until nothing changes.
+    pub fn settle(&mut self, from: &[Vec3], x: &mut [Vec3], v: &mut [Vec3], inverse_mass: &[f64], dt: f64) {
+        let limits: Vec<f64> = self.yarns.iter().map(|y| y.limit).collect();
+        for y in &mut self.yarns {
+            y.limit = y.limit.max(y.stretch(from).1);
+        }
+        self.since = INTERVAL;
+        self.apply(x, v, inverse_mass, dt);
+        for sweep in 0..SETTLING {
+            if !self.sweep(sweep % 2 == 1, x, v, inverse_mass, dt) {
+                break;
+            }
+        }
+        for (y, l) in self.yarns.iter_mut().zip(limits) {
+            y.limit = l;
+        }
+    }
+
+    /// One pass over the watched triangles, forwards or backwards so that a correction travels both ways. Was anything
+    /// corrected?
+    fn sweep(&mut self, backwards: bool, x: &mut [Vec3], v: &mut [Vec3], inverse_mass: &[f64], dt: f64) -> bool {
+        let mut any = false;
+        for k in 0..self.watched.len() {
+            let k = if backwards { self.watched.len() - 1 - k } else { k };
+            let y = &self.yarns[self.watched[k] as usize];
+            let (d, stretch) = y.stretch(x);
+            if stretch <= y.limit {
+                continue;
+            }
+            let mobility: f64 =
+                (0..3).map(|k| y.weights[k] * y.weights[k] * inverse_mass[y.vertices[k] as usize]).sum();
+            if mobility <= 0.0 {
+                continue;
+            }
+            any = true;
+            self.corrected += 1;
+            let back = d * ((y.limit - stretch) / (stretch * mobility));
+            for k in 0..3 {
+                let i = y.vertices[k] as usize;
+                let move_by = back * (y.weights[k] * inverse_mass[i]);
+                x[i] += move_by;
+                v[i] += move_by / dt;
+            }
+        }
+        any
     }
 }

@@ -7,6 +7,9 @@ use crate::Vec3;
 pub enum StopReason {
     /// Energy change and speed below their tolerances (and, when sewing, every pair closed).
     Settled,
+    /// Nothing moves any more, but stitches are open although the sewing force has grown to its most: the pieces do
+    /// not reach round the body, or something is in the way.
+    SeamsOpen,
     /// The step limit.
     MaxSteps,
     /// The limit of simulated time.
@@ -19,6 +22,7 @@ impl StopReason {
     pub fn words(self) -> &'static str {
         match self {
             Self::Settled => "settled",
+            Self::SeamsOpen => "at rest with open seams",
             Self::MaxSteps => "the step limit was reached",
             Self::MaxSeconds => "the limit of simulated time was reached",
         }
@@ -76,6 +80,6 @@ pub struct Outcome {
     pub effects: Vec<EffectReport>,
     /// Forces on the pins.
     pub reactions: Vec<Reaction>,
-    /// Vertices that were pushed out of the body before the first step, and the largest push, m.
+    /// Vertices that were moved before the first step (out of the body, or pieces apart), and the largest move, m.
     pub repaired: (usize, f64),
 }

@@ -55,11 +55,15 @@ impl Problem {
         let body = scene.body.as_ref().filter(|_| s.effects.body_contact != Switch::Off).and_then(Body::new);
         let own = s.effects.self_contact != Switch::Off;
         let mut repaired = (0, 0.0);
-        if let Some(b) = &body {
-            repaired = repair::free_of_body(&mut start, &topology, b, s.body_gap, s.repair_share)?;
-        }
         if own {
-            repair::free_of_itself(&start, &topology)?;
+            repaired = repair::free_of_itself(&mut start, &topology)?;
+        }
+        if let Some(b) = &body {
+            let freed = repair::free_of_body(&mut start, &topology, b, s.body_gap, s.repair_share)?;
+            if own && freed.0 > 0 {
+                repair::free_of_itself(&mut start, &topology)?;
+            }
+            repaired = (repaired.0.max(freed.0), f64::max(repaired.1, freed.1));
         }
         let mut problem = Self::bare(scene, s, pulls, &topology, start, repaired);
         problem.add_contact(scene, s, topology, body, own);

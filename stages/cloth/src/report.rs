@@ -9,24 +9,24 @@ pub(crate) struct Balance {
     pub reactions: Vec<Reaction>,
 }
 
-/// Net forces at `x`: what friction can hold is taken off, vertices that are joined share.
-pub(crate) fn balance(problem: &mut Problem, x: &[Vec3], gravity: f64) -> Balance {
+/// Net forces at `x`, at rest: what the elastic forces, the weight and all constraints (contact, friction, joined
+/// pairs, elongation limit) leave over to set a free vertex moving.
+pub(crate) fn balance(problem: &mut Problem, x: &[Vec3], gravity: f64, dt: f64) -> Balance {
     let n = x.len();
     let mut f = vec![Vec3::zeros(); n];
-    let mut sticks = vec![0.0; n];
     problem.forces(x, &mut f);
-    if let Some(c) = problem.contact.as_ref().filter(|_| problem.friction) {
-        for p in c.pairs.iter().filter(|p| p.load > 0.0) {
-            for k in 0..4 {
-                sticks[p.vertices[k] as usize] += p.weights[k].abs() * p.load * p.friction;
-            }
-        }
-    }
     let reactions = problem.pins().iter().map(|(i, _)| Reaction { vertex: *i, force: -f[*i as usize] }).collect();
-    problem.sewing.pool(&mut f);
-    let net = (0..n).filter(|i| problem.free(*i)).map(|i| (f[i].norm() - sticks[i]).max(0.0)).fold(0.0, f64::max);
+    let mut v: Vec<Vec3> = f.iter().zip(&problem.inverse_mass).map(|(f, w)| f * (dt * w)).collect();
+    problem.constrain_velocities(&mut v, x, dt);
+    let mut next: Vec<Vec3> = x.iter().zip(&v).map(|(x, v)| x + v * dt).collect();
+    let inverse_mass = problem.inverse_mass.clone();
+    if let Some(limit) = &mut problem.limit {
+        limit.settle(x, &mut next, &mut v, &inverse_mass, dt);
+    }
+    let net = |i: usize| v[i].norm() / (dt * problem.inverse_mass[i]);
+    let most = (0..n).filter(|i| problem.free(*i)).map(net).fold(0.0, f64::max);
     let weight = problem.mean_weight(if gravity > 0.0 { gravity } else { 9.81 });
-    Balance { residual_rel: if weight > 0.0 { net / weight } else { 0.0 }, reactions }
+    Balance { residual_rel: if weight > 0.0 { most / weight } else { 0.0 }, reactions }
 }
 
 pub(crate) fn effects(problem: &Problem, scene: &Scene, s: &Settings) -> Vec<EffectReport> {

@@ -108,7 +108,8 @@ impl<'a> Run<'a> {
                 }
             }
             if self.seconds - self.window.2 >= WINDOW && self.look_for_rest() {
-                return Ok(StopReason::Settled);
+                let open = self.problem.sewing.pulling();
+                return Ok(if open { StopReason::SeamsOpen } else { StopReason::Settled });
             }
             if self.steps >= self.settings.max_steps {
                 return Ok(StopReason::MaxSteps);
@@ -177,9 +178,12 @@ impl<'a> Run<'a> {
         self.window.0.copy_from_slice(&self.state.x);
         self.window.1 = elastic;
         self.window.2 = self.seconds;
+        // Open seams are given up only when hardly anything moves.
+        let pulling = self.problem.sewing.pulling();
+        let most = if pulling { 0.1 } else { 1.0 } * self.settings.speed_tolerance;
         let calm = self.change <= self.settings.energy_tolerance
-            && self.speed <= self.settings.speed_tolerance
-            && !self.problem.sewing.pulling()
+            && self.speed <= most
+            && (!pulling || self.problem.sewing.strained())
             && self.problem.pins_placed(&self.state.x);
         self.quiet = if calm { self.quiet + 1 } else { 0 };
         self.quiet >= QUIET
@@ -188,7 +192,8 @@ impl<'a> Run<'a> {
     fn outcome(self, scene: &Scene, stop_reason: StopReason) -> Outcome {
         let gaps = self.problem.sewing.gaps(scene, &self.state.x);
         let energy = self.problem.elastic(&self.state.x);
-        let balance = report::balance(self.problem, &self.state.x, scene.gravity.norm() * self.settings.gravity_scale);
+        let gravity = scene.gravity.norm() * self.settings.gravity_scale;
+        let balance = report::balance(self.problem, &self.state.x, gravity, self.dt);
         Outcome {
             steps: self.steps,
             seconds: self.seconds,

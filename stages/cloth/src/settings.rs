@@ -105,7 +105,7 @@ impl Default for Settings {
             damping: 4.0,
             stiffness_damping: 0.2,
             gravity_scale: 1.0,
-            body_gap: 2e-3,
+            body_gap: 1e-3,
             self_gap: 1e-3,
             sewing_stiffness: 0.05,
             sewing_acceleration: 200.0,

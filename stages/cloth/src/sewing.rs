@@ -7,6 +7,8 @@ use crate::{Scene, Settings, Vec3};
 const PATIENCE: f64 = 0.5;
 /// … every so many seconds, so that a tight seam closes in the end.
 const DOUBLING: f64 = 0.15;
+/// … so often at most.
+const MOST_DOUBLINGS: f64 = 11.0;
 /// Share of its gap that a joined pair closes in a step.
 const ZIP: f64 = 0.1;
 /// A joined pair nearer than this is put on one point, m.
@@ -74,6 +76,11 @@ impl Sewing {
         self.pulls && self.open > 0
     }
 
+    /// Has the force grown as far as it will?
+    pub fn strained(&self) -> bool {
+        self.time > PATIENCE + DOUBLING * MOST_DOUBLINGS
+    }
+
     /// Joins pairs that came near.
     pub fn join(&mut self, x: &[Vec3]) {
         if self.open == 0 {
@@ -106,7 +113,7 @@ impl Sewing {
             return;
         }
         let ramp = if self.ramp > 0.0 { (self.time / self.ramp).min(1.0) } else { 1.0 };
-        let growth = libm::exp2(((self.time - PATIENCE) / DOUBLING).clamp(0.0, 7.0));
+        let growth = libm::exp2(((self.time - PATIENCE) / DOUBLING).clamp(0.0, MOST_DOUBLINGS));
         for s in self.stitches.iter().filter(|s| s.open) {
             let [a, b] = s.ends.map(|v| v as usize);
             let d = x[b] - x[a];
@@ -141,16 +148,6 @@ impl Sewing {
                 } else {
                     x[*i as usize] += d * ZIP;
                 }
-            }
-        }
-    }
-
-    /// Gives every member of a group the sum of the group (for residuals).
-    pub fn pool(&self, f: &mut [Vec3]) {
-        for g in &self.joined {
-            let sum: Vec3 = g.iter().map(|i| f[*i as usize]).sum();
-            for i in g {
-                f[*i as usize] = sum;
             }
         }
     }

@@ -6,6 +6,8 @@ use crate::topology::Topology;
 use crate::{ClothError, Place, Vec3};
 
 const ROUNDS: usize = 30;
+/// Farthest two pieces are moved apart at the start, m.
+const APART: f64 = 0.1;
 
 /// For every vertex: is it inside the body? One winding number for each part of the cloth that is joined by triangles
 /// which do not cross the body.
@@ -79,15 +81,43 @@ pub(crate) fn at_triangle(x: &[Vec3], topology: &Topology, triangle: u32) -> Pla
     Place { triangle, at: t.iter().map(|v| x[*v as usize]).sum::<Vec3>() / 3.0 }
 }
 
-/// Refuses a start that crosses itself.
-pub(crate) fn free_of_itself(x: &[Vec3], topology: &Topology) -> Result<(), ClothError> {
-    let found = count::own(x, &topology.faces);
-    match found.pairs.first() {
-        None => Ok(()),
-        Some(p) => Err(ClothError::StartCrosses {
-            self_crossings: found.count,
-            body_crossings: 0,
-            place: at_triangle(x, topology, p[0]),
-        }),
+/// Pieces that touch or cross at the start are moved apart, whole, along the line of their middles (placements often
+/// put neighbours edge to edge in one plane). A piece that crosses itself is refused, and so are pieces still crossing
+/// after [`APART`]. Returns how many vertices were moved and the largest move, m.
+pub(crate) fn free_of_itself(x: &mut [Vec3], topology: &Topology) -> Result<(usize, f64), ClothError> {
+    let start = x.to_vec();
+    let part = topology.components(x.len());
+    let mut step = 1e-4;
+    let mut gone = 0.0;
+    loop {
+        let found = count::own(x, &topology.faces);
+        let Some(first) = found.pairs.first() else { break };
+        let of = |f: u32| part[topology.faces[f as usize][0] as usize];
+        let itself = found.pairs.iter().find(|p| of(p[0]) == of(p[1]));
+        if gone > APART || itself.is_some() {
+            return Err(ClothError::StartCrosses {
+                self_crossings: found.count,
+                body_crossings: 0,
+                place: at_triangle(x, topology, itself.unwrap_or(first)[0]),
+            });
+        }
+        let mut pairs: Vec<[u32; 2]> = found.pairs.iter().map(|p| [of(p[0]), of(p[1])]).collect();
+        pairs.iter_mut().for_each(|p| p.sort_unstable());
+        pairs.sort_unstable();
+        pairs.dedup();
+        for [a, b] in pairs {
+            let middle = |which: u32| {
+                let inside = || x.iter().zip(&part).filter(|(_, p)| **p == which);
+                inside().map(|(q, _)| *q).sum::<Vec3>() / inside().count() as f64
+            };
+            let away = (middle(b) - middle(a)).try_normalize(0.0).unwrap_or_else(Vec3::z) * (0.5 * step);
+            for (q, p) in x.iter_mut().zip(&part) {
+                *q += if *p == a { -away } else if *p == b { away } else { Vec3::zeros() };
+            }
+        }
+        gone += step;
+        step *= 1.5;
     }
+    let moves = x.iter().zip(&start).map(|(p, q)| (p - q).norm());
+    Ok(moves.fold((0, 0.0), |(n, m), d| (n + usize::from(d > 0.0), f64::max(m, d))))
 }
