@@ -7,10 +7,15 @@ use toile_stage_api::Registry;
 pub fn builtin() -> Registry {
     Registry::default()
         .with(crate::import_dxf::ImportDxf)
+        .with(crate::import_mesh::ImportMesh)
         .with(crate::triangulate::Triangulate)
         .with(crate::assemble::Assemble)
         .with(crate::stitch::Stitch)
         .with(crate::drape::Drape)
+        .with(crate::texture::Texture)
+        .with(crate::export_gltf::ExportGltf)
+        .with(crate::export_obj::ExportObj)
         .with(crate::flatten::Flatten)
+        .with(crate::export_dxf::ExportDxf)
         .with(crate::export_report::ExportReport)
 }

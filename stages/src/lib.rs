@@ -3,23 +3,23 @@
 //! The data's way: `import_dxf` (or `import_mesh`) → `triangulate` → `assemble` → `stitch` → `drape` → `texture` →
 //! exports, `flatten`, report.
 
-pub mod body;
 pub mod assemble;
+pub mod body;
 pub mod builtin;
 pub mod drape;
+pub mod export_dxf;
+pub mod export_gltf;
+pub mod export_obj;
 pub mod export_report;
 pub mod flatten;
 pub mod import_dxf;
-pub mod export_dxf;
+pub mod import_mesh;
 pub mod sewing;
 mod solve;
 pub mod stitch;
 #[cfg(test)]
 mod testing;
-pub mod triangulate;
-pub mod export_gltf;
-pub mod export_obj;
-pub mod import_mesh;
 pub mod texture;
+pub mod triangulate;
 
 pub use builtin::builtin;

@@ -99,7 +99,10 @@ fn friction(problem: &Problem, scene: &Scene, s: &Settings) -> EffectReport {
 fn strain_limit(problem: &Problem, scene: &Scene, s: &Settings) -> EffectReport {
     let evidence = match &problem.limit {
         Some(l) if l.most_watched > 0 => {
-            format!("up to {} yarn directions of triangles near their limit, {} corrections", l.most_watched, l.corrected)
+            format!(
+                "up to {} yarn directions of triangles near their limit, {} corrections",
+                l.most_watched, l.corrected
+            )
         }
         Some(_) => "no triangle came near its limit".into(),
         None if scene.materials.iter().all(|m| m.strain_limit.iter().all(|l| l.is_infinite())) => {

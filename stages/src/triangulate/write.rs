@@ -19,7 +19,8 @@ pub fn write(piece: &mut Piece, shape: &PieceShape, curves: &[Curve], layout: &L
     pleat_legs(piece, curves, layout);
     let (rest, triangles) = filled;
     let outline_vertex = outline_vertices(piece, shape, curves, layout);
-    piece.mesh = Some(PieceMesh { rest, triangles, chains: chains(piece, layout), outline_vertex, ..PieceMesh::default() });
+    piece.mesh =
+        Some(PieceMesh { rest, triangles, chains: chains(piece, layout), outline_vertex, ..PieceMesh::default() });
 }
 
 /// Vertex at an arc position that is a break.

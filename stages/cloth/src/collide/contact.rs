@@ -351,7 +351,10 @@ impl Contact {
 
     /// J.
     pub fn energy(&self, x: &[Vec3]) -> f64 {
-        self.pairs.iter().map(|p| 0.5 * p.stiffness * (p.gap - p.distance(x)).max(0.0) * (p.gap - p.distance(x)).max(0.0)).sum()
+        self.pairs
+            .iter()
+            .map(|p| 0.5 * p.stiffness * (p.gap - p.distance(x)).max(0.0) * (p.gap - p.distance(x)).max(0.0))
+            .sum()
     }
 
     pub fn frame(&self) -> &Frame {
@@ -393,7 +396,17 @@ fn own_pair(
     gap *= share;
     if l < 2.0 * gap && l > 0.0 {
         let friction = frame.friction[vertices[0] as usize];
-        pairs.push(Pair { vertices, weights, normal: d / l, offset: 0.0, gap, stiffness: 0.0, load: 0.0, distance: f64::INFINITY, friction });
+        pairs.push(Pair {
+            vertices,
+            weights,
+            normal: d / l,
+            offset: 0.0,
+            gap,
+            stiffness: 0.0,
+            load: 0.0,
+            distance: f64::INFINITY,
+            friction,
+        });
     }
 }
 
@@ -418,6 +431,16 @@ fn body_pair(
         let normal = d / l;
         let friction = frame.friction[vertices[0] as usize];
         let offset = normal.dot(place);
-        pairs.push(Pair { vertices, weights, normal, offset, gap, stiffness: 0.0, load: 0.0, distance: f64::INFINITY, friction });
+        pairs.push(Pair {
+            vertices,
+            weights,
+            normal,
+            offset,
+            gap,
+            stiffness: 0.0,
+            load: 0.0,
+            distance: f64::INFINITY,
+            friction,
+        });
     }
 }

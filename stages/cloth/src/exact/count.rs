@@ -50,7 +50,10 @@ fn places(x: &[Vec3]) -> Vec<u32> {
     let compare = |p: &u32, q: &u32| {
         let (a, b) = (key(*p), key(*q));
         // −0 and 0 are one place.
-        (a.x + 0.0).total_cmp(&(b.x + 0.0)).then((a.y + 0.0).total_cmp(&(b.y + 0.0))).then((a.z + 0.0).total_cmp(&(b.z + 0.0)))
+        (a.x + 0.0)
+            .total_cmp(&(b.x + 0.0))
+            .then((a.y + 0.0).total_cmp(&(b.y + 0.0)))
+            .then((a.z + 0.0).total_cmp(&(b.z + 0.0)))
     };
     order.sort_unstable_by(|p, q| compare(p, q).then(p.cmp(q)));
     let mut same = vec![0; x.len()];
