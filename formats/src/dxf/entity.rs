@@ -177,6 +177,12 @@ fn text_value(group: &Group<'_>, encoding: TextEncoding) -> String {
 fn insert(r: &mut Reader<'_, '_>, encoding: TextEncoding) -> Shape {
     let block = r.group.tags.iter().find(|t| t.code == 2);
     let block = block.map(|t| encoding::unescape(&encoding.decode(t.value))).unwrap_or_default();
+    let copies = [70, 71].map(|code| integer(r.group, code).unwrap_or(1));
+    if copies.iter().any(|n| *n > 1) {
+        let text = format!("an INSERT repeats `{block}` {} × {} times; it was read once", copies[0], copies[1]);
+        let place = r.findings.place(r.group.head.line);
+        r.findings.push(Diagnostic::warning("insert-array", text).at(place));
+    }
     let at = r.maybe_point(10);
     let scale = [r.maybe(41).unwrap_or(1.0), r.maybe(42).unwrap_or(1.0)];
     Shape::Insert { block, at, scale, rotation: r.maybe(50).unwrap_or(0.0) }

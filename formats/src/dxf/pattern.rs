@@ -68,7 +68,11 @@ pub fn read(bytes: &[u8], file: &str, options: &ReadOptions) -> Result<Pattern, 
             pattern.findings = findings.finish();
             Ok(pattern)
         }
-        Ok(_) => Err(findings.finish()),
+        Ok(_) => {
+            let mut list = findings.finish();
+            list.sort_by_key(|f| std::cmp::Reverse(f.severity));
+            Err(list)
+        }
         Err(error) => {
             let mut list = findings.finish();
             list.push(error);

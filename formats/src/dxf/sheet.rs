@@ -125,6 +125,16 @@ impl<'a> Sorter<'a> {
     fn fill(&mut self, sheet: &mut Sheet, index: usize, placings: &[Placing], own: bool, path: &mut Vec<usize>) {
         let blocks = self.blocks;
         for entity in &blocks[index].entities {
+            self.expanded = self.expanded.saturating_add(1);
+            if self.expanded > limits::EXPANDED {
+                // Said once; the error ends the reading, so nothing is lost in silence.
+                if self.expanded == limits::EXPANDED + 1 {
+                    let text = format!("the INSERTs of this file expand to more than {} entities", limits::EXPANDED);
+                    let place = self.findings.place_in(&blocks[index].name, None, entity.line);
+                    self.findings.push(Diagnostic::error("insert-too-many", text).at(place));
+                }
+                return;
+            }
             let Shape::Insert { block, at, scale, rotation } = &entity.shape else {
                 self.entity(sheet, entity, self.layers.role(&entity.layer), placings);
                 continue;
@@ -138,7 +148,6 @@ impl<'a> Sorter<'a> {
                 Some(_) if path.len() >= limits::INSERT_DEPTH => {
                     Some(("insert-too-deep", "blocks are nested too deeply"))
                 }
-                Some(_) if self.expanded >= limits::ENTITIES => Some(("insert-too-many", "too many entities")),
                 Some(_) => None,
             };
             if let Some((code, why)) = problem {
@@ -160,7 +169,6 @@ impl<'a> Sorter<'a> {
     }
 
     fn entity(&mut self, sheet: &mut Sheet, entity: &Entity, role: Role, placings: &[Placing]) {
-        self.expanded = self.expanded.saturating_add(1);
         let mm = self.mm;
         let place = |p: Vec2| placings.iter().fold(p * mm, |p, placing| placing.apply(p));
         let (id, line) = (entity.id, entity.line);

@@ -326,6 +326,20 @@ fn a_block_of_inserts_is_expanded_and_loops_end() {
 }
 
 #[test]
+fn ten_to_the_seventh_inserts_are_refused_fast() {
+    let mut w = Writer::default().pair(0, "SECTION").pair(2, "BLOCKS");
+    for level in 0..7 {
+        w = w.block(&format!("B{level}"));
+        for _ in 0..10 {
+            w = w.pair(0, "INSERT").pair(2, &format!("B{}", level + 1));
+        }
+        w = w.pair(0, "ENDBLK");
+    }
+    let w = w.block("B7").polyline("1", true, &RECTANGLE).pair(0, "ENDBLK").pair(0, "ENDSEC").pair(0, "EOF");
+    assert!(codes(&bad(&w.0)).contains(&"insert-too-many"));
+}
+
+#[test]
 fn equal_block_names_both_survive() {
     let two = Writer::default().block("FRONT_38").text("1", "Piece Name: B").polyline("1", true, &RECTANGLE);
     let two = two.line("7", (0.0, 0.0), (0.0, 9.0)).pair(0, "ENDBLK").0;
