@@ -7,7 +7,7 @@ use crate::{Element, Scene, Vec3};
 const INTERVAL: u32 = 16;
 /// Share of the allowed elongation from which a triangle is watched.
 const NEAR: f64 = 0.8;
-const SWEEPS: usize = 2;
+const SWEEPS: usize = 10;
 /// Sweeps for the balance of a state at rest.
 const SETTLING: usize = 500;
 

@@ -52,6 +52,8 @@ struct Run<'a> {
     /// Positions and elastic energy at the start of the window.
     window: (Vec<Vec3>, f64, f64),
     quiet: u32,
+    /// Largest elastic energy so far, J.
+    peak: f64,
     speed: f64,
     change: f64,
 }
@@ -74,6 +76,7 @@ impl<'a> Run<'a> {
             seconds: 0.0,
             window,
             quiet: 0,
+            peak: elastic,
             speed: 0.0,
             change: 0.0,
         };
@@ -173,7 +176,9 @@ impl<'a> Run<'a> {
         let free = |i: &usize| self.problem.free(*i);
         let moved = (0..self.state.x.len()).filter(free).map(|i| (self.state.x[i] - self.window.0[i]).norm());
         self.speed = moved.fold(0.0, f64::max) / span;
-        let scale = elastic.max(self.window.1);
+        // A flat piece at rest stores next to nothing; what it stored on the way gives the scale then.
+        self.peak = self.peak.max(elastic);
+        let scale = elastic.max(self.window.1).max(0.01 * self.peak);
         self.change = if scale > 0.0 { (elastic - self.window.1).abs() / scale } else { 0.0 };
         self.window.0.copy_from_slice(&self.state.x);
         self.window.1 = elastic;

@@ -113,13 +113,16 @@ impl Sewing {
             return;
         }
         let ramp = if self.ramp > 0.0 { (self.time / self.ramp).min(1.0) } else { 1.0 };
-        let growth = libm::exp2(((self.time - PATIENCE) / DOUBLING).clamp(0.0, MOST_DOUBLINGS));
+        let doublings = ((self.time - PATIENCE) / DOUBLING).clamp(0.0, MOST_DOUBLINGS);
+        let growth = libm::exp2(doublings);
+        // In the end c_s grows too, to five times: as far as the time step allows.
+        let firmer = 1.0 + 4.0 * doublings / MOST_DOUBLINGS;
         for s in self.stitches.iter().filter(|s| s.open) {
             let [a, b] = s.ends.map(|v| v as usize);
             let d = x[b] - x[a];
             let l = d.norm();
             if l > 0.0 {
-                let pull = d * (ramp * (s.stiffness * l).min(s.cap * growth) / l);
+                let pull = d * (ramp * (firmer * s.stiffness * l).min(s.cap * growth) / l);
                 f[a] += pull;
                 f[b] -= pull;
             }
