@@ -111,8 +111,8 @@ impl<'a> Run<'a> {
                 }
             }
             if self.seconds - self.window.2 >= WINDOW && self.look_for_rest() {
-                let open = self.problem.sewing.pulling();
-                return Ok(if open { StopReason::SeamsOpen } else { StopReason::Settled });
+                let closed = !self.problem.sewing.pulls() || self.problem.sewing.closed(&self.state.x);
+                return Ok(if !closed { StopReason::SeamsOpen } else { StopReason::Settled });
             }
             if self.steps >= self.settings.max_steps {
                 return Ok(StopReason::MaxSteps);
