@@ -13,7 +13,7 @@ struct Print(Instant);
 
 impl Watch for Print {
     fn progress(&mut self, step: u64, words: &str) {
-        if step % (1024 * 8) == 0 {
+        if step.is_multiple_of(1024 * 8) {
             println!("  {:6.1} s  step {step}: {words}", self.0.elapsed().as_secs_f64());
         }
     }
@@ -50,7 +50,10 @@ fn obj(path: &Path) -> Option<Obj> {
 
 fn numbers(path: &Path) -> Vec<Vec<u32>> {
     let text = std::fs::read_to_string(path).unwrap_or_default();
-    text.lines().map(|l| l.split_whitespace().map(|n| n.parse().unwrap()).collect()).filter(|l: &Vec<u32>| !l.is_empty()).collect()
+    text.lines()
+        .map(|l| l.split_whitespace().map(|n| n.parse().unwrap()).collect())
+        .filter(|l: &Vec<u32>| !l.is_empty())
+        .collect()
 }
 
 fn flat(a: Vec3, b: Vec3, c: Vec3) -> [[f64; 2]; 3] {
@@ -130,9 +133,20 @@ fn main() {
         materials: vec![material],
         ..Scene::default()
     };
-    println!("{} vertices, {} triangles, {} stitches, {} pins", scene.positions.len(), scene.triangles.len(), scene.stitches.len(), scene.pins.len());
+    println!(
+        "{} vertices, {} triangles, {} stitches, {} pins",
+        scene.positions.len(),
+        scene.triangles.len(),
+        scene.stitches.len(),
+        scene.pins.len()
+    );
     let model = if option("model").as_deref() == Some("springs") { Model::Springs } else { Model::Coupled };
-    let with = |s: Settings| Settings { model, stiffness_cap: number("cap", s.stiffness_cap), damping: number("damping", s.damping), ..s };
+    let with = |s: Settings| Settings {
+        model,
+        stiffness_cap: number("cap", s.stiffness_cap),
+        damping: number("damping", s.damping),
+        ..s
+    };
     let mut place = scene.positions.clone();
     let mut finish = scene.clone();
     let mut map: Vec<u32> = (0..u32::try_from(place.len()).unwrap()).collect();
@@ -157,7 +171,11 @@ fn main() {
             show("drape", &o, t);
             let t = Instant::now();
             let figures = certify(&finish, &settings, &o.positions).unwrap();
-            println!("certificate in {:.2} s: {:?}", t.elapsed().as_secs_f64(), toile_cloth::Figures { reactions: vec![], ..figures });
+            println!(
+                "certificate in {:.2} s: {:?}",
+                t.elapsed().as_secs_f64(),
+                toile_cloth::Figures { reactions: vec![], ..figures }
+            );
             place = map.iter().map(|i| o.positions[*i as usize]).collect();
         }
         Err(e) => println!("drape failed: {e}"),

@@ -34,7 +34,7 @@ pub(crate) struct Problem {
     pub inverse_mass: Vec<f64>,
     pub damping: f64,
     pub stiffness_damping: f64,
-    /// Vertices that got inertia.
+    /// Vertices that got inertia so that they do not rule the step.
     pub evened: usize,
     pub repaired: (usize, f64),
     /// Start positions, freed of the body.
@@ -138,7 +138,8 @@ impl Problem {
         for e in &self.energies {
             e.add_stiffness(x, &mut self.rows);
         }
-        let rate = self.rows.iter().zip(&self.inertia).filter(|(_, m)| **m > 0.0).map(|(k, m)| k / m).fold(0.0, f64::max);
+        let rate =
+            self.rows.iter().zip(&self.inertia).filter(|(_, m)| **m > 0.0).map(|(k, m)| k / m).fold(0.0, f64::max);
         if rate > 0.0 { 2.0 / rate.sqrt() } else { 1e-2 }
     }
 

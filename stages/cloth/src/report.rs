@@ -36,6 +36,12 @@ pub(crate) fn effects(problem: &Problem, scene: &Scene, s: &Settings) -> Vec<Eff
         friction(problem, scene, s),
         strain_limit(problem, scene, s),
         softened(scene, s),
+        effect(
+            "even-inertia",
+            problem.evened > 0,
+            "a vertex is more than twice as stiff per mass as the median".into(),
+            format!("{} vertices got inertia (no weight)", problem.evened),
+        ),
     ]
 }
 
@@ -99,7 +105,10 @@ fn friction(problem: &Problem, scene: &Scene, s: &Settings) -> EffectReport {
 fn strain_limit(problem: &Problem, scene: &Scene, s: &Settings) -> EffectReport {
     let evidence = match &problem.limit {
         Some(l) if l.most_watched > 0 => {
-            format!("up to {} yarn directions of triangles near their limit, {} corrections", l.most_watched, l.corrected)
+            format!(
+                "up to {} yarn directions of triangles near their limit, {} corrections",
+                l.most_watched, l.corrected
+            )
         }
         Some(_) => "no triangle came near its limit".into(),
         None if scene.materials.iter().all(|m| m.strain_limit.iter().all(|l| l.is_infinite())) => {

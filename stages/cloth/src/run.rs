@@ -101,12 +101,12 @@ impl<'a> Run<'a> {
                 self.problem.sewing.time += self.dt;
                 self.problem.sewing.join(&self.state.x);
             }
-            if self.steps % CHECK == 0 {
+            if self.steps.is_multiple_of(CHECK) {
                 if watch.cancelled() {
                     return Err(ClothError::Cancelled { step: self.steps });
                 }
                 self.check_energy()?;
-                if self.steps % (16 * CHECK) == 0 {
+                if self.steps.is_multiple_of(16 * CHECK) {
                     watch.progress(self.steps, &self.words());
                 }
             }
@@ -184,11 +184,12 @@ impl<'a> Run<'a> {
         self.window.1 = elastic;
         self.window.2 = self.seconds;
         // Open seams are given up only when hardly anything moves.
-        let pulling = self.problem.sewing.pulling();
+        let sewing = &self.problem.sewing;
+        let pulling = sewing.pulls() && !sewing.closed(&self.state.x);
         let most = if pulling { 0.1 } else { 1.0 } * self.settings.speed_tolerance;
         let calm = self.change <= self.settings.energy_tolerance
             && self.speed <= most
-            && (!pulling || self.problem.sewing.strained())
+            && (!pulling || sewing.strained())
             && self.problem.pins_placed(&self.state.x);
         self.quiet = if calm { self.quiet + 1 } else { 0 };
         self.quiet >= QUIET

@@ -85,7 +85,8 @@ impl Body {
         if (0..3).any(|k| p[k] < self.bounds.low[k] || p[k] > self.bounds.high[k]) {
             return false;
         }
-        let solid: f64 = self.topology.faces.iter().map(|t| solid_angle(&t.map(|v| self.positions[v as usize] - p))).sum();
+        let solid: f64 =
+            self.topology.faces.iter().map(|t| solid_angle(&t.map(|v| self.positions[v as usize] - p))).sum();
         (solid / (4.0 * std::f64::consts::PI)).abs() > 0.5
     }
 }

@@ -66,7 +66,6 @@ pub(crate) struct Tally {
     pub held_back: u64,
     pub own_most: usize,
     pub body_most: usize,
-    pub own_nearest: f64,
     pub body_nearest: f64,
     pub slipped: u64,
 }
@@ -119,7 +118,7 @@ impl Contact {
             own_pairs: 0,
             since: PATIENCE,
             rate,
-            tally: Tally { own_nearest: f64::INFINITY, body_nearest: f64::INFINITY, ..Tally::default() },
+            tally: Tally { body_nearest: f64::INFINITY, ..Tally::default() },
         };
         contact.measure(x, 0.0);
         contact
@@ -351,7 +350,10 @@ impl Contact {
 
     /// J.
     pub fn energy(&self, x: &[Vec3]) -> f64 {
-        self.pairs.iter().map(|p| 0.5 * p.stiffness * (p.gap - p.distance(x)).max(0.0) * (p.gap - p.distance(x)).max(0.0)).sum()
+        self.pairs
+            .iter()
+            .map(|p| 0.5 * p.stiffness * (p.gap - p.distance(x)).max(0.0) * (p.gap - p.distance(x)).max(0.0))
+            .sum()
     }
 
     pub fn frame(&self) -> &Frame {
@@ -393,7 +395,17 @@ fn own_pair(
     gap *= share;
     if l < 2.0 * gap && l > 0.0 {
         let friction = frame.friction[vertices[0] as usize];
-        pairs.push(Pair { vertices, weights, normal: d / l, offset: 0.0, gap, stiffness: 0.0, load: 0.0, distance: f64::INFINITY, friction });
+        pairs.push(Pair {
+            vertices,
+            weights,
+            normal: d / l,
+            offset: 0.0,
+            gap,
+            stiffness: 0.0,
+            load: 0.0,
+            distance: f64::INFINITY,
+            friction,
+        });
     }
 }
 
@@ -418,6 +430,16 @@ fn body_pair(
         let normal = d / l;
         let friction = frame.friction[vertices[0] as usize];
         let offset = normal.dot(place);
-        pairs.push(Pair { vertices, weights, normal, offset, gap, stiffness: 0.0, load: 0.0, distance: f64::INFINITY, friction });
+        pairs.push(Pair {
+            vertices,
+            weights,
+            normal,
+            offset,
+            gap,
+            stiffness: 0.0,
+            load: 0.0,
+            distance: f64::INFINITY,
+            friction,
+        });
     }
 }

@@ -68,10 +68,9 @@ pub(crate) fn free_of_body(
 
 fn place(x: &[Vec3], topology: &Topology, pairs: &[[u32; 2]], within: &[bool]) -> Place {
     let any = |t: &[u32; 3]| t.iter().any(|v| within[*v as usize]);
-    let triangle = pairs.first().map_or_else(
-        || topology.faces.iter().position(any).and_then(|i| u32::try_from(i).ok()).unwrap_or(0),
-        |p| p[0],
-    );
+    let triangle = pairs
+        .first()
+        .map_or_else(|| topology.faces.iter().position(any).and_then(|i| u32::try_from(i).ok()).unwrap_or(0), |p| p[0]);
     at_triangle(x, topology, triangle)
 }
 
@@ -112,7 +111,13 @@ pub(crate) fn free_of_itself(x: &mut [Vec3], topology: &Topology) -> Result<(usi
             };
             let away = (middle(b) - middle(a)).try_normalize(0.0).unwrap_or_else(Vec3::z) * (0.5 * step);
             for (q, p) in x.iter_mut().zip(&part) {
-                *q += if *p == a { -away } else if *p == b { away } else { Vec3::zeros() };
+                *q += if *p == a {
+                    -away
+                } else if *p == b {
+                    away
+                } else {
+                    Vec3::zeros()
+                };
             }
         }
         gone += step;

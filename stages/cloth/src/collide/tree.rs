@@ -140,9 +140,7 @@ fn split(centres: &[Vec3], order: &mut [u32], slots: &mut [u32]) {
     });
     let axis = (bounds.high - bounds.low).imax();
     let half = order.len().div_ceil(2);
-    order.sort_unstable_by(|p, q| {
-        centres[*p as usize][axis].total_cmp(&centres[*q as usize][axis]).then(p.cmp(q))
-    });
+    order.sort_unstable_by(|p, q| centres[*p as usize][axis].total_cmp(&centres[*q as usize][axis]).then(p.cmp(q)));
     let (left, right) = order.split_at_mut(half);
     let (ls, rs) = slots.split_at_mut(slots.len() / 2);
     split(centres, left, ls);

@@ -89,7 +89,8 @@ fn angle(sine: f64) -> (f64, f64) {
     let s = sine.abs();
     if s < 0.3 {
         let q = sine * sine;
-        let g = 1.0 + q * (1.0 / 6.0 + q * (3.0 / 40.0 + q * (15.0 / 336.0 + q * (105.0 / 3456.0 + q * 945.0 / 42240.0))));
+        let g =
+            1.0 + q * (1.0 / 6.0 + q * (3.0 / 40.0 + q * (15.0 / 336.0 + q * (105.0 / 3456.0 + q * 945.0 / 42240.0))));
         return (sine * g, 1.0 / (1.0 - q).sqrt());
     }
     if s < STEEP {
@@ -152,8 +153,10 @@ impl Energy for Coupled {
             let s = strain(&t.green(&t.edges(x)));
             let [a, b] = [s.stretch[0] - 1.0, s.stretch[1] - 1.0];
             let gamma = angle(s.sine).0;
-            let per_area =
-                fabric.weft.energy(a) + fabric.warp.energy(b) + fabric.cross * a * b + 0.5 * fabric.shear * gamma * gamma;
+            let per_area = fabric.weft.energy(a)
+                + fabric.warp.energy(b)
+                + fabric.cross * a * b
+                + 0.5 * fabric.shear * gamma * gamma;
             t.area * per_area
         };
         self.triangles.iter().map(of).sum()

@@ -102,9 +102,7 @@ pub(crate) fn apart_cross(a: &Triangle, b: &Triangle) -> bool {
 pub(crate) fn corner_cross(a: &Triangle, b: &Triangle) -> bool {
     let x = segment_triangle(&a[1], &a[2], b);
     let y = segment_triangle(&b[1], &b[2], a);
-    x == Meets::Crosses
-        || y == Meets::Crosses
-        || (x == Meets::InPlane && y == Meets::InPlane && overlap_in_plane(a, b))
+    x == Meets::Crosses || y == Meets::Crosses || (x == Meets::InPlane && y == Meets::InPlane && overlap_in_plane(a, b))
 }
 
 /// Triangles with the edge 0–1 in common: folded flat onto each other?
