@@ -34,7 +34,7 @@ pub(crate) struct Problem {
     pub inverse_mass: Vec<f64>,
     pub damping: f64,
     pub stiffness_damping: f64,
-    /// Vertices that got inertia.
+    /// Vertices that got inertia so that they do not rule the step.
     pub evened: usize,
     pub repaired: (usize, f64),
     /// Start positions, freed of the body.

@@ -101,18 +101,18 @@ impl<'a> Run<'a> {
                 self.problem.sewing.time += self.dt;
                 self.problem.sewing.join(&self.state.x);
             }
-            if self.steps % CHECK == 0 {
+            if self.steps.is_multiple_of(CHECK) {
                 if watch.cancelled() {
                     return Err(ClothError::Cancelled { step: self.steps });
                 }
                 self.check_energy()?;
-                if self.steps % (16 * CHECK) == 0 {
+                if self.steps.is_multiple_of(16 * CHECK) {
                     watch.progress(self.steps, &self.words());
                 }
             }
             if self.seconds - self.window.2 >= WINDOW && self.look_for_rest() {
-                let open = self.problem.sewing.pulling();
-                return Ok(if open { StopReason::SeamsOpen } else { StopReason::Settled });
+                let closed = !self.problem.sewing.pulls() || self.problem.sewing.closed(&self.state.x);
+                return Ok(if !closed { StopReason::SeamsOpen } else { StopReason::Settled });
             }
             if self.steps >= self.settings.max_steps {
                 return Ok(StopReason::MaxSteps);
@@ -184,11 +184,12 @@ impl<'a> Run<'a> {
         self.window.1 = elastic;
         self.window.2 = self.seconds;
         // Open seams are given up only when hardly anything moves.
-        let pulling = self.problem.sewing.pulling();
+        let sewing = &self.problem.sewing;
+        let pulling = sewing.pulls() && !sewing.closed(&self.state.x);
         let most = if pulling { 0.1 } else { 1.0 } * self.settings.speed_tolerance;
         let calm = self.change <= self.settings.energy_tolerance
             && self.speed <= most
-            && (!pulling || self.problem.sewing.strained())
+            && (!pulling || sewing.strained())
             && self.problem.pins_placed(&self.state.x);
         self.quiet = if calm { self.quiet + 1 } else { 0 };
         self.quiet >= QUIET

@@ -126,12 +126,12 @@ fn the_same_scene_gives_the_same_bits_at_any_thread_count() {
 
 #[test]
 fn a_seam_that_cannot_close_is_reported() {
-    // A belt half as long as the girth of the post it lies around.
+    // A belt three quarters as long as the girth of the post it lies around.
     let m = linear(0.1, 3000.0, 3000.0, 300.0);
     let n = 30;
-    let mut scene = sheet(0.3, 0.02, n, 2, m, |x, y| {
-        let (s, c) = libm::sincos((x - 0.15) / 0.12);
-        Vec3::new(0.12 * s, y - 0.01, 0.12 * c)
+    let mut scene = sheet(0.47, 0.02, n, 2, m, |x, y| {
+        let (s, c) = libm::sincos((x - 0.235) / 0.103);
+        Vec3::new(0.103 * s, y - 0.01, 0.103 * c)
     });
     scene.materials[0].strain_limit = [0.02, 0.02];
     scene.body = Some(post(0.1, 1.0, 40));

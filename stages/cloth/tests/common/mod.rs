@@ -1,5 +1,5 @@
 //! Small scenes.
-#![allow(dead_code)]
+#![allow(dead_code, clippy::unwrap_used)]
 
 use toile_cloth::{BodyMesh, Curve, Element, Material, Scene, Vec3};
 
@@ -136,7 +136,8 @@ pub fn regular(nx: u32, ny: u32, side: f64, material: Material) -> Scene {
 
 /// A closed upright cylinder of `n` sides.
 pub fn post(radius: f64, height: f64, n: u32) -> BodyMesh {
-    let mut body = BodyMesh { positions: vec![Vec3::y() * (0.5 * height), Vec3::y() * (-0.5 * height)], triangles: vec![] };
+    let mut body =
+        BodyMesh { positions: vec![Vec3::y() * (0.5 * height), Vec3::y() * (-0.5 * height)], triangles: vec![] };
     for j in 0..n {
         let (s, c) = libm::sincos(2.0 * std::f64::consts::PI * f64::from(j) / f64::from(n));
         for y in [0.5, -0.5] {
