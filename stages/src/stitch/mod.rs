@@ -58,7 +58,7 @@ fn sewing_distance() -> Length {
 }
 
 fn body_gap() -> Length {
-    Length(2e-3)
+    Length(1e-3)
 }
 
 fn max_time() -> Duration {
