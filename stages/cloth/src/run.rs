@@ -97,7 +97,7 @@ impl<'a> Run<'a> {
             }
             self.steps += 1;
             self.seconds += self.dt;
-            if self.problem.sewing.pulling() {
+            if self.problem.sewing.pulls() {
                 self.problem.sewing.time += self.dt;
                 self.problem.sewing.join(&self.state.x);
             }
@@ -113,6 +113,10 @@ impl<'a> Run<'a> {
             if self.seconds - self.window.2 >= WINDOW && self.look_for_rest() {
                 let closed = !self.problem.sewing.pulls() || self.problem.sewing.closed(&self.state.x);
                 return Ok(if !closed { StopReason::SeamsOpen } else { StopReason::Settled });
+            }
+            let sewing = &self.problem.sewing;
+            if sewing.pulls() && sewing.hopeless() && !sewing.closed(&self.state.x) {
+                return Ok(StopReason::SeamsOpen);
             }
             if self.steps >= self.settings.max_steps {
                 return Ok(StopReason::MaxSteps);

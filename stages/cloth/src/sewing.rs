@@ -12,6 +12,8 @@ const MOST_DOUBLINGS: f64 = 11.0;
 /// When the force has grown to its most, pairs nearer than this share of an edge are joined all the same: the pull is
 /// then as strong as it must be, and only the body or the cloth between them can keep them apart.
 const LAST_RESORT: f64 = 0.7;
+/// Time left for that, s.
+const HOPE: f64 = 0.5;
 /// Share of its gap that a joined pair closes in a step.
 const ZIP: f64 = 0.1;
 /// A joined pair nearer than this is put on one point, m.
@@ -90,6 +92,11 @@ impl Sewing {
     /// Has the force grown as far as it will?
     pub fn strained(&self) -> bool {
         self.time > PATIENCE + DOUBLING * MOST_DOUBLINGS
+    }
+
+    /// Has the grown force had its time without closing everything?
+    pub fn hopeless(&self) -> bool {
+        self.time > PATIENCE + DOUBLING * MOST_DOUBLINGS + HOPE
     }
 
     /// Joins pairs that came near.
