@@ -37,13 +37,13 @@ impl Stage for Drape {
         let start =
             scene(&garment, &layout, layout.join(&stitched.positions), gravity).map_err(StageError::Parameter)?;
         let settings = params.settings(cx.threads);
-        let sewn = close(&start, params, cx)?;
+        let sewn = if stitched.sewn { start.positions.clone() } else { close(&start, params, cx)? };
         let welded = toile_cloth::weld(&start, &sewn);
         let outcome = toile_cloth::drape(&welded.scene, &settings, &mut Follow::new(cx)).map_err(failure)?;
         let stored: Vec<Vec3> = outcome.positions.iter().map(to_f32).collect();
         let figures = toile_cloth::certify(&welded.scene, &settings, &stored).map_err(failure)?;
         garment.certificate = Some(certificate::certificate(&garment, params, &outcome, &figures));
-        garment.drape = Some(Shape { positions: layout.split(&welded.spread(&stored)), welded: true });
+        garment.drape = Some(Shape { positions: layout.split(&welded.spread(&stored)), sewn: true, welded: true });
         garment.reactions = reactions(&garment, &layout, &welded.map, &outcome);
         garment.stitched = Some(stitched);
         tell(&mut garment, &outcome, cx);

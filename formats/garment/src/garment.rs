@@ -89,6 +89,9 @@ pub struct Shape {
     /// Per piece, per mesh vertex, metres. Sewn vertices that were welded hold bit-equal positions.
     #[schemars(with = "Vec<Vec<[f64; 3]>>")]
     pub positions: Vec<Vec<Vec3>>,
+    /// Were the stitches closed as far as they would?
+    #[serde(default)]
+    pub sewn: bool,
     /// Are all stitches closed and welded?
     pub welded: bool,
 }

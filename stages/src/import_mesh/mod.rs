@@ -202,7 +202,7 @@ fn one_piece(
     Ok(Garment {
         style: name.to_owned(),
         pieces: vec![piece],
-        stitched: Some(Shape { positions: vec![positions], welded: true }),
+        stitched: Some(Shape { positions: vec![positions], sewn: false, welded: true }),
         file_up: params.up,
         ..Garment::default()
     })

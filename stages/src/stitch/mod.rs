@@ -93,7 +93,7 @@ impl Stage for Stitch {
         let settings = settings(params, cx.threads);
         let outcome = toile_cloth::sew(&start, &settings, &mut Follow::new(cx)).map_err(failure)?;
         tell(&garment, &outcome, settings.sewing_distance, cx);
-        garment.stitched = Some(Shape { positions: layout.split(&outcome.positions), welded: false });
+        garment.stitched = Some(Shape { positions: layout.split(&outcome.positions), sewn: true, welded: false });
         Ok(garment)
     }
 }
