@@ -40,7 +40,7 @@ pub(super) const CODES: &[Code] = &[
     ),
     code("fabric-missing", "There is no fabric. Give `with.fabric`. Exit code 2."),
     code("flat-triangle", "A triangle of the rest shape has no area, so its cloth has no stiffness. Exit code 3."),
-    code("no-cloth", "The scene has no cloth. Exit code 3."),
+    code("no-cloth", "The scene has no cloth, so there is nothing to drape. Exit code 3."),
     code(
         "piece-not-placed",
         "Nothing says where a piece starts in 3D. Add a [[place]] for it to the sewing file. Exit code 2.",

@@ -76,7 +76,7 @@ pub(super) const CODES: &[Code] = &[
         "eof-missing",
         "The file ends without its EOF mark. All sections were whole, so it was read; make sure that it was copied completely.",
     ),
-    code("file-empty", "The file has no bytes. Exit code 3."),
+    code("file-empty", "The file has no bytes; copy or export it again. Exit code 3."),
     code(
         "file-truncated",
         "The file ends in the middle of a pair, section or entity: it was cut short. Copy or export it again. Exit code 3.",
@@ -156,7 +156,7 @@ pub(super) const CODES: &[Code] = &[
         "The piece is larger than any cloth. The unit of the file is probably wrong; set `units` of `import-dxf`. Exit code 3.",
     ),
     code("outline-too-long", "The outline has more points than the limit. Exit code 3."),
-    code("outline-without-area", "The outline encloses nothing. Exit code 3."),
+    code("outline-without-area", "The outline encloses nothing, e.g. a line drawn forth and back. Exit code 3."),
     code("outside-section", "A pair stands outside all sections. It was not read."),
     code(
         "pieces-from-entities",
@@ -179,7 +179,7 @@ pub(super) const CODES: &[Code] = &[
     code("rule-too-many", "The rule table is larger than the limit. Exit code 3."),
     code("rule-twice", "A rule stands in the table twice; the last one counts."),
     code("rule-unknown", "A line of the rule table is no key, rule or growth. Exit code 3."),
-    code("rule-without-sizes", "The rule table lists no sizes. Exit code 3."),
+    code("rule-without-sizes", "The rule table lists no sizes, so its growths belong to none. Exit code 3."),
     code("section-not-closed", "A section has no ENDSEC. The file is cut short or damaged."),
     code("section-without-name", "A section has no name, so what it holds is unknown. Exit code 3."),
     code("size-chosen", "No size was asked for; the message names the one taken and why."),

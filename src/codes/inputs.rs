@@ -41,7 +41,7 @@ pub(super) const CODES: &[Code] = &[
     code("color", "A colour is not written as # and six hexadecimal digits. Exit code 2."),
     code("fabric-curve", "A measured curve must begin at zero and rise in both columns. Exit code 3."),
     code("fabric-name-missing", "The fabric has no name. Give it one, so that reports can tell fabrics apart."),
-    code("fabric-syntax", "The fabric file is not TOML. Exit code 3."),
+    code("fabric-syntax", "The fabric file is not TOML at this place; the message says what is wrong. Exit code 3."),
     code(
         "fabric-value",
         "A value of the fabric is out of its range, of a wrong type, or of a foreign unit; the message says which. Exit code 3.",
@@ -63,7 +63,7 @@ pub(super) const CODES: &[Code] = &[
     code("image-broken", "The image is damaged or cut short. Exit code 3."),
     code("image-kind", "The image is neither PNG nor JPEG. Exit code 3."),
     code("image-size", "The image is larger than the limit. Exit code 3."),
-    code("mesh-empty", "The mesh has no triangle. Exit code 3."),
+    code("mesh-empty", "The mesh has no triangle, so there is no cloth to drape. Exit code 3."),
     code(
         "mesh-not-manifold",
         "An edge of the cloth mesh belongs to more than two triangles. Cloth is a surface; cut the mesh there. Exit code 3.",

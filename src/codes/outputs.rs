@@ -35,7 +35,7 @@ pub(super) const CODES: &[Code] = &[
     ),
     code("fold-not-symmetric", "A piece is not the same on both sides of its fold, so it was written whole."),
     code("material-name", "Two materials have the same name. Exit code 2."),
-    code("material-unused", "No piece uses a material."),
+    code("material-unused", "No piece uses this material; check its list of pieces."),
     code("notch-shape-lost", "The dialect of the DXF has no notch of this shape; it was written as a plain one."),
     code("piece-name-changed", "A piece's name cannot be a block name in DXF and was written differently."),
     code(

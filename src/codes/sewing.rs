@@ -74,10 +74,13 @@ pub(super) const CODES: &[Code] = &[
     ),
     code("sewing-dart-apexes", "A fish-eye dart has two apexes, a wedge dart one. Exit code 2."),
     code("sewing-ease-and-gather", "A seam declares both ease and gather. Keep one. Exit code 2."),
-    code("sewing-empty-list", "A side or list is empty. Exit code 2."),
-    code("sewing-empty-text", "A name is empty. Exit code 2."),
+    code("sewing-empty-list", "A side or list is empty; write at least one entry. Exit code 2."),
+    code("sewing-empty-text", "A name is empty; write a name or leave the key out. Exit code 2."),
     code("sewing-file", "The sewing file is not UTF-8 text. Exit code 2."),
-    code("sewing-file-syntax", "The sewing file is not TOML. Exit code 2."),
+    code(
+        "sewing-file-syntax",
+        "The sewing file is not TOML at this place; the message says what is wrong. Exit code 2.",
+    ),
     code("sewing-key-missing", "A key that must be there is not. Exit code 2."),
     code(
         "sewing-no-rotation",
