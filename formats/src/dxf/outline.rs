@@ -176,7 +176,10 @@ impl Outline {
         };
         let first = found.first().copied().unwrap_or(0);
         let n = theirs.len();
-        self.work = (0..n).map(|k| Node { kind: PointKind::Curve, ..dense.drawn[(first + k) % n] }).collect();
+        let curve: Vec<_> = self.drawn.iter().filter(|p| p.kind == PointKind::Curve).map(|p| (p.at, 0)).collect();
+        let curve = PointIndex::new(MATCH, curve.into_iter());
+        let kind = |at| if curve.has(at, MATCH) { PointKind::Curve } else { PointKind::Plain };
+        self.work = (0..n).map(|k| dense.drawn[(first + k) % n]).map(|p| Node { kind: kind(p.at), ..p }).collect();
         self.place = vec![None; self.drawn.len()];
         for (corner, at) in corners.iter().zip(&found) {
             let k = (at + n - first) % n;
@@ -209,7 +212,7 @@ impl Outline {
                 }
                 for p in between {
                     deviation = deviation.max(geom::point_segment(p, points[j], points[j + 1]).0);
-                    work.push(Node { at: p, kind: PointKind::Curve, drawn: false });
+                    work.push(Node { at: p, kind: PointKind::Plain, drawn: false });
                 }
             }
             k = run_end;

@@ -13,7 +13,7 @@ struct Print(Instant);
 
 impl Watch for Print {
     fn progress(&mut self, step: u64, words: &str) {
-        if step % (1024 * 8) == 0 {
+        if step.is_multiple_of(1024 * 8) {
             println!("  {:6.1} s  step {step}: {words}", self.0.elapsed().as_secs_f64());
         }
     }

@@ -7,7 +7,9 @@ use crate::{Element, Scene, Vec3};
 const INTERVAL: u32 = 16;
 /// Share of the allowed elongation from which a triangle is watched.
 const NEAR: f64 = 0.8;
-const SWEEPS: usize = 2;
+const SWEEPS: usize = 6;
+/// Share of the limit that is corrected to: a few sweeps a step leave a little over, which must stay inside.
+const TARGET: f64 = 0.95;
 /// Sweeps for the balance of a state at rest.
 const SETTLING: usize = 500;
 
@@ -33,7 +35,7 @@ fn yarn(e: &Element, direction: usize, limit: f64) -> Yarn {
         let (a, b) = (e.rest[(k + 1) % 3], e.rest[(k + 2) % 3]);
         if direction == 0 { (a[1] - b[1]) / double } else { (b[0] - a[0]) / double }
     });
-    Yarn { vertices: e.vertices, weights, limit: 1.0 + limit }
+    Yarn { vertices: e.vertices, weights, limit: 1.0 + TARGET * limit }
 }
 
 impl Yarn {

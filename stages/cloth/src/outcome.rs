@@ -7,8 +7,8 @@ use crate::Vec3;
 pub enum StopReason {
     /// Energy change and speed below their tolerances (and, when sewing, every pair closed).
     Settled,
-    /// Nothing moves any more, but stitches are open although the sewing force has grown to its most: the pieces do
-    /// not reach round the body, or something is in the way.
+    /// Stitches are open although the sewing force has grown to its most: the pieces do not reach round the body, or
+    /// something is in the way.
     SeamsOpen,
     /// The step limit.
     MaxSteps,
@@ -22,7 +22,7 @@ impl StopReason {
     pub fn words(self) -> &'static str {
         match self {
             Self::Settled => "settled",
-            Self::SeamsOpen => "at rest with open seams",
+            Self::SeamsOpen => "seams stayed open at full force",
             Self::MaxSteps => "the step limit was reached",
             Self::MaxSeconds => "the limit of simulated time was reached",
         }

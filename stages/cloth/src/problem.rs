@@ -34,7 +34,7 @@ pub(crate) struct Problem {
     pub inverse_mass: Vec<f64>,
     pub damping: f64,
     pub stiffness_damping: f64,
-    /// Vertices that got inertia.
+    /// Vertices that got inertia so that they do not rule the step.
     pub evened: usize,
     pub repaired: (usize, f64),
     /// Start positions, freed of the body.
@@ -55,13 +55,15 @@ impl Problem {
         let body = scene.body.as_ref().filter(|_| s.effects.body_contact != Switch::Off).and_then(Body::new);
         let own = s.effects.self_contact != Switch::Off;
         let mut repaired = (0, 0.0);
+        let mut held = vec![false; start.len()];
+        scene.pins.iter().for_each(|p| held[p.vertex as usize] = true);
         if own {
-            repaired = repair::free_of_itself(&mut start, &topology)?;
+            repaired = repair::free_of_itself(&mut start, &topology, &held)?;
         }
         if let Some(b) = &body {
             let freed = repair::free_of_body(&mut start, &topology, b, s.body_gap, s.repair_share)?;
             if own && freed.0 > 0 {
-                repair::free_of_itself(&mut start, &topology)?;
+                repair::free_of_itself(&mut start, &topology, &held)?;
             }
             repaired = (repaired.0.max(freed.0), f64::max(repaired.1, freed.1));
         }

@@ -36,6 +36,12 @@ pub(crate) fn effects(problem: &Problem, scene: &Scene, s: &Settings) -> Vec<Eff
         friction(problem, scene, s),
         strain_limit(problem, scene, s),
         softened(scene, s),
+        effect(
+            "even-inertia",
+            problem.evened > 0,
+            "a vertex is more than twice as stiff per mass as the median".into(),
+            format!("{} vertices got inertia (no weight)", problem.evened),
+        ),
     ]
 }
 

@@ -52,6 +52,8 @@ struct Run<'a> {
     /// Positions and elastic energy at the start of the window.
     window: (Vec<Vec3>, f64, f64),
     quiet: u32,
+    /// Largest elastic energy so far, J.
+    peak: f64,
     speed: f64,
     change: f64,
 }
@@ -74,6 +76,7 @@ impl<'a> Run<'a> {
             seconds: 0.0,
             window,
             quiet: 0,
+            peak: elastic,
             speed: 0.0,
             change: 0.0,
         };
@@ -94,22 +97,26 @@ impl<'a> Run<'a> {
             }
             self.steps += 1;
             self.seconds += self.dt;
-            if self.problem.sewing.pulling() {
+            if self.problem.sewing.pulls() {
                 self.problem.sewing.time += self.dt;
                 self.problem.sewing.join(&self.state.x);
             }
-            if self.steps % CHECK == 0 {
+            if self.steps.is_multiple_of(CHECK) {
                 if watch.cancelled() {
                     return Err(ClothError::Cancelled { step: self.steps });
                 }
                 self.check_energy()?;
-                if self.steps % (16 * CHECK) == 0 {
+                if self.steps.is_multiple_of(16 * CHECK) {
                     watch.progress(self.steps, &self.words());
                 }
             }
             if self.seconds - self.window.2 >= WINDOW && self.look_for_rest() {
-                let open = self.problem.sewing.pulling();
-                return Ok(if open { StopReason::SeamsOpen } else { StopReason::Settled });
+                let closed = !self.problem.sewing.pulls() || self.problem.sewing.closed(&self.state.x);
+                return Ok(if !closed { StopReason::SeamsOpen } else { StopReason::Settled });
+            }
+            let sewing = &self.problem.sewing;
+            if sewing.pulls() && sewing.hopeless() && !sewing.closed(&self.state.x) {
+                return Ok(StopReason::SeamsOpen);
             }
             if self.steps >= self.settings.max_steps {
                 return Ok(StopReason::MaxSteps);
@@ -173,17 +180,20 @@ impl<'a> Run<'a> {
         let free = |i: &usize| self.problem.free(*i);
         let moved = (0..self.state.x.len()).filter(free).map(|i| (self.state.x[i] - self.window.0[i]).norm());
         self.speed = moved.fold(0.0, f64::max) / span;
-        let scale = elastic.max(self.window.1);
+        // A flat piece at rest stores next to nothing; what it stored on the way gives the scale then.
+        self.peak = self.peak.max(elastic);
+        let scale = elastic.max(self.window.1).max(0.01 * self.peak);
         self.change = if scale > 0.0 { (elastic - self.window.1).abs() / scale } else { 0.0 };
         self.window.0.copy_from_slice(&self.state.x);
         self.window.1 = elastic;
         self.window.2 = self.seconds;
         // Open seams are given up only when hardly anything moves.
-        let pulling = self.problem.sewing.pulling();
+        let sewing = &self.problem.sewing;
+        let pulling = sewing.pulls() && !sewing.closed(&self.state.x);
         let most = if pulling { 0.1 } else { 1.0 } * self.settings.speed_tolerance;
         let calm = self.change <= self.settings.energy_tolerance
             && self.speed <= most
-            && (!pulling || self.problem.sewing.strained())
+            && (!pulling || sewing.strained())
             && self.problem.pins_placed(&self.state.x);
         self.quiet = if calm { self.quiet + 1 } else { 0 };
         self.quiet >= QUIET

@@ -9,6 +9,11 @@ const PATIENCE: f64 = 0.5;
 const DOUBLING: f64 = 0.15;
 /// … so often at most.
 const MOST_DOUBLINGS: f64 = 11.0;
+/// When the force has grown to its most, pairs nearer than this share of an edge are joined all the same: the pull is
+/// then as strong as it must be, and only the body or the cloth between them can keep them apart.
+const LAST_RESORT: f64 = 0.7;
+/// Time left for that, s.
+const HOPE: f64 = 0.5;
 /// Share of its gap that a joined pair closes in a step.
 const ZIP: f64 = 0.1;
 /// A joined pair nearer than this is put on one point, m.
@@ -30,6 +35,8 @@ pub(crate) struct Sewing {
     open: usize,
     vertex_count: usize,
     distance: f64,
+    /// From how far a pair is joined when no force closes it, m.
+    last_resort: f64,
     ramp: f64,
     /// Does it pull, or does it only keep closed what is closed?
     pulls: bool,
@@ -60,6 +67,7 @@ impl Sewing {
             open,
             vertex_count: scene.positions.len(),
             distance: s.sewing_distance,
+            last_resort: s.sewing_distance.max(LAST_RESORT * mean_edge(scene)),
             ramp: s.sewing_ramp,
             pulls,
             time: 0.0,
@@ -72,6 +80,11 @@ impl Sewing {
         self.open
     }
 
+    /// Is this the sewing phase?
+    pub fn pulls(&self) -> bool {
+        self.pulls
+    }
+
     pub fn pulling(&self) -> bool {
         self.pulls && self.open > 0
     }
@@ -81,14 +94,20 @@ impl Sewing {
         self.time > PATIENCE + DOUBLING * MOST_DOUBLINGS
     }
 
+    /// Has the grown force had its time without closing everything?
+    pub fn hopeless(&self) -> bool {
+        self.time > PATIENCE + DOUBLING * MOST_DOUBLINGS + HOPE
+    }
+
     /// Joins pairs that came near.
     pub fn join(&mut self, x: &[Vec3]) {
         if self.open == 0 {
             return;
         }
         let mut news = false;
+        let distance = if self.strained() { self.last_resort } else { self.distance };
         for s in self.stitches.iter_mut().filter(|s| s.open) {
-            if (x[s.ends[0] as usize] - x[s.ends[1] as usize]).norm() <= self.distance {
+            if (x[s.ends[0] as usize] - x[s.ends[1] as usize]).norm() <= distance {
                 s.open = false;
                 self.open -= 1;
                 news = true;
@@ -113,13 +132,16 @@ impl Sewing {
             return;
         }
         let ramp = if self.ramp > 0.0 { (self.time / self.ramp).min(1.0) } else { 1.0 };
-        let growth = libm::exp2(((self.time - PATIENCE) / DOUBLING).clamp(0.0, MOST_DOUBLINGS));
+        let doublings = ((self.time - PATIENCE) / DOUBLING).clamp(0.0, MOST_DOUBLINGS);
+        let growth = libm::exp2(doublings);
+        // In the end c_s grows too, to five times: as far as the time step allows.
+        let firmer = 1.0 + 4.0 * doublings / MOST_DOUBLINGS;
         for s in self.stitches.iter().filter(|s| s.open) {
             let [a, b] = s.ends.map(|v| v as usize);
             let d = x[b] - x[a];
             let l = d.norm();
             if l > 0.0 {
-                let pull = d * (ramp * (s.stiffness * l).min(s.cap * growth) / l);
+                let pull = d * (ramp * (firmer * s.stiffness * l).min(s.cap * growth) / l);
                 f[a] += pull;
                 f[b] -= pull;
             }
@@ -152,6 +174,11 @@ impl Sewing {
         }
     }
 
+    /// Is no pair further apart than it should be?
+    pub fn closed(&self, x: &[Vec3]) -> bool {
+        self.stitches.iter().all(|s| (x[s.ends[0] as usize] - x[s.ends[1] as usize]).norm() <= self.distance)
+    }
+
     /// Gaps of all stitches, m, largest first.
     pub fn gaps(&self, scene: &Scene, x: &[Vec3]) -> Vec<(u32, f64)> {
         let mut gaps: Vec<(u32, f64)> =
@@ -173,4 +200,9 @@ fn mean(group: &[u32], values: &[Vec3], inverse_mass: &[f64]) -> Vec3 {
         mass += m;
     }
     sum / mass
+}
+
+fn mean_edge(scene: &Scene) -> f64 {
+    let sum: f64 = scene.triangles.iter().map(|t| (0..3).map(|k| t.rest_length(k)).sum::<f64>()).sum();
+    sum / (3.0 * scene.triangles.len().max(1) as f64)
 }

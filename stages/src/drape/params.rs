@@ -96,7 +96,7 @@ impl Default for DrapeParams {
             integrator: IntegratorName::default(),
             accuracy: AccuracyName::default(),
             effects: EffectsParam::default(),
-            body_gap: Length(2e-3),
+            body_gap: Length(1e-3),
             max_time: Duration(20.0),
             limits: BTreeMap::new(),
         }

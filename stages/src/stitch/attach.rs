@@ -5,6 +5,9 @@ use toile_garment::garment::Pin;
 use toile_garment::sewing::{AttachSpec, AttachStrength};
 use toile_garment::{Diagnostic, Garment, MeshVertex, Piece, Vec2, Vec3};
 
+/// Extra distance between held edges and the body, beyond the contact's own, metres.
+const SLACK: f64 = 3e-4;
+
 /// A tape around the body: a convex ring at one height.
 struct Ring {
     points: Vec<Vec3>,
@@ -51,7 +54,7 @@ fn ring_pins(
     to: &str,
     specs: &[&AttachSpec],
 ) -> Result<Vec<Pin>, Diagnostic> {
-    let ring = ring(garment, to, gap)?;
+    let mut ring = ring(garment, to, gap)?;
     let mut shares = Vec::new();
     for spec in specs {
         match spec.strength {
@@ -68,7 +71,10 @@ fn ring_pins(
             shares.push(share(piece, &placed[piece.id.index()], &edges, &ring));
         }
     }
-    Ok(lay(shares, &ring))
+    // Straight mesh edges cut the corner of the ring: move it out until their middles keep the gap as well.
+    let cut = lay(&shares, &ring).1;
+    ring = self::ring(garment, to, gap + cut + SLACK)?;
+    Ok(lay(&shares, &ring).0)
 }
 
 fn ring(garment: &Garment, to: &str, gap: f64) -> Result<Ring, Diagnostic> {
@@ -232,17 +238,19 @@ fn edge_vertices(piece: &Piece, edge: usize) -> Vec<u32> {
     out
 }
 
-/// Lays the shares side by side around the ring, turned so that their middles move least.
-fn lay(mut shares: Vec<Share>, ring: &Ring) -> Vec<Pin> {
+/// Lays the shares side by side around the ring, turned so that their middles move least. Also tells how far the
+/// straight line between neighbouring pins lies inside the ring at most, metres.
+fn lay(shares: &[Share], ring: &Ring) -> (Vec<Pin>, f64) {
+    let mut shares: Vec<&Share> = shares.iter().collect();
     shares.sort_by(|a, b| a.middle.total_cmp(&b.middle));
+    let girth = ring.girth();
     let total: f64 = shares.iter().map(|s| s.length).sum();
-    let scale = ring.girth() / total.max(1e-9);
+    let scale = girth / total.max(1e-9);
     let mut start = 0.0;
     let mut starts = Vec::new();
     let mut offset = 0.0;
     for s in &shares {
         starts.push(start);
-        let girth = ring.girth();
         let away = s.middle - (start + 0.5 * s.length * scale);
         let first = shares[0].middle - 0.5 * shares[0].length * scale;
         offset += first + (away - first + 0.5 * girth).rem_euclid(girth) - 0.5 * girth;
@@ -250,13 +258,20 @@ fn lay(mut shares: Vec<Share>, ring: &Ring) -> Vec<Pin> {
     }
     offset /= shares.len().max(1) as f64;
     let mut pins: Vec<Pin> = Vec::new();
+    let mut cut = 0.0_f64;
     for (s, from) in shares.iter().zip(&starts) {
+        let arc = |along: f64| from + along * scale + offset;
         for (v, along) in &s.stations {
             let vertex = MeshVertex { piece: toile_garment::PieceId::from(s.piece), vertex: *v };
-            pins.push(Pin { vertex, at: ring.at(from + along * scale + offset) });
+            pins.push(Pin { vertex, at: ring.at(arc(*along)) });
+        }
+        for w in s.stations.windows(2) {
+            let (a, b) = (arc(w[0].1), arc(w[1].1));
+            let chord = (ring.at(a) + ring.at(b)) * 0.5;
+            cut = cut.max((ring.at(0.5 * (a + b)) - chord).norm());
         }
     }
     pins.sort_by_key(|p| p.vertex);
     pins.dedup_by_key(|p| p.vertex);
-    pins
+    (pins, cut)
 }

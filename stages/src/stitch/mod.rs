@@ -58,7 +58,7 @@ fn sewing_distance() -> Length {
 }
 
 fn body_gap() -> Length {
-    Length(2e-3)
+    Length(1e-3)
 }
 
 fn max_time() -> Duration {
@@ -124,13 +124,19 @@ fn tell(garment: &Garment, outcome: &Outcome, distance: f64, cx: &mut StageConte
     if outcome.seam_gap_max <= distance {
         return;
     }
-    for (name, gap) in open_seams(garment, outcome) {
+    for open in open_seams(garment, outcome) {
+        let name = &garment.seams[open.seam.index()].name;
+        let at = open.at * 1e3;
         cx.report.push(
             Diagnostic::warning(
                 "seam-open",
                 format!(
-                    "seam `{name}` is still {:.1} mm open after sewing ({})",
-                    gap * 1e3,
+                    "seam `{name}` is still {:.1} mm open after sewing, {} stitches of it, widest at ({:.0}, {:.0}, {:.0}) mm ({})",
+                    open.gap * 1e3,
+                    open.count,
+                    at.x,
+                    at.y,
+                    at.z,
                     outcome.stop_reason.words()
                 ),
             )
@@ -139,17 +145,29 @@ fn tell(garment: &Garment, outcome: &Outcome, distance: f64, cx: &mut StageConte
     }
 }
 
-fn open_seams(garment: &Garment, outcome: &Outcome) -> Vec<(String, f64)> {
-    let mut seam_of = Vec::new();
-    for (i, seam) in garment.seams.iter().enumerate() {
-        seam_of.extend(seam.stitches.iter().map(|_| SeamId::from(i)));
-    }
-    let mut open: BTreeMap<SeamId, f64> = BTreeMap::new();
-    for (stitch, gap) in &outcome.open_stitches {
-        if let Some(seam) = seam_of.get(*stitch as usize) {
-            let worst = open.entry(*seam).or_insert(0.0);
-            *worst = worst.max(*gap);
+/// Stitches of one seam that did not close.
+struct OpenSeam {
+    seam: SeamId,
+    count: usize,
+    gap: f64,
+    /// Where the widest gap is.
+    at: Vec3,
+}
+
+fn open_seams(garment: &Garment, outcome: &Outcome) -> Vec<OpenSeam> {
+    let layout = Layout::of(garment);
+    let mut open: Vec<OpenSeam> = Vec::new();
+    let mut first = 0;
+    for seam in &garment.seams {
+        let mine = first..first + seam.stitches.len();
+        first = mine.end;
+        // The list starts with the widest gap.
+        let mut wide = outcome.open_stitches.iter().filter(|(k, _)| mine.contains(&(*k as usize)));
+        if let Some((k, gap)) = wide.next() {
+            let stitch = seam.stitches[*k as usize - mine.start];
+            let at = outcome.positions[layout.index(stitch.a) as usize];
+            open.push(OpenSeam { seam: seam.id, count: 1 + wide.count(), gap: *gap, at });
         }
     }
-    open.into_iter().map(|(s, gap)| (garment.seams[s.index()].name.clone(), gap)).collect()
+    open
 }

@@ -4,6 +4,7 @@ use super::model::{Dialect, DrawLine, DrawNotch, PieceDrawing};
 use super::names::PieceName;
 use super::style::{folded, key_value};
 use super::tags::{Tags, decimal};
+use super::thin::thin;
 use std::collections::BTreeSet;
 use toile_garment::notch::NotchKind;
 use toile_garment::outline::PointKind;
@@ -17,6 +18,18 @@ pub fn block(
     dialect: Dialect,
     findings: &mut Vec<Diagnostic>,
 ) {
+    let dense = dialect != Dialect::Aama;
+    let thinned = PieceDrawing {
+        boundary: thin(&piece.boundary, dense),
+        sew_line: piece.sew_line.as_ref().map(|l| thin(l, dense)),
+        internal: piece.internal.iter().map(|l| thin(l, false)).collect(),
+        cutouts: piece.cutouts.iter().map(|l| thin(l, false)).collect(),
+        ..piece.clone()
+    };
+    draw(tags, &thinned, name, dialect, findings);
+}
+
+fn draw(tags: &mut Tags, piece: &PieceDrawing, name: &PieceName, dialect: Dialect, findings: &mut Vec<Diagnostic>) {
     tags.entity("BLOCK", "0");
     tags.pair(2, &name.block);
     tags.int(70, 64);

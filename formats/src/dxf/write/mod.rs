@@ -14,6 +14,7 @@ mod style;
 mod tags;
 #[cfg(test)]
 mod tests;
+mod thin;
 
 pub use from_piece::{PieceOptions, piece_drawing};
 pub use model::{Dialect, DrawLine, DrawNotch, DrawPoint, Drawing, LayerText, PieceDrawing, StyleText};

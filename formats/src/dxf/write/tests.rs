@@ -197,3 +197,28 @@ fn half_piece_on_its_fold() {
     let whole = piece_drawing(&skew, PieceOptions { half_on_fold: true }, &mut findings);
     assert_eq!((whole.boundary.points.len(), findings[0].code.as_str()), (4, "fold-not-symmetric"));
 }
+
+/// A run with its own curve points and the fine points of the curve between them.
+fn fine(sagitta: f64) -> PieceDrawing {
+    use PointKind::{Curve, Plain, Turn};
+    let points = [(0., 0., Turn), (100., 0., Turn), (90., 30., Plain), (90. - sagitta, 50., Curve), (90., 70., Plain)];
+    let points = points.into_iter().chain([(100., 100., Turn), (0., 100., Turn)]);
+    let points = points.map(|(x, y, kind)| DrawPoint { at: Vec2::new(x, y), kind }).collect();
+    PieceDrawing {
+        name: "P".into(),
+        boundary: DrawLine { points, closed: true, dense: None },
+        ..PieceDrawing::default()
+    }
+}
+
+#[test]
+fn a_smooth_curve_is_not_smoothed_again() {
+    let counts = |piece: PieceDrawing, dialect| {
+        let e = read(&write(&drawing(vec![piece]), dialect).expect("written").bytes);
+        [census(&e, "VERTEX", "1"), census(&e, "VERTEX", "84"), census(&e, "POINT", "3"), census(&e, "POINT", "2")]
+    };
+    assert_eq!(counts(fine(8.0), Dialect::Astm), [5, 7, 1, 4]);
+    assert_eq!(counts(fine(8.0), Dialect::Aama), [7, 0, 0, 4]);
+    // Curve points that do not hold the shape: every vertex stays.
+    assert_eq!(counts(fine(-8.0), Dialect::Astm), [7, 7, 0, 4]);
+}

@@ -66,7 +66,6 @@ pub(crate) struct Tally {
     pub held_back: u64,
     pub own_most: usize,
     pub body_most: usize,
-    pub own_nearest: f64,
     pub body_nearest: f64,
     pub slipped: u64,
 }
@@ -119,7 +118,7 @@ impl Contact {
             own_pairs: 0,
             since: PATIENCE,
             rate,
-            tally: Tally { own_nearest: f64::INFINITY, body_nearest: f64::INFINITY, ..Tally::default() },
+            tally: Tally { body_nearest: f64::INFINITY, ..Tally::default() },
         };
         contact.measure(x, 0.0);
         contact

@@ -7,3 +7,4 @@ pub(crate) mod friction;
 pub(crate) mod near;
 pub(crate) mod repair;
 pub(crate) mod tree;
+pub(crate) mod untangle;

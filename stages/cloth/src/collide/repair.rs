@@ -1,6 +1,7 @@
 //! The start: is it free, and if it dips into the body, can it be pushed out?
 
 use super::body::Body;
+use super::untangle::untangle;
 use crate::exact::count;
 use crate::topology::Topology;
 use crate::{ClothError, Place, Vec3};
@@ -83,8 +84,9 @@ pub(crate) fn at_triangle(x: &[Vec3], topology: &Topology, triangle: u32) -> Pla
 /// Pieces that touch or cross at the start are moved apart, whole, along the line of their middles (placements often
 /// put neighbours edge to edge in one plane). A piece that crosses itself is refused, and so are pieces still crossing
 /// after [`APART`]. Returns how many vertices were moved and the largest move, m.
-pub(crate) fn free_of_itself(x: &mut [Vec3], topology: &Topology) -> Result<(usize, f64), ClothError> {
+pub(crate) fn free_of_itself(x: &mut [Vec3], topology: &Topology, held: &[bool]) -> Result<(usize, f64), ClothError> {
     let start = x.to_vec();
+    untangle(x, topology, held);
     let part = topology.components(x.len());
     let mut step = 1e-4;
     let mut gone = 0.0;

@@ -43,7 +43,7 @@ impl Law {
     fn cell(&self, strain: f64) -> Option<(usize, f64)> {
         let u = strain * self.inverse_step;
         let i = u as usize;
-        (u > 0.0 && i + 1 < self.tangent.len()).then(|| (i, strain - self.step * i as f64))
+        (u > 0.0 && i < self.tangent.len() - 1).then_some((i, strain - self.step * i as f64))
     }
 
     /// N/m.

@@ -7,6 +7,9 @@ pub(crate) mod shear;
 pub(crate) mod structural;
 pub(crate) mod weight;
 
+#[cfg(test)]
+mod tests;
+
 use crate::Vec3;
 
 /// A potential of the positions.

@@ -106,3 +106,81 @@ pub(crate) fn with_body(x: &[Vec3], faces: &[[u32; 3]], body: &[Vec3], body_face
     }
     found
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn v(x: f64, y: f64, z: f64) -> Vec3 {
+        Vec3::new(x, y, z)
+    }
+
+    fn flat() -> Vec<Vec3> {
+        vec![v(0.0, 0.0, 0.0), v(1.0, 0.0, 0.0), v(0.0, 1.0, 0.0)]
+    }
+
+    fn count(other: [Vec3; 3]) -> usize {
+        let mut x = flat();
+        x.extend(other);
+        own(&x, &[[0, 1, 2], [3, 4, 5]]).count
+    }
+
+    #[test]
+    fn a_triangle_through_another_counts_once_whatever_its_winding() {
+        let t = [v(0.2, 0.2, -1.0), v(0.2, 0.2, 1.0), v(0.3, 0.2, 1.0)];
+        for p in [[0, 1, 2], [1, 2, 0], [2, 0, 1], [0, 2, 1], [2, 1, 0], [1, 0, 2]] {
+            assert_eq!(count(p.map(|i| t[i])), 1);
+        }
+    }
+
+    #[test]
+    fn apart_touching_and_just_through_are_told_apart() {
+        let tip = |z: f64| [v(0.2, 0.2, z), v(0.2, 0.3, 1.0), v(0.3, 0.2, 1.0)];
+        assert_eq!(count(tip(1e-300)), 0);
+        assert_eq!(count(tip(0.0)), 0);
+        assert_eq!(count(tip(-1e-300)), 1);
+        // Beside the triangle.
+        assert_eq!(count([v(2.0, 2.0, -1.0), v(2.0, 2.0, 1.0), v(3.0, 2.0, 1.0)]), 0);
+    }
+
+    #[test]
+    fn overlap_in_one_plane_counts_but_a_common_border_does_not() {
+        assert_eq!(count([v(0.1, 0.1, 0.0), v(0.9, 0.1, 0.0), v(0.1, 0.9, 0.0)]), 1);
+        assert_eq!(count([v(0.0, 0.0, 0.0), v(-1.0, 0.0, 0.0), v(0.0, -1.0, 0.0)]), 0);
+    }
+
+    #[test]
+    fn a_far_edge_through_a_neighbour_counts() {
+        let mut x = flat();
+        x.extend([v(0.2, 0.2, -0.1), v(0.3, 0.3, 0.1)]);
+        assert_eq!(own(&x, &[[0, 1, 2], [0, 3, 4]]).count, 1);
+        x[3].z = 0.05;
+        assert_eq!(own(&x, &[[0, 1, 2], [0, 3, 4]]).count, 0);
+    }
+
+    #[test]
+    fn a_fold_flat_over_an_edge_counts() {
+        let mut x = flat();
+        x.push(v(0.5, 0.3, 0.0));
+        assert_eq!(own(&x, &[[0, 1, 2], [1, 0, 3]]).count, 1);
+        x[3].z = 1e-9;
+        assert_eq!(own(&x, &[[0, 1, 2], [1, 0, 3]]).count, 0);
+        x[3] = v(0.5, -0.3, 0.0);
+        assert_eq!(own(&x, &[[0, 1, 2], [1, 0, 3]]).count, 0);
+    }
+
+    #[test]
+    fn vertices_at_one_place_are_one() {
+        // Two triangles of a seam whose vertices are doubled: neighbours, not a crossing.
+        let mut x = flat();
+        x.extend([v(0.0, -0.0, 0.0), v(1.0, 0.0, 0.0), v(0.5, -1.0, 0.3)]);
+        assert_eq!(own(&x, &[[0, 1, 2], [3, 5, 4]]).count, 0);
+    }
+
+    #[test]
+    fn a_body_pierced_by_cloth_is_counted() {
+        let cloth = [v(0.2, 0.2, -1.0), v(0.2, 0.25, 1.0), v(0.25, 0.2, 1.0)];
+        let found = with_body(&cloth, &[[0, 1, 2]], &flat(), &[[0, 1, 2]]);
+        assert_eq!((found.count, found.pairs), (1, vec![[0, 0]]));
+    }
+}

@@ -1,0 +1,164 @@
+//! Every energy's force is minus its gradient, and the coupled springs pass the patch test.
+
+use super::coupled::Coupled;
+use super::flexion::Flexion;
+use super::shear::Shear;
+use super::structural::Structural;
+use super::{Energy, weight::Weight};
+use crate::topology::Topology;
+use crate::{Curve, Element, Material, Scene, Settings, Vec3};
+
+fn noise(seed: u32) -> f64 {
+    let h = seed.wrapping_mul(0x9E37_79B9) ^ (seed.wrapping_mul(0x85EB_CA6B) >> 13);
+    f64::from(h.wrapping_mul(0x2C1B_3C6D)) / f64::from(u32::MAX) * 2.0 - 1.0
+}
+
+/// An uneven mesh: a jittered grid.
+fn scene(material: Material) -> Scene {
+    let n = 5u32;
+    let mut scene = Scene { materials: vec![material], gravity: Vec3::new(0.0, -9.81, 0.0), ..Scene::default() };
+    let mut rest = Vec::new();
+    for j in 0..n {
+        for i in 0..n {
+            let inside = i > 0 && j > 0 && i + 1 < n && j + 1 < n;
+            let jitter = if inside { 0.003 } else { 0.0 };
+            let k = 2 * (j * n + i);
+            rest.push([0.01 * f64::from(i) + jitter * noise(k), 0.01 * f64::from(j) + jitter * noise(k + 1)]);
+        }
+    }
+    for j in 0..n - 1 {
+        for i in 0..n - 1 {
+            let q = [j * n + i, j * n + i + 1, (j + 1) * n + i + 1, (j + 1) * n + i];
+            for c in [[0, 1, 2], [0, 2, 3]] {
+                let v = c.map(|k: usize| q[k]);
+                scene.triangles.push(Element { vertices: v, rest: v.map(|i| rest[i as usize]), material: 0 });
+            }
+        }
+    }
+    scene.positions = rest.iter().map(|p| Vec3::new(p[0], p[1], 0.0)).collect();
+    scene
+}
+
+fn fabric() -> Material {
+    Material {
+        warp: Curve::Exponential { k0: 700.0, beta: 20.0 },
+        weft: Curve::Samples(vec![[0.0, 0.0], [0.05, 10.0], [0.2, 100.0]]),
+        poisson: 0.2,
+        shear: 40.0,
+        bend_warp: 2e-5,
+        bend_weft: 1e-5,
+        bend_bias: Some(1.2e-5),
+        ..Material::isotropic(0.15, 500.0, 0.0, 1e-5)
+    }
+}
+
+fn energies(scene: &Scene, s: &Settings) -> Vec<Box<dyn Energy>> {
+    let t = Topology::of_elements(scene.positions.len(), &scene.triangles);
+    vec![
+        Box::new(Coupled::new(scene, s)),
+        Box::new(Structural::new(scene, &t, s)),
+        Box::new(Shear::new(scene, &t)),
+        Box::new(Flexion::new(scene, &t, s)),
+        Box::new(Weight::new(scene, &vec![1e-4; scene.positions.len()], 1.0)),
+    ]
+}
+
+#[test]
+fn forces_are_minus_the_gradient() {
+    let scene = scene(fabric());
+    for (k, e) in energies(&scene, &Settings::default()).iter().enumerate() {
+        let mut x = scene.positions.clone();
+        for (i, p) in (0u32..).zip(&mut x) {
+            // Stretched, sheared and buckled.
+            *p = Vec3::new(1.03 * p.x + 0.3 * p.y, 1.02 * p.y, 0.0)
+                + Vec3::new(noise(3 * i), noise(3 * i + 1), noise(3 * i + 2)) * 1e-3;
+        }
+        let mut f = vec![Vec3::zeros(); x.len()];
+        e.add_forces(&x, &mut f);
+        let size = f.iter().map(|f| f.amax()).fold(0.0, f64::max);
+        for i in 0..x.len() {
+            for c in 0..3 {
+                let h = 1e-8;
+                let mut moved = |d: f64| {
+                    let keep = x[i][c];
+                    x[i][c] += d;
+                    let value = e.energy(&x);
+                    x[i][c] = keep;
+                    value
+                };
+                let slope = (moved(h) - moved(-h)) / (2.0 * h);
+                assert!((f[i][c] + slope).abs() < 2e-5 * size, "energy {k}, vertex {i}: {} and {slope}", f[i][c]);
+            }
+        }
+    }
+}
+
+#[test]
+fn coupled_springs_pass_the_patch_test_off_the_axes() {
+    // A uniform strain of an uneven mesh leaves the inner vertices without force, and stores W(E) per area.
+    let (k1, k2, g) = (500.0, 300.0, 25.0);
+    let m = Material {
+        warp: Curve::Linear { stiffness: k1 },
+        weft: Curve::Linear { stiffness: k2 },
+        shear: g,
+        poisson: 0.0,
+        ..Material::isotropic(0.15, 500.0, 0.0, 0.0)
+    };
+    let scene = scene(m);
+    let coupled = Coupled::new(&scene, &Settings::default());
+    let (weft, warp, shear) = (2e-3, 3e-3, 4e-3);
+    let x: Vec<Vec3> =
+        scene.positions.iter().map(|p| Vec3::new((1.0 + weft) * p.x + shear * p.y, (1.0 + warp) * p.y, 0.0)).collect();
+    let mut f = vec![Vec3::zeros(); x.len()];
+    coupled.add_forces(&x, &mut f);
+    let scale = k1 * warp * 0.01;
+    for j in 1..4 {
+        for i in 1..4 {
+            assert!(f[j * 5 + i].norm() < 1e-9 * scale, "{:?}", f[j * 5 + i]);
+        }
+    }
+    // Exact yarn stretches and shear angle of that map.
+    let b = libm::hypot(shear, 1.0 + warp);
+    let gamma = libm::asin((1.0 + weft) * shear / ((1.0 + weft) * b));
+    let density = 0.5 * k2 * weft * weft + 0.5 * k1 * (b - 1.0) * (b - 1.0) + 0.5 * g * gamma * gamma;
+    assert!((coupled.energy(&x) / (density * 0.04 * 0.04) - 1.0).abs() < 1e-9);
+}
+
+#[test]
+fn the_stiffness_bound_holds_for_random_motions() {
+    // xᵀ K x ≤ Σ k_i |x_i|², by differences of the forces.
+    let scene = scene(fabric());
+    for (k, e) in energies(&scene, &Settings::default()).iter().take(4).enumerate() {
+        let x = &scene.positions;
+        let mut rows = vec![0.0; x.len()];
+        e.add_stiffness(x, &mut rows);
+        for trial in 0..50u32 {
+            let d: Vec<Vec3> = (0..x.len() as u32)
+                .map(|i| Vec3::new(noise(97 * trial + 3 * i), noise(97 * trial + 3 * i + 1), noise(31 * trial + i)))
+                .collect();
+            let at = |s: f64| {
+                let y: Vec<Vec3> = x.iter().zip(&d).map(|(p, d)| p + d * s).collect();
+                let mut f = vec![Vec3::zeros(); y.len()];
+                e.add_forces(&y, &mut f);
+                f.iter().zip(&d).map(|(f, d)| f.dot(d)).sum::<f64>()
+            };
+            let quadratic = -(at(1e-7) - at(-1e-7)) / 2e-7;
+            let bound: f64 = rows.iter().zip(&d).map(|(k, d)| k * d.norm_squared()).sum();
+            assert!(quadratic <= bound * 1.0001, "energy {k}: {quadratic} over {bound}");
+        }
+    }
+}
+
+#[test]
+fn tables_follow_their_curves() {
+    let settings = Settings { stiffness_cap: f64::INFINITY, ..Settings::default() };
+    let law = super::law::Law::new(&Curve::Exponential { k0: 700.0, beta: 20.0 }, settings.stiffness_cap, 0.15);
+    let curve = Curve::Exponential { k0: 700.0, beta: 20.0 };
+    for i in -10..30 {
+        let e = 0.005 * f64::from(i);
+        assert!((law.tension(e) - curve.tension(e)).abs() <= 1e-4 * curve.tension(e).abs() + 1e-12, "{e}");
+        assert!((law.energy(e) - curve.energy(e)).abs() <= 2e-4 * curve.energy(e).abs() + 1e-12, "{e}");
+    }
+    let capped = super::law::Law::new(&curve, 1000.0, 0.15);
+    assert!((capped.tangent(0.1) - 1000.0).abs() < 1e-9);
+}

@@ -1,0 +1,271 @@
+//! Closed forms: hanging sheets, catenary, free fall, momentum, cantilever, friction on a slope.
+
+mod common;
+
+use common::{add, cotton, linear, noise, regular, sheet, sphere};
+use toile_cloth::{
+    BodyMesh, Curve, Effects, Model, Pin, Scene, Settings, Silent, StopReason, Switch, Vec3, certify, drape,
+};
+
+const G: f64 = 9.81;
+
+fn still() -> Settings {
+    let effects = Effects { self_contact: Switch::Off, ..Effects::default() };
+    Settings {
+        effects,
+        energy_tolerance: 1e-9,
+        speed_tolerance: 1e-6,
+        stiffness_cap: f64::INFINITY,
+        ..Settings::default()
+    }
+}
+
+fn hang(scene: &mut Scene, nx: u32, ny: u32) {
+    for i in 0..=nx {
+        let v = ny * (nx + 1) + i;
+        scene.pins.push(Pin { vertex: v, at: scene.positions[v as usize] });
+    }
+    scene.gravity = Vec3::new(0.0, -G, 0.0);
+}
+
+/// Lowest row's mean drop below its rest place.
+fn elongation(x: &[Vec3], nx: u32) -> f64 {
+    -(0..=nx).map(|i| x[i as usize].y).sum::<f64>() / f64::from(nx + 1)
+}
+
+#[test]
+fn a_hanging_linear_sheet_stretches_by_the_closed_form() {
+    let (length, k, sigma) = (0.5, 200.0, 0.2);
+    // Edge springs on triangles are not exact: their diagonals help to carry (docs/structural.md).
+    for (model, good) in [(Model::Coupled, 2e-3), (Model::Springs, 0.12)] {
+        let mut scene = sheet(0.1, length, 4, 20, linear(sigma, k, k, 1e-3), |x, y| Vec3::new(x, y, 0.0));
+        hang(&mut scene, 4, 20);
+        let out = drape(&scene, &Settings { model, damping: 40.0, ..still() }, &mut Silent).unwrap();
+        assert!(out.settled);
+        let expected = sigma * G * length * length / (2.0 * k);
+        let got = elongation(&out.positions, 4);
+        assert!((got / expected - 1.0).abs() < good, "{model:?}: {got} instead of {expected}");
+        // The top row holds the weight.
+        let held: f64 = out.reactions.iter().map(|r| r.force.y).sum();
+        assert!((held / (sigma * G * 0.1 * length) - 1.0).abs() < 0.02, "{held}");
+    }
+}
+
+#[test]
+fn a_hanging_exponential_sheet_stretches_by_the_closed_form() {
+    let (length, width, sigma, load) = (0.5, 0.1, 0.2, 40.0);
+    let (k0, b) = (400.0, 20.0);
+    let mut m = linear(sigma, 1.0, 400.0, 1e-3);
+    m.warp = Curve::Exponential { k0, beta: b };
+    let (nx, ny) = (4, 40);
+    let mut scene = sheet(width, length, nx, ny, m, |x, y| Vec3::new(x, y, 0.0));
+    hang(&mut scene, nx, ny);
+    for i in 0..=nx {
+        let share = if i == 0 || i == nx { 0.5 } else { 1.0 } / f64::from(nx);
+        scene.loads.push(toile_cloth::Load { vertex: i, force: Vec3::new(0.0, -load * width * share, 0.0) });
+    }
+    let out = drape(&scene, &Settings { damping: 60.0, ..still() }, &mut Silent).unwrap();
+    let f = |t: f64| ((1.0 + b * t / k0) * libm::log1p(b * t / k0) - b * t / k0) * k0 / (b * b);
+    let w = sigma * G;
+    let expected = (f(load + w * length) - f(load)) / w;
+    let got = elongation(&out.positions, nx);
+    assert!((got / expected - 1.0).abs() < 2e-3, "{got} instead of {expected}");
+}
+
+#[test]
+fn the_strain_limit_carries_what_the_curve_does_not() {
+    // Above the length L_s = K em / w the sheet is at its limit.
+    let (length, k, sigma, limit) = (0.5, 40.0, 0.4, 0.02);
+    let mut m = linear(sigma, k, k, 1.0);
+    m.strain_limit = [limit, limit];
+    let (nx, ny) = (4, 25);
+    let mut scene = sheet(0.1, length, nx, ny, m, |x, y| Vec3::new(x, y, 0.0));
+    hang(&mut scene, nx, ny);
+    let settings = Settings { damping: 20.0, speed_tolerance: 1e-4, energy_tolerance: 1e-5, ..still() };
+    let out = drape(&scene, &settings, &mut Silent).unwrap();
+    assert!(out.settled);
+    let w = sigma * G;
+    let slack = k * limit / w;
+    let expected = w * slack * slack / (2.0 * k) + limit * (length - slack);
+    let got = elongation(&out.positions, nx);
+    // A few sweeps a step leave a little over: 5 %.
+    assert!((got / expected - 1.0).abs() < 0.05, "{got} instead of {expected}");
+    let figures = certify(&scene, &settings, &out.positions).unwrap();
+    assert!(figures.strain_over_limit < 1.05, "{}", figures.strain_over_limit);
+}
+
+#[test]
+fn a_strip_between_two_pins_hangs_in_a_catenary() {
+    // Span 1, length 1.2: sag 0.292344 (validation.md §1).
+    let n = 60;
+    let mut scene = sheet(1.2, 0.02, n, 1, linear(0.1, 2000.0, 2000.0, 20.0), |x, y| {
+        let s = x / 1.2;
+        Vec3::new(s, -0.25 * 4.0 * s * (1.0 - s), y)
+    });
+    scene.gravity = Vec3::new(0.0, -G, 0.0);
+    for v in [0, n, n + 1, 2 * n + 1] {
+        scene.pins.push(Pin { vertex: v, at: scene.positions[v as usize] });
+    }
+    let settings = Settings { damping: 15.0, speed_tolerance: 1e-4, energy_tolerance: 1e-4, ..still() };
+    let out = drape(&scene, &settings, &mut Silent).unwrap();
+    assert!(out.settled);
+    let sag = -out.positions.iter().map(|p| p.y).fold(0.0, f64::min);
+    assert!((sag - 0.292_344).abs() < 0.005 * 0.292_344, "sag {sag}");
+}
+
+#[test]
+fn free_fall_follows_gravity_and_keeps_the_shape() {
+    let mut scene = sheet(0.2, 0.2, 6, 6, linear(0.15, 800.0, 500.0, 40.0), |x, y| Vec3::new(x, 0.0, y));
+    scene.gravity = Vec3::new(0.0, -G, 0.0);
+    let settings = Settings { damping: 0.0, max_seconds: 0.3, ..still() };
+    let out = drape(&scene, &settings, &mut Silent).unwrap();
+    assert_eq!(out.stop_reason, StopReason::MaxSeconds);
+    // Started at rest by X(−Δt) = X(0): the sum of the steps is ½ g t (t + Δt).
+    let dt = out.seconds / out.steps as f64;
+    let expected = -0.5 * G * out.seconds * (out.seconds + dt);
+    for (p, q) in out.positions.iter().zip(&scene.positions) {
+        assert!((p.y - q.y - expected).abs() < 1e-9, "{} instead of {expected}", p.y - q.y);
+        assert!((p.x - q.x).abs() < 1e-9 && (p.z - q.z).abs() < 1e-9);
+    }
+    let c = 3.0;
+    let dragged = drape(&scene, &Settings { damping: c, max_seconds: 0.3, ..settings }, &mut Silent).unwrap();
+    let t = dragged.seconds;
+    let fall = -(G / c) * (t - (1.0 - libm::exp(-c * t)) / c);
+    assert!((dragged.positions[0].y / fall - 1.0).abs() < 2e-3, "{} instead of {fall}", dragged.positions[0].y);
+}
+
+#[test]
+fn inner_forces_keep_momentum() {
+    for model in [Model::Coupled, Model::Springs] {
+        let mut m = linear(0.15, 800.0, 500.0, 40.0);
+        (m.bend_warp, m.bend_weft) = (1e-4, 5e-5);
+        let mut scene = sheet(0.2, 0.2, 6, 6, m, |x, y| Vec3::new(x, 0.0, y));
+        for (i, p) in (0u32..).zip(&mut scene.positions) {
+            *p += Vec3::new(noise(3 * i), noise(3 * i + 1), noise(3 * i + 2)) * 3e-3;
+        }
+        let settings = Settings { model, max_seconds: 0.05, damping: 0.0, ..still() };
+        let out = drape(&scene, &settings, &mut Silent).unwrap();
+        let mut mass = vec![0.0; scene.positions.len()];
+        for t in &scene.triangles {
+            for v in t.vertices {
+                mass[v as usize] += t.area() / 3.0;
+            }
+        }
+        let centre = |x: &[Vec3]| x.iter().zip(&mass).map(|(p, m)| p * *m).sum::<Vec3>() / mass.iter().sum::<f64>();
+        let drift = (centre(&out.positions) - centre(&scene.positions)).norm();
+        assert!(drift < 1e-13, "{model:?}: the middle moved by {drift}");
+        assert!((out.positions[0] - scene.positions[0]).norm() > 1e-4, "it did move");
+    }
+}
+
+#[test]
+fn a_cantilever_bends_by_its_length_over_bending_length() {
+    // H/W of the heavy elastica (validation.md §2.1), on regular triangles; two rows are held, so the free length
+    // starts half a row behind the second (§2.2).
+    let (sigma, n) = (0.2, 30);
+    let row = 0.1 / f64::from(n);
+    let side = row * 2.0 / 3f64.sqrt();
+    let free = 0.1 - 0.5 * row;
+    for (gamma, expected) in [(2.0, 0.246_673), (10.0, 1.066_802)] {
+        let b = sigma * G * free * free * free / gamma;
+        let mut m = linear(sigma, 300.0, 300.0, 10.0);
+        (m.bend_warp, m.bend_weft) = (b, b);
+        let mut scene = regular(5, n, side, m);
+        scene.gravity = Vec3::new(0.0, -G, 0.0);
+        scene.pins = (0..12).map(|v| Pin { vertex: v, at: scene.positions[v as usize] }).collect();
+        let settings = Settings { damping: 30.0, speed_tolerance: 2e-5, energy_tolerance: 1e-6, ..still() };
+        let out = drape(&scene, &settings, &mut Silent).unwrap();
+        let tip = out.positions[out.positions.len() - 3];
+        let ratio = -tip.y / (tip.z - 0.5 * row);
+        assert!((ratio / expected - 1.0).abs() < 0.05, "Γ {gamma}: H/W {ratio} instead of {expected}");
+    }
+}
+
+fn slope(angle: f64) -> Scene {
+    let (s, c) = libm::sincos(angle);
+    let along = Vec3::new(c, -s, 0.0);
+    let normal = Vec3::new(s, c, 0.0);
+    let mut m = linear(0.2, 300.0, 300.0, 30.0);
+    m.friction = 0.3;
+    let mut scene = sheet(0.1, 0.1, 4, 4, m, |x, y| along * x + normal * 1.2e-3 + Vec3::z() * y);
+    let p = |a: f64, z: f64| along * a + Vec3::z() * z;
+    scene.body = Some(BodyMesh {
+        positions: vec![p(-1.0, -1.0), p(3.0, -1.0), p(3.0, 1.0), p(-1.0, 1.0)],
+        triangles: vec![[0, 2, 1], [0, 3, 2]],
+    });
+    scene.gravity = Vec3::new(0.0, -G, 0.0);
+    scene
+}
+
+#[test]
+fn friction_holds_below_the_slope_angle_and_slides_by_the_law_above() {
+    let critical = libm::atan(0.3);
+    let settings = Settings { damping: 0.0, max_seconds: 0.5, energy_tolerance: 0.0, speed_tolerance: 0.0, ..still() };
+    let run = |angle: f64, seconds: f64| {
+        let scene = slope(angle);
+        let out = drape(&scene, &Settings { max_seconds: seconds, ..settings.clone() }, &mut Silent).unwrap();
+        let (s, c) = libm::sincos(angle);
+        ((out.positions[12] - scene.positions[12]).dot(&Vec3::new(c, -s, 0.0)), out.seconds)
+    };
+    // Dropped from a hair above it slides a little before it sticks; then it stays.
+    let held = critical - 0.5f64.to_radians();
+    let creep = run(held, 0.6).0 - run(held, 0.35).0;
+    assert!(creep.abs() < 1e-9, "it crept {creep} m");
+    let angle = critical + 5f64.to_radians();
+    let (moved, t) = run(angle, 0.5);
+    let a = G * (libm::sin(angle) - 0.3 * libm::cos(angle));
+    assert!((moved / (0.5 * a * t * t) - 1.0).abs() < 0.03, "{moved} instead of {}", 0.5 * a * t * t);
+}
+
+#[test]
+fn the_step_bound_is_safe_and_not_wasteful() {
+    // Undamped ringing: below the bound the energy stays, well above it the step must be halved.
+    let mut scene = sheet(0.1, 0.1, 8, 8, linear(0.15, 500.0, 500.0, 50.0), |x, y| Vec3::new(x, 0.0, y));
+    for (i, p) in (0u32..).zip(&mut scene.positions) {
+        *p += Vec3::new(noise(2 * i), 0.0, noise(2 * i + 1)) * 1e-5;
+    }
+    let base = Settings { damping: 0.0, stiffness_damping: 0.0, max_steps: 20_000, max_seconds: 1e3, ..still() };
+    let base = Settings { energy_tolerance: 0.0, speed_tolerance: 0.0, ..base };
+    let start = certify(&scene, &base, &scene.positions).unwrap().energy;
+    let calm = drape(&scene, &Settings { step_fraction: 0.99, ..base.clone() }, &mut Silent).unwrap();
+    assert!(calm.energy <= start * 1.3, "{} J from {start} J", calm.energy);
+    let full = calm.seconds / calm.steps as f64;
+    let wild = drape(&scene, &Settings { step_fraction: 1.6, ..base }, &mut Silent).unwrap();
+    assert!(wild.energy.is_finite() && wild.energy < 10.0 * start, "{} J from {start} J", wild.energy);
+    let halved = wild.seconds / wild.steps as f64;
+    assert!(halved < 1.5 * full, "the step was halved: {halved} against {full}");
+}
+
+#[test]
+fn cloth_over_a_sphere_settles_without_a_crossing() {
+    let m = cotton();
+    let mut scene = sheet(0.5, 0.5, 25, 25, m, |x, y| Vec3::new(x - 0.25, 0.123, y - 0.25));
+    for (i, p) in (0u32..).zip(&mut scene.positions) {
+        p.y += 1e-4 * noise(i);
+    }
+    scene.gravity = Vec3::new(0.0, -G, 0.0);
+    scene.body = Some(sphere(Vec3::zeros(), 0.12, 24));
+    let settings = Settings::default();
+    let out = drape(&scene, &settings, &mut Silent).unwrap();
+    assert!(out.settled, "{:?}", out.stop_reason);
+    let figures = certify(&scene, &settings, &out.positions).unwrap();
+    assert_eq!((figures.self_crossings, figures.body_crossings), (0, 0));
+    assert_eq!(figures.penetration_max, 0.0);
+    assert!(figures.body_distance_min > 2e-4);
+    assert!(out.positions.iter().map(|p| p.y).fold(f64::INFINITY, f64::min) < -0.05, "the corners hang down");
+}
+
+#[test]
+fn a_far_piece_changes_nothing() {
+    let mut one = sheet(0.2, 0.2, 8, 8, cotton(), |x, y| Vec3::new(x, 0.0, y));
+    one.gravity = Vec3::new(0.0, -G, 0.0);
+    one.pins = vec![Pin { vertex: 0, at: one.positions[0] }, Pin { vertex: 8, at: one.positions[8] }];
+    let settings = Settings { max_seconds: 0.2, ..Settings::default() };
+    let alone = drape(&one, &settings, &mut Silent).unwrap();
+    let mut two = one.clone();
+    let other = sheet(0.2, 0.2, 8, 8, cotton(), |x, y| Vec3::new(x + 10.0, 0.0, y));
+    add(&mut two, &other);
+    let both = drape(&two, &settings, &mut Silent).unwrap();
+    let most = alone.positions.iter().zip(&both.positions).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max);
+    assert!(most < 1e-9, "{most}");
+}
