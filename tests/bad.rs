@@ -1,6 +1,7 @@
 //! Walks `bad/`: input that must fail, with the exit code and the findings it must give, in order.
 //!
-//! A case is a folder with `case.toml` and `pipeline.toml`. All findings must be listed: one too many fails as well.
+//! A case is a folder with `case.toml` and `pipeline.toml`. `check` must give exactly the findings listed; with
+//! `run = true` the pipeline is run and must give exactly the errors listed, and leave no output but run.json.
 
 mod support;
 
@@ -8,13 +9,15 @@ use serde::Deserialize;
 use serde_json::Value;
 use std::ffi::OsString;
 use std::path::Path;
-use support::bench::command;
+use support::bench::{Said, command, list};
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Case {
     about: String,
     exit: u8,
+    #[serde(default)]
+    run: bool,
     #[serde(default)]
     set: Vec<String>,
     finding: Vec<Expected>,
@@ -26,6 +29,7 @@ struct Expected {
     code: String,
     file: Option<String>,
     line: Option<u64>,
+    block: Option<String>,
     column: Option<u64>,
     message: Option<String>,
     hint: Option<String>,
@@ -34,7 +38,7 @@ struct Expected {
 #[test]
 fn every_bad_case_fails_as_it_must() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad");
-    let cases = support::bench::list(&folder);
+    let cases = list(&folder);
     assert!(cases.len() >= 10);
     let wrong: Vec<String> = cases.iter().filter_map(|name| look(&folder.join(name)).err()).collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
@@ -43,20 +47,40 @@ fn every_bad_case_fails_as_it_must() {
 fn look(folder: &Path) -> Result<(), String> {
     let text = std::fs::read_to_string(folder.join("case.toml")).map_err(|e| format!("{}: {e}", folder.display()))?;
     let case: Case = toml::from_str(&text).map_err(|e| format!("{}: {e}", folder.display()))?;
-    let mut arguments: Vec<OsString> = vec!["check".into(), folder.join("pipeline.toml").into()];
-    arguments.extend(["--format", "json"].map(OsString::from));
-    for set in &case.set {
-        arguments.extend(["--set", set].map(OsString::from));
-    }
-    let said = command(arguments);
-    let found: Value = serde_json::from_str(&said.out).map_err(|e| format!("{}: {e}", folder.display()))?;
-    let found = found["findings"].as_array().cloned().unwrap_or_default();
+    let (said, found) = if case.run { run(folder, &case)? } else { check(folder, &case)? };
     let fits = found.len() == case.finding.len() && case.finding.iter().zip(&found).all(|(e, f)| fits(e, f));
     if fits && said.code == case.exit {
         return Ok(());
     }
     let list: Vec<String> = found.iter().map(ToString::to_string).collect();
     Err(format!("{} ({}): exit {} for {}\n  {}", folder.display(), case.about, said.code, case.exit, list.join("\n  ")))
+}
+
+fn check(folder: &Path, case: &Case) -> Result<(Said, Vec<Value>), String> {
+    let mut arguments: Vec<OsString> = vec!["check".into(), folder.join("pipeline.toml").into()];
+    arguments.extend(["--format", "json"].map(OsString::from));
+    arguments.extend(case.set.iter().flat_map(|s| ["--set".into(), s.into()]));
+    let said = command(arguments);
+    let found: Value = serde_json::from_str(&said.out).map_err(|e| format!("{}: {e}", folder.display()))?;
+    let found = found["findings"].as_array().cloned().unwrap_or_default();
+    Ok((said, found))
+}
+
+fn run(folder: &Path, case: &Case) -> Result<(Said, Vec<Value>), String> {
+    let out = tempfile::tempdir().map_err(|e| e.to_string())?;
+    let mut arguments: Vec<OsString> = vec!["run".into(), folder.join("pipeline.toml").into(), "--quiet".into()];
+    arguments.extend(["--out".into(), out.path().into()]);
+    arguments.extend(case.set.iter().flat_map(|s| ["--set".into(), s.into()]));
+    let said = command(arguments);
+    let left = list(out.path());
+    if left != ["run.json"] {
+        return Err(format!("{}: left {left:?}, said {said:?}", folder.display()));
+    }
+    let record = std::fs::read_to_string(out.path().join("run.json")).map_err(|e| e.to_string())?;
+    let record: Value = serde_json::from_str(&record).map_err(|e| e.to_string())?;
+    let findings = record["findings"].as_array().cloned().unwrap_or_default();
+    let errors: Vec<Value> = findings.into_iter().filter(|f| f["severity"] == "error").collect();
+    Ok((said, errors))
 }
 
 fn fits(expected: &Expected, found: &Value) -> bool {
@@ -68,6 +92,7 @@ fn fits(expected: &Expected, found: &Value) -> bool {
     found["code"] == expected.code
         && number(expected.line, "line")
         && number(expected.column, "column")
+        && holds(&expected.block, &source["block"])
         && holds(&expected.file, &source["file"])
         && holds(&expected.message, &found["message"])
         && holds(&expected.hint, &found["hint"])

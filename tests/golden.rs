@@ -5,7 +5,9 @@
 //! - `pipeline`: relative to the case; `set`: overrides; `exit`: expected exit code (0);
 //! - `tolerance`: relative tolerance of the certificate's figures by name, `default` for the rest (0: exact);
 //! - `hashes = false`: do not compare the digests of outputs (they are compared by default);
-//! - `figures`: numbers out of JSON outputs, `{ file, pointer, tolerance }`, e.g. of the flattening report.
+//! - `figures`: numbers, or whole tables, out of JSON outputs: `{ file, pointer, tolerance, absolute }`;
+//! - `inspect`: pattern files by name, as `toile inspect --json` sees them; `{out}/` begins an output;
+//! - a case without `expected.json` fails until it was blessed.
 //!
 //! The structure of every GLB (nodes, meshes, counts, bounds in mm) is compared too. `TOILE_BLESS=1` writes
 //! `expected.json`; a failing case leaves `actual.json` beside it.
@@ -35,6 +37,8 @@ struct Case {
     hashes: bool,
     #[serde(default)]
     figures: Vec<Figure>,
+    #[serde(default)]
+    inspect: BTreeMap<String, String>,
 }
 
 #[derive(Deserialize)]
@@ -43,6 +47,8 @@ struct Figure {
     file: String,
     pointer: String,
     tolerance: f64,
+    #[serde(default)]
+    absolute: f64,
 }
 
 fn yes() -> bool {
@@ -114,8 +120,29 @@ fn summary(folder: &Path, case: &Case) -> Result<Value, String> {
         "certificate": record["certificate"],
         "outputs": digests,
         "glb": glbs,
+        "inspect": case.inspect.iter().map(|i| facts(folder, out.path(), i)).collect::<Result<Map<_, _>, _>>()?,
         "figures": case.figures.iter().map(|f| figure(out.path(), f)).collect::<Result<Map<_, _>, _>>()?,
     }))
+}
+
+/// What a pattern file holds: counts exactly, lengths to 0.1 mm, so that the file of expectations stays readable.
+fn facts(folder: &Path, out: &Path, (name, file): (&String, &String)) -> Result<(String, Value), String> {
+    let path = file.strip_prefix("{out}/").map_or_else(|| folder.join(file), |below| out.join(below));
+    let said = command(vec!["inspect".into(), path.into(), "--json".into()]);
+    let json: Value = serde_json::from_str(&said.out).map_err(|_| format!("{file}: {said:?}"))?;
+    let tenth = |v: &Value| v.as_f64().map(|v| (v * 10.0).round() / 10.0);
+    let count = |v: &Value| v.as_array().map(Vec::len);
+    let pieces: Vec<Value> = json["pieces"].as_array().into_iter().flatten().map(|p| json!({
+        "name": p["name"], "size": p["size"], "area_cm2": tenth(&p["area_cm2"]), "perimeter_mm": tenth(&p["perimeter_mm"]),
+        "net_perimeter_mm": tenth(&p["net_perimeter_mm"]), "darts": count(&p["darts"]), "notches": p["notch_count"],
+        "drills": p["drill_count"], "internal_lines": p["internal_line_count"], "edges": count(&p["edges"]),
+    })).collect();
+    let ledger = &json["ledger"];
+    let facts = json!({
+        "units": json["units"], "sizes": json["sizes"], "sample_size": json["sample_size"], "pieces": pieces,
+        "ledger": [ledger["accepted"], ledger["interpreted"], ledger["refused"]], "findings": count(&json["findings"]),
+    });
+    Ok((name.clone(), facts))
 }
 
 fn figure(out: &Path, figure: &Figure) -> Result<(String, Value), String> {
@@ -147,9 +174,10 @@ fn compare(path: &str, expected: &Value, actual: &Value, case: &Case, difference
 
 fn within(path: &str, expected: &Value, actual: &Value, case: &Case) -> bool {
     let (Some(a), Some(b)) = (expected.as_f64(), actual.as_f64()) else { return false };
-    let figure = case.figures.iter().find(|f| path == format!("/figures/{}{}", f.file, f.pointer));
+    let figure = case.figures.iter().find(|f| path.starts_with(&format!("/figures/{}{}", f.file, f.pointer)));
     let named = path.strip_prefix("/certificate/").and_then(|name| case.tolerance.get(name));
     let other = || if path.starts_with("/certificate/") { case.tolerance.get("default").copied() } else { None };
     let tolerance = figure.map(|f| f.tolerance).or(named.copied()).or_else(other).unwrap_or(0.0);
-    (a - b).abs() <= tolerance * a.abs().max(b.abs())
+    let absolute = figure.map_or(0.0, |f| f.absolute);
+    (a - b).abs() <= (tolerance * a.abs().max(b.abs())).max(absolute)
 }

@@ -31,6 +31,8 @@ pub enum Verb {
     Inspect(InspectArgs),
     /// Flatten a garment back to 2D, from its file alone.
     Flatten(FlattenArgs),
+    /// Make a body from measures; without options: list sizes and measures.
+    Body(BodyArgs),
     /// List the stages, or explain one with all its parameters.
     Stages(StagesArgs),
     /// Print the JSON schema of pipeline files.
@@ -157,6 +159,23 @@ pub struct FlattenArgs {
     pub json: Option<PathBuf>,
     /// Replace OUT if it is there.
     #[arg(long)]
+    pub force: bool,
+}
+
+/// `body`
+#[derive(Args, Debug)]
+pub struct BodyArgs {
+    /// Size to start from [default: 38]
+    #[arg(long, value_name = "SIZE", requires = "out")]
+    pub size: Option<String>,
+    /// Set a measure, e.g. waist_girth="700 mm"; may be repeated.
+    #[arg(long = "set", value_name = "MEASURE=LENGTH", requires = "out")]
+    pub set: Vec<String>,
+    /// Write the mesh here, and measures, landmarks and segments beside it as TOML.
+    #[arg(long, value_name = "FILE.obj")]
+    pub out: Option<PathBuf>,
+    /// Replace files that are there.
+    #[arg(long, requires = "out")]
     pub force: bool,
 }
 

@@ -2,13 +2,13 @@
 
 use super::args::ExplainArgs;
 use super::console::Console;
-use crate::codes::{self, ENGINE};
+use crate::codes;
 use crate::engine::Exit;
 use crate::pipeline::remedy;
 
 pub(super) fn run(args: &ExplainArgs, console: &mut Console<'_>) -> Exit {
     let Some(name) = &args.code else {
-        for code in ENGINE {
+        for code in codes::all() {
             console.result(&format!("{}\n", code.code));
         }
         return Exit::Good;
@@ -17,7 +17,7 @@ pub(super) fn run(args: &ExplainArgs, console: &mut Console<'_>) -> Exit {
         console.result(&format!("{}\n\n{}\n", code.code, code.text));
         return Exit::Good;
     }
-    let hint = remedy(name, ENGINE.iter().map(|c| c.code));
+    let hint = remedy(name, codes::all().iter().map(|c| c.code));
     console.say(&format!("there is no code `{}`\n  help: {hint}\n", crate::render::safe(name)));
     Exit::Usage
 }

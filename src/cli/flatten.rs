@@ -5,35 +5,39 @@ use super::console::Console;
 use crate::engine::{Exit, MAX_INPUT, Stop, clean, of_file_error, of_stage_error, read_limited, write_whole};
 use crate::progress::Teller;
 use std::collections::BTreeMap;
+use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use toile_garment::{Diagnostic, Garment, Report};
+use toile_formats::gltf;
+use toile_garment::flat::Flat;
+use toile_garment::{Diagnostic, Garment, Report, SourceRef};
 use toile_stage_api::{FileError, Files, Registry, StageContext, StageError};
+use toile_stages::flatten::json as flatten_json;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, ValueDeserializer};
 
-type ReadGarment = fn(&[u8]) -> Result<Garment, String>;
+type ReadGarment = fn(&[u8], &str, &mut Report) -> Result<Garment, Diagnostic>;
 
 /// Forms a garment can be read from: how they begin, and what reads them.
-const READERS: &[(&[u8], ReadGarment)] = &[(b"{", garment_from_bundle)];
-/// The stage that flattens, and the taps that write its result to the parameter `file`.
+const READERS: &[(&[u8], ReadGarment)] = &[(b"glTF", from_glb), (b"{", from_bundle)];
+/// The stage that flattens, and the tap that writes its result to the parameter `file`.
 const FLATTEN: &str = "flatten";
 const DXF_TAP: &str = "export-dxf";
-const JSON_TAP: &str = "export-report";
 
 pub(super) fn run(args: &FlattenArgs, registry: &Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
-    let garment = match read(&args.garment) {
+    let mut report = Report::default();
+    let garment = match read(&args.garment, &mut report) {
         Ok(garment) => garment,
         Err(findings) => {
             console.findings(&findings, None);
             return Exit::Input;
         }
     };
-    let mut report = Report::default();
     let written = flatten(args, registry, stop, garment, &mut report);
     match written {
-        Ok(files) => {
+        Ok((summary, files)) => {
             console.findings(&report.findings, None);
+            console.result(&crate::render::safe(&summary));
             let all = files.iter().map(|(path, bytes)| write_result(path, bytes, args.force, console));
             all.fold(Exit::Good, |worst, exit| if worst == Exit::Good { exit } else { worst })
         }
@@ -46,14 +50,28 @@ pub(super) fn run(args: &FlattenArgs, registry: &Registry, stop: &Arc<Stop>, con
     }
 }
 
-fn read(path: &Path) -> Result<Garment, Vec<Diagnostic>> {
+fn read(path: &Path, report: &mut Report) -> Result<Garment, Vec<Diagnostic>> {
     let bytes = read_limited(path, path, MAX_INPUT).map_err(|e| of_file_error(&e).0)?;
     let body = bytes.trim_ascii_start();
     let reader = READERS.iter().find(|(begin, _)| body.starts_with(begin));
     let name = clean(path);
-    let no_reader = || vec![Diagnostic::error("no-reader", format!("`{name}` is no garment file"))];
+    let no_reader = || {
+        let hint = "give a GLB that `export-gltf` wrote, or a garment document";
+        vec![Diagnostic::error("no-reader", format!("`{name}` is no garment file")).hint(hint)]
+    };
     let (_, reader) = reader.ok_or_else(no_reader)?;
-    reader(&bytes).map_err(|message| vec![Diagnostic::error("garment-file", format!("`{name}`: {message}"))])
+    reader(&bytes, &name, report).map_err(|finding| vec![finding])
+}
+
+fn from_glb(bytes: &[u8], name: &str, report: &mut Report) -> Result<Garment, Diagnostic> {
+    let read = gltf::read_garment_with_findings(bytes).map_err(|e| super::inspect::refused_glb(&e, name))?;
+    report.findings.extend(read.findings);
+    Ok(read.garment)
+}
+
+fn from_bundle(bytes: &[u8], name: &str, _: &mut Report) -> Result<Garment, Diagnostic> {
+    garment_from_bundle(bytes)
+        .map_err(|message| Diagnostic::error("garment-file", message).at(SourceRef::file(name.to_owned())))
 }
 
 /// Reads a garment document.
@@ -62,26 +80,68 @@ pub(super) fn garment_from_bundle(bytes: &[u8]) -> Result<Garment, String> {
     toile_garment::bundle::from_text(text).map_err(|e| e.to_string())
 }
 
+/// What a person is told, and the files to write.
+type Flattened = (String, Vec<(PathBuf, Vec<u8>)>);
+
 fn flatten(
     args: &FlattenArgs,
     registry: &Registry,
     stop: &Arc<Stop>,
     garment: Garment,
     report: &mut Report,
-) -> Result<Vec<(PathBuf, Vec<u8>)>, StageError> {
+) -> Result<Flattened, StageError> {
     let mut files = Memory::default();
-    let mut garment = run_stage(registry, FLATTEN, None, garment, stop, report, &mut files)?;
+    let garment = run_stage(registry, FLATTEN, None, garment, stop, report, &mut files)?;
+    let internal = |what: &str| StageError::Internal(what.to_owned());
+    let flat = garment.flat.as_ref().ok_or_else(|| internal("`flatten` gave no flat pieces"))?;
+    let summary = summary(&garment, flat);
     let mut results = Vec::new();
-    for (tap, path) in [(DXF_TAP, &args.dxf), (JSON_TAP, &args.json)] {
-        let Some(path) = path else { continue };
+    if let Some(path) = &args.json {
+        let value = flatten_json(&garment, flat);
+        let text = serde_json::to_string(&value).map_err(|e| StageError::Internal(format!("flat as JSON: {e}")))?;
+        results.push((path.clone(), (text + "\n").into_bytes()));
+    }
+    if let Some(path) = &args.dxf {
         let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
         let file = format!("{{out}}/{name}");
-        garment = run_stage(registry, tap, Some(&file), garment, stop, report, &mut files)?;
+        run_stage(registry, DXF_TAP, Some(&file), garment, stop, report, &mut files)?;
         let bytes = files.written.remove(Path::new(&file));
-        let bytes = bytes.ok_or_else(|| StageError::Internal(format!("`{tap}` did not write `{file}`")))?;
+        let bytes = bytes.ok_or_else(|| StageError::Internal(format!("`{DXF_TAP}` did not write `{file}`")))?;
         results.push((path.clone(), bytes));
     }
-    Ok(results)
+    Ok((summary, results))
+}
+
+/// The figures that matter, one line a piece, dart and sewn pair.
+fn summary(garment: &Garment, flat: &Flat) -> String {
+    let mut text = String::new();
+    for f in &flat.pieces {
+        let name = garment.pieces.get(f.piece.index()).map_or("?", |p| p.name.as_str());
+        let [original, new, _] = f.area.map(|a| 1e4 * a);
+        let change = if original > 0.0 { 100.0 * (new / original - 1.0) } else { 0.0 };
+        let edges = f.edges.iter().map(|e| (e.flat - e.original).abs()).fold(0.0, f64::max);
+        let _ = writeln!(
+            text,
+            "{name:<20} {new:>9.2} cm2 ({change:+.3} %), edges within {:.3} mm, grain turned {:.3}°",
+            1e3 * edges,
+            f.grain_shift.to_degrees()
+        );
+        for d in &f.darts {
+            let _ =
+                writeln!(text, "  {:<18} {:.2}° → {:.2}°", d.name, d.angle[0].to_degrees(), d.angle[1].to_degrees());
+        }
+    }
+    for p in &flat.pairs {
+        let error = 1e3 * ((p.a[1] - p.b[1]) - (p.a[0] - p.b[0]));
+        let _ = writeln!(
+            text,
+            "seam {:<15} {:.2} mm on {:.2} mm, ease changed {error:+.4} mm",
+            p.name,
+            1e3 * p.a[1],
+            1e3 * p.b[1]
+        );
+    }
+    text
 }
 
 fn run_stage(
@@ -115,11 +175,20 @@ fn run_stage(
     ready.run(garment, &mut cx)
 }
 
+/// Says so when a file may not be written because it is there.
+pub(super) fn is_free(path: &Path, force: bool, console: &mut Console<'_>) -> bool {
+    let taken = path.exists() && !force;
+    if taken {
+        let name = clean(path);
+        console.say(&format!("error[path-refused] `{name}` is there already; replace it with --force\n"));
+    }
+    !taken
+}
+
 /// Writes one result whole, never over a file without `--force`.
 pub(super) fn write_result(path: &Path, bytes: &[u8], force: bool, console: &mut Console<'_>) -> Exit {
     let name = clean(path);
-    if path.exists() && !force {
-        console.say(&format!("error[path-refused] `{name}` is there already; replace it with --force\n"));
+    if !is_free(path, force, console) {
         return Exit::Usage;
     }
     if let Err(error) = write_whole(path, bytes) {

@@ -1,11 +1,17 @@
 //! `toile inspect FILE`: the table of file forms that can be looked into.
 
+mod garment;
+mod meshes;
+mod pattern;
+
 use super::args::InspectArgs;
 use super::console::Console;
-use crate::engine::{Exit, GarmentCounts, MAX_INPUT, clean, of_file_error, read_limited};
-use serde_json::{Value, json};
+use crate::engine::{Exit, MAX_INPUT, of_file_error, read_limited};
+use serde_json::Value;
 use std::path::Path;
-use toile_garment::{Diagnostic, SourceRef};
+use toile_garment::Diagnostic;
+
+pub(super) use meshes::refused as refused_glb;
 
 /// What was found in a file.
 pub(super) struct Inspected {
@@ -19,7 +25,17 @@ pub(super) struct Inspected {
     pub findings: Vec<Diagnostic>,
 }
 
-type Inspect = fn(&[u8], &str) -> Result<Inspected, Vec<Diagnostic>>;
+/// The file to look into.
+pub(super) struct Source<'a> {
+    /// Where it lies.
+    pub path: &'a Path,
+    /// Its name for messages.
+    pub name: &'a str,
+    /// All of it.
+    pub bytes: &'a [u8],
+}
+
+type Inspect = fn(&Source<'_>) -> Result<Inspected, Vec<Diagnostic>>;
 
 /// One form: endings of its file names, how its content begins, and what looks into it.
 struct Form {
@@ -29,7 +45,13 @@ struct Form {
 }
 
 /// One line per form. The ending decides; an unknown ending is settled by the content.
-const FORMS: &[Form] = &[Form { endings: &["json"], begins: is_json, inspect: inspect_garment }];
+const FORMS: &[Form] = &[
+    Form { endings: &["dxf"], begins: pattern::is_dxf, inspect: pattern::dxf },
+    Form { endings: &["rul"], begins: pattern::is_rul, inspect: pattern::rul },
+    Form { endings: &["glb"], begins: meshes::is_glb, inspect: meshes::glb },
+    Form { endings: &["json"], begins: garment::is_json, inspect: garment::document },
+    Form { endings: &["obj"], begins: meshes::is_obj, inspect: meshes::obj },
+];
 
 pub(super) fn run(args: &InspectArgs, console: &mut Console<'_>) -> Exit {
     let name = args.file.to_string_lossy().into_owned();
@@ -41,7 +63,7 @@ pub(super) fn run(args: &InspectArgs, console: &mut Console<'_>) -> Exit {
         }
     };
     let inspected = match find(&args.file, &bytes) {
-        Some(form) => (form.inspect)(&bytes, &name),
+        Some(form) => (form.inspect)(&Source { path: &args.file, name: &name, bytes: &bytes }),
         None => Err(vec![no_reader(&name)]),
     };
     match inspected {
@@ -78,40 +100,4 @@ fn show(args: &InspectArgs, inspected: &Inspected, console: &mut Console<'_>) ->
         return Exit::Usage;
     };
     super::flatten::write_result(path, svg.as_bytes(), args.force, console)
-}
-
-fn is_json(bytes: &[u8]) -> bool {
-    bytes.trim_ascii_start().starts_with(b"{")
-}
-
-/// A garment document on disk.
-fn inspect_garment(bytes: &[u8], name: &str) -> Result<Inspected, Vec<Diagnostic>> {
-    let garment = super::flatten::garment_from_bundle(bytes).map_err(|message| {
-        vec![Diagnostic::error("garment-file", message).at(SourceRef::file(clean(Path::new(name))))]
-    })?;
-    let counts = GarmentCounts::of(&garment);
-    let pieces: Vec<Value> = garment
-        .pieces
-        .iter()
-        .map(|p| {
-            let mesh = p.mesh.as_ref();
-            json!({
-                "name": p.name,
-                "darts": p.darts.len(),
-                "vertices": mesh.map_or(0, |m| m.rest.len()),
-                "triangles": mesh.map_or(0, |m| m.triangles.len()),
-            })
-        })
-        .collect();
-    let mut text = format!(
-        "garment `{}`: {} pieces, {} seams, {} darts, {} triangles\n",
-        garment.style, counts.pieces, counts.seams, counts.darts, counts.triangles
-    );
-    for piece in &garment.pieces {
-        let triangles = piece.mesh.as_ref().map_or(0, |m| m.triangles.len());
-        text.push_str(&format!("  {:<20} {} darts, {triangles} triangles\n", piece.name, piece.darts.len()));
-    }
-    let json =
-        json!({ "style": garment.style, "counts": counts, "pieces": pieces, "certificate": garment.certificate });
-    Ok(Inspected { json, text, svg: None, findings: Vec::new() })
 }

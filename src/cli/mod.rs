@@ -1,6 +1,7 @@
 //! The command line: one file per verb. stdout carries results only; progress and findings go to stderr.
 
 mod args;
+mod body;
 mod check;
 mod completions;
 mod console;
@@ -78,6 +79,7 @@ fn dispatch(cli: Cli, mut registry: Registry, stop: &Arc<Stop>, console: &mut Co
         Verb::Plan(args) => plan::run(&args, &mut registry, stop, console),
         Verb::Inspect(args) => inspect::run(&args, console),
         Verb::Flatten(args) => flatten::run(&args, &registry, stop, console),
+        Verb::Body(args) => body::run(&args, console),
         Verb::Stages(args) => stages::run(&args, &registry, console),
         Verb::Schema => schema::run(&registry, console),
         Verb::Explain(args) => explain::run(&args, console),

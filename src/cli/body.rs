@@ -1,0 +1,98 @@
+//! `toile body`: a body from measures, as OBJ with its side file.
+
+use super::args::BodyArgs;
+use super::console::Console;
+use super::flatten::{is_free, write_result};
+use crate::engine::Exit;
+use crate::pipeline::remedy;
+use std::fmt::Write as _;
+use std::path::Path;
+use toile_garment::Diagnostic;
+use toile_garment::units::Length;
+use toile_stages::body::{BodyMeasures, SIZES, obj_text, parametric, side_file::side_text};
+
+pub(super) fn run(args: &BodyArgs, console: &mut Console<'_>) -> Exit {
+    let Some(out) = &args.out else {
+        console.result(&sizes());
+        return Exit::Good;
+    };
+    let side = out.with_extension("toml");
+    let findings = match measures(args, out) {
+        Ok(_) if !(is_free(out, args.force, console) && is_free(&side, args.force, console)) => return Exit::Usage,
+        Ok(measures) => match parametric(&measures) {
+            Ok(body) => {
+                let mesh = write_result(out, obj_text(&body).as_bytes(), args.force, console);
+                let text = write_result(&side, side_text(&body).as_bytes(), args.force, console);
+                return if mesh == Exit::Good { text } else { mesh };
+            }
+            Err(findings) => findings,
+        },
+        Err(findings) => findings,
+    };
+    console.findings(&findings, None);
+    Exit::Usage
+}
+
+/// The measures asked for; all mistakes at once.
+fn measures(args: &BodyArgs, out: &Path) -> Result<BodyMeasures, Vec<Diagnostic>> {
+    let mut wrong = Vec::new();
+    if !out.extension().is_some_and(|e| e.eq_ignore_ascii_case("obj")) {
+        let message = format!("`{}` is no name for a mesh", crate::engine::clean(out));
+        wrong.push(Diagnostic::error("wrong-value", message).hint("name it FILE.obj; the side file is FILE.toml"));
+    }
+    let label = args.size.as_deref().unwrap_or("38");
+    let mut measures = BodyMeasures::size(label).unwrap_or_else(|| {
+        let labels: Vec<&str> = SIZES.iter().map(|(l, _)| *l).collect();
+        let message = format!("there is no body of size `{label}`");
+        let hint = format!("sizes are {}; others are made with --set", labels.join(", "));
+        wrong.push(Diagnostic::error("size-not-found", message).hint(hint));
+        BodyMeasures::default()
+    });
+    for set in &args.set {
+        if let Err(finding) = apply(&mut measures, set) {
+            wrong.push(*finding);
+        }
+    }
+    if let (false, Some(stem)) = (args.set.is_empty(), out.file_stem()) {
+        measures.name = stem.to_string_lossy().into_owned();
+    }
+    if wrong.is_empty() { Ok(measures) } else { Err(wrong) }
+}
+
+fn apply(measures: &mut BodyMeasures, set: &str) -> Result<(), Box<Diagnostic>> {
+    let error = |code: &str, message: String, hint: String| Box::new(Diagnostic::error(code, message).hint(hint));
+    let Some((name, text)) = set.split_once('=') else {
+        let message = format!("`--set {set}` is not MEASURE=LENGTH");
+        return Err(error("set-form", message, "e.g. --set waist_girth=\"700 mm\"".to_owned()));
+    };
+    let (name, text) = (name.trim(), text.trim().trim_matches('"'));
+    let length: Length = text.parse().map_err(|e| {
+        error("wrong-value", format!("{name}: {e}"), "write a number and a unit, e.g. 700 mm".to_owned())
+    })?;
+    if measures.set(name, length.0) {
+        return Ok(());
+    }
+    let known = measures.entries();
+    let hint = remedy(name, known.iter().map(|(known, _)| *known));
+    Err(error("unknown-measure", format!("a body has no measure `{name}`"), hint))
+}
+
+/// Sizes side by side, one measure a line.
+fn sizes() -> String {
+    let bodies: Vec<BodyMeasures> = SIZES.iter().filter_map(|(label, _)| BodyMeasures::size(label)).collect();
+    let mut text = format!("{:<18}", "measure in mm");
+    for (label, _) in SIZES {
+        let _ = write!(text, "{label:>8}");
+    }
+    text.push('\n');
+    let names = BodyMeasures::default().entries().map(|(name, _)| name);
+    for (row, name) in names.iter().enumerate() {
+        let _ = write!(text, "{name:<18}");
+        for body in &bodies {
+            let value = body.entries().get(row).map_or(0.0, |e| e.1);
+            let _ = write!(text, "{:>8.1}", 1000.0 * value);
+        }
+        text.push('\n');
+    }
+    text
+}

@@ -1,0 +1,61 @@
+//! Codes of placing, sewing and draping.
+
+use super::{Code, code};
+
+/// Codes of placing, sewing and draping.
+pub(super) const CODES: &[Code] = &[
+    code("attach-strength", "The elastic share of an [[attach]] is not between 0 and 1.5. Exit code 2."),
+    code("attach-target-empty", "The body has no section at the height an edge is attached to. Exit code 2."),
+    code(
+        "attach-target-unknown",
+        "The body has no landmark or height of this name. The message lists them. Exit code 2.",
+    ),
+    code("bad-body", "A triangle of the body names a vertex that is not there. Exit code 3."),
+    code("bad-gravity", "Gravity is not finite or absurdly large. Exit code 3."),
+    code("bad-layers", "Layer numbers and vertices differ in count. Exit code 3."),
+    code("bad-load", "A load is not finite or acts on a vertex that is not there. Exit code 3."),
+    code(
+        "bad-material",
+        "A material has values that no cloth has, or a triangle names one that is not there. Exit code 3.",
+    ),
+    code("bad-pin", "A pin names a vertex that is not there, or a place that is not finite. Exit code 3."),
+    code("bad-position", "A vertex is at a place that is not finite. Exit code 3."),
+    code("bad-stitch", "A stitch names a vertex that is not there. Exit code 3."),
+    code("bad-triangle", "A triangle names a vertex that is not there, or one vertex twice. Exit code 3."),
+    code(
+        "body-missing",
+        "A placement or attachment refers to the body, and none was given. Give `with.body` to `stitch`. Exit code 2.",
+    ),
+    code(
+        "body-segment-flat",
+        "The axis of a body segment has no length, so nothing can be placed around it. Exit code 3.",
+    ),
+    code(
+        "body-segment-unknown",
+        "A [[place]] names a segment that the body does not have. The message lists them. Exit code 2.",
+    ),
+    code(
+        "drape-not-settled",
+        "The drape used up its time before it came to rest. The certificate says how far it was; give it more time.",
+    ),
+    code("fabric-missing", "There is no fabric. Give `with.fabric`. Exit code 2."),
+    code("flat-triangle", "A triangle of the rest shape has no area, so its cloth has no stiffness. Exit code 3."),
+    code("no-cloth", "The scene has no cloth, so there is nothing to drape. Exit code 3."),
+    code(
+        "piece-not-placed",
+        "Nothing says where a piece starts in 3D. Add a [[place]] for it to the sewing file. Exit code 2.",
+    ),
+    code("place-height", "The body segment of a [[place]] lies level, so a height says nothing along it. Exit code 2."),
+    code("place-side-unknown", "A [[place]] names a side that is none of front, back, left, right. Exit code 2."),
+    code(
+        "seam-open",
+        "A seam did not close in the time it had. Give the sewing more time, or place the pieces nearer.",
+    ),
+    code("setting-out-of-range", "A setting of the solver is outside the range in which it works. Exit code 2."),
+    code(
+        "start-crosses",
+        "The cloth crosses itself or the body before the first step, so contact cannot keep them apart. Move the pieces apart with [[place]]. Exit code 3.",
+    ),
+    code("start-repaired", "Vertices started inside the body and were pushed out before the first step."),
+    code("too-large", "The scene has more vertices or triangles than the limit. Exit code 3."),
+];

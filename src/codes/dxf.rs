@@ -1,0 +1,233 @@
+//! Codes of pattern files: DXF and grade rule tables.
+
+use super::{Code, code};
+
+/// Codes of pattern files: DXF and grade rule tables.
+pub(super) const CODES: &[Code] = &[
+    code(
+        "bad-group-code",
+        "A DXF is pairs of lines, a group code and its value, and here the code is no whole number. The file is damaged or was edited by hand; export it again. Exit code 3.",
+    ),
+    code(
+        "bad-number",
+        "A value that must be a number is none, or is not finite. Export the file again, or correct the line. Exit code 3.",
+    ),
+    code("binary-dxf", "The file is a binary DXF. Export it as text (ASCII) DXF. Exit code 3."),
+    code(
+        "blank-line",
+        "A blank line stands where a group code belongs. It was skipped; the pairs after it were read as if it were not there.",
+    ),
+    code(
+        "block-missing",
+        "An INSERT names a block that the file does not hold, so a piece is missing. Export the file again.",
+    ),
+    code("block-name-repeats", "Two blocks have the same name. Both pieces are kept and told apart by a number."),
+    code("block-not-closed", "A block has no ENDBLK. The file is cut short or damaged. Exit code 3."),
+    code("block-without-name", "A block has no name, so no INSERT can refer to it."),
+    code(
+        "block-without-outline",
+        "A block holds nothing on the boundary layers (1, or 14), so it is no piece and was left out. Check the layers, or map them with `layers` of `import-dxf`.",
+    ),
+    code(
+        "coordinate-missing",
+        "A vertex or point has no x or no y. The file is damaged; export it again. Exit code 3.",
+    ),
+    code(
+        "coordinate-twice",
+        "One entity gives the same coordinate twice. The first or the last could be meant, so the file is refused. Exit code 3.",
+    ),
+    code(
+        "curve-interpolated",
+        "Curve points were joined by a smooth curve, as the standard asks; the message says how far the curve leaves the chords.",
+    ),
+    code(
+        "curve-not-smoothed",
+        "Curve points were left as straight chords, because the smooth curve would leave them too far or cross itself.",
+    ),
+    code(
+        "dart-candidate",
+        "Lines inside the piece look like a dart but do not close to one. Declare it with [[dart]] in the sewing file if it is one.",
+    ),
+    code(
+        "dart-legs-differ",
+        "The two legs of a dart differ in length, so its mouth does not close flush. The difference is eased over the leg; correct the pattern if it is not meant.",
+    ),
+    code("data-after-eof", "Something follows the EOF mark. It was not read."),
+    code(
+        "decimal-comma",
+        "A number is written with a decimal comma. DXF has points only; export with another locale. Exit code 3.",
+    ),
+    code(
+        "encoding-guessed",
+        "The file does not say how its texts are encoded, and they are no plain ASCII. The guess touches names only, never geometry.",
+    ),
+    code("endblk-without-block", "An ENDBLK closes nothing. The file is damaged. Exit code 3."),
+    code("endsec-without-section", "An ENDSEC closes nothing. The file is damaged. Exit code 3."),
+    code(
+        "entities-left-out",
+        "Entities of the file are nothing this program can place: unknown kinds or layers. The message counts them by kind and layer; no outline was among them unless other findings say so.",
+    ),
+    code("entity-outside-block", "An entity stands where none may stand. The file is damaged. Exit code 3."),
+    code(
+        "entity-too-large",
+        "One entity has more values than any pattern needs. The file is damaged or hostile. Exit code 3.",
+    ),
+    code(
+        "eof-missing",
+        "The file ends without its EOF mark. All sections were whole, so it was read; make sure that it was copied completely.",
+    ),
+    code("file-empty", "The file has no bytes; copy or export it again. Exit code 3."),
+    code(
+        "file-truncated",
+        "The file ends in the middle of a pair, section or entity: it was cut short. Copy or export it again. Exit code 3.",
+    ),
+    code(
+        "fold-off-boundary",
+        "The fold line does not lie on a straight edge of the half piece, so the piece was not unfolded. Put the fold on the edge, or draw the whole piece.",
+    ),
+    code("grain-missing", "The piece has no grain line. The y axis of the file is taken as the warp."),
+    code("insert-array", "An INSERT repeats its block in rows and columns; one piece was made of it."),
+    code(
+        "insert-mirrored",
+        "An INSERT mirrors its block. The piece is taken as the block draws it and the mirror counted in the quantity.",
+    ),
+    code("insert-not-expanded", "A nested INSERT could not be expanded; what it refers to is missing in the piece."),
+    code("insert-recursive", "A block contains itself. It was not expanded further."),
+    code("insert-too-deep", "INSERTs are nested deeper than the limit. They were not expanded further."),
+    code(
+        "insert-too-many",
+        "INSERTs of blocks in blocks would make more entities than the limit. They were not expanded further.",
+    ),
+    code(
+        "insert-transformed",
+        "An INSERT moves, scales or turns its block. Pieces are read in block coordinates, as the standards say; the placement is not used.",
+    ),
+    code(
+        "ledger",
+        "How many entities of the file were accepted, interpreted by a rule, and refused. `toile inspect` lists the rules.",
+    ),
+    code(
+        "library-census-differs",
+        "A second, independent reader of DXF counts other curves than this program. This program's reading is used; look at the drawing.",
+    ),
+    code(
+        "line-too-long",
+        "A line of the file is longer than any DXF line. The file is no DXF or is damaged. Exit code 3.",
+    ),
+    code(
+        "lines-outside-blocks",
+        "Lines on piece layers stand outside all blocks. They belong to no piece and were left out.",
+    ),
+    code("more-findings", "More findings of this kind were made than are listed."),
+    code(
+        "no-pieces",
+        "The file holds no closed boundary on the layers of the standards, so there is no piece. Check the layers, or map them with `layers` of `import-dxf`. Exit code 3.",
+    ),
+    code("not-dxf", "The file does not begin as a DXF does. Exit code 3."),
+    code(
+        "notch-off-boundary",
+        "A notch lies farther from the outline than a notch can. It was kept, but it is no mark on an edge.",
+    ),
+    code("number-out-of-range", "A number is too large or too small for a pattern. Exit code 3."),
+    code(
+        "outline-crosses-itself",
+        "The outline of a piece crosses itself, so inside and outside are not defined. Correct the pattern at the place named. Exit code 3.",
+    ),
+    code(
+        "outline-gap-closed",
+        "The ends of an outline missed each other by a little and were joined; the message says by how much.",
+    ),
+    code("outline-missing", "A piece has lines on the boundary layer but none that closes. Exit code 3."),
+    code(
+        "outline-open",
+        "The outline of a piece is open by more than a gap that may be closed. Close it in the pattern program. Exit code 3.",
+    ),
+    code(
+        "outline-second",
+        "A second closed line on the boundary layer: one inside the piece is taken as a cutout, one beside it was left out.",
+    ),
+    code("outline-stray-line", "A line on the boundary layer is no part of the outline and was left out."),
+    code(
+        "outline-too-entangled",
+        "The outline is too long and winding for its crossings to be searched within the limit. Simplify it. Exit code 3.",
+    ),
+    code(
+        "outline-too-large",
+        "The piece is larger than any cloth. The unit of the file is probably wrong; set `units` of `import-dxf`. Exit code 3.",
+    ),
+    code("outline-too-long", "The outline has more points than the limit. Exit code 3."),
+    code("outline-without-area", "The outline encloses nothing, e.g. a line drawn forth and back. Exit code 3."),
+    code("outside-section", "A pair stands outside all sections. It was not read."),
+    code(
+        "pieces-from-entities",
+        "The file has no blocks with pieces. The outermost closed lines in ENTITIES were taken as the pieces.",
+    ),
+    code("polyline-too-long", "A polyline has more vertices than the limit. Exit code 3."),
+    code("polyline-without-seqend", "A polyline has no SEQEND. It ends where the next entity begins."),
+    code("rule-bad-number", "A growth in the rule table is no number. Exit code 3."),
+    code("rule-count-differs", "A rule has not two growths for each size. Exit code 3."),
+    code(
+        "rule-missing",
+        "A graded point names a rule that the table does not hold, so the size cannot be made. Give the rule table that belongs to the pattern, or a size that is drawn.",
+    ),
+    code(
+        "rule-sample-moves",
+        "A rule moves points in the sample size, which should stay as drawn. The growth of other sizes is taken relative to the table's own sample.",
+    ),
+    code("rule-sample-unknown", "The sample size is not in the list of sizes. Exit code 3."),
+    code("rule-sizes-differ", "The number of sizes and the list of sizes differ. Exit code 3."),
+    code("rule-too-many", "The rule table is larger than the limit. Exit code 3."),
+    code("rule-twice", "A rule stands in the table twice; the last one counts."),
+    code("rule-unknown", "A line of the rule table is no key, rule or growth. Exit code 3."),
+    code("rule-without-sizes", "The rule table lists no sizes, so its growths belong to none. Exit code 3."),
+    code("section-not-closed", "A section has no ENDSEC. The file is cut short or damaged."),
+    code("section-without-name", "A section has no name, so what it holds is unknown. Exit code 3."),
+    code("size-chosen", "No size was asked for; the message names the one taken and why."),
+    code(
+        "size-not-found",
+        "The size asked for is neither drawn nor graded. The message lists the sizes that are there. Exit code 2.",
+    ),
+    code(
+        "sizes-differ-in-vertices",
+        "The sizes of a piece have different numbers of points. Each is read on its own, but names of edges may not carry over.",
+    ),
+    code("spline-damaged", "A spline has knots, weights or points that do not fit each other. Exit code 3."),
+    code(
+        "stitch-line",
+        "A line on layer 14 inside the outline is no closed sew line. It was kept as an internal line.",
+    ),
+    code("stray-pair", "A pair stands before the first entity of its section and means nothing there."),
+    code("stray-seqend", "A SEQEND closes nothing. The file is damaged. Exit code 3."),
+    code("stray-vertex", "A VERTEX belongs to no polyline. The file is damaged. Exit code 3."),
+    code("too-many-entities", "The file has more entities than the limit. Exit code 3."),
+    code("too-many-errors", "The file has so many mistakes that reading it was given up. Exit code 3."),
+    code("too-many-notches", "A piece has more marks than the limit. Exit code 3."),
+    code("too-many-pairs", "The file has more pairs than the limit. Exit code 3."),
+    code("too-many-pieces", "The file has more pieces than the limit. Exit code 3."),
+    code(
+        "units-doubtful",
+        "The unit in the file gives pieces of a size that no garment has, or two statements differ. Set `units` of `import-dxf` if the message's choice is wrong.",
+    ),
+    code(
+        "units-guessed",
+        "The file does not state its unit. It was taken from the size of the pieces; set `units` of `import-dxf` to be sure.",
+    ),
+    code(
+        "units-unknown",
+        "The file states a unit that is neither metric nor English, and the pieces fit none. Set `units` of `import-dxf`. Exit code 3.",
+    ),
+    code("unknown-section", "A section of the file is unknown. It was not read."),
+    code("utf-16-text", "The file is UTF-16 text. Save it as plain text. Exit code 3."),
+    code(
+        "validation-curve-differs",
+        "The file carries the curve that its writer meant, and the curve through the curve points is another one. The writer's curve is used.",
+    ),
+    code(
+        "vertex-count-differs",
+        "An entity says how many points it has, and has another number. The points that are there were read.",
+    ),
+    code(
+        "wedge-not-a-dart",
+        "A wedge in the outline has the shape of a dart, but its legs or its angle do not fit one. Declare it with [[dart]] in the sewing file if it is one.",
+    ),
+];

@@ -1,0 +1,178 @@
+//! `inspect`, `flatten` and `body` on files as a person has them.
+
+mod support;
+use serde_json::Value;
+use std::ffi::OsString;
+use std::path::{Path, PathBuf};
+use support::bench::{Bench, Said, command};
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn sample(name: &str) -> PathBuf {
+    root().join("samples").join(name)
+}
+
+fn toile(arguments: &[&dyn AsRef<std::ffi::OsStr>]) -> Said {
+    command(arguments.iter().map(|a| OsString::from(a.as_ref())).collect())
+}
+
+fn json(said: &Said) -> Value {
+    assert_eq!(said.code, 0, "{said:?}");
+    serde_json::from_str(&said.out).expect("JSON")
+}
+
+/// The keys other programs rely on.
+#[test]
+fn inspects_a_pattern_with_all_promised_keys() {
+    let facts = json(&toile(&[&"inspect", &sample("patterns/long-skirt.astm.dxf"), &"--json"]));
+    for key in ["units", "mm_per_unit", "style_name", "sizes", "sample_size", "ledger", "findings", "pieces"] {
+        assert!(!facts[key].is_null(), "{key}");
+    }
+    let piece = facts["pieces"].as_array().expect("pieces").first().expect("one").clone();
+    let keys = "block name size quantity area_cm2 area_unfolded_cm2 perimeter_mm bbox_mm boundary_vertices \
+        half_piece_on_fold net_area_cm2 net_perimeter_mm darts notches notch_count drill_count internal_line_count \
+        cutout_count grain_line_mm turn_point_count curve_point_count edges";
+    for key in keys.split_whitespace() {
+        assert!(!piece[key].is_null(), "{key}");
+    }
+    for key in ["kind", "apex_mm", "mouth_mm", "leg_chord_mm", "leg_path_mm", "width_mm"] {
+        assert!(!piece["darts"][0][key].is_null(), "dart {key}");
+    }
+    for key in ["index", "from_mm", "to_mm", "length_mm"] {
+        assert!(!piece["edges"][0][key].is_null(), "edge {key}");
+    }
+    let perimeter: f64 = piece["edges"].as_array().into_iter().flatten().filter_map(|e| e["length_mm"].as_f64()).sum();
+    let net = piece["net_perimeter_mm"].as_f64().expect("net perimeter");
+    // Edges follow the smooth curve through the curve points, the perimeter its chords.
+    assert!((0.0..1e-4 * net).contains(&(perimeter - net)), "edges {perimeter} mm, chords {net} mm");
+}
+
+/// The same table in the other dialect: a pattern is not its spelling.
+#[test]
+fn both_dialects_hold_the_same_pieces() {
+    let pieces = |dialect: &str| {
+        let file = sample(&format!("patterns/long-skirt.{dialect}.dxf"));
+        let facts = json(&toile(&[&"inspect", &file, &"--json"]));
+        let list = facts["pieces"].as_array().cloned().unwrap_or_default();
+        let area = |p: &Value| (p["net_area_cm2"].as_f64().unwrap_or(0.0) * 100.0).round();
+        list.iter().map(|p| (p["name"].clone(), p["size"].clone(), area(p) as i64)).collect::<Vec<_>>()
+    };
+    assert_eq!(pieces("aama"), pieces("astm"));
+}
+
+#[test]
+fn draws_the_sample_size_with_numbered_edges() {
+    let dir = tempfile::tempdir().expect("folder");
+    let drawing = dir.path().join("skirt.svg");
+    let file = sample("patterns/long-skirt.astm.dxf");
+    assert_eq!(toile(&[&"inspect", &file, &"--svg", &drawing]).code, 0);
+    let svg = std::fs::read_to_string(&drawing).expect("SVG");
+    assert!(svg.starts_with("<svg") || svg.starts_with("<?xml"), "{}", &svg[..40]);
+    assert_eq!(svg.matches(">FRONT").count(), 1, "one size only");
+    let again = toile(&[&"inspect", &file, &"--svg", &drawing]);
+    assert_eq!(again.code, 2, "nothing is replaced without --force");
+    assert_eq!(toile(&[&"inspect", &file, &"--svg", &drawing, &"--force"]).code, 0);
+    let mesh = toile(&[&"inspect", &sample("bodies/size-38.obj"), &"--svg", &drawing, &"--force"]);
+    assert_eq!(mesh.code, 2, "a mesh has no pieces to draw");
+}
+
+/// The rule table beside a pattern is found whatever the case of its name.
+#[test]
+fn the_rule_table_beside_a_pattern_counts() {
+    let dir = tempfile::tempdir().expect("folder");
+    let good = std::fs::read(root().join("tests/bad/size-not-found/pattern.dxf")).expect("pattern");
+    let bad = std::fs::read(root().join("tests/bad/rule-table/pattern.rul")).expect("table");
+    let file = dir.path().join("pattern.dxf");
+    std::fs::write(&file, good).expect("pattern");
+    assert_eq!(toile(&[&"inspect", &file]).code, 0);
+    std::fs::write(dir.path().join("Pattern.RUL"), &bad).expect("table");
+    let said = toile(&[&"inspect", &file]);
+    assert_eq!((said.code, said.out.as_str()), (3, ""));
+    assert!(said.err.contains("error[rule-bad-number]") && said.err.contains("error[rule-count-differs]"), "{said:?}");
+    let alone = toile(&[&"inspect", &dir.path().join("Pattern.RUL")]);
+    assert_eq!((alone.code, alone.err), (3, said.err.replace("pattern.rul", "Pattern.RUL")));
+}
+
+#[test]
+fn inspects_meshes() {
+    let facts = json(&toile(&[&"inspect", &sample("bodies/size-38.obj"), &"--json"]));
+    assert_eq!(facts["vertices"].as_u64().map(|v| v * 2 - 4), facts["triangles"].as_u64(), "a closed surface");
+    let height = facts["size_m"][1].as_f64().expect("height");
+    assert!((height - 1.68).abs() < 0.01, "{height} m");
+    for (name, bytes, code) in [("a.glb", &b"glTF\x02\0\0\0"[..], "glb-damaged"), ("a.obj", b"v 0 0 x\n", "obj-number")]
+    {
+        let dir = tempfile::tempdir().expect("folder");
+        let file = dir.path().join(name);
+        std::fs::write(&file, bytes).expect("file");
+        let said = toile(&[&"inspect", &file, &"--json"]);
+        assert_eq!((said.code, said.out.as_str()), (3, ""));
+        assert!(said.err.starts_with(&format!("error[{code}]")), "{}", said.err);
+    }
+}
+
+/// A body made by the command is the sample of the same size, byte by byte.
+#[test]
+fn makes_bodies_from_measures() {
+    let dir = tempfile::tempdir().expect("folder");
+    let out = dir.path().join("size-38.obj");
+    assert_eq!(toile(&[&"body", &"--size", &"38", &"--out", &out]).code, 0);
+    for ending in ["obj", "toml"] {
+        let made = std::fs::read(out.with_extension(ending)).expect("made");
+        assert!(made == std::fs::read(sample(&format!("bodies/size-38.{ending}"))).expect("sample"), "{ending}");
+    }
+    assert_eq!(toile(&[&"body", &"--size", &"38", &"--out", &out]).code, 2, "nothing is replaced without --force");
+    let list = toile(&[&"body"]);
+    assert!(list.out.contains("\nwaist_girth          660.0   700.0   740.0\n"), "{}", list.out);
+}
+
+#[test]
+fn impossible_bodies_are_refused_in_words() {
+    let dir = tempfile::tempdir().expect("folder");
+    let out = dir.path().join("b.obj");
+    let said = toile(&[&"body", &"--size", &"99", &"--set", &"wast=1 mm", &"--set", &"bust_girth=3", &"--out", &out]);
+    assert_eq!(said.code, 2);
+    for code in ["size-not-found", "unknown-measure", "wrong-value"] {
+        assert!(said.err.contains(&format!("error[{code}]")), "{code} in {}", said.err);
+    }
+    let said = toile(&[&"body", &"--set", &"waist_girth=2 m", &"--out", &out]);
+    assert!(said.code == 2 && said.err.contains("error[body-measure-out-of-range]"), "{said:?}");
+    assert!(std::fs::read_dir(dir.path()).expect("folder").next().is_none(), "nothing is left");
+}
+
+/// A GLB alone gives the same flat pieces as the garment document it was made of.
+#[test]
+fn flattens_from_the_glb_alone() {
+    let bench = Bench::new();
+    bench.stages(
+        "[[stage]]\nuse = \"test-sheet\"\nwith.side = \"1 m\"\n[[stage]]\nuse = \"test-drape\"\n\
+         [[stage]]\nuse = \"test-write\"\nwith = { file = \"{out}/g.json\", document = true }\n",
+    );
+    bench.run(&[]);
+    let document = bench.out().join("g.json");
+    let text = std::fs::read_to_string(&document).expect("document");
+    let garment = toile_garment::bundle::from_text(&text).expect("garment");
+    let glb = bench.path("g.glb");
+    let bytes = toile_formats::gltf::write_garment(&garment).expect("GLB");
+    std::fs::write(&glb, &bytes).expect("GLB");
+    let mut results = Vec::new();
+    for (garment, name) in [(&document, "a.json"), (&glb, "b.json")] {
+        let said = toile(&[&"flatten", garment, &"--json", &bench.path(name)]);
+        assert_eq!(said.code, 0, "{said:?}");
+        assert!(said.out.starts_with("front "), "{}", said.out);
+        results.push(std::fs::read(bench.path(name)).expect("flat"));
+    }
+    assert!(results[0] == results[1]);
+    let result: Value = serde_json::from_slice(&results[1]).expect("JSON");
+    let piece = &result["pieces"][0];
+    for key in ["flat_vertices_mm", "orig_vertices_mm", "surface_vertices_mm", "triangles", "features"] {
+        assert!(!piece[key].is_null(), "{key}");
+    }
+    let inspected = json(&toile(&[&"inspect", &glb, &"--json"]));
+    assert_eq!((&inspected["triangles"], &inspected["toile"]["pieces"][0]), (&2.into(), &"front".into()));
+    std::fs::write(&glb, &bytes[..bytes.len() - 9]).expect("cut");
+    let said = toile(&[&"flatten", &glb]);
+    assert_eq!((said.code, said.out.as_str()), (3, ""));
+    assert!(said.err.starts_with("error[glb-damaged]"), "{}", said.err);
+}
