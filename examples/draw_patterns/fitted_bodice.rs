@@ -31,7 +31,7 @@ const FRONT_DART: f64 = 20.0;
 /// Intake of the back waist dart.
 pub const BACK_DART: f64 = 26.0;
 /// Underarm height of the back.
-const UNDERARM: f64 = 1258.0;
+const UNDERARM: f64 = 1234.0;
 
 /// Finished quarter widths: bust, waist, hem; `sign` is +1 in front and −1 in the back.
 fn quarters(m: &Measures, sign: f64) -> [f64; 3] {
