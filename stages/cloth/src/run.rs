@@ -12,6 +12,16 @@ const WINDOW: f64 = 1.0 / 24.0;
 /// Quiet windows in a row that count as rest.
 const QUIET: u32 = 3;
 const MOST_HALVINGS: u32 = 10;
+/// Most rounds of quietening, each of [`CHECK`] steps.
+const QUIETENINGS: u32 = 40;
+/// Share of the velocity that is left after a quietened step.
+const QUIET_SHARE: f64 = 0.5;
+/// Net force over mean weight at which a vertex counts as balanced.
+const BALANCED: f64 = 0.02;
+/// Growth of the damping in every window whose energy rests while vertices still move …
+const CALMING: f64 = 1.15;
+/// … up to this, 1/s: slow enough to see real motion as motion.
+const MOST_DAMPING: f64 = 100.0;
 
 /// Closes the stitches: the paper's dynamic system with sewing forces, until every pair is closer than the sewing
 /// distance and the elastic energy rests. Pairs that came close are joined exactly (gap 0).
@@ -33,8 +43,12 @@ pub fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Resul
 
 fn run(scene: &Scene, settings: &Settings, pulls: bool, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     let mut problem = Problem::new(scene, settings, pulls)?;
-    let mut run = Run::new(&mut problem, settings);
+    let gravity = scene.gravity.norm() * settings.gravity_scale;
+    let mut run = Run::new(&mut problem, settings, gravity);
     let reason = run.go(watch)?;
+    if reason == StopReason::Settled && !pulls {
+        run.quieten(watch)?;
+    }
     Ok(run.outcome(scene, reason))
 }
 
@@ -56,10 +70,12 @@ struct Run<'a> {
     peak: f64,
     speed: f64,
     change: f64,
+    /// m/s².
+    gravity: f64,
 }
 
 impl<'a> Run<'a> {
-    fn new(problem: &'a mut Problem, settings: &'a Settings) -> Self {
+    fn new(problem: &'a mut Problem, settings: &'a Settings, gravity: f64) -> Self {
         let state = State::at_rest(problem.start.clone());
         let elastic = problem.elastic(&state.x);
         let sound_energy = problem.potential(&state.x);
@@ -79,6 +95,7 @@ impl<'a> Run<'a> {
             peak: elastic,
             speed: 0.0,
             change: 0.0,
+            gravity,
         };
         run.choose_step();
         run
@@ -125,6 +142,29 @@ impl<'a> Run<'a> {
                 return Ok(StopReason::MaxSeconds);
             }
         }
+    }
+
+    /// What rests in the mean may still tremble by micrometres, from step to step, where friction and contact take
+    /// turns. Nearly all motion is taken out of every step until forces balance at every vertex, or gain no more.
+    fn quieten(&mut self, watch: &mut dyn Watch) -> Result<(), ClothError> {
+        let gravity = self.gravity;
+        let mut best = f64::INFINITY;
+        for _ in 0..QUIETENINGS {
+            let residual = report::balance(self.problem, &self.state.x, gravity, self.dt).residual_rel;
+            if residual < BALANCED || residual > 0.9 * best && best < 10.0 * BALANCED {
+                break;
+            }
+            best = best.min(residual);
+            for _ in 0..CHECK {
+                central::step(self.problem, &mut self.state, self.dt);
+                self.state.v.iter_mut().for_each(|v| *v *= QUIET_SHARE);
+            }
+            self.steps += CHECK;
+            if watch.cancelled() {
+                return Err(ClothError::Cancelled { step: self.steps });
+            }
+        }
+        Ok(())
     }
 
     fn words(&self) -> String {
@@ -196,13 +236,17 @@ impl<'a> Run<'a> {
             && (!pulling || sewing.strained())
             && self.problem.pins_placed(&self.state.x);
         self.quiet = if calm { self.quiet + 1 } else { 0 };
+        if !calm && !pulling && self.change <= self.settings.energy_tolerance {
+            // The energy rests, single vertices still tremble at a contact: damping does not move the rest shape.
+            self.problem.damping = (self.problem.damping * CALMING).min(MOST_DAMPING);
+        }
         self.quiet >= QUIET
     }
 
     fn outcome(self, scene: &Scene, stop_reason: StopReason) -> Outcome {
         let gaps = self.problem.sewing.gaps(scene, &self.state.x);
         let energy = self.problem.elastic(&self.state.x);
-        let gravity = scene.gravity.norm() * self.settings.gravity_scale;
+        let gravity = self.gravity;
         let balance = report::balance(self.problem, &self.state.x, gravity, self.dt);
         Outcome {
             steps: self.steps,
