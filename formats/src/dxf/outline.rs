@@ -177,7 +177,7 @@ impl Outline {
         let first = found.first().copied().unwrap_or(0);
         let n = theirs.len();
         let curve: Vec<_> = self.drawn.iter().filter(|p| p.kind == PointKind::Curve).map(|p| (p.at, 0)).collect();
-        let curve = PointIndex::new(MATCH, curve.into_iter());
+        let curve = PointIndex::new(MATCH, curve);
         let kind = |at| if curve.has(at, MATCH) { PointKind::Curve } else { PointKind::Plain };
         self.work = (0..n).map(|k| dense.drawn[(first + k) % n]).map(|p| Node { kind: kind(p.at), ..p }).collect();
         self.place = vec![None; self.drawn.len()];

@@ -36,6 +36,7 @@ fn piece() -> Piece {
         triangles: vec![[0, 1, 4], [1, 2, 3], [1, 3, 4], [0, 4, 5], [0, 5, 6]],
         chains: vec![MeshChain { kind: ChainKind::Outline, index: 0, vertices: (0..7).collect(), closed: true }],
         outline_vertex: vec![Some(0), None, Some(1), Some(2), Some(3), Some(4), Some(5), Some(6)],
+        rest_corners: None,
     };
     let dart = Dart {
         name: "dart-1".into(),
@@ -88,6 +89,7 @@ fn flat(positions: Vec<Vec2>) -> FlatPiece {
         rounds: 0,
         last_motion: 0.0,
         curvature: 0.0,
+        forced_strain: [0.0; 2],
     }
 }
 
@@ -221,7 +223,7 @@ fn the_stage_writes_flat_pieces_and_the_pattern() {
     assert_eq!(result.expect("written"), garment);
     assert_eq!((files.0[0].0.as_str(), report.findings.len()), ("out/p.dxf", 0));
     // Flattened without any change it is the same pattern, byte for byte.
-    garment.flat = Some(Flat { pieces: vec![flat(rest())], pairs: Vec::new() });
+    garment.flat = Some(Flat { pieces: vec![flat(rest())], ..Flat::default() });
     let (result, same, _) = run(garment.clone(), &ExportDxfParams { source: DxfSource::Flat, ..pattern });
     assert!(result.is_ok() && same.0 == files.0);
 }

@@ -92,6 +92,7 @@ fn piece(rest: Vec<Vec2>, triangles: Vec<[u32; 3]>, outline: Vec<u32>, corners: 
             chains: vec![MeshChain { kind: ChainKind::Outline, index: 0, vertices: outline, closed: true }],
             outline_vertex: corners.iter().map(|v| Some(*v)).collect(),
             rest,
+            rest_corners: None,
         }),
         ..Piece::default()
     }
