@@ -1,7 +1,7 @@
 //! The cloth solver on plain arrays: energies, integrators, contact, effects.
 //!
 //! It knows no garment and no file: a [`Scene`] of positions, rest triangles, stitches, pins and a body goes in,
-//! an [`Outcome`] with new positions comes out. [`sew`] closes the stitches, [`weld`] makes sewn vertices one,
+//! an [`Outcome`] with new positions comes out. [`sew`] closes the stitches, [`weld()`] makes sewn vertices one,
 //! [`drape`] settles the cloth, [`certify`] counts afresh what the result is worth.
 //!
 //! SI units throughout (m, kg, s, N); tension, stretch and shear stiffness per metre of width (N/m), bending in N·m.

@@ -20,6 +20,8 @@ const QUIET_SHARE: f64 = 0.5;
 const BALANCED: f64 = 0.02;
 /// Growth of the damping in every window whose energy rests while vertices still move …
 const CALMING: f64 = 1.15;
+/// … no faster than this many times the tolerance (what falls or swings is no trembling) …
+const TREMBLING: f64 = 10.0;
 /// … up to this, 1/s: slow enough to see real motion as motion.
 const MOST_DAMPING: f64 = 100.0;
 
@@ -236,7 +238,8 @@ impl<'a> Run<'a> {
             && (!pulling || sewing.strained())
             && self.problem.pins_placed(&self.state.x);
         self.quiet = if calm { self.quiet + 1 } else { 0 };
-        if !calm && !pulling && self.change <= self.settings.energy_tolerance {
+        let trembling = self.speed <= TREMBLING * self.settings.speed_tolerance;
+        if !calm && !pulling && trembling && self.change <= self.settings.energy_tolerance {
             // The energy rests, single vertices still tremble at a contact: damping does not move the rest shape.
             self.problem.damping = (self.problem.damping * CALMING).min(MOST_DAMPING);
         }
