@@ -29,7 +29,7 @@ pub struct Image {
     /// Pixels.
     pub height: u32,
     /// Encoded bytes.
-    #[serde(with = "base64_bytes")]
+    #[serde(default, with = "base64_bytes")]
     #[schemars(with = "String")]
     pub bytes: Vec<u8>,
 }
