@@ -162,7 +162,9 @@ fn piece(drawn: &DrawnPiece, piece: &Piece) -> Value {
         "darts": drawn.darts.iter().map(dart).collect::<Vec<_>>(),
         "dart_count": drawn.darts.len(),
         "darts_unfolded": piece.darts.len(),
-        "notch_count": drawn.notches.len(),
+        // Marks (POINT) count apart from notches drawn with strokes: both are listed and both are sewn.
+        "notch_count": drawn.notches.iter().filter(|n| !n.strokes).count(),
+        "stroke_notch_count": drawn.notches.iter().filter(|n| n.strokes).count(),
         "notches": drawn.notches.iter().map(|n| json!({
             "kind": n.kind, "at_mm": xy(n.at), "depth_mm": round(n.depth), "width_mm": round(n.width), "on": n.on,
             "angle_deg": n.angle.map(|a| round(a.to_degrees())),

@@ -31,6 +31,8 @@ pub struct DrawnNotch {
     pub off: f64,
     /// Line in the file.
     pub line: u64,
+    /// Drawn with strokes (layer-4 LINEs) instead of marked with a POINT.
+    pub strokes: bool,
 }
 
 /// The lines of a piece a notch can sit on.
@@ -88,7 +90,7 @@ pub fn from_marks(marks: &[Mark], ground: &Ground<'_>) -> (Vec<DrawnNotch>, Vec<
             if libm::cos(a - inward) >= -1e-9 { a } else { inward }
         });
         let depth = mark.depth.unwrap_or(0.0).abs();
-        out.push(DrawnNotch { kind, at: mark.at, depth, width, angle, on, off, line: mark.line });
+        out.push(DrawnNotch { kind, at: mark.at, depth, width, angle, on, off, line: mark.line, strokes: false });
     }
     (out, doubled)
 }
@@ -148,7 +150,7 @@ fn grouped(group: &[Stroke], ground: &Ground<'_>) -> Option<DrawnNotch> {
         _ => NotchKind::U,
     };
     let (on, off) = ground.place(middle);
-    Some(DrawnNotch { kind, at: middle, depth, width, angle: None, on, off, line: group[0].line })
+    Some(DrawnNotch { kind, at: middle, depth, width, angle: None, on, off, line: group[0].line, strokes: true })
 }
 
 #[cfg(test)]
