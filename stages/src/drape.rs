@@ -55,7 +55,12 @@ impl Stage for Drape {
 fn close(start: &Scene, params: &DrapeParams, cx: &mut StageContext<'_>) -> Result<Vec<Vec3>, StageError> {
     let gap = |s: &[u32; 2]| (start.positions[s[0] as usize] - start.positions[s[1] as usize]).norm();
     let widest = start.stitches.iter().map(gap).fold(0.0, f64::max);
-    let settings = Settings { threads: cx.threads, model: params.model.into(), ..Settings::sewing() };
+    let settings = Settings {
+        threads: cx.threads,
+        model: params.model.into(),
+        integrator: params.integrator.into(),
+        ..Settings::sewing()
+    };
     if widest <= settings.sewing_distance {
         return Ok(start.positions.clone());
     }

@@ -20,10 +20,13 @@ mod energy;
 mod exact;
 mod integrate;
 mod limit;
+mod linear;
 mod problem;
 mod report;
 mod run;
 mod sewing;
+mod start;
+mod statics;
 mod topology;
 mod validate;
 

@@ -2,7 +2,7 @@
 
 use crate::collide::body::Body;
 use crate::collide::contact::{Contact, Frame};
-use crate::collide::{friction, repair};
+use crate::collide::friction;
 use crate::energy::Energy;
 use crate::energy::coupled::Coupled;
 use crate::energy::flexion::Flexion;
@@ -11,8 +11,9 @@ use crate::energy::structural::Structural;
 use crate::energy::weight::Weight;
 use crate::limit::StrainLimit;
 use crate::sewing::Sewing;
+use crate::start::Start;
 use crate::topology::Topology;
-use crate::{ClothError, Model, Scene, Settings, Switch, Vec3, validate};
+use crate::{ClothError, Model, Scene, Settings, Switch, Vec3};
 
 /// Contact stiffness in units of mass / step².
 const CONTACT_RATE: f64 = 0.15;
@@ -48,26 +49,8 @@ pub(crate) struct Problem {
 impl Problem {
     /// Checks and builds. `sewing`: do stitches pull?
     pub fn new(scene: &Scene, s: &Settings, pulls: bool) -> Result<Self, ClothError> {
-        validate::scene(scene)?;
-        validate::settings(s)?;
-        let topology = Topology::of_elements(scene.positions.len(), &scene.triangles);
-        let mut start = scene.positions.clone();
-        let body = scene.body.as_ref().filter(|_| s.effects.body_contact != Switch::Off).and_then(Body::new);
-        let own = s.effects.self_contact != Switch::Off;
-        let mut repaired = (0, 0.0);
-        let mut held = vec![false; start.len()];
-        scene.pins.iter().for_each(|p| held[p.vertex as usize] = true);
-        if own {
-            repaired = repair::free_of_itself(&mut start, &topology, &held)?;
-        }
-        if let Some(b) = &body {
-            let freed = repair::free_of_body(&mut start, &topology, b, s.body_gap, s.repair_share)?;
-            if own && freed.0 > 0 {
-                repair::free_of_itself(&mut start, &topology, &held)?;
-            }
-            repaired = (repaired.0.max(freed.0), f64::max(repaired.1, freed.1));
-        }
-        let mut problem = Self::bare(scene, s, pulls, &topology, start, repaired);
+        let Start { topology, positions, body, own, repaired } = Start::new(scene, s)?;
+        let mut problem = Self::bare(scene, s, pulls, &topology, positions, repaired);
         problem.add_contact(scene, s, topology, body, own);
         Ok(problem)
     }
@@ -82,13 +65,7 @@ impl Problem {
         repaired: (usize, f64),
     ) -> Self {
         let n = start.len();
-        let mut mass = vec![0.0; n];
-        for t in &scene.triangles {
-            let m = scene.materials[t.material as usize].areal_mass * t.area().abs() / 3.0;
-            for v in t.vertices {
-                mass[v as usize] += m;
-            }
-        }
+        let mass = masses(scene);
         let energies = model(scene, s, topology, &mass);
         let mut rows = vec![0.0; n];
         for e in &energies {
@@ -221,8 +198,20 @@ impl Problem {
     }
 }
 
+/// Mass of the cloth at every vertex, kg.
+pub(crate) fn masses(scene: &Scene) -> Vec<f64> {
+    let mut mass = vec![0.0; scene.positions.len()];
+    for t in &scene.triangles {
+        let m = scene.materials[t.material as usize].areal_mass * t.area().abs() / 3.0;
+        for v in t.vertices {
+            mass[v as usize] += m;
+        }
+    }
+    mass
+}
+
 /// The energies of a model, and the weight.
-fn model(scene: &Scene, s: &Settings, topology: &Topology, mass: &[f64]) -> Vec<Box<dyn Energy>> {
+pub(crate) fn model(scene: &Scene, s: &Settings, topology: &Topology, mass: &[f64]) -> Vec<Box<dyn Energy>> {
     let mut list: Vec<Box<dyn Energy>> = match s.model {
         Model::Springs => {
             vec![Box::new(Structural::new(scene, topology, s)), Box::new(Shear::new(scene, topology))]
@@ -255,7 +244,7 @@ fn inertia(mass: &[f64], rows: &[f64], even: bool) -> (Vec<f64>, usize) {
     (inertia.collect(), evened)
 }
 
-fn frame(scene: &Scene, s: &Settings, topology: Topology, inverse_mass: &[f64], body: bool, own: bool) -> Frame {
+pub(crate) fn frame(scene: &Scene, s: &Settings, topology: Topology, inverse_mass: &[f64], body: bool, own: bool) -> Frame {
     let n = scene.positions.len();
     let (mut thickness, mut friction) = (vec![0.0f64; n], vec![0.0f64; n]);
     let mut least = vec![f64::INFINITY; n];

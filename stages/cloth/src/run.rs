@@ -2,7 +2,7 @@
 
 use crate::integrate::central::{self, State};
 use crate::problem::Problem;
-use crate::report;
+use crate::{report, statics};
 use crate::{ClothError, Integrator, Outcome, Scene, Settings, StopReason, Vec3, Watch};
 
 /// Steps between two looks at the energy.
@@ -31,7 +31,10 @@ const MOST_DAMPING: f64 = 100.0;
 /// # Errors
 /// An unusable scene or setting, a start that crosses, instability, or a stop on request.
 pub fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
-    run(scene, settings, true, watch)
+    match settings.integrator {
+        Integrator::Static => statics::sew(scene, settings, watch),
+        Integrator::CentralDifference => run(scene, settings, true, watch),
+    }
 }
 
 /// Settles the cloth: the same system without sewing force. Stitches still in the scene are held where they are
@@ -40,7 +43,10 @@ pub fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<
 /// # Errors
 /// As [`sew`].
 pub fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
-    run(scene, settings, false, watch)
+    match settings.integrator {
+        Integrator::Static => statics::drape(scene, settings, watch),
+        Integrator::CentralDifference => run(scene, settings, false, watch),
+    }
 }
 
 fn run(scene: &Scene, settings: &Settings, pulls: bool, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
@@ -111,9 +117,7 @@ impl<'a> Run<'a> {
 
     fn go(&mut self, watch: &mut dyn Watch) -> Result<StopReason, ClothError> {
         loop {
-            match self.settings.integrator {
-                Integrator::CentralDifference => central::step(self.problem, &mut self.state, self.dt),
-            }
+            central::step(self.problem, &mut self.state, self.dt);
             self.steps += 1;
             self.seconds += self.dt;
             if self.problem.sewing.pulls() {

@@ -14,8 +14,10 @@ pub enum Model {
 /// How time advances.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Integrator {
-    /// Explicit central differences with an adaptive step (paper equations 8–14).
+    /// No time at all: the least energy is sought by a descent (docs/static.md).
     #[default]
+    Static,
+    /// Explicit central differences with an adaptive step (paper equations 8–14).
     CentralDifference,
 }
 
@@ -78,6 +80,14 @@ pub struct Settings {
     pub step_fraction: f64,
     /// Elements much smaller than the rest get inertia (not weight) so that they do not rule the time step.
     pub even_inertia: bool,
+    /// Static: the energy that a Newton step would still win, over the elastic energy, at which the state is at rest.
+    pub decrement_tolerance: f64,
+    /// Static: the longest move of a vertex in such a step, m.
+    pub move_tolerance: f64,
+    /// Static: largest net force on a vertex over the mean vertex weight.
+    pub residual_tolerance: f64,
+    /// Static: most descent steps.
+    pub max_descents: u64,
     /// Stop condition b: relative change of the elastic energy over a check interval.
     pub energy_tolerance: f64,
     /// No free vertex may be faster than this for the state to be called settled, m/s.
@@ -101,7 +111,7 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             model: Model::Coupled,
-            integrator: Integrator::CentralDifference,
+            integrator: Integrator::Static,
             effects: Effects::default(),
             damping: 4.0,
             stiffness_damping: 0.2,
@@ -115,6 +125,10 @@ impl Default for Settings {
             stiffness_cap: 2000.0,
             step_fraction: 0.6,
             even_inertia: true,
+            decrement_tolerance: 1e-3,
+            move_tolerance: 1e-4,
+            residual_tolerance: 1e-2,
+            max_descents: 20_000,
             energy_tolerance: 1e-3,
             speed_tolerance: 2e-3,
             shear_allowance: 0.6,
@@ -141,5 +155,11 @@ impl Settings {
             max_seconds: 6.0,
             ..Self::default()
         }
+    }
+
+    /// The largest tangent stiffness used: only explicit steps need a cap.
+    #[must_use]
+    pub fn curve_cap(&self) -> f64 {
+        if self.integrator == Integrator::Static { f64::INFINITY } else { self.stiffness_cap }
     }
 }

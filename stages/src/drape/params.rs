@@ -21,8 +21,10 @@ pub enum ModelName {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum IntegratorName {
-    /// The paper's explicit central differences with an adaptive step.
+    /// No time: the least energy is sought by a descent.
     #[default]
+    Static,
+    /// The paper's explicit central differences with an adaptive step.
     CentralDifference,
 }
 
@@ -115,9 +117,7 @@ impl DrapeParams {
         };
         Settings {
             model: self.model.into(),
-            integrator: match self.integrator {
-                IntegratorName::CentralDifference => Integrator::CentralDifference,
-            },
+            integrator: self.integrator.into(),
             effects: Effects {
                 self_contact: self.effects.self_contact.into(),
                 body_contact: self.effects.body_contact.into(),
@@ -125,6 +125,9 @@ impl DrapeParams {
                 strain_limit: self.effects.strain_limit.into(),
             },
             body_gap: self.body_gap.0,
+            decrement_tolerance: base.decrement_tolerance * share,
+            move_tolerance: base.move_tolerance * share,
+            residual_tolerance: base.residual_tolerance * share,
             energy_tolerance: base.energy_tolerance * share,
             speed_tolerance: base.speed_tolerance * share,
             max_seconds: self.max_time.0,
@@ -139,6 +142,15 @@ impl From<ModelName> for Model {
         match name {
             ModelName::Springs => Self::Springs,
             ModelName::Coupled => Self::Coupled,
+        }
+    }
+}
+
+impl From<IntegratorName> for Integrator {
+    fn from(name: IntegratorName) -> Self {
+        match name {
+            IntegratorName::Static => Self::Static,
+            IntegratorName::CentralDifference => Self::CentralDifference,
         }
     }
 }

@@ -47,6 +47,9 @@ pub struct StitchParams {
     /// In-plane model.
     #[serde(default)]
     pub model: crate::drape::ModelName,
+    /// How the seams are closed: by a descent without time, or in the paper's dynamic system.
+    #[serde(default)]
+    pub integrator: crate::drape::IntegratorName,
 }
 
 fn clearance() -> Length {
@@ -101,6 +104,7 @@ impl Stage for Stitch {
 fn settings(params: &StitchParams, threads: usize) -> Settings {
     Settings {
         model: params.model.into(),
+        integrator: params.integrator.into(),
         sewing_distance: params.sewing_distance.0,
         body_gap: params.body_gap.0,
         max_seconds: params.max_time.0,

@@ -1,10 +1,13 @@
 //! Contact: which parts are near, how far they may move, what pushes them apart. The only user of parry3d.
 
+pub(crate) mod advance;
+pub(crate) mod barrier;
 pub(crate) mod body;
 pub(crate) mod closest;
 pub(crate) mod contact;
 pub(crate) mod friction;
 pub(crate) mod near;
 pub(crate) mod repair;
+pub(crate) mod stick;
 pub(crate) mod tree;
 pub(crate) mod untangle;

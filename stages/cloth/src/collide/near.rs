@@ -1,7 +1,7 @@
 //! Lists of primitives that are near each other, kept until the motion since their making uses up the slack.
 
 use super::body::Body;
-use super::tree::{Aabb, Tree};
+use super::tree::{Aabb, Tree, meet_moving};
 use crate::Vec3;
 use crate::topology::Topology;
 
@@ -66,7 +66,123 @@ fn point_in(b: &Aabb, p: &Vec3) -> bool {
     b.meets(&Aabb { low: *p, high: *p })
 }
 
+/// A face on its way: corners, boxes of its vertices' and edges' places and moves.
+struct Moving {
+    owned: Owned,
+    by: [Vec3; 3],
+}
+
+impl Moving {
+    #[inline]
+    fn of(t: &Topology, f: u32, x: &[Vec3], step: &[Vec3]) -> Self {
+        let owned = Owned::of(t, f, x);
+        let by = crate::pick3(step, &owned.corners);
+        Self { owned, by }
+    }
+
+    #[inline]
+    fn edge_move(&self, k: usize) -> Aabb {
+        Aabb::of_two(&self.by[k], &self.by[(k + 1) % 3])
+    }
+
+    #[inline]
+    fn swept(&self) -> Aabb {
+        let b = Aabb::of_three(&self.owned.at);
+        let d = Aabb::of_three(&self.by);
+        let zero = Vec3::zeros();
+        Aabb { low: b.low + d.low.inf(&zero), high: b.high + d.high.sup(&zero) }
+    }
+}
+
+#[inline]
+fn swept(b: &Aabb, d: &Aabb, reach: f64) -> Aabb {
+    let zero = Vec3::zeros();
+    Aabb { low: b.low + d.low.inf(&zero), high: b.high + d.high.sup(&zero) }.grown(reach)
+}
+
 impl Near {
+    /// Cloth–cloth pairs that come nearer than `reach` (which the tree's boxes are grown by, half on each side) along a
+    /// step; the tree knows the step. Vertices of one group (stitched together) count as one vertex.
+    pub fn fill_own_moving(&mut self, x: &[Vec3], step: &[Vec3], topology: &Topology, groups: &[u32], tree: &Tree, reach: f64) {
+        self.points.clear();
+        self.edges.clear();
+        let group = |v: u32| groups[v as usize];
+        tree.meeting_pairs(|f, g| {
+            let (a, b) = (Moving::of(topology, f, x, step), Moving::of(topology, g, x, step));
+            for (one, other) in [(&a, &b), (&b, &a)] {
+                let bounds = other.owned.bounds(reach);
+                let moves = Aabb::of_three(&other.by);
+                let c = other.owned.corners;
+                for k in (0..3).filter(|k| one.owned.owns_vertex(*k)) {
+                    let v = one.owned.corners[k];
+                    let joined = group(v) == group(c[0]) || group(v) == group(c[1]) || group(v) == group(c[2]);
+                    let (p, d) = (one.owned.at[k], one.by[k]);
+                    if !joined && meet_moving(&bounds, &moves, &Aabb { low: p, high: p }, &Aabb { low: d, high: d }) {
+                        self.points.push([v, c[0], c[1], c[2]]);
+                    }
+                }
+            }
+            for i in (0..3).filter(|i| a.owned.owns_edge(*i)) {
+                let (p, bounds, moves) = (a.owned.edge(i), a.owned.edge_box(i).grown(reach), a.edge_move(i));
+                for j in (0..3).filter(|j| b.owned.owns_edge(*j)) {
+                    let q = b.owned.edge(j);
+                    let joined = group(p[0]) == group(q[0])
+                        || group(p[0]) == group(q[1])
+                        || group(p[1]) == group(q[0])
+                        || group(p[1]) == group(q[1]);
+                    if !joined && meet_moving(&bounds, &moves, &b.owned.edge_box(j), &b.edge_move(j)) {
+                        self.edges.push([p[0], p[1], q[0], q[1]]);
+                    }
+                }
+            }
+        });
+    }
+
+    /// Cloth–body pairs that come nearer than `reach` along a step.
+    pub fn fill_body_moving(&mut self, x: &[Vec3], step: &[Vec3], topology: &Topology, body: &Body, reach: f64) {
+        self.body_points.clear();
+        self.body_edges.clear();
+        self.body_faces.clear();
+        for f in (0u32..).take(topology.faces.len()) {
+            let m = Moving::of(topology, f, x, step);
+            let bounds = m.swept().grown(reach);
+            if !bounds.meets(&body.bounds) {
+                continue;
+            }
+            let a = &m.owned;
+            let edges = [0, 1, 2].map(|k| swept(&a.edge_box(k), &m.edge_move(k), reach));
+            let points = [0, 1, 2].map(|k| {
+                swept(&Aabb { low: a.at[k], high: a.at[k] }, &Aabb { low: m.by[k], high: m.by[k] }, reach)
+            });
+            body.candidates(&bounds, |g| {
+                let b = Owned::of(&body.topology, g, &body.positions);
+                let whole = b.bounds(0.0);
+                for k in (0..3).filter(|k| a.owns_vertex(*k)) {
+                    if points[k].meets(&whole) {
+                        self.body_points.push([a.corners[k], g]);
+                    }
+                }
+                for k in (0..3).filter(|k| b.owns_vertex(*k)) {
+                    if point_in(&bounds, &b.at[k]) {
+                        self.body_faces.push([a.corners[0], a.corners[1], a.corners[2], b.corners[k]]);
+                    }
+                }
+                for j in (0..3).filter(|j| b.owns_edge(*j)) {
+                    if !body.pressing_edges[body.topology.face_edges[g as usize][j] as usize] {
+                        continue;
+                    }
+                    let (q, bounds) = (b.edge(j), b.edge_box(j));
+                    for i in (0..3).filter(|i| a.owns_edge(*i)) {
+                        if edges[i].meets(&bounds) {
+                            let p = a.edge(i);
+                            self.body_edges.push([p[0], p[1], q[0], q[1]]);
+                        }
+                    }
+                }
+            });
+        }
+    }
+
     /// Cloth–cloth pairs nearer than `reach`; vertices of one group (stitched together) count as one vertex.
     pub fn fill_own(&mut self, x: &[Vec3], topology: &Topology, groups: &[u32], tree: &Tree, reach: f64) {
         self.points.clear();

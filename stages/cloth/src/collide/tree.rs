@@ -52,10 +52,22 @@ impl Aabb {
     }
 }
 
+/// May points of two boxes meet while they are displaced by any part (the same for all) of displacements from two boxes?
+#[inline]
+pub(crate) fn meet_moving(a: &Aabb, da: &Aabb, b: &Aabb, db: &Aabb) -> bool {
+    (0..3).all(|k| {
+        let low = a.low[k] - b.high[k] + (da.low[k] - db.high[k]).min(0.0);
+        let high = a.high[k] - b.low[k] + (da.high[k] - db.low[k]).max(0.0);
+        low <= 0.0 && high >= 0.0
+    })
+}
+
 /// A complete binary tree; node 1 is the root, the children of `i` are `2i` and `2i + 1`.
 #[derive(Clone, Debug)]
 pub(crate) struct Tree {
     boxes: Vec<Aabb>,
+    /// Boxes of the displacements of a step; empty where nothing moves.
+    moves: Vec<Aabb>,
     /// Item of every leaf; `u32::MAX` for padding.
     items: Vec<u32>,
 }
@@ -67,7 +79,7 @@ impl Tree {
         let mut order: Vec<u32> = (0..faces.len()).map(|i| u32::try_from(i).unwrap_or(u32::MAX)).collect();
         let mut items = vec![u32::MAX; leaves];
         split(&centres, &mut order, &mut items);
-        let mut tree = Self { boxes: vec![Aabb::EMPTY; 2 * leaves], items };
+        let mut tree = Self { boxes: vec![Aabb::EMPTY; 2 * leaves], moves: Vec::new(), items };
         tree.refit(x, faces, 0.0);
         tree
     }
@@ -83,6 +95,44 @@ impl Tree {
         }
         for i in (1..leaves).rev() {
             self.boxes[i] = self.boxes[2 * i].join(&self.boxes[2 * i + 1]);
+        }
+    }
+
+    /// Also takes the displacements of a step, for [`Self::meeting_pairs`].
+    pub fn refit_moving(&mut self, x: &[Vec3], step: &[Vec3], faces: &[[u32; 3]], margin: f64) {
+        self.refit(x, faces, margin);
+        let leaves = self.items.len();
+        self.moves.resize(2 * leaves, Aabb::EMPTY);
+        for (slot, item) in self.moves[leaves..].iter_mut().zip(&self.items) {
+            *slot = match faces.get(*item as usize) {
+                Some(t) => Aabb::of_three(&crate::pick3(step, t)),
+                None => Aabb::EMPTY,
+            };
+        }
+        for i in (1..leaves).rev() {
+            self.moves[i] = self.moves[2 * i].join(&self.moves[2 * i + 1]);
+        }
+    }
+
+    /// Pairs of different items whose boxes meet somewhere along the step, in a fixed order. What moves along together
+    /// does not meet: only the difference of the displacements counts.
+    pub fn meeting_pairs(&self, mut emit: impl FnMut(u32, u32)) {
+        let leaves = self.items.len();
+        let mut stack = vec![(1usize, 1usize)];
+        while let Some((a, b)) = stack.pop() {
+            if a == b {
+                if a < leaves {
+                    stack.extend([(2 * a, 2 * a), (2 * a, 2 * a + 1), (2 * a + 1, 2 * a + 1)]);
+                }
+            } else if meet_moving(&self.boxes[a], &self.moves[a], &self.boxes[b], &self.moves[b]) {
+                if a < leaves {
+                    for (c, d) in [(2 * a, 2 * b), (2 * a, 2 * b + 1), (2 * a + 1, 2 * b), (2 * a + 1, 2 * b + 1)] {
+                        stack.push((c, d));
+                    }
+                } else {
+                    emit(self.items[a - leaves], self.items[b - leaves]);
+                }
+            }
         }
     }
 

@@ -5,7 +5,9 @@
 
 use super::Energy;
 use super::law::Fabric;
+use crate::linear::hessian::Hessian;
 use crate::{Scene, Settings, Vec3};
+use nalgebra::Matrix3;
 
 /// Below this stretch the shear law is not evaluated nearer to collapse.
 const LEAST_STRETCH: f64 = 0.25;
@@ -175,6 +177,93 @@ impl Energy for Coupled {
             }
         }
     }
+
+    fn add_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
+        self.triangles.iter().for_each(|t| super::clique(&t.vertices, pairs));
+    }
+
+    fn add_hessian(&self, x: &[Vec3], convex: bool, h: &mut Hessian) {
+        for (t, w) in self.triangles.iter().zip(&self.weights) {
+            let green = t.green(&t.edges(x));
+            let (mut s, d) = tangent(&green, &self.fabrics[t.fabric as usize], convex);
+            if convex {
+                s = pulling(&s);
+            }
+            let [a, b, c] = crate::pick3(x, &t.vertices);
+            let weft = a * w[0][0] + b * w[1][0] + c * w[2][0];
+            let warp = a * w[0][1] + b * w[1][1] + c * w[2][1];
+            // Rows: derivatives of the three strains by the position of corner k.
+            let strains = [0, 1, 2].map(|k| {
+                Matrix3::from_rows(&[
+                    (weft * w[k][0]).transpose(),
+                    (warp * w[k][1]).transpose(),
+                    (warp * w[k][0] + weft * w[k][1]).transpose(),
+                ])
+            });
+            let law = strains.map(|m| d * m * t.area);
+            for i in 0..3 {
+                for j in 0..=i {
+                    let mut block = strains[i].tr_mul(&law[j]);
+                    let lean = w[i][0] * (s[0] * w[j][0] + s[2] * w[j][1]) + w[i][1] * (s[2] * w[j][0] + s[1] * w[j][1]);
+                    for k in 0..3 {
+                        block[(k, k)] += t.area * lean;
+                    }
+                    if i == j {
+                        h.add(t.vertices[i], &block);
+                    } else {
+                        h.couple(t.vertices[i], t.vertices[j], &block);
+                    }
+                }
+            }
+        }
+    }
+}
+
+/// Stress and its derivative by (E_weft, E_warp, 2 E_12); `convex`: without the terms that can be negative.
+fn tangent(green: &[f64; 3], fabric: &Fabric, convex: bool) -> ([f64; 3], Matrix3<f64>) {
+    let s = strain(green);
+    let [a, b] = s.stretch;
+    let (am, bm) = (a.max(LEAST_STRETCH), b.max(LEAST_STRETCH));
+    let (gamma, slope) = angle(s.sine);
+    // Second derivative of the angle by its sine.
+    let bow = if s.sine.abs() < STEEP { s.sine * slope * slope * slope } else { 0.0 };
+    let tau = fabric.shear * gamma * slope;
+    let rate = fabric.shear * (slope * slope + if convex { 0.0 } else { gamma * bow });
+    let (ka, kb) = (fabric.weft.slope(a - 1.0), fabric.warp.slope(b - 1.0));
+    let (ai, bi) = (1.0 / a.max(1e-3), 1.0 / b.max(1e-3));
+    let (da, db) = (if a > LEAST_STRETCH { s.sine / (am * am) } else { 0.0 }, if b > LEAST_STRETCH { s.sine / (bm * bm) } else { 0.0 });
+    let v = nalgebra::Vector3::new(-da, -db, 1.0 / (am * bm));
+    let mut d = v * v.transpose() * rate;
+    d[(0, 0)] += ka * ai * ai;
+    d[(1, 1)] += kb * bi * bi;
+    d[(0, 1)] += fabric.cross * ai * bi;
+    d[(1, 0)] += fabric.cross * ai * bi;
+    if !convex {
+        let (pull_a, pull_b) = (
+            fabric.weft.tension(a - 1.0) + fabric.cross * (b - 1.0),
+            fabric.warp.tension(b - 1.0) + fabric.cross * (a - 1.0),
+        );
+        d[(0, 0)] += 3.0 * tau * da * ai * ai - pull_a * ai * ai * ai;
+        d[(1, 1)] += 3.0 * tau * db * bi * bi - pull_b * bi * bi * bi;
+        let mixed = [(0, 1, tau * s.sine * ai * ai * bi * bi), (0, 2, -tau * ai * ai * ai * bi), (1, 2, -tau * ai * bi * bi * bi)];
+        for (i, j, m) in mixed {
+            d[(i, j)] += m;
+            d[(j, i)] += m;
+        }
+    }
+    (stress(green, fabric), d)
+}
+
+/// The pulling part of a plane stress: negative principal values set to 0.
+fn pulling(s: &[f64; 3]) -> [f64; 3] {
+    let (mean, half, shear) = (0.5 * (s[0] + s[1]), 0.5 * (s[0] - s[1]), s[2]);
+    let r = (half * half + shear * shear).sqrt();
+    let (high, low) = ((mean + r).max(0.0), (mean - r).max(0.0));
+    if r <= 0.0 {
+        return [high, high, 0.0];
+    }
+    let (m, q) = (0.5 * (high + low), 0.5 * (high - low) / r);
+    [m + q * half, m - q * half, q * shear]
 }
 
 impl Triangle {

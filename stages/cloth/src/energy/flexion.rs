@@ -3,6 +3,7 @@
 //! The form is quadratic in the positions, so it cannot blow up, and needs lengths only, so it works across seams.
 
 use super::Energy;
+use crate::linear::hessian::Hessian;
 use crate::topology::{Hinge, Topology};
 use crate::{Element, Material, Scene, Settings, Vec3};
 
@@ -92,5 +93,19 @@ impl Energy for Flexion {
                 k[*v as usize] += m.stiffness * w.abs() * sum;
             }
         }
+    }
+
+    fn add_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
+        self.moments.iter().for_each(|m| super::clique(&m.vertices, pairs));
+    }
+
+    fn add_hessian(&self, _: &[Vec3], _: bool, h: &mut Hessian) {
+        for m in &self.moments {
+            h.spread(&m.vertices, &m.weights, &(nalgebra::Matrix3::identity() * m.stiffness));
+        }
+    }
+
+    fn quadratic(&self) -> bool {
+        true
     }
 }

@@ -1,9 +1,13 @@
 //! A stretch curve as a table: tangents at equal strains, linear between, so that tension and energy are its exact
 //! integrals and cost no exponential. The tangent may be capped (validation §8.5).
 
-use crate::{Curve, Material, Settings};
+use crate::{Curve, Integrator, Material, Settings, Switch};
 
 const CELLS: usize = 256;
+/// Share of the strain limit at which the cloth begins to lock …
+const LOCKING: f64 = 0.9;
+/// … and the tension that it carries at the limit over that of its curve, N/m.
+const LOCKED: f64 = 200.0;
 
 /// Tabulated stretch law of one direction.
 #[derive(Clone, Debug)]
@@ -16,11 +20,13 @@ pub(crate) struct Law {
 }
 
 impl Law {
-    /// Up to `reach` strain (a straight line beyond), with the tangent capped.
-    pub fn new(curve: &Curve, cap: f64, reach: f64) -> Self {
-        let cells = if matches!(curve, Curve::Linear { .. }) { 1 } else { CELLS };
+    /// Up to `reach` strain (a straight line beyond), with the tangent capped; `lock`: the strain at which the cloth
+    /// locks (infinite for never).
+    pub fn new(curve: &Curve, cap: f64, reach: f64, lock: f64) -> Self {
+        let plain = matches!(curve, Curve::Linear { .. }) && lock.is_infinite();
+        let cells = if plain { 1 } else { CELLS };
         let step = reach / cells as f64;
-        let tangent: Vec<f64> = (0..=cells)
+        let mut tangent: Vec<f64> = (0..=cells)
             .map(|i| match curve {
                 // The mean slope of the cell keeps the tension at its ends exact for measured samples.
                 Curve::Samples(_) => {
@@ -30,6 +36,12 @@ impl Law {
                 _ => curve.tangent(step * i as f64).min(cap),
             })
             .collect();
+        if lock.is_finite() {
+            for (i, k) in tangent.iter_mut().enumerate() {
+                let near = (step * i as f64 / lock - LOCKING) / (1.0 - LOCKING);
+                *k += near.clamp(0.0, 1.0) * 2.0 * LOCKED / ((1.0 - LOCKING) * lock);
+            }
+        }
         let (mut tension, mut energy) = (vec![0.0], vec![0.0]);
         for i in 0..cells {
             let (t, k0, k1) = (tension[i], tangent[i], tangent[i + 1]);
@@ -74,7 +86,17 @@ impl Law {
         }
     }
 
-    /// N/m.
+    /// dT/dε as interpolated, N/m.
+    #[inline]
+    pub fn slope(&self, strain: f64) -> f64 {
+        match self.cell(strain) {
+            Some((i, r)) => self.tangent[i] + r * (self.tangent[i + 1] - self.tangent[i]) * self.inverse_step,
+            None if strain <= 0.0 => self.tangent[0],
+            None => self.tangent[self.tangent.len() - 1],
+        }
+    }
+
+    /// A bound of the slope around a strain, N/m.
     pub fn tangent(&self, strain: f64) -> f64 {
         match self.cell(strain) {
             Some((i, _)) => self.tangent[i].max(self.tangent[i + 1]),
@@ -97,8 +119,11 @@ pub(crate) struct Fabric {
 impl Fabric {
     pub fn new(m: &Material, s: &Settings) -> Self {
         let reach = |limit: f64| if limit.is_finite() { (1.5 * limit).clamp(0.02, 2.0) } else { 0.5 };
-        let warp = Law::new(&m.warp, s.stiffness_cap, reach(m.strain_limit[0]));
-        let weft = Law::new(&m.weft, s.stiffness_cap, reach(m.strain_limit[1]));
+        let locks = s.integrator == Integrator::Static && s.effects.strain_limit != Switch::Off;
+        let law = |curve: &Curve, limit: f64| {
+            Law::new(curve, s.curve_cap(), reach(limit), if locks { limit } else { f64::INFINITY })
+        };
+        let (warp, weft) = (law(&m.warp, m.strain_limit[0]), law(&m.weft, m.strain_limit[1]));
         let cross = m.poisson * warp.tangent(0.0).min(weft.tangent(0.0));
         Self { weft, warp, shear: m.shear, cross }
     }

@@ -11,6 +11,7 @@ pub(crate) mod weight;
 mod tests;
 
 use crate::Vec3;
+use crate::linear::hessian::Hessian;
 
 /// A potential of the positions.
 pub(crate) trait Energy: Send + Sync {
@@ -25,4 +26,22 @@ pub(crate) trait Energy: Send + Sync {
     /// Adds to every vertex a bound of its row sum of the stiffness, N/m, as the cloth stands now. The largest ratio
     /// of these to the masses bounds the square of the highest frequency.
     fn add_stiffness(&self, x: &[Vec3], k: &mut [f64]);
+    /// Pairs of vertices that the second derivatives couple.
+    fn add_pairs(&self, pairs: &mut Vec<[u32; 2]>);
+    /// Adds the second derivatives, N/m; made positive semi-definite element by element where `convex` (the metric of a
+    /// descent), as they are otherwise (the test of a minimum).
+    fn add_hessian(&self, x: &[Vec3], convex: bool, h: &mut Hessian);
+    /// Are the second derivatives the same everywhere?
+    fn quadratic(&self) -> bool {
+        false
+    }
+}
+
+/// All pairs of an element's vertices.
+pub(crate) fn clique(vertices: &[u32], pairs: &mut Vec<[u32; 2]>) {
+    for i in 0..vertices.len() {
+        for j in 0..i {
+            pairs.push([vertices[i], vertices[j]]);
+        }
+    }
 }

@@ -1,7 +1,8 @@
 //! Shear springs of the paper (class 2: the cloth's shear), on the edges that lie off the grain (docs/shear.md).
 
 use super::Energy;
-use super::structural::{Spring, pull, row_sums, springs};
+use super::structural::{Spring, pull, row_sums, springs, stiffen};
+use crate::linear::hessian::Hessian;
 use crate::topology::Topology;
 use crate::{Scene, Vec3};
 
@@ -42,6 +43,18 @@ impl Energy for Shear {
     fn add_stiffness(&self, _: &[Vec3], k: &mut [f64]) {
         for s in &self.springs {
             row_sums(s.ends, s.section / s.length * self.modulus(s), k);
+        }
+    }
+
+    fn add_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
+        pairs.extend(self.springs.iter().map(|s| s.ends));
+    }
+
+    fn add_hessian(&self, x: &[Vec3], convex: bool, h: &mut Hessian) {
+        for s in &self.springs {
+            let k = s.section * self.modulus(s);
+            let e = (x[s.ends[1] as usize] - x[s.ends[0] as usize]).norm() / s.length - 1.0;
+            stiffen(x, s, k * e, k, convex, h);
         }
     }
 }

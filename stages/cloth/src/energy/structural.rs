@@ -5,6 +5,7 @@
 
 use super::Energy;
 use super::law::Fabric;
+use crate::linear::hessian::Hessian;
 use crate::topology::Topology;
 use crate::{Scene, Settings, Vec3};
 
@@ -88,6 +89,19 @@ pub(crate) fn row_sums(ends: [u32; 2], k: f64, rows: &mut [f64]) {
     }
 }
 
+/// Adds the second derivatives of a spring: `slope` (N per strain) along it, `force` over its length across it.
+pub(crate) fn stiffen(x: &[Vec3], s: &Spring, force: f64, slope: f64, convex: bool, h: &mut Hessian) {
+    let d = x[s.ends[1] as usize] - x[s.ends[0] as usize];
+    let l = d.norm();
+    if l <= 0.0 {
+        return;
+    }
+    let along = d * d.transpose() / (l * l);
+    let across = if convex { force.max(0.0) / l } else { force / l };
+    let block = along * (slope / s.length - across) + nalgebra::Matrix3::identity() * across;
+    h.spread(&s.ends, &[1.0, -1.0], &block);
+}
+
 fn strain(x: &[Vec3], s: &Spring) -> f64 {
     (x[s.ends[1] as usize] - x[s.ends[0] as usize]).norm() / s.length - 1.0
 }
@@ -115,6 +129,20 @@ impl Energy for Structural {
             let e = strain(x, s);
             let slope = s.share[0] * law.weft.tangent(e) + s.share[1] * law.warp.tangent(e);
             row_sums(s.ends, s.section / s.length * slope, k);
+        }
+    }
+
+    fn add_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
+        pairs.extend(self.springs.iter().map(|s| s.ends));
+    }
+
+    fn add_hessian(&self, x: &[Vec3], convex: bool, h: &mut Hessian) {
+        for s in &self.springs {
+            let law = &self.fabrics[s.fabric as usize];
+            let e = strain(x, s);
+            let pull = s.section * (s.share[0] * law.weft.tension(e) + s.share[1] * law.warp.tension(e));
+            let slope = s.section * (s.share[0] * law.weft.slope(e) + s.share[1] * law.warp.slope(e));
+            stiffen(x, s, pull, slope, convex, h);
         }
     }
 }

@@ -93,6 +93,69 @@ fn forces_are_minus_the_gradient() {
     }
 }
 
+/// H·d of the assembled matrix.
+fn times(h: &crate::linear::hessian::Hessian, d: &[Vec3]) -> Vec<Vec3> {
+    let mut out = vec![Vec3::zeros(); d.len()];
+    for j in 0..h.pattern.unknowns() {
+        for k in h.pattern.start[j] as usize..h.pattern.start[j + 1] as usize {
+            let i = h.pattern.rows[k] as usize;
+            out[i] += h.values[k] * d[j];
+            if i != j {
+                out[j] += h.values[k].transpose() * d[i];
+            }
+        }
+    }
+    out
+}
+
+#[test]
+fn hessians_are_the_derivative_of_the_forces_and_convex_ones_are_never_negative() {
+    let scene = scene(fabric());
+    let n = scene.positions.len();
+    for (k, e) in energies(&scene, &Settings::default()).iter().enumerate() {
+        let mut pairs = Vec::new();
+        e.add_pairs(&mut pairs);
+        let unknown: Vec<u32> = (0..n as u32).collect();
+        let mut h = crate::linear::hessian::Hessian::new(unknown, n, pairs.into_iter());
+        // Once pulled, once squeezed and buckled.
+        for (trial, (u, v)) in [(1.03, 1.02), (0.97, 0.95)].into_iter().enumerate() {
+            let mut x = scene.positions.clone();
+            for (i, p) in (0u32..).zip(&mut x) {
+                *p = Vec3::new(u * p.x + 0.3 * p.y, v * p.y, 0.0)
+                    + Vec3::new(noise(3 * i), noise(3 * i + 1), noise(3 * i + 2)) * 1e-3;
+            }
+            let d: Vec<Vec3> = (0..n as u32).map(|i| Vec3::new(noise(7 * i), noise(5 * i + 1), noise(i + 9))).collect();
+            let forces = |s: f64| {
+                let y: Vec<Vec3> = x.iter().zip(&d).map(|(p, d)| p + d * s).collect();
+                let mut f = vec![Vec3::zeros(); n];
+                e.add_forces(&y, &mut f);
+                f
+            };
+            let step = 1e-8;
+            let slope: Vec<Vec3> =
+                forces(step).iter().zip(forces(-step)).map(|(p, q)| (q - p) / (2.0 * step)).collect();
+            let values = vec![nalgebra::Matrix3::zeros(); h.values.len()];
+            h.reset(&values);
+            e.add_hessian(&x, false, &mut h);
+            let got = times(&h, &d);
+            let size = slope.iter().map(|f| f.norm()).fold(0.0, f64::max);
+            for i in 0..n {
+                assert!((got[i] - slope[i]).norm() <= 1e-4 * size, "energy {k}, trial {trial}, vertex {i}: {} and {}", got[i], slope[i]);
+            }
+            assert!(h.extra.is_empty());
+            h.reset(&values);
+            e.add_hessian(&x, true, &mut h);
+            for probe in 0..200u32 {
+                let d: Vec<Vec3> = (0..n as u32)
+                    .map(|i| Vec3::new(noise(31 * i + probe), noise(17 * i + 3 * probe), noise(13 * i + 7 * probe)))
+                    .collect();
+                let work: f64 = times(&h, &d).iter().zip(&d).map(|(p, q)| p.dot(q)).sum();
+                assert!(work >= -1e-9 * size, "energy {k}: {work}");
+            }
+        }
+    }
+}
+
 #[test]
 fn coupled_springs_pass_the_patch_test_off_the_axes() {
     // A uniform strain of an uneven mesh leaves the inner vertices without force, and stores W(E) per area.
@@ -152,13 +215,13 @@ fn the_stiffness_bound_holds_for_random_motions() {
 #[test]
 fn tables_follow_their_curves() {
     let settings = Settings { stiffness_cap: f64::INFINITY, ..Settings::default() };
-    let law = super::law::Law::new(&Curve::Exponential { k0: 700.0, beta: 20.0 }, settings.stiffness_cap, 0.15);
+    let law = super::law::Law::new(&Curve::Exponential { k0: 700.0, beta: 20.0 }, settings.stiffness_cap, 0.15, f64::INFINITY);
     let curve = Curve::Exponential { k0: 700.0, beta: 20.0 };
     for i in -10..30 {
         let e = 0.005 * f64::from(i);
         assert!((law.tension(e) - curve.tension(e)).abs() <= 1e-4 * curve.tension(e).abs() + 1e-12, "{e}");
         assert!((law.energy(e) - curve.energy(e)).abs() <= 2e-4 * curve.energy(e).abs() + 1e-12, "{e}");
     }
-    let capped = super::law::Law::new(&curve, 1000.0, 0.15);
+    let capped = super::law::Law::new(&curve, 1000.0, 0.15, f64::INFINITY);
     assert!((capped.tangent(0.1) - 1000.0).abs() < 1e-9);
 }

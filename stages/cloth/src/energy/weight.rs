@@ -1,6 +1,7 @@
 //! Gravity (paper equation 4; here by area, so that uneven meshes hang evenly) and dead loads.
 
 use super::Energy;
+use crate::linear::hessian::Hessian;
 use crate::{Scene, Vec3};
 
 pub(crate) struct Weight {
@@ -35,4 +36,12 @@ impl Energy for Weight {
     }
 
     fn add_stiffness(&self, _: &[Vec3], _: &mut [f64]) {}
+
+    fn add_pairs(&self, _: &mut Vec<[u32; 2]>) {}
+
+    fn add_hessian(&self, _: &[Vec3], _: bool, _: &mut Hessian) {}
+
+    fn quadratic(&self) -> bool {
+        true
+    }
 }

@@ -1,0 +1,159 @@
+//! How far a step may go: continuous collision detection by additive conservative advancement (Li et al. 2021), so
+//! that along an accepted step no near pair comes closer than a share of its distance, and nothing crosses.
+
+use super::barrier::{BODY_EDGE, BODY_FACE, BODY_POINT, Barrier, EDGE, POINT};
+use super::closest::{point_triangle, segments};
+use crate::Vec3;
+
+/// Share of its distance that a pair keeps in a step.
+const KEEP: f64 = 0.2;
+/// Share of a found time of impact that is used.
+const SAFE: f64 = 0.9;
+/// Rounds in which single vertices are held back before the whole step is shortened.
+const ROUNDS: usize = 5;
+const MOST_ADVANCES: usize = 64;
+
+/// A pair: positions and displacements of its four points, `split` of them on the first side.
+struct Pair {
+    at: [Vec3; 4],
+    by: [Vec3; 4],
+    kind: u8,
+}
+
+impl Pair {
+    fn distance(&self) -> f64 {
+        let [p, q, r, s] = &self.at;
+        match self.kind {
+            POINT | BODY_POINT => {
+                let w = point_triangle(p, q, r, s);
+                (p - (q * w[0] + r * w[1] + s * w[2])).norm()
+            }
+            BODY_FACE => {
+                let w = point_triangle(s, p, q, r);
+                (s - (p * w[0] + q * w[1] + r * w[2])).norm()
+            }
+            _ => {
+                let [t, u] = segments(p, q, r, s);
+                (p + (q - p) * t - (r + (s - r) * u)).norm()
+            }
+        }
+    }
+
+    /// Bound of how fast the two sides approach: largest displacements against their mean.
+    fn pace(&mut self) -> f64 {
+        let mean = (self.by[0] + self.by[1] + self.by[2] + self.by[3]) * 0.25;
+        self.by.iter_mut().for_each(|d| *d -= mean);
+        let n = self.by.map(|d| d.norm());
+        match self.kind {
+            POINT | BODY_POINT => n[0] + n[1].max(n[2]).max(n[3]),
+            BODY_FACE => n[3] + n[0].max(n[1]).max(n[2]),
+            _ => n[0].max(n[1]) + n[2].max(n[3]),
+        }
+    }
+
+    /// Largest part (at most 1) of the displacement that keeps [`KEEP`] of the distance.
+    fn free_part(&mut self, distance: f64) -> f64 {
+        let pace = self.pace();
+        let least = KEEP * distance;
+        if pace <= distance - least {
+            return 1.0;
+        }
+        let (mut t, mut gap) = (0.0, distance);
+        for _ in 0..MOST_ADVANCES {
+            let step = SAFE * (gap - least) / pace;
+            t += step;
+            if t >= 1.0 {
+                return 1.0;
+            }
+            for k in 0..4 {
+                self.at[k] += self.by[k] * step;
+            }
+            gap = self.distance();
+            if gap - least < 0.05 * (distance - least) {
+                break;
+            }
+        }
+        t
+    }
+}
+
+impl Barrier {
+    /// Holds single vertices back where their pairs would come too near; the distances of the last evaluation must be
+    /// those at `x`, and the lists must cover the step. Returns whether any was; then the step is another one, which
+    /// the lists need not cover.
+    pub fn hold_back(&mut self, x: &[Vec3], step: &mut [Vec3]) -> bool {
+        let mut scale = vec![1.0; x.len()];
+        let mut any = false;
+        for _ in 0..ROUNDS {
+            let mut found: Vec<([u32; 4], usize, f64)> = Vec::new();
+            self.each(x, step, &scale, |vertices, cloth, part| found.push((vertices, cloth, part)));
+            if found.is_empty() {
+                break;
+            }
+            any = true;
+            for (vertices, cloth, part) in found {
+                for v in &vertices[..cloth] {
+                    let s: &mut f64 = &mut scale[*v as usize];
+                    *s = s.min(SAFE * part * *s);
+                }
+            }
+        }
+        if any {
+            self.tally.limited += 1;
+            step.iter_mut().zip(&scale).for_each(|(d, s)| *d *= *s);
+        }
+        any
+    }
+
+    /// Shortens the whole step until no pair comes too near.
+    pub fn shorten(&mut self, x: &[Vec3], step: &mut [Vec3]) {
+        let mut whole: f64 = 1.0;
+        let scale = vec![1.0; x.len()];
+        self.each(x, step, &scale, |_, _, part| whole = whole.min(SAFE * part));
+        if whole < 1.0 {
+            step.iter_mut().for_each(|d| *d *= whole);
+        }
+    }
+
+    /// Calls `hit` for every pair that the scaled step brings too near.
+    fn each(&self, x: &[Vec3], step: &[Vec3], scale: &[f64], mut hit: impl FnMut([u32; 4], usize, f64)) {
+        let moved = |v: u32| step[v as usize] * scale[v as usize];
+        let zero = Vec3::zeros();
+        let mut test = |kind: u8, vertices: [u32; 4], cloth: usize, at: [Vec3; 4], by: [Vec3; 4], distance: f64| {
+            let mut pair = Pair { at, by, kind };
+            let part = pair.free_part(distance);
+            if part < 1.0 {
+                hit(vertices, cloth, part);
+            }
+        };
+        for (v, l) in self.near.points.iter().zip(&self.distances[usize::from(POINT)]) {
+            test(POINT, *v, 4, crate::pick4(x, v), v.map(moved), *l);
+        }
+        for (v, l) in self.near.edges.iter().zip(&self.distances[usize::from(EDGE)]) {
+            test(EDGE, *v, 4, crate::pick4(x, v), v.map(moved), *l);
+        }
+        let Some(body) = &self.body else { return };
+        for (&[v, g], l) in self.near.body_points.iter().zip(&self.distances[usize::from(BODY_POINT)]) {
+            let d = moved(v);
+            if d.norm() > (1.0 - KEEP) * l {
+                let [a, b, c] = body.triangle(g);
+                test(BODY_POINT, [v; 4], 1, [x[v as usize], a, b, c], [d, zero, zero, zero], *l);
+            }
+        }
+        for (&[a, b, p, q], l) in self.near.body_edges.iter().zip(&self.distances[usize::from(BODY_EDGE)]) {
+            let (da, db) = (moved(a), moved(b));
+            if da.norm().max(db.norm()) > (1.0 - KEEP) * l {
+                let at = [x[a as usize], x[b as usize], body.positions[p as usize], body.positions[q as usize]];
+                test(BODY_EDGE, [a, b, a, a], 2, at, [da, db, zero, zero], *l);
+            }
+        }
+        for (&[a, b, c, w], l) in self.near.body_faces.iter().zip(&self.distances[usize::from(BODY_FACE)]) {
+            let d = [a, b, c].map(moved);
+            if d.iter().any(|d| d.norm() > (1.0 - KEEP) * l) {
+                let [p, q, r] = crate::pick3(x, &[a, b, c]);
+                let at = [p, q, r, body.positions[w as usize]];
+                test(BODY_FACE, [a, b, c, a], 3, at, [d[0], d[1], d[2], zero], *l);
+            }
+        }
+    }
+}

@@ -1,0 +1,298 @@
+//! Contact as a smooth energy of the true distances, for descents (docs/contact.md).
+//!
+//! Two primitives nearer than their gap ĝ store κ a b(d), b = −(d − ĝ)² ln(d/ĝ): nothing at the gap, with no kink, and
+//! infinite at touch (the barrier of incremental potential contact, Li et al. 2020, equation 6). Lists of what is near
+//! are made anew when the cloth has moved by the slack.
+
+use super::body::Body;
+use super::closest::{point_triangle, segments};
+use super::contact::Frame;
+use super::near::Near;
+use super::tree::Tree;
+use crate::Vec3;
+use crate::linear::hessian::Hessian;
+
+/// Edges and faces are held off the body, and edges off edges, at this share of the vertices' gap.
+const EDGE_SHARE: f64 = 0.5;
+/// N/m³: a gap of 1 mm is half closed by 240 Pa.
+const STIFFNESS: f64 = 2e5;
+/// Slack of the lists over the mean edge: small enough that neighbours of neighbours stay out.
+const LEAST_SLACK: f64 = 0.02;
+const MOST_SLACK: f64 = 0.1;
+
+/// Kinds of near pairs, also the order in which they are summed.
+pub(crate) const POINT: u8 = 0;
+pub(crate) const EDGE: u8 = 1;
+pub(crate) const BODY_POINT: u8 = 2;
+pub(crate) const BODY_EDGE: u8 = 3;
+pub(crate) const BODY_FACE: u8 = 4;
+
+/// Two primitives nearer than their gap.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Touch {
+    pub vertices: [u32; 4],
+    pub weights: [f64; 4],
+    pub normal: Vec3,
+    pub distance: f64,
+    /// Normal force, N.
+    pub load: f64,
+    /// Its growth as the distance shrinks, N/m.
+    pub slope: f64,
+    /// m².
+    pub area: f64,
+    pub friction: f64,
+    /// The same pair has the same key at every evaluation.
+    pub key: (u8, [u32; 4]),
+}
+
+/// What happened, for the report.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Tally {
+    pub lists: u64,
+    pub own_most: usize,
+    pub body_most: usize,
+    pub nearest_body: f64,
+    pub limited: u64,
+}
+
+pub(crate) struct Barrier {
+    pub frame: Frame,
+    pub body: Option<Body>,
+    tree: Option<Tree>,
+    pub near: Near,
+    listed: Vec<Vec3>,
+    on_the_way: bool,
+    slack: f64,
+    area: Vec<f64>,
+    pub touches: Vec<Touch>,
+    /// Distances of the listed pairs at the last evaluation, in the order of the lists, kind by kind.
+    pub distances: [Vec<f64>; 5],
+    pub tally: Tally,
+}
+
+impl Barrier {
+    /// `area`: of cloth, per vertex, m².
+    pub fn new(x: &[Vec3], frame: Frame, body: Option<Body>, area: Vec<f64>) -> Self {
+        let tree = frame.own.then(|| Tree::new(x, &frame.topology.faces));
+        Self {
+            frame,
+            body,
+            tree,
+            near: Near::default(),
+            listed: Vec::new(),
+            on_the_way: false,
+            slack: 0.0,
+            area,
+            touches: Vec::new(),
+            distances: Default::default(),
+            tally: Tally { nearest_body: f64::INFINITY, ..Tally::default() },
+        }
+    }
+
+    /// Makes sure that the lists cover all places on the way from `x` along `step` (by the same part for all vertices),
+    /// and a little beside it; makes them anew where needed. Returns whether they were.
+    pub fn cover(&mut self, x: &[Vec3], step: &[Vec3]) -> bool {
+        let longest = step.iter().map(|d| d.norm_squared()).fold(0.0, f64::max).sqrt();
+        let moved = self.listed.iter().zip(x).map(|(p, q)| (p - q).norm_squared()).fold(0.0, f64::max).sqrt();
+        if !self.listed.is_empty() && moved + longest <= self.slack {
+            self.on_the_way = false;
+            return false;
+        }
+        self.tally.lists += 1;
+        self.on_the_way = false;
+        self.slack = (3.0 * longest).clamp(LEAST_SLACK * self.frame.edge, MOST_SLACK * self.frame.edge);
+        let thick = |g: &[f64]| g.iter().fold(0.0f64, |a, b| a.max(*b));
+        if let Some(tree) = &mut self.tree {
+            let reach = thick(&self.frame.own_gap) + 2.0 * self.slack;
+            tree.refit_moving(x, step, &self.frame.topology.faces, 0.5 * reach);
+            self.near.fill_own_moving(x, step, &self.frame.topology, &self.frame.groups, tree, reach);
+        }
+        if let Some(body) = &self.body {
+            let reach = thick(&self.frame.body_gap) + self.slack;
+            self.near.fill_body_moving(x, step, &self.frame.topology, body, reach);
+            self.near.body_points.sort_unstable();
+        }
+        self.listed.clear();
+        self.listed.extend_from_slice(x);
+        self.on_the_way = true;
+        true
+    }
+
+    /// Gaps have changed: makes the lists for them.
+    pub fn cover_anew(&mut self, x: &[Vec3]) {
+        self.listed.clear();
+        self.cover(x, &vec![Vec3::zeros(); x.len()]);
+    }
+
+    /// Tells that `x` was reached: if the lists were made for that step, the slack counts from here on.
+    pub fn took(&mut self, x: &[Vec3]) {
+        if std::mem::take(&mut self.on_the_way) {
+            self.listed.copy_from_slice(x);
+        }
+    }
+
+    /// Energy at `x`, J; adds the forces to `f` and remembers the contacts.
+    pub fn evaluate(&mut self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
+        self.touches.clear();
+        self.own(x);
+        let own = self.touches.len();
+        self.against_body(x);
+        self.tally.own_most = self.tally.own_most.max(own);
+        self.tally.body_most = self.tally.body_most.max(self.touches.len() - own);
+        let mut energy = 0.0;
+        for t in &mut self.touches {
+            let gap = t.load;
+            let k = STIFFNESS * t.area;
+            let (b, slope, bow) = barrier(t.distance, gap);
+            energy += k * b;
+            t.load = -k * slope;
+            t.slope = k * bow;
+            let push = t.normal * t.load;
+            for i in 0..4 {
+                if t.weights[i] != 0.0 {
+                    f[t.vertices[i] as usize] += push * t.weights[i];
+                }
+            }
+        }
+        energy
+    }
+
+    fn own(&mut self, x: &[Vec3]) {
+        let [points, edges, ..] = &mut self.distances;
+        points.clear();
+        for &[v, a, b, c] in &self.near.points {
+            let [p, q, r, s] = crate::pick4(x, &[v, a, b, c]);
+            let w = point_triangle(&p, &q, &r, &s);
+            let d = p - (q * w[0] + r * w[1] + s * w[2]);
+            let weights = [1.0, -w[0], -w[1], -w[2]];
+            points.push(touch(&mut self.touches, &self.frame, &self.area, POINT, [v, a, b, c], weights, d));
+        }
+        edges.clear();
+        for &ends in &self.near.edges {
+            let [p, q, r, s] = crate::pick4(x, &ends);
+            let [t, u] = segments(&p, &q, &r, &s);
+            let d = p + (q - p) * t - (r + (s - r) * u);
+            let weights = [1.0 - t, t, u - 1.0, -u];
+            edges.push(touch(&mut self.touches, &self.frame, &self.area, EDGE, ends, weights, d));
+        }
+    }
+
+    fn against_body(&mut self, x: &[Vec3]) {
+        let Some(body) = &self.body else { return };
+        let [_, _, points, edges, faces] = &mut self.distances;
+        edges.clear();
+        for &[a, b, p, q] in &self.near.body_edges {
+            let (xa, xb) = (x[a as usize], x[b as usize]);
+            let (yp, yq) = (body.positions[p as usize], body.positions[q as usize]);
+            let [s, t] = segments(&xa, &xb, &yp, &yq);
+            let d = xa + (xb - xa) * s - (yp + (yq - yp) * t);
+            let touches = &mut self.touches;
+            let weights = [1.0 - s, s, 0.0, 0.0];
+            edges.push(touch(touches, &self.frame, &self.area, BODY_EDGE, [a, b, p, q], weights, d));
+        }
+        faces.clear();
+        for &[a, b, c, w] in &self.near.body_faces {
+            let place = body.positions[w as usize];
+            let [xa, xb, xc] = crate::pick3(x, &[a, b, c]);
+            let s = point_triangle(&place, &xa, &xb, &xc);
+            let d = xa * s[0] + xb * s[1] + xc * s[2] - place;
+            let weights = [s[0], s[1], s[2], 0.0];
+            faces.push(touch(&mut self.touches, &self.frame, &self.area, BODY_FACE, [a, b, c, w], weights, d));
+        }
+        points.clear();
+        for group in self.near.body_points.chunk_by(|a, b| a[0] == b[0]) {
+            let v = group[0][0];
+            let p = x[v as usize];
+            let mut best = (f64::INFINITY, Vec3::zeros());
+            for &[_, g] in group {
+                let [a, b, c] = body.triangle(g);
+                let w = point_triangle(&p, &a, &b, &c);
+                let d = p - (a * w[0] + b * w[1] + c * w[2]);
+                let l = d.norm();
+                points.push(l);
+                if l < best.0 {
+                    best = (l, d);
+                }
+            }
+            self.tally.nearest_body = self.tally.nearest_body.min(best.0);
+            // One contact a vertex, whatever triangle it lies over: the distance to the body has no seams.
+            let vertices = [v, u32::MAX, u32::MAX, u32::MAX];
+            touch(&mut self.touches, &self.frame, &self.area, BODY_POINT, vertices, [1.0, 0.0, 0.0, 0.0], best.1);
+        }
+    }
+
+    /// Adds the second derivatives of the last evaluation, the curvature of the distances left out (it only turns
+    /// contacts, and is negative).
+    pub fn add_hessian(&self, h: &mut Hessian) {
+        for t in &self.touches {
+            h.spread(&t.vertices, &t.weights, &(t.normal * t.normal.transpose() * t.slope));
+        }
+    }
+}
+
+/// b, b′, b″ of the barrier.
+#[inline]
+fn barrier(d: f64, gap: f64) -> (f64, f64, f64) {
+    let (s, l) = (d - gap, libm::log(d / gap));
+    (-s * s * l, -2.0 * s * l - s * s / d, -2.0 * l - 4.0 * s / d + s * s / (d * d))
+}
+
+/// Remembers the pair if it is nearer than its gap (kept in `load` until the force is known); gives the distance.
+#[inline]
+fn touch(
+    touches: &mut Vec<Touch>,
+    frame: &Frame,
+    area: &[f64],
+    kind: u8,
+    key: [u32; 4],
+    weights: [f64; 4],
+    d: Vec3,
+) -> f64 {
+    let distance = d.norm();
+    let cloth = match kind {
+        POINT | EDGE => 4,
+        BODY_POINT => 1,
+        BODY_EDGE => 2,
+        _ => 3,
+    };
+    let gaps = if kind <= EDGE { &frame.own_gap } else { &frame.body_gap };
+    let share = if matches!(kind, POINT | BODY_POINT) { 1.0 } else { EDGE_SHARE };
+    let gap = share * key[..cloth].iter().fold(f64::INFINITY, |g, v| g.min(gaps[*v as usize]));
+    if distance < gap && distance > 0.0 {
+        let mut vertices = [key[0]; 4];
+        vertices[..cloth].copy_from_slice(&key[..cloth]);
+        let area = share * vertices[..cloth].iter().map(|v| area[*v as usize]).sum::<f64>() / cloth as f64;
+        touches.push(Touch {
+            vertices,
+            weights,
+            normal: d / distance,
+            distance,
+            load: gap,
+            slope: 0.0,
+            area,
+            friction: frame.friction[key[0] as usize],
+            key: (kind, key),
+        });
+    }
+    distance
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_barrier_starts_without_a_kink_and_its_derivatives_agree() {
+        let gap = 1e-3;
+        for d in [1e-5, 2e-4, 5e-4, 9e-4] {
+            let h = 1e-9;
+            let (low, high) = (barrier(d - h, gap), barrier(d + h, gap));
+            let (_, slope, bow) = barrier(d, gap);
+            assert!(((high.0 - low.0) / (2.0 * h) / slope - 1.0).abs() < 1e-4, "{d}");
+            assert!(((high.1 - low.1) / (2.0 * h) / bow - 1.0).abs() < 1e-4, "{d}");
+            assert!(slope < 0.0 && bow > 0.0);
+        }
+        let (b, slope, bow) = barrier(gap, gap);
+        assert_eq!((b, slope, bow), (0.0, 0.0, 0.0));
+    }
+}

@@ -1,0 +1,171 @@
+//! A symmetric block matrix: the lower triangle by columns, one 3 × 3 block per pair of coupled vertices.
+
+use crate::Vec3;
+use nalgebra::Matrix3;
+
+/// Not an unknown.
+pub(crate) const FIXED: u32 = u32::MAX;
+
+/// Which pairs of unknowns are coupled: the rows of each column, the diagonal first, ascending.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Pattern {
+    pub start: Vec<u32>,
+    pub rows: Vec<u32>,
+}
+
+impl Pattern {
+    /// The pattern of `n` unknowns whose couplings are `pairs` (row > column, in any order).
+    pub fn new(n: usize, mut pairs: Vec<[u32; 2]>) -> Self {
+        pairs.sort_unstable();
+        pairs.dedup();
+        let mut start = Vec::with_capacity(n + 1);
+        let mut rows = Vec::with_capacity(pairs.len() + n);
+        let mut next = pairs.iter().peekable();
+        for column in 0u32.. {
+            start.push(u32::try_from(rows.len()).unwrap_or(u32::MAX));
+            if column as usize == n {
+                break;
+            }
+            rows.push(column);
+            while let Some(p) = next.next_if(|p| p[0] == column) {
+                rows.push(p[1]);
+            }
+        }
+        Self { start, rows }
+    }
+
+    pub fn unknowns(&self) -> usize {
+        self.start.len().saturating_sub(1)
+    }
+
+    /// Place of a block.
+    #[inline]
+    pub fn find(&self, column: u32, row: u32) -> Option<usize> {
+        let a = self.start[column as usize] as usize;
+        let b = self.start[column as usize + 1] as usize;
+        self.rows[a..b].binary_search(&row).ok().map(|k| a + k)
+    }
+}
+
+/// Values on a pattern, addressed by vertex; vertices that are no unknowns are skipped.
+#[derive(Clone, Debug)]
+pub(crate) struct Hessian {
+    /// Unknown of every vertex, or [`FIXED`].
+    pub unknown: Vec<u32>,
+    pub pattern: Pattern,
+    pub values: Vec<Matrix3<f64>>,
+    /// Blocks outside the pattern (contacts): (column, row, block).
+    pub extra: Vec<(u32, u32, Matrix3<f64>)>,
+}
+
+impl Hessian {
+    /// Zero, over cliques of vertices that are coupled.
+    pub fn new(unknown: Vec<u32>, n: usize, pairs: impl Iterator<Item = [u32; 2]>) -> Self {
+        let known = pairs.filter_map(|p| {
+            let [a, b] = p.map(|v| unknown[v as usize]);
+            (a != FIXED && b != FIXED && a != b).then(|| [a.min(b), a.max(b)])
+        });
+        let pattern = Pattern::new(n, known.collect());
+        let values = vec![Matrix3::zeros(); pattern.rows.len()];
+        Self { unknown, pattern, values, extra: Vec::new() }
+    }
+
+    /// Adds a block for (vertex `i`, vertex `j`), i ≠ j; the mirrored block follows from symmetry.
+    #[inline]
+    pub fn couple(&mut self, i: u32, j: u32, block: &Matrix3<f64>) {
+        let (a, b) = (self.unknown[i as usize], self.unknown[j as usize]);
+        if a == FIXED || b == FIXED {
+            return;
+        }
+        if a == b {
+            self.values[self.pattern.start[a as usize] as usize] += block + block.transpose();
+            return;
+        }
+        // Stored as block(row, column), row > column.
+        let (column, row, m) = if a > b { (b, a, *block) } else { (a, b, block.transpose()) };
+        match self.pattern.find(column, row) {
+            Some(k) => self.values[k] += m,
+            None => self.extra.push((column, row, m)),
+        }
+    }
+
+    /// Adds to the diagonal block of a vertex.
+    #[inline]
+    pub fn add(&mut self, i: u32, block: &Matrix3<f64>) {
+        let a = self.unknown[i as usize];
+        if a != FIXED {
+            self.values[self.pattern.start[a as usize] as usize] += block;
+        }
+    }
+
+    /// Adds `k (w ⊗ w) ⊗ block` over some vertices.
+    #[inline]
+    pub fn spread(&mut self, vertices: &[u32], weights: &[f64], block: &Matrix3<f64>) {
+        for i in 0..vertices.len() {
+            if weights[i] == 0.0 {
+                continue;
+            }
+            self.add(vertices[i], &(block * (weights[i] * weights[i])));
+            for j in 0..i {
+                if weights[j] != 0.0 {
+                    self.couple(vertices[i], vertices[j], &(block * (weights[i] * weights[j])));
+                }
+            }
+        }
+    }
+
+    /// Starts anew from given values.
+    pub fn reset(&mut self, values: &[Matrix3<f64>]) {
+        self.values.copy_from_slice(values);
+        self.extra.clear();
+    }
+
+    /// The extra blocks worked into pattern and values; ordered sums, so the same for every run.
+    pub fn merged(&mut self) -> (Pattern, Vec<Matrix3<f64>>) {
+        if self.extra.is_empty() {
+            return (self.pattern.clone(), self.values.clone());
+        }
+        self.extra.sort_by_key(|e| (e.0, e.1));
+        let n = self.pattern.unknowns();
+        let mut start = Vec::with_capacity(n + 1);
+        let mut rows = Vec::with_capacity(self.pattern.rows.len() + self.extra.len());
+        let mut values = Vec::with_capacity(rows.capacity());
+        let mut next = self.extra.iter().peekable();
+        for column in 0..n {
+            start.push(u32::try_from(rows.len()).unwrap_or(u32::MAX));
+            let mine = self.pattern.start[column] as usize..self.pattern.start[column + 1] as usize;
+            for k in mine {
+                while let Some(e) = next.next_if(|e| e.0 as usize == column && e.1 < self.pattern.rows[k]) {
+                    push(&mut rows, &mut values, start[column], e);
+                }
+                rows.push(self.pattern.rows[k]);
+                values.push(self.values[k]);
+            }
+            while let Some(e) = next.next_if(|e| e.0 as usize == column) {
+                push(&mut rows, &mut values, start[column], e);
+            }
+        }
+        start.push(u32::try_from(rows.len()).unwrap_or(u32::MAX));
+        (Pattern { start, rows }, values)
+    }
+}
+
+fn push(rows: &mut Vec<u32>, values: &mut Vec<Matrix3<f64>>, first: u32, e: &(u32, u32, Matrix3<f64>)) {
+    if rows.len() > first as usize && rows.last() == Some(&e.1) {
+        if let Some(v) = values.last_mut() {
+            *v += e.2;
+        }
+    } else {
+        rows.push(e.1);
+        values.push(e.2);
+    }
+}
+
+/// The unknowns' part of a field over all vertices.
+pub(crate) fn gather(unknown: &[u32], field: &[Vec3], out: &mut [Vec3]) {
+    for (u, v) in unknown.iter().zip(field) {
+        if *u != FIXED {
+            out[*u as usize] = *v;
+        }
+    }
+}

@@ -1,0 +1,4 @@
+//! Sparse symmetric systems of 3 × 3 blocks, one per pair of neighbouring vertices, and their Cholesky factors.
+
+pub(crate) mod factor;
+pub(crate) mod hessian;

@@ -1,0 +1,44 @@
+//! A scene checked, and a start that is free of crossings.
+
+use crate::collide::body::Body;
+use crate::collide::repair;
+use crate::topology::Topology;
+use crate::{ClothError, Scene, Settings, Switch, Vec3, validate};
+
+/// What every run begins with.
+pub(crate) struct Start {
+    pub topology: Topology,
+    /// Positions freed of the body and of the cloth itself, where these effects are on.
+    pub positions: Vec<Vec3>,
+    pub body: Option<Body>,
+    /// Does cloth meet cloth?
+    pub own: bool,
+    /// Vertices moved, and the largest move, m.
+    pub repaired: (usize, f64),
+}
+
+impl Start {
+    /// Checks and repairs.
+    pub fn new(scene: &Scene, s: &Settings) -> Result<Self, ClothError> {
+        validate::scene(scene)?;
+        validate::settings(s)?;
+        let topology = Topology::of_elements(scene.positions.len(), &scene.triangles);
+        let mut positions = scene.positions.clone();
+        let body = scene.body.as_ref().filter(|_| s.effects.body_contact != Switch::Off).and_then(Body::new);
+        let own = s.effects.self_contact != Switch::Off;
+        let mut repaired = (0, 0.0);
+        let mut held = vec![false; positions.len()];
+        scene.pins.iter().for_each(|p| held[p.vertex as usize] = true);
+        if own {
+            repaired = repair::free_of_itself(&mut positions, &topology, &held)?;
+        }
+        if let Some(b) = &body {
+            let freed = repair::free_of_body(&mut positions, &topology, b, s.body_gap, s.repair_share)?;
+            if own && freed.0 > 0 {
+                repair::free_of_itself(&mut positions, &topology, &held)?;
+            }
+            repaired = (repaired.0.max(freed.0), f64::max(repaired.1, freed.1));
+        }
+        Ok(Self { topology, positions, body, own, repaired })
+    }
+}

@@ -1,0 +1,144 @@
+//! The energy that a descent lowers: cloth, weight, contact, friction of the last refresh, sewing threads.
+
+use super::seams::Seams;
+use crate::collide::barrier::Barrier;
+use crate::collide::stick::Stick;
+use crate::energy::Energy;
+use crate::linear::hessian::{FIXED, Hessian};
+use crate::problem::{frame, masses, model};
+use crate::start::Start;
+use crate::{Scene, Settings, Switch, Vec3};
+use nalgebra::Matrix3;
+
+pub(crate) struct Objective {
+    pub energies: Vec<Box<dyn Energy>>,
+    pub barrier: Option<Barrier>,
+    pub stick: Option<Stick>,
+    pub seams: Option<Seams>,
+    /// kg, per vertex.
+    pub mass: Vec<f64>,
+    /// Unknown of every vertex.
+    pub unknown: Vec<u32>,
+    /// kg, per unknown.
+    pub inertia: Vec<f64>,
+    pub hessian: Hessian,
+    /// Second derivatives of what is quadratic.
+    constant: Vec<Matrix3<f64>>,
+    pub pins: Vec<(u32, Vec3)>,
+    /// m, mean rest length of an edge.
+    pub edge: f64,
+    force: Vec<Vec3>,
+}
+
+impl Objective {
+    pub fn new(scene: &Scene, s: &Settings, start: Start, pulls: bool) -> (Self, Vec<Vec3>) {
+        let Start { topology, positions, body, own, .. } = start;
+        let mass = masses(scene);
+        let energies = model(scene, s, &topology, &mass);
+        let seams = Some(Seams::new(scene)).filter(|t| pulls && !t.is_empty());
+        let mut pins: Vec<(u32, Vec3)> = scene.pins.iter().map(|p| (p.vertex, p.at)).collect();
+        pins.sort_by_key(|p| p.0);
+        pins.dedup_by_key(|p| p.0);
+        let (unknown, n) = number(&mass, &pins);
+        let mut pairs = Vec::new();
+        energies.iter().for_each(|e| e.add_pairs(&mut pairs));
+        seams.iter().for_each(|t| t.add_pairs(&mut pairs));
+        let mut hessian = Hessian::new(unknown.clone(), n, pairs.into_iter());
+        energies.iter().filter(|e| e.quadratic()).for_each(|e| e.add_hessian(&positions, true, &mut hessian));
+        let mut inertia = vec![0.0; n];
+        unknown.iter().zip(&mass).filter(|(u, _)| **u != FIXED).for_each(|(u, m)| inertia[*u as usize] = *m);
+        let frame = frame(scene, s, topology, &mass, body.is_some(), own);
+        let edge = frame.edge;
+        let stick = (s.effects.friction != Switch::Off
+            && (own || body.is_some())
+            && frame.friction.iter().any(|m| *m > 0.0))
+        .then(Stick::default);
+        let area = areas(scene);
+        let barrier = (own || body.is_some()).then(|| Barrier::new(&positions, frame, body, area));
+        let constant = hessian.values.clone();
+        let force = vec![Vec3::zeros(); positions.len()];
+        (
+            Self { energies, barrier, stick, seams, mass, unknown, inertia, hessian, constant, pins, edge, force },
+            positions,
+        )
+    }
+
+    /// Energy at `x`, J; `f` becomes the forces on the unknowns.
+    pub fn evaluate(&mut self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
+        let all = &mut self.force;
+        all.fill(Vec3::zeros());
+        let mut energy = 0.0;
+        for e in &self.energies {
+            e.add_forces(x, all);
+            energy += e.energy(x);
+        }
+        if let Some(s) = &self.seams {
+            energy += s.evaluate(x, all);
+        }
+        if let Some(b) = &mut self.barrier {
+            energy += b.evaluate(x, all);
+        }
+        if let Some(s) = &self.stick {
+            energy += s.evaluate(x, all);
+        }
+        crate::linear::hessian::gather(&self.unknown, all, f);
+        energy
+    }
+
+    /// Forces of the last evaluation on all vertices.
+    pub fn forces(&self) -> &[Vec3] {
+        &self.force
+    }
+
+    /// Second derivatives at `x`, which must be where the last evaluation was.
+    pub fn assemble(&mut self, x: &[Vec3], convex: bool) {
+        self.hessian.reset(&self.constant);
+        for e in self.energies.iter().filter(|e| !e.quadratic()) {
+            e.add_hessian(x, convex, &mut self.hessian);
+        }
+        if let Some(s) = &self.seams {
+            s.add_hessian(x, &mut self.hessian);
+        }
+        if let Some(b) = &self.barrier {
+            b.add_hessian(&mut self.hessian);
+        }
+        if let Some(s) = &self.stick {
+            s.add_hessian(x, &mut self.hessian);
+        }
+    }
+
+    /// J.
+    pub fn elastic(&self, x: &[Vec3]) -> f64 {
+        self.energies.iter().filter(|e| e.elastic()).map(|e| e.energy(x)).sum()
+    }
+
+    /// N.
+    pub fn mean_weight(&self, gravity: f64) -> f64 {
+        let (sum, n) = self.mass.iter().filter(|m| **m > 0.0).fold((0.0, 0.0), |(s, n), m| (s + m, n + 1.0));
+        if n > 0.0 { sum / n * if gravity > 0.0 { gravity } else { 9.81 } } else { 0.0 }
+    }
+}
+
+/// Unknowns: all vertices with mass that are not held.
+fn number(mass: &[f64], pins: &[(u32, Vec3)]) -> (Vec<u32>, usize) {
+    let mut unknown = vec![FIXED; mass.len()];
+    let mut n = 0;
+    let mut held = pins.iter().map(|p| p.0).peekable();
+    for (v, u) in (0u32..).zip(&mut unknown) {
+        if held.next_if_eq(&v).is_none() && mass[v as usize] > 0.0 {
+            *u = n;
+            n += 1;
+        }
+    }
+    (unknown, n as usize)
+}
+
+fn areas(scene: &Scene) -> Vec<f64> {
+    let mut area = vec![0.0; scene.positions.len()];
+    for t in &scene.triangles {
+        for v in t.vertices {
+            area[v as usize] += t.area().abs() / 3.0;
+        }
+    }
+    area
+}
