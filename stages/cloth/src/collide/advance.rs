@@ -78,46 +78,37 @@ impl Pair {
 }
 
 impl Barrier {
-    /// Holds single vertices back where their pairs would come too near; the distances of the last evaluation must be
-    /// those at `x`, and the lists must cover the step. Returns whether any was; then the step is another one, which
-    /// the lists need not cover.
-    pub fn hold_back(&mut self, x: &[Vec3], step: &mut [Vec3]) -> bool {
-        let mut scale = vec![1.0; x.len()];
-        let mut any = false;
+    /// The part of `step` that may be taken; the distances of the last evaluation must be those at `x`, and the lists
+    /// must cover the step.
+    pub fn free_part(&self, x: &[Vec3], step: &[Vec3]) -> f64 {
+        let mut whole: f64 = 1.0;
+        self.each(x, step, |_, _, part| whole = whole.min(SAFE * part));
+        whole
+    }
+
+    /// Holds single vertices back where their pairs would come too near. The step is another one then, which the lists
+    /// need not cover.
+    pub fn hold_back(&self, x: &[Vec3], step: &mut [Vec3]) {
         for _ in 0..ROUNDS {
-            let mut found: Vec<([u32; 4], usize, f64)> = Vec::new();
-            self.each(x, step, &scale, |vertices, cloth, part| found.push((vertices, cloth, part)));
-            if found.is_empty() {
-                break;
-            }
-            any = true;
-            for (vertices, cloth, part) in found {
+            let mut scale = vec![1.0; x.len()];
+            let mut any = false;
+            self.each(x, step, |vertices, cloth, part| {
+                any = true;
                 for v in &vertices[..cloth] {
                     let s: &mut f64 = &mut scale[*v as usize];
-                    *s = s.min(SAFE * part * *s);
+                    *s = s.min(SAFE * part);
                 }
+            });
+            if !any {
+                break;
             }
-        }
-        if any {
-            self.tally.limited += 1;
             step.iter_mut().zip(&scale).for_each(|(d, s)| *d *= *s);
         }
-        any
     }
 
-    /// Shortens the whole step until no pair comes too near.
-    pub fn shorten(&mut self, x: &[Vec3], step: &mut [Vec3]) {
-        let mut whole: f64 = 1.0;
-        let scale = vec![1.0; x.len()];
-        self.each(x, step, &scale, |_, _, part| whole = whole.min(SAFE * part));
-        if whole < 1.0 {
-            step.iter_mut().for_each(|d| *d *= whole);
-        }
-    }
-
-    /// Calls `hit` for every pair that the scaled step brings too near.
-    fn each(&self, x: &[Vec3], step: &[Vec3], scale: &[f64], mut hit: impl FnMut([u32; 4], usize, f64)) {
-        let moved = |v: u32| step[v as usize] * scale[v as usize];
+    /// Calls `hit` for every pair that the step brings too near.
+    fn each(&self, x: &[Vec3], step: &[Vec3], mut hit: impl FnMut([u32; 4], usize, f64)) {
+        let moved = |v: u32| step[v as usize];
         let zero = Vec3::zeros();
         let mut test = |kind: u8, vertices: [u32; 4], cloth: usize, at: [Vec3; 4], by: [Vec3; 4], distance: f64| {
             let mut pair = Pair { at, by, kind };

@@ -18,6 +18,8 @@ const TAU_LEAST: f64 = 1e-8;
 const TAU_MOST: f64 = 1e4;
 /// Rounds in which single vertices are held back before the whole step is shortened.
 const HOLD_ROUNDS: usize = 3;
+/// Part of a step below which single vertices are held back instead of all.
+const HOLD_UNDER: f64 = 0.1;
 /// Longest step of a vertex over the mean edge.
 const LONGEST: f64 = 1.0;
 
@@ -100,6 +102,16 @@ impl<'a> Descent<'a> {
             if self.factor.factorise(&pattern, &values, &shift) {
                 return true;
             }
+            if std::env::var_os("TOILE_TRACE").is_some() {
+                #[allow(clippy::print_stderr)]
+                {
+                    let most = values.iter().map(|m| m.amax()).fold(0.0, f64::max);
+                    let finite = values.iter().all(|m| m.iter().all(|c| c.is_finite()));
+                    let touch = self.goal.barrier.as_ref().map_or(0.0, |b| b.touches.iter().map(|t| t.slope).fold(0.0, f64::max));
+                    let near = self.goal.barrier.as_ref().map_or(0.0, |b| b.touches.iter().map(|t| t.distance).fold(1.0, f64::min));
+                    eprintln!("factor failed tau {:.1e}: largest {most:.2e}, finite {finite}, touch {touch:.2e}, nearest {near:.2e}, elastic {:.2e}", self.tau, self.goal.elastic(&self.x));
+                }
+            }
             self.tau *= 0.1;
             if self.tau < TAU_LEAST {
                 return false;
@@ -161,11 +173,17 @@ impl<'a> Descent<'a> {
                 self.evaluate();
             }
             let Some(barrier) = &mut self.goal.barrier else { return };
-            if round == HOLD_ROUNDS {
-                barrier.shorten(&self.x, step);
-            } else if !barrier.hold_back(&self.x, step) {
+            // A shorter step along the same direction is still a good one; only where a few vertices would stop all
+            // others are they held back alone.
+            let part = barrier.free_part(&self.x, step);
+            if part >= HOLD_UNDER || round == HOLD_ROUNDS {
+                if part < 1.0 {
+                    barrier.tally.limited += 1;
+                    step.iter_mut().for_each(|d| *d *= part);
+                }
                 return;
             }
+            barrier.hold_back(&self.x, step);
         }
     }
 
@@ -252,7 +270,8 @@ impl<'a> Descent<'a> {
         } else if b.mean > 0.8 {
             self.tau = (self.tau * 4.0).min(TAU_MOST);
         } else if b.mean < 0.4 {
-            self.tau = (self.tau * 0.4).max(TAU_LEAST);
+            let less = if b.steps == 1 { 0.15 } else { 0.4 };
+            self.tau = (self.tau * less).max(TAU_LEAST);
         }
     }
 
@@ -327,11 +346,17 @@ pub(crate) fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -
 
 /// Pull of the threads at first, per length of seam, N/m, and at most.
 const PULL_FIRST: f64 = 1.0;
-const PULL_MOST: f64 = 5000.0;
+const PULL_MOST: f64 = 300.0;
 /// Distance to the body at first, over the mean edge.
 const WIDE: f64 = 0.6;
-/// Gap of a sewn pair in the end, m.
-const SEWN: f64 = 2e-5;
+/// Gap over the mean edge at which the full pull acts while the pieces come together.
+const REACH: f64 = 0.5;
+/// Energy won in a block over the elastic energy at which a sewn state is good enough to drape.
+const SEWN: f64 = 0.2;
+/// Widest gap over the mean edge from which the threads are drawn tight.
+const NEAR: f64 = 0.1;
+/// Pull at the sewing distance in the end, N/m.
+const PULL_SEWN: f64 = 1e4;
 
 /// Closes the stitches: the threads pull harder from block to block, until all pairs are closed and the cloth rests.
 pub(crate) fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
@@ -369,15 +394,22 @@ impl Descent<'_> {
         let gaps = self.goal.barrier.as_ref().map_or_else(Vec::new, |b| b.frame.body_gap.clone());
         let mut wide = WIDE * self.goal.edge;
         self.stand_off(&gaps, wide);
-        self.pull(force, distance);
+        let reach = REACH * self.goal.edge;
+        self.pull(force, reach);
         let mut patience = 0;
         loop {
+            self.lead();
             if !self.refresh() {
                 let what = "no descent direction: the stiffness matrix cannot be factorised".into();
                 return Err(ClothError::Unstable { step: self.steps, what });
             }
             self.look();
             let before = self.goal.seams.as_ref().map_or(0.0, |s| s.widest(&self.x));
+            if before < wide {
+                // Nearly closed: the body's distance shrinks with the gaps.
+                wide = (0.5 * wide).max(before.min(wide));
+                self.stand_off(&gaps, wide);
+            }
             if std::env::var_os("TOILE_TRACE").is_some() {
                 #[allow(clippy::print_stderr)]
                 {
@@ -385,10 +417,16 @@ impl Descent<'_> {
                     self.goal.barrier.as_ref().map_or(0, |b| b.tally.limited));
                 }
             }
-            if before <= distance {
+            if before <= NEAR * self.goal.edge {
                 break;
             }
             let b = self.block();
+            if std::env::var_os("TOILE_TRACE").is_some() {
+                #[allow(clippy::print_stderr)]
+                {
+                eprintln!("   {b:?}");
+                }
+            }
             self.adapt(b);
             self.tau = self.tau.min(1.0);
             let after = self.goal.seams.as_ref().map_or(0.0, |s| s.widest(&self.x));
@@ -397,21 +435,22 @@ impl Descent<'_> {
             }
             watch.progress(self.steps, &format!("widest seam {:.1} mm open", after * 1e3));
             // Pull harder when the gaps no longer shrink by themselves.
-            if after > 0.98 * before {
+            if after > 0.95 * before && b.steps > 3 && b.mean > 0.3 {
                 patience += 1;
                 if force >= PULL_MOST && patience > 30 {
                     return Ok(StopReason::SeamsOpen);
                 }
                 if force < PULL_MOST {
                     force *= 1.6;
-                    self.pull(force, distance);
+                    self.pull(force, reach);
                 }
             }
         }
-        self.pull(force.max(100.0), SEWN.min(distance));
-        let most = self.steps + 400;
+        self.pull(PULL_SEWN, distance);
+        let most = self.steps + 200;
         let mut last = self.energy;
         loop {
+            self.lead();
             if !self.refresh() {
                 break;
             }
@@ -438,7 +477,8 @@ impl Descent<'_> {
             let won = last - self.energy;
             last = self.energy;
             let closed = self.goal.seams.as_ref().map_or(0.0, |s| s.widest(&self.x)) <= 0.1 * distance;
-            if closed && won <= self.settings.energy_tolerance * self.goal.elastic(&self.x) || self.steps > most {
+            // The drape goes on from here: no need to rest.
+            if closed && won <= SEWN * self.goal.elastic(&self.x) || self.steps > most {
                 break;
             }
         }

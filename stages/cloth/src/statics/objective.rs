@@ -35,10 +35,14 @@ impl Objective {
         let Start { topology, positions, body, own, .. } = start;
         let mass = masses(scene);
         let energies = model(scene, s, &topology, &mass);
-        let seams = Some(Seams::new(scene)).filter(|t| pulls && !t.is_empty());
         let mut pins: Vec<(u32, Vec3)> = scene.pins.iter().map(|p| (p.vertex, p.at)).collect();
         pins.sort_by_key(|p| p.0);
         pins.dedup_by_key(|p| p.0);
+        // In sewing, what will be held is drawn there by threads, so that the cloth around it comes along.
+        let apart = |p: &(u32, Vec3)| (p.1 - positions[p.0 as usize]).norm() > 1e-6;
+        let drawn: Vec<(u32, Vec3)> = pins.iter().copied().filter(|p| pulls && apart(p)).collect();
+        pins.retain(|p| !pulls || !apart(p));
+        let seams = pulls.then(|| Seams::new(scene, &drawn)).filter(|t| !t.is_empty());
         let (unknown, n) = number(&mass, &pins);
         let mut pairs = Vec::new();
         energies.iter().for_each(|e| e.add_pairs(&mut pairs));

@@ -5,10 +5,29 @@ use crate::linear::hessian::Hessian;
 use crate::{Scene, Vec3};
 use nalgebra::Matrix3;
 
+/// Where a thread leads to.
+#[derive(Clone, Copy)]
+enum End {
+    Vertex(u32),
+    Place(Vec3),
+}
+
 struct Thread {
-    ends: [u32; 2],
+    vertex: u32,
+    to: End,
     /// Length of seam it stands for, m.
     length: f64,
+}
+
+impl Thread {
+    #[inline]
+    fn gap(&self, x: &[Vec3]) -> Vec3 {
+        let end = match self.to {
+            End::Vertex(v) => x[v as usize],
+            End::Place(p) => p,
+        };
+        end - x[self.vertex as usize]
+    }
 }
 
 pub(crate) struct Seams {
@@ -20,11 +39,13 @@ pub(crate) struct Seams {
 }
 
 impl Seams {
-    pub fn new(scene: &Scene) -> Self {
+    /// Threads of all stitches, and of `drawn` vertices to the places where they will be held.
+    pub fn new(scene: &Scene, drawn: &[(u32, Vec3)]) -> Self {
         let edge: f64 = scene.triangles.iter().map(|t| (0..3).map(|k| t.rest_length(k)).sum::<f64>()).sum::<f64>()
             / (3.0 * scene.triangles.len().max(1) as f64);
-        let threads =
-            scene.stitches.iter().filter(|s| s[0] != s[1]).map(|s| Thread { ends: *s, length: edge }).collect();
+        let sewn = scene.stitches.iter().filter(|s| s[0] != s[1]).map(|s| (s[0], End::Vertex(s[1])));
+        let held = drawn.iter().map(|(v, at)| (*v, End::Place(*at)));
+        let threads = sewn.chain(held).map(|(vertex, to)| Thread { vertex, to, length: edge }).collect();
         Self { threads, force: 0.0, reach: 1e-3 }
     }
 
@@ -33,15 +54,18 @@ impl Seams {
     }
 
     pub fn add_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
-        pairs.extend(self.threads.iter().map(|t| t.ends));
+        for t in &self.threads {
+            if let End::Vertex(v) = t.to {
+                pairs.push([t.vertex, v]);
+            }
+        }
     }
 
     /// Energy, J; adds the forces.
     pub fn evaluate(&self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
         let mut energy = 0.0;
         for t in &self.threads {
-            let [a, b] = t.ends.map(|v| v as usize);
-            let d = x[b] - x[a];
+            let d = t.gap(x);
             let (l, most) = (d.norm(), self.force * t.length);
             let pull = if l <= self.reach {
                 energy += 0.5 * most / self.reach * l * l;
@@ -50,8 +74,10 @@ impl Seams {
                 energy += most * (l - 0.5 * self.reach);
                 d * (most / l)
             };
-            f[a] += pull;
-            f[b] -= pull;
+            f[t.vertex as usize] += pull;
+            if let End::Vertex(v) = t.to {
+                f[v as usize] -= pull;
+            }
         }
         energy
     }
@@ -59,20 +85,22 @@ impl Seams {
     /// Adds second derivatives.
     pub fn add_hessian(&self, x: &[Vec3], h: &mut Hessian) {
         for t in &self.threads {
-            let [a, b] = t.ends.map(|v| v as usize);
-            let d = x[b] - x[a];
+            let d = t.gap(x);
             let (l, most) = (d.norm(), self.force * t.length);
             let block = if l <= self.reach {
                 Matrix3::identity() * (most / self.reach)
             } else {
                 (Matrix3::identity() - d * d.transpose() / (l * l)) * (most / l)
             };
-            h.spread(&t.ends, &[1.0, -1.0], &block);
+            match t.to {
+                End::Vertex(v) => h.spread(&[t.vertex, v], &[1.0, -1.0], &block),
+                End::Place(_) => h.add(t.vertex, &block),
+            }
         }
     }
 
     /// Largest gap, m.
     pub fn widest(&self, x: &[Vec3]) -> f64 {
-        self.threads.iter().map(|t| (x[t.ends[0] as usize] - x[t.ends[1] as usize]).norm()).fold(0.0, f64::max)
+        self.threads.iter().map(|t| t.gap(x).norm()).fold(0.0, f64::max)
     }
 }
