@@ -32,7 +32,11 @@ const MOST_DAMPING: f64 = 100.0;
 /// An unusable scene or setting, a start that crosses, instability, or a stop on request.
 pub fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     match settings.integrator {
-        Integrator::Static => statics::sew(scene, settings, watch),
+        // Where pieces are in each other's way only motion in time finds the way round.
+        Integrator::Static => match statics::sew(scene, settings, watch)? {
+            Some(outcome) => Ok(outcome),
+            None => run(scene, &Settings { integrator: Integrator::CentralDifference, ..settings.clone() }, true, watch),
+        },
         Integrator::CentralDifference => run(scene, settings, true, watch),
     }
 }

@@ -7,6 +7,8 @@ use crate::Vec3;
 
 /// Share of its distance that a pair keeps in a step.
 const KEEP: f64 = 0.2;
+/// Nearer than this a pair comes only slowly, m: far above rounding, also to `f32`.
+const NEAREST: f64 = 2e-5;
 /// Share of a found time of impact that is used.
 const SAFE: f64 = 0.9;
 /// Rounds in which single vertices are held back before the whole step is shortened.
@@ -54,7 +56,7 @@ impl Pair {
     /// Largest part (at most 1) of the displacement that keeps [`KEEP`] of the distance.
     fn free_part(&mut self, distance: f64) -> f64 {
         let pace = self.pace();
-        let least = KEEP * distance;
+        let least = (KEEP * distance).max(NEAREST.min(0.8 * distance));
         if pace <= distance - least {
             return 1.0;
         }
@@ -126,21 +128,21 @@ impl Barrier {
         let Some(body) = &self.body else { return };
         for (&[v, g], l) in self.near.body_points.iter().zip(&self.distances[usize::from(BODY_POINT)]) {
             let d = moved(v);
-            if d.norm() > (1.0 - KEEP) * l {
+            if d.norm() > 0.2 * l {
                 let [a, b, c] = body.triangle(g);
                 test(BODY_POINT, [v; 4], 1, [x[v as usize], a, b, c], [d, zero, zero, zero], *l);
             }
         }
         for (&[a, b, p, q], l) in self.near.body_edges.iter().zip(&self.distances[usize::from(BODY_EDGE)]) {
             let (da, db) = (moved(a), moved(b));
-            if da.norm().max(db.norm()) > (1.0 - KEEP) * l {
+            if da.norm().max(db.norm()) > 0.2 * l {
                 let at = [x[a as usize], x[b as usize], body.positions[p as usize], body.positions[q as usize]];
                 test(BODY_EDGE, [a, b, a, a], 2, at, [da, db, zero, zero], *l);
             }
         }
         for (&[a, b, c, w], l) in self.near.body_faces.iter().zip(&self.distances[usize::from(BODY_FACE)]) {
             let d = [a, b, c].map(moved);
-            if d.iter().any(|d| d.norm() > (1.0 - KEEP) * l) {
+            if d.iter().any(|d| d.norm() > 0.2 * l) {
                 let [p, q, r] = crate::pick3(x, &[a, b, c]);
                 let at = [p, q, r, body.positions[w as usize]];
                 test(BODY_FACE, [a, b, c, a], 3, at, [d[0], d[1], d[2], zero], *l);

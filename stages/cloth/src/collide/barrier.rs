@@ -16,6 +16,8 @@ use crate::linear::hessian::Hessian;
 const EDGE_SHARE: f64 = 0.5;
 /// N/m³: a gap of 1 mm is half closed by 240 Pa.
 const STIFFNESS: f64 = 2e5;
+/// Largest stiffness of a contact in the metric, N/m: beyond it single precision loses the cloth behind it.
+const STEEPEST: f64 = 1e5;
 /// Slack of the lists over the mean edge: small enough that neighbours of neighbours stay out.
 const LEAST_SLACK: f64 = 0.02;
 const MOST_SLACK: f64 = 0.1;
@@ -225,7 +227,8 @@ impl Barrier {
     /// contacts, and is negative).
     pub fn add_hessian(&self, h: &mut Hessian) {
         for t in &self.touches {
-            h.spread(&t.vertices, &t.weights, &(t.normal * t.normal.transpose() * t.slope));
+            let slope = t.slope.min(STEEPEST);
+            h.spread(&t.vertices, &t.weights, &(t.normal * t.normal.transpose() * slope));
         }
     }
 }

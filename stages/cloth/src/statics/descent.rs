@@ -347,6 +347,8 @@ pub(crate) fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -
 /// Pull of the threads at first, per length of seam, N/m, and at most.
 const PULL_FIRST: f64 = 1.0;
 const PULL_MOST: f64 = 300.0;
+/// Blocks without much progress after which something must be in the way.
+const PATIENCE: u32 = 40;
 /// Distance to the body at first, over the mean edge.
 const WIDE: f64 = 0.6;
 /// Gap over the mean edge at which the full pull acts while the pieces come together.
@@ -358,16 +360,14 @@ const NEAR: f64 = 0.1;
 /// Pull at the sewing distance in the end, N/m.
 const PULL_SEWN: f64 = 1e4;
 
-/// Closes the stitches: the threads pull harder from block to block, until all pairs are closed and the cloth rests.
-pub(crate) fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
+/// Closes the stitches: the threads pull harder from block to block, until all pairs are closed. `None` where something
+/// stays in the way.
+pub(crate) fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
     let start = Start::new(scene, settings)?;
     let repaired = start.repaired;
     let mut descent = Descent::new(scene, settings, start, true);
-    let mut reason = StopReason::Settled;
-    if descent.goal.seams.is_some() {
-        reason = descent.close(watch)?;
-    }
-    Ok(report::outcome(descent, scene, reason, repaired))
+    let closed = descent.goal.seams.is_none() || descent.close(watch)?;
+    Ok(closed.then(|| report::outcome(descent, scene, StopReason::Settled, repaired)))
 }
 
 impl Descent<'_> {
@@ -389,7 +389,8 @@ impl Descent<'_> {
         self.evaluate();
     }
 
-    fn close(&mut self, watch: &mut dyn Watch) -> Result<StopReason, ClothError> {
+    /// Is everything closed?
+    fn close(&mut self, watch: &mut dyn Watch) -> Result<bool, ClothError> {
         let (mut force, distance) = (PULL_FIRST, self.settings.sewing_distance);
         let gaps = self.goal.barrier.as_ref().map_or_else(Vec::new, |b| b.frame.body_gap.clone());
         let mut wide = WIDE * self.goal.edge;
@@ -425,6 +426,14 @@ impl Descent<'_> {
                 #[allow(clippy::print_stderr)]
                 {
                 eprintln!("   {b:?}");
+                if let Some(ba) = &self.goal.barrier {
+                    let mut t: Vec<_> = ba.touches.iter().collect();
+                    t.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+                    for t in t.iter().take(3) {
+                        eprintln!("      kind {} d {:.2e} load {:.2e} at {:?} key {:?}", t.key.0, t.distance, t.load, self.x[t.vertices[0] as usize].as_slice(), t.key.1);
+                    }
+                    if let Some(s) = &self.goal.seams { eprintln!("      widest at {:?}", s.widest_at(&self.x)); }
+                }
                 }
             }
             self.adapt(b);
@@ -435,10 +444,12 @@ impl Descent<'_> {
             }
             watch.progress(self.steps, &format!("widest seam {:.1} mm open", after * 1e3));
             // Pull harder when the gaps no longer shrink by themselves.
-            if after > 0.95 * before && b.steps > 3 && b.mean > 0.3 {
+            if after > 0.95 * before {
                 patience += 1;
-                if force >= PULL_MOST && patience > 30 {
-                    return Ok(StopReason::SeamsOpen);
+            }
+            if after > 0.95 * before && b.steps > 3 && b.mean > 0.3 {
+                if patience > PATIENCE {
+                    return Ok(false);
                 }
                 if force < PULL_MOST {
                     force *= 1.6;
@@ -482,7 +493,6 @@ impl Descent<'_> {
                 break;
             }
         }
-        let open = self.goal.seams.as_ref().is_some_and(|s| s.widest(&self.x) > distance);
-        Ok(if open { StopReason::SeamsOpen } else { StopReason::Settled })
+        Ok(self.goal.seams.as_ref().is_none_or(|s| s.widest(&self.x) <= distance))
     }
 }
