@@ -2,7 +2,7 @@
 
 use std::path::Path;
 use std::process::ExitCode;
-use toile_stages::body::{BodyMeasures, SIZES, obj_text, parametric, side_file::side_text};
+use toile_stages::body::{BodyMeasures, SIZES, parametric};
 
 fn main() -> ExitCode {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/bodies");
@@ -28,6 +28,7 @@ fn draw(folder: &Path, label: &str) -> Result<(), String> {
         let path = folder.join(format!("{}.{kind}", body.name));
         std::fs::write(&path, text).map_err(|e| format!("{}: {e}", path.display()))
     };
-    write("obj", obj_text(&body))?;
-    write("toml", side_text(&body))
+    let (mesh, side) = toile_formats::body::write(&body);
+    write("obj", mesh)?;
+    write("toml", side)
 }

@@ -1,6 +1,6 @@
 //! From a file name to a checked chain: what `run`, `check` and `plan` have in common.
 
-use crate::engine::{Gate, Stop, check_paths, clean, read_limited};
+use crate::engine::{Exit, Gate, Stop, check_paths, clean, read_limited};
 use crate::external;
 use crate::pipeline::{self, MAX_BYTES, Pipeline, SourceText};
 use std::collections::BTreeSet;
@@ -24,6 +24,8 @@ pub struct Request {
 
 /// A chain with what was found. It may run only if the report has no error.
 pub struct Loaded<'r> {
+    /// The text of the pipeline file, if it could be read.
+    pub source: Option<SourceText>,
     /// The chain, as far as it could be read.
     pub pipeline: Option<Pipeline<'r>>,
     /// The way to its inputs.
@@ -32,11 +34,29 @@ pub struct Loaded<'r> {
     pub report: Report,
 }
 
-/// Reads the text of a pipeline.
-///
-/// # Errors
-/// When it cannot be read, is too large or is not UTF-8.
-pub fn open(request: &Request) -> Result<SourceText, Vec<Diagnostic>> {
+impl Loaded<'_> {
+    /// Name and text of the pipeline file, to show findings in.
+    #[must_use]
+    pub fn text(&self) -> Option<(&str, &str)> {
+        self.source.as_ref().map(|s| (s.file(), s.text()))
+    }
+
+    /// How the program ends with these findings. A file that is no pipeline at all is a matter of usage.
+    #[must_use]
+    pub fn exit(&self) -> Exit {
+        if self.source.is_none() { Exit::Usage } else { Exit::of_findings(&self.report.findings) }
+    }
+}
+
+/// Opens a pipeline and checks everything that needs no work; all mistakes are in the report.
+pub fn load<'r>(request: &Request, stop: &Arc<Stop>, registry: &'r mut Registry) -> Loaded<'r> {
+    match open(request) {
+        Ok(source) => check(source, request, stop, registry),
+        Err(findings) => Loaded { source: None, pipeline: None, gate: None, report: Report { findings } },
+    }
+}
+
+fn open(request: &Request) -> Result<SourceText, Vec<Diagnostic>> {
     let name = clean(&request.file);
     let at = |d: Diagnostic| vec![d.at(SourceRef::file(name.clone()))];
     if !request.file.is_file() {
@@ -51,11 +71,10 @@ pub fn open(request: &Request) -> Result<SourceText, Vec<Diagnostic>> {
     Ok(SourceText::new(name, text, request.set.clone()))
 }
 
-/// Checks everything that needs no work; all mistakes are in the report.
-pub fn check<'r>(source: &SourceText, request: &Request, stop: &Arc<Stop>, registry: &'r mut Registry) -> Loaded<'r> {
+fn check<'r>(source: SourceText, request: &Request, stop: &Arc<Stop>, registry: &'r mut Registry) -> Loaded<'r> {
     let mut report = Report::default();
-    let Some(document) = pipeline::parse(source, &mut report) else {
-        return Loaded { pipeline: None, gate: None, report };
+    let Some(document) = pipeline::parse(&source, &mut report) else {
+        return Loaded { source: Some(source), pipeline: None, gate: None, report };
     };
     let folder = folder_of(&request.file);
     external::connect(&document, &folder, &request.allow_run, stop, registry, &mut report);
@@ -73,7 +92,7 @@ pub fn check<'r>(source: &SourceText, request: &Request, stop: &Arc<Stop>, regis
         }
     };
     sort_by_place(&mut report);
-    Loaded { pipeline: Some(pipeline), gate, report }
+    Loaded { source: Some(source), pipeline: Some(pipeline), gate, report }
 }
 
 /// The reader meets the mistakes in the order of the file, whatever step found them.

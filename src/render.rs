@@ -28,12 +28,13 @@ pub fn safe(text: &str) -> String {
 #[must_use]
 pub fn findings_text(findings: &[Diagnostic], source: Option<(&str, &str)>) -> String {
     let mut seen: BTreeMap<&str, usize> = BTreeMap::new();
+    let source = source.map(|(file, text)| (file, text.lines().collect::<Vec<_>>()));
     let mut out = String::new();
     for finding in findings {
         let count = seen.entry(&finding.code).or_default();
         *count += 1;
         if finding.severity == Severity::Error || *count <= MAX_PER_CODE {
-            out.push_str(&with_source_line(finding, source));
+            out.push_str(&with_source_line(finding, source.as_ref()));
             out.push('\n');
         }
     }
@@ -48,12 +49,12 @@ pub fn findings_text(findings: &[Diagnostic], source: Option<(&str, &str)>) -> S
 }
 
 /// The finding with the line of the file it points at.
-fn with_source_line(finding: &Diagnostic, source: Option<(&str, &str)>) -> String {
+fn with_source_line(finding: &Diagnostic, source: Option<&(&str, Vec<&str>)>) -> String {
     let text = finding_line(finding);
-    let line = source.and_then(|(file, body)| {
-        let place = finding.source.as_ref().filter(|s| s.file == file)?;
+    let line = source.and_then(|(file, lines)| {
+        let place = finding.source.as_ref().filter(|s| s.file == *file)?;
         let index = usize::try_from(place.line?).ok()?.checked_sub(1)?;
-        let line = body.lines().nth(index).filter(|l| l.len() <= 200)?;
+        let line = lines.get(index).filter(|l| l.len() <= 200)?;
         let column = usize::try_from(place.column?).ok()?.saturating_sub(1);
         Some(format!("\n    | {}\n    | {}^", safe(line), " ".repeat(column.min(line.chars().count()))))
     });

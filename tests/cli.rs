@@ -55,7 +55,7 @@ fn a_plan_runs_nothing() {
     assert_eq!(said.code, 0);
     assert_eq!(
         said.out,
-        "test v1\n  1 test-sheet         gives pieces, mesh\n  2 test-write         leaves the garment as it is\nwrites {out}/a.txt\n"
+        "test v1\n  1 test-sheet         gives pieces, mesh                         not foreseen\n  2 test-write         leaves the garment as it is                not foreseen\nwrites {out}/a.txt\n"
     );
     let json: Value =
         serde_json::from_str(&toile(&["plan", file.to_str().expect("text"), "--json"]).out).expect("JSON");

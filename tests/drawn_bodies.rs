@@ -1,12 +1,13 @@
 //! The committed bodies are what the drawing program draws.
 
-use toile_stages::body::{BodyMeasures, SIZES, obj_text, parametric, side_file::side_text};
+use toile_stages::body::{BodyMeasures, SIZES, parametric};
 
 #[test]
 fn committed_bodies_are_drawn_bit_equal() {
     for (label, _) in SIZES {
         let body = parametric(&BodyMeasures::size(label).unwrap()).unwrap();
-        for (kind, drawn) in [("obj", obj_text(&body)), ("toml", side_text(&body))] {
+        let (mesh, side) = toile_formats::body::write(&body);
+        for (kind, drawn) in [("obj", mesh), ("toml", side)] {
             let path = format!("{}/samples/bodies/size-{label}.{kind}", env!("CARGO_MANIFEST_DIR"));
             let committed = std::fs::read_to_string(&path).unwrap();
             assert!(committed == drawn, "{path} is stale: cargo run --release --example draw_bodies");

@@ -1,4 +1,4 @@
-//! `inspect`, `flatten` and `body` on files as a person has them.
+//! `inspect`, `plan`, `flatten` and `body` on files as a person has them.
 
 mod support;
 use serde_json::Value;
@@ -175,4 +175,50 @@ fn flattens_from_the_glb_alone() {
     let said = toile(&[&"flatten", &glb]);
     assert_eq!((said.code, said.out.as_str()), (3, ""));
     assert!(said.err.starts_with("error[glb-damaged]"), "{}", said.err);
+}
+
+/// Mesh, effects, seconds and memory from the files alone.
+#[test]
+fn a_plan_foresees_mesh_effects_and_cost() {
+    let file = root().join("pipelines/long-skirt/v1.toml");
+    let plan = |more: &[&str]| {
+        let mut arguments: Vec<OsString> = vec!["plan".into(), file.clone().into(), "--json".into()];
+        arguments.extend(more.iter().flat_map(|set| ["--set".into(), OsString::from(set)]));
+        json(&command(arguments))
+    };
+    let usual = plan(&[]);
+    let effects = usual["effects"].as_array().expect("effects").clone();
+    let on: Vec<(&str, bool)> = effects.iter().map(|e| (e["name"].as_str().expect("name"), e["on"] == true)).collect();
+    assert_eq!(on, [("self-contact", true), ("body-contact", true), ("friction", true), ("strain-limit", true)]);
+    assert!(effects[1]["evidence"].as_str().is_some_and(|e| e.contains("size-38")), "{}", effects[1]);
+    assert!(effects[2]["evidence"].as_str().is_some_and(|e| e.ends_with("0.35")), "{}", effects[2]);
+    assert!(effects.iter().all(|e| e["rule"].as_str().is_some_and(|r| !r.is_empty())));
+
+    let expected = |plan: &Value, key: &str| plan["expected"][key].as_f64().unwrap_or_else(|| panic!("{key}"));
+    assert_eq!(expected(&usual, "triangles"), 2200.0);
+    let edge = expected(&usual, "edge_mm");
+    let stages = usual["stages"].as_array().expect("stages");
+    assert!(stages.iter().all(|s| s["expected_seconds"].as_f64().is_some_and(|t| t > 0.0)), "{stages:?}");
+    let sum: f64 = stages.iter().filter_map(|s| s["expected_seconds"].as_f64()).sum();
+    assert!((sum - expected(&usual, "seconds")).abs() < 0.01, "seconds of the stages add up");
+
+    // Half the edge: four times the triangles, by the area of the DXF's pieces.
+    let finer = ["triangulate.triangles=8800", "drape.effects.self-contact=off", "drape.effects.friction=off"];
+    let finer = plan(&finer);
+    assert!((expected(&finer, "edge_mm") / edge - 0.5).abs() < 1e-3, "{edge}");
+    assert!(expected(&finer, "seconds") > 3.0 * expected(&usual, "seconds"));
+    assert!(expected(&finer, "mb") > expected(&usual, "mb"));
+    assert_eq!((&finer["effects"][0]["on"], &finer["effects"][2]["on"]), (&false.into(), &false.into()));
+    assert!(finer["effects"][0]["rule"].as_str().is_some_and(|r| r.contains("switched off")));
+}
+
+/// A file that would end the run ends the plan, with the same exit code.
+#[test]
+fn a_plan_says_what_is_wrong_with_the_files() {
+    let bench = Bench::new();
+    std::fs::write(bench.path("pipelines/test/p.dxf"), "0\nSECTION\n2\nENTITIES\n0\nENDSEC\n0\nEOF\n").expect("file");
+    bench.stages("[[stage]]\nuse = \"import-dxf\"\nwith.file = \"p.dxf\"\n");
+    let said = toile(&[&"plan", &bench.pipeline_file()]);
+    assert_eq!((said.code, said.out.as_str()), (3, ""), "{said:?}");
+    assert!(said.err.contains("p.dxf"), "{}", said.err);
 }

@@ -25,7 +25,7 @@ pub enum Verb {
     Run(RunArgs),
     /// Check everything that can be checked without work, all errors at once.
     Check(CheckArgs),
-    /// Show what a run would do: stages, parameters, inputs, outputs.
+    /// Show what a run would do and need: stages, effects, seconds, memory, files.
     Plan(PlanArgs),
     /// Show what is in a file.
     Inspect(InspectArgs),

@@ -7,9 +7,10 @@ use crate::engine::Exit;
 use crate::pipeline::remedy;
 use std::fmt::Write as _;
 use std::path::Path;
+use toile_formats::body::write;
 use toile_garment::Diagnostic;
 use toile_garment::units::Length;
-use toile_stages::body::{BodyMeasures, SIZES, obj_text, parametric, side_file::side_text};
+use toile_stages::body::{BodyMeasures, SIZES, parametric};
 
 pub(super) fn run(args: &BodyArgs, console: &mut Console<'_>) -> Exit {
     let Some(out) = &args.out else {
@@ -21,8 +22,9 @@ pub(super) fn run(args: &BodyArgs, console: &mut Console<'_>) -> Exit {
         Ok(_) if !(is_free(out, args.force, console) && is_free(&side, args.force, console)) => return Exit::Usage,
         Ok(measures) => match parametric(&measures) {
             Ok(body) => {
-                let mesh = write_result(out, obj_text(&body).as_bytes(), args.force, console);
-                let text = write_result(&side, side_text(&body).as_bytes(), args.force, console);
+                let (mesh, text) = write(&body);
+                let mesh = write_result(out, mesh.as_bytes(), args.force, console);
+                let text = write_result(&side, text.as_bytes(), args.force, console);
                 return if mesh == Exit::Good { text } else { mesh };
             }
             Err(findings) => findings,

@@ -3,7 +3,7 @@
 use super::args::RunArgs;
 use super::console::Console;
 use crate::engine::{self, Exit, Outcome, RunOptions, Stop, clean, default_out};
-use crate::load;
+use crate::load::{self, Loaded};
 use crate::progress::{Teller, Voice};
 use std::io::Write;
 use std::path::Path;
@@ -12,20 +12,14 @@ use toile_garment::Diagnostic;
 use toile_stage_api::Registry;
 
 pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
-    let request = args.pipeline.request();
-    let source = match load::open(&request) {
-        Ok(source) => source,
-        Err(findings) => {
-            console.findings(&findings, None);
-            return Exit::Usage;
-        }
-    };
-    let loaded = load::check(&source, &request, stop, registry);
+    let loaded = load::load(&args.pipeline.request(), stop, registry);
     if loaded.report.has_errors() {
-        console.findings(&loaded.report.findings, Some((source.file(), source.text())));
-        return Exit::of_findings(&loaded.report.findings);
+        console.findings(&loaded.report.findings, loaded.text());
+        return loaded.exit();
     }
-    let (Some(pipeline), Some(gate)) = (loaded.pipeline, loaded.gate) else { return Exit::Usage };
+    let Loaded { source: Some(source), pipeline: Some(pipeline), gate: Some(gate), report } = loaded else {
+        return Exit::Usage;
+    };
     let events = match open_events(args) {
         Ok(events) => events,
         Err(findings) => {
@@ -46,7 +40,7 @@ pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, con
     // A pool that is there already (a library user's) is taken as it is: results do not depend on it.
     drop(rayon::ThreadPoolBuilder::new().num_threads(threads).build_global());
     let mut teller = Teller::new(if args.quiet { Voice::Quiet } else { Voice::Auto }, events);
-    let outcome = engine::run(&pipeline, gate, &options, stop, &mut teller, loaded.report);
+    let outcome = engine::run(&pipeline, gate, &options, stop, &mut teller, report);
     drop(teller);
     console.result(&summary(&outcome, &out));
     outcome.exit

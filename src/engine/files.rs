@@ -55,6 +55,24 @@ impl RunFiles {
     }
 }
 
+/// Reads through the gate and writes nothing: for looking ahead.
+pub struct ReadFiles<'g>(pub &'g Gate);
+
+impl Files for ReadFiles<'_> {
+    fn read(&mut self, path: &Path) -> Result<Vec<u8>, FileError> {
+        read_limited(path, &self.0.input(path)?, MAX_INPUT)
+    }
+
+    fn read_optional(&mut self, path: &Path) -> Result<Option<Vec<u8>>, FileError> {
+        let real = self.0.optional_input(path)?;
+        real.map(|real| read_limited(path, &real, MAX_INPUT)).transpose()
+    }
+
+    fn write(&mut self, path: &Path, _: &[u8]) -> Result<(), FileError> {
+        Err(FileError::Write { path: clean(path), reason: "nothing is written while looking ahead".to_owned() })
+    }
+}
+
 /// Reads a file whole, up to a limit; `given` is its name for messages.
 ///
 /// # Errors

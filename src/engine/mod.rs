@@ -2,6 +2,7 @@
 
 mod exit;
 mod files;
+mod foresight;
 mod gate;
 mod meter;
 mod outputs;
@@ -12,7 +13,8 @@ mod run;
 mod stop;
 
 pub use exit::{Exit, of_file_error, of_stage_error};
-pub use files::{MAX_INPUT, RunFiles, read_limited};
+pub use files::{MAX_INPUT, ReadFiles, RunFiles, read_limited};
+pub use foresight::{Foresight, foresee};
 pub use gate::{Gate, clean, output_below, project_root};
 pub use meter::{Meter, peak_mb};
 pub(crate) use outputs::write_whole;

@@ -21,9 +21,10 @@ pub fn planned_inputs<'a>(steps: &'a [Step<'_>]) -> impl Iterator<Item = &'a Pat
 
 /// Looks at every path of the chain.
 pub fn check_paths(steps: &[Step<'_>], gate: &Gate, report: &mut Report) {
+    let mut folders: Folders = BTreeMap::new();
     for input in planned_inputs(steps) {
         if let Err(error) = gate.input(Path::new(&input.text)) {
-            report.push(input_finding(gate, input, &error));
+            report.push(input_finding(gate, input, &error, &mut folders));
         }
     }
     let mut seen: BTreeMap<String, SourceRef> = BTreeMap::new();
@@ -41,12 +42,16 @@ pub fn check_paths(steps: &[Step<'_>], gate: &Gate, report: &mut Report) {
     }
 }
 
-fn input_finding(gate: &Gate, input: &PathText, error: &FileError) -> Diagnostic {
+/// Names beside missing files: a folder is looked into once.
+type Folders = BTreeMap<PathBuf, Vec<String>>;
+
+fn input_finding(gate: &Gate, input: &PathText, error: &FileError, folders: &mut Folders) -> Diagnostic {
     let path = Path::new(&input.text);
     match error {
         FileError::Missing { .. } => {
             let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-            let neighbours = gate.neighbours(path);
+            let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
+            let neighbours = folders.entry(folder).or_insert_with(|| gate.neighbours(path));
             let hint = nearest(&name, neighbours.iter().map(String::as_str)).map_or_else(
                 || "paths are relative to the pipeline file".to_owned(),
                 |near| format!("did you mean `{near}`? Paths are relative to the pipeline file"),

@@ -63,11 +63,13 @@ pub fn link<'r>(document: &Document<'_>, registry: &'r Registry, report: &mut Re
     let overrides = overrides::sort(&mut cx, document);
     let values = settle(&mut cx, &document.inputs, &overrides.inputs, &document.line, document.version);
     let mut chain = Chain::new(registry);
+    let mut schemas: BTreeMap<&str, SchemaTree> = BTreeMap::new();
     let mut steps = Vec::new();
     for entry in &document.stages {
         let Some(stage) = chain.find(&mut cx, entry) else { continue };
         chain.check(&mut cx, entry, stage);
-        steps.extend(make_step(&mut cx, entry, stage, &overrides, &values));
+        let schema = schemas.entry(entry.name.get_ref()).or_insert_with(|| SchemaTree::of(stage));
+        steps.extend(make_step(&mut cx, entry, stage, schema, &overrides, &values));
     }
     Pipeline {
         line: document.line.clone(),
@@ -82,18 +84,18 @@ fn make_step<'r>(
     cx: &mut Reader<'_>,
     entry: &StageEntry<'_>,
     stage: &'r dyn AnyStage,
+    schema: &SchemaTree,
     overrides: &Overrides<'_>,
     values: &Values,
 ) -> Option<Step<'r>> {
-    let schema = SchemaTree::of(stage);
     let mut table = entry.with.get_ref().clone();
-    overrides::apply(cx, entry, &overrides.params, &schema, &mut table);
+    overrides::apply(cx, entry, &overrides.params, schema, &mut table);
     let filled = fill_table(cx, values, &mut table);
     let mut paths = Vec::new();
     if filled {
         collect_paths(cx, &table, &mut paths);
     }
-    let ready = configure(cx, stage, &schema, table, &entry.with.span(), entry.name.get_ref());
+    let ready = configure(cx, stage, schema, table, &entry.with.span(), entry.name.get_ref());
     let place = cx.source.place(&entry.name.span());
     ready.filter(|_| filled).map(|ready| Step { id: entry.id.clone(), place, ready, paths })
 }

@@ -95,15 +95,11 @@ fn read_stages<'t>(cx: &mut Reader<'_>, root: &DeTable<'t>) -> Vec<StageEntry<'t
         cx.wrong_type(list, "stage", "a list: write [[stage]], with two brackets");
         return Vec::new();
     };
-    let mut taken = BTreeSet::new();
+    let mut taken = Ids::default();
     items.iter().filter_map(|item| read_stage(cx, item, &mut taken)).collect()
 }
 
-fn read_stage<'t>(
-    cx: &mut Reader<'_>,
-    item: &Spanned<DeValue<'t>>,
-    taken: &mut BTreeSet<String>,
-) -> Option<StageEntry<'t>> {
+fn read_stage<'t>(cx: &mut Reader<'_>, item: &Spanned<DeValue<'t>>, taken: &mut Ids) -> Option<StageEntry<'t>> {
     let DeValue::Table(table) = item.get_ref() else {
         cx.wrong_type(item, "stage", "a table: write [[stage]]");
         return None;
@@ -115,12 +111,12 @@ fn read_stage<'t>(
         Some(id) => {
             let span = id.span();
             let id = cx.name(id, "id");
-            if !taken.insert(id.clone()) {
+            if !taken.all.insert(id.clone()) {
                 cx.push("duplicate-id", &span, format!("two stages have the id `{id}`"), "give each its own id");
             }
             id
         }
-        None => free_id(name.get_ref(), taken),
+        None => taken.free(name.get_ref()),
     };
     let with = match table.get("with") {
         None => Spanned::new(item.span(), DeTable::new()),
@@ -135,14 +131,29 @@ fn read_stage<'t>(
     Some(StageEntry { name, id, with })
 }
 
-/// The stage's name; for a second use of it `name-2` and so on.
-fn free_id(name: &str, taken: &mut BTreeSet<String>) -> String {
-    let id = std::iter::once(name.to_owned())
-        .chain((2_u32..).map(|n| format!("{name}-{n}")))
-        .find(|id| !taken.contains(id))
-        .unwrap_or_default();
-    taken.insert(id.clone());
-    id
+/// Ids that are taken.
+#[derive(Default)]
+struct Ids {
+    all: BTreeSet<String>,
+    /// The first number not tried yet for a name that stands more than once.
+    next: BTreeMap<String, u32>,
+}
+
+impl Ids {
+    /// The stage's name; for a second use of it `name-2` and so on.
+    fn free(&mut self, name: &str) -> String {
+        if self.all.insert(name.to_owned()) {
+            return name.to_owned();
+        }
+        let next = self.next.entry(name.to_owned()).or_insert(2);
+        loop {
+            let id = format!("{name}-{next}");
+            *next = next.saturating_add(1);
+            if self.all.insert(id.clone()) {
+                return id;
+            }
+        }
+    }
 }
 
 /// Reads tables and collects what is wrong with them.

@@ -12,6 +12,8 @@ pub const MAX_BYTES: u64 = 1 << 20;
 pub struct SourceText {
     file: String,
     text: String,
+    /// Offset of each line's first byte: a file full of mistakes asks for thousands of places.
+    lines: Vec<usize>,
     sets: Vec<String>,
 }
 
@@ -19,7 +21,9 @@ impl SourceText {
     /// A text under the name messages give it.
     #[must_use]
     pub fn new(file: impl Into<String>, text: impl Into<String>, sets: Vec<String>) -> Self {
-        Self { file: file.into(), text: text.into(), sets }
+        let text = text.into();
+        let lines = std::iter::once(0).chain(text.match_indices('\n').map(|(at, _)| at + 1)).collect();
+        Self { file: file.into(), text, lines, sets }
     }
 
     /// The text.
@@ -53,10 +57,11 @@ impl SourceText {
         if let Some(set) = span.start.checked_sub(self.text.len() + 1).and_then(|i| self.sets.get(i)) {
             return SourceRef::file(format!("--set {set}"));
         }
-        let before = self.text.get(..span.start).unwrap_or(&self.text);
-        let line = before.matches('\n').count() as u64 + 1;
-        let column = before.rsplit('\n').next().map_or(0, |l| l.chars().count()) as u64 + 1;
-        SourceRef { file: self.file.clone(), line: Some(line), column: Some(column), ..SourceRef::default() }
+        let at = if self.text.is_char_boundary(span.start) { span.start } else { self.text.len() };
+        let line = self.lines.partition_point(|first| *first <= at);
+        let first = line.checked_sub(1).and_then(|i| self.lines.get(i)).map_or(0, |first| *first);
+        let column = self.text.get(first..at).map_or(0, |before| before.chars().count()) as u64 + 1;
+        SourceRef { file: self.file.clone(), line: Some(line as u64), column: Some(column), ..SourceRef::default() }
     }
 
     /// An error at a span.
@@ -77,5 +82,9 @@ mod tests {
         assert_eq!((place.line, place.column), (Some(2), Some(5)));
         assert_eq!(text.place(&text.span_of_set(0)).file, "--set x=1");
         assert_eq!(text.place(&(0..0)).line, Some(1));
+        let line_and_column = |at: usize| (text.place(&(at..at)).line, text.place(&(at..at)).column);
+        assert_eq!(line_and_column(5), (Some(1), Some(6)), "a line's end belongs to it");
+        assert_eq!(line_and_column(6), (Some(2), Some(1)));
+        assert_eq!(line_and_column(7), (Some(3), Some(1)), "inside a character: the end of the text");
     }
 }

@@ -14,6 +14,7 @@ pub mod export_report;
 pub mod flatten;
 pub mod import_dxf;
 pub mod import_mesh;
+pub mod outlook;
 pub mod sewing;
 mod solve;
 pub mod stitch;

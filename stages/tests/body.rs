@@ -2,9 +2,10 @@
 #![allow(clippy::unwrap_used)]
 
 use std::collections::BTreeMap;
+use toile_formats::body::write;
 use toile_garment::Vec3;
 use toile_garment::body::Body;
-use toile_stages::body::{BodyMeasures, SIZES, girth_at, obj_text, parametric, section_at, section_near, sections};
+use toile_stages::body::{BodyMeasures, SIZES, girth_at, parametric, section_at, section_near, sections};
 
 /// A tall, a short, a large and a small figure, and one with a large cup.
 fn figures() -> Vec<BodyMeasures> {
@@ -213,7 +214,7 @@ fn gaps_are_open(m: &BodyMeasures, body: &Body) {
 #[test]
 fn the_same_measures_give_the_same_bytes() {
     let m = BodyMeasures::default();
-    assert_eq!(obj_text(&parametric(&m).unwrap()), obj_text(&parametric(&m).unwrap()));
+    assert_eq!(write(&parametric(&m).unwrap()), write(&parametric(&m).unwrap()));
 }
 
 #[test]

@@ -51,11 +51,13 @@ pub struct Fabric {
     pub thickness: f64,
     /// Friction coefficient, cloth on body and on itself.
     pub friction: f64,
-    /// Tension along the warp.
+    /// Tension along the warp at unchanged width along the weft.
     pub stretch_warp: StretchLaw,
-    /// Tension along the weft.
+    /// Tension along the weft at unchanged width along the warp.
     pub stretch_weft: StretchLaw,
-    /// Poisson coupling: stress in one direction from strain in the other, as a fraction of the softer modulus.
+    /// Poisson coupling C12: tension in one direction per strain in the other, as a fraction of the softer slope at
+    /// rest. So Poisson's ratio of a strip along the stiffer direction is this number, along the softer one this number
+    /// times softer over stiffer slope.
     #[serde(default)]
     pub poisson: f64,
     /// Shear stiffness G, N/m per radian.

@@ -197,16 +197,16 @@ pub fn write(body: &Body) -> String {
     out
 }
 
-/// A length that reads back bit-equal: in millimetres where that is exact.
+/// A length in millimetres, 12 digits: reads back within a rounding error, and is written the same again.
 fn length(x: f64) -> String {
-    let text = Length(x).to_string();
-    if text.parse() == Ok(Length(x)) { text } else { format!("{x} m") }
+    // −0 becomes 0: equal numbers give equal bytes.
+    Length(x + 0.0).to_string()
 }
 
-/// A TOML key or text: bare where it can be.
+/// A TOML key: bare where it can be.
 fn quoted(text: &str) -> String {
     let bare = |c: char| c.is_ascii_alphanumeric() || c == '-' || c == '_';
-    if !text.is_empty() && text.chars().all(bare) && text.chars().any(|c| c == '_' || c == '-') {
+    if !text.is_empty() && text.chars().all(bare) {
         return text.to_owned();
     }
     toml::Value::String(text.to_owned()).to_string()

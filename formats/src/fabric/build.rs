@@ -1,7 +1,7 @@
 //! From the file's values to the fabric: one source for each property, laws fitted, defaults stated.
 
-use super::kes;
 use super::reader::{Entries, Entry};
+use super::{kes, poisson};
 use std::collections::BTreeMap;
 use toile_garment::fabric::{Fabric, StretchLaw, ValueSource};
 use toile_garment::{Diagnostic, SourceRef};
@@ -25,8 +25,15 @@ pub fn fabric(e: &mut Entries) -> Option<Fabric> {
     let friction = top(e, "friction", &mut sources);
     let warp = stretch(e, "warp", &mut sources);
     let weft = stretch(e, "weft", &mut sources);
-    let poisson = common(e, "poisson", &mut sources).unwrap_or(0.0);
-    let shear = shear(e, poisson, &mut sources);
+    let ratio = common(e, "poisson", &mut sources).unwrap_or(0.0);
+    let shear = shear(e, ratio, &mut sources);
+    let (warp, weft, poisson) = match (warp, weft) {
+        (Some(warp), Some(weft)) => {
+            let coupled = poisson::couple(e, warp, weft, ratio);
+            (Some(coupled.warp), Some(coupled.weft), coupled.share)
+        }
+        (warp, weft) => (warp, weft, ratio),
+    };
     let bend_warp = bending(e, "warp", areal_mass, &mut sources);
     let bend_weft = bending(e, "weft", areal_mass, &mut sources);
     let bend_bias = bending(e, "bias", areal_mass, &mut sources);

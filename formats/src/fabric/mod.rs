@@ -29,8 +29,8 @@
 //!
 //! Other tables for the same properties; tables may be mixed as long as no property is given twice:
 //!
-//! - `[linear]` `stretch_warp`, `stretch_weft` (N/m, uniaxial), `poisson`, `shear` (N/m per rad), `bending` or
-//!   `bending_warp`, `bending_weft`, `bending_bias` (N·m).
+//! - `[linear]` `stretch_warp`, `stretch_weft` (N/m: slope of tension in a strip test, the sides free), `poisson`,
+//!   `shear` (N/m per rad), `bending` or `bending_warp`, `bending_weft`, `bending_bias` (N·m).
 //! - `[isotropic]` `stretch` (N/m: Young's modulus times thickness), `poisson`, `bending`; the shear stiffness is
 //!   `stretch / (2 (1 + poisson))`.
 //! - `[fast]` `e5_…`, `e20_…`, `e100_…` (strain at 5, 20, 100 gf/cm, `_warp` and `_weft`), `eb5` (bias strain at 5 gf/cm,
@@ -38,11 +38,20 @@
 //! - `[curve]` `warp = [["0 %", "0 N/m"], ["1 %", "20 N/m"], …]` and `weft`: measured samples, both columns rising.
 //!
 //! `poisson`, `shear` and the bending keys may stand in any table of laws.
+//!
+//! # Poisson's ratio
+//!
+//! `poisson` is what a strip test along the warp shows at small strain: contraction along the weft over extension along
+//! the warp (ν12; without it 0). A strip along the weft then contracts by `poisson · E_weft / E_warp`. The laws of
+//! `[linear]`, `[isotropic]`, `[fast]` and `[curve]` are taken as such strip tests, with free sides; the fabric's laws
+//! hold the width, so they are stiffer by `1 / (1 − ν12 ν21)` at rest, and a strip of that fabric gives the file's numbers
+//! back. KES-F pulls a sample four times as wide as long, which hardly gets narrower: its laws are taken as they are.
 
 mod build;
 mod curve;
 mod fields;
 pub mod kes;
+mod poisson;
 mod reader;
 #[cfg(test)]
 mod tests;

@@ -46,8 +46,9 @@ fn every_sample_reproduces_its_law() {
 #[test]
 fn linear_and_isotropic() {
     let f = read(LINEAR, "f.toml").expect("linear");
-    assert_eq!(f.stretch_warp, StretchLaw::Linear { stiffness: 500.0 });
-    assert_eq!(f.stretch_weft, StretchLaw::Linear { stiffness: 300.0 });
+    // 1 − ν12 ν21 = 1 − 0.2² · 300/500.
+    let held = |law: &StretchLaw, free: f64| (law.tangent(0.0) * 0.976 / free - 1.0).abs() < 1e-12;
+    assert!(held(&f.stretch_warp, 500.0) && held(&f.stretch_weft, 300.0), "{f:?}");
     assert_eq!((f.poisson, f.shear, f.bend_warp, f.bend_weft, f.bend_bias), (0.2, 40.0, 1e-5, 1e-5, None));
     assert_eq!(f.strain_limit_warp, 0.05);
     let iso = "name = \"i\"\nareal_mass = \"0.15 kg/m^2\"\nthickness = \"0.5 mm\"\nfriction = 0.3\n\
@@ -56,6 +57,48 @@ fn linear_and_isotropic() {
     assert!((f.shear - 500.0 / 2.6).abs() < 1e-9);
     assert!((f.bend_warp - 1e-5).abs() < 1e-18);
     assert_eq!((f.bend_weft, f.bend_bias), (f.bend_warp, Some(f.bend_warp)));
+}
+
+/// Slope of tension and contraction per extension of a strip with free sides, from the moduli with the width held.
+fn strip(pulled: &StretchLaw, across: &StretchLaw, share: f64, strain: f64) -> (f64, f64) {
+    let coupling = share * pulled.tangent(0.0).min(across.tangent(0.0));
+    let narrower = coupling * strain / across.tangent(0.0);
+    assert!((across.tension(-narrower) + coupling * strain).abs() < 1e-9, "no tension across");
+    ((pulled.tension(strain) - coupling * narrower) / strain, narrower / strain)
+}
+
+#[test]
+fn a_strip_test_gives_the_numbers_of_the_file() {
+    let near = |got: (f64, f64), want: (f64, f64)| {
+        assert!((got.0 / want.0 - 1.0).abs() < 1e-12 && (got.1 - want.1).abs() < 1e-12, "{got:?} for {want:?}");
+    };
+    let iso = "name = \"i\"\nareal_mass = \"150 g/m2\"\nthickness = \"0.5 mm\"\nfriction = 0.3\n\
+        [isotropic]\nstretch = \"500 N/m\"\npoisson = 0.3\nbending = \"10 uN.m\"\n";
+    let f = read(iso, "i.toml").expect("isotropic");
+    near(strip(&f.stretch_warp, &f.stretch_weft, f.poisson, 0.02), (500.0, 0.3));
+    near(strip(&f.stretch_weft, &f.stretch_warp, f.poisson, 0.02), (500.0, 0.3));
+    let sheet = |warp: f64, weft: f64, ratio: f64| {
+        let text = LINEAR
+            .replace("warp = \"500", &format!("warp = \"{warp}"))
+            .replace("weft = \"300", &format!("weft = \"{weft}"))
+            .replace("poisson = 0.2", &format!("poisson = {ratio}"));
+        read(&text, "f.toml")
+    };
+    for (warp, weft, ratio) in [(500.0, 300.0, 0.2), (300.0, 500.0, 0.2), (100.0, 200.0, 0.45), (400.0, 400.0, 0.0)] {
+        let f = sheet(warp, weft, ratio).expect("linear");
+        near(strip(&f.stretch_warp, &f.stretch_weft, f.poisson, 0.02), (warp, ratio));
+        near(strip(&f.stretch_weft, &f.stretch_warp, f.poisson, 0.02), (weft, ratio * weft / warp));
+    }
+    let found = sheet(100.0, 300.0, 0.4).expect_err("no such sheet");
+    assert_eq!((found.len(), found[0].code.as_str()), (1, "value-out-of-range"));
+    assert!(found[0].message.contains("below 0.333") && found[0].source.as_ref().is_some_and(|s| s.line == Some(8)));
+
+    let curve = "name = \"c\"\nareal_mass = \"200 g/m2\"\nthickness = \"0.4 mm\"\nfriction = 0.3\n[curve]\n\
+        warp = [[\"1 %\", \"4 N/m\"], [\"5 %\", \"100 N/m\"]]\nweft = [[\"1 %\", \"3 N/m\"], [\"2 %\", \"20 N/m\"]]\n\
+        poisson = 0.3\nshear = \"40 N/m/rad\"\nbending = \"5 uN.m\"\n";
+    let f = read(curve, "c.toml").expect("curve");
+    near(strip(&f.stretch_warp, &f.stretch_weft, f.poisson, 0.05), (100.0 / 0.05, 0.3));
+    near(strip(&f.stretch_weft, &f.stretch_warp, f.poisson, 0.02), (20.0 / 0.02, 0.3 * 300.0 / 400.0));
 }
 
 #[test]

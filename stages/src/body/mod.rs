@@ -14,7 +14,6 @@ mod polygonise;
 mod remesh;
 mod section;
 mod segments;
-pub mod side_file;
 
 pub use measures::{BodyMeasures, SIZES};
 pub use section::{Section, girth_at, hull, section_at, section_near, sections};
@@ -125,14 +124,4 @@ fn shape_findings(figure: &Figure, net: &Net, positions: &[Vec3], triangles: &[[
     let reason = if ball { format!("{folded} triangles fold") } else { "limbs grow together".to_owned() };
     let message = format!("these measures give no clean body: {reason}");
     Some(Diagnostic::error("body-not-clean", message).hint("bring the measures closer to a usual size"))
-}
-
-/// The mesh as text: Wavefront OBJ, metres, micrometre steps.
-#[must_use]
-pub fn obj_text(body: &Body) -> String {
-    let line = |p: &Vec3| format!("v {:.6} {:.6} {:.6}\n", p.x, p.y, p.z);
-    let vertices: String = body.positions.iter().map(line).collect();
-    let faces: String = body.triangles.iter().map(|t| format!("f {} {} {}\n", t[0] + 1, t[1] + 1, t[2] + 1)).collect();
-    let name = body.name.replace(char::is_control, " ");
-    format!("# {name}: metres, +y up, +z front, +x the wearer's left\no {name}\n{vertices}{faces}")
 }

@@ -54,7 +54,8 @@ fn ring_pins(
     to: &str,
     specs: &[&AttachSpec],
 ) -> Result<Vec<Pin>, Diagnostic> {
-    let mut ring = ring(garment, to, gap)?;
+    let section = section(garment, to)?;
+    let mut ring = Ring::around(&section, gap);
     let mut shares = Vec::new();
     for spec in specs {
         match spec.strength {
@@ -73,11 +74,12 @@ fn ring_pins(
     }
     // Straight mesh edges cut the corner of the ring: move it out until their middles keep the gap as well.
     let cut = lay(&shares, &ring).1;
-    ring = self::ring(garment, to, gap + cut + SLACK)?;
+    ring = Ring::around(&section, gap + cut + SLACK);
     Ok(lay(&shares, &ring).0)
 }
 
-fn ring(garment: &Garment, to: &str, gap: f64) -> Result<Ring, Diagnostic> {
+/// The body's level section at a landmark or height.
+fn section(garment: &Garment, to: &str) -> Result<Section, Diagnostic> {
     let body = garment.body.as_ref().ok_or_else(|| {
         Diagnostic::error("body-missing", format!("an edge is attached to `{to}`, but there is no body"))
             .hint("give the stage `stitch` a body: with.body = \"…obj\"")
@@ -93,10 +95,9 @@ fn ring(garment: &Garment, to: &str, gap: f64) -> Result<Ring, Diagnostic> {
             Diagnostic::error("attach-target-unknown", format!("the body has no landmark or height `{to}`"))
                 .hint(format!("this body has the landmarks {}", known()))
         })?;
-    let section = section_at(body, height).ok_or_else(|| {
+    section_at(body, height).ok_or_else(|| {
         Diagnostic::error("attach-target-empty", format!("the body has no section at `{to}`, {:.0} mm", height * 1e3))
-    })?;
-    Ok(Ring::around(&section, gap))
+    })
 }
 
 impl Ring {

@@ -2,7 +2,7 @@
 
 pub mod around;
 mod attach;
-mod load;
+pub(crate) mod load;
 pub mod place;
 
 use crate::solve::{Follow, Layout, failure, scene};

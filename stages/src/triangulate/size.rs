@@ -7,7 +7,7 @@ use toile_garment::{Diagnostic, Garment};
 use toile_stage_api::StageError;
 
 /// Edge length when nothing is asked.
-const DEFAULT: f64 = 12e-3;
+pub const DEFAULT: f64 = 12e-3;
 /// More triangles than this are refused before any work.
 const MOST: f64 = 5e6;
 

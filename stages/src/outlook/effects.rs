@@ -1,0 +1,99 @@
+//! Effects of the drape: on or off, by which rule, on what evidence, as far as files and parameters say it.
+
+use super::MeshSize;
+use crate::drape::{EffectsParam, SwitchName};
+use serde::Deserialize as _;
+use serde_json::Value;
+use toile_garment::Garment;
+use toile_garment::fabric::Fabric;
+use toile_garment::garment::EffectRecord;
+
+/// The effects of `drape` with these parameters.
+pub fn effects(params: &Value, garment: &Garment, mesh: Option<MeshSize>) -> Vec<EffectRecord> {
+    let switches = params.get("effects").and_then(|e| EffectsParam::deserialize(e).ok()).unwrap_or_default();
+    let body = effect("body-contact", switches.body_contact, "the scene has a body", of_body(garment));
+    let own = effect(
+        "self-contact",
+        switches.self_contact,
+        "cloth that moves freely can meet itself",
+        of_cloth(garment, mesh),
+    );
+    let touches = own.on || body.on;
+    let friction =
+        effect("friction", switches.friction, "contact and a coefficient above 0", of_friction(garment, touches));
+    let limit = effect("strain-limit", switches.strain_limit, "a fabric has a limit", of_limits(garment));
+    vec![own, body, friction, limit]
+}
+
+/// Does the scene call for it, and what says so.
+type Evidence = (bool, String);
+
+/// Nothing is simulated that the scene has no use for, whatever was asked.
+fn effect(name: &str, switch: SwitchName, rule: &str, (called_for, evidence): Evidence) -> EffectRecord {
+    let rule = match switch {
+        SwitchName::Auto => rule.to_owned(),
+        SwitchName::On => format!("asked for with effects.{name} = \"on\"; used where {rule}"),
+        SwitchName::Off => format!("switched off with effects.{name} = \"off\""),
+    };
+    EffectRecord {
+        name: name.to_owned(),
+        on: switch != SwitchName::Off && called_for,
+        rule,
+        evidence,
+        cpu_seconds: 0.0,
+    }
+}
+
+fn of_cloth(garment: &Garment, mesh: Option<MeshSize>) -> Evidence {
+    let pieces = garment.pieces.len();
+    let size = mesh.map_or_else(String::new, |m| {
+        format!(", about {:.0} triangles with edges of about {:.1} mm", m.triangles, m.edge * 1e3)
+    });
+    (true, format!("{pieces} {}{size}", if pieces == 1 { "piece" } else { "pieces" }))
+}
+
+fn of_body(garment: &Garment) -> Evidence {
+    match garment.body.as_ref().filter(|b| !b.triangles.is_empty()) {
+        Some(body) => (true, format!("body `{}` with {} triangles", body.name, body.triangles.len())),
+        None => (false, "no stage gives a body".to_owned()),
+    }
+}
+
+fn of_friction(garment: &Garment, touches: bool) -> Evidence {
+    let most = garment.fabrics.values().map(|f| f.friction).fold(0.0, f64::max);
+    if touches {
+        (most > 0.0, format!("largest coefficient of the fabrics {most}"))
+    } else {
+        (false, "no contact is simulated".to_owned())
+    }
+}
+
+fn of_limits(garment: &Garment) -> Evidence {
+    let limits = |f: &Fabric| [f.strain_limit_warp, f.strain_limit_weft];
+    let least = garment.fabrics.values().flat_map(limits).fold(f64::INFINITY, f64::min);
+    if least.is_finite() {
+        (true, format!("smallest limit of the fabrics {:.1} %", least * 100.0))
+    } else {
+        (false, "no fabric has a limit".to_owned())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn a_scene_without_body_and_fabric_needs_no_contact_with_them() {
+        let found = effects(&json!({}), &Garment::default(), None);
+        let on: Vec<(&str, bool)> = found.iter().map(|e| (e.name.as_str(), e.on)).collect();
+        assert_eq!(on, [("self-contact", true), ("body-contact", false), ("friction", false), ("strain-limit", false)]);
+    }
+
+    #[test]
+    fn a_switch_is_the_rule_where_it_is_set() {
+        let found = effects(&json!({ "effects": { "self-contact": "off" } }), &Garment::default(), None);
+        assert!(!found[0].on && found[0].rule.contains("effects.self-contact = \"off\""));
+        assert_eq!(found[2].evidence, "no contact is simulated");
+    }
+}
