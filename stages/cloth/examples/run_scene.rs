@@ -6,7 +6,8 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::time::Instant;
 use toile_cloth::{
-    BodyMesh, Curve, Element, Integrator, Material, Model, Outcome, Pin, Scene, Settings, Vec3, Watch, certify, drape, sew, weld,
+    BodyMesh, Curve, Element, Integrator, Material, Model, Outcome, Pin, Scene, Settings, Vec3, Watch, certify, drape,
+    sew, weld,
 };
 
 struct Print(Instant);
@@ -141,7 +142,11 @@ fn main() {
         scene.pins.len()
     );
     let model = if option("model").as_deref() == Some("springs") { Model::Springs } else { Model::Coupled };
-    let integrator = if option("integrator").as_deref() == Some("explicit") { Integrator::CentralDifference } else { Integrator::Static };
+    let integrator = if option("integrator").as_deref() == Some("explicit") {
+        Integrator::CentralDifference
+    } else {
+        Integrator::Static
+    };
     let with = |s: Settings| Settings {
         model,
         integrator,

@@ -244,7 +244,14 @@ fn inertia(mass: &[f64], rows: &[f64], even: bool) -> (Vec<f64>, usize) {
     (inertia.collect(), evened)
 }
 
-pub(crate) fn frame(scene: &Scene, s: &Settings, topology: Topology, inverse_mass: &[f64], body: bool, own: bool) -> Frame {
+pub(crate) fn frame(
+    scene: &Scene,
+    s: &Settings,
+    topology: Topology,
+    inverse_mass: &[f64],
+    body: bool,
+    own: bool,
+) -> Frame {
     let n = scene.positions.len();
     let (mut thickness, mut friction) = (vec![0.0f64; n], vec![0.0f64; n]);
     let mut least = vec![f64::INFINITY; n];

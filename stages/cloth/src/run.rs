@@ -2,8 +2,8 @@
 
 use crate::integrate::central::{self, State};
 use crate::problem::Problem;
-use crate::{report, statics};
 use crate::{ClothError, Integrator, Outcome, Scene, Settings, StopReason, Vec3, Watch};
+use crate::{report, statics};
 
 /// Steps between two looks at the energy.
 const CHECK: u64 = 64;
@@ -35,7 +35,9 @@ pub fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<
         // Where pieces are in each other's way only motion in time finds the way round.
         Integrator::Static => match statics::sew(scene, settings, watch)? {
             Some(outcome) => Ok(outcome),
-            None => run(scene, &Settings { integrator: Integrator::CentralDifference, ..settings.clone() }, true, watch),
+            None => {
+                run(scene, &Settings { integrator: Integrator::CentralDifference, ..settings.clone() }, true, watch)
+            }
         },
         Integrator::CentralDifference => run(scene, settings, true, watch),
     }

@@ -103,7 +103,15 @@ fn swept(b: &Aabb, d: &Aabb, reach: f64) -> Aabb {
 impl Near {
     /// Cloth–cloth pairs that come nearer than `reach` (which the tree's boxes are grown by, half on each side) along a
     /// step; the tree knows the step. Vertices of one group (stitched together) count as one vertex.
-    pub fn fill_own_moving(&mut self, x: &[Vec3], step: &[Vec3], topology: &Topology, groups: &[u32], tree: &Tree, reach: f64) {
+    pub fn fill_own_moving(
+        &mut self,
+        x: &[Vec3],
+        step: &[Vec3],
+        topology: &Topology,
+        groups: &[u32],
+        tree: &Tree,
+        reach: f64,
+    ) {
         self.points.clear();
         self.edges.clear();
         let group = |v: u32| groups[v as usize];
@@ -151,9 +159,8 @@ impl Near {
             }
             let a = &m.owned;
             let edges = [0, 1, 2].map(|k| swept(&a.edge_box(k), &m.edge_move(k), reach));
-            let points = [0, 1, 2].map(|k| {
-                swept(&Aabb { low: a.at[k], high: a.at[k] }, &Aabb { low: m.by[k], high: m.by[k] }, reach)
-            });
+            let points = [0, 1, 2]
+                .map(|k| swept(&Aabb { low: a.at[k], high: a.at[k] }, &Aabb { low: m.by[k], high: m.by[k] }, reach));
             body.candidates(&bounds, |g| {
                 let b = Owned::of(&body.topology, g, &body.positions);
                 let whole = b.bounds(0.0);

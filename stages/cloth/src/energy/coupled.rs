@@ -73,9 +73,9 @@ impl Triangle {
 }
 
 fn inverse(m: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
-    let a = nalgebra::Matrix3::from_fn(|r, c| m[r][c]);
+    let a = Matrix3::from_fn(|r, c| m[r][c]);
     // A triangle with area has independent edge directions, so the inverse exists.
-    let i = a.try_inverse().unwrap_or_else(nalgebra::Matrix3::zeros);
+    let i = a.try_inverse().unwrap_or_else(Matrix3::zeros);
     [0, 1, 2].map(|r| [i[(r, 0)], i[(r, 1)], i[(r, 2)]])
 }
 
@@ -204,7 +204,8 @@ impl Energy for Coupled {
             for i in 0..3 {
                 for j in 0..=i {
                     let mut block = strains[i].tr_mul(&law[j]);
-                    let lean = w[i][0] * (s[0] * w[j][0] + s[2] * w[j][1]) + w[i][1] * (s[2] * w[j][0] + s[1] * w[j][1]);
+                    let lean =
+                        w[i][0] * (s[0] * w[j][0] + s[2] * w[j][1]) + w[i][1] * (s[2] * w[j][0] + s[1] * w[j][1]);
                     for k in 0..3 {
                         block[(k, k)] += t.area * lean;
                     }
@@ -231,7 +232,10 @@ fn tangent(green: &[f64; 3], fabric: &Fabric, convex: bool) -> ([f64; 3], Matrix
     let rate = fabric.shear * (slope * slope + if convex { 0.0 } else { gamma * bow });
     let (ka, kb) = (fabric.weft.slope(a - 1.0), fabric.warp.slope(b - 1.0));
     let (ai, bi) = (1.0 / a.max(1e-3), 1.0 / b.max(1e-3));
-    let (da, db) = (if a > LEAST_STRETCH { s.sine / (am * am) } else { 0.0 }, if b > LEAST_STRETCH { s.sine / (bm * bm) } else { 0.0 });
+    let (da, db) = (
+        if a > LEAST_STRETCH { s.sine / (am * am) } else { 0.0 },
+        if b > LEAST_STRETCH { s.sine / (bm * bm) } else { 0.0 },
+    );
     let v = nalgebra::Vector3::new(-da, -db, 1.0 / (am * bm));
     let mut d = v * v.transpose() * rate;
     d[(0, 0)] += ka * ai * ai;
@@ -245,7 +249,11 @@ fn tangent(green: &[f64; 3], fabric: &Fabric, convex: bool) -> ([f64; 3], Matrix
         );
         d[(0, 0)] += 3.0 * tau * da * ai * ai - pull_a * ai * ai * ai;
         d[(1, 1)] += 3.0 * tau * db * bi * bi - pull_b * bi * bi * bi;
-        let mixed = [(0, 1, tau * s.sine * ai * ai * bi * bi), (0, 2, -tau * ai * ai * ai * bi), (1, 2, -tau * ai * bi * bi * bi)];
+        let mixed = [
+            (0, 1, tau * s.sine * ai * ai * bi * bi),
+            (0, 2, -tau * ai * ai * ai * bi),
+            (1, 2, -tau * ai * bi * bi * bi),
+        ];
         for (i, j, m) in mixed {
             d[(i, j)] += m;
             d[(j, i)] += m;
@@ -271,8 +279,8 @@ impl Triangle {
     fn rate(w: &[[f64; 2]; 3], weft: f64, warp: f64, cross: f64, shear: f64) -> f64 {
         let sum = |f: &dyn Fn([f64; 2]) -> f64| w.iter().map(|v| f(*v)).sum::<f64>();
         let (uu, vv, uv) = (sum(&|g| g[0] * g[0]), sum(&|g| g[1] * g[1]), sum(&|g| g[0] * g[1]));
-        let law = nalgebra::Matrix3::new(weft, cross, 0.0, cross, warp, 0.0, 0.0, 0.0, shear);
-        let geometry = nalgebra::Matrix3::new(uu, 0.0, uv, 0.0, vv, uv, uv, uv, uu + vv);
+        let law = Matrix3::new(weft, cross, 0.0, cross, warp, 0.0, 0.0, 0.0, shear);
+        let geometry = Matrix3::new(uu, 0.0, uv, 0.0, vv, uv, uv, uv, uu + vv);
         largest(&(law * geometry)) * 3.0
     }
 }
@@ -287,7 +295,7 @@ fn weights(e: &crate::Element) -> [[f64; 2]; 3] {
 }
 
 /// Largest eigenvalue of a 3 × 3 product of two positive semi-definite matrices, by power iteration from above.
-fn largest(m: &nalgebra::Matrix3<f64>) -> f64 {
+fn largest(m: &Matrix3<f64>) -> f64 {
     let mut v = nalgebra::Vector3::new(1.0, 0.9, 0.4);
     let mut value = 0.0;
     for _ in 0..12 {

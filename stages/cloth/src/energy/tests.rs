@@ -140,7 +140,12 @@ fn hessians_are_the_derivative_of_the_forces_and_convex_ones_are_never_negative(
             let got = times(&h, &d);
             let size = slope.iter().map(|f| f.norm()).fold(0.0, f64::max);
             for i in 0..n {
-                assert!((got[i] - slope[i]).norm() <= 1e-4 * size, "energy {k}, trial {trial}, vertex {i}: {} and {}", got[i], slope[i]);
+                assert!(
+                    (got[i] - slope[i]).norm() <= 1e-4 * size,
+                    "energy {k}, trial {trial}, vertex {i}: {} and {}",
+                    got[i],
+                    slope[i]
+                );
             }
             assert!(h.extra.is_empty());
             h.reset(&values);
@@ -215,7 +220,12 @@ fn the_stiffness_bound_holds_for_random_motions() {
 #[test]
 fn tables_follow_their_curves() {
     let settings = Settings { stiffness_cap: f64::INFINITY, ..Settings::default() };
-    let law = super::law::Law::new(&Curve::Exponential { k0: 700.0, beta: 20.0 }, settings.stiffness_cap, 0.15, f64::INFINITY);
+    let law = super::law::Law::new(
+        &Curve::Exponential { k0: 700.0, beta: 20.0 },
+        settings.stiffness_cap,
+        0.15,
+        f64::INFINITY,
+    );
     let curve = Curve::Exponential { k0: 700.0, beta: 20.0 };
     for i in -10..30 {
         let e = 0.005 * f64::from(i);

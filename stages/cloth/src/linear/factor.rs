@@ -116,11 +116,6 @@ impl Factor {
             *v = Vec3::new(f64::from(r[0]), f64::from(r[1]), f64::from(r[2]));
         }
     }
-
-    /// Bytes of the factor.
-    pub fn bytes(&self) -> usize {
-        4 * (self.values.len() + self.matrix.len() + self.row.len())
-    }
 }
 
 fn structure<'a>(column: &'a [u32], row: &'a [u32]) -> Result<SymbolicSparseColMatRef<'a, u32>, ()> {
@@ -150,14 +145,8 @@ fn order(pattern: &Pattern) -> Option<(Vec<u32>, Vec<u32>)> {
     let lower = SymbolicSparseColMatRef::new_checked(n, n, &pattern.start, None, &pattern.rows);
     let (mut forward, mut backward) = (vec![0u32; n], vec![0u32; n]);
     let mut work = MemBuffer::try_new(amd::order_maybe_unsorted_scratch::<u32>(n, pattern.rows.len())).ok()?;
-    amd::order_maybe_unsorted(
-        &mut forward,
-        &mut backward,
-        lower,
-        amd::Control::default(),
-        MemStack::new(&mut work),
-    )
-    .ok()?;
+    amd::order_maybe_unsorted(&mut forward, &mut backward, lower, amd::Control::default(), MemStack::new(&mut work))
+        .ok()?;
     let thrice = |v: &[u32]| v.iter().flat_map(|i| [3 * i, 3 * i + 1, 3 * i + 2]).collect::<Vec<u32>>();
     let wide = thrice(&forward);
     let mut back = vec![0u32; 3 * n];

@@ -2,18 +2,17 @@
 
 use super::memory::{Memory, dot};
 use super::objective::Objective;
-use super::report;
 use crate::linear::factor::Factor;
 use crate::linear::hessian::FIXED;
 use crate::start::Start;
-use crate::{ClothError, Outcome, Scene, Settings, StopReason, Vec3, Watch};
+use crate::{ClothError, Scene, Settings, Vec3, Watch};
 
 /// Sufficient decrease (Armijo).
 const DECREASE: f64 = 1e-4;
 const MOST_HALVINGS: usize = 8;
 /// Shift of the metric: mass / τ. First τ, and the one from which it no longer matters, s².
 const TAU_FIRST: f64 = 1e-2;
-const TAU_FREE: f64 = 30.0;
+pub(super) const TAU_FREE: f64 = 30.0;
 const TAU_LEAST: f64 = 1e-8;
 const TAU_MOST: f64 = 1e4;
 /// Rounds in which single vertices are held back before the whole step is shortened.
@@ -31,7 +30,7 @@ pub(crate) struct Descent<'a> {
     pub energy: f64,
     factor: Factor,
     memory: Memory,
-    tau: f64,
+    pub tau: f64,
     pub steps: u64,
     pub evaluations: u64,
     /// At the last look: energy a Newton step would win over the elastic energy, its longest move (m), net force.
@@ -43,10 +42,10 @@ pub(crate) struct Descent<'a> {
 
 /// What became of a block of steps.
 #[derive(Clone, Copy, Debug, Default)]
-struct Block {
-    steps: usize,
+pub(crate) struct Block {
+    pub steps: usize,
     /// Mean part of the full step that was taken.
-    mean: f64,
+    pub mean: f64,
     least: f64,
     stuck: bool,
 }
@@ -79,7 +78,7 @@ impl<'a> Descent<'a> {
         descent
     }
 
-    fn evaluate(&mut self) {
+    pub fn evaluate(&mut self) {
         self.evaluations += 1;
         self.energy = self.goal.evaluate(&self.x, &mut self.f);
     }
@@ -102,16 +101,6 @@ impl<'a> Descent<'a> {
             if self.factor.factorise(&pattern, &values, &shift) {
                 return true;
             }
-            if std::env::var_os("TOILE_TRACE").is_some() {
-                #[allow(clippy::print_stderr)]
-                {
-                    let most = values.iter().map(|m| m.amax()).fold(0.0, f64::max);
-                    let finite = values.iter().all(|m| m.iter().all(|c| c.is_finite()));
-                    let touch = self.goal.barrier.as_ref().map_or(0.0, |b| b.touches.iter().map(|t| t.slope).fold(0.0, f64::max));
-                    let near = self.goal.barrier.as_ref().map_or(0.0, |b| b.touches.iter().map(|t| t.distance).fold(1.0, f64::min));
-                    eprintln!("factor failed tau {:.1e}: largest {most:.2e}, finite {finite}, touch {touch:.2e}, nearest {near:.2e}, elastic {:.2e}", self.tau, self.goal.elastic(&self.x));
-                }
-            }
             self.tau *= 0.1;
             if self.tau < TAU_LEAST {
                 return false;
@@ -120,7 +109,7 @@ impl<'a> Descent<'a> {
     }
 
     /// What a Newton step from here would win, over the elastic energy, and its longest move.
-    fn look(&mut self) {
+    pub fn look(&mut self) {
         let mut d = self.f.clone();
         self.factor.solve(&mut d);
         let win = 0.5 * dot(&d, &self.f);
@@ -131,7 +120,7 @@ impl<'a> Descent<'a> {
         self.residual = if self.weight > 0.0 { net / self.weight } else { 0.0 };
     }
 
-    fn resting(&self) -> bool {
+    pub fn resting(&self) -> bool {
         let s = self.settings;
         let slid = self.goal.stick.as_ref().map_or(0.0, |s| s.largest);
         self.tau >= TAU_FREE
@@ -147,7 +136,7 @@ impl<'a> Descent<'a> {
     }
 
     /// Leads held vertices towards their places, as far as nothing is in the way.
-    fn lead(&mut self) {
+    pub fn lead(&mut self) {
         if self.pins_placed() {
             return;
         }
@@ -239,7 +228,7 @@ impl<'a> Descent<'a> {
         None
     }
 
-    fn block(&mut self) -> Block {
+    pub fn block(&mut self) -> Block {
         let mut b = Block { least: 1.0, ..Block::default() };
         let mut sum = 0.0;
         for _ in 0..self.block_length() {
@@ -263,7 +252,7 @@ impl<'a> Descent<'a> {
     }
 
     /// Adapts the shift to how the block went.
-    fn adapt(&mut self, b: Block) {
+    pub fn adapt(&mut self, b: Block) {
         if b.stuck && b.steps == 0 {
             self.memory.clear();
             self.tau = (self.tau * 0.1).max(TAU_LEAST);
@@ -275,224 +264,34 @@ impl<'a> Descent<'a> {
         }
     }
 
-    /// Goes on until at rest.
-    pub fn settle(&mut self, watch: &mut dyn Watch) -> Result<StopReason, ClothError> {
-        let mut stuck = 0;
-        loop {
-            self.lead();
-            if !self.energy.is_finite() {
-                return Err(ClothError::Unstable { step: self.steps, what: "the energy is beyond numbers".into() });
-            }
-            if !self.refresh() {
-                let what = "no descent direction: the stiffness matrix cannot be factorised".into();
-                return Err(ClothError::Unstable { step: self.steps, what });
-            }
-            self.look();
-            if std::env::var_os("TOILE_TRACE").is_some() {
-                #[allow(clippy::print_stderr)]
-                {
-                    eprintln!(
-                        "step {} eval {} E {:.9} el {:.3e} dec {:.2e} longest {:.3} mm res {:.2e} tau {:.1e} an {} slid {:.3} touches {} limited {} lists {}",
-                        self.steps, self.evaluations, self.energy, self.goal.elastic(&self.x), self.decrement, self.longest * 1e3,
-                        self.residual, self.tau, self.factor.analyses, self.goal.stick.as_ref().map_or(0.0, |s| s.largest) * 1e3,
-                        self.goal.barrier.as_ref().map_or(0, |b| b.touches.len()),
-                        self.goal.barrier.as_ref().map_or(0, |b| b.tally.limited), self.goal.barrier.as_ref().map_or(0, |b| b.tally.lists),
-                    );
-                }
-            }
-            if self.resting() {
-                return Ok(StopReason::Settled);
-            }
-            if self.tau < TAU_FREE && self.decrement < self.settings.decrement_tolerance && self.residual < 10.0 * self.settings.residual_tolerance {
-                // Near rest: is it also without the shift?
-                self.tau = TAU_FREE;
-                continue;
-            }
-            if watch.cancelled() {
-                return Err(ClothError::Cancelled { step: self.steps });
-            }
-            watch.progress(self.steps, &self.words());
-            if self.steps >= self.settings.max_descents {
-                return Ok(StopReason::MaxSteps);
-            }
-            let b = self.block();
-            stuck = if b.steps == 0 { stuck + 1 } else { 0 };
-            if stuck > 12 {
-                return Ok(StopReason::MaxSteps);
-            }
-            self.adapt(b);
-        }
-    }
-
-    fn words(&self) -> String {
-        format!(
-            "a Newton step would win {:.1e} of the elastic energy (goal {:.0e}) and move {:.3} mm (goal {:.1})",
-            self.decrement,
-            self.settings.decrement_tolerance,
-            self.longest * 1e3,
-            self.settings.move_tolerance * 1e3
-        )
-    }
-}
-
-/// Settles the cloth.
-pub(crate) fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
-    let start = Start::new(scene, settings)?;
-    let repaired = start.repaired;
-    let mut descent = Descent::new(scene, settings, start, false);
-    let reason = descent.settle(watch)?;
-    Ok(report::outcome(descent, scene, reason, repaired))
-}
-
-/// Pull of the threads at first, per length of seam, N/m, and at most.
-const PULL_FIRST: f64 = 1.0;
-const PULL_MOST: f64 = 300.0;
-/// Blocks without much progress after which something must be in the way.
-const PATIENCE: u32 = 40;
-/// Distance to the body at first, over the mean edge.
-const WIDE: f64 = 0.6;
-/// Gap over the mean edge at which the full pull acts while the pieces come together.
-const REACH: f64 = 0.5;
-/// Energy won in a block over the elastic energy at which a sewn state is good enough to drape.
-const SEWN: f64 = 0.2;
-/// Widest gap over the mean edge from which the threads are drawn tight.
-const NEAR: f64 = 0.1;
-/// Pull at the sewing distance in the end, N/m.
-const PULL_SEWN: f64 = 1e4;
-
-/// Closes the stitches: the threads pull harder from block to block, until all pairs are closed. `None` where something
-/// stays in the way.
-pub(crate) fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
-    let start = Start::new(scene, settings)?;
-    let repaired = start.repaired;
-    let mut descent = Descent::new(scene, settings, start, true);
-    let closed = descent.goal.seams.is_none() || descent.close(watch)?;
-    Ok(closed.then(|| report::outcome(descent, scene, StopReason::Settled, repaired)))
-}
-
-impl Descent<'_> {
-    fn pull(&mut self, force: f64, reach: f64) {
-        if let Some(s) = &mut self.goal.seams {
-            (s.force, s.reach) = (force, reach);
-        }
+    /// The energy has been changed: evaluates, and forgets what was learnt of its curvature.
+    pub fn start_anew(&mut self) {
         self.memory.clear();
         self.evaluate();
     }
 
-    /// Holds the cloth further off the body than its gaps: what feels the body early slides round it.
-    fn stand_off(&mut self, gaps: &[f64], wide: f64) {
-        if let Some(b) = &mut self.goal.barrier {
-            b.frame.body_gap.iter_mut().zip(gaps).for_each(|(g, own)| *g = own.max(wide));
-            b.cover_anew(&self.x);
+    /// A new metric for what is here.
+    pub fn metric(&mut self) -> Result<(), ClothError> {
+        if !self.energy.is_finite() {
+            return Err(ClothError::Unstable { step: self.steps, what: "the energy is beyond numbers".into() });
         }
-        self.memory.clear();
-        self.evaluate();
+        if !self.refresh() {
+            let what = "no descent direction: the stiffness matrix cannot be factorised".into();
+            return Err(ClothError::Unstable { step: self.steps, what });
+        }
+        Ok(())
     }
 
-    /// Is everything closed?
-    fn close(&mut self, watch: &mut dyn Watch) -> Result<bool, ClothError> {
-        let (mut force, distance) = (PULL_FIRST, self.settings.sewing_distance);
-        let gaps = self.goal.barrier.as_ref().map_or_else(Vec::new, |b| b.frame.body_gap.clone());
-        let mut wide = WIDE * self.goal.edge;
-        self.stand_off(&gaps, wide);
-        let reach = REACH * self.goal.edge;
-        self.pull(force, reach);
-        let mut patience = 0;
-        loop {
-            self.lead();
-            if !self.refresh() {
-                let what = "no descent direction: the stiffness matrix cannot be factorised".into();
-                return Err(ClothError::Unstable { step: self.steps, what });
-            }
-            self.look();
-            let before = self.goal.seams.as_ref().map_or(0.0, |s| s.widest(&self.x));
-            if before < wide {
-                // Nearly closed: the body's distance shrinks with the gaps.
-                wide = (0.5 * wide).max(before.min(wide));
-                self.stand_off(&gaps, wide);
-            }
-            if std::env::var_os("TOILE_TRACE").is_some() {
-                #[allow(clippy::print_stderr)]
-                {
-                    eprintln!("sew step {} E {:.6} widest {:.3} mm force {force:.1} tau {:.1e} longest {:.2} limited {}", self.steps, self.energy, before*1e3, self.tau, self.longest*1e3,
-                    self.goal.barrier.as_ref().map_or(0, |b| b.tally.limited));
-                }
-            }
-            if before <= NEAR * self.goal.edge {
-                break;
-            }
-            let b = self.block();
-            if std::env::var_os("TOILE_TRACE").is_some() {
-                #[allow(clippy::print_stderr)]
-                {
-                eprintln!("   {b:?}");
-                if let Some(ba) = &self.goal.barrier {
-                    let mut t: Vec<_> = ba.touches.iter().collect();
-                    t.sort_by(|a, b| a.distance.total_cmp(&b.distance));
-                    for t in t.iter().take(3) {
-                        eprintln!("      kind {} d {:.2e} load {:.2e} at {:?} key {:?}", t.key.0, t.distance, t.load, self.x[t.vertices[0] as usize].as_slice(), t.key.1);
-                    }
-                    if let Some(s) = &self.goal.seams { eprintln!("      widest at {:?}", s.widest_at(&self.x)); }
-                }
-                }
-            }
-            self.adapt(b);
-            self.tau = self.tau.min(1.0);
-            let after = self.goal.seams.as_ref().map_or(0.0, |s| s.widest(&self.x));
-            if watch.cancelled() {
-                return Err(ClothError::Cancelled { step: self.steps });
-            }
-            watch.progress(self.steps, &format!("widest seam {:.1} mm open", after * 1e3));
-            // Pull harder when the gaps no longer shrink by themselves.
-            if after > 0.95 * before {
-                patience += 1;
-            }
-            if after > 0.95 * before && b.steps > 3 && b.mean > 0.3 {
-                if patience > PATIENCE {
-                    return Ok(false);
-                }
-                if force < PULL_MOST {
-                    force *= 1.6;
-                    self.pull(force, reach);
-                }
-            }
+    /// Metric, block and adaption in one.
+    pub fn advance(&mut self, watch: &mut dyn Watch, words: &str) -> Result<Block, ClothError> {
+        if watch.cancelled() {
+            return Err(ClothError::Cancelled { step: self.steps });
         }
-        self.pull(PULL_SEWN, distance);
-        let most = self.steps + 200;
-        let mut last = self.energy;
-        loop {
-            self.lead();
-            if !self.refresh() {
-                break;
-            }
-            if std::env::var_os("TOILE_TRACE").is_some() {
-                #[allow(clippy::print_stderr)]
-                {
-                    eprintln!("sew polish {} E {:.6} widest {:.4} mm tau {:.1e} wide {:.2}", self.steps, self.energy, self.goal.seams.as_ref().map_or(0.0, |s| s.widest(&self.x))*1e3, self.tau, wide * 1e3);
-                }
-            }
-            let b = self.block();
-            self.adapt(b);
-            if watch.cancelled() {
-                return Err(ClothError::Cancelled { step: self.steps });
-            }
-            if wide > 0.0 {
-                wide *= 0.5;
-                if gaps.iter().all(|g| wide <= *g) {
-                    wide = 0.0;
-                }
-                self.stand_off(&gaps, wide);
-                last = f64::INFINITY;
-                continue;
-            }
-            let won = last - self.energy;
-            last = self.energy;
-            let closed = self.goal.seams.as_ref().map_or(0.0, |s| s.widest(&self.x)) <= 0.1 * distance;
-            // The drape goes on from here: no need to rest.
-            if closed && won <= SEWN * self.goal.elastic(&self.x) || self.steps > most {
-                break;
-            }
-        }
-        Ok(self.goal.seams.as_ref().is_none_or(|s| s.widest(&self.x) <= distance))
+        watch.progress(self.steps, words);
+        self.lead();
+        self.metric()?;
+        let b = self.block();
+        self.adapt(b);
+        Ok(b)
     }
 }

@@ -1,9 +1,12 @@
 //! Rest without time: the least of one energy (docs/static.md), by descents whose metric is a lagged Cholesky factor.
 
+mod close;
 mod descent;
 mod memory;
 mod objective;
 mod report;
+mod rest;
 mod seams;
 
-pub(crate) use descent::{drape, sew};
+pub(crate) use close::sew;
+pub(crate) use rest::drape;

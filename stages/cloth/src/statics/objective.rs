@@ -53,10 +53,9 @@ impl Objective {
         unknown.iter().zip(&mass).filter(|(u, _)| **u != FIXED).for_each(|(u, m)| inertia[*u as usize] = *m);
         let frame = frame(scene, s, topology, &mass, body.is_some(), own);
         let edge = frame.edge;
-        let stick = (s.effects.friction != Switch::Off
-            && (own || body.is_some())
-            && frame.friction.iter().any(|m| *m > 0.0))
-        .then(Stick::default);
+        let stick =
+            (s.effects.friction != Switch::Off && (own || body.is_some()) && frame.friction.iter().any(|m| *m > 0.0))
+                .then(Stick::default);
         let area = areas(scene);
         let barrier = (own || body.is_some()).then(|| Barrier::new(&positions, frame, body, area));
         let constant = hessian.values.clone();

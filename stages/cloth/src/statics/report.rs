@@ -4,14 +4,11 @@ use super::descent::Descent;
 use crate::{EffectReport, Outcome, Reaction, Scene, StopReason, Switch};
 
 pub(crate) fn outcome(d: Descent<'_>, scene: &Scene, stop_reason: StopReason, repaired: (usize, f64)) -> Outcome {
-    let mut gaps: Vec<(u32, f64)> = (0u32..)
-        .zip(&scene.stitches)
-        .map(|(i, s)| (i, (d.x[s[0] as usize] - d.x[s[1] as usize]).norm()))
-        .collect();
+    let mut gaps: Vec<(u32, f64)> =
+        (0u32..).zip(&scene.stitches).map(|(i, s)| (i, (d.x[s[0] as usize] - d.x[s[1] as usize]).norm())).collect();
     gaps.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
     let forces = d.goal.forces();
-    let reactions =
-        d.goal.pins.iter().map(|(v, _)| Reaction { vertex: *v, force: -forces[*v as usize] }).collect();
+    let reactions = d.goal.pins.iter().map(|(v, _)| Reaction { vertex: *v, force: -forces[*v as usize] }).collect();
     Outcome {
         steps: d.steps,
         seconds: 0.0,
@@ -42,7 +39,9 @@ fn effects(d: &Descent<'_>, scene: &Scene) -> Vec<EffectReport> {
             own,
             e.self_contact,
             "cloth that moves freely can meet itself",
-            told(&|t| format!("up to {} near pairs; lists made {} times, {} steps shortened", t.own_most, t.lists, t.limited)),
+            told(&|t| {
+                format!("up to {} near pairs; lists made {} times, {} steps shortened", t.own_most, t.lists, t.limited)
+            }),
         ),
         effect(
             "body-contact",

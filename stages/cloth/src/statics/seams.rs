@@ -99,11 +99,6 @@ impl Seams {
         }
     }
 
-    pub fn widest_at(&self, x: &[Vec3]) -> Option<(u32, Vec3, Vec3)> {
-        let t = self.threads.iter().max_by(|a, b| a.gap(x).norm().total_cmp(&b.gap(x).norm()))?;
-        Some((t.vertex, x[t.vertex as usize], t.gap(x)))
-    }
-
     /// Largest gap, m.
     pub fn widest(&self, x: &[Vec3]) -> f64 {
         self.threads.iter().map(|t| t.gap(x).norm()).fold(0.0, f64::max)

@@ -1,0 +1,150 @@
+//! Sewing: threads pull the stitched pairs together (docs/sewing.md).
+
+use super::descent::Descent;
+use super::report;
+use crate::start::Start;
+use crate::{ClothError, Outcome, Scene, Settings, StopReason, Watch};
+
+/// Pull of the threads at first, per length of seam, N/m, and at most.
+const PULL_FIRST: f64 = 1.0;
+const PULL_MOST: f64 = 300.0;
+/// Blocks without much progress after which something must be in the way; a standstill counts four times.
+const PATIENCE: u32 = 160;
+/// Distance to the body at first, over the mean edge.
+const WIDE: f64 = 0.6;
+/// Gap over the mean edge at which the full pull acts while the pieces come together.
+const REACH: f64 = 0.5;
+/// Energy won in a block over the elastic energy at which a sewn state is good enough to drape.
+const SEWN: f64 = 0.2;
+/// Widest gap over the mean edge from which the threads are drawn tight.
+const NEAR: f64 = 0.1;
+/// A block that leaves more than this of the widest gap made no progress …
+const SHRINKS: f64 = 0.95;
+/// … and lets the threads pull so much harder.
+const HARDER: f64 = 1.6;
+/// Most steps of the tightening.
+const MOST_TIGHTENING: u64 = 200;
+/// Pull at the sewing distance in the end, N/m.
+const PULL_SEWN: f64 = 1e4;
+
+/// Closes the stitches: the threads pull harder from block to block, until all pairs are closed. `None` where something
+/// stays in the way.
+pub(crate) fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
+    let start = Start::new(scene, settings)?;
+    let repaired = start.repaired;
+    let mut descent = Descent::new(scene, settings, start, true);
+    if descent.goal.seams.is_some() {
+        let mut sewing = Sewing::new(&mut descent);
+        if !sewing.gather(watch)? {
+            return Ok(None);
+        }
+        sewing.tighten(watch)?;
+    }
+    let open = descent.widest() > settings.sewing_distance;
+    let reason = if open { StopReason::SeamsOpen } else { StopReason::Settled };
+    Ok(Some(report::outcome(descent, scene, reason, repaired)))
+}
+
+struct Sewing<'a, 'b> {
+    descent: &'a mut Descent<'b>,
+    /// Distances to the body as they should be in the end, m.
+    gaps: Vec<f64>,
+    /// Distance that is held for now, m.
+    wide: f64,
+    /// N/m.
+    force: f64,
+}
+
+impl<'a, 'b> Sewing<'a, 'b> {
+    fn new(descent: &'a mut Descent<'b>) -> Self {
+        let gaps = descent.goal.barrier.as_ref().map_or_else(Vec::new, |b| b.frame.body_gap.clone());
+        let wide = WIDE * descent.goal.edge;
+        let mut sewing = Self { descent, gaps, wide, force: PULL_FIRST };
+        sewing.stand_off(wide);
+        sewing
+    }
+
+    fn pull(&mut self, force: f64, reach: f64) {
+        self.force = force;
+        if let Some(s) = &mut self.descent.goal.seams {
+            (s.force, s.reach) = (force, reach);
+        }
+        self.descent.start_anew();
+    }
+
+    /// Holds the cloth further off the body than its gaps: what feels the body early slides round it.
+    fn stand_off(&mut self, wide: f64) {
+        self.wide = wide;
+        if let Some(b) = &mut self.descent.goal.barrier {
+            b.frame.body_gap.iter_mut().zip(&self.gaps).for_each(|(g, own)| *g = own.max(wide));
+            b.cover_anew(&self.descent.x);
+        }
+        self.descent.start_anew();
+    }
+
+    /// Brings the pieces together; `false` if they do not come.
+    fn gather(&mut self, watch: &mut dyn Watch) -> Result<bool, ClothError> {
+        let edge = self.descent.goal.edge;
+        let reach = REACH * edge;
+        self.pull(PULL_FIRST, reach);
+        let mut idle = 0;
+        loop {
+            let before = self.descent.widest();
+            if before < self.wide {
+                // Nearly closed: the distance to the body shrinks with the gaps.
+                self.stand_off(before.max(0.5 * self.wide));
+            }
+            if before <= NEAR * edge {
+                return Ok(true);
+            }
+            let b = self.descent.advance(watch, &format!("widest seam {:.1} mm open", before * 1e3))?;
+            self.descent.tau = self.descent.tau.min(1.0);
+            if self.descent.widest() <= SHRINKS * before {
+                continue;
+            }
+            // Pull harder when the gaps no longer shrink by themselves.
+            if self.force < PULL_MOST && b.steps > 3 && b.mean > 0.3 {
+                self.pull(HARDER * self.force, reach);
+            } else {
+                // Short steps are no standstill yet, no steps are.
+                idle += if b.steps == 0 || self.force >= PULL_MOST { 4 } else { 1 };
+            }
+            if idle > PATIENCE {
+                return Ok(false);
+            }
+        }
+    }
+
+    /// Draws the threads tight while the cloth comes to its distance from the body.
+    fn tighten(&mut self, watch: &mut dyn Watch) -> Result<(), ClothError> {
+        let distance = self.descent.settings.sewing_distance;
+        self.pull(PULL_SEWN, distance);
+        let most = self.descent.steps + MOST_TIGHTENING;
+        let mut last = f64::INFINITY;
+        while self.descent.steps < most {
+            let widest = self.descent.widest();
+            let b = self.descent.advance(watch, &format!("widest seam {:.3} mm open", widest * 1e3))?;
+            if self.wide > 0.0 {
+                let next = 0.5 * self.wide;
+                self.stand_off(if self.gaps.iter().all(|g| next <= *g) { 0.0 } else { next });
+                last = f64::INFINITY;
+                continue;
+            }
+            let won = last - self.descent.energy;
+            last = self.descent.energy;
+            let closed = self.descent.widest() <= 0.1 * distance;
+            // The drape goes on from here: no need to rest.
+            if closed && won <= SEWN * self.descent.goal.elastic(&self.descent.x) || b.steps == 0 && won <= 0.0 {
+                break;
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Descent<'_> {
+    /// Widest gap of a stitch, m.
+    fn widest(&self) -> f64 {
+        self.goal.seams.as_ref().map_or(0.0, |s| s.widest(&self.x))
+    }
+}
