@@ -1,0 +1,25 @@
+//! The cases, one file per family.
+
+mod bias;
+mod cantilever;
+mod catenary;
+mod frame;
+mod hanging;
+mod kes;
+pub mod not_yet;
+mod off_axis;
+
+use crate::case::Case;
+
+/// All cases, in the order of the table.
+pub fn all() -> Vec<Case> {
+    let mut list = Vec::new();
+    list.extend(kes::cases());
+    list.extend(hanging::cases());
+    list.extend(catenary::cases());
+    list.extend(off_axis::cases());
+    list.extend(frame::cases());
+    list.extend(bias::cases());
+    list.extend(cantilever::cases());
+    list
+}
