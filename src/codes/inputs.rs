@@ -41,6 +41,11 @@ pub(super) const CODES: &[Code] = &[
     code("color", "A colour is not written as # and six hexadecimal digits. Exit code 2."),
     code("fabric-curve", "A measured curve must begin at zero and rise in both columns. Exit code 3."),
     code("fabric-name-missing", "The fabric has no name. Give it one, so that reports can tell fabrics apart."),
+    code(
+        "fabric-poisson",
+        "The Poisson ratio along the warp and the ratio of the two stiffnesses mean one of 1 or more along the weft. \
+         Exit code 3.",
+    ),
     code("fabric-syntax", "The fabric file is not TOML at this place; the message says what is wrong. Exit code 3."),
     code(
         "fabric-value",

@@ -148,6 +148,10 @@ impl<'a> Lab<'a> {
         if !settled {
             self.note("not settled");
         }
+        match certificate["residual_rel"].as_f64() {
+            Some(residual) if residual > 0.1 => self.note(format!("residual {residual:.1e}")),
+            _ => {}
+        }
         Ok(Draped { at: positions(&folder)?, reactions: reactions(&folder)?, settled, certificate })
     }
 }

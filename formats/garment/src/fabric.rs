@@ -51,9 +51,9 @@ pub struct Fabric {
     pub thickness: f64,
     /// Friction coefficient, cloth on body and on itself.
     pub friction: f64,
-    /// Tension along the warp.
+    /// Tension along the warp, the weft held at its rest length.
     pub stretch_warp: StretchLaw,
-    /// Tension along the weft.
+    /// Tension along the weft, the warp held at its rest length.
     pub stretch_weft: StretchLaw,
     /// Poisson coupling: stress in one direction from strain in the other, as a fraction of the softer modulus.
     #[serde(default)]

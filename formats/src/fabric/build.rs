@@ -2,6 +2,7 @@
 
 use super::kes;
 use super::reader::{Entries, Entry};
+use super::sideways::{self, Held};
 use std::collections::BTreeMap;
 use toile_garment::fabric::{Fabric, StretchLaw, ValueSource};
 use toile_garment::{Diagnostic, SourceRef};
@@ -31,16 +32,18 @@ pub fn fabric(e: &mut Entries) -> Option<Fabric> {
     let bend_weft = bending(e, "weft", areal_mass, &mut sources);
     let bend_bias = bending(e, "bias", areal_mass, &mut sources);
     let bend_hysteresis = common(e, "bending_hysteresis", &mut sources);
+    let limits = [limit(e, "warp", &mut sources), limit(e, "weft", &mut sources)];
+    let held = held(e, warp?, weft?, poisson, limits)?;
     Some(Fabric {
         name: e.name.clone(),
         areal_mass: areal_mass?,
         thickness: thickness?,
         friction: friction?,
-        strain_limit_warp: limit(e, "warp", &mut sources),
-        strain_limit_weft: limit(e, "weft", &mut sources),
-        stretch_warp: warp?,
-        stretch_weft: weft?,
-        poisson,
+        strain_limit_warp: limits[0],
+        strain_limit_weft: limits[1],
+        stretch_warp: held.warp,
+        stretch_weft: held.weft,
+        poisson: held.coupling,
         shear: shear?,
         bend_warp: bend_warp?,
         bend_weft: bend_weft?,
@@ -48,6 +51,21 @@ pub fn fabric(e: &mut Entries) -> Option<Fabric> {
         bend_hysteresis,
         sources,
     })
+}
+
+/// The laws as the document holds them: each with the other direction held.
+fn held(e: &mut Entries, warp: StretchLaw, weft: StretchLaw, poisson: f64, reach: [f64; 2]) -> Option<Held> {
+    sideways::held(warp, weft, poisson, reach)
+        .map_err(|weft_ratio| {
+            let at = e.values.iter().find(|((_, k), _)| *k == "poisson").map_or(e.whole.clone(), |(_, v)| v.at.clone());
+            let message = format!(
+                "`poisson = {poisson}` along the warp means {weft_ratio:.3} along the weft, by the ratio of the \
+                 stiffnesses; no elastic cloth narrows more than it is pulled"
+            );
+            let finding = Diagnostic::error("fabric-poisson", message).at(at);
+            e.findings.push(finding.hint("give a smaller `poisson`, below stretch_warp over stretch_weft"));
+        })
+        .ok()
 }
 
 fn missing(e: &mut Entries, what: &str, hint: &str) {

@@ -37,13 +37,15 @@
 //!   from which G = 1.23 / eb5 N/m), `bending_…` or `bending_length_…` (B = areal mass · g · c³).
 //! - `[curve]` `warp = [["0 %", "0 N/m"], ["1 %", "20 N/m"], …]` and `weft`: measured samples, both columns rising.
 //!
-//! `poisson`, `shear` and the bending keys may stand in any table of laws.
+//! `poisson`, `shear` and the bending keys may stand in any table of laws. Stretch is what a strip with free sides shows,
+//! `poisson` how much it narrows per strain along the warp (0: not at all).
 
 mod build;
 mod curve;
 mod fields;
 pub mod kes;
 mod reader;
+mod sideways;
 #[cfg(test)]
 mod tests;
 

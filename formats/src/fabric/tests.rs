@@ -46,16 +46,26 @@ fn every_sample_reproduces_its_law() {
 #[test]
 fn linear_and_isotropic() {
     let f = read(LINEAR, "f.toml").expect("linear");
-    assert_eq!(f.stretch_warp, StretchLaw::Linear { stiffness: 500.0 });
-    assert_eq!(f.stretch_weft, StretchLaw::Linear { stiffness: 300.0 });
+    // With the other direction held: K / (1 − ν₁₂ ν₂₁), ν₂₁ = 0.2 · 300/500.
+    let held = |law: &StretchLaw, k: f64| (law.tangent(0.0) / (k / (1.0 - 0.2 * 0.12)) - 1.0).abs() < 1e-12;
+    assert!(held(&f.stretch_warp, 500.0) && held(&f.stretch_weft, 300.0));
     assert_eq!((f.poisson, f.shear, f.bend_warp, f.bend_weft, f.bend_bias), (0.2, 40.0, 1e-5, 1e-5, None));
     assert_eq!(f.strain_limit_warp, 0.05);
     let iso = "name = \"i\"\nareal_mass = \"0.15 kg/m^2\"\nthickness = \"0.5 mm\"\nfriction = 0.3\n\
         [isotropic]\nstretch = \"500 N/m\"\npoisson = 0.3\nbending = \"10 uN.m\"\n";
     let f = read(iso, "i.toml").expect("isotropic");
     assert!((f.shear - 500.0 / 2.6).abs() < 1e-9);
+    assert!((f.stretch_weft.tangent(0.0) - 500.0 / 0.91).abs() < 1e-9);
     assert!((f.bend_warp - 1e-5).abs() < 1e-18);
     assert_eq!((f.bend_weft, f.bend_bias), (f.bend_warp, Some(f.bend_warp)));
+}
+
+#[test]
+fn an_impossible_poisson_ratio_is_refused_at_its_line() {
+    let text = LINEAR.replace("stretch_warp = \"500", "stretch_warp = \"50");
+    let found = read(&text, "f.toml").expect_err("refused");
+    assert_eq!((found.len(), found[0].code.as_str()), (1, "fabric-poisson"));
+    assert_eq!(found[0].source.as_ref().and_then(|s| s.line), Some(8));
 }
 
 #[test]

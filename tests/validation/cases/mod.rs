@@ -1,13 +1,16 @@
 //! The cases, one file per family.
 
 mod bias;
+mod bracket;
 mod cantilever;
 mod catenary;
 mod frame;
+mod friction;
 mod hanging;
 mod kes;
 pub mod not_yet;
 mod off_axis;
+mod sleeve;
 
 use crate::case::Case;
 
@@ -21,5 +24,7 @@ pub fn all() -> Vec<Case> {
     list.extend(frame::cases());
     list.extend(bias::cases());
     list.extend(cantilever::cases());
+    list.extend(friction::cases());
+    list.extend(sleeve::cases());
     list
 }
