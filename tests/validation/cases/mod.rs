@@ -4,6 +4,7 @@ mod bias;
 mod bracket;
 mod cantilever;
 mod catenary;
+mod cones;
 mod frame;
 mod friction;
 mod hanging;
@@ -11,6 +12,7 @@ mod kes;
 pub mod not_yet;
 mod off_axis;
 mod sleeve;
+mod surface;
 
 use crate::case::Case;
 
@@ -26,5 +28,6 @@ pub fn all() -> Vec<Case> {
     list.extend(cantilever::cases());
     list.extend(friction::cases());
     list.extend(sleeve::cases());
+    list.extend(cones::cases());
     list
 }

@@ -104,7 +104,7 @@ fn pressure(points: &[Vec3], i: usize, rest: f64) -> f64 {
         let e = edge(k);
         e.normalize() * (K * (e.norm() / rest - 1.0))
     };
-    let (from, to) = (i + n - 3, i + 2);
+    let (from, to) = (i + n - 3, i + n + 2);
     let length: f64 = (from + 1..to).map(|k| edge(k).norm()).sum::<f64>() + 0.5 * (edge(from).norm() + edge(to).norm());
     (pull(to) - pull(from)).norm() / length
 }

@@ -1,6 +1,7 @@
 //! Closed forms and boundary value problems of one variable: none of it shares code with the program.
 
 pub mod catenary;
+pub mod cone;
 pub mod contact;
 pub mod elastica;
 pub mod hanging;
