@@ -91,26 +91,35 @@ pub struct Lab<'a> {
     used: f64,
     since_row: f64,
     notes: Vec<String>,
+    /// Largest of the runs behind the next figure.
+    residual: f64,
     runs: usize,
 }
 
 impl<'a> Lab<'a> {
     pub fn new(name: &str, options: &'a Options) -> Self {
         let name = name.to_owned();
-        Self { name, options, rows: Vec::new(), used: 0.0, since_row: 0.0, notes: Vec::new(), runs: 0 }
+        Self { name, options, rows: Vec::new(), used: 0.0, since_row: 0.0, notes: Vec::new(), residual: 0.0, runs: 0 }
     }
 
     /// A figure of this case.
     pub fn figure(&mut self, target: impl Into<String>, measured: f64, expected: f64, tolerance: Tolerance) {
         let (error, verdict) = judge(measured, expected, tolerance);
+        if self.residual > 0.1 {
+            self.note(format!("residual {:.1e}", self.residual));
+        }
         let (cpu, note) = (self.take_cpu(), self.notes.join("; "));
         self.notes.clear();
+        self.residual = 0.0;
         let (case, target) = (self.name.clone(), target.into());
         self.rows.push(Row { case, target, measured: Some(measured), expected, error, tolerance, verdict, cpu, note });
     }
 
     pub fn note(&mut self, words: impl Into<String>) {
-        self.notes.push(words.into());
+        let words = words.into();
+        if !self.notes.contains(&words) {
+            self.notes.push(words);
+        }
     }
 
     pub fn take_cpu(&mut self) -> f64 {
@@ -148,10 +157,7 @@ impl<'a> Lab<'a> {
         if !settled {
             self.note("not settled");
         }
-        match certificate["residual_rel"].as_f64() {
-            Some(residual) if residual > 0.1 => self.note(format!("residual {residual:.1e}")),
-            _ => {}
-        }
+        self.residual = self.residual.max(certificate["residual_rel"].as_f64().unwrap_or(0.0));
         Ok(Draped { at: positions(&folder)?, reactions: reactions(&folder)?, settled, certificate })
     }
 }

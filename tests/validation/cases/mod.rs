@@ -2,6 +2,7 @@
 
 mod bias;
 mod bracket;
+mod buckling;
 mod cantilever;
 mod catenary;
 mod cones;
@@ -11,6 +12,7 @@ mod hanging;
 mod kes;
 pub mod not_yet;
 mod off_axis;
+mod sewn;
 mod sleeve;
 mod surface;
 
@@ -29,5 +31,7 @@ pub fn all() -> Vec<Case> {
     list.extend(friction::cases());
     list.extend(sleeve::cases());
     list.extend(cones::cases());
+    list.extend(sewn::cases());
+    list.extend(buckling::cases());
     list
 }

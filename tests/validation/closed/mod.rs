@@ -1,10 +1,13 @@
 //! Closed forms and boundary value problems of one variable: none of it shares code with the program.
 
+pub mod buckling;
 pub mod catenary;
 pub mod cone;
 pub mod contact;
 pub mod elastica;
 pub mod hanging;
+pub mod sector;
+pub mod slip;
 
 /// m/s².
 pub const G: f64 = 9.81;

@@ -1,6 +1,7 @@
 //! Sectors of discs and rings.
 
 use super::{Family, Mesh, delaunay, jitter};
+use std::f64::consts::TAU;
 use toile_garment::Vec3;
 
 /// A sector around the origin and its lines.
@@ -11,8 +12,10 @@ pub struct Sector {
     pub circles: Vec<Vec<usize>>,
     /// Radius of every circle, m.
     pub radii: Vec<f64>,
-    /// Rad.
+    /// Rad; more than a full turn is possible.
     pub angle: f64,
+    /// Angle of every vertex, rad.
+    pub angles: Vec<f64>,
 }
 
 /// A sector of `angle` (rad) between two radii with edges near `h`; an inner radius of 0 gives one vertex there.
@@ -21,11 +24,13 @@ pub fn sector(inner: f64, outer: f64, angle: f64, h: f64, family: Family) -> Sec
     let radii: Vec<f64> = (0..=count).map(|k| inner + (outer - inner) * k as f64 / count as f64).collect();
     let mut rest: Vec<[f64; 2]> = Vec::new();
     let mut circles: Vec<Vec<usize>> = Vec::new();
+    let mut angles: Vec<f64> = Vec::new();
     for r in &radii {
         let cells = if *r == 0.0 { 0 } else { (angle * r / h).round().max(2.0) as usize };
         circles.push((rest.len()..=rest.len() + cells).collect());
         let at = |i: usize| if cells == 0 { 0.0 } else { angle * i as f64 / cells as f64 };
         rest.extend((0..=cells).map(|i| [r * libm::cos(at(i)), r * libm::sin(at(i))]));
+        angles.extend((0..=cells).map(at));
     }
     let mut triangles = Vec::new();
     for pair in circles.windows(2) {
@@ -40,9 +45,13 @@ pub fn sector(inner: f64, outer: f64, angle: f64, h: f64, family: Family) -> Sec
         jitter::shake(&mut rest, 0.25 * h, |_| [1.0, 1.0]);
         held.iter().for_each(|v| rest[*v] = before[*v]);
         delaunay::flip(&rest, &mut triangles);
+        for (a, p) in angles.iter_mut().zip(&rest).filter(|(_, p)| libm::hypot(p[0], p[1]) > 0.0) {
+            let turn = libm::atan2(p[1], p[0]) - *a;
+            *a += turn - TAU * (turn / TAU).round();
+        }
     }
     let at = rest.iter().map(|r| Vec3::new(r[0], r[1], 0.0)).collect();
-    Sector { mesh: Mesh { at, rest, triangles }, circles, radii, angle }
+    Sector { mesh: Mesh { at, rest, triangles }, circles, radii, angle, angles }
 }
 
 impl Sector {
@@ -51,16 +60,19 @@ impl Sector {
         self.circles.iter().map(|c| [c[0], c[c.len() - 1]]).filter(|[a, b]| a != b).collect()
     }
 
+    /// Puts every vertex where its radius and angle say.
+    pub fn place(mut self, to: impl Fn(f64, f64) -> Vec3) -> Self {
+        let polar = self.mesh.rest.iter().map(|p| libm::hypot(p[0], p[1])).zip(&self.angles);
+        self.mesh.at = polar.map(|(r, a)| to(r, *a)).collect();
+        self
+    }
+
     /// Bends the sector onto a cone without stretch: it goes `turn` (rad, ≤ 2π) round an axis that points up, the tip
     /// at the origin, the cloth below it.
-    pub fn onto_cone(mut self, turn: f64) -> Self {
+    pub fn onto_cone(self, turn: f64) -> Self {
         let sine = self.angle / turn;
         let cosine = (1.0 - sine * sine).max(0.0).sqrt();
-        self.mesh = self.mesh.place(|[x, y]| {
-            let (r, a) = (libm::hypot(x, y), libm::atan2(y, x).rem_euclid(std::f64::consts::TAU) / sine);
-            Vec3::new(r * sine * libm::cos(a), r * sine * libm::sin(a), -r * cosine)
-        });
-        self
+        self.place(|r, a| Vec3::new(r * sine * libm::cos(a / sine), r * sine * libm::sin(a / sine), -r * cosine))
     }
 }
 
