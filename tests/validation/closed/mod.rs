@@ -17,6 +17,9 @@ pub fn root(mut low: f64, mut high: f64, f: impl Fn(f64) -> f64) -> f64 {
     let rising = f(high) > f(low);
     for _ in 0..200 {
         let middle = 0.5 * (low + high);
+        if middle <= low || middle >= high {
+            break;
+        }
         if (f(middle) > 0.0) == rising { high = middle } else { low = middle }
     }
     0.5 * (low + high)
