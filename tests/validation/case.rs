@@ -3,13 +3,16 @@
 use crate::options::Options;
 use crate::trial::Lab;
 
+/// Runs the scene and takes down its figures; the text says why there is none.
+type Run = Box<dyn Fn(&mut Lab) -> Result<(), String>>;
+
 /// A scene with a known answer.
 pub struct Case {
     /// `hang-linear`, `cantilever.regular`, …
     pub name: String,
     /// Runs in the normal test command: it takes less than three seconds.
     pub quick: bool,
-    run: Box<dyn Fn(&mut Lab) -> Result<(), String>>,
+    run: Run,
 }
 
 pub fn case(name: impl Into<String>, run: impl Fn(&mut Lab) -> Result<(), String> + 'static) -> Case {

@@ -9,8 +9,8 @@
 //! cargo test --release -p toile --test validation -- --list
 //! ```
 //!
-//! More switches: `--accuracy draft|normal|fine` (the drape's own preset), `--cap SECONDS` (CPU time of one case, 60),
-//! `--json FILE`, `--keep FOLDER` (leaves the files of every run there).
+//! More switches: `--accuracy`, `--model`, `--integrator` (keys of the drape, as in a pipeline), `--cap SECONDS` (CPU
+//! time of one case, 60), `--json FILE`, `--keep FOLDER` (leaves the files of every run there).
 //! Verdicts: `good` within the tolerance a converged solver reaches, `poor` within the one past which the model is
 //! wrong for the case, `bad` beyond it or without a result. The exit code is 1 when any is bad, or a quick one not good.
 #![allow(clippy::print_stdout, clippy::expect_used, clippy::unwrap_used, missing_docs)]

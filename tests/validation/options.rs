@@ -7,7 +7,8 @@ pub struct Options {
     pub all: bool,
     pub list: bool,
     pub words: Vec<String>,
-    pub accuracy: Option<String>,
+    /// Keys of the stage `drape`, as TOML.
+    pub drape: Vec<String>,
     /// CPU seconds one case may take.
     pub cap: f64,
     pub json: Option<PathBuf>,
@@ -24,13 +25,13 @@ impl Options {
 
 pub fn read(mut arguments: impl Iterator<Item = String>) -> Result<Options, String> {
     let mut o =
-        Options { all: false, list: false, words: Vec::new(), accuracy: None, cap: 60.0, json: None, keep: None };
+        Options { all: false, list: false, words: Vec::new(), drape: Vec::new(), cap: 60.0, json: None, keep: None };
     while let Some(argument) = arguments.next() {
         let mut value = || arguments.next().ok_or(format!("{argument} wants a value"));
         match argument.as_str() {
             "--all" | "--ignored" | "--include-ignored" => o.all = true,
             "--list" => o.list = true,
-            "--accuracy" => o.accuracy = Some(value()?),
+            "--accuracy" | "--model" | "--integrator" => o.drape.push(format!("{} = \"{}\"", &argument[2..], value()?)),
             "--cap" => o.cap = value()?.parse().map_err(|e| format!("--cap: {e}"))?,
             "--json" => o.json = Some(value()?.into()),
             "--keep" => o.keep = Some(value()?.into()),

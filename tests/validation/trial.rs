@@ -134,7 +134,7 @@ impl<'a> Lab<'a> {
             Some(folder) => folder.join(&self.name).join(self.runs.to_string()),
             None => temporary.path().to_path_buf(),
         };
-        write(&folder, trial, self.options.accuracy.as_deref()).map_err(|e| e.to_string())?;
+        write(&folder, trial, &self.options.drape).map_err(|e| e.to_string())?;
         let left = self.options.cap - self.used;
         let before = cpu_seconds();
         let (code, said) = run(&folder, left);
@@ -192,7 +192,7 @@ fn run(folder: &Path, cap: f64) -> (u8, String) {
     (code, String::from_utf8_lossy(&err).trim().replace('\n', " "))
 }
 
-fn write(folder: &Path, t: &Trial, accuracy: Option<&str>) -> std::io::Result<()> {
+fn write(folder: &Path, t: &Trial, more: &[String]) -> std::io::Result<()> {
     std::fs::create_dir_all(folder)?;
     std::fs::write(folder.join("toile.root"), "")?;
     std::fs::write(folder.join("cloth.obj"), t.cloth.obj())?;
@@ -215,10 +215,7 @@ fn write(folder: &Path, t: &Trial, accuracy: Option<&str>) -> std::io::Result<()
         import += "with.body = \"body.obj\"\n";
     }
     let mut drape = format!("with.gravity = \"{} m/s2\"\n", t.gravity);
-    if let Some(accuracy) = accuracy {
-        let _ = writeln!(drape, "with.accuracy = \"{accuracy}\"");
-    }
-    t.drape.iter().for_each(|key| drape += &format!("with.{key}\n"));
+    more.iter().chain(&t.drape).for_each(|key| drape += &format!("with.{key}\n"));
     let export = "with.file = \"{out}/final.obj\"\nwith.reactions = \"{out}/reactions.json\"\n";
     let text = format!(
         "toile = 1\n[pipeline]\nline = \"validation\"\nversion = 1\n[[stage]]\nuse = \"import-mesh\"\n{import}\

@@ -1,7 +1,12 @@
 //! Public cases that the program cannot run yet; they are in no count.
 
 /// Case, and what it waits for.
-const LIST: [(&str, &str); 13] = [
+const LIST: [(&str, &str); 15] = [
+    (
+        "lattice-equilateral",
+        "bare edge springs: the program takes fabrics; `--model springs` shows what springs make of them",
+    ),
+    ("lattice-square", "the same"),
     ("pressure-tube-0", "an inner pressure"),
     ("penalty-0", "animate (contact time); contact here is no penalty floor, see stages/cloth/docs/contact.md"),
     ("pendulum-0", "animate"),
