@@ -10,6 +10,8 @@ pub enum StopReason {
     /// Stitches are open although the sewing force has grown to its most: the pieces do not reach round the body, or
     /// something is in the way.
     SeamsOpen,
+    /// Nothing holds the cloth: it falls and falls.
+    Unheld,
     /// The step limit.
     MaxSteps,
     /// The limit of simulated time.
@@ -23,6 +25,7 @@ impl StopReason {
         match self {
             Self::Settled => "settled",
             Self::SeamsOpen => "seams stayed open at full force",
+            Self::Unheld => "nothing holds the cloth, it falls",
             Self::MaxSteps => "the step limit was reached",
             Self::MaxSeconds => "the limit of simulated time was reached",
         }

@@ -4,7 +4,7 @@ mod common;
 
 use common::{add, cotton, linear, noise, regular, sheet, sphere};
 use toile_cloth::{
-    BodyMesh, Curve, Effects, Model, Pin, Scene, Settings, Silent, StopReason, Switch, Vec3, certify, drape,
+    BodyMesh, Curve, Effects, Integrator, Model, Pin, Scene, Settings, Silent, StopReason, Switch, Vec3, certify, drape,
 };
 
 const G: f64 = 9.81;
@@ -18,6 +18,11 @@ fn still() -> Settings {
         stiffness_cap: f64::INFINITY,
         ..Settings::default()
     }
+}
+
+/// In time, by the paper's scheme.
+fn moving() -> Settings {
+    Settings { integrator: Integrator::CentralDifference, ..still() }
 }
 
 fn hang(scene: &mut Scene, nx: u32, ny: u32) {
@@ -117,7 +122,7 @@ fn a_strip_between_two_pins_hangs_in_a_catenary() {
 fn free_fall_follows_gravity_and_keeps_the_shape() {
     let mut scene = sheet(0.2, 0.2, 6, 6, linear(0.15, 800.0, 500.0, 40.0), |x, y| Vec3::new(x, 0.0, y));
     scene.gravity = Vec3::new(0.0, -G, 0.0);
-    let settings = Settings { damping: 0.0, max_seconds: 0.3, ..still() };
+    let settings = Settings { damping: 0.0, max_seconds: 0.3, ..moving() };
     let out = drape(&scene, &settings, &mut Silent).unwrap();
     assert_eq!(out.stop_reason, StopReason::MaxSeconds);
     // Started at rest by X(−Δt) = X(0): the sum of the steps is ½ g t (t + Δt).
@@ -143,7 +148,7 @@ fn inner_forces_keep_momentum() {
         for (i, p) in (0u32..).zip(&mut scene.positions) {
             *p += Vec3::new(noise(3 * i), noise(3 * i + 1), noise(3 * i + 2)) * 3e-3;
         }
-        let settings = Settings { model, max_seconds: 0.05, damping: 0.0, ..still() };
+        let settings = Settings { model, max_seconds: 0.05, damping: 0.0, ..moving() };
         let out = drape(&scene, &settings, &mut Silent).unwrap();
         let mut mass = vec![0.0; scene.positions.len()];
         for t in &scene.triangles {
@@ -200,7 +205,7 @@ fn slope(angle: f64) -> Scene {
 #[test]
 fn friction_holds_below_the_slope_angle_and_slides_by_the_law_above() {
     let critical = libm::atan(0.3);
-    let settings = Settings { damping: 0.0, max_seconds: 0.5, energy_tolerance: 0.0, speed_tolerance: 0.0, ..still() };
+    let settings = Settings { damping: 0.0, max_seconds: 0.5, energy_tolerance: 0.0, speed_tolerance: 0.0, ..moving() };
     let run = |angle: f64, seconds: f64| {
         let scene = slope(angle);
         let out = drape(&scene, &Settings { max_seconds: seconds, ..settings.clone() }, &mut Silent).unwrap();
@@ -224,7 +229,7 @@ fn the_step_bound_is_safe_and_not_wasteful() {
     for (i, p) in (0u32..).zip(&mut scene.positions) {
         *p += Vec3::new(noise(2 * i), 0.0, noise(2 * i + 1)) * 1e-5;
     }
-    let base = Settings { damping: 0.0, stiffness_damping: 0.0, max_steps: 20_000, max_seconds: 1e3, ..still() };
+    let base = Settings { damping: 0.0, stiffness_damping: 0.0, max_steps: 20_000, max_seconds: 1e3, ..moving() };
     let base = Settings { energy_tolerance: 0.0, speed_tolerance: 0.0, ..base };
     let start = certify(&scene, &base, &scene.positions).unwrap().energy;
     let calm = drape(&scene, &Settings { step_fraction: 0.99, ..base.clone() }, &mut Silent).unwrap();
@@ -260,7 +265,7 @@ fn a_far_piece_changes_nothing() {
     let mut one = sheet(0.2, 0.2, 8, 8, cotton(), |x, y| Vec3::new(x, 0.0, y));
     one.gravity = Vec3::new(0.0, -G, 0.0);
     one.pins = vec![Pin { vertex: 0, at: one.positions[0] }, Pin { vertex: 8, at: one.positions[8] }];
-    let settings = Settings { max_seconds: 0.2, ..Settings::default() };
+    let settings = Settings { integrator: Integrator::CentralDifference, max_seconds: 0.2, ..Settings::default() };
     let alone = drape(&one, &settings, &mut Silent).unwrap();
     let mut two = one.clone();
     let other = sheet(0.2, 0.2, 8, 8, cotton(), |x, y| Vec3::new(x + 10.0, 0.0, y));
@@ -268,4 +273,27 @@ fn a_far_piece_changes_nothing() {
     let both = drape(&two, &settings, &mut Silent).unwrap();
     let most = alone.positions.iter().zip(&both.positions).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max);
     assert!(most < 1e-9, "{most}");
+}
+
+#[test]
+fn friction_holds_without_time_too() {
+    // On a slope under the angle of friction the sheet stays, over it nothing holds it.
+    let critical = libm::atan(0.3);
+    for (degrees, held) in [(-0.5f64, true), (2.0, false)] {
+        let mut scene = slope(critical + degrees.to_radians());
+        scene.body.as_mut().unwrap().positions.iter_mut().for_each(|p| *p *= if held { 1.0 } else { 50.0 });
+        let out = drape(&scene, &Settings { max_descents: 3000, ..still() }, &mut Silent).unwrap();
+        let moved = (out.positions[12] - scene.positions[12]).norm();
+        assert_eq!(out.settled, held, "{:?} after {moved} m", out.stop_reason);
+        assert_eq!(moved < 2e-3, held, "{moved}");
+    }
+}
+
+#[test]
+fn cloth_that_nothing_holds_is_told_so() {
+    let mut scene = sheet(0.2, 0.2, 6, 6, linear(0.15, 800.0, 500.0, 40.0), |x, y| Vec3::new(x, 0.0, y));
+    scene.gravity = Vec3::new(0.0, -G, 0.0);
+    let out = drape(&scene, &still(), &mut Silent).unwrap();
+    assert!(!out.settled);
+    assert_eq!(out.stop_reason, StopReason::Unheld);
 }

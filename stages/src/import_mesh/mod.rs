@@ -60,7 +60,7 @@ impl Stage for ImportMesh {
         "reads a cloth mesh with pins, stitches, loads, body and fabric instead of a pattern",
         &[],
         &[Aspect::Pieces, Aspect::Mesh, Aspect::Stitched, Aspect::Fabric],
-        1,
+        2,
     );
 
     fn run(&self, params: &Self::Params, _: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {

@@ -2,8 +2,9 @@
 
 use super::descent::Descent;
 use super::report;
+use crate::exact::count;
 use crate::start::Start;
-use crate::{ClothError, Outcome, Scene, Settings, StopReason, Watch};
+use crate::{ClothError, Outcome, Scene, Settings, StopReason, Vec3, Watch};
 
 /// Pull of the threads at first, per length of seam, N/m, and at most.
 const PULL_FIRST: f64 = 1.0;
@@ -24,6 +25,8 @@ const SHRINKS: f64 = 0.95;
 const HARDER: f64 = 1.6;
 /// Most steps of the tightening.
 const MOST_TIGHTENING: u64 = 200;
+/// Stitches closer than this share of the sewing distance are joined exactly.
+const JOINED: f64 = 0.1;
 /// Pull at the sewing distance in the end, N/m.
 const PULL_SEWN: f64 = 1e4;
 
@@ -39,6 +42,7 @@ pub(crate) fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> 
             return Ok(None);
         }
         sewing.tighten(watch)?;
+        descent.join(scene);
     }
     let open = descent.widest() > settings.sewing_distance;
     let reason = if open { StopReason::SeamsOpen } else { StopReason::Settled };
@@ -143,6 +147,32 @@ impl<'a, 'b> Sewing<'a, 'b> {
 }
 
 impl Descent<'_> {
+    /// Puts the members of closed stitches on one point, unless something would cross.
+    fn join(&mut self, scene: &Scene) {
+        let gap = |s: &&[u32; 2]| (self.x[s[0] as usize] - self.x[s[1] as usize]).norm();
+        let closed: Vec<[u32; 2]> =
+            scene.stitches.iter().filter(|s| gap(s) <= JOINED * self.settings.sewing_distance).copied().collect();
+        let group = crate::weld::groups(self.x.len(), &closed);
+        let mut sums = vec![(Vec3::zeros(), 0.0); self.x.len()];
+        for (x, g) in self.x.iter().zip(&group) {
+            let (sum, n) = &mut sums[*g as usize];
+            (*sum, *n) = (*sum + x, *n + 1.0);
+        }
+        let joined: Vec<Vec3> = (self.x.iter().zip(&group))
+            .map(|(x, g)| if sums[*g as usize].1 > 1.0 { sums[*g as usize].0 / sums[*g as usize].1 } else { *x })
+            .collect();
+        let faces: Vec<[u32; 3]> = scene.triangles.iter().map(|t| t.vertices).collect();
+        let free = self.goal.barrier.as_ref().is_none_or(|b| {
+            (!b.frame.own || count::own(&joined, &faces).count <= count::own(&self.x, &faces).count)
+                && b.body
+                    .as_ref()
+                    .is_none_or(|b| count::with_body(&joined, &faces, &b.positions, &b.topology.faces).count == 0)
+        });
+        if free {
+            self.x = joined;
+        }
+    }
+
     /// Widest gap of a stitch, m.
     fn widest(&self) -> f64 {
         self.goal.seams.as_ref().map_or(0.0, |s| s.widest(&self.x))

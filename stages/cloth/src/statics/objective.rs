@@ -3,6 +3,7 @@
 use super::seams::Seams;
 use crate::collide::barrier::Barrier;
 use crate::collide::stick::Stick;
+use crate::collide::tree::Aabb;
 use crate::energy::Energy;
 use crate::linear::hessian::{FIXED, Hessian};
 use crate::problem::{frame, masses, model};
@@ -113,6 +114,14 @@ impl Objective {
     /// J.
     pub fn elastic(&self, x: &[Vec3]) -> f64 {
         self.energies.iter().filter(|e| e.elastic()).map(|e| e.energy(x)).sum()
+    }
+
+    /// Diagonal of the box around cloth and body, m.
+    pub fn size(&self, x: &[Vec3]) -> f64 {
+        let cloth = Aabb::of(x);
+        let body = self.barrier.as_ref().and_then(|b| b.body.as_ref()).map_or(cloth, |b| b.bounds);
+        let all = cloth.join(&body);
+        (all.high - all.low).norm()
     }
 
     /// N.

@@ -7,6 +7,8 @@ use crate::{ClothError, Outcome, Scene, Settings, StopReason, Watch};
 
 /// Blocks in a row without any step after which nothing more can be won.
 const MOST_STUCK: u32 = 12;
+/// Way over the size of the scene after which the cloth is given up as falling.
+const FAR: f64 = 3.0;
 
 /// Settles the cloth.
 pub(crate) fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
@@ -21,6 +23,8 @@ impl Descent<'_> {
     /// Goes on until at rest.
     pub fn settle(&mut self, watch: &mut dyn Watch) -> Result<StopReason, ClothError> {
         let mut stuck = 0;
+        let start = self.x.clone();
+        let far = FAR * self.goal.size(&start);
         loop {
             self.lead();
             self.metric()?;
@@ -37,6 +41,9 @@ impl Descent<'_> {
                 return Err(ClothError::Cancelled { step: self.steps });
             }
             watch.progress(self.steps, &self.words());
+            if start.iter().zip(&self.x).any(|(p, q)| (p - q).norm_squared() > far * far) {
+                return Ok(StopReason::Unheld);
+            }
             if self.steps >= self.settings.max_descents {
                 return Ok(StopReason::MaxSteps);
             }
