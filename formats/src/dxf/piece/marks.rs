@@ -1,0 +1,109 @@
+//! Working lines, notches and darts of a piece whose outline is known.
+
+use super::{Desk, DrawnPiece, mm};
+use crate::dxf::darts::{self, Form};
+use crate::dxf::geom::{self, Crossing};
+use crate::dxf::ledger::Verdict;
+use crate::dxf::notches::{self, Ground};
+use crate::dxf::outline::{Making, Outline};
+use crate::dxf::{limits, marked};
+use toile_garment::{Diagnostic, Vec2};
+
+impl DrawnPiece {
+    pub(super) fn make_work(&mut self, desk: &mut Desk<'_>) {
+        let label = self.label().to_owned();
+        let lines = [(Some(&mut self.boundary), &self.dense, "84"), (self.sew.as_mut(), &self.dense_sew, "87")];
+        for (outline, dense, layer) in lines {
+            let Some(outline) = outline else { continue };
+            let verdict = outline.make_work(dense.as_ref());
+            if let Some(Err(off)) = verdict {
+                let text = format!(
+                    "the dense curve on layer {layer} of `{label}` is up to {off:.1} mm off the outline; not used"
+                );
+                let finding = Diagnostic::warning("validation-curve-differs", text);
+                desk.say(finding, &self.block, layer, outline.line);
+            }
+            if geom::crossing(&outline.work_positions()) != Crossing::None {
+                let text = format!(
+                    "the smooth curve through the points of `{label}` would cross itself; the drawn line was used"
+                );
+                outline.as_drawn();
+                desk.say(Diagnostic::warning("curve-not-smoothed", text), &self.block, "1", outline.line);
+            }
+            if let Making::Smoothed(off) = outline.making {
+                let text = format!(
+                    "curve points of `{label}` were joined by a smooth curve, up to {off:.2} mm off the chords"
+                );
+                desk.say(Diagnostic::info("curve-interpolated", text), &self.block, "3", outline.line);
+            }
+        }
+    }
+
+    pub(super) fn find_notches(&mut self, desk: &mut Desk<'_>) {
+        if self.marks.len() > limits::NOTCHES || self.strokes.len() > limits::NOTCHES {
+            let text = format!("`{}` has more than {} notches", self.label(), limits::NOTCHES);
+            desk.say(Diagnostic::error("too-many-notches", text), &self.block, "4", self.line);
+            return;
+        }
+        let boundary = self.boundary.positions();
+        let sew = self.sew.as_ref().map(Outline::positions);
+        let internal: Vec<(Vec<Vec2>, bool)> = self.internal.iter().map(|p| (p.positions(), p.closed)).collect();
+        let ground = Ground { boundary: &boundary, sew: sew.as_deref(), internal: &internal };
+        let (mut list, doubled) = notches::from_marks(&self.marks, &ground);
+        list.extend(notches::from_strokes(&self.strokes, &ground));
+        for id in doubled {
+            desk.ledger.overrule(id, Verdict::Interpreted, "doubled notch, merged");
+        }
+        for notch in list.iter().filter(|n| n.on == "off") {
+            let text =
+                format!("a notch of `{}` at {} lies {:.1} mm off the boundary", self.label(), mm(notch.at), notch.off);
+            desk.say(Diagnostic::warning("notch-off-boundary", text), &self.block, "4", notch.line);
+        }
+        self.notches = list;
+    }
+
+    pub(super) fn find_darts(&mut self, desk: &mut Desk<'_>) {
+        let on = if self.sew.is_some() { "sew" } else { "cut" };
+        let mut found = darts::wedges(self.sewn(), on);
+        found.extend(marked::marked(&self.internal, self.sewn()));
+        let line = self.sewn().positions();
+        found.extend(marked::lenses(&self.internal, &line));
+        found.extend(marked::lenses(&self.cutouts, &line));
+        for dart in &found {
+            for id in &dart.ids {
+                let rule = if dart.form == Form::Lens { "closed lens: fish-eye dart" } else { "legs of a marked dart" };
+                desk.ledger.overrule(*id, Verdict::Interpreted, rule);
+            }
+        }
+        let at: Vec<Vec2> = self.notches.iter().map(|n| n.at).collect();
+        let drills: Vec<Vec2> = self.drills.iter().map(|d| d.ends[0]).collect();
+        for (drill, mouth) in marked::candidates(&at, &drills, &found) {
+            let text = format!(
+                "two notches at {} and {} and a drill hole at {} of `{}` may be a dart; it was not made one",
+                mm(mouth[0]),
+                mm(mouth[1]),
+                mm(drill),
+                self.label()
+            );
+            let hint = "declare it in the sewing file: [[dart]] piece, apex, mouth, kind = \"wedge\"";
+            desk.say(Diagnostic::info("dart-candidate", text).hint(hint), &self.block, "13", self.line);
+        }
+        self.darts = found;
+    }
+
+    pub(super) fn check_extras(&mut self, desk: &mut Desk<'_>) {
+        for dart in &self.darts {
+            let (a, b) = (dart.leg_path(0), dart.leg_path(1));
+            if (a - b).abs() > 1.0 && (a - b).abs() > 0.01 * a.max(b) {
+                let text = format!(
+                    "the legs of the dart at {} of `{}` are {a:.1} and {b:.1} mm long, {:.1} mm apart; they were left as drawn",
+                    mm(dart.apexes[0]),
+                    self.label(),
+                    (a - b).abs()
+                );
+                let hint = "the difference is eased in when the dart is sewn; correct the pattern if it is a mistake";
+                desk.say(Diagnostic::warning("dart-legs-differ", text).hint(hint), &self.block, "1", dart.line);
+            }
+        }
+    }
+}
