@@ -215,8 +215,8 @@ mod tests {
     fn outline(points: &[(f64, f64)]) -> Outline {
         let points = points.iter().map(|(x, y)| (Vec2::new(*x, *y), true)).collect();
         let mut o = Outline::new(Path { ids: vec![0], line: 1, points, closed: true });
-        o.classify(&Marks::new(&[], &[]));
-        o.make_work(None);
+        o.classify(&Marks::new(&[], &[], &Default::default()));
+        o.make_work(None, 0.05);
         o
     }
 

@@ -77,6 +77,7 @@ fn facts(pattern: &Pattern, pieces: &[Piece], table: Option<&RuleTable>) -> Valu
         out.insert(key.to_owned(), value);
     };
     put("file", json!(pattern.file));
+    put("profile", profile(pattern));
     put("units", json!(pattern.units.declared));
     put("mm_per_unit", json!(pattern.units.mm_per_unit));
     put("dxf_version", json!(pattern.release));
@@ -95,6 +96,20 @@ fn facts(pattern: &Pattern, pieces: &[Piece], table: Option<&RuleTable>) -> Valu
         put("graded_turn_points_mm", graded(pattern, table));
     }
     Value::Object(out)
+}
+
+fn profile(pattern: &Pattern) -> Value {
+    let p = &pattern.profile;
+    let others: Vec<Value> = p.others.iter().map(|(v, r)| json!({ "vendor": v.name(), "reasons": r })).collect();
+    json!({
+        "vendor": p.vendor.name(),
+        "confidence": round(p.confidence),
+        "reasons": p.reasons,
+        "others": others,
+        "standard": p.standard.0,
+        "standard_reason": p.standard.1,
+        "effects": p.effects,
+    })
 }
 
 fn ledger(pattern: &Pattern) -> Value {
@@ -163,14 +178,17 @@ fn piece(drawn: &DrawnPiece, piece: &Piece) -> Value {
         "dart_count": drawn.darts.len(),
         "darts_unfolded": piece.darts.len(),
         // Marks (POINT) count apart from notches drawn with strokes: both are listed and both are sewn.
-        "notch_count": drawn.notches.iter().filter(|n| !n.strokes).count(),
+        "notch_count": drawn.notches.iter().filter(|n| !n.strokes && !n.cut).count(),
         "stroke_notch_count": drawn.notches.iter().filter(|n| n.strokes).count(),
+        "cut_notch_count": drawn.notches.iter().filter(|n| n.cut).count(),
         "notches": drawn.notches.iter().map(|n| json!({
             "kind": n.kind, "at_mm": xy(n.at), "depth_mm": round(n.depth), "width_mm": round(n.width), "on": n.on,
-            "angle_deg": n.angle.map(|a| round(a.to_degrees())),
+            "angle_deg": n.angle.map(|a| round(a.to_degrees())), "twin": n.twin,
         })).collect::<Vec<_>>(),
         "drill_count": drawn.drills.len(),
-        "drills_mm": drawn.drills.iter().map(|d| xy(d.ends[0])).collect::<Vec<_>>(),
+        "drills_mm": drawn.drills.iter().map(|d| xy(d.at)).collect::<Vec<_>>(),
+        "drill_diameters_mm": drawn.drills.iter().map(|d| d.diameter.map(round)).collect::<Vec<_>>(),
+        "stripe_line_count": drawn.stripes.len(),
         "internal_line_count": drawn.internal.len(),
         "cutout_count": drawn.cutouts.len(),
         "grain_line_mm": drawn.grain.map(|g| g.map(xy)),
@@ -242,6 +260,9 @@ fn text(pattern: &Pattern) -> String {
             pattern.encoding
         ),
     );
+    let p = &pattern.profile;
+    let why = p.reasons.join("; ");
+    say(&mut out, format!("written by {} ({:.0} %: {why})  {}", p.vendor.name(), p.confidence * 100.0, p.standard.0));
     say(&mut out, format!("sizes {}  sample {}", pattern.sizes.join(" "), or(&pattern.sample_size)));
     say(
         &mut out,

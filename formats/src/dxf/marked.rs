@@ -212,7 +212,7 @@ mod tests {
 
     fn sheet() -> Outline {
         let mut o = Outline::new(path(&[(0.0, 0.0), (300.0, 0.0), (300.0, 600.0), (0.0, 600.0)], true));
-        o.classify(&Marks::new(&[], &[]));
+        o.classify(&Marks::new(&[], &[], &Default::default()));
         o
     }
 

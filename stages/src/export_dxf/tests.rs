@@ -67,7 +67,7 @@ fn piece() -> Piece {
         outline,
         cut_line: Some(closed(&cut)),
         notches: vec![notch],
-        drill_holes: vec![DrillHole { at: mm(150.0, 120.0), source: None }],
+        drill_holes: vec![DrillHole { at: mm(150.0, 120.0), diameter: None, source: None }],
         grain: Some([mm(50.0, 40.0), mm(50.0, 80.0)]),
         internal_lines: vec![PieceLine { closed: false, ..closed(&[mm(20.0, 20.0), mm(60.0, 20.0)]) }],
         darts: vec![dart],

@@ -1,5 +1,6 @@
 //! A whole pattern: pieces in sizes, units, ledger and findings.
 
+mod block_names;
 mod inserts;
 mod rivals;
 mod sheets;
@@ -12,9 +13,12 @@ use super::lib_curves::{self, Census};
 use super::limits;
 use super::model::{Block, Drawing, Entity, Shape};
 use super::parse;
-use super::piece::{Desk, DrawnPiece};
+use super::piece::{Desk, DrawnPiece, Rules};
+use super::sheet::Sorter;
 use super::texts;
+use super::tolerances::Tolerances;
 use super::units::{self, Evidence, Units};
+use super::vendor::{self, Profile, Vendor};
 use std::collections::{BTreeMap, BTreeSet};
 use toile_garment::{Diagnostic, Severity};
 
@@ -25,6 +29,12 @@ pub struct ReadOptions {
     pub mm_per_unit: Option<f64>,
     /// Layer of the file → layer of the standard.
     pub layers: BTreeMap<String, String>,
+    /// Code page of the texts, overruling the file.
+    pub code_page: Option<String>,
+    /// Writer of the file, overruling the evidence.
+    pub vendor: Option<Vendor>,
+    /// Tolerances.
+    pub tolerances: Tolerances,
 }
 
 /// A pattern as read, pieces in millimetres.
@@ -36,6 +46,8 @@ pub struct Pattern {
     pub style: Option<String>,
     /// Style texts by key in lower case.
     pub style_texts: BTreeMap<String, String>,
+    /// Who wrote it, and why that is thought.
+    pub profile: Profile,
     /// Unit.
     pub units: Units,
     /// Code page.
@@ -84,11 +96,12 @@ pub fn read(bytes: &[u8], file: &str, options: &ReadOptions) -> Result<Pattern, 
 }
 
 fn read_into(bytes: &[u8], file: &str, options: &ReadOptions, findings: &mut Findings) -> Result<Pattern, Diagnostic> {
-    let mut drawing = parse::parse(bytes, findings)?;
+    let mut drawing = parse::parse(bytes, options.code_page.as_deref(), findings)?;
     let census = lib_curves::cross_read(&mut drawing, findings);
     let layers = Layers::new(&options.layers);
     let mut ledger = Ledger::new(drawing.entity_count);
     let style_texts = style_texts(&drawing);
+    let profile = vendor::detect(&drawing, &layers, &style_texts, options.vendor);
     let units = decide_units(&drawing, &layers, &style_texts, options, findings);
     let blocks: Vec<Block> = std::mem::take(&mut drawing.blocks);
     let mut by_name: BTreeMap<String, Vec<usize>> = BTreeMap::new();
@@ -96,13 +109,15 @@ fn read_into(bytes: &[u8], file: &str, options: &ReadOptions, findings: &mut Fin
         by_name.entry(block.name.clone()).or_default().push(i);
     }
     let mirrored = inserts::inserts(&drawing, &blocks, &by_name, findings, &mut ledger);
-    let sheets =
-        sheets::sheets(&drawing, &blocks, &by_name, &layers, units.mm_per_unit, &mirrored, findings, &mut ledger);
+    let (mm, flatness) = (units.mm_per_unit, options.tolerances.curve);
+    let mut sorter = Sorter::new(&layers, mm, flatness, &blocks, &by_name, &mut ledger, findings);
+    let sheets = sheets::sheets(&drawing, &blocks, &mut sorter, &mirrored, &options.tolerances);
     if sheets.len() > limits::PIECES {
         let text = format!("{} pieces, over the limit of {}", sheets.len(), limits::PIECES);
         return Err(Diagnostic::error("too-many-pieces", text).at(findings.place(1)));
     }
-    let mut desk = Desk { findings, ledger: &mut ledger };
+    let rules = Rules { tolerances: options.tolerances, notch_scale: profile.notch_scale };
+    let mut desk = Desk { findings, ledger: &mut ledger, rules: &rules };
     let mut pieces: Vec<DrawnPiece> = sheets
         .into_iter()
         .filter_map(|(name, line, sheet)| DrawnPiece::outline(&name, line, sheet, &mut desk))
@@ -114,6 +129,7 @@ fn read_into(bytes: &[u8], file: &str, options: &ReadOptions, findings: &mut Fin
             .hint("export as AAMA or ASTM, or map the layer of the outlines to \"1\""));
     }
     let sample_size = style_texts.get("sample size").cloned().filter(|s| !s.is_empty());
+    block_names::fill(&mut pieces, sample_size.as_deref(), &mut desk);
     carry_between_sizes(&mut pieces, &mut desk);
     for piece in &mut pieces {
         piece.finish(&mut desk);
@@ -131,6 +147,7 @@ fn read_into(bytes: &[u8], file: &str, options: &ReadOptions, findings: &mut Fin
     Ok(Pattern {
         file: file.to_owned(),
         style: style_texts.get("style name").cloned(),
+        profile,
         units,
         encoding: drawing.encoding.name(),
         release: drawing.release,
@@ -222,7 +239,7 @@ fn report_layers(drawing: &Drawing, blocks: &[Block], layers: &Layers, findings:
         let odd = match &e.shape {
             Shape::Other(_) => true,
             Shape::Text { .. } | Shape::Insert { .. } | Shape::Attribute => false,
-            _ => matches!(layers.role(&e.layer), Role::Unknown | Role::Match | Role::Annotation),
+            _ => matches!(layers.role(&e.layer), Role::Unknown | Role::Annotation),
         };
         if odd {
             let entry = unknown.entry((e.layer.clone(), e.shape.name().to_owned())).or_insert((0, e.line));

@@ -13,8 +13,8 @@ pub(super) fn deny_inserts_and_unmarked(pieces: &mut [DrawnPiece], desk: &mut De
     let drilled = |piece: &DrawnPiece, dart: &DrawnDart| {
         let polygon = [dart.mouth[0], dart.apexes[0], dart.mouth[1]];
         piece.drills.iter().any(|d| {
-            (d.ends[0] - dart.apexes[0]).norm() <= 30.0
-                && (geom::inside(d.ends[0], &polygon) || geom::distance(d.ends[0], &polygon, true) <= 20.0)
+            (d.at - dart.apexes[0]).norm() <= 30.0
+                && (geom::inside(d.at, &polygon) || geom::distance(d.at, &polygon, true) <= 20.0)
         })
     };
     let notched = |piece: &DrawnPiece, dart: &DrawnDart| {

@@ -2,29 +2,25 @@
 
 use super::is_model_space;
 use crate::dxf::chain::{self, Path};
-use crate::dxf::findings::Findings;
 use crate::dxf::geom;
 use crate::dxf::layers::{Layers, Role};
-use crate::dxf::ledger::{Ledger, Verdict};
+use crate::dxf::ledger::Verdict;
 use crate::dxf::limits;
 use crate::dxf::model::{Block, Drawing, Entity, Shape};
-use crate::dxf::sheet::{Mark, Note, Sheet, Sorter, Stroke};
+use crate::dxf::sheet::{Drill, Mark, Note, Sheet, Sorter, Stroke};
 use crate::dxf::texts;
+use crate::dxf::tolerances::Tolerances;
 use std::collections::BTreeMap;
 use toile_garment::{Diagnostic, Vec2};
 
-#[allow(clippy::too_many_arguments)]
+/// One sheet for every piece: name, line, sheet.
 pub(super) fn sheets(
     drawing: &Drawing,
     blocks: &[Block],
-    by_name: &BTreeMap<String, Vec<usize>>,
-    layers: &Layers,
-    mm: f64,
+    sorter: &mut Sorter<'_>,
     mirrored: &[bool],
-    findings: &mut Findings,
-    ledger: &mut Ledger,
+    tolerances: &Tolerances,
 ) -> Vec<(String, u64, Sheet)> {
-    let mut sorter = Sorter::new(layers, mm, blocks, by_name, ledger, findings);
     let mut out = Vec::new();
     for (i, block) in blocks.iter().enumerate() {
         if is_model_space(&block.name) {
@@ -54,7 +50,7 @@ pub(super) fn sheets(
         }
     }
     if out.is_empty() {
-        return flat(drawing, &mut sorter);
+        return flat(drawing, sorter, tolerances);
     }
     let loose = drawing.entities.iter().filter(|e| !e.shape.extent().is_empty());
     let mut count = 0_usize;
@@ -71,7 +67,7 @@ pub(super) fn sheets(
 }
 
 /// No block is a piece: the outermost closed lines in ENTITIES are.
-fn flat(drawing: &Drawing, sorter: &mut Sorter<'_>) -> Vec<(String, u64, Sheet)> {
+fn flat(drawing: &Drawing, sorter: &mut Sorter<'_>, tolerances: &Tolerances) -> Vec<(String, u64, Sheet)> {
     let on_one =
         drawing.entities.iter().any(|e| sorter.layers.role(&e.layer) == Role::Boundary && !e.shape.extent().is_empty());
     // On plain drawings every line may be an outline; with layer 1 in use only those on it.
@@ -89,7 +85,7 @@ fn flat(drawing: &Drawing, sorter: &mut Sorter<'_>) -> Vec<(String, u64, Sheet)>
         })
         .collect();
     let all = sorter.loose(relabelled.iter());
-    let chained = chain::chain(all.boundary.clone());
+    let chained = chain::chain(all.boundary.clone(), tolerances.gap);
     let mut loops = chained.closed;
     let area = |p: &Path| geom::area(&p.positions()).abs();
     loops.sort_by(|a, b| area(b).total_cmp(&area(a)));
@@ -134,9 +130,9 @@ fn share_out(all: Sheet, outer: &mut [(Vec<Vec2>, Sheet, u64)]) {
     let first = |p: &Path| p.points.first().map_or(Vec2::zeros(), |p| p.0);
     let start = |s: &Stroke| (s.ends[0] + s.ends[1]) * 0.5;
     share!(
-        dense by first, sew by first, dense_sew by first, internal by first, cutouts by first,
+        stripes by |s: &(String, Path)| first(&s.1), dense by first, sew by first, dense_sew by first, internal by first, cutouts by first,
         turn by |p: &Vec2| *p, curve by |p: &Vec2| *p, marks by |m: &Mark| m.at,
-        notch_strokes by start, reference by start, mirror by start, grain by start, drills by start,
+        notch_strokes by start, reference by start, mirror by start, grain by start, drills by |d: &Drill| d.at,
         notes by |n: &Note| n.at
     );
 }

@@ -7,11 +7,11 @@ use crate::dxf::ledger::Verdict;
 use crate::dxf::limits;
 use crate::dxf::outline::Outline;
 use crate::dxf::sheet::Sheet;
-use toile_garment::Diagnostic;
+use toile_garment::{Diagnostic, Vec2};
 
 /// The largest closed line of a dense copy.
-pub(super) fn closed_copy(runs: Vec<Path>) -> Option<Outline> {
-    let largest = chain::chain(runs).closed.into_iter().max_by(|a, b| {
+pub(super) fn closed_copy(runs: Vec<Path>, gap: f64) -> Option<Outline> {
+    let largest = chain::chain(runs, gap).closed.into_iter().max_by(|a, b| {
         let area = |p: &Path| geom::area(&p.positions()).abs();
         area(a).total_cmp(&area(b))
     });
@@ -20,7 +20,16 @@ pub(super) fn closed_copy(runs: Vec<Path>) -> Option<Outline> {
 
 /// The outline among the lines of layer 1, and closed lines inside it.
 pub(super) fn boundary(block: &str, line: u64, sheet: &Sheet, desk: &mut Desk<'_>) -> Option<(Path, Vec<Path>)> {
-    let Chained { mut closed, open, gaps } = chain::chain(sheet.boundary.clone());
+    let Chained { mut closed, mut open, gaps, doubled } =
+        chain::chain(sheet.boundary.clone(), desk.rules.tolerances.gap);
+    if !doubled.is_empty() {
+        note_doubled(&doubled, desk);
+        let text = format!("{} line(s) of the outline of block `{block}` stand there twice; read once", doubled.len());
+        desk.say(Diagnostic::info("outline-doubled", text), block, "1", line);
+    }
+    if closed.is_empty() {
+        close_at_fold(&mut open, &mut closed, sheet);
+    }
     for gap in gaps {
         let text =
             format!("the outline of block `{block}` has a gap of {:.2} mm at {}; it was closed", gap.width, mm(gap.at));
@@ -39,8 +48,10 @@ pub(super) fn boundary(block: &str, line: u64, sheet: &Sheet, desk: &mut Desk<'_
                 mm(b),
                 mm(a)
             );
-            let finding = Diagnostic::error("outline-open", text)
-                .hint(format!("close it in the pattern; gaps up to {} mm are closed with a note", chain::GAP));
+            let finding = Diagnostic::error("outline-open", text).hint(format!(
+                "close it in the pattern; gaps up to {} mm are closed with a note",
+                desk.rules.tolerances.gap
+            ));
             desk.say(finding, block, "1", path.line);
         }
         if open.is_empty() {
@@ -78,6 +89,26 @@ pub(super) fn boundary(block: &str, line: u64, sheet: &Sheet, desk: &mut Desk<'_
         }
     }
     Some((main, inner))
+}
+
+/// The ledger's word on lines that repeat others.
+pub(super) fn note_doubled(ids: &[u32], desk: &mut Desk<'_>) {
+    for id in ids {
+        desk.ledger.overrule(*id, Verdict::Interpreted, "repeats another line: read once");
+    }
+}
+
+/// The outline of a half piece may be open at its fold: the mirror line closes it.
+fn close_at_fold(open: &mut Vec<Path>, closed: &mut Vec<Path>, sheet: &Sheet) {
+    let [path] = open.as_slice() else { return };
+    let ends = [path.points[0].0, path.points[path.points.len() - 1].0];
+    let on = |ends: &[Vec2; 2]| {
+        let [a, b] = *ends;
+        [path.points[0].0, path.points[path.points.len() - 1].0].iter().all(|p| geom::point_segment(*p, a, b).0 <= 1.0)
+    };
+    if path.points.len() >= 3 && (ends[0] - ends[1]).norm() > 5.0 && sheet.mirror.iter().any(|m| on(&m.ends)) {
+        closed.extend(open.pop().map(|path| Path { closed: true, ..path }));
+    }
 }
 
 /// An outline must have an area, a sane size and no crossing.

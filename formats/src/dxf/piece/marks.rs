@@ -10,12 +10,27 @@ use crate::dxf::{limits, marked};
 use toile_garment::{Diagnostic, Vec2};
 
 impl DrawnPiece {
+    pub(super) fn find_cut_notches(&mut self, desk: &mut Desk<'_>) {
+        for outline in [Some(&mut self.boundary), self.sew.as_mut()].into_iter().flatten() {
+            outline.find_cut_notches();
+        }
+        let n = self.boundary.cut.len();
+        if let Some(first) = self.boundary.cut.first() {
+            let text = format!(
+                "{n} notch(es) are cut into the outline of `{}`, the first at {}; the sewn line runs over them",
+                self.label(),
+                mm(first.at)
+            );
+            desk.say(Diagnostic::info("notch-cut-in", text), &self.block, "1", self.boundary.line);
+        }
+    }
+
     pub(super) fn make_work(&mut self, desk: &mut Desk<'_>) {
         let label = self.label().to_owned();
         let lines = [(Some(&mut self.boundary), &self.dense, "84"), (self.sew.as_mut(), &self.dense_sew, "87")];
         for (outline, dense, layer) in lines {
             let Some(outline) = outline else { continue };
-            let verdict = outline.make_work(dense.as_ref());
+            let verdict = outline.make_work(dense.as_ref(), desk.rules.tolerances.curve);
             if let Some(Err(off)) = verdict {
                 let text = format!(
                     "the dense curve on layer {layer} of `{label}` is up to {off:.1} mm off the outline; not used"
@@ -49,8 +64,10 @@ impl DrawnPiece {
         let sew = self.sew.as_ref().map(Outline::positions);
         let internal: Vec<(Vec<Vec2>, bool)> = self.internal.iter().map(|p| (p.positions(), p.closed)).collect();
         let ground = Ground { boundary: &boundary, sew: sew.as_deref(), internal: &internal };
-        let (mut list, doubled) = notches::from_marks(&self.marks, &ground);
+        let (mut list, doubled) = notches::from_marks(&self.marks, &ground, desk.rules.notch_scale);
         list.extend(notches::from_strokes(&self.strokes, &ground));
+        list.extend(self.boundary.cut.iter().map(|c| notches::cut_in(c, self.boundary.line)));
+        notches::pair_twins(&mut list);
         for id in doubled {
             desk.ledger.overrule(id, Verdict::Interpreted, "doubled notch, merged");
         }
@@ -76,7 +93,7 @@ impl DrawnPiece {
             }
         }
         let at: Vec<Vec2> = self.notches.iter().map(|n| n.at).collect();
-        let drills: Vec<Vec2> = self.drills.iter().map(|d| d.ends[0]).collect();
+        let drills: Vec<Vec2> = self.drills.iter().map(|d| d.at).collect();
         for (drill, mouth) in marked::candidates(&at, &drills, &found) {
             let text = format!(
                 "two notches at {} and {} and a drill hole at {} of `{}` may be a dart; it was not made one",

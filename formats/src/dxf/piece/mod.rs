@@ -14,7 +14,8 @@ use super::geom::PointIndex;
 use super::ledger::Ledger;
 use super::notches::DrawnNotch;
 use super::outline::{Marks, Outline};
-use super::sheet::{Sheet, Stroke};
+use super::sheet::{Drill, Sheet, Stroke};
+use super::tolerances::Tolerances;
 use std::collections::BTreeMap;
 use toile_garment::piece::Quantity;
 use toile_garment::{Diagnostic, SourceRef, Vec2};
@@ -59,7 +60,9 @@ pub struct DrawnPiece {
     /// Cutouts.
     pub cutouts: Vec<Path>,
     /// Drill holes.
-    pub drills: Vec<Stroke>,
+    pub drills: Vec<Drill>,
+    /// Stripe and plaid lines (layers 9 and 10): layer and line.
+    pub stripes: Vec<(String, Path)>,
     /// Darts.
     pub darts: Vec<DrawnDart>,
     /// Points of layer 2 in file order, doubled ones merged.
@@ -80,6 +83,15 @@ pub struct DrawnPiece {
 pub(crate) struct Desk<'a> {
     pub findings: &'a mut Findings,
     pub ledger: &'a mut Ledger,
+    pub rules: &'a Rules,
+}
+
+/// How this file is to be understood.
+#[derive(Clone, Debug)]
+pub(crate) struct Rules {
+    pub tolerances: Tolerances,
+    /// Depths and widths of notches times this.
+    pub notch_scale: f64,
 }
 
 impl Desk<'_> {
@@ -110,7 +122,7 @@ impl DrawnPiece {
     pub(crate) fn outline(block: &str, line: u64, sheet: Sheet, desk: &mut Desk<'_>) -> Option<Self> {
         let boundary = border::boundary(block, line, &sheet, desk)?;
         let (main, inner) = boundary;
-        let marks = Marks::new(&sheet.turn, &sheet.curve);
+        let marks = Marks::new(&sheet.turn, &sheet.curve, &desk.rules.tolerances);
         let mut outline = Outline::new(main);
         outline.classify(&marks);
         border::check_shape(block, &outline, desk)?;
@@ -150,13 +162,14 @@ impl DrawnPiece {
                 .filter(|p| p.points.len() >= 2)
                 .collect(),
             drills: sheet.drills,
+            stripes: sheet.stripes,
             darts: Vec::new(),
             turn_points: turn_list.len(),
             turn_list,
             curve_points: distinct(&sheet.curve).len(),
             marked: marks.any,
-            dense: border::closed_copy(sheet.dense),
-            dense_sew: border::closed_copy(sheet.dense_sew),
+            dense: border::closed_copy(sheet.dense, desk.rules.tolerances.gap),
+            dense_sew: border::closed_copy(sheet.dense_sew, desk.rules.tolerances.gap),
             marks: sheet.marks,
             strokes: sheet.notch_strokes,
             boundary: outline,
@@ -192,6 +205,7 @@ impl DrawnPiece {
 
     /// Second step, once kinds are known in every size: working lines, notches, darts.
     pub(crate) fn finish(&mut self, desk: &mut Desk<'_>) {
+        self.find_cut_notches(desk);
         self.make_work(desk);
         self.find_notches(desk);
         self.find_darts(desk);

@@ -150,3 +150,59 @@ fn sew_line_on_14_and_on_8() {
         assert!(g.pieces[0].cut_line.as_ref().is_some_and(|c| c.signed_area() > 0.19));
     }
 }
+
+#[test]
+fn lines_drawn_twice_are_read_once() {
+    let run = |i: usize| [RECTANGLE[i], RECTANGLE[(i + 1) % 4]];
+    let split = good(&file(|w| (0..4).fold(w, |w, i| w.polyline("1", false, &run(i)).polyline("1", false, &run(i)))));
+    let whole = good(&file(|w| w.polyline("1", true, &RECTANGLE).polyline("1", true, &RECTANGLE)));
+    for pattern in [split, whole] {
+        assert!((geom::area(&pattern.pieces[0].boundary.positions()) - 180_000.0).abs() < 1e-6);
+        assert_eq!(codes(&pattern.findings), ["outline-doubled"]);
+        assert_eq!(pattern.ledger.count(ledger::Verdict::Refused), 0);
+    }
+    // Out and back on the same way is a slit of 10 mm.
+    let slit = good(&file(|w| {
+        let w = w.polyline("1", false, &run(0)).polyline("1", false, &[(300.0, 0.0), (300.0, 300.0)]);
+        let w = w.polyline("1", false, &[(300.0, 300.0), (290.0, 300.0)]);
+        let w = w.polyline("1", false, &[(290.0, 300.0), (300.0, 300.0)]);
+        w.polyline("1", false, &[(300.0, 300.0), (300.0, 600.0)]).polyline("1", false, &run(2)).polyline(
+            "1",
+            false,
+            &run(3),
+        )
+    }));
+    assert_eq!(codes(&slit.findings), ["notch-cut-in"]);
+    let notch = &slit.pieces[0].notches[0];
+    assert_eq!((notch.kind, notch.at), (NotchKind::Slit, toile_garment::Vec2::new(300.0, 300.0)));
+    assert_eq!(garment(&slit).pieces[0].outline.points.len(), 5, "the slit is no corner of the cloth");
+}
+
+#[test]
+fn half_pieces_open_at_the_fold() {
+    let half = [(0.0, 600.0), (0.0, 0.0), (150.0, 0.0), (150.0, 600.0)];
+    let open = [half[1], half[2], half[3], half[0]];
+    let sew = [(0.0, 10.0), (140.0, 10.0), (140.0, 590.0), (0.0, 590.0)];
+    for layer in ["14", "8"] {
+        let pattern =
+            good(&file(|w| w.polyline("1", false, &open).line("6", half[0], half[1]).polyline(layer, false, &sew)));
+        assert_eq!(codes(&pattern.findings), [] as [&str; 0], "layer {layer}");
+        let g = garment(&pattern);
+        let piece = &g.pieces[0];
+        assert!((piece.outline.signed_area() - 0.28 * 0.58).abs() < 1e-9, "{}", piece.outline.signed_area());
+        assert!((piece.cut_line.as_ref().expect("cut line").signed_area() - 0.18).abs() < 1e-9);
+    }
+}
+
+#[test]
+fn grain_and_fold_may_be_polylines() {
+    let text = file(|w| w.polyline("1", true, &RECTANGLE).polyline("5", false, &[(10.0, 10.0), (10.0, 90.0)]));
+    let at = text.find("LINE\n  8\n7\n").expect("grain");
+    let end = text[at..].find("  0\n").expect("end") + at;
+    let grain = Writer::default().polyline("7", false, &[(60.0, 150.0), (60.0, 300.0), (60.0, 450.0)]).0;
+    let text = format!("{}{}{}", &text[..at - 4], grain, &text[end..]);
+    let pattern = good(&text);
+    assert_eq!(codes(&pattern.findings), [] as [&str; 0]);
+    assert_eq!(pattern.pieces[0].grain.map(|g| (g[1] - g[0]).y), Some(300.0));
+    assert!(pattern.pieces[0].reference.is_some());
+}

@@ -1,10 +1,13 @@
 //! Fixtures of each deviation, written here tag by tag.
 
+mod binary;
 mod blocks;
 mod darts;
 mod lines;
+mod marks;
 mod sizes;
 mod text;
+mod vendors;
 
 use super::*;
 use toile_garment::dart::DartKind;

@@ -116,7 +116,7 @@ fn damaged_structure_is_refused() {
         (plain.replacen("\nSECTION\n  2\nBLOCKS", "\nSEXTION\n  2\nBLOCKS", 1), "outside-section"),
         ("hello\nworld\n".to_owned(), "not-dxf"),
         (String::new(), "file-empty"),
-        ("AutoCAD Binary DXF\r\n\u{1a}\0".to_owned(), "binary-dxf"),
+        ("AutoCAD Binary DXF\r\n\u{1a}".to_owned(), "binary-dxf"),
         ("0\nEOF\n".to_owned(), "not-dxf"),
         (format!("  1\n{}\n{plain}", "x".repeat(70_000)), "line-too-long"),
     ];
