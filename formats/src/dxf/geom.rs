@@ -82,6 +82,18 @@ pub fn deviation(a: &[Vec2], b: &[Vec2], closed: bool) -> f64 {
     a.iter().step_by(stride).map(|p| distance(*p, b, closed)).fold(0.0, f64::max)
 }
 
+/// Where two segments meet, their ends included.
+#[must_use]
+pub fn meet(a: Vec2, b: Vec2, c: Vec2, d: Vec2) -> Option<Vec2> {
+    let (u, v) = (b - a, d - c);
+    let area = cross(u, v);
+    if area.abs() < 1e-12 {
+        return None;
+    }
+    let (s, t) = (cross(c - a, v) / area, cross(c - a, u) / area);
+    ((0.0..=1.0).contains(&s) && (0.0..=1.0).contains(&t)).then(|| a + u * s)
+}
+
 /// Is the point inside the closed polygon (even-odd)?
 #[must_use]
 pub fn inside(p: Vec2, polygon: &[Vec2]) -> bool {

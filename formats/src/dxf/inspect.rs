@@ -5,6 +5,7 @@ use super::garment::to_piece;
 use super::ledger::Verdict;
 use super::pattern::{Pattern, ReadOptions, read};
 use super::piece::DrawnPiece;
+use super::pleats::Pleat;
 use super::{geom, grade};
 use crate::rul::{self, RuleTable};
 use serde_json::{Map, Value, json};
@@ -174,8 +175,10 @@ fn piece(drawn: &DrawnPiece, piece: &Piece) -> Value {
         "net_area_cm2": round(geom::area(&net).abs() / 100.0),
         "net_perimeter_mm": round(geom::length(&net, true)),
         "sew_line_count": drawn.sew_lines,
-        "darts": drawn.darts.iter().map(dart).collect::<Vec<_>>(),
-        "dart_count": drawn.darts.len(),
+        "darts": drawn.darts.iter().map(dart).chain(drawn.candidates.iter().map(candidate)).collect::<Vec<_>>(),
+        "dart_count": drawn.darts.len() + drawn.candidates.len(),
+        "not_darts": drawn.denied.iter().map(|d| json!({ "at_mm": xy(d.at), "why": d.why })).collect::<Vec<_>>(),
+        "pleats": drawn.pleats.iter().map(pleat).collect::<Vec<_>>(),
         "darts_unfolded": piece.darts.len(),
         // Marks (POINT) count apart from notches drawn with strokes: both are listed and both are sewn.
         "notch_count": drawn.notches.iter().filter(|n| !n.strokes && !n.cut).count(),
@@ -218,11 +221,43 @@ fn dart(d: &DrawnDart) -> Value {
         "leg_difference_mm": round((d.leg_path(0) - d.leg_path(1)).abs()),
         "width_mm": round(d.width()),
         "line": d.on,
+        "confidence": round(d.confidence),
+        "evidence": d.evidence,
+        "candidate": false,
     });
     if let (Form::Lens, Some(map)) = (d.form, out.as_object_mut()) {
         map.insert("apexes_mm".to_owned(), d.apexes.iter().map(|p| xy(*p)).collect());
     }
     out
+}
+
+/// A drill hole and two notches: not made a dart, a person must say.
+fn candidate((drill, mouth): &(Vec2, [Vec2; 2])) -> Value {
+    let legs = mouth.map(|m| round((m - drill).norm()));
+    json!({
+        "kind": "drill_and_notches",
+        "apex_mm": xy(*drill),
+        "mouth_mm": mouth.map(xy),
+        "leg_chord_mm": legs,
+        "leg_path_mm": legs,
+        "leg_difference_mm": round((legs[0] - legs[1]).abs()),
+        "width_mm": round((mouth[1] - mouth[0]).norm()),
+        "line": "cut",
+        "confidence": 0.5,
+        "evidence": ["a drill hole on the axis between two notches"],
+        "candidate": true,
+    })
+}
+
+fn pleat(p: &Pleat) -> Value {
+    json!({
+        "kind": if p.converging { "dart_pleat" } else { "pleat" },
+        "lines_mm": p.lines.map(|l| l.map(xy)),
+        "width_mm": round(p.width),
+        "confidence": round(p.confidence),
+        "evidence": p.evidence,
+        "candidate": true,
+    })
 }
 
 fn edges(piece: &Piece) -> Vec<Value> {

@@ -29,6 +29,7 @@ pub mod outline;
 mod parse;
 mod pattern;
 pub mod piece;
+pub mod pleats;
 mod sheet;
 mod sizes;
 pub mod tags;

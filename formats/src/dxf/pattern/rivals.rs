@@ -1,6 +1,6 @@
 //! Wedges that the rest of the file says are no darts: places for godets, slits, vents.
 
-use crate::dxf::darts::{DrawnDart, Form};
+use crate::dxf::darts::{Denied, DrawnDart, Form};
 use crate::dxf::geom;
 use crate::dxf::piece::{Desk, DrawnPiece};
 use toile_garment::Diagnostic;
@@ -58,9 +58,11 @@ pub(super) fn deny_inserts_and_unmarked(pieces: &mut [DrawnPiece], desk: &mut De
         let mut verdicts = verdicts.into_iter();
         let piece = &mut pieces[i];
         let (label, block) = (piece.label().to_owned(), piece.block.clone());
+        let mut denied = Vec::new();
         piece.darts.retain(|dart| {
             let Some(why) = verdicts.next().flatten() else { return true };
             let at = dart.apexes[0];
+            denied.push(Denied { at, why, form: dart.form });
             let text =
                 format!("the wedge at ({:.1}, {:.1}) mm of `{label}` was not taken as a dart: {why}", at.x, at.y);
             let place = desk.findings.place_in(&block, Some("1"), dart.line);
@@ -68,6 +70,7 @@ pub(super) fn deny_inserts_and_unmarked(pieces: &mut [DrawnPiece], desk: &mut De
             desk.findings.push(Diagnostic::warning("wedge-not-a-dart", text).at(place).hint(hint));
             false
         });
+        piece.denied.extend(denied);
     }
 }
 

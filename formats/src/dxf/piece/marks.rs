@@ -1,12 +1,11 @@
 //! Working lines, notches and darts of a piece whose outline is known.
 
 use super::{Desk, DrawnPiece, mm};
-use crate::dxf::darts::{self, Form};
 use crate::dxf::geom::{self, Crossing};
 use crate::dxf::ledger::Verdict;
+use crate::dxf::limits;
 use crate::dxf::notches::{self, Ground};
 use crate::dxf::outline::{Making, Outline};
-use crate::dxf::{limits, marked};
 use toile_garment::{Diagnostic, Vec2};
 
 impl DrawnPiece {
@@ -77,35 +76,6 @@ impl DrawnPiece {
             desk.say(Diagnostic::warning("notch-off-boundary", text), &self.block, "4", notch.line);
         }
         self.notches = list;
-    }
-
-    pub(super) fn find_darts(&mut self, desk: &mut Desk<'_>) {
-        let on = if self.sew.is_some() { "sew" } else { "cut" };
-        let mut found = darts::wedges(self.sewn(), on);
-        found.extend(marked::marked(&self.internal, self.sewn()));
-        let line = self.sewn().positions();
-        found.extend(marked::lenses(&self.internal, &line));
-        found.extend(marked::lenses(&self.cutouts, &line));
-        for dart in &found {
-            for id in &dart.ids {
-                let rule = if dart.form == Form::Lens { "closed lens: fish-eye dart" } else { "legs of a marked dart" };
-                desk.ledger.overrule(*id, Verdict::Interpreted, rule);
-            }
-        }
-        let at: Vec<Vec2> = self.notches.iter().map(|n| n.at).collect();
-        let drills: Vec<Vec2> = self.drills.iter().map(|d| d.at).collect();
-        for (drill, mouth) in marked::candidates(&at, &drills, &found) {
-            let text = format!(
-                "two notches at {} and {} and a drill hole at {} of `{}` may be a dart; it was not made one",
-                mm(mouth[0]),
-                mm(mouth[1]),
-                mm(drill),
-                self.label()
-            );
-            let hint = "declare it in the sewing file: [[dart]] piece, apex, mouth, kind = \"wedge\"";
-            desk.say(Diagnostic::info("dart-candidate", text).hint(hint), &self.block, "13", self.line);
-        }
-        self.darts = found;
     }
 
     pub(super) fn check_extras(&mut self, desk: &mut Desk<'_>) {

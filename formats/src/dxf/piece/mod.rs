@@ -1,6 +1,7 @@
 //! One drawn piece in one size: what the layers of a block mean together.
 
 mod border;
+mod find_darts;
 mod folded;
 mod marks;
 mod notes;
@@ -8,12 +9,13 @@ mod run_on;
 mod sew;
 
 use super::chain::Path;
-use super::darts::DrawnDart;
+use super::darts::{Denied, DrawnDart};
 use super::findings::Findings;
 use super::geom::PointIndex;
 use super::ledger::Ledger;
 use super::notches::DrawnNotch;
 use super::outline::{Marks, Outline};
+use super::pleats::Pleat;
 use super::sheet::{Drill, Sheet, Stroke};
 use super::tolerances::Tolerances;
 use std::collections::BTreeMap;
@@ -65,6 +67,12 @@ pub struct DrawnPiece {
     pub stripes: Vec<(String, Path)>,
     /// Darts.
     pub darts: Vec<DrawnDart>,
+    /// Wedges and lenses that were not taken as darts, with the reason.
+    pub denied: Vec<Denied>,
+    /// A drill hole and two notches that may be a dart.
+    pub candidates: Vec<(Vec2, [Vec2; 2])>,
+    /// Pairs of fold lines.
+    pub pleats: Vec<Pleat>,
     /// Points of layer 2 in file order, doubled ones merged.
     pub turn_list: Vec<Vec2>,
     /// Number of corners: points of layer 2, or corners of the outline where there are none.
@@ -164,6 +172,9 @@ impl DrawnPiece {
             drills: sheet.drills,
             stripes: sheet.stripes,
             darts: Vec::new(),
+            denied: Vec::new(),
+            candidates: Vec::new(),
+            pleats: Vec::new(),
             turn_points: turn_list.len(),
             turn_list,
             curve_points: distinct(&sheet.curve).len(),
@@ -209,6 +220,7 @@ impl DrawnPiece {
         self.make_work(desk);
         self.find_notches(desk);
         self.find_darts(desk);
+        self.deny_necklines(desk);
         self.check_extras(desk);
     }
 }

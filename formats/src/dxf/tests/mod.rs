@@ -2,6 +2,7 @@
 
 mod binary;
 mod blocks;
+mod dart_forms;
 mod darts;
 mod lines;
 mod marks;
