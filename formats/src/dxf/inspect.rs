@@ -85,7 +85,8 @@ fn facts(pattern: &Pattern, pieces: &[Piece], table: Option<&RuleTable>) -> Valu
     put("encoding", json!(pattern.encoding));
     put("style_name", json!(pattern.style));
     put("style_texts", json!(pattern.style_texts));
-    put("sizes", json!(pattern.sizes));
+    put("sizes", json!(drawn_order(pattern, table)));
+    put("size_run", json!(pattern.size_order(table)));
     put("sample_size", json!(pattern.sample_size));
     put("block_count", json!(pattern.pieces.len()));
     put("ledger", ledger(pattern));
@@ -97,6 +98,13 @@ fn facts(pattern: &Pattern, pieces: &[Piece], table: Option<&RuleTable>) -> Valu
         put("graded_turn_points_mm", graded(pattern, table));
     }
     Value::Object(out)
+}
+
+/// The drawn sizes, in the order of the rule table where there is one.
+fn drawn_order(pattern: &Pattern, table: Option<&RuleTable>) -> Vec<String> {
+    let mut sizes = pattern.size_order(table);
+    sizes.retain(|s| pattern.sizes.contains(s));
+    sizes
 }
 
 fn profile(pattern: &Pattern) -> Value {
