@@ -3,6 +3,7 @@
 use super::chain::Path;
 use super::darts::{DrawnDart, Form, wedge_test};
 use super::geom::{self, PointIndex};
+use super::limits;
 use super::outline::Outline;
 use toile_garment::Vec2;
 
@@ -23,7 +24,8 @@ pub fn marked(internal: &[Path], outline: &Outline, cut: Option<&[Vec2]>) -> Vec
     let on = |p: Vec2| geom::distance(p, &work, true).min(geom::distance(p, &line, true)) <= ON_OUTLINE;
     let mut found = Vec::new();
     let mut single: Vec<(Vec<Vec2>, &Path)> = Vec::new();
-    for path in internal.iter().take(2000) {
+    let most = 2000.min(limits::DART_TESTS / (line.len() + work.len()).max(1));
+    for path in internal.iter().take(most) {
         let points = match cut {
             Some(cut) if !path.closed => trimmed(&path.positions(), &line, cut),
             _ => opened(path, &on),
@@ -144,8 +146,10 @@ const LENS_TIP: f64 = 75.0;
 /// Fish-eye darts: closed lenses on layer 8 or 11, sharp at both ends, as long on one side as on the other.
 #[must_use]
 pub fn lenses(paths: &[Path], outline: &[Vec2]) -> Vec<DrawnDart> {
+    let most = 2000.min(limits::DART_TESTS / outline.len().max(1));
     paths
         .iter()
+        .take(most)
         .filter(|p| p.closed && p.points.len() >= 4 && p.points.len() <= 2000)
         .filter_map(|p| lens(p, outline))
         .collect()

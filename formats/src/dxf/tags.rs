@@ -176,12 +176,14 @@ fn bad_code(code: &[u8], line: u64, findings: &Findings) -> Diagnostic {
 /// # Errors
 /// With the line: not a number, decimal comma, not finite, absurdly large.
 pub fn number(tag: &Tag<'_>, findings: &Findings) -> Result<f64, Diagnostic> {
-    let place = findings.place(tag.line + 1);
-    let shown: String = String::from_utf8_lossy(tag.value).chars().filter(|c| !c.is_control()).take(40).collect();
     let plain = tag.value.iter().all(|b| b.is_ascii_digit() || b"+-.eE".contains(b));
     let value = std::str::from_utf8(tag.value).ok().filter(|_| plain).and_then(|t| t.parse::<f64>().ok());
+    if let Some(v) = value.filter(|v| v.is_finite() && v.abs() <= limits::COORDINATE) {
+        return Ok(v);
+    }
+    let place = findings.place(tag.line + 1);
+    let shown: String = String::from_utf8_lossy(tag.value).chars().filter(|c| !c.is_control()).take(40).collect();
     match value {
-        Some(v) if v.is_finite() && v.abs() <= limits::COORDINATE => Ok(v),
         Some(_) => Err(Diagnostic::error(
             "number-out-of-range",
             format!("the number `{shown}` (group code {}) is out of range", tag.code),

@@ -3,7 +3,7 @@
 use super::{Desk, DrawnPiece, mm};
 use crate::dxf::darts::{self, Denied, DrawnDart, Form};
 use crate::dxf::ledger::Verdict;
-use crate::dxf::{chain, geom, marked, pleats};
+use crate::dxf::{chain, geom, limits, marked, pleats};
 use toile_garment::outline::PointKind;
 use toile_garment::{Diagnostic, Vec2};
 
@@ -53,7 +53,8 @@ impl DrawnPiece {
                 && !found.iter().any(|d| d.ids.iter().any(|id| p.ids.contains(id)))
                 && [p.points[0].0, p.points[p.points.len() - 1].0].iter().all(|e| geom::inside(*e, line))
         };
-        let open: Vec<chain::Path> = self.internal.iter().filter(free).take(400).cloned().collect();
+        let most = 2000.min(limits::DART_TESTS / line.len().max(1));
+        let open: Vec<chain::Path> = self.internal.iter().take(most).filter(free).take(400).cloned().collect();
         if open.len() < 2 { Vec::new() } else { chain::chain(open, 0.2).closed }
     }
 

@@ -37,7 +37,8 @@ impl DrawnPiece {
                 let finding = Diagnostic::warning("validation-curve-differs", text);
                 desk.say(finding, &self.block, layer, outline.line);
             }
-            if geom::crossing(&outline.work_positions()) != Crossing::None {
+            let changed = outline.making != Making::AsDrawn || !outline.cut.is_empty();
+            if changed && geom::crossing(&outline.work_positions()) != Crossing::None {
                 let text = format!(
                     "the smooth curve through the points of `{label}` would cross itself; the drawn line was used"
                 );
@@ -54,7 +55,8 @@ impl DrawnPiece {
     }
 
     pub(super) fn find_notches(&mut self, desk: &mut Desk<'_>) {
-        if self.marks.len() > limits::NOTCHES || self.strokes.len() > limits::NOTCHES {
+        let work = (self.marks.len() + self.strokes.len()) as u64 * self.boundary.drawn.len() as u64;
+        if self.marks.len() > limits::NOTCHES || self.strokes.len() > limits::NOTCHES || work > limits::NOTCH_TESTS {
             let text = format!("`{}` has more than {} notches", self.label(), limits::NOTCHES);
             desk.say(Diagnostic::error("too-many-notches", text), &self.block, "4", self.line);
             return;

@@ -13,6 +13,7 @@ const ALLOWANCE: std::ops::RangeInclusive<f64> = 3.0..=40.0;
 
 impl DrawnPiece {
     pub(super) fn find_sew_line(&mut self, runs: Vec<Path>, desk: &mut Desk<'_>) {
+        let whole = geom::area(&self.boundary.positions()).abs();
         if !runs.is_empty() {
             let Chained { mut closed, open, gaps: _, doubled } = chain::chain(runs, desk.rules.tolerances.gap);
             note_doubled(&doubled, desk);
@@ -23,7 +24,6 @@ impl DrawnPiece {
             }
             self.sew_lines = closed.len();
             closed.sort_by(|a, b| geom::area(&b.positions()).abs().total_cmp(&geom::area(&a.positions()).abs()));
-            let whole = geom::area(&self.boundary.positions()).abs();
             let mut closed = closed.into_iter();
             if let Some(first) = closed.next() {
                 if geom::area(&first.positions()).abs() >= 0.3 * whole {
@@ -49,7 +49,11 @@ impl DrawnPiece {
                 self.not_mirrored.push(false);
                 self.internal.push(path);
             }
-        } else if let Some(i) = (0..self.internal.len()).find(|i| self.is_inner_copy(&self.internal[*i])) {
+        } else if let Some(i) = (0..self.internal.len())
+            .filter(|i| self.may_be_inner_copy(&self.internal[*i], whole))
+            .take(40)
+            .find(|i| self.is_inner_copy(&self.internal[*i]))
+        {
             let path = self.internal.remove(i);
             self.not_mirrored.remove(i);
             for id in &path.ids {
@@ -70,15 +74,15 @@ impl DrawnPiece {
         path.points.len() >= 3 && self.fold.is_some_and(near)
     }
 
+    fn may_be_inner_copy(&self, path: &Path, whole: f64) -> bool {
+        path.points.len() <= 20_000
+            && (path.closed || self.ends_on_fold(path))
+            && geom::area(&path.positions()).abs() >= 0.5 * whole
+    }
+
     /// A closed line on layer 8 that runs inside the cut line all round, an allowance away.
     fn is_inner_copy(&self, path: &Path) -> bool {
         let (ours, theirs) = (self.boundary.positions(), path.positions());
-        if !(path.closed || self.ends_on_fold(path))
-            || geom::area(&theirs).abs() < 0.5 * geom::area(&ours).abs()
-            || theirs.len() > 20_000
-        {
-            return false;
-        }
         let cut_near = |p: &Vec2| ALLOWANCE.contains(&geom::distance(*p, &theirs, true));
         let stride = |n: usize| n / 500 + 1;
         let cut: Vec<bool> = ours.iter().step_by(stride(ours.len())).map(cut_near).collect();
