@@ -72,10 +72,20 @@ fn compare(a: &Piece, b: &Piece, dialect: Dialect) -> Vec<String> {
     if shape(&la) != shape(&lb) {
         say(format!("vertices {:?} against {:?}", shape(&la), shape(&lb)));
     } else {
-        let pairs = la.iter().zip(&lb).flat_map(|(x, y)| x.points.iter().zip(&y.points));
-        let off = pairs.map(|(p, q)| (p.at - q.at).norm()).fold(0.0, f64::max);
-        if off > SAME {
-            say(format!("a vertex moved by {:.4} mm", off * 1e3));
+        // The outline is compared from its first corner on: a line has no beginning of its own.
+        let start = |p: &Piece| p.edges.first().map_or(0, |e| e.from as usize);
+        for (k, (x, y)) in la.iter().zip(&lb).enumerate() {
+            let (i, j) = if k == 0 { (start(a), start(b)) } else { (0, 0) };
+            let n = x.points.len();
+            let off = |j: usize| {
+                let pairs = (0..n).map(|s| (x.points[(i + s) % n].at, y.points[(j + s) % n].at));
+                pairs.map(|(p, q)| (p - q).norm()).fold(0.0, f64::max)
+            };
+            // Cut lines and cutouts may begin anywhere.
+            let off = if k == 0 || !x.closed { off(j) } else { (0..n).map(off).fold(f64::INFINITY, f64::min) };
+            if off > SAME {
+                say(format!("a vertex of line {k} moved by {:.4} mm", off * 1e3));
+            }
         }
     }
     let counts = |p: &Piece| [p.edges.len(), p.darts.len(), p.notches.len(), p.drill_holes.len(), p.texts.len()];
@@ -84,7 +94,7 @@ fn compare(a: &Piece, b: &Piece, dialect: Dialect) -> Vec<String> {
     }
     let kinds = |p: &Piece| p.notches.iter().map(|n| n.kind).collect::<Vec<_>>();
     if dialect.is_astm() && kinds(a) != kinds(b) {
-        say("kinds of notches".into());
+        say(format!("kinds of notches {:?} against {:?}", kinds(a), kinds(b)));
     }
     if a.darts.iter().zip(&b.darts).any(|(x, y)| x.kind != y.kind || (x.mouth[0] - y.mouth[0]).norm() > SAME) {
         say("a dart".into());

@@ -298,9 +298,14 @@ fn match_corners(corners: &[Vec2], dense: &[Vec2]) -> Option<Vec<usize>> {
         let mut found = vec![start];
         let mut k = 0;
         for corner in &corners[1..] {
-            let Some(next) = (k + 1..n).find(|j| (dense[(start + j) % n] - corner).norm() <= DENSE_MATCH) else {
+            let off = |j: usize| (dense[(start + j) % n] - corner).norm();
+            let Some(mut next) = (k + 1..n).find(|j| off(*j) <= DENSE_MATCH) else {
                 break;
             };
+            // A vertex nearer to the corner may follow at once.
+            while next + 1 < n && off(next + 1) < off(next) {
+                next += 1;
+            }
             k = next;
             found.push((start + k) % n);
         }
