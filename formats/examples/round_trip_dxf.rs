@@ -4,6 +4,7 @@
 use std::process::ExitCode;
 use toile_formats::dxf::write::{Dialect, Drawing, PieceOptions, StyleText, piece_drawing, write};
 use toile_formats::dxf::{ReadOptions, read};
+use toile_garment::dart::Dart;
 use toile_garment::outline::PieceLine;
 use toile_garment::{Garment, Piece};
 
@@ -96,7 +97,12 @@ fn compare(a: &Piece, b: &Piece, dialect: Dialect) -> Vec<String> {
     if dialect.is_astm() && kinds(a) != kinds(b) {
         say(format!("kinds of notches {:?} against {:?}", kinds(a), kinds(b)));
     }
-    if a.darts.iter().zip(&b.darts).any(|(x, y)| x.kind != y.kind || (x.mouth[0] - y.mouth[0]).norm() > SAME) {
+    // Darts are listed as they are met on the outline, wherever that begins.
+    let same = |x: &Dart, y: &Dart| {
+        x.kind == y.kind
+            && x.apexes.iter().zip(&y.apexes).chain(x.mouth.iter().zip(&y.mouth)).all(|(p, q)| (p - q).norm() <= SAME)
+    };
+    if !a.darts.iter().all(|x| b.darts.iter().any(|y| same(x, y))) {
         say("a dart".into());
     }
     if !dialect.is_narrow() {

@@ -196,6 +196,15 @@ fn grouped(group: &[Stroke], ground: &Ground<'_>) -> Option<DrawnNotch> {
         [_, _, _] => NotchKind::Castle,
         _ => NotchKind::U,
     };
+    // A V that stands on its tip: its width is that of its open end.
+    let width = match group {
+        [a, b] if kind == NotchKind::V && width < 0.1 => {
+            let far =
+                |s: &Stroke| s.ends.iter().copied().max_by(|p, q| (p - middle).norm().total_cmp(&(q - middle).norm()));
+            far(a).zip(far(b)).map_or(width, |(p, q)| (p - q).norm())
+        }
+        _ => width,
+    };
     let (on, off) = ground.place(middle);
     Some(DrawnNotch {
         kind,

@@ -122,11 +122,20 @@ fn dart_lines(dart: &Dart) -> Vec<DrawLine> {
     }
 }
 
-/// A dart line: apexes and mouth are turn points, the rest of the legs are curve points.
+/// A dart line: apexes and mouth are turn points, the rest of the legs are curve points. The mouth of a marked dart is
+/// left to the outline, which may run straight over it.
 fn marked(points: impl Iterator<Item = Vec2>, dart: &Dart, closed: bool) -> DrawLine {
     let corner = |p: &Vec2| dart.apexes.iter().chain(&dart.mouth).any(|c| (c - p).norm() < 1e-6);
     let points = points
-        .map(|p| DrawPoint { at: p * MM, kind: if corner(&p) { PointKind::Turn } else { PointKind::Curve } })
+        .map(|p| {
+            let on_outline = dart.kind == DartKind::MarkedWedge && dart.mouth.iter().any(|m| (m - p).norm() < 1e-6);
+            let kind = match corner(&p) {
+                true if on_outline => PointKind::Plain,
+                true => PointKind::Turn,
+                false => PointKind::Curve,
+            };
+            DrawPoint { at: p * MM, kind }
+        })
         .collect();
     DrawLine { points, closed, dense: None }
 }
