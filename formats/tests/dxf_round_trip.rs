@@ -229,7 +229,7 @@ fn a_size_run_goes_out_with_its_rules_and_grades_back() {
                 let at = (x * (1.0 + k / 300.0), y);
                 let near = graded
                     .iter()
-                    .any(|g| (g[0].as_f64().expect("x") - at.0).hypot(g[1].as_f64().expect("y") - at.1) <= 0.01);
+                    .any(|g| libm::hypot(g[0].as_f64().expect("x") - at.0, g[1].as_f64().expect("y") - at.1) <= 0.01);
                 assert!(near, "{dialect:?} {size}: {at:?} not in {graded:?}");
             }
         }

@@ -14,7 +14,7 @@ fn check(name: &str, text: &str, facts: &[Fact]) -> serde_json::Value {
     assert_eq!(darts.len(), facts.len(), "{name}: {darts:#?}");
     for (dart, (kind, apex, mouth, legs)) in darts.iter().zip(facts) {
         let point = |v: &serde_json::Value| (v[0].as_f64().expect("x"), v[1].as_f64().expect("y"));
-        let near = |a: (f64, f64), b: (f64, f64)| (a.0 - b.0).hypot(a.1 - b.1) <= 0.1;
+        let near = |a: (f64, f64), b: (f64, f64)| libm::hypot(a.0 - b.0, a.1 - b.1) <= 0.1;
         assert_eq!(dart["kind"], *kind, "{name}");
         let apexes = dart["apexes_mm"].as_array().cloned().unwrap_or_else(|| vec![dart["apex_mm"].clone()]);
         assert!(apexes.iter().any(|a| near(point(a), *apex)), "{name}: {apexes:?}");
