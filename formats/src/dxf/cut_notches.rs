@@ -131,6 +131,9 @@ mod tests {
     use super::*;
     use toile_garment::outline::PointKind;
 
+    /// Points of the top edge, kind, depth, width.
+    type Case = (&'static [(f64, f64)], NotchKind, f64, f64);
+
     fn with(top: &[(f64, f64)]) -> Vec<Node> {
         let mut list = vec![(0.0, 0.0), (300.0, 0.0), (300.0, 200.0)];
         list.extend(top);
@@ -140,7 +143,7 @@ mod tests {
 
     #[test]
     fn shapes_are_told_apart() {
-        let cases: [(&[(f64, f64)], NotchKind, f64, f64); 5] = [
+        let cases: [Case; 5] = [
             (&[(103.0, 200.0), (100.0, 194.0), (97.0, 200.0)], NotchKind::V, 6.0, 6.0),
             (&[(100.0, 200.0), (100.0, 195.0), (100.0, 200.0)], NotchKind::Slit, 5.0, 0.0),
             (&[(103.0, 200.0), (103.0, 196.0), (97.0, 196.0), (97.0, 200.0)], NotchKind::Castle, 4.0, 6.0),

@@ -98,6 +98,9 @@ pub fn size_run(pattern: &Pattern, rul: Option<&RuleTable>, options: PieceOption
     Ok(SizeRun { drawing: Drawing { style, pieces }, table, findings })
 }
 
+/// Picks a line of a piece.
+type LineOf = fn(&DrawnPiece) -> Option<&Outline>;
+
 /// The vertices of a line, unfolded.
 fn nodes(piece: &DrawnPiece, outline: &Outline) -> Vec<Node> {
     piece.fold.and_then(|f| Fold(f).outline(&outline.drawn)).unwrap_or_else(|| outline.drawn.clone())
@@ -115,8 +118,7 @@ fn grown(
     let same: Vec<&DrawnPiece> =
         by_size.iter().map(|list| list.iter().find(|p| p.label() == sample.label())).collect::<Option<Vec<_>>>()?;
     let mut out = Vec::new();
-    let lines: [(&'static str, fn(&DrawnPiece) -> Option<&Outline>); 2] =
-        [("1", |p| Some(&p.boundary)), ("14", |p| p.sew.as_ref())];
+    let lines: [(&'static str, LineOf); 2] = [("1", |p| Some(&p.boundary)), ("14", |p| p.sew.as_ref())];
     for (layer, line) in lines {
         let Some(own) = line(sample) else { continue };
         let own = nodes(sample, own);
