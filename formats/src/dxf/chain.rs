@@ -83,7 +83,7 @@ pub struct Chained {
 pub fn chain(paths: Vec<Path>, gap: f64) -> Chained {
     let mut out = Chained::default();
     let (closed, mut open): (Vec<Path>, Vec<Path>) =
-        paths.into_iter().map(Path::tidy).filter(|p| p.closed || p.points.len() >= 2).partition(|p| p.closed);
+        paths.into_iter().map(Path::tidy).filter(|p| p.points.len() >= 2).partition(|p| p.closed);
     out.closed = distinct(closed, &mut out.doubled);
     open = distinct(open, &mut out.doubled);
     for tolerance in [JOIN, gap.max(JOIN)] {

@@ -206,3 +206,11 @@ fn grain_and_fold_may_be_polylines() {
     assert_eq!(pattern.pieces[0].grain.map(|g| (g[1] - g[0]).y), Some(300.0));
     assert!(pattern.pieces[0].reference.is_some());
 }
+
+#[test]
+fn a_closed_line_without_vertices_is_nothing() {
+    let empty = good(&file(|w| w.polyline("1", true, &WEDGE).polyline("1", true, &[]).polyline("14", true, &[])));
+    assert_wedge(&empty);
+    assert_eq!(codes(&bad(&file(|w| w.polyline("1", true, &[])))), ["outline-missing"]);
+    assert_eq!(codes(&bad(&file(|w| w.polyline("1", true, &[(5.0, 5.0)])))), ["outline-missing"]);
+}
