@@ -1,6 +1,6 @@
 //! Text of old files: which code page it is in, and the escapes inside it.
 
-use encoding_rs::{Encoding, GB18030, GBK, UTF_8, WINDOWS_1252};
+use encoding_rs::{Encoding, GB18030, GBK, SHIFT_JIS, UTF_8, WINDOWS_1252};
 
 /// The code page of a file and why it was chosen.
 #[derive(Clone, Copy, Debug)]
@@ -26,7 +26,7 @@ impl TextEncoding {
 }
 
 /// Chooses the code page: UTF-8 for AC1021 and later; else UTF-8 when non-ASCII bytes are valid UTF-8; else the declared
-/// code page; else GBK when the bytes read as Chinese; else Windows-1252.
+/// code page; else Shift-JIS or GBK when the bytes read as Japanese or Chinese; else Windows-1252.
 #[must_use]
 pub fn choose(bytes: &[u8], release: Option<&str>, code_page: Option<&str>) -> TextEncoding {
     let sure = |encoding| TextEncoding { encoding, guessed: false };
@@ -47,8 +47,20 @@ pub fn choose(bytes: &[u8], release: Option<&str>, code_page: Option<&str>) -> T
         Some(encoding) if !looks_like_gbk(bytes) => return sure(encoding),
         _ => {}
     }
-    let encoding = if looks_like_gbk(bytes) { GBK } else { WINDOWS_1252 };
+    let encoding = if looks_like_shift_jis(bytes) {
+        SHIFT_JIS
+    } else if looks_like_gbk(bytes) {
+        GBK
+    } else {
+        WINDOWS_1252
+    };
     TextEncoding { encoding, guessed: true }
+}
+
+/// A code page by the name people or DXF headers give it.
+#[must_use]
+pub fn named(name: &str) -> Option<TextEncoding> {
+    by_code_page(name).map(|encoding| TextEncoding { encoding, guessed: false })
 }
 
 fn release_number(release: &str) -> Option<u32> {
@@ -61,7 +73,7 @@ fn by_code_page(name: &str) -> Option<&'static Encoding> {
     match number {
         "936" => Some(GBK),
         "54936" => Some(GB18030),
-        "932" => Some(encoding_rs::SHIFT_JIS),
+        "932" => Some(SHIFT_JIS),
         "949" => Some(encoding_rs::EUC_KR),
         "950" => Some(encoding_rs::BIG5),
         "874" => Some(encoding_rs::WINDOWS_874),
@@ -91,6 +103,32 @@ fn looks_like_gbk(bytes: &[u8]) -> bool {
     pairs > 0 && common * 10 >= pairs * 8
 }
 
+/// Valid Shift-JIS throughout with kana in it: most double bytes begin with 0x82 or 0x83 there, and hardly any does
+/// in GBK, where these are rare characters.
+fn looks_like_shift_jis(bytes: &[u8]) -> bool {
+    let (mut pairs, mut kana, mut i) = (0_u64, 0_u64, 0);
+    while i < bytes.len() {
+        match (bytes[i], bytes.get(i + 1)) {
+            (0..=0x7F, _) => i += 1,
+            // Half-width katakana stand alone.
+            (0xA1..=0xDF, _) => {
+                pairs += 1;
+                kana += 1;
+                i += 1;
+            }
+            (0x81..=0x9F | 0xE0..=0xFC, Some(0x40..=0x7E | 0x80..=0xFC)) => {
+                pairs += 1;
+                kana += u64::from(matches!(bytes[i], 0x82 | 0x83));
+                i += 2;
+            }
+            _ => return false,
+        }
+    }
+    // Bytes of 0xA1 to 0xDF alone may be anything: full-width kana must be there.
+    let full = bytes.iter().any(|b| matches!(b, 0x82 | 0x83));
+    pairs > 0 && full && kana * 2 >= pairs
+}
+
 /// Resolves `\U+XXXX` and the `%%` codes of DXF text.
 #[must_use]
 pub fn unescape(text: &str) -> String {
@@ -98,9 +136,12 @@ pub fn unescape(text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut i = 0;
     while i < chars.len() {
-        if let Some(c) = unicode_escape(&chars[i..]) {
+        if let Some((c, used)) = unicode_escape(&chars[i..]) {
             out.push(c);
-            i += 7;
+            i += used;
+        } else if let Some((text, used)) = double_byte_escapes(&chars[i..]) {
+            out.push_str(&text);
+            i += used;
         } else if chars[i] == '%' && chars.get(i + 1) == Some(&'%') {
             let (c, used) = percent_code(&chars[i + 2..]);
             out.extend(c);
@@ -113,13 +154,49 @@ pub fn unescape(text: &str) -> String {
     out
 }
 
-fn unicode_escape(chars: &[char]) -> Option<char> {
-    if chars.len() < 7 || chars[0] != '\\' || !matches!(chars[1], 'U' | 'u') || chars[2] != '+' {
-        return None;
+/// `\U+XXXX`; two of them where the character lies beyond the first 65,536.
+fn unicode_escape(chars: &[char]) -> Option<(char, usize)> {
+    let unit = |chars: &[char]| {
+        let ['\\', 'U' | 'u', '+', hex @ ..] = chars else { return None };
+        hex_value(hex.get(..4)?)
+    };
+    let disarmed = |c: char| if c.is_control() { '\u{FFFD}' } else { c };
+    let first = unit(chars)?;
+    if let Some(c) = char::from_u32(first) {
+        return Some((disarmed(c), 7));
     }
-    let hex: String = chars[3..7].iter().collect();
-    let c = char::from_u32(u32::from_str_radix(&hex, 16).ok()?)?;
-    Some(if c.is_control() { '\u{FFFD}' } else { c })
+    let second = unit(chars.get(7..)?).filter(|s| (0xDC00..0xE000).contains(s) && first < 0xDC00)?;
+    char::from_u32(0x1_0000 + ((first - 0xD800) << 10) + (second - 0xDC00)).map(|c| (disarmed(c), 14))
+}
+
+fn hex_value(digits: &[char]) -> Option<u32> {
+    digits
+        .iter()
+        .all(char::is_ascii_hexdigit)
+        .then(|| u32::from_str_radix(&digits.iter().collect::<String>(), 16).ok())?
+}
+
+/// A run of `\M+nXXXX`: double bytes of the code page n (1 Shift-JIS, 2 Big5, 3 Korean, 5 GBK).
+fn double_byte_escapes(chars: &[char]) -> Option<(String, usize)> {
+    let (mut bytes, mut used, mut page) = (Vec::new(), 0, None);
+    while let ['\\', 'M' | 'm', '+', n, hex @ ..] = chars.get(used..).unwrap_or_default() {
+        let Some(value) = hex.get(..4).and_then(hex_value) else { break };
+        if page.is_some_and(|p| p != *n) {
+            break;
+        }
+        page = Some(*n);
+        bytes.extend([(value >> 8) as u8, (value & 0xFF) as u8]);
+        used += 8;
+    }
+    let encoding = match page? {
+        '1' => SHIFT_JIS,
+        '2' => encoding_rs::BIG5,
+        '3' => encoding_rs::EUC_KR,
+        '5' => GBK,
+        _ => return None,
+    };
+    let (text, _) = encoding.decode_without_bom_handling(&bytes);
+    Some((text.chars().map(|c| if c.is_control() { '\u{FFFD}' } else { c }).collect(), used))
 }
 
 fn percent_code(rest: &[char]) -> (Option<char>, usize) {
@@ -156,11 +233,23 @@ mod tests {
     }
 
     #[test]
+    fn japanese_without_a_code_page() {
+        // "フロント" and "前身頃" (front).
+        let sjis = b"\x83t\x83\x8d\x83\x93\x83g \x91O\x90g\x8d\xa0";
+        assert_eq!(choose(sjis, None, None).decode(sjis), "フロント 前身頃");
+        assert_eq!(named("shift_jis").map(|e| e.decode(sjis)).as_deref(), Some("フロント 前身頃"));
+        assert!(named("klingon").is_none());
+    }
+
+    #[test]
     fn escapes() {
         assert_eq!(unescape(r"\U+524D 20%%d %%p1 %%%"), "前 20° ±1 %");
         assert_eq!(unescape("%%065%%u"), "A");
         assert_eq!(unescape("%%"), "");
         assert_eq!(unescape(r"\U+00zz"), r"\U+00zz");
+        assert_eq!(unescape(r"\U+D83D\U+DC57 \U+D83D"), "\u{1F457} \\U+D83D");
+        assert_eq!(unescape(r"\M+5C7B0\M+5C6AC 1"), "前片 1");
+        assert_eq!(unescape(r"\M+183^"), r"\M+183^");
     }
 
     #[test]

@@ -88,7 +88,7 @@ pub fn read(bytes: &[u8], file: &str) -> Result<RuleTable, Vec<Diagnostic>> {
     };
     let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     for (i, line) in bytes.split(|b| *b == b'\n').enumerate() {
-        reader.line(text.decode(line.trim_ascii()).trim(), i as u64 + 1);
+        reader.line(encoding::unescape(&text.decode(line.trim_ascii())).trim(), i as u64 + 1);
         if reader.ended || reader.errors.len() > 20 {
             break;
         }
@@ -220,6 +220,36 @@ impl Reader<'_> {
         }
         if self.errors.is_empty() { Ok(self.table) } else { Err(self.errors) }
     }
+}
+
+/// Writes a table: ASTM or AAMA by its header, with commas or with blanks alone between numbers.
+#[must_use]
+pub fn write(table: &RuleTable, astm: bool, commas: bool) -> Vec<u8> {
+    let or = |text: &Option<String>| crate::dxf::write::escaped(text.as_deref().unwrap_or_default());
+    let version = if astm { "ASTM/D13Proposal 1 Version: D 6673-04" } else { "ANSI/AAMA VERSION: 1.0.0" };
+    let sizes: Vec<String> = table.sizes.iter().map(|s| crate::dxf::write::escaped(&s.replace(' ', "-"))).collect();
+    let mut lines = vec![
+        version.to_owned(),
+        "UNITS: METRIC".to_owned(),
+        format!("GRADE RULE TABLE: {}", or(&table.name)),
+        format!("NUMBER OF SIZES: {}", sizes.len()),
+        format!("SIZE LIST: {}", sizes.join(" ")),
+        format!("SAMPLE SIZE: {}", or(&table.sample).replace(' ', "-")),
+    ];
+    let number = |v: f64| {
+        let text = format!("{v:.4}");
+        if text == "-0.0000" { "0.0000".to_owned() } else { text }
+    };
+    for (rule, growth) in &table.rules {
+        lines.push(format!("RULE: DELTA {rule}"));
+        for row in growth.chunks(4) {
+            let comma = if commas { "," } else { "" };
+            let pairs: Vec<String> = row.iter().map(|g| format!("{}{comma} {}", number(g.x), number(g.y))).collect();
+            lines.push(format!("  {}", pairs.join("  ")));
+        }
+    }
+    lines.push("END".to_owned());
+    lines.iter().flat_map(|l| [l.as_bytes(), b"\r\n"]).flatten().copied().collect()
 }
 
 fn starts_number(text: &str) -> bool {

@@ -12,7 +12,18 @@ pub(super) const CODES: &[Code] = &[
         "bad-number",
         "A value that must be a number is none, or is not finite. Export the file again, or correct the line. Exit code 3.",
     ),
-    code("binary-dxf", "The file is a binary DXF. Export it as text (ASCII) DXF. Exit code 3."),
+    code(
+        "binary-dxf",
+        "The file is a binary DXF whose pieces cannot be read: its data are damaged where the message says. Export it as text (ASCII) DXF. Exit code 3.",
+    ),
+    code(
+        "binary-dxf-damaged",
+        "A part of a binary DXF outside the pieces (header, tables) cannot be read, as some programs write it wrong. It was passed over to the next section.",
+    ),
+    code(
+        "binary-dxf-read",
+        "The file is a binary DXF. Lines in messages are counted as in its text form, two for each pair.",
+    ),
     code(
         "blank-line",
         "A blank line stands where a group code belongs. It was skipped; the pairs after it were read as if it were not there.",
@@ -27,6 +38,10 @@ pub(super) const CODES: &[Code] = &[
     code(
         "block-without-outline",
         "A block holds nothing on the boundary layers (1, or 14), so it is no piece and was left out. Check the layers, or map them with `layers` of `import-dxf`.",
+    ),
+    code(
+        "code-page-unknown",
+        "The `code_page` asked for is none this program knows. The hint gives examples. Exit code 3.",
     ),
     code(
         "coordinate-missing",
@@ -56,6 +71,10 @@ pub(super) const CODES: &[Code] = &[
     code(
         "decimal-comma",
         "A number is written with a decimal comma. DXF has points only; export with another locale. Exit code 3.",
+    ),
+    code(
+        "dxf-profile",
+        "Which program wrote the file, and why that is thought. Set `profile` of `import-dxf` to overrule it.",
     ),
     code(
         "encoding-guessed",
@@ -120,10 +139,18 @@ pub(super) const CODES: &[Code] = &[
     ),
     code("more-findings", "More findings of this kind were made than are listed."),
     code(
+        "name-from-block",
+        "No text names pieces and sizes, so they were taken from the names of the blocks, as `FRONT_38`.",
+    ),
+    code(
         "no-pieces",
         "The file holds no closed boundary on the layers of the standards, so there is no piece. Check the layers, or map them with `layers` of `import-dxf`. Exit code 3.",
     ),
     code("not-dxf", "The file does not begin as a DXF does. Exit code 3."),
+    code(
+        "notch-cut-in",
+        "Notches are cut into the outline. They are read as notches, and the sewn line runs over them.",
+    ),
     code(
         "notch-off-boundary",
         "A notch lies farther from the outline than a notch can. It was kept, but it is no mark on an edge.",
@@ -133,6 +160,7 @@ pub(super) const CODES: &[Code] = &[
         "outline-crosses-itself",
         "The outline of a piece crosses itself, so inside and outside are not defined. Correct the pattern at the place named. Exit code 3.",
     ),
+    code("outline-doubled", "Lines of the outline stand in the file twice. They were read once."),
     code(
         "outline-gap-closed",
         "The ends of an outline missed each other by a little and were joined; the message says by how much.",
@@ -162,8 +190,16 @@ pub(super) const CODES: &[Code] = &[
         "pieces-from-entities",
         "The file has no blocks with pieces. The outermost closed lines in ENTITIES were taken as the pieces.",
     ),
+    code(
+        "pleat-candidate",
+        "Two lines look like the folds of a pleat or dart-pleat. It is not made one unless the sewing file declares it with `[[dart]]`.",
+    ),
     code("polyline-too-long", "A polyline has more vertices than the limit. Exit code 3."),
     code("polyline-without-seqend", "A polyline has no SEQEND. It ends where the next entity begins."),
+    code(
+        "profile-unknown",
+        "The `profile` asked for is no writer this program knows; the hint lists them. Exit code 2.",
+    ),
     code("rule-bad-number", "A growth in the rule table is no number. Exit code 3."),
     code("rule-count-differs", "A rule has not two growths for each size. Exit code 3."),
     code(
@@ -191,6 +227,10 @@ pub(super) const CODES: &[Code] = &[
         "sizes-differ-in-vertices",
         "The sizes of a piece have different numbers of points. Each is read on its own, but names of edges may not carry over.",
     ),
+    code(
+        "sizes-without-rules",
+        "The sizes of a piece have different vertices, so no grade rules lead from one to the other. All sizes are written as drawn.",
+    ),
     code("spline-damaged", "A spline has knots, weights or points that do not fit each other. Exit code 3."),
     code(
         "stitch-line",
@@ -217,7 +257,7 @@ pub(super) const CODES: &[Code] = &[
         "The file states a unit that is neither metric nor English, and the pieces fit none. Set `units` of `import-dxf`. Exit code 3.",
     ),
     code("unknown-section", "A section of the file is unknown. It was not read."),
-    code("utf-16-text", "The file is UTF-16 text. Save it as plain text. Exit code 3."),
+    code("utf-16-text", "The file is UTF-16 text, which was read as such."),
     code(
         "validation-curve-differs",
         "The file carries the curve that its writer meant, and the curve through the curve points is another one. The writer's curve is used.",

@@ -4,8 +4,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use toile_formats::dxf::{self, ReadOptions};
+use toile_formats::dxf::{self, ReadOptions, Tolerances, Vendor};
 use toile_formats::rul;
+use toile_garment::units::{Angle, Length};
 use toile_garment::{Aspect, Diagnostic, Garment, SourceRef};
 use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
 
@@ -52,6 +53,21 @@ pub struct ImportDxfParams {
     /// Layers of the file that stand for other layers of the standard, e.g. `{ CUT = "1" }`.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub layers: BTreeMap<String, String>,
+    /// Code page of the texts, overruling the file, e.g. `"gbk"`, `"shift_jis"`, `"windows-1252"`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub code_page: Option<String>,
+    /// Program that wrote the file, overruling what the file shows, e.g. `"gerber"`, `"browzwear"`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub profile: Option<String>,
+    /// Gaps of an outline up to this are closed with a finding (0.5 mm).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub gap: Option<Length>,
+    /// Without marks in the file a vertex that turns more is a corner (20 deg).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub corner: Option<Angle>,
+    /// Chords keep this near a curve (0.05 mm).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub curve: Option<Length>,
 }
 
 /// The stage.
@@ -61,7 +77,7 @@ impl Stage for ImportDxf {
     type Params = ImportDxfParams;
 
     const INFO: StageInfo =
-        StageInfo::new("import-dxf", "reads the pieces of an AAMA or ASTM DXF in one size", &[], &[Aspect::Pieces], 1);
+        StageInfo::new("import-dxf", "reads the pieces of an AAMA or ASTM DXF in one size", &[], &[Aspect::Pieces], 2);
 
     fn run(
         &self,
@@ -71,13 +87,14 @@ impl Stage for ImportDxf {
     ) -> Result<Garment, StageError> {
         let file = params.file.to_string_lossy().into_owned();
         let bytes = cx.files.read(&params.file)?;
-        let options = ReadOptions { mm_per_unit: params.units.map(FileUnit::mm), layers: params.layers.clone() };
+        let options = options(params)?;
         let pattern = dxf::read(&bytes, &file, &options).map_err(StageError::Input)?;
         cx.report.findings.extend(pattern.findings.iter().cloned());
         let table = rule_table(params, cx)?;
         let size = params.size.as_deref().filter(|s| !s.trim().is_empty());
         let (read, findings) = pattern.to_garment(size, table.as_ref()).map_err(by_fault)?;
         cx.report.findings.extend(findings);
+        report_profile(&pattern, &file, cx);
         report_ledger(&pattern, &file, cx);
         let mut garment = Garment { style: read.style, size: read.size, pieces: read.pieces, ..garment };
         if let Some(path) = &params.sewing {
@@ -92,6 +109,44 @@ impl Stage for ImportDxf {
         }
         Ok(garment)
     }
+}
+
+/// The reader's options, every value in range.
+fn options(params: &ImportDxfParams) -> Result<ReadOptions, StageError> {
+    let mut faults = Vec::new();
+    let mut within = |name: &str, value: Option<f64>, least: f64, most: f64, unit: &str, usual: f64| match value {
+        Some(v) if !(least..=most).contains(&v) => {
+            let text = format!("`{name}` is {v} {unit}; it must be {least} to {most} {unit}");
+            faults.push(Diagnostic::error("out-of-range", text));
+            usual
+        }
+        v => v.unwrap_or(usual),
+    };
+    let usual = Tolerances::default();
+    let mm = |v: Option<Length>| v.map(|v| v.0 * 1e3);
+    let tolerances = Tolerances {
+        gap: within("gap", mm(params.gap), 0.0, 50.0, "mm", usual.gap),
+        corner: within("corner", params.corner.map(|a| a.0.to_degrees()), 1.0, 120.0, "deg", usual.corner),
+        curve: within("curve", mm(params.curve), 0.001, 2.0, "mm", usual.curve),
+    };
+    let vendor = params.profile.as_deref().map(|name| Vendor::named(name).ok_or(name)).transpose();
+    let vendor = vendor.unwrap_or_else(|name| {
+        let text = format!("`profile` is `{name}`, which is no writer this program knows");
+        let hint = format!("there are: {}", Vendor::names().join(", "));
+        faults.push(Diagnostic::error("profile-unknown", text).hint(hint));
+        None
+    });
+    if !faults.is_empty() {
+        return Err(StageError::Parameter(faults));
+    }
+    let mm_per_unit = params.units.map(FileUnit::mm);
+    Ok(ReadOptions {
+        mm_per_unit,
+        layers: params.layers.clone(),
+        code_page: params.code_page.clone(),
+        vendor,
+        tolerances,
+    })
 }
 
 /// A size that is not there is a wrong parameter; all else is a wrong file.
@@ -116,6 +171,15 @@ fn rule_table(params: &ImportDxfParams, cx: &mut StageContext<'_>) -> Result<Opt
     let table = rul::read(&bytes, &path.to_string_lossy()).map_err(StageError::Input)?;
     cx.report.findings.extend(table.findings.iter().cloned());
     Ok(Some(table))
+}
+
+fn report_profile(pattern: &dxf::Pattern, file: &str, cx: &mut StageContext<'_>) {
+    let profile = &pattern.profile;
+    let effects: String = profile.effects.iter().map(|e| format!("; {e}")).collect();
+    let (name, why) = (profile.vendor.name(), profile.reasons.join("; "));
+    let text =
+        format!("written by {name} ({:.0} %: {why}), as {}{effects}", profile.confidence * 100.0, profile.standard.0);
+    cx.report.push(Diagnostic::info("dxf-profile", text).at(SourceRef::file(file)));
 }
 
 fn report_ledger(pattern: &dxf::Pattern, file: &str, cx: &mut StageContext<'_>) {

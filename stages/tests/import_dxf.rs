@@ -98,6 +98,28 @@ fn a_size_from_the_table_beside_the_file() {
 }
 
 #[test]
+fn profile_code_page_and_tolerances_are_parameters() {
+    let open = pattern().replacen("70\n1\n", "70\n0\n", 1).replace("0\nVERTEX\n8\n1\n10\n0\n20\n400\n", "");
+    let open =
+        open.replace("0\nSEQEND\n", "0\nVERTEX\n8\n1\n10\n0\n20\n400\n0\nVERTEX\n8\n1\n10\n0\n20\n3\n0\nSEQEND\n");
+    let files = [("p.dxf", open.as_str())];
+    assert!(matches!(run("file = \"p.dxf\"", &files).0, Err(StageError::Input(f)) if f[0].code == "outline-open"));
+    let (garment, report) =
+        run("file = \"p.dxf\"\ngap = \"4 mm\"\nprofile = \"browzwear\"\ncode_page = \"gbk\"", &files);
+    assert!((garment.expect("closed").pieces[0].outline.signed_area() - 0.08).abs() < 1e-3);
+    let profile = report.findings.iter().find(|f| f.code == "dxf-profile").expect("profile");
+    assert!(
+        profile.message.contains("browzwear") && profile.message.contains("set by the user"),
+        "{}",
+        profile.message
+    );
+    let (result, _) = run("file = \"p.dxf\"\ngap = \"4 m\"\ncorner = \"0 deg\"\nprofile = \"x\"", &files);
+    let Err(StageError::Parameter(faults)) = result else { panic!("{result:?}") };
+    let codes: Vec<&str> = faults.iter().map(|f| f.code.as_str()).collect();
+    assert_eq!(codes, ["out-of-range", "out-of-range", "profile-unknown"]);
+}
+
+#[test]
 fn wrong_parameters_and_wrong_files_are_told_apart() {
     let (result, _) = run("file = \"p.dxf\"\nsize = \"44\"", &[("p.dxf", &pattern())]);
     assert!(matches!(&result, Err(StageError::Parameter(f)) if f[0].message.contains("there are: 40")), "{result:?}");

@@ -30,6 +30,9 @@ pub struct DrillHole {
     /// Position, metres.
     #[schemars(with = "[f64; 2]")]
     pub at: Vec2,
+    /// Diameter, metres, where the file gives one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub diameter: Option<f64>,
     /// Origin.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub source: Option<SourceRef>,
@@ -105,6 +108,10 @@ pub struct Piece {
     /// Cutouts (layer 11), holes in the cloth.
     #[serde(default)]
     pub cutouts: Vec<PieceLine>,
+    /// Stripe and plaid lines (layers 9 and 10), by which pieces are laid on patterned cloth; named `stripe` or `plaid`.
+    /// A mark is a line of one point.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub match_lines: Vec<PieceLine>,
     /// Darts and pleats.
     #[serde(default)]
     pub darts: Vec<Dart>,

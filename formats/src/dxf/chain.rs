@@ -1,12 +1,11 @@
 //! Runs chained into closed lines.
 
 use super::geom::{self, PointIndex};
+use std::collections::BTreeMap;
 use toile_garment::Vec2;
 
 /// Ends this near each other are one point, mm.
 pub const JOIN: f64 = 0.06;
-/// Gaps up to this are closed with a note, mm.
-pub const GAP: f64 = 0.5;
 /// Vertices this near each other, in a row, are one vertex, mm.
 const SAME: f64 = 0.004;
 
@@ -75,16 +74,19 @@ pub struct Chained {
     pub open: Vec<Path>,
     /// Gaps wider than [`JOIN`] that were closed.
     pub gaps: Vec<Gap>,
+    /// Entities that repeat another line point by point.
+    pub doubled: Vec<u32>,
 }
 
-/// Chains runs end to end, in order where the file's order fits, reversing where needed.
+/// Chains runs end to end, in order where the file's order fits, reversing where needed; gaps up to `gap` mm are closed.
 #[must_use]
-pub fn chain(paths: Vec<Path>) -> Chained {
+pub fn chain(paths: Vec<Path>, gap: f64) -> Chained {
     let mut out = Chained::default();
     let (closed, mut open): (Vec<Path>, Vec<Path>) =
-        paths.into_iter().map(Path::tidy).filter(|p| p.closed || p.points.len() >= 2).partition(|p| p.closed);
-    out.closed = closed;
-    for tolerance in [JOIN, GAP] {
+        paths.into_iter().map(Path::tidy).filter(|p| p.points.len() >= 2).partition(|p| p.closed);
+    out.closed = distinct(closed, &mut out.doubled);
+    open = distinct(open, &mut out.doubled);
+    for tolerance in [JOIN, gap.max(JOIN)] {
         let (closed, rest, gaps) = join(open, tolerance);
         out.closed.extend(closed);
         out.gaps.extend(gaps);
@@ -92,6 +94,31 @@ pub fn chain(paths: Vec<Path>) -> Chained {
     }
     out.open = open;
     out
+}
+
+/// Drops lines that repeat another one. An open run that comes back the same way is a slit, not a repeat.
+fn distinct(paths: Vec<Path>, doubled: &mut Vec<u32>) -> Vec<Path> {
+    let grid = |p: Vec2| ((p.x * 100.0).round() as i64, (p.y * 100.0).round() as i64);
+    let mut seen: BTreeMap<_, Vec<usize>> = BTreeMap::new();
+    let mut out: Vec<Path> = Vec::with_capacity(paths.len());
+    for path in paths {
+        let (a, b) = path.ends();
+        let (a, b) = if path.closed { (grid(a), grid(a)) } else { (grid(a), grid(b)) };
+        let alike = seen.entry((a, b, path.points.len())).or_default();
+        if alike.iter().any(|i| repeats(&path, &out[*i])) {
+            doubled.extend(&path.ids);
+        } else {
+            alike.push(out.len());
+            out.push(path);
+        }
+    }
+    out
+}
+
+fn repeats(a: &Path, b: &Path) -> bool {
+    let n = a.points.len();
+    let same = |i: usize, j: usize| (a.points[i].0 - b.points[j].0).norm() <= 0.01;
+    n == b.points.len() && ((0..n).all(|i| same(i, i)) || (a.closed && (0..n).all(|i| same(i, (n - i) % n))))
 }
 
 fn join(paths: Vec<Path>, tolerance: f64) -> (Vec<Path>, Vec<Path>, Vec<Gap>) {
@@ -177,12 +204,15 @@ mod tests {
 
     #[test]
     fn runs_in_any_order_and_direction_close() {
-        let c = chain(vec![
-            path(&[(0.0, 0.0), (10.0, 0.0)]),
-            path(&[(10.0, 10.0), (10.0, 0.05)]),
-            path(&[(0.0, 10.0), (0.0, 0.0)]),
-            path(&[(10.0, 10.0), (5.0, 10.0), (0.0, 10.0)]),
-        ]);
+        let c = chain(
+            vec![
+                path(&[(0.0, 0.0), (10.0, 0.0)]),
+                path(&[(10.0, 10.0), (10.0, 0.05)]),
+                path(&[(0.0, 10.0), (0.0, 0.0)]),
+                path(&[(10.0, 10.0), (5.0, 10.0), (0.0, 10.0)]),
+            ],
+            0.5,
+        );
         assert_eq!((c.closed.len(), c.open.len(), c.gaps.len()), (1, 0, 0));
         assert!((geom::area(&c.closed[0].positions()).abs() - 100.0).abs() < 0.5);
         assert_eq!(c.closed[0].points.len(), 5);
@@ -191,16 +221,16 @@ mod tests {
     #[test]
     fn small_gap_is_noted_and_wide_gap_stays_open() {
         let square = |end: f64| path(&[(0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (0.0, 100.0), (0.0, end)]);
-        let c = chain(vec![square(0.3)]);
+        let c = chain(vec![square(0.3)], 0.5);
         assert_eq!((c.closed.len(), c.gaps.len()), (1, 1));
         assert!((c.gaps[0].width - 0.3).abs() < 1e-9);
-        let c = chain(vec![square(30.0)]);
+        let c = chain(vec![square(30.0)], 0.5);
         assert_eq!((c.closed.len(), c.open.len()), (0, 1));
     }
 
     #[test]
     fn repeated_vertices_go_and_closing_vertex_is_not_kept() {
-        let c = chain(vec![path(&[(0.0, 0.0), (0.0, 0.0), (9.0, 0.0), (9.0, 9.0), (9.0, 9.0), (0.0, 0.0)])]);
+        let c = chain(vec![path(&[(0.0, 0.0), (0.0, 0.0), (9.0, 0.0), (9.0, 9.0), (9.0, 9.0), (0.0, 0.0)])], 0.5);
         assert_eq!(c.closed[0].points.len(), 3);
     }
 }

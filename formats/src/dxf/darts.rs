@@ -52,6 +52,21 @@ pub struct DrawnDart {
     pub line: u64,
     /// Entities that are its legs (marked darts and lenses).
     pub ids: Vec<u32>,
+    /// How sure it is one, 0 to 1.
+    pub confidence: f64,
+    /// What speaks for it.
+    pub evidence: Vec<String>,
+}
+
+/// What looks like a dart and is none.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Denied {
+    /// Its apex, or the middle of a lens.
+    pub at: Vec2,
+    /// Why it is none.
+    pub why: &'static str,
+    /// What it looks like.
+    pub form: Form,
 }
 
 impl DrawnDart {
@@ -68,6 +83,12 @@ impl DrawnDart {
             (Some(a), Some(b)) => (a - b).norm(),
             _ => 0.0,
         }
+    }
+
+    /// Middle of its mouth and apexes.
+    #[must_use]
+    pub fn middle(&self) -> Vec2 {
+        (self.mouth[0] + self.mouth[1]) * 0.5
     }
 
     /// Width of the mouth, mm.
@@ -103,13 +124,14 @@ pub fn wedge_test(apex: Vec2, a: Vec2, b: Vec2, least_angle: f64) -> Result<(), 
     Ok(())
 }
 
-/// All wedges of a closed outline that pass the tests.
+/// All wedges of a closed outline that pass the tests, and those with legs of some length that do not.
 #[must_use]
-pub fn wedges(outline: &Outline, on: &'static str) -> Vec<DrawnDart> {
+pub fn wedges(outline: &Outline, on: &'static str) -> (Vec<DrawnDart>, Vec<Denied>) {
     let nodes = &outline.drawn;
     let n = nodes.len();
     let positions = outline.positions();
     let mut found: Vec<DrawnDart> = Vec::new();
+    let mut denied = Vec::new();
     for apex in (0..n).filter(|i| nodes[*i].kind == PointKind::Turn) {
         let turn = geom::turn(positions[(apex + n - 1) % n], positions[apex], positions[(apex + 1) % n]);
         if turn.to_degrees() > -90.0 {
@@ -130,9 +152,11 @@ pub fn wedges(outline: &Outline, on: &'static str) -> Vec<DrawnDart> {
             found.extend(build(outline, &positions, apex, &whole, &whole, on));
         } else if let Some(wide) = widest(&whole, &positions).filter(test) {
             found.extend(build(outline, &positions, apex, &wide, &whole, on));
+        } else if let Err(why) = wedge_test(apex_at, positions[whole[0][0]], positions[whole[1][0]], *ANGLE.start()) {
+            denied.push(Denied { at: apex_at, why, form: Form::Wedge });
         }
     }
-    found
+    (found, denied)
 }
 
 /// A fish-eye dart that is cut open to the edge: its legs close again at the edge. Cut off at the widest place.
@@ -197,6 +221,8 @@ fn build(
         on,
         line: outline.line,
         ids: Vec::new(),
+        confidence: 0.0,
+        evidence: Vec::new(),
     })
 }
 
@@ -215,8 +241,8 @@ mod tests {
     fn outline(points: &[(f64, f64)]) -> Outline {
         let points = points.iter().map(|(x, y)| (Vec2::new(*x, *y), true)).collect();
         let mut o = Outline::new(Path { ids: vec![0], line: 1, points, closed: true });
-        o.classify(&Marks::new(&[], &[]));
-        o.make_work(None);
+        o.classify(&Marks::new(&[], &[], &Default::default()));
+        o.make_work(None, 0.05);
         o
     }
 
@@ -226,7 +252,7 @@ mod tests {
 
     #[test]
     fn wedge_with_unequal_legs_is_found_as_drawn() {
-        let darts = wedges(&with_wedge((135.0, 612.0), (150.0, 500.0), (165.0, 600.0)), "cut");
+        let darts = wedges(&with_wedge((135.0, 612.0), (150.0, 500.0), (165.0, 600.0)), "cut").0;
         assert_eq!(darts.len(), 1);
         assert_eq!(darts[0].apexes, [Vec2::new(150.0, 500.0)]);
         assert_eq!(darts[0].mouth, [Vec2::new(165.0, 600.0), Vec2::new(135.0, 612.0)]);
@@ -236,13 +262,13 @@ mod tests {
     #[test]
     fn slits_notches_tabs_and_necklines_are_no_darts() {
         // 2.9 degrees: a slit.
-        assert!(wedges(&with_wedge((145.0, 600.0), (150.0, 400.0), (155.0, 600.0)), "cut").is_empty());
+        assert!(wedges(&with_wedge((145.0, 600.0), (150.0, 400.0), (155.0, 600.0)), "cut").0.is_empty());
         // 8 mm deep: a notch cut into the outline.
-        assert!(wedges(&with_wedge((148.0, 600.0), (150.0, 592.0), (152.0, 600.0)), "cut").is_empty());
+        assert!(wedges(&with_wedge((148.0, 600.0), (150.0, 592.0), (152.0, 600.0)), "cut").0.is_empty());
         // Outward: a tab.
-        assert!(wedges(&with_wedge((135.0, 600.0), (150.0, 700.0), (165.0, 600.0)), "cut").is_empty());
+        assert!(wedges(&with_wedge((135.0, 600.0), (150.0, 700.0), (165.0, 600.0)), "cut").0.is_empty());
         // 200 mm wide: a V neck.
-        assert!(wedges(&with_wedge((50.0, 600.0), (150.0, 400.0), (250.0, 600.0)), "cut").is_empty());
+        assert!(wedges(&with_wedge((50.0, 600.0), (150.0, 400.0), (250.0, 600.0)), "cut").0.is_empty());
     }
 
     #[test]
@@ -258,7 +284,7 @@ mod tests {
             (130.0, 600.0),
             (0.0, 600.0),
         ]);
-        let darts = wedges(&o, "cut");
+        let darts = wedges(&o, "cut").0;
         assert_eq!(darts.len(), 1);
         assert_eq!(darts[0].legs[0].len(), 3);
         assert!(darts[0].leg_path(0) > darts[0].leg_chord(0));

@@ -9,6 +9,8 @@ use toile_garment::{Diagnostic, Vec2};
 
 /// Codes without meaning for a pattern: handles, line types, colours, sub-class marks, extents of text.
 const PLAIN: [i32; 22] = [5, 6, 7, 8, 48, 60, 62, 66, 67, 100, 102, 330, 360, 370, 410, 420, 440, 71, 72, 73, 74, 75];
+/// Browzwear repeats the depth of a notch here.
+const ELEVATION: i32 = 38;
 const KEPT: usize = 64;
 
 /// An entity with layer, line and unused codes, and the given shape.
@@ -17,7 +19,7 @@ pub(crate) fn shell(id: u32, group: &Group<'_>, encoding: TextEncoding, shape: S
     let other = group
         .tags
         .iter()
-        .filter(|t| !(PLAIN.contains(&t.code) || (1..=59).contains(&t.code) || t.code == 70))
+        .filter(|t| !(PLAIN.contains(&t.code) || ((1..=59).contains(&t.code) && t.code != ELEVATION) || t.code == 70))
         .take(KEPT)
         .map(|t| (t.code, encoding.decode(t.value)))
         .collect();
@@ -142,13 +144,13 @@ pub(crate) fn read(id: u32, group: &Group<'_>, encoding: TextEncoding, findings:
     let flip = |p: Vec2| if mirror { Vec2::new(-p.x, p.y) } else { p };
     let shape = match name.as_str() {
         "LINE" => Shape::Line([r.point(10), r.point(11)]),
-        "POINT" => Shape::Point { at: r.point(10), depth: r.maybe(30), width: r.maybe(39), angle: r.maybe(50) },
-        "TEXT" => Shape::Text { at: r.maybe_point(10), value: text_value(group, encoding) },
+        "POINT" => point(&mut r),
+        "TEXT" => Shape::Text { at: r.maybe_point(10), value: text_value(group, encoding), height: height(group) },
         // Releases of 2018 and later repeat code 10 in an embedded object: only the first one counts.
         "MTEXT" => {
             let first = |code| group.tags.iter().find(|t| t.code == code).and_then(|t| number(t, r.findings).ok());
             let at = Vec2::new(first(10).unwrap_or(0.0), first(20).unwrap_or(0.0));
-            Shape::Text { at, value: text_value(group, encoding) }
+            Shape::Text { at, value: text_value(group, encoding), height: height(group) }
         }
         "INSERT" => insert(&mut r, encoding),
         "ARC" => {
@@ -166,6 +168,19 @@ pub(crate) fn read(id: u32, group: &Group<'_>, encoding: TextEncoding, findings:
     };
     let failed = r.failed;
     (!failed).then(|| shell(id, group, encoding, shape))
+}
+
+fn point(r: &mut Reader<'_, '_>) -> Shape {
+    let (at, depth) = (r.point(10), r.maybe(30));
+    let elevation = r.maybe(ELEVATION);
+    let depth = depth.filter(|d| *d != 0.0).or(elevation).or(depth);
+    Shape::Point { at, depth, width: r.maybe(39), angle: r.maybe(50) }
+}
+
+/// Height of a text; only ever a hint of its writer.
+fn height(group: &Group<'_>) -> Option<f64> {
+    let tag = group.tags.iter().find(|t| t.code == 40)?;
+    std::str::from_utf8(tag.value).ok()?.parse().ok().filter(|h: &f64| h.is_finite())
 }
 
 /// MTEXT splits long text over codes 3 and ends with code 1.

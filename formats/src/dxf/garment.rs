@@ -6,6 +6,7 @@ use super::notches::DrawnNotch;
 use super::outline::{Node, Outline};
 use super::pattern::Pattern;
 use super::piece::DrawnPiece;
+use super::sheet::Drill;
 use super::unfold::Fold;
 use crate::rul::RuleTable;
 use std::collections::BTreeSet;
@@ -95,12 +96,13 @@ pub fn to_piece(drawn: &DrawnPiece, file: &str) -> Piece {
         notches: notches(drawn, fold).into_iter().map(|n| notch(&n, source(n.line, "4"))).collect(),
         drill_holes: drills(drawn, fold)
             .into_iter()
-            .map(|(at, line)| DrillHole { at: at * M, source: source(line, "13") })
+            .map(|d| DrillHole { at: d.at * M, diameter: d.diameter.map(|d| d * M), source: source(d.line, "13") })
             .collect(),
         grain: drawn.grain.map(|g| g.map(|p| p * M)),
         fold: drawn.fold.map(|f| f.map(|p| p * M)),
         internal_lines: internals(drawn, fold).into_iter().map(|p| open_line(&p, source(p.line, "8"))).collect(),
         cutouts: cutouts(drawn, fold).into_iter().map(|p| open_line(&p, source(p.line, "11"))).collect(),
+        match_lines: match_lines(drawn, fold, &source),
         darts: darts
             .iter()
             .enumerate()
@@ -189,13 +191,31 @@ fn notch(n: &DrawnNotch, source: Option<SourceRef>) -> Notch {
     }
 }
 
-fn drills(drawn: &DrawnPiece, fold: Option<Fold>) -> Vec<(Vec2, u64)> {
-    let mut list: Vec<(Vec2, u64)> = drawn.drills.iter().map(|d| (d.ends[0], d.line)).collect();
+fn drills(drawn: &DrawnPiece, fold: Option<Fold>) -> Vec<Drill> {
+    let mut list = drawn.drills.clone();
     if let Some(fold) = fold {
-        let mirrored: Vec<_> = list.iter().filter(|d| beside(fold, &[d.0])).map(|d| (fold.mirror(d.0), d.1)).collect();
+        let mirrored: Vec<Drill> =
+            list.iter().filter(|d| beside(fold, &[d.at])).map(|d| Drill { at: fold.mirror(d.at), ..*d }).collect();
         list.extend(mirrored);
     }
     list
+}
+
+/// Stripe and plaid lines, named after their layer.
+fn match_lines(
+    drawn: &DrawnPiece,
+    fold: Option<Fold>,
+    source: &dyn Fn(u64, &str) -> Option<SourceRef>,
+) -> Vec<PieceLine> {
+    let mut out = Vec::new();
+    for (layer, path) in &drawn.stripes {
+        let name = if layer.trim() == "10" { "plaid" } else { "stripe" };
+        let twin = fold.filter(|f| beside(*f, &path.positions())).map(|f| mirrored_path(path, f));
+        for path in std::iter::once(path).chain(twin.as_ref()) {
+            out.push(PieceLine { name: Some(name.into()), ..open_line(path, source(path.line, layer)) });
+        }
+    }
+    out
 }
 
 fn mirrored_path(path: &Path, fold: Fold) -> Path {

@@ -82,6 +82,18 @@ pub fn deviation(a: &[Vec2], b: &[Vec2], closed: bool) -> f64 {
     a.iter().step_by(stride).map(|p| distance(*p, b, closed)).fold(0.0, f64::max)
 }
 
+/// Where two segments meet, their ends included.
+#[must_use]
+pub fn meet(a: Vec2, b: Vec2, c: Vec2, d: Vec2) -> Option<Vec2> {
+    let (u, v) = (b - a, d - c);
+    let area = cross(u, v);
+    if area.abs() < 1e-12 {
+        return None;
+    }
+    let (s, t) = (cross(c - a, v) / area, cross(c - a, u) / area);
+    ((0.0..=1.0).contains(&s) && (0.0..=1.0).contains(&t)).then(|| a + u * s)
+}
+
 /// Is the point inside the closed polygon (even-odd)?
 #[must_use]
 pub fn inside(p: Vec2, polygon: &[Vec2]) -> bool {
@@ -134,7 +146,8 @@ impl PointIndex {
     /// An index for look-ups within `radius`.
     #[must_use]
     pub fn new(radius: f64, points: impl IntoIterator<Item = (Vec2, usize)>) -> Self {
-        let mut index = Self { cell: radius, cells: BTreeMap::new() };
+        let mut index = // Cells much larger than the radius: most look-ups then touch one.
+        Self { cell: 8.0 * radius, cells: BTreeMap::new() };
         for (p, id) in points {
             index.insert(p, id);
         }
@@ -151,13 +164,14 @@ impl PointIndex {
         self.cells.entry(key).or_default().push((p, id));
     }
 
-    /// All ids within `radius` (at most the radius of the index), nearest first, then by id.
+    /// All ids within `radius` (about the radius of the index), nearest first, then by id.
     #[must_use]
     pub fn near(&self, p: Vec2, radius: f64) -> Vec<(f64, usize)> {
-        let (kx, ky) = self.key(p);
+        let reach = Vec2::new(radius, radius);
+        let ((x0, y0), (x1, y1)) = (self.key(p - reach), self.key(p + reach));
         let mut found = Vec::new();
-        for x in kx.saturating_sub(1)..=kx.saturating_add(1) {
-            for y in ky.saturating_sub(1)..=ky.saturating_add(1) {
+        for x in x0..=x1 {
+            for y in y0..=y1 {
                 for (q, id) in self.cells.get(&(x, y)).into_iter().flatten() {
                     let d = (q - p).norm();
                     if d <= radius {
@@ -173,7 +187,11 @@ impl PointIndex {
     /// Is there a point within `radius`?
     #[must_use]
     pub fn has(&self, p: Vec2, radius: f64) -> bool {
-        !self.near(p, radius).is_empty()
+        let reach = Vec2::new(radius, radius);
+        let ((x0, y0), (x1, y1)) = (self.key(p - reach), self.key(p + reach));
+        (x0..=x1).any(|x| {
+            (y0..=y1).any(|y| self.cells.get(&(x, y)).into_iter().flatten().any(|(q, _)| (q - p).norm() <= radius))
+        })
     }
 
     /// Puts the point in unless one within `radius` is there; was it new?

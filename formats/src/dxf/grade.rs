@@ -108,10 +108,11 @@ pub fn grade(sample: &DrawnPiece, table: &RuleTable, size: &str) -> Result<Drawn
         notch.at = if notch.on == "sew" { sewn.carry(notch.at) } else { cut.carry(notch.at) };
     }
     for drill in &mut piece.drills {
-        let at = growth.at(drill.ends[0]).map_or_else(|| cut.carry(drill.ends[0]), |g| drill.ends[0] + g);
-        drill.ends = [at, at];
+        let at = growth.at(drill.at).map_or_else(|| cut.carry(drill.at), |g| drill.at + g);
+        drill.at = at;
     }
-    for path in piece.internal.iter_mut().chain(&mut piece.cutouts) {
+    let stripes = piece.stripes.iter_mut().map(|s| &mut s.1);
+    for path in piece.internal.iter_mut().chain(&mut piece.cutouts).chain(stripes) {
         line(path, &growth, &cut);
     }
     for dart in &mut piece.darts {

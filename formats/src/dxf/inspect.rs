@@ -5,6 +5,7 @@ use super::garment::to_piece;
 use super::ledger::Verdict;
 use super::pattern::{Pattern, ReadOptions, read};
 use super::piece::DrawnPiece;
+use super::pleats::Pleat;
 use super::{geom, grade};
 use crate::rul::{self, RuleTable};
 use serde_json::{Map, Value, json};
@@ -77,13 +78,15 @@ fn facts(pattern: &Pattern, pieces: &[Piece], table: Option<&RuleTable>) -> Valu
         out.insert(key.to_owned(), value);
     };
     put("file", json!(pattern.file));
+    put("profile", profile(pattern));
     put("units", json!(pattern.units.declared));
     put("mm_per_unit", json!(pattern.units.mm_per_unit));
     put("dxf_version", json!(pattern.release));
     put("encoding", json!(pattern.encoding));
     put("style_name", json!(pattern.style));
     put("style_texts", json!(pattern.style_texts));
-    put("sizes", json!(pattern.sizes));
+    put("sizes", json!(drawn_order(pattern, table)));
+    put("size_run", json!(pattern.size_order(table)));
     put("sample_size", json!(pattern.sample_size));
     put("block_count", json!(pattern.pieces.len()));
     put("ledger", ledger(pattern));
@@ -95,6 +98,27 @@ fn facts(pattern: &Pattern, pieces: &[Piece], table: Option<&RuleTable>) -> Valu
         put("graded_turn_points_mm", graded(pattern, table));
     }
     Value::Object(out)
+}
+
+/// The drawn sizes, in the order of the rule table where there is one.
+fn drawn_order(pattern: &Pattern, table: Option<&RuleTable>) -> Vec<String> {
+    let mut sizes = pattern.size_order(table);
+    sizes.retain(|s| pattern.sizes.contains(s));
+    sizes
+}
+
+fn profile(pattern: &Pattern) -> Value {
+    let p = &pattern.profile;
+    let others: Vec<Value> = p.others.iter().map(|(v, r)| json!({ "vendor": v.name(), "reasons": r })).collect();
+    json!({
+        "vendor": p.vendor.name(),
+        "confidence": round(p.confidence),
+        "reasons": p.reasons,
+        "others": others,
+        "standard": p.standard.0,
+        "standard_reason": p.standard.1,
+        "effects": p.effects,
+    })
 }
 
 fn ledger(pattern: &Pattern) -> Value {
@@ -159,18 +183,23 @@ fn piece(drawn: &DrawnPiece, piece: &Piece) -> Value {
         "net_area_cm2": round(geom::area(&net).abs() / 100.0),
         "net_perimeter_mm": round(geom::length(&net, true)),
         "sew_line_count": drawn.sew_lines,
-        "darts": drawn.darts.iter().map(dart).collect::<Vec<_>>(),
-        "dart_count": drawn.darts.len(),
+        "darts": drawn.darts.iter().map(dart).chain(drawn.candidates.iter().map(candidate)).collect::<Vec<_>>(),
+        "dart_count": drawn.darts.len() + drawn.candidates.len(),
+        "not_darts": drawn.denied.iter().map(|d| json!({ "at_mm": xy(d.at), "why": d.why })).collect::<Vec<_>>(),
+        "pleats": drawn.pleats.iter().map(pleat).collect::<Vec<_>>(),
         "darts_unfolded": piece.darts.len(),
         // Marks (POINT) count apart from notches drawn with strokes: both are listed and both are sewn.
-        "notch_count": drawn.notches.iter().filter(|n| !n.strokes).count(),
+        "notch_count": drawn.notches.iter().filter(|n| !n.strokes && !n.cut).count(),
         "stroke_notch_count": drawn.notches.iter().filter(|n| n.strokes).count(),
+        "cut_notch_count": drawn.notches.iter().filter(|n| n.cut).count(),
         "notches": drawn.notches.iter().map(|n| json!({
             "kind": n.kind, "at_mm": xy(n.at), "depth_mm": round(n.depth), "width_mm": round(n.width), "on": n.on,
-            "angle_deg": n.angle.map(|a| round(a.to_degrees())),
+            "angle_deg": n.angle.map(|a| round(a.to_degrees())), "twin": n.twin,
         })).collect::<Vec<_>>(),
         "drill_count": drawn.drills.len(),
-        "drills_mm": drawn.drills.iter().map(|d| xy(d.ends[0])).collect::<Vec<_>>(),
+        "drills_mm": drawn.drills.iter().map(|d| xy(d.at)).collect::<Vec<_>>(),
+        "drill_diameters_mm": drawn.drills.iter().map(|d| d.diameter.map(round)).collect::<Vec<_>>(),
+        "stripe_line_count": drawn.stripes.len(),
         "internal_line_count": drawn.internal.len(),
         "cutout_count": drawn.cutouts.len(),
         "grain_line_mm": drawn.grain.map(|g| g.map(xy)),
@@ -200,11 +229,43 @@ fn dart(d: &DrawnDart) -> Value {
         "leg_difference_mm": round((d.leg_path(0) - d.leg_path(1)).abs()),
         "width_mm": round(d.width()),
         "line": d.on,
+        "confidence": round(d.confidence),
+        "evidence": d.evidence,
+        "candidate": false,
     });
     if let (Form::Lens, Some(map)) = (d.form, out.as_object_mut()) {
         map.insert("apexes_mm".to_owned(), d.apexes.iter().map(|p| xy(*p)).collect());
     }
     out
+}
+
+/// A drill hole and two notches: not made a dart, a person must say.
+fn candidate((drill, mouth): &(Vec2, [Vec2; 2])) -> Value {
+    let legs = mouth.map(|m| round((m - drill).norm()));
+    json!({
+        "kind": "drill_and_notches",
+        "apex_mm": xy(*drill),
+        "mouth_mm": mouth.map(xy),
+        "leg_chord_mm": legs,
+        "leg_path_mm": legs,
+        "leg_difference_mm": round((legs[0] - legs[1]).abs()),
+        "width_mm": round((mouth[1] - mouth[0]).norm()),
+        "line": "cut",
+        "confidence": 0.5,
+        "evidence": ["a drill hole on the axis between two notches"],
+        "candidate": true,
+    })
+}
+
+fn pleat(p: &Pleat) -> Value {
+    json!({
+        "kind": if p.converging { "dart_pleat" } else { "pleat" },
+        "lines_mm": p.lines.map(|l| l.map(xy)),
+        "width_mm": round(p.width),
+        "confidence": round(p.confidence),
+        "evidence": p.evidence,
+        "candidate": true,
+    })
 }
 
 fn edges(piece: &Piece) -> Vec<Value> {
@@ -242,6 +303,9 @@ fn text(pattern: &Pattern) -> String {
             pattern.encoding
         ),
     );
+    let p = &pattern.profile;
+    let why = p.reasons.join("; ");
+    say(&mut out, format!("written by {} ({:.0} %: {why})  {}", p.vendor.name(), p.confidence * 100.0, p.standard.0));
     say(&mut out, format!("sizes {}  sample {}", pattern.sizes.join(" "), or(&pattern.sample_size)));
     say(
         &mut out,

@@ -18,6 +18,10 @@ pub const PIECES: usize = 2_000;
 pub const OUTLINE_POINTS: usize = 200_000;
 /// Most notches, and most notch strokes, of one piece.
 pub const NOTCHES: usize = 5_000;
+/// Most pairs of a notch and a vertex of its outline.
+pub const NOTCH_TESTS: u64 = 200_000_000;
+/// Most internal lines of a piece that are looked at as darts, times the vertices of its outline.
+pub const DART_TESTS: usize = 200_000_000;
 /// Deepest nesting of INSERTs.
 pub const INSERT_DEPTH: usize = 8;
 /// Largest absolute number accepted for a coordinate, in file units.

@@ -3,6 +3,7 @@
 use super::chain::Path;
 use super::darts::{DrawnDart, Form, wedge_test};
 use super::geom::{self, PointIndex};
+use super::limits;
 use super::outline::Outline;
 use toile_garment::Vec2;
 
@@ -15,16 +16,20 @@ const LEAST_ANGLE: f64 = 2.0;
 /// The path of a leg over its chord, at most.
 const CURVED: f64 = 1.15;
 
-/// Marked darts among internal lines.
+/// Marked darts among internal lines. Legs that run over an allowance to the cut line are cut off at the sew line.
 #[must_use]
-pub fn marked(internal: &[Path], outline: &Outline) -> Vec<DrawnDart> {
+pub fn marked(internal: &[Path], outline: &Outline, cut: Option<&[Vec2]>) -> Vec<DrawnDart> {
     let line = outline.positions();
     let work = outline.work_positions();
     let on = |p: Vec2| geom::distance(p, &work, true).min(geom::distance(p, &line, true)) <= ON_OUTLINE;
     let mut found = Vec::new();
     let mut single: Vec<(Vec<Vec2>, &Path)> = Vec::new();
-    for path in internal.iter().take(2000) {
-        let points = opened(path, &on);
+    let most = 2000.min(limits::DART_TESTS / (line.len() + work.len()).max(1));
+    for path in internal.iter().take(most) {
+        let points = match cut {
+            Some(cut) if !path.closed => trimmed(&path.positions(), &line, cut),
+            _ => opened(path, &on),
+        };
         if points.len() < 2 {
             continue;
         }
@@ -46,6 +51,31 @@ pub fn marked(internal: &[Path], outline: &Outline) -> Vec<DrawnDart> {
         }
     }
     found
+}
+
+/// A line whose ends lie beyond the sew line, cut off where it crosses.
+fn trimmed(points: &[Vec2], sewn: &[Vec2], cut: &[Vec2]) -> Vec<Vec2> {
+    let mut line = points.to_vec();
+    for _ in 0..2 {
+        line.reverse();
+        let Some(end) = line.last().copied() else { return line };
+        if geom::inside(end, sewn) || geom::distance(end, sewn, true) <= ON_OUTLINE {
+            continue;
+        }
+        // Past the cut line too: some writers draw legs a little longer.
+        let near = geom::inside(end, cut) || geom::distance(end, cut, true) <= 25.0;
+        let inner = line.iter().rposition(|p| geom::inside(*p, sewn));
+        if let Some(i) = inner.filter(|_| near) {
+            let crossing = (0..sewn.len())
+                .filter_map(|k| geom::meet(line[i], line[i + 1], sewn[k], sewn[(k + 1) % sewn.len()]))
+                .min_by(|a, b| (a - line[i]).norm().total_cmp(&(b - line[i]).norm()));
+            if let Some(p) = crossing {
+                line.truncate(i + 1);
+                line.push(p);
+            }
+        }
+    }
+    line
 }
 
 /// A closed triangle whose side lies along the outline is the same as its two legs.
@@ -101,6 +131,8 @@ fn dart(mut legs: [Vec<Vec2>; 2], line: u64, ids: Vec<u32>, outline: &[Vec2]) ->
         on: "internal",
         line,
         ids,
+        confidence: 0.0,
+        evidence: Vec::new(),
     })
 }
 
@@ -114,8 +146,10 @@ const LENS_TIP: f64 = 75.0;
 /// Fish-eye darts: closed lenses on layer 8 or 11, sharp at both ends, as long on one side as on the other.
 #[must_use]
 pub fn lenses(paths: &[Path], outline: &[Vec2]) -> Vec<DrawnDart> {
+    let most = 2000.min(limits::DART_TESTS / outline.len().max(1));
     paths
         .iter()
+        .take(most)
         .filter(|p| p.closed && p.points.len() >= 4 && p.points.len() <= 2000)
         .filter_map(|p| lens(p, outline))
         .collect()
@@ -159,6 +193,8 @@ fn lens(path: &Path, outline: &[Vec2]) -> Option<DrawnDart> {
         on: "internal",
         line: path.line,
         ids: path.ids.clone(),
+        confidence: 0.0,
+        evidence: Vec::new(),
     })
 }
 
@@ -176,10 +212,53 @@ fn farthest(points: &[Vec2]) -> Option<(usize, usize)> {
     best.map(|(_, i, j)| (i, j))
 }
 
-/// Two notches at a mouth and a drill hole near the apex: only a candidate, a person must say.
+/// Why a lens is no fish-eye dart: a pocket lies across the grain or has one straight side.
+#[must_use]
+pub fn lens_doubt(lens: &DrawnDart, grain: Option<Vec2>, drills: &[Vec2]) -> Option<&'static str> {
+    if lens.apexes.iter().any(|a| drills.iter().any(|d| (a - d).norm() <= 20.0)) {
+        return None;
+    }
+    let axis = lens.apexes[1] - lens.apexes[0];
+    let offset = |p: Vec2| (geom::cross(axis, p - lens.apexes[0]) / axis.norm()).abs();
+    let (a, b) = (offset(lens.mouth[0]), offset(lens.mouth[1]));
+    if a.min(b) < 0.2 * (a + b) {
+        return Some("one of its sides is nearly straight: a pocket opening");
+    }
+    let across = grain.is_some_and(|g| axis.dot(&g).abs() < 0.5 * axis.norm() * g.norm());
+    across.then_some("it lies across the grain and has no drill hole: a pocket opening")
+}
+
+/// Four drill holes in the shape of a slim kite: its two tips first.
+#[must_use]
+pub fn kites(drills: &[Vec2], darts: &[DrawnDart]) -> Vec<[Vec2; 4]> {
+    let near = |p: &Vec2| darts.iter().any(|d| d.apexes.iter().chain(&d.mouth).any(|q| (p - q).norm() < 30.0));
+    let free: Vec<Vec2> = drills.iter().copied().filter(|p| !near(p)).take(60).collect();
+    // Only exactly four: among more holes there is no telling.
+    let [a, b, c, d] = free.as_slice() else { return Vec::new() };
+    let orders =
+        [[*a, *b, *c, *d], [*a, *c, *b, *d], [*a, *d, *b, *c], [*c, *d, *a, *b], [*b, *d, *a, *c], [*b, *c, *a, *d]];
+    orders
+        .into_iter()
+        .find(|[s, t, p, q]| {
+            let (axis, across) = (t - s, q - p);
+            let (length, width) = (axis.norm(), across.norm());
+            let along = |r: &Vec2| (r - s).dot(&axis) / (length * length);
+            LENS_LENGTH.contains(&length)
+                && LENS_WIDTH.contains(&width)
+                && length >= 2.5 * width
+                && axis.dot(&across).abs() <= 0.05 * length * width
+                && (geom::cross(axis, (p + q) * 0.5 - s) / length).abs() <= 0.1 * width
+                && [p, q].iter().all(|r| (0.2..=0.8).contains(&along(r)))
+        })
+        .into_iter()
+        .collect()
+}
+
+/// Two notches at a mouth and a drill hole near the apex: only a candidate, a person must say. The hole lies on the
+/// axis of the mouth, and no other hole claims the same mouth.
 #[must_use]
 pub fn candidates(notches: &[Vec2], drills: &[Vec2], darts: &[DrawnDart]) -> Vec<(Vec2, [Vec2; 2])> {
-    let mut found = Vec::new();
+    let mut found: Vec<(Vec2, [Vec2; 2])> = Vec::new();
     for drill in drills.iter().take(200) {
         let taken = darts.iter().any(|d| {
             let polygon: Vec<Vec2> = d.legs[0].iter().chain(d.legs[1].iter().rev()).copied().collect();
@@ -193,10 +272,12 @@ pub fn candidates(notches: &[Vec2], drills: &[Vec2], darts: &[DrawnDart]) -> Vec
         let pair =
             near.iter().enumerate().flat_map(|(i, a)| near[i + 1..].iter().map(move |b| (*a, *b))).find(|(a, b)| {
                 let (u, v) = ((a - drill).norm(), (b - drill).norm());
-                (u - v).abs() <= 0.05 * u.max(v) && wedge_test(*drill, *a, *b, 5.0).is_ok()
+                (u - v).abs() <= 0.02 * u.max(v) && wedge_test(*drill, *a, *b, 5.0).is_ok()
             });
         found.extend(pair.map(|(a, b)| (*drill, [a, b])));
     }
+    let all = found.clone();
+    found.retain(|(drill, mouth)| !all.iter().any(|(d, m)| d != drill && m.iter().any(|p| mouth.contains(p))));
     found
 }
 
@@ -212,7 +293,7 @@ mod tests {
 
     fn sheet() -> Outline {
         let mut o = Outline::new(path(&[(0.0, 0.0), (300.0, 0.0), (300.0, 600.0), (0.0, 600.0)], true));
-        o.classify(&Marks::new(&[], &[]));
+        o.classify(&Marks::new(&[], &[], &Default::default()));
         o
     }
 
@@ -224,7 +305,7 @@ mod tests {
             vec![path(&[(165.0, 600.0), (135.0, 600.0), (150.0, 500.0)], true)],
         ];
         for form in forms {
-            let darts = marked(&form, &sheet());
+            let darts = marked(&form, &sheet(), None);
             assert_eq!(darts.len(), 1, "{form:?}");
             assert!((darts[0].apexes[0] - Vec2::new(150.0, 500.0)).norm() <= 0.1 + 1e-9);
             assert_eq!(darts[0].mouth[0], Vec2::new(165.0, 600.0), "counter-clockwise first");
@@ -233,7 +314,7 @@ mod tests {
 
     #[test]
     fn lines_that_end_inside_are_no_darts() {
-        assert!(marked(&[path(&[(135.0, 580.0), (150.0, 500.0), (165.0, 580.0)], false)], &sheet()).is_empty());
+        assert!(marked(&[path(&[(135.0, 580.0), (150.0, 500.0), (165.0, 580.0)], false)], &sheet(), None).is_empty());
     }
 
     #[test]

@@ -7,8 +7,10 @@
 
 #![allow(clippy::result_large_err, reason = "a failure ends the reading and carries its place and remedy")]
 
+mod binary;
 pub mod chain;
 pub mod curve;
+pub mod cut_notches;
 pub mod darts;
 mod entity;
 mod findings;
@@ -27,12 +29,15 @@ pub mod outline;
 mod parse;
 mod pattern;
 pub mod piece;
+pub mod pleats;
 mod sheet;
 mod sizes;
 pub mod tags;
 mod texts;
+mod tolerances;
 mod unfold;
 mod units;
+mod vendor;
 pub mod write;
 
 pub use findings::Findings;
@@ -40,6 +45,8 @@ pub use inspect::{Inspection, inspect, inspect_with};
 pub use lib_curves::Census;
 pub use pattern::{Pattern, ReadOptions, read};
 pub use texts::unit;
+pub use tolerances::Tolerances;
 pub use units::Units;
+pub use vendor::{Profile, Vendor};
 #[cfg(test)]
 mod tests;

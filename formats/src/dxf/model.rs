@@ -18,6 +18,12 @@ pub struct Drawing {
     pub entities: Vec<Entity>,
     /// Number of entities, numbered from 0 in file order over blocks and ENTITIES.
     pub entity_count: u32,
+    /// The first comments (999).
+    pub comments: Vec<String>,
+    /// Number of header variables.
+    pub header_variables: usize,
+    /// Is there a section TABLES?
+    pub tables: bool,
     /// Number of vertices of all polylines.
     pub vertex_count: u64,
 }
@@ -94,7 +100,7 @@ pub enum Shape {
     Point {
         /// Position.
         at: Vec2,
-        /// Code 30 (notch depth, drill diameter), `None` when absent.
+        /// Code 30, else 38 (notch depth, drill diameter), `None` when absent.
         depth: Option<f64>,
         /// Code 39 (notch width).
         width: Option<f64>,
@@ -107,6 +113,8 @@ pub enum Shape {
         at: Vec2,
         /// Text, escapes resolved; empty when there was no code 1.
         value: String,
+        /// Height, file units, `None` when absent.
+        height: Option<f64>,
     },
     /// INSERT.
     Insert {

@@ -1,5 +1,6 @@
 //! Notches from points and from strokes.
 
+use super::cut_notches::CutNotch;
 use super::geom::{self, PointIndex};
 use super::sheet::{Mark, Stroke};
 use toile_garment::Vec2;
@@ -33,6 +34,10 @@ pub struct DrawnNotch {
     pub line: u64,
     /// Drawn with strokes (layer-4 LINEs) instead of marked with a POINT.
     pub strokes: bool,
+    /// Cut into the outline.
+    pub cut: bool,
+    /// The same notch stands once more on the cut line: its place in the list.
+    pub twin: Option<usize>,
 }
 
 /// The lines of a piece a notch can sit on.
@@ -73,7 +78,7 @@ impl Ground<'_> {
 
 /// Notches from points: doubled ones merged, direction made to point inwards.
 #[must_use]
-pub fn from_marks(marks: &[Mark], ground: &Ground<'_>) -> (Vec<DrawnNotch>, Vec<u32>) {
+pub fn from_marks(marks: &[Mark], ground: &Ground<'_>, scale: f64) -> (Vec<DrawnNotch>, Vec<u32>) {
     let mut out: Vec<DrawnNotch> = Vec::new();
     let mut doubled = Vec::new();
     let mut seen = PointIndex::new(DOUBLED, []);
@@ -82,17 +87,59 @@ pub fn from_marks(marks: &[Mark], ground: &Ground<'_>) -> (Vec<DrawnNotch>, Vec<
             doubled.push(mark.id);
             continue;
         }
-        let width = mark.width.unwrap_or(0.0).abs();
+        let width = mark.width.unwrap_or(0.0).abs() * scale;
         let kind = mark.kind.unwrap_or(if width > 0.0 { NotchKind::V } else { NotchKind::Slit });
         let (on, off) = ground.place(mark.at);
-        let angle = mark.angle.map(|a| {
-            let inward = ground.inward(mark.at).unwrap_or(a);
-            if libm::cos(a - inward) >= -1e-9 { a } else { inward }
+        let inward = if on == "boundary" || on == "sew" { ground.inward(mark.at) } else { None };
+        let angle = match (mark.angle, inward) {
+            (Some(a), Some(inward)) if libm::cos(a - inward) < -1e-9 => Some(inward),
+            (angle, inward) => angle.or(inward),
+        };
+        let depth = mark.depth.unwrap_or(0.0).abs() * scale;
+        out.push(DrawnNotch {
+            kind,
+            at: mark.at,
+            depth,
+            width,
+            angle,
+            on,
+            off,
+            line: mark.line,
+            strokes: false,
+            cut: false,
+            twin: None,
         });
-        let depth = mark.depth.unwrap_or(0.0).abs();
-        out.push(DrawnNotch { kind, at: mark.at, depth, width, angle, on, off, line: mark.line, strokes: false });
     }
     (out, doubled)
+}
+
+/// A notch cut into the boundary.
+#[must_use]
+pub fn cut_in(cut: &CutNotch, line: u64) -> DrawnNotch {
+    DrawnNotch {
+        kind: cut.kind,
+        at: cut.at,
+        depth: cut.depth,
+        width: cut.width,
+        angle: Some(cut.angle),
+        on: "boundary",
+        off: 0.0,
+        line,
+        strokes: false,
+        cut: true,
+        twin: None,
+    }
+}
+
+/// Pairs each notch on the sew line with the one on the cut line that marks the same: an allowance away, the nearest.
+pub fn pair_twins(list: &mut [DrawnNotch]) {
+    let places: Vec<(usize, Vec2)> =
+        list.iter().enumerate().filter(|(_, n)| n.on == "boundary").map(|(i, n)| (i, n.at)).collect();
+    for notch in list.iter_mut().filter(|n| n.on == "sew" && n.off > ON) {
+        let (at, off) = (notch.at, notch.off);
+        let near = places.iter().map(|(i, p)| ((p - at).norm(), *i)).filter(|(d, _)| *d <= 1.5 * off + 1.0);
+        notch.twin = near.min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, i)| i);
+    }
 }
 
 /// Notches drawn as strokes: near strokes are one notch, its base is where it meets the boundary.
@@ -149,8 +196,29 @@ fn grouped(group: &[Stroke], ground: &Ground<'_>) -> Option<DrawnNotch> {
         [_, _, _] => NotchKind::Castle,
         _ => NotchKind::U,
     };
+    // A V that stands on its tip: its width is that of its open end.
+    let width = match group {
+        [a, b] if kind == NotchKind::V && width < 0.1 => {
+            let far =
+                |s: &Stroke| s.ends.iter().copied().max_by(|p, q| (p - middle).norm().total_cmp(&(q - middle).norm()));
+            far(a).zip(far(b)).map_or(width, |(p, q)| (p - q).norm())
+        }
+        _ => width,
+    };
     let (on, off) = ground.place(middle);
-    Some(DrawnNotch { kind, at: middle, depth, width, angle: None, on, off, line: group[0].line, strokes: true })
+    Some(DrawnNotch {
+        kind,
+        at: middle,
+        depth,
+        width,
+        angle: ground.inward(middle),
+        on,
+        off,
+        line: group[0].line,
+        strokes: true,
+        cut: false,
+        twin: None,
+    })
 }
 
 #[cfg(test)]
@@ -172,7 +240,7 @@ mod tests {
         let ground = Ground { boundary: &line, sew: None, internal: &[] };
         // On the right edge inwards is -x, 180 degrees; the file says 0.
         let marks = [mark(100.0, 50.0, Some(0.0)), mark(100.0, 50.03, None), mark(60.0, 50.0, None)];
-        let (notches, doubled) = from_marks(&marks, &ground);
+        let (notches, doubled) = from_marks(&marks, &ground, 1.0);
         assert_eq!((notches.len(), doubled.len()), (2, 1));
         assert!((notches[0].angle.expect("angle") - std::f64::consts::PI).abs() < 1e-9);
         assert_eq!((notches[0].kind, notches[0].depth, notches[0].on), (NotchKind::V, 4.0, "boundary"));

@@ -2,15 +2,14 @@
 
 use super::chain::Path;
 use super::curve;
+use super::cut_notches::{self, CutNotch};
 use super::geom::{self, PointIndex};
-use super::sheet::FLATNESS;
+use super::tolerances::Tolerances;
 use toile_garment::Vec2;
 use toile_garment::outline::PointKind;
 
 /// Points of layers 2 and 3 coincide with vertices within this, mm.
 const MATCH: f64 = 0.02;
-/// An unmarked vertex that turns more is a corner, degrees.
-const CORNER: f64 = 20.0;
 /// Marked curve points further apart than this are control points of a smooth curve, mm.
 const SPARSE: f64 = 3.0;
 /// A dense copy may differ this much from the smooth curve through the points it copies, mm.
@@ -49,6 +48,8 @@ pub struct Outline {
     pub work: Vec<Node>,
     /// For each drawn vertex, its place in `work`, if it is there.
     pub place: Vec<Option<usize>>,
+    /// Notches cut into the drawn line; `work` runs over them.
+    pub cut: Vec<CutNotch>,
     /// How `work` was made.
     pub making: Making,
     /// Line in the file.
@@ -63,14 +64,20 @@ pub struct Marks {
     curve: PointIndex,
     /// Are there any?
     pub any: bool,
+    corner: f64,
 }
 
 impl Marks {
     /// Index of a block's points.
     #[must_use]
-    pub fn new(turn: &[Vec2], curve: &[Vec2]) -> Self {
+    pub fn new(turn: &[Vec2], curve: &[Vec2], tolerances: &Tolerances) -> Self {
         let index = |list: &[Vec2]| PointIndex::new(MATCH, list.iter().enumerate().map(|(i, p)| (*p, i)));
-        Self { turn: index(turn), curve: index(curve), any: !(turn.is_empty() && curve.is_empty()) }
+        Self {
+            turn: index(turn),
+            curve: index(curve),
+            any: !(turn.is_empty() && curve.is_empty()),
+            corner: tolerances.corner,
+        }
     }
 }
 
@@ -84,7 +91,15 @@ impl Outline {
             drawn[1..].reverse();
         }
         let place = (0..drawn.len()).map(Some).collect();
-        Self { work: drawn.clone(), drawn, place, making: Making::AsDrawn, line: path.line, ids: path.ids }
+        Self {
+            work: drawn.clone(),
+            drawn,
+            place,
+            cut: Vec::new(),
+            making: Making::AsDrawn,
+            line: path.line,
+            ids: path.ids,
+        }
     }
 
     /// Positions as drawn.
@@ -102,7 +117,7 @@ impl Outline {
     /// Sets the kinds from layers 2 and 3, or from the angles where a vertex is not marked.
     pub fn classify(&mut self, marks: &Marks) {
         let n = self.drawn.len();
-        let limit = if marks.any { CORNER + 10.0 } else { CORNER }.to_radians();
+        let limit = if marks.any { marks.corner + 10.0 } else { marks.corner }.to_radians();
         let kinds: Vec<PointKind> = (0..n)
             .map(|i| {
                 let (before, node, after) = (&self.drawn[(i + n - 1) % n], &self.drawn[i], &self.drawn[(i + 1) % n]);
@@ -156,11 +171,25 @@ impl Outline {
 
     /// Makes the working line: the dense copy where there is a good one, else smooth runs, else the drawn line.
     /// The outcome of looking at the dense copy comes back for the report.
-    pub fn make_work(&mut self, dense: Option<&Outline>) -> Option<Result<f64, f64>> {
-        self.smooth();
+    pub fn make_work(&mut self, dense: Option<&Outline>, flatness: f64) -> Option<Result<f64, f64>> {
+        self.smooth(flatness);
         let dense = dense.filter(|d| d.drawn.len() > self.drawn.len())?;
-        let verdict = self.take_dense(dense);
-        Some(verdict)
+        let bare;
+        let dense = if self.cut.is_empty() {
+            dense
+        } else {
+            // The dense copy holds the same notches.
+            let mut copy = dense.clone();
+            copy.drawn = kept(&copy.drawn, &cut_notches::find(&copy.drawn)).into_iter().map(|(_, node)| node).collect();
+            bare = copy;
+            &bare
+        };
+        Some(self.take_dense(dense))
+    }
+
+    /// Finds the notches cut into the drawn line, to be left out of the working line.
+    pub fn find_cut_notches(&mut self) {
+        self.cut = cut_notches::find(&self.drawn);
     }
 
     fn take_dense(&mut self, dense: &Outline) -> Result<f64, f64> {
@@ -170,7 +199,10 @@ impl Outline {
         if deviation > DENSE_MOST {
             return Err(deviation);
         }
-        let corners: Vec<usize> = (0..self.drawn.len()).filter(|i| self.drawn[*i].kind == PointKind::Turn).collect();
+        let (inner, mouth) = cut_notches::covered(self.drawn.len(), &self.cut);
+        let corners: Vec<usize> = (0..self.drawn.len())
+            .filter(|i| self.drawn[*i].kind == PointKind::Turn && !inner[*i] && !mouth[*i])
+            .collect();
         let Some(found) = match_corners(&corners.iter().map(|i| ours[*i]).collect::<Vec<_>>(), &theirs) else {
             return Err(deviation);
         };
@@ -190,20 +222,21 @@ impl Outline {
         Ok(deviation)
     }
 
-    fn smooth(&mut self) {
-        let n = self.drawn.len();
-        let first = (0..n).find(|i| self.drawn[*i].kind == PointKind::Turn).unwrap_or(0);
-        let (mut work, mut place) = (Vec::with_capacity(n), vec![None; n]);
+    fn smooth(&mut self, flatness: f64) {
+        let nodes = kept(&self.drawn, &self.cut);
+        let n = nodes.len();
+        let first = (0..n).find(|i| nodes[*i].1.kind == PointKind::Turn).unwrap_or(0);
+        let (mut work, mut place) = (Vec::with_capacity(n), vec![None; self.drawn.len()]);
         let mut deviation = 0.0_f64;
         let mut k = 0;
         while k < n {
-            let run_end = (k + 1..n).find(|j| self.drawn[(first + j) % n].kind == PointKind::Turn).unwrap_or(n);
-            let run: Vec<Node> = (k..=run_end).map(|j| self.drawn[(first + j) % n]).collect();
+            let run_end = (k + 1..n).find(|j| nodes[(first + j) % n].1.kind == PointKind::Turn).unwrap_or(n);
+            let run: Vec<Node> = (k..=run_end).map(|j| nodes[(first + j) % n].1).collect();
             let points: Vec<Vec2> = run.iter().map(|r| r.at).collect();
             let curved = run[1..run.len() - 1].iter().any(|r| r.kind == PointKind::Curve);
-            let inner = if curved { curve::smooth(&points, FLATNESS) } else { vec![Vec::new(); points.len() - 1] };
+            let inner = if curved { curve::smooth(&points, flatness) } else { vec![Vec::new(); points.len() - 1] };
             for (j, between) in inner.into_iter().enumerate() {
-                place[(first + k + j) % n] = Some(work.len());
+                place[nodes[(first + k + j) % n].0] = Some(work.len());
                 work.push(run[j]);
                 let sparse = (points[j + 1] - points[j]).norm() > SPARSE;
                 let smooth = [run[j], run[j + 1]].iter().all(|r| r.kind != PointKind::Plain && r.drawn);
@@ -249,6 +282,13 @@ impl Outline {
     }
 }
 
+/// The vertices of a line without its cut notches, with their places in it; mouth points are no corners.
+fn kept(drawn: &[Node], cut: &[CutNotch]) -> Vec<(usize, Node)> {
+    let (inner, mouth) = cut_notches::covered(drawn.len(), cut);
+    let plain = |i: usize, node: &Node| if mouth[i] { Node { kind: PointKind::Plain, ..*node } } else { *node };
+    drawn.iter().enumerate().filter(|(i, _)| !inner[*i]).map(|(i, node)| (i, plain(i, node))).collect()
+}
+
 /// Finds the corners one after the other on the dense line, which may pass a place twice.
 fn match_corners(corners: &[Vec2], dense: &[Vec2]) -> Option<Vec<usize>> {
     let Some(first) = corners.first() else { return Some(Vec::new()) };
@@ -258,9 +298,14 @@ fn match_corners(corners: &[Vec2], dense: &[Vec2]) -> Option<Vec<usize>> {
         let mut found = vec![start];
         let mut k = 0;
         for corner in &corners[1..] {
-            let Some(next) = (k + 1..n).find(|j| (dense[(start + j) % n] - corner).norm() <= DENSE_MATCH) else {
+            let off = |j: usize| (dense[(start + j) % n] - corner).norm();
+            let Some(mut next) = (k + 1..n).find(|j| off(*j) <= DENSE_MATCH) else {
                 break;
             };
+            // A vertex nearer to the corner may follow at once.
+            while next + 1 < n && off(next + 1) < off(next) {
+                next += 1;
+            }
             k = next;
             found.push((start + k) % n);
         }
@@ -275,6 +320,8 @@ fn match_corners(corners: &[Vec2], dense: &[Vec2]) -> Option<Vec<usize>> {
 mod tests {
     use super::*;
 
+    const FLATNESS: f64 = 0.05;
+
     fn outline(points: &[(f64, f64)]) -> Outline {
         let points = points.iter().map(|(x, y)| (Vec2::new(*x, *y), true)).collect();
         Outline::new(Path { ids: vec![0], line: 1, points, closed: true })
@@ -283,10 +330,10 @@ mod tests {
     #[test]
     fn kinds_from_layers_and_from_angles() {
         let mut o = outline(&[(0.0, 0.0), (50.0, 1.0), (100.0, 0.0), (100.0, 100.0), (0.0, 100.0)]);
-        o.classify(&Marks::new(&[], &[]));
+        o.classify(&Marks::new(&[], &[], &Tolerances::default()));
         let turns = o.drawn.iter().filter(|n| n.kind == PointKind::Turn).count();
         assert_eq!(turns, 4);
-        o.classify(&Marks::new(&[Vec2::new(0.0, 0.005)], &[Vec2::new(50.0, 1.0)]));
+        o.classify(&Marks::new(&[Vec2::new(0.0, 0.005)], &[Vec2::new(50.0, 1.0)], &Tolerances::default()));
         assert_eq!(o.drawn[0].kind, PointKind::Turn);
         assert_eq!(o.drawn[1].kind, PointKind::Curve);
     }
@@ -302,8 +349,12 @@ mod tests {
         points.extend(&arc);
         let mut o = outline(&points);
         let v = |p: &(f64, f64)| Vec2::new(p.0, p.1);
-        o.classify(&Marks::new(&[v(&points[0]), v(&arc[0]), v(&arc[8])], &arc[1..8].iter().map(v).collect::<Vec<_>>()));
-        assert_eq!(o.make_work(None), None);
+        o.classify(&Marks::new(
+            &[v(&points[0]), v(&arc[0]), v(&arc[8])],
+            &arc[1..8].iter().map(v).collect::<Vec<_>>(),
+            &Tolerances::default(),
+        ));
+        assert_eq!(o.make_work(None, FLATNESS), None);
         let exact = std::f64::consts::PI * 2500.0;
         let (rough, smooth) = (geom::area(&o.positions()), geom::area(&o.work_positions()));
         assert!((rough - exact).abs() / exact > 5e-3);
@@ -315,15 +366,15 @@ mod tests {
     #[test]
     fn dense_copy_is_taken_when_it_agrees() {
         let mut o = outline(&[(0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (0.0, 100.0)]);
-        o.classify(&Marks::new(&[], &[]));
+        o.classify(&Marks::new(&[], &[], &Tolerances::default()));
         let dense = outline(&[(100.0, 0.0), (100.7, 50.0), (100.0, 100.0), (0.0, 100.0), (0.0, 0.0), (50.0, 0.0)]);
-        assert!(o.make_work(Some(&dense)).is_some_and(|v| v.is_ok()));
+        assert!(o.make_work(Some(&dense), FLATNESS).is_some_and(|v| v.is_ok()));
         assert_eq!(o.work.len(), 6);
         assert_eq!(o.work[o.place[1].expect("corner")].at, Vec2::new(100.0, 0.0));
         let far = outline(&[(100.0, 0.0), (113.0, 50.0), (100.0, 100.0), (0.0, 100.0), (0.0, 0.0)]);
         let mut o = outline(&[(0.0, 0.0), (100.0, 0.0), (100.0, 100.0), (0.0, 100.0)]);
-        o.classify(&Marks::new(&[], &[]));
-        assert!(o.make_work(Some(&far)).is_some_and(|v| v.is_err()));
+        o.classify(&Marks::new(&[], &[], &Tolerances::default()));
+        assert!(o.make_work(Some(&far), FLATNESS).is_some_and(|v| v.is_err()));
         assert_eq!(o.making, Making::AsDrawn);
     }
 }

@@ -51,6 +51,7 @@ struct Header {
     release: Option<String>,
     code_page: Option<String>,
     insunits: Option<i64>,
+    variables: usize,
 }
 
 fn read_header(bytes: &[u8], findings: &mut Findings) -> Result<Header, Diagnostic> {
@@ -63,6 +64,7 @@ fn read_header(bytes: &[u8], findings: &mut Findings) -> Result<Header, Diagnost
                 if pair[0].code != 9 {
                     continue;
                 }
+                header.variables += 1;
                 if pair[0].is("$ACADVER") {
                     header.release = Some(text(pair[1].value));
                 } else if pair[0].is("$DWGCODEPAGE") {
@@ -109,16 +111,35 @@ struct Parser<'f> {
     sections: u32,
     ended: bool,
     after_end: bool,
+    tables: bool,
 }
 
-/// Reads a file into the faithful model.
+/// The code page asked for, else the best choice.
+fn text_encoding(
+    bytes: &[u8],
+    asked: Option<&str>,
+    header: &Header,
+    findings: &Findings,
+) -> Result<TextEncoding, Diagnostic> {
+    let Some(asked) = asked else {
+        return Ok(encoding::choose(bytes, header.release.as_deref(), header.code_page.as_deref()));
+    };
+    encoding::named(asked).ok_or_else(|| {
+        Diagnostic::error("code-page-unknown", format!("`{asked}` is no code page this program knows"))
+            .at(findings.place(1))
+            .hint("e.g. \"utf-8\", \"gbk\", \"shift_jis\", \"windows-1252\", \"ANSI_936\"")
+    })
+}
+
+/// Reads a file into the faithful model. `code_page` overrules what the file says.
 ///
 /// # Errors
 /// The first mistake that makes the rest unsafe to read; mistakes inside entities are collected in `findings`.
-pub fn parse(bytes: &[u8], findings: &mut Findings) -> Result<Drawing, Diagnostic> {
+pub fn parse(bytes: &[u8], code_page: Option<&str>, findings: &mut Findings) -> Result<Drawing, Diagnostic> {
     let bytes = super::tags::sniff(bytes, findings)?;
+    let bytes: &[u8] = &bytes;
     let header = read_header(bytes, findings)?;
-    let encoding = encoding::choose(bytes, header.release.as_deref(), header.code_page.as_deref());
+    let encoding = text_encoding(bytes, code_page, &header, findings)?;
     if encoding.guessed {
         let text = format!("the file names no code page; its text was read as {}", encoding.name());
         findings.push(Diagnostic::warning("encoding-guessed", text).at(findings.place(1)));
@@ -137,10 +158,12 @@ pub fn parse(bytes: &[u8], findings: &mut Findings) -> Result<Drawing, Diagnosti
         sections: 0,
         ended: false,
         after_end: false,
+        tables: false,
     };
     while let Some(group) = groups.next(parser.findings)? {
         parser.group(&group)?;
     }
+    let comments = groups.tags.comments().iter().map(|c| parser.text(c)).collect();
     parser.end(groups.tags)?;
     Ok(Drawing {
         release: header.release,
@@ -149,6 +172,9 @@ pub fn parse(bytes: &[u8], findings: &mut Findings) -> Result<Drawing, Diagnosti
         blocks: parser.blocks,
         entities: parser.entities,
         entity_count: parser.count,
+        comments,
+        header_variables: header.variables,
+        tables: parser.tables,
         vertex_count: parser.vertex_count,
     })
 }
@@ -222,6 +248,7 @@ impl Parser<'_> {
         } else if name.is("ENTITIES") {
             Section::Entities
         } else {
+            self.tables |= name.is("TABLES");
             if !KNOWN.iter().any(|k| name.is(k)) {
                 let shown = self.text(name.value);
                 self.error("unknown-section", format!("unknown section `{shown}`"), name.line);

@@ -12,9 +12,6 @@ use std::collections::BTreeMap;
 use toile_garment::notch::NotchKind;
 use toile_garment::{Diagnostic, Vec2};
 
-/// Chords keep this near the curve, mm.
-pub const FLATNESS: f64 = 0.05;
-
 /// A notch point.
 #[derive(Clone, Debug)]
 pub struct Mark {
@@ -33,6 +30,15 @@ pub struct Stroke {
     pub id: u32,
     pub line: u64,
     pub ends: [Vec2; 2],
+}
+
+/// A drill hole.
+#[derive(Clone, Copy, Debug)]
+pub struct Drill {
+    pub line: u64,
+    pub at: Vec2,
+    /// Diameter, mm.
+    pub diameter: Option<f64>,
 }
 
 /// A text with its place.
@@ -59,7 +65,9 @@ pub struct Sheet {
     pub reference: Vec<Stroke>,
     pub mirror: Vec<Stroke>,
     pub grain: Vec<Stroke>,
-    pub drills: Vec<Stroke>,
+    pub drills: Vec<Drill>,
+    /// Stripe and plaid lines with their layer.
+    pub stripes: Vec<(String, Path)>,
     pub notes: Vec<Note>,
 }
 
@@ -80,6 +88,8 @@ pub(crate) struct Sorter<'a> {
     pub by_name: &'a BTreeMap<String, Vec<usize>>,
     pub ledger: &'a mut Ledger,
     pub findings: &'a mut Findings,
+    /// Chords keep this near the curve, mm.
+    pub flatness: f64,
     expanded: usize,
 }
 
@@ -87,12 +97,13 @@ impl<'a> Sorter<'a> {
     pub(crate) fn new(
         layers: &'a Layers,
         mm: f64,
+        flatness: f64,
         blocks: &'a [Block],
         by_name: &'a BTreeMap<String, Vec<usize>>,
         ledger: &'a mut Ledger,
         findings: &'a mut Findings,
     ) -> Self {
-        Self { layers, mm, blocks, by_name, ledger, findings, expanded: 0 }
+        Self { layers, mm, blocks, by_name, ledger, findings, flatness, expanded: 0 }
     }
 
     /// Does the block hold a line on layer 1 itself?
@@ -174,7 +185,7 @@ impl<'a> Sorter<'a> {
         let (id, line) = (entity.id, entity.line);
         let accepted = |ledger: &mut Ledger, rule| ledger.note(id, Verdict::Accepted, rule);
         match (&entity.shape, role) {
-            (Shape::Text { at, value }, _) => {
+            (Shape::Text { at, value, .. }, _) => {
                 accepted(self.ledger, "text");
                 sheet.notes.push(Note { at: place(*at), layer: entity.layer.clone(), text: value.clone() });
             }
@@ -194,15 +205,36 @@ impl<'a> Sorter<'a> {
                 let angle = angle.map(turned);
                 sheet.marks.push(Mark { id, line, at: place(*at), depth, width, angle, kind });
             }
-            (Shape::Point { at, .. }, Role::Drill) => {
+            (Shape::Point { at, depth, .. }, Role::Drill) => {
                 accepted(self.ledger, "drill hole (layer 13)");
-                let at = place(*at);
-                sheet.drills.push(Stroke { id, line, ends: [at, at] });
+                let diameter = depth.map(|d| d.abs() * mm).filter(|d| *d > 0.0);
+                sheet.drills.push(Drill { line, at: place(*at), diameter });
             }
-            (Shape::Circle { center, .. }, Role::Drill) => {
+            (Shape::Circle { center, radius }, Role::Drill) => {
                 self.ledger.note(id, Verdict::Interpreted, "circle on layer 13 read as a drill hole");
-                let at = place(*center);
-                sheet.drills.push(Stroke { id, line, ends: [at, at] });
+                sheet.drills.push(Drill { line, at: place(*center), diameter: Some(2.0 * radius * mm) });
+            }
+            (Shape::Point { at, .. }, Role::Match) => {
+                accepted(self.ledger, "stripe or plaid mark (layers 9 and 10)");
+                let points = vec![(place(*at), true)];
+                sheet.stripes.push((entity.layer.clone(), Path { ids: vec![id], line, points, closed: false }));
+            }
+            (Shape::Polyline { vertices, .. }, Role::GradeReference | Role::Mirror | Role::Grain)
+                if vertices.len() >= 2 =>
+            {
+                self.ledger.note(id, Verdict::Interpreted, "polyline on layer 5, 6 or 7: the line between its ends");
+                let ends = [vertices[0].at, vertices[vertices.len() - 1].at].map(place);
+                let stroke = Stroke { id, line, ends };
+                match role {
+                    Role::GradeReference => sheet.reference.push(stroke),
+                    Role::Mirror => sheet.mirror.push(stroke),
+                    _ => sheet.grain.push(stroke),
+                }
+            }
+            (Shape::Polyline { vertices, .. }, Role::Notch(_)) if (2..=16).contains(&vertices.len()) => {
+                self.ledger.note(id, Verdict::Interpreted, "polyline on a notch layer: strokes of a notch");
+                let strokes = vertices.windows(2).map(|w| Stroke { id, line, ends: [w[0].at, w[1].at].map(place) });
+                sheet.notch_strokes.extend(strokes);
             }
             (Shape::Point { .. }, Role::Boundary) => {
                 self.ledger.note(id, Verdict::Interpreted, "point on layer 1 beside a notch, not needed");
@@ -233,7 +265,7 @@ impl<'a> Sorter<'a> {
     }
 
     fn line(&mut self, sheet: &mut Sheet, entity: &Entity, role: Role, place: &dyn Fn(Vec2) -> Vec2) {
-        let tol = FLATNESS / self.mm;
+        let tol = self.flatness / self.mm;
         let drawn = |points: Vec<Vec2>| {
             let n = points.len();
             points.into_iter().enumerate().map(move |(i, p)| (p, i == 0 || i + 1 == n)).collect::<Vec<_>>()
@@ -244,18 +276,18 @@ impl<'a> Sorter<'a> {
             Shape::Arc { center, radius, start, end } => {
                 let axis = Vec2::new(*radius, 0.0);
                 let points = curve::ellipse(*center, axis, 1.0, start.to_radians(), end.to_radians(), tol);
-                (drawn(points), false, Some("ARC flattened to 0.05 mm"))
+                (drawn(points), false, Some("ARC flattened"))
             }
             Shape::Circle { center, radius } => {
                 let points = curve::ellipse(*center, Vec2::new(*radius, 0.0), 1.0, 0.0, 0.0, tol);
-                (drawn(points), true, Some("CIRCLE flattened to 0.05 mm"))
+                (drawn(points), true, Some("CIRCLE flattened"))
             }
             Shape::Ellipse { center, major, ratio, start, end } => {
                 let whole = (end - start).abs() < 1e-9 || (end - start - std::f64::consts::TAU).abs() < 1e-6;
                 let points = curve::ellipse(*center, *major, *ratio, *start, *end, tol);
-                (drawn(points), whole, Some("ELLIPSE flattened to 0.05 mm"))
+                (drawn(points), whole, Some("ELLIPSE flattened"))
             }
-            Shape::Spline(s) => (drawn(s.flatten(tol)), s.flags & 1 != 0, Some("SPLINE flattened to 0.05 mm")),
+            Shape::Spline(s) => (drawn(s.flatten(tol)), s.flags & 1 != 0, Some("SPLINE flattened")),
             Shape::Insert { .. } => return,
             Shape::Other(_) => {
                 self.ledger.note(entity.id, Verdict::Refused, "entity type not used in patterns");
@@ -275,7 +307,10 @@ impl<'a> Sorter<'a> {
                 return;
             }
             Role::Match => {
-                self.ledger.note(entity.id, Verdict::Refused, "stripe or plaid line: not used yet");
+                self.ledger.note(entity.id, Verdict::Accepted, "stripe or plaid line (layers 9 and 10)");
+                let points = points.into_iter().map(|(p, own)| (place(p), own)).collect();
+                let path = Path { ids: vec![entity.id], line: entity.line, points, closed };
+                sheet.stripes.push((entity.layer.clone(), path));
                 return;
             }
             _ => {

@@ -33,6 +33,17 @@ impl Pattern {
         list
     }
 
+    /// The whole run in order: that of the rule table, else as drawn.
+    #[must_use]
+    pub fn size_order(&self, rul: Option<&RuleTable>) -> Vec<String> {
+        let all = self.available_sizes(rul);
+        let Some(table) = rul else { return all };
+        let mut list: Vec<String> =
+            table.sizes.iter().filter_map(|t| all.iter().find(|s| same(s, t)).cloned()).collect();
+        list.extend(all.into_iter().filter(|s| !table.sizes.iter().any(|t| same(s, t))));
+        list
+    }
+
     fn wanted(&self, size: Option<&str>, findings: &mut Vec<Diagnostic>) -> Option<String> {
         if let Some(size) = size {
             return Some(size.trim().to_owned());

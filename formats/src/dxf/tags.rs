@@ -1,7 +1,8 @@
 //! The tolerant tag reader: code/value pairs with their line numbers.
 
 use super::findings::Findings;
-use super::limits;
+use super::{binary, limits};
+use std::borrow::Cow;
 use toile_garment::Diagnostic;
 
 /// One pair; the value is raw bytes without blanks at its ends.
@@ -30,36 +31,34 @@ pub struct Tags<'a> {
     line: u64,
     pairs: u64,
     terminator: u8,
-    comments: u64,
+    comments: Vec<&'a [u8]>,
     blank_lines: u64,
     first_blank: u64,
 }
 
-const BINARY: &[u8] = b"AutoCAD Binary DXF";
-
-/// Refuses what is no DXF text at all.
+/// The text of a file: as it stands, or made from binary DXF or UTF-16.
 ///
 /// # Errors
-/// Empty, too large, binary, UTF-16.
-pub fn sniff<'a>(bytes: &'a [u8], findings: &Findings) -> Result<&'a [u8], Diagnostic> {
+/// Empty, too large, binary that cannot be read.
+pub fn sniff<'a>(bytes: &'a [u8], findings: &mut Findings) -> Result<Cow<'a, [u8]>, Diagnostic> {
     let place = findings.place(1);
     if bytes.len() > limits::FILE_BYTES {
         let text = format!("the file has {} bytes, over the limit of {}", bytes.len(), limits::FILE_BYTES);
         return Err(Diagnostic::error("file-too-large", text).at(place));
     }
-    if bytes.starts_with(BINARY) {
-        return Err(Diagnostic::error("binary-dxf", "this is a binary DXF, which pattern files are not")
-            .at(place)
-            .hint("export it as ASCII (text) DXF"));
+    if bytes.starts_with(&binary::SENTINEL[..18]) {
+        return binary::to_text(bytes, findings).map(Cow::Owned);
     }
     if bytes.starts_with(&[0xFF, 0xFE]) || bytes.starts_with(&[0xFE, 0xFF]) {
-        return Err(Diagnostic::error("utf-16-text", "the file is UTF-16 text").at(place).hint("save it as UTF-8"));
+        findings.push(Diagnostic::info("utf-16-text", "the file is UTF-16 text").at(place));
+        let wide = if bytes[0] == 0xFF { encoding_rs::UTF_16LE } else { encoding_rs::UTF_16BE };
+        return Ok(Cow::Owned(wide.decode(bytes).0.into_owned().into_bytes()));
     }
     let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     if bytes.iter().all(u8::is_ascii_whitespace) {
         return Err(Diagnostic::error("file-empty", "the file is empty").at(place));
     }
-    Ok(bytes)
+    Ok(Cow::Borrowed(bytes))
 }
 
 impl<'a> Tags<'a> {
@@ -67,7 +66,7 @@ impl<'a> Tags<'a> {
     #[must_use]
     pub fn new(bytes: &'a [u8]) -> Self {
         let terminator = if bytes.contains(&b'\n') { b'\n' } else { b'\r' };
-        Self { bytes, at: 0, line: 0, pairs: 0, terminator, comments: 0, blank_lines: 0, first_blank: 0 }
+        Self { bytes, at: 0, line: 0, pairs: 0, terminator, comments: Vec::new(), blank_lines: 0, first_blank: 0 }
     }
 
     fn next_line(&mut self) -> Option<&'a [u8]> {
@@ -121,11 +120,19 @@ impl<'a> Tags<'a> {
                 return Err(Diagnostic::error("too-many-pairs", text).at(findings.place(line)));
             }
             if number == 999 {
-                self.comments += 1;
+                if self.comments.len() < 8 {
+                    self.comments.push(value);
+                }
                 continue;
             }
             return Ok(Some(Tag { code: number, value, line }));
         }
+    }
+
+    /// The first comments (999).
+    #[must_use]
+    pub fn comments(&self) -> &[&'a [u8]] {
+        &self.comments
     }
 
     /// Line reached.
@@ -169,12 +176,14 @@ fn bad_code(code: &[u8], line: u64, findings: &Findings) -> Diagnostic {
 /// # Errors
 /// With the line: not a number, decimal comma, not finite, absurdly large.
 pub fn number(tag: &Tag<'_>, findings: &Findings) -> Result<f64, Diagnostic> {
-    let place = findings.place(tag.line + 1);
-    let shown: String = String::from_utf8_lossy(tag.value).chars().filter(|c| !c.is_control()).take(40).collect();
     let plain = tag.value.iter().all(|b| b.is_ascii_digit() || b"+-.eE".contains(b));
     let value = std::str::from_utf8(tag.value).ok().filter(|_| plain).and_then(|t| t.parse::<f64>().ok());
+    if let Some(v) = value.filter(|v| v.is_finite() && v.abs() <= limits::COORDINATE) {
+        return Ok(v);
+    }
+    let place = findings.place(tag.line + 1);
+    let shown: String = String::from_utf8_lossy(tag.value).chars().filter(|c| !c.is_control()).take(40).collect();
     match value {
-        Some(v) if v.is_finite() && v.abs() <= limits::COORDINATE => Ok(v),
         Some(_) => Err(Diagnostic::error(
             "number-out-of-range",
             format!("the number `{shown}` (group code {}) is out of range", tag.code),

@@ -383,7 +383,11 @@ mod tests {
             internal_lines: vec![line(vec![p(0.03, 0.24, turn), p(0.13, 0.25, turn)], false)],
             grain: Some([Vec2::new(0.04, 0.05), Vec2::new(0.04, 0.2)]),
             fold: Some([Vec2::new(0.0, 0.0), Vec2::new(0.0, 0.33)]),
-            drill_holes: vec![toile_garment::piece::DrillHole { at: Vec2::new(0.105, 0.16), source: None }],
+            drill_holes: vec![toile_garment::piece::DrillHole {
+                at: Vec2::new(0.105, 0.16),
+                diameter: None,
+                source: None,
+            }],
             notches: vec![notch(0.251, 0.15, Kind::V), notch(0.06, -0.007, Kind::Slit), notch(0.196, 0.33, Kind::T)],
             darts: vec![
                 dart(

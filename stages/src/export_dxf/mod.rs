@@ -8,8 +8,10 @@ mod tests;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use toile_formats::dxf::write::{self, Drawing, PieceOptions, StyleText, piece_drawing};
+use toile_formats::dxf::{self, ReadOptions};
+use toile_formats::rul;
 use toile_garment::{Aspect, Diagnostic, Garment, Piece};
 use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
 
@@ -26,6 +28,25 @@ pub enum DxfDialect {
     Astm,
     /// As CLO writes it.
     Clo,
+    /// As Gerber AccuMark writes it: ASTM in runs, names of 20 ASCII characters.
+    Gerber,
+    /// As Optitex writes it: AAMA, blocks called by numbers.
+    Optitex,
+    /// For drawing programs: layers declared with colours.
+    Plain,
+}
+
+impl DxfDialect {
+    fn written(self) -> write::Dialect {
+        match self {
+            Self::Aama => write::Dialect::Aama,
+            Self::Astm => write::Dialect::Astm,
+            Self::Clo => write::Dialect::Clo,
+            Self::Gerber => write::Dialect::Gerber,
+            Self::Optitex => write::Dialect::Optitex,
+            Self::Plain => write::Dialect::Plain,
+        }
+    }
 }
 
 /// Which pattern is written.
@@ -51,6 +72,12 @@ pub struct ExportDxfParams {
     pub source: DxfSource,
     /// Write pieces that were unfolded as halves with a fold line again.
     pub half_on_fold: bool,
+    /// Add a drill hole 10 mm from the apex and notches at the mouth of every dart that has none.
+    pub mark_darts: bool,
+    /// A pattern file all sizes of which are written instead, with their grade rules in a `.rul` file beside the
+    /// output; its own rule table is the file of the same name with `.rul`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub size_run: Option<PathBuf>,
 }
 
 impl Default for ExportDxfParams {
@@ -60,6 +87,8 @@ impl Default for ExportDxfParams {
             dialect: DxfDialect::default(),
             source: DxfSource::default(),
             half_on_fold: false,
+            mark_darts: false,
+            size_run: None,
         }
     }
 }
@@ -74,7 +103,7 @@ impl Stage for ExportDxf {
         "writes the flattened pieces, or the pattern, as DXF-AAMA or DXF-ASTM",
         &[Aspect::Pieces],
         &[],
-        1,
+        2,
     );
 
     fn run(
@@ -83,6 +112,10 @@ impl Stage for ExportDxf {
         garment: Garment,
         cx: &mut StageContext<'_>,
     ) -> Result<Garment, StageError> {
+        if let Some(pattern) = &params.size_run {
+            write_run(pattern, params, cx)?;
+            return Ok(garment);
+        }
         let pieces = match params.source {
             DxfSource::Pattern => garment.pieces.clone(),
             DxfSource::Flat => flat_pieces(&garment)?,
@@ -94,6 +127,27 @@ impl Stage for ExportDxf {
         cx.files.write(Path::new(&params.file), &written.bytes)?;
         Ok(garment)
     }
+}
+
+/// All sizes of a pattern file, and its grade rules.
+fn write_run(path: &Path, params: &ExportDxfParams, cx: &mut StageContext<'_>) -> Result<(), StageError> {
+    let name = path.to_string_lossy().into_owned();
+    let bytes = cx.files.read(path)?;
+    let pattern = dxf::read(&bytes, &name, &ReadOptions::default()).map_err(StageError::Input)?;
+    let beside = path.with_extension("rul");
+    let table = cx.files.read_optional(&beside)?;
+    let table = table.map(|t| rul::read(&t, &beside.to_string_lossy())).transpose().map_err(StageError::Input)?;
+    let options = PieceOptions { half_on_fold: params.half_on_fold, mark_darts: params.mark_darts };
+    let run = write::size_run(&pattern, table.as_ref(), options).map_err(StageError::Input)?;
+    let dialect = params.dialect.written();
+    let written = write::write(&run.drawing, dialect).map_err(StageError::Input)?;
+    run.findings.into_iter().chain(written.findings).for_each(|f| cx.report.push(f));
+    cx.files.write(Path::new(&params.file), &written.bytes)?;
+    if let Some(table) = &run.table {
+        let file = Path::new(&params.file).with_extension("rul");
+        cx.files.write(&file, &rul::write(table, dialect.is_astm(), dialect != write::Dialect::Clo))?;
+    }
+    Ok(())
 }
 
 /// All pieces at their flattened places.
@@ -125,15 +179,11 @@ fn flat_pieces(garment: &Garment) -> Result<Vec<Piece>, StageError> {
 /// # Errors
 /// As [`write::write`].
 pub fn draw(garment: &Garment, pieces: &[Piece], params: &ExportDxfParams) -> Result<write::Written, Vec<Diagnostic>> {
-    let dialect = match params.dialect {
-        DxfDialect::Aama => write::Dialect::Aama,
-        DxfDialect::Astm => write::Dialect::Astm,
-        DxfDialect::Clo => write::Dialect::Clo,
-    };
+    let dialect = params.dialect.written();
     let mut findings = Vec::new();
-    let options = PieceOptions { half_on_fold: params.half_on_fold };
+    let options = PieceOptions { half_on_fold: params.half_on_fold, mark_darts: params.mark_darts };
     let drawing = Drawing {
-        style: StyleText { name: garment.style.clone(), sample_size: garment.size.clone(), author: String::new() },
+        style: StyleText { name: garment.style.clone(), sample_size: garment.size.clone(), ..StyleText::default() },
         pieces: pieces.iter().map(|p| piece_drawing(p, options, &mut findings)).collect(),
     };
     let mut written = write::write(&drawing, dialect)?;

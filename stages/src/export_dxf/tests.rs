@@ -67,7 +67,7 @@ fn piece() -> Piece {
         outline,
         cut_line: Some(closed(&cut)),
         notches: vec![notch],
-        drill_holes: vec![DrillHole { at: mm(150.0, 120.0), source: None }],
+        drill_holes: vec![DrillHole { at: mm(150.0, 120.0), diameter: None, source: None }],
         grain: Some([mm(50.0, 40.0), mm(50.0, 80.0)]),
         internal_lines: vec![PieceLine { closed: false, ..closed(&[mm(20.0, 20.0), mm(60.0, 20.0)]) }],
         darts: vec![dart],
@@ -185,7 +185,11 @@ struct Memory(Vec<(String, Vec<u8>)>);
 
 impl Files for Memory {
     fn read(&mut self, path: &Path) -> Result<Vec<u8>, FileError> {
-        Err(FileError::Missing { path: path.display().to_string(), reason: "none here".into() })
+        let name = path.display().to_string();
+        if name == "t-shirt.dxf" {
+            return Ok(include_bytes!("../../../samples/patterns/t-shirt.aama.dxf").to_vec());
+        }
+        Err(FileError::Missing { path: name, reason: "none here".into() })
     }
     fn read_optional(&mut self, _: &Path) -> Result<Option<Vec<u8>>, FileError> {
         Ok(None)
@@ -229,10 +233,27 @@ fn the_stage_writes_flat_pieces_and_the_pattern() {
 }
 
 #[test]
+fn a_size_run_is_two_files() {
+    for dialect in ["aama", "astm", "clo", "gerber", "optitex", "plain"] {
+        let params = format!("file = \"out/run.dxf\"\nsize_run = \"t-shirt.dxf\"\ndialect = \"{dialect}\"");
+        let params: ExportDxfParams = toml::from_str(&params).expect("params");
+        let (result, files, report) = run(Garment::default(), &params);
+        result.expect("written");
+        assert!(!report.findings.iter().any(|f| f.code == "sizes-without-rules"), "{:?}", report.findings);
+        let names: Vec<&str> = files.0.iter().map(|f| f.0.as_str()).collect();
+        assert_eq!(names, ["out/run.dxf", "out/run.rul"]);
+        let table = rul::read(&files.0[1].1, "run.rul").expect("rules");
+        let pattern = dxf::read(&files.0[0].1, "run.dxf", &ReadOptions::default()).expect("pattern");
+        assert_eq!((table.sizes, pattern.sizes.len()), (pattern.sizes.clone(), 3));
+        assert!(table.rules.len() > 3 && pattern.pieces.iter().any(|p| !p.rules.is_empty()));
+    }
+}
+
+#[test]
 fn parameters_are_strict() {
     let read = |text: &str| toml::from_str::<ExportDxfParams>(text);
     let params = read("dialect = \"clo\"\nsource = \"pattern\"").expect("params");
     assert_eq!((params.dialect, params.source), (DxfDialect::Clo, DxfSource::Pattern));
     assert_eq!(params.file, "{out}/pattern.dxf");
-    assert!(read("dilect = \"clo\"").is_err() && read("dialect = \"gerber\"").is_err());
+    assert!(read("dilect = \"clo\"").is_err() && read("dialect = \"lectra\"").is_err());
 }

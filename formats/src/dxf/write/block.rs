@@ -18,7 +18,7 @@ pub fn block(
     dialect: Dialect,
     findings: &mut Vec<Diagnostic>,
 ) {
-    let dense = dialect != Dialect::Aama;
+    let dense = dialect.has_dense();
     let thinned = PieceDrawing {
         boundary: thin(&piece.boundary, dense),
         sew_line: piece.sew_line.as_ref().map(|l| thin(l, dense)),
@@ -36,9 +36,27 @@ fn draw(tags: &mut Tags, piece: &PieceDrawing, name: &PieceName, dialect: Dialec
     tags.point(10, Vec2::zeros());
     texts(tags, piece, name, dialect, findings);
     for (layer, line) in piece.lines() {
-        polyline(tags, layer, line.points.iter().map(|p| p.at), line.closed, dialect);
+        if dialect == Dialect::Gerber && matches!(layer, "1" | "14") {
+            runs(tags, layer, line, &line.points.iter().map(|p| p.at).collect::<Vec<_>>(), dialect);
+        } else {
+            polyline(tags, layer, line.points.iter().map(|p| p.at), line.closed, dialect);
+        }
     }
-    if dialect != Dialect::Aama {
+    for (layer, line) in &piece.stripes {
+        match line.points.as_slice() {
+            [mark] => {
+                tags.entity("POINT", layer);
+                tags.point(10, mark.at);
+            }
+            [from, to] if !line.closed => {
+                tags.entity("LINE", layer);
+                tags.point(10, from.at);
+                tags.point(11, to.at);
+            }
+            points => polyline(tags, layer, points.iter().map(|p| p.at), line.closed, dialect),
+        }
+    }
+    if dialect.has_dense() {
         dense(tags, "84", &piece.boundary, dialect);
         if let Some(line) = &piece.sew_line {
             dense(tags, "87", line, dialect);
@@ -49,16 +67,27 @@ fn draw(tags: &mut Tags, piece: &PieceDrawing, name: &PieceName, dialect: Dialec
         self::notch(tags, notch, piece, dialect, findings);
     }
     straight(tags, piece);
-    for at in &piece.drill_holes {
+    for hole in &piece.drill_holes {
         tags.entity("POINT", "13");
-        tags.point(10, *at);
+        tags.point(10, hole.at);
+        if let Some(diameter) = hole.diameter {
+            tags.real(30, diameter);
+        }
+    }
+    for rule in &piece.rules {
+        let layer = match rule.kind {
+            _ if dialect.is_astm() => rule.layer,
+            PointKind::Curve => "3",
+            _ => "2",
+        };
+        tags.text(layer, rule.at, &format!("# {}", rule.rule));
     }
     tags.entity("ENDBLK", "0");
 }
 
 fn texts(tags: &mut Tags, piece: &PieceDrawing, name: &PieceName, dialect: Dialect, findings: &mut Vec<Diagnostic>) {
     let quantity = &piece.quantity;
-    let count = if dialect == Dialect::Aama {
+    let count = if !dialect.is_astm() {
         if quantity.mirrored > 0 {
             findings.push(Diagnostic::info(
                 "quantity-without-sides",
@@ -91,7 +120,7 @@ fn texts(tags: &mut Tags, piece: &PieceDrawing, name: &PieceName, dialect: Diale
         at.y -= 5.0;
     }
     for text in &piece.texts {
-        tags.text(&folded(&text.layer, findings), text.at, &folded(&text.text, findings));
+        tags.text(&folded(&text.layer, Dialect::Gerber, findings), text.at, &folded(&text.text, dialect, findings));
     }
 }
 
@@ -109,7 +138,30 @@ fn polyline(tags: &mut Tags, layer: &str, points: impl Iterator<Item = Vec2>, cl
     tags.entity("SEQEND", layer);
 }
 
+/// One open POLYLINE from turn point to turn point, `points` being the line itself or its dense copy.
+fn runs(tags: &mut Tags, layer: &str, line: &DrawLine, points: &[Vec2], dialect: Dialect) {
+    let turn = |p: &Vec2| line.points.iter().any(|q| q.kind == PointKind::Turn && (q.at - p).norm() < 1e-9);
+    let mut points = points.to_vec();
+    let first = points.iter().position(turn);
+    if let (true, Some(first)) = (line.closed, first) {
+        points.rotate_left(first);
+        points.extend(points.first().copied());
+    } else if line.closed {
+        return polyline(tags, layer, points.into_iter(), true, dialect);
+    }
+    let mut start = 0;
+    for i in 1..points.len() {
+        if i + 1 == points.len() || turn(&points[i]) {
+            polyline(tags, layer, points[start..=i].iter().copied(), false, dialect);
+            start = i;
+        }
+    }
+}
+
 fn dense(tags: &mut Tags, layer: &str, line: &DrawLine, dialect: Dialect) {
+    if dialect == Dialect::Gerber {
+        return runs(tags, layer, line, &line.dense_points(), dialect);
+    }
     polyline(tags, layer, line.dense_points().into_iter(), line.closed, dialect);
 }
 
@@ -135,7 +187,7 @@ fn notch(tags: &mut Tags, notch: &DrawNotch, piece: &PieceDrawing, dialect: Dial
         NotchKind::Check => "82",
         NotchKind::U => "83",
     };
-    let plain = dialect == Dialect::Aama && layer != "4";
+    let plain = !dialect.is_astm() && layer != "4";
     if plain {
         findings.push(Diagnostic::info(
             "notch-shape-lost",

@@ -12,7 +12,7 @@ const SAME: f64 = 0.02;
 pub fn half(drawing: PieceDrawing, fold: [Vec2; 2], findings: &mut Vec<Diagnostic>) -> PieceDrawing {
     let Some(axis) = Axis::new(fold) else { return drawing };
     let lines: Vec<_> = drawing.lines().map(|(_, l)| l).collect();
-    let marks: Vec<_> = drawing.notches.iter().map(|n| n.at).chain(drawing.drill_holes.iter().copied()).collect();
+    let marks: Vec<_> = drawing.notches.iter().map(|n| n.at).chain(drawing.drill_holes.iter().map(|d| d.at)).collect();
     let symmetric = axis.mirrors(&lines.iter().flat_map(|l| l.points.iter().map(|p| p.at)).collect::<Vec<_>>())
         && axis.mirrors(&marks);
     let boundary = axis.cut(&drawing.boundary);
@@ -40,7 +40,9 @@ pub fn half(drawing: PieceDrawing, fold: [Vec2; 2], findings: &mut Vec<Diagnosti
         internal: drawing.internal.iter().filter(|l| keep(l)).cloned().collect(),
         cutouts: drawing.cutouts.iter().filter(|l| keep(l)).cloned().collect(),
         notches: drawing.notches.iter().filter(|n| axis.side(n.at) > -SAME).copied().collect(),
-        drill_holes: drawing.drill_holes.iter().filter(|d| axis.side(**d) > -SAME).copied().collect(),
+        drill_holes: drawing.drill_holes.iter().filter(|d| axis.side(d.at) > -SAME).copied().collect(),
+        stripes: drawing.stripes.iter().filter(|(_, l)| keep(l)).cloned().collect(),
+        rules: drawing.rules.iter().filter(|r| axis.side(r.at) > -SAME).copied().collect(),
         fold: Some(ends),
         ..drawing
     }

@@ -1,9 +1,9 @@
 //! From a piece of the garment document (metres) to the writer's drawing (millimetres).
 
 use super::fold::half;
-use super::model::{DrawLine, DrawNotch, DrawPoint, LayerText, PieceDrawing};
+use super::model::{DrawDrill, DrawLine, DrawNotch, DrawPoint, LayerText, PieceDrawing};
 use toile_garment::dart::{Dart, DartKind};
-use toile_garment::notch::Notch;
+use toile_garment::notch::{Notch, NotchKind};
 use toile_garment::outline::{PieceLine, PointKind};
 use toile_garment::{Diagnostic, Piece, Vec2};
 
@@ -15,6 +15,8 @@ const MM: f64 = 1e3;
 pub struct PieceOptions {
     /// Draw a piece that was unfolded as its half with a fold line again. Whole pieces are read by more systems.
     pub half_on_fold: bool,
+    /// Add what the cutting room wants of a dart: a drill hole 10 mm from its apex and notches at its mouth.
+    pub mark_darts: bool,
 }
 
 /// The drawing of a piece. Marked and fish-eye darts become lines on layer 8, as they were.
@@ -34,7 +36,13 @@ pub fn piece_drawing(piece: &Piece, options: PieceOptions, findings: &mut Vec<Di
         internal,
         cutouts: piece.cutouts.iter().map(line).collect(),
         notches: piece.notches.iter().map(notch).collect(),
-        drill_holes: piece.drill_holes.iter().map(|d| d.at * MM).collect(),
+        drill_holes: piece
+            .drill_holes
+            .iter()
+            .map(|d| DrawDrill { at: d.at * MM, diameter: d.diameter.map(|d| d * MM) })
+            .collect(),
+        stripes: piece.match_lines.iter().map(|l| (stripe_layer(l), line(l))).collect(),
+        rules: Vec::new(),
         grain: piece.grain.map(|g| g.map(|p| p * MM)),
         fold: None,
         texts: piece
@@ -43,10 +51,45 @@ pub fn piece_drawing(piece: &Piece, options: PieceOptions, findings: &mut Vec<Di
             .map(|t| LayerText { at: t.at * MM, layer: t.layer.clone(), text: t.text.clone() })
             .collect(),
     };
+    let drawing = if options.mark_darts { with_dart_marks(drawing, piece) } else { drawing };
     match piece.fold.filter(|_| options.half_on_fold) {
         Some(fold) => half(drawing, fold.map(|p| p * MM), findings),
         None => drawing,
     }
+}
+
+fn stripe_layer(line: &PieceLine) -> &'static str {
+    if line.name.as_deref() == Some("plaid") { "10" } else { "9" }
+}
+
+/// Drill holes stand this far from the apex, mm.
+const SHORT_OF_APEX: f64 = 10.0;
+/// Depth of the notches, mm.
+const DEPTH: f64 = 4.0;
+
+/// Drill holes and notches of the darts, where there are none yet.
+fn with_dart_marks(mut drawing: PieceDrawing, piece: &Piece) -> PieceDrawing {
+    for dart in piece.darts.iter().filter(|d| d.kind != DartKind::Pleat) {
+        let middle = (dart.mouth[0] + dart.mouth[1]) * (0.5 * MM);
+        for apex in &dart.apexes {
+            let (apex, back) = (apex * MM, middle - apex * MM);
+            let at = apex + back * (SHORT_OF_APEX / back.norm().max(SHORT_OF_APEX));
+            if back.norm() > SHORT_OF_APEX && !drawing.drill_holes.iter().any(|d| (d.at - apex).norm() <= 20.0) {
+                drawing.drill_holes.push(DrawDrill { at, diameter: None });
+            }
+        }
+        if dart.kind == DartKind::FishEye {
+            continue;
+        }
+        for mouth in dart.mouth.map(|m| m * MM) {
+            let inwards = dart.apexes.first().map_or(Vec2::zeros(), |a| a * MM - middle);
+            let angle = (inwards.norm() > 0.0).then(|| libm::atan2(inwards.y, inwards.x).to_degrees());
+            if !drawing.notches.iter().any(|n| (n.at - mouth).norm() <= 14.0) {
+                drawing.notches.push(DrawNotch { kind: NotchKind::Slit, at: mouth, depth: DEPTH, width: 0.0, angle });
+            }
+        }
+    }
+    drawing
 }
 
 fn line(line: &PieceLine) -> DrawLine {
@@ -79,11 +122,20 @@ fn dart_lines(dart: &Dart) -> Vec<DrawLine> {
     }
 }
 
-/// A dart line: apexes and mouth are turn points, the rest of the legs are curve points.
+/// A dart line: apexes and mouth are turn points, the rest of the legs are curve points. The mouth of a marked dart is
+/// left to the outline, which may run straight over it.
 fn marked(points: impl Iterator<Item = Vec2>, dart: &Dart, closed: bool) -> DrawLine {
     let corner = |p: &Vec2| dart.apexes.iter().chain(&dart.mouth).any(|c| (c - p).norm() < 1e-6);
     let points = points
-        .map(|p| DrawPoint { at: p * MM, kind: if corner(&p) { PointKind::Turn } else { PointKind::Curve } })
+        .map(|p| {
+            let on_outline = dart.kind == DartKind::MarkedWedge && dart.mouth.iter().any(|m| (m - p).norm() < 1e-6);
+            let kind = match corner(&p) {
+                true if on_outline => PointKind::Plain,
+                true => PointKind::Turn,
+                false => PointKind::Curve,
+            };
+            DrawPoint { at: p * MM, kind }
+        })
         .collect();
     DrawLine { points, closed, dense: None }
 }

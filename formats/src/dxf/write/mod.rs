@@ -10,14 +10,21 @@ mod fold;
 mod from_piece;
 mod model;
 mod names;
+mod size_run;
 mod style;
 mod tags;
 #[cfg(test)]
 mod tests;
 mod thin;
 
+pub(crate) use names::escaped;
+
 pub use from_piece::{PieceOptions, piece_drawing};
-pub use model::{Dialect, DrawLine, DrawNotch, DrawPoint, Drawing, LayerText, PieceDrawing, StyleText};
+pub use model::{
+    Dialect, DrawDrill, DrawLine, DrawNotch, DrawPoint, DrawRule, Drawing, LayerText, PieceDrawing, StyleText,
+};
+
+pub use size_run::{SizeRun, size_run};
 
 use names::Names;
 use tags::Tags;
@@ -42,8 +49,10 @@ pub fn write(drawing: &Drawing, dialect: Dialect) -> Result<Written, Vec<Diagnos
         return Err(faults);
     }
     let mut findings = Vec::new();
-    let names = Names::of(drawing, &mut findings);
+    let names = Names::of(drawing, dialect, &mut findings);
+    let height = (dialect == Dialect::Gerber).then_some(0.25);
     let mut tags = Tags::default();
+    tags.height = height;
     style::header(&mut tags, dialect);
     tags.section("BLOCKS");
     for (piece, name) in drawing.pieces.iter().zip(&names.pieces) {

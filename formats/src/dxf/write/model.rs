@@ -15,6 +15,35 @@ pub enum Dialect {
     Astm,
     /// As ASTM, with the version header, upper-case keys and group 250 that CLO writes.
     Clo,
+    /// As ASTM, lines split into runs between turn points, texts 0.25 high, names of 20 ASCII characters.
+    Gerber,
+    /// As AAMA, blocks called by numbers.
+    Optitex,
+    /// For drawing programs: layers declared with colours and the unit in the header, no dense copies.
+    Plain,
+}
+
+impl Dialect {
+    /// All of them.
+    pub const ALL: [Self; 6] = [Self::Aama, Self::Astm, Self::Clo, Self::Gerber, Self::Optitex, Self::Plain];
+
+    /// Does it have the layers 80 to 83 and the quantity in right and left?
+    #[must_use]
+    pub fn is_astm(self) -> bool {
+        !matches!(self, Self::Aama | Self::Optitex)
+    }
+
+    /// Does it have dense copies on 84 and 87?
+    #[must_use]
+    pub fn has_dense(self) -> bool {
+        matches!(self, Self::Astm | Self::Clo | Self::Gerber)
+    }
+
+    /// Are names and texts cut to what the narrowest reader keeps?
+    #[must_use]
+    pub fn is_narrow(self) -> bool {
+        self == Self::Gerber
+    }
 }
 
 /// A style: all its pieces in all its sizes.
@@ -35,6 +64,8 @@ pub struct StyleText {
     pub sample_size: Option<String>,
     /// Who made the pattern.
     pub author: String,
+    /// Name of the grade rule table.
+    pub rule_table: Option<String>,
 }
 
 /// A point of a line, millimetres.
@@ -70,6 +101,28 @@ pub struct DrawNotch {
     pub width: f64,
     /// Direction into the piece, degrees from +x; square to the edge when there is none.
     pub angle: Option<f64>,
+}
+
+/// A drill hole.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrawDrill {
+    /// Where, mm.
+    pub at: Vec2,
+    /// Diameter, mm.
+    pub diameter: Option<f64>,
+}
+
+/// A grade rule at a point of a line.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct DrawRule {
+    /// Where, mm.
+    pub at: Vec2,
+    /// Number of the rule.
+    pub rule: u32,
+    /// Layer of the line.
+    pub layer: &'static str,
+    /// Kind of the point.
+    pub kind: PointKind,
 }
 
 /// A text kept on its layer.
@@ -109,7 +162,11 @@ pub struct PieceDrawing {
     /// Notches (4, 80 to 83).
     pub notches: Vec<DrawNotch>,
     /// Drill holes (13).
-    pub drill_holes: Vec<Vec2>,
+    pub drill_holes: Vec<DrawDrill>,
+    /// Stripe and plaid lines with their layer (9 or 10); a line of one point is a mark.
+    pub stripes: Vec<(&'static str, DrawLine)>,
+    /// Points with their grade rules.
+    pub rules: Vec<DrawRule>,
     /// Grain line (7, and again on 5).
     pub grain: Option<[Vec2; 2]>,
     /// Fold of a half piece (6).
@@ -155,10 +212,12 @@ pub fn fault(piece: &PieceDrawing) -> Option<Diagnostic> {
     }
     let bad = |p: &Vec2| !(p.x.abs() < 1e7 && p.y.abs() < 1e7);
     let lines = piece.lines().flat_map(|(_, l)| l.points.iter().map(|p| p.at).chain(l.dense.iter().flatten().copied()));
-    let marks = piece.notches.iter().map(|n| n.at).chain(piece.drill_holes.iter().copied());
+    let marks = piece.notches.iter().map(|n| n.at).chain(piece.drill_holes.iter().map(|d| d.at));
     let sizes =
         piece.notches.iter().flat_map(|n| [Vec2::new(n.depth, n.width), Vec2::new(n.angle.unwrap_or(0.0), 0.0)]);
     let rest = piece.grain.iter().chain(&piece.fold).flatten().copied().chain(piece.texts.iter().map(|t| t.at));
+    let rest = rest.chain(piece.stripes.iter().flat_map(|(_, l)| l.points.iter().map(|p| p.at)));
+    let rest = rest.chain(piece.drill_holes.iter().map(|d| Vec2::new(d.diameter.unwrap_or(0.0), 0.0)));
     let wrong = lines.chain(marks).chain(sizes).chain(rest).find(bad)?;
     Some(Diagnostic::error(
         "coordinate-out-of-range",

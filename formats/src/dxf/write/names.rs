@@ -1,6 +1,6 @@
 //! Names the format can carry: 7-bit ASCII, at most 20 characters, no blanks in block names, each block once.
 
-use super::model::Drawing;
+use super::model::{Dialect, Drawing};
 use std::collections::{BTreeMap, BTreeSet};
 use toile_garment::Diagnostic;
 
@@ -26,12 +26,16 @@ pub struct Names {
 
 impl Names {
     /// Finds names; every change is a finding.
-    pub fn of(drawing: &Drawing, findings: &mut Vec<Diagnostic>) -> Self {
+    pub fn of(drawing: &Drawing, dialect: Dialect, findings: &mut Vec<Diagnostic>) -> Self {
         let mut short: BTreeMap<&str, String> = BTreeMap::new();
         let mut taken = BTreeSet::new();
         for piece in &drawing.pieces {
             if !short.contains_key(piece.name.as_str()) {
-                let name = unique(&clean(&piece.name, "PIECE"), LONGEST, &mut taken);
+                let name = if dialect.is_narrow() {
+                    unique(&clean(&piece.name, "PIECE"), LONGEST, &mut taken)
+                } else {
+                    one_line(&piece.name, "PIECE")
+                };
                 if name != piece.name {
                     findings.push(renamed("piece-name-changed", &piece.name, &name));
                 }
@@ -42,15 +46,20 @@ impl Names {
         let mut pieces = Vec::with_capacity(drawing.pieces.len());
         for piece in &drawing.pieces {
             let name = short.get(piece.name.as_str()).cloned().unwrap_or_default();
-            let size = piece.size.as_deref().map(|s| clean(s, "SIZE"));
+            let narrow = dialect.is_narrow();
+            let size = piece.size.as_deref().map(|s| if narrow { clean(s, "SIZE") } else { one_line(s, "SIZE") });
             if let (Some(was), Some(now)) = (piece.size.as_deref(), size.as_deref())
                 && was != now
             {
                 findings.push(renamed("size-name-changed", was, now));
             }
-            let tail = size.as_deref().map(|s| format!("_{}", s.replace(' ', "-"))).unwrap_or_default();
-            let head: String = name.replace(' ', "-").chars().take(LONGEST.saturating_sub(tail.len())).collect();
-            let block = unique(&format!("{head}{tail}"), LONGEST, &mut blocks);
+            let bare = |s: &str, empty| clean(s, empty).replace(' ', "-");
+            let tail = size.as_deref().map(|s| format!("_{}", bare(s, "SIZE"))).unwrap_or_default();
+            let head: String = bare(&name, "PIECE").chars().take(LONGEST.saturating_sub(tail.len())).collect();
+            let block = match dialect {
+                Dialect::Optitex => (pieces.len() + 1).to_string(),
+                _ => unique(&format!("{head}{tail}"), LONGEST, &mut blocks),
+            };
             pieces.push(PieceName { piece: name, size, block });
         }
         Self { pieces }
@@ -60,9 +69,32 @@ impl Names {
 fn renamed(code: &str, was: &str, now: &str) -> Diagnostic {
     Diagnostic::warning(
         code,
-        format!("`{was}` is written as `{now}`: the format holds {LONGEST} ASCII characters, each name once"),
+        format!(
+            "`{was}` is written as `{now}`: what reads it holds {LONGEST} ASCII characters on one line, each name once"
+        ),
     )
     .hint("shorten the name in the pattern to choose it yourself")
+}
+
+/// Without line breaks and blanks at its ends, which the format cannot hold.
+fn one_line(name: &str, empty: &str) -> String {
+    let line: String = name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    let line = line.trim();
+    if line.is_empty() { empty.to_owned() } else { line.to_owned() }
+}
+
+/// Printable ASCII; all else as `\U+XXXX`.
+pub fn escaped(text: &str) -> String {
+    let mut out = String::with_capacity(text.len());
+    let mut units = [0_u16; 2];
+    for c in text.chars() {
+        match c {
+            ' '..='~' => out.push(c),
+            _ if c.is_control() => out.push(' '),
+            _ => c.encode_utf16(&mut units).iter().for_each(|u| out.push_str(&format!("\\U+{u:04X}"))),
+        }
+    }
+    out
 }
 
 /// ASCII with at least one letter or digit, at most [`LONGEST`] characters.

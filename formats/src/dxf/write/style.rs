@@ -1,7 +1,7 @@
 //! Header, inserts and the texts of the style.
 
 use super::model::{Dialect, StyleText};
-use super::names::ascii;
+use super::names::{ascii, escaped};
 use super::tags::Tags;
 use toile_garment::{Diagnostic, Vec2};
 
@@ -14,9 +14,68 @@ const TOLERANCE: &str = "0.2";
 /// The header: empty, but for CLO.
 pub fn header(tags: &mut Tags, dialect: Dialect) {
     tags.section("HEADER");
-    if dialect == Dialect::Clo {
+    let release = match dialect {
+        Dialect::Clo => Some("AC1006"),
+        Dialect::Plain => Some("AC1009"),
+        _ => None,
+    };
+    if let Some(release) = release {
         tags.pair(9, "$ACADVER");
-        tags.pair(1, "AC1006");
+        tags.pair(1, release);
+    }
+    if dialect == Dialect::Plain {
+        tags.pair(9, "$INSUNITS");
+        tags.int(70, 4);
+    }
+    tags.end_section();
+    if dialect == Dialect::Plain {
+        tables(tags);
+    }
+}
+
+/// Layers with their colours, so that drawing programs show them apart.
+fn tables(tags: &mut Tags) {
+    const COLORS: [(&str, i64); 16] = [
+        ("1", 7),
+        ("2", 8),
+        ("3", 9),
+        ("4", 1),
+        ("5", 8),
+        ("6", 6),
+        ("7", 4),
+        ("8", 3),
+        ("9", 30),
+        ("10", 40),
+        ("11", 2),
+        ("13", 1),
+        ("14", 5),
+        ("80", 1),
+        ("81", 1),
+        ("83", 1),
+    ];
+    tags.section("TABLES");
+    for (table, count) in [("LTYPE", 1), ("LAYER", COLORS.len() as i64)] {
+        tags.pair(0, "TABLE");
+        tags.pair(2, table);
+        tags.int(70, count);
+        if table == "LTYPE" {
+            tags.pair(0, "LTYPE");
+            tags.pair(2, "CONTINUOUS");
+            tags.int(70, 64);
+            tags.pair(3, "Solid line");
+            tags.int(72, 65);
+            tags.int(73, 0);
+            tags.real(40, 0.0);
+        } else {
+            for (layer, color) in COLORS {
+                tags.pair(0, "LAYER");
+                tags.pair(2, layer);
+                tags.int(70, 0);
+                tags.int(62, color);
+                tags.pair(6, "CONTINUOUS");
+            }
+        }
+        tags.pair(0, "ENDTAB");
     }
     tags.end_section();
 }
@@ -31,11 +90,14 @@ pub fn insert(tags: &mut Tags, block: &str) {
 /// A `Key: value`, the key in the dialect's case, the value folded to ASCII with a finding.
 pub fn key_value(key: &str, value: &str, dialect: Dialect, findings: &mut Vec<Diagnostic>) -> String {
     let key = if dialect == Dialect::Clo { key.to_ascii_uppercase() } else { key.to_owned() };
-    format!("{key}: {}", folded(value, findings))
+    format!("{key}: {}", folded(value, dialect, findings))
 }
 
-/// ASCII, with a finding when it changed.
-pub fn folded(value: &str, findings: &mut Vec<Diagnostic>) -> String {
+/// ASCII: other characters as `\U+XXXX`, which DXF readers resolve; folded, with a finding, for the narrowest reader.
+pub fn folded(value: &str, dialect: Dialect, findings: &mut Vec<Diagnostic>) -> String {
+    if !dialect.is_narrow() {
+        return escaped(value);
+    }
     let text = ascii(value);
     if text != value {
         findings.push(
@@ -49,7 +111,7 @@ pub fn folded(value: &str, findings: &mut Vec<Diagnostic>) -> String {
 /// The texts of the style, one under the other.
 pub fn texts(tags: &mut Tags, style: &StyleText, dialect: Dialect, findings: &mut Vec<Diagnostic>) {
     let mut lines: Vec<(&str, String)> = Vec::new();
-    if dialect == Dialect::Aama {
+    if !dialect.is_astm() {
         lines.push(("Version", "ANSI/AAMA-292-B".into()));
     } else {
         lines.push(("ASTM/D13Proposal 1 Version", "D 6673-04".into()));
@@ -58,14 +120,17 @@ pub fn texts(tags: &mut Tags, style: &StyleText, dialect: Dialect, findings: &mu
     if let Some(size) = &style.sample_size {
         lines.push(("Sample Size", size.clone()));
     }
+    if let Some(table) = &style.rule_table {
+        lines.push(("Grade Rule Table", table.clone()));
+    }
     let author = if style.author.is_empty() { PRODUCT } else { &style.author };
-    if dialect == Dialect::Aama {
+    if !dialect.is_astm() {
         lines.extend([("Author", author.to_owned()), ("Product", format!("{PRODUCT} {RELEASE}"))]);
     } else {
         lines.push(("Author", format!("{author};{PRODUCT};{RELEASE}")));
     }
     lines.push(("Units", "METRIC".into()));
-    lines.push((if dialect == Dialect::Aama { "Tolerance" } else { "Curve Tolerance" }, TOLERANCE.into()));
+    lines.push((if !dialect.is_astm() { "Tolerance" } else { "Curve Tolerance" }, TOLERANCE.into()));
     for (i, (key, value)) in lines.iter().enumerate() {
         let text = key_value(key, value, dialect, findings);
         tags.text("1", Vec2::new(0.0, -20.0 - 5.0 * i as f64), &text);

@@ -6,6 +6,8 @@ use toile_garment::Vec2;
 #[derive(Default)]
 pub struct Tags {
     out: String,
+    /// Height of texts, 2.5 mm where there is none.
+    pub height: Option<f64>,
 }
 
 impl Tags {
@@ -40,7 +42,7 @@ impl Tags {
     pub fn text(&mut self, layer: &str, at: Vec2, text: &str) {
         self.entity("TEXT", layer);
         self.point(10, at);
-        self.real(40, 2.5);
+        self.real(40, self.height.unwrap_or(2.5));
         self.real(50, 0.0);
         self.pair(1, text);
         self.pair(7, "STANDARD");

@@ -66,14 +66,15 @@ fn piece() -> PieceDrawing {
         internal: vec![DrawLine { closed: false, ..closed(&[(20.0, 20.0), (80.0, 20.0)]) }],
         cutouts: vec![closed(&[(40.0, 40.0), (60.0, 40.0), (50.0, 60.0)])],
         notches: vec![slit, DrawNotch { kind: NotchKind::Castle, width: 4.0, angle: None, ..slit }],
-        drill_holes: vec![Vec2::new(50.0, 100.0)],
+        drill_holes: vec![DrawDrill { at: Vec2::new(50.0, 100.0), diameter: Some(3.0) }],
         grain: Some([Vec2::new(50.0, 30.0), Vec2::new(50.0, 170.0)]),
         ..PieceDrawing::default()
     }
 }
 
 fn drawing(pieces: Vec<PieceDrawing>) -> Drawing {
-    let style = StyleText { name: "TEST".into(), sample_size: Some("38".into()), author: String::new() };
+    let style =
+        StyleText { name: "TEST".into(), sample_size: Some("38".into()), author: String::new(), rule_table: None };
     Drawing { style, pieces }
 }
 
@@ -92,7 +93,7 @@ fn astm_holds_every_entity_on_its_layer() {
     };
     assert_eq!(Some(at("VERTEX", "84")), piece().boundary.dense);
     assert_eq!(at("VERTEX", "14"), piece().sew_line.expect("sew line").dense_points());
-    assert_eq!((at("POINT", "3"), at("POINT", "13")), (vec![Vec2::new(104.0, 100.0)], piece().drill_holes));
+    assert_eq!((at("POINT", "3"), at("POINT", "13")), (vec![Vec2::new(104.0, 100.0)], vec![Vec2::new(50.0, 100.0)]));
     let texts: Vec<_> = e.iter().filter_map(|e| e.text(1)).collect();
     for text in ["Piece Name: FRONT", "Size: 38", "Quantity: 1,1", "Sample Size: 38", "Units: METRIC"] {
         assert!(texts.contains(&text), "{text} in {texts:?}");
@@ -134,7 +135,7 @@ fn names_fit_and_stay_apart() {
     let long = "Vorderärmel links oben außen";
     let pieces =
         vec![named(long, "38"), named(long, "40"), named("Vorderaermel links oben innen", "38"), named("裙子", "38")];
-    let written = write(&drawing(pieces), Dialect::Astm).expect("written");
+    let written = write(&drawing(pieces), Dialect::Gerber).expect("written");
     let e = read(&written.bytes);
     let blocks: Vec<_> = e.iter().filter(|e| e.kind == "BLOCK").filter_map(|e| e.text(2)).collect();
     assert_eq!(blocks[3], "PIECE_38");
@@ -185,7 +186,8 @@ fn symmetric() -> Piece {
 #[test]
 fn half_piece_on_its_fold() {
     let mut findings = Vec::new();
-    let drawn = piece_drawing(&symmetric(), PieceOptions { half_on_fold: true }, &mut findings);
+    let drawn =
+        piece_drawing(&symmetric(), PieceOptions { half_on_fold: true, ..PieceOptions::default() }, &mut findings);
     assert_eq!(findings, []);
     let at: Vec<_> = drawn.boundary.points.iter().map(|p| (p.at.x, p.at.y)).collect();
     assert_eq!(at, [(0.0, 200.0), (-120.0, 200.0), (-100.0, 0.0), (0.0, 0.0)]);
@@ -194,7 +196,7 @@ fn half_piece_on_its_fold() {
     assert_eq!(drawn.fold, Some([Vec2::new(0.0, 0.0), Vec2::new(0.0, 200.0)]));
     let mut skew = symmetric();
     skew.outline.points[0].at.x -= 0.01;
-    let whole = piece_drawing(&skew, PieceOptions { half_on_fold: true }, &mut findings);
+    let whole = piece_drawing(&skew, PieceOptions { half_on_fold: true, ..PieceOptions::default() }, &mut findings);
     assert_eq!((whole.boundary.points.len(), findings[0].code.as_str()), (4, "fold-not-symmetric"));
 }
 

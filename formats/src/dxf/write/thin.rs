@@ -10,7 +10,13 @@ use toile_garment::outline::PointKind;
 /// How far the fine curve may lie from the chords of the curve points, mm (vendors' files: up to 1.6 mm).
 const CHORD: f64 = 2.0;
 
+/// Curve points further apart than this are joined by a smooth curve when they are read, mm.
+const SPARSE: f64 = 3.0;
+
 /// The line as it is written.
+///
+/// A run of curve points alone, some of them far apart, is a curve that was dense enough for its writer: it is written
+/// as a polygon, so that no reader smooths it.
 ///
 /// With a dense layer the curve points stay on the line, and the fine curve goes there. Without one, or where the curve
 /// points alone would lose the shape, every vertex stays and the run has no curve points: it is a polygon.
@@ -18,6 +24,8 @@ pub fn thin(line: &DrawLine, has_dense_layer: bool) -> DrawLine {
     if line.dense.is_some() {
         return line.clone();
     }
+    let finished = unmixed_sparse(line);
+    let line = &finished;
     let mixed = mixed(line);
     if !mixed.contains(&true) {
         return line.clone();
@@ -34,6 +42,23 @@ pub fn thin(line: &DrawLine, has_dense_layer: bool) -> DrawLine {
         if *mixed && p.kind == PointKind::Curve { DrawPoint { kind: PointKind::Plain, ..*p } } else { *p }
     };
     DrawLine { points: line.points.iter().zip(&mixed).map(plain).collect(), closed: line.closed, dense: None }
+}
+
+/// The line with the curve points of runs without plain points made plain where they lie far apart.
+fn unmixed_sparse(line: &DrawLine) -> DrawLine {
+    let mut out = line.clone();
+    let n = out.points.len();
+    let turns: Vec<usize> = (0..n).filter(|i| line.points[*i].kind == PointKind::Turn).collect();
+    for (k, from) in turns.iter().enumerate() {
+        let to = turns.get(k + 1).copied().unwrap_or(if line.closed { turns[0] + n } else { n - 1 });
+        let inner: Vec<usize> = (from + 1..to).map(|i| i % n).collect();
+        let all_curve = !inner.is_empty() && inner.iter().all(|i| line.points[*i].kind == PointKind::Curve);
+        let far = (*from..to).any(|i| (line.points[(i + 1) % n].at - line.points[i % n].at).norm() > SPARSE);
+        if all_curve && far {
+            inner.into_iter().for_each(|i| out.points[i].kind = PointKind::Plain);
+        }
+    }
+    out
 }
 
 /// For every vertex: does its run between turn points hold curve points and plain ones?

@@ -1,0 +1,146 @@
+//! The outline among the lines of layer 1.
+
+use super::{Desk, mm};
+use crate::dxf::chain::{self, Chained, Path};
+use crate::dxf::geom::{self, Crossing};
+use crate::dxf::ledger::Verdict;
+use crate::dxf::limits;
+use crate::dxf::outline::Outline;
+use crate::dxf::sheet::Sheet;
+use toile_garment::{Diagnostic, Vec2};
+
+/// The largest closed line of a dense copy.
+pub(super) fn closed_copy(runs: Vec<Path>, gap: f64) -> Option<Outline> {
+    let largest = chain::chain(runs, gap).closed.into_iter().max_by(|a, b| {
+        let area = |p: &Path| geom::area(&p.positions()).abs();
+        area(a).total_cmp(&area(b))
+    });
+    largest.map(Outline::new)
+}
+
+/// The outline among the lines of layer 1, and closed lines inside it.
+pub(super) fn boundary(block: &str, line: u64, sheet: &Sheet, desk: &mut Desk<'_>) -> Option<(Path, Vec<Path>)> {
+    let Chained { mut closed, mut open, gaps, doubled } =
+        chain::chain(sheet.boundary.clone(), desk.rules.tolerances.gap);
+    if !doubled.is_empty() {
+        note_doubled(&doubled, desk);
+        let text = format!("{} line(s) of the outline of block `{block}` stand there twice; read once", doubled.len());
+        desk.say(Diagnostic::info("outline-doubled", text), block, "1", line);
+    }
+    if closed.is_empty() {
+        close_at_fold(&mut open, &mut closed, sheet);
+    }
+    for gap in gaps {
+        let text =
+            format!("the outline of block `{block}` has a gap of {:.2} mm at {}; it was closed", gap.width, mm(gap.at));
+        desk.say(Diagnostic::warning("outline-gap-closed", text), block, "1", line);
+    }
+    let area = |p: &Path| geom::area(&p.positions()).abs();
+    closed.sort_by(|a, b| area(b).total_cmp(&area(a)));
+    let longest_open = open.iter().map(|p| geom::length(&p.positions(), false)).fold(0.0, f64::max);
+    let main_length = closed.first().map_or(0.0, |p| geom::length(&p.positions(), true));
+    if closed.is_empty() || longest_open > 0.5 * main_length {
+        for path in &open {
+            let (a, b) = (path.points[0].0, path.points[path.points.len() - 1].0);
+            let text = format!(
+                "the outline of block `{block}` is open: {:.2} mm are missing between {} and {}",
+                (a - b).norm(),
+                mm(b),
+                mm(a)
+            );
+            let finding = Diagnostic::error("outline-open", text).hint(format!(
+                "close it in the pattern; gaps up to {} mm are closed with a note",
+                desk.rules.tolerances.gap
+            ));
+            desk.say(finding, block, "1", path.line);
+        }
+        if open.is_empty() {
+            let text = format!("block `{block}` has lines on layer 1 but no outline");
+            desk.say(Diagnostic::error("outline-missing", text), block, "1", line);
+        }
+        return None;
+    }
+    for path in &open {
+        let text = format!(
+            "an open line on layer 1 of block `{block}` at {} is no part of the outline; it was left out",
+            mm(path.points[0].0)
+        );
+        for id in &path.ids {
+            desk.ledger.overrule(*id, Verdict::Refused, "open line on layer 1 beside the outline");
+        }
+        desk.say(Diagnostic::warning("outline-stray-line", text), block, "1", path.line);
+    }
+    let mut closed = closed.into_iter();
+    let main = closed.next()?;
+    let polygon = main.positions();
+    let mut inner = Vec::new();
+    for path in closed {
+        let inside = path.points.iter().all(|p| geom::inside(p.0, &polygon));
+        let (what, verdict) =
+            if inside { ("read as a cutout", Verdict::Interpreted) } else { ("left out", Verdict::Refused) };
+        let text =
+            format!("block `{block}` has a second closed line on layer 1 at {}; it was {what}", mm(path.points[0].0));
+        for id in &path.ids {
+            desk.ledger.overrule(*id, verdict, "second closed line on layer 1");
+        }
+        desk.say(Diagnostic::warning("outline-second", text), block, "1", path.line);
+        if inside {
+            inner.push(path);
+        }
+    }
+    Some((main, inner))
+}
+
+/// The ledger's word on lines that repeat others.
+pub(super) fn note_doubled(ids: &[u32], desk: &mut Desk<'_>) {
+    for id in ids {
+        desk.ledger.overrule(*id, Verdict::Interpreted, "repeats another line: read once");
+    }
+}
+
+/// The outline of a half piece may be open at its fold: the mirror line closes it.
+fn close_at_fold(open: &mut Vec<Path>, closed: &mut Vec<Path>, sheet: &Sheet) {
+    let [path] = open.as_slice() else { return };
+    let ends = [path.points[0].0, path.points[path.points.len() - 1].0];
+    let on = |ends: &[Vec2; 2]| {
+        let [a, b] = *ends;
+        [path.points[0].0, path.points[path.points.len() - 1].0].iter().all(|p| geom::point_segment(*p, a, b).0 <= 1.0)
+    };
+    if path.points.len() >= 3 && (ends[0] - ends[1]).norm() > 5.0 && sheet.mirror.iter().any(|m| on(&m.ends)) {
+        closed.extend(open.pop().map(|path| Path { closed: true, ..path }));
+    }
+}
+
+/// An outline must have an area, a sane size and no crossing.
+pub(super) fn check_shape(block: &str, outline: &Outline, desk: &mut Desk<'_>) -> Option<()> {
+    let points = outline.positions();
+    let mut fail = |code: &str, text: String, hint: &str| {
+        desk.say(Diagnostic::error(code, text).hint(hint), block, "1", outline.line);
+        None
+    };
+    if points.len() > limits::OUTLINE_POINTS {
+        let text = format!("the outline of block `{block}` has more than {} points", limits::OUTLINE_POINTS);
+        return fail("outline-too-long", text, "export it with a coarser curve tolerance");
+    }
+    let (lo, hi) = geom::bounds(points.iter().copied())?;
+    let extent = (hi.x - lo.x).max(hi.y - lo.y);
+    if extent > limits::PIECE_EXTENT_MM {
+        let text = format!("the outline of block `{block}` is {:.0} m long", extent / 1000.0);
+        return fail("outline-too-large", text, "check the unit of the file");
+    }
+    match geom::crossing(&points) {
+        Crossing::None if points.len() >= 3 && geom::area(&points).abs() >= 1.0 => Some(()),
+        Crossing::None => {
+            let text = format!("the outline of block `{block}` at {} encloses no area", mm(points[0]));
+            fail("outline-without-area", text, "draw a closed outline on layer 1")
+        }
+        Crossing::TooMany => {
+            let text = format!("the outline of block `{block}` is too entangled to check");
+            fail("outline-too-entangled", text, "simplify it")
+        }
+        Crossing::At(_, _, p) => {
+            let text = format!("the outline of block `{block}` intersects itself at {}", mm(p));
+            fail("outline-crosses-itself", text, "correct the outline there")
+        }
+    }
+}

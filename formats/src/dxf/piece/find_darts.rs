@@ -1,0 +1,171 @@
+//! Darts of a piece: found, weighed by their evidence, or denied with the reason.
+
+use super::{Desk, DrawnPiece, mm};
+use crate::dxf::darts::{self, Denied, DrawnDart, Form};
+use crate::dxf::ledger::Verdict;
+use crate::dxf::{chain, geom, limits, marked, pleats};
+use toile_garment::outline::PointKind;
+use toile_garment::{Diagnostic, Vec2};
+
+/// A drill hole belongs to an apex within this, mm: it is put 10 to 15 mm short of it.
+const DRILL: f64 = 20.0;
+/// A notch belongs to a mouth point within this, mm (across an allowance).
+const NOTCH: f64 = 14.0;
+
+impl DrawnPiece {
+    pub(super) fn find_darts(&mut self, desk: &mut Desk<'_>) {
+        let on = if self.sew.is_some() { "sew" } else { "cut" };
+        let (mut found, mut denied) = darts::wedges(self.sewn(), on);
+        let cut = self.sew.is_some().then(|| self.boundary.positions());
+        found.extend(marked::marked(&self.internal, self.sewn(), cut.as_deref()));
+        let line = self.sewn().positions();
+        let grain = self.grain.map(|g| g[1] - g[0]);
+        let closed = self.closed_inside(&found, &line);
+        let drills: Vec<Vec2> = self.drills.iter().map(|d| d.at).collect();
+        for paths in [self.internal.as_slice(), &self.cutouts, &closed] {
+            for lens in marked::lenses(paths, &line) {
+                match marked::lens_doubt(&lens, grain, &drills) {
+                    None => found.push(lens),
+                    Some(why) => denied.push(Denied { at: lens.middle(), why, form: Form::Lens }),
+                }
+            }
+        }
+        for dart in &found {
+            for id in &dart.ids {
+                let rule = if dart.form == Form::Lens { "closed lens: fish-eye dart" } else { "legs of a marked dart" };
+                desk.ledger.overrule(*id, Verdict::Interpreted, rule);
+            }
+        }
+        for dart in &mut found {
+            self.weigh(dart);
+        }
+        self.darts = found;
+        self.denied = denied;
+        self.find_candidates(&drills, desk);
+        self.find_pleats(&line, desk);
+    }
+
+    /// Closed lines made of several open ones inside the piece: a lens of two or four strokes.
+    fn closed_inside(&self, found: &[DrawnDart], line: &[Vec2]) -> Vec<chain::Path> {
+        let free = |p: &&chain::Path| {
+            !p.closed
+                && p.points.len() <= 2000
+                && !found.iter().any(|d| d.ids.iter().any(|id| p.ids.contains(id)))
+                && [p.points[0].0, p.points[p.points.len() - 1].0].iter().all(|e| geom::inside(*e, line))
+        };
+        let most = 2000.min(limits::DART_TESTS / line.len().max(1));
+        let open: Vec<chain::Path> = self.internal.iter().take(most).filter(free).take(400).cloned().collect();
+        if open.len() < 2 { Vec::new() } else { chain::chain(open, 0.2).closed }
+    }
+
+    /// Evidence and confidence of a dart.
+    fn weigh(&self, dart: &mut DrawnDart) {
+        let mut add = |weight: f64, why: &str| {
+            dart.confidence += weight;
+            dart.evidence.push(why.to_owned());
+        };
+        match dart.form {
+            Form::Wedge => add(0.6, "the outline makes a wedge"),
+            Form::Marked => add(0.8, "two internal lines run from the edge to one point"),
+            Form::Lens => add(0.75, "a closed line, sharp at both ends and alike on both sides"),
+        }
+        let ends = if dart.form == Form::Lens { Vec::new() } else { dart.mouth.to_vec() };
+        let corner = |p: &Vec2| self.turn_list.iter().any(|t| (t - p).norm() <= 0.05);
+        if self.marked && dart.apexes.iter().chain(&ends).all(corner) {
+            add(0.1, "its apex and mouth are turn points");
+        }
+        if dart.apexes.iter().any(|a| self.drills.iter().any(|d| (d.at - a).norm() <= DRILL)) {
+            add(0.15, "a drill hole at its apex");
+        }
+        if !ends.is_empty() && ends.iter().all(|m| self.notches.iter().any(|n| (n.at - m).norm() <= NOTCH)) {
+            add(0.1, "notches at its mouth");
+        }
+        let legs = [geom::length(&dart.work[0], false), geom::length(&dart.work[1], false)];
+        let differ = (legs[0] - legs[1]).abs() / legs[0].max(legs[1]).max(1e-9);
+        if differ <= 0.01 {
+            add(0.1, "legs of one length");
+        } else if differ > 0.1 {
+            add(-0.15, "legs of different lengths");
+        }
+        dart.confidence = dart.confidence.clamp(0.05, 0.99);
+    }
+
+    fn find_candidates(&mut self, drills: &[Vec2], desk: &mut Desk<'_>) {
+        let at: Vec<Vec2> = self.notches.iter().filter(|n| n.on != "off" && n.on != "internal").map(|n| n.at).collect();
+        let hint = "declare it in the sewing file: [[dart]] piece, apex, mouth, kind = \"wedge\" or \"fish-eye\"";
+        self.candidates = marked::candidates(&at, drills, &self.darts);
+        for (drill, mouth) in &self.candidates {
+            let text = format!(
+                "two notches at {} and {} and a drill hole at {} of `{}` may be a dart; it was not made one",
+                mm(mouth[0]),
+                mm(mouth[1]),
+                mm(*drill),
+                self.label()
+            );
+            desk.say(Diagnostic::info("dart-candidate", text).hint(hint), &self.block, "13", self.line);
+        }
+        for kite in marked::kites(drills, &self.darts) {
+            let text = format!(
+                "four drill holes of `{}` between {} and {} may be a fish-eye dart; it was not made one",
+                self.label(),
+                mm(kite[0]),
+                mm(kite[1])
+            );
+            desk.say(Diagnostic::info("dart-candidate", text).hint(hint), &self.block, "13", self.line);
+        }
+    }
+
+    fn find_pleats(&mut self, line: &[Vec2], desk: &mut Desk<'_>) {
+        let legs = |p: &&chain::Path| self.darts.iter().any(|d| d.ids.iter().any(|id| p.ids.contains(id)));
+        let free: Vec<&chain::Path> = self.internal.iter().filter(|p| !legs(p)).collect();
+        let texts: Vec<(Vec2, String)> = self.texts.iter().map(|(at, _, text)| (*at, text.clone())).collect();
+        self.pleats = pleats::find(&free, line, &self.notches, &texts);
+        for pleat in &self.pleats {
+            let [a, b] = pleat.lines.map(|l| mm(l[0]));
+            let what = if pleat.converging { "dart-pleat" } else { "pleat" };
+            let text = format!(
+                "the lines from {a} and {b} of `{}`, {:.1} mm apart, look like a {what} ({}); it was not made one",
+                self.label(),
+                pleat.width,
+                pleat.evidence.join(", ")
+            );
+            let hint = "declare it in the sewing file: [[dart]] piece, apex, mouth, kind = \"pleat\"";
+            desk.say(Diagnostic::info("pleat-candidate", text).hint(hint), &self.block, "8", pleat.line);
+        }
+    }
+
+    /// Is the outline its own mirror image at this axis?
+    pub(crate) fn symmetric_about(line: &[Vec2], axis: [Vec2; 2]) -> bool {
+        let points: Vec<Vec2> = line.iter().step_by(line.len() / 400 + 1).copied().collect();
+        let twins =
+            points.iter().filter(|p| geom::distance(geom::mirror(**p, axis[0], axis[1]), line, true) <= 2.0).count();
+        twins * 10 >= points.len() * 9
+    }
+
+    /// A wide wedge in the middle of a symmetric piece is a V neckline.
+    pub(super) fn deny_necklines(&mut self, desk: &mut Desk<'_>) {
+        let nodes = &self.sewn().drawn;
+        let line: Vec<Vec2> = nodes.iter().map(|n| n.at).collect();
+        let corners = nodes.iter().filter(|n| n.kind == PointKind::Turn).count();
+        let mut denied = Vec::new();
+        self.darts.retain(|dart| {
+            let apex = dart.apexes[0];
+            let axis = [apex, (dart.mouth[0] + dart.mouth[1]) * 0.5];
+            let (u, v) = (dart.mouth[0] - apex, dart.mouth[1] - apex);
+            let angle = libm::atan2(geom::cross(u, v).abs(), u.dot(&v)).to_degrees();
+            let wide = dart.form == Form::Wedge && dart.width() > 80.0 && angle > 30.0;
+            let neckline = wide && corners >= 5 && Self::symmetric_about(&line, axis);
+            if neckline {
+                denied.push((apex, dart.line));
+            }
+            !neckline
+        });
+        for (at, file_line) in denied {
+            let why = "it is wide and in the middle of a symmetric piece: a V neckline";
+            let text = format!("the wedge at {} of `{}` was not taken as a dart: {why}", mm(at), self.label());
+            let hint = "if it is a dart, declare it in the sewing file: [[dart]] piece, apex, mouth, kind = \"wedge\"";
+            desk.say(Diagnostic::warning("wedge-not-a-dart", text).hint(hint), &self.block, "1", file_line);
+            self.denied.push(Denied { at, why, form: Form::Wedge });
+        }
+    }
+}

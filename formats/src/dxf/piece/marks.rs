@@ -1,0 +1,98 @@
+//! Working lines, notches and darts of a piece whose outline is known.
+
+use super::{Desk, DrawnPiece, mm};
+use crate::dxf::geom::{self, Crossing};
+use crate::dxf::ledger::Verdict;
+use crate::dxf::limits;
+use crate::dxf::notches::{self, Ground};
+use crate::dxf::outline::{Making, Outline};
+use toile_garment::{Diagnostic, Vec2};
+
+impl DrawnPiece {
+    pub(super) fn find_cut_notches(&mut self, desk: &mut Desk<'_>) {
+        for outline in [Some(&mut self.boundary), self.sew.as_mut()].into_iter().flatten() {
+            outline.find_cut_notches();
+        }
+        let n = self.boundary.cut.len();
+        if let Some(first) = self.boundary.cut.first() {
+            let text = format!(
+                "{n} notch(es) are cut into the outline of `{}`, the first at {}; the sewn line runs over them",
+                self.label(),
+                mm(first.at)
+            );
+            desk.say(Diagnostic::info("notch-cut-in", text), &self.block, "1", self.boundary.line);
+        }
+    }
+
+    pub(super) fn make_work(&mut self, desk: &mut Desk<'_>) {
+        let label = self.label().to_owned();
+        let lines = [(Some(&mut self.boundary), &self.dense, "84"), (self.sew.as_mut(), &self.dense_sew, "87")];
+        for (outline, dense, layer) in lines {
+            let Some(outline) = outline else { continue };
+            let verdict = outline.make_work(dense.as_ref(), desk.rules.tolerances.curve);
+            if let Some(Err(off)) = verdict {
+                let text = format!(
+                    "the dense curve on layer {layer} of `{label}` is up to {off:.1} mm off the outline; not used"
+                );
+                let finding = Diagnostic::warning("validation-curve-differs", text);
+                desk.say(finding, &self.block, layer, outline.line);
+            }
+            let changed = outline.making != Making::AsDrawn || !outline.cut.is_empty();
+            if changed && geom::crossing(&outline.work_positions()) != Crossing::None {
+                let text = format!(
+                    "the smooth curve through the points of `{label}` would cross itself; the drawn line was used"
+                );
+                outline.as_drawn();
+                desk.say(Diagnostic::warning("curve-not-smoothed", text), &self.block, "1", outline.line);
+            }
+            if let Making::Smoothed(off) = outline.making {
+                let text = format!(
+                    "curve points of `{label}` were joined by a smooth curve, up to {off:.2} mm off the chords"
+                );
+                desk.say(Diagnostic::info("curve-interpolated", text), &self.block, "3", outline.line);
+            }
+        }
+    }
+
+    pub(super) fn find_notches(&mut self, desk: &mut Desk<'_>) {
+        let work = (self.marks.len() + self.strokes.len()) as u64 * self.boundary.drawn.len() as u64;
+        if self.marks.len() > limits::NOTCHES || self.strokes.len() > limits::NOTCHES || work > limits::NOTCH_TESTS {
+            let text = format!("`{}` has more than {} notches", self.label(), limits::NOTCHES);
+            desk.say(Diagnostic::error("too-many-notches", text), &self.block, "4", self.line);
+            return;
+        }
+        let boundary = self.boundary.positions();
+        let sew = self.sew.as_ref().map(Outline::positions);
+        let internal: Vec<(Vec<Vec2>, bool)> = self.internal.iter().map(|p| (p.positions(), p.closed)).collect();
+        let ground = Ground { boundary: &boundary, sew: sew.as_deref(), internal: &internal };
+        let (mut list, doubled) = notches::from_marks(&self.marks, &ground, desk.rules.notch_scale);
+        list.extend(notches::from_strokes(&self.strokes, &ground));
+        list.extend(self.boundary.cut.iter().map(|c| notches::cut_in(c, self.boundary.line)));
+        notches::pair_twins(&mut list);
+        for id in doubled {
+            desk.ledger.overrule(id, Verdict::Interpreted, "doubled notch, merged");
+        }
+        for notch in list.iter().filter(|n| n.on == "off") {
+            let text =
+                format!("a notch of `{}` at {} lies {:.1} mm off the boundary", self.label(), mm(notch.at), notch.off);
+            desk.say(Diagnostic::warning("notch-off-boundary", text), &self.block, "4", notch.line);
+        }
+        self.notches = list;
+    }
+
+    pub(super) fn check_extras(&mut self, desk: &mut Desk<'_>) {
+        for dart in &self.darts {
+            let (a, b) = (dart.leg_path(0), dart.leg_path(1));
+            if (a - b).abs() > 1.0 && (a - b).abs() > 0.01 * a.max(b) {
+                let text = format!(
+                    "the legs of the dart at {} of `{}` are {a:.1} and {b:.1} mm long, {:.1} mm apart; they were left as drawn",
+                    mm(dart.apexes[0]),
+                    self.label(),
+                    (a - b).abs()
+                );
+                let hint = "the difference is eased in when the dart is sewn; correct the pattern if it is a mistake";
+                desk.say(Diagnostic::warning("dart-legs-differ", text).hint(hint), &self.block, "1", dart.line);
+            }
+        }
+    }
+}

@@ -1,0 +1,226 @@
+//! One drawn piece in one size: what the layers of a block mean together.
+
+mod border;
+mod find_darts;
+mod folded;
+mod marks;
+mod notes;
+mod run_on;
+mod sew;
+
+use super::chain::Path;
+use super::darts::{Denied, DrawnDart};
+use super::findings::Findings;
+use super::geom::PointIndex;
+use super::ledger::Ledger;
+use super::notches::DrawnNotch;
+use super::outline::{Marks, Outline};
+use super::pleats::Pleat;
+use super::sheet::{Drill, Sheet, Stroke};
+use super::tolerances::Tolerances;
+use std::collections::BTreeMap;
+use toile_garment::piece::Quantity;
+use toile_garment::{Diagnostic, SourceRef, Vec2};
+
+/// A piece as drawn, millimetres in block coordinates.
+#[derive(Clone, Debug)]
+pub struct DrawnPiece {
+    /// Block name.
+    pub block: String,
+    /// Line of the block.
+    pub line: u64,
+    /// Text `Piece Name`, if any.
+    pub name: Option<String>,
+    /// Text `Size`, if any.
+    pub size: Option<String>,
+    /// Text `Quantity`.
+    pub quantity: Quantity,
+    /// Other piece texts by key, in lower case.
+    pub keys: BTreeMap<String, String>,
+    /// Texts without meaning: place, layer, text.
+    pub texts: Vec<(Vec2, String, String)>,
+    /// Grade rule texts: place and rule.
+    pub rules: Vec<(Vec2, u32)>,
+    /// Cut line.
+    pub boundary: Outline,
+    /// Sew line, where it differs.
+    pub sew: Option<Outline>,
+    /// Number of sew lines drawn.
+    pub sew_lines: usize,
+    /// Fold of a half piece.
+    pub fold: Option<[Vec2; 2]>,
+    /// Notches.
+    pub notches: Vec<DrawnNotch>,
+    /// Grain line.
+    pub grain: Option<[Vec2; 2]>,
+    /// Reference line of the grading.
+    pub reference: Option<[Vec2; 2]>,
+    /// Internal lines (legs of marked darts among them).
+    pub internal: Vec<Path>,
+    /// Internal lines that say `NM`: not mirrored.
+    pub not_mirrored: Vec<bool>,
+    /// Cutouts.
+    pub cutouts: Vec<Path>,
+    /// Drill holes.
+    pub drills: Vec<Drill>,
+    /// Stripe and plaid lines (layers 9 and 10): layer and line.
+    pub stripes: Vec<(String, Path)>,
+    /// Darts.
+    pub darts: Vec<DrawnDart>,
+    /// Wedges and lenses that were not taken as darts, with the reason.
+    pub denied: Vec<Denied>,
+    /// A drill hole and two notches that may be a dart.
+    pub candidates: Vec<(Vec2, [Vec2; 2])>,
+    /// Pairs of fold lines.
+    pub pleats: Vec<Pleat>,
+    /// Points of layer 2 in file order, doubled ones merged.
+    pub turn_list: Vec<Vec2>,
+    /// Number of corners: points of layer 2, or corners of the outline where there are none.
+    pub turn_points: usize,
+    /// Points of layer 3, doubled ones merged.
+    pub curve_points: usize,
+    /// Are there points of layers 2 or 3 in the block?
+    pub marked: bool,
+    dense: Option<Outline>,
+    dense_sew: Option<Outline>,
+    marks: Vec<super::sheet::Mark>,
+    strokes: Vec<Stroke>,
+}
+
+/// What building a piece writes to.
+pub(crate) struct Desk<'a> {
+    pub findings: &'a mut Findings,
+    pub ledger: &'a mut Ledger,
+    pub rules: &'a Rules,
+}
+
+/// How this file is to be understood.
+#[derive(Clone, Debug)]
+pub(crate) struct Rules {
+    pub tolerances: Tolerances,
+    /// Depths and widths of notches times this.
+    pub notch_scale: f64,
+}
+
+impl Desk<'_> {
+    fn say(&mut self, finding: Diagnostic, block: &str, layer: &str, line: u64) {
+        let place: SourceRef = self.findings.place_in(block, Some(layer), line);
+        self.findings.push(finding.at(place));
+    }
+}
+
+fn mm(p: Vec2) -> String {
+    format!("({:.1}, {:.1}) mm", p.x, p.y)
+}
+
+impl DrawnPiece {
+    /// The outline that is sewn: the sew line where there is one.
+    #[must_use]
+    pub fn sewn(&self) -> &Outline {
+        self.sew.as_ref().unwrap_or(&self.boundary)
+    }
+
+    /// Piece name, or the block's.
+    #[must_use]
+    pub fn label(&self) -> &str {
+        self.name.as_deref().filter(|n| !n.is_empty()).unwrap_or(&self.block)
+    }
+
+    /// First step: lines chained and kinds set. `None` when the outline is wrong (which is then a finding).
+    pub(crate) fn outline(block: &str, line: u64, sheet: Sheet, desk: &mut Desk<'_>) -> Option<Self> {
+        let boundary = border::boundary(block, line, &sheet, desk)?;
+        let (main, inner) = boundary;
+        let marks = Marks::new(&sheet.turn, &sheet.curve, &desk.rules.tolerances);
+        let mut outline = Outline::new(main);
+        outline.classify(&marks);
+        border::check_shape(block, &outline, desk)?;
+        let distinct = |list: &[Vec2]| {
+            let mut index = PointIndex::new(0.01, []);
+            list.iter()
+                .enumerate()
+                .filter(|(i, p)| index.insert_new(**p, *i, 0.01))
+                .map(|(_, p)| *p)
+                .collect::<Vec<_>>()
+        };
+        let turn_list = distinct(&sheet.turn);
+        let mut piece = Self {
+            block: block.to_owned(),
+            line,
+            name: None,
+            size: None,
+            quantity: Quantity::default(),
+            keys: BTreeMap::new(),
+            texts: Vec::new(),
+            rules: Vec::new(),
+            sew: None,
+            sew_lines: 0,
+            fold: None,
+            notches: Vec::new(),
+            grain: sheet
+                .grain
+                .iter()
+                .map(|s| s.ends)
+                .max_by(|a, b| (a[1] - a[0]).norm().total_cmp(&(b[1] - b[0]).norm())),
+            reference: sheet.reference.first().map(|s| s.ends),
+            internal: sheet.internal.into_iter().map(Path::tidy).filter(|p| p.points.len() >= 2).collect(),
+            not_mirrored: Vec::new(),
+            cutouts: inner
+                .into_iter()
+                .chain(sheet.cutouts.into_iter().map(Path::tidy))
+                .filter(|p| p.points.len() >= 2)
+                .collect(),
+            drills: sheet.drills,
+            stripes: sheet.stripes,
+            darts: Vec::new(),
+            denied: Vec::new(),
+            candidates: Vec::new(),
+            pleats: Vec::new(),
+            turn_points: turn_list.len(),
+            turn_list,
+            curve_points: distinct(&sheet.curve).len(),
+            marked: marks.any,
+            dense: border::closed_copy(sheet.dense, desk.rules.tolerances.gap),
+            dense_sew: border::closed_copy(sheet.dense_sew, desk.rules.tolerances.gap),
+            marks: sheet.marks,
+            strokes: sheet.notch_strokes,
+            boundary: outline,
+        };
+        piece.read_notes(sheet.notes);
+        piece.find_fold(&sheet.mirror, desk);
+        piece.find_sew_line(sheet.sew, desk);
+        if let Some(sew) = &mut piece.sew {
+            sew.classify(&marks);
+        }
+        if !piece.marked {
+            piece.turn_points =
+                piece.boundary.drawn.iter().filter(|n| n.kind == toile_garment::outline::PointKind::Turn).count();
+        }
+        piece.check_grain(desk);
+        Some(piece)
+    }
+
+    fn check_grain(&mut self, desk: &mut Desk<'_>) {
+        if self.grain.is_some_and(|[a, b]| (b - a).norm() < 1.0) {
+            self.grain = None;
+        }
+        if self.grain.is_none() {
+            let text = format!("`{}` has no grain line (layer 7)", self.label());
+            desk.say(
+                Diagnostic::warning("grain-missing", text).hint("the warp is then taken along +y"),
+                &self.block,
+                "7",
+                self.line,
+            );
+        }
+    }
+
+    /// Second step, once kinds are known in every size: working lines, notches, darts.
+    pub(crate) fn finish(&mut self, desk: &mut Desk<'_>) {
+        self.find_cut_notches(desk);
+        self.make_work(desk);
+        self.find_notches(desk);
+        self.find_darts(desk);
+        self.deny_necklines(desk);
+        self.check_extras(desk);
+    }
+}

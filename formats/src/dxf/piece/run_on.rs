@@ -1,0 +1,37 @@
+//! What one size of a nest takes over from the sample size.
+
+use super::DrawnPiece;
+use crate::dxf::sheet::Mark;
+use crate::dxf::{geom, limits};
+use toile_garment::Vec2;
+
+impl DrawnPiece {
+    /// Carries kinds and notches over from the sample size.
+    pub(crate) fn take_from_sample(&mut self, sample: &Self) -> bool {
+        if !self.marked && sample.marked {
+            if !self.boundary.classify_like(&sample.boundary) {
+                return false;
+            }
+            if let (Some(sew), Some(like)) = (&mut self.sew, &sample.sew) {
+                sew.classify_like(like);
+            }
+            self.turn_points = 0;
+        }
+        if self.marks.is_empty() && self.strokes.is_empty() {
+            let (from, to) = (sample.boundary.positions(), self.boundary.positions());
+            if from.len() != to.len() || sample.marks.len() > limits::NOTCHES {
+                return sample.marks.is_empty();
+            }
+            self.marks = sample.marks.iter().filter_map(|m| carried(m, &from, &to)).collect();
+        }
+        true
+    }
+}
+
+fn carried(mark: &Mark, from: &[Vec2], to: &[Vec2]) -> Option<Mark> {
+    let foot = geom::nearest(mark.at, from, true).filter(|f| f.distance <= 0.5)?;
+    let (a, b) = (to[foot.segment], to[(foot.segment + 1) % to.len()]);
+    let u = from[(foot.segment + 1) % from.len()] - from[foot.segment];
+    let turned = libm::atan2(geom::cross(u, b - a), u.dot(&(b - a)));
+    Some(Mark { at: a + (b - a) * foot.t, angle: mark.angle.map(|x| x + turned), ..mark.clone() })
+}

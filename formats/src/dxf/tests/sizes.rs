@@ -1,0 +1,60 @@
+//! Sizes and grading.
+
+use super::*;
+
+#[test]
+fn nest_chooses_sizes_and_carries_marks_over() {
+    let smaller: Vec<(f64, f64)> = WEDGE.iter().map(|(x, y)| (x * 0.95, y * 0.98)).collect();
+    let second = Writer::default().block("FRONT_36").text("1", "Piece Name: FRONT").text("1", "SIZE: 36");
+    let second = second.polyline("1", true, &smaller).line("7", (60.0, 150.0), (60.0, 450.0)).pair(0, "ENDBLK").0;
+    let base = file(|w| {
+        let w = w.polyline("1", true, &WEDGE).points("2", &WEDGE);
+        w.pair(0, "POINT").pair(8, "4").xy(300.0, 300.0).pair(30, "4").pair(39, "3")
+    });
+    let pattern = good(&base.replacen("  0\nENDBLK\n", &format!("  0\nENDBLK\n{second}"), 1));
+    assert_eq!(pattern.sizes, ["38", "36"]);
+    assert_eq!(garment(&pattern).size.as_deref(), Some("38"));
+    let (small, _) = pattern.to_garment(Some("36"), None).expect("36");
+    assert_eq!((small.pieces.len(), small.pieces[0].darts.len(), small.pieces[0].notches.len()), (1, 1, 1));
+    let notch = &small.pieces[0].notches[0];
+    assert!((notch.at - toile_garment::Vec2::new(0.285, 0.294)).norm() < 1e-9);
+    assert_eq!(notch.kind, NotchKind::V);
+    let e = pattern.to_garment(Some("44"), None).expect_err("no such size");
+    assert!(e[0].code == "size-not-found" && e[0].message.contains("38, 36"));
+}
+
+#[test]
+fn rule_table_grades_corners_and_what_lies_between() {
+    let text = file(|w| {
+        let w = w.polyline("1", true, &WEDGE).points("2", &WEDGE);
+        let w = w.text_at("2", "# 1", 0.0, 0.0).text_at("2", "# 2", 300.0, 0.0);
+        w.text_at("2", "# 3", 300.0, 600.0).text_at("2", "# 4", 0.0, 600.0)
+    });
+    let rul = "UNITS: METRIC\nNUMBER OF SIZES: 2\nSIZE LIST: 38 40\nSAMPLE SIZE: 38\nRULE: DELTA 1\n0 0 0 0\nRULE: DELTA 2\n0 0 10 0\nRULE: DELTA 3\n0 0 10 6\nRULE: DELTA 4\n0 0 0 6\n";
+    let table = crate::rul::read(rul.as_bytes(), "t.rul").expect("table");
+    let pattern = good(&text);
+    let (g, _) = pattern.to_garment(Some("40"), Some(&table)).expect("graded");
+    let piece = &g.pieces[0];
+    let (lo, hi) = geom::bounds(piece.outline.positions()).expect("bounds");
+    assert!((lo.norm()) < 1e-12 && (hi - toile_garment::Vec2::new(0.310, 0.606)).norm() < 1e-12);
+    // The dart has no rule: its points grow by 6 mm in y and between 0 and 10 mm in x.
+    let apex = piece.darts[0].apexes[0];
+    assert!((apex.y - 0.506).abs() < 1e-9 && apex.x > 0.150 && apex.x < 0.160);
+    assert!(piece.outline.positions().contains(&apex));
+    assert_eq!(piece.size.as_deref(), Some("40"));
+    let missing = crate::rul::read(rul.replace("DELTA 4", "DELTA 9").as_bytes(), "t.rul").expect("table");
+    assert_eq!(pattern.to_garment(Some("40"), Some(&missing)).expect_err("rule 4")[0].code, "rule-missing");
+}
+
+#[test]
+fn growths_turn_with_the_reference_line() {
+    let text = file(|w| {
+        w.polyline("1", true, &RECTANGLE).text_at("1", "# 1", 300.0, 600.0).line("5", (10.0, 10.0), (10.0, 90.0))
+    });
+    let table =
+        crate::rul::read(b"NUMBER OF SIZES: 2\nSIZE LIST: 38 40\nSAMPLE SIZE: 38\nRULE: DELTA 1\n0 0 5 0\n", "t.rul")
+            .expect("table");
+    let graded = grade::grade(&good(&text).pieces[0], &table, "40").expect("graded");
+    // One rule only: the whole outline moves with it, along the reference line, which is +y here.
+    assert!((graded.boundary.drawn[2].at - toile_garment::Vec2::new(300.0, 605.0)).norm() < 1e-9);
+}
