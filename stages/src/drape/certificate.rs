@@ -9,7 +9,7 @@ use toile_garment::seam::SeamKind;
 
 /// Default gates; the strain gate is the fabric's own limit.
 const GATES: [(&str, f64); 6] = [
-    ("residual_rel", 1.0),
+    ("residual_rel", 0.1),
     ("seam_gap_max_mm", 0.1),
     ("dart_gap_max_mm", 0.1),
     ("self_crossings", 0.0),

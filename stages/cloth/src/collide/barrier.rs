@@ -16,8 +16,6 @@ use crate::linear::hessian::Hessian;
 const EDGE_SHARE: f64 = 0.5;
 /// N/m³: a gap of 1 mm is half closed by 240 Pa.
 const STIFFNESS: f64 = 2e5;
-/// Pairs nearer than so many gaps are remembered: what hops off the body for a moment still rubs on it.
-const ALMOST: f64 = 1.5;
 /// Largest stiffness of a contact in the metric, N/m: beyond it single precision loses the cloth behind it.
 const STEEPEST: f64 = 1e5;
 /// Slack of the lists over the mean edge: small enough that neighbours of neighbours stay out.
@@ -31,7 +29,7 @@ pub(crate) const BODY_POINT: u8 = 2;
 pub(crate) const BODY_EDGE: u8 = 3;
 pub(crate) const BODY_FACE: u8 = 4;
 
-/// Two primitives nearer than their gap, or nearly so.
+/// Two primitives nearer than their gap.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Touch {
     pub vertices: [u32; 4],
@@ -107,12 +105,12 @@ impl Barrier {
         self.slack = (3.0 * longest).clamp(LEAST_SLACK * self.frame.edge, MOST_SLACK * self.frame.edge);
         let thick = |g: &[f64]| g.iter().fold(0.0f64, |a, b| a.max(*b));
         if let Some(tree) = &mut self.tree {
-            let reach = ALMOST * thick(&self.frame.own_gap) + 2.0 * self.slack;
+            let reach = thick(&self.frame.own_gap) + 2.0 * self.slack;
             tree.refit_moving(x, step, &self.frame.topology.faces, 0.5 * reach);
             self.near.fill_own_moving(x, step, &self.frame.topology, &self.frame.groups, tree, reach);
         }
         if let Some(body) = &self.body {
-            let reach = ALMOST * thick(&self.frame.body_gap) + self.slack;
+            let reach = thick(&self.frame.body_gap) + self.slack;
             self.near.fill_body_moving(x, step, &self.frame.topology, body, reach);
             self.near.body_points.sort_unstable();
         }
@@ -204,24 +202,17 @@ impl Barrier {
             faces.push(touch(&mut self.touches, &self.frame, &self.area, BODY_FACE, [a, b, c, w], weights, d));
         }
         points.clear();
-        for group in self.near.body_points.chunk_by(|a, b| a[0] == b[0]) {
-            let v = group[0][0];
+        // Every triangle pushes by itself: the nearest alone would jump from side to side in a crease.
+        for &[v, g] in &self.near.body_points {
             let p = x[v as usize];
-            let mut best = (f64::INFINITY, Vec3::zeros());
-            for &[_, g] in group {
-                let [a, b, c] = body.triangle(g);
-                let w = point_triangle(&p, &a, &b, &c);
-                let d = p - (a * w[0] + b * w[1] + c * w[2]);
-                let l = d.norm();
-                points.push(l);
-                if l < best.0 {
-                    best = (l, d);
-                }
-            }
-            self.tally.nearest_body = self.tally.nearest_body.min(best.0);
-            // One contact a vertex, whatever triangle it lies over: the distance to the body has no seams.
-            let vertices = [v, u32::MAX, u32::MAX, u32::MAX];
-            touch(&mut self.touches, &self.frame, &self.area, BODY_POINT, vertices, [1.0, 0.0, 0.0, 0.0], best.1);
+            let [a, b, c] = body.triangle(g);
+            let w = point_triangle(&p, &a, &b, &c);
+            let d = p - (a * w[0] + b * w[1] + c * w[2]);
+            let key = [v, g, u32::MAX, u32::MAX];
+            let weights = [1.0, 0.0, 0.0, 0.0];
+            let l = touch(&mut self.touches, &self.frame, &self.area, BODY_POINT, key, weights, d);
+            points.push(l);
+            self.tally.nearest_body = self.tally.nearest_body.min(l);
         }
     }
 
@@ -238,9 +229,6 @@ impl Barrier {
 /// b, b′, b″ of the barrier.
 #[inline]
 fn barrier(d: f64, gap: f64) -> (f64, f64, f64) {
-    if d >= gap {
-        return (0.0, 0.0, 0.0);
-    }
     let (s, l) = (d - gap, libm::log(d / gap));
     (-s * s * l, -2.0 * s * l - s * s / d, -2.0 * l - 4.0 * s / d + s * s / (d * d))
 }
@@ -266,7 +254,7 @@ fn touch(
     let gaps = if kind <= EDGE { &frame.own_gap } else { &frame.body_gap };
     let share = if matches!(kind, POINT | BODY_POINT) { 1.0 } else { EDGE_SHARE };
     let gap = share * key[..cloth].iter().fold(f64::INFINITY, |g, v| g.min(gaps[*v as usize]));
-    if distance < ALMOST * gap && distance > 0.0 {
+    if distance < gap && distance > 0.0 {
         let mut vertices = [key[0]; 4];
         vertices[..cloth].copy_from_slice(&key[..cloth]);
         let area = share * vertices[..cloth].iter().map(|v| area[*v as usize]).sum::<f64>() / cloth as f64;

@@ -10,10 +10,6 @@ use nalgebra::Matrix3;
 /// Tangential stiffness over area, N/m³: as the contact's own.
 const STIFFNESS: f64 = 2e5;
 
-/// How far a contact may slide between two refreshes, m: at first, and at most if it goes on sliding.
-const ALLOWED_FIRST: f64 = 1e-4;
-const ALLOWED_MOST: f64 = 2e-2;
-
 struct Hold {
     vertices: [u32; 4],
     weights: [f64; 4],
@@ -22,10 +18,8 @@ struct Hold {
     place: Vec3,
     /// N/m.
     stiffness: f64,
-    /// Largest force, N, while it slides by at most …
+    /// Largest force, N.
     most: f64,
-    /// … this, m: the normal force is known only nearby.
-    allowed: f64,
     key: (u8, [u32; 4]),
 }
 
@@ -35,8 +29,6 @@ pub(crate) struct Stick {
     holds: Vec<Hold>,
     /// Holds that slid, and the largest slide, m, at the last refresh.
     pub slid: usize,
-    /// Holds that are new or slid at the last refresh.
-    pub changed: usize,
     pub largest: f64,
     pub most: usize,
 }
@@ -66,7 +58,7 @@ impl Stick {
     pub fn refresh(&mut self, x: &[Vec3], touches: &[Touch]) {
         let mut holds: Vec<Hold> = touches
             .iter()
-            .filter(|t| t.friction > 0.0)
+            .filter(|t| t.friction > 0.0 && t.load > 0.0)
             .map(|t| Hold {
                 vertices: t.vertices,
                 weights: t.weights,
@@ -74,30 +66,20 @@ impl Stick {
                 place: Vec3::zeros(),
                 stiffness: STIFFNESS * t.area,
                 most: t.friction * t.load,
-                allowed: ALLOWED_FIRST,
                 key: t.key,
             })
             .collect();
         holds.sort_by(|a, b| a.key.cmp(&b.key));
-        (self.slid, self.largest, self.changed) = (0, 0.0, 0);
+        (self.slid, self.largest) = (0, 0.0);
         let mut old = self.holds.iter().peekable();
         for h in &mut holds {
             while old.next_if(|o| o.key < h.key).is_some() {}
-            let Some(known) = old.next_if(|o| o.key == h.key) else {
-                // Its load is still growing: it holds until the next refresh knows how much it can.
-                h.place = h.at(x);
-                h.most = f64::INFINITY;
-                self.changed += 1;
-                continue;
-            };
-            let mut slide = known.slide(x);
+            let mut slide = old.next_if(|o| o.key == h.key).map_or_else(Vec3::zeros, |o| o.slide(x));
             slide -= h.normal * h.normal.dot(&slide);
             let (l, reach) = (slide.norm(), h.most / h.stiffness);
             if l > reach {
                 self.slid += 1;
-                self.changed += 1;
                 self.largest = self.largest.max(l - reach);
-                h.allowed = (2.0 * known.allowed).min(ALLOWED_MOST);
                 slide *= reach / l;
             }
             h.place = h.at(x) - slide;
@@ -113,13 +95,12 @@ impl Stick {
             let u = h.slide(x);
             let l = u.norm();
             let reach = h.most / h.stiffness;
-            let over = (l - reach - h.allowed).max(0.0);
             let force = if l <= reach {
                 energy += 0.5 * h.stiffness * l * l;
                 u * h.stiffness
             } else {
-                energy += h.most * (l - 0.5 * reach) + 0.5 * h.stiffness * over * over;
-                u * ((h.most + h.stiffness * over) / l)
+                energy += h.most * (l - 0.5 * reach);
+                u * (h.most / l)
             };
             for k in 0..4 {
                 if h.weights[k] != 0.0 {
@@ -136,14 +117,10 @@ impl Stick {
             let plane = Matrix3::identity() - c.normal * c.normal.transpose();
             let u = c.slide(x);
             let l = u.norm();
-            let reach = c.most / c.stiffness;
-            let over = (l - reach - c.allowed).max(0.0);
-            let block = if l <= reach {
+            let block = if l * c.stiffness <= c.most {
                 plane * c.stiffness
             } else {
-                let along = u * u.transpose() / (l * l);
-                let slope = if over > 0.0 { c.stiffness } else { 0.0 };
-                (plane - along) * ((c.most + c.stiffness * over) / l) + along * slope
+                (plane - u * u.transpose() / (l * l)) * (c.most / l)
             };
             h.spread(&c.vertices, &c.weights, &block);
         }

@@ -92,10 +92,6 @@ impl<'a> Descent<'a> {
     fn refresh(&mut self) -> bool {
         if let (Some(stick), Some(barrier)) = (&mut self.goal.stick, &self.goal.barrier) {
             stick.refresh(&self.x, &barrier.touches);
-            if stick.changed > 0 {
-                // What was learnt while they slid would let them slide on.
-                self.memory.clear();
-            }
             self.evaluate();
         }
         self.goal.assemble(&self.x, true);
