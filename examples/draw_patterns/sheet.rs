@@ -1,7 +1,7 @@
 //! From a drafted sew line to the drawing of a piece: seam allowance, marks, place on the sheet.
 
 use crate::draft::{Edge, left};
-use toile_formats::dxf::write::{DrawLine, DrawNotch, DrawPoint, PieceDrawing};
+use toile_formats::dxf::write::{DrawDrill, DrawLine, DrawNotch, DrawPoint, PieceDrawing};
 use toile_garment::Vec2;
 use toile_garment::notch::NotchKind;
 use toile_garment::outline::PointKind;
@@ -157,7 +157,7 @@ impl Draft {
             sew_line: Some(self.line(&self.ring(true))),
             internal: internal.collect(),
             notches,
-            drill_holes,
+            drill_holes: drill_holes.into_iter().map(|at| DrawDrill { at, diameter: None }).collect(),
             grain: Some(self.grain.map(|p| p + self.shift)),
             ..PieceDrawing::default()
         }

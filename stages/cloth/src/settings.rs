@@ -128,7 +128,7 @@ impl Default for Settings {
             decrement_tolerance: 1e-3,
             move_tolerance: 1e-4,
             residual_tolerance: 1e-2,
-            max_descents: 20_000,
+            max_descents: 5_000,
             energy_tolerance: 1e-3,
             speed_tolerance: 2e-3,
             shear_allowance: 0.6,

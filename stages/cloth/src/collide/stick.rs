@@ -69,7 +69,7 @@ impl Stick {
                 key: t.key,
             })
             .collect();
-        holds.sort_by(|a, b| a.key.cmp(&b.key));
+        holds.sort_by_key(|h| h.key);
         (self.slid, self.largest) = (0, 0.0);
         let mut old = self.holds.iter().peekable();
         for h in &mut holds {

@@ -82,7 +82,7 @@ impl Factor {
     #[allow(clippy::cast_possible_truncation)]
     fn fill(&mut self, pattern: &Pattern, values: &[Matrix3<f64>], shift: &[f64]) {
         let mut at = 0;
-        for j in 0..pattern.unknowns() {
+        for (j, shift) in shift.iter().enumerate() {
             let blocks = pattern.start[j] as usize..pattern.start[j + 1] as usize;
             for c in 0..3 {
                 for k in blocks.clone() {
@@ -90,7 +90,7 @@ impl Factor {
                     for r in first..3 {
                         let mut v = values[k][(r, c)];
                         if k == blocks.start && r == c {
-                            v += shift[j];
+                            v += shift;
                         }
                         self.matrix[at] = v as f32;
                         at += 1;
