@@ -3,17 +3,17 @@
 use crate::collide::body::Body;
 use crate::collide::contact::{Contact, Frame};
 use crate::collide::friction;
-use crate::energy::Energy;
 use crate::energy::coupled::Coupled;
 use crate::energy::flexion::Flexion;
 use crate::energy::shear::Shear;
 use crate::energy::structural::Structural;
 use crate::energy::weight::Weight;
+use crate::energy::{Energy, elastic};
 use crate::limit::StrainLimit;
-use crate::sewing::Sewing;
+use crate::sewing::{Sewing, mean_edge};
 use crate::start::Start;
 use crate::topology::Topology;
-use crate::{ClothError, Model, Scene, Settings, Switch, Vec3};
+use crate::{ClothError, Element, Model, Scene, Settings, Switch, Vec3};
 
 /// Contact stiffness in units of mass / step².
 const CONTACT_RATE: f64 = 0.15;
@@ -73,9 +73,7 @@ impl Problem {
         }
         let (inertia, evened) = inertia(&mass, &rows, s.even_inertia);
         let mut inverse_mass: Vec<f64> = inertia.iter().map(|m| if *m > 0.0 { 1.0 / m } else { 0.0 }).collect();
-        let mut pins: Vec<(u32, Vec3)> = scene.pins.iter().map(|p| (p.vertex, p.at)).collect();
-        pins.sort_by_key(|p| p.0);
-        pins.dedup_by_key(|p| p.0);
+        let pins = held(scene);
         for p in &pins {
             inverse_mass[p.0 as usize] = 0.0;
         }
@@ -164,7 +162,7 @@ impl Problem {
 
     /// Elastic energy, J.
     pub fn elastic(&self, x: &[Vec3]) -> f64 {
-        self.energies.iter().filter(|e| e.elastic()).map(|e| e.energy(x)).sum()
+        elastic(&self.energies, x)
     }
 
     /// Elastic, weight and contact energy, J.
@@ -182,12 +180,6 @@ impl Problem {
         self.inverse_mass[i] > 0.0 && !self.loose[i]
     }
 
-    /// Mean weight of a vertex, N.
-    pub fn mean_weight(&self, gravity: f64) -> f64 {
-        let (sum, n) = self.mass.iter().filter(|m| **m > 0.0).fold((0.0, 0.0), |(s, n), m| (s + m, n + 1.0));
-        if n > 0.0 { sum / n * gravity } else { 0.0 }
-    }
-
     /// Are all held vertices where they should be?
     pub fn pins_placed(&self, x: &[Vec3]) -> bool {
         self.pins.iter().all(|(i, at)| (at - x[*i as usize]).norm() <= 1e-6)
@@ -200,14 +192,38 @@ impl Problem {
 
 /// Mass of the cloth at every vertex, kg.
 pub(crate) fn masses(scene: &Scene) -> Vec<f64> {
-    let mut mass = vec![0.0; scene.positions.len()];
+    lumped(scene, |t| scene.materials[t.material as usize].areal_mass * t.area().abs() / 3.0)
+}
+
+/// Rest area of the cloth at every vertex, m².
+pub(crate) fn areas(scene: &Scene) -> Vec<f64> {
+    lumped(scene, |t| t.area().abs() / 3.0)
+}
+
+/// What every triangle gives to each of its corners, summed at the vertices.
+fn lumped(scene: &Scene, share: impl Fn(&Element) -> f64) -> Vec<f64> {
+    let mut sum = vec![0.0; scene.positions.len()];
     for t in &scene.triangles {
-        let m = scene.materials[t.material as usize].areal_mass * t.area().abs() / 3.0;
+        let m = share(t);
         for v in t.vertices {
-            mass[v as usize] += m;
+            sum[v as usize] += m;
         }
     }
-    mass
+    sum
+}
+
+/// Held vertices and their places, each vertex once, ascending.
+pub(crate) fn held(scene: &Scene) -> Vec<(u32, Vec3)> {
+    let mut pins: Vec<(u32, Vec3)> = scene.pins.iter().map(|p| (p.vertex, p.at)).collect();
+    pins.sort_by_key(|p| p.0);
+    pins.dedup_by_key(|p| p.0);
+    pins
+}
+
+/// Mean weight of a vertex, N; under the earth's gravity where the scene has none.
+pub(crate) fn mean_weight(mass: &[f64], gravity: f64) -> f64 {
+    let (sum, n) = mass.iter().filter(|m| **m > 0.0).fold((0.0, 0.0), |(s, n), m| (s + m, n + 1.0));
+    if n > 0.0 { sum / n * if gravity > 0.0 { gravity } else { 9.81 } } else { 0.0 }
 }
 
 /// The energies of a model, and the weight.
@@ -255,13 +271,10 @@ pub(crate) fn frame(
     let n = scene.positions.len();
     let (mut thickness, mut friction) = (vec![0.0f64; n], vec![0.0f64; n]);
     let mut least = vec![f64::INFINITY; n];
-    let (mut length, mut sides) = (0.0, 0.0);
     for t in &scene.triangles {
         let m = &scene.materials[t.material as usize];
         let edges = [0, 1, 2].map(|k| t.rest_length(k));
         let altitude = 2.0 * t.area().abs() / edges.iter().fold(0.0, |a: f64, b| a.max(*b));
-        length += edges.iter().sum::<f64>();
-        sides += 3.0;
         for v in t.vertices.map(|v| v as usize) {
             thickness[v] = thickness[v].max(m.thickness);
             friction[v] = friction[v].max(m.friction);
@@ -279,7 +292,7 @@ pub(crate) fn frame(
         own_gap,
         friction,
         inverse_mass: inverse_mass.to_vec(),
-        edge: length / sides,
+        edge: mean_edge(scene),
         own,
         topology,
     }

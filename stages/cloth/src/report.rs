@@ -1,6 +1,6 @@
 //! What the run tells: balance of forces, and which effects were on, by which rule and on what evidence.
 
-use crate::problem::Problem;
+use crate::problem::{Problem, mean_weight};
 use crate::{Curve, EffectReport, Reaction, Scene, Settings, Switch, Vec3};
 
 /// Forces at rest.
@@ -25,7 +25,7 @@ pub(crate) fn balance(problem: &mut Problem, x: &[Vec3], gravity: f64, dt: f64) 
     }
     let net = |i: usize| v[i].norm() / (dt * problem.inverse_mass[i]);
     let most = (0..n).filter(|i| problem.free(*i)).map(net).fold(0.0, f64::max);
-    let weight = problem.mean_weight(if gravity > 0.0 { gravity } else { 9.81 });
+    let weight = mean_weight(&problem.mass, gravity);
     Balance { residual_rel: if weight > 0.0 { most / weight } else { 0.0 }, reactions }
 }
 
@@ -45,7 +45,7 @@ pub(crate) fn effects(problem: &Problem, scene: &Scene, s: &Settings) -> Vec<Eff
     ]
 }
 
-fn switched(switch: Switch, rule: &str) -> String {
+pub(crate) fn switched(switch: Switch, rule: &str) -> String {
     match switch {
         Switch::Auto => rule.into(),
         Switch::On => "asked for".into(),
@@ -53,7 +53,7 @@ fn switched(switch: Switch, rule: &str) -> String {
     }
 }
 
-fn effect(name: &'static str, on: bool, rule: String, evidence: String) -> EffectReport {
+pub(crate) fn effect(name: &'static str, on: bool, rule: String, evidence: String) -> EffectReport {
     EffectReport { name, on, rule, evidence, cpu_seconds: 0.0 }
 }
 

@@ -3,7 +3,7 @@
 use crate::integrate::central::{self, State};
 use crate::problem::Problem;
 use crate::{ClothError, Integrator, Outcome, Scene, Settings, StopReason, Vec3, Watch};
-use crate::{report, statics};
+use crate::{report, sewing, statics};
 
 /// Steps between two looks at the energy.
 const CHECK: u64 = 64;
@@ -257,7 +257,7 @@ impl<'a> Run<'a> {
     }
 
     fn outcome(self, scene: &Scene, stop_reason: StopReason) -> Outcome {
-        let gaps = self.problem.sewing.gaps(scene, &self.state.x);
+        let gaps = sewing::gaps(scene, &self.state.x);
         let energy = self.problem.elastic(&self.state.x);
         let gravity = self.gravity;
         let balance = report::balance(self.problem, &self.state.x, gravity, self.dt);

@@ -178,14 +178,14 @@ impl Sewing {
     pub fn closed(&self, x: &[Vec3]) -> bool {
         self.stitches.iter().all(|s| (x[s.ends[0] as usize] - x[s.ends[1] as usize]).norm() <= self.distance)
     }
+}
 
-    /// Gaps of all stitches, m, largest first.
-    pub fn gaps(&self, scene: &Scene, x: &[Vec3]) -> Vec<(u32, f64)> {
-        let mut gaps: Vec<(u32, f64)> =
-            (0u32..).zip(&scene.stitches).map(|(i, s)| (i, (x[s[0] as usize] - x[s[1] as usize]).norm())).collect();
-        gaps.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
-        gaps
-    }
+/// Gaps of all stitches, m, largest first.
+pub(crate) fn gaps(scene: &Scene, x: &[Vec3]) -> Vec<(u32, f64)> {
+    let mut gaps: Vec<(u32, f64)> =
+        (0u32..).zip(&scene.stitches).map(|(i, s)| (i, (x[s[0] as usize] - x[s[1] as usize]).norm())).collect();
+    gaps.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+    gaps
 }
 
 /// Mass-weighted mean of a group; a held member decides alone.
@@ -202,7 +202,8 @@ fn mean(group: &[u32], values: &[Vec3], inverse_mass: &[f64]) -> Vec3 {
     sum / mass
 }
 
-fn mean_edge(scene: &Scene) -> f64 {
+/// Mean rest length of the triangles' sides, m.
+pub(crate) fn mean_edge(scene: &Scene) -> f64 {
     let sum: f64 = scene.triangles.iter().map(|t| (0..3).map(|k| t.rest_length(k)).sum::<f64>()).sum();
     sum / (3.0 * scene.triangles.len().max(1) as f64)
 }

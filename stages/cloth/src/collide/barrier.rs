@@ -1,13 +1,12 @@
-//! Contact as a smooth energy of the true distances, for descents (docs/contact.md).
+//! Contact as a smooth energy of the true distances, for descents (docs/static.md).
 //!
 //! Two primitives nearer than their gap ĝ store κ a b(d), b = −(d − ĝ)² ln(d/ĝ): nothing at the gap, with no kink, and
 //! infinite at touch (the barrier of incremental potential contact, Li et al. 2020, equation 6). Lists of what is near
 //! are made anew when the cloth has moved by the slack.
 
 use super::body::Body;
-use super::closest::{point_triangle, segments};
 use super::contact::Frame;
-use super::near::Near;
+use super::near::{Gap, Near};
 use super::tree::Tree;
 use crate::Vec3;
 use crate::linear::hessian::Hessian;
@@ -107,11 +106,11 @@ impl Barrier {
         if let Some(tree) = &mut self.tree {
             let reach = thick(&self.frame.own_gap) + 2.0 * self.slack;
             tree.refit_moving(x, step, &self.frame.topology.faces, 0.5 * reach);
-            self.near.fill_own_moving(x, step, &self.frame.topology, &self.frame.groups, tree, reach);
+            self.near.fill_own(x, step, &self.frame.topology, &self.frame.groups, tree, reach);
         }
         if let Some(body) = &self.body {
             let reach = thick(&self.frame.body_gap) + self.slack;
-            self.near.fill_body_moving(x, step, &self.frame.topology, body, reach);
+            self.near.fill_body(x, step, &self.frame.topology, body, reach);
             self.near.body_points.sort_unstable();
         }
         self.listed.clear();
@@ -162,58 +161,24 @@ impl Barrier {
     fn own(&mut self, x: &[Vec3]) {
         let [points, edges, ..] = &mut self.distances;
         points.clear();
-        for &[v, a, b, c] in &self.near.points {
-            let [p, q, r, s] = crate::pick4(x, &[v, a, b, c]);
-            let w = point_triangle(&p, &q, &r, &s);
-            let d = p - (q * w[0] + r * w[1] + s * w[2]);
-            let weights = [1.0, -w[0], -w[1], -w[2]];
-            points.push(touch(&mut self.touches, &self.frame, &self.area, POINT, [v, a, b, c], weights, d));
-        }
         edges.clear();
-        for &ends in &self.near.edges {
-            let [p, q, r, s] = crate::pick4(x, &ends);
-            let [t, u] = segments(&p, &q, &r, &s);
-            let d = p + (q - p) * t - (r + (s - r) * u);
-            let weights = [1.0 - t, t, u - 1.0, -u];
-            edges.push(touch(&mut self.touches, &self.frame, &self.area, EDGE, ends, weights, d));
-        }
+        let touches = &mut self.touches;
+        points.extend(self.near.point_gaps(x).map(|g| touch(touches, &self.frame, &self.area, POINT, &g)));
+        edges.extend(self.near.edge_gaps(x).map(|g| touch(touches, &self.frame, &self.area, EDGE, &g)));
     }
 
     fn against_body(&mut self, x: &[Vec3]) {
         let Some(body) = &self.body else { return };
         let [_, _, points, edges, faces] = &mut self.distances;
-        edges.clear();
-        for &[a, b, p, q] in &self.near.body_edges {
-            let (xa, xb) = (x[a as usize], x[b as usize]);
-            let (yp, yq) = (body.positions[p as usize], body.positions[q as usize]);
-            let [s, t] = segments(&xa, &xb, &yp, &yq);
-            let d = xa + (xb - xa) * s - (yp + (yq - yp) * t);
-            let touches = &mut self.touches;
-            let weights = [1.0 - s, s, 0.0, 0.0];
-            edges.push(touch(touches, &self.frame, &self.area, BODY_EDGE, [a, b, p, q], weights, d));
+        for list in [&mut *points, &mut *edges, &mut *faces] {
+            list.clear();
         }
-        faces.clear();
-        for &[a, b, c, w] in &self.near.body_faces {
-            let place = body.positions[w as usize];
-            let [xa, xb, xc] = crate::pick3(x, &[a, b, c]);
-            let s = point_triangle(&place, &xa, &xb, &xc);
-            let d = xa * s[0] + xb * s[1] + xc * s[2] - place;
-            let weights = [s[0], s[1], s[2], 0.0];
-            faces.push(touch(&mut self.touches, &self.frame, &self.area, BODY_FACE, [a, b, c, w], weights, d));
-        }
-        points.clear();
+        let (frame, area, touches) = (&self.frame, &self.area, &mut self.touches);
+        edges.extend(self.near.body_edge_gaps(x, body).map(|(g, _)| touch(touches, frame, area, BODY_EDGE, &g)));
+        faces.extend(self.near.body_face_gaps(x, body).map(|(g, _)| touch(touches, frame, area, BODY_FACE, &g)));
         // Every triangle pushes by itself: the nearest alone would jump from side to side in a crease.
-        for &[v, g] in &self.near.body_points {
-            let p = x[v as usize];
-            let [a, b, c] = body.triangle(g);
-            let w = point_triangle(&p, &a, &b, &c);
-            let d = p - (a * w[0] + b * w[1] + c * w[2]);
-            let key = [v, g, u32::MAX, u32::MAX];
-            let weights = [1.0, 0.0, 0.0, 0.0];
-            let l = touch(&mut self.touches, &self.frame, &self.area, BODY_POINT, key, weights, d);
-            points.push(l);
-            self.tally.nearest_body = self.tally.nearest_body.min(l);
-        }
+        points.extend(self.near.body_point_gaps(x, body).map(|(g, _)| touch(touches, frame, area, BODY_POINT, &g)));
+        self.tally.nearest_body = points.iter().fold(self.tally.nearest_body, |a, b| a.min(*b));
     }
 
     /// Adds the second derivatives of the last evaluation, the curvature of the distances left out (it only turns
@@ -235,15 +200,8 @@ fn barrier(d: f64, gap: f64) -> (f64, f64, f64) {
 
 /// Remembers the pair if it is nearer than its gap (kept in `load` until the force is known); gives the distance.
 #[inline]
-fn touch(
-    touches: &mut Vec<Touch>,
-    frame: &Frame,
-    area: &[f64],
-    kind: u8,
-    key: [u32; 4],
-    weights: [f64; 4],
-    d: Vec3,
-) -> f64 {
+fn touch(touches: &mut Vec<Touch>, frame: &Frame, area: &[f64], kind: u8, g: &Gap) -> f64 {
+    let Gap { vertices: key, weights, d } = *g;
     let distance = d.norm();
     let cloth = match kind {
         POINT | EDGE => 4,

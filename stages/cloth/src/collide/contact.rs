@@ -6,8 +6,7 @@
 //! Linear springs inside the contact thickness keep the distances open, so the balls stay large.
 
 use super::body::Body;
-use super::closest::{point_triangle, segments};
-use super::near::Near;
+use super::near::{Gap, Near};
 use super::tree::Tree;
 use crate::Vec3;
 use crate::topology::Topology;
@@ -187,35 +186,29 @@ impl Contact {
         let thick = self.frame.body_gap.iter().chain(&self.frame.own_gap).fold(0.0f64, |a, b| a.max(*b));
         self.slack = (40.0 * pace).clamp(0.12 * h, 0.5 * h);
         self.reach = (1.5 * thick).max(0.2 * h).max((30.0 * pace).min(0.8 * h));
+        // The slack stands for the motion here.
+        let still = vec![Vec3::zeros(); x.len()];
         if let Some(tree) = &mut self.tree {
             let reach = self.reach + 2.0 * self.slack;
-            tree.refit(x, &self.frame.topology.faces, 0.5 * reach);
-            self.near.fill_own(x, &self.frame.topology, &self.frame.groups, tree, reach);
+            tree.refit_moving(x, &still, &self.frame.topology.faces, 0.5 * reach);
+            self.near.fill_own(x, &still, &self.frame.topology, &self.frame.groups, tree, reach);
         }
         if let Some(body) = &self.body {
-            self.near.fill_body(x, &self.frame.topology, body, self.reach + self.slack);
+            self.near.fill_body(x, &still, &self.frame.topology, body, self.reach + self.slack);
         }
         self.listed.clear();
         self.listed.extend_from_slice(x);
     }
 
     fn own_points(&mut self, x: &[Vec3]) {
-        for &[v, a, b, c] in &self.near.points {
-            let [p, q, r, s] = crate::pick4(x, &[v, a, b, c]);
-            let w = point_triangle(&p, &q, &r, &s);
-            let d = p - (q * w[0] + r * w[1] + s * w[2]);
-            let weights = [1.0, -w[0], -w[1], -w[2]];
-            own_pair(&mut self.own_distance, &mut self.pairs, &self.frame, self.reach, [v, a, b, c], weights, d, 1.0);
+        for g in self.near.point_gaps(x) {
+            own_pair(&mut self.own_distance, &mut self.pairs, &self.frame, self.reach, &g, 1.0);
         }
     }
 
     fn own_edges(&mut self, x: &[Vec3]) {
-        for &ends in &self.near.edges {
-            let [p, q, r, s] = crate::pick4(x, &ends);
-            let [t, u] = segments(&p, &q, &r, &s);
-            let d = p + (q - p) * t - (r + (s - r) * u);
-            let weights = [1.0 - t, t, u - 1.0, -u];
-            own_pair(&mut self.own_distance, &mut self.pairs, &self.frame, self.reach, ends, weights, d, EDGE_SHARE);
+        for g in self.near.edge_gaps(x) {
+            own_pair(&mut self.own_distance, &mut self.pairs, &self.frame, self.reach, &g, EDGE_SHARE);
         }
     }
 
@@ -224,18 +217,13 @@ impl Contact {
         let n = x.len();
         self.crowd.clear();
         self.crowd.resize(n, f64::INFINITY);
-        for &[v, g] in &self.near.body_points {
-            let [a, b, c] = body.triangle(g);
-            let p = x[v as usize];
-            let w = point_triangle(&p, &a, &b, &c);
-            let q = a * w[0] + b * w[1] + c * w[2];
-            let d = p - q;
-            let l = d.norm();
-            let i = v as usize;
+        for (g, place) in self.near.body_point_gaps(x, body) {
+            let l = g.d.norm();
+            let i = g.vertices[0] as usize;
             if l < self.crowd[i] {
                 self.crowd[i] = l;
-                self.body_plane[i] = d / l.max(1e-300);
-                self.body_offset[i] = self.body_plane[i].dot(&q);
+                self.body_plane[i] = g.d / l.max(1e-300);
+                self.body_offset[i] = self.body_plane[i].dot(&place);
             }
         }
         for i in 0..n {
@@ -261,26 +249,17 @@ impl Contact {
 
     fn body_edges(&mut self, x: &[Vec3]) {
         let Some(body) = &self.body else { return };
-        for &[a, b, p, q] in &self.near.body_edges {
-            let (xa, xb) = (x[a as usize], x[b as usize]);
-            let (yp, yq) = (body.positions[p as usize], body.positions[q as usize]);
-            let [s, t] = segments(&xa, &xb, &yp, &yq);
-            let place = yp + (yq - yp) * t;
-            let weights = [1.0 - s, s, 0.0, 0.0];
-            let d = xa + (xb - xa) * s - place;
-            body_pair(&mut self.body_distance, &mut self.pairs, &self.frame, [a, b, a, a], weights, d, &place);
+        for (g, place) in self.near.body_edge_gaps(x, body) {
+            let [a, b, ..] = g.vertices;
+            body_pair(&mut self.body_distance, &mut self.pairs, &self.frame, [a, b, a, a], g.weights, g.d, &place);
         }
     }
 
     fn body_faces(&mut self, x: &[Vec3]) {
         let Some(body) = &self.body else { return };
-        for &[a, b, c, w] in &self.near.body_faces {
-            let place = body.positions[w as usize];
-            let [xa, xb, xc] = crate::pick3(x, &[a, b, c]);
-            let s = point_triangle(&place, &xa, &xb, &xc);
-            let d = xa * s[0] + xb * s[1] + xc * s[2] - place;
-            let weights = [s[0], s[1], s[2], 0.0];
-            body_pair(&mut self.body_distance, &mut self.pairs, &self.frame, [a, b, c, a], weights, d, &place);
+        for (g, place) in self.near.body_face_gaps(x, body) {
+            let [a, b, c, _] = g.vertices;
+            body_pair(&mut self.body_distance, &mut self.pairs, &self.frame, [a, b, c, a], g.weights, g.d, &place);
         }
     }
 
@@ -370,18 +349,9 @@ impl Pair {
     }
 }
 
-#[allow(clippy::too_many_arguments)]
 #[inline]
-fn own_pair(
-    distance: &mut [f64],
-    pairs: &mut Vec<Pair>,
-    frame: &Frame,
-    reach: f64,
-    vertices: [u32; 4],
-    weights: [f64; 4],
-    d: Vec3,
-    share: f64,
-) {
+fn own_pair(distance: &mut [f64], pairs: &mut Vec<Pair>, frame: &Frame, reach: f64, g: &Gap, share: f64) {
+    let Gap { vertices, weights, d } = *g;
     let l = d.norm();
     if l >= reach {
         return;

@@ -1,6 +1,7 @@
 //! Lists of primitives that are near each other, kept until the motion since their making uses up the slack.
 
 use super::body::Body;
+use super::closest::{point_triangle, segments};
 use super::tree::{Aabb, Tree, meet_moving};
 use crate::Vec3;
 use crate::topology::Topology;
@@ -84,26 +85,28 @@ impl Moving {
     fn edge_move(&self, k: usize) -> Aabb {
         Aabb::of_two(&self.by[k], &self.by[(k + 1) % 3])
     }
-
-    #[inline]
-    fn swept(&self) -> Aabb {
-        let b = Aabb::of_three(&self.owned.at);
-        let d = Aabb::of_three(&self.by);
-        let zero = Vec3::zeros();
-        Aabb { low: b.low + d.low.inf(&zero), high: b.high + d.high.sup(&zero) }
-    }
 }
 
+/// Where a box gets to along a step, grown.
 #[inline]
 fn swept(b: &Aabb, d: &Aabb, reach: f64) -> Aabb {
     let zero = Vec3::zeros();
     Aabb { low: b.low + d.low.inf(&zero), high: b.high + d.high.sup(&zero) }.grown(reach)
 }
 
+/// The gap of a near pair.
+pub(crate) struct Gap {
+    pub vertices: [u32; 4],
+    /// Shares of the vertices of the cloth.
+    pub weights: [f64; 4],
+    /// From the second primitive to the first.
+    pub d: Vec3,
+}
+
 impl Near {
     /// Cloth–cloth pairs that come nearer than `reach` (which the tree's boxes are grown by, half on each side) along a
     /// step; the tree knows the step. Vertices of one group (stitched together) count as one vertex.
-    pub fn fill_own_moving(
+    pub fn fill_own(
         &mut self,
         x: &[Vec3],
         step: &[Vec3],
@@ -147,13 +150,13 @@ impl Near {
     }
 
     /// Cloth–body pairs that come nearer than `reach` along a step.
-    pub fn fill_body_moving(&mut self, x: &[Vec3], step: &[Vec3], topology: &Topology, body: &Body, reach: f64) {
+    pub fn fill_body(&mut self, x: &[Vec3], step: &[Vec3], topology: &Topology, body: &Body, reach: f64) {
         self.body_points.clear();
         self.body_edges.clear();
         self.body_faces.clear();
         for f in (0u32..).take(topology.faces.len()) {
             let m = Moving::of(topology, f, x, step);
-            let bounds = m.swept().grown(reach);
+            let bounds = swept(&Aabb::of_three(&m.owned.at), &Aabb::of_three(&m.by), reach);
             if !bounds.meets(&body.bounds) {
                 continue;
             }
@@ -190,78 +193,58 @@ impl Near {
         }
     }
 
-    /// Cloth–cloth pairs nearer than `reach`; vertices of one group (stitched together) count as one vertex.
-    pub fn fill_own(&mut self, x: &[Vec3], topology: &Topology, groups: &[u32], tree: &Tree, reach: f64) {
-        self.points.clear();
-        self.edges.clear();
-        let group = |v: u32| groups[v as usize];
-        tree.own_pairs(|f, g| {
-            let (a, b) = (Owned::of(topology, f, x), Owned::of(topology, g, x));
-            for (one, other) in [(&a, &b), (&b, &a)] {
-                let bounds = other.bounds(reach);
-                let c = other.corners;
-                for k in (0..3).filter(|k| one.owns_vertex(*k)) {
-                    let v = one.corners[k];
-                    let joined = group(v) == group(c[0]) || group(v) == group(c[1]) || group(v) == group(c[2]);
-                    if !joined && point_in(&bounds, &one.at[k]) {
-                        self.points.push([v, c[0], c[1], c[2]]);
-                    }
-                }
-            }
-            for i in (0..3).filter(|i| a.owns_edge(*i)) {
-                let (p, bounds) = (a.edge(i), a.edge_box(i).grown(reach));
-                for j in (0..3).filter(|j| b.owns_edge(*j)) {
-                    let q = b.edge(j);
-                    let joined = group(p[0]) == group(q[0])
-                        || group(p[0]) == group(q[1])
-                        || group(p[1]) == group(q[0])
-                        || group(p[1]) == group(q[1]);
-                    if !joined && bounds.meets(&b.edge_box(j)) {
-                        self.edges.push([p[0], p[1], q[0], q[1]]);
-                    }
-                }
-            }
-        });
+    /// Cloth vertices and triangles: vertices, weights and the vector of the gap.
+    pub fn point_gaps<'a>(&'a self, x: &'a [Vec3]) -> impl Iterator<Item = Gap> + 'a {
+        self.points.iter().map(|vertices| {
+            let [p, q, r, s] = crate::pick4(x, vertices);
+            let w = point_triangle(&p, &q, &r, &s);
+            let d = p - (q * w[0] + r * w[1] + s * w[2]);
+            Gap { vertices: *vertices, weights: [1.0, -w[0], -w[1], -w[2]], d }
+        })
     }
 
-    /// Cloth–body pairs nearer than `reach`.
-    pub fn fill_body(&mut self, x: &[Vec3], topology: &Topology, body: &Body, reach: f64) {
-        self.body_points.clear();
-        self.body_edges.clear();
-        self.body_faces.clear();
-        for f in (0u32..).take(topology.faces.len()) {
-            let a = Owned::of(topology, f, x);
-            let bounds = a.bounds(reach);
-            if !bounds.meets(&body.bounds) {
-                continue;
-            }
-            let edges = [a.edge_box(0).grown(reach), a.edge_box(1).grown(reach), a.edge_box(2).grown(reach)];
-            body.candidates(&bounds, |g| {
-                let b = Owned::of(&body.topology, g, &body.positions);
-                let whole = b.bounds(reach);
-                for k in (0..3).filter(|k| a.owns_vertex(*k)) {
-                    if point_in(&whole, &a.at[k]) {
-                        self.body_points.push([a.corners[k], g]);
-                    }
-                }
-                for k in (0..3).filter(|k| b.owns_vertex(*k)) {
-                    if point_in(&bounds, &b.at[k]) {
-                        self.body_faces.push([a.corners[0], a.corners[1], a.corners[2], b.corners[k]]);
-                    }
-                }
-                for j in (0..3).filter(|j| b.owns_edge(*j)) {
-                    if !body.pressing_edges[body.topology.face_edges[g as usize][j] as usize] {
-                        continue;
-                    }
-                    let (q, bounds) = (b.edge(j), b.edge_box(j));
-                    for i in (0..3).filter(|i| a.owns_edge(*i)) {
-                        if edges[i].meets(&bounds) {
-                            let p = a.edge(i);
-                            self.body_edges.push([p[0], p[1], q[0], q[1]]);
-                        }
-                    }
-                }
-            });
-        }
+    /// Cloth edges and edges.
+    pub fn edge_gaps<'a>(&'a self, x: &'a [Vec3]) -> impl Iterator<Item = Gap> + 'a {
+        self.edges.iter().map(|vertices| {
+            let [p, q, r, s] = crate::pick4(x, vertices);
+            let [t, u] = segments(&p, &q, &r, &s);
+            let d = p + (q - p) * t - (r + (s - r) * u);
+            Gap { vertices: *vertices, weights: [1.0 - t, t, u - 1.0, -u], d }
+        })
+    }
+
+    /// Cloth vertices (first) and body triangles (second), and the place on the body.
+    pub fn body_point_gaps<'a>(&'a self, x: &'a [Vec3], body: &'a Body) -> impl Iterator<Item = (Gap, Vec3)> + 'a {
+        self.body_points.iter().map(|&[v, g]| {
+            let [a, b, c] = body.triangle(g);
+            let p = x[v as usize];
+            let w = point_triangle(&p, &a, &b, &c);
+            let place = a * w[0] + b * w[1] + c * w[2];
+            let gap = Gap { vertices: [v, g, u32::MAX, u32::MAX], weights: [1.0, 0.0, 0.0, 0.0], d: p - place };
+            (gap, place)
+        })
+    }
+
+    /// Cloth edges (first two) and body edges (last two), and the place on the body.
+    pub fn body_edge_gaps<'a>(&'a self, x: &'a [Vec3], body: &'a Body) -> impl Iterator<Item = (Gap, Vec3)> + 'a {
+        self.body_edges.iter().map(|&[a, b, p, q]| {
+            let (xa, xb) = (x[a as usize], x[b as usize]);
+            let (yp, yq) = (body.positions[p as usize], body.positions[q as usize]);
+            let [s, t] = segments(&xa, &xb, &yp, &yq);
+            let place = yp + (yq - yp) * t;
+            let d = xa + (xb - xa) * s - place;
+            (Gap { vertices: [a, b, p, q], weights: [1.0 - s, s, 0.0, 0.0], d }, place)
+        })
+    }
+
+    /// Cloth triangles (first three) and body vertices (last), and the place on the body.
+    pub fn body_face_gaps<'a>(&'a self, x: &'a [Vec3], body: &'a Body) -> impl Iterator<Item = (Gap, Vec3)> + 'a {
+        self.body_faces.iter().map(|&[a, b, c, w]| {
+            let place = body.positions[w as usize];
+            let [xa, xb, xc] = crate::pick3(x, &[a, b, c]);
+            let s = point_triangle(&place, &xa, &xb, &xc);
+            let d = xa * s[0] + xb * s[1] + xc * s[2] - place;
+            (Gap { vertices: [a, b, c, w], weights: [s[0], s[1], s[2], 0.0], d }, place)
+        })
     }
 }

@@ -1,5 +1,5 @@
 //! Coulomb friction for descents: every contact holds its place by a tangential spring until the spring force reaches
-//! μ times the normal force, then slides with that force (docs/contact.md). Normal force, normal and place are those
+//! μ times the normal force, then slides with that force (docs/static.md). Normal force, normal and place are those
 //! of the last refresh; what slid is taken over into the new place, so real stick stays and nothing creeps.
 
 use super::barrier::Touch;

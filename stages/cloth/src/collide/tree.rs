@@ -86,58 +86,29 @@ impl Tree {
 
     /// New boxes for moved vertices, each face's box grown by `margin`.
     pub fn refit(&mut self, x: &[Vec3], faces: &[[u32; 3]], margin: f64) {
-        let leaves = self.items.len();
-        for (slot, item) in self.boxes[leaves..].iter_mut().zip(&self.items) {
-            *slot = match faces.get(*item as usize) {
-                Some(t) => Aabb::of_three(&crate::pick3(x, t)).grown(margin),
-                None => Aabb::EMPTY,
-            };
-        }
-        for i in (1..leaves).rev() {
-            self.boxes[i] = self.boxes[2 * i].join(&self.boxes[2 * i + 1]);
-        }
+        fit(&mut self.boxes, &self.items, faces, |t| Aabb::of_three(&crate::pick3(x, t)).grown(margin));
     }
 
     /// Also takes the displacements of a step, for [`Self::meeting_pairs`].
     pub fn refit_moving(&mut self, x: &[Vec3], step: &[Vec3], faces: &[[u32; 3]], margin: f64) {
         self.refit(x, faces, margin);
-        let leaves = self.items.len();
-        self.moves.resize(2 * leaves, Aabb::EMPTY);
-        for (slot, item) in self.moves[leaves..].iter_mut().zip(&self.items) {
-            *slot = match faces.get(*item as usize) {
-                Some(t) => Aabb::of_three(&crate::pick3(step, t)),
-                None => Aabb::EMPTY,
-            };
-        }
-        for i in (1..leaves).rev() {
-            self.moves[i] = self.moves[2 * i].join(&self.moves[2 * i + 1]);
-        }
+        self.moves.resize(self.boxes.len(), Aabb::EMPTY);
+        fit(&mut self.moves, &self.items, faces, |t| Aabb::of_three(&crate::pick3(step, t)));
     }
 
     /// Pairs of different items whose boxes meet somewhere along the step, in a fixed order. What moves along together
     /// does not meet: only the difference of the displacements counts.
-    pub fn meeting_pairs(&self, mut emit: impl FnMut(u32, u32)) {
-        let leaves = self.items.len();
-        let mut stack = vec![(1usize, 1usize)];
-        while let Some((a, b)) = stack.pop() {
-            if a == b {
-                if a < leaves {
-                    stack.extend([(2 * a, 2 * a), (2 * a, 2 * a + 1), (2 * a + 1, 2 * a + 1)]);
-                }
-            } else if meet_moving(&self.boxes[a], &self.moves[a], &self.boxes[b], &self.moves[b]) {
-                if a < leaves {
-                    for (c, d) in [(2 * a, 2 * b), (2 * a, 2 * b + 1), (2 * a + 1, 2 * b), (2 * a + 1, 2 * b + 1)] {
-                        stack.push((c, d));
-                    }
-                } else {
-                    emit(self.items[a - leaves], self.items[b - leaves]);
-                }
-            }
-        }
+    pub fn meeting_pairs(&self, emit: impl FnMut(u32, u32)) {
+        self.pairs(|a, b| meet_moving(&self.boxes[a], &self.moves[a], &self.boxes[b], &self.moves[b]), emit);
     }
 
     /// Pairs of different items whose boxes meet, in a fixed order.
-    pub fn own_pairs(&self, mut emit: impl FnMut(u32, u32)) {
+    pub fn own_pairs(&self, emit: impl FnMut(u32, u32)) {
+        self.pairs(|a, b| self.boxes[a].meets(&self.boxes[b]), emit);
+    }
+
+    /// Walks down all pairs of nodes that `meet`.
+    fn pairs(&self, meet: impl Fn(usize, usize) -> bool, mut emit: impl FnMut(u32, u32)) {
         let leaves = self.items.len();
         let mut stack = vec![(1usize, 1usize)];
         while let Some((a, b)) = stack.pop() {
@@ -145,7 +116,7 @@ impl Tree {
                 if a < leaves {
                     stack.extend([(2 * a, 2 * a), (2 * a, 2 * a + 1), (2 * a + 1, 2 * a + 1)]);
                 }
-            } else if self.boxes[a].meets(&self.boxes[b]) {
+            } else if meet(a, b) {
                 if a < leaves {
                     for (c, d) in [(2 * a, 2 * b), (2 * a, 2 * b + 1), (2 * a + 1, 2 * b), (2 * a + 1, 2 * b + 1)] {
                         stack.push((c, d));
@@ -170,6 +141,17 @@ impl Tree {
                 }
             }
         }
+    }
+}
+
+/// Sets the boxes of the leaves, and of all nodes above them.
+fn fit(boxes: &mut [Aabb], items: &[u32], faces: &[[u32; 3]], of: impl Fn(&[u32; 3]) -> Aabb) {
+    let leaves = items.len();
+    for (slot, item) in boxes[leaves..].iter_mut().zip(items) {
+        *slot = faces.get(*item as usize).map_or(Aabb::EMPTY, &of);
+    }
+    for i in (1..leaves).rev() {
+        boxes[i] = boxes[2 * i].join(&boxes[2 * i + 1]);
     }
 }
 

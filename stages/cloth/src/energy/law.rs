@@ -5,7 +5,7 @@ use crate::{Curve, Integrator, Material, Settings, Switch};
 
 const CELLS: usize = 256;
 /// Share of the strain limit at which the cloth begins to lock …
-const LOCKING: f64 = 0.97;
+pub(crate) const LOCKING: f64 = 0.97;
 /// … and the tension that it carries at the limit over that of its curve, N/m.
 const LOCKED: f64 = 200.0;
 

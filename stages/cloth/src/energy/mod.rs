@@ -37,6 +37,11 @@ pub(crate) trait Energy: Send + Sync {
     }
 }
 
+/// What the cloth stores, J.
+pub(crate) fn elastic(energies: &[Box<dyn Energy>], x: &[Vec3]) -> f64 {
+    energies.iter().filter(|e| e.elastic()).map(|e| e.energy(x)).sum()
+}
+
 /// All pairs of an element's vertices.
 pub(crate) fn clique(vertices: &[u32], pairs: &mut Vec<[u32; 2]>) {
     for i in 0..vertices.len() {

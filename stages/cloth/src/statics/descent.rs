@@ -3,7 +3,8 @@
 use super::memory::{Memory, dot};
 use super::objective::Objective;
 use crate::linear::factor::Factor;
-use crate::linear::hessian::FIXED;
+use crate::linear::hessian::{FIXED, gather};
+use crate::problem::mean_weight;
 use crate::start::Start;
 use crate::{ClothError, Scene, Settings, Vec3, Watch};
 
@@ -32,7 +33,6 @@ pub(crate) struct Descent<'a> {
     memory: Memory,
     pub tau: f64,
     pub steps: u64,
-    pub evaluations: u64,
     /// At the last look: energy a Newton step would win over the elastic energy, its longest move (m), net force.
     pub decrement: f64,
     pub longest: f64,
@@ -46,7 +46,6 @@ pub(crate) struct Block {
     pub steps: usize,
     /// Mean part of the full step that was taken.
     pub mean: f64,
-    least: f64,
     stuck: bool,
 }
 
@@ -54,7 +53,7 @@ impl<'a> Descent<'a> {
     pub fn new(scene: &Scene, settings: &'a Settings, start: Start, pulls: bool) -> Self {
         let (goal, x) = Objective::new(scene, settings, start, pulls);
         let f = vec![Vec3::zeros(); goal.inertia.len()];
-        let weight = goal.mean_weight(scene.gravity.norm() * settings.gravity_scale);
+        let weight = mean_weight(&goal.mass, scene.gravity.norm() * settings.gravity_scale);
         let mut descent = Self {
             goal,
             settings,
@@ -65,7 +64,6 @@ impl<'a> Descent<'a> {
             memory: Memory::default(),
             tau: TAU_FIRST,
             steps: 0,
-            evaluations: 0,
             decrement: f64::INFINITY,
             longest: f64::INFINITY,
             residual: f64::INFINITY,
@@ -79,7 +77,6 @@ impl<'a> Descent<'a> {
     }
 
     pub fn evaluate(&mut self) {
-        self.evaluations += 1;
         self.energy = self.goal.evaluate(&self.x, &mut self.f);
     }
 
@@ -94,7 +91,7 @@ impl<'a> Descent<'a> {
             stick.refresh(&self.x, &barrier.touches);
             self.evaluate();
         }
-        self.goal.assemble(&self.x, true);
+        self.goal.assemble(&self.x);
         let (pattern, values) = self.goal.hessian.merged();
         loop {
             let shift: Vec<f64> = self.goal.inertia.iter().map(|m| m / self.tau).collect();
@@ -151,8 +148,7 @@ impl<'a> Descent<'a> {
         if let Some(b) = &mut self.goal.barrier {
             b.took(&self.x);
         }
-        self.memory.clear();
-        self.evaluate();
+        self.start_anew();
     }
 
     /// Shortens a step so that nothing crosses.
@@ -188,15 +184,15 @@ impl<'a> Descent<'a> {
         let most = LONGEST * self.goal.edge;
         let cap = if longest > most { most / longest } else { 1.0 };
         let mut step = vec![Vec3::zeros(); self.x.len()];
-        for (s, u) in step.iter_mut().zip(&self.goal.unknown) {
+        for (s, u) in step.iter_mut().zip(&self.goal.hessian.unknown) {
             if *u != FIXED {
                 *s = d[*u as usize] * cap;
             }
         }
         self.limit(&mut step);
         let mut moved = vec![Vec3::zeros(); self.f.len()];
-        crate::linear::hessian::gather(&self.goal.unknown, &step, &mut moved);
-        let mut slope = dot(&moved, &self.f);
+        gather(&self.goal.hessian.unknown, &step, &mut moved);
+        let slope = dot(&moved, &self.f);
         if slope <= 0.0 {
             return None;
         }
@@ -221,7 +217,6 @@ impl<'a> Descent<'a> {
             // The parabola through both energies and the slope.
             let best = 0.5 * part * part * slope / (self.energy - energy + part * slope);
             part = if best.is_finite() { best.clamp(0.1 * part, 0.5 * part) } else { 0.1 * part };
-            slope = slope.max(0.0);
         }
         self.x = from;
         self.evaluate();
@@ -229,14 +224,13 @@ impl<'a> Descent<'a> {
     }
 
     pub fn block(&mut self) -> Block {
-        let mut b = Block { least: 1.0, ..Block::default() };
+        let mut b = Block::default();
         let mut sum = 0.0;
         for _ in 0..self.block_length() {
             match self.step() {
                 Some(part) => {
                     b.steps += 1;
                     sum += part;
-                    b.least = b.least.min(part);
                     if part < 0.2 {
                         break;
                     }

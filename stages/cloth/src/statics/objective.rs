@@ -4,9 +4,9 @@ use super::seams::Seams;
 use crate::collide::barrier::Barrier;
 use crate::collide::stick::Stick;
 use crate::collide::tree::Aabb;
-use crate::energy::Energy;
+use crate::energy::{Energy, elastic};
 use crate::linear::hessian::{FIXED, Hessian};
-use crate::problem::{frame, masses, model};
+use crate::problem::{areas, frame, held, masses, model};
 use crate::start::Start;
 use crate::{Scene, Settings, Switch, Vec3};
 use nalgebra::Matrix3;
@@ -18,8 +18,6 @@ pub(crate) struct Objective {
     pub seams: Option<Seams>,
     /// kg, per vertex.
     pub mass: Vec<f64>,
-    /// Unknown of every vertex.
-    pub unknown: Vec<u32>,
     /// kg, per unknown.
     pub inertia: Vec<f64>,
     pub hessian: Hessian,
@@ -36,9 +34,7 @@ impl Objective {
         let Start { topology, positions, body, own, .. } = start;
         let mass = masses(scene);
         let energies = model(scene, s, &topology, &mass);
-        let mut pins: Vec<(u32, Vec3)> = scene.pins.iter().map(|p| (p.vertex, p.at)).collect();
-        pins.sort_by_key(|p| p.0);
-        pins.dedup_by_key(|p| p.0);
+        let mut pins = held(scene);
         // In sewing, what will be held is drawn there by threads, so that the cloth around it comes along.
         let apart = |p: &(u32, Vec3)| (p.1 - positions[p.0 as usize]).norm() > 1e-6;
         let drawn: Vec<(u32, Vec3)> = pins.iter().copied().filter(|p| pulls && apart(p)).collect();
@@ -48,23 +44,19 @@ impl Objective {
         let mut pairs = Vec::new();
         energies.iter().for_each(|e| e.add_pairs(&mut pairs));
         seams.iter().for_each(|t| t.add_pairs(&mut pairs));
-        let mut hessian = Hessian::new(unknown.clone(), n, pairs.into_iter());
+        let mut hessian = Hessian::new(unknown, n, pairs.into_iter());
         energies.iter().filter(|e| e.quadratic()).for_each(|e| e.add_hessian(&positions, true, &mut hessian));
         let mut inertia = vec![0.0; n];
-        unknown.iter().zip(&mass).filter(|(u, _)| **u != FIXED).for_each(|(u, m)| inertia[*u as usize] = *m);
+        hessian.unknown.iter().zip(&mass).filter(|(u, _)| **u != FIXED).for_each(|(u, m)| inertia[*u as usize] = *m);
         let frame = frame(scene, s, topology, &mass, body.is_some(), own);
         let edge = frame.edge;
         let stick =
             (s.effects.friction != Switch::Off && (own || body.is_some()) && frame.friction.iter().any(|m| *m > 0.0))
                 .then(Stick::default);
-        let area = areas(scene);
-        let barrier = (own || body.is_some()).then(|| Barrier::new(&positions, frame, body, area));
+        let barrier = (own || body.is_some()).then(|| Barrier::new(&positions, frame, body, areas(scene)));
         let constant = hessian.values.clone();
         let force = vec![Vec3::zeros(); positions.len()];
-        (
-            Self { energies, barrier, stick, seams, mass, unknown, inertia, hessian, constant, pins, edge, force },
-            positions,
-        )
+        (Self { energies, barrier, stick, seams, mass, inertia, hessian, constant, pins, edge, force }, positions)
     }
 
     /// Energy at `x`, J; `f` becomes the forces on the unknowns.
@@ -85,7 +77,7 @@ impl Objective {
         if let Some(s) = &self.stick {
             energy += s.evaluate(x, all);
         }
-        crate::linear::hessian::gather(&self.unknown, all, f);
+        crate::linear::hessian::gather(&self.hessian.unknown, all, f);
         energy
     }
 
@@ -94,11 +86,11 @@ impl Objective {
         &self.force
     }
 
-    /// Second derivatives at `x`, which must be where the last evaluation was.
-    pub fn assemble(&mut self, x: &[Vec3], convex: bool) {
+    /// Convex second derivatives at `x`, which must be where the last evaluation was.
+    pub fn assemble(&mut self, x: &[Vec3]) {
         self.hessian.reset(&self.constant);
         for e in self.energies.iter().filter(|e| !e.quadratic()) {
-            e.add_hessian(x, convex, &mut self.hessian);
+            e.add_hessian(x, true, &mut self.hessian);
         }
         if let Some(s) = &self.seams {
             s.add_hessian(x, &mut self.hessian);
@@ -113,7 +105,7 @@ impl Objective {
 
     /// J.
     pub fn elastic(&self, x: &[Vec3]) -> f64 {
-        self.energies.iter().filter(|e| e.elastic()).map(|e| e.energy(x)).sum()
+        elastic(&self.energies, x)
     }
 
     /// Diagonal of the box around cloth and body, m.
@@ -122,12 +114,6 @@ impl Objective {
         let body = self.barrier.as_ref().and_then(|b| b.body.as_ref()).map_or(cloth, |b| b.bounds);
         let all = cloth.join(&body);
         (all.high - all.low).norm()
-    }
-
-    /// N.
-    pub fn mean_weight(&self, gravity: f64) -> f64 {
-        let (sum, n) = self.mass.iter().filter(|m| **m > 0.0).fold((0.0, 0.0), |(s, n), m| (s + m, n + 1.0));
-        if n > 0.0 { sum / n * if gravity > 0.0 { gravity } else { 9.81 } } else { 0.0 }
     }
 }
 
@@ -143,14 +129,4 @@ fn number(mass: &[f64], pins: &[(u32, Vec3)]) -> (Vec<u32>, usize) {
         }
     }
     (unknown, n as usize)
-}
-
-fn areas(scene: &Scene) -> Vec<f64> {
-    let mut area = vec![0.0; scene.positions.len()];
-    for t in &scene.triangles {
-        for v in t.vertices {
-            area[v as usize] += t.area().abs() / 3.0;
-        }
-    }
-    area
 }

@@ -1,12 +1,13 @@
 //! What a descent tells.
 
 use super::descent::Descent;
+use crate::energy::law::LOCKING;
+use crate::report::{effect, switched};
+use crate::sewing::gaps;
 use crate::{EffectReport, Outcome, Reaction, Scene, StopReason, Switch};
 
 pub(crate) fn outcome(d: Descent<'_>, scene: &Scene, stop_reason: StopReason, repaired: (usize, f64)) -> Outcome {
-    let mut gaps: Vec<(u32, f64)> =
-        (0u32..).zip(&scene.stitches).map(|(i, s)| (i, (d.x[s[0] as usize] - d.x[s[1] as usize]).norm())).collect();
-    gaps.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
+    let gaps = gaps(scene, &d.x);
     let forces = d.goal.forces();
     let reactions = d.goal.pins.iter().map(|(v, _)| Reaction { vertex: *v, force: -forces[*v as usize] }).collect();
     Outcome {
@@ -37,8 +38,7 @@ fn effects(d: &Descent<'_>, scene: &Scene) -> Vec<EffectReport> {
         effect(
             "self-contact",
             own,
-            e.self_contact,
-            "cloth that moves freely can meet itself",
+            switched(e.self_contact, "cloth that moves freely can meet itself"),
             told(&|t| {
                 format!("up to {} near pairs; lists made {} times, {} steps shortened", t.own_most, t.lists, t.limited)
             }),
@@ -46,15 +46,13 @@ fn effects(d: &Descent<'_>, scene: &Scene) -> Vec<EffectReport> {
         effect(
             "body-contact",
             body,
-            e.body_contact,
-            "the scene has a body",
+            switched(e.body_contact, "the scene has a body"),
             told(&|t| format!("up to {} contacts, nearest {:.3} mm", t.body_most, t.nearest_body * 1e3)),
         ),
         effect(
             "friction",
             d.goal.stick.is_some(),
-            e.friction,
-            "contact and a coefficient above 0",
+            switched(e.friction, "contact and a coefficient above 0"),
             d.goal.stick.as_ref().map_or_else(
                 || "no contact, or no coefficient above 0".into(),
                 |s| format!("up to {} contacts rub, {} slid at the last look", s.most, s.slid),
@@ -63,18 +61,8 @@ fn effects(d: &Descent<'_>, scene: &Scene) -> Vec<EffectReport> {
         effect(
             "strain-limit",
             limited && e.strain_limit != Switch::Off,
-            e.strain_limit,
-            "a fabric has a limit",
-            "the stretch curves lock from 0.9 of the limit".into(),
+            switched(e.strain_limit, "a fabric has a limit"),
+            format!("the stretch curves lock from {LOCKING} of the limit"),
         ),
     ]
-}
-
-fn effect(name: &'static str, on: bool, switch: Switch, rule: &str, evidence: String) -> EffectReport {
-    let rule = match switch {
-        Switch::Auto => rule.into(),
-        Switch::On => "asked for".into(),
-        Switch::Off => "switched off".into(),
-    };
-    EffectReport { name, on, rule, evidence, cpu_seconds: 0.0 }
 }

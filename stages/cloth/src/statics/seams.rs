@@ -2,6 +2,7 @@
 //! with a cap so that pieces far apart are not torn together).
 
 use crate::linear::hessian::Hessian;
+use crate::sewing::mean_edge;
 use crate::{Scene, Vec3};
 use nalgebra::Matrix3;
 
@@ -41,8 +42,7 @@ pub(crate) struct Seams {
 impl Seams {
     /// Threads of all stitches, and of `drawn` vertices to the places where they will be held.
     pub fn new(scene: &Scene, drawn: &[(u32, Vec3)]) -> Self {
-        let edge: f64 = scene.triangles.iter().map(|t| (0..3).map(|k| t.rest_length(k)).sum::<f64>()).sum::<f64>()
-            / (3.0 * scene.triangles.len().max(1) as f64);
+        let edge = mean_edge(scene);
         let sewn = scene.stitches.iter().filter(|s| s[0] != s[1]).map(|s| (s[0], End::Vertex(s[1])));
         let held = drawn.iter().map(|(v, at)| (*v, End::Place(*at)));
         let threads = sewn.chain(held).map(|(vertex, to)| Thread { vertex, to, length: edge }).collect();
