@@ -1,4 +1,6 @@
 //! Sparse symmetric systems of 3 × 3 blocks, one per pair of neighbouring vertices, and their Cholesky factors.
 
+mod dense;
 pub(crate) mod factor;
 pub(crate) mod hessian;
+mod symbolic;

@@ -1,0 +1,173 @@
+//! The shape of a factor: order of elimination and supernodes, from `faer`'s analysis (whole numbers only, so the same
+//! on every machine).
+
+use super::hessian::Pattern;
+use faer::Side;
+use faer::sparse::SymbolicSparseColMatRef;
+use faer::sparse::linalg::cholesky::{
+    CholeskySymbolicParams, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
+};
+use faer::sparse::linalg::{SupernodalThreshold, SymbolicSupernodalParams};
+
+/// No parent.
+const ROOT: u32 = u32::MAX;
+/// Neighbouring supernodes are joined up to so many vertices when the share of zeros it stores stays below.
+const RELAX: [(usize, f64); 4] = [(2, 1.0), (6, 0.8), (16, 0.1), (usize::MAX, 0.05)];
+
+/// Columns that share their rows; counted in vertices, each three scalars.
+#[derive(Debug)]
+pub(crate) struct Node {
+    /// Place of the first column in the order of elimination.
+    pub first: u32,
+    pub columns: u32,
+    /// Rows below the columns, ascending.
+    pub rows: Vec<u32>,
+    /// The node that takes this one's update, and where in its columns and rows each of `rows` stands.
+    pub parent: Option<u32>,
+    pub relative: Vec<u32>,
+    /// The same as runs of scalars.
+    pub runs: Vec<Run>,
+    /// Where its values start.
+    pub start: usize,
+}
+
+/// Scalar rows that stand side by side in a node and in its parent.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Run {
+    pub from: usize,
+    pub to: usize,
+    pub length: usize,
+}
+
+impl Node {
+    /// Scalar rows, columns included.
+    pub fn height(&self) -> usize {
+        3 * (self.columns as usize + self.rows.len())
+    }
+
+    pub fn width(&self) -> usize {
+        3 * self.columns as usize
+    }
+
+    /// Where a row of the order stands in the columns and rows.
+    fn place(&self, row: u32) -> u32 {
+        if row < self.first + self.columns {
+            return row - self.first;
+        }
+        self.columns + u32::try_from(self.rows.partition_point(|r| *r < row)).unwrap_or(u32::MAX)
+    }
+}
+
+/// Where a block of the pattern goes: index of its first scalar, height of its node, whether it is mirrored.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Target {
+    pub at: usize,
+    pub height: usize,
+    pub mirrored: bool,
+}
+
+#[derive(Debug, Default)]
+pub(crate) struct Symbolic {
+    /// Place of every unknown in the order of elimination.
+    pub place: Vec<u32>,
+    /// Children before parents.
+    pub nodes: Vec<Node>,
+    pub targets: Vec<Target>,
+    /// Scalars of the factor.
+    pub length: usize,
+}
+
+impl Symbolic {
+    /// `None` when there is nothing to factorise or no memory for it.
+    pub fn new(pattern: &Pattern) -> Option<Self> {
+        let n = pattern.unknowns();
+        if n == 0 {
+            return None;
+        }
+        let lower = SymbolicSparseColMatRef::new_checked(n, n, &pattern.start, None, &pattern.rows);
+        let params = CholeskySymbolicParams {
+            supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
+            supernodal_params: SymbolicSupernodalParams { relax: Some(&RELAX) },
+            ..CholeskySymbolicParams::default()
+        };
+        let analysis = factorize_symbolic_cholesky(lower, Side::Lower, SymmetricOrdering::Amd, params).ok()?;
+        let place = analysis.perm()?.arrays().1.to_vec();
+        let (nodes, length) = nodes(&analysis)?;
+        let targets = targets(pattern, &place, &nodes);
+        Some(Self { place, nodes, targets, length })
+    }
+}
+
+fn nodes(analysis: &SymbolicCholesky<u32>) -> Option<(Vec<Node>, usize)> {
+    let SymbolicCholeskyRaw::Supernodal(s) = analysis.raw() else { return None };
+    let mut start = 0;
+    let mut nodes: Vec<Node> = (0..s.n_supernodes())
+        .map(|k| {
+            let first = s.supernode_begin()[k];
+            let mut rows = s.supernode(k).pattern().to_vec();
+            rows.sort_unstable();
+            let node = Node {
+                first,
+                columns: s.supernode_end()[k] - first,
+                rows,
+                parent: None,
+                relative: Vec::new(),
+                runs: Vec::new(),
+                start,
+            };
+            start += node.height() * node.width();
+            node
+        })
+        .collect();
+    let owner = owners(&nodes);
+    for k in 0..nodes.len() {
+        let Some(row) = nodes[k].rows.first() else { continue };
+        let parent = owner[*row as usize];
+        if parent == ROOT || parent as usize <= k {
+            return None;
+        }
+        nodes[k].relative = nodes[k].rows.iter().map(|r| nodes[parent as usize].place(*r)).collect();
+        nodes[k].runs = runs(&nodes[k].relative);
+        nodes[k].parent = Some(parent);
+    }
+    Some((nodes, start))
+}
+
+fn runs(relative: &[u32]) -> Vec<Run> {
+    let mut runs: Vec<Run> = Vec::new();
+    for (k, place) in relative.iter().enumerate() {
+        let (from, to) = (3 * k, 3 * *place as usize);
+        match runs.last_mut() {
+            Some(r) if r.to + r.length == to => r.length += 3,
+            _ => runs.push(Run { from, to, length: 3 }),
+        }
+    }
+    runs
+}
+
+/// The node of every column.
+fn owners(nodes: &[Node]) -> Vec<u32> {
+    let n = nodes.iter().map(|n| n.columns as usize).sum();
+    let mut owner = vec![ROOT; n];
+    for (k, node) in (0u32..).zip(nodes) {
+        owner[node.first as usize..(node.first + node.columns) as usize].fill(k);
+    }
+    owner
+}
+
+fn targets(pattern: &Pattern, place: &[u32], nodes: &[Node]) -> Vec<Target> {
+    let owner = owners(nodes);
+    let mut targets = Vec::with_capacity(pattern.rows.len());
+    for j in 0..pattern.unknowns() {
+        for k in pattern.start[j] as usize..pattern.start[j + 1] as usize {
+            let (column, row) = (place[j], place[pattern.rows[k] as usize]);
+            let mirrored = row < column;
+            let (column, row) = (column.min(row), column.max(row));
+            let node = &nodes[owner[column as usize] as usize];
+            let height = node.height();
+            let at = node.start + 3 * node.place(column) as usize * height + 3 * node.place(row) as usize;
+            targets.push(Target { at, height, mirrored });
+        }
+    }
+    targets
+}
