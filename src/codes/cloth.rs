@@ -36,7 +36,7 @@ pub(super) const CODES: &[Code] = &[
     ),
     code(
         "drape-not-settled",
-        "The drape used up its time before it came to rest. The certificate says how far it was; give it more time.",
+        "The drape did not come to rest within its steps or its time, or nothing holds it. The message says which and what helps; the certificate says how far it was.",
     ),
     code("fabric-missing", "There is no fabric. Give `with.fabric`. Exit code 2."),
     code("flat-triangle", "A triangle of the rest shape has no area, so its cloth has no stiffness. Exit code 3."),
@@ -49,7 +49,7 @@ pub(super) const CODES: &[Code] = &[
     code("place-side-unknown", "A [[place]] names a side that is none of front, back, left, right. Exit code 2."),
     code(
         "seam-open",
-        "A seam did not close in the time it had. Give the sewing more time, or place the pieces nearer.",
+        "A seam did not close: something is in the way, or the pieces do not reach. Place them nearer to where they are sewn. The drape joins what is open; its certificate says whether the cloth bears it.",
     ),
     code("setting-out-of-range", "A setting of the solver is outside the range in which it works. Exit code 2."),
     code(

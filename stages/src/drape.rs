@@ -100,12 +100,28 @@ fn tell(garment: &mut Garment, outcome: &Outcome, cx: &mut StageContext<'_>) {
             Diagnostic::warning(
                 "drape-not-settled",
                 format!(
-                    "the drape is not at rest: {}, {:.1} mm/s at the fastest vertex",
+                    "the drape is not at rest: {}; net force up to {:.2} of a vertex's weight{}",
                     outcome.stop_reason.words(),
-                    outcome.speed_max * 1e3
+                    outcome.residual_rel,
+                    speed(outcome)
                 ),
             )
-            .hint("give it more time (with.max_time), a coarser mesh, or more damping"),
+            .hint(remedy(outcome.stop_reason)),
         );
+    }
+}
+
+/// Only motion in time has a speed.
+fn speed(outcome: &Outcome) -> String {
+    if outcome.seconds > 0.0 { format!(", fastest {:.1} mm/s", outcome.speed_max * 1e3) } else { String::new() }
+}
+
+fn remedy(reason: StopReason) -> &'static str {
+    match reason {
+        StopReason::Unheld => "hold the garment: attach its waist in the sewing file, or give it a body it can hang on",
+        StopReason::MaxSeconds => "give it more time (with.max_time)",
+        _ => {
+            "look where the certificate's worst triangle lies; a coarser mesh, with.accuracy = \"draft\", or pieces placed nearer the body may help"
+        }
     }
 }

@@ -19,6 +19,7 @@ mod collide;
 mod energy;
 mod exact;
 mod integrate;
+mod levels;
 mod limit;
 mod linear;
 mod problem;

@@ -68,6 +68,9 @@ fn max_time() -> Duration {
     Duration(6.0)
 }
 
+/// Sewing itself goes without weight; what is sewn is let down under it, m/s².
+const WEIGHT: Vec3 = Vec3::new(0.0, -9.81, 0.0);
+
 impl Stage for Stitch {
     type Params = StitchParams;
     const INFO: StageInfo = StageInfo::new(
@@ -92,7 +95,7 @@ impl Stage for Stitch {
         let pins = attach::pins(&garment, &placed, params.body_gap.0).map_err(StageError::Parameter)?;
         garment.pins.extend(pins);
         let layout = Layout::of(&garment);
-        let start = scene(&garment, &layout, layout.join(&placed), Vec3::zeros()).map_err(StageError::Parameter)?;
+        let start = scene(&garment, &layout, layout.join(&placed), WEIGHT).map_err(StageError::Parameter)?;
         let settings = settings(params, cx.threads);
         let outcome = toile_cloth::sew(&start, &settings, &mut Follow::new(cx)).map_err(failure)?;
         tell(&garment, &outcome, settings.sewing_distance, cx);
@@ -144,7 +147,7 @@ fn tell(garment: &Garment, outcome: &Outcome, distance: f64, cx: &mut StageConte
                     outcome.stop_reason.words()
                 ),
             )
-            .hint("give the sewing more time (with.max_time), or place the pieces nearer to where they are sewn"),
+            .hint("place the pieces nearer to where they are sewn; the drape joins what is open"),
         );
     }
 }

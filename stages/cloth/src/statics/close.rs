@@ -32,7 +32,7 @@ const PULL_SEWN: f64 = 1e4;
 
 /// Closes the stitches: the threads pull harder from block to block, until all pairs are closed. `None` where something
 /// stays in the way.
-pub(crate) fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
+pub(crate) fn close(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
     let start = Start::new(scene, settings)?;
     let repaired = start.repaired;
     let mut descent = Descent::new(scene, settings, start, true);

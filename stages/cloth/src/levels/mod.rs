@@ -1,0 +1,126 @@
+//! Coarser levels of a scene, made from its own mesh: edges are collapsed in the cloth's plane, seams together, and every
+//! vertex that went remembers where on the coarser cloth it lies (docs/levels.md).
+
+mod charts;
+mod collapse;
+
+use crate::sewing::mean_edge;
+use crate::{Element, Scene, Vec3};
+use charts::Charts;
+use collapse::Mesh;
+
+/// Edge of a coarser level over that of the finer one.
+const STEP: f64 = 2.0;
+/// Longest mean edge of a level, m: about what cloth can bend within; above it folds come out wrong.
+const LONGEST: f64 = 0.045;
+/// Fewest triangles of a level.
+const FEWEST: usize = 150;
+/// A level must have fewer than this share of the triangles to be worth the while.
+const SHARE: f64 = 0.5;
+
+/// A coarser scene and how the finer one hangs on it.
+#[derive(Debug)]
+pub(crate) struct Level {
+    pub scene: Scene,
+    /// For every vertex of the finer scene, where it lies: one entry, or one for each side of a seam it lies on.
+    anchors: Vec<Vec<Anchor>>,
+}
+
+/// A place on a triangle of the coarser cloth.
+#[derive(Clone, Copy, Debug)]
+struct Anchor {
+    vertices: [u32; 3],
+    weights: [f64; 3],
+}
+
+impl Level {
+    /// The next coarser level; `None` when the cloth is coarse enough, or too intricate to become coarser.
+    pub fn below(scene: &Scene) -> Option<Self> {
+        let edge = STEP * mean_edge(scene);
+        if edge > LONGEST || (scene.triangles.len() as f64) * 0.25 < FEWEST as f64 {
+            return None;
+        }
+        let charts = Charts::new(scene);
+        let mut mesh = Mesh::new(scene, charts);
+        mesh.collapse(edge);
+        let level = Self::from(scene, &mesh);
+        let small = (level.scene.triangles.len() as f64) < SHARE * scene.triangles.len() as f64;
+        (small && level.scene.triangles.len() >= FEWEST).then_some(level)
+    }
+
+    fn from(scene: &Scene, mesh: &Mesh) -> Self {
+        let mut number = vec![u32::MAX; scene.positions.len()];
+        let mut kept = Vec::new();
+        for corners in mesh.triangles.iter().flatten() {
+            for c in corners {
+                number[mesh.charts.vertex[*c as usize] as usize] = 0;
+            }
+        }
+        for (v, n) in (0u32..).zip(&mut number).filter(|(_, n)| **n == 0) {
+            *n = u32::try_from(kept.len()).unwrap_or(u32::MAX);
+            kept.push(v);
+        }
+        let scene = coarse(scene, mesh, &number, &kept);
+        let anchors = anchors(mesh, &number);
+        Self { scene, anchors }
+    }
+
+    /// Positions of the finer scene from those here.
+    pub fn spread(&self, x: &[Vec3]) -> Vec<Vec3> {
+        let place = |a: &Anchor| (0..3).map(|k| x[a.vertices[k] as usize] * a.weights[k]).sum::<Vec3>();
+        self.anchors.iter().map(|all| all.iter().map(place).sum::<Vec3>() / all.len().max(1) as f64).collect()
+    }
+}
+
+fn coarse(fine: &Scene, mesh: &Mesh, number: &[u32], kept: &[u32]) -> Scene {
+    let stays = |v: &u32| number[*v as usize] != u32::MAX;
+    let triangles = mesh.triangles.iter().zip(&fine.triangles).filter_map(|(corners, old)| {
+        corners.map(|c| Element {
+            vertices: c.map(|c| number[mesh.charts.vertex[c as usize] as usize]),
+            rest: c.map(|c| mesh.charts.rest[c as usize]),
+            material: old.material,
+        })
+    });
+    let mut pins: Vec<_> = fine.pins.iter().filter(|p| stays(&p.vertex)).copied().collect();
+    pins.iter_mut().for_each(|p| p.vertex = number[p.vertex as usize]);
+    let mut loads: Vec<_> = fine.loads.iter().filter(|l| stays(&l.vertex)).copied().collect();
+    loads.iter_mut().for_each(|l| l.vertex = number[l.vertex as usize]);
+    let stitches = fine.stitches.iter().filter(|s| s.iter().all(|v| stays(v)));
+    Scene {
+        positions: kept.iter().map(|v| fine.positions[*v as usize]).collect(),
+        triangles: triangles.collect(),
+        materials: fine.materials.clone(),
+        pins,
+        loads,
+        stitches: stitches.map(|s| s.map(|v| number[v as usize])).collect(),
+        body: fine.body.clone(),
+        gravity: fine.gravity,
+        layers: if fine.layers.is_empty() {
+            Vec::new()
+        } else {
+            kept.iter().map(|v| fine.layers[*v as usize]).collect()
+        },
+    }
+}
+
+fn anchors(mesh: &Mesh, number: &[u32]) -> Vec<Vec<Anchor>> {
+    let mut anchors = vec![Vec::new(); number.len()];
+    for (v, n) in number.iter().enumerate().filter(|(_, n)| **n != u32::MAX) {
+        anchors[v].push(Anchor { vertices: [*n; 3], weights: [1.0, 0.0, 0.0] });
+    }
+    for (corners, carried) in mesh.triangles.iter().zip(&mesh.carried) {
+        let Some(corners) = corners else { continue };
+        let rest = corners.map(|c| mesh.charts.rest[c as usize]);
+        let vertices = corners.map(|c| number[mesh.charts.vertex[c as usize] as usize]);
+        for c in carried {
+            let v = mesh.charts.vertex[*c as usize] as usize;
+            if number[v] == u32::MAX {
+                anchors[v].push(Anchor { vertices, weights: charts::weights(&rest, mesh.charts.rest[*c as usize]) });
+            }
+        }
+    }
+    anchors
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,79 @@
+use super::*;
+use crate::Material;
+
+/// A strip of cells, n × m, each 10 mm; `shift` moves it in the cloth's plane and in space.
+fn sheet(n: u32, m: u32, first: u32, shift: f64) -> Scene {
+    let mut scene = Scene { materials: vec![Material::isotropic(0.2, 500.0, 0.2, 1e-5)], ..Scene::default() };
+    for j in 0..=m {
+        for i in 0..=n {
+            scene.positions.push(Vec3::new(f64::from(i) * 0.01 + shift, f64::from(j) * 0.01, 0.0));
+        }
+    }
+    for j in 0..m {
+        for i in 0..n {
+            let a = j * (n + 1) + i;
+            for t in [[a, a + 1, a + n + 2], [a, a + n + 2, a + n + 1]] {
+                let rest = t.map(|v| [scene.positions[v as usize].x, scene.positions[v as usize].y]);
+                scene.triangles.push(Element { vertices: t.map(|v| v + first), rest, material: 0 });
+            }
+        }
+    }
+    scene
+}
+
+fn area(scene: &Scene) -> f64 {
+    scene.triangles.iter().map(Element::area).sum()
+}
+
+#[test]
+fn a_sheet_keeps_its_area_and_every_place_its_place() {
+    let fine = sheet(40, 30, 0, 0.0);
+    let level = Level::below(&fine).expect("a sheet of 2,400 triangles has a level");
+    assert!((area(&level.scene) - area(&fine)).abs() < 1e-12);
+    let share = level.scene.triangles.len() as f64 / fine.triangles.len() as f64;
+    assert!((0.15..0.4).contains(&share), "{share}");
+    // The level lies in the plane as the sheet does, so what is spread from it is the sheet itself.
+    for (p, q) in level.spread(&level.scene.positions).iter().zip(&fine.positions) {
+        assert!((p - q).norm() < 1e-12, "{p} {q}");
+    }
+    // So does a linear map of space.
+    let bent = |p: &Vec3| Vec3::new(p.x + 0.3 * p.y, p.y, 0.5 * p.x);
+    let x: Vec<Vec3> = level.scene.positions.iter().map(bent).collect();
+    for (p, q) in level.spread(&x).iter().zip(&fine.positions) {
+        assert!((p - bent(q)).norm() < 1e-12);
+    }
+}
+
+#[test]
+fn both_sides_of_a_seam_collapse_together() {
+    let (n, m) = (24, 30);
+    let mut scene = sheet(n, m, 0, 0.0);
+    let count = u32::try_from(scene.positions.len()).unwrap();
+    let right = sheet(n, m, count, 1.0);
+    scene.positions.extend(right.positions);
+    scene.triangles.extend(right.triangles);
+    scene.stitches = (0..=m).map(|j| [j * (n + 1) + n, count + j * (n + 1)]).collect();
+    let level = Level::below(&scene).expect("level");
+    let stitches = &level.scene.stitches;
+    assert!((10..24).contains(&stitches.len()), "{}", stitches.len());
+    // On both sides the stitched vertices stand at the same heights, so the seam has the same parts on both.
+    for s in stitches {
+        let [p, q] = s.map(|v| level.scene.positions[v as usize]);
+        assert!((p.y - q.y).abs() < 1e-12 && (q.x - p.x - 0.76).abs() < 1e-12, "{p} {q}");
+    }
+    let border = level.scene.positions.iter().filter(|p| (p.x - 0.24).abs() < 1e-9).count();
+    assert_eq!(border, stitches.len());
+    assert!((area(&level.scene) - area(&scene)).abs() < 1e-12);
+}
+
+#[test]
+fn held_corners_stay_and_a_coarse_sheet_has_no_level() {
+    let mut scene = sheet(40, 30, 0, 0.0);
+    let corner = 40u32;
+    scene.pins = vec![crate::Pin { vertex: corner, at: Vec3::zeros() }];
+    let level = Level::below(&scene).expect("level");
+    assert_eq!(level.scene.pins.len(), 1);
+    let held = level.scene.positions[level.scene.pins[0].vertex as usize];
+    assert_eq!(held, scene.positions[corner as usize]);
+    assert!(Level::below(&sheet(4, 4, 0, 0.0)).is_none());
+}
