@@ -81,7 +81,7 @@ impl<'a> Descent<'a> {
     }
 
     /// Steps in a block: more where a factor costs more.
-    fn block_length(&self) -> usize {
+    pub fn block_length(&self) -> usize {
         if self.f.len() > 6000 { 16 } else { 8 }
     }
 
@@ -173,7 +173,7 @@ impl<'a> Descent<'a> {
     }
 
     /// One step along the quasi-Newton direction; the part of it that was taken, `None` if nothing was won.
-    fn step(&mut self) -> Option<f64> {
+    pub fn step(&mut self) -> Option<f64> {
         let mut d = self.memory.direction(&self.f, |q| self.factor.solve(q));
         if dot(&d, &self.f) <= 0.0 || d.iter().any(|v| !v.iter().all(|c| c.is_finite())) {
             self.memory.clear();
@@ -181,6 +181,7 @@ impl<'a> Descent<'a> {
             self.factor.solve(&mut d);
         }
         let longest = d.iter().map(|d| d.norm()).fold(0.0, f64::max);
+        self.longest = longest;
         let most = LONGEST * self.goal.edge;
         let cap = if longest > most { most / longest } else { 1.0 };
         let mut step = vec![Vec3::zeros(); self.x.len()];

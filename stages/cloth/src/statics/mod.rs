@@ -1,12 +1,13 @@
 //! Rest without time: the least of one energy (docs/static.md), by descents whose metric is a lagged Cholesky factor.
 
 mod close;
-mod descent;
+pub(crate) mod descent;
 mod memory;
-mod objective;
+pub(crate) mod objective;
 mod report;
 mod rest;
 mod seams;
 
 pub(crate) use close::sew;
+pub(crate) use report::effects;
 pub(crate) use rest::drape;
