@@ -35,6 +35,7 @@ impl Stepper<'_> {
         let near = self.tolerance * inert.h;
         let tau = 1.0 / inert.rate;
         self.descent.goal.inert = Some(inert);
+        self.descent.refresh_friction();
         self.descent.start_anew();
         let mut guess = guess;
         let mut idle = 0;

@@ -87,9 +87,9 @@ impl<'a> Descent<'a> {
 
     /// Refreshes friction and metric. `false` if no metric can be had.
     fn refresh(&mut self) -> bool {
-        if let (Some(stick), Some(barrier)) = (&mut self.goal.stick, &self.goal.barrier) {
-            stick.refresh(&self.x, &barrier.touches);
-            self.evaluate();
+        // In a time step friction holds on to where the step began, until its end.
+        if self.goal.inert.is_none() {
+            self.refresh_friction();
         }
         self.goal.assemble(&self.x);
         let (pattern, values) = self.goal.hessian.merged();
@@ -102,6 +102,14 @@ impl<'a> Descent<'a> {
             if self.tau < TAU_LEAST {
                 return false;
             }
+        }
+    }
+
+    /// New normal forces and holds from the contacts here; what slid is taken over.
+    pub fn refresh_friction(&mut self) {
+        if let (Some(stick), Some(barrier)) = (&mut self.goal.stick, &self.goal.barrier) {
+            stick.refresh(&self.x, &barrier.touches);
+            self.evaluate();
         }
     }
 
