@@ -9,6 +9,7 @@ mod document;
 mod geometry;
 mod inspect;
 mod material;
+mod motion;
 mod normals;
 mod read;
 #[cfg(test)]
