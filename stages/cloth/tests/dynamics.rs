@@ -276,12 +276,8 @@ fn a_box_carries_what_lies_on_it_by_friction() {
     let body = cube(Vec3::new(-0.2, -0.1, -0.2), Vec3::new(0.2, 0.0, 0.2));
     let rest = 0.4;
     let way = |t: f64| if t < rest { 0.0 } else { 0.5 * (t - rest) * (t - rest) };
-    let motion = Motion {
-        fps: 60.0,
-        frames: 61,
-        body: shifted(&body, 60.0, 61, |t| Vec3::x() * way(t)),
-        ..Motion::default()
-    };
+    let motion =
+        Motion { fps: 60.0, frames: 61, body: shifted(&body, 60.0, 61, |t| Vec3::x() * way(t)), ..Motion::default() };
     scene.body = Some(body);
     let dynamics = Dynamics { damping: 0.0, drag: 0.0, ..Dynamics::default() };
     let shots = film(&scene, &Settings::default(), &dynamics, &motion);
@@ -324,11 +320,7 @@ fn threads_change_no_bit() {
     let mut scene = sheet(0.3, 0.3, 10, 10, cotton(), |x, y| Vec3::new(x - 0.15, 0.12, y - 0.15));
     scene.gravity = Vec3::new(0.0, -G, 0.0);
     let body = sphere(Vec3::zeros(), 0.1, 10);
-    let motion = Motion {
-        frames: 13,
-        body: shifted(&body, 30.0, 13, |t| Vec3::x() * (0.2 * t)),
-        ..Motion::default()
-    };
+    let motion = Motion { frames: 13, body: shifted(&body, 30.0, 13, |t| Vec3::x() * (0.2 * t)), ..Motion::default() };
     scene.body = Some(body);
     let run = |threads| {
         let shots = film(&scene, &Settings { threads, ..Settings::default() }, &Dynamics::default(), &motion);
@@ -354,7 +346,10 @@ fn bad_frames_are_told() {
 fn cloth_that_a_body_catches_is_told_with_its_place() {
     // Two plates close on a held sheet until nothing is left between them.
     let mut scene = sheet(0.1, 0.1, 4, 4, cotton(), |x, y| Vec3::new(x, 0.0, y));
-    scene.pins = (0..25).filter(|v| ![6, 7, 8, 11, 12, 13, 16, 17, 18].contains(v)).map(|v| Pin { vertex: v, at: scene.positions[v as usize] }).collect();
+    scene.pins = (0..25)
+        .filter(|v| ![6, 7, 8, 11, 12, 13, 16, 17, 18].contains(v))
+        .map(|v| Pin { vertex: v, at: scene.positions[v as usize] })
+        .collect();
     let (a, b) = (
         cube(Vec3::new(-0.1, -0.3, -0.1), Vec3::new(0.2, -0.1, 0.2)),
         cube(Vec3::new(-0.1, 0.1, -0.1), Vec3::new(0.2, 0.3, 0.2)),

@@ -32,7 +32,8 @@ pub fn frames(
     for (pair, (file, _)) in frames.windows(2).zip(series.iter().skip(1)) {
         let moved = pair[0].iter().zip(&pair[1]).map(|(p, q)| (p - q).norm()).fold(0.0, f64::max);
         if moved * params.fps > FASTEST {
-            let message = format!("the body moves by {moved:.3} m from the frame before: {:.0} m/s", moved * params.fps);
+            let message =
+                format!("the body moves by {moved:.3} m from the frame before: {:.0} m/s", moved * params.fps);
             let found = Diagnostic::error("body-frame-jumps", message).at(SourceRef::file(file.display().to_string()));
             return Err(StageError::input(
                 found.hint("frames hold metres, one after the other; is with.fps their rate?"),
@@ -88,7 +89,10 @@ fn frame(bytes: &[u8], file: &Path, body: &Body, known: &BTreeSet<[u32; 3]>) -> 
     };
     let (n, m) = (mesh.positions.len(), body.positions.len());
     if n != m {
-        return wrong("body-frame-vertices", format!("the frame has {n} vertices, the body the garment was draped on {m}"));
+        return wrong(
+            "body-frame-vertices",
+            format!("the frame has {n} vertices, the body the garment was draped on {m}"),
+        );
     }
     let theirs: BTreeSet<[u32; 3]> = mesh.triangles.iter().map(sorted).collect();
     if let Some(t) = known.iter().find(|t| !theirs.contains(*t)) {

@@ -75,8 +75,7 @@ fn film(
 ) -> Result<Trip, StageError> {
     let settings = params.settings(cx.threads);
     let mut take = |f: &toile_cloth::Frame<'_>| store.take(f);
-    toile_cloth::animate(scene, &settings, &params.dynamics(), motion, &mut Follow::new(cx), &mut take)
-        .map_err(failure)
+    toile_cloth::animate(scene, &settings, &params.dynamics(), motion, &mut Follow::new(cx), &mut take).map_err(failure)
 }
 
 fn tell(
@@ -108,7 +107,8 @@ fn tell(
         warn("motion-not-settled", message, "give it more time (with.frames) or calm it (with.calming)");
     }
     if trip.unfinished > 0 {
-        let message = format!("{} of {} stages of time steps were not solved to the end", trip.unfinished, 2 * trip.steps);
+        let message =
+            format!("{} of {} stages of time steps were not solved to the end", trip.unfinished, 2 * trip.steps);
         warn("motion-not-solved", message, "shorten the time step (with.step)");
     }
     if trip.led > FAR {
@@ -117,7 +117,11 @@ fn tell(
             trip.led * 1e3,
             motion.lead_in
         );
-        warn("body-led", message, "begin the motion in the pose of the body that `stitch` reads, or lengthen with.lead_in");
+        warn(
+            "body-led",
+            message,
+            "begin the motion in the pose of the body that `stitch` reads, or lengthen with.lead_in",
+        );
     }
     if animation.self_crossings + animation.body_crossings > 0 {
         let message = format!(
@@ -127,4 +131,3 @@ fn tell(
         warn("frames-cross", message, "does the body's motion cross itself? shorten the time step (with.step)");
     }
 }
-

@@ -1,6 +1,6 @@
 //! Parameters of `animate` and their meaning for the solver.
 
-use crate::drape::{DrapeParams, EffectsParam, ModelName, SwitchName};
+use crate::drape::{AccuracyName, DrapeParams, EffectsParam, ModelName, SwitchName};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -35,6 +35,8 @@ pub struct AnimateParams {
     pub gravity: Acceleration,
     /// In-plane model.
     pub model: ModelName,
+    /// How far each time step is solved.
+    pub accuracy: AccuracyName,
     /// Effects, each `auto`, `on` or `off`.
     pub effects: EffectsParam,
     /// Resistance of the air; `auto` is on.
@@ -64,6 +66,7 @@ impl Default for AnimateParams {
             until_settled: false,
             gravity: drape.gravity,
             model: drape.model,
+            accuracy: drape.accuracy,
             effects: drape.effects,
             air: SwitchName::Auto,
             calming: Duration(2.0),
@@ -98,7 +101,12 @@ impl AnimateParams {
             damping: if self.calming.0 > 0.0 { 1.0 / self.calming.0 } else { 0.0 },
             drag: if self.air == SwitchName::Off { 0.0 } else { AIR },
             rest_speed: self.rest_speed.0,
-            ..Dynamics::default()
+            tolerance: Dynamics::default().tolerance
+                * match self.accuracy {
+                    AccuracyName::Draft => 4.0,
+                    AccuracyName::Normal => 1.0,
+                    AccuracyName::Fine => 0.2,
+                },
         }
     }
 

@@ -20,7 +20,7 @@ pub struct Dynamics {
 
 impl Default for Dynamics {
     fn default() -> Self {
-        Self { step: 1.0 / 120.0, damping: 0.5, drag: 0.6, tolerance: 1e-3, rest_speed: 5e-3 }
+        Self { step: 1.0 / 120.0, damping: 0.5, drag: 0.6, tolerance: 5e-3, rest_speed: 5e-3 }
     }
 }
 
@@ -44,14 +44,7 @@ pub struct Motion {
 
 impl Default for Motion {
     fn default() -> Self {
-        Self {
-            fps: 30.0,
-            frames: 1,
-            until_settled: false,
-            body: Vec::new(),
-            lead_in: 1.0,
-            velocities: Vec::new(),
-        }
+        Self { fps: 30.0, frames: 1, until_settled: false, body: Vec::new(), lead_in: 1.0, velocities: Vec::new() }
     }
 }
 

@@ -66,14 +66,8 @@ impl<'a> Walk<'a> {
         let n = descent.x.len();
         let v = if motion.velocities.is_empty() { vec![Vec3::zeros(); n] } else { motion.velocities.clone() };
         let state = State { x: descent.x.clone(), v };
-        let stepper = Stepper {
-            descent,
-            hooks,
-            free: free.clone(),
-            tolerance: dynamics.tolerance,
-            unfinished: 0,
-            parted: 0,
-        };
+        let stepper =
+            Stepper { descent, hooks, free: free.clone(), tolerance: dynamics.tolerance, unfinished: 0, parted: 0 };
         let trip = Trip { led: path.as_ref().map_or(0.0, |p| p.led), ..Trip::default() };
         Ok(Self { scene, dynamics, motion, stepper, path, state, last: None, free, trip })
     }

@@ -75,13 +75,11 @@ impl Stepper<'_> {
             d.x.iter_mut().zip(&step).for_each(|(x, s)| *x += s);
             return 1.0;
         };
-        let way: Option<Vec<Vec3>> = to
-            .zip(barrier.body.as_mut())
-            .map(|(to, b)| {
-                let way: Vec<Vec3> = to.iter().zip(&b.positions).map(|(p, q)| p - q).collect();
-                b.depart(&way);
-                way
-            });
+        let way: Option<Vec<Vec3>> = to.zip(barrier.body.as_mut()).map(|(to, b)| {
+            let way: Vec<Vec3> = to.iter().zip(&b.positions).map(|(p, q)| p - q).collect();
+            b.depart(&way);
+            way
+        });
         barrier.cover(&d.x, &step);
         if let Some(way) = &way {
             aside(barrier, &d.x, &mut step, way, &self.free);

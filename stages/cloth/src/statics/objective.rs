@@ -59,7 +59,10 @@ impl Objective {
         let barrier = (own || body.is_some()).then(|| Barrier::new(&positions, frame, body, areas(scene)));
         let constant = hessian.values.clone();
         let force = vec![Vec3::zeros(); positions.len()];
-        (Self { energies, barrier, stick, seams, inert: None, mass, inertia, hessian, constant, pins, edge, force }, positions)
+        (
+            Self { energies, barrier, stick, seams, inert: None, mass, inertia, hessian, constant, pins, edge, force },
+            positions,
+        )
     }
 
     /// Energy at `x`, J; `f` becomes the forces on the unknowns.
