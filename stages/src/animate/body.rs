@@ -1,9 +1,10 @@
-//! Frames of the body: a series of OBJ files.
+//! Frames of the body: a series of OBJ files, or the animation of a GLB.
 
 use super::AnimateParams;
+use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use toile_formats::obj;
+use toile_formats::{gltf, obj};
 use toile_garment::body::Body;
 use toile_garment::{Diagnostic, Garment, SourceRef, Vec3};
 use toile_stage_api::{StageContext, StageError};
@@ -27,7 +28,8 @@ pub fn frames(
         let found = Diagnostic::error("body-missing", "the body is to move, but the garment was draped on none");
         StageError::parameter(found.hint("give the stage `stitch` the body at rest: with.body = \"…obj\""))
     })?;
-    let series = series(path, body, cx)?;
+    let glb = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("glb"));
+    let series = if glb { animation(path, params.fps, body, cx)? } else { series(path, body, cx)? };
     let frames: Vec<Vec<Vec3>> = series.iter().map(|(_, f)| f.clone()).collect();
     for (pair, (file, _)) in frames.windows(2).zip(series.iter().skip(1)) {
         let moved = pair[0].iter().zip(&pair[1]).map(|(p, q)| (p - q).norm()).fold(0.0, f64::max);
@@ -61,6 +63,62 @@ fn series(path: &Path, body: &Body, cx: &mut StageContext<'_>) -> Result<Vec<(Pa
         out.push((name(k), frame(&bytes, &name(k), body, &known)?));
     }
     Ok(out)
+}
+
+/// Farthest that a vertex of a GLB at rest may be from its vertex of the body, metres.
+const SAME: f64 = 1e-4;
+
+/// Places of the body's vertices in a GLB, whose vertices may stand in another order and several at one place.
+fn animation(
+    path: &Path,
+    fps: f64,
+    body: &Body,
+    cx: &mut StageContext<'_>,
+) -> Result<Vec<(PathBuf, Vec<Vec3>)>, StageError> {
+    let name = path.display().to_string();
+    let refuse = |code: &str, message: String, hint: &str| {
+        StageError::input(Diagnostic::error(code, message).at(SourceRef::file(name.clone())).hint(hint))
+    };
+    let moving = gltf::read_moving(&cx.files.read(path)?, fps).map_err(|e| {
+        refuse("body-glb", e.to_string(), "export one GLB with the body's mesh, its skin or shapes, and one animation")
+    })?;
+    let found = counterparts(&body.positions, &moving.rest);
+    let missing = found.iter().filter(|f| f.is_none()).count();
+    if let Some(v) = found.iter().position(Option::is_none) {
+        let p = body.positions[v];
+        let message = format!(
+            "{missing} of {} vertices of the body have no vertex of the GLB's rest pose within 0.1 mm, the first at ({:.4}, {:.4}, {:.4}) m",
+            found.len(),
+            p.x,
+            p.y,
+            p.z
+        );
+        return Err(refuse(
+            "body-frame-vertices",
+            message,
+            "the GLB must hold the body that `stitch` reads, in metres, in the same rest pose",
+        ));
+    }
+    let found: Vec<usize> = found.into_iter().flatten().collect();
+    let pick = |f: &Vec<Vec3>| (path.to_path_buf(), found.iter().map(|i| f[*i]).collect());
+    Ok(moving.frames.iter().map(pick).collect())
+}
+
+/// For every point the nearest of `others` within [`SAME`].
+fn counterparts(points: &[Vec3], others: &[Vec3]) -> Vec<Option<usize>> {
+    #[allow(clippy::cast_possible_truncation)]
+    let cell = |p: &Vec3| [p.x, p.y, p.z].map(|c| (c / SAME).floor() as i64);
+    let mut grid: BTreeMap<[i64; 3], Vec<usize>> = BTreeMap::new();
+    for (i, p) in others.iter().enumerate() {
+        grid.entry(cell(p)).or_default().push(i);
+    }
+    let near = |p: &Vec3| {
+        let [x, y, z] = cell(p);
+        let cells = (0..27).map(|k| [x + k / 9 - 1, y + k / 3 % 3 - 1, z + k % 3 - 1]);
+        let all = cells.filter_map(|c| grid.get(&c)).flatten().map(|i| (*i, (others[*i] - p).norm()));
+        all.filter(|(_, d)| *d <= SAME).min_by(|a, b| a.1.total_cmp(&b.1)).map(|(i, _)| i)
+    };
+    points.iter().map(near).collect()
 }
 
 /// The last number in a file's name: what stands before it, the number, its digits, what stands after it.

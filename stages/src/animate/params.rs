@@ -18,8 +18,8 @@ const AIR: f64 = 0.6;
 #[serde(deny_unknown_fields, default)]
 pub struct AnimateParams {
     /// The moving body: the first file of a series of OBJ files (`walk-000.obj`; its number is counted up to the first
-    /// file that is missing), each with the vertices and faces of the body the garment was draped on. Without it the
-    /// body stands still.
+    /// file that is missing), each with the vertices and faces of the body the garment was draped on; or a GLB whose
+    /// first animation moves the same mesh by a skin, by morph targets or by its nodes. Without it the body stands still.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub body: Option<PathBuf>,
     /// Frames in a second, of the body and of the result.
