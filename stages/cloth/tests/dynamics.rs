@@ -42,7 +42,7 @@ fn film(scene: &Scene, settings: &Settings, dynamics: &Dynamics, motion: &Motion
             energy: f.kinetic + f.potential,
         });
     })
-    .unwrap();
+    .expect("motion");
     assert_eq!(trip.frames, shots.len());
     shots
 }
@@ -239,7 +239,7 @@ fn shifted(body: &BodyMesh, fps: f64, frames: usize, by: impl Fn(f64) -> Vec3) -
 fn free_of_crossings(scene: &Scene, shots: &[Shot]) {
     for s in shots {
         let body = scene.body.as_ref().map(|b| BodyMesh { positions: s.body.clone(), ..b.clone() });
-        let f = certify(&Scene { body, ..scene.clone() }, &Settings::default(), &s.x).unwrap();
+        let f = certify(&Scene { body, ..scene.clone() }, &Settings::default(), &s.x).expect("figures");
         assert_eq!((f.self_crossings, f.body_crossings), (0, 0), "at {}", s.t);
         assert_eq!(f.penetration_max, 0.0, "at {}", s.t);
     }

@@ -86,14 +86,7 @@ fn tell(
     garment: &mut Garment,
     cx: &mut StageContext<'_>,
 ) {
-    garment.effects.retain(|e| !trip.effects.iter().any(|n| n.name == e.name));
-    garment.effects.extend(trip.effects.iter().map(|e| EffectRecord {
-        name: e.name.to_owned(),
-        on: e.on,
-        rule: e.rule.clone(),
-        evidence: e.evidence.clone(),
-        cpu_seconds: e.cpu_seconds,
-    }));
+    add_effects(&mut garment.effects, trip);
     let mut warn = |code: &str, message: String, hint: &str| {
         cx.report.push(Diagnostic::warning(code, message).hint(hint));
     };
@@ -129,5 +122,23 @@ fn tell(
             animation.self_crossings, animation.body_crossings
         );
         warn("frames-cross", message, "does the body's motion cross itself? shorten the time step (with.step)");
+    }
+}
+
+/// Effects that the drape had too get the evidence of the motion beside that of the drape.
+fn add_effects(effects: &mut Vec<EffectRecord>, trip: &Trip) {
+    for e in &trip.effects {
+        if let Some(known) = effects.iter_mut().find(|k| k.name == e.name) {
+            known.on |= e.on;
+            known.evidence = format!("{}; in motion: {}", known.evidence, e.evidence);
+            continue;
+        }
+        effects.push(EffectRecord {
+            name: e.name.to_owned(),
+            on: e.on,
+            rule: e.rule.clone(),
+            evidence: e.evidence.clone(),
+            cpu_seconds: e.cpu_seconds,
+        });
     }
 }
