@@ -29,7 +29,7 @@ impl Track {
             ReadOutputs::Rotations(v) => v.into_f32().map(wide).collect(),
             ReadOutputs::MorphTargetWeights(v) => {
                 let all: Vec<f64> = v.into_f32().map(f64::from).collect();
-                let count = if keys > 0 { all.len() / keys } else { 0 };
+                let count = all.len().checked_div(keys).unwrap_or(0);
                 if count == 0 {
                     return None;
                 }
