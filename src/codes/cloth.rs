@@ -4,6 +4,10 @@ use super::{Code, code};
 
 /// Codes of placing, sewing and draping.
 pub(super) const CODES: &[Code] = &[
+    code(
+        "animation-left-out",
+        "The frames of a motion ride in the GLB as morph targets; they are for viewers and are not read back into the garment.",
+    ),
     code("attach-strength", "The elastic share of an [[attach]] is not between 0 and 1.5. Exit code 2."),
     code("attach-target-empty", "The body has no section at the height an edge is attached to. Exit code 2."),
     code(
@@ -22,6 +26,30 @@ pub(super) const CODES: &[Code] = &[
     code("bad-position", "A vertex is at a place that is not finite. Exit code 3."),
     code("bad-stitch", "A stitch names a vertex that is not there. Exit code 3."),
     code("bad-triangle", "A triangle names a vertex that is not there, or one vertex twice. Exit code 3."),
+    code("bad-velocities", "The start velocities do not fit the cloth. Exit code 3."),
+    code(
+        "body-catches-cloth",
+        "Cloth is caught between two parts of the moving body, or between it and what is held, and has no way out; nothing may cross, so the body cannot go on. Give it more room there, shorten with.step, or lessen with.body_gap. Exit code 3.",
+    ),
+    code(
+        "body-frame-faces",
+        "A frame of the moving body has other faces than the body the garment was draped on. Exit code 3.",
+    ),
+    code(
+        "body-frame-jumps",
+        "The body moves faster than 50 m/s between two frames: other units than metres, frames in disorder, or a wrong with.fps. Exit code 3.",
+    ),
+    code("body-frame-not-finite", "A vertex of a frame of the moving body is no number. Exit code 3."),
+    code(
+        "body-frame-vertices",
+        "A frame of the moving body has other vertices than the body the garment was draped on. Export every frame from the same mesh. Exit code 3.",
+    ),
+    code("body-frames-name", "with.body of `animate` names an OBJ without a number to count up from. Exit code 2."),
+    code("body-glb", "The GLB that should move the body cannot be read or holds no animation. Exit code 3."),
+    code(
+        "body-led",
+        "The first frame of the body is far from the pose the garment was draped on; the body is led there before the first frame is given.",
+    ),
     code(
         "body-missing",
         "A placement or attachment refers to the body, and none was given. Give `with.body` to `stitch`. Exit code 2.",
@@ -40,6 +68,16 @@ pub(super) const CODES: &[Code] = &[
     ),
     code("fabric-missing", "There is no fabric. Give `with.fabric`. Exit code 2."),
     code("flat-triangle", "A triangle of the rest shape has no area, so its cloth has no stiffness. Exit code 3."),
+    code(
+        "frames-cross",
+        "In some frame triangles cross. Either the body's motion crosses itself or a step was too long.",
+    ),
+    code("motion-not-settled", "with.until_settled was asked for, but the cloth still moved in the last frame."),
+    code(
+        "motion-not-solved",
+        "Some time steps were not solved to the asked accuracy. Nothing crosses, but the motion is less exact there.",
+    ),
+    code("no-body", "There are frames of a body, but the scene has none. Exit code 3."),
     code("no-cloth", "The scene has no cloth, so there is nothing to drape. Exit code 3."),
     code(
         "piece-not-placed",
@@ -51,6 +89,7 @@ pub(super) const CODES: &[Code] = &[
         "seam-open",
         "A seam did not close: something is in the way, or the pieces do not reach. Place them nearer to where they are sewn. The drape joins what is open; its certificate says whether the cloth bears it.",
     ),
+    code("sequence-name", "with.sequence has no number to count up from. Exit code 2."),
     code("setting-out-of-range", "A setting of the solver is outside the range in which it works. Exit code 2."),
     code(
         "start-crosses",

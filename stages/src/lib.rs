@@ -1,8 +1,9 @@
 //! The built-in stages, one module each.
 //!
-//! The data's way: `import_dxf` (or `import_mesh`) → `triangulate` → `assemble` → `stitch` → `drape` → `texture` →
+//! The data's way: `import_dxf` (or `import_mesh`) → `triangulate` → `assemble` → `stitch` → `drape` (→ `animate`) → `texture` →
 //! exports, `flatten`, report.
 
+pub mod animate;
 pub mod assemble;
 pub mod body;
 pub mod builtin;

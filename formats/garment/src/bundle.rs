@@ -129,12 +129,14 @@ fn check_indices(garment: &Garment) -> Result<(), BundleError> {
             }
         }
     }
-    for shape in [&garment.stitched, &garment.drape, &garment.drape_before_edit].into_iter().flatten() {
-        let fits = shape.positions.len() == garment.pieces.len()
+    let shapes = [&garment.stitched, &garment.drape, &garment.drape_before_edit].into_iter().flatten();
+    let frames = garment.animation.iter().flat_map(|a| &a.frames);
+    for positions in shapes.map(|s| &s.positions).chain(frames) {
+        let fits = positions.len() == garment.pieces.len()
             && garment
                 .pieces
                 .iter()
-                .zip(&shape.positions)
+                .zip(positions)
                 .all(|(p, x)| p.mesh.as_ref().is_some_and(|m| m.rest.len() == x.len()));
         if !fits {
             return damaged("positions and vertices differ in number".to_owned());

@@ -1,6 +1,7 @@
 //! The one document that flows through the pipeline.
 
 use crate::Vec3;
+use crate::animation::Animation;
 use crate::body::Body;
 use crate::fabric::Fabric;
 use crate::flat::Flat;
@@ -27,6 +28,8 @@ pub enum Aspect {
     Stitched,
     /// Positions in 3D at rest, with a certificate.
     Drape,
+    /// Frames of a motion.
+    Animation,
     /// Texture coordinates and materials.
     Texture,
     /// Flattened pieces.
@@ -144,6 +147,9 @@ pub struct Garment {
     /// Effects of the drape.
     #[serde(default)]
     pub effects: Vec<EffectRecord>,
+    /// The garment in motion; filled by `animate`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub animation: Option<Animation>,
     /// Textures; filled by `texture`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub textures: Option<Textures>,
@@ -225,6 +231,7 @@ impl Garment {
             Aspect::Seams => !self.seams.is_empty(),
             Aspect::Stitched => self.stitched.is_some(),
             Aspect::Drape => self.drape.is_some(),
+            Aspect::Animation => self.animation.is_some(),
             Aspect::Texture => self.textures.is_some(),
             Aspect::Flat => self.flat.is_some(),
             Aspect::Fabric => !self.fabrics.is_empty(),

@@ -4,6 +4,7 @@
 //! Inside, everything is SI `f64`: metres, kilograms, seconds, radians, newtons. This package knows
 //! no file format of others and no solver.
 
+pub mod animation;
 pub mod body;
 pub mod bundle;
 pub mod dart;

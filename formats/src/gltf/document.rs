@@ -11,6 +11,9 @@ pub fn text(garment: &Garment) -> Result<String, BundleError> {
         body.positions = Vec::new();
         body.triangles = Vec::new();
     }
+    if let Some(animation) = &mut lean.animation {
+        animation.frames = Vec::new();
+    }
     for material in lean.textures.iter_mut().flat_map(|t| &mut t.materials) {
         if let Some(image) = &mut material.image {
             image.bytes = Vec::new();

@@ -9,13 +9,17 @@ mod document;
 mod geometry;
 mod inspect;
 mod material;
+mod motion;
+mod moving;
 mod normals;
 mod read;
 #[cfg(test)]
 mod tests;
+mod track;
 mod write;
 
 pub use inspect::inspect;
+pub use moving::{Moving, read_moving};
 pub use read::{ReadGarment, read_garment, read_garment_with_findings};
 pub use write::{WriteError, write_garment};
 

@@ -46,7 +46,11 @@ pub fn read_garment_with_findings(bytes: &[u8]) -> Result<ReadGarment, ReadError
     let mut garment = document(&sound)?;
     restore_images(&mut garment, &sound)?;
     fits(&garment)?;
-    let (edited, findings) = take_shape(&mut garment, &placed(&sound)?)?;
+    let (edited, mut findings) = take_shape(&mut garment, &placed(&sound)?)?;
+    if let Some(animation) = garment.animation.take() {
+        let message = format!("the {} frames of the motion stay in the GLB and were not read back", animation.count);
+        findings.push(Diagnostic::info("animation-left-out", message));
+    }
     Ok(ReadGarment { garment, edited, findings })
 }
 

@@ -285,3 +285,128 @@ fn inspect_says_what_is_inside() {
     assert_eq!(facts["toile"]["pieces"], serde_json::json!(["front", "back"]));
     assert_eq!(facts["toile"]["seams"], 2);
 }
+
+/// Two frames: moved as a whole, and lifted at one vertex.
+fn in_motion() -> Garment {
+    let mut garment = two_pieces();
+    let base = garment.drape.clone().expect("drape").positions;
+    let base: Vec<Vec<Vec3>> =
+        base.iter().map(|p| p.iter().map(|p| p.map(|c| f64::from(c as f32))).collect()).collect();
+    garment.drape.as_mut().expect("drape").positions = base.clone();
+    let moved: Vec<Vec<Vec3>> =
+        base.iter().map(|p| p.iter().map(|p| p + Vec3::new(0.5, 0.0, 0.25)).collect()).collect();
+    let mut lifted = base.clone();
+    lifted[0][1].y += 0.125;
+    garment.animation = Some(toile_garment::animation::Animation {
+        fps: 24.0,
+        count: 3,
+        frames: vec![base, moved, lifted],
+        ..toile_garment::animation::Animation::default()
+    });
+    garment
+}
+
+#[test]
+fn frames_are_morph_targets_that_a_viewer_plays() {
+    let garment = in_motion();
+    let glb = write_garment(&garment).expect("GLB");
+    let (json, bin) = open_glb(&glb);
+    for mesh in json["meshes"].as_array().expect("meshes") {
+        assert_eq!(mesh["primitives"][0]["targets"].as_array().map(Vec::len), Some(3));
+        assert_eq!(mesh["weights"], serde_json::json!([0.0, 0.0, 0.0]));
+    }
+    let sampler = &json["animations"][0]["samplers"][0];
+    let (_, times) = floats(&json, &bin, sampler["input"].as_u64().expect("input"));
+    assert_eq!(times, [0.0, 1.0 / 24.0, 2.0 / 24.0]);
+    let (_, weights) = floats(&json, &bin, sampler["output"].as_u64().expect("output"));
+    assert_eq!(weights, [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]);
+    assert!(!json["asset"]["extras"]["toile"].to_string().contains("frames"), "the document does not repeat them");
+    // Read as a moving body it gives the frames back.
+    let moving = read_moving(&glb, 24.0).expect("motion");
+    let frames = garment.animation.expect("frames").frames;
+    for (read, frame) in moving.frames.iter().zip(&frames) {
+        let flat: Vec<Vec3> = frame.iter().flatten().copied().collect();
+        let most = read.iter().zip(&flat).map(|(p, q)| (p - q).norm()).fold(0.0, f64::max);
+        assert!(read.len() == flat.len() && most < 1e-6, "{most}");
+    }
+    assert_eq!(moving.frames.len(), 3);
+}
+
+#[test]
+fn a_garment_in_motion_is_read_without_its_frames_and_says_so() {
+    let read = read_garment_with_findings(&write_garment(&in_motion()).expect("GLB")).expect("read");
+    assert!(!read.edited && read.garment.animation.is_none());
+    assert_eq!(read.findings.iter().map(|f| f.code.as_str()).collect::<Vec<_>>(), ["animation-left-out"]);
+}
+
+#[test]
+fn a_skin_turns_its_vertices_about_the_joint() {
+    // One triangle, its last corner held by a joint at (0, 1, 0) that turns by 90° about z in a second.
+    let numbers: [f32; 9] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 2.0, 0.0];
+    let weights: [f32; 12] = [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0];
+    let joints: [u8; 12] = [0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0];
+    let mut bind = [0.0f32; 32];
+    for k in 0..8 {
+        bind[k % 4 * 5 + k / 4 * 16] = 1.0;
+    }
+    bind[16 + 13] = -1.0;
+    let turn: [f32; 8] = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.5f32.sqrt(), 0.5f32.sqrt()];
+    let mut bin = Vec::new();
+    let mut views = Vec::new();
+    for bytes in [
+        &floats_of(&numbers)[..],
+        &floats_of(&weights),
+        &joints,
+        &floats_of(&bind),
+        &floats_of(&[0.0, 1.0]),
+        &floats_of(&turn),
+    ] {
+        views.push(serde_json::json!({"buffer": 0, "byteOffset": bin.len(), "byteLength": bytes.len()}));
+        bin.extend_from_slice(bytes);
+    }
+    let accessor = |view: usize, kind: u32, count: usize, form: &str| {
+        serde_json::json!({"bufferView": view, "componentType": kind, "count": count, "type": form,
+            "min": [0.0, 0.0, 0.0], "max": [1.0, 2.0, 0.0]})
+    };
+    let mut accessors = [
+        accessor(0, 5126, 3, "VEC3"),
+        accessor(1, 5126, 3, "VEC4"),
+        accessor(2, 5121, 3, "VEC4"),
+        accessor(3, 5126, 2, "MAT4"),
+        accessor(4, 5126, 2, "SCALAR"),
+        accessor(5, 5126, 2, "VEC4"),
+    ];
+    for a in accessors.iter_mut().skip(1) {
+        let map = a.as_object_mut().expect("object");
+        map.remove("min");
+        map.remove("max");
+    }
+    accessors[4]["min"] = serde_json::json!([0.0]);
+    accessors[4]["max"] = serde_json::json!([1.0]);
+    let json = serde_json::json!({
+        "asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
+        "nodes": [{"mesh": 0, "skin": 0}, {"children": [2]}, {"translation": [0.0, 1.0, 0.0]}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "WEIGHTS_0": 1, "JOINTS_0": 2}}]}],
+        "skins": [{"joints": [1, 2], "inverseBindMatrices": 3}],
+        "animations": [{"samplers": [{"input": 4, "output": 5}],
+                        "channels": [{"sampler": 0, "target": {"node": 2, "path": "rotation"}}]}],
+        "accessors": accessors, "bufferViews": views, "buffers": [{"byteLength": bin.len()}]
+    });
+    let moving = read_moving(&close_glb(&json, &bin), 2.0).expect("motion");
+    assert_eq!(moving.frames.len(), 3);
+    assert!((moving.rest[2] - Vec3::new(0.0, 2.0, 0.0)).norm() < 1e-6);
+    let half = 0.5f64.sqrt();
+    assert!((moving.frames[1][2] - Vec3::new(-half, 1.0 + half, 0.0)).norm() < 1e-6, "{}", moving.frames[1][2]);
+    assert!((moving.frames[2][2] - Vec3::new(-1.0, 1.0, 0.0)).norm() < 1e-6, "{}", moving.frames[2][2]);
+    assert!((moving.frames[2][1] - Vec3::x()).norm() < 1e-6, "what the root holds stays");
+}
+
+fn floats_of(values: &[f32]) -> Vec<u8> {
+    values.iter().flat_map(|v| v.to_le_bytes()).collect()
+}
+
+#[test]
+fn a_glb_without_motion_is_refused_as_a_moving_body() {
+    let glb = write_garment(&two_pieces()).expect("GLB");
+    assert!(matches!(read_moving(&glb, 24.0), Err(ReadError::Damaged(_))));
+}

@@ -1,6 +1,6 @@
 //! From the garment to a GLB.
 
-use super::{container, document, material, normals};
+use super::{container, document, material, motion, normals};
 use gltf_json as json;
 use json::accessor::{ComponentType, GenericComponentType, Type};
 use json::buffer::Target;
@@ -72,15 +72,36 @@ impl Buffer {
         })
     }
 
-    fn floats<const N: usize>(
+    pub(super) fn floats<const N: usize>(
         &mut self,
         root: &mut json::Root,
         values: &[[f32; N]],
         type_: Type,
         bounds: bool,
     ) -> json::Index<json::Accessor> {
+        self.accessor(root, values, type_, bounds, Some(Target::ArrayBuffer))
+    }
+
+    /// Numbers that belong to no vertex: times and weights of an animation.
+    pub(super) fn plain(
+        &mut self,
+        root: &mut json::Root,
+        values: &[[f32; 1]],
+        bounds: bool,
+    ) -> json::Index<json::Accessor> {
+        self.accessor(root, values, Type::Scalar, bounds, None)
+    }
+
+    fn accessor<const N: usize>(
+        &mut self,
+        root: &mut json::Root,
+        values: &[[f32; N]],
+        type_: Type,
+        bounds: bool,
+        target: Option<Target>,
+    ) -> json::Index<json::Accessor> {
         let bytes: Vec<u8> = values.iter().flatten().flat_map(|x| x.to_le_bytes()).collect();
-        let view = self.view(root, &bytes, Some(Target::ArrayBuffer));
+        let view = self.view(root, &bytes, target);
         let fold = |pick: fn(f32, f32) -> f32| {
             let first = values.first().copied().unwrap_or([0.0; N]);
             let all = values.iter().fold(first, |a, v| std::array::from_fn(|k| pick(a[k], v[k])));
@@ -139,7 +160,7 @@ pub fn extras(key: &str, value: &serde_json::Value) -> json::Extras {
 
 /// A GLB with a node and a mesh for each piece, named after it: metres, +y up; TEXCOORD_0 in metres of cloth,
 /// TEXCOORD_1 packed; images embedded; the garment document in `asset.extras.toile`. Positions are those of the
-/// drape, else of the sewn shape. The same garment gives the same bytes.
+/// drape, else of the sewn shape; the frames of a motion are morph targets, played by one animation. The same garment gives the same bytes.
 ///
 /// # Errors
 /// See [`WriteError`].
@@ -159,6 +180,7 @@ pub fn write_garment(garment: &Garment) -> Result<Vec<u8>, WriteError> {
     for ((piece, (positions, triangles)), normals) in garment.pieces.iter().zip(&meshes).zip(&normals) {
         push_piece(&mut root, &mut buffer, garment, piece, positions, triangles, normals)?;
     }
+    motion::push(&mut root, &mut buffer, garment, &meshes, &normals)?;
     let nodes: Vec<_> = (0..garment.pieces.len() as u32).map(json::Index::new).collect();
     let scene = json::Scene { extensions: None, extras: None, name: None, nodes };
     root.scene = Some(root.push(scene));
@@ -176,7 +198,7 @@ pub fn write_garment(garment: &Garment) -> Result<Vec<u8>, WriteError> {
     container::join(text.as_bytes(), &buffer.bytes).ok_or(WriteError::TooLarge)
 }
 
-type Mesh<'a> = (&'a [Vec3], &'a [[u32; 3]]);
+pub(super) type Mesh<'a> = (&'a [Vec3], &'a [[u32; 3]]);
 
 fn meshes<'a>(garment: &'a Garment, shape: &'a Shape) -> Result<Vec<Mesh<'a>>, WriteError> {
     if garment.pieces.is_empty() {
@@ -215,7 +237,7 @@ fn materials(garment: &Garment) -> Vec<Material> {
 }
 
 /// A finite `f32` for each number; −0 becomes 0.
-fn floats<const N: usize>(
+pub(super) fn floats<const N: usize>(
     piece: &Piece,
     what: &'static str,
     values: impl Iterator<Item = [f64; N]>,

@@ -49,6 +49,14 @@ pub enum ClothError {
         /// What was seen.
         what: String,
     },
+    /// The body moves where cloth has no way out: between two parts of it, or between it and what is held.
+    #[error("the body cannot go on {seconds:.3} s after the first frame: it catches the cloth near ({:.3}, {:.3}, {:.3}) m", .place.at.x, .place.at.y, .place.at.z)]
+    Caught {
+        /// When, from the first frame on (negative on the way to it).
+        seconds: f64,
+        /// Where.
+        place: Place,
+    },
     /// The watch asked to stop.
     #[error("stopped on request at step {step}")]
     Cancelled {

@@ -2,7 +2,7 @@
 //!
 //! It knows no garment and no file: a [`Scene`] of positions, rest triangles, stitches, pins and a body goes in,
 //! an [`Outcome`] with new positions comes out. [`sew`] closes the stitches, [`weld()`] makes sewn vertices one,
-//! [`drape`] settles the cloth, [`certify`] counts afresh what the result is worth.
+//! [`drape`] settles the cloth, [`animate()`] moves it in time, [`certify`] counts afresh what the result is worth.
 //!
 //! SI units throughout (m, kg, s, N); tension, stretch and shear stiffness per metre of width (N/m), bending in N·m.
 
@@ -16,6 +16,7 @@ pub mod watch;
 pub mod weld;
 
 mod collide;
+mod dynamics;
 mod energy;
 mod exact;
 mod integrate;
@@ -33,6 +34,7 @@ mod validate;
 
 pub use certificate::{Figures, certify};
 pub use curve::Curve;
+pub use dynamics::{Dynamics, Frame, Motion, Trip, animate};
 pub use error::{ClothError, Place};
 pub use outcome::{EffectReport, Outcome, Reaction, StopReason};
 pub use run::{drape, sew};

@@ -24,13 +24,15 @@ const fn cost(stage: &'static str, fixed: f64, per_thousand: f64, power: f64, mb
     Cost { stage, fixed, per_thousand, power, mb_per_thousand }
 }
 
-const COSTS: [Cost; 12] = [
+const COSTS: [Cost; 13] = [
     cost("import-dxf", 0.03, 0.0, 1.0, 0.0),
     cost("import-mesh", 0.01, 0.005, 1.0, 1.0),
     cost("triangulate", 0.01, 0.01, 1.0, 1.0),
     cost("assemble", 0.001, 0.001, 1.0, 1.0),
     cost("stitch", 0.05, 1.9, 1.0, 2.5),
     cost("drape", 0.05, 1.2, 1.3, 2.5),
+    // One second of 30 frames.
+    cost("animate", 0.1, 5.0, 1.2, 3.0),
     cost("texture", 0.002, 0.001, 1.0, 1.0),
     cost("export-gltf", 0.01, 0.005, 1.0, 1.0),
     cost("export-obj", 0.005, 0.005, 1.0, 1.0),

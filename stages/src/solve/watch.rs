@@ -41,6 +41,10 @@ pub fn failure(error: ClothError) -> StageError {
             Diagnostic::error("start-crosses", error.to_string())
                 .hint("move the pieces apart or further from the body in the sewing file ([[place]])"),
         ),
+        ClothError::Caught { .. } => StageError::input(
+            Diagnostic::error("body-catches-cloth", error.to_string())
+                .hint("give the body more room there (arms, thighs), shorten with.step, or lessen with.body_gap"),
+        ),
         ClothError::Unstable { .. } => StageError::Unstable(error.to_string()),
         other => StageError::Internal(other.to_string()),
     }

@@ -111,7 +111,6 @@ impl Barrier {
     /// Calls `hit` for every pair that the step brings too near.
     fn each(&self, x: &[Vec3], step: &[Vec3], mut hit: impl FnMut([u32; 4], usize, f64)) {
         let moved = |v: u32| step[v as usize];
-        let zero = Vec3::zeros();
         let mut test = |kind: u8, vertices: [u32; 4], cloth: usize, at: [Vec3; 4], by: [Vec3; 4], distance: f64| {
             let mut pair = Pair { at, by, kind };
             let part = pair.free_part(distance);
@@ -126,26 +125,28 @@ impl Barrier {
             test(EDGE, *v, 4, crate::pick4(x, v), v.map(moved), *l);
         }
         let Some(body) = &self.body else { return };
+        let travels = body.travels();
         for (&[v, g], l) in self.near.body_points.iter().zip(&self.distances[usize::from(BODY_POINT)]) {
             let d = moved(v);
-            if d.norm() > 0.2 * l {
+            if travels || d.norm() > 0.2 * l {
                 let [a, b, c] = body.triangle(g);
-                test(BODY_POINT, [v; 4], 1, [x[v as usize], a, b, c], [d, zero, zero, zero], *l);
+                let [p, q, r] = body.topology.faces[g as usize].map(|w| body.moves(w));
+                test(BODY_POINT, [v; 4], 1, [x[v as usize], a, b, c], [d, p, q, r], *l);
             }
         }
         for (&[a, b, p, q], l) in self.near.body_edges.iter().zip(&self.distances[usize::from(BODY_EDGE)]) {
             let (da, db) = (moved(a), moved(b));
-            if da.norm().max(db.norm()) > 0.2 * l {
+            if travels || da.norm().max(db.norm()) > 0.2 * l {
                 let at = [x[a as usize], x[b as usize], body.positions[p as usize], body.positions[q as usize]];
-                test(BODY_EDGE, [a, b, a, a], 2, at, [da, db, zero, zero], *l);
+                test(BODY_EDGE, [a, b, a, a], 2, at, [da, db, body.moves(p), body.moves(q)], *l);
             }
         }
         for (&[a, b, c, w], l) in self.near.body_faces.iter().zip(&self.distances[usize::from(BODY_FACE)]) {
             let d = [a, b, c].map(moved);
-            if d.iter().any(|d| d.norm() > 0.2 * l) {
+            if travels || d.iter().any(|d| d.norm() > 0.2 * l) {
                 let [p, q, r] = crate::pick3(x, &[a, b, c]);
                 let at = [p, q, r, body.positions[w as usize]];
-                test(BODY_FACE, [a, b, c, a], 3, at, [d[0], d[1], d[2], zero], *l);
+                test(BODY_FACE, [a, b, c, a], 3, at, [d[0], d[1], d[2], body.moves(w)], *l);
             }
         }
     }

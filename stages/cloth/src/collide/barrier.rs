@@ -95,7 +95,8 @@ impl Barrier {
     pub fn cover(&mut self, x: &[Vec3], step: &[Vec3]) -> bool {
         let longest = step.iter().map(|d| d.norm_squared()).fold(0.0, f64::max).sqrt();
         let moved = self.listed.iter().zip(x).map(|(p, q)| (p - q).norm_squared()).fold(0.0, f64::max).sqrt();
-        if !self.listed.is_empty() && moved + longest <= self.slack {
+        let travels = self.body.as_ref().is_some_and(Body::travels);
+        if !travels && !self.listed.is_empty() && moved + longest <= self.slack {
             self.on_the_way = false;
             return false;
         }
@@ -108,9 +109,13 @@ impl Barrier {
             tree.refit_moving(x, step, &self.frame.topology.faces, 0.5 * reach);
             self.near.fill_own(x, step, &self.frame.topology, &self.frame.groups, tree, reach);
         }
-        if let Some(body) = &self.body {
+        if let Some(body) = &mut self.body {
             let reach = thick(&self.frame.body_gap) + self.slack;
-            self.near.fill_body(x, step, &self.frame.topology, body, reach);
+            if body.travel.is_some() {
+                self.near.fill_travelling(x, step, &self.frame.topology, body, reach);
+            } else {
+                self.near.fill_body(x, step, &self.frame.topology, body, reach);
+            }
             self.near.body_points.sort_unstable();
         }
         self.listed.clear();

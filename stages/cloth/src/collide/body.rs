@@ -2,6 +2,7 @@
 //! by the rounding), all distances that decide are computed in f64 from the original positions.
 
 use super::closest::point_triangle;
+use super::travel::Travel;
 use super::tree::Aabb;
 use crate::topology::Topology;
 use crate::{BodyMesh, Vec3};
@@ -16,6 +17,8 @@ pub(crate) struct Body {
     /// Edges that cloth outside can press on: all but the hollow ones of a closed, oriented mesh.
     pub pressing_edges: Vec<bool>,
     pub bounds: Aabb,
+    /// How it moves; none for a body at rest.
+    pub travel: Option<Travel>,
     /// Rounding of the largest coordinate to f32, m.
     rounding: f64,
 }
@@ -41,6 +44,7 @@ impl Body {
             topology,
             pressing_edges,
             bounds,
+            travel: None,
             rounding: size * 2.4e-7,
         })
     }

@@ -9,5 +9,6 @@ pub(crate) mod friction;
 pub(crate) mod near;
 pub(crate) mod repair;
 pub(crate) mod stick;
+pub(crate) mod travel;
 pub(crate) mod tree;
 pub(crate) mod untangle;

@@ -22,9 +22,9 @@ pub(crate) struct Near {
 }
 
 /// What one face brings to its pairs: its corners, and the vertices and edges it owns.
-struct Owned {
-    corners: [u32; 3],
-    at: [Vec3; 3],
+pub(super) struct Owned {
+    pub(super) corners: [u32; 3],
+    pub(super) at: [Vec3; 3],
     bits: u8,
 }
 
@@ -36,28 +36,28 @@ impl Owned {
     }
 
     #[inline]
-    fn owns_vertex(&self, k: usize) -> bool {
+    pub(super) fn owns_vertex(&self, k: usize) -> bool {
         self.bits & (1 << k) != 0
     }
 
     #[inline]
-    fn owns_edge(&self, k: usize) -> bool {
+    pub(super) fn owns_edge(&self, k: usize) -> bool {
         self.bits & (8 << k) != 0
     }
 
     #[inline]
-    fn edge(&self, k: usize) -> [u32; 2] {
+    pub(super) fn edge(&self, k: usize) -> [u32; 2] {
         [self.corners[k], self.corners[(k + 1) % 3]]
     }
 
     #[inline]
-    fn edge_box(&self, k: usize) -> Aabb {
+    pub(super) fn edge_box(&self, k: usize) -> Aabb {
         Aabb::of_two(&self.at[k], &self.at[(k + 1) % 3])
     }
 
     /// The box of the whole face, grown.
     #[inline]
-    fn bounds(&self, reach: f64) -> Aabb {
+    pub(super) fn bounds(&self, reach: f64) -> Aabb {
         Aabb::of_three(&self.at).grown(reach)
     }
 }
@@ -68,21 +68,21 @@ fn point_in(b: &Aabb, p: &Vec3) -> bool {
 }
 
 /// A face on its way: corners, boxes of its vertices' and edges' places and moves.
-struct Moving {
-    owned: Owned,
-    by: [Vec3; 3],
+pub(super) struct Moving {
+    pub(super) owned: Owned,
+    pub(super) by: [Vec3; 3],
 }
 
 impl Moving {
     #[inline]
-    fn of(t: &Topology, f: u32, x: &[Vec3], step: &[Vec3]) -> Self {
+    pub(super) fn of(t: &Topology, f: u32, x: &[Vec3], step: &[Vec3]) -> Self {
         let owned = Owned::of(t, f, x);
         let by = crate::pick3(step, &owned.corners);
         Self { owned, by }
     }
 
     #[inline]
-    fn edge_move(&self, k: usize) -> Aabb {
+    pub(super) fn edge_move(&self, k: usize) -> Aabb {
         Aabb::of_two(&self.by[k], &self.by[(k + 1) % 3])
     }
 }

@@ -88,6 +88,11 @@ impl Stick {
         self.holds = holds;
     }
 
+    /// The body moved: what holds to it is held elsewhere now; `shift` tells by how much for each pair.
+    pub fn carry(&mut self, shift: impl Fn(&(u8, [u32; 4])) -> Vec3) {
+        self.holds.iter_mut().for_each(|h| h.place += shift(&h.key));
+    }
+
     /// Energy, J; adds the forces.
     pub fn evaluate(&self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
         let mut energy = 0.0;

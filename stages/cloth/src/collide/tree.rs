@@ -144,6 +144,23 @@ impl Tree {
     }
 }
 
+impl Tree {
+    /// Items whose boxes meet `bounds` somewhere along the step, in which `bounds` is displaced by any of `moves`.
+    pub fn meeting_moving(&self, bounds: &Aabb, moves: &Aabb, mut emit: impl FnMut(u32)) {
+        let leaves = self.items.len();
+        let mut stack = vec![1usize];
+        while let Some(a) = stack.pop() {
+            if meet_moving(&self.boxes[a], &self.moves[a], bounds, moves) {
+                if a < leaves {
+                    stack.extend([2 * a + 1, 2 * a]);
+                } else {
+                    emit(self.items[a - leaves]);
+                }
+            }
+        }
+    }
+}
+
 /// Sets the boxes of the leaves, and of all nodes above them.
 fn fit(boxes: &mut [Aabb], items: &[u32], faces: &[[u32; 3]], of: impl Fn(&[u32; 3]) -> Aabb) {
     let leaves = items.len();

@@ -81,15 +81,15 @@ impl<'a> Descent<'a> {
     }
 
     /// Steps in a block: more where a factor costs more.
-    fn block_length(&self) -> usize {
+    pub fn block_length(&self) -> usize {
         if self.f.len() > 6000 { 16 } else { 8 }
     }
 
     /// Refreshes friction and metric. `false` if no metric can be had.
     fn refresh(&mut self) -> bool {
-        if let (Some(stick), Some(barrier)) = (&mut self.goal.stick, &self.goal.barrier) {
-            stick.refresh(&self.x, &barrier.touches);
-            self.evaluate();
+        // In a time step friction holds on to where the step began, until its end.
+        if self.goal.inert.is_none() {
+            self.refresh_friction();
         }
         self.goal.assemble(&self.x);
         let (pattern, values) = self.goal.hessian.merged();
@@ -102,6 +102,14 @@ impl<'a> Descent<'a> {
             if self.tau < TAU_LEAST {
                 return false;
             }
+        }
+    }
+
+    /// New normal forces and holds from the contacts here; what slid is taken over.
+    pub fn refresh_friction(&mut self) {
+        if let (Some(stick), Some(barrier)) = (&mut self.goal.stick, &self.goal.barrier) {
+            stick.refresh(&self.x, &barrier.touches);
+            self.evaluate();
         }
     }
 
@@ -173,7 +181,7 @@ impl<'a> Descent<'a> {
     }
 
     /// One step along the quasi-Newton direction; the part of it that was taken, `None` if nothing was won.
-    fn step(&mut self) -> Option<f64> {
+    pub fn step(&mut self) -> Option<f64> {
         let mut d = self.memory.direction(&self.f, |q| self.factor.solve(q));
         if dot(&d, &self.f) <= 0.0 || d.iter().any(|v| !v.iter().all(|c| c.is_finite())) {
             self.memory.clear();
@@ -181,6 +189,7 @@ impl<'a> Descent<'a> {
             self.factor.solve(&mut d);
         }
         let longest = d.iter().map(|d| d.norm()).fold(0.0, f64::max);
+        self.longest = longest;
         let most = LONGEST * self.goal.edge;
         let cap = if longest > most { most / longest } else { 1.0 };
         let mut step = vec![Vec3::zeros(); self.x.len()];

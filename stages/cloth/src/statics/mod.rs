@@ -2,12 +2,13 @@
 
 mod close;
 mod coarse;
-mod descent;
+pub(crate) mod descent;
 mod memory;
-mod objective;
+pub(crate) mod objective;
 mod report;
 mod rest;
 mod seams;
 
 pub(crate) use coarse::sew;
+pub(crate) use report::effects;
 pub(crate) use rest::drape;

@@ -4,6 +4,7 @@ use super::seams::Seams;
 use crate::collide::barrier::Barrier;
 use crate::collide::stick::Stick;
 use crate::collide::tree::Aabb;
+use crate::dynamics::inert::Inert;
 use crate::energy::{Energy, elastic};
 use crate::linear::hessian::{FIXED, Hessian};
 use crate::problem::{areas, frame, held, masses, model};
@@ -16,6 +17,8 @@ pub(crate) struct Objective {
     pub barrier: Option<Barrier>,
     pub stick: Option<Stick>,
     pub seams: Option<Seams>,
+    /// Inertia and damping of a stage of a time step; none at rest.
+    pub inert: Option<Inert>,
     /// kg, per vertex.
     pub mass: Vec<f64>,
     /// kg, per unknown.
@@ -56,7 +59,10 @@ impl Objective {
         let barrier = (own || body.is_some()).then(|| Barrier::new(&positions, frame, body, areas(scene)));
         let constant = hessian.values.clone();
         let force = vec![Vec3::zeros(); positions.len()];
-        (Self { energies, barrier, stick, seams, mass, inertia, hessian, constant, pins, edge, force }, positions)
+        (
+            Self { energies, barrier, stick, seams, inert: None, mass, inertia, hessian, constant, pins, edge, force },
+            positions,
+        )
     }
 
     /// Energy at `x`, J; `f` becomes the forces on the unknowns.
@@ -67,6 +73,9 @@ impl Objective {
         for e in &self.energies {
             e.add_forces(x, all);
             energy += e.energy(x);
+        }
+        if let Some(i) = &self.inert {
+            energy = i.evaluate(x, energy, all);
         }
         if let Some(s) = &self.seams {
             energy += s.evaluate(x, all);
@@ -91,6 +100,9 @@ impl Objective {
         self.hessian.reset(&self.constant);
         for e in self.energies.iter().filter(|e| !e.quadratic()) {
             e.add_hessian(x, true, &mut self.hessian);
+        }
+        if let Some(i) = &self.inert {
+            i.add_hessian(&mut self.hessian);
         }
         if let Some(s) = &self.seams {
             s.add_hessian(x, &mut self.hessian);

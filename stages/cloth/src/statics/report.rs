@@ -27,7 +27,7 @@ pub(crate) fn outcome(d: Descent<'_>, scene: &Scene, stop_reason: StopReason, re
     }
 }
 
-fn effects(d: &Descent<'_>, scene: &Scene) -> Vec<EffectReport> {
+pub(crate) fn effects(d: &Descent<'_>, scene: &Scene) -> Vec<EffectReport> {
     let e = &d.settings.effects;
     let tally = d.goal.barrier.as_ref().map(|b| b.tally);
     let own = d.goal.barrier.as_ref().is_some_and(|b| b.frame.own);

@@ -1,0 +1,125 @@
+//! A body on its way: its triangles move in straight lines through a step, and count as moving in all searches.
+
+use super::barrier::{BODY_EDGE, BODY_FACE, BODY_POINT};
+use super::body::Body;
+use super::closest::{point_triangle, segments};
+use super::near::{Moving, Near};
+use super::tree::{Aabb, Tree, meet_moving};
+use crate::Vec3;
+use crate::topology::Topology;
+
+/// Displacements of a body's vertices in the step that is tried, and a tree that follows them.
+pub(crate) struct Travel {
+    step: Vec<Vec3>,
+    going: bool,
+    tree: Tree,
+}
+
+impl Body {
+    /// From now on the body may move. Every edge can press then: a hollow one may open.
+    pub fn set_out(&mut self) {
+        let tree = Tree::new(&self.positions, &self.topology.faces);
+        self.travel = Some(Travel { step: vec![Vec3::zeros(); self.positions.len()], going: false, tree });
+        self.pressing_edges.fill(true);
+    }
+
+    /// Displacements that the next step is to take.
+    pub fn depart(&mut self, step: &[Vec3]) {
+        if let Some(t) = &mut self.travel {
+            t.step.copy_from_slice(step);
+            t.going = true;
+        }
+    }
+
+    /// Takes a part of the displacements.
+    pub fn arrive(&mut self, part: f64) {
+        let Some(t) = &mut self.travel else { return };
+        self.positions.iter_mut().zip(&t.step).for_each(|(p, d)| *p += d * part);
+        t.step.fill(Vec3::zeros());
+        t.going = false;
+        self.bounds = Aabb::of(&self.positions);
+    }
+
+    pub fn travels(&self) -> bool {
+        self.travel.as_ref().is_some_and(|t| t.going)
+    }
+
+    /// Displacement of a vertex in the step that is tried.
+    #[inline]
+    pub fn moves(&self, w: u32) -> Vec3 {
+        match &self.travel {
+            Some(t) => t.step[w as usize],
+            None => Vec3::zeros(),
+        }
+    }
+
+    /// Value of a field over the body's vertices at the body's point of a near pair; nothing for pairs of cloth.
+    pub fn at_pair(&self, key: &(u8, [u32; 4]), x: &[Vec3], field: &[Vec3]) -> Vec3 {
+        let [a, b, c, d] = key.1;
+        let value = |w: u32| field[w as usize];
+        match key.0 {
+            BODY_POINT => {
+                let [p, q, r] = self.triangle(b);
+                let s = point_triangle(&x[a as usize], &p, &q, &r);
+                let [p, q, r] = self.topology.faces[b as usize].map(value);
+                p * s[0] + q * s[1] + r * s[2]
+            }
+            BODY_EDGE => {
+                let (p, q) = (&self.positions[c as usize], &self.positions[d as usize]);
+                let t = segments(&x[a as usize], &x[b as usize], p, q)[1];
+                value(c) * (1.0 - t) + value(d) * t
+            }
+            BODY_FACE => value(d),
+            _ => Vec3::zeros(),
+        }
+    }
+}
+
+impl Near {
+    /// Cloth–body pairs that come nearer than `reach` while both move; what moves along together does not meet.
+    pub fn fill_travelling(&mut self, x: &[Vec3], step: &[Vec3], topology: &Topology, body: &mut Body, reach: f64) {
+        self.body_points.clear();
+        self.body_edges.clear();
+        self.body_faces.clear();
+        let Some(travel) = &mut body.travel else { return };
+        travel.tree.refit_moving(&body.positions, &travel.step, &body.topology.faces, 0.0);
+        for f in (0u32..).take(topology.faces.len()) {
+            let a = Moving::of(topology, f, x, step);
+            let (bounds, moves) = (a.owned.bounds(reach), Aabb::of_three(&a.by));
+            travel.tree.meeting_moving(&bounds, &moves, |g| {
+                let b = Moving::of(&body.topology, g, &body.positions, &travel.step);
+                self.add_points(&a, &b, g, reach);
+                self.add_edges(&a, &b, reach);
+            });
+        }
+    }
+
+    fn add_points(&mut self, a: &Moving, b: &Moving, g: u32, reach: f64) {
+        let dot = |p: Vec3| Aabb { low: p, high: p };
+        let (face, moves) = (b.owned.bounds(reach), Aabb::of_three(&b.by));
+        for k in (0..3).filter(|k| a.owned.owns_vertex(*k)) {
+            if meet_moving(&face, &moves, &dot(a.owned.at[k]), &dot(a.by[k])) {
+                self.body_points.push([a.owned.corners[k], g]);
+            }
+        }
+        let (face, moves) = (a.owned.bounds(reach), Aabb::of_three(&a.by));
+        let [p, q, r] = a.owned.corners;
+        for k in (0..3).filter(|k| b.owned.owns_vertex(*k)) {
+            if meet_moving(&face, &moves, &dot(b.owned.at[k]), &dot(b.by[k])) {
+                self.body_faces.push([p, q, r, b.owned.corners[k]]);
+            }
+        }
+    }
+
+    fn add_edges(&mut self, a: &Moving, b: &Moving, reach: f64) {
+        for j in (0..3).filter(|j| b.owned.owns_edge(*j)) {
+            let (q, bounds, moves) = (b.owned.edge(j), b.owned.edge_box(j).grown(reach), b.edge_move(j));
+            for i in (0..3).filter(|i| a.owned.owns_edge(*i)) {
+                if meet_moving(&bounds, &moves, &a.owned.edge_box(i), &a.edge_move(i)) {
+                    let p = a.owned.edge(i);
+                    self.body_edges.push([p[0], p[1], q[0], q[1]]);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,42 @@
+//! Energies of a moment, and what a motion tells.
+
+use super::motion::{Dynamics, Motion, Trip};
+use super::stage::Stepper;
+use crate::report::effect;
+use crate::{Scene, Vec3};
+
+/// J.
+pub(super) fn kinetic(mass: &[f64], v: &[Vec3]) -> f64 {
+    0.5 * mass.iter().zip(v).map(|(m, v)| m * v.norm_squared()).sum::<f64>()
+}
+
+/// Stored in the cloth, weight and contact, J.
+pub(super) fn potential(stepper: &mut Stepper<'_>) -> f64 {
+    let d = &mut stepper.descent;
+    let mut scratch = vec![Vec3::zeros(); d.x.len()];
+    let contact = d.goal.barrier.as_mut().map_or(0.0, |b| b.evaluate(&d.x, &mut scratch));
+    contact + d.goal.energies.iter().map(|e| e.energy(&d.x)).sum::<f64>()
+}
+
+/// The effects of a descent, and those of motion.
+pub(super) fn effects(stepper: &Stepper<'_>, scene: &Scene, dynamics: &Dynamics, motion: &Motion, trip: &mut Trip) {
+    trip.effects = crate::statics::effects(&stepper.descent, scene);
+    trip.effects.push(effect(
+        "inertia",
+        true,
+        "the cloth moves in time".into(),
+        format!("{} steps, {} descent steps, {} stages unfinished", trip.steps, trip.descents, trip.unfinished),
+    ));
+    trip.effects.push(effect(
+        "air",
+        dynamics.drag > 0.0,
+        "a drag above 0".into(),
+        format!("{} kg/m³ against the square of the speed across the cloth", dynamics.drag),
+    ));
+    trip.effects.push(effect(
+        "moving-body",
+        !motion.body.is_empty(),
+        "the body has frames".into(),
+        format!("{} frames; it came in parts {} times because cloth was in its way", motion.body.len(), trip.parted),
+    ));
+}

@@ -1,0 +1,37 @@
+//! Impacts without rebound: cloth that met something in a stage does not leave it faster than nothing pulls it away.
+//! The stages of a scheme of second order turn a hit into a rebound of up to √2 times its speed, out of nothing.
+
+use crate::Vec3;
+use crate::collide::barrier::{Barrier, Touch};
+
+const SWEEPS: usize = 4;
+
+/// Takes the separating speed out of every contact, by impulses of equal size on both sides; `body` holds the
+/// velocities of the body's vertices (empty for a body at rest), `free` the vertices that are not held.
+pub(super) fn settle(barrier: &Barrier, x: &[Vec3], v: &mut [Vec3], mass: &[f64], free: &[bool], body: &[Vec3]) {
+    let place = |t: &Touch| match &barrier.body {
+        Some(b) if !body.is_empty() => b.at_pair(&t.key, x, body),
+        _ => Vec3::zeros(),
+    };
+    let others: Vec<Vec3> = barrier.touches.iter().map(place).collect();
+    for _ in 0..SWEEPS {
+        for (t, other) in barrier.touches.iter().zip(&others) {
+            stop(t, other, v, mass, free);
+        }
+    }
+}
+
+fn stop(t: &Touch, other: &Vec3, v: &mut [Vec3], mass: &[f64], free: &[bool]) {
+    let mut speed = -other.dot(&t.normal);
+    let mut mobility = 0.0;
+    for (w, i) in t.weights.iter().zip(t.vertices.map(|i| i as usize)).filter(|(w, _)| **w != 0.0) {
+        speed += w * v[i].dot(&t.normal);
+        mobility += if free[i] { w * w / mass[i] } else { 0.0 };
+    }
+    if speed <= 0.0 || mobility <= 0.0 {
+        return;
+    }
+    for (w, i) in t.weights.iter().zip(t.vertices.map(|i| i as usize)).filter(|(w, i)| **w != 0.0 && free[*i]) {
+        v[i] -= t.normal * (speed / mobility * w / mass[i]);
+    }
+}

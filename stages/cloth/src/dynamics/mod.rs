@@ -1,0 +1,15 @@
+//! Motion in time for animation (docs/dynamics.md): implicit steps, each a descent of the same energy and contact as
+//! the drape with inertia added, and a body that moves.
+
+mod air;
+mod carry;
+mod figures;
+mod impact;
+pub(crate) mod inert;
+mod motion;
+mod run;
+mod scheme;
+mod stage;
+
+pub use motion::{Dynamics, Frame, Motion, Trip};
+pub use run::animate;

@@ -1,0 +1,193 @@
+//! The walk through the frames.
+
+use super::air::viscous;
+use super::carry::{Hook, Path};
+use super::motion::{Dynamics, Frame, Motion, Trip};
+use super::scheme::{self, State};
+use super::stage::Stepper;
+use super::{figures, impact};
+use crate::start::Start;
+use crate::statics::descent::Descent;
+use crate::{ClothError, Integrator, Scene, Settings, Vec3, Watch};
+
+/// Frames in a row without motion that count as rest.
+const QUIET: usize = 5;
+
+/// Moves the cloth in time from the scene's positions; `each` is given every frame. Stitches must have been welded.
+///
+/// # Errors
+/// An unusable scene, setting or body frame; a start that crosses; cloth caught by the body; a stop on request.
+pub fn animate(
+    scene: &Scene,
+    settings: &Settings,
+    dynamics: &Dynamics,
+    motion: &Motion,
+    watch: &mut dyn Watch,
+    each: &mut dyn FnMut(&Frame<'_>),
+) -> Result<Trip, ClothError> {
+    dynamics.check()?;
+    motion.check(scene.body.as_ref(), scene.positions.len())?;
+    let settings = Settings { integrator: Integrator::Static, ..settings.clone() };
+    let mut walk = Walk::new(scene, &settings, dynamics, motion)?;
+    walk.go(watch, each)?;
+    Ok(walk.end())
+}
+
+struct Walk<'a> {
+    scene: &'a Scene,
+    dynamics: &'a Dynamics,
+    motion: &'a Motion,
+    stepper: Stepper<'a>,
+    path: Option<Path>,
+    state: State,
+    /// Velocities one step before, m/s, and that step, s.
+    last: Option<(Vec<Vec3>, f64)>,
+    free: Vec<bool>,
+    trip: Trip,
+}
+
+impl<'a> Walk<'a> {
+    fn new(
+        scene: &'a Scene,
+        settings: &'a Settings,
+        dynamics: &'a Dynamics,
+        motion: &'a Motion,
+    ) -> Result<Self, ClothError> {
+        let mut start = Start::new(scene, settings)?;
+        let path = scene.body.as_ref().and_then(|b| Path::new(motion, &b.positions));
+        if let Some(body) = start.body.as_mut().filter(|_| path.is_some()) {
+            body.set_out();
+        }
+        let body = start.body.as_ref().filter(|_| path.is_some());
+        let hooks = crate::problem::held(scene).into_iter().map(|(v, at)| Hook::new(v, at, body)).collect();
+        let descent = Descent::new(scene, settings, start, false);
+        let mut free: Vec<bool> = descent.goal.mass.iter().map(|m| *m > 0.0).collect();
+        descent.goal.pins.iter().for_each(|p| free[p.0 as usize] = false);
+        let n = descent.x.len();
+        let v = if motion.velocities.is_empty() { vec![Vec3::zeros(); n] } else { motion.velocities.clone() };
+        let state = State { x: descent.x.clone(), v };
+        let stepper =
+            Stepper { descent, hooks, free: free.clone(), tolerance: dynamics.tolerance, unfinished: 0, parted: 0 };
+        let trip = Trip { led: path.as_ref().map_or(0.0, |p| p.led), ..Trip::default() };
+        Ok(Self { scene, dynamics, motion, stepper, path, state, last: None, free, trip })
+    }
+
+    fn go(&mut self, watch: &mut dyn Watch, each: &mut dyn FnMut(&Frame<'_>)) -> Result<(), ClothError> {
+        let lead = self.path.as_ref().map_or(0.0, |p| p.lead);
+        if lead > 0.0 {
+            self.span(-lead, 0.0, watch)?;
+        }
+        self.show(0, each);
+        let frame = |k: usize| k as f64 / self.motion.fps;
+        let mut quiet = 0;
+        for k in 1..self.motion.frames.max(1) {
+            let before = self.state.x.clone();
+            self.span(frame(k - 1), frame(k), watch)?;
+            let moved = before.iter().zip(&self.state.x).map(|(p, q)| (p - q).norm()).fold(0.0, f64::max);
+            self.trip.speed = moved * self.motion.fps;
+            self.show(k, each);
+            let stopped = self.path.as_ref().is_none_or(|p| frame(k) >= p.end());
+            quiet = if stopped && self.trip.speed <= self.dynamics.rest_speed { quiet + 1 } else { 0 };
+            self.trip.settled = quiet >= QUIET;
+            if self.trip.settled && self.motion.until_settled {
+                break;
+            }
+        }
+        Ok(())
+    }
+
+    /// Equal steps from one time to another.
+    fn span(&mut self, from: f64, to: f64, watch: &mut dyn Watch) -> Result<(), ClothError> {
+        // A hair of slack, so that rounding makes no further step.
+        let n = ((to - from) / self.dynamics.step * (1.0 - 1e-9)).ceil().max(1.0);
+        let dt = (to - from) / n;
+        for k in 0..n as usize {
+            if watch.cancelled() {
+                return Err(ClothError::Cancelled { step: self.trip.steps });
+            }
+            let now = from + dt * k as f64;
+            watch.progress(self.trip.steps, &format!("{now:.2} s of {:.2} s", self.seconds()));
+            self.step(now, dt)?;
+            self.trip.steps += 1;
+        }
+        Ok(())
+    }
+
+    fn seconds(&self) -> f64 {
+        self.motion.frames.saturating_sub(1) as f64 / self.motion.fps
+    }
+
+    fn step(&mut self, now: f64, dt: f64) -> Result<(), ClothError> {
+        let mass = self.stepper.descent.goal.mass.clone();
+        let (scene, dynamics) = (self.scene, self.dynamics);
+        let s = self.state.clone();
+        let damping = |v: &[Vec3]| viscous(dynamics, &mass, &scene.triangles, &s.x, v);
+        let mut force = vec![Vec3::zeros(); s.x.len()];
+        self.stepper.descent.goal.energies.iter().for_each(|e| e.add_forces(&s.x, &mut force));
+        force.iter_mut().zip(damping(&s.v)).zip(&s.v).for_each(|((f, c), v)| *f -= c * v);
+        let ahead = |v: &[Vec3], old: &[Vec3], share: f64| -> Vec<Vec3> {
+            v.iter().zip(old).map(|(v, o)| v + (v - o) * share).collect()
+        };
+        let soon = match &self.last {
+            Some((old, span)) => ahead(&s.v, old, scheme::FIRST * dt / span),
+            None => s.v.clone(),
+        };
+        let guess = s.v.iter().map(|v| v * (scheme::FIRST * dt)).collect();
+        let stage = scheme::first(&s, &force, &mass, damping(&soon), dt);
+        let middle = self.stage(stage, guess, now, scheme::FIRST * dt)?;
+
+        let soon = ahead(&middle.v, &s.v, (1.0 - scheme::FIRST) / scheme::FIRST);
+        let guess = middle.v.iter().map(|v| v * ((1.0 - scheme::FIRST) * dt)).collect();
+        let stage = scheme::second(&s, &middle, &mass, damping(&soon), dt);
+        self.state = self.stage(stage, guess, now + scheme::FIRST * dt, (1.0 - scheme::FIRST) * dt)?;
+        self.last = Some((s.v, dt));
+        Ok(())
+    }
+
+    fn stage(
+        &mut self,
+        inert: super::inert::Inert,
+        guess: Vec<Vec3>,
+        now: f64,
+        span: f64,
+    ) -> Result<State, ClothError> {
+        let body = self.path.as_ref().map(|p| p.at(now + span));
+        let before = self.path.as_ref().map(|p| p.at(now));
+        self.stepper.solve(inert, guess, body.as_deref(), now)?;
+        let goal = &self.stepper.descent.goal;
+        let x = self.stepper.descent.x.clone();
+        let mut v = goal.inert.as_ref().map_or_else(Vec::new, |i| scheme::velocities(i, &x));
+        let pace: Vec<Vec3> = match (before, body) {
+            (Some(a), Some(b)) => a.iter().zip(&b).map(|(a, b)| (b - a) / span).collect(),
+            _ => Vec::new(),
+        };
+        if let Some(barrier) = &goal.barrier {
+            impact::settle(barrier, &x, &mut v, &goal.mass, &self.free, &pace);
+        }
+        Ok(State { x, v })
+    }
+
+    fn show(&mut self, number: usize, each: &mut dyn FnMut(&Frame<'_>)) {
+        self.trip.frames = number + 1;
+        let potential = figures::potential(&mut self.stepper);
+        let goal = &self.stepper.descent.goal;
+        let body = goal.barrier.as_ref().and_then(|b| b.body.as_ref()).map_or(&[][..], |b| &b.positions);
+        each(&Frame {
+            number,
+            seconds: number as f64 / self.motion.fps,
+            positions: &self.state.x,
+            velocities: &self.state.v,
+            body,
+            kinetic: figures::kinetic(&goal.mass, &self.state.v),
+            potential,
+        });
+    }
+
+    fn end(self) -> Trip {
+        let Self { scene, dynamics, motion, stepper, mut trip, .. } = self;
+        trip.descents = stepper.descent.steps;
+        (trip.unfinished, trip.parted) = (stepper.unfinished, stepper.parted);
+        figures::effects(&stepper, scene, dynamics, motion, &mut trip);
+        trip
+    }
+}

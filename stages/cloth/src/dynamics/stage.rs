@@ -1,0 +1,162 @@
+//! One stage of a time step: the body comes as far as the cloth in its way lets it, the cloth gives way, and so on until
+//! the body is where it belongs; then the descent is led to its end.
+
+use super::carry::Hook;
+use super::inert::Inert;
+use crate::collide::barrier::{BODY_EDGE, BODY_FACE, BODY_POINT, Barrier};
+use crate::collide::near::Gap;
+use crate::statics::descent::Descent;
+use crate::{ClothError, Place, Vec3};
+
+/// Steps of the descent between two parts of the body's way.
+const GIVES_WAY: usize = 6;
+/// Factors in a stage, at most.
+const MOST_FACTORS: usize = 25;
+/// A part of the remaining way smaller than this is none …
+const NO_WAY: f64 = 2e-3;
+/// … and so many in a row mean that the cloth cannot give way.
+const PATIENCE: usize = 60;
+
+/// A descent that is led from stage to stage.
+pub(super) struct Stepper<'a> {
+    pub descent: Descent<'a>,
+    pub hooks: Vec<Hook>,
+    /// Neither held nor without mass.
+    pub free: Vec<bool>,
+    /// m/s.
+    pub tolerance: f64,
+    pub unfinished: u64,
+    pub parted: u64,
+}
+
+impl Stepper<'_> {
+    /// Solves a stage that starts with the displacements `guess`; `body`: where the body is at its end.
+    pub fn solve(&mut self, inert: Inert, guess: Vec<Vec3>, body: Option<&[Vec3]>, now: f64) -> Result<(), ClothError> {
+        let near = self.tolerance * inert.h;
+        let tau = 1.0 / inert.rate;
+        self.descent.goal.inert = Some(inert);
+        self.descent.refresh_friction();
+        self.descent.start_anew();
+        let mut guess = guess;
+        let mut idle = 0;
+        loop {
+            let part = self.come(guess, body);
+            self.descent.start_anew();
+            if part >= 1.0 || body.is_none() {
+                break;
+            }
+            self.parted += 1;
+            idle = if part < NO_WAY { idle + 1 } else { 0 };
+            if idle > PATIENCE {
+                return Err(ClothError::Caught { seconds: now, place: self.tightest() });
+            }
+            self.relax(tau, near, 1, GIVES_WAY)?;
+            guess = vec![Vec3::zeros(); self.descent.x.len()];
+        }
+        let length = self.descent.block_length();
+        if !self.relax(tau, near, MOST_FACTORS, length)? {
+            self.unfinished += 1;
+        }
+        Ok(())
+    }
+
+    /// Moves cloth, held vertices and body together, as far as nothing crosses; the part of the way that was taken.
+    fn come(&mut self, guess: Vec<Vec3>, to: Option<&[Vec3]>) -> f64 {
+        let d = &mut self.descent;
+        let mut step = guess;
+        if let (Some(to), Some(faces)) = (to, d.goal.barrier.as_ref().and_then(|b| b.body.as_ref())) {
+            for h in &self.hooks {
+                step[h.vertex as usize] = h.place(&faces.topology.faces, to) - d.x[h.vertex as usize];
+            }
+        } else {
+            self.hooks.iter().for_each(|h| step[h.vertex as usize] = Vec3::zeros());
+        }
+        let Some(barrier) = &mut d.goal.barrier else {
+            d.x.iter_mut().zip(&step).for_each(|(x, s)| *x += s);
+            return 1.0;
+        };
+        let way: Option<Vec<Vec3>> = to.zip(barrier.body.as_mut()).map(|(to, b)| {
+            let way: Vec<Vec3> = to.iter().zip(&b.positions).map(|(p, q)| p - q).collect();
+            b.depart(&way);
+            way
+        });
+        barrier.cover(&d.x, &step);
+        if let Some(way) = &way {
+            aside(barrier, &d.x, &mut step, way, &self.free);
+            barrier.cover(&d.x, &step);
+        }
+        d.evaluate();
+        let Some(barrier) = &mut d.goal.barrier else { return 1.0 };
+        let part = barrier.free_part(&d.x, &step);
+        if let (Some(way), Some(body)) = (&way, &mut barrier.body) {
+            if let Some(stick) = &mut d.goal.stick {
+                stick.carry(|key| body.at_pair(key, &d.x, way) * part);
+            }
+            body.arrive(part);
+        }
+        d.x.iter_mut().zip(&step).for_each(|(x, s)| *x += s * part);
+        barrier.took(&d.x);
+        part
+    }
+
+    /// Descends until a step is shorter than `near`; `false` if that was not reached.
+    fn relax(&mut self, tau: f64, near: f64, factors: usize, length: usize) -> Result<bool, ClothError> {
+        let d = &mut self.descent;
+        let mut stuck = 0;
+        for _ in 0..factors {
+            d.tau = if stuck > 1 { 0.1 * tau } else { tau };
+            d.metric()?;
+            for _ in 0..length {
+                match d.step() {
+                    Some(part) if part > 0.5 && d.longest <= near => return Ok(true),
+                    Some(part) if part < 0.2 => break,
+                    Some(_) => stuck = 0,
+                    None => {
+                        // Nothing is left to win in the digits of the energy.
+                        if d.longest <= 10.0 * near {
+                            return Ok(true);
+                        }
+                        stuck += 1;
+                        d.start_anew();
+                        break;
+                    }
+                }
+            }
+            if stuck > 3 {
+                break;
+            }
+        }
+        Ok(false)
+    }
+
+    /// Where two things are nearest to each other.
+    fn tightest(&self) -> Place {
+        let touches = self.descent.goal.barrier.iter().flat_map(|b| &b.touches);
+        let v = touches.min_by(|a, b| a.distance.total_cmp(&b.distance)).map_or(0, |t| t.vertices[0]);
+        let faces = self.descent.goal.barrier.iter().flat_map(|b| &b.frame.topology.faces);
+        let triangle = (0u32..).zip(faces).find(|(_, f)| f.contains(&v)).map_or(0, |(i, _)| i);
+        Place { triangle, at: self.descent.x[v as usize] }
+    }
+}
+
+/// Lets the cloth's displacements give way to the body's: nothing comes nearer to it than its gap by the guess alone.
+fn aside(barrier: &Barrier, x: &[Vec3], step: &mut [Vec3], way: &[Vec3], free: &[bool]) {
+    let Some(body) = &barrier.body else { return };
+    let near = &barrier.near;
+    let points = near.body_point_gaps(x, body).map(|(g, _)| (BODY_POINT, 1, 1.0, g));
+    let edges = near.body_edge_gaps(x, body).map(|(g, _)| (BODY_EDGE, 2, 0.5, g));
+    let faces = near.body_face_gaps(x, body).map(|(g, _)| (BODY_FACE, 3, 0.5, g));
+    for (kind, count, share, Gap { vertices, weights, d }) in points.chain(edges).chain(faces) {
+        let distance = d.norm();
+        let gaps = vertices[..count].iter().map(|v| barrier.frame.body_gap[*v as usize]);
+        let room = 0.9 * (distance - share * gaps.fold(f64::INFINITY, f64::min)).max(0.0);
+        let normal = d / distance.max(1e-300);
+        let mine: Vec3 = (0..count).map(|k| step[vertices[k] as usize] * weights[k]).sum();
+        let nearer = (body.at_pair(&(kind, vertices), x, way) - mine).dot(&normal);
+        if nearer > room {
+            for v in vertices[..count].iter().filter(|v| free[**v as usize]) {
+                step[*v as usize] += normal * (nearer - room);
+            }
+        }
+    }
+}

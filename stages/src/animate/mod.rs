@@ -1,0 +1,144 @@
+//! Animate: the draped garment moves in time on a moving body (the paper's third phase of collisions, §2.3).
+
+mod body;
+mod params;
+mod store;
+
+pub use params::AnimateParams;
+
+use crate::solve::{Follow, Layout, failure, scene};
+use store::Store;
+use toile_cloth::{Motion, Scene, Trip};
+use toile_garment::garment::EffectRecord;
+use toile_garment::{Aspect, Diagnostic, Garment, Vec3};
+use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+
+/// Distance between the drape's body and the first frame from which a person should look, metres.
+const FAR: f64 = 0.2;
+
+/// Moves the garment.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Animate;
+
+impl Stage for Animate {
+    type Params = AnimateParams;
+    const INFO: StageInfo = StageInfo::new(
+        "animate",
+        "moves the draped garment in time, on a body that moves, and gives frames",
+        &[Aspect::Mesh, Aspect::Drape, Aspect::Fabric],
+        &[Aspect::Animation],
+        1,
+    );
+
+    fn run(
+        &self,
+        params: &AnimateParams,
+        mut garment: Garment,
+        cx: &mut StageContext<'_>,
+    ) -> Result<Garment, StageError> {
+        let layout = Layout::of(&garment);
+        let drape = garment.drape.take().ok_or_else(|| StageError::Internal("no draped shape".to_owned()))?;
+        let gravity = Vec3::new(0.0, -params.gravity.0, 0.0);
+        let start = scene(&garment, &layout, layout.join(&drape.positions), gravity).map_err(StageError::Parameter)?;
+        let welded = toile_cloth::weld(&start, &start.positions);
+        let frames = match &params.body {
+            Some(path) => body::frames(path, params, &garment, cx)?,
+            None => Vec::new(),
+        };
+        let motion = params.motion(frames);
+        let settings = params.settings(cx.threads);
+        let mut store = Store::new(&welded.scene, &settings);
+        let trip = film(&welded.scene, params, &motion, &mut store, cx)?;
+        let animation = store.finish(params.fps, trip.settled, &layout, &welded)?;
+        if let Some(c) = &mut garment.certificate {
+            c.self_crossings = c.self_crossings.max(animation.self_crossings);
+            c.body_crossings = c.body_crossings.max(animation.body_crossings);
+            c.penetration_max_mm = c.penetration_max_mm.max(animation.penetration_max_mm);
+            c.passed &= animation.self_crossings == 0 && animation.body_crossings == 0;
+        }
+        garment.drape = Some(drape);
+        tell(params, &motion, &trip, &animation, &mut garment, cx);
+        if let Some(pattern) = &params.sequence {
+            store::write(pattern, &animation, &garment, cx)?;
+        }
+        garment.animation = Some(animation);
+        Ok(garment)
+    }
+}
+
+fn film(
+    scene: &Scene,
+    params: &AnimateParams,
+    motion: &Motion,
+    store: &mut Store<'_>,
+    cx: &mut StageContext<'_>,
+) -> Result<Trip, StageError> {
+    let settings = params.settings(cx.threads);
+    let mut take = |f: &toile_cloth::Frame<'_>| store.take(f);
+    toile_cloth::animate(scene, &settings, &params.dynamics(), motion, &mut Follow::new(cx), &mut take).map_err(failure)
+}
+
+fn tell(
+    params: &AnimateParams,
+    motion: &Motion,
+    trip: &Trip,
+    animation: &toile_garment::animation::Animation,
+    garment: &mut Garment,
+    cx: &mut StageContext<'_>,
+) {
+    add_effects(&mut garment.effects, trip);
+    let mut warn = |code: &str, message: String, hint: &str| {
+        cx.report.push(Diagnostic::warning(code, message).hint(hint));
+    };
+    if params.until_settled && !trip.settled {
+        let message = format!(
+            "the cloth still moves at {:.0} mm/s after {} frames (goal {:.0} mm/s)",
+            trip.speed * 1e3,
+            trip.frames,
+            params.dynamics().rest_speed * 1e3
+        );
+        warn("motion-not-settled", message, "give it more time (with.frames) or calm it (with.calming)");
+    }
+    if trip.unfinished > 0 {
+        let message =
+            format!("{} of {} stages of time steps were not solved to the end", trip.unfinished, 2 * trip.steps);
+        warn("motion-not-solved", message, "shorten the time step (with.step)");
+    }
+    if trip.led > FAR {
+        let message = format!(
+            "the body's first frame is up to {:.0} mm from the pose the garment was draped on; it is led there in {:.1} s",
+            trip.led * 1e3,
+            motion.lead_in
+        );
+        warn(
+            "body-led",
+            message,
+            "begin the motion in the pose of the body that `stitch` reads, or lengthen with.lead_in",
+        );
+    }
+    if animation.self_crossings + animation.body_crossings > 0 {
+        let message = format!(
+            "in some frame {} pairs of cloth triangles and {} of cloth and body cross",
+            animation.self_crossings, animation.body_crossings
+        );
+        warn("frames-cross", message, "does the body's motion cross itself? shorten the time step (with.step)");
+    }
+}
+
+/// Effects that the drape had too get the evidence of the motion beside that of the drape.
+fn add_effects(effects: &mut Vec<EffectRecord>, trip: &Trip) {
+    for e in &trip.effects {
+        if let Some(known) = effects.iter_mut().find(|k| k.name == e.name) {
+            known.on |= e.on;
+            known.evidence = format!("{}; in motion: {}", known.evidence, e.evidence);
+            continue;
+        }
+        effects.push(EffectRecord {
+            name: e.name.to_owned(),
+            on: e.on,
+            rule: e.rule.clone(),
+            evidence: e.evidence.clone(),
+            cpu_seconds: e.cpu_seconds,
+        });
+    }
+}

@@ -1,0 +1,131 @@
+//! Parameters of `animate` and their meaning for the solver.
+
+use crate::drape::{AccuracyName, DrapeParams, EffectsParam, ModelName, SwitchName};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
+use toile_cloth::{Dynamics, Motion, Settings};
+use toile_garment::Vec3;
+use toile_garment::units::{Acceleration, Duration, Length, Speed};
+
+/// Frames of a run that ends by itself, at most.
+const MOST_SECONDS: f64 = 10.0;
+/// Pressure of the air over the square of the speed across the cloth, kg/m³: ½ ρ C_d of a plate, ρ 1.2 kg/m³, C_d 1.
+const AIR: f64 = 0.6;
+
+/// Parameters of `animate`.
+#[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct AnimateParams {
+    /// The moving body: the first file of a series of OBJ files (`walk-000.obj`; its number is counted up to the first
+    /// file that is missing), each with the vertices and faces of the body the garment was draped on; or a GLB whose
+    /// first animation moves the same mesh by a skin, by morph targets or by its nodes. Without it the body stands still.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub body: Option<PathBuf>,
+    /// Frames in a second, of the body and of the result.
+    pub fps: f64,
+    /// Frames of the result; as many as the body has when not given (1 s without body frames). The body stands still
+    /// after its last frame.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub frames: Option<u32>,
+    /// End as soon as the body has stopped and the cloth has come to rest, after `frames` (10 s more than the body has
+    /// when not given) at the latest.
+    pub until_settled: bool,
+    /// Downward acceleration.
+    pub gravity: Acceleration,
+    /// In-plane model.
+    pub model: ModelName,
+    /// How far each time step is solved.
+    pub accuracy: AccuracyName,
+    /// Effects, each `auto`, `on` or `off`.
+    pub effects: EffectsParam,
+    /// Resistance of the air; `auto` is on.
+    pub air: SwitchName,
+    /// Time in which motion dies away to 1/e by itself, air aside; `0 s` for never.
+    pub calming: Duration,
+    /// Longest time step.
+    pub step: Duration,
+    /// Distance at which cloth is held off the body.
+    pub body_gap: Length,
+    /// Time in which the body is led from the pose of the drape to its first frame, where they differ.
+    pub lead_in: Duration,
+    /// Speed below which the cloth has come to rest.
+    pub rest_speed: Speed,
+    /// Also writes every frame as OBJ; this is the name of the first: `{out}/frame-000.obj`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub sequence: Option<String>,
+}
+
+impl Default for AnimateParams {
+    fn default() -> Self {
+        let drape = DrapeParams::default();
+        Self {
+            body: None,
+            fps: 30.0,
+            frames: None,
+            until_settled: false,
+            gravity: drape.gravity,
+            model: drape.model,
+            accuracy: drape.accuracy,
+            effects: drape.effects,
+            air: SwitchName::Auto,
+            calming: Duration(2.0),
+            step: Duration(1.0 / 120.0),
+            body_gap: drape.body_gap,
+            lead_in: Duration(1.0),
+            rest_speed: Speed(5e-3),
+            sequence: None,
+        }
+    }
+}
+
+impl AnimateParams {
+    /// The solver's settings.
+    #[must_use]
+    pub fn settings(&self, threads: usize) -> Settings {
+        let drape = DrapeParams {
+            gravity: self.gravity,
+            model: self.model,
+            effects: self.effects.clone(),
+            body_gap: self.body_gap,
+            ..DrapeParams::default()
+        };
+        drape.settings(threads)
+    }
+
+    /// How time is stepped.
+    #[must_use]
+    pub fn dynamics(&self) -> Dynamics {
+        Dynamics {
+            step: self.step.0,
+            damping: if self.calming.0 > 0.0 { 1.0 / self.calming.0 } else { 0.0 },
+            drag: if self.air == SwitchName::Off { 0.0 } else { AIR },
+            rest_speed: self.rest_speed.0,
+            tolerance: Dynamics::default().tolerance
+                * match self.accuracy {
+                    AccuracyName::Draft => 4.0,
+                    AccuracyName::Normal => 1.0,
+                    AccuracyName::Fine => 0.2,
+                },
+        }
+    }
+
+    /// What moves.
+    #[must_use]
+    pub fn motion(&self, body: Vec<Vec<Vec3>>) -> Motion {
+        let seconds = |s: f64| (s * self.fps).ceil() as usize;
+        let own = match (body.len(), self.until_settled) {
+            (n, true) => n + seconds(MOST_SECONDS),
+            (0, false) => seconds(1.0) + 1,
+            (n, false) => n,
+        };
+        Motion {
+            fps: self.fps,
+            frames: self.frames.map_or(own, |n| n as usize),
+            until_settled: self.until_settled,
+            body,
+            lead_in: self.lead_in.0,
+            velocities: Vec::new(),
+        }
+    }
+}
