@@ -85,7 +85,7 @@ fn coarse(fine: &Scene, mesh: &Mesh, number: &[u32], kept: &[u32]) -> Scene {
     pins.iter_mut().for_each(|p| p.vertex = number[p.vertex as usize]);
     let mut loads: Vec<_> = fine.loads.iter().filter(|l| stays(&l.vertex)).copied().collect();
     loads.iter_mut().for_each(|l| l.vertex = number[l.vertex as usize]);
-    let stitches = fine.stitches.iter().filter(|s| s.iter().all(|v| stays(v)));
+    let stitches = fine.stitches.iter().filter(|s| s.iter().all(stays));
     Scene {
         positions: kept.iter().map(|v| fine.positions[*v as usize]).collect(),
         triangles: triangles.collect(),
