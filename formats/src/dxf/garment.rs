@@ -2,6 +2,7 @@
 
 use super::chain::Path;
 use super::darts::{DrawnDart, Form};
+use super::geom;
 use super::notches::DrawnNotch;
 use super::outline::{Node, Outline};
 use super::pattern::Pattern;
@@ -71,14 +72,14 @@ pub fn to_piece(drawn: &DrawnPiece, file: &str) -> Piece {
     let fold = drawn.fold.map(Fold);
     let mut sewn = drawn.sewn().clone();
     let mut darts = drawn.darts.clone();
-    anchor_marked(&mut sewn, &mut darts);
+    anchor_marked(&mut sewn, &mut darts, fold);
     let nodes = whole(&sewn, fold);
     let sewn_layer = if drawn.sew.is_some() { "14" } else { "1" };
     let outline = closed_line(&nodes, source(sewn.line, sewn_layer));
     let cut_line =
         drawn.sew.as_ref().map(|_| closed_line(&whole(&drawn.boundary, fold), source(drawn.boundary.line, "1")));
     if let Some(fold) = fold {
-        let mirrored: Vec<DrawnDart> = darts.iter().filter(|d| beside(fold, &d.apexes)).map(|d| fold.dart(d)).collect();
+        let mirrored: Vec<DrawnDart> = darts.iter().filter(|d| !on_fold(fold, d)).map(|d| fold.dart(d)).collect();
         darts.extend(mirrored);
     }
     let text = |key: &str| drawn.keys.get(key).filter(|v| !v.is_empty()).cloned();
@@ -123,10 +124,20 @@ pub fn to_piece(drawn: &DrawnPiece, file: &str) -> Piece {
 }
 
 /// The mouth of a marked dart becomes two vertices of the outline, so that its pointers have something to point to.
-fn anchor_marked(sewn: &mut Outline, darts: &mut [DrawnDart]) {
+fn anchor_marked(sewn: &mut Outline, darts: &mut [DrawnDart], fold: Option<Fold>) {
+    let half = sewn.positions();
     for dart in darts.iter_mut().filter(|d| d.form == Form::Marked) {
+        // Of a dart on the fold the half piece holds one mouth point.
+        let fold = fold.filter(|f| on_fold(*f, dart));
+        let off = dart.mouth.map(|m| geom::distance(m, &half, true));
+        let mine = usize::from(off[1] < off[0]);
+        let anchored = sewn.insert_work(dart.mouth[mine]);
         for leg in 0..2 {
-            let at = sewn.insert_work(dart.mouth[leg]);
+            let at = match fold {
+                _ if leg == mine => anchored,
+                Some(fold) => fold.mirror(anchored),
+                None => sewn.insert_work(dart.mouth[leg]),
+            };
             dart.mouth[leg] = at;
             if let Some(first) = dart.work[leg].first_mut() {
                 *first = at;
@@ -156,6 +167,11 @@ fn edges(outline: &PieceLine) -> Vec<OutlineEdge> {
     let corners = if corners.is_empty() { vec![0] } else { corners };
     let n = corners.len();
     (0..n).map(|i| OutlineEdge { index: i as u32, name: None, from: corners[i], to: corners[(i + 1) % n] }).collect()
+}
+
+/// Does a dart lie on the fold, so that it is its own mirror image?
+fn on_fold(fold: Fold, dart: &DrawnDart) -> bool {
+    dart.apexes.iter().all(|p| fold.distance(*p) <= 0.5)
 }
 
 /// Away from the fold: what lies on it is its own mirror image.
