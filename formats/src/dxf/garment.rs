@@ -48,6 +48,46 @@ impl Pattern {
             Garment { style: self.style.clone().unwrap_or_default(), size: chosen.size, pieces, ..Garment::default() };
         Ok((garment, chosen.findings))
     }
+
+    /// The garment in several sizes, in the order asked for: every piece in each, called `piece@size`; pieces of no size
+    /// once. The size of the garment is the sample size if it is among them, else the first.
+    ///
+    /// # Errors
+    /// As [`Self::to_garment`], for each size.
+    pub fn to_garment_in_sizes(
+        &self,
+        sizes: &[String],
+        rul: Option<&RuleTable>,
+    ) -> Result<(Garment, Vec<Diagnostic>), Vec<Diagnostic>> {
+        let mut all = Garment { style: self.style.clone().unwrap_or_default(), ..Garment::default() };
+        let (mut findings, mut errors) = (Vec::new(), Vec::new());
+        let mut names = BTreeSet::new();
+        for size in sizes {
+            match self.to_garment(Some(size), rul) {
+                Ok((one, told)) => {
+                    findings.extend(told);
+                    for mut piece in one.pieces {
+                        let Some(own) = &piece.size else {
+                            if names.insert(piece.name.clone()) {
+                                piece.id = PieceId::from(all.pieces.len());
+                                all.pieces.push(piece);
+                            }
+                            continue;
+                        };
+                        piece.name = format!("{}@{own}", piece.name);
+                        if names.insert(piece.name.clone()) {
+                            piece.id = PieceId::from(all.pieces.len());
+                            all.pieces.push(piece);
+                        }
+                    }
+                }
+                Err(list) => errors.extend(list),
+            }
+        }
+        let sample = self.sample_size.as_ref().filter(|s| sizes.iter().any(|w| w.eq_ignore_ascii_case(s)));
+        all.size = sample.or(sizes.first()).cloned();
+        if errors.is_empty() { Ok((all, findings)) } else { Err(errors) }
+    }
 }
 
 fn unique(name: String, taken: &mut BTreeSet<String>) -> String {
