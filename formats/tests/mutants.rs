@@ -19,8 +19,8 @@ fn two_thousand_mutants() {
         "stitches": [[{"panel": "a", "edge": 3}, {"panel": "a", "edge": 4}]]}, "properties": {"units_in_meter": 100}}"#;
     let seeds = [
         sample("long-skirt.aama.dxf"),
-        sample("fitted-bodice.astm.dxf"),
-        sample("t-shirt.astm.dxf"),
+        sample("fitted-bodice.aama.dxf"),
+        sample("t-shirt.aama.dxf"),
         ("t.rul".to_owned(), b"UNITS: METRIC\nNUMBER OF SIZES: 2\nSIZE LIST: 38 40\nSAMPLE SIZE: 38\nRULE: DELTA 1\n0.0, 0.0 5.5, -2.0\nEND\n".to_vec()),
         ("t.json".to_owned(), specification.as_bytes().to_vec()),
     ];

@@ -14,9 +14,6 @@ pub(super) const CODES: &[Code] = &[
         "`size_run` writes the cut lines of its own file; `allowance` cannot change them. Exit code 2.",
     ),
     code("boundary-too-short", "A piece to write has fewer than three boundary points. Exit code 3."),
-    code(
-        "`allowance.edges` names an edge that no piece has. `toile inspect FILE --svg OUT` draws the numbers. Exit code 2.",
-    ),
     code("flat-does-not-fit", "The flattened positions do not belong to the piece's mesh or outline. Exit code 3."),
     code(
         "flat-missing",

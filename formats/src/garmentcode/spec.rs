@@ -119,8 +119,8 @@ fn spec(value: &Value, r: &mut Reader) -> Option<Spec> {
     let properties = value.get("properties");
     let per_metre = properties.and_then(|p| p.get("units_in_meter"));
     let per_metre = per_metre.map_or(Some(100.0), |v| r.number(v, "properties.units_in_meter"))?;
-    if per_metre <= 0.0 {
-        return r.fail("properties.units_in_meter", "it must be above 0");
+    if !(1e-3..=1e6).contains(&per_metre) {
+        return r.fail("properties.units_in_meter", "it must be above 0, and 0.001 to 1,000,000");
     }
     let relative = properties.and_then(|p| p.get("curvature_coords")).and_then(Value::as_str) != Some("absolute");
     let names = order(pattern, list);

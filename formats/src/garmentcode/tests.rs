@@ -96,6 +96,8 @@ fn what_is_wrong_is_said_with_its_place() {
         ("\"edge\": 6", "\"edge\": 3", "sewn twice"),
         ("\"edge\": 6", "\"edge\": 60", "stitch 2"),
         ("\"units_in_meter\": 100", "\"units_in_meter\": 0", "above 0"),
+        // So small that metres overflow: found among mutants.
+        ("\"units_in_meter\": 100", "\"units_in_meter\": 1e-320", "above 0"),
         ("{\"endpoints\": [0,1]}, {\"endpoints\": [1,2]}", "{\"endpoints\": [0,1]}, {\"endpoints\": [0,2]}", "loop"),
     ] {
         let text = spec().replacen(was, is, 1);

@@ -59,7 +59,7 @@ pub fn cases() -> Vec<Case> {
         |w| w.text("1", "Style Name:N").text("1", "Sample Size:M").text("1", "Units:METRIC"),
     );
     vec![
-        Case::new("richpeace-closed-twice", richpeace(closed_twice), vec![m(wedge("FRONT"))]).by("richpeace"),
+        Case::new("richpeace-closed-twice", richpeace(closed_twice), vec![m(wedge("FRONT"))]),
         Case::new("richpeace-t-notch", richpeace(teeth), vec![m(Facts { marks: 1, internal: 1, ..wedge("FRONT") })])
             .by("richpeace"),
         Case::new("richpeace-gbk", gbk, vec![m(wedge("FRONT"))]).tells(&["encoding-guessed"]),

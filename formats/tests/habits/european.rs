@@ -32,7 +32,7 @@ fn lectra() -> Vec<Case> {
         front(w).polyline("1", true, &RECTANGLE).points("2", &RECTANGLE).polyline("11", true, &lens)
     };
     let marked_dart = Facts { darts: vec![("internal_line", (150.0, 500.0))], internal: 2, ..plain("FRONT") };
-    let lens = Facts { darts: vec![("contour", (150.0, 450.0))], cutouts: 1, ..plain("FRONT") };
+    let lens = Facts { darts: vec![("contour", (150.0, 150.0))], cutouts: 1, ..plain("FRONT") };
     let spaced = |w: Writer| body(w).text("1", "Quantity: 2").text("1", "Category: shell");
     vec![
         Case::new("lectra-plain", one("FRONT 38", body, author), vec![s38(wedge("FRONT"))]).by("lectra"),

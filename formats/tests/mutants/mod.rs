@@ -124,11 +124,17 @@ fn refused(list: &[toile_garment::Diagnostic]) -> Option<String> {
 }
 
 fn one_dxf(bytes: &[u8]) -> Option<String> {
-    let pattern = match read(bytes, "m.dxf", &ReadOptions::default()) {
+    // The inspection reads too; every fourth copy also goes through its facts.
+    let whole = bytes.len().is_multiple_of(4);
+    let pattern = if whole {
+        inspect(bytes, "m.dxf", None).map(|i| i.pattern)
+    } else {
+        read(bytes, "m.dxf", &ReadOptions::default())
+    };
+    let pattern = match pattern {
         Ok(pattern) => pattern,
         Err(list) => return refused(&list),
     };
-    let _ = inspect(bytes, "m.dxf", None);
     sound(&pattern)
 }
 
