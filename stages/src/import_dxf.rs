@@ -52,7 +52,7 @@ pub enum Inserts {
 
 /// One size, or several.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(untagged)]
+#[serde(untagged, expecting = "a size in quotes, e.g. \"38\", or a list of sizes")]
 pub enum SizeChoice {
     /// One size.
     One(String),
