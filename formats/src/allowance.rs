@@ -235,7 +235,7 @@ fn tidy(ring: Vec<Vec2>, corners: &Corners) -> Vec<Vec2> {
         };
         let chord = next - last;
         let straight = cross(chord, p - last).abs() <= STRAIGHT * chord.norm() && chord.dot(&(p - last)) > 0.0;
-        if (last - p).norm() > 1e-6 && !(straight && !corners.has(*p)) {
+        if (corners.has(*p) || !straight) && (last - p).norm() > 1e-6 {
             out.push(*p);
         }
     }

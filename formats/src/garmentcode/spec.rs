@@ -101,7 +101,7 @@ pub fn parse(bytes: &[u8]) -> Result<Spec, Vec<Diagnostic>> {
         Some(spec) if r.errors.is_empty() => Ok(spec),
         _ => {
             if r.errors.is_empty() {
-                r.fail::<()>("document", "this is no specification");
+                r.fail::<()>("the document", "this is no specification");
             }
             Err(r.errors)
         }
@@ -111,7 +111,7 @@ pub fn parse(bytes: &[u8]) -> Result<Spec, Vec<Diagnostic>> {
 fn spec(value: &Value, r: &mut Reader) -> Option<Spec> {
     let pattern = value.get("pattern").unwrap_or(value);
     let Some(list) = pattern.get("panels").and_then(Value::as_object) else {
-        return r.fail("document", "there is no `pattern.panels`: this is no GarmentCode specification");
+        return r.fail("the document", "there is no `pattern.panels`: this is no GarmentCode specification");
     };
     if list.is_empty() || list.len() > PANELS {
         return r.fail("pattern.panels", &format!("{} panels; 1 to {PANELS} can be read", list.len()));
@@ -151,7 +151,7 @@ fn panel(name: &str, value: &Value, r: &mut Reader) -> Option<Panel> {
     let vertices = value.get("vertices").and_then(Value::as_array);
     let edges = value.get("edges").and_then(Value::as_array);
     let (Some(vertices), Some(edges)) = (vertices, edges) else {
-        return r.fail(&place("document"), "`vertices` or `edges` is missing");
+        return r.fail(&place("its lists"), "`vertices` or `edges` is missing");
     };
     if !(2..=EDGES).contains(&edges.len()) || vertices.len() > EDGES {
         return r.fail(&place("edges"), &format!("{} edges; 2 to {EDGES} can be read", edges.len()));
@@ -211,7 +211,7 @@ fn curve(value: &Value, place: &str, r: &mut Reader) -> Option<Curve> {
 fn stitches(pattern: &Value, panels: &[Panel], r: &mut Reader) -> Option<Vec<Stitch>> {
     let Some(list) = pattern.get("stitches") else { return Some(Vec::new()) };
     let Some(list) = list.as_array().filter(|l| l.len() <= STITCHES) else {
-        return r.fail("stitches", &format!("a list of at most {STITCHES} stitches is needed"));
+        return r.fail("the stitches", &format!("a list of at most {STITCHES} stitches is needed"));
     };
     let side = |v: &Value| {
         let name = v.get("panel")?.as_str()?;
