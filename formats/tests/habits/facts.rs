@@ -17,9 +17,12 @@ pub struct Case {
     /// Writer, where the file shows it.
     pub vendor: Option<&'static str>,
     pub pieces: Vec<Facts>,
-    /// Corners of one piece in one size: label, size, corners.
-    pub graded: Option<(&'static str, &'static str, Vec<(f64, f64)>)>,
+    /// Corners of one piece in one size.
+    pub graded: Option<Graded>,
 }
+
+/// A piece, a size and the corners it then has.
+pub type Graded = (&'static str, &'static str, Vec<(f64, f64)>);
 
 /// Facts of a piece, mm and cm².
 #[derive(Clone)]
