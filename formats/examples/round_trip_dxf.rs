@@ -1,19 +1,28 @@
-//! Writes a DXF in every dialect and reads it again: `round_trip_dxf IN.dxf…`. Exit code 1 when anything differs.
+//! Writes a DXF in every dialect and reads it again: `round_trip_dxf [--out FOLDER] IN.dxf…`. Exit code 1 when anything
+//! differs. Sizes of a nest are also written as a size run, and its sample size is graded with the rules and compared.
+//! With `--out` what is written stays in the folder, for other readers.
 #![allow(clippy::print_stdout, clippy::print_stderr)]
 
 use std::process::ExitCode;
-use toile_formats::dxf::write::{Dialect, Drawing, PieceOptions, StyleText, piece_drawing, write};
-use toile_formats::dxf::{ReadOptions, read};
+use toile_formats::dxf::write::{Dialect, Drawing, PieceOptions, StyleText, piece_drawing, size_run, write};
+use toile_formats::dxf::{Pattern, ReadOptions, grade, read};
+use toile_formats::rul;
 use toile_garment::dart::Dart;
 use toile_garment::outline::PieceLine;
-use toile_garment::{Garment, Piece};
+use toile_garment::{Garment, Piece, Vec2};
 
 /// Metres.
 const SAME: f64 = 1e-6;
 
 fn main() -> ExitCode {
     let mut wrong = 0_usize;
-    for input in std::env::args().skip(1) {
+    let mut arguments: Vec<String> = std::env::args().skip(1).collect();
+    let out = arguments.iter().position(|a| a == "--out").map(|i| {
+        arguments.remove(i);
+        std::path::PathBuf::from(arguments.remove(i))
+    });
+    let mut trips = 0_usize;
+    for input in arguments {
         let Ok(bytes) = std::fs::read(&input) else {
             eprintln!("{input}: cannot be read");
             return ExitCode::from(5);
@@ -30,34 +39,106 @@ fn main() -> ExitCode {
         for size in sizes {
             let Ok((first, _)) = pattern.to_garment(size, None) else { continue };
             for dialect in Dialect::ALL {
-                for fault in trip(&first, dialect) {
+                trips += 1;
+                let (faults, bytes) = trip(&first, dialect);
+                keep(out.as_deref(), &input, &format!("{}-{dialect:?}.dxf", size.unwrap_or("x")), &bytes);
+                for fault in faults {
                     println!("{input} {size:?} {dialect:?}: {fault}");
                     wrong += 1;
                 }
             }
         }
+        for (fault, files) in nest(&pattern, &input) {
+            trips += 1;
+            for (name, bytes) in files {
+                keep(out.as_deref(), &input, &name, &bytes);
+            }
+            if let Some(fault) = fault {
+                println!("{input} nest: {fault}");
+                wrong += 1;
+            }
+        }
     }
-    println!("{wrong} difference(s)");
+    println!("{trips} trip(s), {wrong} difference(s)");
     if wrong == 0 { ExitCode::SUCCESS } else { ExitCode::from(1) }
 }
 
-fn trip(first: &Garment, dialect: Dialect) -> Vec<String> {
+/// Writes a file into the folder, if there is one.
+fn keep(folder: Option<&std::path::Path>, input: &str, name: &str, bytes: &[u8]) {
+    let Some(folder) = folder else { return };
+    let stem = std::path::Path::new(input).file_stem().map_or_else(String::new, |s| s.to_string_lossy().into_owned());
+    let name: String = format!("{stem}-{name}").chars().map(|c| if c == '/' { '_' } else { c }).collect();
+    if let Err(error) = std::fs::write(folder.join(&name), bytes) {
+        eprintln!("{name}: {error}");
+    }
+}
+
+type Files = Vec<(String, Vec<u8>)>;
+
+/// Every dialect of the whole size run: what its sample size, graded by the written rules, differs from the sizes drawn.
+fn nest(pattern: &Pattern, input: &str) -> Vec<(Option<String>, Files)> {
+    let table = std::fs::read(std::path::Path::new(input).with_extension("rul")).ok();
+    let table = table.and_then(|b| rul::read(&b, "t.rul").ok());
+    if pattern.size_order(table.as_ref()).len() < 2 {
+        return Vec::new();
+    }
+    let run = match size_run(pattern, table.as_ref(), PieceOptions::default()) {
+        Ok(run) => run,
+        Err(faults) => return vec![(Some(faults.iter().map(|f| f.message.clone()).collect()), Vec::new())],
+    };
+    let Some(rules) = &run.table else { return vec![(Some("no rule table".into()), Vec::new())] };
+    let trips = Dialect::ALL.into_iter().map(|dialect| {
+        let bytes = write(&run.drawing, dialect).map(|w| w.bytes).unwrap_or_default();
+        let text = rul::write(rules, dialect.is_astm(), dialect != Dialect::Clo);
+        let fault = graded(&bytes, &text).err().map(|f| format!("{dialect:?}: {f}"));
+        (fault, vec![(format!("run-{dialect:?}.dxf"), bytes), (format!("run-{dialect:?}.rul"), text)])
+    });
+    trips.collect()
+}
+
+/// Grades the sample size of a nest by its table; every ruled vertex must lie on a vertex of the size drawn, within 0.01 mm.
+fn graded(bytes: &[u8], table: &[u8]) -> Result<(), String> {
+    let pattern = read(bytes, "nest.dxf", &ReadOptions::default()).map_err(|e| format!("{:?}", e[0].message))?;
+    let table = rul::read(table, "nest.rul").map_err(|e| format!("{:?}", e[0].message))?;
+    let sample = table.sample.clone().unwrap_or_default();
+    let is = |size: &Option<String>, wanted: &str| size.as_deref().is_some_and(|s| s.eq_ignore_ascii_case(wanted));
+    let mut worst = 0.0_f64;
+    for piece in pattern.pieces.iter().filter(|p| is(&p.size, &sample) && !p.rules.is_empty()) {
+        for size in &table.sizes {
+            let drawn = pattern.pieces.iter().find(|p| p.name == piece.name && is(&p.size, size));
+            let Some(drawn) = drawn else { return Err(format!("{} {size} is not drawn", piece.label())) };
+            let graded = grade::grade(piece, &table, size).map_err(|e| format!("{e:?}"))?;
+            // A vertex that one size needs may stand in another only on the dense copy.
+            let mut there = drawn.boundary.positions();
+            there.extend(drawn.boundary.work_positions());
+            let ruled = |p: Vec2| piece.rules.iter().any(|r| (r.at - p).norm() <= 0.02);
+            for (from, to) in piece.boundary.positions().iter().zip(graded.boundary.positions()) {
+                if ruled(*from) {
+                    worst = there.iter().map(|q| (q - to).norm()).fold(f64::INFINITY, f64::min).max(worst);
+                }
+            }
+        }
+    }
+    if worst <= 0.01 { Ok(()) } else { Err(format!("a graded vertex is {worst:.4} mm off")) }
+}
+
+fn trip(first: &Garment, dialect: Dialect) -> (Vec<String>, Vec<u8>) {
     let mut findings = Vec::new();
     let pieces = first.pieces.iter().map(|p| piece_drawing(p, PieceOptions::default(), &mut findings)).collect();
     let style = StyleText { name: first.style.clone(), sample_size: first.size.clone(), ..StyleText::default() };
     let bytes = match write(&Drawing { style, pieces }, dialect) {
         Ok(written) => written.bytes,
-        Err(faults) => return faults.iter().map(|f| f.message.clone()).collect(),
+        Err(faults) => return (faults.iter().map(|f| f.message.clone()).collect(), Vec::new()),
     };
     let again = read(&bytes, "again.dxf", &ReadOptions::default()).and_then(|p| p.to_garment(None, None));
     let second = match again {
         Ok((garment, _)) => garment,
-        Err(faults) => return faults.iter().map(|f| f.message.clone()).collect(),
+        Err(faults) => return (faults.iter().map(|f| f.message.clone()).collect(), bytes),
     };
     if first.pieces.len() != second.pieces.len() {
-        return vec![format!("{} pieces against {}", first.pieces.len(), second.pieces.len())];
+        return (vec![format!("{} pieces against {}", first.pieces.len(), second.pieces.len())], bytes);
     }
-    first.pieces.iter().zip(&second.pieces).flat_map(|(a, b)| compare(a, b, dialect)).collect()
+    (first.pieces.iter().zip(&second.pieces).flat_map(|(a, b)| compare(a, b, dialect)).collect(), bytes)
 }
 
 fn lines(piece: &Piece) -> Vec<&PieceLine> {

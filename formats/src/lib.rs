@@ -1,10 +1,13 @@
 //! Bytes to faithful models to the garment document: one module per file format.
+pub mod allowance;
 pub mod body;
 pub mod dxf;
 pub mod encoding;
 pub mod fabric;
+pub mod garmentcode;
 pub mod gltf;
 pub mod obj;
+pub mod plot;
 pub mod report;
 pub mod rul;
 #[cfg(test)]

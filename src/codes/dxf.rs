@@ -104,6 +104,10 @@ pub(super) const CODES: &[Code] = &[
         "fold-off-boundary",
         "The fold line does not lie on a straight edge of the half piece, so the piece was not unfolded. Put the fold on the edge, or draw the whole piece.",
     ),
+    code(
+        "grade-line-missing",
+        "A grade rule names an alternate grade reference line that layer 5 does not have; the reference line was taken.",
+    ),
     code("grain-missing", "The piece has no grain line. The y axis of the file is taken as the warp."),
     code("insert-array", "An INSERT repeats its block in rows and columns; one piece was made of it."),
     code(
@@ -119,7 +123,7 @@ pub(super) const CODES: &[Code] = &[
     ),
     code(
         "insert-transformed",
-        "An INSERT moves, scales or turns its block. Pieces are read in block coordinates, as the standards say; the placement is not used.",
+        "An INSERT scales or turns its block. Its scale changes the piece and is applied; its place and turn only lay the piece out. `inserts` of `import-dxf` can say otherwise.",
     ),
     code(
         "ledger",
@@ -227,6 +231,7 @@ pub(super) const CODES: &[Code] = &[
         "sizes-differ-in-vertices",
         "The sizes of a piece have different numbers of points. Each is read on its own, but names of edges may not carry over.",
     ),
+    code("sizes-with-sewing", "A sewing file belongs to one size, and `size` of `import-dxf` is a list. Exit code 2."),
     code(
         "sizes-without-rules",
         "The sizes of a piece have different vertices, so no grade rules lead from one to the other. All sizes are written as drawn.",

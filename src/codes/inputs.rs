@@ -56,6 +56,15 @@ pub(super) const CODES: &[Code] = &[
         "The file is no garment document of toile, is damaged, or was written by a newer toile. Exit code 3.",
     ),
     code(
+        "garmentcode-gathers",
+        "Two stitched edges of a GarmentCode specification differ much in length; they are sewn as a gather.",
+    ),
+    code("garmentcode-not-json", "The file is not JSON. Give a GarmentCode `…_specification.json`. Exit code 3."),
+    code(
+        "garmentcode-wrong",
+        "A panel, edge or stitch of a GarmentCode specification is wrong; the message says which and why. Exit code 3.",
+    ),
+    code(
         "glb-damaged",
         "The file is no sound GLB: its header, lengths or JSON break the format. Export it again. Exit code 3.",
     ),

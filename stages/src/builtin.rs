@@ -7,6 +7,7 @@ use toile_stage_api::Registry;
 pub fn builtin() -> Registry {
     Registry::default()
         .with(crate::import_dxf::ImportDxf)
+        .with(crate::import_garmentcode::ImportGarmentcode)
         .with(crate::import_mesh::ImportMesh)
         .with(crate::triangulate::Triangulate)
         .with(crate::assemble::Assemble)
@@ -18,5 +19,6 @@ pub fn builtin() -> Registry {
         .with(crate::export_obj::ExportObj)
         .with(crate::flatten::Flatten)
         .with(crate::export_dxf::ExportDxf)
+        .with(crate::export_print::ExportPrint)
         .with(crate::export_report::ExportReport)
 }

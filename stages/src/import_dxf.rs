@@ -1,14 +1,19 @@
 //! `import-dxf`: pieces from an AAMA or ASTM DXF, with its rule table and sewing file.
 
+use crate::allowance::{self, AllowanceParams, Which};
+use crate::import_garmentcode::sewing_file;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use toile_formats::dxf::{self, ReadOptions, Tolerances, Vendor};
+use toile_formats::dxf::{self, InsertRule, ReadOptions, Tolerances, Vendor};
 use toile_formats::rul;
 use toile_garment::units::{Angle, Length};
 use toile_garment::{Aspect, Diagnostic, Garment, SourceRef};
 use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+
+/// Most sizes of a list.
+const SIZES: usize = 100;
 
 /// The unit of a file, when the file is wrong or silent about it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -32,6 +37,29 @@ impl FileUnit {
     }
 }
 
+/// What an INSERT does to the piece it places.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Inserts {
+    /// Scale and mirroring change the piece; place and turn only lay it out.
+    #[default]
+    Shape,
+    /// All of it: pieces lie as on the drawing.
+    Placed,
+    /// Nothing: pieces are as drawn in their blocks.
+    Ignored,
+}
+
+/// One size, or several.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged, expecting = "a size in quotes, e.g. \"38\", or a list of sizes")]
+pub enum SizeChoice {
+    /// One size.
+    One(String),
+    /// Several, for printing and writing: each piece in each, called `piece@size`. `["all"]` is the whole run.
+    Many(Vec<String>),
+}
+
 /// Parameters of `import-dxf`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -41,9 +69,9 @@ pub struct ImportDxfParams {
     /// The sewing file: what is sewn to what, declared darts, placements.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sewing: Option<PathBuf>,
-    /// Size; without it the sample size of the file.
+    /// Size, or a list of sizes; without it the sample size of the file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
-    pub size: Option<String>,
+    pub size: Option<SizeChoice>,
     /// The rule table; without it the file of the same name with `.rul`, if it is there.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rules: Option<PathBuf>,
@@ -68,6 +96,12 @@ pub struct ImportDxfParams {
     /// Chords keep this near a curve (0.05 mm).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub curve: Option<Length>,
+    /// What INSERTs do to pieces (`shape`).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub inserts: Option<Inserts>,
+    /// Takes the outline of pieces that have no sew line for their sew line, and makes a cut line around it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub allowance: Option<AllowanceParams>,
 }
 
 /// The stage.
@@ -77,7 +111,7 @@ impl Stage for ImportDxf {
     type Params = ImportDxfParams;
 
     const INFO: StageInfo =
-        StageInfo::new("import-dxf", "reads the pieces of an AAMA or ASTM DXF in one size", &[], &[Aspect::Pieces], 2);
+        StageInfo::new("import-dxf", "reads the pieces of an AAMA or ASTM DXF in one size", &[], &[Aspect::Pieces], 3);
 
     fn run(
         &self,
@@ -91,24 +125,49 @@ impl Stage for ImportDxf {
         let pattern = dxf::read(&bytes, &file, &options).map_err(StageError::Input)?;
         cx.report.findings.extend(pattern.findings.iter().cloned());
         let table = rule_table(params, cx)?;
-        let size = params.size.as_deref().filter(|s| !s.trim().is_empty());
-        let (read, findings) = pattern.to_garment(size, table.as_ref()).map_err(by_fault)?;
+        let (mut read, findings) = in_sizes(params, &pattern, table.as_ref())?;
         cx.report.findings.extend(findings);
         report_profile(&pattern, &file, cx);
         report_ledger(&pattern, &file, cx);
+        if let Some(wanted) = &params.allowance {
+            let told = allowance::apply(wanted, &mut read.pieces, Which::Missing).map_err(StageError::Parameter)?;
+            cx.report.findings.extend(told);
+        }
         let mut garment = Garment { style: read.style, size: read.size, pieces: read.pieces, ..garment };
         if let Some(path) = &params.sewing {
-            let name = path.to_string_lossy().into_owned();
-            let bytes = cx.files.read(path)?;
-            let text = String::from_utf8(bytes).map_err(|_| {
-                let text = format!("the sewing file `{name}` is not UTF-8 text");
-                StageError::parameter(Diagnostic::error("sewing-file", text).at(SourceRef::file(name.clone())))
-            })?;
-            let plan = toile_formats::sewing::read(&text, &name).map_err(StageError::Parameter)?;
+            let plan = sewing_file(path, cx)?;
             crate::sewing::apply(&mut garment, plan, cx.report)?;
         }
         Ok(garment)
     }
+}
+
+/// The garment in the size asked for, or in several.
+fn in_sizes(
+    params: &ImportDxfParams,
+    pattern: &dxf::Pattern,
+    table: Option<&rul::RuleTable>,
+) -> Result<(Garment, Vec<Diagnostic>), StageError> {
+    let sizes = match &params.size {
+        None => return pattern.to_garment(None, table).map_err(by_fault),
+        Some(SizeChoice::One(size)) => {
+            let size = Some(size.as_str()).filter(|s| !s.trim().is_empty());
+            return pattern.to_garment(size, table).map_err(by_fault);
+        }
+        Some(SizeChoice::Many(sizes)) => sizes,
+    };
+    if params.sewing.is_some() {
+        let text = "a sewing file belongs to one size, and `size` is a list";
+        let hint = "sew one size, or leave `sewing` out to write or print several";
+        return Err(StageError::parameter(Diagnostic::error("sizes-with-sewing", text).hint(hint)));
+    }
+    let all = sizes.len() == 1 && sizes[0].eq_ignore_ascii_case("all") && !pattern.sizes.contains(&sizes[0]);
+    let sizes = if all { pattern.size_order(table) } else { sizes.clone() };
+    if sizes.is_empty() || sizes.len() > SIZES {
+        let text = format!("`size` names {} sizes; it must be 1 to {SIZES}", sizes.len());
+        return Err(StageError::parameter(Diagnostic::error("out-of-range", text)));
+    }
+    pattern.to_garment_in_sizes(&sizes, table).map_err(by_fault)
 }
 
 /// The reader's options, every value in range.
@@ -146,6 +205,11 @@ fn options(params: &ImportDxfParams) -> Result<ReadOptions, StageError> {
         code_page: params.code_page.clone(),
         vendor,
         tolerances,
+        inserts: match params.inserts.unwrap_or_default() {
+            Inserts::Shape => InsertRule::Shape,
+            Inserts::Placed => InsertRule::Placed,
+            Inserts::Ignored => InsertRule::Ignored,
+        },
     })
 }
 

@@ -3,6 +3,7 @@
 //! The data's way: `import_dxf` (or `import_mesh`) → `triangulate` → `assemble` → `stitch` → `drape` (→ `animate`) → `texture` →
 //! exports, `flatten`, report.
 
+pub mod allowance;
 pub mod animate;
 pub mod assemble;
 pub mod body;
@@ -11,9 +12,11 @@ pub mod drape;
 pub mod export_dxf;
 pub mod export_gltf;
 pub mod export_obj;
+pub mod export_print;
 pub mod export_report;
 pub mod flatten;
 pub mod import_dxf;
+pub mod import_garmentcode;
 pub mod import_mesh;
 pub mod outlook;
 pub mod sewing;

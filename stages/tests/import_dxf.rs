@@ -130,3 +130,37 @@ fn wrong_parameters_and_wrong_files_are_told_apart() {
     assert!(toml::from_str::<ImportDxfParams>("file = \"p.dxf\"\nsizes = 3").is_err());
     assert!(builtin().get("import-dxf").is_some());
 }
+
+#[test]
+fn a_list_of_sizes_gives_every_piece_in_each() {
+    let files = [("p.dxf", pattern()), ("p.rul", RULES.to_owned())];
+    let files: Vec<(&str, &str)> = files.iter().map(|(n, t)| (*n, t.as_str())).collect();
+    for sizes in ["[\"40\", \"42\"]", "[\"all\"]"] {
+        let (garment, _) = run(&format!("file = \"p.dxf\"\nsize = {sizes}"), &files);
+        let garment = garment.expect("both");
+        let names: Vec<&str> = garment.pieces.iter().map(|p| p.name.as_str()).collect();
+        assert_eq!(names, ["BACK@40", "BACK@42"], "{sizes}");
+        // 200 × 400 mm; in 42 the upper right corner is 20 mm further right, the lower left stays: between them by length.
+        assert!((garment.pieces[0].outline.signed_area() - 0.08).abs() < 1e-12);
+        let right = garment.pieces[1].outline.positions().iter().map(|p| p.x).fold(0.0, f64::max);
+        assert!((right - 0.22).abs() < 1e-12);
+    }
+    let (missing, _) = run("file = \"p.dxf\"\nsize = [\"40\", \"48\"]", &files);
+    assert!(matches!(missing, Err(StageError::Parameter(f)) if f[0].code == "size-not-found"));
+    let (sewn, _) = run("file = \"p.dxf\"\nsize = [\"40\"]\nsewing = \"s.toml\"", &files);
+    assert!(matches!(sewn, Err(StageError::Parameter(f)) if f[0].code == "sizes-with-sewing"));
+}
+
+#[test]
+fn a_cut_line_is_made_when_asked_for() {
+    let (garment, _) = run("file = \"p.dxf\"\nallowance = { width = \"10 mm\" }", &[("p.dxf", &pattern())]);
+    let piece = &garment.expect("garment").pieces[0];
+    // The drawn 200 × 400 mm is sewn, 220 × 420 mm is cut.
+    assert!((piece.outline.signed_area() - 0.08).abs() < 1e-12);
+    assert!((piece.cut_line.as_ref().expect("cut line").signed_area() - 0.0924).abs() < 1e-9);
+    let (wrong, _) = run(
+        "file = \"p.dxf\"\nallowance = { width = \"10 mm\", edges = { \"BACK.9\" = \"1 mm\" } }",
+        &[("p.dxf", &pattern())],
+    );
+    assert!(matches!(wrong, Err(StageError::Parameter(f)) if f[0].code == "edge-unknown"));
+}

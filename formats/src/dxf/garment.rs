@@ -2,6 +2,7 @@
 
 use super::chain::Path;
 use super::darts::{DrawnDart, Form};
+use super::geom;
 use super::notches::DrawnNotch;
 use super::outline::{Node, Outline};
 use super::pattern::Pattern;
@@ -47,6 +48,46 @@ impl Pattern {
             Garment { style: self.style.clone().unwrap_or_default(), size: chosen.size, pieces, ..Garment::default() };
         Ok((garment, chosen.findings))
     }
+
+    /// The garment in several sizes, in the order asked for: every piece in each, called `piece@size`; pieces of no size
+    /// once. The size of the garment is the sample size if it is among them, else the first.
+    ///
+    /// # Errors
+    /// As [`Self::to_garment`], for each size.
+    pub fn to_garment_in_sizes(
+        &self,
+        sizes: &[String],
+        rul: Option<&RuleTable>,
+    ) -> Result<(Garment, Vec<Diagnostic>), Vec<Diagnostic>> {
+        let mut all = Garment { style: self.style.clone().unwrap_or_default(), ..Garment::default() };
+        let (mut findings, mut errors) = (Vec::new(), Vec::new());
+        let mut names = BTreeSet::new();
+        for size in sizes {
+            match self.to_garment(Some(size), rul) {
+                Ok((one, told)) => {
+                    findings.extend(told);
+                    for mut piece in one.pieces {
+                        let Some(own) = &piece.size else {
+                            if names.insert(piece.name.clone()) {
+                                piece.id = PieceId::from(all.pieces.len());
+                                all.pieces.push(piece);
+                            }
+                            continue;
+                        };
+                        piece.name = format!("{}@{own}", piece.name);
+                        if names.insert(piece.name.clone()) {
+                            piece.id = PieceId::from(all.pieces.len());
+                            all.pieces.push(piece);
+                        }
+                    }
+                }
+                Err(list) => errors.extend(list),
+            }
+        }
+        let sample = self.sample_size.as_ref().filter(|s| sizes.iter().any(|w| w.eq_ignore_ascii_case(s)));
+        all.size = sample.or(sizes.first()).cloned();
+        if errors.is_empty() { Ok((all, findings)) } else { Err(errors) }
+    }
 }
 
 fn unique(name: String, taken: &mut BTreeSet<String>) -> String {
@@ -71,14 +112,14 @@ pub fn to_piece(drawn: &DrawnPiece, file: &str) -> Piece {
     let fold = drawn.fold.map(Fold);
     let mut sewn = drawn.sewn().clone();
     let mut darts = drawn.darts.clone();
-    anchor_marked(&mut sewn, &mut darts);
+    anchor_marked(&mut sewn, &mut darts, fold);
     let nodes = whole(&sewn, fold);
     let sewn_layer = if drawn.sew.is_some() { "14" } else { "1" };
     let outline = closed_line(&nodes, source(sewn.line, sewn_layer));
     let cut_line =
         drawn.sew.as_ref().map(|_| closed_line(&whole(&drawn.boundary, fold), source(drawn.boundary.line, "1")));
     if let Some(fold) = fold {
-        let mirrored: Vec<DrawnDart> = darts.iter().filter(|d| beside(fold, &d.apexes)).map(|d| fold.dart(d)).collect();
+        let mirrored: Vec<DrawnDart> = darts.iter().filter(|d| !on_fold(fold, d)).map(|d| fold.dart(d)).collect();
         darts.extend(mirrored);
     }
     let text = |key: &str| drawn.keys.get(key).filter(|v| !v.is_empty()).cloned();
@@ -123,10 +164,20 @@ pub fn to_piece(drawn: &DrawnPiece, file: &str) -> Piece {
 }
 
 /// The mouth of a marked dart becomes two vertices of the outline, so that its pointers have something to point to.
-fn anchor_marked(sewn: &mut Outline, darts: &mut [DrawnDart]) {
+fn anchor_marked(sewn: &mut Outline, darts: &mut [DrawnDart], fold: Option<Fold>) {
+    let half = sewn.positions();
     for dart in darts.iter_mut().filter(|d| d.form == Form::Marked) {
+        // Of a dart on the fold the half piece holds one mouth point.
+        let fold = fold.filter(|f| on_fold(*f, dart));
+        let off = dart.mouth.map(|m| geom::distance(m, &half, true));
+        let mine = usize::from(off[1] < off[0]);
+        let anchored = sewn.insert_work(dart.mouth[mine]);
         for leg in 0..2 {
-            let at = sewn.insert_work(dart.mouth[leg]);
+            let at = match fold {
+                _ if leg == mine => anchored,
+                Some(fold) => fold.mirror(anchored),
+                None => sewn.insert_work(dart.mouth[leg]),
+            };
             dart.mouth[leg] = at;
             if let Some(first) = dart.work[leg].first_mut() {
                 *first = at;
@@ -156,6 +207,11 @@ fn edges(outline: &PieceLine) -> Vec<OutlineEdge> {
     let corners = if corners.is_empty() { vec![0] } else { corners };
     let n = corners.len();
     (0..n).map(|i| OutlineEdge { index: i as u32, name: None, from: corners[i], to: corners[(i + 1) % n] }).collect()
+}
+
+/// Does a dart lie on the fold, so that it is its own mirror image?
+fn on_fold(fold: Fold, dart: &DrawnDart) -> bool {
+    dart.apexes.iter().all(|p| fold.distance(*p) <= 0.5)
 }
 
 /// Away from the fold: what lies on it is its own mirror image.

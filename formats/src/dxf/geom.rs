@@ -75,11 +75,56 @@ pub fn distance(p: Vec2, line: &[Vec2], closed: bool) -> f64 {
     nearest(p, line, closed).map_or(f64::INFINITY, |f| f.distance)
 }
 
+/// Segments of a line in groups with their boxes, for many distances from one line.
+struct Groups<'a> {
+    line: &'a [Vec2],
+    segments: usize,
+    boxes: Vec<(Vec2, Vec2)>,
+}
+
+/// Segments in a group.
+const GROUP: usize = 24;
+
+impl<'a> Groups<'a> {
+    fn new(line: &'a [Vec2], closed: bool) -> Self {
+        let n = line.len();
+        let segments = if closed { n } else { n.saturating_sub(1) };
+        let boxes = (0..segments)
+            .step_by(GROUP)
+            .filter_map(|first| bounds((first..=(first + GROUP).min(segments)).map(|i| line[i % n])))
+            .collect();
+        Self { line, segments, boxes }
+    }
+
+    fn within(&self, group: usize, p: Vec2) -> f64 {
+        let n = self.line.len();
+        let last = ((group + 1) * GROUP).min(self.segments);
+        (group * GROUP..last)
+            .map(|i| point_segment(p, self.line[i], self.line[(i + 1) % n]).0)
+            .fold(f64::INFINITY, f64::min)
+    }
+
+    /// Distance from the line; `near` is the group of the point before and becomes that of this one.
+    fn distance(&self, p: Vec2, near: &mut usize) -> f64 {
+        let mut best = if self.boxes.is_empty() { f64::INFINITY } else { self.within(*near, p) };
+        for (group, (lo, hi)) in self.boxes.iter().enumerate() {
+            let out = Vec2::new((lo.x - p.x).max(p.x - hi.x).max(0.0), (lo.y - p.y).max(p.y - hi.y).max(0.0));
+            if out.norm_squared() < best * best {
+                let here = self.within(group, p);
+                if here < best {
+                    (best, *near) = (here, group);
+                }
+            }
+        }
+        best
+    }
+}
+
 /// Largest distance of the points of `a` from line `b`; at most about 2000 points are looked at.
 #[must_use]
 pub fn deviation(a: &[Vec2], b: &[Vec2], closed: bool) -> f64 {
-    let stride = a.len() / 2000 + 1;
-    a.iter().step_by(stride).map(|p| distance(*p, b, closed)).fold(0.0, f64::max)
+    let (stride, groups, mut near) = (a.len() / 2000 + 1, Groups::new(b, closed), 0);
+    a.iter().step_by(stride).map(|p| groups.distance(*p, &mut near)).fold(0.0, f64::max)
 }
 
 /// Where two segments meet, their ends included.
@@ -313,6 +358,19 @@ mod tests {
         assert_eq!(crossing(&wave), Crossing::None);
         wave.insert(10_000, Vec2::new(1000.0, -20.0));
         assert!(matches!(crossing(&wave), Crossing::At(..)));
+    }
+
+    #[test]
+    fn deviation_is_the_largest_of_all_distances() {
+        let wave = |n: usize, k: f64| -> Vec<Vec2> {
+            (0..n).map(|i| i as f64 / n as f64).map(|t| Vec2::new(500.0 * t, k * libm::sin(40.0 * t))).collect()
+        };
+        let (a, b) = (wave(700, 31.0), wave(333, 30.0));
+        for closed in [true, false] {
+            let plain = a.iter().map(|p| distance(*p, &b, closed)).fold(0.0, f64::max);
+            assert_eq!(deviation(&a, &b, closed), plain);
+        }
+        assert_eq!(deviation(&a, &b[..1], false), f64::INFINITY);
     }
 
     #[test]

@@ -30,17 +30,19 @@ struct Growth {
 impl Growth {
     fn new(piece: &DrawnPiece, table: &RuleTable, size: usize) -> Result<Self, GradeError> {
         // Growths are in the frame of the grade reference line, whose direction is +x.
-        let angle = piece.reference.map_or(0.0, |[a, b]| libm::atan2(b.y - a.y, b.x - a.x));
+        let angle = |line: Option<[Vec2; 2]>| line.map_or(0.0, |[a, b]| libm::atan2(b.y - a.y, b.x - a.x));
+        let main = angle(piece.reference);
         let mut index = PointIndex::new(AT, []);
         let mut by_point = Vec::new();
-        for (at, rule) in &piece.rules {
-            let growth = match table.rules.get(rule) {
+        for mark in &piece.rules {
+            let growth = match table.rules.get(&mark.rule) {
                 Some(list) => list.get(size).copied().ok_or(GradeError::Size)?,
-                None if *rule == 0 => Vec2::zeros(),
-                None => return Err(GradeError::Rule(*rule)),
+                None if mark.rule == 0 => Vec2::zeros(),
+                None => return Err(GradeError::Rule(mark.rule)),
             };
-            index.insert(*at, by_point.len());
-            by_point.push(geom::rotate(growth, angle));
+            let alternate = mark.line.and_then(|n| piece.alternate(n));
+            index.insert(mark.at, by_point.len());
+            by_point.push(geom::rotate(growth, if alternate.is_some() { angle(alternate) } else { main }));
         }
         Ok(Self { index, by_point })
     }

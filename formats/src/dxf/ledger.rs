@@ -33,6 +33,11 @@ impl Ledger {
         }
     }
 
+    /// Has the entity been used?
+    pub(crate) fn used(&self, id: u32) -> bool {
+        self.lines.get(id as usize).is_some_and(|l| l.is_some_and(|l| l.0 != Verdict::Refused))
+    }
+
     /// Replaces a verdict that a later, better informed step overrules.
     pub(crate) fn overrule(&mut self, id: u32, verdict: Verdict, rule: &'static str) {
         if let Some(line) = self.lines.get_mut(id as usize) {

@@ -228,6 +228,25 @@ pub fn lens_doubt(lens: &DrawnDart, grain: Option<Vec2>, drills: &[Vec2]) -> Opt
     across.then_some("it lies across the grain and has no drill hole: a pocket opening")
 }
 
+/// Three drill holes along the grain: both tips and one at the widest place, on the axis or beside it. Tip, middle, tip.
+#[must_use]
+pub fn threes(drills: &[Vec2], darts: &[DrawnDart], grain: Option<Vec2>) -> Vec<[Vec2; 3]> {
+    let near = |p: &Vec2| darts.iter().any(|d| d.apexes.iter().chain(&d.mouth).any(|q| (p - q).norm() < 30.0));
+    let free: Vec<Vec2> = drills.iter().copied().filter(|p| !near(p)).take(60).collect();
+    // Only exactly three: among more holes there is no telling, and a row of buttons has more.
+    let [a, b, c] = free.as_slice() else { return Vec::new() };
+    let orders = [[*a, *b, *c], [*b, *a, *c], [*a, *c, *b]];
+    let fits = |[s, m, t]: &[Vec2; 3]| {
+        let axis = t - s;
+        let length = axis.norm();
+        let along = (m - s).dot(&axis) / (length * length).max(1e-9);
+        let beside = (geom::cross(axis, m - s) / length.max(1e-9)).abs();
+        let up = grain.is_none_or(|g| libm::atan2(geom::cross(axis, g).abs(), axis.dot(&g).abs()).to_degrees() <= 25.0);
+        (80.0..=*LENS_LENGTH.end()).contains(&length) && (0.25..=0.75).contains(&along) && beside <= length / 8.0 && up
+    };
+    orders.into_iter().find(fits).into_iter().collect()
+}
+
 /// Four drill holes in the shape of a slim kite: its two tips first.
 #[must_use]
 pub fn kites(drills: &[Vec2], darts: &[DrawnDart]) -> Vec<[Vec2; 4]> {
@@ -327,6 +346,20 @@ mod tests {
         assert_eq!(darts[0].apexes.len(), 2);
         let welt = path(&[(100.0, 300.0), (240.0, 300.0), (240.0, 312.0), (100.0, 312.0)], true);
         assert!(lenses(&[welt], &o).is_empty());
+    }
+
+    #[test]
+    fn three_holes_along_the_grain() {
+        let v = Vec2::new;
+        let up = Some(v(0.0, 1.0));
+        let eye = [v(150.0, 450.0), v(162.0, 300.0), v(150.0, 150.0)];
+        assert_eq!(threes(&eye, &[], up), vec![eye]);
+        assert_eq!(threes(&[eye[1], eye[0], eye[2]], &[], up).len(), 1, "in any order");
+        assert_eq!(threes(&[eye[0], v(150.0, 290.0), eye[2]], &[], up).len(), 1, "on the axis");
+        // Across the grain, a wide triangle, four holes: none.
+        assert!(threes(&eye, &[], Some(v(1.0, 0.0))).is_empty());
+        assert!(threes(&[eye[0], v(250.0, 300.0), eye[2]], &[], up).is_empty());
+        assert!(threes(&[eye[0], eye[1], eye[2], v(10.0, 10.0)], &[], up).is_empty());
     }
 
     #[test]

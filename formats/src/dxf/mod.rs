@@ -43,7 +43,7 @@ pub mod write;
 pub use findings::Findings;
 pub use inspect::{Inspection, inspect, inspect_with};
 pub use lib_curves::Census;
-pub use pattern::{Pattern, ReadOptions, read};
+pub use pattern::{InsertRule, Pattern, ReadOptions, read};
 pub use texts::unit;
 pub use tolerances::Tolerances;
 pub use units::Units;

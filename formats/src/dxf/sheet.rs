@@ -69,15 +69,19 @@ pub struct Sheet {
     /// Stripe and plaid lines with their layer.
     pub stripes: Vec<(String, Path)>,
     pub notes: Vec<Note>,
+    /// How often it is inserted as drawn and mirrored, where that says anything.
+    pub inserted: Option<[u32; 2]>,
 }
 
 /// Placement of an inserted block.
 #[derive(Clone, Copy, Debug)]
-struct Placing {
-    base: Vec2,
-    scale: [f64; 2],
-    angle: f64,
-    at: Vec2,
+pub(crate) struct Placing {
+    /// Base point of the block.
+    pub base: Vec2,
+    pub scale: [f64; 2],
+    /// Radians.
+    pub angle: f64,
+    pub at: Vec2,
 }
 
 /// What sorting needs.
@@ -93,6 +97,11 @@ pub(crate) struct Sorter<'a> {
     expanded: usize,
 }
 
+/// Does the block hold a line on layer 1 itself?
+pub(crate) fn has_boundary(layers: &Layers, block: &Block) -> bool {
+    block.entities.iter().any(|e| layers.role(&e.layer) == Role::Boundary && !e.shape.extent().is_empty())
+}
+
 impl<'a> Sorter<'a> {
     pub(crate) fn new(
         layers: &'a Layers,
@@ -106,21 +115,14 @@ impl<'a> Sorter<'a> {
         Self { layers, mm, blocks, by_name, ledger, findings, flatness, expanded: 0 }
     }
 
-    /// Does the block hold a line on layer 1 itself?
-    pub(crate) fn has_boundary(&self, block: &Block) -> bool {
-        block.entities.iter().any(|e| self.layers.role(&e.layer) == Role::Boundary && !e.shape.extent().is_empty())
-    }
-
-    /// Sorts one block. `mirror`: the block is inserted with one negative scale, so x is reversed.
-    pub(crate) fn block(&mut self, index: usize, mirror: bool) -> Sheet {
+    /// Sorts one block. `placings`, in file units, are applied to all of it.
+    pub(crate) fn block(&mut self, index: usize, placings: &[Placing]) -> Sheet {
         let mut sheet = Sheet::default();
-        let mut placings = Vec::new();
-        if mirror {
-            let base = self.blocks[index].base * self.mm;
-            placings.push(Placing { base, scale: [-1.0, 1.0], angle: 0.0, at: base });
-        }
-        let own = self.has_boundary(&self.blocks[index]);
-        self.fill(&mut sheet, index, &placings, own, &mut vec![index]);
+        let mm = self.mm;
+        let placings: Vec<Placing> =
+            placings.iter().map(|p| Placing { base: p.base * mm, at: p.at * mm, ..*p }).collect();
+        let own = has_boundary(self.layers, &self.blocks[index]);
+        self.fill(&mut sheet, index, &placings, own, None, &mut vec![index]);
         sheet
     }
 
@@ -133,7 +135,16 @@ impl<'a> Sorter<'a> {
         sheet
     }
 
-    fn fill(&mut self, sheet: &mut Sheet, index: usize, placings: &[Placing], own: bool, path: &mut Vec<usize>) {
+    /// `own`: the piece has its outline already. `inherited`: what entities on layer 0 of an inserted block are.
+    fn fill(
+        &mut self,
+        sheet: &mut Sheet,
+        index: usize,
+        placings: &[Placing],
+        own: bool,
+        inherited: Option<Role>,
+        path: &mut Vec<usize>,
+    ) {
         let blocks = self.blocks;
         for entity in &blocks[index].entities {
             self.expanded = self.expanded.saturating_add(1);
@@ -147,15 +158,18 @@ impl<'a> Sorter<'a> {
                 return;
             }
             let Shape::Insert { block, at, scale, rotation } = &entity.shape else {
-                self.entity(sheet, entity, self.layers.role(&entity.layer), placings);
+                let role = inherited.filter(|_| entity.layer == "0").unwrap_or_else(|| self.layers.role(&entity.layer));
+                self.entity(sheet, entity, role, placings);
                 continue;
             };
             let place = self.findings.place_in(&blocks[index].name, Some(&entity.layer), entity.line);
             let target = self.by_name.get(block).and_then(|list| list.first()).copied();
             let problem = match target {
-                _ if own => Some(("insert-not-expanded", "the block has an outline of its own")),
                 None => Some(("block-missing", "there is no such block")),
                 Some(t) if path.contains(&t) => Some(("insert-recursive", "it would insert itself")),
+                Some(t) if own && has_boundary(self.layers, &blocks[t]) => {
+                    Some(("insert-not-expanded", "both blocks have an outline of their own"))
+                }
                 Some(_) if path.len() >= limits::INSERT_DEPTH => {
                     Some(("insert-too-deep", "blocks are nested too deeply"))
                 }
@@ -168,13 +182,17 @@ impl<'a> Sorter<'a> {
                 continue;
             }
             let Some(target) = target else { continue };
-            self.ledger.note(entity.id, Verdict::Interpreted, "INSERT inside a block without outline, expanded");
+            self.ledger.note(entity.id, Verdict::Interpreted, "INSERT inside a block, expanded");
             let angle = rotation.to_radians();
             let mut inner =
                 vec![Placing { base: blocks[target].base * self.mm, scale: *scale, angle, at: at * self.mm }];
             inner.extend_from_slice(placings);
             path.push(target);
-            self.fill(sheet, target, &inner, false, path);
+            let role = match self.layers.role(&entity.layer) {
+                Role::Unknown => inherited.or(Some(Role::Unknown)),
+                role => Some(role),
+            };
+            self.fill(sheet, target, &inner, own, role, path);
             path.pop();
         }
     }
@@ -201,18 +219,23 @@ impl<'a> Sorter<'a> {
             (Shape::Point { at, depth, width, angle }, Role::Notch(kind)) => {
                 accepted(self.ledger, "notch point (layers 4, 80 to 83)");
                 let turned = |a: f64| turn_angle(a.to_radians(), placings);
-                let (depth, width) = (depth.map(|d| d * mm), width.map(|w| w * mm));
+                let k = mm * growth(placings);
+                let (depth, width) = (depth.map(|d| d * k), width.map(|w| w * k));
                 let angle = angle.map(turned);
                 sheet.marks.push(Mark { id, line, at: place(*at), depth, width, angle, kind });
             }
             (Shape::Point { at, depth, .. }, Role::Drill) => {
                 accepted(self.ledger, "drill hole (layer 13)");
-                let diameter = depth.map(|d| d.abs() * mm).filter(|d| *d > 0.0);
+                let diameter = depth.map(|d| d.abs() * mm * growth(placings)).filter(|d| *d > 0.0);
                 sheet.drills.push(Drill { line, at: place(*at), diameter });
             }
             (Shape::Circle { center, radius }, Role::Drill) => {
                 self.ledger.note(id, Verdict::Interpreted, "circle on layer 13 read as a drill hole");
-                sheet.drills.push(Drill { line, at: place(*center), diameter: Some(2.0 * radius * mm) });
+                sheet.drills.push(Drill {
+                    line,
+                    at: place(*center),
+                    diameter: Some(2.0 * radius * mm * growth(placings)),
+                });
             }
             (Shape::Point { at, .. }, Role::Match) => {
                 accepted(self.ledger, "stripe or plaid mark (layers 9 and 10)");
@@ -260,12 +283,12 @@ impl<'a> Sorter<'a> {
                     }
                 }
             }
-            _ => self.line(sheet, entity, role, &place),
+            _ => self.line(sheet, entity, role, growth(placings), &place),
         }
     }
 
-    fn line(&mut self, sheet: &mut Sheet, entity: &Entity, role: Role, place: &dyn Fn(Vec2) -> Vec2) {
-        let tol = self.flatness / self.mm;
+    fn line(&mut self, sheet: &mut Sheet, entity: &Entity, role: Role, growth: f64, place: &dyn Fn(Vec2) -> Vec2) {
+        let tol = self.flatness / (self.mm * growth).max(1e-9);
         let drawn = |points: Vec<Vec2>| {
             let n = points.len();
             points.into_iter().enumerate().map(move |(i, p)| (p, i == 0 || i + 1 == n)).collect::<Vec<_>>()
@@ -332,6 +355,11 @@ impl Placing {
         let local = p - self.base;
         self.at + geom::rotate(Vec2::new(local.x * self.scale[0], local.y * self.scale[1]), self.angle)
     }
+}
+
+/// By how much placings enlarge, on average over both axes.
+fn growth(placings: &[Placing]) -> f64 {
+    placings.iter().map(|p| libm::sqrt((p.scale[0] * p.scale[1]).abs())).product()
 }
 
 fn turn_angle(angle: f64, placings: &[Placing]) -> f64 {

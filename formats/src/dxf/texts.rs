@@ -10,11 +10,12 @@ pub fn key_value(text: &str) -> Option<(String, String)> {
     (!key.is_empty()).then(|| (key, value.trim().to_owned()))
 }
 
-/// Grade rule number of `# n` and `# n, m`.
+/// Grade rule number of `# n` and `# n, m`; `m` is the alternate reference line.
 #[must_use]
-pub fn rule_number(text: &str) -> Option<u32> {
+pub fn rule_number(text: &str) -> Option<(u32, Option<u32>)> {
     let rest = text.trim().strip_prefix('#')?;
-    rest.split(|c: char| c == ',' || c.is_whitespace()).find(|p| !p.is_empty())?.parse().ok()
+    let mut parts = rest.split(|c: char| c == ',' || c.is_whitespace()).filter(|p| !p.is_empty());
+    Some((parts.next()?.parse().ok()?, parts.next().and_then(|p| p.parse().ok())))
 }
 
 /// `2`, `2,0`, `1,1`, `1.0`, `2 PAIR`: as drawn, and mirrored.
@@ -49,8 +50,8 @@ mod tests {
     fn forms() {
         assert_eq!(key_value("Piece  NAME:FRONT: A"), Some(("piece name".into(), "FRONT: A".into())));
         assert_eq!(key_value("CATEGORY: "), Some(("category".into(), String::new())));
-        assert_eq!(rule_number("# 12"), Some(12));
-        assert_eq!(rule_number("#3, 4"), Some(3));
+        assert_eq!(rule_number("# 12"), Some((12, None)));
+        assert_eq!(rule_number("#3, 4"), Some((3, Some(4))));
         assert_eq!(rule_number("NM"), None);
         assert_eq!(quantity("1,1"), Some(Quantity { plain: 1, mirrored: 1 }));
         assert_eq!(quantity("2"), Some(Quantity { plain: 2, mirrored: 0 }));

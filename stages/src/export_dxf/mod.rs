@@ -6,6 +6,7 @@ mod outline_map;
 #[cfg(test)]
 mod tests;
 
+use crate::allowance::{self, AllowanceParams, Which};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -61,7 +62,7 @@ pub enum DxfSource {
 }
 
 /// Parameters of `export-dxf`.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct ExportDxfParams {
     /// Output file.
@@ -74,6 +75,9 @@ pub struct ExportDxfParams {
     pub half_on_fold: bool,
     /// Add a drill hole 10 mm from the apex and notches at the mouth of every dart that has none.
     pub mark_darts: bool,
+    /// Makes the cut lines anew from the sew lines, e.g. `{ width = "10 mm" }`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub allowance: Option<AllowanceParams>,
     /// A pattern file all sizes of which are written instead, with their grade rules in a `.rul` file beside the
     /// output; its own rule table is the file of the same name with `.rul`.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -88,6 +92,7 @@ impl Default for ExportDxfParams {
             source: DxfSource::default(),
             half_on_fold: false,
             mark_darts: false,
+            allowance: None,
             size_run: None,
         }
     }
@@ -113,13 +118,22 @@ impl Stage for ExportDxf {
         cx: &mut StageContext<'_>,
     ) -> Result<Garment, StageError> {
         if let Some(pattern) = &params.size_run {
+            if params.allowance.is_some() {
+                let text = "`allowance` and `size_run` cannot be given together: a size run keeps its cut lines";
+                let hint = "import the sizes as a list and write them with source = \"pattern\"";
+                return Err(StageError::parameter(Diagnostic::error("allowance-with-size-run", text).hint(hint)));
+            }
             write_run(pattern, params, cx)?;
             return Ok(garment);
         }
-        let pieces = match params.source {
+        let mut pieces = match params.source {
             DxfSource::Pattern => garment.pieces.clone(),
             DxfSource::Flat => flat_pieces(&garment)?,
         };
+        if let Some(wanted) = &params.allowance {
+            let told = allowance::apply(wanted, &mut pieces, Which::All).map_err(StageError::Parameter)?;
+            cx.report.findings.extend(told);
+        }
         let written = draw(&garment, &pieces, params).map_err(StageError::Input)?;
         for finding in written.findings {
             cx.report.push(finding);

@@ -24,8 +24,9 @@ const fn cost(stage: &'static str, fixed: f64, per_thousand: f64, power: f64, mb
     Cost { stage, fixed, per_thousand, power, mb_per_thousand }
 }
 
-const COSTS: [Cost; 13] = [
+const COSTS: [Cost; 15] = [
     cost("import-dxf", 0.03, 0.0, 1.0, 0.0),
+    cost("import-garmentcode", 0.01, 0.0, 1.0, 0.0),
     cost("import-mesh", 0.01, 0.005, 1.0, 1.0),
     cost("triangulate", 0.01, 0.01, 1.0, 1.0),
     cost("assemble", 0.001, 0.001, 1.0, 1.0),
@@ -38,6 +39,7 @@ const COSTS: [Cost; 13] = [
     cost("export-obj", 0.005, 0.005, 1.0, 1.0),
     cost("flatten", 0.005, 0.005, 1.0, 1.0),
     cost("export-dxf", 0.02, 0.001, 1.0, 1.0),
+    cost("export-print", 0.02, 0.0, 1.0, 0.0),
     cost("export-report", 0.02, 0.002, 1.0, 1.0),
 ];
 

@@ -1,57 +1,294 @@
-//! The INSERTs of ENTITIES.
+//! The INSERTs: how often, how large and on which side each piece is laid out.
+//!
+//! An INSERT's scale and mirroring change the shape of the piece and are applied; its place and its turn only lay the
+//! piece on the table, so the piece keeps the coordinates of its block ([`InsertRule`] can say otherwise).
 
 use super::is_model_space;
 use crate::dxf::findings::Findings;
 use crate::dxf::ledger::{Ledger, Verdict};
-use crate::dxf::model::{Block, Drawing, Shape};
-use std::collections::BTreeMap;
+use crate::dxf::limits;
+use crate::dxf::model::{Block, Drawing, Entity, Shape};
+use crate::dxf::sheet::Placing;
+use std::collections::{BTreeMap, BTreeSet};
 use toile_garment::Diagnostic;
 
-/// Looks at the INSERTs of ENTITIES; tells for each block whether it is inserted mirrored.
+/// What an INSERT does to the piece it places.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum InsertRule {
+    /// Scale and mirroring are applied, place and turn are not.
+    #[default]
+    Shape,
+    /// Everything is applied: the pieces lie as on the drawing.
+    Placed,
+    /// Pieces are read as drawn in their blocks.
+    Ignored,
+}
+
+/// How a block is inserted.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Inserted {
+    /// Placings of its first INSERT, the innermost first.
+    pub chain: Vec<Placing>,
+    /// How often as drawn.
+    pub plain: u32,
+    /// How often mirrored.
+    pub mirrored: u32,
+    /// Is it only a part of other blocks?
+    pub part: bool,
+    /// Does it only hold INSERTs of pieces?
+    pub assembly: bool,
+}
+
+impl Inserted {
+    /// Scale of the first INSERT, through all levels; both positive.
+    fn scale(&self) -> [f64; 2] {
+        let mut scale = [1.0_f64, 1.0];
+        for placing in &self.chain {
+            let quarter = (libm::fmod(placing.angle.abs(), std::f64::consts::PI) - std::f64::consts::FRAC_PI_2).abs();
+            scale = [scale[0] * placing.scale[0].abs(), scale[1] * placing.scale[1].abs()];
+            // A quarter turn swaps the axes of what is scaled after it.
+            if quarter < std::f64::consts::FRAC_PI_4 {
+                scale.swap(0, 1);
+            }
+        }
+        let turns = self.chain.iter().filter(|p| {
+            (libm::fmod(p.angle.abs(), std::f64::consts::PI) - std::f64::consts::FRAC_PI_2).abs()
+                < std::f64::consts::FRAC_PI_4
+        });
+        if turns.count() % 2 == 1 {
+            scale.swap(0, 1);
+        }
+        scale
+    }
+
+    /// Larger factor of the first INSERT.
+    pub fn growth(&self, rule: InsertRule) -> f64 {
+        let [x, y] = self.scale();
+        if rule == InsertRule::Ignored { 1.0 } else { x.max(y) }
+    }
+
+    /// What is to be done to the points of the block, file units.
+    pub fn placings(&self, block: &Block, rule: InsertRule) -> Vec<Placing> {
+        match rule {
+            InsertRule::Ignored => Vec::new(),
+            InsertRule::Placed => self.chain.clone(),
+            InsertRule::Shape => {
+                let [x, y] = self.scale();
+                let side = if self.mirrored > 0 && self.plain == 0 { -1.0 } else { 1.0 };
+                let scale = [side * x, y];
+                if scale == [1.0, 1.0] {
+                    return Vec::new();
+                }
+                vec![Placing { base: block.base, scale, angle: 0.0, at: block.base }]
+            }
+        }
+    }
+}
+
+/// The blocks and which are inserted where.
+struct Walk<'a, 'f> {
+    blocks: &'a [Block],
+    by_name: &'a BTreeMap<String, Vec<usize>>,
+    /// Does the block hold an outline itself?
+    own: &'a dyn Fn(&Block) -> bool,
+    out: Vec<Inserted>,
+    used: BTreeMap<&'a str, usize>,
+    steps: usize,
+    findings: &'f mut Findings,
+}
+
+/// Looks at all INSERTs; one entry per block.
 pub(super) fn inserts(
     drawing: &Drawing,
     blocks: &[Block],
     by_name: &BTreeMap<String, Vec<usize>>,
+    own: &dyn Fn(&Block) -> bool,
     findings: &mut Findings,
     ledger: &mut Ledger,
-) -> Vec<bool> {
-    let mut mirrored = vec![false; blocks.len()];
-    let mut used: BTreeMap<&str, usize> = BTreeMap::new();
+) -> Vec<Inserted> {
+    let mut walk = Walk {
+        blocks,
+        by_name,
+        own,
+        out: vec![Inserted::default(); blocks.len()],
+        used: BTreeMap::new(),
+        steps: 0,
+        findings,
+    };
+    walk.mark_parts(drawing);
     for entity in &drawing.entities {
-        let Shape::Insert { block, scale, rotation, .. } = &entity.shape else { continue };
-        let place = findings.place_in(block, Some(&entity.layer), entity.line);
-        let Some(named) = by_name.get(block) else {
+        walk.top(entity, ledger);
+    }
+    // Blocks of pieces that nothing inserts stand for a table of their own.
+    for index in 0..blocks.len() {
+        if walk.out[index].assembly && !walk.out[index].part && walk.out[index].plain + walk.out[index].mirrored == 0 {
+            walk.inside(index, &[], &mut vec![index], ledger);
+        }
+    }
+    walk.say();
+    walk.out
+}
+
+impl<'a> Walk<'a, '_> {
+    fn named(&self, block: &str) -> Option<usize> {
+        self.by_name.get(block).and_then(|list| list.first()).copied()
+    }
+
+    /// Which blocks are parts of others, and which only hold several pieces.
+    fn mark_parts(&mut self, drawing: &Drawing) {
+        let from_table: BTreeSet<usize> = drawing.entities.iter().filter_map(|e| self.target(e)).collect();
+        let mut outlines: Vec<Option<u32>> = vec![None; self.blocks.len()];
+        for i in 0..self.blocks.len() {
+            self.count(i, &mut outlines, 0);
+        }
+        for (i, block) in self.blocks.iter().enumerate() {
+            let own = (self.own)(block);
+            self.out[i].assembly = !own && outlines[i].unwrap_or(0) > 1 && !is_model_space(&block.name);
+        }
+        for (i, block) in self.blocks.iter().enumerate() {
+            let targets: Vec<usize> =
+                block.entities.iter().filter_map(|e| self.target(e)).filter(|t| *t != i).collect();
+            for target in targets {
+                let taken = !self.out[i].assembly && !is_model_space(&block.name);
+                let piece = (self.own)(&self.blocks[target]) && (self.own)(block);
+                self.out[target].part |= taken && !piece && !from_table.contains(&target);
+            }
+        }
+    }
+
+    fn target(&self, entity: &Entity) -> Option<usize> {
+        if let Shape::Insert { block, .. } = &entity.shape { self.named(block) } else { None }
+    }
+
+    /// Number of outlines in a block and in what it inserts, at most 2.
+    fn count(&self, index: usize, memo: &mut Vec<Option<u32>>, depth: usize) -> u32 {
+        if let Some(known) = memo[index] {
+            return known;
+        }
+        // Against loops: while a block is being counted it counts as nothing.
+        memo[index] = Some(0);
+        let mut n = u32::from((self.own)(&self.blocks[index]));
+        if n == 0 && depth < limits::INSERT_DEPTH {
+            for entity in &self.blocks[index].entities {
+                n += self.target(entity).map_or(0, |t| self.count(t, memo, depth + 1));
+                if n > 1 {
+                    break;
+                }
+            }
+        }
+        memo[index] = Some(n.min(2));
+        n.min(2)
+    }
+
+    /// An INSERT of ENTITIES.
+    fn top(&mut self, entity: &'a Entity, ledger: &mut Ledger) {
+        let Shape::Insert { block, .. } = &entity.shape else { return };
+        let Some(named) = self.by_name.get(block) else {
             let text = format!("an INSERT names block `{block}`, which is not in the file");
-            findings.push(Diagnostic::warning("block-missing", text).at(place));
+            let place = self.findings.place_in(block, Some(&entity.layer), entity.line);
+            self.findings.push(Diagnostic::warning("block-missing", text).at(place));
             ledger.note(entity.id, Verdict::Refused, "INSERT of a block that is missing");
-            continue;
+            return;
         };
-        let turn = used.entry(block.as_str()).or_insert(0);
+        // The n-th INSERT of a name is that of the n-th block of this name.
+        let turn = self.used.entry(block.as_str()).or_insert(0);
         let index = named[(*turn).min(named.len() - 1)];
         *turn += 1;
-        let sizes = [scale[0].abs(), scale[1].abs()];
-        if sizes.iter().any(|s| (s - 1.0).abs() > 1e-6) || libm::fmod(rotation.abs(), 360.0) > 1e-6 {
-            let text = format!(
-                "block `{block}` is inserted with scale {} × {} and turned by {rotation}°; the piece was read as drawn in its block",
-                scale[0], scale[1]
-            );
-            findings.push(Diagnostic::warning("insert-transformed", text).at(place.clone()));
+        self.place(entity, index, &[], &mut vec![index], ledger);
+    }
+
+    /// Notes one INSERT; goes on into blocks that only hold pieces.
+    fn place(
+        &mut self,
+        entity: &'a Entity,
+        index: usize,
+        outer: &[Placing],
+        path: &mut Vec<usize>,
+        ledger: &mut Ledger,
+    ) {
+        self.steps += 1;
+        let Shape::Insert { at, scale, rotation, .. } = &entity.shape else { return };
+        let angle = rotation.to_radians();
+        let mut chain = vec![Placing { base: self.blocks[index].base, scale: *scale, angle, at: *at }];
+        chain.extend_from_slice(outer);
+        if self.out[index].assembly {
+            ledger.note(entity.id, Verdict::Interpreted, "INSERT of a block of several pieces");
+            self.out[index].plain += 1;
+            return self.inside(index, &chain, path, ledger);
         }
-        if scale[0] * scale[1] < 0.0 {
-            mirrored[index] = true;
-            let text = format!("block `{block}` is inserted mirrored; the piece was mirrored");
-            findings.push(Diagnostic::warning("insert-mirrored", text).at(place));
+        let mirrored = chain.iter().filter(|p| p.scale[0] * p.scale[1] < 0.0).count() % 2 == 1;
+        let entry = &mut self.out[index];
+        if entry.plain + entry.mirrored == 0 {
+            entry.chain = chain;
+        }
+        if mirrored {
+            entry.mirrored += 1;
             ledger.note(entity.id, Verdict::Interpreted, "mirrored INSERT: the piece is mirrored");
         } else {
+            entry.plain += 1;
             ledger.note(entity.id, Verdict::Accepted, "INSERT of a piece");
         }
     }
-    for (name, list) in by_name {
-        if list.len() > 1 && !is_model_space(name) {
-            let text = format!("{} blocks are called `{name}`; all were read", list.len());
-            let place = findings.place_in(name, None, blocks[list[1]].line);
-            findings.push(Diagnostic::warning("block-name-repeats", text).at(place));
+
+    /// The INSERTs inside a block of pieces.
+    fn inside(&mut self, index: usize, chain: &[Placing], path: &mut Vec<usize>, ledger: &mut Ledger) {
+        let blocks = self.blocks;
+        for entity in &blocks[index].entities {
+            let Some(target) = self.target(entity) else { continue };
+            let place = self.findings.place_in(&blocks[index].name, Some(&entity.layer), entity.line);
+            if self.steps > limits::EXPANDED {
+                if self.steps == limits::EXPANDED + 1 {
+                    self.steps += 1;
+                    let text = format!("the INSERTs of this file expand to more than {} entities", limits::EXPANDED);
+                    self.findings.push(Diagnostic::error("insert-too-many", text).at(place));
+                }
+                return;
+            }
+            let loops = path.contains(&target);
+            if loops || path.len() >= limits::INSERT_DEPTH {
+                let (code, why) = if loops {
+                    ("insert-recursive", "it would insert itself")
+                } else {
+                    ("insert-too-deep", "blocks are nested too deeply")
+                };
+                let text = format!("the INSERT inside block `{}` was left out: {why}", blocks[index].name);
+                self.findings.push(Diagnostic::warning(code, text).at(place));
+                ledger.note(entity.id, Verdict::Refused, "INSERT inside a block, not expanded");
+                continue;
+            }
+            path.push(target);
+            self.place(entity, target, chain, path, ledger);
+            path.pop();
         }
     }
-    mirrored
+
+    /// What was done to pieces, and names that repeat.
+    fn say(&mut self) {
+        for (block, inserted) in self.blocks.iter().zip(&self.out) {
+            let place = self.findings.place_in(&block.name, None, block.line);
+            let turned = inserted.chain.iter().any(|p| libm::fmod(p.angle.abs(), std::f64::consts::TAU) > 1e-8);
+            let [x, y] = inserted.scale();
+            let scaled = (x - 1.0).abs() > 1e-6 || (y - 1.0).abs() > 1e-6;
+            if scaled || turned {
+                let degrees = inserted.chain.iter().map(|p| p.angle.to_degrees()).sum::<f64>();
+                let text = format!(
+                    "block `{}` is inserted with scale {x} × {y} and turned by {degrees}°; the scale was applied, the turn only lays the piece out",
+                    block.name
+                );
+                let hint = "`inserts = \"placed\"` applies both, `inserts = \"ignored\"` neither";
+                self.findings.push(Diagnostic::warning("insert-transformed", text).at(place.clone()).hint(hint));
+            }
+            if inserted.mirrored > 0 && inserted.plain == 0 {
+                let text = format!("block `{}` is inserted mirrored; the piece was mirrored", block.name);
+                self.findings.push(Diagnostic::warning("insert-mirrored", text).at(place));
+            }
+        }
+        for (name, list) in self.by_name {
+            if list.len() > 1 && !is_model_space(name) {
+                let text = format!("{} blocks are called `{name}`; all were read", list.len());
+                let place = self.findings.place_in(name, None, self.blocks[list[1]].line);
+                self.findings.push(Diagnostic::warning("block-name-repeats", text).at(place));
+            }
+        }
+    }
 }

@@ -5,6 +5,10 @@ mod inserts;
 mod rivals;
 mod sheets;
 
+pub use inserts::InsertRule;
+
+use inserts::Inserted;
+
 use super::findings::Findings;
 use super::geom;
 use super::layers::{Layers, Role};
@@ -14,7 +18,7 @@ use super::limits;
 use super::model::{Block, Drawing, Entity, Shape};
 use super::parse;
 use super::piece::{Desk, DrawnPiece, Rules};
-use super::sheet::Sorter;
+use super::sheet::{Sorter, has_boundary};
 use super::texts;
 use super::tolerances::Tolerances;
 use super::units::{self, Evidence, Units};
@@ -35,6 +39,8 @@ pub struct ReadOptions {
     pub vendor: Option<Vendor>,
     /// Tolerances.
     pub tolerances: Tolerances,
+    /// What INSERTs do to pieces.
+    pub inserts: InsertRule,
 }
 
 /// A pattern as read, pieces in millimetres.
@@ -102,16 +108,18 @@ fn read_into(bytes: &[u8], file: &str, options: &ReadOptions, findings: &mut Fin
     let mut ledger = Ledger::new(drawing.entity_count);
     let style_texts = style_texts(&drawing);
     let profile = vendor::detect(&drawing, &layers, &style_texts, options.vendor);
-    let units = decide_units(&drawing, &layers, &style_texts, options, findings);
     let blocks: Vec<Block> = std::mem::take(&mut drawing.blocks);
     let mut by_name: BTreeMap<String, Vec<usize>> = BTreeMap::new();
     for (i, block) in blocks.iter().enumerate() {
         by_name.entry(block.name.clone()).or_default().push(i);
     }
-    let mirrored = inserts::inserts(&drawing, &blocks, &by_name, findings, &mut ledger);
+    let own = |block: &Block| has_boundary(&layers, block);
+    let inserted = inserts::inserts(&drawing, &blocks, &by_name, &own, findings, &mut ledger);
+    let sides = Sides { drawing: &drawing, blocks: &blocks, inserted: &inserted, layers: &layers };
+    let units = sides.decide_units(&style_texts, options, findings);
     let (mm, flatness) = (units.mm_per_unit, options.tolerances.curve);
     let mut sorter = Sorter::new(&layers, mm, flatness, &blocks, &by_name, &mut ledger, findings);
-    let sheets = sheets::sheets(&drawing, &blocks, &mut sorter, &mirrored, &options.tolerances);
+    let sheets = sheets::sheets(&drawing, &blocks, &mut sorter, &inserted, options.inserts, &options.tolerances);
     if sheets.len() > limits::PIECES {
         let text = format!("{} pieces, over the limit of {}", sheets.len(), limits::PIECES);
         return Err(Diagnostic::error("too-many-pieces", text).at(findings.place(1)));
@@ -135,7 +143,7 @@ fn read_into(bytes: &[u8], file: &str, options: &ReadOptions, findings: &mut Fin
         piece.finish(&mut desk);
     }
     rivals::deny_inserts_and_unmarked(&mut pieces, &mut desk);
-    report_layers(&drawing, &blocks, &layers, desk.findings);
+    report_layers(&drawing, &blocks, &layers, desk.ledger, desk.findings);
     ledger.close();
     let mut sizes: Vec<String> = Vec::new();
     let mut seen = BTreeSet::new();
@@ -174,25 +182,34 @@ fn style_texts(drawing: &Drawing) -> BTreeMap<String, String> {
     map
 }
 
-fn decide_units(
-    drawing: &Drawing,
-    layers: &Layers,
-    style: &BTreeMap<String, String>,
-    options: &ReadOptions,
-    findings: &mut Findings,
-) -> Units {
-    let side = |entities: &[Entity], all: bool| {
-        let outline = entities.iter().filter(|e| all || layers.role(&e.layer) == Role::Boundary);
+/// What tells how large the pieces are in file units.
+struct Sides<'a> {
+    drawing: &'a Drawing,
+    blocks: &'a [Block],
+    inserted: &'a [Inserted],
+    layers: &'a Layers,
+}
+
+impl Sides<'_> {
+    fn side(&self, entities: &[Entity], all: bool) -> f64 {
+        let outline = entities.iter().filter(|e| all || self.layers.role(&e.layer) == Role::Boundary);
         geom::bounds(outline.flat_map(|e| e.shape.extent())).map_or(0.0, |(lo, hi)| (hi.x - lo.x).max(hi.y - lo.y))
-    };
-    let mut largest = drawing.blocks.iter().map(|b| side(&b.entities, false)).fold(0.0, f64::max);
-    if largest <= 0.0 {
-        largest = drawing.entities.iter().map(|e| side(std::slice::from_ref(e), true)).fold(0.0, f64::max);
     }
-    let tolerance = ["tolerance", "curve tolerance"].iter().find_map(|k| style.get(*k)).and_then(|t| t.parse().ok());
-    let text = style.get("units").map(String::as_str).filter(|t| !t.is_empty());
-    let evidence = Evidence { asked: options.mm_per_unit, text, insunits: drawing.insunits, tolerance, side: largest };
-    units::decide(&evidence, findings)
+
+    fn decide_units(&self, style: &BTreeMap<String, String>, options: &ReadOptions, findings: &mut Findings) -> Units {
+        let sides = self.blocks.iter().zip(self.inserted);
+        let mut largest =
+            sides.map(|(b, i)| self.side(&b.entities, false) * i.growth(options.inserts)).fold(0.0, f64::max);
+        if largest <= 0.0 {
+            let loose = self.drawing.entities.iter().map(|e| self.side(std::slice::from_ref(e), true));
+            largest = loose.fold(0.0, f64::max);
+        }
+        let tolerance =
+            ["tolerance", "curve tolerance"].iter().find_map(|k| style.get(*k)).and_then(|t| t.parse().ok());
+        let text = style.get("units").map(String::as_str).filter(|t| !t.is_empty());
+        let insunits = self.drawing.insunits;
+        units::decide(&Evidence { asked: options.mm_per_unit, text, insunits, tolerance, side: largest }, findings)
+    }
 }
 
 fn is_model_space(name: &str) -> bool {
@@ -232,7 +249,7 @@ fn carry_between_sizes(pieces: &mut [DrawnPiece], desk: &mut Desk<'_>) {
 }
 
 /// One finding per layer and entity type that has no meaning.
-fn report_layers(drawing: &Drawing, blocks: &[Block], layers: &Layers, findings: &mut Findings) {
+fn report_layers(drawing: &Drawing, blocks: &[Block], layers: &Layers, ledger: &Ledger, findings: &mut Findings) {
     let mut unknown: BTreeMap<(String, String), (usize, u64)> = BTreeMap::new();
     let all = blocks.iter().filter(|b| !is_model_space(&b.name)).flat_map(|b| &b.entities).chain(&drawing.entities);
     for e in all {
@@ -241,7 +258,7 @@ fn report_layers(drawing: &Drawing, blocks: &[Block], layers: &Layers, findings:
             Shape::Text { .. } | Shape::Insert { .. } | Shape::Attribute => false,
             _ => matches!(layers.role(&e.layer), Role::Unknown | Role::Annotation),
         };
-        if odd {
+        if odd && !ledger.used(e.id) {
             let entry = unknown.entry((e.layer.clone(), e.shape.name().to_owned())).or_insert((0, e.line));
             entry.0 += 1;
         }

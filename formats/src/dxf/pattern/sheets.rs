@@ -1,5 +1,6 @@
 //! Which blocks are pieces; the closed lines of ENTITIES where no block is one.
 
+use super::inserts::{InsertRule, Inserted};
 use super::is_model_space;
 use crate::dxf::chain::{self, Path};
 use crate::dxf::geom;
@@ -18,7 +19,8 @@ pub(super) fn sheets(
     drawing: &Drawing,
     blocks: &[Block],
     sorter: &mut Sorter<'_>,
-    mirrored: &[bool],
+    inserted: &[Inserted],
+    rule: InsertRule,
     tolerances: &Tolerances,
 ) -> Vec<(String, u64, Sheet)> {
     let mut out = Vec::new();
@@ -29,7 +31,13 @@ pub(super) fn sheets(
             }
             continue;
         }
-        let sheet = sorter.block(i, mirrored[i]);
+        let how = &inserted[i];
+        if how.part || how.assembly {
+            // What is on it is read where it is inserted; an assembly holds nothing but INSERTs of pieces.
+            continue;
+        }
+        let mut sheet = sorter.block(i, &how.placings(block, rule));
+        sheet.inserted = (how.plain + how.mirrored > 1).then_some([how.plain, how.mirrored]);
         if !sheet.boundary.is_empty() {
             out.push((block.name.clone(), block.line, sheet));
         } else if !block.entities.is_empty() {

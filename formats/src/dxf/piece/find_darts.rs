@@ -30,6 +30,9 @@ impl DrawnPiece {
                 }
             }
         }
+        let (folded, necklines) = self.darts_on_fold(on);
+        found.extend(folded);
+        denied.extend(necklines);
         for dart in &found {
             for id in &dart.ids {
                 let rule = if dart.form == Form::Lens { "closed lens: fish-eye dart" } else { "legs of a marked dart" };
@@ -101,6 +104,16 @@ impl DrawnPiece {
                 mm(mouth[1]),
                 mm(*drill),
                 self.label()
+            );
+            desk.say(Diagnostic::info("dart-candidate", text).hint(hint), &self.block, "13", self.line);
+        }
+        for [tip, side, other] in marked::threes(drills, &self.darts, self.grain.map(|g| g[1] - g[0])) {
+            let text = format!(
+                "three drill holes of `{}` at {}, {} and {} may be a fish-eye dart; it was not made one",
+                self.label(),
+                mm(tip),
+                mm(side),
+                mm(other)
             );
             desk.say(Diagnostic::info("dart-candidate", text).hint(hint), &self.block, "13", self.line);
         }

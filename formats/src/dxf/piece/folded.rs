@@ -18,7 +18,7 @@ impl DrawnPiece {
         let Some(stroke) = longest else { return };
         let line = self.boundary.positions();
         let [a, b] = stroke.ends;
-        if fold_run(&line, a, b).is_some() {
+        if fold_run(&line, a, b).is_some() || fold_part(&line, a, b) {
             self.fold = Some([a, b]);
             desk.ledger.overrule(
                 stroke.id,
@@ -62,4 +62,21 @@ fn fold_run(line: &[Vec2], a: Vec2, b: Vec2) -> Option<(usize, usize)> {
         }
     }
     None
+}
+
+/// Is at least half of the line from `a` to `b` a run of the boundary? A dart on the fold takes the rest.
+fn fold_part(line: &[Vec2], a: Vec2, b: Vec2) -> bool {
+    let (n, d) = (line.len(), b - a);
+    let length = d.norm();
+    if length < 5.0 || n < 3 {
+        return false;
+    }
+    let along = |p: Vec2| (p - a).dot(&d) / length;
+    let on = |p: Vec2| geom::cross(d, p - a).abs() / length <= ON_FOLD && (-1.0..=length + 1.0).contains(&along(p));
+    let covered: f64 = (0..n)
+        .map(|i| [line[i], line[(i + 1) % n]])
+        .filter(|ends| ends.iter().all(|p| on(*p)))
+        .map(|ends| (ends[1] - ends[0]).norm())
+        .sum();
+    covered >= 0.5 * length
 }

@@ -2,6 +2,7 @@
 
 mod border;
 mod find_darts;
+mod fold_darts;
 mod folded;
 mod marks;
 mod notes;
@@ -40,7 +41,7 @@ pub struct DrawnPiece {
     /// Texts without meaning: place, layer, text.
     pub texts: Vec<(Vec2, String, String)>,
     /// Grade rule texts: place and rule.
-    pub rules: Vec<(Vec2, u32)>,
+    pub rules: Vec<RuleMark>,
     /// Cut line.
     pub boundary: Outline,
     /// Sew line, where it differs.
@@ -55,6 +56,8 @@ pub struct DrawnPiece {
     pub grain: Option<[Vec2; 2]>,
     /// Reference line of the grading.
     pub reference: Option<[Vec2; 2]>,
+    /// Alternate reference lines, with their number where a text says it.
+    pub alternates: Vec<(Option<u32>, [Vec2; 2])>,
     /// Internal lines (legs of marked darts among them).
     pub internal: Vec<Path>,
     /// Internal lines that say `NM`: not mirrored.
@@ -85,6 +88,17 @@ pub struct DrawnPiece {
     dense_sew: Option<Outline>,
     marks: Vec<super::sheet::Mark>,
     strokes: Vec<Stroke>,
+}
+
+/// A grade rule text.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct RuleMark {
+    /// Place, mm.
+    pub at: Vec2,
+    /// Number of the rule.
+    pub rule: u32,
+    /// Alternate reference line in whose frame the growth stands.
+    pub line: Option<u32>,
 }
 
 /// What building a piece writes to.
@@ -162,6 +176,7 @@ impl DrawnPiece {
                 .map(|s| s.ends)
                 .max_by(|a, b| (a[1] - a[0]).norm().total_cmp(&(b[1] - b[0]).norm())),
             reference: sheet.reference.first().map(|s| s.ends),
+            alternates: sheet.reference.iter().skip(1).map(|s| (None, s.ends)).collect(),
             internal: sheet.internal.into_iter().map(Path::tidy).filter(|p| p.points.len() >= 2).collect(),
             not_mirrored: Vec::new(),
             cutouts: inner
@@ -185,7 +200,11 @@ impl DrawnPiece {
             strokes: sheet.notch_strokes,
             boundary: outline,
         };
+        if let Some([plain, mirrored]) = sheet.inserted {
+            piece.quantity = Quantity { plain, mirrored };
+        }
         piece.read_notes(sheet.notes);
+        piece.check_rules(desk);
         piece.find_fold(&sheet.mirror, desk);
         piece.find_sew_line(sheet.sew, desk);
         if let Some(sew) = &mut piece.sew {

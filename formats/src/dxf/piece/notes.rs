@@ -1,11 +1,11 @@
 //! Texts of a block: keys of the piece, grade rules, labels.
 
-use super::DrawnPiece;
+use super::{Desk, DrawnPiece, RuleMark};
 use crate::dxf::chain::Path;
 use crate::dxf::geom::PointIndex;
 use crate::dxf::sheet::Note;
 use crate::dxf::texts;
-use toile_garment::Vec2;
+use toile_garment::{Diagnostic, Vec2};
 
 impl DrawnPiece {
     pub(super) fn read_notes(&mut self, notes: Vec<Note>) {
@@ -17,13 +17,43 @@ impl DrawnPiece {
         self.not_mirrored =
             self.internal.iter().map(|p| starts(p).iter().any(|s| not_mirrored.has(*s, 0.05))).collect();
         for note in notes {
-            if let Some(rule) = texts::rule_number(&note.text) {
-                self.rules.push((note.at, rule));
+            if let Some((rule, line)) = texts::rule_number(&note.text) {
+                if note.layer.trim() == "5" && self.name_alternate(note.at, rule) {
+                    continue;
+                }
+                self.rules.push(RuleMark { at: note.at, rule, line });
             } else if let Some((key, value)) = texts::key_value(&note.text) {
                 self.take_key(&key, value, &note.text, note.at, note.layer);
             } else if !note.text.is_empty() {
                 self.texts.push((note.at, note.layer, note.text));
             }
+        }
+    }
+
+    /// A number on layer 5 at an end of an alternate reference line is its name.
+    fn name_alternate(&mut self, at: Vec2, number: u32) -> bool {
+        let near = |ends: &[Vec2; 2]| ends.iter().any(|p| (p - at).norm() <= 0.05);
+        let line = self.alternates.iter_mut().find(|l| l.0.is_none() && near(&l.1));
+        line.map(|l| l.0 = Some(number)).is_some()
+    }
+
+    /// The alternate reference line a rule names: by its text, else by its place among them.
+    pub(crate) fn alternate(&self, number: u32) -> Option<[Vec2; 2]> {
+        let named = self.alternates.iter().find(|l| l.0 == Some(number));
+        let counted =
+            || (number as usize).checked_sub(1).and_then(|i| self.alternates.get(i)).filter(|l| l.0.is_none());
+        named.or_else(counted).map(|l| l.1)
+    }
+
+    /// Every alternate reference line that a rule names must be there.
+    pub(super) fn check_rules(&self, desk: &mut Desk<'_>) {
+        let missing = self.rules.iter().filter_map(|r| r.line).find(|n| *n != 0 && self.alternate(*n).is_none());
+        if let Some(number) = missing {
+            let text = format!(
+                "grade rules of `{}` name the alternate reference line {number}, which layer 5 does not have; the reference line was taken",
+                self.label()
+            );
+            desk.say(Diagnostic::warning("grade-line-missing", text), &self.block, "5", self.line);
         }
     }
 

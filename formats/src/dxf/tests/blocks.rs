@@ -27,11 +27,19 @@ fn inserts_missing_recursive_transformed_mirrored() {
     assert_eq!(codes(&missing.findings), ["block-missing"]);
     let recursive = good(&file(|w| w.polyline("1", true, &WEDGE).pair(0, "INSERT").pair(8, "1").pair(2, "FRONT_38")));
     assert_wedge(&recursive);
-    assert_eq!(codes(&recursive.findings), ["insert-not-expanded"]);
+    assert_eq!(codes(&recursive.findings), ["insert-recursive"]);
     let insert = |tail: &str| wedge_file().replace("\nINSERT\n", &format!("\nINSERT\n{tail}"));
-    let turned = good(&insert(" 41\n2\n 42\n2\n 50\n90\n"));
-    assert_wedge(&turned);
-    assert_eq!(codes(&turned.findings), ["insert-transformed"]);
+    let turned = insert(" 41\n2\n 42\n2\n 50\n90\n");
+    let doubled = good(&turned);
+    assert_eq!(codes(&doubled.findings), ["insert-transformed"]);
+    let apex = |p: &Pattern| p.pieces[0].darts[0].apexes[0];
+    assert_eq!(apex(&doubled), toile_garment::Vec2::new(300.0, 1000.0));
+    assert!((doubled.pieces[0].darts[0].width() - 60.0).abs() < 1e-9);
+    let with = |inserts| read(turned.as_bytes(), "t.dxf", &ReadOptions { inserts, ..ReadOptions::default() });
+    assert_wedge(&with(InsertRule::Ignored).expect("as drawn"));
+    // (150, 500) twice as large, and a quarter turn to the left.
+    let placed = apex(&with(InsertRule::Placed).expect("placed"));
+    assert!((placed - toile_garment::Vec2::new(-1000.0, 300.0)).norm() < 1e-9, "{placed}");
     let mirrored = good(&insert(" 41\n-1\n"));
     assert_eq!(codes(&mirrored.findings), ["insert-mirrored"]);
     assert!((mirrored.pieces[0].darts[0].apexes[0].x + 150.0).abs() < 1e-9);
@@ -60,6 +68,70 @@ fn a_block_of_inserts_is_expanded_and_loops_end() {
     assert_eq!(front.darts[0].apexes[0], toile_garment::Vec2::new(160.0, 520.0));
     let e = bad(&file(|w| w.pair(0, "INSERT").pair(8, "1").pair(2, "FRONT_38").xy(10.0, 20.0)));
     assert!(codes(&e).contains(&"insert-recursive"), "{:?}", codes(&e));
+}
+
+/// A block `SHEET` that inserts others, and what ENTITIES insert.
+fn with_blocks(blocks: impl Fn(Writer) -> Writer, inserts: impl Fn(Writer) -> Writer) -> String {
+    let w = blocks(Writer::default().pair(0, "SECTION").pair(2, "BLOCKS")).pair(0, "ENDSEC");
+    let w = w.pair(0, "SECTION").pair(2, "ENTITIES").text("1", "Units: METRIC").text("1", "Style Name: T");
+    inserts(w).pair(0, "ENDSEC").pair(0, "EOF").0
+}
+
+fn insert(w: Writer, block: &str, scale: (f64, f64), degrees: f64) -> Writer {
+    let w = w.pair(0, "INSERT").pair(8, "1").pair(2, block).xy(5.0, 7.0);
+    w.pair(41, &scale.0.to_string()).pair(42, &scale.1.to_string()).pair(50, &degrees.to_string())
+}
+
+fn piece_block(w: Writer, name: &str) -> Writer {
+    w.block(name).polyline("1", true, &WEDGE).line("7", (60.0, 150.0), (60.0, 450.0)).pair(0, "ENDBLK")
+}
+
+#[test]
+fn a_block_of_pieces_passes_its_scale_on() {
+    let text = with_blocks(
+        |w| {
+            let w = piece_block(piece_block(w, "A"), "B").block("SHEET");
+            insert(insert(w, "A", (1.0, 0.5), 90.0), "B", (-1.0, 1.0), 0.0).pair(0, "ENDBLK")
+        },
+        |w| insert(w, "SHEET", (2.0, 1.0), 0.0),
+    );
+    let pattern = good(&text);
+    assert_eq!(pattern.pieces.len(), 2);
+    let size = |i: usize| {
+        let (lo, hi) = geom::bounds(pattern.pieces[i].boundary.positions()).expect("points");
+        hi - lo
+    };
+    // A: half as high, a quarter turn, then what was its height (now along x) twice as long: 300 × 600 again.
+    assert!((size(0) - toile_garment::Vec2::new(300.0, 600.0)).norm() < 1e-9, "{}", size(0));
+    // B: twice as wide and mirrored.
+    assert!((size(1) - toile_garment::Vec2::new(600.0, 600.0)).norm() < 1e-9, "{}", size(1));
+    assert!(codes(&pattern.findings).contains(&"insert-mirrored"));
+}
+
+#[test]
+fn marks_in_blocks_of_their_own_belong_to_the_piece_that_inserts_them() {
+    let text = with_blocks(
+        |w| {
+            let w = w.block("DRILL").point("0", 0.0, 0.0).pair(30, "4").pair(0, "ENDBLK").block("FRONT");
+            let w = w.polyline("1", true, &WEDGE).line("7", (60.0, 150.0), (60.0, 450.0));
+            let w = w.pair(0, "INSERT").pair(8, "13").pair(2, "DRILL").xy(150.0, 490.0).pair(41, "2").pair(42, "2");
+            w.pair(0, "ENDBLK")
+        },
+        |w| w.pair(0, "INSERT").pair(8, "1").pair(2, "FRONT"),
+    );
+    let pattern = good(&text);
+    assert_eq!((pattern.pieces.len(), codes(&pattern.findings)), (1, vec![]));
+    let drill = &pattern.pieces[0].drills[0];
+    assert_eq!((drill.at, drill.diameter), (toile_garment::Vec2::new(150.0, 490.0), Some(8.0)));
+}
+
+#[test]
+fn a_piece_inserted_left_and_right_is_cut_twice() {
+    let text = with_blocks(|w| piece_block(w, "A"), |w| insert(insert(w, "A", (1.0, 1.0), 0.0), "A", (-1.0, 1.0), 0.0));
+    let pattern = good(&text);
+    assert_wedge(&pattern);
+    assert_eq!((pattern.pieces[0].quantity.plain, pattern.pieces[0].quantity.mirrored), (1, 1));
+    assert!(pattern.pieces[0].darts[0].apexes[0].x > 0.0);
 }
 
 #[test]

@@ -58,3 +58,30 @@ fn growths_turn_with_the_reference_line() {
     // One rule only: the whole outline moves with it, along the reference line, which is +y here.
     assert!((graded.boundary.drawn[2].at - toile_garment::Vec2::new(300.0, 605.0)).norm() < 1e-9);
 }
+
+#[test]
+fn an_alternate_rule_stands_in_the_frame_of_its_own_line() {
+    // The reference line is +x; the first alternate is +y, the one with the text `# 7` is −x.
+    let text = |rule: &str| {
+        file(|w| {
+            let w = w.polyline("1", true, &RECTANGLE).text_at("1", rule, 300.0, 600.0).text_at("1", "# 0", 0.0, 0.0);
+            let w = w.line("5", (10.0, 10.0), (90.0, 10.0)).line("5", (20.0, 20.0), (20.0, 90.0));
+            w.line("5", (250.0, 30.0), (200.0, 30.0)).text_at("5", "# 7", 250.0, 30.0)
+        })
+    };
+    let table =
+        crate::rul::read(b"NUMBER OF SIZES: 2\nSIZE LIST: 38 40\nSAMPLE SIZE: 38\nRULE: DELTA 1\n0 0 5 2\n", "t.rul")
+            .expect("table");
+    let corner = |rule: &str| {
+        let pattern = good(&text(rule));
+        let graded = grade::grade(&pattern.pieces[0], &table, "40").expect("graded");
+        (graded.boundary.drawn[2].at - toile_garment::Vec2::new(300.0, 600.0), pattern.findings.len())
+    };
+    for (rule, (x, y), findings) in
+        [("# 1", (5.0, 2.0), 0), ("# 1, 1", (-2.0, 5.0), 0), ("# 1, 7", (-5.0, -2.0), 0), ("# 1, 9", (5.0, 2.0), 1)]
+    {
+        let (growth, told) = corner(rule);
+        assert!((growth - toile_garment::Vec2::new(x, y)).norm() < 1e-9, "{rule}: {growth}");
+        assert_eq!(told, findings, "{rule}");
+    }
+}

@@ -25,7 +25,7 @@ pub fn piece_drawing(piece: &Piece, options: PieceOptions, findings: &mut Vec<Di
     let mut internal: Vec<_> = piece.internal_lines.iter().map(line).collect();
     internal.extend(piece.darts.iter().flat_map(dart_lines));
     let drawing = PieceDrawing {
-        name: piece.name.clone(),
+        name: base_name(piece),
         size: piece.size.clone(),
         quantity: piece.quantity,
         material: piece.material.clone(),
@@ -56,6 +56,13 @@ pub fn piece_drawing(piece: &Piece, options: PieceOptions, findings: &mut Vec<Di
         Some(fold) => half(drawing, fold.map(|p| p * MM), findings),
         None => drawing,
     }
+}
+
+/// The name without its size: pieces read in several sizes are called `piece@size`.
+fn base_name(piece: &Piece) -> String {
+    let tail = piece.size.as_deref().map(|s| format!("@{s}"));
+    let base = tail.and_then(|t| piece.name.strip_suffix(t.as_str()));
+    base.filter(|b| !b.is_empty()).unwrap_or(&piece.name).to_owned()
 }
 
 fn stripe_layer(line: &PieceLine) -> &'static str {

@@ -1,0 +1,76 @@
+//! Darts that lie on the fold: a half piece holds one half of them, the mirror image makes them whole.
+
+use super::DrawnPiece;
+use crate::dxf::chain::Path;
+use crate::dxf::darts::{self, Denied, DrawnDart, Form};
+use crate::dxf::geom;
+use crate::dxf::marked;
+use crate::dxf::outline::Outline;
+use crate::dxf::unfold::Fold;
+use toile_garment::Vec2;
+
+/// Points this near the fold lie on it, mm.
+const ON_FOLD: f64 = 0.5;
+/// Wider and blunter wedges on a fold are necklines, mm and degrees.
+const NECKLINE: (f64, f64) = (60.0, 30.0);
+
+impl DrawnPiece {
+    /// Wedges, marked darts and lenses cut in two by the fold, whole.
+    pub(super) fn darts_on_fold(&self, on: &'static str) -> (Vec<DrawnDart>, Vec<Denied>) {
+        let Some(fold) = self.fold.map(Fold) else { return (Vec::new(), Vec::new()) };
+        let Some(whole) = unfolded(self.sewn(), fold) else { return (Vec::new(), Vec::new()) };
+        let on_fold = |p: &Vec2| fold.distance(*p) <= ON_FOLD;
+        let (wedges, _) = darts::wedges(&whole, on);
+        let (mut found, mut denied) = (Vec::new(), Vec::new());
+        for dart in wedges.into_iter().filter(|d| d.apexes.iter().all(on_fold)) {
+            let (u, v) = (dart.mouth[0] - dart.apexes[0], dart.mouth[1] - dart.apexes[0]);
+            let angle = libm::atan2(geom::cross(u, v).abs(), u.dot(&v)).to_degrees();
+            if dart.width() > NECKLINE.0 || angle > NECKLINE.1 {
+                let why = "it is wide and on the fold: a V neckline";
+                denied.push(Denied { at: dart.apexes[0], why, form: dart.form });
+            } else {
+                found.push(dart);
+            }
+        }
+        let halves: Vec<Path> = self.internal.iter().filter_map(|p| doubled(p, fold)).collect();
+        found.extend(marked::marked(&halves, &whole, None));
+        found.extend(marked::lenses(&halves, &whole.positions()));
+        for dart in &mut found {
+            dart.confidence -= if dart.form == Form::Wedge { 0.0 } else { 0.05 };
+            dart.evidence.push("its apex lies on the fold: one half is drawn".into());
+        }
+        (found, denied)
+    }
+}
+
+/// The working line of a half piece, whole.
+fn unfolded(half: &Outline, fold: Fold) -> Option<Outline> {
+    let work = fold.outline(&half.work)?;
+    let place = (0..work.len()).map(Some).collect();
+    Some(Outline { drawn: work.clone(), work, place, ..half.clone() })
+}
+
+/// An open line with one end, or both, on the fold, and its mirror image: one line.
+fn doubled(path: &Path, fold: Fold) -> Option<Path> {
+    let on = |p: Option<&(Vec2, bool)>| p.is_some_and(|p| fold.distance(p.0) <= ON_FOLD);
+    let off = path.points.iter().any(|p| fold.distance(p.0) > ON_FOLD);
+    if path.closed || !off || path.points.len() > 2000 {
+        return None;
+    }
+    let mut points = path.points.clone();
+    let closed = match (on(points.first()), on(points.last())) {
+        (true, false) => {
+            points.reverse();
+            false
+        }
+        (false, true) => false,
+        (true, true) => points.len() >= 3,
+        (false, false) => return None,
+    };
+    let skip_first = usize::from(closed);
+    let n = points.len();
+    let mirrored: Vec<(Vec2, bool)> =
+        points[skip_first..n - 1].iter().rev().map(|(p, own)| (fold.mirror(*p), *own)).collect();
+    points.extend(mirrored);
+    Some(Path { points, closed, ..path.clone() })
+}

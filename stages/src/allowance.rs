@@ -1,0 +1,160 @@
+//! Seam allowances as parameters of the stages that read and write patterns.
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+use toile_formats::allowance::{self, Allowance, CornerKind};
+use toile_garment::units::Length;
+use toile_garment::{Diagnostic, Piece, Vec2};
+
+/// How cut lines meet at a corner.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Corners {
+    /// They run on until they meet.
+    #[default]
+    Miter,
+    /// Cut straight across.
+    Bevel,
+    /// An arc.
+    Round,
+}
+
+/// Seam allowances: the cut line is made from the sew line.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct AllowanceParams {
+    /// Of all edges that have none of their own, e.g. `"10 mm"`.
+    pub width: Length,
+    /// Of all edges of single pieces, e.g. `{ facing = "6 mm" }`.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub pieces: BTreeMap<String, Length>,
+    /// Of single edges by piece and number or name, e.g. `{ "front.0" = "40 mm" }`.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub edges: BTreeMap<String, Length>,
+    /// Corners.
+    #[serde(default)]
+    pub corners: Corners,
+}
+
+/// Which pieces get a cut line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Which {
+    /// Those without one.
+    Missing,
+    /// All: what is there is replaced.
+    All,
+}
+
+/// Makes the cut lines. Notches of lines that are replaced go out to the new one.
+///
+/// # Errors
+/// Pieces and edges that are not there, and cut lines that cannot be made.
+pub fn apply(params: &AllowanceParams, pieces: &mut [Piece], which: Which) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
+    let mut errors = unknown(params, pieces);
+    let mut findings = Vec::new();
+    for piece in pieces.iter_mut().filter(|p| which == Which::All || p.cut_line.is_none()) {
+        match allowance::cut_line(piece, &of(params, piece)) {
+            Ok((line, mut told)) => {
+                findings.append(&mut told);
+                if which == Which::All {
+                    let ring = line.positions();
+                    piece.notches.iter_mut().for_each(|n| n.at = outward(n.at, &piece.outline.positions(), &ring));
+                }
+                piece.cut_line = Some(line);
+            }
+            Err(error) => errors.push(error),
+        }
+    }
+    if errors.is_empty() { Ok(findings) } else { Err(errors) }
+}
+
+fn of(params: &AllowanceParams, piece: &Piece) -> Allowance {
+    let width = params.pieces.get(&piece.name).unwrap_or(&params.width).0;
+    let edges = params.edges.iter().filter_map(|(key, width)| Some((edge(key, piece)?, width.0))).collect();
+    let corners = match params.corners {
+        Corners::Miter => CornerKind::Miter,
+        Corners::Bevel => CornerKind::Bevel,
+        Corners::Round => CornerKind::Round,
+    };
+    Allowance { width, edges, corners }
+}
+
+/// The edge of this piece that a key names.
+fn edge(key: &str, piece: &Piece) -> Option<u32> {
+    let word = key.strip_prefix(piece.name.as_str())?.strip_prefix('.')?;
+    let named = piece.edges.iter().find(|e| e.name.as_deref() == Some(word)).map(|e| e.index);
+    named.or_else(|| word.parse().ok().filter(|n| piece.edges.iter().any(|e| e.index == *n)))
+}
+
+fn unknown(params: &AllowanceParams, pieces: &[Piece]) -> Vec<Diagnostic> {
+    let names: Vec<&str> = pieces.iter().map(|p| p.name.as_str()).collect();
+    let lost_piece = params.pieces.keys().filter(|k| !names.contains(&k.as_str())).map(|k| {
+        let text = format!("`allowance.pieces`: there is no piece `{k}`; there are {}", names.join(", "));
+        Diagnostic::error("piece-unknown", text)
+    });
+    let lost_edge = params.edges.keys().filter(|k| pieces.iter().all(|p| edge(k, p).is_none())).map(|k| {
+        let hint = "write `piece.number` or `piece.name`; `toile inspect FILE --svg OUT` draws the numbers";
+        Diagnostic::error("edge-unknown", format!("`allowance.edges`: there is no edge `{k}`")).hint(hint)
+    });
+    lost_piece.chain(lost_edge).collect()
+}
+
+/// A mark on the sew line, or on a cut line there was, carried to the nearest place of the new cut line.
+fn outward(at: Vec2, sew: &[Vec2], cut: &[Vec2]) -> Vec2 {
+    let on_sew = nearest(at, sew);
+    nearest(on_sew, cut)
+}
+
+fn nearest(p: Vec2, line: &[Vec2]) -> Vec2 {
+    let next = line.iter().cycle().skip(1);
+    let feet = line.iter().zip(next).map(|(a, b)| {
+        let d = b - a;
+        let t = ((p - a).dot(&d) / d.norm_squared().max(1e-18)).clamp(0.0, 1.0);
+        a + d * t
+    });
+    feet.min_by(|a, b| (a - p).norm_squared().total_cmp(&(b - p).norm_squared())).unwrap_or(p)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::{rectangle, v};
+    use toile_garment::notch::{Notch, NotchKind};
+
+    fn params(edges: &[(&str, f64)]) -> AllowanceParams {
+        let edges = edges.iter().map(|(k, w)| ((*k).to_owned(), Length(w * 1e-3))).collect();
+        AllowanceParams { width: Length(0.01), pieces: BTreeMap::new(), edges, corners: Corners::Miter }
+    }
+
+    #[test]
+    fn a_hem_and_a_notch_that_follows() {
+        let mut piece = rectangle(0, "front", 300.0, 600.0);
+        let notch = Notch {
+            kind: NotchKind::Slit,
+            at: v(300.0, 200.0),
+            depth: 0.005,
+            width: 0.0,
+            angle: None,
+            on: "cut".into(),
+            name: None,
+            source: None,
+        };
+        piece.notches.push(notch);
+        let mut pieces = [piece];
+        apply(&params(&[("front.0", 40.0)]), &mut pieces, Which::All).expect("cut line");
+        let cut = pieces[0].cut_line.as_ref().expect("cut line");
+        assert!((cut.signed_area() - 0.32 * 0.65).abs() < 1e-9);
+        assert!((pieces[0].notches[0].at - v(310.0, 200.0)).norm() < 1e-9);
+    }
+
+    #[test]
+    fn names_that_are_not_there_are_told() {
+        let mut pieces = [rectangle(0, "front", 300.0, 600.0)];
+        let mut wrong = params(&[("front.9", 40.0)]);
+        wrong.pieces.insert("back".into(), Length(0.01));
+        let errors = apply(&wrong, &mut pieces, Which::Missing).expect_err("unknown");
+        let codes: Vec<&str> = errors.iter().map(|e| e.code.as_str()).collect();
+        assert_eq!(codes, ["piece-unknown", "edge-unknown"]);
+    }
+}

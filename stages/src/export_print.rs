@@ -1,0 +1,115 @@
+//! `export-print`: the pattern at its true size, as SVG, PDF or HPGL.
+
+use crate::allowance::{self, AllowanceParams, Which};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+use toile_formats::plot::{self, Paper};
+use toile_garment::units::Length;
+use toile_garment::{Aspect, Diagnostic, Garment};
+use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+
+/// Between pieces, and from the edge, metres.
+const GAP: f64 = 0.02;
+
+/// Parameters of `export-print`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct ExportPrintParams {
+    /// Output file; its ending says the form: `.svg` (layers, millimetres), `.pdf` (tiles) or `.plt` (HPGL).
+    pub file: String,
+    /// Paper of a PDF: `a4`, `a3`, `a2`, `a1`, `a0`, `letter`, or `sheet` for one page as large as the drawing.
+    pub paper: String,
+    /// Width of the drawing, e.g. of a plotter's roll; without it about as wide as high.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub width: Option<Length>,
+    /// Between pieces (20 mm).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub gap: Option<Length>,
+    /// Makes the cut lines anew.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub allowance: Option<AllowanceParams>,
+}
+
+impl Default for ExportPrintParams {
+    fn default() -> Self {
+        Self { file: "{out}/pattern.pdf".to_owned(), paper: "a4".to_owned(), width: None, gap: None, allowance: None }
+    }
+}
+
+/// The stage.
+pub struct ExportPrint;
+
+impl Stage for ExportPrint {
+    type Params = ExportPrintParams;
+    const INFO: StageInfo = StageInfo::new(
+        "export-print",
+        "writes the pattern at its true size as SVG, tiled PDF or HPGL",
+        &[Aspect::Pieces],
+        &[],
+        1,
+    );
+
+    fn run(
+        &self,
+        params: &ExportPrintParams,
+        garment: Garment,
+        cx: &mut StageContext<'_>,
+    ) -> Result<Garment, StageError> {
+        let wrong = |code: &str, text: String| StageError::parameter(Diagnostic::error(code, text));
+        let gap = params.gap.map_or(GAP, |g| g.0) * 1e3;
+        let width = params.width.map(|w| w.0 * 1e3);
+        if !(0.0..=500.0).contains(&gap) || width.is_some_and(|w| !(50.0..=100_000.0).contains(&w)) {
+            return Err(wrong("out-of-range", "`gap` must be 0 to 500 mm and `width` 50 mm to 100 m".into()));
+        }
+        let mut pieces = garment.pieces.clone();
+        if let Some(wanted) = &params.allowance {
+            let findings = allowance::apply(wanted, &mut pieces, Which::All).map_err(StageError::Parameter)?;
+            cx.report.findings.extend(findings);
+        }
+        let sheet = plot::lay(&pieces, gap, width);
+        let ending = params.file.rsplit_once('.').map_or("", |(_, e)| e).to_ascii_lowercase();
+        let (bytes, findings) = match ending.as_str() {
+            "svg" => (plot::svg(&sheet, &garment.style).into_bytes(), Vec::new()),
+            "pdf" => {
+                let paper = Paper::named(&params.paper).ok_or_else(|| {
+                    let known = "a4, a3, a2, a1, a0, letter, sheet";
+                    wrong("paper-unknown", format!("`paper` is `{}`; there are {known}", params.paper))
+                })?;
+                plot::pdf(&sheet, paper, &garment.style).map_err(StageError::parameter)?
+            }
+            "plt" | "hpgl" | "hpg" => {
+                let (text, findings) = plot::hpgl(&sheet).map_err(StageError::parameter)?;
+                (text.into_bytes(), findings)
+            }
+            _ => {
+                let text = format!("`file` is `{}`; its ending must be .svg, .pdf or .plt", params.file);
+                return Err(wrong("form-unknown", text));
+            }
+        };
+        findings.into_iter().for_each(|f| cx.report.push(f));
+        cx.files.write(Path::new(&params.file), &bytes)?;
+        Ok(garment)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::{one, rectangle, run};
+
+    fn params(file: &str) -> ExportPrintParams {
+        ExportPrintParams { file: file.into(), ..ExportPrintParams::default() }
+    }
+
+    #[test]
+    fn the_ending_says_the_form() {
+        let garment = || one(rectangle(0, "front", 300.0, 600.0));
+        for file in ["a.svg", "a.PDF", "a.plt"] {
+            run(&ExportPrint, &params(file), garment()).unwrap_or_else(|e| panic!("{file}: {e:?}"));
+        }
+        for wrong in [params("a.doc"), ExportPrintParams { paper: "b7".into(), ..params("a.pdf") }] {
+            assert!(matches!(run(&ExportPrint, &wrong, garment()), Err(StageError::Parameter(_))));
+        }
+    }
+}

@@ -1,0 +1,100 @@
+//! `import-garmentcode`: pieces, places, seams and darts from a GarmentCode specification.
+
+use crate::allowance::{self, AllowanceParams, Which};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
+use toile_formats::garmentcode;
+use toile_garment::units::Length;
+use toile_garment::{Aspect, Diagnostic, Garment, SourceRef};
+use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+
+/// How near chords keep to curves, metres.
+const FLATNESS: f64 = 5e-5;
+
+/// Parameters of `import-garmentcode`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct ImportGarmentcodeParams {
+    /// The specification (JSON), relative to the pipeline file.
+    pub file: PathBuf,
+    /// A sewing file that adds to what the specification says: attachments, layers, names of edges.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sewing: Option<PathBuf>,
+    /// Chords keep this near a curve (0.05 mm).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub curve: Option<Length>,
+    /// Makes a cut line around the pieces.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub allowance: Option<AllowanceParams>,
+}
+
+/// The stage.
+pub struct ImportGarmentcode;
+
+impl Stage for ImportGarmentcode {
+    type Params = ImportGarmentcodeParams;
+    const INFO: StageInfo = StageInfo::new(
+        "import-garmentcode",
+        "reads pieces, places, seams and darts of a GarmentCode specification",
+        &[],
+        &[Aspect::Pieces],
+        1,
+    );
+
+    fn run(
+        &self,
+        params: &ImportGarmentcodeParams,
+        garment: Garment,
+        cx: &mut StageContext<'_>,
+    ) -> Result<Garment, StageError> {
+        let flatness = params.curve.map_or(FLATNESS, |c| c.0);
+        if !(1e-6..=2e-3).contains(&flatness) {
+            let text = format!("`curve` is {} mm; it must be 0.001 to 2 mm", flatness * 1e3);
+            return Err(StageError::parameter(Diagnostic::error("out-of-range", text)));
+        }
+        let file = params.file.to_string_lossy().into_owned();
+        let bytes = cx.files.read(&params.file)?;
+        let read = garmentcode::read(&bytes, &file, flatness).map_err(StageError::Input)?;
+        cx.report.findings.extend(read.findings);
+        let mut plan = read.plan;
+        if let Some(path) = &params.sewing {
+            let more = sewing_file(path, cx)?;
+            plan.seams.extend(more.seams);
+            plan.darts.extend(more.darts);
+            // What the sewing file says of a place comes after the specification and wins.
+            plan.places.retain(|p| !more.places.iter().any(|m| m.piece.eq_ignore_ascii_case(&p.piece)));
+            plan.places.extend(more.places);
+            plan.layers.extend(more.layers);
+            plan.attachments.extend(more.attachments);
+            plan.copies.extend(more.copies);
+            plan.edge_names.extend(more.edge_names);
+            plan.leave_out.extend(more.leave_out);
+        }
+        let mut pieces = read.garment.pieces;
+        if let Some(wanted) = &params.allowance {
+            let findings = allowance::apply(wanted, &mut pieces, Which::Missing).map_err(StageError::Parameter)?;
+            cx.report.findings.extend(findings);
+        }
+        let mut garment = Garment { style: read.garment.style, pieces, ..garment };
+        crate::sewing::apply(&mut garment, plan, cx.report)?;
+        Ok(garment)
+    }
+}
+
+/// Reads a sewing file.
+///
+/// # Errors
+/// It is not there, no text, or wrong.
+pub(crate) fn sewing_file(
+    path: &std::path::Path,
+    cx: &mut StageContext<'_>,
+) -> Result<toile_garment::sewing::SewingPlan, StageError> {
+    let name = path.to_string_lossy().into_owned();
+    let bytes = cx.files.read(path)?;
+    let text = String::from_utf8(bytes).map_err(|_| {
+        let text = format!("the sewing file `{name}` is not UTF-8 text");
+        StageError::parameter(Diagnostic::error("sewing-file", text).at(SourceRef::file(name.clone())))
+    })?;
+    toile_formats::sewing::read(&text, &name).map_err(StageError::Parameter)
+}
