@@ -32,6 +32,9 @@ pub(crate) struct Descent<'a> {
     factor: Factor,
     memory: Memory,
     pub tau: f64,
+    /// τ from which the shift is no more than the rounding of the factor (cloth that nothing holds has motions without
+    /// stiffness), s².
+    pub free: f64,
     pub steps: u64,
     /// At the last look: energy a Newton step would win over the elastic energy, its longest move (m), net force.
     pub decrement: f64,
@@ -63,6 +66,7 @@ impl<'a> Descent<'a> {
             factor: Factor::default(),
             memory: Memory::default(),
             tau: TAU_FIRST,
+            free: TAU_FREE,
             steps: 0,
             decrement: f64::INFINITY,
             longest: f64::INFINITY,
@@ -93,12 +97,14 @@ impl<'a> Descent<'a> {
         }
         self.goal.assemble(&self.x);
         let (pattern, values) = self.goal.hessian.merged();
+        self.free = TAU_FREE;
         loop {
             let shift: Vec<f64> = self.goal.inertia.iter().map(|m| m / self.tau).collect();
             if self.factor.factorise(&pattern, &values, &shift) {
                 return true;
             }
             self.tau *= 0.1;
+            self.free = TAU_FREE.min(self.tau);
             if self.tau < TAU_LEAST {
                 return false;
             }
@@ -128,7 +134,7 @@ impl<'a> Descent<'a> {
     pub fn resting(&self) -> bool {
         let s = self.settings;
         let slid = self.goal.stick.as_ref().map_or(0.0, |s| s.largest);
-        self.tau >= TAU_FREE
+        self.tau >= self.free
             && self.decrement <= s.decrement_tolerance
             && self.longest <= s.move_tolerance
             && self.residual <= s.residual_tolerance

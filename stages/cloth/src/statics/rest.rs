@@ -32,7 +32,7 @@ impl Descent<'_> {
             if self.resting() {
                 return Ok(StopReason::Settled);
             }
-            if self.tau < TAU_FREE && self.nearly_resting() {
+            if self.tau < self.free && self.nearly_resting() {
                 // Is it so without the shift, too?
                 self.tau = TAU_FREE;
                 continue;
