@@ -13,8 +13,8 @@ use collapse::Mesh;
 const STEP: f64 = 2.0;
 /// Longest mean edge of a level, m: about what cloth can bend within; above it folds come out wrong.
 const LONGEST: f64 = 0.045;
-/// Fewest triangles of a level.
-const FEWEST: usize = 150;
+/// Fewest triangles of a level: few and large ones lock against bending, and what they lock into, the finer keep.
+const FEWEST: usize = 600;
 /// A level must have fewer than this share of the triangles to be worth the while.
 const SHARE: f64 = 0.5;
 
