@@ -15,6 +15,12 @@ use crate::linear::hessian::Hessian;
 const EDGE_SHARE: f64 = 0.5;
 /// N/m³: a gap of 1 mm is half closed by 240 Pa.
 const STIFFNESS: f64 = 2e5;
+/// A contact nearer than this share of its gap is pressed harder than the barrier is made for: there it becomes as stiff
+/// as holds the same load at `EASY` of the gap, by at most `HARDER` at a time and `HARDEST` in all.
+const TIGHT: f64 = 0.1;
+const EASY: f64 = 0.4;
+const HARDER: f64 = 16.0;
+const HARDEST: f64 = 1e4;
 /// Largest stiffness of a contact in the metric, N/m: beyond it single precision loses the cloth behind it.
 const STEEPEST: f64 = 1e5;
 /// Slack of the lists over the mean edge: small enough that neighbours of neighbours stay out.
@@ -41,6 +47,9 @@ pub(crate) struct Touch {
     pub slope: f64,
     /// m².
     pub area: f64,
+    /// Distance from which it pushes, m, and by how much it is harder than others.
+    pub gap: f64,
+    pub hard: f64,
     pub friction: f64,
     /// The same pair has the same key at every evaluation.
     pub key: (u8, [u32; 4]),
@@ -65,6 +74,8 @@ pub(crate) struct Barrier {
     on_the_way: bool,
     slack: f64,
     area: Vec<f64>,
+    /// Hardening of the contacts, per vertex.
+    hard: Vec<f64>,
     pub touches: Vec<Touch>,
     /// Distances of the listed pairs at the last evaluation, in the order of the lists, kind by kind.
     pub distances: [Vec<f64>; 5],
@@ -83,6 +94,7 @@ impl Barrier {
             listed: Vec::new(),
             on_the_way: false,
             slack: 0.0,
+            hard: vec![1.0; area.len()],
             area,
             touches: Vec::new(),
             distances: Default::default(),
@@ -147,9 +159,8 @@ impl Barrier {
         self.tally.body_most = self.tally.body_most.max(self.touches.len() - own);
         let mut energy = 0.0;
         for t in &mut self.touches {
-            let gap = t.load;
-            let k = STIFFNESS * t.area;
-            let (b, slope, bow) = barrier(t.distance, gap);
+            let k = STIFFNESS * t.area * t.hard;
+            let (b, slope, bow) = barrier(t.distance, t.gap);
             energy += k * b;
             t.load = -k * slope;
             t.slope = k * bow;
@@ -163,13 +174,32 @@ impl Barrier {
         energy
     }
 
+    /// Hardens the contacts that are pressed nearly shut, as the last evaluation saw them; says whether any is.
+    ///
+    /// A load of tens of kPa (tight cloth over a sharp bend) would close a gap to a micrometre, where no step is short
+    /// enough.
+    pub fn harden(&mut self) -> bool {
+        let mut any = false;
+        for t in self.touches.iter().filter(|t| t.distance < TIGHT * t.gap) {
+            let more = (barrier(t.distance, t.gap).1 / barrier(EASY * t.gap, t.gap).1).min(HARDER);
+            let hard = (t.hard * more).min(HARDEST);
+            for (v, w) in t.vertices.iter().zip(&t.weights) {
+                if *w != 0.0 && self.hard[*v as usize] < hard {
+                    self.hard[*v as usize] = hard;
+                    any = true;
+                }
+            }
+        }
+        any
+    }
+
     fn own(&mut self, x: &[Vec3]) {
         let [points, edges, ..] = &mut self.distances;
         points.clear();
         edges.clear();
-        let touches = &mut self.touches;
-        points.extend(self.near.point_gaps(x).map(|g| touch(touches, &self.frame, &self.area, POINT, &g)));
-        edges.extend(self.near.edge_gaps(x).map(|g| touch(touches, &self.frame, &self.area, EDGE, &g)));
+        let (weighs, touches) = ((&*self.area, &*self.hard), &mut self.touches);
+        points.extend(self.near.point_gaps(x).map(|g| touch(touches, &self.frame, weighs, POINT, &g)));
+        edges.extend(self.near.edge_gaps(x).map(|g| touch(touches, &self.frame, weighs, EDGE, &g)));
     }
 
     fn against_body(&mut self, x: &[Vec3]) {
@@ -178,11 +208,11 @@ impl Barrier {
         for list in [&mut *points, &mut *edges, &mut *faces] {
             list.clear();
         }
-        let (frame, area, touches) = (&self.frame, &self.area, &mut self.touches);
-        edges.extend(self.near.body_edge_gaps(x, body).map(|(g, _)| touch(touches, frame, area, BODY_EDGE, &g)));
-        faces.extend(self.near.body_face_gaps(x, body).map(|(g, _)| touch(touches, frame, area, BODY_FACE, &g)));
+        let (frame, weighs, touches) = (&self.frame, (&*self.area, &*self.hard), &mut self.touches);
+        edges.extend(self.near.body_edge_gaps(x, body).map(|(g, _)| touch(touches, frame, weighs, BODY_EDGE, &g)));
+        faces.extend(self.near.body_face_gaps(x, body).map(|(g, _)| touch(touches, frame, weighs, BODY_FACE, &g)));
         // Every triangle pushes by itself: the nearest alone would jump from side to side in a crease.
-        points.extend(self.near.body_point_gaps(x, body).map(|(g, _)| touch(touches, frame, area, BODY_POINT, &g)));
+        points.extend(self.near.body_point_gaps(x, body).map(|(g, _)| touch(touches, frame, weighs, BODY_POINT, &g)));
         self.tally.nearest_body = points.iter().fold(self.tally.nearest_body, |a, b| a.min(*b));
     }
 
@@ -203,9 +233,9 @@ fn barrier(d: f64, gap: f64) -> (f64, f64, f64) {
     (-s * s * l, -2.0 * s * l - s * s / d, -2.0 * l - 4.0 * s / d + s * s / (d * d))
 }
 
-/// Remembers the pair if it is nearer than its gap (kept in `load` until the force is known); gives the distance.
+/// Remembers the pair if it is nearer than its gap (area and hardening per vertex given); gives the distance.
 #[inline]
-fn touch(touches: &mut Vec<Touch>, frame: &Frame, area: &[f64], kind: u8, g: &Gap) -> f64 {
+fn touch(touches: &mut Vec<Touch>, frame: &Frame, (area, hard): (&[f64], &[f64]), kind: u8, g: &Gap) -> f64 {
     let Gap { vertices: key, weights, d } = *g;
     let distance = d.norm();
     let cloth = match kind {
@@ -226,9 +256,11 @@ fn touch(touches: &mut Vec<Touch>, frame: &Frame, area: &[f64], kind: u8, g: &Ga
             weights,
             normal: d / distance,
             distance,
-            load: gap,
+            load: 0.0,
             slope: 0.0,
             area,
+            gap,
+            hard: vertices[..cloth].iter().map(|v| hard[*v as usize]).fold(1.0, f64::max),
             friction: frame.friction[key[0] as usize],
             key: (kind, key),
         });
@@ -253,5 +285,52 @@ mod tests {
         }
         let (b, slope, bow) = barrier(gap, gap);
         assert_eq!((b, slope, bow), (0.0, 0.0, 0.0));
+    }
+
+    /// A vertex pressed on the body with 45 kPa comes to stand off it, not at a micrometre.
+    #[test]
+    fn a_hard_pressed_contact_hardens_until_it_stands_off() {
+        let (gap, load) = (5e-4, 45e3);
+        let mut b = Barrier::new(&[], frame(gap), None, vec![1.0]);
+        // Where the barrier of the present hardness carries the load.
+        let stands = |hard: f64| {
+            let (mut low, mut high) = (0.0, gap);
+            for _ in 0..80 {
+                let d = 0.5 * (low + high);
+                if -barrier(d, gap).1 * STIFFNESS * hard > load { low = d } else { high = d }
+            }
+            low
+        };
+        assert!(stands(1.0) < 2e-6);
+        for round in 0..8 {
+            let d = stands(b.hard[0]);
+            b.touches.clear();
+            let found = touch(
+                &mut b.touches,
+                &b.frame,
+                (&b.area, &b.hard),
+                BODY_POINT,
+                &Gap { vertices: [0; 4], weights: [1.0, 0.0, 0.0, 0.0], d: Vec3::new(0.0, d, 0.0) },
+            );
+            assert_eq!(found, d);
+            if !b.harden() {
+                assert!(round > 0 && d > TIGHT * gap, "{round} {d}");
+                return;
+            }
+        }
+        panic!("never hard enough");
+    }
+
+    fn frame(gap: f64) -> Frame {
+        Frame {
+            topology: crate::topology::Topology::default(),
+            groups: vec![0],
+            body_gap: vec![gap],
+            own_gap: vec![gap],
+            friction: vec![0.0],
+            inverse_mass: vec![1.0],
+            edge: 0.01,
+            own: false,
+        }
     }
 }

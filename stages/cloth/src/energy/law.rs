@@ -4,10 +4,11 @@
 use crate::{Curve, Integrator, Material, Settings, Switch};
 
 const CELLS: usize = 256;
-/// Share of the strain limit at which the cloth begins to lock …
-pub(crate) const LOCKING: f64 = 0.97;
-/// … and the tension that it carries at the limit over that of its curve, N/m.
-const LOCKED: f64 = 200.0;
+/// Share of the strain limit at which the cloth begins to lock, and at which it is locked …
+pub(crate) const LOCKING: f64 = 0.96;
+const SHUT: f64 = 0.98;
+/// … and the tension that it carries there over that of its curve, N/m.
+const LOCKED: f64 = 1000.0;
 
 /// Tabulated stretch law of one direction.
 #[derive(Clone, Debug)]
@@ -38,8 +39,8 @@ impl Law {
             .collect();
         if lock.is_finite() {
             for (i, k) in tangent.iter_mut().enumerate() {
-                let near = (step * i as f64 / lock - LOCKING) / (1.0 - LOCKING);
-                *k += near.clamp(0.0, 1.0) * 2.0 * LOCKED / ((1.0 - LOCKING) * lock);
+                let near = (step * i as f64 / lock - LOCKING) / (SHUT - LOCKING);
+                *k += near.clamp(0.0, 1.0) * 2.0 * LOCKED / ((SHUT - LOCKING) * lock);
             }
         }
         let (mut tension, mut energy) = (vec![0.0], vec![0.0]);

@@ -114,6 +114,21 @@ impl Hessian {
         }
     }
 
+    /// Adds `share` of what every coupling's stiffness would be if it stood in all directions: a stretch that turns with
+    /// the cloth costs nothing at first order, but over a finite step it does (the metric of projective dynamics).
+    pub fn stiffen(&mut self, share: f64) {
+        for column in 0..self.pattern.unknowns() {
+            let first = self.pattern.start[column] as usize;
+            for k in first + 1..self.pattern.start[column + 1] as usize {
+                let all = share * (-self.values[k].trace()).max(0.0);
+                let row = self.pattern.rows[k] as usize;
+                for (place, sign) in [(k, -1.0), (first, 1.0), (self.pattern.start[row] as usize, 1.0)] {
+                    self.values[place] += Matrix3::identity() * (sign * all);
+                }
+            }
+        }
+    }
+
     /// Starts anew from given values.
     pub fn reset(&mut self, values: &[Matrix3<f64>]) {
         self.values.copy_from_slice(values);
@@ -167,5 +182,21 @@ pub(crate) fn gather(unknown: &[u32], field: &[Vec3], out: &mut [Vec3]) {
         if *u != FIXED {
             out[*u as usize] = *v;
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A spring along x resists in all directions, and its ends still move along together for nothing.
+    #[test]
+    fn a_stiffened_spring_stands_in_all_directions() {
+        let mut h = Hessian::new(vec![0, 1, 2], 3, [[0, 1], [1, 2]].into_iter());
+        let along = Matrix3::from_diagonal(&Vec3::new(100.0, 0.0, 0.0));
+        h.spread(&[0, 1], &[1.0, -1.0], &along);
+        h.stiffen(0.1);
+        let want = along + Matrix3::identity() * 10.0;
+        assert_eq!(h.values, [want, -want, want, Matrix3::zeros(), Matrix3::zeros()]);
     }
 }

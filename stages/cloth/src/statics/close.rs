@@ -13,12 +13,20 @@ const PULL_MOST: f64 = 300.0;
 const PATIENCE: u32 = 160;
 /// Distance to the body at first, over the mean edge.
 const WIDE: f64 = 0.6;
+/// Longest step of a vertex over the mean edge: short enough that a contact is felt before it is passed, and that flat
+/// cloth may bend.
+const STRIDE: f64 = 0.3;
+/// Widest gap over the mean edge at which a seam that no longer closes lets the cloth nearer to the body, and how near.
+const NEARLY: f64 = 2.0;
+const LEAST_WIDE: f64 = 0.05;
 /// Gap over the mean edge at which the full pull acts while the pieces come together.
 const REACH: f64 = 0.5;
 /// Energy won in a block over the elastic energy at which a sewn state is good enough to drape.
 const SEWN: f64 = 0.2;
 /// Widest gap over the mean edge from which the threads are drawn tight.
 const NEAR: f64 = 0.1;
+/// Widest gap over the mean edge that is drawn shut where the full pull holds it open: the garment is tight there.
+const DRAWN: f64 = 0.7;
 /// A block that leaves more than this of the widest gap made no progress …
 const SHRINKS: f64 = 0.95;
 /// … and lets the threads pull so much harder.
@@ -90,6 +98,8 @@ impl<'a, 'b> Sewing<'a, 'b> {
     fn gather(&mut self, watch: &mut dyn Watch) -> Result<bool, ClothError> {
         let edge = self.descent.goal.edge;
         let reach = REACH * edge;
+        self.descent.stride = STRIDE;
+        self.descent.firm = Some(0.0);
         self.pull(PULL_FIRST, reach);
         let mut idle = 0;
         loop {
@@ -109,12 +119,15 @@ impl<'a, 'b> Sewing<'a, 'b> {
             // Pull harder when the gaps no longer shrink by themselves.
             if self.force < PULL_MOST && b.steps > 3 && b.mean > 0.3 {
                 self.pull(HARDER * self.force, reach);
+            } else if self.force >= PULL_MOST && before < NEARLY * edge && self.wide > LEAST_WIDE * edge {
+                // In a narrow place the body itself may hold the gap open.
+                self.stand_off(0.7 * self.wide);
             } else {
                 // Short steps are no standstill yet, no steps are.
                 idle += if b.steps == 0 || self.force >= PULL_MOST { 4 } else { 1 };
             }
             if idle > PATIENCE {
-                return Ok(false);
+                return Ok(before <= DRAWN * edge);
             }
         }
     }

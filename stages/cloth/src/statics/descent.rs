@@ -2,6 +2,7 @@
 
 use super::memory::{Memory, dot};
 use super::objective::Objective;
+use crate::collide::barrier::Barrier;
 use crate::linear::factor::Factor;
 use crate::linear::hessian::{FIXED, gather};
 use crate::problem::mean_weight;
@@ -16,12 +17,15 @@ const TAU_FIRST: f64 = 1e-2;
 pub(super) const TAU_FREE: f64 = 30.0;
 const TAU_LEAST: f64 = 1e-8;
 const TAU_MOST: f64 = 1e4;
+/// First share of the stretch stiffness in all directions, and what it grows by.
+const FIRM_LEAST: f64 = 1e-3;
+const FIRMER: f64 = 8.0;
 /// Rounds in which single vertices are held back before the whole step is shortened.
 const HOLD_ROUNDS: usize = 3;
 /// Part of a step below which single vertices are held back instead of all.
 const HOLD_UNDER: f64 = 0.1;
 /// Longest step of a vertex over the mean edge.
-const LONGEST: f64 = 1.0;
+const STRIDE: f64 = 1.0;
 
 pub(crate) struct Descent<'a> {
     pub goal: Objective,
@@ -32,6 +36,10 @@ pub(crate) struct Descent<'a> {
     factor: Factor,
     memory: Memory,
     pub tau: f64,
+    /// Share of the stretch stiffness that the metric lets stand in all directions, while sewing.
+    pub firm: Option<f64>,
+    /// Longest step of a vertex over the mean edge.
+    pub stride: f64,
     /// τ from which the shift is no more than the rounding of the factor (cloth that nothing holds has motions without
     /// stiffness), s².
     pub free: f64,
@@ -66,6 +74,8 @@ impl<'a> Descent<'a> {
             factor: Factor::default(),
             memory: Memory::default(),
             tau: TAU_FIRST,
+            firm: None,
+            stride: STRIDE,
             free: TAU_FREE,
             steps: 0,
             decrement: f64::INFINITY,
@@ -93,9 +103,12 @@ impl<'a> Descent<'a> {
     fn refresh(&mut self) -> bool {
         // In a time step friction holds on to where the step began, until its end.
         if self.goal.inert.is_none() {
+            if self.goal.barrier.as_mut().is_some_and(Barrier::harden) {
+                self.start_anew();
+            }
             self.refresh_friction();
         }
-        self.goal.assemble(&self.x);
+        self.goal.assemble(&self.x, self.firm.unwrap_or(0.0));
         let (pattern, values) = self.goal.hessian.merged();
         self.free = TAU_FREE;
         loop {
@@ -196,7 +209,7 @@ impl<'a> Descent<'a> {
         }
         let longest = d.iter().map(|d| d.norm()).fold(0.0, f64::max);
         self.longest = longest;
-        let most = LONGEST * self.goal.edge;
+        let most = self.stride * self.goal.edge;
         let cap = if longest > most { most / longest } else { 1.0 };
         let mut step = vec![Vec3::zeros(); self.x.len()];
         for (s, u) in step.iter_mut().zip(&self.goal.hessian.unknown) {
@@ -262,6 +275,9 @@ impl<'a> Descent<'a> {
 
     /// Adapts the shift to how the block went.
     pub fn adapt(&mut self, b: Block) {
+        if self.stiffen(b) {
+            return;
+        }
         if b.stuck && b.steps == 0 {
             self.memory.clear();
             self.tau = (self.tau * 0.1).max(TAU_LEAST);
@@ -271,6 +287,19 @@ impl<'a> Descent<'a> {
             let less = if b.steps == 1 { 0.15 } else { 0.4 };
             self.tau = (self.tau * less).max(TAU_LEAST);
         }
+    }
+
+    /// While sewing, steps that fell short are first met with a metric that turns less easily; says whether it changed.
+    fn stiffen(&mut self, b: Block) -> bool {
+        let Some(firm) = &mut self.firm else { return false };
+        if b.mean < 0.4 && *firm < 1.0 {
+            *firm = (FIRMER * *firm).clamp(FIRM_LEAST, 1.0);
+        } else if b.mean > 0.8 && *firm > 0.0 {
+            *firm = if *firm > FIRM_LEAST { *firm / FIRMER } else { 0.0 };
+        } else {
+            return false;
+        }
+        true
     }
 
     /// The energy has been changed: evaluates, and forgets what was learnt of its curvature.

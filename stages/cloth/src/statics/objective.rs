@@ -96,10 +96,13 @@ impl Objective {
     }
 
     /// Convex second derivatives at `x`, which must be where the last evaluation was.
-    pub fn assemble(&mut self, x: &[Vec3]) {
+    pub fn assemble(&mut self, x: &[Vec3], firm: f64) {
         self.hessian.reset(&self.constant);
         for e in self.energies.iter().filter(|e| !e.quadratic()) {
             e.add_hessian(x, true, &mut self.hessian);
+        }
+        if firm > 0.0 {
+            self.hessian.stiffen(firm);
         }
         if let Some(i) = &self.inert {
             i.add_hessian(&mut self.hessian);
