@@ -9,7 +9,7 @@ use super::contact::Frame;
 use super::near::{Gap, Near};
 use super::tree::Tree;
 use crate::Vec3;
-use crate::linear::hessian::Hessian;
+use crate::linear::hessian::{FIXED, Hessian};
 
 /// Edges and faces are held off the body, and edges off edges, at this share of the vertices' gap.
 const EDGE_SHARE: f64 = 0.5;
@@ -174,17 +174,18 @@ impl Barrier {
         energy
     }
 
-    /// Hardens the contacts that are pressed nearly shut, as the last evaluation saw them; says whether any is.
+    /// Hardens the contacts of free vertices that are pressed nearly shut, as the last evaluation saw them; says whether any
+    /// is.
     ///
     /// A load of tens of kPa (tight cloth over a sharp bend) would close a gap to a micrometre, where no step is short
     /// enough.
-    pub fn harden(&mut self) -> bool {
+    pub fn harden(&mut self, unknown: &[u32]) -> bool {
         let mut any = false;
         for t in self.touches.iter().filter(|t| t.distance < TIGHT * t.gap) {
             let more = (barrier(t.distance, t.gap).1 / barrier(EASY * t.gap, t.gap).1).min(HARDER);
             let hard = (t.hard * more).min(HARDEST);
             for (v, w) in t.vertices.iter().zip(&t.weights) {
-                if *w != 0.0 && self.hard[*v as usize] < hard {
+                if *w != 0.0 && unknown[*v as usize] != FIXED && self.hard[*v as usize] < hard {
                     self.hard[*v as usize] = hard;
                     any = true;
                 }
@@ -313,7 +314,7 @@ mod tests {
                 &Gap { vertices: [0; 4], weights: [1.0, 0.0, 0.0, 0.0], d: Vec3::new(0.0, d, 0.0) },
             );
             assert_eq!(found, d);
-            if !b.harden() {
+            if !b.harden(&[0]) {
                 assert!(round > 0 && d > TIGHT * gap, "{round} {d}");
                 return;
             }

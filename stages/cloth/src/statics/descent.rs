@@ -2,7 +2,6 @@
 
 use super::memory::{Memory, dot};
 use super::objective::Objective;
-use crate::collide::barrier::Barrier;
 use crate::linear::factor::Factor;
 use crate::linear::hessian::{FIXED, gather};
 use crate::problem::mean_weight;
@@ -36,8 +35,8 @@ pub(crate) struct Descent<'a> {
     factor: Factor,
     memory: Memory,
     pub tau: f64,
-    /// Share of the stretch stiffness that the metric lets stand in all directions, while sewing.
-    pub firm: Option<f64>,
+    /// Share of the stretch stiffness that the metric lets stand in all directions.
+    pub firm: f64,
     /// Longest step of a vertex over the mean edge.
     pub stride: f64,
     /// τ from which the shift is no more than the rounding of the factor (cloth that nothing holds has motions without
@@ -57,6 +56,8 @@ pub(crate) struct Block {
     pub steps: usize,
     /// Mean part of the full step that was taken.
     pub mean: f64,
+    /// Energy, J.
+    pub won: f64,
     stuck: bool,
 }
 
@@ -74,7 +75,7 @@ impl<'a> Descent<'a> {
             factor: Factor::default(),
             memory: Memory::default(),
             tau: TAU_FIRST,
-            firm: None,
+            firm: 0.0,
             stride: STRIDE,
             free: TAU_FREE,
             steps: 0,
@@ -103,12 +104,12 @@ impl<'a> Descent<'a> {
     fn refresh(&mut self) -> bool {
         // In a time step friction holds on to where the step began, until its end.
         if self.goal.inert.is_none() {
-            if self.goal.barrier.as_mut().is_some_and(Barrier::harden) {
+            if self.goal.barrier.as_mut().is_some_and(|b| b.harden(&self.goal.hessian.unknown)) {
                 self.start_anew();
             }
             self.refresh_friction();
         }
-        self.goal.assemble(&self.x, self.firm.unwrap_or(0.0));
+        self.goal.assemble(&self.x, self.firm);
         let (pattern, values) = self.goal.hessian.merged();
         self.free = TAU_FREE;
         loop {
@@ -148,6 +149,7 @@ impl<'a> Descent<'a> {
         let s = self.settings;
         let slid = self.goal.stick.as_ref().map_or(0.0, |s| s.largest);
         self.tau >= self.free
+            && self.firm == 0.0
             && self.decrement <= s.decrement_tolerance
             && self.longest <= s.move_tolerance
             && self.residual <= s.residual_tolerance
@@ -157,6 +159,11 @@ impl<'a> Descent<'a> {
 
     fn pins_placed(&self) -> bool {
         self.goal.pins.iter().all(|(v, at)| (at - self.x[*v as usize]).norm() <= 1e-6)
+    }
+
+    /// Holds the held vertices where they are.
+    pub fn hold_here(&mut self) {
+        self.goal.pins.iter_mut().for_each(|(v, at)| *at = self.x[*v as usize]);
     }
 
     /// Leads held vertices towards their places, as far as nothing is in the way.
@@ -253,6 +260,7 @@ impl<'a> Descent<'a> {
 
     pub fn block(&mut self) -> Block {
         let mut b = Block::default();
+        let before = self.energy;
         let mut sum = 0.0;
         for _ in 0..self.block_length() {
             match self.step() {
@@ -269,6 +277,7 @@ impl<'a> Descent<'a> {
                 }
             }
         }
+        b.won = before - self.energy;
         b.mean = if b.steps > 0 { sum / b.steps as f64 } else { 0.0 };
         b
     }
@@ -289,17 +298,15 @@ impl<'a> Descent<'a> {
         }
     }
 
-    /// While sewing, steps that fell short are first met with a metric that turns less easily; says whether it changed.
+    /// Steps that fell short are first met with a metric that turns less easily; says whether it changed.
     fn stiffen(&mut self, b: Block) -> bool {
-        let Some(firm) = &mut self.firm else { return false };
-        if b.mean < 0.4 && *firm < 1.0 {
-            *firm = (FIRMER * *firm).clamp(FIRM_LEAST, 1.0);
-        } else if b.mean > 0.8 && *firm > 0.0 {
-            *firm = if *firm > FIRM_LEAST { *firm / FIRMER } else { 0.0 };
-        } else {
-            return false;
+        let last = self.firm;
+        if b.mean < 0.4 {
+            self.firm = (FIRMER * last).clamp(FIRM_LEAST, 1.0);
+        } else if b.mean > 0.8 {
+            self.firm = if last > FIRM_LEAST { last / FIRMER } else { 0.0 };
         }
-        true
+        self.firm != last
     }
 
     /// The energy has been changed: evaluates, and forgets what was learnt of its curvature.

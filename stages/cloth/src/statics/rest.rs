@@ -32,9 +32,9 @@ impl Descent<'_> {
             if self.resting() {
                 return Ok(StopReason::Settled);
             }
-            if self.tau < self.free && self.nearly_resting() {
-                // Is it so without the shift, too?
-                self.tau = TAU_FREE;
+            if (self.tau < self.free || self.firm > 0.0) && self.nearly_resting() {
+                // Is it so with the cloth's own metric, too?
+                (self.tau, self.firm) = (TAU_FREE, 0.0);
                 continue;
             }
             if watch.cancelled() {
