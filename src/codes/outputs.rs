@@ -29,6 +29,10 @@ pub(super) const CODES: &[Code] = &[
     ),
     code("flatten-nothing", "The garment has no drape or no meshes, so there is nothing to flatten. Exit code 3."),
     code("flatten-open-seams", "Seams of the drape are open, so what is flattened is not the sewn garment."),
+    code(
+        "flatten-one-sided",
+        "An edit changed the length of one side of a seam alone. Each side keeps what the surface says; they no longer match.",
+    ),
     code("flatten-parameter", "A parameter of `flatten` is outside its range. Exit code 2."),
     code(
         "flatten-surface",

@@ -45,7 +45,13 @@ pub fn flatten_garment(
     findings::metric(garment, metric, report);
     let wanted = sources.iter().map(|s| wanted(s, metric)).collect::<Result<Vec<_>, _>>()?;
     let edges = MeshEdges::of(garment);
-    let pairs = pairs(&sources, &sewn::all(garment, &edges), params.pair_stiffness);
+    let (before, now): (Vec<_>, Vec<_>) = sources.iter().map(|s| (s.before, s.surface)).unzip();
+    let alike = |s: &Station| sewn::alike(s, &before, &now);
+    let stations: Vec<Station> = sewn::all(garment, &edges).into_iter().filter(alike).collect();
+    for seam in garment.seams.iter().filter(|s| !sewn::stations(s, &edges).iter().all(alike)) {
+        report.push(findings::one_sided(seam));
+    }
+    let pairs = pairs(&sources, &stations, params.pair_stiffness);
     let (mut sheet, mut solved, targets) = fitted(&sources, &wanted, pairs, params, watch)?;
     relieved(&mut sheet, &mut solved, params, watch)?;
     let pieces: Vec<FlatPiece> =

@@ -1,6 +1,7 @@
 //! What the flattening has to say in words.
 
 use toile_garment::flat::{FlatMetric, FlatPiece};
+use toile_garment::seam::Seam;
 use toile_garment::{Diagnostic, Garment, Piece, Report};
 
 /// Which lengths were asked for, and what that proves.
@@ -29,6 +30,12 @@ pub fn metric(garment: &Garment, metric: FlatMetric, report: &mut Report) {
             .hint("run `drape` until its certificate passes"),
         );
     }
+}
+
+/// One side of a seam was edited and the other was not.
+pub fn one_sided(seam: &Seam) -> Diagnostic {
+    let what = format!("the edit changed only one side of seam `{}`: its sides are not held equal there", seam.name);
+    Diagnostic::warning("flatten-one-sided", what).hint("edit both pieces alike, or ease the difference in the pattern")
 }
 
 /// Names the dart that would cure a piece whose curvature forces more strain than the limit.

@@ -4,7 +4,10 @@ use super::figures::length2;
 use std::collections::BTreeSet;
 use toile_garment::flat::PairChange;
 use toile_garment::seam::Seam;
-use toile_garment::{Garment, MeshVertex, Vec2};
+use toile_garment::{Garment, MeshVertex, Vec2, Vec3};
+
+/// Relative change of the two edges of a station against each other from which only one of them was edited.
+const ALIKE: f64 = 5e-3;
 
 /// One mesh edge on each side of a seam or dart.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -60,6 +63,21 @@ pub fn all(garment: &Garment, edges: &MeshEdges) -> Vec<Station> {
     let mut seen = BTreeSet::new();
     out.retain(|s| edges.joins(s.a) && edges.joins(s.b) && key(s)[0] != key(s)[1] && seen.insert(key(s)));
     out
+}
+
+/// Did the edit change both edges alike? One side taken in alone makes them differ on purpose; a rounding or noise does
+/// not. Where both lie on each other they are alike in any case.
+#[must_use]
+pub fn alike(station: &Station, before: &[&[Vec3]], now: &[&[Vec3]]) -> bool {
+    let ratio = |x: &[&[Vec3]]| {
+        let length = |[p, q]: [MeshVertex; 2]| {
+            let at = |v: MeshVertex| x[v.piece.index()][v.vertex as usize];
+            (at(q) - at(p)).norm()
+        };
+        length(station.a) / length(station.b)
+    };
+    let changed = (ratio(now) / ratio(before) - 1.0).abs();
+    changed <= ALIKE || changed.is_nan()
 }
 
 /// Lengths of both sides of a seam before and after.

@@ -239,6 +239,42 @@ fn a_hemisphere_comes_to_rest_without_a_flip() {
     assert!(flat.pieces[0].last_motion <= 1e-9);
 }
 
+/// Two skirt halves sewn at one side; the front alone is made 3 % shorter along its rulings.
+#[test]
+fn an_edit_of_one_side_of_a_seam_is_not_shared_with_the_other() {
+    let half = || skirt(0.0, 1.4, 24, 16, 0.0);
+    let (front, back) = (half(), half());
+    let mut pieces = vec![front.piece(), back.piece()];
+    pieces[1].id = PieceId(1);
+    let stitch = |j: usize| Stitch {
+        a: MeshVertex { piece: PieceId(0), vertex: front.id(0, j) },
+        b: MeshVertex { piece: PieceId(1), vertex: back.id(0, j) },
+    };
+    let side = SeamSide::default();
+    let seam = Seam {
+        id: SeamId(0),
+        name: "side".to_owned(),
+        kind: SeamKind::Seam,
+        a: side.clone(),
+        b: side,
+        ease: 0.0,
+        gather: None,
+        stitches: (0..=16).map(stitch).collect(),
+        source: None,
+    };
+    let before = vec![front.fold(0.04), back.fold(-0.04)];
+    let shorter: Vec<Vec3> = before[0].iter().map(|p| p * 0.97).collect();
+    let now = vec![shorter, before[1].clone()];
+    let mut g = Garment { seams: vec![seam], ..garment(pieces, now) };
+    g.drape_before_edit = Some(Shape { positions: before, sewn: true, welded: true });
+    let mut report = Report::default();
+    let flat = flatten_garment(&g, &FlattenParams::default(), &mut report, &mut |_, _| true).expect("flattens");
+    assert!(report.findings.iter().any(|d| d.code == "flatten-one-sided"));
+    let answer: Vec<Vec2> = front.points.iter().map(|p| p * 0.97).collect();
+    assert!(error_mm(&flat.pieces[0].positions, &answer, &front.triangles()) < 1e-5);
+    assert!(error_mm(&flat.pieces[1].positions, &back.points, &back.triangles()) < 1e-5);
+}
+
 #[test]
 fn sewn_edges_of_two_pieces_stay_equal_under_noise() {
     // Front and back of a skirt, sewn at both sides; noise moves both sides of a seam alike.
