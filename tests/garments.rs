@@ -10,11 +10,13 @@
 
 #![allow(clippy::print_stdout, clippy::expect_used, clippy::unwrap_used)]
 
+mod support;
+
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
-use toile::engine::Stop;
+use support::bench::Bench;
 
 /// Seam sides that differ by more than this are gathered.
 const GATHERED: f64 = 1.05;
@@ -41,58 +43,51 @@ fn every_garment_is_sewn_and_rests_with_a_passed_certificate() {
 fn passes(folder: &Path, name: &str) -> bool {
     let text = std::fs::read_to_string(folder.join(format!("{name}.facts.json"))).expect("facts");
     let facts: Value = serde_json::from_str(&text).expect("facts are JSON");
-    let project = tempfile::tempdir().expect("a folder");
-    write_project(project.path(), folder, name, &facts);
-    let arguments = ["toile", "run", "pipeline.toml", "--quiet", "--force", "--out"].map(std::ffi::OsString::from);
-    let mut arguments = arguments.to_vec();
-    arguments[2] = project.path().join("pipeline.toml").into();
-    arguments.push(project.path().join("out").into());
-    let (mut out, mut err) = (Vec::new(), Vec::new());
-    let code = toile::cli::run_from(arguments, toile_stages::builtin(), &Stop::new(), &mut out, &mut err);
-    let record = std::fs::read(project.path().join("out/run.json")).unwrap_or_default();
-    let record: Value = serde_json::from_slice(&record).unwrap_or_default();
+    let bench = Bench::new();
+    write_project(&bench, folder, name, &facts);
+    let said = bench.run(&[]);
+    let record = bench.output("run.json").unwrap_or_default();
+    let record: Value = serde_json::from_str(&record).unwrap_or_default();
     let seconds = |stage: &str| {
         let all = record["stages"].as_array().into_iter().flatten();
         all.filter(|s| s["use"] == stage).filter_map(|s| s["cpu_seconds"].as_f64()).sum::<f64>()
     };
     let c = &record["certificate"];
     println!(
-        "{name}: exit {code}, residual {}, strain {} of {}, stitch {:.1} s, drape {:.1} s (CPU) {}",
+        "{name}: exit {}, residual {}, strain {} of {}, stitch {:.1} s, drape {:.1} s (CPU) {}",
+        said.code,
         c["residual_rel"],
         c["strain_max"],
         c["limits"]["strain_max"],
         seconds("stitch"),
         seconds("drape"),
-        String::from_utf8_lossy(&err).lines().next().unwrap_or_default()
+        said.err.lines().next().unwrap_or_default()
     );
-    code == 0
+    said.code == 0
 }
 
-fn write_project(to: &Path, folder: &Path, name: &str, facts: &Value) {
+fn write_project(to: &Bench, folder: &Path, name: &str, facts: &Value) {
     let body = facts["body"]["obj"].as_str().expect("a body");
     // Trousers go on legs that stand apart.
     let apart = body.replace(".obj", "_apart.obj");
     let body = if name.contains("pants") { &apart } else { body };
-    std::fs::copy(folder.join(format!("{name}.dxf")), to.join("pattern.dxf")).expect("the pattern");
-    std::fs::copy(folder.join("bodies").join(body), to.join("body.obj")).expect("the body");
+    std::fs::copy(folder.join(format!("{name}.dxf")), to.path("pattern.dxf")).expect("the pattern");
+    std::fs::copy(folder.join("bodies").join(body), to.path("body.obj")).expect("the body");
     let measures = facts["body"]["measurements"].as_str().expect("measurements");
     let measures = std::fs::read_to_string(folder.join("bodies").join(measures)).expect("measurements");
-    std::fs::write(to.join("body.toml"), side_file(&measures)).expect("side file");
+    std::fs::write(to.path("body.toml"), side_file(&measures)).expect("side file");
     let fabric = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/fabrics/cotton-shirting.toml");
-    std::fs::copy(fabric, to.join("fabric.toml")).expect("the fabric");
-    std::fs::write(to.join("toile.root"), "").expect("root");
-    std::fs::write(to.join("sewing.toml"), sewing(name, facts)).expect("sewing file");
+    std::fs::copy(fabric, to.path("fabric.toml")).expect("the fabric");
+    std::fs::write(to.path("sewing.toml"), sewing(name, facts)).expect("sewing file");
     let edge = std::env::var("TOILE_EDGE").unwrap_or_else(|_| "12 mm".to_owned());
-    let pipeline = format!(
-        "toile = 1\n[pipeline]\nline = \"garment\"\nversion = 1\n\
-         [[stage]]\nuse = \"import-dxf\"\nwith.file = \"pattern.dxf\"\nwith.sewing = \"sewing.toml\"\n\
+    to.stages(&format!(
+        "[[stage]]\nuse = \"import-dxf\"\nwith.file = \"../../pattern.dxf\"\nwith.sewing = \"../../sewing.toml\"\n\
          [[stage]]\nuse = \"triangulate\"\nwith.edge_length = \"{edge}\"\n\
          [[stage]]\nuse = \"assemble\"\n\
-         [[stage]]\nuse = \"stitch\"\nwith.body = \"body.obj\"\nwith.fabric = \"fabric.toml\"\n\
+         [[stage]]\nuse = \"stitch\"\nwith.body = \"../../body.obj\"\nwith.fabric = \"../../fabric.toml\"\n\
          [[stage]]\nuse = \"drape\"\n\
          [[stage]]\nuse = \"export-gltf\"\nwith.file = \"{{out}}/garment.glb\"\n"
-    );
-    std::fs::write(to.join("pipeline.toml"), pipeline).expect("pipeline");
+    ));
 }
 
 /// The height of the waist is what is left of the body's under head and upper body.

@@ -4,6 +4,7 @@
 //! convex vertex what joins two strips. So darts, reflex corners and narrow places come out right without special
 //! cases; the union is that of `i_overlay`, on a grid of about a millionth of a millimetre.
 
+use crate::dxf::geom::cross;
 use i_overlay::core::fill_rule::FillRule;
 use i_overlay::float::simplify::SimplifyShape;
 use toile_garment::outline::{LinePoint, PieceLine, PointKind};
@@ -131,10 +132,6 @@ fn normal(a: Vec2, b: Vec2) -> Vec2 {
     Vec2::new(d.y, -d.x) / d.norm().max(1e-12)
 }
 
-fn cross(a: Vec2, b: Vec2) -> f64 {
-    a.x * b.y - a.y * b.x
-}
-
 /// The piece, its strips and its corners, all counter-clockwise.
 fn rings(line: &[LinePoint], widths: &[f64], corners: CornerKind) -> Vec<Ring> {
     let n = line.len();
@@ -223,6 +220,12 @@ impl Corners {
     }
 }
 
+/// Does `p` lie on the way from `a` on to `b`?
+fn straight(a: Vec2, p: Vec2, b: Vec2) -> bool {
+    let chord = b - a;
+    cross(chord, p - a).abs() <= STRAIGHT * chord.norm() && chord.dot(&(p - a)) > 0.0
+}
+
 /// Without doubled vertices, and without those that only tell where two strips meet on a straight line.
 fn tidy(ring: Vec<Vec2>, corners: &Corners) -> Vec<Vec2> {
     let n = ring.len();
@@ -233,19 +236,13 @@ fn tidy(ring: Vec<Vec2>, corners: &Corners) -> Vec<Vec2> {
             out.push(*p);
             continue;
         };
-        let chord = next - last;
-        let straight = cross(chord, p - last).abs() <= STRAIGHT * chord.norm() && chord.dot(&(p - last)) > 0.0;
-        if (corners.has(*p) || !straight) && (last - p).norm() > 1e-6 {
+        if (corners.has(*p) || !straight(*last, *p, next)) && (last - p).norm() > 1e-6 {
             out.push(*p);
         }
     }
     let loose = |out: &[Vec2]| {
         let (first, last, second) = (out[0], out[out.len() - 1], out[1]);
-        let chord = second - last;
-        (first - last).norm() <= 1e-6
-            || (cross(chord, first - last).abs() <= STRAIGHT * chord.norm()
-                && chord.dot(&(first - last)) > 0.0
-                && !corners.has(first))
+        (first - last).norm() <= 1e-6 || (straight(last, first, second) && !corners.has(first))
     };
     while out.len() > 3 && loose(&out) {
         out.remove(0);

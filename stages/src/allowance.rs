@@ -4,8 +4,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use toile_formats::allowance::{self, Allowance, CornerKind};
+use toile_formats::dxf::geom;
 use toile_garment::units::Length;
 use toile_garment::{Diagnostic, Piece, Vec2};
+use toile_stage_api::{StageContext, StageError};
 
 /// How cut lines meet at a corner.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -46,11 +48,27 @@ pub enum Which {
     All,
 }
 
+/// Makes the cut lines where a stage is asked to, and reports what was found.
+///
+/// # Errors
+/// As [`apply`].
+pub fn add(
+    params: Option<&AllowanceParams>,
+    pieces: &mut [Piece],
+    which: Which,
+    cx: &mut StageContext<'_>,
+) -> Result<(), StageError> {
+    if let Some(params) = params {
+        cx.report.findings.extend(apply(params, pieces, which).map_err(StageError::Parameter)?);
+    }
+    Ok(())
+}
+
 /// Makes the cut lines. Notches of lines that are replaced go out to the new one.
 ///
 /// # Errors
 /// Pieces and edges that are not there, and cut lines that cannot be made.
-pub fn apply(params: &AllowanceParams, pieces: &mut [Piece], which: Which) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
+fn apply(params: &AllowanceParams, pieces: &mut [Piece], which: Which) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
     let mut errors = unknown(params, pieces);
     let mut findings = Vec::new();
     for piece in pieces.iter_mut().filter(|p| which == Which::All || p.cut_line.is_none()) {
@@ -58,8 +76,8 @@ pub fn apply(params: &AllowanceParams, pieces: &mut [Piece], which: Which) -> Re
             Ok((line, mut told)) => {
                 findings.append(&mut told);
                 if which == Which::All {
-                    let ring = line.positions();
-                    piece.notches.iter_mut().for_each(|n| n.at = outward(n.at, &piece.outline.positions(), &ring));
+                    let (sew, cut) = (piece.outline.positions(), line.positions());
+                    piece.notches.iter_mut().for_each(|n| n.at = outward(n.at, &sew, &cut));
                 }
                 piece.cut_line = Some(line);
             }
@@ -106,14 +124,10 @@ fn outward(at: Vec2, sew: &[Vec2], cut: &[Vec2]) -> Vec2 {
     nearest(on_sew, cut)
 }
 
-fn nearest(p: Vec2, line: &[Vec2]) -> Vec2 {
-    let next = line.iter().cycle().skip(1);
-    let feet = line.iter().zip(next).map(|(a, b)| {
-        let d = b - a;
-        let t = ((p - a).dot(&d) / d.norm_squared().max(1e-18)).clamp(0.0, 1.0);
-        a + d * t
-    });
-    feet.min_by(|a, b| (a - p).norm_squared().total_cmp(&(b - p).norm_squared())).unwrap_or(p)
+fn nearest(p: Vec2, ring: &[Vec2]) -> Vec2 {
+    let Some(foot) = geom::nearest(p, ring, true) else { return p };
+    let (a, b) = (ring[foot.segment], ring[(foot.segment + 1) % ring.len()]);
+    a + (b - a) * foot.t
 }
 
 #[cfg(test)]

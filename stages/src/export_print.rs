@@ -63,10 +63,7 @@ impl Stage for ExportPrint {
             return Err(wrong("out-of-range", "`gap` must be 0 to 500 mm and `width` 50 mm to 100 m".into()));
         }
         let mut pieces = garment.pieces.clone();
-        if let Some(wanted) = &params.allowance {
-            let findings = allowance::apply(wanted, &mut pieces, Which::All).map_err(StageError::Parameter)?;
-            cx.report.findings.extend(findings);
-        }
+        allowance::add(params.allowance.as_ref(), &mut pieces, Which::All, cx)?;
         let sheet = plot::lay(&pieces, gap, width);
         let ending = params.file.rsplit_once('.').map_or("", |(_, e)| e).to_ascii_lowercase();
         let (bytes, findings) = match ending.as_str() {

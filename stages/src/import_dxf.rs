@@ -1,7 +1,6 @@
 //! `import-dxf`: pieces from an AAMA or ASTM DXF, with its rule table and sewing file.
 
 use crate::allowance::{self, AllowanceParams, Which};
-use crate::import_garmentcode::sewing_file;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -129,13 +128,10 @@ impl Stage for ImportDxf {
         cx.report.findings.extend(findings);
         report_profile(&pattern, &file, cx);
         report_ledger(&pattern, &file, cx);
-        if let Some(wanted) = &params.allowance {
-            let told = allowance::apply(wanted, &mut read.pieces, Which::Missing).map_err(StageError::Parameter)?;
-            cx.report.findings.extend(told);
-        }
+        allowance::add(params.allowance.as_ref(), &mut read.pieces, Which::Missing, cx)?;
         let mut garment = Garment { style: read.style, size: read.size, pieces: read.pieces, ..garment };
         if let Some(path) = &params.sewing {
-            let plan = sewing_file(path, cx)?;
+            let plan = crate::sewing::file(path, cx)?;
             crate::sewing::apply(&mut garment, plan, cx.report)?;
         }
         Ok(garment)

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 use toile_formats::garmentcode;
 use toile_garment::units::Length;
-use toile_garment::{Aspect, Diagnostic, Garment, SourceRef};
+use toile_garment::{Aspect, Diagnostic, Garment};
 use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
 
 /// How near chords keep to curves, metres.
@@ -59,42 +59,13 @@ impl Stage for ImportGarmentcode {
         cx.report.findings.extend(read.findings);
         let mut plan = read.plan;
         if let Some(path) = &params.sewing {
-            let more = sewing_file(path, cx)?;
-            plan.seams.extend(more.seams);
-            plan.darts.extend(more.darts);
             // What the sewing file says of a place comes after the specification and wins.
-            plan.places.retain(|p| !more.places.iter().any(|m| m.piece.eq_ignore_ascii_case(&p.piece)));
-            plan.places.extend(more.places);
-            plan.layers.extend(more.layers);
-            plan.attachments.extend(more.attachments);
-            plan.copies.extend(more.copies);
-            plan.edge_names.extend(more.edge_names);
-            plan.leave_out.extend(more.leave_out);
+            plan.extend(crate::sewing::file(path, cx)?);
         }
         let mut pieces = read.garment.pieces;
-        if let Some(wanted) = &params.allowance {
-            let findings = allowance::apply(wanted, &mut pieces, Which::Missing).map_err(StageError::Parameter)?;
-            cx.report.findings.extend(findings);
-        }
+        allowance::add(params.allowance.as_ref(), &mut pieces, Which::Missing, cx)?;
         let mut garment = Garment { style: read.garment.style, pieces, ..garment };
         crate::sewing::apply(&mut garment, plan, cx.report)?;
         Ok(garment)
     }
-}
-
-/// Reads a sewing file.
-///
-/// # Errors
-/// It is not there, no text, or wrong.
-pub(crate) fn sewing_file(
-    path: &std::path::Path,
-    cx: &mut StageContext<'_>,
-) -> Result<toile_garment::sewing::SewingPlan, StageError> {
-    let name = path.to_string_lossy().into_owned();
-    let bytes = cx.files.read(path)?;
-    let text = String::from_utf8(bytes).map_err(|_| {
-        let text = format!("the sewing file `{name}` is not UTF-8 text");
-        StageError::parameter(Diagnostic::error("sewing-file", text).at(SourceRef::file(name.clone())))
-    })?;
-    toile_formats::sewing::read(&text, &name).map_err(StageError::Parameter)
 }

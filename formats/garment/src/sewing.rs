@@ -216,3 +216,19 @@ pub struct SewingPlan {
     #[serde(default)]
     pub leave_out: Vec<String>,
 }
+
+impl SewingPlan {
+    /// Adds what another plan says; its places win over those of the same piece here.
+    pub fn extend(&mut self, more: Self) {
+        let Self { seams, darts, places, layers, attachments, copies, edge_names, leave_out } = more;
+        self.seams.extend(seams);
+        self.darts.extend(darts);
+        self.places.retain(|p| !places.iter().any(|m| m.piece.eq_ignore_ascii_case(&p.piece)));
+        self.places.extend(places);
+        self.layers.extend(layers);
+        self.attachments.extend(attachments);
+        self.copies.extend(copies);
+        self.edge_names.extend(edge_names);
+        self.leave_out.extend(leave_out);
+    }
+}

@@ -1,6 +1,7 @@
 //! One edge as points: straight, Bézier or an arc of a circle.
 
 use super::spec::Curve;
+use crate::dxf::geom::rotate;
 use toile_garment::Vec2;
 
 /// Most chords of an edge.
@@ -61,10 +62,5 @@ fn arc(a: Vec2, b: Vec2, radius: f64, large: bool, right: bool, flatness: f64) -
     let step = 2.0 * libm::acos((1.0 - flatness / radius).clamp(-1.0, 1.0));
     let n = (libm::ceil(sweep.abs() / step.clamp(1e-4, 0.3)) as usize).clamp(2, CHORDS);
     let start = a - center;
-    Ok((0..n)
-        .map(|k| {
-            let (s, c) = libm::sincos(sweep * k as f64 / n as f64);
-            center + Vec2::new(start.x * c - start.y * s, start.x * s + start.y * c)
-        })
-        .collect())
+    Ok((0..n).map(|k| center + rotate(start, sweep * k as f64 / n as f64)).collect())
 }

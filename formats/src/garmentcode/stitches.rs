@@ -2,6 +2,7 @@
 
 use super::panel::Built;
 use super::spec::{Spec, Stitch};
+use crate::dxf::geom::{cross, length};
 use std::collections::BTreeSet;
 use toile_garment::dart::{Dart, DartEvidence, DartKind};
 use toile_garment::sewing::{RunSpec, SeamSpec};
@@ -73,7 +74,7 @@ fn dart(spec: &Spec, panels: &[Built], first: usize, used: &mut [bool]) -> Optio
     let apex = *after.first()?;
     let (u, v) = (apex - before[before.len() - 2], after[1] - apex);
     // Only a reflex vertex is the tip of a wedge cut out of the cloth.
-    if u.x * v.y - u.y * v.x >= 0.0 {
+    if cross(u, v) >= 0.0 {
         return None;
     }
     used[first] = true;
@@ -119,14 +120,10 @@ fn edge_points(piece: &toile_garment::Piece, edge: usize) -> Vec<Vec2> {
     (0..=steps).map(|k| points[(from + k) % points.len()].at).collect()
 }
 
-fn length(points: &[Vec2]) -> f64 {
-    points.windows(2).map(|w| (w[1] - w[0]).norm()).sum()
-}
-
 fn seam(panels: &[Built], stitch: &Stitch, number: usize, findings: &mut Vec<Diagnostic>) -> SeamSpec {
     let side = |(p, e): (usize, usize)| (&panels[p].piece, panels[p].place[e]);
     let [(a, i), (b, j)] = stitch.sides.map(side);
-    let (la, lb) = (length(&edge_points(a, i)), length(&edge_points(b, j)));
+    let (la, lb) = (length(&edge_points(a, i), false), length(&edge_points(b, j), false));
     let ratio = la.max(lb) / la.min(lb).max(1e-9);
     let (ease, gather) = match (la - lb).abs() {
         d if d <= EQUAL => (None, None),

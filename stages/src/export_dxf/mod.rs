@@ -130,10 +130,7 @@ impl Stage for ExportDxf {
             DxfSource::Pattern => garment.pieces.clone(),
             DxfSource::Flat => flat_pieces(&garment)?,
         };
-        if let Some(wanted) = &params.allowance {
-            let told = allowance::apply(wanted, &mut pieces, Which::All).map_err(StageError::Parameter)?;
-            cx.report.findings.extend(told);
-        }
+        allowance::add(params.allowance.as_ref(), &mut pieces, Which::All, cx)?;
         let written = draw(&garment, &pieces, params).map_err(StageError::Input)?;
         for finding in written.findings {
             cx.report.push(finding);

@@ -3,9 +3,11 @@
 //! `triangulate` and `assemble` both ask here, so that the vertices the first lays down are the vertices the second sews.
 
 mod apply;
+mod file;
 mod lookup;
 pub mod resolve;
 pub mod ring;
 pub mod shapes;
 
 pub use apply::apply;
+pub use file::file;

@@ -48,6 +48,14 @@ impl Mesh {
         self.stars[knot as usize].iter().filter_map(|f| self.triangles[*f as usize].map(|c| (*f, c)))
     }
 
+    /// Knots of the triangles around a knot, itself among them, ascending.
+    fn ring(&self, knot: u32) -> Vec<u32> {
+        let mut ring: Vec<u32> = self.around(knot).flat_map(|(_, c)| c).map(|c| self.knot(c)).collect();
+        ring.sort_unstable();
+        ring.dedup();
+        ring
+    }
+
     /// Collapses until edges are about `edge` long, m.
     pub fn collapse(&mut self, edge: f64) {
         let mut queue = BinaryHeap::new();
@@ -57,10 +65,7 @@ impl Mesh {
         while let Some(Reverse((_, a, b))) = queue.pop() {
             let Some(moves) = self.moves(a, b, edge) else { continue };
             self.take(a, b, &moves);
-            let mut touched: Vec<u32> = self.around(b).flat_map(|(_, c)| c).map(|c| self.knot(c)).collect();
-            touched.sort_unstable();
-            touched.dedup();
-            touched.into_iter().for_each(|k| self.offer(k, edge, &mut queue));
+            self.ring(b).into_iter().for_each(|k| self.offer(k, edge, &mut queue));
         }
     }
 
@@ -101,13 +106,7 @@ impl Mesh {
 
     /// The surface stays one: the two share no neighbours but those of their common triangles.
     fn linked(&self, a: u32, b: u32) -> bool {
-        let ring = |k: u32| {
-            let mut ring: Vec<u32> = self.around(k).flat_map(|(_, c)| c).map(|c| self.knot(c)).collect();
-            ring.sort_unstable();
-            ring.dedup();
-            ring
-        };
-        let (first, second) = (ring(a), ring(b));
+        let (first, second) = (self.ring(a), self.ring(b));
         let shared = first.iter().filter(|k| **k != a && **k != b && second.binary_search(k).is_ok()).count();
         let mut across: Vec<u32> = self
             .around(a)

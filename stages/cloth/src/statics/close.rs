@@ -15,7 +15,7 @@ const PATIENCE: u32 = 160;
 const WIDE: f64 = 0.6;
 /// Longest step of a vertex over the mean edge: short enough that a contact is felt before it is passed, and that flat
 /// cloth may bend.
-pub(super) const STRIDE: f64 = 0.3;
+pub(super) const SEWING_STRIDE: f64 = 0.3;
 /// Widest gap over the mean edge at which a seam that no longer closes lets the cloth nearer to the body, and how near.
 const NEARLY: f64 = 2.0;
 const LEAST_WIDE: f64 = 0.05;
@@ -98,7 +98,7 @@ impl<'a, 'b> Sewing<'a, 'b> {
     fn gather(&mut self, watch: &mut dyn Watch) -> Result<bool, ClothError> {
         let edge = self.descent.goal.edge;
         let reach = REACH * edge;
-        self.descent.stride = STRIDE;
+        self.descent.stride = SEWING_STRIDE;
         self.pull(PULL_FIRST, reach);
         let mut idle = 0;
         loop {

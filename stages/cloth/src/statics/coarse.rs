@@ -1,7 +1,7 @@
 //! Sewing from coarse to fine: the coarsest level is sewn and rests, every finer one starts from where the coarser lies,
 //! its seams already one (docs/levels.md).
 
-use super::close::{STRIDE, close};
+use super::close::{SEWING_STRIDE, close};
 use super::descent::Descent;
 use super::report;
 use crate::levels::Level;
@@ -27,84 +27,80 @@ const MOST: u64 = 240;
 
 /// Closes the stitches; `None` where something stays in the way.
 pub(crate) fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
-    sew_level(scene, true, settings, watch)
+    Step { scene, settings, finest: true }.sew(watch)
 }
 
-/// As [`sew`]; `finest`: no finer cloth hangs on this one.
-fn sew_level(
-    scene: &Scene,
+/// One level to be sewn.
+#[derive(Clone, Copy)]
+struct Step<'a> {
+    scene: &'a Scene,
+    settings: &'a Settings,
+    /// No finer cloth hangs on it.
     finest: bool,
-    settings: &Settings,
-    watch: &mut dyn Watch,
-) -> Result<Option<Outcome>, ClothError> {
-    if let Some(outcome) = from_below(scene, finest, settings, watch)? {
-        return Ok(Some(outcome));
-    }
-    close(scene, settings, watch)
 }
 
-/// Sews the next coarser level first; `None` where there is none, where it cannot be sewn, or where the finer cloth would
-/// cross something there.
-fn from_below(
-    scene: &Scene,
-    finest: bool,
-    settings: &Settings,
-    watch: &mut dyn Watch,
-) -> Result<Option<Outcome>, ClothError> {
-    if scene.stitches.is_empty() {
-        return Ok(None);
+impl Step<'_> {
+    fn sew(self, watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
+        if let Some(outcome) = self.by_levels(watch)? {
+            return Ok(Some(outcome));
+        }
+        close(self.scene, self.settings, watch)
     }
-    let Some(level) = Level::below(scene) else { return Ok(None) };
-    let Some(sewn) = sew_level(&level.scene, false, settings, watch)? else { return Ok(None) };
-    if sewn.seam_gap_max > NEARLY * mean_edge(&level.scene) {
-        return Ok(None);
+
+    /// Sews the next coarser level first; `None` where there is none, where it cannot be sewn, or where the finer cloth
+    /// would cross something there.
+    fn by_levels(self, watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
+        if self.scene.stitches.is_empty() {
+            return Ok(None);
+        }
+        let Some(level) = Level::below(self.scene) else { return Ok(None) };
+        let below = Step { scene: &level.scene, finest: false, ..self };
+        let Some(sewn) = below.sew(watch)? else { return Ok(None) };
+        if sewn.seam_gap_max > NEARLY * mean_edge(&level.scene) {
+            return Ok(None);
+        }
+        let Some(down) = below.let_down(&sewn.positions, watch)? else { return Ok(None) };
+        let x = level.spread(&down.positions);
+        let Some(mut outcome) = self.let_down(&x, watch)? else { return Ok(None) };
+        outcome.steps += sewn.steps + down.steps;
+        Ok(Some(outcome))
     }
-    let steps = sewn.steps;
-    let Some(below) = let_down(&level.scene, false, &sewn.positions, settings, watch)? else { return Ok(None) };
-    let x = level.spread(&below.positions);
-    let Some(mut outcome) = let_down(scene, finest, &x, settings, watch)? else { return Ok(None) };
-    outcome.steps += steps + below.steps;
-    Ok(Some(outcome))
+
+    /// Lets what is sewn slide down into its place, as hands would, without friction; what would slide off stays.
+    fn let_down(self, x: &[Vec3], watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
+        let heavy = Settings { gravity_scale: 1.0, ..self.settings.clone() };
+        let down = Step { settings: &heavy, ..self }.smooth(x, watch)?;
+        let slid = |o: &Outcome| x.iter().zip(&o.positions).map(|(p, q)| (p - q).norm()).fold(0.0, f64::max);
+        if down.as_ref().is_some_and(|o| slid(o) > FARTHEST) { self.smooth(x, watch) } else { Ok(down) }
+    }
+
+    /// Lets the cloth, its seams welded, come near to rest from `x`; `None` where it crosses something there.
+    fn smooth(self, x: &[Vec3], watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
+        let welded = weld(self.scene, x);
+        let start = match Start::new(&welded.scene, self.settings) {
+            Ok(start) => start,
+            Err(ClothError::StartCrosses { .. }) => return Ok(None),
+            Err(e) => return Err(e),
+        };
+        let repaired = start.repaired;
+        let mut descent = Descent::new(&welded.scene, self.settings, start, false);
+        if !self.finest {
+            // Between the places where they should be held, coarse cloth would cut through a round body.
+            descent.hold_here();
+        }
+        descent.stride = SEWING_STRIDE;
+        ease(&mut descent, self.scene.triangles.len(), watch)?;
+        let mut outcome = report::outcome(descent, &welded.scene, StopReason::Settled, repaired);
+        outcome.positions = welded.spread(&outcome.positions);
+        Ok(Some(outcome))
+    }
 }
 
-/// Lets what is sewn slide down into its place, as hands would, without friction; what would slide off stays.
-fn let_down(
-    scene: &Scene,
-    finest: bool,
-    x: &[Vec3],
-    settings: &Settings,
-    watch: &mut dyn Watch,
-) -> Result<Option<Outcome>, ClothError> {
-    let heavy = Settings { gravity_scale: 1.0, ..settings.clone() };
-    let down = smooth(scene, finest, x, &heavy, watch)?;
-    let slid = |o: &Outcome| x.iter().zip(&o.positions).map(|(p, q)| (p - q).norm()).fold(0.0, f64::max);
-    if down.as_ref().is_some_and(|o| slid(o) > FARTHEST) { smooth(scene, finest, x, settings, watch) } else { Ok(down) }
-}
-
-/// Lets the cloth, its seams welded, come near to rest from `x`; `None` where it crosses something there.
-fn smooth(
-    scene: &Scene,
-    finest: bool,
-    x: &[Vec3],
-    settings: &Settings,
-    watch: &mut dyn Watch,
-) -> Result<Option<Outcome>, ClothError> {
-    let welded = weld(scene, x);
-    let start = match Start::new(&welded.scene, settings) {
-        Ok(start) => start,
-        Err(ClothError::StartCrosses { .. }) => return Ok(None),
-        Err(e) => return Err(e),
-    };
-    let repaired = start.repaired;
-    let mut descent = Descent::new(&welded.scene, settings, start, false);
-    if !finest {
-        // Between the places where they should be held, coarse cloth would cut through a round body.
-        descent.hold_here();
-    }
-    descent.stride = STRIDE;
+/// Descends until little is won.
+fn ease(descent: &mut Descent<'_>, triangles: usize, watch: &mut dyn Watch) -> Result<(), ClothError> {
     let (mut stuck, mut still) = (0, 0);
     while descent.steps < MOST && stuck <= MOST_STUCK && still < STILL {
-        let b = descent.advance(watch, &format!("smoothing {} triangles", scene.triangles.len()))?;
+        let b = descent.advance(watch, &format!("smoothing {triangles} triangles"))?;
         stuck = if b.steps == 0 { stuck + 1 } else { 0 };
         let little = b.won <= SMOOTH * descent.goal.elastic(&descent.x);
         // Little won under a large shift may only say that the shift is large.
@@ -115,7 +111,5 @@ fn smooth(
             _ => 0,
         };
     }
-    let mut outcome = report::outcome(descent, &welded.scene, StopReason::Settled, repaired);
-    outcome.positions = welded.spread(&outcome.positions);
-    Ok(Some(outcome))
+    Ok(())
 }
