@@ -51,7 +51,7 @@ pub enum Which {
 /// Makes the cut lines where a stage is asked to, and reports what was found.
 ///
 /// # Errors
-/// As [`apply`].
+/// Pieces and edges that are not there, and cut lines that cannot be made.
 pub fn add(
     params: Option<&AllowanceParams>,
     pieces: &mut [Piece],
@@ -65,9 +65,6 @@ pub fn add(
 }
 
 /// Makes the cut lines. Notches of lines that are replaced go out to the new one.
-///
-/// # Errors
-/// Pieces and edges that are not there, and cut lines that cannot be made.
 fn apply(params: &AllowanceParams, pieces: &mut [Piece], which: Which) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
     let mut errors = unknown(params, pieces);
     let mut findings = Vec::new();
