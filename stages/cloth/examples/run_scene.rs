@@ -10,11 +10,12 @@ use toile_cloth::{
     sew, weld,
 };
 
-struct Print(Instant);
+/// Since when, and whether every look is told.
+struct Print(Instant, bool);
 
 impl Watch for Print {
     fn progress(&mut self, step: u64, words: &str) {
-        if step.is_multiple_of(1024 * 8) {
+        if self.1 || step.is_multiple_of(1024 * 8) {
             println!("  {:6.1} s  step {step}: {words}", self.0.elapsed().as_secs_f64());
         }
     }
@@ -120,8 +121,11 @@ fn main() {
             material: 0,
         })
         .collect();
+    if let Some(f) = option("friction") {
+        material.friction = f.parse().unwrap();
+    }
     let z_up = option("up").as_deref() != Some("y");
-    let scene = Scene {
+    let mut scene = Scene {
         pins: numbers(&dir.join("pins.txt")).iter().map(|p| Pin { vertex: p[0], at: v[p[0] as usize] }).collect(),
         stitches: numbers(&dir.join("stitches.txt")).iter().map(|p| [p[0], p[1]]).collect(),
         body: obj(&dir.join("body.obj")).map(|(p, _, f)| BodyMesh {
@@ -134,6 +138,10 @@ fn main() {
         materials: vec![material],
         ..Scene::default()
     };
+    let seed = number("jitter", 0.0);
+    if seed > 0.0 {
+        jitter(&mut scene, seed);
+    }
     println!(
         "{} vertices, {} triangles, {} stitches, {} pins",
         scene.positions.len(),
@@ -152,15 +160,29 @@ fn main() {
         integrator,
         stiffness_cap: number("cap", s.stiffness_cap),
         damping: number("damping", s.damping),
+        effects: toile_cloth::Effects {
+            self_contact: if option("self").as_deref() == Some("off") {
+                toile_cloth::Switch::Off
+            } else {
+                s.effects.self_contact
+            },
+            body_contact: if option("body").as_deref() == Some("off") {
+                toile_cloth::Switch::Off
+            } else {
+                s.effects.body_contact
+            },
+            ..s.effects
+        },
         ..s
     };
+    let verbose = option("verbose").is_some();
     let mut place = scene.positions.clone();
     let mut finish = scene.clone();
     let mut map: Vec<u32> = (0..u32::try_from(place.len()).unwrap()).collect();
     if !scene.stitches.is_empty() {
         let t = Instant::now();
         let settings = with(Settings { max_seconds: number("sew", 6.0), ..Settings::sewing() });
-        match sew(&scene, &settings, &mut Print(t)) {
+        match sew(&scene, &settings, &mut Print(t, verbose)) {
             Ok(o) => {
                 show("sew", &o, t);
                 place = o.positions;
@@ -173,7 +195,7 @@ fn main() {
     }
     let t = Instant::now();
     let settings = with(Settings { max_seconds: number("seconds", 20.0), ..Settings::default() });
-    match drape(&finish, &settings, &mut Print(t)) {
+    match drape(&finish, &settings, &mut Print(t, verbose)) {
         Ok(o) => {
             show("drape", &o, t);
             let t = Instant::now();
@@ -188,6 +210,21 @@ fn main() {
         Err(e) => println!("drape failed: {e}"),
     }
     save(&args[2], &place, &scene);
+}
+
+/// Moves every free vertex by up to 0.1 mm, another way for every seed.
+fn jitter(scene: &mut Scene, seed: f64) {
+    let held: Vec<u32> = scene.pins.iter().map(|p| p.vertex).collect();
+    let mut state = seed as u64;
+    for (v, p) in (0u32..).zip(&mut scene.positions) {
+        if held.contains(&v) {
+            continue;
+        }
+        for k in 0..3 {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            p[k] += 1e-4 * ((state >> 33) as f64 / f64::from(1u32 << 30) - 1.0);
+        }
+    }
 }
 
 fn save(path: &str, x: &[Vec3], scene: &Scene) {

@@ -5,6 +5,7 @@
 //! are made anew when the cloth has moved by the slack.
 
 use super::body::Body;
+use super::calm::Calm;
 use super::contact::Frame;
 use super::near::{Gap, Near};
 use super::tree::Tree;
@@ -69,6 +70,7 @@ pub(crate) struct Barrier {
     pub frame: Frame,
     pub body: Option<Body>,
     tree: Option<Tree>,
+    calm: Option<Calm>,
     pub near: Near,
     listed: Vec<Vec3>,
     on_the_way: bool,
@@ -83,13 +85,14 @@ pub(crate) struct Barrier {
 }
 
 impl Barrier {
-    /// `area`: of cloth, per vertex, m².
-    pub fn new(x: &[Vec3], frame: Frame, body: Option<Body>, area: Vec<f64>) -> Self {
+    /// `area`: of cloth, per vertex, m²; `calm`: where the cloth need not be tested against itself.
+    pub fn new(x: &[Vec3], frame: Frame, body: Option<Body>, area: Vec<f64>, calm: Option<Calm>) -> Self {
         let tree = frame.own.then(|| Tree::new(x, &frame.topology.faces));
         Self {
             frame,
             body,
             tree,
+            calm,
             near: Near::default(),
             listed: Vec::new(),
             on_the_way: false,
@@ -119,7 +122,11 @@ impl Barrier {
         if let Some(tree) = &mut self.tree {
             let reach = thick(&self.frame.own_gap) + 2.0 * self.slack;
             tree.refit_moving(x, step, &self.frame.topology.faces, 0.5 * reach);
-            self.near.fill_own(x, step, &self.frame.topology, &self.frame.groups, tree, reach);
+            let (topology, groups) = (&self.frame.topology, &self.frame.groups);
+            if let Some(calm) = &mut self.calm {
+                calm.look(x, step, topology);
+            }
+            self.near.fill_own(x, step, topology, groups, self.calm.as_ref(), (tree, reach));
         }
         if let Some(body) = &mut self.body {
             let reach = thick(&self.frame.body_gap) + self.slack;
@@ -292,7 +299,7 @@ mod tests {
     #[test]
     fn a_hard_pressed_contact_hardens_until_it_stands_off() {
         let (gap, load) = (5e-4, 45e3);
-        let mut b = Barrier::new(&[], frame(gap), None, vec![1.0]);
+        let mut b = Barrier::new(&[], frame(gap), None, vec![1.0], None);
         // Where the barrier of the present hardness carries the load.
         let stands = |hard: f64| {
             let (mut low, mut high) = (0.0, gap);

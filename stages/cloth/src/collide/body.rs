@@ -1,6 +1,7 @@
 //! The body as parry3d holds it. The only place where f64 and parry's f32 meet: parry finds candidates (boxes grown
 //! by the rounding), all distances that decide are computed in f64 from the original positions.
 
+use super::clear::Clearance;
 use super::closest::point_triangle;
 use super::travel::Travel;
 use super::tree::Aabb;
@@ -17,6 +18,8 @@ pub(crate) struct Body {
     /// Edges that cloth outside can press on: all but the hollow ones of a closed, oriented mesh.
     pub pressing_edges: Vec<bool>,
     pub bounds: Aabb,
+    /// Lower bounds of the distance to it, while it is at rest.
+    pub clearance: Clearance,
     /// How it moves; none for a body at rest.
     pub travel: Option<Travel>,
     /// Rounding of the largest coordinate to f32, m.
@@ -38,12 +41,14 @@ impl Body {
         let topology = Topology::new(mesh.positions.len(), live);
         let size = bounds.low.amax().max(bounds.high.amax());
         let pressing_edges = pressing(&mesh.positions, &topology);
+        let clearance = Clearance::new(&mesh.positions, &topology.faces, &bounds);
         Some(Self {
             mesh: tri_mesh,
             positions: mesh.positions.clone(),
             topology,
             pressing_edges,
             bounds,
+            clearance,
             travel: None,
             rounding: size * 2.4e-7,
         })

@@ -191,7 +191,7 @@ impl Contact {
         if let Some(tree) = &mut self.tree {
             let reach = self.reach + 2.0 * self.slack;
             tree.refit_moving(x, &still, &self.frame.topology.faces, 0.5 * reach);
-            self.near.fill_own(x, &still, &self.frame.topology, &self.frame.groups, tree, reach);
+            self.near.fill_own(x, &still, &self.frame.topology, &self.frame.groups, None, (tree, reach));
         }
         if let Some(body) = &self.body {
             self.near.fill_body(x, &still, &self.frame.topology, body, self.reach + self.slack);

@@ -3,6 +3,8 @@
 pub(crate) mod advance;
 pub(crate) mod barrier;
 pub(crate) mod body;
+pub(crate) mod calm;
+pub(crate) mod clear;
 pub(crate) mod closest;
 pub(crate) mod contact;
 pub(crate) mod friction;

@@ -1,6 +1,7 @@
 //! Lists of primitives that are near each other, kept until the motion since their making uses up the slack.
 
 use super::body::Body;
+use super::calm::Calm;
 use super::closest::{point_triangle, segments};
 use super::tree::{Aabb, Tree, meet_moving};
 use crate::Vec3;
@@ -105,20 +106,24 @@ pub(crate) struct Gap {
 
 impl Near {
     /// Cloth–cloth pairs that come nearer than `reach` (which the tree's boxes are grown by, half on each side) along a
-    /// step; the tree knows the step. Vertices of one group (stitched together) count as one vertex.
+    /// step; the tree knows the step. Vertices of one group (stitched together) count as one vertex; what `calm` (which has
+    /// looked at this step) parts is left out.
     pub fn fill_own(
         &mut self,
         x: &[Vec3],
         step: &[Vec3],
         topology: &Topology,
         groups: &[u32],
-        tree: &Tree,
-        reach: f64,
+        calm: Option<&Calm>,
+        (tree, reach): (&Tree, f64),
     ) {
         self.points.clear();
         self.edges.clear();
         let group = |v: u32| groups[v as usize];
         tree.meeting_pairs(|f, g| {
+            if calm.is_some_and(|c| c.parts(&topology.faces[f as usize], (g, &topology.faces[g as usize]))) {
+                return;
+            }
             let (a, b) = (Moving::of(topology, f, x, step), Moving::of(topology, g, x, step));
             for (one, other) in [(&a, &b), (&b, &a)] {
                 let bounds = other.owned.bounds(reach);
@@ -157,7 +162,8 @@ impl Near {
         for f in (0u32..).take(topology.faces.len()) {
             let m = Moving::of(topology, f, x, step);
             let bounds = swept(&Aabb::of_three(&m.owned.at), &Aabb::of_three(&m.by), reach);
-            if !bounds.meets(&body.bounds) {
+            let middle = (bounds.low + bounds.high) * 0.5;
+            if !bounds.meets(&body.bounds) || body.clearance.at(&middle) > 0.5 * (bounds.high - bounds.low).norm() {
                 continue;
             }
             let a = &m.owned;

@@ -106,12 +106,31 @@ fn angle(sine: f64) -> (f64, f64) {
 #[inline]
 fn stress(green: &[f64; 3], fabric: &Fabric) -> [f64; 3] {
     let s = strain(green);
+    let (gamma, slope) = angle(s.sine);
+    let [a, b] = s.stretch;
+    let pulls = [fabric.weft.tension(a - 1.0), fabric.warp.tension(b - 1.0)];
+    pulled(&s, gamma, slope, pulls, fabric)
+}
+
+/// The same and the energy per area, J/m².
+#[inline(always)]
+fn stress_and_energy(green: &[f64; 3], fabric: &Fabric) -> ([f64; 3], f64) {
+    let s = strain(green);
+    let (gamma, slope) = angle(s.sine);
+    let [a, b] = [s.stretch[0] - 1.0, s.stretch[1] - 1.0];
+    let ((weft, e), (warp, g)) = (fabric.weft.both(a), fabric.warp.both(b));
+    let energy = e + g + fabric.cross * a * b + 0.5 * fabric.shear * gamma * gamma;
+    (pulled(&s, gamma, slope, [weft, warp], fabric), energy)
+}
+
+/// Stress from the shear angle, its slope, and the tensions of the two curves.
+#[inline(always)]
+fn pulled(s: &Strain, gamma: f64, slope: f64, pulls: [f64; 2], fabric: &Fabric) -> [f64; 3] {
     let [a, b] = s.stretch;
     let (am, bm) = (a.max(LEAST_STRETCH), b.max(LEAST_STRETCH));
-    let (gamma, slope) = angle(s.sine);
     let tau = fabric.shear * gamma * slope;
-    let weft = (fabric.weft.tension(a - 1.0) + fabric.cross * (b - 1.0)) / a.max(1e-3);
-    let warp = (fabric.warp.tension(b - 1.0) + fabric.cross * (a - 1.0)) / b.max(1e-3);
+    let weft = (pulls[0] + fabric.cross * (b - 1.0)) / a.max(1e-3);
+    let warp = (pulls[1] + fabric.cross * (a - 1.0)) / b.max(1e-3);
     let lean = tau * s.sine;
     [
         if a > LEAST_STRETCH { weft - lean / (am * am) } else { weft },
@@ -135,18 +154,36 @@ impl Coupled {
     }
 }
 
+impl Triangle {
+    /// Adds the forces of a stress.
+    #[inline(always)]
+    fn pull(&self, e: &[Vec3; 3], s: &[f64; 3], f: &mut [Vec3]) {
+        let m = &self.inverse;
+        let pull = |k: usize| e[k] * (self.area * (m[0][k] * s[0] + m[1][k] * s[1] + m[2][k] * s[2]));
+        let (p, q, r) = (pull(0), pull(1), pull(2));
+        f[self.vertices[0] as usize] += p - r;
+        f[self.vertices[1] as usize] += q - p;
+        f[self.vertices[2] as usize] += r - q;
+    }
+}
+
 impl Energy for Coupled {
     fn add_forces(&self, x: &[Vec3], f: &mut [Vec3]) {
         for t in &self.triangles {
             let e = t.edges(x);
-            let s = stress(&t.green(&e), &self.fabrics[t.fabric as usize]);
-            let m = &t.inverse;
-            let pull = |k: usize| e[k] * (t.area * (m[0][k] * s[0] + m[1][k] * s[1] + m[2][k] * s[2]));
-            let (p, q, r) = (pull(0), pull(1), pull(2));
-            f[t.vertices[0] as usize] += p - r;
-            f[t.vertices[1] as usize] += q - p;
-            f[t.vertices[2] as usize] += r - q;
+            t.pull(&e, &stress(&t.green(&e), &self.fabrics[t.fabric as usize]), f);
         }
+    }
+
+    fn evaluate(&self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
+        let mut energy = 0.0;
+        for t in &self.triangles {
+            let e = t.edges(x);
+            let (s, per_area) = stress_and_energy(&t.green(&e), &self.fabrics[t.fabric as usize]);
+            t.pull(&e, &s, f);
+            energy += t.area * per_area;
+        }
+        energy
     }
 
     fn energy(&self, x: &[Vec3]) -> f64 {

@@ -86,6 +86,19 @@ impl Energy for Flexion {
         self.moments.iter().map(|m| 0.5 * m.stiffness * m.fold(x).norm_squared()).sum()
     }
 
+    fn evaluate(&self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
+        let mut energy = 0.0;
+        for m in &self.moments {
+            let fold = m.fold(x);
+            energy += 0.5 * m.stiffness * fold.norm_squared();
+            let u = fold * -m.stiffness;
+            for k in 0..4 {
+                f[m.vertices[k] as usize] += u * m.weights[k];
+            }
+        }
+        energy
+    }
+
     fn add_stiffness(&self, _: &[Vec3], k: &mut [f64]) {
         for m in &self.moments {
             let sum: f64 = m.weights.iter().map(|w| w.abs()).sum();

@@ -73,6 +73,23 @@ impl Law {
         }
     }
 
+    /// Tension, N/m, and energy, J/m².
+    #[inline(always)]
+    pub fn both(&self, strain: f64) -> (f64, f64) {
+        let (from, t, k, bow, energy) = match self.cell(strain) {
+            Some((i, r)) => {
+                let bow = (self.tangent[i + 1] - self.tangent[i]) * self.inverse_step;
+                (r, self.tension[i], self.tangent[i], bow, self.energy[i])
+            }
+            None if strain <= 0.0 => (strain, 0.0, self.tangent[0], 0.0, 0.0),
+            None => {
+                let n = self.tangent.len() - 1;
+                (strain - self.step * n as f64, self.tension[n], self.tangent[n], 0.0, self.energy[n])
+            }
+        };
+        (t + from * (k + 0.5 * from * bow), energy + from * (t + from * (0.5 * k + from * bow / 6.0)))
+    }
+
     /// J/m².
     pub fn energy(&self, strain: f64) -> f64 {
         if let Some((i, r)) = self.cell(strain) {

@@ -19,6 +19,11 @@ pub(crate) trait Energy: Send + Sync {
     fn add_forces(&self, x: &[Vec3], f: &mut [Vec3]);
     /// J.
     fn energy(&self, x: &[Vec3]) -> f64;
+    /// Both at once: adds the forces, gives the energy.
+    fn evaluate(&self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
+        self.add_forces(x, f);
+        self.energy(x)
+    }
     /// Is it stored in the cloth (and not weight or load)?
     fn elastic(&self) -> bool {
         true

@@ -1,18 +1,18 @@
-//! Copies of vertices: one for each side of a seam, so that every copy has one place in the cloth's plane.
+//! Copies of vertices: one for each side of a seam, so that every copy has one rest place.
 
-use crate::Scene;
+use super::place::{self, SAME};
 use crate::weld::groups;
-
-/// Rest corners nearer than this are one, m.
-const SAME: f64 = 1e-7;
+use crate::{Scene, Vec3};
 
 #[derive(Debug)]
 pub(crate) struct Charts {
     /// Copies at the corners of every triangle.
     pub corners: Vec<[u32; 3]>,
-    /// Vertex, place in the cloth's plane, and knot of every copy. Copies of one knot are, or will be sewn, together.
+    /// Vertex, rest place, and knot of every copy. Copies of one knot are, or will be sewn, together.
     pub vertex: Vec<u32>,
-    pub rest: Vec<[f64; 2]>,
+    pub rest: Vec<Vec3>,
+    /// Rest places of the corners of every triangle, as they were.
+    pub places: Vec<[Vec3; 3]>,
     pub knot: Vec<u32>,
     /// Knots, and which of them must stay.
     pub knots: usize,
@@ -23,14 +23,15 @@ pub(crate) struct Charts {
 impl Charts {
     pub fn new(scene: &Scene) -> Self {
         let n = 3 * scene.triangles.len();
-        let group = groups(n, &joined(scene));
+        let places = place::corners(scene);
+        let group = groups(n, &joined(scene, &places));
         let mut number = vec![u32::MAX; n];
         let (mut vertex, mut rest) = (Vec::new(), Vec::new());
         for (i, root) in group.iter().enumerate().filter(|(i, r)| **r as usize == *i) {
             let t = &scene.triangles[i / 3];
             number[*root as usize] = u32::try_from(vertex.len()).unwrap_or(u32::MAX);
             vertex.push(t.vertices[i % 3]);
-            rest.push(t.rest[i % 3]);
+            rest.push(places[i / 3][i % 3]);
         }
         let at = |i: usize| number[group[i] as usize];
         let corners = (0..scene.triangles.len()).map(|f| [at(3 * f), at(3 * f + 1), at(3 * f + 2)]).collect();
@@ -44,12 +45,12 @@ impl Charts {
         let fixed = mark(&mut scene.loads.iter().map(|l| l.vertex));
         let pinned = mark(&mut scene.pins.iter().map(|p| p.vertex));
         let knot = vertex.iter().map(|v| sewn[*v as usize]).collect();
-        Self { corners, vertex, rest, knot, knots, fixed, pinned }
+        Self { corners, vertex, rest, places, knot, knots, fixed, pinned }
     }
 }
 
-/// Pairs of triangle corners that are one place of the cloth: neighbours across an edge with the same rest corners.
-fn joined(scene: &Scene) -> Vec<[u32; 2]> {
+/// Pairs of triangle corners that are one place of the cloth: neighbours across an edge with the same rest places.
+fn joined(scene: &Scene, places: &[[Vec3; 3]]) -> Vec<[u32; 2]> {
     let mut sides: Vec<(u32, u32, usize, usize)> = Vec::with_capacity(3 * scene.triangles.len());
     for (f, t) in scene.triangles.iter().enumerate() {
         for k in 0..3 {
@@ -59,11 +60,8 @@ fn joined(scene: &Scene) -> Vec<[u32; 2]> {
         }
     }
     sides.sort_unstable();
-    let rest = |i: usize| scene.triangles[i / 3].rest[i % 3];
-    let near = |i: usize, j: usize| {
-        let (p, q) = (rest(i), rest(j));
-        (p[0] - q[0]).abs() < SAME && (p[1] - q[1]).abs() < SAME
-    };
+    let rest = |i: usize| places[i / 3][i % 3];
+    let near = |i: usize, j: usize| (rest(i) - rest(j)).amax() < SAME;
     let mut pairs = Vec::new();
     for same in sides.chunk_by(|p, q| (p.0, p.1) == (q.0, q.1)) {
         for (n, p) in same.iter().enumerate() {
@@ -77,14 +75,4 @@ fn joined(scene: &Scene) -> Vec<[u32; 2]> {
         }
     }
     pairs
-}
-
-/// Barycentric weights of a place in a triangle, held to a little outside it.
-pub(crate) fn weights(corners: &[[f64; 2]; 3], p: [f64; 2]) -> [f64; 3] {
-    const OUTSIDE: f64 = 0.5;
-    let area = |a: [f64; 2], b: [f64; 2], c: [f64; 2]| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-    let whole = area(corners[0], corners[1], corners[2]);
-    let w = [area(p, corners[1], corners[2]) / whole, area(corners[0], p, corners[2]) / whole];
-    let w = w.map(|w| w.clamp(-OUTSIDE, 1.0 + OUTSIDE));
-    [w[0], w[1], 1.0 - w[0] - w[1]]
 }

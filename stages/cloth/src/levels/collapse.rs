@@ -1,8 +1,9 @@
 //! Collapse of edges: the shortest first, until all are about as long as wanted. A vertex on a border or seam moves along
 //! it only, where it runs nearly straight; ends of seams, loads and the limits of held stretches stay.
 
-use super::charts::{Charts, weights};
-use crate::Scene;
+use super::charts::Charts;
+use super::place::weights;
+use crate::{Scene, Vec3};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -40,8 +41,7 @@ impl Mesh {
     }
 
     fn length(&self, a: u32, b: u32) -> f64 {
-        let (p, q) = (self.charts.rest[a as usize], self.charts.rest[b as usize]);
-        libm::hypot(p[0] - q[0], p[1] - q[1])
+        (self.charts.rest[a as usize] - self.charts.rest[b as usize]).norm()
     }
 
     fn around(&self, knot: u32) -> impl Iterator<Item = (u32, [u32; 3])> + '_ {
@@ -136,19 +136,21 @@ impl Mesh {
         }
     }
 
-    /// Neighbours of a knot along borders and seams, each with how many triangles meet there.
+    /// Neighbours of a knot along borders, seams and the limits of held regions, each with how many triangles meet there.
     fn lines(&self, a: u32) -> Vec<(u32, usize)> {
-        let mut sides: Vec<(u32, u32, u32)> = Vec::new();
+        let mut sides: Vec<(u32, [u32; 2], bool)> = Vec::new();
         for (_, c) in self.around(a) {
             let Some(k) = (0..3).find(|k| self.knot(c[*k]) == a) else { continue };
-            for other in [c[(k + 1) % 3], c[(k + 2) % 3]] {
-                sides.push((self.knot(other), c[k], other));
+            for (other, third) in [(c[(k + 1) % 3], c[(k + 2) % 3]), (c[(k + 2) % 3], c[(k + 1) % 3])] {
+                let pinned = |c: u32| self.charts.pinned[self.knot(c) as usize];
+                sides.push((self.knot(other), [c[k], other], pinned(c[k]) && pinned(other) && !pinned(third)));
             }
         }
         sides.sort_unstable();
+        // The limit of a held region is a line, too.
         sides
             .chunk_by(|p, q| p.0 == q.0)
-            .filter(|same| same.len() != 2 || same[0] != same[1])
+            .filter(|same| same.len() != 2 || same[0].1 != same[1].1 || same.iter().any(|s| s.2))
             .map(|same| (same[0].0, same.len()))
             .collect()
     }
@@ -166,10 +168,10 @@ impl Mesh {
             let [p, q] = side else { return false };
             let at = |c: u32| self.charts.rest[c as usize];
             let (m, p, q) = (at(p.0), at(p.2), at(q.2));
-            let (dx, dy) = (q[0] - p[0], q[1] - p[1]);
-            let off = (dx * (m[1] - p[1]) - dy * (m[0] - p[0])).abs() / libm::hypot(dx, dy);
-            let along = (m[0] - p[0]) * dx + (m[1] - p[1]) * dy;
-            off < OFF * edge && along > 0.0 && along < dx * dx + dy * dy
+            let (whole, part) = (q - p, m - p);
+            let off = whole.cross(&part).norm() / whole.norm();
+            let along = part.dot(&whole);
+            off < OFF * edge && along > 0.0 && along < whole.norm_squared()
         })
     }
 
@@ -187,20 +189,21 @@ impl Mesh {
             let mut new = c;
             new[k] = target;
             let (old, shape) = (self.shape(&c), self.shape(&new));
+            let turned = old.dot(&shape) <= 0.0;
+            let (old, shape) = (old.norm(), shape.norm());
             let long = (0..3).any(|k| self.length(new[k], new[(k + 1) % 3]) > LONG * edge);
-            if old * shape <= 0.0 || shape.abs() < SHAPE.min(old.abs()) || long {
+            if turned || shape < SHAPE.min(old) || long {
                 return false;
             }
         }
         left.iter().all(|n| *n > 0)
     }
 
-    /// Area over that of the equilateral triangle with the same sum of squared sides; the sign is that of the area.
-    fn shape(&self, c: &[u32; 3]) -> f64 {
+    /// Normal, as long as the area over that of the equilateral triangle with the same sum of squared sides.
+    fn shape(&self, c: &[u32; 3]) -> Vec3 {
         let [p, q, r] = c.map(|c| self.charts.rest[c as usize]);
-        let twice = (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
         let squares: f64 = (0..3).map(|k| self.length(c[k], c[(k + 1) % 3])).map(|l| l * l).sum();
-        2.0 * 3.0f64.sqrt() * twice / squares
+        (q - p).cross(&(r - p)) * (2.0 * 3.0f64.sqrt() / squares)
     }
 
     fn take(&mut self, a: u32, b: u32, moves: &[(u32, u32)]) {
@@ -230,7 +233,7 @@ impl Mesh {
         let mut best = (f64::NEG_INFINITY, None);
         for f in among {
             let Some(c) = self.triangles[f as usize].filter(|c| c.contains(&target)) else { continue };
-            let w = weights(&c.map(|c| self.charts.rest[c as usize]), self.charts.rest[p as usize]);
+            let w = weights(&c.map(|c| self.charts.rest[c as usize]), &self.charts.rest[p as usize]);
             let depth = w[0].min(w[1]).min(w[2]);
             if depth > best.0 {
                 best = (depth, Some(f));

@@ -3,6 +3,7 @@
 
 mod charts;
 mod collapse;
+mod place;
 
 use crate::sewing::mean_edge;
 use crate::{Element, Scene, Vec3};
@@ -74,10 +75,11 @@ impl Level {
 
 fn coarse(fine: &Scene, mesh: &Mesh, number: &[u32], kept: &[u32]) -> Scene {
     let stays = |v: &u32| number[*v as usize] != u32::MAX;
-    let triangles = mesh.triangles.iter().zip(&fine.triangles).filter_map(|(corners, old)| {
+    let old = fine.triangles.iter().zip(&mesh.charts.places);
+    let triangles = mesh.triangles.iter().zip(old).filter_map(|(corners, (old, places))| {
         corners.map(|c| Element {
             vertices: c.map(|c| number[mesh.charts.vertex[c as usize] as usize]),
-            rest: c.map(|c| mesh.charts.rest[c as usize]),
+            rest: place::laid(&c.map(|c| mesh.charts.rest[c as usize]), places, old),
             material: old.material,
         })
     });
@@ -115,7 +117,7 @@ fn anchors(mesh: &Mesh, number: &[u32]) -> Vec<Vec<Anchor>> {
         for c in carried {
             let v = mesh.charts.vertex[*c as usize] as usize;
             if number[v] == u32::MAX {
-                anchors[v].push(Anchor { vertices, weights: charts::weights(&rest, mesh.charts.rest[*c as usize]) });
+                anchors[v].push(Anchor { vertices, weights: place::weights(&rest, &mesh.charts.rest[*c as usize]) });
             }
         }
     }

@@ -77,3 +77,47 @@ fn held_corners_stay_and_a_coarse_sheet_has_no_level() {
     assert_eq!(held, scene.positions[corner as usize]);
     assert!(Level::below(&sheet(40, 30, 0, 0.0)).is_none());
 }
+
+/// A skirt as an importer gives it: a cone whose triangles each have axes of their own.
+fn cone(around: u32, rows: u32) -> Scene {
+    let mut scene = Scene { materials: vec![Material::isotropic(0.2, 500.0, 0.2, 1e-5)], ..Scene::default() };
+    for j in 0..=rows {
+        for i in 0..around {
+            let turn = std::f64::consts::TAU * (f64::from(i) + 0.5 * f64::from(j % 2)) / f64::from(around);
+            let r = 0.12 + 0.003 * f64::from(j);
+            scene.positions.push(Vec3::new(r * libm::cos(turn), r * libm::sin(turn), -0.008 * f64::from(j)));
+        }
+    }
+    let at = |i: u32, j: u32| j * around + i % around;
+    for j in 0..rows {
+        for i in 0..around {
+            let o = j % 2;
+            let up = [at(i, j), at(i + 1, j), at(i + o, j + 1)];
+            let down = [at(i + 1 - o, j), at(i + 1, j + 1), at(i, j + 1)];
+            for t in [up, down] {
+                let [p, q, r] = t.map(|v| scene.positions[v as usize]);
+                let (e, d) = (q - p, r - p);
+                let along = d.dot(&e) / e.norm();
+                let rest = [[0.0, 0.0], [e.norm(), 0.0], [along, (d.norm_squared() - along * along).sqrt()]];
+                scene.triangles.push(Element { vertices: t, rest, material: 0 });
+            }
+        }
+    }
+    scene
+}
+
+#[test]
+fn a_curved_rest_shape_keeps_its_lengths() {
+    let fine = cone(100, 40);
+    let level = Level::below(&fine).expect("level");
+    let share = level.scene.triangles.len() as f64 / fine.triangles.len() as f64;
+    assert!((0.15..0.4).contains(&share), "{share}");
+    assert!((area(&level.scene) / area(&fine) - 1.0).abs() < 5e-3);
+    for t in &level.scene.triangles {
+        for k in 0..3 {
+            let [p, q] = [k, (k + 1) % 3].map(|k| level.scene.positions[t.vertices[k] as usize]);
+            let strain = (p - q).norm() / t.rest_length(k) - 1.0;
+            assert!(strain.abs() < 1e-12, "{strain} {p} {q}");
+        }
+    }
+}

@@ -1,18 +1,15 @@
-//! Dense kernels in single precision, matrices by columns. Every sum runs in one stated order and no multiplication is
-//! fused with an addition, so the width of the machine's registers cannot show in the result.
+//! Dense kernels in single precision, matrices by columns. Every sum runs in one stated order, each product fused into it
+//! (one rounding, the same on every machine), so the width of the machine's registers cannot show in the result.
 
-/// Rows and columns of the tile that is summed in registers.
-const TALL: usize = 16;
-const WIDE: usize = 4;
-/// Columns of a panel.
-const PANEL: usize = 16;
+use pulp::Simd;
+
+/// Rows of the tile that is summed in registers, and columns of a panel.
+pub(crate) const TALL: usize = 16;
 /// Taken for zero: far from the diagonal entries fade below the smallest full numbers, where a sum costs a hundred times
 /// as much.
 const NOTHING: f32 = 1e-30;
-/// Columns packed at a time.
-const DEPTH: usize = 128;
 
-/// Rows of a matrix, `TALL` by `TALL`, each with its columns one after the other; filled up with zeros.
+/// Finished columns of a matrix: strips of `TALL` rows, in each its columns one after the other.
 #[derive(Debug, Default)]
 pub(crate) struct Pack {
     values: Vec<f32>,
@@ -20,132 +17,215 @@ pub(crate) struct Pack {
 }
 
 impl Pack {
+    /// Room for `width` columns of `height` rows. What is not written yet is not read for a result.
     #[inline(always)]
-    fn fill(&mut self, a: &[f32], height: usize, depth: usize, gap: usize) {
-        self.depth = depth;
-        self.values.clear();
-        self.values.resize(height.div_ceil(TALL) * TALL * depth, 0.0);
-        for (p, strip) in self.values.chunks_exact_mut(TALL * depth).enumerate() {
-            let first = p * TALL;
-            let rows = TALL.min(height - first);
-            for (k, line) in strip.chunks_exact_mut(TALL).enumerate() {
-                line[..rows].copy_from_slice(&a[k * gap + first..][..rows]);
-            }
+    fn prepare(&mut self, height: usize, width: usize) {
+        self.depth = width;
+        let length = height.div_ceil(TALL) * TALL * width;
+        if self.values.len() < length {
+            self.values.resize(length, 0.0);
         }
     }
 
     #[inline(always)]
-    fn strip(&self, p: usize) -> &[[f32; TALL]] {
-        self.values[p * TALL * self.depth..(p + 1) * TALL * self.depth].as_chunks().0
+    fn strip(&self, p: usize, depth: usize) -> &[[f32; TALL]] {
+        &self.values[p * TALL * self.depth..(p + 1) * TALL * self.depth].as_chunks().0[..depth]
+    }
+
+    #[inline(always)]
+    fn line(&mut self, p: usize, k: usize) -> &mut [f32; TALL] {
+        let at = (p * self.depth + k) * TALL;
+        let line = self.values[at..at + TALL].first_chunk_mut();
+        line.unwrap_or_else(|| unreachable!("a line of {TALL} has {TALL} entries"))
     }
 }
 
-/// `c −= a aᵀ` for the lower triangle of the first `width` columns of `c`: `a` has `depth` columns of `height` rows, its
-/// columns `gap` apart, and column `j` of `c` belongs to row `j` of `a`. What stands above the diagonal of `c` is left
-/// undefined.
+/// Sums over the first `depth` columns of products of the rows of strip `p` (`V` registers) with `W` rows that start at
+/// `first`, which must be a multiple of `W`, a divisor of `TALL`.
 #[inline(always)]
-pub(crate) fn subtract_square(
-    c: &mut [f32],
-    stride: usize,
-    a: &[f32],
-    (height, depth, gap): (usize, usize, usize),
-    width: usize,
-    pack: &mut Pack,
-) {
-    let mut k = 0;
-    while k < depth {
-        let part = DEPTH.min(depth - k);
-        pack.fill(&a[k * gap..], height, part, gap);
-        let mut i = 0;
-        while i < height {
-            let mut j = 0;
-            while j < width.min(i + TALL) {
-                let sum = tile(pack.strip(i / TALL), pack.strip(j / TALL), j % TALL);
-                let rows = TALL.min(height - i);
-                for (w, s) in sum.iter().enumerate().take(width - j) {
-                    for (c, s) in c[(j + w) * stride + i..][..rows].iter_mut().zip(s) {
-                        *c -= s;
-                    }
-                }
-                j += WIDE;
-            }
-            i += TALL;
-        }
-        k += part;
-    }
-}
-
-#[inline(always)]
-fn tile(left: &[[f32; TALL]], right: &[[f32; TALL]], shift: usize) -> [[f32; TALL]; WIDE] {
-    let mut sum = [[0.0f32; TALL]; WIDE];
-    for (l, r) in left.iter().zip(right) {
-        let r: &[f32; WIDE] = r[shift..].first_chunk().unwrap_or(&[0.0; WIDE]);
-        for w in 0..WIDE {
-            for t in 0..TALL {
-                sum[w][t] += l[t] * r[w];
+fn tile<S: Simd, const V: usize, const W: usize>(
+    simd: S,
+    pack: &Pack,
+    depth: usize,
+    p: usize,
+    first: usize,
+) -> [[S::f32s; V]; W] {
+    let mut sum = [[simd.splat_f32s(0.0); V]; W];
+    let shift = first % TALL;
+    for (l, r) in pack.strip(p, depth).iter().zip(pack.strip(first / TALL, depth)) {
+        let l: &[S::f32s; V] = registers::<S, V>(simd, l);
+        let r: &[f32; W] = r[shift..].first_chunk().unwrap_or(&[0.0; W]);
+        for w in 0..W {
+            let r = simd.splat_f32s(r[w]);
+            for v in 0..V {
+                sum[w][v] = simd.mul_add_f32s(l[v], r, sum[w][v]);
             }
         }
     }
     sum
 }
 
-/// Cholesky factor of the first `width` columns of a matrix with `height` rows, in place; `false` when a pivot is not
-/// positive.
+/// A line as the `V` registers that it fills.
 #[inline(always)]
-pub(crate) fn factor_panel(l: &mut [f32], height: usize, width: usize, pack: &mut Pack) -> bool {
-    let mut j0 = 0;
-    while j0 < width {
-        let j1 = (j0 + PANEL).min(width);
-        for j in j0..j1 {
-            if !finish_column(l, height, j0, j) {
-                return false;
+fn registers<S: Simd, const V: usize>(_: S, line: &[f32; TALL]) -> &[S::f32s; V] {
+    let found = S::as_simd_f32s(line).0.first_chunk();
+    found.unwrap_or_else(|| unreachable!("{V} registers hold a line"))
+}
+
+#[inline(always)]
+fn registers_mut<S: Simd, const V: usize>(_: S, line: &mut [f32; TALL]) -> &mut [S::f32s; V] {
+    let found = S::as_mut_simd_f32s(line).0.first_chunk_mut();
+    found.unwrap_or_else(|| unreachable!("{V} registers hold a line"))
+}
+
+#[inline(always)]
+fn line<S: Simd, const V: usize>(simd: S, sum: &[S::f32s; V]) -> [f32; TALL] {
+    let mut line = [0.0; TALL];
+    *registers_mut::<S, V>(simd, &mut line) = *sum;
+    line
+}
+
+/// Products of the packed rows `first..first + W` with all rows from their strip on, by columns of `height` rows.
+#[inline(always)]
+pub(crate) fn products<S: Simd, const V: usize, const W: usize>(
+    simd: S,
+    pack: &Pack,
+    first: usize,
+    height: usize,
+    out: &mut [f32],
+) {
+    for p in first / TALL..height.div_ceil(TALL) {
+        let rows = TALL.min(height - p * TALL);
+        let sums = tile::<S, V, W>(simd, pack, pack.depth, p, first);
+        for (column, sum) in out.chunks_exact_mut(height).zip(&sums) {
+            column[p * TALL..][..rows].copy_from_slice(&line::<S, V>(simd, sum)[..rows]);
+        }
+    }
+}
+
+/// Cholesky factor of the first `width` columns of a matrix with `height` rows, in place, its diagonal inverted; `false`
+/// when a pivot is not positive. The columns stand in `pack` as well.
+#[inline(always)]
+pub(crate) fn factor_panel<S: Simd, const V: usize, const W: usize>(
+    simd: S,
+    l: &mut [f32],
+    height: usize,
+    width: usize,
+    pack: &mut Pack,
+) -> bool {
+    pack.prepare(height, width);
+    for j0 in (0..width).step_by(TALL) {
+        let j1 = (j0 + TALL).min(width);
+        if j0 > 0 {
+            take_out::<S, V, W>(simd, l, height, j0, j1, pack);
+        }
+        let Some(corner) = factor_corner(l, height, j0, j1 - j0) else { return false };
+        for p in j0 / TALL..height.div_ceil(TALL) {
+            solve_strip::<S, V>(simd, l, height, (j0, j1 - j0), p, &corner, pack);
+        }
+        for (j, line) in corner.iter().enumerate().take(j1 - j0) {
+            l[(j0 + j) * height + j0 + j] = line[j];
+        }
+    }
+    true
+}
+
+/// Takes the finished columns `..j0` out of the columns `j0..j1`.
+#[inline(always)]
+fn take_out<S: Simd, const V: usize, const W: usize>(
+    simd: S,
+    l: &mut [f32],
+    height: usize,
+    j0: usize,
+    j1: usize,
+    pack: &Pack,
+) {
+    for p in j0 / TALL..height.div_ceil(TALL) {
+        let rows = TALL.min(height - p * TALL);
+        for j in (j0..j1).step_by(W) {
+            for (w, sum) in tile::<S, V, W>(simd, pack, j0, p, j).iter().enumerate().take(j1 - j) {
+                let sum = line::<S, V>(simd, sum);
+                for (c, s) in l[(j + w) * height + p * TALL..][..rows].iter_mut().zip(&sum) {
+                    *c -= s;
+                }
             }
         }
-        let (done, rest) = l.split_at_mut(j1 * height);
-        if j1 < width {
-            let below = (height - j1, j1 - j0, height);
-            subtract_square(&mut rest[j1..], height, &done[j0 * height + j1..], below, width - j1, pack);
-        }
-        j0 = j1;
     }
-    true
 }
 
-/// Takes columns `first..j` out of column `j` and divides it by its root.
+/// Factor of a diagonal block: below the diagonal of `corner[column][row]`, on it the inverse roots of the pivots.
 #[inline(always)]
-fn finish_column(l: &mut [f32], height: usize, first: usize, j: usize) -> bool {
-    let (done, rest) = l.split_at_mut(j * height);
-    let mine = &mut rest[j..height];
-    for column in done[first * height..].chunks_exact(height) {
-        let b = column[j];
-        for (m, c) in mine.iter_mut().zip(&column[j..]) {
-            *m -= b * c;
+fn factor_corner(l: &[f32], height: usize, j0: usize, n: usize) -> Option<[[f32; TALL]; TALL]> {
+    let mut a = [[0.0f32; TALL]; TALL];
+    for (j, column) in a.iter_mut().enumerate().take(n) {
+        column[j..n].copy_from_slice(&l[(j0 + j) * height + j0 + j..][..n - j]);
+    }
+    for j in 0..n {
+        let pivot = a[j][j];
+        if !(pivot.is_finite() && pivot > 0.0) {
+            return None;
+        }
+        let scale = 1.0 / pivot.sqrt();
+        a[j].iter_mut().skip(j + 1).for_each(|v| *v *= scale);
+        a[j][j] = scale;
+        let done = a[j];
+        for k in j + 1..n {
+            for i in k..n {
+                a[k][i] = (-done[k]).mul_add(done[i], a[k][i]);
+            }
         }
     }
-    let pivot = mine[0];
-    if !(pivot.is_finite() && pivot > 0.0) {
-        return false;
-    }
-    let scale = 1.0 / pivot.sqrt();
-    mine[0] = pivot.sqrt();
-    for m in &mut mine[1..] {
-        *m *= scale;
-        if m.abs() < NOTHING {
-            *m = 0.0;
-        }
-    }
-    true
+    Some(a)
 }
 
-/// Solves `L y = x` for the columns of one panel and takes them out of the rows below: `x` has `height` entries.
+/// Solves one strip of rows for the `n` columns from `j0` on, and packs it.
+#[inline(always)]
+fn solve_strip<S: Simd, const V: usize>(
+    simd: S,
+    l: &mut [f32],
+    height: usize,
+    (j0, n): (usize, usize),
+    p: usize,
+    corner: &[[f32; TALL]; TALL],
+    pack: &mut Pack,
+) {
+    let rows = TALL.min(height - p * TALL);
+    let mut x = [[0.0f32; TALL]; TALL];
+    for (j, x) in x.iter_mut().enumerate().take(n) {
+        x[..rows].copy_from_slice(&l[(j0 + j) * height + p * TALL..][..rows]);
+    }
+    for j in 0..n {
+        let mut done = x[j];
+        for v in &mut done {
+            *v *= corner[j][j];
+            *v = if v.abs() < NOTHING { 0.0 } else { *v };
+        }
+        x[j] = done;
+        let done: &[S::f32s; V] = registers::<S, V>(simd, &done);
+        for k in j + 1..n {
+            let c = simd.splat_f32s(-corner[j][k]);
+            let x = registers_mut::<S, V>(simd, &mut x[k]);
+            for v in 0..V {
+                x[v] = simd.mul_add_f32s(c, done[v], x[v]);
+            }
+        }
+    }
+    for (j, x) in x.iter().enumerate().take(n) {
+        l[(j0 + j) * height + p * TALL..][..rows].copy_from_slice(&x[..rows]);
+        *pack.line(p, j0 + j) = *x;
+    }
+}
+
+/// Solves `L y = x` for the columns of one panel and takes them out of the rows below: `x` has `height` entries, the
+/// diagonal of `l` is inverted.
 #[inline(always)]
 pub(crate) fn solve_lower(l: &[f32], x: &mut [f32], width: usize) {
     let height = x.len();
     for (j, column) in l.chunks_exact(height).enumerate().take(width) {
-        let v = x[j] / column[j];
+        let v = x[j] * column[j];
         x[j] = v;
         for (x, c) in x[j + 1..].iter_mut().zip(&column[j + 1..]) {
-            *x -= v * c;
+            *x = (-v).mul_add(*c, *x);
         }
     }
 }
@@ -155,23 +235,24 @@ pub(crate) fn solve_lower(l: &[f32], x: &mut [f32], width: usize) {
 pub(crate) fn solve_upper(l: &[f32], x: &mut [f32], width: usize) {
     let height = x.len();
     for (j, column) in l.chunks_exact(height).enumerate().take(width).rev() {
-        x[j] = (x[j] - product(&column[j + 1..], &x[j + 1..])) / column[j];
+        x[j] = (x[j] - product(&column[j + 1..], &x[j + 1..])) * column[j];
     }
 }
 
-/// Sum of products in `TALL` lanes, then the lanes in order.
+/// Sum of products in `LANES` lanes, then the lanes in order.
 #[inline(always)]
 fn product(a: &[f32], b: &[f32]) -> f32 {
-    let mut lanes = [0.0f32; TALL];
-    let (a, rest_a) = a.as_chunks::<TALL>();
-    let (b, rest_b) = b.as_chunks::<TALL>();
-    for (a, b) in a.iter().zip(b) {
-        for k in 0..TALL {
-            lanes[k] += a[k] * b[k];
+    const LANES: usize = 2 * TALL;
+    let mut lanes = [0.0f32; LANES];
+    let (a, rest_a) = a.as_chunks::<LANES>();
+    let (b, rest_b) = b.as_chunks::<LANES>();
+    for (p, q) in a.iter().zip(b) {
+        for t in 0..LANES {
+            lanes[t] = p[t].mul_add(q[t], lanes[t]);
         }
     }
-    for (lane, (a, b)) in lanes.iter_mut().zip(rest_a.iter().zip(rest_b)) {
-        *lane += a * b;
+    for (l, (p, q)) in lanes.iter_mut().zip(rest_a.iter().zip(rest_b)) {
+        *l = p.mul_add(*q, *l);
     }
     lanes.iter().sum()
 }
@@ -186,7 +267,8 @@ mod tests {
         for n in [1, 3, 7, 16, 24, 25, 50, 61] {
             let entry = |i: usize, j: usize| if i == j { n as f32 } else { 1.0 / (1.0 + i.abs_diff(j) as f32) };
             let mut l: Vec<f32> = (0..n * n).map(|k| entry(k % n, k / n)).collect();
-            assert!(factor_panel(&mut l, n, n, &mut Pack::default()));
+            assert!(factor_panel::<_, 16, 8>(pulp::Scalar, &mut l, n, n, &mut Pack::default()));
+            (0..n).for_each(|k| l[k * n + k] = 1.0 / l[k * n + k]);
             for j in 0..n {
                 for i in j..n {
                     let sum: f32 = (0..=j).map(|k| l[k * n + i] * l[k * n + j]).sum();
@@ -198,6 +280,6 @@ mod tests {
 
     #[test]
     fn a_negative_pivot_is_said() {
-        assert!(!factor_panel(&mut [1.0, 2.0, 2.0, 1.0], 2, 2, &mut Pack::default()));
+        assert!(!factor_panel::<_, 16, 4>(pulp::Scalar, &mut [1.0, 2.0, 2.0, 1.0], 2, 2, &mut Pack::default()));
     }
 }

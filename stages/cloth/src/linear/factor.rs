@@ -1,14 +1,15 @@
-//! Multifrontal Cholesky factor in single precision: it only steers the descent, the state is double. Ours, because the
+//! Supernodal Cholesky factor in single precision: it only steers the descent, the state is double. Ours, because the
 //! libraries' kernels choose their sums by the processor, and the same input must give the same bytes everywhere.
 //!
-//! Duff, Reid: The multifrontal solution of indefinite sparse symmetric linear equations, ACM TOMS 9 (1983).
+//! Ng, Peyton: Block sparse Cholesky algorithms on advanced uniprocessor computers, SIAM J. Sci. Comput. 14 (1993), in
+//! its right-looking form: a finished node is taken out of all nodes that own its rows at once.
 
 use super::dense::{self, Pack};
 use super::hessian::Pattern;
 use super::symbolic::{Node, Symbolic};
 use crate::Vec3;
 use nalgebra::Matrix3;
-use pulp::{Arch, NullaryFnOnce};
+use pulp::{Arch, NullaryFnOnce, Simd, WithSimd};
 
 /// A factorised block matrix.
 #[derive(Default)]
@@ -19,6 +20,7 @@ pub(crate) struct Factor {
     right: Vec<f32>,
     local: Vec<f32>,
     pack: Pack,
+    sums: Vec<f32>,
     arch: Arch,
     pub analyses: u32,
     pub factors: u32,
@@ -38,7 +40,12 @@ impl Factor {
         }
         self.factors += 1;
         self.fill(values, shift);
-        self.arch.dispatch(Eliminate { nodes: &self.symbolic.nodes, values: &mut self.values, pack: &mut self.pack })
+        self.arch.dispatch(Eliminate {
+            nodes: &self.symbolic.nodes,
+            values: &mut self.values,
+            pack: &mut self.pack,
+            sums: &mut self.sums,
+        })
     }
 
     /// Rounds the blocks into the columns they belong to.
@@ -83,14 +90,67 @@ struct Eliminate<'a> {
     nodes: &'a [Node],
     values: &'a mut [f32],
     pack: &'a mut Pack,
+    sums: &'a mut Vec<f32>,
 }
 
-impl NullaryFnOnce for Eliminate<'_> {
+impl WithSimd for Eliminate<'_> {
     type Output = bool;
 
     #[inline(always)]
-    fn call(self) -> bool {
-        eliminate(self.nodes, self.values, self.pack)
+    fn with_simd<S: Simd>(self, simd: S) -> bool {
+        // As many columns at a time as there are registers for.
+        match S::F32_LANES {
+            16 => self.by::<S, 1, 8>(simd),
+            8 => self.by::<S, 2, 4>(simd),
+            4 => self.by::<S, 4, 4>(simd),
+            _ => self.by::<S, 16, 4>(simd),
+        }
+    }
+}
+
+impl Eliminate<'_> {
+    /// All nodes in order; each takes its products out of the nodes that own its rows.
+    #[inline(always)]
+    fn by<S: Simd, const V: usize, const W: usize>(self, simd: S) -> bool {
+        for node in self.nodes {
+            let (height, width) = (node.height(), node.width());
+            let panel = &mut self.values[node.start..node.start + height * width];
+            if !dense::factor_panel::<S, V, W>(simd, panel, height, width, self.pack) {
+                return false;
+            }
+            if self.sums.len() < W * height {
+                self.sums.resize(W * height, 0.0);
+            }
+            let sums = &mut self.sums[..W * height];
+            let mut first = width - width % W;
+            while first < height {
+                dense::products::<S, V, W>(simd, self.pack, first, height, sums);
+                for column in first.max(width)..(first + W).min(height) {
+                    spread(node, self.nodes, column, &sums[(column - first) * height..][..height], self.values);
+                }
+                first += W;
+            }
+        }
+        true
+    }
+}
+
+/// Takes one column of products out of the node that owns it.
+#[inline(always)]
+fn spread(node: &Node, nodes: &[Node], column: usize, sums: &[f32], values: &mut [f32]) {
+    let Some(owner) = node.owners.iter().find(|o| column < o.to) else { return };
+    let target = &nodes[owner.node as usize];
+    let mut into = None;
+    for run in &owner.runs {
+        if run.from + run.length <= column {
+            continue;
+        }
+        let late = column.saturating_sub(run.from);
+        let c = *into.get_or_insert(run.to + late);
+        let (at, length) = (target.start + c * target.height() + run.to + late, run.length - late);
+        for (v, s) in values[at..at + length].iter_mut().zip(&sums[run.from + late..][..length]) {
+            *v -= s;
+        }
     }
 }
 
@@ -111,59 +171,6 @@ impl NullaryFnOnce for Solve<'_> {
         }
         for node in self.nodes.iter().rev() {
             backward(node, self.values, self.right, self.local);
-        }
-    }
-}
-
-/// All nodes, children first; each takes its children's updates and leaves its own.
-#[inline(always)]
-fn eliminate(nodes: &[Node], values: &mut [f32], pack: &mut Pack) -> bool {
-    let mut updates: Vec<Vec<f32>> = Vec::new();
-    updates.resize_with(nodes.len(), Vec::new);
-    for (k, node) in nodes.iter().enumerate() {
-        let (height, width) = (node.height(), node.width());
-        let panel = &mut values[node.start..node.start + height * width];
-        if !dense::factor_panel(panel, height, width, pack) {
-            return false;
-        }
-        let (Some(parent), below) = (node.parent, height - width) else { continue };
-        // What the children left here for the rows below stands in the update already.
-        let mut update = std::mem::take(&mut updates[k]);
-        update.resize(below * below, 0.0);
-        dense::subtract_square(&mut update, below, &panel[width..], (below, width, height), below, pack);
-        let above = &nodes[parent as usize];
-        let reach = above.height() - above.width();
-        if updates[parent as usize].is_empty() {
-            updates[parent as usize].resize(reach * reach, 0.0);
-        }
-        extend(node, above, &update, values, &mut updates[parent as usize]);
-    }
-    true
-}
-
-/// Adds a child's update to its parent's columns and to the parent's own update.
-#[inline(always)]
-fn extend(node: &Node, parent: &Node, update: &[f32], values: &mut [f32], above: &mut [f32]) {
-    let (height, width) = (parent.height(), parent.width());
-    let below = 3 * node.rows.len();
-    let reach = height - width;
-    for (a, column) in node.relative.iter().enumerate() {
-        for c in 0..3 {
-            let from = &update[(3 * a + c) * below..][..below];
-            let to = 3 * *column as usize + c;
-            let (target, skip) = if to < width {
-                (&mut values[parent.start + to * height..][..height], 0)
-            } else {
-                (&mut above[(to - width) * reach..][..reach], width)
-            };
-            for run in node.runs.iter().filter(|r| r.from + r.length > 3 * a) {
-                let late = (3 * a).saturating_sub(run.from);
-                let at = run.to + late - skip;
-                let length = run.length - late;
-                for (t, p) in target[at..at + length].iter_mut().zip(&from[run.from + late..][..length]) {
-                    *t += p;
-                }
-            }
         }
     }
 }

@@ -9,8 +9,8 @@ use faer::sparse::linalg::cholesky::{
 };
 use faer::sparse::linalg::{SupernodalThreshold, SymbolicSupernodalParams};
 
-/// No parent.
-const ROOT: u32 = u32::MAX;
+/// No node.
+const NONE: u32 = u32::MAX;
 /// Neighbouring supernodes are joined up to so many vertices when the share of zeros it stores stays below.
 const RELAX: [(usize, f64); 4] = [(2, 1.0), (6, 0.8), (16, 0.1), (usize::MAX, 0.05)];
 
@@ -22,16 +22,23 @@ pub(crate) struct Node {
     pub columns: u32,
     /// Rows below the columns, ascending.
     pub rows: Vec<u32>,
-    /// The node that takes this one's update, and where in its columns and rows each of `rows` stands.
-    pub parent: Option<u32>,
-    pub relative: Vec<u32>,
-    /// The same as runs of scalars.
-    pub runs: Vec<Run>,
+    /// The nodes that own `rows`, which take this one's products.
+    pub owners: Vec<Owner>,
     /// Where its values start.
     pub start: usize,
 }
 
-/// Scalar rows that stand side by side in a node and in its parent.
+/// A node in which some rows of another are columns.
+#[derive(Clone, Debug)]
+pub(crate) struct Owner {
+    pub node: u32,
+    /// Where these rows end, scalars counted from the other's first column.
+    pub to: usize,
+    /// Where they and all rows after them stand.
+    pub runs: Vec<Run>,
+}
+
+/// Scalar rows that stand side by side in a node and in the owner of one of them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Run {
     pub from: usize,
@@ -106,37 +113,41 @@ fn nodes(analysis: &SymbolicCholesky<u32>) -> Option<(Vec<Node>, usize)> {
             let first = s.supernode_begin()[k];
             let mut rows = s.supernode(k).pattern().to_vec();
             rows.sort_unstable();
-            let node = Node {
-                first,
-                columns: s.supernode_end()[k] - first,
-                rows,
-                parent: None,
-                relative: Vec::new(),
-                runs: Vec::new(),
-                start,
-            };
+            let node = Node { first, columns: s.supernode_end()[k] - first, rows, owners: Vec::new(), start };
             start += node.height() * node.width();
             node
         })
         .collect();
     let owner = owners(&nodes);
     for k in 0..nodes.len() {
-        let Some(row) = nodes[k].rows.first() else { continue };
-        let parent = owner[*row as usize];
-        if parent == ROOT || parent as usize <= k {
-            return None;
-        }
-        nodes[k].relative = nodes[k].rows.iter().map(|r| nodes[parent as usize].place(*r)).collect();
-        nodes[k].runs = runs(&nodes[k].relative);
-        nodes[k].parent = Some(parent);
+        let found = owners_of(k, &nodes, &owner)?;
+        nodes[k].owners = found;
     }
     Some((nodes, start))
 }
 
-fn runs(relative: &[u32]) -> Vec<Run> {
+/// The owners of a node's rows, in order.
+fn owners_of(k: usize, nodes: &[Node], owner: &[u32]) -> Option<Vec<Owner>> {
+    let node = &nodes[k];
+    let mut found = Vec::new();
+    let mut from = 0;
+    for same in node.rows.chunk_by(|p, q| owner[*p as usize] == owner[*q as usize]) {
+        let at = owner[same[0] as usize];
+        if at == NONE || at as usize <= k {
+            return None;
+        }
+        let runs = runs(&node.rows[from..], node.columns as usize + from, &nodes[at as usize]);
+        from += same.len();
+        found.push(Owner { node: at, to: node.width() + 3 * from, runs });
+    }
+    Some(found)
+}
+
+/// Where rows that stand at `first` and after it in one node stand in another.
+fn runs(rows: &[u32], first: usize, node: &Node) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
-    for (k, place) in relative.iter().enumerate() {
-        let (from, to) = (3 * k, 3 * *place as usize);
+    for (k, row) in rows.iter().enumerate() {
+        let (from, to) = (3 * (first + k), 3 * node.place(*row) as usize);
         match runs.last_mut() {
             Some(r) if r.to + r.length == to => r.length += 3,
             _ => runs.push(Run { from, to, length: 3 }),
@@ -148,7 +159,7 @@ fn runs(relative: &[u32]) -> Vec<Run> {
 /// The node of every column.
 fn owners(nodes: &[Node]) -> Vec<u32> {
     let n = nodes.iter().map(|n| n.columns as usize).sum();
-    let mut owner = vec![ROOT; n];
+    let mut owner = vec![NONE; n];
     for (k, node) in (0u32..).zip(nodes) {
         owner[node.first as usize..(node.first + node.columns) as usize].fill(k);
     }

@@ -16,9 +16,14 @@ const TAU_FIRST: f64 = 1e-2;
 pub(super) const TAU_FREE: f64 = 30.0;
 const TAU_LEAST: f64 = 1e-8;
 const TAU_MOST: f64 = 1e4;
-/// First share of the stretch stiffness in all directions, and what it grows by.
+/// First and last share of the stretch stiffness in all directions, and what it grows by.
 const FIRM_LEAST: f64 = 1e-3;
+const FIRM_MOST: f64 = 0.1;
 const FIRMER: f64 = 8.0;
+/// What a Newton step would win over the elastic energy, below which the second derivatives are used as they are …
+const NEAR_REST: f64 = 0.05;
+/// … and blocks until they are tried again where they were not convex, at most.
+const MOST_PATIENCE: u32 = 8;
 /// Rounds in which single vertices are held back before the whole step is shortened.
 const HOLD_ROUNDS: usize = 3;
 /// Part of a step below which single vertices are held back instead of all.
@@ -48,6 +53,9 @@ pub(crate) struct Descent<'a> {
     pub longest: f64,
     pub residual: f64,
     weight: f64,
+    /// Blocks until the true metric is tried again, and how many it will be after the next failure.
+    wait: u32,
+    patience: u32,
 }
 
 /// What became of a block of steps.
@@ -83,6 +91,8 @@ impl<'a> Descent<'a> {
             longest: f64::INFINITY,
             residual: f64::INFINITY,
             weight,
+            wait: 0,
+            patience: 0,
         };
         if let Some(b) = &mut descent.goal.barrier {
             b.cover(&descent.x, &vec![Vec3::zeros(); descent.x.len()]);
@@ -109,20 +119,41 @@ impl<'a> Descent<'a> {
             }
             self.refresh_friction();
         }
-        self.goal.assemble(&self.x, self.firm);
-        let (pattern, values) = self.goal.hessian.merged();
         self.free = TAU_FREE;
-        loop {
-            let shift: Vec<f64> = self.goal.inertia.iter().map(|m| m / self.tau).collect();
-            if self.factor.factorise(&pattern, &values, &shift) {
-                return true;
-            }
+        if self.true_metric() {
+            return true;
+        }
+        self.goal.assemble(&self.x, self.firm, true);
+        while !self.factorise() {
             self.tau *= 0.1;
             self.free = TAU_FREE.min(self.tau);
             if self.tau < TAU_LEAST {
                 return false;
             }
         }
+        true
+    }
+
+    /// Near rest the second derivatives as they are lead faster than their convex part; `false` where they are not convex.
+    fn true_metric(&mut self) -> bool {
+        if self.goal.inert.is_some() || self.decrement > NEAR_REST {
+            return false;
+        }
+        if self.wait > 0 {
+            self.wait -= 1;
+            return false;
+        }
+        self.goal.assemble(&self.x, self.firm, false);
+        let convex = self.factorise();
+        self.patience = if convex { 0 } else { (2 * self.patience).clamp(1, MOST_PATIENCE) };
+        self.wait = self.patience;
+        convex
+    }
+
+    fn factorise(&mut self) -> bool {
+        let (pattern, values) = self.goal.hessian.merged();
+        let shift: Vec<f64> = self.goal.inertia.iter().map(|m| m / self.tau).collect();
+        self.factor.factorise(&pattern, &values, &shift)
     }
 
     /// New normal forces and holds from the contacts here; what slid is taken over.
@@ -284,7 +315,8 @@ impl<'a> Descent<'a> {
 
     /// Adapts the shift to how the block went.
     pub fn adapt(&mut self, b: Block) {
-        if self.stiffen(b) {
+        let last = self.firm;
+        if self.stiffen(b) && self.firm > last {
             return;
         }
         if b.stuck && b.steps == 0 {
@@ -302,7 +334,7 @@ impl<'a> Descent<'a> {
     fn stiffen(&mut self, b: Block) -> bool {
         let last = self.firm;
         if b.mean < 0.4 {
-            self.firm = (FIRMER * last).clamp(FIRM_LEAST, 1.0);
+            self.firm = (FIRMER * last).clamp(FIRM_LEAST, FIRM_MOST);
         } else if b.mean > 0.8 {
             self.firm = if last > FIRM_LEAST { last / FIRMER } else { 0.0 };
         }

@@ -4,7 +4,7 @@ use crate::Vec3;
 use std::collections::VecDeque;
 
 /// Pairs kept.
-const MOST: usize = 12;
+const MOST: usize = 6;
 
 #[derive(Default)]
 pub(crate) struct Memory {

@@ -2,6 +2,7 @@
 
 use super::seams::Seams;
 use crate::collide::barrier::Barrier;
+use crate::collide::calm::Calm;
 use crate::collide::stick::Stick;
 use crate::collide::tree::Aabb;
 use crate::dynamics::inert::Inert;
@@ -56,7 +57,10 @@ impl Objective {
         let stick =
             (s.effects.friction != Switch::Off && (own || body.is_some()) && frame.friction.iter().any(|m| *m > 0.0))
                 .then(Stick::default);
-        let barrier = (own || body.is_some()).then(|| Barrier::new(&positions, frame, body, areas(scene)));
+        let barrier = (own || body.is_some()).then(|| {
+            let calm = own.then(|| Calm::new(scene, &frame.topology));
+            Barrier::new(&positions, frame, body, areas(scene), calm)
+        });
         let constant = hessian.values.clone();
         let force = vec![Vec3::zeros(); positions.len()];
         (
@@ -71,8 +75,7 @@ impl Objective {
         all.fill(Vec3::zeros());
         let mut energy = 0.0;
         for e in &self.energies {
-            e.add_forces(x, all);
-            energy += e.energy(x);
+            energy += e.evaluate(x, all);
         }
         if let Some(i) = &self.inert {
             energy = i.evaluate(x, energy, all);
@@ -95,11 +98,12 @@ impl Objective {
         &self.force
     }
 
-    /// Convex second derivatives at `x`, which must be where the last evaluation was.
-    pub fn assemble(&mut self, x: &[Vec3], firm: f64) {
+    /// Second derivatives at `x`, which must be where the last evaluation was; those of the cloth `convex` or as they are,
+    /// with a share `firm` of them in all directions.
+    pub fn assemble(&mut self, x: &[Vec3], firm: f64, convex: bool) {
         self.hessian.reset(&self.constant);
         for e in self.energies.iter().filter(|e| !e.quadratic()) {
-            e.add_hessian(x, true, &mut self.hessian);
+            e.add_hessian(x, convex, &mut self.hessian);
         }
         if firm > 0.0 {
             self.hessian.stiffen(firm);

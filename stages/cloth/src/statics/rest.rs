@@ -2,21 +2,56 @@
 
 use super::descent::{Descent, TAU_FREE};
 use super::report;
+use crate::levels::Level;
 use crate::start::Start;
-use crate::{ClothError, Outcome, Scene, Settings, StopReason, Watch};
+use crate::{ClothError, Outcome, Scene, Settings, StopReason, Vec3, Watch};
 
 /// Blocks in a row without any step after which nothing more can be won.
 const MOST_STUCK: u32 = 12;
 /// Way over the size of the scene after which the cloth is given up as falling.
 const FAR: f64 = 3.0;
+/// What a Newton step would win over the elastic energy, above which coarser cloth finds the way first.
+const FAR_FROM_REST: f64 = 1.0;
+/// Tolerances of a coarser level over those of the finest.
+const COARSE: f64 = 3.0;
 
 /// Settles the cloth.
 pub(crate) fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
-    let start = Start::new(scene, settings)?;
-    let repaired = start.repaired;
-    let mut descent = Descent::new(scene, settings, start, false);
+    let (mut descent, mut repaired) = begin(scene, settings)?;
+    if descent.far_from_rest()
+        && let Some(x) = on_coarser(scene, settings, watch)?
+    {
+        match begin(&Scene { positions: x, ..scene.clone() }, settings) {
+            Ok(led) => (descent, repaired) = led,
+            // Spread from the coarser cloth it would cross something: it starts where it was.
+            Err(ClothError::StartCrosses { .. }) => {}
+            Err(e) => return Err(e),
+        }
+    }
     let reason = descent.settle(watch)?;
     Ok(report::outcome(descent, scene, reason, repaired))
+}
+
+fn begin<'a>(scene: &Scene, settings: &'a Settings) -> Result<(Descent<'a>, (usize, f64)), ClothError> {
+    let start = Start::new(scene, settings)?;
+    let repaired = start.repaired;
+    Ok((Descent::new(scene, settings, start, false), repaired))
+}
+
+/// Where the cloth comes to lie on the next coarser level, if there is one and it comes to rest there.
+fn on_coarser(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Option<Vec<Vec3>>, ClothError> {
+    let Some(level) = Level::below(scene) else { return Ok(None) };
+    let coarse = Settings {
+        decrement_tolerance: COARSE * settings.decrement_tolerance,
+        move_tolerance: COARSE * settings.move_tolerance,
+        residual_tolerance: f64::INFINITY,
+        ..settings.clone()
+    };
+    match drape(&level.scene, &coarse, watch) {
+        Ok(rest) if rest.settled => Ok(Some(level.spread(&rest.positions))),
+        Ok(_) | Err(ClothError::StartCrosses { .. } | ClothError::Unstable { .. }) => Ok(None),
+        Err(e) => Err(e),
+    }
 }
 
 impl Descent<'_> {
@@ -56,13 +91,23 @@ impl Descent<'_> {
         }
     }
 
+    /// Would a Newton step win more than all that is stored?
+    fn far_from_rest(&mut self) -> bool {
+        if self.metric().is_err() {
+            return true;
+        }
+        self.look();
+        self.decrement > FAR_FROM_REST
+    }
+
     fn nearly_resting(&self) -> bool {
         self.decrement < self.settings.decrement_tolerance && self.residual < 10.0 * self.settings.residual_tolerance
     }
 
     fn words(&self) -> String {
         format!(
-            "a Newton step would win {:.1e} of the elastic energy (goal {:.0e}) and move {:.3} mm (goal {:.1})",
+            "energy {:.4e} J, a Newton step would win {:.1e} of the elastic energy (goal {:.0e}) and move {:.3} mm (goal {:.1})",
+            self.energy,
             self.decrement,
             self.settings.decrement_tolerance,
             self.longest * 1e3,

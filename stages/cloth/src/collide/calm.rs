@@ -1,0 +1,232 @@
+//! Where the cloth lies so smoothly that it cannot meet itself: around a vertex whose triangles all look nearly the same
+//! way, and go on doing so along a step, no two of them can come near each other (curvature test of Volino and
+//! Magnenat-Thalmann 1994, along a whole step). Nearly all pairs that a box tree finds are such neighbours.
+
+use crate::topology::Topology;
+use crate::{Scene, Vec3};
+
+/// Least cosine between the normals of a patch and their mean, and least part of a triangle's area seen along it: what
+/// is within keeps at least 0.4 of an altitude, more than any gap (`frame` in problem.rs).
+const ALIKE: f64 = 0.5;
+/// Largest sum of rest angles around a border vertex, rad: at the end of a slit the two sides could overlap.
+const MOST_ROUND_BORDER: f64 = 1.4 * std::f64::consts::PI;
+/// … and around any other; more is a surplus that must ruffle.
+const MOST_ROUND: f64 = 2.2 * std::f64::consts::PI;
+
+/// Lists of whole numbers, one after the other.
+#[derive(Debug, Default)]
+struct Lists {
+    start: Vec<u32>,
+    items: Vec<u32>,
+}
+
+impl Lists {
+    fn new(n: usize, fill: impl Fn(u32, &mut Vec<u32>)) -> Self {
+        let mut lists = Self { start: vec![0], items: Vec::new() };
+        let mut one = Vec::new();
+        for i in (0u32..).take(n) {
+            one.clear();
+            fill(i, &mut one);
+            one.sort_unstable();
+            one.dedup();
+            lists.items.extend_from_slice(&one);
+            lists.start.push(u32::try_from(lists.items.len()).unwrap_or(u32::MAX));
+        }
+        lists
+    }
+
+    #[inline]
+    fn of(&self, i: u32) -> &[u32] {
+        &self.items[self.start[i as usize] as usize..self.start[i as usize + 1] as usize]
+    }
+}
+
+/// Normals of a triangle that bound those along a step: at its beginning, half mixed, at its end.
+type Normals = [Vec3; 3];
+
+/// Smooth patches around the vertices.
+#[derive(Debug)]
+pub(crate) struct Calm {
+    /// Triangles at a vertex, its neighbours, and the triangles at these.
+    star: Lists,
+    ring: Lists,
+    wide: Lists,
+    /// Twice the rest area, per triangle.
+    double: Vec<f64>,
+    /// May the patch be calm at all?
+    able: Vec<bool>,
+    normals: Vec<Normals>,
+    one: Vec<bool>,
+    two: Vec<bool>,
+}
+
+impl Calm {
+    pub fn new(scene: &Scene, topology: &Topology) -> Self {
+        let n = scene.positions.len();
+        let mut at: Vec<Vec<u32>> = vec![Vec::new(); n];
+        for (f, t) in (0u32..).zip(&topology.faces) {
+            t.iter().for_each(|v| at[*v as usize].push(f));
+        }
+        let star = Lists::new(n, |v, l| l.extend(&at[v as usize]));
+        let around = |v: u32| star.of(v).iter().flat_map(|f| topology.faces[*f as usize]);
+        let ring = Lists::new(n, |v, l| l.extend(around(v).filter(|w| *w != v)));
+        let wide = Lists::new(n, |v, l| l.extend(ring.of(v).iter().flat_map(|w| star.of(*w))));
+        let able = able(scene, topology, &star, &ring);
+        let double = scene.triangles.iter().map(|t| 2.0 * t.area().abs()).collect();
+        let normals = vec![[Vec3::zeros(); 3]; topology.faces.len()];
+        Self { star, ring, wide, double, able, normals, one: vec![false; n], two: vec![false; n] }
+    }
+
+    /// Looks at the cloth at `x` and along `step`.
+    pub fn look(&mut self, x: &[Vec3], step: &[Vec3], topology: &Topology) {
+        for (n, t) in self.normals.iter_mut().zip(&topology.faces) {
+            let ([a, b, c], [p, q, r]) = (crate::pick3(x, t), crate::pick3(step, t));
+            let (e, f) = (b - a, c - a);
+            let (g, h) = (e + (q - p), f + (r - p));
+            *n = [e.cross(&f), (e.cross(&h) + g.cross(&f)) * 0.5, g.cross(&h)];
+        }
+        for v in 0..self.one.len() {
+            let v32 = u32::try_from(v).unwrap_or(u32::MAX);
+            self.one[v] = self.able[v] && self.alike(self.star.of(v32), v32);
+        }
+        for v in 0..self.two.len() {
+            let v32 = u32::try_from(v).unwrap_or(u32::MAX);
+            self.two[v] = self.one[v]
+                && self.ring.of(v32).iter().all(|w| self.able[*w as usize])
+                && self.alike(self.wide.of(v32), v32);
+        }
+    }
+
+    /// Do these triangles look the same way as those at `v`?
+    #[inline]
+    fn alike(&self, triangles: &[u32], v: u32) -> bool {
+        let mean: Vec3 = self.star.of(v).iter().map(|f| self.normals[*f as usize]).map(|n| n[0] + n[2]).sum();
+        let l = mean.norm();
+        if l <= 0.0 {
+            return false;
+        }
+        let mean = mean / l;
+        triangles.iter().all(|f| {
+            let least = ALIKE * self.double[*f as usize];
+            self.normals[*f as usize].iter().all(|n| {
+                let along = n.dot(&mean);
+                along >= least && along * along >= ALIKE * ALIKE * n.norm_squared()
+            })
+        })
+    }
+
+    /// Do these two triangles (the first with these corners) lie in one calm patch?
+    #[inline]
+    pub fn parts(&self, corners: &[u32; 3], other: (u32, &[u32; 3])) -> bool {
+        let (g, ends) = other;
+        corners.iter().any(|v| self.one[*v as usize] && ends.contains(v))
+            || corners.iter().any(|v| self.two[*v as usize] && self.wide.of(*v).binary_search(&g).is_ok())
+    }
+}
+
+/// Vertices whose triangles form one fan, all turned the same way, without more cloth than fits round them.
+fn able(scene: &Scene, topology: &Topology, star: &Lists, ring: &Lists) -> Vec<bool> {
+    let mut round = vec![0.0; scene.positions.len()];
+    for t in &scene.triangles {
+        for k in 0..3 {
+            let (a, b, c) = (t.rest[k], t.rest[(k + 1) % 3], t.rest[(k + 2) % 3]);
+            let (p, q) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
+            let angle = libm::atan2(p[0] * q[1] - p[1] * q[0], p[0] * q[0] + p[1] * q[1]);
+            round[t.vertices[k] as usize] += angle.abs();
+        }
+    }
+    let edges = sides(topology);
+    (0u32..)
+        .zip(&round)
+        .map(|(v, round)| {
+            // A closed fan has as many neighbours as triangles, an open one has one more.
+            let (faces, neighbours) = (star.of(v).len(), ring.of(v).len());
+            let most = match neighbours.wrapping_sub(faces) {
+                0 => MOST_ROUND,
+                1 => MOST_ROUND_BORDER,
+                _ => return false,
+            };
+            *round <= most && faces > 0 && edges[v as usize]
+        })
+        .collect()
+}
+
+/// Vertices none of whose edges has more than two triangles, or two turned against each other.
+fn sides(topology: &Topology) -> Vec<bool> {
+    let n = topology.faces.iter().flatten().max().map_or(0, |v| *v as usize + 1);
+    let mut fine = vec![true; n];
+    let mut count = vec![0u8; topology.edges.len()];
+    for edges in &topology.face_edges {
+        edges.iter().for_each(|e| count[*e as usize] = count[*e as usize].saturating_add(1));
+    }
+    for (ends, c) in topology.edges.iter().zip(&count) {
+        if *c > 2 {
+            ends.iter().for_each(|v| fine[*v as usize] = false);
+        }
+    }
+    for h in &topology.hinges {
+        let [f, g] = [0, 1].map(|k| topology.faces[h.faces[k] as usize][usize::from(h.sides[k])]);
+        if f == g {
+            h.vertices[..2].iter().for_each(|v| fine[*v as usize] = false);
+        }
+    }
+    fine
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Element;
+
+    /// A strip of squares, each cut in two, along x; `bend` turns every next square down, rad.
+    fn strip(bend: f64) -> (Scene, Topology) {
+        let mut scene = Scene::default();
+        let (mut at, mut turned) = (Vec3::zeros(), 0.0);
+        for i in 0..7u32 {
+            for y in [0.0, 1.0] {
+                scene.positions.push(at + Vec3::new(0.0, y, 0.0));
+            }
+            at += Vec3::new(libm::cos(turned), 0.0, -libm::sin(turned));
+            turned += bend;
+            if i < 6 {
+                let (p, x) = (2 * i, f64::from(i));
+                for (t, rest) in [
+                    ([p, p + 2, p + 3], [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0]]),
+                    ([p, p + 3, p + 1], [[x, 0.0], [x + 1.0, 1.0], [x, 1.0]]),
+                ] {
+                    scene.triangles.push(Element { vertices: t, rest, material: 0 });
+                }
+            }
+        }
+        let topology = Topology::of_elements(scene.positions.len(), &scene.triangles);
+        (scene, topology)
+    }
+
+    fn calm(bend: f64, step: impl Fn(usize) -> Vec3) -> (Calm, Topology) {
+        let (scene, topology) = strip(bend);
+        let mut calm = Calm::new(&scene, &topology);
+        let step: Vec<Vec3> = (0..scene.positions.len()).map(step).collect();
+        calm.look(&scene.positions, &step, &topology);
+        (calm, topology)
+    }
+
+    #[test]
+    fn flat_cloth_is_calm_and_folded_cloth_is_not() {
+        let (flat, t) = calm(0.0, |_| Vec3::zeros());
+        assert!(flat.parts(&t.faces[4], (6, &t.faces[6])) && flat.parts(&t.faces[4], (5, &t.faces[5])));
+        assert!(!flat.parts(&t.faces[0], (11, &t.faces[11])), "far apart in the cloth: anything may happen");
+        let (folded, t) = calm(1.3, |_| Vec3::zeros());
+        assert!(!folded.parts(&t.faces[3], (6, &t.faces[6])));
+    }
+
+    /// Flat at both ends of the step, but turned over in between: the triangles pass through nothing at half way.
+    #[test]
+    fn a_step_that_turns_the_cloth_over_is_not_calm() {
+        let (scene, _) = strip(0.0);
+        let over = |i: usize| Vec3::new(-2.0 * scene.positions[i].x, 0.0, 0.0);
+        let (turned, t) = calm(0.0, over);
+        assert!(!turned.parts(&t.faces[4], (5, &t.faces[5])));
+        let (moved, t) = calm(0.0, |_| Vec3::new(5.0, 3.0, -2.0));
+        assert!(moved.parts(&t.faces[4], (5, &t.faces[5])));
+    }
+}
