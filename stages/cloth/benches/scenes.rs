@@ -5,7 +5,7 @@
 #[path = "../tests/common/mod.rs"]
 mod common;
 
-use common::{noise, sheet, sphere};
+use common::{flat, jitter, sheet, sphere};
 use std::time::Instant;
 use toile_cloth::{Element, Material, Pin, Scene, Settings, Silent, Vec3, certify, drape};
 
@@ -52,12 +52,6 @@ fn skirt(rows: u32) -> Scene {
     scene
 }
 
-fn flat([a, b, c]: [Vec3; 3]) -> [[f64; 2]; 3] {
-    let (e, d) = (b - a, c - a);
-    let along = d.dot(&e) / e.norm();
-    [[0.0, 0.0], [e.norm(), 0.0], [along, (d.norm_squared() - along * along).sqrt()]]
-}
-
 fn main() {
     for (name, scene) in
         [("hanging square", hanging(40)), ("hanging square", hanging(80)), ("skirt", skirt(28)), ("skirt", skirt(56))]
@@ -65,10 +59,7 @@ fn main() {
         for seed in 1..=3 {
             let mut scene = scene.clone();
             scene.gravity = Vec3::new(0.0, -9.81, 0.0);
-            let held: Vec<u32> = scene.pins.iter().map(|p| p.vertex).collect();
-            for (v, p) in (0u32..).zip(&mut scene.positions).filter(|(v, _)| !held.contains(v)) {
-                (0..3).for_each(|k| p[k as usize] += 1e-4 * noise(seed * 1_000_003 + 3 * v + k));
-            }
+            jitter(&mut scene, seed);
             let start = Instant::now();
             let out = drape(&scene, &Settings::default(), &mut Silent).expect("the scene is sound");
             let seconds = start.elapsed().as_secs_f64();

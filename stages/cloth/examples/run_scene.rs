@@ -2,12 +2,16 @@
 //! writes OUT.obj. Usage: run_scene DIR OUT.obj [model=springs] [fabric=cotton] [up=y] [seconds=8] …
 #![allow(clippy::print_stdout, clippy::unwrap_used)]
 
+#[path = "../tests/common/mod.rs"]
+mod common;
+
+use common::{flat, jitter};
 use std::fmt::Write as _;
 use std::path::Path;
 use std::time::Instant;
 use toile_cloth::{
-    BodyMesh, Curve, Element, Integrator, Material, Model, Outcome, Pin, Scene, Settings, Vec3, Watch, certify, drape,
-    sew, weld,
+    BodyMesh, Curve, Effects, Element, Integrator, Material, Model, Outcome, Pin, Scene, Settings, Switch, Vec3, Watch,
+    certify, drape, sew, weld,
 };
 
 /// Since when, and whether every look is told.
@@ -56,13 +60,6 @@ fn numbers(path: &Path) -> Vec<Vec<u32>> {
         .map(|l| l.split_whitespace().map(|n| n.parse().unwrap()).collect())
         .filter(|l: &Vec<u32>| !l.is_empty())
         .collect()
-}
-
-fn flat(a: Vec3, b: Vec3, c: Vec3) -> [[f64; 2]; 3] {
-    let e = (b - a).normalize();
-    let d = c - a;
-    let x = d.dot(&e);
-    [[0.0, 0.0], [(b - a).norm(), 0.0], [x, (d - e * x).norm()]]
 }
 
 fn cotton() -> Material {
@@ -117,7 +114,7 @@ fn main() {
         .iter()
         .map(|t| Element {
             vertices: t.map(|c| u32::try_from(c[0]).unwrap()),
-            rest: if vt.is_empty() { flat(v[t[0][0]], v[t[1][0]], v[t[2][0]]) } else { t.map(|c| vt[c[1]]) },
+            rest: if vt.is_empty() { flat(t.map(|c| v[c[0]])) } else { t.map(|c| vt[c[1]]) },
             material: 0,
         })
         .collect();
@@ -138,9 +135,8 @@ fn main() {
         materials: vec![material],
         ..Scene::default()
     };
-    let seed = number("jitter", 0.0);
-    if seed > 0.0 {
-        jitter(&mut scene, seed);
+    if let Some(seed) = option("jitter") {
+        jitter(&mut scene, seed.parse().unwrap());
     }
     println!(
         "{} vertices, {} triangles, {} stitches, {} pins",
@@ -155,22 +151,15 @@ fn main() {
     } else {
         Integrator::Static
     };
+    let switch = |name: &str, or: Switch| if option(name).as_deref() == Some("off") { Switch::Off } else { or };
     let with = |s: Settings| Settings {
         model,
         integrator,
         stiffness_cap: number("cap", s.stiffness_cap),
         damping: number("damping", s.damping),
-        effects: toile_cloth::Effects {
-            self_contact: if option("self").as_deref() == Some("off") {
-                toile_cloth::Switch::Off
-            } else {
-                s.effects.self_contact
-            },
-            body_contact: if option("body").as_deref() == Some("off") {
-                toile_cloth::Switch::Off
-            } else {
-                s.effects.body_contact
-            },
+        effects: Effects {
+            self_contact: switch("self", s.effects.self_contact),
+            body_contact: switch("body", s.effects.body_contact),
             ..s.effects
         },
         ..s
@@ -210,21 +199,6 @@ fn main() {
         Err(e) => println!("drape failed: {e}"),
     }
     save(&args[2], &place, &scene);
-}
-
-/// Moves every free vertex by up to 0.1 mm, another way for every seed.
-fn jitter(scene: &mut Scene, seed: f64) {
-    let held: Vec<u32> = scene.pins.iter().map(|p| p.vertex).collect();
-    let mut state = seed as u64;
-    for (v, p) in (0u32..).zip(&mut scene.positions) {
-        if held.contains(&v) {
-            continue;
-        }
-        for k in 0..3 {
-            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
-            p[k] += 1e-4 * ((state >> 33) as f64 / f64::from(1u32 << 30) - 1.0);
-        }
-    }
 }
 
 fn save(path: &str, x: &[Vec3], scene: &Scene) {

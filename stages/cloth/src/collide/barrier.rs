@@ -69,8 +69,8 @@ pub(crate) struct Tally {
 pub(crate) struct Barrier {
     pub frame: Frame,
     pub body: Option<Body>,
-    tree: Option<Tree>,
-    calm: Option<Calm>,
+    /// What finds cloth near cloth, where it is looked for.
+    own: Option<(Tree, Calm)>,
     pub near: Near,
     listed: Vec<Vec3>,
     on_the_way: bool,
@@ -85,14 +85,14 @@ pub(crate) struct Barrier {
 }
 
 impl Barrier {
-    /// `area`: of cloth, per vertex, m²; `calm`: where the cloth need not be tested against itself.
+    /// `area`: of cloth, per vertex, m²; `calm`: where the cloth need not be tested against
+    /// itself; none where it is not at all.
     pub fn new(x: &[Vec3], frame: Frame, body: Option<Body>, area: Vec<f64>, calm: Option<Calm>) -> Self {
-        let tree = frame.own.then(|| Tree::new(x, &frame.topology.faces));
+        let own = calm.map(|calm| (Tree::new(x, &frame.topology.faces), calm));
         Self {
             frame,
             body,
-            tree,
-            calm,
+            own,
             near: Near::default(),
             listed: Vec::new(),
             on_the_way: false,
@@ -119,14 +119,12 @@ impl Barrier {
         self.on_the_way = false;
         self.slack = (3.0 * longest).clamp(LEAST_SLACK * self.frame.edge, MOST_SLACK * self.frame.edge);
         let thick = |g: &[f64]| g.iter().fold(0.0f64, |a, b| a.max(*b));
-        if let Some(tree) = &mut self.tree {
+        if let Some((tree, calm)) = &mut self.own {
             let reach = thick(&self.frame.own_gap) + 2.0 * self.slack;
-            tree.refit_moving(x, step, &self.frame.topology.faces, 0.5 * reach);
             let (topology, groups) = (&self.frame.topology, &self.frame.groups);
-            if let Some(calm) = &mut self.calm {
-                calm.look(x, step, topology);
-            }
-            self.near.fill_own(x, step, topology, groups, self.calm.as_ref(), (tree, reach));
+            tree.refit_moving(x, step, &topology.faces, 0.5 * reach);
+            calm.look(x, step, topology);
+            self.near.fill_own(x, step, topology, groups, Some(calm), (tree, reach));
         }
         if let Some(body) = &mut self.body {
             let reach = thick(&self.frame.body_gap) + self.slack;

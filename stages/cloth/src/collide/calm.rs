@@ -56,6 +56,7 @@ pub(crate) struct Calm {
     /// May the patch be calm at all?
     able: Vec<bool>,
     normals: Vec<Normals>,
+    /// Vertices whose triangles, and whose neighbours' triangles, were alike at the last look.
     one: Vec<bool>,
     two: Vec<bool>,
 }
@@ -85,16 +86,9 @@ impl Calm {
             let (g, h) = (e + (q - p), f + (r - p));
             *n = [e.cross(&f), (e.cross(&h) + g.cross(&f)) * 0.5, g.cross(&h)];
         }
-        for v in 0..self.one.len() {
-            let v32 = u32::try_from(v).unwrap_or(u32::MAX);
-            self.one[v] = self.able[v] && self.alike(self.star.of(v32), v32);
-        }
-        for v in 0..self.two.len() {
-            let v32 = u32::try_from(v).unwrap_or(u32::MAX);
-            self.two[v] = self.one[v]
-                && self.ring.of(v32).iter().all(|w| self.able[*w as usize])
-                && self.alike(self.wide.of(v32), v32);
-        }
+        self.one = (0u32..).zip(&self.able).map(|(v, able)| *able && self.alike(self.star.of(v), v)).collect();
+        let patch = |v| self.ring.of(v).iter().all(|w| self.able[*w as usize]) && self.alike(self.wide.of(v), v);
+        self.two = (0u32..).zip(&self.one).map(|(v, one)| *one && patch(v)).collect();
     }
 
     /// Do these triangles look the same way as those at `v`?

@@ -1,4 +1,4 @@
-//! How far places are at least from the body: a coarse grid, built once, so that cloth far from the body asks no tree.
+//! How far places are at least from the body: a coarse grid beside the body, so that cloth far from it asks no tree.
 
 use super::closest::point_triangle;
 use super::tree::Aabb;

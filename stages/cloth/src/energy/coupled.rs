@@ -105,38 +105,28 @@ fn angle(sine: f64) -> (f64, f64) {
 /// Stress conjugate to (E_weft, E_warp, 2 E_12), N/m.
 #[inline]
 fn stress(green: &[f64; 3], fabric: &Fabric) -> [f64; 3] {
-    let s = strain(green);
-    let (gamma, slope) = angle(s.sine);
-    let [a, b] = s.stretch;
-    let pulls = [fabric.weft.tension(a - 1.0), fabric.warp.tension(b - 1.0)];
-    pulled(&s, gamma, slope, pulls, fabric)
+    stress_and_energy(green, fabric).0
 }
 
 /// The same and the energy per area, J/m².
 #[inline(always)]
 fn stress_and_energy(green: &[f64; 3], fabric: &Fabric) -> ([f64; 3], f64) {
     let s = strain(green);
-    let (gamma, slope) = angle(s.sine);
-    let [a, b] = [s.stretch[0] - 1.0, s.stretch[1] - 1.0];
-    let ((weft, e), (warp, g)) = (fabric.weft.both(a), fabric.warp.both(b));
-    let energy = e + g + fabric.cross * a * b + 0.5 * fabric.shear * gamma * gamma;
-    (pulled(&s, gamma, slope, [weft, warp], fabric), energy)
-}
-
-/// Stress from the shear angle, its slope, and the tensions of the two curves.
-#[inline(always)]
-fn pulled(s: &Strain, gamma: f64, slope: f64, pulls: [f64; 2], fabric: &Fabric) -> [f64; 3] {
     let [a, b] = s.stretch;
     let (am, bm) = (a.max(LEAST_STRETCH), b.max(LEAST_STRETCH));
+    let ((weft, e), (warp, g)) = (fabric.weft.both(a - 1.0), fabric.warp.both(b - 1.0));
+    let (gamma, slope) = angle(s.sine);
+    let energy = e + g + fabric.cross * (a - 1.0) * (b - 1.0) + 0.5 * fabric.shear * gamma * gamma;
     let tau = fabric.shear * gamma * slope;
-    let weft = (pulls[0] + fabric.cross * (b - 1.0)) / a.max(1e-3);
-    let warp = (pulls[1] + fabric.cross * (a - 1.0)) / b.max(1e-3);
+    let weft = (weft + fabric.cross * (b - 1.0)) / a.max(1e-3);
+    let warp = (warp + fabric.cross * (a - 1.0)) / b.max(1e-3);
     let lean = tau * s.sine;
-    [
+    let stress = [
         if a > LEAST_STRETCH { weft - lean / (am * am) } else { weft },
         if b > LEAST_STRETCH { warp - lean / (bm * bm) } else { warp },
         tau / (am * bm),
-    ]
+    ];
+    (stress, energy)
 }
 
 impl Coupled {
@@ -187,17 +177,7 @@ impl Energy for Coupled {
     }
 
     fn energy(&self, x: &[Vec3]) -> f64 {
-        let of = |t: &Triangle| {
-            let fabric = &self.fabrics[t.fabric as usize];
-            let s = strain(&t.green(&t.edges(x)));
-            let [a, b] = [s.stretch[0] - 1.0, s.stretch[1] - 1.0];
-            let gamma = angle(s.sine).0;
-            let per_area = fabric.weft.energy(a)
-                + fabric.warp.energy(b)
-                + fabric.cross * a * b
-                + 0.5 * fabric.shear * gamma * gamma;
-            t.area * per_area
-        };
+        let of = |t: &Triangle| t.area * stress_and_energy(&t.green(&t.edges(x)), &self.fabrics[t.fabric as usize]).1;
         self.triangles.iter().map(of).sum()
     }
 

@@ -70,16 +70,20 @@ impl Moment {
         let w = &self.weights;
         a * w[0] + b * w[1] + c * w[2] + d * w[3]
     }
+
+    /// Adds the forces of a fold.
+    #[inline]
+    fn push(&self, fold: &Vec3, f: &mut [Vec3]) {
+        let u = fold * -self.stiffness;
+        for k in 0..4 {
+            f[self.vertices[k] as usize] += u * self.weights[k];
+        }
+    }
 }
 
 impl Energy for Flexion {
     fn add_forces(&self, x: &[Vec3], f: &mut [Vec3]) {
-        for m in &self.moments {
-            let u = m.fold(x) * -m.stiffness;
-            for k in 0..4 {
-                f[m.vertices[k] as usize] += u * m.weights[k];
-            }
-        }
+        self.moments.iter().for_each(|m| m.push(&m.fold(x), f));
     }
 
     fn energy(&self, x: &[Vec3]) -> f64 {
@@ -91,10 +95,7 @@ impl Energy for Flexion {
         for m in &self.moments {
             let fold = m.fold(x);
             energy += 0.5 * m.stiffness * fold.norm_squared();
-            let u = fold * -m.stiffness;
-            for k in 0..4 {
-                f[m.vertices[k] as usize] += u * m.weights[k];
-            }
+            m.push(&fold, f);
         }
         energy
     }

@@ -59,20 +59,6 @@ impl Law {
         (u > 0.0 && i < self.tangent.len() - 1).then_some((i, strain - self.step * i as f64))
     }
 
-    /// N/m.
-    #[inline(always)]
-    pub fn tension(&self, strain: f64) -> f64 {
-        if let Some((i, r)) = self.cell(strain) {
-            let (k0, k1) = (self.tangent[i], self.tangent[i + 1]);
-            self.tension[i] + r * (k0 + 0.5 * r * (k1 - k0) * self.inverse_step)
-        } else if strain <= 0.0 {
-            self.tangent[0] * strain
-        } else {
-            let n = self.tangent.len() - 1;
-            self.tension[n] + self.tangent[n] * (strain - self.step * n as f64)
-        }
-    }
-
     /// Tension, N/m, and energy, J/m².
     #[inline(always)]
     pub fn both(&self, strain: f64) -> (f64, f64) {
@@ -90,18 +76,15 @@ impl Law {
         (t + from * (k + 0.5 * from * bow), energy + from * (t + from * (0.5 * k + from * bow / 6.0)))
     }
 
+    /// N/m.
+    #[inline(always)]
+    pub fn tension(&self, strain: f64) -> f64 {
+        self.both(strain).0
+    }
+
     /// J/m².
     pub fn energy(&self, strain: f64) -> f64 {
-        if let Some((i, r)) = self.cell(strain) {
-            let (k0, k1) = (self.tangent[i], self.tangent[i + 1]);
-            self.energy[i] + r * (self.tension[i] + r * (k0 / 2.0 + r * (k1 - k0) * self.inverse_step / 6.0))
-        } else if strain <= 0.0 {
-            0.5 * self.tangent[0] * strain * strain
-        } else {
-            let n = self.tangent.len() - 1;
-            let d = strain - self.step * n as f64;
-            self.energy[n] + d * (self.tension[n] + 0.5 * self.tangent[n] * d)
-        }
+        self.both(strain).1
     }
 
     /// dT/dε as interpolated, N/m.

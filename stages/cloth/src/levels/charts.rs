@@ -1,6 +1,6 @@
 //! Copies of vertices: one for each side of a seam, so that every copy has one rest place.
 
-use super::place::{self, SAME};
+use super::place;
 use crate::weld::groups;
 use crate::{Scene, Vec3};
 
@@ -13,6 +13,8 @@ pub(crate) struct Charts {
     pub rest: Vec<Vec3>,
     /// Rest places of the corners of every triangle, as they were.
     pub places: Vec<[Vec3; 3]>,
+    /// Are they places in space, of a rest shape that is curved?
+    pub curved: bool,
     pub knot: Vec<u32>,
     /// Knots, and which of them must stay.
     pub knots: usize,
@@ -23,7 +25,7 @@ pub(crate) struct Charts {
 impl Charts {
     pub fn new(scene: &Scene) -> Self {
         let n = 3 * scene.triangles.len();
-        let places = place::corners(scene);
+        let (places, curved) = place::corners(scene);
         let group = groups(n, &joined(scene, &places));
         let mut number = vec![u32::MAX; n];
         let (mut vertex, mut rest) = (Vec::new(), Vec::new());
@@ -45,29 +47,19 @@ impl Charts {
         let fixed = mark(&mut scene.loads.iter().map(|l| l.vertex));
         let pinned = mark(&mut scene.pins.iter().map(|p| p.vertex));
         let knot = vertex.iter().map(|v| sewn[*v as usize]).collect();
-        Self { corners, vertex, rest, places, knot, knots, fixed, pinned }
+        Self { corners, vertex, rest, places, curved, knot, knots, fixed, pinned }
     }
 }
 
 /// Pairs of triangle corners that are one place of the cloth: neighbours across an edge with the same rest places.
 fn joined(scene: &Scene, places: &[[Vec3; 3]]) -> Vec<[u32; 2]> {
-    let mut sides: Vec<(u32, u32, usize, usize)> = Vec::with_capacity(3 * scene.triangles.len());
-    for (f, t) in scene.triangles.iter().enumerate() {
-        for k in 0..3 {
-            let (a, b) = (t.vertices[k], t.vertices[(k + 1) % 3]);
-            let (i, j) = (3 * f + k, 3 * f + (k + 1) % 3);
-            sides.push(if a < b { (a, b, i, j) } else { (b, a, j, i) });
-        }
-    }
-    sides.sort_unstable();
     let rest = |i: usize| places[i / 3][i % 3];
-    let near = |i: usize, j: usize| (rest(i) - rest(j)).amax() < SAME;
     let mut pairs = Vec::new();
-    for same in sides.chunk_by(|p, q| (p.0, p.1) == (q.0, q.1)) {
+    for same in place::sides(scene).chunk_by(|p, q| (p.0, p.1) == (q.0, q.1)) {
         for (n, p) in same.iter().enumerate() {
             for q in &same[n + 1..] {
                 let material = scene.triangles[p.2 / 3].material == scene.triangles[q.2 / 3].material;
-                if material && near(p.2, q.2) && near(p.3, q.3) {
+                if material && place::near(&rest(p.2), &rest(q.2)) && place::near(&rest(p.3), &rest(q.3)) {
                     let link = |i: usize, j: usize| [i, j].map(|c| u32::try_from(c).unwrap_or(u32::MAX));
                     pairs.extend([link(p.2, q.2), link(p.3, q.3)]);
                 }

@@ -77,10 +77,13 @@ fn coarse(fine: &Scene, mesh: &Mesh, number: &[u32], kept: &[u32]) -> Scene {
     let stays = |v: &u32| number[*v as usize] != u32::MAX;
     let old = fine.triangles.iter().zip(&mesh.charts.places);
     let triangles = mesh.triangles.iter().zip(old).filter_map(|(corners, (old, places))| {
-        corners.map(|c| Element {
-            vertices: c.map(|c| number[mesh.charts.vertex[c as usize] as usize]),
-            rest: place::laid(&c.map(|c| mesh.charts.rest[c as usize]), places, old),
-            material: old.material,
+        corners.map(|c| {
+            let at = c.map(|c| mesh.charts.rest[c as usize]);
+            Element {
+                vertices: c.map(|c| number[mesh.charts.vertex[c as usize] as usize]),
+                rest: if mesh.charts.curved { place::laid(&at, places, old) } else { at.map(|p| [p.x, p.y]) },
+                material: old.material,
+            }
         })
     });
     let mut pins: Vec<_> = fine.pins.iter().filter(|p| stays(&p.vertex)).copied().collect();

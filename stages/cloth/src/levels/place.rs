@@ -4,14 +4,14 @@
 use crate::{Element, Scene, Vec3};
 
 /// Neighbours whose rest corners differ by more than this do not lie in one plane, m …
-pub(super) const SAME: f64 = 1e-7;
+const SAME: f64 = 1e-7;
 /// … and with more than this share of such edges the cloth has no plane.
 const CURVED: f64 = 0.5;
 /// Largest strain of an edge at the start at which the start is the rest shape.
 const AT_REST: f64 = 1e-3;
 
-/// Rest places of the corners of every triangle.
-pub(crate) fn corners(scene: &Scene) -> Vec<[Vec3; 3]> {
+/// Rest places of the corners of every triangle, and whether they are those of a curved rest shape.
+pub(crate) fn corners(scene: &Scene) -> (Vec<[Vec3; 3]>, bool) {
     let start = |t: &Element| crate::pick3(&scene.positions, &t.vertices);
     let unstrained = |t: &Element| {
         let x = start(t);
@@ -21,36 +21,49 @@ pub(crate) fn corners(scene: &Scene) -> Vec<[Vec3; 3]> {
         })
     };
     if curved(scene) && scene.triangles.iter().all(unstrained) {
-        return scene.triangles.iter().map(start).collect();
+        return (scene.triangles.iter().map(start).collect(), true);
     }
-    scene.triangles.iter().map(|t| t.rest.map(|p| Vec3::new(p[0], p[1], 0.0))).collect()
+    (scene.triangles.iter().map(|t| t.rest.map(flat)).collect(), false)
+}
+
+fn flat(p: [f64; 2]) -> Vec3 {
+    Vec3::new(p[0], p[1], 0.0)
 }
 
 /// Do most neighbours lie in planes of their own?
 fn curved(scene: &Scene) -> bool {
-    let mut sides: Vec<([u32; 2], [[f64; 2]; 2])> = Vec::with_capacity(3 * scene.triangles.len());
-    for t in &scene.triangles {
-        for k in 0..3 {
-            let (i, j) = if t.vertices[k] < t.vertices[(k + 1) % 3] { (k, (k + 1) % 3) } else { ((k + 1) % 3, k) };
-            sides.push(([t.vertices[i], t.vertices[j]], [t.rest[i], t.rest[j]]));
-        }
-    }
-    sides.sort_by_key(|s| s.0);
+    let rest = |i: usize| flat(scene.triangles[i / 3].rest[i % 3]);
     let (mut apart, mut all) = (0usize, 0usize);
-    for s in sides.chunk_by(|p, q| p.0 == q.0).filter(|s| s.len() > 1) {
-        let near = |k: usize| (0..2).all(|c| (s[0].1[k][c] - s[1].1[k][c]).abs() < SAME);
+    for same in sides(scene).chunk_by(|p, q| (p.0, p.1) == (q.0, q.1)) {
+        let [p, q, ..] = same else { continue };
         all += 1;
-        apart += usize::from(!(near(0) && near(1)));
+        apart += usize::from(!(near(&rest(p.2), &rest(q.2)) && near(&rest(p.3), &rest(q.3))));
     }
     apart as f64 > CURVED * all as f64
 }
 
-/// A triangle at rest places laid into the axes of the cloth, as the triangle `old` lay in them (its rest places `at`).
-pub(crate) fn laid(new: &[Vec3; 3], at: &[Vec3; 3], old: &Element) -> [[f64; 2]; 3] {
-    let flat = |t: &[Vec3; 3]| t.iter().all(|p| p.z == 0.0);
-    if flat(new) && flat(at) {
-        return new.map(|p| [p.x, p.y]);
+/// Sides of all triangles, those of one edge together: its ends, smaller first, and the corners (3 × triangle + k) there.
+pub(super) fn sides(scene: &Scene) -> Vec<(u32, u32, usize, usize)> {
+    let mut sides = Vec::with_capacity(3 * scene.triangles.len());
+    for (f, t) in scene.triangles.iter().enumerate() {
+        for k in 0..3 {
+            let (a, b) = (t.vertices[k], t.vertices[(k + 1) % 3]);
+            let (i, j) = (3 * f + k, 3 * f + (k + 1) % 3);
+            sides.push(if a < b { (a, b, i, j) } else { (b, a, j, i) });
+        }
     }
+    sides.sort_unstable();
+    sides
+}
+
+/// Are two rest places one?
+pub(super) fn near(p: &Vec3, q: &Vec3) -> bool {
+    (p - q).amax() < SAME
+}
+
+/// A triangle of a curved rest shape laid into the axes of the cloth, as the triangle `old` lay in them (its rest places
+/// `at`).
+pub(crate) fn laid(new: &[Vec3; 3], at: &[Vec3; 3], old: &Element) -> [[f64; 2]; 3] {
     let normal = (new[1] - new[0]).cross(&(new[2] - new[0])).normalize();
     let weft = weft(at, &old.rest);
     let x = (weft - normal * normal.dot(&weft)).normalize();

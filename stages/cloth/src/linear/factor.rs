@@ -122,13 +122,11 @@ impl Eliminate<'_> {
                 self.sums.resize(W * height, 0.0);
             }
             let sums = &mut self.sums[..W * height];
-            let mut first = width - width % W;
-            while first < height {
+            for first in (width - width % W..height).step_by(W) {
                 dense::products::<S, V, W>(simd, self.pack, first, height, sums);
                 for column in first.max(width)..(first + W).min(height) {
                     spread(node, self.nodes, column, &sums[(column - first) * height..][..height], self.values);
                 }
-                first += W;
             }
         }
         true
@@ -239,11 +237,22 @@ mod tests {
         }
         let mut factor = Factor::default();
         assert!(factor.factorise(&pattern, &values, &vec![1.0; n]));
+        assert_eq!(by_single_lanes(&mut factor, &values, &vec![1.0; n]), factor.values);
         factor.solve(&mut b);
         for (p, q) in x.iter().zip(&b) {
             assert!((p - q).norm() < 2e-5, "{p} {q}");
         }
         assert!(!factor.factorise(&pattern, &values, &vec![-10.0; n]));
         assert_eq!(factor.analyses, 1);
+    }
+
+    /// The same factor without wide registers: not a bit may differ.
+    fn by_single_lanes(factor: &mut Factor, values: &[Matrix3<f64>], shift: &[f64]) -> Vec<f32> {
+        let wide = factor.values.clone();
+        factor.fill(values, shift);
+        let mut narrow = std::mem::replace(&mut factor.values, wide);
+        let (pack, sums) = (&mut Pack::default(), &mut Vec::new());
+        assert!(Eliminate { nodes: &factor.symbolic.nodes, values: &mut narrow, pack, sums }.with_simd(pulp::Scalar));
+        narrow
     }
 }

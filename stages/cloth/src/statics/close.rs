@@ -3,7 +3,6 @@
 use super::descent::Descent;
 use super::report;
 use crate::exact::count;
-use crate::start::Start;
 use crate::{ClothError, Outcome, Scene, Settings, StopReason, Vec3, Watch};
 
 /// Pull of the threads at first, per length of seam, N/m, and at most.
@@ -41,9 +40,7 @@ const PULL_SEWN: f64 = 1e4;
 /// Closes the stitches: the threads pull harder from block to block, until all pairs are closed. `None` where something
 /// stays in the way.
 pub(crate) fn close(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
-    let start = Start::new(scene, settings)?;
-    let repaired = start.repaired;
-    let mut descent = Descent::new(scene, settings, start, true);
+    let mut descent = Descent::begin(scene, settings, true)?;
     if descent.goal.seams.is_some() {
         let mut sewing = Sewing::new(&mut descent);
         if !sewing.gather(watch)? {
@@ -54,7 +51,7 @@ pub(crate) fn close(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -
     }
     let open = descent.widest() > settings.sewing_distance;
     let reason = if open { StopReason::SeamsOpen } else { StopReason::Settled };
-    Ok(Some(report::outcome(descent, scene, reason, repaired)))
+    Ok(Some(report::outcome(descent, scene, reason)))
 }
 
 struct Sewing<'a, 'b> {

@@ -6,7 +6,6 @@ use super::descent::Descent;
 use super::report;
 use crate::levels::Level;
 use crate::sewing::mean_edge;
-use crate::start::Start;
 use crate::{ClothError, Outcome, Scene, Settings, StopReason, Vec3, Watch, weld};
 
 /// Widest gap over the mean edge that welding may close.
@@ -77,20 +76,18 @@ impl Step<'_> {
     /// Lets the cloth, its seams welded, come near to rest from `x`; `None` where it crosses something there.
     fn smooth(self, x: &[Vec3], watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
         let welded = weld(self.scene, x);
-        let start = match Start::new(&welded.scene, self.settings) {
-            Ok(start) => start,
+        let mut descent = match Descent::begin(&welded.scene, self.settings, false) {
+            Ok(descent) => descent,
             Err(ClothError::StartCrosses { .. }) => return Ok(None),
             Err(e) => return Err(e),
         };
-        let repaired = start.repaired;
-        let mut descent = Descent::new(&welded.scene, self.settings, start, false);
         if !self.finest {
             // Between the places where they should be held, coarse cloth would cut through a round body.
             descent.hold_here();
         }
         descent.stride = SEWING_STRIDE;
         ease(&mut descent, self.scene.triangles.len(), watch)?;
-        let mut outcome = report::outcome(descent, &welded.scene, StopReason::Settled, repaired);
+        let mut outcome = report::outcome(descent, &welded.scene, StopReason::Settled);
         outcome.positions = welded.spread(&outcome.positions);
         Ok(Some(outcome))
     }

@@ -3,10 +3,11 @@
 use super::memory::{Memory, dot};
 use super::objective::Objective;
 use crate::linear::factor::Factor;
-use crate::linear::hessian::{FIXED, gather};
+use crate::linear::hessian::{FIXED, Pattern, gather};
 use crate::problem::mean_weight;
 use crate::start::Start;
 use crate::{ClothError, Scene, Settings, Vec3, Watch};
+use nalgebra::Matrix3;
 
 /// Sufficient decrease (Armijo).
 const DECREASE: f64 = 1e-4;
@@ -53,6 +54,8 @@ pub(crate) struct Descent<'a> {
     pub longest: f64,
     pub residual: f64,
     weight: f64,
+    /// Vertices moved before the first step, and the largest move, m.
+    pub repaired: (usize, f64),
     /// Blocks until the true metric is tried again, and how many it will be after the next failure.
     wait: u32,
     patience: u32,
@@ -70,7 +73,13 @@ pub(crate) struct Block {
 }
 
 impl<'a> Descent<'a> {
+    /// From the scene's positions, freed of what they cross.
+    pub fn begin(scene: &Scene, settings: &'a Settings, pulls: bool) -> Result<Self, ClothError> {
+        Ok(Self::new(scene, settings, Start::new(scene, settings)?, pulls))
+    }
+
     pub fn new(scene: &Scene, settings: &'a Settings, start: Start, pulls: bool) -> Self {
+        let repaired = start.repaired;
         let (goal, x) = Objective::new(scene, settings, start, pulls);
         let f = vec![Vec3::zeros(); goal.inertia.len()];
         let weight = mean_weight(&goal.mass, scene.gravity.norm() * settings.gravity_scale);
@@ -91,6 +100,7 @@ impl<'a> Descent<'a> {
             longest: f64::INFINITY,
             residual: f64::INFINITY,
             weight,
+            repaired,
             wait: 0,
             patience: 0,
         };
@@ -124,7 +134,8 @@ impl<'a> Descent<'a> {
             return true;
         }
         self.goal.assemble(&self.x, self.firm, true);
-        while !self.factorise() {
+        let system = self.goal.hessian.merged();
+        while !self.factorise(&system) {
             self.tau *= 0.1;
             self.free = TAU_FREE.min(self.tau);
             if self.tau < TAU_LEAST {
@@ -144,16 +155,16 @@ impl<'a> Descent<'a> {
             return false;
         }
         self.goal.assemble(&self.x, self.firm, false);
-        let convex = self.factorise();
+        let system = self.goal.hessian.merged();
+        let convex = self.factorise(&system);
         self.patience = if convex { 0 } else { (2 * self.patience).clamp(1, MOST_PATIENCE) };
         self.wait = self.patience;
         convex
     }
 
-    fn factorise(&mut self) -> bool {
-        let (pattern, values) = self.goal.hessian.merged();
+    fn factorise(&mut self, (pattern, values): &(Pattern, Vec<Matrix3<f64>>)) -> bool {
         let shift: Vec<f64> = self.goal.inertia.iter().map(|m| m / self.tau).collect();
-        self.factor.factorise(&pattern, &values, &shift)
+        self.factor.factorise(pattern, values, &shift)
     }
 
     /// New normal forces and holds from the contacts here; what slid is taken over.
@@ -315,8 +326,7 @@ impl<'a> Descent<'a> {
 
     /// Adapts the shift to how the block went.
     pub fn adapt(&mut self, b: Block) {
-        let last = self.firm;
-        if self.stiffen(b) && self.firm > last {
+        if self.stiffen(b) {
             return;
         }
         if b.stuck && b.steps == 0 {
@@ -330,7 +340,7 @@ impl<'a> Descent<'a> {
         }
     }
 
-    /// Steps that fell short are first met with a metric that turns less easily; says whether it changed.
+    /// Steps that fell short are first met with a metric that turns less easily; says whether it became such a one.
     fn stiffen(&mut self, b: Block) -> bool {
         let last = self.firm;
         if b.mean < 0.4 {
@@ -338,7 +348,7 @@ impl<'a> Descent<'a> {
         } else if b.mean > 0.8 {
             self.firm = if last > FIRM_LEAST { last / FIRMER } else { 0.0 };
         }
-        self.firm != last
+        self.firm > last
     }
 
     /// The energy has been changed: evaluates, and forgets what was learnt of its curvature.

@@ -6,7 +6,7 @@ use crate::report::{effect, switched};
 use crate::sewing::gaps;
 use crate::{EffectReport, Outcome, Reaction, Scene, StopReason, Switch};
 
-pub(crate) fn outcome(d: Descent<'_>, scene: &Scene, stop_reason: StopReason, repaired: (usize, f64)) -> Outcome {
+pub(crate) fn outcome(d: Descent<'_>, scene: &Scene, stop_reason: StopReason) -> Outcome {
     let gaps = gaps(scene, &d.x);
     let forces = d.goal.forces();
     let reactions = d.goal.pins.iter().map(|(v, _)| Reaction { vertex: *v, force: -forces[*v as usize] }).collect();
@@ -22,7 +22,7 @@ pub(crate) fn outcome(d: Descent<'_>, scene: &Scene, stop_reason: StopReason, re
         open_stitches: gaps.into_iter().filter(|g| g.1 > d.settings.sewing_distance).take(20).collect(),
         effects: effects(&d, scene),
         reactions,
-        repaired,
+        repaired: d.repaired,
         positions: d.x,
     }
 }

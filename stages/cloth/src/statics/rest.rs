@@ -3,7 +3,6 @@
 use super::descent::{Descent, TAU_FREE};
 use super::report;
 use crate::levels::Level;
-use crate::start::Start;
 use crate::{ClothError, Outcome, Scene, Settings, StopReason, Vec3, Watch};
 
 /// Blocks in a row without any step after which nothing more can be won.
@@ -17,25 +16,19 @@ const COARSE: f64 = 3.0;
 
 /// Settles the cloth.
 pub(crate) fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
-    let (mut descent, mut repaired) = begin(scene, settings)?;
+    let mut descent = Descent::begin(scene, settings, false)?;
     if descent.far_from_rest()
         && let Some(x) = on_coarser(scene, settings, watch)?
     {
-        match begin(&Scene { positions: x, ..scene.clone() }, settings) {
-            Ok(led) => (descent, repaired) = led,
+        match Descent::begin(&Scene { positions: x, ..scene.clone() }, settings, false) {
+            Ok(led) => descent = led,
             // Spread from the coarser cloth it would cross something: it starts where it was.
             Err(ClothError::StartCrosses { .. }) => {}
             Err(e) => return Err(e),
         }
     }
     let reason = descent.settle(watch)?;
-    Ok(report::outcome(descent, scene, reason, repaired))
-}
-
-fn begin<'a>(scene: &Scene, settings: &'a Settings) -> Result<(Descent<'a>, (usize, f64)), ClothError> {
-    let start = Start::new(scene, settings)?;
-    let repaired = start.repaired;
-    Ok((Descent::new(scene, settings, start, false), repaired))
+    Ok(report::outcome(descent, scene, reason))
 }
 
 /// Where the cloth comes to lie on the next coarser level, if there is one and it comes to rest there.

@@ -95,6 +95,21 @@ pub fn sphere(centre: Vec3, radius: f64, n: u32) -> BodyMesh {
     body
 }
 
+/// A triangle laid into a plane of its own, its first edge along the weft.
+pub fn flat([a, b, c]: [Vec3; 3]) -> [[f64; 2]; 3] {
+    let (e, d) = ((b - a).normalize(), c - a);
+    let x = d.dot(&e);
+    [[0.0, 0.0], [(b - a).norm(), 0.0], [x, (d - e * x).norm()]]
+}
+
+/// Moves every vertex that is not held by up to 0.1 mm along each axis, another way for every seed.
+pub fn jitter(scene: &mut Scene, seed: u32) {
+    let held: Vec<u32> = scene.pins.iter().map(|p| p.vertex).collect();
+    for (v, p) in (0u32..).zip(&mut scene.positions).filter(|(v, _)| !held.contains(v)) {
+        (0..3).for_each(|k| p[k as usize] += 1e-4 * noise(seed.wrapping_mul(1_000_003).wrapping_add(3 * v + k)));
+    }
+}
+
 /// The same numbers every time, in −1..1.
 pub fn noise(seed: u32) -> f64 {
     let mut h = seed.wrapping_mul(0x9E37_79B9) ^ 0x85EB_CA6B;
