@@ -5,10 +5,10 @@
 //! are made anew when the cloth has moved by the slack.
 
 use super::body::Body;
-use super::calm::Calm;
 use super::contact::Frame;
-use super::near::{Gap, Near};
-use super::tree::Tree;
+use super::listed::Listed;
+use super::near::{Gap, Near, Way};
+use super::own::Own;
 use crate::Vec3;
 use crate::linear::hessian::{FIXED, Hessian};
 
@@ -70,11 +70,9 @@ pub(crate) struct Barrier {
     pub frame: Frame,
     pub body: Option<Body>,
     /// What finds cloth near cloth, where it is looked for.
-    own: Option<(Tree, Calm)>,
+    own: Option<Own>,
     pub near: Near,
-    listed: Vec<Vec3>,
-    on_the_way: bool,
-    slack: f64,
+    listed: Listed,
     area: Vec<f64>,
     /// Hardening of the contacts, per vertex.
     hard: Vec<f64>,
@@ -85,18 +83,14 @@ pub(crate) struct Barrier {
 }
 
 impl Barrier {
-    /// `area`: of cloth, per vertex, m²; `calm`: where the cloth need not be tested against
-    /// itself; none where it is not at all.
-    pub fn new(x: &[Vec3], frame: Frame, body: Option<Body>, area: Vec<f64>, calm: Option<Calm>) -> Self {
-        let own = calm.map(|calm| (Tree::new(x, &frame.topology.faces), calm));
+    /// `area`: of cloth, per vertex, m²; `own`: what finds cloth near cloth, where it is looked for.
+    pub fn new(frame: Frame, body: Option<Body>, area: Vec<f64>, own: Option<Own>) -> Self {
         Self {
             frame,
             body,
             own,
             near: Near::default(),
-            listed: Vec::new(),
-            on_the_way: false,
-            slack: 0.0,
+            listed: Listed::default(),
             hard: vec![1.0; area.len()],
             area,
             touches: Vec::new(),
@@ -108,50 +102,42 @@ impl Barrier {
     /// Makes sure that the lists cover all places on the way from `x` along `step` (by the same part for all vertices),
     /// and a little beside it; makes them anew where needed. Returns whether they were.
     pub fn cover(&mut self, x: &[Vec3], step: &[Vec3]) -> bool {
-        let longest = step.iter().map(|d| d.norm_squared()).fold(0.0, f64::max).sqrt();
-        let moved = self.listed.iter().zip(x).map(|(p, q)| (p - q).norm_squared()).fold(0.0, f64::max).sqrt();
+        let way = Way::new(x, step, &self.frame.topology, &self.frame.groups);
         let travels = self.body.as_ref().is_some_and(Body::travels);
-        if !travels && !self.listed.is_empty() && moved + longest <= self.slack {
-            self.on_the_way = false;
+        if self.listed.covers(x, way.longest, 0.0) && !travels {
             return false;
         }
         self.tally.lists += 1;
-        self.on_the_way = false;
-        self.slack = (3.0 * longest).clamp(LEAST_SLACK * self.frame.edge, MOST_SLACK * self.frame.edge);
+        let edge = self.frame.edge;
+        let slack = (3.0 * way.longest).clamp(LEAST_SLACK * edge, MOST_SLACK * edge);
         let thick = |g: &[f64]| g.iter().fold(0.0f64, |a, b| a.max(*b));
-        if let Some((tree, calm)) = &mut self.own {
-            let reach = thick(&self.frame.own_gap) + 2.0 * self.slack;
-            let (topology, groups) = (&self.frame.topology, &self.frame.groups);
-            tree.refit_moving(x, step, &topology.faces, 0.5 * reach);
-            calm.look(x, step, topology);
-            self.near.fill_own(x, step, topology, groups, Some(calm), (tree, reach));
+        if let Some(own) = &mut self.own {
+            own.list(&mut self.near, &way, thick(&self.frame.own_gap), slack, edge);
         }
         if let Some(body) = &mut self.body {
-            let reach = thick(&self.frame.body_gap) + self.slack;
+            let reach = thick(&self.frame.body_gap) + slack;
             if body.travel.is_some() {
-                self.near.fill_travelling(x, step, &self.frame.topology, body, reach);
+                self.near.fill_travelling(&way, body, reach);
             } else {
-                self.near.fill_body(x, step, &self.frame.topology, body, reach);
+                self.near.fill_body(&way, body, reach);
             }
             self.near.body_points.sort_unstable();
         }
-        self.listed.clear();
-        self.listed.extend_from_slice(x);
-        self.on_the_way = true;
+        self.listed.made(x, slack);
         true
     }
 
     /// Gaps have changed: makes the lists for them.
     pub fn cover_anew(&mut self, x: &[Vec3]) {
-        self.listed.clear();
+        self.listed.forget();
+        self.own.iter_mut().for_each(Own::forget);
         self.cover(x, &vec![Vec3::zeros(); x.len()]);
     }
 
-    /// Tells that `x` was reached: if the lists were made for that step, the slack counts from here on.
+    /// Tells that `x` was reached.
     pub fn took(&mut self, x: &[Vec3]) {
-        if std::mem::take(&mut self.on_the_way) {
-            self.listed.copy_from_slice(x);
-        }
+        self.listed.took(x);
+        self.own.iter_mut().for_each(|o| o.took(x));
     }
 
     /// Energy at `x`, J; adds the forces to `f` and remembers the contacts.
@@ -297,7 +283,7 @@ mod tests {
     #[test]
     fn a_hard_pressed_contact_hardens_until_it_stands_off() {
         let (gap, load) = (5e-4, 45e3);
-        let mut b = Barrier::new(&[], frame(gap), None, vec![1.0], None);
+        let mut b = Barrier::new(frame(gap), None, vec![1.0], None);
         // Where the barrier of the present hardness carries the load.
         let stands = |hard: f64| {
             let (mut low, mut high) = (0.0, gap);

@@ -51,6 +51,8 @@ pub(crate) struct Calm {
     star: Lists,
     ring: Lists,
     wide: Lists,
+    /// Triangles with higher numbers that are at a corner of a triangle or a neighbour of one.
+    near: Lists,
     /// Twice the rest area, per triangle.
     double: Vec<f64>,
     /// May the patch be calm at all?
@@ -72,10 +74,14 @@ impl Calm {
         let around = |v: u32| star.of(v).iter().flat_map(|f| topology.faces[*f as usize]);
         let ring = Lists::new(n, |v, l| l.extend(around(v).filter(|w| *w != v)));
         let wide = Lists::new(n, |v, l| l.extend(ring.of(v).iter().flat_map(|w| star.of(*w))));
+        let faces = &topology.faces;
+        let near = Lists::new(faces.len(), |f, l| {
+            l.extend(faces[f as usize].iter().flat_map(|v| wide.of(*v)).filter(|g| **g > f));
+        });
         let able = able(scene, topology, &star, &ring);
         let double = scene.triangles.iter().map(|t| 2.0 * t.area().abs()).collect();
         let normals = vec![[Vec3::zeros(); 3]; topology.faces.len()];
-        Self { star, ring, wide, double, able, normals, one: vec![false; n], two: vec![false; n] }
+        Self { star, ring, wide, near, double, able, normals, one: vec![false; n], two: vec![false; n] }
     }
 
     /// Looks at the cloth at `x` and along `step`.
@@ -109,12 +115,28 @@ impl Calm {
         })
     }
 
-    /// Do these two triangles (the first with these corners) lie in one calm patch?
-    #[inline]
-    pub fn parts(&self, corners: &[u32; 3], other: (u32, &[u32; 3])) -> bool {
-        let (g, ends) = other;
+    /// Do these two triangles lie in one calm patch?
+    fn parts(&self, topology: &Topology, f: u32, g: u32) -> bool {
+        let (corners, ends) = (&topology.faces[f as usize], &topology.faces[g as usize]);
         corners.iter().any(|v| self.one[*v as usize] && ends.contains(v))
             || corners.iter().any(|v| self.two[*v as usize] && self.wide.of(*v).binary_search(&g).is_ok())
+    }
+
+    /// Are these triangles, in any order, so near in the cloth that [`Self::restless`] tells of them?
+    #[inline]
+    pub fn neighbours(&self, topology: &Topology, f: u32, g: u32) -> bool {
+        let (corners, ends) = (&topology.faces[f as usize], &topology.faces[g as usize]);
+        corners.iter().any(|v| ends.contains(v)) || self.near.of(f.min(g)).binary_search(&f.max(g)).is_ok()
+    }
+
+    /// Neighbouring triangles that do not lie in one calm patch, as the last look saw them.
+    pub fn restless(&self, topology: &Topology, mut emit: impl FnMut(u32, u32)) {
+        for (f, corners) in (0u32..).zip(&topology.faces) {
+            if corners.iter().all(|v| self.two[*v as usize]) {
+                continue;
+            }
+            self.near.of(f).iter().filter(|g| !self.parts(topology, f, **g)).for_each(|g| emit(f, *g));
+        }
     }
 }
 
@@ -207,10 +229,10 @@ mod tests {
     #[test]
     fn flat_cloth_is_calm_and_folded_cloth_is_not() {
         let (flat, t) = calm(0.0, |_| Vec3::zeros());
-        assert!(flat.parts(&t.faces[4], (6, &t.faces[6])) && flat.parts(&t.faces[4], (5, &t.faces[5])));
-        assert!(!flat.parts(&t.faces[0], (11, &t.faces[11])), "far apart in the cloth: anything may happen");
+        assert!(flat.parts(&t, 4, 6) && flat.parts(&t, 4, 5));
+        assert!(!flat.parts(&t, 0, 11), "far apart in the cloth: anything may happen");
         let (folded, t) = calm(1.3, |_| Vec3::zeros());
-        assert!(!folded.parts(&t.faces[3], (6, &t.faces[6])));
+        assert!(!folded.parts(&t, 3, 6));
     }
 
     /// Flat at both ends of the step, but turned over in between: the triangles pass through nothing at half way.
@@ -219,8 +241,8 @@ mod tests {
         let (scene, _) = strip(0.0);
         let over = |i: usize| Vec3::new(-2.0 * scene.positions[i].x, 0.0, 0.0);
         let (turned, t) = calm(0.0, over);
-        assert!(!turned.parts(&t.faces[4], (5, &t.faces[5])));
+        assert!(!turned.parts(&t, 4, 5));
         let (moved, t) = calm(0.0, |_| Vec3::new(5.0, 3.0, -2.0));
-        assert!(moved.parts(&t.faces[4], (5, &t.faces[5])));
+        assert!(moved.parts(&t, 4, 5));
     }
 }

@@ -6,7 +6,7 @@
 //! Linear springs inside the contact thickness keep the distances open, so the balls stay large.
 
 use super::body::Body;
-use super::near::{Gap, Near};
+use super::near::{Gap, Near, Way};
 use super::tree::Tree;
 use crate::Vec3;
 use crate::topology::Topology;
@@ -188,13 +188,15 @@ impl Contact {
         self.reach = (1.5 * thick).max(0.2 * h).max((30.0 * pace).min(0.8 * h));
         // The slack stands for the motion here.
         let still = vec![Vec3::zeros(); x.len()];
+        let way = Way::new(x, &still, &self.frame.topology, &self.frame.groups);
         if let Some(tree) = &mut self.tree {
             let reach = self.reach + 2.0 * self.slack;
-            tree.refit_moving(x, &still, &self.frame.topology.faces, 0.5 * reach);
-            self.near.fill_own(x, &still, &self.frame.topology, &self.frame.groups, None, (tree, reach));
+            tree.refit(x, &self.frame.topology.faces, 0.5 * reach);
+            self.near.clear_own();
+            tree.own_pairs(|f, g| self.near.add_own(f, g, &way, reach));
         }
         if let Some(body) = &self.body {
-            self.near.fill_body(x, &still, &self.frame.topology, body, self.reach + self.slack);
+            self.near.fill_body(&way, body, self.reach + self.slack);
         }
         self.listed.clear();
         self.listed.extend_from_slice(x);

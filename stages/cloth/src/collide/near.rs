@@ -1,9 +1,8 @@
 //! Lists of primitives that are near each other, kept until the motion since their making uses up the slack.
 
 use super::body::Body;
-use super::calm::Calm;
 use super::closest::{point_triangle, segments};
-use super::tree::{Aabb, Tree, meet_moving};
+use super::tree::{Aabb, meet_moving};
 use crate::Vec3;
 use crate::topology::Topology;
 
@@ -104,58 +103,69 @@ pub(crate) struct Gap {
     pub d: Vec3,
 }
 
+/// Places, and a step from them.
+#[derive(Clone, Copy)]
+pub(crate) struct Way<'a> {
+    pub x: &'a [Vec3],
+    pub step: &'a [Vec3],
+    /// The longest move in it, m.
+    pub longest: f64,
+    pub topology: &'a Topology,
+    /// Vertices of one group (stitched together) count as one.
+    pub groups: &'a [u32],
+}
+
+impl<'a> Way<'a> {
+    pub fn new(x: &'a [Vec3], step: &'a [Vec3], topology: &'a Topology, groups: &'a [u32]) -> Self {
+        let longest = step.iter().map(|d| d.norm_squared()).fold(0.0, f64::max).sqrt();
+        Self { x, step, longest, topology, groups }
+    }
+
+    fn joined(&self, v: u32, others: &[u32]) -> bool {
+        others.iter().any(|w| self.groups[v as usize] == self.groups[*w as usize])
+    }
+}
+
 impl Near {
-    /// Cloth–cloth pairs that come nearer than `reach` (which the tree's boxes are grown by, half on each side) along a
-    /// step; the tree knows the step. Vertices of one group (stitched together) count as one vertex; what `calm` (which has
-    /// looked at this step) parts is left out.
-    pub fn fill_own(
-        &mut self,
-        x: &[Vec3],
-        step: &[Vec3],
-        topology: &Topology,
-        groups: &[u32],
-        calm: Option<&Calm>,
-        (tree, reach): (&Tree, f64),
-    ) {
+    pub fn clear_own(&mut self) {
         self.points.clear();
         self.edges.clear();
-        let group = |v: u32| groups[v as usize];
-        tree.meeting_pairs(|f, g| {
-            if calm.is_some_and(|c| c.parts(&topology.faces[f as usize], (g, &topology.faces[g as usize]))) {
-                return;
-            }
-            let (a, b) = (Moving::of(topology, f, x, step), Moving::of(topology, g, x, step));
-            for (one, other) in [(&a, &b), (&b, &a)] {
-                let bounds = other.owned.bounds(reach);
-                let moves = Aabb::of_three(&other.by);
-                let c = other.owned.corners;
-                for k in (0..3).filter(|k| one.owned.owns_vertex(*k)) {
-                    let v = one.owned.corners[k];
-                    let joined = group(v) == group(c[0]) || group(v) == group(c[1]) || group(v) == group(c[2]);
-                    let (p, d) = (one.owned.at[k], one.by[k]);
-                    if !joined && meet_moving(&bounds, &moves, &Aabb { low: p, high: p }, &Aabb { low: d, high: d }) {
-                        self.points.push([v, c[0], c[1], c[2]]);
-                    }
+    }
+
+    /// Adds what of two triangles comes nearer than `reach` along a way.
+    pub fn add_own(&mut self, f: u32, g: u32, way: &Way<'_>, reach: f64) {
+        let (a, b) = (Moving::of(way.topology, f, way.x, way.step), Moving::of(way.topology, g, way.x, way.step));
+        if !meet_moving(&a.owned.bounds(reach), &Aabb::of_three(&a.by), &b.owned.bounds(0.0), &Aabb::of_three(&b.by)) {
+            return;
+        }
+        for (one, other) in [(&a, &b), (&b, &a)] {
+            let (bounds, moves) = (other.owned.bounds(reach), Aabb::of_three(&other.by));
+            let c = other.owned.corners;
+            for k in (0..3).filter(|k| one.owned.owns_vertex(*k)) {
+                let v = one.owned.corners[k];
+                let (p, d) = (one.owned.at[k], one.by[k]);
+                if !way.joined(v, &c)
+                    && meet_moving(&bounds, &moves, &Aabb { low: p, high: p }, &Aabb { low: d, high: d })
+                {
+                    self.points.push([v, c[0], c[1], c[2]]);
                 }
             }
-            for i in (0..3).filter(|i| a.owned.owns_edge(*i)) {
-                let (p, bounds, moves) = (a.owned.edge(i), a.owned.edge_box(i).grown(reach), a.edge_move(i));
-                for j in (0..3).filter(|j| b.owned.owns_edge(*j)) {
-                    let q = b.owned.edge(j);
-                    let joined = group(p[0]) == group(q[0])
-                        || group(p[0]) == group(q[1])
-                        || group(p[1]) == group(q[0])
-                        || group(p[1]) == group(q[1]);
-                    if !joined && meet_moving(&bounds, &moves, &b.owned.edge_box(j), &b.edge_move(j)) {
-                        self.edges.push([p[0], p[1], q[0], q[1]]);
-                    }
+        }
+        for i in (0..3).filter(|i| a.owned.owns_edge(*i)) {
+            let (p, bounds, moves) = (a.owned.edge(i), a.owned.edge_box(i).grown(reach), a.edge_move(i));
+            for j in (0..3).filter(|j| b.owned.owns_edge(*j)) {
+                let q = b.owned.edge(j);
+                let joined = way.joined(p[0], &q) || way.joined(p[1], &q);
+                if !joined && meet_moving(&bounds, &moves, &b.owned.edge_box(j), &b.edge_move(j)) {
+                    self.edges.push([p[0], p[1], q[0], q[1]]);
                 }
             }
-        });
+        }
     }
 
     /// Cloth–body pairs that come nearer than `reach` along a step.
-    pub fn fill_body(&mut self, x: &[Vec3], step: &[Vec3], topology: &Topology, body: &Body, reach: f64) {
+    pub fn fill_body(&mut self, way: &Way<'_>, body: &Body, reach: f64) {
+        let Way { x, step, topology, .. } = *way;
         self.body_points.clear();
         self.body_edges.clear();
         self.body_faces.clear();

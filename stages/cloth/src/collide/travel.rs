@@ -3,10 +3,9 @@
 use super::barrier::{BODY_EDGE, BODY_FACE, BODY_POINT};
 use super::body::Body;
 use super::closest::{point_triangle, segments};
-use super::near::{Moving, Near};
+use super::near::{Moving, Near, Way};
 use super::tree::{Aabb, Tree, meet_moving};
 use crate::Vec3;
-use crate::topology::Topology;
 
 /// Displacements of a body's vertices in the step that is tried, and a tree that follows them.
 pub(crate) struct Travel {
@@ -77,7 +76,8 @@ impl Body {
 
 impl Near {
     /// Cloth–body pairs that come nearer than `reach` while both move; what moves along together does not meet.
-    pub fn fill_travelling(&mut self, x: &[Vec3], step: &[Vec3], topology: &Topology, body: &mut Body, reach: f64) {
+    pub fn fill_travelling(&mut self, way: &Way<'_>, body: &mut Body, reach: f64) {
+        let Way { x, step, topology, .. } = *way;
         self.body_points.clear();
         self.body_edges.clear();
         self.body_faces.clear();

@@ -62,12 +62,61 @@ pub(crate) fn meet_moving(a: &Aabb, da: &Aabb, b: &Aabb, db: &Aabb) -> bool {
     })
 }
 
+/// A box and its displacements, coordinates in single precision rounded outwards, so that four stand in a register.
+#[derive(Clone, Copy, Debug)]
+struct Sweep {
+    low: [f32; 4],
+    high: [f32; 4],
+    least: [f32; 4],
+    most: [f32; 4],
+}
+
+/// What the differences of two sweeps may be wrong by, over their largest coordinate.
+const ROUNDING: f64 = 1e-6;
+
+impl Sweep {
+    const NONE: Self = Self { low: [1e30; 4], high: [-1e30; 4], least: [1e30; 4], most: [-1e30; 4] };
+
+    fn new(place: &Aabb, moves: &Aabb) -> Self {
+        let size = [place.low, place.high, moves.low, moves.high].iter().map(|p| p.amax()).fold(0.0, f64::max);
+        let (place, moves) = (place.grown(ROUNDING * size), moves.grown(ROUNDING * size));
+        // Rounding is within what the boxes have just been grown by.
+        #[allow(clippy::cast_possible_truncation)]
+        let flat = |p: &Vec3| [p.x as f32, p.y as f32, p.z as f32, 0.0];
+        Self { low: flat(&place.low), high: flat(&place.high), least: flat(&moves.low), most: flat(&moves.high) }
+    }
+
+    #[inline]
+    fn join(&self, o: &Self) -> Self {
+        let mut both = *self;
+        for k in 0..4 {
+            both.low[k] = both.low[k].min(o.low[k]);
+            both.high[k] = both.high[k].max(o.high[k]);
+            both.least[k] = both.least[k].min(o.least[k]);
+            both.most[k] = both.most[k].max(o.most[k]);
+        }
+        both
+    }
+
+    /// As [`meet_moving`]; never says no where that says yes.
+    #[inline]
+    fn meets(&self, o: &Self) -> bool {
+        let mut apart = false;
+        for k in 0..4 {
+            let (come, go) = (self.least[k] - o.most[k], self.most[k] - o.least[k]);
+            apart |= self.low[k] - o.high[k] + if come < 0.0 { come } else { 0.0 } > 0.0;
+            apart |= self.high[k] - o.low[k] + if go > 0.0 { go } else { 0.0 } < 0.0;
+        }
+        !apart
+    }
+}
+
 /// A complete binary tree; node 1 is the root, the children of `i` are `2i` and `2i + 1`.
 #[derive(Clone, Debug)]
 pub(crate) struct Tree {
     boxes: Vec<Aabb>,
-    /// Boxes of the displacements of a step; empty where nothing moves.
-    moves: Vec<Aabb>,
+    /// The boxes and how they move in a step; empty where nothing moves.
+    sweeps: Vec<Sweep>,
     /// Item of every leaf; `u32::MAX` for padding.
     items: Vec<u32>,
 }
@@ -79,27 +128,31 @@ impl Tree {
         let mut order: Vec<u32> = (0..faces.len()).map(|i| u32::try_from(i).unwrap_or(u32::MAX)).collect();
         let mut items = vec![u32::MAX; leaves];
         split(&centres, &mut order, &mut items);
-        let mut tree = Self { boxes: vec![Aabb::EMPTY; 2 * leaves], moves: Vec::new(), items };
+        let mut tree = Self { boxes: vec![Aabb::EMPTY; 2 * leaves], sweeps: Vec::new(), items };
         tree.refit(x, faces, 0.0);
         tree
     }
 
     /// New boxes for moved vertices, each face's box grown by `margin`.
     pub fn refit(&mut self, x: &[Vec3], faces: &[[u32; 3]], margin: f64) {
-        fit(&mut self.boxes, &self.items, faces, |t| Aabb::of_three(&crate::pick3(x, t)).grown(margin));
+        let of = |t: &[u32; 3]| Aabb::of_three(&crate::pick3(x, t)).grown(margin);
+        fit(&mut self.boxes, &self.items, faces, Aabb::EMPTY, of, Aabb::join);
     }
 
     /// Also takes the displacements of a step, for [`Self::meeting_pairs`].
     pub fn refit_moving(&mut self, x: &[Vec3], step: &[Vec3], faces: &[[u32; 3]], margin: f64) {
-        self.refit(x, faces, margin);
-        self.moves.resize(self.boxes.len(), Aabb::EMPTY);
-        fit(&mut self.moves, &self.items, faces, |t| Aabb::of_three(&crate::pick3(step, t)));
+        self.sweeps.resize(self.boxes.len(), Sweep::NONE);
+        let of = |t: &[u32; 3]| {
+            let place = Aabb::of_three(&crate::pick3(x, t)).grown(margin);
+            Sweep::new(&place, &Aabb::of_three(&crate::pick3(step, t)))
+        };
+        fit(&mut self.sweeps, &self.items, faces, Sweep::NONE, of, Sweep::join);
     }
 
     /// Pairs of different items whose boxes meet somewhere along the step, in a fixed order. What moves along together
     /// does not meet: only the difference of the displacements counts.
     pub fn meeting_pairs(&self, emit: impl FnMut(u32, u32)) {
-        self.pairs(|a, b| meet_moving(&self.boxes[a], &self.moves[a], &self.boxes[b], &self.moves[b]), emit);
+        self.pairs(|a, b| self.sweeps[a].meets(&self.sweeps[b]), emit);
     }
 
     /// Pairs of different items whose boxes meet, in a fixed order.
@@ -112,17 +165,16 @@ impl Tree {
         let leaves = self.items.len();
         let mut stack = vec![(1usize, 1usize)];
         while let Some((a, b)) = stack.pop() {
-            if a == b {
-                if a < leaves {
-                    stack.extend([(2 * a, 2 * a), (2 * a, 2 * a + 1), (2 * a + 1, 2 * a + 1)]);
-                }
-            } else if meet(a, b) {
-                if a < leaves {
-                    for (c, d) in [(2 * a, 2 * b), (2 * a, 2 * b + 1), (2 * a + 1, 2 * b), (2 * a + 1, 2 * b + 1)] {
-                        stack.push((c, d));
-                    }
-                } else {
+            if a >= leaves {
+                if a != b {
                     emit(self.items[a - leaves], self.items[b - leaves]);
+                }
+            } else if a == b {
+                stack.extend([(2 * a, 2 * a), (2 * a + 1, 2 * a + 1)]);
+                stack.extend(meet(2 * a, 2 * a + 1).then_some((2 * a, 2 * a + 1)));
+            } else {
+                for (c, d) in [(2 * a, 2 * b), (2 * a, 2 * b + 1), (2 * a + 1, 2 * b), (2 * a + 1, 2 * b + 1)] {
+                    stack.extend(meet(c, d).then_some((c, d)));
                 }
             }
         }
@@ -149,8 +201,9 @@ impl Tree {
     pub fn meeting_moving(&self, bounds: &Aabb, moves: &Aabb, mut emit: impl FnMut(u32)) {
         let leaves = self.items.len();
         let mut stack = vec![1usize];
+        let asked = Sweep::new(bounds, moves);
         while let Some(a) = stack.pop() {
-            if meet_moving(&self.boxes[a], &self.moves[a], bounds, moves) {
+            if self.sweeps[a].meets(&asked) {
                 if a < leaves {
                     stack.extend([2 * a + 1, 2 * a]);
                 } else {
@@ -162,13 +215,20 @@ impl Tree {
 }
 
 /// Sets the boxes of the leaves, and of all nodes above them.
-fn fit(boxes: &mut [Aabb], items: &[u32], faces: &[[u32; 3]], of: impl Fn(&[u32; 3]) -> Aabb) {
+fn fit<B: Copy>(
+    boxes: &mut [B],
+    items: &[u32],
+    faces: &[[u32; 3]],
+    none: B,
+    of: impl Fn(&[u32; 3]) -> B,
+    join: impl Fn(&B, &B) -> B,
+) {
     let leaves = items.len();
     for (slot, item) in boxes[leaves..].iter_mut().zip(items) {
-        *slot = faces.get(*item as usize).map_or(Aabb::EMPTY, &of);
+        *slot = faces.get(*item as usize).map_or(none, &of);
     }
     for i in (1..leaves).rev() {
-        boxes[i] = boxes[2 * i].join(&boxes[2 * i + 1]);
+        boxes[i] = join(&boxes[2 * i], &boxes[2 * i + 1]);
     }
 }
 

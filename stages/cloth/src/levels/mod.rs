@@ -6,14 +6,17 @@ mod collapse;
 mod place;
 
 use crate::sewing::mean_edge;
-use crate::{Element, Scene, Vec3};
+use crate::{Element, Material, Scene, Vec3};
 use charts::Charts;
 use collapse::Mesh;
 
 /// Edge of a coarser level over that of the finer one.
 const STEP: f64 = 2.0;
-/// Longest mean edge of a level, m: about what cloth can bend within; above it folds come out wrong.
+/// Longest mean edge of a level, m: above it folds come out wrong.
 const LONGEST: f64 = 0.045;
+/// Longest mean edge of a level that only hangs, over the bending length of its softest fabric: longer ones find folds
+/// that the finer cloth has to leave again.
+const BENDS: f64 = 1.3;
 /// Fewest triangles of a level: few and large ones lock against bending, and what they lock into, the finer keep.
 const FEWEST: usize = 600;
 /// A level must have fewer than this share of the triangles to be worth the while.
@@ -37,8 +40,18 @@ struct Anchor {
 impl Level {
     /// The next coarser level; `None` when the cloth is coarse enough, or too intricate to become coarser.
     pub fn below(scene: &Scene) -> Option<Self> {
+        Self::up_to(scene, LONGEST)
+    }
+
+    /// The same, only as coarse as the cloth can bend under its weight.
+    pub fn below_folds(scene: &Scene) -> Option<Self> {
+        let softest = scene.materials.iter().map(|m| bending_length(m, scene.gravity.norm()));
+        Self::up_to(scene, softest.fold(f64::INFINITY, f64::min).min(LONGEST / BENDS) * BENDS)
+    }
+
+    fn up_to(scene: &Scene, longest: f64) -> Option<Self> {
         let edge = STEP * mean_edge(scene);
-        if edge > LONGEST || (scene.triangles.len() as f64) * 0.25 < FEWEST as f64 {
+        if edge > longest || (scene.triangles.len() as f64) * 0.25 < FEWEST as f64 {
             return None;
         }
         let charts = Charts::new(scene);
@@ -71,6 +84,11 @@ impl Level {
         let place = |a: &Anchor| (0..3).map(|k| x[a.vertices[k] as usize] * a.weights[k]).sum::<Vec3>();
         self.anchors.iter().map(|all| all.iter().map(place).sum::<Vec3>() / all.len().max(1) as f64).collect()
     }
+}
+
+/// (B / (ρ g))^⅓ (Peirce 1930), m, along the yarn that bends more easily.
+fn bending_length(m: &Material, gravity: f64) -> f64 {
+    libm::cbrt(m.bend_warp.min(m.bend_weft) / (m.areal_mass * gravity))
 }
 
 fn coarse(fine: &Scene, mesh: &Mesh, number: &[u32], kept: &[u32]) -> Scene {

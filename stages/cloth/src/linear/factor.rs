@@ -9,7 +9,7 @@ use super::hessian::Pattern;
 use super::symbolic::{Node, Symbolic};
 use crate::Vec3;
 use nalgebra::Matrix3;
-use pulp::{Arch, NullaryFnOnce, Simd, WithSimd};
+use pulp::{Arch, Simd, WithSimd};
 
 /// A factorised block matrix.
 #[derive(Default)]
@@ -159,52 +159,66 @@ struct Solve<'a> {
     local: &'a mut Vec<f32>,
 }
 
-impl NullaryFnOnce for Solve<'_> {
+impl WithSimd for Solve<'_> {
     type Output = ();
 
     #[inline(always)]
-    fn call(self) {
+    fn with_simd<S: Simd>(self, simd: S) {
+        match S::F32_LANES {
+            16 => self.by::<S, 1>(simd),
+            8 => self.by::<S, 2>(simd),
+            4 => self.by::<S, 4>(simd),
+            _ => self.by::<S, 16>(simd),
+        }
+    }
+}
+
+impl Solve<'_> {
+    #[inline(always)]
+    fn by<S: Simd, const V: usize>(self, simd: S) {
         for node in self.nodes {
-            forward(node, self.values, self.right, self.local);
+            forward::<S, V>(simd, node, self.values, self.right, self.local);
         }
         for node in self.nodes.iter().rev() {
-            backward(node, self.values, self.right, self.local);
+            backward::<S, V>(simd, node, self.values, self.right, self.local);
         }
     }
 }
 
 #[inline(always)]
-fn forward(node: &Node, values: &[f32], right: &mut [f32], local: &mut Vec<f32>) {
+fn forward<S: Simd, const V: usize>(simd: S, node: &Node, values: &[f32], right: &mut [f32], local: &mut Vec<f32>) {
     let l = gather(node, values, right, local);
-    dense::solve_lower(l, local, node.width());
+    dense::solve_lower::<S, V>(simd, l, local, node.width());
     scatter(node, right, local);
 }
 
 #[inline(always)]
-fn backward(node: &Node, values: &[f32], right: &mut [f32], local: &mut Vec<f32>) {
+fn backward<S: Simd, const V: usize>(simd: S, node: &Node, values: &[f32], right: &mut [f32], local: &mut Vec<f32>) {
     let l = gather(node, values, right, local);
-    dense::solve_upper(l, local, node.width());
+    dense::solve_upper::<S, V>(simd, l, local, node.width());
     let first = 3 * node.first as usize;
     right[first..first + node.width()].copy_from_slice(&local[..node.width()]);
 }
 
 #[inline(always)]
 fn gather<'a>(node: &Node, values: &'a [f32], right: &[f32], local: &mut Vec<f32>) -> &'a [f32] {
-    let first = 3 * node.first as usize;
-    local.clear();
-    local.extend_from_slice(&right[first..first + node.width()]);
-    for row in &node.rows {
-        local.extend_from_slice(&right[3 * *row as usize..][..3]);
+    let (first, width) = (3 * node.first as usize, node.width());
+    local.resize(node.height(), 0.0);
+    local[..width].copy_from_slice(&right[first..first + width]);
+    let vertices = right.as_chunks::<3>().0;
+    for (row, part) in node.rows.iter().zip(local[width..].as_chunks_mut().0) {
+        *part = vertices[*row as usize];
     }
-    &values[node.start..node.start + node.height() * node.width()]
+    &values[node.start..node.start + node.height() * width]
 }
 
 #[inline(always)]
 fn scatter(node: &Node, right: &mut [f32], local: &[f32]) {
     let first = 3 * node.first as usize;
     right[first..first + node.width()].copy_from_slice(&local[..node.width()]);
-    for (row, part) in node.rows.iter().zip(local[node.width()..].chunks_exact(3)) {
-        right[3 * *row as usize..][..3].copy_from_slice(part);
+    let vertices = right.as_chunks_mut::<3>().0;
+    for (row, part) in node.rows.iter().zip(local[node.width()..].as_chunks().0) {
+        vertices[*row as usize] = *part;
     }
 }
 

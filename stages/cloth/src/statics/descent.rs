@@ -29,6 +29,9 @@ const MOST_PATIENCE: u32 = 8;
 const HOLD_ROUNDS: usize = 3;
 /// Part of a step below which single vertices are held back instead of all.
 const HOLD_UNDER: f64 = 0.1;
+/// Part of a step below which a block ends: its metric says too little of what is here. Shorter ones than a full step still
+/// teach the memory.
+const SHORTEST: f64 = 0.1;
 /// Longest step of a vertex over the mean edge.
 const STRIDE: f64 = 1.0;
 
@@ -183,8 +186,13 @@ impl<'a> Descent<'a> {
         let scale = self.goal.elastic(&self.x).max(1e-12);
         self.decrement = win / scale;
         self.longest = d.iter().map(|d| d.norm()).fold(0.0, f64::max);
-        let net = self.f.iter().map(|f| f.norm()).fold(0.0, f64::max);
-        self.residual = if self.weight > 0.0 { net / self.weight } else { 0.0 };
+        self.residual = self.net();
+    }
+
+    /// Largest net force over the mean vertex weight.
+    fn net(&self) -> f64 {
+        let net = self.f.iter().map(|f| f.norm_squared()).fold(0.0, f64::max).sqrt();
+        if self.weight > 0.0 { net / self.weight } else { 0.0 }
     }
 
     pub fn resting(&self) -> bool {
@@ -309,7 +317,7 @@ impl<'a> Descent<'a> {
                 Some(part) => {
                     b.steps += 1;
                     sum += part;
-                    if part < 0.2 {
+                    if part < SHORTEST || self.net() <= self.settings.residual_tolerance {
                         break;
                     }
                 }

@@ -2,7 +2,7 @@
 
 use super::seams::Seams;
 use crate::collide::barrier::Barrier;
-use crate::collide::calm::Calm;
+use crate::collide::own::Own;
 use crate::collide::stick::Stick;
 use crate::collide::tree::Aabb;
 use crate::dynamics::inert::Inert;
@@ -58,8 +58,8 @@ impl Objective {
             (s.effects.friction != Switch::Off && (own || body.is_some()) && frame.friction.iter().any(|m| *m > 0.0))
                 .then(Stick::default);
         let barrier = (own || body.is_some()).then(|| {
-            let calm = own.then(|| Calm::new(scene, &frame.topology));
-            Barrier::new(&positions, frame, body, areas(scene), calm)
+            let own = own.then(|| Own::new(scene, &positions, &frame.topology));
+            Barrier::new(frame, body, areas(scene), own)
         });
         let constant = hessian.values.clone();
         let force = vec![Vec3::zeros(); positions.len()];

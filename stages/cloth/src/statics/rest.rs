@@ -33,7 +33,7 @@ pub(crate) fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -
 
 /// Where the cloth comes to lie on the next coarser level, if there is one and it comes to rest there.
 fn on_coarser(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Option<Vec<Vec3>>, ClothError> {
-    let Some(level) = Level::below(scene) else { return Ok(None) };
+    let Some(level) = Level::below_folds(scene) else { return Ok(None) };
     let coarse = Settings {
         decrement_tolerance: COARSE * settings.decrement_tolerance,
         move_tolerance: COARSE * settings.move_tolerance,
