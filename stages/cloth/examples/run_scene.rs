@@ -93,7 +93,8 @@ fn show(name: &str, o: &Outcome, t: Instant) {
         o.repaired
     );
     for e in &o.effects {
-        println!("   {} {}: {} — {}", e.name, if e.on { "on" } else { "off" }, e.rule, e.evidence);
+        let on = if e.on { "on" } else { "off" };
+        println!("   {} {on}, {:.3} s: {} — {}", e.name, e.cpu_seconds, e.rule, e.evidence);
     }
 }
 

@@ -16,6 +16,7 @@ pub mod watch;
 pub mod weld;
 
 mod collide;
+mod cost;
 mod dynamics;
 mod energy;
 mod exact;

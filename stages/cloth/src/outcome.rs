@@ -43,7 +43,8 @@ pub struct EffectReport {
     pub rule: String,
     /// What the scene or the run showed.
     pub evidence: String,
-    /// CPU time it took, s (0 where it is not measured apart). Never part of a result that must be reproducible.
+    /// CPU time it took on all levels, s (0 where it is not measured apart). Never part of a result that must be
+    /// reproducible.
     pub cpu_seconds: f64,
 }
 
@@ -85,4 +86,13 @@ pub struct Outcome {
     pub reactions: Vec<Reaction>,
     /// Vertices that were moved before the first step (out of the body, or pieces apart), and the largest move, m.
     pub repaired: (usize, f64),
+}
+
+impl Outcome {
+    /// Counts what effects cost in a run that led to this one.
+    pub(crate) fn add_costs(&mut self, before: &[EffectReport]) {
+        for e in &mut self.effects {
+            e.cpu_seconds += before.iter().filter(|b| b.name == e.name).map(|b| b.cpu_seconds).sum::<f64>();
+        }
+    }
 }

@@ -2,6 +2,7 @@
 
 use crate::collide::body::Body;
 use crate::collide::repair;
+use crate::cost::{Costs, Lap, Work};
 use crate::topology::Topology;
 use crate::{ClothError, Scene, Settings, Switch, Vec3, validate};
 
@@ -15,6 +16,8 @@ pub(crate) struct Start {
     pub own: bool,
     /// Vertices moved, and the largest move, m.
     pub repaired: (usize, f64),
+    /// Not part of any result.
+    pub costs: Costs,
 }
 
 impl Start {
@@ -24,13 +27,16 @@ impl Start {
         validate::settings(s)?;
         let topology = Topology::of_elements(scene.positions.len(), &scene.triangles);
         let mut positions = scene.positions.clone();
+        let (mut costs, mut lap) = (Costs::default(), Lap::start());
         let body = scene.body.as_ref().filter(|_| s.effects.body_contact != Switch::Off).and_then(Body::new);
+        costs.spend(Work::BodyContact, &mut lap);
         let own = s.effects.self_contact != Switch::Off;
         let mut repaired = (0, 0.0);
         let mut held = vec![false; positions.len()];
         scene.pins.iter().for_each(|p| held[p.vertex as usize] = true);
         if own {
             repaired = repair::free_of_itself(&mut positions, &topology, &held)?;
+            costs.spend(Work::SelfContact, &mut lap);
         }
         if let Some(b) = &body {
             let freed = repair::free_of_body(&mut positions, &topology, b, s.body_gap, s.repair_share)?;
@@ -38,7 +44,8 @@ impl Start {
                 repair::free_of_itself(&mut positions, &topology, &held)?;
             }
             repaired = (repaired.0.max(freed.0), f64::max(repaired.1, freed.1));
+            costs.spend(Work::BodyContact, &mut lap);
         }
-        Ok(Self { topology, positions, body, own, repaired })
+        Ok(Self { topology, positions, body, own, repaired, costs })
     }
 }

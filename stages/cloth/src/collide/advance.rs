@@ -4,6 +4,7 @@
 use super::barrier::{BODY_EDGE, BODY_FACE, BODY_POINT, Barrier, EDGE, POINT};
 use super::closest::{point_triangle, segments};
 use crate::Vec3;
+use crate::cost::{Lap, Work};
 
 /// Share of its distance that a pair keeps in a step.
 const KEEP: f64 = 0.2;
@@ -79,10 +80,17 @@ impl Pair {
     }
 }
 
+fn test(mut pair: Pair, distance: f64, hit: impl FnOnce(f64)) {
+    let part = pair.free_part(distance);
+    if part < 1.0 {
+        hit(part);
+    }
+}
+
 impl Barrier {
     /// The part of `step` that may be taken; the distances of the last evaluation must be those at `x`, and the lists
     /// must cover the step.
-    pub fn free_part(&self, x: &[Vec3], step: &[Vec3]) -> f64 {
+    pub fn free_part(&mut self, x: &[Vec3], step: &[Vec3]) -> f64 {
         let mut whole: f64 = 1.0;
         self.each(x, step, |_, _, part| whole = whole.min(SAFE * part));
         whole
@@ -90,7 +98,7 @@ impl Barrier {
 
     /// Holds single vertices back where their pairs would come too near. The step is another one then, which the lists
     /// need not cover.
-    pub fn hold_back(&self, x: &[Vec3], step: &mut [Vec3]) {
+    pub fn hold_back(&mut self, x: &[Vec3], step: &mut [Vec3]) {
         for _ in 0..ROUNDS {
             let mut scale = vec![1.0; x.len()];
             let mut any = false;
@@ -109,21 +117,26 @@ impl Barrier {
     }
 
     /// Calls `hit` for every pair that the step brings too near.
-    fn each(&self, x: &[Vec3], step: &[Vec3], mut hit: impl FnMut([u32; 4], usize, f64)) {
+    fn each(&mut self, x: &[Vec3], step: &[Vec3], mut hit: impl FnMut([u32; 4], usize, f64)) {
+        let mut lap = Lap::start();
+        self.each_own(x, step, &mut hit);
+        self.tally.costs.spend(Work::SelfContact, &mut lap);
+        self.each_of_body(x, step, &mut hit);
+        self.tally.costs.spend(Work::BodyContact, &mut lap);
+    }
+
+    fn each_own(&self, x: &[Vec3], step: &[Vec3], hit: &mut impl FnMut([u32; 4], usize, f64)) {
         let moved = |v: u32| step[v as usize];
-        let mut test = |kind: u8, vertices: [u32; 4], cloth: usize, at: [Vec3; 4], by: [Vec3; 4], distance: f64| {
-            let mut pair = Pair { at, by, kind };
-            let part = pair.free_part(distance);
-            if part < 1.0 {
-                hit(vertices, cloth, part);
-            }
-        };
         for (v, l) in self.near.points.iter().zip(&self.distances[usize::from(POINT)]) {
-            test(POINT, *v, 4, crate::pick4(x, v), v.map(moved), *l);
+            test(Pair { at: crate::pick4(x, v), by: v.map(moved), kind: POINT }, *l, |part| hit(*v, 4, part));
         }
         for (v, l) in self.near.edges.iter().zip(&self.distances[usize::from(EDGE)]) {
-            test(EDGE, *v, 4, crate::pick4(x, v), v.map(moved), *l);
+            test(Pair { at: crate::pick4(x, v), by: v.map(moved), kind: EDGE }, *l, |part| hit(*v, 4, part));
         }
+    }
+
+    fn each_of_body(&self, x: &[Vec3], step: &[Vec3], hit: &mut impl FnMut([u32; 4], usize, f64)) {
+        let moved = |v: u32| step[v as usize];
         let Some(body) = &self.body else { return };
         let travels = body.travels();
         for (&[v, g], l) in self.near.body_points.iter().zip(&self.distances[usize::from(BODY_POINT)]) {
@@ -131,14 +144,16 @@ impl Barrier {
             if travels || d.norm() > 0.2 * l {
                 let [a, b, c] = body.triangle(g);
                 let [p, q, r] = body.topology.faces[g as usize].map(|w| body.moves(w));
-                test(BODY_POINT, [v; 4], 1, [x[v as usize], a, b, c], [d, p, q, r], *l);
+                let pair = Pair { at: [x[v as usize], a, b, c], by: [d, p, q, r], kind: BODY_POINT };
+                test(pair, *l, |part| hit([v; 4], 1, part));
             }
         }
         for (&[a, b, p, q], l) in self.near.body_edges.iter().zip(&self.distances[usize::from(BODY_EDGE)]) {
             let (da, db) = (moved(a), moved(b));
             if travels || da.norm().max(db.norm()) > 0.2 * l {
                 let at = [x[a as usize], x[b as usize], body.positions[p as usize], body.positions[q as usize]];
-                test(BODY_EDGE, [a, b, a, a], 2, at, [da, db, body.moves(p), body.moves(q)], *l);
+                let pair = Pair { at, by: [da, db, body.moves(p), body.moves(q)], kind: BODY_EDGE };
+                test(pair, *l, |part| hit([a, b, a, a], 2, part));
             }
         }
         for (&[a, b, c, w], l) in self.near.body_faces.iter().zip(&self.distances[usize::from(BODY_FACE)]) {
@@ -146,7 +161,8 @@ impl Barrier {
             if travels || d.iter().any(|d| d.norm() > 0.2 * l) {
                 let [p, q, r] = crate::pick3(x, &[a, b, c]);
                 let at = [p, q, r, body.positions[w as usize]];
-                test(BODY_FACE, [a, b, c, a], 3, at, [d[0], d[1], d[2], body.moves(w)], *l);
+                let pair = Pair { at, by: [d[0], d[1], d[2], body.moves(w)], kind: BODY_FACE };
+                test(pair, *l, |part| hit([a, b, c, a], 3, part));
             }
         }
     }

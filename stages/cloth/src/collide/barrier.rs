@@ -10,6 +10,7 @@ use super::listed::Listed;
 use super::near::{Gap, Near, Way};
 use super::own::Own;
 use crate::Vec3;
+use crate::cost::{Costs, Lap, Work};
 use crate::linear::hessian::{FIXED, Hessian};
 
 /// Edges and faces are held off the body, and edges off edges, at this share of the vertices' gap.
@@ -64,6 +65,22 @@ pub(crate) struct Tally {
     pub body_most: usize,
     pub nearest_body: f64,
     pub limited: u64,
+    /// Evaluations, and those in which cloth touched cloth, and the body.
+    pub looks: u64,
+    pub own_looks: u64,
+    pub body_looks: u64,
+    /// Not part of any result.
+    pub costs: Costs,
+}
+
+impl Tally {
+    fn count(&mut self, own: usize, body: usize) {
+        self.own_most = self.own_most.max(own);
+        self.body_most = self.body_most.max(body);
+        self.looks += 1;
+        self.own_looks += u64::from(own > 0);
+        self.body_looks += u64::from(body > 0);
+    }
 }
 
 pub(crate) struct Barrier {
@@ -108,11 +125,13 @@ impl Barrier {
             return false;
         }
         self.tally.lists += 1;
+        let mut lap = Lap::start();
         let edge = self.frame.edge;
         let slack = (3.0 * way.longest).clamp(LEAST_SLACK * edge, MOST_SLACK * edge);
         let thick = |g: &[f64]| g.iter().fold(0.0f64, |a, b| a.max(*b));
         if let Some(own) = &mut self.own {
             own.list(&mut self.near, &way, thick(&self.frame.own_gap), slack, edge);
+            self.tally.costs.spend(Work::SelfContact, &mut lap);
         }
         if let Some(body) = &mut self.body {
             let reach = thick(&self.frame.body_gap) + slack;
@@ -122,6 +141,7 @@ impl Barrier {
                 self.near.fill_body(&way, body, reach);
             }
             self.near.body_points.sort_unstable();
+            self.tally.costs.spend(Work::BodyContact, &mut lap);
         }
         self.listed.made(x, slack);
         true
@@ -142,26 +162,16 @@ impl Barrier {
 
     /// Energy at `x`, J; adds the forces to `f` and remembers the contacts.
     pub fn evaluate(&mut self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
+        let mut lap = Lap::start();
         self.touches.clear();
         self.own(x);
         let own = self.touches.len();
+        let mut energy = press(&mut self.touches, f);
+        self.tally.costs.spend(Work::SelfContact, &mut lap);
         self.against_body(x);
-        self.tally.own_most = self.tally.own_most.max(own);
-        self.tally.body_most = self.tally.body_most.max(self.touches.len() - own);
-        let mut energy = 0.0;
-        for t in &mut self.touches {
-            let k = STIFFNESS * t.area * t.hard;
-            let (b, slope, bow) = barrier(t.distance, t.gap);
-            energy += k * b;
-            t.load = -k * slope;
-            t.slope = k * bow;
-            let push = t.normal * t.load;
-            for i in 0..4 {
-                if t.weights[i] != 0.0 {
-                    f[t.vertices[i] as usize] += push * t.weights[i];
-                }
-            }
-        }
+        energy += press(&mut self.touches[own..], f);
+        self.tally.costs.spend(Work::BodyContact, &mut lap);
+        self.tally.count(own, self.touches.len() - own);
         energy
     }
 
@@ -216,6 +226,25 @@ impl Barrier {
             h.spread(&t.vertices, &t.weights, &(t.normal * t.normal.transpose() * slope));
         }
     }
+}
+
+/// Energy of contacts, J; adds their forces.
+fn press(touches: &mut [Touch], f: &mut [Vec3]) -> f64 {
+    let mut energy = 0.0;
+    for t in touches {
+        let k = STIFFNESS * t.area * t.hard;
+        let (b, slope, bow) = barrier(t.distance, t.gap);
+        energy += k * b;
+        t.load = -k * slope;
+        t.slope = k * bow;
+        let push = t.normal * t.load;
+        for i in 0..4 {
+            if t.weights[i] != 0.0 {
+                f[t.vertices[i] as usize] += push * t.weights[i];
+            }
+        }
+    }
+    energy
 }
 
 /// b, b′, b″ of the barrier.

@@ -12,6 +12,7 @@ pub(crate) mod listed;
 pub(crate) mod near;
 pub(crate) mod own;
 pub(crate) mod repair;
+pub(crate) mod sheet;
 pub(crate) mod stick;
 pub(crate) mod travel;
 pub(crate) mod tree;

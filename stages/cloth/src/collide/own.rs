@@ -4,6 +4,7 @@
 use super::calm::Calm;
 use super::listed::Listed;
 use super::near::{Near, Way};
+use super::sheet::Sheet;
 use super::tree::Tree;
 use crate::topology::Topology;
 use crate::{Scene, Vec3};
@@ -16,6 +17,7 @@ const FAR_STEP: f64 = 0.15;
 pub(crate) struct Own {
     tree: Tree,
     calm: Calm,
+    sheet: Option<Sheet>,
     /// Pairs of triangles that are no neighbours.
     pairs: Vec<[u32; 2]>,
     listed: Listed,
@@ -24,11 +26,17 @@ pub(crate) struct Own {
 impl Own {
     pub fn new(scene: &Scene, x: &[Vec3], topology: &Topology) -> Self {
         let (tree, calm) = (Tree::new(x, &topology.faces), Calm::new(scene, topology));
-        Self { tree, calm, pairs: Vec::new(), listed: Listed::default() }
+        let sheet = Sheet::new(scene, topology);
+        Self { tree, calm, sheet, pairs: Vec::new(), listed: Listed::default() }
     }
 
     /// Lists the pairs that come nearer than `gap` along a way, or `slack` beside it; edges are `edge` long.
     pub fn list(&mut self, near: &mut Near, way: &Way<'_>, gap: f64, slack: f64, edge: f64) {
+        near.clear_own();
+        if self.sheet.as_ref().is_some_and(|s| s.is_spread(way)) {
+            self.listed.forget();
+            return;
+        }
         if !self.listed.covers(way.x, way.longest, slack) {
             let wide = if way.longest > FAR_STEP * edge { slack } else { slack.max(FAR_SLACK * edge) };
             self.search(way, gap + 2.0 * wide);
@@ -36,7 +44,6 @@ impl Own {
         }
         self.calm.look(way.x, way.step, way.topology);
         let reach = gap + 2.0 * slack;
-        near.clear_own();
         self.calm.restless(way.topology, |f, g| near.add_own(f, g, way, reach));
         self.pairs.iter().for_each(|&[f, g]| near.add_own(f, g, way, reach));
     }

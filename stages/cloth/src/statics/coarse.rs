@@ -62,6 +62,8 @@ impl Step<'_> {
         let x = level.spread(&down.positions);
         let Some(mut outcome) = self.let_down(&x, watch)? else { return Ok(None) };
         outcome.steps += sewn.steps + down.steps;
+        outcome.add_costs(&sewn.effects);
+        outcome.add_costs(&down.effects);
         Ok(Some(outcome))
     }
 

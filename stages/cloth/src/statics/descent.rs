@@ -2,6 +2,7 @@
 
 use super::memory::{Memory, dot};
 use super::objective::Objective;
+use crate::cost::{Lap, Work};
 use crate::linear::factor::Factor;
 use crate::linear::hessian::{FIXED, Pattern, gather};
 use crate::problem::mean_weight;
@@ -118,6 +119,11 @@ impl<'a> Descent<'a> {
         self.energy = self.goal.evaluate(&self.x, &mut self.f);
     }
 
+    /// Factors made.
+    pub fn factors(&self) -> u32 {
+        self.factor.factors
+    }
+
     /// Steps in a block: more where a factor costs more.
     pub fn block_length(&self) -> usize {
         if self.f.len() > 6000 { 16 } else { 8 }
@@ -136,8 +142,7 @@ impl<'a> Descent<'a> {
         if self.true_metric() {
             return true;
         }
-        self.goal.assemble(&self.x, self.firm, true);
-        let system = self.goal.hessian.merged();
+        let system = self.assemble(true);
         while !self.factorise(&system) {
             self.tau *= 0.1;
             self.free = TAU_FREE.min(self.tau);
@@ -157,31 +162,45 @@ impl<'a> Descent<'a> {
             self.wait -= 1;
             return false;
         }
-        self.goal.assemble(&self.x, self.firm, false);
-        let system = self.goal.hessian.merged();
+        let system = self.assemble(false);
         let convex = self.factorise(&system);
         self.patience = if convex { 0 } else { (2 * self.patience).clamp(1, MOST_PATIENCE) };
         self.wait = self.patience;
         convex
     }
 
+    fn assemble(&mut self, convex: bool) -> (Pattern, Vec<Matrix3<f64>>) {
+        let mut lap = Lap::start();
+        self.goal.assemble(&self.x, self.firm, convex);
+        let system = self.goal.hessian.merged();
+        self.goal.costs.spend(Work::Descent, &mut lap);
+        system
+    }
+
     fn factorise(&mut self, (pattern, values): &(Pattern, Vec<Matrix3<f64>>)) -> bool {
+        let mut lap = Lap::start();
         let shift: Vec<f64> = self.goal.inertia.iter().map(|m| m / self.tau).collect();
-        self.factor.factorise(pattern, values, &shift)
+        let done = self.factor.factorise(pattern, values, &shift);
+        self.goal.costs.spend(Work::Descent, &mut lap);
+        done
     }
 
     /// New normal forces and holds from the contacts here; what slid is taken over.
     pub fn refresh_friction(&mut self) {
         if let (Some(stick), Some(barrier)) = (&mut self.goal.stick, &self.goal.barrier) {
+            let mut lap = Lap::start();
             stick.refresh(&self.x, &barrier.touches);
+            self.goal.costs.spend(Work::Friction, &mut lap);
             self.evaluate();
         }
     }
 
     /// What a Newton step from here would win, over the elastic energy, and its longest move.
     pub fn look(&mut self) {
+        let mut lap = Lap::start();
         let mut d = self.f.clone();
         self.factor.solve(&mut d);
+        self.goal.costs.spend(Work::Descent, &mut lap);
         let win = 0.5 * dot(&d, &self.f);
         let scale = self.goal.elastic(&self.x).max(1e-12);
         self.decrement = win / scale;
@@ -258,12 +277,14 @@ impl<'a> Descent<'a> {
 
     /// One step along the quasi-Newton direction; the part of it that was taken, `None` if nothing was won.
     pub fn step(&mut self) -> Option<f64> {
+        let mut lap = Lap::start();
         let mut d = self.memory.direction(&self.f, |q| self.factor.solve(q));
         if dot(&d, &self.f) <= 0.0 || d.iter().any(|v| !v.iter().all(|c| c.is_finite())) {
             self.memory.clear();
             d = self.f.clone();
             self.factor.solve(&mut d);
         }
+        self.goal.costs.spend(Work::Descent, &mut lap);
         let longest = d.iter().map(|d| d.norm()).fold(0.0, f64::max);
         self.longest = longest;
         let most = self.stride * self.goal.edge;

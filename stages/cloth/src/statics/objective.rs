@@ -5,6 +5,7 @@ use crate::collide::barrier::Barrier;
 use crate::collide::own::Own;
 use crate::collide::stick::Stick;
 use crate::collide::tree::Aabb;
+use crate::cost::{Costs, Lap, Work};
 use crate::dynamics::inert::Inert;
 use crate::energy::{Energy, elastic};
 use crate::linear::hessian::{FIXED, Hessian};
@@ -31,11 +32,14 @@ pub(crate) struct Objective {
     /// m, mean rest length of an edge.
     pub edge: f64,
     force: Vec<Vec3>,
+    /// Not part of any result; what contacts cost stands with them.
+    pub costs: Costs,
+    pub looks: u64,
 }
 
 impl Objective {
     pub fn new(scene: &Scene, s: &Settings, start: Start, pulls: bool) -> (Self, Vec<Vec3>) {
-        let Start { topology, positions, body, own, .. } = start;
+        let Start { topology, positions, body, own, mut costs, .. } = start;
         let mass = masses(scene);
         let energies = model(scene, s, &topology, &mass);
         let mut pins = held(scene);
@@ -58,19 +62,38 @@ impl Objective {
             (s.effects.friction != Switch::Off && (own || body.is_some()) && frame.friction.iter().any(|m| *m > 0.0))
                 .then(Stick::default);
         let barrier = (own || body.is_some()).then(|| {
+            let mut lap = Lap::start();
             let own = own.then(|| Own::new(scene, &positions, &frame.topology));
+            costs.spend(Work::SelfContact, &mut lap);
             Barrier::new(frame, body, areas(scene), own)
         });
         let constant = hessian.values.clone();
         let force = vec![Vec3::zeros(); positions.len()];
         (
-            Self { energies, barrier, stick, seams, inert: None, mass, inertia, hessian, constant, pins, edge, force },
+            Self {
+                energies,
+                barrier,
+                stick,
+                seams,
+                inert: None,
+                mass,
+                inertia,
+                hessian,
+                constant,
+                pins,
+                edge,
+                force,
+                costs,
+                looks: 0,
+            },
             positions,
         )
     }
 
     /// Energy at `x`, J; `f` becomes the forces on the unknowns.
     pub fn evaluate(&mut self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
+        let mut lap = Lap::start();
+        self.looks += 1;
         let all = &mut self.force;
         all.fill(Vec3::zeros());
         let mut energy = 0.0;
@@ -80,14 +103,18 @@ impl Objective {
         if let Some(i) = &self.inert {
             energy = i.evaluate(x, energy, all);
         }
+        self.costs.spend(Work::Cloth, &mut lap);
         if let Some(s) = &self.seams {
             energy += s.evaluate(x, all);
+            self.costs.spend(Work::Sewing, &mut lap);
         }
         if let Some(b) = &mut self.barrier {
             energy += b.evaluate(x, all);
+            lap = Lap::start();
         }
         if let Some(s) = &self.stick {
             energy += s.evaluate(x, all);
+            self.costs.spend(Work::Friction, &mut lap);
         }
         crate::linear::hessian::gather(&self.hessian.unknown, all, f);
         energy

@@ -1,6 +1,8 @@
 //! What a descent tells.
 
 use super::descent::Descent;
+use crate::collide::barrier::Tally;
+use crate::cost::Work;
 use crate::energy::law::LOCKING;
 use crate::report::{effect, switched};
 use crate::sewing::gaps;
@@ -28,41 +30,97 @@ pub(crate) fn outcome(d: Descent<'_>, scene: &Scene, stop_reason: StopReason) ->
 }
 
 pub(crate) fn effects(d: &Descent<'_>, scene: &Scene) -> Vec<EffectReport> {
-    let e = &d.settings.effects;
-    let tally = d.goal.barrier.as_ref().map(|b| b.tally);
-    let own = d.goal.barrier.as_ref().is_some_and(|b| b.frame.own);
-    let body = d.goal.barrier.as_ref().is_some_and(|b| b.body.is_some());
+    let barrier = d.goal.barrier.as_ref();
+    let costs = barrier.map_or(d.goal.costs, |b| d.goal.costs.join(&b.tally.costs));
+    let mut list = vec![cloth(d, scene), descent(d)];
+    list.extend(d.goal.seams.is_some().then(|| {
+        effect("sewing", true, "stitches are to be closed".into(), "threads pull every stitched pair".into())
+    }));
+    list.extend([self_contact(d), body_contact(d), friction(d), strain_limit(d, scene)]);
+    for e in &mut list {
+        e.cpu_seconds = work(e.name).filter(|_| e.on).map_or(0.0, |w| costs.of(w));
+    }
+    list
+}
+
+fn work(name: &str) -> Option<Work> {
+    Some(match name {
+        "cloth" => Work::Cloth,
+        "descent" => Work::Descent,
+        "sewing" => Work::Sewing,
+        "self-contact" => Work::SelfContact,
+        "body-contact" => Work::BodyContact,
+        "friction" => Work::Friction,
+        _ => return None,
+    })
+}
+
+fn cloth(d: &Descent<'_>, scene: &Scene) -> EffectReport {
+    let evidence = format!("{} triangles, forces taken {} times", scene.triangles.len(), d.goal.looks);
+    effect("cloth", true, "always: stretch, shear, bending, weight".into(), evidence)
+}
+
+fn descent(d: &Descent<'_>) -> EffectReport {
+    let evidence = format!("{} steps, {} factors of {} unknowns", d.steps, d.factors(), 3 * d.f.len());
+    effect("descent", true, "always: metric, its factor, directions".into(), evidence)
+}
+
+fn tally(d: &Descent<'_>) -> Tally {
+    d.goal.barrier.as_ref().map_or_else(Tally::default, |b| b.tally)
+}
+
+/// In how many looks at the cloth an effect did something.
+fn active(looks: u64, of: u64) -> String {
+    if looks == 0 { "never active: not needed".into() } else { format!("active in {looks} of {of} looks") }
+}
+
+fn self_contact(d: &Descent<'_>) -> EffectReport {
+    let on = d.goal.barrier.as_ref().is_some_and(|b| b.frame.own);
+    let t = tally(d);
+    let evidence = if on {
+        let (lists, limited) = (t.lists, t.limited);
+        let active = active(t.own_looks, t.looks);
+        format!("{active}; up to {} near pairs, lists made {lists} times, {limited} steps shortened", t.own_most)
+    } else {
+        "cloth may pass through cloth".into()
+    };
+    let rule = switched(d.settings.effects.self_contact, "cloth that moves freely can meet itself");
+    effect("self-contact", on, rule, evidence)
+}
+
+fn body_contact(d: &Descent<'_>) -> EffectReport {
+    let body = d.goal.barrier.as_ref().and_then(|b| b.body.as_ref());
+    let t = tally(d);
+    let evidence = match (body, d.settings.effects.body_contact) {
+        (Some(_), _) if t.nearest_body.is_finite() => {
+            let active = active(t.body_looks, t.looks);
+            format!("{active}; up to {} contacts, nearest {:.3} mm", t.body_most, t.nearest_body * 1e3)
+        }
+        (Some(_), _) => active(t.body_looks, t.looks),
+        (None, Switch::Off) => "cloth may pass through a body".into(),
+        (None, _) => "the scene has no body".into(),
+    };
+    let rule = switched(d.settings.effects.body_contact, "the scene has a body");
+    effect("body-contact", body.is_some(), rule, evidence)
+}
+
+fn friction(d: &Descent<'_>) -> EffectReport {
+    let evidence = match &d.goal.stick {
+        None => "no contact, or no coefficient above 0".into(),
+        Some(s) if s.most == 0 => active(0, 0),
+        Some(s) => format!("up to {} contacts rub, {} slid at the last look", s.most, s.slid),
+    };
+    let rule = switched(d.settings.effects.friction, "contact and a coefficient above 0");
+    effect("friction", d.goal.stick.is_some(), rule, evidence)
+}
+
+fn strain_limit(d: &Descent<'_>, scene: &Scene) -> EffectReport {
     let limited = scene.materials.iter().any(|m| m.strain_limit.iter().any(|l| l.is_finite()));
-    let told = |f: &dyn Fn(crate::collide::barrier::Tally) -> String| tally.map_or_else(String::new, f);
-    vec![
-        effect(
-            "self-contact",
-            own,
-            switched(e.self_contact, "cloth that moves freely can meet itself"),
-            told(&|t| {
-                format!("up to {} near pairs; lists made {} times, {} steps shortened", t.own_most, t.lists, t.limited)
-            }),
-        ),
-        effect(
-            "body-contact",
-            body,
-            switched(e.body_contact, "the scene has a body"),
-            told(&|t| format!("up to {} contacts, nearest {:.3} mm", t.body_most, t.nearest_body * 1e3)),
-        ),
-        effect(
-            "friction",
-            d.goal.stick.is_some(),
-            switched(e.friction, "contact and a coefficient above 0"),
-            d.goal.stick.as_ref().map_or_else(
-                || "no contact, or no coefficient above 0".into(),
-                |s| format!("up to {} contacts rub, {} slid at the last look", s.most, s.slid),
-            ),
-        ),
-        effect(
-            "strain-limit",
-            limited && e.strain_limit != Switch::Off,
-            switched(e.strain_limit, "a fabric has a limit"),
-            format!("the stretch curves lock from {LOCKING} of the limit"),
-        ),
-    ]
+    let on = limited && d.settings.effects.strain_limit != Switch::Off;
+    let evidence = match (on, limited) {
+        (true, _) => format!("the stretch curves lock from {LOCKING} of the limit, at no cost of their own"),
+        (false, true) => "switched off".into(),
+        (false, false) => "no fabric has a limit".into(),
+    };
+    effect("strain-limit", on, switched(d.settings.effects.strain_limit, "a fabric has a limit"), evidence)
 }

@@ -3,7 +3,7 @@
 use super::descent::{Descent, TAU_FREE};
 use super::report;
 use crate::levels::Level;
-use crate::{ClothError, Outcome, Scene, Settings, StopReason, Vec3, Watch};
+use crate::{ClothError, EffectReport, Outcome, Scene, Settings, StopReason, Vec3, Watch};
 
 /// Blocks in a row without any step after which nothing more can be won.
 const MOST_STUCK: u32 = 12;
@@ -17,9 +17,11 @@ const COARSE: f64 = 3.0;
 /// Settles the cloth.
 pub(crate) fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     let mut descent = Descent::begin(scene, settings, false)?;
+    let mut before = Vec::new();
     if descent.far_from_rest()
-        && let Some(x) = on_coarser(scene, settings, watch)?
+        && let Some((x, effects)) = on_coarser(scene, settings, watch)?
     {
+        before = effects;
         match Descent::begin(&Scene { positions: x, ..scene.clone() }, settings, false) {
             Ok(led) => descent = led,
             // Spread from the coarser cloth it would cross something: it starts where it was.
@@ -28,11 +30,16 @@ pub(crate) fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -
         }
     }
     let reason = descent.settle(watch)?;
-    Ok(report::outcome(descent, scene, reason))
+    let mut outcome = report::outcome(descent, scene, reason);
+    outcome.add_costs(&before);
+    Ok(outcome)
 }
 
+/// Positions, and what the effects cost on the way there.
+type Led = (Vec<Vec3>, Vec<EffectReport>);
+
 /// Where the cloth comes to lie on the next coarser level, if there is one and it comes to rest there.
-fn on_coarser(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Option<Vec<Vec3>>, ClothError> {
+fn on_coarser(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Option<Led>, ClothError> {
     let Some(level) = Level::below_folds(scene) else { return Ok(None) };
     let coarse = Settings {
         decrement_tolerance: COARSE * settings.decrement_tolerance,
@@ -41,7 +48,7 @@ fn on_coarser(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Resu
         ..settings.clone()
     };
     match drape(&level.scene, &coarse, watch) {
-        Ok(rest) if rest.settled => Ok(Some(level.spread(&rest.positions))),
+        Ok(rest) if rest.settled => Ok(Some((level.spread(&rest.positions), rest.effects))),
         Ok(_) | Err(ClothError::StartCrosses { .. } | ClothError::Unstable { .. }) => Ok(None),
         Err(e) => Err(e),
     }

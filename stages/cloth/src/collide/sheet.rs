@@ -1,0 +1,159 @@
+//! One convex flat piece that is still spread out cannot meet itself: seen along one direction and turned back by one
+//! angle, every triangle points the way it was cut.
+//!
+//! Let f be the piece's way into a plane and J its derivative. Where J + Jᵀ ≥ 2 c everywhere on a convex piece,
+//! (f(b) − f(a))·(b − a) ≥ c |b − a|² for any two of its points (integrate J along the line between them), so nothing
+//! comes nearer than c times its distance in the cloth. J is linear in a step, so its two ends bound all of it.
+
+use super::near::Way;
+use crate::topology::Topology;
+use crate::{Scene, Vec3};
+use std::f64::consts::PI;
+
+/// Least c: what does not touch in the cloth stays further apart than any gap (`frame` in problem.rs).
+const SPREAD: f64 = 0.5;
+/// Rounding allowed in sums of angles, rad.
+const ROUNDING: f64 = 1e-6;
+
+/// Of every triangle, the factors of its corners in the derivatives along the cloth's two axes, 1/m.
+#[derive(Debug)]
+pub(crate) struct Sheet(Vec<[[f64; 2]; 3]>);
+
+impl Sheet {
+    /// `None` where the cloth is not one convex flat piece.
+    pub fn new(scene: &Scene, topology: &Topology) -> Option<Self> {
+        let one = !scene.triangles.is_empty() && scene.stitches.is_empty();
+        (one && is_flat(scene) && is_convex_disc(scene, topology))
+            .then(|| Self(scene.triangles.iter().map(gradients).collect()))
+    }
+
+    /// Is the piece spread out all along a step?
+    pub fn is_spread(&self, way: &Way<'_>) -> bool {
+        let Some([u, v]) = self.plane(way) else { return false };
+        self.0.iter().zip(&way.topology.faces).all(|(g, t)| {
+            let (at, by) = (derivative(g, &crate::pick3(way.x, t)), derivative(g, &crate::pick3(way.step, t)));
+            let end = [at[0] + by[0], at[1] + by[1]];
+            [at, end].iter().all(|[a, b]| {
+                let (p, q, r) = (a.dot(&u) - SPREAD, b.dot(&v) - SPREAD, 0.5 * (a.dot(&v) + b.dot(&u)));
+                p >= 0.0 && q >= 0.0 && p * q >= r * r
+            })
+        })
+    }
+
+    /// The plane the piece lies nearest to, turned with it: images of the cloth's two axes.
+    fn plane(&self, way: &Way<'_>) -> Option<[Vec3; 2]> {
+        let mut sum = [Vec3::zeros(); 2];
+        for (g, t) in self.0.iter().zip(&way.topology.faces) {
+            let d = derivative(g, &crate::pick3(way.x, t));
+            sum = [sum[0] + d[0], sum[1] + d[1]];
+        }
+        let n = sum[0].cross(&sum[1]).try_normalize(0.0)?;
+        let u = (sum[0].try_normalize(0.0)? + sum[1].try_normalize(0.0)?.cross(&n)).try_normalize(0.0)?;
+        Some([u, n.cross(&u)])
+    }
+}
+
+#[inline]
+fn derivative(g: &[[f64; 2]; 3], x: &[Vec3; 3]) -> [Vec3; 2] {
+    let along = |k: usize| x[0] * g[0][k] + x[1] * g[1][k] + x[2] * g[2][k];
+    [along(0), along(1)]
+}
+
+fn gradients(e: &crate::Element) -> [[f64; 2]; 3] {
+    let double = 2.0 * e.area();
+    [0, 1, 2].map(|k| {
+        let (a, b) = (e.rest[(k + 1) % 3], e.rest[(k + 2) % 3]);
+        [(a[1] - b[1]) / double, (b[0] - a[0]) / double]
+    })
+}
+
+/// Has every vertex one place in the cloth, and is every triangle turned the same way?
+fn is_flat(scene: &Scene) -> bool {
+    let mut place: Vec<Option<[f64; 2]>> = vec![None; scene.positions.len()];
+    scene.triangles.iter().all(|t| {
+        let same = t.vertices.iter().zip(&t.rest).all(|(v, p)| *place[*v as usize].get_or_insert(*p) == *p);
+        same && t.area() > 0.0
+    })
+}
+
+/// A disc whose border nowhere turns inwards, with as much cloth around every other vertex as fits there.
+fn is_convex_disc(scene: &Scene, topology: &Topology) -> bool {
+    let mut sides = vec![0u8; topology.edges.len()];
+    topology.face_edges.iter().flatten().for_each(|e| sides[*e as usize] = sides[*e as usize].saturating_add(1));
+    let mut border = vec![0u8; scene.positions.len()];
+    for (ends, _) in topology.edges.iter().zip(&sides).filter(|(_, n)| **n == 1) {
+        ends.iter().for_each(|v| border[*v as usize] = border[*v as usize].saturating_add(1));
+    }
+    let mut round = vec![0.0; scene.positions.len()];
+    for t in &scene.triangles {
+        for k in 0..3 {
+            let (a, b, c) = (t.rest[k], t.rest[(k + 1) % 3], t.rest[(k + 2) % 3]);
+            let (p, q) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
+            round[t.vertices[k] as usize] += libm::atan2(p[0] * q[1] - p[1] * q[0], p[0] * q[0] + p[1] * q[1]);
+        }
+    }
+    let used = round.iter().filter(|r| **r > 0.0).count();
+    let disc = used + topology.faces.len() == topology.edges.len() + 1;
+    disc && sides.iter().all(|n| *n <= 2)
+        && round.iter().zip(&border).all(|(r, b)| match b {
+            0 => *r == 0.0 || (r - 2.0 * PI).abs() <= ROUNDING,
+            2 => *r <= PI + ROUNDING,
+            _ => false,
+        })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Element;
+
+    /// A strip of squares along x, cut in two each, bent down by `bend` from one to the next.
+    fn strip(n: u32, bend: f64) -> Scene {
+        let mut scene = Scene::default();
+        let (mut at, mut turned) = (Vec3::zeros(), 0.0);
+        for i in 0..=n {
+            scene.positions.extend([at, at + Vec3::new(0.0, 1.0, 0.0)]);
+            at += Vec3::new(libm::cos(turned), 0.0, -libm::sin(turned));
+            turned += bend;
+            if i < n {
+                let (p, x) = (2 * i, f64::from(i));
+                let mut add = |vertices, rest| scene.triangles.push(Element { vertices, rest, material: 0 });
+                add([p, p + 2, p + 3], [[x, 0.0], [x + 1.0, 0.0], [x + 1.0, 1.0]]);
+                add([p, p + 3, p + 1], [[x, 0.0], [x + 1.0, 1.0], [x, 1.0]]);
+            }
+        }
+        scene
+    }
+
+    fn spread(scene: &Scene, step: &[Vec3]) -> Option<bool> {
+        let topology = Topology::of_elements(scene.positions.len(), &scene.triangles);
+        let groups: Vec<u32> = (0..u32::try_from(scene.positions.len()).unwrap()).collect();
+        let sheet = Sheet::new(scene, &topology)?;
+        Some(sheet.is_spread(&Way::new(&scene.positions, step, &topology, &groups)))
+    }
+
+    #[test]
+    fn a_strip_is_spread_until_it_bends_too_far() {
+        let still = vec![Vec3::zeros(); 14];
+        assert_eq!(spread(&strip(6, 0.0), &still), Some(true));
+        assert_eq!(spread(&strip(6, 0.15), &still), Some(true));
+        assert_eq!(spread(&strip(6, 0.5), &still), Some(false));
+        // Turned as a whole, in its plane and out of it, it is as spread as before.
+        let mut turned = strip(6, 0.15);
+        turned.positions.iter_mut().for_each(|p| *p = Vec3::new(-p.y, p.z, -p.x));
+        assert_eq!(spread(&turned, &still), Some(true));
+        let over: Vec<Vec3> = strip(6, 0.0).positions.iter().map(|p| Vec3::new(-2.0 * p.x, 0.0, 0.0)).collect();
+        assert_eq!(spread(&strip(6, 0.0), &over), Some(false), "a step that turns it over");
+    }
+
+    #[test]
+    fn an_inward_corner_or_two_pieces_are_no_sheet() {
+        let still = vec![Vec3::zeros(); 14];
+        let mut notched = strip(6, 0.0);
+        notched.triangles.remove(0);
+        assert_eq!(spread(&notched, &still), None);
+        let mut apart = strip(6, 0.0);
+        apart.triangles.drain(4..6);
+        assert_eq!(spread(&apart, &still), None);
+    }
+}

@@ -1,0 +1,133 @@
+//! Effects that a scene does not call for change not a bit of it, and say so (reliability I1, I2).
+#![allow(clippy::unwrap_used)]
+
+mod common;
+
+use common::{cotton, linear, sheet, sphere};
+use toile_cloth::{BodyMesh, Effects, Outcome, Pin, Scene, Settings, Silent, Switch, Vec3, drape};
+
+/// A sheet that hangs from its upper edge, a little rippled.
+fn hanging() -> Scene {
+    let place = |x: f64, y: f64| Vec3::new(x, 2e-3 * libm::sin(9.0 * x) * (0.6 - y), y);
+    let mut scene = sheet(0.5, 0.6, 10, 12, cotton(), place);
+    scene.gravity = Vec3::new(0.0, 0.0, -9.81);
+    scene.pins = (12 * 11..13 * 11).map(|v| Pin { vertex: v, at: scene.positions[v as usize] }).collect();
+    scene
+}
+
+/// A square that lies down on a ball.
+fn on_a_ball() -> Scene {
+    let mut scene = sheet(0.4, 0.4, 12, 12, cotton(), |x, y| Vec3::new(x - 0.2, 0.112, y - 0.2));
+    scene.gravity = Vec3::new(0.0, -9.81, 0.0);
+    scene.body = Some(sphere(Vec3::zeros(), 0.11, 16));
+    scene
+}
+
+fn run(scene: &Scene, effects: Effects) -> Outcome {
+    drape(scene, &Settings { effects, ..Settings::default() }, &mut Silent).unwrap()
+}
+
+fn evidence<'a>(o: &'a Outcome, name: &str) -> (bool, &'a str) {
+    let e = o.effects.iter().find(|e| e.name == name).unwrap();
+    (e.on, &e.evidence)
+}
+
+fn same(a: &Outcome, b: &Outcome) {
+    assert_eq!((a.steps, a.energy.to_bits()), (b.steps, b.energy.to_bits()));
+    assert!(a.positions.iter().zip(&b.positions).all(|(p, q)| p == q));
+}
+
+#[test]
+fn self_contact_of_a_taut_sheet_is_never_active() {
+    let on = run(&hanging(), Effects { self_contact: Switch::On, ..Effects::default() });
+    let off = run(&hanging(), Effects { self_contact: Switch::Off, ..Effects::default() });
+    same(&on, &off);
+    assert!(on.settled);
+    let (built, told) = evidence(&on, "self-contact");
+    assert!(built && told.starts_with("never active: not needed"), "{told}");
+    assert!(!evidence(&off, "self-contact").0);
+}
+
+#[test]
+fn a_body_out_of_reach_is_never_active() {
+    let mut far = hanging();
+    far.body = Some(sphere(Vec3::new(0.25, 10.0, 0.3), 0.1, 8));
+    let on = run(&far, Effects::default());
+    same(&on, &run(&far, Effects { body_contact: Switch::Off, ..Effects::default() }));
+    same(&on, &run(&hanging(), Effects::default()));
+    let (built, told) = evidence(&on, "body-contact");
+    assert!(built && told.starts_with("never active: not needed"), "{told}");
+}
+
+#[test]
+fn friction_without_contact_is_never_active() {
+    let mut far = hanging();
+    far.body = Some(BodyMesh { ..sphere(Vec3::new(0.25, 10.0, 0.3), 0.1, 8) });
+    let on = run(&far, Effects { friction: Switch::On, ..Effects::default() });
+    same(&on, &run(&far, Effects { friction: Switch::Off, ..Effects::default() }));
+    let (built, told) = evidence(&on, "friction");
+    assert!(built && told.starts_with("never active: not needed"), "{told}");
+}
+
+#[test]
+fn no_friction_is_friction_with_a_coefficient_of_nothing() {
+    let smooth = |mut s: Scene| {
+        s.materials[0].friction = 0.0;
+        s
+    };
+    let off = run(&on_a_ball(), Effects { friction: Switch::Off, ..Effects::default() });
+    same(&run(&smooth(on_a_ball()), Effects::default()), &off);
+    // Where it is called for, it is felt.
+    let rough = run(&on_a_ball(), Effects::default());
+    assert!(rough.positions != off.positions);
+    assert!(evidence(&rough, "body-contact").1.starts_with("active in "));
+}
+
+#[test]
+fn a_strain_limit_that_is_never_reached_changes_nothing() {
+    let mut limited = hanging();
+    limited.materials[0].strain_limit = [0.2; 2];
+    let on = run(&limited, Effects { strain_limit: Switch::On, ..Effects::default() });
+    same(&on, &run(&limited, Effects { strain_limit: Switch::Off, ..Effects::default() }));
+    same(&on, &run(&hanging(), Effects::default()));
+}
+
+#[test]
+fn a_curve_that_is_a_line_is_the_line() {
+    use toile_cloth::Curve;
+    let mut line = hanging();
+    line.materials[0] = linear(0.115, 1000.0, 800.0, 45.0);
+    let mut curve = line.clone();
+    curve.materials[0].warp = Curve::Exponential { k0: 1000.0, beta: 1e-12 };
+    curve.materials[0].weft = Curve::Exponential { k0: 800.0, beta: 1e-12 };
+    let (line, curve) = (run(&line, Effects::default()), run(&curve, Effects::default()));
+    let apart = line.positions.iter().zip(&curve.positions).map(|(p, q)| (p - q).norm()).fold(0.0, f64::max);
+    assert!(line.settled && curve.settled && apart < 1e-6, "{apart}");
+}
+
+#[test]
+fn every_pair_of_switches_runs() {
+    // A covering array of strength two over four effects, on or off.
+    for row in ["0000", "0111", "1011", "1101", "1110", "1111"] {
+        let at = |k: usize| if row.as_bytes()[k] == b'1' { Switch::On } else { Switch::Off };
+        let effects = Effects { self_contact: at(0), body_contact: at(1), friction: at(2), strain_limit: at(3) };
+        let mut scene = on_a_ball();
+        scene.pins = vec![Pin { vertex: 84, at: scene.positions[84] }];
+        let o = run(&scene, effects);
+        assert!(o.settled, "{row}: {:?}", o.stop_reason);
+        assert!(o.positions.iter().all(|p| p.iter().all(|c| c.is_finite())), "{row}");
+        let built = ["self-contact", "body-contact"].map(|n| evidence(&o, n).0);
+        assert_eq!(built, [at(0) == Switch::On, at(1) == Switch::On], "{row}");
+    }
+}
+
+#[test]
+fn costs_are_told_by_effect() {
+    let o = run(&on_a_ball(), Effects::default());
+    let cost = |name: &str| o.effects.iter().find(|e| e.name == name).map_or(-1.0, |e| e.cpu_seconds);
+    for name in ["cloth", "descent", "self-contact", "body-contact", "friction"] {
+        assert!(cost(name) > 0.0, "{name}");
+    }
+    let off = run(&hanging(), Effects { self_contact: Switch::Off, ..Effects::default() });
+    assert!(off.effects.iter().filter(|e| !e.on).all(|e| e.cpu_seconds == 0.0));
+}
