@@ -90,6 +90,8 @@ pub(crate) struct Barrier {
     own: Option<Own>,
     pub near: Near,
     listed: Listed,
+    /// Vertices feel the body from at least here, m: further off than their gaps, so that they slide round it.
+    pub stand_off: f64,
     area: Vec<f64>,
     /// Hardening of the contacts, per vertex.
     hard: Vec<f64>,
@@ -108,6 +110,7 @@ impl Barrier {
             own,
             near: Near::default(),
             listed: Listed::default(),
+            stand_off: 0.0,
             hard: vec![1.0; area.len()],
             area,
             touches: Vec::new(),
@@ -134,11 +137,12 @@ impl Barrier {
             self.tally.costs.spend(Work::SelfContact, &mut lap);
         }
         if let Some(body) = &mut self.body {
-            let reach = thick(&self.frame.body_gap) + slack;
+            let gap = thick(&self.frame.body_gap);
+            let (reach, wide) = (gap + slack, gap.max(self.stand_off) + slack);
             if body.travel.is_some() {
-                self.near.fill_travelling(&way, body, reach);
+                self.near.fill_travelling(&way, body, wide);
             } else {
-                self.near.fill_body(&way, body, reach);
+                self.near.fill_body(&way, body, reach, wide);
             }
             self.near.body_points.sort_unstable();
             self.tally.costs.spend(Work::BodyContact, &mut lap);
@@ -199,7 +203,7 @@ impl Barrier {
         let [points, edges, ..] = &mut self.distances;
         points.clear();
         edges.clear();
-        let (weighs, touches) = ((&*self.area, &*self.hard), &mut self.touches);
+        let (weighs, touches) = ((&*self.area, &*self.hard, 0.0), &mut self.touches);
         points.extend(self.near.point_gaps(x).map(|g| touch(touches, &self.frame, weighs, POINT, &g)));
         edges.extend(self.near.edge_gaps(x).map(|g| touch(touches, &self.frame, weighs, EDGE, &g)));
     }
@@ -210,7 +214,7 @@ impl Barrier {
         for list in [&mut *points, &mut *edges, &mut *faces] {
             list.clear();
         }
-        let (frame, weighs, touches) = (&self.frame, (&*self.area, &*self.hard), &mut self.touches);
+        let (frame, weighs, touches) = (&self.frame, (&*self.area, &*self.hard, self.stand_off), &mut self.touches);
         edges.extend(self.near.body_edge_gaps(x, body).map(|(g, _)| touch(touches, frame, weighs, BODY_EDGE, &g)));
         faces.extend(self.near.body_face_gaps(x, body).map(|(g, _)| touch(touches, frame, weighs, BODY_FACE, &g)));
         // Every triangle pushes by itself: the nearest alone would jump from side to side in a crease.
@@ -254,9 +258,16 @@ fn barrier(d: f64, gap: f64) -> (f64, f64, f64) {
     (-s * s * l, -2.0 * s * l - s * s / d, -2.0 * l - 4.0 * s / d + s * s / (d * d))
 }
 
-/// Remembers the pair if it is nearer than its gap (area and hardening per vertex given); gives the distance.
+/// Remembers the pair if it is nearer than its gap (area and hardening per vertex, and the distance that vertices stand off
+/// the body, given); gives the distance.
 #[inline]
-fn touch(touches: &mut Vec<Touch>, frame: &Frame, (area, hard): (&[f64], &[f64]), kind: u8, g: &Gap) -> f64 {
+fn touch(
+    touches: &mut Vec<Touch>,
+    frame: &Frame,
+    (area, hard, stand_off): (&[f64], &[f64], f64),
+    kind: u8,
+    g: &Gap,
+) -> f64 {
     let Gap { vertices: key, weights, d } = *g;
     let distance = d.norm();
     let cloth = match kind {
@@ -268,6 +279,7 @@ fn touch(touches: &mut Vec<Touch>, frame: &Frame, (area, hard): (&[f64], &[f64])
     let gaps = if kind <= EDGE { &frame.own_gap } else { &frame.body_gap };
     let share = if matches!(kind, POINT | BODY_POINT) { 1.0 } else { EDGE_SHARE };
     let gap = share * key[..cloth].iter().fold(f64::INFINITY, |g, v| g.min(gaps[*v as usize]));
+    let gap = if kind == BODY_POINT { gap.max(stand_off) } else { gap };
     if distance < gap && distance > 0.0 {
         let mut vertices = [key[0]; 4];
         vertices[..cloth].copy_from_slice(&key[..cloth]);
@@ -329,7 +341,7 @@ mod tests {
             let found = touch(
                 &mut b.touches,
                 &b.frame,
-                (&b.area, &b.hard),
+                (&b.area, &b.hard, 0.0),
                 BODY_POINT,
                 &Gap { vertices: [0; 4], weights: [1.0, 0.0, 0.0, 0.0], d: Vec3::new(0.0, d, 0.0) },
             );

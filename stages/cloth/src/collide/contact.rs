@@ -196,7 +196,8 @@ impl Contact {
             tree.own_pairs(|f, g| self.near.add_own(f, g, &way, reach));
         }
         if let Some(body) = &self.body {
-            self.near.fill_body(&way, body, self.reach + self.slack);
+            let reach = self.reach + self.slack;
+            self.near.fill_body(&way, body, reach, reach);
         }
         self.listed.clear();
         self.listed.extend_from_slice(x);

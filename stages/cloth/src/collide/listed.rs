@@ -37,5 +37,6 @@ impl Listed {
 
     pub fn forget(&mut self) {
         self.at.clear();
+        self.on_the_way = false;
     }
 }

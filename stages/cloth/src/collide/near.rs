@@ -94,6 +94,18 @@ fn swept(b: &Aabb, d: &Aabb, reach: f64) -> Aabb {
     Aabb { low: b.low + d.low.inf(&zero), high: b.high + d.high.sup(&zero) }.grown(reach)
 }
 
+fn point_triangle_gap(p: &Vec3, t: &[Vec3; 3]) -> f64 {
+    let w = point_triangle(p, &t[0], &t[1], &t[2]);
+    (p - (t[0] * w[0] + t[1] * w[1] + t[2] * w[2])).norm()
+}
+
+/// Between an edge of one face and one of another.
+fn edge_gap(a: &Owned, i: usize, b: &Owned, j: usize) -> f64 {
+    let ([p, q], [r, s]) = ([&a.at[i], &a.at[(i + 1) % 3]], [&b.at[j], &b.at[(j + 1) % 3]]);
+    let [t, u] = segments(p, q, r, s);
+    (p + (q - p) * t - (r + (s - r) * u)).norm()
+}
+
 /// The gap of a near pair.
 pub(crate) struct Gap {
     pub vertices: [u32; 4],
@@ -163,33 +175,41 @@ impl Near {
         }
     }
 
-    /// Cloth–body pairs that come nearer than `reach` along a step.
-    pub fn fill_body(&mut self, way: &Way<'_>, body: &Body, reach: f64) {
+    /// Cloth–body pairs that come nearer than `reach` along a step, vertices of the cloth those nearer than `wide`.
+    pub fn fill_body(&mut self, way: &Way<'_>, body: &Body, reach: f64, wide: f64) {
         let Way { x, step, topology, .. } = *way;
         self.body_points.clear();
         self.body_edges.clear();
         self.body_faces.clear();
         for f in (0u32..).take(topology.faces.len()) {
             let m = Moving::of(topology, f, x, step);
-            let bounds = swept(&Aabb::of_three(&m.owned.at), &Aabb::of_three(&m.by), reach);
-            let middle = (bounds.low + bounds.high) * 0.5;
-            if !bounds.meets(&body.bounds) || body.clearance.at(&middle) > 0.5 * (bounds.high - bounds.low).norm() {
+            let whole = |reach| swept(&Aabb::of_three(&m.owned.at), &Aabb::of_three(&m.by), reach);
+            let (bounds, far) = (whole(reach), whole(wide));
+            let middle = (far.low + far.high) * 0.5;
+            if !far.meets(&body.bounds) || body.clearance.at(&middle) > 0.5 * (far.high - far.low).norm() {
                 continue;
             }
             let a = &m.owned;
             let edges = [0, 1, 2].map(|k| swept(&a.edge_box(k), &m.edge_move(k), reach));
             let points = [0, 1, 2]
-                .map(|k| swept(&Aabb { low: a.at[k], high: a.at[k] }, &Aabb { low: m.by[k], high: m.by[k] }, reach));
-            body.candidates(&bounds, |g| {
+                .map(|k| swept(&Aabb { low: a.at[k], high: a.at[k] }, &Aabb { low: m.by[k], high: m.by[k] }, wide));
+            let lengths = [m.by[0].norm(), m.by[1].norm(), m.by[2].norm()];
+            let longest = lengths[0].max(lengths[1]).max(lengths[2]);
+            body.candidates(&far, |g| {
                 let b = Owned::of(&body.topology, g, &body.positions);
                 let whole = b.bounds(0.0);
                 for k in (0..3).filter(|k| a.owns_vertex(*k)) {
-                    if points[k].meets(&whole) {
+                    let far = || point_triangle_gap(&a.at[k], &b.at) > wide + lengths[k];
+                    if points[k].meets(&whole) && !far() {
                         self.body_points.push([a.corners[k], g]);
                     }
                 }
+                if !bounds.meets(&whole) {
+                    return;
+                }
                 for k in (0..3).filter(|k| b.owns_vertex(*k)) {
-                    if point_in(&bounds, &b.at[k]) {
+                    let far = || point_triangle_gap(&b.at[k], &a.at) > reach + longest;
+                    if point_in(&bounds, &b.at[k]) && !far() {
                         self.body_faces.push([a.corners[0], a.corners[1], a.corners[2], b.corners[k]]);
                     }
                 }
@@ -199,7 +219,8 @@ impl Near {
                     }
                     let (q, bounds) = (b.edge(j), b.edge_box(j));
                     for i in (0..3).filter(|i| a.owns_edge(*i)) {
-                        if edges[i].meets(&bounds) {
+                        let far = || edge_gap(a, i, &b, j) > reach + lengths[i].max(lengths[(i + 1) % 3]);
+                        if edges[i].meets(&bounds) && !far() {
                             let p = a.edge(i);
                             self.body_edges.push([p[0], p[1], q[0], q[1]]);
                         }

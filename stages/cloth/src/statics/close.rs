@@ -56,8 +56,8 @@ pub(crate) fn close(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -
 
 struct Sewing<'a, 'b> {
     descent: &'a mut Descent<'b>,
-    /// Distances to the body as they should be in the end, m.
-    gaps: Vec<f64>,
+    /// Largest distance to the body as it should be in the end, m.
+    gap: f64,
     /// Distance that is held for now, m.
     wide: f64,
     /// N/m.
@@ -66,9 +66,9 @@ struct Sewing<'a, 'b> {
 
 impl<'a, 'b> Sewing<'a, 'b> {
     fn new(descent: &'a mut Descent<'b>) -> Self {
-        let gaps = descent.goal.barrier.as_ref().map_or_else(Vec::new, |b| b.frame.body_gap.clone());
+        let gap = descent.goal.barrier.as_ref().map_or(0.0, |b| b.frame.body_gap.iter().copied().fold(0.0, f64::max));
         let wide = WIDE * descent.goal.edge;
-        let mut sewing = Self { descent, gaps, wide, force: PULL_FIRST };
+        let mut sewing = Self { descent, gap, wide, force: PULL_FIRST };
         sewing.stand_off(wide);
         sewing
     }
@@ -85,7 +85,7 @@ impl<'a, 'b> Sewing<'a, 'b> {
     fn stand_off(&mut self, wide: f64) {
         self.wide = wide;
         if let Some(b) = &mut self.descent.goal.barrier {
-            b.frame.body_gap.iter_mut().zip(&self.gaps).for_each(|(g, own)| *g = own.max(wide));
+            b.stand_off = wide;
             b.cover_anew(&self.descent.x);
         }
         self.descent.start_anew();
@@ -139,7 +139,7 @@ impl<'a, 'b> Sewing<'a, 'b> {
             let b = self.descent.advance(watch, &format!("widest seam {:.3} mm open", widest * 1e3))?;
             if self.wide > 0.0 {
                 let next = 0.5 * self.wide;
-                self.stand_off(if self.gaps.iter().all(|g| next <= *g) { 0.0 } else { next });
+                self.stand_off(if next <= self.gap { 0.0 } else { next });
                 last = f64::INFINITY;
                 continue;
             }
