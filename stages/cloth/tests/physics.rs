@@ -283,3 +283,19 @@ fn cloth_that_nothing_holds_is_told_so() {
     assert!(!out.settled);
     assert_eq!(out.stop_reason, StopReason::Unheld);
 }
+
+/// A strip clamped below that stands exactly upright: all forces vanish, however tall it is. Above its critical height,
+/// (7.837 B / (ρ g))^⅓ (Greenhill 1881), that is only a saddle.
+#[test]
+fn a_strip_that_stands_upright_stays_so_only_below_its_critical_height() {
+    let critical = libm::cbrt(7.837 * 8e-6 / (0.115 * G));
+    for (height, stands) in [(0.8 * critical, true), (1.4 * critical, false)] {
+        let mut scene = sheet(0.02, height, 6, 18, cotton(), |x, y| Vec3::new(x, y, 0.0));
+        scene.gravity = Vec3::new(0.0, -G, 0.0);
+        scene.pins = (0..14).map(|v| Pin { vertex: v, at: scene.positions[v as usize] }).collect();
+        let o = drape(&scene, &still(), &mut Silent).unwrap();
+        assert!(o.settled);
+        let sag = o.positions.iter().map(|p| p.z.abs()).fold(0.0, f64::max) / height;
+        assert!(if stands { sag < 1e-6 } else { sag > 0.3 }, "{height}: {sag}");
+    }
+}

@@ -38,6 +38,21 @@ impl Pattern {
         self.start.len().saturating_sub(1)
     }
 
+    /// Product of the symmetric matrix with these values and a vector.
+    pub fn times(&self, values: &[Matrix3<f64>], v: &[Vec3]) -> Vec<Vec3> {
+        let mut out = vec![Vec3::zeros(); v.len()];
+        for (column, ends) in self.start.windows(2).enumerate() {
+            let first = ends[0] as usize;
+            out[column] += values[first] * v[column];
+            for k in first + 1..ends[1] as usize {
+                let row = self.rows[k] as usize;
+                out[row] += values[k] * v[column];
+                out[column] += values[k].tr_mul(&v[row]);
+            }
+        }
+        out
+    }
+
     /// Place of a block.
     #[inline]
     pub fn find(&self, column: u32, row: u32) -> Option<usize> {

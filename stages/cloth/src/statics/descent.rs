@@ -42,7 +42,9 @@ pub(crate) struct Descent<'a> {
     pub x: Vec<Vec3>,
     pub f: Vec<Vec3>,
     pub energy: f64,
-    factor: Factor,
+    pub(super) factor: Factor,
+    /// Is it that of the second derivatives as they are?
+    pub(super) exact: bool,
     memory: Memory,
     pub tau: f64,
     /// Share of the stretch stiffness that the metric lets stand in all directions.
@@ -94,6 +96,7 @@ impl<'a> Descent<'a> {
             f,
             energy: 0.0,
             factor: Factor::default(),
+            exact: false,
             memory: Memory::default(),
             tau: TAU_FIRST,
             firm: 0.0,
@@ -139,7 +142,8 @@ impl<'a> Descent<'a> {
             self.refresh_friction();
         }
         self.free = TAU_FREE;
-        if self.true_metric() {
+        self.exact = self.true_metric();
+        if self.exact {
             return true;
         }
         let system = self.assemble(true);
@@ -169,7 +173,7 @@ impl<'a> Descent<'a> {
         convex
     }
 
-    fn assemble(&mut self, convex: bool) -> (Pattern, Vec<Matrix3<f64>>) {
+    pub(super) fn assemble(&mut self, convex: bool) -> (Pattern, Vec<Matrix3<f64>>) {
         let mut lap = Lap::start();
         self.goal.assemble(&self.x, self.firm, convex);
         let system = self.goal.hessian.merged();
@@ -177,7 +181,7 @@ impl<'a> Descent<'a> {
         system
     }
 
-    fn factorise(&mut self, (pattern, values): &(Pattern, Vec<Matrix3<f64>>)) -> bool {
+    pub(super) fn factorise(&mut self, (pattern, values): &(Pattern, Vec<Matrix3<f64>>)) -> bool {
         let mut lap = Lap::start();
         let shift: Vec<f64> = self.goal.inertia.iter().map(|m| m / self.tau).collect();
         let done = self.factor.factorise(pattern, values, &shift);
@@ -255,7 +259,7 @@ impl<'a> Descent<'a> {
     }
 
     /// Shortens a step so that nothing crosses.
-    fn limit(&mut self, step: &mut [Vec3]) {
+    pub(super) fn limit(&mut self, step: &mut [Vec3]) {
         for round in 0..=HOLD_ROUNDS {
             if self.goal.barrier.as_mut().is_some_and(|b| b.cover(&self.x, step)) {
                 self.evaluate();

@@ -7,6 +7,7 @@ mod memory;
 pub(crate) mod objective;
 mod report;
 mod rest;
+mod saddle;
 mod seams;
 
 pub(crate) use coarse::sew;

@@ -7,6 +7,8 @@ use crate::{ClothError, EffectReport, Outcome, Scene, Settings, StopReason, Vec3
 
 /// Blocks in a row without any step after which nothing more can be won.
 const MOST_STUCK: u32 = 12;
+/// Saddles that are left, at most: beyond that the cloth is called at rest on one.
+const MOST_PUSHES: u32 = 8;
 /// Way over the size of the scene after which the cloth is given up as falling.
 const FAR: f64 = 3.0;
 /// What a Newton step would win over the elastic energy, above which coarser cloth finds the way first.
@@ -57,7 +59,7 @@ fn on_coarser(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Resu
 impl Descent<'_> {
     /// Goes on until at rest.
     pub fn settle(&mut self, watch: &mut dyn Watch) -> Result<StopReason, ClothError> {
-        let mut stuck = 0;
+        let (mut stuck, mut pushes) = (0, 0);
         let start = self.x.clone();
         let far = FAR * self.goal.size(&start);
         loop {
@@ -65,7 +67,11 @@ impl Descent<'_> {
             self.metric()?;
             self.look();
             if self.resting() {
-                return Ok(StopReason::Settled);
+                if pushes == MOST_PUSHES || !self.leave_saddle() {
+                    return Ok(StopReason::Settled);
+                }
+                pushes += 1;
+                continue;
             }
             if (self.tau < self.free || self.firm > 0.0) && self.nearly_resting() {
                 // Is it so with the cloth's own metric, too?
