@@ -5,9 +5,9 @@ mod params;
 
 pub use params::{AccuracyName, DrapeParams, EffectsParam, IntegratorName, ModelName, SwitchName};
 
-use crate::solve::{Follow, Layout, failure, scene};
+use crate::solve::{Follow, Layout, effects, failure, scene};
 use toile_cloth::{Outcome, Scene, Settings, StopReason};
-use toile_garment::garment::{EffectRecord, Shape};
+use toile_garment::garment::Shape;
 use toile_garment::{Aspect, Diagnostic, Garment, Vec3};
 use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
 
@@ -84,17 +84,7 @@ fn reactions(garment: &Garment, layout: &Layout, map: &[u32], outcome: &Outcome)
 }
 
 fn tell(garment: &mut Garment, outcome: &Outcome, cx: &mut StageContext<'_>) {
-    garment.effects = outcome
-        .effects
-        .iter()
-        .map(|e| EffectRecord {
-            name: e.name.to_owned(),
-            on: e.on,
-            rule: e.rule.clone(),
-            evidence: e.evidence.clone(),
-            cpu_seconds: e.cpu_seconds,
-        })
-        .collect();
+    garment.effects = effects(&outcome.effects);
     if outcome.stop_reason != StopReason::Settled {
         cx.report.push(
             Diagnostic::warning(

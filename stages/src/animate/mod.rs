@@ -6,7 +6,7 @@ mod store;
 
 pub use params::AnimateParams;
 
-use crate::solve::{Follow, Layout, failure, scene};
+use crate::solve::{self, Follow, Layout, failure, scene};
 use store::Store;
 use toile_cloth::{Motion, Scene, Trip};
 use toile_garment::garment::EffectRecord;
@@ -127,18 +127,14 @@ fn tell(
 
 /// Effects that the drape had too get the evidence of the motion beside that of the drape.
 fn add_effects(effects: &mut Vec<EffectRecord>, trip: &Trip) {
-    for e in &trip.effects {
-        if let Some(known) = effects.iter_mut().find(|k| k.name == e.name) {
-            known.on |= e.on;
-            known.evidence = format!("{}; in motion: {}", known.evidence, e.evidence);
-            continue;
+    for e in solve::effects(&trip.effects) {
+        match effects.iter_mut().find(|k| k.name == e.name) {
+            Some(known) => {
+                known.on |= e.on;
+                known.evidence = format!("{}; in motion: {}", known.evidence, e.evidence);
+                known.cpu_seconds += e.cpu_seconds;
+            }
+            None => effects.push(e),
         }
-        effects.push(EffectRecord {
-            name: e.name.to_owned(),
-            on: e.on,
-            rule: e.rule.clone(),
-            evidence: e.evidence.clone(),
-            cpu_seconds: e.cpu_seconds,
-        });
     }
 }

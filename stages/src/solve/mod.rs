@@ -1,8 +1,10 @@
 //! Between garment words and the solver's plain arrays: the one place where both are known.
 
+mod effects;
 mod fabric;
 pub mod scene;
 pub mod watch;
 
+pub use effects::effects;
 pub use scene::{Layout, scene};
 pub use watch::{Follow, failure};

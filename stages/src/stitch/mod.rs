@@ -5,7 +5,7 @@ mod attach;
 pub(crate) mod load;
 pub mod place;
 
-use crate::solve::{Follow, Layout, failure, scene};
+use crate::solve::{Follow, Layout, effects, failure, scene};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -99,6 +99,7 @@ impl Stage for Stitch {
         let settings = settings(params, cx.threads);
         let outcome = toile_cloth::sew(&start, &settings, &mut Follow::new(cx)).map_err(failure)?;
         tell(&garment, &outcome, settings.sewing_distance, cx);
+        garment.effects = effects(&outcome.effects);
         garment.stitched = Some(Shape { positions: layout.split(&outcome.positions), sewn: true, welded: false });
         Ok(garment)
     }
