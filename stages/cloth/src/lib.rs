@@ -9,6 +9,8 @@
 pub mod certificate;
 pub mod curve;
 pub mod error;
+#[doc(hidden)]
+pub mod kernels;
 pub mod outcome;
 pub mod scene;
 pub mod settings;

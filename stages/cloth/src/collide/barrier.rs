@@ -151,11 +151,16 @@ impl Barrier {
         true
     }
 
+    /// Makes the lists anew; what the wide search found stays.
+    pub fn relist(&mut self, x: &[Vec3], step: &[Vec3]) {
+        self.listed.forget();
+        self.cover(x, step);
+    }
+
     /// Gaps have changed: makes the lists for them.
     pub fn cover_anew(&mut self, x: &[Vec3]) {
-        self.listed.forget();
         self.own.iter_mut().for_each(Own::forget);
-        self.cover(x, &vec![Vec3::zeros(); x.len()]);
+        self.relist(x, &vec![Vec3::zeros(); x.len()]);
     }
 
     /// Tells that `x` was reached.

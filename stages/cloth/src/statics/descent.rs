@@ -42,9 +42,9 @@ pub(crate) struct Descent<'a> {
     pub x: Vec<Vec3>,
     pub f: Vec<Vec3>,
     pub energy: f64,
-    pub(super) factor: Factor,
+    pub factor: Factor,
     /// Is it that of the second derivatives as they are?
-    pub(super) exact: bool,
+    pub exact: bool,
     memory: Memory,
     pub tau: f64,
     /// Share of the stretch stiffness that the metric lets stand in all directions.
@@ -173,7 +173,7 @@ impl<'a> Descent<'a> {
         convex
     }
 
-    pub(super) fn assemble(&mut self, convex: bool) -> (Pattern, Vec<Matrix3<f64>>) {
+    pub fn assemble(&mut self, convex: bool) -> (Pattern, Vec<Matrix3<f64>>) {
         let mut lap = Lap::start();
         self.goal.assemble(&self.x, self.firm, convex);
         let system = self.goal.hessian.merged();
@@ -181,7 +181,7 @@ impl<'a> Descent<'a> {
         system
     }
 
-    pub(super) fn factorise(&mut self, (pattern, values): &(Pattern, Vec<Matrix3<f64>>)) -> bool {
+    pub fn factorise(&mut self, (pattern, values): &(Pattern, Vec<Matrix3<f64>>)) -> bool {
         let mut lap = Lap::start();
         let shift: Vec<f64> = self.goal.inertia.iter().map(|m| m / self.tau).collect();
         let done = self.factor.factorise(pattern, values, &shift);
