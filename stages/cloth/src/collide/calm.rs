@@ -41,8 +41,9 @@ impl Lists {
     }
 }
 
-/// Normals of a triangle that bound those along a step: at its beginning, half mixed, at its end.
-type Normals = [Vec3; 3];
+/// Normals of a triangle that bound those along a step (at its beginning, half mixed, at its end), and what each must
+/// have along the mean of its patch.
+type Normals = [(Vec3, f64); 3];
 
 /// Smooth patches around the vertices.
 #[derive(Debug)]
@@ -80,17 +81,18 @@ impl Calm {
         });
         let able = able(scene, topology, &star, &ring);
         let double = scene.triangles.iter().map(|t| 2.0 * t.area().abs()).collect();
-        let normals = vec![[Vec3::zeros(); 3]; topology.faces.len()];
+        let normals = vec![[(Vec3::zeros(), 0.0); 3]; topology.faces.len()];
         Self { star, ring, wide, near, double, able, normals, one: vec![false; n], two: vec![false; n] }
     }
 
     /// Looks at the cloth at `x` and along `step`.
     pub fn look(&mut self, x: &[Vec3], step: &[Vec3], topology: &Topology) {
-        for (n, t) in self.normals.iter_mut().zip(&topology.faces) {
+        for ((n, double), t) in self.normals.iter_mut().zip(&self.double).zip(&topology.faces) {
             let ([a, b, c], [p, q, r]) = (crate::pick3(x, t), crate::pick3(step, t));
             let (e, f) = (b - a, c - a);
             let (g, h) = (e + (q - p), f + (r - p));
-            *n = [e.cross(&f), (e.cross(&h) + g.cross(&f)) * 0.5, g.cross(&h)];
+            let need = |n: Vec3| (n, ALIKE * n.norm_squared().max(double * double).sqrt());
+            *n = [need(e.cross(&f)), need((e.cross(&h) + g.cross(&f)) * 0.5), need(g.cross(&h))];
         }
         self.one = (0u32..).zip(&self.able).map(|(v, able)| *able && self.alike(self.star.of(v), v)).collect();
         let patch = |v| self.ring.of(v).iter().all(|w| self.able[*w as usize]) && self.alike(self.wide.of(v), v);
@@ -100,19 +102,13 @@ impl Calm {
     /// Do these triangles look the same way as those at `v`?
     #[inline]
     fn alike(&self, triangles: &[u32], v: u32) -> bool {
-        let mean: Vec3 = self.star.of(v).iter().map(|f| self.normals[*f as usize]).map(|n| n[0] + n[2]).sum();
+        let mean: Vec3 = self.star.of(v).iter().map(|f| self.normals[*f as usize]).map(|n| n[0].0 + n[2].0).sum();
         let l = mean.norm();
         if l <= 0.0 {
             return false;
         }
         let mean = mean / l;
-        triangles.iter().all(|f| {
-            let least = ALIKE * self.double[*f as usize];
-            self.normals[*f as usize].iter().all(|n| {
-                let along = n.dot(&mean);
-                along >= least && along * along >= ALIKE * ALIKE * n.norm_squared()
-            })
-        })
+        triangles.iter().all(|f| self.normals[*f as usize].iter().all(|(n, need)| n.dot(&mean) >= *need))
     }
 
     /// Do these two triangles lie in one calm patch?
