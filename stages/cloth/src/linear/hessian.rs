@@ -42,12 +42,11 @@ impl Pattern {
     pub fn times(&self, values: &[Matrix3<f64>], v: &[Vec3]) -> Vec<Vec3> {
         let mut out = vec![Vec3::zeros(); v.len()];
         for (column, ends) in self.start.windows(2).enumerate() {
-            let first = ends[0] as usize;
+            let (first, end) = (ends[0] as usize, ends[1] as usize);
             out[column] += values[first] * v[column];
-            for k in first + 1..ends[1] as usize {
-                let row = self.rows[k] as usize;
-                out[row] += values[k] * v[column];
-                out[column] += values[k].tr_mul(&v[row]);
+            for (row, block) in self.rows[first + 1..end].iter().zip(&values[first + 1..end]) {
+                out[*row as usize] += block * v[column];
+                out[column] += block.tr_mul(&v[*row as usize]);
             }
         }
         out
