@@ -32,6 +32,8 @@ pub(crate) struct Objective {
     /// m, mean rest length of an edge.
     pub edge: f64,
     force: Vec<Vec3>,
+    /// Do all fabrics resist bending?
+    pub bends: bool,
     /// Not part of any result; what contacts cost stands with them.
     pub costs: Costs,
     pub looks: u64,
@@ -69,6 +71,7 @@ impl Objective {
         });
         let constant = hessian.values.clone();
         let force = vec![Vec3::zeros(); positions.len()];
+        let bends = scene.materials.iter().all(|m| m.bend_warp > 0.0 && m.bend_weft > 0.0);
         (
             Self {
                 energies,
@@ -84,6 +87,7 @@ impl Objective {
                 edge,
                 force,
                 costs,
+                bends,
                 looks: 0,
             },
             positions,

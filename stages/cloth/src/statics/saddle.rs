@@ -15,9 +15,10 @@ const WORTH: f64 = 1e-6;
 
 impl Descent<'_> {
     /// Where the second derivatives as they are are not convex: goes down along the direction that bends down most.
-    /// `false` where this is a least, or no way leads down.
+    /// `false` where this is a least, or no way leads down. Cloth that does not resist bending stays flat: its wrinkles would
+    /// be as small as the mesh allows.
     pub(super) fn leave_saddle(&mut self) -> bool {
-        if self.exact {
+        if self.exact || !self.goal.bends {
             return false;
         }
         let (pattern, own) = self.assemble(false);
