@@ -59,12 +59,65 @@ impl Own {
         });
     }
 
-    /// `x` was reached.
+    /// `x` was reached along a way that was listed.
     pub fn took(&mut self, x: &[Vec3]) {
         self.listed.took(x);
     }
 
     pub fn forget(&mut self) {
         self.listed.forget();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::barrier::Barrier;
+    use super::super::contact::Frame;
+    use super::*;
+    use crate::Element;
+
+    const APART: f64 = 1.0055;
+
+    /// Two triangles above each other, just too far apart for the first wide search.
+    fn stacked() -> (Scene, Barrier) {
+        let rest = [[0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+        let mut scene = Scene::default();
+        for (n, z) in [(0, 0.0), (3, APART)] {
+            scene.positions.extend(rest.map(|[x, y]| Vec3::new(x, y, z)));
+            scene.triangles.push(Element { vertices: [n, n + 1, n + 2], rest, material: 0 });
+        }
+        let topology = Topology::of_elements(6, &scene.triangles);
+        let own = Own::new(&scene, &scene.positions, &topology);
+        let frame = Frame {
+            topology,
+            groups: (0..6).collect(),
+            body_gap: vec![0.0; 6],
+            own_gap: vec![1e-3; 6],
+            friction: vec![0.0; 6],
+            inverse_mass: vec![1.0; 6],
+            edge: 1.0,
+            own: true,
+        };
+        (scene, Barrier::new(frame, None, vec![1.0; 6], Some(own)))
+    }
+
+    /// Moves towards each other, of both triangles.
+    fn closer(by: f64) -> Vec<Vec3> {
+        (0..6).map(|v| Vec3::new(0.0, 0.0, if v < 3 { by } else { -by })).collect()
+    }
+
+    /// The list made for a step that is not taken must not count from where another step leads.
+    #[test]
+    fn a_step_that_was_not_taken_moves_no_list() {
+        let (scene, mut barrier) = stacked();
+        let up = vec![Vec3::new(0.0, 0.0, 0.01); 6];
+        assert!(barrier.cover(&scene.positions, &up) && barrier.near.points.is_empty());
+        let along = |x: &[Vec3], by: f64| -> Vec<Vec3> { x.iter().zip(closer(by)).map(|(p, d)| p + d).collect() };
+        assert!(!barrier.cover(&scene.positions, &closer(0.03)), "the first lists hold");
+        let x = along(&scene.positions, 0.03);
+        barrier.took(&x);
+        let x = along(&x, 0.455);
+        assert!(barrier.cover(&x, &closer(0.0066)));
+        assert!(!barrier.near.points.is_empty());
     }
 }

@@ -218,6 +218,12 @@ impl<'a> Descent<'a> {
         if self.weight > 0.0 { net / self.weight } else { 0.0 }
     }
 
+    /// Are the net forces within a goal that is set for them?
+    fn quiet(&self) -> bool {
+        let goal = self.settings.residual_tolerance;
+        goal.is_finite() && self.net() <= goal
+    }
+
     pub fn resting(&self) -> bool {
         let s = self.settings;
         let slid = self.goal.stick.as_ref().map_or(0.0, |s| s.largest);
@@ -342,7 +348,7 @@ impl<'a> Descent<'a> {
                 Some(part) => {
                     b.steps += 1;
                     sum += part;
-                    if part < SHORTEST || self.net() <= self.settings.residual_tolerance {
+                    if part < SHORTEST || self.quiet() {
                         break;
                     }
                 }
