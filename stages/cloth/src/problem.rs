@@ -234,7 +234,7 @@ pub(crate) fn model(scene: &Scene, s: &Settings, topology: &Topology, mass: &[f6
         }
         Model::Coupled => vec![Box::new(Coupled::new(scene, s))],
     };
-    list.push(Box::new(Flexion::new(scene, topology, s)));
+    list.push(Box::new(Flexion::new(scene, topology)));
     list.push(Box::new(Weight::new(scene, mass, s.gravity_scale)));
     list
 }

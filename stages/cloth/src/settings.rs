@@ -94,9 +94,6 @@ pub struct Settings {
     pub speed_tolerance: f64,
     /// Extra elongation allowed to a bias edge by shear, rad.
     pub shear_allowance: f64,
-    /// Divides the bending stiffness: what a cantilever strip of this mesh family shows of the hinges' stiffness. Regular
-    /// triangles bend with a Poisson ratio of −1/3, so a free strip shows 1 − 1/9 of it (docs/flexion.md).
-    pub bending_mesh_factor: f64,
     /// Most steps.
     pub max_steps: u64,
     /// Most simulated time, s.
@@ -132,7 +129,6 @@ impl Default for Settings {
             energy_tolerance: 1e-3,
             speed_tolerance: 2e-3,
             shear_allowance: 0.6,
-            bending_mesh_factor: 8.0 / 9.0,
             max_steps: 2_000_000,
             max_seconds: 20.0,
             repair_share: 0.2,

@@ -116,7 +116,7 @@ fn body(scene: &Scene) -> Result<(), ClothError> {
 
 /// Checks the ranges of all numbers.
 pub(crate) fn settings(s: &Settings) -> Result<(), ClothError> {
-    let ranges: [(&'static str, f64, f64, f64); 16] = [
+    let ranges: [(&'static str, f64, f64, f64); 15] = [
         ("damping", s.damping, 0.0, 1e6),
         ("stiffness_damping", s.stiffness_damping, 0.0, 2.0),
         ("gravity_scale", s.gravity_scale, -1e6, 1e6),
@@ -131,7 +131,6 @@ pub(crate) fn settings(s: &Settings) -> Result<(), ClothError> {
         ("energy_tolerance", s.energy_tolerance, 0.0, 1.0),
         ("speed_tolerance", s.speed_tolerance, 0.0, 1e3),
         ("shear_allowance", s.shear_allowance, 0.0, 10.0),
-        ("bending_mesh_factor", s.bending_mesh_factor, 1e-3, 1e3),
         ("repair_share", s.repair_share, 0.0, 1.0),
     ];
     for (name, value, low, high) in ranges {

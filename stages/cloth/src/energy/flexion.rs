@@ -1,121 +1,231 @@
-//! Flexion springs of the paper (class 3: the cloth's bending) as moment springs on the hinges between triangles
-//! (docs/flexion.md): E = ½ k |u₂ + u₃|², u the unit vectors across the wings, so |u₂ + u₃| = 2 sin(θ/2).
-//! The form is quadratic in the positions, so it cannot blow up, and needs lengths only, so it works across seams.
+//! Bending (class 3 of the paper, its flexion springs) as the curvature of every triangle, told by the folds over its edges
+//! (docs/flexion.md): E = ½ A Σ D κ². The form is quadratic in the positions, so it cannot blow up, and needs lengths
+//! only, so it works across seams.
 
 use super::Energy;
+use super::patch::{Fold, Parts, Share, curvature, voigt};
 use crate::linear::hessian::Hessian;
-use crate::topology::{Hinge, Topology};
-use crate::{Element, Material, Scene, Settings, Vec3};
+use crate::topology::Topology;
+use crate::{Element, Material, Scene, Vec3};
+use nalgebra::{Matrix3, Vector2, Vector3};
 
-struct Moment {
-    vertices: [u32; 4],
-    /// Weights of the four vertices in u₂ + u₃, 1/m.
-    weights: [f64; 4],
-    /// N·m.
-    stiffness: f64,
+/// A triangle and the corners across its edges.
+struct Patch {
+    vertices: [u32; 6],
+    /// E = ½ Σ |row · x|²; √N.
+    rows: [[f64; 6]; 3],
 }
 
 pub(crate) struct Flexion {
-    moments: Vec<Moment>,
+    patches: Vec<Patch>,
 }
 
-/// Foot of a wing's altitude on the edge (share of the way from end 0 to end 1), altitude and edge length.
-fn wing(e: &Element, side: usize, reversed: bool) -> (f64, f64, f64) {
-    let (a, b, c) = (e.rest[side], e.rest[(side + 1) % 3], e.rest[(side + 2) % 3]);
-    let length = e.rest_length(side);
-    let along = ((c[0] - a[0]) * (b[0] - a[0]) + (c[1] - a[1]) * (b[1] - a[1])) / (length * length);
-    (if reversed { 1.0 - along } else { along }, 2.0 * e.area().abs() / length, length)
-}
-
-/// Bending rigidity of a material for a hinge whose edge lies at this angle to the weft, N·m. Bending across an edge
-/// along the weft bends the warp.
-fn rigidity(m: &Material, cos: f64, sin: f64) -> f64 {
-    let (cc, ss) = (cos * cos, sin * sin);
+/// Rigidities against (κ₀₀, κ₁₁, 2 κ₀₁), N·m: weft, warp, twist; no coupling (a Poisson ratio of 0). The twist is the one
+/// with which a strip cut on the bias shows its measured rigidity; without that, Huber's √(D₁ D₂)/2.
+fn rigidity(m: &Material) -> Vector3<f64> {
+    let (weft, warp) = (m.bend_weft, m.bend_warp);
+    let mean = (warp * weft).sqrt();
     let twist = match m.bend_bias {
-        Some(bias) => 4.0 * bias - m.bend_warp - m.bend_weft,
-        None => 2.0 * (m.bend_warp * m.bend_weft).sqrt(),
+        Some(bias) if mean > 0.0 && bias > 0.0 => {
+            let soft = 4.0 / bias - 1.0 / warp - 1.0 / weft;
+            1.0 / soft.max(STIFFEST_TWIST / mean)
+        }
+        _ => 0.5 * mean,
     };
-    (m.bend_warp * cc * cc + m.bend_weft * ss * ss + twist * cc * ss).max(0.0)
+    Vector3::new(weft, warp, twist)
 }
 
-fn moment(h: &Hinge, scene: &Scene, factor: f64) -> Moment {
-    let mut weights = [0.0; 4];
-    let (mut bend, mut length, mut area) = (0.0, 0.0, 0.0);
-    for w in 0..2 {
-        let e = &scene.triangles[h.faces[w] as usize];
-        let side = usize::from(h.sides[w]);
-        let (along, altitude, l) = wing(e, side, e.vertices[side] != h.vertices[0]);
-        weights[0] -= (1.0 - along) / altitude;
-        weights[1] -= along / altitude;
-        weights[2 + w] += 1.0 / altitude;
-        let (a, b) = (e.rest[side], e.rest[(side + 1) % 3]);
-        bend += 0.5 * rigidity(&scene.materials[e.material as usize], (b[0] - a[0]) / l, (b[1] - a[1]) / l);
-        length += 0.5 * l;
-        area += e.area().abs();
+/// Least flexibility in twist over that of the mean of warp and weft: a measured bias strip may be stiffer than any plate.
+const STIFFEST_TWIST: f64 = 0.5;
+
+/// The first hinge on each side of a face: number, and which of its two faces this is.
+type Sides = [Option<(usize, usize)>; 3];
+
+fn beside(topology: &Topology) -> Vec<Sides> {
+    let mut beside = vec![[None; 3]; topology.faces.len()];
+    for (n, h) in topology.hinges.iter().enumerate() {
+        for own in 0..2 {
+            beside[h.faces[own] as usize][usize::from(h.sides[own])].get_or_insert((n, own));
+        }
     }
-    Moment { vertices: h.vertices, weights, stiffness: bend * length * length / (area * factor) }
+    beside
+}
+
+/// Direction of the only side without a hinge.
+fn open_side(e: &Element, sides: &Sides) -> Option<Vector2<f64>> {
+    let mut open = (0..3).filter(|k| sides[*k].is_none());
+    let k = open.next().filter(|_| open.next().is_none())?;
+    let way = Vector2::from(e.rest[(k + 1) % 3]) - Vector2::from(e.rest[k]);
+    Some(way / e.rest_length(k))
+}
+
+/// A triangle's folds, the hinges they belong to, and what they tell of its curvature.
+struct Bend {
+    folds: Vec<Fold>,
+    hinges: Vec<usize>,
+    parts: Option<Parts>,
+}
+
+impl Bend {
+    fn new(e: &Element, sides: &Sides, topology: &Topology, scene: &Scene) -> Self {
+        let folds: Vec<Fold> =
+            sides.iter().flatten().map(|(n, own)| Fold::new(&topology.hinges[*n], *own, scene)).collect();
+        let parts = curvature(&folds, open_side(e, sides));
+        Self { hinges: sides.iter().flatten().map(|s| s.0).collect(), folds, parts }
+    }
+
+    /// All three parts of a triangle inside the cloth.
+    fn whole(&self) -> Option<impl Iterator<Item = (usize, &Fold, &Vector3<f64>)>> {
+        let parts = self.parts.as_ref().filter(|_| self.folds.len() == 3)?;
+        Some(self.hinges.iter().zip(&self.folds).zip(parts).map(|((h, f), p)| (*h, f, p)))
+    }
+}
+
+/// By how much each triangle must be stiffer for its mesh to bend like the cloth.
+fn firmness(bends: &[Bend], areas: &[f64], hinges: usize) -> Vec<f64> {
+    let mut shares = vec![Share::default(); hinges];
+    for (bend, area) in bends.iter().zip(areas) {
+        bend.whole().into_iter().flatten().for_each(|(h, _, part)| shares[h].add(*area, part));
+    }
+    let of = |(bend, area): (&Bend, &f64)| {
+        let softer: f64 =
+            bend.whole().into_iter().flatten().map(|(h, f, _)| 0.5 * shares[h].softening(f.length, f.normal)).sum();
+        1.0 + softer / area
+    };
+    bends.iter().zip(areas).map(of).collect()
+}
+
+impl Patch {
+    /// Of a triangle with this area, m².
+    fn new(e: &Element, bend: &Bend, area: f64, stiffness: &Vector3<f64>) -> Self {
+        let mut patch = Self::around(e, &bend.folds);
+        match &bend.parts {
+            Some(parts) => {
+                let scale = (stiffness * area).map(f64::sqrt);
+                for (fold, part) in bend.folds.iter().zip(parts) {
+                    (0..3).for_each(|row| patch.add(row, scale[row] * part[row], fold));
+                }
+            }
+            // Each fold by itself, shared with the other wing.
+            None => {
+                for (row, fold) in bend.folds.iter().enumerate() {
+                    let across = voigt(fold.normal, fold.normal);
+                    let rigidity = across.component_mul(&across).dot(stiffness);
+                    patch.add(row, (0.5 * rigidity * fold.slimness).sqrt(), fold);
+                }
+            }
+        }
+        patch
+    }
+
+    fn around(e: &Element, folds: &[Fold]) -> Self {
+        let mut vertices = [e.vertices[0]; 6];
+        vertices[..3].copy_from_slice(&e.vertices);
+        for (slot, fold) in vertices[3..].iter_mut().zip(folds) {
+            *slot = if e.vertices.contains(&fold.vertices[2]) { fold.vertices[3] } else { fold.vertices[2] };
+        }
+        Self { vertices, rows: [[0.0; 6]; 3] }
+    }
+
+    fn add(&mut self, row: usize, factor: f64, fold: &Fold) {
+        for (v, w) in fold.vertices.iter().zip(fold.weights) {
+            if let Some(k) = self.vertices.iter().position(|p| p == v) {
+                self.rows[row][k] += factor * w;
+            }
+        }
+    }
+
+    #[inline]
+    fn bend(&self, x: &[Vec3]) -> [Vec3; 3] {
+        let mut bend = [Vec3::zeros(); 3];
+        for (k, v) in self.vertices.iter().enumerate() {
+            let p = x[*v as usize];
+            bend[0] += p * self.rows[0][k];
+            bend[1] += p * self.rows[1][k];
+            bend[2] += p * self.rows[2][k];
+        }
+        bend
+    }
+
+    #[inline]
+    fn push(&self, bend: &[Vec3; 3], f: &mut [Vec3]) {
+        for (k, v) in self.vertices.iter().enumerate() {
+            f[*v as usize] -= bend[0] * self.rows[0][k] + bend[1] * self.rows[1][k] + bend[2] * self.rows[2][k];
+        }
+    }
+
+    /// Second derivative by two of its vertices, N/m.
+    fn stiffness(&self, i: usize, j: usize) -> f64 {
+        self.rows.iter().map(|r| r[i] * r[j]).sum()
+    }
+}
+
+fn half_square(bend: &[Vec3; 3]) -> f64 {
+    0.5 * (bend[0].norm_squared() + bend[1].norm_squared() + bend[2].norm_squared())
 }
 
 impl Flexion {
-    pub fn new(scene: &Scene, topology: &Topology, settings: &Settings) -> Self {
-        let moments = topology.hinges.iter().map(|h| moment(h, scene, settings.bending_mesh_factor));
-        Self { moments: moments.filter(|m| m.stiffness > 0.0).collect() }
-    }
-}
-
-impl Moment {
-    #[inline]
-    fn fold(&self, x: &[Vec3]) -> Vec3 {
-        let [a, b, c, d] = crate::pick4(x, &self.vertices);
-        let w = &self.weights;
-        a * w[0] + b * w[1] + c * w[2] + d * w[3]
-    }
-
-    /// Adds the forces of a fold.
-    #[inline]
-    fn push(&self, fold: &Vec3, f: &mut [Vec3]) {
-        let u = fold * -self.stiffness;
-        for k in 0..4 {
-            f[self.vertices[k] as usize] += u * self.weights[k];
-        }
+    pub fn new(scene: &Scene, topology: &Topology) -> Self {
+        let beside = beside(topology);
+        let faces = scene.triangles.iter().zip(&beside);
+        let bends: Vec<Bend> = faces.map(|(e, sides)| Bend::new(e, sides, topology, scene)).collect();
+        let areas: Vec<f64> = scene.triangles.iter().map(|e| e.area().abs()).collect();
+        let firmness = firmness(&bends, &areas, topology.hinges.len());
+        let rigidities: Vec<Vector3<f64>> = scene.materials.iter().map(rigidity).collect();
+        let patch = |f: usize| {
+            let e = &scene.triangles[f];
+            let stiffness = &rigidities[e.material as usize];
+            let stands = !bends[f].folds.is_empty() && stiffness.amax() > 0.0;
+            stands.then(|| Patch::new(e, &bends[f], areas[f] * firmness[f], stiffness))
+        };
+        Self { patches: (0..bends.len()).filter_map(patch).collect() }
     }
 }
 
 impl Energy for Flexion {
     fn add_forces(&self, x: &[Vec3], f: &mut [Vec3]) {
-        self.moments.iter().for_each(|m| m.push(&m.fold(x), f));
+        self.patches.iter().for_each(|p| p.push(&p.bend(x), f));
     }
 
     fn energy(&self, x: &[Vec3]) -> f64 {
-        self.moments.iter().map(|m| 0.5 * m.stiffness * m.fold(x).norm_squared()).sum()
+        self.patches.iter().map(|p| half_square(&p.bend(x))).sum()
     }
 
     fn evaluate(&self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
         let mut energy = 0.0;
-        for m in &self.moments {
-            let fold = m.fold(x);
-            energy += 0.5 * m.stiffness * fold.norm_squared();
-            m.push(&fold, f);
+        for p in &self.patches {
+            let bend = p.bend(x);
+            energy += half_square(&bend);
+            p.push(&bend, f);
         }
         energy
     }
 
     fn add_stiffness(&self, _: &[Vec3], k: &mut [f64]) {
-        for m in &self.moments {
-            let sum: f64 = m.weights.iter().map(|w| w.abs()).sum();
-            for (v, w) in m.vertices.iter().zip(&m.weights) {
-                k[*v as usize] += m.stiffness * w.abs() * sum;
+        for p in &self.patches {
+            for (i, v) in p.vertices.iter().enumerate() {
+                k[*v as usize] += (0..6).map(|j| p.stiffness(i, j).abs()).sum::<f64>();
             }
         }
     }
 
     fn add_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
-        self.moments.iter().for_each(|m| super::clique(&m.vertices, pairs));
+        for p in &self.patches {
+            for i in 0..6 {
+                let others = p.vertices[..i].iter().filter(|v| **v != p.vertices[i]);
+                pairs.extend(others.map(|v| [p.vertices[i], *v]));
+            }
+        }
     }
 
     fn add_hessian(&self, _: &[Vec3], _: bool, h: &mut Hessian) {
-        for m in &self.moments {
-            h.spread(&m.vertices, &m.weights, &(nalgebra::Matrix3::identity() * m.stiffness));
+        for p in &self.patches {
+            for i in 0..6 {
+                h.add(p.vertices[i], &(Matrix3::identity() * p.stiffness(i, i)));
+                for j in (0..i).filter(|j| p.stiffness(i, *j) != 0.0) {
+                    h.couple(p.vertices[i], p.vertices[j], &(Matrix3::identity() * p.stiffness(i, j)));
+                }
+            }
         }
     }
 

@@ -3,6 +3,7 @@
 pub(crate) mod coupled;
 pub(crate) mod flexion;
 pub(crate) mod law;
+mod patch;
 pub(crate) mod shear;
 pub(crate) mod structural;
 pub(crate) mod weight;

@@ -58,7 +58,7 @@ fn energies(scene: &Scene, s: &Settings) -> Vec<Box<dyn Energy>> {
         Box::new(Coupled::new(scene, s)),
         Box::new(Structural::new(scene, &t, s)),
         Box::new(Shear::new(scene, &t)),
-        Box::new(Flexion::new(scene, &t, s)),
+        Box::new(Flexion::new(scene, &t)),
         Box::new(Weight::new(scene, &vec![1e-4; scene.positions.len()], 1.0)),
     ]
 }

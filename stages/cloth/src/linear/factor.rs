@@ -11,6 +11,11 @@ use crate::Vec3;
 use nalgebra::Matrix3;
 use pulp::{Arch, Simd, WithSimd};
 
+/// Bits of the exponent.
+const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
+/// 2⁻⁶⁰.
+const FLOOR: f64 = 1.0 / (1u64 << 60) as f64;
+
 /// A factorised block matrix.
 #[derive(Default)]
 pub(crate) struct Factor {
@@ -51,12 +56,19 @@ impl Factor {
     /// Rounds the blocks into the columns they belong to.
     #[allow(clippy::cast_possible_truncation)]
     fn fill(&mut self, values: &[Matrix3<f64>], shift: &[f64]) {
-        self.values.fill(0.0);
+        let floor = self.floor(values);
+        for node in &self.symbolic.nodes {
+            let panel = &mut self.values[node.start..][..node.height() * node.width()];
+            for (column, scalars) in panel.chunks_exact_mut(node.height()).enumerate() {
+                let low = floor[column % 3];
+                scalars.as_chunks_mut().0.iter_mut().for_each(|rows| *rows = low);
+            }
+        }
         for (value, target) in values.iter().zip(&self.symbolic.targets) {
             for c in 0..3 {
                 for r in 0..3 {
                     let v = if target.mirrored { value[(c, r)] } else { value[(r, c)] };
-                    self.values[target.at + c * target.height + r] = v as f32;
+                    self.values[target.at + c * target.height + r] = v as f32 + floor[c][r];
                 }
             }
         }
@@ -67,6 +79,21 @@ impl Factor {
                 self.values[target.at + c * target.height + c] = (block[(c, c)] + shift) as f32;
             }
         }
+    }
+
+    /// What stands in place of zeros, per pair of axes, far below what single precision can tell: far from the pattern what
+    /// fills in is soon too small to be a normal number, and those take the processor a hundred times as long. A power
+    /// of two, so that similar systems have similar factors; none between axes that know nothing of each other, so that
+    /// flat cloth stays flat.
+    #[allow(clippy::cast_possible_truncation)]
+    fn floor(&self, values: &[Matrix3<f64>]) -> [[f32; 3]; 3] {
+        let diagonal = self.pattern.start.iter().filter_map(|k| values.get(*k as usize));
+        let largest = diagonal.map(|m| m[(0, 0)].max(m[(1, 1)]).max(m[(2, 2)])).fold(0.0, f64::max);
+        let power = (f64::from_bits(largest.to_bits() & EXPONENT) * FLOOR) as f32;
+        let mut coupled = Matrix3::<f64>::zeros();
+        values.iter().for_each(|m| coupled += m.abs());
+        let low = |c: usize, r: usize| if coupled[(r, c)] + coupled[(c, r)] > 0.0 { power } else { 0.0 };
+        [0, 1, 2].map(|c| [low(c, 0), low(c, 1), low(c, 2)])
     }
 
     /// Solves for one right-hand side, in place.
