@@ -17,12 +17,24 @@ use crate::linear::hessian::{FIXED, Hessian};
 const EDGE_SHARE: f64 = 0.5;
 /// N/m³: a gap of 1 mm is half closed by 240 Pa.
 const STIFFNESS: f64 = 2e5;
-/// A contact nearer than this share of its gap is pressed harder than the barrier is made for: there it becomes as stiff
-/// as holds the same load at `EASY` of the gap, by at most `HARDER` at a time and `HARDEST` in all.
-const TIGHT: f64 = 0.1;
-const EASY: f64 = 0.4;
+/// What one hardening gives at most, and all of them.
 const HARDER: f64 = 16.0;
 const HARDEST: f64 = 1e4;
+
+/// When contacts harden: one nearer than `tight` of its gap becomes as stiff as holds the same load at `easy` of it.
+#[derive(Clone, Copy)]
+pub(crate) struct Firm {
+    tight: f64,
+    easy: f64,
+    /// Only those with the body.
+    body: bool,
+}
+
+/// On the way: pressed harder than the barrier is made for.
+pub(crate) const PRESSED: Firm = Firm { tight: 0.1, easy: 0.4, body: false };
+/// At rest: cloth that is stretched round a body must lie where its gap says, or its girth is wrong.
+pub(crate) const LYING: Firm = Firm { tight: 0.75, easy: 0.97, body: true };
+
 /// Largest stiffness of a contact in the metric, N/m: beyond it single precision loses the cloth behind it.
 const STEEPEST: f64 = 1e5;
 /// Slack of the lists over the mean edge: small enough that neighbours of neighbours stay out.
@@ -186,15 +198,15 @@ impl Barrier {
         energy
     }
 
-    /// Hardens the contacts of free vertices that are pressed nearly shut, as the last evaluation saw them; says whether any
-    /// is.
+    /// Hardens the contacts of free vertices that are pressed together, as the last evaluation saw them; says whether any is.
     ///
     /// A load of tens of kPa (tight cloth over a sharp bend) would close a gap to a micrometre, where no step is short
     /// enough.
-    pub fn harden(&mut self, unknown: &[u32]) -> bool {
+    pub fn harden(&mut self, unknown: &[u32], firm: Firm) -> bool {
         let mut any = false;
-        for t in self.touches.iter().filter(|t| t.distance < TIGHT * t.gap) {
-            let more = (barrier(t.distance, t.gap).1 / barrier(EASY * t.gap, t.gap).1).min(HARDER);
+        let pressed = |t: &&Touch| t.distance < firm.tight * t.gap && (t.key.0 >= BODY_POINT || !firm.body);
+        for t in self.touches.iter().filter(pressed) {
+            let more = (barrier(t.distance, t.gap).1 / barrier(firm.easy * t.gap, t.gap).1).min(HARDER);
             let hard = (t.hard * more).min(HARDEST);
             for (v, w) in t.vertices.iter().zip(&t.weights) {
                 if *w != 0.0 && unknown[*v as usize] != FIXED && self.hard[*v as usize] < hard {
@@ -353,8 +365,8 @@ mod tests {
                 &Gap { vertices: [0; 4], weights: [1.0, 0.0, 0.0, 0.0], d: Vec3::new(0.0, d, 0.0) },
             );
             assert_eq!(found, d);
-            if !b.harden(&[0]) {
-                assert!(round > 0 && d > TIGHT * gap, "{round} {d}");
+            if !b.harden(&[0], PRESSED) {
+                assert!(round > 0 && d > PRESSED.tight * gap, "{round} {d}");
                 return;
             }
         }

@@ -3,10 +3,12 @@
 
 use crate::{Curve, Integrator, Material, Settings, Switch};
 
+/// Cells of a table; more where it must show how the cloth locks.
 const CELLS: usize = 256;
+const CELLS_LOCKING: usize = 1024;
 /// Share of the strain limit at which the cloth begins to lock, and at which it is locked …
-pub(crate) const LOCKING: f64 = 0.96;
-const SHUT: f64 = 0.98;
+pub(crate) const LOCKING: f64 = 0.99;
+const SHUT: f64 = 0.998;
 /// … and the tension that it carries there over that of its curve, N/m.
 const LOCKED: f64 = 1000.0;
 
@@ -25,7 +27,11 @@ impl Law {
     /// locks (infinite for never).
     pub fn new(curve: &Curve, cap: f64, reach: f64, lock: f64) -> Self {
         let plain = matches!(curve, Curve::Linear { .. }) && lock.is_infinite();
-        let cells = if plain { 1 } else { CELLS };
+        let cells = match (plain, lock.is_finite()) {
+            (true, _) => 1,
+            (_, true) => CELLS_LOCKING,
+            _ => CELLS,
+        };
         let step = reach / cells as f64;
         let mut tangent: Vec<f64> = (0..=cells)
             .map(|i| match curve {

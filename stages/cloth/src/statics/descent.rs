@@ -2,6 +2,7 @@
 
 use super::memory::{Memory, dot};
 use super::objective::Objective;
+use crate::collide::barrier::{Firm, PRESSED};
 use crate::cost::{Lap, Work};
 use crate::linear::factor::Factor;
 use crate::linear::hessian::{FIXED, Pattern, gather};
@@ -136,9 +137,7 @@ impl<'a> Descent<'a> {
     fn refresh(&mut self) -> bool {
         // In a time step friction holds on to where the step began, until its end.
         if self.goal.inert.is_none() {
-            if self.goal.barrier.as_mut().is_some_and(|b| b.harden(&self.goal.hessian.unknown)) {
-                self.start_anew();
-            }
+            self.harden(PRESSED);
             self.refresh_friction();
         }
         self.free = TAU_FREE;
@@ -155,6 +154,15 @@ impl<'a> Descent<'a> {
             }
         }
         true
+    }
+
+    /// Hardens contacts that are pressed together; says whether there were any.
+    pub fn harden(&mut self, firm: Firm) -> bool {
+        let harder = self.goal.barrier.as_mut().is_some_and(|b| b.harden(&self.goal.hessian.unknown, firm));
+        if harder {
+            self.start_anew();
+        }
+        harder
     }
 
     /// Near rest the second derivatives as they are lead faster than their convex part; `false` where they are not convex.
