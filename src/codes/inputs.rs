@@ -6,7 +6,7 @@ use super::{Code, code};
 pub(super) const CODES: &[Code] = &[
     code(
         "bending-differs-from-file",
-        "A strip on the cantilever does not show the bending stiffness of the fabric file. The mesh is too coarse for it; take a shorter --edge.",
+        "The bending length of a strip on the cantilever differs by more than 5 % from the fabric file's. A shorter --edge helps where the mesh is too coarse; what stays is how garments of this fabric will bend.",
     ),
     code("body-empty", "The body has no triangle with area. Exit code 3."),
     code(
@@ -61,7 +61,7 @@ pub(super) const CODES: &[Code] = &[
     code("fabric-value-twice", "The fabric gives one property in two ways. Keep one. Exit code 3."),
     code(
         "fabric-without-bending",
-        "The fabric has no bending stiffness, so it hangs as the mesh lets it and the test has no answer. Give its bending in the fabric file. Exit code 3.",
+        "The fabric has no bending stiffness, or a bending length below 1 mm, so it hangs as the mesh lets it and the test has no answer. Give its bending in the fabric file. Exit code 3.",
     ),
     code(
         "garment-file",

@@ -67,7 +67,7 @@ pub struct CusickArgs {
     #[arg(long, value_name = "LENGTH", default_value = "4 mm")]
     pub edge: Length,
     /// Readings, each from another start; their mean is the result, as in a laboratory.
-    #[arg(long, value_name = "N", default_value_t = 1, value_parser = clap::value_parser!(u32).range(1..=12))]
+    #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=12))]
     pub repeats: u32,
     /// The laboratory's drape coefficient, e.g. "62 %", to compare with.
     #[arg(long, value_name = "SHARE")]

@@ -2,7 +2,9 @@
 //!
 //! The shear angle is read in the middle, where yarns are free of both clamps, and stands beside that of yarns that keep
 //! their lengths: `γ = 90° − 2 acos((D + d)/(√2 D))`, D = length − width. FAST-3 reads the extension at 5 gf/cm (EB5) and
-//! takes G = 123/EB5 N/m (EB5 in %). The strip is kept flat: wrinkles at large shear are not shown.
+//! takes G = 123/EB5 N/m (EB5 in %), as if all of the strip sheared alike. Beside the clamps it does not: with yarns
+//! that keep their lengths a strip twice as long as wide is 1.5 times as stiff, so G after FAST comes out up to 1.5 times
+//! too large. The strip is kept flat: wrinkles at large shear are not shown.
 
 use super::mesh::{Flat, strip};
 use super::rig::{Rest, Rig};

@@ -21,6 +21,8 @@ mod nodes;
 pub mod picture;
 mod rig;
 mod shadow;
+#[cfg(test)]
+mod tests;
 
 pub use bias::{Bias, BiasParams};
 pub use cantilever::{Cantilever, CantileverParams};
@@ -28,11 +30,14 @@ pub use cusick::{Cusick, CusickParams};
 pub use direction::Direction;
 pub use frame::{Frame, FrameParams};
 
+use direction::bending_length;
 use toile_garment::Diagnostic;
 use toile_garment::fabric::Fabric;
 use toile_garment::units::{Dimension, tidy};
 use toile_stage_api::StageError;
 
+/// Shortest bending length that is tested, m: as in fabric files.
+const LIMPEST: f64 = 1e-3;
 /// m/s², as in fabric files and in `drape`.
 const GRAVITY: f64 = 9.81;
 
@@ -50,10 +55,17 @@ fn within<D: Dimension>(name: &str, value: f64, range: std::ops::RangeInclusive<
     ))
 }
 
-/// Refuses a fabric that cannot stand out at all: its figure would be that of the mesh.
+/// Refuses a fabric that hardly stands out at all: its figure would be that of the mesh.
 fn needs_bending(fabric: &Fabric, directions: &[Direction]) -> Result<(), StageError> {
-    let Some(limp) = directions.iter().find(|d| d.bending(fabric) <= 0.0) else { return Ok(()) };
-    let message = format!("fabric `{}` has no bending stiffness along the {}", fabric.name, limp.word());
+    let length = |d: &Direction| bending_length(d.bending(fabric), fabric.areal_mass);
+    let Some(limp) = directions.iter().find(|d| length(d) < LIMPEST) else { return Ok(()) };
+    let message = format!(
+        "fabric `{}` has a bending length of {:.2} mm along the {}; at least {} mm can be tested",
+        fabric.name,
+        1e3 * length(limp),
+        limp.word(),
+        1e3 * LIMPEST
+    );
     let hint = "give bending_warp and bending_weft, or FAST's bending lengths, in the fabric file";
     Err(StageError::input(Diagnostic::error("fabric-without-bending", message).hint(hint)))
 }

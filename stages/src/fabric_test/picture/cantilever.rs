@@ -28,7 +28,7 @@ pub fn cantilever(fabric: &str, read: &[Cantilever]) -> String {
         canvas.line(c.direction.word(), &[back(y), Vec2::new(-PLATFORM + 10.0, y)], false);
         let words =
             format!("{}: c {:.1} mm, B {:.2} uN.m", c.direction.word(), 1e3 * c.bending_length, 1e6 * c.rigidity);
-        canvas.text("label", Vec2::new(20.0, y), 0.8 * LETTERS, &words);
+        canvas.text("label", Vec2::new(14.0, y), 0.8 * LETTERS, &words);
     }
     canvas.scale_bar(Vec2::new(-PLATFORM, foot.y - 2.0 * LETTERS), 50.0, LETTERS);
     let high = 4.0 * LETTERS + 7.0 * read.len() as f64;

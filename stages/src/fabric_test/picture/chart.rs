@@ -49,10 +49,10 @@ impl Chart {
     }
 }
 
-/// The next of 1, 2, 2.5, 4, 5, 8 times a power of ten.
+/// The next of 1, 2, 2.5, 5 times a power of ten.
 fn round_up(x: f64) -> f64 {
     let power = libm::pow(10.0, libm::log10(x).floor());
-    [1.0, 2.0, 2.5, 4.0, 5.0, 8.0, 10.0].into_iter().map(|f| f * power).find(|r| *r >= x * (1.0 - 1e-9)).unwrap_or(x)
+    [1.0, 2.0, 2.5, 5.0, 10.0].into_iter().map(|f| f * power).find(|r| *r >= x * (1.0 - 1e-9)).unwrap_or(x)
 }
 
 fn mark(x: f64) -> String {
@@ -66,7 +66,7 @@ mod tests {
 
     #[test]
     fn axes_end_at_round_numbers() {
-        for (x, end) in [(9.7, 10.0), (10.0, 10.0), (0.031, 0.04), (17.0, 20.0), (23.0, 25.0)] {
+        for (x, end) in [(9.7, 10.0), (10.0, 10.0), (0.031, 0.05), (17.0, 20.0), (23.0, 25.0)] {
             assert!((round_up(x) / end - 1.0).abs() < 1e-12, "{x}");
         }
         assert_eq!(mark(2.5), "2.5");

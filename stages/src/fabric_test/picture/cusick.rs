@@ -1,10 +1,13 @@
 //! The shadow seen from above, between the circles of the disc and of the flat specimen; the warp runs upwards.
 
-use super::{LETTERS, finish, mm};
+use super::{finish, mm};
 use crate::fabric_test::cusick::{Cusick, DISC};
 use std::f64::consts::TAU;
 use toile_formats::svg::canvas::Canvas;
 use toile_garment::Vec2;
+
+/// Height of letters, mm.
+const LETTERS: f64 = 8.0;
 
 /// Draws one reading.
 #[must_use]
@@ -34,5 +37,5 @@ fn warp(canvas: &mut Canvas) {
     let (foot, tip) = (Vec2::new(0.0, -30.0), Vec2::new(0.0, 30.0));
     let head = |x: f64| tip + Vec2::new(x, -6.0);
     canvas.line("axis", &[foot, tip, head(-2.5), tip, head(2.5)], false);
-    canvas.text("label", Vec2::new(14.0, 0.0), LETTERS, "warp");
+    canvas.text("label", Vec2::new(16.0, 0.0), LETTERS, "warp");
 }
