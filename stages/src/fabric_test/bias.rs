@@ -6,7 +6,7 @@
 //! that keep their lengths a strip twice as long as wide is 1.5 times as stiff, so G after FAST comes out up to 1.5 times
 //! too large. The strip is kept flat: wrinkles at large shear are not shown.
 
-use super::mesh::{Flat, strip};
+use super::mesh::{Flat, crossed_strip};
 use super::rig::{Rest, Rig};
 use super::within;
 use crate::solve::material;
@@ -127,9 +127,8 @@ struct Pulled {
 
 impl Pulled {
     fn new(fabric: &Fabric, edge: f64) -> Self {
-        let columns = (WIDTH / edge).round() as usize;
-        let rows = (LENGTH / (edge * super::mesh::ROW)).round() as usize;
-        let cloth = strip([WIDTH, LENGTH], columns, rows).cut_on_bias();
+        let cells = |side: f64| (side / edge).round() as usize;
+        let cloth = crossed_strip([WIDTH, LENGTH], cells(WIDTH), cells(LENGTH)).cut_on_bias();
         let end = |y: f64| cloth.pick(|p| (p[1] - y).abs() < 1e-9);
         let clamps = [end(0.0), end(LENGTH)];
         let at = cloth.place(|[x, y]| Vec3::new(x - 0.5 * WIDTH, 0.0, -y));

@@ -150,7 +150,7 @@ fn read(params: &CusickParams, cloth: &Flat, at: &[Vec3], shadow: &Shadow) -> Cu
 }
 
 /// The standard's rule of repeats: the next smaller specimen for limp cloth, the next larger one for stiff cloth.
-fn advise(read: &Cusick, cx: &mut StageContext<'_>) {
+pub(super) fn advise(read: &Cusick, cx: &mut StageContext<'_>) {
     let percent = 100.0 * read.drape_coefficient;
     let smaller = SPECIMENS.into_iter().rfind(|s| *s < read.params.specimen);
     let larger = SPECIMENS.into_iter().find(|s| *s > read.params.specimen);

@@ -71,6 +71,25 @@ pub fn strip([width, length]: [f64; 2], columns: usize, rows: usize) -> Flat {
     Flat::new(at, triangles)
 }
 
+/// A strip of squares, each cut by both diagonals: on cloth cut on the bias both families of yarns lie along edges, so that
+/// yarns which hardly stretch let the triangles shear. Across other triangles they lock.
+pub fn crossed_strip([width, length]: [f64; 2], columns: usize, rows: usize) -> Flat {
+    let (dx, dy) = (width / columns as f64, length / rows as f64);
+    let corners = (0..=rows).flat_map(|j| (0..=columns).map(move |i| [i as f64 * dx, j as f64 * dy]));
+    let centres = (0..rows).flat_map(|j| (0..columns).map(move |i| [(i as f64 + 0.5) * dx, (j as f64 + 0.5) * dy]));
+    let at: Vec<[f64; 2]> = corners.chain(centres).collect();
+    let corner = |i: usize, j: usize| index(j * (columns + 1) + i);
+    let mut triangles = Vec::new();
+    for j in 0..rows {
+        for i in 0..columns {
+            let centre = index((rows + 1) * (columns + 1) + j * columns + i);
+            let around = [corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1)];
+            triangles.extend((0..4).map(|k| [around[k], around[(k + 1) % 4], centre]));
+        }
+    }
+    Flat::new(at, triangles)
+}
+
 /// Concentric circles of vertices `edge` apart around the origin, at rising radii.
 pub fn ring(radii: &[f64], edge: f64) -> Flat {
     let mut at: Vec<[f64; 2]> = Vec::new();
@@ -138,6 +157,18 @@ mod tests {
         assert!((sum - 0.025 * 0.05).abs() < 1e-12);
         assert!(least > 0.2 * sum / flat.triangles.len() as f64);
         assert_eq!(flat.pick(|[_, y]| y < 1e-9).len(), 7);
+    }
+
+    #[test]
+    fn crossed_strips_have_their_yarns_along_edges() {
+        let flat = crossed_strip([0.02, 0.04], 4, 8).cut_on_bias();
+        let (sum, least) = areas(&flat);
+        assert!((sum - 8e-4).abs() < 1e-12 && (least * flat.triangles.len() as f64 / sum - 1.0).abs() < 1e-9);
+        for t in &flat.triangles {
+            let [a, b, c] = t.map(|v| flat.rest[v as usize]);
+            let along = |p: [f64; 2]| (p[0] - c[0]).abs() < 1e-12 || (p[1] - c[1]).abs() < 1e-12;
+            assert!(along(a) && along(b));
+        }
     }
 
     #[test]

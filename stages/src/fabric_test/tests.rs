@@ -67,49 +67,50 @@ fn the_drape_coefficient_rises_with_the_bending_length() {
 /// Where every stiffness and the mass grow alike, nothing changes.
 #[test]
 fn the_drape_coefficient_depends_on_stiffness_over_weight() {
-    let light = drape(&cloth(0.1, 2000.0, 30.0, [6e-6, 4e-6]), 8e-3, 0);
-    let heavy = drape(&cloth(0.3, 6000.0, 90.0, [18e-6, 12e-6]), 8e-3, 0);
+    let light = drape(&cloth(0.1, 2000.0, 30.0, [5e-5, 4e-5]), 9e-3, 0);
+    let heavy = drape(&cloth(0.3, 6000.0, 90.0, [15e-5, 12e-5]), 9e-3, 0);
     assert!((light.drape_coefficient - heavy.drape_coefficient).abs() < 0.01);
     assert_eq!(light.nodes.len(), heavy.nodes.len());
 }
 
 #[test]
 fn the_drape_coefficient_does_not_depend_on_the_mesh() {
-    let mean = |edge| (0..2).map(|k| drape(&shirting(), edge, k).drape_coefficient).sum::<f64>() / 2.0;
-    let (coarse, fine) = (mean(8e-3), mean(5e-3));
+    let [coarse, fine] = [8e-3, 6e-3].map(|edge| drape(&shirting(), edge, 0).drape_coefficient);
     assert!((coarse - fine).abs() < 0.05, "{coarse} and {fine}");
 }
 
-/// The standard's rule: another specimen for limp and for stiff cloth, none for usual cloth.
+/// The standard's rule: another specimen for limp and for stiff cloth, none for usual cloth or beyond the last size.
 #[test]
 fn another_specimen_is_asked_for_by_the_standard() {
-    let asked = |c: f64| {
-        let fabric = cloth(0.15, 3000.0, 40.0, [0.15 * GRAVITY * c * c * c; 2]);
-        let params = CusickParams { edge: 1.1e-2, ..CusickParams::default() };
-        let report = lend(|cx| cusick::cusick(&fabric, &params, cx)).1;
+    let asked = |specimen: f64, drape_coefficient: f64| {
+        let params = CusickParams { specimen, ..CusickParams::default() };
+        let (outline, nodes) = (Vec::new(), Vec::new());
+        let read = Cusick { params, drape_coefficient, shadow_area: 0.0, outline, nodes, drop_max: 0.0, triangles: 0 };
+        let report = lend(|cx| cusick::advise(&read, cx)).1;
         report.findings.into_iter().next().map(|f| (f.code, f.hint.unwrap_or_default()))
     };
     let is = |found: Option<(String, String)>, code: &str, size: &str| {
         found.is_some_and(|(c, hint)| c == code && hint.contains(size))
     };
-    assert!(is(asked(0.009), "specimen-too-large", "24 cm"));
-    assert!(asked(0.022).is_none());
-    assert!(is(asked(0.06), "specimen-too-small", "36 cm"));
+    assert!(is(asked(0.30, 0.29), "specimen-too-large", "24 cm"));
+    assert!(is(asked(0.36, 0.29), "specimen-too-large", "30 cm"));
+    assert!(is(asked(0.30, 0.86), "specimen-too-small", "36 cm"));
+    assert!(asked(0.30, 0.31).is_none() && asked(0.24, 0.1).is_none() && asked(0.36, 0.9).is_none());
 }
 
 /// Yarns that keep their lengths: the angle in the middle, and 6 G ε of force per width at small extension.
 #[test]
 fn a_bias_strip_shears_as_its_yarns_must() {
-    let fabric = cloth(0.1, 2e4, 10.0, [1e-5; 2]);
+    let fabric = cloth(0.1, 8e4, 40.0, [1e-5; 2]);
     let params = BiasParams { edge: 5e-3, extension: 0.05 };
     let read = lend(|cx| bias::bias(&fabric, &params, cx)).0.expect("at rest");
     for r in &read.readings[1..] {
         let ratio = r.shear_angle / r.shear_angle_rigid;
-        assert!((ratio - 1.0).abs() < 0.04, "{} of {} rad", r.shear_angle, r.shear_angle_rigid);
+        assert!((ratio - 1.0).abs() < 0.05, "{} of {} rad", r.shear_angle, r.shear_angle_rigid);
     }
     let first = read.readings[1];
     let expected = 6.0 * fabric.shear * first.extension * bias::WIDTH;
-    assert!((first.force / expected - 1.0).abs() < 0.06, "{} of {expected} N", first.force);
+    assert!((first.force / expected - 1.0).abs() < 0.08, "{} of {expected} N", first.force);
     assert!((read.shear_fast / fabric.shear - 1.5).abs() < 0.2, "{}", read.shear_fast);
     assert!(read.readings.windows(2).all(|p| p[1].force > p[0].force && p[1].waist < p[0].waist));
 }
