@@ -56,7 +56,7 @@ fn text(read: &Bias) -> String {
     }
     let _ = writeln!(
         text,
-        "  EB5 {:.2} % (at 5 gf/cm); cloth without clamps would show 123/G = {:.2} %\n  G = 123/EB5 = {:.1} N/m per rad, the file has {:.1}: the clamps hold back part of the strip",
+        "  EB5 {:.2} % (at 5 gf/cm); shear alone, without clamps, would show {:.2} %\n  G = 123/EB5 = {:.1} N/m per rad, the file has {:.1}: clamps raise it, yarns that stretch lower it",
         100.0 * read.eb5,
         100.0 * 0.25 * FAST / read.shear,
         read.shear_fast,

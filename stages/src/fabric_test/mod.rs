@@ -8,7 +8,7 @@
 //! | [`bias`] | how a strip cut at 45° gives way | bias extension, FAST-3 (EB5) |
 //! | [`frame`] | what shearing takes when the yarns keep their lengths | picture frame |
 //!
-//! Every test makes its own even mesh ([`mesh`]), is held by a [`rig`], and is read as the instrument reads it.
+//! Every test makes its own even mesh (`mesh.rs`), is held by a rig (`rig.rs`), and is read as the instrument reads it.
 //! Pictures of the results: [`picture`]. Lengths are metres, angles radians, forces newtons.
 
 pub mod bias;
