@@ -1,5 +1,6 @@
 //! Verbs and their options.
 
+use super::fabric::FabricArgs;
 use crate::load::Request;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -33,6 +34,8 @@ pub enum Verb {
     Flatten(FlattenArgs),
     /// Make a body from measures; without options: list sizes and measures.
     Body(BodyArgs),
+    /// Do a laboratory's test of a fabric on the solver.
+    Fabric(FabricArgs),
     /// List the stages, or explain one with all its parameters.
     Stages(StagesArgs),
     /// Print the JSON schema of pipeline files.

@@ -185,29 +185,36 @@ pub(super) fn is_free(path: &Path, force: bool, console: &mut Console<'_>) -> bo
     !taken
 }
 
-/// Writes one result whole, never over a file without `--force`.
+/// Writes one result whole, never over a file without `--force`, and names it on stdout.
 pub(super) fn write_result(path: &Path, bytes: &[u8], force: bool, console: &mut Console<'_>) -> Exit {
-    let name = clean(path);
+    let exit = write_file(path, bytes, force, console);
+    if exit == Exit::Good {
+        console.result(&format!("{}\n", clean(path)));
+    }
+    exit
+}
+
+/// The same without a word on stdout.
+pub(super) fn write_file(path: &Path, bytes: &[u8], force: bool, console: &mut Console<'_>) -> Exit {
     if !is_free(path, force, console) {
         return Exit::Usage;
     }
     if let Err(error) = write_whole(path, bytes) {
-        console.say(&format!("error[write-failed] cannot write `{name}`: {error}\n"));
+        console.say(&format!("error[write-failed] cannot write `{}`: {error}\n", clean(path)));
         return Exit::System;
     }
-    console.result(&format!("{name}\n"));
     Exit::Good
 }
 
 /// Keeps what a tap writes; lets it read nothing.
 #[derive(Default)]
-struct Memory {
+pub(super) struct Memory {
     written: BTreeMap<PathBuf, Vec<u8>>,
 }
 
 impl Files for Memory {
     fn read(&mut self, path: &Path) -> Result<Vec<u8>, FileError> {
-        let reason = "flattening works from the garment's file alone".to_owned();
+        let reason = "this command works from the file it was given alone".to_owned();
         Err(FileError::Refused { path: clean(path), reason })
     }
 

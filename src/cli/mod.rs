@@ -6,6 +6,7 @@ mod check;
 mod completions;
 mod console;
 mod explain;
+mod fabric;
 mod flatten;
 mod inspect;
 mod plan;
@@ -80,6 +81,7 @@ fn dispatch(cli: Cli, mut registry: Registry, stop: &Arc<Stop>, console: &mut Co
         Verb::Inspect(args) => inspect::run(&args, console),
         Verb::Flatten(args) => flatten::run(&args, &registry, stop, console),
         Verb::Body(args) => body::run(&args, console),
+        Verb::Fabric(args) => fabric::run(&args, stop, console),
         Verb::Stages(args) => stages::run(&args, &registry, console),
         Verb::Schema => schema::run(&registry, console),
         Verb::Explain(args) => explain::run(&args, console),

@@ -90,7 +90,10 @@ pub(super) const CODES: &[Code] = &[
         "A seam did not close: something is in the way, or the pieces do not reach. Place them nearer to where they are sewn. The drape joins what is open; its certificate says whether the cloth bears it.",
     ),
     code("sequence-name", "with.sequence has no number to count up from. Exit code 2."),
-    code("setting-out-of-range", "A setting of the solver is outside the range in which it works. Exit code 2."),
+    code(
+        "setting-out-of-range",
+        "A setting of the solver or of a test is outside the range in which it works. Exit code 2.",
+    ),
     code(
         "start-crosses",
         "The cloth crosses itself or the body before the first step, so contact cannot keep them apart. Move the pieces apart with [[place]]. Exit code 3.",

@@ -4,6 +4,10 @@ use super::{Code, code};
 
 /// Codes of bodies, fabrics, meshes, images and garment files.
 pub(super) const CODES: &[Code] = &[
+    code(
+        "bending-differs-from-file",
+        "The bending length of a strip on the cantilever differs by more than 5 % from the fabric file's. A shorter --edge helps where the mesh is too coarse; what stays is how garments of this fabric will bend.",
+    ),
     code("body-empty", "The body has no triangle with area. Exit code 3."),
     code(
         "body-faces-mixed",
@@ -39,6 +43,10 @@ pub(super) const CODES: &[Code] = &[
     code("body-vertices-merged", "Vertices of the body at the same place became one."),
     code("body-vertices-unused", "Vertices of the body belong to no face and were left out."),
     code("color", "A colour is not written as # and six hexadecimal digits. Exit code 2."),
+    code(
+        "drape-differs-from-lab",
+        "The drape coefficient differs by more than five points from the one given with --lab, more than repeats of one cloth differ in a laboratory. Look at the bending stiffness first.",
+    ),
     code("fabric-curve", "A measured curve must begin at zero and rise in both columns. Exit code 3."),
     code("fabric-name-missing", "The fabric has no name. Give it one, so that reports can tell fabrics apart."),
     code("fabric-syntax", "The fabric file is not TOML at this place; the message says what is wrong. Exit code 3."),
@@ -51,6 +59,10 @@ pub(super) const CODES: &[Code] = &[
         "The fabric file does not say enough: one of [linear], [isotropic], [kes], [fast] or [curve] must give stretch, shear and bending, with areal mass and thickness. Exit code 3.",
     ),
     code("fabric-value-twice", "The fabric gives one property in two ways. Keep one. Exit code 3."),
+    code(
+        "fabric-without-bending",
+        "The fabric has no bending stiffness, or a bending length below 1 mm, so it hangs as the mesh lets it and the test has no answer. Give its bending in the fabric file. Exit code 3.",
+    ),
     code(
         "garment-file",
         "The file is no garment document of toile, is damaged, or was written by a newer toile. Exit code 3.",
@@ -95,6 +107,14 @@ pub(super) const CODES: &[Code] = &[
     code(
         "shape-edited",
         "Vertices of the GLB were moved since the export. The flattening carries the edit into the pieces.",
+    ),
+    code(
+        "specimen-too-large",
+        "The drape coefficient is below 30 %: the standard asks for a smaller specimen, which tells limp cloths apart better.",
+    ),
+    code(
+        "specimen-too-small",
+        "The drape coefficient is above 85 %: the standard asks for a larger specimen, which tells stiff cloths apart better.",
     ),
     code("text-encoding", "A text file is not UTF-8. Save it as UTF-8. Exit code 3."),
     code("text-not-utf8", "A text file is not UTF-8. Save it as UTF-8. Exit code 3."),

@@ -14,6 +14,7 @@ pub mod export_gltf;
 pub mod export_obj;
 pub mod export_print;
 pub mod export_report;
+pub mod fabric_test;
 pub mod flatten;
 pub mod import_dxf;
 pub mod import_garmentcode;

@@ -25,18 +25,23 @@ impl Files for NoFiles {
 
 /// Runs a stage.
 pub fn run<S: Stage>(stage: &S, params: &S::Params, garment: Garment) -> Result<(Garment, Report), StageError> {
+    let (garment, report) = lend(|cx| stage.run(params, garment, cx));
+    Ok((garment?, report))
+}
+
+/// Lends what the engine lends to a stage; gives the findings too.
+pub fn lend<T>(work: impl FnOnce(&mut StageContext<'_>) -> T) -> (T, Report) {
     let mut report = Report::default();
     let cancel = AtomicBool::new(false);
-    let mut cx = StageContext {
+    let done = work(&mut StageContext {
         report: &mut report,
         progress: &mut (),
         files: &mut NoFiles,
         cancel: &cancel,
         seed: 0,
         threads: 1,
-    };
-    let garment = stage.run(params, garment, &mut cx)?;
-    Ok((garment, report))
+    });
+    (done, report)
 }
 
 /// A point in millimetres.

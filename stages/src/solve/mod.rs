@@ -6,5 +6,6 @@ pub mod scene;
 pub mod watch;
 
 pub use effects::effects;
+pub use fabric::material;
 pub use scene::{Layout, scene};
 pub use watch::{Follow, failure};

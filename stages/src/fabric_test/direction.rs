@@ -1,0 +1,65 @@
+//! Directions in which specimens are cut, and what a fabric's bending is along them.
+
+use super::GRAVITY;
+use toile_garment::fabric::Fabric;
+
+/// Along which yarns a specimen is cut.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Direction {
+    /// Along the grain line.
+    Warp,
+    /// Across it.
+    Weft,
+    /// At 45° to both.
+    Bias,
+}
+
+impl Direction {
+    /// All, in the order of a test sheet.
+    pub const ALL: [Self; 3] = [Self::Warp, Self::Weft, Self::Bias];
+
+    /// The word.
+    #[must_use]
+    pub fn word(self) -> &'static str {
+        match self {
+            Self::Warp => "warp",
+            Self::Weft => "weft",
+            Self::Bias => "bias",
+        }
+    }
+
+    /// Cosine and sine of the angle between the specimen's length and the warp.
+    #[must_use]
+    pub fn cut(self) -> [f64; 2] {
+        use std::f64::consts::FRAC_1_SQRT_2;
+        match self {
+            Self::Warp => [1.0, 0.0],
+            Self::Weft => [0.0, 1.0],
+            Self::Bias => [FRAC_1_SQRT_2, FRAC_1_SQRT_2],
+        }
+    }
+
+    /// Bending rigidity that the fabric's numbers say for this direction, N·m. Without a measured bias value it is
+    /// estimated from warp and weft, as the solver does (`stages/cloth/docs/flexion.md`).
+    #[must_use]
+    pub fn bending(self, fabric: &Fabric) -> f64 {
+        let mean = 0.5 * (fabric.bend_warp.sqrt() + fabric.bend_weft.sqrt());
+        match self {
+            Self::Warp => fabric.bend_warp,
+            Self::Weft => fabric.bend_weft,
+            Self::Bias => fabric.bend_bias.unwrap_or(mean * mean),
+        }
+    }
+
+    /// Does the fabric file give that number, or is it estimated?
+    #[must_use]
+    pub fn is_given(self, fabric: &Fabric) -> bool {
+        self != Self::Bias || fabric.bend_bias.is_some()
+    }
+}
+
+/// Peirce's bending length of a rigidity, m: `c = (B/(σ g))^⅓`.
+#[must_use]
+pub fn bending_length(bending: f64, areal_mass: f64) -> f64 {
+    libm::cbrt(bending / (areal_mass * GRAVITY))
+}
