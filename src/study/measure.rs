@@ -1,0 +1,124 @@
+//! What is measured on a drape, and how far two drapes differ.
+//!
+//! Folded cloth has several states of rest: two meshes can put the folds of one hem in different places and both be
+//! right. Hem heights and girths hardly depend on that, so they are the error that counts (`length`); the distance of
+//! the surfaces, which folds dominate, is told beside them.
+
+use super::girth::tape;
+use super::nearest::Nearest;
+use super::surface::{Hem, Surface};
+use serde::{Deserialize, Serialize};
+
+/// Heights of the girths, as shares of the garment's height from its lowest point.
+const LEVELS: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
+
+/// Hem heights and girths of one drape, in a fixed order.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Lengths {
+    /// Mean height of every free edge above the floor, mm.
+    pub hems_mm: Vec<f64>,
+    /// Girths by the tape, mm.
+    pub girths_mm: Vec<f64>,
+}
+
+/// How far a drape is from the finest one.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Error {
+    /// Largest difference of a hem height or girth, mm.
+    pub length_mm: f64,
+    /// Largest difference of a hem height, mm.
+    pub hem_mm: f64,
+    /// Largest difference of a girth, mm.
+    pub girth_mm: f64,
+    /// Distance of the surfaces, both ways, by area: mean, mm.
+    pub distance_mean_mm: f64,
+    /// 95th percentile, mm.
+    pub distance_p95_mm: f64,
+    /// Largest, mm.
+    pub distance_max_mm: f64,
+    /// Difference of the 95th percentile of strain.
+    pub strain_p95: f64,
+    /// Difference of the elastic energy over that of the finest.
+    pub energy_rel: f64,
+}
+
+/// Heights at which a garment is measured, metres: shares of the height of the finest drape.
+#[must_use]
+pub fn levels(finest: &Surface) -> Vec<f64> {
+    let [low, high] = finest.range();
+    LEVELS.iter().map(|share| low + share * (high - low)).collect()
+}
+
+/// Measures a drape at the given heights.
+#[must_use]
+pub fn lengths(surface: &Surface, levels: &[f64]) -> Lengths {
+    Lengths {
+        hems_mm: surface.hems().iter().map(|h: &Hem| 1e3 * h.height).collect(),
+        girths_mm: levels.iter().map(|y| 1e3 * tape(surface, *y).unwrap_or(0.0)).collect(),
+    }
+}
+
+/// Largest differences of hem heights and of girths, mm; `None` when the drapes have other hems.
+#[must_use]
+pub fn difference(a: &Lengths, b: &Lengths) -> Option<[f64; 2]> {
+    let largest = |a: &[f64], b: &[f64]| {
+        (a.len() == b.len()).then(|| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max))
+    };
+    Some([largest(&a.hems_mm, &b.hems_mm)?, largest(&a.girths_mm, &b.girths_mm)?])
+}
+
+/// Distance of two surfaces, both ways: mean, 95th percentile and largest, mm. Every triangle counts by its area, at
+/// its middle; corners count for the largest.
+#[must_use]
+pub fn distance(a: &Surface, b: &Surface) -> [f64; 3] {
+    let mut samples = one_way(a, b);
+    samples.extend(one_way(b, a));
+    samples.sort_by(|x, y| x.0.total_cmp(&y.0));
+    let whole: f64 = samples.iter().map(|s| s.1).sum();
+    let mean = samples.iter().map(|(d, area)| d * area).sum::<f64>() / whole.max(f64::MIN_POSITIVE);
+    let mut seen = 0.0;
+    let p95 = samples.iter().find(|(_, area)| {
+        seen += area;
+        seen >= 0.95 * whole
+    });
+    let largest = samples.last().map_or(0.0, |s| s.0);
+    [mean, p95.map_or(largest, |s| s.0), largest].map(|d| 1e3 * d)
+}
+
+/// Distances from the middles and corners of `from` to `to`, with the area each stands for.
+fn one_way(from: &Surface, to: &Surface) -> Vec<(f64, f64)> {
+    let tree = Nearest::new(to);
+    let mut samples = Vec::new();
+    for t in 0..from.triangles.len() {
+        let [a, b, c] = from.corners(t);
+        let area = 0.5 * (b - a).cross(&(c - a)).norm();
+        samples.push((tree.distance(&((a + b + c) / 3.0)), area));
+    }
+    let mut corners: Vec<u32> = from.triangles.iter().flatten().copied().collect();
+    corners.sort_unstable();
+    corners.dedup();
+    samples.extend(corners.iter().map(|v| (tree.distance(&from.points[*v as usize]), 0.0)));
+    samples
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::surface::tests::tube;
+    use super::*;
+
+    #[test]
+    fn a_wider_tube_is_further_by_its_radius() {
+        let (narrow, wide) = (tube(360, 20, 0.20, 0.5), tube(360, 20, 0.21, 0.5));
+        let [mean, p95, largest] = distance(&narrow, &wide);
+        assert!((mean - 10.0).abs() < 0.02 && (p95 - 10.0).abs() < 0.02 && (largest - 10.0).abs() < 0.02);
+        let at = levels(&narrow);
+        let [hem, girth] = difference(&lengths(&narrow, &at), &lengths(&wide, &at)).expect("same hems");
+        assert!(hem < 1e-9 && (girth - std::f64::consts::TAU * 10.0).abs() < 0.01);
+    }
+
+    #[test]
+    fn other_hems_are_not_compared() {
+        let a = Lengths { hems_mm: vec![1.0], girths_mm: vec![] };
+        assert_eq!(difference(&a, &Lengths::default()), None);
+    }
+}

@@ -1,0 +1,233 @@
+//! The results of all runs put side by side.
+
+use super::estimate::{Level, estimate};
+use super::front::{Place, front, recommend};
+use super::grid::Setting;
+use super::measure::{Error, Lengths, difference, distance, lengths, levels};
+use super::presets::Preset;
+use super::runs::{Done, Ran};
+use super::surface::Surface;
+use serde::{Deserialize, Serialize};
+
+/// Version of the form of `study.json`.
+pub const VERSION: u32 = 1;
+
+/// One setting with all that is known of it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Row {
+    /// Name of its folder.
+    pub name: String,
+    /// Its run.
+    #[serde(flatten)]
+    pub done: Done,
+    /// Hem heights and girths.
+    pub lengths: Option<Lengths>,
+    /// How far it is from the finest; all zero for the finest itself.
+    pub error: Option<Error>,
+    /// Length error against the limit of fine meshes, estimated from this and the next coarser mesh, mm.
+    pub estimate_mm: Option<f64>,
+    /// The same against the finest mesh, mm: what `error.length_mm` should be.
+    pub estimate_to_finest_mm: Option<f64>,
+    /// Is nothing both cheaper and more exact?
+    pub on_front: bool,
+    /// Name of the preset at this setting.
+    pub preset: Option<String>,
+    /// What the preset promises, mm.
+    pub promised_mm: Option<f64>,
+    /// Is the promise held?
+    pub promise_held: Option<bool>,
+}
+
+impl Row {
+    /// Where it stands in the chart: seconds, and the error; the finest stands at its own estimate.
+    #[must_use]
+    pub fn place(&self, is_finest: bool) -> Option<Place> {
+        let error = if is_finest { self.estimate_mm } else { self.error.as_ref().map(|e| e.length_mm) };
+        Some(Place { seconds: self.done.cpu_seconds, error: error? })
+    }
+
+    /// Is there a drape that passed its certificate?
+    #[must_use]
+    pub fn is_good(&self) -> bool {
+        self.done.certificate.as_ref().is_some_and(|c| c.passed)
+    }
+}
+
+/// A study.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Study {
+    /// Version of this form.
+    pub toile_study: u32,
+    /// Program version.
+    pub toile: String,
+    /// Product line and version.
+    pub pipeline: String,
+    /// Threads of the runs.
+    pub threads: usize,
+    /// What the recommended setting must reach, mm.
+    pub wanted_mm: f64,
+    /// Heights of the girths above the floor, mm.
+    pub girth_heights_mm: Vec<f64>,
+    /// Settings, cheapest mesh first.
+    pub rows: Vec<Row>,
+    /// Index of the finest row, by which the others are measured.
+    pub finest: usize,
+    /// Index of the recommended row.
+    pub recommended: Option<usize>,
+    /// Settings that were left out for lack of budget.
+    pub left_out: Vec<String>,
+}
+
+/// Head of a study.
+pub struct Head {
+    /// Product line and version.
+    pub pipeline: String,
+    /// Threads.
+    pub threads: usize,
+    /// What is wanted, mm.
+    pub wanted_mm: f64,
+    /// What was left out.
+    pub left_out: Vec<String>,
+}
+
+/// Compares all runs with the finest. `None` when no run gave a drape.
+#[must_use]
+pub fn report(head: Head, ran: Vec<Ran>) -> Option<Study> {
+    let (runs, surfaces): (Vec<Done>, Vec<Option<Surface>>) =
+        ran.into_iter().map(|r| (r.done, r.garment.as_ref().and_then(Surface::of))).unzip();
+    let finest = finest(&runs, &surfaces)?;
+    let reference = surfaces[finest].as_ref()?;
+    let at = levels(reference);
+    let measured: Vec<Option<Lengths>> = surfaces.iter().map(|s| Some(lengths(s.as_ref()?, &at))).collect();
+    let finest_edge = runs[finest].setting.edge;
+    let rows = runs.iter().zip(&surfaces).enumerate().map(|(i, (done, surface))| {
+        let mut row = Row::plain(done, measured[i].clone());
+        row.error = surface.as_ref().and_then(|s| {
+            let lengths = difference(measured[i].as_ref()?, measured[finest].as_ref()?)?;
+            Some(compare(done, &runs[finest], lengths, distance(s, reference)))
+        });
+        let coarser = coarser(&runs, &measured, i);
+        let this = Level::of(done, measured[i].as_ref());
+        if let (Some(coarser), Some(this)) = (coarser, this) {
+            row.estimate_mm = estimate(coarser, this, None);
+            row.estimate_to_finest_mm = finest_edge.and_then(|f| estimate(coarser, this, Some(f)));
+        }
+        row
+    });
+    let mut study = Study {
+        toile_study: VERSION,
+        toile: env!("CARGO_PKG_VERSION").to_owned(),
+        pipeline: head.pipeline,
+        threads: head.threads,
+        wanted_mm: head.wanted_mm,
+        girth_heights_mm: at.iter().map(|y| 1e3 * y).collect(),
+        rows: rows.collect(),
+        finest,
+        recommended: None,
+        left_out: head.left_out,
+    };
+    study.judge();
+    Some(study)
+}
+
+/// The drape on the finest mesh; of several, the strictest.
+fn finest(runs: &[Done], surfaces: &[Option<Surface>]) -> Option<usize> {
+    let own = |d: &Done| {
+        Setting::plain(d.setting.edge)
+            .same_but_for_edge(&Setting { accuracy: Setting::plain(None).accuracy, ..d.setting })
+    };
+    let draped = (0..runs.len()).filter(|i| surfaces[*i].is_some() && own(&runs[*i]));
+    draped.min_by(|a, b| {
+        let edge = |i: &usize| runs[*i].setting.edge.unwrap_or(0.0);
+        let strict = |i: &usize| runs[*i].setting.accuracy as u8;
+        edge(a).total_cmp(&edge(b)).then(strict(b).cmp(&strict(a)))
+    })
+}
+
+/// The next coarser mesh with the same settings; where there is none, with the program's own tolerance.
+fn coarser<'a>(runs: &'a [Done], measured: &'a [Option<Lengths>], i: usize) -> Option<Level<'a>> {
+    let this = &runs[i].setting;
+    let own = Setting { accuracy: Setting::plain(None).accuracy, ..*this };
+    [*this, own].iter().find_map(|wanted| {
+        let fits = |j: &usize| runs[*j].setting.edge > this.edge && runs[*j].setting.same_but_for_edge(wanted);
+        let near = |a: &usize, b: &usize| {
+            let edge = |j: &usize| runs[*j].setting.edge.unwrap_or(f64::INFINITY);
+            edge(a).total_cmp(&edge(b))
+        };
+        let j = (0..runs.len()).filter(fits).filter(|j| measured[*j].is_some()).min_by(near)?;
+        Level::of(&runs[j], measured[j].as_ref())
+    })
+}
+
+impl<'a> Level<'a> {
+    fn of(done: &Done, lengths: Option<&'a Lengths>) -> Option<Self> {
+        Some(Self { edge: done.setting.edge?, lengths: lengths? })
+    }
+}
+
+impl Row {
+    fn plain(done: &Done, lengths: Option<Lengths>) -> Self {
+        let preset = Preset::of(&done.setting);
+        Self {
+            name: done.setting.name(),
+            done: done.clone(),
+            lengths,
+            error: None,
+            estimate_mm: None,
+            estimate_to_finest_mm: None,
+            on_front: false,
+            preset: preset.map(|p| p.name.to_owned()),
+            promised_mm: preset.map(|p| p.bound),
+            promise_held: None,
+        }
+    }
+}
+
+fn compare(done: &Done, finest: &Done, [hem_mm, girth_mm]: [f64; 2], distance: [f64; 3]) -> Error {
+    let [distance_mean_mm, distance_p95_mm, distance_max_mm] = distance;
+    let of = |d: &Done| d.certificate.as_ref().map_or((0.0, 0.0), |c| (c.strain_p95, c.energy_j));
+    let ((strain, energy), (finest_strain, finest_energy)) = (of(done), of(finest));
+    Error {
+        length_mm: hem_mm.max(girth_mm),
+        hem_mm,
+        girth_mm,
+        distance_mean_mm,
+        distance_p95_mm,
+        distance_max_mm,
+        strain_p95: strain - finest_strain,
+        energy_rel: if finest_energy > 0.0 { energy / finest_energy - 1.0 } else { 0.0 },
+    }
+}
+
+impl Study {
+    /// Places of all rows that passed their certificate.
+    #[must_use]
+    pub fn places(&self) -> Vec<Option<Place>> {
+        let place = |(i, row): (usize, &Row)| row.place(i == self.finest).filter(|_| row.is_good());
+        self.rows.iter().enumerate().map(place).collect()
+    }
+
+    fn judge(&mut self) {
+        let places = self.places();
+        let marks = front(&places);
+        self.recommended = recommend(&places, self.wanted_mm);
+        for (row, mark) in self.rows.iter_mut().zip(marks) {
+            row.on_front = mark;
+            let error = row.error.as_ref().map(|e| e.length_mm);
+            // Nothing is promised for a drape that fails its certificate, and nothing is held either.
+            row.promise_held = row.promised_mm.map(|bound| row.is_good() && error.is_some_and(|e| e <= bound));
+        }
+    }
+
+    /// How many estimates are within a factor of two of the error, of how many. Errors below half a millimetre are no
+    /// matter of meshes any more and do not count.
+    #[must_use]
+    pub fn estimates_within_two(&self) -> (usize, usize) {
+        let pairs = self.rows.iter().enumerate().filter(|(i, _)| *i != self.finest).filter_map(|(_, r)| {
+            let error = r.error.as_ref()?.length_mm;
+            Some((r.estimate_to_finest_mm?, error)).filter(|_| error >= 0.5)
+        });
+        let all: Vec<bool> = pairs.map(|(guess, error)| (0.5..=2.0).contains(&(guess / error))).collect();
+        (all.iter().filter(|good| **good).count(), all.len())
+    }
+}
