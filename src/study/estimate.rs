@@ -22,7 +22,7 @@ pub struct Level<'a> {
 /// result of a mesh of the edge length `finest`. `None` when the levels cannot be compared.
 #[must_use]
 pub fn estimate(coarser: Level<'_>, this: Level<'_>, finest: Option<f64>) -> Option<f64> {
-    let [hem, girth] = difference(coarser.lengths, this.lengths)?;
+    let [hem, girth, _] = difference(coarser.lengths, this.lengths)?;
     let power = |h: f64| libm::pow(h, ORDER);
     let (step, rest) = (power(coarser.edge) - power(this.edge), power(this.edge) - finest.map_or(0.0, power));
     (step > 0.0).then(|| hem.max(girth) * rest.max(0.0) / step)
@@ -34,7 +34,8 @@ mod tests {
 
     #[test]
     fn finds_the_error_of_a_first_order_quantity() {
-        let at = |h: f64| Lengths { hems_mm: vec![300.0 + 0.5 * h], girths_mm: vec![900.0 - 0.8 * h] };
+        let at =
+            |h: f64| Lengths { hems_mm: vec![300.0 + 0.5 * h], girths_mm: vec![900.0 - 0.8 * h], tapes_mm: vec![] };
         let (coarse, fine) = (at(16.0), at(11.0));
         let levels = (Level { edge: 16.0, lengths: &coarse }, Level { edge: 11.0, lengths: &fine });
         let all = estimate(levels.0, levels.1, None).expect("levels");

@@ -1,24 +1,31 @@
-//! Girths of a surface, as a measuring tape around it shows them.
+//! Girths of a surface: along the cloth, and as a measuring tape around it shows them.
 
 use super::surface::Surface;
 
-/// The girth at a height: the length of a tape laid around the cloth, which bridges folds; metres. `None` where the
-/// height cuts no cloth.
+/// Length of the cloth around at a height, along every fold, metres; 0 where the height cuts no cloth.
 #[must_use]
-pub fn tape(surface: &Surface, height: f64) -> Option<f64> {
-    let mut cut = Vec::new();
-    for triangle in 0..surface.triangles.len() {
+pub fn along(surface: &Surface, height: f64) -> f64 {
+    cuts(surface, height).map(|[a, b]| distance(a, b)).sum()
+}
+
+/// Length of a tape laid around the cloth at a height, which bridges folds, metres; 0 where the height cuts no cloth.
+#[must_use]
+pub fn tape(surface: &Surface, height: f64) -> f64 {
+    let hull = hull(cuts(surface, height).flatten().collect());
+    (0..hull.len()).map(|i| distance(hull[i], hull[(i + 1) % hull.len()])).sum()
+}
+
+/// The segments in which a height cuts the triangles, seen from above.
+fn cuts(surface: &Surface, height: f64) -> impl Iterator<Item = [[f64; 2]; 2]> {
+    (0..surface.triangles.len()).filter_map(move |triangle| {
         let corners = surface.corners(triangle);
-        for (a, b) in [(0, 1), (1, 2), (2, 0)] {
+        let mut ends = [(0, 1), (1, 2), (2, 0)].into_iter().filter_map(|(a, b)| {
             let (a, b) = (corners[a], corners[b]);
-            if (a.y < height) != (b.y < height) {
-                let t = (height - a.y) / (b.y - a.y);
-                cut.push([a.x + t * (b.x - a.x), a.z + t * (b.z - a.z)]);
-            }
-        }
-    }
-    let hull = hull(cut);
-    (hull.len() > 2).then(|| (0..hull.len()).map(|i| distance(hull[i], hull[(i + 1) % hull.len()])).sum())
+            let t = (height - a.y) / (b.y - a.y);
+            ((a.y < height) != (b.y < height)).then(|| [a.x + t * (b.x - a.x), a.z + t * (b.z - a.z)])
+        });
+        Some([ends.next()?, ends.next()?])
+    })
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
@@ -60,9 +67,11 @@ mod tests {
 
     #[test]
     fn a_tape_lies_around_a_tube() {
-        let girth = tape(&tube(720, 4, 0.15, 1.0), 0.4).expect("cloth");
-        assert!((girth - std::f64::consts::TAU * 0.15).abs() < 1e-5, "{girth}");
-        assert_eq!(tape(&tube(12, 4, 0.15, 1.0), 1.5), None);
+        let around = tube(720, 4, 0.15, 1.0);
+        for girth in [tape(&around, 0.4), along(&around, 0.4)] {
+            assert!((girth - std::f64::consts::TAU * 0.15).abs() < 1e-5, "{girth}");
+        }
+        assert_eq!((tape(&around, 1.5), along(&around, 1.5)), (0.0, 0.0));
     }
 
     #[test]

@@ -1,10 +1,10 @@
 //! What is measured on a drape, and how far two drapes differ.
 //!
 //! Folded cloth has several states of rest: two meshes can put the folds of one hem in different places and both be
-//! right. Hem heights and girths hardly depend on that, so they are the error that counts (`length`); the distance of
-//! the surfaces, which folds dominate, is told beside them.
+//! right. Hem heights and girths along the cloth hardly depend on that, so they are the error that counts (`length`); what
+//! folds dominate, girths by the tape and the distance of the surfaces, is told beside them.
 
-use super::girth::tape;
+use super::girth::{along, tape};
 use super::nearest::Nearest;
 use super::surface::{Hem, Surface};
 use serde::{Deserialize, Serialize};
@@ -12,13 +12,19 @@ use serde::{Deserialize, Serialize};
 /// Heights of the girths, as shares of the garment's height from its lowest point.
 const LEVELS: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
 
+/// A girth is the mean over these heights around its level, as shares of the garment's height: one plane may just graze a
+/// fold.
+const AROUND: [f64; 5] = [-0.02, -0.01, 0.0, 0.01, 0.02];
+
 /// Hem heights and girths of one drape, in a fixed order.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Lengths {
     /// Mean height of every free edge above the floor, mm.
     pub hems_mm: Vec<f64>,
-    /// Girths by the tape, mm.
+    /// Girths along the cloth, mm.
     pub girths_mm: Vec<f64>,
+    /// Girths by the tape, mm.
+    pub tapes_mm: Vec<f64>,
 }
 
 /// How far a drape is from the finest one.
@@ -28,8 +34,10 @@ pub struct Error {
     pub length_mm: f64,
     /// Largest difference of a hem height, mm.
     pub hem_mm: f64,
-    /// Largest difference of a girth, mm.
+    /// Largest difference of a girth along the cloth, mm.
     pub girth_mm: f64,
+    /// Largest difference of a girth by the tape, mm.
+    pub tape_mm: f64,
     /// Distance of the surfaces, both ways, by area: mean, mm.
     pub distance_mean_mm: f64,
     /// 95th percentile, mm.
@@ -42,29 +50,35 @@ pub struct Error {
     pub energy_rel: f64,
 }
 
-/// Heights at which a garment is measured, metres: shares of the height of the finest drape.
+/// Heights at which a garment is measured, metres: for each girth those around its level on the finest drape.
 #[must_use]
-pub fn levels(finest: &Surface) -> Vec<f64> {
+pub fn levels(finest: &Surface) -> Vec<[f64; 5]> {
     let [low, high] = finest.range();
-    LEVELS.iter().map(|share| low + share * (high - low)).collect()
+    LEVELS.iter().map(|level| AROUND.map(|share| low + (level + share) * (high - low))).collect()
 }
 
 /// Measures a drape at the given heights.
 #[must_use]
-pub fn lengths(surface: &Surface, levels: &[f64]) -> Lengths {
+pub fn lengths(surface: &Surface, levels: &[[f64; 5]]) -> Lengths {
+    let mean = |girth: &dyn Fn(&Surface, f64) -> f64| {
+        levels.iter().map(|at| 1e3 * at.iter().map(|y| girth(surface, *y)).sum::<f64>() / at.len() as f64).collect()
+    };
     Lengths {
         hems_mm: surface.hems().iter().map(|h: &Hem| 1e3 * h.height).collect(),
-        girths_mm: levels.iter().map(|y| 1e3 * tape(surface, *y).unwrap_or(0.0)).collect(),
+        girths_mm: mean(&along),
+        tapes_mm: mean(&tape),
     }
 }
 
-/// Largest differences of hem heights and of girths, mm; `None` when the drapes have other hems.
+/// Largest differences of hem heights, of girths along the cloth and of girths by the tape, mm; `None` when the drapes
+/// have other hems.
 #[must_use]
-pub fn difference(a: &Lengths, b: &Lengths) -> Option<[f64; 2]> {
+pub fn difference(a: &Lengths, b: &Lengths) -> Option<[f64; 3]> {
     let largest = |a: &[f64], b: &[f64]| {
         (a.len() == b.len()).then(|| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max))
     };
-    Some([largest(&a.hems_mm, &b.hems_mm)?, largest(&a.girths_mm, &b.girths_mm)?])
+    let hems = largest(&a.hems_mm, &b.hems_mm)?;
+    Some([hems, largest(&a.girths_mm, &b.girths_mm)?, largest(&a.tapes_mm, &b.tapes_mm)?])
 }
 
 /// Distance of two surfaces, both ways: mean, 95th percentile and largest, mm. Every triangle counts by its area, at
@@ -112,13 +126,13 @@ mod tests {
         let [mean, p95, largest] = distance(&narrow, &wide);
         assert!((mean - 10.0).abs() < 0.02 && (p95 - 10.0).abs() < 0.02 && (largest - 10.0).abs() < 0.02);
         let at = levels(&narrow);
-        let [hem, girth] = difference(&lengths(&narrow, &at), &lengths(&wide, &at)).expect("same hems");
-        assert!(hem < 1e-9 && (girth - std::f64::consts::TAU * 10.0).abs() < 0.01);
+        let [hem, girth, tape] = difference(&lengths(&narrow, &at), &lengths(&wide, &at)).expect("same hems");
+        assert!(hem < 1e-9 && [girth, tape].iter().all(|g| (g - std::f64::consts::TAU * 10.0).abs() < 0.01));
     }
 
     #[test]
     fn other_hems_are_not_compared() {
-        let a = Lengths { hems_mm: vec![1.0], girths_mm: vec![] };
+        let a = Lengths { hems_mm: vec![1.0], ..Lengths::default() };
         assert_eq!(difference(&a, &Lengths::default()), None);
     }
 }

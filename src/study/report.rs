@@ -120,7 +120,7 @@ pub fn report(head: Head, ran: Vec<Ran>) -> Option<Study> {
         pipeline: head.pipeline,
         threads: head.threads,
         wanted_mm: head.wanted_mm,
-        girth_heights_mm: at.iter().map(|y| 1e3 * y).collect(),
+        girth_heights_mm: at.iter().map(|y| 1e3 * y[2]).collect(),
         rows: rows.collect(),
         finest,
         recommended: None,
@@ -183,7 +183,7 @@ impl Row {
     }
 }
 
-fn compare(done: &Done, finest: &Done, [hem_mm, girth_mm]: [f64; 2], distance: [f64; 3]) -> Error {
+fn compare(done: &Done, finest: &Done, [hem_mm, girth_mm, tape_mm]: [f64; 3], distance: [f64; 3]) -> Error {
     let [distance_mean_mm, distance_p95_mm, distance_max_mm] = distance;
     let of = |d: &Done| d.certificate.as_ref().map_or((0.0, 0.0), |c| (c.strain_p95, c.energy_j));
     let ((strain, energy), (finest_strain, finest_energy)) = (of(done), of(finest));
@@ -191,6 +191,7 @@ fn compare(done: &Done, finest: &Done, [hem_mm, girth_mm]: [f64; 2], distance: [
         length_mm: hem_mm.max(girth_mm),
         hem_mm,
         girth_mm,
+        tape_mm,
         distance_mean_mm,
         distance_p95_mm,
         distance_max_mm,

@@ -4,7 +4,7 @@ use super::report::{Row, Study};
 use std::fmt::Write as _;
 
 /// Heads of the columns.
-pub const HEADS: [&str; 12] = [
+pub const HEADS: [&str; 13] = [
     "setting",
     "triangles",
     "CPU s",
@@ -13,6 +13,7 @@ pub const HEADS: [&str; 12] = [
     "estimate",
     "hem mm",
     "girth mm",
+    "tape mm",
     "surface mm, mean/p95/max",
     "strain p95",
     "energy",
@@ -21,7 +22,7 @@ pub const HEADS: [&str; 12] = [
 
 /// The cells of a row, one for each head.
 #[must_use]
-pub fn cells(study: &Study, number: usize) -> [String; 12] {
+pub fn cells(study: &Study, number: usize) -> [String; 13] {
     let row = &study.rows[number];
     let run = &row.done;
     let finest = number == study.finest;
@@ -42,6 +43,7 @@ pub fn cells(study: &Study, number: usize) -> [String; 12] {
         guess.map_or_else(dash, |g| format!("{g:.1}")),
         mm(&|e| e.hem_mm),
         mm(&|e| e.girth_mm),
+        mm(&|e| e.tape_mm),
         error.map_or_else(dash, distance),
         error.map_or_else(dash, |e| format!("{:+.2} %", 1e2 * e.strain_p95)),
         error.map_or_else(dash, |e| format!("{:+.1} %", 1e2 * e.energy_rel)),
@@ -76,7 +78,7 @@ fn remarks(study: &Study, row: &Row, number: usize) -> String {
 /// The table for a terminal, and what it says.
 #[must_use]
 pub fn text(study: &Study) -> String {
-    let rows: Vec<[String; 12]> = (0..study.rows.len()).map(|i| cells(study, i)).collect();
+    let rows: Vec<[String; 13]> = (0..study.rows.len()).map(|i| cells(study, i)).collect();
     let mut widths = HEADS.map(|h| h.chars().count());
     for row in &rows {
         for (width, cell) in widths.iter_mut().zip(row) {
@@ -104,10 +106,10 @@ pub fn text(study: &Study) -> String {
 /// The same as Markdown: only the columns that a buyer of accuracy needs.
 #[must_use]
 pub fn markdown(study: &Study) -> String {
-    const SHOWN: [usize; 9] = [0, 1, 2, 3, 4, 5, 8, 10, 11];
+    const SHOWN: [usize; 9] = [0, 1, 2, 3, 4, 5, 9, 11, 12];
     let line = |cells: Vec<&str>| format!("| {} |\n", cells.join(" | "));
     let mut out = line(SHOWN.iter().map(|i| HEADS[*i]).collect());
-    out.push_str(&line(SHOWN.iter().map(|i| if *i == 0 || *i == 11 { "---" } else { "---:" }).collect()));
+    out.push_str(&line(SHOWN.iter().map(|i| if *i == 0 || *i == 12 { "---" } else { "---:" }).collect()));
     for number in 0..study.rows.len() {
         let cells = cells(study, number);
         out.push_str(&line(SHOWN.iter().map(|i| cells[*i].as_str()).collect()));
