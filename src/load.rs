@@ -1,5 +1,7 @@
 //! From a file name to a checked chain: what `run`, `check` and `plan` have in common.
 
+mod accuracy;
+
 use crate::engine::{Exit, Gate, Stop, check_paths, clean, read_limited};
 use crate::external;
 use crate::pipeline::{self, MAX_BYTES, Pipeline, SourceText, Tuning};
@@ -22,6 +24,8 @@ pub struct Request {
     pub allow_run: BTreeSet<String>,
     /// Settings that trade accuracy for time, instead of those of the pipeline.
     pub tuning: Tuning,
+    /// Accuracy wanted, instead of that of the pipeline's head.
+    pub accuracy: Option<String>,
 }
 
 /// A chain with what was found. It may run only if the report has no error.
@@ -78,7 +82,12 @@ fn check<'r>(source: SourceText, request: &Request, stop: &Arc<Stop>, registry: 
     let Some(mut document) = pipeline::parse(&source, &mut report) else {
         return Loaded { source: Some(source), pipeline: None, gate: None, report };
     };
-    pipeline::tune(&mut document, &request.tuning);
+    let tuning = if request.tuning == Tuning::default() {
+        accuracy::tuning(&document, request, &mut report)
+    } else {
+        request.tuning.clone()
+    };
+    pipeline::tune(&mut document, &tuning);
     let folder = folder_of(&request.file);
     external::connect(&document, &folder, &request.allow_run, stop, registry, &mut report);
     let registry: &'r Registry = registry;

@@ -75,12 +75,30 @@ impl PipelineArgs {
     }
 }
 
+/// How exact.
+#[derive(Args, Debug)]
+pub struct AccuracyArgs {
+    /// Accuracy: a length such as "2 mm", or draft, normal, fine, reference; as `accuracy` in [pipeline].
+    #[arg(long, value_name = "LENGTH")]
+    pub accuracy: Option<String>,
+}
+
+impl AccuracyArgs {
+    /// A request with this accuracy.
+    pub fn request(&self, pipeline: &PipelineArgs) -> Request {
+        Request { accuracy: self.accuracy.clone(), ..pipeline.request() }
+    }
+}
+
 /// `run`
 #[derive(Args, Debug)]
 pub struct RunArgs {
     /// Pipeline.
     #[command(flatten)]
     pub pipeline: PipelineArgs,
+    /// How exact.
+    #[command(flatten)]
+    pub accuracy: AccuracyArgs,
     /// Output folder [default: out/LINE-vVERSION]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -116,6 +134,9 @@ pub struct CheckArgs {
     /// Pipeline.
     #[command(flatten)]
     pub pipeline: PipelineArgs,
+    /// How exact.
+    #[command(flatten)]
+    pub accuracy: AccuracyArgs,
     /// How findings are printed.
     #[arg(long, value_enum, default_value = "text")]
     pub format: Format,
@@ -127,6 +148,9 @@ pub struct PlanArgs {
     /// Pipeline.
     #[command(flatten)]
     pub pipeline: PipelineArgs,
+    /// How exact.
+    #[command(flatten)]
+    pub accuracy: AccuracyArgs,
     /// For programs.
     #[arg(long)]
     pub json: bool,

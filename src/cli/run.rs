@@ -12,7 +12,7 @@ use toile_garment::Diagnostic;
 use toile_stage_api::Registry;
 
 pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
-    let loaded = load::load(&args.pipeline.request(), stop, registry);
+    let loaded = load::load(&args.accuracy.request(&args.pipeline), stop, registry);
     if loaded.report.has_errors() {
         console.findings(&loaded.report.findings, loaded.text());
         return loaded.exit();

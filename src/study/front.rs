@@ -9,11 +9,16 @@ pub struct Place {
     pub error: f64,
 }
 
+/// Errors nearer to each other than this are one, mm.
+const SAME: f64 = 0.1;
+
 /// Which of the places are on the front: none is both as cheap and as exact. `None` stands for no result.
 #[must_use]
 pub fn front(places: &[Option<Place>]) -> Vec<bool> {
+    let step = |error: f64| (error / SAME).round();
     let beats = |a: &Place, b: &Place| {
-        a.seconds <= b.seconds && a.error <= b.error && (a.seconds < b.seconds || a.error < b.error)
+        let (cheaper, error, other) = (a.seconds < b.seconds, step(a.error), step(b.error));
+        a.seconds <= b.seconds && error <= other && (cheaper || error < other)
     };
     let on_front = |p: &Option<Place>| p.as_ref().is_some_and(|p| !places.iter().flatten().any(|q| beats(q, p)));
     places.iter().map(on_front).collect()
@@ -33,18 +38,18 @@ mod tests {
 
     fn places() -> Vec<Option<Place>> {
         let at = |seconds, error| Some(Place { seconds, error });
-        vec![at(1.0, 30.0), at(2.0, 12.0), at(3.0, 14.0), None, at(9.0, 4.0), at(2.0, 12.5)]
+        vec![at(1.0, 30.0), at(2.0, 12.0), at(3.0, 14.0), None, at(9.0, 4.0), at(2.0, 12.5), at(9.5, 3.99)]
     }
 
     #[test]
     fn what_is_beaten_is_not_on_the_front() {
-        assert_eq!(front(&places()), [true, true, false, false, true, false]);
+        assert_eq!(front(&places()), [true, true, false, false, true, false, false]);
     }
 
     #[test]
     fn recommends_the_cheapest_that_is_good_enough() {
         assert_eq!(recommend(&places(), 15.0), Some(1));
-        assert_eq!(recommend(&places(), 1.0), Some(4), "else the most exact");
+        assert_eq!(recommend(&places(), 1.0), Some(6), "else the most exact");
         assert_eq!(recommend(&[None], 1.0), None);
     }
 }

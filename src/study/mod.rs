@@ -2,9 +2,11 @@
 //!
 //! `grid` says which settings are run, `runs` runs them into folders and takes up where an earlier study ended, `surface`,
 //! `girth` and `nearest` measure what came out, `measure` compares it with the finest, `estimate` tells the error from two
-//! levels, `front` finds what is worth its price. `table`, `chart` and `page` show it. `presets` are the points with names.
+//! levels, `front` finds what is worth its price. `table`, `chart` and `page` show it. `presets` are the points with names, `choose` picks
+//! one for `accuracy = "2 mm"`.
 
 pub mod chart;
+pub mod choose;
 pub mod estimate;
 pub mod front;
 pub mod girth;

@@ -208,6 +208,15 @@ impl Study {
         self.rows.iter().enumerate().map(place).collect()
     }
 
+    /// The error of a row that may be stated, mm: its estimate, or its difference from the finest with what the finest
+    /// itself is off, whichever is larger.
+    #[must_use]
+    pub fn stated(&self, row: usize) -> Option<f64> {
+        let own = self.rows[self.finest].estimate_mm.unwrap_or(0.0);
+        let found = self.rows[row].error.as_ref()?.length_mm + own;
+        Some(found.max(self.rows[row].estimate_mm.unwrap_or(0.0)))
+    }
+
     fn judge(&mut self) {
         let places = self.places();
         let marks = front(&places);

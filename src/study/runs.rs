@@ -1,9 +1,10 @@
 //! One run of the grid: the chain up to its drape, in a folder of its own; a run that is through is not done again.
 
+use super::choose::tuning;
 use super::grid::{Setting, word};
 use crate::engine::{self, Exit, Gate, RunOptions, RunRecord, Stop, read_limited, write_whole};
 use crate::load::{self, Request};
-use crate::pipeline::{Pipeline, Tuning};
+use crate::pipeline::Pipeline;
 use crate::progress::{Teller, Voice};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -200,16 +201,6 @@ impl Done {
             triangles: record.garment.triangles,
             certificate: record.certificate.clone(),
         }
-    }
-}
-
-fn tuning(setting: &Setting) -> Tuning {
-    Tuning {
-        edge_length: setting.edge.map(|mm| format!("{mm} mm")),
-        accuracy: Some(word(&setting.accuracy)),
-        model: Some(word(&setting.model)),
-        integrator: Some(word(&setting.integrator)),
-        self_contact: Some(word(&setting.self_contact)),
     }
 }
 
