@@ -260,4 +260,16 @@ mod tests {
         let axis = Axis::around([f64::NAN, 0.0].into_iter(), 0.0, 100.0);
         assert!(axis.at(3.0).is_finite());
     }
+
+    #[test]
+    fn every_row_is_a_point_and_presets_have_names() {
+        let study = super::super::report::tests::sample();
+        let text = svg(&study);
+        assert_eq!(text.matches("<circle class=\"mark\" fill").count(), 2 * 4 + KINDS.len());
+        assert_eq!(text.matches("<circle class=\"open\"").count(), 2, "the finest, in both panels");
+        assert_eq!(text.matches("<circle class=\"chosen\"").count(), 2, "the recommended one, in both panels");
+        let named = study.rows.iter().filter(|r| r.preset.is_some()).count();
+        assert_eq!(text.matches("<text class=\"name\"").count(), 2 * named);
+        assert!(named > 0 && !text.contains("NaN") && !text.contains("<script"));
+    }
 }

@@ -104,13 +104,13 @@ fn of_presets() -> Vec<(f64, Choice)> {
     PRESETS.iter().enumerate().map(|(i, p)| (i as f64, of_preset(p, None))).collect()
 }
 
-/// Every row that passed its certificate, with its seconds.
+/// Every row of the program's own method that passed its certificate, with its seconds.
 fn of_study(study: &Study) -> Vec<(f64, Choice)> {
     let choice = |i: usize| {
         let row = &study.rows[i];
         let preset = Preset::of(&row.done.setting).map(|p| p.name);
         let choice = Choice { setting: row.done.setting, error: study.stated(i)?, preset, studied: true };
-        Some((row.done.cpu_seconds, choice)).filter(|_| row.is_good())
+        Some((row.done.cpu_seconds, choice)).filter(|_| row.is_good() && row.done.setting.is_own())
     };
     (0..study.rows.len()).filter_map(choice).collect()
 }
@@ -138,5 +138,14 @@ mod tests {
         }
         let most = PRESETS[3].bound;
         assert_eq!(Wanted::Length(0.5 * most).choose(None), Err(Refusal::OutOfReach(most)));
+    }
+
+    #[test]
+    fn a_study_of_the_garment_is_better_than_a_promise() {
+        let study = super::super::report::tests::sample();
+        let choice = Wanted::Length(4.0).choose(Some(&study)).expect("a setting");
+        assert_eq!((choice.setting.edge, choice.error, choice.studied), (Some(22.0), 4.0, true));
+        assert_eq!(choice.setting.model, Setting::plain(None).model, "a poorer model that agrees by luck is not taken");
+        assert_eq!(Wanted::Length(0.4).choose(Some(&study)), Err(Refusal::OutOfReach(0.5)));
     }
 }

@@ -41,6 +41,13 @@ impl Setting {
         Self { edge: None, ..*self } == Self { edge: None, ..*other }
     }
 
+    /// Takes model, integrator and contact as the program does. Only such settings are recommended: where a poorer model
+    /// agrees on one garment, that is luck.
+    #[must_use]
+    pub fn is_own(&self) -> bool {
+        Self { accuracy: AccuracyName::default(), ..*self } == Self::plain(self.edge)
+    }
+
     /// The name of its folder: `16mm-normal`, and what departs from the program's own choice.
     #[must_use]
     pub fn name(&self) -> String {

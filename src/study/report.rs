@@ -130,17 +130,14 @@ pub fn report(head: Head, ran: Vec<Ran>) -> Option<Study> {
     Some(study)
 }
 
-/// The drape on the finest mesh; of several, the strictest.
+/// The drape on the finest mesh; of several, the strictest. One that passed its certificate, if any did.
 fn finest(runs: &[Done], surfaces: &[Option<Surface>]) -> Option<usize> {
-    let own = |d: &Done| {
-        Setting::plain(d.setting.edge)
-            .same_but_for_edge(&Setting { accuracy: Setting::plain(None).accuracy, ..d.setting })
-    };
-    let draped = (0..runs.len()).filter(|i| surfaces[*i].is_some() && own(&runs[*i]));
+    let passed = |i: usize| runs[i].certificate.as_ref().is_some_and(|c| c.passed);
+    let draped = (0..runs.len()).filter(|i| surfaces[*i].is_some() && runs[*i].setting.is_own());
     draped.min_by(|a, b| {
         let edge = |i: &usize| runs[*i].setting.edge.unwrap_or(0.0);
         let strict = |i: &usize| runs[*i].setting.accuracy as u8;
-        edge(a).total_cmp(&edge(b)).then(strict(b).cmp(&strict(a)))
+        passed(*b).cmp(&passed(*a)).then(edge(a).total_cmp(&edge(b))).then(strict(b).cmp(&strict(a)))
     })
 }
 
@@ -220,7 +217,8 @@ impl Study {
     fn judge(&mut self) {
         let places = self.places();
         let marks = front(&places);
-        self.recommended = recommend(&places, self.wanted_mm);
+        let own = places.iter().zip(&self.rows).map(|(p, row)| p.filter(|_| row.done.setting.is_own()));
+        self.recommended = recommend(&own.collect::<Vec<_>>(), self.wanted_mm);
         for (row, mark) in self.rows.iter_mut().zip(marks) {
             row.on_front = mark;
             let error = row.error.as_ref().map(|e| e.length_mm);
@@ -229,15 +227,102 @@ impl Study {
         }
     }
 
-    /// How many estimates are within a factor of two of the error, of how many. Errors below half a millimetre are no
-    /// matter of meshes any more and do not count.
+    /// How many estimates are within a factor of two of the error, of how many. Only the program's own model counts, which
+    /// the finest has too: another model has another limit. Where both are below a millimetre, what a tape shows, they agree.
     #[must_use]
     pub fn estimates_within_two(&self) -> (usize, usize) {
         let pairs = self.rows.iter().enumerate().filter(|(i, _)| *i != self.finest).filter_map(|(_, r)| {
             let error = r.error.as_ref()?.length_mm;
-            Some((r.estimate_to_finest_mm?, error)).filter(|_| error >= 0.5)
+            Some((r.estimate_to_finest_mm?, error)).filter(|_| r.done.setting.is_own())
         });
-        let all: Vec<bool> = pairs.map(|(guess, error)| (0.5..=2.0).contains(&(guess / error))).collect();
+        let agree = |(guess, error): (f64, f64)| guess.max(error) < 1.0 || (0.5..=2.0).contains(&(guess / error));
+        let all: Vec<bool> = pairs.map(agree).collect();
         (all.iter().filter(|good| **good).count(), all.len())
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use toile_garment::garment::Certificate;
+    use toile_stages::drape::ModelName;
+
+    fn row(setting: Setting, seconds: f64, error: f64, estimates: Option<[f64; 2]>) -> Row {
+        let done = Done {
+            setting,
+            key: String::new(),
+            inputs: Vec::new(),
+            status: "good".to_owned(),
+            failure: None,
+            seconds,
+            cpu_seconds: seconds,
+            peak_mb: Some(20.0 + seconds),
+            triangles: 1000,
+            certificate: Some(Certificate { passed: true, ..Certificate::default() }),
+        };
+        let mut row = Row::plain(&done, Some(Lengths::default()));
+        row.error = Some(Error { length_mm: error, ..Error::default() });
+        row.estimate_mm = estimates.map(|e| e[0]);
+        row.estimate_to_finest_mm = estimates.map(|e| e[1]);
+        row
+    }
+
+    /// A study whose figures were made up: errors of 4, 2 and 1 mm, a poorer model that is cheap and agrees by luck.
+    pub fn sample() -> Study {
+        let plain = |mm| Setting::plain(Some(mm));
+        let mut study = Study {
+            toile_study: VERSION,
+            toile: "0".to_owned(),
+            pipeline: "test v1".to_owned(),
+            threads: 1,
+            wanted_mm: 2.5,
+            girth_heights_mm: Vec::new(),
+            rows: vec![
+                row(plain(32.0), 2.0, 4.0, None),
+                row(Setting { model: ModelName::Springs, ..plain(22.0) }, 3.0, 1.0, Some([9.0, 9.0])),
+                row(plain(22.0), 4.0, 2.0, Some([4.0, 2.5])),
+                row(plain(16.0), 8.0, 1.0, Some([2.0, 0.4])),
+                row(plain(8.0), 40.0, 0.0, Some([0.5, 0.0])),
+            ],
+            finest: 4,
+            recommended: None,
+            left_out: Vec::new(),
+        };
+        study.judge();
+        study
+    }
+
+    #[test]
+    fn luck_is_not_recommended() {
+        let study = sample();
+        assert_eq!(study.recommended, Some(2), "the cheapest of the program's own model within 2.5 mm");
+        let front: Vec<bool> = study.rows.iter().map(|r| r.on_front).collect();
+        assert_eq!(front, [true, true, false, false, true], "but it is shown as it is");
+        assert_eq!(study.estimates_within_two(), (1, 2));
+    }
+
+    #[test]
+    fn a_stated_error_is_never_below_what_was_found() {
+        let study = sample();
+        let stated: Vec<Option<f64>> = (0..5).map(|i| study.stated(i)).collect();
+        assert_eq!(stated, [Some(4.5), Some(9.0), Some(4.0), Some(2.0), Some(0.5)]);
+    }
+
+    #[test]
+    fn promises_are_held_or_not() {
+        let study = sample();
+        let normal = study.rows.iter().find(|r| r.preset.as_deref() == Some("normal")).expect("a preset");
+        assert_eq!(normal.promise_held, Some(normal.promised_mm >= Some(2.0)));
+        let mut failed = study.clone();
+        failed.rows.iter_mut().for_each(|r| r.done.certificate = None);
+        failed.judge();
+        assert!(failed.rows.iter().all(|r| r.promise_held != Some(true)), "no certificate, no promise held");
+    }
+
+    #[test]
+    fn reads_back_what_it_writes() {
+        let study = sample();
+        let text = serde_json::to_string(&study).expect("JSON");
+        assert_eq!(serde_json::from_str::<Study>(&text).expect("study"), study);
     }
 }

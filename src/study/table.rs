@@ -135,7 +135,9 @@ pub fn words(study: &Study) -> Vec<String> {
     }
     let (good, all) = study.estimates_within_two();
     if all > 0 {
-        words.push(format!("{good} of {all} estimates are within a factor of two of the error."));
+        words.push(format!(
+            "{good} of {all} estimates are within a factor of two of the error, or both are below 1 mm."
+        ));
     }
     if let Some(row) = study.recommended.map(|i| &study.rows[i]) {
         words.push(format!(
