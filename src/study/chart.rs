@@ -202,7 +202,7 @@ fn mark(out: &mut String, study: &Study, dot: &Dot<'_>, y: &Axis) {
     let words = format!(
         "{}: {} mm, {} CPU s, {} triangles",
         dot.row.name,
-        fixed(dot.row.error.as_ref().map_or(0.0, |e| e.length_mm), 1),
+        fixed(study.stated(dot.number).unwrap_or(0.0), 1),
         fixed(dot.row.done.cpu_seconds, 1),
         dot.row.done.triangles
     );

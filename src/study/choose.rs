@@ -143,8 +143,8 @@ mod tests {
     #[test]
     fn a_study_of_the_garment_is_better_than_a_promise() {
         let study = super::super::report::tests::sample();
-        let choice = Wanted::Length(4.0).choose(Some(&study)).expect("a setting");
-        assert_eq!((choice.setting.edge, choice.error, choice.studied), (Some(22.0), 4.0, true));
+        let choice = Wanted::Length(2.5).choose(Some(&study)).expect("a setting");
+        assert_eq!((choice.setting.edge, choice.error, choice.studied), (Some(22.0), 2.5, true));
         assert_eq!(choice.setting.model, Setting::plain(None).model, "a poorer model that agrees by luck is not taken");
         assert_eq!(Wanted::Length(0.4).choose(Some(&study)), Err(Refusal::OutOfReach(0.5)));
     }

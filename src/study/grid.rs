@@ -76,7 +76,7 @@ impl Setting {
             AccuracyName::Fine => 1.1,
             AccuracyName::Reference => 1.2,
         };
-        let steps = if self.integrator == IntegratorName::Static { 1.0 } else { 30.0 };
+        let steps = if self.integrator == IntegratorName::Static { 1.0 } else { 4.0 };
         mesh * rest * steps
     }
 }
@@ -121,8 +121,8 @@ impl Axes {
     /// The settings to run, cheapest first; the last is the finest, which the others are measured by.
     ///
     /// The ladder takes every edge length with the program's own choice of the rest. One departure at a time is tried on
-    /// the coarser half of the ladder, other integrators on its coarsest mesh alone: explicit steps cost thirty times as
-    /// much. `full` runs every combination instead. Presets between the ends of the ladder are always among them.
+    /// the coarser half of the ladder, other integrators on its coarsest mesh alone: explicit steps get ever shorter on
+    /// finer ones. `full` runs every combination instead. Presets between the ends of the ladder are always among them.
     #[must_use]
     pub fn settings(&self, has_mesh_stage: bool) -> Vec<Setting> {
         let edges = if has_mesh_stage { self.ladder() } else { vec![None] };

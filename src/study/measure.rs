@@ -9,12 +9,14 @@ use super::nearest::Nearest;
 use super::surface::{Hem, Surface};
 use serde::{Deserialize, Serialize};
 
-/// Heights of the girths, as shares of the garment's height from its lowest point.
-const LEVELS: [f64; 5] = [0.1, 0.3, 0.5, 0.7, 0.9];
-
+/// Girths are looked for at every tenth of the garment's height.
+const LEVELS: u32 = 10;
 /// A girth is the mean over these heights around its level, as shares of the garment's height: one plane may just graze a
 /// fold.
 const AROUND: [f64; 5] = [-0.02, -0.01, 0.0, 0.01, 0.02];
+/// Where a girth changes by more than this over the height, a height says little about a girth: on shoulders, and where
+/// sleeves end.
+const STEEPEST: f64 = 1.0;
 
 /// Hem heights and girths of one drape, in a fixed order.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
@@ -25,6 +27,13 @@ pub struct Lengths {
     pub girths_mm: Vec<f64>,
     /// Girths by the tape, mm.
     pub tapes_mm: Vec<f64>,
+}
+
+impl Lengths {
+    /// What the error is made of: hem heights and girths along the cloth.
+    pub fn mesh_dependent(&self) -> impl Iterator<Item = f64> {
+        self.hems_mm.iter().chain(&self.girths_mm).copied()
+    }
 }
 
 /// How far a drape is from the finest one.
@@ -54,7 +63,15 @@ pub struct Error {
 #[must_use]
 pub fn levels(finest: &Surface) -> Vec<[f64; 5]> {
     let [low, high] = finest.range();
-    LEVELS.iter().map(|level| AROUND.map(|share| low + (level + share) * (high - low))).collect()
+    let around = |level: u32| AROUND.map(|share| low + (f64::from(level) / f64::from(LEVELS) + share) * (high - low));
+    (1..LEVELS).map(around).filter(|at| is_even(finest, at)).collect()
+}
+
+/// Does the girth hardly change around this level?
+fn is_even(surface: &Surface, at: &[f64; 5]) -> bool {
+    let girths = at.map(|y| along(surface, y));
+    let steps = girths.windows(2).zip(at.windows(2));
+    steps.into_iter().all(|(g, y)| (g[1] - g[0]).abs() <= STEEPEST * (y[1] - y[0]))
 }
 
 /// Measures a drape at the given heights.
@@ -128,6 +145,16 @@ mod tests {
         let at = levels(&narrow);
         let [hem, girth, tape] = difference(&lengths(&narrow, &at), &lengths(&wide, &at)).expect("same hems");
         assert!(hem < 1e-9 && [girth, tape].iter().all(|g| (g - std::f64::consts::TAU * 10.0).abs() < 0.01));
+    }
+
+    #[test]
+    fn a_girth_is_not_taken_where_cloth_lies_flat() {
+        let mut hat = tube(360, 40, 0.2, 1.0);
+        for p in hat.points.iter_mut().filter(|p| p.y > 0.65) {
+            let shrink = 1.0 - 2.0 * (p.y - 0.65);
+            (p.x, p.z) = (p.x * shrink, p.z * shrink);
+        }
+        assert_eq!(levels(&hat).len(), 6, "below the crown, where girths shrink by 2.5 mm a millimetre");
     }
 
     #[test]

@@ -32,7 +32,6 @@ pub fn cells(study: &Study, number: usize) -> [String; 13] {
     let distance = |e: &super::measure::Error| {
         format!("{:.1} / {:.1} / {:.0}", e.distance_mean_mm, e.distance_p95_mm, e.distance_max_mm)
     };
-    let guess = if finest { row.estimate_mm } else { row.estimate_to_finest_mm };
     let dash = || "-".to_owned();
     [
         row.name.clone(),
@@ -40,7 +39,7 @@ pub fn cells(study: &Study, number: usize) -> [String; 13] {
         format!("{:.1}", run.cpu_seconds),
         run.peak_mb.map_or_else(dash, |mb| format!("{mb:.0}")),
         mm(&|e| e.length_mm),
-        guess.map_or_else(dash, |g| format!("{g:.1}")),
+        row.estimate_to_finest_mm.filter(|_| !finest).map_or_else(dash, |g| format!("{g:.1}")),
         mm(&|e| e.hem_mm),
         mm(&|e| e.girth_mm),
         mm(&|e| e.tape_mm),
@@ -130,13 +129,20 @@ pub fn words(study: &Study) -> Vec<String> {
          coarser mesh alone. Folds find other places on other meshes: the surface distance shows that too.",
         finest.name
     )];
-    if let Some(own) = finest.estimate_mm {
-        words.push(format!("`{}` itself is estimated to be {own:.1} mm from the limit of fine meshes.", finest.name));
+    if let Some(own) = study.own_error() {
+        let scatter = study
+            .trend
+            .map_or_else(String::new, |t| format!("; lengths follow the edge length within {:.1} mm", t.scatter_mm));
+        words.push(format!(
+            "`{}` itself is estimated to be {own:.1} mm from the limit of fine meshes{scatter}. Promises, chart and \
+             recommendation count that in.",
+            finest.name
+        ));
     }
     let (good, all) = study.estimates_within_two();
     if all > 0 {
         words.push(format!(
-            "{good} of {all} estimates are within a factor of two of the error, or both are below 1 mm."
+            "{good} of {all} estimates are within a factor of two of the error, or less than 1 mm from it."
         ));
     }
     if let Some(row) = study.recommended.map(|i| &study.rows[i]) {
