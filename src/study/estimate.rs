@@ -29,6 +29,17 @@ pub fn estimate(coarser: Level<'_>, this: Level<'_>, finest: Option<f64>) -> Opt
     (step > 0.0).then(|| hem.max(girth) * rest.max(0.0) / step)
 }
 
+/// Estimated error of the first of these levels, which go from fine to coarse: by their trend where there are three, else
+/// from two; against the limit, or against the result of a mesh of the edge length `finest`, mm. No finer mesh is asked.
+#[must_use]
+pub fn error_of(levels: &[Level<'_>], finest: Option<f64>) -> Option<f64> {
+    let [this, coarser, ..] = levels else { return None };
+    match Trend::of(levels) {
+        Some(trend) => Some(trend.error(this.edge - finest.unwrap_or(0.0))),
+        None => estimate(*coarser, *this, finest),
+    }
+}
+
 /// How lengths follow the edge length over a whole ladder of meshes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Trend {
@@ -111,5 +122,10 @@ mod tests {
         let two = estimate(levels[3], levels[4], None).expect("levels");
         assert!(two > 5.0, "two neighbours: {two}");
         assert_eq!(Trend::of(&levels[..2]), None);
+        let fine_first: Vec<Level<'_>> = levels.iter().rev().copied().collect();
+        let all = error_of(&fine_first, None).expect("five levels");
+        assert!((all - trend.error(8.0)).abs() < 1e-12);
+        assert_eq!(error_of(&fine_first[..2], None), Some(two), "two levels are two levels");
+        assert_eq!(error_of(&fine_first[..1], None), None);
     }
 }

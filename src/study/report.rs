@@ -1,6 +1,6 @@
 //! The results of all runs put side by side.
 
-use super::estimate::{Level, Trend, estimate};
+use super::estimate::{Level, Trend, error_of};
 use super::front::{Place, front, recommend};
 use super::grid::Setting;
 use super::measure::{Error, Lengths, difference, distance, lengths, levels};
@@ -24,7 +24,7 @@ pub struct Row {
     pub lengths: Option<Lengths>,
     /// How far it is from the finest; all zero for the finest itself.
     pub error: Option<Error>,
-    /// Length error against the limit of fine meshes, estimated from this and the next coarser mesh, mm.
+    /// Length error against the limit of fine meshes, estimated from this and coarser meshes, mm.
     pub estimate_mm: Option<f64>,
     /// The same against the finest mesh, mm: what `error.length_mm` should be.
     pub estimate_to_finest_mm: Option<f64>,
@@ -101,12 +101,9 @@ pub fn report(head: Head, ran: Vec<Ran>) -> Option<Study> {
             let lengths = difference(measured[i].as_ref()?, measured[finest].as_ref()?)?;
             Some(compare(done, &runs[finest], lengths, distance(s, reference)))
         });
-        let coarser = coarser(&runs, &measured, i);
-        let this = Level::of(done, measured[i].as_ref());
-        if let (Some(coarser), Some(this)) = (coarser, this) {
-            row.estimate_mm = estimate(coarser, this, None);
-            row.estimate_to_finest_mm = finest_edge.and_then(|f| estimate(coarser, this, Some(f)));
-        }
+        let ladder = ladder(&runs, &measured, i);
+        row.estimate_mm = error_of(&ladder, None);
+        row.estimate_to_finest_mm = finest_edge.and_then(|f| error_of(&ladder, Some(f)));
         row
     });
     let mut study = Study {
@@ -137,19 +134,22 @@ fn finest(runs: &[Done], surfaces: &[Option<Surface>]) -> Option<usize> {
     })
 }
 
-/// The next coarser mesh with the same settings; where there is none, with the program's own tolerance.
-fn coarser<'a>(runs: &'a [Done], measured: &'a [Option<Lengths>], i: usize) -> Option<Level<'a>> {
+/// A run and all coarser meshes with the same settings, from fine to coarse; where one has none, the one with the program's
+/// own tolerance stands in.
+fn ladder<'a>(runs: &'a [Done], measured: &'a [Option<Lengths>], i: usize) -> Vec<Level<'a>> {
     let this = &runs[i].setting;
     let own = Setting { accuracy: Setting::plain(None).accuracy, ..*this };
-    [*this, own].iter().find_map(|wanted| {
-        let fits = |j: &usize| runs[*j].setting.edge > this.edge && runs[*j].setting.same_but_for_edge(wanted);
-        let near = |a: &usize, b: &usize| {
-            let edge = |j: &usize| runs[*j].setting.edge.unwrap_or(f64::INFINITY);
-            edge(a).total_cmp(&edge(b))
-        };
-        let j = (0..runs.len()).filter(fits).filter(|j| measured[*j].is_some()).min_by(near)?;
-        Level::of(&runs[j], measured[j].as_ref())
-    })
+    let mut levels: Vec<Level<'a>> = Level::of(&runs[i], measured[i].as_ref()).into_iter().collect();
+    for wanted in [*this, own] {
+        let fits = |j: &usize| runs[*j].setting.edge > this.edge && runs[*j].setting.same_but_for_edge(&wanted);
+        for level in (0..runs.len()).filter(fits).filter_map(|j| Level::of(&runs[j], measured[j].as_ref())) {
+            if levels.iter().all(|l| l.edge != level.edge) {
+                levels.push(level);
+            }
+        }
+    }
+    levels.sort_by(|a, b| a.edge.total_cmp(&b.edge));
+    levels
 }
 
 /// The trend over the meshes of the program's own choice.

@@ -125,14 +125,14 @@ pub fn markdown(study: &Study) -> String {
 pub fn words(study: &Study) -> Vec<String> {
     let finest = &study.rows[study.finest];
     let mut words = vec![format!(
-        "The error is the largest difference of a hem height or girth from `{}`; its estimate comes from this and the next \
-         coarser mesh alone. Folds find other places on other meshes: the surface distance shows that too.",
+        "The error is the largest difference of a hem height or girth from `{}`; its estimate comes from this and \
+         coarser meshes alone. Folds find other places on other meshes: the surface distance shows that too.",
         finest.name
     )];
     if let Some(own) = study.own_error() {
-        let scatter = study
-            .trend
-            .map_or_else(String::new, |t| format!("; lengths follow the edge length within {:.1} mm", t.scatter_mm));
+        let scatter = study.trend.map_or_else(String::new, |t| {
+            format!("; lengths follow a line in the edge length within {:.1} mm", t.scatter_mm)
+        });
         words.push(format!(
             "`{}` itself is estimated to be {own:.1} mm from the limit of fine meshes{scatter}. Promises, chart and \
              recommendation count that in.",
