@@ -64,14 +64,15 @@ impl Wanted {
 }
 
 impl Choice {
-    /// As the chain takes it.
+    /// As the chain takes it: mesh and tolerance. What a pipeline says of model, integrator and contact is its own matter.
     #[must_use]
     pub fn tuning(&self) -> Tuning {
-        tuning(&self.setting)
+        let all = tuning(&self.setting);
+        Tuning { edge_length: all.edge_length, accuracy: all.accuracy, ..Tuning::default() }
     }
 }
 
-/// A setting as the chain takes it.
+/// A setting as the chain takes it, in full.
 #[must_use]
 pub fn tuning(setting: &Setting) -> Tuning {
     Tuning {
