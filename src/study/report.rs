@@ -219,15 +219,16 @@ impl Study {
     /// The error of a row that may be stated, mm: its difference from the finest, and what the finest itself is off.
     #[must_use]
     pub fn stated(&self, row: usize) -> Option<f64> {
-        Some(self.rows[row].error.as_ref()?.length_mm + self.own_error().unwrap_or(0.0))
+        Some(self.rows[row].error.as_ref()?.length_mm + self.own_error()?)
     }
 
-    /// What the finest itself is off the limit of fine meshes, mm: by the trend of all meshes, else by the last two.
+    /// What the finest itself is off the limit of fine meshes, mm: by the trend of all meshes, else by two; nothing can be
+    /// stated after a single one. A mesh from a file is the limit itself.
     #[must_use]
     pub fn own_error(&self) -> Option<f64> {
         let finest = &self.rows[self.finest];
-        let trend = self.trend.zip(finest.done.setting.edge).map(|(t, edge)| t.error(edge));
-        trend.or(finest.estimate_mm)
+        let Some(edge) = finest.done.setting.edge else { return Some(0.0) };
+        self.trend.map(|t| t.error(edge)).or(finest.estimate_mm)
     }
 
     fn judge(&mut self) {
@@ -322,6 +323,18 @@ pub(super) mod tests {
         let study = sample();
         let stated: Vec<Option<f64>> = (0..5).map(|i| study.stated(i)).collect();
         assert_eq!(stated, [Some(4.5), Some(1.5), Some(2.5), Some(1.5), Some(0.5)]);
+    }
+
+    #[test]
+    fn one_mesh_alone_promises_nothing() {
+        let mut study = sample();
+        study.rows.drain(..4);
+        (study.finest, study.trend, study.rows[0].estimate_mm) = (0, None, None);
+        study.rows[0].promised_mm = Some(1e3);
+        study.judge();
+        assert_eq!((study.stated(0), study.recommended, study.rows[0].promise_held), (None, None, Some(false)));
+        study.rows[0].done.setting.edge = None;
+        assert_eq!(study.stated(0), Some(0.0), "a mesh from a file is measured by itself");
     }
 
     #[test]

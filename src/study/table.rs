@@ -129,7 +129,7 @@ pub fn words(study: &Study) -> Vec<String> {
          coarser meshes alone. Folds find other places on other meshes: the surface distance shows that too.",
         finest.name
     )];
-    if let Some(own) = study.own_error() {
+    if let Some(own) = study.own_error().filter(|_| finest.done.setting.edge.is_some()) {
         let scatter = study.trend.map_or_else(String::new, |t| {
             format!("; lengths follow a line in the edge length within {:.1} mm", t.scatter_mm)
         });
