@@ -10,3 +10,4 @@ pub mod pipeline;
 pub mod progress;
 pub mod render;
 pub mod schema;
+pub mod study;

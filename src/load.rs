@@ -1,8 +1,10 @@
 //! From a file name to a checked chain: what `run`, `check` and `plan` have in common.
 
+mod accuracy;
+
 use crate::engine::{Exit, Gate, Stop, check_paths, clean, read_limited};
 use crate::external;
-use crate::pipeline::{self, MAX_BYTES, Pipeline, SourceText};
+use crate::pipeline::{self, MAX_BYTES, Pipeline, SourceText, Tuning};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -20,6 +22,10 @@ pub struct Request {
     pub allow_read: Vec<PathBuf>,
     /// Plugins it may run.
     pub allow_run: BTreeSet<String>,
+    /// Settings that trade accuracy for time, instead of those of the pipeline.
+    pub tuning: Tuning,
+    /// Accuracy wanted, instead of that of the pipeline's head.
+    pub accuracy: Option<String>,
 }
 
 /// A chain with what was found. It may run only if the report has no error.
@@ -73,9 +79,15 @@ fn open(request: &Request) -> Result<SourceText, Vec<Diagnostic>> {
 
 fn check<'r>(source: SourceText, request: &Request, stop: &Arc<Stop>, registry: &'r mut Registry) -> Loaded<'r> {
     let mut report = Report::default();
-    let Some(document) = pipeline::parse(&source, &mut report) else {
+    let Some(mut document) = pipeline::parse(&source, &mut report) else {
         return Loaded { source: Some(source), pipeline: None, gate: None, report };
     };
+    let tuning = if request.tuning == Tuning::default() {
+        accuracy::tuning(&document, request, &mut report)
+    } else {
+        request.tuning.clone()
+    };
+    pipeline::tune(&mut document, &tuning);
     let folder = folder_of(&request.file);
     external::connect(&document, &folder, &request.allow_run, stop, registry, &mut report);
     let registry: &'r Registry = registry;

@@ -14,9 +14,20 @@ fn toile(arguments: &[&str]) -> Said {
 fn help_and_version_are_results() {
     let help = toile(&["--help"]);
     assert_eq!((help.code, help.err.as_str()), (0, ""));
-    for verb in
-        ["run", "check", "plan", "inspect", "flatten", "body", "fabric", "stages", "schema", "explain", "completions"]
-    {
+    for verb in [
+        "run",
+        "check",
+        "plan",
+        "study",
+        "inspect",
+        "flatten",
+        "body",
+        "fabric",
+        "stages",
+        "schema",
+        "explain",
+        "completions",
+    ] {
         assert!(help.out.contains(&format!("\n  {verb} ")), "{verb} is missing in\n{}", help.out);
     }
     assert_eq!(toile(&["--version"]).out, format!("toile {}\n", env!("CARGO_PKG_VERSION")));

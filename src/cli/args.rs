@@ -32,6 +32,8 @@ pub enum Verb {
     Inspect(InspectArgs),
     /// Flatten a garment back to 2D, from its file alone.
     Flatten(FlattenArgs),
+    /// Show what accuracy costs in time for one garment: error against seconds and memory.
+    Study(StudyArgs),
     /// Make a body from measures; without options: list sizes and measures.
     Body(BodyArgs),
     /// Do a laboratory's test of a fabric on the solver.
@@ -71,7 +73,23 @@ impl PipelineArgs {
             set: self.set.clone(),
             allow_read: self.allow_read.clone(),
             allow_run: self.allow_run.iter().cloned().collect(),
+            ..Request::default()
         }
+    }
+}
+
+/// How exact.
+#[derive(Args, Debug)]
+pub struct AccuracyArgs {
+    /// Accuracy: a length such as "2 mm", or draft, normal, fine, reference; as `accuracy` in [pipeline].
+    #[arg(long, value_name = "LENGTH")]
+    pub accuracy: Option<String>,
+}
+
+impl AccuracyArgs {
+    /// A request with this accuracy.
+    pub fn request(&self, pipeline: &PipelineArgs) -> Request {
+        Request { accuracy: self.accuracy.clone(), ..pipeline.request() }
     }
 }
 
@@ -81,6 +99,9 @@ pub struct RunArgs {
     /// Pipeline.
     #[command(flatten)]
     pub pipeline: PipelineArgs,
+    /// How exact.
+    #[command(flatten)]
+    pub accuracy: AccuracyArgs,
     /// Output folder [default: out/LINE-vVERSION]
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
@@ -116,6 +137,9 @@ pub struct CheckArgs {
     /// Pipeline.
     #[command(flatten)]
     pub pipeline: PipelineArgs,
+    /// How exact.
+    #[command(flatten)]
+    pub accuracy: AccuracyArgs,
     /// How findings are printed.
     #[arg(long, value_enum, default_value = "text")]
     pub format: Format,
@@ -127,9 +151,59 @@ pub struct PlanArgs {
     /// Pipeline.
     #[command(flatten)]
     pub pipeline: PipelineArgs,
+    /// How exact.
+    #[command(flatten)]
+    pub accuracy: AccuracyArgs,
     /// For programs.
     #[arg(long)]
     pub json: bool,
+}
+
+/// `study`
+#[derive(Args, Debug)]
+pub struct StudyArgs {
+    /// Pipeline.
+    #[command(flatten)]
+    pub pipeline: PipelineArgs,
+    /// For programs.
+    #[arg(long)]
+    pub json: bool,
+    /// Folder of the study [default: out/LINE-vVERSION-study]; a study goes on where it was stopped.
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Leave out what would take more CPU seconds than this in all.
+    #[arg(long, value_name = "SECONDS")]
+    pub budget: Option<f64>,
+    /// Length error that the recommended setting must reach.
+    #[arg(long, value_name = "LENGTH", default_value = "5 mm")]
+    pub want: String,
+    /// Edge lengths [default: 32, 22, 16, 11 and 8 mm]
+    #[arg(long, value_name = "LENGTH,…", value_delimiter = ',')]
+    pub edges: Vec<String>,
+    /// Tolerances of the rest [default: draft,normal,fine]
+    #[arg(long, value_name = "WORD,…", value_delimiter = ',')]
+    pub accuracies: Vec<String>,
+    /// In-plane models [default: coupled,springs]
+    #[arg(long, value_name = "WORD,…", value_delimiter = ',')]
+    pub models: Vec<String>,
+    /// Integrators [default: static,central-difference]
+    #[arg(long, value_name = "WORD,…", value_delimiter = ',')]
+    pub integrators: Vec<String>,
+    /// Cloth against cloth [default: auto,off]
+    #[arg(long, value_name = "WORD,…", value_delimiter = ',')]
+    pub self_contact: Vec<String>,
+    /// Run every combination, not only a ladder of meshes with departures from it.
+    #[arg(long)]
+    pub full: bool,
+    /// Threads [default: all cores, or TOILE_THREADS]; results never depend on it.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// Do finished runs again.
+    #[arg(long)]
+    pub force: bool,
+    /// Say nothing but errors.
+    #[arg(long)]
+    pub quiet: bool,
 }
 
 /// `inspect`

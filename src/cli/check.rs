@@ -9,7 +9,7 @@ use std::sync::Arc;
 use toile_stage_api::Registry;
 
 pub(super) fn run(args: &CheckArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
-    let loaded = load::load(&args.pipeline.request(), stop, registry);
+    let loaded = load::load(&args.accuracy.request(&args.pipeline), stop, registry);
     let exit = loaded.exit();
     if args.format == Format::Json {
         console.json(&findings_json(&loaded.report.findings));

@@ -13,6 +13,7 @@ mod plan;
 mod run;
 mod schema;
 mod stages;
+mod study;
 
 use crate::engine::{Exit, Stop};
 use args::{Cli, Verb};
@@ -80,6 +81,7 @@ fn dispatch(cli: Cli, mut registry: Registry, stop: &Arc<Stop>, console: &mut Co
         Verb::Plan(args) => plan::run(&args, &mut registry, stop, console),
         Verb::Inspect(args) => inspect::run(&args, console),
         Verb::Flatten(args) => flatten::run(&args, &registry, stop, console),
+        Verb::Study(args) => study::run(&args, &mut registry, stop, console),
         Verb::Body(args) => body::run(&args, console),
         Verb::Fabric(args) => fabric::run(&args, stop, console),
         Verb::Stages(args) => stages::run(&args, &registry, console),

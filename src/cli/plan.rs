@@ -13,7 +13,7 @@ use toile_stage_api::Registry;
 use toile_stages::outlook::Expected;
 
 pub(super) fn run(args: &PlanArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
-    let loaded = load::load(&args.pipeline.request(), stop, registry);
+    let loaded = load::load(&args.accuracy.request(&args.pipeline), stop, registry);
     console.findings(&loaded.report.findings, loaded.text());
     let exit = loaded.exit();
     let (Exit::Good, Some(pipeline), Some(gate)) = (exit, &loaded.pipeline, &loaded.gate) else { return exit };

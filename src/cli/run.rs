@@ -12,7 +12,7 @@ use toile_garment::Diagnostic;
 use toile_stage_api::Registry;
 
 pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
-    let loaded = load::load(&args.pipeline.request(), stop, registry);
+    let loaded = load::load(&args.accuracy.request(&args.pipeline), stop, registry);
     if loaded.report.has_errors() {
         console.findings(&loaded.report.findings, loaded.text());
         return loaded.exit();
@@ -28,7 +28,7 @@ pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, con
         }
     };
     let out = args.out.clone().unwrap_or_else(|| default_out(&pipeline));
-    let threads = threads(args);
+    let threads = threads(args.threads);
     let options = RunOptions {
         out: out.clone(),
         force: args.force,
@@ -46,8 +46,9 @@ pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, con
     outcome.exit
 }
 
-fn threads(args: &RunArgs) -> usize {
-    let asked = args.threads.map(usize::from);
+/// How many threads: as asked, else as the environment says, else one for each core.
+pub(super) fn threads(asked: Option<u16>) -> usize {
+    let asked = asked.map(usize::from);
     let from_environment = || std::env::var("TOILE_THREADS").ok()?.parse().ok().filter(|n| (1..=1024).contains(n));
     let cores = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     asked.or_else(from_environment).unwrap_or_else(cores)

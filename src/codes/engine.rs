@@ -5,6 +5,18 @@ use super::{Code, code};
 /// Codes of the engine, in alphabetical order.
 pub(super) const CODES: &[Code] = &[
     code(
+        "accuracy-chosen",
+        "What `accuracy` of the pipeline's head, or --accuracy, was taken to mean: the setting, and its error. The error is estimated by a study of this garment where one lies beside the pipeline (`toile study`), else it is what the preset promises.",
+    ),
+    code(
+        "accuracy-no-stage",
+        "An accuracy chooses the mesh and the drape together, so the chain must have `triangulate` and `drape`. For a mesh from a file, `with.accuracy` of `drape` says how near to rest it is led. Exit code 2.",
+    ),
+    code(
+        "accuracy-out-of-reach",
+        "Nothing that is known is as exact as asked. `toile study` measures finer meshes of this garment; its study.json, put beside the pipeline as NAME.study.json, is then chosen from. Exit code 2.",
+    ),
+    code(
         "bad-name",
         "A product line, id, input or plugin has a name that cannot stand in file names and on the command line.\nUse lower-case letters, digits and hyphens, beginning with a letter, at most 64 characters.",
     ),
@@ -77,6 +89,19 @@ pub(super) const CODES: &[Code] = &[
     code(
         "set-form",
         "An override must read `--set name=value` for an input or `--set stage-id.key=value` for a parameter.",
+    ),
+    code(
+        "study-empty",
+        "No setting of the study gave a drape, so nothing can be compared. `toile run` with the same pipeline says why. Exit code 4.",
+    ),
+    code(
+        "study-held",
+        "A --set holds a parameter that the study varies: all its rows would be the same. Leave it out. Exit code 2.",
+    ),
+    code("study-no-drape", "A study compares drapes, and the chain has none. Exit code 2."),
+    code(
+        "study-unfit",
+        "The study beside the pipeline cannot be used, so the accuracy comes from the presets: it is damaged, of another version, or of another pipeline. Make it anew with `toile study`.",
     ),
     code(
         "toml-syntax",

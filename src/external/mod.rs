@@ -36,6 +36,10 @@ pub fn connect(
         if !document.stages.iter().any(|s| s.name.get_ref().starts_with(&prefix)) {
             continue;
         }
+        // A study opens one pipeline many times; its programs are asked once.
+        if registry.iter().any(|s| s.info().name.starts_with(&prefix)) {
+            continue;
+        }
         if !allowed.contains(&plugin.name) {
             let command = plugin.command.join(" ");
             let message = format!("the pipeline wants to run the program `{command}` as plugin `{}`", plugin.name);

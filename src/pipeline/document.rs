@@ -25,6 +25,8 @@ pub struct Document<'t> {
     pub version: u64,
     /// Seed for anything random.
     pub seed: u64,
+    /// What accuracy is wanted: the name of a preset or a length.
+    pub accuracy: Option<Spanned<String>>,
     /// What the caller may set.
     pub inputs: BTreeMap<String, Input>,
     /// Stages in other processes.
@@ -63,10 +65,11 @@ fn read_root<'t>(source: &'t SourceText, root: &DeTable<'t>, report: &mut Report
     cx.refuse_unknown(root, &["toile", "pipeline", "input", "plugin", "stage"], "a pipeline file");
     cx.check_grammar(root);
     let (line, version, seed) = read_head(&mut cx, root);
+    let accuracy = read_accuracy(&mut cx, root);
     let inputs = read_inputs(&mut cx, root);
     let plugins = read_plugins(&mut cx, root);
     let stages = read_stages(&mut cx, root);
-    Document { source, line, version, seed, inputs, plugins, stages }
+    Document { source, line, version, seed, accuracy, inputs, plugins, stages }
 }
 
 fn read_head(cx: &mut Reader<'_>, root: &DeTable<'_>) -> (String, u64, u64) {
@@ -76,7 +79,7 @@ fn read_head(cx: &mut Reader<'_>, root: &DeTable<'_>) -> (String, u64, u64) {
         return fallback;
     };
     let (table, span) = head;
-    cx.refuse_unknown(table, &["line", "version", "seed", "about"], "[pipeline]");
+    cx.refuse_unknown(table, &["line", "version", "seed", "accuracy", "about"], "[pipeline]");
     cx.require(table, "line", &span, "the product line, e.g. line = \"a-line-skirt\"");
     cx.require(table, "version", &span, "the version, e.g. version = 1");
     cx.text(table, "about");
@@ -84,6 +87,13 @@ fn read_head(cx: &mut Reader<'_>, root: &DeTable<'_>) -> (String, u64, u64) {
     let version = cx.count(table, "version");
     let seed = cx.count(table, "seed");
     (line.unwrap_or(fallback.0), version.unwrap_or(0), seed.unwrap_or(0))
+}
+
+fn read_accuracy(cx: &mut Reader<'_>, root: &DeTable<'_>) -> Option<Spanned<String>> {
+    match root.get("pipeline")?.get_ref() {
+        DeValue::Table(head) => cx.text(head, "accuracy"),
+        _ => None,
+    }
 }
 
 fn read_stages<'t>(cx: &mut Reader<'_>, root: &DeTable<'t>) -> Vec<StageEntry<'t>> {

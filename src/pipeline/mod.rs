@@ -13,6 +13,7 @@ mod params;
 mod plugins;
 mod schema_walk;
 mod text;
+mod tune;
 
 pub use chain::{PathText, Pipeline, Step, link, word};
 pub use document::{Document, GRAMMAR, MAX_ERRORS, StageEntry, parse};
@@ -21,3 +22,4 @@ pub use nearest::{nearest, remedy};
 pub use plugins::Plugin;
 pub use schema_walk::SchemaTree;
 pub use text::{MAX_BYTES, SourceText};
+pub use tune::{Tuning, tune};

@@ -106,6 +106,7 @@ impl AnimateParams {
                     AccuracyName::Draft => 4.0,
                     AccuracyName::Normal => 1.0,
                     AccuracyName::Fine => 0.2,
+                    AccuracyName::Reference => 0.05,
                 },
         }
     }

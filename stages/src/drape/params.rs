@@ -39,6 +39,8 @@ pub enum AccuracyName {
     Normal,
     /// Five times nearer to rest than normal.
     Fine,
+    /// Twenty times nearer to rest than normal: to measure others by.
+    Reference,
 }
 
 /// Whether an effect is used.
@@ -114,6 +116,7 @@ impl DrapeParams {
             AccuracyName::Draft => 5.0,
             AccuracyName::Normal => 1.0,
             AccuracyName::Fine => 0.2,
+            AccuracyName::Reference => 0.05,
         };
         Settings {
             model: self.model.into(),

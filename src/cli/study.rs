@@ -1,0 +1,211 @@
+//! `toile study`: what accuracy costs in time, for one garment.
+
+use super::args::StudyArgs;
+use super::console::Console;
+use crate::engine::{Exit, Stop, clean, write_whole};
+use crate::load;
+use crate::progress::Voice;
+use crate::study::report::Head;
+use crate::study::{Axes, Bench, Halt, Ran, Setting, Study, chart, page, report, table};
+use serde::de::DeserializeOwned;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use toile_garment::Diagnostic;
+use toile_garment::units::Length;
+use toile_stage_api::Registry;
+
+/// Names of the results.
+const FILES: [&str; 4] = ["study.json", "study.svg", "study.html", "study.md"];
+
+pub(super) fn run(args: &StudyArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
+    match study(args, registry, stop, console) {
+        Ok(exit) => exit,
+        Err(halt) => {
+            let source = halt.source.as_ref().map(|(file, text)| (file.as_str(), text.as_str()));
+            console.findings(&halt.findings, source);
+            if halt.exit == Exit::Stopped {
+                console.say("stopped; what is through is kept, and the same command goes on from there\n");
+            }
+            halt.exit
+        }
+    }
+}
+
+fn study(args: &StudyArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Result<Exit, Halt> {
+    let axes = axes(args).map_err(usage)?;
+    let wanted = length(&args.want, "--want").map_err(usage)?;
+    let chain = Chain::look(args, registry, stop)?;
+    let threads = super::run::threads(args.threads);
+    // A pool that is there already (a library user's) is taken as it is: results do not depend on it.
+    drop(rayon::ThreadPoolBuilder::new().num_threads(threads).build_global());
+    let out = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(format!("{}-study", chain.file_name)));
+    check_folder(&out, &chain.name).map_err(usage)?;
+    let bench = Bench {
+        request: args.pipeline.request(),
+        out: out.clone(),
+        threads,
+        force: args.force,
+        voice: if args.quiet { Voice::Quiet } else { Voice::Auto },
+        stop,
+    };
+    let mut runs =
+        Runs { bench: &bench, budget: args.budget.unwrap_or(f64::INFINITY), ran: Vec::new(), left_out: Vec::new() };
+    runs.all(&axes.settings(chain.has_mesh_stage), registry, args.quiet, console)?;
+    let head = Head { pipeline: chain.name, threads, wanted_mm: wanted, left_out: runs.left_out };
+    let Some(study) = report(head, runs.ran) else {
+        let message = "no setting gave a drape; nothing can be compared".to_owned();
+        let finding = Diagnostic::error("study-empty", message).hint("`toile run` with the same pipeline says why");
+        return Err(Halt { findings: vec![finding], source: None, exit: Exit::Unstable });
+    };
+    write(&study, &out)?;
+    if args.json {
+        console.result(&json(&study))
+    } else {
+        console.result(&table::text(&study))
+    }
+    for name in FILES {
+        console.say(&format!("{}\n", crate::render::safe(&out.join(name).to_string_lossy())));
+    }
+    Ok(Exit::Good)
+}
+
+/// What is known of the chain before anything runs.
+struct Chain {
+    name: String,
+    file_name: String,
+    has_mesh_stage: bool,
+}
+
+impl Chain {
+    fn look(args: &StudyArgs, registry: &mut Registry, stop: &Arc<Stop>) -> Result<Self, Halt> {
+        let loaded = load::load(&args.pipeline.request(), stop, registry);
+        let exit = loaded.exit();
+        let source = loaded.text().map(|(file, text)| (file.to_owned(), text.to_owned()));
+        match loaded.pipeline {
+            Some(pipeline) if exit == Exit::Good => Ok(Self {
+                name: format!("{} v{}", pipeline.line, pipeline.version),
+                file_name: format!("{}-v{}", pipeline.line, pipeline.version),
+                has_mesh_stage: pipeline.steps.iter().any(|s| s.ready.info().name == "triangulate"),
+            }),
+            _ => Err(Halt { findings: loaded.report.findings, source, exit }),
+        }
+    }
+}
+
+/// The runs of a study, one after the other.
+struct Runs<'a> {
+    bench: &'a Bench<'a>,
+    budget: f64,
+    ran: Vec<Ran>,
+    left_out: Vec<String>,
+}
+
+impl Runs<'_> {
+    fn all(
+        &mut self,
+        settings: &[Setting],
+        registry: &mut Registry,
+        quiet: bool,
+        console: &mut Console<'_>,
+    ) -> Result<(), Halt> {
+        let mut spent = 0.0;
+        for (number, setting) in settings.iter().enumerate() {
+            if spent + self.expected(setting) > self.budget {
+                self.left_out.push(setting.name());
+                continue;
+            }
+            if !quiet {
+                console.say(&format!("study {}/{} {}\n", number + 1, settings.len(), setting.name()));
+            }
+            let ran = self.bench.run(setting, registry)?;
+            if !ran.resumed {
+                spent += ran.done.cpu_seconds;
+            }
+            if !quiet {
+                let how = if ran.resumed { ", done before" } else { "" };
+                let (seconds, triangles) = (ran.done.cpu_seconds, ran.done.triangles);
+                console.say(&format!("  {triangles} triangles, {seconds:.1} CPU s, {}{how}\n", ran.done.status));
+            }
+            self.ran.push(ran);
+        }
+        Ok(())
+    }
+
+    /// CPU seconds that a setting will take, from the dearest run so far and the order between them.
+    fn expected(&self, setting: &Setting) -> f64 {
+        let known = self.ran.iter().map(|r| r.done.cpu_seconds * setting.weight() / r.done.setting.weight());
+        known.fold(0.0, f64::max)
+    }
+}
+
+fn axes(args: &StudyArgs) -> Result<Axes, Diagnostic> {
+    let own = Axes::default();
+    let edges: Result<Vec<f64>, Diagnostic> = args.edges.iter().map(|t| length(t, "--edges")).collect();
+    Ok(Axes {
+        edges: if args.edges.is_empty() { own.edges } else { edges? },
+        accuracies: words(&args.accuracies, "--accuracies", own.accuracies)?,
+        models: words(&args.models, "--models", own.models)?,
+        integrators: words(&args.integrators, "--integrators", own.integrators)?,
+        self_contact: words(&args.self_contact, "--self-contact", own.self_contact)?,
+        full: args.full,
+    })
+}
+
+/// Values of an axis in the words of pipelines.
+fn words<T: DeserializeOwned>(texts: &[String], option: &str, own: Vec<T>) -> Result<Vec<T>, Diagnostic> {
+    if texts.is_empty() {
+        return Ok(own);
+    }
+    let read = |text: &String| {
+        serde_json::from_value(serde_json::Value::String(text.clone())).map_err(|e| {
+            Diagnostic::error("unknown-value", format!("{option}: {e}")).hint("`toile stages drape` lists the words")
+        })
+    };
+    texts.iter().map(read).collect()
+}
+
+/// A length in mm.
+fn length(text: &str, option: &str) -> Result<f64, Diagnostic> {
+    let wrong = |why: String| Diagnostic::error("wrong-value", format!("{option}: {why}")).hint("write e.g. \"12 mm\"");
+    let metres = text.parse::<Length>().map_err(|e| wrong(e.to_string()))?.0;
+    if metres > 0.0 {
+        Ok(toile_garment::units::tidy(1e3 * metres))
+    } else {
+        Err(wrong(format!("`{text}` is not above 0")))
+    }
+}
+
+fn usage(finding: Diagnostic) -> Halt {
+    Halt { findings: vec![finding], source: None, exit: Exit::Usage }
+}
+
+/// A study goes on in its own folder, and in no other's.
+fn check_folder(out: &Path, name: &str) -> Result<(), Diagnostic> {
+    let path = out.join(FILES[0]);
+    let Ok(bytes) = std::fs::read(&path) else { return Ok(()) };
+    let there: Option<serde_json::Value> = serde_json::from_slice(&bytes).ok();
+    if there.is_some_and(|v| v.get("toile_study").is_some() && v["pipeline"] == name) {
+        return Ok(());
+    }
+    let message = format!("`{}` holds a `{}` that is not of a study of {name}", clean(out), FILES[0]);
+    Err(Diagnostic::error("path-refused", message).hint("choose another folder with --out"))
+}
+
+fn json(study: &Study) -> String {
+    serde_json::to_string_pretty(study).unwrap_or_default() + "\n"
+}
+
+fn write(study: &Study, out: &Path) -> Result<(), Halt> {
+    let texts = [json(study), chart::svg(study), page::html(study), table::markdown(study)];
+    for (name, text) in FILES.iter().zip(texts) {
+        write_whole(&out.join(name), text.as_bytes()).map_err(|e| Halt {
+            findings: vec![Diagnostic::error(
+                "write-failed",
+                format!("cannot write `{}`: {e}", clean(&out.join(name))),
+            )],
+            source: None,
+            exit: Exit::System,
+        })?;
+    }
+    Ok(())
+}

@@ -1,0 +1,102 @@
+//! What an asked accuracy means for a chain.
+
+use super::Request;
+use crate::engine::read_limited;
+use crate::pipeline::{Document, Tuning};
+use crate::study::Study;
+use crate::study::choose::{Choice, Refusal, Wanted};
+use std::path::Path;
+use toile_garment::{Diagnostic, Report, SourceRef};
+
+/// Largest study that is read, bytes.
+const MAX_STUDY: u64 = 16 << 20;
+
+/// The settings for the accuracy of the request, else of the pipeline's head; no settings when neither asks.
+pub(super) fn tuning(document: &Document<'_>, request: &Request, report: &mut Report) -> Tuning {
+    let (text, place) = match (&request.accuracy, &document.accuracy) {
+        (Some(text), _) => (text.as_str(), SourceRef::file(format!("--accuracy {text}"))),
+        (None, Some(text)) => (text.get_ref().as_str(), document.source.place(&text.span())),
+        (None, None) => return Tuning::default(),
+    };
+    let chosen = choose(text, document, request, report);
+    match chosen {
+        Ok((choice, finding)) => {
+            report.push(finding.at(place));
+            choice.tuning()
+        }
+        Err(finding) => {
+            report.push(finding.at(place));
+            Tuning::default()
+        }
+    }
+}
+
+fn choose(
+    text: &str,
+    document: &Document<'_>,
+    request: &Request,
+    report: &mut Report,
+) -> Result<(Choice, Diagnostic), Diagnostic> {
+    let wanted = Wanted::read(text).map_err(|why| {
+        Diagnostic::error("wrong-value", format!("accuracy: {why}")).hint("write e.g. accuracy = \"2 mm\"")
+    })?;
+    for stage in ["triangulate", "drape"] {
+        if !document.stages.iter().any(|s| s.name.get_ref() == stage) {
+            let message = format!("an accuracy is a choice of mesh and drape, but the chain has no `{stage}`");
+            let hint = "leave it out; `with.accuracy` of `drape` alone says how near to rest a drape is led";
+            return Err(Diagnostic::error("accuracy-no-stage", message).hint(hint));
+        }
+    }
+    let file = request.file.with_extension("study.json");
+    let study = stored(&file, document, report);
+    let choice =
+        wanted.choose(study.as_ref()).map_err(|Refusal::OutOfReach(least)| refusal(text, least, study.is_some()))?;
+    let words = words(text, &choice, &file);
+    Ok((choice, Diagnostic::info("accuracy-chosen", words)))
+}
+
+/// The study beside the pipeline. One that cannot be used is told of, not passed over in silence.
+fn stored(file: &Path, document: &Document<'_>, report: &mut Report) -> Option<Study> {
+    if !file.is_file() {
+        return None;
+    }
+    let name = name_of(file);
+    let unfit = |why: String| {
+        let message = format!("`{name}` is not used: {why}; the accuracy comes from the presets");
+        Diagnostic::warning("study-unfit", message).hint("make it anew with `toile study`")
+    };
+    let read = read_limited(file, file, MAX_STUDY).map_err(|e| unfit(e.to_string()));
+    let study = read.and_then(|bytes| serde_json::from_slice::<Study>(&bytes).map_err(|e| unfit(e.to_string())));
+    let wanted = format!("{} v{}", document.line, document.version);
+    let fits = study.and_then(|s| match s {
+        s if s.pipeline != wanted => Err(unfit(format!("it is of {}", s.pipeline))),
+        s if s.finest >= s.rows.len() => Err(unfit("it is damaged".to_owned())),
+        s => Ok(s),
+    });
+    fits.map_err(|finding| report.push(finding)).ok()
+}
+
+fn refusal(text: &str, least: f64, studied: bool) -> Diagnostic {
+    let source = if studied { "the study of this pipeline" } else { "the presets" };
+    let message = format!("accuracy {text} is out of reach: the least error known from {source} is {least:.1} mm");
+    let hint = if studied {
+        "ask for less, or study finer meshes: `toile study --edges`"
+    } else {
+        "ask for less, or let `toile study` find what this garment needs and put its study.json beside the pipeline as NAME.study.json"
+    };
+    Diagnostic::error("accuracy-out-of-reach", message).hint(hint)
+}
+
+fn words(text: &str, choice: &Choice, file: &Path) -> String {
+    let (error, name) = (choice.error, choice.setting.name());
+    let preset = choice.preset.map_or_else(String::new, |p| format!(" (preset {p})"));
+    if choice.studied {
+        format!("accuracy {text}: `{name}`{preset}, estimated error {error:.1} mm, from `{}`", name_of(file))
+    } else {
+        format!("accuracy {text}: `{name}`{preset}, promised error {error} mm")
+    }
+}
+
+fn name_of(file: &Path) -> String {
+    file.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default()
+}

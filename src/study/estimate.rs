@@ -1,0 +1,131 @@
+//! What the error is, from the meshes alone: from two levels, and from the whole ladder.
+//!
+//! With `q(h) = q + C h^p` (Richardson), a coarser mesh H tells the error at h: `|q(H) − q(h)| / ((H/h)^p − 1)`, and the
+//! distance to the result at a still finer mesh f: `|q(H) − q(h)| (h^p − f^p) / (H^p − h^p)`.
+
+use super::measure::{Lengths, difference};
+use serde::{Deserialize, Serialize};
+
+/// Order of hem heights and girths in the edge length. Linear triangles give energies of second order on smooth shapes;
+/// contact and folds that are as wide as a few edges make lengths of a garment first order.
+pub const ORDER: f64 = 1.0;
+
+/// One mesh: its edge length in mm and what was measured.
+#[derive(Clone, Copy, Debug)]
+pub struct Level<'a> {
+    /// Edge length, mm.
+    pub edge: f64,
+    /// Hem heights and girths.
+    pub lengths: &'a Lengths,
+}
+
+/// Estimated largest error of a hem height or girth on `this` mesh, mm, against the limit of fine meshes, or against the
+/// result of a mesh of the edge length `finest`. `None` when the levels cannot be compared.
+#[must_use]
+pub fn estimate(coarser: Level<'_>, this: Level<'_>, finest: Option<f64>) -> Option<f64> {
+    let [hem, girth, _] = difference(coarser.lengths, this.lengths)?;
+    let power = |h: f64| libm::pow(h, ORDER);
+    let (step, rest) = (power(coarser.edge) - power(this.edge), power(this.edge) - finest.map_or(0.0, power));
+    (step > 0.0).then(|| hem.max(girth) * rest.max(0.0) / step)
+}
+
+/// Estimated error of the first of these levels, which go from fine to coarse: by their trend where there are three, else
+/// from two; against the limit, or against the result of a mesh of the edge length `finest`, mm. No finer mesh is asked.
+#[must_use]
+pub fn error_of(levels: &[Level<'_>], finest: Option<f64>) -> Option<f64> {
+    let [this, coarser, ..] = levels else { return None };
+    match Trend::of(levels) {
+        Some(trend) => Some(trend.error(this.edge - finest.unwrap_or(0.0))),
+        None => estimate(*coarser, *this, finest),
+    }
+}
+
+/// How lengths follow the edge length over a whole ladder of meshes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Trend {
+    /// Steepest slope of a hem height or girth over the edge length, mm a mm.
+    pub slope: f64,
+    /// Largest mean (rms) distance of a hem height or girth from its straight line, mm: what folds and friction decide, not
+    /// the mesh.
+    pub scatter_mm: f64,
+}
+
+impl Trend {
+    /// Straight lines through the lengths of at least three levels (least squares). Two neighbours alone would take the
+    /// scatter for a slope.
+    #[must_use]
+    pub fn of(levels: &[Level<'_>]) -> Option<Self> {
+        let [first, _, _, ..] = levels else { return None };
+        let figures = first.lengths.mesh_dependent().count();
+        let edges: Vec<f64> = levels.iter().map(|l| l.edge).collect();
+        let lines = (0..figures).map(|k| {
+            let values: Option<Vec<f64>> = levels.iter().map(|l| l.lengths.mesh_dependent().nth(k)).collect();
+            line(&edges, &values?)
+        });
+        lines.collect::<Option<Vec<[f64; 2]>>>().map(|lines| {
+            lines.iter().fold(Self::default(), |t, [slope, scatter]| Self {
+                slope: t.slope.max(slope.abs()),
+                scatter_mm: t.scatter_mm.max(*scatter),
+            })
+        })
+    }
+
+    /// Error on a mesh of this edge length, mm.
+    #[must_use]
+    pub fn error(&self, edge: f64) -> f64 {
+        self.slope * edge + self.scatter_mm
+    }
+}
+
+/// Slope of the line through points, and their rms distance from it.
+fn line(x: &[f64], y: &[f64]) -> Option<[f64; 2]> {
+    let n = x.len() as f64;
+    let (mx, my) = (x.iter().sum::<f64>() / n, y.iter().sum::<f64>() / n);
+    let sxx: f64 = x.iter().map(|x| (x - mx) * (x - mx)).sum();
+    let sxy: f64 = x.iter().zip(y).map(|(x, y)| (x - mx) * (y - my)).sum();
+    let slope = (sxx > 0.0).then(|| sxy / sxx)?;
+    let rest = x.iter().zip(y).map(|(x, y)| y - my - slope * (x - mx));
+    Some([slope, (rest.map(|r| r * r).sum::<f64>() / n).sqrt()])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn finds_the_error_of_a_first_order_quantity() {
+        let at =
+            |h: f64| Lengths { hems_mm: vec![300.0 + 0.5 * h], girths_mm: vec![900.0 - 0.8 * h], tapes_mm: vec![] };
+        let (coarse, fine) = (at(16.0), at(11.0));
+        let levels = (Level { edge: 16.0, lengths: &coarse }, Level { edge: 11.0, lengths: &fine });
+        let all = estimate(levels.0, levels.1, None).expect("levels");
+        assert!((all - 0.8 * 11.0).abs() < 1e-9);
+        let to_finest = estimate(levels.0, levels.1, Some(8.0)).expect("levels");
+        assert!((to_finest - 0.8 * 3.0).abs() < 1e-9);
+        assert_eq!(estimate(levels.1, levels.0, None), None, "the coarser one comes first");
+    }
+
+    #[test]
+    fn scatter_is_not_taken_for_a_slope() {
+        let off = [0.0, 0.6, -0.6, 0.6, -0.6];
+        let edges = [32.0, 22.0, 16.0, 11.0, 8.0];
+        let all: Vec<Lengths> = edges
+            .iter()
+            .zip(off)
+            .map(|(h, off)| Lengths { hems_mm: vec![300.0 + 0.3 * h + off], ..Lengths::default() })
+            .collect();
+        let levels: Vec<Level<'_>> =
+            edges.iter().zip(&all).map(|(edge, lengths)| Level { edge: *edge, lengths }).collect();
+        let trend = Trend::of(&levels).expect("a trend");
+        assert!((trend.slope - 0.3).abs() < 0.03 && (0.3..0.7).contains(&trend.scatter_mm), "{trend:?}");
+        assert!((trend.error(8.0) - 2.4).abs() < 0.9);
+        let two = estimate(levels[3], levels[4], None).expect("levels");
+        assert!(two > 5.0, "two neighbours: {two}");
+        assert_eq!(Trend::of(&levels[..2]), None);
+        let fine_first: Vec<Level<'_>> = levels.iter().rev().copied().collect();
+        let all = error_of(&fine_first, None).expect("five levels");
+        assert!((all - trend.error(8.0)).abs() < 1e-12);
+        assert_eq!(error_of(&fine_first[..2], None), Some(two), "two levels are two levels");
+        assert_eq!(error_of(&fine_first[..1], None), None);
+    }
+}

@@ -1,0 +1,267 @@
+//! One run of the grid: the chain up to its drape, in a folder of its own; a run that is through is not done again.
+
+use super::choose::tuning;
+use super::grid::{Setting, word};
+use crate::engine::{self, Exit, Gate, RunOptions, RunRecord, Stop, read_limited, write_whole};
+use crate::load::{self, Request};
+use crate::pipeline::Pipeline;
+use crate::progress::{Teller, Voice};
+use serde::{Deserialize, Serialize};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use toile_formats::gltf;
+use toile_garment::garment::Certificate;
+use toile_garment::provenance::InputRecord;
+use toile_garment::{Diagnostic, Garment, Severity};
+use toile_stage_api::Registry;
+
+/// What a run came to, beside its garment.
+const RESULT_NAME: &str = "result.json";
+/// The draped garment.
+const GARMENT_NAME: &str = "garment.glb";
+/// Limits for reading these back.
+const MAX_RESULT: u64 = 4 << 20;
+const MAX_GARMENT: u64 = 1 << 30;
+
+/// A run that is through.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Done {
+    /// Its place in the grid.
+    pub setting: Setting,
+    /// Digest of program version, seed and the full parameters of every stage.
+    pub key: String,
+    /// What it read.
+    pub inputs: Vec<InputRecord>,
+    /// How it ended, in a word.
+    pub status: String,
+    /// Why it has no drape.
+    pub failure: Option<String>,
+    /// Wall time up to the drape, s.
+    pub seconds: f64,
+    /// Time of all threads, s; wall time where the system does not tell.
+    pub cpu_seconds: f64,
+    /// Largest resident memory, MB, where the system tells.
+    pub peak_mb: Option<f64>,
+    /// Triangles of all pieces.
+    pub triangles: usize,
+    /// Certificate of the drape.
+    pub certificate: Option<Certificate>,
+}
+
+/// A result with the garment it left.
+pub struct Ran {
+    /// Figures.
+    pub done: Done,
+    /// The garment; `None` when the run failed.
+    pub garment: Option<Garment>,
+    /// Was it there already?
+    pub resumed: bool,
+}
+
+/// Why a study cannot go on.
+pub struct Halt {
+    /// What is to be said.
+    pub findings: Vec<Diagnostic>,
+    /// The pipeline's text, to show them in.
+    pub source: Option<(String, String)>,
+    /// How the program ends.
+    pub exit: Exit,
+}
+
+/// What all runs of a study share.
+pub struct Bench<'a> {
+    /// The pipeline and what it may do.
+    pub request: Request,
+    /// Folder of the study.
+    pub out: PathBuf,
+    /// Threads.
+    pub threads: usize,
+    /// Do finished runs again?
+    pub force: bool,
+    /// How progress is told.
+    pub voice: Voice,
+    /// Stop.
+    pub stop: &'a Arc<Stop>,
+}
+
+impl Bench<'_> {
+    /// Folder of a run.
+    #[must_use]
+    pub fn folder(&self, setting: &Setting) -> PathBuf {
+        self.out.join("runs").join(setting.name())
+    }
+
+    /// Runs one setting, or takes what an earlier study left.
+    ///
+    /// # Errors
+    /// When the pipeline is wrong, the disk refuses, or the user stops.
+    pub fn run(&self, setting: &Setting, registry: &mut Registry) -> Result<Ran, Halt> {
+        let request = Request { tuning: tuning(setting), ..self.request.clone() };
+        let mut loaded = load::load(&request, self.stop, registry);
+        let text = loaded.text().map(|(file, text)| (file.to_owned(), text.to_owned()));
+        if loaded.report.has_errors() {
+            let exit = loaded.exit();
+            return Err(Halt { findings: loaded.report.findings, source: text, exit });
+        }
+        let (Some(mut pipeline), Some(gate)) = (loaded.pipeline.take(), loaded.gate.take()) else {
+            return Err(Halt { findings: loaded.report.findings, source: text, exit: Exit::Usage });
+        };
+        let wrong = |finding| Halt { findings: vec![finding], source: text.clone(), exit: Exit::Usage };
+        cut(&mut pipeline).map_err(wrong)?;
+        varies(&pipeline, setting).map_err(wrong)?;
+        let key = key(&pipeline);
+        if !self.force
+            && let Some(result) = self.resume(setting, &key, &gate)
+        {
+            return Ok(result);
+        }
+        self.work(setting, key, &pipeline, gate, text.unwrap_or_default())
+    }
+
+    /// A result is taken only if settings, program version and every file it read are as they were.
+    fn resume(&self, setting: &Setting, key: &str, gate: &Gate) -> Option<Ran> {
+        let folder = self.folder(setting);
+        let path = folder.join(RESULT_NAME);
+        let done: Done = serde_json::from_slice(&read_limited(&path, &path, MAX_RESULT).ok()?).ok()?;
+        if done.key != key || !done.inputs.iter().all(|input| is_unchanged(input, gate)) {
+            return None;
+        }
+        let garment = match done.failure {
+            Some(_) => None,
+            None => {
+                let path = folder.join(GARMENT_NAME);
+                Some(gltf::read_garment(&read_limited(&path, &path, MAX_GARMENT).ok()?).ok()?)
+            }
+        };
+        Some(Ran { done, garment, resumed: true })
+    }
+
+    fn work(
+        &self,
+        setting: &Setting,
+        key: String,
+        pipeline: &Pipeline<'_>,
+        gate: Gate,
+        (file, text): (String, String),
+    ) -> Result<Ran, Halt> {
+        let options = RunOptions {
+            out: self.folder(setting),
+            force: true,
+            threads: self.threads,
+            allow_write: Vec::new(),
+            set: self.request.set.clone(),
+            pipeline_file: (file, text.into_bytes()),
+        };
+        // A killed run must not be taken for the one before it.
+        drop(std::fs::remove_file(options.out.join(RESULT_NAME)));
+        let mut teller = Teller::new(self.voice, None);
+        let outcome = engine::run(pipeline, gate, &options, self.stop, &mut teller, toile_garment::Report::default());
+        drop(teller);
+        let Some(record) = outcome.record.filter(|_| goes_on(outcome.exit)) else {
+            return Err(Halt { findings: Vec::new(), source: None, exit: outcome.exit });
+        };
+        let draped = matches!(outcome.exit, Exit::Good | Exit::Gate);
+        let failure = (!draped).then(|| first_error(&outcome.findings));
+        let done = Done::of(*setting, key, &record, failure);
+        let garment = draped.then_some(outcome.garment);
+        self.store(&options.out, &done, garment.as_ref()).map_err(|reason| Halt {
+            findings: vec![Diagnostic::error("write-failed", reason)],
+            source: None,
+            exit: Exit::System,
+        })?;
+        Ok(Ran { done, garment, resumed: false })
+    }
+
+    /// The garment first: who finds the result finds the garment.
+    fn store(&self, folder: &Path, done: &Done, garment: Option<&Garment>) -> Result<(), String> {
+        let failed = |e: &dyn std::fmt::Display| format!("cannot write the run into `{}`: {e}", engine::clean(folder));
+        if let Some(garment) = garment {
+            let bytes = gltf::write_garment(garment).map_err(|e| failed(&e))?;
+            write_whole(&folder.join(GARMENT_NAME), &bytes).map_err(|e| failed(&e))?;
+        }
+        let text = serde_json::to_string_pretty(done).map_err(|e| failed(&e))?;
+        write_whole(&folder.join(RESULT_NAME), text.as_bytes()).map_err(|e| failed(&e))
+    }
+}
+
+impl Done {
+    fn of(setting: Setting, key: String, record: &RunRecord, failure: Option<String>) -> Self {
+        let cpu: Option<f64> = record.stages.iter().map(|s| s.cpu_seconds).sum();
+        let peaks = record.stages.iter().filter_map(|s| s.peak_mb);
+        Self {
+            setting,
+            key,
+            // The first is the pipeline file: its meaning is in the key.
+            inputs: record.inputs.iter().skip(1).cloned().collect(),
+            status: record.status.to_owned(),
+            failure,
+            seconds: record.seconds,
+            cpu_seconds: cpu.unwrap_or(record.seconds),
+            peak_mb: peaks.fold(None, |most: Option<f64>, mb| Some(most.map_or(mb, |m| m.max(mb)))),
+            triangles: record.garment.triangles,
+            certificate: record.certificate.clone(),
+        }
+    }
+}
+
+/// Cuts the chain behind its drape, and takes out taps before it: they write files and change nothing.
+fn cut(pipeline: &mut Pipeline<'_>) -> Result<(), Diagnostic> {
+    let last = pipeline.steps.iter().rposition(|s| s.ready.info().name == "drape");
+    let Some(last) = last else {
+        let message = format!("`{}` drapes nothing: a study needs a stage `drape`", pipeline.line);
+        return Err(Diagnostic::error("study-no-drape", message).hint("add `use = \"drape\"` to the chain"));
+    };
+    pipeline.steps.truncate(last + 1);
+    pipeline.steps.retain(|s| !s.ready.info().gives.is_empty());
+    Ok(())
+}
+
+/// An override must not hold fast what the study varies: all its rows would be one.
+fn varies(pipeline: &Pipeline<'_>, setting: &Setting) -> Result<(), Diagnostic> {
+    let wanted = [
+        ("triangulate", "/edge_length", setting.edge.map(|mm| format!("{mm} mm"))),
+        ("drape", "/accuracy", Some(word(&setting.accuracy))),
+        ("drape", "/model", Some(word(&setting.model))),
+        ("drape", "/integrator", Some(word(&setting.integrator))),
+        ("drape", "/effects/self-contact", Some(word(&setting.self_contact))),
+    ];
+    for (stage, path, value) in wanted {
+        let Some(value) = value else { continue };
+        for step in pipeline.steps.iter().filter(|s| s.ready.info().name == stage) {
+            let params = step.ready.params();
+            let found = params.pointer(path).and_then(serde_json::Value::as_str).unwrap_or("");
+            if found != value {
+                let key = path.trim_start_matches('/').replace('/', ".");
+                let message = format!("`{}.{key}` is held at `{found}`, but the study varies it", step.id);
+                return Err(Diagnostic::error("study-held", message).hint("leave out that --set"));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn key(pipeline: &Pipeline<'_>) -> String {
+    let step = |s: &crate::pipeline::Step<'_>| {
+        let info = s.ready.info();
+        serde_json::json!([info.name, info.revision, s.ready.params()])
+    };
+    let all: Vec<serde_json::Value> = pipeline.steps.iter().map(step).collect();
+    let text = serde_json::json!([env!("CARGO_PKG_VERSION"), pipeline.seed, all]).to_string();
+    blake3::hash(text.as_bytes()).to_hex().to_string()
+}
+
+fn is_unchanged(input: &InputRecord, gate: &Gate) -> bool {
+    let path = Path::new(&input.path);
+    let bytes = gate.optional_input(path).ok().flatten().and_then(|p| read_limited(path, &p, engine::MAX_INPUT).ok());
+    bytes.is_some_and(|bytes| blake3::hash(&bytes).to_hex().as_str() == input.blake3)
+}
+
+/// A setting that cannot be draped is a result too; a full disk or a stop is none.
+fn goes_on(exit: Exit) -> bool {
+    matches!(exit, Exit::Good | Exit::Gate | Exit::Usage | Exit::Input | Exit::Unstable)
+}
+
+fn first_error(findings: &[Diagnostic]) -> String {
+    let error = findings.iter().find(|f| f.severity == Severity::Error);
+    error.map_or_else(|| "it failed without saying why".to_owned(), |f| f.message.clone())
+}

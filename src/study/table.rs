@@ -1,0 +1,158 @@
+//! A study as a table: text for the terminal, Markdown for a page.
+
+use super::report::{Row, Study};
+use std::fmt::Write as _;
+
+/// Heads of the columns.
+pub const HEADS: [&str; 13] = [
+    "setting",
+    "triangles",
+    "CPU s",
+    "MB",
+    "error mm",
+    "estimate",
+    "hem mm",
+    "girth mm",
+    "tape mm",
+    "surface mm, mean/p95/max",
+    "strain p95",
+    "energy",
+    "",
+];
+
+/// The cells of a row, one for each head.
+#[must_use]
+pub fn cells(study: &Study, number: usize) -> [String; 13] {
+    let row = &study.rows[number];
+    let run = &row.done;
+    let finest = number == study.finest;
+    let error = row.error.as_ref().filter(|_| !finest);
+    let mm =
+        |f: &dyn Fn(&super::measure::Error) -> f64| error.map_or_else(|| "-".to_owned(), |e| format!("{:.1}", f(e)));
+    let distance = |e: &super::measure::Error| {
+        format!("{:.1} / {:.1} / {:.0}", e.distance_mean_mm, e.distance_p95_mm, e.distance_max_mm)
+    };
+    let dash = || "-".to_owned();
+    [
+        row.name.clone(),
+        if run.triangles == 0 { dash() } else { run.triangles.to_string() },
+        format!("{:.1}", run.cpu_seconds),
+        run.peak_mb.map_or_else(dash, |mb| format!("{mb:.0}")),
+        mm(&|e| e.length_mm),
+        row.estimate_to_finest_mm.filter(|_| !finest).map_or_else(dash, |g| format!("{g:.1}")),
+        mm(&|e| e.hem_mm),
+        mm(&|e| e.girth_mm),
+        mm(&|e| e.tape_mm),
+        error.map_or_else(dash, distance),
+        error.map_or_else(dash, |e| format!("{:+.2} %", 1e2 * e.strain_p95)),
+        error.map_or_else(dash, |e| format!("{:+.1} %", 1e2 * e.energy_rel)),
+        remarks(study, row, number),
+    ]
+}
+
+/// What is special about a row, in words.
+fn remarks(study: &Study, row: &Row, number: usize) -> String {
+    let mut words: Vec<String> = Vec::new();
+    if let (Some(name), Some(bound)) = (&row.preset, row.promised_mm) {
+        let held = if row.promise_held == Some(true) { "held" } else { "not held" };
+        words.push(format!("preset {name}: {bound} mm promised, {held}"));
+    }
+    if number == study.finest {
+        words.push("finest".to_owned());
+    }
+    if study.recommended == Some(number) {
+        words.push("recommended".to_owned());
+    }
+    if row.on_front {
+        words.push("on the front".to_owned());
+    }
+    match (&row.done.failure, row.is_good()) {
+        (Some(why), _) => words.push(format!("no drape: {why}")),
+        (None, false) => words.push("certificate failed".to_owned()),
+        _ => {}
+    }
+    words.join("; ")
+}
+
+/// The table for a terminal, and what it says.
+#[must_use]
+pub fn text(study: &Study) -> String {
+    let rows: Vec<[String; 13]> = (0..study.rows.len()).map(|i| cells(study, i)).collect();
+    let mut widths = HEADS.map(|h| h.chars().count());
+    for row in &rows {
+        for (width, cell) in widths.iter_mut().zip(row) {
+            *width = (*width).max(cell.chars().count());
+        }
+    }
+    let line = |cells: &[&str]| {
+        let mut out = String::new();
+        for (i, (cell, width)) in cells.iter().zip(widths).enumerate() {
+            let left = i == 0 || i == HEADS.len() - 1;
+            // Writing to a String cannot fail.
+            let _ = if left { write!(out, "{cell:<width$}  ") } else { write!(out, "{cell:>width$}  ") };
+        }
+        format!("{}\n", out.trim_end())
+    };
+    let mut out = format!("{}: what accuracy costs\n\n{}", study.pipeline, line(&HEADS));
+    rows.iter().for_each(|r| out.push_str(&line(&r.each_ref().map(String::as_str))));
+    out.push('\n');
+    words(study).iter().for_each(|w| {
+        let _ = writeln!(out, "{w}");
+    });
+    crate::render::safe(&out)
+}
+
+/// The same as Markdown: only the columns that a buyer of accuracy needs.
+#[must_use]
+pub fn markdown(study: &Study) -> String {
+    const SHOWN: [usize; 9] = [0, 1, 2, 3, 4, 5, 9, 11, 12];
+    let line = |cells: Vec<&str>| format!("| {} |\n", cells.join(" | "));
+    let mut out = line(SHOWN.iter().map(|i| HEADS[*i]).collect());
+    out.push_str(&line(SHOWN.iter().map(|i| if *i == 0 || *i == 12 { "---" } else { "---:" }).collect()));
+    for number in 0..study.rows.len() {
+        let cells = cells(study, number);
+        out.push_str(&line(SHOWN.iter().map(|i| cells[*i].as_str()).collect()));
+    }
+    out.push('\n');
+    words(study).iter().for_each(|w| {
+        let _ = writeln!(out, "{w}");
+    });
+    crate::render::safe(&out)
+}
+
+/// What the figures mean and what follows from them.
+#[must_use]
+pub fn words(study: &Study) -> Vec<String> {
+    let finest = &study.rows[study.finest];
+    let mut words = vec![format!(
+        "The error is the largest difference of a hem height or girth from `{}`; its estimate comes from this and \
+         coarser meshes alone. Folds find other places on other meshes: the surface distance shows that too.",
+        finest.name
+    )];
+    if let Some(own) = study.own_error().filter(|_| finest.done.setting.edge.is_some()) {
+        let scatter = study.trend.map_or_else(String::new, |t| {
+            format!("; lengths follow a line in the edge length within {:.1} mm", t.scatter_mm)
+        });
+        words.push(format!(
+            "`{}` itself is estimated to be {own:.1} mm from the limit of fine meshes{scatter}. Promises, chart and \
+             recommendation count that in.",
+            finest.name
+        ));
+    }
+    let (good, all) = study.estimates_within_two();
+    if all > 0 {
+        words.push(format!(
+            "{good} of {all} estimates are within a factor of two of the error, or less than 1 mm from it."
+        ));
+    }
+    if let Some(row) = study.recommended.map(|i| &study.rows[i]) {
+        words.push(format!(
+            "Recommended for {} mm: `{}`, {:.1} CPU seconds.",
+            study.wanted_mm, row.name, row.done.cpu_seconds
+        ));
+    }
+    if !study.left_out.is_empty() {
+        words.push(format!("Left out to keep to the budget: {}.", study.left_out.join(", ")));
+    }
+    words
+}
