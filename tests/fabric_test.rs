@@ -75,7 +75,7 @@ fn strips_stand_beside_the_numbers_of_the_file() {
     assert_eq!(words, ["warp", "weft", "bias"]);
     for s in strips {
         let (shown, said) = (number(&s["bending_length_mm"]), number(&s["file_bending_length_mm"]));
-        assert!((shown / said - 1.0).abs() < 0.06, "{s}");
+        assert!((shown / said - 1.0).abs() < 0.02, "{s}");
         assert!((number(&s["overhang_mm"]) / shown - 2.0).abs() < 1e-4);
     }
     assert_eq!(strips[2]["file_rigidity_estimated"], true);

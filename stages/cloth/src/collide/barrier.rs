@@ -17,8 +17,7 @@ use crate::linear::hessian::{FIXED, Hessian};
 const EDGE_SHARE: f64 = 0.5;
 /// N/m³: a gap of 1 mm is half closed by 240 Pa.
 const STIFFNESS: f64 = 2e5;
-/// What one hardening gives at most, and all of them.
-const HARDER: f64 = 16.0;
+/// What all hardenings give at most.
 const HARDEST: f64 = 1e4;
 
 /// When contacts harden: one nearer than `tight` of its gap becomes as stiff as holds the same load at `easy` of it.
@@ -26,14 +25,16 @@ const HARDEST: f64 = 1e4;
 pub(crate) struct Firm {
     tight: f64,
     easy: f64,
+    /// At most by this factor at a time.
+    most: f64,
     /// Only those with the body.
     body: bool,
 }
 
 /// On the way: pressed harder than the barrier is made for.
-pub(crate) const PRESSED: Firm = Firm { tight: 0.1, easy: 0.4, body: false };
+pub(crate) const PRESSED: Firm = Firm { tight: 0.1, easy: 0.4, most: 16.0, body: false };
 /// At rest: cloth that is stretched round a body must lie where its gap says, or its girth is wrong.
-pub(crate) const LYING: Firm = Firm { tight: 0.75, easy: 0.97, body: true };
+pub(crate) const LYING: Firm = Firm { tight: 0.88, easy: 0.98, most: 1e3, body: true };
 
 /// Largest stiffness of a contact in the metric, N/m: beyond it single precision loses the cloth behind it.
 const STEEPEST: f64 = 1e5;
@@ -206,7 +207,7 @@ impl Barrier {
         let mut any = false;
         let pressed = |t: &&Touch| t.distance < firm.tight * t.gap && (t.key.0 >= BODY_POINT || !firm.body);
         for t in self.touches.iter().filter(pressed) {
-            let more = (barrier(t.distance, t.gap).1 / barrier(firm.easy * t.gap, t.gap).1).min(HARDER);
+            let more = (barrier(t.distance, t.gap).1 / barrier(firm.easy * t.gap, t.gap).1).min(firm.most);
             let hard = (t.hard * more).min(HARDEST);
             for (v, w) in t.vertices.iter().zip(&t.weights) {
                 if *w != 0.0 && unknown[*v as usize] != FIXED && self.hard[*v as usize] < hard {

@@ -7,8 +7,8 @@ use crate::{Curve, Integrator, Material, Settings, Switch};
 const CELLS: usize = 256;
 const CELLS_LOCKING: usize = 1024;
 /// Share of the strain limit at which the cloth begins to lock, and at which it is locked …
-pub(crate) const LOCKING: f64 = 0.99;
-const SHUT: f64 = 0.998;
+pub(crate) const LOCKING: f64 = 0.995;
+const SHUT: f64 = 0.999;
 /// … and the tension that it carries there over that of its curve, N/m.
 const LOCKED: f64 = 1000.0;
 
@@ -125,8 +125,9 @@ pub(crate) struct Fabric {
 
 impl Fabric {
     pub fn new(m: &Material, s: &Settings) -> Self {
-        let reach = |limit: f64| if limit.is_finite() { (1.5 * limit).clamp(0.02, 2.0) } else { 0.5 };
         let locks = s.integrator == Integrator::Static && s.effects.strain_limit != Switch::Off;
+        let beyond = if locks { 1.1 } else { 1.5 };
+        let reach = |limit: f64| if limit.is_finite() { (beyond * limit).clamp(0.02, 2.0) } else { 0.5 };
         let law = |curve: &Curve, limit: f64| {
             Law::new(curve, s.curve_cap(), reach(limit), if locks { limit } else { f64::INFINITY })
         };
