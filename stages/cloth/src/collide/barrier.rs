@@ -34,7 +34,7 @@ pub(crate) struct Firm {
 /// On the way: pressed harder than the barrier is made for.
 pub(crate) const PRESSED: Firm = Firm { tight: 0.1, easy: 0.4, most: 16.0, body: false };
 /// At rest: cloth that is stretched round a body must lie where its gap says, or its girth is wrong.
-pub(crate) const LYING: Firm = Firm { tight: 0.88, easy: 0.98, most: 1e3, body: true };
+pub(crate) const LYING: Firm = Firm { tight: 0.75, easy: 0.97, most: 1e3, body: true };
 
 /// Largest stiffness of a contact in the metric, N/m: beyond it single precision loses the cloth behind it.
 const STEEPEST: f64 = 1e5;

@@ -11,7 +11,7 @@ const MOST_STUCK: u32 = 12;
 /// Saddles that are left, at most: beyond that the cloth is called at rest on one.
 const MOST_PUSHES: u32 = 8;
 /// Rounds in which contacts with the body are made firm at rest.
-const MOST_FIRMED: u32 = 6;
+const MOST_FIRMED: u32 = 2;
 /// Way over the size of the scene after which the cloth is given up as falling.
 const FAR: f64 = 3.0;
 /// What a Newton step would win over the elastic energy, above which coarser cloth finds the way first.
