@@ -17,24 +17,16 @@ use crate::linear::hessian::{FIXED, Hessian};
 const EDGE_SHARE: f64 = 0.5;
 /// N/m³: a gap of 1 mm is half closed by 240 Pa.
 const STIFFNESS: f64 = 2e5;
-/// What all hardenings give at most.
+/// A contact nearer than this share of its gap is pressed harder than the barrier is made for: there it becomes as stiff
+/// as holds the same load at `EASY` of the gap, by at most `HARDER` at a time and `HARDEST` in all.
+const TIGHT: f64 = 0.1;
+const EASY: f64 = 0.4;
+const HARDER: f64 = 16.0;
 const HARDEST: f64 = 1e4;
-
-/// When contacts harden: one nearer than `tight` of its gap becomes as stiff as holds the same load at `easy` of it.
-#[derive(Clone, Copy)]
-pub(crate) struct Firm {
-    tight: f64,
-    easy: f64,
-    /// At most by this factor at a time.
-    most: f64,
-    /// Only those with the body.
-    body: bool,
-}
-
-/// On the way: pressed harder than the barrier is made for.
-pub(crate) const PRESSED: Firm = Firm { tight: 0.1, easy: 0.4, most: 16.0, body: false };
-/// At rest: cloth that is stretched round a body must lie where its gap says, or its girth is wrong.
-pub(crate) const LYING: Firm = Firm { tight: 0.75, easy: 0.97, most: 1e3, body: true };
+/// At rest, a vertex that the body's contact lets nearer than this share of its gap is felt from farther off …
+const GAVE_WAY: f64 = 0.8;
+/// … at most by so many gaps.
+const FARTHEST: f64 = 1.5;
 
 /// Largest stiffness of a contact in the metric, N/m: beyond it single precision loses the cloth behind it.
 const STEEPEST: f64 = 1e5;
@@ -108,6 +100,8 @@ pub(crate) struct Barrier {
     area: Vec<f64>,
     /// Hardening of the contacts, per vertex.
     hard: Vec<f64>,
+    /// Gaps to the body as they were before any gave way.
+    wanted: Vec<f64>,
     pub touches: Vec<Touch>,
     /// Distances of the listed pairs at the last evaluation, in the order of the lists, kind by kind.
     pub distances: [Vec<f64>; 5],
@@ -118,6 +112,7 @@ impl Barrier {
     /// `area`: of cloth, per vertex, m²; `own`: what finds cloth near cloth, where it is looked for.
     pub fn new(frame: Frame, body: Option<Body>, area: Vec<f64>, own: Option<Own>) -> Self {
         Self {
+            wanted: frame.body_gap.clone(),
             frame,
             body,
             own,
@@ -199,15 +194,15 @@ impl Barrier {
         energy
     }
 
-    /// Hardens the contacts of free vertices that are pressed together, as the last evaluation saw them; says whether any is.
+    /// Hardens the contacts of free vertices that are pressed nearly shut, as the last evaluation saw them; says whether any
+    /// is.
     ///
     /// A load of tens of kPa (tight cloth over a sharp bend) would close a gap to a micrometre, where no step is short
     /// enough.
-    pub fn harden(&mut self, unknown: &[u32], firm: Firm) -> bool {
+    pub fn harden(&mut self, unknown: &[u32]) -> bool {
         let mut any = false;
-        let pressed = |t: &&Touch| t.distance < firm.tight * t.gap && (t.key.0 >= BODY_POINT || !firm.body);
-        for t in self.touches.iter().filter(pressed) {
-            let more = (barrier(t.distance, t.gap).1 / barrier(firm.easy * t.gap, t.gap).1).min(firm.most);
+        for t in self.touches.iter().filter(|t| t.distance < TIGHT * t.gap) {
+            let more = (barrier(t.distance, t.gap).1 / barrier(EASY * t.gap, t.gap).1).min(HARDER);
             let hard = (t.hard * more).min(HARDEST);
             for (v, w) in t.vertices.iter().zip(&t.weights) {
                 if *w != 0.0 && unknown[*v as usize] != FIXED && self.hard[*v as usize] < hard {
@@ -215,6 +210,26 @@ impl Barrier {
                     any = true;
                 }
             }
+        }
+        any
+    }
+
+    /// Lets the body's contacts push from farther off where they gave way under their load, so that the cloth comes to lie
+    /// where its gap says: what is stretched round the body would have too small a girth. The load is the same as here, and
+    /// nothing gets stiffer. Says whether any did.
+    pub fn bear(&mut self, x: &[Vec3], unknown: &[u32]) -> bool {
+        let mut farther = vec![0.0f64; self.area.len()];
+        for t in self.touches.iter().filter(|t| t.key.0 == BODY_POINT) {
+            let v = t.vertices[0] as usize;
+            let gap = self.wanted[v];
+            if t.distance < GAVE_WAY * gap && unknown[v] != FIXED {
+                farther[v] = farther[v].max(reaching(t.distance, t.gap, gap).min((1.0 + FARTHEST) * gap));
+            }
+        }
+        let any = farther.iter().any(|f| *f > 0.0);
+        if any {
+            self.frame.body_gap.iter_mut().zip(&farther).for_each(|(g, f)| *g = g.max(*f));
+            self.relist(x, &vec![Vec3::zeros(); x.len()]);
         }
         any
     }
@@ -276,6 +291,17 @@ fn press(touches: &mut [Touch], f: &mut [Vec3]) -> f64 {
 fn barrier(d: f64, gap: f64) -> (f64, f64, f64) {
     let (s, l) = (d - gap, libm::log(d / gap));
     (-s * s * l, -2.0 * s * l - s * s / d, -2.0 * l - 4.0 * s / d + s * s / (d * d))
+}
+
+/// The gap whose barrier pushes at `to` as that of `gap` does at `d`.
+fn reaching(d: f64, gap: f64, to: f64) -> f64 {
+    let push = -barrier(d, gap).1;
+    let (mut low, mut high) = (to, 4.0 * to.max(gap));
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        if -barrier(to, middle).1 < push { low = middle } else { high = middle }
+    }
+    0.5 * (low + high)
 }
 
 /// Remembers the pair if it is nearer than its gap (area and hardening per vertex, and the distance that vertices stand off
@@ -366,12 +392,39 @@ mod tests {
                 &Gap { vertices: [0; 4], weights: [1.0, 0.0, 0.0, 0.0], d: Vec3::new(0.0, d, 0.0) },
             );
             assert_eq!(found, d);
-            if !b.harden(&[0], PRESSED) {
-                assert!(round > 0 && d > PRESSED.tight * gap, "{round} {d}");
+            if !b.harden(&[0]) {
+                assert!(round > 0 && d > TIGHT * gap, "{round} {d}");
                 return;
             }
         }
         panic!("never hard enough");
+    }
+
+    /// Cloth that presses with 400 Pa comes to lie where its gap says, with the load it had.
+    #[test]
+    fn a_contact_that_gave_way_pushes_from_farther_off() {
+        let (gap, load) = (1e-3, 400.0);
+        let mut b = Barrier::new(frame(gap), None, vec![1.0], None);
+        // Where the barrier that starts at `from` carries the load.
+        let stands = |from: f64| {
+            let (mut low, mut high) = (0.0, from);
+            for _ in 0..80 {
+                let d = 0.5 * (low + high);
+                if -barrier(d, from).1 * STIFFNESS > load { low = d } else { high = d }
+            }
+            low
+        };
+        let d = stands(gap);
+        assert!(d < 0.7 * gap);
+        let at = Gap { vertices: [0; 4], weights: [1.0, 0.0, 0.0, 0.0], d: Vec3::new(0.0, d, 0.0) };
+        touch(&mut b.touches, &b.frame, (&b.area, &b.hard, 0.0), BODY_POINT, &at);
+        let x = [Vec3::new(0.0, d, 0.0)];
+        assert!(!b.bear(&x, &[FIXED]) && b.bear(&x, &[0]));
+        assert!((stands(b.frame.body_gap[0]) / gap - 1.0).abs() < 1e-6);
+        b.touches.clear();
+        let at = Gap { d: Vec3::new(0.0, gap, 0.0), ..at };
+        touch(&mut b.touches, &b.frame, (&b.area, &b.hard, 0.0), BODY_POINT, &at);
+        assert!(!b.bear(&x, &[0]), "it lies where it should");
     }
 
     fn frame(gap: f64) -> Frame {

@@ -7,10 +7,8 @@ use nalgebra::{Matrix2, Matrix3, Matrix3x2, Vector2, Vector3};
 
 /// Least determinant of the normed equations of a patch that is solved; below it its six points lie nearly on one conic.
 const LEAST: f64 = 0.02;
-/// Share of what the left-over moments could store that the mesh gives way by: a third of the moment's three components on the
-/// average, one half because neighbours resist. Cantilevers on meshes shaken by 0 to 0.4 cells then meet the elastica within
-/// 1 % (docs/flexion.md).
-const RELAXED: f64 = 1.0 / 6.0;
+/// A uniform moment has three components.
+const MEAN: f64 = 1.0 / 3.0;
 
 /// The fold across one side of a triangle: u₂ + u₃ = Σ weights · x, u the unit vectors from the edge into the wings.
 pub(super) struct Fold {
@@ -134,6 +132,6 @@ impl Share {
             return 0.0;
         }
         let left = self.moment - voigt(normal, normal) * length;
-        RELAXED * left.dot(&left.component_mul(&EVEN)) / self.stored
+        MEAN * left.dot(&left.component_mul(&EVEN)) / self.stored
     }
 }

@@ -2,7 +2,6 @@
 
 use super::memory::{Memory, dot};
 use super::objective::Objective;
-use crate::collide::barrier::{Firm, PRESSED};
 use crate::cost::{Lap, Work};
 use crate::linear::factor::Factor;
 use crate::linear::hessian::{FIXED, Pattern, gather};
@@ -137,7 +136,9 @@ impl<'a> Descent<'a> {
     fn refresh(&mut self) -> bool {
         // In a time step friction holds on to where the step began, until its end.
         if self.goal.inert.is_none() {
-            self.harden(PRESSED);
+            if self.goal.barrier.as_mut().is_some_and(|b| b.harden(&self.goal.hessian.unknown)) {
+                self.start_anew();
+            }
             self.refresh_friction();
         }
         self.free = TAU_FREE;
@@ -156,13 +157,13 @@ impl<'a> Descent<'a> {
         true
     }
 
-    /// Hardens contacts that are pressed together; says whether there were any.
-    pub fn harden(&mut self, firm: Firm) -> bool {
-        let harder = self.goal.barrier.as_mut().is_some_and(|b| b.harden(&self.goal.hessian.unknown, firm));
-        if harder {
+    /// Lets contacts that gave way push from farther off; says whether there were any.
+    pub fn bear(&mut self) -> bool {
+        let any = self.goal.barrier.as_mut().is_some_and(|b| b.bear(&self.x, &self.goal.hessian.unknown));
+        if any {
             self.start_anew();
         }
-        harder
+        any
     }
 
     /// Near rest the second derivatives as they are lead faster than their convex part; `false` where they are not convex.

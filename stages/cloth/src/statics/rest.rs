@@ -2,7 +2,6 @@
 
 use super::descent::{Descent, TAU_FREE};
 use super::report;
-use crate::collide::barrier::LYING;
 use crate::levels::Level;
 use crate::{ClothError, EffectReport, Outcome, Scene, Settings, StopReason, Vec3, Watch};
 
@@ -10,8 +9,8 @@ use crate::{ClothError, EffectReport, Outcome, Scene, Settings, StopReason, Vec3
 const MOST_STUCK: u32 = 12;
 /// Saddles that are left, at most: beyond that the cloth is called at rest on one.
 const MOST_PUSHES: u32 = 8;
-/// Rounds in which contacts with the body are made firm at rest.
-const MOST_FIRMED: u32 = 2;
+/// Rounds in which contacts that gave way are moved out at rest.
+const MOST_BORNE: u32 = 2;
 /// Way over the size of the scene after which the cloth is given up as falling.
 const FAR: f64 = 3.0;
 /// What a Newton step would win over the elastic energy, above which coarser cloth finds the way first.
@@ -62,7 +61,7 @@ fn on_coarser(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Resu
 impl Descent<'_> {
     /// Goes on until at rest.
     pub fn settle(&mut self, watch: &mut dyn Watch) -> Result<StopReason, ClothError> {
-        let (mut stuck, mut pushes, mut firmed) = (0, 0, 0);
+        let (mut stuck, mut pushes, mut borne) = (0, 0, 0);
         let start = self.x.clone();
         let far = FAR * self.goal.size(&start);
         loop {
@@ -70,8 +69,8 @@ impl Descent<'_> {
             self.metric()?;
             self.look();
             if self.resting() {
-                if firmed < MOST_FIRMED && self.settings.residual_tolerance.is_finite() && self.harden(LYING) {
-                    firmed += 1;
+                if borne < MOST_BORNE && self.settings.residual_tolerance.is_finite() && self.bear() {
+                    borne += 1;
                     continue;
                 }
                 if pushes == MOST_PUSHES || !self.leave_saddle() {
