@@ -7,10 +7,10 @@ use crate::{Curve, Integrator, Material, Settings, Switch};
 const CELLS: usize = 256;
 const CELLS_LOCKING: usize = 1024;
 /// Share of the strain limit at which the cloth begins to lock, and at which it is locked …
-pub(crate) const LOCKING: f64 = 0.993;
-const SHUT: f64 = 0.999;
+pub(crate) const LOCKING: f64 = 0.99;
+const SHUT: f64 = 0.996;
 /// … and the tension that it carries there over that of its curve, N/m.
-const LOCKED: f64 = 300.0;
+const LOCKED: f64 = 1000.0;
 
 /// Tabulated stretch law of one direction.
 #[derive(Clone, Debug)]
