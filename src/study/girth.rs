@@ -1,63 +1,33 @@
 //! Girths of a surface: along the cloth, and as a measuring tape around it shows them.
 
 use super::surface::Surface;
+use toile_garment::Vec2;
+use toile_stages::body::hull;
 
 /// Length of the cloth around at a height, along every fold, metres; 0 where the height cuts no cloth.
 #[must_use]
 pub fn along(surface: &Surface, height: f64) -> f64 {
-    cuts(surface, height).map(|[a, b]| distance(a, b)).sum()
+    cuts(surface, height).map(|[a, b]| (b - a).norm()).sum()
 }
 
 /// Length of a tape laid around the cloth at a height, which bridges folds, metres; 0 where the height cuts no cloth.
 #[must_use]
 pub fn tape(surface: &Surface, height: f64) -> f64 {
     let hull = hull(cuts(surface, height).flatten().collect());
-    (0..hull.len()).map(|i| distance(hull[i], hull[(i + 1) % hull.len()])).sum()
+    (0..hull.len()).map(|i| (hull[(i + 1) % hull.len()] - hull[i]).norm()).sum()
 }
 
 /// The segments in which a height cuts the triangles, seen from above.
-fn cuts(surface: &Surface, height: f64) -> impl Iterator<Item = [[f64; 2]; 2]> {
+fn cuts(surface: &Surface, height: f64) -> impl Iterator<Item = [Vec2; 2]> {
     (0..surface.triangles.len()).filter_map(move |triangle| {
         let corners = surface.corners(triangle);
         let mut ends = [(0, 1), (1, 2), (2, 0)].into_iter().filter_map(|(a, b)| {
             let (a, b) = (corners[a], corners[b]);
             let t = (height - a.y) / (b.y - a.y);
-            ((a.y < height) != (b.y < height)).then(|| [a.x + t * (b.x - a.x), a.z + t * (b.z - a.z)])
+            ((a.y < height) != (b.y < height)).then(|| Vec2::new(a.x + t * (b.x - a.x), a.z + t * (b.z - a.z)))
         });
         Some([ends.next()?, ends.next()?])
     })
-}
-
-fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    let (x, y) = (b[0] - a[0], b[1] - a[1]);
-    (x * x + y * y).sqrt()
-}
-
-/// The convex hull of points (Andrew's monotone chain).
-fn hull(mut points: Vec<[f64; 2]>) -> Vec<[f64; 2]> {
-    points.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
-    points.dedup();
-    let mut hull = half(points.iter());
-    hull.pop();
-    let mut back = half(points.iter().rev());
-    back.pop();
-    hull.append(&mut back);
-    hull
-}
-
-fn half<'a>(points: impl Iterator<Item = &'a [f64; 2]>) -> Vec<[f64; 2]> {
-    let mut line: Vec<[f64; 2]> = Vec::new();
-    for p in points {
-        while line.len() > 1 && turn(line[line.len() - 2], line[line.len() - 1], *p) <= 0.0 {
-            line.pop();
-        }
-        line.push(*p);
-    }
-    line
-}
-
-fn turn(a: [f64; 2], b: [f64; 2], c: [f64; 2]) -> f64 {
-    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
 
 #[cfg(test)]
@@ -76,9 +46,9 @@ mod tests {
 
     #[test]
     fn a_tape_bridges_a_hollow() {
-        let square = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 0.2], [0.0, 1.0]];
+        let square = [[0.0, 0.0], [2.0, 0.0], [2.0, 1.0], [1.0, 0.2], [0.0, 1.0]].map(Vec2::from);
         let around = hull(square.to_vec());
         assert_eq!(around.len(), 4);
-        assert!(!around.contains(&[1.0, 0.2]));
+        assert!(!around.contains(&Vec2::new(1.0, 0.2)));
     }
 }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 use toile_garment::{Garment, MeshVertex, Vec3};
+use toile_stages::joined::Joined;
 
 /// A piece of a free edge shorter than this is a gap at a seam's end and no hem, metres.
 const SHORTEST_HEM: f64 = 0.05;
@@ -117,30 +118,6 @@ impl Surface {
         hem.pieces.dedup();
         let whole = hem.length.max(f64::MIN_POSITIVE);
         Hem { height: hem.height / whole, side: hem.side / whole, ..hem }
-    }
-}
-
-/// Sets that grow together; the smallest member stands for each.
-struct Joined(Vec<usize>);
-
-impl Joined {
-    fn new(n: usize) -> Self {
-        Self((0..n).collect())
-    }
-
-    fn root(&mut self, mut i: usize) -> usize {
-        while self.0[i] != i {
-            self.0[i] = self.0[self.0[i]];
-            i = self.0[i];
-        }
-        i
-    }
-
-    fn join(&mut self, a: usize, b: usize) {
-        if a.max(b) < self.0.len() {
-            let (a, b) = (self.root(a), self.root(b));
-            self.0[a.max(b)] = a.min(b);
-        }
     }
 }
 

@@ -19,6 +19,7 @@ pub mod flatten;
 pub mod import_dxf;
 pub mod import_garmentcode;
 pub mod import_mesh;
+pub mod joined;
 pub mod outlook;
 pub mod sewing;
 mod solve;

@@ -2,7 +2,7 @@
 
 use crate::linear::hessian::Pattern;
 use crate::statics::descent::Descent;
-use crate::{ClothError, Scene, Settings, Vec3};
+use crate::{ClothError, Scene, Settings};
 use nalgebra::Matrix3;
 
 /// A descent at its start, and a system to solve.
@@ -53,7 +53,7 @@ impl<'a> Kernels<'a> {
     /// Lists along a short step, from a wide search that still holds.
     pub fn lists_again(&mut self) {
         if let Some(b) = &mut self.descent.goal.barrier {
-            b.relist(&self.descent.x, &vec![Vec3::zeros(); self.descent.x.len()]);
+            b.relist(&self.descent.x);
         }
     }
 }

@@ -60,3 +60,13 @@ pub(crate) fn pick3(x: &[Vec3], i: &[u32; 3]) -> [Vec3; 3] {
 pub(crate) fn pick4(x: &[Vec3], i: &[u32; 4]) -> [Vec3; 4] {
     [x[i[0] as usize], x[i[1] as usize], x[i[2] as usize], x[i[3] as usize]]
 }
+
+/// Length of the longest vector; 0 for none.
+pub(crate) fn longest(v: &[Vec3]) -> f64 {
+    v.iter().map(|d| d.norm_squared()).fold(0.0, f64::max).sqrt()
+}
+
+/// Longest way from one place to its other.
+pub(crate) fn farthest(from: &[Vec3], to: &[Vec3]) -> f64 {
+    from.iter().zip(to).map(|(p, q)| (p - q).norm_squared()).fold(0.0, f64::max).sqrt()
+}

@@ -21,6 +21,16 @@ impl Element {
         0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
     }
 
+    /// Gradients of the three shape functions in the cloth's axes, 1/m.
+    #[must_use]
+    pub fn gradients(&self) -> [[f64; 2]; 3] {
+        let double = 2.0 * self.area();
+        [0, 1, 2].map(|k| {
+            let (a, b) = (self.rest[(k + 1) % 3], self.rest[(k + 2) % 3]);
+            [(a[1] - b[1]) / double, (b[0] - a[0]) / double]
+        })
+    }
+
     /// Rest length of edge `k` (from corner `k` to the next), m.
     #[must_use]
     pub fn rest_length(&self, k: usize) -> f64 {
@@ -57,6 +67,9 @@ pub struct Material {
     pub strain_limit: [f64; 2],
 }
 
+/// Least flexibility in twist over that of the mean of warp and weft: a measured bias strip may be stiffer than any plate.
+const STIFFEST_TWIST: f64 = 0.5;
+
 impl Material {
     /// Linear, isotropic in the plane: Young modulus per width `young` (N/m), Poisson ratio, bending rigidity (N·m).
     #[must_use]
@@ -75,6 +88,33 @@ impl Material {
             bend_bias: None,
             strain_limit: [f64::INFINITY; 2],
         }
+    }
+
+    /// Rigidity against twist D₆₆, N·m: the one with which a strip cut on the bias shows its measured rigidity; without
+    /// that, Huber's √(B₁ B₂)/2 (docs/flexion.md).
+    #[must_use]
+    pub fn bend_twist(&self) -> f64 {
+        let mean = (self.bend_warp * self.bend_weft).sqrt();
+        match self.bend_bias {
+            Some(bias) if mean > 0.0 && bias > 0.0 => {
+                let soft = 4.0 / bias - 1.0 / self.bend_warp - 1.0 / self.bend_weft;
+                1.0 / soft.max(STIFFEST_TWIST / mean)
+            }
+            _ => 0.5 * mean,
+        }
+    }
+
+    /// Bending rigidity of a strip cut at 45°, N·m: 4/(1/B₁ + 1/B₂ + 1/D₆₆), the strip being free to twist.
+    #[must_use]
+    pub fn bend_at_45(&self) -> f64 {
+        let twist = self.bend_twist();
+        if twist > 0.0 { 4.0 / (1.0 / self.bend_warp + 1.0 / self.bend_weft + 1.0 / twist) } else { 0.0 }
+    }
+
+    /// The same cloth without bending stiffness, for tests in which it stays flat.
+    #[must_use]
+    pub fn limp(self) -> Self {
+        Self { bend_warp: 0.0, bend_weft: 0.0, bend_bias: None, ..self }
     }
 }
 

@@ -133,7 +133,7 @@ impl Pulled {
         let clamps = [end(0.0), end(LENGTH)];
         let at = cloth.place(|[x, y]| Vec3::new(x - 0.5 * WIDTH, 0.0, -y));
         // Flat cloth does not bend.
-        let material = Material { bend_warp: 0.0, bend_weft: 0.0, bend_bias: None, ..material(fabric) };
+        let material = material(fabric).limp();
         Self { cloth, material, clamps, at, stretch: 1.0 }
     }
 

@@ -1,6 +1,7 @@
 //! Directions in which specimens are cut, and what a fabric's bending is along them.
 
 use super::GRAVITY;
+use crate::solve::material;
 use toile_garment::fabric::Fabric;
 
 /// Along which yarns a specimen is cut.
@@ -39,15 +40,14 @@ impl Direction {
         }
     }
 
-    /// Bending rigidity that the fabric's numbers say for this direction, N·m. Without a measured bias value it is
-    /// estimated from warp and weft, as the solver does (`stages/cloth/docs/flexion.md`).
+    /// Bending rigidity that the fabric's numbers say for this direction, N·m; on the bias that of the solver's cloth,
+    /// which is the measured one or its estimate from warp and weft (`stages/cloth/docs/flexion.md`).
     #[must_use]
     pub fn bending(self, fabric: &Fabric) -> f64 {
-        let mean = 0.5 * (fabric.bend_warp.sqrt() + fabric.bend_weft.sqrt());
         match self {
             Self::Warp => fabric.bend_warp,
             Self::Weft => fabric.bend_weft,
-            Self::Bias => fabric.bend_bias.unwrap_or(mean * mean),
+            Self::Bias => material(fabric).bend_at_45(),
         }
     }
 

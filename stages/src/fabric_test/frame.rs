@@ -11,7 +11,6 @@ use super::rig::Rig;
 use super::within;
 use crate::solve::material;
 use std::f64::consts::FRAC_PI_4;
-use toile_cloth::Material;
 use toile_garment::Vec3;
 use toile_garment::fabric::Fabric;
 use toile_garment::units::{Angle, Length};
@@ -81,7 +80,7 @@ pub fn frame(fabric: &Fabric, params: &FrameParams, cx: &mut StageContext<'_>) -
     let on = |x: f64| x.abs() < 1e-9 || (x - SIDE).abs() < 1e-9;
     let rim = cloth.pick(|[x, y]| on(x) || on(y));
     // Flat cloth does not bend.
-    let material = Material { bend_warp: 0.0, bend_weft: 0.0, bend_bias: None, ..material(fabric) };
+    let material = material(fabric).limp();
     let mut at = cloth.place(|p| place(p, 0.0));
     let mut readings = vec![FrameReading::default()];
     for k in 1..=STEPS {

@@ -5,6 +5,7 @@
 
 use super::energy::{EdgePair, Triangle};
 use super::system::{System, SystemError};
+use crate::joined::Joined;
 use nalgebra::Matrix2;
 use toile_garment::Vec2;
 
@@ -180,27 +181,15 @@ fn held(sheet: &Sheet) -> Vec<[bool; 2]> {
 
 /// Vertices of each connected cloth.
 fn parts(sheet: &Sheet) -> Vec<Vec<usize>> {
-    let mut root: Vec<usize> = (0..sheet.start.len()).collect();
-    fn find(root: &mut [usize], mut v: usize) -> usize {
-        while root[v] != v {
-            root[v] = root[root[v]];
-            v = root[v];
-        }
-        v
-    }
-    let mut used = vec![false; root.len()];
-    for t in &sheet.triangles {
-        let a = find(&mut root, t.v[0] as usize);
-        for v in t.v {
-            used[v as usize] = true;
-            let b = find(&mut root, v as usize);
-            let a = find(&mut root, a);
-            root[a.max(b)] = a.min(b);
-        }
+    let mut joined = Joined::new(sheet.start.len());
+    let mut used = vec![false; sheet.start.len()];
+    for v in sheet.triangles.iter().flat_map(|t| t.v.map(|v| [t.v[0], v])) {
+        used[v[1] as usize] = true;
+        joined.join(v[0] as usize, v[1] as usize);
     }
     let mut parts = std::collections::BTreeMap::<usize, Vec<usize>>::new();
-    for v in (0..root.len()).filter(|v| used[*v]) {
-        parts.entry(find(&mut root, v)).or_default().push(v);
+    for v in (0..used.len()).filter(|v| used[*v]) {
+        parts.entry(joined.root(v)).or_default().push(v);
     }
     parts.into_values().collect()
 }

@@ -2,7 +2,7 @@
 //! that along an accepted step no near pair comes closer than a share of its distance, and nothing crosses.
 
 use super::barrier::{BODY_EDGE, BODY_FACE, BODY_POINT, Barrier, EDGE, POINT};
-use super::closest::{point_triangle, segments};
+use super::closest::{point_triangle_gap, segment_gap};
 use crate::Vec3;
 use crate::cost::{Lap, Work};
 
@@ -27,18 +27,9 @@ impl Pair {
     fn distance(&self) -> f64 {
         let [p, q, r, s] = &self.at;
         match self.kind {
-            POINT | BODY_POINT => {
-                let w = point_triangle(p, q, r, s);
-                (p - (q * w[0] + r * w[1] + s * w[2])).norm()
-            }
-            BODY_FACE => {
-                let w = point_triangle(s, p, q, r);
-                (s - (p * w[0] + q * w[1] + r * w[2])).norm()
-            }
-            _ => {
-                let [t, u] = segments(p, q, r, s);
-                (p + (q - p) * t - (r + (s - r) * u)).norm()
-            }
+            POINT | BODY_POINT => point_triangle_gap(p, [q, r, s]),
+            BODY_FACE => point_triangle_gap(s, [p, q, r]),
+            _ => segment_gap([p, q], [r, s]),
         }
     }
 

@@ -160,15 +160,15 @@ impl Barrier {
     }
 
     /// Makes the lists anew; what the wide search found stays.
-    pub fn relist(&mut self, x: &[Vec3], step: &[Vec3]) {
+    pub fn relist(&mut self, x: &[Vec3]) {
         self.listed.forget();
-        self.cover(x, step);
+        self.cover(x, &vec![Vec3::zeros(); x.len()]);
     }
 
     /// Gaps have changed: makes the lists for them.
     pub fn cover_anew(&mut self, x: &[Vec3]) {
         self.own.iter_mut().for_each(Own::forget);
-        self.relist(x, &vec![Vec3::zeros(); x.len()]);
+        self.relist(x);
     }
 
     /// Tells that `x` was reached.
@@ -229,7 +229,7 @@ impl Barrier {
         let any = farther.iter().any(|f| *f > 0.0);
         if any {
             self.frame.body_gap.iter_mut().zip(&farther).for_each(|(g, f)| *g = g.max(*f));
-            self.relist(x, &vec![Vec3::zeros(); x.len()]);
+            self.relist(x);
         }
         any
     }

@@ -63,3 +63,16 @@ pub(crate) fn segments(p0: &Vec3, p1: &Vec3, q0: &Vec3, q1: &Vec3) -> [f64; 2] {
     }
     [s, t]
 }
+/// Distance of a point and a triangle.
+#[inline]
+pub(crate) fn point_triangle_gap(p: &Vec3, [a, b, c]: [&Vec3; 3]) -> f64 {
+    let w = point_triangle(p, a, b, c);
+    (p - (a * w[0] + b * w[1] + c * w[2])).norm()
+}
+
+/// Distance of two segments.
+#[inline]
+pub(crate) fn segment_gap([p, q]: [&Vec3; 2], [r, s]: [&Vec3; 2]) -> f64 {
+    let [t, u] = segments(p, q, r, s);
+    (p + (q - p) * t - (r + (s - r) * u)).norm()
+}

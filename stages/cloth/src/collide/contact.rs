@@ -134,7 +134,7 @@ impl Contact {
             return;
         }
         if self.since > PATIENCE {
-            let pace = x.iter().zip(new.iter()).map(|(p, q)| (p - q).norm_squared()).fold(0.0, f64::max).sqrt();
+            let pace = crate::farthest(x, new);
             self.measure(x, pace);
             self.since = 0;
         }
@@ -158,7 +158,7 @@ impl Contact {
 
     /// Takes all distances at `x`: new balls, new contact planes.
     pub fn measure(&mut self, x: &[Vec3], pace: f64) {
-        let moved = self.listed.iter().zip(x).map(|(p, q)| (p - q).norm_squared()).fold(0.0, f64::max).sqrt();
+        let moved = crate::farthest(&self.listed, x);
         if self.listed.is_empty() || moved > self.slack {
             self.list(x, pace);
         }

@@ -16,7 +16,7 @@ impl Listed {
     /// Does the list hold for ways from `x` of at most `longest`, and `beside` them?
     pub fn covers(&mut self, x: &[Vec3], longest: f64, beside: f64) -> bool {
         self.on_the_way = false;
-        let moved = self.at.iter().zip(x).map(|(p, q)| (p - q).norm_squared()).fold(0.0, f64::max).sqrt();
+        let moved = crate::farthest(&self.at, x);
         !self.at.is_empty() && moved + longest + beside <= self.slack
     }
 

@@ -1,7 +1,7 @@
 //! Lists of primitives that are near each other, kept until the motion since their making uses up the slack.
 
 use super::body::Body;
-use super::closest::{point_triangle, segments};
+use super::closest::{point_triangle, point_triangle_gap, segment_gap, segments};
 use super::tree::{Aabb, meet_moving};
 use crate::Vec3;
 use crate::topology::Topology;
@@ -94,16 +94,9 @@ fn swept(b: &Aabb, d: &Aabb, reach: f64) -> Aabb {
     Aabb { low: b.low + d.low.inf(&zero), high: b.high + d.high.sup(&zero) }.grown(reach)
 }
 
-fn point_triangle_gap(p: &Vec3, t: &[Vec3; 3]) -> f64 {
-    let w = point_triangle(p, &t[0], &t[1], &t[2]);
-    (p - (t[0] * w[0] + t[1] * w[1] + t[2] * w[2])).norm()
-}
-
 /// Between an edge of one face and one of another.
 fn edge_gap(a: &Owned, i: usize, b: &Owned, j: usize) -> f64 {
-    let ([p, q], [r, s]) = ([&a.at[i], &a.at[(i + 1) % 3]], [&b.at[j], &b.at[(j + 1) % 3]]);
-    let [t, u] = segments(p, q, r, s);
-    (p + (q - p) * t - (r + (s - r) * u)).norm()
+    segment_gap([&a.at[i], &a.at[(i + 1) % 3]], [&b.at[j], &b.at[(j + 1) % 3]])
 }
 
 /// The gap of a near pair.
@@ -129,7 +122,7 @@ pub(crate) struct Way<'a> {
 
 impl<'a> Way<'a> {
     pub fn new(x: &'a [Vec3], step: &'a [Vec3], topology: &'a Topology, groups: &'a [u32]) -> Self {
-        let longest = step.iter().map(|d| d.norm_squared()).fold(0.0, f64::max).sqrt();
+        let longest = crate::longest(step);
         Self { x, step, longest, topology, groups }
     }
 
@@ -199,7 +192,7 @@ impl Near {
                 let b = Owned::of(&body.topology, g, &body.positions);
                 let whole = b.bounds(0.0);
                 for k in (0..3).filter(|k| a.owns_vertex(*k)) {
-                    let far = || point_triangle_gap(&a.at[k], &b.at) > wide + lengths[k];
+                    let far = || point_triangle_gap(&a.at[k], b.at.each_ref()) > wide + lengths[k];
                     if points[k].meets(&whole) && !far() {
                         self.body_points.push([a.corners[k], g]);
                     }
@@ -208,7 +201,7 @@ impl Near {
                     return;
                 }
                 for k in (0..3).filter(|k| b.owns_vertex(*k)) {
-                    let far = || point_triangle_gap(&b.at[k], &a.at) > reach + longest;
+                    let far = || point_triangle_gap(&b.at[k], a.at.each_ref()) > reach + longest;
                     if point_in(&bounds, &b.at[k]) && !far() {
                         self.body_faces.push([a.corners[0], a.corners[1], a.corners[2], b.corners[k]]);
                     }

@@ -24,7 +24,7 @@ impl Sheet {
     pub fn new(scene: &Scene, topology: &Topology) -> Option<Self> {
         let one = !scene.triangles.is_empty() && scene.stitches.is_empty();
         (one && is_flat(scene) && is_convex_disc(scene, topology))
-            .then(|| Self(scene.triangles.iter().map(gradients).collect()))
+            .then(|| Self(scene.triangles.iter().map(crate::Element::gradients).collect()))
     }
 
     /// Is the piece spread out all along a step?
@@ -57,14 +57,6 @@ impl Sheet {
 fn derivative(g: &[[f64; 2]; 3], x: &[Vec3; 3]) -> [Vec3; 2] {
     let along = |k: usize| x[0] * g[0][k] + x[1] * g[1][k] + x[2] * g[2][k];
     [along(0), along(1)]
-}
-
-fn gradients(e: &crate::Element) -> [[f64; 2]; 3] {
-    let double = 2.0 * e.area();
-    [0, 1, 2].map(|k| {
-        let (a, b) = (e.rest[(k + 1) % 3], e.rest[(k + 2) % 3]);
-        [(a[1] - b[1]) / double, (b[0] - a[0]) / double]
-    })
 }
 
 /// Has every vertex one place in the cloth, and is every triangle turned the same way?

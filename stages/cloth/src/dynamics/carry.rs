@@ -22,7 +22,7 @@ pub(super) struct Path {
 impl Path {
     pub fn new(motion: &Motion, pose: &[Vec3]) -> Option<Self> {
         let first = motion.body.first()?;
-        let led = pose.iter().zip(first).map(|(p, q)| (p - q).norm()).fold(0.0, f64::max);
+        let led = crate::farthest(pose, first);
         let lead = if led > 1e-6 { motion.lead_in } else { 0.0 };
         Some(Self { pose: pose.to_vec(), frames: motion.body.clone(), fps: motion.fps, lead, led })
     }

@@ -83,7 +83,7 @@ impl<'a> Walk<'a> {
         for k in 1..self.motion.frames.max(1) {
             let before = self.state.x.clone();
             self.span(frame(k - 1), frame(k), watch)?;
-            let moved = before.iter().zip(&self.state.x).map(|(p, q)| (p - q).norm()).fold(0.0, f64::max);
+            let moved = crate::farthest(&before, &self.state.x);
             self.trip.speed = moved * self.motion.fps;
             self.show(k, each);
             let stopped = self.path.as_ref().is_none_or(|p| frame(k) >= p.end());

@@ -133,7 +133,7 @@ impl Coupled {
     pub fn new(scene: &Scene, settings: &Settings) -> Self {
         Self {
             triangles: scene.triangles.iter().map(Triangle::new).collect(),
-            weights: scene.triangles.iter().map(weights).collect(),
+            weights: scene.triangles.iter().map(crate::Element::gradients).collect(),
             fabrics: scene.materials.iter().map(|m| Fabric::new(m, settings)).collect(),
         }
     }
@@ -300,15 +300,6 @@ impl Triangle {
         let geometry = Matrix3::new(uu, 0.0, uv, 0.0, vv, uv, uv, uv, uu + vv);
         largest(&(law * geometry)) * 3.0
     }
-}
-
-/// Gradients of the three shape functions in the cloth's axes, 1/m.
-fn weights(e: &crate::Element) -> [[f64; 2]; 3] {
-    let double = 2.0 * e.area();
-    [0, 1, 2].map(|k| {
-        let (a, b) = (e.rest[(k + 1) % 3], e.rest[(k + 2) % 3]);
-        [(a[1] - b[1]) / double, (b[0] - a[0]) / double]
-    })
 }
 
 /// Largest eigenvalue of a 3 × 3 product of two positive semi-definite matrices, by power iteration from above.

@@ -20,23 +20,10 @@ pub(crate) struct Flexion {
     patches: Vec<Patch>,
 }
 
-/// Rigidities against (κ₀₀, κ₁₁, 2 κ₀₁), N·m: weft, warp, twist; no coupling (a Poisson ratio of 0). The twist is the one
-/// with which a strip cut on the bias shows its measured rigidity; without that, Huber's √(D₁ D₂)/2.
+/// Rigidities against (κ₀₀, κ₁₁, 2 κ₀₁), N·m: weft, warp, twist; no coupling (a Poisson ratio of 0).
 fn rigidity(m: &Material) -> Vector3<f64> {
-    let (weft, warp) = (m.bend_weft, m.bend_warp);
-    let mean = (warp * weft).sqrt();
-    let twist = match m.bend_bias {
-        Some(bias) if mean > 0.0 && bias > 0.0 => {
-            let soft = 4.0 / bias - 1.0 / warp - 1.0 / weft;
-            1.0 / soft.max(STIFFEST_TWIST / mean)
-        }
-        _ => 0.5 * mean,
-    };
-    Vector3::new(weft, warp, twist)
+    Vector3::new(m.bend_weft, m.bend_warp, m.bend_twist())
 }
-
-/// Least flexibility in twist over that of the mean of warp and weft: a measured bias strip may be stiffer than any plate.
-const STIFFEST_TWIST: f64 = 0.5;
 
 /// How much firmer a triangle is made for its softening and for its square: measured, so that cantilevers on Delaunay meshes
 /// shaken by up to 0.3 cells meet the elastica within 1 % (docs/flexion.md).

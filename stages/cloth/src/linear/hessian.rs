@@ -199,6 +199,11 @@ pub(crate) fn gather(unknown: &[u32], field: &[Vec3], out: &mut [Vec3]) {
     }
 }
 
+/// A field over all vertices from the unknowns' part, `factor` times; held vertices stay.
+pub(crate) fn scattered(unknown: &[u32], part: &[Vec3], factor: f64) -> Vec<Vec3> {
+    unknown.iter().map(|u| if *u == FIXED { Vec3::zeros() } else { part[*u as usize] * factor }).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

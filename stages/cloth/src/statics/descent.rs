@@ -4,7 +4,7 @@ use super::memory::{Memory, dot};
 use super::objective::Objective;
 use crate::cost::{Lap, Work};
 use crate::linear::factor::Factor;
-use crate::linear::hessian::{FIXED, Pattern, gather};
+use crate::linear::hessian::{Pattern, gather, scattered};
 use crate::problem::mean_weight;
 use crate::start::Start;
 use crate::{ClothError, Scene, Settings, Vec3, Watch};
@@ -217,13 +217,13 @@ impl<'a> Descent<'a> {
         let win = 0.5 * dot(&d, &self.f);
         let scale = self.goal.elastic(&self.x).max(1e-12);
         self.decrement = win / scale;
-        self.longest = d.iter().map(|d| d.norm()).fold(0.0, f64::max);
+        self.longest = crate::longest(&d);
         self.residual = self.net();
     }
 
     /// Largest net force over the mean vertex weight.
     fn net(&self) -> f64 {
-        let net = self.f.iter().map(|f| f.norm_squared()).fold(0.0, f64::max).sqrt();
+        let net = crate::longest(&self.f);
         if self.weight > 0.0 { net / self.weight } else { 0.0 }
     }
 
@@ -304,16 +304,10 @@ impl<'a> Descent<'a> {
             self.factor.solve(&mut d);
         }
         self.goal.costs.spend(Work::Descent, &mut lap);
-        let longest = d.iter().map(|d| d.norm()).fold(0.0, f64::max);
-        self.longest = longest;
+        self.longest = crate::longest(&d);
         let most = self.stride * self.goal.edge;
-        let cap = if longest > most { most / longest } else { 1.0 };
-        let mut step = vec![Vec3::zeros(); self.x.len()];
-        for (s, u) in step.iter_mut().zip(&self.goal.hessian.unknown) {
-            if *u != FIXED {
-                *s = d[*u as usize] * cap;
-            }
-        }
+        let cap = if self.longest > most { most / self.longest } else { 1.0 };
+        let mut step = scattered(&self.goal.hessian.unknown, &d, cap);
         self.limit(&mut step);
         let mut moved = vec![Vec3::zeros(); self.f.len()];
         gather(&self.goal.hessian.unknown, &step, &mut moved);

@@ -3,7 +3,7 @@
 
 use super::descent::Descent;
 use crate::Vec3;
-use crate::linear::hessian::FIXED;
+use crate::linear::hessian::scattered;
 
 /// Rounds of the iteration for the direction that bends down most.
 const ROUNDS: usize = 12;
@@ -21,8 +21,7 @@ impl Descent<'_> {
         if self.exact || !self.goal.bends {
             return false;
         }
-        let (pattern, own) = self.assemble(false);
-        let system = (pattern, own);
+        let system = self.assemble(false);
         if self.factorise(&system) {
             return false;
         }
@@ -37,7 +36,7 @@ impl Descent<'_> {
         for _ in 0..ROUNDS {
             let mut w = pattern.times(&less, &v);
             self.factor.solve(&mut w);
-            let longest = w.iter().map(|p| p.norm_squared()).fold(0.0, f64::max).sqrt();
+            let longest = crate::longest(&w);
             if !(longest.is_finite() && longest > 0.0) {
                 return false;
             }
@@ -53,10 +52,7 @@ impl Descent<'_> {
         let mut length = PUSH * self.goal.edge;
         for _ in 0..HALVINGS {
             for along in [length, -length] {
-                let mut step = vec![Vec3::zeros(); self.x.len()];
-                for (s, u) in step.iter_mut().zip(&self.goal.hessian.unknown).filter(|(_, u)| **u != FIXED) {
-                    *s = v[*u as usize] * along;
-                }
+                let mut step = scattered(&self.goal.hessian.unknown, v, along);
                 self.limit(&mut step);
                 self.x.iter_mut().zip(&step).for_each(|(x, d)| *x += d);
                 self.start_anew();
