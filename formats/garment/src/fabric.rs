@@ -72,6 +72,9 @@ pub struct Fabric {
     /// Bending hysteresis 2HB, N (KES), where measured.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub bend_hysteresis: Option<f64>,
+    /// Do the rigidities hold the friction of the yarns already? Those from bending lengths of a cantilever (FAST) do.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub bend_holds_friction: bool,
     /// Largest strain the cloth is used at, along the warp.
     pub strain_limit_warp: f64,
     /// Largest strain the cloth is used at, along the weft.
@@ -79,6 +82,14 @@ pub struct Fabric {
     /// Where each number comes from, by field name.
     #[serde(default)]
     pub sources: BTreeMap<String, ValueSource>,
+}
+
+impl Fabric {
+    /// Frictional moment HB per width that acts beside the elastic one, N: half of 2HB.
+    #[must_use]
+    pub fn bend_friction(&self) -> f64 {
+        if self.bend_holds_friction { 0.0 } else { 0.5 * self.bend_hysteresis.unwrap_or(0.0) }
+    }
 }
 
 impl StretchLaw {

@@ -38,6 +38,7 @@ pub fn fabric(e: &mut Entries) -> Option<Fabric> {
     let bend_weft = bending(e, "weft", areal_mass, &mut sources);
     let bend_bias = bending(e, "bias", areal_mass, &mut sources);
     let bend_hysteresis = common(e, "bending_hysteresis", &mut sources);
+    let lengths = ["warp", "weft"].iter().any(|d| entry(e, "fast", &format!("bending_length_{d}")).is_some());
     Some(Fabric {
         name: e.name.clone(),
         areal_mass: areal_mass?,
@@ -53,6 +54,7 @@ pub fn fabric(e: &mut Entries) -> Option<Fabric> {
         bend_weft: bend_weft?,
         bend_bias,
         bend_hysteresis,
+        bend_holds_friction: lengths,
         sources,
     })
 }

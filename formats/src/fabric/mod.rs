@@ -24,7 +24,7 @@
 //! shear = "45 N/m/rad"               # G, or "0.8 gf/cm/deg"
 //! bending_warp = "8 uN.m"            # B, or "0.08 gf.cm2/cm"
 //! bending_weft = "5 uN.m"
-//! bending_hysteresis = "0.4 mN"      # 2HB, optional
+//! bending_hysteresis = "0.4 mN"      # 2HB, optional; bending lengths of [fast] hold that friction already
 //! ```
 //!
 //! Other tables for the same properties; tables may be mixed as long as no property is given twice:

@@ -41,6 +41,7 @@ fn every_sample_reproduces_its_law() {
     assert!((denim.bend_warp - 80e-6).abs() < 1e-18 && (denim.shear - 130.0).abs() < 1e-12);
     assert_eq!(denim.strain_limit_warp, 0.04);
     assert!((denim.bend_hysteresis.expect("2HB") - 3e-3).abs() < 1e-15);
+    assert!((denim.bend_friction() - 1.5e-3).abs() < 1e-15);
 }
 
 #[test]
@@ -110,6 +111,10 @@ fn fast_and_curve() {
          bending_weft = \"7 uN.m\"\n"
     );
     let f = read(&fast, "f.toml").expect("fast");
+    assert_eq!((f.bend_holds_friction, f.bend_hysteresis), (true, None));
+    let both = fast.replace("bending_weft", "bending_hysteresis = \"1 mN\"\nbending_weft");
+    let f = read(&both, "f.toml").expect("a cantilever's rigidity holds the friction");
+    assert_eq!((f.bend_hysteresis, f.bend_friction()), (Some(1e-3), 0.0));
     assert!((f.shear - 49.2).abs() < 1e-9, "123 / 2.5 %: {}", f.shear);
     assert!((f.bend_warp - 0.2 * 9.81 * 8e-6).abs() < 1e-12);
     assert!((f.stretch_warp.tension(0.021) - 98.0665).abs() < 1e-9);

@@ -74,6 +74,7 @@ fn cotton() -> Material {
         bend_warp: 8e-6,
         bend_weft: 5e-6,
         bend_bias: None,
+        bend_friction: 0.0,
         strain_limit: [0.035, 0.08],
     }
 }

@@ -9,13 +9,14 @@ pub(crate) enum Work {
     BodyContact,
     Friction,
     Sewing,
+    Hysteresis,
     /// Metric, factor and directions of the descent.
     Descent,
 }
 
 /// CPU seconds by kind of work.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Costs([f64; 6]);
+pub(crate) struct Costs([f64; 7]);
 
 impl Costs {
     /// Counts the time since the last look.

@@ -38,6 +38,7 @@ mod validate;
 pub use certificate::{Figures, certify};
 pub use curve::Curve;
 pub use dynamics::{Dynamics, Frame, Motion, Trip, animate};
+pub use energy::hysteresis::{FELT as HYSTERESIS_FELT, RULE as HYSTERESIS_RULE};
 pub use error::{ClothError, Place};
 pub use outcome::{EffectReport, Outcome, Reaction, StopReason};
 pub use run::{drape, sew};

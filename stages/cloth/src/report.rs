@@ -1,5 +1,6 @@
 //! What the run tells: balance of forces, and which effects were on, by which rule and on what evidence.
 
+use crate::energy::hysteresis;
 use crate::problem::{Problem, mean_weight};
 use crate::{Curve, EffectReport, Reaction, Scene, Settings, Switch, Vec3};
 
@@ -35,6 +36,7 @@ pub(crate) fn effects(problem: &Problem, scene: &Scene, s: &Settings) -> Vec<Eff
         body_contact(problem, scene, s),
         friction(problem, scene, s),
         strain_limit(problem, scene, s),
+        bending_hysteresis(s),
         softened(scene, s),
         effect(
             "even-inertia",
@@ -100,6 +102,11 @@ fn friction(problem: &Problem, scene: &Scene, s: &Settings) -> EffectReport {
         "all coefficients are 0".into()
     };
     effect("friction", problem.friction, switched(s.effects.friction, "contact and a coefficient above 0"), evidence)
+}
+
+fn bending_hysteresis(s: &Settings) -> EffectReport {
+    let evidence = "not simulated by explicit steps".into();
+    effect("bending-hysteresis", false, switched(s.effects.bending_hysteresis, hysteresis::RULE), evidence)
 }
 
 fn strain_limit(problem: &Problem, scene: &Scene, s: &Settings) -> EffectReport {

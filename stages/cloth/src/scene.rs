@@ -63,10 +63,14 @@ pub struct Material {
     pub bend_weft: f64,
     /// Bending rigidity at 45°, N·m; `None`: the orthotropic estimate from warp and weft.
     pub bend_bias: Option<f64>,
+    /// Friction HB against bending, as a moment per width, N: half of the hysteresis 2HB; 0 for none.
+    pub bend_friction: f64,
     /// Largest strain allowed along [warp, weft]; infinite for none.
     pub strain_limit: [f64; 2],
 }
 
+/// Under which bending lengths are told, m/s².
+const GRAVITY: f64 = 9.81;
 /// Least flexibility in twist over that of the mean of warp and weft: a measured bias strip may be stiffer than any plate.
 const STIFFEST_TWIST: f64 = 0.5;
 
@@ -86,6 +90,7 @@ impl Material {
             bend_warp: bending,
             bend_weft: bending,
             bend_bias: None,
+            bend_friction: 0.0,
             strain_limit: [f64::INFINITY; 2],
         }
     }
@@ -111,10 +116,24 @@ impl Material {
         if twist > 0.0 { 4.0 / (1.0 / self.bend_warp + 1.0 / self.bend_weft + 1.0 / twist) } else { 0.0 }
     }
 
+    /// Peirce's bending length of the softer direction, m: (B/(σ g))^⅓.
+    #[must_use]
+    pub fn bending_length(&self) -> f64 {
+        libm::cbrt(self.bend_warp.min(self.bend_weft) / (self.areal_mass * GRAVITY))
+    }
+
+    /// How much of the moment in a fold of the size of the bending length is friction, HB c/B; 0 for cloth that does not
+    /// resist bending.
+    #[must_use]
+    pub fn bend_friction_share(&self) -> f64 {
+        let least = self.bend_warp.min(self.bend_weft);
+        if least > 0.0 { self.bend_friction / least * self.bending_length() } else { 0.0 }
+    }
+
     /// The same cloth without bending stiffness, for tests in which it stays flat.
     #[must_use]
     pub fn limp(self) -> Self {
-        Self { bend_warp: 0.0, bend_weft: 0.0, bend_bias: None, ..self }
+        Self { bend_warp: 0.0, bend_weft: 0.0, bend_bias: None, bend_friction: 0.0, ..self }
     }
 }
 

@@ -44,6 +44,8 @@ pub struct Effects {
     pub friction: Switch,
     /// Over-elongation correction after the step (paper §2.2).
     pub strain_limit: Switch,
+    /// Friction in bending (docs/hysteresis.md).
+    pub bending_hysteresis: Switch,
 }
 
 /// All numbers of a run.
@@ -144,8 +146,8 @@ impl Settings {
         Self {
             gravity_scale: 0.0,
             damping: 10.0,
-            // A sewer's hands slide the cloth into place.
-            effects: Effects { friction: Switch::Off, ..Effects::default() },
+            // A sewer's hands slide the cloth into place, and leave no folds that were not there before.
+            effects: Effects { friction: Switch::Off, bending_hysteresis: Switch::Off, ..Effects::default() },
             energy_tolerance: 1e-2,
             speed_tolerance: 5e-2,
             max_seconds: 6.0,

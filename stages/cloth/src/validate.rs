@@ -1,6 +1,6 @@
 //! The gate: nothing unusable gets behind it.
 
-use crate::{ClothError, Scene, Settings};
+use crate::{ClothError, Integrator, Scene, Settings, Switch};
 
 fn bad(code: &'static str, what: String) -> Result<(), ClothError> {
     Err(ClothError::BadScene { code, what })
@@ -85,6 +85,7 @@ fn materials(scene: &Scene) -> Result<(), ClothError> {
             ("bend_warp", m.bend_warp),
             ("bend_weft", m.bend_weft),
             ("bend_bias", m.bend_bias.unwrap_or(0.0)),
+            ("bend_friction", m.bend_friction),
         ];
         for (name, v) in not_negative {
             if !(v.is_finite() && v >= 0.0) {
@@ -140,6 +141,16 @@ pub(crate) fn settings(s: &Settings) -> Result<(), ClothError> {
     }
     if s.max_seconds.is_nan() || s.max_seconds <= 0.0 {
         return Err(ClothError::BadSetting { name: "max_seconds", what: format!("{} is not > 0", s.max_seconds) });
+    }
+    excluded(s)
+}
+
+/// Effects that an integrator cannot do are refused where they are asked for.
+fn excluded(s: &Settings) -> Result<(), ClothError> {
+    if s.integrator == Integrator::CentralDifference && s.effects.bending_hysteresis == Switch::On {
+        let what =
+            "central differences do not simulate friction in bending; use the static integrator, or leave it out";
+        return Err(ClothError::BadSetting { name: "effects.bending-hysteresis", what: what.into() });
     }
     Ok(())
 }

@@ -93,6 +93,30 @@ fn a_strain_limit_that_is_never_reached_changes_nothing() {
 }
 
 #[test]
+fn bending_without_friction_has_no_hysteresis() {
+    let on = run(&on_a_ball(), Effects { bending_hysteresis: Switch::On, ..Effects::default() });
+    same(&on, &run(&on_a_ball(), Effects { bending_hysteresis: Switch::Off, ..Effects::default() }));
+    let little = |friction: f64| {
+        let mut scene = on_a_ball();
+        scene.materials[0].bend_friction = friction;
+        scene
+    };
+    // By itself only where it is felt.
+    same(&on, &run(&little(1e-6), Effects::default()));
+    let felt = run(&little(1e-3), Effects::default());
+    assert!(felt.settled && evidence(&felt, "bending-hysteresis").0);
+    assert!(felt.positions != on.positions);
+}
+
+#[test]
+fn explicit_steps_refuse_hysteresis_that_is_asked_for() {
+    let effects = Effects { bending_hysteresis: Switch::On, ..Effects::default() };
+    let s = Settings { integrator: toile_cloth::Integrator::CentralDifference, effects, ..Settings::default() };
+    let error = drape(&on_a_ball(), &s, &mut Silent).unwrap_err().to_string();
+    assert!(error.contains("effects.bending-hysteresis") && error.contains("static"), "{error}");
+}
+
+#[test]
 fn a_curve_that_is_a_line_is_the_line() {
     use toile_cloth::Curve;
     let mut line = hanging();
@@ -107,17 +131,24 @@ fn a_curve_that_is_a_line_is_the_line() {
 
 #[test]
 fn every_pair_of_switches_runs() {
-    // A covering array of strength two over four effects, on or off.
-    for row in ["0000", "0111", "1011", "1101", "1110", "1111"] {
+    // A covering array of strength two over five effects, on or off.
+    for row in ["00000", "11111", "11100", "10011", "01010", "00101"] {
         let at = |k: usize| if row.as_bytes()[k] == b'1' { Switch::On } else { Switch::Off };
-        let effects = Effects { self_contact: at(0), body_contact: at(1), friction: at(2), strain_limit: at(3) };
+        let effects = Effects {
+            self_contact: at(0),
+            body_contact: at(1),
+            friction: at(2),
+            strain_limit: at(3),
+            bending_hysteresis: at(4),
+        };
         let mut scene = on_a_ball();
+        scene.materials[0].bend_friction = 1e-4;
         scene.pins = vec![Pin { vertex: 84, at: scene.positions[84] }];
         let o = run(&scene, effects);
         assert!(o.settled, "{row}: {:?}", o.stop_reason);
         assert!(o.positions.iter().all(|p| p.iter().all(|c| c.is_finite())), "{row}");
-        let built = ["self-contact", "body-contact"].map(|n| evidence(&o, n).0);
-        assert_eq!(built, [at(0) == Switch::On, at(1) == Switch::On], "{row}");
+        let built = ["self-contact", "body-contact", "bending-hysteresis"].map(|n| evidence(&o, n).0);
+        assert_eq!(built, [0, 1, 4].map(|k| at(k) == Switch::On), "{row}");
     }
 }
 

@@ -68,6 +68,8 @@ pub struct EffectsParam {
     pub friction: SwitchName,
     /// Correction of over-elongation.
     pub strain_limit: SwitchName,
+    /// Friction of the yarns in bending (2HB of the fabric).
+    pub bending_hysteresis: SwitchName,
 }
 
 /// Parameters of `drape`.
@@ -126,6 +128,7 @@ impl DrapeParams {
                 body_contact: self.effects.body_contact.into(),
                 friction: self.effects.friction.into(),
                 strain_limit: self.effects.strain_limit.into(),
+                bending_hysteresis: self.effects.bending_hysteresis.into(),
             },
             body_gap: self.body_gap.0,
             decrement_tolerance: base.decrement_tolerance * share,

@@ -20,6 +20,7 @@ fn cloth(areal_mass: f64, stretch: f64, shear: f64, bending: [f64; 2]) -> Fabric
         bend_weft: bending[1],
         bend_bias: None,
         bend_hysteresis: None,
+        bend_holds_friction: false,
         strain_limit_warp: 0.5,
         strain_limit_weft: 0.5,
         sources: std::collections::BTreeMap::new(),

@@ -2,6 +2,7 @@
 
 use super::MeshSize;
 use crate::drape::{EffectsParam, SwitchName};
+use crate::solve::material;
 use serde::Deserialize as _;
 use serde_json::Value;
 use toile_garment::Garment;
@@ -22,7 +23,9 @@ pub fn effects(params: &Value, garment: &Garment, mesh: Option<MeshSize>) -> Vec
     let friction =
         effect("friction", switches.friction, "contact and a coefficient above 0", of_friction(garment, touches));
     let limit = effect("strain-limit", switches.strain_limit, "a fabric has a limit", of_limits(garment));
-    vec![own, body, friction, limit]
+    let bending =
+        effect("bending-hysteresis", switches.bending_hysteresis, toile_cloth::HYSTERESIS_RULE, of_bending(garment));
+    vec![own, body, friction, limit, bending]
 }
 
 /// Does the scene call for it, and what says so.
@@ -68,6 +71,11 @@ fn of_friction(garment: &Garment, touches: bool) -> Evidence {
     }
 }
 
+fn of_bending(garment: &Garment) -> Evidence {
+    let most = garment.fabrics.values().map(|f| material(f).bend_friction_share()).fold(0.0, f64::max);
+    (most >= toile_cloth::HYSTERESIS_FELT, format!("largest of the fabrics {most:.2}"))
+}
+
 fn of_limits(garment: &Garment) -> Evidence {
     let limits = |f: &Fabric| [f.strain_limit_warp, f.strain_limit_weft];
     let least = garment.fabrics.values().flat_map(limits).fold(f64::INFINITY, f64::min);
@@ -87,7 +95,16 @@ mod tests {
     fn a_scene_without_body_and_fabric_needs_no_contact_with_them() {
         let found = effects(&json!({}), &Garment::default(), None);
         let on: Vec<(&str, bool)> = found.iter().map(|e| (e.name.as_str(), e.on)).collect();
-        assert_eq!(on, [("self-contact", true), ("body-contact", false), ("friction", false), ("strain-limit", false)]);
+        assert_eq!(
+            on,
+            [
+                ("self-contact", true),
+                ("body-contact", false),
+                ("friction", false),
+                ("strain-limit", false),
+                ("bending-hysteresis", false)
+            ]
+        );
     }
 
     #[test]

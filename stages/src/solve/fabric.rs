@@ -17,6 +17,7 @@ pub fn material(fabric: &Fabric) -> Material {
         bend_warp: fabric.bend_warp,
         bend_weft: fabric.bend_weft,
         bend_bias: fabric.bend_bias,
+        bend_friction: fabric.bend_friction(),
         strain_limit: [fabric.strain_limit_warp, fabric.strain_limit_weft],
     }
 }

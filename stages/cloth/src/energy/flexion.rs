@@ -10,10 +10,10 @@ use crate::{Element, Material, Scene, Vec3};
 use nalgebra::{Matrix3, Vector2, Vector3};
 
 /// A triangle and the corners across its edges.
-struct Patch {
-    vertices: [u32; 6],
+pub(super) struct Patch {
+    pub vertices: [u32; 6],
     /// E = ½ Σ |row · x|²; √N.
-    rows: [[f64; 6]; 3],
+    pub rows: [[f64; 6]; 3],
 }
 
 pub(crate) struct Flexion {
@@ -156,21 +156,27 @@ fn half_square(bend: &[Vec3; 3]) -> f64 {
     0.5 * (bend[0].norm_squared() + bend[1].norm_squared() + bend[2].norm_squared())
 }
 
+/// The patches of all triangles that have neighbours, by triangle, for these rigidities of each material against (κ₀₀,
+/// κ₁₁, 2 κ₀₁), N·m.
+pub(super) fn patches(scene: &Scene, topology: &Topology, rigidities: &[Vector3<f64>]) -> Vec<(usize, Patch)> {
+    let beside = beside(topology);
+    let faces = scene.triangles.iter().zip(&beside);
+    let bends: Vec<Bend> = faces.map(|(e, sides)| Bend::new(e, sides, topology, scene)).collect();
+    let areas: Vec<f64> = scene.triangles.iter().map(|e| e.area().abs()).collect();
+    let firmness = firmness(&bends, &areas, topology.hinges.len());
+    let patch = |f: usize| {
+        let e = &scene.triangles[f];
+        let stiffness = &rigidities[e.material as usize];
+        let stands = !bends[f].folds.is_empty() && stiffness.amax() > 0.0;
+        stands.then(|| (f, Patch::new(e, &bends[f], areas[f] * firmness[f], stiffness)))
+    };
+    (0..bends.len()).filter_map(patch).collect()
+}
+
 impl Flexion {
     pub fn new(scene: &Scene, topology: &Topology) -> Self {
-        let beside = beside(topology);
-        let faces = scene.triangles.iter().zip(&beside);
-        let bends: Vec<Bend> = faces.map(|(e, sides)| Bend::new(e, sides, topology, scene)).collect();
-        let areas: Vec<f64> = scene.triangles.iter().map(|e| e.area().abs()).collect();
-        let firmness = firmness(&bends, &areas, topology.hinges.len());
         let rigidities: Vec<Vector3<f64>> = scene.materials.iter().map(rigidity).collect();
-        let patch = |f: usize| {
-            let e = &scene.triangles[f];
-            let stiffness = &rigidities[e.material as usize];
-            let stands = !bends[f].folds.is_empty() && stiffness.amax() > 0.0;
-            stands.then(|| Patch::new(e, &bends[f], areas[f] * firmness[f], stiffness))
-        };
-        Self { patches: (0..bends.len()).filter_map(patch).collect() }
+        Self { patches: patches(scene, topology, &rigidities).into_iter().map(|p| p.1).collect() }
     }
 }
 

@@ -2,6 +2,7 @@
 
 pub(crate) mod coupled;
 pub(crate) mod flexion;
+pub(crate) mod hysteresis;
 pub(crate) mod law;
 mod patch;
 pub(crate) mod shear;

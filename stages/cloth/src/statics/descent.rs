@@ -198,12 +198,19 @@ impl<'a> Descent<'a> {
         done
     }
 
-    /// New normal forces and holds from the contacts here; what slid is taken over.
+    /// New normal forces and holds from the contacts and folds here; what slid is taken over.
     pub fn refresh_friction(&mut self) {
-        if let (Some(stick), Some(barrier)) = (&mut self.goal.stick, &self.goal.barrier) {
-            let mut lap = Lap::start();
+        let goal = &mut self.goal;
+        let mut lap = Lap::start();
+        if let (Some(stick), Some(barrier)) = (&mut goal.stick, &goal.barrier) {
             stick.refresh(&self.x, &barrier.touches);
-            self.goal.costs.spend(Work::Friction, &mut lap);
+            goal.costs.spend(Work::Friction, &mut lap);
+        }
+        if let Some(h) = &mut goal.hysteresis {
+            h.refresh(&self.x);
+            goal.costs.spend(Work::Hysteresis, &mut lap);
+        }
+        if self.goal.rubs() {
             self.evaluate();
         }
     }
@@ -235,13 +242,12 @@ impl<'a> Descent<'a> {
 
     pub fn resting(&self) -> bool {
         let s = self.settings;
-        let slid = self.goal.stick.as_ref().map_or(0.0, |s| s.largest);
         self.tau >= self.free
             && self.firm == 0.0
             && self.decrement <= s.decrement_tolerance
             && self.longest <= s.move_tolerance
             && self.residual <= s.residual_tolerance
-            && slid <= s.move_tolerance
+            && self.goal.slid() <= s.move_tolerance
             && self.pins_placed()
     }
 

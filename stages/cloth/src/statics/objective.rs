@@ -7,6 +7,7 @@ use crate::collide::stick::Stick;
 use crate::collide::tree::Aabb;
 use crate::cost::{Costs, Lap, Work};
 use crate::dynamics::inert::Inert;
+use crate::energy::hysteresis::{self, Hysteresis};
 use crate::energy::{Energy, elastic};
 use crate::linear::hessian::{FIXED, Hessian};
 use crate::problem::{areas, frame, held, masses, model};
@@ -18,6 +19,7 @@ pub(crate) struct Objective {
     pub energies: Vec<Box<dyn Energy>>,
     pub barrier: Option<Barrier>,
     pub stick: Option<Stick>,
+    pub hysteresis: Option<Hysteresis>,
     pub seams: Option<Seams>,
     /// Inertia and damping of a stage of a time step; none at rest.
     pub inert: Option<Inert>,
@@ -58,6 +60,7 @@ impl Objective {
         energies.iter().filter(|e| e.quadratic()).for_each(|e| e.add_hessian(&positions, true, &mut hessian));
         let mut inertia = vec![0.0; n];
         hessian.unknown.iter().zip(&mass).filter(|(u, _)| **u != FIXED).for_each(|(u, m)| inertia[*u as usize] = *m);
+        let hysteresis = hysteresis::called_for(scene, s).then(|| Hysteresis::new(scene, &topology)).flatten();
         let frame = frame(scene, s, topology, &mass, body.is_some(), own);
         let edge = frame.edge;
         let stick =
@@ -77,6 +80,7 @@ impl Objective {
                 energies,
                 barrier,
                 stick,
+                hysteresis,
                 seams,
                 inert: None,
                 mass,
@@ -112,6 +116,10 @@ impl Objective {
             energy += s.evaluate(x, all);
             self.costs.spend(Work::Sewing, &mut lap);
         }
+        if let Some(h) = &self.hysteresis {
+            energy += h.evaluate(x, all);
+            self.costs.spend(Work::Hysteresis, &mut lap);
+        }
         if let Some(b) = &mut self.barrier {
             energy += b.evaluate(x, all);
             lap = Lap::start();
@@ -122,6 +130,17 @@ impl Objective {
         }
         crate::linear::hessian::gather(&self.hessian.unknown, all, f);
         energy
+    }
+
+    /// Is there friction that is taken over from place to place?
+    pub fn rubs(&self) -> bool {
+        (self.stick.is_some() && self.barrier.is_some()) || self.hysteresis.is_some()
+    }
+
+    /// Largest slide at the last refresh of the friction, m.
+    pub fn slid(&self) -> f64 {
+        let contacts = self.stick.as_ref().map_or(0.0, |s| s.largest);
+        self.hysteresis.as_ref().map_or(contacts, |h| contacts.max(h.largest))
     }
 
     /// Forces of the last evaluation on all vertices.
@@ -150,6 +169,9 @@ impl Objective {
         }
         if let Some(s) = &self.stick {
             s.add_hessian(x, &mut self.hessian);
+        }
+        if let Some(h) = &self.hysteresis {
+            h.add_hessian(x, &mut self.hessian);
         }
     }
 

@@ -3,10 +3,11 @@
 use super::descent::Descent;
 use crate::collide::barrier::Tally;
 use crate::cost::Work;
+use crate::energy::hysteresis::RULE;
 use crate::energy::law::LOCKING;
 use crate::report::{effect, switched};
 use crate::sewing::gaps;
-use crate::{EffectReport, Outcome, Reaction, Scene, StopReason, Switch};
+use crate::{EffectReport, Material, Outcome, Reaction, Scene, StopReason, Switch};
 
 pub(crate) fn outcome(d: Descent<'_>, scene: &Scene, stop_reason: StopReason) -> Outcome {
     let gaps = gaps(scene, &d.x);
@@ -36,7 +37,7 @@ pub(crate) fn effects(d: &Descent<'_>, scene: &Scene) -> Vec<EffectReport> {
     list.extend(d.goal.seams.is_some().then(|| {
         effect("sewing", true, "stitches are to be closed".into(), "threads pull every stitched pair".into())
     }));
-    list.extend([self_contact(d), body_contact(d), friction(d), strain_limit(d, scene)]);
+    list.extend([self_contact(d), body_contact(d), friction(d), strain_limit(d, scene), bending_hysteresis(d, scene)]);
     for e in &mut list {
         e.cpu_seconds = work(e.name).filter(|_| e.on).map_or(0.0, |w| costs.of(w));
     }
@@ -51,6 +52,7 @@ fn work(name: &str) -> Option<Work> {
         "self-contact" => Work::SelfContact,
         "body-contact" => Work::BodyContact,
         "friction" => Work::Friction,
+        "bending-hysteresis" => Work::Hysteresis,
         _ => return None,
     })
 }
@@ -123,4 +125,17 @@ fn strain_limit(d: &Descent<'_>, scene: &Scene) -> EffectReport {
         (false, false) => "no fabric has a limit".into(),
     };
     effect("strain-limit", on, switched(d.settings.effects.strain_limit, "a fabric has a limit"), evidence)
+}
+
+fn bending_hysteresis(d: &Descent<'_>, scene: &Scene) -> EffectReport {
+    let switch = d.settings.effects.bending_hysteresis;
+    let share = scene.materials.iter().map(Material::bend_friction_share).fold(0.0, f64::max);
+    let part = format!("at most {:.0} % of the moment in a fold of the bending length", 100.0 * share);
+    let evidence = match (&d.goal.hysteresis, share > 0.0) {
+        (Some(h), _) => format!("{part}; {} of {} holds slid at the last look", h.slid, h.len()),
+        (None, false) => "no fabric has friction in bending".into(),
+        (None, true) if switch == Switch::Off => "switched off".into(),
+        (None, true) => format!("{part}, less than two tests of a cloth differ by"),
+    };
+    effect("bending-hysteresis", d.goal.hysteresis.is_some(), switched(switch, RULE), evidence)
 }

@@ -16,6 +16,7 @@ pub fn linear(areal_mass: f64, warp: f64, weft: f64, shear: f64) -> Material {
         bend_warp: 0.0,
         bend_weft: 0.0,
         bend_bias: None,
+        bend_friction: 0.0,
         strain_limit: [f64::INFINITY; 2],
     }
 }
