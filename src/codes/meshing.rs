@@ -31,6 +31,10 @@ pub(super) const CODES: &[Code] = &[
     code("outline-too-complex", "The outline has more corners than can be checked within the limit. Exit code 3."),
     code("outline-too-small", "The outline has fewer than three points or no area worth meshing. Exit code 3."),
     code(
+        "piece-size",
+        "The largest piece of the pattern is smaller or larger than any of a garment, so its unit is wrong; the message says which it looks like. Exit code 3.",
+    ),
+    code(
         "seam-counts-differ",
         "The two sides of a seam have different numbers of mesh vertices. The mesh was not made for these seams; put `triangulate` after the sewing file was read. Exit code 3.",
     ),

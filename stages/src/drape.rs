@@ -5,8 +5,8 @@ mod params;
 
 pub use params::{AccuracyName, DrapeParams, EffectsParam, IntegratorName, ModelName, SwitchName};
 
-use crate::solve::{Follow, Layout, effects, failure, scene};
-use toile_cloth::{Outcome, Scene, Settings, StopReason};
+use crate::solve::{Follow, Layout, effects, failure, failure_in, scene};
+use toile_cloth::{ClothError, Outcome, Scene, Settings, StopReason};
 use toile_garment::garment::Shape;
 use toile_garment::{Aspect, Diagnostic, Garment, Vec3};
 use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
@@ -37,9 +37,10 @@ impl Stage for Drape {
         let start =
             scene(&garment, &layout, layout.join(&stitched.positions), gravity).map_err(StageError::Parameter)?;
         let settings = params.settings(cx.threads);
-        let sewn = if stitched.sewn { start.positions.clone() } else { close(&start, params, cx)? };
+        let told = |e| failure_in(e, &garment, &stitched.positions);
+        let sewn = if stitched.sewn { start.positions.clone() } else { close(&start, params, cx).map_err(told)? };
         let welded = toile_cloth::weld(&start, &sewn);
-        let outcome = toile_cloth::drape(&welded.scene, &settings, &mut Follow::new(cx)).map_err(failure)?;
+        let outcome = toile_cloth::drape(&welded.scene, &settings, &mut Follow::new(cx)).map_err(told)?;
         let stored: Vec<Vec3> = outcome.positions.iter().map(to_f32).collect();
         let figures = toile_cloth::certify(&welded.scene, &settings, &stored).map_err(failure)?;
         garment.certificate = Some(certificate::certificate(&garment, params, &outcome, &figures));
@@ -52,7 +53,7 @@ impl Stage for Drape {
 }
 
 /// Positions with all stitches closed: a cloth mesh that came without `stitch` is sewn here.
-fn close(start: &Scene, params: &DrapeParams, cx: &mut StageContext<'_>) -> Result<Vec<Vec3>, StageError> {
+fn close(start: &Scene, params: &DrapeParams, cx: &mut StageContext<'_>) -> Result<Vec<Vec3>, ClothError> {
     let gap = |s: &[u32; 2]| (start.positions[s[0] as usize] - start.positions[s[1] as usize]).norm();
     let widest = start.stitches.iter().map(gap).fold(0.0, f64::max);
     let settings = Settings {
@@ -64,7 +65,7 @@ fn close(start: &Scene, params: &DrapeParams, cx: &mut StageContext<'_>) -> Resu
     if widest <= settings.sewing_distance {
         return Ok(start.positions.clone());
     }
-    Ok(toile_cloth::sew(start, &settings, &mut Follow::new(cx)).map_err(failure)?.positions)
+    Ok(toile_cloth::sew(start, &settings, &mut Follow::new(cx))?.positions)
 }
 
 /// What the GLB will hold: the certificate speaks of the stored numbers.
@@ -76,11 +77,11 @@ fn to_f32(p: &Vec3) -> Vec3 {
 fn reactions(garment: &Garment, layout: &Layout, map: &[u32], outcome: &Outcome) -> Vec<Vec3> {
     let force =
         |vertex: u32| outcome.reactions.iter().find(|r| r.vertex == vertex).map_or_else(Vec3::zeros, |r| r.force);
-    garment
-        .pins
-        .iter()
-        .map(|p| map.get(layout.index(p.vertex) as usize).map_or_else(Vec3::zeros, |v| force(*v)))
-        .collect()
+    let places: Vec<Option<u32>> =
+        garment.pins.iter().map(|p| map.get(layout.index(p.vertex) as usize).copied()).collect();
+    // Pins that sewing made one share its force.
+    let sharing = |v: u32| places.iter().filter(|p| **p == Some(v)).count() as f64;
+    places.iter().map(|p| p.map_or_else(Vec3::zeros, |v| force(v) / sharing(v))).collect()
 }
 
 fn tell(garment: &mut Garment, outcome: &Outcome, cx: &mut StageContext<'_>) {

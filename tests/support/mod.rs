@@ -1,7 +1,12 @@
 //! Stages made for tests, and a bench to run pipelines on.
 
-#![allow(dead_code)]
+#![allow(dead_code, clippy::expect_used, clippy::unwrap_used)]
 
 pub mod bench;
+pub mod cloth;
+pub mod draped;
 pub mod glb;
+pub mod mesh;
+pub mod program;
 pub mod stages;
+pub mod trial;

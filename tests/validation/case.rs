@@ -1,7 +1,7 @@
 //! What a case is, and what comes of it.
 
+use crate::lab::Lab;
 use crate::options::Options;
-use crate::trial::Lab;
 
 /// Runs the scene and takes down its figures; the text says why there is none.
 type Run = Box<dyn Fn(&mut Lab) -> Result<(), String>>;

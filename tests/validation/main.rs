@@ -18,11 +18,11 @@
 mod case;
 mod cases;
 mod closed;
-mod cloth;
-mod mesh;
+mod lab;
 mod options;
+#[path = "../support/mod.rs"]
+mod support;
 mod table;
-mod trial;
 
 use std::process::ExitCode;
 

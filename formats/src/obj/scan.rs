@@ -93,7 +93,9 @@ fn logical_lines(bytes: &[u8]) -> impl Iterator<Item = (u64, std::borrow::Cow<'_
 impl Scanner<'_> {
     fn fail(&mut self, line: u64, code: &str, message: String) -> &mut Self {
         if self.findings.len() < MAX_FINDINGS {
-            self.findings.push(Diagnostic::error(code, message).at(SourceRef::file(self.file).at_line(line)));
+            let finding = Diagnostic::error(code, message).at(SourceRef::file(self.file).at_line(line));
+            let empty = "export a mesh of triangles, with its faces";
+            self.findings.push(if code == "obj-empty" { finding.hint(empty) } else { finding });
         } else {
             self.more = self.more.saturating_add(1);
         }

@@ -32,12 +32,14 @@ pub enum ClothError {
         what: String,
     },
     /// The cloth crosses itself or the body before the first step and could not be freed.
-    #[error("the start is not free: {self_crossings} cloth-cloth and {body_crossings} cloth-body crossings, first near ({:.3}, {:.3}, {:.3}) m", .place.at.x, .place.at.y, .place.at.z)]
+    #[error("the start is not free: {self_crossings} cloth-cloth and {body_crossings} cloth-body crossings, {inside} vertices inside the body, first near ({:.0}, {:.0}, {:.0}) mm", 1e3 * .place.at.x, 1e3 * .place.at.y, 1e3 * .place.at.z)]
     StartCrosses {
         /// Crossing pairs of cloth triangles.
         self_crossings: usize,
         /// Crossing pairs of a cloth and a body triangle.
         body_crossings: usize,
+        /// Vertices inside the body.
+        inside: usize,
         /// The first of them.
         place: Place,
     },

@@ -64,11 +64,21 @@ fn triangles(scene: &Scene) -> Result<(), ClothError> {
         if !area.is_finite() || area <= 1e-9 * longest * longest {
             return bad(
                 "flat-triangle",
-                format!("rest triangle {i} has an area of {area:.3e} m2 on an edge of {:.3} mm", longest * 1e3),
+                format!(
+                    "rest triangle {i} has an area of {area:.3e} m2 on an edge of {:.3} mm, near {}",
+                    longest * 1e3,
+                    millimetres(&scene.positions, t.vertices)
+                ),
             );
         }
     }
     Ok(())
+}
+
+/// The middle of a triangle in words.
+fn millimetres(x: &[crate::Vec3], t: [u32; 3]) -> String {
+    let middle = t.iter().map(|v| x[*v as usize]).sum::<crate::Vec3>() * (1e3 / 3.0);
+    format!("({:.0}, {:.0}, {:.0}) mm", middle.x, middle.y, middle.z)
 }
 
 fn materials(scene: &Scene) -> Result<(), ClothError> {

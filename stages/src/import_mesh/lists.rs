@@ -5,6 +5,7 @@ use toile_garment::{Diagnostic, SourceRef, Vec3};
 
 /// Mistakes that are written out.
 const MAX_FINDINGS: usize = 20;
+const HINT: &str = "a line names vertices of the cloth's OBJ, counted from 0: `v [x y z]` for a pin, `v w` for a stitch, `v fx fy fz` for a load";
 /// Largest coordinate, metres, and force, N.
 const MAX_NUMBER: f64 = 1e9;
 
@@ -55,7 +56,7 @@ fn lines<T>(text: &str, file: &str, mut read: impl FnMut(&[&str]) -> Result<T, S
             Ok(item) => out.push(item),
             Err(why) if findings.len() < MAX_FINDINGS => {
                 let place = SourceRef::file(file).at_line(number as u64 + 1);
-                findings.push(Diagnostic::error("vertex-list", why).at(place));
+                findings.push(Diagnostic::error("vertex-list", why).at(place).hint(HINT));
             }
             Err(_) => more += 1,
         }

@@ -2,10 +2,12 @@
 
 mod effects;
 mod fabric;
+pub mod place;
 pub mod scene;
 pub mod watch;
 
 pub use effects::effects;
 pub use fabric::material;
+pub use place::failure_in;
 pub use scene::{Layout, scene};
 pub use watch::{Follow, failure};

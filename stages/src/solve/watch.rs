@@ -33,13 +33,16 @@ impl Watch for Follow<'_> {
 pub fn failure(error: ClothError) -> StageError {
     match error {
         ClothError::Cancelled { .. } => StageError::Cancelled,
+        ClothError::BadScene { code: code @ "flat-triangle", what } => StageError::input(
+            Diagnostic::error(code, what).hint("mesh the cloth anew there, or join the vertices of the short edge"),
+        ),
         ClothError::BadScene { code, what } => StageError::input(Diagnostic::error(code, what)),
         ClothError::BadSetting { name, what } => {
             StageError::parameter(Diagnostic::error("setting-out-of-range", format!("{name}: {what}")))
         }
         ClothError::StartCrosses { .. } => StageError::input(
             Diagnostic::error("start-crosses", error.to_string())
-                .hint("move the pieces apart or further from the body in the sewing file ([[place]])"),
+                .hint("move the cloth there apart, or off the body: [[place]] in the sewing file, or the start positions of a mesh"),
         ),
         ClothError::Caught { .. } => StageError::input(
             Diagnostic::error("body-catches-cloth", error.to_string())

@@ -5,7 +5,7 @@ mod attach;
 pub(crate) mod load;
 pub mod place;
 
-use crate::solve::{Follow, Layout, effects, failure, scene};
+use crate::solve::{Follow, Layout, effects, failure_in, scene};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -97,7 +97,8 @@ impl Stage for Stitch {
         let layout = Layout::of(&garment);
         let start = scene(&garment, &layout, layout.join(&placed), WEIGHT).map_err(StageError::Parameter)?;
         let settings = settings(params, cx.threads);
-        let outcome = toile_cloth::sew(&start, &settings, &mut Follow::new(cx)).map_err(failure)?;
+        let sewn = toile_cloth::sew(&start, &settings, &mut Follow::new(cx));
+        let outcome = sewn.map_err(|e| failure_in(e, &garment, &placed))?;
         tell(&garment, &outcome, settings.sewing_distance, cx);
         garment.effects = effects(&outcome.effects);
         garment.stitched = Some(Shape { positions: layout.split(&outcome.positions), sewn: true, welded: false });

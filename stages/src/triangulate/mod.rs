@@ -85,6 +85,7 @@ impl Stage for Triangulate {
         let shapes = shapes(&garment).map_err(StageError::Input)?;
         // What the seams look like is told by `assemble`; here they only have to be found.
         let seams = resolve(&garment, &shapes, &Limits::NONE, &mut Report::default()).map_err(StageError::Parameter)?;
+        size::check_pieces(&garment, &shapes)?;
         let h = size::edge_length(params, &garment, &shapes)?;
         let net = net::build(&garment, &shapes, &seams, h, cx.report).map_err(StageError::Input)?;
         let mut counts = counts::counts(&net, h);

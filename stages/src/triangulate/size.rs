@@ -11,6 +11,45 @@ pub const DEFAULT: f64 = 12e-3;
 /// More triangles than this are refused before any work.
 const MOST: f64 = 5e6;
 
+/// The largest piece of anything that is worn or sat on is between these, metres.
+const PIECE: std::ops::RangeInclusive<f64> = 0.02..=5.0;
+/// What a file's unit may be and what it was taken for: factor on the lengths.
+const UNITS: [(&str, f64); 5] = [
+    ("millimetres taken for metres", 1e-3),
+    ("millimetres taken for inches", 1.0 / 25.4),
+    ("millimetres taken for centimetres", 0.1),
+    ("centimetres taken for millimetres", 10.0),
+    ("metres taken for millimetres", 1e3),
+];
+
+/// Refuses patterns that nobody can wear: their unit is wrong.
+pub fn check_pieces(garment: &Garment, shapes: &Shapes) -> Result<(), StageError> {
+    let size = |s: &crate::sewing::shapes::PieceShape| {
+        let points = s.rings.first().map_or(&[][..], |r| r.points.as_slice());
+        let of = |k: usize| {
+            let (low, high) =
+                points.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), p| (l.min(p[k]), h.max(p[k])));
+            high - low
+        };
+        of(0).max(of(1))
+    };
+    let sizes = garment.pieces.iter().zip(shapes.iter().map(size));
+    let Some((piece, largest)) = sizes.max_by(|a, b| a.1.total_cmp(&b.1)) else { return Ok(()) };
+    if PIECE.contains(&largest) {
+        return Ok(());
+    }
+    let likely = UNITS.iter().find(|(_, f)| (0.2..=2.0).contains(&(largest * f)));
+    let likely = likely.map_or_else(String::new, |(words, _)| format!("; it looks like {words}"));
+    let (low, high) = (PIECE.start() * 1e3, PIECE.end() * 1e3);
+    let message = format!(
+        "piece `{}`, the largest, measures {:.3} mm; the largest piece of a garment has {low} to {high} mm",
+        piece.name,
+        largest * 1e3
+    );
+    let finding = Diagnostic::error("piece-size", message).at(piece.source.clone());
+    Err(StageError::input(finding.hint(format!("say the pattern's unit{likely}"))))
+}
+
 /// Edge length for the parameters.
 pub fn edge_length(params: &Params, garment: &Garment, shapes: &Shapes) -> Result<f64, StageError> {
     let area = cloth_area(garment, shapes);

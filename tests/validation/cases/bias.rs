@@ -1,9 +1,10 @@
 //! Bias extension: shear angle in the middle of a strip cut at 45° and pulled by its ends.
 
 use crate::case::{Case, case, share};
-use crate::cloth::Cloth;
-use crate::mesh::{FAMILIES, Family, Mesh, area, sheet};
-use crate::trial::{Lab, Trial};
+use crate::lab::Lab;
+use crate::support::cloth::Cloth;
+use crate::support::mesh::{FAMILIES, Family, Mesh, area, sheet};
+use crate::support::trial::Trial;
 use std::f64::consts::{FRAC_PI_4, SQRT_2};
 use toile_garment::Vec3;
 

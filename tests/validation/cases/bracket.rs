@@ -1,7 +1,7 @@
 //! A threshold between two outcomes, found by trying values around it.
 
 use crate::case::Tolerance;
-use crate::trial::Lab;
+use crate::lab::Lab;
 
 /// Tries the values at the edge of the good range, further out those at the edge of the poor one. What is measured is
 /// the middle between the highest value that `holds` and the lowest that does not.

@@ -3,9 +3,10 @@
 use super::bracket::bracket;
 use crate::case::{Case, case, share};
 use crate::closed::{G, buckling, root, sector, slip};
-use crate::cloth::Cloth;
-use crate::mesh::{Family, body, polar, sheet};
-use crate::trial::{Lab, Trial};
+use crate::lab::Lab;
+use crate::support::cloth::Cloth;
+use crate::support::mesh::{Family, body, polar, sheet};
+use crate::support::trial::Trial;
 use std::f64::consts::{PI, TAU};
 use toile_garment::Vec3;
 

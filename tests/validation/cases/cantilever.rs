@@ -2,9 +2,10 @@
 
 use crate::case::{Case, case, share};
 use crate::closed::{G, elastica};
-use crate::cloth::Cloth;
-use crate::mesh::{FAMILIES, Family, sheet};
-use crate::trial::{Lab, Trial};
+use crate::lab::Lab;
+use crate::support::cloth::Cloth;
+use crate::support::mesh::{FAMILIES, Family, sheet};
+use crate::support::trial::Trial;
 use toile_garment::Vec3;
 
 /// Free length, m.

@@ -2,9 +2,10 @@
 
 use crate::case::{Case, case, share};
 use crate::closed::{G, catenary};
-use crate::cloth::Cloth;
-use crate::mesh::{Family, sheet};
-use crate::trial::{Lab, Trial};
+use crate::lab::Lab;
+use crate::support::cloth::Cloth;
+use crate::support::mesh::{Family, sheet};
+use crate::support::trial::Trial;
 use toile_garment::Vec3;
 
 const ROWS: usize = 60;

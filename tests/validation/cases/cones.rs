@@ -3,9 +3,11 @@
 use super::surface;
 use crate::case::{Case, case, share, within};
 use crate::closed::cone;
-use crate::cloth::Cloth;
-use crate::mesh::{FAMILIES, Family, polar};
-use crate::trial::{Draped, Lab, Trial};
+use crate::lab::Lab;
+use crate::support::cloth::Cloth;
+use crate::support::draped::Draped;
+use crate::support::mesh::{FAMILIES, Family, polar};
+use crate::support::trial::Trial;
 use std::f64::consts::TAU;
 use toile_garment::Vec3;
 

@@ -1,9 +1,10 @@
 //! Picture frame: a square whose rigid sides become a rhombus.
 
 use crate::case::{Case, case, share};
-use crate::cloth::Cloth;
-use crate::mesh::{FAMILIES, Family, jitter, sheet};
-use crate::trial::{Lab, Trial};
+use crate::lab::Lab;
+use crate::support::cloth::Cloth;
+use crate::support::mesh::{FAMILIES, Family, jitter, sheet};
+use crate::support::trial::Trial;
 use std::f64::consts::FRAC_PI_4;
 use toile_garment::Vec3;
 

@@ -3,9 +3,10 @@
 use super::bracket::bracket;
 use crate::case::{Case, case, share, within};
 use crate::closed::{G, contact};
-use crate::cloth::Cloth;
-use crate::mesh::{Family, body, sheet};
-use crate::trial::{Lab, Trial};
+use crate::lab::Lab;
+use crate::support::cloth::Cloth;
+use crate::support::mesh::{Family, body, sheet};
+use crate::support::trial::Trial;
 use std::f64::consts::{FRAC_PI_2, PI};
 use toile_garment::Vec3;
 

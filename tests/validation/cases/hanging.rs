@@ -2,9 +2,11 @@
 
 use crate::case::{Case, case, share, within};
 use crate::closed::{G, hanging};
-use crate::cloth::{Cloth, Law};
-use crate::mesh::{FAMILIES, Family, Mesh, sheet};
-use crate::trial::{Draped, Lab, Trial};
+use crate::lab::Lab;
+use crate::support::cloth::{Cloth, Law};
+use crate::support::draped::Draped;
+use crate::support::mesh::{FAMILIES, Family, Mesh, sheet};
+use crate::support::trial::Trial;
 use toile_garment::Vec3;
 
 const LENGTH: f64 = 1.0;

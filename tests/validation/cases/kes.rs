@@ -1,8 +1,8 @@
 //! KES figures to an exponential law.
 
 use crate::case::{Case, case, share};
-use crate::cloth::{Cloth, Law};
-use crate::trial::Lab;
+use crate::lab::Lab;
+use crate::support::cloth::{Cloth, Law};
 use toile_garment::fabric::StretchLaw;
 
 pub fn cases() -> Vec<Case> {

@@ -1,9 +1,10 @@
 //! Uniaxial modulus against the grain angle: a strip held at one end, pulled at the other, measured in the middle.
 
 use crate::case::{Case, case, share};
-use crate::cloth::{Cloth, Law};
-use crate::mesh::{Family, Mesh, sheet};
-use crate::trial::{Lab, Trial};
+use crate::lab::Lab;
+use crate::support::cloth::{Cloth, Law};
+use crate::support::mesh::{Family, Mesh, sheet};
+use crate::support::trial::Trial;
 use toile_garment::Vec3;
 
 const WIDTH: f64 = 0.03;

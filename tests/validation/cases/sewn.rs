@@ -2,9 +2,10 @@
 
 use super::surface;
 use crate::case::{Case, case, share, within};
-use crate::cloth::Cloth;
-use crate::mesh::{Family, Mesh, polar, sheet};
-use crate::trial::{Lab, Trial};
+use crate::lab::Lab;
+use crate::support::cloth::Cloth;
+use crate::support::mesh::{Family, Mesh, polar, sheet};
+use crate::support::trial::Trial;
 use std::f64::consts::{PI, TAU};
 use toile_garment::Vec3;
 

@@ -3,9 +3,11 @@
 
 use crate::case::{Case, case, share};
 use crate::closed::contact::Parallel;
-use crate::cloth::Cloth;
-use crate::mesh::{Family, body, sheet};
-use crate::trial::{Draped, Lab, Trial};
+use crate::lab::Lab;
+use crate::support::cloth::Cloth;
+use crate::support::draped::Draped;
+use crate::support::mesh::{Family, body, sheet};
+use crate::support::trial::Trial;
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 use toile_garment::Vec3;
 

@@ -1,6 +1,6 @@
 //! What is measured on a sewn surface.
 
-use crate::mesh::{Mesh, area};
+use crate::support::mesh::{Mesh, area};
 use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 use toile_garment::Vec3;

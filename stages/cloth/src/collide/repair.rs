@@ -43,7 +43,7 @@ pub(crate) fn free_of_body(
             let moves = x.iter().zip(&start).map(|(p, q)| (p - q).norm());
             return Ok(moves.fold((0, 0.0), |(n, m), d| (n + usize::from(d > 0.0), f64::max(m, d))));
         }
-        first.get_or_insert_with(|| (found.count, place(x, topology, &found.pairs, &within)));
+        first.get_or_insert_with(|| (found.count, deep, place(x, topology, &found.pairs, &within)));
         if round == 0 && deep as f64 > share * x.len() as f64 {
             break;
         }
@@ -63,8 +63,8 @@ pub(crate) fn free_of_body(
             }
         }
     }
-    let (body_crossings, place) = first.unwrap_or((0, Place { triangle: 0, at: Vec3::zeros() }));
-    Err(ClothError::StartCrosses { self_crossings: 0, body_crossings, place })
+    let (body_crossings, inside, place) = first.unwrap_or((0, 0, Place { triangle: 0, at: Vec3::zeros() }));
+    Err(ClothError::StartCrosses { self_crossings: 0, body_crossings, inside, place })
 }
 
 fn place(x: &[Vec3], topology: &Topology, pairs: &[[u32; 2]], within: &[bool]) -> Place {
@@ -79,6 +79,11 @@ fn place(x: &[Vec3], topology: &Topology, pairs: &[[u32; 2]], within: &[bool]) -
 pub(crate) fn at_triangle(x: &[Vec3], topology: &Topology, triangle: u32) -> Place {
     let t = topology.faces[triangle as usize];
     Place { triangle, at: t.iter().map(|v| x[*v as usize]).sum::<Vec3>() / 3.0 }
+}
+
+fn normal(x: &[Vec3], t: [u32; 3]) -> Vec3 {
+    let [a, b, c] = t.map(|v| x[v as usize]);
+    (b - a).cross(&(c - a)).try_normalize(0.0).unwrap_or_else(Vec3::z)
 }
 
 /// Pieces that touch or cross at the start are moved apart, whole, along the line of their middles (placements often
@@ -99,6 +104,7 @@ pub(crate) fn free_of_itself(x: &mut [Vec3], topology: &Topology, held: &[bool])
             return Err(ClothError::StartCrosses {
                 self_crossings: found.count,
                 body_crossings: 0,
+                inside: 0,
                 place: at_triangle(x, topology, itself.unwrap_or(first)[0]),
             });
         }
@@ -111,7 +117,9 @@ pub(crate) fn free_of_itself(x: &mut [Vec3], topology: &Topology, held: &[bool])
                 let inside = || x.iter().zip(&part).filter(|(_, p)| **p == which);
                 inside().map(|(q, _)| *q).sum::<Vec3>() / inside().count() as f64
             };
-            let away = (middle(b) - middle(a)).try_normalize(0.0).unwrap_or_else(Vec3::z) * (0.5 * step);
+            // Pieces on each other part across themselves.
+            let across = || normal(x, topology.faces[first[0] as usize]);
+            let away = (middle(b) - middle(a)).try_normalize(1e-9).unwrap_or_else(across) * (0.5 * step);
             for (q, p) in x.iter_mut().zip(&part) {
                 *q += if *p == a {
                     -away

@@ -90,6 +90,9 @@ pub struct Trip {
     pub effects: Vec<EffectReport>,
 }
 
+/// More are an error in a number, not a film.
+const MOST_FRAMES: f64 = 100_000.0;
+
 fn bad<T>(code: &'static str, what: String) -> Result<T, ClothError> {
     Err(ClothError::BadScene { code, what })
 }
@@ -114,7 +117,8 @@ impl Dynamics {
 
 impl Motion {
     pub(super) fn check(&self, body: Option<&BodyMesh>, vertices: usize) -> Result<(), ClothError> {
-        for (name, value, low, high) in [("fps", self.fps, 1.0, 1000.0), ("lead_in", self.lead_in, 0.0, 60.0)] {
+        let frames = ("frames", self.frames as f64, 0.0, MOST_FRAMES);
+        for (name, value, low, high) in [("fps", self.fps, 1.0, 1000.0), ("lead_in", self.lead_in, 0.0, 60.0), frames] {
             if !(low..=high).contains(&value) {
                 return Err(ClothError::BadSetting { name, what: format!("{value} is outside {low} … {high}") });
             }

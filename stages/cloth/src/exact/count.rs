@@ -87,7 +87,8 @@ fn cross(x: &[Vec3], s: [u32; 3], t: [u32; 3]) -> bool {
             };
             edge_fold(&at(turn(s, t)), &at(turn(t, s)))
         }
-        _ => false,
+        // Two triangles on each other.
+        _ => true,
     }
 }
 
@@ -175,6 +176,14 @@ mod tests {
         let mut x = flat();
         x.extend([v(0.0, -0.0, 0.0), v(1.0, 0.0, 0.0), v(0.5, -1.0, 0.3)]);
         assert_eq!(own(&x, &[[0, 1, 2], [3, 5, 4]]).count, 0);
+    }
+
+    #[test]
+    fn triangles_on_each_other_count() {
+        let x = flat();
+        let double: Vec<Vec3> = x.iter().chain(&x).copied().collect();
+        assert_eq!(own(&double, &[[0, 1, 2], [3, 4, 5]]).count, 1);
+        assert_eq!(own(&double, &[[0, 1, 2], [4, 3, 5]]).count, 1);
     }
 
     #[test]

@@ -46,7 +46,7 @@ impl Cloth {
 
     pub fn text(&self) -> String {
         let mut text = format!(
-            "name = \"validation\"\nareal_mass = \"{} kg/m2\"\nthickness = \"{} m\"\nfriction = {:?}\n\
+            "name = \"trial\"\nareal_mass = \"{} kg/m2\"\nthickness = \"{} m\"\nfriction = {:?}\n\
              strain_limit_warp = \"{} %\"\nstrain_limit_weft = \"{} %\"\n",
             self.mass,
             self.thickness,

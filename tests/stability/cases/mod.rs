@@ -1,0 +1,28 @@
+//! The cases, one file for each letter of the catalogue.
+
+mod contact;
+mod effects;
+pub mod elsewhere;
+mod materials;
+mod meshes;
+pub mod not_yet;
+mod numbers;
+mod scale;
+mod seams;
+mod symmetry;
+
+use crate::case::Case;
+
+/// All cases, in the order of the catalogue.
+pub fn all() -> Vec<Case> {
+    let mut list = Vec::new();
+    list.extend(meshes::cases());
+    list.extend(materials::cases());
+    list.extend(numbers::cases());
+    list.extend(seams::cases());
+    list.extend(contact::cases());
+    list.extend(scale::cases());
+    list.extend(symmetry::cases());
+    list.extend(effects::cases());
+    list
+}
