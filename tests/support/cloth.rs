@@ -20,6 +20,8 @@ pub struct Cloth {
     pub poisson: f64,
     pub shear: f64,
     pub bending: f64,
+    /// 2HB, N.
+    pub hysteresis: f64,
     pub limit: f64,
 }
 
@@ -39,6 +41,7 @@ impl Cloth {
             poisson: 0.0,
             shear,
             bending,
+            hysteresis: 0.0,
             // Far from any strain met, and no farther: the law may be tabulated up to here.
             limit: 0.2,
         }
@@ -65,6 +68,9 @@ impl Cloth {
             }
         }
         text += &format!("[linear]\n{linear}shear = \"{} N/m/rad\"\nbending = \"{} N.m\"\n", self.shear, self.bending);
+        if self.hysteresis > 0.0 {
+            text += &format!("bending_hysteresis = \"{} N\"\n", self.hysteresis);
+        }
         text += &format!("poisson = {:?}\n", self.poisson);
         if !kes.is_empty() {
             text += &format!("[kes]\n{kes}");

@@ -19,6 +19,9 @@ pub fn cases() -> Vec<Case> {
     for f in FAMILIES {
         list.push(case(format!("cantilever-master.{}", f.name()), move |lab: &mut Lab| master(lab, f)));
     }
+    for (couple, gammas) in [(0.5, [5.0, 20.0]), (2.0, [20.0, 50.0])] {
+        list.push(case(format!("cantilever-friction.{couple}"), move |lab: &mut Lab| friction(lab, couple, gammas)));
+    }
     list.push(case("bending-length-0", bending_length));
     list
 }
@@ -29,6 +32,19 @@ fn master(lab: &mut Lab, family: Family) -> Result<(), String> {
         let expected = elastica::cantilever(gamma).ratio();
         let (drop, reach) = bend(lab, family, gamma)?;
         lab.figure(format!("H/W at {gamma}"), drop / reach, expected, tolerance);
+    }
+    Ok(())
+}
+
+/// Curvature at which the friction has built up, over 1/c (stages/cloth/docs/hysteresis.md).
+const RISE: f64 = 0.02;
+
+/// A frictional couple HB beside the elastic one, for HB L/B.
+fn friction(lab: &mut Lab, couple: f64, gammas: [f64; 2]) -> Result<(), String> {
+    for gamma in gammas {
+        let expected = elastica::rubbing(gamma, couple, RISE * libm::cbrt(gamma)).ratio();
+        let (drop, reach) = bend_with(lab, Family::Regular, gamma, couple)?;
+        lab.figure(format!("H/W at {gamma}"), drop / reach, expected, share(0.02, 0.1));
     }
     Ok(())
 }
@@ -57,6 +73,10 @@ fn bending_length(lab: &mut Lab) -> Result<(), String> {
 /// Drop and reach of the tip. Two rows are held, and the hinge over the second of them bends over half a cell on each
 /// side, so the free length counts from half a cell behind it.
 fn bend(lab: &mut Lab, family: Family, gamma: f64) -> Result<(f64, f64), String> {
+    bend_with(lab, family, gamma, 0.0)
+}
+
+fn bend_with(lab: &mut Lab, family: Family, gamma: f64, couple: f64) -> Result<(f64, f64), String> {
     let rows = if family == Family::Right { 40 } else { 44 };
     let cell = LENGTH / (rows as f64 + 0.5);
     let total = LENGTH + 0.5 * cell;
@@ -66,7 +86,8 @@ fn bend(lab: &mut Lab, family: Family, gamma: f64) -> Result<(f64, f64), String>
     let tip = mesh.pick(|r| r[1] > total - 1e-9);
     let bending = W * LENGTH * LENGTH * LENGTH / gamma;
     // K ≥ 1e3 w L keeps the stretch out of the figure.
-    let fabric = Cloth::linear(W / G, 1900.0, 190.0, bending);
+    let mut fabric = Cloth::linear(W / G, 1900.0, 190.0, bending);
+    fabric.hysteresis = 2.0 * couple * bending / LENGTH;
     let d = lab.drape(&Trial::new(mesh, fabric).hold(held))?;
     let tip = d.mean(tip);
     Ok((-tip.z, tip.x - 0.5 * cell))

@@ -40,6 +40,21 @@ pub fn cantilever(gamma: f64) -> Cantilever {
     Cantilever { drop: y[2], reach: y[3] }
 }
 
+/// The same with a frictional couple that has built up at the curvature `rise`/L: the moment is `B κ + HB min(1, κ
+/// L/rise)`; `couple` is HB L/B (Grosberg 1966, rise 0). Sought by the slope of the free end.
+pub fn rubbing(gamma: f64, couple: f64, rise: f64) -> Cantilever {
+    let curvature = |m: f64| if m < rise + couple { m * rise / (rise + couple) } else { m - couple };
+    let shoot = |slope: f64| {
+        let h = 1.0 / STEPS as f64;
+        let f = |u: f64, y: [f64; 4]| {
+            [-curvature(y[1]), gamma * u * libm::cos(y[0]), libm::cos(y[0]), libm::sin(y[0])]
+        };
+        (0..STEPS).fold([slope, 0.0, 0.0, 0.0], |y, i| rk4(y, i as f64 * h, h, &f))
+    };
+    let y = shoot(root(0.0, FRAC_PI_2, |slope| shoot(slope)[0]));
+    Cantilever { drop: y[3], reach: y[2] }
+}
+
 /// Γ at which the chord from the clamp to the tip slopes by this angle.
 pub fn gamma_at_chord(angle: f64) -> f64 {
     root(0.01, 1000.0, |g| cantilever(g).ratio() - libm::tan(angle))

@@ -10,11 +10,11 @@ use nalgebra::Vector3;
 
 /// Change of curvature over which the friction builds up, times the bending length: far below that of folds (about 1), far
 /// above what a state of rest leaves undecided.
-const BUILD_UP: f64 = 0.05;
-/// Coercive curvature HB/B times bending length from which the drape of a cloth changes by more than two tests of it differ.
-pub const FELT: f64 = 0.3;
+const BUILD_UP: f64 = 0.02;
+/// Coercive curvature HB/B times bending length from which the drape coefficient of a cloth changes by a point.
+pub const FELT: f64 = 0.05;
 /// The rule by which it is simulated, in words.
-pub const RULE: &str = "HB/B times bending length is 0.3 or more";
+pub const RULE: &str = "HB/B times bending length is 0.05 or more";
 
 /// One direction of one triangle. Its coordinate is s = n · Σ row x = √A κ.
 struct Hold {

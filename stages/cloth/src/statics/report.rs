@@ -130,12 +130,12 @@ fn strain_limit(d: &Descent<'_>, scene: &Scene) -> EffectReport {
 fn bending_hysteresis(d: &Descent<'_>, scene: &Scene) -> EffectReport {
     let switch = d.settings.effects.bending_hysteresis;
     let share = scene.materials.iter().map(Material::bend_friction_share).fold(0.0, f64::max);
-    let part = format!("at most {:.0} % of the moment in a fold of the bending length", 100.0 * share);
+    let part = format!("HB c/B is at most {share:.2}");
     let evidence = match (&d.goal.hysteresis, share > 0.0) {
         (Some(h), _) => format!("{part}; {} of {} holds slid at the last look", h.slid, h.len()),
         (None, false) => "no fabric has friction in bending".into(),
         (None, true) if switch == Switch::Off => "switched off".into(),
-        (None, true) => format!("{part}, less than two tests of a cloth differ by"),
+        (None, true) => format!("{part}: the drape coefficient would change by less than a point"),
     };
     effect("bending-hysteresis", d.goal.hysteresis.is_some(), switched(switch, RULE), evidence)
 }
