@@ -74,7 +74,7 @@ fn needles(lab: &mut Lab) -> Result<(), String> {
         bed.join(&spike(at, f64::to_radians(4.0), 0.15, 6));
     }
     let cloth = lying(del(0.3, 0.012), OVER);
-    let held = cloth.pick(|[u, v]| u < 1e-9 && (v < 1e-9 || v > 0.3 - 1e-9));
+    let held = cloth.pick(|[u, v]| u < 1e-9 && !(1e-9..=0.3 - 1e-9).contains(&v));
     let away = Vec3::new(-0.08, 0.0, 0.01);
     lab.settles(&Trial::new(cloth, cotton()).over(bed).lead(held, |p| p + away))?;
     Ok(())
@@ -236,7 +236,7 @@ fn folded(lab: &mut Lab) -> Result<(), String> {
         let k = (u / leg).min(2.999_999).floor();
         let s = u - k * leg;
         let x = if k == 1.0 { leg - s } else { s };
-        Vec3::new(x, v, 0.002 + gap * k + gap * (s / leg).powi(8))
+        Vec3::new(x, v, 0.002 + gap * k + gap * libm::pow(s / leg, 8.0))
     };
     let cloth = even(w, 0.16, 0.01).place(place);
     let table = block(Vec3::new(-0.5, -0.5, -0.25), Vec3::new(0.5, 0.5, 0.0));

@@ -256,11 +256,11 @@ fn graded(lab: &mut Lab) -> Result<(), String> {
     let even_one = upright(even(0.3, 0.1, 0.01));
     let mut cloth = even(0.3, 0.1, 0.01);
     let n = 30.0;
-    let growth = f64::powf(200.0, 1.0 / (n - 1.0));
-    let total = (f64::powf(growth, n) - 1.0) / (growth - 1.0);
+    let growth = libm::pow(200.0, 1.0 / (n - 1.0));
+    let total = (libm::pow(growth, n) - 1.0) / (growth - 1.0);
     for r in &mut cloth.rest {
         let k = (r[0] / 0.01).round();
-        r[0] = 0.3 * (f64::powf(growth, k) - 1.0) / (growth - 1.0) / total;
+        r[0] = 0.3 * (libm::pow(growth, k) - 1.0) / (growth - 1.0) / total;
     }
     let cloth = upright(cloth);
     let held = |c: &Mesh| top(c);
