@@ -89,6 +89,10 @@ pub(super) const CODES: &[Code] = &[
         "mesh-not-manifold",
         "An edge of the cloth mesh belongs to more than two triangles. Cloth is a surface; cut the mesh there. Exit code 3.",
     ),
+    code(
+        "mesh-t-junction",
+        "A border vertex of the cloth mesh lies in the middle of a neighbour's edge, so the cloth would open there. Split the triangle beside it at that vertex. Exit code 3.",
+    ),
     code("mesh-without-uv", "The rest shape was asked from texture coordinates, and the mesh has none. Exit code 3."),
     code("obj-empty", "The OBJ has no vertices or no faces. Exit code 3."),
     code("obj-index", "A face names a vertex that is not there. Exit code 3."),
@@ -134,6 +138,10 @@ pub(super) const CODES: &[Code] = &[
     code(
         "vertex-list",
         "A line of a list of pins, stitches or loads cannot be read or names a vertex that is not there. Exit code 3.",
+    ),
+    code(
+        "vertices-doubled",
+        "Border vertices of the cloth mesh stand twice at one place, at the start and at rest, and nothing sews them: cloth that touches itself cannot be kept apart. Join them, name the pairs in with.stitches, or draw a slit open. Exit code 3.",
     ),
     code("vertices-unused", "Vertices of the mesh belong to no triangle. They keep their place in the file."),
 ];

@@ -22,7 +22,7 @@ pub struct Trial {
     /// Stages between `drape` and the export, as TOML.
     pub stages: String,
     /// Files whose text is not what the scene says: name, text.
-    pub texts: Vec<(&'static str, String)>,
+    pub texts: Vec<(String, String)>,
 }
 
 impl Trial {
@@ -60,8 +60,8 @@ impl Trial {
     }
 
     /// Puts this text in the place of a file.
-    pub fn text(mut self, file: &'static str, text: String) -> Self {
-        self.texts.push((file, text));
+    pub fn text(mut self, file: impl Into<String>, text: String) -> Self {
+        self.texts.push((file.into(), text));
         self
     }
 

@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use toile_formats::{gltf, obj};
 use toile_garment::body::Body;
+use toile_garment::garment::UpAxis;
 use toile_garment::{Diagnostic, Garment, SourceRef, Vec3};
 use toile_stage_api::{StageContext, StageError};
 
@@ -29,7 +30,7 @@ pub fn frames(
         StageError::parameter(found.hint("give the stage `stitch` the body at rest: with.body = \"…obj\""))
     })?;
     let glb = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("glb"));
-    let series = if glb { animation(path, params.fps, body, cx)? } else { series(path, body, cx)? };
+    let series = if glb { animation(path, params.fps, body, cx)? } else { series(path, body, garment.file_up, cx)? };
     let frames: Vec<Vec<Vec3>> = series.iter().map(|(_, f)| f.clone()).collect();
     for (pair, (file, _)) in frames.windows(2).zip(series.iter().skip(1)) {
         let moved = pair[0].iter().zip(&pair[1]).map(|(p, q)| (p - q).norm()).fold(0.0, f64::max);
@@ -45,7 +46,13 @@ pub fn frames(
     Ok(frames)
 }
 
-fn series(path: &Path, body: &Body, cx: &mut StageContext<'_>) -> Result<Vec<(PathBuf, Vec<Vec3>)>, StageError> {
+/// OBJ files have the axes of the cloth mesh they go with.
+fn series(
+    path: &Path,
+    body: &Body,
+    up: UpAxis,
+    cx: &mut StageContext<'_>,
+) -> Result<Vec<(PathBuf, Vec<Vec3>)>, StageError> {
     let text = path.to_string_lossy().into_owned();
     let Some((before, start, width, after)) = number(&text) else {
         let found = Diagnostic::error("body-frames-name", format!("`{text}` has no number to count up from"));
@@ -60,7 +67,8 @@ fn series(path: &Path, body: &Body, cx: &mut StageContext<'_>) -> Result<Vec<(Pa
         }
         let there = if k == start { Some(cx.files.read(path)?) } else { cx.files.read_optional(&name(k))? };
         let Some(bytes) = there else { break };
-        out.push((name(k), frame(&bytes, &name(k), body, &known)?));
+        let frame = frame(&bytes, &name(k), body, &known)?;
+        out.push((name(k), frame.into_iter().map(|p| up.from_file(p)).collect()));
     }
     Ok(out)
 }

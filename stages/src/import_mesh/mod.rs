@@ -2,12 +2,14 @@
 //!
 //! The garment gets one piece whose mesh holds the vertices of the OBJ in file order, to the end.
 
+mod borders;
 mod boundary;
 mod lists;
 mod rest;
 #[cfg(test)]
 mod tests;
 
+use borders::Borders;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
@@ -75,7 +77,7 @@ impl Stage for ImportMesh {
         let (Some(cloth), Some(fabric), true) = (cloth, fabric, input.errors.is_empty()) else {
             return Err(StageError::Input(input.errors));
         };
-        let mut garment = one_piece(params, cloth, cx)?;
+        let mut garment = one_piece(params, cloth, &stitches, cx)?;
         if params.rest == Rest::Positions && turns_with_grain(&fabric) {
             cx.report.push(rest::grain_note(&params.cloth));
         }
@@ -167,6 +169,7 @@ impl Input<'_> {
 fn one_piece(
     params: &ImportMeshParams,
     mut cloth: obj::ObjMesh,
+    stitches: &[(u32, u32)],
     cx: &mut StageContext<'_>,
 ) -> Result<Garment, StageError> {
     let file = params.cloth.as_str();
@@ -175,6 +178,10 @@ fn one_piece(
     let positions: Vec<Vec3> = cloth.positions.iter().map(|p| params.up.from_file(*p)).collect();
     let mut built = rest::build(params.rest, file, &positions, &cloth).map_err(|d| StageError::input(*d))?;
     cx.report.findings.append(&mut built.findings);
+    let borders = Borders { mesh: &built.mesh, at: &positions, file };
+    if let Some(finding) = borders.junction().or_else(|| borders.doubled(stitches)) {
+        return Err(StageError::input(finding));
+    }
     let loose = unused(positions.len(), &built.mesh.triangles);
     if loose > 0 {
         let message = format!("`{file}`: {loose} vertices belong to no triangle; they stay in the file and do nothing");

@@ -10,6 +10,7 @@ use toile_stage_api::StageError;
 pub fn failure_in(error: ClothError, garment: &Garment, at: &[Vec<Vec3>]) -> StageError {
     let place = match &error {
         ClothError::StartCrosses { place, .. } | ClothError::Caught { place, .. } => place.at,
+        ClothError::Unstable { .. } => return narrow(garment, at).unwrap_or_else(|| failure(error)),
         _ => return failure(error),
     };
     match (failure(error), nearest(garment, at, &place)) {
@@ -18,6 +19,36 @@ pub fn failure_in(error: ClothError, garment: &Garment, at: &[Vec<Vec3>]) -> Sta
         }
         (other, _) => other,
     }
+}
+
+/// A triangle so narrow that single precision loses it beside the others: height over longest edge.
+const NARROW: f64 = 2e-3;
+
+/// Where the numbers broke because of the mesh: its narrowest triangle.
+fn narrow(garment: &Garment, at: &[Vec<Vec3>]) -> Option<StageError> {
+    let shapes = garment.pieces.iter().zip(at).flat_map(|(piece, at)| {
+        let mesh = piece.mesh.as_ref();
+        let triangles = mesh.into_iter().flat_map(|m| m.triangles.iter().enumerate().map(move |(i, t)| (m, i, t)));
+        triangles.filter_map(move |(m, i, t)| {
+            let [a, b, c] = m.rest_triangle(i)?;
+            let longest = (b - a).norm().max((c - b).norm()).max((a - c).norm());
+            let height = (b - a).perp(&(c - a)).abs() / longest;
+            let middle = t.iter().map(|v| at[*v as usize]).sum::<Vec3>() * (1e3 / 3.0);
+            Some((height / longest, longest, piece, middle))
+        })
+    });
+    let (aspect, longest, piece, p) = shapes.min_by(|s, t| s.0.total_cmp(&t.0)).filter(|s| s.0 < NARROW)?;
+    let message = format!(
+        "piece `{}`: a triangle of {:.3} mm by {:.6} mm is too narrow to be solved beside the others, near ({:.0}, {:.0}, {:.0}) mm",
+        piece.name,
+        longest * 1e3,
+        aspect * longest * 1e3,
+        p.x,
+        p.y,
+        p.z
+    );
+    let finding = Diagnostic::error("flat-triangle", message).at(piece.source.clone());
+    Some(StageError::input(finding.hint("mesh the cloth anew there, or join the vertices of the short edge")))
 }
 
 fn named(finding: Diagnostic, piece: &Piece) -> Diagnostic {

@@ -3,46 +3,62 @@
 use super::fabric::material;
 use toile_cloth::{BodyMesh, Element, Load, Material, Pin, Scene};
 use toile_garment::mesh::PieceMesh;
+use toile_garment::seam::Seam;
 use toile_garment::{Diagnostic, Garment, MeshVertex, Piece, Vec2, Vec3};
 
-/// Where each piece's vertices stand in the solver's list.
+/// Where each piece's vertices stand in the solver's list: pieces by name, so that the order in which a file lists them
+/// changes no bit.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Layout {
-    first: Vec<u32>,
+    /// Pieces in the solver's order.
+    order: Vec<usize>,
+    /// First vertex and number of vertices, piece by piece.
+    spans: Vec<(u32, u32)>,
     count: u32,
 }
 
 impl Layout {
-    /// The layout of a meshed garment: pieces in order, vertices in order.
+    /// The layout of a meshed garment: vertices of a piece in order.
     #[must_use]
     pub fn of(garment: &Garment) -> Self {
-        let mut first = Vec::with_capacity(garment.pieces.len());
+        let mut order: Vec<usize> = (0..garment.pieces.len()).collect();
+        order.sort_by(|a, b| garment.pieces[*a].name.cmp(&garment.pieces[*b].name));
+        let mut spans = vec![(0, 0); order.len()];
         let mut count = 0_u32;
-        for piece in &garment.pieces {
-            first.push(count);
-            let n = piece.mesh.as_ref().map_or(0, |m| m.rest.len());
-            count = count.saturating_add(u32::try_from(n).unwrap_or(u32::MAX));
+        for i in &order {
+            let n = garment.pieces[*i].mesh.as_ref().map_or(0, |m| m.rest.len());
+            let n = u32::try_from(n).unwrap_or(u32::MAX);
+            spans[*i] = (count, n);
+            count = count.saturating_add(n);
         }
-        Self { first, count }
+        Self { order, spans, count }
     }
 
     /// The solver's index of a mesh vertex.
     #[must_use]
     pub fn index(&self, v: MeshVertex) -> u32 {
-        self.first.get(v.piece.index()).map_or(u32::MAX, |f| f.saturating_add(v.vertex))
+        self.spans.get(v.piece.index()).map_or(u32::MAX, |s| s.0.saturating_add(v.vertex))
     }
 
     /// All positions in the solver's order.
     #[must_use]
     pub fn join(&self, per_piece: &[Vec<Vec3>]) -> Vec<Vec3> {
-        per_piece.iter().flatten().copied().collect()
+        self.order.iter().filter_map(|i| per_piece.get(*i)).flatten().copied().collect()
     }
 
     /// The solver's positions per piece.
     #[must_use]
     pub fn split(&self, all: &[Vec3]) -> Vec<Vec<Vec3>> {
-        let ends = self.first.iter().skip(1).copied().chain([self.count]);
-        self.first.iter().zip(ends).map(|(a, b)| all[*a as usize..b as usize].to_vec()).collect()
+        self.spans.iter().map(|(from, n)| all[*from as usize..(*from + *n) as usize].to_vec()).collect()
+    }
+
+    /// Seams in the order in which their stitches stand in the scene: by their first vertices.
+    #[must_use]
+    pub fn seams<'a>(&self, garment: &'a Garment) -> Vec<&'a Seam> {
+        let key = |s: &&Seam| s.stitches.iter().map(|s| [self.index(s.a), self.index(s.b)]).min();
+        let mut seams: Vec<&Seam> = garment.seams.iter().collect();
+        seams.sort_by_key(key);
+        seams
     }
 }
 
@@ -59,7 +75,7 @@ pub fn scene(
     let mut materials: Vec<Material> = Vec::new();
     let mut triangles = Vec::new();
     let mut errors = Vec::new();
-    for piece in &garment.pieces {
+    for piece in layout.order.iter().map(|i| &garment.pieces[*i]) {
         let Some(fabric) = garment.fabric_of(piece) else {
             errors.push(no_fabric(piece));
             continue;
@@ -75,7 +91,8 @@ pub fn scene(
     if !errors.is_empty() {
         return Err(errors);
     }
-    let stitches = garment.seams.iter().flat_map(|s| &s.stitches);
+    let seams = layout.seams(garment);
+    let stitches = seams.iter().flat_map(|s| &s.stitches);
     Ok(Scene {
         positions,
         triangles,
@@ -127,9 +144,8 @@ fn layers(garment: &Garment, layout: &Layout) -> Vec<i32> {
     let mut layers = vec![0; layout.count as usize];
     for spec in &garment.plan.layers {
         for piece in garment.pieces.iter().filter(|p| spec.pieces.iter().any(|n| n.eq_ignore_ascii_case(&p.name))) {
-            let n = piece.mesh.as_ref().map_or(0, |m| m.rest.len());
-            let first = layout.first[piece.id.index()] as usize;
-            layers[first..first + n].fill(spec.order);
+            let (first, n) = layout.spans[piece.id.index()];
+            layers[first as usize..(first + n) as usize].fill(spec.order);
         }
     }
     layers

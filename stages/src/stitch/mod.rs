@@ -167,7 +167,7 @@ fn open_seams(garment: &Garment, outcome: &Outcome) -> Vec<OpenSeam> {
     let layout = Layout::of(garment);
     let mut open: Vec<OpenSeam> = Vec::new();
     let mut first = 0;
-    for seam in &garment.seams {
+    for seam in layout.seams(garment) {
         let mine = first..first + seam.stitches.len();
         first = mine.end;
         // The list starts with the widest gap.

@@ -12,7 +12,7 @@ pub const DEFAULT: f64 = 12e-3;
 const MOST: f64 = 5e6;
 
 /// The largest piece of anything that is worn or sat on is between these, metres.
-const PIECE: std::ops::RangeInclusive<f64> = 0.02..=5.0;
+const PIECE: std::ops::RangeInclusive<f64> = 0.02..=3.5;
 /// What a file's unit may be and what it was taken for: factor on the lengths.
 const UNITS: [(&str, f64); 5] = [
     ("millimetres taken for metres", 1e-3),

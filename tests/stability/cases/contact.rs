@@ -74,7 +74,7 @@ fn needles(lab: &mut Lab) -> Result<(), String> {
         bed.join(&spike(at, f64::to_radians(4.0), 0.15, 6));
     }
     let cloth = lying(del(0.3, 0.012), OVER);
-    let held = cloth.pick(|[u, v]| u < 1e-9 && (v < 1e-9 || v > 0.3 - 1e-9));
+    let held = cloth.pick(|[u, v]| u < 1e-9 && !(1e-9..=0.3 - 1e-9).contains(&v));
     let away = Vec3::new(-0.08, 0.0, 0.01);
     lab.settles(&Trial::new(cloth, cotton()).over(bed).lead(held, |p| p + away))?;
     Ok(())
@@ -130,7 +130,9 @@ fn touching_body(lab: &mut Lab) -> Result<(), String> {
 /// Two sheets at bit-equal places over a box.
 fn coincident(lab: &mut Lab) -> Result<(), String> {
     let mut cloth = lying(even(0.2, 0.2, 0.02), 0.003);
-    let other = cloth.clone();
+    // Laid out side by side: no cut through one cloth.
+    let rest = cloth.rest.iter().map(|[u, v]| [u + 1.0, *v]).collect();
+    let other = Mesh { rest, ..cloth.clone() };
     cloth.join(&other);
     let table = block(Vec3::new(-0.5, -0.5, -0.25), Vec3::new(0.5, 0.5, 0.0));
     lab.settles_or_refuses(&Trial::new(cloth, cotton()).over(table), "start-crosses").map(drop)
@@ -234,7 +236,7 @@ fn folded(lab: &mut Lab) -> Result<(), String> {
         let k = (u / leg).min(2.999_999).floor();
         let s = u - k * leg;
         let x = if k == 1.0 { leg - s } else { s };
-        Vec3::new(x, v, 0.002 + gap * k + gap * (s / leg).powi(8))
+        Vec3::new(x, v, 0.002 + gap * k + gap * libm::pow(s / leg, 8.0))
     };
     let cloth = even(w, 0.16, 0.01).place(place);
     let table = block(Vec3::new(-0.5, -0.5, -0.25), Vec3::new(0.5, 0.5, 0.0));

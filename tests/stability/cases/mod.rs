@@ -5,6 +5,7 @@ mod effects;
 pub mod elsewhere;
 mod materials;
 mod meshes;
+mod motion;
 pub mod not_yet;
 mod numbers;
 mod scale;
@@ -21,6 +22,7 @@ pub fn all() -> Vec<Case> {
     list.extend(numbers::cases());
     list.extend(seams::cases());
     list.extend(contact::cases());
+    list.extend(motion::cases());
     list.extend(scale::cases());
     list.extend(symmetry::cases());
     list.extend(effects::cases());

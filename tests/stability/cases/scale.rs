@@ -21,8 +21,10 @@ pub fn cases() -> Vec<Case> {
         case("F2-scene-100m-away", far_scene).quick(),
         case("F4-power-of-two-hung", |lab: &mut Lab| similar(lab, false)).quick().once(),
         case("F4-power-of-two-ball", |lab: &mut Lab| similar(lab, true)).quick().once(),
-        case("F5-double-force-hung", |lab: &mut Lab| doubled(lab, false)).quick().once(),
-        case("F5-double-force-ball", |lab: &mut Lab| doubled(lab, true)).quick().once(),
+        case("F4-and-gravity-hung", gravity_too).quick().once(),
+        case("F5-double-force-hung", |lab: &mut Lab| stronger(lab, false, 2.0)).quick().once(),
+        case("F5-fourfold-force-hung", |lab: &mut Lab| stronger(lab, false, 4.0)).quick().once(),
+        case("F5-double-force-ball", |lab: &mut Lab| stronger(lab, true, 2.0)).quick().once(),
         case("F3-sheet-of-4mm", |lab: &mut Lab| sized(lab, 0.004)).quick(),
         case("F3-sheet-of-10m", |lab: &mut Lab| sized(lab, 10.0)).quick(),
         case("F3-sheet-of-100m-refused", hall).quick().once(),
@@ -128,16 +130,38 @@ fn similar(lab: &mut Lab, on_ball: bool) -> Result<(), String> {
     Ok(())
 }
 
-/// Twice as heavy and stiff: the same shape, bit for bit.
-fn doubled(lab: &mut Lab, on_ball: bool) -> Result<(), String> {
+/// Four times as large under four times the gravity, so that times stay: the same shape, bit for bit.
+fn gravity_too(lab: &mut Lab) -> Result<(), String> {
+    let one = scene(false);
+    let four = similarity(&one, 4.0);
+    let f = four.fabric;
+    let fabric = Cloth {
+        warp: stiffer(f.warp, 4.0),
+        weft: stiffer(f.weft, 4.0),
+        shear: 4.0 * f.shear,
+        bending: 4.0 * f.bending,
+        ..f
+    };
+    let (d, e) = (lab.settles(&one)?, lab.settles(&Trial { fabric, gravity: 4.0 * one.gravity, ..four })?);
+    let back: Vec<Vec3> = e.at.iter().map(|p| p / 4.0).collect();
+    let wrong = unequal(&d.at, &back, |p| p);
+    lab.expect(
+        wrong == 0,
+        format!("{wrong} of {} vertices differ, by up to {:.1e} m", d.at.len(), apart(&d.at, &back)),
+    );
+    Ok(())
+}
+
+/// So many times as heavy and stiff: the same shape, bit for bit.
+fn stronger(lab: &mut Lab, on_ball: bool, times: f64) -> Result<(), String> {
     let one = scene(on_ball);
     let f = one.fabric;
     let fabric = Cloth {
-        mass: 2.0 * f.mass,
-        warp: stiffer(f.warp, 2.0),
-        weft: stiffer(f.weft, 2.0),
-        shear: 2.0 * f.shear,
-        bending: 2.0 * f.bending,
+        mass: times * f.mass,
+        warp: stiffer(f.warp, times),
+        weft: stiffer(f.weft, times),
+        shear: times * f.shear,
+        bending: times * f.bending,
         ..f
     };
     let (d, e) = (lab.settles(&one)?, lab.settles(&Trial { fabric, ..one.clone() })?);
