@@ -46,9 +46,7 @@ pub fn rubbing(gamma: f64, couple: f64, rise: f64) -> Cantilever {
     let curvature = |m: f64| if m < rise + couple { m * rise / (rise + couple) } else { m - couple };
     let shoot = |slope: f64| {
         let h = 1.0 / STEPS as f64;
-        let f = |u: f64, y: [f64; 4]| {
-            [-curvature(y[1]), gamma * u * libm::cos(y[0]), libm::cos(y[0]), libm::sin(y[0])]
-        };
+        let f = |u: f64, y: [f64; 4]| [-curvature(y[1]), gamma * u * libm::cos(y[0]), libm::cos(y[0]), libm::sin(y[0])];
         (0..STEPS).fold([slope, 0.0, 0.0, 0.0], |y, i| rk4(y, i as f64 * h, h, &f))
     };
     let y = shoot(root(0.0, FRAC_PI_2, |slope| shoot(slope)[0]));

@@ -60,7 +60,9 @@ impl<'a> Walk<'a> {
         }
         let body = start.body.as_ref().filter(|_| path.is_some());
         let hooks = crate::problem::held(scene).into_iter().map(|(v, at)| Hook::new(v, at, body)).collect();
-        let descent = Descent::new(scene, settings, start, false);
+        // Its shift is the inertia of a time step.
+        let mut descent = Descent::new(scene, settings, start, false);
+        descent.unit = 1.0;
         let mut free: Vec<bool> = descent.goal.mass.iter().map(|m| *m > 0.0).collect();
         descent.goal.pins.iter().for_each(|p| free[p.0 as usize] = false);
         let n = descent.x.len();

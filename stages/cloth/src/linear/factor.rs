@@ -14,7 +14,7 @@ use pulp::{Arch, Simd, WithSimd};
 /// Bits of the exponent.
 const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
 /// 2⁻⁶⁰.
-const FLOOR: f64 = 1.0 / (1u64 << 60) as f64;
+const FLOOR: f32 = 1.0 / (1u64 << 60) as f32;
 
 /// A factorised block matrix.
 #[derive(Default)]
@@ -27,6 +27,9 @@ pub(crate) struct Factor {
     pack: Pack,
     sums: Vec<f32>,
     arch: Arch,
+    /// A power of two by which the system is divided, of the size of its largest value: so similar systems have the same
+    /// factor.
+    size: f64,
     pub analyses: u32,
     pub factors: u32,
 }
@@ -56,7 +59,11 @@ impl Factor {
     /// Rounds the blocks into the columns they belong to.
     #[allow(clippy::cast_possible_truncation)]
     fn fill(&mut self, values: &[Matrix3<f64>], shift: &[f64]) {
-        let floor = self.floor(values);
+        let diagonal = self.pattern.start.iter().filter_map(|k| values.get(*k as usize));
+        let largest = diagonal.map(|m| m[(0, 0)].max(m[(1, 1)]).max(m[(2, 2)])).fold(0.0, f64::max);
+        let power = f64::from_bits(largest.to_bits() & EXPONENT);
+        self.size = if power > 0.0 && power.is_finite() { power } else { 1.0 };
+        let (floor, scale) = (floor(values), 1.0 / self.size);
         for node in &self.symbolic.nodes {
             let panel = &mut self.values[node.start..][..node.height() * node.width()];
             for (column, scalars) in panel.chunks_exact_mut(node.height()).enumerate() {
@@ -68,7 +75,7 @@ impl Factor {
             for c in 0..3 {
                 for r in 0..3 {
                     let v = if target.mirrored { value[(c, r)] } else { value[(r, c)] };
-                    self.values[target.at + c * target.height + r] = v as f32 + floor[c][r];
+                    self.values[target.at + c * target.height + r] = (v * scale) as f32 + floor[c][r];
                 }
             }
         }
@@ -76,32 +83,18 @@ impl Factor {
             let target = self.symbolic.targets[*start as usize];
             let block = &values[*start as usize];
             for c in 0..3 {
-                self.values[target.at + c * target.height + c] = (block[(c, c)] + shift) as f32;
+                self.values[target.at + c * target.height + c] = ((block[(c, c)] + shift) * scale) as f32;
             }
         }
-    }
-
-    /// What stands in place of zeros, per pair of axes, far below what single precision can tell: far from the pattern what
-    /// fills in is soon too small to be a normal number, and those take the processor a hundred times as long. A power
-    /// of two, so that similar systems have similar factors; none between axes that know nothing of each other, so that
-    /// flat cloth stays flat.
-    #[allow(clippy::cast_possible_truncation)]
-    fn floor(&self, values: &[Matrix3<f64>]) -> [[f32; 3]; 3] {
-        let diagonal = self.pattern.start.iter().filter_map(|k| values.get(*k as usize));
-        let largest = diagonal.map(|m| m[(0, 0)].max(m[(1, 1)]).max(m[(2, 2)])).fold(0.0, f64::max);
-        let power = (f64::from_bits(largest.to_bits() & EXPONENT) * FLOOR) as f32;
-        let mut coupled = Matrix3::<f64>::zeros();
-        values.iter().for_each(|m| coupled += m.abs());
-        let low = |c: usize, r: usize| if coupled[(r, c)] + coupled[(c, r)] > 0.0 { power } else { 0.0 };
-        [0, 1, 2].map(|c| [low(c, 0), low(c, 1), low(c, 2)])
     }
 
     /// Solves for one right-hand side, in place.
     #[allow(clippy::cast_possible_truncation)]
     pub fn solve(&mut self, b: &mut [Vec3]) {
+        let scale = 1.0 / self.size;
         for (place, v) in self.symbolic.place.iter().zip(b.iter()) {
             for k in 0..3 {
-                self.right[3 * *place as usize + k] = v[k] as f32;
+                self.right[3 * *place as usize + k] = (v[k] * scale) as f32;
             }
         }
         let (nodes, values) = (&self.symbolic.nodes, &self.values);
@@ -110,6 +103,16 @@ impl Factor {
             *v = Vec3::from_fn(|k, _| f64::from(self.right[3 * *place as usize + k]));
         }
     }
+}
+
+/// What stands in place of zeros, per pair of axes, far below what single precision can tell of a system of the size of
+/// one: far from the pattern what fills in is soon too small to be a normal number, and those take the processor a hundred
+/// times as long. None between axes that know nothing of each other, so that flat cloth stays flat.
+fn floor(values: &[Matrix3<f64>]) -> [[f32; 3]; 3] {
+    let mut coupled = Matrix3::<f64>::zeros();
+    values.iter().for_each(|m| coupled += m.abs());
+    let low = |c: usize, r: usize| if coupled[(r, c)] + coupled[(c, r)] > 0.0 { FLOOR } else { 0.0 };
+    [0, 1, 2].map(|c| [low(c, 0), low(c, 1), low(c, 2)])
 }
 
 // What runs under the widest registers of the machine; named types, because only they are compiled for them as a whole.

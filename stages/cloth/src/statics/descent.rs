@@ -13,9 +13,13 @@ use nalgebra::Matrix3;
 /// Sufficient decrease (Armijo).
 const DECREASE: f64 = 1e-4;
 const MOST_HALVINGS: usize = 8;
-/// Shift of the metric: mass / τ. First τ, and the one from which it no longer matters, s².
+/// Shift of the metric: mass / (τ · unit). First τ, and the one from which it no longer matters; the unit is 1 s² for a
+/// square metre of cloth on Earth, and goes with lengths and weight as pendulums do, so that similar cloth takes similar
+/// steps.
 const TAU_FIRST: f64 = 1e-2;
 pub(super) const TAU_FREE: f64 = 30.0;
+/// m/s².
+const EARTH: f64 = 9.81;
 const TAU_LEAST: f64 = 1e-8;
 const TAU_MOST: f64 = 1e4;
 /// First and last share of the stretch stiffness in all directions, and what it grows by.
@@ -51,8 +55,10 @@ pub(crate) struct Descent<'a> {
     pub firm: f64,
     /// Longest step of a vertex over the mean edge.
     pub stride: f64,
+    /// Unit of τ, s².
+    pub unit: f64,
     /// τ from which the shift is no more than the rounding of the factor (cloth that nothing holds has motions without
-    /// stiffness), s².
+    /// stiffness).
     pub free: f64,
     pub steps: u64,
     /// At the last look: energy a Newton step would win over the elastic energy, its longest move (m), net force.
@@ -78,6 +84,13 @@ pub(crate) struct Block {
     stuck: bool,
 }
 
+/// Side of a square of as much cloth, over gravity in units of the Earth's, s².
+fn unit(scene: &Scene) -> f64 {
+    let area: f64 = scene.triangles.iter().map(|t| t.area().abs()).sum();
+    let gravity = scene.gravity.norm();
+    if gravity > 0.0 { area.sqrt() * (EARTH / gravity) } else { area.sqrt() }
+}
+
 impl<'a> Descent<'a> {
     /// From the scene's positions, freed of what they cross.
     pub fn begin(scene: &Scene, settings: &'a Settings, pulls: bool) -> Result<Self, ClothError> {
@@ -101,6 +114,7 @@ impl<'a> Descent<'a> {
             tau: TAU_FIRST,
             firm: 0.0,
             stride: STRIDE,
+            unit: unit(scene),
             free: TAU_FREE,
             steps: 0,
             decrement: f64::INFINITY,
@@ -192,7 +206,7 @@ impl<'a> Descent<'a> {
 
     pub fn factorise(&mut self, (pattern, values): &(Pattern, Vec<Matrix3<f64>>)) -> bool {
         let mut lap = Lap::start();
-        let shift: Vec<f64> = self.goal.inertia.iter().map(|m| m / self.tau).collect();
+        let shift: Vec<f64> = self.goal.inertia.iter().map(|m| m / (self.tau * self.unit)).collect();
         let done = self.factor.factorise(pattern, values, &shift);
         self.goal.costs.spend(Work::Descent, &mut lap);
         done
