@@ -11,11 +11,12 @@ use crate::support::trial::Trial;
 use toile_garment::Vec3;
 
 pub fn cases() -> Vec<Case> {
+    // A shaken start moves more than the narrow columns are wide: these run once.
     vec![
         case("A1-column-of-200um", |lab: &mut Lab| squeezed(lab, 1e-2)).quick(),
-        case("A1-column-of-20um", |lab: &mut Lab| squeezed(lab, 1e-3)).quick(),
-        case("A1-column-of-2um", |lab: &mut Lab| squeezed(lab, 1e-4)).quick(),
-        case("A2-column-of-20nm", |lab: &mut Lab| squeezed(lab, 1e-6)).quick(),
+        case("A1-column-of-20um", |lab: &mut Lab| squeezed(lab, 1e-3)).quick().once(),
+        case("A1-column-of-2um", |lab: &mut Lab| squeezed(lab, 1e-4)).quick().once(),
+        case("A2-column-of-20nm", |lab: &mut Lab| squeezed(lab, 1e-6)).quick().once(),
         case("A2-needle-179.99deg", needle).quick(),
         case("A3-flat-triangles", flat).quick().once(),
         case("A4-vertices-twice", |lab: &mut Lab| twice(lab, 0.0)).quick().once(),

@@ -196,6 +196,9 @@ fn doll(lab: &mut Lab) -> Result<(), String> {
     let small = Trial { cloth: larger(&one.cloth, s), body, ..one };
     let up = Vec3::z() * 2e-3;
     let cloth = Mesh { at: small.cloth.at.iter().map(|p| p + up).collect(), ..small.cloth.clone() };
-    lab.settles(&Trial { cloth, ..small })?;
+    // So small, it lies on the ball like a plate and may slide off: its middle is held.
+    let far = |v: &usize| libm::hypot(cloth.at[*v].x, cloth.at[*v].y);
+    let middle = (0..cloth.at.len()).min_by(|a, b| far(a).total_cmp(&far(b)));
+    lab.settles(&Trial { cloth, ..small }.hold(middle))?;
     Ok(())
 }
