@@ -1,22 +1,20 @@
 //! Cases that fail, and why: each waits for a change of the program. A case that passes must leave this list.
 
 const NARROW: &str = "the factor in single precision breaks on triangles narrower than 2e-3 of their length; refused with place and remedy";
-const TIMES: &str =
-    "the shifts of the descent are times (first 1e-2 s2, free 30 s2); lengths and gravity times 4 give the same bits";
 const STIFFNESS: &str = "contact has a stiffness of its own, 2e5 N/m3; the cloth then folds another way";
-const ROOT: &str = "the factor takes square roots of its pivots, so only powers of 4 keep the bits";
+const LOCKED: &str =
+    "thousands of steps: beside yarns that lock at 1e7 N/m the factor in single precision loses the soft motions";
 const AXES: &str = "lengths are summed as (x + y) + z with y up, so a quarter turn gives other last bits";
 const FOLDS: &str =
     "the last bits and the push off a saddle, which is made in the axes of the world, choose other folds";
 const WHOLE: &str = "one descent for all parts: its memory, step lengths and goal of rest are common to them";
 
 /// Case, and what is wrong.
-const LIST: [(&str, &str); 11] = [
+const LIST: [(&str, &str); 10] = [
     ("A1-column-of-20um", NARROW),
     ("A1-column-of-2um", NARROW),
-    ("F4-power-of-two-hung", TIMES),
-    ("F4-power-of-two-ball", TIMES),
-    ("F5-double-force-hung", ROOT),
+    ("F4-power-of-two-ball", STIFFNESS),
+    ("B11-strain-limit-1-percent", LOCKED),
     ("F5-double-force-ball", STIFFNESS),
     ("G6-forty-parts", WHOLE),
     ("H5-quarter-turns-hung", AXES),

@@ -71,3 +71,10 @@ pub(crate) fn longest(v: &[Vec3]) -> f64 {
 pub(crate) fn farthest(from: &[Vec3], to: &[Vec3]) -> f64 {
     from.iter().zip(to).map(|(p, q)| (p - q).norm_squared()).fold(0.0, f64::max).sqrt()
 }
+
+/// The power of two at or below a number; 1 where there is none.
+pub(crate) fn power_of_two(x: f64) -> f64 {
+    const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
+    let power = f64::from_bits(x.to_bits() & EXPONENT);
+    if power > 0.0 && power.is_finite() { power } else { 1.0 }
+}

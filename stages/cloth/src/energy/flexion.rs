@@ -6,7 +6,7 @@ use super::Energy;
 use super::patch::{Fold, Parts, Share, curvature, voigt};
 use crate::linear::hessian::Hessian;
 use crate::topology::Topology;
-use crate::{Element, Material, Scene, Vec3};
+use crate::{Element, Material, Scene, Vec3, power_of_two};
 use nalgebra::{Matrix3, Vector2, Vector3};
 
 /// A triangle and the corners across its edges.
@@ -18,6 +18,9 @@ pub(super) struct Patch {
 
 pub(crate) struct Flexion {
     patches: Vec<Patch>,
+    /// A power of two of the size of the rigidities, in which the patches have theirs, N·m: so that cloth twice as stiff has
+    /// the same patches.
+    size: f64,
 }
 
 /// Rigidities against (κ₀₀, κ₁₁, 2 κ₀₁), N·m: weft, warp, twist; no coupling (a Poisson ratio of 0).
@@ -175,18 +178,20 @@ pub(super) fn patches(scene: &Scene, topology: &Topology, rigidities: &[Vector3<
 
 impl Flexion {
     pub fn new(scene: &Scene, topology: &Topology) -> Self {
-        let rigidities: Vec<Vector3<f64>> = scene.materials.iter().map(rigidity).collect();
-        Self { patches: patches(scene, topology, &rigidities).into_iter().map(|p| p.1).collect() }
+        let mut rigidities: Vec<Vector3<f64>> = scene.materials.iter().map(rigidity).collect();
+        let size = power_of_two(rigidities.iter().map(Vector3::amax).fold(0.0, f64::max));
+        rigidities.iter_mut().for_each(|r| *r /= size);
+        Self { patches: patches(scene, topology, &rigidities).into_iter().map(|p| p.1).collect(), size }
     }
 }
 
 impl Energy for Flexion {
     fn add_forces(&self, x: &[Vec3], f: &mut [Vec3]) {
-        self.patches.iter().for_each(|p| p.push(&p.bend(x), f));
+        self.patches.iter().for_each(|p| p.push(&p.bend(x).map(|b| b * self.size), f));
     }
 
     fn energy(&self, x: &[Vec3]) -> f64 {
-        self.patches.iter().map(|p| half_square(&p.bend(x))).sum()
+        self.size * self.patches.iter().map(|p| half_square(&p.bend(x))).sum::<f64>()
     }
 
     fn evaluate(&self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
@@ -194,15 +199,15 @@ impl Energy for Flexion {
         for p in &self.patches {
             let bend = p.bend(x);
             energy += half_square(&bend);
-            p.push(&bend, f);
+            p.push(&bend.map(|b| b * self.size), f);
         }
-        energy
+        energy * self.size
     }
 
     fn add_stiffness(&self, _: &[Vec3], k: &mut [f64]) {
         for p in &self.patches {
             for (i, v) in p.vertices.iter().enumerate() {
-                k[*v as usize] += (0..6).map(|j| p.stiffness(i, j).abs()).sum::<f64>();
+                k[*v as usize] += self.size * (0..6).map(|j| p.stiffness(i, j).abs()).sum::<f64>();
             }
         }
     }
@@ -219,9 +224,9 @@ impl Energy for Flexion {
     fn add_hessian(&self, _: &[Vec3], _: bool, h: &mut Hessian) {
         for p in &self.patches {
             for i in 0..6 {
-                h.add(p.vertices[i], &(Matrix3::identity() * p.stiffness(i, i)));
+                h.add(p.vertices[i], &(Matrix3::identity() * (self.size * p.stiffness(i, i))));
                 for j in (0..i).filter(|j| p.stiffness(i, *j) != 0.0) {
-                    h.couple(p.vertices[i], p.vertices[j], &(Matrix3::identity() * p.stiffness(i, j)));
+                    h.couple(p.vertices[i], p.vertices[j], &(Matrix3::identity() * (self.size * p.stiffness(i, j))));
                 }
             }
         }

@@ -11,8 +11,6 @@ use crate::Vec3;
 use nalgebra::Matrix3;
 use pulp::{Arch, Simd, WithSimd};
 
-/// Bits of the exponent.
-const EXPONENT: u64 = 0x7ff0_0000_0000_0000;
 /// 2⁻⁶⁰.
 const FLOOR: f32 = 1.0 / (1u64 << 60) as f32;
 
@@ -61,8 +59,7 @@ impl Factor {
     fn fill(&mut self, values: &[Matrix3<f64>], shift: &[f64]) {
         let diagonal = self.pattern.start.iter().filter_map(|k| values.get(*k as usize));
         let largest = diagonal.map(|m| m[(0, 0)].max(m[(1, 1)]).max(m[(2, 2)])).fold(0.0, f64::max);
-        let power = f64::from_bits(largest.to_bits() & EXPONENT);
-        self.size = if power > 0.0 && power.is_finite() { power } else { 1.0 };
+        self.size = crate::power_of_two(largest);
         let (floor, scale) = (floor(values), 1.0 / self.size);
         for node in &self.symbolic.nodes {
             let panel = &mut self.values[node.start..][..node.height() * node.width()];

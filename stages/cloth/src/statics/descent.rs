@@ -7,6 +7,7 @@ use crate::linear::factor::Factor;
 use crate::linear::hessian::{Pattern, gather, scattered};
 use crate::problem::mean_weight;
 use crate::start::Start;
+use crate::weld::groups;
 use crate::{ClothError, Scene, Settings, Vec3, Watch};
 use nalgebra::Matrix3;
 
@@ -84,11 +85,17 @@ pub(crate) struct Block {
     stuck: bool,
 }
 
-/// Side of a square of as much cloth, over gravity in units of the Earth's, s².
+/// Side of a square of as much cloth as the largest part has, over gravity in units of the Earth's, s². Other parts do not
+/// count, so that they change nothing.
 fn unit(scene: &Scene) -> f64 {
-    let area: f64 = scene.triangles.iter().map(|t| t.area().abs()).sum();
+    let joined: Vec<[u32; 2]> =
+        scene.triangles.iter().flat_map(|t| [[t.vertices[0], t.vertices[1]], [t.vertices[1], t.vertices[2]]]).collect();
+    let part = groups(scene.positions.len(), &joined);
+    let mut areas = vec![0.0; part.len()];
+    scene.triangles.iter().for_each(|t| areas[part[t.vertices[0] as usize] as usize] += t.area().abs());
+    let side = areas.iter().fold(0.0f64, |a, b| a.max(*b)).sqrt();
     let gravity = scene.gravity.norm();
-    if gravity > 0.0 { area.sqrt() * (EARTH / gravity) } else { area.sqrt() }
+    if gravity > 0.0 { side * (EARTH / gravity) } else { side }
 }
 
 impl<'a> Descent<'a> {
