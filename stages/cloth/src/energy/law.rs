@@ -3,14 +3,39 @@
 
 use crate::{Curve, Integrator, Material, Settings, Switch};
 
-/// Cells of a table; more where it must show how the cloth locks.
+/// Cells of a table, and how far over the limit it goes.
 const CELLS: usize = 256;
-const CELLS_LOCKING: usize = 1024;
+const BEYOND: f64 = 1.5;
 /// Share of the strain limit at which the cloth begins to lock, and at which it is locked …
-pub(crate) const LOCKING: f64 = 0.99;
-const SHUT: f64 = 0.996;
+pub(crate) const LOCKING: f64 = 0.9925;
+const SHUT: f64 = 0.997;
 /// … and the tension that it carries there over that of its curve, N/m.
-const LOCKED: f64 = 1000.0;
+const LOCKED: f64 = 900.0;
+
+/// What a locking cloth carries over its curve: a tension that grows with the square of the strain from where it begins, then
+/// straight on. Below it adds nothing, so that a limit that is not reached changes no bit.
+#[derive(Clone, Copy, Debug)]
+struct Lock {
+    from: f64,
+    /// Strain from its beginning to where the cloth is locked.
+    width: f64,
+}
+
+impl Lock {
+    /// Infinite for never.
+    fn at(limit: f64) -> Self {
+        Self { from: LOCKING * limit, width: (SHUT - LOCKING) * limit }
+    }
+
+    /// Tension, N/m, energy, J/m², and slope, N/m, at a strain over `from`.
+    fn over(&self, strain: f64) -> [f64; 3] {
+        let near = (strain - self.from) / self.width;
+        let (rise, on) = (near.min(1.0), (near - 1.0).max(0.0));
+        let tension = LOCKED * (rise * rise + 2.0 * on);
+        let energy = LOCKED * self.width * (rise * rise * rise / 3.0 + on + on * on);
+        [tension, energy, 2.0 * LOCKED * rise / self.width]
+    }
+}
 
 /// Tabulated stretch law of one direction.
 #[derive(Clone, Debug)]
@@ -20,20 +45,16 @@ pub(crate) struct Law {
     tangent: Vec<f64>,
     tension: Vec<f64>,
     energy: Vec<f64>,
+    lock: Lock,
 }
 
 impl Law {
-    /// Up to `reach` strain (a straight line beyond), with the tangent capped; `lock`: the strain at which the cloth
+    /// Up to `reach` strain (a straight line beyond), with the tangent capped; `limit`: the strain at which the cloth
     /// locks (infinite for never).
-    pub fn new(curve: &Curve, cap: f64, reach: f64, lock: f64) -> Self {
-        let plain = matches!(curve, Curve::Linear { .. }) && lock.is_infinite();
-        let cells = match (plain, lock.is_finite()) {
-            (true, _) => 1,
-            (_, true) => CELLS_LOCKING,
-            _ => CELLS,
-        };
+    pub fn new(curve: &Curve, cap: f64, reach: f64, limit: f64) -> Self {
+        let cells = if matches!(curve, Curve::Linear { .. }) { 1 } else { CELLS };
         let step = reach / cells as f64;
-        let mut tangent: Vec<f64> = (0..=cells)
+        let tangent: Vec<f64> = (0..=cells)
             .map(|i| match curve {
                 // The mean slope of the cell keeps the tension at its ends exact for measured samples.
                 Curve::Samples(_) => {
@@ -43,19 +64,13 @@ impl Law {
                 _ => curve.tangent(step * i as f64).min(cap),
             })
             .collect();
-        if lock.is_finite() {
-            for (i, k) in tangent.iter_mut().enumerate() {
-                let near = (step * i as f64 / lock - LOCKING) / (SHUT - LOCKING);
-                *k += near.clamp(0.0, 1.0) * 2.0 * LOCKED / ((SHUT - LOCKING) * lock);
-            }
-        }
         let (mut tension, mut energy) = (vec![0.0], vec![0.0]);
         for i in 0..cells {
             let (t, k0, k1) = (tension[i], tangent[i], tangent[i + 1]);
             energy.push(energy[i] + step * (t + step * (k0 / 2.0 + (k1 - k0) / 6.0)));
             tension.push(t + step * 0.5 * (k0 + k1));
         }
-        Self { inverse_step: 1.0 / step, step, tangent, tension, energy }
+        Self { inverse_step: 1.0 / step, step, tangent, tension, energy, lock: Lock::at(limit) }
     }
 
     #[inline]
@@ -79,7 +94,13 @@ impl Law {
                 (strain - self.step * n as f64, self.tension[n], self.tangent[n], 0.0, self.energy[n])
             }
         };
-        (t + from * (k + 0.5 * from * bow), energy + from * (t + from * (0.5 * k + from * bow / 6.0)))
+        let (t, energy) =
+            (t + from * (k + 0.5 * from * bow), energy + from * (t + from * (0.5 * k + from * bow / 6.0)));
+        if strain <= self.lock.from {
+            return (t, energy);
+        }
+        let [tension, stored, _] = self.lock.over(strain);
+        (t + tension, energy + stored)
     }
 
     /// N/m.
@@ -96,14 +117,15 @@ impl Law {
     /// dT/dε as interpolated, N/m.
     #[inline]
     pub fn slope(&self, strain: f64) -> f64 {
-        match self.cell(strain) {
+        let lock = if strain <= self.lock.from { 0.0 } else { self.lock.over(strain)[2] };
+        lock + match self.cell(strain) {
             Some((i, r)) => self.tangent[i] + r * (self.tangent[i + 1] - self.tangent[i]) * self.inverse_step,
             None if strain <= 0.0 => self.tangent[0],
             None => self.tangent[self.tangent.len() - 1],
         }
     }
 
-    /// A bound of the slope around a strain, N/m.
+    /// A bound of the slope around a strain, N/m; only unlocked laws are asked for it.
     pub fn tangent(&self, strain: f64) -> f64 {
         match self.cell(strain) {
             Some((i, _)) => self.tangent[i].max(self.tangent[i + 1]),
@@ -126,8 +148,7 @@ pub(crate) struct Fabric {
 impl Fabric {
     pub fn new(m: &Material, s: &Settings) -> Self {
         let locks = s.integrator == Integrator::Static && s.effects.strain_limit != Switch::Off;
-        let beyond = if locks { 1.1 } else { 1.5 };
-        let reach = |limit: f64| if limit.is_finite() { (beyond * limit).clamp(0.02, 2.0) } else { 0.5 };
+        let reach = |limit: f64| if limit.is_finite() { (BEYOND * limit).clamp(0.02, 2.0) } else { 0.5 };
         let law = |curve: &Curve, limit: f64| {
             Law::new(curve, s.curve_cap(), reach(limit), if locks { limit } else { f64::INFINITY })
         };

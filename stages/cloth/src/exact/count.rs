@@ -29,14 +29,17 @@ fn degenerate(t: &[u32; 3], x: &[Vec3]) -> bool {
 }
 
 /// Pairs of cloth triangles that cross (no common vertex), pass through each other beside a common vertex, or lie
-/// folded on each other beside a common edge. Vertices at bit-equal places count as common, as they do in a file.
+/// folded on each other beside a common edge. Vertices at bit-equal places count as common, as they do in a file; triangles on
+/// each other cross unless they have the same vertices (layers sewn to each other everywhere).
 pub(crate) fn own(x: &[Vec3], faces: &[[u32; 3]]) -> Crossings {
     let same = places(x);
+    let given = faces;
     let faces: Vec<[u32; 3]> = faces.iter().map(|t| t.map(|v| same[v as usize])).collect();
     let mut found = Crossings::default();
     Tree::new(x, &faces).own_pairs(|i, j| {
         let (s, t) = (faces[i as usize], faces[j as usize]);
-        if cross(x, s, t) && !degenerate(&s, x) && !degenerate(&t, x) {
+        let joined = || given[i as usize].iter().all(|v| given[j as usize].contains(v));
+        if cross(x, s, t) && !joined() && !degenerate(&s, x) && !degenerate(&t, x) {
             found.add(i.min(j), i.max(j));
         }
     });
@@ -184,6 +187,7 @@ mod tests {
         let double: Vec<Vec3> = x.iter().chain(&x).copied().collect();
         assert_eq!(own(&double, &[[0, 1, 2], [3, 4, 5]]).count, 1);
         assert_eq!(own(&double, &[[0, 1, 2], [4, 3, 5]]).count, 1);
+        assert_eq!(own(&x, &[[0, 1, 2], [1, 2, 0]]).count, 0, "two layers sewn together");
     }
 
     #[test]
