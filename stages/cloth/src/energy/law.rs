@@ -8,7 +8,7 @@ const CELLS: usize = 256;
 const BEYOND: f64 = 1.5;
 /// Share of the strain limit at which the cloth begins to lock, and at which it is locked …
 pub(crate) const LOCKING: f64 = 0.9925;
-const SHUT: f64 = 0.997;
+const SHUT: f64 = 0.9975;
 /// … and the tension that it carries there over that of its curve, N/m.
 const LOCKED: f64 = 900.0;
 
