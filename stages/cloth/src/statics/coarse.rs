@@ -71,7 +71,7 @@ impl Step<'_> {
     fn let_down(self, x: &[Vec3], watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
         let heavy = Settings { gravity_scale: 1.0, ..self.settings.clone() };
         let down = Step { settings: &heavy, ..self }.smooth(x, watch)?;
-        let slid = |o: &Outcome| crate::farthest(&x, &o.positions);
+        let slid = |o: &Outcome| crate::farthest(x, &o.positions);
         if down.as_ref().is_some_and(|o| slid(o) > FARTHEST) { self.smooth(x, watch) } else { Ok(down) }
     }
 
