@@ -68,8 +68,14 @@ fn a_drape_is_read_drawn_and_compared_with_the_laboratory() {
 fn strips_stand_beside_the_numbers_of_the_file() {
     let dir = tempfile::tempdir().expect("folder");
     let svg = dir.path().join("strips.svg");
-    let facts =
-        json(&test(&[&"cantilever", &sample("denim-11oz.toml"), &"--edge", &"3 mm", &"--json", &"--svg", &svg]));
+    let text = std::fs::read_to_string(sample("denim-11oz.toml")).expect("a sample");
+    let smooth = dir.path().join("denim.toml");
+    let lines = text.lines().filter(|l| !l.starts_with("bending_hysteresis"));
+    std::fs::write(&smooth, lines.collect::<Vec<_>>().join("\n")).expect("written");
+    let read = |fabric: &Path, svg: &Path| {
+        json(&test(&[&"cantilever", &fabric, &"--edge", &"3 mm", &"--json", &"--svg", &svg]))
+    };
+    let facts = read(&smooth, &svg);
     let strips = facts["strips"].as_array().expect("strips");
     let words: Vec<&str> = strips.iter().filter_map(|s| s["direction"].as_str()).collect();
     assert_eq!(words, ["warp", "weft", "bias"]);
@@ -79,6 +85,12 @@ fn strips_stand_beside_the_numbers_of_the_file() {
         assert!((number(&s["overhang_mm"]) / shown - 2.0).abs() < 1e-4);
     }
     assert_eq!(strips[2]["file_rigidity_estimated"], true);
+    // Friction of the yarns (2HB) stiffens a strip, in the laboratory too.
+    let rubbing = read(&sample("denim-11oz.toml"), &dir.path().join("rubbing.svg"));
+    for s in rubbing["strips"].as_array().expect("strips") {
+        let more = number(&s["bending_length_mm"]) / number(&s["file_bending_length_mm"]);
+        assert!((1.1..1.4).contains(&more), "{s}");
+    }
     let text = std::fs::read_to_string(&svg).expect("picture");
     assert!(words.iter().all(|w| text.contains(&format!("class=\"{w}\""))));
     let one = test(&[&"cantilever", &sample("denim-11oz.toml"), &"--direction", &"weft"]);

@@ -189,7 +189,8 @@ fn a_plan_foresees_mesh_effects_and_cost() {
     let usual = plan(&[]);
     let effects = usual["effects"].as_array().expect("effects").clone();
     let on: Vec<(&str, bool)> = effects.iter().map(|e| (e["name"].as_str().expect("name"), e["on"] == true)).collect();
-    assert_eq!(on, [("self-contact", true), ("body-contact", true), ("friction", true), ("strain-limit", true)]);
+    let all = ["self-contact", "body-contact", "friction", "strain-limit", "bending-hysteresis"];
+    assert_eq!(on, all.map(|name| (name, true)));
     assert!(effects[1]["evidence"].as_str().is_some_and(|e| e.contains("size-38")), "{}", effects[1]);
     assert!(effects[2]["evidence"].as_str().is_some_and(|e| e.ends_with("0.35")), "{}", effects[2]);
     assert!(effects.iter().all(|e| e["rule"].as_str().is_some_and(|r| !r.is_empty())));

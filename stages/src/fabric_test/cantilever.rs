@@ -27,6 +27,8 @@ const MOST: f64 = 200.0;
 const EDGE: f64 = 2e-3;
 /// Slope within which the tip is on the plane, rad, and how often it is sought.
 const CLOSE: f64 = 5e-4;
+/// Where the yarns rub, strips hang a little differently each time, as in the laboratory.
+const CLOSE_RUBBING: f64 = 0.01;
 const TRIES: usize = 12;
 
 /// Share of the bending length by which a strip may differ from the file: what laboratories differ by.
@@ -101,9 +103,10 @@ impl Sheet<'_> {
     fn overhang(&self, likely: f64, cx: &mut StageContext<'_>) -> Result<(f64, Vec<[f64; 2]>), StageError> {
         let (mut a, mut b) = (libm::log(likely), libm::log(1.04 * likely));
         let (mut fa, _) = self.slope(libm::exp(a), cx)?;
+        let close = if self.fabric.bend_friction() > 0.0 { CLOSE_RUBBING } else { CLOSE };
         for _ in 0..TRIES {
             let (fb, profile) = self.slope(libm::exp(b), cx)?;
-            if fb.abs() < CLOSE {
+            if fb.abs() < close {
                 return Ok((libm::exp(b), profile));
             }
             // Not a pure elastica: a step is never longer than a quarter.

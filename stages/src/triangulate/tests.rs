@@ -335,8 +335,8 @@ fn bad_outlines_are_named_with_their_place() {
         "coordinate-out-of-range"
     );
     assert_eq!(code(rectangle(0, "big", 1000.0, 1000.0), 0.05).0, "limit");
-    assert_eq!(code(rectangle(0, "small", 10.0, 10.0), 50.0).0, "edge-length");
-    assert_eq!(code(rectangle(0, "zero", 10.0, 10.0), 0.0).0, "edge-length");
+    assert_eq!(code(rectangle(0, "small", 30.0, 30.0), 150.0).0, "edge-length");
+    assert_eq!(code(rectangle(0, "zero", 30.0, 30.0), 0.0).0, "edge-length");
     let mut hole = rectangle(0, "hole", 100.0, 100.0);
     hole.cutouts = vec![PieceLine { closed: true, ..line(&[(200.0, 0.0), (250.0, 0.0), (250.0, 50.0)]) }];
     assert_eq!(code(hole.clone(), 12.0).0, "hole-misplaced");

@@ -3,8 +3,9 @@
 
 use crate::{Curve, Integrator, Material, Settings, Switch};
 
-/// Cells of a table, and how far over the limit it goes.
+/// Cells of a table, more for kinks of measured curves, and how far over the limit it goes.
 const CELLS: usize = 256;
+const CELLS_OF_SAMPLES: usize = 1024;
 const BEYOND: f64 = 1.5;
 /// Share of the strain limit at which the cloth begins to lock, and at which it is locked …
 pub(crate) const LOCKING: f64 = 0.9925;
@@ -52,7 +53,11 @@ impl Law {
     /// Up to `reach` strain (a straight line beyond), with the tangent capped; `limit`: the strain at which the cloth
     /// locks (infinite for never).
     pub fn new(curve: &Curve, cap: f64, reach: f64, limit: f64) -> Self {
-        let cells = if matches!(curve, Curve::Linear { .. }) { 1 } else { CELLS };
+        let cells = match curve {
+            Curve::Linear { .. } => 1,
+            Curve::Samples(_) => CELLS_OF_SAMPLES,
+            Curve::Exponential { .. } => CELLS,
+        };
         let step = reach / cells as f64;
         let tangent: Vec<f64> = (0..=cells)
             .map(|i| match curve {
