@@ -5,13 +5,13 @@ use super::console::Console;
 use crate::engine::{Exit, Stop, clean, write_whole};
 use crate::load;
 use crate::progress::Voice;
+use crate::study::choose::millimetres;
 use crate::study::report::Head;
 use crate::study::{Axes, Bench, Halt, Ran, Setting, Study, chart, page, report, table};
 use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toile_garment::Diagnostic;
-use toile_garment::units::Length;
 use toile_stage_api::Registry;
 
 /// Names of the results.
@@ -167,12 +167,7 @@ fn words<T: DeserializeOwned>(texts: &[String], option: &str, own: Vec<T>) -> Re
 /// A length in mm.
 fn length(text: &str, option: &str) -> Result<f64, Diagnostic> {
     let wrong = |why: String| Diagnostic::error("wrong-value", format!("{option}: {why}")).hint("write e.g. \"12 mm\"");
-    let metres = text.parse::<Length>().map_err(|e| wrong(e.to_string()))?.0;
-    if metres > 0.0 {
-        Ok(toile_garment::units::tidy(1e3 * metres))
-    } else {
-        Err(wrong(format!("`{text}` is not above 0")))
-    }
+    millimetres(text).map_err(wrong)
 }
 
 fn usage(finding: Diagnostic) -> Halt {

@@ -36,6 +36,15 @@ pub enum Refusal {
     OutOfReach(f64),
 }
 
+/// A length above 0 in a text, mm.
+///
+/// # Errors
+/// When it is none.
+pub fn millimetres(text: &str) -> Result<f64, String> {
+    let metres = text.parse::<Length>().map_err(|e| e.to_string())?.0;
+    if metres > 0.0 { Ok(tidy(1e3 * metres)) } else { Err(format!("`{text}` is not above 0")) }
+}
+
 impl Wanted {
     /// Reads the name of a preset or a length.
     ///
@@ -47,8 +56,7 @@ impl Wanted {
         }
         let names = PRESETS.map(|p| p.name).join(", ");
         let wrong = |why: String| format!("{why}; an accuracy is one of {names}, or a length such as \"2 mm\"");
-        let metres = text.parse::<Length>().map_err(|e| wrong(e.to_string()))?.0;
-        if metres > 0.0 { Ok(Self::Length(tidy(1e3 * metres))) } else { Err(wrong(format!("`{text}` is not above 0"))) }
+        millimetres(text).map(Self::Length).map_err(wrong)
     }
 
     /// Chooses.

@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use toile_garment::dart::{Dart, DartEvidence, DartKind};
+use toile_garment::fabric::{Fabric, StretchLaw};
 use toile_garment::outline::{LinePoint, OutlineEdge, PieceLine, PointKind};
 use toile_garment::sewing::{RunSpec, RunWay, SeamSpec};
 use toile_garment::{Garment, Piece, PieceId, Report, Vec2};
@@ -107,4 +108,26 @@ pub fn two_points(piece: &str, from: (f64, f64), to: (f64, f64)) -> RunSpec {
 /// A seam without more.
 pub fn seam(name: &str, a: Vec<RunSpec>, b: Vec<RunSpec>) -> SeamSpec {
     SeamSpec { name: name.into(), a, b, reverse: None, ease: None, gather: None, source: None }
+}
+
+/// A fabric of the same stretch both ways without friction in bending; SI units.
+pub fn cloth(areal_mass: f64, stretch: f64, shear: f64, bending: [f64; 2]) -> Fabric {
+    Fabric {
+        name: "test".to_owned(),
+        areal_mass,
+        thickness: 3e-4,
+        friction: 0.3,
+        stretch_warp: StretchLaw::Linear { stiffness: stretch },
+        stretch_weft: StretchLaw::Linear { stiffness: stretch },
+        poisson: 0.0,
+        shear,
+        bend_warp: bending[0],
+        bend_weft: bending[1],
+        bend_bias: None,
+        bend_hysteresis: None,
+        bend_holds_friction: false,
+        strain_limit_warp: 0.5,
+        strain_limit_weft: 0.5,
+        sources: std::collections::BTreeMap::new(),
+    }
 }

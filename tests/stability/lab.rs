@@ -154,7 +154,7 @@ impl<'a> Lab<'a> {
     ) -> Result<Ended, String> {
         self.count.runs += 1;
         let temporary = tempfile::tempdir().map_err(|e| e.to_string())?;
-        let folder = match &self.options.keep {
+        let folder = match &self.options.common.keep {
             Some(keep) => {
                 let variant = self.vary.words().replace([':', ' ', ','], "");
                 keep.join(&self.id).join(format!("{variant}{}", self.count.runs))
@@ -162,11 +162,11 @@ impl<'a> Lab<'a> {
             None => temporary.path().to_path_buf(),
         };
         std::fs::create_dir_all(&folder).and_then(|()| write(&folder)).map_err(|e| e.to_string())?;
-        let run = program::run(&folder, self.options.cap - self.used, more);
+        let run = program::run(&folder, self.options.common.cap - self.used, more);
         self.used += run.cpu;
         if run.code == 130 {
             self.count.accepted += 1;
-            return Err(format!("no end within {:.0} CPU s", self.options.cap));
+            return Err(format!("no end within {:.0} CPU s", self.options.common.cap));
         }
         Ok(run)
     }

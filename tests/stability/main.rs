@@ -46,7 +46,7 @@ fn main() -> ExitCode {
         }
     };
     let chosen: Vec<_> = cases::all().into_iter().filter(|c| options.takes(c)).collect();
-    if options.list {
+    if options.common.list {
         chosen.iter().for_each(|c| println!("{}: test", c.id));
         return ExitCode::SUCCESS;
     }
@@ -58,10 +58,10 @@ fn main() -> ExitCode {
         rows.push(row);
     }
     println!("{}", table::summary(&rows));
-    if options.wide() && options.words.is_empty() {
+    if options.wide() && options.common.words.is_empty() {
         println!("{}\n{}", cases::elsewhere::text(), cases::not_yet::text());
     }
-    if let Some(file) = &options.json {
+    if let Some(file) = &options.common.json {
         std::fs::write(file, table::json(&rows)).expect("the table is written");
     }
     ExitCode::from(u8::from(rows.iter().any(|r| r.breaks(options.wide()))))

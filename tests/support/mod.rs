@@ -9,4 +9,5 @@ pub mod glb;
 pub mod mesh;
 pub mod program;
 pub mod stages;
+pub mod switches;
 pub mod trial;

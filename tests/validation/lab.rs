@@ -54,16 +54,16 @@ impl<'a> Lab<'a> {
     pub fn drape(&mut self, trial: &Trial) -> Result<Draped, String> {
         self.runs += 1;
         let temporary = tempfile::tempdir().map_err(|e| e.to_string())?;
-        let folder: PathBuf = match &self.options.keep {
+        let folder: PathBuf = match &self.options.common.keep {
             Some(folder) => folder.join(&self.name).join(self.runs.to_string()),
             None => temporary.path().to_path_buf(),
         };
         trial.write(&folder, &self.options.drape).map_err(|e| e.to_string())?;
-        let run = program::run(&folder, self.options.cap - self.used, &[]);
+        let run = program::run(&folder, self.options.common.cap - self.used, &[]);
         self.used += run.cpu;
         self.since_row += run.cpu;
         if run.code == 130 {
-            return Err(format!("did not settle within {:.0} CPU s", self.options.cap));
+            return Err(format!("did not settle within {:.0} CPU s", self.options.common.cap));
         }
         if run.code > 1 {
             let finding = run.findings().last().map(|f| f["message"].to_string());

@@ -35,7 +35,7 @@ fn main() -> ExitCode {
         }
     };
     let chosen: Vec<_> = cases::all().into_iter().filter(|c| options.takes(c)).collect();
-    if options.list {
+    if options.common.list {
         chosen.iter().for_each(|c| println!("{}: test", c.name));
         return ExitCode::SUCCESS;
     }
@@ -47,12 +47,13 @@ fn main() -> ExitCode {
         rows.extend(result);
     }
     println!("{}", table::summary(&rows));
-    if options.all && options.words.is_empty() {
+    if options.common.all && options.common.words.is_empty() {
         println!("{}", cases::not_yet::text());
     }
-    if let Some(file) = &options.json {
+    if let Some(file) = &options.common.json {
         std::fs::write(file, table::json(&rows)).expect("the table is written");
     }
-    let wrong = |r: &case::Row| r.verdict == case::Verdict::Bad || (!options.all && r.verdict != case::Verdict::Good);
+    let wrong =
+        |r: &case::Row| r.verdict == case::Verdict::Bad || (!options.common.all && r.verdict != case::Verdict::Good);
     ExitCode::from(u8::from(rows.iter().any(wrong)))
 }

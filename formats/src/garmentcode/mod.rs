@@ -83,10 +83,14 @@ pub fn read(bytes: &[u8], file: &str, flatness: f64) -> Result<Read, Vec<Diagnos
     Ok(Read { garment, plan, findings: at(findings, file) })
 }
 
-fn at(list: Vec<Diagnostic>, file: &str) -> Vec<Diagnostic> {
+/// An entry that cannot be right.
+fn wrong(what: String) -> Diagnostic {
     let remedy = "mend this entry of the specification, or make it anew in GarmentCode";
-    let help = |d: Diagnostic| if d.code == "garmentcode-wrong" && d.hint.is_none() { d.hint(remedy) } else { d };
-    list.into_iter().map(|d| help(d).at(SourceRef::file(file))).collect()
+    Diagnostic::error("garmentcode-wrong", what).hint(remedy)
+}
+
+fn at(list: Vec<Diagnostic>, file: &str) -> Vec<Diagnostic> {
+    list.into_iter().map(|d| d.at(SourceRef::file(file))).collect()
 }
 
 /// `skirt` of `path/skirt_specification.json`.

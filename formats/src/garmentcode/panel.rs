@@ -19,7 +19,7 @@ pub struct Built {
 
 /// Builds the piece, metres.
 pub fn piece(panel: &Panel, spec: &Spec, flatness: f64) -> Result<Built, Diagnostic> {
-    let fail = |what: String| Diagnostic::error("garmentcode-wrong", format!("panel `{}`: {what}", panel.name));
+    let fail = |what: String| super::wrong(format!("panel `{}`: {what}", panel.name));
     let order = chained(panel).ok_or_else(|| fail("its edges make no single closed loop".into()))?;
     let mut points: Vec<LinePoint> = Vec::new();
     let mut starts = Vec::new();

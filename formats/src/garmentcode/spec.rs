@@ -61,7 +61,7 @@ struct Reader {
 impl Reader {
     fn fail<T>(&mut self, place: &str, what: &str) -> Option<T> {
         if self.errors.len() < MISTAKES {
-            self.errors.push(Diagnostic::error("garmentcode-wrong", format!("{place}: {what}")));
+            self.errors.push(super::wrong(format!("{place}: {what}")));
         }
         None
     }

@@ -31,7 +31,7 @@ pub fn seams(spec: &Spec, panels: &[Built], findings: &mut Vec<Diagnostic>) -> R
             if !taken.insert((panel, edge)) {
                 let name = &spec.panels[panel].name;
                 let text = format!("stitch {i}: edge {edge} of panel `{name}` is sewn twice");
-                errors.push(Diagnostic::error("garmentcode-wrong", text));
+                errors.push(super::wrong(text));
             }
         }
     }

@@ -93,9 +93,7 @@ fn logical_lines(bytes: &[u8]) -> impl Iterator<Item = (u64, std::borrow::Cow<'_
 impl Scanner<'_> {
     fn fail(&mut self, line: u64, code: &str, message: String) -> &mut Self {
         if self.findings.len() < MAX_FINDINGS {
-            let finding = Diagnostic::error(code, message).at(SourceRef::file(self.file).at_line(line));
-            let empty = "export a mesh of triangles, with its faces";
-            self.findings.push(if code == "obj-empty" { finding.hint(empty) } else { finding });
+            self.findings.push(Diagnostic::error(code, message).at(SourceRef::file(self.file).at_line(line)));
         } else {
             self.more = self.more.saturating_add(1);
         }
@@ -147,6 +145,11 @@ impl Scanner<'_> {
                 None
             }
         }
+    }
+
+    fn empty(&mut self, message: String) {
+        self.fail(1, "obj-empty", message);
+        self.hint("export a mesh of triangles, with its faces");
     }
 
     fn hint(&mut self, text: &str) {
@@ -245,9 +248,9 @@ impl Scanner<'_> {
     fn finish(mut self) -> Result<Scan, Vec<Diagnostic>> {
         if self.findings.is_empty() {
             if self.out.positions.is_empty() {
-                self.fail(1, "obj-empty", "the file has no vertices".to_owned());
+                self.empty("the file has no vertices".to_owned());
             } else if self.out.faces.is_empty() {
-                self.fail(1, "obj-empty", format!("the file has {} vertices but no faces", self.out.positions.len()));
+                self.empty(format!("the file has {} vertices but no faces", self.out.positions.len()));
             }
         }
         if self.more > 0 {

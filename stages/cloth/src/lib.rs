@@ -56,6 +56,12 @@ pub(crate) fn pick3(x: &[Vec3], i: &[u32; 3]) -> [Vec3; 3] {
     [x[i[0] as usize], x[i[1] as usize], x[i[2] as usize]]
 }
 
+/// Unit normal of a triangle; `None` where it has no area.
+#[inline]
+pub(crate) fn unit_normal([a, b, c]: [Vec3; 3]) -> Option<Vec3> {
+    (b - a).cross(&(c - a)).try_normalize(0.0)
+}
+
 /// Values at four places.
 #[inline]
 pub(crate) fn pick4(x: &[Vec3], i: &[u32; 4]) -> [Vec3; 4] {

@@ -10,6 +10,7 @@ use crate::energy::structural::Structural;
 use crate::energy::weight::Weight;
 use crate::energy::{Energy, elastic};
 use crate::limit::StrainLimit;
+use crate::scene::EARTH;
 use crate::sewing::{Sewing, mean_edge};
 use crate::start::Start;
 use crate::topology::Topology;
@@ -223,7 +224,7 @@ pub(crate) fn held(scene: &Scene) -> Vec<(u32, Vec3)> {
 /// Mean weight of a vertex, N; under the earth's gravity where the scene has none.
 pub(crate) fn mean_weight(mass: &[f64], gravity: f64) -> f64 {
     let (sum, n) = mass.iter().filter(|m| **m > 0.0).fold((0.0, 0.0), |(s, n), m| (s + m, n + 1.0));
-    if n > 0.0 { sum / n * if gravity > 0.0 { gravity } else { 9.81 } } else { 0.0 }
+    if n > 0.0 { sum / n * if gravity > 0.0 { gravity } else { EARTH } } else { 0.0 }
 }
 
 /// The energies of a model, and the weight.

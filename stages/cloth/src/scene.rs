@@ -69,10 +69,16 @@ pub struct Material {
     pub strain_limit: [f64; 2],
 }
 
-/// Under which bending lengths are told, m/s².
-const GRAVITY: f64 = 9.81;
+/// Gravity under which bending lengths are told, m/s².
+pub const EARTH: f64 = 9.81;
 /// Least flexibility in twist over that of the mean of warp and weft: a measured bias strip may be stiffer than any plate.
 const STIFFEST_TWIST: f64 = 0.5;
+
+/// Peirce's bending length of a rigidity (N·m) under an areal mass (kg/m²) and gravity (m/s²), m: (B/(σ g))^⅓.
+#[must_use]
+pub fn bending_length(bending: f64, areal_mass: f64, gravity: f64) -> f64 {
+    libm::cbrt(bending / (areal_mass * gravity))
+}
 
 impl Material {
     /// Linear, isotropic in the plane: Young modulus per width `young` (N/m), Poisson ratio, bending rigidity (N·m).
@@ -116,10 +122,10 @@ impl Material {
         if twist > 0.0 { 4.0 / (1.0 / self.bend_warp + 1.0 / self.bend_weft + 1.0 / twist) } else { 0.0 }
     }
 
-    /// Peirce's bending length of the softer direction, m: (B/(σ g))^⅓.
+    /// Bending length of the softer direction, m.
     #[must_use]
     pub fn bending_length(&self) -> f64 {
-        libm::cbrt(self.bend_warp.min(self.bend_weft) / (self.areal_mass * GRAVITY))
+        bending_length(self.bend_warp.min(self.bend_weft), self.areal_mass, EARTH)
     }
 
     /// How much of the moment in a fold of the size of the bending length is friction, HB c/B; 0 for cloth that does not

@@ -25,10 +25,11 @@ const ROWS: f64 = 24.0;
 const MOST: f64 = 200.0;
 /// Longest edge if nothing is asked, m.
 const EDGE: f64 = 2e-3;
-/// Slope within which the tip is on the plane, rad, and how often it is sought.
+/// Slope within which the tip is on the plane, rad.
 const CLOSE: f64 = 5e-4;
 /// Where the yarns rub, strips hang a little differently each time, as in the laboratory.
 const CLOSE_RUBBING: f64 = 0.01;
+/// How often the tip is sought.
 const TRIES: usize = 12;
 
 /// Share of the bending length by which a strip may differ from the file: what laboratories differ by.
@@ -58,6 +59,8 @@ pub struct Cantilever {
     pub rigidity: f64,
     /// What the fabric's numbers say, N·m, and whether that number is in the file or estimated.
     pub expected: (f64, bool),
+    /// Does friction act in its bending?
+    pub rubs: bool,
     /// The strip's middle line from the edge to the tip: along and down, m.
     pub profile: Vec<[f64; 2]>,
 }
@@ -86,6 +89,7 @@ pub fn cantilever(
         bending_length: c,
         rigidity: fabric.areal_mass * GRAVITY * c * c * c,
         expected: (expected, params.direction.is_given(fabric)),
+        rubs: fabric.bend_friction() > 0.0,
         profile,
     })
 }
@@ -160,7 +164,12 @@ pub fn compare(read: &Cantilever, cx: &mut StageContext<'_>) {
             read.direction.word(),
             100.0 * off
         );
-        let hint = "repeat with a shorter --edge; what stays is how garments of this fabric will bend";
+        let hint = if read.rubs {
+            "the friction 2HB holds the strip up beside its rigidity; where the rigidity comes from a cantilever and \
+             holds that friction already, leave 2HB out"
+        } else {
+            "repeat with a shorter --edge; what stays is how garments of this fabric will bend"
+        };
         cx.report.push(Diagnostic::warning("bending-differs-from-file", message).hint(hint));
     }
 }

@@ -58,8 +58,8 @@ impl Direction {
     }
 }
 
-/// Peirce's bending length of a rigidity, m: `c = (B/(σ g))^⅓`.
+/// Peirce's bending length of a rigidity on Earth, m.
 #[must_use]
 pub fn bending_length(bending: f64, areal_mass: f64) -> f64 {
-    libm::cbrt(bending / (areal_mass * GRAVITY))
+    toile_cloth::scene::bending_length(bending, areal_mass, GRAVITY)
 }

@@ -39,7 +39,7 @@ use toile_stage_api::StageError;
 /// Shortest bending length that is tested, m: as in fabric files.
 const LIMPEST: f64 = 1e-3;
 /// m/s², as in fabric files and in `drape`.
-const GRAVITY: f64 = 9.81;
+const GRAVITY: f64 = toile_cloth::scene::EARTH;
 
 /// Refuses an option outside its range, both in the first unit of `D`.
 fn within<D: Dimension>(name: &str, value: f64, range: std::ops::RangeInclusive<f64>) -> Result<(), StageError> {

@@ -2,30 +2,8 @@
 
 use super::direction::bending_length;
 use super::*;
-use crate::testing::lend;
-use toile_garment::fabric::{Fabric, StretchLaw};
-
-/// SI units.
-fn cloth(areal_mass: f64, stretch: f64, shear: f64, bending: [f64; 2]) -> Fabric {
-    Fabric {
-        name: "test".to_owned(),
-        areal_mass,
-        thickness: 3e-4,
-        friction: 0.3,
-        stretch_warp: StretchLaw::Linear { stiffness: stretch },
-        stretch_weft: StretchLaw::Linear { stiffness: stretch },
-        poisson: 0.0,
-        shear,
-        bend_warp: bending[0],
-        bend_weft: bending[1],
-        bend_bias: None,
-        bend_hysteresis: None,
-        bend_holds_friction: false,
-        strain_limit_warp: 0.5,
-        strain_limit_weft: 0.5,
-        sources: std::collections::BTreeMap::new(),
-    }
-}
+use crate::testing::{cloth, lend};
+use toile_garment::fabric::Fabric;
 
 fn shirting() -> Fabric {
     cloth(0.115, 3000.0, 45.0, [8e-6, 5e-6])

@@ -4,27 +4,40 @@ use std::collections::BTreeMap;
 use toile_garment::mesh::{ChainKind, MeshChain, PieceMesh};
 use toile_garment::{Diagnostic, SourceRef, Vec2};
 
-/// Chains of boundary edges, the cloth on their left. Where they cannot be told apart (two corners that touch), the
-/// walk takes the edge of the lowest vertex; edges of three triangles are a warning.
-pub fn chains(mesh: &PieceMesh, file: &str, findings: &mut Vec<Diagnostic>) -> Vec<MeshChain> {
-    let mut users: BTreeMap<(u32, u32), (u32, [u32; 2], f64)> = BTreeMap::new();
+/// The triangles at an edge: how many, and its ends as the first of them runs, its length at rest.
+pub struct Users {
+    pub count: u32,
+    ends: [u32; 2],
+    length: f64,
+}
+
+/// Of every edge, by its ends, the lower first.
+pub fn users(mesh: &PieceMesh) -> BTreeMap<[u32; 2], Users> {
+    let mut users: BTreeMap<[u32; 2], Users> = BTreeMap::new();
     for (t, corners) in mesh.triangles.iter().enumerate() {
         let rest = mesh.rest_triangle(t).unwrap_or([Vec2::zeros(); 3]);
         for k in 0..3 {
             let (a, b) = (corners[k], corners[(k + 1) % 3]);
-            let entry = users.entry((a.min(b), a.max(b))).or_insert((0, [a, b], 0.0));
-            entry.0 += 1;
-            entry.2 = (rest[(k + 1) % 3] - rest[k]).norm();
+            let entry = users.entry([a.min(b), a.max(b)]).or_insert(Users { count: 0, ends: [a, b], length: 0.0 });
+            entry.count += 1;
+            entry.length = (rest[(k + 1) % 3] - rest[k]).norm();
         }
     }
-    let crowded = users.values().filter(|u| u.0 > 2).count();
+    users
+}
+
+/// Chains of boundary edges, the cloth on their left. Where they cannot be told apart (two corners that touch), the
+/// walk takes the edge of the lowest vertex; edges of three triangles are a warning.
+pub fn chains(mesh: &PieceMesh, file: &str, findings: &mut Vec<Diagnostic>) -> Vec<MeshChain> {
+    let users = users(mesh);
+    let crowded = users.values().filter(|u| u.count > 2).count();
     if crowded > 0 {
         let message = format!("`{file}`: {crowded} edges belong to more than two triangles");
         findings.push(Diagnostic::warning("mesh-not-manifold", message).at(SourceRef::file(file)));
     }
     let mut next: BTreeMap<u32, Vec<(u32, f64)>> = BTreeMap::new();
-    for (_, [a, b], length) in users.into_values().filter(|u| u.0 == 1) {
-        next.entry(a).or_default().push((b, length));
+    for u in users.into_values().filter(|u| u.count == 1) {
+        next.entry(u.ends[0]).or_default().push((u.ends[1], u.length));
     }
     for out in next.values_mut() {
         out.sort_by_key(|(v, _)| std::cmp::Reverse(*v));

@@ -178,7 +178,7 @@ fn one_piece(
     let positions: Vec<Vec3> = cloth.positions.iter().map(|p| params.up.from_file(*p)).collect();
     let mut built = rest::build(params.rest, file, &positions, &cloth).map_err(|d| StageError::input(*d))?;
     cx.report.findings.append(&mut built.findings);
-    let borders = Borders { mesh: &built.mesh, at: &positions, file };
+    let borders = Borders::new(&built.mesh, &positions, file);
     if let Some(finding) = borders.junction().or_else(|| borders.doubled(stitches)) {
         return Err(StageError::input(finding));
     }

@@ -1,10 +1,11 @@
 //! Effects of the drape: on or off, by which rule, on what evidence, as far as files and parameters say it.
 
 use super::MeshSize;
-use crate::drape::{EffectsParam, SwitchName};
+use crate::drape::{EffectsParam, IntegratorName, SwitchName};
 use crate::solve::material;
 use serde::Deserialize as _;
 use serde_json::Value;
+use toile_cloth::{HYSTERESIS_FELT, Integrator};
 use toile_garment::Garment;
 use toile_garment::fabric::Fabric;
 use toile_garment::garment::EffectRecord;
@@ -23,8 +24,12 @@ pub fn effects(params: &Value, garment: &Garment, mesh: Option<MeshSize>) -> Vec
     let friction =
         effect("friction", switches.friction, "contact and a coefficient above 0", of_friction(garment, touches));
     let limit = effect("strain-limit", switches.strain_limit, "a fabric has a limit", of_limits(garment));
-    let bending =
-        effect("bending-hysteresis", switches.bending_hysteresis, toile_cloth::HYSTERESIS_RULE, of_bending(garment));
+    let bending = effect(
+        "bending-hysteresis",
+        switches.bending_hysteresis,
+        toile_cloth::HYSTERESIS_RULE,
+        of_bending(params, garment),
+    );
     vec![own, body, friction, limit, bending]
 }
 
@@ -71,9 +76,15 @@ fn of_friction(garment: &Garment, touches: bool) -> Evidence {
     }
 }
 
-fn of_bending(garment: &Garment) -> Evidence {
+fn of_bending(params: &Value, garment: &Garment) -> Evidence {
+    let integrator = params.get("integrator").and_then(|i| IntegratorName::deserialize(i).ok()).unwrap_or_default();
+    if Integrator::from(integrator) == Integrator::CentralDifference {
+        return (false, "central differences do not simulate it".to_owned());
+    }
+    let switches = params.get("effects").and_then(|e| EffectsParam::deserialize(e).ok()).unwrap_or_default();
+    let least = if switches.bending_hysteresis == SwitchName::On { f64::MIN_POSITIVE } else { HYSTERESIS_FELT };
     let most = garment.fabrics.values().map(|f| material(f).bend_friction_share()).fold(0.0, f64::max);
-    (most >= toile_cloth::HYSTERESIS_FELT, format!("largest of the fabrics {most:.2}"))
+    (most >= least, format!("largest of the fabrics {most:.2}"))
 }
 
 fn of_limits(garment: &Garment) -> Evidence {
@@ -112,5 +123,21 @@ mod tests {
         let found = effects(&json!({ "effects": { "self-contact": "off" } }), &Garment::default(), None);
         assert!(!found[0].on && found[0].rule.contains("effects.self-contact = \"off\""));
         assert_eq!(found[2].evidence, "no contact is simulated");
+    }
+
+    #[test]
+    fn friction_in_bending_is_foreseen_as_the_drape_takes_it() {
+        let fabric = |hysteresis: f64| Fabric {
+            bend_hysteresis: Some(hysteresis),
+            ..crate::testing::cloth(0.15, 3000.0, 40.0, [1e-5; 2])
+        };
+        let on = |params: Value, hysteresis: f64| {
+            let fabrics = [("cloth".to_owned(), fabric(hysteresis))].into_iter().collect();
+            effects(&params, &Garment { fabrics, ..Garment::default() }, None)[4].on
+        };
+        let asked = json!({ "effects": { "bending-hysteresis": "on" } });
+        assert!(on(json!({}), 1e-3) && !on(json!({}), 1e-6), "by itself where it is felt");
+        assert!(on(asked.clone(), 1e-6) && !on(asked, 0.0), "asked for: wherever there is any");
+        assert!(!on(json!({ "integrator": "central-difference" }), 1e-3));
     }
 }

@@ -1,6 +1,7 @@
 //! Where in the garment the solver failed.
 
 use super::failure;
+use super::watch::MESH_ANEW;
 use toile_cloth::ClothError;
 use toile_garment::{Diagnostic, Garment, Piece, Vec3};
 use toile_stage_api::StageError;
@@ -48,7 +49,7 @@ fn narrow(garment: &Garment, at: &[Vec<Vec3>]) -> Option<StageError> {
         p.z
     );
     let finding = Diagnostic::error("flat-triangle", message).at(piece.source.clone());
-    Some(StageError::input(finding.hint("mesh the cloth anew there, or join the vertices of the short edge")))
+    Some(StageError::input(finding.hint(MESH_ANEW)))
 }
 
 fn named(finding: Diagnostic, piece: &Piece) -> Diagnostic {

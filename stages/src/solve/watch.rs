@@ -28,13 +28,16 @@ impl Watch for Follow<'_> {
     }
 }
 
+/// What to do about a triangle without width.
+pub const MESH_ANEW: &str = "mesh the cloth anew there, or join the vertices of the short edge";
+
 /// The solver's failure as a stage's: by whose fault it is.
 #[must_use]
 pub fn failure(error: ClothError) -> StageError {
     match error {
         ClothError::Cancelled { .. } => StageError::Cancelled,
         ClothError::BadScene { code: code @ "flat-triangle", what } => StageError::input(
-            Diagnostic::error(code, what).hint("mesh the cloth anew there, or join the vertices of the short edge"),
+            Diagnostic::error(code, what).hint(MESH_ANEW),
         ),
         ClothError::BadScene { code, what } => StageError::input(Diagnostic::error(code, what)),
         ClothError::BadSetting { name, what } => {

@@ -42,6 +42,24 @@ pub fn sheet(size: [f64; 2], nx: usize, ny: usize, family: Family, calm: impl Fn
     Mesh { at, rest, triangles }
 }
 
+/// A rectangle of square cells, each cut along both diagonals: edges run along yarns that lie at 45°.
+pub fn crossed(size: [f64; 2], nx: usize, ny: usize) -> Mesh {
+    let [dx, dy] = [size[0] / nx as f64, size[1] / ny as f64];
+    let grid = |half: f64, nx: usize, ny: usize| {
+        (0..ny).flat_map(move |j| (0..nx).map(move |i| [(i as f64 + half) * dx, (j as f64 + half) * dy]))
+    };
+    let rest: Vec<[f64; 2]> = grid(0.0, nx + 1, ny + 1).chain(grid(0.5, nx, ny)).collect();
+    let middles = (nx + 1) * (ny + 1);
+    let cell = |k: usize| {
+        let (i, j) = (k % nx, k / nx);
+        let ring = [j * (nx + 1) + i, j * (nx + 1) + i + 1, (j + 1) * (nx + 1) + i + 1, (j + 1) * (nx + 1) + i];
+        (0..4).map(move |c| [ring[c], ring[(c + 1) % 4], middles + k])
+    };
+    let triangles = (0..nx * ny).flat_map(cell).collect();
+    let at = rest.iter().map(|r| Vec3::new(r[0], r[1], 0.0)).collect();
+    Mesh { at, rest, triangles }
+}
+
 /// Triangles between two rows: the shorter diagonal first, on squares always the same.
 fn join_rows(rest: &[[f64; 2]], low: &[usize], high: &[usize], family: Family, out: &mut Vec<[usize; 3]>) {
     let (mut i, mut j) = (0, 0);

@@ -1,9 +1,13 @@
 //! Bias extension: shear angle in the middle of a strip cut at 45° and pulled by its ends.
+//!
+//! The closed form is that of yarns that do not stretch, and converges slowly: a strip of linear cloth, solved by finite
+//! elements on fine meshes, falls short of it by 18 % at K/G = 100, 13 % at 200, 3.4 % at 2,000 and 0.7 % at 20,000. And where
+//! yarns do not stretch, triangles with edges off the yarns lock: here the edges run along them.
 
 use crate::case::{Case, case, share};
 use crate::lab::Lab;
 use crate::support::cloth::Cloth;
-use crate::support::mesh::{FAMILIES, Family, Mesh, area, sheet};
+use crate::support::mesh::{Mesh, area, sheet};
 use crate::support::trial::Trial;
 use std::f64::consts::{FRAC_PI_4, SQRT_2};
 use toile_garment::Vec3;
@@ -12,31 +16,28 @@ const LENGTH: f64 = 0.2;
 const WIDTH: f64 = 0.1;
 
 pub fn cases() -> Vec<Case> {
-    FAMILIES
-        .into_iter()
-        .map(|f| case(format!("bias-extension-0.{}", f.name()), move |lab: &mut Lab| extend(lab, f)))
-        .collect()
+    vec![case("bias-extension-0", extend)]
 }
 
-fn extend(lab: &mut Lab, family: Family) -> Result<(), String> {
+fn extend(lab: &mut Lab) -> Result<(), String> {
     for mm in [5.0, 15.0] {
         let pull = mm * 1e-3;
         let free = LENGTH - WIDTH;
         let expected = (90.0 - 2.0 * libm::acos((free + pull) / (SQRT_2 * free)).to_degrees()).abs();
-        let angle = middle_shear(lab, family, pull)?;
+        let angle = middle_shear(lab, pull)?;
         lab.figure(format!("gamma {mm} mm deg"), angle, expected, share(0.02, 0.1));
     }
     Ok(())
 }
 
-fn middle_shear(lab: &mut Lab, family: Family, pull: f64) -> Result<f64, String> {
-    let flat = sheet::sheet([WIDTH, LENGTH], 16, if family == Family::Right { 32 } else { 36 }, family, |_| false);
+fn middle_shear(lab: &mut Lab, pull: f64) -> Result<f64, String> {
+    let flat = sheet::crossed([WIDTH, LENGTH], 16, 32);
     let end = |v: f64| flat.pick(|r| (r[1] - v).abs() < 1e-9);
     let (top, bottom) = (end(0.0), end(LENGTH));
     let stretch = 1.0 + pull / LENGTH;
     let rest = flat.rest.clone();
     let mesh = flat.clone().place(|[u, v]| Vec3::new(u, 0.0, -v * stretch)).turn(FRAC_PI_4);
-    let trial = Trial::new(mesh, Cloth::linear(0.1, 2000.0, 10.0, 0.0)).weightless().hold([top, bottom].concat());
+    let trial = Trial::new(mesh, Cloth::linear(0.1, 2e5, 1.0, 0.0)).weightless().hold([top, bottom].concat());
     let d = lab.drape(&trial)?;
     Ok(shear(&trial.cloth, &rest, &d.at).to_degrees())
 }

@@ -4,6 +4,8 @@
 //! infinite at touch (the barrier of incremental potential contact, Li et al. 2020, equation 6). Lists of what is near
 //! are made anew when the cloth has moved by the slack.
 
+mod bear;
+
 use super::body::Body;
 use super::contact::Frame;
 use super::listed::Listed;
@@ -23,11 +25,6 @@ const TIGHT: f64 = 0.1;
 const EASY: f64 = 0.4;
 const HARDER: f64 = 16.0;
 const HARDEST: f64 = 1e4;
-/// At rest, a vertex that the body's contact lets nearer than this share of its gap is felt from farther off …
-const GAVE_WAY: f64 = 0.8;
-/// … at most by so many gaps.
-const FARTHEST: f64 = 1.5;
-
 /// Largest stiffness of a contact in the metric, N/m: beyond it single precision loses the cloth behind it.
 const STEEPEST: f64 = 1e5;
 /// Slack of the lists over the mean edge: small enough that neighbours of neighbours stay out.
@@ -214,26 +211,6 @@ impl Barrier {
         any
     }
 
-    /// Lets the body's contacts push from farther off where they gave way under their load, so that the cloth comes to lie
-    /// where its gap says: what is stretched round the body would have too small a girth. The load is the same as here, and
-    /// nothing gets stiffer. Says whether any did.
-    pub fn bear(&mut self, x: &[Vec3], unknown: &[u32]) -> bool {
-        let mut farther = vec![0.0f64; self.area.len()];
-        for t in self.touches.iter().filter(|t| t.key.0 == BODY_POINT) {
-            let v = t.vertices[0] as usize;
-            let gap = self.wanted[v];
-            if t.distance < GAVE_WAY * gap && unknown[v] != FIXED {
-                farther[v] = farther[v].max(reaching(t.distance, t.gap, gap).min((1.0 + FARTHEST) * gap));
-            }
-        }
-        let any = farther.iter().any(|f| *f > 0.0);
-        if any {
-            self.frame.body_gap.iter_mut().zip(&farther).for_each(|(g, f)| *g = g.max(*f));
-            self.relist(x);
-        }
-        any
-    }
-
     fn own(&mut self, x: &[Vec3]) {
         let [points, edges, ..] = &mut self.distances;
         points.clear();
@@ -291,17 +268,6 @@ fn press(touches: &mut [Touch], f: &mut [Vec3]) -> f64 {
 fn barrier(d: f64, gap: f64) -> (f64, f64, f64) {
     let (s, l) = (d - gap, libm::log(d / gap));
     (-s * s * l, -2.0 * s * l - s * s / d, -2.0 * l - 4.0 * s / d + s * s / (d * d))
-}
-
-/// The gap whose barrier pushes at `to` as that of `gap` does at `d`.
-fn reaching(d: f64, gap: f64, to: f64) -> f64 {
-    let push = -barrier(d, gap).1;
-    let (mut low, mut high) = (to, 4.0 * to.max(gap));
-    for _ in 0..40 {
-        let middle = 0.5 * (low + high);
-        if -barrier(to, middle).1 < push { low = middle } else { high = middle }
-    }
-    0.5 * (low + high)
 }
 
 /// Remembers the pair if it is nearer than its gap (area and hardening per vertex, and the distance that vertices stand off
@@ -371,18 +337,9 @@ mod tests {
     fn a_hard_pressed_contact_hardens_until_it_stands_off() {
         let (gap, load) = (5e-4, 45e3);
         let mut b = Barrier::new(frame(gap), None, vec![1.0], None);
-        // Where the barrier of the present hardness carries the load.
-        let stands = |hard: f64| {
-            let (mut low, mut high) = (0.0, gap);
-            for _ in 0..80 {
-                let d = 0.5 * (low + high);
-                if -barrier(d, gap).1 * STIFFNESS * hard > load { low = d } else { high = d }
-            }
-            low
-        };
-        assert!(stands(1.0) < 2e-6);
+        assert!(stands(gap, load) < 2e-6);
         for round in 0..8 {
-            let d = stands(b.hard[0]);
+            let d = stands(gap, load / b.hard[0]);
             b.touches.clear();
             let found = touch(
                 &mut b.touches,
@@ -405,26 +362,27 @@ mod tests {
     fn a_contact_that_gave_way_pushes_from_farther_off() {
         let (gap, load) = (1e-3, 400.0);
         let mut b = Barrier::new(frame(gap), None, vec![1.0], None);
-        // Where the barrier that starts at `from` carries the load.
-        let stands = |from: f64| {
-            let (mut low, mut high) = (0.0, from);
-            for _ in 0..80 {
-                let d = 0.5 * (low + high);
-                if -barrier(d, from).1 * STIFFNESS > load { low = d } else { high = d }
-            }
-            low
-        };
-        let d = stands(gap);
+        let d = stands(gap, load);
         assert!(d < 0.7 * gap);
         let at = Gap { vertices: [0; 4], weights: [1.0, 0.0, 0.0, 0.0], d: Vec3::new(0.0, d, 0.0) };
         touch(&mut b.touches, &b.frame, (&b.area, &b.hard, 0.0), BODY_POINT, &at);
         let x = [Vec3::new(0.0, d, 0.0)];
         assert!(!b.bear(&x, &[FIXED]) && b.bear(&x, &[0]));
-        assert!((stands(b.frame.body_gap[0]) / gap - 1.0).abs() < 1e-6);
+        assert!((stands(b.frame.body_gap[0], load) / gap - 1.0).abs() < 1e-6);
         b.touches.clear();
         let at = Gap { d: Vec3::new(0.0, gap, 0.0), ..at };
         touch(&mut b.touches, &b.frame, (&b.area, &b.hard, 0.0), BODY_POINT, &at);
         assert!(!b.bear(&x, &[0]), "it lies where it should");
+    }
+
+    /// Where a barrier that starts at `gap` carries a load, Pa.
+    fn stands(gap: f64, load: f64) -> f64 {
+        let (mut low, mut high) = (0.0, gap);
+        for _ in 0..80 {
+            let d = 0.5 * (low + high);
+            if -barrier(d, gap).1 * STIFFNESS > load { low = d } else { high = d }
+        }
+        low
     }
 
     fn frame(gap: f64) -> Frame {

@@ -63,6 +63,7 @@ pub(crate) fn segments(p0: &Vec3, p1: &Vec3, q0: &Vec3, q1: &Vec3) -> [f64; 2] {
     }
     [s, t]
 }
+
 /// Distance of a point and a triangle.
 #[inline]
 pub(crate) fn point_triangle_gap(p: &Vec3, [a, b, c]: [&Vec3; 3]) -> f64 {

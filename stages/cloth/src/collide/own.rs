@@ -34,6 +34,7 @@ impl Own {
     pub fn list(&mut self, near: &mut Near, way: &Way<'_>, gap: f64, slack: f64, edge: f64) {
         near.clear_own();
         if self.sheet.as_ref().is_some_and(|s| s.is_spread(way)) {
+            // A sheet spread out meets itself nowhere, so nothing is listed and the old list grows stale.
             self.listed.forget();
             return;
         }

@@ -82,8 +82,7 @@ pub(crate) fn at_triangle(x: &[Vec3], topology: &Topology, triangle: u32) -> Pla
 }
 
 fn normal(x: &[Vec3], t: [u32; 3]) -> Vec3 {
-    let [a, b, c] = t.map(|v| x[v as usize]);
-    (b - a).cross(&(c - a)).try_normalize(0.0).unwrap_or_else(Vec3::z)
+    crate::unit_normal(crate::pick3(x, &t)).unwrap_or_else(Vec3::z)
 }
 
 /// Pieces that touch or cross at the start are moved apart, whole, along the line of their middles (placements often

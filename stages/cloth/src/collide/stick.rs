@@ -2,13 +2,15 @@
 //! μ times the normal force, then slides with that force (docs/static.md). Normal force, normal and place are those
 //! of the last refresh; what slid is taken over into the new place, so real stick stays and nothing creeps.
 
-use super::barrier::Touch;
+use super::barrier::{BODY_POINT, Touch};
 use crate::Vec3;
 use crate::linear::hessian::Hessian;
 use nalgebra::Matrix3;
 
-/// Tangential stiffness over area, N/m³: as the contact's own.
+/// Tangential stiffness over area, N/m³: as the contact's own …
 const STIFFNESS: f64 = 2e5;
+/// … or more where the contact would give way along the body by more than this share of its gap before it slides.
+const REACH: f64 = 0.03;
 
 struct Hold {
     vertices: [u32; 4],
@@ -34,6 +36,19 @@ pub(crate) struct Stick {
 }
 
 impl Hold {
+    fn new(t: &Touch) -> Self {
+        let most = t.friction * t.load;
+        Self {
+            vertices: t.vertices,
+            weights: t.weights,
+            normal: t.normal,
+            place: Vec3::zeros(),
+            stiffness: (STIFFNESS * t.area).max(most / (REACH * t.gap)),
+            most,
+            key: t.key,
+        }
+    }
+
     #[inline]
     fn at(&self, x: &[Vec3]) -> Vec3 {
         let mut p = Vec3::zeros();
@@ -56,19 +71,7 @@ impl Hold {
 impl Stick {
     /// New normal forces and places from the contacts at `x`.
     pub fn refresh(&mut self, x: &[Vec3], touches: &[Touch]) {
-        let mut holds: Vec<Hold> = touches
-            .iter()
-            .filter(|t| t.friction > 0.0 && t.load > 0.0)
-            .map(|t| Hold {
-                vertices: t.vertices,
-                weights: t.weights,
-                normal: t.normal,
-                place: Vec3::zeros(),
-                stiffness: STIFFNESS * t.area,
-                most: t.friction * t.load,
-                key: t.key,
-            })
-            .collect();
+        let mut holds: Vec<Hold> = touches.iter().filter(|t| t.friction > 0.0 && t.load > 0.0).map(Hold::new).collect();
         holds.sort_by_key(|h| h.key);
         (self.slid, self.largest) = (0, 0.0);
         let mut old = self.holds.iter().peekable();
@@ -86,6 +89,15 @@ impl Stick {
         }
         self.most = self.most.max(holds.len());
         self.holds = holds;
+    }
+
+    /// Strains the holds of vertices on the body until each pulls with the force given, N; vertices ascending.
+    pub fn take_up(&mut self, pulls: &[(u32, Vec3)]) {
+        for h in self.holds.iter_mut().filter(|h| h.key.0 == BODY_POINT) {
+            if let Ok(i) = pulls.binary_search_by_key(&h.vertices[0], |p| p.0) {
+                h.place += pulls[i].1 / h.stiffness;
+            }
+        }
     }
 
     /// The body moved: what holds to it is held elsewhere now; `shift` tells by how much for each pair.

@@ -13,8 +13,7 @@ pub(super) fn viscous(d: &Dynamics, mass: &[f64], cloth: &[Element], x: &[Vec3],
     }
     for e in cloth {
         let t = &e.vertices;
-        let [a, b, c] = crate::pick3(x, t);
-        let Some(n) = (b - a).cross(&(c - a)).try_normalize(1e-300) else { continue };
+        let Some(n) = crate::unit_normal(crate::pick3(x, t)) else { continue };
         let speed = (t.iter().map(|i| v[*i as usize]).sum::<Vec3>() / 3.0).dot(&n).abs();
         let share = n * n.transpose() * (d.drag * speed * e.area().abs() / 3.0);
         t.iter().for_each(|i| all[*i as usize] += share);

@@ -75,8 +75,8 @@ impl Hold {
 
     /// New normal, and what slid is taken over; by how much, as a height over the triangle, m.
     fn refresh(&mut self, x: &[Vec3]) -> f64 {
-        let [a, b, c] = [0, 1, 2].map(|k| x[self.vertices[k] as usize]);
-        self.normal = (b - a).cross(&(c - a)).try_normalize(0.0).unwrap_or_else(Vec3::zeros);
+        let corners = [0, 1, 2].map(|k| x[self.vertices[k] as usize]);
+        self.normal = crate::unit_normal(corners).unwrap_or_else(Vec3::zeros);
         let s = self.at(x);
         let held = self.place.clamp(s - self.reach, s + self.reach);
         let slid = (held - self.place).abs();

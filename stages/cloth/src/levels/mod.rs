@@ -5,8 +5,9 @@ mod charts;
 mod collapse;
 mod place;
 
+use crate::scene::bending_length;
 use crate::sewing::mean_edge;
-use crate::{Element, Material, Scene, Vec3};
+use crate::{Element, Scene, Vec3};
 use charts::Charts;
 use collapse::Mesh;
 
@@ -45,7 +46,9 @@ impl Level {
 
     /// The same, only as coarse as the cloth can bend under its weight.
     pub fn below_folds(scene: &Scene) -> Option<Self> {
-        let softest = scene.materials.iter().map(|m| bending_length(m, scene.gravity.norm()));
+        let gravity = scene.gravity.norm();
+        let softest =
+            scene.materials.iter().map(|m| bending_length(m.bend_warp.min(m.bend_weft), m.areal_mass, gravity));
         Self::up_to(scene, softest.fold(f64::INFINITY, f64::min).min(LONGEST / BENDS) * BENDS)
     }
 
@@ -84,11 +87,6 @@ impl Level {
         let place = |a: &Anchor| (0..3).map(|k| x[a.vertices[k] as usize] * a.weights[k]).sum::<Vec3>();
         self.anchors.iter().map(|all| all.iter().map(place).sum::<Vec3>() / all.len().max(1) as f64).collect()
     }
-}
-
-/// (B / (ρ g))^⅓ (Peirce 1930), m, along the yarn that bends more easily.
-fn bending_length(m: &Material, gravity: f64) -> f64 {
-    libm::cbrt(m.bend_warp.min(m.bend_weft) / (m.areal_mass * gravity))
 }
 
 fn coarse(fine: &Scene, mesh: &Mesh, number: &[u32], kept: &[u32]) -> Scene {

@@ -2,12 +2,14 @@
 
 use super::memory::{Memory, dot};
 use super::objective::Objective;
+use crate::collide::stick::Stick;
 use crate::cost::{Lap, Work};
 use crate::linear::factor::Factor;
 use crate::linear::hessian::{Pattern, gather, scattered};
 use crate::problem::mean_weight;
+use crate::scene::EARTH;
 use crate::start::Start;
-use crate::weld::groups;
+use crate::topology::Topology;
 use crate::{ClothError, Scene, Settings, Vec3, Watch};
 use nalgebra::Matrix3;
 
@@ -19,8 +21,6 @@ const MOST_HALVINGS: usize = 8;
 /// steps.
 const TAU_FIRST: f64 = 1e-2;
 pub(super) const TAU_FREE: f64 = 30.0;
-/// m/s².
-const EARTH: f64 = 9.81;
 const TAU_LEAST: f64 = 1e-8;
 const TAU_MOST: f64 = 1e4;
 /// First and last share of the stretch stiffness in all directions, and what it grows by.
@@ -87,10 +87,8 @@ pub(crate) struct Block {
 
 /// Side of a square of as much cloth as the largest part has, over gravity in units of the Earth's, s². Other parts do not
 /// count, so that they change nothing.
-fn unit(scene: &Scene) -> f64 {
-    let joined: Vec<[u32; 2]> =
-        scene.triangles.iter().flat_map(|t| [[t.vertices[0], t.vertices[1]], [t.vertices[1], t.vertices[2]]]).collect();
-    let part = groups(scene.positions.len(), &joined);
+fn unit(scene: &Scene, topology: &Topology) -> f64 {
+    let part = topology.components(scene.positions.len());
     let mut areas = vec![0.0; part.len()];
     scene.triangles.iter().for_each(|t| areas[part[t.vertices[0] as usize] as usize] += t.area().abs());
     let side = areas.iter().fold(0.0f64, |a, b| a.max(*b)).sqrt();
@@ -106,6 +104,7 @@ impl<'a> Descent<'a> {
 
     pub fn new(scene: &Scene, settings: &'a Settings, start: Start, pulls: bool) -> Self {
         let repaired = start.repaired;
+        let unit = unit(scene, &start.topology);
         let (goal, x) = Objective::new(scene, settings, start, pulls);
         let f = vec![Vec3::zeros(); goal.inertia.len()];
         let weight = mean_weight(&goal.mass, scene.gravity.norm() * settings.gravity_scale);
@@ -121,7 +120,7 @@ impl<'a> Descent<'a> {
             tau: TAU_FIRST,
             firm: 0.0,
             stride: STRIDE,
-            unit: unit(scene),
+            unit,
             free: TAU_FREE,
             steps: 0,
             decrement: f64::INFINITY,
@@ -185,6 +184,33 @@ impl<'a> Descent<'a> {
             self.start_anew();
         }
         any
+    }
+
+    /// Cloth that lies on the body at the start does so with the load that holds it in balance; says whether any does.
+    pub fn preload(&mut self) -> bool {
+        let goal = &mut self.goal;
+        let Some(b) = goal.barrier.as_mut().filter(|_| goal.stick.is_some()) else { return false };
+        let pulls = b.preload(&self.x, &self.f, &goal.hessian.unknown);
+        if pulls.is_empty() {
+            return false;
+        }
+        self.start_anew();
+        let goal = &mut self.goal;
+        if let (Some(stick), Some(b)) = (&mut goal.stick, &goal.barrier) {
+            stick.refresh(&self.x, &b.touches);
+            stick.take_up(&pulls);
+        }
+        self.evaluate();
+        true
+    }
+
+    /// It does not after all.
+    pub fn unload(&mut self) {
+        if let Some(b) = &mut self.goal.barrier {
+            b.unload(&self.x);
+        }
+        self.goal.stick.iter_mut().for_each(|s| *s = Stick::default());
+        self.start_anew();
     }
 
     /// Near rest the second derivatives as they are lead faster than their convex part; `false` where they are not convex.

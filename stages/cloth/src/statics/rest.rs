@@ -22,15 +22,20 @@ const COARSE: f64 = 3.0;
 pub(crate) fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     let mut descent = Descent::begin(scene, settings, false)?;
     let mut before = Vec::new();
-    if descent.far_from_rest()
-        && let Some((x, effects)) = on_coarser(scene, settings, watch)?
-    {
-        before = effects;
-        match Descent::begin(&Scene { positions: x, ..scene.clone() }, settings, false) {
-            Ok(led) => descent = led,
-            // Spread from the coarser cloth it would cross something: it starts where it was.
-            Err(ClothError::StartCrosses { .. }) => {}
-            Err(e) => return Err(e),
+    let loaded = descent.preload();
+    if descent.far_from_rest() {
+        // Not in balance, so the loads were not those that it rested with.
+        if loaded {
+            descent.unload();
+        }
+        if let Some((x, effects)) = on_coarser(scene, settings, watch)? {
+            before = effects;
+            match Descent::begin(&Scene { positions: x, ..scene.clone() }, settings, false) {
+                Ok(led) => descent = led,
+                // Spread from the coarser cloth it would cross something: it starts where it was.
+                Err(ClothError::StartCrosses { .. }) => {}
+                Err(e) => return Err(e),
+            }
         }
     }
     let reason = descent.settle(watch)?;

@@ -1,0 +1,103 @@
+//! Contacts that bear a load: where cloth comes to lie under it, and with what load it starts.
+
+use super::{BODY_POINT, Barrier, STIFFNESS, barrier};
+use crate::Vec3;
+use crate::linear::hessian::FIXED;
+
+/// At rest, a vertex that the body's contact lets nearer than this share of its gap is felt from farther off …
+const GAVE_WAY: f64 = 0.8;
+/// … at most by so many gaps.
+const FARTHEST: f64 = 1.5;
+/// Nearer than so many gaps, cloth that starts in balance lies on the body.
+const LIES: f64 = 1.02;
+
+impl Barrier {
+    /// Lets the body's contacts push from farther off where they gave way under their load, so that the cloth comes to lie
+    /// where its gap says: what is stretched round the body would have too small a girth. The load is the same as here, and
+    /// nothing gets stiffer. Says whether any did.
+    pub fn bear(&mut self, x: &[Vec3], unknown: &[u32]) -> bool {
+        let mut farther = vec![0.0f64; self.area.len()];
+        for t in self.touches.iter().filter(|t| t.key.0 == BODY_POINT) {
+            let v = t.vertices[0] as usize;
+            let gap = self.wanted[v];
+            if t.distance < GAVE_WAY * gap && unknown[v] != FIXED {
+                farther[v] = farther[v].max(reaching(t.distance, t.gap, gap).min((1.0 + FARTHEST) * gap));
+            }
+        }
+        let any = farther.iter().any(|f| *f > 0.0);
+        if any {
+            self.frame.body_gap.iter_mut().zip(&farther).for_each(|(g, f)| *g = g.max(*f));
+            self.relist(x);
+        }
+        any
+    }
+
+    /// Loads the contacts of cloth that lies on the body at the start with what holds it in balance, `forces` on the unknowns
+    /// being all that acts: cloth that was draped before comes without the loads of its contacts, and would lose its
+    /// friction in the first steps. Gives the vertices of which this is so, ascending, and what each of their contacts has
+    /// to hold along the body, N.
+    pub fn preload(&mut self, x: &[Vec3], forces: &[Vec3], unknown: &[u32]) -> Vec<(u32, Vec3)> {
+        let mut loaded = Vec::new();
+        for (vertex, pushes) in self.lying(x) {
+            let v = vertex as usize;
+            if unknown[v] == FIXED {
+                continue;
+            }
+            let Some(up) = pushes.iter().map(|p| p.1).sum::<Vec3>().try_normalize(0.0) else { continue };
+            let k = STIFFNESS * self.area[v] * self.hard[v];
+            let push = |gap: f64| {
+                let of = |(d, n): &(f64, Vec3)| if *d < gap { -k * barrier(*d, gap).1 * n.dot(&up) } else { 0.0 };
+                pushes.iter().map(of).sum::<f64>()
+            };
+            let force = forces[unknown[v] as usize];
+            let (pressed, now) = (-force.dot(&up), push(self.frame.body_gap[v]));
+            if pressed > 0.0 {
+                let farthest = (1.0 + FARTHEST) * self.wanted[v];
+                self.frame.body_gap[v] = halved([self.wanted[v], farthest], |g| push(g) < now + pressed);
+                loaded.push((vertex, (-pressed * up - force) / pushes.len() as f64));
+            }
+        }
+        if !loaded.is_empty() {
+            self.relist(x);
+        }
+        loaded
+    }
+
+    /// Takes back what [`Self::preload`] did.
+    pub fn unload(&mut self, x: &[Vec3]) {
+        self.frame.body_gap.clone_from(&self.wanted);
+        self.relist(x);
+    }
+
+    /// Vertices that lie on the body, ascending, with the distance and direction of every triangle that they lie on.
+    fn lying(&self, x: &[Vec3]) -> Vec<(u32, Vec<(f64, Vec3)>)> {
+        let mut list: Vec<(u32, Vec<(f64, Vec3)>)> = Vec::new();
+        let Some(body) = &self.body else { return list };
+        for (g, _) in self.near.body_point_gaps(x, body) {
+            let (v, d) = (g.vertices[0], g.d.norm());
+            if d <= 0.0 || d > LIES * self.wanted[v as usize] {
+                continue;
+            }
+            match list.last_mut().filter(|l| l.0 == v) {
+                Some((_, pushes)) => pushes.push((d, g.d / d)),
+                None => list.push((v, vec![(d, g.d / d)])),
+            }
+        }
+        list
+    }
+}
+
+/// The gap whose barrier pushes at `to` as that of `gap` does at `d`.
+fn reaching(d: f64, gap: f64, to: f64) -> f64 {
+    let push = -barrier(d, gap).1;
+    halved([to, 4.0 * to.max(gap)], |g| -barrier(to, g).1 < push)
+}
+
+/// The place between two up to which something is `less`.
+fn halved([mut low, mut high]: [f64; 2], less: impl Fn(f64) -> bool) -> f64 {
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        if less(middle) { low = middle } else { high = middle }
+    }
+    0.5 * (low + high)
+}
