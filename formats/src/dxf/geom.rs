@@ -176,7 +176,7 @@ pub fn mirror(p: Vec2, a: Vec2, b: Vec2) -> Vec2 {
 pub fn bounds(points: impl IntoIterator<Item = Vec2>) -> Option<(Vec2, Vec2)> {
     points.into_iter().fold(None, |acc, p| match acc {
         None => Some((p, p)),
-        Some((lo, hi)) => Some((Vec2::new(lo.x.min(p.x), lo.y.min(p.y)), Vec2::new(hi.x.max(p.x), hi.y.max(p.y)))),
+        Some((lo, hi)) => Some((lo.inf(&p), hi.sup(&p))),
     })
 }
 

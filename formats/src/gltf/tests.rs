@@ -91,6 +91,19 @@ fn nodes_positions_and_cloth_coordinates() {
     assert_eq!(json["images"][0]["mimeType"], "image/png");
 }
 
+/// Which zero `min` and `max` give is the processor's choice, and the text tells them apart.
+#[test]
+fn the_first_of_two_zeros_is_the_bound() {
+    let bounds = |values: &[[f32; 1]]| {
+        let (mut buffer, mut root) = (write::Buffer::default(), gltf_json::Root::default());
+        let _ = buffer.plain(&mut root, values, true);
+        [&root.accessors[0].min, &root.accessors[0].max]
+            .map(|b| b.as_ref().map(ToString::to_string).unwrap_or_default())
+    };
+    assert_eq!(bounds(&[[0.0], [-0.0]]), ["[0.0]", "[0.0]"]);
+    assert_eq!(bounds(&[[-0.0], [0.0]]), ["[-0.0]", "[-0.0]"]);
+}
+
 #[test]
 fn normals_are_unit_smooth_over_the_seam_and_face_outwards() {
     let garment = two_pieces();

@@ -102,14 +102,16 @@ impl Buffer {
     ) -> json::Index<json::Accessor> {
         let bytes: Vec<u8> = values.iter().flatten().flat_map(|x| x.to_le_bytes()).collect();
         let view = self.view(root, &bytes, target);
-        let fold = |pick: fn(f32, f32) -> f32| {
+        let fold = |beyond: fn(&f32, &f32) -> bool| {
+            // By comparison: which zero `min` and `max` give when both signs meet depends on the processor.
+            let further = |v: f32, a: f32| if beyond(&v, &a) { v } else { a };
             let first = values.first().copied().unwrap_or([0.0; N]);
-            let all = values.iter().fold(first, |a, v| std::array::from_fn(|k| pick(a[k], v[k])));
+            let all = values.iter().fold(first, |a, v| std::array::from_fn(|k| further(v[k], a[k])));
             serde_json::Value::from(all.to_vec())
         };
         root.push(json::Accessor {
-            min: bounds.then(|| fold(f32::min)),
-            max: bounds.then(|| fold(f32::max)),
+            min: bounds.then(|| fold(f32::lt)),
+            max: bounds.then(|| fold(f32::gt)),
             ..accessor(view, values.len(), ComponentType::F32, type_)
         })
     }

@@ -3,6 +3,7 @@
 use super::energy::Local;
 use faer::dyn_stack::{MemBuffer, MemStack};
 use faer::linalg::cholesky::llt::factor::LltRegularization;
+use faer::sparse::linalg::SupernodalThreshold;
 use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, LltRef, SymbolicCholesky, SymmetricOrdering, factorize_symbolic_cholesky,
 };
@@ -56,9 +57,13 @@ impl System {
         blocks.dedup();
         let (block_start, block_row, col_ptr, row_idx) = pattern(n, &blocks)?;
         let matrix = SymbolicSparseColMatRef::new_checked(dofs as usize, dofs as usize, &col_ptr, None, &row_idx);
-        let symbolic =
-            factorize_symbolic_cholesky(matrix, Side::Lower, SymmetricOrdering::Amd, CholeskySymbolicParams::default())
-                .map_err(out_of_memory(n))?;
+        // Entry by entry: kernels on blocks choose the order of their sums by the processor.
+        let params = CholeskySymbolicParams {
+            supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SIMPLICIAL,
+            ..CholeskySymbolicParams::default()
+        };
+        let symbolic = factorize_symbolic_cholesky(matrix, Side::Lower, SymmetricOrdering::Amd, params)
+            .map_err(out_of_memory(n))?;
         let values = vec![0.0; row_idx.len()];
         Ok(Self { block_start, block_row, col_ptr, row_idx, held, symbolic, values, rhs: vec![Vec2::zeros(); n] })
     }

@@ -253,9 +253,8 @@ fn scatter(node: &Node, right: &mut [f32], local: &[f32]) {
 mod tests {
     use super::*;
 
-    /// A grid of blocks, whose elimination has many supernodes, with a known solution.
-    #[test]
-    fn solves_a_grid_of_blocks() {
+    /// A grid of blocks, whose elimination has many supernodes; its solution, and the right-hand side for that.
+    fn grid() -> (Pattern, Vec<Matrix3<f64>>, Vec<Vec3>, Vec<Vec3>) {
         let side = 13u32;
         let n = (side * side) as usize;
         let at = |r: u32, c: u32| r * side + c;
@@ -276,24 +275,45 @@ mod tests {
             b[i] += off * x[j];
             b[j] += off.transpose() * x[i];
         }
+        (pattern, values, x, b)
+    }
+
+    #[test]
+    fn solves_a_grid_of_blocks() {
+        let (pattern, values, x, mut b) = grid();
         let mut factor = Factor::default();
-        assert!(factor.factorise(&pattern, &values, &vec![1.0; n]));
-        assert_eq!(by_single_lanes(&mut factor, &values, &vec![1.0; n]), factor.values);
+        assert!(factor.factorise(&pattern, &values, &vec![1.0; x.len()]));
         factor.solve(&mut b);
         for (p, q) in x.iter().zip(&b) {
             assert!((p - q).norm() < 2e-5, "{p} {q}");
         }
-        assert!(!factor.factorise(&pattern, &values, &vec![-10.0; n]));
+        assert!(!factor.factorise(&pattern, &values, &vec![-10.0; x.len()]));
         assert_eq!(factor.analyses, 1);
     }
 
-    /// The same factor without wide registers: not a bit may differ.
-    fn by_single_lanes(factor: &mut Factor, values: &[Matrix3<f64>], shift: &[f64]) -> Vec<f32> {
-        let wide = factor.values.clone();
-        factor.fill(values, shift);
-        let mut narrow = std::mem::replace(&mut factor.values, wide);
-        let (pack, sums) = (&mut Pack::default(), &mut Vec::new());
-        assert!(Eliminate { nodes: &factor.symbolic.nodes, values: &mut narrow, pack, sums }.with_simd(pulp::Scalar));
-        narrow
+    /// Whatever registers a processor has, not a bit of factor and solution may differ.
+    #[test]
+    fn every_width_of_registers_gives_the_same_bits() {
+        let (pattern, values, _, b) = grid();
+        let bits = |arch: Arch| {
+            let (mut factor, mut x) = (Factor { arch, ..Factor::default() }, b.clone());
+            assert!(factor.factorise(&pattern, &values, &vec![1.0; b.len()]));
+            factor.solve(&mut x);
+            let solution: Vec<u64> = x.iter().flatten().map(|v| v.to_bits()).collect();
+            (factor.values.iter().map(|v| v.to_bits()).collect::<Vec<u32>>(), solution)
+        };
+        let narrow = bits(Arch::Scalar);
+        for arch in wider() {
+            assert!(bits(arch) == narrow, "{arch:?} and single numbers differ");
+        }
+    }
+
+    /// All that this processor can do beyond single numbers.
+    fn wider() -> Vec<Arch> {
+        #[cfg(target_arch = "x86_64")]
+        let others = [pulp::x86::V3::try_new().map(Arch::V3), pulp::x86::V4::try_new().map(Arch::V4)];
+        #[cfg(not(target_arch = "x86_64"))]
+        let others = [Some(Arch::new())];
+        others.into_iter().flatten().collect()
     }
 }
