@@ -47,6 +47,8 @@ pub struct AnimateParams {
     pub step: Duration,
     /// Distance at which cloth is held off the body.
     pub body_gap: Length,
+    /// Distance at which cloth is held off cloth; at least the fabric's thickness is used.
+    pub self_gap: Length,
     /// Time in which the body is led from the pose of the drape to its first frame, where they differ.
     pub lead_in: Duration,
     /// Speed below which the cloth has come to rest.
@@ -72,6 +74,7 @@ impl Default for AnimateParams {
             calming: Duration(2.0),
             step: Duration(1.0 / 120.0),
             body_gap: drape.body_gap,
+            self_gap: drape.self_gap,
             lead_in: Duration(1.0),
             rest_speed: Speed(5e-3),
             sequence: None,
@@ -88,6 +91,7 @@ impl AnimateParams {
             model: self.model,
             effects: self.effects.clone(),
             body_gap: self.body_gap,
+            self_gap: self.self_gap,
             ..DrapeParams::default()
         };
         drape.settings(threads)

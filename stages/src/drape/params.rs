@@ -88,6 +88,8 @@ pub struct DrapeParams {
     pub effects: EffectsParam,
     /// Distance at which cloth is held off the body.
     pub body_gap: Length,
+    /// Distance at which cloth is held off cloth; at least the fabric's thickness is used.
+    pub self_gap: Length,
     /// Longest time in the simulated world.
     pub max_time: Duration,
     /// Gates of the certificate by figure name; they replace the defaults.
@@ -103,6 +105,7 @@ impl Default for DrapeParams {
             accuracy: AccuracyName::default(),
             effects: EffectsParam::default(),
             body_gap: Length(1e-3),
+            self_gap: Length(1e-3),
             max_time: Duration(20.0),
             limits: BTreeMap::new(),
         }
@@ -131,6 +134,7 @@ impl DrapeParams {
                 bending_hysteresis: self.effects.bending_hysteresis.into(),
             },
             body_gap: self.body_gap.0,
+            self_gap: self.self_gap.0,
             decrement_tolerance: base.decrement_tolerance * share,
             move_tolerance: base.move_tolerance * share,
             residual_tolerance: base.residual_tolerance * share,

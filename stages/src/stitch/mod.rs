@@ -41,6 +41,9 @@ pub struct StitchParams {
     /// Distance at which cloth is held off the body.
     #[serde(default = "body_gap")]
     pub body_gap: Length,
+    /// Distance at which cloth is held off cloth; at least the fabric's thickness is used.
+    #[serde(default = "self_gap")]
+    pub self_gap: Length,
     /// Longest time the sewing may take in the simulated world.
     #[serde(default = "max_time")]
     pub max_time: Duration,
@@ -58,6 +61,10 @@ fn clearance() -> Length {
 
 fn sewing_distance() -> Length {
     Length(1e-3)
+}
+
+fn self_gap() -> Length {
+    crate::drape::DrapeParams::default().self_gap
 }
 
 fn body_gap() -> Length {
@@ -112,6 +119,7 @@ fn settings(params: &StitchParams, threads: usize) -> Settings {
         integrator: params.integrator.into(),
         sewing_distance: params.sewing_distance.0,
         body_gap: params.body_gap.0,
+        self_gap: params.self_gap.0,
         max_seconds: params.max_time.0,
         threads,
         ..Settings::sewing()

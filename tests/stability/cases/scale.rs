@@ -117,9 +117,10 @@ fn similarity(t: &Trial, s: f64) -> Trial {
 
 /// Four times as large with the cloth that fits: the same shape, bit for bit.
 fn similar(lab: &mut Lab, on_ball: bool) -> Result<(), String> {
-    let one = scene(on_ball).set("body_gap = \"0.001 m\"");
+    let mut one = scene(on_ball);
     let mut four = similarity(&one, 4.0);
-    four.drape = vec!["body_gap = \"0.004 m\"".to_owned()];
+    let gaps = |m: f64| ["body_gap", "self_gap"].map(|gap| format!("{gap} = \"{m} m\"")).to_vec();
+    (one.drape, four.drape) = (gaps(0.001), gaps(0.004));
     let (d, e) = (lab.settles(&one)?, lab.settles(&four)?);
     let wrong = unequal(&d.at, &e.at, |p| p / 4.0);
     let back: Vec<Vec3> = e.at.iter().map(|p| p / 4.0).collect();

@@ -17,16 +17,12 @@ use crate::linear::hessian::{FIXED, Hessian};
 
 /// Edges and faces are held off the body, and edges off edges, at this share of the vertices' gap.
 const EDGE_SHARE: f64 = 0.5;
-/// N/m³: a gap of 1 mm is half closed by 240 Pa.
-const STIFFNESS: f64 = 2e5;
 /// A contact nearer than this share of its gap is pressed harder than the barrier is made for: there it becomes as stiff
 /// as holds the same load at `EASY` of the gap, by at most `HARDER` at a time and `HARDEST` in all.
 const TIGHT: f64 = 0.1;
 const EASY: f64 = 0.4;
 const HARDER: f64 = 16.0;
 const HARDEST: f64 = 1e4;
-/// Largest stiffness of a contact in the metric, N/m: beyond it single precision loses the cloth behind it.
-const STEEPEST: f64 = 1e5;
 /// Slack of the lists over the mean edge: small enough that neighbours of neighbours stay out.
 const LEAST_SLACK: f64 = 0.02;
 const MOST_SLACK: f64 = 0.1;
@@ -182,10 +178,10 @@ impl Barrier {
         self.touches.clear();
         self.own(x);
         let own = self.touches.len();
-        let mut energy = press(&mut self.touches, f);
+        let mut energy = press(&mut self.touches, self.frame.press, f);
         self.tally.costs.spend(Work::SelfContact, &mut lap);
         self.against_body(x);
-        energy += press(&mut self.touches[own..], f);
+        energy += press(&mut self.touches[own..], self.frame.press, f);
         self.tally.costs.spend(Work::BodyContact, &mut lap);
         self.tally.count(own, self.touches.len() - own);
         energy
@@ -238,17 +234,17 @@ impl Barrier {
     /// contacts, and is negative).
     pub fn add_hessian(&self, h: &mut Hessian) {
         for t in &self.touches {
-            let slope = t.slope.min(STEEPEST);
+            let slope = t.slope.min(self.frame.steepest);
             h.spread(&t.vertices, &t.weights, &(t.normal * t.normal.transpose() * slope));
         }
     }
 }
 
 /// Energy of contacts, J; adds their forces.
-fn press(touches: &mut [Touch], f: &mut [Vec3]) -> f64 {
+fn press(touches: &mut [Touch], stiffness: f64, f: &mut [Vec3]) -> f64 {
     let mut energy = 0.0;
     for t in touches {
-        let k = STIFFNESS * t.area * t.hard;
+        let k = stiffness * t.area * t.hard;
         let (b, slope, bow) = barrier(t.distance, t.gap);
         energy += k * b;
         t.load = -k * slope;
@@ -280,7 +276,7 @@ fn touch(
     kind: u8,
     g: &Gap,
 ) -> f64 {
-    let Gap { vertices: key, weights, d } = *g;
+    let Gap { vertices: key, weights, d, aside } = *g;
     let distance = d.norm();
     let cloth = match kind {
         POINT | EDGE => 4,
@@ -292,7 +288,7 @@ fn touch(
     let share = if matches!(kind, POINT | BODY_POINT) { 1.0 } else { EDGE_SHARE };
     let gap = share * key[..cloth].iter().fold(f64::INFINITY, |g, v| g.min(gaps[*v as usize]));
     let gap = if kind == BODY_POINT { gap.max(stand_off) } else { gap };
-    if distance < gap && distance > 0.0 {
+    if distance < gap && distance > 0.0 && !aside {
         let mut vertices = [key[0]; 4];
         vertices[..cloth].copy_from_slice(&key[..cloth]);
         let area = share * vertices[..cloth].iter().map(|v| area[*v as usize]).sum::<f64>() / cloth as f64;
@@ -346,7 +342,7 @@ mod tests {
                 &b.frame,
                 (&b.area, &b.hard, 0.0),
                 BODY_POINT,
-                &Gap { vertices: [0; 4], weights: [1.0, 0.0, 0.0, 0.0], d: Vec3::new(0.0, d, 0.0) },
+                &Gap { vertices: [0; 4], weights: [1.0, 0.0, 0.0, 0.0], d: Vec3::new(0.0, d, 0.0), aside: false },
             );
             assert_eq!(found, d);
             if !b.harden(&[0]) {
@@ -364,7 +360,7 @@ mod tests {
         let mut b = Barrier::new(frame(gap), None, vec![1.0], None);
         let d = stands(gap, load);
         assert!(d < 0.7 * gap);
-        let at = Gap { vertices: [0; 4], weights: [1.0, 0.0, 0.0, 0.0], d: Vec3::new(0.0, d, 0.0) };
+        let at = Gap { vertices: [0; 4], weights: [1.0, 0.0, 0.0, 0.0], d: Vec3::new(0.0, d, 0.0), aside: false };
         touch(&mut b.touches, &b.frame, (&b.area, &b.hard, 0.0), BODY_POINT, &at);
         let x = [Vec3::new(0.0, d, 0.0)];
         assert!(!b.bear(&x, &[FIXED]) && b.bear(&x, &[0]));
@@ -375,12 +371,15 @@ mod tests {
         assert!(!b.bear(&x, &[0]), "it lies where it should");
     }
 
+    /// N/m³: a gap of 1 mm is half closed by 240 Pa.
+    const PRESS: f64 = 2e5;
+
     /// Where a barrier that starts at `gap` carries a load, Pa.
     fn stands(gap: f64, load: f64) -> f64 {
         let (mut low, mut high) = (0.0, gap);
         for _ in 0..80 {
             let d = 0.5 * (low + high);
-            if -barrier(d, gap).1 * STIFFNESS > load { low = d } else { high = d }
+            if -barrier(d, gap).1 * PRESS > load { low = d } else { high = d }
         }
         low
     }
@@ -395,6 +394,8 @@ mod tests {
             inverse_mass: vec![1.0],
             edge: 0.01,
             own: false,
+            press: PRESS,
+            steepest: 1e5,
         }
     }
 }

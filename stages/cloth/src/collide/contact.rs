@@ -55,6 +55,9 @@ pub(crate) struct Frame {
     /// Mean edge length, m.
     pub edge: f64,
     pub own: bool,
+    /// Stiffness of contacts over area, N/m³, and the largest that the metric of a descent takes, N/m.
+    pub press: f64,
+    pub steepest: f64,
 }
 
 /// What happened, for the report.
@@ -354,7 +357,7 @@ impl Pair {
 
 #[inline]
 fn own_pair(distance: &mut [f64], pairs: &mut Vec<Pair>, frame: &Frame, reach: f64, g: &Gap, share: f64) {
-    let Gap { vertices, weights, d } = *g;
+    let Gap { vertices, weights, d, .. } = *g;
     let l = d.norm();
     if l >= reach {
         return;

@@ -17,6 +17,9 @@ pub(crate) struct Near {
     pub body_points: Vec<[u32; 2]>,
     /// Ends of a cloth edge, ends of a body edge.
     pub body_edges: Vec<[u32; 4]>,
+    /// Are they nearly parallel? Their nearest places jump from end to end then, and the cloth's vertices push all the same; so
+    /// they only stop each other.
+    body_along: Vec<bool>,
     /// Cloth triangle corners, body vertex.
     pub body_faces: Vec<[u32; 4]>,
 }
@@ -48,6 +51,12 @@ impl Owned {
     #[inline]
     pub(super) fn edge(&self, k: usize) -> [u32; 2] {
         [self.corners[k], self.corners[(k + 1) % 3]]
+    }
+
+    /// From one end of an edge to the other.
+    #[inline]
+    fn run(&self, k: usize) -> Vec3 {
+        self.at[(k + 1) % 3] - self.at[k]
     }
 
     #[inline]
@@ -99,6 +108,13 @@ fn edge_gap(a: &Owned, i: usize, b: &Owned, j: usize) -> f64 {
     segment_gap([&a.at[i], &a.at[(i + 1) % 3]], [&b.at[j], &b.at[(j + 1) % 3]])
 }
 
+/// Square of the sine below which two edges count as parallel.
+const PARALLEL: f64 = 1e-3;
+
+fn parallel(u: &Vec3, v: &Vec3) -> bool {
+    u.cross(v).norm_squared() < PARALLEL * (u.norm_squared() * v.norm_squared())
+}
+
 /// The gap of a near pair.
 pub(crate) struct Gap {
     pub vertices: [u32; 4],
@@ -106,6 +122,9 @@ pub(crate) struct Gap {
     pub weights: [f64; 4],
     /// From the second primitive to the first.
     pub d: Vec3,
+    /// Is it left to others to push here: to the next triangle where a plane goes on beyond an edge, to the vertices of edges
+    /// that are parallel?
+    pub aside: bool,
 }
 
 /// Places, and a step from them.
@@ -168,12 +187,24 @@ impl Near {
         }
     }
 
+    pub(super) fn clear_body(&mut self) {
+        self.body_points.clear();
+        self.body_edges.clear();
+        self.body_along.clear();
+        self.body_faces.clear();
+    }
+
+    /// Edge `i` of the cloth's face and edge `j` of the body's.
+    pub(super) fn add_body_edge(&mut self, a: &Owned, i: usize, b: &Owned, j: usize) {
+        let (p, q) = (a.edge(i), b.edge(j));
+        self.body_edges.push([p[0], p[1], q[0], q[1]]);
+        self.body_along.push(parallel(&a.run(i), &b.run(j)));
+    }
+
     /// Cloth–body pairs that come nearer than `reach` along a step, vertices of the cloth those nearer than `wide`.
     pub fn fill_body(&mut self, way: &Way<'_>, body: &Body, reach: f64, wide: f64) {
         let Way { x, step, topology, .. } = *way;
-        self.body_points.clear();
-        self.body_edges.clear();
-        self.body_faces.clear();
+        self.clear_body();
         for f in (0u32..).take(topology.faces.len()) {
             let m = Moving::of(topology, f, x, step);
             let whole = |reach| swept(&Aabb::of_three(&m.owned.at), &Aabb::of_three(&m.by), reach);
@@ -210,12 +241,11 @@ impl Near {
                     if !body.pressing_edges[body.topology.face_edges[g as usize][j] as usize] {
                         continue;
                     }
-                    let (q, bounds) = (b.edge(j), b.edge_box(j));
+                    let bounds = b.edge_box(j);
                     for i in (0..3).filter(|i| a.owns_edge(*i)) {
                         let far = || edge_gap(a, i, &b, j) > reach + lengths[i].max(lengths[(i + 1) % 3]);
                         if edges[i].meets(&bounds) && !far() {
-                            let p = a.edge(i);
-                            self.body_edges.push([p[0], p[1], q[0], q[1]]);
+                            self.add_body_edge(a, i, &b, j);
                         }
                     }
                 }
@@ -229,7 +259,7 @@ impl Near {
             let [p, q, r, s] = crate::pick4(x, vertices);
             let w = point_triangle(&p, &q, &r, &s);
             let d = p - (q * w[0] + r * w[1] + s * w[2]);
-            Gap { vertices: *vertices, weights: [1.0, -w[0], -w[1], -w[2]], d }
+            Gap { vertices: *vertices, weights: [1.0, -w[0], -w[1], -w[2]], d, aside: false }
         })
     }
 
@@ -239,7 +269,7 @@ impl Near {
             let [p, q, r, s] = crate::pick4(x, vertices);
             let [t, u] = segments(&p, &q, &r, &s);
             let d = p + (q - p) * t - (r + (s - r) * u);
-            Gap { vertices: *vertices, weights: [1.0 - t, t, u - 1.0, -u], d }
+            Gap { vertices: *vertices, weights: [1.0 - t, t, u - 1.0, -u], d, aside: false }
         })
     }
 
@@ -250,20 +280,25 @@ impl Near {
             let p = x[v as usize];
             let w = point_triangle(&p, &a, &b, &c);
             let place = a * w[0] + b * w[1] + c * w[2];
-            let gap = Gap { vertices: [v, g, u32::MAX, u32::MAX], weights: [1.0, 0.0, 0.0, 0.0], d: p - place };
+            let gap = Gap {
+                vertices: [v, g, u32::MAX, u32::MAX],
+                weights: [1.0, 0.0, 0.0, 0.0],
+                d: p - place,
+                aside: body.goes_on(g, &w, &(p - place)),
+            };
             (gap, place)
         })
     }
 
     /// Cloth edges (first two) and body edges (last two), and the place on the body.
     pub fn body_edge_gaps<'a>(&'a self, x: &'a [Vec3], body: &'a Body) -> impl Iterator<Item = (Gap, Vec3)> + 'a {
-        self.body_edges.iter().map(|&[a, b, p, q]| {
+        self.body_edges.iter().zip(&self.body_along).map(|(&[a, b, p, q], along)| {
             let (xa, xb) = (x[a as usize], x[b as usize]);
             let (yp, yq) = (body.positions[p as usize], body.positions[q as usize]);
             let [s, t] = segments(&xa, &xb, &yp, &yq);
             let place = yp + (yq - yp) * t;
             let d = xa + (xb - xa) * s - place;
-            (Gap { vertices: [a, b, p, q], weights: [1.0 - s, s, 0.0, 0.0], d }, place)
+            (Gap { vertices: [a, b, p, q], weights: [1.0 - s, s, 0.0, 0.0], d, aside: *along }, place)
         })
     }
 
@@ -274,7 +309,7 @@ impl Near {
             let [xa, xb, xc] = crate::pick3(x, &[a, b, c]);
             let s = point_triangle(&place, &xa, &xb, &xc);
             let d = xa * s[0] + xb * s[1] + xc * s[2] - place;
-            (Gap { vertices: [a, b, c, w], weights: [s[0], s[1], s[2], 0.0], d }, place)
+            (Gap { vertices: [a, b, c, w], weights: [s[0], s[1], s[2], 0.0], d, aside: false }, place)
         })
     }
 }

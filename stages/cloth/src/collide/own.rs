@@ -98,6 +98,8 @@ mod tests {
             inverse_mass: vec![1.0; 6],
             edge: 1.0,
             own: true,
+            press: 2e5,
+            steepest: 1e5,
         };
         (scene, Barrier::new(frame, None, vec![1.0; 6], Some(own)))
     }

@@ -7,9 +7,7 @@ use crate::Vec3;
 use crate::linear::hessian::Hessian;
 use nalgebra::Matrix3;
 
-/// Tangential stiffness over area, N/m³: as the contact's own …
-const STIFFNESS: f64 = 2e5;
-/// … or more where the contact would give way along the body by more than this share of its gap before it slides.
+/// Contacts give way along the body by no more than this share of their gap before they slide.
 const REACH: f64 = 0.03;
 
 struct Hold {
@@ -36,14 +34,14 @@ pub(crate) struct Stick {
 }
 
 impl Hold {
-    fn new(t: &Touch) -> Self {
+    fn new(t: &Touch, press: f64) -> Self {
         let most = t.friction * t.load;
         Self {
             vertices: t.vertices,
             weights: t.weights,
             normal: t.normal,
             place: Vec3::zeros(),
-            stiffness: (STIFFNESS * t.area).max(most / (REACH * t.gap)),
+            stiffness: (press * t.area).max(most / (REACH * t.gap)),
             most,
             key: t.key,
         }
@@ -69,9 +67,10 @@ impl Hold {
 }
 
 impl Stick {
-    /// New normal forces and places from the contacts at `x`.
-    pub fn refresh(&mut self, x: &[Vec3], touches: &[Touch]) {
-        let mut holds: Vec<Hold> = touches.iter().filter(|t| t.friction > 0.0 && t.load > 0.0).map(Hold::new).collect();
+    /// New normal forces and places from the contacts at `x`, whose own stiffness is `press` (N/m³) over their area.
+    pub fn refresh(&mut self, x: &[Vec3], touches: &[Touch], press: f64) {
+        let mut holds: Vec<Hold> =
+            touches.iter().filter(|t| t.friction > 0.0 && t.load > 0.0).map(|t| Hold::new(t, press)).collect();
         holds.sort_by_key(|h| h.key);
         (self.slid, self.largest) = (0, 0.0);
         let mut old = self.holds.iter().peekable();

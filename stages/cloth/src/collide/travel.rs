@@ -20,6 +20,7 @@ impl Body {
         let tree = Tree::new(&self.positions, &self.topology.faces);
         self.travel = Some(Travel { step: vec![Vec3::zeros(); self.positions.len()], going: false, tree });
         self.pressing_edges.fill(true);
+        self.flat_edges.fill(false);
     }
 
     /// Displacements that the next step is to take.
@@ -78,9 +79,7 @@ impl Near {
     /// Cloth–body pairs that come nearer than `reach` while both move; what moves along together does not meet.
     pub fn fill_travelling(&mut self, way: &Way<'_>, body: &mut Body, reach: f64) {
         let Way { x, step, topology, .. } = *way;
-        self.body_points.clear();
-        self.body_edges.clear();
-        self.body_faces.clear();
+        self.clear_body();
         let Some(travel) = &mut body.travel else { return };
         travel.tree.refit_moving(&body.positions, &travel.step, &body.topology.faces, 0.0);
         for f in (0u32..).take(topology.faces.len()) {
@@ -113,11 +112,10 @@ impl Near {
 
     fn add_edges(&mut self, a: &Moving, b: &Moving, reach: f64) {
         for j in (0..3).filter(|j| b.owned.owns_edge(*j)) {
-            let (q, bounds, moves) = (b.owned.edge(j), b.owned.edge_box(j).grown(reach), b.edge_move(j));
+            let (bounds, moves) = (b.owned.edge_box(j).grown(reach), b.edge_move(j));
             for i in (0..3).filter(|i| a.owned.owns_edge(*i)) {
                 if meet_moving(&bounds, &moves, &a.owned.edge_box(i), &a.edge_move(i)) {
-                    let p = a.owned.edge(i);
-                    self.body_edges.push([p[0], p[1], q[0], q[1]]);
+                    self.add_body_edge(&a.owned, i, &b.owned, j);
                 }
             }
         }

@@ -146,7 +146,7 @@ fn aside(barrier: &Barrier, x: &[Vec3], step: &mut [Vec3], way: &[Vec3], free: &
     let points = near.body_point_gaps(x, body).map(|(g, _)| (BODY_POINT, 1, 1.0, g));
     let edges = near.body_edge_gaps(x, body).map(|(g, _)| (BODY_EDGE, 2, 0.5, g));
     let faces = near.body_face_gaps(x, body).map(|(g, _)| (BODY_FACE, 3, 0.5, g));
-    for (kind, count, share, Gap { vertices, weights, d }) in points.chain(edges).chain(faces) {
+    for (kind, count, share, Gap { vertices, weights, d, aside }) in points.chain(edges).chain(faces) {
         let distance = d.norm();
         let gaps = vertices[..count].iter().map(|v| barrier.frame.body_gap[*v as usize]);
         let room = 0.9 * (distance - share * gaps.fold(f64::INFINITY, f64::min)).max(0.0);

@@ -6,7 +6,7 @@ use crate::collide::stick::Stick;
 use crate::cost::{Lap, Work};
 use crate::linear::factor::Factor;
 use crate::linear::hessian::{Pattern, gather, scattered};
-use crate::problem::mean_weight;
+use crate::problem::{mean_weight, side};
 use crate::scene::EARTH;
 use crate::start::Start;
 use crate::topology::Topology;
@@ -85,13 +85,9 @@ pub(crate) struct Block {
     stuck: bool,
 }
 
-/// Side of a square of as much cloth as the largest part has, over gravity in units of the Earth's, s². Other parts do not
-/// count, so that they change nothing.
+/// Size of the largest part over gravity in units of the Earth's, s².
 fn unit(scene: &Scene, topology: &Topology) -> f64 {
-    let part = topology.components(scene.positions.len());
-    let mut areas = vec![0.0; part.len()];
-    scene.triangles.iter().for_each(|t| areas[part[t.vertices[0] as usize] as usize] += t.area().abs());
-    let side = areas.iter().fold(0.0f64, |a, b| a.max(*b)).sqrt();
+    let side = side(scene, topology);
     let gravity = scene.gravity.norm();
     if gravity > 0.0 { side * (EARTH / gravity) } else { side }
 }
@@ -197,7 +193,7 @@ impl<'a> Descent<'a> {
         self.start_anew();
         let goal = &mut self.goal;
         if let (Some(stick), Some(b)) = (&mut goal.stick, &goal.barrier) {
-            stick.refresh(&self.x, &b.touches);
+            stick.refresh(&self.x, &b.touches, b.frame.press);
             stick.take_up(&pulls);
         }
         self.evaluate();
@@ -250,7 +246,7 @@ impl<'a> Descent<'a> {
         let goal = &mut self.goal;
         let mut lap = Lap::start();
         if let (Some(stick), Some(barrier)) = (&mut goal.stick, &goal.barrier) {
-            stick.refresh(&self.x, &barrier.touches);
+            stick.refresh(&self.x, &barrier.touches, barrier.frame.press);
             goal.costs.spend(Work::Friction, &mut lap);
         }
         if let Some(h) = &mut goal.hysteresis {

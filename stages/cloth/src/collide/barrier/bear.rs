@@ -1,6 +1,6 @@
 //! Contacts that bear a load: where cloth comes to lie under it, and with what load it starts.
 
-use super::{BODY_POINT, Barrier, STIFFNESS, barrier};
+use super::{BODY_POINT, Barrier, barrier};
 use crate::Vec3;
 use crate::linear::hessian::FIXED;
 
@@ -44,7 +44,7 @@ impl Barrier {
                 continue;
             }
             let Some(up) = pushes.iter().map(|p| p.1).sum::<Vec3>().try_normalize(0.0) else { continue };
-            let k = STIFFNESS * self.area[v] * self.hard[v];
+            let k = self.frame.press * self.area[v] * self.hard[v];
             let push = |gap: f64| {
                 let of = |(d, n): &(f64, Vec3)| if *d < gap { -k * barrier(*d, gap).1 * n.dot(&up) } else { 0.0 };
                 pushes.iter().map(of).sum::<f64>()
@@ -75,7 +75,7 @@ impl Barrier {
         let Some(body) = &self.body else { return list };
         for (g, _) in self.near.body_point_gaps(x, body) {
             let (v, d) = (g.vertices[0], g.d.norm());
-            if d <= 0.0 || d > LIES * self.wanted[v as usize] {
+            if g.aside || d <= 0.0 || d > LIES * self.wanted[v as usize] {
                 continue;
             }
             match list.last_mut().filter(|l| l.0 == v) {
