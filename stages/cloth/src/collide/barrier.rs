@@ -230,7 +230,10 @@ impl Barrier {
         edges.extend(self.near.body_edge_gaps(x, body).map(|(g, _)| touch(touches, frame, weighs, BODY_EDGE, &g)));
         faces.extend(self.near.body_face_gaps(x, body).map(|(g, _)| touch(touches, frame, weighs, BODY_FACE, &g)));
         // Every triangle pushes by itself: the nearest alone would jump from side to side in a crease.
-        points.extend(self.near.body_point_gaps(x, body).map(|(g, _)| touch(touches, frame, weighs, BODY_POINT, &g)));
+        points.extend(self.near.body_point_gaps(x, body).map(|(g, _)| {
+            let [v, face, ..] = g.vertices;
+            if body.goes_on(face, &x[v as usize]) { g.d.norm() } else { touch(touches, frame, weighs, BODY_POINT, &g) }
+        }));
         self.tally.nearest_body = points.iter().fold(self.tally.nearest_body, |a, b| a.min(*b));
     }
 

@@ -17,6 +17,8 @@ pub(crate) struct Body {
     pub topology: Topology,
     /// Edges that cloth outside can press on: all but the hollow ones of a closed, oriented mesh.
     pub pressing_edges: Vec<bool>,
+    /// Edges between two faces of one plane (`flat.rs`); empty where there is none.
+    pub flat_edges: Vec<bool>,
     pub bounds: Aabb,
     /// Lower bounds of the distance to it, while it is at rest.
     pub clearance: Clearance,
@@ -41,12 +43,14 @@ impl Body {
         let topology = Topology::new(mesh.positions.len(), live);
         let size = bounds.low.amax().max(bounds.high.amax());
         let pressing_edges = pressing(&mesh.positions, &topology);
+        let flat_edges = super::flat::edges(&mesh.positions, &topology);
         let clearance = Clearance::new(&mesh.positions, &topology.faces, &bounds);
         Some(Self {
             mesh: tri_mesh,
             positions: mesh.positions.clone(),
             topology,
             pressing_edges,
+            flat_edges,
             bounds,
             clearance,
             travel: None,
