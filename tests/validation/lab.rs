@@ -2,8 +2,10 @@
 
 use super::case::{Row, Tolerance, judge};
 use super::options::Options;
+use crate::motion::Motion;
 use crate::support::draped::Draped;
-use crate::support::program;
+use crate::support::film::Film;
+use crate::support::program::{self, Ended};
 use crate::support::trial::Trial;
 use std::path::PathBuf;
 
@@ -52,6 +54,26 @@ impl<'a> Lab<'a> {
 
     /// `import-mesh` → `drape` → `export-obj`.
     pub fn drape(&mut self, trial: &Trial) -> Result<Draped, String> {
+        let run = self.run(trial)?;
+        let draped = Draped::read(&run)?;
+        if !draped.settled {
+            self.note("not settled");
+        }
+        self.residual = self.residual.max(draped.certificate["residual_rel"].as_f64().unwrap_or(0.0));
+        Ok(draped)
+    }
+
+    /// `import-mesh` → `drape` → `animate`, whose frames are read.
+    pub fn film(&mut self, trial: &Trial, motion: &Motion) -> Result<Film, String> {
+        let model: Vec<String> = self.options.drape.iter().filter(|k| k.starts_with("model")).cloned().collect();
+        let run = self.run(&motion.of(trial, &model))?;
+        if let Some(found) = run.findings().find(|f| f["code"] == "motion-not-solved") {
+            self.note(found["message"].as_str().unwrap_or_default());
+        }
+        Film::read(&run, motion.fps)
+    }
+
+    fn run(&mut self, trial: &Trial) -> Result<Ended, String> {
         self.runs += 1;
         let temporary = tempfile::tempdir().map_err(|e| e.to_string())?;
         let folder: PathBuf = match &self.options.common.keep {
@@ -69,11 +91,6 @@ impl<'a> Lab<'a> {
             let finding = run.findings().last().map(|f| f["message"].to_string());
             return Err(format!("exit code {}: {}", run.code, finding.unwrap_or(run.said)));
         }
-        let draped = Draped::read(&run)?;
-        if !draped.settled {
-            self.note("not settled");
-        }
-        self.residual = self.residual.max(draped.certificate["residual_rel"].as_f64().unwrap_or(0.0));
-        Ok(draped)
+        Ok(run)
     }
 }
