@@ -12,6 +12,8 @@ use crate::{ClothError, Place, Vec3};
 const GIVES_WAY: usize = 6;
 /// Factors in a stage, at most.
 const MOST_FACTORS: usize = 25;
+/// A step shorter than this share of the tolerance need not be taken whole: the digits of the energy no longer tell it.
+const TRIFLE: f64 = 1e-3;
 /// A part of the remaining way smaller than this is none …
 const NO_WAY: f64 = 2e-3;
 /// … and so many in a row mean that the cloth cannot give way.
@@ -108,7 +110,7 @@ impl Stepper<'_> {
             d.metric()?;
             for _ in 0..length {
                 match d.step() {
-                    Some(part) if part > 0.5 && d.longest <= near => return Ok(true),
+                    Some(part) if d.longest <= if part > 0.5 { near } else { TRIFLE * near } => return Ok(true),
                     Some(part) if part < 0.2 => break,
                     Some(_) => stuck = 0,
                     None => {
