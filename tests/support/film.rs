@@ -2,6 +2,8 @@
 
 use super::draped::positions;
 use super::program::Ended;
+use std::f64::consts::TAU;
+use std::ops::Range;
 use toile_garment::Vec3;
 
 /// Name of the first frame, as `animate` is told it.
@@ -56,6 +58,30 @@ impl Signal {
     /// Largest values, each from a parabola through three frames.
     pub fn peaks(&self) -> Vec<f64> {
         let tops = self.values.windows(3).filter(|w| w[1] > w[0] && w[1] >= w[2]);
-        tops.map(|w| w[1] + (w[2] - w[0]).powi(2) / (8.0 * (2.0 * w[1] - w[0] - w[2]))).collect()
+        let over = |w: &[f64]| (w[2] - w[0]) * (w[2] - w[0]) / (8.0 * (2.0 * w[1] - w[0] - w[2]));
+        tops.map(|w| w[1] + over(w)).collect()
+    }
+
+    /// Of a wave that neither grows nor dies, 1/s: a first guess, mended until its phase is the same in both halves.
+    pub fn omega(&self) -> Result<f64, String> {
+        let mut omega = TAU / self.period()?;
+        let middle = self.values.len() / 2;
+        for _ in 0..6 {
+            let (early, late) = (self.phase(omega, 0..middle), self.phase(omega, middle..2 * middle));
+            let turn = late - early;
+            omega -= (turn - TAU * (turn / TAU).round()) / (self.dt * middle as f64);
+        }
+        Ok(omega)
+    }
+
+    /// φ of the nearest `R cos(ω t − φ)` in some frames.
+    fn phase(&self, omega: f64, frames: Range<usize>) -> f64 {
+        let [mut cc, mut cs, mut ss, mut xc, mut xs] = [0.0; 5];
+        for i in frames {
+            let (s, c) = libm::sincos(omega * self.dt * i as f64);
+            let x = self.values[i];
+            (cc, cs, ss, xc, xs) = (cc + c * c, cs + c * s, ss + s * s, xc + x * c, xs + x * s);
+        }
+        libm::atan2(cc * xs - cs * xc, ss * xc - cs * xs)
     }
 }

@@ -73,7 +73,17 @@ impl<'a> Lab<'a> {
         Film::read(&run, motion.fps)
     }
 
+    /// Does the motion run to its end? An unstable one does not.
+    pub fn stable(&mut self, trial: &Trial, motion: &Motion) -> Result<bool, String> {
+        let run = self.end(&motion.of(trial, &[]))?;
+        if run.code == 4 { Ok(false) } else { sound(run).map(|_| true) }
+    }
+
     fn run(&mut self, trial: &Trial) -> Result<Ended, String> {
+        self.end(trial).and_then(sound)
+    }
+
+    fn end(&mut self, trial: &Trial) -> Result<Ended, String> {
         self.runs += 1;
         let temporary = tempfile::tempdir().map_err(|e| e.to_string())?;
         let folder: PathBuf = match &self.options.common.keep {
@@ -87,10 +97,14 @@ impl<'a> Lab<'a> {
         if run.code == 130 {
             return Err(format!("did not settle within {:.0} CPU s", self.options.common.cap));
         }
-        if run.code > 1 {
-            let finding = run.findings().last().map(|f| f["message"].to_string());
-            return Err(format!("exit code {}: {}", run.code, finding.unwrap_or(run.said)));
-        }
         Ok(run)
     }
+}
+
+fn sound(run: Ended) -> Result<Ended, String> {
+    if run.code > 1 {
+        let finding = run.findings().last().map(|f| f["message"].to_string());
+        return Err(format!("exit code {}: {}", run.code, finding.unwrap_or(run.said)));
+    }
+    Ok(run)
 }

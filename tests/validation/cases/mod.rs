@@ -12,6 +12,7 @@ mod frame;
 mod friction;
 mod hanging;
 mod kes;
+mod leapfrog;
 pub mod not_yet;
 mod off_axis;
 mod ring;
@@ -41,6 +42,7 @@ pub fn all() -> Vec<Case> {
     list.extend(swing::cases());
     list.extend(ring::cases());
     list.extend(damped::cases());
+    list.extend(leapfrog::cases());
     list.extend(fall::cases());
     list.extend(slide::cases());
     list

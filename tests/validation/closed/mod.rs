@@ -8,6 +8,7 @@ pub mod damped;
 pub mod elastica;
 pub mod fall;
 pub mod hanging;
+pub mod leapfrog;
 pub mod ring;
 pub mod sector;
 pub mod slip;
