@@ -1,7 +1,6 @@
 //! Cases that fail, and why: each waits for a change of the program. A case that passes must leave this list.
 
 const NARROW: &str = "the factor in single precision breaks on triangles narrower than 2e-3 of their length; refused with place and remedy";
-const STIFFNESS: &str = "contact has a stiffness of its own, 2e5 N/m3; the cloth then folds another way";
 const LOCKED: &str =
     "thousands of steps: beside yarns that lock at 1e7 N/m the factor in single precision loses the soft motions";
 const AXES: &str = "lengths are summed as (x + y) + z with y up, so a quarter turn gives other last bits";

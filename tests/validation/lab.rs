@@ -2,8 +2,10 @@
 
 use super::case::{Row, Tolerance, judge};
 use super::options::Options;
+use crate::motion::Motion;
 use crate::support::draped::Draped;
-use crate::support::program;
+use crate::support::film::Film;
+use crate::support::program::{self, Ended};
 use crate::support::trial::Trial;
 use std::path::PathBuf;
 
@@ -52,6 +54,36 @@ impl<'a> Lab<'a> {
 
     /// `import-mesh` → `drape` → `export-obj`.
     pub fn drape(&mut self, trial: &Trial) -> Result<Draped, String> {
+        let run = self.run(trial)?;
+        let draped = Draped::read(&run)?;
+        if !draped.settled {
+            self.note("not settled");
+        }
+        self.residual = self.residual.max(draped.certificate["residual_rel"].as_f64().unwrap_or(0.0));
+        Ok(draped)
+    }
+
+    /// `import-mesh` → `drape` → `animate`, whose frames are read.
+    pub fn film(&mut self, trial: &Trial, motion: &Motion) -> Result<Film, String> {
+        let model: Vec<String> = self.options.drape.iter().filter(|k| k.starts_with("model")).cloned().collect();
+        let run = self.run(&motion.of(trial, &model))?;
+        if let Some(found) = run.findings().find(|f| f["code"] == "motion-not-solved") {
+            self.note(found["message"].as_str().unwrap_or_default());
+        }
+        Film::read(&run, motion.fps)
+    }
+
+    /// Does the motion run to its end? An unstable one does not.
+    pub fn stable(&mut self, trial: &Trial, motion: &Motion) -> Result<bool, String> {
+        let run = self.end(&motion.of(trial, &[]))?;
+        if run.code == 4 { Ok(false) } else { sound(run).map(|_| true) }
+    }
+
+    fn run(&mut self, trial: &Trial) -> Result<Ended, String> {
+        self.end(trial).and_then(sound)
+    }
+
+    fn end(&mut self, trial: &Trial) -> Result<Ended, String> {
         self.runs += 1;
         let temporary = tempfile::tempdir().map_err(|e| e.to_string())?;
         let folder: PathBuf = match &self.options.common.keep {
@@ -65,15 +97,14 @@ impl<'a> Lab<'a> {
         if run.code == 130 {
             return Err(format!("did not settle within {:.0} CPU s", self.options.common.cap));
         }
-        if run.code > 1 {
-            let finding = run.findings().last().map(|f| f["message"].to_string());
-            return Err(format!("exit code {}: {}", run.code, finding.unwrap_or(run.said)));
-        }
-        let draped = Draped::read(&run)?;
-        if !draped.settled {
-            self.note("not settled");
-        }
-        self.residual = self.residual.max(draped.certificate["residual_rel"].as_f64().unwrap_or(0.0));
-        Ok(draped)
+        Ok(run)
     }
+}
+
+fn sound(run: Ended) -> Result<Ended, String> {
+    if run.code > 1 {
+        let finding = run.findings().last().map(|f| f["message"].to_string());
+        return Err(format!("exit code {}: {}", run.code, finding.unwrap_or(run.said)));
+    }
+    Ok(run)
 }

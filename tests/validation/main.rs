@@ -1,5 +1,5 @@
 //! Physics cases with a known answer, run the way a user runs them: a cloth mesh, pins, loads and a fabric file are
-//! written to a folder, `import-mesh` → `drape` → `export-obj` runs, and the result is measured against a closed form
+//! written to a folder, `import-mesh` → `drape` → `export-obj` runs, with `animate` where time matters, and the result is measured against a closed form
 //! computed here.
 //!
 //! ```text
@@ -19,6 +19,7 @@ mod case;
 mod cases;
 mod closed;
 mod lab;
+mod motion;
 mod options;
 #[path = "../support/mod.rs"]
 mod support;

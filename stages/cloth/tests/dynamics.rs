@@ -5,7 +5,8 @@ mod common;
 use common::{cotton, linear, noise, regular, sheet, sphere};
 use std::f64::consts::PI;
 use toile_cloth::{
-    BodyMesh, ClothError, Dynamics, Effects, Motion, Pin, Scene, Settings, Silent, Switch, Vec3, animate, certify,
+    BodyMesh, ClothError, Dynamics, Effects, Integrator, Motion, Pin, Scene, Settings, Silent, Switch, Vec3, animate,
+    certify,
 };
 
 const G: f64 = 9.81;
@@ -363,4 +364,27 @@ fn cloth_that_a_body_catches_is_told_with_its_place() {
     let said = animate(&scene, &Settings::default(), &Dynamics::default(), &motion, &mut Silent, &mut |_| {});
     let Err(ClothError::Caught { seconds, place }) = said else { panic!("{said:?}") };
     assert!((0.0..0.1).contains(&seconds) && place.at.y.abs() < 0.05, "{seconds} {place:?}");
+}
+
+#[test]
+fn central_differences_fall_exactly_and_tell_what_they_cannot() {
+    let explicit = Settings { integrator: Integrator::CentralDifference, ..alone() };
+    let motion = Motion { fps: 20.0, frames: 5, ..Motion::default() };
+    for shot in film(&falling(), &explicit, &exact(1e-4), &motion) {
+        // Places of central differences from rest are those of the parabola.
+        let fall = -0.5 * G * shot.t * shot.t;
+        shot.x.iter().zip(&falling().positions).for_each(|(p, q)| assert!((p.y - q.y - fall).abs() < 1e-9));
+    }
+    let ask = |scene: &Scene, dynamics: &Dynamics, motion: &Motion| {
+        animate(scene, &explicit, dynamics, motion, &mut Silent, &mut |_| {}).unwrap_err()
+    };
+    let mut stretched = falling();
+    stretched.positions[0].x -= 1e-3;
+    let long = ask(&stretched, &exact(5e-3), &Motion { frames: 41, ..motion.clone() });
+    assert!(matches!(long, ClothError::Unstable { .. }), "{long}");
+    let mut on_body = falling();
+    on_body.body = Some(cube(Vec3::new(-1.0, -1.0, -1.0), Vec3::new(1.0, 0.0, 1.0)));
+    let body = shifted(on_body.body.as_ref().unwrap(), 20.0, 5, |t| Vec3::x() * t);
+    let moving = ask(&on_body, &exact(1e-4), &Motion { body, ..motion });
+    assert!(matches!(moving, ClothError::BadSetting { name: "integrator", .. }), "{moving}");
 }

@@ -4,7 +4,7 @@ mod body;
 mod params;
 mod store;
 
-pub use params::AnimateParams;
+pub use params::{AnimateParams, SteppingName};
 
 use crate::solve::{self, Follow, Layout, failure, scene};
 use store::Store;

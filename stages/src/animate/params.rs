@@ -1,6 +1,6 @@
 //! Parameters of `animate` and their meaning for the solver.
 
-use crate::drape::{AccuracyName, DrapeParams, EffectsParam, ModelName, SwitchName};
+use crate::drape::{AccuracyName, DrapeParams, EffectsParam, IntegratorName, ModelName, SwitchName};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -12,6 +12,18 @@ use toile_garment::units::{Acceleration, Duration, Length, Speed};
 const MOST_SECONDS: f64 = 10.0;
 /// Pressure of the air over the square of the speed across the cloth, kg/m³: ½ ρ C_d of a plate, ρ 1.2 kg/m³, C_d 1.
 const AIR: f64 = 0.6;
+
+/// Time stepping in motion.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum SteppingName {
+    /// Implicit steps of second order (TR-BDF2), stable at any length.
+    #[default]
+    Implicit,
+    /// The paper's explicit central differences, for comparison: steps that are too long end the run. The body stands still,
+    /// `accuracy` and bending hysteresis play no part.
+    CentralDifference,
+}
 
 /// Parameters of `animate`.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -35,7 +47,9 @@ pub struct AnimateParams {
     pub gravity: Acceleration,
     /// In-plane model.
     pub model: ModelName,
-    /// How far each time step is solved.
+    /// Time stepping.
+    pub integrator: SteppingName,
+    /// How far each implicit step is solved.
     pub accuracy: AccuracyName,
     /// Effects, each `auto`, `on` or `off`.
     pub effects: EffectsParam,
@@ -43,7 +57,7 @@ pub struct AnimateParams {
     pub air: SwitchName,
     /// Time in which motion dies away to 1/e by itself, air aside; `0 s` for never.
     pub calming: Duration,
-    /// Longest time step.
+    /// Longest time step; all have the same length, a whole number of them makes a frame.
     pub step: Duration,
     /// Distance at which cloth is held off the body.
     pub body_gap: Length,
@@ -68,6 +82,7 @@ impl Default for AnimateParams {
             until_settled: false,
             gravity: drape.gravity,
             model: drape.model,
+            integrator: SteppingName::default(),
             accuracy: drape.accuracy,
             effects: drape.effects,
             air: SwitchName::Auto,
@@ -89,6 +104,10 @@ impl AnimateParams {
         let drape = DrapeParams {
             gravity: self.gravity,
             model: self.model,
+            integrator: match self.integrator {
+                SteppingName::Implicit => IntegratorName::Static,
+                SteppingName::CentralDifference => IntegratorName::CentralDifference,
+            },
             effects: self.effects.clone(),
             body_gap: self.body_gap,
             self_gap: self.self_gap,

@@ -55,6 +55,15 @@ impl Mesh {
         self
     }
 
+    /// Rest area of every vertex (m²) times a value at its rest place.
+    pub fn weights(&self, of: impl Fn([f64; 2]) -> f64) -> Vec<f64> {
+        let mut sum = vec![0.0; self.rest.len()];
+        for t in &self.triangles {
+            t.iter().for_each(|v| sum[*v] += area(&self.rest, t).abs() / 3.0);
+        }
+        sum.iter().zip(&self.rest).map(|(a, r)| a * of(*r)).collect()
+    }
+
     pub fn obj(&self) -> String {
         let mut text = String::new();
         for p in &self.at {

@@ -33,21 +33,25 @@ fn incline(lab: &mut Lab) -> Result<(), String> {
     let mu = 0.3;
     bracket(lab, "critical angle deg", libm::atan(mu).to_degrees(), within(0.3, 2.0), |lab, degrees| {
         let slope = f64::to_radians(degrees);
-        let (s, c) = (libm::sin(slope), libm::cos(slope));
-        let mesh = sheet::sheet([0.1, 0.1], 5, 6, Family::Regular, |_| true);
-        let mesh = mesh.place(|[u, v]| {
-            let x = u - 0.05;
-            Vec3::new(c * x, v - 0.05, -s * x) + Vec3::new(s, 0.0, c) * OFF
-        });
-        let start = mesh.at.clone();
-        let fabric = Cloth { friction: mu, thickness: THICKNESS, ..Cloth::linear(0.2, 500.0, 50.0, 1e-5) };
-        let mut trial = Trial::new(mesh, fabric).set("max_time = \"2 s\"");
-        trial.body = Some(body::slab([1.0, 0.5], 0.05, slope));
+        let trial = slope_trial(slope, mu).set("max_time = \"2 s\"");
+        let start = trial.cloth.at.clone();
+        let down = Vec3::new(libm::cos(slope), 0.0, -libm::sin(slope));
         let d = lab.drape(&trial)?;
-        let moved: f64 = d.at.iter().zip(&start).map(|(p, q)| (p - q).dot(&Vec3::new(c, 0.0, -s))).sum();
+        let moved: f64 = d.at.iter().zip(&start).map(|(p, q)| (p - q).dot(&down)).sum();
         // In these two seconds a sheet at the next angle slides several millimetres, whatever the damping.
         Ok(d.settled && moved / (start.len() as f64) < 1e-3)
     })
+}
+
+/// A sheet that lies on a slope (rad), off it by its gap.
+pub fn slope_trial(slope: f64, friction: f64) -> Trial {
+    let (s, c) = (libm::sin(slope), libm::cos(slope));
+    let mesh = sheet::sheet([0.1, 0.1], 5, 6, Family::Regular, |_| true).place(|[u, v]| {
+        let x = u - 0.05;
+        Vec3::new(c * x, v - 0.05, -s * x) + Vec3::new(s, 0.0, c) * OFF
+    });
+    let fabric = Cloth { friction, thickness: THICKNESS, ..Cloth::linear(0.2, 500.0, 50.0, 1e-5) };
+    Trial::new(mesh, fabric).over(body::slab([1.0, 0.5], 0.05, slope))
 }
 
 /// A strip in the x–z plane over a cylinder along y: straight, half a turn or less over the top, straight. `s` runs

@@ -6,15 +6,21 @@ mod buckling;
 mod cantilever;
 mod catenary;
 mod cones;
+mod damped;
+mod fall;
 mod frame;
 mod friction;
 mod hanging;
 mod kes;
+mod leapfrog;
 pub mod not_yet;
 mod off_axis;
+mod ring;
 mod sewn;
 mod sleeve;
+mod slide;
 mod surface;
+mod swing;
 
 use crate::case::Case;
 
@@ -33,5 +39,11 @@ pub fn all() -> Vec<Case> {
     list.extend(cones::cases());
     list.extend(sewn::cases());
     list.extend(buckling::cases());
+    list.extend(swing::cases());
+    list.extend(ring::cases());
+    list.extend(damped::cases());
+    list.extend(leapfrog::cases());
+    list.extend(fall::cases());
+    list.extend(slide::cases());
     list
 }

@@ -4,10 +4,15 @@ pub mod buckling;
 pub mod catenary;
 pub mod cone;
 pub mod contact;
+pub mod damped;
 pub mod elastica;
+pub mod fall;
 pub mod hanging;
+pub mod leapfrog;
+pub mod ring;
 pub mod sector;
 pub mod slip;
+pub mod swing;
 
 /// m/s².
 pub const G: f64 = 9.81;

@@ -17,7 +17,7 @@ pub(crate) struct Body {
     pub topology: Topology,
     /// Edges that cloth outside can press on: all but the hollow and flat ones of a closed, oriented mesh.
     pub pressing_edges: Vec<bool>,
-    /// Those between two triangles of a plane.
+    /// Edges between two faces of one plane (`flat.rs`); empty where there is none.
     pub flat_edges: Vec<bool>,
     pub bounds: Aabb,
     /// Lower bounds of the distance to it, while it is at rest.
@@ -28,7 +28,7 @@ pub(crate) struct Body {
     rounding: f64,
 }
 
-/// Rise over size below which two triangles lie in a plane.
+/// Rise over size up to which an edge is flat.
 const FLAT: f64 = 1e-6;
 
 fn flat(v: &Vec3) -> Flat {
@@ -45,9 +45,8 @@ impl Body {
         let bounds = Aabb::of(&live.iter().flatten().map(|v| mesh.positions[*v as usize]).collect::<Vec<_>>());
         let topology = Topology::new(mesh.positions.len(), live);
         let size = bounds.low.amax().max(bounds.high.amax());
-        let rise = rise(&mesh.positions, &topology);
-        let pressing_edges = rise.iter().map(|r| r.is_none_or(|r| r < -FLAT)).collect();
-        let flat_edges = rise.iter().map(|r| r.is_some_and(|r| r.abs() <= FLAT)).collect();
+        let pressing_edges = pressing(&mesh.positions, &topology);
+        let flat_edges = super::flat::edges(&mesh.positions, &topology);
         let clearance = Clearance::new(&mesh.positions, &topology.faces, &bounds);
         Some(Self {
             mesh: tri_mesh,
@@ -69,23 +68,6 @@ impl Body {
         for i in self.mesh.bvh().intersect_aabb(&query) {
             emit(i);
         }
-    }
-
-    /// Does the plane of a triangle go on under a point at `d` from the place in it that the corners' shares tell? That place
-    /// then lies on an edge, and the next triangle is right under the point; right over the edge it is the one that owns the
-    /// edge. Of a moving body this is not known.
-    pub fn goes_on(&self, face: u32, shares: &[f64; 3], d: &Vec3) -> bool {
-        let Some(k) = (0..3).find(|k| shares[*k] <= 0.0) else { return false };
-        let (side, last) = ((k + 1) % 3, (k + 2) % 3);
-        let edge = self.topology.face_edges[face as usize][side] as usize;
-        if shares[side] <= 0.0 || shares[last] <= 0.0 || !self.flat_edges[edge] {
-            return false;
-        }
-        let t = self.triangle(face);
-        let along = t[last] - t[side];
-        let out = along.cross(&(t[side] - t[k]).cross(&along));
-        let owned = self.topology.owned[face as usize] & (8 << side) != 0;
-        !owned || d.dot(&out) > FLAT * d.norm() * out.norm()
     }
 
     pub fn triangle(&self, i: u32) -> [Vec3; 3] {
@@ -137,11 +119,11 @@ fn solid_angle([a, b, c]: &[Vec3; 3]) -> f64 {
     2.0 * libm::atan2(a.dot(&b.cross(c)), den)
 }
 
-/// How far the triangle beyond each edge rises out of the plane of the one before it, seen from outside, over its size: above 0
-/// at a hollow edge. That cannot be the first thing a straight edge outside meets, nor can an edge between two triangles of a
-/// plane; and that would push cloth along the plane. Where the mesh is not closed or not oriented, nothing is known.
-fn rise(x: &[Vec3], topology: &Topology) -> Vec<Option<f64>> {
-    let all = vec![None; topology.edges.len()];
+/// An edge that is hollow seen from outside cannot be the first thing a straight edge outside meets, nor can one between two
+/// faces of a plane; and that would push cloth along the plane. Where the mesh is not closed or not oriented, nothing is known
+/// and every edge counts.
+fn pressing(x: &[Vec3], topology: &Topology) -> Vec<bool> {
+    let all = vec![true; topology.edges.len()];
     if topology.hinges.len() * 2 != topology.faces.len() * 3 || topology.edges.len() != topology.hinges.len() {
         return all;
     }
@@ -153,7 +135,7 @@ fn rise(x: &[Vec3], topology: &Topology) -> Vec<Option<f64>> {
             a.dot(&b.cross(&c))
         })
         .sum();
-    let mut rise = all.clone();
+    let mut pressing = all.clone();
     for h in &topology.hinges {
         let [f, g] = h.faces.map(|f| topology.faces[f as usize]);
         let same = f[usize::from(h.sides[0])] == g[usize::from(h.sides[1])];
@@ -162,10 +144,10 @@ fn rise(x: &[Vec3], topology: &Topology) -> Vec<Option<f64>> {
         }
         let [a, b, c] = f.map(|v| x[v as usize]);
         let n = (b - a).cross(&(c - a)) * volume.signum();
-        let height = n.dot(&(x[h.vertices[3] as usize] - a));
+        let rise = n.dot(&(x[h.vertices[3] as usize] - a));
         let edge = topology.face_edges[h.faces[0] as usize][usize::from(h.sides[0])];
         let wing = (x[h.vertices[3] as usize] - a).norm();
-        rise[edge as usize] = Some(height / (n.norm() * wing));
+        pressing[edge as usize] = rise < -FLAT * n.norm() * wing;
     }
-    rise
+    pressing
 }

@@ -7,6 +7,7 @@ pub(crate) mod calm;
 pub(crate) mod clear;
 pub(crate) mod closest;
 pub(crate) mod contact;
+mod flat;
 pub(crate) mod friction;
 pub(crate) mod listed;
 pub(crate) mod near;

@@ -15,12 +15,13 @@ pub(crate) struct Travel {
 }
 
 impl Body {
-    /// From now on the body may move. Every edge can press then: a hollow one may open.
+    /// From now on the body may move. Every edge can press then: a hollow one may open,
+    /// a flat one may bend.
     pub fn set_out(&mut self) {
         let tree = Tree::new(&self.positions, &self.topology.faces);
         self.travel = Some(Travel { step: vec![Vec3::zeros(); self.positions.len()], going: false, tree });
         self.pressing_edges.fill(true);
-        self.flat_edges.fill(false);
+        self.flat_edges.clear();
     }
 
     /// Displacements that the next step is to take.

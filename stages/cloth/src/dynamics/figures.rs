@@ -3,7 +3,7 @@
 use super::motion::{Dynamics, Motion, Trip};
 use super::stage::Stepper;
 use crate::report::effect;
-use crate::{Scene, Vec3};
+use crate::{EffectReport, Scene, Vec3};
 
 /// J.
 pub(super) fn kinetic(mass: &[f64], v: &[Vec3]) -> f64 {
@@ -27,16 +27,16 @@ pub(super) fn effects(stepper: &Stepper<'_>, scene: &Scene, dynamics: &Dynamics,
         "the cloth moves in time".into(),
         format!("{} steps, {} descent steps, {} stages unfinished", trip.steps, trip.descents, trip.unfinished),
     ));
-    trip.effects.push(effect(
-        "air",
-        dynamics.drag > 0.0,
-        "a drag above 0".into(),
-        format!("{} kg/m³ against the square of the speed across the cloth", dynamics.drag),
-    ));
+    trip.effects.push(air(dynamics));
     trip.effects.push(effect(
         "moving-body",
         !motion.body.is_empty(),
         "the body has frames".into(),
         format!("{} frames; it came in parts {} times because cloth was in its way", motion.body.len(), trip.parted),
     ));
+}
+
+pub(super) fn air(dynamics: &Dynamics) -> EffectReport {
+    let evidence = format!("{} kg/m³ against the square of the speed across the cloth", dynamics.drag);
+    effect("air", dynamics.drag > 0.0, "a drag above 0".into(), evidence)
 }

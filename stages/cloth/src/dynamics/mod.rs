@@ -1,8 +1,9 @@
 //! Motion in time for animation (docs/dynamics.md): implicit steps, each a descent of the same energy and contact as
-//! the drape with inertia added, and a body that moves.
+//! the drape with inertia added, and a body that moves; for comparison also explicit ones.
 
 mod air;
 mod carry;
+mod explicit;
 mod figures;
 mod impact;
 pub(crate) mod inert;

@@ -5,18 +5,20 @@ use super::carry::{Hook, Path};
 use super::motion::{Dynamics, Frame, Motion, Trip};
 use super::scheme::{self, State};
 use super::stage::Stepper;
-use super::{figures, impact};
+use super::{explicit, figures, impact};
 use crate::start::Start;
 use crate::statics::descent::Descent;
 use crate::{ClothError, Integrator, Scene, Settings, Vec3, Watch};
 
 /// Frames in a row without motion that count as rest.
-const QUIET: usize = 5;
+pub(super) const QUIET: usize = 5;
 
-/// Moves the cloth in time from the scene's positions; `each` is given every frame. Stitches must have been welded.
+/// Moves the cloth in time from the scene's positions; `each` is given every frame. Stitches must have been welded. Steps
+/// are implicit unless the settings ask for central differences.
 ///
 /// # Errors
-/// An unusable scene, setting or body frame; a start that crosses; cloth caught by the body; a stop on request.
+/// An unusable scene, setting or body frame; a start that crosses; cloth caught by the body; explicit steps that are too
+/// long; a stop on request.
 pub fn animate(
     scene: &Scene,
     settings: &Settings,
@@ -27,8 +29,10 @@ pub fn animate(
 ) -> Result<Trip, ClothError> {
     dynamics.check()?;
     motion.check(scene.body.as_ref(), scene.positions.len())?;
-    let settings = Settings { integrator: Integrator::Static, ..settings.clone() };
-    let mut walk = Walk::new(scene, &settings, dynamics, motion)?;
+    if settings.integrator == Integrator::CentralDifference {
+        return explicit::film(scene, settings, dynamics, motion, watch, each);
+    }
+    let mut walk = Walk::new(scene, settings, dynamics, motion)?;
     walk.go(watch, each)?;
     Ok(walk.end())
 }

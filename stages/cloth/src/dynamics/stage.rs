@@ -12,6 +12,8 @@ use crate::{ClothError, Place, Vec3};
 const GIVES_WAY: usize = 6;
 /// Factors in a stage, at most.
 const MOST_FACTORS: usize = 25;
+/// A step shorter than this share of the tolerance need not be taken whole: the digits of the energy no longer tell it.
+const TRIFLE: f64 = 1e-3;
 /// A part of the remaining way smaller than this is none …
 const NO_WAY: f64 = 2e-3;
 /// … and so many in a row mean that the cloth cannot give way.
@@ -108,7 +110,7 @@ impl Stepper<'_> {
             d.metric()?;
             for _ in 0..length {
                 match d.step() {
-                    Some(part) if part > 0.5 && d.longest <= near => return Ok(true),
+                    Some(part) if d.longest <= if part > 0.5 { near } else { TRIFLE * near } => return Ok(true),
                     Some(part) if part < 0.2 => break,
                     Some(_) => stuck = 0,
                     None => {
@@ -146,7 +148,7 @@ fn aside(barrier: &Barrier, x: &[Vec3], step: &mut [Vec3], way: &[Vec3], free: &
     let points = near.body_point_gaps(x, body).map(|(g, _)| (BODY_POINT, 1, 1.0, g));
     let edges = near.body_edge_gaps(x, body).map(|(g, _)| (BODY_EDGE, 2, 0.5, g));
     let faces = near.body_face_gaps(x, body).map(|(g, _)| (BODY_FACE, 3, 0.5, g));
-    for (kind, count, share, Gap { vertices, weights, d, aside }) in points.chain(edges).chain(faces) {
+    for (kind, count, share, Gap { vertices, weights, d, .. }) in points.chain(edges).chain(faces) {
         let distance = d.norm();
         let gaps = vertices[..count].iter().map(|v| barrier.frame.body_gap[*v as usize]);
         let room = 0.9 * (distance - share * gaps.fold(f64::INFINITY, f64::min)).max(0.0);

@@ -291,6 +291,20 @@ mod tests {
         assert_eq!(factor.analyses, 1);
     }
 
+    #[test]
+    fn solves_unknowns_that_know_nothing_of_each_other() {
+        for n in [1, 3] {
+            let pattern = Pattern::new(n, Vec::new());
+            let block = Matrix3::new(4.0, 1.0, 0.0, 1.0, 3.0, 0.5, 0.0, 0.5, 2.0);
+            let x = Vec3::new(1.0, -2.0, 3.0);
+            let mut b = vec![block * x + x; n];
+            let mut factor = Factor::default();
+            assert!(factor.factorise(&pattern, &vec![block; n], &vec![1.0; n]));
+            factor.solve(&mut b);
+            b.iter().for_each(|y| assert!((x - y).norm() < 1e-5, "{y}"));
+        }
+    }
+
     /// Whatever registers a processor has, not a bit of factor and solution may differ.
     #[test]
     fn every_width_of_registers_gives_the_same_bits() {

@@ -99,10 +99,16 @@ impl Symbolic {
         };
         let analysis = factorize_symbolic_cholesky(lower, Side::Lower, SymmetricOrdering::Amd, params).ok()?;
         let place = analysis.perm()?.arrays().1.to_vec();
-        let (nodes, length) = nodes(&analysis)?;
+        let (nodes, length) = if pattern.rows.len() == n { apart(n)? } else { nodes(&analysis)? };
         let targets = targets(pattern, &place, &nodes);
         Some(Self { place, nodes, targets, length })
     }
+}
+
+/// Unknowns that know nothing of each other, as when only one vertex is free: `faer` makes no supernodes of them.
+fn apart(n: usize) -> Option<(Vec<Node>, usize)> {
+    let node = |k: u32| Node { first: k, columns: 1, rows: Vec::new(), owners: Vec::new(), start: 9 * k as usize };
+    Some(((0..u32::try_from(n).ok()?).map(node).collect(), 9 * n))
 }
 
 fn nodes(analysis: &SymbolicCholesky<u32>) -> Option<(Vec<Node>, usize)> {

@@ -1,0 +1,159 @@
+//! Motion by the paper's central differences (equations 8–14), for comparison with the implicit steps: all steps have the
+//! length that was asked for, and one that is too long ends the run. The body stands still.
+
+use super::air::viscous;
+use super::motion::{Dynamics, Frame, Motion, Trip};
+use crate::integrate::central::{self, State};
+use crate::problem::Problem;
+use crate::report::{self, effect};
+use crate::{ClothError, Scene, Settings, Vec3, Watch};
+
+/// Places beyond this are no cloth any more, m.
+const LOST: f64 = 1e6;
+
+/// As [`super::animate`], after its checks.
+pub(super) fn film(
+    scene: &Scene,
+    settings: &Settings,
+    dynamics: &Dynamics,
+    motion: &Motion,
+    watch: &mut dyn Watch,
+    each: &mut dyn FnMut(&Frame<'_>),
+) -> Result<Trip, ClothError> {
+    if !motion.body.is_empty() {
+        let what = "central differences know a body at rest only".into();
+        return Err(ClothError::BadSetting { name: "integrator", what });
+    }
+    let mut walk = Walk::new(scene, settings, dynamics, motion)?;
+    walk.show(0, each);
+    for k in 1..motion.frames.max(1) {
+        walk.frame(k, watch)?;
+        walk.show(k, each);
+        if walk.trip.settled && motion.until_settled {
+            break;
+        }
+    }
+    Ok(walk.end(settings))
+}
+
+struct Walk<'a> {
+    scene: &'a Scene,
+    dynamics: &'a Dynamics,
+    motion: &'a Motion,
+    problem: Problem,
+    /// Velocities are those half a step before.
+    state: State,
+    /// Steps from frame to frame, and their length, s.
+    steps: u32,
+    dt: f64,
+    /// About the longest stable step at the start, s.
+    stable: f64,
+    quiet: usize,
+    trip: Trip,
+}
+
+impl<'a> Walk<'a> {
+    fn new(
+        scene: &'a Scene,
+        settings: &Settings,
+        dynamics: &'a Dynamics,
+        motion: &'a Motion,
+    ) -> Result<Self, ClothError> {
+        let frame = 1.0 / motion.fps;
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        let steps = (frame / dynamics.step * (1.0 - 1e-9)).ceil().max(1.0) as u32;
+        let dt = frame / f64::from(steps);
+        // Nothing is damped but by what was asked for, and every vertex has the inertia of its mass.
+        let plain =
+            Settings { damping: dynamics.damping, stiffness_damping: 0.0, even_inertia: false, ..settings.clone() };
+        let mut problem = Problem::new(scene, &plain, false)?;
+        let stable = problem.stable_step(&problem.start.clone());
+        if problem.contact.is_some() && dt < stable {
+            // Contact is as stiff as this step bears.
+            problem = Problem::new(scene, &Settings { step_fraction: dt / stable, ..plain }, false)?;
+        }
+        let state = State::at_rest(problem.start.clone());
+        let mut walk =
+            Self { scene, dynamics, motion, problem, state, steps, dt, stable, quiet: 0, trip: Trip::default() };
+        walk.step_back();
+        Ok(walk)
+    }
+
+    /// Velocities half a step before the start.
+    fn step_back(&mut self) {
+        if !self.motion.velocities.is_empty() {
+            self.state.v.copy_from_slice(&self.motion.velocities);
+        }
+        let mut force = vec![Vec3::zeros(); self.state.x.len()];
+        self.problem.forces(&self.state.x, &mut force);
+        for ((v, f), w) in self.state.v.iter_mut().zip(&force).zip(&self.problem.inverse_mass) {
+            *v -= f * (0.5 * self.dt * w);
+        }
+    }
+
+    fn frame(&mut self, number: usize, watch: &mut dyn Watch) -> Result<(), ClothError> {
+        let before = self.state.x.clone();
+        for _ in 0..self.steps {
+            if watch.cancelled() {
+                return Err(ClothError::Cancelled { step: self.trip.steps });
+            }
+            self.brake();
+            central::step(&mut self.problem, &mut self.state, self.dt);
+            self.trip.steps += 1;
+            self.check()?;
+        }
+        let (frames, fps) = (self.motion.frames, self.motion.fps);
+        watch.progress(self.trip.steps, &format!("frame {number} of {frames}"));
+        self.trip.speed = crate::farthest(&before, &self.state.x) * fps;
+        self.quiet = if self.trip.speed <= self.dynamics.rest_speed { self.quiet + 1 } else { 0 };
+        self.trip.settled = self.quiet >= super::run::QUIET;
+        Ok(())
+    }
+
+    fn check(&self) -> Result<(), ClothError> {
+        if self.state.x.iter().all(|p| p.amax() < LOST) {
+            return Ok(());
+        }
+        let (dt, stable) = (self.dt, self.stable);
+        let what = format!("steps of {dt:.3e} s are too long for this cloth, which bears about {stable:.3e} s");
+        Err(ClothError::Unstable { step: self.trip.steps, what })
+    }
+
+    /// The air acts against the velocity of half a step before.
+    fn brake(&mut self) {
+        if self.dynamics.drag <= 0.0 {
+            return;
+        }
+        let air = Dynamics { damping: 0.0, ..*self.dynamics };
+        let State { x, v, .. } = &mut self.state;
+        let against = viscous(&air, &self.problem.mass, &self.scene.triangles, x, v);
+        for ((v, c), w) in v.iter_mut().zip(&against).zip(&self.problem.inverse_mass) {
+            *v -= c * *v * (self.dt * w);
+        }
+    }
+
+    fn show(&mut self, number: usize, each: &mut dyn FnMut(&Frame<'_>)) {
+        self.trip.frames = number + 1;
+        each(&Frame {
+            number,
+            seconds: number as f64 / self.motion.fps,
+            positions: &self.state.x,
+            velocities: &self.state.v,
+            body: self.scene.body.as_ref().map_or(&[], |b| &b.positions),
+            kinetic: self.problem.kinetic(&self.state.v),
+            potential: self.problem.potential(&self.state.x),
+        });
+    }
+
+    fn end(mut self, settings: &Settings) -> Trip {
+        self.trip.effects = report::effects(&self.problem, self.scene, settings);
+        self.trip.effects.push(effect(
+            "inertia",
+            true,
+            "the cloth moves in time".into(),
+            format!("{} explicit steps of {:.3e} s, stable about {:.3e} s", self.trip.steps, self.dt, self.stable),
+        ));
+        self.trip.effects.push(super::figures::air(self.dynamics));
+        self.trip
+    }
+}

@@ -1,0 +1,56 @@
+//! The paper's central differences in motion: the frequency they show, and the step that they bear.
+
+use super::damped::{HEIGHT, triangle};
+use crate::case::{Case, case, share};
+use crate::closed::leapfrog;
+use crate::lab::Lab;
+use crate::motion::Motion;
+use crate::support::cloth::Cloth;
+use crate::support::mesh::{Family, sheet};
+use crate::support::trial::Trial;
+use toile_garment::Vec3;
+
+/// Steps in a frame where a step may be shorter than a frame.
+const STEPS: f64 = 8.0;
+
+pub fn cases() -> Vec<Case> {
+    vec![case("leapfrog-0", leapfrog).quick(), case("grid-dt-0", grid)]
+}
+
+/// Motion by explicit steps of this length, s.
+fn explicit(steps: usize, in_frame: f64, dt: f64) -> Motion {
+    let frames = 1.0 / (in_frame * dt);
+    let mut motion = Motion::new(frames, steps as f64 * dt, dt).weightless();
+    // Without what would hold a motion that runs away: elongation is taken back, and cloth is kept off cloth.
+    let off = ["strain-limit", "self-contact"].map(|e| format!("effects.{e} = \"off\""));
+    motion.more = [vec!["integrator = \"central-difference\"".to_owned()], off.to_vec()].concat();
+    motion
+}
+
+fn leapfrog(lab: &mut Lab) -> Result<(), String> {
+    let (omega, dt) = (10.0, 0.05);
+    let film = lab.film(&triangle(omega), &explicit(1000, 1.0, dt))?;
+    let got = film.signal(|x| x[2].z + HEIGHT).omega()?;
+    let expected = leapfrog::omega(omega, dt);
+    lab.figure("omega 1/s", got, expected, share(1e-8, 1e-3));
+    lab.figure("error of the period", omega / got - 1.0, omega / expected - 1.0, share(1e-6, 1e-3));
+    Ok(())
+}
+
+/// The inside of a sheet whose border is held, so that rims and corners play no part; rounding alone sets it in motion.
+fn grid(lab: &mut Lab) -> Result<(), String> {
+    let (k, shear, sigma, h, n) = (500.0, 50.0, 0.2, 0.01, 12);
+    let size = n as f64 * h;
+    let mesh = sheet::sheet([size, size], n, n, Family::Right, |_| true).place(|[u, v]| Vec3::new(u, v, 0.0));
+    let border = mesh.pick(|r| r.iter().any(|c| *c < 1e-9 || *c > size - 1e-9));
+    let trial = Trial::new(mesh, Cloth::linear(sigma, k, shear, 0.0)).weightless().hold(border);
+    let expected = leapfrog::longest_step(k, sigma, h);
+    let (mut low, mut high) = (0.7 * expected, 1.3 * expected);
+    for _ in 0..8 {
+        let dt = 0.5 * (low + high);
+        if lab.stable(&trial, &explicit(2000, STEPS, dt))? { low = dt } else { high = dt }
+    }
+    lab.note("springs without shear; triangles, which shear in that mode, bear 1/√(1 + 2G/K) of it");
+    lab.figure("longest step s", 0.5 * (low + high), expected, share(0.02, 0.3));
+    Ok(())
+}
