@@ -16,7 +16,7 @@ const LENGTH: f64 = 0.2;
 const WIDTH: f64 = 0.1;
 
 pub fn cases() -> Vec<Case> {
-    vec![case("bias-extension-0", extend)]
+    vec![case("bias-extension-0", extend).quick()]
 }
 
 fn extend(lab: &mut Lab) -> Result<(), String> {

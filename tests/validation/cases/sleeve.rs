@@ -18,7 +18,7 @@ const HEIGHT: f64 = 0.04;
 const ROWS: usize = 8;
 
 pub fn cases() -> Vec<Case> {
-    vec![case("sleeve-0", round), case("sleeve-ellipse-0", ellipse)]
+    vec![case("sleeve-0", round).quick(), case("sleeve-ellipse-0", ellipse)]
 }
 
 /// A rectangle `girth` round and [`HEIGHT`] high, sewn to a ring along a given curve; the columns of its middle row in

@@ -101,3 +101,59 @@ fn halved([mut low, mut high]: [f64; 2], less: impl Fn(f64) -> bool) -> f64 {
     }
     0.5 * (low + high)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::super::body::Body;
+    use super::super::super::contact::Frame;
+    use super::super::super::stick::Stick;
+    use super::*;
+    use crate::BodyMesh;
+    use crate::topology::Topology;
+
+    const GAP: f64 = 1e-3;
+
+    /// A triangle of cloth on a large one of a body, at its gap.
+    fn lying() -> (Barrier, Vec<Vec3>) {
+        let mesh = BodyMesh {
+            positions: vec![Vec3::new(-1.0, 0.0, -1.0), Vec3::new(0.0, 0.0, 2.0), Vec3::new(1.0, 0.0, -1.0)],
+            triangles: vec![[0, 1, 2]],
+        };
+        let frame = Frame {
+            topology: Topology::new(3, vec![[0, 1, 2]]),
+            groups: vec![0, 1, 2],
+            body_gap: vec![GAP; 3],
+            own_gap: vec![0.0; 3],
+            friction: vec![0.5; 3],
+            inverse_mass: vec![1.0; 3],
+            edge: 0.01,
+            own: false,
+            press: 2e5,
+            steepest: 1e5,
+        };
+        let x = vec![Vec3::new(0.0, GAP, 0.0), Vec3::new(0.0, GAP, 0.01), Vec3::new(0.01, GAP, 0.0)];
+        let mut barrier = Barrier::new(frame, Body::new(&mesh), vec![2e-5; 3], None);
+        barrier.cover(&x, &[Vec3::zeros(); 3]);
+        (barrier, x)
+    }
+
+    /// What presses on the body and pulls along it is held at once, by contacts and by friction.
+    #[test]
+    fn cloth_in_balance_starts_with_the_loads_of_its_contacts() {
+        let (mut b, x) = lying();
+        let pressed = Vec3::new(1e-4, -1e-3, 0.0);
+        let forces = [pressed, Vec3::new(0.0, 1e-3, 0.0), pressed];
+        let pulls = b.preload(&x, &forces, &[0, 1, FIXED]);
+        assert_eq!(pulls.iter().map(|p| p.0).collect::<Vec<_>>(), [0], "lifted and held vertices bear nothing");
+        let mut held = [Vec3::zeros(); 3];
+        b.evaluate(&x, &mut held);
+        let mut stick = Stick::default();
+        stick.refresh(&x, &b.touches, b.frame.press);
+        stick.take_up(&pulls);
+        stick.evaluate(&x, &mut held);
+        assert!((held[0] + pressed).norm() < 1e-8, "{:?}", held[0]);
+        b.unload(&x);
+        b.evaluate(&x, &mut held);
+        assert!(b.touches.is_empty());
+    }
+}
