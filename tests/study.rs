@@ -5,6 +5,7 @@ use serde_json::Value;
 use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use support::bench::{Said, command};
+use toile::study::estimate::Trend;
 
 fn pipeline() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("pipelines/long-skirt/v1.toml")
@@ -72,8 +73,8 @@ fn goes_on(out: &Path, first: &Said, document: &Path) {
 fn is_chosen_from(dir: &Path, found: &Value) {
     let text = std::fs::read_to_string(pipeline()).expect("pipeline");
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let trend = |key: &str| found["trend"][key].as_f64().expect("three meshes have a trend");
-    let wanted = (10.0 * (45.0 * trend("slope") + trend("scatter_mm"))).ceil() / 10.0;
+    let trend: Trend = serde_json::from_value(found["trend"].clone()).expect("three meshes have a trend");
+    let wanted = (10.0 * trend.error(45.0, None)).ceil() / 10.0;
     let file = dir.join("v1.toml");
     let head = format!("version = 1\naccuracy = \"{wanted} mm\"");
     let samples = root.join("samples").to_string_lossy().into_owned();

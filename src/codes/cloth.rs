@@ -66,6 +66,10 @@ pub(super) const CODES: &[Code] = &[
         "drape-not-settled",
         "The drape did not come to rest within its steps or its time, or nothing holds it. The message says which and what helps; the certificate says how far it was.",
     ),
+    code(
+        "edges-tiny",
+        "Edges are so short beside the others of their triangles that no step could be taken: their ends were draped as one vertex, and parted again afterwards.",
+    ),
     code("fabric-missing", "There is no fabric. Give `with.fabric`. Exit code 2."),
     code("flat-triangle", "A triangle of the rest shape has no area, so its cloth has no stiffness. Exit code 3."),
     code(

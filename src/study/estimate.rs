@@ -7,8 +7,9 @@ use super::measure::{Lengths, difference};
 use serde::{Deserialize, Serialize};
 
 /// Order of hem heights and girths in the edge length. Linear triangles give energies of second order on smooth shapes;
-/// contact and folds that are as wide as a few edges make lengths of a garment first order.
-pub const ORDER: f64 = 1.0;
+/// contact and folds that are as wide as a few edges leave lengths of a garment little more than the first: over the ladders
+/// of the three samples, orders from 1 to 1.5 fit alike, and with this one no estimate is twice or half the error.
+pub const ORDER: f64 = 1.25;
 
 /// One mesh: its edge length in mm and what was measured.
 #[derive(Clone, Copy, Debug)]
@@ -19,12 +20,15 @@ pub struct Level<'a> {
     pub lengths: &'a Lengths,
 }
 
+fn power(edge: f64) -> f64 {
+    libm::pow(edge, ORDER)
+}
+
 /// Estimated largest error of a hem height or girth on `this` mesh, mm, against the limit of fine meshes, or against the
 /// result of a mesh of the edge length `finest`. `None` when the levels cannot be compared.
 #[must_use]
 pub fn estimate(coarser: Level<'_>, this: Level<'_>, finest: Option<f64>) -> Option<f64> {
     let [hem, girth, _] = difference(coarser.lengths, this.lengths)?;
-    let power = |h: f64| libm::pow(h, ORDER);
     let (step, rest) = (power(coarser.edge) - power(this.edge), power(this.edge) - finest.map_or(0.0, power));
     (step > 0.0).then(|| hem.max(girth) * rest.max(0.0) / step)
 }
@@ -34,8 +38,8 @@ pub fn estimate(coarser: Level<'_>, this: Level<'_>, finest: Option<f64>) -> Opt
 #[must_use]
 pub fn error_of(levels: &[Level<'_>], finest: Option<f64>) -> Option<f64> {
     let [this, coarser, ..] = levels else { return None };
-    match Trend::of(levels) {
-        Some(trend) => Some(trend.error(this.edge - finest.unwrap_or(0.0))),
+    match lines(levels) {
+        Some(lines) => Some(lines.iter().fold(0.0, |most: f64, line| most.max(off(*line, this.edge, finest)))),
         None => estimate(*coarser, *this, finest),
     }
 }
@@ -43,9 +47,9 @@ pub fn error_of(levels: &[Level<'_>], finest: Option<f64>) -> Option<f64> {
 /// How lengths follow the edge length over a whole ladder of meshes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Trend {
-    /// Steepest slope of a hem height or girth over the edge length, mm a mm.
+    /// Steepest slope of a hem height or girth over the edge length to the power of [`ORDER`], mm.
     pub slope: f64,
-    /// Largest mean (rms) distance of a hem height or girth from its straight line, mm: what folds and friction decide, not
+    /// Largest mean (rms) distance of a hem height or girth from its line, mm: what folds and friction decide, not
     /// the mesh.
     pub scatter_mm: f64,
 }
@@ -55,14 +59,7 @@ impl Trend {
     /// scatter for a slope.
     #[must_use]
     pub fn of(levels: &[Level<'_>]) -> Option<Self> {
-        let [first, _, _, ..] = levels else { return None };
-        let figures = first.lengths.mesh_dependent().count();
-        let edges: Vec<f64> = levels.iter().map(|l| l.edge).collect();
-        let lines = (0..figures).map(|k| {
-            let values: Option<Vec<f64>> = levels.iter().map(|l| l.lengths.mesh_dependent().nth(k)).collect();
-            line(&edges, &values?)
-        });
-        lines.collect::<Option<Vec<[f64; 2]>>>().map(|lines| {
+        lines(levels).map(|lines| {
             lines.iter().fold(Self::default(), |t, [slope, scatter]| Self {
                 slope: t.slope.max(slope.abs()),
                 scatter_mm: t.scatter_mm.max(*scatter),
@@ -70,11 +67,28 @@ impl Trend {
         })
     }
 
-    /// Error on a mesh of this edge length, mm.
+    /// Error on a mesh of this edge length against the limit, or against a mesh of the edge length `finest`, mm. Slope and
+    /// scatter have nothing to do with each other, so their squares add up.
     #[must_use]
-    pub fn error(&self, edge: f64) -> f64 {
-        self.slope * edge + self.scatter_mm
+    pub fn error(&self, edge: f64, finest: Option<f64>) -> f64 {
+        off([self.slope, self.scatter_mm], edge, finest)
     }
+}
+
+/// What a line says a figure is off by.
+fn off([slope, scatter]: [f64; 2], edge: f64, finest: Option<f64>) -> f64 {
+    libm::hypot(slope * (power(edge) - finest.map_or(0.0, power)), scatter)
+}
+
+/// The line of every hem height and girth through at least three levels.
+fn lines(levels: &[Level<'_>]) -> Option<Vec<[f64; 2]>> {
+    let [first, _, _, ..] = levels else { return None };
+    let edges: Vec<f64> = levels.iter().map(|l| power(l.edge)).collect();
+    let of = |k: usize| {
+        let values: Option<Vec<f64>> = levels.iter().map(|l| l.lengths.mesh_dependent().nth(k)).collect();
+        line(&edges, &values?)
+    };
+    (0..first.lengths.mesh_dependent().count()).map(of).collect()
 }
 
 /// Slope of the line through points, and their rms distance from it.
@@ -93,15 +107,18 @@ mod tests {
     use super::*;
 
     #[test]
-    fn finds_the_error_of_a_first_order_quantity() {
-        let at =
-            |h: f64| Lengths { hems_mm: vec![300.0 + 0.5 * h], girths_mm: vec![900.0 - 0.8 * h], tapes_mm: vec![] };
+    fn finds_the_error_of_a_quantity_of_that_order() {
+        let at = |h: f64| Lengths {
+            hems_mm: vec![300.0 + 0.5 * power(h)],
+            girths_mm: vec![900.0 - 0.8 * power(h)],
+            tapes_mm: vec![],
+        };
         let (coarse, fine) = (at(16.0), at(11.0));
         let levels = (Level { edge: 16.0, lengths: &coarse }, Level { edge: 11.0, lengths: &fine });
         let all = estimate(levels.0, levels.1, None).expect("levels");
-        assert!((all - 0.8 * 11.0).abs() < 1e-9);
+        assert!((all - 0.8 * power(11.0)).abs() < 1e-9);
         let to_finest = estimate(levels.0, levels.1, Some(8.0)).expect("levels");
-        assert!((to_finest - 0.8 * 3.0).abs() < 1e-9);
+        assert!((to_finest - 0.8 * (power(11.0) - power(8.0))).abs() < 1e-9);
         assert_eq!(estimate(levels.1, levels.0, None), None, "the coarser one comes first");
     }
 
@@ -112,19 +129,19 @@ mod tests {
         let all: Vec<Lengths> = edges
             .iter()
             .zip(off)
-            .map(|(h, off)| Lengths { hems_mm: vec![300.0 + 0.3 * h + off], ..Lengths::default() })
+            .map(|(h, off)| Lengths { hems_mm: vec![300.0 + 0.15 * power(*h) + off], ..Lengths::default() })
             .collect();
         let levels: Vec<Level<'_>> =
             edges.iter().zip(&all).map(|(edge, lengths)| Level { edge: *edge, lengths }).collect();
         let trend = Trend::of(&levels).expect("a trend");
-        assert!((trend.slope - 0.3).abs() < 0.03 && (0.3..0.7).contains(&trend.scatter_mm), "{trend:?}");
-        assert!((trend.error(8.0) - 2.4).abs() < 0.9);
+        assert!((trend.slope - 0.15).abs() < 0.015 && (0.3..0.7).contains(&trend.scatter_mm), "{trend:?}");
+        assert!((trend.error(8.0, None) - 0.15 * power(8.0)).abs() < 0.5);
         let two = estimate(levels[3], levels[4], None).expect("levels");
-        assert!(two > 5.0, "two neighbours: {two}");
+        assert!(two > 1.8 * trend.error(8.0, None), "two neighbours: {two}");
         assert_eq!(Trend::of(&levels[..2]), None);
         let fine_first: Vec<Level<'_>> = levels.iter().rev().copied().collect();
         let all = error_of(&fine_first, None).expect("five levels");
-        assert!((all - trend.error(8.0)).abs() < 1e-12);
+        assert!((all - trend.error(8.0, None)).abs() < 1e-12);
         assert_eq!(error_of(&fine_first[..2], None), Some(two), "two levels are two levels");
         assert_eq!(error_of(&fine_first[..1], None), None);
     }

@@ -228,7 +228,7 @@ impl Study {
     pub fn own_error(&self) -> Option<f64> {
         let finest = &self.rows[self.finest];
         let Some(edge) = finest.done.setting.edge else { return Some(0.0) };
-        self.trend.map(|t| t.error(edge)).or(finest.estimate_mm)
+        self.trend.map(|t| t.error(edge, None)).or(finest.estimate_mm)
     }
 
     fn judge(&mut self) {
@@ -293,7 +293,7 @@ pub(super) mod tests {
             threads: 1,
             wanted_mm: 2.5,
             girth_heights_mm: Vec::new(),
-            trend: Some(Trend { slope: 0.05, scatter_mm: 0.1 }),
+            trend: Some(Trend { slope: 0.0, scatter_mm: 0.5 }),
             rows: vec![
                 row(plain(32.0), 2.0, 4.0, None),
                 row(Setting { model: ModelName::Springs, ..plain(22.0) }, 3.0, 1.0, Some([9.0, 9.0])),

@@ -1,5 +1,6 @@
 //! A study as a table: text for the terminal, Markdown for a page.
 
+use super::estimate::ORDER;
 use super::report::{Row, Study};
 use std::fmt::Write as _;
 
@@ -131,7 +132,7 @@ pub fn words(study: &Study) -> Vec<String> {
     )];
     if let Some(own) = study.own_error().filter(|_| finest.done.setting.edge.is_some()) {
         let scatter = study.trend.map_or_else(String::new, |t| {
-            format!("; lengths follow a line in the edge length within {:.1} mm", t.scatter_mm)
+            format!("; lengths follow the edge length to the power of {ORDER} within {:.1} mm", t.scatter_mm)
         });
         words.push(format!(
             "`{}` itself is estimated to be {own:.1} mm from the limit of fine meshes{scatter}. Promises, chart and \

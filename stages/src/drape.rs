@@ -5,7 +5,7 @@ mod params;
 
 pub use params::{AccuracyName, DrapeParams, EffectsParam, IntegratorName, ModelName, SwitchName};
 
-use crate::solve::{Follow, Layout, effects, failure, failure_in, scene};
+use crate::solve::{Follow, Layout, MESH_ANEW, effects, failure, failure_in, scene};
 use toile_cloth::{ClothError, Outcome, Scene, Settings, StopReason};
 use toile_garment::garment::Shape;
 use toile_garment::{Aspect, Diagnostic, Garment, Vec3};
@@ -86,6 +86,13 @@ fn reactions(garment: &Garment, layout: &Layout, map: &[u32], outcome: &Outcome)
 
 fn tell(garment: &mut Garment, outcome: &Outcome, cx: &mut StageContext<'_>) {
     garment.effects = effects(&outcome.effects);
+    if outcome.joined > 0 {
+        let message = format!(
+            "{} edges are shorter than 1/500 of their triangles: the ends of each were draped as one vertex, and parted again",
+            outcome.joined
+        );
+        cx.report.push(Diagnostic::info("edges-tiny", message).hint(MESH_ANEW));
+    }
     if outcome.stop_reason != StopReason::Settled {
         cx.report.push(
             Diagnostic::warning(

@@ -17,6 +17,7 @@ pub mod settings;
 pub mod watch;
 pub mod weld;
 
+mod canon;
 mod collide;
 mod cost;
 mod dynamics;
@@ -26,6 +27,7 @@ mod integrate;
 mod levels;
 mod limit;
 mod linear;
+mod narrow;
 mod problem;
 mod report;
 mod run;

@@ -86,9 +86,18 @@ pub struct Outcome {
     pub reactions: Vec<Reaction>,
     /// Vertices that were moved before the first step (out of the body, or pieces apart), and the largest move, m.
     pub repaired: (usize, f64),
+    /// Edges so tiny beside their triangles that their ends were draped as one vertex.
+    pub joined: usize,
 }
 
 impl Outcome {
+    /// Counts the steps and costs of a run that led to this one.
+    pub(crate) fn after(mut self, before: &Self) -> Self {
+        self.steps += before.steps;
+        self.add_costs(&before.effects);
+        self
+    }
+
     /// Counts what effects cost in a run that led to this one.
     pub(crate) fn add_costs(&mut self, before: &[EffectReport]) {
         for e in &mut self.effects {

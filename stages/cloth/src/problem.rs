@@ -228,10 +228,15 @@ pub(crate) fn held(scene: &Scene) -> Vec<(u32, Vec3)> {
     pins
 }
 
+/// A gravity, or the Earth's where there is none, m/s².
+pub(crate) fn or_earth(gravity: f64) -> f64 {
+    if gravity > 0.0 { gravity } else { EARTH }
+}
+
 /// Mean weight of a vertex, N; under the earth's gravity where the scene has none.
 pub(crate) fn mean_weight(mass: &[f64], gravity: f64) -> f64 {
     let (sum, n) = mass.iter().filter(|m| **m > 0.0).fold((0.0, 0.0), |(s, n), m| (s + m, n + 1.0));
-    if n > 0.0 { sum / n * if gravity > 0.0 { gravity } else { EARTH } } else { 0.0 }
+    if n > 0.0 { sum / n * or_earth(gravity) } else { 0.0 }
 }
 
 /// The energies of a model, and the weight.
@@ -274,7 +279,7 @@ fn inertia(mass: &[f64], rows: &[f64], even: bool) -> (Vec<f64>, usize) {
 fn pressure(scene: &Scene, s: &Settings, topology: &Topology) -> f64 {
     let heaviest = scene.triangles.iter().map(|t| scene.materials[t.material as usize].areal_mass).fold(0.0, f64::max);
     let gravity = scene.gravity.norm() * s.gravity_scale.abs();
-    let weight = heaviest * if gravity > 0.0 { gravity } else { EARTH };
+    let weight = heaviest * or_earth(gravity);
     (weight * stretch(scene) / side(scene, topology)).sqrt()
 }
 

@@ -1,9 +1,11 @@
 //! The loop of sewing and draping.
 
+use crate::canon::Canon;
 use crate::integrate::central::{self, State};
+use crate::narrow::Narrow;
 use crate::problem::Problem;
 use crate::{ClothError, Integrator, Outcome, Scene, Settings, StopReason, Vec3, Watch};
-use crate::{report, sewing, statics};
+use crate::{report, sewing, statics, validate};
 
 /// Steps between two looks at the energy.
 const CHECK: u64 = 64;
@@ -31,6 +33,12 @@ const MOST_DAMPING: f64 = 100.0;
 /// # Errors
 /// An unusable scene or setting, a start that crosses, instability, or a stop on request.
 pub fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
+    validate::scene(scene)?;
+    let canon = Canon::of(scene);
+    canon.back(sew_canonical(&canon.scene, settings, watch))
+}
+
+fn sew_canonical(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     match settings.integrator {
         // Where pieces are in each other's way only motion in time finds the way round.
         Integrator::Static => match statics::sew(scene, settings, watch)? {
@@ -49,6 +57,15 @@ pub fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<
 /// # Errors
 /// As [`sew`].
 pub fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
+    validate::scene(scene)?;
+    let canon = Canon::of(scene);
+    canon.back(match Narrow::of(&canon.scene) {
+        Some(narrow) => drape_canonical(&narrow.scene, settings, watch).map(|o| narrow.back(o)),
+        None => drape_canonical(&canon.scene, settings, watch),
+    })
+}
+
+fn drape_canonical(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     match settings.integrator {
         Integrator::Static => statics::drape(scene, settings, watch),
         Integrator::CentralDifference => run(scene, settings, false, watch),
@@ -274,6 +291,7 @@ impl<'a> Run<'a> {
             effects: report::effects(self.problem, scene, self.settings),
             reactions: balance.reactions,
             repaired: self.problem.repaired,
+            joined: 0,
             positions: self.state.x,
         }
     }

@@ -57,7 +57,7 @@ pub struct AnimateParams {
     pub air: SwitchName,
     /// Time in which motion dies away to 1/e by itself, air aside; `0 s` for never.
     pub calming: Duration,
-    /// Longest time step; all have the same length, a whole number of them makes a frame.
+    /// Longest time step; a whole number of equal ones makes a frame, more of them where the body is fast.
     pub step: Duration,
     /// Distance at which cloth is held off the body.
     pub body_gap: Length,

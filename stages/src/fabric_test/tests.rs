@@ -54,7 +54,9 @@ fn the_drape_coefficient_depends_on_stiffness_over_weight() {
 
 #[test]
 fn the_drape_coefficient_does_not_depend_on_the_mesh() {
-    let [coarse, fine] = [8e-3, 6e-3].map(|edge| drape(&shirting(), edge, 0).drape_coefficient);
+    // The mean of three readings, as the command takes it: one cloth does not fall alike twice.
+    let mean = |edge| (0..3).map(|start| drape(&shirting(), edge, start).drape_coefficient).sum::<f64>() / 3.0;
+    let [coarse, fine] = [8e-3, 6e-3].map(mean);
     assert!((coarse - fine).abs() < 0.05, "{coarse} and {fine}");
 }
 

@@ -24,12 +24,9 @@ pub fn effects(params: &Value, garment: &Garment, mesh: Option<MeshSize>) -> Vec
     let friction =
         effect("friction", switches.friction, "contact and a coefficient above 0", of_friction(garment, touches));
     let limit = effect("strain-limit", switches.strain_limit, "a fabric has a limit", of_limits(garment));
-    let bending = effect(
-        "bending-hysteresis",
-        switches.bending_hysteresis,
-        toile_cloth::HYSTERESIS_RULE,
-        of_bending(params, garment),
-    );
+    let switch = switches.bending_hysteresis;
+    let evidence = of_bending(params, switch, garment);
+    let bending = effect("bending-hysteresis", switch, toile_cloth::HYSTERESIS_RULE, evidence);
     vec![own, body, friction, limit, bending]
 }
 
@@ -76,13 +73,12 @@ fn of_friction(garment: &Garment, touches: bool) -> Evidence {
     }
 }
 
-fn of_bending(params: &Value, garment: &Garment) -> Evidence {
+fn of_bending(params: &Value, switch: SwitchName, garment: &Garment) -> Evidence {
     let integrator = params.get("integrator").and_then(|i| IntegratorName::deserialize(i).ok()).unwrap_or_default();
     if Integrator::from(integrator) == Integrator::CentralDifference {
         return (false, "central differences do not simulate it".to_owned());
     }
-    let switches = params.get("effects").and_then(|e| EffectsParam::deserialize(e).ok()).unwrap_or_default();
-    let least = if switches.bending_hysteresis == SwitchName::On { f64::MIN_POSITIVE } else { HYSTERESIS_FELT };
+    let least = if switch == SwitchName::On { f64::MIN_POSITIVE } else { HYSTERESIS_FELT };
     let most = garment.fabrics.values().map(|f| material(f).bend_friction_share()).fold(0.0, f64::max);
     (most >= least, format!("largest of the fabrics {most:.2}"))
 }

@@ -10,4 +10,4 @@ pub use effects::effects;
 pub use fabric::material;
 pub use place::failure_in;
 pub use scene::{Layout, scene};
-pub use watch::{Follow, failure};
+pub use watch::{Follow, MESH_ANEW, failure};

@@ -86,8 +86,10 @@ fn shot(lab: &mut Lab) -> Result<(), String> {
     let shots = film(lab, &trial, &run, &frames)?;
     let last = shots.last().ok_or("a frame")?;
     let before = trial.cloth.at.iter().zip(last).filter(|(p, _)| p.x.abs() < 0.02 && (p.z + 0.1).abs() < 0.02);
-    // The ball ends with its back at y = 0.06 m.
-    let behind = before.filter(|(_, q)| q.y < 0.06).count();
+    // The ball ends with its back at y = 0.06 m. The cloth is too short to be led so far and slips over it; what went through
+    // it would be straight behind it.
+    let off_axis = |q: &Vec3| libm::hypot(q.x, q.z + 0.1);
+    let behind = before.filter(|(_, q)| q.y < 0.06 && off_axis(q) < 0.035).count();
     lab.expect(behind == 0, format!("{behind} vertices that were hit stayed behind"));
     Ok(())
 }

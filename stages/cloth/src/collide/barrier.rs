@@ -376,26 +376,10 @@ mod tests {
 
     /// Where a barrier that starts at `gap` carries a load, Pa.
     fn stands(gap: f64, load: f64) -> f64 {
-        let (mut low, mut high) = (0.0, gap);
-        for _ in 0..80 {
-            let d = 0.5 * (low + high);
-            if -barrier(d, gap).1 * PRESS > load { low = d } else { high = d }
-        }
-        low
+        bear::halved([0.0, gap], |d| -barrier(d, gap).1 * PRESS > load)
     }
 
     fn frame(gap: f64) -> Frame {
-        Frame {
-            topology: crate::topology::Topology::default(),
-            groups: vec![0],
-            body_gap: vec![gap],
-            own_gap: vec![gap],
-            friction: vec![0.0],
-            inverse_mass: vec![1.0],
-            edge: 0.01,
-            own: false,
-            press: PRESS,
-            steepest: 1e5,
-        }
+        Frame::plain(crate::topology::Topology::default(), vec![gap], vec![gap], 0.01)
     }
 }

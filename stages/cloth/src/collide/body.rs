@@ -28,9 +28,6 @@ pub(crate) struct Body {
     rounding: f64,
 }
 
-/// Rise over size up to which an edge is flat.
-const FLAT: f64 = 1e-6;
-
 fn flat(v: &Vec3) -> Flat {
     // Rounding to f32 is allowed for by growing every query box.
     #[allow(clippy::cast_possible_truncation)]
@@ -45,8 +42,8 @@ impl Body {
         let bounds = Aabb::of(&live.iter().flatten().map(|v| mesh.positions[*v as usize]).collect::<Vec<_>>());
         let topology = Topology::new(mesh.positions.len(), live);
         let size = bounds.low.amax().max(bounds.high.amax());
-        let pressing_edges = pressing(&mesh.positions, &topology);
         let flat_edges = super::flat::edges(&mesh.positions, &topology);
+        let pressing_edges = pressing(&mesh.positions, &topology, &flat_edges);
         let clearance = Clearance::new(&mesh.positions, &topology.faces, &bounds);
         Some(Self {
             mesh: tri_mesh,
@@ -122,7 +119,7 @@ fn solid_angle([a, b, c]: &[Vec3; 3]) -> f64 {
 /// An edge that is hollow seen from outside cannot be the first thing a straight edge outside meets, nor can one between two
 /// faces of a plane; and that would push cloth along the plane. Where the mesh is not closed or not oriented, nothing is known
 /// and every edge counts.
-fn pressing(x: &[Vec3], topology: &Topology) -> Vec<bool> {
+fn pressing(x: &[Vec3], topology: &Topology, flat: &[bool]) -> Vec<bool> {
     let all = vec![true; topology.edges.len()];
     if topology.hinges.len() * 2 != topology.faces.len() * 3 || topology.edges.len() != topology.hinges.len() {
         return all;
@@ -145,9 +142,8 @@ fn pressing(x: &[Vec3], topology: &Topology) -> Vec<bool> {
         let [a, b, c] = f.map(|v| x[v as usize]);
         let n = (b - a).cross(&(c - a)) * volume.signum();
         let rise = n.dot(&(x[h.vertices[3] as usize] - a));
-        let edge = topology.face_edges[h.faces[0] as usize][usize::from(h.sides[0])];
-        let wing = (x[h.vertices[3] as usize] - a).norm();
-        pressing[edge as usize] = rise < -FLAT * n.norm() * wing;
+        let edge = topology.face_edges[h.faces[0] as usize][usize::from(h.sides[0])] as usize;
+        pressing[edge] = rise < 0.0 && !flat.get(edge).is_some_and(|f| *f);
     }
     pressing
 }

@@ -60,6 +60,26 @@ pub(crate) struct Frame {
     pub steepest: f64,
 }
 
+#[cfg(test)]
+impl Frame {
+    /// Without friction and without pairs of the cloth itself, in contacts as stiff as a skirt's; gaps per vertex, m.
+    pub fn plain(topology: Topology, body_gap: Vec<f64>, own_gap: Vec<f64>, edge: f64) -> Self {
+        let n = body_gap.len();
+        Self {
+            topology,
+            groups: (0..).take(n).collect(),
+            body_gap,
+            own_gap,
+            friction: vec![0.0; n],
+            inverse_mass: vec![1.0; n],
+            edge,
+            own: false,
+            press: 2e5,
+            steepest: 1e5,
+        }
+    }
+}
+
 /// What happened, for the report.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tally {

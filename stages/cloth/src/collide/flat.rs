@@ -6,7 +6,7 @@ use crate::Vec3;
 use crate::topology::{Hinge, Topology};
 
 /// Two faces lie in one plane up to this angle, rad.
-const FLAT: f64 = 1e-5;
+const FLAT: f64 = 1e-6;
 /// So near to the edge its owner holds in any case, m: rounding must not make it neither.
 const BOTH: f64 = 1e-8;
 

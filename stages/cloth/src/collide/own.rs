@@ -89,18 +89,7 @@ mod tests {
         }
         let topology = Topology::of_elements(6, &scene.triangles);
         let own = Own::new(&scene, &scene.positions, &topology);
-        let frame = Frame {
-            topology,
-            groups: (0..6).collect(),
-            body_gap: vec![0.0; 6],
-            own_gap: vec![1e-3; 6],
-            friction: vec![0.0; 6],
-            inverse_mass: vec![1.0; 6],
-            edge: 1.0,
-            own: true,
-            press: 2e5,
-            steepest: 1e5,
-        };
+        let frame = Frame { own: true, ..Frame::plain(topology, vec![0.0; 6], vec![1e-3; 6], 1.0) };
         (scene, Barrier::new(frame, None, vec![1.0; 6], Some(own)))
     }
 

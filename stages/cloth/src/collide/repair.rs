@@ -7,8 +7,9 @@ use crate::topology::Topology;
 use crate::{ClothError, Place, Vec3};
 
 const ROUNDS: usize = 30;
-/// Farthest two pieces are moved apart at the start, m.
+/// Farthest two pieces are moved apart at the start, m, and by how much further than just apart.
 const APART: f64 = 0.1;
+const CLEAR: f64 = 5e-5;
 
 /// For every vertex: is it inside the body? One winding number for each part of the cloth that is joined by triangles
 /// which do not cross the body.
@@ -85,6 +86,26 @@ fn normal(x: &[Vec3], t: [u32; 3]) -> Vec3 {
     crate::unit_normal(crate::pick3(x, &t)).unwrap_or_else(Vec3::z)
 }
 
+/// From the middle of one piece to that of another, as a unit vector.
+fn apart(x: &[Vec3], part: &[u32], [a, b]: [u32; 2]) -> Option<Vec3> {
+    let middle = |which: u32| {
+        let inside = || x.iter().zip(part).filter(|(_, p)| **p == which);
+        inside().map(|(q, _)| *q).sum::<Vec3>() / inside().count() as f64
+    };
+    (middle(b) - middle(a)).try_normalize(1e-9)
+}
+
+/// Moves one piece back and the other on by half of a way.
+fn part_them(x: &mut [Vec3], part: &[u32], [a, b]: [u32; 2], way: Vec3) {
+    for (q, p) in x.iter_mut().zip(part) {
+        if *p == a {
+            *q -= way * 0.5;
+        } else if *p == b {
+            *q += way * 0.5;
+        }
+    }
+}
+
 /// Pieces that touch or cross at the start are moved apart, whole, along the line of their middles (placements often
 /// put neighbours edge to edge in one plane). A piece that crosses itself is refused, and so are pieces still crossing
 /// after [`APART`]. Returns how many vertices were moved and the largest move, m.
@@ -94,6 +115,7 @@ pub(crate) fn free_of_itself(x: &mut [Vec3], topology: &Topology, held: &[bool])
     let part = topology.components(x.len());
     let mut step = 1e-4;
     let mut gone = 0.0;
+    let mut last = Vec::new();
     loop {
         let found = count::own(x, &topology.faces);
         let Some(first) = found.pairs.first() else { break };
@@ -111,26 +133,18 @@ pub(crate) fn free_of_itself(x: &mut [Vec3], topology: &Topology, held: &[bool])
         pairs.iter_mut().for_each(|p| p.sort_unstable());
         pairs.sort_unstable();
         pairs.dedup();
-        for [a, b] in pairs {
-            let middle = |which: u32| {
-                let inside = || x.iter().zip(&part).filter(|(_, p)| **p == which);
-                inside().map(|(q, _)| *q).sum::<Vec3>() / inside().count() as f64
-            };
-            // Pieces on each other part across themselves.
-            let across = || normal(x, topology.faces[first[0] as usize]);
-            let away = (middle(b) - middle(a)).try_normalize(1e-9).unwrap_or_else(across) * (0.5 * step);
-            for (q, p) in x.iter_mut().zip(&part) {
-                *q += if *p == a {
-                    -away
-                } else if *p == b {
-                    away
-                } else {
-                    Vec3::zeros()
-                };
-            }
-        }
+        // Pieces on each other part across themselves.
+        let across = normal(x, topology.faces[first[0] as usize]);
+        last = pairs.into_iter().map(|pair| (pair, apart(x, &part, pair).unwrap_or(across))).collect();
+        last.iter().for_each(|(pair, way)| part_them(x, &part, *pair, way * step));
         gone += step;
         step *= 1.5;
+    }
+    // What is just apart would start with contacts of any stiffness.
+    let mut further = x.to_vec();
+    last.iter().for_each(|(pair, way)| part_them(&mut further, &part, *pair, way * CLEAR));
+    if count::own(&further, &topology.faces).count == 0 {
+        x.copy_from_slice(&further);
     }
     let moves = x.iter().zip(&start).map(|(p, q)| (p - q).norm());
     Ok(moves.fold((0, 0.0), |(n, m), d| (n + usize::from(d > 0.0), f64::max(m, d))))

@@ -44,7 +44,7 @@ struct Walk<'a> {
     /// Velocities are those half a step before.
     state: State,
     /// Steps from frame to frame, and their length, s.
-    steps: u32,
+    steps: f64,
     dt: f64,
     /// About the longest stable step at the start, s.
     stable: f64,
@@ -60,9 +60,8 @@ impl<'a> Walk<'a> {
         motion: &'a Motion,
     ) -> Result<Self, ClothError> {
         let frame = 1.0 / motion.fps;
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-        let steps = (frame / dynamics.step * (1.0 - 1e-9)).ceil().max(1.0) as u32;
-        let dt = frame / f64::from(steps);
+        let steps = dynamics.steps(frame);
+        let dt = frame / steps;
         // Nothing is damped but by what was asked for, and every vertex has the inertia of its mass.
         let plain =
             Settings { damping: dynamics.damping, stiffness_damping: 0.0, even_inertia: false, ..settings.clone() };
@@ -93,7 +92,7 @@ impl<'a> Walk<'a> {
 
     fn frame(&mut self, number: usize, watch: &mut dyn Watch) -> Result<(), ClothError> {
         let before = self.state.x.clone();
-        for _ in 0..self.steps {
+        for _ in 0..self.steps as usize {
             if watch.cancelled() {
                 return Err(ClothError::Cancelled { step: self.trip.steps });
             }

@@ -98,6 +98,12 @@ fn bad<T>(code: &'static str, what: String) -> Result<T, ClothError> {
 }
 
 impl Dynamics {
+    /// Number of equal steps in a time, s.
+    pub(super) fn steps(&self, time: f64) -> f64 {
+        // A hair of slack, so that rounding makes no further step.
+        (time / self.step * (1.0 - 1e-9)).ceil().max(1.0)
+    }
+
     pub(super) fn check(&self) -> Result<(), ClothError> {
         let ranges: [(&'static str, f64, f64, f64); 5] = [
             ("step", self.step, 1e-6, 0.1),

@@ -2,6 +2,7 @@
 
 use super::air::viscous;
 use super::carry::{Hook, Path};
+use super::inert::Inert;
 use super::motion::{Dynamics, Frame, Motion, Trip};
 use super::scheme::{self, State};
 use super::stage::Stepper;
@@ -10,6 +11,8 @@ use crate::start::Start;
 use crate::statics::descent::Descent;
 use crate::{ClothError, Integrator, Scene, Settings, Vec3, Watch};
 
+/// Farthest way of the body in a step over the mean edge.
+const STRIDE: f64 = 0.5;
 /// Frames in a row without motion that count as rest.
 pub(super) const QUIET: usize = 5;
 
@@ -104,8 +107,7 @@ impl<'a> Walk<'a> {
 
     /// Equal steps from one time to another.
     fn span(&mut self, from: f64, to: f64, watch: &mut dyn Watch) -> Result<(), ClothError> {
-        // A hair of slack, so that rounding makes no further step.
-        let n = ((to - from) / self.dynamics.step * (1.0 - 1e-9)).ceil().max(1.0);
+        let n = self.dynamics.steps(to - from).max(self.strides(from, to));
         let dt = (to - from) / n;
         for k in 0..n as usize {
             if watch.cancelled() {
@@ -117,6 +119,16 @@ impl<'a> Walk<'a> {
             self.trip.steps += 1;
         }
         Ok(())
+    }
+
+    /// Steps in each of which the body comes no farther than [`STRIDE`] towards cloth that goes on as it does in the mean: what
+    /// is hit in one step is stretched by all of that.
+    fn strides(&self, from: f64, to: f64) -> f64 {
+        let Some(path) = &self.path else { return 1.0 };
+        let v = &self.state.v;
+        let along = v.iter().sum::<Vec3>() * ((to - from) / v.len().max(1) as f64);
+        let start: Vec<Vec3> = path.at(from).iter().map(|p| p + along).collect();
+        (crate::farthest(&start, &path.at(to)) / (STRIDE * self.stepper.descent.goal.edge)).ceil()
     }
 
     fn seconds(&self) -> f64 {
@@ -138,28 +150,36 @@ impl<'a> Walk<'a> {
             Some((old, span)) => ahead(&s.v, old, scheme::FIRST * dt / span),
             None => s.v.clone(),
         };
-        let guess = s.v.iter().map(|v| v * (scheme::FIRST * dt)).collect();
+        let (most, rest) = (scheme::FIRST * dt, (1.0 - scheme::FIRST) * dt);
         let stage = scheme::first(&s, &force, &mass, damping(&soon), dt);
-        let middle = self.stage(stage, guess, now, scheme::FIRST * dt)?;
+        let plain = scheme::plain(&s, &mass, damping(&s.v), most);
+        let (middle, rough) = self.stage(stage, Some(plain), &s.v, [now, most])?;
 
-        let soon = ahead(&middle.v, &s.v, (1.0 - scheme::FIRST) / scheme::FIRST);
-        let guess = middle.v.iter().map(|v| v * ((1.0 - scheme::FIRST) * dt)).collect();
-        let stage = scheme::second(&s, &middle, &mass, damping(&soon), dt);
-        self.state = self.stage(stage, guess, now + scheme::FIRST * dt, (1.0 - scheme::FIRST) * dt)?;
+        let plain = scheme::plain(&middle, &mass, damping(&middle.v), rest);
+        let (stage, plain) = if rough {
+            (plain, None)
+        } else {
+            let soon = ahead(&middle.v, &s.v, (1.0 - scheme::FIRST) / scheme::FIRST);
+            (scheme::second(&s, &middle, &mass, damping(&soon), dt), Some(plain))
+        };
+        self.state = self.stage(stage, plain, &middle.v, [now + most, rest])?.0;
         self.last = Some((s.v, dt));
         Ok(())
     }
 
+    /// One stage from a time on over a span, the cloth moving on with velocities `v` at first; and whether it was a rough
+    /// one.
     fn stage(
         &mut self,
-        inert: super::inert::Inert,
-        guess: Vec<Vec3>,
-        now: f64,
-        span: f64,
-    ) -> Result<State, ClothError> {
+        inert: Inert,
+        plain: Option<Inert>,
+        v: &[Vec3],
+        [now, span]: [f64; 2],
+    ) -> Result<(State, bool), ClothError> {
         let body = self.path.as_ref().map(|p| p.at(now + span));
         let before = self.path.as_ref().map(|p| p.at(now));
-        self.stepper.solve(inert, guess, body.as_deref(), now)?;
+        let guess = v.iter().map(|v| v * span).collect();
+        let rough = self.stepper.solve(inert, plain, guess, body.as_deref(), now)?;
         let goal = &self.stepper.descent.goal;
         let x = self.stepper.descent.x.clone();
         let mut v = goal.inert.as_ref().map_or_else(Vec::new, |i| scheme::velocities(i, &x));
@@ -170,7 +190,7 @@ impl<'a> Walk<'a> {
         if let Some(barrier) = &goal.barrier {
             impact::settle(barrier, &x, &mut v, &goal.mass, &self.free, &pace);
         }
-        Ok(State { x, v })
+        Ok((State { x, v }, rough))
     }
 
     fn show(&mut self, number: usize, each: &mut dyn FnMut(&Frame<'_>)) {

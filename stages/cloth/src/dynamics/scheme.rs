@@ -1,5 +1,6 @@
 //! TR-BDF2 (Bank et al. 1985): a trapezoidal stage over γ = 2 − √2 of the step, then backward differences of second
 //! order over all of it. Second order, L-stable, and both stages share h = (1 − 1/√2) Δt, so also the metric.
+//! A stage in which the cloth runs into something is done by implicit Euler instead.
 //! Contact and friction act at the end of each stage only: their force belongs to where the cloth gets to.
 
 use super::inert::Inert;
@@ -46,7 +47,14 @@ pub(super) fn second(s: &State, middle: &State, mass: &[f64], viscous: Vec<Matri
     Inert { mass: mass.to_vec(), rate: 1.0 / (h * h), share: 1.0, target, base, h, viscous }
 }
 
-/// Velocities at the end of either stage.
+/// A step of implicit Euler from `s`, for what is no smooth motion: an impact, or forces no stage comes to an end with. It
+/// takes nothing over from the forces before, so that none can kick back.
+pub(super) fn plain(s: &State, mass: &[f64], viscous: Vec<Matrix3<f64>>, span: f64) -> Inert {
+    let target = join(&s.x, &s.v, |x, v| x + v * span);
+    Inert { mass: mass.to_vec(), rate: 1.0 / (span * span), share: 1.0, target, base: s.x.clone(), h: span, viscous }
+}
+
+/// Velocities at the end of a stage.
 pub(super) fn velocities(stage: &Inert, x: &[Vec3]) -> Vec<Vec3> {
     join(x, &stage.base, |x, b| (x - b) / stage.h)
 }

@@ -32,17 +32,32 @@ pub(super) struct Stepper<'a> {
 }
 
 impl Stepper<'_> {
-    /// Solves a stage that starts with the displacements `guess`; `body`: where the body is at its end.
-    pub fn solve(&mut self, inert: Inert, guess: Vec<Vec3>, body: Option<&[Vec3]>, now: f64) -> Result<(), ClothError> {
-        let near = self.tolerance * inert.h;
-        let tau = 1.0 / inert.rate;
+    /// Solves a stage that starts with the displacements `guess`; `body`: where the body is at its end. Where the cloth runs
+    /// into something, or the stage does not come to its end, `plain` is solved instead; says whether that was so.
+    pub fn solve(
+        &mut self,
+        inert: Inert,
+        plain: Option<Inert>,
+        guess: Vec<Vec3>,
+        body: Option<&[Vec3]>,
+        now: f64,
+    ) -> Result<bool, ClothError> {
+        let (tolerance, mut plain) = (self.tolerance, plain);
+        let near = |i: &Inert| tolerance * i.h;
+        let mut goal = (near(&inert), 1.0 / inert.rate);
         self.descent.goal.inert = Some(inert);
         self.descent.refresh_friction();
         self.descent.start_anew();
         let mut guess = guess;
-        let mut idle = 0;
+        let (mut idle, mut rough) = (0, false);
         loop {
             let part = self.come(guess, body);
+            if part < 1.0
+                && let Some(p) = plain.take()
+            {
+                (goal, rough) = ((near(&p), 1.0 / p.rate), true);
+                self.descent.goal.inert = Some(p);
+            }
             self.descent.start_anew();
             if part >= 1.0 || body.is_none() {
                 break;
@@ -52,14 +67,30 @@ impl Stepper<'_> {
             if idle > PATIENCE {
                 return Err(ClothError::Caught { seconds: now, place: self.tightest() });
             }
-            self.relax(tau, near, 1, GIVES_WAY)?;
+            if idle > 0 {
+                self.harden();
+            }
+            self.relax(goal, 1, GIVES_WAY)?;
             guess = vec![Vec3::zeros(); self.descent.x.len()];
         }
         let length = self.descent.block_length();
-        if !self.relax(tau, near, MOST_FACTORS, length)? {
-            self.unfinished += 1;
+        let mut ended = self.relax(goal, MOST_FACTORS, length)?;
+        if !ended && let Some(p) = plain.take() {
+            (goal, rough) = ((near(&p), 1.0 / p.rate), true);
+            self.descent.goal.inert = Some(p);
+            self.descent.start_anew();
+            ended = self.relax(goal, MOST_FACTORS, length)?;
         }
-        Ok(())
+        self.unfinished += u64::from(!ended);
+        Ok(rough)
+    }
+
+    /// Where the body hardly comes on, contacts that are pressed nearly shut become stiffer.
+    fn harden(&mut self) {
+        let goal = &mut self.descent.goal;
+        if goal.barrier.as_mut().is_some_and(|b| b.harden(&goal.hessian.unknown)) {
+            self.descent.start_anew();
+        }
     }
 
     /// Moves cloth, held vertices and body together, as far as nothing crosses; the part of the way that was taken.
@@ -102,7 +133,7 @@ impl Stepper<'_> {
     }
 
     /// Descends until a step is shorter than `near`; `false` if that was not reached.
-    fn relax(&mut self, tau: f64, near: f64, factors: usize, length: usize) -> Result<bool, ClothError> {
+    fn relax(&mut self, (near, tau): (f64, f64), factors: usize, length: usize) -> Result<bool, ClothError> {
         let d = &mut self.descent;
         let mut stuck = 0;
         for _ in 0..factors {

@@ -31,6 +31,8 @@ fn rigidity(m: &Material) -> Vector3<f64> {
 /// How much firmer a triangle is made for its softening and for its square: measured, so that cantilevers on Delaunay meshes
 /// shaken by up to 0.3 cells meet the elastica within 1 % (docs/flexion.md).
 const FIRMER: [f64; 2] = [0.4, 2.5];
+/// Softening up to which that holds: narrow triangles beside wide ones would come out a thousand times too firm.
+const SOFTEST: f64 = 0.5;
 
 /// The first hinge on each side of a face: number, and which of its two faces this is.
 type Sides = [Option<(usize, usize)>; 3];
@@ -84,7 +86,7 @@ fn firmness(bends: &[Bend], areas: &[f64], hinges: usize) -> Vec<f64> {
     let of = |(bend, area): (&Bend, &f64)| {
         let softer: f64 =
             bend.whole().into_iter().flatten().map(|(h, f, _)| 0.5 * shares[h].softening(f.length, f.normal)).sum();
-        let softer = softer / area;
+        let softer = (softer / area).min(SOFTEST);
         1.0 + softer * (FIRMER[0] + FIRMER[1] * softer)
     };
     bends.iter().zip(areas).map(of).collect()

@@ -7,9 +7,13 @@ use crate::{Curve, Integrator, Material, Settings, Switch};
 const CELLS: usize = 256;
 const CELLS_OF_SAMPLES: usize = 1024;
 const BEYOND: f64 = 1.5;
-/// Share of the strain limit at which the cloth begins to lock, and at which it is locked …
-pub(crate) const LOCKING: f64 = 0.9925;
+/// Share of the strain limit at which the cloth is locked, and what it takes to lock before that, as a share of the limit: more
+/// of a small limit (to 4 % of one of 1 %, width · limit in between), beside which single precision else knows too little of
+/// the soft motions, and a sheet took thousands of steps …
 const SHUT: f64 = 0.9975;
+const LOCKING: f64 = 0.005;
+const MOST_LOCKING: f64 = 0.04;
+const WIDTH_OF_SMALL: f64 = 4e-6;
 /// … and the tension that it carries there over that of its curve, N/m.
 const LOCKED: f64 = 900.0;
 
@@ -25,7 +29,11 @@ struct Lock {
 impl Lock {
     /// Infinite for never.
     fn at(limit: f64) -> Self {
-        Self { from: LOCKING * limit, width: (SHUT - LOCKING) * limit }
+        if !limit.is_finite() {
+            return Self { from: limit, width: 1.0 };
+        }
+        let width = (LOCKING * limit).max((MOST_LOCKING * limit).min(WIDTH_OF_SMALL / limit));
+        Self { from: SHUT * limit - width, width }
     }
 
     /// Tension, N/m, energy, J/m², and slope, N/m, at a strain over `from`.
@@ -36,6 +44,11 @@ impl Lock {
         let energy = LOCKED * self.width * (rise * rise * rise / 3.0 + on + on * on);
         [tension, energy, 2.0 * LOCKED * rise / self.width]
     }
+}
+
+/// Strain from which cloth with this limit locks.
+pub(crate) fn locks_from(limit: f64) -> f64 {
+    Lock::at(limit).from
 }
 
 /// Tabulated stretch law of one direction.

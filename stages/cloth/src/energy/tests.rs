@@ -235,3 +235,28 @@ fn tables_follow_their_curves() {
     let capped = super::law::Law::new(&curve, 1000.0, 0.15, f64::INFINITY);
     assert!((capped.tangent(0.1) - 1000.0).abs() < 1e-9);
 }
+
+/// Cloth on a cylinder, one column of its cells far narrower than the others.
+#[test]
+fn narrow_cells_bend_like_their_neighbours() {
+    let (radius, b) = (0.05, 1e-5);
+    for narrow in [5e-3, 1e-4, 2e-6] {
+        let columns = [0.0, 0.02, 0.04, 0.04 + narrow, 0.06, 0.08];
+        let rest: Vec<[f64; 2]> = (0..5).flat_map(|r| columns.map(|u| [u, 0.02 * f64::from(r)])).collect();
+        let mut scene = Scene { materials: vec![Material::isotropic(0.1, 500.0, 0.0, b)], ..Scene::default() };
+        let at = |r: &[f64; 2]| {
+            Vec3::new(radius * libm::sin(r[0] / radius), r[1], radius * (1.0 - libm::cos(r[0] / radius)))
+        };
+        scene.positions = rest.iter().map(at).collect();
+        for i in (0..24u32).filter(|i| i % 6 < 5) {
+            for v in [[i, i + 1, i + 7], [i, i + 7, i + 6]] {
+                scene.triangles.push(Element { vertices: v, rest: v.map(|i| rest[i as usize]), material: 0 });
+            }
+        }
+        let topology = Topology::of_elements(scene.positions.len(), &scene.triangles);
+        let stored = Flexion::new(&scene, &topology).evaluate(&scene.positions, &mut vec![Vec3::zeros(); 30]);
+        // Not more than the whole sheet bent to that radius, and a little for the uneven cells; the two ends bend freely.
+        let whole = 0.5 * b / (radius * radius) * 0.08 * 0.08;
+        assert!((0.5..1.3).contains(&(stored / whole)), "{narrow} m: {stored:e} J of {whole:e} J");
+    }
+}

@@ -43,7 +43,12 @@ impl Step<'_> {
         if let Some(outcome) = self.by_levels(watch)? {
             return Ok(Some(outcome));
         }
-        close(self.scene, self.settings, watch)
+        let closed = close(self.scene, self.settings, watch)?;
+        match closed.as_ref().filter(|c| self.finest && c.seam_gap_max <= NEARLY * mean_edge(self.scene)) {
+            // Else a garment that has no coarser level would hang where sewing left it.
+            Some(c) => Ok(self.let_down(&c.positions, watch)?.map(|down| Outcome::after(down, c)).or(closed)),
+            None => Ok(closed),
+        }
     }
 
     /// Sews the next coarser level first; `None` where there is none, where it cannot be sewn, or where the finer cloth
@@ -60,11 +65,7 @@ impl Step<'_> {
         }
         let Some(down) = below.let_down(&sewn.positions, watch)? else { return Ok(None) };
         let x = level.spread(&down.positions);
-        let Some(mut outcome) = self.let_down(&x, watch)? else { return Ok(None) };
-        outcome.steps += sewn.steps + down.steps;
-        outcome.add_costs(&sewn.effects);
-        outcome.add_costs(&down.effects);
-        Ok(Some(outcome))
+        Ok(self.let_down(&x, watch)?.map(|outcome| outcome.after(&sewn).after(&down)))
     }
 
     /// Lets what is sewn slide down into its place, as hands would, without friction; what would slide off stays.

@@ -6,7 +6,7 @@ use crate::collide::stick::Stick;
 use crate::cost::{Lap, Work};
 use crate::linear::factor::Factor;
 use crate::linear::hessian::{Pattern, gather, scattered};
-use crate::problem::{mean_weight, side};
+use crate::problem::{mean_weight, or_earth, side};
 use crate::scene::EARTH;
 use crate::start::Start;
 use crate::topology::Topology;
@@ -87,9 +87,7 @@ pub(crate) struct Block {
 
 /// Size of the largest part over gravity in units of the Earth's, s².
 fn unit(scene: &Scene, topology: &Topology) -> f64 {
-    let side = side(scene, topology);
-    let gravity = scene.gravity.norm();
-    if gravity > 0.0 { side * (EARTH / gravity) } else { side }
+    side(scene, topology) * (EARTH / or_earth(scene.gravity.norm()))
 }
 
 impl<'a> Descent<'a> {

@@ -4,7 +4,7 @@ use super::descent::Descent;
 use crate::collide::barrier::Tally;
 use crate::cost::Work;
 use crate::energy::hysteresis::RULE;
-use crate::energy::law::LOCKING;
+use crate::energy::law::locks_from;
 use crate::report::{effect, switched};
 use crate::sewing::gaps;
 use crate::{EffectReport, Material, Outcome, Reaction, Scene, StopReason, Switch};
@@ -26,6 +26,7 @@ pub(crate) fn outcome(d: Descent<'_>, scene: &Scene, stop_reason: StopReason) ->
         effects: effects(&d, scene),
         reactions,
         repaired: d.repaired,
+        joined: 0,
         positions: d.x,
     }
 }
@@ -117,10 +118,13 @@ fn friction(d: &Descent<'_>) -> EffectReport {
 }
 
 fn strain_limit(d: &Descent<'_>, scene: &Scene) -> EffectReport {
-    let limited = scene.materials.iter().any(|m| m.strain_limit.iter().any(|l| l.is_finite()));
+    let least = scene.materials.iter().flat_map(|m| m.strain_limit).fold(f64::INFINITY, f64::min);
+    let limited = least.is_finite();
     let on = limited && d.settings.effects.strain_limit != Switch::Off;
     let evidence = match (on, limited) {
-        (true, _) => format!("the stretch curves lock from {LOCKING} of the limit, at no cost of their own"),
+        (true, _) => {
+            format!("the stretch curves lock from {:.2} % strain, at no cost of their own", 1e2 * locks_from(least))
+        }
         (false, true) => "switched off".into(),
         (false, false) => "no fabric has a limit".into(),
     };

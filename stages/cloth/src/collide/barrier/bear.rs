@@ -94,7 +94,7 @@ fn reaching(d: f64, gap: f64, to: f64) -> f64 {
 }
 
 /// The place between two up to which something is `less`.
-fn halved([mut low, mut high]: [f64; 2], less: impl Fn(f64) -> bool) -> f64 {
+pub(super) fn halved([mut low, mut high]: [f64; 2], less: impl Fn(f64) -> bool) -> f64 {
     for _ in 0..40 {
         let middle = 0.5 * (low + high);
         if less(middle) { low = middle } else { high = middle }
@@ -119,18 +119,8 @@ mod tests {
             positions: vec![Vec3::new(-1.0, 0.0, -1.0), Vec3::new(0.0, 0.0, 2.0), Vec3::new(1.0, 0.0, -1.0)],
             triangles: vec![[0, 1, 2]],
         };
-        let frame = Frame {
-            topology: Topology::new(3, vec![[0, 1, 2]]),
-            groups: vec![0, 1, 2],
-            body_gap: vec![GAP; 3],
-            own_gap: vec![0.0; 3],
-            friction: vec![0.5; 3],
-            inverse_mass: vec![1.0; 3],
-            edge: 0.01,
-            own: false,
-            press: 2e5,
-            steepest: 1e5,
-        };
+        let frame = Frame::plain(Topology::new(3, vec![[0, 1, 2]]), vec![GAP; 3], vec![0.0; 3], 0.01);
+        let frame = Frame { friction: vec![0.5; 3], ..frame };
         let x = vec![Vec3::new(0.0, GAP, 0.0), Vec3::new(0.0, GAP, 0.01), Vec3::new(0.01, GAP, 0.0)];
         let mut barrier = Barrier::new(frame, Body::new(&mesh), vec![2e-5; 3], None);
         barrier.cover(&x, &[Vec3::zeros(); 3]);

@@ -1,0 +1,133 @@
+//! One way to tell a scene: turned by quarters about the vertical, or with its stitches in another order, it is worked out
+//! as the same numbers, so it comes to the same rest, bit for bit. Quarter turns and sorting are exact.
+
+use crate::{BodyMesh, ClothError, Outcome, Pin, Place, Scene, Vec3};
+
+/// A scene in its canonical form, and the way back.
+pub(crate) struct Canon {
+    pub scene: Scene,
+    turns: u8,
+    /// Index of every stitch in the scene as it was given.
+    stitches: Vec<u32>,
+}
+
+/// A quarter turn about the vertical (y); of 0, too, there is only one.
+fn quarter(p: Vec3) -> Vec3 {
+    Vec3::new(p.z, p.y, 0.0 - p.x)
+}
+
+fn turned(p: Vec3, quarters: u8) -> Vec3 {
+    (0..quarters % 4).fold(p, |p, _| quarter(p))
+}
+
+/// Quarter turns after which the cloth lies along x from its first corner: towards the first other one that is not near.
+fn facing(scene: &Scene) -> u8 {
+    let mut corners = scene.triangles.iter().flat_map(|t| t.vertices).filter_map(|v| scene.positions.get(v as usize));
+    let Some(first) = corners.clone().next() else { return 0 };
+    let far = |p: &Vec3| (p.x - first.x) * (p.x - first.x) + (p.z - first.z) * (p.z - first.z);
+    let most = corners.clone().map(far).fold(0.0, f64::max);
+    let Some(way) = corners.find(|p| most > 0.0 && 4.0 * far(p) >= most).map(|p| p - first) else { return 0 };
+    let along = |k: &u8| {
+        let p = turned(way, *k);
+        -p.x < p.z && p.z <= p.x
+    };
+    (0..4).find(along).unwrap_or(0)
+}
+
+/// Stitches from their lower to their higher vertex, ascending, and where each stood.
+fn sorted(stitches: &[[u32; 2]]) -> (Vec<[u32; 2]>, Vec<u32>) {
+    let mut all: Vec<([u32; 2], u32)> = stitches.iter().map(|[a, b]| [*a.min(b), *a.max(b)]).zip(0..).collect();
+    all.sort_unstable();
+    all.into_iter().unzip()
+}
+
+impl Canon {
+    pub fn of(scene: &Scene) -> Self {
+        let turns = facing(scene);
+        let to = |p: Vec3| turned(p, turns) + Vec3::zeros();
+        let all = |x: &[Vec3]| x.iter().map(|p| to(*p)).collect();
+        let (ordered, stitches) = sorted(&scene.stitches);
+        let body = scene.body.as_ref();
+        let scene = Scene {
+            positions: all(&scene.positions),
+            triangles: scene.triangles.clone(),
+            materials: scene.materials.clone(),
+            pins: scene.pins.iter().map(|p| Pin { at: to(p.at), ..*p }).collect(),
+            loads: scene.loads.iter().map(|l| crate::Load { force: to(l.force), ..*l }).collect(),
+            stitches: ordered,
+            body: body.map(|b| BodyMesh { positions: all(&b.positions), triangles: b.triangles.clone() }),
+            gravity: to(scene.gravity),
+            layers: scene.layers.clone(),
+        };
+        Self { scene, turns, stitches }
+    }
+
+    /// What came of it, as the scene was given.
+    pub fn back(&self, result: Result<Outcome, ClothError>) -> Result<Outcome, ClothError> {
+        let mut outcome = result.map_err(|e| self.told(e))?;
+        outcome.positions.iter_mut().for_each(|p| *p = self.there(*p));
+        outcome.reactions.iter_mut().for_each(|r| r.force = self.there(r.force));
+        for (stitch, _) in &mut outcome.open_stitches {
+            *stitch = self.stitches.get(*stitch as usize).map_or(*stitch, |s| *s);
+        }
+        Ok(outcome)
+    }
+
+    fn there(&self, p: Vec3) -> Vec3 {
+        turned(p, 4 - self.turns)
+    }
+
+    fn told(&self, mut error: ClothError) -> ClothError {
+        if let ClothError::StartCrosses { place, .. } | ClothError::Caught { place, .. } = &mut error {
+            *place = Place { at: self.there(place.at), ..*place };
+        }
+        error
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scene() -> Scene {
+        let at = |k: f64| Vec3::new(0.3 * k, -0.1 * k * k, 0.7 - 0.2 * k);
+        Scene {
+            positions: (0..5).map(|k| at(f64::from(k))).collect(),
+            triangles: vec![crate::Element { vertices: [0, 2, 4], rest: [[0.0; 2]; 3], material: 0 }],
+            pins: vec![Pin { vertex: 1, at: at(1.5) }],
+            stitches: vec![[4, 2], [0, 3], [1, 4]],
+            body: Some(BodyMesh { positions: vec![at(9.0)], triangles: Vec::new() }),
+            gravity: Vec3::new(0.5, -9.81, 0.25),
+            ..Scene::default()
+        }
+    }
+
+    fn turn(s: &Scene, quarters: u8) -> Scene {
+        let all = |x: &[Vec3]| x.iter().map(|p| turned(*p, quarters)).collect();
+        Scene {
+            positions: all(&s.positions),
+            pins: s.pins.iter().map(|p| Pin { at: turned(p.at, quarters), ..*p }).collect(),
+            body: s.body.as_ref().map(|b| BodyMesh { positions: all(&b.positions), ..BodyMesh::default() }),
+            gravity: turned(s.gravity, quarters),
+            ..s.clone()
+        }
+    }
+
+    #[test]
+    fn a_turned_scene_is_the_same_scene() {
+        for k in 0..4 {
+            let canon = Canon::of(&turn(&scene(), k));
+            assert_eq!(canon.scene, Canon::of(&scene()).scene, "{k} quarters");
+            let back: Vec<Vec3> = canon.scene.positions.iter().map(|p| canon.there(*p)).collect();
+            assert_eq!(back, turn(&scene(), k).positions);
+        }
+    }
+
+    #[test]
+    fn stitches_in_any_order_are_the_same_and_keep_their_names() {
+        let other = Scene { stitches: vec![[1, 4], [2, 4], [3, 0]], ..scene() };
+        let (a, b) = (Canon::of(&scene()), Canon::of(&other));
+        assert_eq!((a.scene, a.stitches), (b.scene, vec![1, 2, 0]));
+        assert_eq!(b.stitches, [2, 0, 1]);
+    }
+}
