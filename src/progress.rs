@@ -1,13 +1,14 @@
 //! How a run tells what it does: bars on a terminal, plain lines every ten seconds off it, nothing when quiet; and
 //! events as JSON lines for other programs. Only this file knows indicatif.
 
+use crate::engine::Preview;
 use crate::render::finding_line;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde_json::{Value, json};
 use std::io::{IsTerminal as _, Write};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::time::{Duration, Instant};
-use toile_garment::Diagnostic;
+use toile_garment::{Diagnostic, Garment};
 use toile_stage_api::Progress;
 
 /// Time between plain lines.
@@ -31,9 +32,11 @@ pub struct Teller {
     voice: Voice,
     bar: Option<ProgressBar>,
     lines: Option<Lines>,
+    preview: Option<Preview>,
     events: Option<Box<dyn Write + Send>>,
     sequence: u64,
     started: Instant,
+    stage_started: Instant,
     last_event: Option<Instant>,
     counts: std::collections::BTreeMap<String, usize>,
 }
@@ -46,7 +49,19 @@ impl Teller {
         let bar = terminal.then(make_bar);
         let lines = (voice == Voice::Auto && !terminal).then(Lines::start);
         let counts = std::collections::BTreeMap::new();
-        Self { voice, bar, lines, events, sequence: 0, started: Instant::now(), last_event: None, counts }
+        let now = Instant::now();
+        Self {
+            voice,
+            bar,
+            lines,
+            preview: None,
+            events,
+            sequence: 0,
+            started: now,
+            stage_started: now,
+            last_event: None,
+            counts,
+        }
     }
 
     /// A teller that says nothing.
@@ -55,8 +70,14 @@ impl Teller {
         Self::new(Voice::Silent, None)
     }
 
+    /// The garment is shown there on the way.
+    pub fn show_in(&mut self, preview: Preview) {
+        self.preview = Some(preview);
+    }
+
     /// A stage begins.
     pub fn stage_start(&mut self, number: usize, total: usize, id: &str) {
+        self.stage_started = Instant::now();
         let prefix = format!("{number}/{total} {id}");
         if let Some(bar) = &self.bar {
             bar.set_prefix(prefix.clone());
@@ -149,18 +170,44 @@ impl Progress for Teller {
             bar.set_message(words.to_owned());
         }
         if let Some(lines) = &self.lines {
-            lines.update(done, total, words);
+            lines.update(left(self.stage_started, done, total), done, total, words);
         }
         if self.events.is_some() && self.last_event.is_none_or(|last| last.elapsed() >= EVENT_EVERY) {
             self.last_event = Some(Instant::now());
-            self.event("progress", json!({ "done": done, "total": total, "words": words }));
+            let left = left(self.stage_started, done, total).map(|s| (s * 10.0).round() / 10.0);
+            self.event("progress", json!({ "done": done, "total": total, "left_s": left, "words": words }));
+        }
+    }
+
+    fn looks(&self) -> bool {
+        self.preview.is_some()
+    }
+
+    fn look(&mut self, garment: &Garment, words: &str) {
+        let Some(preview) = &self.preview else { return };
+        match preview.show(garment) {
+            Ok(()) => self.event("preview", json!({ "words": words })),
+            Err(reason) => {
+                // The run itself needs no preview.
+                self.preview = None;
+                self.say(&format!("no preview: {reason}"));
+            }
         }
     }
 }
 
+/// Part of a stage below which nothing is said of the time that it will take.
+const EARLY: f64 = 0.05;
+
+/// Seconds that a stage will still take, as its work has gone so far.
+fn left(started: Instant, done: u64, total: u64) -> Option<f64> {
+    let part = done as f64 / total as f64;
+    (total > 0 && (EARLY..=1.0).contains(&part)).then(|| started.elapsed().as_secs_f64() * (1.0 - part) / part)
+}
+
 fn make_bar() -> ProgressBar {
     let bar = ProgressBar::with_draw_target(Some(0), ProgressDrawTarget::stderr_with_hz(10));
-    let style = ProgressStyle::with_template("{prefix} {wide_bar} {percent:>3} % {elapsed} {msg}");
+    let style = ProgressStyle::with_template("{prefix} {wide_bar} {percent:>3} % {elapsed}, {eta} left {msg}");
     bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
@@ -168,10 +215,20 @@ fn make_bar() -> ProgressBar {
 #[derive(Default)]
 struct State {
     prefix: String,
+    left: Option<f64>,
     done: u64,
     total: u64,
     words: String,
     over: bool,
+}
+
+impl State {
+    fn line(&self) -> String {
+        let share =
+            if self.total > 0 { format!(" {:.0} %", 100.0 * self.done as f64 / self.total as f64) } else { String::new() };
+        let left = self.left.map_or_else(String::new, |s| format!(", about {s:.0} s left"));
+        format!("{}{share}{left}: {}", self.prefix, self.words)
+    }
 }
 
 /// Plain lines: one when a stage begins and ends, one every ten seconds between.
@@ -195,8 +252,9 @@ impl Lines {
         *self.lock() = State { prefix, ..State::default() };
     }
 
-    fn update(&self, done: u64, total: u64, words: &str) {
+    fn update(&self, left: Option<f64>, done: u64, total: u64, words: &str) {
         let mut state = self.lock();
+        state.left = left;
         state.done = done;
         state.total = total;
         words.clone_into(&mut state.words);
@@ -220,8 +278,7 @@ fn print_lines(shared: &(Mutex<State>, Condvar)) {
         let (next, timeout) = shared.1.wait_timeout(state, LINE_EVERY).unwrap_or_else(PoisonError::into_inner);
         state = next;
         if timeout.timed_out() && !state.over && !state.prefix.is_empty() {
-            let share = if state.total > 0 { format!(" {}/{}", state.done, state.total) } else { String::new() };
-            drop(writeln!(std::io::stderr(), "{}{share} {}", state.prefix, state.words));
+            drop(writeln!(std::io::stderr(), "{}", state.line()));
         }
     }
 }

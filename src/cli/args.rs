@@ -111,6 +111,9 @@ pub struct RunArgs {
     /// Write events as JSON lines to this file.
     #[arg(long, value_name = "FILE")]
     pub events: Option<PathBuf>,
+    /// Keep preview.glb in the output folder: the garment while it is sewn and draped, new whenever a coarser mesh is done.
+    #[arg(long)]
+    pub preview: bool,
     /// Let the pipeline write into this folder too; may be repeated.
     #[arg(long, value_name = "DIR")]
     pub allow_write: Vec<PathBuf>,

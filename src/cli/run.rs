@@ -32,6 +32,7 @@ pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, con
     let options = RunOptions {
         out: out.clone(),
         force: args.force,
+        preview: args.preview,
         threads,
         allow_write: args.allow_write.clone(),
         set: args.pipeline.set.clone(),

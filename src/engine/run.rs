@@ -6,6 +6,7 @@ use super::gate::Gate;
 use super::meter::{Meter, peak_mb};
 use super::outputs::{Outputs, RECORD_NAME};
 use super::preflight::planned_outputs;
+use super::preview::{PREVIEW_NAME, Preview};
 use super::record::{GarmentCounts, OutputRecord, RunRecord, StageRun};
 use super::stop::Stop;
 use crate::pipeline::{Pipeline, Step};
@@ -23,6 +24,8 @@ use toile_stage_api::{StageContext, StageError};
 pub struct RunOptions {
     /// Output folder.
     pub out: PathBuf,
+    /// Show the garment on the way, in a file of its own?
+    pub preview: bool,
     /// Replace files that are there?
     pub force: bool,
     /// Threads.
@@ -56,12 +59,16 @@ pub fn run(
     teller: &mut Teller,
     report: Report,
 ) -> Outcome {
-    let planned = planned_outputs(&pipeline.steps);
+    let mut planned = planned_outputs(&pipeline.steps);
+    planned.extend(options.preview.then(|| PathBuf::from(PREVIEW_NAME)));
     let outputs = Outputs::open(&options.out, &options.allow_write, &planned, options.force, Arc::clone(stop));
     let outputs = match outputs {
         Ok(outputs) => outputs,
         Err(error) => return refuse(&error, report, teller),
     };
+    if options.preview {
+        teller.show_in(Preview::new(outputs.root().join(PREVIEW_NAME)));
+    }
     let files = RunFiles::new(gate, outputs);
     let mut run = Run::new(pipeline, options, files, stop, teller, report);
     let exit = run.chain(pipeline);

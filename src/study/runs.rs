@@ -147,6 +147,7 @@ impl Bench<'_> {
         let options = RunOptions {
             out: self.folder(setting),
             force: true,
+            preview: false,
             threads: self.threads,
             allow_write: Vec::new(),
             set: self.request.set.clone(),

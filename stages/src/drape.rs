@@ -40,11 +40,14 @@ impl Stage for Drape {
         let told = |e| failure_in(e, &garment, &stitched.positions);
         let sewn = if stitched.sewn { start.positions.clone() } else { close(&start, params, cx).map_err(told)? };
         let welded = toile_cloth::weld(&start, &sewn);
-        let outcome = toile_cloth::drape(&welded.scene, &settings, &mut Follow::new(cx)).map_err(told)?;
+        let shape = |x: &[Vec3]| Shape { positions: layout.split(&welded.spread(x)), sewn: true, welded: true };
+        let shown = |x: &[Vec3]| Garment { drape: Some(shape(x)), ..garment.clone() };
+        let outcome =
+            toile_cloth::drape(&welded.scene, &settings, &mut Follow::showing(cx, &shown)).map_err(told)?;
         let stored: Vec<Vec3> = outcome.positions.iter().map(to_f32).collect();
         let figures = toile_cloth::certify(&welded.scene, &settings, &stored).map_err(failure)?;
         garment.certificate = Some(certificate::certificate(&garment, params, &outcome, &figures));
-        garment.drape = Some(Shape { positions: layout.split(&welded.spread(&stored)), sewn: true, welded: true });
+        garment.drape = Some(shape(&stored));
         garment.reactions = reactions(&garment, &layout, &welded.map, &outcome);
         garment.stitched = Some(stitched);
         tell(&mut garment, &outcome, cx);

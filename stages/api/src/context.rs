@@ -2,7 +2,7 @@
 
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
-use toile_garment::Report;
+use toile_garment::{Garment, Report};
 
 /// Why a file could not be read or written.
 #[derive(Debug, thiserror::Error)]
@@ -71,6 +71,14 @@ pub trait Files {
 pub trait Progress {
     /// `done` of `total` (0 = unknown), and a few words, e.g. `residual 0.03, goal 0.01`.
     fn update(&mut self, done: u64, total: u64, words: &str);
+
+    /// Does anyone want to see the garment on the way?
+    fn looks(&self) -> bool {
+        false
+    }
+
+    /// The garment as it is on the way, and a few words.
+    fn look(&mut self, _garment: &Garment, _words: &str) {}
 }
 
 impl Progress for () {

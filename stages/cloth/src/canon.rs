@@ -65,12 +65,17 @@ impl Canon {
     /// What came of it, as the scene was given.
     pub fn back(&self, result: Result<Outcome, ClothError>) -> Result<Outcome, ClothError> {
         let mut outcome = result.map_err(|e| self.told(e))?;
-        outcome.positions.iter_mut().for_each(|p| *p = self.there(*p));
+        outcome.positions = self.given(&outcome.positions);
         outcome.reactions.iter_mut().for_each(|r| r.force = self.there(r.force));
         for (stitch, _) in &mut outcome.open_stitches {
             *stitch = self.stitches.get(*stitch as usize).map_or(*stitch, |s| *s);
         }
         Ok(outcome)
+    }
+
+    /// Places as the scene was given.
+    pub fn given(&self, x: &[Vec3]) -> Vec<Vec3> {
+        x.iter().map(|p| self.there(*p)).collect()
     }
 
     fn there(&self, p: Vec3) -> Vec3 {

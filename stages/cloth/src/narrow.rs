@@ -105,15 +105,19 @@ impl Narrow {
     }
 
     /// The ends apart again, as the cloth around them is stretched and turned.
-    pub fn back(&self, mut outcome: Outcome) -> Outcome {
-        let x = &outcome.positions;
+    pub fn apart(&self, x: &[Vec3]) -> Vec<Vec3> {
         let axes = self.axes(x);
         let apart = |(v, [a, b]): (usize, &[f64; 2])| {
             let g = self.welded.map[v] as usize;
             let ([weft, warp], count) = axes[g];
             x[g] + (weft * *a + warp * *b) / count
         };
-        let positions = self.offset.iter().enumerate().map(apart).collect();
+        self.offset.iter().enumerate().map(apart).collect()
+    }
+
+    /// The same of all that came of it.
+    pub fn back(&self, mut outcome: Outcome) -> Outcome {
+        let positions = self.apart(&outcome.positions);
         for r in &mut outcome.reactions {
             // Of the vertices that are one, the first is held in the name of all.
             let first = self.welded.map.iter().position(|g| *g == r.vertex);

@@ -4,6 +4,7 @@ use crate::canon::Canon;
 use crate::integrate::central::{self, State};
 use crate::narrow::Narrow;
 use crate::problem::Problem;
+use crate::watch::Part;
 use crate::{ClothError, Integrator, Outcome, Scene, Settings, StopReason, Vec3, Watch};
 use crate::{report, sewing, statics, validate};
 
@@ -27,6 +28,9 @@ const TREMBLING: f64 = 10.0;
 /// … up to this, 1/s: slow enough to see real motion as motion.
 const MOST_DAMPING: f64 = 100.0;
 
+/// All of the work.
+const WHOLE: [f64; 2] = [0.0, 1.0];
+
 /// Closes the stitches: the paper's dynamic system with sewing forces, until every pair is closer than the sewing
 /// distance and the elastic energy rests. Pairs that came close are joined exactly (gap 0).
 ///
@@ -35,7 +39,7 @@ const MOST_DAMPING: f64 = 100.0;
 pub fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     validate::scene(scene)?;
     let canon = Canon::of(scene);
-    canon.back(sew_canonical(&canon.scene, settings, watch))
+    canon.back(sew_canonical(&canon.scene, settings, &mut Part::new(watch, WHOLE, &|x| canon.given(x))))
 }
 
 fn sew_canonical(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
@@ -59,9 +63,15 @@ fn sew_canonical(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> R
 pub fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     validate::scene(scene)?;
     let canon = Canon::of(scene);
+    let given = |x: &[Vec3]| canon.given(x);
+    let mut watch = Part::new(watch, WHOLE, &given);
     canon.back(match Narrow::of(&canon.scene) {
-        Some(narrow) => drape_canonical(&narrow.scene, settings, watch).map(|o| narrow.back(o)),
-        None => drape_canonical(&canon.scene, settings, watch),
+        Some(narrow) => {
+            let apart = |x: &[Vec3]| narrow.apart(x);
+            let mut watch = Part::new(&mut watch, WHOLE, &apart);
+            drape_canonical(&narrow.scene, settings, &mut watch).map(|o| narrow.back(o))
+        }
+        None => drape_canonical(&canon.scene, settings, &mut watch),
     })
 }
 
@@ -75,7 +85,7 @@ fn drape_canonical(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) ->
 fn run(scene: &Scene, settings: &Settings, pulls: bool, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     let mut problem = Problem::new(scene, settings, pulls)?;
     let gravity = scene.gravity.norm() * settings.gravity_scale;
-    let mut run = Run::new(&mut problem, settings, gravity);
+    let mut run = Run::new(&mut problem, settings, gravity, scene.triangles.len());
     let reason = run.go(watch)?;
     if reason == StopReason::Settled && !pulls {
         run.quieten(watch)?;
@@ -85,6 +95,7 @@ fn run(scene: &Scene, settings: &Settings, pulls: bool, watch: &mut dyn Watch) -
 
 struct Run<'a> {
     problem: &'a mut Problem,
+    triangles: usize,
     settings: &'a Settings,
     state: State,
     /// The last state whose energy was sound.
@@ -106,7 +117,7 @@ struct Run<'a> {
 }
 
 impl<'a> Run<'a> {
-    fn new(problem: &'a mut Problem, settings: &'a Settings, gravity: f64) -> Self {
+    fn new(problem: &'a mut Problem, settings: &'a Settings, gravity: f64, triangles: usize) -> Self {
         let state = State::at_rest(problem.start.clone());
         let elastic = problem.elastic(&state.x);
         let sound_energy = problem.potential(&state.x);
@@ -115,6 +126,7 @@ impl<'a> Run<'a> {
             sound: state.clone(),
             state,
             problem,
+            triangles,
             settings,
             sound_energy,
             dt: 0.0,
@@ -154,6 +166,8 @@ impl<'a> Run<'a> {
                 self.check_energy()?;
                 if self.steps.is_multiple_of(16 * CHECK) {
                     watch.progress(self.steps, &self.words());
+                    watch.done(self.seconds / self.settings.max_seconds);
+                    watch.look(&self.state.x, self.triangles);
                 }
             }
             if self.seconds - self.window.2 >= WINDOW && self.look_for_rest() {

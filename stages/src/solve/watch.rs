@@ -1,26 +1,56 @@
 //! Progress, stopping and failures of the solver in the engine's words.
 
 use std::sync::atomic::{AtomicBool, Ordering};
-use toile_cloth::{ClothError, Watch};
-use toile_garment::Diagnostic;
+use toile_cloth::{ClothError, Vec3, Watch};
+use toile_garment::{Diagnostic, Garment};
 use toile_stage_api::{Progress, StageContext, StageError};
+
+/// Parts of the work that are told apart.
+const PARTS: u64 = 1000;
 
 /// Tells the engine how far the solver is.
 pub struct Follow<'a> {
     progress: &'a mut dyn Progress,
     cancel: &'a AtomicBool,
+    /// The garment as it is with the solver's vertices at some places.
+    garment: Option<&'a dyn Fn(&[Vec3]) -> Garment>,
+    /// Of [`PARTS`]; 0 while nothing is known.
+    done: u64,
 }
 
 impl<'a> Follow<'a> {
     /// Follows on behalf of a stage.
     pub fn new(cx: &'a mut StageContext<'_>) -> Self {
-        Self { progress: &mut *cx.progress, cancel: cx.cancel }
+        Self { progress: &mut *cx.progress, cancel: cx.cancel, garment: None, done: 0 }
+    }
+
+    /// The same, with a way to show the garment while it is worked on.
+    pub fn showing(cx: &'a mut StageContext<'_>, garment: &'a dyn Fn(&[Vec3]) -> Garment) -> Self {
+        Self { garment: Some(garment), ..Self::new(cx) }
     }
 }
 
 impl Watch for Follow<'_> {
     fn progress(&mut self, step: u64, words: &str) {
-        self.progress.update(step, 0, words);
+        match self.done {
+            0 => self.progress.update(step, 0, words),
+            done => self.progress.update(done, PARTS, words),
+        }
+    }
+
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    fn done(&mut self, part: f64) {
+        self.done = self.done.max((part.clamp(0.0, 1.0) * PARTS as f64) as u64);
+    }
+
+    fn looks(&self) -> bool {
+        self.garment.is_some() && self.progress.looks()
+    }
+
+    fn look(&mut self, positions: &[Vec3], triangles: usize) {
+        if let Some(garment) = self.garment.filter(|_| self.progress.looks()) {
+            self.progress.look(&garment(positions), &format!("as {triangles} triangles hang"));
+        }
     }
 
     fn cancelled(&self) -> bool {

@@ -104,11 +104,13 @@ impl Stage for Stitch {
         let layout = Layout::of(&garment);
         let start = scene(&garment, &layout, layout.join(&placed), WEIGHT).map_err(StageError::Parameter)?;
         let settings = settings(params, cx.threads);
-        let sewn = toile_cloth::sew(&start, &settings, &mut Follow::new(cx));
+        let shape = |x: &[Vec3]| Shape { positions: layout.split(x), sewn: true, welded: false };
+        let shown = |x: &[Vec3]| Garment { stitched: Some(shape(x)), ..garment.clone() };
+        let sewn = toile_cloth::sew(&start, &settings, &mut Follow::showing(cx, &shown));
         let outcome = sewn.map_err(|e| failure_in(e, &garment, &placed))?;
         tell(&garment, &outcome, settings.sewing_distance, cx);
         garment.effects = effects(&outcome.effects);
-        garment.stitched = Some(Shape { positions: layout.split(&outcome.positions), sewn: true, welded: false });
+        garment.stitched = Some(shape(&outcome.positions));
         Ok(garment)
     }
 }

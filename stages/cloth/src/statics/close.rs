@@ -30,6 +30,8 @@ const DRAWN: f64 = 0.7;
 const SHRINKS: f64 = 0.95;
 /// … and lets the threads pull so much harder.
 const HARDER: f64 = 1.6;
+/// Part of the work until the pieces are together.
+const GATHERING: f64 = 0.8;
 /// Most steps of the tightening.
 const MOST_TIGHTENING: u64 = 200;
 /// Stitches closer than this share of the sewing distance are joined exactly.
@@ -98,8 +100,10 @@ impl<'a, 'b> Sewing<'a, 'b> {
         self.descent.stride = SEWING_STRIDE;
         self.pull(PULL_FIRST, reach);
         let mut idle = 0;
+        let first = self.descent.widest();
         loop {
             let before = self.descent.widest();
+            watch.done(GATHERING * ((first - before) / first.max(1e-12)).max(0.0));
             if before < self.wide {
                 // Nearly closed: the distance to the body shrinks with the gaps.
                 self.stand_off(before.max(0.5 * self.wide));
@@ -136,6 +140,8 @@ impl<'a, 'b> Sewing<'a, 'b> {
         let mut last = f64::INFINITY;
         while self.descent.steps < most {
             let widest = self.descent.widest();
+            let done = 1.0 - (most - self.descent.steps) as f64 / MOST_TIGHTENING as f64;
+            watch.done(GATHERING + (1.0 - GATHERING) * done);
             let b = self.descent.advance(watch, &format!("widest seam {:.3} mm open", widest * 1e3))?;
             if self.wide > 0.0 {
                 let next = 0.5 * self.wide;

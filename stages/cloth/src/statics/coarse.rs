@@ -6,6 +6,7 @@ use super::descent::Descent;
 use super::report;
 use crate::levels::Level;
 use crate::sewing::mean_edge;
+use crate::watch::Part;
 use crate::{ClothError, Outcome, Scene, Settings, StopReason, Vec3, Watch, weld};
 
 /// Widest gap over the mean edge that welding may close.
@@ -23,6 +24,10 @@ const STILL: u32 = 3;
 const FAIR: f64 = 0.3;
 /// Most steps spent on it.
 const MOST: u64 = 240;
+
+/// Parts of all work: sewing coarser levels, and letting down the coarser of two.
+const SEWING_WORK: f64 = 0.5;
+const DOWN_WORK: f64 = 0.65;
 
 /// Closes the stitches; `None` where something stays in the way.
 pub(crate) fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
@@ -43,7 +48,9 @@ impl Step<'_> {
         if let Some(outcome) = self.by_levels(watch)? {
             return Ok(Some(outcome));
         }
-        let closed = close(self.scene, self.settings, watch)?;
+        let same = <[Vec3]>::to_vec;
+        let closed = close(self.scene, self.settings, &mut Part::new(watch, [0.0, SEWING_WORK], &same))?;
+        let watch = &mut Part::new(watch, [SEWING_WORK, 1.0], &same);
         match closed.as_ref().filter(|c| self.finest && c.seam_gap_max <= NEARLY * mean_edge(self.scene)) {
             // Else a garment that has no coarser level would hang where sewing left it.
             Some(c) => Ok(self.let_down(&c.positions, watch)?.map(|down| Outcome::after(down, c)).or(closed)),
@@ -59,13 +66,17 @@ impl Step<'_> {
         }
         let Some(level) = Level::below(self.scene) else { return Ok(None) };
         let below = Step { scene: &level.scene, finest: false, ..self };
-        let Some(sewn) = below.sew(watch)? else { return Ok(None) };
+        let spread = |x: &[Vec3]| level.spread(x);
+        let Some(sewn) = below.sew(&mut Part::new(watch, [0.0, SEWING_WORK], &spread))? else { return Ok(None) };
         if sewn.seam_gap_max > NEARLY * mean_edge(&level.scene) {
             return Ok(None);
         }
-        let Some(down) = below.let_down(&sewn.positions, watch)? else { return Ok(None) };
+        let mut part = Part::new(watch, [SEWING_WORK, DOWN_WORK], &spread);
+        let Some(down) = below.let_down(&sewn.positions, &mut part)? else { return Ok(None) };
         let x = level.spread(&down.positions);
-        Ok(self.let_down(&x, watch)?.map(|outcome| outcome.after(&sewn).after(&down)))
+        watch.look(&x, level.scene.triangles.len());
+        let mut watch = Part::new(watch, [DOWN_WORK, 1.0], &<[Vec3]>::to_vec);
+        Ok(self.let_down(&x, &mut watch)?.map(|outcome| outcome.after(&sewn).after(&down)))
     }
 
     /// Lets what is sewn slide down into its place, as hands would, without friction; what would slide off stays.
@@ -101,6 +112,7 @@ fn ease(descent: &mut Descent<'_>, triangles: usize, watch: &mut dyn Watch) -> R
     let (mut stuck, mut still) = (0, 0);
     while descent.steps < MOST && stuck <= MOST_STUCK && still < STILL {
         let b = descent.advance(watch, &format!("smoothing {triangles} triangles"))?;
+        watch.done((descent.steps as f64 / MOST as f64).sqrt());
         stuck = if b.steps == 0 { stuck + 1 } else { 0 };
         let little = b.won <= SMOOTH * descent.goal.elastic(&descent.x);
         // Little won under a large shift may only say that the shift is large.

@@ -3,6 +3,7 @@
 use super::descent::{Descent, TAU_FREE};
 use super::report;
 use crate::levels::Level;
+use crate::watch::Part;
 use crate::{ClothError, EffectReport, Outcome, Scene, Settings, StopReason, Vec3, Watch};
 
 /// Blocks in a row without any step after which nothing more can be won.
@@ -15,13 +16,15 @@ const MOST_BORNE: u32 = 2;
 const FAR: f64 = 3.0;
 /// What a Newton step would win over the elastic energy, above which coarser cloth finds the way first.
 const FAR_FROM_REST: f64 = 1.0;
+/// Part of all work that coarser levels take.
+const COARSE_WORK: f64 = 0.2;
 /// Tolerances of a coarser level over those of the finest.
 const COARSE: f64 = 3.0;
 
 /// Settles the cloth.
 pub(crate) fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     let mut descent = Descent::begin(scene, settings, false)?;
-    let mut before = Vec::new();
+    let (mut before, mut done) = (Vec::new(), 0.0);
     let loaded = descent.preload();
     if descent.far_from_rest() {
         // Not in balance, so the loads were not those that it rested with.
@@ -29,7 +32,7 @@ pub(crate) fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -
             descent.unload();
         }
         if let Some((x, effects)) = on_coarser(scene, settings, watch)? {
-            before = effects;
+            (before, done) = (effects, COARSE_WORK);
             match Descent::begin(&Scene { positions: x, ..scene.clone() }, settings, false) {
                 Ok(led) => descent = led,
                 // Spread from the coarser cloth it would cross something: it starts where it was.
@@ -38,7 +41,7 @@ pub(crate) fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -
             }
         }
     }
-    let reason = descent.settle(watch)?;
+    let reason = descent.settle(&mut Part::new(watch, [done, 1.0], &<[Vec3]>::to_vec))?;
     let mut outcome = report::outcome(descent, scene, reason);
     outcome.add_costs(&before);
     Ok(outcome)
@@ -56,8 +59,13 @@ fn on_coarser(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Resu
         residual_tolerance: f64::INFINITY,
         ..settings.clone()
     };
-    match drape(&level.scene, &coarse, watch) {
-        Ok(rest) if rest.settled => Ok(Some((level.spread(&rest.positions), rest.effects))),
+    let below = drape(&level.scene, &coarse, &mut Part::new(watch, [0.0, COARSE_WORK], &|x| level.spread(x)));
+    match below {
+        Ok(rest) if rest.settled => {
+            let x = level.spread(&rest.positions);
+            watch.look(&x, level.scene.triangles.len());
+            Ok(Some((x, rest.effects)))
+        }
         Ok(_) | Err(ClothError::StartCrosses { .. } | ClothError::Unstable { .. }) => Ok(None),
         Err(e) => Err(e),
     }
@@ -67,6 +75,7 @@ impl Descent<'_> {
     /// Goes on until at rest.
     pub fn settle(&mut self, watch: &mut dyn Watch) -> Result<StopReason, ClothError> {
         let (mut stuck, mut pushes, mut borne) = (0, 0, 0);
+        let mut way = Way::default();
         let start = self.x.clone();
         let far = FAR * self.goal.size(&start);
         loop {
@@ -93,6 +102,7 @@ impl Descent<'_> {
                 return Err(ClothError::Cancelled { step: self.steps });
             }
             watch.progress(self.steps, &self.words());
+            watch.done(way.part(self.to_go()));
             if start.iter().zip(&self.x).any(|(p, q)| (p - q).norm_squared() > far * far) {
                 return Ok(StopReason::Unheld);
             }
@@ -117,6 +127,17 @@ impl Descent<'_> {
         self.decrement > FAR_FROM_REST
     }
 
+    /// How many times too large the worst of what must be small at rest is.
+    fn to_go(&self) -> f64 {
+        let s = self.settings;
+        let all = [
+            self.decrement / s.decrement_tolerance,
+            self.longest / s.move_tolerance,
+            self.residual / s.residual_tolerance,
+        ];
+        all.into_iter().fold(1.0, f64::max)
+    }
+
     fn nearly_resting(&self) -> bool {
         self.decrement < self.settings.decrement_tolerance && self.residual < 10.0 * self.settings.residual_tolerance
     }
@@ -130,5 +151,21 @@ impl Descent<'_> {
             self.longest * 1e3,
             self.settings.move_tolerance * 1e3
         )
+    }
+}
+
+/// How far a descent has come: by the digits of what must become small.
+#[derive(Debug, Default)]
+struct Way {
+    first: f64,
+    part: f64,
+}
+
+impl Way {
+    fn part(&mut self, to_go: f64) -> f64 {
+        self.first = self.first.max(to_go);
+        let digits = if self.first > 1.0 { 1.0 - to_go.ln() / self.first.ln() } else { 1.0 };
+        self.part = self.part.max(digits.clamp(0.0, 1.0));
+        self.part
     }
 }
