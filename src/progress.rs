@@ -224,8 +224,11 @@ struct State {
 
 impl State {
     fn line(&self) -> String {
-        let share =
-            if self.total > 0 { format!(" {:.0} %", 100.0 * self.done as f64 / self.total as f64) } else { String::new() };
+        let share = if self.total > 0 {
+            format!(" {:.0} %", 100.0 * self.done as f64 / self.total as f64)
+        } else {
+            String::new()
+        };
         let left = self.left.map_or_else(String::new, |s| format!(", about {s:.0} s left"));
         format!("{}{share}{left}: {}", self.prefix, self.words)
     }

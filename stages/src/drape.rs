@@ -42,8 +42,7 @@ impl Stage for Drape {
         let welded = toile_cloth::weld(&start, &sewn);
         let shape = |x: &[Vec3]| Shape { positions: layout.split(&welded.spread(x)), sewn: true, welded: true };
         let shown = |x: &[Vec3]| Garment { drape: Some(shape(x)), ..garment.clone() };
-        let outcome =
-            toile_cloth::drape(&welded.scene, &settings, &mut Follow::showing(cx, &shown)).map_err(told)?;
+        let outcome = toile_cloth::drape(&welded.scene, &settings, &mut Follow::showing(cx, &shown)).map_err(told)?;
         let stored: Vec<Vec3> = outcome.positions.iter().map(to_f32).collect();
         let figures = toile_cloth::certify(&welded.scene, &settings, &stored).map_err(failure)?;
         garment.certificate = Some(certificate::certificate(&garment, params, &outcome, &figures));

@@ -88,7 +88,7 @@ impl Stepper<'_> {
     /// Where the body hardly comes on, contacts that are pressed nearly shut become stiffer.
     fn harden(&mut self) {
         let goal = &mut self.descent.goal;
-        if goal.barrier.as_mut().is_some_and(|b| b.harden(&goal.hessian.unknown)) {
+        if goal.barrier.as_mut().is_some_and(|b| b.harden(&goal.unknown)) {
             self.descent.start_anew();
         }
     }

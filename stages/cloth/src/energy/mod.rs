@@ -38,6 +38,18 @@ pub(crate) trait Energy: Send + Sync {
     /// Adds the second derivatives, N/m; made positive semi-definite element by element where `convex` (the metric of a
     /// descent), as they are otherwise (the test of a minimum).
     fn add_hessian(&self, x: &[Vec3], convex: bool, h: &mut Hessian);
+    /// What may stand for the second derivatives on a mesh too coarse for them to matter: fewer pairs …
+    fn add_rough_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
+        self.add_pairs(pairs);
+    }
+    /// … and their stiffness, N/m.
+    fn add_rough_hessian(&self, x: &[Vec3], convex: bool, h: &mut Hessian) {
+        self.add_hessian(x, convex, h);
+    }
+    /// Is there such a thing?
+    fn rough(&self) -> bool {
+        false
+    }
     /// Are the second derivatives the same everywhere?
     fn quadratic(&self) -> bool {
         false

@@ -1,5 +1,5 @@
 //! Where the corners of the cloth lie at rest: in the plane of their piece, or, for cloth whose rest shape is curved and
-//! so has no plane (an imported mesh), where they lie in space at the start.
+//! so has no plane (an imported mesh), where they lie in space at the start once its strain is taken out.
 
 use crate::{Element, Scene, Vec3};
 
@@ -7,23 +7,45 @@ use crate::{Element, Scene, Vec3};
 const SAME: f64 = 1e-7;
 /// … and with more than this share of such edges the cloth has no plane.
 const CURVED: f64 = 0.5;
-/// Largest strain of an edge at the start at which the start is the rest shape.
+/// Largest strain of an edge at which places in space are those of a rest shape.
 const AT_REST: f64 = 1e-3;
+/// Rounds in which edges get their rest lengths, at most.
+const ROUNDS: usize = 400;
 
 /// Rest places of the corners of every triangle, and whether they are those of a curved rest shape.
 pub(crate) fn corners(scene: &Scene) -> (Vec<[Vec3; 3]>, bool) {
-    let start = |t: &Element| crate::pick3(&scene.positions, &t.vertices);
-    let unstrained = |t: &Element| {
-        let x = start(t);
-        (0..3).all(|k| {
-            let l = t.rest_length(k);
-            ((x[k] - x[(k + 1) % 3]).norm() - l).abs() <= AT_REST * l
-        })
-    };
-    if curved(scene) && scene.triangles.iter().all(unstrained) {
-        return (scene.triangles.iter().map(start).collect(), true);
+    if curved(scene)
+        && let Some(x) = unstrained(scene)
+    {
+        return (scene.triangles.iter().map(|t| crate::pick3(&x, &t.vertices)).collect(), true);
     }
     (scene.triangles.iter().map(|t| t.rest.map(flat)).collect(), false)
+}
+
+/// Places near the start at which every edge has its rest length: edge by edge, both ends move alike.
+fn unstrained(scene: &Scene) -> Option<Vec<Vec3>> {
+    let mut x = scene.positions.clone();
+    for _ in 0..ROUNDS {
+        let mut worst: f64 = 0.0;
+        for t in &scene.triangles {
+            for k in 0..3 {
+                let (a, b) = (t.vertices[k] as usize, t.vertices[(k + 1) % 3] as usize);
+                let (edge, rest) = (x[b] - x[a], t.rest_length(k));
+                let length = edge.norm();
+                if length == 0.0 {
+                    return None;
+                }
+                worst = worst.max((length - rest).abs() / rest);
+                let half = edge * (0.5 * (length - rest) / length);
+                x[a] += half;
+                x[b] -= half;
+            }
+        }
+        if worst <= AT_REST {
+            return Some(x);
+        }
+    }
+    None
 }
 
 fn flat(p: [f64; 2]) -> Vec3 {

@@ -1,8 +1,10 @@
 //! The shape of a factor: order of elimination and supernodes, from `faer`'s analysis (whole numbers only, so the same
 //! on every machine).
 
+use super::dissect;
 use super::hessian::Pattern;
 use faer::Side;
+use faer::perm::PermRef;
 use faer::sparse::SymbolicSparseColMatRef;
 use faer::sparse::linalg::cholesky::{
     CholeskySymbolicParams, SymbolicCholesky, SymbolicCholeskyRaw, SymmetricOrdering, factorize_symbolic_cholesky,
@@ -97,8 +99,9 @@ impl Symbolic {
             supernodal_params: SymbolicSupernodalParams { relax: Some(&RELAX) },
             ..CholeskySymbolicParams::default()
         };
-        let analysis = factorize_symbolic_cholesky(lower, Side::Lower, SymmetricOrdering::Amd, params).ok()?;
-        let place = analysis.perm()?.arrays().1.to_vec();
+        let (order, place) = dissect::order(pattern)?;
+        let ordering = SymmetricOrdering::Custom(PermRef::new_checked(&order, &place, n));
+        let analysis = factorize_symbolic_cholesky(lower, Side::Lower, ordering, params).ok()?;
         let (nodes, length) = if pattern.rows.len() == n { apart(n)? } else { nodes(&analysis)? };
         let targets = targets(pattern, &place, &nodes);
         Some(Self { place, nodes, targets, length })

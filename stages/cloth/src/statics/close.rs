@@ -44,6 +44,7 @@ const PULL_SEWN: f64 = 1e4;
 pub(crate) fn close(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
     let mut descent = Descent::begin(scene, settings, true)?;
     if descent.goal.seams.is_some() {
+        descent.goal.set_rough(true);
         let mut sewing = Sewing::new(&mut descent);
         if !sewing.gather(watch)? {
             return Ok(None);

@@ -150,7 +150,7 @@ impl<'a> Descent<'a> {
     fn refresh(&mut self) -> bool {
         // In a time step friction holds on to where the step began, until its end.
         if self.goal.inert.is_none() {
-            if self.goal.barrier.as_mut().is_some_and(|b| b.harden(&self.goal.hessian.unknown)) {
+            if self.goal.barrier.as_mut().is_some_and(|b| b.harden(&self.goal.unknown)) {
                 self.start_anew();
             }
             self.refresh_friction();
@@ -173,7 +173,7 @@ impl<'a> Descent<'a> {
 
     /// Lets contacts that gave way push from farther off; says whether there were any.
     pub fn bear(&mut self) -> bool {
-        let any = self.goal.barrier.as_mut().is_some_and(|b| b.bear(&self.x, &self.goal.hessian.unknown));
+        let any = self.goal.barrier.as_mut().is_some_and(|b| b.bear(&self.x, &self.goal.unknown));
         if any {
             self.start_anew();
         }
@@ -184,7 +184,7 @@ impl<'a> Descent<'a> {
     pub fn preload(&mut self) -> bool {
         let goal = &mut self.goal;
         let Some(b) = goal.barrier.as_mut().filter(|_| goal.stick.is_some()) else { return false };
-        let pulls = b.preload(&self.x, &self.f, &goal.hessian.unknown);
+        let pulls = b.preload(&self.x, &self.f, &goal.unknown);
         if pulls.is_empty() {
             return false;
         }
@@ -225,8 +225,7 @@ impl<'a> Descent<'a> {
 
     pub fn assemble(&mut self, convex: bool) -> (Pattern, Vec<Matrix3<f64>>) {
         let mut lap = Lap::start();
-        self.goal.assemble(&self.x, self.firm, convex);
-        let system = self.goal.hessian.merged();
+        let system = self.goal.assemble(&self.x, self.firm, convex);
         self.goal.costs.spend(Work::Descent, &mut lap);
         system
     }
@@ -354,10 +353,10 @@ impl<'a> Descent<'a> {
         self.longest = crate::longest(&d);
         let most = self.stride * self.goal.edge;
         let cap = if self.longest > most { most / self.longest } else { 1.0 };
-        let mut step = scattered(&self.goal.hessian.unknown, &d, cap);
+        let mut step = scattered(&self.goal.unknown, &d, cap);
         self.limit(&mut step);
         let mut moved = vec![Vec3::zeros(); self.f.len()];
-        gather(&self.goal.hessian.unknown, &step, &mut moved);
+        gather(&self.goal.unknown, &step, &mut moved);
         let slope = dot(&moved, &self.f);
         if slope <= 0.0 {
             return None;

@@ -9,6 +9,7 @@ mod report;
 mod rest;
 mod saddle;
 mod seams;
+mod slate;
 
 pub(crate) use coarse::sew;
 pub(crate) use report::effects;

@@ -1,6 +1,7 @@
 //! The energy that a descent lowers: cloth, weight, contact, friction of the last refresh, sewing threads.
 
 use super::seams::Seams;
+use super::slate::Slate;
 use crate::collide::barrier::Barrier;
 use crate::collide::own::Own;
 use crate::collide::stick::Stick;
@@ -9,7 +10,7 @@ use crate::cost::{Costs, Lap, Work};
 use crate::dynamics::inert::Inert;
 use crate::energy::hysteresis::{self, Hysteresis};
 use crate::energy::{Energy, elastic};
-use crate::linear::hessian::{FIXED, Hessian};
+use crate::linear::hessian::{FIXED, Pattern};
 use crate::problem::{areas, frame, held, masses, model};
 use crate::start::Start;
 use crate::{Scene, Settings, Switch, Vec3};
@@ -27,9 +28,11 @@ pub(crate) struct Objective {
     pub mass: Vec<f64>,
     /// kg, per unknown.
     pub inertia: Vec<f64>,
-    pub hessian: Hessian,
-    /// Second derivatives of what is quadratic.
-    constant: Vec<Matrix3<f64>>,
+    /// Unknown of every vertex, or [`FIXED`].
+    pub unknown: Vec<u32>,
+    slate: Slate,
+    /// The other one, once it was used.
+    spare: Option<Slate>,
     pub pins: Vec<(u32, Vec3)>,
     /// m, mean rest length of an edge.
     pub edge: f64,
@@ -53,13 +56,9 @@ impl Objective {
         pins.retain(|p| !pulls || !apart(p));
         let seams = pulls.then(|| Seams::new(scene, &drawn)).filter(|t| !t.is_empty());
         let (unknown, n) = number(&mass, &pins);
-        let mut pairs = Vec::new();
-        energies.iter().for_each(|e| e.add_pairs(&mut pairs));
-        seams.iter().for_each(|t| t.add_pairs(&mut pairs));
-        let mut hessian = Hessian::new(unknown, n, pairs.into_iter());
-        energies.iter().filter(|e| e.quadratic()).for_each(|e| e.add_hessian(&positions, true, &mut hessian));
+        let slate = Slate::new(&energies, seams.as_ref(), unknown.clone(), n, false);
         let mut inertia = vec![0.0; n];
-        hessian.unknown.iter().zip(&mass).filter(|(u, _)| **u != FIXED).for_each(|(u, m)| inertia[*u as usize] = *m);
+        unknown.iter().zip(&mass).filter(|(u, _)| **u != FIXED).for_each(|(u, m)| inertia[*u as usize] = *m);
         let hysteresis = hysteresis::called_for(scene, s).then(|| Hysteresis::new(scene, &topology)).flatten();
         let frame = frame(scene, s, topology, &mass, body.is_some(), own);
         let edge = frame.edge;
@@ -72,7 +71,6 @@ impl Objective {
             costs.spend(Work::SelfContact, &mut lap);
             Barrier::new(frame, body, areas(scene), own)
         });
-        let constant = hessian.values.clone();
         let force = vec![Vec3::zeros(); positions.len()];
         let bends = scene.materials.iter().all(|m| m.bend_warp > 0.0 && m.bend_weft > 0.0);
         (
@@ -85,8 +83,9 @@ impl Objective {
                 inert: None,
                 mass,
                 inertia,
-                hessian,
-                constant,
+                unknown,
+                slate,
+                spare: None,
                 pins,
                 edge,
                 force,
@@ -128,7 +127,7 @@ impl Objective {
             energy += s.evaluate(x, all);
             self.costs.spend(Work::Friction, &mut lap);
         }
-        crate::linear::hessian::gather(&self.hessian.unknown, all, f);
+        crate::linear::hessian::gather(&self.unknown, all, f);
         energy
     }
 
@@ -148,31 +147,48 @@ impl Objective {
         &self.force
     }
 
+    /// From now on second derivatives are rough ones, or all there is, where the cloth has both.
+    pub fn set_rough(&mut self, rough: bool) {
+        let able = self.hysteresis.is_none() && self.energies.iter().any(|e| e.rough());
+        if rough == self.slate.rough || rough && !able {
+            return;
+        }
+        let anew = || {
+            let (unknown, n) = (self.unknown.clone(), self.inertia.len());
+            Slate::new(&self.energies, self.seams.as_ref(), unknown, n, rough)
+        };
+        let next = self.spare.take().unwrap_or_else(anew);
+        self.spare = Some(std::mem::replace(&mut self.slate, next));
+    }
+
+    pub fn is_rough(&self) -> bool {
+        self.slate.rough
+    }
+
     /// Second derivatives at `x`, which must be where the last evaluation was; those of the cloth `convex` or as they are,
     /// with a share `firm` of them in all directions.
-    pub fn assemble(&mut self, x: &[Vec3], firm: f64, convex: bool) {
-        self.hessian.reset(&self.constant);
-        for e in self.energies.iter().filter(|e| !e.quadratic()) {
-            e.add_hessian(x, convex, &mut self.hessian);
-        }
+    pub fn assemble(&mut self, x: &[Vec3], firm: f64, convex: bool) -> (Pattern, Vec<Matrix3<f64>>) {
+        self.slate.start(&self.energies, x, convex);
+        let hessian = &mut self.slate.hessian;
         if firm > 0.0 {
-            self.hessian.stiffen(firm);
+            hessian.stiffen(firm);
         }
         if let Some(i) = &self.inert {
-            i.add_hessian(&mut self.hessian);
+            i.add_hessian(hessian);
         }
         if let Some(s) = &self.seams {
-            s.add_hessian(x, &mut self.hessian);
+            s.add_hessian(x, hessian);
         }
         if let Some(b) = &self.barrier {
-            b.add_hessian(&mut self.hessian);
+            b.add_hessian(hessian);
         }
         if let Some(s) = &self.stick {
-            s.add_hessian(x, &mut self.hessian);
+            s.add_hessian(x, hessian);
         }
         if let Some(h) = &self.hysteresis {
-            h.add_hessian(x, &mut self.hessian);
+            h.add_hessian(x, hessian);
         }
+        hessian.merged()
     }
 
     /// J.

@@ -78,19 +78,27 @@ impl Descent<'_> {
         let mut way = Way::default();
         let start = self.x.clone();
         let far = FAR * self.goal.size(&start);
+        self.goal.set_rough(true);
         loop {
             self.lead();
             self.metric()?;
             self.look();
             if self.resting() {
+                if self.goal.is_rough() {
+                    // Is it so with all of its bending, too?
+                    self.goal.set_rough(false);
+                    continue;
+                }
                 if borne < MOST_BORNE && self.settings.residual_tolerance.is_finite() && self.bear() {
                     borne += 1;
+                    self.goal.set_rough(true);
                     continue;
                 }
                 if pushes == MOST_PUSHES || !self.leave_saddle() {
                     return Ok(StopReason::Settled);
                 }
                 pushes += 1;
+                self.goal.set_rough(true);
                 continue;
             }
             if (self.tau < self.free || self.firm > 0.0) && self.nearly_resting() {
@@ -164,7 +172,7 @@ struct Way {
 impl Way {
     fn part(&mut self, to_go: f64) -> f64 {
         self.first = self.first.max(to_go);
-        let digits = if self.first > 1.0 { 1.0 - to_go.ln() / self.first.ln() } else { 1.0 };
+        let digits = if self.first > 1.0 { 1.0 - libm::log(to_go) / libm::log(self.first) } else { 1.0 };
         self.part = self.part.max(digits.clamp(0.0, 1.0));
         self.part
     }

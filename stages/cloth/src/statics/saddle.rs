@@ -52,7 +52,7 @@ impl Descent<'_> {
         let mut length = PUSH * self.goal.edge;
         for _ in 0..HALVINGS {
             for along in [length, -length] {
-                let mut step = scattered(&self.goal.hessian.unknown, v, along);
+                let mut step = scattered(&self.goal.unknown, v, along);
                 self.limit(&mut step);
                 self.x.iter_mut().zip(&step).for_each(|(x, d)| *x += d);
                 self.start_anew();

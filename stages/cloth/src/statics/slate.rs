@@ -1,0 +1,41 @@
+//! Where the second derivatives of an objective are worked out: on all couplings of the cloth, or on fewer.
+
+use super::seams::Seams;
+use crate::Vec3;
+use crate::energy::Energy;
+use crate::linear::hessian::Hessian;
+use nalgebra::Matrix3;
+
+/// A matrix, and the values of what is quadratic.
+pub(super) struct Slate {
+    pub hessian: Hessian,
+    constant: Vec<Matrix3<f64>>,
+    pub rough: bool,
+}
+
+impl Slate {
+    pub fn new(energies: &[Box<dyn Energy>], seams: Option<&Seams>, unknown: Vec<u32>, n: usize, rough: bool) -> Self {
+        let mut pairs = Vec::new();
+        energies.iter().for_each(|e| if rough { e.add_rough_pairs(&mut pairs) } else { e.add_pairs(&mut pairs) });
+        seams.into_iter().for_each(|t| t.add_pairs(&mut pairs));
+        let mut slate = Self { hessian: Hessian::new(unknown, n, pairs.into_iter()), constant: Vec::new(), rough };
+        // What is the same everywhere needs no place.
+        energies.iter().filter(|e| e.quadratic()).for_each(|e| slate.add(e.as_ref(), &[], true));
+        slate.constant.clone_from(&slate.hessian.values);
+        slate
+    }
+
+    fn add(&mut self, energy: &dyn Energy, x: &[Vec3], convex: bool) {
+        if self.rough {
+            energy.add_rough_hessian(x, convex, &mut self.hessian);
+        } else {
+            energy.add_hessian(x, convex, &mut self.hessian);
+        }
+    }
+
+    /// Only the cloth's.
+    pub fn start(&mut self, energies: &[Box<dyn Energy>], x: &[Vec3], convex: bool) {
+        self.hessian.reset(&self.constant);
+        energies.iter().filter(|e| !e.quadratic()).for_each(|e| self.add(e.as_ref(), x, convex));
+    }
+}
