@@ -8,12 +8,14 @@ use toile_stage_api::{Progress, StageContext, StageError};
 /// Parts of the work that are told apart.
 const PARTS: u64 = 1000;
 
+/// The garment as it is with the solver's vertices at some places.
+type Shown<'a> = &'a dyn Fn(&[Vec3]) -> Garment;
+
 /// Tells the engine how far the solver is.
 pub struct Follow<'a> {
     progress: &'a mut dyn Progress,
     cancel: &'a AtomicBool,
-    /// The garment as it is with the solver's vertices at some places.
-    garment: Option<&'a dyn Fn(&[Vec3]) -> Garment>,
+    garment: Option<Shown<'a>>,
     /// Of [`PARTS`]; 0 while nothing is known.
     done: u64,
 }
@@ -25,7 +27,7 @@ impl<'a> Follow<'a> {
     }
 
     /// The same, with a way to show the garment while it is worked on.
-    pub fn showing(cx: &'a mut StageContext<'_>, garment: &'a dyn Fn(&[Vec3]) -> Garment) -> Self {
+    pub fn showing(cx: &'a mut StageContext<'_>, garment: Shown<'a>) -> Self {
         Self { garment: Some(garment), ..Self::new(cx) }
     }
 }

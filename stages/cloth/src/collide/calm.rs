@@ -118,11 +118,9 @@ impl Calm {
             || corners.iter().any(|v| self.two[*v as usize] && self.wide.of(*v).binary_search(&g).is_ok())
     }
 
-    /// Are these triangles, in any order, so near in the cloth that [`Self::restless`] tells of them?
-    #[inline]
-    pub fn neighbours(&self, topology: &Topology, f: u32, g: u32) -> bool {
-        let (corners, ends) = (&topology.faces[f as usize], &topology.faces[g as usize]);
-        corners.iter().any(|v| ends.contains(v)) || self.near.of(f.min(g)).binary_search(&f.max(g)).is_ok()
+    /// Pairs of triangles so near in the cloth that [`Self::restless`] tells of them.
+    pub fn all_neighbours(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
+        (0u32..).take(self.double.len()).flat_map(|f| self.near.of(f).iter().map(move |g| [f, *g]))
     }
 
     /// Neighbouring triangles that do not lie in one calm patch, as the last look saw them.

@@ -15,6 +15,7 @@ pub(crate) mod own;
 pub(crate) mod repair;
 pub(crate) mod sheet;
 pub(crate) mod stick;
+mod tiles;
 pub(crate) mod travel;
 pub(crate) mod tree;
 pub(crate) mod untangle;

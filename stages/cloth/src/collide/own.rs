@@ -5,17 +5,19 @@ use super::calm::Calm;
 use super::listed::Listed;
 use super::near::{Near, Way};
 use super::sheet::Sheet;
+use super::tiles::Tiles;
 use super::tree::Tree;
 use crate::topology::Topology;
 use crate::{Scene, Vec3};
 
 /// Slack of what is not far apart over the mean edge, and the longest step for which it is worth while.
-const FAR_SLACK: f64 = 0.5;
-const FAR_STEP: f64 = 0.15;
+const FAR_SLACK: f64 = 0.3;
+const FAR_STEP: f64 = 0.2;
 
 /// What finds cloth near cloth.
 pub(crate) struct Own {
     tree: Tree,
+    tiles: Tiles,
     calm: Calm,
     sheet: Option<Sheet>,
     /// Pairs of triangles that are no neighbours.
@@ -27,7 +29,8 @@ impl Own {
     pub fn new(scene: &Scene, x: &[Vec3], topology: &Topology) -> Self {
         let (tree, calm) = (Tree::new(x, &topology.faces), Calm::new(scene, topology));
         let sheet = Sheet::new(scene, topology);
-        Self { tree, calm, sheet, pairs: Vec::new(), listed: Listed::default() }
+        let tiles = Tiles::new(&tree, calm.all_neighbours());
+        Self { tree, tiles, calm, sheet, pairs: Vec::new(), listed: Listed::default() }
     }
 
     /// Lists the pairs that come nearer than `gap` along a way, or `slack` beside it; edges are `edge` long.
@@ -52,12 +55,7 @@ impl Own {
     fn search(&mut self, way: &Way<'_>, reach: f64) {
         self.pairs.clear();
         self.tree.refit_moving(way.x, way.step, &way.topology.faces, 0.5 * reach);
-        let (calm, pairs) = (&self.calm, &mut self.pairs);
-        self.tree.meeting_pairs(|f, g| {
-            if !calm.neighbours(way.topology, f, g) {
-                pairs.push([f, g]);
-            }
-        });
+        self.tree.meeting_strangers(&self.tiles, |f, g| self.pairs.push([f, g]));
     }
 
     /// `x` was reached along a way that was listed.

@@ -1,7 +1,11 @@
 //! A tree of bounding boxes over triangles (paper §2.3: hierarchy of bounding volumes), built once by median splits
 //! and refitted as the cloth moves.
 
+use super::tiles::Tiles;
 use crate::Vec3;
+
+/// Slots of a tile: the leaves below one node.
+pub(crate) const TILE: usize = 8;
 
 /// An axis-aligned box.
 #[derive(Clone, Copy, Debug)]
@@ -135,7 +139,7 @@ pub(crate) struct Tree {
 impl Tree {
     pub fn new(x: &[Vec3], faces: &[[u32; 3]]) -> Self {
         let centres: Vec<Vec3> = faces.iter().map(|t| t.iter().map(|v| x[*v as usize]).sum()).collect();
-        let leaves = faces.len().max(1).next_power_of_two();
+        let leaves = faces.len().max(TILE).next_power_of_two();
         let mut order: Vec<u32> = (0..faces.len()).map(|i| u32::try_from(i).unwrap_or(u32::MAX)).collect();
         let mut items = vec![u32::MAX; leaves];
         split(&centres, &mut order, &mut items);
@@ -162,8 +166,61 @@ impl Tree {
 
     /// Pairs of different items whose boxes meet somewhere along the step, in a fixed order. What moves along together
     /// does not meet: only the difference of the displacements counts.
-    pub fn meeting_pairs(&self, emit: impl FnMut(u32, u32)) {
+    #[cfg(test)]
+        pub fn meeting_pairs(&self, emit: impl FnMut(u32, u32)) {
         self.pairs(|a, b| self.sweeps[a].meets(&self.sweeps[b]), emit);
+    }
+
+    /// Number of tiles.
+    pub fn tiles(&self) -> usize {
+        self.items.len() / TILE
+    }
+
+    /// The slot of every item.
+    pub fn slots(&self) -> Vec<u32> {
+        let mut slots = vec![u32::MAX; self.items.len()];
+        for (slot, item) in (0u32..).zip(&self.items).filter(|(_, i)| **i != u32::MAX) {
+            slots[*item as usize] = slot;
+        }
+        slots
+    }
+
+    /// The pairs of items in two tiles: a bit for each, eight times the slot in the first plus that in the second.
+    pub fn present(&self, a: usize, b: usize) -> u64 {
+        let there = |t: usize, k: usize| self.items[TILE * t + k] != u32::MAX;
+        let bit = |n: usize| u64::from(there(a, n / TILE) && there(b, n % TILE)) << n;
+        (0..TILE * TILE).map(bit).sum()
+    }
+
+    /// [`Self::meeting_pairs`] of strangers only.
+    pub fn meeting_strangers(&self, tiles: &Tiles, mut emit: impl FnMut(u32, u32)) {
+        let (first, leaves) = (self.tiles(), self.items.len());
+        let mut stack = vec![(1usize, 1usize)];
+        while let Some((a, b)) = stack.pop() {
+            if a >= first {
+                let (a, b) = (a.min(b) - first, a.max(b) - first);
+                let mut left = tiles.strangers(a, b).unwrap_or(u64::MAX);
+                while left != 0 {
+                    let n = left.trailing_zeros() as usize;
+                    left &= left - 1;
+                    let (p, q) = (TILE * a + n / TILE, TILE * b + n % TILE);
+                    if self.sweeps[leaves + p].meets(&self.sweeps[leaves + q]) {
+                        emit(self.items[p], self.items[q]);
+                    }
+                }
+            } else if a == b {
+                stack.extend([(2 * a, 2 * a), (2 * a + 1, 2 * a + 1)]);
+                if self.sweeps[2 * a].meets(&self.sweeps[2 * a + 1]) {
+                    stack.push((2 * a, 2 * a + 1));
+                }
+            } else {
+                for (c, d) in [(2 * a, 2 * b), (2 * a, 2 * b + 1), (2 * a + 1, 2 * b), (2 * a + 1, 2 * b + 1)] {
+                    if self.sweeps[c].meets(&self.sweeps[d]) {
+                        stack.push((c, d));
+                    }
+                }
+            }
+        }
     }
 
     /// Pairs of different items whose boxes meet, in a fixed order.
