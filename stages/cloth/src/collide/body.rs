@@ -58,6 +58,13 @@ impl Body {
         })
     }
 
+    /// May anything of it be in this box?
+    #[inline]
+    pub fn may_meet(&self, b: &Aabb) -> bool {
+        let middle = (b.low + b.high) * 0.5;
+        b.meets(&self.bounds) && self.clearance.at(&middle) <= 0.5 * (b.high - b.low).norm()
+    }
+
     /// Triangles whose boxes may meet `bounds`.
     pub fn candidates(&self, bounds: &Aabb, mut emit: impl FnMut(u32)) {
         let b = bounds.grown(self.rounding);

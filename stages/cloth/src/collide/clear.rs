@@ -68,19 +68,15 @@ impl Clearance {
 
     /// Squared distances, in cells, along one axis more: cells next to each other may touch, so one cell apart counts as 0.
     fn spread(&mut self, axis: usize) {
-        let stride = self.size[axis + 1..].iter().product::<usize>();
-        let n = self.size[axis];
-        let mut line = vec![0.0; n];
-        for first in (0..self.bound.len()).filter(|i| i / stride % n == 0) {
-            for (i, l) in line.iter_mut().enumerate() {
-                *l = self.bound[first + i * stride];
-            }
-            for i in 0..n {
-                let near = (i.saturating_sub(FAR)..=(i + FAR).min(n - 1)).map(|j| {
-                    let apart = i.abs_diff(j).saturating_sub(1) as f64;
-                    line[j] + apart * apart
-                });
-                self.bound[first + i * stride] = near.fold(f64::INFINITY, f64::min);
+        let inner = self.size[axis + 1..].iter().product::<usize>();
+        let block = self.size[axis] * inner;
+        let mut before = vec![0.0; block];
+        for bound in self.bound.chunks_exact_mut(block) {
+            before.copy_from_slice(bound);
+            for cells in 1..self.size[axis].min(FAR + 1) {
+                let (shift, apart) = (cells * inner, ((cells - 1) * (cells - 1)) as f64);
+                lower(&mut bound[shift..], &before, apart);
+                lower(bound, &before[shift..], apart);
             }
         }
     }
@@ -91,6 +87,15 @@ impl Clearance {
         let c = self.place(p);
         let inside = (0..3).all(|k| c[k] >= 0.0 && c[k] < self.size[k] as f64);
         if inside { self.bound[self.index(c.map(|c| c as usize))] } else { 0.0 }
+    }
+}
+
+/// Lowers bounds to others and so much more.
+#[inline]
+fn lower(bounds: &mut [f64], others: &[f64], more: f64) {
+    for (b, o) in bounds.iter_mut().zip(others) {
+        let other = o + more;
+        *b = if other < *b { other } else { *b };
     }
 }
 

@@ -38,6 +38,12 @@ impl Owned {
         Self { corners, at: crate::pick3(x, &corners), bits: t.owned[f as usize] }
     }
 
+    /// Of a body at rest.
+    #[inline]
+    fn body(body: &Body, g: u32) -> Self {
+        Self::of(&body.topology, g, &body.positions)
+    }
+
     #[inline]
     pub(super) fn owns_vertex(&self, k: usize) -> bool {
         self.bits & (1 << k) != 0
@@ -94,6 +100,12 @@ impl Moving {
     pub(super) fn edge_move(&self, k: usize) -> Aabb {
         Aabb::of_two(&self.by[k], &self.by[(k + 1) % 3])
     }
+
+    /// Where the face gets to, grown.
+    #[inline]
+    fn swept(&self, reach: f64) -> Aabb {
+        swept(&Aabb::of_three(&self.owned.at), &Aabb::of_three(&self.by), reach)
+    }
 }
 
 /// Where a box gets to along a step, grown.
@@ -101,6 +113,56 @@ impl Moving {
 fn swept(b: &Aabb, d: &Aabb, reach: f64) -> Aabb {
     let zero = Vec3::zeros();
     Aabb { low: b.low + d.low.inf(&zero), high: b.high + d.high.sup(&zero) }.grown(reach)
+}
+
+/// How much wider than all else vertices must reach for that they are asked about by themselves.
+const WIDER: f64 = 1.3;
+
+/// A face on its way, and how far it reaches for a body.
+struct Reaching {
+    moving: Moving,
+    /// Boxes of the face, its edges and its vertices on the way and near it; of the face as far as its vertices reach.
+    bounds: Aabb,
+    edges: [Aabb; 3],
+    points: [Aabb; 3],
+    far: Aabb,
+    /// Of the face, of length one or none.
+    normal: Vec3,
+    /// Moves of the vertices, m.
+    lengths: [f64; 3],
+    reach: f64,
+    wide: f64,
+}
+
+impl Reaching {
+    fn new(moving: Moving, reach: f64, wide: f64) -> Self {
+        let (at, by) = (&moving.owned.at, &moving.by);
+        let dot = |p: &Vec3| Aabb { low: *p, high: *p };
+        Self {
+            bounds: moving.swept(reach),
+            far: moving.swept(wide),
+            edges: [0, 1, 2].map(|k| swept(&moving.owned.edge_box(k), &moving.edge_move(k), reach)),
+            points: [0, 1, 2].map(|k| swept(&dot(&at[k]), &dot(&by[k]), wide)),
+            normal: crate::unit_normal(*at).unwrap_or_else(Vec3::zeros),
+            lengths: [by[0].norm(), by[1].norm(), by[2].norm()],
+            moving,
+            reach,
+            wide,
+        }
+    }
+
+    #[inline]
+    fn owned(&self) -> &Owned {
+        &self.moving.owned
+    }
+
+    /// Does a triangle lie on one side of the face's plane, farther than it reaches on its way?
+    #[inline]
+    fn passes(&self, b: &Owned) -> bool {
+        let height = b.at.map(|p| self.normal.dot(&(p - self.owned().at[0])));
+        let far = self.reach + self.lengths[0].max(self.lengths[1]).max(self.lengths[2]);
+        height.iter().all(|h| *h > far) || height.iter().all(|h| *h < -far)
+    }
 }
 
 /// Between an edge of one face and one of another.
@@ -203,53 +265,63 @@ impl Near {
 
     /// Cloth–body pairs that come nearer than `reach` along a step, vertices of the cloth those nearer than `wide`.
     pub fn fill_body(&mut self, way: &Way<'_>, body: &Body, reach: f64, wide: f64) {
-        let Way { x, step, topology, .. } = *way;
         self.clear_body();
-        for f in (0u32..).take(topology.faces.len()) {
-            let m = Moving::of(topology, f, x, step);
-            let whole = |reach| swept(&Aabb::of_three(&m.owned.at), &Aabb::of_three(&m.by), reach);
-            let (bounds, far) = (whole(reach), whole(wide));
-            let middle = (far.low + far.high) * 0.5;
-            if !far.meets(&body.bounds) || body.clearance.at(&middle) > 0.5 * (far.high - far.low).norm() {
+        for f in (0u32..).take(way.topology.faces.len()) {
+            let moving = Moving::of(way.topology, f, way.x, way.step);
+            if !body.may_meet(&moving.swept(wide)) {
                 continue;
             }
-            let a = &m.owned;
-            let edges = [0, 1, 2].map(|k| swept(&a.edge_box(k), &m.edge_move(k), reach));
-            let points = [0, 1, 2]
-                .map(|k| swept(&Aabb { low: a.at[k], high: a.at[k] }, &Aabb { low: m.by[k], high: m.by[k] }, wide));
-            let lengths = [m.by[0].norm(), m.by[1].norm(), m.by[2].norm()];
-            let longest = lengths[0].max(lengths[1]).max(lengths[2]);
-            body.candidates(&far, |g| {
-                let b = Owned::of(&body.topology, g, &body.positions);
-                let whole = b.bounds(0.0);
-                for k in (0..3).filter(|k| a.owns_vertex(*k)) {
-                    let far = || point_triangle_gap(&a.at[k], b.at.each_ref()) > wide + lengths[k];
-                    if points[k].meets(&whole) && !far() {
-                        self.body_points.push([a.corners[k], g]);
-                    }
+            let face = Reaching::new(moving, reach, wide);
+            if wide > WIDER * reach {
+                for k in (0..3).filter(|k| face.owned().owns_vertex(*k) && body.may_meet(&face.points[*k])) {
+                    body.candidates(&face.points[k], |g| self.add_body_point(&face, k, g, &Owned::body(body, g)));
                 }
-                if !bounds.meets(&whole) {
-                    return;
+                if body.may_meet(&face.bounds) {
+                    body.candidates(&face.bounds, |g| self.add_body_sides(&face, g, &Owned::body(body, g), body));
                 }
-                for k in (0..3).filter(|k| b.owns_vertex(*k)) {
-                    let far = || point_triangle_gap(&b.at[k], a.at.each_ref()) > reach + longest;
-                    if point_in(&bounds, &b.at[k]) && !far() {
-                        self.body_faces.push([a.corners[0], a.corners[1], a.corners[2], b.corners[k]]);
+            } else {
+                body.candidates(&face.far, |g| {
+                    let b = Owned::body(body, g);
+                    for k in (0..3).filter(|k| face.owned().owns_vertex(*k)) {
+                        self.add_body_point(&face, k, g, &b);
                     }
+                    self.add_body_sides(&face, g, &b, body);
+                });
+            }
+        }
+    }
+
+    fn add_body_point(&mut self, face: &Reaching, k: usize, g: u32, b: &Owned) {
+        let a = face.owned();
+        let far = || point_triangle_gap(&a.at[k], b.at.each_ref()) > face.wide + face.lengths[k];
+        if face.points[k].meets(&b.bounds(0.0)) && !far() {
+            self.body_points.push([a.corners[k], g]);
+        }
+    }
+
+    /// The face itself against the corners of the body's, its edges against the edges.
+    fn add_body_sides(&mut self, face: &Reaching, g: u32, b: &Owned, body: &Body) {
+        if !face.bounds.meets(&b.bounds(0.0)) || face.passes(b) {
+            return;
+        }
+        let (a, l) = (face.owned(), &face.lengths);
+        for k in (0..3).filter(|k| b.owns_vertex(*k)) {
+            let far = || point_triangle_gap(&b.at[k], a.at.each_ref()) > face.reach + l[0].max(l[1]).max(l[2]);
+            if point_in(&face.bounds, &b.at[k]) && !far() {
+                self.body_faces.push([a.corners[0], a.corners[1], a.corners[2], b.corners[k]]);
+            }
+        }
+        for j in (0..3).filter(|j| b.owns_edge(*j)) {
+            if !body.pressing_edges[body.topology.face_edges[g as usize][j] as usize] {
+                continue;
+            }
+            let bounds = b.edge_box(j);
+            for i in (0..3).filter(|i| a.owns_edge(*i)) {
+                let far = || edge_gap(a, i, b, j) > face.reach + l[i].max(l[(i + 1) % 3]);
+                if face.edges[i].meets(&bounds) && !far() {
+                    self.add_body_edge(a, i, b, j);
                 }
-                for j in (0..3).filter(|j| b.owns_edge(*j)) {
-                    if !body.pressing_edges[body.topology.face_edges[g as usize][j] as usize] {
-                        continue;
-                    }
-                    let bounds = b.edge_box(j);
-                    for i in (0..3).filter(|i| a.owns_edge(*i)) {
-                        let far = || edge_gap(a, i, &b, j) > reach + lengths[i].max(lengths[(i + 1) % 3]);
-                        if edges[i].meets(&bounds) && !far() {
-                            self.add_body_edge(a, i, &b, j);
-                        }
-                    }
-                }
-            });
+            }
         }
     }
 

@@ -167,7 +167,7 @@ impl Tree {
     /// Pairs of different items whose boxes meet somewhere along the step, in a fixed order. What moves along together
     /// does not meet: only the difference of the displacements counts.
     #[cfg(test)]
-        pub fn meeting_pairs(&self, emit: impl FnMut(u32, u32)) {
+    pub fn meeting_pairs(&self, emit: impl FnMut(u32, u32)) {
         self.pairs(|a, b| self.sweeps[a].meets(&self.sweeps[b]), emit);
     }
 
