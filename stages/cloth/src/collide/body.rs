@@ -20,6 +20,8 @@ pub(crate) struct Body {
     /// Edges between two faces of one plane (`flat.rs`); empty where there is none.
     pub flat_edges: Vec<bool>,
     pub bounds: Aabb,
+    /// Of every triangle where it was at first.
+    pub boxes: Vec<Aabb>,
     /// Lower bounds of the distance to it, while it is at rest.
     pub clearance: Clearance,
     /// How it moves; none for a body at rest.
@@ -41,6 +43,7 @@ impl Body {
         let tri_mesh = TriMesh::new(mesh.positions.iter().map(flat).collect(), live.clone()).ok()?;
         let bounds = Aabb::of(&live.iter().flatten().map(|v| mesh.positions[*v as usize]).collect::<Vec<_>>());
         let topology = Topology::new(mesh.positions.len(), live);
+        let boxes = topology.faces.iter().map(|t| Aabb::of_three(&crate::pick3(&mesh.positions, t))).collect();
         let size = bounds.low.amax().max(bounds.high.amax());
         let flat_edges = super::flat::edges(&mesh.positions, &topology);
         let pressing_edges = pressing(&mesh.positions, &topology, &flat_edges);
@@ -52,6 +55,7 @@ impl Body {
             pressing_edges,
             flat_edges,
             bounds,
+            boxes,
             clearance,
             travel: None,
             rounding: size * 2.4e-7,

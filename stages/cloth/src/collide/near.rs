@@ -38,12 +38,6 @@ impl Owned {
         Self { corners, at: crate::pick3(x, &corners), bits: t.owned[f as usize] }
     }
 
-    /// Of a body at rest.
-    #[inline]
-    fn body(body: &Body, g: u32) -> Self {
-        Self::of(&body.topology, g, &body.positions)
-    }
-
     #[inline]
     pub(super) fn owns_vertex(&self, k: usize) -> bool {
         self.bits & (1 << k) != 0
@@ -274,34 +268,37 @@ impl Near {
             let face = Reaching::new(moving, reach, wide);
             if wide > WIDER * reach {
                 for k in (0..3).filter(|k| face.owned().owns_vertex(*k) && body.may_meet(&face.points[*k])) {
-                    body.candidates(&face.points[k], |g| self.add_body_point(&face, k, g, &Owned::body(body, g)));
+                    body.candidates(&face.points[k], |g| self.add_body_point(&face, k, g, body));
                 }
                 if body.may_meet(&face.bounds) {
-                    body.candidates(&face.bounds, |g| self.add_body_sides(&face, g, &Owned::body(body, g), body));
+                    body.candidates(&face.bounds, |g| self.add_body_sides(&face, g, body));
                 }
             } else {
                 body.candidates(&face.far, |g| {
-                    let b = Owned::body(body, g);
                     for k in (0..3).filter(|k| face.owned().owns_vertex(*k)) {
-                        self.add_body_point(&face, k, g, &b);
+                        self.add_body_point(&face, k, g, body);
                     }
-                    self.add_body_sides(&face, g, &b, body);
+                    self.add_body_sides(&face, g, body);
                 });
             }
         }
     }
 
-    fn add_body_point(&mut self, face: &Reaching, k: usize, g: u32, b: &Owned) {
+    fn add_body_point(&mut self, face: &Reaching, k: usize, g: u32, body: &Body) {
         let a = face.owned();
-        let far = || point_triangle_gap(&a.at[k], b.at.each_ref()) > face.wide + face.lengths[k];
-        if face.points[k].meets(&b.bounds(0.0)) && !far() {
+        let far = || point_triangle_gap(&a.at[k], body.triangle(g).each_ref()) > face.wide + face.lengths[k];
+        if face.points[k].meets(&body.boxes[g as usize]) && !far() {
             self.body_points.push([a.corners[k], g]);
         }
     }
 
     /// The face itself against the corners of the body's, its edges against the edges.
-    fn add_body_sides(&mut self, face: &Reaching, g: u32, b: &Owned, body: &Body) {
-        if !face.bounds.meets(&b.bounds(0.0)) || face.passes(b) {
+    fn add_body_sides(&mut self, face: &Reaching, g: u32, body: &Body) {
+        if !face.bounds.meets(&body.boxes[g as usize]) {
+            return;
+        }
+        let b = &Owned::of(&body.topology, g, &body.positions);
+        if face.passes(b) {
             return;
         }
         let (a, l) = (face.owned(), &face.lengths);

@@ -5,7 +5,8 @@
 use super::Energy;
 use super::patch::{Fold, Parts, Share, curvature, voigt};
 use crate::linear::hessian::Hessian;
-use crate::sewing::mean_edge;
+use crate::problem::or_earth;
+use crate::scene::bending_length;
 use crate::topology::Topology;
 use crate::{Element, Material, Scene, Vec3, power_of_two};
 use nalgebra::{Matrix3, Vector2, Vector3};
@@ -19,8 +20,7 @@ pub(super) struct Patch {
 
 pub(crate) struct Flexion {
     patches: Vec<Patch>,
-    /// Springs that stand for it in a rough metric: ends and N/m. Only where edges are long.
-    springs: Vec<([u32; 2], f64)>,
+    rough: Option<Rough>,
     /// A power of two of the size of the rigidities, in which the patches have theirs, N·m: so that cloth twice as stiff has
     /// the same patches.
     size: f64,
@@ -37,9 +37,13 @@ const FIRMER: [f64; 2] = [0.4, 2.5];
 /// Softening up to which that holds: narrow triangles beside wide ones would come out a thousand times too firm.
 const SOFTEST: f64 = 0.5;
 
-/// Mean edge over the longest bending length from which springs between neighbours may stand for bending in a metric: there,
-/// weight and stretch hold folds of single edges, not bending. At 0.42 they took twice as many steps, at 0.85 as many.
-const ROUGH: f64 = 0.6;
+/// Least altitude of a triangle over the bending length from which springs between neighbours may stand for its bending in a
+/// metric. At 0.36 they took twice as many steps, at 0.74 as many.
+const WIDE: f64 = 0.5;
+/// One triangle in so many may be narrower: more of them beside wide ones took twice as many steps.
+const NARROW: usize = 20;
+/// Stiffness of such a spring over that of the fold.
+const SPRING: f64 = 0.5;
 
 /// The first hinge on each side of a face: number, and which of its two faces this is.
 type Sides = [Option<(usize, usize)>; 3];
@@ -160,6 +164,23 @@ impl Patch {
     fn stiffness(&self, i: usize, j: usize) -> f64 {
         self.rows.iter().map(|r| r[i] * r[j]).sum()
     }
+
+    fn add_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
+        for i in 0..6 {
+            let others = self.vertices[..i].iter().filter(|v| **v != self.vertices[i]);
+            pairs.extend(others.map(|v| [self.vertices[i], *v]));
+        }
+    }
+
+    /// Adds its second derivatives, `size` times.
+    fn add_hessian(&self, size: f64, h: &mut Hessian) {
+        for i in 0..6 {
+            h.add(self.vertices[i], &(Matrix3::identity() * (size * self.stiffness(i, i))));
+            for j in (0..i).filter(|j| self.stiffness(i, *j) != 0.0) {
+                h.couple(self.vertices[i], self.vertices[j], &(Matrix3::identity() * (size * self.stiffness(i, j))));
+            }
+        }
+    }
 }
 
 fn half_square(bend: &[Vec3; 3]) -> f64 {
@@ -183,24 +204,51 @@ pub(super) fn patches(scene: &Scene, topology: &Topology, rigidities: &[Vector3<
     (0..bends.len()).filter_map(patch).collect()
 }
 
-/// Springs from the corner of every wing to the ends of its hinge, together half as stiff against its going up alone.
-fn springs(scene: &Scene, topology: &Topology, rigidities: &[Vector3<f64>]) -> Vec<([u32; 2], f64)> {
-    let longest = scene.materials.iter().map(Material::bending_length).fold(0.0, f64::max);
-    if mean_edge(scene) < ROUGH * longest {
-        return Vec::new();
-    }
-    let mut springs = Vec::new();
-    for hinge in &topology.hinges {
-        for own in 0..2 {
-            let fold = Fold::new(hinge, own, scene);
-            let material = scene.triangles[hinge.faces[own] as usize].material;
-            let k = 0.5 * across(&fold, &rigidities[material as usize]);
-            for (c, w) in fold.vertices.iter().zip(fold.weights).skip(2) {
-                springs.extend(fold.vertices[..2].iter().map(|a| ([*a, *c], 0.5 * k * w * w)));
+/// What stands for bending in a rough metric: springs for wide triangles, their patches for the others.
+struct Rough {
+    /// Ends and N/m, in units of the size.
+    springs: Vec<([u32; 2], f64)>,
+    patches: Vec<usize>,
+}
+
+impl Rough {
+    /// `None` where most triangles are narrow. `patches` with their triangles.
+    fn new(
+        scene: &Scene,
+        topology: &Topology,
+        rigidities: &[Vector3<f64>],
+        patches: &[(usize, Patch)],
+    ) -> Option<Self> {
+        let beside = beside(topology);
+        let gravity = or_earth(scene.gravity.norm());
+        let length = |m: &Material| bending_length(m.bend_warp.min(m.bend_weft), m.areal_mass, gravity);
+        let lengths: Vec<f64> = scene.materials.iter().map(length).collect();
+        let mut rough = Self { springs: Vec::new(), patches: Vec::new() };
+        for (n, (f, _)) in patches.iter().enumerate() {
+            let e = &scene.triangles[*f];
+            if is_wide(e, lengths[e.material as usize]) {
+                let folds = beside[*f].iter().flatten().map(|(h, own)| Fold::new(&topology.hinges[*h], *own, scene));
+                folds.for_each(|fold| rough.add(&fold, &rigidities[e.material as usize]));
+            } else {
+                rough.patches.push(n);
             }
         }
+        (NARROW * rough.patches.len() < patches.len()).then_some(rough)
     }
-    springs
+
+    /// Springs from the corners of the wings to the ends of the hinge, as stiff against their going up alone.
+    fn add(&mut self, fold: &Fold, stiffness: &Vector3<f64>) {
+        let k = SPRING * across(fold, stiffness);
+        for (c, w) in fold.vertices.iter().zip(fold.weights).skip(2) {
+            self.springs.extend(fold.vertices[..2].iter().map(|a| ([*a, *c], k * w * w)));
+        }
+    }
+}
+
+/// Is a triangle so wide that weight and stretch hold folds over it, not bending?
+fn is_wide(e: &Element, bending_length: f64) -> bool {
+    let longest = (0..3).map(|k| e.rest_length(k)).fold(0.0, f64::max);
+    2.0 * e.area().abs() / longest >= WIDE * bending_length
 }
 
 /// Stiffness of a fold by itself, in units of `rigidities`, half of it for each wing.
@@ -214,8 +262,9 @@ impl Flexion {
         let mut rigidities: Vec<Vector3<f64>> = scene.materials.iter().map(rigidity).collect();
         let size = power_of_two(rigidities.iter().map(Vector3::amax).fold(0.0, f64::max));
         rigidities.iter_mut().for_each(|r| *r /= size);
-        let springs = springs(scene, topology, &rigidities);
-        Self { patches: patches(scene, topology, &rigidities).into_iter().map(|p| p.1).collect(), springs, size }
+        let patches = patches(scene, topology, &rigidities);
+        let rough = Rough::new(scene, topology, &rigidities, &patches);
+        Self { patches: patches.into_iter().map(|p| p.1).collect(), rough, size }
     }
 }
 
@@ -247,36 +296,30 @@ impl Energy for Flexion {
     }
 
     fn add_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
-        for p in &self.patches {
-            for i in 0..6 {
-                let others = p.vertices[..i].iter().filter(|v| **v != p.vertices[i]);
-                pairs.extend(others.map(|v| [p.vertices[i], *v]));
-            }
-        }
+        self.patches.iter().for_each(|p| p.add_pairs(pairs));
     }
 
     fn add_hessian(&self, _: &[Vec3], _: bool, h: &mut Hessian) {
-        for p in &self.patches {
-            for i in 0..6 {
-                h.add(p.vertices[i], &(Matrix3::identity() * (self.size * p.stiffness(i, i))));
-                for j in (0..i).filter(|j| p.stiffness(i, *j) != 0.0) {
-                    h.couple(p.vertices[i], p.vertices[j], &(Matrix3::identity() * (self.size * p.stiffness(i, j))));
-                }
-            }
-        }
+        self.patches.iter().for_each(|p| p.add_hessian(self.size, h));
     }
 
     fn rough(&self) -> bool {
-        !self.springs.is_empty()
+        self.rough.is_some()
     }
 
     fn add_rough_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
-        pairs.extend(self.springs.iter().map(|s| s.0));
+        if let Some(rough) = &self.rough {
+            pairs.extend(rough.springs.iter().map(|s| s.0));
+            rough.patches.iter().for_each(|n| self.patches[*n].add_pairs(pairs));
+        }
     }
 
     fn add_rough_hessian(&self, _: &[Vec3], _: bool, h: &mut Hessian) {
-        for (ends, k) in &self.springs {
-            h.spread(ends, &[1.0, -1.0], &(Matrix3::identity() * (self.size * k)));
+        if let Some(rough) = &self.rough {
+            for (ends, k) in &rough.springs {
+                h.spread(ends, &[1.0, -1.0], &(Matrix3::identity() * (self.size * k)));
+            }
+            rough.patches.iter().for_each(|n| self.patches[*n].add_hessian(self.size, h));
         }
     }
 

@@ -50,7 +50,7 @@ pub(crate) fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -
 /// Positions, and what the effects cost on the way there.
 type Led = (Vec<Vec3>, Vec<EffectReport>);
 
-/// Where the cloth comes to lie on the next coarser level, if there is one and it comes to rest there.
+/// Where the cloth comes to lie on the next coarser level, if there is one and the cloth does not fall off it.
 fn on_coarser(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Option<Led>, ClothError> {
     let Some(level) = Level::below_folds(scene) else { return Ok(None) };
     let coarse = Settings {
@@ -61,7 +61,7 @@ fn on_coarser(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Resu
     };
     let below = drape(&level.scene, &coarse, &mut Part::new(watch, [0.0, COARSE_WORK], &|x| level.spread(x)));
     match below {
-        Ok(rest) if rest.settled => {
+        Ok(rest) if matches!(rest.stop_reason, StopReason::Settled | StopReason::MaxSteps) => {
             let x = level.spread(&rest.positions);
             watch.look(&x, level.scene.triangles.len());
             Ok(Some((x, rest.effects)))
@@ -101,8 +101,8 @@ impl Descent<'_> {
                 self.goal.set_rough(true);
                 continue;
             }
-            if (self.tau < self.free || self.firm > 0.0) && self.nearly_resting() {
-                // Is it so with the cloth's own metric, too?
+            if stuck == 0 && (self.tau < self.free || self.firm > 0.0) && self.nearly_resting() {
+                // Is it so with the cloth's own metric, too? Not where that has just led nowhere.
                 (self.tau, self.firm) = (TAU_FREE, 0.0);
                 continue;
             }
