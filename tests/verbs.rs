@@ -223,3 +223,28 @@ fn a_plan_says_what_is_wrong_with_the_files() {
     assert_eq!((said.code, said.out.as_str()), (3, ""), "{said:?}");
     assert!(said.err.contains("p.dxf"), "{}", said.err);
 }
+
+/// The garment can be looked at while it is worked on, and the end of the work is foreseen.
+#[test]
+fn a_preview_shows_every_level_and_events_tell_the_time_left() {
+    let folder = tempfile::tempdir().expect("folder");
+    let (out, events) = (folder.path().join("out"), folder.path().join("events.jsonl"));
+    let pipeline = root().join("pipelines/t-shirt/v1.toml");
+    let run: [&dyn AsRef<std::ffi::OsStr>; 8] =
+        [&"run", &pipeline, &"--out", &out, &"--preview", &"--events", &events, &"--quiet"];
+    let said = toile(&run);
+    assert_eq!(said.code, 0, "{said:?}");
+    let text = std::fs::read_to_string(&events).expect("events");
+    let events: Vec<Value> = text.lines().map(|l| serde_json::from_str(l).expect("JSON")).collect();
+    let of = |kind: &str| events.iter().filter(|e| e["kind"] == kind).cloned().collect::<Vec<_>>();
+    let levels: Vec<Value> = of("preview").iter().map(|e| e["words"].clone()).collect();
+    assert!(levels.len() >= 3, "a coarse cloth, the sewn one, the draped one: {levels:?}");
+    assert!(of("progress").iter().any(|e| e["left_s"].as_f64().is_some_and(|s| s > 0.0)));
+    // The last one is the drape.
+    let facts = |file: &str| json(&toile(&[&"inspect", &out.join(file), &"--json"]));
+    let (shown, made) = (facts("preview.glb"), facts("t-shirt.glb"));
+    assert_eq!(shown["bbox_m"], made["bbox_m"]);
+    assert!(!shown["bbox_m"].is_null());
+    // It is a file like others: it is not replaced in silence.
+    assert_eq!(toile(&[&"run", &pipeline, &"--out", &out, &"--preview", &"--quiet"]).code, 2);
+}

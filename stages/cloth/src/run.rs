@@ -39,7 +39,8 @@ const WHOLE: [f64; 2] = [0.0, 1.0];
 pub fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     validate::scene(scene)?;
     let canon = Canon::of(scene);
-    canon.back(sew_canonical(&canon.scene, settings, &mut Part::new(watch, WHOLE, &|x| canon.given(x))))
+    let sewn = sew_canonical(&canon.scene, settings, &mut Part::new(watch, WHOLE, &|x| canon.given(x)));
+    shown(canon.back(sewn)?, scene, watch)
 }
 
 fn sew_canonical(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
@@ -64,15 +65,23 @@ pub fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Resul
     validate::scene(scene)?;
     let canon = Canon::of(scene);
     let given = |x: &[Vec3]| canon.given(x);
-    let mut watch = Part::new(watch, WHOLE, &given);
-    canon.back(match Narrow::of(&canon.scene) {
+    let mut part = Part::new(watch, WHOLE, &given);
+    let draped = match Narrow::of(&canon.scene) {
         Some(narrow) => {
             let apart = |x: &[Vec3]| narrow.apart(x);
-            let mut watch = Part::new(&mut watch, WHOLE, &apart);
-            drape_canonical(&narrow.scene, settings, &mut watch).map(|o| narrow.back(o))
+            let mut part = Part::new(&mut part, WHOLE, &apart);
+            drape_canonical(&narrow.scene, settings, &mut part).map(|o| narrow.back(o))
         }
-        None => drape_canonical(&canon.scene, settings, &mut watch),
-    })
+        None => drape_canonical(&canon.scene, settings, &mut part),
+    };
+    shown(canon.back(draped)?, scene, watch)
+}
+
+/// Shows what came of it.
+fn shown(outcome: Outcome, scene: &Scene, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
+    watch.done(1.0);
+    watch.look(&outcome.positions, scene.triangles.len());
+    Ok(outcome)
 }
 
 fn drape_canonical(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {

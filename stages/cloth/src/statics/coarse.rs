@@ -25,9 +25,10 @@ const FAIR: f64 = 0.3;
 /// Most steps spent on it.
 const MOST: u64 = 240;
 
-/// Parts of all work: sewing coarser levels, and letting down the coarser of two.
+/// Parts of all work: sewing coarser levels, and letting down the coarser of two; sewing where there is one level only.
 const SEWING_WORK: f64 = 0.5;
 const DOWN_WORK: f64 = 0.65;
+const ALONE_WORK: f64 = 0.8;
 
 /// Closes the stitches; `None` where something stays in the way.
 pub(crate) fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
@@ -49,8 +50,10 @@ impl Step<'_> {
             return Ok(Some(outcome));
         }
         let same = <[Vec3]>::to_vec;
-        let closed = close(self.scene, self.settings, &mut Part::new(watch, [0.0, SEWING_WORK], &same))?;
-        let watch = &mut Part::new(watch, [SEWING_WORK, 1.0], &same);
+        // Coarser cloth is let down by the finer one's.
+        let work = if self.finest { ALONE_WORK } else { 1.0 };
+        let closed = close(self.scene, self.settings, &mut Part::new(watch, [0.0, work], &same))?;
+        let watch = &mut Part::new(watch, [work, 1.0], &same);
         match closed.as_ref().filter(|c| self.finest && c.seam_gap_max <= NEARLY * mean_edge(self.scene)) {
             // Else a garment that has no coarser level would hang where sewing left it.
             Some(c) => Ok(self.let_down(&c.positions, watch)?.map(|down| Outcome::after(down, c)).or(closed)),
