@@ -5,6 +5,7 @@ use super::flexion::Flexion;
 use super::shear::Shear;
 use super::structural::Structural;
 use super::{Energy, weight::Weight};
+use crate::linear::hessian::Hessian;
 use crate::topology::Topology;
 use crate::{Curve, Element, Material, Scene, Settings, Vec3};
 
@@ -259,4 +260,33 @@ fn narrow_cells_bend_like_their_neighbours() {
         let whole = 0.5 * b / (radius * radius) * 0.08 * 0.08;
         assert!((0.5..1.3).contains(&(stored / whole)), "{narrow} m: {stored:e} J of {whole:e} J");
     }
+}
+
+/// Springs stand for bending in a metric only where triangles are wide against the bending length; they couple neighbours only,
+/// and cost nothing where all moves along.
+#[test]
+fn a_rough_metric_is_for_wide_triangles() {
+    // Cells of about 10 mm: bending lengths of 4 and of 40 mm.
+    let bending = |length: f64| Material::isotropic(0.15, 500.0, 0.3, 0.15 * 9.81 * length * length * length);
+    let of = |length: f64| {
+        let scene = scene(bending(length));
+        let t = Topology::of_elements(scene.positions.len(), &scene.triangles);
+        (Flexion::new(&scene, &t), t, scene)
+    };
+    assert!(!of(0.04).0.rough());
+    let (flexion, topology, scene) = of(0.004);
+    assert!(flexion.rough());
+    let mut pairs = Vec::new();
+    flexion.add_rough_pairs(&mut pairs);
+    let neighbours = |p: &[u32; 2]| topology.edges.contains(&[p[0].min(p[1]), p[0].max(p[1])]);
+    assert!(!pairs.is_empty() && pairs.iter().all(neighbours));
+    let n = scene.positions.len();
+    let mut h = Hessian::new((0u32..).take(n).collect(), n, pairs.into_iter());
+    flexion.add_rough_hessian(&scene.positions, true, &mut h);
+    let (pattern, values) = h.merged();
+    let along = pattern.times(&values, &vec![Vec3::new(1.0, 2.0, 3.0); n]);
+    let up: Vec<Vec3> = (0u32..).take(n).map(|i| Vec3::new(0.0, 0.0, noise(i))).collect();
+    let pushed = pattern.times(&values, &up);
+    let work: f64 = pushed.iter().zip(&up).map(|(f, d)| f.dot(d)).sum();
+    assert!(work > 0.0 && along.iter().all(|f| f.norm() < 1e-9 * work), "{work}");
 }
