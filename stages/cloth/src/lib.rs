@@ -17,6 +17,7 @@ pub mod settings;
 pub mod watch;
 pub mod weld;
 
+mod apart;
 mod canon;
 mod collide;
 mod cost;

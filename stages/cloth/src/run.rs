@@ -1,5 +1,6 @@
 //! The loop of sewing and draping.
 
+use crate::apart;
 use crate::canon::Canon;
 use crate::integrate::central::{self, State};
 use crate::narrow::Narrow;
@@ -63,6 +64,17 @@ fn sew_canonical(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> R
 /// As [`sew`].
 pub fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     validate::scene(scene)?;
+    let whole = |scene: &Scene, watch: &mut dyn Watch| drape_group(scene, settings, watch);
+    if let Some(groups) = apart::apart(scene, settings)
+        && let Some(outcome) = apart::each(scene, &groups, watch, whole)?
+    {
+        return Ok(outcome);
+    }
+    drape_group(scene, settings, watch)
+}
+
+/// Of parts that may meet each other.
+fn drape_group(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     let canon = Canon::of(scene);
     let given = |x: &[Vec3]| canon.given(x);
     let mut part = Part::new(watch, WHOLE, &given);

@@ -95,7 +95,7 @@ fn forces_are_minus_the_gradient() {
 }
 
 /// H·d of the assembled matrix.
-fn times(h: &crate::linear::hessian::Hessian, d: &[Vec3]) -> Vec<Vec3> {
+fn times(h: &Hessian, d: &[Vec3]) -> Vec<Vec3> {
     let mut out = vec![Vec3::zeros(); d.len()];
     for j in 0..h.pattern.unknowns() {
         for k in h.pattern.start[j] as usize..h.pattern.start[j + 1] as usize {
@@ -117,7 +117,7 @@ fn hessians_are_the_derivative_of_the_forces_and_convex_ones_are_never_negative(
         let mut pairs = Vec::new();
         e.add_pairs(&mut pairs);
         let unknown: Vec<u32> = (0..n as u32).collect();
-        let mut h = crate::linear::hessian::Hessian::new(unknown, n, pairs.into_iter());
+        let mut h = Hessian::new(unknown, n, pairs.into_iter());
         // Once pulled, once squeezed and buckled.
         for (trial, (u, v)) in [(1.03, 1.02), (0.97, 0.95)].into_iter().enumerate() {
             let mut x = scene.positions.clone();

@@ -1,0 +1,310 @@
+//! Parts of cloth that cannot meet, whatever they do, are draped one by one: none can change a bit of another's rest, and
+//! their times add.
+//!
+//! A held part stays within the length of its cloth of where it is held. Parts whose boxes meet are one group; a part that
+//! nothing holds may get anywhere, and so may what is sewn to it.
+
+use crate::collide::tree::Aabb;
+use crate::problem::held;
+use crate::watch::Part;
+use crate::weld::groups;
+use crate::{ClothError, EffectReport, Load, Outcome, Pin, Reaction, Scene, Settings, StopReason, Switch, Vec3, Watch};
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
+
+/// Stretched length over length that is thought of; a part that gets farther after all is draped with all others.
+const STRETCH: f64 = 1.5;
+
+/// Parts that may meet each other, as a scene of their own.
+pub(crate) struct Group {
+    pub scene: Scene,
+    /// Where its vertices, triangles and stitches stand in the whole scene.
+    vertices: Vec<u32>,
+    triangles: Vec<u32>,
+    stitches: Vec<u32>,
+    /// Where it stays.
+    within: Aabb,
+}
+
+/// Groups of parts, at least two; `None` where all may meet.
+pub(crate) fn apart(scene: &Scene, settings: &Settings) -> Option<Vec<Group>> {
+    let n = scene.positions.len();
+    let sides = scene.triangles.iter().flat_map(|t| [[t.vertices[0], t.vertices[1]], [t.vertices[1], t.vertices[2]]]);
+    let links: Vec<[u32; 2]> = sides.chain(scene.stitches.iter().copied()).collect();
+    let part = groups(n, &links);
+    let mut used = vec![false; n];
+    links.iter().flatten().for_each(|v| used[*v as usize] = true);
+    // Vertices of no triangle stay out of all groups, and where they are.
+    let roots: Vec<u32> = (0u32..).take(n).filter(|v| used[*v as usize] && part[*v as usize] == *v).collect();
+    if roots.len() < 2 {
+        return None;
+    }
+    let boxes = boxes(scene, settings, &part, &roots);
+    let meets = |i: usize, j: usize| settings.effects.self_contact != Switch::Off && boxes[i].meets(&boxes[j]);
+    let mut meeting = Vec::new();
+    for i in 0..roots.len() {
+        meeting.extend((0..i).filter(|j| meets(i, *j)).map(|j| [roots[i], roots[j]]));
+    }
+    let group = groups(n, &meeting);
+    let mut all: Vec<u32> = roots.iter().map(|r| group[*r as usize]).collect();
+    all.sort_unstable();
+    all.dedup();
+    let of = |v: u32| group[part[v as usize] as usize];
+    let within = |g: u32| {
+        let own = roots.iter().zip(&boxes).filter(|(r, _)| group[**r as usize] == g);
+        own.fold(Aabb::EMPTY, |a, (_, b)| a.join(b))
+    };
+    (all.len() > 1)
+        .then(|| all.iter().map(|g| Group::new(scene, within(*g), |v| of(v) == *g && used[v as usize])).collect())
+}
+
+/// Where each part stays.
+fn boxes(scene: &Scene, settings: &Settings, part: &[u32], roots: &[u32]) -> Vec<Aabb> {
+    let pins = held(scene);
+    let around = neighbours(scene);
+    let gap = settings.self_gap.max(scene.materials.iter().map(|m| m.thickness).fold(0.0, f64::max));
+    let everywhere = Aabb { low: Vec3::repeat(f64::NEG_INFINITY), high: Vec3::repeat(f64::INFINITY) };
+    let of = |root: &u32| {
+        let own: Vec<(u32, Vec3)> = pins.iter().copied().filter(|p| part[p.0 as usize] == *root).collect();
+        let Some(first) = own.first() else { return everywhere };
+        let far = |p: &&(u32, Vec3)| (p.1 - first.1).norm();
+        let last = own.iter().max_by(|p, q| far(p).total_cmp(&far(q))).unwrap_or(first);
+        [first, last].iter().fold(everywhere, |b, (v, at)| {
+            let ball = Aabb { low: *at, high: *at }.grown(STRETCH * farthest(&around, *v) + gap);
+            Aabb { low: b.low.sup(&ball.low), high: b.high.inf(&ball.high) }
+        })
+    };
+    roots.iter().map(of).collect()
+}
+
+type Lengths = Vec<Vec<(u32, f64)>>;
+
+/// Neighbours of every vertex, and how far along the cloth they are.
+fn neighbours(scene: &Scene) -> Lengths {
+    let mut around = vec![Vec::new(); scene.positions.len()];
+    let mut join = |a: u32, b: u32, length: f64| {
+        around[a as usize].push((b, length));
+        around[b as usize].push((a, length));
+    };
+    for t in &scene.triangles {
+        (0..3).for_each(|k| join(t.vertices[k], t.vertices[(k + 1) % 3], t.rest_length(k)));
+    }
+    scene.stitches.iter().for_each(|[a, b]| join(*a, *b, 0.0));
+    around
+}
+
+/// Longest of the shortest ways along the cloth from a vertex, m (Dijkstra 1959).
+fn farthest(around: &Lengths, from: u32) -> f64 {
+    let mut way = vec![f64::INFINITY; around.len()];
+    way[from as usize] = 0.0;
+    let mut open = BinaryHeap::from([Reverse((0u64, from))]);
+    let mut longest = 0.0;
+    while let Some(Reverse((bits, v))) = open.pop() {
+        let here = way[v as usize];
+        // What is not negative stands in the order of its bits.
+        if bits != here.to_bits() {
+            continue;
+        }
+        longest = here;
+        for (w, length) in &around[v as usize] {
+            if here + length < way[*w as usize] {
+                way[*w as usize] = here + length;
+                open.push(Reverse((way[*w as usize].to_bits(), *w)));
+            }
+        }
+    }
+    longest
+}
+
+impl Group {
+    fn new(scene: &Scene, within: Aabb, mine: impl Fn(u32) -> bool) -> Self {
+        let vertices: Vec<u32> = (0u32..).take(scene.positions.len()).filter(|v| mine(*v)).collect();
+        let mut number = vec![u32::MAX; scene.positions.len()];
+        (0u32..).zip(&vertices).for_each(|(k, v)| number[*v as usize] = k);
+        let to = |v: u32| number[v as usize];
+        let stitches: Vec<u32> = (0u32..).zip(&scene.stitches).filter(|(_, s)| mine(s[0])).map(|(k, _)| k).collect();
+        let triangles: Vec<u32> =
+            (0u32..).zip(&scene.triangles).filter(|(_, t)| mine(t.vertices[0])).map(|(k, _)| k).collect();
+        let element = |k: &u32| {
+            let t = &scene.triangles[*k as usize];
+            crate::Element { vertices: t.vertices.map(to), ..*t }
+        };
+        let own = Scene {
+            positions: vertices.iter().map(|v| scene.positions[*v as usize]).collect(),
+            triangles: triangles.iter().map(element).collect(),
+            pins: scene.pins.iter().filter(|p| mine(p.vertex)).map(|p| Pin { vertex: to(p.vertex), ..*p }).collect(),
+            loads: scene.loads.iter().filter(|l| mine(l.vertex)).map(|l| Load { vertex: to(l.vertex), ..*l }).collect(),
+            stitches: stitches.iter().map(|k| scene.stitches[*k as usize].map(to)).collect(),
+            layers: if scene.layers.is_empty() {
+                Vec::new()
+            } else {
+                vertices.iter().map(|v| scene.layers[*v as usize]).collect()
+            },
+            materials: scene.materials.clone(),
+            body: scene.body.clone(),
+            gravity: scene.gravity,
+        };
+        Self { scene: own, vertices, triangles, stitches, within }
+    }
+
+    fn put(&self, positions: &[Vec3], all: &mut [Vec3]) {
+        self.vertices.iter().zip(positions).for_each(|(v, p)| all[*v as usize] = *p);
+    }
+}
+
+/// Drapes every group by itself; `None` where one got farther than was thought.
+///
+/// # Errors
+/// Of the first group that has one.
+pub(crate) fn each(
+    scene: &Scene,
+    groups: &[Group],
+    watch: &mut dyn Watch,
+    drape: impl Fn(&Scene, &mut dyn Watch) -> Result<Outcome, ClothError>,
+) -> Result<Option<Outcome>, ClothError> {
+    let all = groups.iter().map(|g| g.scene.triangles.len()).sum::<usize>().max(1) as f64;
+    let mut whole: Option<Outcome> = None;
+    let (mut positions, mut done) = (scene.positions.clone(), 0.0);
+    for g in groups {
+        let next = done + g.scene.triangles.len() as f64 / all;
+        let before = positions.clone();
+        let spread = |x: &[Vec3]| {
+            let mut all = before.clone();
+            g.put(x, &mut all);
+            all
+        };
+        let outcome = drape(&g.scene, &mut Part::new(watch, [done, next], &spread)).map_err(|e| g.told(e))?;
+        let stays = |p: &Vec3| g.within.meets(&Aabb { low: *p, high: *p });
+        if !outcome.positions.iter().all(stays) {
+            return Ok(None);
+        }
+        done = next;
+        g.put(&outcome.positions, &mut positions);
+        let own = g.named(outcome);
+        whole = Some(match whole {
+            None => own,
+            Some(w) => joined(w, own),
+        });
+    }
+    Ok(whole.map(|w| Outcome { positions, ..w }))
+}
+
+impl Group {
+    /// Vertices and stitches by their names in the whole scene.
+    fn named(&self, mut outcome: Outcome) -> Outcome {
+        for r in &mut outcome.reactions {
+            *r = Reaction { vertex: self.vertices[r.vertex as usize], ..*r };
+        }
+        outcome.open_stitches.iter_mut().for_each(|s| s.0 = self.stitches[s.0 as usize]);
+        outcome
+    }
+
+    fn told(&self, mut error: ClothError) -> ClothError {
+        if let ClothError::StartCrosses { place, .. } | ClothError::Caught { place, .. } = &mut error {
+            place.triangle = self.triangles.get(place.triangle as usize).copied().unwrap_or(place.triangle);
+        }
+        error
+    }
+}
+
+/// What came of two groups.
+fn joined(a: Outcome, b: Outcome) -> Outcome {
+    let (more, less) = if b.energy > a.energy { (&b, &a) } else { (&a, &b) };
+    let effects = more.effects.iter().map(|e| {
+        let other = less.effects.iter().find(|o| o.name == e.name);
+        EffectReport {
+            on: e.on || other.is_some_and(|o| o.on),
+            cpu_seconds: e.cpu_seconds + other.map_or(0.0, |o| o.cpu_seconds),
+            ..e.clone()
+        }
+    });
+    let effects = effects.collect();
+    let mut open_stitches = [a.open_stitches, b.open_stitches].concat();
+    open_stitches.sort_by(|p, q| q.1.total_cmp(&p.1).then(p.0.cmp(&q.0)));
+    open_stitches.truncate(20);
+    let mut reactions = [a.reactions, b.reactions].concat();
+    reactions.sort_by_key(|r| r.vertex);
+    Outcome {
+        positions: Vec::new(),
+        steps: a.steps + b.steps,
+        seconds: a.seconds.max(b.seconds),
+        settled: a.settled && b.settled,
+        stop_reason: if a.stop_reason == StopReason::Settled { b.stop_reason } else { a.stop_reason },
+        energy: a.energy + b.energy,
+        speed_max: a.speed_max.max(b.speed_max),
+        residual_rel: a.residual_rel.max(b.residual_rel),
+        seam_gap_max: a.seam_gap_max.max(b.seam_gap_max),
+        open_stitches,
+        effects,
+        reactions,
+        repaired: (a.repaired.0 + b.repaired.0, a.repaired.1.max(b.repaired.1)),
+        joined: a.joined + b.joined,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Element, Material};
+
+    /// Strips of three cells of 20 mm that hang from their first two vertices, each so far from the one before.
+    fn strips(count: u32, step: f64) -> Scene {
+        let mut scene = Scene {
+            materials: vec![Material::isotropic(0.15, 500.0, 0.3, 1e-5)],
+            gravity: Vec3::new(0.0, -9.81, 0.0),
+            ..Scene::default()
+        };
+        for s in 0..count {
+            let (first, x) = (8 * s, f64::from(s) * step);
+            let rest: Vec<[f64; 2]> =
+                (0..4).flat_map(|r| [[0.0, 0.02 * f64::from(r)], [0.02, 0.02 * f64::from(r)]]).collect();
+            scene.positions.extend(rest.iter().map(|r| Vec3::new(x + r[0], -0.9 * r[1], 0.3 * r[1])));
+            for c in 0..3 {
+                let (a, b) = (2 * c, 2 * c + 1);
+                for v in [[a, b, b + 2], [a, b + 2, a + 2]] {
+                    let rest = v.map(|i| rest[i as usize]);
+                    scene.triangles.push(Element { vertices: v.map(|i| first + i), rest, material: 0 });
+                }
+            }
+            let pin = |v: u32| Pin { vertex: first + v, at: scene.positions[(first + v) as usize] };
+            let pins = [pin(0), pin(1)];
+            scene.pins.extend(pins);
+        }
+        scene
+    }
+
+    fn rest(scene: &Scene) -> Outcome {
+        crate::drape(scene, &Settings::default(), &mut crate::Silent).expect("a drape")
+    }
+
+    #[test]
+    fn parts_within_reach_are_one_group_and_others_are_not() {
+        let settings = Settings::default();
+        assert!(apart(&strips(2, 0.1), &settings).is_none(), "both reach 95 mm");
+        let groups = apart(&strips(3, 0.3), &settings).expect("groups");
+        assert_eq!(groups.iter().map(|g| g.vertices.len()).collect::<Vec<_>>(), [8, 8, 8]);
+        let mut loose = strips(3, 0.3);
+        loose.pins.retain(|p| p.vertex >= 8);
+        assert!(apart(&loose, &settings).is_none(), "what nothing holds may get anywhere");
+    }
+
+    #[test]
+    fn a_part_rests_as_it_does_alone_and_sums_are_of_all() {
+        let (alone, all) = (rest(&strips(1, 0.3)), rest(&strips(3, 0.3)));
+        assert_eq!(all.positions[..8], alone.positions[..]);
+        assert!(all.settled && all.positions.len() == 24 && all.steps > alone.steps);
+        assert_eq!(all.reactions.iter().map(|r| r.vertex).collect::<Vec<_>>(), [0, 1, 8, 9, 16, 17]);
+        let weight = 3.0 * 0.15 * 0.02 * 0.06 * 9.81;
+        let held: f64 = all.reactions.iter().map(|r| r.force.y).sum();
+        assert!((held / weight - 1.0).abs() < 0.02, "{held} N of {weight} N");
+    }
+
+    #[test]
+    fn what_gets_farther_is_draped_with_all_others() {
+        let scene = strips(2, 0.3);
+        let groups = apart(&scene, &Settings::default()).expect("groups");
+        let far = Outcome { positions: vec![Vec3::repeat(9.0); 8], ..rest(&strips(1, 0.3)) };
+        let none = each(&scene, &groups, &mut crate::Silent, |_, _| Ok(far.clone())).expect("no error");
+        assert!(none.is_none());
+    }
+}
