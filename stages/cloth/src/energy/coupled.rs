@@ -176,6 +176,19 @@ impl Energy for Coupled {
         energy
     }
 
+    fn lock_over(&mut self, locking: f64, x: &[Vec3]) -> bool {
+        let locks = |me: &Self| {
+            me.triangles.iter().any(|t| {
+                let ([a, b], fabric) = (strain(&t.green(&t.edges(x))).stretch, &me.fabrics[t.fabric as usize]);
+                fabric.weft.is_locking(a - 1.0) || fabric.warp.is_locking(b - 1.0)
+            })
+        };
+        let before = locks(self);
+        let changed = self.fabrics.iter_mut().map(|f| f.weft.lock_over(locking) | f.warp.lock_over(locking));
+        let changed = changed.fold(false, |a, b| a | b);
+        changed && (before || locks(self))
+    }
+
     fn energy(&self, x: &[Vec3]) -> f64 {
         let of = |t: &Triangle| t.area * stress_and_energy(&t.green(&t.edges(x)), &self.fabrics[t.fabric as usize]).1;
         self.triangles.iter().map(of).sum()

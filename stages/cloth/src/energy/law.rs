@@ -27,12 +27,12 @@ struct Lock {
 }
 
 impl Lock {
-    /// Infinite for never.
-    fn at(limit: f64) -> Self {
+    /// Infinite for never; over at least `locking` of the limit.
+    fn at(limit: f64, locking: f64) -> Self {
         if !limit.is_finite() {
             return Self { from: limit, width: 1.0 };
         }
-        let width = (LOCKING * limit).max((MOST_LOCKING * limit).min(WIDTH_OF_SMALL / limit));
+        let width = (locking.max(LOCKING) * limit).max((MOST_LOCKING * limit).min(WIDTH_OF_SMALL / limit));
         Self { from: SHUT * limit - width, width }
     }
 
@@ -48,7 +48,7 @@ impl Lock {
 
 /// Strain from which cloth with this limit locks.
 pub(crate) fn locks_from(limit: f64) -> f64 {
-    Lock::at(limit).from
+    Lock::at(limit, 0.0).from
 }
 
 /// Tabulated stretch law of one direction.
@@ -59,6 +59,7 @@ pub(crate) struct Law {
     tangent: Vec<f64>,
     tension: Vec<f64>,
     energy: Vec<f64>,
+    limit: f64,
     lock: Lock,
 }
 
@@ -88,7 +89,19 @@ impl Law {
             energy.push(energy[i] + step * (t + step * (k0 / 2.0 + (k1 - k0) / 6.0)));
             tension.push(t + step * 0.5 * (k0 + k1));
         }
-        Self { inverse_step: 1.0 / step, step, tangent, tension, energy, lock: Lock::at(limit) }
+        Self { inverse_step: 1.0 / step, step, tangent, tension, energy, limit, lock: Lock::at(limit, 0.0) }
+    }
+
+    /// Lets the cloth lock over this share of its limit, or over less if that is all it ever takes; says whether that is
+    /// anything new.
+    pub fn lock_over(&mut self, locking: f64) -> bool {
+        let before = std::mem::replace(&mut self.lock, Lock::at(self.limit, locking));
+        before.width != self.lock.width
+    }
+
+    /// Does it carry more than its curve at this strain?
+    pub fn is_locking(&self, strain: f64) -> bool {
+        strain > self.lock.from
     }
 
     #[inline]

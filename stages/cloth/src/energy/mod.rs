@@ -50,6 +50,10 @@ pub(crate) trait Energy: Send + Sync {
     fn rough(&self) -> bool {
         false
     }
+    /// Lets cloth lock at its strain limits over this share of them; says whether that changes any force at `x`.
+    fn lock_over(&mut self, _locking: f64, _x: &[Vec3]) -> bool {
+        false
+    }
     /// Are the second derivatives the same everywhere?
     fn quadratic(&self) -> bool {
         false

@@ -131,6 +131,11 @@ impl Objective {
         energy
     }
 
+    /// Is there a body?
+    pub fn on_body(&self) -> bool {
+        self.barrier.as_ref().is_some_and(|b| b.body.is_some())
+    }
+
     /// Is there friction that is taken over from place to place?
     pub fn rubs(&self) -> bool {
         (self.stick.is_some() && self.barrier.is_some()) || self.hysteresis.is_some()
@@ -145,6 +150,11 @@ impl Objective {
     /// Forces of the last evaluation on all vertices.
     pub fn forces(&self) -> &[Vec3] {
         &self.force
+    }
+
+    /// Cloth locks at its strain limits over this share of them from now on; says whether that changes any force at `x`.
+    pub fn lock_over(&mut self, locking: f64, x: &[Vec3]) -> bool {
+        self.energies.iter_mut().fold(false, |any, e| e.lock_over(locking, x) | any)
     }
 
     /// From now on second derivatives are rough ones, or all there is, where the cloth has both.

@@ -16,6 +16,16 @@ const MOST_BORNE: u32 = 2;
 const FAR: f64 = 3.0;
 /// What a Newton step would win over the elastic energy, above which coarser cloth finds the way first.
 const FAR_FROM_REST: f64 = 1.0;
+/// Steps after which cloth locks more softly for a while: single triangles that hang at a corner turn in steps of
+/// micrometres beside a stiffness a thousand times that of all others. On a body not from the start: what slides under friction
+/// would stay where the softer cloth brought it.
+const LONG_LOCKED: u64 = 400;
+/// Share of the strain limits over which it locks then, what that narrows by each time a Newton step would win less of the elastic
+/// energy than this, and below which share it is the law's own again.
+const WIDE_LOCK: f64 = 0.6;
+const NARROWER: f64 = 0.3;
+const LEAST_LOCK: f64 = 0.01;
+const NARROW_AT: f64 = 1e-3;
 /// Part of all work that coarser levels take.
 const COARSE_WORK: f64 = 0.2;
 /// Tolerances of a coarser level over those of the finest.
@@ -79,11 +89,20 @@ impl Descent<'_> {
         let start = self.x.clone();
         let far = FAR * self.goal.size(&start);
         self.goal.set_rough(true);
+        // Below 0: not widened yet.
+        let begun = self.steps;
+        let mut locking = if self.goal.on_body() { -1.0 } else { self.widen_locks() };
         loop {
             self.lead();
             self.metric()?;
             self.look();
-            if self.resting() {
+            if locking > 0.0 && (self.decrement < NARROW_AT || self.resting()) {
+                locking = self.narrow_locks(locking);
+                if locking > 0.0 {
+                    continue;
+                }
+            }
+            if locking <= 0.0 && self.resting() {
                 if self.goal.is_rough() {
                     // Is it so with all of its bending, too?
                     self.goal.set_rough(false);
@@ -117,6 +136,9 @@ impl Descent<'_> {
             if self.steps >= self.settings.max_descents {
                 return Ok(StopReason::MaxSteps);
             }
+            if locking < 0.0 && self.steps - begun >= LONG_LOCKED {
+                locking = self.widen_locks();
+            }
             let b = self.block();
             stuck = if b.steps == 0 { stuck + 1 } else { 0 };
             if stuck > MOST_STUCK {
@@ -124,6 +146,27 @@ impl Descent<'_> {
             }
             self.adapt(b);
         }
+    }
+
+    /// Lets cloth lock over a wide share of its limits; gives it.
+    fn widen_locks(&mut self) -> f64 {
+        if self.goal.lock_over(WIDE_LOCK, &self.x) {
+            self.start_anew();
+        }
+        WIDE_LOCK
+    }
+
+    /// Lets locks be narrower, until that changes a force; over which share of the limits they are then, 0 where they are the
+    /// law's own.
+    fn narrow_locks(&mut self, mut locking: f64) -> f64 {
+        while locking > 0.0 {
+            locking = if locking > LEAST_LOCK { NARROWER * locking } else { 0.0 };
+            if self.goal.lock_over(locking, &self.x) {
+                self.start_anew();
+                return locking;
+            }
+        }
+        locking
     }
 
     /// Would a Newton step win more than all that is stored?
