@@ -4,7 +4,8 @@ mod common;
 
 use common::{add, cotton, linear, noise, regular, sheet, sphere};
 use toile_cloth::{
-    BodyMesh, Curve, Effects, Integrator, Model, Pin, Scene, Settings, Silent, StopReason, Switch, Vec3, certify, drape,
+    BodyMesh, Curve, Effects, Integrator, Material, Model, Pin, Scene, Settings, Silent, StopReason, Switch, Vec3,
+    certify, drape,
 };
 
 const G: f64 = 9.81;
@@ -97,6 +98,23 @@ fn the_strain_limit_carries_what_the_curve_does_not() {
     assert!((got / expected - 1.0).abs() < 0.05, "{got} instead of {expected}");
     let figures = certify(&scene, &settings, &out.positions).unwrap();
     assert!(figures.strain_over_limit < 1.05, "{}", figures.strain_over_limit);
+}
+
+/// A square metre by two corners: single triangles there hang at the limit, a thousand times as stiff as all others.
+#[test]
+fn a_sheet_hangs_by_its_corners_at_the_strain_limit() {
+    let n = 40;
+    let soft = Material { strain_limit: [0.05; 2], thickness: 5e-4, ..Material::isotropic(0.15, 500.0, 0.3, 1e-5) };
+    let mut scene = sheet(1.0, 1.0, n, n, soft, |x, y| Vec3::new(x, 0.0, y));
+    scene.pins = [0, n].iter().map(|v| Pin { vertex: *v, at: scene.positions[*v as usize] }).collect();
+    scene.gravity = Vec3::new(0.0, -G, 0.0);
+    let settings = Settings { effects: Effects::default(), ..Settings::default() };
+    let rest = drape(&scene, &settings, &mut Silent).expect("a drape");
+    assert!(rest.settled && rest.steps < 1500, "{:?} after {} steps", rest.stop_reason, rest.steps);
+    let strain = certify(&scene, &settings, &rest.positions).expect("figures").strain_max;
+    assert!((0.048..0.0502).contains(&strain), "{strain}");
+    let held: f64 = rest.reactions.iter().map(|r| r.force.y).sum();
+    assert!((held / (0.15 * G) - 1.0).abs() < 1e-3, "{held} N");
 }
 
 #[test]
