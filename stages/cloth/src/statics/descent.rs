@@ -31,6 +31,9 @@ const FIRMER: f64 = 8.0;
 const NEAR_REST: f64 = 0.05;
 /// … and blocks until they are tried again where they were not convex, at most.
 const MOST_PATIENCE: u32 = 8;
+/// What a Newton step would win over the elastic energy, below which contacts that are nearly shut are so under a load, and not
+/// because the cloth began there.
+const LOADED: f64 = 1.0;
 /// Rounds in which single vertices are held back before the whole step is shortened.
 const HOLD_ROUNDS: usize = 3;
 /// Part of a step below which single vertices are held back instead of all.
@@ -150,7 +153,9 @@ impl<'a> Descent<'a> {
     fn refresh(&mut self) -> bool {
         // In a time step friction holds on to where the step began, until its end.
         if self.goal.inert.is_none() {
-            if self.goal.barrier.as_mut().is_some_and(|b| b.harden(&self.goal.unknown)) {
+            if self.decrement < LOADED
+                && self.goal.barrier.as_mut().is_some_and(|b| b.harden(&self.goal.unknown))
+            {
                 self.start_anew();
             }
             self.refresh_friction();
