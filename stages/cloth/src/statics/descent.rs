@@ -153,7 +153,9 @@ impl<'a> Descent<'a> {
     fn refresh(&mut self) -> bool {
         // In a time step friction holds on to where the step began, until its end.
         if self.goal.inert.is_none() {
-            if self.decrement < LOADED && self.goal.barrier.as_mut().is_some_and(|b| b.harden(&self.goal.unknown)) {
+            // Sewing never looks at the rest.
+            let falls = self.decrement.is_finite() && self.decrement >= LOADED;
+            if !falls && self.goal.barrier.as_mut().is_some_and(|b| b.harden(&self.goal.unknown)) {
                 self.start_anew();
             }
             self.refresh_friction();
