@@ -247,4 +247,8 @@ fn a_preview_shows_every_level_and_events_tell_the_time_left() {
     assert!(!shown["bbox_m"].is_null());
     // It is a file like others: it is not replaced in silence.
     assert_eq!(toile(&[&"run", &pipeline, &"--out", &out, &"--preview", &"--quiet"]).code, 2);
+    let (other, name) = (folder.path().join("other"), "export-gltf.file={out}/preview.glb");
+    let said = toile(&[&"run", &pipeline, &"--set", &name, &"--out", &other, &"--preview", &"--quiet"]);
+    assert_eq!(said.code, 2, "{said:?}");
+    assert!(!other.join("run.json").exists(), "found before any work");
 }

@@ -2,7 +2,7 @@
 
 use super::exit::{Exit, of_file_error, of_stage_error};
 use super::files::RunFiles;
-use super::gate::Gate;
+use super::gate::{Gate, output_below, refused};
 use super::meter::{Meter, peak_mb};
 use super::outputs::{Outputs, RECORD_NAME};
 use super::preflight::planned_outputs;
@@ -60,7 +60,17 @@ pub fn run(
     report: Report,
 ) -> Outcome {
     let mut planned = planned_outputs(&pipeline.steps);
-    planned.extend(options.preview.then(|| PathBuf::from(PREVIEW_NAME)));
+    if options.preview {
+        // Found now, and not when the work is done.
+        let same = |p: &&PathBuf| {
+            output_below(p).is_ok_and(|below| below.to_string_lossy().eq_ignore_ascii_case(PREVIEW_NAME))
+        };
+        if let Some(taken) = planned.iter().find(same) {
+            let error = refused(taken, "the preview has this name; give the output another, or run without --preview");
+            return refuse(&error, report, teller);
+        }
+        planned.push(PathBuf::from(PREVIEW_NAME));
+    }
     let outputs = Outputs::open(&options.out, &options.allow_write, &planned, options.force, Arc::clone(stop));
     let outputs = match outputs {
         Ok(outputs) => outputs,
