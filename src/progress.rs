@@ -164,17 +164,18 @@ impl Teller {
 
 impl Progress for Teller {
     fn update(&mut self, done: u64, total: u64, words: &str) {
+        let left = left(self.stage_started, done, total);
         if let Some(bar) = &self.bar {
             bar.set_length(total);
             bar.set_position(done);
-            bar.set_message(words.to_owned());
+            bar.set_message(format!("{}: {words}", in_words(left)));
         }
         if let Some(lines) = &self.lines {
-            lines.update(left(self.stage_started, done, total), done, total, words);
+            lines.update(left, done, total, words);
         }
         if self.events.is_some() && self.last_event.is_none_or(|last| last.elapsed() >= EVENT_EVERY) {
             self.last_event = Some(Instant::now());
-            let left = left(self.stage_started, done, total).map(|s| (s * 10.0).round() / 10.0);
+            let left = left.map(|s| (s * 10.0).round() / 10.0);
             self.event("progress", json!({ "done": done, "total": total, "left_s": left, "words": words }));
         }
     }
@@ -205,9 +206,13 @@ fn left(started: Instant, done: u64, total: u64) -> Option<f64> {
     (total > 0 && (EARLY..=1.0).contains(&part)).then(|| started.elapsed().as_secs_f64() * (1.0 - part) / part)
 }
 
+fn in_words(left: Option<f64>) -> String {
+    left.map_or_else(String::new, |s| format!(", about {s:.0} s left"))
+}
+
 fn make_bar() -> ProgressBar {
     let bar = ProgressBar::with_draw_target(Some(0), ProgressDrawTarget::stderr_with_hz(10));
-    let style = ProgressStyle::with_template("{prefix} {wide_bar} {percent:>3} % {elapsed}, {eta} left {msg}");
+    let style = ProgressStyle::with_template("{prefix} {wide_bar} {percent:>3} % {elapsed}{msg}");
     bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
@@ -229,8 +234,7 @@ impl State {
         } else {
             String::new()
         };
-        let left = self.left.map_or_else(String::new, |s| format!(", about {s:.0} s left"));
-        format!("{}{share}{left}: {}", self.prefix, self.words)
+        format!("{}{share}{}: {}", self.prefix, in_words(self.left), self.words)
     }
 }
 
