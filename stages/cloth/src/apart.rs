@@ -6,14 +6,18 @@
 
 use crate::collide::tree::Aabb;
 use crate::problem::held;
+use crate::topology::links;
 use crate::watch::Part;
 use crate::weld::groups;
-use crate::{ClothError, EffectReport, Load, Outcome, Pin, Reaction, Scene, Settings, StopReason, Switch, Vec3, Watch};
+use crate::{ClothError, EffectReport, Outcome, Place, Reaction, Scene, Settings, StopReason, Switch, Vec3, Watch};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 /// Stretched length over length that is thought of; a part that gets farther after all is draped with all others.
 const STRETCH: f64 = 1.5;
+
+/// Most parts that are told apart: every two are compared, and no garment has more.
+const MOST_PARTS: usize = 500;
 
 /// Parts that may meet each other, as a scene of their own.
 pub(crate) struct Group {
@@ -29,14 +33,14 @@ pub(crate) struct Group {
 /// Groups of parts, at least two; `None` where all may meet.
 pub(crate) fn apart(scene: &Scene, settings: &Settings) -> Option<Vec<Group>> {
     let n = scene.positions.len();
-    let sides = scene.triangles.iter().flat_map(|t| [[t.vertices[0], t.vertices[1]], [t.vertices[1], t.vertices[2]]]);
+    let sides = scene.triangles.iter().flat_map(|t| links(&t.vertices));
     let links: Vec<[u32; 2]> = sides.chain(scene.stitches.iter().copied()).collect();
     let part = groups(n, &links);
     let mut used = vec![false; n];
     links.iter().flatten().for_each(|v| used[*v as usize] = true);
     // Vertices of no triangle stay out of all groups, and where they are.
     let roots: Vec<u32> = (0u32..).take(n).filter(|v| used[*v as usize] && part[*v as usize] == *v).collect();
-    if roots.len() < 2 {
+    if !(2..=MOST_PARTS).contains(&roots.len()) {
         return None;
     }
     let boxes = boxes(scene, settings, &part, &roots);
@@ -129,21 +133,7 @@ impl Group {
             let t = &scene.triangles[*k as usize];
             crate::Element { vertices: t.vertices.map(to), ..*t }
         };
-        let own = Scene {
-            positions: vertices.iter().map(|v| scene.positions[*v as usize]).collect(),
-            triangles: triangles.iter().map(element).collect(),
-            pins: scene.pins.iter().filter(|p| mine(p.vertex)).map(|p| Pin { vertex: to(p.vertex), ..*p }).collect(),
-            loads: scene.loads.iter().filter(|l| mine(l.vertex)).map(|l| Load { vertex: to(l.vertex), ..*l }).collect(),
-            stitches: stitches.iter().map(|k| scene.stitches[*k as usize].map(to)).collect(),
-            layers: if scene.layers.is_empty() {
-                Vec::new()
-            } else {
-                vertices.iter().map(|v| scene.layers[*v as usize]).collect()
-            },
-            materials: scene.materials.clone(),
-            body: scene.body.clone(),
-            gravity: scene.gravity,
-        };
+        let own = scene.part(&vertices, &number, triangles.iter().map(element).collect());
         Self { scene: own, vertices, triangles, stitches, within }
     }
 
@@ -173,7 +163,8 @@ pub(crate) fn each(
             g.put(x, &mut all);
             all
         };
-        let outcome = drape(&g.scene, &mut Part::new(watch, [done, next], &spread)).map_err(|e| g.told(e))?;
+        let outcome =
+            drape(&g.scene, &mut Part::new(watch, [done, next], &spread)).map_err(|e| e.placed(|p| g.told(p)))?;
         let stays = |p: &Vec3| g.within.meets(&Aabb { low: *p, high: *p });
         if !outcome.positions.iter().all(stays) {
             return Ok(None);
@@ -199,11 +190,8 @@ impl Group {
         outcome
     }
 
-    fn told(&self, mut error: ClothError) -> ClothError {
-        if let ClothError::StartCrosses { place, .. } | ClothError::Caught { place, .. } = &mut error {
-            place.triangle = self.triangles.get(place.triangle as usize).copied().unwrap_or(place.triangle);
-        }
-        error
+    fn told(&self, place: Place) -> Place {
+        Place { triangle: self.triangles.get(place.triangle as usize).copied().unwrap_or(place.triangle), ..place }
     }
 }
 
@@ -245,7 +233,7 @@ fn joined(a: Outcome, b: Outcome) -> Outcome {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Element, Material};
+    use crate::{Element, Material, Pin};
 
     /// Strips of three cells of 20 mm that hang from their first two vertices, each so far from the one before.
     fn strips(count: u32, step: f64) -> Scene {

@@ -64,7 +64,7 @@ impl Canon {
 
     /// What came of it, as the scene was given.
     pub fn back(&self, result: Result<Outcome, ClothError>) -> Result<Outcome, ClothError> {
-        let mut outcome = result.map_err(|e| self.told(e))?;
+        let mut outcome = result.map_err(|e| e.placed(|p| Place { at: self.there(p.at), ..p }))?;
         outcome.positions = self.given(&outcome.positions);
         outcome.reactions.iter_mut().for_each(|r| r.force = self.there(r.force));
         for (stitch, _) in &mut outcome.open_stitches {
@@ -80,13 +80,6 @@ impl Canon {
 
     fn there(&self, p: Vec3) -> Vec3 {
         turned(p, 4 - self.turns)
-    }
-
-    fn told(&self, mut error: ClothError) -> ClothError {
-        if let ClothError::StartCrosses { place, .. } | ClothError::Caught { place, .. } = &mut error {
-            *place = Place { at: self.there(place.at), ..*place };
-        }
-        error
     }
 }
 

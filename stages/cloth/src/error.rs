@@ -66,3 +66,13 @@ pub enum ClothError {
         step: u64,
     },
 }
+
+impl ClothError {
+    /// The same, with its place told otherwise.
+    pub(crate) fn placed(mut self, told: impl FnOnce(Place) -> Place) -> Self {
+        if let Self::StartCrosses { place, .. } | Self::Caught { place, .. } = &mut self {
+            *place = told(*place);
+        }
+        self
+    }
+}

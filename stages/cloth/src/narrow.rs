@@ -25,8 +25,7 @@ fn tiny_edges(scene: &Scene) -> Vec<Tiny> {
     let mut edges = Vec::new();
     for t in &scene.triangles {
         let lengths = [0, 1, 2].map(|k| t.rest_length(k));
-        let longest = lengths.iter().copied().fold(0.0, f64::max);
-        for k in (0..3).filter(|k| (LEAST..TINY * longest).contains(&lengths[*k])) {
+        for k in (0..3).filter(|k| (LEAST..TINY * t.longest_edge()).contains(&lengths[*k])) {
             let (a, b) = (t.vertices[k], t.vertices[(k + 1) % 3]);
             let (p, q) = (t.rest[k], t.rest[(k + 1) % 3]);
             let way = [q[0] - p[0], q[1] - p[1]];

@@ -310,8 +310,7 @@ pub(crate) fn frame(
     let mut least = vec![f64::INFINITY; n];
     for t in &scene.triangles {
         let m = &scene.materials[t.material as usize];
-        let edges = [0, 1, 2].map(|k| t.rest_length(k));
-        let altitude = 2.0 * t.area().abs() / edges.iter().fold(0.0, |a: f64, b| a.max(*b));
+        let altitude = t.altitude();
         for v in t.vertices.map(|v| v as usize) {
             thickness[v] = thickness[v].max(m.thickness);
             friction[v] = friction[v].max(m.friction);

@@ -37,6 +37,16 @@ impl Element {
         let (a, b) = (self.rest[k % 3], self.rest[(k + 1) % 3]);
         libm::hypot(b[0] - a[0], b[1] - a[1])
     }
+
+    /// Longest of its rest lengths, m.
+    pub(crate) fn longest_edge(&self) -> f64 {
+        (0..3).map(|k| self.rest_length(k)).fold(0.0, f64::max)
+    }
+
+    /// Least altitude of the rest shape, m.
+    pub(crate) fn altitude(&self) -> f64 {
+        2.0 * self.area().abs() / self.longest_edge()
+    }
 }
 
 /// A fabric as the solver needs it.
@@ -192,4 +202,27 @@ pub struct Scene {
     /// Layer of every vertex (0 next to the body, 1 over it …); may be empty. Order is kept by the contact itself;
     /// the number only says how many thicknesses further from the body the vertex is held.
     pub layers: Vec<i32>,
+}
+
+impl Scene {
+    /// A scene of the vertices `kept` alone, of which `number` gives the new numbers (others `u32::MAX`), with its own
+    /// triangles. What hangs on other vertices is left out.
+    pub(crate) fn part(&self, kept: &[u32], number: &[u32], triangles: Vec<Element>) -> Self {
+        let to = |v: u32| number[v as usize];
+        let stays = |v: u32| to(v) != u32::MAX;
+        let pins = self.pins.iter().filter(|p| stays(p.vertex)).map(|p| Pin { vertex: to(p.vertex), ..*p });
+        let loads = self.loads.iter().filter(|l| stays(l.vertex)).map(|l| Load { vertex: to(l.vertex), ..*l });
+        let layer = |v: &u32| self.layers.get(*v as usize).copied();
+        Self {
+            positions: kept.iter().map(|v| self.positions[*v as usize]).collect(),
+            triangles,
+            materials: self.materials.clone(),
+            pins: pins.collect(),
+            loads: loads.collect(),
+            stitches: self.stitches.iter().filter(|s| s.iter().all(|v| stays(*v))).map(|s| s.map(to)).collect(),
+            body: self.body.clone(),
+            gravity: self.gravity,
+            layers: kept.iter().filter_map(layer).collect(),
+        }
+    }
 }

@@ -23,6 +23,11 @@ pub(crate) struct Topology {
     pub hinges: Vec<Hinge>,
 }
 
+/// What makes the corners of a triangle one part.
+pub(crate) fn links(t: &[u32; 3]) -> [[u32; 2]; 2] {
+    [[t[0], t[1]], [t[1], t[2]]]
+}
+
 impl Topology {
     pub fn new(vertex_count: usize, faces: Vec<[u32; 3]>) -> Self {
         let mut sides: Vec<(u32, u32, u32, u8)> = Vec::with_capacity(faces.len() * 3);
@@ -80,7 +85,7 @@ impl Topology {
 
     /// A number for every face, equal for faces joined through shared vertices.
     pub fn components(&self, vertex_count: usize) -> Vec<u32> {
-        let links: Vec<[u32; 2]> = self.faces.iter().flat_map(|t| [[t[0], t[1]], [t[1], t[2]]]).collect();
+        let links: Vec<[u32; 2]> = self.faces.iter().flat_map(links).collect();
         crate::weld::groups(vertex_count, &links)
     }
 }

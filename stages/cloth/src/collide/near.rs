@@ -115,15 +115,15 @@ const WIDER: f64 = 1.3;
 /// A face on its way, and how far it reaches for a body.
 struct Reaching {
     moving: Moving,
-    /// Boxes of the face, its edges and its vertices on the way and near it; of the face as far as its vertices reach.
+    /// Boxes of the face, its edges and its vertices on the way and near it.
     bounds: Aabb,
     edges: [Aabb; 3],
     points: [Aabb; 3],
-    far: Aabb,
     /// Of the face, of length one or none.
     normal: Vec3,
     /// Moves of the vertices, m.
     lengths: [f64; 3],
+    longest: f64,
     reach: f64,
     wide: f64,
 }
@@ -134,11 +134,11 @@ impl Reaching {
         let dot = |p: &Vec3| Aabb { low: *p, high: *p };
         Self {
             bounds: moving.swept(reach),
-            far: moving.swept(wide),
             edges: [0, 1, 2].map(|k| swept(&moving.owned.edge_box(k), &moving.edge_move(k), reach)),
             points: [0, 1, 2].map(|k| swept(&dot(&at[k]), &dot(&by[k]), wide)),
             normal: crate::unit_normal(*at).unwrap_or_else(Vec3::zeros),
-            lengths: [by[0].norm(), by[1].norm(), by[2].norm()],
+            lengths: by.map(|d| d.norm()),
+            longest: crate::longest(by),
             moving,
             reach,
             wide,
@@ -154,7 +154,7 @@ impl Reaching {
     #[inline]
     fn passes(&self, b: &Owned) -> bool {
         let height = b.at.map(|p| self.normal.dot(&(p - self.owned().at[0])));
-        let far = self.reach + self.lengths[0].max(self.lengths[1]).max(self.lengths[2]);
+        let far = self.reach + self.longest;
         height.iter().all(|h| *h > far) || height.iter().all(|h| *h < -far)
     }
 }
@@ -262,7 +262,8 @@ impl Near {
         self.clear_body();
         for f in (0u32..).take(way.topology.faces.len()) {
             let moving = Moving::of(way.topology, f, way.x, way.step);
-            if !body.may_meet(&moving.swept(wide)) {
+            let far = moving.swept(wide);
+            if !body.may_meet(&far) {
                 continue;
             }
             let face = Reaching::new(moving, reach, wide);
@@ -274,7 +275,7 @@ impl Near {
                     body.candidates(&face.bounds, |g| self.add_body_sides(&face, g, body));
                 }
             } else {
-                body.candidates(&face.far, |g| {
+                body.candidates(&far, |g| {
                     for k in (0..3).filter(|k| face.owned().owns_vertex(*k)) {
                         self.add_body_point(&face, k, g, body);
                     }
@@ -303,7 +304,7 @@ impl Near {
         }
         let (a, l) = (face.owned(), &face.lengths);
         for k in (0..3).filter(|k| b.owns_vertex(*k)) {
-            let far = || point_triangle_gap(&b.at[k], a.at.each_ref()) > face.reach + l[0].max(l[1]).max(l[2]);
+            let far = || point_triangle_gap(&b.at[k], a.at.each_ref()) > face.reach + face.longest;
             if point_in(&face.bounds, &b.at[k]) && !far() {
                 self.body_faces.push([a.corners[0], a.corners[1], a.corners[2], b.corners[k]]);
             }

@@ -195,32 +195,19 @@ impl Tree {
     /// [`Self::meeting_pairs`] of strangers only.
     pub fn meeting_strangers(&self, tiles: &Tiles, mut emit: impl FnMut(u32, u32)) {
         let (first, leaves) = (self.tiles(), self.items.len());
-        let mut stack = vec![(1usize, 1usize)];
-        while let Some((a, b)) = stack.pop() {
-            if a >= first {
-                let (a, b) = (a.min(b) - first, a.max(b) - first);
-                let mut left = tiles.strangers(a, b).unwrap_or(u64::MAX);
-                while left != 0 {
-                    let n = left.trailing_zeros() as usize;
-                    left &= left - 1;
-                    let (p, q) = (TILE * a + n / TILE, TILE * b + n % TILE);
-                    if self.sweeps[leaves + p].meets(&self.sweeps[leaves + q]) {
-                        emit(self.items[p], self.items[q]);
-                    }
-                }
-            } else if a == b {
-                stack.extend([(2 * a, 2 * a), (2 * a + 1, 2 * a + 1)]);
-                if self.sweeps[2 * a].meets(&self.sweeps[2 * a + 1]) {
-                    stack.push((2 * a, 2 * a + 1));
-                }
-            } else {
-                for (c, d) in [(2 * a, 2 * b), (2 * a, 2 * b + 1), (2 * a + 1, 2 * b), (2 * a + 1, 2 * b + 1)] {
-                    if self.sweeps[c].meets(&self.sweeps[d]) {
-                        stack.push((c, d));
-                    }
+        let meet = |a: usize, b: usize| self.sweeps[a].meets(&self.sweeps[b]);
+        self.walk(first, meet, |a, b| {
+            let (a, b) = (a.min(b) - first, a.max(b) - first);
+            let mut left = tiles.strangers(a, b).unwrap_or(u64::MAX);
+            while left != 0 {
+                let n = left.trailing_zeros() as usize;
+                left &= left - 1;
+                let (p, q) = (TILE * a + n / TILE, TILE * b + n % TILE);
+                if meet(leaves + p, leaves + q) {
+                    emit(self.items[p], self.items[q]);
                 }
             }
-        }
+        });
     }
 
     /// Pairs of different items whose boxes meet, in a fixed order.
@@ -228,15 +215,23 @@ impl Tree {
         self.pairs(|a, b| self.boxes[a].meets(&self.boxes[b]), emit);
     }
 
-    /// Walks down all pairs of nodes that `meet`.
+    /// Pairs of different items whose leaves `meet`.
     fn pairs(&self, meet: impl Fn(usize, usize) -> bool, mut emit: impl FnMut(u32, u32)) {
         let leaves = self.items.len();
+        self.walk(leaves, meet, |a, b| {
+            if a != b {
+                emit(self.items[a - leaves], self.items[b - leaves]);
+            }
+        });
+    }
+
+    /// Walks down all pairs of nodes that `meet`, to those of the level that begins with node `first`, and each of them
+    /// with itself.
+    fn walk(&self, first: usize, meet: impl Fn(usize, usize) -> bool, mut emit: impl FnMut(usize, usize)) {
         let mut stack = vec![(1usize, 1usize)];
         while let Some((a, b)) = stack.pop() {
-            if a >= leaves {
-                if a != b {
-                    emit(self.items[a - leaves], self.items[b - leaves]);
-                }
+            if a >= first {
+                emit(a, b);
             } else if a == b {
                 stack.extend([(2 * a, 2 * a), (2 * a + 1, 2 * a + 1)]);
                 if meet(2 * a, 2 * a + 1) {

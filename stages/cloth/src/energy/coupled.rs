@@ -138,6 +138,11 @@ impl Coupled {
         }
     }
 
+    /// Does any triangle carry more than its curves?
+    fn is_locking(&self, x: &[Vec3]) -> bool {
+        self.triangles.iter().zip(self.strains(x)).any(|(t, s)| self.fabrics[t.fabric as usize].is_locking(s.stretch))
+    }
+
     /// Strain of every triangle.
     pub fn strains<'a>(&'a self, x: &'a [Vec3]) -> impl Iterator<Item = Strain> + 'a {
         self.triangles.iter().map(|t| strain(&t.green(&t.edges(x))))
@@ -177,16 +182,9 @@ impl Energy for Coupled {
     }
 
     fn lock_over(&mut self, locking: f64, x: &[Vec3]) -> bool {
-        let locks = |me: &Self| {
-            me.triangles.iter().any(|t| {
-                let ([a, b], fabric) = (strain(&t.green(&t.edges(x))).stretch, &me.fabrics[t.fabric as usize]);
-                fabric.weft.is_locking(a - 1.0) || fabric.warp.is_locking(b - 1.0)
-            })
-        };
-        let before = locks(self);
-        let changed = self.fabrics.iter_mut().map(|f| f.weft.lock_over(locking) | f.warp.lock_over(locking));
-        let changed = changed.fold(false, |a, b| a | b);
-        changed && (before || locks(self))
+        let before = self.is_locking(x);
+        let changed = self.fabrics.iter_mut().fold(false, |any, f| f.lock_over(locking) | any);
+        changed && (before || self.is_locking(x))
     }
 
     fn energy(&self, x: &[Vec3]) -> f64 {

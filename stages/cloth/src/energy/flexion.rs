@@ -219,21 +219,21 @@ impl Rough {
         rigidities: &[Vector3<f64>],
         patches: &[(usize, Patch)],
     ) -> Option<Self> {
-        let beside = beside(topology);
         let gravity = or_earth(scene.gravity.norm());
         let length = |m: &Material| bending_length(m.bend_warp.min(m.bend_weft), m.areal_mass, gravity);
         let lengths: Vec<f64> = scene.materials.iter().map(length).collect();
-        let mut rough = Self { springs: Vec::new(), patches: Vec::new() };
-        for (n, (f, _)) in patches.iter().enumerate() {
-            let e = &scene.triangles[*f];
-            if is_wide(e, lengths[e.material as usize]) {
-                let folds = beside[*f].iter().flatten().map(|(h, own)| Fold::new(&topology.hinges[*h], *own, scene));
-                folds.for_each(|fold| rough.add(&fold, &rigidities[e.material as usize]));
-            } else {
-                rough.patches.push(n);
-            }
+        let wide = |f: usize| is_wide(&scene.triangles[f], lengths[scene.triangles[f].material as usize]);
+        let narrow: Vec<usize> = (0..patches.len()).filter(|n| !wide(patches[*n].0)).collect();
+        if NARROW * narrow.len() >= patches.len() {
+            return None;
         }
-        (NARROW * rough.patches.len() < patches.len()).then_some(rough)
+        let mut rough = Self { springs: Vec::new(), patches: narrow };
+        let beside = beside(topology);
+        for (f, _) in patches.iter().filter(|(f, _)| wide(*f)) {
+            let folds = beside[*f].iter().flatten().map(|(h, own)| Fold::new(&topology.hinges[*h], *own, scene));
+            folds.for_each(|fold| rough.add(&fold, &rigidities[scene.triangles[*f].material as usize]));
+        }
+        Some(rough)
     }
 
     /// Springs from the corners of the wings to the ends of the hinge, as stiff against their going up alone.
@@ -247,8 +247,7 @@ impl Rough {
 
 /// Is a triangle so wide that weight and stretch hold folds over it, not bending?
 fn is_wide(e: &Element, bending_length: f64) -> bool {
-    let longest = (0..3).map(|k| e.rest_length(k)).fold(0.0, f64::max);
-    2.0 * e.area().abs() / longest >= WIDE * bending_length
+    e.altitude() >= WIDE * bending_length
 }
 
 /// Stiffness of a fold by itself, in units of `rigidities`, half of it for each wing.

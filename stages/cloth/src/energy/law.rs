@@ -94,13 +94,13 @@ impl Law {
 
     /// Lets the cloth lock over this share of its limit, or over less if that is all it ever takes; says whether that is
     /// anything new.
-    pub fn lock_over(&mut self, locking: f64) -> bool {
+    fn lock_over(&mut self, locking: f64) -> bool {
         let before = std::mem::replace(&mut self.lock, Lock::at(self.limit, locking));
         before.width != self.lock.width
     }
 
     /// Does it carry more than its curve at this strain?
-    pub fn is_locking(&self, strain: f64) -> bool {
+    fn is_locking(&self, strain: f64) -> bool {
         strain > self.lock.from
     }
 
@@ -186,5 +186,15 @@ impl Fabric {
         let (warp, weft) = (law(&m.warp, m.strain_limit[0]), law(&m.weft, m.strain_limit[1]));
         let cross = m.poisson * warp.tangent(0.0).min(weft.tangent(0.0));
         Self { weft, warp, shear: m.shear, cross }
+    }
+
+    /// [`Law::lock_over`] of both directions.
+    pub fn lock_over(&mut self, locking: f64) -> bool {
+        self.weft.lock_over(locking) | self.warp.lock_over(locking)
+    }
+
+    /// Does it carry more than its curves at these stretches along weft and warp?
+    pub fn is_locking(&self, [weft, warp]: [f64; 2]) -> bool {
+        self.weft.is_locking(weft - 1.0) || self.warp.is_locking(warp - 1.0)
     }
 }

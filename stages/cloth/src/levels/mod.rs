@@ -90,7 +90,6 @@ impl Level {
 }
 
 fn coarse(fine: &Scene, mesh: &Mesh, number: &[u32], kept: &[u32]) -> Scene {
-    let stays = |v: &u32| number[*v as usize] != u32::MAX;
     let old = fine.triangles.iter().zip(&mesh.charts.places);
     let triangles = mesh.triangles.iter().zip(old).filter_map(|(corners, (old, places))| {
         corners.map(|c| {
@@ -102,26 +101,7 @@ fn coarse(fine: &Scene, mesh: &Mesh, number: &[u32], kept: &[u32]) -> Scene {
             }
         })
     });
-    let mut pins: Vec<_> = fine.pins.iter().filter(|p| stays(&p.vertex)).copied().collect();
-    pins.iter_mut().for_each(|p| p.vertex = number[p.vertex as usize]);
-    let mut loads: Vec<_> = fine.loads.iter().filter(|l| stays(&l.vertex)).copied().collect();
-    loads.iter_mut().for_each(|l| l.vertex = number[l.vertex as usize]);
-    let stitches = fine.stitches.iter().filter(|s| s.iter().all(stays));
-    Scene {
-        positions: kept.iter().map(|v| fine.positions[*v as usize]).collect(),
-        triangles: triangles.collect(),
-        materials: fine.materials.clone(),
-        pins,
-        loads,
-        stitches: stitches.map(|s| s.map(|v| number[v as usize])).collect(),
-        body: fine.body.clone(),
-        gravity: fine.gravity,
-        layers: if fine.layers.is_empty() {
-            Vec::new()
-        } else {
-            kept.iter().map(|v| fine.layers[*v as usize]).collect()
-        },
-    }
+    fine.part(kept, number, triangles.collect())
 }
 
 fn anchors(mesh: &Mesh, number: &[u32]) -> Vec<Vec<Anchor>> {

@@ -89,20 +89,22 @@ impl Descent<'_> {
         let start = self.x.clone();
         let far = FAR * self.goal.size(&start);
         self.goal.set_rough(true);
-        // Below 0: not widened yet.
         let begun = self.steps;
-        let mut locking = if self.goal.on_body() { -1.0 } else { self.widen_locks() };
+        let mut locks = if self.goal.on_body() { Locks::Untouched } else { self.widen_locks() };
         loop {
             self.lead();
             self.metric()?;
             self.look();
-            if locking > 0.0 && (self.decrement < NARROW_AT || self.resting()) {
-                locking = self.narrow_locks(locking);
-                if locking > 0.0 {
+            if let Locks::Wide(share) = locks
+                && (self.decrement < NARROW_AT || self.resting())
+            {
+                let changed;
+                (locks, changed) = self.narrow_locks(share);
+                if changed {
                     continue;
                 }
             }
-            if locking <= 0.0 && self.resting() {
+            if !matches!(locks, Locks::Wide(_)) && self.resting() {
                 if self.goal.is_rough() {
                     // Is it so with all of its bending, too?
                     self.goal.set_rough(false);
@@ -136,8 +138,8 @@ impl Descent<'_> {
             if self.steps >= self.settings.max_descents {
                 return Ok(StopReason::MaxSteps);
             }
-            if locking < 0.0 && self.steps - begun >= LONG_LOCKED {
-                locking = self.widen_locks();
+            if locks == Locks::Untouched && self.steps - begun >= LONG_LOCKED {
+                locks = self.widen_locks();
             }
             let b = self.block();
             stuck = if b.steps == 0 { stuck + 1 } else { 0 };
@@ -148,25 +150,27 @@ impl Descent<'_> {
         }
     }
 
-    /// Lets cloth lock over a wide share of its limits; gives it.
-    fn widen_locks(&mut self) -> f64 {
-        if self.goal.lock_over(WIDE_LOCK, &self.x) {
-            self.start_anew();
-        }
-        WIDE_LOCK
+    fn widen_locks(&mut self) -> Locks {
+        self.lock_over(WIDE_LOCK);
+        Locks::Wide(WIDE_LOCK)
     }
 
-    /// Lets locks be narrower, until that changes a force; over which share of the limits they are then, 0 where they are the
-    /// law's own.
-    fn narrow_locks(&mut self, mut locking: f64) -> f64 {
-        while locking > 0.0 {
-            locking = if locking > LEAST_LOCK { NARROWER * locking } else { 0.0 };
-            if self.goal.lock_over(locking, &self.x) {
-                self.start_anew();
-                return locking;
-            }
+    /// Lets locks be narrower than over this share of the limits, until that changes a force; says whether it did.
+    fn narrow_locks(&mut self, mut share: f64) -> (Locks, bool) {
+        let mut changed = false;
+        while share > 0.0 && !changed {
+            share = if share > LEAST_LOCK { NARROWER * share } else { 0.0 };
+            changed = self.lock_over(share);
         }
-        locking
+        (if share > 0.0 { Locks::Wide(share) } else { Locks::Own }, changed)
+    }
+
+    fn lock_over(&mut self, share: f64) -> bool {
+        let changed = self.goal.lock_over(share, &self.x);
+        if changed {
+            self.start_anew();
+        }
+        changed
     }
 
     /// Would a Newton step win more than all that is stored?
@@ -203,6 +207,17 @@ impl Descent<'_> {
             self.settings.move_tolerance * 1e3
         )
     }
+}
+
+/// How cloth locks at its strain limits while it settles.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Locks {
+    /// As the law has it, and not widened yet.
+    Untouched,
+    /// Over this share of the limits.
+    Wide(f64),
+    /// As the law has it again.
+    Own,
 }
 
 /// How far a descent has come: by the digits of what must become small.
