@@ -5,8 +5,10 @@ use crate::Vec3;
 use crate::exact::count;
 use crate::topology::Topology;
 
-/// More crossing pairs than this share of the triangles are no pinch: the start is wrong.
+/// More crossing pairs than this share of the triangles are no pinch, nor a few of them (one vertex drawn through the cloth
+/// makes up to a dozen): the start is wrong.
 const MOST_SHARE: f64 = 0.02;
+const MOST_FEW: f64 = 24.0;
 const ROUNDS: usize = 60;
 /// Rounds after which the smoothed neighbourhood grows by one ring.
 const WIDEN: usize = 8;
@@ -16,7 +18,7 @@ const PULL: f64 = 0.5;
 /// Smooths the cloth around its crossings; held vertices stay. Returns the pairs left.
 pub(crate) fn untangle(x: &mut [Vec3], topology: &Topology, held: &[bool]) -> Vec<[u32; 2]> {
     let neighbours = neighbours(x.len(), topology);
-    let most = (MOST_SHARE * topology.faces.len() as f64).max(8.0) as usize;
+    let most = (MOST_SHARE * topology.faces.len() as f64).max(MOST_FEW) as usize;
     let mut found = count::own(x, &topology.faces);
     for round in 0..ROUNDS {
         if found.count == 0 || found.count > most {

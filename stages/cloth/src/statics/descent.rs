@@ -1,5 +1,6 @@
 //! The descent: blocks of quasi-Newton steps around one factor, until a Newton step would win nothing more.
 
+use super::lead::Leading;
 use super::memory::{Memory, dot};
 use super::objective::Objective;
 use crate::collide::stick::Stick;
@@ -69,9 +70,11 @@ pub(crate) struct Descent<'a> {
     pub decrement: f64,
     pub longest: f64,
     pub residual: f64,
-    weight: f64,
+    /// Mean of a vertex, N.
+    pub(super) weight: f64,
     /// Vertices moved before the first step, and the largest move, m.
     pub repaired: (usize, f64),
+    pub(super) leading: Leading,
     /// Blocks until the true metric is tried again, and how many it will be after the next failure.
     wait: u32,
     patience: u32,
@@ -125,6 +128,7 @@ impl<'a> Descent<'a> {
             residual: f64::INFINITY,
             weight,
             repaired,
+            leading: Leading::default(),
             wait: 0,
             patience: 0,
         };
@@ -296,32 +300,13 @@ impl<'a> Descent<'a> {
             && self.pins_placed()
     }
 
-    fn pins_placed(&self) -> bool {
+    pub(super) fn pins_placed(&self) -> bool {
         self.goal.pins.iter().all(|(v, at)| (at - self.x[*v as usize]).norm() <= 1e-6)
     }
 
     /// Holds the held vertices where they are.
     pub fn hold_here(&mut self) {
         self.goal.pins.iter_mut().for_each(|(v, at)| *at = self.x[*v as usize]);
-    }
-
-    /// Leads held vertices towards their places, as far as nothing is in the way.
-    pub fn lead(&mut self) {
-        if self.pins_placed() {
-            return;
-        }
-        let most = 0.5 * self.goal.edge;
-        let mut step = vec![Vec3::zeros(); self.x.len()];
-        for (v, at) in &self.goal.pins {
-            let d = at - self.x[*v as usize];
-            step[*v as usize] = if d.norm() > most { d * (most / d.norm()) } else { d };
-        }
-        self.limit(&mut step);
-        self.x.iter_mut().zip(&step).for_each(|(x, d)| *x += d);
-        if let Some(b) = &mut self.goal.barrier {
-            b.took(&self.x);
-        }
-        self.start_anew();
     }
 
     /// Shortens a step so that nothing crosses.
@@ -419,6 +404,7 @@ impl<'a> Descent<'a> {
 
     /// Adapts the shift to how the block went.
     pub fn adapt(&mut self, b: Block) {
+        self.leading.adapt(b.mean, self.decrement);
         if self.stiffen(b) {
             return;
         }

@@ -1,0 +1,117 @@
+//! Held vertices that must get elsewhere are led there, no faster than the cloth follows: led alone, the few that move would
+//! tear at the others.
+
+use super::descent::Descent;
+use crate::Vec3;
+use crate::linear::hessian::scattered;
+
+/// Longest way that held vertices are led at a time, over the mean edge, and the shortest.
+const MOST: f64 = 0.5;
+const LEAST: f64 = 1e-3;
+/// Mean part of the steps of a block below which the cloth did not follow those that were led: they wait, and go less far.
+const FOLLOWS: f64 = 0.1;
+/// What a Newton step would win over the elastic energy, above which they wait, too.
+const TAUT: f64 = 0.5;
+/// What a step of held vertices may raise the energy by, over what is stored and its lifting, and how often it is quartered for that.
+const TEARS: f64 = 10.0;
+const SHORTENED: usize = 4;
+/// Part of a step of held vertices that shows what it changes in the forces.
+const TOUCH: f64 = 1e-3;
+
+/// How held vertices are led.
+#[derive(Debug)]
+pub(super) struct Leading {
+    /// How far next, over the mean edge.
+    way: f64,
+    /// Do they wait for the cloth?
+    waits: bool,
+}
+
+impl Default for Leading {
+    fn default() -> Self {
+        Self { way: MOST, waits: false }
+    }
+}
+
+impl Leading {
+    /// After a block of steps of this mean part, from a state from which a Newton step would win so much.
+    pub fn adapt(&mut self, mean: f64, decrement: f64) {
+        let follows = mean >= FOLLOWS;
+        // Sewing never looks at the rest.
+        self.waits = !follows || decrement.is_finite() && decrement > TAUT;
+        self.way = (self.way * if follows { 2.0 } else { 0.5 }).clamp(LEAST, MOST);
+    }
+}
+
+impl Descent<'_> {
+    /// Leads held vertices towards their places, as far as nothing is in the way and the cloth follows.
+    pub fn lead(&mut self) {
+        if self.leading.waits || self.pins_placed() {
+            return;
+        }
+        let most = self.leading.way * self.goal.edge;
+        let mut step = vec![Vec3::zeros(); self.x.len()];
+        for (v, at) in &self.goal.pins {
+            let d = at - self.x[*v as usize];
+            step[*v as usize] = if d.norm() > most { d * (most / d.norm()) } else { d };
+        }
+        self.x = self.led(step);
+        if let Some(b) = &mut self.goal.barrier {
+            b.took(&self.x);
+        }
+        self.start_anew();
+    }
+
+    /// Where a step of held vertices leads, shortened until it does not tear at the others.
+    fn led(&mut self, mut step: Vec<Vec3>) -> Vec<Vec3> {
+        // What lifting all of the cloth so far would take is no sign of tearing.
+        let stored = self.goal.elastic(&self.x) + self.weight * self.x.len() as f64 * crate::longest(&step);
+        let mut best = self.after(step.clone());
+        for _ in 0..SHORTENED {
+            if best.1 - self.energy <= stored || self.factor.factors == 0 {
+                break;
+            }
+            let along = self.carried(&step);
+            let along = self.after(along);
+            if along.1 < best.1 {
+                best = along;
+            }
+            if best.1 - self.energy <= TEARS * stored {
+                break;
+            }
+            step.iter_mut().for_each(|d| *d *= 0.25);
+            best = self.after(step.clone());
+        }
+        best.0
+    }
+
+    /// Where a step leads as far as nothing crosses, and the energy there.
+    fn after(&mut self, mut step: Vec<Vec3>) -> (Vec<Vec3>, f64) {
+        self.limit(&mut step);
+        let place: Vec<Vec3> = self.x.iter().zip(&step).map(|(x, d)| x + d).collect();
+        let (from, before) = (std::mem::replace(&mut self.x, place), self.energy);
+        self.evaluate();
+        let energy = std::mem::replace(&mut self.energy, before);
+        (std::mem::replace(&mut self.x, from), energy)
+    }
+
+    /// A step of held vertices, and of the cloth along with them as the last metric answers to what they change in the
+    /// forces.
+    fn carried(&mut self, step: &[Vec3]) -> Vec<Vec3> {
+        self.evaluate();
+        let (from, force) = (self.x.clone(), self.f.clone());
+        self.x.iter_mut().zip(step).for_each(|(x, d)| *x += d * TOUCH);
+        self.evaluate();
+        let mut d: Vec<Vec3> = self.f.iter().zip(&force).map(|(p, q)| (p - q) / TOUCH).collect();
+        self.x = from;
+        self.evaluate();
+        self.factor.solve(&mut d);
+        let (led, along) = (crate::longest(step), crate::longest(&d));
+        if !along.is_finite() {
+            return step.to_vec();
+        }
+        let mut all = scattered(&self.goal.unknown, &d, if along > led { led / along } else { 1.0 });
+        all.iter_mut().zip(step).for_each(|(d, s)| *d += s);
+        all
+    }
+}
