@@ -45,7 +45,8 @@ impl Stage for Animate {
             Some(path) => body::frames(path, params, &garment, cx)?,
             None => Vec::new(),
         };
-        let motion = params.motion(frames);
+        let rests = garment.certificate.as_ref().is_some_and(|c| c.settled);
+        let motion = params.motion(frames, rests);
         let settings = params.settings(cx.threads);
         let mut store = Store::new(&welded.scene, &settings);
         let trip = film(&welded.scene, params, &motion, &mut store, cx)?;

@@ -134,9 +134,9 @@ impl AnimateParams {
         }
     }
 
-    /// What moves.
+    /// What moves; the cloth `rests` at the start, or falls from there.
     #[must_use]
-    pub fn motion(&self, body: Vec<Vec<Vec3>>) -> Motion {
+    pub fn motion(&self, body: Vec<Vec<Vec3>>, rests: bool) -> Motion {
         let seconds = |s: f64| (s * self.fps).ceil() as usize;
         let own = match (body.len(), self.until_settled) {
             (n, true) => n + seconds(MOST_SECONDS),
@@ -150,6 +150,7 @@ impl AnimateParams {
             body,
             lead_in: self.lead_in.0,
             velocities: Vec::new(),
+            rests,
         }
     }
 }

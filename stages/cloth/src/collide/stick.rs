@@ -2,13 +2,17 @@
 //! μ times the normal force, then slides with that force (docs/static.md). Normal force, normal and place are those
 //! of the last refresh; what slid is taken over into the new place, so real stick stays and nothing creeps.
 
-use super::barrier::{BODY_POINT, Touch};
+use super::barrier::Touch;
 use crate::Vec3;
-use crate::linear::hessian::Hessian;
+use crate::linear::hessian::{FIXED, Hessian};
 use nalgebra::Matrix3;
 
 /// Contacts give way along the body by no more than this share of their gap before they slide.
 const REACH: f64 = 0.03;
+
+/// Rounds in which the loads of a start in balance are shared out, at most, and the change over the largest limit that ends them.
+const SWEEPS: usize = 2000;
+const SHARED: f64 = 1e-5;
 
 struct Hold {
     vertices: [u32; 4],
@@ -58,6 +62,24 @@ impl Hold {
         p
     }
 
+    /// Its vertices that are not held otherwise, and their weights.
+    fn free<'a>(&'a self, unknown: &'a [u32]) -> impl Iterator<Item = (usize, f64)> + 'a {
+        let all = self.vertices.iter().map(|v| *v as usize).zip(self.weights);
+        all.filter(|(v, w)| *w != 0.0 && unknown[*v] != FIXED)
+    }
+
+    /// The pull within its limit that, in place of `pull`, leaves least of the forces on its vertices.
+    fn bears(&self, pull: Vec3, forces: &[Vec3], unknown: &[u32]) -> Vec3 {
+        let add = |(r, ww): (Vec3, f64), (v, w): (usize, f64)| (r + forces[v] * w, ww + w * w);
+        let (r, ww) = self.free(unknown).fold((Vec3::zeros(), 0.0), add);
+        if ww <= 0.0 {
+            return pull;
+        }
+        let new = pull - (r - self.normal * self.normal.dot(&r)) / ww;
+        let l = new.norm();
+        if l > self.most { new * (self.most / l) } else { new }
+    }
+
     /// Tangential elongation of the spring.
     #[inline]
     fn slide(&self, x: &[Vec3]) -> Vec3 {
@@ -90,13 +112,24 @@ impl Stick {
         self.holds = holds;
     }
 
-    /// Strains the holds of vertices on the body until each pulls with the force given, N; vertices ascending.
-    pub fn take_up(&mut self, pulls: &[(u32, Vec3)]) {
-        for h in self.holds.iter_mut().filter(|h| h.key.0 == BODY_POINT) {
-            if let Ok(i) = pulls.binary_search_by_key(&h.vertices[0], |p| p.0) {
-                h.place += pulls[i].1 / h.stiffness;
+    /// Strains the holds until their pulls, none over its limit, leave as little as they can of these forces on all vertices
+    /// (projected Gauss–Seidel on the balance).
+    pub fn take_up(&mut self, mut forces: Vec<Vec3>, unknown: &[u32]) {
+        let mut pulls = vec![Vec3::zeros(); self.holds.len()];
+        let near = SHARED * self.holds.iter().map(|h| h.most).fold(0.0, f64::max);
+        for _ in 0..SWEEPS {
+            let mut largest: f64 = 0.0;
+            for (h, pull) in self.holds.iter().zip(&mut pulls) {
+                let new = h.bears(*pull, &forces, unknown);
+                largest = largest.max((new - *pull).norm());
+                h.free(unknown).for_each(|(v, w)| forces[v] += (new - *pull) * w);
+                *pull = new;
+            }
+            if largest <= near {
+                break;
             }
         }
+        self.holds.iter_mut().zip(&pulls).for_each(|(h, pull)| h.place += pull / h.stiffness);
     }
 
     /// The body moved: what holds to it is held elsewhere now; `shift` tells by how much for each pair.

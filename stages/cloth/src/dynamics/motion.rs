@@ -40,11 +40,21 @@ pub struct Motion {
     pub lead_in: f64,
     /// Velocities at the start, m/s; empty for rest.
     pub velocities: Vec<Vec3>,
+    /// Is the start a place of rest? Then what lies on the body is held there with the loads that it rested with.
+    pub rests: bool,
 }
 
 impl Default for Motion {
     fn default() -> Self {
-        Self { fps: 30.0, frames: 1, until_settled: false, body: Vec::new(), lead_in: 1.0, velocities: Vec::new() }
+        Self {
+            fps: 30.0,
+            frames: 1,
+            until_settled: false,
+            body: Vec::new(),
+            lead_in: 1.0,
+            velocities: Vec::new(),
+            rests: false,
+        }
     }
 }
 

@@ -70,6 +70,9 @@ impl<'a> Walk<'a> {
         // Its shift is the inertia of a time step.
         let mut descent = Descent::new(scene, settings, start, false);
         descent.unit = 1.0;
+        if motion.rests && descent.preload() && descent.far_from_rest() {
+            descent.unload();
+        }
         let mut free: Vec<bool> = descent.goal.mass.iter().map(|m| *m > 0.0).collect();
         descent.goal.pins.iter().for_each(|p| free[p.0 as usize] = false);
         let n = descent.x.len();

@@ -193,15 +193,15 @@ impl<'a> Descent<'a> {
     pub fn preload(&mut self) -> bool {
         let goal = &mut self.goal;
         let Some(b) = goal.barrier.as_mut().filter(|_| goal.stick.is_some()) else { return false };
-        let pulls = b.preload(&self.x, &self.f, &goal.unknown);
-        if pulls.is_empty() {
+        if !b.preload(&self.x, &self.f, &goal.unknown) {
             return false;
         }
         self.start_anew();
         let goal = &mut self.goal;
+        let forces = goal.forces().to_vec();
         if let (Some(stick), Some(b)) = (&mut goal.stick, &goal.barrier) {
             stick.refresh(&self.x, &b.touches, b.frame.press);
-            stick.take_up(&pulls);
+            stick.take_up(forces, &goal.unknown);
         }
         self.evaluate();
         true

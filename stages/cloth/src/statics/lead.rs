@@ -8,6 +8,8 @@ use crate::linear::hessian::scattered;
 /// Longest way that held vertices are led at a time, over the mean edge, and the shortest.
 const MOST: f64 = 0.5;
 const LEAST: f64 = 1e-3;
+/// The longest where cloth rubs: what slides is held by the pressure before the way, and would slide too far along a long one.
+const MOST_RUBBING: f64 = 0.1;
 /// Mean part of the steps of a block below which the cloth did not follow those that were led: they wait, and go less far.
 const FOLLOWS: f64 = 0.1;
 /// What a Newton step would win over the elastic energy, above which they wait, too.
@@ -49,7 +51,8 @@ impl Descent<'_> {
         if self.leading.waits || self.pins_placed() {
             return;
         }
-        let most = self.leading.way * self.goal.edge;
+        let rubs = self.goal.rubs() && self.goal.seams.is_none();
+        let most = self.leading.way.min(if rubs { MOST_RUBBING } else { MOST }) * self.goal.edge;
         let mut step = vec![Vec3::zeros(); self.x.len()];
         for (v, at) in &self.goal.pins {
             let d = at - self.x[*v as usize];

@@ -174,7 +174,7 @@ impl Descent<'_> {
     }
 
     /// Would a Newton step win more than all that is stored?
-    fn far_from_rest(&mut self) -> bool {
+    pub fn far_from_rest(&mut self) -> bool {
         if self.metric().is_err() {
             return true;
         }

@@ -34,10 +34,9 @@ impl Barrier {
 
     /// Loads the contacts of cloth that lies on the body at the start with what holds it in balance, `forces` on the unknowns
     /// being all that acts: cloth that was draped before comes without the loads of its contacts, and would lose its
-    /// friction in the first steps. Gives the vertices of which this is so, ascending, and what each of their contacts has
-    /// to hold along the body, N.
-    pub fn preload(&mut self, x: &[Vec3], forces: &[Vec3], unknown: &[u32]) -> Vec<(u32, Vec3)> {
-        let mut loaded = Vec::new();
+    /// friction in the first steps. Says whether any of it lies there.
+    pub fn preload(&mut self, x: &[Vec3], forces: &[Vec3], unknown: &[u32]) -> bool {
+        let mut any = false;
         for (vertex, pushes) in self.lying(x) {
             let v = vertex as usize;
             if unknown[v] == FIXED {
@@ -49,18 +48,17 @@ impl Barrier {
                 let of = |(d, n): &(f64, Vec3)| if *d < gap { -k * barrier(*d, gap).1 * n.dot(&up) } else { 0.0 };
                 pushes.iter().map(of).sum::<f64>()
             };
-            let force = forces[unknown[v] as usize];
-            let (pressed, now) = (-force.dot(&up), push(self.frame.body_gap[v]));
+            let (pressed, now) = (-forces[unknown[v] as usize].dot(&up), push(self.frame.body_gap[v]));
+            any = true;
             if pressed > 0.0 {
                 let farthest = (1.0 + FARTHEST) * self.wanted[v];
                 self.frame.body_gap[v] = halved([self.wanted[v], farthest], |g| push(g) < now + pressed);
-                loaded.push((vertex, (-pressed * up - force) / pushes.len() as f64));
             }
         }
-        if !loaded.is_empty() {
+        if any {
             self.relist(x);
         }
-        loaded
+        any
     }
 
     /// Takes back what [`Self::preload`] did.
@@ -133,13 +131,18 @@ mod tests {
         let (mut b, x) = lying();
         let pressed = Vec3::new(1e-4, -1e-3, 0.0);
         let forces = [pressed, Vec3::new(0.0, 1e-3, 0.0), pressed];
-        let pulls = b.preload(&x, &forces, &[0, 1, FIXED]);
-        assert_eq!(pulls.iter().map(|p| p.0).collect::<Vec<_>>(), [0], "lifted and held vertices bear nothing");
+        assert!(b.preload(&x, &forces, &[0, 1, FIXED]));
         let mut held = [Vec3::zeros(); 3];
         b.evaluate(&x, &mut held);
         let mut stick = Stick::default();
         stick.refresh(&x, &b.touches, b.frame.press);
-        stick.take_up(&pulls);
+        assert_eq!(
+            b.touches.iter().map(|t| t.vertices[0]).collect::<Vec<_>>(),
+            [0],
+            "lifted and held ones bear nothing"
+        );
+        let all: Vec<Vec3> = forces.iter().zip(&held).map(|(f, h)| f + h).collect();
+        stick.take_up(all, &[0, 1, FIXED]);
         stick.evaluate(&x, &mut held);
         assert!((held[0] + pressed).norm() < 1e-8, "{:?}", held[0]);
         b.unload(&x);
