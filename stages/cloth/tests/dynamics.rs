@@ -2,11 +2,11 @@
 
 mod common;
 
-use common::{cotton, linear, noise, regular, sheet, sphere};
+use common::{cotton, jitter, linear, noise, regular, sheet, sphere};
 use std::f64::consts::PI;
 use toile_cloth::{
     BodyMesh, ClothError, Dynamics, Effects, Integrator, Motion, Pin, Scene, Settings, Silent, Switch, Vec3, animate,
-    certify,
+    certify, drape,
 };
 
 const G: f64 = 9.81;
@@ -387,4 +387,27 @@ fn central_differences_fall_exactly_and_tell_what_they_cannot() {
     let body = shifted(on_body.body.as_ref().unwrap(), 20.0, 5, |t| Vec3::x() * t);
     let moving = ask(&on_body, &exact(1e-4), &Motion { body, ..motion });
     assert!(matches!(moving, ClothError::BadSetting { name: "integrator", .. }), "{moving}");
+}
+
+/// What was draped on a body stays where it rests: its contacts, those of edges and faces as well, start with the friction
+/// that held it.
+#[test]
+fn cloth_at_rest_on_a_ball_stays_there() {
+    let mut scene = sheet(0.2, 0.2, 10, 10, cotton(), |x, y| Vec3::new(x - 0.1, 0.102, y - 0.1));
+    scene.gravity = Vec3::new(0.0, -G, 0.0);
+    scene.body = Some(sphere(Vec3::zeros(), 0.1, 12));
+    jitter(&mut scene, 2);
+    let settings = Settings::default();
+    let rest = drape(&scene, &settings, &mut Silent).expect("a drape");
+    assert!(rest.settled);
+    scene.positions = rest.positions;
+    let farthest = |rests: bool| {
+        let motion = Motion { fps: 30.0, frames: 16, rests, ..Motion::default() };
+        let shots = film(&scene, &settings, &Dynamics::default(), &motion);
+        let moved = |shot: &Shot| shot.x.iter().zip(&scene.positions).map(|(p, q)| (p - q).norm()).fold(0.0, f64::max);
+        shots.iter().map(moved).fold(0.0, f64::max)
+    };
+    let (held, let_go) = (farthest(true), farthest(false));
+    assert!(held < 3e-5, "{held} m");
+    assert!(let_go > 10.0 * held, "{let_go} m with its friction lost, {held} m with it");
 }
