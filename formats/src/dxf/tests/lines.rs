@@ -40,6 +40,26 @@ fn doubled_vertices_and_spikes_pass() {
     assert!(piece.darts.is_empty());
 }
 
+/// A damaged number makes a needle of 40 m of a side; a smooth curve through its points turns the outline inside out.
+#[test]
+fn a_curve_that_would_turn_the_outline_over_is_not_taken() {
+    let corners = [(0.0, 0.0), (480.0, 0.0), (470.0, 620.0), (18.0, 620.0)];
+    let low = [(4.3, 500.0), (2.4, 470.0), (1.1, 440.0)];
+    let ends = [(0.3, 41_560.0), (6.8, 530.0)];
+    let side: Vec<(f64, f64)> = [(13.2, 590.0), (9.7, 86.0)]
+        .into_iter()
+        .chain(low)
+        .chain(ends)
+        .chain(low)
+        .chain([(0.3, 410.0), (0.0, 380.0)])
+        .collect();
+    let outline: Vec<(f64, f64)> = corners.into_iter().chain(side.iter().copied()).collect();
+    let pattern = good(&file(|w| w.polyline("1", true, &outline).points("2", &corners).points("3", &side)));
+    let work = geom::area(&pattern.pieces[0].boundary.work_positions());
+    assert!(work > 0.0, "{work}");
+    assert!(codes(&pattern.findings).contains(&"curve-not-smoothed"), "{:?}", codes(&pattern.findings));
+}
+
 #[test]
 fn curves_of_later_releases() {
     // A square of 200 mm with a half circle on its right side, as LWPOLYLINE with a bulge.
