@@ -162,6 +162,10 @@ quantity!(
     Acceleration, "acceleration", "9.81 m/s2", [("m/s2", 1.0), ("m/s²", 1.0)]
 );
 quantity!(
+    /// Pressure, Pa inside.
+    Pressure, "pressure", "50 Pa", [("Pa", 1.0), ("hPa", 100.0), ("kPa", 1e3), ("mbar", 100.0), ("mmHg", 133.322_387_415)]
+);
+quantity!(
     /// Force, N inside.
     Force, "force", "1 N", [("N", 1.0), ("mN", 1e-3), ("gf", 9.806_65e-3)]
 );

@@ -10,13 +10,14 @@ pub(crate) enum Work {
     Friction,
     Sewing,
     Hysteresis,
+    Pressure,
     /// Metric, factor and directions of the descent.
     Descent,
 }
 
 /// CPU seconds by kind of work.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Costs([f64; 7]);
+pub(crate) struct Costs([f64; 8]);
 
 impl Costs {
     /// Counts the time since the last look.

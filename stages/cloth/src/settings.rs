@@ -63,6 +63,8 @@ pub struct Settings {
     pub stiffness_damping: f64,
     /// Factor on the scene's gravity.
     pub gravity_scale: f64,
+    /// Pressure that pushes the cloth to its front side, Pa; static only.
+    pub pressure: f64,
     /// Distance at which vertices are held off the body, m.
     pub body_gap: f64,
     /// Distance at which cloth is held off cloth, m; at least the fabric's thickness is used.
@@ -115,6 +117,7 @@ impl Default for Settings {
             damping: 4.0,
             stiffness_damping: 0.2,
             gravity_scale: 1.0,
+            pressure: 0.0,
             body_gap: 1e-3,
             self_gap: 1e-3,
             sewing_stiffness: 0.05,

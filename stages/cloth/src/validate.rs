@@ -127,10 +127,11 @@ fn body(scene: &Scene) -> Result<(), ClothError> {
 
 /// Checks the ranges of all numbers.
 pub(crate) fn settings(s: &Settings) -> Result<(), ClothError> {
-    let ranges: [(&'static str, f64, f64, f64); 15] = [
+    let ranges: [(&'static str, f64, f64, f64); 16] = [
         ("damping", s.damping, 0.0, 1e6),
         ("stiffness_damping", s.stiffness_damping, 0.0, 2.0),
         ("gravity_scale", s.gravity_scale, -1e6, 1e6),
+        ("pressure", s.pressure, -1e7, 1e7),
         ("body_gap", s.body_gap, 1e-6, 0.1),
         ("self_gap", s.self_gap, 1e-6, 0.1),
         ("sewing_stiffness", s.sewing_stiffness, 0.0, 1.0),
@@ -161,6 +162,10 @@ fn excluded(s: &Settings) -> Result<(), ClothError> {
         let what =
             "central differences do not simulate friction in bending; use the static integrator, or leave it out";
         return Err(ClothError::BadSetting { name: "effects.bending-hysteresis", what: what.into() });
+    }
+    if s.integrator == Integrator::CentralDifference && s.pressure != 0.0 {
+        let what = "central differences know no pressure; use the static integrator, or leave it out";
+        return Err(ClothError::BadSetting { name: "pressure", what: what.into() });
     }
     Ok(())
 }

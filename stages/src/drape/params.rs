@@ -4,7 +4,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use toile_cloth::{Effects, Integrator, Model, Settings, Switch};
-use toile_garment::units::{Acceleration, Duration, Length};
+use toile_garment::units::{Acceleration, Duration, Length, Pressure};
 
 /// In-plane model.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -78,6 +78,10 @@ pub struct EffectsParam {
 pub struct DrapeParams {
     /// Downward acceleration.
     pub gravity: Acceleration,
+    /// Pressure behind the cloth: pushes every triangle to the side from which its corners run counter-clockwise (outwards,
+    /// for pieces placed with their right side out). Not with `central-difference`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub pressure: Option<Pressure>,
     /// In-plane model.
     pub model: ModelName,
     /// Time stepping.
@@ -100,6 +104,7 @@ impl Default for DrapeParams {
     fn default() -> Self {
         Self {
             gravity: Acceleration(9.81),
+            pressure: None,
             model: ModelName::default(),
             integrator: IntegratorName::default(),
             accuracy: AccuracyName::default(),
@@ -133,6 +138,7 @@ impl DrapeParams {
                 strain_limit: self.effects.strain_limit.into(),
                 bending_hysteresis: self.effects.bending_hysteresis.into(),
             },
+            pressure: self.pressure.map_or(0.0, |p| p.0),
             body_gap: self.body_gap.0,
             self_gap: self.self_gap.0,
             decrement_tolerance: base.decrement_tolerance * share,

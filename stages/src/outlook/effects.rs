@@ -9,6 +9,7 @@ use toile_cloth::{HYSTERESIS_FELT, Integrator};
 use toile_garment::Garment;
 use toile_garment::fabric::Fabric;
 use toile_garment::garment::EffectRecord;
+use toile_garment::units::Pressure;
 
 /// The effects of `drape` with these parameters.
 pub fn effects(params: &Value, garment: &Garment, mesh: Option<MeshSize>) -> Vec<EffectRecord> {
@@ -27,7 +28,16 @@ pub fn effects(params: &Value, garment: &Garment, mesh: Option<MeshSize>) -> Vec
     let switch = switches.bending_hysteresis;
     let evidence = of_bending(params, switch, garment);
     let bending = effect("bending-hysteresis", switch, toile_cloth::HYSTERESIS_RULE, evidence);
-    vec![own, body, friction, limit, bending]
+    let mut list = vec![own, body, friction, limit, bending];
+    list.extend(pressure(params));
+    list
+}
+
+/// Only where one is given.
+fn pressure(params: &Value) -> Option<EffectRecord> {
+    let p = Pressure::deserialize(params.get("pressure")?).ok().filter(|p| p.0 != 0.0)?;
+    Some(effect("pressure", SwitchName::On, "", (true, p.to_string())))
+        .map(|e| EffectRecord { rule: "a pressure is given".to_owned(), ..e })
 }
 
 /// Does the scene call for it, and what says so.

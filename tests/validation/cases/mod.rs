@@ -15,6 +15,7 @@ mod kes;
 mod leapfrog;
 pub mod not_yet;
 mod off_axis;
+mod pressure;
 mod ring;
 mod sewn;
 mod sleeve;
@@ -35,6 +36,7 @@ pub fn all() -> Vec<Case> {
     list.extend(bias::cases());
     list.extend(cantilever::cases());
     list.extend(friction::cases());
+    list.extend(pressure::cases());
     list.extend(sleeve::cases());
     list.extend(cones::cases());
     list.extend(sewn::cases());

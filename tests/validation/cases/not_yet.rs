@@ -1,13 +1,12 @@
 //! Public cases that the program cannot run yet; they are in no count.
 
 /// Case, and what it waits for.
-const LIST: [(&str, &str); 6] = [
+const LIST: [(&str, &str); 5] = [
     (
         "lattice-equilateral",
         "bare edge springs: the program takes fabrics; `--model springs` shows what springs make of them",
     ),
     ("lattice-square", "the same"),
-    ("pressure-tube-0", "an inner pressure"),
     ("penalty-0", "a penalty floor: contact is a barrier, and hits do not rebound (stages/cloth/docs/dynamics.md)"),
     (
         "leapfrog-damped-0",

@@ -135,6 +135,9 @@ impl<'a> Descent<'a> {
         if let Some(b) = &mut descent.goal.barrier {
             b.cover(&descent.x, &vec![Vec3::zeros(); descent.x.len()]);
         }
+        if let Some(p) = &mut descent.goal.pressure {
+            p.refresh(&descent.x);
+        }
         descent.evaluate();
         descent
     }
@@ -247,7 +250,7 @@ impl<'a> Descent<'a> {
         done
     }
 
-    /// New normal forces and holds from the contacts and folds here; what slid is taken over.
+    /// New normal forces and holds from the contacts and folds here, and what pressure pushes; what slid is taken over.
     pub fn refresh_friction(&mut self) {
         let goal = &mut self.goal;
         let mut lap = Lap::start();
@@ -259,7 +262,11 @@ impl<'a> Descent<'a> {
             h.refresh(&self.x);
             goal.costs.spend(Work::Hysteresis, &mut lap);
         }
-        if self.goal.rubs() {
+        if let Some(p) = &mut goal.pressure {
+            p.refresh(&self.x);
+            goal.costs.spend(Work::Pressure, &mut lap);
+        }
+        if self.goal.rubs() || self.goal.pressure.is_some() {
             self.evaluate();
         }
     }

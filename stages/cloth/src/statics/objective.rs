@@ -9,6 +9,7 @@ use crate::collide::tree::Aabb;
 use crate::cost::{Costs, Lap, Work};
 use crate::dynamics::inert::Inert;
 use crate::energy::hysteresis::{self, Hysteresis};
+use crate::energy::pressure::Pressure;
 use crate::energy::{Energy, elastic};
 use crate::linear::hessian::{FIXED, Pattern};
 use crate::problem::{areas, frame, held, masses, model};
@@ -21,6 +22,7 @@ pub(crate) struct Objective {
     pub barrier: Option<Barrier>,
     pub stick: Option<Stick>,
     pub hysteresis: Option<Hysteresis>,
+    pub pressure: Option<Pressure>,
     pub seams: Option<Seams>,
     /// Inertia and damping of a stage of a time step; none at rest.
     pub inert: Option<Inert>,
@@ -79,6 +81,7 @@ impl Objective {
                 barrier,
                 stick,
                 hysteresis,
+                pressure: Pressure::new(scene, s.pressure),
                 seams,
                 inert: None,
                 mass,
@@ -118,6 +121,10 @@ impl Objective {
         if let Some(h) = &self.hysteresis {
             energy += h.evaluate(x, all);
             self.costs.spend(Work::Hysteresis, &mut lap);
+        }
+        if let Some(p) = &self.pressure {
+            energy += p.evaluate(x, all);
+            self.costs.spend(Work::Pressure, &mut lap);
         }
         if let Some(b) = &mut self.barrier {
             energy += b.evaluate(x, all);

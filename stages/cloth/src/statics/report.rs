@@ -39,6 +39,7 @@ pub(crate) fn effects(d: &Descent<'_>, scene: &Scene) -> Vec<EffectReport> {
         effect("sewing", true, "stitches are to be closed".into(), "threads pull every stitched pair".into())
     }));
     list.extend([self_contact(d), body_contact(d), friction(d), strain_limit(d, scene), bending_hysteresis(d, scene)]);
+    list.extend(d.goal.pressure.as_ref().map(|p| effect("pressure", true, "a pressure is given".into(), p.words())));
     for e in &mut list {
         e.cpu_seconds = work(e.name).filter(|_| e.on).map_or(0.0, |w| costs.of(w));
     }
@@ -54,6 +55,7 @@ fn work(name: &str) -> Option<Work> {
         "body-contact" => Work::BodyContact,
         "friction" => Work::Friction,
         "bending-hysteresis" => Work::Hysteresis,
+        "pressure" => Work::Pressure,
         _ => return None,
     })
 }
