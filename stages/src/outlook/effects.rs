@@ -36,8 +36,7 @@ pub fn effects(params: &Value, garment: &Garment, mesh: Option<MeshSize>) -> Vec
 /// Only where one is given.
 fn pressure(params: &Value) -> Option<EffectRecord> {
     let p = Pressure::deserialize(params.get("pressure")?).ok().filter(|p| p.0 != 0.0)?;
-    Some(effect("pressure", SwitchName::On, "", (true, p.to_string())))
-        .map(|e| EffectRecord { rule: "a pressure is given".to_owned(), ..e })
+    Some(effect("pressure", SwitchName::Auto, "a pressure is given", (true, p.to_string())))
 }
 
 /// Does the scene call for it, and what says so.

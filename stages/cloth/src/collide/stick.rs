@@ -10,7 +10,8 @@ use nalgebra::Matrix3;
 /// Contacts give way along the body by no more than this share of their gap before they slide.
 const REACH: f64 = 0.03;
 
-/// Rounds in which the loads of a start in balance are shared out, at most, and the change over the largest limit that ends them.
+/// Rounds in which the loads of a start in balance are shared out, at most, and the change over the largest limit that ends
+/// them.
 const SWEEPS: usize = 2000;
 const SHARED: f64 = 1e-5;
 

@@ -14,7 +14,8 @@ const MOST_RUBBING: f64 = 0.1;
 const FOLLOWS: f64 = 0.1;
 /// What a Newton step would win over the elastic energy, above which they wait, too.
 const TAUT: f64 = 0.5;
-/// What a step of held vertices may raise the energy by, over what is stored and its lifting, and how often it is quartered for that.
+/// What a step of held vertices may raise the energy by, over what is stored and the lifting of the cloth, and how often it
+/// is quartered for that.
 const TEARS: f64 = 10.0;
 const SHORTENED: usize = 4;
 /// Part of a step of held vertices that shows what it changes in the forces.
