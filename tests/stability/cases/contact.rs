@@ -178,8 +178,7 @@ fn tight_tube(lab: &mut Lab) -> Result<(), String> {
     let girth = std::f64::consts::TAU * (radius + 1e-3 + 5e-5) / 1.25;
     let cloth = even(girth, length, girth / 36.0);
     let on = rolled(cloth, 1.27);
-    let side = |u: f64| on.pick(|r| (r[0] - u).abs() < 1e-9);
-    let stitches: Vec<[usize; 2]> = side(0.0).into_iter().zip(side(girth)).map(|(a, b)| [a, b]).collect();
+    let stitches = on.round(girth);
     let at = on.at.iter().map(|p| p - Vec3::z() * (0.5 * length)).collect();
     let fabric = Cloth { limit: 0.6, ..cotton() };
     let mut trial = Trial::new(Mesh { at, ..on }, fabric).weightless();

@@ -91,6 +91,12 @@ impl Mesh {
         first
     }
 
+    /// Stitches that close a rectangle of this girth to a ring: its first side to its last.
+    pub fn round(&self, girth: f64) -> Vec<[usize; 2]> {
+        let side = |u: f64| self.pick(|r| (r[0] - u).abs() < 1e-9);
+        side(0.0).into_iter().zip(side(girth)).map(|(a, b)| [a, b]).collect()
+    }
+
     /// Vertices whose rest place answers to this.
     pub fn pick(&self, is: impl Fn([f64; 2]) -> bool) -> Vec<usize> {
         (0..self.rest.len()).filter(|i| is(self.rest[*i])).collect()

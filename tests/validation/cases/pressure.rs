@@ -23,8 +23,7 @@ fn tube(lab: &mut Lab) -> Result<(), String> {
         let a = u / r0;
         Vec3::new(radius * libm::cos(a), radius * libm::sin(a), v)
     });
-    let side = |u: f64| mesh.pick(|r| (r[0] - u).abs() < 1e-9);
-    let stitches = side(0.0).into_iter().zip(side(girth)).map(|(a, b)| [a, b]).collect();
+    let stitches = mesh.round(girth);
     let middle = mesh.pick(|r| (r[1] - 0.5 * height).abs() < 1e-9);
     let fabric = Cloth { thickness: 1e-4, limit: 0.6, ..Cloth::linear(0.1, stretch, 40.0, 1e-7) };
     let trial = Trial { stitches, ..Trial::new(mesh, fabric).weightless().set(&format!("pressure = \"{p} Pa\"")) };

@@ -126,8 +126,7 @@ fn tube(lab: &mut Lab) -> Result<(), String> {
         Vec3::new(1.1 * radius * libm::cos(a), v, 0.9 * radius * libm::sin(a))
     };
     let mesh = flat.place(oval);
-    let side = |u: f64| mesh.pick(|r| (r[0] - u).abs() < 1e-9);
-    let stitches = side(0.0).into_iter().zip(side(width)).map(|(a, b)| [a, b]).collect();
+    let stitches = mesh.round(width);
     let trial = Trial { stitches, ..Trial::new(mesh, Cloth::linear(0.05, 300.0, 100.0, bending)).weightless() };
     let d = lab.drape(&trial)?;
     let centre = d.mean(trial.cloth.pick(|r| r[0] < width - 1e-9));

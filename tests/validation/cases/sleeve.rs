@@ -45,8 +45,7 @@ fn ring(lab: &mut Lab, girth: f64, cells: usize, curve: &Parallel, body: [f64; 2
     };
     let mut middle = row(0.5 * HEIGHT);
     middle.pop();
-    let side = |u: f64| mesh.pick(|r| (r[0] - u).abs() < 1e-9);
-    let stitches = side(0.0).into_iter().zip(side(girth)).map(|(a, b)| [a, b]).collect();
+    let stitches = mesh.round(girth);
     let fabric = Cloth { friction: mu, thickness: THICKNESS, ..Cloth::linear(0.1, K, 40.0, 1e-7) };
     let mut trial = Trial { stitches, ..Trial::new(mesh, fabric).weightless() };
     trial.body = Some(body::cylinder(body[0], body[1], -0.1, 0.1, 240));

@@ -38,9 +38,9 @@ impl DrawnPiece {
                 desk.say(finding, &self.block, layer, outline.line);
             }
             let changed = outline.making != Making::AsDrawn || !outline.cut.is_empty();
-            let work = outline.work_positions();
             // A needle of an outline is turned inside out by a curve that swings past it.
-            if changed && (geom::area(&work) <= 0.0 || geom::crossing(&work) != Crossing::None) {
+            let spoilt = |work: &[Vec2]| geom::area(work) <= 0.0 || geom::crossing(work) != Crossing::None;
+            if changed && spoilt(&outline.work_positions()) {
                 let text = format!(
                     "the smooth curve through the points of `{label}` would cross itself; the drawn line was used"
                 );

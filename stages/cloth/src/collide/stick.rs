@@ -76,9 +76,7 @@ impl Hold {
         if ww <= 0.0 {
             return pull;
         }
-        let new = pull - (r - self.normal * self.normal.dot(&r)) / ww;
-        let l = new.norm();
-        if l > self.most { new * (self.most / l) } else { new }
+        (pull - (r - self.normal * self.normal.dot(&r)) / ww).cap_magnitude(self.most)
     }
 
     /// Tangential elongation of the spring.

@@ -46,7 +46,7 @@ impl Stepper<'_> {
         let near = |i: &Inert| tolerance * i.h;
         let mut goal = (near(&inert), 1.0 / inert.rate);
         self.descent.goal.inert = Some(inert);
-        self.descent.refresh_friction();
+        self.descent.refresh_lagged();
         self.descent.start_anew();
         let mut guess = guess;
         let (mut idle, mut rough) = (0, false);

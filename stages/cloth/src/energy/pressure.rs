@@ -9,15 +9,16 @@ pub(crate) struct Pressure {
     faces: Vec<[u32; 3]>,
     /// N, per vertex, of the last refresh.
     push: Vec<Vec3>,
-    pub refreshes: u64,
+    refreshes: u64,
 }
 
 impl Pressure {
     /// `None` without pressure.
     pub fn new(scene: &Scene, pressure: f64) -> Option<Self> {
-        let faces = scene.triangles.iter().map(|t| t.vertices).collect();
-        let push = vec![Vec3::zeros(); scene.positions.len()];
-        (pressure != 0.0).then_some(Self { pressure, faces, push, refreshes: 0 })
+        (pressure != 0.0).then(|| {
+            let faces = scene.triangles.iter().map(|t| t.vertices).collect();
+            Self { pressure, faces, push: vec![Vec3::zeros(); scene.positions.len()], refreshes: 0 }
+        })
     }
 
     /// Takes the triangles as they lie at `x`.

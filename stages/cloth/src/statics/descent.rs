@@ -165,7 +165,7 @@ impl<'a> Descent<'a> {
             if !falls && self.goal.barrier.as_mut().is_some_and(|b| b.harden(&self.goal.unknown)) {
                 self.start_anew();
             }
-            self.refresh_friction();
+            self.refresh_lagged();
         }
         self.free = TAU_FREE;
         self.exact = self.true_metric();
@@ -251,7 +251,7 @@ impl<'a> Descent<'a> {
     }
 
     /// New normal forces and holds from the contacts and folds here, and what pressure pushes; what slid is taken over.
-    pub fn refresh_friction(&mut self) {
+    pub fn refresh_lagged(&mut self) {
         let goal = &mut self.goal;
         let mut lap = Lap::start();
         if let (Some(stick), Some(barrier)) = (&mut goal.stick, &goal.barrier) {

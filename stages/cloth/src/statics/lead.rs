@@ -56,8 +56,7 @@ impl Descent<'_> {
         let most = self.leading.way.min(if rubs { MOST_RUBBING } else { MOST }) * self.goal.edge;
         let mut step = vec![Vec3::zeros(); self.x.len()];
         for (v, at) in &self.goal.pins {
-            let d = at - self.x[*v as usize];
-            step[*v as usize] = if d.norm() > most { d * (most / d.norm()) } else { d };
+            step[*v as usize] = (at - self.x[*v as usize]).cap_magnitude(most);
         }
         self.x = self.led(step);
         if let Some(b) = &mut self.goal.barrier {
@@ -114,7 +113,7 @@ impl Descent<'_> {
         if !along.is_finite() {
             return step.to_vec();
         }
-        let mut all = scattered(&self.goal.unknown, &d, if along > led { led / along } else { 1.0 });
+        let mut all = scattered(&self.goal.unknown, &d, (led / along).min(1.0));
         all.iter_mut().zip(step).for_each(|(d, s)| *d += s);
         all
     }
