@@ -159,6 +159,9 @@ fn main() {
         integrator,
         stiffness_cap: number("cap", s.stiffness_cap),
         damping: number("damping", s.damping),
+        decrement_tolerance: number("decrement", s.decrement_tolerance),
+        move_tolerance: number("move", s.move_tolerance),
+        residual_tolerance: number("residual", s.residual_tolerance),
         effects: Effects {
             self_contact: switch("self", s.effects.self_contact),
             body_contact: switch("body", s.effects.body_contact),

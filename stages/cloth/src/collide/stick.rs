@@ -10,6 +10,10 @@ use nalgebra::Matrix3;
 /// Contacts give way along the body by no more than this share of their gap before they slide.
 const REACH: f64 = 0.03;
 
+/// Share of what a contact slid that a refresh takes over: steps on the way overshoot, and what is taken over stays. The pull is
+/// the same.
+const TAKEN: f64 = 0.5;
+
 /// Rounds in which the loads of a start in balance are shared out, at most, and the change over the largest limit that ends
 /// them.
 const SWEEPS: usize = 2000;
@@ -103,7 +107,7 @@ impl Stick {
             if l > reach {
                 self.slid += 1;
                 self.largest = self.largest.max(l - reach);
-                slide *= reach / l;
+                slide *= (l + TAKEN * (reach - l)) / l;
             }
             h.place = h.at(x) - slide;
         }

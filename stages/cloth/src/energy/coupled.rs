@@ -3,15 +3,19 @@
 //! Still springs: forces act along the three edges of a triangle. But each coefficient comes from the Green strain
 //! that the three lengths give together, so that any orthotropic, non-linear fabric is met exactly.
 
+mod lanes;
+
 use super::Energy;
 use super::law::Fabric;
 use crate::linear::hessian::Hessian;
 use crate::{Scene, Settings, Vec3};
+use lanes::Lanes;
 use nalgebra::Matrix3;
 
 /// Below this stretch the shear law is not evaluated nearer to collapse.
 const LEAST_STRETCH: f64 = 0.25;
-/// Sine of the shear angle from which the angle is continued in a straight line.
+/// Sine of the shear angle up to which a series gives the angle, and from which it is continued in a straight line.
+const MILD: f64 = 0.3;
 const STEEP: f64 = 0.8;
 
 struct Triangle {
@@ -25,7 +29,7 @@ struct Triangle {
 }
 
 pub(crate) struct Coupled {
-    triangles: Vec<Triangle>,
+    triangles: Lanes,
     /// Shape gradients, only for the step bound.
     weights: Vec<[[f64; 2]; 3]>,
     fabrics: Vec<Fabric>,
@@ -85,15 +89,20 @@ fn strain(green: &[f64; 3]) -> Strain {
     Strain { stretch: [a, b], sine: green[2] / (a.max(LEAST_STRETCH) * b.max(LEAST_STRETCH)) }
 }
 
+/// Shear angle of a small sine and its derivative.
+#[inline(always)]
+fn mild_angle(sine: f64) -> (f64, f64) {
+    let q = sine * sine;
+    let g = 1.0 + q * (1.0 / 6.0 + q * (3.0 / 40.0 + q * (15.0 / 336.0 + q * (105.0 / 3456.0 + q * 945.0 / 42240.0))));
+    (sine * g, 1.0 / (1.0 - q).sqrt())
+}
+
 /// Shear angle of a sine and its derivative; an even continuation where the cloth would lock.
 #[inline]
 fn angle(sine: f64) -> (f64, f64) {
     let s = sine.abs();
-    if s < 0.3 {
-        let q = sine * sine;
-        let g =
-            1.0 + q * (1.0 / 6.0 + q * (3.0 / 40.0 + q * (15.0 / 336.0 + q * (105.0 / 3456.0 + q * 945.0 / 42240.0))));
-        return (sine * g, 1.0 / (1.0 - q).sqrt());
+    if s < MILD {
+        return mild_angle(sine);
     }
     if s < STEEP {
         return (libm::asin(sine), 1.0 / (1.0 - sine * sine).sqrt());
@@ -109,7 +118,7 @@ fn stress(green: &[f64; 3], fabric: &Fabric) -> [f64; 3] {
 }
 
 /// The same and the energy per area, J/m².
-#[inline(always)]
+#[inline]
 fn stress_and_energy(green: &[f64; 3], fabric: &Fabric) -> ([f64; 3], f64) {
     let s = strain(green);
     let [a, b] = s.stretch;
@@ -132,7 +141,7 @@ fn stress_and_energy(green: &[f64; 3], fabric: &Fabric) -> ([f64; 3], f64) {
 impl Coupled {
     pub fn new(scene: &Scene, settings: &Settings) -> Self {
         Self {
-            triangles: scene.triangles.iter().map(Triangle::new).collect(),
+            triangles: Lanes::new(&scene.triangles.iter().map(Triangle::new).collect::<Vec<_>>()),
             weights: scene.triangles.iter().map(crate::Element::gradients).collect(),
             fabrics: scene.materials.iter().map(|m| Fabric::new(m, settings)).collect(),
         }
@@ -140,45 +149,25 @@ impl Coupled {
 
     /// Does any triangle carry more than its curves?
     fn is_locking(&self, x: &[Vec3]) -> bool {
-        self.triangles.iter().zip(self.strains(x)).any(|(t, s)| self.fabrics[t.fabric as usize].is_locking(s.stretch))
+        self.triangles
+            .triangles()
+            .zip(self.strains(x))
+            .any(|(t, s)| self.fabrics[t.fabric as usize].is_locking(s.stretch))
     }
 
     /// Strain of every triangle.
     pub fn strains<'a>(&'a self, x: &'a [Vec3]) -> impl Iterator<Item = Strain> + 'a {
-        self.triangles.iter().map(|t| strain(&t.green(&t.edges(x))))
-    }
-}
-
-impl Triangle {
-    /// Adds the forces of a stress.
-    #[inline(always)]
-    fn pull(&self, e: &[Vec3; 3], s: &[f64; 3], f: &mut [Vec3]) {
-        let m = &self.inverse;
-        let pull = |k: usize| e[k] * (self.area * (m[0][k] * s[0] + m[1][k] * s[1] + m[2][k] * s[2]));
-        let (p, q, r) = (pull(0), pull(1), pull(2));
-        f[self.vertices[0] as usize] += p - r;
-        f[self.vertices[1] as usize] += q - p;
-        f[self.vertices[2] as usize] += r - q;
+        self.triangles.triangles().map(|t| strain(&t.green(&t.edges(x))))
     }
 }
 
 impl Energy for Coupled {
     fn add_forces(&self, x: &[Vec3], f: &mut [Vec3]) {
-        for t in &self.triangles {
-            let e = t.edges(x);
-            t.pull(&e, &stress(&t.green(&e), &self.fabrics[t.fabric as usize]), f);
-        }
+        self.evaluate(x, f);
     }
 
     fn evaluate(&self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
-        let mut energy = 0.0;
-        for t in &self.triangles {
-            let e = t.edges(x);
-            let (s, per_area) = stress_and_energy(&t.green(&e), &self.fabrics[t.fabric as usize]);
-            t.pull(&e, &s, f);
-            energy += t.area * per_area;
-        }
-        energy
+        self.triangles.evaluate(&self.fabrics, x, f)
     }
 
     fn lock_over(&mut self, locking: f64, x: &[Vec3]) -> bool {
@@ -188,12 +177,12 @@ impl Energy for Coupled {
     }
 
     fn energy(&self, x: &[Vec3]) -> f64 {
-        let of = |t: &Triangle| t.area * stress_and_energy(&t.green(&t.edges(x)), &self.fabrics[t.fabric as usize]).1;
-        self.triangles.iter().map(of).sum()
+        let of = |t: Triangle| t.area * stress_and_energy(&t.green(&t.edges(x)), &self.fabrics[t.fabric as usize]).1;
+        self.triangles.triangles().map(of).sum()
     }
 
     fn add_stiffness(&self, x: &[Vec3], k: &mut [f64]) {
-        for (t, w) in self.triangles.iter().zip(&self.weights) {
+        for (t, w) in self.triangles.triangles().zip(&self.weights) {
             let fabric = &self.fabrics[t.fabric as usize];
             let s = strain(&t.green(&t.edges(x)));
             let weft = fabric.weft.tangent(s.stretch[0] - 1.0);
@@ -207,11 +196,11 @@ impl Energy for Coupled {
     }
 
     fn add_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
-        self.triangles.iter().for_each(|t| super::clique(&t.vertices, pairs));
+        self.triangles.triangles().for_each(|t| super::clique(&t.vertices, pairs));
     }
 
     fn add_hessian(&self, x: &[Vec3], convex: bool, h: &mut Hessian) {
-        for (t, w) in self.triangles.iter().zip(&self.weights) {
+        for (t, w) in self.triangles.triangles().zip(&self.weights) {
             let green = t.green(&t.edges(x));
             let (mut s, d) = tangent(&green, &self.fabrics[t.fabric as usize], convex);
             if convex {

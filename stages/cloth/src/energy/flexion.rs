@@ -4,6 +4,7 @@
 
 use super::Energy;
 use super::patch::{Fold, Parts, Share, curvature, voigt};
+use super::springs::Springs;
 use crate::linear::hessian::Hessian;
 use crate::problem::or_earth;
 use crate::scene::bending_length;
@@ -19,8 +20,11 @@ pub(super) struct Patch {
 }
 
 pub(crate) struct Flexion {
-    patches: Vec<Patch>,
-    rough: Option<Rough>,
+    /// All patches but the slim ones.
+    springs: Springs,
+    slim: Vec<Patch>,
+    /// What stands for bending in a rough metric: springs for wide triangles, their patches for the others.
+    rough: Option<Springs>,
     /// A power of two of the size of the rigidities, in which the patches have theirs, N·m: so that cloth twice as stiff has
     /// the same patches.
     size: f64,
@@ -44,6 +48,9 @@ const WIDE: f64 = 0.5;
 const NARROW: usize = 20;
 /// Stiffness of such a spring over that of the fold.
 const SPRING: f64 = 0.5;
+/// Altitude over longest side of a triangle below which its bending is summed by itself: as springs it would be a small
+/// difference of large energies.
+const SLIM: f64 = 0.05;
 
 /// The first hinge on each side of a face: number, and which of its two faces this is.
 type Sides = [Option<(usize, usize)>; 3];
@@ -165,6 +172,12 @@ impl Patch {
         self.rows.iter().map(|r| r[i] * r[j]).sum()
     }
 
+    /// The same as springs between its vertices.
+    fn springs(&self) -> impl Iterator<Item = ([u32; 2], f64)> + '_ {
+        let pair = |i: usize, j: usize| ([self.vertices[i], self.vertices[j]], -self.stiffness(i, j));
+        (0..6).flat_map(move |i| (0..i).map(move |j| pair(i, j)))
+    }
+
     fn add_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
         for i in 0..6 {
             let others = self.vertices[..i].iter().filter(|v| **v != self.vertices[i]);
@@ -204,45 +217,42 @@ pub(super) fn patches(scene: &Scene, topology: &Topology, rigidities: &[Vector3<
     (0..bends.len()).filter_map(patch).collect()
 }
 
-/// What stands for bending in a rough metric: springs for wide triangles, their patches for the others.
-struct Rough {
-    /// Ends and N/m, in units of the size.
-    springs: Vec<([u32; 2], f64)>,
-    patches: Vec<usize>,
+/// `None` where most triangles are narrow. `patches` with their triangles.
+fn rough(
+    scene: &Scene,
+    topology: &Topology,
+    rigidities: &[Vector3<f64>],
+    patches: &[(usize, Patch)],
+) -> Option<Springs> {
+    let gravity = or_earth(scene.gravity.norm());
+    let length = |m: &Material| bending_length(m.bend_warp.min(m.bend_weft), m.areal_mass, gravity);
+    let lengths: Vec<f64> = scene.materials.iter().map(length).collect();
+    let wide = |f: usize| is_wide(&scene.triangles[f], lengths[scene.triangles[f].material as usize]);
+    let narrow = patches.iter().filter(|(f, _)| !wide(*f));
+    if NARROW * narrow.clone().count() >= patches.len() {
+        return None;
+    }
+    let mut springs: Vec<_> = narrow.flat_map(|(_, p)| p.springs()).collect();
+    let beside = beside(topology);
+    for (f, _) in patches.iter().filter(|(f, _)| wide(*f)) {
+        let folds = beside[*f].iter().flatten().map(|(h, own)| Fold::new(&topology.hinges[*h], *own, scene));
+        folds.for_each(|fold| stand_in(&fold, &rigidities[scene.triangles[*f].material as usize], &mut springs));
+    }
+    Some(Springs::new(scene.positions.len(), springs))
 }
 
-impl Rough {
-    /// `None` where most triangles are narrow. `patches` with their triangles.
-    fn new(
-        scene: &Scene,
-        topology: &Topology,
-        rigidities: &[Vector3<f64>],
-        patches: &[(usize, Patch)],
-    ) -> Option<Self> {
-        let gravity = or_earth(scene.gravity.norm());
-        let length = |m: &Material| bending_length(m.bend_warp.min(m.bend_weft), m.areal_mass, gravity);
-        let lengths: Vec<f64> = scene.materials.iter().map(length).collect();
-        let wide = |f: usize| is_wide(&scene.triangles[f], lengths[scene.triangles[f].material as usize]);
-        let narrow: Vec<usize> = (0..patches.len()).filter(|n| !wide(patches[*n].0)).collect();
-        if NARROW * narrow.len() >= patches.len() {
-            return None;
-        }
-        let mut rough = Self { springs: Vec::new(), patches: narrow };
-        let beside = beside(topology);
-        for (f, _) in patches.iter().filter(|(f, _)| wide(*f)) {
-            let folds = beside[*f].iter().flatten().map(|(h, own)| Fold::new(&topology.hinges[*h], *own, scene));
-            folds.for_each(|fold| rough.add(&fold, &rigidities[scene.triangles[*f].material as usize]));
-        }
-        Some(rough)
+/// Springs from the corners of the wings to the ends of the hinge, as stiff against their going up alone.
+fn stand_in(fold: &Fold, stiffness: &Vector3<f64>, springs: &mut Vec<([u32; 2], f64)>) {
+    let k = SPRING * across(fold, stiffness);
+    for (c, w) in fold.vertices.iter().zip(fold.weights).skip(2) {
+        springs.extend(fold.vertices[..2].iter().map(|a| ([*a, *c], k * w * w)));
     }
+}
 
-    /// Springs from the corners of the wings to the ends of the hinge, as stiff against their going up alone.
-    fn add(&mut self, fold: &Fold, stiffness: &Vector3<f64>) {
-        let k = SPRING * across(fold, stiffness);
-        for (c, w) in fold.vertices.iter().zip(fold.weights).skip(2) {
-            self.springs.extend(fold.vertices[..2].iter().map(|a| ([*a, *c], k * w * w)));
-        }
-    }
+/// Is a triangle so slim that its patch is a small difference of large energies?
+fn is_slim(e: &Element) -> bool {
+    let longest = (0..3).map(|k| e.rest_length(k)).fold(0.0, f64::max);
+    e.altitude() < SLIM * longest
 }
 
 /// Is a triangle so wide that weight and stretch hold folds over it, not bending?
@@ -262,32 +272,41 @@ impl Flexion {
         let size = power_of_two(rigidities.iter().map(Vector3::amax).fold(0.0, f64::max));
         rigidities.iter_mut().for_each(|r| *r /= size);
         let patches = patches(scene, topology, &rigidities);
-        let rough = Rough::new(scene, topology, &rigidities, &patches);
-        Self { patches: patches.into_iter().map(|p| p.1).collect(), rough, size }
+        let rough = rough(scene, topology, &rigidities, &patches);
+        let (slim, others): (Vec<_>, Vec<_>) = patches.into_iter().partition(|p| is_slim(&scene.triangles[p.0]));
+        let springs = others.iter().flat_map(|(_, p)| p.springs()).collect();
+        let springs = Springs::new(scene.positions.len(), springs);
+        Self { springs, slim: slim.into_iter().map(|p| p.1).collect(), rough, size }
     }
 }
 
 impl Energy for Flexion {
     fn add_forces(&self, x: &[Vec3], f: &mut [Vec3]) {
-        self.patches.iter().for_each(|p| p.push(&p.bend(x).map(|b| b * self.size), f));
+        self.evaluate(x, f);
+    }
+
+    fn noise(&self, x: &[Vec3]) -> f64 {
+        self.springs.noise(self.size, x)
     }
 
     fn energy(&self, x: &[Vec3]) -> f64 {
-        self.size * self.patches.iter().map(|p| half_square(&p.bend(x))).sum::<f64>()
+        let slim = self.size * self.slim.iter().map(|p| half_square(&p.bend(x))).sum::<f64>();
+        slim + self.springs.energy(self.size, x)
     }
 
     fn evaluate(&self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
-        let mut energy = 0.0;
-        for p in &self.patches {
+        let mut slim = 0.0;
+        for p in &self.slim {
             let bend = p.bend(x);
-            energy += half_square(&bend);
+            slim += half_square(&bend);
             p.push(&bend.map(|b| b * self.size), f);
         }
-        energy * self.size
+        slim * self.size + self.springs.evaluate(self.size, x, f)
     }
 
     fn add_stiffness(&self, _: &[Vec3], k: &mut [f64]) {
-        for p in &self.patches {
+        self.springs.add_stiffness(self.size, k);
+        for p in &self.slim {
             for (i, v) in p.vertices.iter().enumerate() {
                 k[*v as usize] += self.size * (0..6).map(|j| p.stiffness(i, j).abs()).sum::<f64>();
             }
@@ -295,11 +314,13 @@ impl Energy for Flexion {
     }
 
     fn add_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
-        self.patches.iter().for_each(|p| p.add_pairs(pairs));
+        self.springs.add_pairs(pairs);
+        self.slim.iter().for_each(|p| p.add_pairs(pairs));
     }
 
     fn add_hessian(&self, _: &[Vec3], _: bool, h: &mut Hessian) {
-        self.patches.iter().for_each(|p| p.add_hessian(self.size, h));
+        self.springs.add_hessian(self.size, h);
+        self.slim.iter().for_each(|p| p.add_hessian(self.size, h));
     }
 
     fn rough(&self) -> bool {
@@ -307,19 +328,11 @@ impl Energy for Flexion {
     }
 
     fn add_rough_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
-        if let Some(rough) = &self.rough {
-            pairs.extend(rough.springs.iter().map(|s| s.0));
-            rough.patches.iter().for_each(|n| self.patches[*n].add_pairs(pairs));
-        }
+        self.rough.iter().for_each(|r| r.add_pairs(pairs));
     }
 
     fn add_rough_hessian(&self, _: &[Vec3], _: bool, h: &mut Hessian) {
-        if let Some(rough) = &self.rough {
-            for (ends, k) in &rough.springs {
-                h.spread(ends, &[1.0, -1.0], &(Matrix3::identity() * (self.size * k)));
-            }
-            rough.patches.iter().for_each(|n| self.patches[*n].add_hessian(self.size, h));
-        }
+        self.rough.iter().for_each(|r| r.add_hessian(self.size, h));
     }
 
     fn quadratic(&self) -> bool {

@@ -16,9 +16,11 @@ const MOST_LOCKING: f64 = 0.04;
 const WIDTH_OF_SMALL: f64 = 4e-6;
 /// … and the tension that it carries there over that of its curve, N/m.
 const LOCKED: f64 = 900.0;
+/// How much faster it grows beyond: four times as much at the limit itself, so that a band drawn over gathers stays within.
+const SHUTTING: f64 = 8.0;
 
-/// What a locking cloth carries over its curve: a tension that grows with the square of the strain from where it begins, then
-/// straight on. Below it adds nothing, so that a limit that is not reached changes no bit.
+/// What a locking cloth carries over its curve: a tension that grows with the square of the strain from where it begins, and
+/// faster once it is locked. Below it adds nothing, so that a limit that is not reached changes no bit.
 #[derive(Clone, Copy, Debug)]
 struct Lock {
     from: f64,
@@ -40,9 +42,9 @@ impl Lock {
     fn over(&self, strain: f64) -> [f64; 3] {
         let near = (strain - self.from) / self.width;
         let (rise, on) = (near.min(1.0), (near - 1.0).max(0.0));
-        let tension = LOCKED * (rise * rise + 2.0 * on);
-        let energy = LOCKED * self.width * (rise * rise * rise / 3.0 + on + on * on);
-        [tension, energy, 2.0 * LOCKED * rise / self.width]
+        let tension = LOCKED * (rise * rise + on * (2.0 + SHUTTING * on));
+        let energy = LOCKED * self.width * (rise * rise * rise / 3.0 + on * (1.0 + on * (1.0 + SHUTTING / 3.0 * on)));
+        [tension, energy, 2.0 * LOCKED * (rise + SHUTTING * on) / self.width]
     }
 }
 
@@ -51,14 +53,23 @@ pub(crate) fn locks_from(limit: f64) -> f64 {
     Lock::at(limit, 0.0).from
 }
 
+/// A piece of a law: what it has where it begins, and how its tangent grows.
+#[derive(Clone, Copy, Debug, Default)]
+struct Cell {
+    from: f64,
+    tension: f64,
+    tangent: f64,
+    bow: f64,
+    energy: f64,
+}
+
 /// Tabulated stretch law of one direction.
 #[derive(Clone, Debug)]
 pub(crate) struct Law {
     inverse_step: f64,
     step: f64,
-    tangent: Vec<f64>,
-    tension: Vec<f64>,
-    energy: Vec<f64>,
+    /// The first for cloth pushed together, the last for all beyond the table; both straight.
+    cells: Vec<Cell>,
     limit: f64,
     lock: Lock,
 }
@@ -83,13 +94,19 @@ impl Law {
                 _ => curve.tangent(step * i as f64).min(cap),
             })
             .collect();
-        let (mut tension, mut energy) = (vec![0.0], vec![0.0]);
-        for i in 0..cells {
-            let (t, k0, k1) = (tension[i], tangent[i], tangent[i + 1]);
-            energy.push(energy[i] + step * (t + step * (k0 / 2.0 + (k1 - k0) / 6.0)));
-            tension.push(t + step * 0.5 * (k0 + k1));
+        let mut last = Cell { tangent: tangent[0], ..Cell::default() };
+        let mut all = vec![last];
+        for (i, k) in tangent.windows(2).enumerate() {
+            let bow = (k[1] - k[0]) * (1.0 / step);
+            all.push(Cell { bow, ..last });
+            let (tension, energy) = (
+                last.tension + step * 0.5 * (k[0] + k[1]),
+                last.energy + step * (last.tension + step * (k[0] / 2.0 + (k[1] - k[0]) / 6.0)),
+            );
+            last = Cell { from: step * (i + 1) as f64, tension, tangent: k[1], bow: 0.0, energy };
         }
-        Self { inverse_step: 1.0 / step, step, tangent, tension, energy, limit, lock: Lock::at(limit, 0.0) }
+        all.push(last);
+        Self { inverse_step: 1.0 / step, step, cells: all, limit, lock: Lock::at(limit, 0.0) }
     }
 
     /// Lets the cloth lock over this share of its limit, or over less if that is all it ever takes; says whether that is
@@ -104,29 +121,19 @@ impl Law {
         strain > self.lock.from
     }
 
-    #[inline]
-    fn cell(&self, strain: f64) -> Option<(usize, f64)> {
+    #[inline(always)]
+    fn cell(&self, strain: f64) -> &Cell {
         let u = strain * self.inverse_step;
-        let i = u as usize;
-        (u > 0.0 && i < self.tangent.len() - 1).then_some((i, strain - self.step * i as f64))
+        let last = self.cells.len() - 1;
+        &self.cells[if u > 0.0 { (u as usize + 1).min(last) } else { 0 }]
     }
 
     /// Tension, N/m, and energy, J/m².
     #[inline(always)]
     pub fn both(&self, strain: f64) -> (f64, f64) {
-        let (from, t, k, bow, energy) = match self.cell(strain) {
-            Some((i, r)) => {
-                let bow = (self.tangent[i + 1] - self.tangent[i]) * self.inverse_step;
-                (r, self.tension[i], self.tangent[i], bow, self.energy[i])
-            }
-            None if strain <= 0.0 => (strain, 0.0, self.tangent[0], 0.0, 0.0),
-            None => {
-                let n = self.tangent.len() - 1;
-                (strain - self.step * n as f64, self.tension[n], self.tangent[n], 0.0, self.energy[n])
-            }
-        };
-        let (t, energy) =
-            (t + from * (k + 0.5 * from * bow), energy + from * (t + from * (0.5 * k + from * bow / 6.0)));
+        let &Cell { from, tension: t, tangent: k, bow, energy } = self.cell(strain);
+        let on = strain - from;
+        let (t, energy) = (t + on * (k + 0.5 * on * bow), energy + on * (t + on * (0.5 * k + on * bow * (1.0 / 6.0))));
         if strain <= self.lock.from {
             return (t, energy);
         }
@@ -149,20 +156,14 @@ impl Law {
     #[inline]
     pub fn slope(&self, strain: f64) -> f64 {
         let lock = if strain <= self.lock.from { 0.0 } else { self.lock.over(strain)[2] };
-        lock + match self.cell(strain) {
-            Some((i, r)) => self.tangent[i] + r * (self.tangent[i + 1] - self.tangent[i]) * self.inverse_step,
-            None if strain <= 0.0 => self.tangent[0],
-            None => self.tangent[self.tangent.len() - 1],
-        }
+        let cell = self.cell(strain);
+        lock + cell.tangent + (strain - cell.from) * cell.bow
     }
 
     /// A bound of the slope around a strain, N/m; only unlocked laws are asked for it.
     pub fn tangent(&self, strain: f64) -> f64 {
-        match self.cell(strain) {
-            Some((i, _)) => self.tangent[i].max(self.tangent[i + 1]),
-            None if strain <= 0.0 => self.tangent[0],
-            None => self.tangent[self.tangent.len() - 1],
-        }
+        let cell = self.cell(strain);
+        cell.tangent.max(cell.tangent + self.step * cell.bow)
     }
 }
 

@@ -7,6 +7,7 @@ pub(crate) mod law;
 mod patch;
 pub(crate) mod pressure;
 pub(crate) mod shear;
+mod springs;
 pub(crate) mod structural;
 pub(crate) mod weight;
 
@@ -26,6 +27,10 @@ pub(crate) trait Energy: Send + Sync {
     fn evaluate(&self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
         self.add_forces(x, f);
         self.energy(x)
+    }
+    /// How far off rounding may leave the energy of cloth that lies about so, J, where that does not go with the energy itself.
+    fn noise(&self, _x: &[Vec3]) -> f64 {
+        0.0
     }
     /// Is it stored in the cloth (and not weight or load)?
     fn elastic(&self) -> bool {

@@ -37,7 +37,7 @@ impl Factor {
     /// memory for it is not there).
     pub fn factorise(&mut self, pattern: &Pattern, values: &[Matrix3<f64>], shift: &[f64]) -> bool {
         if self.pattern != *pattern {
-            let Some(symbolic) = Symbolic::new(pattern) else { return false };
+            let Some(symbolic) = self.symbolic.alike(pattern).or_else(|| Symbolic::new(pattern)) else { return false };
             self.analyses += 1;
             self.values = vec![0.0; symbolic.length];
             self.right = vec![0.0; 3 * pattern.unknowns()];

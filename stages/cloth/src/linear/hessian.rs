@@ -145,14 +145,16 @@ impl Hessian {
 
     /// Starts anew from given values.
     pub fn reset(&mut self, values: &[Matrix3<f64>]) {
-        self.values.copy_from_slice(values);
+        self.values.clear();
+        self.values.extend_from_slice(values);
         self.extra.clear();
     }
 
-    /// The extra blocks worked into pattern and values; ordered sums, so the same for every run.
+    /// The extra blocks worked into pattern and values; ordered sums, so the same for every run. Takes the values: what
+    /// follows is a new start.
     pub fn merged(&mut self) -> (Pattern, Vec<Matrix3<f64>>) {
         if self.extra.is_empty() {
-            return (self.pattern.clone(), self.values.clone());
+            return (self.pattern.clone(), std::mem::take(&mut self.values));
         }
         self.extra.sort_by_key(|e| (e.0, e.1));
         let n = self.pattern.unknowns();

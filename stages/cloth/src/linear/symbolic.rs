@@ -16,6 +16,10 @@ const NONE: u32 = u32::MAX;
 /// Neighbouring supernodes are joined up to so many vertices when the share of zeros it stores stays below.
 const RELAX: [(usize, f64); 4] = [(2, 1.0), (6, 0.8), (16, 0.1), (usize::MAX, 0.05)];
 
+/// A factor that is larger by more than one part in so many asks for an order of its own, and so do couplings that are fewer
+/// by as much.
+const MUCH: usize = 5;
+
 /// Columns that share their rows; counted in vertices, each three scalars.
 #[derive(Debug)]
 pub(crate) struct Node {
@@ -75,8 +79,17 @@ pub(crate) struct Target {
     pub mirrored: bool,
 }
 
+/// What the order was made for: couplings, and the scalars of the factor then.
+#[derive(Clone, Copy, Debug, Default)]
+struct Ordered {
+    pairs: usize,
+    length: usize,
+}
+
 #[derive(Debug, Default)]
 pub(crate) struct Symbolic {
+    /// Unknowns as they are eliminated.
+    order: Vec<u32>,
     /// Place of every unknown in the order of elimination.
     pub place: Vec<u32>,
     /// Children before parents.
@@ -84,27 +97,45 @@ pub(crate) struct Symbolic {
     pub targets: Vec<Target>,
     /// Scalars of the factor.
     pub length: usize,
+    ordered: Ordered,
 }
 
 impl Symbolic {
     /// `None` when there is nothing to factorise or no memory for it.
     pub fn new(pattern: &Pattern) -> Option<Self> {
-        let n = pattern.unknowns();
-        if n == 0 {
+        if pattern.unknowns() == 0 {
             return None;
         }
+        let (order, place) = dissect::order(pattern)?;
+        Self::in_order(pattern, order, place)
+    }
+
+    /// That of another pattern of the same unknowns, in this one's order of elimination: far cheaper than a new one, and as
+    /// good while they are much the same. `None` where they are not.
+    pub fn alike(&self, pattern: &Pattern) -> Option<Self> {
+        let Ordered { pairs, length } = self.ordered;
+        let many = pattern.rows.len() >= pairs - pairs / MUCH;
+        if pattern.unknowns() != self.order.len() || self.order.is_empty() || !many {
+            return None;
+        }
+        let found = Self::in_order(pattern, self.order.clone(), self.place.clone())?;
+        (found.length <= length + length / MUCH).then_some(Self { ordered: self.ordered, ..found })
+    }
+
+    fn in_order(pattern: &Pattern, order: Vec<u32>, place: Vec<u32>) -> Option<Self> {
+        let n = pattern.unknowns();
         let lower = SymbolicSparseColMatRef::new_checked(n, n, &pattern.start, None, &pattern.rows);
         let params = CholeskySymbolicParams {
             supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
             supernodal_params: SymbolicSupernodalParams { relax: Some(&RELAX) },
             ..CholeskySymbolicParams::default()
         };
-        let (order, place) = dissect::order(pattern)?;
         let ordering = SymmetricOrdering::Custom(PermRef::new_checked(&order, &place, n));
         let analysis = factorize_symbolic_cholesky(lower, Side::Lower, ordering, params).ok()?;
         let (nodes, length) = if pattern.rows.len() == n { apart(n)? } else { nodes(&analysis)? };
         let targets = targets(pattern, &place, &nodes);
-        Some(Self { place, nodes, targets, length })
+        let ordered = Ordered { pairs: pattern.rows.len(), length };
+        Some(Self { order, place, nodes, targets, length, ordered })
     }
 }
 

@@ -6,7 +6,7 @@ use super::objective::Objective;
 use crate::collide::stick::Stick;
 use crate::cost::{Lap, Work};
 use crate::linear::factor::Factor;
-use crate::linear::hessian::{Pattern, gather, scattered};
+use crate::linear::hessian::Pattern;
 use crate::problem::{mean_weight, or_earth, side};
 use crate::scene::EARTH;
 use crate::start::Start;
@@ -14,9 +14,6 @@ use crate::topology::Topology;
 use crate::{ClothError, Scene, Settings, Vec3, Watch};
 use nalgebra::Matrix3;
 
-/// Sufficient decrease (Armijo).
-const DECREASE: f64 = 1e-4;
-const MOST_HALVINGS: usize = 8;
 /// Shift of the metric: mass / (τ · unit). First τ, and the one from which it no longer matters; the unit is 1 s² for a
 /// square metre of cloth on Earth, and goes with lengths and weight as pendulums do, so that similar cloth takes similar
 /// steps.
@@ -35,10 +32,6 @@ const MOST_PATIENCE: u32 = 8;
 /// What a Newton step would win over the elastic energy, below which contacts that are nearly shut are so under a load, and not
 /// because the cloth began there.
 const LOADED: f64 = 1.0;
-/// Rounds in which single vertices are held back before the whole step is shortened.
-const HOLD_ROUNDS: usize = 3;
-/// Part of a step below which single vertices are held back instead of all.
-const HOLD_UNDER: f64 = 0.1;
 /// Part of a step below which a block ends: its metric says too little of what is here. Shorter ones than a full step still
 /// teach the memory.
 const SHORTEST: f64 = 0.1;
@@ -54,7 +47,7 @@ pub(crate) struct Descent<'a> {
     pub factor: Factor,
     /// Is it that of the second derivatives as they are?
     pub exact: bool,
-    memory: Memory,
+    pub(super) memory: Memory,
     pub tau: f64,
     /// Share of the stretch stiffness that the metric lets stand in all directions.
     pub firm: f64,
@@ -144,6 +137,11 @@ impl<'a> Descent<'a> {
 
     pub fn evaluate(&mut self) {
         self.energy = self.goal.evaluate(&self.x, &mut self.f);
+    }
+
+    /// The same after only what presses or holds the cloth has been told anew.
+    pub(super) fn evaluate_again(&mut self) {
+        self.energy = self.goal.evaluate_again(&self.x, &mut self.f);
     }
 
     /// Factors made.
@@ -267,7 +265,7 @@ impl<'a> Descent<'a> {
             goal.costs.spend(Work::Pressure, &mut lap);
         }
         if self.goal.rubs() || self.goal.pressure.is_some() {
-            self.evaluate();
+            self.evaluate_again();
         }
     }
 
@@ -278,7 +276,7 @@ impl<'a> Descent<'a> {
         self.factor.solve(&mut d);
         self.goal.costs.spend(Work::Descent, &mut lap);
         let win = 0.5 * dot(&d, &self.f);
-        let scale = self.goal.elastic(&self.x).max(1e-12);
+        let scale = self.goal.stored().max(1e-12);
         self.decrement = win / scale;
         self.longest = crate::longest(&d);
         self.residual = self.net();
@@ -314,75 +312,6 @@ impl<'a> Descent<'a> {
     /// Holds the held vertices where they are.
     pub fn hold_here(&mut self) {
         self.goal.pins.iter_mut().for_each(|(v, at)| *at = self.x[*v as usize]);
-    }
-
-    /// Shortens a step so that nothing crosses.
-    pub(super) fn limit(&mut self, step: &mut [Vec3]) {
-        for round in 0..=HOLD_ROUNDS {
-            if self.goal.barrier.as_mut().is_some_and(|b| b.cover(&self.x, step)) {
-                self.evaluate();
-            }
-            let Some(barrier) = &mut self.goal.barrier else { return };
-            // A shorter step along the same direction is still a good one; only where a few vertices would stop all
-            // others are they held back alone.
-            let part = barrier.free_part(&self.x, step);
-            if part >= HOLD_UNDER || round == HOLD_ROUNDS {
-                if part < 1.0 {
-                    barrier.tally.limited += 1;
-                    step.iter_mut().for_each(|d| *d *= part);
-                }
-                return;
-            }
-            barrier.hold_back(&self.x, step);
-        }
-    }
-
-    /// One step along the quasi-Newton direction; the part of it that was taken, `None` if nothing was won.
-    pub fn step(&mut self) -> Option<f64> {
-        let mut lap = Lap::start();
-        let mut d = self.memory.direction(&self.f, |q| self.factor.solve(q));
-        if dot(&d, &self.f) <= 0.0 || d.iter().any(|v| !v.iter().all(|c| c.is_finite())) {
-            self.memory.clear();
-            d = self.f.clone();
-            self.factor.solve(&mut d);
-        }
-        self.goal.costs.spend(Work::Descent, &mut lap);
-        self.longest = crate::longest(&d);
-        let most = self.stride * self.goal.edge;
-        let cap = if self.longest > most { most / self.longest } else { 1.0 };
-        let mut step = scattered(&self.goal.unknown, &d, cap);
-        self.limit(&mut step);
-        let mut moved = vec![Vec3::zeros(); self.f.len()];
-        gather(&self.goal.unknown, &step, &mut moved);
-        let slope = dot(&moved, &self.f);
-        if slope <= 0.0 {
-            return None;
-        }
-        let (from, energy, force) = (self.x.clone(), self.energy, self.f.clone());
-        let mut part = 1.0;
-        for _ in 0..MOST_HALVINGS {
-            for ((x, p), d) in self.x.iter_mut().zip(&from).zip(&step) {
-                *x = p + d * part;
-            }
-            self.evaluate();
-            let slack = 1e-14 * energy.abs();
-            if self.energy.is_finite() && self.energy <= energy - DECREASE * part * slope + slack {
-                let s: Vec<Vec3> = moved.iter().map(|d| d * part).collect();
-                let y: Vec<Vec3> = force.iter().zip(&self.f).map(|(p, q)| p - q).collect();
-                self.memory.push(s, y);
-                self.steps += 1;
-                if let Some(b) = &mut self.goal.barrier {
-                    b.took(&self.x);
-                }
-                return Some(part);
-            }
-            // The parabola through both energies and the slope.
-            let best = 0.5 * part * part * slope / (self.energy - energy + part * slope);
-            part = if best.is_finite() { best.clamp(0.1 * part, 0.5 * part) } else { 0.1 * part };
-        }
-        self.x = from;
-        self.evaluate();
-        None
     }
 
     pub fn block(&mut self) -> Block {

@@ -11,6 +11,7 @@ mod rest;
 mod saddle;
 mod seams;
 mod slate;
+mod step;
 
 pub(crate) use coarse::sew;
 pub(crate) use report::effects;

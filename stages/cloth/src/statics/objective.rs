@@ -17,6 +17,16 @@ use crate::start::Start;
 use crate::{Scene, Settings, Switch, Vec3};
 use nalgebra::Matrix3;
 
+/// What cloth, weight and inertia did at the last evaluation.
+#[derive(Default)]
+struct Cloth {
+    place: Vec<Vec3>,
+    force: Vec<Vec3>,
+    energy: f64,
+    /// Of it elastic, J.
+    stored: f64,
+}
+
 pub(crate) struct Objective {
     pub energies: Vec<Box<dyn Energy>>,
     pub barrier: Option<Barrier>,
@@ -38,7 +48,10 @@ pub(crate) struct Objective {
     pub pins: Vec<(u32, Vec3)>,
     /// m, mean rest length of an edge.
     pub edge: f64,
+    /// Rounding of the energy beside that which goes with its size, J.
+    pub noise: f64,
     force: Vec<Vec3>,
+    cloth: Cloth,
     /// Do all fabrics resist bending?
     pub bends: bool,
     /// Not part of any result; what contacts cost stands with them.
@@ -73,6 +86,7 @@ impl Objective {
             costs.spend(Work::SelfContact, &mut lap);
             Barrier::new(frame, body, areas(scene), own)
         });
+        let noise = energies.iter().map(|e| e.noise(&positions)).sum();
         let force = vec![Vec3::zeros(); positions.len()];
         let bends = scene.materials.iter().all(|m| m.bend_warp > 0.0 && m.bend_weft > 0.0);
         (
@@ -91,7 +105,9 @@ impl Objective {
                 spare: None,
                 pins,
                 edge,
+                noise,
                 force,
+                cloth: Cloth::default(),
                 costs,
                 bends,
                 looks: 0,
@@ -103,17 +119,39 @@ impl Objective {
     /// Energy at `x`, J; `f` becomes the forces on the unknowns.
     pub fn evaluate(&mut self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
         let mut lap = Lap::start();
-        self.looks += 1;
         let all = &mut self.force;
         all.fill(Vec3::zeros());
-        let mut energy = 0.0;
+        let (mut energy, mut stored) = (0.0, 0.0);
         for e in &self.energies {
-            energy += e.evaluate(x, all);
+            let own = e.evaluate(x, all);
+            energy += own;
+            stored += if e.elastic() { own } else { 0.0 };
         }
         if let Some(i) = &self.inert {
             energy = i.evaluate(x, energy, all);
         }
+        self.cloth.place.clear();
+        self.cloth.place.extend_from_slice(x);
+        self.cloth.force.clone_from(all);
+        (self.cloth.energy, self.cloth.stored) = (energy, stored);
         self.costs.spend(Work::Cloth, &mut lap);
+        self.press(x, f)
+    }
+
+    /// The same after only what presses or holds the cloth has been told anew.
+    pub fn evaluate_again(&mut self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
+        if self.cloth.place != x {
+            return self.evaluate(x, f);
+        }
+        self.force.copy_from_slice(&self.cloth.force);
+        self.press(x, f)
+    }
+
+    /// Adds all that is not the cloth's own.
+    fn press(&mut self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
+        let mut lap = Lap::start();
+        self.looks += 1;
+        let (mut energy, all) = (self.cloth.energy, &mut self.force);
         if let Some(s) = &self.seams {
             energy += s.evaluate(x, all);
             self.costs.spend(Work::Sewing, &mut lap);
@@ -206,6 +244,11 @@ impl Objective {
             h.add_hessian(x, hessian);
         }
         hessian.merged()
+    }
+
+    /// Elastic energy where it was evaluated last, J.
+    pub fn stored(&self) -> f64 {
+        self.cloth.stored
     }
 
     /// J.

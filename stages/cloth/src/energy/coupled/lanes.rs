@@ -1,0 +1,233 @@
+//! Triangles side by side. What needs no table is worked out for a block of them at once, in registers as wide as the machine
+//! has; every triangle's sums are its own, so their width changes no bit.
+
+use super::{LEAST_STRETCH, MILD, Triangle, mild_angle, stress_and_energy};
+use crate::Vec3;
+use crate::energy::law::Fabric;
+use pulp::{Arch, Simd, WithSimd};
+use std::array::from_fn;
+
+/// Triangles in a block.
+const N: usize = 32;
+
+type Row = [f64; N];
+
+/// One triangle per lane; lanes beyond the last triangle hold a point without area.
+struct Block {
+    vertices: [[u32; 3]; N],
+    fabric: [u32; N],
+    area: Row,
+    half: [Row; 3],
+    inverse: [[Row; 3]; 3],
+}
+
+pub(super) struct Lanes {
+    blocks: Vec<Block>,
+    triangles: usize,
+    arch: Arch,
+}
+
+impl Lanes {
+    pub fn new(triangles: &[Triangle]) -> Self {
+        let blocks = triangles.chunks(N).map(Block::new).collect();
+        Self { blocks, triangles: triangles.len(), arch: Arch::new() }
+    }
+
+    pub fn triangles(&self) -> impl Iterator<Item = Triangle> + '_ {
+        self.blocks.iter().flat_map(|b| (0..N).map(|lane| b.triangle(lane))).take(self.triangles)
+    }
+
+    /// Adds the forces; gives the energy.
+    pub fn evaluate(&self, fabrics: &[Fabric], x: &[Vec3], f: &mut [Vec3]) -> f64 {
+        self.arch.dispatch(Evaluate { lanes: self, fabrics, x, f })
+    }
+}
+
+// A named type, because only such a one is compiled for the widest registers as a whole.
+struct Evaluate<'a> {
+    lanes: &'a Lanes,
+    fabrics: &'a [Fabric],
+    x: &'a [Vec3],
+    f: &'a mut [Vec3],
+}
+
+impl WithSimd for Evaluate<'_> {
+    type Output = f64;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, _: S) -> f64 {
+        let mut slate = Slate::default();
+        let mut energy = 0.0;
+        for (k, block) in self.lanes.blocks.iter().enumerate() {
+            block.strain(self.x, &mut slate);
+            block.tense(self.fabrics, &mut slate);
+            block.stress(self.fabrics, &mut slate);
+            let count = N.min(self.lanes.triangles - k * N);
+            energy = block.pull(&slate, self.f, energy, count);
+        }
+        energy
+    }
+}
+
+/// What is worked out for a block.
+#[derive(Default)]
+struct Slate {
+    /// By edge and axis.
+    edges: [[Wide; 3]; 3],
+    green: [Wide; 3],
+    /// Over 1, along weft and warp, and one over the stretch.
+    strain: [Wide; 2],
+    inverse: [Wide; 2],
+    sine: Wide,
+    /// Tensions, then the stress conjugate to the Green strain, N/m.
+    stress: [Wide; 3],
+    shear: Wide,
+    /// Per area, J/m².
+    energy: Wide,
+}
+
+struct Wide(Row);
+
+impl Default for Wide {
+    fn default() -> Self {
+        Self([0.0; N])
+    }
+}
+
+impl Block {
+    fn new(triangles: &[Triangle]) -> Self {
+        let point = triangles.first().map_or(0, |t| t.vertices[0]);
+        let (zero, mut block) = ([0.0; N], Self::at(point));
+        debug_assert!(triangles.len() <= N && block.area == zero);
+        for (lane, t) in triangles.iter().enumerate() {
+            block.vertices[lane] = t.vertices;
+            block.fabric[lane] = t.fabric;
+            block.area[lane] = t.area;
+            for r in 0..3 {
+                block.half[r][lane] = t.half[r];
+                (0..3).for_each(|c| block.inverse[r][c][lane] = t.inverse[r][c]);
+            }
+        }
+        block
+    }
+
+    fn at(point: u32) -> Self {
+        let zero = [0.0; N];
+        Self { vertices: [[point; 3]; N], fabric: [0; N], area: zero, half: [zero; 3], inverse: [[zero; 3]; 3] }
+    }
+
+    fn triangle(&self, lane: usize) -> Triangle {
+        Triangle {
+            vertices: self.vertices[lane],
+            fabric: self.fabric[lane],
+            area: self.area[lane],
+            half: from_fn(|k| self.half[k][lane]),
+            inverse: from_fn(|r| from_fn(|c| self.inverse[r][c][lane])),
+        }
+    }
+
+    /// Edges, and how far they are stretched and sheared.
+    #[inline(always)]
+    fn strain(&self, x: &[Vec3], s: &mut Slate) {
+        for (lane, v) in self.vertices.iter().enumerate() {
+            let [a, b, c] = crate::pick3(x, v);
+            for axis in 0..3 {
+                s.edges[0][axis].0[lane] = b[axis] - a[axis];
+                s.edges[1][axis].0[lane] = c[axis] - b[axis];
+                s.edges[2][axis].0[lane] = a[axis] - c[axis];
+            }
+        }
+        for l in 0..N {
+            let mut q = [0.0; 3];
+            for k in 0..3 {
+                let [x, y, z] = [s.edges[k][0].0[l], s.edges[k][1].0[l], s.edges[k][2].0[l]];
+                q[k] = 0.5 * (x * x + y * y + z * z) - self.half[k][l];
+            }
+            let mut green = [0.0; 3];
+            for k in 0..3 {
+                let m = &self.inverse[k];
+                green[k] = m[0][l] * q[0] + m[1][l] * q[1] + m[2][l] * q[2];
+                s.green[k].0[l] = green[k];
+            }
+            let (a, b) = ((1.0 + 2.0 * green[0]).max(0.0).sqrt(), (1.0 + 2.0 * green[1]).max(0.0).sqrt());
+            let (ia, ib) = (1.0 / a.max(LEAST_STRETCH), 1.0 / b.max(LEAST_STRETCH));
+            (s.strain[0].0[l], s.strain[1].0[l]) = (a - 1.0, b - 1.0);
+            (s.inverse[0].0[l], s.inverse[1].0[l]) = (ia, ib);
+            s.sine.0[l] = green[2] * ia * ib;
+        }
+    }
+
+    /// What the tables tell.
+    #[inline(always)]
+    fn tense(&self, fabrics: &[Fabric], s: &mut Slate) {
+        for l in 0..N {
+            let fabric = &fabrics[self.fabric[l] as usize];
+            let (a, b) = (s.strain[0].0[l], s.strain[1].0[l]);
+            let ((weft, e), (warp, g)) = (fabric.weft.both(a), fabric.warp.both(b));
+            s.stress[0].0[l] = weft + fabric.cross * b;
+            s.stress[1].0[l] = warp + fabric.cross * a;
+            s.energy.0[l] = e + g + fabric.cross * a * b;
+            s.shear.0[l] = fabric.shear;
+        }
+    }
+
+    #[inline(always)]
+    fn stress(&self, fabrics: &[Fabric], s: &mut Slate) {
+        let mut all_mild = true;
+        for l in 0..N {
+            let least = s.strain[0].0[l].min(s.strain[1].0[l]);
+            all_mild &= s.sine.0[l].abs() < MILD && least > LEAST_STRETCH - 1.0;
+        }
+        for l in 0..N {
+            let (ia, ib, sine) = (s.inverse[0].0[l], s.inverse[1].0[l], s.sine.0[l]);
+            let (gamma, slope) = mild_angle(sine);
+            let tau = s.shear.0[l] * gamma * slope;
+            let lean = tau * sine;
+            s.energy.0[l] += 0.5 * s.shear.0[l] * gamma * gamma;
+            s.stress[0].0[l] = s.stress[0].0[l] * ia - lean * (ia * ia);
+            s.stress[1].0[l] = s.stress[1].0[l] * ib - lean * (ib * ib);
+            s.stress[2].0[l] = tau * (ia * ib);
+        }
+        if !all_mild {
+            self.mend(fabrics, s);
+        }
+    }
+
+    /// What is sheared far or nearly collapsed is told one by one.
+    fn mend(&self, fabrics: &[Fabric], s: &mut Slate) {
+        for l in 0..N {
+            let mild = s.sine.0[l].abs() < MILD && s.strain[0].0[l].min(s.strain[1].0[l]) > LEAST_STRETCH - 1.0;
+            if !mild {
+                let green = [s.green[0].0[l], s.green[1].0[l], s.green[2].0[l]];
+                let (stress, energy) = stress_and_energy(&green, &fabrics[self.fabric[l] as usize]);
+                (0..3).for_each(|k| s.stress[k].0[l] = stress[k]);
+                s.energy.0[l] = energy;
+            }
+        }
+    }
+
+    /// Adds the forces of the first `count`, and their energy to `energy`.
+    #[inline(always)]
+    fn pull(&self, s: &Slate, f: &mut [Vec3], mut energy: f64, count: usize) -> f64 {
+        let mut pulls = [[[0.0; N]; 3]; 3];
+        for l in 0..N {
+            for k in 0..3 {
+                let m = &self.inverse;
+                let sum = m[0][k][l] * s.stress[0].0[l] + m[1][k][l] * s.stress[1].0[l] + m[2][k][l] * s.stress[2].0[l];
+                let pull = self.area[l] * sum;
+                for axis in 0..3 {
+                    pulls[k][axis][l] = s.edges[k][axis].0[l] * pull;
+                }
+            }
+        }
+        for l in 0..count {
+            let [p, q, r] = [0, 1, 2].map(|k| Vec3::new(pulls[k][0][l], pulls[k][1][l], pulls[k][2][l]));
+            let [a, b, c] = self.vertices[l];
+            f[a as usize] += p - r;
+            f[b as usize] += q - p;
+            f[c as usize] += r - q;
+            energy += self.area[l] * s.energy.0[l];
+        }
+        energy
+    }
+}

@@ -1,0 +1,93 @@
+//! A quadratic form of the positions that does not feel where the cloth is: E = ½ Σ k |x_b − x_a|² over pairs of vertices,
+//! k below 0 where the two push apart. Takes a third of the sums that its squares take one by one.
+
+use crate::Vec3;
+use crate::linear::hessian::Hessian;
+use nalgebra::Matrix3;
+
+#[derive(Default)]
+pub(super) struct Springs {
+    /// For every vertex the first of its springs to vertices of higher numbers.
+    start: Vec<u32>,
+    ends: Vec<u32>,
+    /// In units of what calls them, N/m.
+    stiffness: Vec<f64>,
+}
+
+impl Springs {
+    /// Between `n` vertices; those of one pair are added in their order.
+    pub fn new(n: usize, mut all: Vec<([u32; 2], f64)>) -> Self {
+        all.retain(|([a, b], k)| a != b && *k != 0.0);
+        all.iter_mut().for_each(|(ends, _)| ends.sort_unstable());
+        all.sort_by_key(|s| s.0);
+        let (mut start, mut ends, mut stiffness): (_, _, Vec<f64>) = (vec![0; n + 1], Vec::new(), Vec::new());
+        for same in all.chunk_by(|p, q| p.0 == q.0) {
+            let [a, b] = same[0].0;
+            start[a as usize + 1] += 1;
+            ends.push(b);
+            stiffness.push(same.iter().map(|s| s.1).sum());
+        }
+        for v in 0..n {
+            start[v + 1] += start[v];
+        }
+        Self { start, ends, stiffness }
+    }
+
+    /// Both ends and the stiffness of each.
+    pub fn all(&self) -> impl Iterator<Item = ([u32; 2], f64)> + '_ {
+        let springs = self.ends.iter().zip(&self.stiffness);
+        let from = (0u32..).zip(self.start.windows(2)).flat_map(|(a, s)| (s[0]..s[1]).map(move |_| a));
+        from.zip(springs).map(|(a, (b, k))| ([a, *b], *k))
+    }
+
+    /// Adds the forces, `size` times; gives the energy, `size` times.
+    pub fn evaluate(&self, size: f64, x: &[Vec3], f: &mut [Vec3]) -> f64 {
+        let mut twice = 0.0;
+        for (a, own) in self.start.windows(2).enumerate() {
+            let own = own[0] as usize..own[1] as usize;
+            let (from, mut pull) = (x[a], Vec3::zeros());
+            for (b, k) in self.ends[own.clone()].iter().zip(&self.stiffness[own]) {
+                let way = x[*b as usize] - from;
+                let force = way * (size * k);
+                twice += way.dot(&force);
+                pull += force;
+                f[*b as usize] -= force;
+            }
+            f[a] += pull;
+        }
+        0.5 * twice
+    }
+
+    pub fn energy(&self, size: f64, x: &[Vec3]) -> f64 {
+        let twice: f64 = self.all().map(|([a, b], k)| size * k * (x[b as usize] - x[a as usize]).norm_squared()).sum();
+        0.5 * twice
+    }
+
+    /// How far off rounding may leave the energy: where the cloth is flat, all that springs pull and push is nothing.
+    pub fn noise(&self, size: f64, x: &[Vec3]) -> f64 {
+        let sizes = self.all().map(|([a, b], k)| (size * k).abs() * (x[b as usize] - x[a as usize]).norm_squared());
+        f64::EPSILON * sizes.sum::<f64>()
+    }
+
+    pub fn add_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
+        pairs.extend(self.all().map(|s| s.0));
+    }
+
+    pub fn add_hessian(&self, size: f64, h: &mut Hessian) {
+        for (ends, k) in self.all() {
+            h.spread(&ends, &[1.0, -1.0], &(Matrix3::identity() * (size * k)));
+        }
+    }
+
+    /// Adds a bound of every vertex's row sum.
+    pub fn add_stiffness(&self, size: f64, sums: &mut [f64]) {
+        let mut own = vec![0.0; sums.len()];
+        for (ends, k) in self.all() {
+            for v in ends {
+                sums[v as usize] += size * k.abs();
+                own[v as usize] += size * k;
+            }
+        }
+        sums.iter_mut().zip(own).for_each(|(s, k)| *s += k.abs());
+    }
+}
