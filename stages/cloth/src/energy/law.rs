@@ -16,11 +16,13 @@ const MOST_LOCKING: f64 = 0.04;
 const WIDTH_OF_SMALL: f64 = 4e-6;
 /// … and the tension that it carries there over that of its curve, N/m.
 const LOCKED: f64 = 900.0;
-/// How much faster it grows beyond: four times as much at the limit itself, so that a band drawn over gathers stays within.
-const SHUTTING: f64 = 8.0;
+/// How much faster it grows beyond, up to so many widths on: so that a band drawn over gathers stays within its limit. Only so far,
+/// because cloth that comes from a coarser mesh begins far beyond in places, and must find back.
+const SHUTTING: f64 = 4.0;
+const SHUT_AFTER: f64 = 0.5;
 
 /// What a locking cloth carries over its curve: a tension that grows with the square of the strain from where it begins, and
-/// faster once it is locked. Below it adds nothing, so that a limit that is not reached changes no bit.
+/// faster just after it is locked. Below it adds nothing, so that a limit that is not reached changes no bit.
 #[derive(Clone, Copy, Debug)]
 struct Lock {
     from: f64,
@@ -42,9 +44,14 @@ impl Lock {
     fn over(&self, strain: f64) -> [f64; 3] {
         let near = (strain - self.from) / self.width;
         let (rise, on) = (near.min(1.0), (near - 1.0).max(0.0));
-        let tension = LOCKED * (rise * rise + on * (2.0 + SHUTTING * on));
-        let energy = LOCKED * self.width * (rise * rise * rise / 3.0 + on * (1.0 + on * (1.0 + SHUTTING / 3.0 * on)));
-        [tension, energy, 2.0 * LOCKED * (rise + SHUTTING * on) / self.width]
+        let first = on.min(SHUT_AFTER);
+        let rest = on - first;
+        let tension = rise * rise + 2.0 * on + SHUTTING * first * (first + 2.0 * rest);
+        let energy = rise * rise * rise / 3.0
+            + on * (1.0 + on)
+            + SHUTTING * first * (first * first / 3.0 + rest * (first + rest));
+        let slope = 2.0 * (rise + SHUTTING * first) / self.width;
+        [LOCKED * tension, LOCKED * self.width * energy, LOCKED * slope]
     }
 }
 

@@ -237,6 +237,22 @@ fn tables_follow_their_curves() {
     assert!((capped.tangent(0.1) - 1000.0).abs() < 1e-9);
 }
 
+/// Below, at and far beyond where cloth locks: tension is the slope of the energy, and the stiffness that of the tension. At its
+/// limit it carries kilonewtons.
+#[test]
+fn a_lock_is_one_energy_throughout() {
+    let (curve, limit) = (Curve::Linear { stiffness: 500.0 }, 0.08);
+    let law = super::law::Law::new(&curve, f64::INFINITY, 0.12, limit);
+    for strain in [0.02, 0.0793, 0.0796, 0.07985, 0.0799, 0.0801, 0.085, 0.2] {
+        let h = 1e-8;
+        let slope = |f: &dyn Fn(f64) -> f64| (f(strain + h) - f(strain - h)) / (2.0 * h);
+        let (tension, stiffness) = (slope(&|e| law.energy(e)), slope(&|e| law.tension(e)));
+        assert!((tension / law.tension(strain) - 1.0).abs() < 1e-5, "{strain}: {tension}, not {}", law.tension(strain));
+        assert!((stiffness / law.slope(strain) - 1.0).abs() < 1e-5, "{strain}: {stiffness}, not {}", law.slope(strain));
+    }
+    assert!(law.tension(limit) > 2500.0, "{} N/m", law.tension(limit));
+}
+
 /// Cloth on a cylinder, one column of its cells far narrower than the others.
 #[test]
 fn narrow_cells_bend_like_their_neighbours() {

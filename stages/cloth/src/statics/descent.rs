@@ -151,7 +151,7 @@ impl<'a> Descent<'a> {
 
     /// Steps in a block: more where a factor costs more.
     pub fn block_length(&self) -> usize {
-        if self.f.len() > 6000 { 16 } else { 8 }
+        if self.f.len() > 4500 { 16 } else { 8 }
     }
 
     /// Refreshes friction and metric. `false` if no metric can be had.

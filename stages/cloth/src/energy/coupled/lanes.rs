@@ -94,6 +94,8 @@ impl Default for Wide {
     }
 }
 
+// By index throughout: what is not one plain loop over the lanes is not made for wide registers.
+#[allow(clippy::needless_range_loop)]
 impl Block {
     fn new(triangles: &[Triangle]) -> Self {
         let point = triangles.first().map_or(0, |t| t.vertices[0]);
