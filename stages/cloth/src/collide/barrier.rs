@@ -95,6 +95,8 @@ pub(crate) struct Barrier {
     hard: Vec<f64>,
     /// Gaps to the body as they were before any gave way.
     wanted: Vec<f64>,
+    /// Vertices that began with the load under which they rest.
+    loaded: Vec<bool>,
     pub touches: Vec<Touch>,
     /// Distances of the listed pairs at the last evaluation, in the order of the lists, kind by kind.
     pub distances: [Vec<f64>; 5],
@@ -113,6 +115,7 @@ impl Barrier {
             listed: Listed::default(),
             stand_off: 0.0,
             hard: vec![1.0; area.len()],
+            loaded: vec![false; area.len()],
             area,
             touches: Vec::new(),
             distances: Default::default(),

@@ -6,8 +6,8 @@ use crate::linear::hessian::FIXED;
 
 /// At rest, a vertex that the body's contact lets nearer than this share of its gap is felt from farther off …
 const GAVE_WAY: f64 = 0.8;
-/// … those that are felt from farther off already: nearer than this. Moved out at every small pull, a strip that slides round
-/// a cylinder is stretched and slips each time, and loses up to 7 % of its tension.
+/// … one that began with its load: nearer than this. Moved out in every drape, a strip that is pulled round a cylinder little by
+/// little is stretched and slips each time, and loses up to 7 % of its tension.
 const GAVE_WAY_AGAIN: f64 = 0.6;
 /// They are so by at most so many gaps.
 const FARTHEST: f64 = 1.5;
@@ -23,7 +23,7 @@ impl Barrier {
         for t in self.touches.iter().filter(|t| t.key.0 == BODY_POINT) {
             let v = t.vertices[0] as usize;
             let gap = self.wanted[v];
-            let share = if self.frame.body_gap[v] > gap { GAVE_WAY_AGAIN } else { GAVE_WAY };
+            let share = if self.loaded[v] { GAVE_WAY_AGAIN } else { GAVE_WAY };
             if t.distance < share * gap && unknown[v] != FIXED {
                 farther[v] = farther[v].max(reaching(t.distance, t.gap, gap).min((1.0 + FARTHEST) * gap));
             }
@@ -56,6 +56,7 @@ impl Barrier {
             any = true;
             if pressed > 0.0 {
                 let farthest = (1.0 + FARTHEST) * self.wanted[v];
+                self.loaded[v] = true;
                 self.frame.body_gap[v] = halved([self.wanted[v], farthest], |g| push(g) < now + pressed);
             }
         }
@@ -68,6 +69,7 @@ impl Barrier {
     /// Takes back what [`Self::preload`] did.
     pub fn unload(&mut self, x: &[Vec3]) {
         self.frame.body_gap.clone_from(&self.wanted);
+        self.loaded.fill(false);
         self.relist(x);
     }
 
