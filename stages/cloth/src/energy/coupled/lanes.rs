@@ -97,10 +97,9 @@ impl Default for Wide {
 // By index throughout: what is not one plain loop over the lanes is not made for wide registers.
 #[allow(clippy::needless_range_loop)]
 impl Block {
+    /// Of at least one triangle, and at most as many as there are lanes.
     fn new(triangles: &[Triangle]) -> Self {
-        let point = triangles.first().map_or(0, |t| t.vertices[0]);
-        let (zero, mut block) = ([0.0; N], Self::at(point));
-        debug_assert!(triangles.len() <= N && block.area == zero);
+        let mut block = Self::at(triangles[0].vertices[0]);
         for (lane, t) in triangles.iter().enumerate() {
             block.vertices[lane] = t.vertices;
             block.fabric[lane] = t.fabric;
@@ -113,6 +112,7 @@ impl Block {
         block
     }
 
+    /// Points without area.
     fn at(point: u32) -> Self {
         let zero = [0.0; N];
         Self { vertices: [[point; 3]; N], fabric: [0; N], area: zero, half: [zero; 3], inverse: [[zero; 3]; 3] }
@@ -231,5 +231,44 @@ impl Block {
             energy += self.area[l] * s.energy.0[l];
         }
         energy
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{Curve, Element, Material, Settings};
+
+    /// Triangles at rest, stretched, sheared far and nearly collapsed, more of them than one block holds.
+    #[test]
+    fn side_by_side_triangles_pull_as_each_would_alone() {
+        let mut material = Material::isotropic(0.1, 700.0, 0.2, 1e-5);
+        material.warp = Curve::Exponential { k0: 700.0, beta: 20.0 };
+        let fabrics = [Fabric::new(&material, &Settings::default())];
+        let (mut triangles, mut x) = (Vec::new(), Vec::new());
+        for k in 0..45u32 {
+            let rest = [[0.0, 0.0], [0.01, 0.001], [0.002, 0.009]];
+            let (long, lean) = (0.1 + 0.04 * f64::from(k % 30), 0.03 * f64::from(k));
+            let vertices = [3 * k, 3 * k + 1, 3 * k + 2];
+            triangles.push(Triangle::new(&Element { vertices, rest, material: 0 }));
+            x.extend(rest.map(|[u, v]| Vec3::new(long * u + lean * v, 0.9 * v, 0.3 * u * v)));
+        }
+        let (mut f, mut alone) = (vec![Vec3::zeros(); x.len()], vec![Vec3::zeros(); x.len()]);
+        let energy = Lanes::new(&triangles).evaluate(&fabrics, &x, &mut f);
+        let mut sum = 0.0;
+        for t in &triangles {
+            let e = t.edges(&x);
+            let (s, per_area) = stress_and_energy(&t.green(&e), &fabrics[0]);
+            sum += t.area * per_area;
+            for k in 0..3 {
+                let m = &t.inverse;
+                let pull = e[k] * (t.area * (m[0][k] * s[0] + m[1][k] * s[1] + m[2][k] * s[2]));
+                alone[t.vertices[k] as usize] += pull;
+                alone[t.vertices[(k + 1) % 3] as usize] -= pull;
+            }
+        }
+        assert!((energy / sum - 1.0).abs() < 1e-12, "{energy} and {sum}");
+        let most = crate::longest(&alone);
+        assert!(crate::farthest(&f, &alone) < 1e-12 * most, "{} of {most}", crate::farthest(&f, &alone));
     }
 }
