@@ -10,7 +10,7 @@ use crate::problem::or_earth;
 use crate::scene::bending_length;
 use crate::topology::Topology;
 use crate::{Element, Material, Scene, Vec3, power_of_two};
-use nalgebra::{Matrix3, Vector2, Vector3};
+use nalgebra::{Vector2, Vector3};
 
 /// A triangle and the corners across its edges.
 pub(super) struct Patch {
@@ -23,6 +23,8 @@ pub(crate) struct Flexion {
     /// All patches but the slim ones.
     springs: Springs,
     slim: Vec<Patch>,
+    /// The slim ones as springs, for all but energy and forces.
+    slim_springs: Springs,
     /// What stands for bending in a rough metric: springs for wide triangles, their patches for the others.
     rough: Option<Springs>,
     /// A power of two of the size of the rigidities, in which the patches have theirs, N·m: so that cloth twice as stiff has
@@ -177,23 +179,6 @@ impl Patch {
         let pair = |i: usize, j: usize| ([self.vertices[i], self.vertices[j]], -self.stiffness(i, j));
         (0..6).flat_map(move |i| (0..i).map(move |j| pair(i, j)))
     }
-
-    fn add_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
-        for i in 0..6 {
-            let others = self.vertices[..i].iter().filter(|v| **v != self.vertices[i]);
-            pairs.extend(others.map(|v| [self.vertices[i], *v]));
-        }
-    }
-
-    /// Adds its second derivatives, `size` times.
-    fn add_hessian(&self, size: f64, h: &mut Hessian) {
-        for i in 0..6 {
-            h.add(self.vertices[i], &(Matrix3::identity() * (size * self.stiffness(i, i))));
-            for j in (0..i).filter(|j| self.stiffness(i, *j) != 0.0) {
-                h.couple(self.vertices[i], self.vertices[j], &(Matrix3::identity() * (size * self.stiffness(i, j))));
-            }
-        }
-    }
 }
 
 fn half_square(bend: &[Vec3; 3]) -> f64 {
@@ -274,9 +259,11 @@ impl Flexion {
         let patches = patches(scene, topology, &rigidities);
         let rough = rough(scene, topology, &rigidities, &patches);
         let (slim, others): (Vec<_>, Vec<_>) = patches.into_iter().partition(|p| is_slim(&scene.triangles[p.0]));
-        let springs = others.iter().flat_map(|(_, p)| p.springs()).collect();
-        let springs = Springs::new(scene.positions.len(), springs);
-        Self { springs, slim: slim.into_iter().map(|p| p.1).collect(), rough, size }
+        let springs = |some: &[(usize, Patch)]| {
+            Springs::new(scene.positions.len(), some.iter().flat_map(|(_, p)| p.springs()).collect())
+        };
+        let (springs, slim_springs) = (springs(&others), springs(&slim));
+        Self { springs, slim: slim.into_iter().map(|p| p.1).collect(), slim_springs, rough, size }
     }
 }
 
@@ -305,22 +292,15 @@ impl Energy for Flexion {
     }
 
     fn add_stiffness(&self, _: &[Vec3], k: &mut [f64]) {
-        self.springs.add_stiffness(self.size, k);
-        for p in &self.slim {
-            for (i, v) in p.vertices.iter().enumerate() {
-                k[*v as usize] += self.size * (0..6).map(|j| p.stiffness(i, j).abs()).sum::<f64>();
-            }
-        }
+        [&self.springs, &self.slim_springs].iter().for_each(|s| s.add_stiffness(self.size, k));
     }
 
     fn add_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
-        self.springs.add_pairs(pairs);
-        self.slim.iter().for_each(|p| p.add_pairs(pairs));
+        [&self.springs, &self.slim_springs].iter().for_each(|s| s.add_pairs(pairs));
     }
 
     fn add_hessian(&self, _: &[Vec3], _: bool, h: &mut Hessian) {
-        self.springs.add_hessian(self.size, h);
-        self.slim.iter().for_each(|p| p.add_hessian(self.size, h));
+        [&self.springs, &self.slim_springs].iter().for_each(|s| s.add_hessian(self.size, h));
     }
 
     fn rough(&self) -> bool {

@@ -73,24 +73,24 @@ impl WithSimd for Evaluate<'_> {
 #[derive(Default)]
 struct Slate {
     /// By edge and axis.
-    edges: [[Wide; 3]; 3],
-    green: [Wide; 3],
+    edges: [[Row; 3]; 3],
+    green: [Row; 3],
     /// Over 1, along weft and warp, and one over the stretch.
-    strain: [Wide; 2],
-    inverse: [Wide; 2],
-    sine: Wide,
+    strain: [Row; 2],
+    inverse: [Row; 2],
+    sine: Row,
     /// Tensions, then the stress conjugate to the Green strain, N/m.
-    stress: [Wide; 3],
-    shear: Wide,
+    stress: [Row; 3],
+    shear: Row,
     /// Per area, J/m².
-    energy: Wide,
+    energy: Row,
 }
 
-struct Wide(Row);
-
-impl Default for Wide {
-    fn default() -> Self {
-        Self([0.0; N])
+impl Slate {
+    /// Is a lane neither sheared far nor nearly collapsed?
+    #[inline(always)]
+    fn mild(&self, l: usize) -> bool {
+        self.sine[l].abs() < MILD && self.strain[0][l].min(self.strain[1][l]) > LEAST_STRETCH - 1.0
     }
 }
 
@@ -134,28 +134,28 @@ impl Block {
         for (lane, v) in self.vertices.iter().enumerate() {
             let [a, b, c] = crate::pick3(x, v);
             for axis in 0..3 {
-                s.edges[0][axis].0[lane] = b[axis] - a[axis];
-                s.edges[1][axis].0[lane] = c[axis] - b[axis];
-                s.edges[2][axis].0[lane] = a[axis] - c[axis];
+                s.edges[0][axis][lane] = b[axis] - a[axis];
+                s.edges[1][axis][lane] = c[axis] - b[axis];
+                s.edges[2][axis][lane] = a[axis] - c[axis];
             }
         }
         for l in 0..N {
             let mut q = [0.0; 3];
             for k in 0..3 {
-                let [x, y, z] = [s.edges[k][0].0[l], s.edges[k][1].0[l], s.edges[k][2].0[l]];
+                let [x, y, z] = [s.edges[k][0][l], s.edges[k][1][l], s.edges[k][2][l]];
                 q[k] = 0.5 * (x * x + y * y + z * z) - self.half[k][l];
             }
             let mut green = [0.0; 3];
             for k in 0..3 {
                 let m = &self.inverse[k];
                 green[k] = m[0][l] * q[0] + m[1][l] * q[1] + m[2][l] * q[2];
-                s.green[k].0[l] = green[k];
+                s.green[k][l] = green[k];
             }
             let (a, b) = ((1.0 + 2.0 * green[0]).max(0.0).sqrt(), (1.0 + 2.0 * green[1]).max(0.0).sqrt());
             let (ia, ib) = (1.0 / a.max(LEAST_STRETCH), 1.0 / b.max(LEAST_STRETCH));
-            (s.strain[0].0[l], s.strain[1].0[l]) = (a - 1.0, b - 1.0);
-            (s.inverse[0].0[l], s.inverse[1].0[l]) = (ia, ib);
-            s.sine.0[l] = green[2] * ia * ib;
+            (s.strain[0][l], s.strain[1][l]) = (a - 1.0, b - 1.0);
+            (s.inverse[0][l], s.inverse[1][l]) = (ia, ib);
+            s.sine[l] = green[2] * ia * ib;
         }
     }
 
@@ -164,12 +164,12 @@ impl Block {
     fn tense(&self, fabrics: &[Fabric], s: &mut Slate) {
         for l in 0..N {
             let fabric = &fabrics[self.fabric[l] as usize];
-            let (a, b) = (s.strain[0].0[l], s.strain[1].0[l]);
+            let (a, b) = (s.strain[0][l], s.strain[1][l]);
             let ((weft, e), (warp, g)) = (fabric.weft.both(a), fabric.warp.both(b));
-            s.stress[0].0[l] = weft + fabric.cross * b;
-            s.stress[1].0[l] = warp + fabric.cross * a;
-            s.energy.0[l] = e + g + fabric.cross * a * b;
-            s.shear.0[l] = fabric.shear;
+            s.stress[0][l] = weft + fabric.cross * b;
+            s.stress[1][l] = warp + fabric.cross * a;
+            s.energy[l] = e + g + fabric.cross * a * b;
+            s.shear[l] = fabric.shear;
         }
     }
 
@@ -177,18 +177,17 @@ impl Block {
     fn stress(&self, fabrics: &[Fabric], s: &mut Slate) {
         let mut all_mild = true;
         for l in 0..N {
-            let least = s.strain[0].0[l].min(s.strain[1].0[l]);
-            all_mild &= s.sine.0[l].abs() < MILD && least > LEAST_STRETCH - 1.0;
+            all_mild &= s.mild(l);
         }
         for l in 0..N {
-            let (ia, ib, sine) = (s.inverse[0].0[l], s.inverse[1].0[l], s.sine.0[l]);
+            let (ia, ib, sine) = (s.inverse[0][l], s.inverse[1][l], s.sine[l]);
             let (gamma, slope) = mild_angle(sine);
-            let tau = s.shear.0[l] * gamma * slope;
+            let tau = s.shear[l] * gamma * slope;
             let lean = tau * sine;
-            s.energy.0[l] += 0.5 * s.shear.0[l] * gamma * gamma;
-            s.stress[0].0[l] = s.stress[0].0[l] * ia - lean * (ia * ia);
-            s.stress[1].0[l] = s.stress[1].0[l] * ib - lean * (ib * ib);
-            s.stress[2].0[l] = tau * (ia * ib);
+            s.energy[l] += 0.5 * s.shear[l] * gamma * gamma;
+            s.stress[0][l] = s.stress[0][l] * ia - lean * (ia * ia);
+            s.stress[1][l] = s.stress[1][l] * ib - lean * (ib * ib);
+            s.stress[2][l] = tau * (ia * ib);
         }
         if !all_mild {
             self.mend(fabrics, s);
@@ -198,13 +197,13 @@ impl Block {
     /// What is sheared far or nearly collapsed is told one by one.
     fn mend(&self, fabrics: &[Fabric], s: &mut Slate) {
         for l in 0..N {
-            let mild = s.sine.0[l].abs() < MILD && s.strain[0].0[l].min(s.strain[1].0[l]) > LEAST_STRETCH - 1.0;
-            if !mild {
-                let green = [s.green[0].0[l], s.green[1].0[l], s.green[2].0[l]];
-                let (stress, energy) = stress_and_energy(&green, &fabrics[self.fabric[l] as usize]);
-                (0..3).for_each(|k| s.stress[k].0[l] = stress[k]);
-                s.energy.0[l] = energy;
+            if s.mild(l) {
+                continue;
             }
+            let green = [s.green[0][l], s.green[1][l], s.green[2][l]];
+            let (stress, energy) = stress_and_energy(&green, &fabrics[self.fabric[l] as usize]);
+            (0..3).for_each(|k| s.stress[k][l] = stress[k]);
+            s.energy[l] = energy;
         }
     }
 
@@ -215,10 +214,10 @@ impl Block {
         for l in 0..N {
             for k in 0..3 {
                 let m = &self.inverse;
-                let sum = m[0][k][l] * s.stress[0].0[l] + m[1][k][l] * s.stress[1].0[l] + m[2][k][l] * s.stress[2].0[l];
+                let sum = m[0][k][l] * s.stress[0][l] + m[1][k][l] * s.stress[1][l] + m[2][k][l] * s.stress[2][l];
                 let pull = self.area[l] * sum;
                 for axis in 0..3 {
-                    pulls[k][axis][l] = s.edges[k][axis].0[l] * pull;
+                    pulls[k][axis][l] = s.edges[k][axis][l] * pull;
                 }
             }
         }
@@ -228,7 +227,7 @@ impl Block {
             f[a as usize] += p - r;
             f[b as usize] += q - p;
             f[c as usize] += r - q;
-            energy += self.area[l] * s.energy.0[l];
+            energy += self.area[l] * s.energy[l];
         }
         energy
     }

@@ -53,10 +53,16 @@ fn first(graph: &Graph) -> Vec<u8> {
     best.map_or_else(Vec::new, |b| b.1)
 }
 
-/// Weight between the sides, and by how much one outweighs the other.
-fn worth(graph: &Graph, sides: &[u8]) -> (u32, u32) {
+/// Weight on each side and between.
+fn weights(graph: &Graph, sides: &[u8]) -> [u32; 3] {
     let mut weights = [0u32; 3];
     sides.iter().zip(&graph.weight).for_each(|(s, w)| weights[usize::from(*s)] += w);
+    weights
+}
+
+/// Weight between the sides, and by how much one outweighs the other.
+fn worth(graph: &Graph, sides: &[u8]) -> (u32, u32) {
+    let weights = weights(graph, sides);
     (weights[2], weights[0].abs_diff(weights[1]))
 }
 
@@ -94,8 +100,7 @@ struct Parting<'a> {
 
 impl<'a> Parting<'a> {
     fn new(graph: &'a Graph, sides: Vec<u8>) -> Self {
-        let mut weights = [0u32; 3];
-        sides.iter().zip(&graph.weight).for_each(|(s, w)| weights[usize::from(*s)] += w);
+        let weights = weights(graph, &sides);
         let heaviest = graph.weight.iter().max().copied().unwrap_or(0);
         let most = (graph.total() / UNEVEN.1 * UNEVEN.0).max(graph.total() / 2 + heaviest);
         let n = graph.len();
