@@ -4,7 +4,7 @@
 #![allow(clippy::print_stdout, clippy::print_stderr)]
 
 use std::process::ExitCode;
-use toile_formats::dxf::write::{Dialect, Drawing, PieceOptions, StyleText, piece_drawing, size_run, write};
+use toile_formats::dxf::write::{Dialect, Drawing, PieceOptions, Sizes, StyleText, piece_drawing, write};
 use toile_formats::dxf::{Pattern, ReadOptions, grade, read};
 use toile_formats::rul;
 use toile_garment::dart::Dart;
@@ -82,8 +82,8 @@ fn nest(pattern: &Pattern, input: &str) -> Vec<(Option<String>, Files)> {
     if pattern.size_order(table.as_ref()).len() < 2 {
         return Vec::new();
     }
-    let run = match size_run(pattern, table.as_ref(), PieceOptions::default()) {
-        Ok(run) => run,
+    let run = match Sizes::new(pattern, table.as_ref()) {
+        Ok(sizes) => sizes.draw(PieceOptions::default()),
         Err(faults) => return vec![(Some(faults.iter().map(|f| f.message.clone()).collect()), Vec::new())],
     };
     let Some(rules) = &run.table else { return vec![(Some("no rule table".into()), Vec::new())] };

@@ -1,8 +1,7 @@
 //! What the writer writes, the reader reads: the sample patterns, out and in again.
 
 use std::path::PathBuf;
-use toile_formats::dxf::write::size_run;
-use toile_formats::dxf::write::{Dialect, Drawing, PieceOptions, StyleText, piece_drawing, write};
+use toile_formats::dxf::write::{Dialect, Drawing, PieceOptions, Sizes, StyleText, piece_drawing, write};
 use toile_formats::dxf::{ReadOptions, inspect, read};
 use toile_formats::rul;
 use toile_garment::{Garment, Piece, Severity};
@@ -201,7 +200,7 @@ fn a_size_run_goes_out_with_its_rules_and_grades_back() {
     let sizes = [("36", -9.0), ("38", 0.0), ("40", 12.0), ("42", 30.0)];
     let text = nest(&sizes);
     let pattern = read(text.as_bytes(), "nest.dxf", &ReadOptions::default()).expect("nest");
-    let run = size_run(&pattern, None, PieceOptions::default()).expect("run");
+    let run = Sizes::new(&pattern, None).expect("sizes").draw(PieceOptions::default());
     assert_eq!(run.findings, []);
     let table = run.table.as_ref().expect("table");
     assert_eq!(

@@ -9,11 +9,8 @@ pub(super) const CODES: &[Code] = &[
         "allowance-grows-together",
         "The allowances of a piece grow together and enclose a hole; the cut line runs around it. Take a smaller allowance there.",
     ),
-    code(
-        "allowance-with-size-run",
-        "`size_run` writes the cut lines of its own file; `allowance` cannot change them. Exit code 2.",
-    ),
     code("boundary-too-short", "A piece to write has fewer than three boundary points. Exit code 3."),
+    code("font-unreadable", "`font` is not a TrueType or OpenType file. Exit code 3."),
     code("flat-does-not-fit", "The flattened positions do not belong to the piece's mesh or outline. Exit code 3."),
     code(
         "flat-missing",
@@ -73,6 +70,7 @@ pub(super) const CODES: &[Code] = &[
     ),
     code(
         "text-not-latin",
-        "A PDF written by this program holds Latin letters only; others became `?`. SVG holds all of them.",
+        "A PDF written by this program holds Latin letters only; others became `?`. SVG holds all of them, and `font` draws them.",
     ),
+    code("text-not-in-font", "The `font` given lacks letters of a label, which stays a text. Give one that has them."),
 ];

@@ -3,8 +3,8 @@
 use crate::allowance::{self, AllowanceParams, Which};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use std::path::Path;
-use toile_formats::plot::{self, Paper};
+use std::path::{Path, PathBuf};
+use toile_formats::plot::{self, Font, Paper, Sheet};
 use toile_garment::units::Length;
 use toile_garment::{Aspect, Diagnostic, Garment};
 use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
@@ -26,6 +26,9 @@ pub struct ExportPrintParams {
     /// Between pieces (20 mm).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gap: Option<Length>,
+    /// A TrueType or OpenType file: names are drawn with its letters, so that those of any script stand in PDF and HPGL.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub font: Option<PathBuf>,
     /// Makes the cut lines anew.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub allowance: Option<AllowanceParams>,
@@ -33,7 +36,14 @@ pub struct ExportPrintParams {
 
 impl Default for ExportPrintParams {
     fn default() -> Self {
-        Self { file: "{out}/pattern.pdf".to_owned(), paper: "a4".to_owned(), width: None, gap: None, allowance: None }
+        Self {
+            file: "{out}/pattern.pdf".to_owned(),
+            paper: "a4".to_owned(),
+            width: None,
+            gap: None,
+            font: None,
+            allowance: None,
+        }
     }
 }
 
@@ -64,7 +74,10 @@ impl Stage for ExportPrint {
         }
         let mut pieces = garment.pieces.clone();
         allowance::add(params.allowance.as_ref(), &mut pieces, Which::All, cx)?;
-        let sheet = plot::lay(&pieces, gap, width);
+        let mut sheet = plot::lay(&pieces, gap, width);
+        if let Some(font) = &params.font {
+            spell(&mut sheet, font, cx)?;
+        }
         let ending = params.file.rsplit_once('.').map_or("", |(_, e)| e).to_ascii_lowercase();
         let (bytes, findings) = match ending.as_str() {
             "svg" => (plot::svg(&sheet, &garment.style).into_bytes(), Vec::new()),
@@ -88,6 +101,14 @@ impl Stage for ExportPrint {
         cx.files.write(Path::new(&params.file), &bytes)?;
         Ok(garment)
     }
+}
+
+/// Draws the labels with the letters of a font file.
+fn spell(sheet: &mut Sheet, font: &Path, cx: &mut StageContext<'_>) -> Result<(), StageError> {
+    let bytes = cx.files.read(font)?;
+    let font = Font::read(&bytes, &font.to_string_lossy()).map_err(StageError::input)?;
+    cx.report.findings.extend(plot::spell(sheet, &font));
+    Ok(())
 }
 
 #[cfg(test)]

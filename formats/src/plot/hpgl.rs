@@ -24,13 +24,15 @@ pub fn hpgl(sheet: &Sheet) -> Result<(String, Vec<Diagnostic>), Diagnostic> {
     let mut findings = Vec::new();
     for (pen, layer) in (1..).zip(Layer::ALL) {
         let labels = if layer == Layer::Text { sheet.labels.as_slice() } else { &[] };
-        if labels.is_empty() && sheet.on(layer).next().is_none() {
+        let letters = if layer == Layer::Text { sheet.letters.as_slice() } else { &[] };
+        if labels.is_empty() && letters.is_empty() && sheet.on(layer).next().is_none() {
             continue;
         }
         let _ = writeln!(out, "SP{pen};");
-        for stroke in sheet.on(layer) {
-            let Some((first, rest)) = stroke.points.split_first() else { continue };
-            let closing = stroke.closed.then_some(first);
+        let strokes = sheet.on(layer).map(|s| (&s.points, s.closed));
+        for (points, closed) in strokes.chain(letters.iter().flatten().map(|ring| (ring, true))) {
+            let Some((first, rest)) = points.split_first() else { continue };
+            let closing = closed.then_some(first);
             let line: Vec<String> = rest.iter().chain(closing).map(|p| xy(*p)).collect();
             let _ = writeln!(out, "PU{};PD{};", xy(*first), line.join(","));
         }
@@ -39,7 +41,10 @@ pub fn hpgl(sheet: &Sheet) -> Result<(String, Vec<Diagnostic>), Diagnostic> {
             let plain: String = text.chars().map(|c| if (' '..='~').contains(&c) { c } else { '?' }).collect();
             if plain != text {
                 let text = format!("the label `{}` is plotted as `{plain}`", label.text);
-                findings.push(Diagnostic::info("text-not-ascii", text).hint("HPGL holds 7-bit ASCII only"));
+                findings.push(
+                    Diagnostic::info("text-not-ascii", text)
+                        .hint("HPGL holds 7-bit ASCII only; with a `font` its letters are drawn"),
+                );
             }
             // Height of the letters in cm; a letter is as wide as two thirds of it.
             let height = label.height / 10.0;

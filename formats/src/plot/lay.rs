@@ -1,7 +1,7 @@
 //! Pieces side by side on a sheet, with a square of known size to measure.
 
 use super::strokes::{label, strokes};
-use super::{Label, Layer, Stroke};
+use super::{Label, Layer, Letters, Stroke};
 use crate::svg::canvas::Bounds;
 use toile_garment::{Piece, Vec2};
 
@@ -17,6 +17,8 @@ pub struct Sheet {
     pub strokes: Vec<Stroke>,
     /// Texts.
     pub labels: Vec<Label>,
+    /// Texts as outlines of their letters.
+    pub letters: Vec<Letters>,
 }
 
 impl Sheet {

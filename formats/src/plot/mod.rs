@@ -3,6 +3,7 @@
 
 mod hpgl;
 mod lay;
+mod letters;
 mod pdf;
 mod strokes;
 mod svg;
@@ -11,6 +12,7 @@ mod tests;
 
 pub use hpgl::hpgl;
 pub use lay::{Sheet, lay};
+pub use letters::{Font, Letters, spell};
 pub use pdf::{Paper, pdf};
 pub use svg::svg;
 

@@ -1,7 +1,8 @@
 //! The sheet as PDF at 1:1: on one page of its own size, or in tiles on paper, with marks to join them.
 
-use super::{Layer, Sheet};
-use pdf_writer::{Content, Finish, Name, Pdf, Rect, Ref, Str};
+use super::{Layer, Letters, Sheet};
+use miniz_oxide::deflate::compress_to_vec_zlib;
+use pdf_writer::{Content, Filter, Finish, Name, Pdf, Rect, Ref, Str};
 use toile_garment::{Diagnostic, Vec2};
 
 /// Points per millimetre.
@@ -10,6 +11,8 @@ const POINT: f64 = 72.0 / 25.4;
 const MARGIN: f64 = 10.0;
 /// Arms of the marks at the corners of a tile, mm.
 const MARK: f64 = 5.0;
+/// How hard pages are packed, of 10.
+const PACKING: u8 = 6;
 /// Most pages.
 const PAGES: usize = 5_000;
 /// Largest page of PDF, mm (200 inches).
@@ -72,13 +75,15 @@ pub fn pdf(sheet: &Sheet, paper: Paper, title: &str) -> Result<(Vec<u8>, Vec<Dia
         one.resources().fonts().pair(Name(b"F"), font);
         one.finish();
         let content = draw(sheet, tile, page, &mut lost);
-        pdf.stream(id(k, 1), &content.finish());
+        let packed = compress_to_vec_zlib(&content.finish(), PACKING);
+        pdf.stream(id(k, 1), &packed).filter(Filter::FlateDecode);
     }
     pdf.type1_font(font).base_font(Name(b"Helvetica")).encoding_predefined(Name(b"WinAnsiEncoding"));
     let mut findings = Vec::new();
     if lost {
         let text = "letters that are not Latin are written as `?` in the PDF";
-        findings.push(Diagnostic::info("text-not-latin", text).hint("SVG holds all of them"));
+        findings
+            .push(Diagnostic::info("text-not-latin", text).hint("SVG holds all of them; with a `font` they are drawn"));
     }
     Ok((pdf.finish(), findings))
 }
@@ -141,6 +146,9 @@ fn draw(sheet: &Sheet, tile: &Tile, page: Vec2, lost: &mut bool) -> Content {
             content.stroke();
         }
     }
+    for ring in sheet.letters.iter().filter(|l| l.iter().any(|r| touches(r, tile))) {
+        fill(&mut content, ring, &at);
+    }
     for label in &sheet.labels {
         let width = 0.5 * label.height * label.text.chars().count() as f64;
         text(&mut content, at(label.at - Vec2::new(0.5 * width, 0.0)), label.height, &label.text, lost);
@@ -152,6 +160,22 @@ fn draw(sheet: &Sheet, tile: &Tile, page: Vec2, lost: &mut bool) -> Content {
         text(&mut content, at(tile.from + Vec2::new(MARK + 2.0, -MARGIN + 4.0)), 3.0, &name, lost);
     }
     content
+}
+
+/// The letters of a label.
+fn fill(content: &mut Content, letters: &Letters, at: &dyn Fn(Vec2) -> (f32, f32)) {
+    for ring in letters {
+        for (k, p) in ring.iter().enumerate() {
+            let (x, y) = at(*p);
+            if k == 0 {
+                content.move_to(x, y)
+            } else {
+                content.line_to(x, y)
+            };
+        }
+        content.close_path();
+    }
+    content.fill_nonzero();
 }
 
 /// Could a line show on a tile?

@@ -3,6 +3,7 @@
 use super::{Layer, Sheet};
 use crate::svg::canvas::{escape, fixed};
 use std::fmt::Write as _;
+use toile_garment::Vec2;
 
 /// The drawing. One unit is one millimetre, and the page is as large as the sheet.
 #[must_use]
@@ -25,14 +26,13 @@ pub fn svg(sheet: &Sheet, title: &str) -> String {
             fixed(layer.width(), 2)
         );
         for stroke in sheet.on(layer) {
-            let mut d = String::new();
-            for (k, p) in stroke.points.iter().enumerate() {
-                let letter = if k == 0 { 'M' } else { 'L' };
-                let _ = write!(d, "{letter}{} {}", fixed(p.x, 3), fixed(sheet.size.y - p.y, 3));
-            }
-            let _ = writeln!(out, "<path d=\"{d}{}\"/>", if stroke.closed { "Z" } else { "" });
+            let _ = writeln!(out, "<path d=\"{}\"/>", path(sheet, &stroke.points, stroke.closed));
         }
         if layer == Layer::Text {
+            for letters in &sheet.letters {
+                let rings: String = letters.iter().map(|r| path(sheet, r, true)).collect();
+                let _ = writeln!(out, "<path d=\"{rings}\" fill=\"#333\" stroke=\"none\"/>");
+            }
             for label in &sheet.labels {
                 let _ = writeln!(
                     out,
@@ -48,6 +48,15 @@ pub fn svg(sheet: &Sheet, title: &str) -> String {
     }
     out.push_str("</svg>\n");
     out
+}
+
+fn path(sheet: &Sheet, points: &[Vec2], closed: bool) -> String {
+    let mut d = String::new();
+    for (k, p) in points.iter().enumerate() {
+        let letter = if k == 0 { 'M' } else { 'L' };
+        let _ = write!(d, "{letter}{} {}", fixed(p.x, 3), fixed(sheet.size.y - p.y, 3));
+    }
+    d + if closed { "Z" } else { "" }
 }
 
 fn color(layer: Layer) -> &'static str {

@@ -75,6 +75,78 @@ fn pdf_is_tiled_without_gaps_at_one_to_one() {
     assert_eq!(pdf(&sheet, Paper::Sheet, "T").expect("again").0, one, "the same bytes");
 }
 
+/// A font with the letters `A` (a square of 500 units) and `å` (a triangle), both 600 wide; 1,000 units to the em.
+fn font() -> Vec<u8> {
+    let be = |values: &[i16]| values.iter().flat_map(|v| v.to_be_bytes()).collect::<Vec<u8>>();
+    let glyph = |points: &[[i16; 2]]| {
+        let (mut x, mut y, mut last) = (Vec::new(), Vec::new(), [0, 0]);
+        for p in points {
+            x.push(p[0] - last[0]);
+            y.push(p[1] - last[1]);
+            last = *p;
+        }
+        let head = be(&[1, 0, 0, 500, 500, points.len() as i16 - 1, 0]);
+        [head, vec![1; points.len()], be(&x), be(&y)].concat()
+    };
+    let mut glyf = glyph(&[[0, 0], [500, 0], [500, 500], [0, 500]]);
+    glyf.resize(glyf.len().next_multiple_of(4), 0);
+    let second = glyf.len() as i16;
+    glyf.extend(glyph(&[[0, 0], [500, 0], [250, 500]]));
+    glyf.resize(glyf.len().next_multiple_of(4), 0);
+    let end = glyf.len() as i16;
+    let mut head = vec![0_u8; 54];
+    head[18..20].copy_from_slice(&1_000_i16.to_be_bytes());
+    let mut maxp = be(&[1, 0, 3]);
+    maxp.resize(32, 0);
+    let mut hhea = vec![0_u8; 36];
+    hhea[34..36].copy_from_slice(&3_i16.to_be_bytes());
+    let segments =
+        [be(&[4, 40, 0, 6, 0, 0, 0]), be(&[65, 0xE5, -1, 0, 65, 0xE5, -1]), be(&[-64, 2 - 0xE5, 1, 0, 0, 0])];
+    let cmap = [be(&[0, 1, 3, 1, 0, 12]), segments.concat()].concat();
+    let tables: Vec<(&[u8; 4], Vec<u8>)> = vec![
+        (b"cmap", cmap),
+        (b"glyf", glyf),
+        (b"head", head),
+        (b"hhea", hhea),
+        (b"hmtx", be(&[600, 0, 600, 0, 600, 0])),
+        (b"loca", be(&[0, 0, second / 2, end / 2])),
+        (b"maxp", maxp),
+    ];
+    let mut out = [be(&[1, 0]), be(&[tables.len() as i16, 0, 0, 0])].concat();
+    let mut at = out.len() + 16 * tables.len();
+    let mut body = Vec::new();
+    for (name, mut data) in tables {
+        out.extend(name.iter());
+        for number in [0, at as u32, data.len() as u32] {
+            out.extend(number.to_be_bytes());
+        }
+        data.resize(data.len().next_multiple_of(4), 0);
+        at += data.len();
+        body.extend(data);
+    }
+    [out, body].concat()
+}
+
+#[test]
+fn letters_of_a_font_are_drawn() {
+    let bytes = font();
+    let font = Font::read(&bytes, "t.ttf").expect("font");
+    let label = |text: &str| Label { at: Vec2::new(100.0, 50.0), height: 7.0, text: text.into() };
+    let mut sheet = Sheet { size: Vec2::new(200.0, 100.0), ..Sheet::default() };
+    sheet.labels = vec![label("Aå"), label("A前")];
+    let findings = spell(&mut sheet, &font);
+    // 7 mm are 700 units: two letters of 6 mm about the middle, each 5 mm wide and high.
+    assert_eq!((sheet.letters.len(), sheet.letters[0].len(), sheet.letters[0][1].len()), (1, 2, 3));
+    let (lo, hi) = box_of(&sheet.letters[0].concat());
+    assert!((lo - Vec2::new(94.0, 50.0)).norm() < 1e-9 && (hi - Vec2::new(105.0, 55.0)).norm() < 1e-9, "{lo} {hi}");
+    assert!(findings.len() == 1 && findings[0].message.contains("`前`") && sheet.labels.len() == 1);
+    let (text, _) = hpgl(&sheet).expect("hpgl");
+    assert!(text.contains("PU3760,2000;PD3960,2000,3960,2200,3760,2200,3760,2000;"), "{text}");
+    assert!(svg(&sheet, "T").contains("M94.000 50.000L99.000 50.000L99.000 45.000L94.000 45.000Z"));
+    assert!(pdf(&sheet, Paper::Sheet, "T").is_ok());
+    assert_eq!(Font::read(b"no font", "t.ttf").err().expect("refused").code, "font-unreadable");
+}
+
 #[test]
 fn what_is_too_large_is_said() {
     let large = Sheet { size: Vec2::new(1e6, 1e6), ..Sheet::default() };

@@ -118,11 +118,6 @@ impl Stage for ExportDxf {
         cx: &mut StageContext<'_>,
     ) -> Result<Garment, StageError> {
         if let Some(pattern) = &params.size_run {
-            if params.allowance.is_some() {
-                let text = "`allowance` and `size_run` cannot be given together: a size run keeps its cut lines";
-                let hint = "import the sizes as a list and write them with source = \"pattern\"";
-                return Err(StageError::parameter(Diagnostic::error("allowance-with-size-run", text).hint(hint)));
-            }
             write_run(pattern, params, cx)?;
             return Ok(garment);
         }
@@ -149,7 +144,11 @@ fn write_run(path: &Path, params: &ExportDxfParams, cx: &mut StageContext<'_>) -
     let table = cx.files.read_optional(&beside)?;
     let table = table.map(|t| rul::read(&t, &beside.to_string_lossy())).transpose().map_err(StageError::Input)?;
     let options = PieceOptions { half_on_fold: params.half_on_fold, mark_darts: params.mark_darts };
-    let run = write::size_run(&pattern, table.as_ref(), options).map_err(StageError::Input)?;
+    let mut sizes = write::Sizes::new(&pattern, table.as_ref()).map_err(StageError::Input)?;
+    if params.allowance.is_some() {
+        sizes.recut(|pieces| allowance::add(params.allowance.as_ref(), pieces, Which::All, cx))?;
+    }
+    let run = sizes.draw(options);
     let dialect = params.dialect.written();
     let written = write::write(&run.drawing, dialect).map_err(StageError::Input)?;
     run.findings.into_iter().chain(written.findings).for_each(|f| cx.report.push(f));

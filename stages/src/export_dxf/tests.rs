@@ -249,6 +249,49 @@ fn a_size_run_is_two_files() {
     }
 }
 
+/// The sample size graded by the rules that were written, and the size drawn: the largest distance of a ruled vertex.
+fn off_the_drawn_size(pattern: &dxf::Pattern, table: &rul::RuleTable, size: &str) -> f64 {
+    let of = |size: &str| pattern.pieces.iter().filter(|p| p.size.as_deref() == Some(size)).collect::<Vec<_>>();
+    let mut worst = 0.0_f64;
+    for (sample, drawn) in of(table.sample.as_deref().expect("sample")).into_iter().zip(of(size)) {
+        let graded = dxf::grade::grade(sample, table, size).expect("graded");
+        let there = drawn.boundary.positions();
+        for (from, to) in sample.boundary.positions().iter().zip(graded.boundary.positions()) {
+            if sample.rules.iter().any(|r| (r.at - from).norm() < 0.02) {
+                worst = there.iter().map(|q| (q - to).norm()).fold(f64::INFINITY, f64::min).max(worst);
+            }
+        }
+    }
+    worst
+}
+
+#[test]
+fn a_size_run_gets_the_allowance_in_every_size() {
+    for dialect in ["aama", "astm", "clo", "gerber", "optitex", "plain"] {
+        let params = format!(
+            "file = \"out/run.dxf\"\nsize_run = \"t-shirt.dxf\"\ndialect = \"{dialect}\"\nallowance.width = \"10 mm\""
+        );
+        let params: ExportDxfParams = toml::from_str(&params).expect("params");
+        let (result, files, report) = run(Garment::default(), &params);
+        result.expect("written");
+        assert!(!report.findings.iter().any(|f| f.code == "sizes-without-rules"), "{:?}", report.findings);
+        let table = rul::read(&files.0[1].1, "run.rul").expect("rules");
+        let pattern = dxf::read(&files.0[0].1, "run.dxf", &ReadOptions::default()).expect("pattern");
+        for size in &table.sizes {
+            let (garment, _) = pattern.to_garment(Some(size), None).expect("size");
+            for piece in &garment.pieces {
+                // The sew line keeps 10 mm from the cut line.
+                let cut = piece.cut_line.as_ref().expect("cut line").positions();
+                let sew = piece.outline.positions();
+                let nearest = sew.iter().map(|p| dxf::geom::distance(*p, &cut, true)).fold(f64::INFINITY, f64::min);
+                assert!((nearest - 0.01).abs() < 2e-6, "{dialect} {size} {}: {nearest}", piece.name);
+            }
+            let off = off_the_drawn_size(&pattern, &table, size);
+            assert!(off <= 0.01, "{dialect} {size}: {off} mm");
+        }
+    }
+}
+
 #[test]
 fn parameters_are_strict() {
     let read = |text: &str| toml::from_str::<ExportDxfParams>(text);

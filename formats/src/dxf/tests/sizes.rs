@@ -46,6 +46,35 @@ fn rule_table_grades_corners_and_what_lies_between() {
     assert_eq!(pattern.to_garment(Some("40"), Some(&missing)).expect_err("rule 4")[0].code, "rule-missing");
 }
 
+/// A hem with two ruled curve points, one of them on the dense copy and one 0.3 mm beside it.
+#[test]
+fn curve_points_keep_their_rules_on_the_dense_copy() {
+    let hem = [(0.0, 0.0), (100.0, -8.0), (200.0, -8.0), (300.0, 0.0), (300.0, 600.0), (0.0, 600.0)];
+    let fine = [(0.0, 0.0), (50.0, -5.0), (100.0, -8.0), (150.0, -9.0), (199.0, -8.3), (250.0, -5.0), (300.0, 0.0)];
+    let text = file(|w| {
+        let w = w.polyline("1", true, &hem).points("2", &[hem[0], hem[3], hem[4], hem[5]]).points("3", &hem[1..3]);
+        let dense: Vec<_> = fine.iter().chain(&hem[4..]).copied().collect();
+        let w = w.polyline("84", true, &dense);
+        let w = w.text_at("1", "# 1", 0.0, 0.0).text_at("1", "# 1", 300.0, 0.0).text_at("1", "# 1", 300.0, 600.0);
+        w.text_at("1", "# 1", 0.0, 600.0).text_at("1", "# 2", 100.0, -8.0).text_at("1", "# 2", 200.0, -8.0)
+    });
+    let rul =
+        "NUMBER OF SIZES: 2\nSIZE LIST: 38 40\nSAMPLE SIZE: 38\nRULE: DELTA 1\n0 0 0 0\nRULE: DELTA 2\n0 0 0 -4\n";
+    let table = crate::rul::read(rul.as_bytes(), "t.rul").expect("table");
+    let pattern = good(&text);
+    assert!(matches!(pattern.pieces[0].boundary.making, outline::Making::Dense(_)));
+    let graded = grade::grade(&pattern.pieces[0], &table, "40").expect("graded");
+    let at = |x: f64, y: f64| {
+        let want = toile_garment::Vec2::new(x, y);
+        graded.boundary.work_positions().iter().map(|p| (p - want).norm()).fold(f64::INFINITY, f64::min)
+    };
+    // The point on the copy goes as ruled; that beside it carries the copy along; between both all go alike.
+    assert!(at(100.0, -12.0) < 1e-9 && at(150.0, -13.0) < 1e-9, "{:?}", graded.boundary.work_positions());
+    assert!(at(199.0, -12.3) < 0.05, "{:?}", graded.boundary.work_positions());
+    // Half way from the corner a little over half the growth, by arc length.
+    assert!(at(50.0, -7.0) < 0.05);
+}
+
 #[test]
 fn growths_turn_with_the_reference_line() {
     let text = file(|w| {

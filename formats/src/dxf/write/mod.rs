@@ -8,6 +8,7 @@
 mod block;
 mod fold;
 mod from_piece;
+mod growth;
 mod model;
 mod names;
 mod size_run;
@@ -24,7 +25,7 @@ pub use model::{
     Dialect, DrawDrill, DrawLine, DrawNotch, DrawPoint, DrawRule, Drawing, LayerText, PieceDrawing, StyleText,
 };
 
-pub use size_run::{SizeRun, size_run};
+pub use size_run::{SizeRun, Sizes};
 
 use names::Names;
 use tags::Tags;

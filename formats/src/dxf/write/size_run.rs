@@ -1,20 +1,21 @@
 //! A whole size run: every size as drawn or graded, and the grade rules that lead from the sample size to each.
 
 use super::from_piece::{PieceOptions, piece_drawing};
-use super::model::{DrawRule, Drawing, PieceDrawing, StyleText};
+use super::growth::{Grown, drawn_line, made_line};
+use super::model::{DrawLine, DrawRule, Drawing, PieceDrawing, StyleText};
 use crate::dxf::garment::to_piece;
-use crate::dxf::geom;
-use crate::dxf::outline::{Node, Outline};
+use crate::dxf::geom::{self, PointIndex};
 use crate::dxf::pattern::Pattern;
 use crate::dxf::piece::DrawnPiece;
-use crate::dxf::unfold::Fold;
 use crate::rul::RuleTable;
 use std::collections::BTreeMap;
 use toile_garment::outline::PointKind;
-use toile_garment::{Diagnostic, SourceRef, Vec2};
+use toile_garment::{Diagnostic, Piece, SourceRef, Vec2};
 
 /// Most rules of a table.
 const RULES: usize = 100_000;
+/// A rule belongs to a vertex within this, mm.
+const SAME: f64 = 0.02;
 
 /// All sizes of a style.
 #[derive(Clone, Debug)]
@@ -45,92 +46,136 @@ impl Rules {
     }
 }
 
-/// All sizes of a pattern: those drawn, and those its rule table adds.
-///
-/// # Errors
-/// A size that cannot be made.
-pub fn size_run(pattern: &Pattern, rul: Option<&RuleTable>, options: PieceOptions) -> Result<SizeRun, Vec<Diagnostic>> {
-    let sizes = pattern.size_order(rul);
-    let first = pattern.choose(None, rul)?;
-    let sample = first.size.clone();
-    let mut findings = first.findings.clone();
-    let mut by_size: Vec<Vec<DrawnPiece>> = Vec::new();
-    for size in &sizes {
-        let chosen = pattern.choose(Some(size), rul)?;
-        by_size.push(chosen.pieces.into_iter().map(std::borrow::Cow::into_owned).collect());
+/// A piece in one size.
+struct Sized {
+    drawn: DrawnPiece,
+    piece: Piece,
+}
+
+/// A pattern in all its sizes: those drawn, and those its rule table adds.
+pub struct Sizes {
+    file: String,
+    style: String,
+    table_name: Option<String>,
+    names: Vec<String>,
+    sample: Option<String>,
+    lists: Vec<Vec<Sized>>,
+    recut: bool,
+    findings: Vec<Diagnostic>,
+}
+
+impl Sizes {
+    /// The pieces of a pattern in all sizes.
+    ///
+    /// # Errors
+    /// A size that cannot be made.
+    pub fn new(pattern: &Pattern, rul: Option<&RuleTable>) -> Result<Self, Vec<Diagnostic>> {
+        let names = pattern.size_order(rul);
+        let first = pattern.choose(None, rul)?;
+        let (sample, findings) = (first.size.clone(), first.findings.clone());
+        let chosen = if names.is_empty() {
+            vec![first]
+        } else {
+            names.iter().map(|size| pattern.choose(Some(size), rul)).collect::<Result<_, _>>()?
+        };
+        let sized = |drawn: DrawnPiece| Sized { piece: to_piece(&drawn, &pattern.file), drawn };
+        let lists = chosen.into_iter().map(|c| c.pieces.into_iter().map(|p| sized(p.into_owned())).collect()).collect();
+        let style = pattern.style.clone().unwrap_or_default();
+        let table_name = rul.and_then(|r| r.name.clone());
+        Ok(Self { file: pattern.file.clone(), style, table_name, names, sample, lists, recut: false, findings })
     }
-    if sizes.is_empty() {
-        by_size.push(first.pieces.into_iter().map(std::borrow::Cow::into_owned).collect());
+
+    /// Changes the cut lines and the notches of the pieces of every size.
+    ///
+    /// # Errors
+    /// What `change` gives.
+    pub fn recut<E>(&mut self, mut change: impl FnMut(&mut [Piece]) -> Result<(), E>) -> Result<(), E> {
+        self.recut = true;
+        for list in &mut self.lists {
+            let mut pieces: Vec<Piece> = list.iter().map(|s| s.piece.clone()).collect();
+            change(&mut pieces)?;
+            list.iter_mut().zip(pieces).for_each(|(s, piece)| s.piece = piece);
+        }
+        Ok(())
     }
-    let at_sample = sizes.iter().position(|s| sample.as_deref() == Some(s)).unwrap_or(0);
-    let mut rules = Rules::default();
-    let mut pieces = Vec::new();
-    for (i, list) in by_size.iter().enumerate() {
-        for drawn in list {
-            let mut piece = piece_drawing(&to_piece(drawn, &pattern.file), options, &mut findings);
-            if i == at_sample && sizes.len() > 1 {
-                match grown(drawn, &by_size, &piece, &mut rules) {
-                    Some(list) => piece.rules = list,
-                    None => {
-                        let text = format!(
-                            "`{}` has other vertices in other sizes: it is written in every size, without grade rules",
-                            drawn.label()
-                        );
-                        let place = SourceRef::file(pattern.file.clone()).at_line(drawn.line);
-                        findings.push(Diagnostic::warning("sizes-without-rules", text).at(place));
-                    }
+
+    /// The drawing of all sizes, and the rules that lead from the sample size to each.
+    #[must_use]
+    pub fn draw(self, options: PieceOptions) -> SizeRun {
+        let mut findings = self.findings.clone();
+        let at_sample = self.names.iter().position(|s| self.sample.as_deref() == Some(s)).unwrap_or(0);
+        let mut rules = Rules::default();
+        let mut pieces = Vec::new();
+        for (i, list) in self.lists.iter().enumerate() {
+            for sized in list {
+                let mut piece = piece_drawing(&sized.piece, options, &mut findings);
+                if i == at_sample && self.names.len() > 1 {
+                    piece.rules = self.rules(sized, &piece, &mut rules, &mut findings);
                 }
+                pieces.push(piece);
             }
-            pieces.push(piece);
         }
+        let table = (self.names.len() > 1).then(|| RuleTable {
+            name: Some(self.table_name.unwrap_or_else(|| self.style.clone())),
+            units: Some("METRIC".into()),
+            sample: self.names.get(at_sample).cloned(),
+            sizes: self.names,
+            rules: rules.list,
+            findings: Vec::new(),
+        });
+        let rule_table = table.as_ref().and_then(|t| t.name.clone());
+        let style = StyleText { name: self.style, sample_size: self.sample, author: String::new(), rule_table };
+        SizeRun { drawing: Drawing { style, pieces }, table, findings }
     }
-    let name = pattern.style.clone().unwrap_or_default();
-    let table = (sizes.len() > 1).then(|| RuleTable {
-        name: Some(rul.and_then(|r| r.name.clone()).unwrap_or_else(|| name.clone())),
-        units: Some("METRIC".into()),
-        sample: sizes.get(at_sample).cloned(),
-        sizes,
-        rules: rules.list,
-        findings: Vec::new(),
-    });
-    let rule_table = table.as_ref().and_then(|t| t.name.clone());
-    let style = StyleText { name, sample_size: sample, author: String::new(), rule_table };
-    Ok(SizeRun { drawing: Drawing { style, pieces }, table, findings })
-}
 
-/// Picks a line of a piece.
-type LineOf = fn(&DrawnPiece) -> Option<&Outline>;
-
-/// The vertices of a line, unfolded.
-fn nodes(piece: &DrawnPiece, outline: &Outline) -> Vec<Node> {
-    piece.fold.and_then(|f| Fold(f).outline(&outline.drawn)).unwrap_or_else(|| outline.drawn.clone())
-}
-
-/// Growths of every vertex of a piece in the frame of the line written as grade reference. `None` when a size has other
-/// vertices.
-fn grown(
-    sample: &DrawnPiece,
-    by_size: &[Vec<DrawnPiece>],
-    piece: &PieceDrawing,
-    rules: &mut Rules,
-) -> Option<Vec<DrawRule>> {
-    let angle = piece.grain.map_or(0.0, |[a, b]| libm::atan2(b.y - a.y, b.x - a.x));
-    let same: Vec<&DrawnPiece> =
-        by_size.iter().map(|list| list.iter().find(|p| p.label() == sample.label())).collect::<Option<Vec<_>>>()?;
-    let mut out = Vec::new();
-    let lines: [(&'static str, LineOf); 2] = [("1", |p| Some(&p.boundary)), ("14", |p| p.sew.as_ref())];
-    for (layer, line) in lines {
-        let Some(own) = line(sample) else { continue };
-        let own = nodes(sample, own);
-        let others: Vec<Vec<Node>> = same.iter().map(|p| line(p).map(|l| nodes(p, l))).collect::<Option<Vec<_>>>()?;
-        if others.iter().any(|o| o.len() != own.len()) || rules.list.len() > RULES {
-            return None;
+    /// The rules of a piece of the sample size, as far as it is drawn.
+    fn rules(
+        &self,
+        sized: &Sized,
+        piece: &PieceDrawing,
+        rules: &mut Rules,
+        findings: &mut Vec<Diagnostic>,
+    ) -> Vec<DrawRule> {
+        let Some(lines) = self.grown(sized).filter(|_| rules.list.len() <= RULES) else {
+            let text = format!(
+                "`{}` has other vertices in other sizes: it is written in every size, without grade rules",
+                sized.drawn.label()
+            );
+            let place = SourceRef::file(self.file.clone()).at_line(sized.drawn.line);
+            findings.push(Diagnostic::warning("sizes-without-rules", text).at(place));
+            return Vec::new();
+        };
+        let angle = piece.grain.map_or(0.0, |[a, b]| libm::atan2(b.y - a.y, b.x - a.x));
+        // A half piece has no vertices beyond its fold.
+        let drawn = |line: &DrawLine| line.points.iter().map(|p| (p.at, 0)).collect::<Vec<_>>();
+        let there = [Some(&piece.boundary), piece.sew_line.as_ref()].into_iter().flatten().flat_map(drawn);
+        let there = PointIndex::new(SAME, there);
+        let mut out = Vec::new();
+        for (layer, grown) in lines {
+            for Grown { at, kind, by_size } in grown.into_iter().filter(|g| there.has(g.at, SAME)) {
+                let growth = by_size.iter().map(|to| geom::rotate(to - at, -angle)).collect();
+                let kind = if kind == PointKind::Curve { PointKind::Curve } else { PointKind::Turn };
+                out.push(DrawRule { at, rule: rules.number(growth), layer, kind });
+            }
         }
-        for (i, node) in own.iter().enumerate().filter(|(_, n)| n.drawn) {
-            let growth = others.iter().map(|o| geom::rotate(o[i].at - node.at, -angle)).collect();
-            let kind = if node.kind == PointKind::Curve { PointKind::Curve } else { PointKind::Turn };
-            out.push(DrawRule { at: node.at, rule: rules.number(growth), layer, kind });
-        }
+        out
     }
-    Some(out)
+
+    /// The vertices of the lines of a piece and where they go in each size; `None` when a size has others.
+    fn grown(&self, sample: &Sized) -> Option<Vec<(&'static str, Vec<Grown>)>> {
+        let like = |list: &'_ Vec<Sized>| list.iter().position(|s| s.drawn.label() == sample.drawn.label());
+        let same: Vec<&Sized> =
+            self.lists.iter().map(|list| like(list).map(|i| &list[i])).collect::<Option<Vec<_>>>()?;
+        let drawn: Vec<&DrawnPiece> = same.iter().map(|s| &s.drawn).collect();
+        if !self.recut {
+            let mut lines = vec![("1", drawn_line(&sample.drawn, &drawn, |p| Some(&p.boundary))?)];
+            if sample.drawn.sew.is_some() {
+                lines.push(("14", drawn_line(&sample.drawn, &drawn, |p| p.sew.as_ref())?));
+            }
+            return Some(lines);
+        }
+        let sewn = drawn_line(&sample.drawn, &drawn, |p| Some(p.sewn()))?;
+        let cuts: Vec<_> = same.iter().map(|s| s.piece.cut_line.as_ref()).collect::<Option<_>>()?;
+        Some(vec![("14", sewn), ("1", made_line(sample.piece.cut_line.as_ref()?, &cuts)?)])
+    }
 }

@@ -1,5 +1,7 @@
 //! Grading: a size that is not drawn, from the sample size and a rule table.
 
+mod work;
+
 use super::chain::Path;
 use super::geom::{self, PointIndex};
 use super::outline::{Node, Outline};
@@ -136,34 +138,11 @@ fn outline(o: &mut Outline, growth: &Growth, cut: Option<&Moved>) -> Option<Move
         None => points.iter().map(|p| cut.map(|c| c.carry(*p) - *p)).collect::<Option<Vec<_>>>()?,
     };
     let moved = Moved { points, growth: moves };
-    let work = o.work_positions();
-    // Anchored at the drawn vertices, between them by arc length of the working line.
-    let mut anchors: Vec<(usize, Vec2)> =
-        o.place.iter().zip(&moved.growth).filter_map(|(place, g)| place.map(|k| (k, *g))).collect();
-    anchors.sort_by_key(|a| a.0);
-    let work_growth = between(&work, &anchors);
+    let work_growth = work::growths(o, &moved.growth);
     let shift = |nodes: &mut Vec<Node>, growth: &[Vec2]| nodes.iter_mut().zip(growth).for_each(|(n, g)| n.at += *g);
     shift(&mut o.drawn, &moved.growth);
     shift(&mut o.work, &work_growth);
     Some(moved)
-}
-
-fn between(points: &[Vec2], anchors: &[(usize, Vec2)]) -> Vec<Vec2> {
-    let n = points.len();
-    let mut out = vec![Vec2::zeros(); n];
-    for (i, from) in anchors.iter().enumerate() {
-        let to = anchors[(i + 1) % anchors.len()];
-        let steps = if i + 1 < anchors.len() { to.0 - from.0 } else { to.0 + n - from.0 };
-        let step = |k: usize| (points[(from.0 + k + 1) % n] - points[(from.0 + k) % n]).norm();
-        let whole: f64 = (0..steps).map(step).sum();
-        let mut s = 0.0;
-        for k in 0..steps {
-            let t = if whole > 0.0 { s / whole } else { 0.0 };
-            out[(from.0 + k) % n] = from.1 + (to.1 - from.1) * t;
-            s += step(k);
-        }
-    }
-    out
 }
 
 fn line(path: &mut Path, growth: &Growth, cut: &Moved) {
