@@ -8,6 +8,7 @@ use crate::support::film::Film;
 use crate::support::program::{self, Ended};
 use crate::support::trial::Trial;
 use std::path::PathBuf;
+use toile_garment::Vec3;
 
 /// Runs the trials of one case and takes down its figures.
 pub struct Lab<'a> {
@@ -77,6 +78,18 @@ impl<'a> Lab<'a> {
     pub fn stable(&mut self, trial: &Trial, motion: &Motion) -> Result<bool, String> {
         let run = self.end(&motion.of(trial, &[]))?;
         if run.code == 4 { Ok(false) } else { sound(run).map(|_| true) }
+    }
+
+    /// Does the motion run to its end with every vertex within `room` (m) of its place in the first frame?
+    pub fn bounded(&mut self, trial: &Trial, motion: &Motion, room: f64) -> Result<bool, String> {
+        let run = self.end(&motion.of(trial, &[]))?;
+        if run.code == 4 {
+            return Ok(false);
+        }
+        let film = Film::read(&sound(run)?, motion.fps)?;
+        let first = &film.shots[0];
+        let near = |shot: &Vec<Vec3>| shot.iter().zip(first).all(|(p, q)| (p - q).norm() <= room);
+        Ok(film.shots.iter().all(near))
     }
 
     fn run(&mut self, trial: &Trial) -> Result<Ended, String> {

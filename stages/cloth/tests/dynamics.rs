@@ -18,7 +18,7 @@ fn alone() -> Settings {
 
 /// No damping, no air, solved far below what is looked at.
 fn exact(step: f64) -> Dynamics {
-    Dynamics { step, damping: 0.0, drag: 0.0, tolerance: 1e-8, rest_speed: 0.0 }
+    Dynamics { step, damping: 0.0, lagged: false, drag: 0.0, tolerance: 1e-8, rest_speed: 0.0 }
 }
 
 /// A moment: seconds, positions, kinetic and whole energy.

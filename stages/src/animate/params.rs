@@ -23,6 +23,9 @@ pub enum SteppingName {
     /// The paper's explicit central differences, for comparison: steps that are too long end the run. The body stands still,
     /// `accuracy` and bending hysteresis play no part.
     CentralDifference,
+    /// As `central-difference`, but `calming` acts against the velocity of half a step before, as it is often
+    /// programmed: steps must be the shorter the stronger it is, 2/ω (√(1 + ζ²) − ζ).
+    Leapfrog,
 }
 
 /// Parameters of `animate`.
@@ -106,7 +109,7 @@ impl AnimateParams {
             model: self.model,
             integrator: match self.integrator {
                 SteppingName::Implicit => IntegratorName::Static,
-                SteppingName::CentralDifference => IntegratorName::CentralDifference,
+                SteppingName::CentralDifference | SteppingName::Leapfrog => IntegratorName::CentralDifference,
             },
             effects: self.effects.clone(),
             body_gap: self.body_gap,
@@ -122,6 +125,7 @@ impl AnimateParams {
         Dynamics {
             step: self.step.0,
             damping: if self.calming.0 > 0.0 { 1.0 / self.calming.0 } else { 0.0 },
+            lagged: self.integrator == SteppingName::Leapfrog,
             drag: if self.air == SwitchName::Off { 0.0 } else { AIR },
             rest_speed: self.rest_speed.0,
             tolerance: Dynamics::default().tolerance

@@ -12,7 +12,7 @@ use toile_garment::Vec3;
 /// Height of the triangle, m.
 pub const HEIGHT: f64 = 0.5;
 /// Weight of the drape that pulls it, m/s²: it is let go where its weight held it.
-const PULL: f64 = 1.0;
+pub const PULL: f64 = 1.0;
 const SIGMA: f64 = 0.3;
 
 pub fn cases() -> Vec<Case> {

@@ -1,11 +1,11 @@
 //! The paper's central differences in motion: the frequency they show, and the step that they bear.
 
-use super::damped::{HEIGHT, triangle};
+use super::damped::{HEIGHT, PULL, triangle};
 use crate::case::{Case, case, share};
 use crate::closed::leapfrog;
 use crate::lab::Lab;
 use crate::motion::Motion;
-use crate::support::cloth::Cloth;
+use crate::support::cloth::{Cloth, Law};
 use crate::support::mesh::{Family, sheet};
 use crate::support::trial::Trial;
 use toile_garment::Vec3;
@@ -14,7 +14,12 @@ use toile_garment::Vec3;
 const STEPS: f64 = 8.0;
 
 pub fn cases() -> Vec<Case> {
-    vec![case("leapfrog-0", leapfrog).quick(), case("grid-dt-0", grid)]
+    vec![
+        case("leapfrog-0", leapfrog).quick(),
+        case("leapfrog-damped-0", damped).quick(),
+        case("axial-dt-0", chain),
+        case("grid-dt-0", grid),
+    ]
 }
 
 /// Motion by explicit steps of this length, s.
@@ -34,6 +39,39 @@ fn leapfrog(lab: &mut Lab) -> Result<(), String> {
     let expected = leapfrog::omega(omega, dt);
     lab.figure("omega 1/s", got, expected, share(1e-8, 1e-3));
     lab.figure("error of the period", omega / got - 1.0, omega / expected - 1.0, share(1e-6, 1e-3));
+    Ok(())
+}
+
+/// Damping that lags makes the longest step shorter.
+fn damped(lab: &mut Lab) -> Result<(), String> {
+    let (omega, zeta) = (10.0, 0.2);
+    let expected = leapfrog::lagged_step(omega, zeta);
+    let motion = |dt: f64| {
+        let mut motion = explicit(4000, 1.0, dt);
+        motion.calming = 0.5 / (zeta * omega);
+        motion.more[0] = "integrator = \"leapfrog\"".to_owned();
+        motion
+    };
+    let trial = triangle(omega);
+    // It is let go this far above its rest.
+    let swing = PULL / (omega * omega);
+    let got = halve(expected, 0.03, |dt| lab.bounded(&trial, &motion(dt), 4.0 * swing))?;
+    lab.figure("longest step s", got, expected, share(1e-3, 0.05));
+    Ok(())
+}
+
+/// A chain held at one end has every other mode of one twice as long that is held at both: so no rim of triangles, whose
+/// corners are lighter than half a mass, plays a part. Columns of vertices along the yarn are such chains.
+fn chain(lab: &mut Lab) -> Result<(), String> {
+    let (k, sigma, length, n) = (200.0, 0.2, 0.5, 50);
+    let h = length / n as f64;
+    let expected = leapfrog::chain_step(k, sigma, length, n);
+    let mesh = sheet::sheet([h, 2.0 * length], 1, 2 * n, Family::Right, |_| true).place(|[u, v]| Vec3::new(u, v, 0.0));
+    let ends = mesh.pick(|r| r[1] < 1e-9 || r[1] > 2.0 * length - 1e-9);
+    let fabric = Cloth { weft: Law::Linear(1.0), ..Cloth::linear(sigma, k, 1e-5 * k, 0.0) };
+    let trial = Trial::new(mesh, fabric).weightless().hold(ends);
+    let got = halve(expected, 0.03, |dt| lab.bounded(&trial, &explicit(2000, STEPS, dt), 1e-6))?;
+    lab.figure("longest step s", got, expected, share(1e-3, 0.05));
     Ok(())
 }
 
@@ -59,10 +97,15 @@ fn longest_step(lab: &mut Lab, k: f64, shear: f64, sigma: f64, h: f64, about: f6
     let mesh = sheet::sheet([size, size], n, n, Family::Right, |_| true).place(|[u, v]| Vec3::new(u, v, 0.0));
     let border = mesh.pick(|r| r.iter().any(|c| *c < 1e-9 || *c > size - 1e-9));
     let trial = Trial::new(mesh, Cloth::linear(sigma, k, shear, 0.0)).weightless().hold(border);
-    let (mut low, mut high) = (0.7 * about, 1.3 * about);
+    halve(about, 0.3, |dt| lab.stable(&trial, &explicit(2000, STEPS, dt)))
+}
+
+/// The longest step a trial bears, s: sought by halves within a share of what is expected.
+fn halve(about: f64, within: f64, mut stable: impl FnMut(f64) -> Result<bool, String>) -> Result<f64, String> {
+    let (mut low, mut high) = ((1.0 - within) * about, (1.0 + within) * about);
     for _ in 0..8 {
         let dt = 0.5 * (low + high);
-        if lab.stable(&trial, &explicit(2000, STEPS, dt))? { low = dt } else { high = dt }
+        if stable(dt)? { low = dt } else { high = dt }
     }
     Ok(0.5 * (low + high))
 }

@@ -12,6 +12,7 @@ mod frame;
 mod friction;
 mod hanging;
 mod kes;
+mod lattice;
 mod leapfrog;
 pub mod not_yet;
 mod off_axis;
@@ -33,6 +34,7 @@ pub fn all() -> Vec<Case> {
     list.extend(catenary::cases());
     list.extend(off_axis::cases());
     list.extend(frame::cases());
+    list.extend(lattice::cases());
     list.extend(bias::cases());
     list.extend(cantilever::cases());
     list.extend(friction::cases());

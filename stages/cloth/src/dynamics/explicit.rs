@@ -63,8 +63,8 @@ impl<'a> Walk<'a> {
         let steps = dynamics.steps(frame);
         let dt = frame / steps;
         // Nothing is damped but by what was asked for, and every vertex has the inertia of its mass.
-        let plain =
-            Settings { damping: dynamics.damping, stiffness_damping: 0.0, even_inertia: false, ..settings.clone() };
+        let damping = if dynamics.lagged { 0.0 } else { dynamics.damping };
+        let plain = Settings { damping, stiffness_damping: 0.0, even_inertia: false, ..settings.clone() };
         let mut problem = Problem::new(scene, &plain, false)?;
         let stable = problem.stable_step(&problem.start.clone());
         if problem.contact.is_some() && dt < stable {
@@ -118,12 +118,13 @@ impl<'a> Walk<'a> {
         Err(ClothError::Unstable { step: self.trip.steps, what })
     }
 
-    /// The air acts against the velocity of half a step before.
+    /// The air, and damping that lags, act against the velocity of half a step before.
     fn brake(&mut self) {
-        if self.dynamics.drag <= 0.0 {
+        let damping = if self.dynamics.lagged { self.dynamics.damping } else { 0.0 };
+        if self.dynamics.drag <= 0.0 && damping <= 0.0 {
             return;
         }
-        let air = Dynamics { damping: 0.0, ..*self.dynamics };
+        let air = Dynamics { damping, ..*self.dynamics };
         let State { x, v, .. } = &mut self.state;
         let against = viscous(&air, &self.problem.mass, &self.scene.triangles, x, v);
         for ((v, c), w) in v.iter_mut().zip(&against).zip(&self.problem.inverse_mass) {

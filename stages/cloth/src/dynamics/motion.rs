@@ -10,6 +10,8 @@ pub struct Dynamics {
     /// Rate at which velocities die away, 1/s (paper equation 7: C_d/m). A linear drag of c kg/(m² s) on a fabric of
     /// σ kg/m² is the rate c/σ.
     pub damping: f64,
+    /// Explicit steps only: `damping` acts on the velocity of half a step before, not on the mean over the step.
+    pub lagged: bool,
     /// Pressure of still air over the square of the speed across the cloth, kg/m³: ½ ρ C_d.
     pub drag: f64,
     /// A stage of a step is solved when a Newton step would change no velocity by more than this, m/s.
@@ -20,7 +22,7 @@ pub struct Dynamics {
 
 impl Default for Dynamics {
     fn default() -> Self {
-        Self { step: 1.0 / 120.0, damping: 0.5, drag: 0.6, tolerance: 5e-3, rest_speed: 5e-3 }
+        Self { step: 1.0 / 120.0, damping: 0.5, lagged: false, drag: 0.6, tolerance: 5e-3, rest_speed: 5e-3 }
     }
 }
 
@@ -116,7 +118,7 @@ impl Dynamics {
 
     pub(super) fn check(&self) -> Result<(), ClothError> {
         let ranges: [(&'static str, f64, f64, f64); 5] = [
-            ("step", self.step, 1e-6, 0.1),
+            ("step", self.step, 1e-6, 1.0),
             ("damping", self.damping, 0.0, 1e6),
             ("drag", self.drag, 0.0, 1e6),
             ("tolerance", self.tolerance, 1e-12, 1.0),
