@@ -17,8 +17,8 @@ pub(crate) struct Body {
     pub topology: Topology,
     /// Edges that cloth outside can press on: all but the hollow and flat ones of a closed, oriented mesh.
     pub pressing_edges: Vec<bool>,
-    /// Edges between two faces of one plane (`flat.rs`); empty where there is none.
-    pub flat_edges: Vec<bool>,
+    /// For each side of each face, the face in which its plane goes on (`flat.rs`); empty where no plane does.
+    pub planes: Vec<[u32; 3]>,
     pub bounds: Aabb,
     /// Of every triangle where it was at first.
     pub boxes: Vec<Aabb>,
@@ -47,13 +47,14 @@ impl Body {
         let size = bounds.low.amax().max(bounds.high.amax());
         let flat_edges = super::flat::edges(&mesh.positions, &topology);
         let pressing_edges = pressing(&mesh.positions, &topology, &flat_edges);
+        let planes = super::flat::across(&topology, &flat_edges);
         let clearance = Clearance::new(&mesh.positions, &topology.faces, &bounds);
         Some(Self {
             mesh: tri_mesh,
             positions: mesh.positions.clone(),
             topology,
             pressing_edges,
-            flat_edges,
+            planes,
             bounds,
             boxes,
             clearance,

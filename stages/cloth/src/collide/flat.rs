@@ -2,13 +2,16 @@
 //! over: held by both it would stand higher there, and what slides across would bump and rub on an edge that is none.
 
 use super::body::Body;
+use super::closest::point_triangle;
 use crate::Vec3;
 use crate::topology::{Hinge, Topology};
 
 /// Two faces lie in one plane up to this angle, rad.
 const FLAT: f64 = 1e-6;
-/// So near to the edge its owner holds in any case, m: rounding must not make it neither.
-const BOTH: f64 = 1e-8;
+/// Squares of distances that differ by less than this share are the same place, reckoned from two faces.
+const SAME: f64 = 1e-12;
+/// No face.
+const NONE: u32 = u32::MAX;
 
 /// The edges between two faces of one plane; empty where there is none.
 pub(super) fn edges(x: &[Vec3], topology: &Topology) -> Vec<bool> {
@@ -22,6 +25,22 @@ pub(super) fn edges(x: &[Vec3], topology: &Topology) -> Vec<bool> {
     if flat.contains(&true) { flat } else { Vec::new() }
 }
 
+/// For each side of each face, the face in which its plane goes on; empty where no plane does.
+pub(super) fn across(topology: &Topology, flat: &[bool]) -> Vec<[u32; 3]> {
+    if flat.is_empty() {
+        return Vec::new();
+    }
+    let mut out = vec![[NONE; 3]; topology.faces.len()];
+    for h in &topology.hinges {
+        let [(f, i), (g, j)] = [0, 1].map(|k| (h.faces[k] as usize, usize::from(h.sides[k])));
+        if flat[topology.face_edges[f][i] as usize] {
+            out[f][i] = h.faces[1];
+            out[g][j] = h.faces[0];
+        }
+    }
+    out
+}
+
 /// Do the two faces lie in one plane, on both sides of their edge?
 fn goes_straight_on(x: &[Vec3], h: &Hinge) -> bool {
     let [a, b, c, d] = h.vertices.map(|v| x[v as usize]);
@@ -30,37 +49,49 @@ fn goes_straight_on(x: &[Vec3], h: &Hinge) -> bool {
 }
 
 impl Body {
-    /// Is another face of the plane of face `g` under a point at `d` from the place in `g`, told by the corners' weights, that
-    /// is nearest to it? Right over an edge it is the face that owns the edge.
-    pub fn goes_on(&self, g: u32, weights: &[f64; 3], d: &Vec3) -> bool {
-        if self.flat_edges.is_empty() || !self.amid_plane(g, weights) {
+    /// Does the plane of face `g` go on where a point comes nearest to it (the place in `g`, told by the corners' weights), to
+    /// a face that is nearer? Of two that share the place the first one holds. So a plane pushes once, and without a jump
+    /// when a vertex goes from over one face to over the next, also beyond its rim.
+    pub fn goes_on(&self, g: u32, weights: &[f64; 3], p: &Vec3, d: &Vec3) -> bool {
+        if self.planes.is_empty() {
             return false;
         }
-        let aside = crate::unit_normal(self.triangle(g)).map_or(0.0, |n| (d - n * n.dot(d)).norm());
-        aside > BOTH || !self.owns(g, weights)
-    }
-
-    /// Does a face own the edge that a point of it is on? At a corner it counts as its.
-    fn owns(&self, g: u32, weights: &[f64; 3]) -> bool {
-        let mut without = (0..3).filter(|k| weights[*k] == 0.0);
-        match (without.next(), without.next()) {
-            (Some(k), None) => self.topology.owned[g as usize] & (8 << ((k + 1) % 3)) != 0,
-            _ => true,
+        let square = d.norm_squared();
+        let nearer = |h: u32| {
+            let [a, b, c] = self.triangle(h);
+            let w = point_triangle(p, &a, &b, &c);
+            let other = (p - (a * w[0] + b * w[1] + c * w[2])).norm_squared();
+            other < square * (1.0 - SAME) || (other <= square * (1.0 + SAME) && h < g)
+        };
+        let zero = |k: usize| weights[k] == 0.0;
+        match (0..3).filter(|k| zero(*k)).count() {
+            0 => false,
+            1 => {
+                let side = (0..3).find(|k| zero(*k)).map_or(0, |k| (k + 1) % 3);
+                Some(self.planes[g as usize][side]).filter(|h| *h != NONE).is_some_and(nearer)
+            }
+            _ => {
+                let corner = (0..3).find(|k| !zero(*k)).unwrap_or(0);
+                self.around(g, corner, 1).any(nearer) || self.around(g, corner, 2).any(nearer)
+            }
         }
     }
 
-    /// Are all edges of a face that go through a point of it, given by the weights of the corners, flat?
-    fn amid_plane(&self, g: u32, weights: &[f64; 3]) -> bool {
-        // They lie opposite to the corners that have no part in it; edge k runs from corner k.
-        let edges = self.topology.face_edges[g as usize];
-        let mut through = (0..3).filter(|k| weights[*k] == 0.0).map(|k| edges[(k + 1) % 3]).peekable();
-        through.peek().is_some() && through.all(|e| self.flat_edges[e as usize])
+    /// The faces of its plane round a corner of face `g`, from one of the two sides there on.
+    fn around(&self, g: u32, corner: usize, turn: usize) -> impl Iterator<Item = u32> + '_ {
+        let vertex = self.topology.faces[g as usize][corner];
+        let side = move |f: u32| {
+            let k = self.topology.faces[f as usize].iter().position(|v| *v == vertex).unwrap_or(0);
+            // A side runs from its corner to the next.
+            let through = if turn == 1 { k } else { (k + 2) % 3 };
+            Some(self.planes[f as usize][through]).filter(|h| *h != NONE && *h != g)
+        };
+        std::iter::successors(side(g), move |f| side(*f)).take(self.topology.faces.len())
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::super::closest::point_triangle;
     use super::*;
     use crate::BodyMesh;
 
@@ -78,7 +109,7 @@ mod tests {
         let goes_on = |g: u32| {
             let [a, b, c] = body.triangle(g);
             let w = point_triangle(&p, &a, &b, &c);
-            body.goes_on(g, &w, &(p - (a * w[0] + b * w[1] + c * w[2])))
+            body.goes_on(g, &w, &p, &(p - (a * w[0] + b * w[1] + c * w[2])))
         };
         (0..3).filter(|g| !goes_on(*g)).collect()
     }
@@ -96,11 +127,14 @@ mod tests {
     }
 
     #[test]
-    fn beyond_the_rim_of_the_plane_something_holds() {
+    fn a_plane_holds_once_also_beyond_its_rim() {
         let body = body();
-        for (x, z) in [(-0.01, 0.5), (-0.01, -0.02), (0.5, 1.01), (1.01, 1.02), (1.001, 0.5), (-0.02, -0.01)] {
-            let held = holds(&body, Vec3::new(x, 1e-3, z));
-            assert!(held.contains(&0) || held.contains(&1), "({x}, {z}): {held:?}");
+        for i in -10..=110 {
+            for k in -10..=110 {
+                let p = Vec3::new(0.01 * f64::from(i) + 1e-4, 1e-3, 0.01 * f64::from(k) - 2e-4);
+                let held = holds(&body, p);
+                assert_eq!(held.iter().filter(|g| **g < 2).count(), 1, "{p}: {held:?}");
+            }
         }
     }
 }

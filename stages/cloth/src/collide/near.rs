@@ -354,7 +354,7 @@ impl Near {
                 vertices: [v, g, u32::MAX, u32::MAX],
                 weights: [1.0, 0.0, 0.0, 0.0],
                 d: p - place,
-                aside: body.goes_on(g, &w, &(p - place)),
+                aside: body.goes_on(g, &w, &p, &(p - place)),
             };
             (gap, place)
         })

@@ -21,7 +21,7 @@ impl Body {
         let tree = Tree::new(&self.positions, &self.topology.faces);
         self.travel = Some(Travel { step: vec![Vec3::zeros(); self.positions.len()], going: false, tree });
         self.pressing_edges.fill(true);
-        self.flat_edges.clear();
+        self.planes.clear();
     }
 
     /// Displacements that the next step is to take.
