@@ -45,6 +45,17 @@ impl Lists {
 /// have along the mean of its patch.
 type Normals = [(Vec3, f64); 3];
 
+/// The first of them, and what it must have along a mean for all of them to have enough: they differ little in most steps.
+type First = (Vec3, f64);
+
+/// What all of these must have along a direction, told by the first alone.
+#[inline]
+fn first(all: &Normals) -> First {
+    let [(n, need), (m, more), (o, most)] = all;
+    let off = (m - n).norm_squared().max((o - n).norm_squared()).sqrt();
+    (*n, need.max(*more).max(*most) + off)
+}
+
 /// Smooth patches around the vertices.
 #[derive(Debug)]
 pub(crate) struct Calm {
@@ -59,6 +70,7 @@ pub(crate) struct Calm {
     /// May the patch be calm at all?
     able: Vec<bool>,
     normals: Vec<Normals>,
+    firsts: Vec<First>,
     /// Vertices whose triangles, and whose neighbours' triangles, were alike at the last look.
     one: Vec<bool>,
     two: Vec<bool>,
@@ -82,7 +94,9 @@ impl Calm {
         let able = able(scene, topology, &star, &ring);
         let double = scene.triangles.iter().map(|t| 2.0 * t.area().abs()).collect();
         let normals = vec![[(Vec3::zeros(), 0.0); 3]; topology.faces.len()];
-        Self { star, ring, wide, near, double, able, normals, one: vec![false; n], two: vec![false; n] }
+        let firsts = vec![(Vec3::zeros(), 0.0); topology.faces.len()];
+        let [one, two] = [(); 2].map(|()| vec![false; n]);
+        Self { star, ring, wide, near, double, able, normals, firsts, one, two }
     }
 
     /// Looks at the cloth at `x` and along `step`.
@@ -94,6 +108,7 @@ impl Calm {
             let need = |n: Vec3| (n, ALIKE * n.norm_squared().max(double * double).sqrt());
             *n = [need(e.cross(&f)), need((e.cross(&h) + g.cross(&f)) * 0.5), need(g.cross(&h))];
         }
+        self.firsts.iter_mut().zip(&self.normals).for_each(|(f, all)| *f = first(all));
         self.one = (0u32..).zip(&self.able).map(|(v, able)| *able && self.alike(self.star.of(v), v)).collect();
         let patch = |v| self.ring.of(v).iter().all(|w| self.able[*w as usize]) && self.alike(self.wide.of(v), v);
         self.two = (0u32..).zip(&self.one).map(|(v, one)| *one && patch(v)).collect();
@@ -108,7 +123,10 @@ impl Calm {
             return false;
         }
         let mean = mean / l;
-        triangles.iter().all(|f| self.normals[*f as usize].iter().all(|(n, need)| n.dot(&mean) >= *need))
+        triangles.iter().all(|f| {
+            let (n, enough) = &self.firsts[*f as usize];
+            n.dot(&mean) >= *enough || self.normals[*f as usize].iter().all(|(n, need)| n.dot(&mean) >= *need)
+        })
     }
 
     /// Do these two triangles lie in one calm patch?
