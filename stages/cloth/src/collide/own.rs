@@ -6,7 +6,7 @@ use super::listed::Listed;
 use super::near::{Near, Way};
 use super::sheet::Sheet;
 use super::tiles::Tiles;
-use super::tree::Tree;
+use super::tree::{Aabb, Sweep, Tree};
 use crate::topology::Topology;
 use crate::{Scene, Vec3};
 
@@ -23,6 +23,8 @@ pub(crate) struct Own {
     /// Pairs of triangles that are no neighbours.
     pairs: Vec<[u32; 2]>,
     listed: Listed,
+    /// Boxes of the triangles on their way, grown by half the reach.
+    sweeps: Vec<Sweep>,
 }
 
 impl Own {
@@ -30,7 +32,7 @@ impl Own {
         let (tree, calm) = (Tree::new(x, &topology.faces), Calm::new(scene, topology));
         let sheet = Sheet::new(scene, topology);
         let tiles = Tiles::new(&tree, calm.all_neighbours());
-        Self { tree, tiles, calm, sheet, pairs: Vec::new(), listed: Listed::default() }
+        Self { tree, tiles, calm, sheet, pairs: Vec::new(), listed: Listed::default(), sweeps: Vec::new() }
     }
 
     /// Lists the pairs that come nearer than `gap` along a way, or `slack` beside it; edges are `edge` long.
@@ -49,7 +51,21 @@ impl Own {
         self.calm.look(way.x, way.step, way.topology);
         let reach = gap + 2.0 * slack;
         self.calm.restless(way.topology, |f, g| near.add_own(f, g, way, reach));
-        self.pairs.iter().for_each(|&[f, g]| near.add_own(f, g, way, reach));
+        self.sweep(way, 0.5 * reach);
+        let sweep = |f: u32| &self.sweeps[f as usize];
+        self.pairs
+            .iter()
+            .filter(|[f, g]| sweep(*f).meets(sweep(*g)))
+            .for_each(|&[f, g]| near.add_own(f, g, way, reach));
+    }
+
+    /// Most pairs were near when they were found, and are not on this way: their boxes tell so soonest.
+    fn sweep(&mut self, way: &Way<'_>, grown: f64) {
+        self.sweeps.clear();
+        self.sweeps.extend(way.topology.faces.iter().map(|t| {
+            let place = Aabb::of_three(&crate::pick3(way.x, t)).grown(grown);
+            Sweep::new(&place, &Aabb::of_three(&crate::pick3(way.step, t)))
+        }));
     }
 
     fn search(&mut self, way: &Way<'_>, reach: f64) {

@@ -68,7 +68,7 @@ pub(crate) fn meet_moving(a: &Aabb, da: &Aabb, b: &Aabb, db: &Aabb) -> bool {
 
 /// A box and its displacements, coordinates in single precision rounded outwards, so that four stand in a register.
 #[derive(Clone, Copy, Debug)]
-struct Sweep {
+pub(super) struct Sweep {
     low: [f32; 4],
     high: [f32; 4],
     least: [f32; 4],
@@ -81,7 +81,7 @@ const ROUNDING: f64 = 1e-6;
 impl Sweep {
     const NONE: Self = Self { low: [1e30; 4], high: [-1e30; 4], least: [1e30; 4], most: [-1e30; 4] };
 
-    fn new(place: &Aabb, moves: &Aabb) -> Self {
+    pub fn new(place: &Aabb, moves: &Aabb) -> Self {
         let size = [place.low, place.high, moves.low, moves.high].iter().map(|p| p.amax()).fold(0.0, f64::max);
         let (place, moves) = (place.grown(ROUNDING * size), moves.grown(ROUNDING * size));
         // Rounding is within what the boxes have just been grown by.
@@ -104,7 +104,7 @@ impl Sweep {
 
     /// As [`meet_moving`]; never says no where that says yes.
     #[inline]
-    fn meets(&self, o: &Self) -> bool {
+    pub fn meets(&self, o: &Self) -> bool {
         let mut apart = false;
         for k in 0..4 {
             let (come, go) = (self.least[k] - o.most[k], self.most[k] - o.least[k]);
