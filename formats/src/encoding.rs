@@ -2,10 +2,20 @@
 
 use encoding_rs::{Encoding, GB18030, GBK, SHIFT_JIS, UTF_8, WINDOWS_1252};
 
+/// The upper half of the DOS code page 850 (Western Europe), from 0x80 on.
+const DOS_850: &str = "ÇüéâäàåçêëèïîìÄÅÉæÆôöòûùÿÖÜø£Ø×ƒáíóúñÑªº¿®¬½¼¡«»░▒▓│┤ÁÂÀ©╣║╗╝¢¥┐└┴┬├─┼ãÃ╚╔╩╦╠═╬¤ðÐÊËÈıÍÎÏ┘┌█▄¦Ì▀ÓßÔÒõÕµþÞÚÛÙýÝ¯´\u{AD}±‗¾¶§÷¸°¨·¹³²■\u{A0}";
+
+/// How bytes are letters.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Page {
+    Web(&'static Encoding),
+    Dos850,
+}
+
 /// The code page of a file and why it was chosen.
 #[derive(Clone, Copy, Debug)]
 pub struct TextEncoding {
-    encoding: &'static Encoding,
+    page: Page,
     /// Was it guessed from the bytes alone?
     pub guessed: bool,
 }
@@ -14,37 +24,54 @@ impl TextEncoding {
     /// Name for people and reports, e.g. `utf-8`, `gbk`, `windows-1252`.
     #[must_use]
     pub fn name(&self) -> String {
-        self.encoding.name().to_ascii_lowercase()
+        match self.page {
+            Page::Web(encoding) => encoding.name().to_ascii_lowercase(),
+            Page::Dos850 => "dos850".to_owned(),
+        }
     }
 
     /// Decodes one value. Control characters become U+FFFD, so that no name can move a terminal's cursor.
     #[must_use]
     pub fn decode(&self, bytes: &[u8]) -> String {
-        let (text, _) = self.encoding.decode_without_bom_handling(bytes);
+        let text = match self.page {
+            Page::Web(encoding) => encoding.decode_without_bom_handling(bytes).0,
+            Page::Dos850 => bytes.iter().map(|b| dos_850(*b)).collect::<String>().into(),
+        };
         text.chars().map(|c| if c.is_control() && c != '\t' { '\u{FFFD}' } else { c }).collect()
     }
 }
 
-/// Chooses the code page: UTF-8 for AC1021 and later; else UTF-8 when non-ASCII bytes are valid UTF-8; else the declared
-/// code page; else Shift-JIS or GBK when the bytes read as Japanese or Chinese; else Windows-1252.
+fn dos_850(byte: u8) -> char {
+    match byte.checked_sub(0x80) {
+        None => char::from(byte),
+        Some(high) => DOS_850.chars().nth(usize::from(high)).unwrap_or('\u{FFFD}'),
+    }
+}
+
+/// Chooses the code page: UTF-8 for AC1021 and later, if the bytes are; else UTF-8 when non-ASCII bytes are valid UTF-8;
+/// else the declared code page; else Shift-JIS or GBK when the bytes read as Japanese or Chinese; else Windows-1252.
 #[must_use]
 pub fn choose(bytes: &[u8], release: Option<&str>, code_page: Option<&str>) -> TextEncoding {
-    let sure = |encoding| TextEncoding { encoding, guessed: false };
-    if release.and_then(release_number).is_some_and(|r| r >= 1021) || bytes.is_ascii() {
-        return sure(UTF_8);
+    let sure = |page| TextEncoding { page, guessed: false };
+    let utf_8 = Page::Web(UTF_8);
+    let named = code_page.and_then(by_code_page);
+    if bytes.is_ascii() {
+        return sure(utf_8);
     }
     if let Ok(text) = std::str::from_utf8(bytes) {
+        if is_unicode(release) {
+            return sure(utf_8);
+        }
         // A few Chinese words happen to be valid UTF-8; as such they would be letters of no living language.
         if code_page.is_none() && looks_like_gbk(bytes) && text.chars().any(|c| ('\u{180}'..'\u{370}').contains(&c)) {
-            return TextEncoding { encoding: GBK, guessed: true };
+            return TextEncoding { page: Page::Web(GBK), guessed: true };
         }
-        if code_page.and_then(by_code_page) != Some(GBK) || !looks_like_gbk(bytes) {
-            return sure(UTF_8);
+        if named != Some(Page::Web(GBK)) || !looks_like_gbk(bytes) {
+            return sure(utf_8);
         }
     }
-    match code_page.and_then(by_code_page) {
-        Some(encoding) if encoding != WINDOWS_1252 => return sure(encoding),
-        Some(encoding) if !looks_like_gbk(bytes) => return sure(encoding),
+    match named.filter(|page| *page != utf_8) {
+        Some(page) if page != Page::Web(WINDOWS_1252) || !looks_like_gbk(bytes) => return sure(page),
         _ => {}
     }
     let encoding = if looks_like_shift_jis(bytes) {
@@ -54,23 +81,30 @@ pub fn choose(bytes: &[u8], release: Option<&str>, code_page: Option<&str>) -> T
     } else {
         WINDOWS_1252
     };
-    TextEncoding { encoding, guessed: true }
+    TextEncoding { page: Page::Web(encoding), guessed: true }
+}
+
+/// Is the text of this release UTF-8?
+#[must_use]
+pub fn is_unicode(release: Option<&str>) -> bool {
+    release.and_then(release_number).is_some_and(|r| r >= 1021)
 }
 
 /// A code page by the name people or DXF headers give it.
 #[must_use]
 pub fn named(name: &str) -> Option<TextEncoding> {
-    by_code_page(name).map(|encoding| TextEncoding { encoding, guessed: false })
+    by_code_page(name).map(|page| TextEncoding { page, guessed: false })
 }
 
 fn release_number(release: &str) -> Option<u32> {
     release.trim().to_ascii_uppercase().strip_prefix("AC")?.parse().ok()
 }
 
-fn by_code_page(name: &str) -> Option<&'static Encoding> {
+fn by_code_page(name: &str) -> Option<Page> {
     let name = name.trim().to_ascii_lowercase();
     let number = name.trim_start_matches(|c: char| !c.is_ascii_digit());
-    match number {
+    let encoding = match number {
+        "850" => return Some(Page::Dos850),
         "936" => Some(GBK),
         "54936" => Some(GB18030),
         "932" => Some(SHIFT_JIS),
@@ -81,7 +115,8 @@ fn by_code_page(name: &str) -> Option<&'static Encoding> {
             Encoding::for_label(format!("windows-{number}").as_bytes())
         }
         _ => Encoding::for_label(name.as_bytes()),
-    }
+    };
+    encoding.map(Page::Web)
 }
 
 /// Valid GBK throughout, and most double bytes from the common Chinese zone: Western accents hardly ever pair up so.
@@ -229,6 +264,7 @@ mod tests {
         let west = b"D\xe9coup\xe9 2";
         assert_eq!(choose(west, Some("AC1009"), Some("ANSI_1252")).decode(west), "Découpé 2");
         assert_eq!(choose(west, None, None).decode(west), "Découpé 2");
+        assert_eq!(choose(west, Some("AC1021"), Some("ANSI_1252")).decode(west), "Découpé 2");
         assert_eq!(choose(b"\xcf\xf0", None, Some("ANSI_1251")).decode(b"\xcf\xf0"), "Пр");
     }
 
@@ -239,6 +275,8 @@ mod tests {
         assert_eq!(choose(sjis, None, None).decode(sjis), "フロント 前身頃");
         assert_eq!(named("shift_jis").map(|e| e.decode(sjis)).as_deref(), Some("フロント 前身頃"));
         assert!(named("klingon").is_none());
+        assert_eq!(named("dos850").map(|e| e.decode(b"R\x81cken \xff \xe1")).as_deref(), Some("Rücken \u{A0} ß"));
+        assert_eq!(DOS_850.chars().count(), 128);
     }
 
     #[test]

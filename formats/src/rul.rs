@@ -55,6 +55,8 @@ struct Reader<'a> {
     file: &'a str,
     table: RuleTable,
     count: Option<usize>,
+    /// Lines of NUMBER OF SIZES, SAMPLE SIZE and the last line.
+    lines: [u64; 3],
     rule: Option<Open>,
     in_sizes: bool,
     numbers: usize,
@@ -79,6 +81,7 @@ pub fn read(bytes: &[u8], file: &str) -> Result<RuleTable, Vec<Diagnostic>> {
         file,
         table: RuleTable::default(),
         count: None,
+        lines: [1; 3],
         rule: None,
         in_sizes: false,
         numbers: 0,
@@ -110,13 +113,22 @@ impl Reader<'_> {
         let (key, value) = text.split_once(':').map_or((text, ""), |(k, v)| (k, v.trim()));
         let key = key.split_whitespace().collect::<Vec<_>>().join(" ").to_ascii_uppercase();
         let in_sizes = std::mem::take(&mut self.in_sizes);
+        if !text.is_empty() {
+            self.lines[2] = line;
+        }
         match key.as_str() {
             "" => self.in_sizes = in_sizes,
             "END" => self.ended = true,
             "UNITS" => self.table.units = Some(value.to_owned()),
             "GRADE RULE TABLE" => self.table.name = Some(value.to_owned()),
-            "SAMPLE SIZE" => self.table.sample = Some(value.to_owned()),
-            "NUMBER OF SIZES" => self.count = value.parse().ok(),
+            "SAMPLE SIZE" => {
+                self.table.sample = Some(value.to_owned());
+                self.lines[1] = line;
+            }
+            "NUMBER OF SIZES" => {
+                self.count = value.parse().ok();
+                self.lines[0] = line;
+            }
             "SIZE LIST" => {
                 self.table.sizes.clear();
                 self.add_sizes(value);
@@ -180,16 +192,25 @@ impl Reader<'_> {
         self.close_rule();
         let n = self.table.sizes.len();
         if n == 0 {
+            // Without sizes nothing else can be judged.
             self.error("rule-without-sizes", "the rule table has no SIZE LIST".into(), 1);
+            return Err(self.errors);
+        }
+        if !self.ended {
+            let text = "the rule table has no END: rules may be missing at its end";
+            let place = self.place(self.lines[2]);
+            let finding = Diagnostic::warning("rule-end-missing", text).at(place).hint("get a whole copy of the table");
+            self.table.findings.push(finding);
         }
         if let Some(count) = self.count.filter(|c| *c != n && n > 0) {
-            self.error("rule-sizes-differ", format!("NUMBER OF SIZES is {count}, SIZE LIST holds {n}"), 1);
+            self.error("rule-sizes-differ", format!("NUMBER OF SIZES is {count}, SIZE LIST holds {n}"), self.lines[0]);
         }
         let sample = match self.table.sample.clone().map(|s| self.table.size_index(&s).ok_or(s)) {
             Some(Ok(i)) => Some(i),
             Some(Err(s)) if n > 0 => {
                 let list = self.table.sizes.join(" ");
-                self.error("rule-sample-unknown", format!("SAMPLE SIZE `{}` is not in SIZE LIST {list}", short(&s)), 1);
+                let text = format!("SAMPLE SIZE `{}` is not in SIZE LIST {list}", short(&s));
+                self.error("rule-sample-unknown", text, self.lines[1]);
                 None
             }
             _ => None,

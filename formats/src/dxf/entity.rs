@@ -2,6 +2,7 @@
 
 use super::findings::Findings;
 use super::model::{Entity, Shape, Spline, Vertex};
+use super::mtext;
 use super::parse::Group;
 use super::tags::number;
 use crate::encoding::{self, TextEncoding};
@@ -127,13 +128,13 @@ impl Reader<'_, '_> {
     }
 }
 
-/// A VERTEX.
-pub(crate) fn vertex(group: &Group<'_>, findings: &mut Findings) -> Option<Vertex> {
+/// A VERTEX and its z.
+pub(crate) fn vertex(group: &Group<'_>, findings: &mut Findings) -> Option<(Vertex, f64)> {
     let mut r = Reader { group, findings, failed: false };
     let at = r.point(10);
-    r.maybe(30);
+    let z = r.maybe(30).unwrap_or(0.0);
     let bulge = r.maybe(42).unwrap_or(0.0);
-    (!r.failed).then_some(Vertex { at, bulge })
+    (!r.failed).then_some((Vertex { at, bulge }, z))
 }
 
 /// Any entity but POLYLINE and VERTEX; `None` when a number in it is bad (which is then a finding).
@@ -150,9 +151,9 @@ pub(crate) fn read(id: u32, group: &Group<'_>, encoding: TextEncoding, findings:
         "MTEXT" => {
             let first = |code| group.tags.iter().find(|t| t.code == code).and_then(|t| number(t, r.findings).ok());
             let at = Vec2::new(first(10).unwrap_or(0.0), first(20).unwrap_or(0.0));
-            Shape::Text { at, value: text_value(group, encoding), height: height(group) }
+            Shape::Text { at, value: mtext::plain(&raw_text(group, encoding)), height: height(group) }
         }
-        "INSERT" => insert(&mut r, encoding),
+        "INSERT" => insert(&mut r, encoding, mirror),
         "ARC" => {
             let (center, radius) = (flip(r.point(10)), r.positive(40, "the radius of an ARC"));
             let (start, end) = (r.need(50), r.need(51));
@@ -163,7 +164,12 @@ pub(crate) fn read(id: u32, group: &Group<'_>, encoding: TextEncoding, findings:
         "ELLIPSE" => ellipse(&mut r, mirror),
         "SPLINE" => spline(&mut r),
         "LWPOLYLINE" => light_polyline(&mut r, mirror),
-        "ATTDEF" | "ATTRIB" => Shape::Attribute,
+        "ATTDEF" | "ATTRIB" => {
+            let text = |code| group.tags.iter().find(|t| t.code == code).map(|t| encoding.decode(t.value));
+            let [tag, value] = [2, 1].map(|code| text(code).map(|t| encoding::unescape(&t)).unwrap_or_default());
+            let number = |code| group.tags.iter().find(|t| t.code == code).and_then(|t| number(t, r.findings).ok());
+            Shape::Attribute { at: Vec2::new(number(10).unwrap_or(0.0), number(20).unwrap_or(0.0)), tag, value }
+        }
         _ => Shape::Other(encoding.decode(group.head.value).to_ascii_uppercase()),
     };
     let failed = r.failed;
@@ -183,13 +189,17 @@ fn height(group: &Group<'_>) -> Option<f64> {
     std::str::from_utf8(tag.value).ok()?.parse().ok().filter(|h: &f64| h.is_finite())
 }
 
-/// MTEXT splits long text over codes 3 and ends with code 1.
 fn text_value(group: &Group<'_>, encoding: TextEncoding) -> String {
-    let parts = group.tags.iter().filter(|t| t.code == 1 || t.code == 3);
-    encoding::unescape(&parts.map(|t| encoding.decode(t.value)).collect::<String>()).trim().to_owned()
+    encoding::unescape(&raw_text(group, encoding)).trim().to_owned()
 }
 
-fn insert(r: &mut Reader<'_, '_>, encoding: TextEncoding) -> Shape {
+/// MTEXT splits long text over codes 3 and ends with code 1.
+fn raw_text(group: &Group<'_>, encoding: TextEncoding) -> String {
+    let parts = group.tags.iter().filter(|t| t.code == 1 || t.code == 3);
+    parts.map(|t| encoding.decode(t.value)).collect()
+}
+
+fn insert(r: &mut Reader<'_, '_>, encoding: TextEncoding, mirror: bool) -> Shape {
     let block = r.group.tags.iter().find(|t| t.code == 2);
     let block = block.map(|t| encoding::unescape(&encoding.decode(t.value))).unwrap_or_default();
     let copies = [70, 71].map(|code| integer(r.group, code).unwrap_or(1));
@@ -198,9 +208,12 @@ fn insert(r: &mut Reader<'_, '_>, encoding: TextEncoding) -> Shape {
         let place = r.findings.place(r.group.head.line);
         r.findings.push(Diagnostic::warning("insert-array", text).at(place));
     }
+    // Seen from behind x runs the other way: so do the scale along it and the turn.
+    let side = if mirror { -1.0 } else { 1.0 };
     let at = r.maybe_point(10);
-    let scale = [r.maybe(41).unwrap_or(1.0), r.maybe(42).unwrap_or(1.0)];
-    Shape::Insert { block, at, scale, rotation: r.maybe(50).unwrap_or(0.0) }
+    let scale = [side * r.maybe(41).unwrap_or(1.0), r.maybe(42).unwrap_or(1.0)];
+    let rotation = side * r.maybe(50).unwrap_or(0.0);
+    Shape::Insert { block, at: Vec2::new(side * at.x, at.y), scale, rotation }
 }
 
 fn ellipse(r: &mut Reader<'_, '_>, mirror: bool) -> Shape {

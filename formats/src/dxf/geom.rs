@@ -268,32 +268,46 @@ pub enum Crossing {
 #[must_use]
 pub fn crossing(points: &[Vec2]) -> Crossing {
     let n = points.len();
-    let Some((lo, hi)) = bounds(points.iter().copied()) else { return Crossing::None };
+    let mut best: Option<(usize, usize, Vec2)> = None;
+    let whole = near_pairs(points, 0.0, &mut |j, i| {
+        if let Some(p) = segments_cross(points[j], points[(j + 1) % n], points[i], points[(i + 1) % n])
+            && best.is_none_or(|(bj, bi, _)| (j, i) < (bj, bi))
+        {
+            best = Some((j, i, p));
+        }
+    });
+    if !whole {
+        return Crossing::TooMany;
+    }
+    best.map_or(Crossing::None, |(j, i, p)| Crossing::At(j, i, p))
+}
+
+/// Visits all pairs `j < i` of segments of a closed polygon that come within about `reach` of each other, some of them
+/// more than once. `false` when they are too many.
+pub(crate) fn near_pairs(points: &[Vec2], reach: f64, visit: &mut dyn FnMut(usize, usize)) -> bool {
+    let n = points.len();
+    let Some((lo, hi)) = bounds(points.iter().copied()) else { return true };
     let side = libm::sqrt(n as f64).clamp(1.0, 512.0);
     let cell = ((hi.x - lo.x).max(hi.y - lo.y) / side).max(1e-6);
     let key = |v: f64, low: f64| ((v - low) / cell).floor() as i64;
+    let pad = 1e-6 + reach;
     let mut cells: BTreeMap<(i64, i64), Vec<usize>> = BTreeMap::new();
-    let mut best: Option<(usize, usize, Vec2)> = None;
     let mut tests = 0_u64;
     for i in 0..n {
         let (a, b) = (points[i], points[(i + 1) % n]);
-        let (x0, x1) = (key(a.x.min(b.x), lo.x), key(a.x.max(b.x), lo.x));
+        let (x0, x1) = (key(a.x.min(b.x) - reach, lo.x), key(a.x.max(b.x) + reach, lo.x));
         for x in x0..=x1 {
             // Only the cells of this column that the segment really passes.
             let (left, right) = (lo.x + x as f64 * cell, lo.x + (x + 1) as f64 * cell);
-            let (ya, yb) = clip(a, b, left, right);
-            for y in key(ya.min(yb) - 1e-6, lo.y)..=key(ya.max(yb) + 1e-6, lo.y) {
+            let (ya, yb) = clip(a, b, left - reach, right + reach);
+            for y in key(ya.min(yb) - pad, lo.y)..=key(ya.max(yb) + pad, lo.y) {
                 let others = cells.entry((x, y)).or_default();
                 tests += others.len() as u64;
                 if tests > limits::CROSSING_TESTS {
-                    return Crossing::TooMany;
+                    return false;
                 }
                 for &j in others.iter() {
-                    if let Some(p) = segments_cross(points[j], points[(j + 1) % n], a, b)
-                        && best.is_none_or(|(bj, bi, _)| (j, i) < (bj, bi))
-                    {
-                        best = Some((j, i, p));
-                    }
+                    visit(j, i);
                 }
                 if others.last() != Some(&i) {
                     others.push(i);
@@ -301,7 +315,7 @@ pub fn crossing(points: &[Vec2]) -> Crossing {
             }
         }
     }
-    best.map_or(Crossing::None, |(j, i, p)| Crossing::At(j, i, p))
+    true
 }
 
 fn clip(a: Vec2, b: Vec2, left: f64, right: f64) -> (f64, f64) {

@@ -10,7 +10,7 @@ use super::{geom, grade};
 use crate::rul::{self, RuleTable};
 use serde_json::{Map, Value, json};
 use std::fmt::Write as _;
-use toile_garment::{Diagnostic, Piece, Vec2};
+use toile_garment::{Diagnostic, Piece, Severity, Vec2};
 
 /// What is in a file.
 #[derive(Clone, Debug)]
@@ -44,14 +44,32 @@ pub fn inspect_with(
     options: &ReadOptions,
 ) -> Result<Inspection, Vec<Diagnostic>> {
     let mut pattern = read(bytes, file, options)?;
-    let table = rul.map(|r| rul::read(r, &rul_name(file))).transpose()?;
-    if let Some(table) = &table {
-        pattern.findings.extend(table.findings.iter().cloned());
-    }
+    let table = rul.and_then(|r| companion(&mut pattern, r, &rul_name(file)));
     let pieces: Vec<Piece> = pattern.pieces.iter().map(|p| to_piece(p, file)).collect();
     let json = facts(&pattern, &pieces, table.as_ref());
     let text = text(&pattern);
     Ok(Inspection { pattern, pieces, json, text })
+}
+
+/// The rule table beside a pattern. A broken one does not keep the pieces from being looked at: its mistakes become
+/// warnings.
+fn companion(pattern: &mut Pattern, bytes: &[u8], file: &str) -> Option<RuleTable> {
+    match rul::read(bytes, file) {
+        Ok(table) => {
+            pattern.findings.extend(table.findings.iter().cloned());
+            let doubts = pattern.check_rules(&table);
+            pattern.findings.extend(doubts);
+            Some(table)
+        }
+        Err(list) => {
+            let text = format!("the rule table `{file}` is wrong; only drawn sizes can be made until it is mended");
+            let place = list.first().and_then(|f| f.source.clone());
+            pattern.findings.push(Diagnostic::warning("rule-table-broken", text).at(place));
+            let softer = |f: Diagnostic| Diagnostic { severity: Severity::Warning, ..f };
+            pattern.findings.extend(list.into_iter().map(softer));
+            None
+        }
+    }
 }
 
 /// Name of the rule table that belongs to a DXF: the same with `.rul`.

@@ -10,8 +10,8 @@ pub const LINE_BYTES: usize = 65_536;
 pub const PAIRS_PER_ENTITY: usize = 2_000_000;
 /// Most entities, vertices not counted.
 pub const ENTITIES: usize = 1_000_000;
-/// Most entities looked at while INSERTs are expanded, those of the blocks themselves among them.
-pub const EXPANDED: usize = 2_000_000;
+/// Most entities that INSERTs inside blocks place.
+pub const EXPANDED: usize = 200_000;
 /// Most pieces (blocks with an outline).
 pub const PIECES: usize = 2_000;
 /// Most vertices of one outline, after flattening of curves.

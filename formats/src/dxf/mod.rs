@@ -9,6 +9,8 @@
 
 mod binary;
 pub mod chain;
+mod checks;
+mod contact;
 pub mod curve;
 pub mod cut_notches;
 pub mod darts;
@@ -24,12 +26,14 @@ mod lib_curves;
 pub mod limits;
 pub mod marked;
 pub mod model;
+mod mtext;
 pub mod notches;
 pub mod outline;
 mod parse;
 mod pattern;
 pub mod piece;
 pub mod pleats;
+mod rule_doubts;
 mod sheet;
 mod sizes;
 pub mod tags;

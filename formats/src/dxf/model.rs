@@ -160,8 +160,15 @@ pub enum Shape {
     },
     /// SPLINE.
     Spline(Spline),
-    /// ATTDEF or ATTRIB: links of notches and the like.
-    Attribute,
+    /// ATTDEF or ATTRIB: links of notches and the like, or a text under a name.
+    Attribute {
+        /// Position.
+        at: Vec2,
+        /// Its name.
+        tag: String,
+        /// Its text.
+        value: String,
+    },
     /// Anything else, by its DXF name.
     Other(String),
 }
@@ -181,7 +188,7 @@ impl Shape {
             Self::Circle { .. } => "CIRCLE",
             Self::Ellipse { .. } => "ELLIPSE",
             Self::Spline(_) => "SPLINE",
-            Self::Attribute => "ATTDEF",
+            Self::Attribute { .. } => "ATTDEF",
             Self::Other(name) => name,
         }
     }

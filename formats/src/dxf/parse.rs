@@ -96,6 +96,8 @@ struct OpenPolyline {
     closed: bool,
     mirror: bool,
     mesh: bool,
+    /// Lowest and highest z of its vertices.
+    depth: Option<[f64; 2]>,
 }
 
 struct Parser<'f> {
@@ -131,6 +133,27 @@ fn text_encoding(
     })
 }
 
+/// What is doubtful about the code page that was chosen.
+fn say_encoding(bytes: &[u8], header: &Header, encoding: TextEncoding, findings: &mut Findings) {
+    let read = format!("its text was read as {}", encoding.name());
+    let release = header.release.as_deref();
+    let text = match header.code_page.as_deref() {
+        Some(page) if encoding.guessed && encoding::named(page).is_none() => {
+            format!("the file names the code page `{page}`, which is not known here; {read}")
+        }
+        Some(page) if encoding.guessed => {
+            format!("the text is not in the code page `{page}` that the file names; {read}")
+        }
+        None if encoding.guessed => format!("the file names no code page; {read}"),
+        _ if encoding::is_unicode(release) && std::str::from_utf8(bytes).is_err() => {
+            format!("the text of release {} is UTF-8, and this one is not; {read}", release.unwrap_or_default())
+        }
+        _ => return,
+    };
+    let hint = "if names look wrong, give the code page: code_page = \"…\"";
+    findings.push(Diagnostic::warning("encoding-guessed", text).at(findings.place(1)).hint(hint));
+}
+
 /// Reads a file into the faithful model. `code_page` overrules what the file says.
 ///
 /// # Errors
@@ -140,9 +163,8 @@ pub fn parse(bytes: &[u8], code_page: Option<&str>, findings: &mut Findings) -> 
     let bytes: &[u8] = &bytes;
     let header = read_header(bytes, findings)?;
     let encoding = text_encoding(bytes, code_page, &header, findings)?;
-    if encoding.guessed {
-        let text = format!("the file names no code page; its text was read as {}", encoding.name());
-        findings.push(Diagnostic::warning("encoding-guessed", text).at(findings.place(1)));
+    if code_page.is_none() {
+        say_encoding(bytes, &header, encoding, findings);
     }
     let mut groups = Groups { tags: Tags::new(bytes), ahead: None };
     let mut parser = Parser {
@@ -358,7 +380,7 @@ impl Parser<'_> {
     /// ATTRIBs after an INSERT are closed by a SEQEND too.
     fn last_takes_seqend(&self) -> bool {
         let list = self.block.as_ref().map_or(&self.entities, |b| &b.entities);
-        list.last().is_some_and(|e| matches!(e.shape, Shape::Attribute | Shape::Insert { .. }))
+        list.last().is_some_and(|e| matches!(e.shape, Shape::Attribute { .. } | Shape::Insert { .. }))
     }
 
     fn store(&mut self, entity: Entity) {
@@ -377,6 +399,7 @@ impl Parser<'_> {
             closed: flags & 1 != 0,
             mirror: entity::mirrored(group),
             mesh: flags & (16 | 64) != 0,
+            depth: None,
         });
     }
 
@@ -390,7 +413,9 @@ impl Parser<'_> {
         // Bit 16: a control point of a curve whose fitted vertices also stand in the file.
         let frame = entity::integer(group, 70).unwrap_or(0) & 16 != 0;
         let vertex = entity::vertex(group, self.findings);
-        let (Some(polyline), Some(mut vertex)) = (self.polyline.as_mut(), vertex) else { return };
+        let (Some(polyline), Some((mut vertex, z))) = (self.polyline.as_mut(), vertex) else { return };
+        let [low, high] = polyline.depth.unwrap_or([z, z]);
+        polyline.depth = Some([low.min(z), high.max(z)]);
         if polyline.mirror {
             vertex.at.x = -vertex.at.x;
             vertex.bulge = -vertex.bulge;
@@ -411,6 +436,16 @@ impl Parser<'_> {
             self.warn("polyline-without-seqend", "a POLYLINE ends without SEQEND".into(), line);
         }
         let mut entity = open.entity;
+        if let Some([low, high]) = open.depth.filter(|[low, high]| high - low > 0.01 && !open.mesh) {
+            let text = format!(
+                "a POLYLINE on layer `{}` lies in space, z from {low} to {high}; it was read as seen from above",
+                entity.layer
+            );
+            let place =
+                self.findings.place_in(self.block.as_ref().map_or("", |b| &b.name), Some(&entity.layer), entity.line);
+            let hint = "lay the pattern flat before the export: lengths are lost otherwise";
+            self.findings.push(Diagnostic::warning("line-not-flat", text).at(place).hint(hint));
+        }
         if !open.mesh {
             entity.shape = Shape::Polyline { vertices: open.vertices, closed: open.closed, light: false };
         }

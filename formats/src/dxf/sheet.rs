@@ -8,7 +8,8 @@ use super::layers::{Layers, Role};
 use super::ledger::{Ledger, Verdict};
 use super::limits;
 use super::model::{Block, Entity, Shape};
-use std::collections::BTreeMap;
+use super::texts;
+use std::collections::{BTreeMap, BTreeSet};
 use toile_garment::notch::NotchKind;
 use toile_garment::{Diagnostic, Vec2};
 
@@ -95,6 +96,22 @@ pub(crate) struct Sorter<'a> {
     /// Chords keep this near the curve, mm.
     pub flatness: f64,
     expanded: usize,
+    /// INSERTs inside blocks whose scale and turn were said.
+    told: BTreeSet<u32>,
+}
+
+/// An INSERT inside a block that scales, mirrors or turns what it places.
+fn transformed(outer: &str, inner: &str, scale: [f64; 2], rotation: f64) -> Option<Diagnostic> {
+    let plain = scale.iter().all(|s| (s - 1.0).abs() <= 1e-6) && libm::fmod(rotation, 360.0).abs() <= 1e-6;
+    let [x, y] = scale;
+    let text = format!(
+        "the INSERT of `{inner}` inside block `{outer}` scales by {x} × {y} and turns by {rotation}°; all of it was applied"
+    );
+    let hint = "compare the size of the piece; insert blocks at their own size if it is not meant";
+    (!plain).then(|| {
+        let code = if x * y < 0.0 { "insert-mirrored" } else { "insert-transformed" };
+        Diagnostic::warning(code, text).hint(hint)
+    })
 }
 
 /// Does the block hold a line on layer 1 itself?
@@ -112,7 +129,7 @@ impl<'a> Sorter<'a> {
         ledger: &'a mut Ledger,
         findings: &'a mut Findings,
     ) -> Self {
-        Self { layers, mm, blocks, by_name, ledger, findings, flatness, expanded: 0 }
+        Self { layers, mm, blocks, by_name, ledger, findings, flatness, expanded: 0, told: BTreeSet::new() }
     }
 
     /// Sorts one block. `placings`, in file units, are applied to all of it.
@@ -148,10 +165,11 @@ impl<'a> Sorter<'a> {
         let blocks = self.blocks;
         for entity in &blocks[index].entities {
             self.expanded = self.expanded.saturating_add(1);
-            if self.expanded > limits::EXPANDED {
+            const MOST: usize = limits::ENTITIES + limits::EXPANDED;
+            if self.expanded > MOST {
                 // Said once; the error ends the reading, so nothing is lost in silence.
-                if self.expanded == limits::EXPANDED + 1 {
-                    let text = format!("the INSERTs of this file expand to more than {} entities", limits::EXPANDED);
+                if self.expanded == MOST + 1 {
+                    let text = format!("the INSERTs of this file expand to more than {MOST} entities");
                     let place = self.findings.place_in(&blocks[index].name, None, entity.line);
                     self.findings.push(Diagnostic::error("insert-too-many", text).at(place));
                 }
@@ -183,6 +201,11 @@ impl<'a> Sorter<'a> {
             }
             let Some(target) = target else { continue };
             self.ledger.note(entity.id, Verdict::Interpreted, "INSERT inside a block, expanded");
+            if self.told.insert(entity.id)
+                && let Some(finding) = transformed(&blocks[index].name, block, *scale, *rotation)
+            {
+                self.findings.push(finding.at(place));
+            }
             let angle = rotation.to_radians();
             let mut inner =
                 vec![Placing { base: blocks[target].base * self.mm, scale: *scale, angle, at: at * self.mm }];
@@ -205,9 +228,16 @@ impl<'a> Sorter<'a> {
         match (&entity.shape, role) {
             (Shape::Text { at, value, .. }, _) => {
                 accepted(self.ledger, "text");
-                sheet.notes.push(Note { at: place(*at), layer: entity.layer.clone(), text: value.clone() });
+                let note = |text: &str| Note { at: place(*at), layer: entity.layer.clone(), text: text.to_owned() };
+                sheet.notes.extend(value.split('\n').map(note));
             }
-            (Shape::Attribute, _) => self.ledger.note(id, Verdict::Interpreted, "attribute: notch link, not needed"),
+            (Shape::Attribute { at, tag, value }, _) => match texts::attribute(tag, value) {
+                Some(text) => {
+                    self.ledger.note(id, Verdict::Interpreted, "attribute named as a piece text: read as such");
+                    sheet.notes.push(Note { at: place(*at), layer: entity.layer.clone(), text });
+                }
+                None => self.ledger.note(id, Verdict::Interpreted, "attribute: notch link, not needed"),
+            },
             (Shape::Point { at, .. }, Role::Turn) => {
                 accepted(self.ledger, "turn point (layer 2)");
                 sheet.turn.push(place(*at));

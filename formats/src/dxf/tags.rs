@@ -102,8 +102,9 @@ impl<'a> Tags<'a> {
                 continue;
             }
             let line = self.line;
-            // Ctrl-Z ends a text file of the DOS age.
-            if code == [0x1A] && self.bytes[self.at.min(self.bytes.len())..].trim_ascii().is_empty() {
+            // Ctrl-Z ends a text file of the DOS age, and blocks of a tape or disk are filled up with zero bytes.
+            let filling = |b: &u8| matches!(b, 0 | 0x1A) || b.is_ascii_whitespace();
+            if code.iter().all(filling) && self.bytes[self.at.min(self.bytes.len())..].iter().all(filling) {
                 return Ok(None);
             }
             let Some(number) = group_code(code) else { return Err(bad_code(code, line, findings)) };
@@ -160,13 +161,20 @@ fn group_code(text: &[u8]) -> Option<i32> {
     text.parse::<i32>().ok().filter(|c| (-32_768..=32_767).contains(c))
 }
 
+/// What stands in a line, as far as it can be shown.
+fn shown(bytes: &[u8]) -> String {
+    let text: String =
+        String::from_utf8_lossy(bytes).chars().filter(|c| !c.is_control() && *c != '\u{FFFD}').take(40).collect();
+    if text.trim().is_empty() { format!("{} byte(s) that are no text", bytes.len()) } else { format!("`{text}`") }
+}
+
 fn bad_code(code: &[u8], line: u64, findings: &Findings) -> Diagnostic {
-    let shown: String = String::from_utf8_lossy(code).chars().filter(|c| !c.is_control()).take(40).collect();
+    let shown = shown(code);
     if line == 1 {
-        let text = format!("this is no DXF text: line 1 must be a group code, found `{shown}`");
+        let text = format!("this is no DXF text: line 1 must be a group code, found {shown}");
         return Diagnostic::error("not-dxf", text).at(findings.place(line));
     }
-    Diagnostic::error("bad-group-code", format!("expected a group code (a whole number), found `{shown}`"))
+    Diagnostic::error("bad-group-code", format!("expected a group code (a whole number), found {shown}"))
         .at(findings.place(line))
         .hint("a line is missing or extra just before this one; export the file again")
 }
@@ -182,21 +190,21 @@ pub fn number(tag: &Tag<'_>, findings: &Findings) -> Result<f64, Diagnostic> {
         return Ok(v);
     }
     let place = findings.place(tag.line + 1);
-    let shown: String = String::from_utf8_lossy(tag.value).chars().filter(|c| !c.is_control()).take(40).collect();
+    let shown = if tag.value.is_empty() { "an empty line".to_owned() } else { shown(tag.value) };
     match value {
         Some(_) => Err(Diagnostic::error(
             "number-out-of-range",
-            format!("the number `{shown}` (group code {}) is out of range", tag.code),
+            format!("the number {shown} (group code {}) is out of range", tag.code),
         )
         .at(place)),
         None if tag.value.contains(&b',') => Err(Diagnostic::error(
             "decimal-comma",
-            format!("the number `{shown}` (group code {}) has a decimal comma", tag.code),
+            format!("the number {shown} (group code {}) has a decimal comma", tag.code),
         )
         .at(place)
         .hint("export with a decimal point")),
         None => {
-            Err(Diagnostic::error("bad-number", format!("`{shown}` (group code {}) is not a finite number", tag.code))
+            Err(Diagnostic::error("bad-number", format!("{shown} (group code {}) is not a finite number", tag.code))
                 .at(place)
                 .hint("correct the line or export the file again"))
         }

@@ -18,16 +18,37 @@ pub fn rule_number(text: &str) -> Option<(u32, Option<u32>)> {
     Some((parts.next()?.parse().ok()?, parts.next().and_then(|p| p.parse().ok())))
 }
 
-/// `2`, `2,0`, `1,1`, `1.0`, `2 PAIR`: as drawn, and mirrored.
+/// `2`, `2,0`, `1,1`, `1+1`, `1.0`, `2 PAIR`: as drawn, and mirrored. `None` for what cannot be understood.
 #[must_use]
 pub fn quantity(text: &str) -> Option<Quantity> {
-    let mut parts = text.split([',', ';', '/']).map(|p| {
-        let number: String = p.trim().chars().take_while(|c| c.is_ascii_digit()).collect();
-        number.parse::<u32>().ok()
-    });
-    let plain = parts.next()??;
-    let mirrored = parts.next().flatten().unwrap_or(0);
-    Some(Quantity { plain, mirrored })
+    let parts: Vec<&str> = text.split([',', ';', '/', '+']).map(str::trim).collect();
+    match parts.as_slice() {
+        [plain] => Some(Quantity { plain: count(plain)?, mirrored: 0 }),
+        [plain, ""] => Some(Quantity { plain: count(plain)?, mirrored: 0 }),
+        [plain, mirrored] => Some(Quantity { plain: count(plain)?, mirrored: count(mirrored)? }),
+        _ => None,
+    }
+}
+
+/// A whole number, with a word behind it or not.
+fn count(text: &str) -> Option<u32> {
+    let digits = text.len() - text.trim_start_matches(|c: char| c.is_ascii_digit()).len();
+    let (number, rest) = text.split_at(digits);
+    let fraction = rest.strip_prefix('.').map_or(rest, |f| f.trim_start_matches('0'));
+    let word = fraction.chars().all(|c| c.is_alphabetic() || c.is_whitespace());
+    number.parse().ok().filter(|_| word)
+}
+
+/// The text of a piece that an attribute stands for: `Piece Name: FRONT` of its name and its value.
+#[must_use]
+pub fn attribute(tag: &str, value: &str) -> Option<String> {
+    const KEYS: [&str; 8] =
+        ["piece name", "size", "size name", "quantity", "category", "annotation", "material", "fabric"];
+    let known = |key: &str| KEYS.contains(&key.replace('_', " ").trim_end_matches(':').trim().to_lowercase().as_str());
+    if known(tag) && !value.is_empty() {
+        return Some(format!("{}: {value}", tag.replace('_', " ").trim_end_matches(':')));
+    }
+    key_value(value).filter(|(key, _)| known(key)).map(|_| value.to_owned())
 }
 
 /// Unit named in a text or a parameter: millimetres per unit.
@@ -38,6 +59,7 @@ pub fn unit(text: &str) -> Option<f64> {
         "english" | "imperial" | "inch" | "inches" | "in" => Some(25.4),
         "cm" | "centimeter" | "centimeters" | "centimetre" | "centimetres" => Some(10.0),
         "m" | "meter" | "meters" | "metre" | "metres" => Some(1000.0),
+        "ft" | "foot" | "feet" => Some(304.8),
         _ => None,
     }
 }
@@ -56,6 +78,13 @@ mod tests {
         assert_eq!(quantity("1,1"), Some(Quantity { plain: 1, mirrored: 1 }));
         assert_eq!(quantity("2"), Some(Quantity { plain: 2, mirrored: 0 }));
         assert_eq!(quantity("0"), Some(Quantity { plain: 0, mirrored: 0 }));
-        assert_eq!(quantity("two"), None);
+        assert_eq!(quantity("1+1"), Some(Quantity { plain: 1, mirrored: 1 }));
+        assert_eq!(quantity("1.0"), Some(Quantity { plain: 1, mirrored: 0 }));
+        assert_eq!(quantity("2 PAIR"), Some(Quantity { plain: 2, mirrored: 0 }));
+        for unclear in ["two", "", "-1", "1.5", "1,1,1", "999999999999", "x2", "1,a"] {
+            assert_eq!(quantity(unclear), None, "{unclear}");
+        }
+        assert_eq!(attribute("Piece_Name", "FRONT").as_deref(), Some("Piece Name: FRONT"));
+        assert_eq!(attribute("Dependency", "Link:4"), None);
     }
 }

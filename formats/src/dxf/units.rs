@@ -8,6 +8,8 @@ use toile_garment::Diagnostic;
 const SIDE: std::ops::RangeInclusive<f64> = 50.0..=2000.0;
 /// The largest piece of a file is hardly ever smaller than this, mm.
 const LARGEST_LEAST: f64 = 100.0;
+/// No file holds nothing but pieces smaller than this, mm.
+const SIDE_LEAST: f64 = 5.0;
 /// No piece is larger than this, mm.
 const SIDE_MOST: f64 = 5000.0;
 
@@ -26,6 +28,8 @@ pub(crate) struct Evidence<'a> {
     pub asked: Option<f64>,
     /// Value of the text `Units:`.
     pub text: Option<&'a str>,
+    /// What a second text `Units:` says.
+    pub other: Option<String>,
     /// `$INSUNITS`.
     pub insunits: Option<i64>,
     /// Value of the text `Tolerance:`.
@@ -48,11 +52,22 @@ pub(crate) fn decide(evidence: &Evidence<'_>, findings: &mut Findings) -> Units 
     }
     let from_header = match evidence.insunits {
         Some(1) => Some(25.4),
+        Some(2) => Some(304.8),
         Some(4) => Some(1.0),
         Some(5) => Some(10.0),
         Some(6) => Some(1000.0),
         _ => None,
     };
+    let stated = from_text.zip(evidence.text).into_iter().map(|(mm, t)| (mm, format!("`Units: {t}`")));
+    let stated = stated.chain(evidence.other.iter().filter_map(|t| Some((texts::unit(t)?, format!("`Units: {t}`")))));
+    let stated: Vec<(f64, String)> =
+        stated.chain(from_header.map(|mm| (mm, format!("$INSUNITS ({})", name(mm))))).collect();
+    if let [(first, said), others @ ..] = stated.as_slice()
+        && let Some((_, other)) = others.iter().find(|(mm, _)| mm != first)
+    {
+        let text = format!("the file says {said} and also {other}; {said} counts");
+        say(Diagnostic::info("units-contradict", text).hint("give the unit: units = \"mm\" or \"inch\""));
+    }
     let side = evidence.side;
     let Some(mm) = from_text.or(from_header) else {
         let guess = guess(side, evidence.tolerance);
@@ -78,6 +93,16 @@ pub(crate) fn decide(evidence: &Evidence<'_>, findings: &mut Findings) -> Units 
             return units(better);
         }
     }
+    if side > 0.0 && side * mm < SIDE_LEAST && SIDE.contains(&(side * 1000.0)) {
+        let text = format!(
+            "the file says {}, but its largest piece would be {:.2} mm long; metres were used instead ({:.0} mm)",
+            name(mm),
+            side * mm,
+            side * 1000.0
+        );
+        say(Diagnostic::warning("units-doubtful", text).hint("give the unit: units = \"mm\" or \"m\""));
+        return units(1000.0);
+    }
     if side > 0.0 && (side * mm > SIDE_MOST || side * mm < LARGEST_LEAST) {
         let text = format!(
             "the file says {}, which makes its largest piece {:.1} mm long; that was obeyed, but it is unlikely",
@@ -102,6 +127,7 @@ fn name(mm: f64) -> &'static str {
         25.4 => "inches",
         10.0 => "centimetres",
         1000.0 => "metres",
+        304.8 => "feet",
         _ => "millimetres",
     }
 }
@@ -112,14 +138,17 @@ mod tests {
 
     fn mm(text: Option<&str>, insunits: Option<i64>, side: f64) -> (f64, usize) {
         let mut findings = Findings::new("t.dxf");
-        let e = Evidence { asked: None, text, insunits, tolerance: None, side };
+        let e = Evidence { asked: None, text, other: None, insunits, tolerance: None, side };
         let units = decide(&e, &mut findings);
         (units.mm_per_unit, findings.finish().len())
     }
 
     #[test]
     fn trust_in_order() {
-        assert_eq!(mm(Some("METRIC"), Some(1), 600.0), (1.0, 0));
+        assert_eq!(mm(Some("METRIC"), Some(4), 600.0), (1.0, 0));
+        assert_eq!(mm(Some("METRIC"), Some(1), 600.0), (1.0, 1));
+        assert_eq!(mm(None, Some(2), 2.0), (304.8, 0));
+        assert_eq!(mm(Some("METRIC"), None, 0.6), (1000.0, 1));
         assert_eq!(mm(Some("ENGLISH"), None, 24.0), (25.4, 0));
         assert_eq!(mm(None, Some(5), 60.0), (10.0, 0));
         assert_eq!(mm(None, None, 600.0), (1.0, 1));

@@ -37,28 +37,16 @@ pub(super) struct Inserted {
     pub part: bool,
     /// Does it only hold INSERTs of pieces?
     pub assembly: bool,
+    /// Later INSERTs whose scale is not that of the first, and the line of the first of them.
+    pub other_scale: (u32, u64),
+    /// INSERTs that mirror, and their entities.
+    pub mirroring: Vec<u32>,
 }
 
 impl Inserted {
     /// Scale of the first INSERT, through all levels; both positive.
     fn scale(&self) -> [f64; 2] {
-        let mut scale = [1.0_f64, 1.0];
-        for placing in &self.chain {
-            let quarter = (libm::fmod(placing.angle.abs(), std::f64::consts::PI) - std::f64::consts::FRAC_PI_2).abs();
-            scale = [scale[0] * placing.scale[0].abs(), scale[1] * placing.scale[1].abs()];
-            // A quarter turn swaps the axes of what is scaled after it.
-            if quarter < std::f64::consts::FRAC_PI_4 {
-                scale.swap(0, 1);
-            }
-        }
-        let turns = self.chain.iter().filter(|p| {
-            (libm::fmod(p.angle.abs(), std::f64::consts::PI) - std::f64::consts::FRAC_PI_2).abs()
-                < std::f64::consts::FRAC_PI_4
-        });
-        if turns.count() % 2 == 1 {
-            scale.swap(0, 1);
-        }
-        scale
+        scale_of(&self.chain)
     }
 
     /// Larger factor of the first INSERT.
@@ -83,6 +71,53 @@ impl Inserted {
             }
         }
     }
+}
+
+/// Scale of an INSERT through all levels; both positive.
+fn scale_of(chain: &[Placing]) -> [f64; 2] {
+    // A quarter turn swaps the axes of what is scaled after it.
+    let quarter = |p: &Placing| {
+        let off = libm::fmod(p.angle.abs(), std::f64::consts::PI) - std::f64::consts::FRAC_PI_2;
+        off.abs() < std::f64::consts::FRAC_PI_4
+    };
+    let mut scale = [1.0_f64, 1.0];
+    for placing in chain {
+        scale = [scale[0] * placing.scale[0].abs(), scale[1] * placing.scale[1].abs()];
+        if quarter(placing) {
+            scale.swap(0, 1);
+        }
+    }
+    if chain.iter().filter(|p| quarter(p)).count() % 2 == 1 {
+        scale.swap(0, 1);
+    }
+    scale
+}
+
+/// Refuses blocks in blocks that would place too many entities, before any is expanded.
+pub(super) fn check_expansion(
+    blocks: &[Block],
+    by_name: &BTreeMap<String, Vec<usize>>,
+    findings: &Findings,
+) -> Result<(), Diagnostic> {
+    let target = |e: &Entity| match &e.shape {
+        Shape::Insert { block, .. } => by_name.get(block).and_then(|list| list.first()).copied(),
+        _ => None,
+    };
+    let inside: Vec<Vec<usize>> = blocks.iter().map(|b| b.entities.iter().filter_map(target).collect()).collect();
+    let mut placed = vec![0_usize; blocks.len()];
+    for _ in 0..limits::INSERT_DEPTH {
+        let one = |t: &usize| placed[*t].saturating_add(blocks[*t].entities.len());
+        placed = inside.iter().map(|list| list.iter().map(one).fold(0, usize::saturating_add)).collect();
+    }
+    let Some(worst) = (0..blocks.len()).find(|i| placed[*i] > limits::EXPANDED) else { return Ok(()) };
+    let text = format!(
+        "the INSERTs inside block `{}` place more than {} entities, over the limit",
+        blocks[worst].name,
+        limits::EXPANDED
+    );
+    let place = findings.place_in(&blocks[worst].name, None, blocks[worst].line);
+    let hint = "export the pieces as blocks of their own, without blocks in blocks";
+    Err(Diagnostic::error("insert-too-many", text).at(place).hint(hint))
 }
 
 /// The blocks and which are inserted where.
@@ -125,8 +160,34 @@ pub(super) fn inserts(
             walk.inside(index, &[], &mut vec![index], ledger);
         }
     }
+    // A piece that is also inserted as drawn is not mirrored: its mirrored INSERTs only count.
+    for inserted in walk.out.iter().filter(|i| i.plain > 0) {
+        for id in &inserted.mirroring {
+            ledger.overrule(*id, Verdict::Interpreted, "mirrored INSERT of a piece also inserted as drawn: counted");
+        }
+    }
     walk.say();
     walk.out
+}
+
+/// What a block that is inserted several times, each time otherwise, has lost.
+fn repeated(block: &Block, inserted: &Inserted) -> Option<Diagnostic> {
+    let n = inserted.plain + inserted.mirrored;
+    let text = if inserted.other_scale.0 > 0 {
+        format!(
+            "block `{}` is inserted {n} times, and {} of the INSERTs have another scale (line {}) than the first; the piece has the scale of the first only",
+            block.name, inserted.other_scale.0, inserted.other_scale.1
+        )
+    } else if inserted.plain > 0 && inserted.mirrored > 0 && !inserted.assembly {
+        format!(
+            "block `{}` is inserted {} times as drawn and {} times mirrored; it was read as one piece, as drawn, and the INSERTs were only counted",
+            block.name, inserted.plain, inserted.mirrored
+        )
+    } else {
+        return None;
+    };
+    let hint = "give each shape a block of its own, or the text `Quantity: 1,1` for a piece and its mirror image";
+    Some(Diagnostic::warning("insert-repeated", text).hint(hint))
 }
 
 impl<'a> Walk<'a, '_> {
@@ -220,9 +281,20 @@ impl<'a> Walk<'a, '_> {
         let entry = &mut self.out[index];
         if entry.plain + entry.mirrored == 0 {
             entry.chain = chain;
+        } else {
+            let ([x, y], [u, v]) = (entry.scale(), scale_of(&chain));
+            if (x - u).abs() > 1e-6 || (y - v).abs() > 1e-6 {
+                let first = if entry.other_scale.0 == 0 { entity.line } else { entry.other_scale.1 };
+                entry.other_scale = (entry.other_scale.0 + 1, first);
+                entry.plain += u32::from(!mirrored);
+                entry.mirrored += u32::from(mirrored);
+                ledger.note(entity.id, Verdict::Interpreted, "INSERT of a piece again: counted, its scale left out");
+                return;
+            }
         }
         if mirrored {
             entry.mirrored += 1;
+            entry.mirroring.push(entity.id);
             ledger.note(entity.id, Verdict::Interpreted, "mirrored INSERT: the piece is mirrored");
         } else {
             entry.plain += 1;
@@ -277,6 +349,9 @@ impl<'a> Walk<'a, '_> {
                 );
                 let hint = "`inserts = \"placed\"` applies both, `inserts = \"ignored\"` neither";
                 self.findings.push(Diagnostic::warning("insert-transformed", text).at(place.clone()).hint(hint));
+            }
+            if let Some(finding) = repeated(block, inserted) {
+                self.findings.push(finding.at(place.clone()));
             }
             if inserted.mirrored > 0 && inserted.plain == 0 {
                 let text = format!("block `{}` is inserted mirrored; the piece was mirrored", block.name);

@@ -9,6 +9,7 @@ pub use inserts::InsertRule;
 
 use inserts::Inserted;
 
+use super::checks;
 use super::findings::Findings;
 use super::geom;
 use super::layers::{Layers, Role};
@@ -113,6 +114,7 @@ fn read_into(bytes: &[u8], file: &str, options: &ReadOptions, findings: &mut Fin
     for (i, block) in blocks.iter().enumerate() {
         by_name.entry(block.name.clone()).or_default().push(i);
     }
+    inserts::check_expansion(&blocks, &by_name, findings)?;
     let own = |block: &Block| has_boundary(&layers, block);
     let inserted = inserts::inserts(&drawing, &blocks, &by_name, &own, findings, &mut ledger);
     let sides = Sides { drawing: &drawing, blocks: &blocks, inserted: &inserted, layers: &layers };
@@ -143,6 +145,7 @@ fn read_into(bytes: &[u8], file: &str, options: &ReadOptions, findings: &mut Fin
         piece.finish(&mut desk);
     }
     rivals::deny_inserts_and_unmarked(&mut pieces, &mut desk);
+    checks::pieces(&pieces, sample_size.as_deref(), &mut desk);
     report_layers(&drawing, &blocks, &layers, desk.ledger, desk.findings);
     ledger.close();
     let mut sizes: Vec<String> = Vec::new();
@@ -173,9 +176,8 @@ fn read_into(bytes: &[u8], file: &str, options: &ReadOptions, findings: &mut Fin
 fn style_texts(drawing: &Drawing) -> BTreeMap<String, String> {
     let mut map = BTreeMap::new();
     for entity in &drawing.entities {
-        if let Shape::Text { value, .. } = &entity.shape
-            && let Some((key, value)) = texts::key_value(value)
-        {
+        let Shape::Text { value, .. } = &entity.shape else { continue };
+        for (key, value) in value.lines().filter_map(texts::key_value) {
             map.entry(key).or_insert(value);
         }
     }
@@ -208,7 +210,21 @@ impl Sides<'_> {
             ["tolerance", "curve tolerance"].iter().find_map(|k| style.get(*k)).and_then(|t| t.parse().ok());
         let text = style.get("units").map(String::as_str).filter(|t| !t.is_empty());
         let insunits = self.drawing.insunits;
-        units::decide(&Evidence { asked: options.mm_per_unit, text, insunits, tolerance, side: largest }, findings)
+        let other = text.and_then(|t| self.other_unit(t));
+        let evidence = Evidence { asked: options.mm_per_unit, text, other, insunits, tolerance, side: largest };
+        units::decide(&evidence, findings)
+    }
+
+    /// A second text `Units` that says something else.
+    fn other_unit(&self, first: &str) -> Option<String> {
+        let lines = self.drawing.entities.iter().filter_map(|e| match &e.shape {
+            Shape::Text { value, .. } => Some(value.as_str()),
+            _ => None,
+        });
+        let units = lines.flat_map(str::lines).filter_map(texts::key_value).filter(|(key, _)| key == "units");
+        let mut others =
+            units.map(|(_, value)| value).filter(|v| !v.is_empty() && texts::unit(v) != texts::unit(first));
+        others.next()
     }
 }
 
@@ -255,7 +271,7 @@ fn report_layers(drawing: &Drawing, blocks: &[Block], layers: &Layers, ledger: &
     for e in all {
         let odd = match &e.shape {
             Shape::Other(_) => true,
-            Shape::Text { .. } | Shape::Insert { .. } | Shape::Attribute => false,
+            Shape::Text { .. } | Shape::Insert { .. } | Shape::Attribute { .. } => false,
             _ => matches!(layers.role(&e.layer), Role::Unknown | Role::Annotation),
         };
         if odd && !ledger.used(e.id) {

@@ -71,7 +71,31 @@ pub(super) fn sheets(
         let place = sorter.findings.place(1);
         sorter.findings.push(Diagnostic::warning("lines-outside-blocks", text).at(place));
     }
+    loose_marks(drawing, sorter);
     out
+}
+
+/// Points and attributes of ENTITIES belong to no piece.
+fn loose_marks(drawing: &Drawing, sorter: &mut Sorter<'_>) {
+    for (code, what, wanted) in [
+        ("lines-outside-blocks", "point(s), as of notches and drill holes,", 0),
+        ("entities-left-out", "attribute(s) with a text", 1),
+    ] {
+        let is = |e: &&Entity| match &e.shape {
+            Shape::Point { .. } => wanted == 0 && sorter.layers.role(&e.layer) != Role::Unknown,
+            Shape::Attribute { value, .. } => wanted == 1 && !value.is_empty(),
+            _ => false,
+        };
+        let found: Vec<&Entity> = drawing.entities.iter().filter(is).collect();
+        let Some(first) = found.first() else { continue };
+        for e in &found {
+            sorter.ledger.note(e.id, Verdict::Refused, "point or attribute outside any block");
+        }
+        let text = format!("{} {what} stand in ENTITIES outside any block; they were left out", found.len());
+        let place = sorter.findings.place(first.line);
+        let hint = "put them into the block of their piece";
+        sorter.findings.push(Diagnostic::warning(code, text).at(place).hint(hint));
+    }
 }
 
 /// No block is a piece: the outermost closed lines in ENTITIES are.

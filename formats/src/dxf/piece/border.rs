@@ -2,12 +2,16 @@
 
 use super::{Desk, mm};
 use crate::dxf::chain::{self, Chained, Path};
+use crate::dxf::contact::{self, Contact};
 use crate::dxf::geom::{self, Crossing};
 use crate::dxf::ledger::Verdict;
 use crate::dxf::limits;
 use crate::dxf::outline::Outline;
 use crate::dxf::sheet::Sheet;
 use toile_garment::{Diagnostic, Vec2};
+
+/// Shorter spikes without width that stand out of an outline are strokes of notches, mm.
+const SPIKE: f64 = 10.0;
 
 /// The largest closed line of a dense copy.
 pub(super) fn closed_copy(runs: Vec<Path>, gap: f64) -> Option<Outline> {
@@ -16,6 +20,15 @@ pub(super) fn closed_copy(runs: Vec<Path>, gap: f64) -> Option<Outline> {
         area(a).total_cmp(&area(b))
     });
     largest.map(Outline::new)
+}
+
+/// Closed lines of layer 11, and what stays open.
+pub(super) fn cutouts(runs: Vec<Path>, desk: &mut Desk<'_>) -> Vec<Path> {
+    let Chained { mut closed, open, doubled, .. } = chain::chain(runs, desk.rules.tolerances.gap);
+    note_doubled(&doubled, desk);
+    closed.extend(open);
+    closed.sort_by_key(|p| p.line);
+    closed
 }
 
 /// The outline among the lines of layer 1, and closed lines inside it.
@@ -129,7 +142,9 @@ pub(super) fn check_shape(block: &str, outline: &Outline, desk: &mut Desk<'_>) -
         return fail("outline-too-large", text, "check the unit of the file");
     }
     match geom::crossing(&points) {
-        Crossing::None if points.len() >= 3 && geom::area(&points).abs() >= 1.0 => Some(()),
+        Crossing::None if points.len() >= 3 && geom::area(&points).abs() >= 1.0 => {
+            check_contacts(block, outline.line, &points, desk)
+        }
         Crossing::None => {
             let text = format!("the outline of block `{block}` at {} encloses no area", mm(points[0]));
             fail("outline-without-area", text, "draw a closed outline on layer 1")
@@ -143,4 +158,32 @@ pub(super) fn check_shape(block: &str, outline: &Outline, desk: &mut Desk<'_>) -
             fail("outline-crosses-itself", text, "correct the outline there")
         }
     }
+}
+
+/// An outline may touch itself, with a warning, but go through itself nowhere.
+fn check_contacts(block: &str, line: u64, points: &[Vec2], desk: &mut Desk<'_>) -> Option<()> {
+    for contact in contact::contacts(points) {
+        match contact {
+            Contact::Crosses(p) => {
+                let text = format!("the outline of block `{block}` intersects itself at its vertex {}", mm(p));
+                let finding = Diagnostic::error("outline-crosses-itself", text).hint("correct the outline there");
+                desk.say(finding, block, "1", line);
+                return None;
+            }
+            Contact::Touches(p) => {
+                let text = format!("the outline of block `{block}` touches itself at {}; it was read as drawn", mm(p));
+                let hint = "draw the parts as pieces of their own, or leave a gap between the lines";
+                desk.say(Diagnostic::warning("outline-touches-itself", text).hint(hint), block, "1", line);
+            }
+        }
+    }
+    for (tip, length) in contact::outward_spikes(points, SPIKE) {
+        let text = format!(
+            "a spike without width, {length:.1} mm long, stands out of the outline of block `{block}` at {}; it was read as drawn",
+            mm(tip)
+        );
+        let hint = "take the spike out of the outline in the pattern program";
+        desk.say(Diagnostic::warning("outline-spike", text).hint(hint), block, "1", line);
+    }
+    Some(())
 }

@@ -8,16 +8,17 @@ use toile_garment::{Diagnostic, Vec2};
 
 /// A mirror line lies on the boundary within this, mm.
 const ON_FOLD: f64 = 0.3;
+/// Most mirror lines of a piece that are looked at.
+const MIRRORS: usize = 64;
 
 impl DrawnPiece {
     pub(super) fn find_fold(&mut self, mirrors: &[Stroke], desk: &mut Desk<'_>) {
-        let longest = mirrors.iter().max_by(|a, b| {
-            let l = |s: &Stroke| (s.ends[1] - s.ends[0]).norm();
-            l(a).total_cmp(&l(b))
-        });
-        let Some(stroke) = longest else { return };
+        let mut joined = joined(mirrors);
+        joined.sort_by(|a, b| length(b).total_cmp(&length(a)));
+        let Some(stroke) = joined.first() else { return };
         let line = self.boundary.positions();
         let [a, b] = stroke.ends;
+        self.say_other_folds(&joined, desk);
         if fold_run(&line, a, b).is_some() || fold_part(&line, a, b) {
             self.fold = Some([a, b]);
             desk.ledger.overrule(
@@ -36,6 +37,60 @@ impl DrawnPiece {
             desk.say(Diagnostic::warning("fold-off-boundary", text), &self.block, "6", stroke.line);
         }
     }
+
+    /// A piece has one fold: further mirror lines are not used.
+    fn say_other_folds(&self, joined: &[Stroke], desk: &mut Desk<'_>) {
+        let [first, others @ ..] = joined else { return };
+        for stroke in others {
+            let text = format!(
+                "`{}` has a second mirror line from {} to {}; only the longest, from {} to {}, counts",
+                self.label(),
+                mm(stroke.ends[0]),
+                mm(stroke.ends[1]),
+                mm(first.ends[0]),
+                mm(first.ends[1])
+            );
+            desk.ledger.overrule(stroke.id, Verdict::Refused, "second mirror line");
+            let hint = "draw a piece that is folded twice unfolded once";
+            desk.say(Diagnostic::warning("fold-second", text).hint(hint), &self.block, "6", stroke.line);
+        }
+    }
+}
+
+fn length(s: &Stroke) -> f64 {
+    (s.ends[1] - s.ends[0]).norm()
+}
+
+/// Mirror lines with those on the same line that meet or overlap made one.
+fn joined(mirrors: &[Stroke]) -> Vec<Stroke> {
+    let mut out: Vec<Stroke> = Vec::new();
+    for stroke in mirrors.iter().take(MIRRORS) {
+        let mut whole = *stroke;
+        while let Some((i, both)) = out.iter().enumerate().find_map(|(i, s)| one_line(s, &whole).map(|b| (i, b))) {
+            out.remove(i);
+            whole = both;
+        }
+        out.push(whole);
+    }
+    out
+}
+
+/// Two strokes as one, if they lie on one line and meet.
+fn one_line(a: &Stroke, b: &Stroke) -> Option<Stroke> {
+    let (long, short) = if length(a) >= length(b) { (a, b) } else { (b, a) };
+    let d = long.ends[1] - long.ends[0];
+    let n = d.norm();
+    if n < 1e-6 {
+        return None;
+    }
+    let t = short.ends.map(|p| (p - long.ends[0]).dot(&d) / n);
+    let on = short.ends.iter().all(|p| geom::cross(d, p - long.ends[0]).abs() / n <= ON_FOLD);
+    let (lo, hi) = (t[0].min(t[1]), t[0].max(t[1]));
+    let meets = on && lo <= n + ON_FOLD && hi >= -ON_FOLD;
+    let (lo, hi) = (lo.min(0.0), hi.max(n));
+    // A line that reaches no further keeps its ends to the last digit.
+    let end = |t: f64, own: Vec2| if t < 0.0 || t > n { long.ends[0] + d * (t / n) } else { own };
+    meets.then(|| Stroke { ends: [end(lo, long.ends[0]), end(hi, long.ends[1])], ..*long })
 }
 
 /// The run of boundary vertices that lies on the line from `a` to `b`: first and last index, counter-clockwise.

@@ -6,6 +6,7 @@ mod fold_darts;
 mod folded;
 mod marks;
 mod notes;
+mod points;
 mod run_on;
 mod sew;
 
@@ -117,13 +118,14 @@ pub(crate) struct Rules {
 }
 
 impl Desk<'_> {
-    fn say(&mut self, finding: Diagnostic, block: &str, layer: &str, line: u64) {
+    /// Adds a finding with its place in a block.
+    pub(crate) fn say(&mut self, finding: Diagnostic, block: &str, layer: &str, line: u64) {
         let place: SourceRef = self.findings.place_in(block, Some(layer), line);
         self.findings.push(finding.at(place));
     }
 }
 
-fn mm(p: Vec2) -> String {
+pub(crate) fn mm(p: Vec2) -> String {
     format!("({:.1}, {:.1}) mm", p.x, p.y)
 }
 
@@ -148,6 +150,7 @@ impl DrawnPiece {
         let mut outline = Outline::new(main);
         outline.classify(&marks);
         border::check_shape(block, &outline, desk)?;
+        points::check(block, line, &sheet, desk);
         let distinct = |list: &[Vec2]| {
             let mut index = PointIndex::new(0.01, []);
             list.iter()
@@ -179,11 +182,7 @@ impl DrawnPiece {
             alternates: sheet.reference.iter().skip(1).map(|s| (None, s.ends)).collect(),
             internal: sheet.internal.into_iter().map(Path::tidy).filter(|p| p.points.len() >= 2).collect(),
             not_mirrored: Vec::new(),
-            cutouts: inner
-                .into_iter()
-                .chain(sheet.cutouts.into_iter().map(Path::tidy))
-                .filter(|p| p.points.len() >= 2)
-                .collect(),
+            cutouts: inner.into_iter().chain(border::cutouts(sheet.cutouts, desk)).collect(),
             drills: sheet.drills,
             stripes: sheet.stripes,
             darts: Vec::new(),
@@ -203,7 +202,7 @@ impl DrawnPiece {
         if let Some([plain, mirrored]) = sheet.inserted {
             piece.quantity = Quantity { plain, mirrored };
         }
-        piece.read_notes(sheet.notes);
+        piece.read_notes(sheet.notes, desk);
         piece.check_rules(desk);
         piece.find_fold(&sheet.mirror, desk);
         piece.find_sew_line(sheet.sew, desk);

@@ -8,7 +8,7 @@ use crate::dxf::texts;
 use toile_garment::{Diagnostic, Vec2};
 
 impl DrawnPiece {
-    pub(super) fn read_notes(&mut self, notes: Vec<Note>) {
+    pub(super) fn read_notes(&mut self, notes: Vec<Note>, desk: &mut Desk<'_>) {
         let starts = |p: &Path| [p.points[0].0, p.points[p.points.len() - 1].0];
         let not_mirrored = PointIndex::new(
             0.05,
@@ -23,6 +23,7 @@ impl DrawnPiece {
                 }
                 self.rules.push(RuleMark { at: note.at, rule, line });
             } else if let Some((key, value)) = texts::key_value(&note.text) {
+                self.check_key(&key, &value, desk);
                 self.take_key(&key, value, &note.text, note.at, note.layer);
             } else if !note.text.is_empty() {
                 self.texts.push((note.at, note.layer, note.text));
@@ -54,6 +55,36 @@ impl DrawnPiece {
                 self.label()
             );
             desk.say(Diagnostic::warning("grade-line-missing", text), &self.block, "5", self.line);
+        }
+    }
+
+    /// Texts that contradict one above, and quantities that are none.
+    fn check_key(&self, key: &str, value: &str, desk: &mut Desk<'_>) {
+        let had = match key {
+            "piece name" => self.name.as_deref().map(|n| ("Piece Name", n)),
+            "size" => self.size.as_deref().map(|s| ("Size", s)),
+            _ => None,
+        };
+        if let Some((what, had)) = had.filter(|(_, h)| !value.is_empty() && !h.eq_ignore_ascii_case(value)) {
+            let text = format!(
+                "block `{}` has two texts `{what}` that differ: `{had}` and `{value}`; the first one counts",
+                self.block
+            );
+            let hint = "take the wrong one out of the block";
+            desk.say(Diagnostic::warning("text-contradicts", text).hint(hint), &self.block, "1", self.line);
+        }
+        if key == "quantity" && texts::quantity(value).is_none() {
+            let text = format!("`{}`: `Quantity: {value}` cannot be understood; 1 was taken", self.label());
+            let finding = if value.is_empty() {
+                Diagnostic::info(
+                    "quantity-unclear",
+                    format!("`{}`: the text `Quantity` is empty; 1 was taken", self.label()),
+                )
+            } else {
+                Diagnostic::warning("quantity-unclear", text)
+                    .hint("write a number, or two as `1,1`: as drawn, and mirrored")
+            };
+            desk.say(finding, &self.block, "1", self.line);
         }
     }
 

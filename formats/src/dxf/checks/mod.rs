@@ -1,0 +1,16 @@
+//! What a file says that cannot all be meant: each check looks at pieces that are read, and only reports.
+
+mod cutouts;
+mod marks;
+mod nest;
+
+use super::piece::{Desk, DrawnPiece};
+
+/// All checks of the pieces of a file.
+pub(super) fn pieces(pieces: &[DrawnPiece], sample: Option<&str>, desk: &mut Desk<'_>) {
+    for piece in pieces {
+        cutouts::check(piece, desk);
+        marks::check(piece, desk);
+    }
+    nest::check(pieces, sample, desk);
+}

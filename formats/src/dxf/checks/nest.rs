@@ -1,0 +1,138 @@
+//! Sizes of a nest that do not fit each other, and pieces that stand in a file twice.
+
+use crate::dxf::piece::{Desk, DrawnPiece};
+use std::collections::BTreeMap;
+use toile_garment::Diagnostic;
+
+type Group = BTreeMap<String, Vec<usize>>;
+
+fn tidy(text: &str) -> String {
+    text.trim().to_ascii_lowercase()
+}
+
+pub(super) fn check(pieces: &[DrawnPiece], sample: Option<&str>, desk: &mut Desk<'_>) {
+    let mut named = Group::new();
+    for (i, piece) in pieces.iter().enumerate() {
+        if let Some(name) = &piece.name {
+            named.entry(name.clone()).or_default().push(i);
+        }
+    }
+    let mut sizes: Vec<&str> = Vec::new();
+    let mut seen = std::collections::BTreeSet::new();
+    for size in pieces.iter().filter_map(|p| p.size.as_deref()) {
+        if seen.insert(tidy(size)) {
+            sizes.push(size);
+        }
+    }
+    sample_size(pieces, &sizes, sample, desk);
+    names(pieces, desk);
+    for list in named.values() {
+        let group: Vec<&DrawnPiece> = list.iter().map(|i| &pieces[*i]).collect();
+        twice(&group, desk);
+        vertices(&group, sample, desk);
+        lacking(&group, &sizes, desk);
+    }
+}
+
+fn sample_size(pieces: &[DrawnPiece], sizes: &[&str], sample: Option<&str>, desk: &mut Desk<'_>) {
+    if sizes.is_empty() || sample.is_some_and(|s| sizes.iter().any(|d| tidy(d) == tidy(s))) {
+        return;
+    }
+    let drawn = sizes.join(", ");
+    let text = match sample {
+        Some(sample) => format!("the sample size `{sample}` is not drawn; the file holds {drawn}"),
+        None if sizes.len() > 1 => format!("no text `Sample Size` says which of the sizes {drawn} is the sample size"),
+        None => return,
+    };
+    let place = desk.findings.place(pieces.first().map_or(1, |p| p.line));
+    let hint = "without a size that is asked for, one of those that are drawn is taken; give size = \"…\"";
+    desk.findings.push(Diagnostic::warning("sample-size-missing", text).at(place).hint(hint));
+}
+
+/// No piece has a name, and the names of the blocks say none either.
+fn names(pieces: &[DrawnPiece], desk: &mut Desk<'_>) {
+    let Some(first) = pieces.first().filter(|_| pieces.iter().all(|p| p.name.is_none())) else { return };
+    let text = format!(
+        "no text `Piece Name` names the {} piece(s); they have the names of their blocks, as `{}`",
+        pieces.len(),
+        first.block
+    );
+    let place = desk.findings.place_in(&first.block, Some("1"), first.line);
+    desk.findings.push(Diagnostic::info("piece-name-missing", text).at(place));
+}
+
+/// Two pieces of one name and size.
+fn twice(group: &[&DrawnPiece], desk: &mut Desk<'_>) {
+    let mut by_size: BTreeMap<Option<String>, Vec<&DrawnPiece>> = BTreeMap::new();
+    for piece in group {
+        by_size.entry(piece.size.as_deref().map(tidy)).or_default().push(piece);
+    }
+    for list in by_size.values().filter(|l| l.len() > 1) {
+        let (first, second) = (list[0], list[1]);
+        let same = list[1..].iter().all(|p| alike(first, p));
+        let size = first.size.as_ref().map_or_else(String::new, |s| format!(" in size {s}"));
+        let text = format!(
+            "{} blocks are called `{}`{size}, as `{}` and `{}`, with {}; all were read, the later ones under a numbered name",
+            list.len(),
+            first.label(),
+            first.block,
+            second.block,
+            if same { "the same outline" } else { "different outlines" }
+        );
+        let hint = "give the pieces names of their own, or take the one too many out of the file";
+        desk.say(Diagnostic::warning("piece-repeats", text).hint(hint), &second.block, "1", second.line);
+    }
+}
+
+fn alike(a: &DrawnPiece, b: &DrawnPiece) -> bool {
+    let (p, q) = (&a.boundary.drawn, &b.boundary.drawn);
+    let (Some(first), Some(other)) = (p.first(), q.first()) else { return p.len() == q.len() };
+    // Pieces that lie apart on the table may still be the same.
+    let shift = other.at - first.at;
+    p.len() == q.len() && p.iter().zip(q).all(|(a, b)| (a.at + shift - b.at).norm() <= 0.05)
+}
+
+/// Sizes with corners of their own need not have the vertices of the sample size; then nothing leads from one to the
+/// other.
+fn vertices(group: &[&DrawnPiece], sample: Option<&str>, desk: &mut Desk<'_>) {
+    let is_sample = |p: &&&DrawnPiece| p.size.as_deref().zip(sample).is_some_and(|(a, b)| tidy(a) == tidy(b));
+    let marked = || group.iter().filter(|p| p.marked && p.size.is_some());
+    let Some(base) = marked().find(is_sample).or_else(|| marked().next()) else { return };
+    let n = base.boundary.drawn.len();
+    let other: Vec<String> = marked()
+        .filter(|p| p.size != base.size && p.boundary.drawn.len() != n)
+        .map(|p| format!("{} ({})", p.size.clone().unwrap_or_default(), p.boundary.drawn.len()))
+        .collect();
+    if other.is_empty() {
+        return;
+    }
+    let text = format!(
+        "the sizes {} of `{}` have another number of vertices than size {} ({n}); each was read on its own",
+        other.join(", "),
+        base.label(),
+        base.size.clone().unwrap_or_default()
+    );
+    let hint = "names and numbers of edges may differ between these sizes; export the nest again if they should not";
+    desk.say(Diagnostic::warning("sizes-differ-in-vertices", text).hint(hint), &base.block, "1", base.line);
+}
+
+/// A piece that is not drawn in all sizes of the nest, and has no rules to make them.
+fn lacking(group: &[&DrawnPiece], sizes: &[&str], desk: &mut Desk<'_>) {
+    let Some(first) = group.first().filter(|_| group.iter().all(|p| p.size.is_some() && p.rules.is_empty())) else {
+        return;
+    };
+    let has = |size: &str| group.iter().any(|p| p.size.as_deref().is_some_and(|s| tidy(s) == tidy(size)));
+    let missing: Vec<&str> = sizes.iter().copied().filter(|s| !has(s)).collect();
+    if missing.is_empty() {
+        return;
+    }
+    let text = format!(
+        "`{}` is not drawn in {} of the {} sizes of this file ({}) and has no grade rules",
+        first.label(),
+        missing.len(),
+        sizes.len(),
+        missing.join(", ")
+    );
+    let hint = "export the piece in every size; a garment in one that is missing is refused";
+    desk.say(Diagnostic::warning("piece-lacks-size", text).hint(hint), &first.block, "1", first.line);
+}

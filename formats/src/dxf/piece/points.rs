@@ -1,0 +1,41 @@
+//! Points of layers 2 and 3 that lie on no line of their block.
+
+use super::Desk;
+use crate::dxf::geom::PointIndex;
+use crate::dxf::sheet::Sheet;
+use toile_garment::{Diagnostic, Vec2};
+
+/// A point classifies a vertex within this, mm.
+const AT: f64 = 0.05;
+
+/// Points of layers 2 and 3 classify vertices: where few of them stand at one, they are something else.
+pub(super) fn check(block: &str, line: u64, sheet: &Sheet, desk: &mut Desk<'_>) {
+    let (met, all) = at_vertices(sheet);
+    if all == 0 || met * 2 >= all {
+        return;
+    }
+    let text = format!("{} of the {all} points on layers 2 and 3 of block `{block}` stand at no vertex", all - met);
+    let hint = "other programs put drill holes on 2 and notches on 3; then map them: layers = { \"2\" = \"13\", \"3\" = \"4\" }";
+    desk.say(Diagnostic::warning("points-off-vertices", text).hint(hint), block, "2", line);
+}
+
+/// How many of the points of layers 2 and 3 stand at a vertex of a line, and how many there are.
+fn at_vertices(sheet: &Sheet) -> (usize, usize) {
+    let points: Vec<Vec2> = sheet.turn.iter().chain(&sheet.curve).copied().collect();
+    if points.is_empty() {
+        return (0, 0);
+    }
+    let index = PointIndex::new(AT, points.iter().enumerate().map(|(i, p)| (*p, i)));
+    let mut met = vec![false; points.len()];
+    let mut look = |p: Vec2| {
+        if index.has(p, AT) {
+            index.near(p, AT).into_iter().for_each(|(_, i)| met[i] = true);
+        }
+    };
+    let lines = [&sheet.boundary, &sheet.dense, &sheet.sew, &sheet.dense_sew, &sheet.internal, &sheet.cutouts];
+    let paths = lines.into_iter().flatten().chain(sheet.stripes.iter().map(|s| &s.1));
+    paths.flat_map(|p| &p.points).for_each(|p| look(p.0));
+    let strokes = [&sheet.reference, &sheet.mirror, &sheet.grain, &sheet.notch_strokes];
+    strokes.into_iter().flatten().flat_map(|s| s.ends).for_each(look);
+    (met.iter().filter(|m| **m).count(), points.len())
+}
