@@ -60,6 +60,22 @@ pub(super) const CODES: &[Code] = &[
         "Curve points were left as straight chords, because the smooth curve would leave them too far or cross itself.",
     ),
     code(
+        "cutout-crosses-itself",
+        "The line of a cutout crosses itself, so what falls out of it is not defined. It was kept as drawn; correct it on layer 11.",
+    ),
+    code(
+        "cutout-open",
+        "The line of a cutout on layer 11 does not close. It was kept as drawn; close it in the pattern program.",
+    ),
+    code(
+        "cutout-outside",
+        "A cutout lies outside its piece, crosses its outline or repeats it, so it cannot be cut. It was kept as drawn; correct it on layer 11.",
+    ),
+    code(
+        "cutouts-overlap",
+        "Two cutouts of a piece overlap, so they would fall out as one. Both were kept as drawn; draw their common outline instead.",
+    ),
+    code(
         "dart-candidate",
         "Lines inside the piece look like a dart but do not close to one. Declare it with [[dart]] in the sewing file if it is one.",
     ),
@@ -78,7 +94,7 @@ pub(super) const CODES: &[Code] = &[
     ),
     code(
         "encoding-guessed",
-        "The file does not say how its texts are encoded, and they are no plain ASCII. The guess touches names only, never geometry.",
+        "The file does not say how its texts are encoded, or says it wrongly, and they are no plain ASCII. The guess touches names only, never geometry; set `code_page` of `import-dxf` if names look wrong.",
     ),
     code("endblk-without-block", "An ENDBLK closes nothing. The file is damaged. Exit code 3."),
     code("endsec-without-section", "An ENDSEC closes nothing. The file is damaged. Exit code 3."),
@@ -105,6 +121,10 @@ pub(super) const CODES: &[Code] = &[
         "The fold line does not lie on a straight edge of the half piece, so the piece was not unfolded. Put the fold on the edge, or draw the whole piece.",
     ),
     code(
+        "fold-second",
+        "A piece has more than one fold line (layer 6). Only the longest counts; draw a piece that is folded twice unfolded once.",
+    ),
+    code(
         "grade-line-missing",
         "A grade rule names an alternate grade reference line that layer 5 does not have; the reference line was taken.",
     ),
@@ -112,14 +132,18 @@ pub(super) const CODES: &[Code] = &[
     code("insert-array", "An INSERT repeats its block in rows and columns; one piece was made of it."),
     code(
         "insert-mirrored",
-        "An INSERT mirrors its block. The piece is taken as the block draws it and the mirror counted in the quantity.",
+        "An INSERT mirrors its block, and the piece was mirrored with it. `inserts = \"ignored\"` of `import-dxf` takes the pieces as their blocks draw them.",
     ),
     code("insert-not-expanded", "A nested INSERT could not be expanded; what it refers to is missing in the piece."),
     code("insert-recursive", "A block contains itself. It was not expanded further."),
+    code(
+        "insert-repeated",
+        "A block is inserted several times with other scales or mirrored. One piece was made of it, as the first INSERT has it, and the others were only counted. Give each shape a block of its own.",
+    ),
     code("insert-too-deep", "INSERTs are nested deeper than the limit. They were not expanded further."),
     code(
         "insert-too-many",
-        "INSERTs of blocks in blocks would make more entities than the limit. They were not expanded further.",
+        "INSERTs of blocks in blocks would make more entities than the limit, so the file is refused. Export the pieces as blocks of their own. Exit code 3.",
     ),
     code(
         "insert-transformed",
@@ -134,12 +158,20 @@ pub(super) const CODES: &[Code] = &[
         "A second, independent reader of DXF counts other curves than this program. This program's reading is used; look at the drawing.",
     ),
     code(
+        "line-not-flat",
+        "The vertices of a line have different heights (z). It was read as seen from above, so lengths along the slope are lost; lay the pattern flat before the export.",
+    ),
+    code(
         "line-too-long",
         "A line of the file is longer than any DXF line. The file is no DXF or is damaged. Exit code 3.",
     ),
     code(
         "lines-outside-blocks",
         "Lines on piece layers stand outside all blocks. They belong to no piece and were left out.",
+    ),
+    code(
+        "mark-outside",
+        "Drill holes or internal lines lie far outside the piece whose block holds them. They were kept as drawn; perhaps they belong to another piece.",
     ),
     code("more-findings", "More findings of this kind were made than are listed."),
     code(
@@ -158,6 +190,10 @@ pub(super) const CODES: &[Code] = &[
     code(
         "notch-off-boundary",
         "A notch lies farther from the outline than a notch can. It was kept, but it is no mark on an edge.",
+    ),
+    code(
+        "notch-too-large",
+        "A notch is deeper or wider than any notch is cut, so its numbers or the unit of the file are wrong. It was kept as drawn.",
     ),
     code("number-out-of-range", "A number is too large or too small for a pattern. Exit code 3."),
     code(
@@ -178,6 +214,10 @@ pub(super) const CODES: &[Code] = &[
         "outline-second",
         "A second closed line on the boundary layer: one inside the piece is taken as a cutout, one beside it was left out.",
     ),
+    code(
+        "outline-spike",
+        "The outline runs out to a point and back on the same line, so a spike without width stands out of the piece. It was read as drawn; take it out in the pattern program.",
+    ),
     code("outline-stray-line", "A line on the boundary layer is no part of the outline and was left out."),
     code(
         "outline-too-entangled",
@@ -188,8 +228,21 @@ pub(super) const CODES: &[Code] = &[
         "The piece is larger than any cloth. The unit of the file is probably wrong; set `units` of `import-dxf`. Exit code 3.",
     ),
     code("outline-too-long", "The outline has more points than the limit. Exit code 3."),
+    code(
+        "outline-touches-itself",
+        "The outline comes back to a place that it has passed, so two parts of the piece hang together at a point or not at all. It was read as drawn; draw the parts as pieces, or leave a gap.",
+    ),
     code("outline-without-area", "The outline encloses nothing, e.g. a line drawn forth and back. Exit code 3."),
     code("outside-section", "A pair stands outside all sections. It was not read."),
+    code(
+        "piece-lacks-size",
+        "A piece is not drawn in all sizes of the file and has no grade rules to make them. A garment in a missing size is refused; export the piece in every size.",
+    ),
+    code("piece-name-missing", "No text of the file says `Piece Name`. The pieces have the names of their blocks."),
+    code(
+        "piece-repeats",
+        "Two blocks have the same piece name and size. Both were read, the later one under a numbered name; if one is a leftover, take it out of the file.",
+    ),
     code(
         "pieces-from-entities",
         "The file has no blocks with pieces. The outermost closed lines in ENTITIES were taken as the pieces.",
@@ -198,14 +251,30 @@ pub(super) const CODES: &[Code] = &[
         "pleat-candidate",
         "Two lines look like the folds of a pleat or dart-pleat. It is not made one unless the sewing file declares it with `[[dart]]`.",
     ),
+    code(
+        "points-off-vertices",
+        "Most points of layers 2 and 3, which mark corners and curve points, stand at no vertex. Some programs put drill holes and notches on these layers; map them with `layers` of `import-dxf`.",
+    ),
     code("polyline-too-long", "A polyline has more vertices than the limit. Exit code 3."),
     code("polyline-without-seqend", "A polyline has no SEQEND. It ends where the next entity begins."),
     code(
         "profile-unknown",
         "The `profile` asked for is no writer this program knows; the hint lists them. Exit code 2.",
     ),
+    code(
+        "quantity-unclear",
+        "The text `Quantity` of a piece is no number and no pair of numbers, so 1 was taken. Write `2`, or `1,1` for one as drawn and one mirrored.",
+    ),
     code("rule-bad-number", "A growth in the rule table is no number. Exit code 3."),
     code("rule-count-differs", "A rule has not two growths for each size. Exit code 3."),
+    code(
+        "rule-end-missing",
+        "The rule table ends without END. What is there was read, but rules may be missing; make sure that it was copied completely.",
+    ),
+    code(
+        "rule-growth-doubtful",
+        "A grade rule moves a point from one size to the next farther than any garment grows. The unit of the rule table, or of the pattern, is probably wrong.",
+    ),
     code(
         "rule-missing",
         "A graded point names a rule that the table does not hold, so the size cannot be made. Give the rule table that belongs to the pattern, or a size that is drawn.",
@@ -216,12 +285,40 @@ pub(super) const CODES: &[Code] = &[
     ),
     code("rule-sample-unknown", "The sample size is not in the list of sizes. Exit code 3."),
     code("rule-sizes-differ", "The number of sizes and the list of sizes differ. Exit code 3."),
+    code(
+        "rule-table-broken",
+        "The rule table beside the pattern is wrong, as the findings after this one say. The pieces were read without it; a run that needs it is refused.",
+    ),
+    code(
+        "rule-table-differs",
+        "The rule table has another name or another sample size than the pattern says. It was used; make sure that it belongs to the pattern.",
+    ),
     code("rule-too-many", "The rule table is larger than the limit. Exit code 3."),
     code("rule-twice", "A rule stands in the table twice; the last one counts."),
     code("rule-unknown", "A line of the rule table is no key, rule or growth. Exit code 3."),
     code("rule-without-sizes", "The rule table lists no sizes, so its growths belong to none. Exit code 3."),
+    code(
+        "rules-missing",
+        "Pieces name grade rules that the rule table does not hold, so sizes that are not drawn cannot be made. Give the whole table that belongs to the pattern.",
+    ),
+    code(
+        "sample-size-missing",
+        "The sample size that the file names is not drawn, or the file holds several sizes and names none as the sample size. Ask for a size by name.",
+    ),
     code("section-not-closed", "A section has no ENDSEC. The file is cut short or damaged."),
     code("section-without-name", "A section has no name, so what it holds is unknown. Exit code 3."),
+    code(
+        "sew-line-crosses",
+        "The sew line leaves the cut line, so a part of it has no cloth. It was taken as drawn; correct layer 14 or layer 1 at the place named.",
+    ),
+    code(
+        "sew-line-far",
+        "The sew line lies much farther inside the cut line than an allowance is wide. It was taken as drawn; make sure that layer 14 holds the sew line of this piece.",
+    ),
+    code(
+        "sew-line-outside",
+        "The line on layer 14 runs outside the cut line, where there is no cloth, so it is no sew line. The cut line is sewn; if the two layers are exchanged, map them with `layers` of `import-dxf`.",
+    ),
     code("size-chosen", "No size was asked for; the message names the one taken and why."),
     code(
         "size-not-found",
@@ -244,11 +341,19 @@ pub(super) const CODES: &[Code] = &[
     code("stray-pair", "A pair stands before the first entity of its section and means nothing there."),
     code("stray-seqend", "A SEQEND closes nothing. The file is damaged. Exit code 3."),
     code("stray-vertex", "A VERTEX belongs to no polyline. The file is damaged. Exit code 3."),
+    code(
+        "text-contradicts",
+        "Two texts of a piece give the same key different values. The first one counts; take the wrong one out of the block.",
+    ),
     code("too-many-entities", "The file has more entities than the limit. Exit code 3."),
     code("too-many-errors", "The file has so many mistakes that reading it was given up. Exit code 3."),
     code("too-many-notches", "A piece has more marks than the limit. Exit code 3."),
     code("too-many-pairs", "The file has more pairs than the limit. Exit code 3."),
     code("too-many-pieces", "The file has more pieces than the limit. Exit code 3."),
+    code(
+        "units-contradict",
+        "Two statements of the file name different units. The text `Units` counts before the header; set `units` of `import-dxf` if that is wrong.",
+    ),
     code(
         "units-doubtful",
         "The unit in the file gives pieces of a size that no garment has, or two statements differ. Set `units` of `import-dxf` if the message's choice is wrong.",
@@ -265,7 +370,7 @@ pub(super) const CODES: &[Code] = &[
     code("utf-16-text", "The file is UTF-16 text, which was read as such."),
     code(
         "validation-curve-differs",
-        "The file carries the curve that its writer meant, and the curve through the curve points is another one. The writer's curve is used.",
+        "The dense curve that the file carries on layer 84 or 87 lies more than 2 mm off the outline, or misses one of its corners. It was not used; the curve through the drawn points is.",
     ),
     code(
         "vertex-count-differs",

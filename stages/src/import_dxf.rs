@@ -124,6 +124,7 @@ impl Stage for ImportDxf {
         let pattern = dxf::read(&bytes, &file, &options).map_err(StageError::Input)?;
         cx.report.findings.extend(pattern.findings.iter().cloned());
         let table = rule_table(params, cx)?;
+        cx.report.findings.extend(table.iter().flat_map(|t| pattern.check_rules(t)));
         let (mut read, findings) = in_sizes(params, &pattern, table.as_ref())?;
         cx.report.findings.extend(findings);
         report_profile(&pattern, &file, cx);

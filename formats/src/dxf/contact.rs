@@ -121,6 +121,13 @@ fn meeting(one: &Pass, two: &Pass) -> Option<Contact> {
     Some(if crosses { Contact::Crosses(at) } else { Contact::Touches(at) })
 }
 
+/// Do the boxes of two segments keep their distance?
+fn apart(a: [Vec2; 2], b: [Vec2; 2]) -> bool {
+    let off =
+        |p: [f64; 2], q: [f64; 2]| p[0].min(p[1]) > q[0].max(q[1]) + TOUCH || q[0].min(q[1]) > p[0].max(p[1]) + TOUCH;
+    off([a[0].x, a[1].x], [b[0].x, b[1].x]) || off([a[0].y, a[1].y], [b[0].y, b[1].y])
+}
+
 /// The first place where a closed line crosses itself at a vertex, else the places where it touches itself.
 #[must_use]
 pub fn contacts(points: &[Vec2]) -> Vec<Contact> {
@@ -132,6 +139,9 @@ pub fn contacts(points: &[Vec2]) -> Vec<Contact> {
     let mut found: Vec<(usize, Contact)> = Vec::new();
     let mut seen = BTreeSet::new();
     geom::near_pairs(points, TOUCH, &mut |j, i| {
+        if apart([points[j], points[(j + 1) % n]], [points[i], points[(i + 1) % n]]) {
+            return;
+        }
         for (v, s) in [(i, j), (j, i), ((i + 1) % n, j), ((j + 1) % n, i)] {
             let own = v == s || v == (s + 1) % n;
             if !own

@@ -36,6 +36,11 @@ impl Findings {
         }
     }
 
+    /// Was a finding of this code made?
+    pub(crate) fn said(&self, code: &str) -> bool {
+        self.seen.contains_key(code)
+    }
+
     pub(crate) fn has_errors(&self) -> bool {
         self.list.iter().any(|f| f.severity == Severity::Error)
     }

@@ -23,14 +23,16 @@ impl Pattern {
     pub fn check_rules(&self, table: &RuleTable) -> Vec<Diagnostic> {
         let place = || SourceRef::file(self.file.clone());
         let mut out = Vec::new();
-        let mut say = |code: &str, text: String, hint: &str| {
-            out.push(Diagnostic::warning(code, text).at(place()).hint(hint));
+        let mut say = |code: &str, text: String, hint: &str, piece: Option<&DrawnPiece>| {
+            let mut at = place();
+            (at.block, at.line) = (piece.map(|p| p.block.clone()), piece.map(|p| p.line));
+            out.push(Diagnostic::warning(code, text).at(at).hint(hint));
         };
         let own = self.style_texts.get("grade rule table");
         if let Some((own, theirs)) = own.zip(table.name.as_ref()).filter(|(a, b)| differ(a, b)) {
             let text =
                 format!("the pattern names the rule table `{own}`, and the one beside it is `{theirs}`; it was taken");
-            say("rule-table-differs", text, "give the rule table that belongs to the pattern: rules = \"…\"");
+            say("rule-table-differs", text, "give the rule table that belongs to the pattern: rules = \"…\"", None);
         }
         let own = self.sample_size.as_ref();
         if let Some((own, theirs)) = own.zip(table.sample.as_ref()).filter(|(a, b)| differ(a, b)) {
@@ -39,6 +41,7 @@ impl Pattern {
                 "rule-table-differs",
                 text,
                 "growths are relative to the sample size of the table; make sure which is right",
+                None,
             );
         }
         for piece in &self.pieces {
@@ -51,7 +54,12 @@ impl Pattern {
                     piece.label(),
                     list.join(", ")
                 );
-                say("rules-missing", text, "give the rule table that belongs to the pattern, whole: rules = \"…\"");
+                say(
+                    "rules-missing",
+                    text,
+                    "give the rule table that belongs to the pattern, whole: rules = \"…\"",
+                    Some(piece),
+                );
             }
         }
         if let Some((piece, rule, sizes, step)) = self.pieces.iter().find_map(|p| implausible(p, table)) {
@@ -62,7 +70,7 @@ impl Pattern {
                 sizes[1],
                 table.units.as_deref().unwrap_or("none")
             );
-            say("rule-growth-doubtful", text, "correct UNITS in the rule table");
+            say("rule-growth-doubtful", text, "correct UNITS in the rule table", Some(piece));
         }
         out
     }

@@ -55,7 +55,7 @@ fn fault(path: &Path, points: &[Vec2], outline: &[Vec2], tries: usize) -> Option
         return Some(("cutout-crosses-itself", format!("crosses itself at {}", mm(p))));
     }
     let sample = |line: &[Vec2]| line.iter().copied().step_by(line.len() / tries + 1).collect::<Vec<_>>();
-    let ours = sample(points);
+    let ours = sample(&with_middles(points));
     let distance = |p: &Vec2| geom::distance(*p, outline, true);
     if ours.iter().all(|p| distance(p) <= NEAR) && geom::area(points).abs() > 0.9 * geom::area(outline).abs() {
         return Some(("cutout-outside", "is the outline itself: nothing would be left of the piece".into()));
@@ -76,7 +76,13 @@ fn fault(path: &Path, points: &[Vec2], outline: &[Vec2], tries: usize) -> Option
     }
 }
 
-/// Pairs of closed cutouts of which one has a vertex inside the other, at most eight.
+/// The vertices of a closed line and the middles of its edges.
+fn with_middles(points: &[Vec2]) -> Vec<Vec2> {
+    let n = points.len();
+    (0..n).flat_map(|i| [points[i], (points[i] + points[(i + 1) % n]) * 0.5]).collect()
+}
+
+/// Pairs of closed cutouts of which one has a vertex or the middle of an edge inside the other, at most eight.
 fn overlapping(cutouts: &[(&Path, Vec<Vec2>)]) -> Vec<(usize, usize)> {
     let mut boxes: Vec<(usize, Vec2, Vec2)> = cutouts
         .iter()
@@ -87,7 +93,7 @@ fn overlapping(cutouts: &[(&Path, Vec<Vec2>)]) -> Vec<(usize, usize)> {
     boxes.sort_by(|a, b| a.1.x.total_cmp(&b.1.x).then(a.0.cmp(&b.0)));
     let within = |a: usize, b: usize| {
         let line = &cutouts[b].1;
-        let points = &cutouts[a].1;
+        let points = with_middles(&cutouts[a].1);
         points
             .iter()
             .step_by(points.len() / 100 + 1)

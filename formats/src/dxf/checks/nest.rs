@@ -51,7 +51,8 @@ fn sample_size(pieces: &[DrawnPiece], sizes: &[&str], sample: Option<&str>, desk
 
 /// No piece has a name, and the names of the blocks say none either.
 fn names(pieces: &[DrawnPiece], desk: &mut Desk<'_>) {
-    let Some(first) = pieces.first().filter(|_| pieces.iter().all(|p| p.name.is_none())) else { return };
+    let unnamed = pieces.iter().all(|p| p.name.is_none()) && !desk.findings.said("pieces-from-entities");
+    let Some(first) = pieces.first().filter(|_| unnamed) else { return };
     let text = format!(
         "no text `Piece Name` names the {} piece(s); they have the names of their blocks, as `{}`",
         pieces.len(),

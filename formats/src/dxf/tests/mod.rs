@@ -4,6 +4,7 @@ mod binary;
 mod blocks;
 mod dart_forms;
 mod darts;
+mod doubts;
 mod fold_forms;
 mod lines;
 mod marks;
