@@ -100,7 +100,7 @@ pub(crate) struct Sorter<'a> {
     told: BTreeSet<u32>,
 }
 
-/// An INSERT inside a block that scales, mirrors or turns what it places.
+/// An INSERT that scales, mirrors or turns the outline of the piece it stands in. Marks are inserted in every way.
 fn transformed(outer: &str, inner: &str, scale: [f64; 2], rotation: f64) -> Option<Diagnostic> {
     let plain = scale.iter().all(|s| (s - 1.0).abs() <= 1e-6) && libm::fmod(rotation, 360.0).abs() <= 1e-6;
     let [x, y] = scale;
@@ -201,7 +201,8 @@ impl<'a> Sorter<'a> {
             }
             let Some(target) = target else { continue };
             self.ledger.note(entity.id, Verdict::Interpreted, "INSERT inside a block, expanded");
-            if self.told.insert(entity.id)
+            if !own
+                && self.told.insert(entity.id)
                 && let Some(finding) = transformed(&blocks[index].name, block, *scale, *rotation)
             {
                 self.findings.push(finding.at(place));

@@ -120,7 +120,7 @@ fn marks_in_blocks_of_their_own_belong_to_the_piece_that_inserts_them() {
         |w| w.pair(0, "INSERT").pair(8, "1").pair(2, "FRONT"),
     );
     let pattern = good(&text);
-    assert_eq!((pattern.pieces.len(), codes(&pattern.findings)), (1, vec![]));
+    assert_eq!((pattern.pieces.len(), codes(&pattern.findings)), (1, vec!["piece-name-missing"]));
     let drill = &pattern.pieces[0].drills[0];
     assert_eq!((drill.at, drill.diameter), (toile_garment::Vec2::new(150.0, 490.0), Some(8.0)));
 }

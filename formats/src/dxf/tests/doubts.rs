@@ -33,13 +33,13 @@ fn outlines_that_meet_themselves() {
     let mut spike = RECTANGLE.to_vec();
     spike.splice(3..3, [(70.0, 600.0), (70.0, 640.0), (70.0, 600.0)]);
     assert_eq!(said(&file(|w| w.polyline("1", true, &spike))), ["outline-spike"]);
-    spike[4] = (70.0, 590.0);
-    assert_eq!(said(&file(|w| w.polyline("1", true, &spike))), [] as [&str; 0]);
+    spike[4] = (70.0, 560.0);
+    assert!(!said(&file(|w| w.polyline("1", true, &spike))).iter().any(|c| c.starts_with("outline")));
 }
 
 #[test]
 fn sew_lines_outside_across_and_far_inside() {
-    let outside = shifted((-10.0, -10.0), 1.1);
+    let outside = shifted((-5.0, -5.0), 1.05);
     let pattern = good(&with(|w| w.polyline("14", true, &outside)));
     assert_eq!(codes(&pattern.findings), ["sew-line-outside"]);
     assert!(pattern.pieces[0].sew.is_none() && pattern.pieces[0].internal.len() == 1);
@@ -98,16 +98,16 @@ fn cutouts_that_cannot_be_cut() {
     assert_eq!(said(&with(|w| w.polyline("11", true, &square(100.0, 100.0)))), [] as [&str; 0]);
     let open = square(100.0, 100.0);
     let bow = [(50.0, 50.0), (100.0, 100.0), (100.0, 50.0), (50.0, 100.0)];
-    let cases: [(&str, &[(f64, f64)], bool); 5] = [
-        ("cutout-outside", &square(280.0, 100.0), true),
-        ("cutout-outside", &square(450.0, 100.0), true),
-        ("cutout-outside", &RECTANGLE, true),
-        ("cutout-open", &open, false),
-        ("cutout-crosses-itself", &bow, true),
+    let cases = [
+        ("cutout-outside", square(280.0, 100.0)),
+        ("cutout-outside", square(450.0, 100.0)),
+        ("cutout-outside", RECTANGLE),
+        ("cutout-crosses-itself", bow),
     ];
-    for (code, line, closed) in cases {
-        assert_eq!(said(&with(|w| w.polyline("11", closed, line))), [code]);
+    for (code, line) in cases {
+        assert_eq!(said(&with(|w| w.polyline("11", true, &line))), [code]);
     }
+    assert_eq!(said(&with(|w| w.polyline("11", false, &open))), ["cutout-open"]);
     let two = with(|w| w.polyline("11", true, &square(100.0, 100.0)).polyline("11", true, &square(130.0, 100.0)));
     assert_eq!(said(&two), ["cutouts-overlap"]);
 }
