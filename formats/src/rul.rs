@@ -196,12 +196,6 @@ impl Reader<'_> {
             self.error("rule-without-sizes", "the rule table has no SIZE LIST".into(), 1);
             return Err(self.errors);
         }
-        if !self.ended {
-            let text = "the rule table has no END: rules may be missing at its end";
-            let place = self.place(self.lines[2]);
-            let finding = Diagnostic::warning("rule-end-missing", text).at(place).hint("get a whole copy of the table");
-            self.table.findings.push(finding);
-        }
         if let Some(count) = self.count.filter(|c| *c != n && n > 0) {
             self.error("rule-sizes-differ", format!("NUMBER OF SIZES is {count}, SIZE LIST holds {n}"), self.lines[0]);
         }
@@ -238,6 +232,12 @@ impl Reader<'_> {
                 let text = format!("rule {} stands twice; the last one counts", rule.number);
                 self.table.findings.push(Diagnostic::warning("rule-twice", text).at(place));
             }
+        }
+        if !self.ended {
+            let text = "the rule table has no END: rules may be missing at its end";
+            let place = self.place(self.lines[2]);
+            let finding = Diagnostic::warning("rule-end-missing", text).at(place).hint("get a whole copy of the table");
+            self.table.findings.push(finding);
         }
         if self.errors.is_empty() { Ok(self.table) } else { Err(self.errors) }
     }

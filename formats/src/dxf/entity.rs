@@ -1,9 +1,9 @@
 //! One entity from its tags.
 
 use super::findings::Findings;
+use super::groups::Group;
 use super::model::{Entity, Shape, Spline, Vertex};
 use super::mtext;
-use super::parse::Group;
 use super::tags::number;
 use crate::encoding::{self, TextEncoding};
 use toile_garment::{Diagnostic, Vec2};

@@ -19,6 +19,8 @@ mod findings;
 pub mod garment;
 pub mod geom;
 pub mod grade;
+mod groups;
+mod header;
 mod inspect;
 pub mod layers;
 pub mod ledger;

@@ -2,85 +2,13 @@
 
 use super::entity;
 use super::findings::Findings;
+use super::groups::{Group, Groups};
+use super::header::{read_header, say_encoding, text_encoding};
 use super::limits;
 use super::model::{Block, Drawing, Entity, Shape, Vertex};
 use super::tags::{Tag, Tags, number};
 use crate::encoding::{self, TextEncoding};
 use toile_garment::{Diagnostic, Vec2};
-
-/// A `0` tag and the tags up to the next one.
-pub(crate) struct Group<'a> {
-    pub head: Tag<'a>,
-    pub tags: Vec<Tag<'a>>,
-}
-
-struct Groups<'a> {
-    tags: Tags<'a>,
-    ahead: Option<Tag<'a>>,
-}
-
-impl<'a> Groups<'a> {
-    fn next(&mut self, findings: &mut Findings) -> Result<Option<Group<'a>>, Diagnostic> {
-        let head = match self.ahead.take() {
-            Some(tag) => Some(tag),
-            None => self.tags.next(findings)?,
-        };
-        let Some(head) = head else { return Ok(None) };
-        if head.code != 0 {
-            let text = format!("group code {} stands outside any entity", head.code);
-            return Err(Diagnostic::error("stray-pair", text).at(findings.place(head.line)));
-        }
-        let mut tags = Vec::new();
-        while let Some(tag) = self.tags.next(findings)? {
-            if tag.code == 0 {
-                self.ahead = Some(tag);
-                break;
-            }
-            if tags.len() >= limits::PAIRS_PER_ENTITY {
-                let text = format!("an entity of more than {} pairs", limits::PAIRS_PER_ENTITY);
-                return Err(Diagnostic::error("entity-too-large", text).at(findings.place(head.line)));
-            }
-            tags.push(tag);
-        }
-        Ok(Some(Group { head, tags }))
-    }
-}
-
-#[derive(Default)]
-struct Header {
-    release: Option<String>,
-    code_page: Option<String>,
-    insunits: Option<i64>,
-    variables: usize,
-}
-
-fn read_header(bytes: &[u8], findings: &mut Findings) -> Result<Header, Diagnostic> {
-    let mut groups = Groups { tags: Tags::new(bytes), ahead: None };
-    let mut header = Header::default();
-    while let Some(group) = groups.next(findings)? {
-        if group.head.is("SECTION") && group.tags.first().is_some_and(|t| t.code == 2 && t.is("HEADER")) {
-            let text = |v: &[u8]| String::from_utf8_lossy(v).into_owned();
-            for pair in group.tags.windows(2) {
-                if pair[0].code != 9 {
-                    continue;
-                }
-                header.variables += 1;
-                if pair[0].is("$ACADVER") {
-                    header.release = Some(text(pair[1].value));
-                } else if pair[0].is("$DWGCODEPAGE") {
-                    header.code_page = Some(text(pair[1].value));
-                } else if pair[0].is("$INSUNITS") {
-                    header.insunits = text(pair[1].value).parse().ok();
-                }
-            }
-            break;
-        }
-        if group.head.is("BLOCK") || group.head.is("EOF") {
-            break;
-        }
-    }
-    Ok(header)
-}
 
 #[derive(Clone, Copy, PartialEq)]
 enum Section {
@@ -116,44 +44,6 @@ struct Parser<'f> {
     tables: bool,
 }
 
-/// The code page asked for, else the best choice.
-fn text_encoding(
-    bytes: &[u8],
-    asked: Option<&str>,
-    header: &Header,
-    findings: &Findings,
-) -> Result<TextEncoding, Diagnostic> {
-    let Some(asked) = asked else {
-        return Ok(encoding::choose(bytes, header.release.as_deref(), header.code_page.as_deref()));
-    };
-    encoding::named(asked).ok_or_else(|| {
-        Diagnostic::error("code-page-unknown", format!("`{asked}` is no code page this program knows"))
-            .at(findings.place(1))
-            .hint("e.g. \"utf-8\", \"gbk\", \"shift_jis\", \"windows-1252\", \"ANSI_936\"")
-    })
-}
-
-/// What is doubtful about the code page that was chosen.
-fn say_encoding(bytes: &[u8], header: &Header, encoding: TextEncoding, findings: &mut Findings) {
-    let read = format!("its text was read as {}", encoding.name());
-    let release = header.release.as_deref();
-    let text = match header.code_page.as_deref() {
-        Some(page) if encoding.guessed && encoding::named(page).is_none() => {
-            format!("the file names the code page `{page}`, which is not known here; {read}")
-        }
-        Some(page) if encoding.guessed => {
-            format!("the text is not in the code page `{page}` that the file names; {read}")
-        }
-        None if encoding.guessed => format!("the file names no code page; {read}"),
-        _ if encoding::is_unicode(release) && std::str::from_utf8(bytes).is_err() => {
-            format!("the text of release {} is UTF-8, and this one is not; {read}", release.unwrap_or_default())
-        }
-        _ => return,
-    };
-    let hint = "if names look wrong, give the code page: code_page = \"…\"";
-    findings.push(Diagnostic::warning("encoding-guessed", text).at(findings.place(1)).hint(hint));
-}
-
 /// Reads a file into the faithful model. `code_page` overrules what the file says.
 ///
 /// # Errors
@@ -166,7 +56,7 @@ pub fn parse(bytes: &[u8], code_page: Option<&str>, findings: &mut Findings) -> 
     if code_page.is_none() {
         say_encoding(bytes, &header, encoding, findings);
     }
-    let mut groups = Groups { tags: Tags::new(bytes), ahead: None };
+    let mut groups = Groups::new(bytes);
     let mut parser = Parser {
         findings,
         encoding,

@@ -1,0 +1,49 @@
+//! Tags in groups: each entity, section and block begins with a `0` tag.
+
+use super::findings::Findings;
+use super::limits;
+use super::tags::{Tag, Tags};
+use toile_garment::Diagnostic;
+
+/// A `0` tag and the tags up to the next one.
+pub(crate) struct Group<'a> {
+    pub head: Tag<'a>,
+    pub tags: Vec<Tag<'a>>,
+}
+
+/// A file as groups.
+pub(crate) struct Groups<'a> {
+    pub tags: Tags<'a>,
+    ahead: Option<Tag<'a>>,
+}
+
+impl<'a> Groups<'a> {
+    pub(crate) fn new(bytes: &'a [u8]) -> Self {
+        Self { tags: Tags::new(bytes), ahead: None }
+    }
+
+    pub(crate) fn next(&mut self, findings: &mut Findings) -> Result<Option<Group<'a>>, Diagnostic> {
+        let head = match self.ahead.take() {
+            Some(tag) => Some(tag),
+            None => self.tags.next(findings)?,
+        };
+        let Some(head) = head else { return Ok(None) };
+        if head.code != 0 {
+            let text = format!("group code {} stands outside any entity", head.code);
+            return Err(Diagnostic::error("stray-pair", text).at(findings.place(head.line)));
+        }
+        let mut tags = Vec::new();
+        while let Some(tag) = self.tags.next(findings)? {
+            if tag.code == 0 {
+                self.ahead = Some(tag);
+                break;
+            }
+            if tags.len() >= limits::PAIRS_PER_ENTITY {
+                let text = format!("an entity of more than {} pairs", limits::PAIRS_PER_ENTITY);
+                return Err(Diagnostic::error("entity-too-large", text).at(findings.place(head.line)));
+            }
+            tags.push(tag);
+        }
+        Ok(Some(Group { head, tags }))
+    }
+}
