@@ -12,6 +12,8 @@ use toile_garment::outline::PointKind;
 const MATCH: f64 = 0.02;
 /// Marked curve points further apart than this are control points of a smooth curve, mm.
 const SPARSE: f64 = 3.0;
+/// A point on a curve turns less than this, degrees.
+const NO_CURVE: f64 = 60.0;
 /// A dense copy may differ this much from the smooth curve through the points it copies, mm.
 const DENSE_MOST: f64 = 2.0;
 /// A corner is found again on the dense copy within this, mm.
@@ -260,6 +262,17 @@ impl Outline {
         self.work.clone_from(&self.drawn);
         self.place = (0..self.drawn.len()).map(Some).collect();
         self.making = Making::AsDrawn;
+    }
+
+    /// Curve points that turn as no curve does become corners.
+    pub fn sharpen(&mut self) {
+        let n = self.drawn.len();
+        let at: Vec<Vec2> = self.positions();
+        for (i, node) in self.drawn.iter_mut().enumerate().filter(|(_, node)| node.kind == PointKind::Curve) {
+            if geom::turn(at[(i + n - 1) % n], at[i], at[(i + 1) % n]).to_degrees().abs() > NO_CURVE {
+                node.kind = PointKind::Turn;
+            }
+        }
     }
 
     /// Puts a vertex into the working line near `p` unless one is there; gives its position.

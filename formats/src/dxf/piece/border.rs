@@ -6,12 +6,15 @@ use crate::dxf::contact::{self, Contact};
 use crate::dxf::geom::{self, Crossing};
 use crate::dxf::ledger::Verdict;
 use crate::dxf::limits;
-use crate::dxf::outline::Outline;
+use crate::dxf::outline::{Node, Outline};
 use crate::dxf::sheet::Sheet;
+use toile_garment::outline::PointKind;
 use toile_garment::{Diagnostic, Vec2};
 
 /// Shorter spikes without width that stand out of an outline are strokes of notches, mm.
 const SPIKE: f64 = 10.0;
+/// Vertices in a row this near each other may tangle an outline, mm.
+const TANGLE: f64 = 0.06;
 
 /// The largest closed line of a dense copy.
 pub(super) fn closed_copy(runs: Vec<Path>, gap: f64) -> Option<Outline> {
@@ -124,8 +127,13 @@ fn close_at_fold(open: &mut Vec<Path>, closed: &mut Vec<Path>, sheet: &Sheet) {
     }
 }
 
-/// An outline must have an area, a sane size and no crossing.
-pub(super) fn check_shape(block: &str, outline: &Outline, desk: &mut Desk<'_>) -> Option<()> {
+/// An outline must have an area, a sane size and no crossing. Where only vertices drawn twice, a little apart, tangle it,
+/// they are made one.
+pub(super) fn check_shape(block: &str, outline: &mut Outline, desk: &mut Desk<'_>) -> Option<()> {
+    if outline.drawn.len() <= limits::OUTLINE_POINTS && matches!(geom::crossing(&outline.positions()), Crossing::At(..))
+    {
+        untangle(block, outline, desk);
+    }
     let points = outline.positions();
     let mut fail = |code: &str, text: String, hint: &str| {
         desk.say(Diagnostic::error(code, text).hint(hint), block, "1", outline.line);
@@ -186,4 +194,30 @@ fn check_contacts(block: &str, line: u64, points: &[Vec2], desk: &mut Desk<'_>) 
         desk.say(Diagnostic::warning("outline-spike", text).hint(hint), block, "1", line);
     }
     Some(())
+}
+
+/// Leaves out vertices that repeat the one before, when the outline then crosses itself no more.
+fn untangle(block: &str, outline: &mut Outline, desk: &mut Desk<'_>) {
+    let mut nodes: Vec<Node> = Vec::with_capacity(outline.drawn.len());
+    for node in &outline.drawn {
+        match nodes.last_mut() {
+            Some(last) if (last.at - node.at).norm() <= TANGLE => {
+                if node.kind == PointKind::Turn {
+                    last.kind = PointKind::Turn;
+                }
+            }
+            _ => nodes.push(*node),
+        }
+    }
+    let positions: Vec<Vec2> = nodes.iter().map(|n| n.at).collect();
+    if geom::crossing(&positions) != Crossing::None {
+        return;
+    }
+    let text = format!(
+        "{} vertices of the outline of block `{block}` stand within {TANGLE} mm of the one before; left out",
+        outline.drawn.len() - nodes.len()
+    );
+    desk.say(Diagnostic::info("outline-vertices-doubled", text), block, "1", outline.line);
+    outline.drawn = nodes;
+    outline.as_drawn();
 }

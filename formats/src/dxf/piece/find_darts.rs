@@ -7,6 +7,14 @@ use crate::dxf::{chain, geom, limits, marked, pleats};
 use toile_garment::outline::PointKind;
 use toile_garment::{Diagnostic, Vec2};
 
+/// What to do about a dart that was not taken.
+const DECLARE: &str = "if it is a dart, declare it in the sewing file: [[dart]] piece, apex, mouth, kind = \"wedge\"";
+/// Ends of strokes of a lens meet within this, mm.
+const STROKES: f64 = 0.5;
+/// A wider or blunter wedge in the middle of a symmetric piece is a neckline, mm and degrees.
+const NECKLINE: (f64, f64) = (60.0, 30.0);
+/// A blunt wedge is a neckline from this width on, mm.
+const NECKLINE_LEAST: f64 = 40.0;
 /// A drill hole belongs to an apex within this, mm: it is put 10 to 15 mm short of it.
 const DRILL: f64 = 20.0;
 /// A notch belongs to a mouth point within this, mm (across an allowance).
@@ -17,12 +25,14 @@ impl DrawnPiece {
         let on = if self.sew.is_some() { "sew" } else { "cut" };
         let (mut found, mut denied) = darts::wedges(self.sewn(), on);
         let cut = self.sew.is_some().then(|| self.boundary.positions());
-        found.extend(marked::marked(&self.internal, self.sewn(), cut.as_deref()));
+        let (legs, boxes) = marked::marked(&self.internal, self.sewn(), cut.as_deref());
+        found.extend(legs);
+        denied.extend(boxes);
         let line = self.sewn().positions();
         let grain = self.grain.map(|g| g[1] - g[0]);
-        let closed = self.closed_inside(&found, &line);
+        let [closed, cut_out] = [&self.internal, &self.cutouts].map(|p| closed_inside(p, &found, &line));
         let drills: Vec<Vec2> = self.drills.iter().map(|d| d.at).collect();
-        for paths in [self.internal.as_slice(), &self.cutouts, &closed] {
+        for paths in [self.internal.as_slice(), &self.cutouts, &closed, &cut_out] {
             for lens in marked::lenses(paths, &line) {
                 match marked::lens_doubt(&lens, grain, &drills) {
                     None => found.push(lens),
@@ -44,21 +54,31 @@ impl DrawnPiece {
         }
         self.darts = found;
         self.denied = denied;
+        self.tell_look_alikes(desk);
         self.find_candidates(&drills, desk);
         self.find_pleats(&line, desk);
     }
 
-    /// Closed lines made of several open ones inside the piece: a lens of two or four strokes.
-    fn closed_inside(&self, found: &[DrawnDart], line: &[Vec2]) -> Vec<chain::Path> {
-        let free = |p: &&chain::Path| {
-            !p.closed
-                && p.points.len() <= 2000
-                && !found.iter().any(|d| d.ids.iter().any(|id| p.ids.contains(id)))
-                && [p.points[0].0, p.points[p.points.len() - 1].0].iter().all(|e| geom::inside(*e, line))
-        };
-        let most = 2000.min(limits::DART_TESTS / line.len().max(1));
-        let open: Vec<chain::Path> = self.internal.iter().take(most).filter(free).take(400).cloned().collect();
-        if open.len() < 2 { Vec::new() } else { chain::chain(open, 0.2).closed }
+    /// What runs as a dart does and is none: told once for each reason.
+    fn tell_look_alikes(&self, desk: &mut Desk<'_>) {
+        let told = |d: &&Denied| d.form == Form::Marked || d.why == darts::rows::WHY;
+        let mut seen: Vec<&str> = Vec::new();
+        for one in self.denied.iter().filter(told) {
+            if seen.contains(&one.why) {
+                continue;
+            }
+            seen.push(one.why);
+            let count = self.denied.iter().filter(told).filter(|d| d.why == one.why).count();
+            let others = if count > 1 { format!(" (and {} more)", count - 1) } else { String::new() };
+            let text = format!(
+                "the wedge at {} of `{}`{others} was not taken as a dart: {}",
+                mm(one.at),
+                self.label(),
+                one.why
+            );
+            let layer = if one.form == Form::Marked { "8" } else { "1" };
+            desk.say(Diagnostic::info("wedge-not-a-dart", text).hint(DECLARE), &self.block, layer, self.line);
+        }
     }
 
     /// Evidence and confidence of a dart.
@@ -166,7 +186,8 @@ impl DrawnPiece {
             let axis = [apex, (dart.mouth[0] + dart.mouth[1]) * 0.5];
             let (u, v) = (dart.mouth[0] - apex, dart.mouth[1] - apex);
             let angle = libm::atan2(geom::cross(u, v).abs(), u.dot(&v)).to_degrees();
-            let wide = dart.form == Form::Wedge && dart.width() > 80.0 && angle > 30.0;
+            let wide = dart.width() > NECKLINE.0 || (angle > NECKLINE.1 && dart.width() > NECKLINE_LEAST);
+            let wide = wide && dart.form == Form::Wedge;
             let neckline = wide && corners >= 5 && Self::symmetric_about(&line, axis);
             if neckline {
                 denied.push((apex, dart.line));
@@ -176,9 +197,21 @@ impl DrawnPiece {
         for (at, file_line) in denied {
             let why = "it is wide and in the middle of a symmetric piece: a V neckline";
             let text = format!("the wedge at {} of `{}` was not taken as a dart: {why}", mm(at), self.label());
-            let hint = "if it is a dart, declare it in the sewing file: [[dart]] piece, apex, mouth, kind = \"wedge\"";
-            desk.say(Diagnostic::warning("wedge-not-a-dart", text).hint(hint), &self.block, "1", file_line);
+            desk.say(Diagnostic::warning("wedge-not-a-dart", text).hint(DECLARE), &self.block, "1", file_line);
             self.denied.push(Denied { at, why, form: Form::Wedge });
         }
     }
+}
+
+/// Closed lines made of several open ones inside the piece: a lens of two or four strokes.
+fn closed_inside(paths: &[chain::Path], found: &[DrawnDart], line: &[Vec2]) -> Vec<chain::Path> {
+    let free = |p: &&chain::Path| {
+        !p.closed
+            && p.points.len() <= 2000
+            && !found.iter().any(|d| d.ids.iter().any(|id| p.ids.contains(id)))
+            && [p.points[0].0, p.points[p.points.len() - 1].0].iter().all(|e| geom::inside(*e, line))
+    };
+    let most = 2000.min(limits::DART_TESTS / line.len().max(1));
+    let open: Vec<chain::Path> = paths.iter().take(most).filter(free).take(400).cloned().collect();
+    if open.len() < 2 { Vec::new() } else { chain::chain(open, STROKES).closed }
 }

@@ -1,7 +1,7 @@
 //! Darts that lie on the fold: a half piece holds one half of them, the mirror image makes them whole.
 
 use super::DrawnPiece;
-use crate::dxf::chain::Path;
+use crate::dxf::chain::{self, Path};
 use crate::dxf::darts::{self, Denied, DrawnDart, Form};
 use crate::dxf::geom;
 use crate::dxf::marked;
@@ -11,6 +11,10 @@ use toile_garment::Vec2;
 
 /// Points this near the fold lie on it, mm.
 const ON_FOLD: f64 = 0.5;
+/// Ends of strokes of a lens meet within this, mm.
+const STROKES: f64 = 0.5;
+/// Most strokes that are chained.
+const STROKES_MOST: usize = 400;
 /// Wider and blunter wedges on a fold are necklines, mm and degrees.
 const NECKLINE: (f64, f64) = (60.0, 30.0);
 
@@ -33,13 +37,30 @@ impl DrawnPiece {
             }
         }
         let halves: Vec<Path> = self.internal.iter().filter_map(|p| doubled(p, fold)).collect();
-        found.extend(marked::marked(&halves, &whole, None));
-        found.extend(marked::lenses(&halves, &whole.positions()));
+        let others: Vec<Path> = self.half_lenses(fold);
+        let (legs, boxes) = marked::marked(&halves, &whole, None);
+        found.extend(legs);
+        denied.extend(boxes);
+        for paths in [&halves, &others] {
+            let free = |lens: &DrawnDart| !found.iter().any(|d| d.ids.iter().any(|id| lens.ids.contains(id)));
+            let lenses: Vec<DrawnDart> = marked::lenses(paths, &whole.positions()).into_iter().filter(free).collect();
+            found.extend(lenses);
+        }
         for dart in &mut found {
             dart.confidence -= if dart.form == Form::Wedge { 0.0 } else { 0.05 };
             dart.evidence.push("its apex lies on the fold: one half is drawn".into());
         }
         (found, denied)
+    }
+
+    /// Halves of lenses that are no single internal line: drawn as several strokes, or on the cutouts' layer.
+    fn half_lenses(&self, fold: Fold) -> Vec<Path> {
+        let open = |paths: &[Path]| paths.iter().filter(|p| !p.closed).take(STROKES_MOST).cloned().collect();
+        let chained = [&self.internal, &self.cutouts].map(|paths| chain::chain(open(paths), STROKES));
+        let several = chained.into_iter().flat_map(|c| c.open.into_iter().chain(c.closed)).filter(|p| p.ids.len() > 1);
+        let cutouts = self.cutouts.iter().filter(|p| p.points.len() > 2).cloned();
+        let whole = several.chain(cutouts).filter_map(|p| doubled(&p, fold));
+        whole.filter(|p| p.closed).collect()
     }
 }
 
@@ -54,10 +75,16 @@ fn unfolded(half: &Outline, fold: Fold) -> Option<Outline> {
 fn doubled(path: &Path, fold: Fold) -> Option<Path> {
     let on = |p: Option<&(Vec2, bool)>| p.is_some_and(|p| fold.distance(p.0) <= ON_FOLD);
     let off = path.points.iter().any(|p| fold.distance(p.0) > ON_FOLD);
-    if path.closed || !off || path.points.len() > 2000 {
+    if !off || path.points.len() > 2000 {
         return None;
     }
     let mut points = path.points.clone();
+    if path.closed {
+        // A side of it lies on the fold.
+        let n = points.len();
+        let side = (0..n).find(|i| on(points.get(*i)) && on(points.get((i + 1) % n)))?;
+        points.rotate_left((side + 1) % n);
+    }
     let closed = match (on(points.first()), on(points.last())) {
         (true, false) => {
             points.reverse();

@@ -44,6 +44,7 @@ impl DrawnPiece {
                 let text = format!(
                     "the smooth curve through the points of `{label}` would cross itself; the drawn line was used"
                 );
+                outline.sharpen();
                 outline.as_drawn();
                 desk.say(Diagnostic::warning("curve-not-smoothed", text), &self.block, "1", outline.line);
             }

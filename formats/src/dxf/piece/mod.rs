@@ -1,5 +1,6 @@
 //! One drawn piece in one size: what the layers of a block mean together.
 
+mod blunt_apexes;
 mod border;
 mod find_darts;
 mod fold_darts;
@@ -149,7 +150,7 @@ impl DrawnPiece {
         let marks = Marks::new(&sheet.turn, &sheet.curve, &desk.rules.tolerances);
         let mut outline = Outline::new(main);
         outline.classify(&marks);
-        border::check_shape(block, &outline, desk)?;
+        border::check_shape(block, &mut outline, desk)?;
         points::check(block, line, &sheet, desk);
         let distinct = |list: &[Vec2]| {
             let mut index = PointIndex::new(0.01, []);
@@ -234,6 +235,7 @@ impl DrawnPiece {
 
     /// Second step, once kinds are known in every size: working lines, notches, darts.
     pub(crate) fn finish(&mut self, desk: &mut Desk<'_>) {
+        self.join_blunt_apexes(desk);
         self.find_cut_notches(desk);
         self.make_work(desk);
         self.find_notches(desk);

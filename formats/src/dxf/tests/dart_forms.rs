@@ -5,9 +5,9 @@
 use super::*;
 
 /// What must come out: kind, apex, mouth (any order) and leg lengths (any order).
-type Fact = (&'static str, (f64, f64), [(f64, f64); 2], [f64; 2]);
+pub(super) type Fact = (&'static str, (f64, f64), [(f64, f64); 2], [f64; 2]);
 
-fn check(name: &str, text: &str, facts: &[Fact]) -> serde_json::Value {
+pub(super) fn check(name: &str, text: &str, facts: &[Fact]) -> serde_json::Value {
     let json = inspect(text.as_bytes(), "t.dxf", None).unwrap_or_else(|e| panic!("{name}: {e:?}")).json;
     let piece = json["pieces"][0].clone();
     let darts = piece["darts"].as_array().expect("darts").clone();
@@ -33,14 +33,14 @@ fn check(name: &str, text: &str, facts: &[Fact]) -> serde_json::Value {
 }
 
 /// The rectangle with points put into its top edge, right to left.
-fn top(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
+pub(super) fn top(points: &[(f64, f64)]) -> Vec<(f64, f64)> {
     let mut line = RECTANGLE[..3].to_vec();
     line.extend(points);
     line.push(RECTANGLE[3]);
     line
 }
 
-fn piece(line: &[(f64, f64)], body: impl Fn(Writer) -> Writer) -> String {
+pub(super) fn piece(line: &[(f64, f64)], body: impl Fn(Writer) -> Writer) -> String {
     file(|w| body(w.polyline("1", true, line).points("2", line)))
 }
 
@@ -48,10 +48,10 @@ fn notched(w: Writer, points: &[(f64, f64)]) -> Writer {
     points.iter().fold(w, |w, (x, y)| w.point("4", *x, *y).pair(30, "5").pair(39, "0"))
 }
 
-const MOUTH: [(f64, f64); 2] = [(165.0, 600.0), (135.0, 600.0)];
-const APEX: (f64, f64) = (150.0, 500.0);
+pub(super) const MOUTH: [(f64, f64); 2] = [(165.0, 600.0), (135.0, 600.0)];
+pub(super) const APEX: (f64, f64) = (150.0, 500.0);
 /// √(15² + 100²).
-const LEG: f64 = 101.1187;
+pub(super) const LEG: f64 = 101.1187;
 
 #[test]
 fn wedges_in_the_outline() {
@@ -166,8 +166,8 @@ fn darts_marked_inside() {
 }
 
 /// Tips at y 450 and 150, widest 24 mm at y 300: sides of 2·√(12² + 150²) mm.
-const EYE: [(f64, f64); 4] = [(150.0, 450.0), (138.0, 300.0), (150.0, 150.0), (162.0, 300.0)];
-const SIDE: f64 = 300.9585;
+pub(super) const EYE: [(f64, f64); 4] = [(150.0, 450.0), (138.0, 300.0), (150.0, 150.0), (162.0, 300.0)];
+pub(super) const SIDE: f64 = 300.9585;
 
 #[test]
 fn fish_eyes() {

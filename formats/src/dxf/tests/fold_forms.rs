@@ -57,3 +57,24 @@ fn half_of_a_marked_dart_and_half_of_a_fish_eye() {
     assert!((ends[0] - 0.15).abs() < 1e-9 && (ends[1] - 0.45).abs() < 1e-9);
     assert!((lens.darts[0].intake() - 0.024).abs() < 1e-9, "{}", lens.darts[0].intake());
 }
+
+#[test]
+fn half_of_a_fish_eye_in_strokes_closed_or_on_the_cutouts_layer() {
+    let eye = [(0.0, 450.0), (12.0, 300.0), (0.0, 150.0)];
+    let draw = |layer: &'static str| {
+        [
+            half(&[(0.0, 600.0)], 600.0, |w| w.line(layer, eye[0], eye[1]).line(layer, eye[1], eye[2])),
+            half(&[(0.0, 600.0)], 600.0, |w| w.polyline(layer, true, &eye)),
+            half(&[(0.0, 600.0)], 600.0, |w| w.polyline(layer, false, &eye)),
+        ]
+    };
+    for text in draw("8").into_iter().chain(draw("11")) {
+        let piece = only_piece(&text);
+        assert_eq!((piece.darts.len(), piece.darts[0].kind), (1, DartKind::FishEye), "{text}");
+        assert!((piece.darts[0].intake() - 0.024).abs() < 1e-9);
+        assert!((piece.darts[0].leg_length(0) - 0.300_958).abs() < 1e-6);
+        assert!(piece.internal_lines.is_empty() && piece.cutouts.is_empty());
+    }
+    let centred = half(&[(0.0, 600.0)], 600.0, |w| w.polyline("8", false, &eye).line("8", eye[0], eye[2]));
+    assert_eq!(only_piece(&centred).darts.len(), 1, "a centre line on the fold");
+}

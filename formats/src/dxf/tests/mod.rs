@@ -3,6 +3,7 @@
 mod binary;
 mod blocks;
 mod dart_forms;
+mod dart_loose;
 mod darts;
 mod doubts;
 mod fold_forms;

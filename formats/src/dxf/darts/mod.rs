@@ -1,5 +1,8 @@
 //! Darts drawn as wedges in an outline: found by stated tests, never by guess.
 
+pub mod blunt;
+pub mod rows;
+
 use super::geom;
 use super::outline::{Node, Outline};
 use toile_garment::Vec2;
@@ -13,8 +16,12 @@ pub const LEG: std::ops::RangeInclusive<f64> = 25.0..=400.0;
 pub const LEG_RATIO: f64 = 0.6;
 /// Widest mouth, mm; wider ones are necklines and vents.
 pub const MOUTH: f64 = 150.0;
+/// Two vertices at most this far apart can be one apex, mm.
+pub const BLUNT: f64 = 2.0;
+/// Vertices this near each other, in a row, turn as one, mm.
+const DOUBLED: f64 = 0.06;
 /// A leg ends at a corner that turns more than this, degrees.
-const LEG_END: f64 = 20.0;
+pub(super) const LEG_END: f64 = 20.0;
 /// Farthest look along the outline from an apex, mm: a lens can be cut open down to the hem.
 const WALK: f64 = 1000.0;
 /// The path of a leg over its chord, at most.
@@ -156,6 +163,8 @@ pub fn wedges(outline: &Outline, on: &'static str) -> (Vec<DrawnDart>, Vec<Denie
             denied.push(Denied { at: apex_at, why, form: Form::Wedge });
         }
     }
+    let (found, teeth) = rows::without_rows(found, &positions);
+    denied.extend(teeth);
     (found, denied)
 }
 
@@ -175,6 +184,13 @@ fn widest(whole: &[Vec<usize>; 2], positions: &[Vec2]) -> Option<[Vec<usize>; 2]
     ((a - b).norm() <= 0.25 * mouth).then_some(legs)
 }
 
+/// The next vertex that is not the same one drawn twice.
+fn beside(nodes: &[Node], i: usize, forward: bool) -> Vec2 {
+    let n = nodes.len();
+    let step = |k: usize| nodes[if forward { i + k } else { i + n * k - k } % n].at;
+    (1..4).map(step).find(|p| (p - nodes[i].at).norm() > DOUBLED).unwrap_or_else(|| step(1))
+}
+
 /// Along the outline from an apex to the corner where the leg ends; apex first.
 fn walk(nodes: &[Node], apex: usize, forward: bool) -> Option<Vec<usize>> {
     let n = nodes.len();
@@ -187,10 +203,10 @@ fn walk(nodes: &[Node], apex: usize, forward: bool) -> Option<Vec<usize>> {
             return None;
         }
         path.push(next);
-        let (before, after) = (nodes[(next + n - 1) % n].at, nodes[(next + 1) % n].at);
+        let (before, after) = (beside(nodes, next, false), beside(nodes, next, true));
         let turn = geom::turn(before, nodes[next].at, after).to_degrees();
-        if nodes[next].kind == PointKind::Turn && turn.abs() > LEG_END {
-            let chord = (nodes[next].at - nodes[apex].at).norm();
+        let chord = (nodes[next].at - nodes[apex].at).norm();
+        if nodes[next].kind == PointKind::Turn && turn.abs() > LEG_END && chord > DOUBLED {
             return (turn > 0.0 && length <= chord * CURVED).then_some(path);
         }
         at = next;

@@ -1,0 +1,115 @@
+//! The outline on which marked legs end: legs are opened, cut off, divided and put onto it.
+
+use super::super::chain::Path;
+use super::super::geom;
+use super::super::outline::Outline;
+use toile_garment::Vec2;
+
+/// Ends of marked legs lie on the outline within this, mm.
+const ON_OUTLINE: f64 = 1.0;
+/// Ends nearer than this are left where they are, mm.
+const EXACT: f64 = 0.05;
+/// A leg meets the outline at most this far from where it ends beside it, mm.
+const REACH: f64 = 5.0;
+/// Legs run at most this far past the edge, mm: some writers draw internal lines 20 mm longer.
+const PAST: f64 = 25.0;
+
+/// Where marked legs may end.
+pub(super) struct Ground {
+    /// The sewn outline as drawn.
+    line: Vec<Vec2>,
+    /// Its working line.
+    pub work: Vec<Vec2>,
+    /// The cut line.
+    cut: Vec<Vec2>,
+}
+
+impl Ground {
+    pub fn new(outline: &Outline, cut: Option<&[Vec2]>) -> Self {
+        let line = outline.positions();
+        Self { work: outline.work_positions(), cut: cut.map_or_else(|| line.clone(), <[Vec2]>::to_vec), line }
+    }
+
+    /// Number of vertices, for limits.
+    pub fn size(&self) -> usize {
+        self.line.len() + self.work.len()
+    }
+
+    fn off(&self, p: Vec2) -> f64 {
+        geom::distance(p, &self.work, true).min(geom::distance(p, &self.line, true))
+    }
+
+    pub fn on(&self, p: Vec2) -> bool {
+        self.off(p) <= ON_OUTLINE
+    }
+
+    /// Outside the sewn outline, but not far past the edge.
+    fn past(&self, p: Vec2) -> bool {
+        !geom::inside(p, &self.line) && (geom::inside(p, &self.cut) || geom::distance(p, &self.cut, true) <= PAST)
+    }
+
+    /// The lines a drawn line consists of: each inside, with its ends on the outline where it reaches it.
+    pub fn lines(&self, path: &Path) -> Vec<Vec<Vec2>> {
+        let line = self.trimmed(self.opened(path));
+        let touches: Vec<usize> = (1..line.len().saturating_sub(1)).filter(|i| self.off(line[*i]) <= EXACT).collect();
+        let starts = std::iter::once(0).chain(touches.iter().copied());
+        let ends = touches.iter().copied().chain(line.len().checked_sub(1));
+        starts.zip(ends).filter(|(a, b)| a < b).map(|(a, b)| self.fitted(line[a..=b].to_vec())).collect()
+    }
+
+    /// A closed triangle whose side lies along the outline, or past it, is the same as its two legs.
+    fn opened(&self, path: &Path) -> Vec<Vec2> {
+        let mut points = path.positions();
+        let n = points.len();
+        if path.closed && n >= 3 {
+            let side = |test: &dyn Fn(Vec2) -> bool| (0..n).find(|i| test(points[*i]) && test(points[(i + 1) % n]));
+            match side(&|p| self.on(p)).or_else(|| side(&|p| self.past(p))) {
+                Some(i) => points.rotate_left((i + 1) % n),
+                None => return Vec::new(),
+            }
+        }
+        points
+    }
+
+    /// A line whose ends lie past the sewn outline, cut off where it crosses.
+    fn trimmed(&self, mut line: Vec<Vec2>) -> Vec<Vec2> {
+        for _ in 0..2 {
+            line.reverse();
+            let Some(end) = line.last().copied() else { return line };
+            if self.on(end) || !self.past(end) {
+                continue;
+            }
+            let Some(i) = line.iter().rposition(|p| geom::inside(*p, &self.line)) else { continue };
+            if let Some(p) = crossing(line[i], line[i + 1], &self.line) {
+                line.truncate(i + 1);
+                line.push(p);
+            }
+        }
+        line
+    }
+
+    /// Ends a little beside the outline go where the line meets it.
+    fn fitted(&self, mut line: Vec<Vec2>) -> Vec<Vec2> {
+        for _ in 0..2 {
+            line.reverse();
+            let n = line.len();
+            let (inner, end) = (line[n - 2], line[n - 1]);
+            if !(EXACT..=ON_OUTLINE).contains(&self.off(end)) || (end - inner).norm() < REACH {
+                continue;
+            }
+            let beyond = end + (end - inner) * (REACH / (end - inner).norm());
+            let near = |p: &Vec2| (p - end).norm() <= REACH;
+            if let Some(p) = crossing(inner, beyond, &self.work).filter(near) {
+                line[n - 1] = p;
+            }
+        }
+        line
+    }
+}
+
+/// Where the way from `a` to `b` first crosses a closed line.
+fn crossing(a: Vec2, b: Vec2, line: &[Vec2]) -> Option<Vec2> {
+    (0..line.len())
+        .filter_map(|k| geom::meet(a, b, line[k], line[(k + 1) % line.len()]))
+        .min_by(|p, q| (p - a).norm().total_cmp(&(q - a).norm()))
+}

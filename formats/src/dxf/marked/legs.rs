@@ -1,0 +1,253 @@
+//! Legs of marked darts: which belong together, where they meet, and whether they are those of a dart.
+
+use super::super::chain::Path;
+use super::super::darts::{ANGLE, BLUNT, Denied, DrawnDart, Form, LEG_END, wedge_test};
+use super::super::geom::{self, PointIndex};
+use toile_garment::Vec2;
+
+/// Legs that share their apex end this near each other, mm.
+const SAME_APEX: f64 = 0.2;
+/// Two legs may miss each other at the apex by this, mm.
+const APEX_GAP: f64 = 1.0;
+/// A leg that ends beside the other one within this is a little short, mm.
+const TOUCH: f64 = 0.1;
+/// Mouth points of one leg drawn twice, mm.
+const SAME_LEG: f64 = 1.0;
+/// Least angle of a marked dart, degrees: it is drawn on purpose, so narrow ones count.
+const LEAST_ANGLE: f64 = 2.0;
+/// The path of a leg over its chord, at most.
+const CURVED: f64 = 1.15;
+/// Two vertices side by side are one apex when they turn more than this together, degrees.
+const POINTED: f64 = 60.0;
+/// The angle at the apex is taken from the first part of the legs, mm.
+const TIP: f64 = 20.0;
+/// A corner of a leg this near the mouth is the way over an allowance, mm.
+const AT_MOUTH: f64 = 15.0;
+/// Shorter chords say nothing of a direction, mm.
+const CHORD: f64 = 0.5;
+
+/// A line from the outline to a point inside.
+pub(super) struct Leg<'a> {
+    pub points: Vec<Vec2>,
+    pub path: &'a Path,
+}
+
+impl Leg<'_> {
+    fn apex(&self) -> Vec2 {
+        self.points[self.points.len() - 1]
+    }
+
+    fn mouth(&self) -> Vec2 {
+        self.points[0]
+    }
+
+    fn angle(&self) -> f64 {
+        let v = self.mouth() - self.apex();
+        libm::atan2(v.y, v.x).to_degrees()
+    }
+}
+
+/// Two legs that meet.
+pub(super) struct Pair {
+    pub legs: [Vec<Vec2>; 2],
+    pub line: u64,
+    pub ids: Vec<u32>,
+}
+
+/// The legs that meet at one apex, two by two. Of three the outer ones count: the third is the centre line.
+pub(super) fn pairs(legs: &[Leg<'_>]) -> Vec<Pair> {
+    let index = PointIndex::new(APEX_GAP, legs.iter().enumerate().map(|(i, l)| (l.apex(), i)));
+    let mut used = vec![false; legs.len()];
+    let mut out = Vec::new();
+    for i in 0..legs.len() {
+        if used[i] {
+            continue;
+        }
+        let group = meeting(i, legs, &index, &used);
+        group.iter().for_each(|j| used[*j] = true);
+        for sector in sectors(&group, legs) {
+            out.extend(sector_pairs(&sector, legs));
+        }
+    }
+    out
+}
+
+/// The free legs that end where leg `i` does; without any, the nearest one that has no nearer partner itself.
+fn meeting(i: usize, legs: &[Leg<'_>], index: &PointIndex, used: &[bool]) -> Vec<usize> {
+    let near = |k: usize| index.near(legs[k].apex(), APEX_GAP).into_iter().filter(move |(_, j)| *j != k && !used[*j]);
+    let mut group: Vec<usize> = near(i).filter(|(d, _)| *d <= SAME_APEX).map(|(_, j)| j).collect();
+    if group.is_empty() {
+        let mutual = |(d, j): &(f64, usize)| near(*j).next().is_some_and(|(nearest, _)| nearest >= *d - 1e-9);
+        group.extend(near(i).find(mutual).map(|(_, j)| j));
+    }
+    group.push(i);
+    group.sort_unstable();
+    group
+}
+
+/// Legs of one apex in groups that lie within the widest angle of a dart, in order round the apex.
+fn sectors(group: &[usize], legs: &[Leg<'_>]) -> Vec<Vec<usize>> {
+    let mut order = group.to_vec();
+    order.sort_by(|a, b| legs[*a].angle().total_cmp(&legs[*b].angle()).then(a.cmp(b)));
+    let n = order.len();
+    let gap = |k: usize| {
+        let turn = legs[order[(k + 1) % n]].angle() - legs[order[k]].angle();
+        if k + 1 < n { turn } else { turn + 360.0 }
+    };
+    let Some(widest) = (0..n).max_by(|a, b| gap(*a).total_cmp(&gap(*b))) else { return Vec::new() };
+    let mut out = vec![Vec::new()];
+    for k in 1..=n {
+        let at = (widest + k) % n;
+        if let Some(sector) = out.last_mut() {
+            sector.push(order[at]);
+        }
+        if gap(at) > *ANGLE.end() && k < n {
+            out.push(Vec::new());
+        }
+    }
+    out
+}
+
+/// The darts of a sector: the outer legs, or two neighbours sharing the apex when there are four legs.
+fn sector_pairs(sector: &[usize], legs: &[Leg<'_>]) -> Vec<Pair> {
+    let mut distinct: Vec<Vec<usize>> = Vec::new();
+    for i in sector {
+        match distinct.last_mut() {
+            Some(last) if (legs[last[0]].mouth() - legs[*i].mouth()).norm() <= SAME_LEG => last.push(*i),
+            _ => distinct.push(vec![*i]),
+        }
+    }
+    match distinct.as_slice() {
+        [a, b, c, d] => vec![pair(a, b, legs), pair(c, d, legs)],
+        [a, .., b] => vec![pair(a, b, legs)],
+        _ => Vec::new(),
+    }
+}
+
+fn pair(a: &[usize], b: &[usize], legs: &[Leg<'_>]) -> Pair {
+    let mut all: Vec<usize> = a.iter().chain(b).copied().collect();
+    all.sort_unstable();
+    let [a, b] = [&legs[a[0].min(b[0])], &legs[a[0].max(b[0])]];
+    let apex = meet(&a.points, &b.points);
+    let to_apex = |leg: &Leg<'_>| {
+        let mut points = leg.points.clone();
+        if let Some(last) = points.last_mut() {
+            *last = apex;
+        }
+        points
+    };
+    Pair {
+        legs: [to_apex(a), to_apex(b)],
+        line: a.path.line,
+        ids: all.iter().flat_map(|i| legs[*i].path.ids.iter().copied()).collect(),
+    }
+}
+
+/// Where two legs meet: at the end of the longer one when the other ends beside it, else in the middle.
+fn meet(a: &[Vec2], b: &[Vec2]) -> Vec2 {
+    let (p, q) = (a[a.len() - 1], b[b.len() - 1]);
+    if (p - q).norm() <= TOUCH || geom::distance(q, a, false) <= TOUCH {
+        p
+    } else if geom::distance(p, b, false) <= TOUCH {
+        q
+    } else {
+        (p + q) * 0.5
+    }
+}
+
+/// One line: leg, apex, leg. The apex is its sharpest vertex, or two side by side.
+pub(super) fn halves(mut points: Vec<Vec2>) -> Option<[Vec<Vec2>; 2]> {
+    let turn = |p: &[Vec2], i: usize| geom::turn(p[i - 1], p[i], p[i + 1]);
+    let sharpest = |p: &[Vec2]| (1..p.len() - 1).max_by(|a, b| turn(p, *a).abs().total_cmp(&turn(p, *b).abs()));
+    let mut apex = sharpest(&points)?;
+    let inner = 1..points.len() - 1;
+    let twin = [apex.wrapping_sub(1), apex + 1].into_iter().filter(|k| inner.contains(k)).find(|k| {
+        let [one, both] = [turn(&points, *k), turn(&points, *k) + turn(&points, apex)].map(|t| t.to_degrees().abs());
+        (points[*k] - points[apex]).norm() <= BLUNT && one > LEG_END && both > POINTED
+    });
+    if let Some(twin) = twin {
+        let first = twin.min(apex);
+        points[first] = (points[twin] + points[apex]) * 0.5;
+        points.remove(first + 1);
+        apex = first;
+    }
+    let second = points[apex..].iter().rev().copied().collect();
+    points.truncate(apex + 1);
+    Some([points, second])
+}
+
+/// Two legs, from the mouth to the apex, as a dart; or why they are none although they run as its legs do.
+pub(super) fn dart(
+    mut legs: [Vec<Vec2>; 2],
+    line: u64,
+    ids: Vec<u32>,
+    outline: &[Vec2],
+) -> Option<Result<DrawnDart, Denied>> {
+    let apex = *legs[0].last()?;
+    let (a, b) = (legs[0][0], legs[1][0]);
+    wedge_test(apex, a, b, LEAST_ANGLE).ok()?;
+    let straight = legs.iter().all(|l| geom::length(l, false) <= CURVED * (l[0] - l[l.len() - 1]).norm());
+    if !straight || !geom::inside(apex, outline) || geom::distance(apex, outline, true) < 5.0 {
+        return None;
+    }
+    if let Some(why) = boxed(&legs) {
+        return Some(Err(Denied { at: apex, why, form: Form::Marked }));
+    }
+    // The leg met first on the counter-clockwise outline: seen from the apex the mouth runs clockwise.
+    if geom::cross(a - apex, b - apex) < 0.0 {
+        legs.reverse();
+    }
+    // Both legs end in one and the same point.
+    legs.iter_mut().filter_map(|leg| leg.last_mut()).for_each(|last| *last = apex);
+    let mouth = [legs[0][0], legs[1][0]];
+    Some(Ok(DrawnDart {
+        form: Form::Marked,
+        apexes: vec![apex],
+        mouth,
+        work: legs.clone(),
+        open_lens: false,
+        legs,
+        on: "internal",
+        line,
+        ids,
+        confidence: 0.0,
+        evidence: Vec::new(),
+    }))
+}
+
+/// Why the legs are the sides of a pointed or round box (a placket, a flap, a patch pocket) and not those of a dart.
+fn boxed(legs: &[Vec<Vec2>; 2]) -> Option<&'static str> {
+    let [a, b] = [tip(&legs[0]), tip(&legs[1])];
+    let apex = legs[0][legs[0].len() - 1];
+    let (u, v) = (a - apex, b - apex);
+    let angle = libm::atan2(geom::cross(u, v).abs(), u.dot(&v)).to_degrees();
+    if angle > *ANGLE.end() {
+        return Some("its point is blunter than 60 degrees: a placket, flap or pocket");
+    }
+    legs.iter().any(|leg| has_corner(leg)).then_some("a side has a corner: a placket, flap or pocket")
+}
+
+/// The place on a leg that shows its direction at the apex.
+fn tip(leg: &[Vec2]) -> Vec2 {
+    let mut left = TIP.min(0.5 * geom::length(leg, false));
+    for k in (1..leg.len()).rev() {
+        let step = (leg[k - 1] - leg[k]).norm();
+        if step >= left {
+            return leg[k] + (leg[k - 1] - leg[k]) * (left / step.max(1e-9));
+        }
+        left -= step;
+    }
+    leg[0]
+}
+
+/// Does a leg turn a corner on its way, apart from its mouth?
+fn has_corner(leg: &[Vec2]) -> bool {
+    let mut points: Vec<Vec2> = Vec::with_capacity(leg.len());
+    for p in leg {
+        if points.last().is_none_or(|last| (p - last).norm() >= CHORD) {
+            points.push(*p);
+        }
+    }
+    let corner = |w: &[Vec2]| geom::turn(w[0], w[1], w[2]).to_degrees().abs() > LEG_END;
+    points.windows(3).any(|w| corner(w) && (w[1] - leg[0]).norm() > AT_MOUTH)
+}
