@@ -76,6 +76,10 @@ pub(super) const CODES: &[Code] = &[
         "Two cutouts of a piece overlap, so they would fall out as one. Both were kept as drawn; draw their common outline instead.",
     ),
     code(
+        "dart-apex-blunt",
+        "The apex of a dart is drawn as two vertices side by side, up to 2 mm apart. Their middle is its apex.",
+    ),
+    code(
         "dart-candidate",
         "Lines inside the piece look like a dart but do not close to one. Declare it with [[dart]] in the sewing file if it is one.",
     ),
@@ -231,6 +235,10 @@ pub(super) const CODES: &[Code] = &[
     code(
         "outline-touches-itself",
         "The outline comes back to a place that it has passed, so two parts of the piece hang together at a point or not at all. It was read as drawn; draw the parts as pieces, or leave a gap.",
+    ),
+    code(
+        "outline-vertices-doubled",
+        "Vertices of an outline that stand within 0.06 mm of the one before tangled it; they were left out.",
     ),
     code("outline-without-area", "The outline encloses nothing, e.g. a line drawn forth and back. Exit code 3."),
     code("outside-section", "A pair stands outside all sections. It was not read."),

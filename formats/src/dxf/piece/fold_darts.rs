@@ -58,7 +58,8 @@ impl DrawnPiece {
         let open = |paths: &[Path]| paths.iter().filter(|p| !p.closed).take(STROKES_MOST).cloned().collect();
         let chained = [&self.internal, &self.cutouts].map(|paths| chain::chain(open(paths), STROKES));
         let several = chained.into_iter().flat_map(|c| c.open.into_iter().chain(c.closed)).filter(|p| p.ids.len() > 1);
-        let cutouts = self.cutouts.iter().filter(|p| p.points.len() > 2).cloned();
+        let alone = |p: &&Path| p.points.len() > 2 && (p.closed || p.ids.len() == 1);
+        let cutouts = self.cutouts.iter().filter(alone).cloned();
         let whole = several.chain(cutouts).filter_map(|p| doubled(&p, fold));
         whole.filter(|p| p.closed).collect()
     }
