@@ -114,7 +114,7 @@ impl Problem {
         let dt = s.step_fraction.min(1.0) * self.stable_step(&self.start.clone());
         let frame = frame(scene, s, topology, &self.inverse_mass, body.is_some(), own);
         self.friction = s.effects.friction != Switch::Off && frame.friction.iter().any(|m| *m > 0.0);
-        self.contact = Some(Contact::new(&self.start, frame, body, CONTACT_RATE / (dt * dt)));
+        self.contact = Some(Contact::new(&self.start, frame, body, [CONTACT_RATE / (dt * dt), s.contact_stiffness]));
     }
 
     /// Largest stable step of the elastic forces as the cloth stands, s.

@@ -69,6 +69,8 @@ pub struct Settings {
     pub body_gap: f64,
     /// Distance at which cloth is held off cloth, m; at least the fabric's thickness is used.
     pub self_gap: f64,
+    /// Explicit steps: stiffness of every contact, a penalty, N/m; 0 for as stiff as the step bears.
+    pub contact_stiffness: f64,
     /// Sewing force per gap, in units of the stitch's share of the cloth's stiffness (paper equation 5: c_s).
     pub sewing_stiffness: f64,
     /// Largest acceleration a sewing force may give, m/s².
@@ -120,6 +122,7 @@ impl Default for Settings {
             pressure: 0.0,
             body_gap: 1e-3,
             self_gap: 1e-3,
+            contact_stiffness: 0.0,
             sewing_stiffness: 0.05,
             sewing_acceleration: 200.0,
             sewing_distance: 1e-3,

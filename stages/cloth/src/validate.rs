@@ -127,13 +127,14 @@ fn body(scene: &Scene) -> Result<(), ClothError> {
 
 /// Checks the ranges of all numbers.
 pub(crate) fn settings(s: &Settings) -> Result<(), ClothError> {
-    let ranges: [(&'static str, f64, f64, f64); 16] = [
+    let ranges: [(&'static str, f64, f64, f64); 17] = [
         ("damping", s.damping, 0.0, 1e6),
         ("stiffness_damping", s.stiffness_damping, 0.0, 2.0),
         ("gravity_scale", s.gravity_scale, -1e6, 1e6),
         ("pressure", s.pressure, -1e7, 1e7),
         ("body_gap", s.body_gap, 1e-6, 0.1),
         ("self_gap", s.self_gap, 1e-6, 0.1),
+        ("contact_stiffness", s.contact_stiffness, 0.0, 1e9),
         ("sewing_stiffness", s.sewing_stiffness, 0.0, 1.0),
         ("sewing_acceleration", s.sewing_acceleration, 0.0, 1e6),
         ("sewing_distance", s.sewing_distance, 1e-6, 0.1),

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 use toile_cloth::{Dynamics, Motion, Settings};
 use toile_garment::Vec3;
-use toile_garment::units::{Acceleration, Duration, Length, Speed};
+use toile_garment::units::{Acceleration, Duration, Length, LineForce, Speed};
 
 /// Frames of a run that ends by itself, at most.
 const MOST_SECONDS: f64 = 10.0;
@@ -64,6 +64,10 @@ pub struct AnimateParams {
     pub step: Duration,
     /// Distance at which cloth is held off the body.
     pub body_gap: Length,
+    /// Central differences: stiffness of every contact, a penalty, N/m between vertex and body; without it contacts are as
+    /// stiff as the step bears.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub contact_stiffness: Option<LineForce>,
     /// Distance at which cloth is held off cloth; at least the fabric's thickness is used.
     pub self_gap: Length,
     /// Time in which the body is led from the pose of the drape to its first frame, where they differ.
@@ -92,6 +96,7 @@ impl Default for AnimateParams {
             calming: Duration(2.0),
             step: Duration(1.0 / 120.0),
             body_gap: drape.body_gap,
+            contact_stiffness: None,
             self_gap: drape.self_gap,
             lead_in: Duration(1.0),
             rest_speed: Speed(5e-3),
@@ -116,7 +121,7 @@ impl AnimateParams {
             self_gap: self.self_gap,
             ..DrapeParams::default()
         };
-        drape.settings(threads)
+        Settings { contact_stiffness: self.contact_stiffness.map_or(0.0, |k| k.0), ..drape.settings(threads) }
     }
 
     /// How time is stepped.

@@ -16,6 +16,7 @@ mod lattice;
 mod leapfrog;
 pub mod not_yet;
 mod off_axis;
+mod penalty;
 mod pressure;
 mod ring;
 mod sewn;
@@ -48,6 +49,7 @@ pub fn all() -> Vec<Case> {
     list.extend(damped::cases());
     list.extend(leapfrog::cases());
     list.extend(fall::cases());
+    list.extend(penalty::cases());
     list.extend(slide::cases());
     list
 }

@@ -9,6 +9,7 @@ pub mod elastica;
 pub mod fall;
 pub mod hanging;
 pub mod leapfrog;
+pub mod penalty;
 pub mod ring;
 pub mod sector;
 pub mod slip;

@@ -112,13 +112,15 @@ pub(crate) struct Contact {
     pub pairs: Vec<Pair>,
     own_pairs: usize,
     since: u32,
-    /// Stiffness per effective mass, 1/s².
+    /// Stiffness per effective mass, 1/s², …
     rate: f64,
+    /// … or of all contacts alike where it is above 0, N/m.
+    penalty: f64,
     pub tally: Tally,
 }
 
 impl Contact {
-    pub fn new(x: &[Vec3], frame: Frame, body: Option<Body>, rate: f64) -> Self {
+    pub fn new(x: &[Vec3], frame: Frame, body: Option<Body>, [rate, penalty]: [f64; 2]) -> Self {
         let n = x.len();
         let tree = frame.own.then(|| Tree::new(x, &frame.topology.faces));
         let mut contact = Self {
@@ -140,6 +142,7 @@ impl Contact {
             own_pairs: 0,
             since: PATIENCE,
             rate,
+            penalty,
             tally: Tally { body_nearest: f64::INFINITY, ..Tally::default() },
         };
         contact.measure(x, 0.0);
@@ -307,7 +310,13 @@ impl Contact {
             let most = (0..4).map(|k| self.crowd[p.vertices[k] as usize]).fold(0.0, f64::max);
             let mobility: f64 =
                 (0..4).map(|k| p.weights[k] * p.weights[k] * self.frame.inverse_mass[p.vertices[k] as usize]).sum();
-            p.stiffness = if mobility > 0.0 { self.rate / mobility * (CROWD / most.max(CROWD)) } else { 0.0 };
+            p.stiffness = if mobility <= 0.0 {
+                0.0
+            } else if self.penalty > 0.0 {
+                self.penalty
+            } else {
+                self.rate / mobility * (CROWD / most.max(CROWD))
+            };
         }
     }
 

@@ -36,6 +36,18 @@ pub(super) fn film(
     Ok(walk.end(settings))
 }
 
+/// A penalty makes a vertex swing; its step must be shorter than 2/ω.
+fn bears(problem: &Problem, stiffness: f64, dt: f64) -> Result<(), ClothError> {
+    let lightest = problem.inverse_mass.iter().fold(0.0_f64, |a, b| a.max(*b));
+    let longest = 2.0 / (stiffness * lightest).sqrt();
+    if dt < longest {
+        return Ok(());
+    }
+    let what =
+        format!("{stiffness} N/m at the lightest vertex bears steps below {longest:.3e} s, these are {dt:.3e} s");
+    Err(ClothError::BadSetting { name: "contact_stiffness", what })
+}
+
 struct Walk<'a> {
     scene: &'a Scene,
     dynamics: &'a Dynamics,
@@ -67,6 +79,9 @@ impl<'a> Walk<'a> {
         let plain = Settings { damping, stiffness_damping: 0.0, even_inertia: false, ..settings.clone() };
         let mut problem = Problem::new(scene, &plain, false)?;
         let stable = problem.stable_step(&problem.start.clone());
+        if problem.contact.is_some() {
+            bears(&problem, plain.contact_stiffness, dt)?;
+        }
         if problem.contact.is_some() && dt < stable {
             // Contact is as stiff as this step bears.
             problem = Problem::new(scene, &Settings { step_fraction: dt / stable, ..plain }, false)?;
