@@ -11,10 +11,14 @@ use toile_garment::{Diagnostic, Vec2};
 const DECLARE: &str = "if it is a dart, declare it in the sewing file: [[dart]] piece, apex, mouth, kind = \"wedge\"";
 /// Ends of strokes of a lens meet within this, mm.
 const STROKES: f64 = 0.5;
-/// A wider or blunter wedge in the middle of a symmetric piece is a neckline, mm and degrees.
-const NECKLINE: (f64, f64) = (60.0, 30.0);
-/// A blunt wedge is a neckline from this width on, mm.
-const NECKLINE_LEAST: f64 = 40.0;
+/// A wider and blunter wedge in the middle of a symmetric piece is a neckline, mm and degrees.
+const NECKLINE: (f64, f64) = (80.0, 30.0);
+/// Between shoulders a wider or a blunter one is, and a blunt one from this width on, mm and degrees.
+const COLLARED: (f64, f64, f64) = (60.0, 30.0, 40.0);
+/// Shoulders fall away from the mouth by more than this, degrees; a waist goes on as it runs over the mouth.
+const SHOULDER: f64 = 5.0;
+/// A shoulder's slope is taken over at least this, mm.
+const SLOPE: f64 = 10.0;
 /// A drill hole belongs to an apex within this, mm: it is put 10 to 15 mm short of it.
 const DRILL: f64 = 20.0;
 /// A notch belongs to a mouth point within this, mm (across an allowance).
@@ -186,9 +190,13 @@ impl DrawnPiece {
             let axis = [apex, (dart.mouth[0] + dart.mouth[1]) * 0.5];
             let (u, v) = (dart.mouth[0] - apex, dart.mouth[1] - apex);
             let angle = libm::atan2(geom::cross(u, v).abs(), u.dot(&v)).to_degrees();
-            let wide = dart.width() > NECKLINE.0 || (angle > NECKLINE.1 && dart.width() > NECKLINE_LEAST);
-            let wide = wide && dart.form == Form::Wedge;
-            let neckline = wide && corners >= 5 && Self::symmetric_about(&line, axis);
+            let width = dart.width();
+            let wide = width > NECKLINE.0 && angle > NECKLINE.1;
+            let narrow = width > COLLARED.0 || (angle > COLLARED.1 && width > COLLARED.2);
+            let neckline = dart.form == Form::Wedge
+                && corners >= 5
+                && (wide || narrow && between_shoulders(dart, &line))
+                && Self::symmetric_about(&line, axis);
             if neckline {
                 denied.push((apex, dart.line));
             }
@@ -201,6 +209,24 @@ impl DrawnPiece {
             self.denied.push(Denied { at, why, form: Form::Wedge });
         }
     }
+}
+
+/// Does the outline fall away on both sides of the mouth, towards the apex?
+fn between_shoulders(dart: &DrawnDart, line: &[Vec2]) -> bool {
+    let [a, b] = dart.mouth;
+    let inward = dart.apexes[0] - (a + b) * 0.5;
+    [(a, a - b), (b, b - a)].into_iter().all(|(end, outward)| {
+        let n = line.len();
+        let Some(at) = (0..n).find(|i| (line[*i] - end).norm() <= 0.5) else { return false };
+        let away = |step: usize| {
+            (1..n).map(|k| line[(at + k * step) % n] - end).find(|d| d.norm() >= SLOPE).unwrap_or_default()
+        };
+        // The other way leads along the leg.
+        let [p, q] = [away(1), away(n - 1)];
+        let beside = if p.dot(&outward) * q.norm() > q.dot(&outward) * p.norm() { p } else { q };
+        let (fall, run) = (beside.dot(&inward) / inward.norm(), beside.dot(&outward) / outward.norm());
+        libm::atan2(fall, run).to_degrees() > SHOULDER
+    })
 }
 
 /// Closed lines made of several open ones inside the piece: a lens of two or four strokes.

@@ -205,3 +205,15 @@ fn v_necks_of_whole_pieces_and_darts_in_the_middle() {
     }
     check("waist dart", &front(15.0, 100.0, 600.0), &[WEDGE]);
 }
+
+/// A wide dart in the middle of a waist is one; between shoulders it is a neckline.
+#[test]
+fn a_wide_wedge_in_the_middle_is_a_neckline_between_shoulders_only() {
+    for (fall, darts) in [(0.0, 1), (-10.0, 1), (40.0, 0)] {
+        let (side, top) = (600.0 - fall, 600.0);
+        let outline =
+            [(0.0, 0.0), (520.0, 0.0), (500.0, side), (300.0, top), (260.0, 480.0), (220.0, top), (20.0, side)];
+        let pattern = good(&file(|w| w.polyline("1", true, &outline).points("2", &outline)));
+        assert_eq!(garment(&pattern).pieces[0].darts.len(), darts, "shoulders fall by {fall} mm");
+    }
+}
