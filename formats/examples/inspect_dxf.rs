@@ -22,7 +22,7 @@ fn main() -> ExitCode {
     let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
     match toile_formats::dxf::inspect(&bytes, &name, rul.as_deref()) {
         Ok(inspection) => {
-            let text = format!("{:#}\n", inspection.json);
+            let text = serde_json::to_string_pretty(&inspection.json).unwrap_or_default() + "\n";
             match output {
                 Some(path) => {
                     if let Err(error) = std::fs::write(&path, text) {

@@ -19,7 +19,7 @@ pub(super) struct Inspected {
     pub json: Value,
     /// For people.
     pub text: String,
-    /// Drawing of the pieces, where the form has pieces.
+    /// Drawing of the pieces, where one is asked for and the form has pieces.
     pub svg: Option<String>,
     /// Findings.
     pub findings: Vec<Diagnostic>,
@@ -33,6 +33,8 @@ pub(super) struct Source<'a> {
     pub name: &'a str,
     /// All of it.
     pub bytes: &'a [u8],
+    /// Is a drawing asked for?
+    pub draw: bool,
 }
 
 type Inspect = fn(&Source<'_>) -> Result<Inspected, Vec<Diagnostic>>;
@@ -62,8 +64,9 @@ pub(super) fn run(args: &InspectArgs, console: &mut Console<'_>) -> Exit {
             return Exit::Input;
         }
     };
+    let source = Source { path: &args.file, name: &name, bytes: &bytes, draw: args.svg.is_some() };
     let inspected = match find(&args.file, &bytes) {
-        Some(form) => (form.inspect)(&Source { path: &args.file, name: &name, bytes: &bytes }),
+        Some(form) => (form.inspect)(&source),
         None => Err(vec![no_reader(&name)]),
     };
     match inspected {

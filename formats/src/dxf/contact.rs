@@ -145,9 +145,8 @@ pub fn contacts(points: &[Vec2]) -> Vec<Contact> {
         for (v, s) in [(i, j), (j, i), ((i + 1) % n, j), ((j + 1) % n, i)] {
             let own = v == s || v == (s + 1) % n;
             if !own
-                && geom::point_segment(points[v], points[s], points[(s + 1) % n]).0 <= TOUCH
-                && seen.insert((v, s))
                 && let Some(contact) = line.judge(v, s)
+                && seen.insert((v, s))
             {
                 found.push((v.min(s), contact));
             }

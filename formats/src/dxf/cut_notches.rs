@@ -73,7 +73,7 @@ fn test(nodes: &[Node], from: usize, to: usize, steps: usize) -> Option<CutNotch
     if before.norm() < RUN || after.norm() < RUN {
         return None;
     }
-    let straight = |u: Vec2, v: Vec2| libm::atan2(geom::cross(u, v), u.dot(&v)).to_degrees().abs() <= STRAIGHT;
+    let straight = |u: Vec2, v: Vec2| geom::angle(u, v) <= STRAIGHT;
     if !straight(before, after) || (width > SLIT && !(straight(before, mouth) && straight(mouth, after))) {
         return None;
     }

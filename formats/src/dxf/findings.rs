@@ -17,6 +17,24 @@ impl Findings {
         Self { file: file.to_owned(), ..Self::default() }
     }
 
+    /// No findings yet, of the same file.
+    pub(crate) fn blank(&self) -> Self {
+        Self::new(&self.file)
+    }
+
+    /// Takes the findings of a part of the work, as if they had been made here.
+    pub(crate) fn append(&mut self, part: Self) {
+        let mut counted = part.seen;
+        for finding in part.list {
+            counted.entry(finding.code.clone()).and_modify(|n| *n -= 1);
+            self.push(finding);
+        }
+        for (code, more) in counted {
+            let seen = self.seen.entry(code).or_insert(0);
+            *seen = seen.saturating_add(more);
+        }
+    }
+
     /// Place in this file.
     pub(crate) fn place(&self, line: u64) -> SourceRef {
         SourceRef::file(self.file.clone()).at_line(line)
@@ -59,5 +77,30 @@ impl Findings {
             }
         }
         list
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn say(to: &mut Findings, code: &str, n: usize) {
+        (0..n).for_each(|i| to.push(Diagnostic::warning(code, format!("{code} {i}"))));
+    }
+
+    #[test]
+    fn findings_of_parts_are_those_of_the_whole() {
+        let most = limits::FINDINGS_PER_CODE;
+        let shares = [("a", 3), ("b", most + 5), ("a", most), ("b", 1), ("c", 2)];
+        let (mut whole, mut parts) = (Findings::new("f"), Findings::new("f"));
+        for (code, n) in shares {
+            say(&mut whole, code, n);
+            let mut part = parts.blank();
+            say(&mut part, code, n);
+            parts.append(part);
+        }
+        let (whole, parts) = (whole.finish(), parts.finish());
+        assert_eq!(format!("{whole:?}"), format!("{parts:?}"));
+        assert_eq!(parts.iter().filter(|f| f.code == "more-findings").count(), 2);
     }
 }

@@ -10,6 +10,12 @@ pub fn cross(a: Vec2, b: Vec2) -> f64 {
     a.x * b.y - a.y * b.x
 }
 
+/// Angle between two directions, 0 to 180 degrees.
+#[must_use]
+pub fn angle(u: Vec2, v: Vec2) -> f64 {
+    libm::atan2(cross(u, v).abs(), u.dot(&v)).to_degrees()
+}
+
 /// Turned counter-clockwise, radians.
 #[must_use]
 pub fn rotate(v: Vec2, angle: f64) -> Vec2 {
@@ -57,16 +63,20 @@ pub struct Foot {
 /// The nearest place on a line.
 #[must_use]
 pub fn nearest(p: Vec2, line: &[Vec2], closed: bool) -> Option<Foot> {
-    let n = line.len();
-    let segments = if closed { n } else { n.saturating_sub(1) };
     let mut best: Option<Foot> = None;
-    for segment in 0..segments {
-        let (distance, t) = point_segment(p, line[segment], line[(segment + 1) % n]);
+    for (segment, [a, b]) in segments(line, closed).enumerate() {
+        let (distance, t) = point_segment(p, a, b);
         if best.is_none_or(|b| distance < b.distance) {
             best = Some(Foot { distance, segment, t });
         }
     }
     best
+}
+
+/// The segments of a line in order, without a division for each.
+fn segments(line: &[Vec2], closed: bool) -> impl Iterator<Item = [Vec2; 2]> {
+    let last = line.last().zip(line.first()).filter(|_| closed).map(|(a, b)| [*a, *b]);
+    line.windows(2).map(|w| [w[0], w[1]]).chain(last)
 }
 
 /// Distance from a line; infinite when it has no segment.
@@ -76,17 +86,17 @@ pub fn distance(p: Vec2, line: &[Vec2], closed: bool) -> f64 {
 }
 
 /// Segments of a line in groups with their boxes, for many distances from one line.
-struct Groups<'a> {
-    line: &'a [Vec2],
+pub(crate) struct Groups<'a> {
+    pub line: &'a [Vec2],
     segments: usize,
     boxes: Vec<(Vec2, Vec2)>,
 }
 
 /// Segments in a group.
-const GROUP: usize = 24;
+const GROUP: usize = 12;
 
 impl<'a> Groups<'a> {
-    fn new(line: &'a [Vec2], closed: bool) -> Self {
+    pub fn new(line: &'a [Vec2], closed: bool) -> Self {
         let n = line.len();
         let segments = if closed { n } else { n.saturating_sub(1) };
         let boxes = (0..segments)
@@ -97,22 +107,40 @@ impl<'a> Groups<'a> {
     }
 
     fn within(&self, group: usize, p: Vec2) -> f64 {
-        let n = self.line.len();
         let last = ((group + 1) * GROUP).min(self.segments);
-        (group * GROUP..last)
-            .map(|i| point_segment(p, self.line[i], self.line[(i + 1) % n]).0)
-            .fold(f64::INFINITY, f64::min)
+        // The closing segment of a closed line ends in its first vertex.
+        let closing = if last == self.line.len() { Some([self.line[last - 1], self.line[0]]) } else { None };
+        let run = &self.line[group * GROUP..(last + 1).min(self.line.len())];
+        let segments = run.windows(2).map(|w| [w[0], w[1]]).chain(closing);
+        segments.map(|[a, b]| point_segment(p, a, b).0).fold(f64::INFINITY, f64::min)
     }
 
-    /// Distance from the line; `near` is the group of the point before and becomes that of this one.
-    fn distance(&self, p: Vec2, near: &mut usize) -> f64 {
-        let mut best = if self.boxes.is_empty() { f64::INFINITY } else { self.within(*near, p) };
+    /// Distance from the line, where it is smaller than `limit`; else `limit`.
+    pub fn distance_under(&self, p: Vec2, limit: f64) -> f64 {
+        self.nearest_group(p, limit, 0.0, &mut 0)
+    }
+
+    /// Distance from the line, but any number up to `enough` when it is not larger; `near` is the group of the point before and
+    /// becomes that of this one.
+    fn distance_over(&self, p: Vec2, enough: f64, near: &mut usize) -> f64 {
+        let first = if self.boxes.is_empty() { f64::INFINITY } else { self.within(*near, p) };
+        self.nearest_group(p, first, enough, near)
+    }
+
+    /// The smallest distance below `best`, and the group that has it; ends as soon as one is not over `enough`.
+    fn nearest_group(&self, p: Vec2, mut best: f64, enough: f64, near: &mut usize) -> f64 {
+        if best <= enough {
+            return best;
+        }
         for (group, (lo, hi)) in self.boxes.iter().enumerate() {
             let out = Vec2::new((lo.x - p.x).max(p.x - hi.x).max(0.0), (lo.y - p.y).max(p.y - hi.y).max(0.0));
             if out.norm_squared() < best * best {
                 let here = self.within(group, p);
                 if here < best {
                     (best, *near) = (here, group);
+                }
+                if best <= enough {
+                    break;
                 }
             }
         }
@@ -124,7 +152,7 @@ impl<'a> Groups<'a> {
 #[must_use]
 pub fn deviation(a: &[Vec2], b: &[Vec2], closed: bool) -> f64 {
     let (stride, groups, mut near) = (a.len() / 2000 + 1, Groups::new(b, closed), 0);
-    a.iter().step_by(stride).map(|p| groups.distance(*p, &mut near)).fold(0.0, f64::max)
+    a.iter().step_by(stride).fold(0.0, |most, p| groups.distance_over(*p, most, &mut near).max(most))
 }
 
 /// Where two segments meet, their ends included.

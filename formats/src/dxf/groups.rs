@@ -15,14 +15,17 @@ pub(crate) struct Group<'a> {
 pub(crate) struct Groups<'a> {
     pub tags: Tags<'a>,
     ahead: Option<Tag<'a>>,
+    group: Group<'a>,
 }
 
 impl<'a> Groups<'a> {
     pub(crate) fn new(bytes: &'a [u8]) -> Self {
-        Self { tags: Tags::new(bytes), ahead: None }
+        let none = Tag { code: 0, value: b"", line: 0 };
+        Self { tags: Tags::new(bytes), ahead: None, group: Group { head: none, tags: Vec::new() } }
     }
 
-    pub(crate) fn next(&mut self, findings: &mut Findings) -> Result<Option<Group<'a>>, Diagnostic> {
+    /// The next group; it lasts until the one after is asked for.
+    pub(crate) fn next(&mut self, findings: &mut Findings) -> Result<Option<&Group<'a>>, Diagnostic> {
         let head = match self.ahead.take() {
             Some(tag) => Some(tag),
             None => self.tags.next(findings)?,
@@ -32,7 +35,8 @@ impl<'a> Groups<'a> {
             let text = format!("group code {} stands outside any entity", head.code);
             return Err(Diagnostic::error("stray-pair", text).at(findings.place(head.line)));
         }
-        let mut tags = Vec::new();
+        let tags = &mut self.group.tags;
+        tags.clear();
         while let Some(tag) = self.tags.next(findings)? {
             if tag.code == 0 {
                 self.ahead = Some(tag);
@@ -44,6 +48,7 @@ impl<'a> Groups<'a> {
             }
             tags.push(tag);
         }
-        Ok(Some(Group { head, tags }))
+        self.group.head = head;
+        Ok(Some(&self.group))
     }
 }

@@ -3,11 +3,13 @@
 use super::darts::{DrawnDart, Form};
 use super::garment::to_piece;
 use super::ledger::Verdict;
+use super::notches::DrawnNotch;
 use super::pattern::{Pattern, ReadOptions, read};
 use super::piece::DrawnPiece;
 use super::pleats::Pleat;
 use super::{geom, grade};
 use crate::rul::{self, RuleTable};
+use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use serde_json::{Map, Value, json};
 use std::fmt::Write as _;
 use toile_garment::{Diagnostic, Piece, Severity, Vec2};
@@ -45,7 +47,7 @@ pub fn inspect_with(
 ) -> Result<Inspection, Vec<Diagnostic>> {
     let mut pattern = read(bytes, file, options)?;
     let table = rul.and_then(|r| companion(&mut pattern, r, &rul_name(file)));
-    let pieces: Vec<Piece> = pattern.pieces.iter().map(|p| to_piece(p, file)).collect();
+    let pieces: Vec<Piece> = pattern.pieces.par_iter().map(|p| to_piece(p, file)).collect();
     let json = facts(&pattern, &pieces, table.as_ref());
     let text = text(&pattern);
     Ok(Inspection { pattern, pieces, json, text })
@@ -109,7 +111,7 @@ fn facts(pattern: &Pattern, pieces: &[Piece], table: Option<&RuleTable>) -> Valu
     put("block_count", json!(pattern.pieces.len()));
     put("ledger", ledger(pattern));
     put("findings", json!(pattern.findings));
-    put("pieces", pattern.pieces.iter().zip(pieces).map(|(d, p)| piece(d, p)).collect());
+    put("pieces", Value::Array(pattern.pieces.par_iter().zip(pieces).map(|(d, p)| piece(d, p)).collect()));
     if let Some(table) = table {
         put("rul_sizes", json!(table.sizes));
         put("rul_sample_size", json!(table.sample));
@@ -201,21 +203,13 @@ fn piece(drawn: &DrawnPiece, piece: &Piece) -> Value {
         "net_area_cm2": round(geom::area(&net).abs() / 100.0),
         "net_perimeter_mm": round(geom::length(&net, true)),
         "sew_line_count": drawn.sew_lines,
-        "darts": drawn.darts.iter().map(dart).chain(drawn.candidates.iter().map(candidate)).collect::<Vec<_>>(),
         "dart_count": drawn.darts.len() + drawn.candidates.len(),
-        "not_darts": drawn.denied.iter().map(|d| json!({ "at_mm": xy(d.at), "why": d.why })).collect::<Vec<_>>(),
-        "pleats": drawn.pleats.iter().map(pleat).collect::<Vec<_>>(),
         "darts_unfolded": piece.darts.len(),
         // Marks (POINT) count apart from notches drawn with strokes: both are listed and both are sewn.
         "notch_count": drawn.notches.iter().filter(|n| !n.strokes && !n.cut).count(),
         "stroke_notch_count": drawn.notches.iter().filter(|n| n.strokes).count(),
         "cut_notch_count": drawn.notches.iter().filter(|n| n.cut).count(),
-        "notches": drawn.notches.iter().map(|n| json!({
-            "kind": n.kind, "at_mm": xy(n.at), "depth_mm": round(n.depth), "width_mm": round(n.width), "on": n.on,
-            "angle_deg": n.angle.map(|a| round(a.to_degrees())), "twin": n.twin,
-        })).collect::<Vec<_>>(),
         "drill_count": drawn.drills.len(),
-        "drills_mm": drawn.drills.iter().map(|d| xy(d.at)).collect::<Vec<_>>(),
         "drill_diameters_mm": drawn.drills.iter().map(|d| d.diameter.map(round)).collect::<Vec<_>>(),
         "stripe_line_count": drawn.stripes.len(),
         "internal_line_count": drawn.internal.len(),
@@ -223,12 +217,30 @@ fn piece(drawn: &DrawnPiece, piece: &Piece) -> Value {
         "grain_line_mm": drawn.grain.map(|g| g.map(xy)),
         "turn_point_count": drawn.turn_points,
         "curve_point_count": drawn.curve_points,
-        "edges": edges(piece),
     });
-    if let (Some(fold), Some(map)) = (drawn.fold, out.as_object_mut()) {
-        map.insert("fold_line_mm".to_owned(), json!(fold.map(xy)));
+    let darts = drawn.darts.iter().map(dart).chain(drawn.candidates.iter().map(candidate));
+    let denied = drawn.denied.iter().map(|d| json!({ "at_mm": xy(d.at), "why": d.why }));
+    // Moved in: `json!` would copy what is a `Value` already.
+    let lists = [
+        ("darts", darts.collect()),
+        ("not_darts", denied.collect()),
+        ("pleats", drawn.pleats.iter().map(pleat).collect()),
+        ("notches", drawn.notches.iter().map(notch).collect()),
+        ("drills_mm", drawn.drills.iter().map(|d| xy(d.at)).collect()),
+        ("edges", edges(piece)),
+    ];
+    if let Some(map) = out.as_object_mut() {
+        map.extend(lists.into_iter().map(|(key, list)| (key.to_owned(), Value::Array(list))));
+        map.extend(drawn.fold.map(|fold| ("fold_line_mm".to_owned(), json!(fold.map(xy)))));
     }
     out
+}
+
+fn notch(n: &DrawnNotch) -> Value {
+    json!({
+        "kind": n.kind, "at_mm": xy(n.at), "depth_mm": round(n.depth), "width_mm": round(n.width), "on": n.on,
+        "angle_deg": n.angle.map(|a| round(a.to_degrees())), "twin": n.twin,
+    })
 }
 
 fn dart(d: &DrawnDart) -> Value {

@@ -52,15 +52,14 @@ impl Layers {
     /// With the user's own table: layer of the file → layer of the standard.
     #[must_use]
     pub fn new(remap: &BTreeMap<String, String>) -> Self {
-        Self { remap: remap.iter().map(|(k, v)| (tidy(k), tidy(v))).collect() }
+        Self { remap: remap.iter().map(|(k, v)| (tidy(k).to_owned(), tidy(v).to_owned())).collect() }
     }
 
     /// Meaning of a layer of the file.
     #[must_use]
     pub fn role(&self, layer: &str) -> Role {
         let layer = tidy(layer);
-        let layer = self.remap.get(&layer).unwrap_or(&layer);
-        match layer.as_str() {
+        match self.remap.get(layer).map_or(layer, String::as_str) {
             "1" => Role::Boundary,
             "2" => Role::Turn,
             "3" => Role::Curve,
@@ -86,13 +85,13 @@ impl Layers {
     }
 }
 
-fn tidy(layer: &str) -> String {
+fn tidy(layer: &str) -> &str {
     let layer = layer.trim();
-    if layer.len() > 1 && layer.bytes().all(|b| b.is_ascii_digit()) {
-        let digits = layer.trim_start_matches('0');
-        return if digits.is_empty() { "0".into() } else { digits.to_owned() };
+    if layer.len() <= 1 || !layer.bytes().all(|b| b.is_ascii_digit()) {
+        return layer;
     }
-    layer.to_owned()
+    let digits = layer.trim_start_matches('0');
+    if digits.is_empty() { "0" } else { digits }
 }
 
 #[cfg(test)]

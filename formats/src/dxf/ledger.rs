@@ -13,6 +13,9 @@ pub enum Verdict {
     Refused,
 }
 
+/// A verdict that overrules the one of the layer: entity, verdict, rule.
+pub(crate) type Overruled = (u32, Verdict, &'static str);
+
 /// One line per entity; every entity ends up with exactly one verdict.
 #[derive(Clone, Debug, Default)]
 pub struct Ledger {

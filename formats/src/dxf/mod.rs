@@ -14,6 +14,7 @@ mod contact;
 pub mod curve;
 pub mod cut_notches;
 pub mod darts;
+mod desk;
 mod entity;
 mod findings;
 pub mod garment;

@@ -73,7 +73,7 @@ pub fn parse(bytes: &[u8], code_page: Option<&str>, findings: &mut Findings) -> 
         tables: false,
     };
     while let Some(group) = groups.next(parser.findings)? {
-        parser.group(&group)?;
+        parser.group(group)?;
     }
     let comments = groups.tags.comments().iter().map(|c| parser.text(c)).collect();
     parser.end(groups.tags)?;

@@ -82,7 +82,7 @@ fn pair(
     let ([a0, a1], [b0, b1]) = (a.0, b.0);
     let (u, v) = (a1 - a0, b1 - b0);
     let width = (b0 - a0).norm();
-    let angle = libm::atan2(geom::cross(u, v).abs(), u.dot(&v)).to_degrees();
+    let angle = geom::angle(u, v);
     let (short, long) = (u.norm().min(v.norm()), u.norm().max(v.norm()));
     let inner = (b1 - a1).norm();
     let square = ((b0 - a0).dot(&u).abs() / (width * u.norm()).max(1e-9)) < 0.5;

@@ -234,10 +234,12 @@ impl<'a> Sorter<'a> {
             }
             (Shape::Attribute { at, tag, value }, _) => match texts::attribute(tag, value) {
                 Some(text) => {
-                    self.ledger.note(id, Verdict::Interpreted, "attribute named as a piece text: read as such");
+                    self.ledger.note(id, Verdict::Interpreted, "attribute with a value: read as a text of the piece");
                     sheet.notes.push(Note { at: place(*at), layer: entity.layer.clone(), text });
                 }
-                None => self.ledger.note(id, Verdict::Interpreted, "attribute: notch link, not needed"),
+                None => {
+                    self.ledger.note(id, Verdict::Interpreted, "attribute: notch link or without a value, not needed")
+                }
             },
             (Shape::Point { at, .. }, Role::Turn) => {
                 accepted(self.ledger, "turn point (layer 2)");

@@ -157,6 +157,10 @@ impl<'a> Tags<'a> {
 }
 
 fn group_code(text: &[u8]) -> Option<i32> {
+    // Nearly all codes are one or two digits.
+    if (1..=4).contains(&text.len()) && text.iter().all(u8::is_ascii_digit) {
+        return Some(text.iter().fold(0, |code, digit| 10 * code + i32::from(digit - b'0')));
+    }
     let text = std::str::from_utf8(text).ok()?;
     text.parse::<i32>().ok().filter(|c| (-32_768..=32_767).contains(c))
 }

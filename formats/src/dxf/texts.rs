@@ -39,16 +39,20 @@ fn count(text: &str) -> Option<u32> {
     number.parse().ok().filter(|_| word)
 }
 
-/// The text of a piece that an attribute stands for: `Piece Name: FRONT` of its name and its value.
+/// The text of a piece that an attribute stands for: `Piece Name: FRONT` of its name and its value. Links of notches, and
+/// attributes without a value, stand for none.
 #[must_use]
 pub fn attribute(tag: &str, value: &str) -> Option<String> {
     const KEYS: [&str; 8] =
         ["piece name", "size", "size name", "quantity", "category", "annotation", "material", "fabric"];
-    let known = |key: &str| KEYS.contains(&key.replace('_', " ").trim_end_matches(':').trim().to_lowercase().as_str());
-    if known(tag) && !value.is_empty() {
-        return Some(format!("{}: {value}", tag.replace('_', " ").trim_end_matches(':')));
+    let link = tag.eq_ignore_ascii_case("dependency") || key_value(value).is_some_and(|(key, _)| key == "link");
+    if link || value.is_empty() {
+        return None;
     }
-    key_value(value).filter(|(key, _)| known(key)).map(|_| value.to_owned())
+    let tag = tag.replace('_', " ");
+    let tag = tag.trim_end_matches(':').trim();
+    let whole = tag.is_empty() || key_value(value).is_some_and(|(key, _)| KEYS.contains(&key.as_str()));
+    Some(if whole { value.to_owned() } else { format!("{tag}: {value}") })
 }
 
 /// Unit named in a text or a parameter: millimetres per unit.
@@ -85,6 +89,8 @@ mod tests {
             assert_eq!(quantity(unclear), None, "{unclear}");
         }
         assert_eq!(attribute("Piece_Name", "FRONT").as_deref(), Some("Piece Name: FRONT"));
+        assert_eq!(attribute("COLOUR", "RED").as_deref(), Some("COLOUR: RED"));
+        assert_eq!(attribute("X", "Size: 38").as_deref(), Some("Size: 38"));
         assert_eq!(attribute("Dependency", "Link:4"), None);
     }
 }

@@ -1,6 +1,6 @@
 //! The sheet as PDF at 1:1: on one page of its own size, or in tiles on paper, with marks to join them.
 
-use super::{Layer, Letters, Sheet};
+use super::{Layer, Sheet};
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use pdf_writer::{Content, Filter, Finish, Name, Pdf, Rect, Ref, Str};
 use toile_garment::{Diagnostic, Vec2};
@@ -132,22 +132,13 @@ fn draw(sheet: &Sheet, tile: &Tile, page: Vec2, lost: &mut bool) -> Content {
         content.set_line_width((layer.width() * POINT) as f32);
         content.set_dash_pattern(layer.dashes().iter().map(|d| (d * POINT) as f32), 0.0);
         for stroke in sheet.on(layer).filter(|s| touches(&s.points, tile)) {
-            for (k, p) in stroke.points.iter().enumerate() {
-                let (x, y) = at(*p);
-                if k == 0 {
-                    content.move_to(x, y)
-                } else {
-                    content.line_to(x, y)
-                };
-            }
-            if stroke.closed {
-                content.close_path();
-            }
+            trace(&mut content, &stroke.points, stroke.closed, &at);
             content.stroke();
         }
     }
-    for ring in sheet.letters.iter().filter(|l| l.iter().any(|r| touches(r, tile))) {
-        fill(&mut content, ring, &at);
+    for letters in sheet.letters.iter().filter(|l| l.iter().any(|r| touches(r, tile))) {
+        letters.iter().for_each(|ring| trace(&mut content, ring, true, &at));
+        content.fill_nonzero();
     }
     for label in &sheet.labels {
         let width = 0.5 * label.height * label.text.chars().count() as f64;
@@ -162,20 +153,19 @@ fn draw(sheet: &Sheet, tile: &Tile, page: Vec2, lost: &mut bool) -> Content {
     content
 }
 
-/// The letters of a label.
-fn fill(content: &mut Content, letters: &Letters, at: &dyn Fn(Vec2) -> (f32, f32)) {
-    for ring in letters {
-        for (k, p) in ring.iter().enumerate() {
-            let (x, y) = at(*p);
-            if k == 0 {
-                content.move_to(x, y)
-            } else {
-                content.line_to(x, y)
-            };
-        }
+/// The path of a line.
+fn trace(content: &mut Content, points: &[Vec2], closed: bool, at: &dyn Fn(Vec2) -> (f32, f32)) {
+    for (k, p) in points.iter().enumerate() {
+        let (x, y) = at(*p);
+        if k == 0 {
+            content.move_to(x, y)
+        } else {
+            content.line_to(x, y)
+        };
+    }
+    if closed {
         content.close_path();
     }
-    content.fill_nonzero();
 }
 
 /// Could a line show on a tile?

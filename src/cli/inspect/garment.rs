@@ -22,7 +22,7 @@ pub(super) fn document(source: &Source<'_>) -> Result<Inspected, Vec<Diagnostic>
         "pieces": pieces(&garment),
         "certificate": garment.certificate,
     });
-    let svg = Some(svg::pattern(&garment.pieces, &garment.style));
+    let svg = source.draw.then(|| svg::pattern(&garment.pieces, &garment.style));
     Ok(Inspected { json, text: table(&garment), svg, findings: Vec::new() })
 }
 

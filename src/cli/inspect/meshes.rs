@@ -47,7 +47,7 @@ pub(super) fn glb(source: &Source<'_>) -> Result<Inspected, Vec<Diagnostic>> {
     let (svg, findings) = match read {
         Ok(read) => {
             text.push_str(&table(&read.garment));
-            (Some(svg::pattern(&read.garment.pieces, &read.garment.style)), read.findings)
+            (source.draw.then(|| svg::pattern(&read.garment.pieces, &read.garment.style)), read.findings)
         }
         Err(ReadError::NoDocument) => (None, Vec::new()),
         Err(error) => {

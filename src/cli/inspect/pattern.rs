@@ -26,7 +26,7 @@ pub(super) fn dxf(source: &Source<'_>) -> Result<Inspected, Vec<Diagnostic>> {
     let bytes = beside.as_ref().and_then(|path| read_limited(path, path, MAX_INPUT).ok());
     let inspection = dxf::inspect(source.bytes, source.name, bytes.as_deref())?;
     let table = bytes.as_deref().and_then(|b| rul::read(b, source.name).ok());
-    let svg = Some(drawing(&inspection, table.as_ref(), source.name));
+    let svg = source.draw.then(|| drawing(&inspection, table.as_ref(), source.name));
     let findings = inspection.pattern.findings;
     // The findings go to stderr, so that a table piped elsewhere is a table.
     let listed: String = findings.iter().map(|f| format!("{f}\n")).collect();

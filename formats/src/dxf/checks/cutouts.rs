@@ -2,8 +2,9 @@
 
 use crate::dxf::chain::Path;
 use crate::dxf::contact::{self, Contact};
+use crate::dxf::desk::Desk;
 use crate::dxf::geom::{self, Crossing};
-use crate::dxf::piece::{Desk, DrawnPiece, mm};
+use crate::dxf::piece::{DrawnPiece, mm};
 use toile_garment::{Diagnostic, Vec2};
 
 /// A cutout may touch the outline within this, mm.
@@ -64,8 +65,8 @@ fn fault(path: &Path, points: &[Vec2], outline: &[Vec2], tries: usize) -> Option
     let swallowed = || {
         let (lo, hi) = geom::bounds(points.iter().copied()).unwrap_or_default();
         let near = |p: &&Vec2| p.x > lo.x && p.y > lo.y && p.x < hi.x && p.y < hi.y;
-        let within = outline.iter().filter(near).take(tries);
-        within.into_iter().any(|p| geom::inside(*p, points) && geom::distance(*p, points, true) > NEAR)
+        let mut within = outline.iter().filter(near).take(tries);
+        within.any(|p| geom::inside(*p, points) && geom::distance(*p, points, true) > NEAR)
     };
     if outside == ours.len() {
         Some(("cutout-outside", "lies outside the piece".into()))

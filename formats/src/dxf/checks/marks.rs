@@ -1,7 +1,8 @@
 //! Drill holes, internal lines and notches that lie or reach where none can.
 
+use crate::dxf::desk::Desk;
 use crate::dxf::geom;
-use crate::dxf::piece::{Desk, DrawnPiece, mm};
+use crate::dxf::piece::{DrawnPiece, mm};
 use toile_garment::{Diagnostic, Vec2};
 
 /// A drill hole this far outside the piece is no mark of it, mm.

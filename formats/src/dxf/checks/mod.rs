@@ -4,7 +4,8 @@ mod cutouts;
 mod marks;
 mod nest;
 
-use super::piece::{Desk, DrawnPiece};
+use super::desk::Desk;
+use super::piece::DrawnPiece;
 
 /// All checks of the pieces of a file.
 pub(super) fn pieces(pieces: &[DrawnPiece], sample: Option<&str>, desk: &mut Desk<'_>) {

@@ -1,6 +1,7 @@
 //! Sizes of a nest that do not fit each other, and pieces that stand in a file twice.
 
-use crate::dxf::piece::{Desk, DrawnPiece};
+use crate::dxf::desk::Desk;
+use crate::dxf::piece::DrawnPiece;
 use std::collections::BTreeMap;
 use toile_garment::Diagnostic;
 

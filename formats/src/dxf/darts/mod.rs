@@ -3,6 +3,7 @@
 pub mod blunt;
 pub mod rows;
 
+use super::chain::JOIN;
 use super::geom;
 use super::outline::{Node, Outline};
 use toile_garment::Vec2;
@@ -18,8 +19,6 @@ pub const LEG_RATIO: f64 = 0.6;
 pub const MOUTH: f64 = 150.0;
 /// Two vertices at most this far apart can be one apex, mm.
 pub const BLUNT: f64 = 2.0;
-/// Vertices this near each other, in a row, turn as one, mm.
-const DOUBLED: f64 = 0.06;
 /// A leg ends at a corner that turns more than this, degrees.
 pub(super) const LEG_END: f64 = 20.0;
 /// Farthest look along the outline from an apex, mm: a lens can be cut open down to the hem.
@@ -112,7 +111,7 @@ impl DrawnDart {
 pub fn wedge_test(apex: Vec2, a: Vec2, b: Vec2, least_angle: f64) -> Result<(), &'static str> {
     let (u, v) = (a - apex, b - apex);
     let (short, long) = (u.norm().min(v.norm()), u.norm().max(v.norm()));
-    let angle = libm::atan2(geom::cross(u, v).abs(), u.dot(&v)).to_degrees();
+    let angle = geom::angle(u, v);
     if !LEG.contains(&short) || !LEG.contains(&long) {
         return Err("its legs are not 25 to 400 mm long");
     }
@@ -188,7 +187,7 @@ fn widest(whole: &[Vec<usize>; 2], positions: &[Vec2]) -> Option<[Vec<usize>; 2]
 fn beside(nodes: &[Node], i: usize, forward: bool) -> Vec2 {
     let n = nodes.len();
     let step = |k: usize| nodes[if forward { i + k } else { i + n * k - k } % n].at;
-    (1..4).map(step).find(|p| (p - nodes[i].at).norm() > DOUBLED).unwrap_or_else(|| step(1))
+    (1..4).map(step).find(|p| (p - nodes[i].at).norm() > JOIN).unwrap_or_else(|| step(1))
 }
 
 /// Along the outline from an apex to the corner where the leg ends; apex first.
@@ -206,7 +205,7 @@ fn walk(nodes: &[Node], apex: usize, forward: bool) -> Option<Vec<usize>> {
         let (before, after) = (beside(nodes, next, false), beside(nodes, next, true));
         let turn = geom::turn(before, nodes[next].at, after).to_degrees();
         let chord = (nodes[next].at - nodes[apex].at).norm();
-        if nodes[next].kind == PointKind::Turn && turn.abs() > LEG_END && chord > DOUBLED {
+        if nodes[next].kind == PointKind::Turn && turn.abs() > LEG_END && chord > JOIN {
             return (turn > 0.0 && length <= chord * CURVED).then_some(path);
         }
         at = next;

@@ -76,10 +76,7 @@ fn between_halves(a: &DrawnDart, b: &DrawnDart, line: &[Vec2], places: &PointInd
     let n = line.len();
     let vertex = |p: Vec2| places.near(p, SHARED).first().map(|(_, i)| *i);
     let (Some(first), Some(last)) = (vertex(a.mouth[0]), vertex(b.mouth[1])) else { return false };
-    let point = |tip: Vec2, p: Vec2, q: Vec2| {
-        let (u, v) = (p - tip, q - tip);
-        libm::atan2(geom::cross(u, v).abs(), u.dot(&v)).to_degrees()
-    };
+    let point = |tip: Vec2, p: Vec2, q: Vec2| geom::angle(p - tip, q - tip);
     let between = point(a.mouth[1], a.apexes[0], b.apexes[0]);
     let half = |at: usize, beyond: Vec2, apex: Vec2| {
         let (side, leg) = ((beyond - line[at]).norm(), (apex - line[at]).norm());

@@ -1,8 +1,7 @@
 //! The outline on which marked legs end: legs are opened, cut off, divided and put onto it.
 
 use super::super::chain::Path;
-use super::super::geom;
-use super::super::outline::Outline;
+use super::super::geom::{self, Groups};
 use toile_garment::Vec2;
 
 /// Ends of marked legs lie on the outline within this, mm.
@@ -15,28 +14,29 @@ const REACH: f64 = 5.0;
 const PAST: f64 = 25.0;
 
 /// Where marked legs may end.
-pub(super) struct Ground {
+pub(super) struct Ground<'a> {
     /// The sewn outline as drawn.
-    line: Vec<Vec2>,
+    line: Groups<'a>,
     /// Its working line.
-    pub work: Vec<Vec2>,
+    work: Groups<'a>,
     /// The cut line.
-    cut: Vec<Vec2>,
+    cut: &'a [Vec2],
 }
 
-impl Ground {
-    pub fn new(outline: &Outline, cut: Option<&[Vec2]>) -> Self {
-        let line = outline.positions();
-        Self { work: outline.work_positions(), cut: cut.map_or_else(|| line.clone(), <[Vec2]>::to_vec), line }
+impl<'a> Ground<'a> {
+    pub fn new(line: &'a [Vec2], work: &'a [Vec2], cut: &'a [Vec2]) -> Self {
+        Self { line: Groups::new(line, true), work: Groups::new(work, true), cut }
     }
 
     /// Number of vertices, for limits.
     pub fn size(&self) -> usize {
-        self.line.len() + self.work.len()
+        self.line.line.len() + self.work.line.len()
     }
 
+    /// Distance from the outline; any number over `ON_OUTLINE` when it is not on it.
     fn off(&self, p: Vec2) -> f64 {
-        geom::distance(p, &self.work, true).min(geom::distance(p, &self.line, true))
+        let limit = 2.0 * ON_OUTLINE;
+        self.line.distance_under(p, self.work.distance_under(p, limit))
     }
 
     pub fn on(&self, p: Vec2) -> bool {
@@ -45,7 +45,7 @@ impl Ground {
 
     /// Outside the sewn outline, but not far past the edge.
     fn past(&self, p: Vec2) -> bool {
-        !geom::inside(p, &self.line) && (geom::inside(p, &self.cut) || geom::distance(p, &self.cut, true) <= PAST)
+        !geom::inside(p, self.line.line) && (geom::inside(p, self.cut) || geom::distance(p, self.cut, true) <= PAST)
     }
 
     /// The lines a drawn line consists of: each inside, with its ends on the outline where it reaches it.
@@ -79,8 +79,8 @@ impl Ground {
             if self.on(end) || !self.past(end) {
                 continue;
             }
-            let Some(i) = line.iter().rposition(|p| geom::inside(*p, &self.line)) else { continue };
-            if let Some(p) = crossing(line[i], line[i + 1], &self.line) {
+            let Some(i) = line.iter().rposition(|p| geom::inside(*p, self.line.line)) else { continue };
+            if let Some(p) = crossing(line[i], line[i + 1], self.line.line) {
                 line.truncate(i + 1);
                 line.push(p);
             }
@@ -99,7 +99,7 @@ impl Ground {
             }
             let beyond = end + (end - inner) * (REACH / (end - inner).norm());
             let near = |p: &Vec2| (p - end).norm() <= REACH;
-            if let Some(p) = crossing(inner, beyond, &self.work).filter(near) {
+            if let Some(p) = crossing(inner, beyond, self.work.line).filter(near) {
                 line[n - 1] = p;
             }
         }

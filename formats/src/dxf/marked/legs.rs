@@ -176,7 +176,7 @@ pub(super) fn halves(mut points: Vec<Vec2>) -> Option<[Vec<Vec2>; 2]> {
     Some([points, second])
 }
 
-/// Two legs, from the mouth to the apex, as a dart; or why they are none although they run as its legs do.
+/// Two legs, from the mouth to the apex they share, as a dart; or why they are none although they run as its legs do.
 pub(super) fn dart(
     mut legs: [Vec<Vec2>; 2],
     line: u64,
@@ -197,8 +197,6 @@ pub(super) fn dart(
     if geom::cross(a - apex, b - apex) < 0.0 {
         legs.reverse();
     }
-    // Both legs end in one and the same point.
-    legs.iter_mut().filter_map(|leg| leg.last_mut()).for_each(|last| *last = apex);
     let mouth = [legs[0][0], legs[1][0]];
     Some(Ok(DrawnDart {
         form: Form::Marked,
@@ -220,7 +218,7 @@ fn boxed(legs: &[Vec<Vec2>; 2]) -> Option<&'static str> {
     let [a, b] = [tip(&legs[0]), tip(&legs[1])];
     let apex = legs[0][legs[0].len() - 1];
     let (u, v) = (a - apex, b - apex);
-    let angle = libm::atan2(geom::cross(u, v).abs(), u.dot(&v)).to_degrees();
+    let angle = geom::angle(u, v);
     if angle > *ANGLE.end() {
         return Some("its point is blunter than 60 degrees: a placket, flap or pocket");
     }

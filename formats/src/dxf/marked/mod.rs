@@ -25,7 +25,8 @@ const LINES: usize = 2000;
 /// line, or past the edge, are cut off at the sewn outline.
 #[must_use]
 pub fn marked(internal: &[Path], outline: &Outline, cut: Option<&[Vec2]>) -> (Vec<DrawnDart>, Vec<Denied>) {
-    let ground = Ground::new(outline, cut);
+    let (line, work) = (outline.positions(), outline.work_positions());
+    let ground = Ground::new(&line, &work, cut.unwrap_or(&line));
     let (mut found, mut denied, mut single) = (Vec::new(), Vec::new(), Vec::new());
     let mut take = |legs: Option<Result<DrawnDart, Denied>>| match legs {
         Some(Ok(dart)) => add(&mut found, dart),
@@ -42,7 +43,7 @@ pub fn marked(internal: &[Path], outline: &Outline, cut: Option<&[Vec2]>) -> (Ve
         for points in ground.lines(path) {
             match [ground.on(points[0]), ground.on(points[points.len() - 1])] {
                 [true, true] if points.len() >= 3 => {
-                    take(halves(points).and_then(|legs| dart(legs, path.line, path.ids.clone(), &ground.work)));
+                    take(halves(points).and_then(|legs| dart(legs, path.line, path.ids.clone(), &work)));
                 }
                 [true, false] => single.push(Leg { points, path }),
                 [false, true] => single.push(Leg { points: points.into_iter().rev().collect(), path }),
@@ -51,7 +52,7 @@ pub fn marked(internal: &[Path], outline: &Outline, cut: Option<&[Vec2]>) -> (Ve
         }
     }
     for pair in pairs(&single) {
-        take(dart(pair.legs, pair.line, pair.ids, &ground.work));
+        take(dart(pair.legs, pair.line, pair.ids, &work));
     }
     let (found, row) = rows::without_rows(found, &[]);
     denied.extend(row);

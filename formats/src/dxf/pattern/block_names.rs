@@ -1,6 +1,7 @@
 //! Names and sizes from `PIECE_SIZE` block names, where a file has no texts that say them.
 
-use crate::dxf::piece::{Desk, DrawnPiece};
+use crate::dxf::desk::Desk;
+use crate::dxf::piece::DrawnPiece;
 use std::collections::{BTreeMap, BTreeSet};
 use toile_garment::Diagnostic;
 

@@ -1,5 +1,6 @@
 //! A whole pattern: pieces in sizes, units, ledger and findings.
 
+mod attributes;
 mod block_names;
 mod inserts;
 mod rivals;
@@ -10,6 +11,7 @@ pub use inserts::InsertRule;
 use inserts::Inserted;
 
 use super::checks;
+use super::desk::{Desk, Rules};
 use super::findings::Findings;
 use super::geom;
 use super::layers::{Layers, Role};
@@ -18,7 +20,7 @@ use super::lib_curves::{self, Census};
 use super::limits;
 use super::model::{Block, Drawing, Entity, Shape};
 use super::parse;
-use super::piece::{Desk, DrawnPiece, Rules};
+use super::piece::DrawnPiece;
 use super::sheet::{Sorter, has_boundary};
 use super::texts;
 use super::tolerances::Tolerances;
@@ -109,11 +111,12 @@ fn read_into(bytes: &[u8], file: &str, options: &ReadOptions, findings: &mut Fin
     let mut ledger = Ledger::new(drawing.entity_count);
     let style_texts = style_texts(&drawing);
     let profile = vendor::detect(&drawing, &layers, &style_texts, options.vendor);
-    let blocks: Vec<Block> = std::mem::take(&mut drawing.blocks);
+    let mut blocks: Vec<Block> = std::mem::take(&mut drawing.blocks);
     let mut by_name: BTreeMap<String, Vec<usize>> = BTreeMap::new();
     for (i, block) in blocks.iter().enumerate() {
         by_name.entry(block.name.clone()).or_default().push(i);
     }
+    attributes::give(&mut drawing, &mut blocks, &by_name, &mut ledger);
     inserts::check_expansion(&blocks, &by_name, findings)?;
     let own = |block: &Block| has_boundary(&layers, block);
     let inserted = inserts::inserts(&drawing, &blocks, &by_name, &own, findings, &mut ledger);
@@ -127,11 +130,10 @@ fn read_into(bytes: &[u8], file: &str, options: &ReadOptions, findings: &mut Fin
         return Err(Diagnostic::error("too-many-pieces", text).at(findings.place(1)));
     }
     let rules = Rules { tolerances: options.tolerances, notch_scale: profile.notch_scale };
-    let mut desk = Desk { findings, ledger: &mut ledger, rules: &rules };
-    let mut pieces: Vec<DrawnPiece> = sheets
-        .into_iter()
-        .filter_map(|(name, line, sheet)| DrawnPiece::outline(&name, line, sheet, &mut desk))
-        .collect();
+    let mut overruled = Vec::new();
+    let mut desk = Desk { findings, overruled: &mut overruled, rules: &rules };
+    let outlines = desk.each(sheets, |(name, line, sheet), desk| DrawnPiece::outline(&name, line, sheet, desk));
+    let mut pieces: Vec<DrawnPiece> = outlines.into_iter().flatten().collect();
     if pieces.is_empty() && !desk.findings.has_errors() {
         let text = "there is no piece in this file: no block has a line on layer 1, and ENTITIES holds no closed line";
         return Err(Diagnostic::error("no-pieces", text)
@@ -141,12 +143,13 @@ fn read_into(bytes: &[u8], file: &str, options: &ReadOptions, findings: &mut Fin
     let sample_size = style_texts.get("sample size").cloned().filter(|s| !s.is_empty());
     block_names::fill(&mut pieces, sample_size.as_deref(), &mut desk);
     carry_between_sizes(&mut pieces, &mut desk);
-    for piece in &mut pieces {
-        piece.finish(&mut desk);
-    }
+    desk.each(&mut pieces, DrawnPiece::finish);
     rivals::deny_inserts_and_unmarked(&mut pieces, &mut desk);
     checks::pieces(&pieces, sample_size.as_deref(), &mut desk);
-    report_layers(&drawing, &blocks, &layers, desk.ledger, desk.findings);
+    for (id, verdict, rule) in overruled {
+        ledger.overrule(id, verdict, rule);
+    }
+    report_layers(&drawing, &blocks, &layers, &ledger, findings);
     ledger.close();
     let mut sizes: Vec<String> = Vec::new();
     let mut seen = BTreeSet::new();

@@ -1,8 +1,9 @@
 //! Wedges that the rest of the file says are no darts: places for godets, slits, vents.
 
 use crate::dxf::darts::{Denied, DrawnDart, Form};
+use crate::dxf::desk::Desk;
 use crate::dxf::geom;
-use crate::dxf::piece::{Desk, DrawnPiece};
+use crate::dxf::piece::DrawnPiece;
 use toile_garment::Diagnostic;
 use toile_garment::outline::PointKind;
 

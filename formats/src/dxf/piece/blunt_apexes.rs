@@ -1,11 +1,10 @@
 //! Blunt apexes of a piece: two vertices in the place of one.
 
 use super::{Desk, DrawnPiece, mm};
+use crate::dxf::chain::JOIN;
 use crate::dxf::darts::blunt::{self, Joined};
 use toile_garment::{Diagnostic, Vec2};
 
-/// Vertices nearer than this are one point in every file, mm.
-const ONE: f64 = 0.06;
 /// What stands at a vertex stands there within this, mm.
 const AT: f64 = 0.02;
 
@@ -27,7 +26,7 @@ impl DrawnPiece {
         for p in self.turn_list.iter_mut().chain(rules) {
             carry(p, &all);
         }
-        for one in all.iter().filter(|j| j.width() > ONE) {
+        for one in all.iter().filter(|j| j.width() > JOIN) {
             let text = format!(
                 "the apex at {} of `{}` is drawn blunt, {:.2} mm wide; it was read as one point",
                 mm(one.apex),

@@ -13,8 +13,6 @@ use toile_garment::{Diagnostic, Vec2};
 
 /// Shorter spikes without width that stand out of an outline are strokes of notches, mm.
 const SPIKE: f64 = 10.0;
-/// Vertices in a row this near each other may tangle an outline, mm.
-const TANGLE: f64 = 0.06;
 
 /// The largest closed line of a dense copy.
 pub(super) fn closed_copy(runs: Vec<Path>, gap: f64) -> Option<Outline> {
@@ -82,7 +80,7 @@ pub(super) fn boundary(block: &str, line: u64, sheet: &Sheet, desk: &mut Desk<'_
             mm(path.points[0].0)
         );
         for id in &path.ids {
-            desk.ledger.overrule(*id, Verdict::Refused, "open line on layer 1 beside the outline");
+            desk.overrule(*id, Verdict::Refused, "open line on layer 1 beside the outline");
         }
         desk.say(Diagnostic::warning("outline-stray-line", text), block, "1", path.line);
     }
@@ -97,7 +95,7 @@ pub(super) fn boundary(block: &str, line: u64, sheet: &Sheet, desk: &mut Desk<'_
         let text =
             format!("block `{block}` has a second closed line on layer 1 at {}; it was {what}", mm(path.points[0].0));
         for id in &path.ids {
-            desk.ledger.overrule(*id, verdict, "second closed line on layer 1");
+            desk.overrule(*id, verdict, "second closed line on layer 1");
         }
         desk.say(Diagnostic::warning("outline-second", text), block, "1", path.line);
         if inside {
@@ -110,7 +108,7 @@ pub(super) fn boundary(block: &str, line: u64, sheet: &Sheet, desk: &mut Desk<'_
 /// The ledger's word on lines that repeat others.
 pub(super) fn note_doubled(ids: &[u32], desk: &mut Desk<'_>) {
     for id in ids {
-        desk.ledger.overrule(*id, Verdict::Interpreted, "repeats another line: read once");
+        desk.overrule(*id, Verdict::Interpreted, "repeats another line: read once");
     }
 }
 
@@ -130,40 +128,41 @@ fn close_at_fold(open: &mut Vec<Path>, closed: &mut Vec<Path>, sheet: &Sheet) {
 /// An outline must have an area, a sane size and no crossing. Where only vertices drawn twice, a little apart, tangle it,
 /// they are made one.
 pub(super) fn check_shape(block: &str, outline: &mut Outline, desk: &mut Desk<'_>) -> Option<()> {
-    if outline.drawn.len() <= limits::OUTLINE_POINTS && matches!(geom::crossing(&outline.positions()), Crossing::At(..))
-    {
-        untangle(block, outline, desk);
-    }
-    let points = outline.positions();
-    let mut fail = |code: &str, text: String, hint: &str| {
-        desk.say(Diagnostic::error(code, text).hint(hint), block, "1", outline.line);
+    let line = outline.line;
+    let fail = |desk: &mut Desk<'_>, code: &str, text: String, hint: &str| {
+        desk.say(Diagnostic::error(code, text).hint(hint), block, "1", line);
         None
     };
+    let mut points = outline.positions();
     if points.len() > limits::OUTLINE_POINTS {
         let text = format!("the outline of block `{block}` has more than {} points", limits::OUTLINE_POINTS);
-        return fail("outline-too-long", text, "export it with a coarser curve tolerance");
+        return fail(desk, "outline-too-long", text, "export it with a coarser curve tolerance");
     }
     let (lo, hi) = geom::bounds(points.iter().copied())?;
     let extent = (hi.x - lo.x).max(hi.y - lo.y);
     if extent > limits::PIECE_EXTENT_MM {
         let text = format!("the outline of block `{block}` is {:.0} m long", extent / 1000.0);
-        return fail("outline-too-large", text, "check the unit of the file");
+        return fail(desk, "outline-too-large", text, "check the unit of the file");
     }
-    match geom::crossing(&points) {
+    let mut crossing = geom::crossing(&points);
+    if matches!(crossing, Crossing::At(..)) && untangle(block, outline, desk) {
+        (points, crossing) = (outline.positions(), Crossing::None);
+    }
+    match crossing {
         Crossing::None if points.len() >= 3 && geom::area(&points).abs() >= 1.0 => {
-            check_contacts(block, outline.line, &points, desk)
+            check_contacts(block, line, &points, desk)
         }
         Crossing::None => {
             let text = format!("the outline of block `{block}` at {} encloses no area", mm(points[0]));
-            fail("outline-without-area", text, "draw a closed outline on layer 1")
+            fail(desk, "outline-without-area", text, "draw a closed outline on layer 1")
         }
         Crossing::TooMany => {
             let text = format!("the outline of block `{block}` is too entangled to check");
-            fail("outline-too-entangled", text, "simplify it")
+            fail(desk, "outline-too-entangled", text, "simplify it")
         }
         Crossing::At(_, _, p) => {
             let text = format!("the outline of block `{block}` intersects itself at {}", mm(p));
-            fail("outline-crosses-itself", text, "correct the outline there")
+            fail(desk, "outline-crosses-itself", text, "correct the outline there")
         }
     }
 }
@@ -196,12 +195,12 @@ fn check_contacts(block: &str, line: u64, points: &[Vec2], desk: &mut Desk<'_>) 
     Some(())
 }
 
-/// Leaves out vertices that repeat the one before, when the outline then crosses itself no more.
-fn untangle(block: &str, outline: &mut Outline, desk: &mut Desk<'_>) {
+/// Leaves out vertices that repeat the one before, when the outline then crosses itself no more; says whether it does.
+fn untangle(block: &str, outline: &mut Outline, desk: &mut Desk<'_>) -> bool {
     let mut nodes: Vec<Node> = Vec::with_capacity(outline.drawn.len());
     for node in &outline.drawn {
         match nodes.last_mut() {
-            Some(last) if (last.at - node.at).norm() <= TANGLE => {
+            Some(last) if (last.at - node.at).norm() <= chain::JOIN => {
                 if node.kind == PointKind::Turn {
                     last.kind = PointKind::Turn;
                 }
@@ -211,13 +210,15 @@ fn untangle(block: &str, outline: &mut Outline, desk: &mut Desk<'_>) {
     }
     let positions: Vec<Vec2> = nodes.iter().map(|n| n.at).collect();
     if geom::crossing(&positions) != Crossing::None {
-        return;
+        return false;
     }
     let text = format!(
-        "{} vertices of the outline of block `{block}` stand within {TANGLE} mm of the one before; left out",
-        outline.drawn.len() - nodes.len()
+        "{} vertices of the outline of block `{block}` stand within {} mm of the one before; left out",
+        outline.drawn.len() - nodes.len(),
+        chain::JOIN
     );
     desk.say(Diagnostic::info("outline-vertices-doubled", text), block, "1", outline.line);
     outline.drawn = nodes;
     outline.as_drawn();
+    true
 }

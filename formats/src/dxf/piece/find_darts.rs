@@ -10,7 +10,9 @@ use toile_garment::{Diagnostic, Vec2};
 /// What to do about a dart that was not taken.
 const DECLARE: &str = "if it is a dart, declare it in the sewing file: [[dart]] piece, apex, mouth, kind = \"wedge\"";
 /// Ends of strokes of a lens meet within this, mm.
-const STROKES: f64 = 0.5;
+pub(super) const STROKES: f64 = 0.5;
+/// Most strokes that are chained.
+pub(super) const STROKES_MOST: usize = 400;
 /// A wider and blunter wedge in the middle of a symmetric piece is a neckline, mm and degrees.
 const NECKLINE: (f64, f64) = (80.0, 30.0);
 /// Between shoulders a wider or a blunter one is, and a blunt one from this width on, mm and degrees.
@@ -50,7 +52,7 @@ impl DrawnPiece {
         for dart in &found {
             for id in &dart.ids {
                 let rule = if dart.form == Form::Lens { "closed lens: fish-eye dart" } else { "legs of a marked dart" };
-                desk.ledger.overrule(*id, Verdict::Interpreted, rule);
+                desk.overrule(*id, Verdict::Interpreted, rule);
             }
         }
         for dart in &mut found {
@@ -189,7 +191,7 @@ impl DrawnPiece {
             let apex = dart.apexes[0];
             let axis = [apex, (dart.mouth[0] + dart.mouth[1]) * 0.5];
             let (u, v) = (dart.mouth[0] - apex, dart.mouth[1] - apex);
-            let angle = libm::atan2(geom::cross(u, v).abs(), u.dot(&v)).to_degrees();
+            let angle = geom::angle(u, v);
             let width = dart.width();
             let wide = width > NECKLINE.0 && angle > NECKLINE.1;
             let narrow = width > COLLARED.0 || (angle > COLLARED.1 && width > COLLARED.2);
@@ -238,6 +240,6 @@ fn closed_inside(paths: &[chain::Path], found: &[DrawnDart], line: &[Vec2]) -> V
             && [p.points[0].0, p.points[p.points.len() - 1].0].iter().all(|e| geom::inside(*e, line))
     };
     let most = 2000.min(limits::DART_TESTS / line.len().max(1));
-    let open: Vec<chain::Path> = paths.iter().take(most).filter(free).take(400).cloned().collect();
+    let open: Vec<chain::Path> = paths.iter().take(most).filter(free).take(STROKES_MOST).cloned().collect();
     if open.len() < 2 { Vec::new() } else { chain::chain(open, STROKES).closed }
 }

@@ -1,6 +1,7 @@
 //! Darts that lie on the fold: a half piece holds one half of them, the mirror image makes them whole.
 
 use super::DrawnPiece;
+use super::find_darts::{STROKES, STROKES_MOST};
 use crate::dxf::chain::{self, Path};
 use crate::dxf::darts::{self, Denied, DrawnDart, Form};
 use crate::dxf::geom;
@@ -11,10 +12,6 @@ use toile_garment::Vec2;
 
 /// Points this near the fold lie on it, mm.
 const ON_FOLD: f64 = 0.5;
-/// Ends of strokes of a lens meet within this, mm.
-const STROKES: f64 = 0.5;
-/// Most strokes that are chained.
-const STROKES_MOST: usize = 400;
 /// Wider and blunter wedges on a fold are necklines, mm and degrees.
 const NECKLINE: (f64, f64) = (60.0, 30.0);
 
@@ -28,7 +25,7 @@ impl DrawnPiece {
         let (mut found, mut denied) = (Vec::new(), Vec::new());
         for dart in wedges.into_iter().filter(|d| d.apexes.iter().all(on_fold)) {
             let (u, v) = (dart.mouth[0] - dart.apexes[0], dart.mouth[1] - dart.apexes[0]);
-            let angle = libm::atan2(geom::cross(u, v).abs(), u.dot(&v)).to_degrees();
+            let angle = geom::angle(u, v);
             if dart.width() > NECKLINE.0 || angle > NECKLINE.1 {
                 let why = "it is wide and on the fold: a V neckline";
                 denied.push(Denied { at: dart.apexes[0], why, form: dart.form });

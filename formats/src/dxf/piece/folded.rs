@@ -21,11 +21,7 @@ impl DrawnPiece {
         self.say_other_folds(&joined, desk);
         if fold_run(&line, a, b).is_some() || fold_part(&line, a, b) {
             self.fold = Some([a, b]);
-            desk.ledger.overrule(
-                stroke.id,
-                Verdict::Interpreted,
-                "mirror line on the boundary: the half piece is unfolded",
-            );
+            desk.overrule(stroke.id, Verdict::Interpreted, "mirror line on the boundary: the half piece is unfolded");
         } else {
             let text = format!(
                 "the mirror line from {} to {} of `{}` does not lie on the boundary; the piece was not unfolded",
@@ -33,7 +29,7 @@ impl DrawnPiece {
                 mm(b),
                 self.label()
             );
-            desk.ledger.overrule(stroke.id, Verdict::Refused, "mirror line off the boundary");
+            desk.overrule(stroke.id, Verdict::Refused, "mirror line off the boundary");
             desk.say(Diagnostic::warning("fold-off-boundary", text), &self.block, "6", stroke.line);
         }
     }
@@ -50,7 +46,7 @@ impl DrawnPiece {
                 mm(first.ends[0]),
                 mm(first.ends[1])
             );
-            desk.ledger.overrule(stroke.id, Verdict::Refused, "second mirror line");
+            desk.overrule(stroke.id, Verdict::Refused, "second mirror line");
             let hint = "draw a piece that is folded twice unfolded once";
             desk.say(Diagnostic::warning("fold-second", text).hint(hint), &self.block, "6", stroke.line);
         }

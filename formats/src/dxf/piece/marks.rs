@@ -73,7 +73,7 @@ impl DrawnPiece {
         list.extend(self.boundary.cut.iter().map(|c| notches::cut_in(c, self.boundary.line)));
         notches::pair_twins(&mut list);
         for id in doubled {
-            desk.ledger.overrule(id, Verdict::Interpreted, "doubled notch, merged");
+            desk.overrule(id, Verdict::Interpreted, "doubled notch, merged");
         }
         for notch in list.iter().filter(|n| n.on == "off") {
             let text =

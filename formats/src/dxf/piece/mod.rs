@@ -13,17 +13,15 @@ mod sew;
 
 use super::chain::Path;
 use super::darts::{Denied, DrawnDart};
-use super::findings::Findings;
+use super::desk::Desk;
 use super::geom::PointIndex;
-use super::ledger::Ledger;
 use super::notches::DrawnNotch;
 use super::outline::{Marks, Outline};
 use super::pleats::Pleat;
 use super::sheet::{Drill, Sheet, Stroke};
-use super::tolerances::Tolerances;
 use std::collections::BTreeMap;
 use toile_garment::piece::Quantity;
-use toile_garment::{Diagnostic, SourceRef, Vec2};
+use toile_garment::{Diagnostic, Vec2};
 
 /// A piece as drawn, millimetres in block coordinates.
 #[derive(Clone, Debug)]
@@ -101,29 +99,6 @@ pub struct RuleMark {
     pub rule: u32,
     /// Alternate reference line in whose frame the growth stands.
     pub line: Option<u32>,
-}
-
-/// What building a piece writes to.
-pub(crate) struct Desk<'a> {
-    pub findings: &'a mut Findings,
-    pub ledger: &'a mut Ledger,
-    pub rules: &'a Rules,
-}
-
-/// How this file is to be understood.
-#[derive(Clone, Debug)]
-pub(crate) struct Rules {
-    pub tolerances: Tolerances,
-    /// Depths and widths of notches times this.
-    pub notch_scale: f64,
-}
-
-impl Desk<'_> {
-    /// Adds a finding with its place in a block.
-    pub(crate) fn say(&mut self, finding: Diagnostic, block: &str, layer: &str, line: u64) {
-        let place: SourceRef = self.findings.place_in(block, Some(layer), line);
-        self.findings.push(finding.at(place));
-    }
 }
 
 pub(crate) fn mm(p: Vec2) -> String {

@@ -53,7 +53,7 @@ impl DrawnPiece {
             let path = self.internal.remove(i);
             self.not_mirrored.remove(i);
             for id in &path.ids {
-                desk.ledger.overrule(*id, Verdict::Interpreted, "closed line on layer 8 inside the outline: sew line");
+                desk.overrule(*id, Verdict::Interpreted, "closed line on layer 8 inside the outline: sew line");
             }
             self.sew_lines = 1;
             self.sew = Some(Outline::new(Path { closed: true, ..path }));
@@ -64,7 +64,7 @@ impl DrawnPiece {
     fn keep_inside(&mut self, path: Path, desk: &mut Desk<'_>) {
         for id in &path.ids {
             let rule = "stitch line on layer 14 that is no outline: internal line";
-            desk.ledger.overrule(*id, Verdict::Interpreted, rule);
+            desk.overrule(*id, Verdict::Interpreted, rule);
         }
         self.not_mirrored.push(false);
         self.internal.push(path);

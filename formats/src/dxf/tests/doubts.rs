@@ -165,6 +165,25 @@ fn texts_that_say_nothing_or_two_things() {
         },
     );
     assert_eq!(said(&loose), ["lines-outside-blocks", "entities-left-out"]);
+    let attribute =
+        |w: Writer, tag: &str, value: &str| w.pair(0, "ATTRIB").pair(8, "1").xy(0.0, 0.0).pair(1, value).pair(2, tag);
+    let inserted = |more: &dyn Fn(Writer) -> Writer| {
+        let of_block = |w: Writer| w.polyline("1", true, &RECTANGLE).pair(0, "ATTDEF").pair(8, "1").xy(0.0, 0.0);
+        let text = file(|w| of_block(w).pair(1, "COTTON").pair(2, "Material"));
+        let insert = Writer::default().pair(0, "INSERT").pair(8, "1").pair(2, "FRONT_38").xy(0.0, 0.0);
+        let first = more(attribute(attribute(insert, "Material", "SILK"), "COLOUR", "RED")).pair(0, "SEQEND").0;
+        text.replacen("  0\nINSERT\n  8\n1\n  2\nFRONT_38\n 10\n0\n 20\n0\n", &first, 1)
+    };
+    let pattern = good(&inserted(&|w| w));
+    assert_eq!(codes(&pattern.findings), [] as [&str; 0]);
+    let piece = &pattern.pieces[0];
+    assert_eq!((piece.keys["material"].as_str(), piece.texts[0].2.as_str()), ("SILK", "COLOUR: RED"));
+    let again = |material: &str| {
+        let second = |w: Writer| w.pair(0, "INSERT").pair(8, "1").pair(2, "FRONT_38").xy(0.0, 0.0);
+        said(&inserted(&|w| attribute(second(w), "Material", material)))
+    };
+    assert_eq!(again("SILK"), [] as [&str; 0]);
+    assert_eq!(again("WOOL"), ["entities-left-out"]);
     let two =
         file_with(|w| w.polyline("1", true, &RECTANGLE), |w| w.text("1", "Units: METRIC").text("1", "Units: ENGLISH"));
     assert_eq!(said(&two), ["units-contradict"]);

@@ -6,7 +6,7 @@ use super::listed::Listed;
 use super::near::{Near, Way};
 use super::sheet::Sheet;
 use super::tiles::Tiles;
-use super::tree::{Aabb, Sweep, Tree};
+use super::tree::{Sweep, Tree};
 use crate::topology::Topology;
 use crate::{Scene, Vec3};
 
@@ -62,10 +62,7 @@ impl Own {
     /// Most pairs were near when they were found, and are not on this way: their boxes tell so soonest.
     fn sweep(&mut self, way: &Way<'_>, grown: f64) {
         self.sweeps.clear();
-        self.sweeps.extend(way.topology.faces.iter().map(|t| {
-            let place = Aabb::of_three(&crate::pick3(way.x, t)).grown(grown);
-            Sweep::new(&place, &Aabb::of_three(&crate::pick3(way.step, t)))
-        }));
+        self.sweeps.extend(way.topology.faces.iter().map(|t| Sweep::of(t, way.x, way.step, grown)));
     }
 
     fn search(&mut self, way: &Way<'_>, reach: f64) {

@@ -81,13 +81,19 @@ const ROUNDING: f64 = 1e-6;
 impl Sweep {
     const NONE: Self = Self { low: [1e30; 4], high: [-1e30; 4], least: [1e30; 4], most: [-1e30; 4] };
 
-    pub fn new(place: &Aabb, moves: &Aabb) -> Self {
+    fn new(place: &Aabb, moves: &Aabb) -> Self {
         let size = [place.low, place.high, moves.low, moves.high].iter().map(|p| p.amax()).fold(0.0, f64::max);
         let (place, moves) = (place.grown(ROUNDING * size), moves.grown(ROUNDING * size));
         // Rounding is within what the boxes have just been grown by.
         #[allow(clippy::cast_possible_truncation)]
         let flat = |p: &Vec3| [p.x as f32, p.y as f32, p.z as f32, 0.0];
         Self { low: flat(&place.low), high: flat(&place.high), least: flat(&moves.low), most: flat(&moves.high) }
+    }
+
+    /// Of a triangle on its way, grown.
+    pub fn of(corners: &[u32; 3], x: &[Vec3], step: &[Vec3], margin: f64) -> Self {
+        let place = Aabb::of_three(&crate::pick3(x, corners)).grown(margin);
+        Self::new(&place, &Aabb::of_three(&crate::pick3(step, corners)))
     }
 
     #[inline]
@@ -157,10 +163,7 @@ impl Tree {
     /// Also takes the displacements of a step, for [`Self::meeting_pairs`].
     pub fn refit_moving(&mut self, x: &[Vec3], step: &[Vec3], faces: &[[u32; 3]], margin: f64) {
         self.sweeps.resize(self.boxes.len(), Sweep::NONE);
-        let of = |t: &[u32; 3]| {
-            let place = Aabb::of_three(&crate::pick3(x, t)).grown(margin);
-            Sweep::new(&place, &Aabb::of_three(&crate::pick3(step, t)))
-        };
+        let of = |t: &[u32; 3]| Sweep::of(t, x, step, margin);
         fit(&mut self.sweeps, &self.items, faces, Sweep::NONE, of, Sweep::join);
     }
 
