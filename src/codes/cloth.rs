@@ -102,6 +102,10 @@ pub(super) const CODES: &[Code] = &[
         "start-crosses",
         "The cloth crosses itself or the body before the first step, so contact cannot keep them apart. Move the pieces apart with [[place]]. Exit code 3.",
     ),
+    code(
+        "springs-unused",
+        "The fabric gives constants of springs ([springs]), and the model of the drape is not `springs`: it went by the fabric's laws.",
+    ),
     code("start-repaired", "Vertices started inside the body and were pushed out before the first step."),
     code("too-large", "The scene has more vertices or triangles than the limit. Exit code 3."),
 ];

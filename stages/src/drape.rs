@@ -50,6 +50,7 @@ impl Stage for Drape {
         garment.reactions = reactions(&garment, &layout, &welded.map, &outcome);
         garment.stitched = Some(stitched);
         tell(&mut garment, &outcome, cx);
+        tell_springs(&garment, params, cx);
         Ok(garment)
     }
 }
@@ -108,6 +109,16 @@ fn tell(garment: &mut Garment, outcome: &Outcome, cx: &mut StageContext<'_>) {
             )
             .hint(remedy(outcome.stop_reason)),
         );
+    }
+}
+
+/// Spring constants of a fabric say nothing to another model.
+fn tell_springs(garment: &Garment, params: &DrapeParams, cx: &mut StageContext<'_>) {
+    let with = garment.fabrics.values().find(|f| f.springs.is_some());
+    if let Some(fabric) = with.filter(|_| params.model != ModelName::Springs) {
+        let message = format!("`{}` gives spring constants ([springs]); the drape went by its laws", fabric.name);
+        let finding = Diagnostic::info("springs-unused", message);
+        cx.report.push(finding.hint("with.model = \"springs\" takes them"));
     }
 }
 

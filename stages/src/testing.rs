@@ -117,6 +117,7 @@ pub fn cloth(areal_mass: f64, stretch: f64, shear: f64, bending: [f64; 2]) -> Fa
         areal_mass,
         thickness: 3e-4,
         friction: 0.3,
+        springs: None,
         stretch_warp: StretchLaw::Linear { stiffness: stretch },
         stretch_weft: StretchLaw::Linear { stiffness: stretch },
         poisson: 0.0,

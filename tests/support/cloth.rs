@@ -22,6 +22,8 @@ pub struct Cloth {
     pub bending: f64,
     /// 2HB, N.
     pub hysteresis: f64,
+    /// Constants of bare springs along the yarns and off them, N/m.
+    pub springs: Option<[f64; 2]>,
     pub limit: f64,
 }
 
@@ -42,6 +44,7 @@ impl Cloth {
             shear,
             bending,
             hysteresis: 0.0,
+            springs: None,
             // Far from any strain met, and no farther: the law may be tabulated up to here.
             limit: 0.2,
         }
@@ -74,6 +77,9 @@ impl Cloth {
         text += &format!("poisson = {:?}\n", self.poisson);
         if !kes.is_empty() {
             text += &format!("[kes]\n{kes}");
+        }
+        if let Some([yarn, bias]) = self.springs {
+            text += &format!("[springs]\nyarn = \"{yarn} N/m\"\nbias = \"{bias} N/m\"\n");
         }
         text
     }

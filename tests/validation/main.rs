@@ -48,9 +48,6 @@ fn main() -> ExitCode {
         rows.extend(result);
     }
     println!("{}", table::summary(&rows));
-    if options.common.all && options.common.words.is_empty() {
-        println!("{}", cases::not_yet::text());
-    }
     if let Some(file) = &options.common.json {
         std::fs::write(file, table::json(&rows)).expect("the table is written");
     }

@@ -79,9 +79,22 @@ pub struct Fabric {
     pub strain_limit_warp: f64,
     /// Largest strain the cloth is used at, along the weft.
     pub strain_limit_weft: f64,
+    /// Constants of the springs of `model = "springs"`, where they are given and not derived from the laws.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub springs: Option<SpringConstants>,
     /// Where each number comes from, by field name.
     #[serde(default)]
     pub sources: BTreeMap<String, ValueSource>,
+}
+
+/// Spring constants of the edges of a mesh, N/m (force over change of length): bare springs in the sense of Liu, Chen, Shi 2003,
+/// whatever the lengths of the edges.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct SpringConstants {
+    /// Edges within 22.5° of warp or weft.
+    pub yarn: f64,
+    /// All others.
+    pub bias: f64,
 }
 
 impl Fabric {

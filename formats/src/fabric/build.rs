@@ -3,7 +3,7 @@
 use super::reader::{Entries, Entry};
 use super::{kes, poisson};
 use std::collections::BTreeMap;
-use toile_garment::fabric::{Fabric, StretchLaw, ValueSource};
+use toile_garment::fabric::{Fabric, SpringConstants, StretchLaw, ValueSource};
 use toile_garment::{Diagnostic, SourceRef};
 
 /// Gravity in Peirce's bending length.
@@ -38,6 +38,7 @@ pub fn fabric(e: &mut Entries) -> Option<Fabric> {
     let bend_weft = bending(e, "weft", areal_mass, &mut sources);
     let bend_bias = bending(e, "bias", areal_mass, &mut sources);
     let bend_hysteresis = common(e, "bending_hysteresis", &mut sources);
+    let springs = springs(e, &mut sources);
     let lengths = ["warp", "weft"].iter().any(|d| entry(e, "fast", &format!("bending_length_{d}")).is_some());
     Some(Fabric {
         name: e.name.clone(),
@@ -55,6 +56,7 @@ pub fn fabric(e: &mut Entries) -> Option<Fabric> {
         bend_bias,
         bend_hysteresis,
         bend_holds_friction: lengths,
+        springs,
         sources,
     })
 }
@@ -238,6 +240,22 @@ fn bending(e: &mut Entries, direction: &str, areal_mass: Option<f64>, sources: &
     };
     sources.insert(format!("bend_{direction}"), entry.source);
     Some(entry.value)
+}
+
+/// Constants of the springs, both or none.
+fn springs(e: &mut Entries, sources: &mut Sources) -> Option<SpringConstants> {
+    match (entry(e, "springs", "yarn"), entry(e, "springs", "bias")) {
+        (Some(yarn), Some(bias)) => {
+            let written = format!("yarn {}, bias {}", yarn.source.written, bias.source.written);
+            sources.insert("springs".to_owned(), ValueSource { written, ..yarn.source });
+            Some(SpringConstants { yarn: yarn.value, bias: bias.value })
+        }
+        (yarn, bias) => {
+            let (given, wanted) = if yarn.is_some() { ("yarn", "bias") } else { ("bias", "yarn") };
+            incomplete(e, given, wanted, yarn.or(bias)?.at);
+            None
+        }
+    }
 }
 
 fn limit(e: &Entries, direction: &str, sources: &mut Sources) -> f64 {

@@ -40,9 +40,10 @@ const LINEAR: &[&str] = &["linear"];
 const ISOTROPIC: &[&str] = &["isotropic"];
 const KES: &[&str] = &["kes"];
 const FAST: &[&str] = &["fast"];
+const SPRINGS: &[&str] = &["springs"];
 
 /// Tables of a fabric file.
-pub const TABLES: &[&str] = &["linear", "isotropic", "kes", "fast", "curve"];
+pub const TABLES: &[&str] = &["linear", "isotropic", "kes", "fast", "curve", "springs"];
 /// Texts at the top of a fabric file, and at the head of each table.
 pub const TEXTS: &[&str] = &["name", "method", "source", "note"];
 
@@ -90,6 +91,8 @@ fields! {
     FAST "bending_length_warp" Length 1e-3 0.2 BEND_LENGTH;
     FAST "bending_length_weft" Length 1e-3 0.2 BEND_LENGTH;
     FAST "bending_length_bias" Length 1e-3 0.2 BEND_LENGTH;
+    SPRINGS "yarn" LineForce 1e-3 1e8 "0.001 N/m to 1e8 N/m";
+    SPRINGS "bias" LineForce 1e-3 1e8 "0.001 N/m to 1e8 N/m";
 }
 
 /// The field of a key in a table.

@@ -37,6 +37,10 @@
 //!   from which G = 1.23 / eb5 N/m), `bending_…` or `bending_length_…` (B = areal mass · g · c³).
 //! - `[curve]` `warp = [["0 %", "0 N/m"], ["1 %", "20 N/m"], …]` and `weft`: measured samples, both columns rising.
 //!
+//! - `[springs]` `yarn`, `bias` (N/m), beside one of the others: constants of the springs of `model = "springs"` along the edges of
+//!   the mesh, those within 22.5° of warp or weft and all others. Without it they are derived from the laws; all else of a
+//!   drape (strain limits, other models) goes by the laws.
+//!
 //! `poisson`, `shear` and the bending keys may stand in any table of laws.
 //!
 //! # Poisson's ratio

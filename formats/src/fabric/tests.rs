@@ -208,3 +208,15 @@ fn origin_of_a_single_value() {
     let source = &f.sources["stretch_warp"];
     assert_eq!((source.written.as_str(), source.method.as_str()), ("500 N/m", "strip test"));
 }
+
+#[test]
+fn constants_of_springs_stand_beside_a_law_and_in_pairs() {
+    let with = |springs: &str| format!("{LINEAR}[springs]\n{springs}");
+    let fabric = read(&with("yarn = \"450 N/m\"\nbias = \"50 N/m\"\n"), "f.toml").expect("read");
+    assert_eq!(fabric.springs.map(|s| [s.yarn, s.bias]), Some([450.0, 50.0]));
+    assert_eq!(fabric.sources["springs"].written, "yarn 450 N/m, bias 50 N/m");
+    assert_eq!(codes(&with("bias = \"50 N/m\"\n")), ["fabric-value-missing"]);
+    assert_eq!(codes(&with("yarn = \"-1 N/m\"\nbias = \"50 N/m\"\n")), ["value-out-of-range"]);
+    assert_eq!(codes(&with("yarn = 450\nbias = \"50 N/m\"\n")), ["unit-missing"]);
+    assert_eq!(read(LINEAR, "f.toml").expect("read").springs, None);
+}

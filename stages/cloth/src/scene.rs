@@ -75,6 +75,9 @@ pub struct Material {
     pub bend_bias: Option<f64>,
     /// Friction HB against bending, as a moment per width, N: half of the hysteresis 2HB; 0 for none.
     pub bend_friction: f64,
+    /// Constants, N/m, of the bare springs of `Model::Springs` on edges within 22.5° of a yarn and on all others, in place of those
+    /// that the laws give.
+    pub springs: Option<[f64; 2]>,
     /// Largest strain allowed along [warp, weft]; infinite for none.
     pub strain_limit: [f64; 2],
 }
@@ -107,6 +110,7 @@ impl Material {
             bend_weft: bending,
             bend_bias: None,
             bend_friction: 0.0,
+            springs: None,
             strain_limit: [f64::INFINITY; 2],
         }
     }

@@ -96,6 +96,8 @@ fn materials(scene: &Scene) -> Result<(), ClothError> {
             ("bend_weft", m.bend_weft),
             ("bend_bias", m.bend_bias.unwrap_or(0.0)),
             ("bend_friction", m.bend_friction),
+            ("springs", m.springs.map_or(0.0, |s| s[0])),
+            ("springs", m.springs.map_or(0.0, |s| s[1])),
         ];
         for (name, v) in not_negative {
             if !(v.is_finite() && v >= 0.0) {

@@ -14,7 +14,6 @@ mod hanging;
 mod kes;
 mod lattice;
 mod leapfrog;
-pub mod not_yet;
 mod off_axis;
 mod penalty;
 mod pressure;

@@ -4,10 +4,13 @@
 //! the area of its triangles over its length (Van Gelder's weight).
 
 use super::Energy;
-use super::law::Fabric;
+use super::law::{Fabric, Law};
 use crate::linear::hessian::Hessian;
 use crate::topology::Topology;
 use crate::{Scene, Settings, Vec3};
+
+/// Squared cosine of 22.5°, with room for rounding: edges at least this near a yarn are springs along it.
+const NEAR_YARN: f64 = 0.853_553;
 
 /// One triangle's part of an edge spring.
 pub(crate) struct Spring {
@@ -16,8 +19,10 @@ pub(crate) struct Spring {
     pub length: f64,
     /// Area / length, m.
     pub section: f64,
-    /// Shares of weft curve, warp curve and shear stiffness.
+    /// Shares of weft curve, warp curve and shear stiffness; none where the fabric gives the constant.
     pub share: [f64; 3],
+    /// N per strain of the constant that the fabric gives.
+    bare: f64,
 }
 
 /// The springs of all triangle sides, those of one edge merged where both sides agree.
@@ -26,10 +31,13 @@ pub(crate) fn springs(scene: &Scene, topology: &Topology) -> Vec<Spring> {
     let mut extra = Vec::new();
     for (t, ids) in scene.triangles.iter().zip(&topology.face_edges) {
         for k in 0..3 {
-            let s = side(t, k);
+            let s = side(t, k, scene.materials[t.material as usize].springs);
             match &mut of_edge[ids[k] as usize] {
                 slot @ None => *slot = Some(s),
-                Some(o) if o.fabric == s.fabric && alike(o, &s) => o.section += s.section,
+                Some(o) if o.fabric == s.fabric && alike(o, &s) => {
+                    o.section += s.section;
+                    o.bare += s.bare;
+                }
                 Some(_) => extra.push(s),
             }
         }
@@ -42,17 +50,20 @@ fn alike(a: &Spring, b: &Spring) -> bool {
     close(a.length, b.length) && (0..3).all(|k| close(a.share[k], b.share[k]))
 }
 
-fn side(t: &crate::Element, k: usize) -> Spring {
+fn side(t: &crate::Element, k: usize, constants: Option<[f64; 2]>) -> Spring {
     let (a, b) = (t.rest[k], t.rest[(k + 1) % 3]);
     let length = t.rest_length(k);
     let (c, s) = ((b[0] - a[0]) / length, (b[1] - a[1]) / length);
     let (cc, ss) = (c * c, s * s);
+    // Each side of an edge has half of its spring, so that the rim has half springs.
+    let bare = constants.map(|[yarn, bias]| 0.5 * length * if cc.max(ss) >= NEAR_YARN { yarn } else { bias });
     Spring {
         ends: [t.vertices[k], t.vertices[(k + 1) % 3]],
         fabric: t.material,
         length,
         section: t.area().abs() / length,
-        share: [cc * cc, ss * ss, 4.0 * cc * ss],
+        share: if bare.is_some() { [0.0; 3] } else { [cc * cc, ss * ss, 4.0 * cc * ss] },
+        bare: bare.unwrap_or(0.0),
     }
 }
 
@@ -64,7 +75,7 @@ pub(crate) struct Structural {
 impl Structural {
     pub fn new(scene: &Scene, topology: &Topology, settings: &Settings) -> Self {
         let mut springs = springs(scene, topology);
-        springs.retain(|s| s.share[0] + s.share[1] > 1e-12);
+        springs.retain(|s| s.share[0] + s.share[1] > 1e-12 || s.bare > 0.0);
         Self { springs, fabrics: scene.materials.iter().map(|m| Fabric::new(m, settings)).collect() }
     }
 }
@@ -106,29 +117,41 @@ fn strain(x: &[Vec3], s: &Spring) -> f64 {
     (x[s.ends[1] as usize] - x[s.ends[0] as usize]).norm() / s.length - 1.0
 }
 
+impl Structural {
+    /// What both curves have, by their shares and the section, beside the constant times `bare`.
+    fn sum(&self, s: &Spring, of: impl Fn(&Law) -> f64, bare: f64) -> f64 {
+        if s.bare > 0.0 {
+            return s.bare * bare;
+        }
+        let law = &self.fabrics[s.fabric as usize];
+        s.section * (s.share[0] * of(&law.weft) + s.share[1] * of(&law.warp))
+    }
+
+    /// N.
+    fn force(&self, s: &Spring, e: f64) -> f64 {
+        self.sum(s, |law| law.tension(e), e)
+    }
+}
+
 impl Energy for Structural {
     fn add_forces(&self, x: &[Vec3], f: &mut [Vec3]) {
         for s in &self.springs {
-            let law = &self.fabrics[s.fabric as usize];
-            pull(x, f, s, |e| s.section * (s.share[0] * law.weft.tension(e) + s.share[1] * law.warp.tension(e)));
+            pull(x, f, s, |e| self.force(s, e));
         }
     }
 
     fn energy(&self, x: &[Vec3]) -> f64 {
         let of = |s: &Spring| {
-            let law = &self.fabrics[s.fabric as usize];
             let e = strain(x, s);
-            s.section * s.length * (s.share[0] * law.weft.energy(e) + s.share[1] * law.warp.energy(e))
+            s.length * self.sum(s, |law| law.energy(e), 0.5 * e * e)
         };
         self.springs.iter().map(of).sum()
     }
 
     fn add_stiffness(&self, x: &[Vec3], k: &mut [f64]) {
         for s in &self.springs {
-            let law = &self.fabrics[s.fabric as usize];
             let e = strain(x, s);
-            let slope = s.share[0] * law.weft.tangent(e) + s.share[1] * law.warp.tangent(e);
-            row_sums(s.ends, s.section / s.length * slope, k);
+            row_sums(s.ends, self.sum(s, |law| law.tangent(e), 1.0) / s.length, k);
         }
     }
 
@@ -138,11 +161,8 @@ impl Energy for Structural {
 
     fn add_hessian(&self, x: &[Vec3], convex: bool, h: &mut Hessian) {
         for s in &self.springs {
-            let law = &self.fabrics[s.fabric as usize];
             let e = strain(x, s);
-            let pull = s.section * (s.share[0] * law.weft.tension(e) + s.share[1] * law.warp.tension(e));
-            let slope = s.section * (s.share[0] * law.weft.slope(e) + s.share[1] * law.warp.slope(e));
-            stiffen(x, s, pull, slope, convex, h);
+            stiffen(x, s, self.force(s, e), self.sum(s, |law| law.slope(e), 1.0), convex, h);
         }
     }
 }

@@ -55,9 +55,12 @@ fn fabric() -> Material {
 
 fn energies(scene: &Scene, s: &Settings) -> Vec<Box<dyn Energy>> {
     let t = Topology::of_elements(scene.positions.len(), &scene.triangles);
+    let mut bare = scene.clone();
+    bare.materials.iter_mut().for_each(|m| m.springs = Some([450.0, 50.0]));
     vec![
         Box::new(Coupled::new(scene, s)),
         Box::new(Structural::new(scene, &t, s)),
+        Box::new(Structural::new(&bare, &t, s)),
         Box::new(Shear::new(scene, &t)),
         Box::new(Flexion::new(scene, &t)),
         Box::new(Weight::new(scene, &vec![1e-4; scene.positions.len()], 1.0)),
