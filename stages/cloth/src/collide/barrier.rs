@@ -146,7 +146,7 @@ impl Barrier {
             if body.travel.is_some() {
                 self.near.fill_travelling(&way, body, wide);
             } else {
-                self.near.fill_body(&way, body, reach, wide);
+                self.near.fill_body(&way, body, [reach, wide], edge);
             }
             self.near.body_points.sort_unstable();
             self.tally.costs.spend(Work::BodyContact, &mut lap);

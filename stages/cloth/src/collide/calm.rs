@@ -41,6 +41,10 @@ impl Lists {
     }
 }
 
+/// Bits of a pair of neighbours for the corners of the first: the second has it as a corner too; the second is at one of its neighbours.
+const AT: u8 = 0b1;
+const AROUND: u8 = 0b1000;
+
 /// Normals of a triangle that bound those along a step (at its beginning, half mixed, at its end), and what each must
 /// have along the mean of its patch.
 type Normals = [(Vec3, f64); 3];
@@ -65,6 +69,8 @@ pub(crate) struct Calm {
     wide: Lists,
     /// Triangles with higher numbers that are at a corner of a triangle or a neighbour of one.
     near: Lists,
+    /// What each of them has to do with the first triangle: [`AT`] its corners, [`AROUND`] its corners.
+    ties: Vec<u8>,
     /// Twice the rest area, per triangle.
     double: Vec<f64>,
     /// May the patch be calm at all?
@@ -91,12 +97,15 @@ impl Calm {
         let near = Lists::new(faces.len(), |f, l| {
             l.extend(faces[f as usize].iter().flat_map(|v| wide.of(*v)).filter(|g| **g > f));
         });
+        let ties =
+            (0u32..).zip(faces).flat_map(|(f, corners)| near.of(f).iter().map(|g| tie(corners, *g, faces, &wide)));
+        let ties = ties.collect();
         let able = able(scene, topology, &star, &ring);
         let double = scene.triangles.iter().map(|t| 2.0 * t.area().abs()).collect();
         let normals = vec![[(Vec3::zeros(), 0.0); 3]; topology.faces.len()];
         let firsts = vec![(Vec3::zeros(), 0.0); topology.faces.len()];
         let [one, two] = [(); 2].map(|()| vec![false; n]);
-        Self { star, ring, wide, near, double, able, normals, firsts, one, two }
+        Self { star, ring, wide, near, ties, double, able, normals, firsts, one, two }
     }
 
     /// Looks at the cloth at `x` and along `step`.
@@ -129,27 +138,37 @@ impl Calm {
         })
     }
 
-    /// Do these two triangles lie in one calm patch?
-    fn parts(&self, topology: &Topology, f: u32, g: u32) -> bool {
-        let (corners, ends) = (&topology.faces[f as usize], &topology.faces[g as usize]);
-        corners.iter().any(|v| self.one[*v as usize] && ends.contains(v))
-            || corners.iter().any(|v| self.two[*v as usize] && self.wide.of(*v).binary_search(&g).is_ok())
-    }
-
     /// Pairs of triangles so near in the cloth that [`Self::restless`] tells of them.
     pub fn all_neighbours(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
         (0u32..).take(self.double.len()).flat_map(|f| self.near.of(f).iter().map(move |g| [f, *g]))
     }
 
-    /// Neighbouring triangles that do not lie in one calm patch, as the last look saw them.
-    pub fn restless(&self, topology: &Topology, mut emit: impl FnMut(u32, u32)) {
+    /// Neighbouring triangles that do not lie in one calm patch, as the last look saw them, and whether they have a corner in
+    /// common.
+    pub fn restless(&self, topology: &Topology, mut emit: impl FnMut(u32, u32, bool)) {
         for (f, corners) in (0u32..).zip(&topology.faces) {
-            if corners.iter().all(|v| self.two[*v as usize]) {
+            let calm = (0..3).fold(0, |calm, k| {
+                let v = corners[k] as usize;
+                calm | (u8::from(self.one[v]) * AT | u8::from(self.two[v]) * AROUND) << k
+            });
+            if calm >= 7 * AROUND {
                 continue;
             }
-            self.near.of(f).iter().filter(|g| !self.parts(topology, f, **g)).for_each(|g| emit(f, *g));
+            let ties = &self.ties[self.near.start[f as usize] as usize..];
+            for (g, tie) in self.near.of(f).iter().zip(ties).filter(|(_, tie)| *tie & calm == 0) {
+                emit(f, *g, tie & (7 * AT) != 0);
+            }
         }
     }
+}
+
+/// [`AT`] and [`AROUND`] of a neighbour, for the corners of a triangle.
+fn tie(corners: &[u32; 3], g: u32, faces: &[[u32; 3]], wide: &Lists) -> u8 {
+    (0..3).fold(0, |tie, k| {
+        let v = corners[k];
+        let (at, around) = (faces[g as usize].contains(&v), wide.of(v).binary_search(&g).is_ok());
+        tie | (u8::from(at) * AT | u8::from(around) * AROUND) << k
+    })
 }
 
 /// Vertices whose triangles form one fan, all turned the same way, without more cloth than fits round them.
@@ -238,13 +257,20 @@ mod tests {
         (calm, topology)
     }
 
+    /// Do two neighbours lie in one calm patch?
+    fn parts(calm: &Calm, t: &Topology, f: u32, g: u32) -> bool {
+        let mut restless = false;
+        calm.restless(t, |p, q, _| restless |= [p, q] == [f, g]);
+        calm.near.of(f).contains(&g) && !restless
+    }
+
     #[test]
     fn flat_cloth_is_calm_and_folded_cloth_is_not() {
         let (flat, t) = calm(0.0, |_| Vec3::zeros());
-        assert!(flat.parts(&t, 4, 6) && flat.parts(&t, 4, 5));
-        assert!(!flat.parts(&t, 0, 11), "far apart in the cloth: anything may happen");
+        assert!(parts(&flat, &t, 4, 6) && parts(&flat, &t, 4, 5));
+        assert!(!parts(&flat, &t, 0, 11), "far apart in the cloth: anything may happen");
         let (folded, t) = calm(1.3, |_| Vec3::zeros());
-        assert!(!folded.parts(&t, 3, 6));
+        assert!(!parts(&folded, &t, 3, 6));
     }
 
     /// Flat at both ends of the step, but turned over in between: the triangles pass through nothing at half way.
@@ -253,8 +279,8 @@ mod tests {
         let (scene, _) = strip(0.0);
         let over = |i: usize| Vec3::new(-2.0 * scene.positions[i].x, 0.0, 0.0);
         let (turned, t) = calm(0.0, over);
-        assert!(!turned.parts(&t, 4, 5));
+        assert!(!parts(&turned, &t, 4, 5));
         let (moved, t) = calm(0.0, |_| Vec3::new(5.0, 3.0, -2.0));
-        assert!(moved.parts(&t, 4, 5));
+        assert!(parts(&moved, &t, 4, 5));
     }
 }

@@ -223,7 +223,7 @@ impl Contact {
         }
         if let Some(body) = &self.body {
             let reach = self.reach + self.slack;
-            self.near.fill_body(&way, body, reach, reach);
+            self.near.fill_body(&way, body, [reach, reach], h);
         }
         self.listed.clear();
         self.listed.extend_from_slice(x);

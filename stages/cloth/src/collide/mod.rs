@@ -2,6 +2,7 @@
 
 pub(crate) mod advance;
 pub(crate) mod barrier;
+mod beside;
 pub(crate) mod body;
 pub(crate) mod calm;
 pub(crate) mod clear;

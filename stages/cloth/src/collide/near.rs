@@ -1,5 +1,6 @@
 //! Lists of primitives that are near each other, kept until the motion since their making uses up the slack.
 
+use super::beside::Beside;
 use super::body::Body;
 use super::closest::{point_triangle, point_triangle_gap, segment_gap, segments};
 use super::tree::{Aabb, meet_moving};
@@ -22,6 +23,7 @@ pub(crate) struct Near {
     body_along: Vec<bool>,
     /// Cloth triangle corners, body vertex.
     pub body_faces: Vec<[u32; 4]>,
+    beside: Beside,
 }
 
 /// What one face brings to its pairs: its corners, and the vertices and edges it owns.
@@ -109,8 +111,9 @@ fn swept(b: &Aabb, d: &Aabb, reach: f64) -> Aabb {
     Aabb { low: b.low + d.low.inf(&zero), high: b.high + d.high.sup(&zero) }.grown(reach)
 }
 
-/// How much wider than all else vertices must reach for that they are asked about by themselves.
-const WIDER: f64 = 1.3;
+/// What is beside a triangle is kept for moves of this share of an edge, unless steps are longer than this share.
+const MARGIN: f64 = 0.3;
+const QUICK: f64 = 0.3;
 
 /// A face on its way, and how far it reaches for a body.
 struct Reaching {
@@ -257,9 +260,12 @@ impl Near {
         self.body_along.push(parallel(&a.run(i), &b.run(j)));
     }
 
-    /// Cloth–body pairs that come nearer than `reach` along a step, vertices of the cloth those nearer than `wide`.
-    pub fn fill_body(&mut self, way: &Way<'_>, body: &Body, reach: f64, wide: f64) {
+    /// Cloth–body pairs that come nearer than `reach` along a step, vertices of the cloth those nearer than `wide`; edges of the
+    /// cloth are `edge` long.
+    pub fn fill_body(&mut self, way: &Way<'_>, body: &Body, [reach, wide]: [f64; 2], edge: f64) {
         self.clear_body();
+        let margin = if way.longest > QUICK * edge { 0.0 } else { MARGIN * edge };
+        let mut beside = std::mem::take(&mut self.beside);
         for f in (0u32..).take(way.topology.faces.len()) {
             let moving = Moving::of(way.topology, f, way.x, way.step);
             let far = moving.swept(wide);
@@ -267,22 +273,15 @@ impl Near {
                 continue;
             }
             let face = Reaching::new(moving, reach, wide);
-            if wide > WIDER * reach {
-                for k in (0..3).filter(|k| face.owned().owns_vertex(*k) && body.may_meet(&face.points[*k])) {
-                    body.candidates(&face.points[k], |g| self.add_body_point(&face, k, g, body));
-                }
-                if body.may_meet(&face.bounds) {
-                    body.candidates(&face.bounds, |g| self.add_body_sides(&face, g, body));
-                }
-            } else {
-                body.candidates(&far, |g| {
-                    for k in (0..3).filter(|k| face.owned().owns_vertex(*k)) {
-                        self.add_body_point(&face, k, g, body);
-                    }
-                    self.add_body_sides(&face, g, body);
-                });
+            let candidates = beside.candidates(f, &far, margin, body);
+            for k in (0..3).filter(|k| face.owned().owns_vertex(*k) && body.may_meet(&face.points[*k])) {
+                candidates.iter().for_each(|g| self.add_body_point(&face, k, *g, body));
+            }
+            if body.may_meet(&face.bounds) {
+                candidates.iter().for_each(|g| self.add_body_sides(&face, *g, body));
             }
         }
+        self.beside = beside;
     }
 
     fn add_body_point(&mut self, face: &Reaching, k: usize, g: u32, body: &Body) {

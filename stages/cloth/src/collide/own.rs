@@ -50,13 +50,14 @@ impl Own {
         }
         self.calm.look(way.x, way.step, way.topology);
         let reach = gap + 2.0 * slack;
-        self.calm.restless(way.topology, |f, g| near.add_own(f, g, way, reach));
         self.sweep(way, 0.5 * reach);
-        let sweep = |f: u32| &self.sweeps[f as usize];
-        self.pairs
-            .iter()
-            .filter(|[f, g]| sweep(*f).meets(sweep(*g)))
-            .for_each(|&[f, g]| near.add_own(f, g, way, reach));
+        let meet = |f: u32, g: u32| self.sweeps[f as usize].meets(&self.sweeps[g as usize]);
+        self.calm.restless(way.topology, |f, g, joined| {
+            if joined || meet(f, g) {
+                near.add_own(f, g, way, reach);
+            }
+        });
+        self.pairs.iter().filter(|[f, g]| meet(*f, *g)).for_each(|&[f, g]| near.add_own(f, g, way, reach));
     }
 
     /// Most pairs were near when they were found, and are not on this way: their boxes tell so soonest.

@@ -54,6 +54,12 @@ impl Aabb {
             && self.low.z <= o.high.z
             && o.low.z <= self.high.z
     }
+
+    /// Is another box in this one?
+    #[inline]
+    pub fn holds(&self, o: &Self) -> bool {
+        (0..3).all(|k| self.low[k] <= o.low[k] && o.high[k] <= self.high[k])
+    }
 }
 
 /// May points of two boxes meet while they are displaced by any part (the same for all) of displacements from two boxes?

@@ -6,6 +6,10 @@ use nalgebra::Vector2;
 type Triangle = [Vec3; 3];
 
 fn sign3(a: &Vec3, b: &Vec3, c: &Vec3, d: &Vec3) -> i8 {
+    // Flat cloth in a plane square to an axis: the exact sum would take long to say so.
+    if (0..3).any(|k| a[k] == d[k] && b[k] == d[k] && c[k] == d[k]) {
+        return 0;
+    }
     let p = |v: &Vec3| robust::Coord3D { x: v.x, y: v.y, z: v.z };
     sign(robust::orient3d(p(a), p(b), p(c), p(d)))
 }
