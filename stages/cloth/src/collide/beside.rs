@@ -1,28 +1,153 @@
-//! Which triangles of a body at rest are beside each triangle of the cloth, kept while that stays in a box a little wider than
-//! it was asked for: a walk through the body's tree costs more than all else that is asked of most triangles.
+//! Which triangles of a body at rest are beside each vertex and each triangle of the cloth, kept with their distances while
+//! the cloth stays near where it was asked: a walk through the body's tree costs more than all else that is asked of most.
 
 use super::body::Body;
 use super::tree::Aabb;
+use crate::Vec3;
 
-/// Candidates of every triangle of the cloth.
+/// Rounds a distance to single precision, not up.
+const DOWN: f64 = 1.0 - 1e-6;
+
+/// What is beside one place.
+#[derive(Clone, Debug, Default)]
+struct Held {
+    at: [Vec3; 3],
+    /// All nearer than this are held, m.
+    limit: f64,
+    /// Triangles of the body in the order of its tree, and what they are away at least, m.
+    list: Vec<(u32, f32)>,
+}
+
+impl Held {
+    /// Those that may be nearer than `reach` to `x`, and maybe others.
+    fn within<'a>(&'a self, x: &[Vec3; 3], reach: f64) -> impl Iterator<Item = u32> + use<'a> {
+        let limit = reach + self.moved(x);
+        self.list.iter().filter(move |(_, d)| f64::from(*d) <= limit).map(|(g, _)| *g)
+    }
+
+    /// The longest way of a corner since the list was made, m.
+    fn moved(&self, x: &[Vec3; 3]) -> f64 {
+        let square = |k: usize| (x[k] - self.at[k]).norm_squared();
+        square(0).max(square(1)).max(square(2)).sqrt()
+    }
+
+    fn holds(&self, x: &[Vec3; 3], reach: f64) -> bool {
+        self.limit > 0.0 && self.moved(x) + reach <= self.limit
+    }
+
+    /// `away`: distance of a triangle of the body from here, or less.
+    fn fill(&mut self, x: &[Vec3; 3], limit: f64, body: &Body, away: impl Fn(u32) -> f64) {
+        (self.at, self.limit) = (*x, limit);
+        self.list.clear();
+        body.candidates(&Aabb::of_three(x).grown(limit), |g| {
+            let d = away(g);
+            if d <= limit {
+                // A smaller distance only lets more be asked.
+                #[allow(clippy::cast_possible_truncation)]
+                self.list.push((g, (DOWN * d) as f32));
+            }
+        });
+    }
+}
+
+/// Candidates of the cloth's vertices and triangles.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Beside {
-    kept: Vec<(Aabb, Vec<u32>)>,
+    points: Vec<Held>,
+    faces: Vec<Held>,
 }
 
 impl Beside {
-    /// Triangles of the body whose boxes may meet `bounds` of triangle `f`, in the order of the body's tree, and maybe others;
-    /// those within `margin` more are kept for the next time.
-    pub fn candidates(&mut self, f: u32, bounds: &Aabb, margin: f64, body: &Body) -> &[u32] {
-        if self.kept.len() <= f as usize {
-            self.kept.resize(f as usize + 1, (Aabb::EMPTY, Vec::new()));
+    /// For so many vertices and triangles of the cloth.
+    pub fn cover(&mut self, vertices: usize, faces: usize) {
+        self.points.resize_with(vertices, Held::default);
+        self.faces.resize_with(faces, Held::default);
+    }
+
+    /// Triangles that may be nearer than `reach` to vertex `v` at `x`, and maybe others; those within `margin` more are kept.
+    pub fn point<'a>(
+        &'a mut self,
+        v: u32,
+        x: &Vec3,
+        reach: f64,
+        margin: f64,
+        body: &Body,
+    ) -> impl Iterator<Item = u32> + use<'a> {
+        let (held, x) = (&mut self.points[v as usize], [*x; 3]);
+        if !held.holds(&x, reach) {
+            held.fill(&x, reach + margin, body, |g| body.point_gap(&x[0], g));
         }
-        let (held, list) = &mut self.kept[f as usize];
-        if !held.holds(bounds) {
-            *held = bounds.grown(margin);
-            list.clear();
-            body.candidates(held, |g| list.push(g));
+        held.within(&x, reach)
+    }
+
+    /// The same for triangle `f` with its corners at `x`.
+    pub fn face<'a>(
+        &'a mut self,
+        f: u32,
+        x: &[Vec3; 3],
+        reach: f64,
+        margin: f64,
+        body: &Body,
+    ) -> impl Iterator<Item = u32> + use<'a> {
+        let held = &mut self.faces[f as usize];
+        if !held.holds(x, reach) {
+            let (bounds, normal) = (Aabb::of_three(x), crate::unit_normal(*x).unwrap_or_else(Vec3::zeros));
+            held.fill(x, reach + margin, body, |g| {
+                bounds.gap(&body.boxes[g as usize]).max(beside_plane(&x[0], &normal, &body.triangle(g)))
+            });
         }
-        list
+        held.within(x, reach)
+    }
+}
+
+/// How far a triangle stays from a plane.
+fn beside_plane(at: &Vec3, normal: &Vec3, t: &[Vec3; 3]) -> f64 {
+    let height = t.map(|p| normal.dot(&(p - at)));
+    let (low, high) = (height[0].min(height[1]).min(height[2]), height[0].max(height[1]).max(height[2]));
+    low.max(-high).max(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::BodyMesh;
+
+    /// A ball of triangles of some centimetres.
+    fn ball() -> Body {
+        let at = |i: u32, j: u32| {
+            let (u, v) = (f64::from(i) * 0.3, f64::from(j) * 0.3 - 1.5);
+            Vec3::new(libm::cos(u) * libm::cos(v), libm::sin(v), libm::sin(u) * libm::cos(v)) * 0.2
+        };
+        let positions = (0..22).flat_map(|i| (0..11).map(move |j| at(i, j))).collect();
+        let cell = |i: u32, j: u32| {
+            let a = 11 * i + j;
+            [[a, a + 1, a + 11], [a + 1, a + 12, a + 11]]
+        };
+        let triangles = (0..21).flat_map(|i| (0..10).flat_map(move |j| cell(i, j))).collect();
+        Body::new(&BodyMesh { positions, triangles }).expect("a body")
+    }
+
+    /// Wherever a triangle wanders, what is kept holds all that is near, in the order of the tree.
+    #[test]
+    fn nothing_near_is_missed_on_a_long_way() {
+        let (body, mut beside) = (ball(), Beside::default());
+        beside.cover(1, 1);
+        for i in 0..400u32 {
+            let t = f64::from(i) * 0.01;
+            let at = Vec3::new(0.23 * libm::cos(t), 0.05 * libm::sin(3.0 * t), 0.23 * libm::sin(t));
+            let x = [at, at + Vec3::new(0.02, 0.01, 0.0), at + Vec3::new(0.0, 0.02, 0.01 * libm::sin(7.0 * t))];
+            let reach = 0.02 + 0.01 * libm::sin(5.0 * t);
+            let mut near = Vec::new();
+            body.candidates(&Aabb::of_three(&x).grown(reach), |g| near.push(g));
+            let kept: Vec<u32> = beside.point(0, &at, reach, 0.01, &body).collect();
+            let wanted: Vec<u32> = near.iter().copied().filter(|g| body.point_gap(&at, *g) <= reach).collect();
+            let of_kept: Vec<u32> = kept.iter().copied().filter(|g| wanted.contains(g)).collect();
+            assert_eq!(of_kept, wanted);
+            let kept: Vec<u32> = beside.face(0, &x, reach, 0.01, &body).collect();
+            let corner = |g: &u32| x.iter().any(|p| body.point_gap(p, *g) <= reach);
+            let wanted: Vec<u32> = near.iter().copied().filter(corner).collect();
+            let of_kept: Vec<u32> = kept.iter().copied().filter(|g| wanted.contains(g)).collect();
+            assert_eq!(of_kept, wanted);
+        }
     }
 }

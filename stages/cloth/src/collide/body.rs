@@ -2,7 +2,7 @@
 //! by the rounding), all distances that decide are computed in f64 from the original positions.
 
 use super::clear::Clearance;
-use super::closest::point_triangle;
+use super::closest::{point_triangle, point_triangle_gap};
 use super::travel::Travel;
 use super::tree::Aabb;
 use crate::topology::Topology;
@@ -81,6 +81,12 @@ impl Body {
 
     pub fn triangle(&self, i: u32) -> [Vec3; 3] {
         crate::pick3(&self.positions, &self.topology.faces[i as usize])
+    }
+
+    /// Distance of a place from a triangle, m.
+    #[inline]
+    pub fn point_gap(&self, p: &Vec3, i: u32) -> f64 {
+        point_triangle_gap(p, self.triangle(i).each_ref())
     }
 
     /// Nearest point within `reach` of `p`, and its distance.

@@ -266,6 +266,7 @@ impl Near {
         self.clear_body();
         let margin = if way.longest > QUICK * edge { 0.0 } else { MARGIN * edge };
         let mut beside = std::mem::take(&mut self.beside);
+        beside.cover(way.x.len(), way.topology.faces.len());
         for f in (0u32..).take(way.topology.faces.len()) {
             let moving = Moving::of(way.topology, f, way.x, way.step);
             let far = moving.swept(wide);
@@ -273,12 +274,14 @@ impl Near {
                 continue;
             }
             let face = Reaching::new(moving, reach, wide);
-            let candidates = beside.candidates(f, &far, margin, body);
-            for k in (0..3).filter(|k| face.owned().owns_vertex(*k) && body.may_meet(&face.points[*k])) {
-                candidates.iter().for_each(|g| self.add_body_point(&face, k, *g, body));
+            let (a, l) = (face.owned(), &face.lengths);
+            for k in (0..3).filter(|k| a.owns_vertex(*k) && body.may_meet(&face.points[*k])) {
+                let beside = beside.point(a.corners[k], &a.at[k], wide + l[k], margin, body);
+                beside.for_each(|g| self.add_body_point(&face, k, g, body));
             }
             if body.may_meet(&face.bounds) {
-                candidates.iter().for_each(|g| self.add_body_sides(&face, *g, body));
+                let beside = beside.face(f, &a.at, reach + face.longest, margin, body);
+                beside.for_each(|g| self.add_body_sides(&face, g, body));
             }
         }
         self.beside = beside;
@@ -286,7 +289,7 @@ impl Near {
 
     fn add_body_point(&mut self, face: &Reaching, k: usize, g: u32, body: &Body) {
         let a = face.owned();
-        let far = || point_triangle_gap(&a.at[k], body.triangle(g).each_ref()) > face.wide + face.lengths[k];
+        let far = || body.point_gap(&a.at[k], g) > face.wide + face.lengths[k];
         if face.points[k].meets(&body.boxes[g as usize]) && !far() {
             self.body_points.push([a.corners[k], g]);
         }

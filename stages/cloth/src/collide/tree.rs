@@ -55,10 +55,9 @@ impl Aabb {
             && o.low.z <= self.high.z
     }
 
-    /// Is another box in this one?
-    #[inline]
-    pub fn holds(&self, o: &Self) -> bool {
-        (0..3).all(|k| self.low[k] <= o.low[k] && o.high[k] <= self.high[k])
+    /// How far another box is away; 0 where they meet.
+    pub fn gap(&self, o: &Self) -> f64 {
+        (o.low - self.high).sup(&(self.low - o.high)).sup(&Vec3::zeros()).norm()
     }
 }
 
@@ -325,7 +324,11 @@ fn split(centres: &[Vec3], order: &mut [u32], slots: &mut [u32]) {
     });
     let axis = (bounds.high - bounds.low).imax();
     let half = order.len().div_ceil(2);
-    order.sort_unstable_by(|p, q| centres[*p as usize][axis].total_cmp(&centres[*q as usize][axis]).then(p.cmp(q)));
+    // Which items go to which side is all that counts; no two compare as equal.
+    if half < order.len() {
+        let place = |i: &u32| centres[*i as usize][axis];
+        order.select_nth_unstable_by(half, |p, q| place(p).total_cmp(&place(q)).then(p.cmp(q)));
+    }
     let (left, right) = order.split_at_mut(half);
     let (ls, rs) = slots.split_at_mut(slots.len() / 2);
     split(centres, left, ls);
