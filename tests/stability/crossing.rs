@@ -13,7 +13,7 @@ pub fn own(x: &[Vec3], triangles: &[[usize; 3]]) -> usize {
     for (k, i) in order.iter().enumerate() {
         let high = bound(&list[*i], 0).1;
         for j in order[k + 1..].iter().take_while(|j| bound(&list[**j], 0).0 <= high) {
-            count += usize::from(near(&list[*i], &list[*j]) && cross(&list[*i], &list[*j]));
+            count += usize::from(near_by(&list[*i], &list[*j]) && cross(&list[*i], &list[*j]));
         }
     }
     count
@@ -23,8 +23,17 @@ pub fn own(x: &[Vec3], triangles: &[[usize; 3]]) -> usize {
 pub fn with_body(x: &[Vec3], triangles: &[[usize; 3]], body: &[Vec3], faces: &[[usize; 3]]) -> usize {
     let cloth: Vec<Triangle> = triangles.iter().map(|t| t.map(|v| x[v])).collect();
     let solid: Vec<Triangle> = faces.iter().map(|t| t.map(|v| body[v])).collect();
-    let pairs = cloth.iter().flat_map(|a| solid.iter().map(move |b| (a, b)));
-    pairs.filter(|(a, b)| near(a, b) && cross(a, b)).count()
+    let order = by_x(&solid);
+    let widest = solid.iter().map(|b| bound(b, 0)).map(|(l, h)| h - l).fold(0.0, f64::max);
+    let mut count = 0;
+    for a in &cloth {
+        // No face that begins further to the left reaches as far as here.
+        let (low, high) = bound(a, 0);
+        let first = order.partition_point(|j| bound(&solid[*j], 0).0 < low - widest * (1.0 + 1e-9));
+        let near = order[first..].iter().map(|j| &solid[*j]).take_while(|b| bound(b, 0).0 <= high);
+        count += near.filter(|b| near_by(a, b) && cross(a, b)).count();
+    }
+    count
 }
 
 /// Vertices inside a closed body, by the winding number.
@@ -55,7 +64,7 @@ fn bound(t: &Triangle, k: usize) -> (f64, f64) {
     (c[0].min(c[1]).min(c[2]), c[0].max(c[1]).max(c[2]))
 }
 
-fn near(a: &Triangle, b: &Triangle) -> bool {
+fn near_by(a: &Triangle, b: &Triangle) -> bool {
     (0..3).all(|k| {
         let ((l, h), (m, i)) = (bound(a, k), bound(b, k));
         l <= i && m <= h

@@ -96,15 +96,27 @@ impl<'a> Lab<'a> {
     /// The scene with its start shaken as the variant asks; held vertices stay.
     pub fn shaken(&self, trial: &Trial) -> Trial {
         let mut trial = trial.clone();
-        let Some(seed) = self.vary.jitter else { return trial };
-        let reach = SHAKE * trial.fabric.thickness;
+        if self.vary.jitter.is_none() {
+            return trial;
+        }
+        let thickness = trial.fabric.thickness;
         for (v, p) in trial.cloth.at.iter_mut().enumerate() {
             if !trial.pins.iter().any(|(pin, _)| *pin == v) {
-                let n = |k: u64| reach * noise(seed * 1_000_003 + 3 * v as u64 + k);
+                let n = |k: u64| self.nudge(thickness, 3 * v as u64 + k);
                 *p += toile_garment::Vec3::new(n(0), n(1), n(2));
             }
         }
         trial
+    }
+
+    /// How exact the variant asks the program to be.
+    pub fn accuracy(&self) -> Option<&str> {
+        self.vary.accuracy.as_deref()
+    }
+
+    /// A way by which the variant shakes a start of this thickness, by number; nothing in the case as it is written.
+    pub fn nudge(&self, thickness: f64, number: u64) -> f64 {
+        self.vary.jitter.map_or(0.0, |seed| SHAKE * thickness * noise(seed * 1_000_003 + number))
     }
 
     /// The scene must be accepted, and all that holds for every run must hold; gives what came out.
@@ -172,7 +184,7 @@ impl<'a> Lab<'a> {
     }
 
     /// What holds for every accepted run.
-    fn judge(&mut self, trial: &Trial, run: &Ended) -> Result<Draped, String> {
+    pub fn judge(&mut self, trial: &Trial, run: &Ended) -> Result<Draped, String> {
         if run.code > 1 {
             self.count.silent += usize::from(run.findings().next().is_none());
             self.count.accepted += 1;

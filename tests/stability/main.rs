@@ -26,6 +26,7 @@ mod case;
 mod cases;
 mod checks;
 mod crossing;
+mod drawing;
 mod known;
 mod lab;
 mod options;

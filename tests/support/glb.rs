@@ -50,3 +50,45 @@ fn millimetres(corner: &Value) -> Value {
     let round = |v: &Value| v.as_f64().map(|v| (v * 1000.0).round());
     corner.as_array().map(|c| c.iter().map(round).collect::<Vec<_>>()).into()
 }
+
+/// A mesh of a GLB: places (m), the first texture coordinates, triangles.
+pub struct Part {
+    pub name: String,
+    pub positions: Vec<[f64; 3]>,
+    /// u along the weft, v along the warp, as glTF has it: downwards.
+    pub uv: Vec<[f64; 2]>,
+    pub triangles: Vec<[usize; 3]>,
+}
+
+/// The meshes with their numbers; a primitive each.
+pub fn parts(bytes: &[u8]) -> Vec<Part> {
+    let length = u32::from_le_bytes([bytes[12], bytes[13], bytes[14], bytes[15]]) as usize;
+    let gltf: Value = serde_json::from_slice(&bytes[20..20 + length]).expect("JSON chunk");
+    let binary = &bytes[28 + length..];
+    let index = |v: &Value| v.as_u64().unwrap_or(0) as usize;
+    let data = |accessor: &Value| {
+        let a = &gltf["accessors"][index(accessor)];
+        let view = &gltf["bufferViews"][index(&a["bufferView"])];
+        let start = index(&view["byteOffset"]) + index(&a["byteOffset"]);
+        (&binary[start..], index(&a["count"]), a["componentType"].as_u64())
+    };
+    let float =
+        |b: &[u8], i: usize| f64::from(f32::from_le_bytes([b[4 * i], b[4 * i + 1], b[4 * i + 2], b[4 * i + 3]]));
+    let read = |mesh: &Value| {
+        let part = &mesh["primitives"][0];
+        let (p, n, _) = data(&part["attributes"]["POSITION"]);
+        let (t, _, _) = data(&part["attributes"]["TEXCOORD_0"]);
+        let (i, count, kind) = data(&part["indices"]);
+        let id = |k: usize| match kind {
+            Some(5123) => usize::from(u16::from_le_bytes([i[2 * k], i[2 * k + 1]])),
+            _ => u32::from_le_bytes([i[4 * k], i[4 * k + 1], i[4 * k + 2], i[4 * k + 3]]) as usize,
+        };
+        Part {
+            name: mesh["name"].as_str().unwrap_or_default().to_owned(),
+            positions: (0..n).map(|k| [0, 1, 2].map(|c| float(p, 3 * k + c))).collect(),
+            uv: (0..n).map(|k| [0, 1].map(|c| float(t, 2 * k + c))).collect(),
+            triangles: (0..count / 3).map(|k| [0, 1, 2].map(|c| id(3 * k + c))).collect(),
+        }
+    };
+    gltf["meshes"].as_array().into_iter().flatten().map(read).collect()
+}

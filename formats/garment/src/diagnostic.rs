@@ -91,6 +91,41 @@ impl std::fmt::Display for Diagnostic {
     }
 }
 
+/// Most places that a tally names.
+const NAMED: usize = 5;
+
+/// How many things of a list are in question, and which of them come first: a message stays one line whatever their number.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Tally {
+    count: usize,
+    first: Vec<usize>,
+}
+
+impl Tally {
+    /// Takes one more, by its index in the list.
+    pub fn add(&mut self, index: usize) {
+        self.count += 1;
+        if self.first.len() < NAMED {
+            self.first.push(index + 1);
+        }
+    }
+
+    /// How many there are.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.count
+    }
+}
+
+/// The first by their numbers from 1: `3, 8`, and `…` after them where there are more.
+impl std::fmt::Display for Tally {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let words: Vec<String> = self.first.iter().map(ToString::to_string).collect();
+        let more = if self.count > NAMED { ", …" } else { "" };
+        write!(f, "{}{more}", words.join(", "))
+    }
+}
+
 /// The findings of a run, in the order they were made.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(transparent)]

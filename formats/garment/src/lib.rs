@@ -24,7 +24,7 @@ pub mod source;
 pub mod texture;
 pub mod units;
 
-pub use diagnostic::{Diagnostic, Report, Severity};
+pub use diagnostic::{Diagnostic, Report, Severity, Tally};
 pub use garment::{Aspect, Garment};
 pub use ids::{DartId, MeshVertex, PieceId, SeamId};
 pub use piece::Piece;

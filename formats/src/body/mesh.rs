@@ -3,7 +3,7 @@
 use super::place;
 use crate::obj::ObjMesh;
 use std::collections::{BTreeMap, BTreeSet};
-use toile_garment::{Diagnostic, Severity, Vec3};
+use toile_garment::{Diagnostic, Severity, Tally, Vec3};
 
 /// Height of a body that needs no question, metres: a doll to a giant.
 const HEIGHT: std::ops::RangeInclusive<f64> = 0.2..=3.0;
@@ -23,8 +23,12 @@ pub fn clean(raw: &ObjMesh, file: &str, findings: &mut Vec<Diagnostic>) -> Resul
     note(Severity::Info, "body-vertices-merged", merged, "vertices at the place of another were merged");
     note(Severity::Info, "body-vertices-unused", unused, "vertices belong to no face and were left out");
     let (mut triangles, flat, double) = sound(&positions, mapped);
-    note(Severity::Warning, "body-triangles-flat", flat, "triangles without area were left out");
-    note(Severity::Warning, "body-triangles-double", double, "triangles that stand twice were left out");
+    for (code, which, words) in [
+        ("body-triangles-flat", flat, "triangles without area were left out"),
+        ("body-triangles-double", double, "triangles that stand twice were left out"),
+    ] {
+        note(Severity::Warning, code, which.count(), &format!("{words}: number {which}"));
+    }
     if triangles.is_empty() {
         let finding = Diagnostic::error("body-empty", format!("`{file}` has no triangle with area"));
         return Err(Box::new(finding.at(place(file))));
@@ -69,20 +73,20 @@ fn merge(raw: &ObjMesh, together: bool) -> (Vec<Vec3>, Vec<[u32; 3]>, usize, usi
     (positions, triangles, merged, unused)
 }
 
-/// Without flat triangles and doubles, and how many of each there were.
-fn sound(positions: &[Vec3], triangles: Vec<[u32; 3]>) -> (Vec<[u32; 3]>, usize, usize) {
-    let (mut flat, mut double) = (0, 0);
+/// Without flat triangles and doubles, and which those were.
+fn sound(positions: &[Vec3], triangles: Vec<[u32; 3]>) -> (Vec<[u32; 3]>, Tally, Tally) {
+    let (mut flat, mut double) = (Tally::default(), Tally::default());
     let mut seen = BTreeSet::new();
     let mut out = Vec::with_capacity(triangles.len());
-    for t in triangles {
+    for (k, t) in triangles.into_iter().enumerate() {
         let [a, b, c] = t.map(|i| positions[i as usize]);
         let area = (b - a).cross(&(c - a)).norm();
         let mut key = t;
         key.sort_unstable();
         if key[0] == key[1] || key[1] == key[2] || area == 0.0 {
-            flat += 1;
+            flat.add(k);
         } else if !seen.insert(key) {
-            double += 1;
+            double.add(k);
         } else {
             out.push(t);
         }

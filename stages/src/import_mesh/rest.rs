@@ -8,7 +8,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use toile_formats::obj::ObjMesh;
 use toile_garment::mesh::PieceMesh;
-use toile_garment::{Diagnostic, SourceRef, Vec2, Vec3};
+use toile_garment::{Diagnostic, SourceRef, Tally, Vec2, Vec3};
 
 /// Where the rest shape comes from.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -50,7 +50,7 @@ pub fn build(rest: Rest, file: &str, positions: &[Vec3], cloth: &ObjMesh) -> Res
     let mut triangles = Vec::with_capacity(cloth.triangles.len());
     let mut shapes: Vec<[Vec2; 3]> = Vec::with_capacity(cloth.triangles.len());
     let mut turned = Vec::with_capacity(cloth.triangles.len());
-    let mut flat = 0usize;
+    let mut flat = Tally::default();
     for (k, t) in cloth.triangles.iter().enumerate() {
         let shape = match corners.and_then(|uv| uv.get(k)) {
             Some(uv) => uv.map(|i| cloth.texcoords.get(i as usize).map_or_else(Vec2::zeros, |p| Vec2::new(p[0], p[1]))),
@@ -59,7 +59,7 @@ pub fn build(rest: Rest, file: &str, positions: &[Vec3], cloth: &ObjMesh) -> Res
         let area = doubled_area(shape);
         let longest = (0..3).map(|i| (shape[(i + 1) % 3] - shape[i]).norm_squared()).fold(0.0, f64::max);
         if area.abs() <= THIN * longest {
-            flat += 1;
+            flat.add(k);
             continue;
         }
         triangles.push(*t);
@@ -76,7 +76,8 @@ pub fn build(rest: Rest, file: &str, positions: &[Vec3], cloth: &ObjMesh) -> Res
             findings.push(Diagnostic::warning(code, format!("`{file}`: {count} {words}")).at(place.clone()));
         }
     };
-    note(flat, "triangles-flat", "triangles without area at rest were left out");
+    let words = format!("triangles without area at rest were left out: number {flat}");
+    note(flat.count(), "triangles-flat", &words);
     let backwards = turned.iter().filter(|t| **t).count();
     note(
         backwards,

@@ -1,8 +1,12 @@
 //! The cases, one file for each letter of the catalogue.
 
 mod contact;
+mod drawn;
 mod effects;
 pub mod elsewhere;
+mod grain;
+mod large;
+mod layers;
 mod materials;
 mod meshes;
 mod motion;
@@ -21,8 +25,12 @@ pub fn all() -> Vec<Case> {
     list.extend(materials::cases());
     list.extend(numbers::cases());
     list.extend(seams::cases());
+    list.extend(grain::cases());
+    list.extend(layers::cases());
     list.extend(contact::cases());
     list.extend(motion::cases());
+    list.extend(drawn::cases());
+    list.extend(large::cases());
     list.extend(scale::cases());
     list.extend(symmetry::cases());
     list.extend(effects::cases());

@@ -23,7 +23,7 @@ pub fn cases() -> Vec<Case> {
 }
 
 /// Adds the stage `animate` and the frames of its body.
-fn filmed(trial: Trial, keys: &[&str], frames: &[Mesh]) -> Trial {
+pub fn filmed(trial: Trial, keys: &[&str], frames: &[Mesh]) -> Trial {
     let keys: String = keys.iter().map(|k| format!("with.{k}\n")).collect();
     let moves = if frames.is_empty() { "" } else { "with.body = \"move-000.obj\"\n" };
     let stages = format!("[[stage]]\nuse = \"animate\"\n{moves}{keys}with.sequence = \"{{out}}/frame-000.obj\"\n");
@@ -32,7 +32,7 @@ fn filmed(trial: Trial, keys: &[&str], frames: &[Mesh]) -> Trial {
 }
 
 /// The frames of the cloth; in none of them is a number missing or a triangle crossed.
-fn film(lab: &mut Lab, trial: &Trial, run: &Ended, frames: &[Mesh]) -> Result<Vec<Vec<Vec3>>, String> {
+pub fn film(lab: &mut Lab, trial: &Trial, run: &Ended, frames: &[Mesh]) -> Result<Vec<Vec<Vec3>>, String> {
     lab.count.accepted += 1;
     lab.expect(run.code == 0, format!("exit code {}: {}", run.code, run.said));
     let mut shots = Vec::new();

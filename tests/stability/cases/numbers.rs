@@ -22,6 +22,7 @@ pub fn cases() -> Vec<Case> {
         case("G5-one-triangle", |lab: &mut Lab| tiny(lab, 1)).quick(),
         case("G5-two-triangles", |lab: &mut Lab| tiny(lab, 2)).quick(),
         case("G6-forty-parts", parts),
+        case("G9-100000-bad-triangles", flood).quick().once(),
         case("G-falls-unheld", unheld).quick().once(),
     ]
 }
@@ -46,6 +47,29 @@ fn accuracies(lab: &mut Lab) -> Result<(), String> {
     // Lengths that rounding to single precision may hide.
     lab.expect(errors.windows(2).all(|e| e[1] <= e[0] + 1e-6), format!("errors {errors:?} m"));
     lab.below("error of normal m", errors[1], 1e-3);
+    Ok(())
+}
+
+/// So many triangles without area in the cloth and in the body: one finding each with the number of them and the first five,
+/// and the drape is what it is without them.
+fn flood(lab: &mut Lab) -> Result<(), String> {
+    let one = Trial::new(lying(del(0.2, 0.04), 0.052), cotton()).over(ball(0.05, Vec3::zeros(), 2));
+    let d = lab.settles(&one)?;
+    let bad = |m: &Mesh, line: &str| format!("{}{}", m.obj(), line.repeat(100_000));
+    let ball = one.body.as_ref().ok_or("a body")?;
+    let trial =
+        one.clone().text("cloth.obj", bad(&one.cloth, "f 1/1 1/1 2/2\n")).text("body.obj", bad(ball, "f 1 2 2\n"));
+    let run = lab.run(&trial, &[])?;
+    let e = Draped::read(&run)?;
+    lab.expect(d.at == e.at, format!("another rest, by {:.1e} m", apart(&d.at, &e.at)));
+    lab.expect(run.findings().count() == 2, format!("{} findings", run.findings().count()));
+    for (code, n) in [("triangles-flat", one.cloth.triangles.len()), ("body-triangles-flat", ball.triangles.len())] {
+        let found = run.findings().find(|f| f["code"] == code).and_then(|f| f["message"].as_str()).unwrap_or_default();
+        let first = format!("{}, {}, {}, {}, {}, …", n + 1, n + 2, n + 3, n + 4, n + 5);
+        let told = found.contains(": 100000 ") && found.ends_with(&first) && found.lines().count() == 1;
+        lab.expect(told, format!("`{code}` does not say how many and which: {found}"));
+    }
+    lab.below("bytes said", run.said.len() as f64, 1000.0);
     Ok(())
 }
 
