@@ -136,6 +136,7 @@ fn reading(c: &Cusick) -> Value {
         "radius_max_mm": figure(1e3 * c.radius_max()),
         "radius_mean_mm": figure(1e3 * c.radius_mean()),
         "hem_drop_max_mm": figure(1e3 * c.drop_max),
+        "energy_mJ": figure(1e3 * c.energy),
         "outline_radius_mm": c.outline.iter().step_by(every).map(|r| figure(1e3 * r)).collect::<Vec<_>>(),
     })
 }

@@ -144,7 +144,7 @@ impl Pulled {
         let held = self.clamps.iter().flatten().map(|v| (*v, start[*v as usize])).collect();
         let material = self.material.clone();
         let rig = Rig { cloth: &self.cloth, material, start, held, heavy: false, folds: false };
-        let Rest { at, forces } = rig.settle(cx)?;
+        let Rest { at, forces, .. } = rig.settle(cx)?;
         (self.at, self.stretch) = (at, stretch);
         let force = |v: &u32| forces.get(v).map_or(0.0, |f| -f.z);
         Ok(BiasReading {

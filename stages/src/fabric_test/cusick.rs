@@ -4,19 +4,16 @@
 //! Drape coefficient = (shadow − disc) / (specimen − disc), areas. The specimen measures 30 cm; one whose coefficient is
 //! below 30 % is tested again with 24 cm, one above 85 % with 36 cm.
 //!
-//! The cloth on the disc is held flat. A hinge over the last held circle bends over half a cell on each side of it, so the
-//! edge of the disc lies half a cell within that circle.
+//! Which of the cloth's many states of rest is read: `fall.rs`. Beside laboratories: `drape.md`.
 
-use super::mesh::{Flat, ROW, ring};
+use super::fall::{Fallen, deepest};
 use super::nodes::{Node, nodes};
-use super::rig::Rig;
-use super::shadow::{RAYS, Shadow, shadow};
+use super::shadow::{RAYS, shadow};
 use super::{Direction, within};
-use crate::solve::material;
 use std::f64::consts::{PI, TAU};
+use toile_garment::Diagnostic;
 use toile_garment::fabric::Fabric;
 use toile_garment::units::Length;
-use toile_garment::{Diagnostic, Vec3};
 use toile_stage_api::{StageContext, StageError};
 
 /// Radius of the disc, m.
@@ -27,8 +24,6 @@ pub const SPECIMENS: [f64; 3] = [0.24, 0.30, 0.36];
 const USUAL: [f64; 2] = [0.30, 0.85];
 /// Rise of a node over its valleys, as a share of the specimen's diameter.
 const NODE: f64 = 0.01;
-/// Ripple of the flat start at the hem, m: the folds must begin somewhere, and the same on every mesh.
-const RIPPLE: f64 = 5e-4;
 
 /// How to do the test.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -37,13 +32,20 @@ pub struct CusickParams {
     pub specimen: f64,
     /// Edge of the mesh, m.
     pub edge: f64,
-    /// Which repeat: each starts from other ripples.
+    /// Which repeat: each starts with its folds in other places.
     pub repeat: u32,
 }
 
 impl Default for CusickParams {
     fn default() -> Self {
         Self { specimen: SPECIMENS[1], edge: 4e-3, repeat: 0 }
+    }
+}
+
+impl CusickParams {
+    /// Coarsest edge, m: five cells from the disc to the hem.
+    pub(super) fn coarsest(&self) -> f64 {
+        0.2 * (0.5 * self.specimen - DISC)
     }
 }
 
@@ -63,6 +65,8 @@ pub struct Cusick {
     pub nodes: Vec<Node>,
     /// Lowest point of the hem under the disc, m.
     pub drop_max: f64,
+    /// Elastic energy and that of the weight, flat cloth 0, J.
+    pub energy: f64,
     /// Triangles of the mesh.
     pub triangles: usize,
 }
@@ -104,48 +108,26 @@ impl Cusick {
 /// # Errors
 /// An option out of range, a fabric without bending stiffness, no rest, or a stop on request.
 pub fn cusick(fabric: &Fabric, params: &CusickParams, cx: &mut StageContext<'_>) -> Result<Cusick, StageError> {
-    let specimen = 0.5 * params.specimen;
-    within::<Length>("the edge", params.edge, 1.5e-3..=0.2 * (specimen - DISC))?;
+    within::<Length>("the edge", params.edge, 1.5e-3..=params.coarsest())?;
     super::needs_bending(fabric, &Direction::ALL)?;
-    let (cloth, held) = mesh(specimen, params.edge);
-    let start = cloth.place(|p| start(p, specimen, params.repeat));
-    let pins = cloth.pick(|p| libm::hypot(p[0], p[1]) < held).into_iter().map(|v| (v, start[v as usize])).collect();
-    let rig = Rig { cloth: &cloth, material: material(fabric), start, held: pins, heavy: true, folds: true };
-    let rest = rig.settle(cx)?;
-    let read = read(params, &cloth, &rest.at, &shadow(&rest.at, &cloth.triangles, DISC));
+    let read = read(params, &deepest(fabric, params, cx)?);
     advise(&read, cx);
     Ok(read)
 }
 
-/// Circles from half a cell within the disc's edge to the hem, and the radius up to which vertices are held.
-fn mesh(specimen: f64, edge: f64) -> (Flat, f64) {
-    let free = (specimen - DISC) / (edge * ROW);
-    let count = (free + 0.5).round().max(2.0) as u32;
-    let cell = (specimen - DISC) / (f64::from(count) - 0.5);
-    let radii: Vec<f64> = (0..=count).map(|k| DISC + (f64::from(k) - 0.5) * cell).collect();
-    (ring(&radii, edge), DISC + cell)
-}
-
-/// Flat, with ripples of two to nine waves that grow towards the hem.
-fn start([x, y]: [f64; 2], specimen: f64, repeat: u32) -> Vec3 {
-    let (r, angle) = (libm::hypot(x, y), libm::atan2(y, x));
-    let out = ((r - DISC) / (specimen - DISC)).max(0.0);
-    // The golden angle spreads the phases of waves and repeats evenly, without chance.
-    let phase = |n: u32| 2.399_963_229_728_653 * f64::from(n + 8 * repeat) * f64::from(n);
-    let ripple: f64 = (2..=9).map(|n| libm::cos(f64::from(n) * angle + phase(n))).sum();
-    Vec3::new(x, if r > DISC { RIPPLE * out * out * ripple } else { 0.0 }, -y)
-}
-
-fn read(params: &CusickParams, cloth: &Flat, at: &[Vec3], shadow: &Shadow) -> Cusick {
+pub(super) fn read(params: &CusickParams, fallen: &Fallen) -> Cusick {
+    let (at, triangles) = (&fallen.rest.at, &fallen.cloth.triangles);
+    let shadow = shadow(at, triangles, DISC);
     let areas = [DISC, 0.5 * params.specimen].map(|r| PI * r * r);
     Cusick {
         params: *params,
         drape_coefficient: (shadow.area - areas[0]) / (areas[1] - areas[0]),
         shadow_area: shadow.area,
         nodes: nodes(&shadow.outline, NODE * params.specimen),
-        outline: shadow.outline.clone(),
+        outline: shadow.outline,
         drop_max: at.iter().map(|p| -p.y).fold(0.0, f64::max),
-        triangles: cloth.triangles.len(),
+        energy: fallen.rest.energy,
+        triangles: triangles.len(),
     }
 }
 

@@ -48,6 +48,11 @@ impl Flat {
         let [a, b, c] = t.map(|i| self.at[i as usize]);
         0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
     }
+
+    /// Sum of rest areas times heights (y), m³.
+    pub fn moment(&self, at: &[Vec3]) -> f64 {
+        self.triangles.iter().map(|t| self.area(t) * t.iter().map(|v| at[*v as usize].y).sum::<f64>() / 3.0).sum()
+    }
 }
 
 /// A strip from the origin: `columns` cells over the width (first axis), `rows` along the length (second axis), every

@@ -15,11 +15,16 @@ pub mod bias;
 pub mod cantilever;
 pub mod cusick;
 pub mod direction;
+mod fall;
 pub mod frame;
+#[cfg(test)]
+mod laboratory;
 mod mesh;
 mod nodes;
 pub mod picture;
 mod rig;
+#[cfg(test)]
+mod sectors;
 mod shadow;
 #[cfg(test)]
 mod tests;

@@ -31,6 +31,8 @@ pub struct Rig<'a> {
 pub struct Rest {
     /// m.
     pub at: Vec<Vec3>,
+    /// Elastic energy and that of the weight above y = 0, J.
+    pub energy: f64,
     /// Force of the clamps on every held vertex, N.
     pub forces: BTreeMap<u32, Vec3>,
 }
@@ -42,6 +44,7 @@ impl Rig<'_> {
     /// When it does not, or the user asks to stop.
     pub fn settle(self, cx: &mut StageContext<'_>) -> Result<Rest, StageError> {
         let settings = self.settings(cx.threads);
+        let (cloth, weight) = (self.cloth, if self.heavy { GRAVITY * self.material.areal_mass } else { 0.0 });
         let outcome = toile_cloth::drape(&self.scene(), &settings, &mut Follow::new(cx)).map_err(failure)?;
         if !outcome.settled {
             let (why, force) = (outcome.stop_reason.words(), outcome.residual_rel);
@@ -50,7 +53,8 @@ impl Rig<'_> {
             )));
         }
         let forces = outcome.reactions.iter().map(|r| (r.vertex, r.force)).collect();
-        Ok(Rest { at: outcome.positions, forces })
+        let energy = outcome.energy + weight * cloth.moment(&outcome.positions);
+        Ok(Rest { at: outcome.positions, energy, forces })
     }
 
     fn settings(&self, threads: usize) -> Settings {
