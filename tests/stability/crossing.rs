@@ -8,7 +8,7 @@ type Triangle = [Vec3; 3];
 /// Pairs of triangles of one mesh that cross.
 pub fn own(x: &[Vec3], triangles: &[[usize; 3]]) -> usize {
     let list: Vec<Triangle> = triangles.iter().map(|t| t.map(|v| x[v])).collect();
-    let order = by_x(&list);
+    let order = by_axis(&list, 0);
     let mut count = 0;
     for (k, i) in order.iter().enumerate() {
         let high = bound(&list[*i], 0).1;
@@ -23,14 +23,16 @@ pub fn own(x: &[Vec3], triangles: &[[usize; 3]]) -> usize {
 pub fn with_body(x: &[Vec3], triangles: &[[usize; 3]], body: &[Vec3], faces: &[[usize; 3]]) -> usize {
     let cloth: Vec<Triangle> = triangles.iter().map(|t| t.map(|v| x[v])).collect();
     let solid: Vec<Triangle> = faces.iter().map(|t| t.map(|v| body[v])).collect();
-    let order = by_x(&solid);
-    let widest = solid.iter().map(|b| bound(b, 0)).map(|(l, h)| h - l).fold(0.0, f64::max);
+    let widest = |k: usize| solid.iter().map(|b| bound(b, k)).map(|(l, h)| h - l).fold(0.0, f64::max);
+    // Along the axis on which no face is long, few are near.
+    let (axis, widest) = (0..3).map(|k| (k, widest(k))).min_by(|a, b| a.1.total_cmp(&b.1)).unwrap_or((0, 0.0));
+    let order = by_axis(&solid, axis);
     let mut count = 0;
     for a in &cloth {
-        // No face that begins further to the left reaches as far as here.
-        let (low, high) = bound(a, 0);
-        let first = order.partition_point(|j| bound(&solid[*j], 0).0 < low - widest * (1.0 + 1e-9));
-        let near = order[first..].iter().map(|j| &solid[*j]).take_while(|b| bound(b, 0).0 <= high);
+        // No face that begins farther back reaches as far as here.
+        let (low, high) = bound(a, axis);
+        let first = order.partition_point(|j| bound(&solid[*j], axis).0 < low - widest * (1.0 + 1e-9));
+        let near = order[first..].iter().map(|j| &solid[*j]).take_while(|b| bound(b, axis).0 <= high);
         count += near.filter(|b| near_by(a, b) && cross(a, b)).count();
     }
     count
@@ -53,9 +55,9 @@ fn winding(p: &Vec3, body: &[Vec3], faces: &[[usize; 3]]) -> f64 {
     faces.iter().map(solid).sum::<f64>() / (4.0 * std::f64::consts::PI)
 }
 
-fn by_x(list: &[Triangle]) -> Vec<usize> {
+fn by_axis(list: &[Triangle], k: usize) -> Vec<usize> {
     let mut order: Vec<usize> = (0..list.len()).collect();
-    order.sort_by(|i, j| bound(&list[*i], 0).0.total_cmp(&bound(&list[*j], 0).0));
+    order.sort_by(|i, j| bound(&list[*i], k).0.total_cmp(&bound(&list[*j], k).0));
     order
 }
 

@@ -1,7 +1,10 @@
 //! Cases that fail, and why: each waits for a change of the program. A case that passes must leave this list.
 
 /// Case, and what is wrong.
-const LIST: [(&str, &str); 0] = [];
+const LIST: [(&str, &str); 1] = [(
+    "E11-body-of-a-million",
+    "contact with a body of a million triangles takes ten times as long as with 30,000; the whole 3.7 times",
+)];
 
 pub fn reason(id: &str) -> Option<&'static str> {
     LIST.iter().find(|(known, _)| *known == id).map(|(_, why)| *why)

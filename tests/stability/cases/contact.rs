@@ -218,7 +218,7 @@ fn stack(lab: &mut Lab) -> Result<(), String> {
 }
 
 /// How far along a ray from the origin it meets a triangle.
-fn hit(ray: &Vec3, [a, b, c]: [Vec3; 3]) -> Option<f64> {
+pub fn hit(ray: &Vec3, [a, b, c]: [Vec3; 3]) -> Option<f64> {
     let inside = |p: &Vec3, q: &Vec3| ray.dot(&p.cross(q));
     let s = [inside(&a, &b), inside(&b, &c), inside(&c, &a)];
     let through = s.iter().all(|v| *v > 0.0) || s.iter().all(|v| *v < 0.0);

@@ -1,5 +1,6 @@
 //! E: cloth drawn through a ring, and a cape that the body pinches on both sides, by `animate`.
 
+use super::contact::hit;
 use super::motion::{film, filmed};
 use crate::case::{Case, case};
 use crate::crossing;
@@ -116,7 +117,7 @@ fn pinched(lab: &mut Lab) -> Result<(), String> {
         b
     };
     let frames: Vec<Mesh> = (0..24).map(|k| scene(OPEN + (gap - OPEN) * (f64::from(k) / 20.0).min(1.0))).collect();
-    let cape = lying(del(0.36, 0.02), pad + 2e-3);
+    let cape = lying(del(0.44, 0.022), pad + 2e-3);
     let trial = Trial::new(cape, cotton()).over(scene(OPEN));
     let trial = lab.shaken(&filmed(trial, &["frames = 180", "calming = \"0.3 s\""], &frames));
     let run = lab.run(&trial, &[])?;
@@ -124,13 +125,12 @@ fn pinched(lab: &mut Lab) -> Result<(), String> {
     let steps: Vec<f64> = shots.windows(2).map(|s| apart(&s[0], &s[1])).collect();
     let rest = steps[steps.len() - 30..].iter().copied().fold(0.0, f64::max);
     lab.below("way in a frame of the last second m", rest, 5e-5);
-    // Between the pad and a jaw there is cloth on both sides.
+    // On the straight line from the pad to a jaw there is cloth, on both sides.
     let last = shots.last().ok_or("a frame")?;
     for side in [-1.0, 1.0] {
-        let nip = Vec3::x() * (side * (pad + 0.5 * gap));
-        let nearest =
-            trial.cloth.triangles.iter().flatten().map(|v| (last[*v] - nip).norm()).fold(f64::INFINITY, f64::min);
-        lab.below("cloth from the nip m", nearest, 0.015);
+        let ways = trial.cloth.triangles.iter().filter_map(|t| hit(&(Vec3::x() * side), t.map(|v| last[v])));
+        let off = ways.map(|way| (way - pad - 0.5 * gap).abs()).fold(f64::INFINITY, f64::min);
+        lab.below("cloth from the middle of the nip m", off, 0.5 * gap);
     }
     Ok(())
 }

@@ -9,7 +9,7 @@ const LIST: [(&str, &str); 9] = [
         "E17 in wide rings",
         "the drape stops with cloth stretched at what is held: no ring was found that lets it through",
     ),
-    ("F6 on a body", "folds and slides on a body have several rests; which one is taken hangs on the last digit"),
+    ("F6 on a body, shaken", "there are several rests; which one is taken, and how near, hangs on the last digit"),
     ("G3 sideways", "gravity is along the vertical only"),
     ("H2", "other processors and systems: this machine is one"),
     ("I5", "effects are no features of the build"),
