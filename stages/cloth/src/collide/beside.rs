@@ -2,6 +2,7 @@
 //! the cloth stays near where it was asked: a walk through the body's tree costs more than all else that is asked of most.
 
 use super::body::Body;
+use super::closest::point_triangle_gap;
 use super::tree::Aabb;
 use crate::Vec3;
 
@@ -93,11 +94,19 @@ impl Beside {
         if !held.holds(x, reach) {
             let (bounds, normal) = (Aabb::of_three(x), crate::unit_normal(*x).unwrap_or_else(Vec3::zeros));
             held.fill(x, reach + margin, body, |g| {
-                bounds.gap(&body.boxes[g as usize]).max(beside_plane(&x[0], &normal, &body.triangle(g)))
+                let t = body.triangle(g);
+                bounds.gap(&body.boxes[g as usize]).max(beside_plane(&x[0], &normal, &t)).max(beside_ball(x, &t))
             });
         }
         held.within(x, reach)
     }
+}
+
+/// How far a triangle stays from the ball around another; near the truth where that is small.
+fn beside_ball(x: &[Vec3; 3], t: &[Vec3; 3]) -> f64 {
+    let middle = (t[0] + t[1] + t[2]) / 3.0;
+    let radius = t.iter().map(|p| (p - middle).norm_squared()).fold(0.0, f64::max).sqrt();
+    point_triangle_gap(&middle, x.each_ref()) - radius
 }
 
 /// How far a triangle stays from a plane.

@@ -97,14 +97,18 @@ fn cross(x: &[Vec3], s: [u32; 3], t: [u32; 3]) -> bool {
 
 /// Pairs of a cloth and a body triangle that cross.
 pub(crate) fn with_body(x: &[Vec3], faces: &[[u32; 3]], body: &[Vec3], body_faces: &[[u32; 3]]) -> Crossings {
-    let tree = Tree::new(body, body_faces);
+    let cloth = Aabb::of(x);
+    let corners = |t: &[u32; 3]| t.map(|v| body[v as usize]);
+    // Most of a large body is nowhere near the cloth.
+    let beside = |(j, t): (u32, &[u32; 3])| cloth.meets(&Aabb::of_three(&corners(t))).then_some((j, *t));
+    let (numbers, near): (Vec<u32>, Vec<[u32; 3]>) = (0u32..).zip(body_faces).filter_map(beside).unzip();
+    let tree = Tree::new(body, &near);
     let mut found = Crossings::default();
     for (i, t) in (0u32..).zip(faces) {
         let a = t.map(|v| x[v as usize]);
-        tree.meeting(&Aabb::of(&a), |j| {
-            let b = body_faces[j as usize].map(|v| body[v as usize]);
-            if apart_cross(&a, &b) {
-                found.add(i, j);
+        tree.meeting(&Aabb::of(&a), |k| {
+            if apart_cross(&a, &corners(&near[k as usize])) {
+                found.add(i, numbers[k as usize]);
             }
         });
     }
