@@ -149,7 +149,7 @@ impl Calm {
         for (f, corners) in (0u32..).zip(&topology.faces) {
             let calm = (0..3).fold(0, |calm, k| {
                 let v = corners[k] as usize;
-                calm | (u8::from(self.one[v]) * AT | u8::from(self.two[v]) * AROUND) << k
+                calm | bits(self.one[v], self.two[v], k)
             });
             if calm >= 7 * AROUND {
                 continue;
@@ -162,12 +162,18 @@ impl Calm {
     }
 }
 
+/// [`AT`] and [`AROUND`] of corner `k`.
+#[inline]
+fn bits(at: bool, around: bool, k: usize) -> u8 {
+    (u8::from(at) * AT + u8::from(around) * AROUND) << k
+}
+
 /// [`AT`] and [`AROUND`] of a neighbour, for the corners of a triangle.
 fn tie(corners: &[u32; 3], g: u32, faces: &[[u32; 3]], wide: &Lists) -> u8 {
     (0..3).fold(0, |tie, k| {
         let v = corners[k];
         let (at, around) = (faces[g as usize].contains(&v), wide.of(v).binary_search(&g).is_ok());
-        tie | (u8::from(at) * AT | u8::from(around) * AROUND) << k
+        tie | bits(at, around, k)
     })
 }
 
