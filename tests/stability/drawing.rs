@@ -1,5 +1,6 @@
 //! Patterns as DXF files: pieces with a grain line and a material, which a GarmentCode specification does not have.
 
+use crate::pattern::pipeline;
 use crate::support::cloth::Cloth;
 use crate::support::mesh::Mesh;
 use std::fmt::Write as _;
@@ -50,17 +51,9 @@ impl Drawing {
             std::fs::write(folder.join("body.toml"), side)?;
             stitch += "with.body = \"body.obj\"\n";
         }
-        let accuracy = accuracy.map(|a| format!("accuracy = \"{a}\""));
-        let drape: String = accuracy.iter().chain(&self.drape).map(|k| format!("with.{k}\n")).collect();
-        let text = format!(
-            "toile = 1\n[pipeline]\nline = \"drawing\"\nversion = 1\n[[stage]]\nuse = \"import-dxf\"\n\
-             with.file = \"pattern.dxf\"\nwith.sewing = \"sewing.toml\"\n\
-             [[stage]]\nuse = \"triangulate\"\nwith.edge_length = \"{} mm\"\n[[stage]]\nuse = \"assemble\"\n\
-             [[stage]]\nuse = \"stitch\"\n{stitch}[[stage]]\nuse = \"drape\"\n{drape}[[stage]]\nuse = \"texture\"\n\
-             [[stage]]\nuse = \"export-obj\"\nwith.file = \"{{out}}/final.obj\"\n\
-             [[stage]]\nuse = \"export-gltf\"\nwith.file = \"{{out}}/final.glb\"\n",
-            self.edge
-        );
+        let import = "use = \"import-dxf\"\nwith.file = \"pattern.dxf\"\nwith.sewing = \"sewing.toml\"\n";
+        let after = "[[stage]]\nuse = \"texture\"\n";
+        let text = pipeline([import, &stitch, after], self.edge, accuracy, &self.drape);
         std::fs::write(folder.join("pipeline.toml"), text)
     }
 

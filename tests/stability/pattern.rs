@@ -32,6 +32,19 @@ pub fn rectangle(w: f64, h: f64) -> [[f64; 2]; 4] {
     [[0.0, 0.0], [w, 0.0], [w, h], [0.0, h]]
 }
 
+/// The pipeline over a pattern: import, mesh (edges in mm), seams, sewing, drape, what comes `after` it, OBJ and GLB.
+pub fn pipeline([import, stitch, after]: [&str; 3], edge: f64, accuracy: Option<&str>, drape: &[String]) -> String {
+    let accuracy = accuracy.map(|a| format!("accuracy = \"{a}\""));
+    let drape: String = accuracy.iter().chain(drape).map(|k| format!("with.{k}\n")).collect();
+    format!(
+        "toile = 1\n[pipeline]\nline = \"pattern\"\nversion = 1\n[[stage]]\n{import}\
+         [[stage]]\nuse = \"triangulate\"\nwith.edge_length = \"{edge} mm\"\n[[stage]]\nuse = \"assemble\"\n\
+         [[stage]]\nuse = \"stitch\"\n{stitch}[[stage]]\nuse = \"drape\"\n{drape}{after}\
+         [[stage]]\nuse = \"export-obj\"\nwith.file = \"{{out}}/final.obj\"\n\
+         [[stage]]\nuse = \"export-gltf\"\nwith.file = \"{{out}}/final.glb\"\n"
+    )
+}
+
 /// A garment of pieces.
 #[derive(Clone)]
 pub struct Pattern {
@@ -82,7 +95,7 @@ impl Pattern {
         std::fs::write(folder.join("toile.root"), "")?;
         std::fs::write(folder.join("pattern.json"), self.specification())?;
         std::fs::write(folder.join("fabric.toml"), self.fabric.text())?;
-        let mut import = "with.file = \"pattern.json\"\n".to_owned();
+        let mut import = "use = \"import-garmentcode\"\nwith.file = \"pattern.json\"\n".to_owned();
         if !self.sewing.is_empty() {
             std::fs::write(folder.join("sewing.toml"), &self.sewing)?;
             import += "with.sewing = \"sewing.toml\"\n";
@@ -92,16 +105,7 @@ impl Pattern {
             std::fs::write(folder.join("body.obj"), body)?;
             stitch += "with.body = \"body.obj\"\n";
         }
-        let accuracy = accuracy.map(|a| format!("accuracy = \"{a}\""));
-        let drape: String = accuracy.iter().chain(&self.drape).map(|k| format!("with.{k}\n")).collect();
-        let text = format!(
-            "toile = 1\n[pipeline]\nline = \"pattern\"\nversion = 1\n[[stage]]\nuse = \"import-garmentcode\"\n{import}\
-             [[stage]]\nuse = \"triangulate\"\nwith.edge_length = \"{} mm\"\n[[stage]]\nuse = \"assemble\"\n\
-             [[stage]]\nuse = \"stitch\"\n{stitch}[[stage]]\nuse = \"drape\"\n{drape}\
-             [[stage]]\nuse = \"export-obj\"\nwith.file = \"{{out}}/final.obj\"\n\
-             [[stage]]\nuse = \"export-gltf\"\nwith.file = \"{{out}}/final.glb\"\n",
-            self.edge
-        );
+        let text = pipeline([&import, &stitch, ""], self.edge, accuracy, &self.drape);
         std::fs::write(folder.join("pipeline.toml"), text)
     }
 }

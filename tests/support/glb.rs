@@ -4,11 +4,7 @@ use serde_json::{Value, json};
 
 /// Nodes, meshes, vertex and triangle counts, bounds in mm, materials, images and the extensions used.
 pub fn structure(bytes: &[u8]) -> Value {
-    let word = |at: usize| bytes.get(at..at + 4).map_or(0, |b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]));
-    assert_eq!(&bytes[..4], b"glTF");
-    assert_eq!(word(8) as usize, bytes.len(), "the length in the header is the file's");
-    let text = &bytes[20..20 + word(12) as usize];
-    let gltf: Value = serde_json::from_slice(text).expect("JSON chunk");
+    let (gltf, _) = chunks(bytes);
     let list = |key: &str| gltf[key].as_array().cloned().unwrap_or_default();
     let count = |index: &Value| gltf["accessors"][index.as_u64().unwrap_or(u64::MAX) as usize]["count"].clone();
     let meshes: Vec<Value> = list("meshes")
@@ -46,6 +42,15 @@ pub fn structure(bytes: &[u8]) -> Value {
     })
 }
 
+/// The document, and the bytes of the binary chunk; none where there is no such chunk.
+fn chunks(bytes: &[u8]) -> (Value, &[u8]) {
+    let word = |at: usize| bytes.get(at..at + 4).map_or(0, |b| u32::from_le_bytes([b[0], b[1], b[2], b[3]]));
+    assert_eq!(&bytes[..4], b"glTF");
+    assert_eq!(word(8) as usize, bytes.len(), "the length in the header is the file's");
+    let end = 20 + word(12) as usize;
+    (serde_json::from_slice(&bytes[20..end]).expect("JSON chunk"), bytes.get(end + 8..).unwrap_or_default())
+}
+
 fn millimetres(corner: &Value) -> Value {
     let round = |v: &Value| v.as_f64().map(|v| (v * 1000.0).round());
     corner.as_array().map(|c| c.iter().map(round).collect::<Vec<_>>()).into()
@@ -62,9 +67,7 @@ pub struct Part {
 
 /// The meshes with their numbers; a primitive each.
 pub fn parts(bytes: &[u8]) -> Vec<Part> {
-    let length = u32::from_le_bytes([bytes[12], bytes[13], bytes[14], bytes[15]]) as usize;
-    let gltf: Value = serde_json::from_slice(&bytes[20..20 + length]).expect("JSON chunk");
-    let binary = &bytes[28 + length..];
+    let (gltf, binary) = chunks(bytes);
     let index = |v: &Value| v.as_u64().unwrap_or(0) as usize;
     let data = |accessor: &Value| {
         let a = &gltf["accessors"][index(accessor)];

@@ -1,5 +1,6 @@
 //! ATTRIBs behind an INSERT in ENTITIES: what they say is said of the piece that is inserted.
 
+use super::inserts::Turns;
 use crate::dxf::ledger::{Ledger, Verdict};
 use crate::dxf::model::{Block, Drawing, Entity, Shape};
 use std::collections::BTreeMap;
@@ -12,18 +13,14 @@ pub(super) fn give(
     by_name: &BTreeMap<String, Vec<usize>>,
     ledger: &mut Ledger,
 ) {
-    let mut used: BTreeMap<String, usize> = BTreeMap::new();
+    let mut turns = Turns::default();
     let mut given: BTreeMap<usize, BTreeMap<String, String>> = BTreeMap::new();
     let mut owner: Option<(usize, bool)> = None;
     let mut left = Vec::with_capacity(drawing.entities.len());
     for entity in std::mem::take(&mut drawing.entities) {
         match &entity.shape {
             Shape::Insert { block, .. } => {
-                owner = by_name.get(block).map(|named| {
-                    let turn = used.entry(block.clone()).or_insert(0);
-                    *turn += 1;
-                    (named[(*turn - 1).min(named.len() - 1)], *turn <= named.len())
-                });
+                owner = by_name.get(block).map(|named| turns.next(block, named));
             }
             Shape::Attribute { tag, value, .. } if !value.is_empty() => {
                 if let Some((index, first)) = owner {

@@ -120,6 +120,20 @@ pub(super) fn check_expansion(
     Err(Diagnostic::error("insert-too-many", text).at(place).hint(hint))
 }
 
+/// Which block each INSERT of ENTITIES places where a name stands for several: the n-th INSERT of a name is that of the n-th block
+/// of this name, all later ones are of the last.
+#[derive(Debug, Default)]
+pub(super) struct Turns(BTreeMap<String, usize>);
+
+impl Turns {
+    /// The block of the next INSERT of a name, of those called so, and whether no INSERT placed it before.
+    pub fn next(&mut self, name: &str, named: &[usize]) -> (usize, bool) {
+        let turn = self.0.entry(name.to_owned()).or_insert(0);
+        *turn += 1;
+        (named[(*turn).min(named.len()) - 1], *turn <= named.len())
+    }
+}
+
 /// The blocks and which are inserted where.
 struct Walk<'a, 'f> {
     blocks: &'a [Block],
@@ -127,7 +141,7 @@ struct Walk<'a, 'f> {
     /// Does the block hold an outline itself?
     own: &'a dyn Fn(&Block) -> bool,
     out: Vec<Inserted>,
-    used: BTreeMap<&'a str, usize>,
+    turns: Turns,
     steps: usize,
     findings: &'f mut Findings,
 }
@@ -146,7 +160,7 @@ pub(super) fn inserts(
         by_name,
         own,
         out: vec![Inserted::default(); blocks.len()],
-        used: BTreeMap::new(),
+        turns: Turns::default(),
         steps: 0,
         findings,
     };
@@ -251,10 +265,7 @@ impl<'a> Walk<'a, '_> {
             ledger.note(entity.id, Verdict::Refused, "INSERT of a block that is missing");
             return;
         };
-        // The n-th INSERT of a name is that of the n-th block of this name.
-        let turn = self.used.entry(block.as_str()).or_insert(0);
-        let index = named[(*turn).min(named.len() - 1)];
-        *turn += 1;
+        let (index, _) = self.turns.next(block, named);
         self.place(entity, index, &[], &mut vec![index], ledger);
     }
 

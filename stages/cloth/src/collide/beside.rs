@@ -2,45 +2,48 @@
 //! the cloth stays near where it was asked: a walk through the body's tree costs more than all else that is asked of most.
 
 use super::body::Body;
-use super::closest::point_triangle_gap;
+use super::closest::{plane_gap, point_triangle_gap};
 use super::tree::Aabb;
 use crate::Vec3;
 
 /// Rounds a distance to single precision, not up.
 const DOWN: f64 = 1.0 - 1e-6;
 
-/// What is beside one place.
-#[derive(Clone, Debug, Default)]
-struct Held {
-    at: [Vec3; 3],
+/// What is beside a vertex or a triangle.
+#[derive(Clone, Debug)]
+struct Held<const N: usize> {
+    at: [Vec3; N],
     /// All nearer than this are held, m.
     limit: f64,
     /// Triangles of the body in the order of its tree, and what they are away at least, m.
     list: Vec<(u32, f32)>,
 }
 
-impl Held {
+impl<const N: usize> Held<N> {
+    fn nothing() -> Self {
+        Self { at: [Vec3::zeros(); N], limit: 0.0, list: Vec::new() }
+    }
+
     /// Those that may be nearer than `reach` to `x`, and maybe others.
-    fn within<'a>(&'a self, x: &[Vec3; 3], reach: f64) -> impl Iterator<Item = u32> + use<'a> {
+    fn within<'a>(&'a self, x: &[Vec3; N], reach: f64) -> impl Iterator<Item = u32> + use<'a, N> {
         let limit = reach + self.moved(x);
         self.list.iter().filter(move |(_, d)| f64::from(*d) <= limit).map(|(g, _)| *g)
     }
 
     /// The longest way of a corner since the list was made, m.
-    fn moved(&self, x: &[Vec3; 3]) -> f64 {
-        let square = |k: usize| (x[k] - self.at[k]).norm_squared();
-        square(0).max(square(1)).max(square(2)).sqrt()
+    fn moved(&self, x: &[Vec3; N]) -> f64 {
+        crate::farthest(&self.at, x)
     }
 
-    fn holds(&self, x: &[Vec3; 3], reach: f64) -> bool {
+    fn holds(&self, x: &[Vec3; N], reach: f64) -> bool {
         self.limit > 0.0 && self.moved(x) + reach <= self.limit
     }
 
     /// `away`: distance of a triangle of the body from here, or less.
-    fn fill(&mut self, x: &[Vec3; 3], limit: f64, body: &Body, away: impl Fn(u32) -> f64) {
+    fn fill(&mut self, x: &[Vec3; N], limit: f64, body: &Body, away: impl Fn(u32) -> f64) {
         (self.at, self.limit) = (*x, limit);
         self.list.clear();
-        body.candidates(&Aabb::of_three(x).grown(limit), |g| {
+        body.candidates(&Aabb::of(x).grown(limit), |g| {
             let d = away(g);
             if d <= limit {
                 // A smaller distance only lets more be asked.
@@ -54,15 +57,15 @@ impl Held {
 /// Candidates of the cloth's vertices and triangles.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Beside {
-    points: Vec<Held>,
-    faces: Vec<Held>,
+    points: Vec<Held<1>>,
+    faces: Vec<Held<3>>,
 }
 
 impl Beside {
     /// For so many vertices and triangles of the cloth.
     pub fn cover(&mut self, vertices: usize, faces: usize) {
-        self.points.resize_with(vertices, Held::default);
-        self.faces.resize_with(faces, Held::default);
+        self.points.resize_with(vertices, Held::nothing);
+        self.faces.resize_with(faces, Held::nothing);
     }
 
     /// Triangles that may be nearer than `reach` to vertex `v` at `x`, and maybe others; those within `margin` more are kept.
@@ -74,7 +77,7 @@ impl Beside {
         margin: f64,
         body: &Body,
     ) -> impl Iterator<Item = u32> + use<'a> {
-        let (held, x) = (&mut self.points[v as usize], [*x; 3]);
+        let (held, x) = (&mut self.points[v as usize], [*x]);
         if !held.holds(&x, reach) {
             held.fill(&x, reach + margin, body, |g| body.point_gap(&x[0], g));
         }
@@ -95,7 +98,7 @@ impl Beside {
             let (bounds, normal) = (Aabb::of_three(x), crate::unit_normal(*x).unwrap_or_else(Vec3::zeros));
             held.fill(x, reach + margin, body, |g| {
                 let t = body.triangle(g);
-                bounds.gap(&body.boxes[g as usize]).max(beside_plane(&x[0], &normal, &t)).max(beside_ball(x, &t))
+                bounds.gap(&body.boxes[g as usize]).max(plane_gap(&x[0], &normal, &t)).max(beside_ball(x, &t))
             });
         }
         held.within(x, reach)
@@ -107,13 +110,6 @@ fn beside_ball(x: &[Vec3; 3], t: &[Vec3; 3]) -> f64 {
     let middle = (t[0] + t[1] + t[2]) / 3.0;
     let radius = t.iter().map(|p| (p - middle).norm_squared()).fold(0.0, f64::max).sqrt();
     point_triangle_gap(&middle, x.each_ref()) - radius
-}
-
-/// How far a triangle stays from a plane.
-fn beside_plane(at: &Vec3, normal: &Vec3, t: &[Vec3; 3]) -> f64 {
-    let height = t.map(|p| normal.dot(&(p - at)));
-    let (low, high) = (height[0].min(height[1]).min(height[2]), height[0].max(height[1]).max(height[2]));
-    low.max(-high).max(0.0)
 }
 
 #[cfg(test)]

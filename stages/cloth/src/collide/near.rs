@@ -2,7 +2,7 @@
 
 use super::beside::Beside;
 use super::body::Body;
-use super::closest::{point_triangle, point_triangle_gap, segment_gap, segments};
+use super::closest::{plane_gap, point_triangle, point_triangle_gap, segment_gap, segments};
 use super::tree::{Aabb, meet_moving};
 use crate::Vec3;
 use crate::topology::Topology;
@@ -156,9 +156,7 @@ impl Reaching {
     /// Does a triangle lie on one side of the face's plane, farther than it reaches on its way?
     #[inline]
     fn passes(&self, b: &Owned) -> bool {
-        let height = b.at.map(|p| self.normal.dot(&(p - self.owned().at[0])));
-        let far = self.reach + self.longest;
-        height.iter().all(|h| *h > far) || height.iter().all(|h| *h < -far)
+        plane_gap(&self.owned().at[0], &self.normal, &b.at) > self.reach + self.longest
     }
 }
 
