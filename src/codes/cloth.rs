@@ -76,6 +76,10 @@ pub(super) const CODES: &[Code] = &[
         "frames-cross",
         "In some frame triangles cross. Either the body's motion crosses itself or a step was too long.",
     ),
+    code(
+        "frames-overstretched",
+        "In some frame the cloth is stretched along warp or weft by more than the certificate allows the drape. The message says by how much and in which frame: a body that jerks, or too little cloth that holds all the rest.",
+    ),
     code("motion-not-settled", "with.until_settled was asked for, but the cloth still moved in the last frame."),
     code(
         "motion-not-solved",

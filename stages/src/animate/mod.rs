@@ -50,6 +50,7 @@ impl Stage for Animate {
         let settings = params.settings(cx.threads);
         let mut store = Store::new(&welded.scene, &settings);
         let trip = film(&welded.scene, params, &motion, &mut store, cx)?;
+        tell_strain(&store, &garment, cx);
         let animation = store.finish(params.fps, trip.settled, &layout, &welded)?;
         if let Some(c) = &mut garment.certificate {
             c.self_crossings = c.self_crossings.max(animation.self_crossings);
@@ -77,6 +78,18 @@ fn film(
     let settings = params.settings(cx.threads);
     let mut take = |f: &toile_cloth::Frame<'_>| store.take(f);
     toile_cloth::animate(scene, &settings, &params.dynamics(), motion, &mut Follow::new(cx), &mut take).map_err(failure)
+}
+
+/// Does the motion stretch the cloth more than the certificate allows the drape?
+fn tell_strain(store: &Store<'_>, garment: &Garment, cx: &mut StageContext<'_>) {
+    let (strain, frame) = store.strained();
+    let limit = garment.certificate.as_ref().and_then(|c| c.limits.get("strain_max"));
+    if let Some(limit) = limit.filter(|l| strain > **l) {
+        let message =
+            format!("frame {frame} stretches the cloth by {:.1} %, over {:.1} %", 100.0 * strain, 100.0 * limit);
+        let found = Diagnostic::warning("frames-overstretched", message);
+        cx.report.push(found.hint("does the body jerk there? let it move off more slowly, or hold more of the cloth"));
+    }
 }
 
 fn tell(

@@ -16,12 +16,14 @@ pub struct Store<'a> {
     settings: &'a Settings,
     frames: Vec<Vec<Vec3>>,
     worst: Figures,
+    /// Frame with the largest strain.
+    strained: usize,
     failed: Option<ClothError>,
 }
 
 impl<'a> Store<'a> {
     pub fn new(scene: &'a Scene, settings: &'a Settings) -> Self {
-        Self { scene, settings, frames: Vec::new(), worst: Figures::default(), failed: None }
+        Self { scene, settings, frames: Vec::new(), worst: Figures::default(), strained: 0, failed: None }
     }
 
     /// Takes a frame, in the numbers a viewer will see.
@@ -37,11 +39,18 @@ impl<'a> Store<'a> {
                 w.self_crossings = w.self_crossings.max(f.self_crossings);
                 w.body_crossings = w.body_crossings.max(f.body_crossings);
                 w.penetration_max = w.penetration_max.max(f.penetration_max);
-                w.strain_max = w.strain_max.max(f.strain_max);
+                if f.strain_max > w.strain_max {
+                    (w.strain_max, self.strained) = (f.strain_max, frame.number);
+                }
             }
             Err(e) => self.failed = self.failed.take().or(Some(e)),
         }
         self.frames.push(x);
+    }
+
+    /// The largest strain along warp or weft, and its frame.
+    pub fn strained(&self) -> (f64, usize) {
+        (self.worst.strain_max, self.strained)
     }
 
     /// The frames by piece, and the worst of their figures.

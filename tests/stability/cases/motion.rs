@@ -3,8 +3,8 @@
 use crate::case::{Case, case};
 use crate::crossing;
 use crate::lab::Lab;
-use crate::scenes::{apart, ball, cotton, del, even, lying, top, upright};
-use crate::support::cloth::Cloth;
+use crate::scenes::{apart, ball, corners, cotton, del, even, lying, top, upright};
+use crate::support::cloth::{Cloth, Law};
 use crate::support::draped::positions;
 use crate::support::mesh::{Mesh, body};
 use crate::support::program::Ended;
@@ -16,6 +16,7 @@ pub fn cases() -> Vec<Case> {
         case("E5-balls-close-to-4mm", |lab: &mut Lab| pressed(lab, 4e-3, true)),
         case("E5-balls-close-to-0.2mm", |lab: &mut Lab| pressed(lab, 2e-4, false)),
         case("E13-ball-at-10m-s", shot),
+        case("E13-held-cloth-is-taken-along", taken_along),
         case("E27-slope-without-friction", slope).quick(),
         case("E27-slope-friction-1", held_on_slope).quick(),
         case("E30-at-rest-on-a-ball", still),
@@ -91,6 +92,37 @@ fn shot(lab: &mut Lab) -> Result<(), String> {
     let off_axis = |q: &Vec3| libm::hypot(q.x, q.z + 0.1);
     let behind = before.filter(|(_, q)| q.y < 0.06 && off_axis(q) < 0.035).count();
     lab.expect(behind == 0, format!("{behind} vertices that were hit stayed behind"));
+    Ok(())
+}
+
+/// A bar goes at full speed from one step to the next, and what hangs on it too: half a cell of cloth that bears 3 %. At
+/// 0.5 m/s no cloth is stretched more; two corners that are jerked at 2 m/s bear more, and that is told.
+fn taken_along(lab: &mut Lab) -> Result<(), String> {
+    let law = [Law::Exponential { k0: 7000.0, beta: 35.0 }, Law::Exponential { k0: 3000.0, beta: 15.0 }];
+    let fabric = Cloth { warp: law[0], weft: law[1], limit: 0.03, ..cotton() };
+    let cloth = upright(del(0.15, 0.005));
+    let bar = |way: Vec3| {
+        let mut b = body::slab([0.2, 0.02], 0.02, 0.0);
+        b.at.iter_mut().for_each(|p| *p += Vec3::new(0.0, -0.02, 0.0) + way);
+        b
+    };
+    let jerks = [
+        (Vec3::new(0.5, 0.0, 0.0), top(&cloth)),
+        (Vec3::new(0.0, 0.0, -0.5), top(&cloth)),
+        (Vec3::new(0.0, 0.0, -0.5), corners(&cloth)),
+        (Vec3::new(0.0, 0.0, 2.0), corners(&cloth)),
+    ];
+    for (speed, held) in jerks {
+        let (fast, few) = (speed.norm() > 1.0, held.len() == 2);
+        let frames: Vec<Mesh> = (0..if fast { 3 } else { 7 }).map(|k| bar(speed * (f64::from(k) / 30.0))).collect();
+        let trial = Trial::new(cloth.clone(), fabric).hold(held).over(bar(Vec3::zeros()));
+        let trial = lab.shaken(&filmed(trial, &["fps = 30.0"], &frames));
+        let run = lab.run(&trial, &[])?;
+        film(lab, &trial, &run, &frames)?;
+        let told = |code: &str| run.findings().any(|f| f["code"] == code);
+        lab.expect(few || !told("motion-not-solved"), format!("unsolved steps at {speed:?}"));
+        lab.expect(told("frames-overstretched") == fast, format!("what is told of {speed:?}"));
+    }
     Ok(())
 }
 

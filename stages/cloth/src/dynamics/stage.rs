@@ -18,6 +18,14 @@ const TRIFLE: f64 = 1e-3;
 const NO_WAY: f64 = 2e-3;
 /// … and so many in a row mean that the cloth cannot give way.
 const PATIENCE: usize = 60;
+/// Way of held vertices off their course over the mean edge, from which the cloth beside them is taken along.
+const OFF_COURSE: f64 = 0.05;
+/// What their way may raise the stretch by, over what is stored and what it takes to bring all of the cloth along; beyond
+/// that they go a part of it and the cloth gives way, …
+const TEARS: f64 = 10.0;
+/// … no smaller one than this, so many times in a stage.
+const LEAST_PART: f64 = 1.0 / 64.0;
+const MOST_PARTS: u32 = 64;
 
 /// A descent that is led from stage to stage.
 pub(super) struct Stepper<'a> {
@@ -48,10 +56,14 @@ impl Stepper<'_> {
         self.descent.goal.inert = Some(inert);
         self.descent.refresh_lagged();
         self.descent.start_anew();
+        if self.descent.factors() == 0 && !self.hooks.is_empty() {
+            self.descent.tau = goal.1;
+            self.descent.metric()?;
+        }
         let mut guess = guess;
-        let (mut idle, mut rough) = (0, false);
+        let (mut idle, mut rough, mut parts) = (0, false, 0);
         loop {
-            let part = self.come(guess, body);
+            let part = self.come(guess, body, parts < MOST_PARTS);
             if part < 1.0
                 && let Some(p) = plain.take()
             {
@@ -63,6 +75,7 @@ impl Stepper<'_> {
                 break;
             }
             self.parted += 1;
+            parts += 1;
             idle = if part < NO_WAY { idle + 1 } else { 0 };
             if idle > PATIENCE {
                 return Err(ClothError::Caught { seconds: now, place: self.tightest() });
@@ -93,23 +106,20 @@ impl Stepper<'_> {
         }
     }
 
-    /// Moves cloth, held vertices and body together, as far as nothing crosses; the part of the way that was taken.
-    fn come(&mut self, guess: Vec<Vec3>, to: Option<&[Vec3]>) -> f64 {
-        let d = &mut self.descent;
+    /// Moves cloth, held vertices and body together, as far as nothing crosses, and with `care` as far as nothing tears; the
+    /// part of the way that was taken.
+    fn come(&mut self, guess: Vec<Vec3>, to: Option<&[Vec3]>, care: bool) -> f64 {
         let mut step = guess;
-        if let (Some(to), Some(faces)) = (to, d.goal.barrier.as_ref().and_then(|b| b.body.as_ref())) {
-            for h in &self.hooks {
-                step[h.vertex as usize] = h.place(&faces.topology.faces, to) - d.x[h.vertex as usize];
-            }
-        } else {
-            self.hooks.iter().for_each(|h| step[h.vertex as usize] = Vec3::zeros());
-        }
+        let led = self.take_along(&mut step, to);
+        let untorn = led.filter(|_| care).map_or(1.0, |far| self.untorn(&step, far));
+        step.iter_mut().for_each(|s| *s *= untorn);
+        let d = &mut self.descent;
         let Some(barrier) = &mut d.goal.barrier else {
             d.x.iter_mut().zip(&step).for_each(|(x, s)| *x += s);
-            return 1.0;
+            return untorn;
         };
         let way: Option<Vec<Vec3>> = to.zip(barrier.body.as_mut()).map(|(to, b)| {
-            let way: Vec<Vec3> = to.iter().zip(&b.positions).map(|(p, q)| p - q).collect();
+            let way: Vec<Vec3> = to.iter().zip(&b.positions).map(|(p, q)| (p - q) * untorn).collect();
             b.depart(&way);
             way
         });
@@ -119,7 +129,7 @@ impl Stepper<'_> {
             barrier.cover(&d.x, &step);
         }
         d.evaluate();
-        let Some(barrier) = &mut d.goal.barrier else { return 1.0 };
+        let Some(barrier) = &mut d.goal.barrier else { return untorn };
         let part = barrier.free_part(&d.x, &step);
         if let (Some(way), Some(body)) = (&way, &mut barrier.body) {
             if let Some(stick) = &mut d.goal.stick {
@@ -129,7 +139,53 @@ impl Stepper<'_> {
         }
         d.x.iter_mut().zip(&step).for_each(|(x, s)| *x += s * part);
         barrier.took(&d.x);
+        part * untorn
+    }
+
+    /// Leads the held vertices to where they hang. Where that is off the course of the cloth, what is beside them goes along,
+    /// as far as the stiffness hands it on: led alone, they would tear at it. Where its course itself tears at the cloth, it
+    /// is none. How far off they were, m, where that is much.
+    fn take_along(&mut self, step: &mut [Vec3], to: Option<&[Vec3]>) -> Option<f64> {
+        if self.stretches(step, crate::longest(step)) {
+            step.fill(Vec3::zeros());
+        }
+        let d = &mut self.descent;
+        let body = d.goal.barrier.as_ref().and_then(|b| b.body.as_ref());
+        let faces = body.map_or(&[][..], |b| &b.topology.faces);
+        let mut off = vec![Vec3::zeros(); step.len()];
+        for h in &self.hooks {
+            let v = h.vertex as usize;
+            let way = to.map_or_else(Vec3::zeros, |to| h.place(faces, to) - d.x[v]);
+            off[v] = way - step[v];
+        }
+        let far = crate::longest(&off);
+        if far <= OFF_COURSE * d.goal.edge {
+            step.iter_mut().zip(&off).for_each(|(s, o)| *s += o);
+            return None;
+        }
+        if let Some(b) = &mut d.goal.barrier {
+            b.cover(&d.x, &off);
+        }
+        step.iter_mut().zip(d.carried(&off)).for_each(|(s, o)| *s += o);
+        Some(far)
+    }
+
+    /// The part of a step after which the cloth is not torn; `far`: see [`Self::stretches`].
+    fn untorn(&self, step: &[Vec3], far: f64) -> f64 {
+        let mut part = 1.0;
+        while part > LEAST_PART && self.stretches(&step.iter().map(|s| s * part).collect::<Vec<_>>(), far) {
+            part *= 0.5;
+        }
         part
+    }
+
+    /// Does a step stretch the cloth more than bringing all of it so `far` (m) in this stage could?
+    fn stretches(&self, step: &[Vec3], far: f64) -> bool {
+        let goal = &self.descent.goal;
+        let speed = goal.inert.as_ref().map_or(0.0, |i| far / i.h);
+        let stored = goal.elastic(&self.descent.x);
+        let x: Vec<Vec3> = self.descent.x.iter().zip(step).map(|(x, s)| x + s).collect();
+        goal.elastic(&x) - stored > TEARS * (stored + 0.5 * goal.mass.iter().sum::<f64>() * speed * speed)
     }
 
     /// Descends until a step is shorter than `near`; `false` if that was not reached.

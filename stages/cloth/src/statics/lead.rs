@@ -100,7 +100,7 @@ impl Descent<'_> {
 
     /// A step of held vertices, and of the cloth along with them as the last metric answers to what they change in the
     /// forces.
-    fn carried(&mut self, step: &[Vec3]) -> Vec<Vec3> {
+    pub fn carried(&mut self, step: &[Vec3]) -> Vec<Vec3> {
         self.evaluate();
         let (from, force) = (self.x.clone(), self.f.clone());
         self.x.iter_mut().zip(step).for_each(|(x, d)| *x += d * TOUCH);
