@@ -32,6 +32,8 @@ impl Lists {
             lists.items.extend_from_slice(&one);
             lists.start.push(u32::try_from(lists.items.len()).unwrap_or(u32::MAX));
         }
+        lists.items.shrink_to_fit();
+        lists.start.shrink_to_fit();
         lists
     }
 

@@ -29,7 +29,7 @@ pub(crate) struct Own {
 
 impl Own {
     pub fn new(scene: &Scene, x: &[Vec3], topology: &Topology) -> Self {
-        let (tree, calm) = (Tree::new(x, &topology.faces), Calm::new(scene, topology));
+        let (tree, calm) = (Tree::moving(x, &topology.faces), Calm::new(scene, topology));
         let sheet = Sheet::new(scene, topology);
         let tiles = Tiles::new(&tree, calm.all_neighbours());
         Self { tree, tiles, calm, sheet, pairs: Vec::new(), listed: Listed::default(), sweeps: Vec::new() }

@@ -18,7 +18,7 @@ impl Body {
     /// From now on the body may move. Every edge can press then: a hollow one may open,
     /// a flat one may bend.
     pub fn set_out(&mut self) {
-        let tree = Tree::new(&self.positions, &self.topology.faces);
+        let tree = Tree::moving(&self.positions, &self.topology.faces);
         self.travel = Some(Travel { step: vec![Vec3::zeros(); self.positions.len()], going: false, tree });
         self.pressing_edges.fill(true);
         self.planes.clear();

@@ -140,6 +140,7 @@ fn higher(a: f32, b: f32) -> f32 {
 /// A complete binary tree; node 1 is the root, the children of `i` are `2i` and `2i + 1`.
 #[derive(Clone, Debug)]
 pub(crate) struct Tree {
+    /// Empty where all moves.
     boxes: Vec<Aabb>,
     /// The boxes and how they move in a step; empty where nothing moves.
     sweeps: Vec<Sweep>,
@@ -149,25 +150,31 @@ pub(crate) struct Tree {
 
 impl Tree {
     pub fn new(x: &[Vec3], faces: &[[u32; 3]]) -> Self {
+        let mut tree = Self::moving(x, faces);
+        tree.refit(x, faces, 0.0);
+        tree
+    }
+
+    /// One that only follows what moves.
+    pub fn moving(x: &[Vec3], faces: &[[u32; 3]]) -> Self {
         let centres: Vec<Vec3> = faces.iter().map(|t| t.iter().map(|v| x[*v as usize]).sum()).collect();
         let leaves = faces.len().max(TILE).next_power_of_two();
         let mut order: Vec<u32> = (0..faces.len()).map(|i| u32::try_from(i).unwrap_or(u32::MAX)).collect();
         let mut items = vec![u32::MAX; leaves];
         split(&centres, &mut order, &mut items);
-        let mut tree = Self { boxes: vec![Aabb::EMPTY; 2 * leaves], sweeps: Vec::new(), items };
-        tree.refit(x, faces, 0.0);
-        tree
+        Self { boxes: Vec::new(), sweeps: Vec::new(), items }
     }
 
     /// New boxes for moved vertices, each face's box grown by `margin`.
     pub fn refit(&mut self, x: &[Vec3], faces: &[[u32; 3]], margin: f64) {
+        self.boxes.resize(2 * self.items.len(), Aabb::EMPTY);
         let of = |t: &[u32; 3]| Aabb::of_three(&crate::pick3(x, t)).grown(margin);
         fit(&mut self.boxes, &self.items, faces, Aabb::EMPTY, of, Aabb::join);
     }
 
     /// Also takes the displacements of a step, for [`Self::meeting_pairs`].
     pub fn refit_moving(&mut self, x: &[Vec3], step: &[Vec3], faces: &[[u32; 3]], margin: f64) {
-        self.sweeps.resize(self.boxes.len(), Sweep::NONE);
+        self.sweeps.resize(2 * self.items.len(), Sweep::NONE);
         let of = |t: &[u32; 3]| Sweep::of(t, x, step, margin);
         fit(&mut self.sweeps, &self.items, faces, Sweep::NONE, of, Sweep::join);
     }

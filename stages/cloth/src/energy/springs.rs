@@ -27,6 +27,8 @@ impl Springs {
             ends.push(b);
             stiffness.push(same.iter().map(|s| s.1).sum());
         }
+        ends.shrink_to_fit();
+        stiffness.shrink_to_fit();
         for v in 0..n {
             start[v + 1] += start[v];
         }

@@ -139,7 +139,7 @@ fn hessians_are_the_derivative_of_the_forces_and_convex_ones_are_never_negative(
             let slope: Vec<Vec3> =
                 forces(step).iter().zip(forces(-step)).map(|(p, q)| (q - p) / (2.0 * step)).collect();
             let values = vec![nalgebra::Matrix3::zeros(); h.values.len()];
-            h.reset(&values);
+            h.reset(values.iter().copied());
             e.add_hessian(&x, false, &mut h);
             let got = times(&h, &d);
             let size = slope.iter().map(|f| f.norm()).fold(0.0, f64::max);
@@ -152,7 +152,7 @@ fn hessians_are_the_derivative_of_the_forces_and_convex_ones_are_never_negative(
                 );
             }
             assert!(h.extra.is_empty());
-            h.reset(&values);
+            h.reset(values.iter().copied());
             e.add_hessian(&x, true, &mut h);
             for probe in 0..200u32 {
                 let d: Vec<Vec3> = (0..n as u32)

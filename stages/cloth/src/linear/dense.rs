@@ -23,6 +23,7 @@ impl Pack {
         self.depth = width;
         let length = height.div_ceil(TALL) * TALL * width;
         if self.values.len() < length {
+            self.values.reserve_exact(length - self.values.len());
             self.values.resize(length, 0.0);
         }
     }

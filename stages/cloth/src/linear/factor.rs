@@ -37,12 +37,10 @@ impl Factor {
     /// memory for it is not there).
     pub fn factorise(&mut self, pattern: &Pattern, values: &[Matrix3<f64>], shift: &[f64]) -> bool {
         if self.pattern != *pattern {
-            let Some(symbolic) = self.symbolic.alike(pattern).or_else(|| Symbolic::new(pattern)) else { return false };
-            self.analyses += 1;
-            self.values = vec![0.0; symbolic.length];
-            self.right = vec![0.0; 3 * pattern.unknowns()];
-            self.pattern = pattern.clone();
-            self.symbolic = symbolic;
+            self.analyse(pattern);
+            if self.pattern != *pattern {
+                return false;
+            }
         }
         self.factors += 1;
         self.fill(values, shift);
@@ -52,6 +50,20 @@ impl Factor {
             pack: &mut self.pack,
             sums: &mut self.sums,
         })
+    }
+
+    /// Makes room for a factor of another pattern, if it can.
+    fn analyse(&mut self, pattern: &Pattern) {
+        // The old factor goes first: both would be the most that is ever held.
+        (self.values, self.pattern) = (Vec::new(), Pattern::default());
+        let old = std::mem::take(&mut self.symbolic);
+        let Some(symbolic) = old.alike(pattern).or_else(|| Symbolic::new(pattern)) else { return };
+        drop(old);
+        self.analyses += 1;
+        self.values = vec![0.0; symbolic.length];
+        self.right = vec![0.0; 3 * pattern.unknowns()];
+        self.pattern = pattern.clone();
+        self.symbolic = symbolic;
     }
 
     /// Rounds the blocks into the columns they belong to.

@@ -144,51 +144,56 @@ impl Hessian {
     }
 
     /// Starts anew from given values.
-    pub fn reset(&mut self, values: &[Matrix3<f64>]) {
+    pub fn reset(&mut self, values: impl ExactSizeIterator<Item = Matrix3<f64>>) {
         self.values.clear();
-        self.values.extend_from_slice(values);
+        self.values.reserve_exact(values.len());
+        self.values.extend(values);
         self.extra.clear();
     }
 
     /// The extra blocks worked into pattern and values; ordered sums, so the same for every run. Takes the values: what
     /// follows is a new start.
     pub fn merged(&mut self) -> (Pattern, Vec<Matrix3<f64>>) {
-        if self.extra.is_empty() {
-            return (self.pattern.clone(), std::mem::take(&mut self.values));
-        }
-        self.extra.sort_by_key(|e| (e.0, e.1));
-        let n = self.pattern.unknowns();
-        let mut start = Vec::with_capacity(n + 1);
-        let mut rows = Vec::with_capacity(self.pattern.rows.len() + self.extra.len());
-        let mut values = Vec::with_capacity(rows.capacity());
-        let mut next = self.extra.iter().peekable();
-        for column in 0..n {
-            start.push(u32::try_from(rows.len()).unwrap_or(u32::MAX));
-            let mine = self.pattern.start[column] as usize..self.pattern.start[column + 1] as usize;
-            for k in mine {
-                while let Some(e) = next.next_if(|e| e.0 as usize == column && e.1 < self.pattern.rows[k]) {
-                    push(&mut rows, &mut values, start[column], e);
+        let (mut pattern, mut values) = (self.pattern.clone(), std::mem::take(&mut self.values));
+        let extra = self.summed();
+        // From the end, so that all is moved in its place.
+        let (mut from, mut to) = (values.len(), values.len() + extra.len());
+        values.reserve_exact(extra.len());
+        values.resize(to, Matrix3::zeros());
+        pattern.rows.resize(to, 0);
+        let mut left = extra.as_slice();
+        for column in (0..self.pattern.unknowns()).rev() {
+            pattern.start[column + 1] = u32::try_from(to).unwrap_or(u32::MAX);
+            let first = self.pattern.start[column] as usize;
+            while let Some((e, others)) = left.split_last().filter(|(e, _)| e.0 as usize == column) {
+                if from > first && pattern.rows[from - 1] > e.1 {
+                    (from, to) = (from - 1, to - 1);
+                    (pattern.rows[to], values[to]) = (pattern.rows[from], values[from]);
+                } else {
+                    (to, left) = (to - 1, others);
+                    (pattern.rows[to], values[to]) = (e.1, e.2);
                 }
-                rows.push(self.pattern.rows[k]);
-                values.push(self.values[k]);
             }
-            while let Some(e) = next.next_if(|e| e.0 as usize == column) {
-                push(&mut rows, &mut values, start[column], e);
-            }
+            let rest = from - first;
+            pattern.rows.copy_within(first..from, to - rest);
+            values.copy_within(first..from, to - rest);
+            (from, to) = (first, to - rest);
         }
-        start.push(u32::try_from(rows.len()).unwrap_or(u32::MAX));
-        (Pattern { start, rows }, values)
+        (pattern, values)
     }
-}
 
-fn push(rows: &mut Vec<u32>, values: &mut Vec<Matrix3<f64>>, first: u32, e: &(u32, u32, Matrix3<f64>)) {
-    if rows.len() > first as usize && rows.last() == Some(&e.1) {
-        if let Some(v) = values.last_mut() {
-            *v += e.2;
-        }
-    } else {
-        rows.push(e.1);
-        values.push(e.2);
+    /// The extra blocks in order, those of one place as one.
+    fn summed(&mut self) -> Vec<(u32, u32, Matrix3<f64>)> {
+        let mut extra = std::mem::take(&mut self.extra);
+        extra.sort_by_key(|e| (e.0, e.1));
+        extra.dedup_by(|next, first| {
+            let same = (next.0, next.1) == (first.0, first.1);
+            if same {
+                first.2 += next.2;
+            }
+            same
+        });
+        extra
     }
 }
 
@@ -219,5 +224,22 @@ mod tests {
         h.stiffen(0.1);
         let want = along + Matrix3::identity() * 10.0;
         assert_eq!(h.values, [want, -want, want, Matrix3::zeros(), Matrix3::zeros()]);
+    }
+
+    /// Contacts come between, before and after the couplings of the cloth, some of them twice.
+    #[test]
+    fn extra_blocks_take_their_places() {
+        let of = |k: f64| Matrix3::from_diagonal_element(k);
+        let mut h = Hessian::new(vec![0, 1, 2, 3, 4], 5, [[0, 2], [2, 3]].into_iter());
+        h.values = (1..=7).map(|k| of(f64::from(k))).collect();
+        for (i, j, k) in [(0, 3, 10.0), (1, 0, 20.0), (4, 3, 30.0), (3, 0, 40.0), (2, 4, 50.0)] {
+            h.couple(i, j, &of(k));
+        }
+        let (pattern, values) = h.merged();
+        assert_eq!(pattern.start, [0, 4, 5, 8, 10, 11]);
+        assert_eq!(pattern.rows, [0, 1, 2, 3, 1, 2, 3, 4, 3, 4, 4]);
+        let want = [1.0, 20.0, 2.0, 50.0, 3.0, 4.0, 5.0, 50.0, 6.0, 30.0, 7.0];
+        assert_eq!(values, want.map(of));
+        assert!(h.values.is_empty() && h.extra.is_empty());
     }
 }

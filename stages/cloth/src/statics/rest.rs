@@ -33,36 +33,54 @@ const COARSE: f64 = 3.0;
 
 /// Settles the cloth.
 pub(crate) fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
-    let mut descent = Descent::begin(scene, settings, false)?;
     let (mut before, mut done) = (Vec::new(), 0.0);
-    let loaded = descent.preload();
-    if descent.far_from_rest() {
-        // Not in balance, so the loads were not those that it rested with.
-        if loaded {
-            descent.unload();
-        }
-        if let Some((x, effects)) = on_coarser(scene, settings, watch)? {
+    let mut begun = Some(begin(scene, settings)?);
+    if begun.as_ref().is_some_and(|d| d.decrement > FAR_FROM_REST)
+        && let Some(level) = Level::below_folds(scene)
+    {
+        // Its factor is larger than all of the coarser levels.
+        begun = None;
+        if let Some((x, effects)) = on_coarser(&level, settings, watch)? {
             (before, done) = (effects, COARSE_WORK);
-            match Descent::begin(&Scene { positions: x, ..scene.clone() }, settings, false) {
-                Ok(led) => descent = led,
-                // Spread from the coarser cloth it would cross something: it starts where it was.
-                Err(ClothError::StartCrosses { .. }) => {}
-                Err(e) => return Err(e),
-            }
+            drop(level);
+            begun = led(scene, x, settings)?;
         }
     }
+    let mut descent = match begun {
+        Some(descent) => descent,
+        None => begin(scene, settings)?,
+    };
     let reason = descent.settle(&mut Part::new(watch, [done, 1.0], &<[Vec3]>::to_vec))?;
     let mut outcome = report::outcome(descent, scene, reason);
     outcome.add_costs(&before);
     Ok(outcome)
 }
 
+/// From where the cloth is, with a first look at how far it is from rest.
+fn begin<'a>(scene: &Scene, settings: &'a Settings) -> Result<Descent<'a>, ClothError> {
+    let mut descent = Descent::begin(scene, settings, false)?;
+    let loaded = descent.preload();
+    // Not in balance, so the loads were not those that it rested with.
+    if descent.far_from_rest() && loaded {
+        descent.unload();
+    }
+    Ok(descent)
+}
+
+/// From where coarser cloth led it; `None` where it would cross something there.
+fn led<'a>(scene: &Scene, positions: Vec<Vec3>, settings: &'a Settings) -> Result<Option<Descent<'a>>, ClothError> {
+    match Descent::begin(&Scene { positions, ..scene.clone() }, settings, false) {
+        Ok(led) => Ok(Some(led)),
+        Err(ClothError::StartCrosses { .. }) => Ok(None),
+        Err(e) => Err(e),
+    }
+}
+
 /// Positions, and what the effects cost on the way there.
 type Led = (Vec<Vec3>, Vec<EffectReport>);
 
-/// Where the cloth comes to lie on the next coarser level, if there is one and the cloth does not fall off it.
-fn on_coarser(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Option<Led>, ClothError> {
-    let Some(level) = Level::below_folds(scene) else { return Ok(None) };
+/// Where the cloth comes to lie on a coarser level, if it does not fall off it.
+fn on_coarser(level: &Level, settings: &Settings, watch: &mut dyn Watch) -> Result<Option<Led>, ClothError> {
     let coarse = Settings {
         decrement_tolerance: COARSE * settings.decrement_tolerance,
         move_tolerance: COARSE * settings.move_tolerance,

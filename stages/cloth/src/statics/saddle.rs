@@ -31,7 +31,8 @@ impl Descent<'_> {
             return false;
         }
         // Powers of C⁻¹ (C − H): its largest value belongs to the direction along which H / C is least.
-        let less: Vec<_> = convex.1.iter().zip(&own).map(|(c, h)| c - h).collect();
+        let mut less = convex.1;
+        less.iter_mut().zip(own).for_each(|(c, h)| *c -= h);
         let mut v: Vec<Vec3> = (0u32..).take(self.f.len()).map(any).collect();
         for _ in 0..ROUNDS {
             let mut w = pattern.times(&less, &v);
