@@ -84,7 +84,7 @@ impl Factor {
             for c in 0..3 {
                 for r in 0..3 {
                     let v = if target.mirrored { value[(c, r)] } else { value[(r, c)] };
-                    self.values[target.at + c * target.height + r] = (v * scale) as f32 + floor[c][r];
+                    self.values[target.scalar(r, c)] = (v * scale) as f32 + floor[c][r];
                 }
             }
         }
@@ -92,7 +92,7 @@ impl Factor {
             let target = self.symbolic.targets[*start as usize];
             let block = &values[*start as usize];
             for c in 0..3 {
-                self.values[target.at + c * target.height + c] = ((block[(c, c)] + shift) * scale) as f32;
+                self.values[target.scalar(c, c)] = ((block[(c, c)] + shift) * scale) as f32;
             }
         }
     }
@@ -179,13 +179,14 @@ fn spread(node: &Node, nodes: &[Node], column: usize, sums: &[f32], values: &mut
     let target = &nodes[owner.node as usize];
     let mut into = None;
     for run in &owner.runs {
-        if run.from + run.length <= column {
+        let (from, to, length) = (run.from as usize, run.to as usize, run.length as usize);
+        if from + length <= column {
             continue;
         }
-        let late = column.saturating_sub(run.from);
-        let c = *into.get_or_insert(run.to + late);
-        let (at, length) = (target.start + c * target.height() + run.to + late, run.length - late);
-        for (v, s) in values[at..at + length].iter_mut().zip(&sums[run.from + late..][..length]) {
+        let late = column.saturating_sub(from);
+        let c = *into.get_or_insert(to + late);
+        let (at, length) = (target.start + c * target.height() + to + late, length - late);
+        for (v, s) in values[at..at + length].iter_mut().zip(&sums[from + late..][..length]) {
             *v -= s;
         }
     }

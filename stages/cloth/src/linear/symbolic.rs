@@ -16,6 +16,10 @@ const NONE: u32 = u32::MAX;
 /// Neighbouring supernodes are joined up to so many vertices when the share of zeros it stores stays below.
 const RELAX: [(usize, f64); 4] = [(2, 1.0), (6, 0.8), (16, 0.1), (usize::MAX, 0.05)];
 
+/// Vertices in the columns of a supernode, at most: wider ones are cut, so that half of their corner need not be stored, and
+/// what is worked on at a time stays near the processor.
+const WIDE: u32 = 128;
+
 /// A factor that is larger by more than one part in so many asks for an order of its own, and so do couplings that are fewer
 /// by as much.
 const MUCH: usize = 5;
@@ -47,9 +51,9 @@ pub(crate) struct Owner {
 /// Scalar rows that stand side by side in a node and in the owner of one of them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Run {
-    pub from: usize,
-    pub to: usize,
-    pub length: usize,
+    pub from: u32,
+    pub to: u32,
+    pub length: u32,
 }
 
 impl Node {
@@ -74,9 +78,17 @@ impl Node {
 /// Where a block of the pattern goes: index of its first scalar, height of its node, whether it is mirrored.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Target {
-    pub at: usize,
-    pub height: usize,
+    pub at: u32,
+    pub height: u32,
     pub mirrored: bool,
+}
+
+impl Target {
+    /// Place of a scalar of the block in the factor.
+    #[inline]
+    pub fn scalar(&self, row: usize, column: usize) -> usize {
+        self.at as usize + column * self.height as usize + row
+    }
 }
 
 /// What the order was made for: couplings, and the scalars of the factor then.
@@ -133,7 +145,7 @@ impl Symbolic {
         let ordering = SymmetricOrdering::Custom(PermRef::new_checked(&order, &place, n));
         let analysis = factorize_symbolic_cholesky(lower, Side::Lower, ordering, params).ok()?;
         let (nodes, length) = if pattern.rows.len() == n { apart(n)? } else { nodes(&analysis)? };
-        let targets = targets(pattern, &place, &nodes);
+        let targets = targets(pattern, &place, &nodes)?;
         let ordered = Ordered { pairs: pattern.rows.len(), length };
         Some(Self { order, place, nodes, targets, length, ordered })
     }
@@ -147,23 +159,29 @@ fn apart(n: usize) -> Option<(Vec<Node>, usize)> {
 
 fn nodes(analysis: &SymbolicCholesky<u32>) -> Option<(Vec<Node>, usize)> {
     let SymbolicCholeskyRaw::Supernodal(s) = analysis.raw() else { return None };
-    let mut start = 0;
-    let mut nodes: Vec<Node> = (0..s.n_supernodes())
-        .map(|k| {
-            let first = s.supernode_begin()[k];
-            let mut rows = s.supernode(k).pattern().to_vec();
-            rows.sort_unstable();
-            let node = Node { first, columns: s.supernode_end()[k] - first, rows, owners: Vec::new(), start };
+    let (mut start, mut nodes) = (0, Vec::new());
+    for k in 0..s.n_supernodes() {
+        let (first, end) = (s.supernode_begin()[k], s.supernode_end()[k]);
+        let mut rows = s.supernode(k).pattern().to_vec();
+        rows.sort_unstable();
+        for (from, to) in cuts(first, end) {
+            let rows = (to..end).chain(rows.iter().copied()).collect();
+            let node = Node { first: from, columns: to - from, rows, owners: Vec::new(), start };
             start += node.height() * node.width();
-            node
-        })
-        .collect();
+            nodes.push(node);
+        }
+    }
     let owner = owners(&nodes);
     for k in 0..nodes.len() {
         let found = owners_of(k, &nodes, &owner)?;
         nodes[k].owners = found;
     }
     Some((nodes, start))
+}
+
+/// Columns by the nodes that hold them.
+fn cuts(first: u32, end: u32) -> impl Iterator<Item = (u32, u32)> {
+    (first..end).step_by(WIDE as usize).map(move |from| (from, end.min(from + WIDE)))
 }
 
 /// The owners of a node's rows, in order.
@@ -176,7 +194,7 @@ fn owners_of(k: usize, nodes: &[Node], owner: &[u32]) -> Option<Vec<Owner>> {
         if at == NONE || at as usize <= k {
             return None;
         }
-        let runs = runs(&node.rows[from..], node.columns as usize + from, &nodes[at as usize]);
+        let runs = runs(&node.rows[from..], node.columns + u32::try_from(from).ok()?, &nodes[at as usize]);
         from += same.len();
         found.push(Owner { node: at, to: node.width() + 3 * from, runs });
     }
@@ -184,15 +202,16 @@ fn owners_of(k: usize, nodes: &[Node], owner: &[u32]) -> Option<Vec<Owner>> {
 }
 
 /// Where rows that stand at `first` and after it in one node stand in another.
-fn runs(rows: &[u32], first: usize, node: &Node) -> Vec<Run> {
+fn runs(rows: &[u32], first: u32, node: &Node) -> Vec<Run> {
     let mut runs: Vec<Run> = Vec::new();
-    for (k, row) in rows.iter().enumerate() {
-        let (from, to) = (3 * (first + k), 3 * node.place(*row) as usize);
+    for (k, row) in (first..).zip(rows) {
+        let (from, to) = (3 * k, 3 * node.place(*row));
         match runs.last_mut() {
             Some(r) if r.to + r.length == to => r.length += 3,
             _ => runs.push(Run { from, to, length: 3 }),
         }
     }
+    runs.shrink_to_fit();
     runs
 }
 
@@ -206,7 +225,8 @@ fn owners(nodes: &[Node]) -> Vec<u32> {
     owner
 }
 
-fn targets(pattern: &Pattern, place: &[u32], nodes: &[Node]) -> Vec<Target> {
+/// `None` for a factor beyond all memory.
+fn targets(pattern: &Pattern, place: &[u32], nodes: &[Node]) -> Option<Vec<Target>> {
     let owner = owners(nodes);
     let mut targets = Vec::with_capacity(pattern.rows.len());
     for j in 0..pattern.unknowns() {
@@ -217,8 +237,8 @@ fn targets(pattern: &Pattern, place: &[u32], nodes: &[Node]) -> Vec<Target> {
             let node = &nodes[owner[column as usize] as usize];
             let height = node.height();
             let at = node.start + 3 * node.place(column) as usize * height + 3 * node.place(row) as usize;
-            targets.push(Target { at, height, mirrored });
+            targets.push(Target { at: u32::try_from(at).ok()?, height: u32::try_from(height).ok()?, mirrored });
         }
     }
-    targets
+    Some(targets)
 }
