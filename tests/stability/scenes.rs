@@ -89,6 +89,19 @@ pub fn stretch(m: &Mesh, at: &[Vec3]) -> f64 {
     edges.map(|(i, j)| of(i, j)).fold(f64::NEG_INFINITY, f64::max)
 }
 
+/// Largest strain along weft or warp.
+pub fn strain(m: &Mesh, at: &[Vec3]) -> f64 {
+    let of = |t: &[usize; 3]| {
+        let [a, b, c] = t.map(|i| m.rest[i]);
+        let (p, q) = (at[t[1]] - at[t[0]], at[t[2]] - at[t[0]]);
+        let (e, f) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
+        let det = e[0] * f[1] - e[1] * f[0];
+        let (weft, warp) = ((p * f[1] - q * e[1]) / det, (q * e[0] - p * f[0]) / det);
+        weft.norm().max(warp.norm()) - 1.0
+    };
+    m.triangles.iter().map(of).fold(0.0, f64::max)
+}
+
 /// A body of its points and faces.
 pub fn body(at: Vec<Vec3>, triangles: Vec<[usize; 3]>) -> Mesh {
     Mesh { at, rest: Vec::new(), triangles }
