@@ -115,7 +115,7 @@ fn period(shots: &[Shot], signal: impl Fn(&Shot) -> f64) -> f64 {
 }
 
 /// A strip of `n` rows hanging from row 0 at the origin, swung out by `angle` as a whole.
-fn strip(n: u32, length: f64, angle: f64, m: toile_cloth::Material) -> Scene {
+fn strip(n: u32, length: f64, angle: f64, m: Material) -> Scene {
     let (s, c) = libm::sincos(angle);
     let mut scene = sheet(0.04, length, 2, n, m, |x, y| Vec3::new(y * s, -y * c, x));
     scene.gravity = Vec3::new(0.0, -G, 0.0);

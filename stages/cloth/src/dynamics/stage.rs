@@ -143,31 +143,37 @@ impl Stepper<'_> {
     }
 
     /// Leads the held vertices to where they hang. Where that is off the course of the cloth, what is beside them goes along,
-    /// as far as the stiffness hands it on: led alone, they would tear at it. Where its course itself tears at the cloth, it
-    /// is none. How far off they were, m, where that is much.
+    /// as far as the stiffness hands it on: led alone, they would tear at it. Where that course itself tears at cloth that is
+    /// led, it is none. How far off they were, m, where that is much.
     fn take_along(&mut self, step: &mut [Vec3], to: Option<&[Vec3]>) -> Option<f64> {
-        if self.stretches(step, crate::longest(step)) {
+        let ways = self.ways(to);
+        let much = OFF_COURSE * self.descent.goal.edge;
+        let led = ways.iter().any(|(_, way)| way.norm() > much);
+        if led && self.stretches(step, crate::longest(step)) {
             step.fill(Vec3::zeros());
         }
-        let d = &mut self.descent;
+        let mut off = vec![Vec3::zeros(); step.len()];
+        ways.iter().for_each(|(v, way)| off[*v] = way - step[*v]);
+        let far = crate::longest(&off);
+        let along = led && far > much;
+        if along {
+            let d = &mut self.descent;
+            if let Some(b) = &mut d.goal.barrier {
+                b.cover(&d.x, &off);
+            }
+            off = d.carried(&off);
+        }
+        step.iter_mut().zip(&off).for_each(|(s, o)| *s += o);
+        along.then_some(far)
+    }
+
+    /// Held vertices, and how far each is from where it hangs.
+    fn ways(&self, to: Option<&[Vec3]>) -> Vec<(usize, Vec3)> {
+        let d = &self.descent;
         let body = d.goal.barrier.as_ref().and_then(|b| b.body.as_ref());
         let faces = body.map_or(&[][..], |b| &b.topology.faces);
-        let mut off = vec![Vec3::zeros(); step.len()];
-        for h in &self.hooks {
-            let v = h.vertex as usize;
-            let way = to.map_or_else(Vec3::zeros, |to| h.place(faces, to) - d.x[v]);
-            off[v] = way - step[v];
-        }
-        let far = crate::longest(&off);
-        if far <= OFF_COURSE * d.goal.edge {
-            step.iter_mut().zip(&off).for_each(|(s, o)| *s += o);
-            return None;
-        }
-        if let Some(b) = &mut d.goal.barrier {
-            b.cover(&d.x, &off);
-        }
-        step.iter_mut().zip(d.carried(&off)).for_each(|(s, o)| *s += o);
-        Some(far)
+        let way = |h: &Hook| to.map_or_else(Vec3::zeros, |to| h.place(faces, to) - d.x[h.vertex as usize]);
+        self.hooks.iter().map(|h| (h.vertex as usize, way(h))).collect()
     }
 
     /// The part of a step after which the cloth is not torn; `far`: see [`Self::stretches`].
