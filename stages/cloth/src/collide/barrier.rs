@@ -169,10 +169,7 @@ impl Barrier {
 
     /// Tells that `x` was reached.
     pub fn took(&mut self, x: &[Vec3]) {
-        // Where these lists held, the wide one was not asked about this step.
-        if self.listed.took(x) {
-            self.own.iter_mut().for_each(|o| o.took(x));
-        }
+        self.listed.took(x);
     }
 
     /// Energy at `x`, J; adds the forces to `f` and remembers the contacts.

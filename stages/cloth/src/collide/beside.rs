@@ -24,9 +24,9 @@ impl<const N: usize> Held<N> {
         Self { at: [Vec3::zeros(); N], limit: 0.0, list: Vec::new() }
     }
 
-    /// Those that may be nearer than `reach` to `x`, and maybe others.
-    fn within<'a>(&'a self, x: &[Vec3; N], reach: f64) -> impl Iterator<Item = u32> + use<'a, N> {
-        let limit = reach + self.moved(x);
+    /// Those that may be nearer than `reach`, and maybe others; how far it was since the list was made, given.
+    fn within(&self, moved: f64, reach: f64) -> impl Iterator<Item = u32> + use<'_, N> {
+        let limit = reach + moved;
         self.list.iter().filter(move |(_, d)| f64::from(*d) <= limit).map(|(g, _)| *g)
     }
 
@@ -35,8 +35,10 @@ impl<const N: usize> Held<N> {
         crate::farthest(&self.at, x)
     }
 
-    fn holds(&self, x: &[Vec3; N], reach: f64) -> bool {
-        self.limit > 0.0 && self.moved(x) + reach <= self.limit
+    /// How far it was since the list was made, if that still holds.
+    fn holds(&self, x: &[Vec3; N], reach: f64) -> Option<f64> {
+        let moved = self.moved(x);
+        (self.limit > 0.0 && moved + reach <= self.limit).then_some(moved)
     }
 
     /// `away`: distance of a triangle of the body from here, or less.
@@ -78,10 +80,11 @@ impl Beside {
         body: &Body,
     ) -> impl Iterator<Item = u32> + use<'a> {
         let (held, x) = (&mut self.points[v as usize], [*x]);
-        if !held.holds(&x, reach) {
+        let moved = held.holds(&x, reach).unwrap_or_else(|| {
             held.fill(&x, reach + margin, body, |g| body.point_gap(&x[0], g));
-        }
-        held.within(&x, reach)
+            0.0
+        });
+        held.within(moved, reach)
     }
 
     /// The same for triangle `f` with its corners at `x`.
@@ -94,14 +97,15 @@ impl Beside {
         body: &Body,
     ) -> impl Iterator<Item = u32> + use<'a> {
         let held = &mut self.faces[f as usize];
-        if !held.holds(x, reach) {
+        let moved = held.holds(x, reach).unwrap_or_else(|| {
             let (bounds, normal) = (Aabb::of_three(x), crate::unit_normal(*x).unwrap_or_else(Vec3::zeros));
             held.fill(x, reach + margin, body, |g| {
                 let t = body.triangle(g);
                 bounds.gap(&body.boxes[g as usize]).max(plane_gap(&x[0], &normal, &t)).max(beside_ball(x, &t))
             });
-        }
-        held.within(x, reach)
+            0.0
+        });
+        held.within(moved, reach)
     }
 }
 

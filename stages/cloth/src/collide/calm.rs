@@ -15,30 +15,37 @@ const MOST_ROUND: f64 = 2.2 * std::f64::consts::PI;
 
 /// Lists of whole numbers, one after the other.
 #[derive(Debug, Default)]
-struct Lists {
+pub(super) struct Lists {
     start: Vec<u32>,
     items: Vec<u32>,
 }
 
 impl Lists {
-    fn new(n: usize, fill: impl Fn(u32, &mut Vec<u32>)) -> Self {
-        let mut lists = Self { start: vec![0], items: Vec::new() };
-        let mut one = Vec::new();
+    /// So many lists of numbers below `most`, with what each number was given in its list, bit by bit.
+    pub fn new(n: usize, most: usize, mut fill: impl FnMut(u32, &mut dyn FnMut(u32, u8))) -> (Self, Vec<u8>) {
+        let (mut lists, mut all) = (Self { start: vec![0], items: Vec::new() }, Vec::new());
+        let (mut one, mut bits) = (Vec::new(), vec![0u8; most]);
         for i in (0u32..).take(n) {
-            one.clear();
-            fill(i, &mut one);
+            fill(i, &mut |item, given| {
+                let bits = &mut bits[item as usize];
+                if *bits == 0 {
+                    one.push(item);
+                }
+                *bits |= given;
+            });
             one.sort_unstable();
-            one.dedup();
-            lists.items.extend_from_slice(&one);
+            all.extend(one.iter().map(|item| std::mem::take(&mut bits[*item as usize])));
+            lists.items.append(&mut one);
             lists.start.push(u32::try_from(lists.items.len()).unwrap_or(u32::MAX));
         }
         lists.items.shrink_to_fit();
         lists.start.shrink_to_fit();
-        lists
+        all.shrink_to_fit();
+        (lists, all)
     }
 
     #[inline]
-    fn of(&self, i: u32) -> &[u32] {
+    pub fn of(&self, i: u32) -> &[u32] {
         &self.items[self.start[i as usize] as usize..self.start[i as usize + 1] as usize]
     }
 }
@@ -47,19 +54,49 @@ impl Lists {
 const AT: u8 = 0b1;
 const AROUND: u8 = 0b1000;
 
-/// Normals of a triangle that bound those along a step (at its beginning, half mixed, at its end), and what each must
-/// have along the mean of its patch.
-type Normals = [(Vec3, f64); 3];
+/// Normals of a triangle that bound those along a step: at its beginning, half mixed, at its end.
+type Normals = [Vec3; 3];
 
-/// The first of them, and what it must have along a mean for all of them to have enough: they differ little in most steps.
-type First = (Vec3, f64);
+/// A direction and one number more, in single precision: most of the cloth lies so smoothly that this tells enough.
+type Quick = [f32; 4];
 
-/// What all of these must have along a direction, told by the first alone.
+/// What single precision may be wrong by, of numbers of 1 or less.
+const ROUNDING: f32 = 1e-5;
+
 #[inline]
-fn first(all: &Normals) -> First {
-    let [(n, need), (m, more), (o, most)] = all;
-    let off = (m - n).norm_squared().max((o - n).norm_squared()).sqrt();
-    (*n, need.max(*more).max(*most) + off)
+fn quick(n: &Vec3, last: f64) -> Quick {
+    // What is left of a direction counts only beyond the rounding.
+    #[allow(clippy::cast_possible_truncation)]
+    [n.x as f32, n.y as f32, n.z as f32, last as f32]
+}
+
+#[inline]
+fn dot(a: &Quick, b: &Quick) -> f32 {
+    (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3])
+}
+
+/// The direction of the first of a triangle's normals, and what it must have along a mean for all of them to have enough:
+/// they differ little in most steps.
+#[inline]
+fn first([n, m, o]: &Normals, double: f64) -> Quick {
+    let (length, off) = (n.norm_squared().sqrt(), larger((m - n).norm_squared(), (o - n).norm_squared()).sqrt());
+    if length <= 0.0 {
+        return [0.0, 0.0, 0.0, f32::INFINITY];
+    }
+    let one = 1.0 / length;
+    quick(&(n * one), (ALIKE * larger(length + off, double) + off) * one)
+}
+
+#[inline]
+fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
+
+/// Has a normal enough along a mean, of a triangle with twice this rest area?
+#[inline]
+fn enough(n: &Vec3, mean: &Vec3, double: f64) -> bool {
+    let along = n.dot(mean);
+    along >= 0.0 && along * along >= ALIKE * ALIKE * larger(n.norm_squared(), double * double)
 }
 
 /// Smooth patches around the vertices.
@@ -77,8 +114,15 @@ pub(crate) struct Calm {
     double: Vec<f64>,
     /// May the patch be calm at all?
     able: Vec<bool>,
+    /// … with those around its vertex's neighbours?
+    wholly: Vec<bool>,
     normals: Vec<Normals>,
-    firsts: Vec<First>,
+    firsts: Vec<Quick>,
+    /// Of every triangle, what its normals add to a mean.
+    sums: Vec<Quick>,
+    /// The mean of the normals at a vertex, −1, and how far another mean may be off it with enough of all of them along it.
+    means: Vec<Quick>,
+    spare: Vec<f32>,
     /// Vertices whose triangles, and whose neighbours' triangles, were alike at the last look.
     one: Vec<bool>,
     two: Vec<bool>,
@@ -87,56 +131,95 @@ pub(crate) struct Calm {
 impl Calm {
     pub fn new(scene: &Scene, topology: &Topology) -> Self {
         let n = scene.positions.len();
-        let mut at: Vec<Vec<u32>> = vec![Vec::new(); n];
-        for (f, t) in (0u32..).zip(&topology.faces) {
-            t.iter().for_each(|v| at[*v as usize].push(f));
-        }
-        let star = Lists::new(n, |v, l| l.extend(&at[v as usize]));
-        let around = |v: u32| star.of(v).iter().flat_map(|f| topology.faces[*f as usize]);
-        let ring = Lists::new(n, |v, l| l.extend(around(v).filter(|w| *w != v)));
-        let wide = Lists::new(n, |v, l| l.extend(ring.of(v).iter().flat_map(|w| star.of(*w))));
         let faces = &topology.faces;
-        let near = Lists::new(faces.len(), |f, l| {
-            l.extend(faces[f as usize].iter().flat_map(|v| wide.of(*v)).filter(|g| **g > f));
+        let star = stars(n, faces);
+        let around = |v: u32| star.of(v).iter().flat_map(|f| faces[*f as usize]);
+        let (ring, _) = Lists::new(n, n, |v, add| around(v).filter(|w| *w != v).for_each(|w| add(w, 1)));
+        let (wide, _) = Lists::new(n, faces.len(), |v, add| {
+            ring.of(v).iter().flat_map(|w| star.of(*w)).for_each(|f| add(*f, 1));
         });
-        let ties =
-            (0u32..).zip(faces).flat_map(|(f, corners)| near.of(f).iter().map(|g| tie(corners, *g, faces, &wide)));
-        let ties = ties.collect();
+        let (near, ties) = Lists::new(faces.len(), faces.len(), |f, add| {
+            for (k, v) in faces[f as usize].iter().enumerate() {
+                star.of(*v).iter().filter(|g| **g > f).for_each(|g| add(*g, AT << k));
+                wide.of(*v).iter().filter(|g| **g > f).for_each(|g| add(*g, AROUND << k));
+            }
+        });
         let able = able(scene, topology, &star, &ring);
         let double = scene.triangles.iter().map(|t| 2.0 * t.area().abs()).collect();
-        let normals = vec![[(Vec3::zeros(), 0.0); 3]; topology.faces.len()];
-        let firsts = vec![(Vec3::zeros(), 0.0); topology.faces.len()];
+        let wholly = (0u32..).zip(&able).map(|(v, a)| *a && ring.of(v).iter().all(|w| able[*w as usize])).collect();
+        let normals = vec![[Vec3::zeros(); 3]; topology.faces.len()];
+        let [firsts, sums] = [(); 2].map(|()| vec![Quick::default(); topology.faces.len()]);
+        let (means, spare) = (vec![Quick::default(); n], vec![0.0; n]);
         let [one, two] = [(); 2].map(|()| vec![false; n]);
-        Self { star, ring, wide, near, ties, double, able, normals, firsts, one, two }
+        Self { star, ring, wide, near, ties, double, able, wholly, normals, firsts, sums, means, spare, one, two }
     }
 
     /// Looks at the cloth at `x` and along `step`.
     pub fn look(&mut self, x: &[Vec3], step: &[Vec3], topology: &Topology) {
-        for ((n, double), t) in self.normals.iter_mut().zip(&self.double).zip(&topology.faces) {
+        let quicks = self.firsts.iter_mut().zip(&mut self.sums);
+        let all = self.normals.iter_mut().zip(quicks).zip(&self.double).zip(&topology.faces);
+        for (((n, (one, sum)), double), t) in all {
             let ([a, b, c], [p, q, r]) = (crate::pick3(x, t), crate::pick3(step, t));
             let (e, f) = (b - a, c - a);
             let (g, h) = (e + (q - p), f + (r - p));
-            let need = |n: Vec3| (n, ALIKE * n.norm_squared().max(double * double).sqrt());
-            *n = [need(e.cross(&f)), need((e.cross(&h) + g.cross(&f)) * 0.5), need(g.cross(&h))];
+            *n = [e.cross(&f), (e.cross(&h) + g.cross(&f)) * 0.5, g.cross(&h)];
+            *one = first(n, *double);
+            *sum = quick(&(n[0] + n[2]), 0.0);
         }
-        self.firsts.iter_mut().zip(&self.normals).for_each(|(f, all)| *f = first(all));
-        self.one = (0u32..).zip(&self.able).map(|(v, able)| *able && self.alike(self.star.of(v), v)).collect();
-        let patch = |v| self.ring.of(v).iter().all(|w| self.able[*w as usize]) && self.alike(self.wide.of(v), v);
-        self.two = (0u32..).zip(&self.one).map(|(v, one)| *one && patch(v)).collect();
+        for (v, k) in (0u32..).zip(0..self.one.len()) {
+            self.one[k] = self.able[k] && self.look_at(v);
+        }
+        for (v, k) in (0u32..).zip(0..self.two.len()) {
+            self.two[k] = self.wholly[k] && self.one[k] && self.look_around(v);
+        }
+    }
+
+    /// Are the triangles at a vertex alike?
+    #[inline]
+    fn look_at(&mut self, v: u32) -> bool {
+        let star = self.star.of(v);
+        let mut mean = Quick::default();
+        for f in star {
+            let sum = &self.sums[*f as usize];
+            (0..4).for_each(|k| mean[k] += sum[k]);
+        }
+        let l = dot(&mean, &mean).sqrt();
+        let one = if l > 0.0 { 1.0 / l } else { 0.0 };
+        (0..3).for_each(|k| mean[k] *= one);
+        mean[3] = -1.0;
+        let mut spare: f32 = if l > 0.0 { 1.0 } else { -1.0 };
+        for f in star {
+            let s = dot(&self.firsts[*f as usize], &mean);
+            spare = if s < spare { s } else { spare };
+        }
+        spare -= ROUNDING;
+        (self.means[v as usize], self.spare[v as usize]) = (mean, spare);
+        spare >= 0.0 || self.alike(star, v)
+    }
+
+    /// Do the triangles around a vertex look the same way as those at it?
+    #[inline]
+    fn look_around(&self, v: u32) -> bool {
+        let all = &self.means[v as usize];
+        let quick = self.ring.of(v).iter().all(|w| {
+            let (mut off, spare) = (self.means[*w as usize], self.spare[*w as usize]);
+            (0..4).for_each(|k| off[k] -= all[k]);
+            spare >= 0.0 && dot(&off, &off) <= spare * spare
+        });
+        quick || self.alike(self.wide.of(v), v)
     }
 
     /// Do these triangles look the same way as those at `v`?
-    #[inline]
     fn alike(&self, triangles: &[u32], v: u32) -> bool {
-        let mean: Vec3 = self.star.of(v).iter().map(|f| self.normals[*f as usize]).map(|n| n[0].0 + n[2].0).sum();
+        let mean: Vec3 = self.star.of(v).iter().map(|f| &self.normals[*f as usize]).map(|n| n[0] + n[2]).sum();
         let l = mean.norm();
         if l <= 0.0 {
             return false;
         }
-        let mean = mean / l;
+        let (mean, all) = (mean / l, &self.means[v as usize]);
         triangles.iter().all(|f| {
-            let (n, enough) = &self.firsts[*f as usize];
-            n.dot(&mean) >= *enough || self.normals[*f as usize].iter().all(|(n, need)| n.dot(&mean) >= *need)
+            let f = *f as usize;
+            dot(&self.firsts[f], all) >= ROUNDING || self.normals[f].iter().all(|n| enough(n, &mean, self.double[f]))
         })
     }
 
@@ -149,13 +232,13 @@ impl Calm {
     /// common.
     pub fn restless(&self, topology: &Topology, mut emit: impl FnMut(u32, u32, bool)) {
         for (f, corners) in (0u32..).zip(&topology.faces) {
+            if corners.iter().all(|v| self.two[*v as usize]) {
+                continue;
+            }
             let calm = (0..3).fold(0, |calm, k| {
                 let v = corners[k] as usize;
                 calm | bits(self.one[v], self.two[v], k)
             });
-            if calm >= 7 * AROUND {
-                continue;
-            }
             let ties = &self.ties[self.near.start[f as usize] as usize..];
             for (g, tie) in self.near.of(f).iter().zip(ties).filter(|(_, tie)| *tie & calm == 0) {
                 emit(f, *g, tie & (7 * AT) != 0);
@@ -170,13 +253,19 @@ fn bits(at: bool, around: bool, k: usize) -> u8 {
     (u8::from(at) * AT + u8::from(around) * AROUND) << k
 }
 
-/// [`AT`] and [`AROUND`] of a neighbour, for the corners of a triangle.
-fn tie(corners: &[u32; 3], g: u32, faces: &[[u32; 3]], wide: &Lists) -> u8 {
-    (0..3).fold(0, |tie, k| {
-        let v = corners[k];
-        let (at, around) = (faces[g as usize].contains(&v), wide.of(v).binary_search(&g).is_ok());
-        tie | bits(at, around, k)
-    })
+/// The triangles at every vertex.
+fn stars(n: usize, faces: &[[u32; 3]]) -> Lists {
+    let mut start = vec![0u32; n + 1];
+    faces.iter().flatten().for_each(|v| start[*v as usize + 1] += 1);
+    (0..n).for_each(|v| start[v + 1] += start[v]);
+    let (mut next, mut items) = (start.clone(), vec![0; 3 * faces.len()]);
+    for (f, t) in (0u32..).zip(faces) {
+        for v in t {
+            items[next[*v as usize] as usize] = f;
+            next[*v as usize] += 1;
+        }
+    }
+    Lists { start, items }
 }
 
 /// Vertices whose triangles form one fan, all turned the same way, without more cloth than fits round them.

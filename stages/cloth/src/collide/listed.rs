@@ -28,13 +28,11 @@ impl Listed {
         self.on_the_way = true;
     }
 
-    /// `x` was reached: if the list was made for that step, the slack counts from here on. Says whether it was.
-    pub fn took(&mut self, x: &[Vec3]) -> bool {
-        let made = std::mem::take(&mut self.on_the_way);
-        if made {
+    /// `x` was reached: if the list was made for that step, the slack counts from here on.
+    pub fn took(&mut self, x: &[Vec3]) {
+        if std::mem::take(&mut self.on_the_way) {
             self.at.copy_from_slice(x);
         }
-        made
     }
 
     pub fn forget(&mut self) {

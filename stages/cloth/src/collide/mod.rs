@@ -8,6 +8,7 @@ pub(crate) mod calm;
 pub(crate) mod clear;
 pub(crate) mod closest;
 pub(crate) mod contact;
+mod drift;
 mod flat;
 pub(crate) mod friction;
 pub(crate) mod listed;

@@ -3,7 +3,7 @@
 use super::beside::Beside;
 use super::body::Body;
 use super::closest::{plane_gap, point_triangle, point_triangle_gap, segment_gap, segments};
-use super::tree::{Aabb, meet_moving};
+use super::tree::{Aabb, least, meet_moving, most};
 use crate::Vec3;
 use crate::topology::Topology;
 
@@ -108,7 +108,45 @@ impl Moving {
 #[inline]
 fn swept(b: &Aabb, d: &Aabb, reach: f64) -> Aabb {
     let zero = Vec3::zeros();
-    Aabb { low: b.low + d.low.inf(&zero), high: b.high + d.high.sup(&zero) }.grown(reach)
+    Aabb { low: b.low + least(&d.low, &zero), high: b.high + most(&d.high, &zero) }.grown(reach)
+}
+
+/// What two triangles own that has no vertex in common with the other: a bit for every vertex of the first and of the second,
+/// and for every pair of edges. Of most neighbours there is nothing.
+struct Apart {
+    points: u8,
+    edges: u16,
+}
+
+impl Apart {
+    #[inline]
+    fn of(way: &Way<'_>, f: u32, g: u32) -> Self {
+        let [a, b] = [f, g].map(|f| way.topology.faces[f as usize]);
+        let [owned, others] = [f, g].map(|f| way.topology.owned[f as usize]);
+        let (mut points, mut edges) = (owned & 7 | (others & 7) << 3, 0);
+        // Of every corner of the first, the corners of the second that it is joined to.
+        let mut joined = [0u8; 3];
+        for i in 0..3 {
+            for (j, w) in b.iter().enumerate() {
+                if way.groups[a[i] as usize] == way.groups[*w as usize] {
+                    joined[i] |= 1 << j;
+                    points &= !(1 << i | 8 << j);
+                }
+            }
+        }
+        for i in (0..3).filter(|i| owned & (8 << i) != 0) {
+            let ends = joined[i] | joined[(i + 1) % 3];
+            // Bit j: edge j has a joined end.
+            let joined = ends | ends >> 1 | (ends & 1) << 2;
+            edges |= u16::from(others >> 3 & !joined & 7) << (3 * i);
+        }
+        Self { points, edges }
+    }
+
+    #[inline]
+    fn is_none(&self) -> bool {
+        self.points == 0 && self.edges == 0
+    }
 }
 
 /// What is beside a triangle is kept for moves of this share of an edge, unless steps are longer than this share.
@@ -118,33 +156,27 @@ const QUICK: f64 = 0.3;
 /// A face on its way, and how far it reaches for a body.
 struct Reaching {
     moving: Moving,
-    /// Boxes of the face, its edges and its vertices on the way and near it.
+    /// Boxes of the face and its edges on the way and near it.
     bounds: Aabb,
     edges: [Aabb; 3],
-    points: [Aabb; 3],
     /// Of the face, of length one or none.
     normal: Vec3,
     /// Moves of the vertices, m.
     lengths: [f64; 3],
     longest: f64,
     reach: f64,
-    wide: f64,
 }
 
 impl Reaching {
-    fn new(moving: Moving, reach: f64, wide: f64) -> Self {
-        let (at, by) = (&moving.owned.at, &moving.by);
-        let dot = |p: &Vec3| Aabb { low: *p, high: *p };
+    fn new(moving: Moving, bounds: Aabb, lengths: [f64; 3], longest: f64, reach: f64) -> Self {
         Self {
-            bounds: moving.swept(reach),
+            bounds,
             edges: [0, 1, 2].map(|k| swept(&moving.owned.edge_box(k), &moving.edge_move(k), reach)),
-            points: [0, 1, 2].map(|k| swept(&dot(&at[k]), &dot(&by[k]), wide)),
-            normal: crate::unit_normal(*at).unwrap_or_else(Vec3::zeros),
-            lengths: by.map(|d| d.norm()),
-            longest: crate::longest(by),
+            normal: crate::unit_normal(moving.owned.at).unwrap_or_else(Vec3::zeros),
+            lengths,
+            longest,
             moving,
             reach,
-            wide,
         }
     }
 
@@ -201,10 +233,6 @@ impl<'a> Way<'a> {
         let longest = crate::longest(step);
         Self { x, step, longest, topology, groups }
     }
-
-    fn joined(&self, v: u32, others: &[u32]) -> bool {
-        others.iter().any(|w| self.groups[v as usize] == self.groups[*w as usize])
-    }
 }
 
 impl Near {
@@ -215,29 +243,31 @@ impl Near {
 
     /// Adds what of two triangles comes nearer than `reach` along a way.
     pub fn add_own(&mut self, f: u32, g: u32, way: &Way<'_>, reach: f64) {
-        let (a, b) = (Moving::of(way.topology, f, way.x, way.step), Moving::of(way.topology, g, way.x, way.step));
-        if !meet_moving(&a.owned.bounds(reach), &Aabb::of_three(&a.by), &b.owned.bounds(0.0), &Aabb::of_three(&b.by)) {
+        let apart = Apart::of(way, f, g);
+        if apart.is_none() {
             return;
         }
-        for (one, other) in [(&a, &b), (&b, &a)] {
-            let (bounds, moves) = (other.owned.bounds(reach), Aabb::of_three(&other.by));
+        let (a, b) = (Moving::of(way.topology, f, way.x, way.step), Moving::of(way.topology, g, way.x, way.step));
+        let [(low, by), (high, on)] = [&a, &b].map(|m| (m.owned.bounds(0.0), Aabb::of_three(&m.by)));
+        if !meet_moving(&low.grown(reach), &by, &high, &on) {
+            return;
+        }
+        for (one, other, bounds, moves, bits) in
+            [(&a, &b, &high, &on, apart.points), (&b, &a, &low, &by, apart.points >> 3)]
+        {
             let c = other.owned.corners;
-            for k in (0..3).filter(|k| one.owned.owns_vertex(*k)) {
-                let v = one.owned.corners[k];
+            for k in (0..3).filter(|k| bits & (1 << k) != 0) {
                 let (p, d) = (one.owned.at[k], one.by[k]);
-                if !way.joined(v, &c)
-                    && meet_moving(&bounds, &moves, &Aabb { low: p, high: p }, &Aabb { low: d, high: d })
-                {
-                    self.points.push([v, c[0], c[1], c[2]]);
+                if meet_moving(&bounds.grown(reach), moves, &Aabb { low: p, high: p }, &Aabb { low: d, high: d }) {
+                    self.points.push([one.owned.corners[k], c[0], c[1], c[2]]);
                 }
             }
         }
-        for i in (0..3).filter(|i| a.owned.owns_edge(*i)) {
+        for i in (0..3).filter(|i| apart.edges & (7 << (3 * i)) != 0) {
             let (p, bounds, moves) = (a.owned.edge(i), a.owned.edge_box(i).grown(reach), a.edge_move(i));
-            for j in (0..3).filter(|j| b.owned.owns_edge(*j)) {
+            for j in (0..3).filter(|j| apart.edges & (1 << (3 * i + j)) != 0) {
                 let q = b.owned.edge(j);
-                let joined = way.joined(p[0], &q) || way.joined(p[1], &q);
-                if !joined && meet_moving(&bounds, &moves, &b.owned.edge_box(j), &b.edge_move(j)) {
+                if meet_moving(&bounds, &moves, &b.owned.edge_box(j), &b.edge_move(j)) {
                     self.edges.push([p[0], p[1], q[0], q[1]]);
                 }
             }
@@ -271,26 +301,29 @@ impl Near {
             if !body.may_meet(&far) {
                 continue;
             }
-            let face = Reaching::new(moving, reach, wide);
-            let (a, l) = (face.owned(), &face.lengths);
-            for k in (0..3).filter(|k| a.owns_vertex(*k) && body.may_meet(&face.points[*k])) {
-                let beside = beside.point(a.corners[k], &a.at[k], wide + l[k], margin, body);
-                beside.for_each(|g| self.add_body_point(&face, k, g, body));
+            let (a, l) = (&moving.owned, moving.by.map(|d| d.norm()));
+            for k in (0..3).filter(|k| a.owns_vertex(*k)) {
+                let (v, p, d) = (a.corners[k], &a.at[k], &moving.by[k]);
+                let place = swept(&Aabb { low: *p, high: *p }, &Aabb { low: *d, high: *d }, wide);
+                if body.may_meet(&place) {
+                    let beside = beside.point(v, p, wide + l[k], margin, body);
+                    let far = |g: u32| body.point_gap(p, g) > wide + l[k];
+                    let near = |g: &u32| place.meets(&body.boxes[*g as usize]) && !far(*g);
+                    self.body_points.extend(beside.filter(near).map(|g| [v, g]));
+                }
             }
-            if body.may_meet(&face.bounds) {
-                let beside = beside.face(f, &a.at, reach + face.longest, margin, body);
-                beside.for_each(|g| self.add_body_sides(&face, g, body));
+            let bounds = moving.swept(reach);
+            if body.may_meet(&bounds) {
+                let longest = l[0].max(l[1]).max(l[2]);
+                let mut beside = beside.face(f, &a.at, reach + longest, margin, body).peekable();
+                // Most faces have nothing beside them.
+                if beside.peek().is_some() {
+                    let face = Reaching::new(moving, bounds, l, longest, reach);
+                    beside.for_each(|g| self.add_body_sides(&face, g, body));
+                }
             }
         }
         self.beside = beside;
-    }
-
-    fn add_body_point(&mut self, face: &Reaching, k: usize, g: u32, body: &Body) {
-        let a = face.owned();
-        let far = || body.point_gap(&a.at[k], g) > face.wide + face.lengths[k];
-        if face.points[k].meets(&body.boxes[g as usize]) && !far() {
-            self.body_points.push([a.corners[k], g]);
-        }
     }
 
     /// The face itself against the corners of the body's, its edges against the edges.

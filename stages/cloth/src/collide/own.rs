@@ -2,27 +2,37 @@
 //! known for good; out of these every list takes what may meet.
 
 use super::calm::Calm;
-use super::listed::Listed;
+use super::drift::Drift;
 use super::near::{Near, Way};
 use super::sheet::Sheet;
 use super::tiles::Tiles;
-use super::tree::{Sweep, Tree};
+use super::tree::{Flat, Sweep, Tree};
 use crate::topology::Topology;
 use crate::{Scene, Vec3};
 
-/// Slack of what is not far apart over the mean edge, and the longest step for which it is worth while.
+/// Slack of what is not far apart over the mean edge.
 const FAR_SLACK: f64 = 0.3;
-const FAR_STEP: f64 = 0.2;
+/// So many pairs of tiles over the tiles may have drifted before a search is made anew.
+const DRIFTED: f64 = 0.5;
+/// What single precision may be wrong by in drifts, over the largest coordinate.
+const ROUNDING: f64 = 4e-6;
 
 /// What finds cloth near cloth.
 pub(crate) struct Own {
     tree: Tree,
+    /// Of every triangle, its slot in the tree.
+    slots: Vec<u32>,
     tiles: Tiles,
     calm: Calm,
     sheet: Option<Sheet>,
-    /// Pairs of triangles that are no neighbours.
+    /// Pairs of triangles that are no neighbours and were nearer than `found`, m, when a search was made.
     pairs: Vec<[u32; 2]>,
-    listed: Listed,
+    found: f64,
+    drift: Drift,
+    /// Pairs of tiles that have drifted, and pairs of triangles that meet on a way.
+    drifted: Vec<[usize; 2]>,
+    meeting: Vec<[u32; 2]>,
+    flat: Flat,
     /// Boxes of the triangles on their way, grown by half the reach.
     sweeps: Vec<Sweep>,
 }
@@ -30,55 +40,93 @@ pub(crate) struct Own {
 impl Own {
     pub fn new(scene: &Scene, x: &[Vec3], topology: &Topology) -> Self {
         let (tree, calm) = (Tree::moving(x, &topology.faces), Calm::new(scene, topology));
-        let sheet = Sheet::new(scene, topology);
-        let tiles = Tiles::new(&tree, calm.all_neighbours());
-        Self { tree, tiles, calm, sheet, pairs: Vec::new(), listed: Listed::default(), sweeps: Vec::new() }
+        Self {
+            slots: tree.slots(),
+            tiles: Tiles::new(&tree, calm.all_neighbours()),
+            calm,
+            sheet: Sheet::new(scene, topology),
+            pairs: Vec::new(),
+            found: 0.0,
+            drift: Drift::new(&tree, x.len(), &topology.faces),
+            tree,
+            drifted: Vec::new(),
+            meeting: Vec::new(),
+            flat: Flat::default(),
+            sweeps: Vec::new(),
+        }
     }
 
     /// Lists the pairs that come nearer than `gap` along a way, or `slack` beside it; edges are `edge` long.
     pub fn list(&mut self, near: &mut Near, way: &Way<'_>, gap: f64, slack: f64, edge: f64) {
         near.clear_own();
-        if self.sheet.as_ref().is_some_and(|s| s.is_spread(way)) {
-            // A sheet spread out meets itself nowhere, so nothing is listed and the old list grows stale.
-            self.listed.forget();
+        if self.sheet.as_mut().is_some_and(|s| s.is_spread(way)) {
+            // A sheet spread out meets itself nowhere.
             return;
         }
-        if !self.listed.covers(way.x, way.longest, slack) {
-            let wide = if way.longest > FAR_STEP * edge { slack } else { slack.max(FAR_SLACK * edge) };
-            self.search(way, gap + 2.0 * wide);
-            self.listed.made(way.x, wide);
-        }
-        self.calm.look(way.x, way.step, way.topology);
         let reach = gap + 2.0 * slack;
-        self.sweep(way, 0.5 * reach);
+        self.flat.take(way.x, way.step);
+        self.sweeps.clear();
+        self.sweeps.extend(way.topology.faces.iter().map(self.flat.sweeps(0.5 * reach)));
+        self.calm.look(way.x, way.step, way.topology);
         let meet = |f: u32, g: u32| self.sweeps[f as usize].meets(&self.sweeps[g as usize]);
         self.calm.restless(way.topology, |f, g, joined| {
             if joined || meet(f, g) {
                 near.add_own(f, g, way, reach);
             }
         });
-        self.pairs.iter().filter(|[f, g]| meet(*f, *g)).for_each(|&[f, g]| near.add_own(f, g, way, reach));
+        self.find(way, reach, gap + 2.0 * slack.max(FAR_SLACK * edge));
+        self.meeting.iter().for_each(|&[f, g]| near.add_own(f, g, way, reach));
     }
 
-    /// Most pairs were near when they were found, and are not on this way: their boxes tell so soonest.
-    fn sweep(&mut self, way: &Way<'_>, grown: f64) {
-        self.sweeps.clear();
-        self.sweeps.extend(way.topology.faces.iter().map(|t| Sweep::of(t, way.x, way.step, grown)));
+    /// Finds the strangers that meet on this way. Most that were near when a search was made are not on this way: their boxes
+    /// tell so soonest. Where tiles have drifted too far since, they are looked at anew.
+    fn find(&mut self, way: &Way<'_>, reach: f64, wide: f64) {
+        if !self.has_held(way, reach) {
+            self.search(way, wide);
+        }
+        let Self { tree, tiles, sweeps, pairs, drifted, meeting, slots, .. } = self;
+        let meet = |f: u32, g: u32| sweeps[f as usize].meets(&sweeps[g as usize]);
+        meeting.clear();
+        meeting.extend(pairs.iter().filter(|[f, g]| meet(*f, *g)));
+        if drifted.is_empty() {
+            return;
+        }
+        for [a, b] in drifted.drain(..) {
+            tree.strangers(tiles, a, b, |f, g| {
+                if meet(f, g) {
+                    meeting.push([f, g]);
+                }
+            });
+        }
+        meeting.sort_unstable_by_key(|pair| tree.turn(pair.map(|f| slots[f as usize])));
+        meeting.dedup();
+    }
+
+    /// Does what the last search found still hold for all but a few tiles?
+    fn has_held(&mut self, way: &Way<'_>, reach: f64) -> bool {
+        self.drifted.clear();
+        if !self.drift.is_known() {
+            return false;
+        }
+        self.drift.take(way);
+        let spare = self.found - reach - ROUNDING * self.flat.size;
+        // Rounding is within what has just been taken off.
+        #[allow(clippy::cast_possible_truncation)]
+        self.tree.drifted(&self.drift.nodes, spare as f32, |a, b| self.drifted.push([a, b]));
+        self.drifted.len() as f64 <= DRIFTED * self.tree.tiles() as f64
     }
 
     fn search(&mut self, way: &Way<'_>, reach: f64) {
         self.pairs.clear();
-        self.tree.refit_moving(way.x, way.step, &way.topology.faces, 0.5 * reach);
+        self.drifted.clear();
+        self.tree.refit_flat(&self.flat, &way.topology.faces, 0.5 * reach);
         self.tree.meeting_strangers(&self.tiles, |f, g| self.pairs.push([f, g]));
-    }
-
-    /// `x` was reached along a way that was listed.
-    pub fn took(&mut self, x: &[Vec3]) {
-        self.listed.took(x);
+        self.drift.start(way.x);
+        self.found = reach;
     }
 
     pub fn forget(&mut self) {
-        self.listed.forget();
+        self.drift.forget();
     }
 }
 
@@ -108,6 +156,48 @@ mod tests {
     /// Moves towards each other, of both triangles.
     fn closer(by: f64) -> Vec<Vec3> {
         (0..6).map(|v| Vec3::new(0.0, 0.0, if v < 3 { by } else { -by })).collect()
+    }
+
+    /// A strip that crumples more and more as it travels: lists are those that a search at every step makes, in their order.
+    #[test]
+    fn what_drifts_is_listed_as_if_searched_anew() {
+        let (n, mut scene) = (60u32, Scene::default());
+        let at = |i: u32, y: f64| [f64::from(i), y];
+        for i in 0..n {
+            scene.positions.extend([0.0, 1.0, 2.0].map(|y| Vec3::new(f64::from(i), y, 0.0)));
+            for k in (0..2).filter(|_| i + 1 < n) {
+                let (p, y) = (3 * i + k, f64::from(k));
+                let mut add = |vertices, rest| scene.triangles.push(Element { vertices, rest, material: 0 });
+                add([p, p + 3, p + 4], [at(i, y), at(i + 1, y), at(i + 1, y + 1.0)]);
+                add([p, p + 4, p + 1], [at(i, y), at(i + 1, y + 1.0), at(i, y + 1.0)]);
+            }
+        }
+        let count = scene.positions.len();
+        let topology = Topology::of_elements(count, &scene.triangles);
+        let groups: Vec<u32> = (0..u32::try_from(count).unwrap()).collect();
+        let place = |t: f64| -> Vec<Vec3> {
+            let fold = |p: &Vec3| {
+                let (wave, deep) = (p.x * 0.6, 2.0 * t * libm::sin(p.x * 0.11 + 3.0 * t));
+                Vec3::new(p.x * (1.0 - 0.6 * t) + 9.0 * t, p.y + 0.3 * t * wave, deep * libm::sin(wave) + 5.0 * t)
+            };
+            scene.positions.iter().map(fold).collect()
+        };
+        let (mut kept, mut listed) = (Own::new(&scene, &scene.positions, &topology), 0);
+        kept.sheet = None;
+        for i in 0..120 {
+            let t = f64::from(i) / 120.0;
+            let (x, next) = (place(t), place(t + 0.004));
+            let step: Vec<Vec3> = next.iter().zip(&x).map(|(q, p)| (q - p) * 1.5).collect();
+            let way = Way::new(&x, &step, &topology, &groups);
+            let mut fresh = Own::new(&scene, &scene.positions, &topology);
+            fresh.sheet = None;
+            let [mut near, mut wanted] = [Near::default(), Near::default()];
+            kept.list(&mut near, &way, 0.2, 0.1, 1.0);
+            fresh.list(&mut wanted, &way, 0.2, 0.1, 1.0);
+            assert_eq!((&near.points, &near.edges), (&wanted.points, &wanted.edges), "{i}");
+            listed += near.edges.len();
+        }
+        assert!(listed > 1000, "{listed}");
     }
 
     /// The list made for a step that is not taken must not count from where another step leads.

@@ -111,7 +111,9 @@ fn part_them(x: &mut [Vec3], part: &[u32], [a, b]: [u32; 2], way: Vec3) {
 /// after [`APART`]. Returns how many vertices were moved and the largest move, m.
 pub(crate) fn free_of_itself(x: &mut [Vec3], topology: &Topology, held: &[bool]) -> Result<(usize, f64), ClothError> {
     let start = x.to_vec();
-    untangle(x, topology, held);
+    if untangle(x, topology, held).is_empty() {
+        return Ok(moves(x, &start));
+    }
     let part = topology.components(x.len());
     let mut step = 1e-4;
     let mut gone = 0.0;
@@ -146,6 +148,11 @@ pub(crate) fn free_of_itself(x: &mut [Vec3], topology: &Topology, held: &[bool])
     if count::own(&further, &topology.faces).count == 0 {
         x.copy_from_slice(&further);
     }
-    let moves = x.iter().zip(&start).map(|(p, q)| (p - q).norm());
-    Ok(moves.fold((0, 0.0), |(n, m), d| (n + usize::from(d > 0.0), f64::max(m, d))))
+    Ok(moves(x, &start))
+}
+
+/// How many vertices were moved, and the largest move, m.
+fn moves(x: &[Vec3], start: &[Vec3]) -> (usize, f64) {
+    let moves = x.iter().zip(start).map(|(p, q)| (p - q).norm());
+    moves.fold((0, 0.0), |(n, m), d| (n + usize::from(d > 0.0), f64::max(m, d)))
 }

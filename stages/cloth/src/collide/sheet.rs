@@ -15,26 +15,45 @@ const SPREAD: f64 = 0.5;
 /// Rounding allowed in sums of angles, rad.
 const ROUNDING: f64 = 1e-6;
 
-/// Of every triangle, the factors of its corners in the derivatives along the cloth's two axes, 1/m.
 #[derive(Debug)]
-pub(crate) struct Sheet(Vec<[[f64; 2]; 3]>);
+pub(crate) struct Sheet {
+    /// Of every triangle, the factors of its corners in the derivatives along the cloth's two axes, 1/m.
+    factors: Vec<[[f64; 2]; 3]>,
+    /// Of every vertex, their sums over all triangles.
+    sums: Vec<[f64; 2]>,
+    /// Along the plane's two axes, where every vertex is and where it gets to.
+    seen: Vec<[f64; 4]>,
+}
 
 impl Sheet {
     /// `None` where the cloth is not one convex flat piece.
     pub fn new(scene: &Scene, topology: &Topology) -> Option<Self> {
         let one = !scene.triangles.is_empty() && scene.stitches.is_empty();
-        (one && is_flat(scene) && is_convex_disc(scene, topology))
-            .then(|| Self(scene.triangles.iter().map(crate::Element::gradients).collect()))
+        (one && is_flat(scene) && is_convex_disc(scene, topology)).then(|| {
+            let factors: Vec<_> = scene.triangles.iter().map(crate::Element::gradients).collect();
+            let mut sums = vec![[0.0; 2]; scene.positions.len()];
+            for (g, t) in factors.iter().zip(&topology.faces) {
+                for (v, g) in t.iter().zip(g) {
+                    let sum: &mut [f64; 2] = &mut sums[*v as usize];
+                    *sum = [sum[0] + g[0], sum[1] + g[1]];
+                }
+            }
+            Self { factors, sums, seen: Vec::new() }
+        })
     }
 
     /// Is the piece spread out all along a step?
-    pub fn is_spread(&self, way: &Way<'_>) -> bool {
+    pub fn is_spread(&mut self, way: &Way<'_>) -> bool {
         let Some([u, v]) = self.plane(way) else { return false };
-        self.0.iter().zip(&way.topology.faces).all(|(g, t)| {
-            let (at, by) = (derivative(g, &crate::pick3(way.x, t)), derivative(g, &crate::pick3(way.step, t)));
-            let end = [at[0] + by[0], at[1] + by[1]];
-            [at, end].iter().all(|[a, b]| {
-                let (p, q, r) = (a.dot(&u) - SPREAD, b.dot(&v) - SPREAD, 0.5 * (a.dot(&v) + b.dot(&u)));
+        self.seen.clear();
+        self.seen.extend(way.x.iter().zip(way.step).map(|(p, d)| {
+            let end = p + d;
+            [p.dot(&u), p.dot(&v), end.dot(&u), end.dot(&v)]
+        }));
+        self.factors.iter().zip(&way.topology.faces).all(|(g, t)| {
+            let [a, b] = derivatives(g, &t.map(|v| self.seen[v as usize]));
+            [0, 2].into_iter().all(|k| {
+                let (p, q, r) = (a[k] - SPREAD, b[k + 1] - SPREAD, 0.5 * (a[k + 1] + b[k]));
                 p >= 0.0 && q >= 0.0 && p * q >= r * r
             })
         })
@@ -43,9 +62,8 @@ impl Sheet {
     /// The plane the piece lies nearest to, turned with it: images of the cloth's two axes.
     fn plane(&self, way: &Way<'_>) -> Option<[Vec3; 2]> {
         let mut sum = [Vec3::zeros(); 2];
-        for (g, t) in self.0.iter().zip(&way.topology.faces) {
-            let d = derivative(g, &crate::pick3(way.x, t));
-            sum = [sum[0] + d[0], sum[1] + d[1]];
+        for (g, p) in self.sums.iter().zip(way.x) {
+            sum = [sum[0] + p * g[0], sum[1] + p * g[1]];
         }
         let n = sum[0].cross(&sum[1]).try_normalize(0.0)?;
         let u = (sum[0].try_normalize(0.0)? + sum[1].try_normalize(0.0)?.cross(&n)).try_normalize(0.0)?;
@@ -53,10 +71,15 @@ impl Sheet {
     }
 }
 
+/// Of four numbers, along the cloth's two axes.
 #[inline]
-fn derivative(g: &[[f64; 2]; 3], x: &[Vec3; 3]) -> [Vec3; 2] {
-    let along = |k: usize| x[0] * g[0][k] + x[1] * g[1][k] + x[2] * g[2][k];
-    [along(0), along(1)]
+fn derivatives(g: &[[f64; 2]; 3], seen: &[[f64; 4]; 3]) -> [[f64; 4]; 2] {
+    let mut along = [[0.0; 4]; 2];
+    for k in 0..4 {
+        along[0][k] = g[0][0] * seen[0][k] + g[1][0] * seen[1][k] + g[2][0] * seen[2][k];
+        along[1][k] = g[0][1] * seen[0][k] + g[1][1] * seen[1][k] + g[2][1] * seen[2][k];
+    }
+    along
 }
 
 /// Has every vertex one place in the cloth, and is every triangle turned the same way?
@@ -120,7 +143,7 @@ mod tests {
     fn spread(scene: &Scene, step: &[Vec3]) -> Option<bool> {
         let topology = Topology::of_elements(scene.positions.len(), &scene.triangles);
         let groups: Vec<u32> = (0..u32::try_from(scene.positions.len()).unwrap()).collect();
-        let sheet = Sheet::new(scene, &topology)?;
+        let mut sheet = Sheet::new(scene, &topology)?;
         Some(sheet.is_spread(&Way::new(&scene.positions, step, &topology, &groups)))
     }
 

@@ -75,6 +75,12 @@ mod tests {
         tree.meeting_pairs(|f, g| all.push(sorted(f, g)));
         tree.meeting_strangers(&Tiles::new(&tree, neighbours()), |f, g| some.push(sorted(f, g)));
         all.retain(|[f, g]| g - f > 2);
+        let slots = tree.slots();
+        let mut turns = Vec::new();
+        tree.meeting_strangers(&Tiles::new(&tree, neighbours()), |f, g| {
+            turns.push(tree.turn([f, g].map(|f| slots[f as usize])));
+        });
+        assert!(turns.windows(2).all(|t| t[0] < t[1]));
         all.sort_unstable();
         some.sort_unstable();
         assert!(!all.is_empty());

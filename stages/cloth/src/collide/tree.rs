@@ -1,11 +1,15 @@
 //! A tree of bounding boxes over triangles (paper §2.3: hierarchy of bounding volumes), built once by median splits
 //! and refitted as the cloth moves.
 
+use super::drift::Range;
 use super::tiles::Tiles;
 use crate::Vec3;
 
 /// Slots of a tile: the leaves below one node.
 pub(crate) const TILE: usize = 8;
+
+/// So few pairs of two tiles are looked at at once.
+const FEW: u32 = 20;
 
 /// An axis-aligned box.
 #[derive(Clone, Copy, Debug)]
@@ -21,22 +25,22 @@ impl Aabb {
     };
 
     pub fn of(points: &[Vec3]) -> Self {
-        points.iter().fold(Self::EMPTY, |b, p| Self { low: b.low.inf(p), high: b.high.sup(p) })
+        points.iter().fold(Self::EMPTY, |b, p| Self { low: least(&b.low, p), high: most(&b.high, p) })
     }
 
     #[inline]
     pub fn of_two(a: &Vec3, b: &Vec3) -> Self {
-        Self { low: a.inf(b), high: a.sup(b) }
+        Self { low: least(a, b), high: most(a, b) }
     }
 
     #[inline]
     pub fn of_three(t: &[Vec3; 3]) -> Self {
-        Self { low: t[0].inf(&t[1]).inf(&t[2]), high: t[0].sup(&t[1]).sup(&t[2]) }
+        Self { low: least(&least(&t[0], &t[1]), &t[2]), high: most(&most(&t[0], &t[1]), &t[2]) }
     }
 
     #[inline]
     pub fn join(&self, o: &Self) -> Self {
-        Self { low: self.low.inf(&o.low), high: self.high.sup(&o.high) }
+        Self { low: least(&self.low, &o.low), high: most(&self.high, &o.high) }
     }
 
     #[inline]
@@ -61,6 +65,19 @@ impl Aabb {
     }
 }
 
+// Without the care for what is no number, which takes three instructions each.
+#[inline]
+pub(super) fn least(a: &Vec3, b: &Vec3) -> Vec3 {
+    let lower = |a: f64, b: f64| if a < b { a } else { b };
+    Vec3::new(lower(a.x, b.x), lower(a.y, b.y), lower(a.z, b.z))
+}
+
+#[inline]
+pub(super) fn most(a: &Vec3, b: &Vec3) -> Vec3 {
+    let higher = |a: f64, b: f64| if a > b { a } else { b };
+    Vec3::new(higher(a.x, b.x), higher(a.y, b.y), higher(a.z, b.z))
+}
+
 /// May points of two boxes meet while they are displaced by any part (the same for all) of displacements from two boxes?
 #[inline]
 pub(crate) fn meet_moving(a: &Aabb, da: &Aabb, b: &Aabb, db: &Aabb) -> bool {
@@ -73,7 +90,7 @@ pub(crate) fn meet_moving(a: &Aabb, da: &Aabb, b: &Aabb, db: &Aabb) -> bool {
 
 /// A box and its displacements, coordinates in single precision rounded outwards, so that four stand in a register.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Sweep {
+pub(crate) struct Sweep {
     low: [f32; 4],
     high: [f32; 4],
     least: [f32; 4],
@@ -83,22 +100,67 @@ pub(super) struct Sweep {
 /// What the differences of two sweeps may be wrong by, over their largest coordinate.
 const ROUNDING: f64 = 1e-6;
 
+/// Places and moves of all vertices in single precision, rounded once for all triangles that have them as corners.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Flat {
+    at: Vec<[f32; 4]>,
+    by: Vec<[f32; 4]>,
+    /// The largest coordinate.
+    pub size: f64,
+}
+
+impl Flat {
+    /// Takes other places, and a step from them.
+    pub fn take(&mut self, x: &[Vec3], step: &[Vec3]) {
+        let mut size = [0.0; 3];
+        for p in x.iter().chain(step) {
+            (0..3).for_each(|k| size[k] = if p[k].abs() > size[k] { p[k].abs() } else { size[k] });
+        }
+        self.size = size.into_iter().fold(0.0, f64::max);
+        for (flat, all) in [(&mut self.at, x), (&mut self.by, step)] {
+            flat.clear();
+            flat.extend(all.iter().map(narrow));
+        }
+    }
+
+    /// Sweeps of triangles on their way, grown by as much, and by what rounding can do.
+    pub fn sweeps(&self, margin: f64) -> impl Fn(&[u32; 3]) -> Sweep + '_ {
+        let rounding = ROUNDING * (self.size + margin);
+        let [margin, rounding, ..] = narrow(&Vec3::new(margin + rounding, rounding, 0.0));
+        move |[a, b, c]| {
+            let (a, b, c) = (*a as usize, *b as usize, *c as usize);
+            let [low, high] = bounds(&self.at[a], &self.at[b], &self.at[c], margin);
+            let [least, most] = bounds(&self.by[a], &self.by[b], &self.by[c], rounding);
+            Sweep { low, high, least, most }
+        }
+    }
+}
+
+// Boxes are grown by more than this rounds.
+#[allow(clippy::cast_possible_truncation)]
+#[inline]
+fn narrow(p: &Vec3) -> [f32; 4] {
+    [p.x as f32, p.y as f32, p.z as f32, 0.0]
+}
+
+#[inline]
+fn bounds(a: &[f32; 4], b: &[f32; 4], c: &[f32; 4], grown: f32) -> [[f32; 4]; 2] {
+    let mut both = [[0.0; 4]; 2];
+    for k in 0..4 {
+        both[0][k] = lower(lower(a[k], b[k]), c[k]) - grown;
+        both[1][k] = higher(higher(a[k], b[k]), c[k]) + grown;
+    }
+    both
+}
+
 impl Sweep {
     const NONE: Self = Self { low: [1e30; 4], high: [-1e30; 4], least: [1e30; 4], most: [-1e30; 4] };
 
     fn new(place: &Aabb, moves: &Aabb) -> Self {
         let size = [place.low, place.high, moves.low, moves.high].iter().map(|p| p.amax()).fold(0.0, f64::max);
         let (place, moves) = (place.grown(ROUNDING * size), moves.grown(ROUNDING * size));
-        // Rounding is within what the boxes have just been grown by.
-        #[allow(clippy::cast_possible_truncation)]
-        let flat = |p: &Vec3| [p.x as f32, p.y as f32, p.z as f32, 0.0];
-        Self { low: flat(&place.low), high: flat(&place.high), least: flat(&moves.low), most: flat(&moves.high) }
-    }
-
-    /// Of a triangle on its way, grown.
-    pub fn of(corners: &[u32; 3], x: &[Vec3], step: &[Vec3], margin: f64) -> Self {
-        let place = Aabb::of_three(&crate::pick3(x, corners)).grown(margin);
-        Self::new(&place, &Aabb::of_three(&crate::pick3(step, corners)))
+        let [low, high, least, most] = [place.low, place.high, moves.low, moves.high].map(|p| narrow(&p));
+        Self { low, high, least, most }
     }
 
     #[inline]
@@ -116,9 +178,15 @@ impl Sweep {
     /// As [`meet_moving`]; never says no where that says yes.
     #[inline]
     pub fn meets(&self, o: &Self) -> bool {
+        self.meets_moved(&[self.least, self.most], o, &[o.least, o.most])
+    }
+
+    /// The same with other moves.
+    #[inline]
+    fn meets_moved(&self, [least, most]: &Range, o: &Self, [low, high]: &Range) -> bool {
         let mut apart = false;
         for k in 0..4 {
-            let (come, go) = (self.least[k] - o.most[k], self.most[k] - o.least[k]);
+            let (come, go) = (least[k] - high[k], most[k] - low[k]);
             apart |= self.low[k] - o.high[k] + lower(come, 0.0) > 0.0;
             apart |= self.high[k] - o.low[k] + higher(go, 0.0) < 0.0;
         }
@@ -126,14 +194,13 @@ impl Sweep {
     }
 }
 
-// Without the care for what is no number, which takes three instructions each.
 #[inline]
-fn lower(a: f32, b: f32) -> f32 {
+pub(super) fn lower(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
 #[inline]
-fn higher(a: f32, b: f32) -> f32 {
+pub(super) fn higher(a: f32, b: f32) -> f32 {
     if a > b { a } else { b }
 }
 
@@ -174,9 +241,15 @@ impl Tree {
 
     /// Also takes the displacements of a step, for [`Self::meeting_pairs`].
     pub fn refit_moving(&mut self, x: &[Vec3], step: &[Vec3], faces: &[[u32; 3]], margin: f64) {
+        let mut flat = Flat::default();
+        flat.take(x, step);
+        self.refit_flat(&flat, faces, margin);
+    }
+
+    /// The same for places that have been rounded already.
+    pub fn refit_flat(&mut self, flat: &Flat, faces: &[[u32; 3]], margin: f64) {
         self.sweeps.resize(2 * self.items.len(), Sweep::NONE);
-        let of = |t: &[u32; 3]| Sweep::of(t, x, step, margin);
-        fit(&mut self.sweeps, &self.items, faces, Sweep::NONE, of, Sweep::join);
+        fit(&mut self.sweeps, &self.items, faces, Sweep::NONE, flat.sweeps(margin), Sweep::join);
     }
 
     /// Pairs of different items whose boxes meet somewhere along the step, in a fixed order. What moves along together
@@ -214,6 +287,9 @@ impl Tree {
         self.walk(first, meet, |a, b| {
             let (a, b) = (a.min(b) - first, a.max(b) - first);
             let mut left = tiles.strangers(a, b).unwrap_or(u64::MAX);
+            if left.count_ones() > FEW {
+                left &= self.facing(a, b);
+            }
             while left != 0 {
                 let n = left.trailing_zeros() as usize;
                 left &= left - 1;
@@ -223,6 +299,78 @@ impl Tree {
                 }
             }
         });
+    }
+
+    /// Pairs of tiles in which strangers may meet that the last search found apart: those that may have come near since, and
+    /// moved against each other by more than `spare`. `moves`: since then, of all nodes down to the tiles.
+    pub fn drifted(&self, moves: &[Range], spare: f32, mut emit: impl FnMut(usize, usize)) {
+        let first = self.tiles();
+        let loose = |a: usize, b: usize| {
+            let (p, q, mut far) = (&moves[a], &moves[b], false);
+            for k in 0..4 {
+                far |= higher(p[1][k] - q[0][k], q[1][k] - p[0][k]) > spare;
+            }
+            far
+        };
+        let meet = |a: usize, b: usize| self.sweeps[a].meets_moved(&moves[a], &self.sweeps[b], &moves[b]);
+        self.walk(
+            first,
+            |a, b| loose(a, b) && meet(a, b),
+            |a, b| {
+                if loose(a, b) {
+                    emit(a.min(b) - first, a.max(b) - first);
+                }
+            },
+        );
+    }
+
+    /// Strangers in two tiles, in the order in which a search tells of them.
+    pub fn strangers(&self, tiles: &Tiles, a: usize, b: usize, mut emit: impl FnMut(u32, u32)) {
+        let mut left = tiles.strangers(a, b).unwrap_or_else(|| self.present(a, b));
+        while left != 0 {
+            let n = left.trailing_zeros() as usize;
+            left &= left - 1;
+            emit(self.items[TILE * a + n / TILE], self.items[TILE * b + n % TILE]);
+        }
+    }
+
+    /// When a search comes to a pair of items in these slots, as a number that grows.
+    pub fn turn(&self, [p, q]: [u32; 2]) -> u64 {
+        let (p, q) = (u64::from(p.min(q)), u64::from(p.max(q)));
+        let tile = TILE as u64;
+        let (a, b) = (p / tile, q / tile);
+        let turn = (0..self.tiles().trailing_zeros()).rev().fold(0, |turn, level| {
+            let (i, j) = (a >> level & 1, b >> level & 1);
+            let together = a >> (level + 1) == b >> (level + 1);
+            turn << 2
+                | if !together {
+                    3 - (2 * i + j)
+                } else if i != j {
+                    0
+                } else {
+                    2 - i
+                }
+        });
+        turn * tile * tile + p % tile * tile + q % tile
+    }
+
+    /// Items of a tile.
+    pub fn tile(&self, tile: usize) -> impl Iterator<Item = u32> + '_ {
+        self.items[TILE * tile..TILE * (tile + 1)].iter().copied().filter(|i| *i != u32::MAX)
+    }
+
+    /// Pairs of items of two tiles, as in [`Self::present`], each of which meets the whole of the other's tile.
+    #[inline]
+    fn facing(&self, a: usize, b: usize) -> u64 {
+        let (first, leaves) = (self.tiles(), self.items.len());
+        let (mut rows, mut columns) = (0u64, 0u64);
+        for k in 0..TILE {
+            let row = self.sweeps[leaves + TILE * a + k].meets(&self.sweeps[first + b]);
+            let column = self.sweeps[leaves + TILE * b + k].meets(&self.sweeps[first + a]);
+            rows |= u64::from(row) << (TILE * k);
+            columns |= u64::from(column) << k;
+        }
+        (rows * 0xff) & (columns * 0x0101_0101_0101_0101)
     }
 
     /// Pairs of different items whose boxes meet, in a fixed order.

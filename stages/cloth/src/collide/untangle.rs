@@ -17,9 +17,12 @@ const PULL: f64 = 0.5;
 
 /// Smooths the cloth around its crossings; held vertices stay. Returns the pairs left.
 pub(crate) fn untangle(x: &mut [Vec3], topology: &Topology, held: &[bool]) -> Vec<[u32; 2]> {
+    let mut found = count::own(x, &topology.faces);
+    if found.count == 0 {
+        return found.pairs;
+    }
     let neighbours = neighbours(x.len(), topology);
     let most = (MOST_SHARE * topology.faces.len() as f64).max(MOST_FEW) as usize;
-    let mut found = count::own(x, &topology.faces);
     for round in 0..ROUNDS {
         if found.count == 0 || found.count > most {
             break;
