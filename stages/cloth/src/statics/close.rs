@@ -10,8 +10,13 @@ const PULL_FIRST: f64 = 1.0;
 const PULL_MOST: f64 = 300.0;
 /// Blocks without much progress after which something must be in the way; a standstill counts four times.
 const PATIENCE: u32 = 160;
-/// Distance to the body at first, over the mean edge.
+/// Distance to the body at first, over the mean edge, and at most, m: farther off there is no room in a fitted garment.
 const WIDE: f64 = 0.6;
+const WIDEST: f64 = 0.012;
+/// Pull from which cloth that no longer comes is let nearer to the body as it is pulled harder, N/m, and what is left of the
+/// distance each time.
+const CRAMPED: f64 = 40.0;
+const NEARER: f64 = 0.7;
 /// Longest step of a vertex over the mean edge: short enough that a contact is felt before it is passed, and that flat
 /// cloth may bend.
 pub(super) const SEWING_STRIDE: f64 = 0.3;
@@ -29,9 +34,13 @@ const DRAWN: f64 = 0.7;
 /// A block that leaves more than this of the widest gap made no progress …
 const SHRINKS: f64 = 0.95;
 /// … and lets the threads pull so much harder.
-const HARDER: f64 = 1.6;
+const HARDER: f64 = 2.5;
 /// Part of the work until the pieces are together.
 const GATHERING: f64 = 0.8;
+/// Part of the widest gap left after a block of the tightening above which nothing shrinks any more, if the block also won
+/// no more than this of the elastic energy.
+const AS_WIDE: f64 = 0.9;
+const WON_NOTHING: f64 = 0.01;
 /// Most steps of the tightening.
 const MOST_TIGHTENING: u64 = 200;
 /// Stitches closer than this share of the sewing distance are joined exactly.
@@ -70,7 +79,9 @@ struct Sewing<'a, 'b> {
 impl<'a, 'b> Sewing<'a, 'b> {
     fn new(descent: &'a mut Descent<'b>) -> Self {
         let gap = descent.goal.barrier.as_ref().map_or(0.0, |b| b.frame.body_gap.iter().copied().fold(0.0, f64::max));
-        let wide = WIDE * descent.goal.edge;
+        let wide = (WIDE * descent.goal.edge).min(WIDEST);
+        // Threads pull single triangles to their limit; beside their stiffness steps would be micrometres.
+        descent.widen_locks();
         let mut sewing = Self { descent, gap, wide, force: PULL_FIRST };
         sewing.stand_off(wide);
         sewing
@@ -120,9 +131,12 @@ impl<'a, 'b> Sewing<'a, 'b> {
             // Pull harder when the gaps no longer shrink by themselves.
             if self.force < PULL_MOST && b.steps > 3 && b.mean > 0.3 {
                 self.pull(HARDER * self.force, reach);
+                if self.force >= CRAMPED && self.wide > LEAST_WIDE * edge {
+                    self.stand_off(NEARER * self.wide);
+                }
             } else if self.force >= PULL_MOST && before < NEARLY * edge && self.wide > LEAST_WIDE * edge {
                 // In a narrow place the body itself may hold the gap open.
-                self.stand_off(0.7 * self.wide);
+                self.stand_off(NEARER * self.wide);
             } else {
                 // Short steps are no standstill yet, no steps are.
                 idle += if b.steps == 0 || self.force >= PULL_MOST { 4 } else { 1 };
@@ -152,9 +166,12 @@ impl<'a, 'b> Sewing<'a, 'b> {
             }
             let won = last - self.descent.energy;
             last = self.descent.energy;
+            let elastic = self.descent.goal.elastic(&self.descent.x);
             let closed = self.descent.widest() <= 0.1 * distance;
+            // Few stitches of tight cloth hold out against any pull: what is sewn is welded all the same.
+            let in_vain = self.descent.widest() > AS_WIDE * widest && won <= WON_NOTHING * elastic;
             // The drape goes on from here: no need to rest.
-            if closed && won <= SEWN * self.descent.goal.elastic(&self.descent.x) || b.steps == 0 && won <= 0.0 {
+            if closed && won <= SEWN * elastic || in_vain || b.steps == 0 && won <= 0.0 {
                 break;
             }
         }

@@ -4,6 +4,7 @@
 use super::close::{SEWING_STRIDE, close};
 use super::descent::Descent;
 use super::report;
+use super::rest::Locks;
 use crate::levels::Level;
 use crate::sewing::mean_edge;
 use crate::watch::Part;
@@ -111,9 +112,10 @@ impl Step<'_> {
     }
 }
 
-/// Descends until little is won.
+/// Descends until little is won, with locks at the strain limits that become as narrow as the law has them on the way.
 fn ease(descent: &mut Descent<'_>, triangles: usize, watch: &mut dyn Watch) -> Result<(), ClothError> {
     let (mut stuck, mut still) = (0, 0);
+    let mut locks = descent.widen_locks();
     while descent.steps < MOST && stuck <= MOST_STUCK && still < STILL {
         let b = descent.advance(watch, &format!("smoothing {triangles} triangles"))?;
         watch.done((descent.steps as f64 / MOST as f64).sqrt());
@@ -126,6 +128,11 @@ fn ease(descent: &mut Descent<'_>, triangles: usize, watch: &mut dyn Watch) -> R
             (true, false) => still,
             _ => 0,
         };
+        if let (Locks::Wide(share), true) = (locks, still >= STILL) {
+            let changed;
+            (locks, changed) = descent.narrow_locks(share);
+            still = if changed { 0 } else { still };
+        }
     }
     Ok(())
 }

@@ -168,13 +168,13 @@ impl Descent<'_> {
         }
     }
 
-    fn widen_locks(&mut self) -> Locks {
+    pub(super) fn widen_locks(&mut self) -> Locks {
         self.lock_over(WIDE_LOCK);
         Locks::Wide(WIDE_LOCK)
     }
 
     /// Lets locks be narrower than over this share of the limits, until that changes a force; says whether it did.
-    fn narrow_locks(&mut self, mut share: f64) -> (Locks, bool) {
+    pub(super) fn narrow_locks(&mut self, mut share: f64) -> (Locks, bool) {
         let mut changed = false;
         while share > 0.0 && !changed {
             share = if share > LEAST_LOCK { NARROWER * share } else { 0.0 };
@@ -229,7 +229,7 @@ impl Descent<'_> {
 
 /// How cloth locks at its strain limits while it settles.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Locks {
+pub(super) enum Locks {
     /// As the law has it, and not widened yet.
     Untouched,
     /// Over this share of the limits.
