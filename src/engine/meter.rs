@@ -8,10 +8,9 @@ pub struct Meter {
 }
 
 impl Meter {
-    /// Starts measuring; the peak of memory counts from here where the system can reset it.
+    /// Starts measuring.
     #[must_use]
     pub fn start() -> Self {
-        reset_peak();
         Self { started: std::time::Instant::now(), cpu: cpu_seconds() }
     }
 
@@ -32,7 +31,8 @@ fn milli(seconds: f64) -> f64 {
     (seconds * 1000.0).round() / 1000.0
 }
 
-/// Largest resident memory since the last reset, MB.
+/// Largest resident memory so far, MB, since [`reset_peak`] if that was called. Not reset from stage to stage: who measures
+/// the process from outside would see the last stage's peak only.
 #[must_use]
 pub fn peak_mb() -> Option<f64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;
@@ -41,8 +41,9 @@ pub fn peak_mb() -> Option<f64> {
     Some((kib * 1.024 / 100.0).round() / 10.0)
 }
 
-fn reset_peak() {
-    // Not every system lets a process do this; the peak is then that of the whole run so far.
+/// Lets the peak of memory count from here: for a process that makes many runs.
+pub(crate) fn reset_peak() {
+    // Not every system lets a process do this; the peak is then that of all runs so far.
     drop(std::fs::write("/proc/self/clear_refs", "5"));
 }
 

@@ -17,6 +17,7 @@ pub use exit::{Exit, of_file_error, of_stage_error};
 pub use files::{MAX_INPUT, ReadFiles, RunFiles, read_limited};
 pub use foresight::{Foresight, foresee};
 pub use gate::{Gate, clean, output_below, project_root};
+pub(crate) use meter::reset_peak;
 pub use meter::{Meter, peak_mb};
 pub(crate) use outputs::write_whole;
 pub use outputs::{Outputs, RECORD_NAME};

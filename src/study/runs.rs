@@ -156,6 +156,7 @@ impl Bench<'_> {
         // A killed run must not be taken for the one before it.
         drop(std::fs::remove_file(options.out.join(RESULT_NAME)));
         let mut teller = Teller::new(self.voice, None);
+        engine::reset_peak();
         let outcome = engine::run(pipeline, gate, &options, self.stop, &mut teller, toile_garment::Report::default());
         drop(teller);
         let Some(record) = outcome.record.filter(|_| goes_on(outcome.exit)) else {

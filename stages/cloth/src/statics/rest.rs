@@ -14,8 +14,10 @@ const MOST_PUSHES: u32 = 8;
 const MOST_BORNE: u32 = 2;
 /// Way over the size of the scene after which the cloth is given up as falling.
 const FAR: f64 = 3.0;
-/// What a Newton step would win over the elastic energy, above which coarser cloth finds the way first.
+/// What a Newton step would win over the elastic energy, above which cloth did not begin in balance …
 const FAR_FROM_REST: f64 = 1.0;
+/// … and above which coarser cloth finds the way first: a start that is only strained wins just less than all of it.
+const COARSE_FIRST: f64 = 0.5;
 /// Steps after which cloth locks more softly for a while: single triangles that hang at a corner turn in steps of
 /// micrometres beside a stiffness a thousand times that of all others. On a body not from the start: what slides under friction
 /// would stay where the softer cloth brought it.
@@ -35,7 +37,7 @@ const COARSE: f64 = 3.0;
 pub(crate) fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     let (mut before, mut done) = (Vec::new(), 0.0);
     let mut begun = Some(begin(scene, settings)?);
-    if begun.as_ref().is_some_and(|d| d.decrement > FAR_FROM_REST)
+    if begun.as_ref().is_some_and(|d| d.decrement > COARSE_FIRST)
         && let Some(level) = Level::below_folds(scene)
     {
         // Its factor is larger than all of the coarser levels.
