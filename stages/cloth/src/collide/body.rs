@@ -116,9 +116,9 @@ impl Body {
         if (0..3).any(|k| p[k] < self.bounds.low[k] || p[k] > self.bounds.high[k]) {
             return false;
         }
-        let solid: f64 =
-            self.topology.faces.iter().map(|t| solid_angle(&t.map(|v| self.positions[v as usize] - p))).sum();
-        (solid / (4.0 * std::f64::consts::PI)).abs() > 0.5
+        let mut turns = Turns::default();
+        self.topology.faces.iter().for_each(|t| turns.add(&t.map(|v| self.positions[v as usize] - p)));
+        turns.whole != 0
     }
 }
 
@@ -127,11 +127,36 @@ fn has_area(x: &[Vec3], t: &[u32; 3]) -> bool {
     (b - a).cross(&(c - a)).norm_squared() > 0.0
 }
 
-/// Signed solid angle of a triangle seen from the origin (Van Oosterom and Strackee).
-fn solid_angle([a, b, c]: &[Vec3; 3]) -> f64 {
-    let (la, lb, lc) = (a.norm(), b.norm(), c.norm());
-    let den = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-    2.0 * libm::atan2(a.dot(&b.cross(c)), den)
+/// Half the solid angles of triangles seen from the origin, summed as a direction that turns on: more than half of what is all
+/// around is there once it has passed the half turn, and no angle need be told.
+struct Turns {
+    direction: [f64; 2],
+    /// Times it passed the half turn, one way less the other.
+    whole: i64,
+}
+
+impl Default for Turns {
+    fn default() -> Self {
+        Self { direction: [1.0, 0.0], whole: 0 }
+    }
+}
+
+impl Turns {
+    /// Turns by half the signed solid angle of a triangle (Van Oosterom and Strackee 1983), less than half a turn.
+    #[inline]
+    fn add(&mut self, [a, b, c]: &[Vec3; 3]) {
+        let (la, lb, lc) = (a.norm(), b.norm(), c.norm());
+        let (num, den) = (a.dot(&b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
+        let length = (num * num + den * den).sqrt();
+        if length <= 0.0 {
+            return;
+        }
+        let (cos, sin, [x, y]) = (den / length, num / length, self.direction);
+        let new = [x * cos - y * sin, x * sin + y * cos];
+        let up = |y: f64| y >= 0.0;
+        self.whole += i64::from(up(sin) && up(y) && !up(new[1])) - i64::from(!up(sin) && !up(y) && up(new[1]));
+        self.direction = new;
+    }
 }
 
 /// An edge that is hollow seen from outside cannot be the first thing a straight edge outside meets, nor can one between two
@@ -164,4 +189,31 @@ fn pressing(x: &[Vec3], topology: &Topology, flat: &[bool]) -> Vec<bool> {
         pressing[edge] = rise < 0.0 && !flat.get(edge).is_some_and(|f| *f);
     }
     pressing
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Of an octahedron without its first faces.
+    fn octahedron(without: usize) -> Body {
+        let positions = [1.0, -1.0].into_iter().flat_map(|s| [0, 1, 2].map(|k| Vec3::ith(k, s))).collect();
+        let of = |x: u32, y: u32, z: u32| {
+            if (x + y + z) % 2 == 0 { [3 * x, 1 + 3 * y, 2 + 3 * z] } else { [1 + 3 * y, 3 * x, 2 + 3 * z] }
+        };
+        let all = (0..8).map(|k| of(k & 1, k >> 1 & 1, k >> 2));
+        Body::new(&BodyMesh { positions, triangles: all.skip(without).collect() }).expect("a body")
+    }
+
+    #[test]
+    fn more_than_half_of_what_is_all_around_is_inside() {
+        let (middle, aside) = (Vec3::new(0.01, -0.02, 0.03), Vec3::new(0.3, 0.3, -0.35));
+        for (without, inside) in [(0, true), (2, true), (3, true), (5, false), (6, false)] {
+            assert_eq!(octahedron(without).contains(&middle), inside, "{without} faces open");
+        }
+        let whole = octahedron(0);
+        assert!(
+            whole.contains(&aside) && !whole.contains(&(aside * 1.2)) && !whole.contains(&Vec3::new(0.9, 0.9, 0.9))
+        );
+    }
 }
