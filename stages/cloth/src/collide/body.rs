@@ -199,7 +199,7 @@ mod tests {
     fn octahedron(without: usize) -> Body {
         let positions = [1.0, -1.0].into_iter().flat_map(|s| [0, 1, 2].map(|k| Vec3::ith(k, s))).collect();
         let of = |x: u32, y: u32, z: u32| {
-            if (x + y + z) % 2 == 0 { [3 * x, 1 + 3 * y, 2 + 3 * z] } else { [1 + 3 * y, 3 * x, 2 + 3 * z] }
+            if (x + y + z).is_multiple_of(2) { [3 * x, 1 + 3 * y, 2 + 3 * z] } else { [1 + 3 * y, 3 * x, 2 + 3 * z] }
         };
         let all = (0..8).map(|k| of(k & 1, k >> 1 & 1, k >> 2));
         Body::new(&BodyMesh { positions, triangles: all.skip(without).collect() }).expect("a body")
