@@ -2,6 +2,8 @@
 //! way, and go on doing so along a step, no two of them can come near each other (curvature test of Volino and
 //! Magnenat-Thalmann 1994, along a whole step). Nearly all pairs that a box tree finds are such neighbours.
 
+use super::lists::{Lists, stars};
+use super::tree::narrow;
 use crate::topology::Topology;
 use crate::{Scene, Vec3};
 
@@ -12,43 +14,6 @@ const ALIKE: f64 = 0.5;
 const MOST_ROUND_BORDER: f64 = 1.4 * std::f64::consts::PI;
 /// … and around any other; more is a surplus that must ruffle.
 const MOST_ROUND: f64 = 2.2 * std::f64::consts::PI;
-
-/// Lists of whole numbers, one after the other.
-#[derive(Debug, Default)]
-pub(super) struct Lists {
-    start: Vec<u32>,
-    items: Vec<u32>,
-}
-
-impl Lists {
-    /// So many lists of numbers below `most`, with what each number was given in its list, bit by bit.
-    pub fn new(n: usize, most: usize, mut fill: impl FnMut(u32, &mut dyn FnMut(u32, u8))) -> (Self, Vec<u8>) {
-        let (mut lists, mut all) = (Self { start: vec![0], items: Vec::new() }, Vec::new());
-        let (mut one, mut bits) = (Vec::new(), vec![0u8; most]);
-        for i in (0u32..).take(n) {
-            fill(i, &mut |item, given| {
-                let bits = &mut bits[item as usize];
-                if *bits == 0 {
-                    one.push(item);
-                }
-                *bits |= given;
-            });
-            one.sort_unstable();
-            all.extend(one.iter().map(|item| std::mem::take(&mut bits[*item as usize])));
-            lists.items.append(&mut one);
-            lists.start.push(u32::try_from(lists.items.len()).unwrap_or(u32::MAX));
-        }
-        lists.items.shrink_to_fit();
-        lists.start.shrink_to_fit();
-        all.shrink_to_fit();
-        (lists, all)
-    }
-
-    #[inline]
-    pub fn of(&self, i: u32) -> &[u32] {
-        &self.items[self.start[i as usize] as usize..self.start[i as usize + 1] as usize]
-    }
-}
 
 /// Bits of a pair of neighbours for the corners of the first: the second has it as a corner too; the second is at one of its neighbours.
 const AT: u8 = 0b1;
@@ -66,8 +31,9 @@ const ROUNDING: f32 = 1e-5;
 #[inline]
 fn quick(n: &Vec3, last: f64) -> Quick {
     // What is left of a direction counts only beyond the rounding.
+    let [x, y, z, _] = narrow(n);
     #[allow(clippy::cast_possible_truncation)]
-    [n.x as f32, n.y as f32, n.z as f32, last as f32]
+    [x, y, z, last as f32]
 }
 
 #[inline]
@@ -239,7 +205,7 @@ impl Calm {
                 let v = corners[k] as usize;
                 calm | bits(self.one[v], self.two[v], k)
             });
-            let ties = &self.ties[self.near.start[f as usize] as usize..];
+            let ties = &self.ties[self.near.place(f)..];
             for (g, tie) in self.near.of(f).iter().zip(ties).filter(|(_, tie)| *tie & calm == 0) {
                 emit(f, *g, tie & (7 * AT) != 0);
             }
@@ -251,21 +217,6 @@ impl Calm {
 #[inline]
 fn bits(at: bool, around: bool, k: usize) -> u8 {
     (u8::from(at) * AT + u8::from(around) * AROUND) << k
-}
-
-/// The triangles at every vertex.
-fn stars(n: usize, faces: &[[u32; 3]]) -> Lists {
-    let mut start = vec![0u32; n + 1];
-    faces.iter().flatten().for_each(|v| start[*v as usize + 1] += 1);
-    (0..n).for_each(|v| start[v + 1] += start[v]);
-    let (mut next, mut items) = (start.clone(), vec![0; 3 * faces.len()]);
-    for (f, t) in (0u32..).zip(faces) {
-        for v in t {
-            items[next[*v as usize] as usize] = f;
-            next[*v as usize] += 1;
-        }
-    }
-    Lists { start, items }
 }
 
 /// Vertices whose triangles form one fan, all turned the same way, without more cloth than fits round them.

@@ -1,9 +1,9 @@
 //! How far tiles of the cloth have moved against each other since a search. What it found apart stays apart until two tiles
 //! have used up between them what was left; cloth that moves along together uses up nothing.
 
-use super::calm::Lists;
+use super::lists::Lists;
 use super::near::Way;
-use super::tree::{Tree, higher, lower};
+use super::tree::{Tree, higher, lower, narrow};
 use crate::Vec3;
 
 /// The least and the most that anything moved, m.
@@ -65,16 +65,10 @@ impl Drift {
 }
 
 // What rounding does is allowed for where these are compared.
-#[allow(clippy::cast_possible_truncation)]
 #[inline]
 fn range(from: &Vec3, to: &Vec3) -> Range {
-    let (p, q) = ([from.x as f32, from.y as f32, from.z as f32, 0.0], [to.x as f32, to.y as f32, to.z as f32, 0.0]);
-    let mut both = [p, p];
-    for k in 0..4 {
-        both[0][k] = lower(p[k], q[k]);
-        both[1][k] = higher(p[k], q[k]);
-    }
-    both
+    let (p, q) = (narrow(from), narrow(to));
+    join(&[p, p], &[q, q])
 }
 
 #[inline]

@@ -12,6 +12,7 @@ mod drift;
 mod flat;
 pub(crate) mod friction;
 pub(crate) mod listed;
+mod lists;
 pub(crate) mod near;
 pub(crate) mod own;
 pub(crate) mod repair;

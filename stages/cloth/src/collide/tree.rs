@@ -8,9 +8,6 @@ use crate::Vec3;
 /// Slots of a tile: the leaves below one node.
 pub(crate) const TILE: usize = 8;
 
-/// So few pairs of two tiles are looked at at once.
-const FEW: u32 = 20;
-
 /// An axis-aligned box.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Aabb {
@@ -139,7 +136,7 @@ impl Flat {
 // Boxes are grown by more than this rounds.
 #[allow(clippy::cast_possible_truncation)]
 #[inline]
-fn narrow(p: &Vec3) -> [f32; 4] {
+pub(super) fn narrow(p: &Vec3) -> [f32; 4] {
     [p.x as f32, p.y as f32, p.z as f32, 0.0]
 }
 
@@ -287,9 +284,6 @@ impl Tree {
         self.walk(first, meet, |a, b| {
             let (a, b) = (a.min(b) - first, a.max(b) - first);
             let mut left = tiles.strangers(a, b).unwrap_or(u64::MAX);
-            if left.count_ones() > FEW {
-                left &= self.facing(a, b);
-            }
             while left != 0 {
                 let n = left.trailing_zeros() as usize;
                 left &= left - 1;
@@ -357,20 +351,6 @@ impl Tree {
     /// Items of a tile.
     pub fn tile(&self, tile: usize) -> impl Iterator<Item = u32> + '_ {
         self.items[TILE * tile..TILE * (tile + 1)].iter().copied().filter(|i| *i != u32::MAX)
-    }
-
-    /// Pairs of items of two tiles, as in [`Self::present`], each of which meets the whole of the other's tile.
-    #[inline]
-    fn facing(&self, a: usize, b: usize) -> u64 {
-        let (first, leaves) = (self.tiles(), self.items.len());
-        let (mut rows, mut columns) = (0u64, 0u64);
-        for k in 0..TILE {
-            let row = self.sweeps[leaves + TILE * a + k].meets(&self.sweeps[first + b]);
-            let column = self.sweeps[leaves + TILE * b + k].meets(&self.sweeps[first + a]);
-            rows |= u64::from(row) << (TILE * k);
-            columns |= u64::from(column) << k;
-        }
-        (rows * 0xff) & (columns * 0x0101_0101_0101_0101)
     }
 
     /// Pairs of different items whose boxes meet, in a fixed order.
