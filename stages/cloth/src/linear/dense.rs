@@ -68,19 +68,19 @@ fn tile<S: Simd, const V: usize, const W: usize>(
 
 /// A line as the `V` registers that it fills.
 #[inline(always)]
-fn registers<S: Simd, const V: usize>(_: S, line: &[f32; TALL]) -> &[S::f32s; V] {
+pub(super) fn registers<S: Simd, const V: usize>(_: S, line: &[f32; TALL]) -> &[S::f32s; V] {
     let found = S::as_simd_f32s(line).0.first_chunk();
     found.unwrap_or_else(|| unreachable!("{V} registers hold a line"))
 }
 
 #[inline(always)]
-fn registers_mut<S: Simd, const V: usize>(_: S, line: &mut [f32; TALL]) -> &mut [S::f32s; V] {
+pub(super) fn registers_mut<S: Simd, const V: usize>(_: S, line: &mut [f32; TALL]) -> &mut [S::f32s; V] {
     let found = S::as_mut_simd_f32s(line).0.first_chunk_mut();
     found.unwrap_or_else(|| unreachable!("{V} registers hold a line"))
 }
 
 #[inline(always)]
-fn line<S: Simd, const V: usize>(simd: S, sum: &[S::f32s; V]) -> [f32; TALL] {
+pub(super) fn line<S: Simd, const V: usize>(simd: S, sum: &[S::f32s; V]) -> [f32; TALL] {
     let mut line = [0.0; TALL];
     *registers_mut::<S, V>(simd, &mut line) = *sum;
     line
@@ -215,104 +215,6 @@ fn solve_strip<S: Simd, const V: usize>(
         l[(j0 + j) * height + p * TALL..][..rows].copy_from_slice(&x[..rows]);
         *pack.line(p, j0 + j) = *x;
     }
-}
-
-/// Columns that a solve takes at a time.
-const WIDE: usize = 4;
-
-/// Solves `L y = x` for the columns of one panel and takes them out of the rows below: `x` has `height` entries, the
-/// diagonal of `l` is inverted.
-#[inline(always)]
-pub(crate) fn solve_lower<S: Simd, const V: usize>(simd: S, l: &[f32], x: &mut [f32], width: usize) {
-    let height = x.len();
-    for (j, columns) in (0..width).step_by(WIDE).zip(l.chunks(WIDE * height)) {
-        let n = WIDE.min(width - j);
-        let (corner, below) = x[j..].split_at_mut(n);
-        for c in 0..n {
-            let column = &columns[c * height + j..][..n];
-            corner[c] *= column[c];
-            for r in c + 1..n {
-                corner[r] = (-corner[c]).mul_add(column[r], corner[r]);
-            }
-        }
-        let part = |c: usize| &columns[c * height + j + n..(c + 1) * height];
-        match *corner {
-            [p, q, r, s] => take_all::<S, V, 4>(simd, [p, q, r, s], [part(0), part(1), part(2), part(3)], below),
-            _ => corner.iter().enumerate().for_each(|(c, y)| take_all::<S, V, 1>(simd, [*y], [part(c)], below)),
-        }
-    }
-}
-
-/// Takes multiples `y` of columns out of `x`, one after the other.
-#[inline(always)]
-fn take_all<S: Simd, const V: usize, const N: usize>(simd: S, y: [f32; N], columns: [&[f32]; N], x: &mut [f32]) {
-    let parts = columns.map(|c| c.as_chunks::<TALL>());
-    let (x, rest) = x.as_chunks_mut::<TALL>();
-    let factors = y.map(|y| simd.splat_f32s(-y));
-    let chunks = parts.map(|p| &p.0[..x.len()]);
-    for (k, x) in x.iter_mut().enumerate() {
-        let x = registers_mut::<S, V>(simd, x);
-        for n in 0..N {
-            let c = registers::<S, V>(simd, &chunks[n][k]);
-            for v in 0..V {
-                x[v] = simd.mul_add_f32s(factors[n], c[v], x[v]);
-            }
-        }
-    }
-    for (y, p) in y.iter().zip(&parts) {
-        rest.iter_mut().zip(p.1).for_each(|(x, c)| *x = (-y).mul_add(*c, *x));
-    }
-}
-
-/// Solves `Lᵀ y = x` for the columns of one panel, the rows below being known.
-#[inline(always)]
-pub(crate) fn solve_upper<S: Simd, const V: usize>(simd: S, l: &[f32], x: &mut [f32], width: usize) {
-    let height = x.len();
-    for (j, columns) in (0..width).step_by(WIDE).zip(l.chunks(WIDE * height)).rev() {
-        let n = WIDE.min(width - j);
-        let (corner, below) = x[j..].split_at_mut(n);
-        let part = |c: usize| &columns[c * height + j + n..(c + 1) * height];
-        let mut sums = [0.0; WIDE];
-        if n == WIDE {
-            sums = products_of::<S, V, 4>(simd, [part(0), part(1), part(2), part(3)], below);
-        } else {
-            (0..n).for_each(|c| [sums[c]] = products_of::<S, V, 1>(simd, [part(c)], below));
-        }
-        for c in (0..n).rev() {
-            let column = &columns[c * height + j..][..n];
-            let known = (c + 1..n).fold(sums[c], |sum, r| column[r].mul_add(corner[r], sum));
-            corner[c] = (corner[c] - known) * column[c];
-        }
-    }
-}
-
-/// Products of columns with `x`, each summed in lanes, then the lanes in order.
-#[inline(always)]
-fn products_of<S: Simd, const V: usize, const N: usize>(simd: S, columns: [&[f32]; N], x: &[f32]) -> [f32; N] {
-    let parts = columns.map(|c| c.as_chunks::<TALL>());
-    let (x, rest) = x.as_chunks::<TALL>();
-    let mut lanes = [[simd.splat_f32s(0.0); V]; N];
-    let chunks = parts.map(|p| &p.0[..x.len()]);
-    for (k, x) in x.iter().enumerate() {
-        let x = registers::<S, V>(simd, x);
-        for n in 0..N {
-            let c = registers::<S, V>(simd, &chunks[n][k]);
-            for v in 0..V {
-                lanes[n][v] = simd.mul_add_f32s(x[v], c[v], lanes[n][v]);
-            }
-        }
-    }
-    let mut sums = [0.0; N];
-    for ((out, lanes), p) in sums.iter_mut().zip(&lanes).zip(&parts) {
-        let mut lanes = line::<S, V>(simd, lanes);
-        for (l, (x, c)) in lanes.iter_mut().zip(rest.iter().zip(p.1)) {
-            *l = x.mul_add(*c, *l);
-        }
-        let half: [f32; 8] = std::array::from_fn(|t| lanes[t] + lanes[t + 8]);
-        let quarter: [f32; 4] = std::array::from_fn(|t| half[t] + half[t + 4]);
-        *out = (quarter[0] + quarter[2]) + (quarter[1] + quarter[3]);
-    }
-    sums
 }
 
 #[cfg(test)]

@@ -4,8 +4,9 @@
 //! Ng, Peyton: Block sparse Cholesky algorithms on advanced uniprocessor computers, SIAM J. Sci. Comput. 14 (1993), in
 //! its right-looking form: a finished node is taken out of all nodes that own its rows at once.
 
-use super::dense::{self, Pack};
+use super::dense::{self, Pack, TALL};
 use super::hessian::Pattern;
+use super::sweep;
 use super::symbolic::{Node, Symbolic};
 use crate::Vec3;
 use nalgebra::Matrix3;
@@ -60,7 +61,7 @@ impl Factor {
         let Some(symbolic) = old.alike(pattern).or_else(|| Symbolic::new(pattern)) else { return };
         drop(old);
         self.analyses += 1;
-        self.values = vec![0.0; symbolic.length];
+        self.values = vec![0.0; symbolic.length + TALL];
         self.right = vec![0.0; 3 * pattern.unknowns()];
         self.pattern = pattern.clone();
         self.symbolic = symbolic;
@@ -157,6 +158,8 @@ impl Eliminate<'_> {
             if !dense::factor_panel::<S, V, W>(simd, panel, height, width, self.pack) {
                 return false;
             }
+            // While it is near; its products are made of the pack.
+            sweep::lay_out(panel, height, width, self.sums);
             if self.sums.len() < W * height {
                 self.sums.resize(W * height, 0.0);
             }
@@ -228,14 +231,14 @@ impl Solve<'_> {
 #[inline(always)]
 fn forward<S: Simd, const V: usize>(simd: S, node: &Node, values: &[f32], right: &mut [f32], local: &mut Vec<f32>) {
     let l = gather(node, values, right, local);
-    dense::solve_lower::<S, V>(simd, l, local, node.width());
+    sweep::solve_lower::<S, V>(simd, l, local, node.width());
     scatter(node, right, local);
 }
 
 #[inline(always)]
 fn backward<S: Simd, const V: usize>(simd: S, node: &Node, values: &[f32], right: &mut [f32], local: &mut Vec<f32>) {
     let l = gather(node, values, right, local);
-    dense::solve_upper::<S, V>(simd, l, local, node.width());
+    sweep::solve_upper::<S, V>(simd, l, local, node.width());
     let first = 3 * node.first as usize;
     right[first..first + node.width()].copy_from_slice(&local[..node.width()]);
 }
@@ -243,13 +246,14 @@ fn backward<S: Simd, const V: usize>(simd: S, node: &Node, values: &[f32], right
 #[inline(always)]
 fn gather<'a>(node: &Node, values: &'a [f32], right: &[f32], local: &mut Vec<f32>) -> &'a [f32] {
     let (first, width) = (3 * node.first as usize, node.width());
-    local.resize(node.height(), 0.0);
+    local.resize(node.height() + TALL, 0.0);
+    local[node.height()..].fill(0.0);
     local[..width].copy_from_slice(&right[first..first + width]);
     let vertices = right.as_chunks::<3>().0;
     for (row, part) in node.rows.iter().zip(local[width..].as_chunks_mut().0) {
         *part = vertices[*row as usize];
     }
-    &values[node.start..node.start + node.height() * width]
+    &values[node.start..node.start + node.height() * width + TALL]
 }
 
 #[inline(always)]

@@ -4,4 +4,5 @@ mod dense;
 mod dissect;
 pub(crate) mod factor;
 pub(crate) mod hessian;
+mod sweep;
 mod symbolic;
