@@ -86,7 +86,8 @@ pub(super) fn line<S: Simd, const V: usize>(simd: S, sum: &[S::f32s; V]) -> [f32
     line
 }
 
-/// Products of the packed rows `first..first + W` with all rows from their strip on, by columns of `height` rows.
+/// Products of the packed rows `first..first + W` with all rows from their strip on, by columns of `height` rows, which must be
+/// whole strips.
 #[inline(always)]
 pub(crate) fn products<S: Simd, const V: usize, const W: usize>(
     simd: S,
@@ -95,11 +96,10 @@ pub(crate) fn products<S: Simd, const V: usize, const W: usize>(
     height: usize,
     out: &mut [f32],
 ) {
-    for p in first / TALL..height.div_ceil(TALL) {
-        let rows = TALL.min(height - p * TALL);
+    for p in first / TALL..height / TALL {
         let sums = tile::<S, V, W>(simd, pack, pack.depth, p, first);
         for (column, sum) in out.chunks_exact_mut(height).zip(&sums) {
-            column[p * TALL..][..rows].copy_from_slice(&line::<S, V>(simd, sum)[..rows]);
+            column.as_chunks_mut().0[p] = line::<S, V>(simd, sum);
         }
     }
 }
@@ -146,8 +146,10 @@ fn take_out<S: Simd, const V: usize, const W: usize>(
         for j in (j0..j1).step_by(W) {
             for (w, sum) in tile::<S, V, W>(simd, pack, j0, p, j).iter().enumerate().take(j1 - j) {
                 let sum = line::<S, V>(simd, sum);
-                for (c, s) in l[(j + w) * height + p * TALL..][..rows].iter_mut().zip(&sum) {
-                    *c -= s;
+                let from = &mut l[(j + w) * height + p * TALL..][..rows];
+                match from.first_chunk_mut::<TALL>() {
+                    Some(line) => line.iter_mut().zip(&sum).for_each(|(c, s)| *c -= s),
+                    None => from.iter_mut().zip(&sum).for_each(|(c, s)| *c -= s),
                 }
             }
         }
@@ -193,7 +195,11 @@ fn solve_strip<S: Simd, const V: usize>(
     let rows = TALL.min(height - p * TALL);
     let mut x = [[0.0f32; TALL]; TALL];
     for (j, x) in x.iter_mut().enumerate().take(n) {
-        x[..rows].copy_from_slice(&l[(j0 + j) * height + p * TALL..][..rows]);
+        let from = &l[(j0 + j) * height + p * TALL..][..rows];
+        match from.first_chunk() {
+            Some(line) => *x = *line,
+            None => x[..rows].copy_from_slice(from),
+        }
     }
     for j in 0..n {
         let mut done = x[j];
@@ -212,7 +218,11 @@ fn solve_strip<S: Simd, const V: usize>(
         }
     }
     for (j, x) in x.iter().enumerate().take(n) {
-        l[(j0 + j) * height + p * TALL..][..rows].copy_from_slice(&x[..rows]);
+        let to = &mut l[(j0 + j) * height + p * TALL..][..rows];
+        match to.first_chunk_mut() {
+            Some(line) => *line = *x,
+            None => to.copy_from_slice(&x[..rows]),
+        }
         *pack.line(p, j0 + j) = *x;
     }
 }

@@ -160,14 +160,15 @@ impl Eliminate<'_> {
             }
             // While it is near; its products are made of the pack.
             sweep::lay_out(panel, height, width, self.sums);
-            if self.sums.len() < W * height {
-                self.sums.resize(W * height, 0.0);
+            let tall = height.next_multiple_of(TALL);
+            if self.sums.len() < W * tall {
+                self.sums.resize(W * tall, 0.0);
             }
-            let sums = &mut self.sums[..W * height];
+            let sums = &mut self.sums[..W * tall];
             for first in (width - width % W..height).step_by(W) {
-                dense::products::<S, V, W>(simd, self.pack, first, height, sums);
+                dense::products::<S, V, W>(simd, self.pack, first, tall, sums);
                 for column in first.max(width)..(first + W).min(height) {
-                    spread(node, self.nodes, column, &sums[(column - first) * height..][..height], self.values);
+                    spread(node, self.nodes, column, &sums[(column - first) * tall..][..height], self.values);
                 }
             }
         }
