@@ -18,7 +18,7 @@ const RELAX: [(usize, f64); 4] = [(2, 1.0), (6, 0.8), (16, 0.1), (usize::MAX, 0.
 
 /// Vertices in the columns of a supernode, at most: wider ones are cut, so that half of their corner need not be stored, and
 /// what is worked on at a time stays near the processor.
-const WIDE: u32 = 128;
+const WIDE: u32 = 32;
 
 /// A factor that is larger by more than one part in so many asks for an order of its own, and so do couplings that are fewer
 /// by as much.

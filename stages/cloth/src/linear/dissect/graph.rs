@@ -98,12 +98,12 @@ impl Graph {
     }
 
     /// The graph with neighbours joined in pairs, those first that are bound most strongly, and the joint vertex of each;
-    /// nothing becomes heavier than `most`.
-    pub fn joined(&self, most: u32) -> (Self, Vec<u32>) {
+    /// nothing becomes heavier than `most`. Those with as many neighbours come in an order of their own in every `way`.
+    pub fn joined(&self, most: u32, way: u32) -> (Self, Vec<u32>) {
         let mut joint = vec![NONE; self.len()];
         let mut pairs: Vec<[u32; 2]> = Vec::new();
         let mut queue: Vec<u32> = (0..number(self.len())).collect();
-        queue.sort_by_key(|v| (self.around(*v).len(), v.wrapping_mul(2_654_435_761)));
+        queue.sort_by_key(|v| (self.around(*v).len(), (v + 7919 * way).wrapping_mul(2_654_435_761)));
         for v in queue {
             if joint[v as usize] != NONE {
                 continue;

@@ -19,15 +19,34 @@ const UNEVEN: (u32, u32) = (2, 3);
 const STARTS: u32 = 6;
 /// Rounds of moves, and moves in a row without gain after which a round ends.
 const ROUNDS: usize = 4;
-const IDLE: usize = 50;
+const IDLE: usize = 200;
+/// From so many vertices on two ways to join them are tried: 50,000 unknowns of cloth then take a tenth fewer sums.
+const MANY: usize = 1_000;
 
-/// The side of every vertex: of the graph with its vertices joined first, then better and better told apart.
+/// The side of every vertex, in the better of two ways where there are many.
 pub(super) fn part(graph: &Graph) -> Vec<u8> {
+    let first = part_in(graph, 0);
+    if graph.len() <= MANY {
+        return first;
+    }
+    let second = part_in(graph, 1);
+    if price(graph, &second) < price(graph, &first) { second } else { first }
+}
+
+/// What lies between, dearer by a twelfth where one side is twice the other.
+fn price(graph: &Graph, sides: &[u8]) -> u64 {
+    let weights = weights(graph, sides).map(u64::from);
+    weights[2] * (4 * u64::from(graph.total()) + weights[0].abs_diff(weights[1]))
+}
+
+/// The side of every vertex: of the graph with its vertices joined first, in one way of several, then better and better told
+/// apart.
+fn part_in(graph: &Graph, way: u32) -> Vec<u8> {
     if graph.len() > FEW {
         let most = (3 * graph.total() / (2 * number(FEW))).max(2);
-        let (fewer, joint) = graph.joined(most);
+        let (fewer, joint) = graph.joined(most, way);
         if 10 * fewer.len() < FEWER * graph.len() {
-            let sides = part(&fewer);
+            let sides = if way == 0 { part(&fewer) } else { part_in(&fewer, way) };
             let sides = joint.iter().map(|j| sides[*j as usize]).collect();
             return Parting::new(graph, sides).improved();
         }
