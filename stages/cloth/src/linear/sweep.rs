@@ -149,3 +149,37 @@ fn first(numbers: &[f32]) -> &[f32; TALL] {
 fn first_mut(numbers: &mut [f32]) -> &mut [f32; TALL] {
     numbers.first_chunk_mut().unwrap_or_else(|| unreachable!("{TALL} numbers stand behind the rows"))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Panels of every remainder of columns and rows, against the plain sums by columns.
+    #[test]
+    fn a_panel_that_is_laid_out_solves_as_its_columns_do() {
+        for (height, width) in [(1, 1), (2, 2), (3, 3), (21, 5), (36, 4), (40, 9), (70, 22)] {
+            let entry = |i: usize, j: usize| if i == j { 0.5 } else { 0.1 / (1.0 + i.abs_diff(j) as f32) };
+            let columns: Vec<f32> = (0..width * height).map(|k| entry(k % height, k / height)).collect();
+            let mut panel = [columns.clone(), vec![1e3; TALL]].concat();
+            lay_out(&mut panel[..width * height], height, width, &mut Vec::new());
+            let given: Vec<f32> = (0..height).map(|i| 1.0 - (i % 5) as f32).collect();
+            let padded = || [given.clone(), vec![0.0; TALL]].concat();
+            let (mut down, mut up) = (given.clone(), given.clone());
+            for j in 0..width {
+                down[j] *= columns[j * height + j];
+                (j + 1..height).for_each(|i| down[i] -= columns[j * height + i] * down[j]);
+            }
+            for j in (0..width).rev() {
+                let known: f32 = (j + 1..height).map(|i| columns[j * height + i] * up[i]).sum();
+                up[j] = (up[j] - known) * columns[j * height + j];
+            }
+            let (mut lower, mut upper) = (padded(), padded());
+            solve_lower::<_, 16>(pulp::Scalar, &panel, &mut lower, width);
+            solve_upper::<_, 16>(pulp::Scalar, &panel, &mut upper, width);
+            for i in 0..height {
+                assert!((lower[i] - down[i]).abs() < 1e-6, "{height} × {width}: {i} {} {}", lower[i], down[i]);
+                assert!((upper[i] - up[i]).abs() < 1e-6, "{height} × {width}: {i} {} {}", upper[i], up[i]);
+            }
+        }
+    }
+}

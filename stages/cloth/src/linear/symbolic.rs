@@ -17,8 +17,11 @@ const NONE: u32 = u32::MAX;
 const RELAX: [(usize, f64); 4] = [(2, 1.0), (6, 0.8), (16, 0.1), (usize::MAX, 0.05)];
 
 /// Vertices in the columns of a supernode, at most: wider ones are cut, so that half of their corner need not be stored, and
-/// what is worked on at a time stays near the processor.
+/// what is worked on at a time stays near the processor. In a small system that saves nothing.
 const WIDE: u32 = 32;
+const WIDE_OF_SMALL: u32 = 128;
+/// Unknowns of a large one, at least.
+const LARGE: usize = 3_000;
 
 /// A factor that is larger by more than one part in so many asks for an order of its own, and so do couplings that are fewer
 /// by as much.
@@ -159,12 +162,13 @@ fn apart(n: usize) -> Option<(Vec<Node>, usize)> {
 
 fn nodes(analysis: &SymbolicCholesky<u32>) -> Option<(Vec<Node>, usize)> {
     let SymbolicCholeskyRaw::Supernodal(s) = analysis.raw() else { return None };
+    let widest = if analysis.ncols() < LARGE { WIDE_OF_SMALL } else { WIDE };
     let (mut start, mut nodes) = (0, Vec::new());
     for k in 0..s.n_supernodes() {
         let (first, end) = (s.supernode_begin()[k], s.supernode_end()[k]);
         let mut rows = s.supernode(k).pattern().to_vec();
         rows.sort_unstable();
-        for (from, to) in cuts(first, end) {
+        for (from, to) in cuts(first, end, widest) {
             let rows = (to..end).chain(rows.iter().copied()).collect();
             let node = Node { first: from, columns: to - from, rows, owners: Vec::new(), start };
             start += node.height() * node.width();
@@ -179,9 +183,9 @@ fn nodes(analysis: &SymbolicCholesky<u32>) -> Option<(Vec<Node>, usize)> {
     Some((nodes, start))
 }
 
-/// Columns by the nodes that hold them.
-fn cuts(first: u32, end: u32) -> impl Iterator<Item = (u32, u32)> {
-    (first..end).step_by(WIDE as usize).map(move |from| (from, end.min(from + WIDE)))
+/// Columns by the nodes that hold them, none more than `widest`.
+fn cuts(first: u32, end: u32, widest: u32) -> impl Iterator<Item = (u32, u32)> {
+    (first..end).step_by(widest as usize).map(move |from| (from, end.min(from + widest)))
 }
 
 /// The owners of a node's rows, in order.

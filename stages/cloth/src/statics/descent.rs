@@ -151,7 +151,11 @@ impl<'a> Descent<'a> {
 
     /// Steps in a block: more where a factor costs more.
     pub fn block_length(&self) -> usize {
-        if self.f.len() > 4500 { 16 } else { 8 }
+        match self.f.len() {
+            15_001.. => 24,
+            4_501.. => 16,
+            _ => 8,
+        }
     }
 
     /// Refreshes friction and metric. `false` if no metric can be had.
