@@ -2,7 +2,7 @@
 
 use super::place;
 use crate::obj::ObjMesh;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 use toile_garment::{Diagnostic, Severity, Tally, Vec3};
 
 /// Height of a body that needs no question, metres: a doll to a giant.
@@ -75,45 +75,60 @@ fn merge(raw: &ObjMesh, together: bool) -> (Vec<Vec3>, Vec<[u32; 3]>, usize, usi
 
 /// Without flat triangles and doubles, and which those were.
 fn sound(positions: &[Vec3], triangles: Vec<[u32; 3]>) -> (Vec<[u32; 3]>, Tally, Tally) {
+    let key = |t: &[u32; 3]| {
+        let [a, b, c] = t.map(|i| positions[i as usize]);
+        let mut sorted = *t;
+        sorted.sort_unstable();
+        let flat = sorted[0] == sorted[1] || sorted[1] == sorted[2] || (b - a).cross(&(c - a)).norm() == 0.0;
+        (!flat).then_some(sorted)
+    };
+    let keys: Vec<_> = triangles.iter().map(key).collect();
+    let mut order: Vec<_> = keys.iter().zip(0u32..).filter_map(|(k, t)| k.map(|k| (k, t))).collect();
+    order.sort_unstable();
+    let mut again = vec![false; triangles.len()];
+    order.windows(2).filter(|w| w[0].0 == w[1].0).for_each(|w| again[w[1].1 as usize] = true);
     let (mut flat, mut double) = (Tally::default(), Tally::default());
-    let mut seen = BTreeSet::new();
     let mut out = Vec::with_capacity(triangles.len());
     for (k, t) in triangles.into_iter().enumerate() {
-        let [a, b, c] = t.map(|i| positions[i as usize]);
-        let area = (b - a).cross(&(c - a)).norm();
-        let mut key = t;
-        key.sort_unstable();
-        if key[0] == key[1] || key[1] == key[2] || area == 0.0 {
-            flat.add(k);
-        } else if !seen.insert(key) {
-            double.add(k);
-        } else {
-            out.push(t);
+        match keys[k] {
+            None => flat.add(k),
+            Some(_) if again[k] => double.add(k),
+            Some(_) => out.push(t),
         }
     }
     (out, flat, double)
 }
 
-/// Triangles on each edge: (triangle, does it run from the smaller to the larger vertex?).
-type Edges = BTreeMap<(u32, u32), Vec<(u32, bool)>>;
+/// A triangle's side on an edge: its vertices, the smaller first, the triangle, and whether it runs from the smaller to the larger.
+type Side = ((u32, u32), u32, bool);
+
+/// The sides of all triangles, edge by edge: sorted, as a body of a million triangles has three million.
+struct Edges(Vec<Side>);
+
+impl Edges {
+    fn each(&self) -> impl Iterator<Item = &[Side]> {
+        self.0.chunk_by(|p, q| p.0 == q.0)
+    }
+}
 
 fn edges(triangles: &[[u32; 3]]) -> Edges {
-    let mut edges = Edges::new();
-    for (t, [a, b, c]) in triangles.iter().enumerate() {
+    let mut sides = Vec::with_capacity(3 * triangles.len());
+    for (t, [a, b, c]) in (0u32..).zip(triangles) {
         for (from, to) in [(a, b), (b, c), (c, a)].into_iter().filter(|(from, to)| from != to) {
-            edges.entry((*from.min(to), *from.max(to))).or_default().push((t as u32, from < to));
+            sides.push(((*from.min(to), *from.max(to)), t, from < to));
         }
     }
-    edges
+    sides.sort_unstable();
+    Edges(sides)
 }
 
 /// Open edges, edges of more than two triangles, edges whose two triangles disagree.
 fn count(edges: &Edges) -> (usize, usize, usize) {
     let mut counts = (0, 0, 0);
-    for users in edges.values() {
-        match users.as_slice() {
+    for users in edges.each() {
+        match users {
             [_] => counts.0 += 1,
-            [(_, a), (_, b)] => counts.2 += usize::from(a == b),
+            [(_, _, a), (_, _, b)] => counts.2 += usize::from(a == b),
             _ => counts.1 += 1,
         }
     }
@@ -151,9 +166,9 @@ fn parts(count: usize, edges: &Edges) -> Vec<u32> {
         }
         i
     }
-    for users in edges.values() {
+    for users in edges.each() {
         for pair in users.windows(2) {
-            let (a, b) = (root(&mut parent, pair[0].0), root(&mut parent, pair[1].0));
+            let (a, b) = (root(&mut parent, pair[0].1), root(&mut parent, pair[1].1));
             parent[a.max(b) as usize] = a.min(b);
         }
     }
