@@ -75,7 +75,7 @@ pub fn certify(scene: &Scene, settings: &Settings, positions: &[Vec3]) -> Result
 }
 
 fn against_body(figures: &mut Figures, x: &[Vec3], topology: &Topology, body: &Body) {
-    let found = count::with_body(x, &topology.faces, &body.positions, &body.topology.faces);
+    let found = count::with_body(x, &topology.faces, body);
     figures.body_crossings = found.count;
     figures.first_crossing = figures.first_crossing.or(found.pairs.first().map(|p| p[0]));
     let used: std::collections::BTreeSet<u32> = topology.faces.iter().flatten().copied().collect();

@@ -21,14 +21,15 @@ pub(crate) struct Start {
 }
 
 impl Start {
-    /// Checks and repairs.
-    pub fn new(scene: &Scene, s: &Settings) -> Result<Self, ClothError> {
+    /// Checks and repairs. `built`: the body of this scene, where one has it already.
+    pub fn new(scene: &Scene, s: &Settings, built: Option<Body>) -> Result<Self, ClothError> {
         validate::scene(scene)?;
         validate::settings(s)?;
         let topology = Topology::of_elements(scene.positions.len(), &scene.triangles);
         let mut positions = scene.positions.clone();
         let (mut costs, mut lap) = (Costs::default(), Lap::start());
-        let body = scene.body.as_ref().filter(|_| s.effects.body_contact != Switch::Off).and_then(Body::new);
+        let wanted = scene.body.as_ref().filter(|_| s.effects.body_contact != Switch::Off);
+        let body = wanted.and_then(|mesh| built.or_else(|| Body::new(mesh)));
         costs.spend(Work::BodyContact, &mut lap);
         let own = s.effects.self_contact != Switch::Off;
         let mut repaired = (0, 0.0);

@@ -142,7 +142,8 @@ impl Barrier {
         }
         if let Some(body) = &mut self.body {
             let gap = thick(&self.frame.body_gap);
-            let (reach, wide) = (gap + slack, gap.max(self.stand_off) + slack);
+            // Edges and faces push from nearer than vertices do.
+            let (reach, wide) = (EDGE_SHARE * gap + slack, gap.max(self.stand_off) + slack);
             if body.travel.is_some() {
                 self.near.fill_travelling(&way, body, wide);
             } else {

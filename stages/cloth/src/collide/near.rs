@@ -2,7 +2,7 @@
 
 use super::beside::Beside;
 use super::body::Body;
-use super::closest::{plane_gap, point_triangle, point_triangle_gap, segment_gap, segments};
+use super::closest::{point_triangle, point_triangle_gap, segment_gap, segments};
 use super::tree::{Aabb, least, meet_moving, most};
 use crate::Vec3;
 use crate::topology::Topology;
@@ -150,7 +150,7 @@ impl Apart {
 }
 
 /// What is beside a triangle is kept for moves of this share of an edge, unless steps are longer than this share.
-const MARGIN: f64 = 0.3;
+const MARGIN: f64 = 0.12;
 const QUICK: f64 = 0.3;
 
 /// A face on its way, and how far it reaches for a body.
@@ -185,10 +185,17 @@ impl Reaching {
         &self.moving.owned
     }
 
-    /// Does a triangle lie on one side of the face's plane, farther than it reaches on its way?
+    /// Heights of a triangle's corners over the face's plane, m.
     #[inline]
-    fn passes(&self, b: &Owned) -> bool {
-        plane_gap(&self.owned().at[0], &self.normal, &b.at) > self.reach + self.longest
+    fn heights(&self, b: &Owned) -> [f64; 3] {
+        b.at.map(|p| self.normal.dot(&(p - self.owned().at[0])))
+    }
+
+    /// Does what has these heights lie on one side of the face's plane, farther than it reaches on its way?
+    #[inline]
+    fn passes(&self, heights: &[f64]) -> bool {
+        let far = self.reach + self.longest;
+        heights.iter().all(|h| *h > far) || heights.iter().all(|h| *h < -far)
     }
 }
 
@@ -332,18 +339,21 @@ impl Near {
             return;
         }
         let b = &Owned::of(&body.topology, g, &body.positions);
-        if face.passes(b) {
+        let height = face.heights(b);
+        if face.passes(&height) {
             return;
         }
         let (a, l) = (face.owned(), &face.lengths);
         for k in (0..3).filter(|k| b.owns_vertex(*k)) {
             let far = || point_triangle_gap(&b.at[k], a.at.each_ref()) > face.reach + face.longest;
-            if point_in(&face.bounds, &b.at[k]) && !far() {
+            if !face.passes(&[height[k]]) && point_in(&face.bounds, &b.at[k]) && !far() {
                 self.body_faces.push([a.corners[0], a.corners[1], a.corners[2], b.corners[k]]);
             }
         }
         for j in (0..3).filter(|j| b.owns_edge(*j)) {
-            if !body.pressing_edges[body.topology.face_edges[g as usize][j] as usize] {
+            if face.passes(&[height[j], height[(j + 1) % 3]])
+                || !body.pressing_edges[body.topology.face_edges[g as usize][j] as usize]
+            {
                 continue;
             }
             let bounds = b.edge_box(j);

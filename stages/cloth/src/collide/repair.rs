@@ -37,7 +37,7 @@ pub(crate) fn free_of_body(
     let start = x.to_vec();
     let mut first = None;
     for round in 0..ROUNDS {
-        let found = count::with_body(x, &topology.faces, &body.positions, &body.topology.faces);
+        let found = count::with_body(x, &topology.faces, body);
         let within = inside(x, &topology.faces, &found.pairs, body);
         let deep = within.iter().filter(|w| **w).count();
         if found.count == 0 && deep == 0 {

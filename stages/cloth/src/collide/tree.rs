@@ -389,21 +389,6 @@ impl Tree {
             }
         }
     }
-
-    /// Items whose boxes meet `bounds`.
-    pub fn meeting(&self, bounds: &Aabb, mut emit: impl FnMut(u32)) {
-        let leaves = self.items.len();
-        let mut stack = vec![1usize];
-        while let Some(a) = stack.pop() {
-            if self.boxes[a].meets(bounds) {
-                if a < leaves {
-                    stack.extend([2 * a + 1, 2 * a]);
-                } else {
-                    emit(self.items[a - leaves]);
-                }
-            }
-        }
-    }
 }
 
 impl Tree {

@@ -60,7 +60,7 @@ impl<'a> Walk<'a> {
         dynamics: &'a Dynamics,
         motion: &'a Motion,
     ) -> Result<Self, ClothError> {
-        let mut start = Start::new(scene, settings)?;
+        let mut start = Start::new(scene, settings, None)?;
         let path = scene.body.as_ref().and_then(|b| Path::new(motion, &b.positions));
         if let Some(body) = start.body.as_mut().filter(|_| path.is_some()) {
             body.set_out();

@@ -2,6 +2,7 @@
 
 use super::pair::{apart_cross, corner_cross, edge_fold};
 use crate::Vec3;
+use crate::collide::body::Body;
 use crate::collide::tree::{Aabb, Tree};
 
 /// Intersecting pairs, the first few kept.
@@ -95,22 +96,22 @@ fn cross(x: &[Vec3], s: [u32; 3], t: [u32; 3]) -> bool {
     }
 }
 
-/// Pairs of a cloth and a body triangle that cross.
-pub(crate) fn with_body(x: &[Vec3], faces: &[[u32; 3]], body: &[Vec3], body_faces: &[[u32; 3]]) -> Crossings {
-    let cloth = Aabb::of(x);
-    let corners = |t: &[u32; 3]| t.map(|v| body[v as usize]);
-    // Most of a large body is nowhere near the cloth.
-    let beside = |(j, t): (u32, &[u32; 3])| cloth.meets(&Aabb::of_three(&corners(t))).then_some((j, *t));
-    let (numbers, near): (Vec<u32>, Vec<[u32; 3]>) = (0u32..).zip(body_faces).filter_map(beside).unzip();
-    let tree = Tree::new(body, &near);
-    let mut found = Crossings::default();
+/// Pairs of a cloth and a body triangle that cross, ascending.
+pub(crate) fn with_body(x: &[Vec3], faces: &[[u32; 3]], body: &Body) -> Crossings {
+    let (mut found, mut crossed) = (Crossings::default(), Vec::new());
     for (i, t) in (0u32..).zip(faces) {
         let a = t.map(|v| x[v as usize]);
-        tree.meeting(&Aabb::of(&a), |k| {
-            if apart_cross(&a, &corners(&near[k as usize])) {
-                found.add(i, numbers[k as usize]);
+        let bounds = Aabb::of_three(&a);
+        if !bounds.meets(&body.bounds) {
+            continue;
+        }
+        body.candidates(&bounds, |k| {
+            if apart_cross(&a, &body.triangle(k)) {
+                crossed.push(k);
             }
         });
+        crossed.sort_unstable();
+        crossed.drain(..).for_each(|k| found.add(i, k));
     }
     found
 }
@@ -197,7 +198,8 @@ mod tests {
     #[test]
     fn a_body_pierced_by_cloth_is_counted() {
         let cloth = [v(0.2, 0.2, -1.0), v(0.2, 0.25, 1.0), v(0.25, 0.2, 1.0)];
-        let found = with_body(&cloth, &[[0, 1, 2]], &flat(), &[[0, 1, 2]]);
+        let body = Body::new(&crate::BodyMesh { positions: flat(), triangles: vec![[0, 1, 2]] }).expect("a body");
+        let found = with_body(&cloth, &[[0, 1, 2]], &body);
         assert_eq!((found.count, found.pairs), (1, vec![[0, 0]]));
     }
 }

@@ -63,7 +63,7 @@ pub(crate) fn close(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -
     }
     let open = descent.widest() > settings.sewing_distance;
     let reason = if open { StopReason::SeamsOpen } else { StopReason::Settled };
-    Ok(Some(report::outcome(descent, scene, reason)))
+    Ok(Some(report::outcome(&mut descent, scene, reason)))
 }
 
 struct Sewing<'a, 'b> {
@@ -197,9 +197,7 @@ impl Descent<'_> {
         let faces: Vec<[u32; 3]> = scene.triangles.iter().map(|t| t.vertices).collect();
         let free = self.goal.barrier.as_ref().is_none_or(|b| {
             (!b.frame.own || count::own(&joined, &faces).count <= count::own(&self.x, &faces).count)
-                && b.body
-                    .as_ref()
-                    .is_none_or(|b| count::with_body(&joined, &faces, &b.positions, &b.topology.faces).count == 0)
+                && b.body.as_ref().is_none_or(|b| count::with_body(&joined, &faces, b).count == 0)
         });
         if free {
             self.x = joined;

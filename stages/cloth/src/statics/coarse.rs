@@ -106,7 +106,7 @@ impl Step<'_> {
         descent.stride = SEWING_STRIDE;
         descent.goal.set_rough(true);
         ease(&mut descent, self.scene.triangles.len(), watch)?;
-        let mut outcome = report::outcome(descent, &welded.scene, StopReason::Settled);
+        let mut outcome = report::outcome(&mut descent, &welded.scene, StopReason::Settled);
         outcome.positions = welded.spread(&outcome.positions);
         Ok(Some(outcome))
     }

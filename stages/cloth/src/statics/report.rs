@@ -9,7 +9,8 @@ use crate::report::{effect, switched};
 use crate::sewing::gaps;
 use crate::{EffectReport, Material, Outcome, Reaction, Scene, StopReason, Switch};
 
-pub(crate) fn outcome(d: Descent<'_>, scene: &Scene, stop_reason: StopReason) -> Outcome {
+/// Takes the places.
+pub(crate) fn outcome(d: &mut Descent<'_>, scene: &Scene, stop_reason: StopReason) -> Outcome {
     let gaps = gaps(scene, &d.x);
     let forces = d.goal.forces();
     let reactions = d.goal.pins.iter().map(|(v, _)| Reaction { vertex: *v, force: -forces[*v as usize] }).collect();
@@ -23,11 +24,11 @@ pub(crate) fn outcome(d: Descent<'_>, scene: &Scene, stop_reason: StopReason) ->
         residual_rel: d.residual,
         seam_gap_max: gaps.first().map_or(0.0, |g| g.1),
         open_stitches: gaps.into_iter().filter(|g| g.1 > d.settings.sewing_distance).take(20).collect(),
-        effects: effects(&d, scene),
+        effects: effects(d, scene),
         reactions,
         repaired: d.repaired,
         joined: 0,
-        positions: d.x,
+        positions: std::mem::take(&mut d.x),
     }
 }
 
