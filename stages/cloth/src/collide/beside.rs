@@ -20,8 +20,8 @@ struct Held<const N: usize> {
 }
 
 impl<const N: usize> Held<N> {
-    fn nothing() -> Self {
-        Self { at: [Vec3::zeros(); N], limit: 0.0, list: Vec::new() }
+    fn nothing() -> Box<Self> {
+        Box::new(Self { at: [Vec3::zeros(); N], limit: 0.0, list: Vec::new() })
     }
 
     /// Those that may be nearer than `reach`, and maybe others; how far it was since the list was made, given.
@@ -56,18 +56,18 @@ impl<const N: usize> Held<N> {
     }
 }
 
-/// Candidates of the cloth's vertices and triangles.
+/// Candidates of the cloth's vertices and triangles; of those that never were near the body there is nothing.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Beside {
-    points: Vec<Held<1>>,
-    faces: Vec<Held<3>>,
+    points: Vec<Option<Box<Held<1>>>>,
+    faces: Vec<Option<Box<Held<3>>>>,
 }
 
 impl Beside {
     /// For so many vertices and triangles of the cloth.
     pub fn cover(&mut self, vertices: usize, faces: usize) {
-        self.points.resize_with(vertices, Held::nothing);
-        self.faces.resize_with(faces, Held::nothing);
+        self.points.resize(vertices, None);
+        self.faces.resize(faces, None);
     }
 
     /// Triangles that may be nearer than `reach` to vertex `v` at `x`, and maybe others; those within `margin` more are kept.
@@ -79,7 +79,7 @@ impl Beside {
         margin: f64,
         body: &Body,
     ) -> impl Iterator<Item = u32> + use<'a> {
-        let (held, x) = (&mut self.points[v as usize], [*x]);
+        let (held, x) = (self.points[v as usize].get_or_insert_with(Held::nothing), [*x]);
         let moved = held.holds(&x, reach).unwrap_or_else(|| {
             held.fill(&x, reach + margin, body, |g| body.point_gap(&x[0], g));
             0.0
@@ -96,7 +96,7 @@ impl Beside {
         margin: f64,
         body: &Body,
     ) -> impl Iterator<Item = u32> + use<'a> {
-        let held = &mut self.faces[f as usize];
+        let held = self.faces[f as usize].get_or_insert_with(Held::nothing);
         let moved = held.holds(x, reach).unwrap_or_else(|| {
             let (bounds, normal) = (Aabb::of_three(x), crate::unit_normal(*x).unwrap_or_else(Vec3::zeros));
             held.fill(x, reach + margin, body, |g| {
