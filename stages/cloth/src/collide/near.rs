@@ -2,7 +2,7 @@
 
 use super::beside::Beside;
 use super::body::Body;
-use super::closest::{point_triangle, point_triangle_gap, segment_gap, segments};
+use super::closest::{heights, point_triangle, point_triangle_gap, segment_gap, segments};
 use super::tree::{Aabb, least, meet_moving, most};
 use crate::Vec3;
 use crate::topology::Topology;
@@ -185,13 +185,7 @@ impl Reaching {
         &self.moving.owned
     }
 
-    /// Heights of a triangle's corners over the face's plane, m.
-    #[inline]
-    fn heights(&self, b: &Owned) -> [f64; 3] {
-        b.at.map(|p| self.normal.dot(&(p - self.owned().at[0])))
-    }
-
-    /// Does what has these heights lie on one side of the face's plane, farther than it reaches on its way?
+    /// Does what has these heights over the face's plane lie on one side of it, farther than it reaches on its way?
     #[inline]
     fn passes(&self, heights: &[f64]) -> bool {
         let far = self.reach + self.longest;
@@ -339,7 +333,7 @@ impl Near {
             return;
         }
         let b = &Owned::of(&body.topology, g, &body.positions);
-        let height = face.heights(b);
+        let height = heights(&face.owned().at[0], &face.normal, &b.at);
         if face.passes(&height) {
             return;
         }

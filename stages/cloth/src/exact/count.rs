@@ -96,7 +96,7 @@ fn cross(x: &[Vec3], s: [u32; 3], t: [u32; 3]) -> bool {
     }
 }
 
-/// Pairs of a cloth and a body triangle that cross, ascending.
+/// Pairs of a cloth and a triangle of a body at rest that cross, ascending.
 pub(crate) fn with_body(x: &[Vec3], faces: &[[u32; 3]], body: &Body) -> Crossings {
     let (mut found, mut crossed) = (Crossings::default(), Vec::new());
     for (i, t) in (0u32..).zip(faces) {
