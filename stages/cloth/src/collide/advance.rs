@@ -129,31 +129,52 @@ impl Barrier {
     fn each_of_body(&self, x: &[Vec3], step: &[Vec3], hit: &mut impl FnMut([u32; 4], usize, f64)) {
         let moved = |v: u32| step[v as usize];
         let Some(body) = &self.body else { return };
-        let travels = body.travels();
-        for (&[v, g], l) in self.near.body_points.iter().zip(&self.distances[usize::from(BODY_POINT)]) {
-            let d = moved(v);
-            if travels || d.norm() > 0.2 * l {
+        let [_, _, points, edges, faces] = &self.distances;
+        let near = |longest: f64, l: f64| body.travels() || longest > 0.2 * l;
+        // What was put down may be less than the distance.
+        let mut look = |pair: Pair, longest: f64, l: f64, cloth: ([u32; 4], usize)| {
+            let l = if body.travels() { l } else { pair.distance() };
+            if near(longest, l) {
+                test(pair, l, |part| hit(cloth.0, cloth.1, part));
+            }
+        };
+        for (pair, l) in self.against.points.iter().zip(points) {
+            let [v, g] = pair.vertices;
+            let (d, longest) = (moved(v), moved(v).norm());
+            if near(longest, *l) {
                 let [a, b, c] = body.triangle(g);
                 let [p, q, r] = body.topology.faces[g as usize].map(|w| body.moves(w));
-                let pair = Pair { at: [x[v as usize], a, b, c], by: [d, p, q, r], kind: BODY_POINT };
-                test(pair, *l, |part| hit([v; 4], 1, part));
+                look(
+                    Pair { at: [x[v as usize], a, b, c], by: [d, p, q, r], kind: BODY_POINT },
+                    longest,
+                    *l,
+                    ([v; 4], 1),
+                );
             }
         }
-        for (&[a, b, p, q], l) in self.near.body_edges.iter().zip(&self.distances[usize::from(BODY_EDGE)]) {
+        for (pair, l) in self.against.edges.iter().zip(edges) {
+            let [a, b, p, q] = pair.vertices;
             let (da, db) = (moved(a), moved(b));
-            if travels || da.norm().max(db.norm()) > 0.2 * l {
+            let longest = da.norm().max(db.norm());
+            if near(longest, *l) {
                 let at = [x[a as usize], x[b as usize], body.positions[p as usize], body.positions[q as usize]];
-                let pair = Pair { at, by: [da, db, body.moves(p), body.moves(q)], kind: BODY_EDGE };
-                test(pair, *l, |part| hit([a, b, a, a], 2, part));
+                let by = [da, db, body.moves(p), body.moves(q)];
+                look(Pair { at, by, kind: BODY_EDGE }, longest, *l, ([a, b, a, a], 2));
             }
         }
-        for (&[a, b, c, w], l) in self.near.body_faces.iter().zip(&self.distances[usize::from(BODY_FACE)]) {
+        for (pair, l) in self.against.faces.iter().zip(faces) {
+            let [a, b, c, w] = pair.vertices;
             let d = [a, b, c].map(moved);
-            if travels || d.iter().any(|d| d.norm() > 0.2 * l) {
+            let longest = d.iter().fold(0.0, |l: f64, d| l.max(d.norm()));
+            if near(longest, *l) {
                 let [p, q, r] = crate::pick3(x, &[a, b, c]);
                 let at = [p, q, r, body.positions[w as usize]];
-                let pair = Pair { at, by: [d[0], d[1], d[2], body.moves(w)], kind: BODY_FACE };
-                test(pair, *l, |part| hit([a, b, c, a], 3, part));
+                look(
+                    Pair { at, by: [d[0], d[1], d[2], body.moves(w)], kind: BODY_FACE },
+                    longest,
+                    *l,
+                    ([a, b, c, a], 3),
+                );
             }
         }
     }

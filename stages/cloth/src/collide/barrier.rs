@@ -6,6 +6,7 @@
 
 mod bear;
 
+use super::against::Against;
 use super::body::Body;
 use super::contact::Frame;
 use super::listed::Listed;
@@ -87,6 +88,9 @@ pub(crate) struct Barrier {
     /// What finds cloth near cloth, where it is looked for.
     own: Option<Own>,
     pub near: Near,
+    pub against: Against,
+    /// How far each vertex is from where the lists of the body were made, m.
+    moved: Vec<f64>,
     listed: Listed,
     /// Vertices feel the body from at least here, m: further off than their gaps, so that they slide round it.
     pub stand_off: f64,
@@ -98,7 +102,8 @@ pub(crate) struct Barrier {
     /// Vertices that began with the load under which they rest.
     loaded: Vec<bool>,
     pub touches: Vec<Touch>,
-    /// Distances of the listed pairs at the last evaluation, in the order of the lists, kind by kind.
+    /// Distances of the listed pairs at the last evaluation, in the order of the lists, kind by kind; of pairs with the body
+    /// that do not push maybe less.
     pub distances: [Vec<f64>; 5],
     pub tally: Tally,
 }
@@ -112,6 +117,8 @@ impl Barrier {
             body,
             own,
             near: Near::default(),
+            against: Against::default(),
+            moved: Vec::new(),
             listed: Listed::default(),
             stand_off: 0.0,
             hard: vec![1.0; area.len()],
@@ -135,7 +142,6 @@ impl Barrier {
         let mut lap = Lap::start();
         let edge = self.frame.edge;
         let slack = (3.0 * way.longest).clamp(LEAST_SLACK * edge, MOST_SLACK * edge);
-        let thick = |g: &[f64]| g.iter().fold(0.0f64, |a, b| a.max(*b));
         if let Some(own) = &mut self.own {
             own.list(&mut self.near, &way, thick(&self.frame.own_gap), slack, edge);
             self.tally.costs.spend(Work::SelfContact, &mut lap);
@@ -145,11 +151,12 @@ impl Barrier {
             // Edges and faces push from nearer than vertices do.
             let (reach, wide) = (EDGE_SHARE * gap + slack, gap.max(self.stand_off) + slack);
             if body.travel.is_some() {
-                self.near.fill_travelling(&way, body, wide);
+                self.against.fill_travelling(&way, body, wide);
             } else {
-                self.near.fill_body(&way, body, [reach, wide], edge);
+                self.against.fill(&way, body, [reach, wide], edge);
+                self.tally.nearest_body = self.tally.nearest_body.min(self.against.nearest());
             }
-            self.near.body_points.sort_unstable();
+            self.against.points.sort_unstable_by_key(|p| p.vertices);
             self.tally.costs.spend(Work::BodyContact, &mut lap);
         }
         self.listed.made(x, slack);
@@ -223,12 +230,27 @@ impl Barrier {
         for list in [&mut *points, &mut *edges, &mut *faces] {
             list.clear();
         }
+        let (lists, nearest) = (&self.against, &mut self.tally.nearest_body);
+        lists.moved(x, &mut self.moved);
+        let gap = thick(&self.frame.body_gap);
+        let (near, wide, moved) = (EDGE_SHARE * gap, gap.max(self.stand_off), &*self.moved);
         let (frame, weighs, touches) = (&self.frame, (&*self.area, &*self.hard, self.stand_off), &mut self.touches);
-        edges.extend(self.near.body_edge_gaps(x, body).map(|(g, _)| touch(touches, frame, weighs, BODY_EDGE, &g)));
-        faces.extend(self.near.body_face_gaps(x, body).map(|(g, _)| touch(touches, frame, weighs, BODY_FACE, &g)));
+        edges.extend(lists.edges.iter().map(|p| {
+            p.farther(2, moved, near)
+                .unwrap_or_else(|| touch(touches, frame, weighs, BODY_EDGE, &p.edge_gap(x, body).0))
+        }));
+        faces.extend(lists.faces.iter().map(|p| {
+            p.farther(3, moved, near)
+                .unwrap_or_else(|| touch(touches, frame, weighs, BODY_FACE, &p.face_gap(x, body).0))
+        }));
         // Every triangle pushes by itself: the nearest alone would jump from side to side in a crease.
-        points.extend(self.near.body_point_gaps(x, body).map(|(g, _)| touch(touches, frame, weighs, BODY_POINT, &g)));
-        self.tally.nearest_body = points.iter().fold(self.tally.nearest_body, |a, b| a.min(*b));
+        points.extend(lists.points.iter().map(|p| {
+            p.farther(1, moved, wide).unwrap_or_else(|| {
+                let distance = touch(touches, frame, weighs, BODY_POINT, &p.point_gap(x, body).0);
+                *nearest = nearest.min(distance);
+                distance
+            })
+        }));
     }
 
     /// Adds the second derivatives of the last evaluation, the curvature of the distances left out (it only turns
@@ -239,6 +261,11 @@ impl Barrier {
             h.spread(&t.vertices, &t.weights, &(t.normal * t.normal.transpose() * slope));
         }
     }
+}
+
+/// The largest of some gaps, m.
+fn thick(gaps: &[f64]) -> f64 {
+    gaps.iter().fold(0.0f64, |a, b| a.max(*b))
 }
 
 /// Energy of contacts, J; adds their forces.

@@ -7,7 +7,7 @@ use super::tree::Aabb;
 use crate::Vec3;
 
 /// Rounds a distance to single precision, not up.
-const DOWN: f64 = 1.0 - 1e-6;
+pub(super) const DOWN: f64 = 1.0 - 1e-6;
 
 /// What is beside a vertex or a triangle.
 #[derive(Clone, Debug)]
@@ -87,7 +87,7 @@ impl Beside {
         held.within(moved, reach)
     }
 
-    /// The same for triangle `f` with its corners at `x`.
+    /// The same for triangle `f` with its corners at `x`, of what has sides that press.
     pub fn face<'a>(
         &'a mut self,
         f: u32,
@@ -100,6 +100,9 @@ impl Beside {
         let moved = held.holds(x, reach).unwrap_or_else(|| {
             let (bounds, normal) = (Aabb::of_three(x), crate::unit_normal(*x).unwrap_or_else(Vec3::zeros));
             held.fill(x, reach + margin, body, |g| {
+                if body.sides[g as usize] == 0 {
+                    return f64::INFINITY;
+                }
                 let t = body.triangle(g);
                 bounds.gap(&body.boxes[g as usize]).max(plane_gap(&x[0], &normal, &t)).max(beside_ball(x, &t))
             });

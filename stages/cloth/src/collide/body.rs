@@ -15,8 +15,9 @@ pub(crate) struct Body {
     mesh: TriMesh,
     pub positions: Vec<Vec3>,
     pub topology: Topology,
-    /// Edges that cloth outside can press on: all but the hollow and flat ones of a closed, oriented mesh.
-    pub pressing_edges: Vec<bool>,
+    /// Per face a bit for each corner (0..3) and edge (3..6) that it owns and that cloth outside can press on: of a closed,
+    /// oriented mesh all but the hollow and flat edges, and the corners where only such meet.
+    pub sides: Vec<u8>,
     /// For each side of each face, the face in which its plane goes on (`flat.rs`); empty where no plane does.
     pub planes: Vec<[u32; 3]>,
     pub bounds: Aabb,
@@ -46,14 +47,14 @@ impl Body {
         let boxes = topology.faces.iter().map(|t| Aabb::of_three(&crate::pick3(&mesh.positions, t))).collect();
         let size = bounds.low.amax().max(bounds.high.amax());
         let flat_edges = super::flat::edges(&mesh.positions, &topology);
-        let pressing_edges = pressing(&mesh.positions, &topology, &flat_edges);
+        let sides = sides(&topology, &pressing(&mesh.positions, &topology, &flat_edges), mesh.positions.len());
         let planes = super::flat::across(&topology, &flat_edges);
         let clearance = Clearance::new(&mesh.positions, &topology.faces, &bounds);
         Some(Self {
             mesh: tri_mesh,
             positions: mesh.positions.clone(),
             topology,
-            pressing_edges,
+            sides,
             planes,
             bounds,
             boxes,
@@ -189,6 +190,19 @@ fn pressing(x: &[Vec3], topology: &Topology, flat: &[bool]) -> Vec<bool> {
         pressing[edge] = rise < 0.0 && !flat.get(edge).is_some_and(|f| *f);
     }
     pressing
+}
+
+/// What each face owns of the edges that press, and of the corners at which one ends.
+fn sides(topology: &Topology, pressing: &[bool], vertex_count: usize) -> Vec<u8> {
+    let mut ends = vec![false; vertex_count];
+    for (e, _) in topology.edges.iter().zip(pressing).filter(|(_, p)| **p) {
+        e.iter().for_each(|v| ends[*v as usize] = true);
+    }
+    let presses = |f: usize, k: usize| {
+        let [corner, edge] = [topology.faces[f][k], topology.face_edges[f][k]];
+        u8::from(ends[corner as usize]) << k | u8::from(pressing[edge as usize]) << (k + 3)
+    };
+    topology.owned.iter().enumerate().map(|(f, owned)| owned & (0..3).fold(0, |b, k| b | presses(f, k))).collect()
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@
 //! cloth–body distance. As long as every vertex stays in its ball nothing can cross, whatever the forces are.
 //! Linear springs inside the contact thickness keep the distances open, so the balls stay large.
 
+use super::against::Against;
 use super::body::Body;
 use super::near::{Gap, Near, Way};
 use super::tree::Tree;
@@ -97,6 +98,7 @@ pub(crate) struct Contact {
     body: Option<Body>,
     tree: Option<Tree>,
     near: Near,
+    against: Against,
     /// Positions when the lists were made, and how far anything may move from there.
     listed: Vec<Vec3>,
     slack: f64,
@@ -128,6 +130,7 @@ impl Contact {
             body,
             tree,
             near: Near::default(),
+            against: Against::default(),
             listed: Vec::new(),
             slack: 0.0,
             reach: 0.0,
@@ -223,7 +226,7 @@ impl Contact {
         }
         if let Some(body) = &self.body {
             let reach = self.reach + self.slack;
-            self.near.fill_body(&way, body, [reach, reach], h);
+            self.against.fill(&way, body, [reach, reach], h);
         }
         self.listed.clear();
         self.listed.extend_from_slice(x);
@@ -246,7 +249,7 @@ impl Contact {
         let n = x.len();
         self.crowd.clear();
         self.crowd.resize(n, f64::INFINITY);
-        for (g, place) in self.near.body_point_gaps(x, body) {
+        for (g, place) in self.against.point_gaps(x, body) {
             let l = g.d.norm();
             let i = g.vertices[0] as usize;
             if l < self.crowd[i] {
@@ -278,7 +281,7 @@ impl Contact {
 
     fn body_edges(&mut self, x: &[Vec3]) {
         let Some(body) = &self.body else { return };
-        for (g, place) in self.near.body_edge_gaps(x, body) {
+        for (g, place) in self.against.edge_gaps(x, body) {
             let [a, b, ..] = g.vertices;
             body_pair(&mut self.body_distance, &mut self.pairs, &self.frame, [a, b, a, a], g.weights, g.d, &place);
         }
@@ -286,7 +289,7 @@ impl Contact {
 
     fn body_faces(&mut self, x: &[Vec3]) {
         let Some(body) = &self.body else { return };
-        for (g, place) in self.near.body_face_gaps(x, body) {
+        for (g, place) in self.against.face_gaps(x, body) {
             let [a, b, c, _] = g.vertices;
             body_pair(&mut self.body_distance, &mut self.pairs, &self.frame, [a, b, c, a], g.weights, g.d, &place);
         }

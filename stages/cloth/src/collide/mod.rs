@@ -1,6 +1,7 @@
 //! Contact: which parts are near, how far they may move, what pushes them apart. The only user of parry3d.
 
 pub(crate) mod advance;
+pub(crate) mod against;
 pub(crate) mod barrier;
 mod beside;
 pub(crate) mod body;

@@ -1,9 +1,10 @@
 //! A body on its way: its triangles move in straight lines through a step, and count as moving in all searches.
 
+use super::against::Against;
 use super::barrier::{BODY_EDGE, BODY_FACE, BODY_POINT};
 use super::body::Body;
 use super::closest::{point_triangle, segments};
-use super::near::{Moving, Near, Way};
+use super::near::{Moving, Way};
 use super::tree::{Aabb, Tree, meet_moving};
 use crate::Vec3;
 
@@ -20,7 +21,7 @@ impl Body {
     pub fn set_out(&mut self) {
         let tree = Tree::moving(&self.positions, &self.topology.faces);
         self.travel = Some(Travel { step: vec![Vec3::zeros(); self.positions.len()], going: false, tree });
-        self.pressing_edges.fill(true);
+        self.sides.clone_from(&self.topology.owned);
         self.planes.clear();
     }
 
@@ -76,11 +77,11 @@ impl Body {
     }
 }
 
-impl Near {
+impl Against {
     /// Cloth–body pairs that come nearer than `reach` while both move; what moves along together does not meet.
     pub fn fill_travelling(&mut self, way: &Way<'_>, body: &mut Body, reach: f64) {
         let Way { x, step, topology, .. } = *way;
-        self.clear_body();
+        self.clear();
         let Some(travel) = &mut body.travel else { return };
         travel.tree.refit_moving(&body.positions, &travel.step, &body.topology.faces, 0.0);
         for f in (0u32..).take(topology.faces.len()) {
@@ -99,14 +100,13 @@ impl Near {
         let (face, moves) = (b.owned.bounds(reach), Aabb::of_three(&b.by));
         for k in (0..3).filter(|k| a.owned.owns_vertex(*k)) {
             if meet_moving(&face, &moves, &dot(a.owned.at[k]), &dot(a.by[k])) {
-                self.body_points.push([a.owned.corners[k], g]);
+                self.add_point(a.owned.corners[k], g, 0.0);
             }
         }
         let (face, moves) = (a.owned.bounds(reach), Aabb::of_three(&a.by));
-        let [p, q, r] = a.owned.corners;
         for k in (0..3).filter(|k| b.owned.owns_vertex(*k)) {
             if meet_moving(&face, &moves, &dot(b.owned.at[k]), &dot(b.by[k])) {
-                self.body_faces.push([p, q, r, b.owned.corners[k]]);
+                self.add_face(&a.owned, &b.owned, k, 0.0);
             }
         }
     }
@@ -116,7 +116,7 @@ impl Near {
             let (bounds, moves) = (b.owned.edge_box(j).grown(reach), b.edge_move(j));
             for i in (0..3).filter(|i| a.owned.owns_edge(*i)) {
                 if meet_moving(&bounds, &moves, &a.owned.edge_box(i), &a.edge_move(i)) {
-                    self.add_body_edge(&a.owned, i, &b.owned, j);
+                    self.add_edge(&a.owned, i, &b.owned, j, 0.0);
                 }
             }
         }

@@ -237,10 +237,10 @@ impl Stepper<'_> {
 /// Lets the cloth's displacements give way to the body's: nothing comes nearer to it than its gap by the guess alone.
 fn aside(barrier: &Barrier, x: &[Vec3], step: &mut [Vec3], way: &[Vec3], free: &[bool]) {
     let Some(body) = &barrier.body else { return };
-    let near = &barrier.near;
-    let points = near.body_point_gaps(x, body).map(|(g, _)| (BODY_POINT, 1, 1.0, g));
-    let edges = near.body_edge_gaps(x, body).map(|(g, _)| (BODY_EDGE, 2, 0.5, g));
-    let faces = near.body_face_gaps(x, body).map(|(g, _)| (BODY_FACE, 3, 0.5, g));
+    let near = &barrier.against;
+    let points = near.point_gaps(x, body).map(|(g, _)| (BODY_POINT, 1, 1.0, g));
+    let edges = near.edge_gaps(x, body).map(|(g, _)| (BODY_EDGE, 2, 0.5, g));
+    let faces = near.face_gaps(x, body).map(|(g, _)| (BODY_FACE, 3, 0.5, g));
     for (kind, count, share, Gap { vertices, weights, d, .. }) in points.chain(edges).chain(faces) {
         let distance = d.norm();
         let gaps = vertices[..count].iter().map(|v| barrier.frame.body_gap[*v as usize]);

@@ -77,7 +77,7 @@ impl Barrier {
     fn lying(&self, x: &[Vec3]) -> Vec<(u32, Vec<(f64, Vec3)>)> {
         let mut list: Vec<(u32, Vec<(f64, Vec3)>)> = Vec::new();
         let Some(body) = &self.body else { return list };
-        for (g, _) in self.near.body_point_gaps(x, body) {
+        for (g, _) in self.against.point_gaps(x, body) {
             let (v, d) = (g.vertices[0], g.d.norm());
             if g.aside || d <= 0.0 || d > LIES * self.wanted[v as usize] {
                 continue;
