@@ -54,6 +54,11 @@ impl Count {
 /// Start shaken by at most this share of the thickness.
 const SHAKE: f64 = 0.1;
 
+/// By how far start `seed` is shaken at place `number`, m.
+fn shake(thickness: f64, seed: u64, number: u64) -> f64 {
+    SHAKE * thickness * noise(seed * 1_000_003 + number)
+}
+
 pub struct Lab<'a> {
     id: String,
     options: &'a Options,
@@ -95,14 +100,16 @@ impl<'a> Lab<'a> {
 
     /// The scene with its start shaken as the variant asks; held vertices stay.
     pub fn shaken(&self, trial: &Trial) -> Trial {
+        self.vary.jitter.map_or_else(|| trial.clone(), |seed| Self::shaken_as(trial, seed))
+    }
+
+    /// The scene with its start shaken in the way that has this number.
+    pub fn shaken_as(trial: &Trial, seed: u64) -> Trial {
         let mut trial = trial.clone();
-        if self.vary.jitter.is_none() {
-            return trial;
-        }
         let thickness = trial.fabric.thickness;
         for (v, p) in trial.cloth.at.iter_mut().enumerate() {
             if !trial.pins.iter().any(|(pin, _)| *pin == v) {
-                let n = |k: u64| self.nudge(thickness, 3 * v as u64 + k);
+                let n = |k: u64| shake(thickness, seed, 3 * v as u64 + k);
                 *p += toile_garment::Vec3::new(n(0), n(1), n(2));
             }
         }
@@ -116,7 +123,7 @@ impl<'a> Lab<'a> {
 
     /// A way by which the variant shakes a start of this thickness, by number; nothing in the case as it is written.
     pub fn nudge(&self, thickness: f64, number: u64) -> f64 {
-        self.vary.jitter.map_or(0.0, |seed| SHAKE * thickness * noise(seed * 1_000_003 + number))
+        self.vary.jitter.map_or(0.0, |seed| shake(thickness, seed, number))
     }
 
     /// The scene must be accepted, and all that holds for every run must hold; gives what came out.
