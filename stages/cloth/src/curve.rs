@@ -45,6 +45,16 @@ impl Curve {
         }
     }
 
+    /// The curve of so many times the tension.
+    #[must_use]
+    pub fn times(&self, share: f64) -> Self {
+        match self {
+            Self::Linear { stiffness } => Self::Linear { stiffness: stiffness * share },
+            Self::Exponential { k0, beta } => Self::Exponential { k0: k0 * share, beta: *beta },
+            Self::Samples(points) => Self::Samples(points.iter().map(|p| [p[0], p[1] * share]).collect()),
+        }
+    }
+
     /// Energy per rest area, J/m²: the integral of the tension from rest.
     #[must_use]
     pub fn energy(&self, strain: f64) -> f64 {

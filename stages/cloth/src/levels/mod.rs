@@ -4,6 +4,7 @@
 mod charts;
 mod collapse;
 mod place;
+mod soften;
 
 use crate::scene::bending_length;
 use crate::sewing::mean_edge;
@@ -44,12 +45,15 @@ impl Level {
         Self::up_to(scene, LONGEST)
     }
 
-    /// The same, only as coarse as the cloth can bend under its weight.
+    /// The same, only as coarse as the cloth can bend under its weight, and softer in its plane so that it can.
     pub fn below_folds(scene: &Scene) -> Option<Self> {
         let gravity = scene.gravity.norm();
         let softest =
             scene.materials.iter().map(|m| bending_length(m.bend_warp.min(m.bend_weft), m.areal_mass, gravity));
-        Self::up_to(scene, softest.fold(f64::INFINITY, f64::min).min(LONGEST / BENDS) * BENDS)
+        let mut level = Self::up_to(scene, softest.fold(f64::INFINITY, f64::min).min(LONGEST / BENDS) * BENDS)?;
+        let longer = mean_edge(&level.scene) / mean_edge(scene);
+        soften::soften(&mut level.scene, longer);
+        Some(level)
     }
 
     fn up_to(scene: &Scene, longest: f64) -> Option<Self> {
