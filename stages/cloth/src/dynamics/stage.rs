@@ -5,7 +5,7 @@ use super::carry::Hook;
 use super::inert::Inert;
 use crate::collide::barrier::{BODY_EDGE, BODY_FACE, BODY_POINT, Barrier};
 use crate::collide::near::Gap;
-use crate::statics::descent::Descent;
+use crate::statics::descent::{Descent, FEW};
 use crate::{ClothError, Place, Vec3};
 
 /// Steps of the descent between two parts of the body's way.
@@ -86,7 +86,7 @@ impl Stepper<'_> {
             self.relax(goal, 1, GIVES_WAY)?;
             guess = vec![Vec3::zeros(); self.descent.x.len()];
         }
-        let length = self.descent.block_length();
+        let length = self.descent.block_length(FEW);
         let mut ended = self.relax(goal, MOST_FACTORS, length)?;
         if !ended && let Some(p) = plain.take() {
             (goal, rough) = ((near(&p), 1.0 / p.rate), true);

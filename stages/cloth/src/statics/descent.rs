@@ -36,6 +36,10 @@ const LOADED: f64 = 1.0;
 /// Part of a step below which a block ends: its metric says too little of what is here. Shorter ones than a full step still
 /// teach the memory.
 const SHORTEST: f64 = 0.1;
+/// Steps in a block with more than so many unknown vertices, and with fewer where cloth is sewn or moves.
+const LARGE: usize = 4_500;
+const MANY: usize = 16;
+pub(crate) const FEW: usize = 8;
 /// Longest step of a vertex over the mean edge.
 const STRIDE: f64 = 1.0;
 
@@ -160,13 +164,9 @@ impl<'a> Descent<'a> {
         self.factor.factors
     }
 
-    /// Steps in a block: more where a factor costs more.
-    pub fn block_length(&self) -> usize {
-        match self.f.len() {
-            15_001.. => 24,
-            4_501.. => 16,
-            _ => 8,
-        }
+    /// Steps in a block: `few`, or more where a factor costs more.
+    pub fn block_length(&self, few: usize) -> usize {
+        if self.f.len() > LARGE { MANY } else { few }
     }
 
     /// Refreshes friction and metric. `false` if no metric can be had.
@@ -329,11 +329,12 @@ impl<'a> Descent<'a> {
         self.goal.pins.iter_mut().for_each(|(v, at)| *at = self.x[*v as usize]);
     }
 
-    pub fn block(&mut self) -> Block {
+    /// Of at least `few` steps, if none ends it.
+    pub fn block(&mut self, few: usize) -> Block {
         let mut b = Block::default();
         let before = self.energy;
         let mut sum = 0.0;
-        for _ in 0..self.block_length() {
+        for _ in 0..self.block_length(few) {
             match self.step() {
                 Some(part) => {
                     b.steps += 1;
@@ -407,7 +408,7 @@ impl<'a> Descent<'a> {
         watch.progress(self.steps, words);
         self.lead();
         self.metric()?;
-        let b = self.block();
+        let b = self.block(FEW);
         self.adapt(b);
         Ok(b)
     }

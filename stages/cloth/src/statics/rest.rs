@@ -29,6 +29,8 @@ const WIDE_LOCK: f64 = 0.6;
 const NARROWER: f64 = 0.3;
 const LEAST_LOCK: f64 = 0.01;
 const NARROW_AT: f64 = 1e-3;
+/// Steps in a block of small cloth.
+const BLOCK: usize = 12;
 /// Part of all work that coarser levels take.
 const COARSE_WORK: f64 = 0.2;
 /// Tolerances of a coarser level over those of the finest.
@@ -183,7 +185,7 @@ impl Descent<'_> {
             if locks == Locks::Untouched && self.steps - begun >= LONG_LOCKED {
                 locks = self.widen_locks();
             }
-            let b = self.block();
+            let b = self.block(BLOCK);
             stuck = if b.steps == 0 { stuck + 1 } else { 0 };
             if stuck > MOST_STUCK {
                 return Ok(StopReason::MaxSteps);
