@@ -106,7 +106,8 @@ fn drawn(lab: &mut Lab, fabric: Cloth) -> Result<(), String> {
 const OPEN: f64 = 0.15;
 
 /// A cape over a shoulder pad; neck and arm close on both sides of it, nearer to the pad than cloth and gaps are thick. In the
-/// last of six seconds nothing moves more than 0.05 mm in a frame, and the cape is still held.
+/// last of seven seconds nothing moves more than 0.05 mm in a frame, and the cape is still held. (In the sixth two starts of thirty were
+/// not at rest yet: 0.07 mm, falling to 0.003 at its end.)
 fn pinched(lab: &mut Lab) -> Result<(), String> {
     let (pad, jaw, gap) = (0.08, 0.05, 2e-3);
     let scene = |gap: f64| {
@@ -119,7 +120,7 @@ fn pinched(lab: &mut Lab) -> Result<(), String> {
     let frames: Vec<Mesh> = (0..24).map(|k| scene(OPEN + (gap - OPEN) * (f64::from(k) / 20.0).min(1.0))).collect();
     let cape = lying(del(0.44, 0.022), pad + 2e-3);
     let trial = Trial::new(cape, cotton()).over(scene(OPEN));
-    let trial = lab.shaken(&filmed(trial, &["frames = 180", "calming = \"0.3 s\""], &frames));
+    let trial = lab.shaken(&filmed(trial, &["frames = 210", "calming = \"0.3 s\""], &frames));
     let run = lab.run(&trial, &[])?;
     let shots = film(lab, &trial, &run, &frames)?;
     let steps: Vec<f64> = shots.windows(2).map(|s| apart(&s[0], &s[1])).collect();
