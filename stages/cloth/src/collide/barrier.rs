@@ -399,6 +399,44 @@ mod tests {
         assert!(!b.bear(&x, &[0]), "it lies where it should");
     }
 
+    /// Pairs that are left out because nothing moved far enough push nothing: wherever the cloth gets to within its lists, energy,
+    /// forces and the way that is free are those of lists made there, to the last bits of other sums.
+    #[test]
+    fn what_is_not_looked_at_would_not_push() {
+        let (gap, edge) = (2e-3, 0.02);
+        let topology = || crate::topology::Topology::new(4, vec![[0, 1, 2], [1, 3, 2]]);
+        let mesh = crate::BodyMesh {
+            positions: [[0.0, 0.0, 0.0], [0.06, 0.0, 0.0], [0.03, 0.05, 0.0], [0.03, 0.02, -0.05]]
+                .map(Vec3::from)
+                .to_vec(),
+            triangles: vec![[0, 1, 2], [1, 0, 3], [2, 1, 3], [0, 2, 3]],
+        };
+        let fresh = || {
+            let frame = Frame::plain(topology(), vec![gap; 4], vec![0.0; 4], edge);
+            Barrier::new(frame, Body::new(&mesh), vec![1e-4; 4], None)
+        };
+        let at = |k: f64| {
+            let z = 2.4e-3 - 1.2e-3 * k;
+            [[0.02, -0.004, z], [0.04, -0.004, z + 1e-3], [0.02, 0.01, z], [0.04, 0.012, z + 2e-3]].map(Vec3::from)
+        };
+        let (start, end) = (at(0.0), at(1.0));
+        let step: Vec<Vec3> = end.iter().zip(&start).map(|(p, q)| p - q).collect();
+        let mut kept = fresh();
+        assert!(kept.cover(&start, &step));
+        let mut pushed = 0;
+        for k in 0..=20 {
+            let x = at(f64::from(k) / 20.0);
+            let mut anew = fresh();
+            anew.cover(&x, &[Vec3::zeros(); 4]);
+            let (mut f, mut g) = ([Vec3::zeros(); 4], [Vec3::zeros(); 4]);
+            let (a, b) = (kept.evaluate(&x, &mut f), anew.evaluate(&x, &mut g));
+            assert!((a - b).abs() <= 1e-14 * a.abs() && kept.touches.len() == anew.touches.len(), "{k}: {a} {b}");
+            assert!(f.iter().zip(&g).all(|(p, q)| (p - q).norm() <= 1e-14 * (1.0 + p.norm())));
+            pushed += usize::from(a > 0.0);
+        }
+        assert!((5..20).contains(&pushed), "{pushed}");
+    }
+
     /// N/m³: a gap of 1 mm is half closed by 240 Pa.
     const PRESS: f64 = 2e5;
 

@@ -219,6 +219,26 @@ mod tests {
         Body::new(&BodyMesh { positions, triangles: all.skip(without).collect() }).expect("a body")
     }
 
+    /// Of a box whose top is a fan about its middle: at the middle nothing presses, nor along the spokes.
+    #[test]
+    fn in_a_plane_and_in_a_hollow_nothing_presses() {
+        let corner = |k: u32| Vec3::new(f64::from(k & 1), f64::from(k >> 1 & 1), f64::from(k >> 2));
+        let quads = [[0, 2, 3, 1], [0, 1, 5, 4], [1, 3, 7, 5], [3, 2, 6, 7], [2, 0, 4, 6]];
+        let mut triangles: Vec<[u32; 3]> =
+            quads.iter().flat_map(|q| [[q[0], q[1], q[2]], [q[0], q[2], q[3]]]).collect();
+        triangles.extend([[4, 5], [5, 7], [7, 6], [6, 4]].map(|[a, b]| [a, b, 8]));
+        let pressing = |height: f64| {
+            let positions = (0..8).map(corner).chain([Vec3::new(0.5, 0.5, height)]).collect();
+            let body = Body::new(&BodyMesh { positions, triangles: triangles.clone() }).expect("a body");
+            let count = |bits: u8| body.sides.iter().map(|s| (s & bits).count_ones()).sum::<u32>();
+            [count(7), count(7 << 3)]
+        };
+        // Eight corners and twelve edges of a box; a tip has a corner and four edges more, a dent as few as a plane.
+        assert_eq!(pressing(1.0), [8, 12]);
+        assert_eq!(pressing(1.2), [9, 16]);
+        assert_eq!(pressing(0.8), [8, 12]);
+    }
+
     #[test]
     fn more_than_half_of_what_is_all_around_is_inside() {
         let (middle, aside) = (Vec3::new(0.01, -0.02, 0.03), Vec3::new(0.3, 0.3, -0.35));

@@ -135,3 +135,32 @@ fn a_curved_rest_shape_is_found_in_a_shaken_start() {
     assert!((0.15..0.4).contains(&share), "{share}");
     assert!((area(&level.scene) / area(&cone(100, 40)) - 1.0).abs() < 5e-3);
 }
+
+/// Its weight stretches it by 0.2 kg/m² · 9.81 m/s² · 0.55 m / 500 N/m = 0.2 %: four times as much is allowed.
+#[test]
+fn a_level_of_a_drape_is_as_much_softer_as_its_edges_are_longer_squared() {
+    let gravity = Vec3::new(0.0, 0.0, -9.81);
+    let materials = vec![Material::isotropic(0.2, 500.0, 0.2, 2e-5)];
+    let fine = Scene { gravity, materials, ..sheet(60, 50, 0, 0.0) };
+    let level = Level::below_folds(&fine).expect("bending length 22 mm, edges of 11 and 23 mm");
+    let stiffness = |s: &Scene| s.materials[0].warp.tangent(0.0);
+    let longer = mean_edge(&level.scene) / mean_edge(&fine);
+    assert!((stiffness(&level.scene) / stiffness(&fine) * longer * longer - 1.0).abs() < 1e-12);
+    let [soft, hard] = [&level.scene, &fine].map(|s| s.materials[0].shear);
+    assert!((soft / hard * longer * longer - 1.0).abs() < 1e-12);
+    assert_eq!(level.scene.materials[0].bend_warp, fine.materials[0].bend_warp);
+    assert_eq!(stiffness(&Level::below(&fine).expect("level").scene), stiffness(&fine), "sewn as it is");
+}
+
+#[test]
+fn soft_heavy_cloth_is_not_made_softer_than_its_weight_allows() {
+    let gravity = Vec3::new(0.0, 0.0, -9.81);
+    let mut scene = Scene { gravity, ..sheet(60, 50, 0, 0.0) };
+    soften::soften(&mut scene, 10.0);
+    // A square of as much cloth hangs down by 2 % of its side.
+    let load = 0.2 * 9.81 * area(&scene).sqrt();
+    assert!((scene.materials[0].warp.tangent(0.01) * 0.02 / load - 1.0).abs() < 1e-9);
+    let softest = scene.materials[0].clone();
+    soften::soften(&mut scene, 10.0);
+    assert!((scene.materials[0].shear / softest.shear - 1.0).abs() < 1e-12, "as soft as it may be");
+}
