@@ -1,6 +1,6 @@
 //! Draping: descents until a Newton step would win nothing more.
 
-use super::descent::{Descent, TAU_FREE};
+use super::descent::{Descent, FEW, TAU_FREE};
 use super::report;
 use crate::collide::body::Body;
 use crate::levels::Level;
@@ -29,8 +29,8 @@ const WIDE_LOCK: f64 = 0.6;
 const NARROWER: f64 = 0.3;
 const LEAST_LOCK: f64 = 0.01;
 const NARROW_AT: f64 = 1e-3;
-/// Steps in a block of small cloth.
-const BLOCK: usize = 12;
+/// Steps in a block of a small coarser level.
+const FEW_ON_COARSE: usize = 12;
 /// Part of all work that coarser levels take.
 const COARSE_WORK: f64 = 0.2;
 /// Tolerances of a coarser level over those of the finest.
@@ -134,6 +134,8 @@ impl Descent<'_> {
         let far = FAR * self.goal.size(&start);
         self.goal.set_rough(true);
         let begun = self.steps;
+        // Only a coarser level may rest with any forces.
+        let few = if self.settings.residual_tolerance.is_finite() { FEW } else { FEW_ON_COARSE };
         let mut locks = if self.goal.on_body() { Locks::Untouched } else { self.widen_locks() };
         loop {
             self.lead();
@@ -185,7 +187,7 @@ impl Descent<'_> {
             if locks == Locks::Untouched && self.steps - begun >= LONG_LOCKED {
                 locks = self.widen_locks();
             }
-            let b = self.block(BLOCK);
+            let b = self.block(few);
             stuck = if b.steps == 0 { stuck + 1 } else { 0 };
             if stuck > MOST_STUCK {
                 return Ok(StopReason::MaxSteps);
