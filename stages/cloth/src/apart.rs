@@ -165,7 +165,7 @@ pub(crate) fn each(
         };
         let outcome =
             drape(&g.scene, &mut Part::new(watch, [done, next], &spread)).map_err(|e| e.placed(|p| g.told(p)))?;
-        let stays = |p: &Vec3| g.within.meets(&Aabb { low: *p, high: *p });
+        let stays = |p: &Vec3| g.within.meets(&Aabb::of_one(p));
         if !outcome.positions.iter().all(stays) {
             return Ok(None);
         }

@@ -72,7 +72,7 @@ impl Owned {
 
 #[inline]
 fn point_in(b: &Aabb, p: &Vec3) -> bool {
-    b.meets(&Aabb { low: *p, high: *p })
+    b.meets(&Aabb::of_one(p))
 }
 
 /// Between an edge of one face and one of another.
@@ -131,6 +131,10 @@ impl Against {
         self.faces.clear();
     }
 
+    pub fn is_empty(&self) -> bool {
+        self.points.is_empty() && self.edges.is_empty() && self.faces.is_empty()
+    }
+
     /// A vertex of the cloth and a triangle of the body, so far apart or farther.
     pub(super) fn add_point(&mut self, v: u32, g: u32, apart: f64) {
         self.points.push(Pair::new([v, g], apart));
@@ -185,7 +189,7 @@ impl Against {
     /// A vertex of the face on its way, so long, and the triangles that it comes nearer to than so far.
     fn fill_point(&mut self, a: &Moving, k: usize, [wide, margin, l]: [f64; 3], beside: &mut Beside, body: &Body) {
         let (v, p, d) = (a.owned.corners[k], &a.owned.at[k], &a.by[k]);
-        let place = swept(&Aabb { low: *p, high: *p }, &Aabb { low: *d, high: *d }, wide);
+        let place = swept(&Aabb::of_one(p), &Aabb::of_one(d), wide);
         if !body.may_meet(&place) {
             return;
         }

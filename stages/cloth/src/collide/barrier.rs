@@ -231,6 +231,9 @@ impl Barrier {
             list.clear();
         }
         let (lists, nearest) = (&self.against, &mut self.tally.nearest_body);
+        if lists.is_empty() {
+            return;
+        }
         lists.moved(x, &mut self.moved);
         let gap = thick(&self.frame.body_gap);
         let (near, wide, moved) = (EDGE_SHARE * gap, gap.max(self.stand_off), &*self.moved);
@@ -399,8 +402,8 @@ mod tests {
         assert!(!b.bear(&x, &[0]), "it lies where it should");
     }
 
-    /// Pairs that are left out because nothing moved far enough push nothing: wherever the cloth gets to within its lists, energy,
-    /// forces and the way that is free are those of lists made there, to the last bits of other sums.
+    /// Pairs that are left out because nothing moved far enough push nothing: wherever the cloth gets to within its lists, energy
+    /// and forces are those of lists made there, to the last bits of other sums.
     #[test]
     fn what_is_not_looked_at_would_not_push() {
         let (gap, edge) = (2e-3, 0.02);

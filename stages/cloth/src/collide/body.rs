@@ -95,7 +95,7 @@ impl Body {
         let mut best: Option<(Vec3, f64)> = None;
         let mut r = (reach / 8.0).max(1e-3).min(reach);
         loop {
-            self.candidates(&Aabb { low: *p, high: *p }.grown(r), |i| {
+            self.candidates(&Aabb::of_one(p).grown(r), |i| {
                 let [a, b, c] = self.triangle(i);
                 let w = point_triangle(p, &a, &b, &c);
                 let q = a * w[0] + b * w[1] + c * w[2];

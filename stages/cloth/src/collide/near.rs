@@ -180,7 +180,7 @@ impl Near {
             let c = other.owned.corners;
             for k in (0..3).filter(|k| bits & (1 << k) != 0) {
                 let (p, d) = (one.owned.at[k], one.by[k]);
-                if meet_moving(&bounds.grown(reach), moves, &Aabb { low: p, high: p }, &Aabb { low: d, high: d }) {
+                if meet_moving(&bounds.grown(reach), moves, &Aabb::of_one(&p), &Aabb::of_one(&d)) {
                     self.points.push([one.owned.corners[k], c[0], c[1], c[2]]);
                 }
             }

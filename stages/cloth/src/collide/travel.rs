@@ -96,16 +96,15 @@ impl Against {
     }
 
     fn add_points(&mut self, a: &Moving, b: &Moving, g: u32, reach: f64) {
-        let dot = |p: Vec3| Aabb { low: p, high: p };
         let (face, moves) = (b.owned.bounds(reach), Aabb::of_three(&b.by));
         for k in (0..3).filter(|k| a.owned.owns_vertex(*k)) {
-            if meet_moving(&face, &moves, &dot(a.owned.at[k]), &dot(a.by[k])) {
+            if meet_moving(&face, &moves, &Aabb::of_one(&a.owned.at[k]), &Aabb::of_one(&a.by[k])) {
                 self.add_point(a.owned.corners[k], g, 0.0);
             }
         }
         let (face, moves) = (a.owned.bounds(reach), Aabb::of_three(&a.by));
         for k in (0..3).filter(|k| b.owned.owns_vertex(*k)) {
-            if meet_moving(&face, &moves, &dot(b.owned.at[k]), &dot(b.by[k])) {
+            if meet_moving(&face, &moves, &Aabb::of_one(&b.owned.at[k]), &Aabb::of_one(&b.by[k])) {
                 self.add_face(&a.owned, &b.owned, k, 0.0);
             }
         }

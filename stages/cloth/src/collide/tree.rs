@@ -25,6 +25,12 @@ impl Aabb {
         points.iter().fold(Self::EMPTY, |b, p| Self { low: least(&b.low, p), high: most(&b.high, p) })
     }
 
+    /// A place.
+    #[inline]
+    pub fn of_one(p: &Vec3) -> Self {
+        Self { low: *p, high: *p }
+    }
+
     #[inline]
     pub fn of_two(a: &Vec3, b: &Vec3) -> Self {
         Self { low: least(a, b), high: most(a, b) }

@@ -95,14 +95,10 @@ fn unit(scene: &Scene, topology: &Topology) -> f64 {
 }
 
 impl<'a> Descent<'a> {
-    /// From the scene's positions, freed of what they cross.
-    pub fn begin(scene: &Scene, settings: &'a Settings, pulls: bool) -> Result<Self, ClothError> {
-        Ok(Self::new(scene, settings, Start::new(scene, settings, None)?, pulls))
-    }
-
-    /// The same, to drape, on the body of this scene where one has it already: one of a million triangles is half a second of work.
-    pub fn over(scene: &Scene, settings: &'a Settings, built: Option<Body>) -> Result<Self, ClothError> {
-        Ok(Self::new(scene, settings, Start::new(scene, settings, built)?, false))
+    /// From the scene's positions, freed of what they cross. `built`: the body of this scene, where one has it already (one of a
+    /// million triangles is half a second of work); `pulls`: do threads close the stitches?
+    pub fn begin(scene: &Scene, settings: &'a Settings, built: Option<Body>, pulls: bool) -> Result<Self, ClothError> {
+        Ok(Self::new(scene, settings, Start::new(scene, settings, built)?, pulls))
     }
 
     /// Leaves the body to who needs it next.

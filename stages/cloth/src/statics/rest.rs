@@ -74,7 +74,7 @@ fn over(
 
 /// From where the cloth is, with a first look at how far it is from rest.
 fn begin<'a>(scene: &Scene, settings: &'a Settings, body: Option<Body>) -> Result<Descent<'a>, ClothError> {
-    let mut descent = Descent::over(scene, settings, body)?;
+    let mut descent = Descent::begin(scene, settings, body, false)?;
     let loaded = descent.preload();
     // Not in balance, so the loads were not those that it rested with.
     if descent.far_from_rest() && loaded {
@@ -90,7 +90,7 @@ fn led<'a>(
     settings: &'a Settings,
     body: Option<Body>,
 ) -> Result<Option<Descent<'a>>, ClothError> {
-    match Descent::over(&Scene { positions, ..scene.clone() }, settings, body) {
+    match Descent::begin(&Scene { positions, ..scene.clone() }, settings, body, false) {
         Ok(led) => Ok(Some(led)),
         Err(ClothError::StartCrosses { .. }) => Ok(None),
         Err(e) => Err(e),
@@ -134,8 +134,7 @@ impl Descent<'_> {
         let far = FAR * self.goal.size(&start);
         self.goal.set_rough(true);
         let begun = self.steps;
-        // Only a coarser level may rest with any forces.
-        let few = if self.settings.residual_tolerance.is_finite() { FEW } else { FEW_ON_COARSE };
+        let few = if self.is_coarser() { FEW_ON_COARSE } else { FEW };
         let mut locks = if self.goal.on_body() { Locks::Untouched } else { self.widen_locks() };
         loop {
             self.lead();
@@ -156,7 +155,7 @@ impl Descent<'_> {
                     self.goal.set_rough(false);
                     continue;
                 }
-                if borne < MOST_BORNE && self.settings.residual_tolerance.is_finite() && self.bear() {
+                if borne < MOST_BORNE && !self.is_coarser() && self.bear() {
                     borne += 1;
                     self.goal.set_rough(true);
                     continue;
@@ -194,6 +193,11 @@ impl Descent<'_> {
             }
             self.adapt(b);
         }
+    }
+
+    /// Does finer cloth go on from here? Only such a level may rest with any forces.
+    fn is_coarser(&self) -> bool {
+        !self.settings.residual_tolerance.is_finite()
     }
 
     pub(super) fn widen_locks(&mut self) -> Locks {
