@@ -18,7 +18,8 @@ pub fn clean(raw: &ObjMesh, file: &str, findings: &mut Vec<Diagnostic>) -> Resul
         }
     };
     // A body that is closed as it stands keeps its vertices, also where two of them touch.
-    let closed = count(&edges(&raw.triangles)).0 == 0;
+    let given = edges(raw.positions.len(), &raw.triangles);
+    let closed = count(&given).0 == 0;
     let (positions, mapped, merged, unused) = merge(raw, !closed);
     note(Severity::Info, "body-vertices-merged", merged, "vertices at the place of another were merged");
     note(Severity::Info, "body-vertices-unused", unused, "vertices belong to no face and were left out");
@@ -33,7 +34,7 @@ pub fn clean(raw: &ObjMesh, file: &str, findings: &mut Vec<Diagnostic>) -> Resul
         let finding = Diagnostic::error("body-empty", format!("`{file}` has no triangle with area"));
         return Err(Box::new(finding.at(place(file))));
     }
-    let edges = edges(&triangles);
+    let edges = if triangles == raw.triangles { given } else { edges(positions.len(), &triangles) };
     let (open, crowded, mixed) = count(&edges);
     if mixed > 0 {
         let message = format!("`{file}`: along {mixed} edges the two triangles face opposite ways");
@@ -102,7 +103,8 @@ fn sound(positions: &[Vec3], triangles: Vec<[u32; 3]>) -> (Vec<[u32; 3]>, Tally,
 /// A triangle's side on an edge: its vertices, the smaller first, the triangle, and whether it runs from the smaller to the larger.
 type Side = ((u32, u32), u32, bool);
 
-/// The sides of all triangles, edge by edge: sorted, as a body of a million triangles has three million.
+/// The sides of all triangles, edge by edge: dealt out by their smaller vertices and sorted there, as a body of a million
+/// triangles has three million.
 struct Edges(Vec<Side>);
 
 impl Edges {
@@ -111,14 +113,22 @@ impl Edges {
     }
 }
 
-fn edges(triangles: &[[u32; 3]]) -> Edges {
-    let mut sides = Vec::with_capacity(3 * triangles.len());
-    for (t, [a, b, c]) in (0u32..).zip(triangles) {
-        for (from, to) in [(a, b), (b, c), (c, a)].into_iter().filter(|(from, to)| from != to) {
-            sides.push(((*from.min(to), *from.max(to)), t, from < to));
-        }
+fn edges(vertices: usize, triangles: &[[u32; 3]]) -> Edges {
+    let of = |(t, [a, b, c]): (u32, &[u32; 3])| {
+        let sides = [(*a, *b), (*b, *c), (*c, *a)];
+        sides.map(|(from, to)| ((from.min(to), from.max(to)), t, from < to)).into_iter().filter(|s| s.0.0 != s.0.1)
+    };
+    let each = || (0u32..).zip(triangles).flat_map(of);
+    let mut next = vec![0usize; vertices + 1];
+    each().for_each(|s| next[s.0.0 as usize + 1] += 1);
+    (0..vertices).for_each(|v| next[v + 1] += next[v]);
+    let mut sides = vec![((0, 0), 0, false); next[vertices]];
+    for s in each() {
+        let place = &mut next[s.0.0 as usize];
+        sides[*place] = s;
+        *place += 1;
     }
-    sides.sort_unstable();
+    sides.chunk_by_mut(|p, q| p.0.0 == q.0.0).for_each(<[Side]>::sort_unstable);
     Edges(sides)
 }
 

@@ -27,7 +27,7 @@ fn tube(triangles: u32) -> Scene {
     };
     let mut scene = sheet(0.62, 0.6, n, n, cotton(), round);
     scene.gravity = Vec3::new(0.0, -9.81, 0.0);
-    scene.body = Some(sphere(Vec3::zeros(), 0.108, 48));
+    scene.body = Some(sphere(Vec3::zeros(), 0.108, 48).into());
     scene
 }
 

@@ -48,7 +48,7 @@ fn skirt(rows: u32) -> Scene {
         }
     }
     scene.pins = (0..around).map(|v| Pin { vertex: v, at: scene.positions[v as usize] }).collect();
-    scene.body = Some(sphere(Vec3::new(0.0, -0.22, 0.0), 0.17, 48));
+    scene.body = Some(sphere(Vec3::new(0.0, -0.22, 0.0), 0.17, 48).into());
     scene
 }
 

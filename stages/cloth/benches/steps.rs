@@ -13,7 +13,7 @@ fn main() {
         for model in [Model::Springs, Model::Coupled] {
             let mut scene = sheet(0.6, 0.6, n, n, cotton(), |x, y| Vec3::new(x - 0.3, 0.152, y - 0.3));
             scene.gravity = Vec3::new(0.0, -9.81, 0.0);
-            scene.body = Some(sphere(Vec3::zeros(), 0.15, 32));
+            scene.body = Some(sphere(Vec3::zeros(), 0.15, 32).into());
             let settings = Settings { model, max_steps: 4_000, ..Settings::default() };
             let start = Instant::now();
             let out = drape(&scene, &settings, &mut Silent).expect("the scene is sound");

@@ -128,9 +128,9 @@ fn main() {
     let mut scene = Scene {
         pins: numbers(&dir.join("pins.txt")).iter().map(|p| Pin { vertex: p[0], at: v[p[0] as usize] }).collect(),
         stitches: numbers(&dir.join("stitches.txt")).iter().map(|p| [p[0], p[1]]).collect(),
-        body: obj(&dir.join("body.obj")).map(|(p, _, f)| BodyMesh {
-            positions: p,
-            triangles: f.iter().map(|t| t.map(|c| u32::try_from(c[0]).unwrap())).collect(),
+        body: obj(&dir.join("body.obj")).map(|(positions, _, f)| {
+            let triangles = f.iter().map(|t| t.map(|c| u32::try_from(c[0]).unwrap())).collect();
+            BodyMesh { positions, triangles }.into()
         }),
         gravity: if z_up { Vec3::new(0.0, 0.0, -9.81) } else { Vec3::new(0.0, -9.81, 0.0) },
         positions: v,

@@ -1,7 +1,7 @@
 //! One way to tell a scene: turned by quarters about the vertical, or with its stitches in another order, it is worked out
 //! as the same numbers, so it comes to the same rest, bit for bit. Quarter turns and sorting are exact.
 
-use crate::{BodyMesh, ClothError, Outcome, Pin, Place, Scene, Vec3};
+use crate::{ClothError, Outcome, Pin, Place, Scene, Vec3};
 
 /// A scene in its canonical form, and the way back.
 pub(crate) struct Canon {
@@ -55,7 +55,7 @@ impl Canon {
             pins: scene.pins.iter().map(|p| Pin { at: to(p.at), ..*p }).collect(),
             loads: scene.loads.iter().map(|l| crate::Load { force: to(l.force), ..*l }).collect(),
             stitches: ordered,
-            body: body.map(|b| BodyMesh { positions: all(&b.positions), triangles: b.triangles.clone() }),
+            body: body.map(|b| b.turned(turns, |p| to(*p))),
             gravity: to(scene.gravity),
             layers: scene.layers.clone(),
         };
@@ -78,7 +78,12 @@ impl Canon {
         x.iter().map(|p| self.there(*p)).collect()
     }
 
-    fn there(&self, p: Vec3) -> Vec3 {
+    /// Places of the scene as it was given, in the canonical form.
+    pub fn told(&self, x: &[Vec3]) -> Vec<Vec3> {
+        x.iter().map(|p| turned(*p, self.turns) + Vec3::zeros()).collect()
+    }
+
+    pub fn there(&self, p: Vec3) -> Vec3 {
         turned(p, 4 - self.turns)
     }
 }
@@ -86,6 +91,7 @@ impl Canon {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::BodyMesh;
 
     fn scene() -> Scene {
         let at = |k: f64| Vec3::new(0.3 * k, -0.1 * k * k, 0.7 - 0.2 * k);
@@ -94,7 +100,7 @@ mod tests {
             triangles: vec![crate::Element { vertices: [0, 2, 4], rest: [[0.0; 2]; 3], material: 0 }],
             pins: vec![Pin { vertex: 1, at: at(1.5) }],
             stitches: vec![[4, 2], [0, 3], [1, 4]],
-            body: Some(BodyMesh { positions: vec![at(9.0)], triangles: Vec::new() }),
+            body: Some(BodyMesh { positions: vec![at(9.0)], triangles: Vec::new() }.into()),
             gravity: Vec3::new(0.5, -9.81, 0.25),
             ..Scene::default()
         }
@@ -105,7 +111,7 @@ mod tests {
         Scene {
             positions: all(&s.positions),
             pins: s.pins.iter().map(|p| Pin { at: turned(p.at, quarters), ..*p }).collect(),
-            body: s.body.as_ref().map(|b| BodyMesh { positions: all(&b.positions), ..BodyMesh::default() }),
+            body: s.body.as_ref().map(|b| BodyMesh { positions: all(&b.positions), ..BodyMesh::default() }.into()),
             gravity: turned(s.gravity, quarters),
             ..s.clone()
         }

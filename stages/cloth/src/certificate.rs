@@ -1,12 +1,13 @@
 //! What a result is worth, computed afresh from the positions.
 
+use crate::canon::Canon;
 use crate::collide::body::Body;
 use crate::collide::repair;
 use crate::energy::coupled::Coupled;
 use crate::exact::count;
 use crate::problem::Problem;
 use crate::topology::Topology;
-use crate::{ClothError, Reaction, Scene, Settings, Switch, Vec3, report, validate};
+use crate::{ClothError, Reaction, Scene, Settings, SharedBody, Switch, Vec3, report, validate};
 
 /// Figures of a state.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -47,26 +48,34 @@ pub struct Figures {
 /// # Errors
 /// When the scene or a setting is unusable.
 pub fn certify(scene: &Scene, settings: &Settings, positions: &[Vec3]) -> Result<Figures, ClothError> {
-    let scene = Scene { positions: positions.to_vec(), ..scene.clone() };
-    validate::scene(&scene)?;
+    validate::scene(scene)?;
+    // As it was draped: the same trees over the body, and the same figures however the scene is turned.
+    let canon = Canon::of(scene);
+    let mut figures = figures(&Scene { positions: canon.told(positions), ..canon.scene.clone() }, settings)?;
+    figures.reactions.iter_mut().for_each(|r| r.force = canon.there(r.force));
+    Ok(figures)
+}
+
+fn figures(scene: &Scene, settings: &Settings) -> Result<Figures, ClothError> {
+    validate::scene(scene)?;
     validate::settings(settings)?;
     let x = &scene.positions;
     let topology = Topology::of_elements(x.len(), &scene.triangles);
-    let mut figures = strains(&scene, settings);
+    let mut figures = strains(scene, settings);
     let own = count::own(x, &topology.faces);
     figures.self_crossings = own.count;
     figures.first_crossing = own.pairs.first().map(|p| p[0]);
-    let body = scene.body.as_ref().and_then(Body::new);
+    let body = scene.body.as_ref().and_then(SharedBody::built);
     figures.body_distance_min = f64::INFINITY;
     if let Some(b) = &body {
         against_body(&mut figures, x, &topology, b);
     }
     figures.seam_gap_max =
         scene.stitches.iter().map(|s| (x[s[0] as usize] - x[s[1] as usize]).norm()).fold(0.0, f64::max);
-    let mut problem = Problem::bare(&scene, settings, false, &topology, x.clone(), (0, 0.0));
+    let mut problem = Problem::bare(scene, settings, false, &topology, x.clone(), (0, 0.0));
     figures.energy = problem.elastic(x);
     let body = body.filter(|_| settings.effects.body_contact != Switch::Off);
-    problem.add_contact(&scene, settings, topology, body, settings.effects.self_contact != Switch::Off);
+    problem.add_contact(scene, settings, topology, body, settings.effects.self_contact != Switch::Off);
     let dt = settings.step_fraction.min(1.0) * problem.stable_step(x);
     let balance = report::balance(&mut problem, x, scene.gravity.norm() * settings.gravity_scale, dt);
     figures.residual_rel = balance.residual_rel;

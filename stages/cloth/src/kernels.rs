@@ -17,7 +17,7 @@ impl<'a> Kernels<'a> {
     /// # Errors
     /// When the scene or the settings are refused.
     pub fn new(scene: &Scene, settings: &'a Settings) -> Result<Self, ClothError> {
-        let mut descent = Descent::begin(scene, settings, None, false)?;
+        let mut descent = Descent::begin(scene, settings, false)?;
         let system = descent.assemble(true);
         Ok(Self { descent, system })
     }

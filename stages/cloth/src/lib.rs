@@ -33,6 +33,7 @@ mod problem;
 mod report;
 mod run;
 mod sewing;
+mod shared;
 mod start;
 mod statics;
 mod topology;
@@ -47,6 +48,7 @@ pub use outcome::{EffectReport, Outcome, Reaction, StopReason};
 pub use run::{drape, sew};
 pub use scene::{BodyMesh, Element, Load, Material, Pin, Scene};
 pub use settings::{Effects, Integrator, Model, Settings, Switch};
+pub use shared::SharedBody;
 pub use watch::{Silent, Watch};
 pub use weld::{Welded, weld};
 

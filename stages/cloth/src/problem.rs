@@ -57,7 +57,7 @@ pub(crate) struct Problem {
 impl Problem {
     /// Checks and builds. `sewing`: do stitches pull?
     pub fn new(scene: &Scene, s: &Settings, pulls: bool) -> Result<Self, ClothError> {
-        let Start { topology, positions, body, own, repaired, .. } = Start::new(scene, s, None)?;
+        let Start { topology, positions, body, own, repaired, .. } = Start::new(scene, s)?;
         let mut problem = Self::bare(scene, s, pulls, &topology, positions, repaired);
         problem.add_contact(scene, s, topology, body, own);
         Ok(problem)

@@ -1,6 +1,6 @@
 //! What the solver is given: plain arrays.
 
-use crate::{Curve, Vec3};
+use crate::{Curve, SharedBody, Vec3};
 
 /// One triangle of cloth with its own rest shape (so sewn vertices may differ on both sides of a seam).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -200,7 +200,7 @@ pub struct Scene {
     /// Vertex pairs to be sewn together (seams, darts, pleats).
     pub stitches: Vec<[u32; 2]>,
     /// The body, if any.
-    pub body: Option<BodyMesh>,
+    pub body: Option<SharedBody>,
     /// m/s².
     pub gravity: Vec3,
     /// Layer of every vertex (0 next to the body, 1 over it …); may be empty. Order is kept by the contact itself;

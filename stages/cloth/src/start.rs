@@ -4,7 +4,7 @@ use crate::collide::body::Body;
 use crate::collide::repair;
 use crate::cost::{Costs, Lap, Work};
 use crate::topology::Topology;
-use crate::{ClothError, Scene, Settings, Switch, Vec3, validate};
+use crate::{ClothError, Scene, Settings, SharedBody, Switch, Vec3, validate};
 
 /// What every run begins with.
 pub(crate) struct Start {
@@ -21,15 +21,15 @@ pub(crate) struct Start {
 }
 
 impl Start {
-    /// Checks and repairs. `built`: the body of this scene, where one has it already.
-    pub fn new(scene: &Scene, s: &Settings, built: Option<Body>) -> Result<Self, ClothError> {
+    /// Checks and repairs.
+    pub fn new(scene: &Scene, s: &Settings) -> Result<Self, ClothError> {
         validate::scene(scene)?;
         validate::settings(s)?;
         let topology = Topology::of_elements(scene.positions.len(), &scene.triangles);
         let mut positions = scene.positions.clone();
         let (mut costs, mut lap) = (Costs::default(), Lap::start());
         let wanted = scene.body.as_ref().filter(|_| s.effects.body_contact != Switch::Off);
-        let body = wanted.and_then(|mesh| built.or_else(|| Body::new(mesh)));
+        let body = wanted.and_then(SharedBody::built);
         costs.spend(Work::BodyContact, &mut lap);
         let own = s.effects.self_contact != Switch::Off;
         let mut repaired = (0, 0.0);

@@ -28,16 +28,35 @@ pub(crate) fn links(t: &[u32; 3]) -> [[u32; 2]; 2] {
     [[t[0], t[1]], [t[1], t[2]]]
 }
 
+/// Ends of an edge, the smaller index first, a face that has it, and which edge of that it is.
+type Side = (u32, u32, u32, u8);
+
+/// The sides of all faces, ascending: dealt out by their smaller ends first, since a body has millions.
+fn sides(vertex_count: usize, faces: &[[u32; 3]]) -> Vec<Side> {
+    let of = |(f, t): (u32, &[u32; 3])| {
+        let t = *t;
+        [0u8, 1, 2].map(|k| {
+            let (a, b) = (t[usize::from(k)], t[(usize::from(k) + 1) % 3]);
+            (a.min(b), a.max(b), f, k)
+        })
+    };
+    let each = || (0u32..).zip(faces).flat_map(of);
+    let mut next = vec![0usize; vertex_count + 1];
+    each().for_each(|s| next[s.0 as usize + 1] += 1);
+    (0..vertex_count).for_each(|v| next[v + 1] += next[v]);
+    let mut sides = vec![(0, 0, 0, 0); 3 * faces.len()];
+    for s in each() {
+        let place = &mut next[s.0 as usize];
+        sides[*place] = s;
+        *place += 1;
+    }
+    sides.chunk_by_mut(|s, t| s.0 == t.0).for_each(<[Side]>::sort_unstable);
+    sides
+}
+
 impl Topology {
     pub fn new(vertex_count: usize, faces: Vec<[u32; 3]>) -> Self {
-        let mut sides: Vec<(u32, u32, u32, u8)> = Vec::with_capacity(faces.len() * 3);
-        for (f, t) in (0u32..).zip(&faces) {
-            for k in 0..3u8 {
-                let (a, b) = (t[usize::from(k)], t[(usize::from(k) + 1) % 3]);
-                sides.push((a.min(b), a.max(b), f, k));
-            }
-        }
-        sides.sort_unstable();
+        let sides = sides(vertex_count, &faces);
         let mut topology =
             Self { face_edges: vec![[0; 3]; faces.len()], owned: vec![0; faces.len()], faces, ..Self::default() };
         topology.own_vertices(vertex_count);
@@ -66,7 +85,7 @@ impl Topology {
     }
 
     /// Adds the edge that these sides share; more than two sides make a hinge of each neighbouring pair.
-    fn add_edge(&mut self, sides: &[(u32, u32, u32, u8)]) {
+    fn add_edge(&mut self, sides: &[Side]) {
         let id = u32::try_from(self.edges.len()).unwrap_or(u32::MAX);
         let (a, b, first, k) = sides[0];
         self.edges.push([a, b]);
@@ -75,7 +94,7 @@ impl Topology {
             self.face_edges[s.2 as usize][usize::from(s.3)] = id;
         }
         for w in sides.windows(2) {
-            let opposite = |s: &(u32, u32, u32, u8)| self.faces[s.2 as usize][(usize::from(s.3) + 2) % 3];
+            let opposite = |s: &Side| self.faces[s.2 as usize][(usize::from(s.3) + 2) % 3];
             let vertices = [a, b, opposite(&w[0]), opposite(&w[1])];
             if vertices[2] != vertices[3] {
                 self.hinges.push(Hinge { vertices, faces: [w[0].2, w[1].2], sides: [w[0].3, w[1].3] });

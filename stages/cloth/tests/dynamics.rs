@@ -240,7 +240,8 @@ fn shifted(body: &BodyMesh, fps: f64, frames: usize, by: impl Fn(f64) -> Vec3) -
 
 fn free_of_crossings(scene: &Scene, shots: &[Shot]) {
     for s in shots {
-        let body = scene.body.as_ref().map(|b| BodyMesh { positions: s.body.clone(), ..b.clone() });
+        let body =
+            scene.body.as_ref().map(|b| BodyMesh { positions: s.body.clone(), triangles: b.triangles.clone() }.into());
         let f = certify(&Scene { body, ..scene.clone() }, &Settings::default(), &s.x).expect("figures");
         assert_eq!((f.self_crossings, f.body_crossings), (0, 0), "at {}", s.t);
         assert_eq!(f.penetration_max, 0.0, "at {}", s.t);
@@ -259,7 +260,7 @@ fn a_box_pushes_a_hanging_sheet_aside() {
         body: shifted(&body, 30.0, 31, |t| Vec3::z() * (0.1 * (1.0 - libm::cos(PI * t)))),
         ..Motion::default()
     };
-    scene.body = Some(body);
+    scene.body = Some(body.into());
     let shots = film(&scene, &Settings::default(), &Dynamics::default(), &motion);
     free_of_crossings(&scene, &shots);
     let last = shots.last().unwrap();
@@ -282,13 +283,13 @@ fn cloth_follows_what_it_hangs_on_when_that_moves_off_at_once() {
     scene.gravity = Vec3::new(0.0, -G, 0.0);
     scene.pins = (0..33).map(|i| 32 * 33 + i).map(|v| Pin { vertex: v, at: scene.positions[v as usize] }).collect();
     let bar = cube(Vec3::new(-0.1, 0.13, -0.03), Vec3::new(0.1, 0.16, -0.01));
-    scene.body = Some(bar.clone());
+    scene.body = Some(bar.clone().into());
     for along in [Vec3::x(), -Vec3::y(), Vec3::z()] {
         let body = shifted(&bar, 30.0, 7, |t| along * (0.5 * t));
         let motion = Motion { fps: 30.0, frames: 7, body, ..Motion::default() };
         let trip = animate(&scene, &Settings::default(), &Dynamics::default(), &motion, &mut Silent, &mut |f| {
             let bar = BodyMesh { positions: f.body.to_vec(), ..bar.clone() };
-            let scene = Scene { body: Some(bar), ..scene.clone() };
+            let scene = Scene { body: Some(bar.into()), ..scene.clone() };
             let c = certify(&scene, &Settings::default(), f.positions).unwrap();
             assert_eq!((c.self_crossings, c.body_crossings), (0, 0), "along {along:?} in frame {}", f.number);
             assert!(c.edge_strain_max < 0.01, "{} along {along:?} in frame {}", c.edge_strain_max, f.number);
@@ -309,7 +310,7 @@ fn a_box_carries_what_lies_on_it_by_friction() {
     let way = |t: f64| if t < rest { 0.0 } else { 0.5 * (t - rest) * (t - rest) };
     let motion =
         Motion { fps: 60.0, frames: 61, body: shifted(&body, 60.0, 61, |t| Vec3::x() * way(t)), ..Motion::default() };
-    scene.body = Some(body);
+    scene.body = Some(body.into());
     let dynamics = Dynamics { damping: 0.0, drag: 0.0, ..Dynamics::default() };
     let shots = film(&scene, &Settings::default(), &dynamics, &motion);
     free_of_crossings(&scene, &shots);
@@ -328,10 +329,13 @@ fn a_sheet_slides_down_a_slope_by_coulombs_law() {
         m.friction = 0.3;
         let mut scene = sheet(0.1, 0.1, 4, 4, m, |x, y| along * x + normal * 1.1e-3 + Vec3::z() * y);
         let p = |a: f64, z: f64| along * a + Vec3::z() * z;
-        scene.body = Some(BodyMesh {
-            positions: vec![p(-1.0, -1.0), p(3.0, -1.0), p(3.0, 1.0), p(-1.0, 1.0)],
-            triangles: vec![[0, 2, 1], [0, 3, 2]],
-        });
+        scene.body = Some(
+            BodyMesh {
+                positions: vec![p(-1.0, -1.0), p(3.0, -1.0), p(3.0, 1.0), p(-1.0, 1.0)],
+                triangles: vec![[0, 2, 1], [0, 3, 2]],
+            }
+            .into(),
+        );
         scene.gravity = Vec3::new(0.0, -G, 0.0);
         let motion = Motion { fps: 60.0, frames: 31, ..Motion::default() };
         let shots = film(&scene, &Settings::default(), &exact(1.0 / 240.0), &motion);
@@ -352,7 +356,7 @@ fn threads_change_no_bit() {
     scene.gravity = Vec3::new(0.0, -G, 0.0);
     let body = sphere(Vec3::zeros(), 0.1, 10);
     let motion = Motion { frames: 13, body: shifted(&body, 30.0, 13, |t| Vec3::x() * (0.2 * t)), ..Motion::default() };
-    scene.body = Some(body);
+    scene.body = Some(body.into());
     let run = |threads| {
         let shots = film(&scene, &Settings { threads, ..Settings::default() }, &Dynamics::default(), &motion);
         shots.last().unwrap().x.iter().flat_map(|p| [p.x.to_bits(), p.y.to_bits(), p.z.to_bits()]).collect::<Vec<_>>()
@@ -363,7 +367,7 @@ fn threads_change_no_bit() {
 #[test]
 fn bad_frames_are_told() {
     let mut scene = falling();
-    scene.body = Some(cube(Vec3::new(-1.0, -1.0, -1.0), Vec3::new(1.0, 0.0, 1.0)));
+    scene.body = Some(cube(Vec3::new(-1.0, -1.0, -1.0), Vec3::new(1.0, 0.0, 1.0)).into());
     let ask = |motion: Motion| {
         animate(&scene, &Settings::default(), &Dynamics::default(), &motion, &mut Silent, &mut |_| {}).unwrap_err()
     };
@@ -388,7 +392,7 @@ fn cloth_that_a_body_catches_is_told_with_its_place() {
     let triangles = a.triangles.iter().copied().chain(b.triangles.iter().map(|t| t.map(|v| v + 8))).collect();
     let body = BodyMesh { positions: a.positions.iter().chain(&b.positions).copied().collect(), triangles };
     let closed = body.positions.iter().map(|p| p - Vec3::y() * (0.2 * p.y.signum())).collect();
-    scene.body = Some(body.clone());
+    scene.body = Some(body.clone().into());
     let motion = Motion { fps: 10.0, frames: 2, body: vec![body.positions, closed], ..Motion::default() };
     let said = animate(&scene, &Settings::default(), &Dynamics::default(), &motion, &mut Silent, &mut |_| {});
     let Err(ClothError::Caught { seconds, place }) = said else { panic!("{said:?}") };
@@ -412,7 +416,7 @@ fn central_differences_fall_exactly_and_tell_what_they_cannot() {
     let long = ask(&stretched, &exact(5e-3), &Motion { frames: 41, ..motion.clone() });
     assert!(matches!(long, ClothError::Unstable { .. }), "{long}");
     let mut on_body = falling();
-    on_body.body = Some(cube(Vec3::new(-1.0, -1.0, -1.0), Vec3::new(1.0, 0.0, 1.0)));
+    on_body.body = Some(cube(Vec3::new(-1.0, -1.0, -1.0), Vec3::new(1.0, 0.0, 1.0)).into());
     let body = shifted(on_body.body.as_ref().unwrap(), 20.0, 5, |t| Vec3::x() * t);
     let moving = ask(&on_body, &exact(1e-4), &Motion { body, ..motion });
     assert!(matches!(moving, ClothError::BadSetting { name: "integrator", .. }), "{moving}");
@@ -424,7 +428,7 @@ fn central_differences_fall_exactly_and_tell_what_they_cannot() {
 fn cloth_at_rest_on_a_ball_stays_there() {
     let mut scene = sheet(0.2, 0.2, 10, 10, cotton(), |x, y| Vec3::new(x - 0.1, 0.102, y - 0.1));
     scene.gravity = Vec3::new(0.0, -G, 0.0);
-    scene.body = Some(sphere(Vec3::zeros(), 0.1, 12));
+    scene.body = Some(sphere(Vec3::zeros(), 0.1, 12).into());
     jitter(&mut scene, 2);
     let settings = Settings::default();
     let rest = drape(&scene, &settings, &mut Silent).expect("a drape");

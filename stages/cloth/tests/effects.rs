@@ -19,7 +19,7 @@ fn hanging() -> Scene {
 fn on_a_ball() -> Scene {
     let mut scene = sheet(0.4, 0.4, 12, 12, cotton(), |x, y| Vec3::new(x - 0.2, 0.112, y - 0.2));
     scene.gravity = Vec3::new(0.0, -9.81, 0.0);
-    scene.body = Some(sphere(Vec3::zeros(), 0.11, 16));
+    scene.body = Some(sphere(Vec3::zeros(), 0.11, 16).into());
     scene
 }
 
@@ -51,7 +51,7 @@ fn self_contact_of_a_taut_sheet_is_never_active() {
 #[test]
 fn a_body_out_of_reach_is_never_active() {
     let mut far = hanging();
-    far.body = Some(sphere(Vec3::new(0.25, 10.0, 0.3), 0.1, 8));
+    far.body = Some(sphere(Vec3::new(0.25, 10.0, 0.3), 0.1, 8).into());
     let on = run(&far, Effects::default());
     same(&on, &run(&far, Effects { body_contact: Switch::Off, ..Effects::default() }));
     same(&on, &run(&hanging(), Effects::default()));
@@ -62,7 +62,7 @@ fn a_body_out_of_reach_is_never_active() {
 #[test]
 fn friction_without_contact_is_never_active() {
     let mut far = hanging();
-    far.body = Some(BodyMesh { ..sphere(Vec3::new(0.25, 10.0, 0.3), 0.1, 8) });
+    far.body = Some(BodyMesh { ..sphere(Vec3::new(0.25, 10.0, 0.3), 0.1, 8) }.into());
     let on = run(&far, Effects { friction: Switch::On, ..Effects::default() });
     same(&on, &run(&far, Effects { friction: Switch::Off, ..Effects::default() }));
     let (built, told) = evidence(&on, "friction");

@@ -212,10 +212,13 @@ fn slope(angle: f64) -> Scene {
     m.friction = 0.3;
     let mut scene = sheet(0.1, 0.1, 4, 4, m, |x, y| along * x + normal * 1.2e-3 + Vec3::z() * y);
     let p = |a: f64, z: f64| along * a + Vec3::z() * z;
-    scene.body = Some(BodyMesh {
-        positions: vec![p(-1.0, -1.0), p(3.0, -1.0), p(3.0, 1.0), p(-1.0, 1.0)],
-        triangles: vec![[0, 2, 1], [0, 3, 2]],
-    });
+    scene.body = Some(
+        BodyMesh {
+            positions: vec![p(-1.0, -1.0), p(3.0, -1.0), p(3.0, 1.0), p(-1.0, 1.0)],
+            triangles: vec![[0, 2, 1], [0, 3, 2]],
+        }
+        .into(),
+    );
     scene.gravity = Vec3::new(0.0, -G, 0.0);
     scene
 }
@@ -267,7 +270,7 @@ fn cloth_over_a_sphere_settles_without_a_crossing() {
         p.y += 1e-4 * noise(i);
     }
     scene.gravity = Vec3::new(0.0, -G, 0.0);
-    scene.body = Some(sphere(Vec3::zeros(), 0.12, 24));
+    scene.body = Some(sphere(Vec3::zeros(), 0.12, 24).into());
     let settings = Settings::default();
     let out = drape(&scene, &settings, &mut Silent).unwrap();
     assert!(out.settled, "{:?}", out.stop_reason);

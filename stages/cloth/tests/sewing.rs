@@ -93,7 +93,7 @@ fn tunic() -> Scene {
         scene.stitches.push([12 * 17 + i, 12 * 17 + i + shift]);
     }
     scene.gravity = Vec3::new(0.0, -9.81, 0.0);
-    scene.body = Some(sphere(Vec3::zeros(), 0.1, 16));
+    scene.body = Some(sphere(Vec3::zeros(), 0.1, 16).into());
     scene
 }
 
@@ -134,7 +134,7 @@ fn a_seam_that_cannot_close_is_reported() {
         Vec3::new(0.103 * s, y - 0.01, 0.103 * c)
     });
     scene.materials[0].strain_limit = [0.02, 0.02];
-    scene.body = Some(post(0.1, 1.0, 40));
+    scene.body = Some(post(0.1, 1.0, 40).into());
     scene.stitches = (0..=2).map(|j| [j * (n + 1), j * (n + 1) + n]).collect();
     let settings = Settings { max_seconds: 4.0, ..Settings::sewing() };
     let out = sew(&scene, &settings, &mut Silent).unwrap();

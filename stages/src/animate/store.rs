@@ -33,7 +33,7 @@ impl<'a> Store<'a> {
             positions: if frame.body.is_empty() { b.positions.clone() } else { frame.body.to_vec() },
             triangles: b.triangles.clone(),
         });
-        match certify(&Scene { body, ..self.scene.clone() }, self.settings, &x) {
+        match certify(&Scene { body: body.map(Into::into), ..self.scene.clone() }, self.settings, &x) {
             Ok(f) => {
                 let w = &mut self.worst;
                 w.self_crossings = w.self_crossings.max(f.self_crossings);

@@ -104,7 +104,7 @@ pub fn scene(
             .body
             .as_ref()
             .filter(|b| !b.triangles.is_empty())
-            .map(|b| BodyMesh { positions: b.positions.clone(), triangles: b.triangles.clone() }),
+            .map(|b| BodyMesh { positions: b.positions.clone(), triangles: b.triangles.clone() }.into()),
         gravity,
         layers: layers(garment, layout),
     })

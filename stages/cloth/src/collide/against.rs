@@ -1,9 +1,9 @@
 //! Lists of what of the cloth is near the body, and how near it was when they were made: what has not moved since by what
 //! it is too far away need not be looked at.
 
-use super::beside::{Beside, DOWN};
+use super::beside::{Beside, DOWN, Side};
 use super::body::Body;
-use super::closest::{heights, point_triangle, point_triangle_gap, segment_gap, segments};
+use super::closest::{point_triangle, point_triangle_gap, segment_gap, segments};
 use super::near::{Gap, Moving, Owned, Way, swept};
 use super::tree::Aabb;
 use crate::Vec3;
@@ -58,26 +58,26 @@ pub(crate) struct Against {
 impl Owned {
     /// From one end of an edge to the other.
     #[inline]
-    fn run(&self, k: usize) -> Vec3 {
+    pub(super) fn run(&self, k: usize) -> Vec3 {
         self.at[(k + 1) % 3] - self.at[k]
+    }
+
+    /// Between an edge of it and another.
+    pub(super) fn edge_gap(&self, i: usize, other: [&Vec3; 2]) -> f64 {
+        segment_gap([&self.at[i], &self.at[(i + 1) % 3]], other)
     }
 
     /// Of a body's face at rest: what cloth can press on.
     #[inline]
-    fn of_body(body: &Body, g: u32) -> Self {
+    pub(super) fn of_body(body: &Body, g: u32) -> Self {
         let corners = body.topology.faces[g as usize];
-        Self { corners, at: crate::pick3(&body.positions, &corners), bits: body.sides[g as usize] }
+        Self { corners, at: crate::pick3(&body.positions, &corners), bits: body.sides.of(g) }
     }
 }
 
 #[inline]
 fn point_in(b: &Aabb, p: &Vec3) -> bool {
     b.meets(&Aabb::of_one(p))
-}
-
-/// Between an edge of one face and one of another.
-fn edge_gap(a: &Owned, i: usize, b: &Owned, j: usize) -> f64 {
-    segment_gap([&a.at[i], &a.at[(i + 1) % 3]], [&b.at[j], &b.at[(j + 1) % 3]])
 }
 
 fn parallel(u: &Vec3, v: &Vec3) -> bool {
@@ -99,13 +99,13 @@ struct Reaching {
 }
 
 impl Reaching {
-    fn new(moving: Moving, bounds: Aabb, lengths: [f64; 3], longest: f64, reach: f64) -> Self {
+    fn new(moving: Moving, bounds: Aabb, lengths: [f64; 3], reach: f64) -> Self {
         Self {
             bounds,
             edges: [0, 1, 2].map(|k| swept(&moving.owned.edge_box(k), &moving.edge_move(k), reach)),
             normal: crate::unit_normal(moving.owned.at).unwrap_or_else(Vec3::zeros),
             lengths,
-            longest,
+            longest: lengths[0].max(lengths[1]).max(lengths[2]),
             moving,
             reach,
         }
@@ -116,11 +116,12 @@ impl Reaching {
         &self.moving.owned
     }
 
-    /// Does what has these heights over the face's plane lie on one side of it, farther than it reaches on its way?
+    /// Do these places lie on one side of the face's plane, farther than it reaches on its way?
     #[inline]
-    fn passes(&self, heights: &[f64]) -> bool {
-        let far = self.reach + self.longest;
-        heights.iter().all(|h| *h > far) || heights.iter().all(|h| *h < -far)
+    fn passes(&self, places: &[&Vec3]) -> bool {
+        let (far, at) = (self.reach + self.longest, &self.owned().at[0]);
+        let height = |p: &Vec3| self.normal.dot(&(p - at));
+        places.iter().all(|p| height(p) > far) || places.iter().all(|p| height(p) < -far)
     }
 }
 
@@ -140,17 +141,17 @@ impl Against {
         self.points.push(Pair::new([v, g], apart));
     }
 
-    /// Edge `i` of the cloth's face and edge `j` of the body's.
-    pub(super) fn add_edge(&mut self, a: &Owned, i: usize, b: &Owned, j: usize, apart: f64) {
-        let (p, q) = (a.edge(i), b.edge(j));
-        let along = parallel(&a.run(i), &b.run(j));
+    /// Edge `i` of the cloth's face and an edge of the body, which runs so.
+    pub(super) fn add_edge(&mut self, a: &Owned, i: usize, q: [u32; 2], run: &Vec3, apart: f64) {
+        let p = a.edge(i);
+        let along = parallel(&a.run(i), run);
         self.edges.push(Pair { along, ..Pair::new([p[0], p[1], q[0], q[1]], apart) });
     }
 
-    /// The cloth's face and corner `k` of the body's.
-    pub(super) fn add_face(&mut self, a: &Owned, b: &Owned, k: usize, apart: f64) {
+    /// The cloth's face and a vertex of the body.
+    pub(super) fn add_face(&mut self, a: &Owned, w: u32, apart: f64) {
         let [p, q, r] = a.corners;
-        self.faces.push(Pair::new([p, q, r, b.corners[k]], apart));
+        self.faces.push(Pair::new([p, q, r, w], apart));
     }
 
     /// Pairs that come nearer than `reach` along a step, vertices of the cloth those nearer than `wide`; edges of the cloth
@@ -174,12 +175,11 @@ impl Against {
             }
             let bounds = moving.swept(reach);
             if body.may_meet(&bounds) {
-                let longest = l[0].max(l[1]).max(l[2]);
-                let mut beside = beside.face(f, &a.at, reach + longest, margin, body).peekable();
+                let mut beside = beside.face(f, a, [reach, margin], &l, body).peekable();
                 // Most faces have nothing beside them.
                 if beside.peek().is_some() {
-                    let face = Reaching::new(moving, bounds, l, longest, reach);
-                    beside.for_each(|g| self.add_sides(&face, g, body));
+                    let face = Reaching::new(moving, bounds, l, reach);
+                    beside.for_each(|side| self.add_side(&face, side, body));
                 }
             }
         }
@@ -201,34 +201,26 @@ impl Against {
         }
     }
 
-    /// The face itself against the corners of the body's, its edges against the edges.
-    fn add_sides(&mut self, face: &Reaching, g: u32, body: &Body) {
-        if !face.bounds.meets(&body.boxes[g as usize]) {
-            return;
-        }
-        let b = &Owned::of_body(body, g);
-        let height = heights(&face.owned().at[0], &face.normal, &b.at);
-        if face.passes(&height) {
-            return;
-        }
+    /// The cloth's face against a vertex of the body, or an edge of it against an edge, if they come near on the way.
+    fn add_side(&mut self, face: &Reaching, side: Side, body: &Body) {
         let (a, l) = (face.owned(), &face.lengths);
-        for k in (0..3).filter(|k| b.owns_vertex(*k)) {
-            if !face.passes(&[height[k]]) && point_in(&face.bounds, &b.at[k]) {
-                let apart = point_triangle_gap(&b.at[k], a.at.each_ref());
-                if apart <= face.reach + face.longest {
-                    self.add_face(a, b, k, apart);
+        match side {
+            Side::Corner(w) => {
+                let p = &body.positions[w as usize];
+                if point_in(&face.bounds, p) && !face.passes(&[p]) {
+                    let apart = point_triangle_gap(p, a.at.each_ref());
+                    if apart <= face.reach + face.longest {
+                        self.add_face(a, w, apart);
+                    }
                 }
             }
-        }
-        for j in (0..3).filter(|j| b.owns_edge(*j)) {
-            if face.passes(&[height[j], height[(j + 1) % 3]]) {
-                continue;
-            }
-            let bounds = b.edge_box(j);
-            for i in (0..3).filter(|i| a.owns_edge(*i) && face.edges[*i].meets(&bounds)) {
-                let apart = edge_gap(a, i, b, j);
-                if apart <= face.reach + l[i].max(l[(i + 1) % 3]) {
-                    self.add_edge(a, i, b, j, apart);
+            Side::Edge(i, ends) => {
+                let (i, [p, q]) = (usize::from(i), ends.map(|w| &body.positions[w as usize]));
+                if face.edges[i].meets(&Aabb::of_two(p, q)) && !face.passes(&[p, q]) {
+                    let apart = a.edge_gap(i, [p, q]);
+                    if apart <= face.reach + l[i].max(l[(i + 1) % 3]) {
+                        self.add_edge(a, i, ends, &(q - p), apart);
+                    }
                 }
             }
         }

@@ -1,66 +1,70 @@
-//! Which triangles of a body at rest are beside each vertex and each triangle of the cloth, kept with their distances while
-//! the cloth stays near where it was asked: a walk through the body's tree costs more than all else that is asked of most.
+//! What of a body at rest is beside each vertex and each triangle of the cloth, kept with its distances while the cloth stays
+//! near where it was asked: a walk through the body's tree costs more than all else that is asked of most.
 
 use super::body::Body;
 use super::closest::{plane_gap, point_triangle_gap};
+use super::near::Owned;
 use super::tree::Aabb;
 use crate::Vec3;
 
 /// Rounds a distance to single precision, not up.
 pub(super) const DOWN: f64 = 1.0 - 1e-6;
 
+/// Times what is asked for, beyond which a list holds so much else that a new one is cheaper.
+const TOO_WIDE: f64 = 3.0;
+
 /// What is beside a vertex or a triangle.
 #[derive(Clone, Debug)]
-struct Held<const N: usize> {
+struct Held<const N: usize, T> {
     at: [Vec3; N],
     /// All nearer than this are held, m.
     limit: f64,
-    /// Triangles of the body in the order of its tree, and what they are away at least, m.
-    list: Vec<(u32, f32)>,
+    /// In the order of the body's tree, and what they were away, m, or less.
+    list: Vec<(T, f32)>,
 }
 
-impl<const N: usize> Held<N> {
+/// What of a body may meet a triangle of the cloth.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) enum Side {
+    /// This vertex the face.
+    Corner(u32),
+    /// The edge between these vertices that edge of the triangle.
+    Edge(u8, [u32; 2]),
+}
+
+impl<const N: usize, T: Copy> Held<N, T> {
     fn nothing() -> Box<Self> {
         Box::new(Self { at: [Vec3::zeros(); N], limit: 0.0, list: Vec::new() })
     }
 
-    /// Those that may be nearer than `reach`, and maybe others; how far it was since the list was made, given.
-    fn within(&self, moved: f64, reach: f64) -> impl Iterator<Item = u32> + use<'_, N> {
-        let limit = reach + moved;
-        self.list.iter().filter(move |(_, d)| f64::from(*d) <= limit).map(|(g, _)| *g)
+    /// How far each corner has moved since the list was made, m, if that still holds for what is nearer than `reach`.
+    fn moved(&self, x: &[Vec3; N], reach: f64) -> Option<[f64; N]> {
+        let moved = std::array::from_fn(|k| (self.at[k] - x[k]).norm());
+        let most = moved.iter().fold(0.0, |m: f64, d| m.max(*d));
+        let holds = self.limit > 0.0 && most + reach <= self.limit && self.limit <= TOO_WIDE * reach;
+        holds.then_some(moved)
     }
 
-    /// The longest way of a corner since the list was made, m.
-    fn moved(&self, x: &[Vec3; N]) -> f64 {
-        crate::farthest(&self.at, x)
-    }
-
-    /// How far it was since the list was made, if that still holds.
-    fn holds(&self, x: &[Vec3; N], reach: f64) -> Option<f64> {
-        let moved = self.moved(x);
-        (self.limit > 0.0 && moved + reach <= self.limit).then_some(moved)
-    }
-
-    /// `away`: distance of a triangle of the body from here, or less.
-    fn fill(&mut self, x: &[Vec3; N], limit: f64, body: &Body, away: impl Fn(u32) -> f64) {
+    fn start(&mut self, x: &[Vec3; N], limit: f64) {
         (self.at, self.limit) = (*x, limit);
         self.list.clear();
-        body.candidates(&Aabb::of(x).grown(limit), |g| {
-            let d = away(g);
-            if d <= limit {
-                // A smaller distance only lets more be asked.
-                #[allow(clippy::cast_possible_truncation)]
-                self.list.push((g, (DOWN * d) as f32));
-            }
-        });
+    }
+
+    /// Takes what is so far away, if that counts.
+    fn hold(&mut self, what: T, away: f64) {
+        if away <= self.limit {
+            // A smaller distance only lets more be asked.
+            #[allow(clippy::cast_possible_truncation)]
+            self.list.push((what, (DOWN * away) as f32));
+        }
     }
 }
 
 /// Candidates of the cloth's vertices and triangles; of those that never were near the body there is nothing.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Beside {
-    points: Vec<Option<Box<Held<1>>>>,
-    faces: Vec<Option<Box<Held<3>>>>,
+    points: Vec<Option<Box<Held<1, u32>>>>,
+    faces: Vec<Option<Box<Held<3, Side>>>>,
 }
 
 impl Beside {
@@ -80,35 +84,71 @@ impl Beside {
         body: &Body,
     ) -> impl Iterator<Item = u32> + use<'a> {
         let (held, x) = (self.points[v as usize].get_or_insert_with(Held::nothing), [*x]);
-        let moved = held.holds(&x, reach).unwrap_or_else(|| {
-            held.fill(&x, reach + margin, body, |g| body.point_gap(&x[0], g));
-            0.0
+        let [moved] = held.moved(&x, reach).unwrap_or_else(|| {
+            held.start(&x, reach + margin);
+            body.candidates(&Aabb::of_one(&x[0]).grown(held.limit), |g| held.hold(g, body.point_gap(&x[0], g)));
+            [0.0]
         });
-        held.within(moved, reach)
+        let limit = reach + moved;
+        held.list.iter().filter(move |(_, d)| f64::from(*d) <= limit).map(|(g, _)| *g)
     }
 
-    /// The same for triangle `f` with its corners at `x`, of what has sides that press.
+    /// What presses of the body and may come nearer than `reach` to what the cloth's triangle `f` owns, of which no corner goes
+    /// farther than `by`; and maybe other such.
     pub fn face<'a>(
         &'a mut self,
         f: u32,
-        x: &[Vec3; 3],
-        reach: f64,
-        margin: f64,
+        cloth: &Owned,
+        [reach, margin]: [f64; 2],
+        by: &'a [f64; 3],
         body: &Body,
-    ) -> impl Iterator<Item = u32> + use<'a> {
+    ) -> impl Iterator<Item = Side> + use<'a> {
         let held = self.faces[f as usize].get_or_insert_with(Held::nothing);
-        let moved = held.holds(x, reach).unwrap_or_else(|| {
-            let (bounds, normal) = (Aabb::of_three(x), crate::unit_normal(*x).unwrap_or_else(Vec3::zeros));
-            held.fill(x, reach + margin, body, |g| {
-                if body.sides[g as usize] == 0 {
-                    return f64::INFINITY;
-                }
-                let t = body.triangle(g);
-                bounds.gap(&body.boxes[g as usize]).max(plane_gap(&x[0], &normal, &t)).max(beside_ball(x, &t))
-            });
-            0.0
+        let longest = by[0].max(by[1]).max(by[2]);
+        let moved = held.moved(&cloth.at, reach + longest).unwrap_or_else(|| {
+            held.start(&cloth.at, reach + longest + margin);
+            held.fill(cloth, body);
+            [0.0; 3]
         });
-        held.within(moved, reach)
+        // Since the list was made, and in the step.
+        let gone: [f64; 3] = std::array::from_fn(|k| moved[k] + by[k]);
+        let most = gone[0].max(gone[1]).max(gone[2]);
+        let may = move |s: &Side| match s {
+            Side::Corner(_) => most,
+            Side::Edge(i, _) => gone[usize::from(*i)].max(gone[(usize::from(*i) + 1) % 3]),
+        };
+        held.list.iter().filter(move |(s, d)| f64::from(*d) <= reach + may(s)).map(|(s, _)| *s)
+    }
+}
+
+impl Held<3, Side> {
+    /// Holds all within the limit.
+    fn fill(&mut self, cloth: &Owned, body: &Body) {
+        let x = &cloth.at;
+        let (bounds, normal) = (Aabb::of_three(x), crate::unit_normal(*x).unwrap_or_else(Vec3::zeros));
+        body.candidates(&bounds.grown(self.limit), |g| {
+            if body.sides.of(g) == 0 {
+                return;
+            }
+            let b = &Owned::of_body(body, g);
+            let away =
+                bounds.gap(&body.boxes[g as usize]).max(plane_gap(&x[0], &normal, &b.at)).max(beside_ball(x, &b.at));
+            if away <= self.limit {
+                self.hold_sides(cloth, b);
+            }
+        });
+    }
+
+    fn hold_sides(&mut self, cloth: &Owned, b: &Owned) {
+        for k in (0..3).filter(|k| b.owns_vertex(*k)) {
+            self.hold(Side::Corner(b.corners[k]), point_triangle_gap(&b.at[k], cloth.at.each_ref()));
+        }
+        for j in (0..3).filter(|j| b.owns_edge(*j)) {
+            for i in (0u8..3).filter(|i| cloth.owns_edge(usize::from(*i))) {
+                let away = cloth.edge_gap(usize::from(i), [&b.at[j], &b.at[(j + 1) % 3]]);
+                self.hold(Side::Edge(i, b.edge(j)), away);
+            }
+        }
     }
 }
 
@@ -142,7 +182,7 @@ mod tests {
     /// Wherever a triangle wanders, what is kept holds all that is near, in the order of the tree.
     #[test]
     fn nothing_near_is_missed_on_a_long_way() {
-        let (body, mut beside) = (ball(), Beside::default());
+        let (body, mut beside, mut found) = (ball(), Beside::default(), 0);
         beside.cover(1, 1);
         for i in 0..400u32 {
             let t = f64::from(i) * 0.01;
@@ -155,11 +195,25 @@ mod tests {
             let wanted: Vec<u32> = near.iter().copied().filter(|g| body.point_gap(&at, *g) <= reach).collect();
             let of_kept: Vec<u32> = kept.iter().copied().filter(|g| wanted.contains(g)).collect();
             assert_eq!(of_kept, wanted);
-            let kept: Vec<u32> = beside.face(0, &x, reach, 0.01, &body).collect();
-            let corner = |g: &u32| x.iter().any(|p| body.point_gap(p, *g) <= reach);
-            let wanted: Vec<u32> = near.iter().copied().filter(corner).collect();
-            let of_kept: Vec<u32> = kept.iter().copied().filter(|g| wanted.contains(g)).collect();
+            let cloth = Owned { corners: [0, 1, 2], at: x, bits: 63 };
+            let kept: Vec<Side> = beside.face(0, &cloth, [reach - 1e-3, 0.01], &[1e-3; 3], &body).collect();
+            let near = |s: &Side| match s {
+                Side::Corner(w) => point_triangle_gap(&body.positions[*w as usize], x.each_ref()) <= reach,
+                Side::Edge(i, ends) => {
+                    cloth.edge_gap(usize::from(*i), ends.map(|w| &body.positions[w as usize])) <= reach
+                }
+            };
+            let of_kept: Vec<Side> = kept.into_iter().filter(near).collect();
+            let mut wanted = Vec::new();
+            body.candidates(&Aabb::of_three(&x).grown(reach), |g| {
+                let b = Owned::of_body(&body, g);
+                wanted.extend((0..3).filter(|k| b.owns_vertex(*k)).map(|k| Side::Corner(b.corners[k])).filter(near));
+                let edges = (0..3).filter(|j| b.owns_edge(*j));
+                wanted.extend(edges.flat_map(|j| [0u8, 1, 2].map(|i| Side::Edge(i, b.edge(j)))).filter(near));
+            });
+            found += wanted.len();
             assert_eq!(of_kept, wanted);
         }
+        assert!(found > 400, "{found}");
     }
 }

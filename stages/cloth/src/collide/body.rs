@@ -3,28 +3,29 @@
 
 use super::clear::Clearance;
 use super::closest::{point_triangle, point_triangle_gap};
+use super::sides::Sides;
 use super::travel::Travel;
 use super::tree::Aabb;
 use crate::topology::Topology;
 use crate::{BodyMesh, Vec3};
 use parry3d::bounding_volume::Aabb as FlatAabb;
 use parry3d::math::Vector as Flat;
-use parry3d::shape::TriMesh;
+use parry3d::partitioning::{Bvh, BvhBuildStrategy};
+use std::sync::Arc;
 
 pub(crate) struct Body {
-    mesh: TriMesh,
-    pub positions: Vec<Vec3>,
-    pub topology: Topology,
-    /// Per face a bit for each corner (0..3) and edge (3..6) that it owns and that cloth outside can press on: of a closed,
-    /// oriented mesh all but the hollow and flat edges, and the corners where only such meet.
-    pub sides: Vec<u8>,
+    tree: Arc<Bvh>,
+    pub positions: Arc<Vec<Vec3>>,
+    pub topology: Arc<Topology>,
+    /// What of it cloth is held off by.
+    pub sides: Sides,
     /// For each side of each face, the face in which its plane goes on (`flat.rs`); empty where no plane does.
-    pub planes: Vec<[u32; 3]>,
+    pub planes: Arc<Vec<[u32; 3]>>,
     pub bounds: Aabb,
     /// Of every triangle where it was at first.
-    pub boxes: Vec<Aabb>,
+    pub boxes: Arc<Vec<Aabb>>,
     /// Lower bounds of the distance to it, while it is at rest.
-    pub clearance: Clearance,
+    pub clearance: Arc<Clearance>,
     /// How it moves; none for a body at rest.
     pub travel: Option<Travel>,
     /// Rounding of the largest coordinate to f32, m.
@@ -41,27 +42,57 @@ impl Body {
     /// `None` for a body without triangles.
     pub fn new(mesh: &BodyMesh) -> Option<Self> {
         let live: Vec<[u32; 3]> = mesh.triangles.iter().filter(|t| has_area(&mesh.positions, t)).copied().collect();
-        let tri_mesh = TriMesh::new(mesh.positions.iter().map(flat).collect(), live.clone()).ok()?;
+        if live.is_empty() {
+            return None;
+        }
         let bounds = Aabb::of(&live.iter().flatten().map(|v| mesh.positions[*v as usize]).collect::<Vec<_>>());
         let topology = Topology::new(mesh.positions.len(), live);
-        let boxes = topology.faces.iter().map(|t| Aabb::of_three(&crate::pick3(&mesh.positions, t))).collect();
+        let boxes: Vec<Aabb> =
+            topology.faces.iter().map(|t| Aabb::of_three(&crate::pick3(&mesh.positions, t))).collect();
+        let leaf = |b: &Aabb| FlatAabb::new(flat(&b.low), flat(&b.high));
+        let tree = Bvh::from_iter(BvhBuildStrategy::Binned, boxes.iter().map(leaf).enumerate());
         let size = bounds.low.amax().max(bounds.high.amax());
         let flat_edges = super::flat::edges(&mesh.positions, &topology);
-        let sides = sides(&topology, &pressing(&mesh.positions, &topology, &flat_edges), mesh.positions.len());
+        let sides = Sides::new(&mesh.positions, &topology, &flat_edges);
         let planes = super::flat::across(&topology, &flat_edges);
         let clearance = Clearance::new(&mesh.positions, &topology.faces, &bounds);
         Some(Self {
-            mesh: tri_mesh,
-            positions: mesh.positions.clone(),
-            topology,
+            tree: Arc::new(tree),
+            positions: Arc::new(mesh.positions.clone()),
+            topology: Arc::new(topology),
             sides,
-            planes,
+            planes: Arc::new(planes),
             bounds,
-            boxes,
-            clearance,
+            boxes: Arc::new(boxes),
+            clearance: Arc::new(clearance),
             travel: None,
             rounding: size * 2.4e-7,
         })
+    }
+
+    /// The same, at rest and whole.
+    pub fn at_rest(&self) -> Self {
+        Self {
+            tree: self.tree.clone(),
+            positions: self.positions.clone(),
+            topology: self.topology.clone(),
+            sides: self.sides.whole(),
+            planes: self.planes.clone(),
+            bounds: self.bounds,
+            boxes: self.boxes.clone(),
+            clearance: self.clearance.clone(),
+            travel: None,
+            rounding: self.rounding,
+        }
+    }
+
+    /// As it holds off cloth: by all that presses, or, coarser cloth of such edges and gap (m), by less of what lies close together.
+    pub fn held_off(mut self, coarser: Option<[f64; 2]>) -> Self {
+        match coarser {
+            Some(cloth) => self.sides.thin(&self.positions, &self.topology, cloth),
+            None => self.sides = self.sides.whole(),
+        }
+        self
     }
 
     /// May anything of it be in this box?
@@ -75,7 +106,7 @@ impl Body {
     pub fn candidates(&self, bounds: &Aabb, mut emit: impl FnMut(u32)) {
         let b = bounds.grown(self.rounding);
         let query = FlatAabb::new(flat(&b.low), flat(&b.high));
-        for i in self.mesh.bvh().intersect_aabb(&query) {
+        for i in self.tree.intersect_aabb(&query) {
             emit(i);
         }
     }
@@ -112,9 +143,14 @@ impl Body {
         }
     }
 
+    /// Is `p` in the box around it?
+    pub fn may_contain(&self, p: &Vec3) -> bool {
+        self.bounds.meets(&Aabb::of_one(p))
+    }
+
     /// Is `p` inside? By the winding number, so that small holes do not matter.
     pub fn contains(&self, p: &Vec3) -> bool {
-        if (0..3).any(|k| p[k] < self.bounds.low[k] || p[k] > self.bounds.high[k]) {
+        if !self.may_contain(p) {
             return false;
         }
         let mut turns = Turns::default();
@@ -160,51 +196,6 @@ impl Turns {
     }
 }
 
-/// An edge that is hollow seen from outside cannot be the first thing a straight edge outside meets, nor can one between two
-/// faces of a plane; and that would push cloth along the plane. Where the mesh is not closed or not oriented, nothing is known
-/// and every edge counts.
-fn pressing(x: &[Vec3], topology: &Topology, flat: &[bool]) -> Vec<bool> {
-    let all = vec![true; topology.edges.len()];
-    if topology.hinges.len() * 2 != topology.faces.len() * 3 || topology.edges.len() != topology.hinges.len() {
-        return all;
-    }
-    let volume: f64 = topology
-        .faces
-        .iter()
-        .map(|t| {
-            let [a, b, c] = t.map(|v| x[v as usize]);
-            a.dot(&b.cross(&c))
-        })
-        .sum();
-    let mut pressing = all.clone();
-    for h in &topology.hinges {
-        let [f, g] = h.faces.map(|f| topology.faces[f as usize]);
-        let same = f[usize::from(h.sides[0])] == g[usize::from(h.sides[1])];
-        if same {
-            return all;
-        }
-        let [a, b, c] = f.map(|v| x[v as usize]);
-        let n = (b - a).cross(&(c - a)) * volume.signum();
-        let rise = n.dot(&(x[h.vertices[3] as usize] - a));
-        let edge = topology.face_edges[h.faces[0] as usize][usize::from(h.sides[0])] as usize;
-        pressing[edge] = rise < 0.0 && !flat.get(edge).is_some_and(|f| *f);
-    }
-    pressing
-}
-
-/// What each face owns of the edges that press, and of the corners at which one ends.
-fn sides(topology: &Topology, pressing: &[bool], vertex_count: usize) -> Vec<u8> {
-    let mut ends = vec![false; vertex_count];
-    for (e, _) in topology.edges.iter().zip(pressing).filter(|(_, p)| **p) {
-        e.iter().for_each(|v| ends[*v as usize] = true);
-    }
-    let presses = |f: usize, k: usize| {
-        let [corner, edge] = [topology.faces[f][k], topology.face_edges[f][k]];
-        u8::from(ends[corner as usize]) << k | u8::from(pressing[edge as usize]) << (k + 3)
-    };
-    topology.owned.iter().enumerate().map(|(f, owned)| owned & (0..3).fold(0, |b, k| b | presses(f, k))).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -217,26 +208,6 @@ mod tests {
         };
         let all = (0..8).map(|k| of(k & 1, k >> 1 & 1, k >> 2));
         Body::new(&BodyMesh { positions, triangles: all.skip(without).collect() }).expect("a body")
-    }
-
-    /// Of a box whose top is a fan about its middle: at the middle nothing presses, nor along the spokes.
-    #[test]
-    fn in_a_plane_and_in_a_hollow_nothing_presses() {
-        let corner = |k: u32| Vec3::new(f64::from(k & 1), f64::from(k >> 1 & 1), f64::from(k >> 2));
-        let quads = [[0, 2, 3, 1], [0, 1, 5, 4], [1, 3, 7, 5], [3, 2, 6, 7], [2, 0, 4, 6]];
-        let mut triangles: Vec<[u32; 3]> =
-            quads.iter().flat_map(|q| [[q[0], q[1], q[2]], [q[0], q[2], q[3]]]).collect();
-        triangles.extend([[4, 5], [5, 7], [7, 6], [6, 4]].map(|[a, b]| [a, b, 8]));
-        let pressing = |height: f64| {
-            let positions = (0..8).map(corner).chain([Vec3::new(0.5, 0.5, height)]).collect();
-            let body = Body::new(&BodyMesh { positions, triangles: triangles.clone() }).expect("a body");
-            let count = |bits: u8| body.sides.iter().map(|s| (s & bits).count_ones()).sum::<u32>();
-            [count(7), count(7 << 3)]
-        };
-        // Eight corners and twelve edges of a box; a tip has a corner and four edges more, a dent as few as a plane.
-        assert_eq!(pressing(1.0), [8, 12]);
-        assert_eq!(pressing(1.2), [9, 16]);
-        assert_eq!(pressing(0.8), [8, 12]);
     }
 
     #[test]

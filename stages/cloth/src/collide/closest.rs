@@ -78,16 +78,10 @@ pub(crate) fn segment_gap([p, q]: [&Vec3; 2], [r, s]: [&Vec3; 2]) -> f64 {
     (p + (q - p) * t - (r + (s - r) * u)).norm()
 }
 
-/// Heights of a triangle's corners over the plane through a place, square to a normal of length one, m.
-#[inline]
-pub(crate) fn heights(at: &Vec3, normal: &Vec3, t: &[Vec3; 3]) -> [f64; 3] {
-    t.map(|p| normal.dot(&(p - at)))
-}
-
 /// How far a triangle stays from the plane through a place, square to a normal of length one; 0 where it meets it.
 #[inline]
 pub(crate) fn plane_gap(at: &Vec3, normal: &Vec3, t: &[Vec3; 3]) -> f64 {
-    let height = heights(at, normal, t);
+    let height = t.map(|p| normal.dot(&(p - at)));
     let (low, high) = (height[0].min(height[1]).min(height[2]), height[0].max(height[1]).max(height[2]));
     low.max(-high).max(0.0)
 }

@@ -18,6 +18,7 @@ pub(crate) mod near;
 pub(crate) mod own;
 pub(crate) mod repair;
 pub(crate) mod sheet;
+mod sides;
 pub(crate) mod stick;
 mod tiles;
 pub(crate) mod travel;

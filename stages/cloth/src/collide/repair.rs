@@ -1,8 +1,10 @@
 //! The start: is it free, and if it dips into the body, can it be pushed out?
 
 use super::body::Body;
+use super::tree::Aabb;
 use super::untangle::untangle;
 use crate::exact::count;
+use crate::exact::pair::segment_meets;
 use crate::topology::Topology;
 use crate::{ClothError, Place, Vec3};
 
@@ -11,18 +13,32 @@ const ROUNDS: usize = 30;
 const APART: f64 = 0.1;
 const CLEAR: f64 = 5e-5;
 
-/// For every vertex: is it inside the body? One winding number for each part of the cloth that is joined by triangles
-/// which do not cross the body.
+/// For every vertex: is it inside the body? One winding number for each part of the cloth that is joined by edges which do
+/// not meet the body.
 pub(crate) fn inside(x: &[Vec3], faces: &[[u32; 3]], crossing: &[[u32; 2]], body: &Body) -> Vec<bool> {
     let mut crosses = vec![false; faces.len()];
     for p in crossing {
         crosses[p[0] as usize] = true;
     }
-    let free = faces.iter().zip(&crosses).filter(|(_, c)| !**c);
-    let links: Vec<[u32; 2]> = free.flat_map(|(t, _)| [[t[0], t[1]], [t[1], t[2]]]).collect();
+    let apart = |e: &[u32; 2]| !meets(e.map(|v| x[v as usize]), body);
+    let links: Vec<[u32; 2]> = faces
+        .iter()
+        .zip(&crosses)
+        .flat_map(|(t, c)| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]].into_iter().filter(move |e| !c || apart(e)))
+        .collect();
     let part = crate::weld::groups(x.len(), &links);
+    // No turn need be counted for what reaches out of the body's box.
+    let reaches_out = |(p, q): (&u32, &Vec3)| (!body.may_contain(q)).then_some(*p as usize);
     let mut known: Vec<Option<bool>> = vec![None; x.len()];
+    part.iter().zip(x).filter_map(reaches_out).for_each(|p| known[p] = Some(false));
     part.iter().map(|p| *known[*p as usize].get_or_insert_with(|| body.contains(&x[*p as usize]))).collect()
+}
+
+/// Has a segment any point in common with the body's surface?
+fn meets([p, q]: [Vec3; 2], body: &Body) -> bool {
+    let mut any = false;
+    body.candidates(&Aabb::of_two(&p, &q), |k| any = any || segment_meets(&p, &q, &body.triangle(k)));
+    any
 }
 
 /// Moves what is inside the body out to `gap` in front of it. Returns how many vertices were moved and the largest

@@ -7,6 +7,7 @@ use super::closest::{point_triangle, segments};
 use super::near::{Moving, Way};
 use super::tree::{Aabb, Tree, meet_moving};
 use crate::Vec3;
+use std::sync::Arc;
 
 /// Displacements of a body's vertices in the step that is tried, and a tree that follows them.
 pub(crate) struct Travel {
@@ -16,13 +17,12 @@ pub(crate) struct Travel {
 }
 
 impl Body {
-    /// From now on the body may move. Every edge can press then: a hollow one may open,
-    /// a flat one may bend.
+    /// From now on the body may move. Every edge can press then.
     pub fn set_out(&mut self) {
         let tree = Tree::moving(&self.positions, &self.topology.faces);
         self.travel = Some(Travel { step: vec![Vec3::zeros(); self.positions.len()], going: false, tree });
-        self.sides.clone_from(&self.topology.owned);
-        self.planes.clear();
+        self.sides.any(&self.topology);
+        self.planes = Arc::default();
     }
 
     /// Displacements that the next step is to take.
@@ -36,7 +36,7 @@ impl Body {
     /// Takes a part of the displacements.
     pub fn arrive(&mut self, part: f64) {
         let Some(t) = &mut self.travel else { return };
-        self.positions.iter_mut().zip(&t.step).for_each(|(p, d)| *p += d * part);
+        Arc::make_mut(&mut self.positions).iter_mut().zip(&t.step).for_each(|(p, d)| *p += d * part);
         t.step.fill(Vec3::zeros());
         t.going = false;
         self.bounds = Aabb::of(&self.positions);
@@ -105,7 +105,7 @@ impl Against {
         let (face, moves) = (a.owned.bounds(reach), Aabb::of_three(&a.by));
         for k in (0..3).filter(|k| b.owned.owns_vertex(*k)) {
             if meet_moving(&face, &moves, &Aabb::of_one(&b.owned.at[k]), &Aabb::of_one(&b.by[k])) {
-                self.add_face(&a.owned, &b.owned, k, 0.0);
+                self.add_face(&a.owned, b.owned.corners[k], 0.0);
             }
         }
     }
@@ -115,7 +115,7 @@ impl Against {
             let (bounds, moves) = (b.owned.edge_box(j).grown(reach), b.edge_move(j));
             for i in (0..3).filter(|i| a.owned.owns_edge(*i)) {
                 if meet_moving(&bounds, &moves, &a.owned.edge_box(i), &a.edge_move(i)) {
-                    self.add_edge(&a.owned, i, &b.owned, j, 0.0);
+                    self.add_edge(&a.owned, i, b.owned.edge(j), &b.owned.run(j), 0.0);
                 }
             }
         }

@@ -31,7 +31,7 @@ pub fn animate(
     each: &mut dyn FnMut(&Frame<'_>),
 ) -> Result<Trip, ClothError> {
     dynamics.check()?;
-    motion.check(scene.body.as_ref(), scene.positions.len())?;
+    motion.check(scene.body.as_deref(), scene.positions.len())?;
     if settings.integrator == Integrator::CentralDifference {
         return explicit::film(scene, settings, dynamics, motion, watch, each);
     }
@@ -60,7 +60,7 @@ impl<'a> Walk<'a> {
         dynamics: &'a Dynamics,
         motion: &'a Motion,
     ) -> Result<Self, ClothError> {
-        let mut start = Start::new(scene, settings, None)?;
+        let mut start = Start::new(scene, settings)?;
         let path = scene.body.as_ref().and_then(|b| Path::new(motion, &b.positions));
         if let Some(body) = start.body.as_mut().filter(|_| path.is_some()) {
             body.set_out();

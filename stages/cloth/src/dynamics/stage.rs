@@ -119,7 +119,7 @@ impl Stepper<'_> {
             return untorn;
         };
         let way: Option<Vec<Vec3>> = to.zip(barrier.body.as_mut()).map(|(to, b)| {
-            let way: Vec<Vec3> = to.iter().zip(&b.positions).map(|(p, q)| (p - q) * untorn).collect();
+            let way: Vec<Vec3> = to.iter().zip(b.positions.iter()).map(|(p, q)| (p - q) * untorn).collect();
             b.depart(&way);
             way
         });

@@ -47,6 +47,11 @@ fn segment_triangle(p: &Vec3, q: &Vec3, t: &Triangle) -> Meets {
     if s.iter().all(|v| *v != 0) && sp * sq < 0 { Meets::Crosses } else { Meets::Touches }
 }
 
+/// Has a segment a point in common with a triangle, or with its plane all of them?
+pub(crate) fn segment_meets(p: &Vec3, q: &Vec3, t: &Triangle) -> bool {
+    segment_triangle(p, q, t) != Meets::No
+}
+
 /// Do triangles in one plane share area?
 fn overlap_in_plane(a: &Triangle, b: &Triangle) -> bool {
     let n = (a[1] - a[0]).cross(&(a[2] - a[0]));

@@ -51,7 +51,7 @@ const PULL_SEWN: f64 = 1e4;
 /// Closes the stitches: the threads pull harder from block to block, until all pairs are closed. `None` where something
 /// stays in the way.
 pub(crate) fn close(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
-    let mut descent = Descent::begin(scene, settings, None, true)?;
+    let mut descent = Descent::begin(scene, settings, true)?;
     if descent.goal.seams.is_some() {
         descent.goal.set_rough(true);
         let mut sewing = Sewing::new(&mut descent);

@@ -94,7 +94,7 @@ impl Step<'_> {
     /// Lets the cloth, its seams welded, come near to rest from `x`; `None` where it crosses something there.
     fn smooth(self, x: &[Vec3], watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
         let welded = weld(self.scene, x);
-        let mut descent = match Descent::begin(&welded.scene, self.settings, None, false) {
+        let mut descent = match Descent::begin(&welded.scene, self.settings, false) {
             Ok(descent) => descent,
             Err(ClothError::StartCrosses { .. }) => return Ok(None),
             Err(e) => return Err(e),

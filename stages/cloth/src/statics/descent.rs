@@ -3,7 +3,6 @@
 use super::lead::Leading;
 use super::memory::{Memory, dot};
 use super::objective::Objective;
-use crate::collide::body::Body;
 use crate::collide::stick::Stick;
 use crate::cost::{Lap, Work};
 use crate::linear::factor::Factor;
@@ -95,15 +94,9 @@ fn unit(scene: &Scene, topology: &Topology) -> f64 {
 }
 
 impl<'a> Descent<'a> {
-    /// From the scene's positions, freed of what they cross. `built`: the body of this scene, where one has it already (one of a
-    /// million triangles is half a second of work); `pulls`: do threads close the stitches?
-    pub fn begin(scene: &Scene, settings: &'a Settings, built: Option<Body>, pulls: bool) -> Result<Self, ClothError> {
-        Ok(Self::new(scene, settings, Start::new(scene, settings, built)?, pulls))
-    }
-
-    /// Leaves the body to who needs it next.
-    pub fn into_body(self) -> Option<Body> {
-        self.goal.barrier.and_then(|b| b.body)
+    /// From the scene's positions, freed of what they cross. `pulls`: do threads close the stitches?
+    pub fn begin(scene: &Scene, settings: &'a Settings, pulls: bool) -> Result<Self, ClothError> {
+        Ok(Self::new(scene, settings, Start::new(scene, settings)?, pulls))
     }
 
     pub fn new(scene: &Scene, settings: &'a Settings, start: Start, pulls: bool) -> Self {

@@ -84,6 +84,8 @@ impl Objective {
             let mut lap = Lap::start();
             let own = own.then(|| Own::new(scene, &positions, &frame.topology));
             costs.spend(Work::SelfContact, &mut lap);
+            let body = body.map(|b| b.held_off(s.of_coarser_level().then_some([frame.edge, s.body_gap])));
+            costs.spend(Work::BodyContact, &mut lap);
             Barrier::new(frame, body, areas(scene), own)
         });
         let noise = energies.iter().map(|e| e.noise(&positions)).sum();

@@ -2,7 +2,6 @@
 
 use super::descent::{Descent, FEW, TAU_FREE};
 use super::report;
-use crate::collide::body::Body;
 use crate::levels::Level;
 use crate::watch::Part;
 use crate::{ClothError, EffectReport, Outcome, Scene, Settings, StopReason, Vec3, Watch};
@@ -38,43 +37,32 @@ const COARSE: f64 = 3.0;
 
 /// Settles the cloth.
 pub(crate) fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
-    over(scene, settings, &mut None, watch)
-}
-
-/// The same with the body, where it is built already; leaves it there for the next who drapes over it.
-fn over(
-    scene: &Scene,
-    settings: &Settings,
-    body: &mut Option<Body>,
-    watch: &mut dyn Watch,
-) -> Result<Outcome, ClothError> {
     let (mut before, mut done) = (Vec::new(), 0.0);
-    let mut begun = Some(begin(scene, settings, body.take())?);
+    let mut begun = Some(begin(scene, settings)?);
     if begun.as_ref().is_some_and(|d| d.decrement > COARSE_FIRST)
         && let Some(level) = Level::below_folds(scene)
     {
         // Its factor is larger than all of the coarser levels.
-        *body = begun.take().and_then(Descent::into_body);
-        if let Some((x, effects)) = on_coarser(&level, settings, body, watch)? {
+        drop(begun.take());
+        if let Some((x, effects)) = on_coarser(&level, settings, watch)? {
             (before, done) = (effects, COARSE_WORK);
             drop(level);
-            begun = led(scene, x, settings, body.take())?;
+            begun = led(scene, x, settings)?;
         }
     }
     let mut descent = match begun {
         Some(descent) => descent,
-        None => begin(scene, settings, body.take())?,
+        None => begin(scene, settings)?,
     };
     let reason = descent.settle(&mut Part::new(watch, [done, 1.0], &<[Vec3]>::to_vec))?;
     let mut outcome = report::outcome(&mut descent, scene, reason);
-    *body = descent.into_body();
     outcome.add_costs(&before);
     Ok(outcome)
 }
 
 /// From where the cloth is, with a first look at how far it is from rest.
-fn begin<'a>(scene: &Scene, settings: &'a Settings, body: Option<Body>) -> Result<Descent<'a>, ClothError> {
-    let mut descent = Descent::begin(scene, settings, body, false)?;
+fn begin<'a>(scene: &Scene, settings: &'a Settings) -> Result<Descent<'a>, ClothError> {
+    let mut descent = Descent::begin(scene, settings, false)?;
     let loaded = descent.preload();
     // Not in balance, so the loads were not those that it rested with.
     if descent.far_from_rest() && loaded {
@@ -84,13 +72,8 @@ fn begin<'a>(scene: &Scene, settings: &'a Settings, body: Option<Body>) -> Resul
 }
 
 /// From where coarser cloth led it; `None` where it would cross something there.
-fn led<'a>(
-    scene: &Scene,
-    positions: Vec<Vec3>,
-    settings: &'a Settings,
-    body: Option<Body>,
-) -> Result<Option<Descent<'a>>, ClothError> {
-    match Descent::begin(&Scene { positions, ..scene.clone() }, settings, body, false) {
+fn led<'a>(scene: &Scene, positions: Vec<Vec3>, settings: &'a Settings) -> Result<Option<Descent<'a>>, ClothError> {
+    match Descent::begin(&Scene { positions, ..scene.clone() }, settings, false) {
         Ok(led) => Ok(Some(led)),
         Err(ClothError::StartCrosses { .. }) => Ok(None),
         Err(e) => Err(e),
@@ -101,19 +84,14 @@ fn led<'a>(
 type Led = (Vec<Vec3>, Vec<EffectReport>);
 
 /// Where the cloth comes to lie on a coarser level, if it does not fall off it.
-fn on_coarser(
-    level: &Level,
-    settings: &Settings,
-    body: &mut Option<Body>,
-    watch: &mut dyn Watch,
-) -> Result<Option<Led>, ClothError> {
+fn on_coarser(level: &Level, settings: &Settings, watch: &mut dyn Watch) -> Result<Option<Led>, ClothError> {
     let coarse = Settings {
         decrement_tolerance: COARSE * settings.decrement_tolerance,
         move_tolerance: COARSE * settings.move_tolerance,
         residual_tolerance: f64::INFINITY,
         ..settings.clone()
     };
-    let below = over(&level.scene, &coarse, body, &mut Part::new(watch, [0.0, COARSE_WORK], &|x| level.spread(x)));
+    let below = drape(&level.scene, &coarse, &mut Part::new(watch, [0.0, COARSE_WORK], &|x| level.spread(x)));
     match below {
         Ok(rest) if matches!(rest.stop_reason, StopReason::Settled | StopReason::MaxSteps) => {
             let x = level.spread(&rest.positions);
@@ -195,9 +173,9 @@ impl Descent<'_> {
         }
     }
 
-    /// Does finer cloth go on from here? Only such a level may rest with any forces.
+    /// Does finer cloth go on from here?
     fn is_coarser(&self) -> bool {
-        !self.settings.residual_tolerance.is_finite()
+        self.settings.of_coarser_level()
     }
 
     pub(super) fn widen_locks(&mut self) -> Locks {
