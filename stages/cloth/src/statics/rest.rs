@@ -38,13 +38,10 @@ const COARSE: f64 = 3.0;
 /// Settles the cloth.
 pub(crate) fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     let (mut before, mut done) = (Vec::new(), 0.0);
-    let mut begun = None;
-    let mut level = if surely_far(scene, settings)? { Level::below_folds(scene) } else { None };
-    if level.is_none() {
-        let descent = begun.insert(begin(scene, settings)?);
-        level = (descent.decrement > COARSE_FIRST).then(|| Level::below_folds(scene)).flatten();
-    }
-    if let Some(level) = level {
+    let mut begun = Some(begin(scene, settings)?);
+    if begun.as_ref().is_some_and(|d| d.decrement > COARSE_FIRST)
+        && let Some(level) = Level::below_folds(scene)
+    {
         // Its factor is larger than all of the coarser levels.
         drop(begun.take());
         if let Some((x, effects)) = on_coarser(&level, settings, watch)? {
@@ -61,16 +58,6 @@ pub(crate) fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -
     let mut outcome = report::outcome(&mut descent, scene, reason);
     outcome.add_costs(&before);
     Ok(outcome)
-}
-
-/// Does large cloth begin so far from rest that no factor is needed to tell?
-fn surely_far(scene: &Scene, settings: &Settings) -> Result<bool, ClothError> {
-    if !Level::may_be_below(scene) {
-        return Ok(false);
-    }
-    let mut descent = Descent::begin(scene, settings, false)?;
-    descent.preload();
-    Ok(descent.surely_wins(COARSE_FIRST))
 }
 
 /// From where the cloth is, with a first look at how far it is from rest.
@@ -149,11 +136,6 @@ impl Descent<'_> {
                 if borne < MOST_BORNE && !self.is_coarser() && self.bear() {
                     borne += 1;
                     self.goal.set_rough(true);
-                    continue;
-                }
-                if !self.is_fresh() {
-                    // The last word is that of the second derivatives here.
-                    self.renew();
                     continue;
                 }
                 if pushes == MOST_PUSHES || !self.leave_saddle() {
