@@ -50,8 +50,9 @@ pub struct Figures {
 pub fn certify(scene: &Scene, settings: &Settings, positions: &[Vec3]) -> Result<Figures, ClothError> {
     validate::scene(scene)?;
     // As it was draped: the same trees over the body, and the same figures however the scene is turned.
-    let canon = Canon::of(scene);
-    let mut figures = figures(&Scene { positions: canon.told(positions), ..canon.scene.clone() }, settings)?;
+    let mut canon = Canon::of(scene);
+    canon.scene.positions = canon.told(positions);
+    let mut figures = figures(&canon.scene, settings)?;
     figures.reactions.iter_mut().for_each(|r| r.force = canon.there(r.force));
     Ok(figures)
 }

@@ -21,7 +21,7 @@ struct Shared {
 impl SharedBody {
     /// At rest, ready to be met; `None` for a body without triangles.
     pub(crate) fn built(&self) -> Option<Body> {
-        self.0.built.get_or_init(|| Body::new(&self.0.mesh)).as_ref().map(Body::at_rest)
+        self.0.built.get_or_init(|| Body::new(&self.0.mesh)).clone()
     }
 
     /// After so many quarter turns about the vertical, as `to` turns places; itself where that changes nothing.

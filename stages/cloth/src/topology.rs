@@ -102,6 +102,11 @@ impl Topology {
         }
     }
 
+    /// The edge of a hinge.
+    pub fn edge_of(&self, h: &Hinge) -> usize {
+        self.face_edges[h.faces[0] as usize][usize::from(h.sides[0])] as usize
+    }
+
     /// A number for every face, equal for faces joined through shared vertices.
     pub fn components(&self, vertex_count: usize) -> Vec<u32> {
         let links: Vec<[u32; 2]> = self.faces.iter().flat_map(links).collect();

@@ -66,13 +66,6 @@ impl Owned {
     pub(super) fn edge_gap(&self, i: usize, other: [&Vec3; 2]) -> f64 {
         segment_gap([&self.at[i], &self.at[(i + 1) % 3]], other)
     }
-
-    /// Of a body's face at rest: what cloth can press on.
-    #[inline]
-    pub(super) fn of_body(body: &Body, g: u32) -> Self {
-        let corners = body.topology.faces[g as usize];
-        Self { corners, at: crate::pick3(&body.positions, &corners), bits: body.sides.of(g) }
-    }
 }
 
 #[inline]

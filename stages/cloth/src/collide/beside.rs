@@ -121,6 +121,15 @@ impl Beside {
     }
 }
 
+impl Owned {
+    /// Of a body's face at rest: what cloth can press on.
+    #[inline]
+    fn of_body(body: &Body, g: u32) -> Self {
+        let corners = body.topology.faces[g as usize];
+        Self { corners, at: crate::pick3(&body.positions, &corners), bits: body.sides.of(g) }
+    }
+}
+
 impl Held<3, Side> {
     /// Holds all within the limit.
     fn fill(&mut self, cloth: &Owned, body: &Body) {

@@ -1,4 +1,4 @@
-//! The body as parry3d holds it. The only place where f64 and parry's f32 meet: parry finds candidates (boxes grown
+//! The body, and parry3d's tree over it. The only place where f64 and parry's f32 meet: parry finds candidates (boxes grown
 //! by the rounding), all distances that decide are computed in f64 from the original positions.
 
 use super::clear::Clearance;
@@ -13,6 +13,7 @@ use parry3d::math::Vector as Flat;
 use parry3d::partitioning::{Bvh, BvhBuildStrategy};
 use std::sync::Arc;
 
+#[derive(Clone)]
 pub(crate) struct Body {
     tree: Arc<Bvh>,
     pub positions: Arc<Vec<Vec3>>,
@@ -70,28 +71,9 @@ impl Body {
         })
     }
 
-    /// The same, at rest and whole.
-    pub fn at_rest(&self) -> Self {
-        Self {
-            tree: self.tree.clone(),
-            positions: self.positions.clone(),
-            topology: self.topology.clone(),
-            sides: self.sides.whole(),
-            planes: self.planes.clone(),
-            bounds: self.bounds,
-            boxes: self.boxes.clone(),
-            clearance: self.clearance.clone(),
-            travel: None,
-            rounding: self.rounding,
-        }
-    }
-
-    /// As it holds off cloth: by all that presses, or, coarser cloth of such edges and gap (m), by less of what lies close together.
-    pub fn held_off(mut self, coarser: Option<[f64; 2]>) -> Self {
-        match coarser {
-            Some(cloth) => self.sides.thin(&self.positions, &self.topology, cloth),
-            None => self.sides = self.sides.whole(),
-        }
+    /// As it holds off coarser cloth of such edges and gap (m): by less of what lies close together.
+    pub fn held_off(mut self, cloth: [f64; 2]) -> Self {
+        self.sides.thin(&self.positions, &self.topology, cloth);
         self
     }
 

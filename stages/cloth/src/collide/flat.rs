@@ -18,7 +18,7 @@ pub(super) fn edges(x: &[Vec3], topology: &Topology) -> Vec<bool> {
     let mut hinges = vec![0u8; topology.edges.len()];
     let mut flat = vec![false; topology.edges.len()];
     for h in &topology.hinges {
-        let edge = topology.face_edges[h.faces[0] as usize][usize::from(h.sides[0])] as usize;
+        let edge = topology.edge_of(h);
         hinges[edge] = hinges[edge].saturating_add(1);
         flat[edge] = hinges[edge] == 1 && goes_straight_on(x, h);
     }
@@ -33,7 +33,7 @@ pub(super) fn across(topology: &Topology, flat: &[bool]) -> Vec<[u32; 3]> {
     let mut out = vec![[NONE; 3]; topology.faces.len()];
     for h in &topology.hinges {
         let [(f, i), (g, j)] = [0, 1].map(|k| (h.faces[k] as usize, usize::from(h.sides[k])));
-        if flat[topology.face_edges[f][i] as usize] {
+        if flat[topology.edge_of(h)] {
             out[f][i] = h.faces[1];
             out[g][j] = h.faces[0];
         }

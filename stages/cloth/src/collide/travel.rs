@@ -10,6 +10,7 @@ use crate::Vec3;
 use std::sync::Arc;
 
 /// Displacements of a body's vertices in the step that is tried, and a tree that follows them.
+#[derive(Clone)]
 pub(crate) struct Travel {
     step: Vec<Vec3>,
     going: bool,

@@ -84,7 +84,8 @@ impl Objective {
             let mut lap = Lap::start();
             let own = own.then(|| Own::new(scene, &positions, &frame.topology));
             costs.spend(Work::SelfContact, &mut lap);
-            let body = body.map(|b| b.held_off(s.of_coarser_level().then_some([frame.edge, s.body_gap])));
+            let coarser = s.of_coarser_level();
+            let body = body.map(|b| if coarser { b.held_off([frame.edge, s.body_gap]) } else { b });
             costs.spend(Work::BodyContact, &mut lap);
             Barrier::new(frame, body, areas(scene), own)
         });
