@@ -26,6 +26,33 @@ pub(crate) struct Mesh {
     stars: Vec<Vec<u32>>,
 }
 
+/// Collapses of one knot into another, the shortest first.
+struct Queue {
+    heap: BinaryHeap<Reverse<(u64, u32, u32)>>,
+    /// Of every knot, what waits there: most are offered again before their turn.
+    waiting: Vec<Vec<(u64, u32)>>,
+}
+
+impl Queue {
+    fn new(knots: usize) -> Self {
+        Self { heap: BinaryHeap::new(), waiting: vec![Vec::new(); knots] }
+    }
+
+    fn push(&mut self, length: f64, a: u32, b: u32) {
+        let (waiting, one) = (&mut self.waiting[a as usize], (length.to_bits(), b));
+        if !waiting.contains(&one) {
+            waiting.push(one);
+            self.heap.push(Reverse((one.0, a, b)));
+        }
+    }
+
+    fn pop(&mut self) -> Option<(u32, u32)> {
+        let Reverse((length, a, b)) = self.heap.pop()?;
+        self.waiting[a as usize].retain(|one| *one != (length, b));
+        Some((a, b))
+    }
+}
+
 impl Mesh {
     pub fn new(scene: &Scene, charts: Charts) -> Self {
         let triangles: Vec<_> = charts.corners.iter().map(|c| Some(*c)).collect();
@@ -58,11 +85,11 @@ impl Mesh {
 
     /// Collapses until edges are about `edge` long, m.
     pub fn collapse(&mut self, edge: f64) {
-        let mut queue = BinaryHeap::new();
+        let mut queue = Queue::new(self.charts.knots);
         for knot in (0u32..).take(self.charts.knots) {
             self.offer(knot, edge, &mut queue);
         }
-        while let Some(Reverse((_, a, b))) = queue.pop() {
+        while let Some((a, b)) = queue.pop() {
             let Some(moves) = self.moves(a, b, edge) else { continue };
             self.take(a, b, &moves);
             self.ring(b).into_iter().for_each(|k| self.offer(k, edge, &mut queue));
@@ -70,7 +97,7 @@ impl Mesh {
     }
 
     /// Offers the collapses of a knot into its neighbours.
-    fn offer(&self, a: u32, edge: f64, queue: &mut BinaryHeap<Reverse<(u64, u32, u32)>>) {
+    fn offer(&self, a: u32, edge: f64, queue: &mut Queue) {
         let mut seen: Vec<(u32, f64)> = Vec::new();
         for (_, corners) in self.around(a) {
             let Some(mine) = corners.into_iter().find(|c| self.knot(*c) == a) else { continue };
@@ -79,7 +106,7 @@ impl Mesh {
         seen.sort_by(|p, q| p.0.cmp(&q.0).then(p.1.total_cmp(&q.1)));
         seen.dedup_by_key(|s| s.0);
         for (b, length) in seen.into_iter().filter(|s| s.1 < SHORT * edge) {
-            queue.push(Reverse((length.to_bits(), a, b)));
+            queue.push(length, a, b);
         }
     }
 
