@@ -56,9 +56,14 @@ impl Level {
         Some(level)
     }
 
+    /// May there be a level below at all?
+    pub fn may_be_below(scene: &Scene) -> bool {
+        (scene.triangles.len() as f64) * 0.25 >= FEWEST as f64
+    }
+
     fn up_to(scene: &Scene, longest: f64) -> Option<Self> {
         let edge = STEP * mean_edge(scene);
-        if edge > longest || (scene.triangles.len() as f64) * 0.25 < FEWEST as f64 {
+        if edge > longest || !Self::may_be_below(scene) {
             return None;
         }
         let charts = Charts::new(scene);

@@ -17,7 +17,7 @@ use nalgebra::Matrix3;
 /// Shift of the metric: mass / (τ · unit). First τ, and the one from which it no longer matters; the unit is 1 s² for a
 /// square metre of cloth on Earth, and goes with lengths and weight as pendulums do, so that similar cloth takes similar
 /// steps.
-const TAU_FIRST: f64 = 1e-2;
+pub(super) const TAU_FIRST: f64 = 1e-2;
 pub(super) const TAU_FREE: f64 = 30.0;
 const TAU_LEAST: f64 = 1e-8;
 const TAU_MOST: f64 = 1e4;
@@ -39,6 +39,12 @@ const SHORTEST: f64 = 0.1;
 const LARGE: usize = 4_500;
 const MANY: usize = 16;
 pub(crate) const FEW: usize = 8;
+/// A factor has led well through a block of which the mean part of a step is more than this, and the largest net force at its end
+/// less than this part of that before …
+const WELL: f64 = 0.8;
+const CALMED: f64 = 0.3;
+/// … and how far cloth moves from where it was made, over the longest move at rest, before a new one is needed.
+const STILL: f64 = 3.0;
 /// Longest step of a vertex over the mean edge.
 const STRIDE: f64 = 1.0;
 
@@ -72,9 +78,22 @@ pub(crate) struct Descent<'a> {
     /// Vertices moved before the first step, and the largest move, m.
     pub repaired: (usize, f64),
     pub(super) leading: Leading,
+    /// Of what the factor is.
+    made: Made,
     /// Blocks until the true metric is tried again, and how many it will be after the next failure.
     wait: u32,
     patience: u32,
+}
+
+/// Where and for what a factor was made.
+#[derive(Debug, Default)]
+struct Made {
+    at: Vec<Vec3>,
+    tau: f64,
+    firm: f64,
+    rough: bool,
+    /// Did it lead well so far?
+    good: bool,
 }
 
 /// What became of a block of steps.
@@ -126,6 +145,7 @@ impl<'a> Descent<'a> {
             weight,
             repaired,
             leading: Leading::default(),
+            made: Made::default(),
             wait: 0,
             patience: 0,
         };
@@ -158,8 +178,8 @@ impl<'a> Descent<'a> {
         if self.f.len() > LARGE { MANY } else { few }
     }
 
-    /// Refreshes friction and metric. `false` if no metric can be had.
-    fn refresh(&mut self) -> bool {
+    /// Hardens contacts that are nearly shut under a load, and refreshes friction.
+    pub(super) fn take_up(&mut self) {
         // In a time step friction holds on to where the step began, until its end.
         if self.goal.inert.is_none() {
             // Sewing never looks at the rest.
@@ -169,6 +189,52 @@ impl<'a> Descent<'a> {
             }
             self.refresh_lagged();
         }
+    }
+
+    /// Refreshes friction and metric. `false` if no metric can be had.
+    fn refresh(&mut self) -> bool {
+        self.take_up();
+        if self.factor_holds() {
+            return true;
+        }
+        self.made.at.clear();
+        let made = self.refactor();
+        if made {
+            self.made = Made {
+                at: self.x.clone(),
+                tau: self.tau,
+                firm: self.firm,
+                rough: self.goal.is_rough(),
+                good: self.exact,
+            };
+        }
+        made
+    }
+
+    /// Near rest cloth hardly moves in a block: is the last factor still as good as a new one?
+    fn factor_holds(&self) -> bool {
+        let m = &self.made;
+        let same = |a: f64, b: f64| a == b || a.min(b) >= TAU_FREE;
+        self.goal.inert.is_none()
+            && m.good
+            && m.at.len() == self.x.len()
+            && same(m.tau, self.tau)
+            && m.firm == self.firm
+            && m.rough == self.goal.is_rough()
+            && crate::farthest(&m.at, &self.x) <= STILL * self.settings.move_tolerance
+    }
+
+    /// Was the factor made for where the cloth is?
+    pub(super) fn is_fresh(&self) -> bool {
+        self.made.at == self.x
+    }
+
+    /// The next block takes a new factor.
+    pub(super) fn renew(&mut self) {
+        self.made.good = false;
+    }
+
+    fn refactor(&mut self) -> bool {
         self.free = TAU_FREE;
         self.exact = self.true_metric();
         if self.exact {
@@ -244,9 +310,14 @@ impl<'a> Descent<'a> {
         system
     }
 
+    /// Of the metric, N/m, per unknown.
+    pub(super) fn shift(&self) -> impl Iterator<Item = f64> {
+        self.goal.inertia.iter().map(|m| m / (self.tau * self.unit))
+    }
+
     pub fn factorise(&mut self, (pattern, values): &(Pattern, Vec<Matrix3<f64>>)) -> bool {
         let mut lap = Lap::start();
-        let shift: Vec<f64> = self.goal.inertia.iter().map(|m| m / (self.tau * self.unit)).collect();
+        let shift: Vec<f64> = self.shift().collect();
         let done = self.factor.factorise(pattern, values, &shift);
         self.goal.costs.spend(Work::Descent, &mut lap);
         done
@@ -346,6 +417,7 @@ impl<'a> Descent<'a> {
     /// Adapts the shift to how the block went.
     pub fn adapt(&mut self, b: Block) {
         self.leading.adapt(b.mean, self.decrement);
+        self.made.good &= b.mean > WELL && self.net() < CALMED * self.residual;
         if self.stiffen(b) {
             return;
         }

@@ -3,6 +3,7 @@
 mod close;
 mod coarse;
 pub(crate) mod descent;
+mod far;
 mod lead;
 mod memory;
 pub(crate) mod objective;

@@ -1,6 +1,6 @@
 //! Draping: descents until a Newton step would win nothing more.
 
-use super::descent::{Descent, FEW, TAU_FREE};
+use super::descent::{Descent, FEW, TAU_FIRST, TAU_FREE};
 use super::report;
 use crate::levels::Level;
 use crate::watch::Part;
@@ -10,7 +10,7 @@ use crate::{ClothError, EffectReport, Outcome, Scene, Settings, StopReason, Vec3
 const MOST_STUCK: u32 = 12;
 /// Saddles that are left, at most: beyond that the cloth is called at rest on one.
 const MOST_PUSHES: u32 = 8;
-/// Rounds in which contacts that gave way are moved out at rest.
+/// Rounds in which contacts that gave way are moved out, near rest and at rest.
 const MOST_BORNE: u32 = 2;
 /// Way over the size of the scene after which the cloth is given up as falling.
 const FAR: f64 = 3.0;
@@ -38,10 +38,13 @@ const COARSE: f64 = 3.0;
 /// Settles the cloth.
 pub(crate) fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     let (mut before, mut done) = (Vec::new(), 0.0);
-    let mut begun = Some(begin(scene, settings)?);
-    if begun.as_ref().is_some_and(|d| d.decrement > COARSE_FIRST)
-        && let Some(level) = Level::below_folds(scene)
-    {
+    let mut begun = None;
+    let mut level = if surely_far(scene, settings)? { Level::below_folds(scene) } else { None };
+    if level.is_none() {
+        let descent = begun.insert(begin(scene, settings)?);
+        level = (descent.decrement > COARSE_FIRST).then(|| Level::below_folds(scene)).flatten();
+    }
+    if let Some(level) = level {
         // Its factor is larger than all of the coarser levels.
         drop(begun.take());
         if let Some((x, effects)) = on_coarser(&level, settings, watch)? {
@@ -58,6 +61,16 @@ pub(crate) fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -
     let mut outcome = report::outcome(&mut descent, scene, reason);
     outcome.add_costs(&before);
     Ok(outcome)
+}
+
+/// Does large cloth begin so far from rest that no factor is needed to tell?
+fn surely_far(scene: &Scene, settings: &Settings) -> Result<bool, ClothError> {
+    if !Level::may_be_below(scene) {
+        return Ok(false);
+    }
+    let mut descent = Descent::begin(scene, settings, false)?;
+    descent.preload();
+    Ok(descent.surely_wins(COARSE_FIRST))
 }
 
 /// From where the cloth is, with a first look at how far it is from rest.
@@ -106,7 +119,7 @@ fn on_coarser(level: &Level, settings: &Settings, watch: &mut dyn Watch) -> Resu
 impl Descent<'_> {
     /// Goes on until at rest.
     pub fn settle(&mut self, watch: &mut dyn Watch) -> Result<StopReason, ClothError> {
-        let (mut stuck, mut pushes, mut borne) = (0, 0, 0);
+        let (mut stuck, mut rounds) = (0, Rounds::default());
         let mut way = Way::default();
         let start = self.x.clone();
         let far = FAR * self.goal.size(&start);
@@ -127,23 +140,17 @@ impl Descent<'_> {
                     continue;
                 }
             }
-            if !matches!(locks, Locks::Wide(_)) && self.resting() {
-                if self.goal.is_rough() {
-                    // Is it so with all of its bending, too?
-                    self.goal.set_rough(false);
+            if !matches!(locks, Locks::Wide(_)) {
+                if self.resting() {
+                    match self.surely_resting(&mut rounds) {
+                        Some(reason) => return Ok(reason),
+                        None => continue,
+                    }
+                }
+                // What gave way is told before the last digits are sought: they would be others afterwards.
+                if rounds.borne == 0 && self.hardly_moves() && self.bear_all(&mut rounds) {
                     continue;
                 }
-                if borne < MOST_BORNE && !self.is_coarser() && self.bear() {
-                    borne += 1;
-                    self.goal.set_rough(true);
-                    continue;
-                }
-                if pushes == MOST_PUSHES || !self.leave_saddle() {
-                    return Ok(StopReason::Settled);
-                }
-                pushes += 1;
-                self.goal.set_rough(true);
-                continue;
             }
             if stuck == 0 && (self.tau < self.free || self.firm > 0.0) && self.nearly_resting() {
                 // Is it so with the cloth's own metric, too? Not where that has just led nowhere.
@@ -173,6 +180,42 @@ impl Descent<'_> {
         }
     }
 
+    /// At rest by all that is told: is it so with all of the cloth's bending, with contacts that bear their load where they
+    /// should, by the second derivatives here, and is it no saddle? `None` if not; then the cloth has been told what is missing.
+    fn surely_resting(&mut self, rounds: &mut Rounds) -> Option<StopReason> {
+        if self.goal.is_rough() {
+            self.goal.set_rough(false);
+            return None;
+        }
+        if self.bear_all(rounds) {
+            self.goal.set_rough(true);
+            return None;
+        }
+        if !self.is_fresh() {
+            self.renew();
+            return None;
+        }
+        if rounds.pushes == MOST_PUSHES || !self.leave_saddle() {
+            return Some(StopReason::Settled);
+        }
+        rounds.pushes += 1;
+        self.goal.set_rough(true);
+        None
+    }
+
+    /// Lets contacts that gave way push from farther off, on the finest level; says whether there were any.
+    fn bear_all(&mut self, rounds: &mut Rounds) -> bool {
+        let any = rounds.borne < MOST_BORNE && !self.is_coarser() && self.bear();
+        rounds.borne += u32::from(any);
+        any
+    }
+
+    /// Would a Newton step win and move no more than at rest, and not only because it is held back?
+    fn hardly_moves(&self) -> bool {
+        let s = self.settings;
+        self.tau >= TAU_FIRST && self.decrement <= s.decrement_tolerance && self.longest <= s.move_tolerance
+    }
+
     /// Does finer cloth go on from here?
     fn is_coarser(&self) -> bool {
         self.settings.of_coarser_level()
@@ -197,6 +240,7 @@ impl Descent<'_> {
         let changed = self.goal.lock_over(share, &self.x);
         if changed {
             self.start_anew();
+            self.renew();
         }
         changed
     }
@@ -235,6 +279,15 @@ impl Descent<'_> {
             self.settings.move_tolerance * 1e3
         )
     }
+}
+
+/// What was done at rest so far.
+#[derive(Default)]
+struct Rounds {
+    /// Saddles left.
+    pushes: u32,
+    /// Times that contacts which gave way were moved out.
+    borne: u32,
 }
 
 /// How cloth locks at its strain limits while it settles.
