@@ -444,3 +444,37 @@ fn cloth_at_rest_on_a_ball_stays_there() {
     assert!(held < 3e-5, "{held} m");
     assert!(let_go > 10.0 * held, "{let_go} m with its friction lost, {held} m with it");
 }
+
+/// A sheet that sinks at 2 mm/s comes to a box after some 200 steps (reliability I8): until then the contact changes not a bit, and
+/// then it begins without a jump.
+#[test]
+fn a_contact_that_is_needed_late_begins_without_a_jump() {
+    let (speed, fps, settings) = (2e-3, 1000.0, alone());
+    let mut scene = falling();
+    let above = settings.body_gap + 0.5 * scene.materials[0].thickness + 0.2 * speed;
+    scene.positions.iter_mut().for_each(|p| p.y = above);
+    scene.body = Some(cube(Vec3::new(-0.1, -0.1, -0.1), Vec3::new(0.3, 0.0, 0.3)).into());
+    let dynamics = Dynamics { damping: G / speed, drag: 0.0, ..exact(1.0 / fps) };
+    let velocities = vec![Vec3::new(0.0, -speed, 0.0); scene.positions.len()];
+    let motion = Motion { fps, frames: 400, velocities, ..Motion::default() };
+    let without = Settings { effects: Effects { body_contact: Switch::Off, ..settings.effects }, ..settings.clone() };
+    let (met, free) = (film(&scene, &settings, &dynamics, &motion), film(&scene, &without, &dynamics, &motion));
+    let kept_off: Vec<f64> = met.iter().zip(&free).map(|(p, q)| farthest(&p.x, &q.x)).collect();
+    let first = kept_off.iter().position(|d| *d > 0.0).expect("it meets the box");
+    assert!((190..215).contains(&first), "in frame {first}");
+    assert!(met[..first].iter().zip(&free).all(|(p, q)| p.v == q.v), "not a bit before");
+    for (k, w) in kept_off.windows(3).enumerate() {
+        assert!((w[2] - 2.0 * w[1] + w[0]).abs() < 1e-6, "a jump in frame {}: {w:?}", k + 2);
+    }
+    let rounding = 1e-9 * met[0].energy.abs();
+    for w in met.windows(2) {
+        assert!(w[1].energy <= w[0].energy + rounding, "{} J after {} J at {}", w[1].energy, w[0].energy, w[1].t);
+    }
+    let low = met.last().unwrap().x.iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
+    assert!(low > 0.0 && *kept_off.last().unwrap() > 1e-4, "it lies on the box, {low} m over it");
+    free_of_crossings(&scene, &met[399..]);
+}
+
+fn farthest(x: &[Vec3], y: &[Vec3]) -> f64 {
+    x.iter().zip(y).map(|(p, q)| (p - q).norm()).fold(0.0, f64::max)
+}

@@ -1,7 +1,7 @@
 //! Cases of the catalogue that another harness holds; they are in no count here.
 
 /// Cases, and where they are asked.
-const LIST: [(&str, &str); 27] = [
+const LIST: [(&str, &str); 28] = [
     ("A9", "formats/src/dxf/tests (mirrored inserts)"),
     ("A11", "stages/src/triangulate/tests.rs (holes)"),
     ("A10 open, bow-tie", "tests/bad/dxf-open, tests/bad/dxf-self-crossing"),
@@ -25,6 +25,7 @@ const LIST: [(&str, &str); 27] = [
     ("H11", "tests/golden"),
     ("I1, I2, I4, I10", "stages/cloth/tests/effects.rs"),
     ("I7", "stages/cloth/tests/effects.rs, tests/engine.rs (effects of run.json)"),
+    ("I8", "stages/cloth/tests/dynamics.rs (a contact that is needed late)"),
     ("J1, J2", "formats/tests/hostile.rs, formats/tests/mutants.rs, fuzz/"),
     ("J3", "tests/faults.rs"),
     ("J4", "tests/truncated.rs"),

@@ -17,7 +17,7 @@ use nalgebra::Matrix3;
 /// Shift of the metric: mass / (τ · unit). First τ, and the one from which it no longer matters; the unit is 1 s² for a
 /// square metre of cloth on Earth, and goes with lengths and weight as pendulums do, so that similar cloth takes similar
 /// steps.
-pub(super) const TAU_FIRST: f64 = 1e-2;
+const TAU_FIRST: f64 = 1e-2;
 pub(super) const TAU_FREE: f64 = 30.0;
 const TAU_LEAST: f64 = 1e-8;
 const TAU_MOST: f64 = 1e4;

@@ -1,6 +1,6 @@
 //! Draping: descents until a Newton step would win nothing more.
 
-use super::descent::{Descent, FEW, TAU_FIRST, TAU_FREE};
+use super::descent::{Descent, FEW, TAU_FREE};
 use super::report;
 use crate::levels::Level;
 use crate::watch::Part;
@@ -10,7 +10,7 @@ use crate::{ClothError, EffectReport, Outcome, Scene, Settings, StopReason, Vec3
 const MOST_STUCK: u32 = 12;
 /// Saddles that are left, at most: beyond that the cloth is called at rest on one.
 const MOST_PUSHES: u32 = 8;
-/// Rounds in which contacts that gave way are moved out, near rest and at rest.
+/// Rounds in which contacts that gave way are moved out at rest.
 const MOST_BORNE: u32 = 2;
 /// Way over the size of the scene after which the cloth is given up as falling.
 const FAR: f64 = 3.0;
@@ -140,16 +140,10 @@ impl Descent<'_> {
                     continue;
                 }
             }
-            if !matches!(locks, Locks::Wide(_)) {
-                if self.resting() {
-                    match self.surely_resting(&mut rounds) {
-                        Some(reason) => return Ok(reason),
-                        None => continue,
-                    }
-                }
-                // What gave way is told before the last digits are sought: they would be others afterwards.
-                if rounds.borne == 0 && self.hardly_moves() && self.bear_all(&mut rounds) {
-                    continue;
+            if !matches!(locks, Locks::Wide(_)) && self.resting() {
+                match self.surely_resting(&mut rounds) {
+                    Some(reason) => return Ok(reason),
+                    None => continue,
                 }
             }
             if stuck == 0 && (self.tau < self.free || self.firm > 0.0) && self.nearly_resting() {
@@ -187,7 +181,8 @@ impl Descent<'_> {
             self.goal.set_rough(false);
             return None;
         }
-        if self.bear_all(rounds) {
+        if rounds.borne < MOST_BORNE && !self.is_coarser() && self.bear() {
+            rounds.borne += 1;
             self.goal.set_rough(true);
             return None;
         }
@@ -201,19 +196,6 @@ impl Descent<'_> {
         rounds.pushes += 1;
         self.goal.set_rough(true);
         None
-    }
-
-    /// Lets contacts that gave way push from farther off, on the finest level; says whether there were any.
-    fn bear_all(&mut self, rounds: &mut Rounds) -> bool {
-        let any = rounds.borne < MOST_BORNE && !self.is_coarser() && self.bear();
-        rounds.borne += u32::from(any);
-        any
-    }
-
-    /// Would a Newton step win and move no more than at rest, and not only because it is held back?
-    fn hardly_moves(&self) -> bool {
-        let s = self.settings;
-        self.tau >= TAU_FIRST && self.decrement <= s.decrement_tolerance && self.longest <= s.move_tolerance
     }
 
     /// Does finer cloth go on from here?
