@@ -22,6 +22,24 @@ const AROUND: u8 = 0b1000;
 /// Normals of a triangle that bound those along a step: at its beginning, half mixed, at its end.
 type Normals = [Vec3; 3];
 
+/// Where the corners of the triangles are, and how they move.
+struct Moves<'a> {
+    x: &'a [Vec3],
+    step: &'a [Vec3],
+    faces: &'a [[u32; 3]],
+}
+
+impl Moves<'_> {
+    #[inline]
+    fn normals(&self, f: u32) -> Normals {
+        let t = &self.faces[f as usize];
+        let ([a, b, c], [p, q, r]) = (crate::pick3(self.x, t), crate::pick3(self.step, t));
+        let (e, f) = (b - a, c - a);
+        let (g, h) = (e + (q - p), f + (r - p));
+        [e.cross(&f), (e.cross(&h) + g.cross(&f)) * 0.5, g.cross(&h)]
+    }
+}
+
 /// A direction and one number more, in single precision: most of the cloth lies so smoothly that this tells enough.
 type Quick = [f32; 4];
 
@@ -82,7 +100,6 @@ pub(crate) struct Calm {
     able: Vec<bool>,
     /// … with those around its vertex's neighbours?
     wholly: Vec<bool>,
-    normals: Vec<Normals>,
     firsts: Vec<Quick>,
     /// Of every triangle, what its normals add to a mean.
     sums: Vec<Quick>,
@@ -113,36 +130,32 @@ impl Calm {
         let able = able(scene, topology, &star, &ring);
         let double = scene.triangles.iter().map(|t| 2.0 * t.area().abs()).collect();
         let wholly = (0u32..).zip(&able).map(|(v, a)| *a && ring.of(v).iter().all(|w| able[*w as usize])).collect();
-        let normals = vec![[Vec3::zeros(); 3]; topology.faces.len()];
         let [firsts, sums] = [(); 2].map(|()| vec![Quick::default(); topology.faces.len()]);
         let (means, spare) = (vec![Quick::default(); n], vec![0.0; n]);
         let [one, two] = [(); 2].map(|()| vec![false; n]);
-        Self { star, ring, wide, near, ties, double, able, wholly, normals, firsts, sums, means, spare, one, two }
+        Self { star, ring, wide, near, ties, double, able, wholly, firsts, sums, means, spare, one, two }
     }
 
     /// Looks at the cloth at `x` and along `step`.
     pub fn look(&mut self, x: &[Vec3], step: &[Vec3], topology: &Topology) {
+        let moves = Moves { x, step, faces: &topology.faces };
         let quicks = self.firsts.iter_mut().zip(&mut self.sums);
-        let all = self.normals.iter_mut().zip(quicks).zip(&self.double).zip(&topology.faces);
-        for (((n, (one, sum)), double), t) in all {
-            let ([a, b, c], [p, q, r]) = (crate::pick3(x, t), crate::pick3(step, t));
-            let (e, f) = (b - a, c - a);
-            let (g, h) = (e + (q - p), f + (r - p));
-            *n = [e.cross(&f), (e.cross(&h) + g.cross(&f)) * 0.5, g.cross(&h)];
-            *one = first(n, *double);
+        for (f, ((one, sum), double)) in (0u32..).zip(quicks.zip(&self.double)) {
+            let n = moves.normals(f);
+            *one = first(&n, *double);
             *sum = quick(&(n[0] + n[2]), 0.0);
         }
         for (v, k) in (0u32..).zip(0..self.one.len()) {
-            self.one[k] = self.able[k] && self.look_at(v);
+            self.one[k] = self.able[k] && self.look_at(v, &moves);
         }
         for (v, k) in (0u32..).zip(0..self.two.len()) {
-            self.two[k] = self.wholly[k] && self.one[k] && self.look_around(v);
+            self.two[k] = self.wholly[k] && self.one[k] && self.look_around(v, &moves);
         }
     }
 
     /// Are the triangles at a vertex alike?
     #[inline]
-    fn look_at(&mut self, v: u32) -> bool {
+    fn look_at(&mut self, v: u32, moves: &Moves<'_>) -> bool {
         let star = self.star.of(v);
         let mut mean = Quick::default();
         for f in star {
@@ -160,32 +173,32 @@ impl Calm {
         }
         spare -= ROUNDING;
         (self.means[v as usize], self.spare[v as usize]) = (mean, spare);
-        spare >= 0.0 || self.alike(star, v)
+        spare >= 0.0 || self.alike(star, v, moves)
     }
 
     /// Do the triangles around a vertex look the same way as those at it?
     #[inline]
-    fn look_around(&self, v: u32) -> bool {
+    fn look_around(&self, v: u32, moves: &Moves<'_>) -> bool {
         let all = &self.means[v as usize];
         let quick = self.ring.of(v).iter().all(|w| {
             let (mut off, spare) = (self.means[*w as usize], self.spare[*w as usize]);
             (0..4).for_each(|k| off[k] -= all[k]);
             spare >= 0.0 && dot(&off, &off) <= spare * spare
         });
-        quick || self.alike(self.wide.of(v), v)
+        quick || self.alike(self.wide.of(v), v, moves)
     }
 
     /// Do these triangles look the same way as those at `v`?
-    fn alike(&self, triangles: &[u32], v: u32) -> bool {
-        let mean: Vec3 = self.star.of(v).iter().map(|f| &self.normals[*f as usize]).map(|n| n[0] + n[2]).sum();
+    fn alike(&self, triangles: &[u32], v: u32, moves: &Moves<'_>) -> bool {
+        let mean: Vec3 = self.star.of(v).iter().map(|f| moves.normals(*f)).map(|n| n[0] + n[2]).sum();
         let l = mean.norm();
         if l <= 0.0 {
             return false;
         }
         let (mean, all) = (mean / l, &self.means[v as usize]);
         triangles.iter().all(|f| {
-            let f = *f as usize;
-            dot(&self.firsts[f], all) >= ROUNDING || self.normals[f].iter().all(|n| enough(n, &mean, self.double[f]))
+            let (quick, double) = (&self.firsts[*f as usize], self.double[*f as usize]);
+            dot(quick, all) >= ROUNDING || moves.normals(*f).iter().all(|n| enough(n, &mean, double))
         })
     }
 
