@@ -437,8 +437,7 @@ fn cloth_at_rest_on_a_ball_stays_there() {
     let farthest = |rests: bool| {
         let motion = Motion { fps: 30.0, frames: 16, rests, ..Motion::default() };
         let shots = film(&scene, &settings, &Dynamics::default(), &motion);
-        let moved = |shot: &Shot| shot.x.iter().zip(&scene.positions).map(|(p, q)| (p - q).norm()).fold(0.0, f64::max);
-        shots.iter().map(moved).fold(0.0, f64::max)
+        shots.iter().map(|shot| farthest(&shot.x, &scene.positions)).fold(0.0, f64::max)
     };
     let (held, let_go) = (farthest(true), farthest(false));
     assert!(held < 3e-5, "{held} m");

@@ -47,25 +47,22 @@ impl Level {
 
     /// The same, only as coarse as the cloth can bend under its weight, and softer in its plane so that it can.
     pub fn below_folds(scene: &Scene) -> Option<Self> {
-        let gravity = scene.gravity.norm();
-        let softest =
-            scene.materials.iter().map(|m| bending_length(m.bend_warp.min(m.bend_weft), m.areal_mass, gravity));
-        let mut level = Self::up_to(scene, softest.fold(f64::INFINITY, f64::min).min(LONGEST / BENDS) * BENDS)?;
+        let mut level = Self::up_to(scene, longest_that_folds(scene))?;
         let longer = mean_edge(&level.scene) / mean_edge(scene);
         soften::soften(&mut level.scene, longer);
         Some(level)
     }
 
-    /// May there be a level below at all?
-    pub fn may_be_below(scene: &Scene) -> bool {
-        (scene.triangles.len() as f64) * 0.25 >= FEWEST as f64
+    /// May there be such a level at all, before its mesh is tried?
+    pub fn may_be_below_folds(scene: &Scene) -> bool {
+        may_be(scene, longest_that_folds(scene))
     }
 
     fn up_to(scene: &Scene, longest: f64) -> Option<Self> {
-        let edge = STEP * mean_edge(scene);
-        if edge > longest || !Self::may_be_below(scene) {
+        if !may_be(scene, longest) {
             return None;
         }
+        let edge = STEP * mean_edge(scene);
         let charts = Charts::new(scene);
         let mut mesh = Mesh::new(scene, charts);
         mesh.collapse(edge);
@@ -96,6 +93,18 @@ impl Level {
         let place = |a: &Anchor| (0..3).map(|k| x[a.vertices[k] as usize] * a.weights[k]).sum::<Vec3>();
         self.anchors.iter().map(|all| all.iter().map(place).sum::<Vec3>() / all.len().max(1) as f64).collect()
     }
+}
+
+/// May there be a level with edges of at most this length, m?
+fn may_be(scene: &Scene, longest: f64) -> bool {
+    STEP * mean_edge(scene) <= longest && (scene.triangles.len() as f64) * 0.25 >= FEWEST as f64
+}
+
+/// Longest mean edge with which all fabrics fold as they should under their weight, m.
+fn longest_that_folds(scene: &Scene) -> f64 {
+    let gravity = scene.gravity.norm();
+    let lengths = scene.materials.iter().map(|m| bending_length(m.bend_warp.min(m.bend_weft), m.areal_mass, gravity));
+    lengths.fold(f64::INFINITY, f64::min).min(LONGEST / BENDS) * BENDS
 }
 
 fn coarse(fine: &Scene, mesh: &Mesh, number: &[u32], kept: &[u32]) -> Scene {

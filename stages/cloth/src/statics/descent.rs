@@ -351,10 +351,14 @@ impl<'a> Descent<'a> {
         self.factor.solve(&mut d);
         self.goal.costs.spend(Work::Descent, &mut lap);
         let win = 0.5 * dot(&d, &self.f);
-        let scale = self.goal.stored().max(1e-12);
-        self.decrement = win / scale;
+        self.decrement = win / self.scale();
         self.longest = crate::longest(&d);
         self.residual = self.net();
+    }
+
+    /// Elastic energy over which what a step would win is told, J.
+    pub(super) fn scale(&self) -> f64 {
+        self.goal.stored().max(1e-12)
     }
 
     /// Largest net force over the mean vertex weight.

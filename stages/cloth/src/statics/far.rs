@@ -21,7 +21,7 @@ impl Descent<'_> {
         let shift = self.shift();
         let diagonal = pattern.start.iter().zip(shift);
         diagonal.for_each(|(k, s)| values[*k as usize] += Matrix3::from_diagonal_element(s));
-        let wanted = SURELY * share * self.goal.stored().max(1e-12);
+        let wanted = SURELY * share * self.scale();
         0.5 * least_win(&pattern, &values, &self.f, 2.0 * wanted) > wanted
     }
 }

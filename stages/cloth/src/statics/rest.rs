@@ -39,12 +39,7 @@ const COARSE: f64 = 3.0;
 pub(crate) fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     let (mut before, mut done) = (Vec::new(), 0.0);
     let mut begun = None;
-    let mut level = if surely_far(scene, settings)? { Level::below_folds(scene) } else { None };
-    if level.is_none() {
-        let descent = begun.insert(begin(scene, settings)?);
-        level = (descent.decrement > COARSE_FIRST).then(|| Level::below_folds(scene)).flatten();
-    }
-    if let Some(level) = level {
+    if let Some(level) = leading_level(scene, settings, &mut begun)? {
         // Its factor is larger than all of the coarser levels.
         drop(begun.take());
         if let Some((x, effects)) = on_coarser(&level, settings, watch)? {
@@ -63,11 +58,21 @@ pub(crate) fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -
     Ok(outcome)
 }
 
+/// Coarser cloth that is to find the way first. Where only a factor can tell, `begun` keeps what was begun for it.
+fn leading_level<'a>(
+    scene: &Scene,
+    settings: &'a Settings,
+    begun: &mut Option<Descent<'a>>,
+) -> Result<Option<Level>, ClothError> {
+    if !Level::may_be_below_folds(scene) {
+        return Ok(None);
+    }
+    let far = surely_far(scene, settings)? || begun.insert(begin(scene, settings)?).decrement > COARSE_FIRST;
+    Ok(far.then(|| Level::below_folds(scene)).flatten())
+}
+
 /// Does large cloth begin so far from rest that no factor is needed to tell?
 fn surely_far(scene: &Scene, settings: &Settings) -> Result<bool, ClothError> {
-    if !Level::may_be_below(scene) {
-        return Ok(false);
-    }
     let mut descent = Descent::begin(scene, settings, false)?;
     descent.preload();
     Ok(descent.surely_wins(COARSE_FIRST))
