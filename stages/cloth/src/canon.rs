@@ -97,7 +97,7 @@ mod tests {
         let at = |k: f64| Vec3::new(0.3 * k, -0.1 * k * k, 0.7 - 0.2 * k);
         Scene {
             positions: (0..5).map(|k| at(f64::from(k))).collect(),
-            triangles: vec![crate::Element { vertices: [0, 2, 4], rest: [[0.0; 2]; 3], material: 0 }],
+            triangles: vec![crate::Element { vertices: [0, 2, 4], rest: [[0.0; 2]; 3], material: 0 }].into(),
             pins: vec![Pin { vertex: 1, at: at(1.5) }],
             stitches: vec![[4, 2], [0, 3], [1, 4]],
             body: Some(BodyMesh { positions: vec![at(9.0)], triangles: Vec::new() }.into()),

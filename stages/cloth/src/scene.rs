@@ -1,6 +1,6 @@
 //! What the solver is given: plain arrays.
 
-use crate::{Curve, SharedBody, Vec3};
+use crate::{Curve, Elements, SharedBody, Vec3};
 
 /// One triangle of cloth with its own rest shape (so sewn vertices may differ on both sides of a seam).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -190,7 +190,7 @@ pub struct Scene {
     /// Start positions, m.
     pub positions: Vec<Vec3>,
     /// Cloth triangles.
-    pub triangles: Vec<Element>,
+    pub triangles: Elements,
     /// Fabrics.
     pub materials: Vec<Material>,
     /// Held vertices.
@@ -211,7 +211,7 @@ pub struct Scene {
 impl Scene {
     /// A scene of the vertices `kept` alone, of which `number` gives the new numbers (others `u32::MAX`), with its own
     /// triangles. What hangs on other vertices is left out.
-    pub(crate) fn part(&self, kept: &[u32], number: &[u32], triangles: Vec<Element>) -> Self {
+    pub(crate) fn part(&self, kept: &[u32], number: &[u32], triangles: Elements) -> Self {
         let to = |v: u32| number[v as usize];
         let stays = |v: u32| to(v) != u32::MAX;
         let pins = self.pins.iter().filter(|p| stays(p.vertex)).map(|p| Pin { vertex: to(p.vertex), ..*p });

@@ -66,6 +66,8 @@ impl Topology {
             topology.add_edge(&sides[i..i + same]);
             i += same;
         }
+        topology.edges.shrink_to_fit();
+        topology.hinges.shrink_to_fit();
         topology
     }
 

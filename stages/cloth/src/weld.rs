@@ -1,6 +1,6 @@
 //! Sewn vertices become one (the step between sewing and draping).
 
-use crate::{Pin, Scene, Vec3};
+use crate::{Element, Pin, Scene, Vec3};
 
 /// A scene without stitches, and where every old vertex went.
 #[derive(Clone, Debug, PartialEq)]
@@ -66,11 +66,10 @@ fn renumbered(scene: &Scene, map: &[u32], joined: Vec<Vec3>) -> Scene {
     let mut pins: Vec<Pin> = scene.pins.iter().map(|p| Pin { vertex: map[p.vertex as usize], at: p.at }).collect();
     pins.sort_by_key(|p| p.vertex);
     pins.dedup_by_key(|p| p.vertex);
-    let triangles = scene.triangles.iter().map(|t| {
-        let mut t = *t;
-        t.vertices = t.vertices.map(|v| map[v as usize]);
-        t
-    });
+    let renamed = |t: &Element| Element { vertices: t.vertices.map(|v| map[v as usize]), ..*t };
+    // Nothing sewn: every vertex keeps its number.
+    let same = joined.len() == map.len();
+    let triangles = if same { scene.triangles.clone() } else { scene.triangles.iter().map(renamed).collect() };
     let loads = scene.loads.iter().map(|l| {
         let mut l = *l;
         l.vertex = map[l.vertex as usize];
@@ -78,7 +77,7 @@ fn renumbered(scene: &Scene, map: &[u32], joined: Vec<Vec3>) -> Scene {
     });
     Scene {
         positions: joined,
-        triangles: triangles.collect(),
+        triangles,
         materials: scene.materials.clone(),
         pins,
         loads: loads.collect(),

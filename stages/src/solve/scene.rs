@@ -91,11 +91,12 @@ pub fn scene(
     if !errors.is_empty() {
         return Err(errors);
     }
+    triangles.shrink_to_fit();
     let seams = layout.seams(garment);
     let stitches = seams.iter().flat_map(|s| &s.stitches);
     Ok(Scene {
         positions,
-        triangles,
+        triangles: triangles.into(),
         materials,
         pins: garment.pins.iter().map(|p| Pin { vertex: layout.index(p.vertex), at: p.at }).collect(),
         loads: garment.loads.iter().map(|l| Load { vertex: layout.index(l.vertex), force: l.force }).collect(),

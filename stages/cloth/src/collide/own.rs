@@ -119,8 +119,10 @@ impl Own {
     fn search(&mut self, way: &Way<'_>, reach: f64) {
         self.pairs.clear();
         self.drifted.clear();
-        self.tree.refit_flat(&self.flat, &way.topology.faces, 0.5 * reach);
-        self.tree.meeting_strangers(&self.tiles, |f, g| self.pairs.push([f, g]));
+        let of = self.flat.sweeps(0.5 * reach);
+        let sweep = |f: u32| of(&way.topology.faces[f as usize]);
+        self.tree.refit_tiles(sweep);
+        self.tree.meeting_strangers(&self.tiles, sweep, |f, g| self.pairs.push([f, g]));
         self.drift.start(way.x);
         self.found = reach;
     }

@@ -56,6 +56,7 @@ const BELOW: u64 = {
 
 #[cfg(test)]
 mod tests {
+    use super::super::tree::Flat;
     use super::*;
     use crate::Vec3;
 
@@ -73,11 +74,16 @@ mod tests {
         let sorted = |f: u32, g: u32| [f.min(g), f.max(g)];
         let (mut all, mut some) = (Vec::new(), Vec::new());
         tree.meeting_pairs(|f, g| all.push(sorted(f, g)));
-        tree.meeting_strangers(&Tiles::new(&tree, neighbours()), |f, g| some.push(sorted(f, g)));
+        let mut flat = Flat::default();
+        flat.take(&x, &step);
+        let of = flat.sweeps(1e-3);
+        let sweep = |f: u32| of(&faces[f as usize]);
+        tree.refit_tiles(sweep);
+        tree.meeting_strangers(&Tiles::new(&tree, neighbours()), sweep, |f, g| some.push(sorted(f, g)));
         all.retain(|[f, g]| g - f > 2);
         let slots = tree.slots();
         let mut turns = Vec::new();
-        tree.meeting_strangers(&Tiles::new(&tree, neighbours()), |f, g| {
+        tree.meeting_strangers(&Tiles::new(&tree, neighbours()), sweep, |f, g| {
             turns.push(tree.turn([f, g].map(|f| slots[f as usize])));
         });
         assert!(turns.windows(2).all(|t| t[0] < t[1]));

@@ -242,21 +242,27 @@ impl Tree {
         fit(&mut self.boxes, &self.items, faces, Aabb::EMPTY, of, Aabb::join);
     }
 
-    /// Also takes the displacements of a step, for [`Self::meeting_pairs`].
+    /// Also takes the displacements of a step, for [`Self::meeting_moving`].
     pub fn refit_moving(&mut self, x: &[Vec3], step: &[Vec3], faces: &[[u32; 3]], margin: f64) {
         let mut flat = Flat::default();
         flat.take(x, step);
-        self.refit_flat(&flat, faces, margin);
-    }
-
-    /// The same for places that have been rounded already.
-    pub fn refit_flat(&mut self, flat: &Flat, faces: &[[u32; 3]], margin: f64) {
         self.sweeps.resize(2 * self.items.len(), Sweep::NONE);
         fit(&mut self.sweeps, &self.items, faces, Sweep::NONE, flat.sweeps(margin), Sweep::join);
     }
 
-    /// Pairs of different items whose boxes meet somewhere along the step, in a fixed order. What moves along together
-    /// does not meet: only the difference of the displacements counts.
+    /// Takes the sweeps of items, for [`Self::meeting_strangers`]: keeps them down to the tiles, which is half of the memory.
+    pub fn refit_tiles(&mut self, of: impl Fn(u32) -> Sweep) {
+        let tiles = self.tiles();
+        self.sweeps.resize(2 * tiles, Sweep::NONE);
+        for tile in 0..tiles {
+            self.sweeps[tiles + tile] = self.tile(tile).fold(Sweep::NONE, |all, item| all.join(&of(item)));
+        }
+        for i in (1..tiles).rev() {
+            self.sweeps[i] = self.sweeps[2 * i].join(&self.sweeps[2 * i + 1]);
+        }
+    }
+
+    /// Pairs of different items whose boxes meet somewhere along the step.
     #[cfg(test)]
     pub fn meeting_pairs(&self, emit: impl FnMut(u32, u32)) {
         self.pairs(|a, b| self.sweeps[a].meets(&self.sweeps[b]), emit);
@@ -283,19 +289,25 @@ impl Tree {
         (0..TILE * TILE).map(bit).sum()
     }
 
-    /// [`Self::meeting_pairs`] of strangers only.
-    pub fn meeting_strangers(&self, tiles: &Tiles, mut emit: impl FnMut(u32, u32)) {
-        let (first, leaves) = (self.tiles(), self.items.len());
+    /// Pairs of strangers whose sweeps, those of which the tiles were made, meet somewhere along the step, in a fixed order. What
+    /// moves along together does not meet: only the difference of the displacements counts.
+    pub fn meeting_strangers(&self, tiles: &Tiles, of: impl Fn(u32) -> Sweep, mut emit: impl FnMut(u32, u32)) {
+        let first = self.tiles();
         let meet = |a: usize, b: usize| self.sweeps[a].meets(&self.sweeps[b]);
         self.walk(first, meet, |a, b| {
-            let (a, b) = (a.min(b) - first, a.max(b) - first);
-            let mut left = tiles.strangers(a, b).unwrap_or(u64::MAX);
+            let pair = [a.min(b) - first, a.max(b) - first];
+            let mut left = tiles.strangers(pair[0], pair[1]).unwrap_or(u64::MAX);
+            if left == 0 {
+                return;
+            }
+            let [items, others] = pair.map(|t| &self.items[TILE * t..][..TILE]);
+            let sweep = |item: u32| if item == u32::MAX { Sweep::NONE } else { of(item) };
+            let [p, q]: [[Sweep; TILE]; 2] = [items, others].map(|items| std::array::from_fn(|k| sweep(items[k])));
             while left != 0 {
-                let n = left.trailing_zeros() as usize;
+                let (i, j) = (left.trailing_zeros() as usize / TILE, left.trailing_zeros() as usize % TILE);
                 left &= left - 1;
-                let (p, q) = (TILE * a + n / TILE, TILE * b + n % TILE);
-                if meet(leaves + p, leaves + q) {
-                    emit(self.items[p], self.items[q]);
+                if p[i].meets(&q[j]) {
+                    emit(items[i], others[j]);
                 }
             }
         });

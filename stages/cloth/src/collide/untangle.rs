@@ -102,7 +102,7 @@ mod tests {
                 }
             }
         }
-        let scene = Scene { positions: x.clone(), triangles, ..Scene::default() };
+        let scene = Scene { positions: x.clone(), triangles: triangles.into(), ..Scene::default() };
         let topology = Topology::of_elements(scene.positions.len(), &scene.triangles);
         pinch(&mut x, n, 5);
         (x, topology)

@@ -66,7 +66,7 @@ mod tests {
         let positions: Vec<Vec3> = corners.iter().map(|c| Vec3::from_row_slice(c)).collect();
         let faces = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
         let triangles = faces.map(|vertices| Element { vertices, rest: [[0.0; 2]; 3], material: 0 }).to_vec();
-        let scene = Scene { positions: positions.clone(), triangles, ..Scene::default() };
+        let scene = Scene { positions: positions.clone(), triangles: triangles.into(), ..Scene::default() };
         let mut pressure = Pressure::new(&scene, 500.0).unwrap();
         pressure.refresh(&positions);
         let mut f = vec![Vec3::zeros(); 4];

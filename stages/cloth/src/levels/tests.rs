@@ -51,7 +51,7 @@ fn both_sides_of_a_seam_collapse_together() {
     let count = u32::try_from(scene.positions.len()).unwrap();
     let right = sheet(n, m, count, 1.0);
     scene.positions.extend(right.positions);
-    scene.triangles.extend(right.triangles);
+    scene.triangles.extend(right.triangles.iter());
     scene.stitches = (0..=m).map(|j| [j * (n + 1) + n, count + j * (n + 1)]).collect();
     let level = Level::below(&scene).expect("level");
     let stitches = &level.scene.stitches;
