@@ -82,7 +82,7 @@ impl Own {
     /// tell so soonest. Where tiles have drifted too far since, they are looked at anew.
     fn find(&mut self, way: &Way<'_>, reach: f64, wide: f64) {
         if !self.has_held(way, reach) {
-            self.search(way, wide);
+            self.search(way, reach, wide);
         }
         let Self { tree, tiles, sweeps, pairs, drifted, meeting, slots, .. } = self;
         let meet = |f: u32, g: u32| sweeps[f as usize].meets(&sweeps[g as usize]);
@@ -116,15 +116,19 @@ impl Own {
         self.drifted.len() as f64 <= DRIFTED * self.tree.tiles() as f64
     }
 
-    fn search(&mut self, way: &Way<'_>, reach: f64) {
-        self.pairs.clear();
-        self.drifted.clear();
-        let of = self.flat.sweeps(0.5 * reach);
-        let sweep = |f: u32| of(&way.topology.faces[f as usize]);
-        self.tree.refit_tiles(sweep);
-        self.tree.meeting_strangers(&self.tiles, sweep, |f, g| self.pairs.push([f, g]));
+    /// Finds all strangers nearer than `wide` along the way; the sweeps are those for `reach`.
+    fn search(&mut self, way: &Way<'_>, reach: f64, wide: f64) {
+        let Self { tree, tiles, sweeps, pairs, drifted, .. } = self;
+        pairs.clear();
+        drifted.clear();
+        // The sweeps allow for more than this rounds.
+        #[allow(clippy::cast_possible_truncation)]
+        let more = (wide - reach) as f32;
+        let sweep = |f: u32| &sweeps[f as usize];
+        tree.refit_tiles(|f| sweep(f).grown(0.5 * more));
+        tree.meeting_strangers(tiles, |f, g| sweep(f).grown(more).meets(sweep(g)), |f, g| pairs.push([f, g]));
         self.drift.start(way.x);
-        self.found = reach;
+        self.found = wide;
     }
 
     pub fn forget(&mut self) {

@@ -79,11 +79,12 @@ mod tests {
         let of = flat.sweeps(1e-3);
         let sweep = |f: u32| of(&faces[f as usize]);
         tree.refit_tiles(sweep);
-        tree.meeting_strangers(&Tiles::new(&tree, neighbours()), sweep, |f, g| some.push(sorted(f, g)));
+        let meet = |f: u32, g: u32| sweep(f).meets(&sweep(g));
+        tree.meeting_strangers(&Tiles::new(&tree, neighbours()), meet, |f, g| some.push(sorted(f, g)));
         all.retain(|[f, g]| g - f > 2);
         let slots = tree.slots();
         let mut turns = Vec::new();
-        tree.meeting_strangers(&Tiles::new(&tree, neighbours()), sweep, |f, g| {
+        tree.meeting_strangers(&Tiles::new(&tree, neighbours()), meet, |f, g| {
             turns.push(tree.turn([f, g].map(|f| slots[f as usize])));
         });
         assert!(turns.windows(2).all(|t| t[0] < t[1]));

@@ -166,6 +166,17 @@ impl Sweep {
         Self { low, high, least, most }
     }
 
+    /// By as much on all sides.
+    #[inline]
+    pub fn grown(&self, by: f32) -> Self {
+        let mut grown = *self;
+        for k in 0..4 {
+            grown.low[k] -= by;
+            grown.high[k] += by;
+        }
+        grown
+    }
+
     #[inline]
     fn join(&self, o: &Self) -> Self {
         let mut both = *self;
@@ -289,25 +300,21 @@ impl Tree {
         (0..TILE * TILE).map(bit).sum()
     }
 
-    /// Pairs of strangers whose sweeps, those of which the tiles were made, meet somewhere along the step, in a fixed order. What
-    /// moves along together does not meet: only the difference of the displacements counts.
-    pub fn meeting_strangers(&self, tiles: &Tiles, of: impl Fn(u32) -> Sweep, mut emit: impl FnMut(u32, u32)) {
+    /// Pairs of strangers that `meet` in tiles whose sweeps meet somewhere along the step, in a fixed order. What moves along
+    /// together does not meet: only the difference of the displacements counts.
+    pub fn meeting_strangers(&self, tiles: &Tiles, meet: impl Fn(u32, u32) -> bool, mut emit: impl FnMut(u32, u32)) {
         let first = self.tiles();
-        let meet = |a: usize, b: usize| self.sweeps[a].meets(&self.sweeps[b]);
-        self.walk(first, meet, |a, b| {
-            let pair = [a.min(b) - first, a.max(b) - first];
-            let mut left = tiles.strangers(pair[0], pair[1]).unwrap_or(u64::MAX);
-            if left == 0 {
-                return;
-            }
-            let [items, others] = pair.map(|t| &self.items[TILE * t..][..TILE]);
-            let sweep = |item: u32| if item == u32::MAX { Sweep::NONE } else { of(item) };
-            let [p, q]: [[Sweep; TILE]; 2] = [items, others].map(|items| std::array::from_fn(|k| sweep(items[k])));
+        let there = |item: u32| item != u32::MAX;
+        let close = |a: usize, b: usize| self.sweeps[a].meets(&self.sweeps[b]);
+        self.walk(first, close, |a, b| {
+            let (a, b) = (a.min(b) - first, a.max(b) - first);
+            let mut left = tiles.strangers(a, b).unwrap_or(u64::MAX);
             while left != 0 {
-                let (i, j) = (left.trailing_zeros() as usize / TILE, left.trailing_zeros() as usize % TILE);
+                let n = left.trailing_zeros() as usize;
                 left &= left - 1;
-                if p[i].meets(&q[j]) {
-                    emit(items[i], others[j]);
+                let (f, g) = (self.items[TILE * a + n / TILE], self.items[TILE * b + n % TILE]);
+                if there(f) && there(g) && meet(f, g) {
+                    emit(f, g);
                 }
             }
         });
