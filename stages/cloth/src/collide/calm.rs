@@ -2,7 +2,7 @@
 //! way, and go on doing so along a step, no two of them can come near each other (curvature test of Volino and
 //! Magnenat-Thalmann 1994, along a whole step). Nearly all pairs that a box tree finds are such neighbours.
 
-use super::lists::{Lists, stars};
+use super::lists::{Lists, stars, untied};
 use super::tree::narrow;
 use crate::topology::Topology;
 use crate::{Scene, Vec3};
@@ -86,14 +86,12 @@ fn enough(n: &Vec3, mean: &Vec3, double: f64) -> bool {
 /// Smooth patches around the vertices.
 #[derive(Debug)]
 pub(crate) struct Calm {
-    /// Triangles at a vertex, its neighbours, and the triangles at these.
+    /// Triangles at a vertex, and its neighbours.
     star: Lists,
     ring: Lists,
-    wide: Lists,
-    /// Triangles with higher numbers that are at a corner of a triangle or a neighbour of one.
+    /// Triangles with higher numbers that are at a corner of a triangle or a neighbour of one, and what each of them has to do
+    /// with it: [`AT`] its corners, [`AROUND`] its corners.
     near: Lists,
-    /// What each of them has to do with the first triangle: [`AT`] its corners, [`AROUND`] its corners.
-    ties: Vec<u8>,
     /// Twice the rest area, per triangle.
     double: Vec<f64>,
     /// May the patch be calm at all?
@@ -117,11 +115,9 @@ impl Calm {
         let faces = &topology.faces;
         let star = stars(n, faces);
         let around = |v: u32| star.of(v).iter().flat_map(|f| faces[*f as usize]);
-        let (ring, _) = Lists::new(n, n, |v, add| around(v).filter(|w| *w != v).for_each(|w| add(w, 1)));
-        let (wide, _) = Lists::new(n, faces.len(), |v, add| {
-            ring.of(v).iter().flat_map(|w| star.of(*w)).for_each(|f| add(*f, 1));
-        });
-        let (near, ties) = Lists::new(faces.len(), faces.len(), |f, add| {
+        let ring = Lists::new(n, n, |v, add| around(v).filter(|w| *w != v).for_each(add));
+        let wide = Lists::new(n, faces.len(), |v, add| wide(&star, &ring, v).copied().for_each(add));
+        let near = Lists::tied(faces.len(), faces.len(), |f, add| {
             for (k, v) in faces[f as usize].iter().enumerate() {
                 star.of(*v).iter().filter(|g| **g > f).for_each(|g| add(*g, AT << k));
                 wide.of(*v).iter().filter(|g| **g > f).for_each(|g| add(*g, AROUND << k));
@@ -133,7 +129,7 @@ impl Calm {
         let [firsts, sums] = [(); 2].map(|()| vec![Quick::default(); topology.faces.len()]);
         let (means, spare) = (vec![Quick::default(); n], vec![0.0; n]);
         let [one, two] = [(); 2].map(|()| vec![false; n]);
-        Self { star, ring, wide, near, ties, double, able, wholly, firsts, sums, means, spare, one, two }
+        Self { star, ring, near, double, able, wholly, firsts, sums, means, spare, one, two }
     }
 
     /// Looks at the cloth at `x` and along `step`.
@@ -173,7 +169,7 @@ impl Calm {
         }
         spare -= ROUNDING;
         (self.means[v as usize], self.spare[v as usize]) = (mean, spare);
-        spare >= 0.0 || self.alike(star, v, moves)
+        spare >= 0.0 || self.alike(self.star.of(v).iter(), v, moves)
     }
 
     /// Do the triangles around a vertex look the same way as those at it?
@@ -185,18 +181,18 @@ impl Calm {
             (0..4).for_each(|k| off[k] -= all[k]);
             spare >= 0.0 && dot(&off, &off) <= spare * spare
         });
-        quick || self.alike(self.wide.of(v), v, moves)
+        quick || self.alike(wide(&self.star, &self.ring, v), v, moves)
     }
 
     /// Do these triangles look the same way as those at `v`?
-    fn alike(&self, triangles: &[u32], v: u32, moves: &Moves<'_>) -> bool {
+    fn alike<'a>(&self, mut triangles: impl Iterator<Item = &'a u32>, v: u32, moves: &Moves<'_>) -> bool {
         let mean: Vec3 = self.star.of(v).iter().map(|f| moves.normals(*f)).map(|n| n[0] + n[2]).sum();
         let l = mean.norm();
         if l <= 0.0 {
             return false;
         }
         let (mean, all) = (mean / l, &self.means[v as usize]);
-        triangles.iter().all(|f| {
+        triangles.all(|f| {
             let (quick, double) = (&self.firsts[*f as usize], self.double[*f as usize]);
             dot(quick, all) >= ROUNDING || moves.normals(*f).iter().all(|n| enough(n, &mean, double))
         })
@@ -204,7 +200,7 @@ impl Calm {
 
     /// Pairs of triangles so near in the cloth that [`Self::restless`] tells of them.
     pub fn all_neighbours(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        (0u32..).take(self.double.len()).flat_map(|f| self.near.of(f).iter().map(move |g| [f, *g]))
+        (0u32..).take(self.double.len()).flat_map(|f| self.near.of(f).iter().map(move |g| [f, untied(*g).0]))
     }
 
     /// Neighbouring triangles that do not lie in one calm patch, as the last look saw them, and whether they have a corner in
@@ -218,12 +214,16 @@ impl Calm {
                 let v = corners[k] as usize;
                 calm | bits(self.one[v], self.two[v], k)
             });
-            let ties = &self.ties[self.near.place(f)..];
-            for (g, tie) in self.near.of(f).iter().zip(ties).filter(|(_, tie)| *tie & calm == 0) {
-                emit(f, *g, tie & (7 * AT) != 0);
+            for (g, tie) in self.near.of(f).iter().map(|g| untied(*g)).filter(|(_, tie)| tie & calm == 0) {
+                emit(f, g, tie & (7 * AT) != 0);
             }
         }
     }
+}
+
+/// The triangles at the neighbours of a vertex, some of them more than once.
+fn wide<'a>(star: &'a Lists, ring: &'a Lists, v: u32) -> impl Iterator<Item = &'a u32> {
+    ring.of(v).iter().flat_map(|w| star.of(*w))
 }
 
 /// [`AT`] and [`AROUND`] of corner `k`.
@@ -322,7 +322,7 @@ mod tests {
     fn parts(calm: &Calm, t: &Topology, f: u32, g: u32) -> bool {
         let mut restless = false;
         calm.restless(t, |p, q, _| restless |= [p, q] == [f, g]);
-        calm.near.of(f).contains(&g) && !restless
+        calm.all_neighbours().any(|pair| pair == [f, g]) && !restless
     }
 
     #[test]

@@ -25,8 +25,8 @@ pub(super) struct Drift {
 
 impl Drift {
     pub fn new(tree: &Tree, vertices: usize, faces: &[[u32; 3]]) -> Self {
-        let (corners, _) = Lists::new(tree.tiles(), vertices, |tile, add| {
-            tree.tile(tile as usize).flat_map(|f| faces[f as usize]).for_each(|v| add(v, 1));
+        let corners = Lists::new(tree.tiles(), vertices, |tile, add| {
+            tree.tile(tile as usize).flat_map(|f| faces[f as usize]).for_each(add);
         });
         Self { corners, nodes: vec![NONE; 2 * tree.tiles()], ..Self::default() }
     }

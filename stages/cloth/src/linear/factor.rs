@@ -84,7 +84,7 @@ impl Factor {
         for (value, target) in values.iter().zip(&self.symbolic.targets) {
             for c in 0..3 {
                 for r in 0..3 {
-                    let v = if target.mirrored { value[(c, r)] } else { value[(r, c)] };
+                    let v = if target.is_mirrored() { value[(c, r)] } else { value[(r, c)] };
                     self.values[target.scalar(r, c)] = (v * scale) as f32 + floor[c][r];
                 }
             }

@@ -2,15 +2,16 @@
 
 use crate::Vec3;
 use nalgebra::Matrix3;
+use std::sync::Arc;
 
 /// Not an unknown.
 pub(crate) const FIXED: u32 = u32::MAX;
 
-/// Which pairs of unknowns are coupled: the rows of each column, the diagonal first, ascending.
+/// Which pairs of unknowns are coupled: the rows of each column, the diagonal first, ascending. A clone copies nothing.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Pattern {
-    pub start: Vec<u32>,
-    pub rows: Vec<u32>,
+    pub start: Arc<Vec<u32>>,
+    pub rows: Arc<Vec<u32>>,
 }
 
 impl Pattern {
@@ -31,7 +32,7 @@ impl Pattern {
                 rows.push(p[1]);
             }
         }
-        Self { start, rows }
+        Self { start: start.into(), rows: rows.into() }
     }
 
     pub fn unknowns(&self) -> usize {
@@ -154,32 +155,37 @@ impl Hessian {
     /// The extra blocks worked into pattern and values; ordered sums, so the same for every run. Takes the values: what
     /// follows is a new start.
     pub fn merged(&mut self) -> (Pattern, Vec<Matrix3<f64>>) {
-        let (mut pattern, mut values) = (self.pattern.clone(), std::mem::take(&mut self.values));
+        let mut values = std::mem::take(&mut self.values);
         let extra = self.summed();
+        if extra.is_empty() {
+            return (self.pattern.clone(), values);
+        }
         // From the end, so that all is moved in its place.
         let (mut from, mut to) = (values.len(), values.len() + extra.len());
         values.reserve_exact(extra.len());
         values.resize(to, Matrix3::zeros());
-        pattern.rows.resize(to, 0);
+        let (mut start, mut rows) = (self.pattern.start.to_vec(), Vec::with_capacity(to));
+        rows.extend_from_slice(&self.pattern.rows);
+        rows.resize(to, 0);
         let mut left = extra.as_slice();
         for column in (0..self.pattern.unknowns()).rev() {
-            pattern.start[column + 1] = u32::try_from(to).unwrap_or(u32::MAX);
+            start[column + 1] = u32::try_from(to).unwrap_or(u32::MAX);
             let first = self.pattern.start[column] as usize;
             while let Some((e, others)) = left.split_last().filter(|(e, _)| e.0 as usize == column) {
-                if from > first && pattern.rows[from - 1] > e.1 {
+                if from > first && rows[from - 1] > e.1 {
                     (from, to) = (from - 1, to - 1);
-                    (pattern.rows[to], values[to]) = (pattern.rows[from], values[from]);
+                    (rows[to], values[to]) = (rows[from], values[from]);
                 } else {
                     (to, left) = (to - 1, others);
-                    (pattern.rows[to], values[to]) = (e.1, e.2);
+                    (rows[to], values[to]) = (e.1, e.2);
                 }
             }
             let rest = from - first;
-            pattern.rows.copy_within(first..from, to - rest);
+            rows.copy_within(first..from, to - rest);
             values.copy_within(first..from, to - rest);
             (from, to) = (first, to - rest);
         }
-        (pattern, values)
+        (Pattern { start: start.into(), rows: rows.into() }, values)
     }
 
     /// The extra blocks in order, those of one place as one.
@@ -236,8 +242,8 @@ mod tests {
             h.couple(i, j, &of(k));
         }
         let (pattern, values) = h.merged();
-        assert_eq!(pattern.start, [0, 4, 5, 8, 10, 11]);
-        assert_eq!(pattern.rows, [0, 1, 2, 3, 1, 2, 3, 4, 3, 4, 4]);
+        assert_eq!(*pattern.start, [0, 4, 5, 8, 10, 11]);
+        assert_eq!(*pattern.rows, [0, 1, 2, 3, 1, 2, 3, 4, 3, 4, 4]);
         let want = [1.0, 20.0, 2.0, 50.0, 3.0, 4.0, 5.0, 50.0, 6.0, 30.0, 7.0];
         assert_eq!(values, want.map(of));
         assert!(h.values.is_empty() && h.extra.is_empty());

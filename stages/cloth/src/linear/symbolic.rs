@@ -78,19 +78,30 @@ impl Node {
     }
 }
 
-/// Where a block of the pattern goes: index of its first scalar, height of its node, whether it is mirrored.
+/// Where a block of the pattern goes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Target {
-    pub at: u32,
-    pub height: u32,
-    pub mirrored: bool,
+    /// Index of its first scalar.
+    at: u32,
+    /// Height of its node; the last bit says whether the block is mirrored.
+    shape: u32,
 }
 
 impl Target {
+    /// `None` for a factor beyond all memory.
+    fn new(at: usize, height: usize, mirrored: bool) -> Option<Self> {
+        Some(Self { at: u32::try_from(at).ok()?, shape: u32::try_from(2 * height).ok()? | u32::from(mirrored) })
+    }
+
+    #[inline]
+    pub fn is_mirrored(self) -> bool {
+        self.shape & 1 == 1
+    }
+
     /// Place of a scalar of the block in the factor.
     #[inline]
-    pub fn scalar(&self, row: usize, column: usize) -> usize {
-        self.at as usize + column * self.height as usize + row
+    pub fn scalar(self, row: usize, column: usize) -> usize {
+        self.at as usize + column * (self.shape >> 1) as usize + row
     }
 }
 
@@ -241,7 +252,7 @@ fn targets(pattern: &Pattern, place: &[u32], nodes: &[Node]) -> Option<Vec<Targe
             let node = &nodes[owner[column as usize] as usize];
             let height = node.height();
             let at = node.start + 3 * node.place(column) as usize * height + 3 * node.place(row) as usize;
-            targets.push(Target { at: u32::try_from(at).ok()?, height: u32::try_from(height).ok()?, mirrored });
+            targets.push(Target::new(at, height, mirrored)?);
         }
     }
     Some(targets)
