@@ -40,6 +40,7 @@ impl Stage for Drape {
         let told = |e| failure_in(e, &garment, &stitched.positions);
         let sewn = if stitched.sewn { start.positions.clone() } else { close(&start, params, cx).map_err(told)? };
         let welded = toile_cloth::weld(&start, &sewn);
+        drop((start, sewn));
         let shape = |x: &[Vec3]| Shape { positions: layout.split(&welded.spread(x)), sewn: true, welded: true };
         let shown = |x: &[Vec3]| Garment { drape: Some(shape(x)), ..garment.clone() };
         let outcome = toile_cloth::drape(&welded.scene, &settings, &mut Follow::showing(cx, &shown)).map_err(told)?;

@@ -104,6 +104,11 @@ impl Topology {
         }
     }
 
+    /// Lets go what only those ask that energies and searches are made of: more than half of all.
+    pub fn forget_hinges(&mut self) {
+        (self.edges, self.hinges) = (Vec::new(), Vec::new());
+    }
+
     /// The edge of a hinge.
     pub fn edge_of(&self, h: &Hinge) -> usize {
         self.face_edges[h.faces[0] as usize][usize::from(h.sides[0])] as usize

@@ -8,7 +8,7 @@ mod lanes;
 use super::Energy;
 use super::law::Fabric;
 use crate::linear::hessian::Hessian;
-use crate::{Scene, Settings, Vec3};
+use crate::{Element, Elements, Scene, Settings, Vec3};
 use lanes::Lanes;
 use nalgebra::Matrix3;
 
@@ -30,8 +30,8 @@ struct Triangle {
 
 pub(crate) struct Coupled {
     triangles: Lanes,
-    /// Shape gradients, only for the step bound.
-    weights: Vec<[[f64; 2]; 3]>,
+    /// As they are told: their shape gradients are worked out when asked for.
+    elements: Elements,
     fabrics: Vec<Fabric>,
 }
 
@@ -44,7 +44,7 @@ pub(crate) struct Strain {
 }
 
 impl Triangle {
-    fn new(e: &crate::Element) -> Self {
+    fn new(e: &Element) -> Self {
         let edge = |k: usize| {
             let (a, b) = (e.rest[k], e.rest[(k + 1) % 3]);
             [b[0] - a[0], b[1] - a[1]]
@@ -142,9 +142,14 @@ impl Coupled {
     pub fn new(scene: &Scene, settings: &Settings) -> Self {
         Self {
             triangles: Lanes::new(&scene.triangles.iter().map(Triangle::new).collect::<Vec<_>>()),
-            weights: scene.triangles.iter().map(crate::Element::gradients).collect(),
+            elements: scene.triangles.clone(),
             fabrics: scene.materials.iter().map(|m| Fabric::new(m, settings)).collect(),
         }
+    }
+
+    /// All triangles with their shape gradients.
+    fn shapes(&self) -> impl Iterator<Item = (Triangle, [[f64; 2]; 3])> + '_ {
+        self.triangles.triangles().zip(self.elements.iter().map(Element::gradients))
     }
 
     /// Does any triangle carry more than its curves?
@@ -182,13 +187,13 @@ impl Energy for Coupled {
     }
 
     fn add_stiffness(&self, x: &[Vec3], k: &mut [f64]) {
-        for (t, w) in self.triangles.triangles().zip(&self.weights) {
+        for (t, w) in self.shapes() {
             let fabric = &self.fabrics[t.fabric as usize];
             let s = strain(&t.green(&t.edges(x)));
             let weft = fabric.weft.tangent(s.stretch[0] - 1.0);
             let warp = fabric.warp.tangent(s.stretch[1] - 1.0);
             let (_, slope) = angle(s.sine);
-            let rate = Triangle::rate(w, weft, warp, fabric.cross, fabric.shear * slope * slope);
+            let rate = Triangle::rate(&w, weft, warp, fabric.cross, fabric.shear * slope * slope);
             for v in t.vertices {
                 k[v as usize] += t.area / 3.0 * rate;
             }
@@ -200,7 +205,7 @@ impl Energy for Coupled {
     }
 
     fn add_hessian(&self, x: &[Vec3], convex: bool, h: &mut Hessian) {
-        for (t, w) in self.triangles.triangles().zip(&self.weights) {
+        for (t, w) in self.shapes() {
             let green = t.green(&t.edges(x));
             let (mut s, d) = tangent(&green, &self.fabrics[t.fabric as usize], convex);
             if convex {

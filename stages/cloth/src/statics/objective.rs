@@ -75,7 +75,7 @@ impl Objective {
         let mut inertia = vec![0.0; n];
         unknown.iter().zip(&mass).filter(|(u, _)| **u != FIXED).for_each(|(u, m)| inertia[*u as usize] = *m);
         let hysteresis = hysteresis::called_for(scene, s).then(|| Hysteresis::new(scene, &topology)).flatten();
-        let frame = frame(scene, s, topology, &mass, body.is_some(), own);
+        let mut frame = frame(scene, s, topology, &mass, body.is_some(), own);
         let edge = frame.edge;
         let stick =
             (s.effects.friction != Switch::Off && (own || body.is_some()) && frame.friction.iter().any(|m| *m > 0.0))
@@ -83,6 +83,7 @@ impl Objective {
         let barrier = (own || body.is_some()).then(|| {
             let mut lap = Lap::start();
             let own = own.then(|| Own::new(scene, &positions, &frame.topology));
+            frame.topology.forget_hinges();
             costs.spend(Work::SelfContact, &mut lap);
             let coarser = s.of_coarser_level();
             let body = body.map(|b| if coarser { b.held_off([frame.edge, s.body_gap]) } else { b });
