@@ -70,6 +70,10 @@ pub(super) const CODES: &[Code] = &[
         "edges-tiny",
         "Edges are so short beside the others of their triangles that no step could be taken: their ends were draped as one vertex, and parted again afterwards.",
     ),
+    code(
+        "effect-not-built",
+        "The run calls for an effect that was left out when this program was built. Nothing is passed over in silence: switch the effect off, or take a build with it. Exit code 2.",
+    ),
     code("fabric-missing", "There is no fabric. Give `with.fabric`. Exit code 2."),
     code("flat-triangle", "A triangle of the rest shape has no area, so its cloth has no stiffness. Exit code 3."),
     code(

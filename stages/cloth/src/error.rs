@@ -31,6 +31,12 @@ pub enum ClothError {
         /// Allowed range.
         what: String,
     },
+    /// The scene calls for an effect that is not in this build.
+    #[error("this build has no {effect}")]
+    NotBuilt {
+        /// Which: the name of its switch, and of its feature.
+        effect: &'static str,
+    },
     /// The cloth crosses itself or the body before the first step and could not be freed.
     #[error("the start is not free: {self_crossings} cloth-cloth and {body_crossings} cloth-body crossings, {inside} vertices inside the body, first near ({:.0}, {:.0}, {:.0}) mm", 1e3 * .place.at.x, 1e3 * .place.at.y, 1e3 * .place.at.z)]
     StartCrosses {

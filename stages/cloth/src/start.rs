@@ -4,7 +4,7 @@ use crate::collide::body::Body;
 use crate::collide::repair;
 use crate::cost::{Costs, Lap, Work};
 use crate::topology::Topology;
-use crate::{ClothError, Scene, Settings, SharedBody, Switch, Vec3, validate};
+use crate::{ClothError, Scene, Settings, SharedBody, Switch, Vec3, built, validate};
 
 /// What every run begins with.
 pub(crate) struct Start {
@@ -25,6 +25,7 @@ impl Start {
     pub fn new(scene: &Scene, s: &Settings) -> Result<Self, ClothError> {
         validate::scene(scene)?;
         validate::settings(s)?;
+        built::check(scene, s)?;
         let topology = Topology::of_elements(scene.positions.len(), &scene.triangles);
         let mut positions = scene.positions.clone();
         let (mut costs, mut lap) = (Costs::default(), Lap::start());

@@ -48,6 +48,17 @@ fn self_contact_of_a_taut_sheet_is_never_active() {
     assert!(!evidence(&off, "self-contact").0);
 }
 
+/// What is held is led as fast as the cloth follows where nothing rubs, whatever could.
+#[test]
+fn effects_that_nothing_calls_for_do_not_slow_what_is_led() {
+    let mut drawn = hanging();
+    drawn.pins.extend((0..11).map(|v| Pin { vertex: v, at: drawn.positions[v as usize] - Vec3::new(0.0, 0.02, 0.0) }));
+    let on = run(&drawn, Effects::default());
+    same(&on, &run(&drawn, Effects { self_contact: Switch::Off, ..Effects::default() }));
+    same(&on, &run(&drawn, Effects { friction: Switch::Off, ..Effects::default() }));
+    assert!(on.settled);
+}
+
 #[test]
 fn a_body_out_of_reach_is_never_active() {
     let mut far = hanging();

@@ -49,13 +49,9 @@ fn effect(name: &str, switch: SwitchName, rule: &str, (called_for, evidence): Ev
         SwitchName::On => format!("asked for with effects.{name} = \"on\"; used where {rule}"),
         SwitchName::Off => format!("switched off with effects.{name} = \"off\""),
     };
-    EffectRecord {
-        name: name.to_owned(),
-        on: switch != SwitchName::Off && called_for,
-        rule,
-        evidence,
-        cpu_seconds: 0.0,
-    }
+    let on = switch != SwitchName::Off && called_for;
+    let refused = if on && !toile_cloth::is_built(name) { "; not in this build: the run will be refused" } else { "" };
+    EffectRecord { name: name.to_owned(), on, rule, evidence: evidence + refused, cpu_seconds: 0.0 }
 }
 
 fn of_cloth(garment: &Garment, mesh: Option<MeshSize>) -> Evidence {

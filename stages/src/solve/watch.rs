@@ -63,6 +63,15 @@ impl Watch for Follow<'_> {
 /// What to do about a triangle without width.
 pub const MESH_ANEW: &str = "mesh the cloth anew there, or join the vertices of the short edge";
 
+/// How to run without an effect, or with it.
+fn do_without(effect: &str) -> String {
+    let off = match effect {
+        "pressure" => "leave out with.pressure".to_owned(),
+        _ => format!("switch it off (with.effects.{effect} = \"off\")"),
+    };
+    format!("{off}, or take a build that has it (cargo build --features {effect})")
+}
+
 /// The solver's failure as a stage's: by whose fault it is.
 #[must_use]
 pub fn failure(error: ClothError) -> StageError {
@@ -75,6 +84,9 @@ pub fn failure(error: ClothError) -> StageError {
         ClothError::BadSetting { name, what } => {
             StageError::parameter(Diagnostic::error("setting-out-of-range", format!("{name}: {what}")))
         }
+        ClothError::NotBuilt { effect } => StageError::parameter(
+            Diagnostic::error("effect-not-built", error.to_string()).hint(do_without(effect)),
+        ),
         ClothError::StartCrosses { .. } => StageError::input(
             Diagnostic::error("start-crosses", error.to_string())
                 .hint("move the cloth there apart, or off the body: [[place]] in the sewing file, or the start positions of a mesh"),

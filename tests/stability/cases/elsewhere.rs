@@ -1,7 +1,7 @@
 //! Cases of the catalogue that another harness holds; they are in no count here.
 
 /// Cases, and where they are asked.
-const LIST: [(&str, &str); 28] = [
+const LIST: [(&str, &str); 29] = [
     ("A9", "formats/src/dxf/tests (mirrored inserts)"),
     ("A11", "stages/src/triangulate/tests.rs (holes)"),
     ("A10 open, bow-tie", "tests/bad/dxf-open, tests/bad/dxf-self-crossing"),
@@ -24,6 +24,7 @@ const LIST: [(&str, &str); 28] = [
     ("H9", "the program keeps no cache between runs"),
     ("H11", "tests/golden"),
     ("I1, I2, I4, I10", "stages/cloth/tests/effects.rs"),
+    ("I5", "tests/left_out.rs, in a build without these effects, too (.ci/run)"),
     ("I7", "stages/cloth/tests/effects.rs, tests/engine.rs (effects of run.json)"),
     ("I8", "stages/cloth/tests/dynamics.rs (a contact that is needed late)"),
     ("J1, J2", "formats/tests/hostile.rs, formats/tests/mutants.rs, fuzz/"),

@@ -11,8 +11,8 @@ use super::body::Body;
 use super::contact::Frame;
 use super::listed::Listed;
 use super::near::{Gap, Near, Way};
-use super::own::Own;
 use crate::Vec3;
+use crate::built::Own;
 use crate::cost::{Costs, Lap, Work};
 use crate::linear::hessian::{FIXED, Hessian};
 

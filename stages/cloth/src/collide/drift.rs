@@ -3,11 +3,8 @@
 
 use super::lists::Lists;
 use super::near::Way;
-use super::tree::{Tree, higher, lower, narrow};
+use super::tree::{Range, Tree, higher, lower, narrow};
 use crate::Vec3;
-
-/// The least and the most that anything moved, m.
-pub(super) type Range = [[f32; 4]; 2];
 
 const NONE: Range = [[1e30; 4], [-1e30; 4]];
 

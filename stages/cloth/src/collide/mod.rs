@@ -5,18 +5,22 @@ pub(crate) mod against;
 pub(crate) mod barrier;
 mod beside;
 pub(crate) mod body;
+#[cfg(feature = "self-contact")]
 pub(crate) mod calm;
 pub(crate) mod clear;
 pub(crate) mod closest;
 pub(crate) mod contact;
+#[cfg(feature = "self-contact")]
 mod drift;
 mod flat;
 pub(crate) mod friction;
 pub(crate) mod listed;
 mod lists;
 pub(crate) mod near;
+#[cfg(feature = "self-contact")]
 pub(crate) mod own;
 pub(crate) mod repair;
+#[cfg(feature = "self-contact")]
 pub(crate) mod sheet;
 mod sides;
 pub(crate) mod stick;

@@ -38,9 +38,13 @@ pub(crate) struct Own {
 }
 
 impl Own {
-    pub fn new(scene: &Scene, x: &[Vec3], topology: &Topology) -> Self {
+    /// `None` for a single triangle, which meets nothing.
+    pub fn new(scene: &Scene, x: &[Vec3], topology: &Topology) -> Option<Self> {
+        if topology.faces.len() < 2 {
+            return None;
+        }
         let (tree, calm) = (Tree::moving(x, &topology.faces), Calm::new(scene, topology));
-        Self {
+        Some(Self {
             slots: tree.slots(),
             tiles: Tiles::new(&tree, calm.all_neighbours()),
             calm,
@@ -53,7 +57,7 @@ impl Own {
             meeting: Vec::new(),
             flat: Flat::default(),
             sweeps: Vec::new(),
-        }
+        })
     }
 
     /// Lists the pairs that come nearer than `gap` along a way, or `slack` beside it; edges are `edge` long.
@@ -156,7 +160,7 @@ mod tests {
         let topology = Topology::of_elements(6, &scene.triangles);
         let own = Own::new(&scene, &scene.positions, &topology);
         let frame = Frame { own: true, ..Frame::plain(topology, vec![0.0; 6], vec![1e-3; 6], 1.0) };
-        (scene, Barrier::new(frame, None, vec![1.0; 6], Some(own)))
+        (scene, Barrier::new(frame, None, vec![1.0; 6], own))
     }
 
     /// Moves towards each other, of both triangles.
@@ -188,14 +192,14 @@ mod tests {
             };
             scene.positions.iter().map(fold).collect()
         };
-        let (mut kept, mut listed) = (Own::new(&scene, &scene.positions, &topology), 0);
+        let (mut kept, mut listed) = (Own::new(&scene, &scene.positions, &topology).unwrap(), 0);
         kept.sheet = None;
         for i in 0..120 {
             let t = f64::from(i) / 120.0;
             let (x, next) = (place(t), place(t + 0.004));
             let step: Vec<Vec3> = next.iter().zip(&x).map(|(q, p)| (q - p) * 1.5).collect();
             let way = Way::new(&x, &step, &topology, &groups);
-            let mut fresh = Own::new(&scene, &scene.positions, &topology);
+            let mut fresh = Own::new(&scene, &scene.positions, &topology).unwrap();
             fresh.sheet = None;
             let [mut near, mut wanted] = [Near::default(), Near::default()];
             kept.list(&mut near, &way, 0.2, 0.1, 1.0);

@@ -91,11 +91,20 @@ impl Hold {
     }
 }
 
+/// Does a contact rub?
+fn rubs(t: &Touch) -> bool {
+    t.friction > 0.0 && t.load > 0.0
+}
+
 impl Stick {
+    /// Would a refresh from these contacts hold anything?
+    pub fn would_hold(touches: &[Touch]) -> bool {
+        touches.iter().any(rubs)
+    }
+
     /// New normal forces and places from the contacts at `x`, whose own stiffness is `press` (N/m³) over their area.
     pub fn refresh(&mut self, x: &[Vec3], touches: &[Touch], press: f64) {
-        let mut holds: Vec<Hold> =
-            touches.iter().filter(|t| t.friction > 0.0 && t.load > 0.0).map(|t| Hold::new(t, press)).collect();
+        let mut holds: Vec<Hold> = touches.iter().filter(|t| rubs(t)).map(|t| Hold::new(t, press)).collect();
         holds.sort_by_key(|h| h.key);
         (self.slid, self.largest) = (0, 0.0);
         let mut old = self.holds.iter().peekable();

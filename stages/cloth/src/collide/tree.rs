@@ -1,9 +1,11 @@
 //! A tree of bounding boxes over triangles (paper §2.3: hierarchy of bounding volumes), built once by median splits
 //! and refitted as the cloth moves.
 
-use super::drift::Range;
 use super::tiles::Tiles;
 use crate::Vec3;
+
+/// The least and the most that anything moved, m.
+pub(super) type Range = [[f32; 4]; 2];
 
 /// Slots of a tile: the leaves below one node.
 pub(crate) const TILE: usize = 8;

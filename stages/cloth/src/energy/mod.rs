@@ -5,6 +5,7 @@ pub(crate) mod flexion;
 pub(crate) mod hysteresis;
 pub(crate) mod law;
 mod patch;
+#[cfg(feature = "pressure")]
 pub(crate) mod pressure;
 pub(crate) mod shear;
 mod springs;

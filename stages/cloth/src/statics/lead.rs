@@ -52,7 +52,7 @@ impl Descent<'_> {
         if self.leading.waits || self.pins_placed() {
             return;
         }
-        let rubs = self.goal.rubs() && self.goal.seams.is_none();
+        let rubs = self.goal.has_rubbed() && self.goal.seams.is_none();
         let most = self.leading.way.min(if rubs { MOST_RUBBING } else { MOST }) * self.goal.edge;
         let mut step = vec![Vec3::zeros(); self.x.len()];
         for (v, at) in &self.goal.pins {

@@ -2,14 +2,13 @@
 
 use super::seams::Seams;
 use super::slate::Slate;
+use crate::built::{Hysteresis, Own, Pressure};
 use crate::collide::barrier::Barrier;
-use crate::collide::own::Own;
 use crate::collide::stick::Stick;
 use crate::collide::tree::Aabb;
 use crate::cost::{Costs, Lap, Work};
 use crate::dynamics::inert::Inert;
-use crate::energy::hysteresis::{self, Hysteresis};
-use crate::energy::pressure::Pressure;
+use crate::energy::hysteresis;
 use crate::energy::{Energy, elastic};
 use crate::linear::hessian::{FIXED, Pattern};
 use crate::problem::{areas, frame, held, masses, model};
@@ -82,7 +81,7 @@ impl Objective {
                 .then(Stick::default);
         let barrier = (own || body.is_some()).then(|| {
             let mut lap = Lap::start();
-            let own = own.then(|| Own::new(scene, &positions, &frame.topology));
+            let own = own.then(|| Own::new(scene, &positions, &frame.topology)).flatten();
             frame.topology.forget_hinges();
             costs.spend(Work::SelfContact, &mut lap);
             let coarser = s.of_coarser_level();
@@ -190,10 +189,16 @@ impl Objective {
         (self.stick.is_some() && self.barrier.is_some()) || self.hysteresis.is_some()
     }
 
+    /// Has anything rubbed by now?
+    pub fn has_rubbed(&self) -> bool {
+        let rub = |s: &Stick| s.most > 0 || self.barrier.iter().any(|b| Stick::would_hold(&b.touches));
+        self.stick.as_ref().is_some_and(rub) || self.hysteresis.is_some()
+    }
+
     /// Largest slide at the last refresh of the friction, m.
     pub fn slid(&self) -> f64 {
         let contacts = self.stick.as_ref().map_or(0.0, |s| s.largest);
-        self.hysteresis.as_ref().map_or(contacts, |h| contacts.max(h.largest))
+        self.hysteresis.as_ref().map_or(contacts, |h| contacts.max(h.largest()))
     }
 
     /// Forces of the last evaluation on all vertices.

@@ -1,0 +1,88 @@
+//! What stands for effects that are not in this build: types without a value, so that nothing of what would be done for them is
+//! there either. `built.rs` has refused whatever calls for them.
+
+use crate::Vec3;
+
+/// For [`crate::energy::pressure`].
+#[cfg(not(feature = "pressure"))]
+pub(crate) enum Pressure {}
+
+#[cfg(not(feature = "pressure"))]
+impl Pressure {
+    pub fn new(_: &crate::Scene, _: f64) -> Option<Self> {
+        None
+    }
+
+    pub fn refresh(&mut self, _: &[Vec3]) {
+        match *self {}
+    }
+
+    pub fn evaluate(&self, _: &[Vec3], _: &mut [Vec3]) -> f64 {
+        match *self {}
+    }
+
+    pub fn words(&self) -> String {
+        match *self {}
+    }
+}
+
+/// For [`crate::energy::hysteresis`].
+#[cfg(not(feature = "bending-hysteresis"))]
+pub(crate) enum Hysteresis {}
+
+#[cfg(not(feature = "bending-hysteresis"))]
+impl Hysteresis {
+    pub fn new(_: &crate::Scene, _: &crate::topology::Topology) -> Option<Self> {
+        None
+    }
+
+    pub fn refresh(&mut self, _: &[Vec3]) {
+        match *self {}
+    }
+
+    pub fn evaluate(&self, _: &[Vec3], _: &mut [Vec3]) -> f64 {
+        match *self {}
+    }
+
+    pub fn add_hessian(&self, _: &[Vec3], _: &mut crate::linear::hessian::Hessian) {
+        match *self {}
+    }
+
+    pub fn slid(&self) -> usize {
+        match *self {}
+    }
+
+    pub fn largest(&self) -> f64 {
+        match *self {}
+    }
+
+    pub fn len(&self) -> usize {
+        match *self {}
+    }
+}
+
+/// For cloth near cloth.
+#[cfg(not(feature = "self-contact"))]
+pub(crate) enum Own {}
+
+#[cfg(not(feature = "self-contact"))]
+impl Own {
+    pub fn new(_: &crate::Scene, _: &[Vec3], _: &crate::topology::Topology) -> Option<Self> {
+        None
+    }
+
+    pub fn list(
+        &mut self,
+        _: &mut crate::collide::near::Near,
+        _: &crate::collide::near::Way<'_>,
+        _: f64,
+        _: f64,
+        _: f64,
+    ) {
+        match *self {}
+    }
+
+    pub fn forget(&mut self) {
+        match *self {}
+    }
+}
