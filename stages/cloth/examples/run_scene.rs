@@ -195,11 +195,7 @@ fn main() {
             show("drape", &o, t);
             let t = Instant::now();
             let figures = certify(&finish, &settings, &o.positions).unwrap();
-            println!(
-                "certificate in {:.2} s: {:?}",
-                t.elapsed().as_secs_f64(),
-                toile_cloth::Figures { reactions: vec![], ..figures }
-            );
+            println!("certificate in {:.2} s: {figures:?}", t.elapsed().as_secs_f64());
             place = map.iter().map(|i| o.positions[*i as usize]).collect();
         }
         Err(e) => println!("drape failed: {e}"),

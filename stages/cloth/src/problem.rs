@@ -63,8 +63,8 @@ impl Problem {
         Ok(problem)
     }
 
-    /// Everything but contact, without any check: for states given by a caller.
-    pub fn bare(
+    /// Everything but contact, without any check.
+    fn bare(
         scene: &Scene,
         s: &Settings,
         pulls: bool,
@@ -107,7 +107,7 @@ impl Problem {
     }
 
     /// Builds contact as the switches say.
-    pub fn add_contact(&mut self, scene: &Scene, s: &Settings, topology: Topology, body: Option<Body>, own: bool) {
+    fn add_contact(&mut self, scene: &Scene, s: &Settings, topology: Topology, body: Option<Body>, own: bool) {
         if body.is_none() && !own {
             return;
         }
