@@ -67,7 +67,12 @@ pub(crate) enum Own {}
 
 #[cfg(not(feature = "self-contact"))]
 impl Own {
-    pub fn new(_: &crate::Scene, _: &[Vec3], _: &crate::topology::Topology) -> Option<Self> {
+    pub fn new(
+        _: &crate::Scene,
+        _: &[Vec3],
+        _: &crate::topology::Topology,
+        _: Option<crate::collide::sheet::Sheet>,
+    ) -> Option<Self> {
         None
     }
 

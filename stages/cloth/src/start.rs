@@ -2,6 +2,7 @@
 
 use crate::collide::body::Body;
 use crate::collide::repair;
+use crate::collide::sheet::Sheet;
 use crate::cost::{Costs, Lap, Work};
 use crate::topology::Topology;
 use crate::{ClothError, Scene, Settings, SharedBody, Switch, Vec3, built, validate};
@@ -14,6 +15,8 @@ pub(crate) struct Start {
     pub body: Option<Body>,
     /// Does cloth meet cloth?
     pub own: bool,
+    /// Is it one piece, which does not while it is spread out?
+    pub sheet: Option<Sheet>,
     /// Vertices moved, and the largest move, m.
     pub repaired: (usize, f64),
     /// Not part of any result.
@@ -36,8 +39,11 @@ impl Start {
         let mut repaired = (0, 0.0);
         let mut held = vec![false; positions.len()];
         scene.pins.iter().for_each(|p| held[p.vertex as usize] = true);
+        let mut sheet = own.then(|| Sheet::new(scene, &topology)).flatten();
         if own {
-            repaired = repair::free_of_itself(&mut positions, &topology, &held)?;
+            if !sheet.as_mut().is_some_and(|s| s.lies_spread(&positions, &topology.faces)) {
+                repaired = repair::free_of_itself(&mut positions, &topology, &held)?;
+            }
             costs.spend(Work::SelfContact, &mut lap);
         }
         if let Some(b) = &body {
@@ -48,6 +54,6 @@ impl Start {
             repaired = (repaired.0.max(freed.0), f64::max(repaired.1, freed.1));
             costs.spend(Work::BodyContact, &mut lap);
         }
-        Ok(Self { topology, positions, body, own, repaired, costs })
+        Ok(Self { topology, positions, body, own, sheet, repaired, costs })
     }
 }

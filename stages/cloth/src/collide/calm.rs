@@ -5,7 +5,7 @@
 use super::lists::{Lists, stars, untied};
 use super::tree::narrow;
 use crate::topology::Topology;
-use crate::{Scene, Vec3};
+use crate::{Element, Vec3};
 
 /// Least cosine between the normals of a patch and their mean, and least part of a triangle's area seen along it: what
 /// is within keeps at least 0.4 of an altitude, more than any gap (`frame` in problem.rs).
@@ -110,8 +110,8 @@ pub(crate) struct Calm {
 }
 
 impl Calm {
-    pub fn new(scene: &Scene, topology: &Topology) -> Self {
-        let n = scene.positions.len();
+    /// Of `n` vertices.
+    pub fn new(cloth: &[Element], n: usize, topology: &Topology) -> Self {
         let faces = &topology.faces;
         let star = stars(n, faces);
         let around = |v: u32| star.of(v).iter().flat_map(|f| faces[*f as usize]);
@@ -123,8 +123,8 @@ impl Calm {
                 wide.of(*v).iter().filter(|g| **g > f).for_each(|g| add(*g, AROUND << k));
             }
         });
-        let able = able(scene, topology, &star, &ring);
-        let double = scene.triangles.iter().map(|t| 2.0 * t.area().abs()).collect();
+        let able = able(cloth, topology, &star, &ring);
+        let double = cloth.iter().map(|t| 2.0 * t.area().abs()).collect();
         let wholly = (0u32..).zip(&able).map(|(v, a)| *a && ring.of(v).iter().all(|w| able[*w as usize])).collect();
         let [firsts, sums] = [(); 2].map(|()| vec![Quick::default(); topology.faces.len()]);
         let (means, spare) = (vec![Quick::default(); n], vec![0.0; n]);
@@ -233,9 +233,9 @@ fn bits(at: bool, around: bool, k: usize) -> u8 {
 }
 
 /// Vertices whose triangles form one fan, all turned the same way, without more cloth than fits round them.
-fn able(scene: &Scene, topology: &Topology, star: &Lists, ring: &Lists) -> Vec<bool> {
-    let mut round = vec![0.0; scene.positions.len()];
-    for t in &scene.triangles {
+fn able(cloth: &[Element], topology: &Topology, star: &Lists, ring: &Lists) -> Vec<bool> {
+    let mut round = vec![0.0; star.len()];
+    for t in cloth {
         for k in 0..3 {
             let (a, b, c) = (t.rest[k], t.rest[(k + 1) % 3], t.rest[(k + 2) % 3]);
             let (p, q) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
@@ -284,7 +284,7 @@ fn sides(topology: &Topology) -> Vec<bool> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Element;
+    use crate::Scene;
 
     /// A strip of squares, each cut in two, along x; `bend` turns every next square down, rad.
     fn strip(bend: f64) -> (Scene, Topology) {
@@ -312,7 +312,7 @@ mod tests {
 
     fn calm(bend: f64, step: impl Fn(usize) -> Vec3) -> (Calm, Topology) {
         let (scene, topology) = strip(bend);
-        let mut calm = Calm::new(&scene, &topology);
+        let mut calm = Calm::new(&scene.triangles, scene.positions.len(), &topology);
         let step: Vec<Vec3> = (0..scene.positions.len()).map(step).collect();
         calm.look(&scene.positions, &step, &topology);
         (calm, topology)

@@ -53,6 +53,11 @@ impl Lists {
         lists
     }
 
+    /// Number of lists.
+    pub fn len(&self) -> usize {
+        self.start.len() - 1
+    }
+
     #[inline]
     pub fn of(&self, i: u32) -> &[u32] {
         &self.items[self.start[i as usize] as usize..self.start[i as usize + 1] as usize]

@@ -21,6 +21,7 @@ pub(crate) mod near;
 pub(crate) mod own;
 pub(crate) mod repair;
 #[cfg(feature = "self-contact")]
+mod search;
 pub(crate) mod sheet;
 mod sides;
 pub(crate) mod stick;

@@ -5,7 +5,6 @@
 //! (f(b) − f(a))·(b − a) ≥ c |b − a|² for any two of its points (integrate J along the line between them), so nothing
 //! comes nearer than c times its distance in the cloth. J is linear in a step, so its two ends bound all of it.
 
-use super::near::Way;
 use crate::topology::Topology;
 use crate::{Scene, Vec3};
 use std::f64::consts::PI;
@@ -42,15 +41,20 @@ impl Sheet {
         })
     }
 
+    /// Is the piece spread out where it lies?
+    pub fn lies_spread(&mut self, x: &[Vec3], faces: &[[u32; 3]]) -> bool {
+        self.is_spread(x, &vec![Vec3::zeros(); x.len()], faces)
+    }
+
     /// Is the piece spread out all along a step?
-    pub fn is_spread(&mut self, way: &Way<'_>) -> bool {
-        let Some([u, v]) = self.plane(way) else { return false };
+    pub fn is_spread(&mut self, x: &[Vec3], step: &[Vec3], faces: &[[u32; 3]]) -> bool {
+        let Some([u, v]) = self.plane(x) else { return false };
         self.seen.clear();
-        self.seen.extend(way.x.iter().zip(way.step).map(|(p, d)| {
+        self.seen.extend(x.iter().zip(step).map(|(p, d)| {
             let end = p + d;
             [p.dot(&u), p.dot(&v), end.dot(&u), end.dot(&v)]
         }));
-        self.factors.iter().zip(&way.topology.faces).all(|(g, t)| {
+        self.factors.iter().zip(faces).all(|(g, t)| {
             let [a, b] = derivatives(g, &t.map(|v| self.seen[v as usize]));
             [0, 2].into_iter().all(|k| {
                 let (p, q, r) = (a[k] - SPREAD, b[k + 1] - SPREAD, 0.5 * (a[k + 1] + b[k]));
@@ -60,9 +64,9 @@ impl Sheet {
     }
 
     /// The plane the piece lies nearest to, turned with it: images of the cloth's two axes.
-    fn plane(&self, way: &Way<'_>) -> Option<[Vec3; 2]> {
+    fn plane(&self, x: &[Vec3]) -> Option<[Vec3; 2]> {
         let mut sum = [Vec3::zeros(); 2];
-        for (g, p) in self.sums.iter().zip(way.x) {
+        for (g, p) in self.sums.iter().zip(x) {
             sum = [sum[0] + p * g[0], sum[1] + p * g[1]];
         }
         let n = sum[0].cross(&sum[1]).try_normalize(0.0)?;
@@ -142,9 +146,8 @@ mod tests {
 
     fn spread(scene: &Scene, step: &[Vec3]) -> Option<bool> {
         let topology = Topology::of_elements(scene.positions.len(), &scene.triangles);
-        let groups: Vec<u32> = (0..u32::try_from(scene.positions.len()).unwrap()).collect();
         let mut sheet = Sheet::new(scene, &topology)?;
-        Some(sheet.is_spread(&Way::new(&scene.positions, step, &topology, &groups)))
+        Some(sheet.is_spread(&scene.positions, step, &topology.faces))
     }
 
     #[test]

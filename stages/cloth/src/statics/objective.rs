@@ -60,7 +60,7 @@ pub(crate) struct Objective {
 
 impl Objective {
     pub fn new(scene: &Scene, s: &Settings, start: Start, pulls: bool) -> (Self, Vec<Vec3>) {
-        let Start { topology, positions, body, own, mut costs, .. } = start;
+        let Start { topology, positions, body, own, sheet, mut costs, .. } = start;
         let mass = masses(scene);
         let energies = model(scene, s, &topology, &mass);
         let mut pins = held(scene);
@@ -81,7 +81,7 @@ impl Objective {
                 .then(Stick::default);
         let barrier = (own || body.is_some()).then(|| {
             let mut lap = Lap::start();
-            let own = own.then(|| Own::new(scene, &positions, &frame.topology)).flatten();
+            let own = own.then(|| Own::new(scene, &positions, &frame.topology, sheet)).flatten();
             frame.topology.forget_hinges();
             costs.spend(Work::SelfContact, &mut lap);
             let coarser = s.of_coarser_level();
