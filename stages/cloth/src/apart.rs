@@ -129,10 +129,7 @@ impl Group {
         let stitches: Vec<u32> = (0u32..).zip(&scene.stitches).filter(|(_, s)| mine(s[0])).map(|(k, _)| k).collect();
         let triangles: Vec<u32> =
             (0u32..).zip(&scene.triangles).filter(|(_, t)| mine(t.vertices[0])).map(|(k, _)| k).collect();
-        let element = |k: &u32| {
-            let t = &scene.triangles[*k as usize];
-            crate::Element { vertices: t.vertices.map(to), ..*t }
-        };
+        let element = |k: &u32| scene.triangles[*k as usize].renumbered(to);
         let own = scene.part(&vertices, &number, triangles.iter().map(element).collect());
         Self { scene: own, vertices, triangles, stitches, within }
     }

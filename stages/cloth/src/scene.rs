@@ -38,6 +38,18 @@ impl Element {
         libm::hypot(b[0] - a[0], b[1] - a[1])
     }
 
+    /// Rest angle at corner `k`, rad; below 0 where the triangle is turned over.
+    pub(crate) fn rest_angle(&self, k: usize) -> f64 {
+        let (a, b, c) = (self.rest[k], self.rest[(k + 1) % 3], self.rest[(k + 2) % 3]);
+        let (p, q) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
+        libm::atan2(p[0] * q[1] - p[1] * q[0], p[0] * q[0] + p[1] * q[1])
+    }
+
+    /// The same between vertices of other numbers.
+    pub(crate) fn renumbered(&self, to: impl Fn(u32) -> u32) -> Self {
+        Self { vertices: self.vertices.map(to), ..*self }
+    }
+
     /// Longest of its rest lengths, m.
     pub(crate) fn longest_edge(&self) -> f64 {
         (0..3).map(|k| self.rest_length(k)).fold(0.0, f64::max)

@@ -106,7 +106,7 @@ pub struct Settings {
     pub max_seconds: f64,
     /// Most vertices pushed out of the body at the start, as a fraction; above it the start is refused.
     pub repair_share: f64,
-    /// Threads allowed; results never depend on it.
+    /// Threads allowed; the solver takes one (docs/static.md), and results never depend on it.
     pub threads: usize,
 }
 

@@ -66,7 +66,7 @@ fn renumbered(scene: &Scene, map: &[u32], joined: Vec<Vec3>) -> Scene {
     let mut pins: Vec<Pin> = scene.pins.iter().map(|p| Pin { vertex: map[p.vertex as usize], at: p.at }).collect();
     pins.sort_by_key(|p| p.vertex);
     pins.dedup_by_key(|p| p.vertex);
-    let renamed = |t: &Element| Element { vertices: t.vertices.map(|v| map[v as usize]), ..*t };
+    let renamed = |t: &Element| t.renumbered(|v| map[v as usize]);
     // Nothing sewn: every vertex keeps its number.
     let same = joined.len() == map.len();
     let triangles = if same { scene.triangles.clone() } else { scene.triangles.iter().map(renamed).collect() };

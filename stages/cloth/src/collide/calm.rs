@@ -236,12 +236,7 @@ fn bits(at: bool, around: bool, k: usize) -> u8 {
 fn able(cloth: &[Element], topology: &Topology, star: &Lists, ring: &Lists) -> Vec<bool> {
     let mut round = vec![0.0; star.len()];
     for t in cloth {
-        for k in 0..3 {
-            let (a, b, c) = (t.rest[k], t.rest[(k + 1) % 3], t.rest[(k + 2) % 3]);
-            let (p, q) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
-            let angle = libm::atan2(p[0] * q[1] - p[1] * q[0], p[0] * q[0] + p[1] * q[1]);
-            round[t.vertices[k] as usize] += angle.abs();
-        }
+        (0..3).for_each(|k| round[t.vertices[k] as usize] += t.rest_angle(k).abs());
     }
     let edges = sides(topology);
     (0u32..)

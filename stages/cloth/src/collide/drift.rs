@@ -3,7 +3,7 @@
 
 use super::lists::Lists;
 use super::near::Way;
-use super::tree::{Range, Tree, higher, lower, narrow};
+use super::tree::{Range, Tree, higher, join_up, lower, narrow};
 use crate::Vec3;
 
 const NONE: Range = [[1e30; 4], [-1e30; 4]];
@@ -55,9 +55,7 @@ impl Drift {
             let corners = self.corners.of(u32::try_from(tile).unwrap_or(u32::MAX));
             self.nodes[tiles + tile] = corners.iter().fold(NONE, |all, v| join(&all, &self.vertices[*v as usize]));
         }
-        for i in (1..tiles).rev() {
-            self.nodes[i] = join(&self.nodes[2 * i], &self.nodes[2 * i + 1]);
-        }
+        join_up(&mut self.nodes, join);
     }
 }
 

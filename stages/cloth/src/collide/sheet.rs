@@ -105,11 +105,7 @@ fn is_convex_disc(scene: &Scene, topology: &Topology) -> bool {
     }
     let mut round = vec![0.0; scene.positions.len()];
     for t in &scene.triangles {
-        for k in 0..3 {
-            let (a, b, c) = (t.rest[k], t.rest[(k + 1) % 3], t.rest[(k + 2) % 3]);
-            let (p, q) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
-            round[t.vertices[k] as usize] += libm::atan2(p[0] * q[1] - p[1] * q[0], p[0] * q[0] + p[1] * q[1]);
-        }
+        (0..3).for_each(|k| round[t.vertices[k] as usize] += t.rest_angle(k));
     }
     let used = round.iter().filter(|r| **r > 0.0).count();
     let disc = used + topology.faces.len() == topology.edges.len() + 1;

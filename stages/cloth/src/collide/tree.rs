@@ -270,9 +270,7 @@ impl Tree {
         for tile in 0..tiles {
             self.sweeps[tiles + tile] = self.tile(tile).fold(Sweep::NONE, |all, item| all.join(&of(item)));
         }
-        for i in (1..tiles).rev() {
-            self.sweeps[i] = self.sweeps[2 * i].join(&self.sweeps[2 * i + 1]);
-        }
+        join_up(&mut self.sweeps, Sweep::join);
     }
 
     /// Pairs of different items whose boxes meet somewhere along the step.
@@ -449,8 +447,13 @@ fn fit<B: Copy>(
     for (slot, item) in boxes[leaves..].iter_mut().zip(items) {
         *slot = faces.get(*item as usize).map_or(none, &of);
     }
-    for i in (1..leaves).rev() {
-        boxes[i] = join(&boxes[2 * i], &boxes[2 * i + 1]);
+    join_up(boxes, join);
+}
+
+/// Joins what stands at the lower half of the nodes up to the root.
+pub(super) fn join_up<B>(nodes: &mut [B], join: impl Fn(&B, &B) -> B) {
+    for i in (1..nodes.len() / 2).rev() {
+        nodes[i] = join(&nodes[2 * i], &nodes[2 * i + 1]);
     }
 }
 

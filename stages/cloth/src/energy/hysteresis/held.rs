@@ -147,5 +147,4 @@ impl Hysteresis {
 }
 
 #[cfg(test)]
-#[path = "tests.rs"]
 mod tests;
