@@ -66,7 +66,7 @@ pub fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Resul
     validate::scene(scene)?;
     let whole = |scene: &Scene, watch: &mut dyn Watch| drape_group(scene, settings, watch);
     if let Some(groups) = apart::apart(scene, settings)
-        && let Some(outcome) = apart::each(scene, &groups, watch, whole)?
+        && let Some(outcome) = apart::each(scene, &groups, settings.threads, watch, whole)?
     {
         return Ok(outcome);
     }

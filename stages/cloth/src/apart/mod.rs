@@ -1,15 +1,19 @@
-//! Parts of cloth that cannot meet, whatever they do, are draped one by one: none can change a bit of another's rest, and
-//! their times add.
+//! Parts of cloth that cannot meet, whatever they do, are draped each by itself, side by side where there are threads for it:
+//! none can change a bit of another's rest, and their times add.
 //!
 //! A held part stays within the length of its cloth of where it is held. Parts whose boxes meet are one group; a part that
 //! nothing holds may get anywhere, and so may what is sewn to it.
 
+mod crew;
+mod each;
+
+pub(crate) use each::each;
+
 use crate::collide::tree::Aabb;
 use crate::problem::held;
 use crate::topology::links;
-use crate::watch::Part;
 use crate::weld::groups;
-use crate::{ClothError, EffectReport, Outcome, Place, Reaction, Scene, Settings, StopReason, Switch, Vec3, Watch};
+use crate::{Scene, Settings, Switch, Vec3};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
@@ -139,98 +143,10 @@ impl Group {
     }
 }
 
-/// Drapes every group by itself; `None` where one got farther than was thought.
-///
-/// # Errors
-/// Of the first group that has one.
-pub(crate) fn each(
-    scene: &Scene,
-    groups: &[Group],
-    watch: &mut dyn Watch,
-    drape: impl Fn(&Scene, &mut dyn Watch) -> Result<Outcome, ClothError>,
-) -> Result<Option<Outcome>, ClothError> {
-    let all = groups.iter().map(|g| g.scene.triangles.len()).sum::<usize>().max(1) as f64;
-    let mut whole: Option<Outcome> = None;
-    let (mut positions, mut done) = (scene.positions.clone(), 0.0);
-    for g in groups {
-        let next = done + g.scene.triangles.len() as f64 / all;
-        let before = positions.clone();
-        let spread = |x: &[Vec3]| {
-            let mut all = before.clone();
-            g.put(x, &mut all);
-            all
-        };
-        let outcome =
-            drape(&g.scene, &mut Part::new(watch, [done, next], &spread)).map_err(|e| e.placed(|p| g.told(p)))?;
-        let stays = |p: &Vec3| g.within.meets(&Aabb::of_one(p));
-        if !outcome.positions.iter().all(stays) {
-            return Ok(None);
-        }
-        done = next;
-        g.put(&outcome.positions, &mut positions);
-        let own = g.named(outcome);
-        whole = Some(match whole {
-            None => own,
-            Some(w) => joined(w, own),
-        });
-    }
-    Ok(whole.map(|w| Outcome { positions, ..w }))
-}
-
-impl Group {
-    /// Vertices and stitches by their names in the whole scene.
-    fn named(&self, mut outcome: Outcome) -> Outcome {
-        for r in &mut outcome.reactions {
-            *r = Reaction { vertex: self.vertices[r.vertex as usize], ..*r };
-        }
-        outcome.open_stitches.iter_mut().for_each(|s| s.0 = self.stitches[s.0 as usize]);
-        outcome
-    }
-
-    fn told(&self, place: Place) -> Place {
-        Place { triangle: self.triangles.get(place.triangle as usize).copied().unwrap_or(place.triangle), ..place }
-    }
-}
-
-/// What came of two groups.
-fn joined(a: Outcome, b: Outcome) -> Outcome {
-    let (more, less) = if b.energy > a.energy { (&b, &a) } else { (&a, &b) };
-    let effects = more.effects.iter().map(|e| {
-        let other = less.effects.iter().find(|o| o.name == e.name);
-        EffectReport {
-            on: e.on || other.is_some_and(|o| o.on),
-            cpu_seconds: e.cpu_seconds + other.map_or(0.0, |o| o.cpu_seconds),
-            ..e.clone()
-        }
-    });
-    let effects = effects.collect();
-    let mut open_stitches = [a.open_stitches, b.open_stitches].concat();
-    open_stitches.sort_by(|p, q| q.1.total_cmp(&p.1).then(p.0.cmp(&q.0)));
-    open_stitches.truncate(20);
-    let mut reactions = [a.reactions, b.reactions].concat();
-    reactions.sort_by_key(|r| r.vertex);
-    Outcome {
-        positions: Vec::new(),
-        steps: a.steps + b.steps,
-        seconds: a.seconds.max(b.seconds),
-        settled: a.settled && b.settled,
-        stop_reason: if a.stop_reason == StopReason::Settled { b.stop_reason } else { a.stop_reason },
-        energy: a.energy + b.energy,
-        speed_max: a.speed_max.max(b.speed_max),
-        residual_rel: a.residual_rel.max(b.residual_rel),
-        seam_gap_max: a.seam_gap_max.max(b.seam_gap_max),
-        open_stitches,
-        effects,
-        reactions,
-        repaired: (a.repaired.0 + b.repaired.0, a.repaired.1.max(b.repaired.1)),
-        joined: a.joined + b.joined,
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Element, Material, Pin};
+    use crate::{Element, Material, Outcome, Pin};
 
     /// Strips of three cells of 20 mm that hang from their first two vertices, each so far from the one before.
     fn strips(count: u32, step: f64) -> Scene {
@@ -285,11 +201,22 @@ mod tests {
     }
 
     #[test]
+    fn groups_side_by_side_rest_to_the_same_bits() {
+        let scene = strips(5, 0.3);
+        let rests = [1, 2, 8].map(|threads| {
+            let settings = Settings { threads, ..Settings::default() };
+            crate::drape(&scene, &settings, &mut crate::Silent).expect("a drape")
+        });
+        let told = rests.each_ref().map(|o| (&o.positions, o.steps, o.energy.to_bits(), &o.reactions));
+        assert!(told[0] == told[1] && told[0] == told[2]);
+    }
+
+    #[test]
     fn what_gets_farther_is_draped_with_all_others() {
         let scene = strips(2, 0.3);
         let groups = apart(&scene, &Settings::default()).expect("groups");
         let far = Outcome { positions: vec![Vec3::repeat(9.0); 8], ..rest(&strips(1, 0.3)) };
-        let none = each(&scene, &groups, &mut crate::Silent, |_, _| Ok(far.clone())).expect("no error");
+        let none = each(&scene, &groups, 2, &mut crate::Silent, |_, _| Ok(far.clone())).expect("no error");
         assert!(none.is_none());
     }
 }
