@@ -4,6 +4,7 @@
 use super::beside::{Beside, DOWN, Side};
 use super::body::Body;
 use super::closest::{point_triangle, point_triangle_gap, segment_gap, segments};
+use super::far::Far;
 use super::near::{Gap, Moving, Owned, Way, swept};
 use super::tree::Aabb;
 use crate::Vec3;
@@ -52,6 +53,7 @@ pub(crate) struct Against {
     pub faces: Vec<Pair<4>>,
     /// Where the cloth was when these were listed.
     from: Vec<Vec3>,
+    far: Far,
     beside: Beside,
 }
 
@@ -92,9 +94,9 @@ struct Reaching {
 }
 
 impl Reaching {
-    fn new(moving: Moving, bounds: Aabb, lengths: [f64; 3], reach: f64) -> Self {
+    fn new(moving: Moving, lengths: [f64; 3], reach: f64) -> Self {
         Self {
-            bounds,
+            bounds: moving.swept(reach),
             edges: [0, 1, 2].map(|k| swept(&moving.owned.edge_box(k), &moving.edge_move(k), reach)),
             normal: crate::unit_normal(moving.owned.at).unwrap_or_else(Vec3::zeros),
             lengths,
@@ -151,32 +153,32 @@ impl Against {
     /// are `edge` long.
     pub fn fill(&mut self, way: &Way<'_>, body: &Body, [reach, wide]: [f64; 2], edge: f64) {
         self.clear();
+        let (mut far, mut beside) = (std::mem::take(&mut self.far), std::mem::take(&mut self.beside));
+        far.take(way, &self.from);
         self.from.clear();
         self.from.extend_from_slice(way.x);
         let margin = if way.longest > QUICK * edge { 0.0 } else { MARGIN * edge };
-        let mut beside = std::mem::take(&mut self.beside);
         beside.cover(way.x.len(), way.topology.faces.len());
         for f in (0u32..).take(way.topology.faces.len()) {
-            let moving = Moving::of(way.topology, f, way.x, way.step);
-            let far = moving.swept(wide);
-            if !body.may_meet(&far) {
+            let stays = far.stays(f, way, wide, body);
+            if stays > wide {
                 continue;
             }
-            let (a, l) = (&moving.owned, moving.by.map(|d| d.norm()));
+            let moving = Moving::of(way.topology, f, way.x, way.step);
+            let (a, l) = (&moving.owned, moving.owned.corners.map(|v| far.goes[v as usize]));
             for k in (0..3).filter(|k| a.owns_vertex(*k)) {
                 self.fill_point(&moving, k, [wide, margin, l[k]], &mut beside, body);
             }
-            let bounds = moving.swept(reach);
-            if body.may_meet(&bounds) {
+            if stays <= reach {
                 let mut beside = beside.face(f, a, [reach, margin], &l, body).peekable();
                 // Most faces have nothing beside them.
                 if beside.peek().is_some() {
-                    let face = Reaching::new(moving, bounds, l, reach);
+                    let face = Reaching::new(moving, l, reach);
                     beside.for_each(|side| self.add_side(&face, side, body));
                 }
             }
         }
-        self.beside = beside;
+        (self.far, self.beside) = (far, beside);
     }
 
     /// A vertex of the face on its way, so long, and the triangles that it comes nearer to than so far.

@@ -84,6 +84,14 @@ impl Body {
         b.meets(&self.bounds) && self.clearance.at(&middle) <= 0.5 * (b.high - b.low).norm()
     }
 
+    /// How far it is from all that is in this box, at least, m.
+    #[inline]
+    pub fn clear_of(&self, b: &Aabb) -> f64 {
+        let middle = (b.low + b.high) * 0.5;
+        let clear = self.clearance.at(&middle) - 0.5 * (b.high - b.low).norm();
+        if b.meets(&self.bounds) { clear } else { clear.max(self.bounds.gap(b)) }
+    }
+
     /// Triangles whose boxes may meet `bounds`.
     pub fn candidates(&self, bounds: &Aabb, mut emit: impl FnMut(u32)) {
         let b = bounds.grown(self.rounding);

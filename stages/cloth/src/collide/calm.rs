@@ -169,33 +169,40 @@ impl Calm {
         }
         spare -= ROUNDING;
         (self.means[v as usize], self.spare[v as usize]) = (mean, spare);
-        spare >= 0.0 || self.alike(self.star.of(v).iter(), v, moves)
+        spare >= 0.0 || self.alike(v, v, &mut None, moves)
     }
 
     /// Do the triangles around a vertex look the same way as those at it?
     #[inline]
     fn look_around(&self, v: u32, moves: &Moves<'_>) -> bool {
-        let all = &self.means[v as usize];
-        let quick = self.ring.of(v).iter().all(|w| {
+        let (all, mut mean) = (&self.means[v as usize], None);
+        self.ring.of(v).iter().all(|w| {
             let (mut off, spare) = (self.means[*w as usize], self.spare[*w as usize]);
             (0..4).for_each(|k| off[k] -= all[k]);
-            spare >= 0.0 && dot(&off, &off) <= spare * spare
-        });
-        quick || self.alike(wide(&self.star, &self.ring, v), v, moves)
+            spare >= 0.0 && dot(&off, &off) <= spare * spare || self.alike(*w, v, &mut mean, moves)
+        })
     }
 
-    /// Do these triangles look the same way as those at `v`?
-    fn alike<'a>(&self, mut triangles: impl Iterator<Item = &'a u32>, v: u32, moves: &Moves<'_>) -> bool {
-        let mean: Vec3 = self.star.of(v).iter().map(|f| moves.normals(*f)).map(|n| n[0] + n[2]).sum();
-        let l = mean.norm();
-        if l <= 0.0 {
-            return false;
-        }
-        let (mean, all) = (mean / l, &self.means[v as usize]);
-        triangles.all(|f| {
-            let (quick, double) = (&self.firsts[*f as usize], self.double[*f as usize]);
-            dot(quick, all) >= ROUNDING || moves.normals(*f).iter().all(|n| enough(n, &mean, double))
+    /// Do the triangles at `w` look the same way as those at `v`, whose `mean` normal is worked out when it is first needed?
+    fn alike(&self, w: u32, v: u32, mean: &mut Option<Vec3>, moves: &Moves<'_>) -> bool {
+        let all = &self.means[v as usize];
+        self.star.of(w).iter().all(|f| {
+            let quick = &self.firsts[*f as usize];
+            let (spare, double) = (dot(quick, all), self.double[*f as usize]);
+            // The first of its normals alone may be too far off.
+            let off = spare + quick[3] < ALIKE as f32 - ROUNDING;
+            spare >= ROUNDING
+                || !off && {
+                    let mean = mean.get_or_insert_with(|| self.mean(v, moves));
+                    moves.normals(*f).iter().all(|n| enough(n, mean, double))
+                }
         })
+    }
+
+    /// The mean direction of the normals at a vertex; no number where there is none.
+    fn mean(&self, v: u32, moves: &Moves<'_>) -> Vec3 {
+        let sum: Vec3 = self.star.of(v).iter().map(|f| moves.normals(*f)).map(|n| n[0] + n[2]).sum();
+        sum / sum.norm()
     }
 
     /// Pairs of triangles so near in the cloth that [`Self::restless`] tells of them.

@@ -12,6 +12,7 @@ pub(crate) mod closest;
 pub(crate) mod contact;
 #[cfg(feature = "self-contact")]
 mod drift;
+mod far;
 mod flat;
 pub(crate) mod friction;
 pub(crate) mod listed;

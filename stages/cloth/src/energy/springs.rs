@@ -14,24 +14,40 @@ pub(super) struct Springs {
     stiffness: Vec<f64>,
 }
 
+fn length(ends: &[u32]) -> u32 {
+    u32::try_from(ends.len()).unwrap_or(u32::MAX)
+}
+
+/// Springs by their first ends, those of one in their order: a sort by counting.
+fn dealt(n: usize, all: Vec<([u32; 2], f64)>) -> Vec<(u32, u32, f64)> {
+    let mut next = vec![0; n + 1];
+    all.iter().for_each(|([a, _], _)| next[*a as usize + 1] += 1);
+    (0..n).for_each(|v| next[v + 1] += next[v]);
+    let mut dealt = vec![(0, 0, 0.0); all.len()];
+    for ([a, b], k) in all {
+        dealt[next[a as usize]] = (a, b, k);
+        next[a as usize] += 1;
+    }
+    dealt
+}
+
 impl Springs {
     /// Between `n` vertices; those of one pair are added in their order.
     pub fn new(n: usize, mut all: Vec<([u32; 2], f64)>) -> Self {
         all.retain(|([a, b], k)| a != b && *k != 0.0);
         all.iter_mut().for_each(|(ends, _)| ends.sort_unstable());
-        all.sort_by_key(|s| s.0);
-        let (mut start, mut ends, mut stiffness): (_, _, Vec<f64>) = (vec![0; n + 1], Vec::new(), Vec::new());
-        for same in all.chunk_by(|p, q| p.0 == q.0) {
-            let [a, b] = same[0].0;
-            start[a as usize + 1] += 1;
-            ends.push(b);
-            stiffness.push(same.iter().map(|s| s.1).sum());
+        let (mut start, mut ends, mut stiffness): (_, _, Vec<f64>) = (vec![0], Vec::new(), Vec::new());
+        for own in dealt(n, all).chunk_by_mut(|p, q| p.0 == q.0) {
+            start.resize(own[0].0 as usize + 1, length(&ends));
+            own.sort_by_key(|s| s.1);
+            for same in own.chunk_by(|p, q| p.1 == q.1) {
+                ends.push(same[0].1);
+                stiffness.push(same.iter().map(|s| s.2).sum());
+            }
         }
+        start.resize(n + 1, length(&ends));
         ends.shrink_to_fit();
         stiffness.shrink_to_fit();
-        for v in 0..n {
-            start[v + 1] += start[v];
-        }
         Self { start, ends, stiffness }
     }
 

@@ -1,0 +1,90 @@
+//! How far the triangles of the cloth are from a body at rest, at least. What is told of one holds until it has moved by as
+//! much, so that cloth far from the body is asked about once in many lists.
+
+use super::body::Body;
+use super::near::Way;
+use super::tree::Aabb;
+use crate::Vec3;
+
+/// Lower bounds of distances, and what uses them up.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Far {
+    /// Per triangle, m, where the cloth was at the last look.
+    free: Vec<f64>,
+    /// How far the vertices have moved since, and how far they go in the step, m.
+    moved: Vec<f64>,
+    pub goes: Vec<f64>,
+}
+
+#[inline]
+fn most(of: &[f64], corners: &[u32; 3]) -> f64 {
+    let [a, b, c] = corners.map(|v| of[v as usize]);
+    let ab = if a > b { a } else { b };
+    if ab > c { ab } else { c }
+}
+
+impl Far {
+    /// Takes the way of the cloth, which was at `from` at the last look; every triangle is asked about until the next.
+    pub fn take(&mut self, way: &Way<'_>, from: &[Vec3]) {
+        self.moved.clear();
+        self.moved.extend(way.x.iter().zip(from).map(|(p, q)| (p - q).norm()));
+        if self.moved.len() < way.x.len() || self.free.len() != way.topology.faces.len() {
+            self.moved.resize(way.x.len(), 0.0);
+            self.free.clear();
+            self.free.resize(way.topology.faces.len(), f64::NEG_INFINITY);
+        }
+        self.goes.clear();
+        self.goes.extend(way.step.iter().map(|d| d.norm()));
+    }
+
+    /// How far triangle `f` stays from the body on the way, m: at least, and near the truth where that is under `reach`.
+    #[inline]
+    pub fn stays(&mut self, f: u32, way: &Way<'_>, reach: f64, body: &Body) -> f64 {
+        let corners = &way.topology.faces[f as usize];
+        let goes = most(&self.goes, corners);
+        let free = &mut self.free[f as usize];
+        *free -= most(&self.moved, corners);
+        if *free - goes <= reach {
+            *free = body.clear_of(&Aabb::of_three(&crate::pick3(way.x, corners)));
+        }
+        *free - goes
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::BodyMesh;
+    use crate::topology::Topology;
+
+    /// Of a triangle that wanders about a tetrahedron never more is told than is true.
+    #[test]
+    fn never_more_than_the_distance_is_told() {
+        let corner = |x, y, z| Vec3::new(x, y, z) * 0.1;
+        let positions =
+            vec![corner(0.0, 0.0, 0.0), corner(1.0, 0.0, 0.0), corner(0.0, 1.0, 0.0), corner(0.0, 0.0, 1.0)];
+        let triangles = vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+        let body = Body::new(&BodyMesh { positions, triangles }).expect("a body");
+        let (topology, mut far, mut from, mut passed) = (Topology::new(3, vec![[0, 1, 2]]), Far::default(), vec![], 0);
+        let place = |t: f64| {
+            let at = Vec3::new(libm::cos(t), libm::sin(3.0 * t), libm::sin(t)) * 0.1;
+            vec![at, at + Vec3::new(0.02, 0.01, 0.0), at + Vec3::new(0.0, 0.02, 0.01)]
+        };
+        for i in 0..500u32 {
+            let (x, next) = (place(f64::from(i) * 0.02), place(f64::from(i) * 0.02 + 0.015));
+            let step: Vec<Vec3> = next.iter().zip(&x).map(|(q, p)| q - p).collect();
+            let way = Way::new(&x, &step, &topology, &[0, 1, 2]);
+            far.take(&way, &from);
+            let told = far.stays(0, &way, 0.02, &body);
+            for part in [0.0, 0.5, 1.0] {
+                let at: Vec<Vec3> = x.iter().zip(&step).map(|(p, d)| p + d * part).collect();
+                let nearest = |p: &Vec3| (0..4).map(|g| body.point_gap(p, g)).fold(f64::INFINITY, f64::min);
+                let middle = (at[0] + at[1] + at[2]) / 3.0;
+                assert!(at.iter().chain([&middle]).all(|p| told <= nearest(p)), "{i}: {told}");
+            }
+            passed += u32::from(told > 0.02);
+            from.clone_from(&x);
+        }
+        assert!((100..500).contains(&passed), "{passed}");
+    }
+}
