@@ -4,6 +4,7 @@
 //! that the three lengths give together, so that any orthotropic, non-linear fabric is met exactly.
 
 mod lanes;
+mod stiff;
 
 use super::Energy;
 use super::law::Fabric;
@@ -11,6 +12,7 @@ use crate::linear::hessian::Hessian;
 use crate::{Element, Elements, Scene, Settings, Vec3};
 use lanes::Lanes;
 use nalgebra::Matrix3;
+use stiff::Stiff;
 
 /// Below this stretch the shear law is not evaluated nearer to collapse.
 const LEAST_STRETCH: f64 = 0.25;
@@ -205,40 +207,7 @@ impl Energy for Coupled {
     }
 
     fn add_hessian(&self, x: &[Vec3], convex: bool, h: &mut Hessian) {
-        for (t, w) in self.shapes() {
-            let green = t.green(&t.edges(x));
-            let (mut s, d) = tangent(&green, &self.fabrics[t.fabric as usize], convex);
-            if convex {
-                s = pulling(&s);
-            }
-            let [a, b, c] = crate::pick3(x, &t.vertices);
-            let weft = a * w[0][0] + b * w[1][0] + c * w[2][0];
-            let warp = a * w[0][1] + b * w[1][1] + c * w[2][1];
-            // Rows: derivatives of the three strains by the position of corner k.
-            let strains = [0, 1, 2].map(|k| {
-                Matrix3::from_rows(&[
-                    (weft * w[k][0]).transpose(),
-                    (warp * w[k][1]).transpose(),
-                    (warp * w[k][0] + weft * w[k][1]).transpose(),
-                ])
-            });
-            let law = strains.map(|m| d * m * t.area);
-            for i in 0..3 {
-                for j in 0..=i {
-                    let mut block = strains[i].tr_mul(&law[j]);
-                    let lean =
-                        w[i][0] * (s[0] * w[j][0] + s[2] * w[j][1]) + w[i][1] * (s[2] * w[j][0] + s[1] * w[j][1]);
-                    for k in 0..3 {
-                        block[(k, k)] += t.area * lean;
-                    }
-                    if i == j {
-                        h.add(t.vertices[i], &block);
-                    } else {
-                        h.couple(t.vertices[i], t.vertices[j], &block);
-                    }
-                }
-            }
-        }
+        self.triangles.arch().dispatch(Stiff { of: self, x, convex, into: h });
     }
 }
 

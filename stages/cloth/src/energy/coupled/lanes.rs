@@ -33,6 +33,11 @@ impl Lanes {
         Self { blocks, triangles: triangles.len(), arch: Arch::new() }
     }
 
+    /// What the machine has.
+    pub fn arch(&self) -> Arch {
+        self.arch
+    }
+
     pub fn triangles(&self) -> impl Iterator<Item = Triangle> + '_ {
         self.blocks.iter().flat_map(|b| (0..N).map(|lane| b.triangle(lane))).take(self.triangles)
     }
