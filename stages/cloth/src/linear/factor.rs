@@ -231,30 +231,33 @@ impl Solve<'_> {
 
 #[inline(always)]
 fn forward<S: Simd, const V: usize>(simd: S, node: &Node, values: &[f32], right: &mut [f32], local: &mut Vec<f32>) {
-    let l = gather(node, values, right, local);
+    let (l, local) = gather(node, values, right, local);
     sweep::solve_lower::<S, V>(simd, l, local, node.width());
     scatter(node, right, local);
 }
 
 #[inline(always)]
 fn backward<S: Simd, const V: usize>(simd: S, node: &Node, values: &[f32], right: &mut [f32], local: &mut Vec<f32>) {
-    let l = gather(node, values, right, local);
+    let (l, local) = gather(node, values, right, local);
     sweep::solve_upper::<S, V>(simd, l, local, node.width());
     let first = 3 * node.first as usize;
     right[first..first + node.width()].copy_from_slice(&local[..node.width()]);
 }
 
 #[inline(always)]
-fn gather<'a>(node: &Node, values: &'a [f32], right: &[f32], local: &mut Vec<f32>) -> &'a [f32] {
-    let (first, width) = (3 * node.first as usize, node.width());
-    local.resize(node.height() + TALL, 0.0);
+fn gather<'a>(node: &Node, values: &'a [f32], right: &[f32], local: &'a mut Vec<f32>) -> (&'a [f32], &'a mut [f32]) {
+    let (first, width, length) = (3 * node.first as usize, node.width(), node.height() + TALL);
+    if local.len() < length {
+        local.resize(length, 0.0);
+    }
+    let local = &mut local[..length];
     local[node.height()..].fill(0.0);
     local[..width].copy_from_slice(&right[first..first + width]);
     let vertices = right.as_chunks::<3>().0;
     for (row, part) in node.rows.iter().zip(local[width..].as_chunks_mut().0) {
         *part = vertices[*row as usize];
     }
-    &values[node.start..node.start + node.height() * width + TALL]
+    (&values[node.start..node.start + node.height() * width + TALL], local)
 }
 
 #[inline(always)]
