@@ -68,7 +68,7 @@ impl WithSimd for Evaluate<'_> {
             block.tense(self.fabrics, &mut slate);
             block.stress(self.fabrics, &mut slate);
             let count = N.min(self.lanes.triangles - k * N);
-            energy = block.pull(&slate, self.f, energy, count);
+            energy = block.pull(&mut slate, self.f, energy, count);
         }
         energy
     }
@@ -89,6 +89,8 @@ struct Slate {
     shear: Row,
     /// Per area, J/m².
     energy: Row,
+    /// What each edge pulls, by axis, N.
+    pulls: [[Row; 3]; 3],
 }
 
 impl Slate {
@@ -214,20 +216,19 @@ impl Block {
 
     /// Adds the forces of the first `count`, and their energy to `energy`.
     #[inline(always)]
-    fn pull(&self, s: &Slate, f: &mut [Vec3], mut energy: f64, count: usize) -> f64 {
-        let mut pulls = [[[0.0; N]; 3]; 3];
+    fn pull(&self, s: &mut Slate, f: &mut [Vec3], mut energy: f64, count: usize) -> f64 {
         for l in 0..N {
             for k in 0..3 {
                 let m = &self.inverse;
                 let sum = m[0][k][l] * s.stress[0][l] + m[1][k][l] * s.stress[1][l] + m[2][k][l] * s.stress[2][l];
                 let pull = self.area[l] * sum;
                 for axis in 0..3 {
-                    pulls[k][axis][l] = s.edges[k][axis][l] * pull;
+                    s.pulls[k][axis][l] = s.edges[k][axis][l] * pull;
                 }
             }
         }
         for l in 0..count {
-            let [p, q, r] = [0, 1, 2].map(|k| Vec3::new(pulls[k][0][l], pulls[k][1][l], pulls[k][2][l]));
+            let [p, q, r] = [0, 1, 2].map(|k| Vec3::new(s.pulls[k][0][l], s.pulls[k][1][l], s.pulls[k][2][l]));
             let [a, b, c] = self.vertices[l];
             f[a as usize] += p - r;
             f[b as usize] += q - p;
