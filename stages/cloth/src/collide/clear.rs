@@ -6,7 +6,7 @@ use crate::Vec3;
 
 /// Cells along the longest side of the grid, and how many cells away is told apart.
 const CELLS: f64 = 64.0;
-const FAR: usize = 10;
+const FAR: usize = 5;
 
 /// Lower bounds of the distance to a set of triangles.
 #[derive(Debug)]
