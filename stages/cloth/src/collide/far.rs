@@ -16,6 +16,13 @@ pub(super) struct Far {
     pub goes: Vec<f64>,
 }
 
+/// Endless where it is no number, as where the cloth was beyond numbers at the last look: then nothing is told of it any more.
+#[inline]
+fn length(v: &Vec3) -> f64 {
+    let length = v.norm();
+    if length.is_nan() { f64::INFINITY } else { length }
+}
+
 #[inline]
 fn most(of: &[f64], corners: &[u32; 3]) -> f64 {
     let [a, b, c] = corners.map(|v| of[v as usize]);
@@ -27,14 +34,14 @@ impl Far {
     /// Takes the way of the cloth, which was at `from` at the last look; every triangle is asked about until the next.
     pub fn take(&mut self, way: &Way<'_>, from: &[Vec3]) {
         self.moved.clear();
-        self.moved.extend(way.x.iter().zip(from).map(|(p, q)| (p - q).norm()));
+        self.moved.extend(way.x.iter().zip(from).map(|(p, q)| length(&(p - q))));
         if self.moved.len() < way.x.len() || self.free.len() != way.topology.faces.len() {
             self.moved.resize(way.x.len(), 0.0);
             self.free.clear();
             self.free.resize(way.topology.faces.len(), f64::NEG_INFINITY);
         }
         self.goes.clear();
-        self.goes.extend(way.step.iter().map(|d| d.norm()));
+        self.goes.extend(way.step.iter().map(length));
     }
 
     /// How far triangle `f` stays from the body on the way, m: at least, and near the truth where that is under `reach`.
@@ -45,7 +52,8 @@ impl Far {
         let free = &mut self.free[f as usize];
         *free -= most(&self.moved, corners);
         if *free - goes <= reach {
-            *free = body.clear_of(&Aabb::of_three(&crate::pick3(way.x, corners)));
+            let clear = body.clear_of(&Aabb::of_three(&crate::pick3(way.x, corners)));
+            *free = if clear.is_nan() { f64::NEG_INFINITY } else { clear };
         }
         *free - goes
     }
@@ -57,14 +65,38 @@ mod tests {
     use crate::BodyMesh;
     use crate::topology::Topology;
 
-    /// Of a triangle that wanders about a tetrahedron never more is told than is true.
-    #[test]
-    fn never_more_than_the_distance_is_told() {
+    fn tetrahedron() -> Body {
         let corner = |x, y, z| Vec3::new(x, y, z) * 0.1;
         let positions =
             vec![corner(0.0, 0.0, 0.0), corner(1.0, 0.0, 0.0), corner(0.0, 1.0, 0.0), corner(0.0, 0.0, 1.0)];
-        let triangles = vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
-        let body = Body::new(&BodyMesh { positions, triangles }).expect("a body");
+        Body::new(&BodyMesh { positions, triangles: vec![[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]] }).expect("a body")
+    }
+
+    /// A run that goes wrong comes back to where it was sound, and must find the body there.
+    #[test]
+    fn cloth_that_was_beyond_numbers_is_asked_about_anew() {
+        let (body, topology, mut far) = (tetrahedron(), Topology::new(3, vec![[0, 1, 2]]), Far::default());
+        let sound = vec![Vec3::new(0.01, 0.01, 0.101), Vec3::new(0.02, 0.01, 0.101), Vec3::new(0.01, 0.02, 0.101)];
+        let step = vec![Vec3::zeros(); 3];
+        let mut told = |x: &[Vec3], from: &[Vec3]| {
+            let way = Way::new(x, &step, &topology, &[0, 1, 2]);
+            far.take(&way, from);
+            far.stays(0, &way, 0.02, &body)
+        };
+        let first = told(&sound, &[]);
+        assert!(first < 0.02);
+        for corners in [vec![0], vec![1], vec![2], vec![0, 1, 2]] {
+            let mut lost = sound.clone();
+            corners.iter().for_each(|c: &usize| lost[*c] = Vec3::repeat(f64::NAN));
+            told(&lost, &sound);
+            assert_eq!(told(&sound, &lost), first, "{corners:?}");
+        }
+    }
+
+    /// Of a triangle that wanders about a tetrahedron never more is told than is true.
+    #[test]
+    fn never_more_than_the_distance_is_told() {
+        let body = tetrahedron();
         let (topology, mut far, mut from, mut passed) = (Topology::new(3, vec![[0, 1, 2]]), Far::default(), vec![], 0);
         let place = |t: f64| {
             let at = Vec3::new(libm::cos(t), libm::sin(3.0 * t), libm::sin(t)) * 0.1;
