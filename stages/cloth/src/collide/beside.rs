@@ -39,9 +39,10 @@ impl<const N: usize, T: Copy> Held<N, T> {
 
     /// How far each corner has moved since the list was made, m, if that still holds for what is nearer than `reach`.
     fn moved(&self, x: &[Vec3; N], reach: f64) -> Option<[f64; N]> {
-        let moved = std::array::from_fn(|k| (self.at[k] - x[k]).norm());
-        let most = moved.iter().fold(0.0, |m: f64, d| m.max(*d));
-        let holds = self.limit > 0.0 && most + reach <= self.limit && self.limit <= TOO_WIDE * reach;
+        let moved: [f64; N] = std::array::from_fn(|k| (self.at[k] - x[k]).norm());
+        // No list made beyond numbers holds.
+        let near = moved.iter().all(|m| m + reach <= self.limit);
+        let holds = self.limit > 0.0 && near && self.limit <= TOO_WIDE * reach;
         holds.then_some(moved)
     }
 
@@ -186,6 +187,21 @@ mod tests {
         };
         let triangles = (0..21).flat_map(|i| (0..10).flat_map(move |j| cell(i, j))).collect();
         Body::new(&BodyMesh { positions, triangles }).expect("a body")
+    }
+
+    /// A run that goes wrong comes back to where it was sound.
+    #[test]
+    fn a_list_made_beyond_numbers_does_not_hold() {
+        let (body, at) = (ball(), Vec3::new(0.21, 0.0, 0.0));
+        let near = |ways: &[Vec3]| {
+            let mut beside = Beside::default();
+            beside.cover(1, 0);
+            ways.iter().map(|x| beside.point(0, x, 0.02, 0.01, &body).count()).last()
+        };
+        let lost = Vec3::repeat(f64::NAN);
+        assert!(near(&[at]) > Some(0));
+        assert_eq!(near(&[lost, at]), near(&[at]));
+        assert_eq!(near(&[at, lost, at]), near(&[at]));
     }
 
     /// Wherever a triangle wanders, what is kept holds all that is near, in the order of the tree.
