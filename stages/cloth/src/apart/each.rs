@@ -19,7 +19,7 @@ pub(crate) fn each(
     let mut shown = Shown::new(scene, groups);
     let work = |k: usize, watch: &mut dyn Watch| drape(&groups[k].scene, watch);
     let draped = crew::work(groups.len(), threads, watch, work, |k, word, watch| shown.tell(k, word, watch));
-    let (mut whole, mut positions) = (None, scene.positions.clone());
+    let (mut whole, mut positions) = (None, shown.positions);
     // As one after the other would have told.
     for (g, outcome) in groups.iter().zip(draped) {
         let outcome = outcome.map_err(|e| e.placed(|p| g.told(p)))?;

@@ -80,8 +80,7 @@ impl Body {
     /// May anything of it be in this box?
     #[inline]
     pub fn may_meet(&self, b: &Aabb) -> bool {
-        let middle = (b.low + b.high) * 0.5;
-        b.meets(&self.bounds) && self.clearance.at(&middle) <= 0.5 * (b.high - b.low).norm()
+        self.clear_of(b) <= 0.0
     }
 
     /// How far it is from all that is in this box, at least, m.
