@@ -2,6 +2,8 @@
 //! there either. `built.rs` has refused whatever calls for them.
 
 use crate::Vec3;
+#[cfg(not(feature = "self-contact"))]
+use crate::collide::near::{Near, Way};
 
 /// For [`crate::energy::pressure`].
 #[cfg(not(feature = "pressure"))]
@@ -67,23 +69,19 @@ pub(crate) enum Own {}
 
 #[cfg(not(feature = "self-contact"))]
 impl Own {
-    pub fn new(
-        _: &crate::Scene,
-        _: &[Vec3],
-        _: &crate::topology::Topology,
-        _: Option<crate::collide::sheet::Sheet>,
-    ) -> Option<Self> {
+    pub fn new(_: &crate::Scene, _: &[Vec3], _: &crate::topology::Topology) -> Option<Self> {
         None
     }
 
-    pub fn list(
-        &mut self,
-        _: &mut crate::collide::near::Near,
-        _: &crate::collide::near::Way<'_>,
-        _: f64,
-        _: f64,
-        _: f64,
-    ) {
+    pub fn list(&mut self, _: &mut Near, _: &Way<'_>, _: f64, _: f64, _: f64) {
+        match *self {}
+    }
+
+    pub fn list_once(&mut self, _: &mut Near, _: &Way<'_>, _: f64) {
+        match *self {}
+    }
+
+    pub fn surely_lies_free(&mut self, _: &[Vec3], _: &crate::topology::Topology) -> bool {
         match *self {}
     }
 

@@ -1,8 +1,8 @@
 //! A scene checked, and a start that is free of crossings.
 
+use crate::built::Own;
 use crate::collide::body::Body;
 use crate::collide::repair;
-use crate::collide::sheet::Sheet;
 use crate::cost::{Costs, Lap, Work};
 use crate::topology::Topology;
 use crate::{ClothError, Scene, Settings, SharedBody, Switch, Vec3, built, validate};
@@ -15,8 +15,8 @@ pub(crate) struct Start {
     pub body: Option<Body>,
     /// Does cloth meet cloth?
     pub own: bool,
-    /// Is it one piece, which does not while it is spread out?
-    pub sheet: Option<Sheet>,
+    /// What finds cloth near cloth.
+    pub near: Option<Own>,
     /// Vertices moved, and the largest move, m.
     pub repaired: (usize, f64),
     /// Not part of any result.
@@ -39,9 +39,9 @@ impl Start {
         let mut repaired = (0, 0.0);
         let mut held = vec![false; positions.len()];
         scene.pins.iter().for_each(|p| held[p.vertex as usize] = true);
-        let mut sheet = own.then(|| Sheet::new(scene, &topology)).flatten();
+        let mut near = own.then(|| Own::new(scene, &positions, &topology)).flatten();
         if own {
-            if !sheet.as_mut().is_some_and(|s| s.lies_spread(&positions, &topology.faces)) {
+            if !near.as_mut().is_some_and(|n| n.surely_lies_free(&positions, &topology)) {
                 repaired = repair::free_of_itself(&mut positions, &topology, &held)?;
             }
             costs.spend(Work::SelfContact, &mut lap);
@@ -54,6 +54,9 @@ impl Start {
             repaired = (repaired.0.max(freed.0), f64::max(repaired.1, freed.1));
             costs.spend(Work::BodyContact, &mut lap);
         }
-        Ok(Self { topology, positions, body, own, sheet, repaired, costs })
+        if near.is_some() && repaired.0 > 0 {
+            near = Own::new(scene, &positions, &topology);
+        }
+        Ok(Self { topology, positions, body, own, near, repaired, costs })
     }
 }

@@ -48,6 +48,16 @@ fn self_contact_of_a_taut_sheet_is_never_active() {
     assert!(!evidence(&off, "self-contact").0);
 }
 
+/// Cloth that hangs in folds looks at itself afterwards only: the same steps as without.
+#[test]
+fn self_contact_of_cloth_in_folds_that_do_not_meet_is_never_active() {
+    let on = run(&on_a_ball(), Effects { self_contact: Switch::On, ..Effects::default() });
+    same(&on, &run(&on_a_ball(), Effects { self_contact: Switch::Off, ..Effects::default() }));
+    let (_, told) = evidence(&on, "self-contact");
+    assert!(told.starts_with("never active: not needed") && told.ends_with(" 0 of them taken back"), "{told}");
+    assert!(on.settled && on.positions.iter().any(|p| p.y < -0.02), "it hangs");
+}
+
 /// What is held is led as fast as the cloth follows where nothing rubs, whatever could.
 #[test]
 fn effects_that_nothing_calls_for_do_not_slow_what_is_led() {

@@ -15,12 +15,14 @@ const SAFE: f64 = 0.9;
 /// Rounds in which single vertices are held back before the whole step is shortened.
 const ROUNDS: usize = 5;
 const MOST_ADVANCES: usize = 64;
+/// A pair that comes so near to a distance, over it, is said to reach it.
+const NEARLY: f64 = 1e-3;
 
 /// A pair: positions and displacements of its four points, `split` of them on the first side.
-struct Pair {
-    at: [Vec3; 4],
-    by: [Vec3; 4],
-    kind: u8,
+pub(super) struct Pair {
+    pub at: [Vec3; 4],
+    pub by: [Vec3; 4],
+    pub kind: u8,
 }
 
 impl Pair {
@@ -68,6 +70,24 @@ impl Pair {
             }
         }
         t
+    }
+
+    /// Does it stay farther apart than `least` all along the displacement? `false`, too, where that takes too long to tell.
+    pub fn stays_beyond(&mut self, least: f64) -> bool {
+        let (pace, mut left) = (self.pace(), 1.0);
+        for _ in 0..MOST_ADVANCES {
+            let room = self.distance() - least;
+            if room <= NEARLY * least {
+                return false;
+            }
+            if pace * left <= room {
+                return true;
+            }
+            let step = room / pace;
+            left -= step;
+            (0..4).for_each(|k| self.at[k] += self.by[k] * step);
+        }
+        false
     }
 }
 

@@ -5,6 +5,7 @@
 //! are made anew when the cloth has moved by the slack.
 
 mod bear;
+mod chord;
 
 use super::against::Against;
 use super::body::Body;
@@ -68,6 +69,9 @@ pub(crate) struct Tally {
     pub looks: u64,
     pub own_looks: u64,
     pub body_looks: u64,
+    /// Ways on which cloth was not looked for beside cloth, and those of them that were taken back.
+    pub ahead: u64,
+    pub back: u64,
     /// Not part of any result.
     pub costs: Costs,
 }
@@ -82,12 +86,25 @@ impl Tally {
     }
 }
 
+/// Is cloth near cloth listed?
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+enum Sight {
+    /// As what is near the body.
+    #[default]
+    Kept,
+    /// It is not looked for.
+    Away,
+    /// Not now: a list is due.
+    Lost,
+}
+
 pub(crate) struct Barrier {
     pub frame: Frame,
     pub body: Option<Body>,
     /// What finds cloth near cloth, where it is looked for.
     own: Option<Own>,
     pub near: Near,
+    sight: Sight,
     pub against: Against,
     /// How far each vertex is from where the lists of the body were made, m.
     moved: Vec<f64>,
@@ -117,6 +134,7 @@ impl Barrier {
             body,
             own,
             near: Near::default(),
+            sight: Sight::default(),
             against: Against::default(),
             moved: Vec::new(),
             listed: Listed::default(),
@@ -135,15 +153,16 @@ impl Barrier {
     pub fn cover(&mut self, x: &[Vec3], step: &[Vec3]) -> bool {
         let way = Way::new(x, step, &self.frame.topology, &self.frame.groups);
         let travels = self.body.as_ref().is_some_and(Body::travels);
-        if self.listed.covers(x, way.longest, 0.0) && !travels {
+        if self.listed.covers(x, way.longest, 0.0) && !travels && self.sight != Sight::Lost {
             return false;
         }
         self.tally.lists += 1;
         let mut lap = Lap::start();
         let edge = self.frame.edge;
         let slack = (3.0 * way.longest).clamp(LEAST_SLACK * edge, MOST_SLACK * edge);
-        if let Some(own) = &mut self.own {
+        if let Some(own) = self.own.as_mut().filter(|_| self.sight != Sight::Away) {
             own.list(&mut self.near, &way, thick(&self.frame.own_gap), slack, edge);
+            self.sight = Sight::Kept;
             self.tally.costs.spend(Work::SelfContact, &mut lap);
         }
         if let Some(body) = &mut self.body {

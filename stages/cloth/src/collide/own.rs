@@ -3,6 +3,7 @@
 use super::near::{Near, Way};
 use super::search::Search;
 use super::sheet::Sheet;
+use crate::exact::count;
 use crate::topology::Topology;
 use crate::{Elements, Scene, Vec3};
 
@@ -16,12 +17,13 @@ pub(crate) struct Own {
 }
 
 impl Own {
-    /// `None` for a single triangle, which meets nothing. `x`: where the cloth begins; `sheet`: if it is one.
-    pub fn new(scene: &Scene, x: &[Vec3], topology: &Topology, sheet: Option<Sheet>) -> Option<Self> {
+    /// `None` for a single triangle, which meets nothing. `x`: where the cloth begins.
+    pub fn new(scene: &Scene, x: &[Vec3], topology: &Topology) -> Option<Self> {
         if topology.faces.len() < 2 {
             return None;
         }
         let cloth = scene.triangles.clone();
+        let sheet = Sheet::new(scene, topology);
         let search = sheet.is_none().then(|| Search::new(&cloth, x, topology));
         let start = if search.is_none() { x.to_vec() } else { Vec::new() };
         Some(Self { sheet, search, cloth, start })
@@ -30,15 +32,43 @@ impl Own {
     /// Lists the pairs that come nearer than `gap` along a way, or `slack` beside it; edges are `edge` long.
     pub fn list(&mut self, near: &mut Near, way: &Way<'_>, gap: f64, slack: f64, edge: f64) {
         near.clear_own();
+        if let Some(search) = self.search(way) {
+            search.list(near, way, gap, slack, edge);
+        }
+    }
+
+    /// Lists the pairs that come nearer than `gap` along a way that no other follows.
+    pub fn list_once(&mut self, near: &mut Near, way: &Way<'_>, gap: f64) {
+        near.clear_own();
+        if let Some(search) = self.search(way) {
+            search.once(way, gap, |f, g| near.add_own(f, g, way, gap));
+        }
+    }
+
+    /// Does it surely cross itself nowhere? Asked of less than all pairs, and with less regard to what only touches, than
+    /// [`count::own`] asks.
+    pub fn surely_lies_free(&mut self, x: &[Vec3], topology: &Topology) -> bool {
+        let (still, mut free) = (vec![Vec3::zeros(); x.len()], true);
+        let way = Way::new(x, &still, topology, &[]);
+        if let Some(search) = self.search(&way) {
+            search.once(&way, 0.0, |f, g| {
+                free = free && !count::cross(x, topology.faces[f as usize], topology.faces[g as usize])
+            });
+        }
+        free
+    }
+
+    /// What searches, made when it is first needed; `None` where the cloth is surely spread out all along the way.
+    fn search(&mut self, way: &Way<'_>) -> Option<&mut Search> {
         if self.sheet.as_mut().is_some_and(|s| s.is_spread(way.x, way.step, &way.topology.faces)) {
-            return;
+            return None;
         }
         let Self { search, cloth, start, .. } = self;
         let made = || {
             let start = std::mem::take(start);
             Search::new(cloth, &start, &Topology::of_elements(start.len(), cloth))
         };
-        search.get_or_insert_with(made).list(near, way, gap, slack, edge);
+        Some(search.get_or_insert_with(made))
     }
 
     pub fn forget(&mut self) {
@@ -64,7 +94,7 @@ mod tests {
             scene.triangles.push(Element { vertices: [n, n + 1, n + 2], rest, material: 0 });
         }
         let topology = Topology::of_elements(6, &scene.triangles);
-        let own = Own::new(&scene, &scene.positions, &topology, None);
+        let own = Own::new(&scene, &scene.positions, &topology);
         let frame = Frame { own: true, ..Frame::plain(topology, vec![0.0; 6], vec![1e-3; 6], 1.0) };
         (scene, Barrier::new(frame, None, vec![1.0; 6], own))
     }

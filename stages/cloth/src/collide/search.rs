@@ -57,18 +57,39 @@ impl Search {
     /// Lists the pairs that come nearer than `gap` along a way, or `slack` beside it; edges are `edge` long.
     pub fn list(&mut self, near: &mut Near, way: &Way<'_>, gap: f64, slack: f64, edge: f64) {
         let reach = gap + 2.0 * slack;
+        self.look(way, reach);
+        self.neighbours(way, |f, g| near.add_own(f, g, way, reach));
+        self.find(way, reach, gap + 2.0 * slack.max(FAR_SLACK * edge));
+        self.meeting.iter().for_each(|&[f, g]| near.add_own(f, g, way, reach));
+    }
+
+    /// All triangles that may come nearer than `reach` along a way, and no list: nothing is kept for the next one.
+    pub fn once(&mut self, way: &Way<'_>, reach: f64, mut emit: impl FnMut(u32, u32)) {
+        self.look(way, reach);
+        self.neighbours(way, &mut emit);
+        self.forget();
+        let Self { tree, tiles, sweeps, .. } = self;
+        let sweep = |f: u32| sweeps[f as usize];
+        tree.refit_tiles(sweep);
+        tree.meeting_strangers(tiles, |f, g| sweep(f).meets(&sweep(g)), emit);
+    }
+
+    /// Takes a way: boxes, and where the cloth is calm.
+    fn look(&mut self, way: &Way<'_>, reach: f64) {
         self.flat.take(way.x, way.step);
         self.sweeps.clear();
         self.sweeps.extend(way.topology.faces.iter().map(self.flat.sweeps(0.5 * reach)));
         self.calm.look(way.x, way.step, way.topology);
+    }
+
+    /// Neighbours in the cloth that may meet on the way that was taken.
+    fn neighbours(&self, way: &Way<'_>, mut emit: impl FnMut(u32, u32)) {
         let meet = |f: u32, g: u32| self.sweeps[f as usize].meets(&self.sweeps[g as usize]);
         self.calm.restless(way.topology, |f, g, joined| {
             if joined || meet(f, g) {
-                near.add_own(f, g, way, reach);
+                emit(f, g);
             }
         });
-        self.find(way, reach, gap + 2.0 * slack.max(FAR_SLACK * edge));
-        self.meeting.iter().for_each(|&[f, g]| near.add_own(f, g, way, reach));
     }
 
     /// Finds the strangers that meet on this way. Most that were near when a search was made are not on this way: their boxes

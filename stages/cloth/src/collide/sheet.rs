@@ -41,11 +41,6 @@ impl Sheet {
         })
     }
 
-    /// Is the piece spread out where it lies?
-    pub fn lies_spread(&mut self, x: &[Vec3], faces: &[[u32; 3]]) -> bool {
-        self.is_spread(x, &vec![Vec3::zeros(); x.len()], faces)
-    }
-
     /// Is the piece spread out all along a step?
     pub fn is_spread(&mut self, x: &[Vec3], step: &[Vec3], faces: &[[u32; 3]]) -> bool {
         let Some([u, v]) = self.plane(x) else { return false };

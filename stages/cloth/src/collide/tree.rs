@@ -295,9 +295,9 @@ impl Tree {
 
     /// The pairs of items in two tiles: a bit for each, eight times the slot in the first plus that in the second.
     pub fn present(&self, a: usize, b: usize) -> u64 {
-        let there = |t: usize, k: usize| self.items[TILE * t + k] != u32::MAX;
-        let bit = |n: usize| u64::from(there(a, n / TILE) && there(b, n % TILE)) << n;
-        (0..TILE * TILE).map(bit).sum()
+        let slots = |t: usize| (0..TILE).filter(move |k| self.items[TILE * t + k] != u32::MAX);
+        let row: u64 = slots(b).map(|k| 1 << k).sum();
+        slots(a).map(|k| row << (TILE * k)).sum()
     }
 
     /// Pairs of strangers that `meet` in tiles whose sweeps meet somewhere along the step, in a fixed order. What moves along

@@ -71,7 +71,8 @@ fn places(x: &[Vec3]) -> Vec<u32> {
     same
 }
 
-fn cross(x: &[Vec3], s: [u32; 3], t: [u32; 3]) -> bool {
+/// Do two triangles of cloth cross, or pass through or lie on each other beside what they have in common?
+pub(crate) fn cross(x: &[Vec3], s: [u32; 3], t: [u32; 3]) -> bool {
     let common = s.iter().filter(|v| t.contains(v)).count();
     let at = |t: [u32; 3]| t.map(|v| x[v as usize]);
     match common {

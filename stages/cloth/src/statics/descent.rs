@@ -1,5 +1,6 @@
 //! The descent: blocks of quasi-Newton steps around one factor, until a Newton step would win nothing more.
 
+use super::ahead::Ahead;
 use super::lead::Leading;
 use super::memory::{Memory, dot};
 use super::objective::Objective;
@@ -78,6 +79,7 @@ pub(crate) struct Descent<'a> {
     /// Vertices moved before the first step, and the largest move, m.
     pub repaired: (usize, f64),
     pub(super) leading: Leading,
+    pub(super) ahead: Ahead,
     /// Of what the factor is.
     made: Made,
     /// Blocks until the true metric is tried again, and how many it will be after the next failure.
@@ -145,6 +147,7 @@ impl<'a> Descent<'a> {
             weight,
             repaired,
             leading: Leading::default(),
+            ahead: Ahead::default(),
             made: Made::default(),
             wait: 0,
             patience: 0,
@@ -393,8 +396,8 @@ impl<'a> Descent<'a> {
         self.goal.pins.iter_mut().for_each(|(v, at)| *at = self.x[*v as usize]);
     }
 
-    /// Of at least `few` steps, if none ends it.
-    pub fn block(&mut self, few: usize) -> Block {
+    /// Of at least `few`, if none ends it.
+    pub(super) fn take_steps(&mut self, few: usize) -> Block {
         let mut b = Block::default();
         let before = self.energy;
         let mut sum = 0.0;
@@ -455,6 +458,14 @@ impl<'a> Descent<'a> {
 
     /// A new metric for what is here.
     pub fn metric(&mut self) -> Result<(), ClothError> {
+        match self.measured() {
+            // Where cloth has gone through itself, no way may lead on.
+            Err(_) if !self.is_proved() => self.measured(),
+            told => told,
+        }
+    }
+
+    fn measured(&mut self) -> Result<(), ClothError> {
         if !self.energy.is_finite() {
             return Err(ClothError::Unstable { step: self.steps, what: "the energy is beyond numbers".into() });
         }

@@ -1,5 +1,6 @@
 //! Rest without time: the least of one energy (docs/static.md), by descents whose metric is a lagged Cholesky factor.
 
+mod ahead;
 mod close;
 mod coarse;
 pub(crate) mod descent;

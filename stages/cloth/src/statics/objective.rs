@@ -2,7 +2,7 @@
 
 use super::seams::Seams;
 use super::slate::Slate;
-use crate::built::{Hysteresis, Own, Pressure};
+use crate::built::{Hysteresis, Pressure};
 use crate::collide::barrier::Barrier;
 use crate::collide::stick::Stick;
 use crate::collide::tree::Aabb;
@@ -60,7 +60,7 @@ pub(crate) struct Objective {
 
 impl Objective {
     pub fn new(scene: &Scene, s: &Settings, start: Start, pulls: bool) -> (Self, Vec<Vec3>) {
-        let Start { topology, positions, body, own, sheet, mut costs, .. } = start;
+        let Start { topology, positions, body, own, near, mut costs, .. } = start;
         let mass = masses(scene);
         let energies = model(scene, s, &topology, &mass);
         let mut pins = held(scene);
@@ -80,14 +80,12 @@ impl Objective {
             (s.effects.friction != Switch::Off && (own || body.is_some()) && frame.friction.iter().any(|m| *m > 0.0))
                 .then(Stick::default);
         let barrier = (own || body.is_some()).then(|| {
-            let mut lap = Lap::start();
-            let own = own.then(|| Own::new(scene, &positions, &frame.topology, sheet)).flatten();
             frame.topology.forget_hinges();
-            costs.spend(Work::SelfContact, &mut lap);
+            let mut lap = Lap::start();
             let coarser = s.of_coarser_level();
             let body = body.map(|b| if coarser { b.held_off([frame.edge, s.body_gap]) } else { b });
             costs.spend(Work::BodyContact, &mut lap);
-            Barrier::new(frame, body, areas(scene), own)
+            Barrier::new(frame, body, areas(scene), near)
         });
         let noise = energies.iter().map(|e| e.noise(&positions)).sum();
         let force = vec![Vec3::zeros(); positions.len()];

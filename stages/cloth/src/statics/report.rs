@@ -86,7 +86,11 @@ fn self_contact(d: &Descent<'_>) -> EffectReport {
     let evidence = if on {
         let (lists, limited) = (t.lists, t.limited);
         let active = active(t.own_looks, t.looks);
-        format!("{active}; up to {} near pairs, lists made {lists} times, {limited} steps shortened", t.own_most)
+        let ahead = format!("{} blocks without a look, {} of them taken back", t.ahead, t.back);
+        format!(
+            "{active}; up to {} near pairs, lists made {lists} times, {limited} steps shortened; {ahead}",
+            t.own_most
+        )
     } else {
         "cloth may pass through cloth".into()
     };

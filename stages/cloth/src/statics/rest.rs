@@ -124,8 +124,18 @@ fn on_coarser(level: &Level, settings: &Settings, watch: &mut dyn Watch) -> Resu
 impl Descent<'_> {
     /// Goes on until at rest.
     pub fn settle(&mut self, watch: &mut dyn Watch) -> Result<StopReason, ClothError> {
-        let (mut stuck, mut rounds) = (0, Rounds::default());
         let mut way = Way::default();
+        loop {
+            let reason = self.descend(watch, &mut way)?;
+            if self.is_proved() {
+                return Ok(reason);
+            }
+        }
+    }
+
+    /// Goes on until at rest as far as is proved.
+    fn descend(&mut self, watch: &mut dyn Watch, way: &mut Way) -> Result<StopReason, ClothError> {
+        let (mut stuck, mut rounds) = (0, Rounds::default());
         let start = self.x.clone();
         let far = FAR * self.goal.size(&start);
         self.goal.set_rough(true);
@@ -170,7 +180,7 @@ impl Descent<'_> {
             if locks == Locks::Untouched && self.steps - begun >= LONG_LOCKED {
                 locks = self.widen_locks();
             }
-            let b = self.block(few);
+            let Some(b) = self.block_ahead(few) else { continue };
             stuck = if b.steps == 0 { stuck + 1 } else { 0 };
             if stuck > MOST_STUCK {
                 return Ok(StopReason::MaxSteps);
