@@ -30,6 +30,7 @@ impl Pressure {
 
 /// For [`crate::energy::hysteresis`].
 #[cfg(not(feature = "bending-hysteresis"))]
+#[derive(Clone)]
 pub(crate) enum Hysteresis {}
 
 #[cfg(not(feature = "bending-hysteresis"))]

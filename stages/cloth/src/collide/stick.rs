@@ -19,6 +19,7 @@ const TAKEN: f64 = 0.5;
 const SWEEPS: usize = 2000;
 const SHARED: f64 = 1e-5;
 
+#[derive(Clone)]
 struct Hold {
     vertices: [u32; 4],
     weights: [f64; 4],
@@ -33,7 +34,7 @@ struct Hold {
 }
 
 /// All contacts that rub.
-#[derive(Default)]
+#[derive(Clone, Default)]
 pub(crate) struct Stick {
     holds: Vec<Hold>,
     /// Holds that slid, and the largest slide, m, at the last refresh.

@@ -4,6 +4,8 @@
 use super::descent::{Block, Descent};
 use super::memory::Memory;
 use crate::Vec3;
+use crate::built::Hysteresis;
+use crate::collide::stick::Stick;
 
 /// Blocks in which cloth must not touch itself after it was taken back, before it goes ahead again: at first, and at most; they
 /// double each time.
@@ -30,13 +32,15 @@ impl Default for Ahead {
     }
 }
 
-/// What is known of a place to which the cloth may be taken back.
+/// What is known of a place to which the cloth may be taken back, with what it is held by there.
 struct Mark {
     x: Vec<Vec3>,
     memory: Memory,
     tau: f64,
     firm: f64,
     steps: u64,
+    stick: Option<Stick>,
+    hysteresis: Option<Hysteresis>,
 }
 
 impl Descent<'_> {
@@ -84,10 +88,8 @@ impl Descent<'_> {
 
     /// Without a look at the cloth itself.
     fn blind_block(&mut self, few: usize) -> Block {
-        let here =
-            |d: &Self| Mark { x: d.x.clone(), memory: d.memory.clone(), tau: d.tau, firm: d.firm, steps: d.steps };
         if self.ahead.mark.is_none() {
-            self.ahead.mark = Some(here(self));
+            self.ahead.mark = Some(self.mark());
         }
         self.ahead.blocks += 1;
         self.goal.barrier.iter_mut().for_each(|b| b.look_away());
@@ -107,9 +109,23 @@ impl Descent<'_> {
         block
     }
 
+    fn mark(&self) -> Mark {
+        Mark {
+            x: self.x.clone(),
+            memory: self.memory.clone(),
+            tau: self.tau,
+            firm: self.firm,
+            steps: self.steps,
+            stick: self.goal.stick.clone(),
+            hysteresis: self.goal.hysteresis.clone(),
+        }
+    }
+
+    /// What has become harder or been let go on the way stays so.
     fn return_to(&mut self, mark: Mark) {
-        let Mark { x, memory, tau, firm, steps } = mark;
+        let Mark { x, memory, tau, firm, steps, stick, hysteresis } = mark;
         (self.x, self.memory, self.tau, self.firm, self.steps) = (x, memory, tau, firm, steps);
+        (self.goal.stick, self.goal.hysteresis) = (stick, hysteresis);
         self.goal.barrier.iter_mut().for_each(|b| b.relist(&self.x));
         self.evaluate();
     }

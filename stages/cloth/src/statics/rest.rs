@@ -196,7 +196,13 @@ impl Descent<'_> {
             self.goal.set_rough(false);
             return None;
         }
-        if rounds.borne < MOST_BORNE && !self.is_coarser() && self.bear() {
+        let gives = rounds.borne < MOST_BORNE && !self.is_coarser();
+        // What is moved out stays so.
+        if gives && !self.is_proved() {
+            self.goal.set_rough(true);
+            return None;
+        }
+        if gives && self.bear() {
             rounds.borne += 1;
             self.goal.set_rough(true);
             return None;

@@ -11,6 +11,7 @@ use nalgebra::Vector3;
 const BUILD_UP: f64 = 0.02;
 
 /// One direction of one triangle. Its coordinate is s = n · Σ row x = √A κ.
+#[derive(Clone)]
 struct Hold {
     vertices: [u32; 6],
     row: [f64; 6],
@@ -26,6 +27,7 @@ struct Hold {
 }
 
 /// All triangles whose fabric has friction in bending.
+#[derive(Clone)]
 pub(crate) struct Hysteresis {
     holds: Vec<Hold>,
     slid: usize,
