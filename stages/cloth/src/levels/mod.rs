@@ -4,6 +4,7 @@
 mod charts;
 mod collapse;
 mod place;
+mod shake;
 mod soften;
 
 use crate::scene::bending_length;
@@ -45,11 +46,12 @@ impl Level {
         Self::up_to(scene, LONGEST)
     }
 
-    /// The same, only as coarse as the cloth can bend under its weight, and softer in its plane so that it can.
+    /// The same, only as coarse as the cloth can bend under its weight, softer in its plane so that it can, and a little shaken.
     pub fn below_folds(scene: &Scene) -> Option<Self> {
         let mut level = Self::up_to(scene, longest_that_folds(scene))?;
         let longer = mean_edge(&level.scene) / mean_edge(scene);
         soften::soften(&mut level.scene, longer);
+        shake::shake(&mut level.scene);
         Some(level)
     }
 

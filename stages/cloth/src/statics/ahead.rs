@@ -2,7 +2,6 @@
 //! not have met itself; where the straight way from there says that it may have, it is taken back, and looks for a while.
 
 use super::descent::{Block, Descent};
-use super::memory::Memory;
 use crate::Vec3;
 use crate::built::Hysteresis;
 use crate::collide::stick::Stick;
@@ -35,7 +34,6 @@ impl Default for Ahead {
 /// What is known of a place to which the cloth may be taken back, with what it is held by there.
 struct Mark {
     x: Vec<Vec3>,
-    memory: Memory,
     tau: f64,
     firm: f64,
     steps: u64,
@@ -112,7 +110,6 @@ impl Descent<'_> {
     fn mark(&self) -> Mark {
         Mark {
             x: self.x.clone(),
-            memory: self.memory.clone(),
             tau: self.tau,
             firm: self.firm,
             steps: self.steps,
@@ -121,13 +118,13 @@ impl Descent<'_> {
         }
     }
 
-    /// What has become harder or been let go on the way stays so.
+    /// What has become harder on the way stays so. Steps remembered from before would take as much memory as all others.
     fn return_to(&mut self, mark: Mark) {
-        let Mark { x, memory, tau, firm, steps, stick, hysteresis } = mark;
-        (self.x, self.memory, self.tau, self.firm, self.steps) = (x, memory, tau, firm, steps);
+        let Mark { x, tau, firm, steps, stick, hysteresis } = mark;
+        (self.x, self.tau, self.firm, self.steps) = (x, tau, firm, steps);
         (self.goal.stick, self.goal.hysteresis) = (stick, hysteresis);
         self.goal.barrier.iter_mut().for_each(|b| b.relist(&self.x));
-        self.evaluate();
+        self.start_anew();
     }
 }
 

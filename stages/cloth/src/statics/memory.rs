@@ -2,18 +2,13 @@
 
 use crate::Vec3;
 use std::collections::VecDeque;
-use std::rc::Rc;
 
 /// Pairs kept.
 const MOST: usize = 6;
 
-/// A step, the change of the gradient, and one over their product.
-type Pair = (Vec<Vec3>, Vec<Vec3>, f64);
-
-/// Copies share their pairs.
-#[derive(Clone, Default)]
+#[derive(Default)]
 pub(crate) struct Memory {
-    pairs: VecDeque<Rc<Pair>>,
+    pairs: VecDeque<(Vec<Vec3>, Vec<Vec3>, f64)>,
 }
 
 pub(crate) fn dot(a: &[Vec3], b: &[Vec3]) -> f64 {
@@ -32,7 +27,7 @@ impl Memory {
             if self.pairs.len() == MOST {
                 self.pairs.pop_front();
             }
-            self.pairs.push_back(Rc::new((s, y, 1.0 / sy)));
+            self.pairs.push_back((s, y, 1.0 / sy));
         }
     }
 
@@ -40,13 +35,13 @@ impl Memory {
     pub fn direction(&self, f: &[Vec3], solve: impl FnOnce(&mut [Vec3])) -> Vec<Vec3> {
         let mut q = f.to_vec();
         let mut shares = Vec::with_capacity(self.pairs.len());
-        for (s, y, r) in self.pairs.iter().rev().map(Rc::as_ref) {
+        for (s, y, r) in self.pairs.iter().rev() {
             let a = r * dot(s, &q);
             q.iter_mut().zip(y).for_each(|(q, y)| *q -= y * a);
             shares.push(a);
         }
         solve(&mut q);
-        for ((s, y, r), a) in self.pairs.iter().map(Rc::as_ref).zip(shares.iter().rev()) {
+        for ((s, y, r), a) in self.pairs.iter().zip(shares.iter().rev()) {
             let b = r * dot(y, &q);
             q.iter_mut().zip(s).for_each(|(q, s)| *q += s * (a - b));
         }
