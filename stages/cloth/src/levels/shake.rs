@@ -7,7 +7,8 @@
 use crate::Scene;
 use crate::sewing::mean_edge;
 
-/// Farthest along each axis, over the mean edge: about 0.06 mm. From 0.002 to 0.01 it takes as many steps.
+/// Farthest along each axis, over the mean edge: about 0.06 mm. With 0.005 it finds the same folds, with 0.001, 0.01 and more from some
+/// starts others of a seventh to a quarter more energy.
 const FAR: f64 = 3e-3;
 
 /// Moves every vertex that is not held, the same way in every run.
