@@ -18,7 +18,7 @@ const MOST_ADVANCES: usize = 64;
 /// A pair that comes so near to a distance, over it, is said to reach it.
 const NEARLY: f64 = 1e-3;
 
-/// A pair: positions and displacements of its four points, `split` of them on the first side.
+/// A pair: positions and displacements of its four points, and which of them are on the first side (its kind).
 pub(super) struct Pair {
     pub at: [Vec3; 4],
     pub by: [Vec3; 4],

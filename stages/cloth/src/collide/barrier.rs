@@ -290,6 +290,11 @@ fn thick(gaps: &[f64]) -> f64 {
     gaps.iter().fold(0.0f64, |a, b| a.max(*b))
 }
 
+/// The least gap of some vertices, m.
+fn least(gaps: &[f64], vertices: &[u32]) -> f64 {
+    vertices.iter().fold(f64::INFINITY, |g, v| g.min(gaps[*v as usize]))
+}
+
 /// Energy of contacts, J; adds their forces.
 fn press(touches: &mut [Touch], stiffness: f64, f: &mut [Vec3]) -> f64 {
     let mut energy = 0.0;
@@ -336,7 +341,7 @@ fn touch(
     };
     let gaps = if kind <= EDGE { &frame.own_gap } else { &frame.body_gap };
     let share = if matches!(kind, POINT | BODY_POINT) { 1.0 } else { EDGE_SHARE };
-    let gap = share * key[..cloth].iter().fold(f64::INFINITY, |g, v| g.min(gaps[*v as usize]));
+    let gap = share * least(gaps, &key[..cloth]);
     let gap = if kind == BODY_POINT { gap.max(stand_off) } else { gap };
     if distance < gap && distance > 0.0 && !aside {
         let mut vertices = [key[0]; 4];

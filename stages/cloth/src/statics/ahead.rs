@@ -138,7 +138,7 @@ mod tests {
     const SIDE: u32 = 8;
     const HIGH: f64 = 0.03;
 
-    /// A square grid, `y` high, its rows from `from` to `to` held.
+    /// A square grid at a height `y`, some of its vertices `held` where they are.
     fn add(scene: &mut Scene, side: f64, y: f64, held: impl Fn(u32, u32) -> bool) {
         let first = u32::try_from(scene.positions.len()).unwrap();
         let at = |i: u32| side * (f64::from(i) / f64::from(SIDE) - 0.5);

@@ -2,7 +2,7 @@
 //! began to where they ended. A drape asks where cloth comes to lie, not which way it took: where nothing comes within its gap
 //! along that way, the end is as free of crossings as the start, and no contact was left out there.
 
-use super::{Barrier, EDGE, EDGE_SHARE, POINT, Sight, thick};
+use super::{Barrier, EDGE, EDGE_SHARE, POINT, Sight, least, thick};
 use crate::Vec3;
 use crate::collide::advance::Pair;
 use crate::collide::near::Way;
@@ -11,13 +11,8 @@ use crate::cost::{Lap, Work};
 impl Barrier {
     /// Is cloth looked for beside cloth, and does none touch any, as the last evaluation saw it?
     pub fn may_look_away(&self) -> bool {
-        self.own.is_some() && !self.touches_itself()
-    }
-
-    /// Does cloth touch cloth, as the last evaluation saw it?
-    pub fn touches_itself(&self) -> bool {
-        // Its touches come first.
-        self.touches.first().is_some_and(|t| t.key.0 <= EDGE)
+        // Touches of cloth with cloth come first.
+        self.own.is_some() && self.touches.first().is_none_or(|t| t.key.0 > EDGE)
     }
 
     /// From here on cloth is not looked for beside cloth …
@@ -56,10 +51,9 @@ impl Barrier {
 
     /// Do all listed pairs of cloth stay farther off than their gaps along a step?
     fn stays_clear(&self, x: &[Vec3], step: &[Vec3]) -> bool {
-        let gap = |v: &[u32; 4]| v.iter().fold(f64::INFINITY, |gap: f64, v| gap.min(self.frame.own_gap[*v as usize]));
         let clear = |v: &[u32; 4], kind: u8, share: f64| {
             let mut pair = Pair { at: crate::pick4(x, v), by: crate::pick4(step, v), kind };
-            pair.stays_beyond(share * gap(v))
+            pair.stays_beyond(share * least(&self.frame.own_gap, v))
         };
         self.near.points.iter().all(|v| clear(v, POINT, 1.0))
             && self.near.edges.iter().all(|v| clear(v, EDGE, EDGE_SHARE))
