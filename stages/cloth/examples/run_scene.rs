@@ -160,6 +160,7 @@ fn main() {
         integrator,
         stiffness_cap: number("cap", s.stiffness_cap),
         damping: number("damping", s.damping),
+        threads: number("threads", 1.0) as usize,
         decrement_tolerance: number("decrement", s.decrement_tolerance),
         move_tolerance: number("move", s.move_tolerance),
         residual_tolerance: number("residual", s.residual_tolerance),

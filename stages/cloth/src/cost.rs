@@ -25,6 +25,11 @@ impl Costs {
         self.0[work as usize] += lap.next();
     }
 
+    /// Counts seconds of another thread.
+    pub fn add(&mut self, work: Work, seconds: f64) {
+        self.0[work as usize] += seconds;
+    }
+
     pub fn of(&self, work: Work) -> f64 {
         self.0[work as usize]
     }
@@ -45,7 +50,7 @@ impl Lap {
     }
 
     /// Seconds since the last call.
-    fn next(&mut self) -> f64 {
+    pub fn next(&mut self) -> f64 {
         let before = std::mem::replace(&mut self.0, clock());
         self.0 - before
     }

@@ -26,6 +26,7 @@ pub mod weld;
 #[cfg(not(all(feature = "self-contact", feature = "bending-hysteresis", feature = "pressure")))]
 mod absent;
 mod apart;
+mod both;
 mod built;
 mod canon;
 mod collide;

@@ -64,11 +64,12 @@ fn sew_canonical(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> R
 /// As [`sew`].
 pub fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     validate::scene(scene)?;
-    let whole = |scene: &Scene, watch: &mut dyn Watch| drape_group(scene, settings, watch);
-    if let Some(groups) = apart::apart(scene, settings)
-        && let Some(outcome) = apart::each(scene, &groups, settings.threads, watch, whole)?
-    {
-        return Ok(outcome);
+    if let Some(groups) = apart::apart(scene, settings) {
+        let each = Settings { threads: settings.threads / groups.len(), ..settings.clone() };
+        let whole = |scene: &Scene, watch: &mut dyn Watch| drape_group(scene, &each, watch);
+        if let Some(outcome) = apart::each(scene, &groups, settings.threads, watch, whole)? {
+            return Ok(outcome);
+        }
     }
     drape_group(scene, settings, watch)
 }

@@ -106,8 +106,8 @@ pub struct Settings {
     pub max_seconds: f64,
     /// Most vertices pushed out of the body at the start, as a fraction; above it the start is refused.
     pub repair_share: f64,
-    /// Threads allowed: one for each part of the cloth that meets no other, while there are any (docs/static.md). Results
-    /// never depend on it.
+    /// Threads allowed: one for each part of the cloth that meets no other, while there are any, and two for the factor of a large
+    /// part (docs/static.md). Results never depend on it.
     pub threads: usize,
 }
 

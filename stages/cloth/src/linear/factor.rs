@@ -1,31 +1,46 @@
 //! Supernodal Cholesky factor in single precision: it only steers the descent, the state is double. Ours, because the
 //! libraries' kernels choose their sums by the processor, and the same input must give the same bytes everywhere.
 //!
-//! Ng, Peyton: Block sparse Cholesky algorithms on advanced uniprocessor computers, SIAM J. Sci. Comput. 14 (1993), in
-//! its right-looking form: a finished node is taken out of all nodes that own its rows at once.
+//! Large systems fall in two halves that know nothing of each other but what both take out of the nodes above. What the second one
+//! takes out is summed aside first, in the same way whether one thread does both halves or two side by side.
 
-use super::dense::{self, Pack, TALL};
+use super::dense::TALL;
+use super::eliminate::{Bench, Eliminate};
+use super::halves::{Halves, Reach};
 use super::hessian::Pattern;
-use super::sweep;
-use super::symbolic::{Node, Symbolic};
+use super::substitute::{Substitute, Way};
+use super::symbolic::{Order, Symbolic};
 use crate::Vec3;
+use crate::both::both;
 use nalgebra::Matrix3;
-use pulp::{Arch, Simd, WithSimd};
+use pulp::Arch;
+use std::ops::Range;
+use std::sync::atomic::AtomicBool;
 
 /// 2⁻⁶⁰.
 const FLOOR: f32 = 1.0 / (1u64 << 60) as f32;
+
+/// Scalars of a factor from which a second thread is worth its start in a solve.
+const LONG: usize = 4_000_000;
 
 /// A factorised block matrix.
 #[derive(Default)]
 pub(crate) struct Factor {
     pattern: Pattern,
     symbolic: Symbolic,
+    /// Of the pattern before: the cloth's own second derivatives and rough ones take turns.
+    before: Order,
     values: Vec<f32>,
     right: Vec<f32>,
-    local: Vec<f32>,
-    pack: Pack,
-    sums: Vec<f32>,
+    /// What the second half takes out of the nodes above, of the factor and of the right-hand side.
+    aside: [Vec<f32>; 2],
+    /// Room to work in, for each half.
+    benches: [Bench; 2],
+    locals: [Vec<f32>; 2],
     arch: Arch,
+    threads: usize,
+    /// CPU seconds of the second thread that nobody has asked for yet.
+    beside: f64,
     /// A power of two by which the system is divided, of the size of its largest value: so similar systems have the same
     /// factor.
     size: f64,
@@ -34,6 +49,11 @@ pub(crate) struct Factor {
 }
 
 impl Factor {
+    /// Made by so many threads (two are of use).
+    pub fn by(threads: usize) -> Self {
+        Self { threads, ..Self::default() }
+    }
+
     /// Factorises `values` on `pattern` plus `shift` on the diagonal; `false` when it is not positive definite (or the
     /// memory for it is not there).
     pub fn factorise(&mut self, pattern: &Pattern, values: &[Matrix3<f64>], shift: &[f64]) -> bool {
@@ -45,21 +65,40 @@ impl Factor {
         }
         self.factors += 1;
         self.fill(values, shift);
-        self.arch.dispatch(Eliminate {
-            nodes: &self.symbolic.nodes,
-            values: &mut self.values,
-            pack: &mut self.pack,
-            sums: &mut self.sums,
-        })
+        self.eliminate()
+    }
+
+    fn eliminate(&mut self) -> bool {
+        let Symbolic { nodes, halves, length, .. } = &self.symbolic;
+        let start = |k: usize| nodes.get(k).map_or(*length, |n| n.start);
+        let [a, b] = halves.0;
+        let [own, others, above] = halves.cut(start, &mut self.values[..*length]);
+        let ([aside, _], [bench, spare], from) = (&mut self.aside, &mut self.benches, start(b));
+        zeros(aside, above.len());
+        let (arch, failed) = (self.arch, AtomicBool::new(false));
+        let go = |part: Range<usize>, values: Reach<'_>, bench: &mut Bench| {
+            arch.dispatch(Eliminate { all: nodes, part, values, bench, failed: &failed });
+        };
+        self.beside += both(
+            self.threads,
+            || go(0..a, Reach { own, first: 0, above, from }, bench),
+            || go(a..b, Reach { own: others, first: start(a), above: aside, from }, spare),
+        );
+        above.iter_mut().zip(&*aside).for_each(|(v, s)| *v += s);
+        go(b..nodes.len(), Reach { own: above, first: from, above: &mut [], from: *length }, bench);
+        !failed.into_inner()
     }
 
     /// Makes room for a factor of another pattern, if it can.
     fn analyse(&mut self, pattern: &Pattern) {
         // The old factor goes first: both would be the most that is ever held.
         (self.values, self.pattern) = (Vec::new(), Pattern::default());
-        let old = std::mem::take(&mut self.symbolic);
-        let Some(symbolic) = old.alike(pattern).or_else(|| Symbolic::new(pattern)) else { return };
-        drop(old);
+        let last = std::mem::take(&mut self.symbolic).order;
+        let found = Symbolic::alike(pattern, &last).or_else(|| {
+            let before = std::mem::replace(&mut self.before, last);
+            Symbolic::alike(pattern, &before).or_else(|| Symbolic::new(pattern))
+        });
+        let Some(symbolic) = found else { return };
         self.analyses += 1;
         self.values = vec![0.0; symbolic.length + TALL];
         self.right = vec![0.0; 3 * pattern.unknowns()];
@@ -102,17 +141,56 @@ impl Factor {
     #[allow(clippy::cast_possible_truncation)]
     pub fn solve(&mut self, b: &mut [Vec3]) {
         let scale = 1.0 / self.size;
-        for (place, v) in self.symbolic.place.iter().zip(b.iter()) {
+        for (place, v) in self.symbolic.place().iter().zip(b.iter()) {
             for k in 0..3 {
                 self.right[3 * *place as usize + k] = (v[k] * scale) as f32;
             }
         }
-        let (nodes, values) = (&self.symbolic.nodes, &self.values);
-        self.arch.dispatch(Solve { nodes, values, right: &mut self.right, local: &mut self.local });
-        for (place, v) in self.symbolic.place.iter().zip(b.iter_mut()) {
+        self.substitute();
+        for (place, v) in self.symbolic.place().iter().zip(b.iter_mut()) {
             *v = Vec3::from_fn(|k, _| f64::from(self.right[3 * *place as usize + k]));
         }
     }
+
+    fn substitute(&mut self) {
+        let (nodes, values, Halves([a, b])) = (&self.symbolic.nodes, &self.values, self.symbolic.halves);
+        let all = self.right.len();
+        let start = |k: usize| nodes.get(k).map_or(all, |n| 3 * n.first as usize);
+        let [own, others, above] = self.symbolic.halves.cut(start, &mut self.right);
+        let ([_, aside], from) = (&mut self.aside, start(b));
+        zeros(aside, above.len());
+        let (arch, threads) = (self.arch, if values.len() < LONG { 1 } else { self.threads });
+        let go = |way: Way, part: Range<usize>, right: Reach<'_>, local: &mut Vec<f32>| {
+            arch.dispatch(Substitute { way, nodes: &nodes[part], values, right, local });
+        };
+        let mut beside = 0.0;
+        let mut halves = |way: Way, above: &mut [f32], aside: &mut [f32], [local, spare]: &mut [Vec<f32>; 2]| {
+            beside += both(
+                threads,
+                || go(way, 0..a, Reach { own, first: 0, above, from }, local),
+                || go(way, a..b, Reach { own: others, first: start(a), above: aside, from }, spare),
+            );
+        };
+        halves(Way::Down, above, aside, &mut self.locals);
+        above.iter_mut().zip(&*aside).for_each(|(v, s)| *v += s);
+        for way in [Way::Down, Way::Up] {
+            let right = Reach { own: above, first: from, above: &mut [], from: all };
+            go(way, b..nodes.len(), right, &mut self.locals[0]);
+        }
+        aside.copy_from_slice(above);
+        halves(Way::Up, above, aside, &mut self.locals);
+        self.beside += beside;
+    }
+
+    /// CPU seconds of the second thread since the last call.
+    pub fn beside(&mut self) -> f64 {
+        std::mem::take(&mut self.beside)
+    }
+}
+
+fn zeros(numbers: &mut Vec<f32>, count: usize) {
+    numbers.clear();
+    numbers.resize(count, 0.0);
 }
 
 /// What stands in place of zeros, per pair of axes, far below what single precision can tell of a system of the size of
@@ -125,158 +203,12 @@ fn floor(values: &[Matrix3<f64>]) -> [[f32; 3]; 3] {
     [0, 1, 2].map(|c| [low(c, 0), low(c, 1), low(c, 2)])
 }
 
-// What runs under the widest registers of the machine; named types, because only they are compiled for them as a whole.
-struct Eliminate<'a> {
-    nodes: &'a [Node],
-    values: &'a mut [f32],
-    pack: &'a mut Pack,
-    sums: &'a mut Vec<f32>,
-}
-
-impl WithSimd for Eliminate<'_> {
-    type Output = bool;
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) -> bool {
-        // As many columns at a time as there are registers for.
-        match S::F32_LANES {
-            16 => self.by::<S, 1, 8>(simd),
-            8 => self.by::<S, 2, 4>(simd),
-            4 => self.by::<S, 4, 4>(simd),
-            _ => self.by::<S, 16, 4>(simd),
-        }
-    }
-}
-
-impl Eliminate<'_> {
-    /// All nodes in order; each takes its products out of the nodes that own its rows.
-    #[inline(always)]
-    fn by<S: Simd, const V: usize, const W: usize>(self, simd: S) -> bool {
-        for node in self.nodes {
-            let (height, width) = (node.height(), node.width());
-            let panel = &mut self.values[node.start..node.start + height * width];
-            if !dense::factor_panel::<S, V, W>(simd, panel, height, width, self.pack) {
-                return false;
-            }
-            // While it is near; its products are made of the pack.
-            sweep::lay_out(panel, height, width, self.sums);
-            let tall = height.next_multiple_of(TALL);
-            if self.sums.len() < W * tall {
-                self.sums.resize(W * tall, 0.0);
-            }
-            let sums = &mut self.sums[..W * tall];
-            for first in (width - width % W..height).step_by(W) {
-                dense::products::<S, V, W>(simd, self.pack, first, tall, sums);
-                for column in first.max(width)..(first + W).min(height) {
-                    spread(node, self.nodes, column, &sums[(column - first) * tall..][..height], self.values);
-                }
-            }
-        }
-        true
-    }
-}
-
-/// Takes one column of products out of the node that owns it.
-#[inline(always)]
-fn spread(node: &Node, nodes: &[Node], column: usize, sums: &[f32], values: &mut [f32]) {
-    let Some(owner) = node.owners.iter().find(|o| column < o.to) else { return };
-    let target = &nodes[owner.node as usize];
-    let mut into = None;
-    for run in &owner.runs {
-        let (from, to, length) = (run.from as usize, run.to as usize, run.length as usize);
-        if from + length <= column {
-            continue;
-        }
-        let late = column.saturating_sub(from);
-        let c = *into.get_or_insert(to + late);
-        let (at, length) = (target.start + c * target.height() + to + late, length - late);
-        for (v, s) in values[at..at + length].iter_mut().zip(&sums[from + late..][..length]) {
-            *v -= s;
-        }
-    }
-}
-
-struct Solve<'a> {
-    nodes: &'a [Node],
-    values: &'a [f32],
-    right: &'a mut [f32],
-    local: &'a mut Vec<f32>,
-}
-
-impl WithSimd for Solve<'_> {
-    type Output = ();
-
-    #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
-        match S::F32_LANES {
-            16 => self.by::<S, 1>(simd),
-            8 => self.by::<S, 2>(simd),
-            4 => self.by::<S, 4>(simd),
-            _ => self.by::<S, 16>(simd),
-        }
-    }
-}
-
-impl Solve<'_> {
-    #[inline(always)]
-    fn by<S: Simd, const V: usize>(self, simd: S) {
-        for node in self.nodes {
-            forward::<S, V>(simd, node, self.values, self.right, self.local);
-        }
-        for node in self.nodes.iter().rev() {
-            backward::<S, V>(simd, node, self.values, self.right, self.local);
-        }
-    }
-}
-
-#[inline(always)]
-fn forward<S: Simd, const V: usize>(simd: S, node: &Node, values: &[f32], right: &mut [f32], local: &mut Vec<f32>) {
-    let (l, local) = gather(node, values, right, local);
-    sweep::solve_lower::<S, V>(simd, l, local, node.width());
-    scatter(node, right, local);
-}
-
-#[inline(always)]
-fn backward<S: Simd, const V: usize>(simd: S, node: &Node, values: &[f32], right: &mut [f32], local: &mut Vec<f32>) {
-    let (l, local) = gather(node, values, right, local);
-    sweep::solve_upper::<S, V>(simd, l, local, node.width());
-    let first = 3 * node.first as usize;
-    right[first..first + node.width()].copy_from_slice(&local[..node.width()]);
-}
-
-#[inline(always)]
-fn gather<'a>(node: &Node, values: &'a [f32], right: &[f32], local: &'a mut Vec<f32>) -> (&'a [f32], &'a mut [f32]) {
-    let (first, width, length) = (3 * node.first as usize, node.width(), node.height() + TALL);
-    if local.len() < length {
-        local.resize(length, 0.0);
-    }
-    let local = &mut local[..length];
-    local[node.height()..].fill(0.0);
-    local[..width].copy_from_slice(&right[first..first + width]);
-    let vertices = right.as_chunks::<3>().0;
-    for (row, part) in node.rows.iter().zip(local[width..].as_chunks_mut().0) {
-        *part = vertices[*row as usize];
-    }
-    (&values[node.start..node.start + node.height() * width + TALL], local)
-}
-
-#[inline(always)]
-fn scatter(node: &Node, right: &mut [f32], local: &[f32]) {
-    let first = 3 * node.first as usize;
-    right[first..first + node.width()].copy_from_slice(&local[..node.width()]);
-    let vertices = right.as_chunks_mut::<3>().0;
-    for (row, part) in node.rows.iter().zip(local[node.width()..].as_chunks().0) {
-        vertices[*row as usize] = *part;
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// A grid of blocks, whose elimination has many supernodes; its solution, and the right-hand side for that.
-    fn grid() -> (Pattern, Vec<Matrix3<f64>>, Vec<Vec3>, Vec<Vec3>) {
-        let side = 13u32;
+    /// A square grid of blocks, whose elimination has many supernodes; its solution, and the right-hand side for that.
+    fn grid(side: u32) -> (Pattern, Vec<Matrix3<f64>>, Vec<Vec3>, Vec<Vec3>) {
         let n = (side * side) as usize;
         let at = |r: u32, c: u32| r * side + c;
         let mut pairs = Vec::new();
@@ -301,7 +233,7 @@ mod tests {
 
     #[test]
     fn solves_a_grid_of_blocks() {
-        let (pattern, values, x, mut b) = grid();
+        let (pattern, values, x, mut b) = grid(13);
         let mut factor = Factor::default();
         assert!(factor.factorise(&pattern, &values, &vec![1.0; x.len()]));
         factor.solve(&mut b);
@@ -326,21 +258,43 @@ mod tests {
         }
     }
 
+    /// Of factor and solution of a grid.
+    fn bits(side: u32, arch: Arch, threads: usize) -> (Vec<u32>, Vec<u64>) {
+        let (pattern, values, x, mut b) = grid(side);
+        let mut factor = Factor { arch, threads, ..Factor::default() };
+        assert!(factor.factorise(&pattern, &values, &vec![1.0; b.len()]));
+        factor.solve(&mut b);
+        x.iter().zip(&b).for_each(|(p, q)| assert!((p - q).norm() < 1e-4, "{p} {q}"));
+        (factor.values.iter().map(|v| v.to_bits()).collect(), b.iter().flatten().map(|v| v.to_bits()).collect())
+    }
+
     /// Whatever registers a processor has, not a bit of factor and solution may differ.
     #[test]
     fn every_width_of_registers_gives_the_same_bits() {
-        let (pattern, values, _, b) = grid();
-        let bits = |arch: Arch| {
-            let (mut factor, mut x) = (Factor { arch, ..Factor::default() }, b.clone());
-            assert!(factor.factorise(&pattern, &values, &vec![1.0; b.len()]));
-            factor.solve(&mut x);
-            let solution: Vec<u64> = x.iter().flatten().map(|v| v.to_bits()).collect();
-            (factor.values.iter().map(|v| v.to_bits()).collect::<Vec<u32>>(), solution)
-        };
-        let narrow = bits(Arch::Scalar);
+        let narrow = bits(13, Arch::Scalar, 1);
         for arch in wider() {
-            assert!(bits(arch) == narrow, "{arch:?} and single numbers differ");
+            assert!(bits(13, arch, 1) == narrow, "{arch:?} and single numbers differ");
         }
+    }
+
+    #[test]
+    fn halves_side_by_side_give_the_same_bits_as_one_after_the_other() {
+        let one = bits(60, Arch::new(), 1);
+        for threads in [2, 5] {
+            assert!(bits(60, Arch::new(), threads) == one, "{threads} threads");
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_factorised_is_said_by_either_half() {
+        let (pattern, values, x, _) = grid(60);
+        let mut factor = Factor::by(2);
+        for v in [0, x.len() / 2, x.len() - 1] {
+            let mut shift = vec![1.0; x.len()];
+            shift[v] = -20.0;
+            assert!(!factor.factorise(&pattern, &values, &shift), "{v}");
+        }
+        assert!(factor.factorise(&pattern, &values, &vec![1.0; x.len()]));
     }
 
     /// All that this processor can do beyond single numbers.

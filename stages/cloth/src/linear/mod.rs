@@ -2,7 +2,10 @@
 
 mod dense;
 mod dissect;
+mod eliminate;
 pub(crate) mod factor;
+mod halves;
 pub(crate) mod hessian;
+mod substitute;
 mod sweep;
 mod symbolic;

@@ -116,7 +116,8 @@ fn laid(height: usize, width: usize) -> usize {
     (0..width).step_by(WIDE).map(|j| WIDE.min(width - j) * (height - j)).sum()
 }
 
-/// Products of columns with `x`, each summed in lanes, then the lanes in order.
+/// Products of columns with `x`, each summed in lanes from the last rows to the first, then the lanes in order: panels are
+/// read from the last to the first, so memory is read in one stream, and what the columns before this one solved comes last.
 #[inline(always)]
 fn products_of<S: Simd, const V: usize, const N: usize>(simd: S, columns: &[f32], rows: usize, x: &[f32]) -> [f32; N] {
     let mut lanes = [[simd.splat_f32s(0.0); V]; N];
@@ -128,10 +129,10 @@ fn products_of<S: Simd, const V: usize, const N: usize>(simd: S, columns: &[f32]
     };
     let (strips, last) = columns.split_at(N * (rows - rows % TALL));
     let (x, rest) = x.split_at(rows - rows % TALL);
-    for (x, strip) in x.as_chunks().0.iter().zip(strips.chunks_exact(N * TALL)) {
-        strip.as_chunks().0.iter().enumerate().for_each(|(n, column)| add(x, n, column));
-    }
     (0..N).for_each(|n| add(first(rest), n, first(&last[n * (rows % TALL)..])));
+    for (x, strip) in x.as_chunks().0.iter().zip(strips.chunks_exact(N * TALL)).rev() {
+        strip.as_chunks().0.iter().enumerate().rev().for_each(|(n, column)| add(x, n, column));
+    }
     lanes.map(|lanes| {
         let lanes = line::<S, V>(simd, &lanes);
         let half: [f32; 8] = std::array::from_fn(|t| lanes[t] + lanes[t + 8]);

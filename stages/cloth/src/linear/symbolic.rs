@@ -2,6 +2,7 @@
 //! on every machine).
 
 use super::dissect;
+use super::halves::Halves;
 use super::hessian::Pattern;
 use faer::Side;
 use faer::perm::PermRef;
@@ -26,6 +27,8 @@ const LARGE: usize = 3_000;
 /// A factor that is larger by more than one part in so many asks for an order of its own, and so do couplings that are fewer
 /// by as much.
 const MUCH: usize = 5;
+/// Couplings that are more by one part in so many are not even tried in an order.
+const FAR: usize = 2;
 
 /// Columns that share their rows; counted in vertices, each three scalars.
 #[derive(Debug)]
@@ -105,50 +108,72 @@ impl Target {
     }
 }
 
-/// What the order was made for: couplings, and the scalars of the factor then.
-#[derive(Clone, Copy, Debug, Default)]
-struct Ordered {
+/// An order of elimination, and what it was made for.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Order {
+    /// Unknowns as they are eliminated.
+    unknowns: Vec<u32>,
+    /// Place of every unknown in the order of elimination.
+    place: Vec<u32>,
     pairs: usize,
+    /// Scalars of the factor then.
     length: usize,
+}
+
+impl Order {
+    /// For this pattern; `None` when there is nothing to factorise or no memory for it.
+    fn new(pattern: &Pattern) -> Option<Self> {
+        let (unknowns, place) = dissect::order(pattern)?;
+        Some(Self { unknowns, place, pairs: pattern.rows.len(), length: usize::MAX })
+    }
+
+    /// Was it made for much the same couplings?
+    fn may_fit(&self, pattern: &Pattern) -> bool {
+        let pairs = pattern.rows.len();
+        let many = pairs >= self.pairs - self.pairs / MUCH && pairs <= self.pairs + self.pairs / FAR;
+        pattern.unknowns() == self.place.len() && !self.place.is_empty() && many
+    }
 }
 
 #[derive(Debug, Default)]
 pub(crate) struct Symbolic {
-    /// Unknowns as they are eliminated.
-    order: Vec<u32>,
-    /// Place of every unknown in the order of elimination.
-    pub place: Vec<u32>,
+    pub order: Order,
     /// Children before parents.
     pub nodes: Vec<Node>,
+    /// Of a large system.
+    pub halves: Halves,
     pub targets: Vec<Target>,
     /// Scalars of the factor.
     pub length: usize,
-    ordered: Ordered,
 }
 
 impl Symbolic {
-    /// `None` when there is nothing to factorise or no memory for it.
+    /// Place of every unknown in the order of elimination.
+    pub fn place(&self) -> &[u32] {
+        &self.order.place
+    }
+
+    /// In an order of its own; `None` when there is nothing to factorise or no memory for it.
     pub fn new(pattern: &Pattern) -> Option<Self> {
         if pattern.unknowns() == 0 {
             return None;
         }
-        let (order, place) = dissect::order(pattern)?;
-        Self::in_order(pattern, order, place)
+        let mut found = Self::in_order(pattern, Order::new(pattern)?)?;
+        found.order.length = found.length;
+        Some(found)
     }
 
-    /// That of another pattern of the same unknowns, in this one's order of elimination: far cheaper than a new one, and as
-    /// good while they are much the same. `None` where they are not.
-    pub fn alike(&self, pattern: &Pattern) -> Option<Self> {
-        let Ordered { pairs, length } = self.ordered;
-        let many = pattern.rows.len() >= pairs - pairs / MUCH;
-        if pattern.unknowns() != self.order.len() || self.order.is_empty() || !many {
+    /// In the order made for another pattern of the same unknowns: far cheaper than a new one, and as good while they are much the
+    /// same. `None` where they are not.
+    pub fn alike(pattern: &Pattern, order: &Order) -> Option<Self> {
+        if !order.may_fit(pattern) {
             return None;
         }
-        let found = Self::in_order(pattern, self.order.clone(), self.place.clone())?;
-        (found.length <= length + length / MUCH).then_some(Self { ordered: self.ordered, ..found })
+        let found = Self::in_order(pattern, order.clone())?;
+        (found.length <= order.length + order.length / MUCH).then_some(found)
     }
 
-    fn in_order(pattern: &Pattern, order: Vec<u32>, place: Vec<u32>) -> Option<Self> {
+    fn in_order(pattern: &Pattern, order: Order) -> Option<Self> {
         let n = pattern.unknowns();
         let lower = SymbolicSparseColMatRef::new_checked(n, n, &pattern.start, None, &pattern.rows);
         let params = CholeskySymbolicParams {
@@ -156,12 +181,12 @@ impl Symbolic {
             supernodal_params: SymbolicSupernodalParams { relax: Some(&RELAX) },
             ..CholeskySymbolicParams::default()
         };
-        let ordering = SymmetricOrdering::Custom(PermRef::new_checked(&order, &place, n));
+        let ordering = SymmetricOrdering::Custom(PermRef::new_checked(&order.unknowns, &order.place, n));
         let analysis = factorize_symbolic_cholesky(lower, Side::Lower, ordering, params).ok()?;
         let (nodes, length) = if pattern.rows.len() == n { apart(n)? } else { nodes(&analysis)? };
-        let targets = targets(pattern, &place, &nodes)?;
-        let ordered = Ordered { pairs: pattern.rows.len(), length };
-        Some(Self { order, place, nodes, targets, length, ordered })
+        let targets = targets(pattern, &order.place, &nodes)?;
+        let halves = if n < LARGE { Halves::none(&nodes) } else { Halves::new(&nodes) };
+        Some(Self { order, nodes, halves, targets, length })
     }
 }
 

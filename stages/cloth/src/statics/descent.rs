@@ -132,7 +132,7 @@ impl<'a> Descent<'a> {
             x,
             f,
             energy: 0.0,
-            factor: Factor::default(),
+            factor: Factor::by(settings.threads),
             exact: false,
             memory: Memory::default(),
             tau: TAU_FIRST,
@@ -309,7 +309,7 @@ impl<'a> Descent<'a> {
     pub fn assemble(&mut self, convex: bool) -> (Pattern, Vec<Matrix3<f64>>) {
         let mut lap = Lap::start();
         let system = self.goal.assemble(&self.x, self.firm, convex);
-        self.goal.costs.spend(Work::Descent, &mut lap);
+        self.spend(&mut lap);
         system
     }
 
@@ -322,8 +322,14 @@ impl<'a> Descent<'a> {
         let mut lap = Lap::start();
         let shift: Vec<f64> = self.shift().collect();
         let done = self.factor.factorise(pattern, values, &shift);
-        self.goal.costs.spend(Work::Descent, &mut lap);
+        self.spend(&mut lap);
         done
+    }
+
+    /// Counts the time since the last look, and that of the factor's other thread.
+    pub(super) fn spend(&mut self, lap: &mut Lap) {
+        self.goal.costs.spend(Work::Descent, lap);
+        self.goal.costs.add(Work::Descent, self.factor.beside());
     }
 
     /// New normal forces and holds from the contacts and folds here, and what pressure pushes; what slid is taken over.
@@ -352,7 +358,7 @@ impl<'a> Descent<'a> {
         let mut lap = Lap::start();
         let mut d = self.f.clone();
         self.factor.solve(&mut d);
-        self.goal.costs.spend(Work::Descent, &mut lap);
+        self.spend(&mut lap);
         let win = 0.5 * dot(&d, &self.f);
         self.decrement = win / self.scale();
         self.longest = crate::longest(&d);

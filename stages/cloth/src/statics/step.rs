@@ -3,7 +3,7 @@
 use super::descent::Descent;
 use super::memory::dot;
 use crate::Vec3;
-use crate::cost::{Lap, Work};
+use crate::cost::Lap;
 use crate::linear::hessian::{gather, scattered};
 
 /// Least part of what the slope promises that a step must win (Armijo). So much that one which ends far up the other side
@@ -59,7 +59,7 @@ impl Descent<'_> {
             d = self.f.clone();
             self.factor.solve(&mut d);
         }
-        self.goal.costs.spend(Work::Descent, &mut lap);
+        self.spend(&mut lap);
         self.longest = crate::longest(&d);
         let most = self.stride * self.goal.edge;
         let cap = if self.longest > most { most / self.longest } else { 1.0 };

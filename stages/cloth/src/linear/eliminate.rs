@@ -1,0 +1,96 @@
+//! Elimination: a finished node is taken out of all nodes that own its rows at once.
+//!
+//! Ng, Peyton: Block sparse Cholesky algorithms on advanced uniprocessor computers, SIAM J. Sci. Comput. 14 (1993), in
+//! its right-looking form.
+
+use super::dense::{self, Pack, TALL};
+use super::halves::Reach;
+use super::sweep;
+use super::symbolic::Node;
+use pulp::{Simd, WithSimd};
+use std::ops::Range;
+use std::sync::atomic::{AtomicBool, Ordering};
+
+/// Room to work in.
+#[derive(Default)]
+pub(super) struct Bench {
+    pack: Pack,
+    sums: Vec<f32>,
+}
+
+/// Eliminates some nodes. What runs under the widest registers of the machine is a named type, because only those are compiled for
+/// them as a whole.
+pub(super) struct Eliminate<'a> {
+    pub all: &'a [Node],
+    pub part: Range<usize>,
+    pub values: Reach<'a>,
+    pub bench: &'a mut Bench,
+    /// Is there a pivot that is not positive, here or in what is done beside it?
+    pub failed: &'a AtomicBool,
+}
+
+impl WithSimd for Eliminate<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        // As many columns at a time as there are registers for.
+        match S::F32_LANES {
+            16 => self.by::<S, 1, 8>(simd),
+            8 => self.by::<S, 2, 4>(simd),
+            4 => self.by::<S, 4, 4>(simd),
+            _ => self.by::<S, 16, 4>(simd),
+        }
+    }
+}
+
+impl Eliminate<'_> {
+    /// All its nodes in order; each takes its products out of the nodes that own its rows.
+    #[inline(always)]
+    fn by<S: Simd, const V: usize, const W: usize>(mut self, simd: S) {
+        let Bench { pack, sums } = self.bench;
+        for node in &self.all[self.part.clone()] {
+            if self.failed.load(Ordering::Relaxed) {
+                return;
+            }
+            let (height, width) = (node.height(), node.width());
+            let panel = self.values.at(node.start, height * width);
+            if !dense::factor_panel::<S, V, W>(simd, panel, height, width, pack) {
+                return self.failed.store(true, Ordering::Relaxed);
+            }
+            // While it is near; its products are made of the pack.
+            sweep::lay_out(panel, height, width, sums);
+            let tall = height.next_multiple_of(TALL);
+            if sums.len() < W * tall {
+                sums.resize(W * tall, 0.0);
+            }
+            let sums = &mut sums[..W * tall];
+            for first in (width - width % W..height).step_by(W) {
+                dense::products::<S, V, W>(simd, pack, first, tall, sums);
+                for column in first.max(width)..(first + W).min(height) {
+                    spread(node, self.all, column, &sums[(column - first) * tall..][..height], &mut self.values);
+                }
+            }
+        }
+    }
+}
+
+/// Takes one column of products out of the node that owns it.
+#[inline(always)]
+fn spread(node: &Node, all: &[Node], column: usize, sums: &[f32], values: &mut Reach<'_>) {
+    let Some(owner) = node.owners.iter().find(|o| column < o.to) else { return };
+    let target = &all[owner.node as usize];
+    let mut into = None;
+    for run in &owner.runs {
+        let (from, to, length) = (run.from as usize, run.to as usize, run.length as usize);
+        if from + length <= column {
+            continue;
+        }
+        let late = column.saturating_sub(from);
+        let c = *into.get_or_insert(to + late);
+        let (at, length) = (target.start + c * target.height() + to + late, length - late);
+        for (v, s) in values.at(at, length).iter_mut().zip(&sums[from + late..][..length]) {
+            *v -= s;
+        }
+    }
+}
