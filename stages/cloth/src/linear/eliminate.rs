@@ -6,7 +6,7 @@
 use super::dense::{self, Pack, TALL};
 use super::halves::Reach;
 use super::sweep;
-use super::symbolic::Node;
+use super::symbolic::{Node, Run};
 use pulp::{Simd, WithSimd};
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -65,32 +65,47 @@ impl Eliminate<'_> {
                 sums.resize(W * tall, 0.0);
             }
             let sums = &mut sums[..W * tall];
+            let mut next = Next::default();
             for first in (width - width % W..height).step_by(W) {
                 dense::products::<S, V, W>(simd, pack, first, tall, sums);
                 for column in first.max(width)..(first + W).min(height) {
-                    spread(node, self.all, column, &sums[(column - first) * tall..][..height], &mut self.values);
+                    next.spread(node, self.all, column, &sums[(column - first) * tall..][..height], &mut self.values);
                 }
             }
         }
     }
 }
 
-/// Takes one column of products out of the node that owns it.
-#[inline(always)]
-fn spread(node: &Node, all: &[Node], column: usize, sums: &[f32], values: &mut Reach<'_>) {
-    let Some(owner) = node.owners.iter().find(|o| column < o.to) else { return };
-    let target = &all[owner.node as usize];
-    let mut into = None;
-    for run in &owner.runs {
-        let (from, to, length) = (run.from as usize, run.to as usize, run.length as usize);
-        if from + length <= column {
-            continue;
+/// Where the products of the next column go: the owner of its row, and the first run that reaches so far.
+#[derive(Default)]
+struct Next {
+    owner: usize,
+    run: usize,
+}
+
+impl Next {
+    /// Takes one column of products out of the node that owns it; columns come in their order.
+    #[inline(always)]
+    fn spread(&mut self, node: &Node, all: &[Node], column: usize, sums: &[f32], values: &mut Reach<'_>) {
+        while node.owners.get(self.owner).is_some_and(|o| o.to <= column) {
+            (self.owner, self.run) = (self.owner + 1, 0);
         }
-        let late = column.saturating_sub(from);
-        let c = *into.get_or_insert(to + late);
-        let (at, length) = (target.start + c * target.height() + to + late, length - late);
-        for (v, s) in values.at(at, length).iter_mut().zip(&sums[from + late..][..length]) {
-            *v -= s;
+        let Some(owner) = node.owners.get(self.owner) else { return };
+        let ends = |r: &Run| (r.from + r.length) as usize <= column;
+        while owner.runs.get(self.run).is_some_and(ends) {
+            self.run += 1;
+        }
+        let Some(first) = owner.runs.get(self.run) else { return };
+        let late = column.saturating_sub(first.from as usize);
+        let target = &all[owner.node as usize];
+        let start = target.start + (first.to as usize + late) * target.height();
+        let into = values.at(start, target.height());
+        for run in &owner.runs[self.run..] {
+            let (from, to, length) = (run.from as usize, run.to as usize, run.length as usize);
+            let late = column.saturating_sub(from);
+            for (v, s) in into[to + late..to + length].iter_mut().zip(&sums[from + late..][..length - late]) {
+                *v -= s;
+            }
         }
     }
 }
