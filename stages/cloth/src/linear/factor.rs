@@ -72,6 +72,7 @@ impl Factor {
         let Symbolic { nodes, halves, length, .. } = &self.symbolic;
         let start = |k: usize| nodes.get(k).map_or(*length, |n| n.start);
         let [a, b] = halves.0;
+        let threads = if a == b { 1 } else { self.threads };
         let [own, others, above] = halves.cut(start, &mut self.values[..*length]);
         let ([aside, _], [bench, spare], from) = (&mut self.aside, &mut self.benches, start(b));
         zeros(aside, above.len());
@@ -80,7 +81,7 @@ impl Factor {
             arch.dispatch(Eliminate { all: nodes, part, values, bench, failed: &failed });
         };
         self.beside += both(
-            self.threads,
+            threads,
             || go(0..a, Reach { own, first: 0, above, from }, bench),
             || go(a..b, Reach { own: others, first: start(a), above: aside, from }, spare),
         );
@@ -159,7 +160,7 @@ impl Factor {
         let [own, others, above] = self.symbolic.halves.cut(start, &mut self.right);
         let ([_, aside], from) = (&mut self.aside, start(b));
         zeros(aside, above.len());
-        let (arch, threads) = (self.arch, if values.len() < LONG { 1 } else { self.threads });
+        let (arch, threads) = (self.arch, if a == b || values.len() < LONG { 1 } else { self.threads });
         let go = |way: Way, part: Range<usize>, right: Reach<'_>, local: &mut Vec<f32>| {
             arch.dispatch(Substitute { way, nodes: &nodes[part], values, right, local });
         };
