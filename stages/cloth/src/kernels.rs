@@ -34,7 +34,8 @@ impl<'a> Kernels<'a> {
 
     /// Its factor.
     pub fn factor(&mut self) -> bool {
-        self.descent.factorise(&self.system)
+        let (shift, (pattern, values)) = (self.descent.shift().collect::<Vec<_>>(), &self.system);
+        self.descent.factor.take_in(pattern, values, &shift) && self.descent.factor.eliminate()
     }
 
     /// A direction from it.

@@ -32,8 +32,8 @@ pub(crate) struct Factor {
     before: Order,
     values: Vec<f32>,
     right: Vec<f32>,
-    /// What the second half takes out of the nodes above, of the factor and of the right-hand side.
-    aside: [Vec<f32>; 2],
+    /// What the second half takes out of the right-hand side above it.
+    aside: Vec<f32>,
     /// Room to work in, for each half.
     benches: [Bench; 2],
     locals: [Vec<f32>; 2],
@@ -54,28 +54,29 @@ impl Factor {
         Self { threads, ..Self::default() }
     }
 
-    /// Factorises `values` on `pattern` plus `shift` on the diagonal; `false` when it is not positive definite (or the
-    /// memory for it is not there).
-    pub fn factorise(&mut self, pattern: &Pattern, values: &[Matrix3<f64>], shift: &[f64]) -> bool {
+    /// Takes in the system of `values` on `pattern` plus `shift` on the diagonal; `false` when the memory for its factor is not there.
+    pub fn take_in(&mut self, pattern: &Pattern, values: &[Matrix3<f64>], shift: &[f64]) -> bool {
         if self.pattern != *pattern {
             self.analyse(pattern);
             if self.pattern != *pattern {
                 return false;
             }
         }
-        self.factors += 1;
         self.fill(values, shift);
-        self.eliminate()
+        true
     }
 
-    fn eliminate(&mut self) -> bool {
+    /// Factorises the system taken in last; `false` when it is not positive definite.
+    pub fn eliminate(&mut self) -> bool {
+        self.factors += 1;
         let Symbolic { nodes, halves, length, .. } = &self.symbolic;
         let start = |k: usize| nodes.get(k).map_or(*length, |n| n.start);
         let [a, b] = halves.0;
         let threads = if a == b { 1 } else { self.threads };
         let [own, others, above] = halves.cut(start, &mut self.values[..*length]);
-        let ([aside, _], [bench, spare], from) = (&mut self.aside, &mut self.benches, start(b));
-        zeros(aside, above.len());
+        let ([bench, spare], from) = (&mut self.benches, start(b));
+        // Not kept: most is held while the next system is put together.
+        let aside = &mut vec![0.0; above.len()];
         let (arch, failed) = (self.arch, AtomicBool::new(false));
         let go = |part: Range<usize>, values: Reach<'_>, bench: &mut Bench| {
             arch.dispatch(Eliminate { all: nodes, part, values, bench, failed: &failed });
@@ -158,8 +159,9 @@ impl Factor {
         let all = self.right.len();
         let start = |k: usize| nodes.get(k).map_or(all, |n| 3 * n.first as usize);
         let [own, others, above] = self.symbolic.halves.cut(start, &mut self.right);
-        let ([_, aside], from) = (&mut self.aside, start(b));
-        zeros(aside, above.len());
+        let (aside, from) = (&mut self.aside, start(b));
+        aside.clear();
+        aside.resize(above.len(), 0.0);
         let (arch, threads) = (self.arch, if a == b || values.len() < LONG { 1 } else { self.threads });
         let go = |way: Way, part: Range<usize>, right: Reach<'_>, local: &mut Vec<f32>| {
             arch.dispatch(Substitute { way, nodes: &nodes[part], values, right, local });
@@ -187,11 +189,6 @@ impl Factor {
     pub fn beside(&mut self) -> f64 {
         std::mem::take(&mut self.beside)
     }
-}
-
-fn zeros(numbers: &mut Vec<f32>, count: usize) {
-    numbers.clear();
-    numbers.resize(count, 0.0);
 }
 
 /// What stands in place of zeros, per pair of axes, far below what single precision can tell of a system of the size of
@@ -236,12 +233,12 @@ mod tests {
     fn solves_a_grid_of_blocks() {
         let (pattern, values, x, mut b) = grid(13);
         let mut factor = Factor::default();
-        assert!(factor.factorise(&pattern, &values, &vec![1.0; x.len()]));
+        assert!(factor.take_in(&pattern, &values, &vec![1.0; x.len()]) && factor.eliminate());
         factor.solve(&mut b);
         for (p, q) in x.iter().zip(&b) {
             assert!((p - q).norm() < 2e-5, "{p} {q}");
         }
-        assert!(!factor.factorise(&pattern, &values, &vec![-10.0; x.len()]));
+        assert!(factor.take_in(&pattern, &values, &vec![-10.0; x.len()]) && !factor.eliminate());
         assert_eq!(factor.analyses, 1);
     }
 
@@ -253,7 +250,7 @@ mod tests {
             let x = Vec3::new(1.0, -2.0, 3.0);
             let mut b = vec![block * x + x; n];
             let mut factor = Factor::default();
-            assert!(factor.factorise(&pattern, &vec![block; n], &vec![1.0; n]));
+            assert!(factor.take_in(&pattern, &vec![block; n], &vec![1.0; n]) && factor.eliminate());
             factor.solve(&mut b);
             b.iter().for_each(|y| assert!((x - y).norm() < 1e-5, "{y}"));
         }
@@ -263,7 +260,7 @@ mod tests {
     fn bits(side: u32, arch: Arch, threads: usize) -> (Vec<u32>, Vec<u64>) {
         let (pattern, values, x, mut b) = grid(side);
         let mut factor = Factor { arch, threads, ..Factor::default() };
-        assert!(factor.factorise(&pattern, &values, &vec![1.0; b.len()]));
+        assert!(factor.take_in(&pattern, &values, &vec![1.0; b.len()]) && factor.eliminate());
         factor.solve(&mut b);
         x.iter().zip(&b).for_each(|(p, q)| assert!((p - q).norm() < 1e-4, "{p} {q}"));
         (factor.values.iter().map(|v| v.to_bits()).collect(), b.iter().flatten().map(|v| v.to_bits()).collect())
@@ -293,9 +290,9 @@ mod tests {
         for v in [0, x.len() / 2, x.len() - 1] {
             let mut shift = vec![1.0; x.len()];
             shift[v] = -20.0;
-            assert!(!factor.factorise(&pattern, &values, &shift), "{v}");
+            assert!(factor.take_in(&pattern, &values, &shift) && !factor.eliminate(), "{v}");
         }
-        assert!(factor.factorise(&pattern, &values, &vec![1.0; x.len()]));
+        assert!(factor.take_in(&pattern, &values, &vec![1.0; x.len()]) && factor.eliminate());
     }
 
     /// All that this processor can do beyond single numbers.

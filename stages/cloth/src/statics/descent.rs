@@ -243,15 +243,17 @@ impl<'a> Descent<'a> {
         if self.exact {
             return true;
         }
-        let system = self.assemble(true);
-        while !self.factorise(&system) {
+        loop {
+            let system = self.assemble(true);
+            if self.factorise(system) {
+                return true;
+            }
             self.tau *= 0.1;
             self.free = TAU_FREE.min(self.tau);
             if self.tau < TAU_LEAST {
                 return false;
             }
         }
-        true
     }
 
     /// Lets contacts that gave way push from farther off; says whether there were any.
@@ -300,7 +302,7 @@ impl<'a> Descent<'a> {
             return false;
         }
         let system = self.assemble(false);
-        let convex = self.factorise(&system);
+        let convex = self.factorise(system);
         self.patience = if convex { 0 } else { (2 * self.patience).clamp(1, MOST_PATIENCE) };
         self.wait = self.patience;
         convex
@@ -314,14 +316,17 @@ impl<'a> Descent<'a> {
     }
 
     /// Of the metric, N/m, per unknown.
-    pub(super) fn shift(&self) -> impl Iterator<Item = f64> {
+    pub fn shift(&self) -> impl Iterator<Item = f64> {
         self.goal.inertia.iter().map(|m| m / (self.tau * self.unit))
     }
 
-    pub fn factorise(&mut self, (pattern, values): &(Pattern, Vec<Matrix3<f64>>)) -> bool {
+    /// Factorises a system, which goes before that begins.
+    pub fn factorise(&mut self, (pattern, values): (Pattern, Vec<Matrix3<f64>>)) -> bool {
         let mut lap = Lap::start();
         let shift: Vec<f64> = self.shift().collect();
-        let done = self.factor.factorise(pattern, values, &shift);
+        let fits = self.factor.take_in(&pattern, &values, &shift);
+        drop(values);
+        let done = fits && self.factor.eliminate();
         self.spend(&mut lap);
         done
     }

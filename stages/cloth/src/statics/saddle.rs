@@ -21,18 +21,17 @@ impl Descent<'_> {
         if self.exact || !self.goal.bends {
             return false;
         }
-        let system = self.assemble(false);
-        if self.factorise(&system) {
-            return false;
-        }
-        let (pattern, own) = system;
-        let convex = self.assemble(true);
-        if !self.factorise(&convex) {
+        let own = self.assemble(false);
+        if self.factorise(own) {
             return false;
         }
         // Powers of C⁻¹ (C − H): its largest value belongs to the direction along which H / C is least.
-        let mut less = convex.1;
-        less.iter_mut().zip(own).for_each(|(c, h)| *c -= h);
+        let (pattern, mut less) = self.assemble(false);
+        let convex = self.assemble(true);
+        less.iter_mut().zip(&convex.1).for_each(|(h, c)| *h = c - *h);
+        if !self.factorise(convex) {
+            return false;
+        }
         let mut v: Vec<Vec3> = (0u32..).take(self.f.len()).map(any).collect();
         for _ in 0..ROUNDS {
             let mut w = pattern.times(&less, &v);
