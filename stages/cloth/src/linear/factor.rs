@@ -72,7 +72,7 @@ impl Factor {
         let Symbolic { nodes, halves, length, .. } = &self.symbolic;
         let start = |k: usize| nodes.get(k).map_or(*length, |n| n.start);
         let [a, b] = halves.0;
-        let threads = if a == b { 1 } else { self.threads };
+        let threads = halves.hands(self.threads);
         let [own, others, above] = halves.cut(start, &mut self.values[..*length]);
         let ([bench, spare], from) = (&mut self.benches, start(b));
         // Not kept: most is held while the next system is put together.
@@ -143,13 +143,13 @@ impl Factor {
     #[allow(clippy::cast_possible_truncation)]
     pub fn solve(&mut self, b: &mut [Vec3]) {
         let scale = 1.0 / self.size;
-        for (place, v) in self.symbolic.place().iter().zip(b.iter()) {
+        for (place, v) in self.symbolic.order.place.iter().zip(b.iter()) {
             for k in 0..3 {
                 self.right[3 * *place as usize + k] = (v[k] * scale) as f32;
             }
         }
         self.substitute();
-        for (place, v) in self.symbolic.place().iter().zip(b.iter_mut()) {
+        for (place, v) in self.symbolic.order.place.iter().zip(b.iter_mut()) {
             *v = Vec3::from_fn(|k, _| f64::from(self.right[3 * *place as usize + k]));
         }
     }
@@ -162,7 +162,8 @@ impl Factor {
         let (aside, from) = (&mut self.aside, start(b));
         aside.clear();
         aside.resize(above.len(), 0.0);
-        let (arch, threads) = (self.arch, if a == b || values.len() < LONG { 1 } else { self.threads });
+        let (arch, threads) =
+            (self.arch, if values.len() < LONG { 1 } else { self.symbolic.halves.hands(self.threads) });
         let go = |way: Way, part: Range<usize>, right: Reach<'_>, local: &mut Vec<f32>| {
             arch.dispatch(Substitute { way, nodes: &nodes[part], values, right, local });
         };
@@ -204,18 +205,12 @@ fn floor(values: &[Matrix3<f64>]) -> [[f32; 3]; 3] {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::linear::hessian::grid_pairs;
 
     /// A square grid of blocks, whose elimination has many supernodes; its solution, and the right-hand side for that.
     fn grid(side: u32) -> (Pattern, Vec<Matrix3<f64>>, Vec<Vec3>, Vec<Vec3>) {
         let n = (side * side) as usize;
-        let at = |r: u32, c: u32| r * side + c;
-        let mut pairs = Vec::new();
-        for r in 0..side {
-            for c in 0..side {
-                pairs.extend((c + 1 < side).then(|| [at(r, c), at(r, c + 1)]));
-                pairs.extend((r + 1 < side).then(|| [at(r, c), at(r + 1, c)]));
-            }
-        }
+        let pairs = grid_pairs(side, &[(0, 1), (1, 0)]);
         let pattern = Pattern::new(n, pairs.clone());
         let off = Matrix3::new(-1.0, 0.2, 0.0, 0.1, -1.5, 0.3, 0.0, 0.4, -0.5);
         let mut values = vec![off; pattern.rows.len()];

@@ -43,6 +43,11 @@ impl Halves {
         best.1
     }
 
+    /// How many of so many threads have work.
+    pub fn hands(self, threads: usize) -> usize {
+        if self.0[0] == self.0[1] { 1 } else { threads }
+    }
+
     /// Numbers of which `start` tells where those of a node begin, cut at the two places.
     pub fn cut(self, start: impl Fn(usize) -> usize, numbers: &mut [f32]) -> [&mut [f32]; 3] {
         let (before, above) = numbers.split_at_mut(start(self.0[1]));
@@ -75,22 +80,12 @@ impl Reach<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::linear::hessian::Pattern;
+    use crate::linear::hessian::{Pattern, grid_pairs};
     use crate::linear::symbolic::Symbolic;
 
-    /// A sheet of squares, each vertex bound to its eight neighbours.
+    /// A sheet of squares, each vertex bound to those around it and two lines away.
     fn sheet(side: u32) -> Symbolic {
-        let at = |r: u32, c: u32| r * side + c;
-        let mut pairs = Vec::new();
-        for r in 0..side {
-            for c in 0..side {
-                pairs.extend((c + 1 < side).then(|| [at(r, c), at(r, c + 1)]));
-                pairs.extend((r + 1 < side).then(|| [at(r, c), at(r + 1, c)]));
-                pairs.extend((r + 1 < side && c + 1 < side).then(|| [at(r, c), at(r + 1, c + 1)]));
-                pairs.extend((r + 1 < side && c > 0).then(|| [at(r, c), at(r + 1, c - 1)]));
-            }
-        }
-        pairs.sort_unstable();
+        let pairs = grid_pairs(side, &[(0, 1), (1, 0), (1, 1), (0, 2), (2, 0)]);
         let pattern = Pattern::new((side * side) as usize, pairs);
         Symbolic::new(&pattern).unwrap_or_else(|| unreachable!("a sheet can be ordered"))
     }
@@ -109,7 +104,7 @@ mod tests {
     }
 
     #[test]
-    fn a_chain_has_no_halves_worth_two_threads() {
+    fn a_small_sheet_has_no_halves_worth_two_threads() {
         let nodes = sheet(4).nodes;
         assert_eq!(Halves::new(&nodes), Halves::none(&nodes));
     }

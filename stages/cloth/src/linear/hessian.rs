@@ -217,6 +217,20 @@ pub(crate) fn scattered(unknown: &[u32], part: &[Vec3], factor: f64) -> Vec<Vec3
     unknown.iter().map(|u| if *u == FIXED { Vec3::zeros() } else { part[*u as usize] * factor }).collect()
 }
 
+/// Couplings of a square grid: of every knot with those so many lines and columns on.
+#[cfg(test)]
+pub(super) fn grid_pairs(side: u32, reach: &[(u32, u32)]) -> Vec<[u32; 2]> {
+    let mut pairs = Vec::new();
+    for (r, c) in (0..side).flat_map(|r| (0..side).map(move |c| (r, c))) {
+        for (dr, dc) in reach {
+            if r + dr < side && c + dc < side {
+                pairs.push([r * side + c, (r + dr) * side + c + dc]);
+            }
+        }
+    }
+    pairs
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

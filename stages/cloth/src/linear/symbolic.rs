@@ -113,20 +113,14 @@ impl Target {
 pub(crate) struct Order {
     /// Unknowns as they are eliminated.
     unknowns: Vec<u32>,
-    /// Place of every unknown in the order of elimination.
-    place: Vec<u32>,
+    /// Place of every unknown among them.
+    pub place: Vec<u32>,
     pairs: usize,
     /// Scalars of the factor then.
     length: usize,
 }
 
 impl Order {
-    /// For this pattern; `None` when there is nothing to factorise or no memory for it.
-    fn new(pattern: &Pattern) -> Option<Self> {
-        let (unknowns, place) = dissect::order(pattern)?;
-        Some(Self { unknowns, place, pairs: pattern.rows.len(), length: usize::MAX })
-    }
-
     /// Was it made for much the same couplings?
     fn may_fit(&self, pattern: &Pattern) -> bool {
         let pairs = pattern.rows.len();
@@ -148,17 +142,14 @@ pub(crate) struct Symbolic {
 }
 
 impl Symbolic {
-    /// Place of every unknown in the order of elimination.
-    pub fn place(&self) -> &[u32] {
-        &self.order.place
-    }
-
     /// In an order of its own; `None` when there is nothing to factorise or no memory for it.
     pub fn new(pattern: &Pattern) -> Option<Self> {
         if pattern.unknowns() == 0 {
             return None;
         }
-        let mut found = Self::in_order(pattern, Order::new(pattern)?)?;
+        let (unknowns, place) = dissect::order(pattern)?;
+        let order = Order { unknowns, place, pairs: pattern.rows.len(), length: 0 };
+        let mut found = Self::in_order(pattern, order)?;
         found.order.length = found.length;
         Some(found)
     }

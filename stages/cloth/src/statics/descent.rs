@@ -3,33 +3,28 @@
 use super::ahead::Ahead;
 use super::lead::Leading;
 use super::memory::{Memory, dot};
+use super::metric::Made;
 use super::objective::Objective;
 use crate::collide::stick::Stick;
 use crate::cost::{Lap, Work};
 use crate::linear::factor::Factor;
-use crate::linear::hessian::Pattern;
 use crate::problem::{mean_weight, or_earth, side};
 use crate::scene::EARTH;
 use crate::start::Start;
 use crate::topology::Topology;
 use crate::{ClothError, Scene, Settings, Vec3, Watch};
-use nalgebra::Matrix3;
 
 /// Shift of the metric: mass / (τ · unit). First τ, and the one from which it no longer matters; the unit is 1 s² for a
 /// square metre of cloth on Earth, and goes with lengths and weight as pendulums do, so that similar cloth takes similar
 /// steps.
 const TAU_FIRST: f64 = 1e-2;
 pub(super) const TAU_FREE: f64 = 30.0;
-const TAU_LEAST: f64 = 1e-8;
+pub(super) const TAU_LEAST: f64 = 1e-8;
 const TAU_MOST: f64 = 1e4;
 /// First and last share of the stretch stiffness in all directions, and what it grows by.
 const FIRM_LEAST: f64 = 1e-3;
 const FIRM_MOST: f64 = 0.1;
 const FIRMER: f64 = 8.0;
-/// What a Newton step would win over the elastic energy, below which the second derivatives are used as they are …
-const NEAR_REST: f64 = 0.05;
-/// … and blocks until they are tried again where they were not convex, at most.
-const MOST_PATIENCE: u32 = 8;
 /// What a Newton step would win over the elastic energy, below which contacts that are nearly shut are so under a load, and not
 /// because the cloth began there.
 const LOADED: f64 = 1.0;
@@ -41,11 +36,9 @@ const LARGE: usize = 4_500;
 const MANY: usize = 16;
 pub(crate) const FEW: usize = 8;
 /// A factor has led well through a block of which the mean part of a step is more than this, and the largest net force at its end
-/// less than this part of that before …
+/// less than this part of that before.
 const WELL: f64 = 0.8;
 const CALMED: f64 = 0.3;
-/// … and how far cloth moves from where it was made, over the longest move at rest, before a new one is needed.
-const STILL: f64 = 3.0;
 /// Longest step of a vertex over the mean edge.
 const STRIDE: f64 = 1.0;
 
@@ -81,21 +74,10 @@ pub(crate) struct Descent<'a> {
     pub(super) leading: Leading,
     pub(super) ahead: Ahead,
     /// Of what the factor is.
-    made: Made,
+    pub(super) made: Made,
     /// Blocks until the true metric is tried again, and how many it will be after the next failure.
-    wait: u32,
-    patience: u32,
-}
-
-/// Where and for what a factor was made.
-#[derive(Debug, Default)]
-struct Made {
-    at: Vec<Vec3>,
-    tau: f64,
-    firm: f64,
-    rough: bool,
-    /// Did it lead well so far?
-    good: bool,
+    pub(super) wait: u32,
+    pub(super) patience: u32,
 }
 
 /// What became of a block of steps.
@@ -194,68 +176,6 @@ impl<'a> Descent<'a> {
         }
     }
 
-    /// Refreshes friction and metric. `false` if no metric can be had.
-    fn refresh(&mut self) -> bool {
-        self.take_up();
-        if self.factor_holds() {
-            return true;
-        }
-        self.made.at.clear();
-        let made = self.refactor();
-        if made {
-            self.made = Made {
-                at: self.x.clone(),
-                tau: self.tau,
-                firm: self.firm,
-                rough: self.goal.is_rough(),
-                good: self.exact,
-            };
-        }
-        made
-    }
-
-    /// Near rest cloth hardly moves in a block: is the last factor still as good as a new one?
-    fn factor_holds(&self) -> bool {
-        let m = &self.made;
-        let same = |a: f64, b: f64| a == b || a.min(b) >= TAU_FREE;
-        self.goal.inert.is_none()
-            && m.good
-            && m.at.len() == self.x.len()
-            && same(m.tau, self.tau)
-            && m.firm == self.firm
-            && m.rough == self.goal.is_rough()
-            && crate::farthest(&m.at, &self.x) <= STILL * self.settings.move_tolerance
-    }
-
-    /// Was the factor made for where the cloth is?
-    pub(super) fn is_fresh(&self) -> bool {
-        self.made.at == self.x
-    }
-
-    /// The next block takes a new factor.
-    pub(super) fn renew(&mut self) {
-        self.made.good = false;
-    }
-
-    fn refactor(&mut self) -> bool {
-        self.free = TAU_FREE;
-        self.exact = self.true_metric();
-        if self.exact {
-            return true;
-        }
-        loop {
-            let system = self.assemble(true);
-            if self.factorise(system) {
-                return true;
-            }
-            self.tau *= 0.1;
-            self.free = TAU_FREE.min(self.tau);
-            if self.tau < TAU_LEAST {
-                return false;
-            }
-        }
-    }
-
     /// Lets contacts that gave way push from farther off; says whether there were any.
     pub fn bear(&mut self) -> bool {
         let any = self.goal.barrier.as_mut().is_some_and(|b| b.bear(&self.x, &self.goal.unknown));
@@ -290,51 +210,6 @@ impl<'a> Descent<'a> {
         }
         self.goal.stick.iter_mut().for_each(|s| *s = Stick::default());
         self.start_anew();
-    }
-
-    /// Near rest the second derivatives as they are lead faster than their convex part; `false` where they are not convex.
-    fn true_metric(&mut self) -> bool {
-        if self.goal.inert.is_some() || self.decrement > NEAR_REST {
-            return false;
-        }
-        if self.wait > 0 {
-            self.wait -= 1;
-            return false;
-        }
-        let system = self.assemble(false);
-        let convex = self.factorise(system);
-        self.patience = if convex { 0 } else { (2 * self.patience).clamp(1, MOST_PATIENCE) };
-        self.wait = self.patience;
-        convex
-    }
-
-    pub fn assemble(&mut self, convex: bool) -> (Pattern, Vec<Matrix3<f64>>) {
-        let mut lap = Lap::start();
-        let system = self.goal.assemble(&self.x, self.firm, convex);
-        self.spend(&mut lap);
-        system
-    }
-
-    /// Of the metric, N/m, per unknown.
-    pub fn shift(&self) -> impl Iterator<Item = f64> {
-        self.goal.inertia.iter().map(|m| m / (self.tau * self.unit))
-    }
-
-    /// Factorises a system, which goes before that begins.
-    pub fn factorise(&mut self, (pattern, values): (Pattern, Vec<Matrix3<f64>>)) -> bool {
-        let mut lap = Lap::start();
-        let shift: Vec<f64> = self.shift().collect();
-        let fits = self.factor.take_in(&pattern, &values, &shift);
-        drop(values);
-        let done = fits && self.factor.eliminate();
-        self.spend(&mut lap);
-        done
-    }
-
-    /// Counts the time since the last look, and that of the factor's other thread.
-    pub(super) fn spend(&mut self, lap: &mut Lap) {
-        self.goal.costs.spend(Work::Descent, lap);
-        self.goal.costs.add(Work::Descent, self.factor.beside());
     }
 
     /// New normal forces and holds from the contacts and folds here, and what pressure pushes; what slid is taken over.
@@ -465,26 +340,6 @@ impl<'a> Descent<'a> {
     pub fn start_anew(&mut self) {
         self.memory.clear();
         self.evaluate();
-    }
-
-    /// A new metric for what is here.
-    pub fn metric(&mut self) -> Result<(), ClothError> {
-        match self.measured() {
-            // Where cloth has gone through itself, no way may lead on.
-            Err(_) if !self.is_proved() => self.measured(),
-            told => told,
-        }
-    }
-
-    fn measured(&mut self) -> Result<(), ClothError> {
-        if !self.energy.is_finite() {
-            return Err(ClothError::Unstable { step: self.steps, what: "the energy is beyond numbers".into() });
-        }
-        if !self.refresh() {
-            let what = "no descent direction: the stiffness matrix cannot be factorised".into();
-            return Err(ClothError::Unstable { step: self.steps, what });
-        }
-        Ok(())
     }
 
     /// Metric, block and adaption in one.

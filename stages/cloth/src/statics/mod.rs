@@ -7,6 +7,7 @@ pub(crate) mod descent;
 mod far;
 mod lead;
 mod memory;
+mod metric;
 pub(crate) mod objective;
 mod report;
 mod rest;

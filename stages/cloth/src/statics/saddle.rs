@@ -25,7 +25,8 @@ impl Descent<'_> {
         if self.factorise(own) {
             return false;
         }
-        // Powers of C⁻¹ (C − H): its largest value belongs to the direction along which H / C is least.
+        // Powers of C⁻¹ (C − H): its largest value belongs to the direction along which H / C is least. H is put together again rather
+        // than held beside its own factor.
         let (pattern, mut less) = self.assemble(false);
         let convex = self.assemble(true);
         less.iter_mut().zip(&convex.1).for_each(|(h, c)| *h = c - *h);

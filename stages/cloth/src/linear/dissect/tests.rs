@@ -1,15 +1,9 @@
 use super::*;
+use crate::linear::hessian::grid_pairs;
 
 /// A square grid, each knot coupled with those up to two lines away.
 fn grid(side: u32) -> Pattern {
-    let mut pairs = Vec::new();
-    for (r, c) in (0..side).flat_map(|r| (0..side).map(move |c| (r, c))) {
-        for (dr, dc) in [(0, 1), (1, 0), (1, 1), (0, 2), (2, 0)] {
-            if r + dr < side && c + dc < side {
-                pairs.push([r * side + c, (r + dr) * side + c + dc]);
-            }
-        }
-    }
+    let pairs = grid_pairs(side, &[(0, 1), (1, 0), (1, 1), (0, 2), (2, 0)]);
     Pattern::new((side * side) as usize, pairs)
 }
 
