@@ -10,7 +10,6 @@ const CELLS_OF_SAMPLES: usize = 1024;
 const BEYOND: f64 = 1.5;
 /// Strain up to which a table goes otherwise.
 const UNLIMITED: f64 = 0.5;
-
 /// A piece of a law: what it has where it begins, and how its tangent grows.
 #[derive(Clone, Copy, Debug, Default)]
 struct Cell {

@@ -3,8 +3,8 @@
 
 /// Share of the strain limit at which the cloth is locked …
 const SHUT: f64 = 0.9975;
-/// … and the strain over which it comes to that, as a share of the limit: over more of a small limit (14 % of one of 1.2 %,
-/// width · limit constant in between), beside which single precision else knows too little of the soft motions.
+/// … and the strain over which it comes to that, as a share of the limit: over more of a small limit (to a fifth of one of 1 %,
+/// width · limit in between), beside which single precision else knows too little of the soft motions.
 const LOCKING: f64 = 0.005;
 const MOST_LOCKING: f64 = 0.15;
 const WIDTH_OF_SMALL: f64 = 2e-5;
