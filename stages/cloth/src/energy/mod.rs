@@ -4,7 +4,6 @@ pub(crate) mod coupled;
 pub(crate) mod flexion;
 pub(crate) mod hysteresis;
 pub(crate) mod law;
-pub(crate) mod lock;
 mod patch;
 #[cfg(feature = "pressure")]
 pub(crate) mod pressure;
@@ -58,12 +57,8 @@ pub(crate) trait Energy: Send + Sync {
     fn rough(&self) -> bool {
         false
     }
-    /// Does cloth that lies so carry more anywhere than its curves, because it locks at its strain limits?
-    fn is_locking(&self, _x: &[Vec3]) -> bool {
-        false
-    }
-    /// Lets cloth lock over this share of its strain limits, never if it is infinite; says whether that is anything new.
-    fn lock_over(&mut self, _locking: f64) -> bool {
+    /// Lets cloth lock at its strain limits over this share of them; says whether that changes any force at `x`.
+    fn lock_over(&mut self, _locking: f64, _x: &[Vec3]) -> bool {
         false
     }
     /// Are the second derivatives the same everywhere?

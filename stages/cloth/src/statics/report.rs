@@ -4,7 +4,7 @@ use super::descent::Descent;
 use crate::collide::barrier::Tally;
 use crate::cost::Work;
 use crate::energy::hysteresis::RULE;
-use crate::energy::lock::locks_from;
+use crate::energy::law::locks_from;
 use crate::report::{effect, switched};
 use crate::sewing::gaps;
 use crate::{EffectReport, Material, Outcome, Reaction, Scene, StopReason, Switch};

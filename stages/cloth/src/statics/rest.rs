@@ -28,10 +28,6 @@ const WIDE_LOCK: f64 = 0.6;
 const NARROWER: f64 = 0.3;
 const LEAST_LOCK: f64 = 0.01;
 const NARROW_AT: f64 = 1e-3;
-/// What a Newton step would win over the elastic energy, above which cloth falls and locks nowhere, and below which it does again:
-/// what is stretched on the way down says little of how it will hang, and a limit that is not reached then costs nothing.
-const FALLING: f64 = 0.5;
-const AWAKE: f64 = 2e-3;
 /// Steps in a block of a small coarser level.
 const FEW_ON_COARSE: usize = 12;
 /// Part of all work that coarser levels take.
@@ -143,14 +139,21 @@ impl Descent<'_> {
         let start = self.x.clone();
         let far = FAR * self.goal.size(&start);
         self.goal.set_rough(true);
+        let begun = self.steps;
         let few = if self.is_coarser() { FEW_ON_COARSE } else { FEW };
-        let mut locks = Locks::Unseen;
+        let mut locks = if self.goal.on_body() { Locks::Untouched } else { self.widen_locks() };
         loop {
             self.lead();
             self.metric()?;
             self.look();
-            if self.turn_locks(&mut locks) {
-                continue;
+            if let Locks::Wide(share) = locks
+                && (self.decrement < NARROW_AT || self.resting())
+            {
+                let changed;
+                (locks, changed) = self.narrow_locks(share);
+                if changed {
+                    continue;
+                }
             }
             if !matches!(locks, Locks::Wide(_)) && self.resting() {
                 match self.surely_resting(&mut rounds) {
@@ -174,10 +177,7 @@ impl Descent<'_> {
             if self.steps >= self.settings.max_descents {
                 return Ok(StopReason::MaxSteps);
             }
-            if let Locks::Untouched(since) = locks
-                && self.steps - since >= LONG_LOCKED
-                && self.goal.is_locking(&self.x)
-            {
+            if locks == Locks::Untouched && self.steps - begun >= LONG_LOCKED {
                 locks = self.widen_locks();
             }
             let Some(b) = self.block_ahead(few) else { continue };
@@ -222,39 +222,6 @@ impl Descent<'_> {
     /// Does finer cloth go on from here?
     fn is_coarser(&self) -> bool {
         self.settings.of_coarser_level()
-    }
-
-    /// What the locks at the strain limits are to be now; says whether that changes a force.
-    fn turn_locks(&mut self, locks: &mut Locks) -> bool {
-        let changed;
-        match *locks {
-            Locks::Unseen if self.decrement > FALLING => {
-                changed = self.lock_over(f64::INFINITY);
-                *locks = Locks::Asleep;
-            }
-            // Coarser cloth only finds the way; between the places where it is held it may be stretched by its coarseness alone.
-            Locks::Asleep if !self.is_coarser() && (self.decrement < AWAKE || self.resting()) => {
-                changed = self.lock_over(0.0);
-                *locks = self.first_locks();
-            }
-            Locks::Unseen => {
-                changed = false;
-                *locks = self.first_locks();
-            }
-            Locks::Wide(share) if self.decrement < NARROW_AT || self.resting() => {
-                (*locks, changed) = self.narrow_locks(share);
-            }
-            _ => changed = false,
-        }
-        changed
-    }
-
-    /// Of cloth that locks as the law has it.
-    fn first_locks(&mut self) -> Locks {
-        if self.goal.on_body() || !self.goal.is_locking(&self.x) {
-            return Locks::Untouched(self.steps);
-        }
-        self.widen_locks()
     }
 
     pub(super) fn widen_locks(&mut self) -> Locks {
@@ -329,12 +296,8 @@ struct Rounds {
 /// How cloth locks at its strain limits while it settles.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Locks {
-    /// Not asked yet.
-    Unseen,
-    /// Never: the cloth still falls.
-    Asleep,
-    /// As the law has it since that step, and not widened yet.
-    Untouched(u64),
+    /// As the law has it, and not widened yet.
+    Untouched,
     /// Over this share of the limits.
     Wide(f64),
     /// As the law has it again.
