@@ -129,6 +129,7 @@ pub fn cloth(areal_mass: f64, stretch: f64, shear: f64, bending: [f64; 2]) -> Fa
         bend_holds_friction: false,
         strain_limit_warp: 0.5,
         strain_limit_weft: 0.5,
+        strain_limit_bias: None,
         sources: std::collections::BTreeMap::new(),
     }
 }

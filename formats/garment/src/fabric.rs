@@ -79,6 +79,9 @@ pub struct Fabric {
     pub strain_limit_warp: f64,
     /// Largest strain the cloth is used at, along the weft.
     pub strain_limit_weft: f64,
+    /// Largest strain the cloth is used at, on the bias, where it has a limit there.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub strain_limit_bias: Option<f64>,
     /// Constants of the springs of `model = "springs"`, where they are given and not derived from the laws.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub springs: Option<SpringConstants>,

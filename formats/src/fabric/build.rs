@@ -47,6 +47,7 @@ pub fn fabric(e: &mut Entries) -> Option<Fabric> {
         friction: friction?,
         strain_limit_warp: limit(e, "warp", &mut sources),
         strain_limit_weft: limit(e, "weft", &mut sources),
+        strain_limit_bias: given_limit(e, "strain_limit_bias", &mut sources),
         stretch_warp: warp?,
         stretch_weft: weft?,
         poisson,
@@ -258,11 +259,16 @@ fn springs(e: &mut Entries, sources: &mut Sources) -> Option<SpringConstants> {
     }
 }
 
+fn given_limit(e: &Entries, key: &str, sources: &mut Sources) -> Option<f64> {
+    let given = entry(e, "", key)?;
+    sources.insert(key.to_owned(), given.source);
+    Some(given.value)
+}
+
 fn limit(e: &Entries, direction: &str, sources: &mut Sources) -> f64 {
     let key = format!("strain_limit_{direction}");
-    if let Some(given) = entry(e, "", &key) {
-        sources.insert(key, given.source);
-        return given.value;
+    if let Some(given) = given_limit(e, &key, sources) {
+        return given;
     }
     if let Some(emt) = entry(e, "kes", &format!("emt_{direction}")) {
         sources.insert(key, ValueSource { method: "EMT of KES-F".to_owned(), ..emt.source });

@@ -67,6 +67,7 @@ fields! {
     TOP "friction" Ratio 0.0 10.0 "0 to 10";
     TOP "strain_limit_warp" Share 5e-4 3.0 STRAIN;
     TOP "strain_limit_weft" Share 5e-4 3.0 STRAIN;
+    TOP "strain_limit_bias" Share 5e-4 3.0 STRAIN;
     LINEAR "stretch_warp" LineForce 1.0 1e8 STRETCH;
     LINEAR "stretch_weft" LineForce 1.0 1e8 STRETCH;
     ISOTROPIC "stretch" LineForce 1.0 1e8 STRETCH;

@@ -39,7 +39,7 @@ fn every_sample_reproduces_its_law() {
     let denim = sample("denim-11oz.toml");
     assert_eq!(denim.areal_mass, 0.36);
     assert!((denim.bend_warp - 80e-6).abs() < 1e-18 && (denim.shear - 130.0).abs() < 1e-12);
-    assert_eq!(denim.strain_limit_warp, 0.04);
+    assert_eq!((denim.strain_limit_warp, denim.strain_limit_bias), (0.04, None));
     assert!((denim.bend_hysteresis.expect("2HB") - 3e-3).abs() < 1e-15);
     assert!((denim.bend_friction() - 1.5e-3).abs() < 1e-15);
 }
@@ -54,6 +54,10 @@ fn linear_and_isotropic() {
     assert_eq!(f.strain_limit_warp, 0.05);
     let iso = "name = \"i\"\nareal_mass = \"0.15 kg/m^2\"\nthickness = \"0.5 mm\"\nfriction = 0.3\n\
         [isotropic]\nstretch = \"500 N/m\"\npoisson = 0.3\nbending = \"10 uN.m\"\n";
+    let limited = iso.replace("friction", "strain_limit_bias = \"6 %\"\nfriction");
+    let f = read(&limited, "i.toml").expect("a limit on the bias");
+    assert_eq!((f.strain_limit_warp, f.strain_limit_bias), (0.05, Some(0.06)));
+    assert_eq!(f.sources["strain_limit_bias"].written, "6 %");
     let f = read(iso, "i.toml").expect("isotropic");
     assert!((f.shear - 500.0 / 2.6).abs() < 1e-9);
     assert!((f.bend_warp - 1e-5).abs() < 1e-18);

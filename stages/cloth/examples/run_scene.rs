@@ -76,7 +76,7 @@ fn cotton() -> Material {
         bend_bias: None,
         bend_friction: 0.0,
         springs: None,
-        strain_limit: [0.035, 0.08],
+        strain_limit: [0.035, 0.08, f64::INFINITY],
     }
 }
 
@@ -108,10 +108,10 @@ fn main() {
     let (v, vt, f) = obj(&dir.join("garment.obj")).unwrap();
     let mut material = match option("fabric").as_deref() {
         Some("cotton") => cotton(),
-        _ => Material { areal_mass: 0.15, ..Material::isotropic(0.15, 500.0, 0.3, 1e-5) },
+        _ => Material { strain_limit: [0.012; 3], ..Material::isotropic(0.15, 500.0, 0.3, 1e-5) },
     };
     if let Some(l) = option("limit") {
-        material.strain_limit = [l.parse().unwrap(); 2];
+        material.strain_limit = [l.parse().unwrap(); 3];
     }
     let triangles = f
         .iter()

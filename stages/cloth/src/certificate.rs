@@ -19,7 +19,7 @@ pub struct Figures {
     pub strain_p95: f64,
     /// Largest strain along warp or weft.
     pub strain_max: f64,
-    /// Largest strain along warp or weft over the strain limit of that direction (1 = at the limit).
+    /// Largest strain along warp, weft or bias over the strain limit of that direction (1 = at the limit).
     pub strain_over_limit: f64,
     /// Largest elongation of a mesh edge.
     pub edge_strain_max: f64,
@@ -95,10 +95,12 @@ fn strains(scene: &Scene, settings: &Settings) -> Figures {
     let mut figures = Figures::default();
     let mut largest = Vec::with_capacity(scene.triangles.len());
     for (t, s) in scene.triangles.iter().zip(Coupled::new(scene, settings).strains(x)) {
-        let [warp_limit, weft_limit] = scene.materials[t.material as usize].strain_limit;
+        let [warp_limit, weft_limit, bias_limit] = scene.materials[t.material as usize].strain_limit;
         let [weft, warp] = s.stretch.map(|a| a - 1.0);
         largest.push(weft.max(warp));
-        figures.strain_over_limit = figures.strain_over_limit.max(weft / weft_limit).max(warp / warp_limit);
+        let bias = (1.0 + 2.0 * s.bias).max(0.0).sqrt() - 1.0;
+        let over = (weft / weft_limit).max(warp / warp_limit).max(bias / bias_limit);
+        figures.strain_over_limit = figures.strain_over_limit.max(over);
         figures.shear_max = figures.shear_max.max(libm::asin(s.sine.abs().min(1.0)));
         for k in 0..3 {
             let l = (x[t.vertices[k] as usize] - x[t.vertices[(k + 1) % 3] as usize]).norm();

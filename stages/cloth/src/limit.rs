@@ -1,5 +1,5 @@
 //! No rubber look: the over-elongation correction after the step (paper §2.2, after Kang et al. 2000), for the yarns
-//! through every triangle: warp or weft longer than the limit is brought back by moving the corners; held ones stay.
+//! through every triangle: warp, weft or bias longer than the limit is brought back by moving the corners; held ones stay.
 
 use crate::{Element, Scene, Vec3};
 
@@ -12,10 +12,12 @@ const SWEEPS: usize = 6;
 const TARGET: f64 = 0.95;
 /// Sweeps for the balance of a state at rest.
 const SETTLING: usize = 500;
+/// Of the bias along warp and along weft.
+const HALF: f64 = std::f64::consts::FRAC_1_SQRT_2;
 
 struct Yarn {
     vertices: [u32; 3],
-    /// Gradient weights of the yarn direction, 1/m.
+    /// Gradient weights of the direction, 1/m.
     weights: [f64; 3],
     /// Largest stretch (1 = rest).
     limit: f64,
@@ -29,12 +31,9 @@ pub(crate) struct StrainLimit {
     pub most_watched: usize,
 }
 
-fn yarn(e: &Element, direction: usize, limit: f64) -> Yarn {
-    let double = 2.0 * e.area();
-    let weights = [0, 1, 2].map(|k| {
-        let (a, b) = (e.rest[(k + 1) % 3], e.rest[(k + 2) % 3]);
-        if direction == 0 { (a[1] - b[1]) / double } else { (b[0] - a[0]) / double }
-    });
+/// The line along a direction of the cloth, (weft, warp).
+fn yarn(e: &Element, along: [f64; 2], limit: f64) -> Yarn {
+    let weights = e.gradients().map(|g| g[0] * along[0] + g[1] * along[1]);
     Yarn { vertices: e.vertices, weights, limit: 1.0 + TARGET * limit }
 }
 
@@ -52,12 +51,9 @@ impl StrainLimit {
     pub fn new(scene: &Scene) -> Option<Self> {
         let mut yarns = Vec::new();
         for e in &scene.triangles {
-            let [warp, weft] = scene.materials[e.material as usize].strain_limit;
-            for (direction, limit) in [(0, weft), (1, warp)] {
-                if limit.is_finite() {
-                    yarns.push(yarn(e, direction, limit));
-                }
-            }
+            let [warp, weft, bias] = scene.materials[e.material as usize].strain_limit;
+            let along = [([1.0, 0.0], weft), ([0.0, 1.0], warp), ([HALF, HALF], bias), ([HALF, -HALF], bias)];
+            yarns.extend(along.iter().filter(|(_, l)| l.is_finite()).map(|(along, limit)| yarn(e, *along, *limit)));
         }
         let none = yarns.is_empty();
         (!none).then_some(Self { yarns, watched: Vec::new(), since: INTERVAL, corrected: 0, most_watched: 0 })
@@ -130,5 +126,29 @@ impl StrainLimit {
             }
         }
         any
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Material;
+
+    /// Sheared by a tenth: one bias direction is 5 % longer, warp and weft are not.
+    #[test]
+    fn a_triangle_too_long_on_the_bias_is_brought_back() {
+        let rest = [[0.0, 0.0], [0.1, 0.0], [0.0, 0.1]];
+        let mut material = Material::isotropic(0.15, 500.0, 0.3, 1e-5);
+        material.strain_limit[2] = 0.02;
+        let scene = Scene {
+            triangles: vec![Element { vertices: [0, 1, 2], rest, material: 0 }].into_iter().collect(),
+            materials: vec![material],
+            ..Scene::default()
+        };
+        let mut limit = StrainLimit::new(&scene).expect("a limit");
+        let mut x: Vec<Vec3> = rest.map(|[u, v]| Vec3::new(u + 0.1 * v, v, 0.0)).into();
+        limit.apply(&mut x, &mut [Vec3::zeros(); 3], &[1.0; 3], 1e-3);
+        let bias = ((x[1] + x[2] - x[0] * 2.0) / (0.1 * 2f64.sqrt())).norm() - 1.0;
+        assert!((0.018..0.02).contains(&bias), "{bias}");
     }
 }

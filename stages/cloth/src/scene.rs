@@ -90,8 +90,8 @@ pub struct Material {
     /// Constants, N/m, of the bare springs of `Model::Springs` on edges within 22.5° of a yarn and on all others, in place of those
     /// that the laws give.
     pub springs: Option<[f64; 2]>,
-    /// Largest strain allowed along [warp, weft]; infinite for none.
-    pub strain_limit: [f64; 2],
+    /// Largest strain allowed along [warp, weft, both bias directions]; infinite for none.
+    pub strain_limit: [f64; 3],
 }
 
 /// Gravity under which bending lengths are told, m/s².
@@ -123,7 +123,7 @@ impl Material {
             bend_bias: None,
             bend_friction: 0.0,
             springs: None,
-            strain_limit: [f64::INFINITY; 2],
+            strain_limit: [f64::INFINITY; 3],
         }
     }
 

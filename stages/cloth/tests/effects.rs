@@ -107,7 +107,7 @@ fn no_friction_is_friction_with_a_coefficient_of_nothing() {
 #[test]
 fn a_strain_limit_that_is_never_reached_changes_nothing() {
     let mut limited = hanging();
-    limited.materials[0].strain_limit = [0.2; 2];
+    limited.materials[0].strain_limit = [0.2; 3];
     let on = run(&limited, Effects { strain_limit: Switch::On, ..Effects::default() });
     same(&on, &run(&limited, Effects { strain_limit: Switch::Off, ..Effects::default() }));
     same(&on, &run(&hanging(), Effects::default()));

@@ -83,7 +83,7 @@ fn the_strain_limit_carries_what_the_curve_does_not() {
     // Above the length L_s = K em / w the sheet is at its limit.
     let (length, k, sigma, limit) = (0.5, 40.0, 0.4, 0.02);
     let mut m = linear(sigma, k, k, 1.0);
-    m.strain_limit = [limit, limit];
+    m.strain_limit = [limit, limit, f64::INFINITY];
     let (nx, ny) = (4, 25);
     let mut scene = sheet(0.1, length, nx, ny, m, |x, y| Vec3::new(x, y, 0.0));
     hang(&mut scene, nx, ny);
@@ -104,7 +104,11 @@ fn the_strain_limit_carries_what_the_curve_does_not() {
 #[test]
 fn a_sheet_hangs_by_its_corners_at_the_strain_limit() {
     let n = 40;
-    let soft = Material { strain_limit: [0.05; 2], thickness: 5e-4, ..Material::isotropic(0.15, 500.0, 0.3, 1e-5) };
+    let soft = Material {
+        strain_limit: [0.05, 0.05, f64::INFINITY],
+        thickness: 5e-4,
+        ..Material::isotropic(0.15, 500.0, 0.3, 1e-5)
+    };
     let mut scene = sheet(1.0, 1.0, n, n, soft, |x, y| Vec3::new(x, 0.0, y));
     scene.pins = [0, n].iter().map(|v| Pin { vertex: *v, at: scene.positions[*v as usize] }).collect();
     scene.gravity = Vec3::new(0.0, -G, 0.0);
@@ -115,6 +119,31 @@ fn a_sheet_hangs_by_its_corners_at_the_strain_limit() {
     assert!((0.048..0.0502).contains(&strain), "{strain}");
     let held: f64 = rest.reactions.iter().map(|r| r.force.y).sum();
     assert!((held / (0.15 * G) - 1.0).abs() < 1e-3, "{held} N");
+}
+
+/// The same with limits along warp, weft and bias: no edge of its mesh, which lie in these directions, is longer, and all but its
+/// corners hangs as it does without.
+#[test]
+fn a_sheet_hangs_by_its_corners_within_its_limits_on_the_bias_too() {
+    let (n, limit) = (40, 0.0125);
+    let hang = |strain_limit: [f64; 3]| {
+        let soft = Material { strain_limit, thickness: 5e-4, ..Material::isotropic(0.15, 500.0, 0.3, 1e-5) };
+        let mut scene = sheet(1.0, 1.0, n, n, soft, |x, y| Vec3::new(x, 0.0, y));
+        scene.pins = [0, n].iter().map(|v| Pin { vertex: *v, at: scene.positions[*v as usize] }).collect();
+        scene.gravity = Vec3::new(0.0, -G, 0.0);
+        let settings = Settings { effects: Effects::default(), ..Settings::default() };
+        let rest = drape(&scene, &settings, &mut Silent).expect("a drape");
+        assert!(rest.settled && rest.steps < 600, "{:?} after {} steps", rest.stop_reason, rest.steps);
+        (certify(&scene, &settings, &rest.positions).expect("figures"), rest)
+    };
+    let (limited, rest) = hang([limit; 3]);
+    assert!((0.9 * limit..limit).contains(&limited.edge_strain_max), "{}", limited.edge_strain_max);
+    assert!(limited.strain_over_limit < 1.0, "{}", limited.strain_over_limit);
+    let held: f64 = rest.reactions.iter().map(|r| r.force.y).sum();
+    assert!((held / (0.15 * G) - 1.0).abs() < 1e-3, "{held} N");
+    let (free, _) = hang([f64::INFINITY; 3]);
+    assert!(free.edge_strain_max > 0.05, "{}", free.edge_strain_max);
+    assert!((limited.strain_p95 / free.strain_p95 - 1.0).abs() < 0.1, "{} and {}", limited.strain_p95, free.strain_p95);
 }
 
 #[test]

@@ -89,8 +89,8 @@ fn of_bending(params: &Value, switch: SwitchName, garment: &Garment) -> Evidence
 }
 
 fn of_limits(garment: &Garment) -> Evidence {
-    let limits = |f: &Fabric| [f.strain_limit_warp, f.strain_limit_weft];
-    let least = garment.fabrics.values().flat_map(limits).fold(f64::INFINITY, f64::min);
+    let limits = |f: &Fabric| [Some(f.strain_limit_warp), Some(f.strain_limit_weft), f.strain_limit_bias];
+    let least = garment.fabrics.values().flat_map(limits).flatten().fold(f64::INFINITY, f64::min);
     if least.is_finite() {
         (true, format!("smallest limit of the fabrics {:.1} %", least * 100.0))
     } else {

@@ -19,7 +19,11 @@ pub fn material(fabric: &Fabric) -> Material {
         bend_bias: fabric.bend_bias,
         bend_friction: fabric.bend_friction(),
         springs: fabric.springs.map(|s| [s.yarn, s.bias]),
-        strain_limit: [fabric.strain_limit_warp, fabric.strain_limit_weft],
+        strain_limit: [
+            fabric.strain_limit_warp,
+            fabric.strain_limit_weft,
+            fabric.strain_limit_bias.unwrap_or(f64::INFINITY),
+        ],
     }
 }
 

@@ -8,6 +8,7 @@ mod stiff;
 
 use super::Energy;
 use super::law::Fabric;
+use super::lock::Bias;
 use crate::linear::hessian::Hessian;
 use crate::{Element, Elements, Scene, Settings, Vec3};
 use lanes::Lanes;
@@ -43,6 +44,8 @@ pub(crate) struct Strain {
     pub stretch: [f64; 2],
     /// Sine of the shear angle.
     pub sine: f64,
+    /// Green strain of the bias direction that is stretched more.
+    pub bias: f64,
 }
 
 impl Triangle {
@@ -88,7 +91,8 @@ fn inverse(m: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
 fn strain(green: &[f64; 3]) -> Strain {
     let a = (1.0 + 2.0 * green[0]).max(0.0).sqrt();
     let b = (1.0 + 2.0 * green[1]).max(0.0).sqrt();
-    Strain { stretch: [a, b], sine: green[2] / (a.max(LEAST_STRETCH) * b.max(LEAST_STRETCH)) }
+    let sine = green[2] / (a.max(LEAST_STRETCH) * b.max(LEAST_STRETCH));
+    Strain { stretch: [a, b], sine, bias: Bias::largest(*green) }
 }
 
 /// Shear angle of a small sine and its derivative.
@@ -122,6 +126,17 @@ fn stress(green: &[f64; 3], fabric: &Fabric) -> [f64; 3] {
 /// The same and the energy per area, J/m².
 #[inline]
 fn stress_and_energy(green: &[f64; 3], fabric: &Fabric) -> ([f64; 3], f64) {
+    let (mut stress, mut energy) = unlocked(green, fabric);
+    for p in fabric.bias.pulls(green) {
+        (0..3).for_each(|k| stress[k] += p.stress * p.by[k]);
+        energy += p.energy;
+    }
+    (stress, energy)
+}
+
+/// Without what the bias locks.
+#[inline]
+fn unlocked(green: &[f64; 3], fabric: &Fabric) -> ([f64; 3], f64) {
     let s = strain(green);
     let [a, b] = s.stretch;
     let (am, bm) = (a.max(LEAST_STRETCH), b.max(LEAST_STRETCH));
@@ -154,14 +169,6 @@ impl Coupled {
         self.triangles.triangles().zip(self.elements.iter().map(Element::gradients))
     }
 
-    /// Does any triangle carry more than its curves?
-    fn is_locking(&self, x: &[Vec3]) -> bool {
-        self.triangles
-            .triangles()
-            .zip(self.strains(x))
-            .any(|(t, s)| self.fabrics[t.fabric as usize].is_locking(s.stretch))
-    }
-
     /// Strain of every triangle.
     pub fn strains<'a>(&'a self, x: &'a [Vec3]) -> impl Iterator<Item = Strain> + 'a {
         self.triangles.triangles().map(|t| strain(&t.green(&t.edges(x))))
@@ -177,10 +184,15 @@ impl Energy for Coupled {
         self.triangles.evaluate(&self.fabrics, x, f)
     }
 
-    fn lock_over(&mut self, locking: f64, x: &[Vec3]) -> bool {
-        let before = self.is_locking(x);
-        let changed = self.fabrics.iter_mut().fold(false, |any, f| f.lock_over(locking) | any);
-        changed && (before || self.is_locking(x))
+    fn is_locking(&self, x: &[Vec3]) -> bool {
+        self.triangles.triangles().any(|t| {
+            let green = t.green(&t.edges(x));
+            self.fabrics[t.fabric as usize].is_locking(strain(&green).stretch, &green)
+        })
+    }
+
+    fn lock_over(&mut self, locking: f64) -> bool {
+        self.fabrics.iter_mut().fold(false, |any, f| f.lock_over(locking) | any)
     }
 
     fn energy(&self, x: &[Vec3]) -> f64 {
@@ -249,6 +261,9 @@ fn tangent(green: &[f64; 3], fabric: &Fabric, convex: bool) -> ([f64; 3], Matrix
             d[(i, j)] += m;
             d[(j, i)] += m;
         }
+    }
+    for p in fabric.bias.pulls(green) {
+        d += p.by * p.by.transpose() * if convex { p.slope } else { p.slope + p.turning };
     }
     (stress(green, fabric), d)
 }

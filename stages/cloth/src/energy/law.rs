@@ -1,64 +1,15 @@
 //! A stretch curve as a table: tangents at equal strains, linear between, so that tension and energy are its exact
 //! integrals and cost no exponential. The tangent may be capped (validation §8.5).
 
+use super::lock::{Bias, Lock};
 use crate::{Curve, Integrator, Material, Settings, Switch};
 
 /// Cells of a table, more for kinks of measured curves, and how far over the limit it goes.
 const CELLS: usize = 256;
 const CELLS_OF_SAMPLES: usize = 1024;
 const BEYOND: f64 = 1.5;
-/// Share of the strain limit at which the cloth is locked, and what it takes to lock before that, as a share of the limit: more
-/// of a small limit (to 4 % of one of 1 %, width · limit in between), beside which single precision else knows too little of
-/// the soft motions, and a sheet took thousands of steps …
-const SHUT: f64 = 0.9975;
-const LOCKING: f64 = 0.005;
-const MOST_LOCKING: f64 = 0.04;
-const WIDTH_OF_SMALL: f64 = 4e-6;
-/// … and the tension that it carries there over that of its curve, N/m.
-const LOCKED: f64 = 900.0;
-/// How much faster it grows beyond, up to so many widths on: so that a band drawn over gathers stays within its limit. Only so far,
-/// because cloth that comes from a coarser mesh begins far beyond in places, and must find back.
-const SHUTTING: f64 = 4.0;
-const SHUT_AFTER: f64 = 0.5;
-
-/// What a locking cloth carries over its curve: a tension that grows with the square of the strain from where it begins, and
-/// faster just after it is locked. Below it adds nothing, so that a limit that is not reached changes no bit.
-#[derive(Clone, Copy, Debug)]
-struct Lock {
-    from: f64,
-    /// Strain from its beginning to where the cloth is locked.
-    width: f64,
-}
-
-impl Lock {
-    /// Infinite for never; over at least `locking` of the limit.
-    fn at(limit: f64, locking: f64) -> Self {
-        if !limit.is_finite() {
-            return Self { from: limit, width: 1.0 };
-        }
-        let width = (locking.max(LOCKING) * limit).max((MOST_LOCKING * limit).min(WIDTH_OF_SMALL / limit));
-        Self { from: SHUT * limit - width, width }
-    }
-
-    /// Tension, N/m, energy, J/m², and slope, N/m, at a strain over `from`.
-    fn over(&self, strain: f64) -> [f64; 3] {
-        let near = (strain - self.from) / self.width;
-        let (rise, on) = (near.min(1.0), (near - 1.0).max(0.0));
-        let first = on.min(SHUT_AFTER);
-        let rest = on - first;
-        let tension = rise * rise + 2.0 * on + SHUTTING * first * (first + 2.0 * rest);
-        let energy = rise * rise * rise / 3.0
-            + on * (1.0 + on)
-            + SHUTTING * first * (first * first / 3.0 + rest * (first + rest));
-        let slope = 2.0 * (rise + SHUTTING * first) / self.width;
-        [LOCKED * tension, LOCKED * self.width * energy, LOCKED * slope]
-    }
-}
-
-/// Strain from which cloth with this limit locks.
-pub(crate) fn locks_from(limit: f64) -> f64 {
-    Lock::at(limit, 0.0).from
-}
+/// Strain up to which a table goes otherwise.
+const UNLIMITED: f64 = 0.5;
 
 /// A piece of a law: what it has where it begins, and how its tangent grows.
 #[derive(Clone, Copy, Debug, Default)]
@@ -77,7 +28,6 @@ pub(crate) struct Law {
     step: f64,
     /// The first for cloth pushed together, the last for all beyond the table; both straight.
     cells: Vec<Cell>,
-    limit: f64,
     lock: Lock,
 }
 
@@ -113,14 +63,8 @@ impl Law {
             last = Cell { from: step * (i + 1) as f64, tension, tangent: k[1], bow: 0.0, energy };
         }
         all.push(last);
-        Self { inverse_step: 1.0 / step, step, cells: all, limit, lock: Lock::at(limit, 0.0) }
-    }
-
-    /// Lets the cloth lock over this share of its limit, or over less if that is all it ever takes; says whether that is
-    /// anything new.
-    fn lock_over(&mut self, locking: f64) -> bool {
-        let before = std::mem::replace(&mut self.lock, Lock::at(self.limit, locking));
-        before.width != self.lock.width
+        let lock = Lock::at(limit, if limit.is_finite() { curve.tension(limit) } else { 0.0 });
+        Self { inverse_step: 1.0 / step, step, cells: all, lock }
     }
 
     /// Does it carry more than its curve at this strain?
@@ -174,11 +118,12 @@ impl Law {
     }
 }
 
-/// Both directions and the shear of a fabric.
+/// Both directions, the shear and the bias of a fabric.
 #[derive(Clone, Debug)]
 pub(crate) struct Fabric {
     pub weft: Law,
     pub warp: Law,
+    pub bias: Bias,
     pub shear: f64,
     /// Coupling modulus of warp and weft, N/m.
     pub cross: f64,
@@ -187,22 +132,28 @@ pub(crate) struct Fabric {
 impl Fabric {
     pub fn new(m: &Material, s: &Settings) -> Self {
         let locks = s.integrator == Integrator::Static && s.effects.strain_limit != Switch::Off;
-        let reach = |limit: f64| if limit.is_finite() { (BEYOND * limit).clamp(0.02, 2.0) } else { 0.5 };
-        let law = |curve: &Curve, limit: f64| {
-            Law::new(curve, s.curve_cap(), reach(limit), if locks { limit } else { f64::INFINITY })
+        let lock = |limit: f64| if locks { limit } else { f64::INFINITY };
+        // A straight curve is one whatever its limit: a limit that is not reached changes no bit.
+        let reach = |curve: &Curve, limit: f64| match curve {
+            Curve::Linear { .. } => UNLIMITED,
+            _ if limit.is_finite() => (BEYOND * limit).clamp(0.02, 2.0),
+            _ => UNLIMITED,
         };
-        let (warp, weft) = (law(&m.warp, m.strain_limit[0]), law(&m.weft, m.strain_limit[1]));
+        let law = |curve: &Curve, limit: f64| Law::new(curve, s.curve_cap(), reach(curve, limit), lock(limit));
+        let [along_warp, along_weft, on_bias] = m.strain_limit;
+        let (warp, weft) = (law(&m.warp, along_warp), law(&m.weft, along_weft));
+        let softer = if on_bias.is_finite() { m.warp.tension(on_bias).min(m.weft.tension(on_bias)) } else { 0.0 };
         let cross = m.poisson * warp.tangent(0.0).min(weft.tangent(0.0));
-        Self { weft, warp, shear: m.shear, cross }
+        Self { weft, warp, bias: Bias::at(lock(on_bias), softer), shear: m.shear, cross }
     }
 
-    /// [`Law::lock_over`] of both directions.
+    /// Lets it lock over this share of its limits; says whether that is anything new.
     pub fn lock_over(&mut self, locking: f64) -> bool {
-        self.weft.lock_over(locking) | self.warp.lock_over(locking)
+        self.weft.lock.lock_over(locking) | self.warp.lock.lock_over(locking) | self.bias.lock_over(locking)
     }
 
-    /// Does it carry more than its curves at these stretches along weft and warp?
-    pub fn is_locking(&self, [weft, warp]: [f64; 2]) -> bool {
-        self.weft.is_locking(weft - 1.0) || self.warp.is_locking(warp - 1.0)
+    /// Does it carry more than its curves at these stretches along weft and warp and this Green strain?
+    pub fn is_locking(&self, [weft, warp]: [f64; 2], green: &[f64; 3]) -> bool {
+        self.weft.is_locking(weft - 1.0) || self.warp.is_locking(warp - 1.0) || self.bias.is_locking(green)
     }
 }

@@ -4,6 +4,7 @@ pub(crate) mod coupled;
 pub(crate) mod flexion;
 pub(crate) mod hysteresis;
 pub(crate) mod law;
+pub(crate) mod lock;
 mod patch;
 #[cfg(feature = "pressure")]
 pub(crate) mod pressure;
@@ -57,8 +58,12 @@ pub(crate) trait Energy: Send + Sync {
     fn rough(&self) -> bool {
         false
     }
-    /// Lets cloth lock at its strain limits over this share of them; says whether that changes any force at `x`.
-    fn lock_over(&mut self, _locking: f64, _x: &[Vec3]) -> bool {
+    /// Does cloth that lies so carry more anywhere than its curves, because it locks at its strain limits?
+    fn is_locking(&self, _x: &[Vec3]) -> bool {
+        false
+    }
+    /// Lets cloth lock over this share of its strain limits, never if it is infinite; says whether that is anything new.
+    fn lock_over(&mut self, _locking: f64) -> bool {
         false
     }
     /// Are the second derivatives the same everywhere?

@@ -3,8 +3,8 @@
 
 use super::close::{SEWING_STRIDE, close};
 use super::descent::Descent;
+use super::locks::Locks;
 use super::report;
-use super::rest::Locks;
 use crate::levels::Level;
 use crate::sewing::mean_edge;
 use crate::watch::Part;

@@ -6,6 +6,7 @@ mod coarse;
 pub(crate) mod descent;
 mod far;
 mod lead;
+mod locks;
 mod memory;
 mod metric;
 pub(crate) mod objective;

@@ -204,9 +204,16 @@ impl Objective {
         &self.force
     }
 
+    /// Does cloth that lies so carry more anywhere than its curves, because it locks at its strain limits?
+    pub fn is_locking(&self, x: &[Vec3]) -> bool {
+        self.energies.iter().any(|e| e.is_locking(x))
+    }
+
     /// Cloth locks at its strain limits over this share of them from now on; says whether that changes any force at `x`.
     pub fn lock_over(&mut self, locking: f64, x: &[Vec3]) -> bool {
-        self.energies.iter_mut().fold(false, |any, e| e.lock_over(locking, x) | any)
+        let before = self.is_locking(x);
+        let changed = self.energies.iter_mut().fold(false, |any, e| e.lock_over(locking) | any);
+        changed && (before || self.is_locking(x))
     }
 
     /// From now on second derivatives are rough ones, or all there is, where the cloth has both.

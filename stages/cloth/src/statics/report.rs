@@ -4,10 +4,10 @@ use super::descent::Descent;
 use crate::collide::barrier::Tally;
 use crate::cost::Work;
 use crate::energy::hysteresis::RULE;
-use crate::energy::law::locks_from;
+use crate::energy::lock::locks_from;
 use crate::report::{effect, switched};
 use crate::sewing::gaps;
-use crate::{EffectReport, Material, Outcome, Reaction, Scene, StopReason, Switch};
+use crate::{EffectReport, Material, Model, Outcome, Reaction, Scene, StopReason, Switch};
 
 /// Takes the places.
 pub(crate) fn outcome(d: &mut Descent<'_>, scene: &Scene, stop_reason: StopReason) -> Outcome {
@@ -128,9 +128,12 @@ fn strain_limit(d: &Descent<'_>, scene: &Scene) -> EffectReport {
     let least = scene.materials.iter().flat_map(|m| m.strain_limit).fold(f64::INFINITY, f64::min);
     let limited = least.is_finite();
     let on = limited && d.settings.effects.strain_limit != Switch::Off;
+    let bias = scene.materials.iter().any(|m| m.strain_limit[2].is_finite());
+    let springs = if bias && d.settings.model == Model::Springs { "; springs along edges lock on no bias" } else { "" };
     let evidence = match (on, limited) {
         (true, _) => {
-            format!("the stretch curves lock from {:.2} % strain, at no cost of their own", 1e2 * locks_from(least))
+            let from = 1e2 * locks_from(least);
+            format!("the stretch curves lock from {from:.2} % strain, at no cost of their own{springs}")
         }
         (false, true) => "switched off".into(),
         (false, false) => "no fabric has a limit".into(),

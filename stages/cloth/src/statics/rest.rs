@@ -1,6 +1,7 @@
 //! Draping: descents until a Newton step would win nothing more.
 
 use super::descent::{Descent, FEW, TAU_FREE};
+use super::locks::Locks;
 use super::report;
 use crate::levels::Level;
 use crate::watch::Part;
@@ -18,16 +19,6 @@ const FAR: f64 = 3.0;
 const FAR_FROM_REST: f64 = 1.0;
 /// … and above which coarser cloth finds the way first: a start that is only strained wins just less than all of it.
 const COARSE_FIRST: f64 = 0.5;
-/// Steps after which cloth locks more softly for a while: single triangles that hang at a corner turn in steps of
-/// micrometres beside a stiffness a thousand times that of all others. On a body not from the start: what slides under friction
-/// would stay where the softer cloth brought it.
-const LONG_LOCKED: u64 = 400;
-/// Share of the strain limits over which it locks then, what that narrows by each time a Newton step would win less of the elastic
-/// energy than this, and below which share it is the law's own again.
-const WIDE_LOCK: f64 = 0.6;
-const NARROWER: f64 = 0.3;
-const LEAST_LOCK: f64 = 0.01;
-const NARROW_AT: f64 = 1e-3;
 /// Steps in a block of a small coarser level.
 const FEW_ON_COARSE: usize = 12;
 /// Part of all work that coarser levels take.
@@ -139,21 +130,16 @@ impl Descent<'_> {
         let start = self.x.clone();
         let far = FAR * self.goal.size(&start);
         self.goal.set_rough(true);
-        let begun = self.steps;
         let few = if self.is_coarser() { FEW_ON_COARSE } else { FEW };
-        let mut locks = if self.goal.on_body() { Locks::Untouched } else { self.widen_locks() };
+        let mut locks = Locks::Unseen;
         loop {
             self.lead();
             self.metric()?;
             self.look();
-            if let Locks::Wide(share) = locks
-                && (self.decrement < NARROW_AT || self.resting())
-            {
-                let changed;
-                (locks, changed) = self.narrow_locks(share);
-                if changed {
-                    continue;
-                }
+            let changed;
+            (locks, changed) = self.turn_locks(locks);
+            if changed {
+                continue;
             }
             if !matches!(locks, Locks::Wide(_)) && self.resting() {
                 match self.surely_resting(&mut rounds) {
@@ -177,7 +163,7 @@ impl Descent<'_> {
             if self.steps >= self.settings.max_descents {
                 return Ok(StopReason::MaxSteps);
             }
-            if locks == Locks::Untouched && self.steps - begun >= LONG_LOCKED {
+            if self.is_long_locked(locks) {
                 locks = self.widen_locks();
             }
             let Some(b) = self.block_ahead(few) else { continue };
@@ -220,32 +206,8 @@ impl Descent<'_> {
     }
 
     /// Does finer cloth go on from here?
-    fn is_coarser(&self) -> bool {
+    pub(super) fn is_coarser(&self) -> bool {
         self.settings.of_coarser_level()
-    }
-
-    pub(super) fn widen_locks(&mut self) -> Locks {
-        self.lock_over(WIDE_LOCK);
-        Locks::Wide(WIDE_LOCK)
-    }
-
-    /// Lets locks be narrower than over this share of the limits, until that changes a force; says whether it did.
-    pub(super) fn narrow_locks(&mut self, mut share: f64) -> (Locks, bool) {
-        let mut changed = false;
-        while share > 0.0 && !changed {
-            share = if share > LEAST_LOCK { NARROWER * share } else { 0.0 };
-            changed = self.lock_over(share);
-        }
-        (if share > 0.0 { Locks::Wide(share) } else { Locks::Own }, changed)
-    }
-
-    fn lock_over(&mut self, share: f64) -> bool {
-        let changed = self.goal.lock_over(share, &self.x);
-        if changed {
-            self.start_anew();
-            self.renew();
-        }
-        changed
     }
 
     /// Would a Newton step win more than all that is stored?
@@ -291,17 +253,6 @@ struct Rounds {
     pushes: u32,
     /// Times that contacts which gave way were moved out.
     borne: u32,
-}
-
-/// How cloth locks at its strain limits while it settles.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum Locks {
-    /// As the law has it, and not widened yet.
-    Untouched,
-    /// Over this share of the limits.
-    Wide(f64),
-    /// As the law has it again.
-    Own,
 }
 
 /// How far a descent has come: by the digits of what must become small.

@@ -18,7 +18,7 @@ pub fn linear(areal_mass: f64, warp: f64, weft: f64, shear: f64) -> Material {
         bend_bias: None,
         bend_friction: 0.0,
         springs: None,
-        strain_limit: [f64::INFINITY; 2],
+        strain_limit: [f64::INFINITY; 3],
     }
 }
 

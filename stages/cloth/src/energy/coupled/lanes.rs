@@ -4,6 +4,7 @@
 use super::{LEAST_STRETCH, MILD, Triangle, mild_angle, stress_and_energy};
 use crate::Vec3;
 use crate::energy::law::Fabric;
+use crate::energy::lock::Bias;
 use pulp::{Arch, Simd, WithSimd};
 use std::array::from_fn;
 
@@ -87,6 +88,8 @@ struct Slate {
     /// Tensions, then the stress conjugate to the Green strain, N/m.
     stress: [Row; 3],
     shear: Row,
+    /// Green strain from which the bias locks.
+    locks: Row,
     /// Per area, J/m².
     energy: Row,
     /// What each edge pulls, by axis, N.
@@ -94,10 +97,13 @@ struct Slate {
 }
 
 impl Slate {
-    /// Is a lane neither sheared far nor nearly collapsed?
+    /// Is a lane neither sheared far nor nearly collapsed nor locked on the bias?
     #[inline(always)]
     fn mild(&self, l: usize) -> bool {
-        self.sine[l].abs() < MILD && self.strain[0][l].min(self.strain[1][l]) > LEAST_STRETCH - 1.0
+        let green = [self.green[0][l], self.green[1][l], self.green[2][l]];
+        (self.sine[l].abs() < MILD)
+            & (self.strain[0][l].min(self.strain[1][l]) > LEAST_STRETCH - 1.0)
+            & (Bias::largest(green) <= self.locks[l])
     }
 }
 
@@ -177,6 +183,7 @@ impl Block {
             s.stress[1][l] = warp + fabric.cross * a;
             s.energy[l] = e + g + fabric.cross * a * b;
             s.shear[l] = fabric.shear;
+            s.locks[l] = fabric.bias.from();
         }
     }
 
@@ -201,7 +208,7 @@ impl Block {
         }
     }
 
-    /// What is sheared far or nearly collapsed is told one by one.
+    /// What is sheared far, nearly collapsed or locked on the bias is told one by one.
     fn mend(&self, fabrics: &[Fabric], s: &mut Slate) {
         for l in 0..N {
             if s.mild(l) {
@@ -244,11 +251,12 @@ mod tests {
     use super::*;
     use crate::{Curve, Element, Material, Settings};
 
-    /// Triangles at rest, stretched, sheared far and nearly collapsed, more of them than one block holds.
+    /// Triangles at rest, stretched, locked, sheared far and nearly collapsed, more of them than one block holds.
     #[test]
     fn side_by_side_triangles_pull_as_each_would_alone() {
         let mut material = Material::isotropic(0.1, 700.0, 0.2, 1e-5);
         material.warp = Curve::Exponential { k0: 700.0, beta: 20.0 };
+        material.strain_limit = [f64::INFINITY, 0.3, 0.25];
         let fabrics = [Fabric::new(&material, &Settings::default())];
         let (mut triangles, mut x) = (Vec::new(), Vec::new());
         for k in 0..45u32 {
