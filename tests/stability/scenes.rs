@@ -79,16 +79,6 @@ pub fn unequal(a: &[Vec3], b: &[Vec3], turn: impl Fn(Vec3) -> Vec3) -> usize {
     a.iter().zip(b).filter(|(p, q)| **p != turn(**q)).count()
 }
 
-/// Largest elongation of a mesh edge over its rest length.
-pub fn stretch(m: &Mesh, at: &[Vec3]) -> f64 {
-    let of = |i: usize, j: usize| {
-        let rest = libm::hypot(m.rest[j][0] - m.rest[i][0], m.rest[j][1] - m.rest[i][1]);
-        (at[j] - at[i]).norm() / rest - 1.0
-    };
-    let edges = m.triangles.iter().flat_map(|t| [(t[0], t[1]), (t[1], t[2]), (t[2], t[0])]);
-    edges.map(|(i, j)| of(i, j)).fold(f64::NEG_INFINITY, f64::max)
-}
-
 /// Largest strain along weft or warp.
 pub fn strain(m: &Mesh, at: &[Vec3]) -> f64 {
     let of = |t: &[usize; 3]| {

@@ -2,7 +2,7 @@
 
 use crate::case::{Case, case};
 use crate::lab::Lab;
-use crate::scenes::{apart, ball, corners, cotton, del, even, lying, sag, stretch, top, upright};
+use crate::scenes::{apart, ball, corners, cotton, del, even, lying, sag, top, upright};
 use crate::support::cloth::{Cloth, Law};
 use crate::support::draped::Draped;
 use crate::support::mesh::{Family, sheet};
@@ -56,7 +56,7 @@ fn sags(lab: &mut Lab) -> Result<(), String> {
     for (_, k) in STIFFNESS {
         let (trial, d) = hung(lab, isotropic(k))?;
         sags.push(sag(&d.at));
-        largest = stretch(&trial.cloth, &d.at);
+        largest = trial.cloth.stretch(&d.at);
     }
     lab.expect(sags.windows(2).all(|s| s[1] < s[0] + 1e-5), format!("sags {sags:?} m"));
     lab.below("stretch at 1e6 N/m", largest, 1e-4);

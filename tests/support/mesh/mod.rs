@@ -64,6 +64,16 @@ impl Mesh {
         sum.iter().zip(&self.rest).map(|(a, r)| a * of(*r)).collect()
     }
 
+    /// Largest elongation of an edge over its rest length.
+    pub fn stretch(&self, at: &[Vec3]) -> f64 {
+        let of = |i: usize, j: usize| {
+            let rest = libm::hypot(self.rest[j][0] - self.rest[i][0], self.rest[j][1] - self.rest[i][1]);
+            (at[j] - at[i]).norm() / rest - 1.0
+        };
+        let edges = self.triangles.iter().flat_map(|t| [(t[0], t[1]), (t[1], t[2]), (t[2], t[0])]);
+        edges.map(|(i, j)| of(i, j)).fold(f64::NEG_INFINITY, f64::max)
+    }
+
     pub fn obj(&self) -> String {
         let mut text = String::new();
         for p in &self.at {

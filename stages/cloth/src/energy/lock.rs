@@ -86,7 +86,7 @@ fn width(limit: f64) -> f64 {
 
 /// Strain from which cloth with this limit locks.
 pub(crate) fn locks_from(limit: f64) -> f64 {
-    limit - (1.0 + BEFORE) * width(limit)
+    Lock::at(limit, 0.0).from
 }
 
 /// How cloth locks along its two bias directions, where it has no curve of its own: in its shear law the bias is bound to warp
