@@ -21,6 +21,10 @@ const TAU_FIRST: f64 = 1e-2;
 pub(super) const TAU_FREE: f64 = 30.0;
 pub(super) const TAU_LEAST: f64 = 1e-8;
 const TAU_MOST: f64 = 1e4;
+/// What τ grows by after a good block, and for large cloth once a Newton step would win as little as at rest: it has long lost its
+/// use there, and every new τ takes a factor.
+const TAU_GROWS: f64 = 4.0;
+const TAU_SOARS: f64 = 100.0;
 /// First and last share of the stretch stiffness in all directions, and what it grows by.
 const FIRM_LEAST: f64 = 1e-3;
 const FIRM_MOST: f64 = 0.1;
@@ -31,8 +35,9 @@ const LOADED: f64 = 1.0;
 /// Part of a step below which a block ends: its metric says too little of what is here. Shorter ones than a full step still
 /// teach the memory.
 const SHORTEST: f64 = 0.1;
-/// Steps in a block with more than so many unknown vertices, and with fewer where cloth is sewn or moves.
-const LARGE: usize = 4_500;
+/// Vertices over which a factor takes as long as many steps.
+pub(super) const LARGE: usize = 4_500;
+/// Steps in a block of large cloth, and of other where it is sewn or moves.
 const MANY: usize = 16;
 pub(crate) const FEW: usize = 8;
 /// A factor has led well through a block of which the mean part of a step is more than this, and the largest net force at its end
@@ -160,7 +165,11 @@ impl<'a> Descent<'a> {
 
     /// Steps in a block: `few`, or more where a factor costs more.
     pub fn block_length(&self, few: usize) -> usize {
-        if self.f.len() > LARGE { MANY } else { few }
+        if self.is_large() { MANY } else { few }
+    }
+
+    pub(super) fn is_large(&self) -> bool {
+        self.f.len() > LARGE
     }
 
     /// Hardens contacts that are nearly shut under a load, and refreshes friction.
@@ -318,7 +327,8 @@ impl<'a> Descent<'a> {
             self.memory.clear();
             self.tau = (self.tau * 0.1).max(TAU_LEAST);
         } else if b.mean > 0.8 {
-            self.tau = (self.tau * 4.0).min(TAU_MOST);
+            let soars = self.is_large() && self.decrement <= self.settings.decrement_tolerance;
+            self.tau = (self.tau * if soars { TAU_SOARS } else { TAU_GROWS }).min(TAU_MOST);
         } else if b.mean < 0.4 {
             let less = if b.steps == 1 { 0.15 } else { 0.4 };
             self.tau = (self.tau * less).max(TAU_LEAST);

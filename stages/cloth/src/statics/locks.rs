@@ -33,6 +33,12 @@ pub(super) enum Locks {
 }
 
 impl Descent<'_> {
+    /// Large cloth that locks and surely falls needs no factor to be told so.
+    pub(super) fn locks_at_start(&mut self) -> Locks {
+        let falls = self.is_large() && self.goal.is_locking(&self.x) && self.surely_wins(FALLING);
+        if falls && self.lock_over(f64::INFINITY) { Locks::Asleep } else { Locks::Unseen }
+    }
+
     /// What the locks at the strain limits are to be now, and whether that changes a force.
     pub(super) fn turn_locks(&mut self, locks: Locks) -> (Locks, bool) {
         match locks {

@@ -1,6 +1,6 @@
 //! Draping: descents until a Newton step would win nothing more.
 
-use super::descent::{Descent, FEW, TAU_FREE};
+use super::descent::{Descent, FEW, LARGE, TAU_FREE};
 use super::locks::Locks;
 use super::report;
 use crate::levels::Level;
@@ -11,8 +11,10 @@ use crate::{ClothError, EffectReport, Outcome, Scene, Settings, StopReason, Vec3
 const MOST_STUCK: u32 = 12;
 /// Saddles that are left, at most: beyond that the cloth is called at rest on one.
 const MOST_PUSHES: u32 = 8;
-/// Rounds in which contacts that gave way are moved out at rest.
+/// Rounds in which contacts that gave way are moved out at rest, and how many times the net force at rest large cloth may have in
+/// the first: what that stirs comes to rest together with what still moves.
 const MOST_BORNE: u32 = 2;
+const NEARLY_BORNE: f64 = 2000.0;
 /// Way over the size of the scene after which the cloth is given up as falling.
 const FAR: f64 = 3.0;
 /// What a Newton step would win over the elastic energy, above which cloth did not begin in balance …
@@ -23,8 +25,10 @@ const COARSE_FIRST: f64 = 0.5;
 const FEW_ON_COARSE: usize = 12;
 /// Part of all work that coarser levels take.
 const COARSE_WORK: f64 = 0.2;
-/// Tolerances of a coarser level over those of the finest.
+/// Tolerances of a coarser level over those of the finer, and of the first that is large, too: there what is left over takes the
+/// finer cloth many times as long.
 const COARSE: f64 = 3.0;
+const LARGE_COARSE: f64 = 0.1;
 
 /// Settles the cloth.
 pub(crate) fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
@@ -94,9 +98,10 @@ type Led = (Vec<Vec3>, Vec<EffectReport>);
 
 /// Where the cloth comes to lie on a coarser level, if it does not fall off it.
 fn on_coarser(level: &Level, settings: &Settings, watch: &mut dyn Watch) -> Result<Option<Led>, ClothError> {
+    let share = coarse_share(level.scene.positions.len(), settings);
     let coarse = Settings {
-        decrement_tolerance: COARSE * settings.decrement_tolerance,
-        move_tolerance: COARSE * settings.move_tolerance,
+        decrement_tolerance: share * settings.decrement_tolerance,
+        move_tolerance: share * settings.move_tolerance,
         residual_tolerance: f64::INFINITY,
         ..settings.clone()
     };
@@ -109,6 +114,15 @@ fn on_coarser(level: &Level, settings: &Settings, watch: &mut dyn Watch) -> Resu
         }
         Ok(_) | Err(ClothError::StartCrosses { .. } | ClothError::Unstable { .. }) => Ok(None),
         Err(e) => Err(e),
+    }
+}
+
+/// Tolerances of a coarser level of so many vertices over those of the finer.
+fn coarse_share(vertices: usize, finer: &Settings) -> f64 {
+    match (vertices > LARGE, finer.of_coarser_level()) {
+        (true, true) => 1.0,
+        (true, false) => LARGE_COARSE,
+        (false, _) => COARSE,
     }
 }
 
@@ -131,7 +145,7 @@ impl Descent<'_> {
         let far = FAR * self.goal.size(&start);
         self.goal.set_rough(true);
         let few = if self.is_coarser() { FEW_ON_COARSE } else { FEW };
-        let mut locks = Locks::Unseen;
+        let mut locks = self.locks_at_start();
         loop {
             self.lead();
             self.metric()?;
@@ -139,6 +153,9 @@ impl Descent<'_> {
             let changed;
             (locks, changed) = self.turn_locks(locks);
             if changed {
+                continue;
+            }
+            if locks != Locks::Asleep && self.bears_early(&mut rounds) {
                 continue;
             }
             if !matches!(locks, Locks::Wide(_)) && self.resting() {
@@ -203,6 +220,25 @@ impl Descent<'_> {
         rounds.pushes += 1;
         self.goal.set_rough(true);
         None
+    }
+
+    /// Large cloth that nearly rests moves contacts that gave way out for the first time; says whether anything has changed.
+    fn bears_early(&mut self, rounds: &mut Rounds) -> bool {
+        let s = self.settings;
+        let early = self.is_large()
+            && !self.is_coarser()
+            && rounds.borne == 0
+            && self.decrement <= s.decrement_tolerance
+            && self.longest <= s.move_tolerance
+            && self.residual <= NEARLY_BORNE * s.residual_tolerance;
+        if !early {
+            return false;
+        }
+        if !self.is_proved() {
+            return true;
+        }
+        rounds.borne = 1;
+        self.bear()
     }
 
     /// Does finer cloth go on from here?
