@@ -13,10 +13,8 @@ const MOST: usize = 30;
 const SURELY: f64 = 1.05;
 
 impl Descent<'_> {
-    /// Does a Newton step surely win more than so much of what is stored? Takes up friction and contacts as the metric of the
-    /// first block does.
+    /// Does a Newton step surely win more than so much of what is stored, with contacts and friction as last told?
     pub fn surely_wins(&mut self, share: f64) -> bool {
-        self.take_up();
         let (pattern, mut values) = self.assemble(true);
         let shift = self.shift();
         let diagonal = pattern.start.iter().zip(shift);

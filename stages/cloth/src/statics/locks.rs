@@ -35,8 +35,11 @@ pub(super) enum Locks {
 impl Descent<'_> {
     /// Large cloth that locks and surely falls needs no factor to be told so.
     pub(super) fn locks_at_start(&mut self) -> Locks {
-        let falls = self.is_large() && self.goal.is_locking(&self.x) && self.surely_wins(FALLING);
-        if falls && self.lock_over(f64::INFINITY) { Locks::Asleep } else { Locks::Unseen }
+        if !(self.is_large() && self.goal.is_locking(&self.x)) {
+            return Locks::Unseen;
+        }
+        self.refresh_lagged();
+        if self.surely_wins(FALLING) && self.lock_over(f64::INFINITY) { Locks::Asleep } else { Locks::Unseen }
     }
 
     /// What the locks at the strain limits are to be now, and whether that changes a force.

@@ -70,6 +70,8 @@ fn leading_level<'a>(
 fn surely_far(scene: &Scene, settings: &Settings) -> Result<bool, ClothError> {
     let mut descent = Descent::begin(scene, settings, false)?;
     descent.preload();
+    // As the metric of the first block does.
+    descent.take_up();
     Ok(descent.surely_wins(COARSE_FIRST))
 }
 
