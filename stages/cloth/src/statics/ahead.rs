@@ -131,42 +131,20 @@ impl Descent<'_> {
 #[cfg(all(test, feature = "self-contact"))]
 #[allow(clippy::unwrap_used)]
 mod tests {
+    use super::super::sheet;
     use super::*;
     use crate::exact::count;
-    use crate::{Element, Material, Pin, Scene, Settings, Silent, StopReason, Switch};
+    use crate::{Material, Scene, Settings, Silent, StopReason, Switch};
 
     const SIDE: u32 = 8;
     const HIGH: f64 = 0.03;
-
-    /// A square grid at a height `y`, some of its vertices `held` where they are.
-    fn add(scene: &mut Scene, side: f64, y: f64, held: impl Fn(u32, u32) -> bool) {
-        let first = u32::try_from(scene.positions.len()).unwrap();
-        let at = |i: u32| side * (f64::from(i) / f64::from(SIDE) - 0.5);
-        let id = |i: u32, j: u32| first + j * (SIDE + 1) + i;
-        for j in 0..=SIDE {
-            for i in 0..=SIDE {
-                let place = Vec3::new(at(i), y, at(j));
-                scene.positions.push(place);
-                if held(i, j) {
-                    scene.pins.push(Pin { vertex: id(i, j), at: place });
-                }
-            }
-        }
-        for (i, j) in (0..SIDE).flat_map(|j| (0..SIDE).map(move |i| (i, j))) {
-            let q = [(i, j), (i, j + 1), (i + 1, j + 1), (i + 1, j)];
-            for c in [[0, 1, 2], [0, 2, 3]].map(|c| c.map(|k: usize| q[k])) {
-                let rest = c.map(|(i, j)| [at(i), at(j)]);
-                scene.triangles.push(Element { vertices: c.map(|(i, j)| id(i, j)), rest, material: 0 });
-            }
-        }
-    }
 
     /// A square held all round, and a flap above it that is held by one edge and would hang through it.
     fn flap() -> Scene {
         let mut scene = Scene { materials: vec![Material::isotropic(0.15, 500.0, 0.0, 1e-5)], ..Scene::default() };
         scene.gravity = Vec3::new(0.0, -9.81, 0.0);
-        add(&mut scene, 0.3, 0.0, |i, j| i.min(j) == 0 || i.max(j) == SIDE);
-        add(&mut scene, 0.15, HIGH, |i, _| i == 0);
+        sheet::add(&mut scene, SIDE, 0.3, 0.0, |i, j| i.min(j) == 0 || i.max(j) == SIDE);
+        sheet::add(&mut scene, SIDE, 0.15, HIGH, |i, _| i == 0);
         scene
     }
 

@@ -94,3 +94,40 @@ impl Descent<'_> {
         changed
     }
 }
+
+#[cfg(test)]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::super::sheet;
+    use super::*;
+    use crate::{Material, Scene, Settings, Vec3};
+
+    /// A square metre of so many squares along a side, held by one edge and drawn away from it by 0.9 %, with a limit of 1 %: it locks a little, and falls.
+    fn drawn(squares: u32) -> Scene {
+        let limited =
+            Material { strain_limit: [0.01, 0.01, f64::INFINITY], ..Material::isotropic(0.15, 500.0, 0.0, 1e-5) };
+        let mut scene = Scene { materials: vec![limited], gravity: Vec3::new(0.0, -9.81, 0.0), ..Scene::default() };
+        sheet::add(&mut scene, squares, 1.0, 0.0, |_, j| j == 0);
+        scene.positions.iter_mut().for_each(|p| p.z += 0.009 * (p.z + 0.5));
+        scene
+    }
+
+    #[test]
+    fn large_cloth_that_surely_falls_sleeps_without_a_factor() {
+        let settings = Settings::default();
+        for (squares, first) in [(68, Locks::Asleep), (20, Locks::Unseen)] {
+            let mut d = Descent::begin(&drawn(squares), &settings, false).unwrap();
+            assert!(d.goal.is_locking(&d.x));
+            let locks = d.locks_at_start();
+            assert_eq!(locks, first);
+            assert_eq!(d.factors(), 0);
+            assert_eq!(d.goal.is_locking(&d.x), first == Locks::Unseen);
+            // The small one is told the same by its factor.
+            if first == Locks::Unseen {
+                d.metric().unwrap();
+                d.look();
+                assert_eq!(d.turn_locks(locks), (Locks::Asleep, true));
+            }
+        }
+    }
+}

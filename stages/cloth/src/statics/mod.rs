@@ -14,6 +14,8 @@ mod report;
 mod rest;
 mod saddle;
 mod seams;
+#[cfg(test)]
+mod sheet;
 mod slate;
 mod step;
 
