@@ -328,7 +328,8 @@ impl<'a> Descent<'a> {
             self.tau = (self.tau * 0.1).max(TAU_LEAST);
         } else if b.mean > 0.8 {
             let soars = self.is_large() && self.decrement <= self.settings.decrement_tolerance;
-            self.tau = (self.tau * if soars { TAU_SOARS } else { TAU_GROWS }).min(TAU_MOST);
+            let more = if soars { TAU_SOARS } else { TAU_GROWS };
+            self.tau = (self.tau * more).min(TAU_MOST);
         } else if b.mean < 0.4 {
             let less = if b.steps == 1 { 0.15 } else { 0.4 };
             self.tau = (self.tau * less).max(TAU_LEAST);

@@ -102,7 +102,8 @@ mod tests {
     use super::*;
     use crate::{Material, Scene, Settings, Vec3};
 
-    /// A square metre of so many squares along a side, held by one edge and drawn away from it by 0.9 %, with a limit of 1 %: it locks a little, and falls.
+    /// A square metre of so many squares along a side, held by one edge and drawn away from it by 0.9 %, with a limit of 1 %: it
+    /// locks a little, and falls.
     fn drawn(squares: u32) -> Scene {
         let limited =
             Material { strain_limit: [0.01, 0.01, f64::INFINITY], ..Material::isotropic(0.15, 500.0, 0.0, 1e-5) };
