@@ -8,6 +8,7 @@ use super::dense::TALL;
 use super::eliminate::{Bench, Eliminate};
 use super::halves::{Halves, Reach};
 use super::hessian::Pattern;
+use super::pages::Pages;
 use super::substitute::{Substitute, Way};
 use super::symbolic::{Order, Symbolic};
 use crate::Vec3;
@@ -30,7 +31,7 @@ pub(crate) struct Factor {
     symbolic: Symbolic,
     /// Of the pattern before: the cloth's own second derivatives and rough ones take turns.
     before: Order,
-    values: Vec<f32>,
+    values: Pages,
     right: Vec<f32>,
     /// What the second half takes out of the right-hand side above it.
     aside: Vec<f32>,
@@ -94,15 +95,16 @@ impl Factor {
     /// Makes room for a factor of another pattern, if it can.
     fn analyse(&mut self, pattern: &Pattern) {
         // The old factor goes first: both would be the most that is ever held.
-        (self.values, self.pattern) = (Vec::new(), Pattern::default());
+        (self.values, self.pattern) = (Pages::default(), Pattern::default());
         let last = std::mem::take(&mut self.symbolic).order;
         let found = Symbolic::alike(pattern, &last).or_else(|| {
             let before = std::mem::replace(&mut self.before, last);
             Symbolic::alike(pattern, &before).or_else(|| Symbolic::new(pattern))
         });
         let Some(symbolic) = found else { return };
+        let Some(values) = Pages::new(symbolic.length + TALL) else { return };
         self.analyses += 1;
-        self.values = vec![0.0; symbolic.length + TALL];
+        self.values = values;
         self.right = vec![0.0; 3 * pattern.unknowns()];
         self.pattern = pattern.clone();
         self.symbolic = symbolic;
@@ -115,8 +117,9 @@ impl Factor {
         let largest = diagonal.map(|m| m[(0, 0)].max(m[(1, 1)]).max(m[(2, 2)])).fold(0.0, f64::max);
         self.size = crate::power_of_two(largest);
         let (floor, scale) = (floor(values), 1.0 / self.size);
+        let numbers = &mut *self.values;
         for node in &self.symbolic.nodes {
-            let panel = &mut self.values[node.start..][..node.height() * node.width()];
+            let panel = &mut numbers[node.start..][..node.height() * node.width()];
             for (column, scalars) in panel.chunks_exact_mut(node.height()).enumerate() {
                 let low = floor[column % 3];
                 scalars.as_chunks_mut().0.iter_mut().for_each(|rows| *rows = low);
@@ -126,7 +129,7 @@ impl Factor {
             for c in 0..3 {
                 for r in 0..3 {
                     let v = if target.is_mirrored() { value[(c, r)] } else { value[(r, c)] };
-                    self.values[target.scalar(r, c)] = (v * scale) as f32 + floor[c][r];
+                    numbers[target.scalar(r, c)] = (v * scale) as f32 + floor[c][r];
                 }
             }
         }
@@ -134,7 +137,7 @@ impl Factor {
             let target = self.symbolic.targets[*start as usize];
             let block = &values[*start as usize];
             for c in 0..3 {
-                self.values[target.scalar(c, c)] = ((block[(c, c)] + shift) * scale) as f32;
+                numbers[target.scalar(c, c)] = ((block[(c, c)] + shift) * scale) as f32;
             }
         }
     }

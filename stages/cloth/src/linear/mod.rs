@@ -6,6 +6,7 @@ mod eliminate;
 pub(crate) mod factor;
 mod halves;
 pub(crate) mod hessian;
+mod pages;
 mod substitute;
 mod sweep;
 mod symbolic;
