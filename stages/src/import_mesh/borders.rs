@@ -2,7 +2,7 @@
 //! stand twice. Both tear cloth that looks whole.
 
 use super::boundary::users;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use toile_garment::mesh::PieceMesh;
 use toile_garment::{Diagnostic, SourceRef, Vec2, Vec3};
 
@@ -30,6 +30,16 @@ impl<'a> Borders<'a> {
         let mut list: Vec<u32> = used.into_iter().collect();
         list.sort_by(|a, b| at[*a as usize].x.total_cmp(&at[*b as usize].x));
         Self { mesh, at, file, edges, list }
+    }
+
+    /// Of every border vertex, those at the other ends of its border edges.
+    pub fn neighbours(&self) -> BTreeMap<u32, Vec<u32>> {
+        let mut beside: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
+        for [a, b] in &self.edges {
+            beside.entry(*a).or_default().push(*b);
+            beside.entry(*b).or_default().push(*a);
+        }
+        beside
     }
 
     /// Rest place of a vertex, where there is one for all its triangles.

@@ -184,6 +184,30 @@ fn stitches_become_a_seam() {
     assert!(!garment.stitched.expect("start").welded);
 }
 
+/// Two strips of four vertices a side, one over the other, sewn along one side each in the order of these stitches.
+fn strips(stitches: &str) -> Report {
+    let mut cloth = String::new();
+    for z in [0.0, 0.05] {
+        (0..8).for_each(|k| cloth += &format!("v {} {} {z}\n", f64::from(k / 4) * 0.1, f64::from(k % 4) * 0.1));
+    }
+    for first in [1, 9] {
+        for k in first..first + 3 {
+            cloth += &format!("f {k} {} {}\nf {k} {} {}\n", k + 4, k + 5, k + 5, k + 1);
+        }
+    }
+    import("stitches = \"s.txt\"", &[("c.obj", &cloth), ("s.txt", stitches)]).expect("garment").1
+}
+
+#[test]
+fn a_seam_named_the_wrong_way_round_is_told_in_whatever_order_its_stitches_come() {
+    let told = |stitches: &str| strips(stitches).findings.into_iter().find(|f| f.code == "seam-reversed");
+    let found = told("1 10\n0 11\n3 8\n2 9\n").expect("told");
+    assert!(found.message.contains("from the stitch 0 11 to 3 8") && found.message.contains("200 mm"), "{found:?}");
+    assert!(told("1 9\n0 8\n3 11\n2 10\n").is_none());
+    // Single stitches here and there are no seam.
+    assert!(told("0 11\n7 8\n3 9\n").is_none());
+}
+
 #[test]
 fn mistakes_of_all_files_are_collected() {
     let pairs = [

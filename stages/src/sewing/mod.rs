@@ -8,6 +8,7 @@ mod lookup;
 pub mod resolve;
 pub mod ring;
 pub mod shapes;
+pub mod turned;
 
 pub use apply::apply;
 pub use file::file;

@@ -5,6 +5,7 @@ mod attach;
 pub(crate) mod load;
 pub mod place;
 
+use crate::sewing::turned::Lengths;
 use crate::solve::{Follow, Layout, effects, failure_in, scene};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -12,8 +13,9 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use toile_cloth::{Outcome, Settings};
 use toile_garment::garment::Shape;
+use toile_garment::seam::Seam;
 use toile_garment::units::{Duration, Length};
-use toile_garment::{Aspect, Diagnostic, Garment, SeamId, Vec3};
+use toile_garment::{Aspect, Diagnostic, Garment, MeshVertex, SeamId, Vec3};
 use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
 
 /// Places the pieces around the body and closes seams and darts.
@@ -101,6 +103,8 @@ impl Stage for Stitch {
         let placed = place::place(&garment, params.clearance.0).map_err(StageError::Parameter)?;
         let pins = attach::pins(&garment, &placed, params.body_gap.0).map_err(StageError::Parameter)?;
         garment.pins.extend(pins);
+        let turned = garment.seams.iter().filter_map(|seam| turned(seam, &placed));
+        cx.report.findings.extend(turned);
         let layout = Layout::of(&garment);
         let start = scene(&garment, &layout, layout.join(&placed), WEIGHT).map_err(StageError::Parameter)?;
         let settings = settings(params, cx.threads);
@@ -113,6 +117,14 @@ impl Stage for Stitch {
         garment.stitched = Some(shape(&outcome.positions));
         Ok(garment)
     }
+}
+
+/// A finding on a seam that is named the wrong way round, as its pieces are placed.
+fn turned(seam: &Seam, placed: &[Vec<Vec3>]) -> Option<Diagnostic> {
+    let at = |v: MeshVertex| placed.get(v.piece.index())?.get(v.vertex as usize).copied();
+    let ends: Option<Vec<[Vec3; 2]>> = seam.stitches.iter().map(|s| Some([at(s.a)?, at(s.b)?])).collect();
+    let told = Lengths::of_turned(&ends?)?;
+    Some(told.finding(&format!("seam `{}`", seam.name)).at(seam.source.clone()))
 }
 
 fn settings(params: &StitchParams, threads: usize) -> Settings {
