@@ -19,12 +19,15 @@ const CRAMPED: f64 = 40.0;
 const NEARER: f64 = 0.7;
 /// Longest step of a vertex over the mean edge: short enough that a contact is felt before it is passed, and that flat
 /// cloth may bend.
-pub(super) const SEWING_STRIDE: f64 = 0.3;
+const SEWING_STRIDE: f64 = 0.3;
+/// Largest part of a step that is tried first, over that of the last step which was taken: cloth that is turned so far takes few
+/// steps as a whole, and what was too much for one is so for the next.
+const BOLDER: f64 = 1.3;
 /// Widest gap over the mean edge at which a seam that no longer closes lets the cloth nearer to the body, and how near.
 const NEARLY: f64 = 2.0;
 const LEAST_WIDE: f64 = 0.05;
 /// Gap over the mean edge at which the full pull acts while the pieces come together.
-const REACH: f64 = 0.5;
+const REACH: f64 = 0.25;
 /// Energy won in a block over the elastic energy at which a sewn state is good enough to drape.
 const SEWN: f64 = 0.2;
 /// Widest gap over the mean edge from which the threads are drawn tight.
@@ -32,7 +35,7 @@ const NEAR: f64 = 0.1;
 /// Widest gap over the mean edge that is drawn shut where the full pull holds it open: the garment is tight there.
 const DRAWN: f64 = 0.7;
 /// A block that leaves more than this of the widest gap made no progress …
-const SHRINKS: f64 = 0.95;
+const SHRINKS: f64 = 0.9;
 /// … and lets the threads pull so much harder.
 const HARDER: f64 = 2.5;
 /// Part of the work until the pieces are together.
@@ -109,7 +112,7 @@ impl<'a, 'b> Sewing<'a, 'b> {
     fn gather(&mut self, watch: &mut dyn Watch) -> Result<bool, ClothError> {
         let edge = self.descent.goal.edge;
         let reach = REACH * edge;
-        self.descent.stride = SEWING_STRIDE;
+        self.descent.take_care();
         self.pull(PULL_FIRST, reach);
         let mut idle = 0;
         let first = self.descent.widest();
@@ -180,6 +183,11 @@ impl<'a, 'b> Sewing<'a, 'b> {
 }
 
 impl Descent<'_> {
+    /// Steps from here on are those of sewing.
+    pub(super) fn take_care(&mut self) {
+        (self.stride, self.bolder) = (SEWING_STRIDE, BOLDER);
+    }
+
     /// Puts the members of closed stitches on one point, unless something would cross.
     fn join(&mut self, scene: &Scene) {
         let gap = |s: &&[u32; 2]| (self.x[s[0] as usize] - self.x[s[1] as usize]).norm();

@@ -1,7 +1,7 @@
 //! Sewing from coarse to fine: the coarsest level is sewn and rests, every finer one starts from where the coarser lies,
 //! its seams already one (docs/levels.md).
 
-use super::close::{SEWING_STRIDE, close};
+use super::close::close;
 use super::descent::Descent;
 use super::locks::Locks;
 use super::report;
@@ -16,6 +16,8 @@ const NEARLY: f64 = 0.3;
 const SMOOTH: f64 = 0.01;
 /// What slides farther than this falls, m.
 const FARTHEST: f64 = 0.15;
+/// τ with which letting down begins, s²: what is sewn lies near its rest.
+const NEAR_REST: f64 = 0.1;
 /// Shift (mass / τ) from which the metric is the cloth's own, s², and blocks without a step after which it stays.
 const FREE: f64 = 1.0;
 const MOST_STUCK: u32 = 6;
@@ -103,7 +105,8 @@ impl Step<'_> {
             // Between the places where they should be held, coarse cloth would cut through a round body.
             descent.hold_here();
         }
-        descent.stride = SEWING_STRIDE;
+        descent.take_care();
+        descent.tau = NEAR_REST;
         descent.goal.set_rough(true);
         ease(&mut descent, self.scene.triangles.len(), watch)?;
         let mut outcome = report::outcome(&mut descent, &welded.scene, StopReason::Settled);
@@ -121,10 +124,10 @@ fn ease(descent: &mut Descent<'_>, triangles: usize, watch: &mut dyn Watch) -> R
         watch.done((descent.steps as f64 / MOST as f64).sqrt());
         stuck = if b.steps == 0 { stuck + 1 } else { 0 };
         let little = b.won <= SMOOTH * descent.goal.elastic(&descent.x);
-        // Little won under a large shift may only say that the shift is large.
-        still = match (little && b.steps > 0, descent.tau >= FREE) {
-            (true, true) => STILL,
-            (true, false) if b.mean > FAIR => still + 1,
+        // Little won by steps that fell short says nothing, and under a large shift only that the shift is large.
+        still = match (little && b.steps > 0, b.mean > FAIR) {
+            (true, true) if descent.tau >= FREE => STILL,
+            (true, true) => still + 1,
             (true, false) => still,
             _ => 0,
         };

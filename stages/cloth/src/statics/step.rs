@@ -77,7 +77,7 @@ impl Descent<'_> {
             return None;
         }
         let (from, energy, force) = (self.x.clone(), self.energy, self.f.clone());
-        let mut part = 1.0;
+        let mut part = (self.bolder * self.part).min(1.0);
         for _ in 0..MOST_TRIALS {
             for ((x, p), d) in self.x.iter_mut().zip(&from).zip(&step) {
                 *x = p + d * part;
@@ -104,6 +104,7 @@ impl Descent<'_> {
         moved.iter_mut().for_each(|d| *d *= part);
         let y: Vec<Vec3> = force.iter().zip(&self.f).map(|(p, q)| p - q).collect();
         self.memory.push(moved, y);
+        self.part = part;
         self.steps += 1;
         if let Some(b) = &mut self.goal.barrier {
             b.took(&self.x);
