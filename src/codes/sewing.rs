@@ -63,6 +63,10 @@ pub(super) const CODES: &[Code] = &[
         "seam-notches-differ",
         "The notches of the two sides do not match. The seam is sewn by length; check that the right edges are sewn.",
     ),
+    code(
+        "seam-reversed",
+        "The sides of a seam lie one way and are sewn the other, so the cloth between them is twisted by half a turn. Swap from and to of one side, or the order of its vertices in a file of stitches.",
+    ),
     code("seam-to-itself", "Both sides of a seam are the same stretch of outline. Exit code 2."),
     code("seam-without-length", "A side of a seam has no length once the darts in it are sewn. Exit code 2."),
     code("sewing-bad-gather", "`gather` is longer over shorter and lies between 1 and 100. Exit code 2."),

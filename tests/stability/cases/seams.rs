@@ -22,6 +22,7 @@ pub fn cases() -> Vec<Case> {
         case("D4-moebius", moebius).quick(),
         case("D5-cuff-turned-90", cuff).quick(),
         case("D6-seam-reversed", reversed).quick(),
+        case("D6-points-reversed", reversed_points).quick().once(),
         case("D7-7-onto-53", counts).quick(),
         case("D8-stitches-refused", refused).quick().once(),
         case("D8-seams-refused", no_such_edge).quick().once(),
@@ -195,6 +196,27 @@ fn reversed(lab: &mut Lab) -> Result<(), String> {
     }
     let said = run.findings().any(|f| f["code"] == "stitches-cross" || f["code"] == "seam-reversed");
     lab.expect(said, format!("twisted without a word: exit code {}", run.code));
+    Ok(())
+}
+
+/// The same by the points of a sewing file: told as the pieces are placed, whether or not the twist can be sewn.
+fn reversed_points(lab: &mut Lab) -> Result<(), String> {
+    let piece = |name, x| Drawn::at(name, &rectangle(150.0, 200.0), [x, 0.0, 0.0]);
+    let side = |piece: &str, x: u32, [from, to]: [u32; 2]| {
+        format!("{{ piece = \"{piece}\", from = [\"{x} mm\", \"{from} mm\"], to = [\"{x} mm\", \"{to} mm\"] }}")
+    };
+    for (heights, reversed) in [([0, 200], false), ([200, 0], true)] {
+        let pieces = vec![piece("left", -160.0), piece("right", 10.0)];
+        let pattern = Pattern::new(pieces, Vec::new(), cotton()).set("gravity = \"0 m/s2\"");
+        let (a, b) = (side("left", 150, [0, 200]), side("right", 0, heights));
+        let sewing = format!("[[seam]]\nname = \"side\"\na = {a}\nb = {b}\n");
+        let run = lab.program(&[], |folder| Pattern { sewing, ..pattern }.write(folder, None))?;
+        if !reversed {
+            good(lab, &run)?;
+        }
+        let told = run.findings().any(|f| f["code"] == "seam-reversed");
+        lab.expect(told == reversed, format!("heights {heights:?}: told {told}"));
+    }
     Ok(())
 }
 
