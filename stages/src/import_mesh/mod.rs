@@ -183,8 +183,9 @@ fn one_piece(
     if let Some(finding) = borders.junction().or_else(|| borders.doubled(stitches)) {
         return Err(StageError::input(finding));
     }
-    let named = params.stitches.as_deref().unwrap_or_default();
-    cx.report.findings.extend(turned::turned(&borders, stitches, named));
+    if let Some(file) = &params.stitches {
+        cx.report.findings.extend(turned::turned(&borders, stitches, file));
+    }
     let loose = unused(positions.len(), &built.mesh.triangles);
     if loose > 0 {
         let message = format!("`{file}`: {loose} vertices belong to no triangle; they stay in the file and do nothing");

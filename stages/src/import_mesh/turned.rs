@@ -2,7 +2,7 @@
 
 use super::borders::Borders;
 use crate::sewing::turned::Lengths;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use toile_garment::{Diagnostic, SourceRef};
 
 type Stitch = (u32, u32);
@@ -23,12 +23,12 @@ pub fn turned(borders: &Borders<'_>, stitches: &[Stitch], file: &str) -> Vec<Dia
 fn seams(borders: &Borders<'_>, stitches: &[Stitch]) -> Vec<Vec<Stitch>> {
     let beside = borders.neighbours();
     let of = |v: u32| beside.get(&v).map_or(&[][..], Vec::as_slice);
-    let mut left: BTreeMap<Stitch, Vec<Stitch>> = stitches.iter().map(|s| (*s, Vec::new())).collect();
-    for (a, b) in stitches {
-        let near = of(*a).iter().flat_map(|c| of(*b).iter().map(|d| (*c, *d)));
-        let near: Vec<Stitch> = near.filter(|s| left.contains_key(s)).collect();
-        left.insert((*a, *b), near);
-    }
+    let named: BTreeSet<Stitch> = stitches.iter().copied().collect();
+    let near = |(a, b): Stitch| {
+        let pairs = of(a).iter().flat_map(|c| of(b).iter().map(|d| (*c, *d)));
+        pairs.filter(|s| named.contains(s)).collect::<Vec<Stitch>>()
+    };
+    let mut left: BTreeMap<Stitch, Vec<Stitch>> = named.iter().map(|s| (*s, near(*s))).collect();
     let ends: Vec<Stitch> = left.iter().filter(|(_, near)| near.len() == 1).map(|(s, _)| *s).collect();
     let mut seams = Vec::new();
     for end in ends {

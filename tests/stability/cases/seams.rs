@@ -199,17 +199,22 @@ fn reversed(lab: &mut Lab) -> Result<(), String> {
     Ok(())
 }
 
-/// The same by the points of a sewing file: told as the pieces are placed, whether or not the twist can be sewn.
-fn reversed_points(lab: &mut Lab) -> Result<(), String> {
-    let piece = |name, x| Drawn::at(name, &rectangle(150.0, 200.0), [x, 0.0, 0.0]);
+/// The right side of `left`, 150 by 200 mm, sewn from its foot to the left side of `right` between these heights, mm.
+fn side_seam(heights: [u32; 2]) -> String {
     let side = |piece: &str, x: u32, [from, to]: [u32; 2]| {
         format!("{{ piece = \"{piece}\", from = [\"{x} mm\", \"{from} mm\"], to = [\"{x} mm\", \"{to} mm\"] }}")
     };
+    let (a, b) = (side("left", 150, [0, 200]), side("right", 0, heights));
+    format!("[[seam]]\nname = \"side\"\na = {a}\nb = {b}\n")
+}
+
+/// The same by the points of a sewing file: told as the pieces are placed, whether or not the twist can be sewn.
+fn reversed_points(lab: &mut Lab) -> Result<(), String> {
+    let piece = |name, x| Drawn::at(name, &rectangle(150.0, 200.0), [x, 0.0, 0.0]);
     for (heights, reversed) in [([0, 200], false), ([200, 0], true)] {
         let pieces = vec![piece("left", -160.0), piece("right", 10.0)];
         let pattern = Pattern::new(pieces, Vec::new(), cotton()).set("gravity = \"0 m/s2\"");
-        let (a, b) = (side("left", 150, [0, 200]), side("right", 0, heights));
-        let sewing = format!("[[seam]]\nname = \"side\"\na = {a}\nb = {b}\n");
+        let sewing = side_seam(heights);
         let run = lab.program(&[], |folder| Pattern { sewing, ..pattern }.write(folder, None))?;
         if !reversed {
             good(lab, &run)?;
@@ -229,10 +234,7 @@ fn counts(lab: &mut Lab) -> Result<(), String> {
     right.extend((1..53).rev().map(|k| [0.0, 200.0 * f64::from(k) / 53.0]));
     let pieces = vec![Drawn::at("left", &left, [-160.0, 0.0, 0.0]), Drawn::at("right", &right, [10.0, 0.0, 0.0])];
     let pattern = Pattern::new(pieces, Vec::new(), cotton()).set("gravity = \"0 m/s2\"");
-    let side = |piece: &str, x: u32| {
-        format!("{{ piece = \"{piece}\", from = [\"{x} mm\", \"0 mm\"], to = [\"{x} mm\", \"200 mm\"] }}")
-    };
-    let sewing = format!("[[seam]]\nname = \"side\"\na = {}\nb = {}\n", side("left", 150), side("right", 0));
+    let sewing = side_seam([0, 200]);
     let run = lab.program(&[], |folder| Pattern { sewing, ..pattern }.write(folder, None))?;
     good(lab, &run)
 }

@@ -202,7 +202,7 @@ impl Stepper<'_> {
             d.tau = if stuck > 1 { 0.1 * tau } else { tau };
             d.metric()?;
             for _ in 0..length {
-                match d.step() {
+                match d.step(1.0) {
                     Some(part) if d.longest <= if part > 0.5 { near } else { TRIFLE * near } => return Ok(true),
                     Some(part) if part < 0.2 => break,
                     Some(_) => stuck = 0,

@@ -17,7 +17,7 @@ const SMOOTH: f64 = 0.01;
 /// What slides farther than this falls, m.
 const FARTHEST: f64 = 0.15;
 /// τ with which letting down begins, s²: what is sewn lies near its rest.
-const NEAR_REST: f64 = 0.1;
+const TAU_DOWN: f64 = 0.1;
 /// Shift (mass / τ) from which the metric is the cloth's own, s², and blocks without a step after which it stays.
 const FREE: f64 = 1.0;
 const MOST_STUCK: u32 = 6;
@@ -106,7 +106,7 @@ impl Step<'_> {
             descent.hold_here();
         }
         descent.take_care();
-        descent.tau = NEAR_REST;
+        descent.tau = TAU_DOWN;
         descent.goal.set_rough(true);
         ease(&mut descent, self.scene.triangles.len(), watch)?;
         let mut outcome = report::outcome(&mut descent, &welded.scene, StopReason::Settled);

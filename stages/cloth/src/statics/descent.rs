@@ -64,8 +64,6 @@ pub(crate) struct Descent<'a> {
     pub stride: f64,
     /// Largest part of a step that is tried first, over that of the last one in the block; infinite where each is tried whole.
     pub(super) bolder: f64,
-    /// Part of the last step in the block that was taken.
-    pub(super) part: f64,
     /// Unit of τ, s².
     pub unit: f64,
     /// τ from which the shift is no more than the rounding of the factor (cloth that nothing holds has motions without
@@ -130,7 +128,6 @@ impl<'a> Descent<'a> {
             firm: 0.0,
             stride: STRIDE,
             bolder: f64::INFINITY,
-            part: 1.0,
             unit,
             free: TAU_FREE,
             steps: 0,
@@ -301,11 +298,11 @@ impl<'a> Descent<'a> {
     pub(super) fn take_steps(&mut self, few: usize) -> Block {
         let mut b = Block::default();
         let before = self.energy;
-        self.part = 1.0;
-        let mut sum = 0.0;
+        let (mut sum, mut first) = (0.0, 1.0);
         for _ in 0..self.block_length(few) {
-            match self.step() {
+            match self.step(first) {
                 Some(part) => {
+                    first = (self.bolder * part).min(1.0);
                     b.steps += 1;
                     sum += part;
                     if part < SHORTEST || self.quiet() {

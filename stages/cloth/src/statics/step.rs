@@ -66,8 +66,8 @@ impl Descent<'_> {
         scattered(&self.goal.unknown, &d, cap)
     }
 
-    /// One step along the quasi-Newton direction; the part of it that was taken, `None` if nothing was won.
-    pub fn step(&mut self) -> Option<f64> {
+    /// One step along the quasi-Newton direction, of which this part is tried first; the part of it that was taken, `None` if nothing was won.
+    pub fn step(&mut self, mut part: f64) -> Option<f64> {
         let mut step = self.direction();
         self.limit(&mut step);
         let mut moved = vec![Vec3::zeros(); self.f.len()];
@@ -77,7 +77,6 @@ impl Descent<'_> {
             return None;
         }
         let (from, energy, force) = (self.x.clone(), self.energy, self.f.clone());
-        let mut part = (self.bolder * self.part).min(1.0);
         for _ in 0..MOST_TRIALS {
             for ((x, p), d) in self.x.iter_mut().zip(&from).zip(&step) {
                 *x = p + d * part;
@@ -104,7 +103,6 @@ impl Descent<'_> {
         moved.iter_mut().for_each(|d| *d *= part);
         let y: Vec<Vec3> = force.iter().zip(&self.f).map(|(p, q)| p - q).collect();
         self.memory.push(moved, y);
-        self.part = part;
         self.steps += 1;
         if let Some(b) = &mut self.goal.barrier {
             b.took(&self.x);
