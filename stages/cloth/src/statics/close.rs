@@ -58,7 +58,7 @@ pub(crate) fn close(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -
     if descent.goal.seams.is_some() {
         descent.goal.set_rough(true);
         let mut sewing = Sewing::new(&mut descent);
-        if !sewing.gather(watch)? {
+        if !sewing.gather(scene, watch)? {
             return Ok(None);
         }
         sewing.tighten(watch)?;
@@ -109,11 +109,12 @@ impl<'a, 'b> Sewing<'a, 'b> {
     }
 
     /// Brings the pieces together; `false` if they do not come.
-    fn gather(&mut self, watch: &mut dyn Watch) -> Result<bool, ClothError> {
+    fn gather(&mut self, scene: &Scene, watch: &mut dyn Watch) -> Result<bool, ClothError> {
         let edge = self.descent.goal.edge;
         let reach = REACH * edge;
         self.descent.take_care();
         self.pull(PULL_FIRST, reach);
+        self.descent.lay(scene);
         let mut idle = 0;
         let first = self.descent.widest();
         loop {

@@ -5,6 +5,7 @@ mod close;
 mod coarse;
 pub(crate) mod descent;
 mod far;
+mod lay;
 mod lead;
 mod locks;
 mod memory;

@@ -61,6 +61,15 @@ impl Seams {
         }
     }
 
+    /// Both ends of all, as told of a vertex and of a place.
+    pub fn ends<T>(&self, vertex: impl Fn(u32) -> T, place: impl Fn(Vec3) -> T) -> Vec<[T; 2]> {
+        let to = |end| match end {
+            End::Vertex(v) => vertex(v),
+            End::Place(p) => place(p),
+        };
+        self.threads.iter().map(|t| [vertex(t.vertex), to(t.to)]).collect()
+    }
+
     /// Energy, J; adds the forces.
     pub fn evaluate(&self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
         let mut energy = 0.0;
