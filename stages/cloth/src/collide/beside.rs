@@ -10,8 +10,9 @@ use crate::Vec3;
 /// Rounds a distance to single precision, not up.
 pub(super) const DOWN: f64 = 1.0 - 1e-6;
 
-/// Times what is asked for, beyond which a list holds so much else that a new one is cheaper.
+/// Times what is asked for, beyond which a list holds so much else that a new one is cheaper, if it is longer than this.
 const TOO_WIDE: f64 = 3.0;
+const SHORT: usize = 8;
 
 /// What is beside a vertex or a triangle.
 #[derive(Clone, Debug)]
@@ -42,7 +43,8 @@ impl<const N: usize, T: Copy> Held<N, T> {
         let moved: [f64; N] = std::array::from_fn(|k| (self.at[k] - x[k]).norm());
         // No list made beyond numbers holds.
         let near = moved.iter().all(|m| m + reach <= self.limit);
-        let holds = self.limit > 0.0 && near && self.limit <= TOO_WIDE * reach;
+        let narrow = self.limit <= TOO_WIDE * reach || self.list.len() <= SHORT;
+        let holds = self.limit > 0.0 && near && narrow;
         holds.then_some(moved)
     }
 
