@@ -62,10 +62,10 @@ impl Descent<'_> {
     /// Pieces that are flat and held nowhere, and all threads.
     fn flat(&self, scene: &Scene) -> Option<Laid> {
         let threads = self.goal.seams.as_ref()?;
-        let (mut pieces, mut on) = (Vec::new(), vec![None; self.x.len()]);
-        let held = |v: &u32| self.goal.pins.iter().any(|(p, _)| p == v);
+        let (mut pieces, mut on, mut held) = (Vec::new(), vec![None; self.x.len()], vec![false; self.x.len()]);
+        self.goal.pins.iter().for_each(|(v, _)| held[*v as usize] = true);
         for Part { vertices, triangles } in parts(scene) {
-            if triangles.is_empty() || vertices.iter().any(held) {
+            if triangles.is_empty() || vertices.iter().any(|v| held[*v as usize]) {
                 continue;
             }
             if let Some(piece) = Piece::new(vertices, triangles.into_iter(), &self.x) {
