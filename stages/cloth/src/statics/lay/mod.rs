@@ -1,5 +1,5 @@
 //! Flat pieces are bent round what they will be sewn to, as hands lay a pattern round a form, before threads pull them there:
-//! from a plane on each side of a body the way there takes sewing a third of its steps (docs/static.md, Laying).
+//! the way there from a plane on each side of a body takes sewing a quarter of its steps (docs/static.md, Laying).
 
 mod gaps;
 mod piece;
