@@ -28,6 +28,11 @@ pub(crate) fn links(t: &[u32; 3]) -> [[u32; 2]; 2] {
     [[t[0], t[1]], [t[1], t[2]]]
 }
 
+/// Of every vertex, the first one of what hangs together with it through these faces.
+pub(crate) fn components<'a>(vertex_count: usize, faces: impl Iterator<Item = &'a [u32; 3]>) -> Vec<u32> {
+    crate::weld::groups(vertex_count, &faces.flat_map(links).collect::<Vec<_>>())
+}
+
 /// Ends of an edge, the smaller index first, a face that has it, and which edge of that it is.
 type Side = (u32, u32, u32, u8);
 
@@ -114,9 +119,8 @@ impl Topology {
         self.face_edges[h.faces[0] as usize][usize::from(h.sides[0])] as usize
     }
 
-    /// A number for every face, equal for faces joined through shared vertices.
+    /// [`components`] of its faces.
     pub fn components(&self, vertex_count: usize) -> Vec<u32> {
-        let links: Vec<[u32; 2]> = self.faces.iter().flat_map(links).collect();
-        crate::weld::groups(vertex_count, &links)
+        components(vertex_count, self.faces.iter())
     }
 }

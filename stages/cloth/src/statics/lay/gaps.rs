@@ -36,7 +36,7 @@ impl Laid {
         Self { bends: vec![Bend::default(); pieces.len()], pieces, threads }
     }
 
-    /// Bends them.
+    /// Bends those for which that leaves less open, by the sum of the squares of the gaps.
     pub fn close(&mut self) {
         for k in 0..self.pieces.len() {
             self.bend(k, self.pieces[k].bends(EACH));
@@ -46,11 +46,6 @@ impl Laid {
                 self.bend(k, self.pieces[k].near(self.bends[k], &PARTS));
             }
         }
-    }
-
-    /// The sum of the squares of all gaps, m².
-    pub fn open(&self) -> f64 {
-        self.threads.iter().map(|[a, b]| (self.place(a) - self.place(b)).norm_squared()).sum()
     }
 
     fn place(&self, end: &End) -> Vec3 {

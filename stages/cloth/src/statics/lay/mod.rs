@@ -5,8 +5,7 @@ mod gaps;
 mod piece;
 
 use super::descent::Descent;
-use crate::topology::links;
-use crate::weld::groups;
+use crate::topology::components;
 use crate::{Element, Scene, Vec3};
 use gaps::{End, Laid};
 use piece::Piece;
@@ -24,8 +23,7 @@ struct Part<'a> {
 /// What hangs together, by the number of its first vertex; others are empty.
 fn parts(scene: &Scene) -> Vec<Part<'_>> {
     let n = scene.positions.len();
-    let joined: Vec<[u32; 2]> = scene.triangles.iter().flat_map(|t| links(&t.vertices)).collect();
-    let part = groups(n, &joined);
+    let part = components(n, scene.triangles.iter().map(|t| &t.vertices));
     let mut parts: Vec<Part<'_>> = (0..n).map(|_| Part::default()).collect();
     for (v, p) in (0u32..).zip(&part) {
         parts[*p as usize].vertices.push(v);
@@ -40,11 +38,7 @@ impl Descent<'_> {
     /// Bends flat pieces towards where their threads lead, as far as nothing is in the way and the threads win more than it costs.
     pub(super) fn lay(&mut self, scene: &Scene) {
         let Some(mut laid) = self.flat(scene) else { return };
-        let open = laid.open();
         laid.close();
-        if laid.open() >= open {
-            return;
-        }
         let mut goes: Vec<usize> = (0..laid.pieces.len()).filter(|k| !laid.bends[*k].is_none()).collect();
         for step in 1..=STEPS {
             if goes.is_empty() {
@@ -56,7 +50,6 @@ impl Descent<'_> {
                 goes.retain(|k| self.bends(&laid, &[*k], part));
             }
         }
-        self.start_anew();
     }
 
     /// Pieces that are flat and held nowhere, and all threads.
