@@ -64,7 +64,7 @@ pub(super) const CODES: &[Code] = &[
     ),
     code(
         "drape-not-settled",
-        "The drape did not come to rest within its steps or its time, or nothing holds it. The message says which and what helps; the certificate says how far it was.",
+        "The drape did not come to rest within its steps or its time, nothing holds it, or something holds it back from where it is led. The message says which and what helps; the certificate says how far it was.",
     ),
     code(
         "edges-tiny",

@@ -131,6 +131,9 @@ fn speed(outcome: &Outcome) -> String {
 fn remedy(reason: StopReason) -> &'static str {
     match reason {
         StopReason::Unheld => "hold the garment: attach its waist in the sewing file, or give it a body it can hang on",
+        StopReason::HeldBack => {
+            "look where the drape is stretched most: give it a wider way there or less friction, or lead it less far"
+        }
         StopReason::MaxSeconds => "give it more time (with.max_time)",
         _ => {
             "look where the certificate's worst triangle lies; a coarser mesh, with.accuracy = \"draft\", or pieces placed nearer the body may help"

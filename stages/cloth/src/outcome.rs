@@ -12,6 +12,9 @@ pub enum StopReason {
     SeamsOpen,
     /// Nothing holds the cloth: it falls and falls.
     Unheld,
+    /// Something holds the cloth back from where held vertices are led: it would tear before they are there, or no step
+    /// leads on.
+    HeldBack,
     /// The step limit.
     MaxSteps,
     /// The limit of simulated time.
@@ -26,6 +29,7 @@ impl StopReason {
             Self::Settled => "settled",
             Self::SeamsOpen => "seams stayed open at full force",
             Self::Unheld => "nothing holds the cloth, it falls",
+            Self::HeldBack => "something holds the cloth back, what is held of it cannot be led to its place",
             Self::MaxSteps => "the step limit was reached",
             Self::MaxSeconds => "the limit of simulated time was reached",
         }

@@ -334,6 +334,25 @@ fn cloth_that_nothing_holds_is_told_so() {
     assert_eq!(out.stop_reason, StopReason::Unheld);
 }
 
+/// A square held by one edge and led by the other: to twice its length it comes along, to eight times no cloth would.
+#[test]
+fn cloth_is_not_led_farther_than_any_would_bear() {
+    for (lengths, reason) in [(2.0, StopReason::Settled), (8.0, StopReason::HeldBack)] {
+        let mut scene = sheet(0.1, 0.1, 6, 6, linear(0.15, 800.0, 500.0, 40.0), |x, y| Vec3::new(x, 0.0, y));
+        let ends = (0..7).chain(42..49).map(|v| v as u32);
+        let far = |z: f64| if z > 0.05 { 0.1 * lengths } else { z };
+        let at = |v: u32| scene.positions[v as usize];
+        scene.pins = ends.map(|v| Pin { vertex: v, at: Vec3::new(at(v).x, 0.0, far(at(v).z)) }).collect();
+        let out = drape(&scene, &still(), &mut Silent).unwrap();
+        assert_eq!(out.stop_reason, reason);
+        let reached = out.positions.iter().map(|p| p.z).fold(0.0, f64::max) / 0.1;
+        assert!(
+            if out.settled { (reached - lengths).abs() < 1e-4 } else { reached > 3.0 && reached < 6.0 },
+            "{reached}"
+        );
+    }
+}
+
 /// A strip clamped below that stands exactly upright: all forces vanish, however tall it is. Above its critical height,
 /// (7.837 B / (ρ g))^⅓ (Greenhill 1881), that is only a saddle.
 #[test]

@@ -184,6 +184,10 @@ impl Energy for Coupled {
         self.triangles.evaluate(&self.fabrics, x, f)
     }
 
+    fn strain(&self, x: &[Vec3]) -> f64 {
+        self.strains(x).map(|s| s.stretch[0].max(s.stretch[1]) - 1.0).fold(f64::NEG_INFINITY, f64::max)
+    }
+
     fn is_locking(&self, x: &[Vec3]) -> bool {
         self.triangles.triangles().any(|t| {
             let green = t.green(&t.edges(x));

@@ -34,6 +34,10 @@ pub(crate) trait Energy: Send + Sync {
     fn noise(&self, _x: &[Vec3]) -> f64 {
         0.0
     }
+    /// The largest strain that it knows of, along the threads; compressed is below 0.
+    fn strain(&self, _x: &[Vec3]) -> f64 {
+        f64::NEG_INFINITY
+    }
     /// Is it stored in the cloth (and not weight or load)?
     fn elastic(&self) -> bool {
         true

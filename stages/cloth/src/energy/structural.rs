@@ -148,6 +148,10 @@ impl Energy for Structural {
         self.springs.iter().map(of).sum()
     }
 
+    fn strain(&self, x: &[Vec3]) -> f64 {
+        self.springs.iter().map(|s| strain(x, s)).fold(f64::NEG_INFINITY, f64::max)
+    }
+
     fn add_stiffness(&self, x: &[Vec3], k: &mut [f64]) {
         for s in &self.springs {
             let e = strain(x, s);

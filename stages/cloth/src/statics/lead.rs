@@ -18,6 +18,12 @@ const TAUT: f64 = 0.5;
 /// is quartered for that.
 const TEARS: f64 = 10.0;
 const SHORTENED: usize = 4;
+/// Strain above which cloth that is led would long be torn, and held vertices wait: yarns of elastane break there or a little
+/// later, no fabric comes near.
+const TORN: f64 = 3.0;
+/// Part of its strain to which torn cloth must ease in so many blocks, if what it hangs at is to let it through.
+const EASED: f64 = 0.9;
+const PATIENCE: u32 = 12;
 /// Part of a step of held vertices that shows what it changes in the forces.
 const TOUCH: f64 = 1e-3;
 
@@ -28,11 +34,14 @@ pub(super) struct Leading {
     way: f64,
     /// Do they wait for the cloth?
     waits: bool,
+    /// Least strain of cloth that is torn by now, and blocks since it was; infinite where it is not.
+    torn: f64,
+    since: u32,
 }
 
 impl Default for Leading {
     fn default() -> Self {
-        Self { way: MOST, waits: false }
+        Self { way: MOST, waits: false, torn: f64::INFINITY, since: 0 }
     }
 }
 
@@ -44,12 +53,30 @@ impl Leading {
         self.waits = !follows || decrement.is_finite() && decrement > TAUT;
         self.way = (self.way * if follows { 2.0 } else { 0.5 }).clamp(LEAST, MOST);
     }
+
+    /// After a look at the strain.
+    fn strained(&mut self, strain: f64) {
+        if strain <= TORN {
+            (self.torn, self.since) = (f64::INFINITY, 0);
+        } else if strain < EASED * self.torn {
+            (self.torn, self.since) = (strain, 0);
+        } else {
+            self.since += 1;
+        }
+    }
 }
 
 impl Descent<'_> {
+    /// Does something hold the cloth back, so that it would be torn before what is led has got to its place?
+    pub fn is_torn(&mut self) -> bool {
+        let strain = if self.pins_placed() { 0.0 } else { self.goal.strain(&self.x) };
+        self.leading.strained(strain);
+        self.leading.since > PATIENCE
+    }
+
     /// Leads held vertices towards their places, as far as nothing is in the way and the cloth follows.
     pub fn lead(&mut self) {
-        if self.leading.waits || self.pins_placed() {
+        if self.leading.waits || self.leading.torn.is_finite() || self.pins_placed() {
             return;
         }
         let rubs = self.goal.has_rubbed() && self.goal.seams.is_none();

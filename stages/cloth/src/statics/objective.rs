@@ -204,6 +204,11 @@ impl Objective {
         &self.force
     }
 
+    /// Largest strain of cloth that lies so.
+    pub fn strain(&self, x: &[Vec3]) -> f64 {
+        self.energies.iter().map(|e| e.strain(x)).fold(f64::NEG_INFINITY, f64::max)
+    }
+
     /// Does cloth that lies so carry more anywhere than its curves, because it locks at its strain limits?
     pub fn is_locking(&self, x: &[Vec3]) -> bool {
         self.energies.iter().any(|e| e.is_locking(x))

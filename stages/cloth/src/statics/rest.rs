@@ -149,6 +149,9 @@ impl Descent<'_> {
         let few = if self.is_coarser() { FEW_ON_COARSE } else { FEW };
         let mut locks = self.locks_at_start();
         loop {
+            if self.is_torn() {
+                return Ok(StopReason::HeldBack);
+            }
             self.lead();
             self.metric()?;
             self.look();
@@ -188,7 +191,7 @@ impl Descent<'_> {
             let Some(b) = self.block_ahead(few) else { continue };
             stuck = if b.steps == 0 { stuck + 1 } else { 0 };
             if stuck > MOST_STUCK {
-                return Ok(StopReason::MaxSteps);
+                return Ok(if self.pins_placed() { StopReason::MaxSteps } else { StopReason::HeldBack });
             }
             self.adapt(b);
         }
