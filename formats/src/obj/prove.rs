@@ -4,7 +4,6 @@
 //! something else (`l` lines with three ends become triangles), never reaches it.
 
 use super::scan::Scan;
-use std::fmt::Write as _;
 
 /// Compares corner by corner.
 pub fn agrees_with_tobj(scan: &Scan) -> Result<(), String> {
@@ -46,20 +45,26 @@ pub fn agrees_with_tobj(scan: &Scan) -> Result<(), String> {
 /// Vertices and faces alone, indices absolute.
 fn cleaned(scan: &Scan) -> String {
     let mut text = String::with_capacity(scan.positions.len() * 40 + scan.corners.len() * 12);
-    for p in &scan.positions {
-        // Writing to a String cannot fail.
-        let _ = writeln!(text, "v {} {} {}", p.x, p.y, p.z);
-    }
-    for [u, v] in &scan.texcoords {
-        let _ = writeln!(text, "vt {u} {v}");
-    }
+    let (mut number, mut index) = (zmij::Buffer::new(), itoa::Buffer::new());
+    let mut line = |key: &str, numbers: &[f64]| {
+        text.push_str(key);
+        for n in numbers {
+            text.push(' ');
+            text.push_str(number.format_finite(*n));
+        }
+        text.push('\n');
+    };
+    scan.positions.iter().for_each(|p| line("v", p.as_slice()));
+    scan.texcoords.iter().for_each(|uv| line("vt", uv));
     for face in &scan.faces {
         text.push('f');
         for corner in scan.corners.get(face.corners.clone()).unwrap_or_default() {
-            let _ = match corner.vt {
-                Some(vt) => write!(text, " {}/{}", u64::from(corner.v) + 1, u64::from(vt) + 1),
-                None => write!(text, " {}", u64::from(corner.v) + 1),
-            };
+            text.push(' ');
+            text.push_str(index.format(u64::from(corner.v) + 1));
+            if let Some(vt) = corner.vt {
+                text.push('/');
+                text.push_str(index.format(u64::from(vt) + 1));
+            }
         }
         text.push('\n');
     }

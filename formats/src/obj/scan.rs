@@ -266,8 +266,8 @@ fn index(text: &str, count: usize, what: &str) -> Result<Option<u32>, String> {
     if text.is_empty() {
         return Ok(None);
     }
-    let shown: String = text.chars().take(24).collect();
-    let n: i64 = text.parse().map_err(|_| format!("`{}` is not a {what} number", shown.escape_debug()))?;
+    let shown = || text.chars().take(24).collect::<String>();
+    let n: i64 = text.parse().map_err(|_| format!("`{}` is not a {what} number", shown().escape_debug()))?;
     let count = i64::try_from(count).unwrap_or(i64::MAX);
     let at = if n > 0 { n.checked_sub(1) } else { n.checked_add(count) };
     match at.filter(|i| n != 0 && *i >= 0 && *i < count) {

@@ -89,7 +89,7 @@ impl Beside {
         let (held, x) = (self.points[v as usize].get_or_insert_with(Held::nothing), [*x]);
         let [moved] = held.moved(&x, reach).unwrap_or_else(|| {
             held.start(&x, reach + margin);
-            body.candidates(&Aabb::of_one(&x[0]).grown(held.limit), |g| held.hold(g, body.point_gap(&x[0], g)));
+            held.fill(body);
             [0.0]
         });
         let limit = reach + moved;
@@ -133,19 +133,30 @@ impl Owned {
     }
 }
 
+impl Held<1, u32> {
+    /// Holds all within the limit.
+    fn fill(&mut self, body: &Body) {
+        let (place, x) = (Aabb::of_one(&self.at[0]), self.at[0]);
+        body.candidates(&place.grown(self.limit), |g| {
+            if place.gap(&body.boxes[g as usize]) <= self.limit {
+                self.hold(g, body.point_gap(&x, g));
+            }
+        });
+    }
+}
+
 impl Held<3, Side> {
     /// Holds all within the limit.
     fn fill(&mut self, cloth: &Owned, body: &Body) {
         let x = &cloth.at;
         let (bounds, normal) = (Aabb::of_three(x), crate::unit_normal(*x).unwrap_or_else(Vec3::zeros));
         body.candidates(&bounds.grown(self.limit), |g| {
-            if body.sides.of(g) == 0 {
+            if body.sides.of(g) == 0 || bounds.gap(&body.boxes[g as usize]) > self.limit {
                 return;
             }
             let b = &Owned::of_body(body, g);
-            let away =
-                bounds.gap(&body.boxes[g as usize]).max(plane_gap(&x[0], &normal, &b.at)).max(beside_ball(x, &b.at));
-            if away <= self.limit {
+            let away = plane_gap(&x[0], &normal, &b.at) > self.limit || beside_ball(x, &b.at) > self.limit;
+            if !away {
                 self.hold_sides(cloth, b);
             }
         });

@@ -13,6 +13,9 @@ use parry3d::math::Vector as Flat;
 use parry3d::partitioning::{Bvh, BvhBuildStrategy};
 use std::sync::Arc;
 
+/// Part of a body around a place in which the nearest place on it is looked for first; it is doubled until there is one.
+const SMALL: f64 = 1e-3;
+
 #[derive(Clone)]
 pub(crate) struct Body {
     tree: Arc<Bvh>,
@@ -31,6 +34,8 @@ pub(crate) struct Body {
     pub travel: Option<Travel>,
     /// Rounding of the largest coordinate to f32, m.
     rounding: f64,
+    /// How far around a place the nearest one is looked for first, m.
+    small: f64,
 }
 
 fn flat(v: &Vec3) -> Flat {
@@ -68,6 +73,7 @@ impl Body {
             clearance: Arc::new(clearance),
             travel: None,
             rounding: size * 2.4e-7,
+            small: SMALL * (bounds.high - bounds.low).norm(),
         })
     }
 
@@ -113,7 +119,7 @@ impl Body {
     /// Nearest point within `reach` of `p`, and its distance.
     pub fn nearest(&self, p: &Vec3, reach: f64) -> Option<(Vec3, f64)> {
         let mut best: Option<(Vec3, f64)> = None;
-        let mut r = (reach / 8.0).max(1e-3).min(reach);
+        let mut r = self.small.min(reach);
         loop {
             self.candidates(&Aabb::of_one(p).grown(r), |i| {
                 let [a, b, c] = self.triangle(i);
@@ -197,6 +203,18 @@ mod tests {
         };
         let all = (0..8).map(|k| of(k & 1, k >> 1 & 1, k >> 2));
         Body::new(&BodyMesh { positions, triangles: all.skip(without).collect() }).expect("a body")
+    }
+
+    /// However far off, and only within reach.
+    #[test]
+    fn the_nearest_place_is_nearer_than_all_others() {
+        let body = octahedron(0);
+        for far in [1e-4, 0.003, 0.04, 0.5, 7.0] {
+            let p = Vec3::new(0.5, 0.3, 0.2) + Vec3::repeat(far / 3.0_f64.sqrt());
+            let (q, d) = body.nearest(&p, 10.0).expect("a place");
+            assert!((d - far).abs() < 1e-12 && (q - Vec3::new(0.5, 0.3, 0.2)).norm() < 1e-12, "{far}: {q:?} {d}");
+            assert_eq!(body.nearest(&p, 0.99 * far), None);
+        }
     }
 
     #[test]
