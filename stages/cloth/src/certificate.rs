@@ -6,7 +6,8 @@ use crate::collide::repair;
 use crate::energy::coupled::Coupled;
 use crate::energy::elastic;
 use crate::exact::count;
-use crate::problem::{masses, model};
+use crate::energy::model::model;
+use crate::measures::masses;
 use crate::topology::Topology;
 use crate::{ClothError, Scene, Settings, SharedBody, Vec3, validate};
 

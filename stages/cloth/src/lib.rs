@@ -39,6 +39,7 @@ mod integrate;
 mod levels;
 mod limit;
 mod linear;
+mod measures;
 mod narrow;
 mod problem;
 mod report;

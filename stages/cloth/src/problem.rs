@@ -1,27 +1,17 @@
 //! The one place where model, contact, sewing, limits and effects meet. An integrator sees only this.
 
 use crate::collide::body::Body;
-use crate::collide::contact::{Contact, Frame};
+use crate::collide::contact::Contact;
+use crate::collide::frame::frame;
 use crate::collide::friction;
-use crate::energy::coupled::Coupled;
-use crate::energy::flexion::Flexion;
-use crate::energy::shear::Shear;
-use crate::energy::structural::Structural;
-use crate::energy::weight::Weight;
+use crate::energy::model::model;
 use crate::energy::{Energy, elastic};
 use crate::limit::StrainLimit;
-use crate::scene::EARTH;
-use crate::sewing::{Sewing, mean_edge};
+use crate::measures::{held, masses};
+use crate::sewing::Sewing;
 use crate::start::Start;
 use crate::topology::Topology;
-use crate::{ClothError, Element, Model, Scene, Settings, Switch, Vec3};
-
-/// Stiffness of contacts times gap over what the cloth presses with, so that similar scenes stay similar: about 2e5 N/m³ in
-/// a skirt of 0.2 kg/m² and 1 kN/m with a gap of 1.25 mm, which 300 Pa then close by half.
-const PRESS: f64 = 8.0;
-/// Its largest slope in the metric of a descent over the same pressure times gap: 1e5 N/m in that skirt. Beyond it single
-/// precision loses the cloth behind the contact.
-const STEEPEST: f64 = 2e6;
+use crate::{ClothError, Scene, Settings, Switch, Vec3};
 
 /// Contact stiffness in units of mass / step².
 const CONTACT_RATE: f64 = 0.15;
@@ -198,60 +188,6 @@ impl Problem {
     }
 }
 
-/// Mass of the cloth at every vertex, kg.
-pub(crate) fn masses(scene: &Scene) -> Vec<f64> {
-    lumped(scene, |t| scene.materials[t.material as usize].areal_mass * t.area().abs() / 3.0)
-}
-
-/// Rest area of the cloth at every vertex, m².
-pub(crate) fn areas(scene: &Scene) -> Vec<f64> {
-    lumped(scene, |t| t.area().abs() / 3.0)
-}
-
-/// What every triangle gives to each of its corners, summed at the vertices.
-fn lumped(scene: &Scene, share: impl Fn(&Element) -> f64) -> Vec<f64> {
-    let mut sum = vec![0.0; scene.positions.len()];
-    for t in &scene.triangles {
-        let m = share(t);
-        for v in t.vertices {
-            sum[v as usize] += m;
-        }
-    }
-    sum
-}
-
-/// Held vertices and their places, each vertex once, ascending.
-pub(crate) fn held(scene: &Scene) -> Vec<(u32, Vec3)> {
-    let mut pins: Vec<(u32, Vec3)> = scene.pins.iter().map(|p| (p.vertex, p.at)).collect();
-    pins.sort_by_key(|p| p.0);
-    pins.dedup_by_key(|p| p.0);
-    pins
-}
-
-/// A gravity, or the Earth's where there is none, m/s².
-pub(crate) fn or_earth(gravity: f64) -> f64 {
-    if gravity > 0.0 { gravity } else { EARTH }
-}
-
-/// Mean weight of a vertex, N; under the earth's gravity where the scene has none.
-pub(crate) fn mean_weight(mass: &[f64], gravity: f64) -> f64 {
-    let (sum, n) = mass.iter().filter(|m| **m > 0.0).fold((0.0, 0.0), |(s, n), m| (s + m, n + 1.0));
-    if n > 0.0 { sum / n * or_earth(gravity) } else { 0.0 }
-}
-
-/// The energies of a model, and the weight.
-pub(crate) fn model(scene: &Scene, s: &Settings, topology: &Topology, mass: &[f64]) -> Vec<Box<dyn Energy>> {
-    let mut list: Vec<Box<dyn Energy>> = match s.model {
-        Model::Springs => {
-            vec![Box::new(Structural::new(scene, topology, s)), Box::new(Shear::new(scene, topology))]
-        }
-        Model::Coupled => vec![Box::new(Coupled::new(scene, s))],
-    };
-    list.push(Box::new(Flexion::new(scene, topology)));
-    list.push(Box::new(Weight::new(scene, mass, s.gravity_scale)));
-    list
-}
-
 /// Inertia of the vertices: their mass, more where small triangles would rule the step. The rest shape does not
 /// depend on it.
 fn inertia(mass: &[f64], rows: &[f64], even: bool) -> (Vec<f64>, usize) {
@@ -271,70 +207,4 @@ fn inertia(mass: &[f64], rows: &[f64], even: bool) -> (Vec<f64>, usize) {
         }
     });
     (inertia.collect(), evened)
-}
-
-/// What cloth presses with, Pa: the geometric mean of its weight on its area (the Earth's where there is no gravity) and of
-/// its stretch stiffness (at 1 %) over the size of the scene's largest part; of the heaviest and stiffest cloth, so that no order
-/// counts.
-fn pressure(scene: &Scene, s: &Settings, topology: &Topology) -> f64 {
-    let heaviest = scene.triangles.iter().map(|t| scene.materials[t.material as usize].areal_mass).fold(0.0, f64::max);
-    let gravity = scene.gravity.norm() * s.gravity_scale.abs();
-    let weight = heaviest * or_earth(gravity);
-    (weight * stretch(scene) / side(scene, topology)).sqrt()
-}
-
-/// Stretch stiffness at 1 % of the stiffest cloth, N/m.
-fn stretch(scene: &Scene) -> f64 {
-    let used = scene.triangles.iter().map(|t| &scene.materials[t.material as usize]);
-    used.map(|m| m.warp.tangent(0.01).max(m.weft.tangent(0.01))).fold(0.0, f64::max)
-}
-
-/// Side of a square of as much cloth as the largest part has, m. Other parts do not count, so that they change nothing.
-pub(crate) fn side(scene: &Scene, topology: &Topology) -> f64 {
-    let part = topology.components(scene.positions.len());
-    let mut areas = vec![0.0; part.len()];
-    scene.triangles.iter().for_each(|t| areas[part[t.vertices[0] as usize] as usize] += t.area().abs());
-    areas.iter().fold(0.0f64, |a, b| a.max(*b)).sqrt()
-}
-
-pub(crate) fn frame(
-    scene: &Scene,
-    s: &Settings,
-    topology: Topology,
-    inverse_mass: &[f64],
-    body: bool,
-    own: bool,
-) -> Frame {
-    let n = scene.positions.len();
-    let (mut thickness, mut friction) = (vec![0.0f64; n], vec![0.0f64; n]);
-    let mut least = vec![f64::INFINITY; n];
-    for t in &scene.triangles {
-        let m = &scene.materials[t.material as usize];
-        let altitude = t.altitude();
-        for v in t.vertices.map(|v| v as usize) {
-            thickness[v] = thickness[v].max(m.thickness);
-            friction[v] = friction[v].max(m.friction);
-            least[v] = least[v].min(altitude);
-        }
-    }
-    let layer = |i: usize| f64::from(scene.layers.get(i).copied().unwrap_or(0).max(0));
-    // Thicker than the mesh is fine, it would push a flat sheet apart from itself.
-    let own_gap: Vec<f64> =
-        (0..n).map(|i| if own { s.self_gap.max(thickness[i]).min(0.3 * least[i]) } else { 0.0 }).collect();
-    let body_gap = |i: usize| s.body_gap + 0.5 * thickness[i] + layer(i) * s.self_gap.max(thickness[i]);
-    let body_gap: Vec<f64> = (0..n).map(|i| if body { body_gap(i) } else { 0.0 }).collect();
-    let gap = body_gap.iter().chain(&own_gap).fold(0.0f64, |a, b| a.max(*b));
-    let pressure = pressure(scene, s, &topology);
-    Frame {
-        press: PRESS * pressure / gap,
-        steepest: STEEPEST * pressure * gap,
-        groups: crate::weld::groups(n, &scene.stitches),
-        body_gap,
-        own_gap,
-        friction,
-        inverse_mass: inverse_mass.to_vec(),
-        edge: mean_edge(scene),
-        own,
-        topology,
-    }
 }

@@ -1,7 +1,8 @@
 //! What the run tells: balance of forces, and which effects were on, by which rule and on what evidence.
 
 use crate::energy::hysteresis;
-use crate::problem::{Problem, mean_weight};
+use crate::measures::mean_weight;
+use crate::problem::Problem;
 use crate::{Curve, EffectReport, Reaction, Scene, Settings, Switch, Vec3};
 
 /// Forces at rest.

@@ -7,7 +7,7 @@ use crate::narrow::Narrow;
 use crate::problem::Problem;
 use crate::watch::Part;
 use crate::{ClothError, Integrator, Outcome, Scene, Settings, StopReason, Vec3, Watch};
-use crate::{report, sewing, statics, validate};
+use crate::{measures, report, statics, validate};
 
 /// Steps between two looks at the energy.
 const CHECK: u64 = 64;
@@ -310,7 +310,7 @@ impl<'a> Run<'a> {
     }
 
     fn outcome(self, scene: &Scene, stop_reason: StopReason) -> Outcome {
-        let gaps = sewing::gaps(scene, &self.state.x);
+        let gaps = measures::gaps(scene, &self.state.x);
         let energy = self.problem.elastic(&self.state.x);
         let gravity = self.gravity;
         let balance = report::balance(self.problem, &self.state.x, gravity, self.dt);

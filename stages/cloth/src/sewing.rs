@@ -1,6 +1,7 @@
 //! Sewing: a force linear in the gap on every open stitch (paper equation 5), capped so that pieces far apart do not
 //! fly; a pair that came close is joined: from then on both vertices move as one (docs/sewing.md).
 
+use crate::measures::mean_edge;
 use crate::{Scene, Settings, Vec3};
 
 /// After this long the cap of the force begins to double …
@@ -180,14 +181,6 @@ impl Sewing {
     }
 }
 
-/// Gaps of all stitches, m, largest first.
-pub(crate) fn gaps(scene: &Scene, x: &[Vec3]) -> Vec<(u32, f64)> {
-    let mut gaps: Vec<(u32, f64)> =
-        (0u32..).zip(&scene.stitches).map(|(i, s)| (i, (x[s[0] as usize] - x[s[1] as usize]).norm())).collect();
-    gaps.sort_by(|a, b| b.1.total_cmp(&a.1).then(a.0.cmp(&b.0)));
-    gaps
-}
-
 /// Mass-weighted mean of a group; a held member decides alone.
 fn mean(group: &[u32], values: &[Vec3], inverse_mass: &[f64]) -> Vec3 {
     if let Some(held) = group.iter().find(|i| inverse_mass[**i as usize] == 0.0) {
@@ -200,10 +193,4 @@ fn mean(group: &[u32], values: &[Vec3], inverse_mass: &[f64]) -> Vec3 {
         mass += m;
     }
     sum / mass
-}
-
-/// Mean rest length of the triangles' sides, m.
-pub(crate) fn mean_edge(scene: &Scene) -> f64 {
-    let sum: f64 = scene.triangles.iter().map(|t| (0..3).map(|k| t.rest_length(k)).sum::<f64>()).sum();
-    sum / (3.0 * scene.triangles.len().max(1) as f64)
 }

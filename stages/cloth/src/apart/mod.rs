@@ -10,7 +10,7 @@ mod each;
 pub(crate) use each::each;
 
 use crate::collide::tree::Aabb;
-use crate::problem::held;
+use crate::measures::held;
 use crate::topology::links;
 use crate::weld::groups;
 use crate::{Scene, Settings, Switch, Vec3};

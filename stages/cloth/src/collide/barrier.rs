@@ -9,7 +9,7 @@ mod chord;
 
 use super::against::Against;
 use super::body::Body;
-use super::contact::Frame;
+use super::frame::Frame;
 use super::listed::Listed;
 use super::near::{Gap, Near, Way};
 use crate::Vec3;

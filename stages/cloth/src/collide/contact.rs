@@ -7,10 +7,10 @@
 
 use super::against::Against;
 use super::body::Body;
+use super::frame::Frame;
 use super::near::{Gap, Near, Way};
 use super::tree::Tree;
 use crate::Vec3;
-use crate::topology::Topology;
 
 const OWN_SHARE: f64 = 0.45;
 const BODY_SHARE: f64 = 0.9;
@@ -42,43 +42,6 @@ pub(crate) struct Pair {
     /// Distance at the last evaluation, m.
     distance: f64,
     pub friction: f64,
-}
-
-/// What never changes during a run.
-pub(crate) struct Frame {
-    pub topology: Topology,
-    pub groups: Vec<u32>,
-    /// Distance to hold to the body and to cloth, per vertex, m; 0 where the kind is off.
-    pub body_gap: Vec<f64>,
-    pub own_gap: Vec<f64>,
-    pub friction: Vec<f64>,
-    pub inverse_mass: Vec<f64>,
-    /// Mean edge length, m.
-    pub edge: f64,
-    pub own: bool,
-    /// Stiffness of contacts over area, N/m³, and the largest that the metric of a descent takes, N/m.
-    pub press: f64,
-    pub steepest: f64,
-}
-
-#[cfg(test)]
-impl Frame {
-    /// Without friction and without pairs of the cloth itself, in contacts as stiff as a skirt's; gaps per vertex, m.
-    pub fn plain(topology: Topology, body_gap: Vec<f64>, own_gap: Vec<f64>, edge: f64) -> Self {
-        let n = body_gap.len();
-        Self {
-            topology,
-            groups: (0..).take(n).collect(),
-            body_gap,
-            own_gap,
-            friction: vec![0.0; n],
-            inverse_mass: vec![1.0; n],
-            edge,
-            own: false,
-            press: 2e5,
-            steepest: 1e5,
-        }
-    }
 }
 
 /// What happened, for the report.

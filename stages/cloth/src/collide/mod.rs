@@ -14,6 +14,7 @@ pub(crate) mod contact;
 mod drift;
 mod far;
 mod flat;
+pub(crate) mod frame;
 pub(crate) mod friction;
 pub(crate) mod listed;
 mod lists;

@@ -79,7 +79,7 @@ impl Own {
 #[cfg(test)]
 mod tests {
     use super::super::barrier::Barrier;
-    use super::super::contact::Frame;
+    use super::super::frame::Frame;
     use super::*;
     use crate::Element;
 

@@ -66,7 +66,7 @@ impl<'a> Walk<'a> {
             body.set_out();
         }
         let body = start.body.as_ref().filter(|_| path.is_some());
-        let hooks = crate::problem::held(scene).into_iter().map(|(v, at)| Hook::new(v, at, body)).collect();
+        let hooks = crate::measures::held(scene).into_iter().map(|(v, at)| Hook::new(v, at, body)).collect();
         // Its shift is the inertia of a time step.
         let mut descent = Descent::new(scene, settings, start, false);
         descent.unit = 1.0;

@@ -6,7 +6,7 @@ use super::Energy;
 use super::patch::{Fold, Parts, Share, curvature, voigt};
 use super::springs::Springs;
 use crate::linear::hessian::Hessian;
-use crate::problem::or_earth;
+use crate::measures::or_earth;
 use crate::scene::bending_length;
 use crate::topology::Topology;
 use crate::{Element, Material, Scene, Vec3, power_of_two};

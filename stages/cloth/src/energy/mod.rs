@@ -5,6 +5,7 @@ pub(crate) mod flexion;
 pub(crate) mod hysteresis;
 pub(crate) mod law;
 pub(crate) mod lock;
+pub(crate) mod model;
 mod patch;
 #[cfg(feature = "pressure")]
 pub(crate) mod pressure;

@@ -8,7 +8,7 @@ mod shake;
 mod soften;
 
 use crate::scene::bending_length;
-use crate::sewing::mean_edge;
+use crate::measures::mean_edge;
 use crate::{Element, Scene, Vec3};
 use charts::Charts;
 use collapse::Mesh;

@@ -5,7 +5,7 @@
 //! Which of the folds it then finds is another matter: they lie within half a percent of what falling wins (docs/static.md).
 
 use crate::Scene;
-use crate::sewing::mean_edge;
+use crate::measures::mean_edge;
 
 /// Farthest along each axis, over the mean edge: about 0.06 mm. With 0.005 it takes as many steps, with 0.001, 0.01 and more from some
 /// starts a third more.

@@ -5,7 +5,7 @@
 //! one leaves again, slowly, a millimetre a block of steps. So a level is as much softer as its edges are longer, squared.
 //! How far it then hangs down is nothing: the finer cloth draws itself up in the first steps.
 
-use crate::problem::side;
+use crate::measures::side;
 use crate::scene::{Material, Scene};
 use crate::topology::Topology;
 

@@ -6,7 +6,7 @@ use super::descent::Descent;
 use super::locks::Locks;
 use super::report;
 use crate::levels::Level;
-use crate::sewing::mean_edge;
+use crate::measures::mean_edge;
 use crate::watch::Part;
 use crate::{ClothError, Outcome, Scene, Settings, StopReason, Vec3, Watch, weld};
 

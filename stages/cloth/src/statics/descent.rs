@@ -8,7 +8,7 @@ use super::objective::Objective;
 use crate::collide::stick::Stick;
 use crate::cost::{Lap, Work};
 use crate::linear::factor::Factor;
-use crate::problem::{mean_weight, or_earth, side};
+use crate::measures::{mean_weight, or_earth, side};
 use crate::scene::EARTH;
 use crate::start::Start;
 use crate::topology::Topology;

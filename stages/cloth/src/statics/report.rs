@@ -6,7 +6,7 @@ use crate::cost::Work;
 use crate::energy::hysteresis::RULE;
 use crate::energy::lock::locks_from;
 use crate::report::{effect, switched};
-use crate::sewing::gaps;
+use crate::measures::gaps;
 use crate::{EffectReport, Material, Model, Outcome, Reaction, Scene, StopReason, Switch};
 
 /// Takes the places.

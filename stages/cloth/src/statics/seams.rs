@@ -2,7 +2,7 @@
 //! with a cap so that pieces far apart are not torn together).
 
 use crate::linear::hessian::Hessian;
-use crate::sewing::mean_edge;
+use crate::measures::mean_edge;
 use crate::{Scene, Vec3};
 use nalgebra::Matrix3;
 

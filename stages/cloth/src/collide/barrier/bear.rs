@@ -109,7 +109,7 @@ pub(super) fn halved([mut low, mut high]: [f64; 2], less: impl Fn(f64) -> bool) 
 #[cfg(test)]
 mod tests {
     use super::super::super::body::Body;
-    use super::super::super::contact::Frame;
+    use super::super::super::frame::Frame;
     use super::super::super::stick::Stick;
     use super::*;
     use crate::BodyMesh;

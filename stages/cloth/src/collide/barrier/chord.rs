@@ -62,7 +62,7 @@ impl Barrier {
 
 #[cfg(all(test, feature = "self-contact"))]
 mod tests {
-    use super::super::super::contact::Frame;
+    use super::super::super::frame::Frame;
     use super::*;
     use crate::built::Own;
     use crate::topology::Topology;

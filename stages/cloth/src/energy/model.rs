@@ -1,0 +1,24 @@
+//! The energies that a model of the cloth calls for.
+
+use super::coupled::Coupled;
+use super::flexion::Flexion;
+use super::shear::Shear;
+use super::structural::Structural;
+use super::weight::Weight;
+use super::Energy;
+use crate::topology::Topology;
+use crate::{Model, Scene, Settings};
+
+/// The energies of a model, and the weight.
+pub(crate) fn model(scene: &Scene, s: &Settings, topology: &Topology, mass: &[f64]) -> Vec<Box<dyn Energy>> {
+    let mut list: Vec<Box<dyn Energy>> = match s.model {
+        Model::Springs => {
+            vec![Box::new(Structural::new(scene, topology, s)), Box::new(Shear::new(scene, topology))]
+        }
+        Model::Coupled => vec![Box::new(Coupled::new(scene, s))],
+    };
+    list.push(Box::new(Flexion::new(scene, topology)));
+    list.push(Box::new(Weight::new(scene, mass, s.gravity_scale)));
+    list
+}
+
