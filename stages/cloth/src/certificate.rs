@@ -9,7 +9,7 @@ use crate::exact::count;
 use crate::energy::model::model;
 use crate::measures::masses;
 use crate::topology::Topology;
-use crate::{ClothError, Scene, Settings, SharedBody, Vec3, validate};
+use crate::{ClothError, Scene, Settings, Vec3, validate};
 
 /// Figures of a state.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -62,7 +62,7 @@ fn figures(scene: &Scene, settings: &Settings) -> Result<Figures, ClothError> {
     let own = count::own(x, &topology.faces);
     figures.self_crossings = own.count;
     figures.first_crossing = own.pairs.first().map(|p| p[0]);
-    let body = scene.body.as_ref().and_then(SharedBody::built);
+    let body = Body::of_scene(scene);
     figures.body_distance_min = f64::INFINITY;
     if let Some(b) = &body {
         against_body(&mut figures, x, &topology, b);

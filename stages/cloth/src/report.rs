@@ -1,9 +1,10 @@
 //! What the run tells: balance of forces, and which effects were on, by which rule and on what evidence.
 
+use crate::effects::{effect, switched};
 use crate::energy::hysteresis;
 use crate::measures::mean_weight;
 use crate::problem::Problem;
-use crate::{Curve, EffectReport, Reaction, Scene, Settings, Switch, Vec3};
+use crate::{Curve, EffectReport, Reaction, Scene, Settings, Vec3};
 
 /// Forces at rest.
 pub(crate) struct Balance {
@@ -46,18 +47,6 @@ pub(crate) fn effects(problem: &Problem, scene: &Scene, s: &Settings) -> Vec<Eff
             format!("{} vertices got inertia (no weight)", problem.evened),
         ),
     ]
-}
-
-pub(crate) fn switched(switch: Switch, rule: &str) -> String {
-    match switch {
-        Switch::Auto => rule.into(),
-        Switch::On => "asked for".into(),
-        Switch::Off => "switched off".into(),
-    }
-}
-
-pub(crate) fn effect(name: &'static str, on: bool, rule: String, evidence: String) -> EffectReport {
-    EffectReport { name, on, rule, evidence, cpu_seconds: 0.0 }
 }
 
 fn self_contact(problem: &Problem, s: &Settings) -> EffectReport {

@@ -1,13 +1,9 @@
-//! The loop of sewing and draping.
+//! The loop of sewing and draping by the paper's scheme: explicit steps until the cloth rests.
 
-use crate::apart;
-use crate::canon::Canon;
 use crate::integrate::central::{self, State};
-use crate::narrow::Narrow;
 use crate::problem::Problem;
-use crate::watch::Part;
-use crate::{ClothError, Integrator, Outcome, Scene, Settings, StopReason, Vec3, Watch};
-use crate::{measures, report, statics, validate};
+use crate::{ClothError, Outcome, Scene, Settings, StopReason, Vec3, Watch};
+use crate::{measures, report};
 
 /// Steps between two looks at the energy.
 const CHECK: u64 = 64;
@@ -29,82 +25,11 @@ const TREMBLING: f64 = 10.0;
 /// … up to this, 1/s: slow enough to see real motion as motion.
 const MOST_DAMPING: f64 = 100.0;
 
-/// All of the work.
-const WHOLE: [f64; 2] = [0.0, 1.0];
-
-/// Closes the stitches: the paper's dynamic system with sewing forces, until every pair is closer than the sewing
-/// distance and the elastic energy rests. Pairs that came close are joined exactly (gap 0).
+/// Sews (`pulls`) or settles the cloth from the scene's positions.
 ///
 /// # Errors
 /// An unusable scene or setting, a start that crosses, instability, or a stop on request.
-pub fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
-    validate::scene(scene)?;
-    let canon = Canon::of(scene);
-    let sewn = sew_canonical(&canon.scene, settings, &mut Part::new(watch, WHOLE, &|x| canon.given(x)));
-    shown(canon.back(sewn)?, scene, watch)
-}
-
-fn sew_canonical(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
-    match settings.integrator {
-        // Where pieces are in each other's way only motion in time finds the way round.
-        Integrator::Static => match statics::sew(scene, settings, watch)? {
-            Some(outcome) => Ok(outcome),
-            None => {
-                run(scene, &Settings { integrator: Integrator::CentralDifference, ..settings.clone() }, true, watch)
-            }
-        },
-        Integrator::CentralDifference => run(scene, settings, true, watch),
-    }
-}
-
-/// Settles the cloth: the same system without sewing force. Stitches still in the scene are held where they are
-/// closed; weld first.
-///
-/// # Errors
-/// As [`sew`].
-pub fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
-    validate::scene(scene)?;
-    if let Some(groups) = apart::apart(scene, settings) {
-        let each = Settings { threads: settings.threads / groups.len(), ..settings.clone() };
-        let whole = |scene: &Scene, watch: &mut dyn Watch| drape_group(scene, &each, watch);
-        if let Some(outcome) = apart::each(scene, &groups, settings.threads, watch, whole)? {
-            return Ok(outcome);
-        }
-    }
-    drape_group(scene, settings, watch)
-}
-
-/// Of parts that may meet each other.
-fn drape_group(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
-    let canon = Canon::of(scene);
-    let given = |x: &[Vec3]| canon.given(x);
-    let mut part = Part::new(watch, WHOLE, &given);
-    let draped = match Narrow::of(&canon.scene) {
-        Some(narrow) => {
-            let apart = |x: &[Vec3]| narrow.apart(x);
-            let mut part = Part::new(&mut part, WHOLE, &apart);
-            drape_canonical(&narrow.scene, settings, &mut part).map(|o| narrow.back(o))
-        }
-        None => drape_canonical(&canon.scene, settings, &mut part),
-    };
-    shown(canon.back(draped)?, scene, watch)
-}
-
-/// Shows what came of it.
-fn shown(outcome: Outcome, scene: &Scene, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
-    watch.done(1.0);
-    watch.look(&outcome.positions, scene.triangles.len());
-    Ok(outcome)
-}
-
-fn drape_canonical(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
-    match settings.integrator {
-        Integrator::Static => statics::drape(scene, settings, watch),
-        Integrator::CentralDifference => run(scene, settings, false, watch),
-    }
-}
-
-fn run(scene: &Scene, settings: &Settings, pulls: bool, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
+pub(crate) fn run(scene: &Scene, settings: &Settings, pulls: bool, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     let mut problem = Problem::new(scene, settings, pulls)?;
     let gravity = scene.gravity.norm() * settings.gravity_scale;
     let mut run = Run::new(&mut problem, settings, gravity, scene.triangles.len());

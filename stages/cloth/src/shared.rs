@@ -1,8 +1,8 @@
 //! A body that scenes have in common.
 
-use crate::collide::body::Body;
 use crate::{BodyMesh, Vec3};
 use std::ops::Deref;
+use std::any::Any;
 use std::sync::{Arc, OnceLock};
 
 /// A body that any number of scenes share: a clone copies nothing, and the trees over its triangles, for a body of a million
@@ -13,15 +13,18 @@ pub struct SharedBody(Arc<Shared>);
 #[derive(Default)]
 struct Shared {
     mesh: BodyMesh,
-    built: OnceLock<Option<Body>>,
+    /// What a solver keeps of the mesh.
+    prepared: OnceLock<Box<dyn Any + Send + Sync>>,
     /// The same after so many quarter turns about the vertical.
     turned: [OnceLock<SharedBody>; 4],
 }
 
 impl SharedBody {
-    /// At rest, ready to be met; `None` for a body without triangles.
-    pub(crate) fn built(&self) -> Option<Body> {
-        self.0.built.get_or_init(|| Body::new(&self.0.mesh)).clone()
+    /// A copy of what `make` prepares from the mesh. It is made by the first caller and kept for all others, who must ask for
+    /// the same type.
+    pub(crate) fn prepared<T: Any + Clone + Send + Sync>(&self, make: impl Fn(&BodyMesh) -> T) -> T {
+        let kept = self.0.prepared.get_or_init(|| Box::new(make(&self.0.mesh)));
+        kept.downcast_ref().map_or_else(|| make(&self.0.mesh), T::clone)
     }
 
     /// After so many quarter turns about the vertical, as `to` turns places; itself where that changes nothing.

@@ -1,11 +1,11 @@
 //! A scene checked, and a start that is free of crossings.
 
-use crate::built::Own;
+use crate::collide::own::Own;
 use crate::collide::body::Body;
 use crate::collide::repair;
 use crate::cost::{Costs, Lap, Work};
 use crate::topology::Topology;
-use crate::{ClothError, Scene, Settings, SharedBody, Switch, Vec3, built, validate};
+use crate::{ClothError, Scene, Settings, Switch, Vec3, effects, validate};
 
 /// What every run begins with.
 pub(crate) struct Start {
@@ -28,12 +28,11 @@ impl Start {
     pub fn new(scene: &Scene, s: &Settings) -> Result<Self, ClothError> {
         validate::scene(scene)?;
         validate::settings(s)?;
-        built::check(scene, s)?;
+        effects::check(scene, s)?;
         let topology = Topology::of_elements(scene.positions.len(), &scene.triangles);
         let mut positions = scene.positions.clone();
         let (mut costs, mut lap) = (Costs::default(), Lap::start());
-        let wanted = scene.body.as_ref().filter(|_| s.effects.body_contact != Switch::Off);
-        let body = wanted.and_then(SharedBody::built);
+        let body = if s.effects.body_contact == Switch::Off { None } else { Body::of_scene(scene) };
         costs.spend(Work::BodyContact, &mut lap);
         let own = s.effects.self_contact != Switch::Off;
         let mut repaired = (0, 0.0);

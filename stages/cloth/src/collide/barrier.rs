@@ -12,8 +12,9 @@ use super::body::Body;
 use super::frame::Frame;
 use super::listed::Listed;
 use super::near::{Gap, Near, Way};
+use super::pair_kind::{PairKey, PairKind};
 use crate::Vec3;
-use crate::built::Own;
+use crate::collide::own::Own;
 use crate::cost::{Costs, Lap, Work};
 use crate::linear::hessian::{FIXED, Hessian};
 
@@ -28,13 +29,6 @@ const HARDEST: f64 = 1e4;
 /// Slack of the lists over the mean edge: small enough that neighbours of neighbours stay out.
 const LEAST_SLACK: f64 = 0.02;
 const MOST_SLACK: f64 = 0.1;
-
-/// Kinds of near pairs, also the order in which they are summed.
-pub(crate) const POINT: u8 = 0;
-pub(crate) const EDGE: u8 = 1;
-pub(crate) const BODY_POINT: u8 = 2;
-pub(crate) const BODY_EDGE: u8 = 3;
-pub(crate) const BODY_FACE: u8 = 4;
 
 /// Two primitives nearer than their gap.
 #[derive(Clone, Copy, Debug)]
@@ -53,8 +47,7 @@ pub(crate) struct Touch {
     pub gap: f64,
     pub hard: f64,
     pub friction: f64,
-    /// The same pair has the same key at every evaluation.
-    pub key: (u8, [u32; 4]),
+    pub key: PairKey,
 }
 
 /// What happened, for the report.
@@ -239,8 +232,8 @@ impl Barrier {
         points.clear();
         edges.clear();
         let (weighs, touches) = ((&*self.area, &*self.hard, 0.0), &mut self.touches);
-        points.extend(self.near.point_gaps(x).map(|g| touch(touches, &self.frame, weighs, POINT, &g)));
-        edges.extend(self.near.edge_gaps(x).map(|g| touch(touches, &self.frame, weighs, EDGE, &g)));
+        points.extend(self.near.point_gaps(x).map(|g| touch(touches, &self.frame, weighs, PairKind::VertexTriangle, &g)));
+        edges.extend(self.near.edge_gaps(x).map(|g| touch(touches, &self.frame, weighs, PairKind::EdgeEdge, &g)));
     }
 
     fn against_body(&mut self, x: &[Vec3]) {
@@ -259,16 +252,16 @@ impl Barrier {
         let (frame, weighs, touches) = (&self.frame, (&*self.area, &*self.hard, self.stand_off), &mut self.touches);
         edges.extend(lists.edges.iter().map(|p| {
             p.farther(2, moved, near)
-                .unwrap_or_else(|| touch(touches, frame, weighs, BODY_EDGE, &p.edge_gap(x, body).0))
+                .unwrap_or_else(|| touch(touches, frame, weighs, PairKind::EdgeBodyEdge, &p.edge_gap(x, body).0))
         }));
         faces.extend(lists.faces.iter().map(|p| {
             p.farther(3, moved, near)
-                .unwrap_or_else(|| touch(touches, frame, weighs, BODY_FACE, &p.face_gap(x, body).0))
+                .unwrap_or_else(|| touch(touches, frame, weighs, PairKind::TriangleBodyVertex, &p.face_gap(x, body).0))
         }));
         // Every triangle pushes by itself: the nearest alone would jump from side to side in a crease.
         points.extend(lists.points.iter().map(|p| {
             p.farther(1, moved, wide).unwrap_or_else(|| {
-                let distance = touch(touches, frame, weighs, BODY_POINT, &p.point_gap(x, body).0);
+                let distance = touch(touches, frame, weighs, PairKind::VertexBodyTriangle, &p.point_gap(x, body).0);
                 *nearest = nearest.min(distance);
                 distance
             })
@@ -328,21 +321,21 @@ fn touch(
     touches: &mut Vec<Touch>,
     frame: &Frame,
     (area, hard, stand_off): (&[f64], &[f64], f64),
-    kind: u8,
+    kind: PairKind,
     g: &Gap,
 ) -> f64 {
     let Gap { vertices: key, weights, d, aside } = *g;
     let distance = d.norm();
     let cloth = match kind {
-        POINT | EDGE => 4,
-        BODY_POINT => 1,
-        BODY_EDGE => 2,
+        PairKind::VertexTriangle | PairKind::EdgeEdge => 4,
+        PairKind::VertexBodyTriangle => 1,
+        PairKind::EdgeBodyEdge => 2,
         _ => 3,
     };
-    let gaps = if kind <= EDGE { &frame.own_gap } else { &frame.body_gap };
-    let share = if matches!(kind, POINT | BODY_POINT) { 1.0 } else { EDGE_SHARE };
+    let gaps = if kind.is_cloth_only() { &frame.own_gap } else { &frame.body_gap };
+    let share = if matches!(kind, PairKind::VertexTriangle | PairKind::VertexBodyTriangle) { 1.0 } else { EDGE_SHARE };
     let gap = share * least(gaps, &key[..cloth]);
-    let gap = if kind == BODY_POINT { gap.max(stand_off) } else { gap };
+    let gap = if kind == PairKind::VertexBodyTriangle { gap.max(stand_off) } else { gap };
     if distance < gap && distance > 0.0 && !aside {
         let mut vertices = [key[0]; 4];
         vertices[..cloth].copy_from_slice(&key[..cloth]);
@@ -396,7 +389,7 @@ mod tests {
                 &mut b.touches,
                 &b.frame,
                 (&b.area, &b.hard, 0.0),
-                BODY_POINT,
+                PairKind::VertexBodyTriangle,
                 &Gap { vertices: [0; 4], weights: [1.0, 0.0, 0.0, 0.0], d: Vec3::new(0.0, d, 0.0), aside: false },
             );
             assert_eq!(found, d);
@@ -416,13 +409,13 @@ mod tests {
         let d = stands(gap, load);
         assert!(d < 0.7 * gap);
         let at = Gap { vertices: [0; 4], weights: [1.0, 0.0, 0.0, 0.0], d: Vec3::new(0.0, d, 0.0), aside: false };
-        touch(&mut b.touches, &b.frame, (&b.area, &b.hard, 0.0), BODY_POINT, &at);
+        touch(&mut b.touches, &b.frame, (&b.area, &b.hard, 0.0), PairKind::VertexBodyTriangle, &at);
         let x = [Vec3::new(0.0, d, 0.0)];
         assert!(!b.bear(&x, &[FIXED]) && b.bear(&x, &[0]));
         assert!((stands(b.frame.body_gap[0], load) / gap - 1.0).abs() < 1e-6);
         b.touches.clear();
         let at = Gap { d: Vec3::new(0.0, gap, 0.0), ..at };
-        touch(&mut b.touches, &b.frame, (&b.area, &b.hard, 0.0), BODY_POINT, &at);
+        touch(&mut b.touches, &b.frame, (&b.area, &b.hard, 0.0), PairKind::VertexBodyTriangle, &at);
         assert!(!b.bear(&x, &[0]), "it lies where it should");
     }
 

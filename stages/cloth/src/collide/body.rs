@@ -7,7 +7,7 @@ use super::sides::Sides;
 use super::travel::Travel;
 use super::tree::Aabb;
 use crate::topology::Topology;
-use crate::{BodyMesh, Vec3};
+use crate::{BodyMesh, Scene, Vec3};
 use parry3d::bounding_volume::Aabb as FlatAabb;
 use parry3d::math::Vector as Flat;
 use parry3d::partitioning::{Bvh, BvhBuildStrategy};
@@ -45,6 +45,11 @@ fn flat(v: &Vec3) -> Flat {
 }
 
 impl Body {
+    /// The body of a scene at rest, prepared once for all scenes that share it; `None` for a body without triangles.
+    pub fn of_scene(scene: &Scene) -> Option<Self> {
+        scene.body.as_ref().and_then(|b| b.prepared(Self::new))
+    }
+
     /// `None` for a body without triangles.
     pub fn new(mesh: &BodyMesh) -> Option<Self> {
         let live: Vec<[u32; 3]> = mesh.triangles.iter().filter(|t| has_area(&mesh.positions, t)).copied().collect();

@@ -1,6 +1,7 @@
 //! Contact: which parts are near, how far they may move, what pushes them apart. The only user of parry3d.
 
 pub(crate) mod advance;
+pub(crate) mod step_bound;
 pub(crate) mod against;
 pub(crate) mod barrier;
 mod beside;
@@ -19,7 +20,11 @@ pub(crate) mod friction;
 pub(crate) mod listed;
 mod lists;
 pub(crate) mod near;
+pub(crate) mod pair_kind;
 #[cfg(feature = "self-contact")]
+pub(crate) mod own;
+#[cfg(not(feature = "self-contact"))]
+#[path = "own_absent.rs"]
 pub(crate) mod own;
 pub(crate) mod repair;
 #[cfg(feature = "self-contact")]

@@ -2,6 +2,7 @@
 //! μ times the normal force, then slides with that force (docs/static.md). Normal force, normal and place are those
 //! of the last refresh; what slid is taken over into the new place, so real stick stays and nothing creeps.
 
+use super::pair_kind::PairKey;
 use super::barrier::Touch;
 use crate::Vec3;
 use crate::linear::hessian::{FIXED, Hessian};
@@ -30,7 +31,7 @@ struct Hold {
     stiffness: f64,
     /// Largest force, N.
     most: f64,
-    key: (u8, [u32; 4]),
+    key: PairKey,
 }
 
 /// All contacts that rub.
@@ -146,7 +147,7 @@ impl Stick {
     }
 
     /// The body moved: what holds to it is held elsewhere now; `shift` tells by how much for each pair.
-    pub fn carry(&mut self, shift: impl Fn(&(u8, [u32; 4])) -> Vec3) {
+    pub fn carry(&mut self, shift: impl Fn(&PairKey) -> Vec3) {
         self.holds.iter_mut().for_each(|h| h.place += shift(&h.key));
     }
 

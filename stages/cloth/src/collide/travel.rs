@@ -1,7 +1,7 @@
 //! A body on its way: its triangles move in straight lines through a step, and count as moving in all searches.
 
 use super::against::Against;
-use super::barrier::{BODY_EDGE, BODY_FACE, BODY_POINT};
+use crate::collide::pair_kind::{PairKey, PairKind};
 use super::body::Body;
 use super::closest::{point_triangle, segments};
 use super::near::{Moving, Way};
@@ -57,22 +57,22 @@ impl Body {
     }
 
     /// Value of a field over the body's vertices at the body's point of a near pair; nothing for pairs of cloth.
-    pub fn at_pair(&self, key: &(u8, [u32; 4]), x: &[Vec3], field: &[Vec3]) -> Vec3 {
+    pub fn at_pair(&self, key: &PairKey, x: &[Vec3], field: &[Vec3]) -> Vec3 {
         let [a, b, c, d] = key.1;
         let value = |w: u32| field[w as usize];
         match key.0 {
-            BODY_POINT => {
+            PairKind::VertexBodyTriangle => {
                 let [p, q, r] = self.triangle(b);
                 let s = point_triangle(&x[a as usize], &p, &q, &r);
                 let [p, q, r] = self.topology.faces[b as usize].map(value);
                 p * s[0] + q * s[1] + r * s[2]
             }
-            BODY_EDGE => {
+            PairKind::EdgeBodyEdge => {
                 let (p, q) = (&self.positions[c as usize], &self.positions[d as usize]);
                 let t = segments(&x[a as usize], &x[b as usize], p, q)[1];
                 value(c) * (1.0 - t) + value(d) * t
             }
-            BODY_FACE => value(d),
+            PairKind::TriangleBodyVertex => value(d),
             _ => Vec3::zeros(),
         }
     }

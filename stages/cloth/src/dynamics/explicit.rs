@@ -5,14 +5,18 @@ use super::air::viscous;
 use super::motion::{Dynamics, Frame, Motion, Trip};
 use crate::integrate::central::{self, State};
 use crate::problem::Problem;
-use crate::report::{self, effect};
+use crate::effects::effect;
+use crate::report;
 use crate::{ClothError, Scene, Settings, Vec3, Watch};
 
 /// Places beyond this are no cloth any more, m.
 const LOST: f64 = 1e6;
 
-/// As [`super::animate`], after its checks.
-pub(super) fn film(
+/// Moves the cloth by explicit steps; `each` is given every frame.
+///
+/// # Errors
+/// An unusable scene, a body that moves, steps that are too long, or a stop on request.
+pub(crate) fn film(
     scene: &Scene,
     settings: &Settings,
     dynamics: &Dynamics,

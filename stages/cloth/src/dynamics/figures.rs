@@ -2,7 +2,7 @@
 
 use super::motion::{Dynamics, Motion, Trip};
 use super::stage::Stepper;
-use crate::report::effect;
+use crate::effects::effect;
 use crate::{EffectReport, Scene, Vec3};
 
 /// J.

@@ -3,14 +3,13 @@
 
 mod air;
 mod carry;
-mod explicit;
+pub(crate) mod explicit;
 mod figures;
 mod impact;
-pub(crate) mod inert;
 mod motion;
 mod run;
 mod scheme;
 mod stage;
 
 pub use motion::{Dynamics, Frame, Motion, Trip};
-pub use run::animate;
+pub(crate) use run::film;

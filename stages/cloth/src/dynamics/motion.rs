@@ -111,12 +111,12 @@ fn bad<T>(code: &'static str, what: String) -> Result<T, ClothError> {
 
 impl Dynamics {
     /// Number of equal steps in a time, s.
-    pub(super) fn steps(&self, time: f64) -> f64 {
+    pub(crate) fn steps(&self, time: f64) -> f64 {
         // A hair of slack, so that rounding makes no further step.
         (time / self.step * (1.0 - 1e-9)).ceil().max(1.0)
     }
 
-    pub(super) fn check(&self) -> Result<(), ClothError> {
+    pub(crate) fn check(&self) -> Result<(), ClothError> {
         let ranges: [(&'static str, f64, f64, f64); 5] = [
             ("step", self.step, 1e-6, 1.0),
             ("damping", self.damping, 0.0, 1e6),
@@ -134,7 +134,7 @@ impl Dynamics {
 }
 
 impl Motion {
-    pub(super) fn check(&self, body: Option<&BodyMesh>, vertices: usize) -> Result<(), ClothError> {
+    pub(crate) fn check(&self, body: Option<&BodyMesh>, vertices: usize) -> Result<(), ClothError> {
         let frames = ("frames", self.frames as f64, 0.0, MOST_FRAMES);
         for (name, value, low, high) in [("fps", self.fps, 1.0, 1e5), ("lead_in", self.lead_in, 0.0, 60.0), frames] {
             if !(low..=high).contains(&value) {

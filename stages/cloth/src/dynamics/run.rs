@@ -2,27 +2,25 @@
 
 use super::air::viscous;
 use super::carry::{Hook, Path};
-use super::inert::Inert;
+use crate::energy::inertia::Inert;
 use super::motion::{Dynamics, Frame, Motion, Trip};
 use super::scheme::{self, State};
 use super::stage::Stepper;
-use super::{explicit, figures, impact};
+use super::{figures, impact};
 use crate::start::Start;
 use crate::statics::descent::Descent;
-use crate::{ClothError, Integrator, Scene, Settings, Vec3, Watch};
+use crate::{ClothError, Scene, Settings, Vec3, Watch};
 
 /// Farthest way of the body in a step over the mean edge.
 const STRIDE: f64 = 0.5;
 /// Frames in a row without motion that count as rest.
-pub(super) const QUIET: usize = 5;
+pub(crate) const QUIET: usize = 5;
 
-/// Moves the cloth in time from the scene's positions; `each` is given every frame. Stitches must have been welded. Steps
-/// are implicit unless the settings ask for central differences.
+/// Moves the cloth in time by implicit steps; `each` is given every frame.
 ///
 /// # Errors
-/// An unusable scene, setting or body frame; a start that crosses; cloth caught by the body; explicit steps that are too
-/// long; a stop on request.
-pub fn animate(
+/// An unusable scene, a start that crosses, cloth caught by the body, or a stop on request.
+pub(crate) fn film(
     scene: &Scene,
     settings: &Settings,
     dynamics: &Dynamics,
@@ -30,11 +28,6 @@ pub fn animate(
     watch: &mut dyn Watch,
     each: &mut dyn FnMut(&Frame<'_>),
 ) -> Result<Trip, ClothError> {
-    dynamics.check()?;
-    motion.check(scene.body.as_deref(), scene.positions.len())?;
-    if settings.integrator == Integrator::CentralDifference {
-        return explicit::film(scene, settings, dynamics, motion, watch, each);
-    }
     let mut walk = Walk::new(scene, settings, dynamics, motion)?;
     walk.go(watch, each)?;
     Ok(walk.end())

@@ -3,7 +3,7 @@
 //! A stage in which the cloth runs into something is done by implicit Euler instead.
 //! Contact and friction act at the end of each stage only: their force belongs to where the cloth gets to.
 
-use super::inert::Inert;
+use crate::energy::inertia::Inert;
 use crate::Vec3;
 use nalgebra::Matrix3;
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};

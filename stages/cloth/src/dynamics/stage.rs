@@ -2,8 +2,9 @@
 //! the body is where it belongs; then the descent is led to its end.
 
 use super::carry::Hook;
-use super::inert::Inert;
-use crate::collide::barrier::{BODY_EDGE, BODY_FACE, BODY_POINT, Barrier};
+use crate::energy::inertia::Inert;
+use crate::collide::barrier::Barrier;
+use crate::collide::pair_kind::PairKind;
 use crate::collide::near::Gap;
 use crate::statics::descent::{Descent, FEW};
 use crate::{ClothError, Place, Vec3};
@@ -238,9 +239,9 @@ impl Stepper<'_> {
 fn aside(barrier: &Barrier, x: &[Vec3], step: &mut [Vec3], way: &[Vec3], free: &[bool]) {
     let Some(body) = &barrier.body else { return };
     let near = &barrier.against;
-    let points = near.point_gaps(x, body).map(|(g, _)| (BODY_POINT, 1, 1.0, g));
-    let edges = near.edge_gaps(x, body).map(|(g, _)| (BODY_EDGE, 2, 0.5, g));
-    let faces = near.face_gaps(x, body).map(|(g, _)| (BODY_FACE, 3, 0.5, g));
+    let points = near.point_gaps(x, body).map(|(g, _)| (PairKind::VertexBodyTriangle, 1, 1.0, g));
+    let edges = near.edge_gaps(x, body).map(|(g, _)| (PairKind::EdgeBodyEdge, 2, 0.5, g));
+    let faces = near.face_gaps(x, body).map(|(g, _)| (PairKind::TriangleBodyVertex, 3, 0.5, g));
     for (kind, count, share, Gap { vertices, weights, d, .. }) in points.chain(edges).chain(faces) {
         let distance = d.norm();
         let gaps = vertices[..count].iter().map(|v| barrier.frame.body_gap[*v as usize]);

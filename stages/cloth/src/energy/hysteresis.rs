@@ -4,6 +4,9 @@
 
 #[cfg(feature = "bending-hysteresis")]
 pub(crate) mod held;
+#[cfg(not(feature = "bending-hysteresis"))]
+#[path = "hysteresis/held_absent.rs"]
+pub(crate) mod held;
 
 use crate::{Scene, Settings, Switch};
 

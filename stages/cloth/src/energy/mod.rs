@@ -3,11 +3,15 @@
 pub(crate) mod coupled;
 pub(crate) mod flexion;
 pub(crate) mod hysteresis;
+pub(crate) mod inertia;
 pub(crate) mod law;
 pub(crate) mod lock;
 pub(crate) mod model;
 mod patch;
 #[cfg(feature = "pressure")]
+pub(crate) mod pressure;
+#[cfg(not(feature = "pressure"))]
+#[path = "pressure_absent.rs"]
 pub(crate) mod pressure;
 pub(crate) mod shear;
 mod springs;

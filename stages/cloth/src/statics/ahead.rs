@@ -3,7 +3,7 @@
 
 use super::descent::{Block, Descent};
 use crate::Vec3;
-use crate::built::Hysteresis;
+use crate::energy::hysteresis::held::Hysteresis;
 use crate::collide::stick::Stick;
 
 /// Blocks in which cloth must not touch itself after it was taken back, before it goes ahead again: at first, and at most; they

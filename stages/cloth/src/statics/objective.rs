@@ -2,12 +2,13 @@
 
 use super::seams::Seams;
 use super::slate::Slate;
-use crate::built::{Hysteresis, Pressure};
+use crate::energy::hysteresis::held::Hysteresis;
+use crate::energy::pressure::Pressure;
 use crate::collide::barrier::Barrier;
 use crate::collide::stick::Stick;
 use crate::collide::tree::Aabb;
 use crate::cost::{Costs, Lap, Work};
-use crate::dynamics::inert::Inert;
+use crate::energy::inertia::Inert;
 use crate::energy::hysteresis;
 use crate::energy::{Energy, elastic};
 use crate::linear::hessian::{FIXED, Pattern};

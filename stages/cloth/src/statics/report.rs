@@ -5,7 +5,7 @@ use crate::collide::barrier::Tally;
 use crate::cost::Work;
 use crate::energy::hysteresis::RULE;
 use crate::energy::lock::locks_from;
-use crate::report::{effect, switched};
+use crate::effects::{effect, switched};
 use crate::measures::gaps;
 use crate::{EffectReport, Material, Model, Outcome, Reaction, Scene, StopReason, Switch};
 

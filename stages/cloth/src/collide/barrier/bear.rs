@@ -1,6 +1,7 @@
 //! Contacts that bear a load: where cloth comes to lie under it, and with what load it starts.
 
-use super::{BODY_POINT, Barrier, barrier};
+use super::{Barrier, barrier};
+use crate::collide::pair_kind::PairKind;
 use crate::Vec3;
 use crate::linear::hessian::FIXED;
 
@@ -20,7 +21,7 @@ impl Barrier {
     /// nothing gets stiffer. Says whether any did.
     pub fn bear(&mut self, x: &[Vec3], unknown: &[u32]) -> bool {
         let mut farther = vec![0.0f64; self.area.len()];
-        for t in self.touches.iter().filter(|t| t.key.0 == BODY_POINT) {
+        for t in self.touches.iter().filter(|t| t.key.0 == PairKind::VertexBodyTriangle) {
             let v = t.vertices[0] as usize;
             let gap = self.wanted[v];
             let share = if self.loaded[v] { GAVE_WAY_AGAIN } else { GAVE_WAY };

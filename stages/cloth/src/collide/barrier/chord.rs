@@ -2,7 +2,8 @@
 //! began to where they ended. A drape asks where cloth comes to lie, not which way it took: where nothing comes within its gap
 //! along that way, the end is as free of crossings as the start, and no contact was left out there.
 
-use super::{Barrier, EDGE, EDGE_SHARE, POINT, Sight, least, thick};
+use super::{Barrier, EDGE_SHARE, Sight, least, thick};
+use crate::collide::pair_kind::PairKind;
 use crate::Vec3;
 use crate::collide::advance::Pair;
 use crate::collide::near::Way;
@@ -12,7 +13,7 @@ impl Barrier {
     /// Is cloth looked for beside cloth, and does none touch any, as the last evaluation saw it?
     pub fn may_look_away(&self) -> bool {
         // Touches of cloth with cloth come first.
-        self.own.is_some() && self.touches.first().is_none_or(|t| t.key.0 > EDGE)
+        self.own.is_some() && self.touches.first().is_none_or(|t| !t.key.0.is_cloth_only())
     }
 
     /// From here on cloth is not looked for beside cloth …
@@ -51,12 +52,12 @@ impl Barrier {
 
     /// Do all listed pairs of cloth stay farther off than their gaps along a step?
     fn stays_clear(&self, x: &[Vec3], step: &[Vec3]) -> bool {
-        let clear = |v: &[u32; 4], kind: u8, share: f64| {
+        let clear = |v: &[u32; 4], kind: PairKind, share: f64| {
             let mut pair = Pair { at: crate::pick4(x, v), by: crate::pick4(step, v), kind };
             pair.stays_beyond(share * least(&self.frame.own_gap, v))
         };
-        self.near.points.iter().all(|v| clear(v, POINT, 1.0))
-            && self.near.edges.iter().all(|v| clear(v, EDGE, EDGE_SHARE))
+        self.near.points.iter().all(|v| clear(v, PairKind::VertexTriangle, 1.0))
+            && self.near.edges.iter().all(|v| clear(v, PairKind::EdgeEdge, EDGE_SHARE))
     }
 }
 
@@ -64,7 +65,7 @@ impl Barrier {
 mod tests {
     use super::super::super::frame::Frame;
     use super::*;
-    use crate::built::Own;
+    use crate::collide::own::Own;
     use crate::topology::Topology;
     use crate::{Element, Scene};
 

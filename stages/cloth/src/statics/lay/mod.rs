@@ -149,7 +149,7 @@ mod tests {
 
     fn crossings(scene: &Scene, x: &[Vec3]) -> usize {
         let faces: Vec<[u32; 3]> = scene.triangles.iter().map(|t| t.vertices).collect();
-        let body = scene.body.as_ref().and_then(crate::SharedBody::built);
+        let body = crate::collide::body::Body::of_scene(scene);
         count::own(x, &faces).count + body.map_or(0, |b| count::with_body(x, &faces, &b).count)
     }
 

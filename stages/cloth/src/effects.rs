@@ -2,20 +2,7 @@
 //! calls for it, and never passed over.
 
 use crate::energy::hysteresis;
-use crate::{ClothError, Scene, Settings, Switch};
-
-#[cfg(not(feature = "bending-hysteresis"))]
-pub(crate) use crate::absent::Hysteresis;
-#[cfg(not(feature = "self-contact"))]
-pub(crate) use crate::absent::Own;
-#[cfg(not(feature = "pressure"))]
-pub(crate) use crate::absent::Pressure;
-#[cfg(feature = "self-contact")]
-pub(crate) use crate::collide::own::Own;
-#[cfg(feature = "bending-hysteresis")]
-pub(crate) use crate::energy::hysteresis::held::Hysteresis;
-#[cfg(feature = "pressure")]
-pub(crate) use crate::energy::pressure::Pressure;
+use crate::{ClothError, EffectReport, Scene, Settings, Switch};
 
 /// An effect, is it in the build, and does a scene call for it?
 type Part = (&'static str, bool, fn(&Scene, &Settings) -> bool);
@@ -38,4 +25,18 @@ pub(crate) fn check(scene: &Scene, settings: &Settings) -> Result<(), ClothError
         Some((effect, ..)) => Err(ClothError::NotBuilt { effect }),
         None => Ok(()),
     }
+}
+
+/// The rule by which an effect is on or off, in words: its own, or the switch.
+pub(crate) fn switched(switch: Switch, rule: &str) -> String {
+    match switch {
+        Switch::Auto => rule.into(),
+        Switch::On => "asked for".into(),
+        Switch::Off => "switched off".into(),
+    }
+}
+
+/// The report of one effect, before its cost is known.
+pub(crate) fn effect(name: &'static str, on: bool, rule: String, evidence: String) -> EffectReport {
+    EffectReport { name, on, rule, evidence, cpu_seconds: 0.0 }
 }

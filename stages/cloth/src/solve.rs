@@ -1,0 +1,105 @@
+//! The ways into the solver: sew, drape and animate, each by the solver that the settings ask for.
+
+use crate::apart;
+use crate::canon::Canon;
+use crate::narrow::Narrow;
+use crate::watch::Part;
+use crate::{ClothError, Dynamics, Frame, Integrator, Motion, Outcome, Scene, Settings, Trip, Vec3, Watch};
+use crate::{dynamics, run, statics, validate};
+
+/// All of the work.
+const WHOLE: [f64; 2] = [0.0, 1.0];
+
+/// Closes the stitches: the paper's dynamic system with sewing forces, until every pair is closer than the sewing
+/// distance and the elastic energy rests. Pairs that came close are joined exactly (gap 0).
+///
+/// # Errors
+/// An unusable scene or setting, a start that crosses, instability, or a stop on request.
+pub fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
+    validate::scene(scene)?;
+    let canon = Canon::of(scene);
+    let sewn = sew_canonical(&canon.scene, settings, &mut Part::new(watch, WHOLE, &|x| canon.given(x)));
+    shown(canon.back(sewn)?, scene, watch)
+}
+
+fn sew_canonical(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
+    match settings.integrator {
+        // Where pieces are in each other's way only motion in time finds the way round.
+        Integrator::Static => match statics::sew(scene, settings, watch)? {
+            Some(outcome) => Ok(outcome),
+            None => {
+                run::run(scene, &Settings { integrator: Integrator::CentralDifference, ..settings.clone() }, true, watch)
+            }
+        },
+        Integrator::CentralDifference => run::run(scene, settings, true, watch),
+    }
+}
+
+/// Settles the cloth: the same system without sewing force. Stitches still in the scene are held where they are
+/// closed; weld first.
+///
+/// # Errors
+/// As [`sew`].
+pub fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
+    validate::scene(scene)?;
+    if let Some(groups) = apart::apart(scene, settings) {
+        let each = Settings { threads: settings.threads / groups.len(), ..settings.clone() };
+        let whole = |scene: &Scene, watch: &mut dyn Watch| drape_group(scene, &each, watch);
+        if let Some(outcome) = apart::each(scene, &groups, settings.threads, watch, whole)? {
+            return Ok(outcome);
+        }
+    }
+    drape_group(scene, settings, watch)
+}
+
+/// Moves the cloth in time from the scene's positions; `each` is given every frame. Stitches must have been welded. Steps
+/// are implicit unless the settings ask for central differences.
+///
+/// # Errors
+/// An unusable scene, setting or body frame; a start that crosses; cloth caught by the body; explicit steps that are too
+/// long; a stop on request.
+pub fn animate(
+    scene: &Scene,
+    settings: &Settings,
+    dynamics: &Dynamics,
+    motion: &Motion,
+    watch: &mut dyn Watch,
+    each: &mut dyn FnMut(&Frame<'_>),
+) -> Result<Trip, ClothError> {
+    dynamics.check()?;
+    motion.check(scene.body.as_deref(), scene.positions.len())?;
+    match settings.integrator {
+        Integrator::Static => dynamics::film(scene, settings, dynamics, motion, watch, each),
+        Integrator::CentralDifference => dynamics::explicit::film(scene, settings, dynamics, motion, watch, each),
+    }
+}
+
+/// Settles parts of the cloth that may meet each other.
+fn drape_group(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
+    let canon = Canon::of(scene);
+    let given = |x: &[Vec3]| canon.given(x);
+    let mut part = Part::new(watch, WHOLE, &given);
+    let draped = match Narrow::of(&canon.scene) {
+        Some(narrow) => {
+            let apart = |x: &[Vec3]| narrow.apart(x);
+            let mut part = Part::new(&mut part, WHOLE, &apart);
+            drape_canonical(&narrow.scene, settings, &mut part).map(|o| narrow.back(o))
+        }
+        None => drape_canonical(&canon.scene, settings, &mut part),
+    };
+    shown(canon.back(draped)?, scene, watch)
+}
+
+/// Shows what came of it.
+fn shown(outcome: Outcome, scene: &Scene, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
+    watch.done(1.0);
+    watch.look(&outcome.positions, scene.triangles.len());
+    Ok(outcome)
+}
+
+fn drape_canonical(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
+    match settings.integrator {
+        Integrator::Static => statics::drape(scene, settings, watch),
+        Integrator::CentralDifference => run::run(scene, settings, false, watch),
+    }
+}
