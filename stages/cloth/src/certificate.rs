@@ -1,15 +1,16 @@
 //! What a result is worth, computed afresh from the positions.
 
-use crate::canon::Canon;
-use crate::collide::body::Body;
-use crate::collide::repair;
+use crate::collision::body::Body;
+use crate::collision::crossings::count;
 use crate::energy::coupled::Coupled;
 use crate::energy::elastic;
-use crate::exact::count;
 use crate::energy::model::model;
-use crate::measures::masses;
-use crate::topology::Topology;
-use crate::{ClothError, Scene, Settings, Vec3, validate};
+use crate::prepare::canonical_frame::Canon;
+use crate::prepare::initial_feasibility::repair;
+use crate::scene::measures::masses;
+use crate::scene::topology::Topology;
+use crate::scene::validate;
+use crate::{ClothError, Scene, Settings, Vec3};
 
 /// Figures of a state.
 #[derive(Clone, Debug, Default, PartialEq)]

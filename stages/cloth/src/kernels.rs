@@ -1,7 +1,7 @@
 //! The hot kernels of a descent by themselves, for the bench that times and counts them (`benches/kernels.rs`).
 
 use crate::linear::hessian::Pattern;
-use crate::statics::descent::Descent;
+use crate::optimize::descent::Descent;
 use crate::{ClothError, Scene, Settings};
 use nalgebra::Matrix3;
 

@@ -13,57 +13,38 @@
 )]
 
 pub mod certificate;
-pub mod curve;
-pub mod error;
-#[doc(hidden)]
-pub mod kernels;
-pub mod outcome;
-pub mod scene;
-pub mod settings;
-pub mod watch;
-pub mod weld;
-
-mod apart;
-mod both;
-mod canon;
-mod collide;
-mod cost;
+mod collision;
+mod contact;
 mod dynamics;
 mod effects;
-mod elements;
 mod energy;
-mod exact;
-mod integrate;
-mod levels;
-mod limit;
+pub mod error;
+mod explicit;
+mod hierarchy;
+#[doc(hidden)]
+pub mod kernels;
 mod linear;
-mod measures;
-mod narrow;
-mod problem;
+mod optimize;
+mod prepare;
 mod report;
-mod run;
+pub mod scene;
 mod sewing;
 mod solve;
-mod shared;
-mod start;
-mod statics;
-mod topology;
-mod validate;
 
-pub use effects::is_built;
 pub use certificate::{Figures, certify};
-pub use curve::Curve;
 pub use dynamics::{Dynamics, Frame, Motion, Trip};
-pub use elements::Elements;
+pub use effects::is_built;
 pub use energy::hysteresis::{FELT as HYSTERESIS_FELT, RULE as HYSTERESIS_RULE};
 pub use error::{ClothError, Place};
-pub use outcome::{EffectReport, Outcome, Reaction, StopReason};
-pub use solve::{animate, drape, sew};
+pub use report::outcome::{EffectReport, Outcome, Reaction, StopReason};
+pub use report::watch::{Silent, Watch};
+pub use scene::curve::Curve;
+pub use scene::elements::Elements;
+pub use scene::settings::{Effects, Integrator, Model, Settings, Switch};
+pub use scene::shared_body::SharedBody;
+pub use scene::weld::{Welded, weld};
 pub use scene::{BodyMesh, Element, Load, Material, Pin, Scene};
-pub use settings::{Effects, Integrator, Model, Settings, Switch};
-pub use shared::SharedBody;
-pub use watch::{Silent, Watch};
-pub use weld::{Welded, weld};
+pub use solve::{animate, drape, sew};
 
 /// A point or vector in the world, metres.
 pub type Vec3 = nalgebra::Vector3<f64>;

@@ -1,11 +1,13 @@
 //! The ways into the solver: sew, drape and animate, each by the solver that the settings ask for.
 
-use crate::apart;
-use crate::canon::Canon;
-use crate::narrow::Narrow;
-use crate::watch::Part;
+use crate::explicit::run;
+use crate::prepare::canonical_frame::Canon;
+use crate::prepare::degenerate_edges::Narrow;
+use crate::prepare::islands;
+use crate::report::watch::Part;
+use crate::scene::validate;
 use crate::{ClothError, Dynamics, Frame, Integrator, Motion, Outcome, Scene, Settings, Trip, Vec3, Watch};
-use crate::{dynamics, run, statics, validate};
+use crate::{dynamics, explicit, optimize, sewing};
 
 /// All of the work.
 const WHOLE: [f64; 2] = [0.0, 1.0];
@@ -25,11 +27,14 @@ pub fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<
 fn sew_canonical(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     match settings.integrator {
         // Where pieces are in each other's way only motion in time finds the way round.
-        Integrator::Static => match statics::sew(scene, settings, watch)? {
+        Integrator::Static => match sewing::sew(scene, settings, watch)? {
             Some(outcome) => Ok(outcome),
-            None => {
-                run::run(scene, &Settings { integrator: Integrator::CentralDifference, ..settings.clone() }, true, watch)
-            }
+            None => run::run(
+                scene,
+                &Settings { integrator: Integrator::CentralDifference, ..settings.clone() },
+                true,
+                watch,
+            ),
         },
         Integrator::CentralDifference => run::run(scene, settings, true, watch),
     }
@@ -42,10 +47,10 @@ fn sew_canonical(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> R
 /// As [`sew`].
 pub fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     validate::scene(scene)?;
-    if let Some(groups) = apart::apart(scene, settings) {
+    if let Some(groups) = islands::apart(scene, settings) {
         let each = Settings { threads: settings.threads / groups.len(), ..settings.clone() };
         let whole = |scene: &Scene, watch: &mut dyn Watch| drape_group(scene, &each, watch);
-        if let Some(outcome) = apart::each(scene, &groups, settings.threads, watch, whole)? {
+        if let Some(outcome) = islands::each(scene, &groups, settings.threads, watch, whole)? {
             return Ok(outcome);
         }
     }
@@ -70,7 +75,7 @@ pub fn animate(
     motion.check(scene.body.as_deref(), scene.positions.len())?;
     match settings.integrator {
         Integrator::Static => dynamics::film(scene, settings, dynamics, motion, watch, each),
-        Integrator::CentralDifference => dynamics::explicit::film(scene, settings, dynamics, motion, watch, each),
+        Integrator::CentralDifference => explicit::motion::film(scene, settings, dynamics, motion, watch, each),
     }
 }
 
@@ -99,7 +104,7 @@ fn shown(outcome: Outcome, scene: &Scene, watch: &mut dyn Watch) -> Result<Outco
 
 fn drape_canonical(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     match settings.integrator {
-        Integrator::Static => statics::drape(scene, settings, watch),
+        Integrator::Static => optimize::drape(scene, settings, watch),
         Integrator::CentralDifference => run::run(scene, settings, false, watch),
     }
 }

@@ -1,17 +1,17 @@
 //! Energies of a moment, and what a motion tells.
 
-use super::motion::{Dynamics, Motion, Trip};
-use super::stage::Stepper;
+use crate::dynamics::motion::{Dynamics, Motion, Trip};
+use crate::dynamics::step::Stepper;
 use crate::effects::effect;
 use crate::{EffectReport, Scene, Vec3};
 
 /// J.
-pub(super) fn kinetic(mass: &[f64], v: &[Vec3]) -> f64 {
+pub(crate) fn kinetic(mass: &[f64], v: &[Vec3]) -> f64 {
     0.5 * mass.iter().zip(v).map(|(m, v)| m * v.norm_squared()).sum::<f64>()
 }
 
 /// Stored in the cloth, weight and contact, J.
-pub(super) fn potential(stepper: &mut Stepper<'_>) -> f64 {
+pub(crate) fn potential(stepper: &mut Stepper<'_>) -> f64 {
     let d = &mut stepper.descent;
     let mut scratch = vec![Vec3::zeros(); d.x.len()];
     let contact = d.goal.barrier.as_mut().map_or(0.0, |b| b.evaluate(&d.x, &mut scratch));
@@ -19,8 +19,8 @@ pub(super) fn potential(stepper: &mut Stepper<'_>) -> f64 {
 }
 
 /// The effects of a descent, and those of motion.
-pub(super) fn effects(stepper: &Stepper<'_>, scene: &Scene, dynamics: &Dynamics, motion: &Motion, trip: &mut Trip) {
-    trip.effects = crate::statics::effects(&stepper.descent, scene);
+pub(crate) fn effects(stepper: &Stepper<'_>, scene: &Scene, dynamics: &Dynamics, motion: &Motion, trip: &mut Trip) {
+    trip.effects = crate::optimize::effects(&stepper.descent, scene);
     trip.effects.push(effect(
         "inertia",
         true,
@@ -36,7 +36,7 @@ pub(super) fn effects(stepper: &Stepper<'_>, scene: &Scene, dynamics: &Dynamics,
     ));
 }
 
-pub(super) fn air(dynamics: &Dynamics) -> EffectReport {
+pub(crate) fn air(dynamics: &Dynamics) -> EffectReport {
     let evidence = format!("{} kg/m³ against the square of the speed across the cloth", dynamics.drag);
     effect("air", dynamics.drag > 0.0, "a drag above 0".into(), evidence)
 }

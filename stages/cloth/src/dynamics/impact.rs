@@ -2,13 +2,13 @@
 //! The stages of a scheme of second order turn a hit into a rebound of up to √2 times its speed, out of nothing.
 
 use crate::Vec3;
-use crate::collide::barrier::{Barrier, Touch};
+use crate::contact::barrier::{Barrier, Touch};
 
 const SWEEPS: usize = 4;
 
 /// Takes the separating speed out of every contact, by impulses of equal size on both sides; `body` holds the
 /// velocities of the body's vertices (empty for a body at rest), `free` the vertices that are not held.
-pub(super) fn settle(barrier: &Barrier, x: &[Vec3], v: &mut [Vec3], mass: &[f64], free: &[bool], body: &[Vec3]) {
+pub(crate) fn settle(barrier: &Barrier, x: &[Vec3], v: &mut [Vec3], mass: &[f64], free: &[bool], body: &[Vec3]) {
     let place = |t: &Touch| match &barrier.body {
         Some(b) if !body.is_empty() => b.at_pair(&t.key, x, body),
         _ => Vec3::zeros(),

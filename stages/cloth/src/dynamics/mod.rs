@@ -1,15 +1,14 @@
 //! Motion in time for animation (docs/dynamics.md): implicit steps, each a descent of the same energy and contact as
 //! the drape with inertia added, and a body that moves; for comparison also explicit ones.
 
-mod air;
-mod carry;
-pub(crate) mod explicit;
-mod figures;
-mod impact;
-mod motion;
-mod run;
-mod scheme;
-mod stage;
+pub(crate) mod attachments;
+pub(crate) mod drag;
+pub(crate) mod figures;
+pub(crate) mod impact;
+pub(crate) mod motion;
+pub(crate) mod run;
+pub(crate) mod step;
+pub(crate) mod tr_bdf2;
 
 pub use motion::{Dynamics, Frame, Motion, Trip};
 pub(crate) use run::film;

@@ -1,14 +1,15 @@
 //! The walk through the frames.
 
-use super::air::viscous;
-use super::carry::{Hook, Path};
+use crate::dynamics::attachments::{Hook, Path};
+use crate::dynamics::drag::viscous;
+use crate::dynamics::motion::{Dynamics, Frame, Motion, Trip};
+use crate::dynamics::step::Stepper;
+use crate::dynamics::tr_bdf2;
+use crate::dynamics::tr_bdf2::State;
+use crate::dynamics::{figures, impact};
 use crate::energy::inertia::Inert;
-use super::motion::{Dynamics, Frame, Motion, Trip};
-use super::scheme::{self, State};
-use super::stage::Stepper;
-use super::{figures, impact};
-use crate::start::Start;
-use crate::statics::descent::Descent;
+use crate::optimize::descent::Descent;
+use crate::prepare::start::Start;
 use crate::{ClothError, Scene, Settings, Vec3, Watch};
 
 /// Farthest way of the body in a step over the mean edge.
@@ -59,7 +60,7 @@ impl<'a> Walk<'a> {
             body.set_out();
         }
         let body = start.body.as_ref().filter(|_| path.is_some());
-        let hooks = crate::measures::held(scene).into_iter().map(|(v, at)| Hook::new(v, at, body)).collect();
+        let hooks = crate::scene::measures::held(scene).into_iter().map(|(v, at)| Hook::new(v, at, body)).collect();
         // Its shift is the inertia of a time step.
         let mut descent = Descent::new(scene, settings, start, false);
         descent.unit = 1.0;
@@ -143,20 +144,20 @@ impl<'a> Walk<'a> {
             v.iter().zip(old).map(|(v, o)| v + (v - o) * share).collect()
         };
         let soon = match &self.last {
-            Some((old, span)) => ahead(&s.v, old, scheme::FIRST * dt / span),
+            Some((old, span)) => ahead(&s.v, old, tr_bdf2::FIRST * dt / span),
             None => s.v.clone(),
         };
-        let (most, rest) = (scheme::FIRST * dt, (1.0 - scheme::FIRST) * dt);
-        let stage = scheme::first(&s, &force, &mass, damping(&soon), dt);
-        let plain = scheme::plain(&s, &mass, damping(&s.v), most);
+        let (most, rest) = (tr_bdf2::FIRST * dt, (1.0 - tr_bdf2::FIRST) * dt);
+        let stage = tr_bdf2::first(&s, &force, &mass, damping(&soon), dt);
+        let plain = tr_bdf2::plain(&s, &mass, damping(&s.v), most);
         let (middle, rough) = self.stage(stage, Some(plain), &s.v, [now, most])?;
 
-        let plain = scheme::plain(&middle, &mass, damping(&middle.v), rest);
+        let plain = tr_bdf2::plain(&middle, &mass, damping(&middle.v), rest);
         let (stage, plain) = if rough {
             (plain, None)
         } else {
-            let soon = ahead(&middle.v, &s.v, (1.0 - scheme::FIRST) / scheme::FIRST);
-            (scheme::second(&s, &middle, &mass, damping(&soon), dt), Some(plain))
+            let soon = ahead(&middle.v, &s.v, (1.0 - tr_bdf2::FIRST) / tr_bdf2::FIRST);
+            (tr_bdf2::second(&s, &middle, &mass, damping(&soon), dt), Some(plain))
         };
         self.state = self.stage(stage, plain, &middle.v, [now + most, rest])?.0;
         self.last = Some((s.v, dt));
@@ -178,7 +179,7 @@ impl<'a> Walk<'a> {
         let rough = self.stepper.solve(inert, plain, guess, body.as_deref(), now)?;
         let goal = &self.stepper.descent.goal;
         let x = self.stepper.descent.x.clone();
-        let mut v = goal.inert.as_ref().map_or_else(Vec::new, |i| scheme::velocities(i, &x));
+        let mut v = goal.inert.as_ref().map_or_else(Vec::new, |i| tr_bdf2::velocities(i, &x));
         let pace: Vec<Vec3> = match (before, body) {
             (Some(a), Some(b)) => a.iter().zip(&b).map(|(a, b)| (b - a) / span).collect(),
             _ => Vec::new(),

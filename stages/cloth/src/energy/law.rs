@@ -1,7 +1,7 @@
 //! A stretch curve as a table: tangents at equal strains, linear between, so that tension and energy are its exact
 //! integrals and cost no exponential. The tangent may be capped (validation §8.5).
 
-use super::lock::{Bias, Lock};
+use crate::energy::strain_limit::{Bias, Lock};
 use crate::{Curve, Integrator, Material, Settings, Switch};
 
 /// Cells of a table, more for kinks of measured curves, and how far over the limit it goes.

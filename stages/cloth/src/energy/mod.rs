@@ -1,25 +1,25 @@
 //! Energies: one file each, each with a page in `docs/`. None knows of the others.
 
+pub(crate) mod bending;
 pub(crate) mod coupled;
-pub(crate) mod flexion;
 pub(crate) mod hysteresis;
 pub(crate) mod inertia;
 pub(crate) mod law;
-pub(crate) mod lock;
 pub(crate) mod model;
-mod patch;
+pub(crate) mod patch;
 #[cfg(feature = "pressure")]
 pub(crate) mod pressure;
 #[cfg(not(feature = "pressure"))]
 #[path = "pressure_absent.rs"]
 pub(crate) mod pressure;
 pub(crate) mod shear;
-mod springs;
+pub(crate) mod springs;
+pub(crate) mod stitch_penalty;
+pub(crate) mod strain_limit;
 pub(crate) mod structural;
-pub(crate) mod weight;
-
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
+pub(crate) mod weight;
 
 use crate::Vec3;
 use crate::linear::hessian::Hessian;

@@ -1,12 +1,12 @@
 //! The energies that a model of the cloth calls for.
 
-use super::coupled::Coupled;
-use super::flexion::Flexion;
-use super::shear::Shear;
-use super::structural::Structural;
-use super::weight::Weight;
-use super::Energy;
-use crate::topology::Topology;
+use crate::energy::Energy;
+use crate::energy::bending::Flexion;
+use crate::energy::coupled::Coupled;
+use crate::energy::shear::Shear;
+use crate::energy::structural::Structural;
+use crate::energy::weight::Weight;
+use crate::scene::topology::Topology;
 use crate::{Model, Scene, Settings};
 
 /// The energies of a model, and the weight.
@@ -21,4 +21,3 @@ pub(crate) fn model(scene: &Scene, s: &Settings, topology: &Topology, mass: &[f6
     list.push(Box::new(Weight::new(scene, mass, s.gravity_scale)));
     list
 }
-

@@ -1,7 +1,7 @@
 //! Curvature of a triangle from the folds of its hinges (docs/flexion.md): the quadratic surface through its three corners
 //! and the three corners across its edges. What bends a surface uniformly is met exactly on any mesh.
 
-use crate::topology::Hinge;
+use crate::scene::topology::Hinge;
 use crate::{Element, Scene};
 use nalgebra::{Matrix2, Matrix3, Matrix3x2, Vector2, Vector3};
 
@@ -11,7 +11,7 @@ const LEAST: f64 = 0.02;
 const MEAN: f64 = 1.0 / 3.0;
 
 /// The fold across one side of a triangle: u₂ + u₃ = Σ weights · x, u the unit vectors from the edge into the wings.
-pub(super) struct Fold {
+pub(crate) struct Fold {
     pub vertices: [u32; 4],
     /// 1/m.
     pub weights: [f64; 4],
@@ -71,16 +71,16 @@ impl Fold {
 }
 
 /// (κ₀₀, κ₁₁, 2 κ₀₁) of a ⊗ b, made symmetric.
-pub(super) fn voigt(a: Vector2<f64>, b: Vector2<f64>) -> Vector3<f64> {
+pub(crate) fn voigt(a: Vector2<f64>, b: Vector2<f64>) -> Vector3<f64> {
     Vector3::new(a.x * b.x, a.y * b.y, a.x * b.y + a.y * b.x)
 }
 
 /// What each fold of a triangle adds to its curvature (κ₀₀, κ₁₁, 2 κ₀₁), 1/m.
-pub(super) type Parts = [Vector3<f64>; 3];
+pub(crate) type Parts = [Vector3<f64>; 3];
 
 /// `open`: direction of the free edge of a triangle with two folds: nothing bends across it there. `None` where the folds do
 /// not tell the curvature.
-pub(super) fn curvature(folds: &[Fold], open: Option<Vector2<f64>>) -> Option<Parts> {
+pub(crate) fn curvature(folds: &[Fold], open: Option<Vector2<f64>>) -> Option<Parts> {
     let norm = |f: &Fold| f.along.norm();
     match folds {
         [p, q, r] => {
@@ -109,7 +109,7 @@ pub(super) fn curvature(folds: &[Fold], open: Option<Vector2<f64>>) -> Option<Pa
 /// Sum over the two triangles of a hinge of what a unit moment does on its fold, and of what a unit fold stores, for
 /// rigidities (1, 1, ½).
 #[derive(Clone, Copy, Default)]
-pub(super) struct Share {
+pub(crate) struct Share {
     moment: Vector3<f64>,
     stored: f64,
     /// Triangles that tell it.

@@ -1,9 +1,9 @@
 //! Shear springs of the paper (class 2: the cloth's shear), on the edges that lie off the grain (docs/shear.md).
 
-use super::Energy;
-use super::structural::{Spring, pull, row_sums, springs, stiffen};
+use crate::energy::Energy;
+use crate::energy::structural::{Spring, pull, row_sums, springs, stiffen};
 use crate::linear::hessian::Hessian;
-use crate::topology::Topology;
+use crate::scene::topology::Topology;
 use crate::{Scene, Vec3};
 
 pub(crate) struct Shear {

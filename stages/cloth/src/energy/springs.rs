@@ -6,7 +6,7 @@ use crate::linear::hessian::Hessian;
 use nalgebra::Matrix3;
 
 #[derive(Default)]
-pub(super) struct Springs {
+pub(crate) struct Springs {
     /// For every vertex the first of its springs to vertices of higher numbers.
     start: Vec<u32>,
     ends: Vec<u32>,

@@ -3,10 +3,10 @@
 //! An edge at angle φ from the weft carries cos⁴φ of the weft curve and sin⁴φ of the warp curve; its cross-section is
 //! the area of its triangles over its length (Van Gelder's weight).
 
-use super::Energy;
-use super::law::{Fabric, Law};
+use crate::energy::Energy;
+use crate::energy::law::{Fabric, Law};
 use crate::linear::hessian::Hessian;
-use crate::topology::Topology;
+use crate::scene::topology::Topology;
 use crate::{Scene, Settings, Vec3};
 
 /// Squared cosine of 22.5°, with room for rounding: edges at least this near a yarn are springs along it.

@@ -1,12 +1,13 @@
 //! Every energy's force is minus its gradient, and the coupled springs pass the patch test.
 
-use super::coupled::Coupled;
-use super::flexion::Flexion;
-use super::shear::Shear;
-use super::structural::Structural;
-use super::{Energy, weight::Weight};
+use crate::energy::Energy;
+use crate::energy::bending::Flexion;
+use crate::energy::coupled::Coupled;
+use crate::energy::shear::Shear;
+use crate::energy::structural::Structural;
+use crate::energy::weight::Weight;
 use crate::linear::hessian::Hessian;
-use crate::topology::Topology;
+use crate::scene::topology::Topology;
 use crate::{Curve, Element, Material, Scene, Settings, Vec3};
 
 fn noise(seed: u32) -> f64 {
@@ -227,7 +228,7 @@ fn the_stiffness_bound_holds_for_random_motions() {
 #[test]
 fn tables_follow_their_curves() {
     let settings = Settings { stiffness_cap: f64::INFINITY, ..Settings::default() };
-    let law = super::law::Law::new(
+    let law = crate::energy::law::Law::new(
         &Curve::Exponential { k0: 700.0, beta: 20.0 },
         settings.stiffness_cap,
         0.15,
@@ -239,7 +240,7 @@ fn tables_follow_their_curves() {
         assert!((law.tension(e) - curve.tension(e)).abs() <= 1e-4 * curve.tension(e).abs() + 1e-12, "{e}");
         assert!((law.energy(e) - curve.energy(e)).abs() <= 2e-4 * curve.energy(e).abs() + 1e-12, "{e}");
     }
-    let capped = super::law::Law::new(&curve, 1000.0, 0.15, f64::INFINITY);
+    let capped = crate::energy::law::Law::new(&curve, 1000.0, 0.15, f64::INFINITY);
     assert!((capped.tangent(0.1) - 1000.0).abs() < 1e-9);
 }
 
@@ -248,7 +249,7 @@ fn tables_follow_their_curves() {
 #[test]
 fn a_lock_is_one_energy_throughout() {
     let (curve, limit) = (Curve::Linear { stiffness: 500.0 }, 0.08);
-    let law = super::law::Law::new(&curve, f64::INFINITY, 0.12, limit);
+    let law = crate::energy::law::Law::new(&curve, f64::INFINITY, 0.12, limit);
     for strain in [0.02, 0.0793, 0.0796, 0.07985, 0.0799, 0.0801, 0.085, 0.2] {
         let h = 1e-8;
         let slope = |f: &dyn Fn(f64) -> f64| (f(strain + h) - f(strain - h)) / (2.0 * h);

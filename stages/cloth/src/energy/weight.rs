@@ -1,6 +1,6 @@
 //! Gravity (paper equation 4; here by area, so that uneven meshes hang evenly) and dead loads.
 
-use super::Energy;
+use crate::energy::Energy;
 use crate::linear::hessian::Hessian;
 use crate::{Scene, Vec3};
 

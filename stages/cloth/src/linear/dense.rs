@@ -68,19 +68,19 @@ fn tile<S: Simd, const V: usize, const W: usize>(
 
 /// A line as the `V` registers that it fills.
 #[inline(always)]
-pub(super) fn registers<S: Simd, const V: usize>(_: S, line: &[f32; TALL]) -> &[S::f32s; V] {
+pub(crate) fn registers<S: Simd, const V: usize>(_: S, line: &[f32; TALL]) -> &[S::f32s; V] {
     let found = S::as_simd_f32s(line).0.first_chunk();
     found.unwrap_or_else(|| unreachable!("{V} registers hold a line"))
 }
 
 #[inline(always)]
-pub(super) fn registers_mut<S: Simd, const V: usize>(_: S, line: &mut [f32; TALL]) -> &mut [S::f32s; V] {
+pub(crate) fn registers_mut<S: Simd, const V: usize>(_: S, line: &mut [f32; TALL]) -> &mut [S::f32s; V] {
     let found = S::as_mut_simd_f32s(line).0.first_chunk_mut();
     found.unwrap_or_else(|| unreachable!("{V} registers hold a line"))
 }
 
 #[inline(always)]
-pub(super) fn line<S: Simd, const V: usize>(simd: S, sum: &[S::f32s; V]) -> [f32; TALL] {
+pub(crate) fn line<S: Simd, const V: usize>(simd: S, sum: &[S::f32s; V]) -> [f32; TALL] {
     let mut line = [0.0; TALL];
     *registers_mut::<S, V>(simd, &mut line) = *sum;
     line

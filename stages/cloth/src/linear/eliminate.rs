@@ -3,24 +3,26 @@
 //! Ng, Peyton: Block sparse Cholesky algorithms on advanced uniprocessor computers, SIAM J. Sci. Comput. 14 (1993), in
 //! its right-looking form.
 
-use super::dense::{self, Pack, TALL};
-use super::halves::Reach;
-use super::sweep;
-use super::symbolic::{Node, Run};
+use crate::linear::dense;
+use crate::linear::dense::{Pack, TALL};
+use crate::linear::separator_halves::Reach;
+use crate::linear::supernode::Node;
+use crate::linear::supernode::Run;
+use crate::linear::triangular_solve;
 use pulp::{Simd, WithSimd};
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
 /// Room to work in.
 #[derive(Default)]
-pub(super) struct Bench {
+pub(crate) struct Bench {
     pack: Pack,
     sums: Vec<f32>,
 }
 
 /// Eliminates some nodes. What runs under the widest registers of the machine is a named type, because only those are compiled for
 /// them as a whole.
-pub(super) struct Eliminate<'a> {
+pub(crate) struct Eliminate<'a> {
     pub all: &'a [Node],
     pub part: Range<usize>,
     pub values: Reach<'a>,
@@ -59,7 +61,7 @@ impl Eliminate<'_> {
                 return self.failed.store(true, Ordering::Relaxed);
             }
             // While it is near; its products are made of the pack.
-            sweep::lay_out(panel, height, width, sums);
+            triangular_solve::lay_out(panel, height, width, sums);
             let tall = height.next_multiple_of(TALL);
             if sums.len() < W * tall {
                 sums.resize(W * tall, 0.0);

@@ -4,15 +4,15 @@
 //! Large systems fall in two halves that know nothing of each other but what both take out of the nodes above. What the second one
 //! takes out is summed aside first, in the same way whether one thread does both halves or two side by side.
 
-use super::dense::TALL;
-use super::eliminate::{Bench, Eliminate};
-use super::halves::{Halves, Reach};
-use super::hessian::Pattern;
-use super::pages::Pages;
-use super::substitute::{Substitute, Way};
-use super::symbolic::{Order, Symbolic};
 use crate::Vec3;
-use crate::both::both;
+use crate::linear::dense::TALL;
+use crate::linear::eliminate::{Bench, Eliminate};
+use crate::linear::fork_join::both;
+use crate::linear::hessian::Pattern;
+use crate::linear::huge_pages::Pages;
+use crate::linear::separator_halves::{Halves, Reach};
+use crate::linear::substitute::{Substitute, Way};
+use crate::linear::symbolic::{Order, Symbolic};
 use nalgebra::Matrix3;
 use pulp::Arch;
 use std::ops::Range;

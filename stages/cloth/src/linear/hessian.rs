@@ -219,7 +219,7 @@ pub(crate) fn scattered(unknown: &[u32], part: &[Vec3], factor: f64) -> Vec<Vec3
 
 /// Couplings of a square grid: of every knot with those so many lines and columns on.
 #[cfg(test)]
-pub(super) fn grid_pairs(side: u32, reach: &[(u32, u32)]) -> Vec<[u32; 2]> {
+pub(crate) fn grid_pairs(side: u32, reach: &[(u32, u32)]) -> Vec<[u32; 2]> {
     let mut pairs = Vec::new();
     for (r, c) in (0..side).flat_map(|r| (0..side).map(move |c| (r, c))) {
         for (dr, dc) in reach {

@@ -1,12 +1,14 @@
 //! Sparse symmetric systems of 3 × 3 blocks, one per pair of neighbouring vertices, and their Cholesky factors.
 
-mod dense;
-mod dissect;
-mod eliminate;
+pub(crate) mod dense;
+pub(crate) mod eliminate;
 pub(crate) mod factor;
-mod halves;
+pub(crate) mod fork_join;
 pub(crate) mod hessian;
-mod pages;
-mod substitute;
-mod sweep;
-mod symbolic;
+pub(crate) mod huge_pages;
+pub(crate) mod nested_dissection;
+pub(crate) mod separator_halves;
+pub(crate) mod substitute;
+pub(crate) mod supernode;
+pub(crate) mod symbolic;
+pub(crate) mod triangular_solve;

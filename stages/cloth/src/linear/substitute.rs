@@ -1,14 +1,14 @@
 //! Solving with a factor: down through its nodes, and up again.
 
-use super::dense::TALL;
-use super::halves::Reach;
-use super::sweep;
-use super::symbolic::Node;
+use crate::linear::dense::TALL;
+use crate::linear::separator_halves::Reach;
+use crate::linear::supernode::Node;
+use crate::linear::triangular_solve;
 use pulp::{Simd, WithSimd};
 
 /// Which way the nodes are gone through.
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum Way {
+pub(crate) enum Way {
     /// With the lower triangle, children before parents.
     Down,
     /// With its transpose, parents before children.
@@ -16,7 +16,7 @@ pub(super) enum Way {
 }
 
 /// Some nodes, a factor, and the right-hand side.
-pub(super) struct Substitute<'a> {
+pub(crate) struct Substitute<'a> {
     pub way: Way,
     pub nodes: &'a [Node],
     pub values: &'a [f32],
@@ -45,13 +45,13 @@ impl Substitute<'_> {
         if self.way == Way::Down {
             for node in self.nodes {
                 let (l, local) = gather(node, self.values, &self.right, self.local);
-                sweep::solve_lower::<S, V>(simd, l, local, node.width());
+                triangular_solve::solve_lower::<S, V>(simd, l, local, node.width());
                 scatter(node, &mut self.right, local);
             }
         } else {
             for node in self.nodes.iter().rev() {
                 let (l, local) = gather(node, self.values, &self.right, self.local);
-                sweep::solve_upper::<S, V>(simd, l, local, node.width());
+                triangular_solve::solve_upper::<S, V>(simd, l, local, node.width());
                 self.right.at(3 * node.first as usize, node.width()).copy_from_slice(&local[..node.width()]);
             }
         }

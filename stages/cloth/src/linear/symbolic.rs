@@ -1,9 +1,10 @@
 //! The shape of a factor: order of elimination and supernodes, from `faer`'s analysis (whole numbers only, so the same
 //! on every machine).
 
-use super::dissect;
-use super::halves::Halves;
-use super::hessian::Pattern;
+use crate::linear::hessian::Pattern;
+use crate::linear::nested_dissection;
+use crate::linear::separator_halves::Halves;
+use crate::linear::supernode::{Node, Owner, Run};
 use faer::Side;
 use faer::perm::PermRef;
 use faer::sparse::SymbolicSparseColMatRef;
@@ -29,57 +30,6 @@ const LARGE: usize = 3_000;
 const MUCH: usize = 5;
 /// Couplings that are more by one part in so many are not even tried in an order.
 const FAR: usize = 2;
-
-/// Columns that share their rows; counted in vertices, each three scalars.
-#[derive(Debug)]
-pub(crate) struct Node {
-    /// Place of the first column in the order of elimination.
-    pub first: u32,
-    pub columns: u32,
-    /// Rows below the columns, ascending.
-    pub rows: Vec<u32>,
-    /// The nodes that own `rows`, which take this one's products.
-    pub owners: Vec<Owner>,
-    /// Where its values start.
-    pub start: usize,
-}
-
-/// A node in which some rows of another are columns.
-#[derive(Clone, Debug)]
-pub(crate) struct Owner {
-    pub node: u32,
-    /// Where these rows end, scalars counted from the other's first column.
-    pub to: usize,
-    /// Where they and all rows after them stand.
-    pub runs: Vec<Run>,
-}
-
-/// Scalar rows that stand side by side in a node and in the owner of one of them.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Run {
-    pub from: u32,
-    pub to: u32,
-    pub length: u32,
-}
-
-impl Node {
-    /// Scalar rows, columns included.
-    pub fn height(&self) -> usize {
-        3 * (self.columns as usize + self.rows.len())
-    }
-
-    pub fn width(&self) -> usize {
-        3 * self.columns as usize
-    }
-
-    /// Where a row of the order stands in the columns and rows.
-    fn place(&self, row: u32) -> u32 {
-        if row < self.first + self.columns {
-            return row - self.first;
-        }
-        self.columns + u32::try_from(self.rows.partition_point(|r| *r < row)).unwrap_or(u32::MAX)
-    }
-}
 
 /// Where a block of the pattern goes.
 #[derive(Clone, Copy, Debug)]
@@ -147,7 +97,7 @@ impl Symbolic {
         if pattern.unknowns() == 0 {
             return None;
         }
-        let (unknowns, place) = dissect::order(pattern)?;
+        let (unknowns, place) = nested_dissection::order(pattern)?;
         let order = Order { unknowns, place, pairs: pattern.rows.len(), length: 0 };
         let mut found = Self::in_order(pattern, order)?;
         found.order.length = found.length;

@@ -1,10 +1,10 @@
 //! Triangles side by side. What needs no table is worked out for a block of them at once, in registers as wide as the machine
 //! has; every triangle's sums are its own, so their width changes no bit.
 
-use super::{LEAST_STRETCH, MILD, Triangle, mild_angle, stress_and_energy};
 use crate::Vec3;
+use crate::energy::coupled::{LEAST_STRETCH, MILD, Triangle, mild_angle, stress_and_energy};
 use crate::energy::law::Fabric;
-use crate::energy::lock::Bias;
+use crate::energy::strain_limit::Bias;
 use pulp::{Arch, Simd, WithSimd};
 use std::array::from_fn;
 
@@ -22,7 +22,7 @@ struct Block {
     inverse: [[Row; 3]; 3],
 }
 
-pub(super) struct Lanes {
+pub(crate) struct Lanes {
     blocks: Vec<Block>,
     triangles: usize,
     arch: Arch,

@@ -1,8 +1,8 @@
-//! Second derivatives of triangles side by side, as [`super::lanes`] has their forces: what asks no table is worked out for
+//! Second derivatives of triangles side by side, as [`crate::energy::coupled::lanes`] has their forces: what asks no table is worked out for
 //! several at once, and every triangle's sums are its own, so their number changes no bit.
 
-use super::{Coupled, Triangle, pulling, tangent};
 use crate::Vec3;
+use crate::energy::coupled::{Coupled, Triangle, pulling, tangent};
 use crate::linear::hessian::Hessian;
 use nalgebra::Matrix3;
 use pulp::{Simd, WithSimd};
@@ -18,7 +18,7 @@ type Square = [[Row; 3]; 3];
 const PAIRS: [[usize; 2]; 6] = [[0, 0], [1, 0], [1, 1], [2, 0], [2, 1], [2, 2]];
 
 // A named type, because only such a one is compiled for the widest registers as a whole.
-pub(super) struct Stiff<'a> {
+pub(crate) struct Stiff<'a> {
     pub of: &'a Coupled,
     pub x: &'a [Vec3],
     /// Without what may be negative.

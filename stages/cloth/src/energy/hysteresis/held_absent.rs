@@ -8,7 +8,7 @@ use crate::Vec3;
 pub(crate) enum Hysteresis {}
 
 impl Hysteresis {
-    pub fn new(_: &crate::Scene, _: &crate::topology::Topology) -> Option<Self> {
+    pub fn new(_: &crate::Scene, _: &crate::scene::topology::Topology) -> Option<Self> {
         None
     }
 

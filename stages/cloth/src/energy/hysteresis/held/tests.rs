@@ -1,6 +1,6 @@
 //! A strip rolled onto cylinders and back: the loop is as wide as 2HB, and the forces are minus the gradient.
 
-use super::*;
+use crate::energy::hysteresis::held::*;
 use crate::{Element, Scene};
 
 const FRICTION: f64 = 2e-4;

@@ -1,0 +1,12 @@
+//! The broad phase: trees, lists and bounds that tell which primitives can be near.
+
+pub(crate) mod blocks;
+pub(crate) mod body_distance_bound;
+pub(crate) mod bvh;
+pub(crate) mod distance_grid;
+#[cfg(feature = "self-contact")]
+pub(crate) mod motion_bounds;
+pub(crate) mod packed_lists;
+pub(crate) mod proximity_list;
+#[cfg(feature = "self-contact")]
+pub(crate) mod self_search;

@@ -1,0 +1,7 @@
+//! Culling: cloth that surely does not meet itself, and body features that nothing can touch.
+
+pub(crate) mod convex_features;
+pub(crate) mod coplanar_faces;
+pub(crate) mod flat_sheet;
+#[cfg(feature = "self-contact")]
+pub(crate) mod normal_cone;

@@ -1,0 +1,22 @@
+//! Damping by the air: a pressure p = c v |v| on the cloth against the part v of its velocity across it (a plate in a
+//! stream: c = ½ ρ C_d), and a plain rate 1/s (paper equation 7).
+
+use crate::dynamics::motion::Dynamics;
+use crate::{Element, Vec3};
+use nalgebra::Matrix3;
+
+/// Damping matrix of every vertex at velocities `v`, kg/s.
+pub(crate) fn viscous(d: &Dynamics, mass: &[f64], cloth: &[Element], x: &[Vec3], v: &[Vec3]) -> Vec<Matrix3<f64>> {
+    let mut all: Vec<Matrix3<f64>> = mass.iter().map(|m| Matrix3::identity() * (m * d.damping)).collect();
+    if d.drag <= 0.0 {
+        return all;
+    }
+    for e in cloth {
+        let t = &e.vertices;
+        let Some(n) = crate::unit_normal(crate::pick3(x, t)) else { continue };
+        let speed = (t.iter().map(|i| v[*i as usize]).sum::<Vec3>() / 3.0).dot(&n).abs();
+        let share = n * n.transpose() * (d.drag * speed * e.area().abs() / 3.0);
+        t.iter().for_each(|i| all[*i as usize] += share);
+    }
+    all
+}

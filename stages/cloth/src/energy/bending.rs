@@ -1,0 +1,321 @@
+//! Bending (class 3 of the paper, its flexion springs) as the curvature of every triangle, told by the folds over its edges
+//! (docs/flexion.md): E = ½ A Σ D κ². The form is quadratic in the positions, so it cannot blow up, and needs lengths
+//! only, so it works across seams.
+
+use crate::energy::Energy;
+use crate::energy::patch::{Fold, Parts, Share, curvature, voigt};
+use crate::energy::springs::Springs;
+use crate::linear::hessian::Hessian;
+use crate::scene::bending_length;
+use crate::scene::measures::or_earth;
+use crate::scene::topology::Topology;
+use crate::{Element, Material, Scene, Vec3, power_of_two};
+use nalgebra::{Vector2, Vector3};
+
+/// A triangle and the corners across its edges.
+pub(crate) struct Patch {
+    pub vertices: [u32; 6],
+    /// E = ½ Σ |row · x|²; √N.
+    pub rows: [[f64; 6]; 3],
+}
+
+pub(crate) struct Flexion {
+    /// All patches but the slim ones.
+    springs: Springs,
+    slim: Vec<Patch>,
+    /// The slim ones as springs, for all but energy and forces.
+    slim_springs: Springs,
+    /// What stands for bending in a rough metric: springs for wide triangles, their patches for the others.
+    rough: Option<Springs>,
+    /// A power of two of the size of the rigidities, in which the patches have theirs, N·m: so that cloth twice as stiff has
+    /// the same patches.
+    size: f64,
+}
+
+/// Rigidities against (κ₀₀, κ₁₁, 2 κ₀₁), N·m: weft, warp, twist; no coupling (a Poisson ratio of 0).
+fn rigidity(m: &Material) -> Vector3<f64> {
+    Vector3::new(m.bend_weft, m.bend_warp, m.bend_twist())
+}
+
+/// How much firmer a triangle is made for its softening and for its square: measured, so that cantilevers on Delaunay meshes
+/// shaken by up to 0.3 cells meet the elastica within 1 % (docs/flexion.md).
+const FIRMER: [f64; 2] = [0.4, 2.5];
+/// Softening up to which that holds: narrow triangles beside wide ones would come out a thousand times too firm.
+const SOFTEST: f64 = 0.5;
+
+/// Least altitude of a triangle over the bending length from which springs between neighbours may stand for its bending in a
+/// metric. At 0.36 they took twice as many steps, at 0.74 as many.
+const WIDE: f64 = 0.5;
+/// One triangle in so many may be narrower: more of them beside wide ones took twice as many steps.
+const NARROW: usize = 20;
+/// Stiffness of such a spring over that of the fold.
+const SPRING: f64 = 0.5;
+/// Altitude over longest side of a triangle below which its bending is summed by itself: as springs it would be a small
+/// difference of large energies.
+const SLIM: f64 = 0.05;
+
+/// The first hinge on each side of a face: number, and which of its two faces this is.
+type Sides = [Option<(usize, usize)>; 3];
+
+fn beside(topology: &Topology) -> Vec<Sides> {
+    let mut beside = vec![[None; 3]; topology.faces.len()];
+    for (n, h) in topology.hinges.iter().enumerate() {
+        for own in 0..2 {
+            beside[h.faces[own] as usize][usize::from(h.sides[own])].get_or_insert((n, own));
+        }
+    }
+    beside
+}
+
+/// Direction of the only side without a hinge.
+fn open_side(e: &Element, sides: &Sides) -> Option<Vector2<f64>> {
+    let mut open = (0..3).filter(|k| sides[*k].is_none());
+    let k = open.next().filter(|_| open.next().is_none())?;
+    let way = Vector2::from(e.rest[(k + 1) % 3]) - Vector2::from(e.rest[k]);
+    Some(way / e.rest_length(k))
+}
+
+/// A triangle's folds, the hinges they belong to, and what they tell of its curvature.
+struct Bend {
+    folds: Vec<Fold>,
+    hinges: Vec<usize>,
+    parts: Option<Parts>,
+}
+
+impl Bend {
+    fn new(e: &Element, sides: &Sides, topology: &Topology, scene: &Scene) -> Self {
+        let folds: Vec<Fold> =
+            sides.iter().flatten().map(|(n, own)| Fold::new(&topology.hinges[*n], *own, scene)).collect();
+        let parts = curvature(&folds, open_side(e, sides));
+        Self { hinges: sides.iter().flatten().map(|s| s.0).collect(), folds, parts }
+    }
+
+    /// All three parts of a triangle inside the cloth.
+    fn whole(&self) -> Option<impl Iterator<Item = (usize, &Fold, &Vector3<f64>)>> {
+        let parts = self.parts.as_ref().filter(|_| self.folds.len() == 3)?;
+        Some(self.hinges.iter().zip(&self.folds).zip(parts).map(|((h, f), p)| (*h, f, p)))
+    }
+}
+
+/// By how much each triangle must be stiffer for its mesh to bend like the cloth.
+fn firmness(bends: &[Bend], areas: &[f64], hinges: usize) -> Vec<f64> {
+    let mut shares = vec![Share::default(); hinges];
+    for (bend, area) in bends.iter().zip(areas) {
+        bend.whole().into_iter().flatten().for_each(|(h, _, part)| shares[h].add(*area, part));
+    }
+    let of = |(bend, area): (&Bend, &f64)| {
+        let softer: f64 =
+            bend.whole().into_iter().flatten().map(|(h, f, _)| 0.5 * shares[h].softening(f.length, f.normal)).sum();
+        let softer = (softer / area).min(SOFTEST);
+        1.0 + softer * (FIRMER[0] + FIRMER[1] * softer)
+    };
+    bends.iter().zip(areas).map(of).collect()
+}
+
+impl Patch {
+    /// Of a triangle with this area, m².
+    fn new(e: &Element, bend: &Bend, area: f64, stiffness: &Vector3<f64>) -> Self {
+        let mut patch = Self::around(e, &bend.folds);
+        match &bend.parts {
+            Some(parts) => {
+                let scale = (stiffness * area).map(f64::sqrt);
+                for (fold, part) in bend.folds.iter().zip(parts) {
+                    (0..3).for_each(|row| patch.add(row, scale[row] * part[row], fold));
+                }
+            }
+            // Each fold by itself, shared with the other wing.
+            None => {
+                for (row, fold) in bend.folds.iter().enumerate() {
+                    patch.add(row, across(fold, stiffness).sqrt(), fold);
+                }
+            }
+        }
+        patch
+    }
+
+    fn around(e: &Element, folds: &[Fold]) -> Self {
+        let mut vertices = [e.vertices[0]; 6];
+        vertices[..3].copy_from_slice(&e.vertices);
+        for (slot, fold) in vertices[3..].iter_mut().zip(folds) {
+            *slot = if e.vertices.contains(&fold.vertices[2]) { fold.vertices[3] } else { fold.vertices[2] };
+        }
+        Self { vertices, rows: [[0.0; 6]; 3] }
+    }
+
+    fn add(&mut self, row: usize, factor: f64, fold: &Fold) {
+        for (v, w) in fold.vertices.iter().zip(fold.weights) {
+            if let Some(k) = self.vertices.iter().position(|p| p == v) {
+                self.rows[row][k] += factor * w;
+            }
+        }
+    }
+
+    #[inline]
+    fn bend(&self, x: &[Vec3]) -> [Vec3; 3] {
+        let mut bend = [Vec3::zeros(); 3];
+        for (k, v) in self.vertices.iter().enumerate() {
+            let p = x[*v as usize];
+            bend[0] += p * self.rows[0][k];
+            bend[1] += p * self.rows[1][k];
+            bend[2] += p * self.rows[2][k];
+        }
+        bend
+    }
+
+    #[inline]
+    fn push(&self, bend: &[Vec3; 3], f: &mut [Vec3]) {
+        for (k, v) in self.vertices.iter().enumerate() {
+            f[*v as usize] -= bend[0] * self.rows[0][k] + bend[1] * self.rows[1][k] + bend[2] * self.rows[2][k];
+        }
+    }
+
+    /// Second derivative by two of its vertices, N/m.
+    fn stiffness(&self, i: usize, j: usize) -> f64 {
+        self.rows.iter().map(|r| r[i] * r[j]).sum()
+    }
+
+    /// The same as springs between its vertices.
+    fn springs(&self) -> impl Iterator<Item = ([u32; 2], f64)> + '_ {
+        let pair = |i: usize, j: usize| ([self.vertices[i], self.vertices[j]], -self.stiffness(i, j));
+        (0..6).flat_map(move |i| (0..i).map(move |j| pair(i, j)))
+    }
+}
+
+fn half_square(bend: &[Vec3; 3]) -> f64 {
+    0.5 * (bend[0].norm_squared() + bend[1].norm_squared() + bend[2].norm_squared())
+}
+
+/// The patches of all triangles that have neighbours, by triangle, for these rigidities of each material against (κ₀₀,
+/// κ₁₁, 2 κ₀₁), N·m.
+pub(crate) fn patches(scene: &Scene, topology: &Topology, rigidities: &[Vector3<f64>]) -> Vec<(usize, Patch)> {
+    let beside = beside(topology);
+    let faces = scene.triangles.iter().zip(&beside);
+    let bends: Vec<Bend> = faces.map(|(e, sides)| Bend::new(e, sides, topology, scene)).collect();
+    let areas: Vec<f64> = scene.triangles.iter().map(|e| e.area().abs()).collect();
+    let firmness = firmness(&bends, &areas, topology.hinges.len());
+    let patch = |f: usize| {
+        let e = &scene.triangles[f];
+        let stiffness = &rigidities[e.material as usize];
+        let stands = !bends[f].folds.is_empty() && stiffness.amax() > 0.0;
+        stands.then(|| (f, Patch::new(e, &bends[f], areas[f] * firmness[f], stiffness)))
+    };
+    (0..bends.len()).filter_map(patch).collect()
+}
+
+/// `None` where most triangles are narrow. `patches` with their triangles.
+fn rough(
+    scene: &Scene,
+    topology: &Topology,
+    rigidities: &[Vector3<f64>],
+    patches: &[(usize, Patch)],
+) -> Option<Springs> {
+    let gravity = or_earth(scene.gravity.norm());
+    let length = |m: &Material| bending_length(m.bend_warp.min(m.bend_weft), m.areal_mass, gravity);
+    let lengths: Vec<f64> = scene.materials.iter().map(length).collect();
+    let wide = |f: usize| is_wide(&scene.triangles[f], lengths[scene.triangles[f].material as usize]);
+    let narrow = patches.iter().filter(|(f, _)| !wide(*f));
+    if NARROW * narrow.clone().count() >= patches.len() {
+        return None;
+    }
+    let mut springs: Vec<_> = narrow.flat_map(|(_, p)| p.springs()).collect();
+    let beside = beside(topology);
+    for (f, _) in patches.iter().filter(|(f, _)| wide(*f)) {
+        let folds = beside[*f].iter().flatten().map(|(h, own)| Fold::new(&topology.hinges[*h], *own, scene));
+        folds.for_each(|fold| stand_in(&fold, &rigidities[scene.triangles[*f].material as usize], &mut springs));
+    }
+    Some(Springs::new(scene.positions.len(), springs))
+}
+
+/// Springs from the corners of the wings to the ends of the hinge, as stiff against their going up alone.
+fn stand_in(fold: &Fold, stiffness: &Vector3<f64>, springs: &mut Vec<([u32; 2], f64)>) {
+    let k = SPRING * across(fold, stiffness);
+    for (c, w) in fold.vertices.iter().zip(fold.weights).skip(2) {
+        springs.extend(fold.vertices[..2].iter().map(|a| ([*a, *c], k * w * w)));
+    }
+}
+
+/// Is a triangle so slim that its patch is a small difference of large energies?
+fn is_slim(e: &Element) -> bool {
+    let longest = (0..3).map(|k| e.rest_length(k)).fold(0.0, f64::max);
+    e.altitude() < SLIM * longest
+}
+
+/// Is a triangle so wide that weight and stretch hold folds over it, not bending?
+fn is_wide(e: &Element, bending_length: f64) -> bool {
+    e.altitude() >= WIDE * bending_length
+}
+
+/// Stiffness of a fold by itself, in units of `rigidities`, half of it for each wing.
+fn across(fold: &Fold, stiffness: &Vector3<f64>) -> f64 {
+    let across = voigt(fold.normal, fold.normal);
+    0.5 * across.component_mul(&across).dot(stiffness) * fold.slimness
+}
+
+impl Flexion {
+    pub fn new(scene: &Scene, topology: &Topology) -> Self {
+        let mut rigidities: Vec<Vector3<f64>> = scene.materials.iter().map(rigidity).collect();
+        let size = power_of_two(rigidities.iter().map(Vector3::amax).fold(0.0, f64::max));
+        rigidities.iter_mut().for_each(|r| *r /= size);
+        let patches = patches(scene, topology, &rigidities);
+        let rough = rough(scene, topology, &rigidities, &patches);
+        let (slim, others): (Vec<_>, Vec<_>) = patches.into_iter().partition(|p| is_slim(&scene.triangles[p.0]));
+        let springs = |some: &[(usize, Patch)]| {
+            Springs::new(scene.positions.len(), some.iter().flat_map(|(_, p)| p.springs()).collect())
+        };
+        let (springs, slim_springs) = (springs(&others), springs(&slim));
+        Self { springs, slim: slim.into_iter().map(|p| p.1).collect(), slim_springs, rough, size }
+    }
+}
+
+impl Energy for Flexion {
+    fn add_forces(&self, x: &[Vec3], f: &mut [Vec3]) {
+        self.evaluate(x, f);
+    }
+
+    fn noise(&self, x: &[Vec3]) -> f64 {
+        self.springs.noise(self.size, x)
+    }
+
+    fn energy(&self, x: &[Vec3]) -> f64 {
+        let slim = self.size * self.slim.iter().map(|p| half_square(&p.bend(x))).sum::<f64>();
+        slim + self.springs.energy(self.size, x)
+    }
+
+    fn evaluate(&self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
+        let mut slim = 0.0;
+        for p in &self.slim {
+            let bend = p.bend(x);
+            slim += half_square(&bend);
+            p.push(&bend.map(|b| b * self.size), f);
+        }
+        slim * self.size + self.springs.evaluate(self.size, x, f)
+    }
+
+    fn add_stiffness(&self, _: &[Vec3], k: &mut [f64]) {
+        [&self.springs, &self.slim_springs].iter().for_each(|s| s.add_stiffness(self.size, k));
+    }
+
+    fn add_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
+        [&self.springs, &self.slim_springs].iter().for_each(|s| s.add_pairs(pairs));
+    }
+
+    fn add_hessian(&self, _: &[Vec3], _: bool, h: &mut Hessian) {
+        [&self.springs, &self.slim_springs].iter().for_each(|s| s.add_hessian(self.size, h));
+    }
+
+    fn rough(&self) -> bool {
+        self.rough.is_some()
+    }
+
+    fn add_rough_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
+        self.rough.iter().for_each(|r| r.add_pairs(pairs));
+    }
+
+    fn add_rough_hessian(&self, _: &[Vec3], _: bool, h: &mut Hessian) {
+        self.rough.iter().for_each(|r| r.add_hessian(self.size, h));
+    }
+
+    fn quadratic(&self) -> bool {
+        true
+    }
+}

@@ -1,0 +1,311 @@
+//! Triangle springs whose coefficients depend on all three elongations (docs/coupled.md; validation §5.4).
+//!
+//! Still springs: forces act along the three edges of a triangle. But each coefficient comes from the Green strain
+//! that the three lengths give together, so that any orthotropic, non-linear fabric is met exactly.
+
+pub(crate) mod lanes;
+pub(crate) mod stiff;
+
+use crate::energy::Energy;
+use crate::energy::law::Fabric;
+use crate::energy::strain_limit::Bias;
+use crate::linear::hessian::Hessian;
+use crate::{Element, Elements, Scene, Settings, Vec3};
+use lanes::Lanes;
+use nalgebra::Matrix3;
+use stiff::Stiff;
+
+/// Below this stretch the shear law is not evaluated nearer to collapse.
+const LEAST_STRETCH: f64 = 0.25;
+/// Sine of the shear angle up to which a series gives the angle, and from which it is continued in a straight line.
+const MILD: f64 = 0.3;
+const STEEP: f64 = 0.8;
+
+pub(crate) struct Triangle {
+    vertices: [u32; 3],
+    fabric: u32,
+    area: f64,
+    /// Half the squared rest length of each edge.
+    half: [f64; 3],
+    /// Green strain (E_weft, E_warp, 2 E_12) = inverse · q.
+    inverse: [[f64; 3]; 3],
+}
+
+pub(crate) struct Coupled {
+    triangles: Lanes,
+    /// As they are told: their shape gradients are worked out when asked for.
+    elements: Elements,
+    fabrics: Vec<Fabric>,
+}
+
+/// Strain state of a triangle.
+pub(crate) struct Strain {
+    /// Stretch (1 = rest) along weft and warp.
+    pub stretch: [f64; 2],
+    /// Sine of the shear angle.
+    pub sine: f64,
+    /// Green strain of the bias direction that is stretched more.
+    pub bias: f64,
+}
+
+impl Triangle {
+    fn new(e: &Element) -> Self {
+        let edge = |k: usize| {
+            let (a, b) = (e.rest[k], e.rest[(k + 1) % 3]);
+            [b[0] - a[0], b[1] - a[1]]
+        };
+        let rows = [0, 1, 2].map(|k| {
+            let [x, y] = edge(k);
+            [x * x, y * y, x * y]
+        });
+        let half = [0, 1, 2].map(|k| {
+            let [x, y] = edge(k);
+            0.5 * (x * x + y * y)
+        });
+        Self { vertices: e.vertices, fabric: e.material, area: e.area().abs(), half, inverse: inverse(&rows) }
+    }
+
+    #[inline]
+    fn edges(&self, x: &[Vec3]) -> [Vec3; 3] {
+        let [a, b, c] = crate::pick3(x, &self.vertices);
+        [b - a, c - b, a - c]
+    }
+
+    #[inline]
+    fn green(&self, e: &[Vec3; 3]) -> [f64; 3] {
+        let q0 = 0.5 * e[0].norm_squared() - self.half[0];
+        let q1 = 0.5 * e[1].norm_squared() - self.half[1];
+        let q2 = 0.5 * e[2].norm_squared() - self.half[2];
+        let row = |m: &[f64; 3]| m[0] * q0 + m[1] * q1 + m[2] * q2;
+        [row(&self.inverse[0]), row(&self.inverse[1]), row(&self.inverse[2])]
+    }
+}
+
+fn inverse(m: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
+    let a = Matrix3::from_fn(|r, c| m[r][c]);
+    // A triangle with area has independent edge directions, so the inverse exists.
+    let i = a.try_inverse().unwrap_or_else(Matrix3::zeros);
+    [0, 1, 2].map(|r| [i[(r, 0)], i[(r, 1)], i[(r, 2)]])
+}
+
+fn strain(green: &[f64; 3]) -> Strain {
+    let a = (1.0 + 2.0 * green[0]).max(0.0).sqrt();
+    let b = (1.0 + 2.0 * green[1]).max(0.0).sqrt();
+    let sine = green[2] / (a.max(LEAST_STRETCH) * b.max(LEAST_STRETCH));
+    Strain { stretch: [a, b], sine, bias: Bias::largest(*green) }
+}
+
+/// Shear angle of a small sine and its derivative.
+#[inline(always)]
+fn mild_angle(sine: f64) -> (f64, f64) {
+    let q = sine * sine;
+    let g = 1.0 + q * (1.0 / 6.0 + q * (3.0 / 40.0 + q * (15.0 / 336.0 + q * (105.0 / 3456.0 + q * 945.0 / 42240.0))));
+    (sine * g, 1.0 / (1.0 - q).sqrt())
+}
+
+/// Shear angle of a sine and its derivative; an even continuation where the cloth would lock.
+#[inline]
+fn angle(sine: f64) -> (f64, f64) {
+    let s = sine.abs();
+    if s < MILD {
+        return mild_angle(sine);
+    }
+    if s < STEEP {
+        return (libm::asin(sine), 1.0 / (1.0 - sine * sine).sqrt());
+    }
+    let slope = 1.0 / (1.0 - STEEP * STEEP).sqrt();
+    ((libm::asin(STEEP) + slope * (s - STEEP)).copysign(sine), slope)
+}
+
+/// Stress conjugate to (E_weft, E_warp, 2 E_12), N/m.
+#[inline]
+fn stress(green: &[f64; 3], fabric: &Fabric) -> [f64; 3] {
+    stress_and_energy(green, fabric).0
+}
+
+/// The same and the energy per area, J/m².
+#[inline]
+fn stress_and_energy(green: &[f64; 3], fabric: &Fabric) -> ([f64; 3], f64) {
+    let (mut stress, mut energy) = unlocked(green, fabric);
+    for p in fabric.bias.pulls(green) {
+        (0..3).for_each(|k| stress[k] += p.stress * p.by[k]);
+        energy += p.energy;
+    }
+    (stress, energy)
+}
+
+/// Without what the bias locks.
+#[inline]
+fn unlocked(green: &[f64; 3], fabric: &Fabric) -> ([f64; 3], f64) {
+    let s = strain(green);
+    let [a, b] = s.stretch;
+    let (am, bm) = (a.max(LEAST_STRETCH), b.max(LEAST_STRETCH));
+    let ((weft, e), (warp, g)) = (fabric.weft.both(a - 1.0), fabric.warp.both(b - 1.0));
+    let (gamma, slope) = angle(s.sine);
+    let energy = e + g + fabric.cross * (a - 1.0) * (b - 1.0) + 0.5 * fabric.shear * gamma * gamma;
+    let tau = fabric.shear * gamma * slope;
+    let weft = (weft + fabric.cross * (b - 1.0)) / a.max(1e-3);
+    let warp = (warp + fabric.cross * (a - 1.0)) / b.max(1e-3);
+    let lean = tau * s.sine;
+    let stress = [
+        if a > LEAST_STRETCH { weft - lean / (am * am) } else { weft },
+        if b > LEAST_STRETCH { warp - lean / (bm * bm) } else { warp },
+        tau / (am * bm),
+    ];
+    (stress, energy)
+}
+
+impl Coupled {
+    pub fn new(scene: &Scene, settings: &Settings) -> Self {
+        Self {
+            triangles: Lanes::new(&scene.triangles.iter().map(Triangle::new).collect::<Vec<_>>()),
+            elements: scene.triangles.clone(),
+            fabrics: scene.materials.iter().map(|m| Fabric::new(m, settings)).collect(),
+        }
+    }
+
+    /// All triangles with their shape gradients.
+    fn shapes(&self) -> impl Iterator<Item = (Triangle, [[f64; 2]; 3])> + '_ {
+        self.triangles.triangles().zip(self.elements.iter().map(Element::gradients))
+    }
+
+    /// Strain of every triangle.
+    pub fn strains<'a>(&'a self, x: &'a [Vec3]) -> impl Iterator<Item = Strain> + 'a {
+        self.triangles.triangles().map(|t| strain(&t.green(&t.edges(x))))
+    }
+}
+
+impl Energy for Coupled {
+    fn add_forces(&self, x: &[Vec3], f: &mut [Vec3]) {
+        self.evaluate(x, f);
+    }
+
+    fn evaluate(&self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
+        self.triangles.evaluate(&self.fabrics, x, f)
+    }
+
+    fn strain(&self, x: &[Vec3]) -> f64 {
+        self.strains(x).map(|s| s.stretch[0].max(s.stretch[1]) - 1.0).fold(f64::NEG_INFINITY, f64::max)
+    }
+
+    fn is_locking(&self, x: &[Vec3]) -> bool {
+        self.triangles.triangles().any(|t| {
+            let green = t.green(&t.edges(x));
+            self.fabrics[t.fabric as usize].is_locking(strain(&green).stretch, &green)
+        })
+    }
+
+    fn lock_over(&mut self, locking: f64) -> bool {
+        self.fabrics.iter_mut().fold(false, |any, f| f.lock_over(locking) | any)
+    }
+
+    fn energy(&self, x: &[Vec3]) -> f64 {
+        let of = |t: Triangle| t.area * stress_and_energy(&t.green(&t.edges(x)), &self.fabrics[t.fabric as usize]).1;
+        self.triangles.triangles().map(of).sum()
+    }
+
+    fn add_stiffness(&self, x: &[Vec3], k: &mut [f64]) {
+        for (t, w) in self.shapes() {
+            let fabric = &self.fabrics[t.fabric as usize];
+            let s = strain(&t.green(&t.edges(x)));
+            let weft = fabric.weft.tangent(s.stretch[0] - 1.0);
+            let warp = fabric.warp.tangent(s.stretch[1] - 1.0);
+            let (_, slope) = angle(s.sine);
+            let rate = Triangle::rate(&w, weft, warp, fabric.cross, fabric.shear * slope * slope);
+            for v in t.vertices {
+                k[v as usize] += t.area / 3.0 * rate;
+            }
+        }
+    }
+
+    fn add_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
+        self.triangles.triangles().for_each(|t| crate::energy::clique(&t.vertices, pairs));
+    }
+
+    fn add_hessian(&self, x: &[Vec3], convex: bool, h: &mut Hessian) {
+        self.triangles.arch().dispatch(Stiff { of: self, x, convex, into: h });
+    }
+}
+
+/// Stress and its derivative by (E_weft, E_warp, 2 E_12); `convex`: without the terms that can be negative.
+fn tangent(green: &[f64; 3], fabric: &Fabric, convex: bool) -> ([f64; 3], Matrix3<f64>) {
+    let s = strain(green);
+    let [a, b] = s.stretch;
+    let (am, bm) = (a.max(LEAST_STRETCH), b.max(LEAST_STRETCH));
+    let (gamma, slope) = angle(s.sine);
+    // Second derivative of the angle by its sine.
+    let bow = if s.sine.abs() < STEEP { s.sine * slope * slope * slope } else { 0.0 };
+    let tau = fabric.shear * gamma * slope;
+    let rate = fabric.shear * (slope * slope + if convex { 0.0 } else { gamma * bow });
+    let (ka, kb) = (fabric.weft.slope(a - 1.0), fabric.warp.slope(b - 1.0));
+    let (ai, bi) = (1.0 / a.max(1e-3), 1.0 / b.max(1e-3));
+    let (da, db) = (
+        if a > LEAST_STRETCH { s.sine / (am * am) } else { 0.0 },
+        if b > LEAST_STRETCH { s.sine / (bm * bm) } else { 0.0 },
+    );
+    let v = nalgebra::Vector3::new(-da, -db, 1.0 / (am * bm));
+    let mut d = v * v.transpose() * rate;
+    d[(0, 0)] += ka * ai * ai;
+    d[(1, 1)] += kb * bi * bi;
+    d[(0, 1)] += fabric.cross * ai * bi;
+    d[(1, 0)] += fabric.cross * ai * bi;
+    if !convex {
+        let (pull_a, pull_b) = (
+            fabric.weft.tension(a - 1.0) + fabric.cross * (b - 1.0),
+            fabric.warp.tension(b - 1.0) + fabric.cross * (a - 1.0),
+        );
+        d[(0, 0)] += 3.0 * tau * da * ai * ai - pull_a * ai * ai * ai;
+        d[(1, 1)] += 3.0 * tau * db * bi * bi - pull_b * bi * bi * bi;
+        let mixed = [
+            (0, 1, tau * s.sine * ai * ai * bi * bi),
+            (0, 2, -tau * ai * ai * ai * bi),
+            (1, 2, -tau * ai * bi * bi * bi),
+        ];
+        for (i, j, m) in mixed {
+            d[(i, j)] += m;
+            d[(j, i)] += m;
+        }
+    }
+    for p in fabric.bias.pulls(green) {
+        d += p.by * p.by.transpose() * if convex { p.slope } else { p.slope + p.turning };
+    }
+    (stress(green, fabric), d)
+}
+
+/// The pulling part of a plane stress: negative principal values set to 0.
+fn pulling(s: &[f64; 3]) -> [f64; 3] {
+    let (mean, half, shear) = (0.5 * (s[0] + s[1]), 0.5 * (s[0] - s[1]), s[2]);
+    let r = (half * half + shear * shear).sqrt();
+    let (high, low) = ((mean + r).max(0.0), (mean - r).max(0.0));
+    if r <= 0.0 {
+        return [high, high, 0.0];
+    }
+    let (m, q) = (0.5 * (high + low), 0.5 * (high - low) / r);
+    [m + q * half, m - q * half, q * shear]
+}
+
+impl Triangle {
+    /// Largest eigenvalue of the triangle's stiffness over a third of its area, N/m³.
+    fn rate(w: &[[f64; 2]; 3], weft: f64, warp: f64, cross: f64, shear: f64) -> f64 {
+        let sum = |f: &dyn Fn([f64; 2]) -> f64| w.iter().map(|v| f(*v)).sum::<f64>();
+        let (uu, vv, uv) = (sum(&|g| g[0] * g[0]), sum(&|g| g[1] * g[1]), sum(&|g| g[0] * g[1]));
+        let law = Matrix3::new(weft, cross, 0.0, cross, warp, 0.0, 0.0, 0.0, shear);
+        let geometry = Matrix3::new(uu, 0.0, uv, 0.0, vv, uv, uv, uv, uu + vv);
+        largest(&(law * geometry)) * 3.0
+    }
+}
+
+/// Largest eigenvalue of a 3 × 3 product of two positive semi-definite matrices, by power iteration from above.
+fn largest(m: &Matrix3<f64>) -> f64 {
+    let mut v = nalgebra::Vector3::new(1.0, 0.9, 0.4);
+    let mut value = 0.0;
+    for _ in 0..12 {
+        let w = m * v;
+        value = w.norm();
+        if value <= 0.0 {
+            return 0.0;
+        }
+        v = w / value;
+    }
+    value * 1.02
+}

@@ -1,0 +1,179 @@
+//! Motion by the paper's central differences (equations 8–14), for comparison with the implicit steps: all steps have the
+//! length that was asked for, and one that is too long ends the run. The body stands still.
+
+use crate::dynamics::drag::viscous;
+use crate::dynamics::motion::{Dynamics, Frame, Motion, Trip};
+use crate::effects::effect;
+use crate::explicit::central_difference;
+use crate::explicit::central_difference::State;
+use crate::explicit::problem::Problem;
+use crate::explicit::report;
+use crate::{ClothError, Scene, Settings, Vec3, Watch};
+
+/// Places beyond this are no cloth any more, m.
+const LOST: f64 = 1e6;
+
+/// Moves the cloth by explicit steps; `each` is given every frame.
+///
+/// # Errors
+/// An unusable scene, a body that moves, steps that are too long, or a stop on request.
+pub(crate) fn film(
+    scene: &Scene,
+    settings: &Settings,
+    dynamics: &Dynamics,
+    motion: &Motion,
+    watch: &mut dyn Watch,
+    each: &mut dyn FnMut(&Frame<'_>),
+) -> Result<Trip, ClothError> {
+    if !motion.body.is_empty() {
+        let what = "central differences know a body at rest only".into();
+        return Err(ClothError::BadSetting { name: "integrator", what });
+    }
+    let mut walk = Walk::new(scene, settings, dynamics, motion)?;
+    walk.show(0, each);
+    for k in 1..motion.frames.max(1) {
+        walk.frame(k, watch)?;
+        walk.show(k, each);
+        if walk.trip.settled && motion.until_settled {
+            break;
+        }
+    }
+    Ok(walk.end(settings))
+}
+
+/// A penalty makes a vertex swing; its step must be shorter than 2/ω.
+fn bears(problem: &Problem, stiffness: f64, dt: f64) -> Result<(), ClothError> {
+    let lightest = problem.inverse_mass.iter().fold(0.0_f64, |a, b| a.max(*b));
+    let longest = 2.0 / (stiffness * lightest).sqrt();
+    if dt < longest {
+        return Ok(());
+    }
+    let what =
+        format!("{stiffness} N/m at the lightest vertex bears steps below {longest:.3e} s, these are {dt:.3e} s");
+    Err(ClothError::BadSetting { name: "contact_stiffness", what })
+}
+
+struct Walk<'a> {
+    scene: &'a Scene,
+    dynamics: &'a Dynamics,
+    motion: &'a Motion,
+    problem: Problem,
+    /// Velocities are those half a step before.
+    state: State,
+    /// Steps from frame to frame, and their length, s.
+    steps: f64,
+    dt: f64,
+    /// About the longest stable step at the start, s.
+    stable: f64,
+    quiet: usize,
+    trip: Trip,
+}
+
+impl<'a> Walk<'a> {
+    fn new(
+        scene: &'a Scene,
+        settings: &Settings,
+        dynamics: &'a Dynamics,
+        motion: &'a Motion,
+    ) -> Result<Self, ClothError> {
+        let frame = 1.0 / motion.fps;
+        let steps = dynamics.steps(frame);
+        let dt = frame / steps;
+        // Nothing is damped but by what was asked for, and every vertex has the inertia of its mass.
+        let damping = if dynamics.lagged { 0.0 } else { dynamics.damping };
+        let plain = Settings { damping, stiffness_damping: 0.0, even_inertia: false, ..settings.clone() };
+        let mut problem = Problem::new(scene, &plain, false)?;
+        let stable = problem.stable_step(&problem.start.clone());
+        if problem.contact.is_some() {
+            bears(&problem, plain.contact_stiffness, dt)?;
+        }
+        if problem.contact.is_some() && dt < stable {
+            // Contact is as stiff as this step bears.
+            problem = Problem::new(scene, &Settings { step_fraction: dt / stable, ..plain }, false)?;
+        }
+        let state = State::at_rest(problem.start.clone());
+        let mut walk =
+            Self { scene, dynamics, motion, problem, state, steps, dt, stable, quiet: 0, trip: Trip::default() };
+        walk.step_back();
+        Ok(walk)
+    }
+
+    /// Velocities half a step before the start.
+    fn step_back(&mut self) {
+        if !self.motion.velocities.is_empty() {
+            self.state.v.copy_from_slice(&self.motion.velocities);
+        }
+        let mut force = vec![Vec3::zeros(); self.state.x.len()];
+        self.problem.forces(&self.state.x, &mut force);
+        for ((v, f), w) in self.state.v.iter_mut().zip(&force).zip(&self.problem.inverse_mass) {
+            *v -= f * (0.5 * self.dt * w);
+        }
+    }
+
+    fn frame(&mut self, number: usize, watch: &mut dyn Watch) -> Result<(), ClothError> {
+        let before = self.state.x.clone();
+        for _ in 0..self.steps as usize {
+            if watch.cancelled() {
+                return Err(ClothError::Cancelled { step: self.trip.steps });
+            }
+            self.brake();
+            central_difference::step(&mut self.problem, &mut self.state, self.dt);
+            self.trip.steps += 1;
+            self.check()?;
+        }
+        let (frames, fps) = (self.motion.frames, self.motion.fps);
+        watch.progress(self.trip.steps, &format!("frame {number} of {frames}"));
+        self.trip.speed = crate::farthest(&before, &self.state.x) * fps;
+        self.quiet = if self.trip.speed <= self.dynamics.rest_speed { self.quiet + 1 } else { 0 };
+        self.trip.settled = self.quiet >= crate::dynamics::run::QUIET;
+        Ok(())
+    }
+
+    fn check(&self) -> Result<(), ClothError> {
+        if self.state.x.iter().all(|p| p.amax() < LOST) {
+            return Ok(());
+        }
+        let (dt, stable) = (self.dt, self.stable);
+        let what = format!("steps of {dt:.3e} s are too long for this cloth, which bears about {stable:.3e} s");
+        Err(ClothError::Unstable { step: self.trip.steps, what })
+    }
+
+    /// The air, and damping that lags, act against the velocity of half a step before.
+    fn brake(&mut self) {
+        let damping = if self.dynamics.lagged { self.dynamics.damping } else { 0.0 };
+        if self.dynamics.drag <= 0.0 && damping <= 0.0 {
+            return;
+        }
+        let air = Dynamics { damping, ..*self.dynamics };
+        let State { x, v, .. } = &mut self.state;
+        let against = viscous(&air, &self.problem.mass, &self.scene.triangles, x, v);
+        for ((v, c), w) in v.iter_mut().zip(&against).zip(&self.problem.inverse_mass) {
+            *v -= c * *v * (self.dt * w);
+        }
+    }
+
+    fn show(&mut self, number: usize, each: &mut dyn FnMut(&Frame<'_>)) {
+        self.trip.frames = number + 1;
+        each(&Frame {
+            number,
+            seconds: number as f64 / self.motion.fps,
+            positions: &self.state.x,
+            velocities: &self.state.v,
+            body: self.scene.body.as_ref().map_or(&[], |b| &b.positions),
+            kinetic: self.problem.kinetic(&self.state.v),
+            potential: self.problem.potential(&self.state.x),
+        });
+    }
+
+    fn end(mut self, settings: &Settings) -> Trip {
+        self.trip.effects = report::effects(&self.problem, self.scene, settings);
+        self.trip.effects.push(effect(
+            "inertia",
+            true,
+            "the cloth moves in time".into(),
+            format!("{} explicit steps of {:.3e} s, stable about {:.3e} s", self.trip.steps, self.dt, self.stable),
+        ));
+        self.trip.effects.push(crate::dynamics::figures::air(self.dynamics));
+        self.trip
+    }
+}

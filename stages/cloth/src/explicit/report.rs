@@ -1,0 +1,134 @@
+//! What the run tells: balance of forces, and which effects were on, by which rule and on what evidence.
+
+use crate::effects::{effect, switched};
+use crate::energy::hysteresis;
+use crate::explicit::problem::Problem;
+use crate::scene::measures::mean_weight;
+use crate::{Curve, EffectReport, Reaction, Scene, Settings, Vec3};
+
+/// Forces at rest.
+pub(crate) struct Balance {
+    pub residual_rel: f64,
+    pub reactions: Vec<Reaction>,
+}
+
+/// Net forces at `x`, at rest: what the elastic forces, the weight and all constraints (contact, friction, joined
+/// pairs, elongation limit) leave over to set a free vertex moving.
+pub(crate) fn balance(problem: &mut Problem, x: &[Vec3], gravity: f64, dt: f64) -> Balance {
+    let n = x.len();
+    let mut f = vec![Vec3::zeros(); n];
+    problem.forces(x, &mut f);
+    let reactions = problem.pins().iter().map(|(i, _)| Reaction { vertex: *i, force: -f[*i as usize] }).collect();
+    let mut v: Vec<Vec3> = f.iter().zip(&problem.inverse_mass).map(|(f, w)| f * (dt * w)).collect();
+    problem.constrain_velocities(&mut v, x, dt);
+    let mut next: Vec<Vec3> = x.iter().zip(&v).map(|(x, v)| x + v * dt).collect();
+    let inverse_mass = problem.inverse_mass.clone();
+    if let Some(limit) = &mut problem.limit {
+        limit.settle(x, &mut next, &mut v, &inverse_mass, dt);
+    }
+    let net = |i: usize| v[i].norm() / (dt * problem.inverse_mass[i]);
+    let most = (0..n).filter(|i| problem.free(*i)).map(net).fold(0.0, f64::max);
+    let weight = mean_weight(&problem.mass, gravity);
+    Balance { residual_rel: if weight > 0.0 { most / weight } else { 0.0 }, reactions }
+}
+
+pub(crate) fn effects(problem: &Problem, scene: &Scene, s: &Settings) -> Vec<EffectReport> {
+    vec![
+        self_contact(problem, s),
+        body_contact(problem, scene, s),
+        friction(problem, scene, s),
+        strain_limit(problem, scene, s),
+        bending_hysteresis(s),
+        softened(scene, s),
+        effect(
+            "even-inertia",
+            problem.evened > 0,
+            "a vertex is more than twice as stiff per mass as the median".into(),
+            format!("{} vertices got inertia (no weight)", problem.evened),
+        ),
+    ]
+}
+
+fn self_contact(problem: &Problem, s: &Settings) -> EffectReport {
+    let on = problem.contact.as_ref().is_some_and(|c| c.frame().own);
+    let evidence = match &problem.contact {
+        Some(c) if on => {
+            let t = c.tally;
+            format!(
+                "up to {} pairs near each other; distances measured {} times, lists made {} times, {} moves held back",
+                t.own_most, t.measures, t.lists, t.held_back
+            )
+        }
+        _ => "cloth may pass through cloth".into(),
+    };
+    effect("self-contact", on, switched(s.effects.self_contact, "cloth that moves freely can meet itself"), evidence)
+}
+
+fn body_contact(problem: &Problem, scene: &Scene, s: &Settings) -> EffectReport {
+    let body = problem.contact.as_ref().and_then(|c| c.body().map(|b| (c, b)));
+    let evidence = match (&body, &scene.body) {
+        (Some((c, b)), _) => format!(
+            "{} body triangles, up to {} contacts, nearest {:.3} mm, {} vertices freed at the start by up to {:.1} mm",
+            b.topology.faces.len(),
+            c.tally.body_most,
+            c.tally.body_nearest * 1e3,
+            problem.repaired.0,
+            problem.repaired.1 * 1e3
+        ),
+        (None, None) => "the scene has no body".into(),
+        (None, Some(_)) => "cloth may pass through the body".into(),
+    };
+    effect("body-contact", body.is_some(), switched(s.effects.body_contact, "the scene has a body"), evidence)
+}
+
+fn friction(problem: &Problem, scene: &Scene, s: &Settings) -> EffectReport {
+    let most = scene.materials.iter().map(|m| m.friction).fold(0.0, f64::max);
+    let slipped = problem.contact.as_ref().map_or(0, |c| c.tally.slipped);
+    let evidence = if problem.friction {
+        format!("coefficient up to {most}; {slipped} slips of a contact in a step, all other contacts stuck")
+    } else if most > 0.0 {
+        "no contact, or switched off".into()
+    } else {
+        "all coefficients are 0".into()
+    };
+    effect("friction", problem.friction, switched(s.effects.friction, "contact and a coefficient above 0"), evidence)
+}
+
+fn bending_hysteresis(s: &Settings) -> EffectReport {
+    let evidence = "not simulated by explicit steps".into();
+    effect("bending-hysteresis", false, switched(s.effects.bending_hysteresis, hysteresis::RULE), evidence)
+}
+
+fn strain_limit(problem: &Problem, scene: &Scene, s: &Settings) -> EffectReport {
+    let evidence = match &problem.limit {
+        Some(l) if l.most_watched > 0 => {
+            format!(
+                "up to {} yarn directions of triangles near their limit, {} corrections",
+                l.most_watched, l.corrected
+            )
+        }
+        Some(_) => "no triangle came near its limit".into(),
+        None if scene.materials.iter().all(|m| m.strain_limit.iter().all(|l| l.is_infinite())) => {
+            "no fabric has a limit".into()
+        }
+        None => "switched off".into(),
+    };
+    effect("strain-limit", problem.limit.is_some(), switched(s.effects.strain_limit, "a fabric has a limit"), evidence)
+}
+
+/// Stretch curves used softer than measured, and what it costs.
+fn softened(scene: &Scene, s: &Settings) -> EffectReport {
+    let steepest = |c: &Curve| c.tangent(0.0);
+    let rest = scene.materials.iter().map(|m| steepest(&m.warp).max(steepest(&m.weft))).fold(0.0, f64::max);
+    let on = rest > s.stiffness_cap;
+    let evidence = if on {
+        format!(
+            "stiffest curve starts at {rest:.0} N/m, used {:.0} N/m: a tension of 10 N/m adds {:.2} % strain",
+            s.stiffness_cap,
+            100.0 * (10.0 / s.stiffness_cap - 10.0 / rest)
+        )
+    } else {
+        format!("stiffest curve starts at {rest:.0} N/m, the cap is {:.0} N/m", s.stiffness_cap)
+    };
+    effect("softened-stretch", on, "a stretch curve is steeper than the stiffness cap".into(), evidence)
+}

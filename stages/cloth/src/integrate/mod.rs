@@ -1,3 +1,0 @@
-//! Ways to advance the problem. Each takes a [`crate::problem::Problem`] and knows no single energy or contact.
-
-pub(crate) mod central;

@@ -1,0 +1,155 @@
+//! What a descent tells.
+
+use crate::contact::barrier::Tally;
+use crate::effects::{effect, switched};
+use crate::energy::hysteresis::RULE;
+use crate::energy::strain_limit::locks_from;
+use crate::optimize::descent::Descent;
+use crate::report::cost::Work;
+use crate::scene::measures::gaps;
+use crate::{EffectReport, Material, Model, Outcome, Reaction, Scene, StopReason, Switch};
+
+/// Takes the places.
+pub(crate) fn outcome(d: &mut Descent<'_>, scene: &Scene, stop_reason: StopReason) -> Outcome {
+    let gaps = gaps(scene, &d.x);
+    let forces = d.goal.forces();
+    let reactions = d.goal.pins.iter().map(|(v, _)| Reaction { vertex: *v, force: -forces[*v as usize] }).collect();
+    Outcome {
+        steps: d.steps,
+        seconds: 0.0,
+        settled: stop_reason == StopReason::Settled,
+        stop_reason,
+        energy: d.goal.elastic(&d.x),
+        speed_max: 0.0,
+        residual_rel: d.residual,
+        seam_gap_max: gaps.first().map_or(0.0, |g| g.1),
+        open_stitches: gaps.into_iter().filter(|g| g.1 > d.settings.sewing_distance).take(20).collect(),
+        effects: effects(d, scene),
+        reactions,
+        repaired: d.repaired,
+        joined: 0,
+        positions: std::mem::take(&mut d.x),
+    }
+}
+
+pub(crate) fn effects(d: &Descent<'_>, scene: &Scene) -> Vec<EffectReport> {
+    let barrier = d.goal.barrier.as_ref();
+    let costs = barrier.map_or(d.goal.costs, |b| d.goal.costs.join(&b.tally.costs));
+    let mut list = vec![cloth(d, scene), descent(d)];
+    list.extend(d.goal.seams.is_some().then(|| {
+        effect("sewing", true, "stitches are to be closed".into(), "threads pull every stitched pair".into())
+    }));
+    list.extend([self_contact(d), body_contact(d), friction(d), strain_limit(d, scene), bending_hysteresis(d, scene)]);
+    list.extend(d.goal.pressure.as_ref().map(|p| effect("pressure", true, "a pressure is given".into(), p.words())));
+    for e in &mut list {
+        e.cpu_seconds = work(e.name).filter(|_| e.on).map_or(0.0, |w| costs.of(w));
+    }
+    list
+}
+
+fn work(name: &str) -> Option<Work> {
+    Some(match name {
+        "cloth" => Work::Cloth,
+        "descent" => Work::Descent,
+        "sewing" => Work::Sewing,
+        "self-contact" => Work::SelfContact,
+        "body-contact" => Work::BodyContact,
+        "friction" => Work::Friction,
+        "bending-hysteresis" => Work::Hysteresis,
+        "pressure" => Work::Pressure,
+        _ => return None,
+    })
+}
+
+fn cloth(d: &Descent<'_>, scene: &Scene) -> EffectReport {
+    let evidence = format!("{} triangles, forces taken {} times", scene.triangles.len(), d.goal.looks);
+    effect("cloth", true, "always: stretch, shear, bending, weight".into(), evidence)
+}
+
+fn descent(d: &Descent<'_>) -> EffectReport {
+    let evidence = format!("{} steps, {} factors of {} unknowns", d.steps, d.factors(), 3 * d.f.len());
+    effect("descent", true, "always: metric, its factor, directions".into(), evidence)
+}
+
+fn tally(d: &Descent<'_>) -> Tally {
+    d.goal.barrier.as_ref().map_or_else(Tally::default, |b| b.tally)
+}
+
+/// In how many looks at the cloth an effect did something.
+fn active(looks: u64, of: u64) -> String {
+    if looks == 0 { "never active: not needed".into() } else { format!("active in {looks} of {of} looks") }
+}
+
+fn self_contact(d: &Descent<'_>) -> EffectReport {
+    let on = d.goal.barrier.as_ref().is_some_and(|b| b.frame.own);
+    let t = tally(d);
+    let evidence = if on {
+        let (lists, limited) = (t.lists, t.limited);
+        let active = active(t.own_looks, t.looks);
+        let ahead = format!("{} blocks without a look, {} of them taken back", t.ahead, t.back);
+        format!(
+            "{active}; up to {} near pairs, lists made {lists} times, {limited} steps shortened; {ahead}",
+            t.own_most
+        )
+    } else {
+        "cloth may pass through cloth".into()
+    };
+    let rule = switched(d.settings.effects.self_contact, "cloth that moves freely can meet itself");
+    effect("self-contact", on, rule, evidence)
+}
+
+fn body_contact(d: &Descent<'_>) -> EffectReport {
+    let body = d.goal.barrier.as_ref().and_then(|b| b.body.as_ref());
+    let t = tally(d);
+    let evidence = match (body, d.settings.effects.body_contact) {
+        (Some(_), _) if t.nearest_body.is_finite() => {
+            let active = active(t.body_looks, t.looks);
+            format!("{active}; up to {} contacts, nearest {:.3} mm", t.body_most, t.nearest_body * 1e3)
+        }
+        (Some(_), _) => active(t.body_looks, t.looks),
+        (None, Switch::Off) => "cloth may pass through a body".into(),
+        (None, _) => "the scene has no body".into(),
+    };
+    let rule = switched(d.settings.effects.body_contact, "the scene has a body");
+    effect("body-contact", body.is_some(), rule, evidence)
+}
+
+fn friction(d: &Descent<'_>) -> EffectReport {
+    let evidence = match &d.goal.stick {
+        None => "no contact, or no coefficient above 0".into(),
+        Some(s) if s.most == 0 => active(0, 0),
+        Some(s) => format!("up to {} contacts rub, {} slid at the last look", s.most, s.slid),
+    };
+    let rule = switched(d.settings.effects.friction, "contact and a coefficient above 0");
+    effect("friction", d.goal.stick.is_some(), rule, evidence)
+}
+
+fn strain_limit(d: &Descent<'_>, scene: &Scene) -> EffectReport {
+    let least = scene.materials.iter().flat_map(|m| m.strain_limit).fold(f64::INFINITY, f64::min);
+    let limited = least.is_finite();
+    let on = limited && d.settings.effects.strain_limit != Switch::Off;
+    let bias = scene.materials.iter().any(|m| m.strain_limit[2].is_finite());
+    let springs = if bias && d.settings.model == Model::Springs { "; springs along edges lock on no bias" } else { "" };
+    let evidence = match (on, limited) {
+        (true, _) => {
+            let from = 1e2 * locks_from(least);
+            format!("the stretch curves lock from {from:.2} % strain, at no cost of their own{springs}")
+        }
+        (false, true) => "switched off".into(),
+        (false, false) => "no fabric has a limit".into(),
+    };
+    effect("strain-limit", on, switched(d.settings.effects.strain_limit, "a fabric has a limit"), evidence)
+}
+
+fn bending_hysteresis(d: &Descent<'_>, scene: &Scene) -> EffectReport {
+    let switch = d.settings.effects.bending_hysteresis;
+    let share = scene.materials.iter().map(Material::bend_friction_share).fold(0.0, f64::max);
+    let part = format!("HB c/B is at most {share:.2}");
+    let evidence = match (&d.goal.hysteresis, share > 0.0) {
+        (Some(h), _) => format!("{part}; {} of {} holds slid at the last look", h.slid(), h.len()),
+        (None, false) => "no fabric has friction in bending".into(),
+        (None, true) if switch == Switch::Off => "switched off".into(),
+        (None, true) => format!("{part}: the drape coefficient would change by less than a point"),
+    };
+    effect("bending-hysteresis", d.goal.hysteresis.is_some(), switched(switch, RULE), evidence)
+}

@@ -1,0 +1,174 @@
+//! The start: is it free, and if it dips into the body, can it be pushed out?
+
+use crate::collision::body::Body;
+use crate::collision::broad_phase::bvh::Aabb;
+use crate::collision::crossings::count;
+use crate::collision::crossings::pair::segment_meets;
+use crate::prepare::initial_feasibility::untangle::untangle;
+use crate::scene::topology::Topology;
+use crate::{ClothError, Place, Vec3};
+
+const ROUNDS: usize = 30;
+/// Farthest two pieces are moved apart at the start, m, and by how much further than just apart.
+const APART: f64 = 0.1;
+const CLEAR: f64 = 5e-5;
+
+/// For every vertex: is it inside the body? One winding number for each part of the cloth that is joined by edges which do
+/// not meet the body.
+pub(crate) fn inside(x: &[Vec3], faces: &[[u32; 3]], crossing: &[[u32; 2]], body: &Body) -> Vec<bool> {
+    let mut crosses = vec![false; faces.len()];
+    for p in crossing {
+        crosses[p[0] as usize] = true;
+    }
+    let apart = |e: &[u32; 2]| !meets(e.map(|v| x[v as usize]), body);
+    let links: Vec<[u32; 2]> = faces
+        .iter()
+        .zip(&crosses)
+        .flat_map(|(t, c)| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]].into_iter().filter(move |e| !c || apart(e)))
+        .collect();
+    let part = crate::scene::weld::groups(x.len(), &links);
+    // No turn need be counted for what reaches out of the body's box.
+    let reaches_out = |(p, q): (&u32, &Vec3)| (!body.may_contain(q)).then_some(*p as usize);
+    let mut known: Vec<Option<bool>> = vec![None; x.len()];
+    part.iter().zip(x).filter_map(reaches_out).for_each(|p| known[p] = Some(false));
+    part.iter().map(|p| *known[*p as usize].get_or_insert_with(|| body.contains(&x[*p as usize]))).collect()
+}
+
+/// Has a segment any point in common with the body's surface?
+fn meets([p, q]: [Vec3; 2], body: &Body) -> bool {
+    let mut any = false;
+    body.candidates(&Aabb::of_two(&p, &q), |k| any = any || segment_meets(&p, &q, &body.triangle(k)));
+    any
+}
+
+/// Moves what is inside the body out to `gap` in front of it. Returns how many vertices were moved and the largest
+/// move, m.
+pub(crate) fn free_of_body(
+    x: &mut [Vec3],
+    topology: &Topology,
+    body: &Body,
+    gap: f64,
+    share: f64,
+) -> Result<(usize, f64), ClothError> {
+    let start = x.to_vec();
+    let mut first = None;
+    for round in 0..ROUNDS {
+        let found = count::with_body(x, &topology.faces, body);
+        let within = inside(x, &topology.faces, &found.pairs, body);
+        let deep = within.iter().filter(|w| **w).count();
+        if found.count == 0 && deep == 0 {
+            let moves = x.iter().zip(&start).map(|(p, q)| (p - q).norm());
+            return Ok(moves.fold((0, 0.0), |(n, m), d| (n + usize::from(d > 0.0), f64::max(m, d))));
+        }
+        first.get_or_insert_with(|| (found.count, deep, place(x, topology, &found.pairs, &within)));
+        if round == 0 && deep as f64 > share * x.len() as f64 {
+            break;
+        }
+        let mut touched = within.clone();
+        for p in &found.pairs {
+            for v in topology.faces[p[0] as usize] {
+                touched[v as usize] = true;
+            }
+        }
+        let clearance = gap * (1.0 + 0.25 * round as f64);
+        for i in (0..x.len()).filter(|i| touched[*i]) {
+            if let Some((q, d)) = body.nearest(&x[i], 1.0).filter(|(_, d)| *d > 0.0) {
+                let out = if within[i] { (q - x[i]) / d } else { (x[i] - q) / d };
+                if within[i] || d < clearance {
+                    x[i] = q + out * clearance;
+                }
+            }
+        }
+    }
+    let (body_crossings, inside, place) = first.unwrap_or((0, 0, Place { triangle: 0, at: Vec3::zeros() }));
+    Err(ClothError::StartCrosses { self_crossings: 0, body_crossings, inside, place })
+}
+
+fn place(x: &[Vec3], topology: &Topology, pairs: &[[u32; 2]], within: &[bool]) -> Place {
+    let any = |t: &[u32; 3]| t.iter().any(|v| within[*v as usize]);
+    let triangle = pairs
+        .first()
+        .map_or_else(|| topology.faces.iter().position(any).and_then(|i| u32::try_from(i).ok()).unwrap_or(0), |p| p[0]);
+    at_triangle(x, topology, triangle)
+}
+
+/// The middle of a triangle.
+pub(crate) fn at_triangle(x: &[Vec3], topology: &Topology, triangle: u32) -> Place {
+    let t = topology.faces[triangle as usize];
+    Place { triangle, at: t.iter().map(|v| x[*v as usize]).sum::<Vec3>() / 3.0 }
+}
+
+fn normal(x: &[Vec3], t: [u32; 3]) -> Vec3 {
+    crate::unit_normal(crate::pick3(x, &t)).unwrap_or_else(Vec3::z)
+}
+
+/// From the middle of one piece to that of another, as a unit vector.
+fn apart(x: &[Vec3], part: &[u32], [a, b]: [u32; 2]) -> Option<Vec3> {
+    let middle = |which: u32| {
+        let inside = || x.iter().zip(part).filter(|(_, p)| **p == which);
+        inside().map(|(q, _)| *q).sum::<Vec3>() / inside().count() as f64
+    };
+    (middle(b) - middle(a)).try_normalize(1e-9)
+}
+
+/// Moves one piece back and the other on by half of a way.
+fn part_them(x: &mut [Vec3], part: &[u32], [a, b]: [u32; 2], way: Vec3) {
+    for (q, p) in x.iter_mut().zip(part) {
+        if *p == a {
+            *q -= way * 0.5;
+        } else if *p == b {
+            *q += way * 0.5;
+        }
+    }
+}
+
+/// Pieces that touch or cross at the start are moved apart, whole, along the line of their middles (placements often
+/// put neighbours edge to edge in one plane). A piece that crosses itself is refused, and so are pieces still crossing
+/// after [`APART`]. Returns how many vertices were moved and the largest move, m.
+pub(crate) fn free_of_itself(x: &mut [Vec3], topology: &Topology, held: &[bool]) -> Result<(usize, f64), ClothError> {
+    let start = x.to_vec();
+    if untangle(x, topology, held).is_empty() {
+        return Ok(moves(x, &start));
+    }
+    let part = topology.components(x.len());
+    let mut step = 1e-4;
+    let mut gone = 0.0;
+    let mut last = Vec::new();
+    loop {
+        let found = count::own(x, &topology.faces);
+        let Some(first) = found.pairs.first() else { break };
+        let of = |f: u32| part[topology.faces[f as usize][0] as usize];
+        let itself = found.pairs.iter().find(|p| of(p[0]) == of(p[1]));
+        if gone > APART || itself.is_some() {
+            return Err(ClothError::StartCrosses {
+                self_crossings: found.count,
+                body_crossings: 0,
+                inside: 0,
+                place: at_triangle(x, topology, itself.unwrap_or(first)[0]),
+            });
+        }
+        let mut pairs: Vec<[u32; 2]> = found.pairs.iter().map(|p| [of(p[0]), of(p[1])]).collect();
+        pairs.iter_mut().for_each(|p| p.sort_unstable());
+        pairs.sort_unstable();
+        pairs.dedup();
+        // Pieces on each other part across themselves.
+        let across = normal(x, topology.faces[first[0] as usize]);
+        last = pairs.into_iter().map(|pair| (pair, apart(x, &part, pair).unwrap_or(across))).collect();
+        last.iter().for_each(|(pair, way)| part_them(x, &part, *pair, way * step));
+        gone += step;
+        step *= 1.5;
+    }
+    // What is just apart would start with contacts of any stiffness.
+    let mut further = x.to_vec();
+    last.iter().for_each(|(pair, way)| part_them(&mut further, &part, *pair, way * CLEAR));
+    if count::own(&further, &topology.faces).count == 0 {
+        x.copy_from_slice(&further);
+    }
+    Ok(moves(x, &start))
+}
+
+/// How many vertices were moved, and the largest move, m.
+fn moves(x: &[Vec3], start: &[Vec3]) -> (usize, f64) {
+    let moves = x.iter().zip(start).map(|(p, q)| (p - q).norm());
+    moves.fold((0, 0.0), |(n, m), d| (n + usize::from(d > 0.0), f64::max(m, d)))
+}

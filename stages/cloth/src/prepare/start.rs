@@ -1,0 +1,62 @@
+//! A scene checked, and a start that is free of crossings.
+
+use crate::collision::body::Body;
+use crate::collision::self_candidates::Own;
+use crate::prepare::initial_feasibility::repair;
+use crate::report::cost::{Costs, Lap, Work};
+use crate::scene::topology::Topology;
+use crate::scene::validate;
+use crate::{ClothError, Scene, Settings, Switch, Vec3, effects};
+
+/// What every run begins with.
+pub(crate) struct Start {
+    pub topology: Topology,
+    /// Positions freed of the body and of the cloth itself, where these effects are on.
+    pub positions: Vec<Vec3>,
+    pub body: Option<Body>,
+    /// Does cloth meet cloth?
+    pub own: bool,
+    /// What finds cloth near cloth.
+    pub near: Option<Own>,
+    /// Vertices moved, and the largest move, m.
+    pub repaired: (usize, f64),
+    /// Not part of any result.
+    pub costs: Costs,
+}
+
+impl Start {
+    /// Checks and repairs.
+    pub fn new(scene: &Scene, s: &Settings) -> Result<Self, ClothError> {
+        validate::scene(scene)?;
+        validate::settings(s)?;
+        effects::check(scene, s)?;
+        let topology = Topology::of_elements(scene.positions.len(), &scene.triangles);
+        let mut positions = scene.positions.clone();
+        let (mut costs, mut lap) = (Costs::default(), Lap::start());
+        let body = if s.effects.body_contact == Switch::Off { None } else { Body::of_scene(scene) };
+        costs.spend(Work::BodyContact, &mut lap);
+        let own = s.effects.self_contact != Switch::Off;
+        let mut repaired = (0, 0.0);
+        let mut held = vec![false; positions.len()];
+        scene.pins.iter().for_each(|p| held[p.vertex as usize] = true);
+        let mut near = own.then(|| Own::new(scene, &positions, &topology)).flatten();
+        if own {
+            if !near.as_mut().is_some_and(|n| n.surely_lies_free(&positions, &topology)) {
+                repaired = repair::free_of_itself(&mut positions, &topology, &held)?;
+            }
+            costs.spend(Work::SelfContact, &mut lap);
+        }
+        if let Some(b) = &body {
+            let freed = repair::free_of_body(&mut positions, &topology, b, s.body_gap, s.repair_share)?;
+            if own && freed.0 > 0 {
+                repair::free_of_itself(&mut positions, &topology, &held)?;
+            }
+            repaired = (repaired.0.max(freed.0), f64::max(repaired.1, freed.1));
+            costs.spend(Work::BodyContact, &mut lap);
+        }
+        if near.is_some() && repaired.0 > 0 {
+            near = Own::new(scene, &positions, &topology);
+        }
+        Ok(Self { topology, positions, body, own, near, repaired, costs })
+    }
+}

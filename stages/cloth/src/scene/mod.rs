@@ -1,0 +1,253 @@
+//! What the solver is given: plain arrays.
+
+pub mod curve;
+pub(crate) mod elements;
+pub(crate) mod measures;
+pub mod settings;
+pub(crate) mod shared_body;
+pub(crate) mod topology;
+pub(crate) mod validate;
+pub mod weld;
+
+use crate::{Curve, Elements, SharedBody, Vec3};
+
+/// One triangle of cloth with its own rest shape (so sewn vertices may differ on both sides of a seam).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Element {
+    /// Indices into [`Scene::positions`].
+    pub vertices: [u32; 3],
+    /// Rest corners in the cloth's own axes: x along the weft, y along the warp, metres.
+    pub rest: [[f64; 2]; 3],
+    /// Index into [`Scene::materials`].
+    pub material: u32,
+}
+
+impl Element {
+    /// Signed rest area, m².
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        let [a, b, c] = self.rest;
+        0.5 * ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]))
+    }
+
+    /// Gradients of the three shape functions in the cloth's axes, 1/m.
+    #[must_use]
+    pub fn gradients(&self) -> [[f64; 2]; 3] {
+        let double = 2.0 * self.area();
+        [0, 1, 2].map(|k| {
+            let (a, b) = (self.rest[(k + 1) % 3], self.rest[(k + 2) % 3]);
+            [(a[1] - b[1]) / double, (b[0] - a[0]) / double]
+        })
+    }
+
+    /// Rest length of edge `k` (from corner `k` to the next), m.
+    #[must_use]
+    pub fn rest_length(&self, k: usize) -> f64 {
+        let (a, b) = (self.rest[k % 3], self.rest[(k + 1) % 3]);
+        libm::hypot(b[0] - a[0], b[1] - a[1])
+    }
+
+    /// Rest angle at corner `k`, rad; below 0 where the triangle is turned over.
+    pub(crate) fn rest_angle(&self, k: usize) -> f64 {
+        let (a, b, c) = (self.rest[k], self.rest[(k + 1) % 3], self.rest[(k + 2) % 3]);
+        let (p, q) = ([b[0] - a[0], b[1] - a[1]], [c[0] - a[0], c[1] - a[1]]);
+        libm::atan2(p[0] * q[1] - p[1] * q[0], p[0] * q[0] + p[1] * q[1])
+    }
+
+    /// The same between vertices of other numbers.
+    pub(crate) fn renumbered(&self, to: impl Fn(u32) -> u32) -> Self {
+        Self { vertices: self.vertices.map(to), ..*self }
+    }
+
+    /// Longest of its rest lengths, m.
+    pub(crate) fn longest_edge(&self) -> f64 {
+        (0..3).map(|k| self.rest_length(k)).fold(0.0, f64::max)
+    }
+
+    /// Least altitude of the rest shape, m.
+    pub(crate) fn altitude(&self) -> f64 {
+        2.0 * self.area().abs() / self.longest_edge()
+    }
+}
+
+/// A fabric as the solver needs it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    /// kg/m².
+    pub areal_mass: f64,
+    /// m.
+    pub thickness: f64,
+    /// Coulomb coefficient, on the body and on itself.
+    pub friction: f64,
+    /// Tension along the warp.
+    pub warp: Curve,
+    /// Tension along the weft.
+    pub weft: Curve,
+    /// Shear stiffness G, N/m per radian.
+    pub shear: f64,
+    /// Coupling of warp and weft: tension in one direction per strain in the other, as a fraction of the softer
+    /// stiffness at rest; 0 ≤ poisson < 1.
+    pub poisson: f64,
+    /// Bending rigidity along the warp, N·m.
+    pub bend_warp: f64,
+    /// Bending rigidity along the weft, N·m.
+    pub bend_weft: f64,
+    /// Bending rigidity at 45°, N·m; `None`: the orthotropic estimate from warp and weft.
+    pub bend_bias: Option<f64>,
+    /// Friction HB against bending, as a moment per width, N: half of the hysteresis 2HB; 0 for none.
+    pub bend_friction: f64,
+    /// Constants, N/m, of the bare springs of `Model::Springs` on edges within 22.5° of a yarn and on all others, in place of those
+    /// that the laws give.
+    pub springs: Option<[f64; 2]>,
+    /// Largest strain allowed along [warp, weft, both bias directions]; infinite for none.
+    pub strain_limit: [f64; 3],
+}
+
+/// Gravity under which bending lengths are told, m/s².
+pub const EARTH: f64 = 9.81;
+/// Least flexibility in twist over that of the mean of warp and weft: a measured bias strip may be stiffer than any plate.
+const STIFFEST_TWIST: f64 = 0.5;
+
+/// Peirce's bending length of a rigidity (N·m) under an areal mass (kg/m²) and gravity (m/s²), m: (B/(σ g))^⅓.
+#[must_use]
+pub fn bending_length(bending: f64, areal_mass: f64, gravity: f64) -> f64 {
+    libm::cbrt(bending / (areal_mass * gravity))
+}
+
+impl Material {
+    /// Linear, isotropic in the plane: Young modulus per width `young` (N/m), Poisson ratio, bending rigidity (N·m).
+    #[must_use]
+    pub fn isotropic(areal_mass: f64, young: f64, poisson: f64, bending: f64) -> Self {
+        let k = young / (1.0 - poisson * poisson);
+        Self {
+            areal_mass,
+            thickness: 5e-4,
+            friction: 0.3,
+            warp: Curve::Linear { stiffness: k },
+            weft: Curve::Linear { stiffness: k },
+            shear: young / (2.0 * (1.0 + poisson)),
+            poisson,
+            bend_warp: bending,
+            bend_weft: bending,
+            bend_bias: None,
+            bend_friction: 0.0,
+            springs: None,
+            strain_limit: [f64::INFINITY; 3],
+        }
+    }
+
+    /// Rigidity against twist D₆₆, N·m: the one with which a strip cut on the bias shows its measured rigidity; without
+    /// that, Huber's √(B₁ B₂)/2 (docs/flexion.md).
+    #[must_use]
+    pub fn bend_twist(&self) -> f64 {
+        let mean = (self.bend_warp * self.bend_weft).sqrt();
+        match self.bend_bias {
+            Some(bias) if mean > 0.0 && bias > 0.0 => {
+                let soft = 4.0 / bias - 1.0 / self.bend_warp - 1.0 / self.bend_weft;
+                1.0 / soft.max(STIFFEST_TWIST / mean)
+            }
+            _ => 0.5 * mean,
+        }
+    }
+
+    /// Bending rigidity of a strip cut at 45°, N·m: 4/(1/B₁ + 1/B₂ + 1/D₆₆), the strip being free to twist.
+    #[must_use]
+    pub fn bend_at_45(&self) -> f64 {
+        let twist = self.bend_twist();
+        if twist > 0.0 { 4.0 / (1.0 / self.bend_warp + 1.0 / self.bend_weft + 1.0 / twist) } else { 0.0 }
+    }
+
+    /// Bending length of the softer direction, m.
+    #[must_use]
+    pub fn bending_length(&self) -> f64 {
+        bending_length(self.bend_warp.min(self.bend_weft), self.areal_mass, EARTH)
+    }
+
+    /// How much of the moment in a fold of the size of the bending length is friction, HB c/B; 0 for cloth that does not
+    /// resist bending.
+    #[must_use]
+    pub fn bend_friction_share(&self) -> f64 {
+        let least = self.bend_warp.min(self.bend_weft);
+        if least > 0.0 { self.bend_friction / least * self.bending_length() } else { 0.0 }
+    }
+
+    /// The same cloth without bending stiffness, for tests in which it stays flat.
+    #[must_use]
+    pub fn limp(self) -> Self {
+        Self { bend_warp: 0.0, bend_weft: 0.0, bend_bias: None, bend_friction: 0.0, ..self }
+    }
+}
+
+/// A vertex held at a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Pin {
+    /// Vertex.
+    pub vertex: u32,
+    /// Where it is held, m. A vertex that starts elsewhere is led there as fast as contact allows.
+    pub at: Vec3,
+}
+
+/// A dead load on a vertex.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Load {
+    /// Vertex.
+    pub vertex: u32,
+    /// N.
+    pub force: Vec3,
+}
+
+/// What the cloth meets: a triangle mesh at rest. Orientation does not matter; closed meshes have an inside.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BodyMesh {
+    /// m.
+    pub positions: Vec<Vec3>,
+    /// Triangles.
+    pub triangles: Vec<[u32; 3]>,
+}
+
+/// A whole scene.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Scene {
+    /// Start positions, m.
+    pub positions: Vec<Vec3>,
+    /// Cloth triangles.
+    pub triangles: Elements,
+    /// Fabrics.
+    pub materials: Vec<Material>,
+    /// Held vertices.
+    pub pins: Vec<Pin>,
+    /// Dead loads.
+    pub loads: Vec<Load>,
+    /// Vertex pairs to be sewn together (seams, darts, pleats).
+    pub stitches: Vec<[u32; 2]>,
+    /// The body, if any.
+    pub body: Option<SharedBody>,
+    /// m/s².
+    pub gravity: Vec3,
+    /// Layer of every vertex (0 next to the body, 1 over it …); may be empty. Order is kept by the contact itself;
+    /// the number only says how many thicknesses further from the body the vertex is held.
+    pub layers: Vec<i32>,
+}
+
+impl Scene {
+    /// A scene of the vertices `kept` alone, of which `number` gives the new numbers (others `u32::MAX`), with its own
+    /// triangles. What hangs on other vertices is left out.
+    pub(crate) fn part(&self, kept: &[u32], number: &[u32], triangles: Elements) -> Self {
+        let to = |v: u32| number[v as usize];
+        let stays = |v: u32| to(v) != u32::MAX;
+        let pins = self.pins.iter().filter(|p| stays(p.vertex)).map(|p| Pin { vertex: to(p.vertex), ..*p });
+        let loads = self.loads.iter().filter(|l| stays(l.vertex)).map(|l| Load { vertex: to(l.vertex), ..*l });
+        let layer = |v: &u32| self.layers.get(*v as usize).copied();
+        Self {
+            positions: kept.iter().map(|v| self.positions[*v as usize]).collect(),
+            triangles,
+            materials: self.materials.clone(),
+            pins: pins.collect(),
+            loads: loads.collect(),
+            stitches: self.stitches.iter().filter(|s| s.iter().all(|v| stays(*v))).map(|s| s.map(to)).collect(),
+            body: self.body.clone(),
+            gravity: self.gravity,
+            layers: kept.iter().filter_map(layer).collect(),
+        }
+    }
+}

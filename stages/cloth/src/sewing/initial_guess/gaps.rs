@@ -1,0 +1,88 @@
+//! Which bends bring pieces nearest to what they are sewn to, whatever else may be in the way.
+
+use crate::Vec3;
+use crate::sewing::initial_guess::piece::{Bend, Piece};
+
+/// Bends about a line that are tried to each side at first.
+const EACH: i32 = 6;
+/// Rounds in which the pieces are then bent to each other, and the parts of the most that each is bent more or less.
+const ROUNDS: usize = 2;
+const PARTS: [f64; 10] = [-0.16, -0.08, -0.04, -0.016, -0.008, 0.008, 0.016, 0.04, 0.08, 0.16];
+
+/// An end of a thread: on a piece, where it lies flat, or where it stays.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum End {
+    On(usize, Vec3),
+    Still(Vec3),
+}
+
+/// Pieces, how each is bent, and the threads between them.
+#[derive(Debug)]
+pub(crate) struct Laid {
+    pub pieces: Vec<Piece>,
+    pub bends: Vec<Bend>,
+    threads: Vec<[End; 2]>,
+}
+
+/// What an end of a piece is sewn to while only that piece bends.
+enum Other {
+    Same(Vec3),
+    Still(Vec3),
+}
+
+impl Laid {
+    /// All flat.
+    pub fn new(pieces: Vec<Piece>, threads: Vec<[End; 2]>) -> Self {
+        Self { bends: vec![Bend::default(); pieces.len()], pieces, threads }
+    }
+
+    /// Bends those for which that leaves less open, by the sum of the squares of the gaps.
+    pub fn close(&mut self) {
+        for k in 0..self.pieces.len() {
+            self.bend(k, self.pieces[k].bends(EACH));
+        }
+        for _ in 0..ROUNDS {
+            for k in 0..self.pieces.len() {
+                self.bend(k, self.pieces[k].near(self.bends[k], &PARTS));
+            }
+        }
+    }
+
+    fn place(&self, end: &End) -> Vec3 {
+        match end {
+            End::On(k, p) => self.pieces[*k].place(p, self.bends[*k]),
+            End::Still(p) => *p,
+        }
+    }
+
+    /// Bends one piece as leaves least open, if it is less than now.
+    fn bend(&mut self, k: usize, tried: Vec<Bend>) {
+        let (piece, pairs) = (&self.pieces[k], self.pairs(k));
+        let gap = |(p, other): &(Vec3, Other), bend: Bend| {
+            let to = match other {
+                Other::Same(q) => piece.place(q, bend),
+                Other::Still(q) => *q,
+            };
+            (piece.place(p, bend) - to).norm_squared()
+        };
+        let open = |bend: Bend| pairs.iter().map(|pair| gap(pair, bend)).sum::<f64>();
+        let mut best = (open(self.bends[k]), self.bends[k]);
+        for bend in tried {
+            let left = open(bend);
+            if left < best.0 {
+                best = (left, bend);
+            }
+        }
+        self.bends[k] = best.1;
+    }
+
+    /// Ends on a piece, and what they are sewn to.
+    fn pairs(&self, k: usize) -> Vec<(Vec3, Other)> {
+        let pair = |ends: &[End; 2]| match ends {
+            [End::On(i, p), End::On(j, q)] if *i == k && *j == k => Some((*p, Other::Same(*q))),
+            [End::On(i, p), other] | [other, End::On(i, p)] if *i == k => Some((*p, Other::Still(self.place(other)))),
+            _ => None,
+        };
+        self.threads.iter().filter_map(pair).collect()
+    }
+}

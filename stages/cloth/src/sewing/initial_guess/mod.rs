@@ -1,0 +1,194 @@
+//! Flat pieces are bent round what they will be sewn to, as hands lay a pattern round a form, before threads pull them there:
+//! the way there from a plane on each side of a body takes sewing a quarter of its steps (docs/static.md, Laying).
+
+pub(crate) mod gaps;
+pub(crate) mod piece;
+
+use crate::optimize::descent::Descent;
+use crate::scene::topology::components;
+use crate::{Element, Scene, Vec3};
+use gaps::{End, Laid};
+use piece::Piece;
+
+/// Steps in which pieces are bent.
+const STEPS: u32 = 8;
+
+/// Triangles of one piece, and its vertices.
+#[derive(Default)]
+struct Part<'a> {
+    vertices: Vec<u32>,
+    triangles: Vec<&'a Element>,
+}
+
+/// What hangs together, by the number of its first vertex; others are empty.
+fn parts(scene: &Scene) -> Vec<Part<'_>> {
+    let n = scene.positions.len();
+    let part = components(n, scene.triangles.iter().map(|t| &t.vertices));
+    let mut parts: Vec<Part<'_>> = (0..n).map(|_| Part::default()).collect();
+    for (v, p) in (0u32..).zip(&part) {
+        parts[*p as usize].vertices.push(v);
+    }
+    for t in scene.triangles.iter() {
+        parts[part[t.vertices[0] as usize] as usize].triangles.push(t);
+    }
+    parts
+}
+
+impl Descent<'_> {
+    /// Bends flat pieces towards where their threads lead, as far as nothing is in the way and the threads win more than it costs.
+    pub(crate) fn lay(&mut self, scene: &Scene) {
+        let Some(mut laid) = self.flat(scene) else { return };
+        laid.close();
+        let mut goes: Vec<usize> = (0..laid.pieces.len()).filter(|k| !laid.bends[*k].is_none()).collect();
+        for step in 1..=STEPS {
+            if goes.is_empty() {
+                break;
+            }
+            let part = f64::from(step) / f64::from(STEPS);
+            // One by one where together something is in the way.
+            if !self.bends(&laid, &goes, part) {
+                goes.retain(|k| self.bends(&laid, &[*k], part));
+            }
+        }
+    }
+
+    /// Pieces that are flat and held nowhere, and all threads.
+    fn flat(&self, scene: &Scene) -> Option<Laid> {
+        let threads = self.goal.seams.as_ref()?;
+        let (mut pieces, mut on, mut held) = (Vec::new(), vec![None; self.x.len()], vec![false; self.x.len()]);
+        self.goal.pins.iter().for_each(|(v, _)| held[*v as usize] = true);
+        for Part { vertices, triangles } in parts(scene) {
+            if triangles.is_empty() || vertices.iter().any(|v| held[*v as usize]) {
+                continue;
+            }
+            if let Some(piece) = Piece::new(vertices, triangles.into_iter(), &self.x) {
+                piece.vertices.iter().for_each(|v| on[*v as usize] = Some(pieces.len()));
+                pieces.push(piece);
+            }
+        }
+        let end = |v: u32| {
+            let at = self.x[v as usize];
+            on[v as usize].map_or(End::Still(at), |k| End::On(k, at))
+        };
+        Some(Laid::new(pieces, threads.ends(end, End::Still)))
+    }
+
+    /// Bends these pieces by so much of what they will be, if on the straight way nothing is in the way and energy is won.
+    fn bends(&mut self, laid: &Laid, these: &[usize], part: f64) -> bool {
+        let mut to = self.x.clone();
+        these.iter().for_each(|k| laid.pieces[*k].put(laid.bends[*k].part(part), &mut to));
+        let whole: Vec<Vec3> = to.iter().zip(&self.x).map(|(p, q)| p - q).collect();
+        let mut step = whole.clone();
+        self.limit(&mut step);
+        if step != whole {
+            return false;
+        }
+        let (from, energy) = (std::mem::replace(&mut self.x, to), self.energy);
+        self.evaluate();
+        // Also where it is no number.
+        let wins = self.energy < energy;
+        if wins {
+            self.goal.barrier.iter_mut().for_each(|b| b.took(&self.x));
+        } else {
+            self.x = from;
+            self.evaluate();
+        }
+        wins
+    }
+}
+
+#[cfg(all(test, feature = "self-contact"))]
+#[allow(clippy::unwrap_used)]
+mod tests {
+    use super::*;
+    use crate::collision::crossings::count;
+    use crate::optimize::test_sheets;
+    use crate::{BodyMesh, Material, Pin, Settings};
+
+    const SIDE: u32 = 12;
+    const WIDE: f64 = 0.5;
+    const APART: f64 = 0.4;
+    /// Vertices of one sheet.
+    const EACH: u32 = (SIDE + 1) * (SIDE + 1);
+
+    /// Two flat squares above each other, sewn at both sides.
+    fn two() -> Scene {
+        let mut scene = Scene { materials: vec![Material::isotropic(0.15, 500.0, 0.0, 1e-5)], ..Scene::default() };
+        for y in [0.5 * APART, -0.5 * APART] {
+            test_sheets::add(&mut scene, SIDE, WIDE, y, |_, _| false);
+        }
+        let sides = (0..=SIDE).flat_map(|j| [0, SIDE].map(|i| j * (SIDE + 1) + i));
+        scene.stitches = sides.map(|v| [v, v + EACH]).collect();
+        scene
+    }
+
+    /// A box from `low` to `high`.
+    fn block(low: Vec3, high: Vec3) -> BodyMesh {
+        let corner = |k: usize| Vec3::from_fn(|axis, _| if k >> axis & 1 == 0 { low[axis] } else { high[axis] });
+        let sides = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];
+        let triangles = sides.iter().flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]]).collect();
+        BodyMesh { positions: (0..8).map(corner).collect(), triangles }
+    }
+
+    /// Laid as sewing lays it: the places, and the root mean square of the gaps before and after, m.
+    fn laid(scene: &Scene) -> (Vec<Vec3>, [f64; 2]) {
+        let settings = Settings::sewing();
+        let mut d = Descent::begin(scene, &settings, true).unwrap();
+        let gap = |x: &[Vec3]| {
+            let all = scene.stitches.iter().map(|[a, b]| (x[*a as usize] - x[*b as usize]).norm_squared());
+            (all.sum::<f64>() / scene.stitches.len() as f64).sqrt()
+        };
+        let before = gap(&d.x);
+        let threads = d.goal.seams.as_mut().unwrap();
+        (threads.force, threads.reach) = (1.0, 0.01);
+        d.start_anew();
+        d.lay(scene);
+        let after = gap(&d.x);
+        (d.x, [before, after])
+    }
+
+    fn crossings(scene: &Scene, x: &[Vec3]) -> usize {
+        let faces: Vec<[u32; 3]> = scene.triangles.iter().map(|t| t.vertices).collect();
+        let body = crate::collision::body::Body::of_scene(scene);
+        count::own(x, &faces).count + body.map_or(0, |b| count::with_body(x, &faces, &b).count)
+    }
+
+    #[test]
+    fn two_flat_pieces_come_together_round_what_is_between_them() {
+        let mut scene = two();
+        scene.body = Some(block(Vec3::new(-0.1, -0.1, -0.3), Vec3::new(0.1, 0.1, 0.3)).into());
+        let (x, [before, after]) = laid(&scene);
+        assert!((before - APART).abs() < 1e-9 && after < 0.25 * before, "{before} {after}");
+        assert_eq!(crossings(&scene, &x), 0);
+        // One bends as the other does, and neither is drawn out.
+        let (upper, lower) = x.split_at(EACH as usize);
+        assert!(upper.iter().zip(lower).all(|(p, q)| (p.x - q.x).abs() < 0.02 && p.y > q.y));
+        for t in scene.triangles.iter() {
+            let [a, b, c] = crate::pick3(&x, &t.vertices);
+            for (k, (p, q)) in [(a, b), (b, c), (c, a)].into_iter().enumerate() {
+                assert!(((p - q).norm() / t.rest_length(k) - 1.0).abs() < 0.01);
+            }
+        }
+    }
+
+    #[test]
+    fn what_is_in_the_way_stops_them() {
+        let free = laid(&two()).1[1];
+        let mut scene = two();
+        // A wall beside the body, where one side of the pieces would come down.
+        scene.body = Some(block(Vec3::new(0.15, -0.12, -0.3), Vec3::new(0.26, 0.12, 0.3)).into());
+        let (x, [before, after]) = laid(&scene);
+        assert_eq!(crossings(&scene, &x), 0);
+        assert!(after < before && after > 1.5 * free, "{before} {after} {free}");
+    }
+
+    #[test]
+    fn what_is_held_or_lies_in_folds_stays_as_it_is() {
+        let mut scene = two();
+        scene.pins = [0, EACH].map(|v| Pin { vertex: v, at: scene.positions[v as usize] }).to_vec();
+        assert_eq!(laid(&scene).0, scene.positions);
+        let mut scene = two();
+        scene.positions.iter_mut().for_each(|p| p.y += 0.01 * libm::sin(20.0 * p.x));
+        assert_eq!(laid(&scene).0, scene.positions);
+    }
+}

@@ -1,0 +1,7 @@
+//! Sewing by the equilibrium solver: initial guess, stitch penalty with force continuation, and settling.
+
+pub(crate) mod closing;
+pub(crate) mod initial_guess;
+pub(crate) mod multilevel;
+
+pub(crate) use multilevel::sew;
