@@ -19,6 +19,7 @@ mod dynamics;
 mod effects;
 mod energy;
 pub mod error;
+pub mod experiment;
 mod explicit;
 mod hierarchy;
 #[doc(hidden)]
@@ -30,6 +31,7 @@ mod report;
 pub mod scene;
 mod sewing;
 mod solve;
+mod tuning;
 
 pub use certificate::{Figures, certify};
 pub use dynamics::{Dynamics, Frame, Motion, Trip};

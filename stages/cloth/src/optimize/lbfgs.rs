@@ -1,10 +1,8 @@
 //! Limited-memory BFGS around a given metric (Nocedal and Wright, Numerical Optimization, algorithm 7.4).
 
 use crate::Vec3;
+use crate::optimize::tuning::LBFGS_PAIRS;
 use std::collections::VecDeque;
-
-/// Pairs kept.
-const MOST: usize = 6;
 
 #[derive(Default)]
 pub(crate) struct Memory {
@@ -24,7 +22,7 @@ impl Memory {
     pub fn push(&mut self, s: Vec<Vec3>, y: Vec<Vec3>) {
         let sy = dot(&s, &y);
         if sy > 1e-14 * (dot(&s, &s) * dot(&y, &y)).sqrt() && sy > 0.0 {
-            if self.pairs.len() == MOST {
+            if self.pairs.len() == LBFGS_PAIRS.get() {
                 self.pairs.pop_front();
             }
             self.pairs.push_back((s, y, 1.0 / sy));

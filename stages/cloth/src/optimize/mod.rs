@@ -15,6 +15,7 @@ pub(crate) mod speculative_steps;
 pub(crate) mod strain_limit_homotopy;
 #[cfg(test)]
 pub(crate) mod test_sheets;
+pub(crate) mod tuning;
 
 pub(crate) use drape::drape;
 pub(crate) use report::effects;
