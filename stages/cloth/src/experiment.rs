@@ -12,8 +12,9 @@
 
 use crate::tuning::{Mechanism, Number};
 
-const NUMBERS: &[&[&dyn Number]] = &[crate::optimize::tuning::NUMBERS];
-const MECHANISMS: &[&[&Mechanism]] = &[crate::optimize::tuning::MECHANISMS];
+const NUMBERS: &[&[&dyn Number]] =
+    &[crate::optimize::tuning::NUMBERS, crate::sewing::tuning::NUMBERS, crate::dynamics::tuning::NUMBERS];
+const MECHANISMS: &[&[&Mechanism]] = &[crate::optimize::tuning::MECHANISMS, crate::sewing::tuning::MECHANISMS];
 
 fn numbers() -> impl Iterator<Item = &'static dyn Number> {
     NUMBERS.iter().flat_map(|room| room.iter().copied())

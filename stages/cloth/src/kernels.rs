@@ -2,6 +2,7 @@
 
 use crate::linear::hessian::Pattern;
 use crate::optimize::descent::Descent;
+use crate::optimize::task::Task;
 use crate::{ClothError, Scene, Settings};
 use nalgebra::Matrix3;
 
@@ -12,49 +13,52 @@ pub struct Kernels<'a> {
 }
 
 impl<'a> Kernels<'a> {
-    /// Of a scene.
+    /// Begins a descent at the positions of a scene.
     ///
     /// # Errors
     /// When the scene or the settings are refused.
     pub fn new(scene: &Scene, settings: &'a Settings) -> Result<Self, ClothError> {
-        let mut descent = Descent::begin(scene, settings, false)?;
+        let mut descent = Descent::begin(scene, settings, Task::Settle)?;
         let system = descent.assemble(true);
         Ok(Self { descent, system })
     }
 
-    /// Energy and forces, contact included.
+    /// Evaluates energy and forces, contact included.
     pub fn forces(&mut self) {
         self.descent.evaluate();
     }
 
-    /// The metric.
+    /// Assembles the Hessian.
     pub fn assemble(&mut self) {
         self.system = self.descent.assemble(true);
     }
 
-    /// Its factor.
+    /// Factorises it; says whether it is positive definite.
     pub fn factor(&mut self) -> bool {
         let (shift, (pattern, values)) = (self.descent.shift().collect::<Vec<_>>(), &self.system);
-        self.descent.factor.take_in(pattern, values, &shift) && self.descent.factor.eliminate()
+        self.descent.preconditioner.factor.take_in(pattern, values, &shift)
+            && self.descent.preconditioner.factor.eliminate()
     }
 
-    /// A direction from it.
+    /// Solves for a direction.
     pub fn solve(&mut self) {
         let mut d = self.descent.f.clone();
-        self.descent.factor.solve(&mut d);
+        self.descent.preconditioner.factor.solve(&mut d);
     }
 
-    /// Lists of what is near, nothing known from before.
+    /// Makes the proximity lists anew, without anything that is known from before.
     pub fn lists(&mut self) {
-        if let Some(b) = &mut self.descent.goal.barrier {
-            b.cover_anew(&self.descent.x);
+        let x = self.descent.x.clone();
+        if let Some(b) = self.descent.detection() {
+            b.cover_anew(&x);
         }
     }
 
-    /// Lists along a short step, from a wide search that still holds.
+    /// Makes the proximity lists along a short step, from a wide search that still holds.
     pub fn lists_again(&mut self) {
-        if let Some(b) = &mut self.descent.goal.barrier {
-            b.relist(&self.descent.x);
+        let x = self.descent.x.clone();
+        if let Some(b) = self.descent.detection() {
+            b.relist(&x);
         }
     }
 }

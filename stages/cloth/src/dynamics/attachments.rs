@@ -2,11 +2,9 @@
 
 use crate::collision::body::Body;
 use crate::collision::narrow_phase::distance::point_triangle;
+use crate::dynamics::tuning::ATTACHMENT_DISTANCE;
 use crate::{Motion, Vec3};
 use nalgebra::{Matrix3, Rotation3};
-
-/// Held vertices nearer than this to the body at the start hang on it, m.
-const HANGS: f64 = 0.05;
 
 /// The body's path: a pose to start from, a lead-in, frames.
 pub(crate) struct Path {
@@ -82,7 +80,7 @@ impl Hook {
             let Some(t) = body.map(|b| b.triangle(g)) else { continue };
             let w = point_triangle(&at, &t[0], &t[1], &t[2]);
             let away = at - (t[0] * w[0] + t[1] * w[1] + t[2] * w[2]);
-            if away.norm() < best.as_ref().map_or(HANGS, |b| b.0) {
+            if away.norm() < best.as_ref().map_or(ATTACHMENT_DISTANCE.get(), |b| b.0) {
                 best = Some((away.norm(), g, w, axes(&t).transpose() * away));
             }
         }

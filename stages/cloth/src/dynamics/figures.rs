@@ -13,9 +13,9 @@ pub(crate) fn kinetic(mass: &[f64], v: &[Vec3]) -> f64 {
 /// Stored in the cloth, weight and contact, J.
 pub(crate) fn potential(stepper: &mut Stepper<'_>) -> f64 {
     let d = &mut stepper.descent;
-    let mut scratch = vec![Vec3::zeros(); d.x.len()];
-    let contact = d.goal.barrier.as_mut().map_or(0.0, |b| b.evaluate(&d.x, &mut scratch));
-    contact + d.goal.energies.iter().map(|e| e.energy(&d.x)).sum::<f64>()
+    let (x, mut scratch) = (d.x.clone(), vec![Vec3::zeros(); d.x.len()]);
+    let contact = d.detection().map_or(0.0, |b| b.evaluate(&x, &mut scratch));
+    contact + d.objective().terms.cloth.iter().map(|e| e.energy(&x)).sum::<f64>()
 }
 
 /// The effects of a descent, and those of motion.

@@ -3,8 +3,7 @@
 
 use crate::Vec3;
 use crate::contact::barrier::{Barrier, Touch};
-
-const SWEEPS: usize = 4;
+use crate::dynamics::tuning::IMPACT_SWEEPS;
 
 /// Takes the separating speed out of every contact, by impulses of equal size on both sides; `body` holds the
 /// velocities of the body's vertices (empty for a body at rest), `free` the vertices that are not held.
@@ -14,7 +13,7 @@ pub(crate) fn settle(barrier: &Barrier, x: &[Vec3], v: &mut [Vec3], mass: &[f64]
         _ => Vec3::zeros(),
     };
     let others: Vec<Vec3> = barrier.touches.iter().map(place).collect();
-    for _ in 0..SWEEPS {
+    for _ in 0..IMPACT_SWEEPS.get() {
         for (t, other) in barrier.touches.iter().zip(&others) {
             stop(t, other, v, mass, free);
         }

@@ -9,6 +9,7 @@ pub(crate) mod motion;
 pub(crate) mod run;
 pub(crate) mod step;
 pub(crate) mod tr_bdf2;
+pub(crate) mod tuning;
 
 pub use motion::{Dynamics, Frame, Motion, Trip};
 pub(crate) use run::film;

@@ -6,16 +6,16 @@ use crate::dynamics::motion::{Dynamics, Frame, Motion, Trip};
 use crate::dynamics::step::Stepper;
 use crate::dynamics::tr_bdf2;
 use crate::dynamics::tr_bdf2::State;
+use crate::dynamics::tuning::BODY_STEP_EDGES;
 use crate::dynamics::{figures, impact};
 use crate::energy::inertia::Inert;
 use crate::optimize::descent::Descent;
+use crate::optimize::task::Task;
 use crate::prepare::start::Start;
 use crate::{ClothError, Scene, Settings, Vec3, Watch};
 
-/// Farthest way of the body in a step over the mean edge.
-const STRIDE: f64 = 0.5;
 /// Frames in a row without motion that count as rest.
-pub(crate) const QUIET: usize = 5;
+pub(crate) const QUIET_FRAMES: usize = 5;
 
 /// Moves the cloth in time by implicit steps; `each` is given every frame.
 ///
@@ -61,14 +61,15 @@ impl<'a> Walk<'a> {
         }
         let body = start.body.as_ref().filter(|_| path.is_some());
         let hooks = crate::scene::measures::held(scene).into_iter().map(|(v, at)| Hook::new(v, at, body)).collect();
-        // Its shift is the inertia of a time step.
-        let mut descent = Descent::new(scene, settings, start, false);
-        descent.unit = 1.0;
-        if motion.rests && descent.preload() && descent.far_from_rest() {
-            descent.unload();
+        // The shift of the regularisation is the inertia of a time step.
+        let mut descent = Descent::new(scene, settings, start, Task::Settle);
+        descent.regularization.unit = 1.0;
+        if motion.rests && descent.warm_start_contacts() && descent.is_far_from_rest() {
+            descent.drop_warm_start();
         }
-        let mut free: Vec<bool> = descent.goal.mass.iter().map(|m| *m > 0.0).collect();
-        descent.goal.pins.iter().for_each(|p| free[p.0 as usize] = false);
+        descent.preconditioner.always_convex = true;
+        let mut free: Vec<bool> = descent.objective().unknowns.mass.iter().map(|m| *m > 0.0).collect();
+        descent.objective().unknowns.pins.iter().for_each(|p| free[p.0 as usize] = false);
         let n = descent.x.len();
         let v = if motion.velocities.is_empty() { vec![Vec3::zeros(); n] } else { motion.velocities.clone() };
         let state = State { x: descent.x.clone(), v };
@@ -94,7 +95,7 @@ impl<'a> Walk<'a> {
             self.show(k, each);
             let stopped = self.path.as_ref().is_none_or(|p| frame(k) >= p.end());
             quiet = if stopped && self.trip.speed <= self.dynamics.rest_speed { quiet + 1 } else { 0 };
-            self.trip.settled = quiet >= QUIET;
+            self.trip.settled = quiet >= QUIET_FRAMES;
             if self.trip.settled && self.motion.until_settled {
                 break;
             }
@@ -118,14 +119,14 @@ impl<'a> Walk<'a> {
         Ok(())
     }
 
-    /// Steps in each of which the body comes no farther than [`STRIDE`] towards cloth that goes on as it does in the mean: what
+    /// Steps in each of which the body comes no farther than [`BODY_STEP_EDGES`] towards cloth that goes on as it does in the mean: what
     /// is hit in one step is stretched by all of that.
     fn strides(&self, from: f64, to: f64) -> f64 {
         let Some(path) = &self.path else { return 1.0 };
         let v = &self.state.v;
         let along = v.iter().sum::<Vec3>() * ((to - from) / v.len().max(1) as f64);
         let start: Vec<Vec3> = path.at(from).iter().map(|p| p + along).collect();
-        (crate::farthest(&start, &path.at(to)) / (STRIDE * self.stepper.descent.goal.edge)).ceil()
+        (crate::farthest(&start, &path.at(to)) / (BODY_STEP_EDGES.get() * self.stepper.descent.objective().edge)).ceil()
     }
 
     fn seconds(&self) -> f64 {
@@ -133,12 +134,12 @@ impl<'a> Walk<'a> {
     }
 
     fn step(&mut self, now: f64, dt: f64) -> Result<(), ClothError> {
-        let mass = self.stepper.descent.goal.mass.clone();
+        let mass = self.stepper.descent.objective().unknowns.mass.clone();
         let (scene, dynamics) = (self.scene, self.dynamics);
         let s = self.state.clone();
         let damping = |v: &[Vec3]| viscous(dynamics, &mass, &scene.triangles, &s.x, v);
         let mut force = vec![Vec3::zeros(); s.x.len()];
-        self.stepper.descent.goal.energies.iter().for_each(|e| e.add_forces(&s.x, &mut force));
+        self.stepper.descent.objective().terms.cloth.iter().for_each(|e| e.add_forces(&s.x, &mut force));
         force.iter_mut().zip(damping(&s.v)).zip(&s.v).for_each(|((f, c), v)| *f -= c * v);
         let ahead = |v: &[Vec3], old: &[Vec3], share: f64| -> Vec<Vec3> {
             v.iter().zip(old).map(|(v, o)| v + (v - o) * share).collect()
@@ -177,15 +178,15 @@ impl<'a> Walk<'a> {
         let before = self.path.as_ref().map(|p| p.at(now));
         let guess = v.iter().map(|v| v * span).collect();
         let rough = self.stepper.solve(inert, plain, guess, body.as_deref(), now)?;
-        let goal = &self.stepper.descent.goal;
+        let objective = self.stepper.descent.objective();
         let x = self.stepper.descent.x.clone();
-        let mut v = goal.inert.as_ref().map_or_else(Vec::new, |i| tr_bdf2::velocities(i, &x));
+        let mut v = objective.terms.inertia.as_ref().map_or_else(Vec::new, |i| tr_bdf2::velocities(i, &x));
         let pace: Vec<Vec3> = match (before, body) {
             (Some(a), Some(b)) => a.iter().zip(&b).map(|(a, b)| (b - a) / span).collect(),
             _ => Vec::new(),
         };
-        if let Some(barrier) = &goal.barrier {
-            impact::settle(barrier, &x, &mut v, &goal.mass, &self.free, &pace);
+        if let Some(barrier) = &objective.terms.barrier {
+            impact::settle(barrier, &x, &mut v, &objective.unknowns.mass, &self.free, &pace);
         }
         Ok((State { x, v }, rough))
     }
@@ -193,15 +194,15 @@ impl<'a> Walk<'a> {
     fn show(&mut self, number: usize, each: &mut dyn FnMut(&Frame<'_>)) {
         self.trip.frames = number + 1;
         let potential = figures::potential(&mut self.stepper);
-        let goal = &self.stepper.descent.goal;
-        let body = goal.barrier.as_ref().and_then(|b| b.body.as_ref()).map_or(&[][..], |b| &b.positions);
+        let objective = self.stepper.descent.objective();
+        let body = objective.body().map_or(&[][..], |b| &b.positions);
         each(&Frame {
             number,
             seconds: number as f64 / self.motion.fps,
             positions: &self.state.x,
             velocities: &self.state.v,
             body,
-            kinetic: figures::kinetic(&goal.mass, &self.state.v),
+            kinetic: figures::kinetic(&objective.unknowns.mass, &self.state.v),
             potential,
         });
     }

@@ -1,34 +1,25 @@
-//! One stage of a time step: the body comes as far as the cloth in its way lets it, the cloth gives way, and so on until
-//! the body is where it belongs; then the descent is led to its end.
+//! One stage of a time step: the body moves as far as the cloth in its way lets it, the cloth gives way, and so on until the body
+//! is where it belongs. Then the descent goes on to its end.
 
 use crate::collision::narrow_phase::candidates::Gap;
 use crate::collision::narrow_phase::pair_kind::PairKind;
 use crate::contact::barrier::Barrier;
 use crate::dynamics::attachments::Hook;
+use crate::dynamics::tuning::{
+    BODY_IDLE_PARTS_MOST, BODY_PART_LEAST, BODY_PARTS_MOST, GIVING_WAY_STEPS, OFF_COURSE_EDGES, STAGE_BLOCK_END_PART,
+    STAGE_FACTORISATIONS_MOST, STAGE_NEARLY_ENDED, STAGE_SHORT_STEP_SHARE, STAGE_STUCK_BLOCKS_MOST,
+    STAGE_STUCK_TAU_FACTOR, UNTORN_PART_LEAST,
+};
 use crate::energy::inertia::Inert;
-use crate::optimize::descent::{Descent, FEW};
-use crate::{ClothError, Place, Vec3};
+use crate::optimize::descent::{Change, Descent};
+use crate::optimize::driver::{Blocks, Detection, drive};
+use crate::optimize::mechanism::{Mechanism, StepVerdict, Verdict};
+use crate::optimize::mechanisms::pinned_targets::with_cloth_beside;
+use crate::optimize::tuning::{BLOCK_STEPS, PIN_ENERGY_RISE_MOST};
+use crate::report::watch::{Silent, Watch};
+use crate::{ClothError, Place, StopReason, Vec3};
 
-/// Steps of the descent between two parts of the body's way.
-const GIVES_WAY: usize = 6;
-/// Factors in a stage, at most.
-const MOST_FACTORS: usize = 25;
-/// A step shorter than this share of the tolerance need not be taken whole: the digits of the energy no longer tell it.
-const TRIFLE: f64 = 1e-3;
-/// A part of the remaining way smaller than this is none …
-const NO_WAY: f64 = 2e-3;
-/// … and so many in a row mean that the cloth cannot give way.
-const PATIENCE: usize = 60;
-/// Way of held vertices off their course over the mean edge, from which the cloth beside them is taken along.
-const OFF_COURSE: f64 = 0.05;
-/// What their way may raise the stretch by, over what is stored and what it takes to bring all of the cloth along; beyond
-/// that they go a part of it and the cloth gives way, …
-const TEARS: f64 = 10.0;
-/// … no smaller one than this, so many times in a stage.
-const LEAST_PART: f64 = 1.0 / 64.0;
-const MOST_PARTS: u32 = 64;
-
-/// A descent that is led from stage to stage.
+/// A descent that goes on from stage to stage.
 pub(crate) struct Stepper<'a> {
     pub descent: Descent<'a>,
     pub hooks: Vec<Hook>,
@@ -40,107 +31,143 @@ pub(crate) struct Stepper<'a> {
     pub parted: u64,
 }
 
+/// The end of a descent in a stage: the longest move of a step that still counts, m, and the τ of the regularisation, s².
+type StageGoal = (f64, f64);
+
 impl Stepper<'_> {
-    /// Solves a stage that starts with the displacements `guess`; `body`: where the body is at its end. Where the cloth runs
-    /// into something, or the stage does not come to its end, `plain` is solved instead; says whether that was so.
+    /// Solves a stage that starts with the displacements `guess`; `body` holds the vertices of the body at its end. Where the
+    /// cloth runs into something, or the stage does not come to its end, the step `plain` of implicit Euler is solved instead.
+    /// Returns whether that was so.
+    ///
+    /// # Errors
+    /// Cloth that is caught by the body, or instability.
     pub fn solve(
         &mut self,
         inert: Inert,
-        plain: Option<Inert>,
+        mut plain: Option<Inert>,
         guess: Vec<Vec3>,
         body: Option<&[Vec3]>,
         now: f64,
     ) -> Result<bool, ClothError> {
-        let (tolerance, mut plain) = (self.tolerance, plain);
-        let near = |i: &Inert| tolerance * i.h;
-        let mut goal = (near(&inert), 1.0 / inert.rate);
-        self.descent.goal.inert = Some(inert);
-        self.descent.refresh_lagged();
-        self.descent.start_anew();
-        if self.descent.factors() == 0 && !self.hooks.is_empty() {
-            self.descent.tau = goal.1;
-            self.descent.metric()?;
+        let mut goal = self.goal(&inert);
+        self.descent.refresh_lagged_forces();
+        self.set_inertia(inert);
+        if self.descent.factorisations() == 0 && !self.hooks.is_empty() {
+            self.descent.regularization.tau = goal.1;
+            self.descent.check_energy()?;
+            self.descent.precondition()?;
         }
-        let mut guess = guess;
-        let (mut idle, mut rough, mut parts) = (0, false, 0);
+        let (mut guess, mut rough) = (guess, false);
+        let (mut idle, mut parts) = (0, 0);
         loop {
-            let part = self.come(guess, body, parts < MOST_PARTS);
-            if part < 1.0
-                && let Some(p) = plain.take()
-            {
-                (goal, rough) = ((near(&p), 1.0 / p.rate), true);
-                self.descent.goal.inert = Some(p);
-            }
-            self.descent.start_anew();
+            let part = self.come(guess, body, parts < BODY_PARTS_MOST.get(), &mut plain, &mut goal, &mut rough);
             if part >= 1.0 || body.is_none() {
                 break;
             }
             self.parted += 1;
             parts += 1;
-            idle = if part < NO_WAY { idle + 1 } else { 0 };
-            if idle > PATIENCE {
+            idle = if part < BODY_PART_LEAST.get() { idle + 1 } else { 0 };
+            if idle > BODY_IDLE_PARTS_MOST.get() {
                 return Err(ClothError::Caught { seconds: now, place: self.tightest() });
             }
             if idle > 0 {
-                self.harden();
+                self.descent.stiffen_tight_contacts();
             }
-            self.relax(goal, 1, GIVES_WAY)?;
+            self.relax(goal, 1, GIVING_WAY_STEPS.get())?;
             guess = vec![Vec3::zeros(); self.descent.x.len()];
         }
-        let length = self.descent.block_length(FEW);
-        let mut ended = self.relax(goal, MOST_FACTORS, length)?;
+        let steps = self.descent.block_steps(BLOCK_STEPS.get());
+        let mut ended = self.relax(goal, STAGE_FACTORISATIONS_MOST.get(), steps)?;
         if !ended && let Some(p) = plain.take() {
-            (goal, rough) = ((near(&p), 1.0 / p.rate), true);
-            self.descent.goal.inert = Some(p);
-            self.descent.start_anew();
-            ended = self.relax(goal, MOST_FACTORS, length)?;
+            (goal, rough) = (self.goal(&p), true);
+            self.set_inertia(p);
+            ended = self.relax(goal, STAGE_FACTORISATIONS_MOST.get(), steps)?;
         }
         self.unfinished += u64::from(!ended);
         Ok(rough)
     }
 
-    /// Where the body hardly comes on, contacts that are pressed nearly shut become stiffer.
-    fn harden(&mut self) {
-        let goal = &mut self.descent.goal;
-        if goal.barrier.as_mut().is_some_and(|b| b.harden(&goal.unknown)) {
-            self.descent.start_anew();
-        }
+    fn goal(&self, inert: &Inert) -> StageGoal {
+        (self.tolerance * inert.h, 1.0 / inert.rate)
     }
 
-    /// Moves cloth, held vertices and body together, as far as nothing crosses, and with `care` as far as nothing tears; the
-    /// part of the way that was taken.
-    fn come(&mut self, guess: Vec<Vec3>, to: Option<&[Vec3]>, care: bool) -> f64 {
+    fn set_inertia(&mut self, inert: Inert) {
+        self.descent.change(|o, _| {
+            o.terms.inertia = Some(inert);
+            Change::Energy
+        });
+    }
+
+    /// Moves cloth, held vertices and body together as far as nothing crosses, and with `care` as far as nothing tears. Where
+    /// that is only a part of the way, `plain` takes the place of the stage. Returns the part.
+    fn come(
+        &mut self,
+        guess: Vec<Vec3>,
+        to: Option<&[Vec3]>,
+        care: bool,
+        plain: &mut Option<Inert>,
+        goal: &mut StageGoal,
+        rough: &mut bool,
+    ) -> f64 {
         let mut step = guess;
         let led = self.take_along(&mut step, to);
         let untorn = led.filter(|_| care).map_or(1.0, |far| self.untorn(&step, far));
         step.iter_mut().for_each(|s| *s *= untorn);
-        let d = &mut self.descent;
-        let Some(barrier) = &mut d.goal.barrier else {
-            d.x.iter_mut().zip(&step).for_each(|(x, s)| *x += s);
-            return untorn;
+        let way = self.depart(&mut step, to, untorn);
+        let free = match self.descent.objective().terms.barrier {
+            Some(_) => {
+                self.descent.evaluate();
+                let x = self.descent.x.clone();
+                self.descent.detection().map_or(1.0, |b| b.free_part(&x, &step))
+            }
+            None => 1.0,
         };
+        let part = free * untorn;
+        let inert = if part < 1.0 { plain.take() } else { None };
+        if let Some(p) = &inert {
+            (*goal, *rough) = (self.goal(p), true);
+        }
+        self.arrive(&step, way.as_deref(), free, inert);
+        part
+    }
+
+    /// Prepares collision detection for a step of the cloth and the body's way `to` its place, of which `share` is taken.
+    /// Returns the body's displacements.
+    fn depart(&mut self, step: &mut [Vec3], to: Option<&[Vec3]>, share: f64) -> Option<Vec<Vec3>> {
+        let (x, free) = (self.descent.x.clone(), &self.free);
+        let barrier = self.descent.detection()?;
         let way: Option<Vec<Vec3>> = to.zip(barrier.body.as_mut()).map(|(to, b)| {
-            let way: Vec<Vec3> = to.iter().zip(b.positions.iter()).map(|(p, q)| (p - q) * untorn).collect();
+            let way: Vec<Vec3> = to.iter().zip(b.positions.iter()).map(|(p, q)| (p - q) * share).collect();
             b.depart(&way);
             way
         });
-        barrier.cover(&d.x, &step);
+        barrier.cover(&x, step);
         if let Some(way) = &way {
-            aside(barrier, &d.x, &mut step, way, &self.free);
-            barrier.cover(&d.x, &step);
+            give_way(barrier, &x, step, way, free);
+            barrier.cover(&x, step);
         }
-        d.evaluate();
-        let Some(barrier) = &mut d.goal.barrier else { return untorn };
-        let part = barrier.free_part(&d.x, &step);
-        if let (Some(way), Some(body)) = (&way, &mut barrier.body) {
-            if let Some(stick) = &mut d.goal.stick {
-                stick.carry(|key| body.at_pair(key, &d.x, way) * part);
+        way
+    }
+
+    /// Takes a part of a step of cloth and body, and the inertia of another stage if there is one.
+    fn arrive(&mut self, step: &[Vec3], way: Option<&[Vec3]>, part: f64, inert: Option<Inert>) {
+        let from = self.descent.x.clone();
+        self.descent.x.iter_mut().zip(step).for_each(|(x, s)| *x += s * part);
+        self.descent.change(|o, x| {
+            if let Some(barrier) = &mut o.terms.barrier {
+                if let (Some(way), Some(body)) = (way, &mut barrier.body) {
+                    if let Some(friction) = &mut o.terms.friction {
+                        friction.carry(|key| body.at_pair(key, &from, way) * part);
+                    }
+                    body.arrive(part);
+                }
+                barrier.took(x);
             }
-            body.arrive(part);
-        }
-        d.x.iter_mut().zip(&step).for_each(|(x, s)| *x += s * part);
-        barrier.took(&d.x);
-        part * untorn
+            if inert.is_some() {
+                o.terms.inertia = inert;
+            }
+            Change::Energy
+        });
     }
 
     /// Leads the held vertices to where they hang. Where that is off the course of the cloth, what is beside them goes along,
@@ -148,7 +175,7 @@ impl Stepper<'_> {
     /// led, it is none. How far off they were, m, where that is much.
     fn take_along(&mut self, step: &mut [Vec3], to: Option<&[Vec3]>) -> Option<f64> {
         let ways = self.ways(to);
-        let much = OFF_COURSE * self.descent.goal.edge;
+        let much = OFF_COURSE_EDGES.get() * self.descent.objective().edge;
         let led = ways.iter().any(|(_, way)| way.norm() > much);
         if led && self.stretches(step, crate::longest(step)) {
             step.fill(Vec3::zeros());
@@ -158,11 +185,11 @@ impl Stepper<'_> {
         let far = crate::longest(&off);
         let along = led && far > much;
         if along {
-            let d = &mut self.descent;
-            if let Some(b) = &mut d.goal.barrier {
-                b.cover(&d.x, &off);
+            let x = self.descent.x.clone();
+            if let Some(b) = self.descent.detection() {
+                b.cover(&x, &off);
             }
-            off = d.carried(&off);
+            off = with_cloth_beside(&mut self.descent, &off);
         }
         step.iter_mut().zip(&off).for_each(|(s, o)| *s += o);
         along.then_some(far)
@@ -171,7 +198,7 @@ impl Stepper<'_> {
     /// Held vertices, and how far each is from where it hangs.
     fn ways(&self, to: Option<&[Vec3]>) -> Vec<(usize, Vec3)> {
         let d = &self.descent;
-        let body = d.goal.barrier.as_ref().and_then(|b| b.body.as_ref());
+        let body = d.objective().body();
         let faces = body.map_or(&[][..], |b| &b.topology.faces);
         let way = |h: &Hook| to.map_or_else(Vec3::zeros, |to| h.place(faces, to) - d.x[h.vertex as usize]);
         self.hooks.iter().map(|h| (h.vertex as usize, way(h))).collect()
@@ -180,7 +207,8 @@ impl Stepper<'_> {
     /// The part of a step after which the cloth is not torn; `far`: see [`Self::stretches`].
     fn untorn(&self, step: &[Vec3], far: f64) -> f64 {
         let mut part = 1.0;
-        while part > LEAST_PART && self.stretches(&step.iter().map(|s| s * part).collect::<Vec<_>>(), far) {
+        while part > UNTORN_PART_LEAST.get() && self.stretches(&step.iter().map(|s| s * part).collect::<Vec<_>>(), far)
+        {
             part *= 0.5;
         }
         part
@@ -188,55 +216,78 @@ impl Stepper<'_> {
 
     /// Does a step stretch the cloth more than bringing all of it so `far` (m) in this stage could?
     fn stretches(&self, step: &[Vec3], far: f64) -> bool {
-        let goal = &self.descent.goal;
-        let speed = goal.inert.as_ref().map_or(0.0, |i| far / i.h);
-        let stored = goal.elastic(&self.descent.x);
+        let objective = self.descent.objective();
+        let speed = objective.terms.inertia.as_ref().map_or(0.0, |i| far / i.h);
+        let stored = objective.elastic(&self.descent.x);
         let x: Vec<Vec3> = self.descent.x.iter().zip(step).map(|(x, s)| x + s).collect();
-        goal.elastic(&x) - stored > TEARS * (stored + 0.5 * goal.mass.iter().sum::<f64>() * speed * speed)
+        objective.elastic(&x) - stored
+            > PIN_ENERGY_RISE_MOST.get() * (stored + 0.5 * objective.unknowns.mass.iter().sum::<f64>() * speed * speed)
     }
 
-    /// Descends until a step is shorter than `near`; `false` if that was not reached.
-    fn relax(&mut self, (near, tau): (f64, f64), factors: usize, length: usize) -> Result<bool, ClothError> {
-        let d = &mut self.descent;
-        let mut stuck = 0;
-        for _ in 0..factors {
-            d.tau = if stuck > 1 { 0.1 * tau } else { tau };
-            d.metric()?;
-            for _ in 0..length {
-                match d.step(1.0) {
-                    Some(part) if d.longest <= if part > 0.5 { near } else { TRIFLE * near } => return Ok(true),
-                    Some(part) if part < 0.2 => break,
-                    Some(_) => stuck = 0,
-                    None => {
-                        // Nothing is left to win in the digits of the energy.
-                        if d.longest <= 10.0 * near {
-                            return Ok(true);
-                        }
-                        stuck += 1;
-                        d.start_anew();
-                        break;
-                    }
-                }
-            }
-            if stuck > 3 {
-                break;
-            }
-        }
-        Ok(false)
+    /// Descends until a step moves no vertex by more than the goal; `false` if that was not reached.
+    fn relax(&mut self, (near, tau): StageGoal, factorisations: usize, steps: usize) -> Result<bool, ClothError> {
+        let mut rule = StageEnd { near, tau, rounds_left: factorisations, stuck: 0 };
+        let blocks = Blocks { steps, detection: Detection::EveryStep };
+        let reason = drive(&mut self.descent, blocks, &mut [&mut rule], &mut Silent)?;
+        Ok(reason == StopReason::Settled)
     }
 
     /// Where two things are nearest to each other.
     fn tightest(&self) -> Place {
-        let touches = self.descent.goal.barrier.iter().flat_map(|b| &b.touches);
+        let touches = self.descent.objective().terms.barrier.iter().flat_map(|b| &b.touches);
         let v = touches.min_by(|a, b| a.distance.total_cmp(&b.distance)).map_or(0, |t| t.vertices[0]);
-        let faces = self.descent.goal.barrier.iter().flat_map(|b| &b.frame.topology.faces);
+        let faces = self.descent.objective().terms.barrier.iter().flat_map(|b| &b.frame.topology.faces);
         let triangle = (0u32..).zip(faces).find(|(_, f)| f.contains(&v)).map_or(0, |(i, _)| i);
         Place { triangle, at: self.descent.x[v as usize] }
     }
 }
 
-/// Lets the cloth's displacements give way to the body's: nothing comes nearer to it than its gap by the guess alone.
-fn aside(barrier: &Barrier, x: &[Vec3], step: &mut [Vec3], way: &[Vec3], free: &[bool]) {
+/// The rule of a descent in a stage: it ends when a step hardly moves the cloth, and gives up after some factorisations.
+struct StageEnd {
+    /// Longest move that ends the descent, m.
+    near: f64,
+    /// τ of the inertia, s²: the shift is the inertia of the time step then.
+    tau: f64,
+    rounds_left: usize,
+    /// Blocks in a row that ended with a step that gained nothing.
+    stuck: u32,
+}
+
+impl Mechanism for StageEnd {
+    fn begin_round(&mut self, d: &mut Descent<'_>, _: &mut dyn Watch) -> Result<Verdict, ClothError> {
+        if self.rounds_left == 0 || self.stuck > STAGE_STUCK_BLOCKS_MOST.get() {
+            return Ok(Verdict::Stop(StopReason::MaxSteps));
+        }
+        self.rounds_left -= 1;
+        d.regularization.tau = if self.stuck > 1 { STAGE_STUCK_TAU_FACTOR.get() * self.tau } else { self.tau };
+        Ok(Verdict::Go)
+    }
+
+    fn after_step(&mut self, d: &mut Descent<'_>, taken: Option<f64>) -> StepVerdict {
+        let longest = d.newton.longest;
+        match taken {
+            Some(part) if longest <= if part > 0.5 { self.near } else { STAGE_SHORT_STEP_SHARE.get() * self.near } => {
+                StepVerdict::Stop(StopReason::Settled)
+            }
+            Some(part) if part < STAGE_BLOCK_END_PART.get() => StepVerdict::EndBlock,
+            Some(_) => {
+                self.stuck = 0;
+                StepVerdict::Go
+            }
+            // Nothing is left to gain in the digits of the energy.
+            None if longest <= STAGE_NEARLY_ENDED.get() * self.near => StepVerdict::Stop(StopReason::Settled),
+            None => {
+                self.stuck += 1;
+                d.change(|_, _| Change::Energy);
+                StepVerdict::EndBlock
+            }
+        }
+    }
+}
+
+/// Guess projection: the displacements of the cloth give way to those of the body, so that the guess alone brings nothing nearer
+/// to the body than its gap.
+fn give_way(barrier: &Barrier, x: &[Vec3], step: &mut [Vec3], way: &[Vec3], free: &[bool]) {
     let Some(body) = &barrier.body else { return };
     let near = &barrier.against;
     let points = near.point_gaps(x, body).map(|(g, _)| (PairKind::VertexBodyTriangle, 1, 1.0, g));

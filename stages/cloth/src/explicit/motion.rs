@@ -125,7 +125,7 @@ impl<'a> Walk<'a> {
         watch.progress(self.trip.steps, &format!("frame {number} of {frames}"));
         self.trip.speed = crate::farthest(&before, &self.state.x) * fps;
         self.quiet = if self.trip.speed <= self.dynamics.rest_speed { self.quiet + 1 } else { 0 };
-        self.trip.settled = self.quiet >= crate::dynamics::run::QUIET;
+        self.trip.settled = self.quiet >= crate::dynamics::run::QUIET_FRAMES;
         Ok(())
     }
 

@@ -7,6 +7,9 @@ use std::sync::Arc;
 /// Not an unknown.
 pub(crate) const FIXED: u32 = u32::MAX;
 
+/// A sparse symmetric matrix of 3 × 3 blocks: the places of the blocks, and their values.
+pub(crate) type System = (Pattern, Vec<Matrix3<f64>>);
+
 /// Which pairs of unknowns are coupled: the rows of each column, the diagonal first, ascending. A clone copies nothing.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Pattern {

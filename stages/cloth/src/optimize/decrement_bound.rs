@@ -1,54 +1,51 @@
-//! Is a start so far from rest that coarser cloth is to find the way? Told without a factor where it can: that of large cloth
-//! costs more than all of its coarser levels.
+//! A lower bound of the Newton decrement without a factorisation, by conjugate gradients. It tells large cloth that is far from
+//! rest, whose factorisation costs more than all coarser levels.
 
 use crate::Vec3;
 use crate::linear::hessian::Pattern;
 use crate::optimize::descent::Descent;
 use crate::optimize::lbfgs::dot;
+use crate::optimize::tuning::{BOUND_MARGIN, BOUND_STEPS};
 use nalgebra::Matrix3;
 
-/// Steps of conjugate gradients after which only the factor can tell.
-const MOST: usize = 30;
-/// What a bound must be over what it is to prove: the factor is in single precision.
-const SURELY: f64 = 1.05;
-
 impl Descent<'_> {
-    /// Does a Newton step surely win more than so much of what is stored, with contacts and friction as last told?
-    pub fn surely_wins(&mut self, share: f64) -> bool {
+    /// Does a Newton step surely gain more than this share of the elastic energy, with contacts and friction as at their last
+    /// refresh?
+    pub fn surely_gains(&mut self, share: f64) -> bool {
         let (pattern, mut values) = self.assemble(true);
         let shift = self.shift();
         let diagonal = pattern.start.iter().zip(shift);
         diagonal.for_each(|(k, s)| values[*k as usize] += Matrix3::from_diagonal_element(s));
-        let wanted = SURELY * share * self.scale();
-        0.5 * least_win(&pattern, &values, &self.f, 2.0 * wanted) > wanted
+        let wanted = BOUND_MARGIN.get() * share * self.elastic_scale();
+        0.5 * decrement_bound(&pattern, &values, &self.f, 2.0 * wanted) > wanted
     }
 }
 
-/// A lower bound of fᵀ A⁻¹ f, which each step of conjugate gradients (Hestenes and Stiefel 1952; preconditioned by the blocks of
-/// the diagonal) raises; not raised further once it is over `enough`.
-fn least_win(pattern: &Pattern, values: &[Matrix3<f64>], f: &[Vec3], enough: f64) -> f64 {
+/// A lower bound of fᵀ A⁻¹ f. Each step of conjugate gradients (Hestenes and Stiefel 1952) raises it; it is not raised further
+/// once it is over `enough`. The blocks of the diagonal are the preconditioner.
+fn decrement_bound(pattern: &Pattern, values: &[Matrix3<f64>], f: &[Vec3], enough: f64) -> f64 {
     let blocks = pattern.start.iter().take(f.len()).map(|k| values[*k as usize].try_inverse());
     let Some(inverse) = blocks.collect::<Option<Vec<_>>>() else { return 0.0 };
-    let eased = |r: &[Vec3]| -> Vec<Vec3> { inverse.iter().zip(r).map(|(m, r)| m * r).collect() };
+    let preconditioned = |r: &[Vec3]| -> Vec<Vec3> { inverse.iter().zip(r).map(|(m, r)| m * r).collect() };
     let mut r = f.to_vec();
-    let mut p = eased(&r);
-    let (mut gamma, mut win) = (dot(&r, &p), 0.0);
-    for _ in 0..MOST {
+    let mut p = preconditioned(&r);
+    let (mut gamma, mut bound) = (dot(&r, &p), 0.0);
+    for _ in 0..BOUND_STEPS.get() {
         let q = pattern.times(values, &p);
-        let bend = dot(&p, &q);
-        if gamma <= 0.0 || bend <= 0.0 || win > enough {
+        let curvature = dot(&p, &q);
+        if gamma <= 0.0 || curvature <= 0.0 || bound > enough {
             break;
         }
-        let step = gamma / bend;
-        win += step * gamma;
+        let step = gamma / curvature;
+        bound += step * gamma;
         r.iter_mut().zip(&q).for_each(|(r, q)| *r -= q * step);
-        let z = eased(&r);
+        let z = preconditioned(&r);
         let next = dot(&r, &z);
         let turn = next / gamma;
         p.iter_mut().zip(&z).for_each(|(p, z)| *p = z + *p * turn);
         gamma = next;
     }
-    win
+    bound
 }
 
 #[cfg(test)]
@@ -72,9 +69,9 @@ mod tests {
         f[n as usize - 1] = Vec3::new(0.0, 2.0, 0.0);
         // A force of 2 at the end of 25 springs in a row.
         let truth = 4.0 * f64::from(n);
-        let whole = least_win(&pattern, &values, &f, f64::INFINITY);
+        let whole = decrement_bound(&pattern, &values, &f, f64::INFINITY);
         assert!((whole / truth - 1.0).abs() < 1e-12, "{whole}");
-        let part = least_win(&pattern, &values, &f, 0.3 * truth);
+        let part = decrement_bound(&pattern, &values, &f, 0.3 * truth);
         assert!(part > 0.3 * truth && part < 0.9 * truth, "{part}");
     }
 }

@@ -1,114 +1,133 @@
-//! Draping: descents until a Newton step would win nothing more.
+//! Draping: the mechanisms of a descent to rest, and coarser levels that find the way first.
 
+use crate::contact::lagged_friction::Stick;
 use crate::hierarchy::Level;
-use crate::optimize::descent::{Descent, FEW, LARGE, TAU_FREE};
+use crate::optimize::descent::{Change, Descent};
+use crate::optimize::driver::{Blocks, Detection, drive};
+use crate::optimize::mechanism::Mechanism;
+use crate::optimize::mechanisms::contact_refresh::{AdaptiveStiffness, LaggedForces};
+use crate::optimize::mechanisms::factor_reuse::FactorReuse;
+use crate::optimize::mechanisms::gap_update::GapUpdate;
+use crate::optimize::mechanisms::negative_curvature::NegativeCurvature;
+use crate::optimize::mechanisms::pinned_targets::PinnedTargets;
+use crate::optimize::mechanisms::regularization_schedule::RegularizationSchedule;
+use crate::optimize::mechanisms::rest::{
+    BlockEnd, ConvergenceTest, FallLimit, MeasureNewtonStep, RestProgress, StagnationLimit, StepLimit,
+};
+use crate::optimize::mechanisms::strain_limit_homotopy::{SlowStrainLimits, StrainLimitHomotopy};
+use crate::optimize::mechanisms::surrogate_hessian::SurrogateHessian;
 use crate::optimize::report;
-use crate::optimize::strain_limit_homotopy::Locks;
+use crate::optimize::task::Task;
+use crate::optimize::tuning::{
+    ADAPTIVE_STIFFNESS, BLOCK_STEPS, BLOCK_STEPS_COARSE, COARSE_FIRST_DECREMENT, COARSE_LEVELS,
+    COARSE_TOLERANCE_FACTOR, COARSE_TOLERANCE_FACTOR_LARGE, CONTACT_WARM_START, GAP_UPDATE, LARGE_CLOTH_VERTICES,
+    LOADS_BALANCE_DECREMENT, NEGATIVE_CURVATURE, STRAIN_LIMIT_HOMOTOPY, SURROGATE_HESSIAN,
+};
 use crate::report::watch::Part;
 use crate::{ClothError, EffectReport, Outcome, Scene, Settings, StopReason, Vec3, Watch};
 
-/// Blocks in a row without any step after which nothing more can be won.
-const MOST_STUCK: u32 = 12;
-/// Saddles that are left, at most: beyond that the cloth is called at rest on one.
-const MOST_PUSHES: u32 = 8;
-/// Rounds in which contacts that gave way are moved out at rest, and how many times the net force at rest large cloth may have in
-/// the first: what that stirs comes to rest together with what still moves.
-const MOST_BORNE: u32 = 2;
-const NEARLY_BORNE: f64 = 2000.0;
-/// Way over the size of the scene after which the cloth is given up as falling.
-const FAR: f64 = 3.0;
-/// What a Newton step would win over the elastic energy, above which cloth did not begin in balance …
-const FAR_FROM_REST: f64 = 1.0;
-/// … and above which coarser cloth finds the way first: a start that is only strained wins just less than all of it.
-const COARSE_FIRST: f64 = 0.5;
-/// Steps in a block of a small coarser level.
-const FEW_ON_COARSE: usize = 12;
-/// Part of all work that coarser levels take.
+/// Part of all work that coarser levels take, for the progress display.
 const COARSE_WORK: f64 = 0.2;
-/// Tolerances of a coarser level over those of the finer, and of the first that is large, too: there what is left over takes the
-/// finer cloth many times as long.
-const COARSE: f64 = 3.0;
-const LARGE_COARSE: f64 = 0.1;
 
 /// Settles the cloth.
+///
+/// # Errors
+/// An unusable scene or setting, a start that crosses, instability, or a stop on request.
 pub(crate) fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
+    drape_level(scene, settings, Task::Settle, watch)
+}
+
+/// Settles one level, after the coarser one below it where that is to find the way first.
+fn drape_level(scene: &Scene, settings: &Settings, task: Task, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     let (mut before, mut done) = (Vec::new(), 0.0);
     let mut begun = None;
-    if let Some(level) = leading_level(scene, settings, &mut begun)? {
-        // Its factor is larger than all of the coarser levels.
+    if let Some(level) = level_to_drape_first(scene, settings, task, &mut begun)? {
+        // The factor of this level is larger than those of all coarser ones.
         drop(begun.take());
-        if let Some((x, effects)) = on_coarser(&level, settings, watch)? {
+        if let Some((x, effects)) = rest_of_coarser_level(&level, settings, task, watch)? {
             (before, done) = (effects, COARSE_WORK);
             drop(level);
-            begun = led(scene, x, settings)?;
+            begun = begin_at(scene, x, settings, task)?;
         }
     }
     let mut descent = match begun {
         Some(descent) => descent,
-        None => begin(scene, settings)?,
+        None => begin(scene, settings, task)?,
     };
-    let reason = descent.settle(&mut Part::new(watch, [done, 1.0], &<[Vec3]>::to_vec))?;
+    let reason = settle(&mut descent, task, &mut Part::new(watch, [done, 1.0], &<[Vec3]>::to_vec))?;
     let mut outcome = report::outcome(&mut descent, scene, reason);
     outcome.add_costs(&before);
     Ok(outcome)
 }
 
-/// Coarser cloth that is to find the way first. Where only a factor can tell, `begun` keeps what was begun for it.
-fn leading_level<'a>(
+/// The coarser level that is to find the way first. Where only a factorisation can tell, `begun` keeps the descent that was
+/// begun for it.
+fn level_to_drape_first<'a>(
     scene: &Scene,
     settings: &'a Settings,
+    task: Task,
     begun: &mut Option<Descent<'a>>,
 ) -> Result<Option<Level>, ClothError> {
-    if !Level::may_be_below_folds(scene) {
+    if !COARSE_LEVELS.is_on() || !Level::may_be_below_folds(scene) {
         return Ok(None);
     }
-    let far = surely_far(scene, settings)? || begun.insert(begin(scene, settings)?).decrement > COARSE_FIRST;
-    Ok(far.then(|| Level::below_folds(scene)).flatten())
+    let far = COARSE_FIRST_DECREMENT.get();
+    let is_far =
+        surely_far(scene, settings, task)? || begun.insert(begin(scene, settings, task)?).newton.decrement > far;
+    Ok(is_far.then(|| Level::below_folds(scene)).flatten())
 }
 
-/// Does large cloth begin so far from rest that no factor is needed to tell?
-fn surely_far(scene: &Scene, settings: &Settings) -> Result<bool, ClothError> {
-    let mut descent = Descent::begin(scene, settings, false)?;
-    descent.preload();
-    // As the metric of the first block does.
-    descent.take_up();
-    Ok(descent.surely_wins(COARSE_FIRST))
+/// Does large cloth begin so far from rest that no factorisation is needed to tell?
+fn surely_far(scene: &Scene, settings: &Settings, task: Task) -> Result<bool, ClothError> {
+    let mut descent = Descent::begin(scene, settings, task)?;
+    descent.warm_start_contacts();
+    descent.refresh_contacts();
+    Ok(descent.surely_gains(COARSE_FIRST_DECREMENT.get()))
 }
 
-/// From where the cloth is, with a first look at how far it is from rest.
-fn begin<'a>(scene: &Scene, settings: &'a Settings) -> Result<Descent<'a>, ClothError> {
-    let mut descent = Descent::begin(scene, settings, false)?;
-    let loaded = descent.preload();
-    // Not in balance, so the loads were not those that it rested with.
-    if descent.far_from_rest() && loaded {
-        descent.unload();
+/// Begins at the scene's positions and measures how far they are from rest.
+fn begin<'a>(scene: &Scene, settings: &'a Settings, task: Task) -> Result<Descent<'a>, ClothError> {
+    let mut descent = Descent::begin(scene, settings, task)?;
+    let loaded = descent.warm_start_contacts();
+    if descent.is_far_from_rest() && loaded {
+        descent.drop_warm_start();
     }
     Ok(descent)
 }
 
-/// From where coarser cloth led it; `None` where it would cross something there.
-fn led<'a>(scene: &Scene, positions: Vec<Vec3>, settings: &'a Settings) -> Result<Option<Descent<'a>>, ClothError> {
-    match Descent::begin(&Scene { positions, ..scene.clone() }, settings, false) {
-        Ok(led) => Ok(Some(led)),
+/// Begins at the rest of a coarser level; `None` where the cloth would cross something there.
+fn begin_at<'a>(
+    scene: &Scene,
+    positions: Vec<Vec3>,
+    settings: &'a Settings,
+    task: Task,
+) -> Result<Option<Descent<'a>>, ClothError> {
+    match Descent::begin(&Scene { positions, ..scene.clone() }, settings, task) {
+        Ok(descent) => Ok(Some(descent)),
         Err(ClothError::StartCrosses { .. }) => Ok(None),
         Err(e) => Err(e),
     }
 }
 
-/// Positions, and what the effects cost on the way there.
-type Led = (Vec<Vec3>, Vec<EffectReport>);
+/// Positions, and the costs of the effects on the way there.
+type CoarseRest = (Vec<Vec3>, Vec<EffectReport>);
 
-/// Where the cloth comes to lie on a coarser level, if it does not fall off it.
-fn on_coarser(level: &Level, settings: &Settings, watch: &mut dyn Watch) -> Result<Option<Led>, ClothError> {
-    let share = coarse_share(level.scene.positions.len(), settings);
+/// The place where a coarser level comes to lie, if it does not fall off.
+fn rest_of_coarser_level(
+    level: &Level,
+    settings: &Settings,
+    finer: Task,
+    watch: &mut dyn Watch,
+) -> Result<Option<CoarseRest>, ClothError> {
+    let factor = coarse_tolerance_factor(level.scene.positions.len(), finer);
     let coarse = Settings {
-        decrement_tolerance: share * settings.decrement_tolerance,
-        move_tolerance: share * settings.move_tolerance,
+        decrement_tolerance: factor * settings.decrement_tolerance,
+        move_tolerance: factor * settings.move_tolerance,
         residual_tolerance: f64::INFINITY,
         ..settings.clone()
     };
-    let below = drape(&level.scene, &coarse, &mut Part::new(watch, [0.0, COARSE_WORK], &|x| level.spread(x)));
-    match below {
+    let spread = |x: &[Vec3]| level.spread(x);
+    match drape_level(&level.scene, &coarse, Task::SettleCoarse, &mut Part::new(watch, [0.0, COARSE_WORK], &spread)) {
         Ok(rest) if matches!(rest.stop_reason, StopReason::Settled | StopReason::MaxSteps) => {
             let x = level.spread(&rest.positions);
             watch.look(&x, level.scene.triangles.len());
@@ -119,195 +138,124 @@ fn on_coarser(level: &Level, settings: &Settings, watch: &mut dyn Watch) -> Resu
     }
 }
 
-/// Tolerances of a coarser level of so many vertices over those of the finer.
-fn coarse_share(vertices: usize, finer: &Settings) -> f64 {
-    match (vertices > LARGE, finer.of_coarser_level()) {
+/// Tolerances of a coarser level with this many vertices over those of the finer one.
+fn coarse_tolerance_factor(vertices: usize, finer: Task) -> f64 {
+    match (vertices > LARGE_CLOTH_VERTICES.get(), finer == Task::SettleCoarse) {
         (true, true) => 1.0,
-        (true, false) => LARGE_COARSE,
-        (false, _) => COARSE,
+        (true, false) => COARSE_TOLERANCE_FACTOR_LARGE.get(),
+        (false, _) => COARSE_TOLERANCE_FACTOR.get(),
     }
+}
+
+/// Descends until at rest.
+///
+/// # Errors
+/// Instability, or a stop on request.
+pub(crate) fn settle(d: &mut Descent<'_>, task: Task, watch: &mut dyn Watch) -> Result<StopReason, ClothError> {
+    let (mut pinned, mut progress) = (PinnedTargets::settling(), RestProgress::default());
+    loop {
+        let reason = settle_unchecked(d, task, &mut pinned, &mut progress, watch)?;
+        if d.is_checked() {
+            return Ok(reason);
+        }
+    }
+}
+
+/// Descends until at rest; the last blocks may be ahead of collision detection.
+fn settle_unchecked(
+    d: &mut Descent<'_>,
+    task: Task,
+    pinned: &mut PinnedTargets,
+    progress: &mut RestProgress,
+    watch: &mut dyn Watch,
+) -> Result<StopReason, ClothError> {
+    let coarse = task == Task::SettleCoarse;
+    let steps = if coarse { BLOCK_STEPS_COARSE.get() } else { BLOCK_STEPS.get() };
+    let mut homotopy = StrainLimitHomotopy { ends_on: !coarse };
+    let mut gap_update = GapUpdate::default();
+    let mut curvature = NegativeCurvature::default();
+    let mut fall = FallLimit::default();
+    let mut regularization = RegularizationSchedule::unlimited();
+    let mut adaptive_stiffness = AdaptiveStiffness;
+    let mut lagged_forces = LaggedForces;
+    let mut measure_newton_step = MeasureNewtonStep;
+    let mut surrogate_hessian = SurrogateHessian;
+    let mut factor_reuse = FactorReuse;
+    let mut convergence_test = ConvergenceTest;
+    let mut step_limit = StepLimit;
+    let mut slow_strain_limits = SlowStrainLimits;
+    let mut stagnation_limit = StagnationLimit;
+    let mut block_end = BlockEnd;
+    let all: [(bool, &mut dyn Mechanism); 17] = [
+        (true, pinned),
+        (ADAPTIVE_STIFFNESS.is_on(), &mut adaptive_stiffness),
+        (true, &mut lagged_forces),
+        (true, &mut measure_newton_step),
+        (SURROGATE_HESSIAN.is_on(), &mut surrogate_hessian),
+        (STRAIN_LIMIT_HOMOTOPY.is_on(), &mut homotopy),
+        (GAP_UPDATE.is_on() && !coarse, &mut gap_update),
+        (true, &mut factor_reuse),
+        (NEGATIVE_CURVATURE.is_on(), &mut curvature),
+        (true, &mut convergence_test),
+        (true, &mut regularization),
+        (true, progress),
+        (true, &mut fall),
+        (true, &mut step_limit),
+        (STRAIN_LIMIT_HOMOTOPY.is_on(), &mut slow_strain_limits),
+        (true, &mut stagnation_limit),
+        (true, &mut block_end),
+    ];
+    let mut mechanisms: Vec<&mut dyn Mechanism> = all.into_iter().filter(|(on, _)| *on).map(|(_, m)| m).collect();
+    let blocks = Blocks { steps: d.block_steps(steps), detection: Detection::SeveralBlocks };
+    drive(d, blocks, &mut mechanisms, watch)
 }
 
 impl Descent<'_> {
-    /// Goes on until at rest.
-    pub fn settle(&mut self, watch: &mut dyn Watch) -> Result<StopReason, ClothError> {
-        let mut way = Way::default();
-        loop {
-            let reason = self.descend(watch, &mut way)?;
-            if self.is_proved() {
-                return Ok(reason);
-            }
+    /// Would a Newton step gain more than all elastic energy?
+    pub fn is_far_from_rest(&mut self) -> bool {
+        if self.check_energy().is_err() {
+            return true;
         }
+        self.refresh_contacts();
+        if self.precondition().is_err() {
+            return true;
+        }
+        self.measure_newton_step();
+        self.newton.decrement > LOADS_BALANCE_DECREMENT.get()
     }
 
-    /// Goes on until at rest as far as is proved.
-    fn descend(&mut self, watch: &mut dyn Watch, way: &mut Way) -> Result<StopReason, ClothError> {
-        let (mut stuck, mut rounds) = (0, Rounds::default());
-        let start = self.x.clone();
-        let far = FAR * self.goal.size(&start);
-        self.goal.set_rough(true);
-        let few = if self.is_coarser() { FEW_ON_COARSE } else { FEW };
-        let mut locks = self.locks_at_start();
-        loop {
-            if self.is_torn() {
-                return Ok(StopReason::HeldBack);
-            }
-            self.lead();
-            self.metric()?;
-            self.look();
-            let changed;
-            (locks, changed) = self.turn_locks(locks);
-            if changed {
-                continue;
-            }
-            if locks != Locks::Asleep && self.bears_early(&mut rounds) {
-                continue;
-            }
-            if !matches!(locks, Locks::Wide(_)) && self.resting() {
-                match self.surely_resting(&mut rounds) {
-                    Some(reason) => return Ok(reason),
-                    None => continue,
-                }
-            }
-            if stuck == 0 && (self.tau < self.free || self.firm > 0.0) && self.nearly_resting() {
-                // Is it so with the cloth's own metric, too? Not where that has just led nowhere.
-                (self.tau, self.firm) = (TAU_FREE, 0.0);
-                continue;
-            }
-            if watch.cancelled() {
-                return Err(ClothError::Cancelled { step: self.steps });
-            }
-            watch.progress(self.steps, &self.words());
-            watch.done(way.part(self.to_go()));
-            if start.iter().zip(&self.x).any(|(p, q)| (p - q).norm_squared() > far * far) {
-                return Ok(StopReason::Unheld);
-            }
-            if self.steps >= self.settings.max_descents {
-                return Ok(StopReason::MaxSteps);
-            }
-            if self.is_long_locked(locks) {
-                locks = self.widen_locks();
-            }
-            let Some(b) = self.block_ahead(few) else { continue };
-            stuck = if b.steps == 0 { stuck + 1 } else { 0 };
-            if stuck > MOST_STUCK {
-                return Ok(if self.pins_placed() { StopReason::MaxSteps } else { StopReason::HeldBack });
-            }
-            self.adapt(b);
-        }
-    }
-
-    /// At rest by all that is told: is it so with all of the cloth's bending, with contacts that bear their load where they
-    /// should, by the second derivatives here, and is it no saddle? `None` if not; then the cloth has been told what is missing.
-    fn surely_resting(&mut self, rounds: &mut Rounds) -> Option<StopReason> {
-        if self.goal.is_rough() {
-            self.goal.set_rough(false);
-            return None;
-        }
-        let gives = rounds.borne < MOST_BORNE && !self.is_coarser();
-        // What is moved out stays so.
-        if gives && !self.is_proved() {
-            self.goal.set_rough(true);
-            return None;
-        }
-        if gives && self.bear() {
-            rounds.borne += 1;
-            self.goal.set_rough(true);
-            return None;
-        }
-        if !self.is_fresh() {
-            self.renew();
-            return None;
-        }
-        if rounds.pushes == MOST_PUSHES || !self.leave_saddle() {
-            return Some(StopReason::Settled);
-        }
-        rounds.pushes += 1;
-        self.goal.set_rough(true);
-        None
-    }
-
-    /// Large cloth that nearly rests moves contacts that gave way out for the first time; says whether anything has changed.
-    fn bears_early(&mut self, rounds: &mut Rounds) -> bool {
-        let s = self.settings;
-        let early = self.is_large()
-            && !self.is_coarser()
-            && rounds.borne == 0
-            && self.decrement <= s.decrement_tolerance
-            && self.longest <= s.move_tolerance
-            && self.residual <= NEARLY_BORNE * s.residual_tolerance;
-        if !early {
+    /// Gives cloth that lies on the body at the start the contact load that holds it in balance; says whether any has one.
+    pub fn warm_start_contacts(&mut self) -> bool {
+        let forces = self.f.clone();
+        let warm = CONTACT_WARM_START.is_on()
+            && self.change(|o, x| {
+                let index = &o.unknowns.index;
+                let has_friction = o.terms.friction.is_some();
+                let barrier = o.terms.barrier.as_mut().filter(|_| has_friction);
+                Change::energy_if(barrier.is_some_and(|b| b.preload(x, &forces, index)))
+            });
+        if !warm {
             return false;
         }
-        if !self.is_proved() {
-            return true;
-        }
-        rounds.borne = 1;
-        self.bear()
+        self.change(|o, x| {
+            let forces = o.forces().to_vec();
+            if let (Some(friction), Some(b)) = (&mut o.terms.friction, &o.terms.barrier) {
+                friction.refresh(x, &b.touches, b.frame.press);
+                friction.take_up(forces, &o.unknowns.index);
+            }
+            Change::Energy
+        });
+        true
     }
 
-    /// Does finer cloth go on from here?
-    pub(crate) fn is_coarser(&self) -> bool {
-        self.settings.of_coarser_level()
-    }
-
-    /// Would a Newton step win more than all that is stored?
-    pub fn far_from_rest(&mut self) -> bool {
-        if self.metric().is_err() {
-            return true;
-        }
-        self.look();
-        self.decrement > FAR_FROM_REST
-    }
-
-    /// How many times too large the worst of what must be small at rest is.
-    fn to_go(&self) -> f64 {
-        let s = self.settings;
-        let all = [
-            self.decrement / s.decrement_tolerance,
-            self.longest / s.move_tolerance,
-            self.residual / s.residual_tolerance,
-        ];
-        all.into_iter().fold(1.0, f64::max)
-    }
-
-    fn nearly_resting(&self) -> bool {
-        self.decrement < self.settings.decrement_tolerance && self.residual < 10.0 * self.settings.residual_tolerance
-    }
-
-    fn words(&self) -> String {
-        format!(
-            "energy {:.4e} J, a Newton step would win {:.1e} of the elastic energy (goal {:.0e}) and move {:.3} mm (goal {:.1})",
-            self.energy,
-            self.decrement,
-            self.settings.decrement_tolerance,
-            self.longest * 1e3,
-            self.settings.move_tolerance * 1e3
-        )
-    }
-}
-
-/// What was done at rest so far.
-#[derive(Default)]
-struct Rounds {
-    /// Saddles left.
-    pushes: u32,
-    /// Times that contacts which gave way were moved out.
-    borne: u32,
-}
-
-/// How far a descent has come: by the digits of what must become small.
-#[derive(Debug, Default)]
-struct Way {
-    first: f64,
-    part: f64,
-}
-
-impl Way {
-    fn part(&mut self, to_go: f64) -> f64 {
-        self.first = self.first.max(to_go);
-        let digits = if self.first > 1.0 { 1.0 - libm::log(to_go) / libm::log(self.first) } else { 1.0 };
-        self.part = self.part.max(digits.clamp(0.0, 1.0));
-        self.part
+    /// Takes those loads back: the cloth did not begin in balance.
+    pub fn drop_warm_start(&mut self) {
+        self.change(|o, x| {
+            if let Some(b) = &mut o.terms.barrier {
+                b.unload(x);
+            }
+            o.terms.friction.iter_mut().for_each(|s| *s = Stick::default());
+            Change::Energy
+        });
     }
 }

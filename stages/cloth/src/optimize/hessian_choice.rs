@@ -1,4 +1,4 @@
-//! Where the second derivatives of an objective are worked out: on all couplings of the cloth, or on fewer.
+//! The assembled Hessian of the objective: with the whole bending Hessian, or with a surrogate that couples fewer vertices.
 
 use crate::Vec3;
 use crate::energy::Energy;
@@ -6,58 +6,100 @@ use crate::energy::stitch_penalty::Seams;
 use crate::linear::hessian::Hessian;
 use nalgebra::Matrix3;
 
-/// A matrix, and the values of what is quadratic.
-pub(crate) struct Slate {
-    pub hessian: Hessian,
-    constant: Constant,
-    pub rough: bool,
+/// The Hessian in use, and the other one once it was used.
+pub(crate) struct HessianChoice {
+    current: AssembledHessian,
+    other: Option<AssembledHessian>,
 }
 
-/// Blocks that stay the same.
-enum Constant {
-    /// As stiff in all directions, as bending is: a ninth of the memory.
-    Even(Vec<f64>),
-    Any(Vec<Matrix3<f64>>),
+/// A sparse matrix, and the values of the energies that are quadratic.
+struct AssembledHessian {
+    hessian: Hessian,
+    constant: ConstantBlocks,
+    surrogate: bool,
 }
 
-impl Constant {
-    fn of(values: &[Matrix3<f64>]) -> Self {
-        let even = |m: &Matrix3<f64>| *m == Matrix3::from_diagonal_element(m[(0, 0)]);
-        if values.iter().all(even) {
-            return Self::Even(values.iter().map(|m| m[(0, 0)]).collect());
+/// Blocks that stay the same wherever the cloth is.
+enum ConstantBlocks {
+    /// Every block is a multiple of the identity, as those of bending are. This takes a ninth of the memory.
+    Isotropic(Vec<f64>),
+    /// Blocks of any kind.
+    General(Vec<Matrix3<f64>>),
+}
+
+impl ConstantBlocks {
+    fn new(values: &[Matrix3<f64>]) -> Self {
+        let isotropic = |m: &Matrix3<f64>| *m == Matrix3::from_diagonal_element(m[(0, 0)]);
+        if values.iter().all(isotropic) {
+            return Self::Isotropic(values.iter().map(|m| m[(0, 0)]).collect());
         }
-        Self::Any(values.to_vec())
+        Self::General(values.to_vec())
     }
 }
 
-impl Slate {
-    pub fn new(energies: &[Box<dyn Energy>], seams: Option<&Seams>, unknown: Vec<u32>, n: usize, rough: bool) -> Self {
+impl HessianChoice {
+    /// Starts with the whole Hessian of `n` unknowns; `index` gives the unknown of every vertex.
+    pub fn new(cloth: &[Box<dyn Energy>], stitches: Option<&Seams>, index: &[u32], n: usize) -> Self {
+        Self { current: AssembledHessian::new(cloth, stitches, index.to_vec(), n, false), other: None }
+    }
+
+    /// Uses the surrogate or the whole Hessian from now on.
+    pub fn choose(
+        &mut self,
+        surrogate: bool,
+        cloth: &[Box<dyn Energy>],
+        stitches: Option<&Seams>,
+        index: &[u32],
+        n: usize,
+    ) {
+        if surrogate == self.current.surrogate {
+            return;
+        }
+        let make = || AssembledHessian::new(cloth, stitches, index.to_vec(), n, surrogate);
+        let next = self.other.take().unwrap_or_else(make);
+        self.other = Some(std::mem::replace(&mut self.current, next));
+    }
+
+    pub fn is_surrogate(&self) -> bool {
+        self.current.surrogate
+    }
+
+    /// The Hessian of the cloth at `x`, projected to be convex or as it is; the other terms are still to be added.
+    pub fn of_cloth(&mut self, cloth: &[Box<dyn Energy>], x: &[Vec3], convex: bool) -> &mut Hessian {
+        self.current.reset(cloth, x, convex);
+        &mut self.current.hessian
+    }
+}
+
+impl AssembledHessian {
+    fn new(cloth: &[Box<dyn Energy>], stitches: Option<&Seams>, index: Vec<u32>, n: usize, surrogate: bool) -> Self {
         let mut pairs = Vec::new();
-        energies.iter().for_each(|e| if rough { e.add_rough_pairs(&mut pairs) } else { e.add_pairs(&mut pairs) });
-        seams.into_iter().for_each(|t| t.add_pairs(&mut pairs));
-        let mut slate =
-            Self { hessian: Hessian::new(unknown, n, pairs.into_iter()), constant: Constant::Any(Vec::new()), rough };
-        // What is the same everywhere needs no place.
-        energies.iter().filter(|e| e.quadratic()).for_each(|e| slate.add(e.as_ref(), &[], true));
-        slate.constant = Constant::of(&slate.hessian.values);
-        slate.hessian.values = Vec::new();
-        slate
+        cloth.iter().for_each(|e| if surrogate { e.add_rough_pairs(&mut pairs) } else { e.add_pairs(&mut pairs) });
+        stitches.into_iter().for_each(|t| t.add_pairs(&mut pairs));
+        let hessian = Hessian::new(index, n, pairs.into_iter());
+        let mut assembled = Self { hessian, constant: ConstantBlocks::General(Vec::new()), surrogate };
+        // A quadratic energy has the same Hessian everywhere, so any place will do.
+        cloth.iter().filter(|e| e.quadratic()).for_each(|e| assembled.add(e.as_ref(), &[], true));
+        assembled.constant = ConstantBlocks::new(&assembled.hessian.values);
+        assembled.hessian.values = Vec::new();
+        assembled
     }
 
     fn add(&mut self, energy: &dyn Energy, x: &[Vec3], convex: bool) {
-        if self.rough {
+        if self.surrogate {
             energy.add_rough_hessian(x, convex, &mut self.hessian);
         } else {
             energy.add_hessian(x, convex, &mut self.hessian);
         }
     }
 
-    /// Only the cloth's.
-    pub fn start(&mut self, energies: &[Box<dyn Energy>], x: &[Vec3], convex: bool) {
+    fn reset(&mut self, cloth: &[Box<dyn Energy>], x: &[Vec3], convex: bool) {
         match &self.constant {
-            Constant::Even(k) => self.hessian.reset(k.iter().map(|k| Matrix3::from_diagonal_element(*k))),
-            Constant::Any(values) => self.hessian.reset(values.iter().copied()),
+            ConstantBlocks::Isotropic(k) => {
+                self.hessian.reset(k.iter().map(|k| Matrix3::from_diagonal_element(*k)));
+            }
+            ConstantBlocks::General(values) => self.hessian.reset(values.iter().copied()),
         }
-        energies.iter().filter(|e| !e.quadratic()).for_each(|e| self.add(e.as_ref(), x, convex));
+        cloth.iter().filter(|e| !e.quadratic()).for_each(|e| self.add(e.as_ref(), x, convex));
     }
 }

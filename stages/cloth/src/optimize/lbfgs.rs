@@ -5,7 +5,7 @@ use crate::optimize::tuning::LBFGS_PAIRS;
 use std::collections::VecDeque;
 
 #[derive(Default)]
-pub(crate) struct Memory {
+pub(crate) struct Lbfgs {
     pairs: VecDeque<(Vec<Vec3>, Vec<Vec3>, f64)>,
 }
 
@@ -13,12 +13,12 @@ pub(crate) fn dot(a: &[Vec3], b: &[Vec3]) -> f64 {
     a.iter().zip(b).map(|(p, q)| p.dot(q)).sum()
 }
 
-impl Memory {
+impl Lbfgs {
     pub fn clear(&mut self) {
         self.pairs.clear();
     }
 
-    /// Remembers a step and the change of the gradient, if it shows positive curvature.
+    /// Keeps a step and the change of the gradient, if it shows positive curvature.
     pub fn push(&mut self, s: Vec<Vec3>, y: Vec<Vec3>) {
         let sy = dot(&s, &y);
         if sy > 1e-14 * (dot(&s, &s) * dot(&y, &y)).sqrt() && sy > 0.0 {

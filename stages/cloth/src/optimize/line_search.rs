@@ -1,28 +1,22 @@
-//! One step of a descent: where it goes, how far it may, and how far it is worth going.
+//! The line search: the quasi-Newton direction, the largest step along it that crosses nothing, and backtracking by cubic
+//! interpolation until the step gains enough (Armijo).
 
 use crate::Vec3;
 use crate::linear::hessian::{gather, scattered};
 use crate::optimize::descent::Descent;
 use crate::optimize::lbfgs::dot;
+use crate::optimize::tuning::{
+    ARMIJO_SHARE, BACKTRACKING_LEAST, BACKTRACKING_MOST, HOLD_BACK_ROUNDS, HOLD_BACK_UNDER, LINE_SEARCH_TRIALS,
+};
 use crate::report::cost::Lap;
 
-/// Least part of what the slope promises that a step must win (Armijo). So much that one which ends far up the other side
-/// is taken back: with 1e-4 most drapes took more steps, up to a third.
-const DECREASE: f64 = 0.25;
 /// Rounding of an energy over its size.
-const ROUNDING: f64 = 1e-14;
-const MOST_TRIALS: usize = 8;
-/// Least and largest part of a step that fell short which the next trial takes.
-const NEARER: [f64; 2] = [0.1, 0.7];
-/// Rounds in which single vertices are held back before the whole step is shortened.
-const HOLD_ROUNDS: usize = 3;
-/// Part of a step below which single vertices are held back instead of all.
-const HOLD_UNDER: f64 = 0.1;
+const ENERGY_ROUNDING: f64 = 1e-14;
 
-/// Where on a way of length 1 the cubic through its ends is least: `rise` from one to the other, with these slopes (Nocedal
-/// and Wright, eq. 3.59). The slope at the far end tells that cloth which turns grows stiff only late: the parabola without it
-/// stops short.
-fn least(rise: f64, [first, last]: [f64; 2]) -> f64 {
+/// The minimum of the cubic through both ends of an interval of length 1: `rise` from one to the other, and the slopes at both
+/// (Nocedal and Wright, Numerical Optimization, equation 3.59). The slope at the far end shows that turning cloth grows stiff
+/// only late; the parabola without it stops short.
+fn cubic_minimum(rise: f64, [first, last]: [f64; 2]) -> f64 {
     let bow = first + last - 3.0 * rise;
     let root = (bow * bow - first * last).max(0.0).sqrt();
     1.0 - (last + root - bow) / (last - first + 2.0 * root)
@@ -30,94 +24,110 @@ fn least(rise: f64, [first, last]: [f64; 2]) -> f64 {
 
 impl Descent<'_> {
     /// Shortens a step so that nothing crosses.
-    pub(crate) fn limit(&mut self, step: &mut [Vec3]) {
-        for round in 0..=HOLD_ROUNDS {
-            if self.goal.barrier.as_mut().is_some_and(|b| b.cover(&self.x, step)) {
+    pub fn limit(&mut self, step: &mut [Vec3]) {
+        let (most_rounds, hold_back_under) = (HOLD_BACK_ROUNDS.get(), HOLD_BACK_UNDER.get());
+        for round in 0..=most_rounds {
+            let x = std::mem::take(&mut self.x);
+            let listed = self.detection().is_some_and(|b| b.cover(&x, step));
+            self.x = x;
+            if listed {
                 self.evaluate_again();
             }
-            let Some(barrier) = &mut self.goal.barrier else { return };
-            // A shorter step along the same direction is still a good one; only where a few vertices would stop all
-            // others are they held back alone.
-            let part = barrier.free_part(&self.x, step);
-            if part >= HOLD_UNDER || round == HOLD_ROUNDS {
+            let x = std::mem::take(&mut self.x);
+            let done = self.detection().is_none_or(|barrier| {
+                // A shorter step along the same direction is still a good one. Single vertices are held back alone only
+                // where a few of them would stop all others.
+                let part = barrier.free_part(&x, step);
+                if part < hold_back_under && round < most_rounds {
+                    barrier.hold_back(&x, step);
+                    return false;
+                }
                 if part < 1.0 {
                     barrier.tally.limited += 1;
                     step.iter_mut().for_each(|d| *d *= part);
                 }
+                true
+            });
+            self.x = x;
+            if done {
                 return;
             }
-            barrier.hold_back(&self.x, step);
         }
     }
 
-    /// The quasi-Newton direction, no longer than the stride.
+    /// The quasi-Newton direction, no longer than the step cap.
     fn direction(&mut self) -> Vec<Vec3> {
         let mut lap = Lap::start();
-        let mut d = self.memory.direction(&self.f, |q| self.factor.solve(q));
+        let factor = &mut self.preconditioner.factor;
+        let mut d = self.history.direction(&self.f, |q| factor.solve(q));
         if dot(&d, &self.f) <= 0.0 || d.iter().any(|v| !v.iter().all(|c| c.is_finite())) {
-            self.memory.clear();
+            self.history.clear();
             d = self.f.clone();
-            self.factor.solve(&mut d);
+            factor.solve(&mut d);
         }
         self.spend(&mut lap);
-        self.longest = crate::longest(&d);
-        let most = self.stride * self.goal.edge;
-        let cap = if self.longest > most { most / self.longest } else { 1.0 };
-        scattered(&self.goal.unknown, &d, cap)
+        self.newton.longest = crate::longest(&d);
+        let most = self.step_cap.edges * self.objective().edge;
+        let cap = if self.newton.longest > most { most / self.newton.longest } else { 1.0 };
+        scattered(&self.objective().unknowns.index, &d, cap)
     }
 
-    /// One step along the quasi-Newton direction, of which this part is tried first; the part of it that was taken, `None` if nothing was won.
+    /// Takes one step along the quasi-Newton direction and tries this part of it first. Returns the part that was taken, or
+    /// `None` if nothing was gained.
     pub fn step(&mut self, mut part: f64) -> Option<f64> {
         let mut step = self.direction();
         self.limit(&mut step);
         let mut moved = vec![Vec3::zeros(); self.f.len()];
-        gather(&self.goal.unknown, &step, &mut moved);
+        gather(&self.objective().unknowns.index, &step, &mut moved);
         let slope = dot(&moved, &self.f);
         if slope <= 0.0 {
             return None;
         }
         let (from, energy, force) = (self.x.clone(), self.energy, self.f.clone());
-        for _ in 0..MOST_TRIALS {
+        let armijo = ARMIJO_SHARE.get();
+        for _ in 0..LINE_SEARCH_TRIALS.get() {
             for ((x, p), d) in self.x.iter_mut().zip(&from).zip(&step) {
                 *x = p + d * part;
             }
             self.evaluate();
             let (rise, on) = (self.energy - energy, dot(&moved, &self.f));
-            let wins = rise <= -DECREASE * part * slope;
-            // What is lost in the digits of the energy, the slopes still tell (Hager and Zhang 2005, eq. 4.1).
-            let unseen = rise <= ROUNDING * energy.abs() + self.goal.noise && on >= (2.0 * DECREASE - 1.0) * slope;
-            if self.energy.is_finite() && (wins || unseen) {
-                self.took(&force, moved, part);
+            let gains = rise <= -armijo * part * slope;
+            // Where the gain is lost in the digits of the energy, the slopes still show it (Hager and Zhang 2005, eq. 4.1).
+            let rounding = ENERGY_ROUNDING * energy.abs() + self.objective().noise;
+            let unseen = rise <= rounding && on >= (2.0 * armijo - 1.0) * slope;
+            if self.energy.is_finite() && (gains || unseen) {
+                self.accept(&force, moved, part);
                 return Some(part);
             }
-            let nearer = least(rise, [-part * slope, -part * on]);
-            part *= if nearer.is_finite() { nearer.clamp(NEARER[0], NEARER[1]) } else { NEARER[0] };
+            let nearer = cubic_minimum(rise, [-part * slope, -part * on]);
+            let (least, most) = (BACKTRACKING_LEAST.get(), BACKTRACKING_MOST.get());
+            part *= if nearer.is_finite() { nearer.clamp(least, most) } else { least };
         }
         self.x = from;
         self.evaluate();
         None
     }
 
-    /// Remembers a step from where the forces were `force`.
-    fn took(&mut self, force: &[Vec3], mut moved: Vec<Vec3>, part: f64) {
+    /// Keeps a step in the history; the forces were `force` before it.
+    fn accept(&mut self, force: &[Vec3], mut moved: Vec<Vec3>, part: f64) {
         moved.iter_mut().for_each(|d| *d *= part);
         let y: Vec<Vec3> = force.iter().zip(&self.f).map(|(p, q)| p - q).collect();
-        self.memory.push(moved, y);
+        self.history.push(moved, y);
         self.steps += 1;
-        if let Some(b) = &mut self.goal.barrier {
-            b.took(&self.x);
-        }
+        let x = std::mem::take(&mut self.x);
+        self.detection().into_iter().for_each(|b| b.took(&x));
+        self.x = x;
     }
 }
 
 #[cfg(test)]
 mod tests {
-    use super::least;
+    use super::cubic_minimum;
 
     #[test]
-    fn the_least_of_a_parabola_and_of_a_cubic_are_found() {
+    fn the_minima_of_a_parabola_and_of_a_cubic_are_found() {
         // x² − x, and x³ − ¾ x.
-        assert!((least(0.0, [-1.0, 1.0]) - 0.5).abs() < 1e-15);
-        assert!((least(0.25, [-0.75, 2.25]) - 0.5).abs() < 1e-15);
+        assert!((cubic_minimum(0.0, [-1.0, 1.0]) - 0.5).abs() < 1e-15);
+        assert!((cubic_minimum(0.25, [-0.75, 2.25]) - 0.5).abs() < 1e-15);
     }
 }

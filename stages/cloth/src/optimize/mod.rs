@@ -1,18 +1,25 @@
-//! Rest without time: the least of one energy (docs/static.md), by descents whose metric is a lagged Cholesky factor.
+//! Rest without time: the minimum of one energy, by quasi-Newton descents that a lagged Cholesky factor preconditions.
+//!
+//! [`driver`] holds the one loop, [`descent`] its state, [`mechanisms`] the rules that act in it.
 
+pub(crate) mod block;
 pub(crate) mod decrement_bound;
 pub(crate) mod descent;
 pub(crate) mod drape;
+pub(crate) mod driver;
+pub(crate) mod factorization;
 pub(crate) mod hessian_choice;
 pub(crate) mod lbfgs;
 pub(crate) mod line_search;
-pub(crate) mod negative_curvature;
+pub(crate) mod mechanism;
+pub(crate) mod mechanisms;
 pub(crate) mod objective;
-pub(crate) mod pinned_targets;
 pub(crate) mod preconditioner;
+pub(crate) mod regularization;
 pub(crate) mod report;
-pub(crate) mod speculative_steps;
-pub(crate) mod strain_limit_homotopy;
+pub(crate) mod speculation;
+pub(crate) mod strain_limit_phase;
+pub(crate) mod task;
 #[cfg(test)]
 pub(crate) mod test_sheets;
 pub(crate) mod tuning;

@@ -1,9 +1,11 @@
-//! The energy that a descent lowers: cloth, weight, contact, friction of the last refresh, sewing threads.
+//! The energy that a descent lowers: cloth, weight, contact, friction of the last refresh, stitch penalty, inertia.
 
+use crate::collision::body::Body;
 use crate::collision::broad_phase::bvh::Aabb;
+use crate::collision::self_candidates::Own;
 use crate::contact::barrier::Barrier;
 use crate::contact::lagged_friction::Stick;
-use crate::contact::parameters::frame;
+use crate::contact::parameters::{Frame, frame};
 use crate::energy::hysteresis;
 use crate::energy::hysteresis::held::Hysteresis;
 use crate::energy::inertia::Inert;
@@ -12,291 +14,327 @@ use crate::energy::pressure::Pressure;
 use crate::energy::stitch_penalty::Seams;
 use crate::energy::{Energy, elastic};
 use crate::linear::hessian::{FIXED, Pattern};
-use crate::optimize::hessian_choice::Slate;
+use crate::optimize::hessian_choice::HessianChoice;
+use crate::optimize::task::Task;
 use crate::prepare::start::Start;
 use crate::report::cost::{Costs, Lap, Work};
 use crate::scene::measures::{areas, held, masses};
 use crate::{Scene, Settings, Switch, Vec3};
 use nalgebra::Matrix3;
 
-/// What cloth, weight and inertia did at the last evaluation.
-#[derive(Default)]
-struct Cloth {
-    place: Vec<Vec3>,
-    force: Vec<Vec3>,
-    energy: f64,
-    /// Of it elastic, J.
-    stored: f64,
-}
-
-pub(crate) struct Objective {
-    pub energies: Vec<Box<dyn Energy>>,
+/// The terms of the energy.
+pub(crate) struct Terms {
+    /// Energies of the cloth itself, and its weight.
+    pub cloth: Vec<Box<dyn Energy>>,
     pub barrier: Option<Barrier>,
-    pub stick: Option<Stick>,
+    pub friction: Option<Stick>,
     pub hysteresis: Option<Hysteresis>,
     pub pressure: Option<Pressure>,
-    pub seams: Option<Seams>,
-    /// Inertia and damping of a stage of a time step; none at rest.
-    pub inert: Option<Inert>,
-    /// kg, per vertex.
+    /// The stitch penalty, while pieces are sewn.
+    pub stitches: Option<Seams>,
+    /// Inertia and damping of a stage of a time step; `None` at rest.
+    pub inertia: Option<Inert>,
+}
+
+/// The vertices, and which of them are unknowns.
+pub(crate) struct Unknowns {
+    /// Mass of every vertex, kg.
     pub mass: Vec<f64>,
-    /// kg, per unknown.
-    pub inertia: Vec<f64>,
-    /// Unknown of every vertex, or [`FIXED`].
-    pub unknown: Vec<u32>,
-    slate: Slate,
-    /// The other one, once it was used.
-    spare: Option<Slate>,
+    /// Mass of every unknown, kg.
+    pub unknown_mass: Vec<f64>,
+    /// Index of the unknown of every vertex, or [`FIXED`].
+    pub index: Vec<u32>,
+    /// Held vertices and their places, m.
     pub pins: Vec<(u32, Vec3)>,
-    /// m, mean rest length of an edge.
-    pub edge: f64,
-    /// Rounding of the energy beside that which goes with its size, J.
-    pub noise: f64,
+}
+
+/// Energy and forces of the cloth, its weight and its inertia at the last full evaluation.
+#[derive(Default)]
+struct ClothTerms {
+    x: Vec<Vec3>,
     force: Vec<Vec3>,
-    cloth: Cloth,
+    /// J.
+    energy: f64,
+    /// The elastic part of it, J.
+    elastic: f64,
+}
+
+/// The energy of a descent as a function of the positions.
+pub(crate) struct Objective {
+    pub terms: Terms,
+    pub unknowns: Unknowns,
+    hessian: HessianChoice,
+    /// Mean rest length of an edge, m.
+    pub edge: f64,
+    /// Rounding of the energy that does not scale with the energy itself, J.
+    pub noise: f64,
     /// Do all fabrics resist bending?
-    pub bends: bool,
-    /// Not part of any result; what contacts cost stands with them.
+    pub resists_bending: bool,
+    /// CPU time by effect. It is no part of any result; the costs of contact stand with the barrier.
     pub costs: Costs,
-    pub looks: u64,
+    pub evaluations: u64,
+    force: Vec<Vec3>,
+    cloth: ClothTerms,
 }
 
 impl Objective {
-    pub fn new(scene: &Scene, s: &Settings, start: Start, pulls: bool) -> (Self, Vec<Vec3>) {
+    /// The objective of a task, and the positions to start from.
+    pub fn new(scene: &Scene, s: &Settings, start: Start, task: Task) -> (Self, Vec<Vec3>) {
         let Start { topology, positions, body, own, near, mut costs, .. } = start;
         let mass = masses(scene);
-        let energies = model(scene, s, &topology, &mass);
-        let mut pins = held(scene);
-        // In sewing, what will be held is drawn there by threads, so that the cloth around it comes along.
-        let apart = |p: &(u32, Vec3)| (p.1 - positions[p.0 as usize]).norm() > 1e-6;
-        let drawn: Vec<(u32, Vec3)> = pins.iter().copied().filter(|p| pulls && apart(p)).collect();
-        pins.retain(|p| !pulls || !apart(p));
-        let seams = pulls.then(|| Seams::new(scene, &drawn)).filter(|t| !t.is_empty());
-        let (unknown, n) = number(&mass, &pins);
-        let slate = Slate::new(&energies, seams.as_ref(), unknown.clone(), n, false);
-        let mut inertia = vec![0.0; n];
-        unknown.iter().zip(&mass).filter(|(u, _)| **u != FIXED).for_each(|(u, m)| inertia[*u as usize] = *m);
+        let cloth = model(scene, s, &topology, &mass);
+        let (pins, stitches) = pins_and_stitches(scene, &positions, task);
+        let unknowns = Unknowns::new(mass, pins);
+        let hessian = HessianChoice::new(&cloth, stitches.as_ref(), &unknowns.index, unknowns.unknown_mass.len());
         let hysteresis = hysteresis::called_for(scene, s).then(|| Hysteresis::new(scene, &topology)).flatten();
-        let mut frame = frame(scene, s, topology, &mass, body.is_some(), own);
+        let frame = frame(scene, s, topology, &unknowns.mass, body.is_some(), own);
         let edge = frame.edge;
-        let stick =
-            (s.effects.friction != Switch::Off && (own || body.is_some()) && frame.friction.iter().any(|m| *m > 0.0))
-                .then(Stick::default);
-        let barrier = (own || body.is_some()).then(|| {
-            frame.topology.forget_hinges();
-            let mut lap = Lap::start();
-            let coarser = s.of_coarser_level();
-            let body = body.map(|b| if coarser { b.held_off([frame.edge, s.body_gap]) } else { b });
-            costs.spend(Work::BodyContact, &mut lap);
-            Barrier::new(frame, body, areas(scene), near)
-        });
-        let noise = energies.iter().map(|e| e.noise(&positions)).sum();
-        let force = vec![Vec3::zeros(); positions.len()];
-        let bends = scene.materials.iter().all(|m| m.bend_warp > 0.0 && m.bend_weft > 0.0);
-        (
-            Self {
-                energies,
+        let meets = own || body.is_some();
+        let rubs = s.effects.friction != Switch::Off && frame.friction.iter().any(|m| *m > 0.0);
+        let barrier = meets.then(|| contact(scene, s, frame, body, near, task, &mut costs));
+        let objective = Self {
+            hessian,
+            edge,
+            noise: cloth.iter().map(|e| e.noise(&positions)).sum(),
+            resists_bending: scene.materials.iter().all(|m| m.bend_warp > 0.0 && m.bend_weft > 0.0),
+            costs,
+            evaluations: 0,
+            force: vec![Vec3::zeros(); positions.len()],
+            cloth: ClothTerms::default(),
+            terms: Terms {
+                cloth,
                 barrier,
-                stick,
+                friction: (rubs && meets).then(Stick::default),
                 hysteresis,
                 pressure: Pressure::new(scene, s.pressure),
-                seams,
-                inert: None,
-                mass,
-                inertia,
-                unknown,
-                slate,
-                spare: None,
-                pins,
-                edge,
-                noise,
-                force,
-                cloth: Cloth::default(),
-                costs,
-                bends,
-                looks: 0,
+                stitches,
+                inertia: None,
             },
-            positions,
-        )
+            unknowns,
+        };
+        (objective, positions)
     }
 
-    /// Energy at `x`, J; `f` becomes the forces on the unknowns.
+    /// Energy at `x`, J; `f` becomes the forces on the unknowns, N.
     pub fn evaluate(&mut self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
         let mut lap = Lap::start();
         let all = &mut self.force;
         all.fill(Vec3::zeros());
-        let (mut energy, mut stored) = (0.0, 0.0);
-        for e in &self.energies {
+        let (mut energy, mut elastic) = (0.0, 0.0);
+        for e in &self.terms.cloth {
             let own = e.evaluate(x, all);
             energy += own;
-            stored += if e.elastic() { own } else { 0.0 };
+            elastic += if e.elastic() { own } else { 0.0 };
         }
-        if let Some(i) = &self.inert {
+        if let Some(i) = &self.terms.inertia {
             energy = i.evaluate(x, energy, all);
         }
-        self.cloth.place.clear();
-        self.cloth.place.extend_from_slice(x);
+        self.cloth.x.clear();
+        self.cloth.x.extend_from_slice(x);
         self.cloth.force.clone_from(all);
-        (self.cloth.energy, self.cloth.stored) = (energy, stored);
+        (self.cloth.energy, self.cloth.elastic) = (energy, elastic);
         self.costs.spend(Work::Cloth, &mut lap);
-        self.press(x, f)
+        self.add_other_terms(x, f)
     }
 
-    /// The same after only what presses or holds the cloth has been told anew.
+    /// The same where only terms other than the cloth's own have changed since the last evaluation.
     pub fn evaluate_again(&mut self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
-        if self.cloth.place != x {
+        if self.cloth.x != x {
             return self.evaluate(x, f);
         }
         self.force.copy_from_slice(&self.cloth.force);
-        self.press(x, f)
+        self.add_other_terms(x, f)
     }
 
-    /// Adds all that is not the cloth's own.
-    fn press(&mut self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
+    /// Adds all terms that are not the cloth's own.
+    fn add_other_terms(&mut self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
         let mut lap = Lap::start();
-        self.looks += 1;
+        self.evaluations += 1;
         let (mut energy, all) = (self.cloth.energy, &mut self.force);
-        if let Some(s) = &self.seams {
+        if let Some(s) = &self.terms.stitches {
             energy += s.evaluate(x, all);
             self.costs.spend(Work::Sewing, &mut lap);
         }
-        if let Some(h) = &self.hysteresis {
+        if let Some(h) = &self.terms.hysteresis {
             energy += h.evaluate(x, all);
             self.costs.spend(Work::Hysteresis, &mut lap);
         }
-        if let Some(p) = &self.pressure {
+        if let Some(p) = &self.terms.pressure {
             energy += p.evaluate(x, all);
             self.costs.spend(Work::Pressure, &mut lap);
         }
-        if let Some(b) = &mut self.barrier {
+        if let Some(b) = &mut self.terms.barrier {
             energy += b.evaluate(x, all);
             lap = Lap::start();
         }
-        if let Some(s) = &self.stick {
+        if let Some(s) = &self.terms.friction {
             energy += s.evaluate(x, all);
             self.costs.spend(Work::Friction, &mut lap);
         }
-        crate::linear::hessian::gather(&self.unknown, all, f);
+        crate::linear::hessian::gather(&self.unknowns.index, all, f);
         energy
     }
 
-    /// Is there a body?
-    pub fn on_body(&self) -> bool {
-        self.barrier.as_ref().is_some_and(|b| b.body.is_some())
+    /// The body, if the cloth meets one.
+    pub fn body(&self) -> Option<&Body> {
+        self.terms.barrier.as_ref().and_then(|b| b.body.as_ref())
     }
 
-    /// Is there friction that is taken over from place to place?
-    pub fn rubs(&self) -> bool {
-        (self.stick.is_some() && self.barrier.is_some()) || self.hysteresis.is_some()
+    /// Has the objective friction, in contacts or in bending, that is refreshed from place to place?
+    pub fn has_friction(&self) -> bool {
+        (self.terms.friction.is_some() && self.terms.barrier.is_some()) || self.terms.hysteresis.is_some()
     }
 
-    /// Has anything rubbed by now?
-    pub fn has_rubbed(&self) -> bool {
-        let rub = |s: &Stick| s.most > 0 || self.barrier.iter().any(|b| Stick::would_hold(&b.touches));
-        self.stick.as_ref().is_some_and(rub) || self.hysteresis.is_some()
+    /// Has friction acted by now?
+    pub fn friction_has_acted(&self) -> bool {
+        let acts = |s: &Stick| s.most > 0 || self.terms.barrier.iter().any(|b| Stick::would_hold(&b.touches));
+        self.terms.friction.as_ref().is_some_and(acts) || self.terms.hysteresis.is_some()
     }
 
     /// Largest slide at the last refresh of the friction, m.
-    pub fn slid(&self) -> f64 {
-        let contacts = self.stick.as_ref().map_or(0.0, |s| s.largest);
-        self.hysteresis.as_ref().map_or(contacts, |h| contacts.max(h.largest()))
+    pub fn largest_slide(&self) -> f64 {
+        let contacts = self.terms.friction.as_ref().map_or(0.0, |s| s.largest);
+        self.terms.hysteresis.as_ref().map_or(contacts, |h| contacts.max(h.largest()))
     }
 
-    /// Forces of the last evaluation on all vertices.
+    /// Forces of the last evaluation on all vertices, N.
     pub fn forces(&self) -> &[Vec3] {
         &self.force
     }
 
-    /// Largest strain of cloth that lies so.
+    /// Largest strain of the cloth at `x`.
     pub fn strain(&self, x: &[Vec3]) -> f64 {
-        self.energies.iter().map(|e| e.strain(x)).fold(f64::NEG_INFINITY, f64::max)
+        self.terms.cloth.iter().map(|e| e.strain(x)).fold(f64::NEG_INFINITY, f64::max)
     }
 
-    /// Does cloth that lies so carry more anywhere than its curves, because it locks at its strain limits?
-    pub fn is_locking(&self, x: &[Vec3]) -> bool {
-        self.energies.iter().any(|e| e.is_locking(x))
+    /// Does the strain-limit barrier act anywhere at `x`?
+    pub fn strain_limit_acts(&self, x: &[Vec3]) -> bool {
+        self.terms.cloth.iter().any(|e| e.is_locking(x))
     }
 
-    /// Cloth locks at its strain limits over this share of them from now on; says whether that changes any force at `x`.
-    pub fn lock_over(&mut self, locking: f64, x: &[Vec3]) -> bool {
-        let before = self.is_locking(x);
-        let changed = self.energies.iter_mut().fold(false, |any, e| e.lock_over(locking) | any);
-        changed && (before || self.is_locking(x))
+    /// Widens the strain-limit barrier to this share of the limits (0: the law's own, infinite: off); says whether that
+    /// changes any force at `x`.
+    pub fn widen_strain_limit(&mut self, share: f64, x: &[Vec3]) -> bool {
+        let before = self.strain_limit_acts(x);
+        let changed = self.terms.cloth.iter_mut().fold(false, |any, e| e.lock_over(share) | any);
+        changed && (before || self.strain_limit_acts(x))
     }
 
-    /// From now on second derivatives are rough ones, or all there is, where the cloth has both.
-    pub fn set_rough(&mut self, rough: bool) {
-        let able = self.hysteresis.is_none() && self.energies.iter().any(|e| e.rough());
-        if rough == self.slate.rough || rough && !able {
+    /// Uses the surrogate bending Hessian from now on, or the whole one, where the cloth has both.
+    pub fn use_surrogate(&mut self, surrogate: bool) {
+        let able = self.terms.hysteresis.is_none() && self.terms.cloth.iter().any(|e| e.rough());
+        if surrogate && !able {
             return;
         }
-        let anew = || {
-            let (unknown, n) = (self.unknown.clone(), self.inertia.len());
-            Slate::new(&self.energies, self.seams.as_ref(), unknown, n, rough)
-        };
-        let next = self.spare.take().unwrap_or_else(anew);
-        self.spare = Some(std::mem::replace(&mut self.slate, next));
+        let Terms { cloth, stitches, .. } = &self.terms;
+        let n = self.unknowns.unknown_mass.len();
+        self.hessian.choose(surrogate, cloth, stitches.as_ref(), &self.unknowns.index, n);
     }
 
-    pub fn is_rough(&self) -> bool {
-        self.slate.rough
+    /// Is the surrogate bending Hessian in use?
+    pub fn uses_surrogate(&self) -> bool {
+        self.hessian.is_surrogate()
     }
 
-    /// Second derivatives at `x`, which must be where the last evaluation was; those of the cloth `convex` or as they are,
-    /// with a share `firm` of them in all directions.
-    pub fn assemble(&mut self, x: &[Vec3], firm: f64, convex: bool) -> (Pattern, Vec<Matrix3<f64>>) {
-        self.slate.start(&self.energies, x, convex);
-        let hessian = &mut self.slate.hessian;
-        if firm > 0.0 {
-            hessian.stiffen(firm);
+    /// Second derivatives at `x`, the place of the last evaluation, projected to be convex or as they are. A share
+    /// `isotropic` of the stretch stiffness acts in all directions.
+    pub fn assemble(&mut self, x: &[Vec3], isotropic: f64, convex: bool) -> (Pattern, Vec<Matrix3<f64>>) {
+        let hessian = self.hessian.of_cloth(&self.terms.cloth, x, convex);
+        if isotropic > 0.0 {
+            hessian.stiffen(isotropic);
         }
-        if let Some(i) = &self.inert {
+        if let Some(i) = &self.terms.inertia {
             i.add_hessian(hessian);
         }
-        if let Some(s) = &self.seams {
+        if let Some(s) = &self.terms.stitches {
             s.add_hessian(x, hessian);
         }
-        if let Some(b) = &self.barrier {
+        if let Some(b) = &self.terms.barrier {
             b.add_hessian(hessian);
         }
-        if let Some(s) = &self.stick {
+        if let Some(s) = &self.terms.friction {
             s.add_hessian(x, hessian);
         }
-        if let Some(h) = &self.hysteresis {
+        if let Some(h) = &self.terms.hysteresis {
             h.add_hessian(x, hessian);
         }
         hessian.merged()
     }
 
-    /// Elastic energy where it was evaluated last, J.
-    pub fn stored(&self) -> f64 {
-        self.cloth.stored
+    /// Elastic energy at the last evaluation, J.
+    pub fn last_elastic(&self) -> f64 {
+        self.cloth.elastic
     }
 
-    /// J.
+    /// Elastic energy at `x`, J.
     pub fn elastic(&self, x: &[Vec3]) -> f64 {
-        elastic(&self.energies, x)
+        elastic(&self.terms.cloth, x)
+    }
+
+    /// Are all held vertices at their places?
+    pub fn pins_placed(&self, x: &[Vec3]) -> bool {
+        self.unknowns.pins.iter().all(|(v, at)| (at - x[*v as usize]).norm() <= 1e-6)
+    }
+
+    /// Widest gap of a stitch, m.
+    pub fn widest_stitch(&self, x: &[Vec3]) -> f64 {
+        self.terms.stitches.as_ref().map_or(0.0, |s| s.widest(x))
     }
 
     /// Diagonal of the box around cloth and body, m.
     pub fn size(&self, x: &[Vec3]) -> f64 {
         let cloth = Aabb::of(x);
-        let body = self.barrier.as_ref().and_then(|b| b.body.as_ref()).map_or(cloth, |b| b.bounds);
+        let body = self.body().map_or(cloth, |b| b.bounds);
         let all = cloth.join(&body);
         (all.high - all.low).norm()
     }
 }
 
-/// Unknowns: all vertices with mass that are not held.
-fn number(mass: &[f64], pins: &[(u32, Vec3)]) -> (Vec<u32>, usize) {
-    let mut unknown = vec![FIXED; mass.len()];
-    let mut n = 0;
-    let mut held = pins.iter().map(|p| p.0).peekable();
-    for (v, u) in (0u32..).zip(&mut unknown) {
-        if held.next_if_eq(&v).is_none() && mass[v as usize] > 0.0 {
-            *u = n;
-            n += 1;
-        }
+/// Held vertices, and the stitch penalty of sewing. In sewing, a vertex that will be held elsewhere is drawn there by a
+/// thread, so that the cloth around it comes along.
+fn pins_and_stitches(scene: &Scene, x: &[Vec3], task: Task) -> (Vec<(u32, Vec3)>, Option<Seams>) {
+    let mut pins = held(scene);
+    if task != Task::Sew {
+        return (pins, None);
     }
-    (unknown, n as usize)
+    let apart = |p: &(u32, Vec3)| (p.1 - x[p.0 as usize]).norm() > 1e-6;
+    let drawn: Vec<(u32, Vec3)> = pins.iter().copied().filter(apart).collect();
+    pins.retain(|p| !apart(p));
+    (pins, Some(Seams::new(scene, &drawn)).filter(|t| !t.is_empty()))
+}
+
+/// The contact barrier.
+fn contact(
+    scene: &Scene,
+    s: &Settings,
+    mut frame: Frame,
+    body: Option<Body>,
+    near: Option<Own>,
+    task: Task,
+    costs: &mut Costs,
+) -> Barrier {
+    frame.topology.forget_hinges();
+    let mut lap = Lap::start();
+    let coarser = task == Task::SettleCoarse;
+    let body = body.map(|b| if coarser { b.held_off([frame.edge, s.body_gap]) } else { b });
+    costs.spend(Work::BodyContact, &mut lap);
+    Barrier::new(frame, body, areas(scene), near)
+}
+
+impl Unknowns {
+    /// All vertices that have mass and are not held are unknowns, in the order of the vertices.
+    fn new(mass: Vec<f64>, pins: Vec<(u32, Vec3)>) -> Self {
+        let mut index = vec![FIXED; mass.len()];
+        let mut unknown_mass = Vec::new();
+        let mut held = pins.iter().map(|p| p.0).peekable();
+        let mut next = 0;
+        for ((v, u), m) in (0u32..).zip(&mut index).zip(&mass) {
+            if held.next_if_eq(&v).is_none() && *m > 0.0 {
+                *u = next;
+                next += 1;
+                unknown_mass.push(*m);
+            }
+        }
+        Self { mass, unknown_mass, index, pins }
+    }
 }

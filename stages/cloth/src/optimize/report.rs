@@ -12,35 +12,42 @@ use crate::{EffectReport, Material, Model, Outcome, Reaction, Scene, StopReason,
 /// Takes the places.
 pub(crate) fn outcome(d: &mut Descent<'_>, scene: &Scene, stop_reason: StopReason) -> Outcome {
     let gaps = gaps(scene, &d.x);
-    let forces = d.goal.forces();
-    let reactions = d.goal.pins.iter().map(|(v, _)| Reaction { vertex: *v, force: -forces[*v as usize] }).collect();
+    let forces = d.objective().forces();
+    let reactions =
+        d.objective().unknowns.pins.iter().map(|(v, _)| Reaction { vertex: *v, force: -forces[*v as usize] }).collect();
     Outcome {
         steps: d.steps,
         seconds: 0.0,
         settled: stop_reason == StopReason::Settled,
         stop_reason,
-        energy: d.goal.elastic(&d.x),
+        energy: d.objective().elastic(&d.x),
         speed_max: 0.0,
-        residual_rel: d.residual,
+        residual_rel: d.newton.residual,
         seam_gap_max: gaps.first().map_or(0.0, |g| g.1),
         open_stitches: gaps.into_iter().filter(|g| g.1 > d.settings.sewing_distance).take(20).collect(),
         effects: effects(d, scene),
         reactions,
-        repaired: d.repaired,
+        repaired: d.start.repaired,
         joined: 0,
         positions: std::mem::take(&mut d.x),
     }
 }
 
 pub(crate) fn effects(d: &Descent<'_>, scene: &Scene) -> Vec<EffectReport> {
-    let barrier = d.goal.barrier.as_ref();
-    let costs = barrier.map_or(d.goal.costs, |b| d.goal.costs.join(&b.tally.costs));
+    let barrier = d.objective().terms.barrier.as_ref();
+    let costs = barrier.map_or(d.objective().costs, |b| d.objective().costs.join(&b.tally.costs));
     let mut list = vec![cloth(d, scene), descent(d)];
-    list.extend(d.goal.seams.is_some().then(|| {
+    list.extend(d.objective().terms.stitches.is_some().then(|| {
         effect("sewing", true, "stitches are to be closed".into(), "threads pull every stitched pair".into())
     }));
     list.extend([self_contact(d), body_contact(d), friction(d), strain_limit(d, scene), bending_hysteresis(d, scene)]);
-    list.extend(d.goal.pressure.as_ref().map(|p| effect("pressure", true, "a pressure is given".into(), p.words())));
+    list.extend(
+        d.objective()
+            .terms
+            .pressure
+            .as_ref()
+            .map(|p| effect("pressure", true, "a pressure is given".into(), p.words())),
+    );
     for e in &mut list {
         e.cpu_seconds = work(e.name).filter(|_| e.on).map_or(0.0, |w| costs.of(w));
     }
@@ -62,17 +69,17 @@ fn work(name: &str) -> Option<Work> {
 }
 
 fn cloth(d: &Descent<'_>, scene: &Scene) -> EffectReport {
-    let evidence = format!("{} triangles, forces taken {} times", scene.triangles.len(), d.goal.looks);
+    let evidence = format!("{} triangles, forces taken {} times", scene.triangles.len(), d.objective().evaluations);
     effect("cloth", true, "always: stretch, shear, bending, weight".into(), evidence)
 }
 
 fn descent(d: &Descent<'_>) -> EffectReport {
-    let evidence = format!("{} steps, {} factors of {} unknowns", d.steps, d.factors(), 3 * d.f.len());
+    let evidence = format!("{} steps, {} factors of {} unknowns", d.steps, d.factorisations(), 3 * d.f.len());
     effect("descent", true, "always: metric, its factor, directions".into(), evidence)
 }
 
 fn tally(d: &Descent<'_>) -> Tally {
-    d.goal.barrier.as_ref().map_or_else(Tally::default, |b| b.tally)
+    d.objective().terms.barrier.as_ref().map_or_else(Tally::default, |b| b.tally)
 }
 
 /// In how many looks at the cloth an effect did something.
@@ -81,7 +88,7 @@ fn active(looks: u64, of: u64) -> String {
 }
 
 fn self_contact(d: &Descent<'_>) -> EffectReport {
-    let on = d.goal.barrier.as_ref().is_some_and(|b| b.frame.own);
+    let on = d.objective().terms.barrier.as_ref().is_some_and(|b| b.frame.own);
     let t = tally(d);
     let evidence = if on {
         let (lists, limited) = (t.lists, t.limited);
@@ -99,7 +106,7 @@ fn self_contact(d: &Descent<'_>) -> EffectReport {
 }
 
 fn body_contact(d: &Descent<'_>) -> EffectReport {
-    let body = d.goal.barrier.as_ref().and_then(|b| b.body.as_ref());
+    let body = d.objective().terms.barrier.as_ref().and_then(|b| b.body.as_ref());
     let t = tally(d);
     let evidence = match (body, d.settings.effects.body_contact) {
         (Some(_), _) if t.nearest_body.is_finite() => {
@@ -115,13 +122,13 @@ fn body_contact(d: &Descent<'_>) -> EffectReport {
 }
 
 fn friction(d: &Descent<'_>) -> EffectReport {
-    let evidence = match &d.goal.stick {
+    let evidence = match &d.objective().terms.friction {
         None => "no contact, or no coefficient above 0".into(),
         Some(s) if s.most == 0 => active(0, 0),
         Some(s) => format!("up to {} contacts rub, {} slid at the last look", s.most, s.slid),
     };
     let rule = switched(d.settings.effects.friction, "contact and a coefficient above 0");
-    effect("friction", d.goal.stick.is_some(), rule, evidence)
+    effect("friction", d.objective().terms.friction.is_some(), rule, evidence)
 }
 
 fn strain_limit(d: &Descent<'_>, scene: &Scene) -> EffectReport {
@@ -145,11 +152,11 @@ fn bending_hysteresis(d: &Descent<'_>, scene: &Scene) -> EffectReport {
     let switch = d.settings.effects.bending_hysteresis;
     let share = scene.materials.iter().map(Material::bend_friction_share).fold(0.0, f64::max);
     let part = format!("HB c/B is at most {share:.2}");
-    let evidence = match (&d.goal.hysteresis, share > 0.0) {
+    let evidence = match (&d.objective().terms.hysteresis, share > 0.0) {
         (Some(h), _) => format!("{part}; {} of {} holds slid at the last look", h.slid(), h.len()),
         (None, false) => "no fabric has friction in bending".into(),
         (None, true) if switch == Switch::Off => "switched off".into(),
         (None, true) => format!("{part}: the drape coefficient would change by less than a point"),
     };
-    effect("bending-hysteresis", d.goal.hysteresis.is_some(), switched(switch, RULE), evidence)
+    effect("bending-hysteresis", d.objective().terms.hysteresis.is_some(), switched(switch, RULE), evidence)
 }

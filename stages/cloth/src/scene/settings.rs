@@ -162,11 +162,6 @@ impl Settings {
         }
     }
 
-    /// Does finer cloth go on from where this comes to lie? Only such cloth may rest with any forces.
-    pub(crate) fn of_coarser_level(&self) -> bool {
-        !self.residual_tolerance.is_finite()
-    }
-
     /// The largest tangent stiffness used: only explicit steps need a cap.
     #[must_use]
     pub fn curve_cap(&self) -> f64 {

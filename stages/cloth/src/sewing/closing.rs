@@ -1,220 +1,298 @@
-//! Sewing: threads pull the stitched pairs together (docs/sewing.md).
+//! Closing the stitches by a penalty with force continuation (docs/sewing.md): the pieces are gathered by a growing force, then the
+//! threads are drawn tight while the cloth comes to its distance from the body.
 
 use crate::collision::crossings::count;
-use crate::optimize::descent::Descent;
+use crate::optimize::descent::{Change, Descent};
+use crate::optimize::driver::{Blocks, Detection, drive};
+use crate::optimize::mechanism::{Block, Mechanism, Verdict};
+use crate::optimize::mechanisms::contact_refresh::{AdaptiveStiffness, LaggedForces};
+use crate::optimize::mechanisms::factor_reuse::FactorReuse;
+use crate::optimize::mechanisms::pinned_targets::PinnedTargets;
+use crate::optimize::mechanisms::regularization_schedule::RegularizationSchedule;
+use crate::optimize::mechanisms::rest::BlockEnd;
+use crate::optimize::mechanisms::strain_limit_homotopy::widen_partly;
 use crate::optimize::report;
+use crate::optimize::task::Task;
+use crate::optimize::tuning::{ADAPTIVE_STIFFNESS, BLOCK_STEPS, STRAIN_LIMIT_HOMOTOPY, SURROGATE_HESSIAN};
+use crate::sewing::initial_guess;
+use crate::sewing::tuning::{
+    CLOSED_GAP, DRAWN_SHUT_GAP, GATHERED_GAP, GATHERING_IDLE_MOST, GATHERING_REACH, GATHERING_TAU_MOST, INITIAL_GUESS,
+    SEWING_FORCE_FACTOR, SEWING_FORCE_FIRST, SEWING_FORCE_MOST, SEWING_FORCE_TIGHT, SEWING_GAP_PROGRESS,
+    SEWING_STEP_CAP_EDGES, SEWING_STEP_GROWTH, SEWN_ENERGY_SHARE, STAND_OFF, STAND_OFF_CRAMPED_FORCE, STAND_OFF_EDGES,
+    STAND_OFF_EDGES_LEAST, STAND_OFF_FACTOR, STAND_OFF_MOST, STAND_OFF_NARROW_GAP, TIGHTENING_ENERGY_SHARE,
+    TIGHTENING_GAP_PROGRESS, TIGHTENING_STEPS_MOST,
+};
 use crate::{ClothError, Outcome, Scene, Settings, StopReason, Vec3, Watch};
 
-/// Pull of the threads at first, per length of seam, N/m, and at most.
-const PULL_FIRST: f64 = 1.0;
-const PULL_MOST: f64 = 300.0;
-/// Blocks without much progress after which something must be in the way; a standstill counts four times.
-const PATIENCE: u32 = 160;
-/// Distance to the body at first, over the mean edge, and at most, m: farther off there is no room in a fitted garment.
-const WIDE: f64 = 0.6;
-const WIDEST: f64 = 0.012;
-/// Pull from which cloth that no longer comes is let nearer to the body as it is pulled harder, N/m, and what is left of the
-/// distance each time.
-const CRAMPED: f64 = 40.0;
-const NEARER: f64 = 0.7;
-/// Longest step of a vertex over the mean edge: short enough that a contact is felt before it is passed, and that flat
-/// cloth may bend.
-const SEWING_STRIDE: f64 = 0.3;
-/// Largest part of a step that is tried first, over that of the last step which was taken: cloth that is turned so far takes few
-/// steps as a whole, and what was too much for one is so for the next.
-const BOLDER: f64 = 1.3;
-/// Widest gap over the mean edge at which a seam that no longer closes lets the cloth nearer to the body, and how near.
-const NEARLY: f64 = 2.0;
-const LEAST_WIDE: f64 = 0.05;
-/// Gap over the mean edge at which the full pull acts while the pieces come together.
-const REACH: f64 = 0.25;
-/// Energy won in a block over the elastic energy at which a sewn state is good enough to drape.
-const SEWN: f64 = 0.2;
-/// Widest gap over the mean edge from which the threads are drawn tight.
-const NEAR: f64 = 0.1;
-/// Widest gap over the mean edge that is drawn shut where the full pull holds it open: the garment is tight there.
-const DRAWN: f64 = 0.7;
-/// A block that leaves more than this of the widest gap made no progress …
-const SHRINKS: f64 = 0.9;
-/// … and lets the threads pull so much harder.
-const HARDER: f64 = 2.5;
-/// Part of the work until the pieces are together.
-const GATHERING: f64 = 0.8;
-/// Part of the widest gap left after a block of the tightening above which nothing shrinks any more, if the block also won
-/// no more than this of the elastic energy.
-const AS_WIDE: f64 = 0.9;
-const WON_NOTHING: f64 = 0.01;
-/// Most steps of the tightening.
-const MOST_TIGHTENING: u64 = 200;
-/// Stitches closer than this share of the sewing distance are joined exactly.
-const JOINED: f64 = 0.1;
-/// Pull at the sewing distance in the end, N/m.
-const PULL_SEWN: f64 = 1e4;
+/// Part of the work until the pieces are together, for the progress display.
+const GATHERING_WORK: f64 = 0.8;
 
-/// Closes the stitches: the threads pull harder from block to block, until all pairs are closed. `None` where something
-/// stays in the way.
+/// Closes the stitches. `None` where something stays in the way.
+///
+/// # Errors
+/// An unusable scene or setting, a start that crosses, instability, or a stop on request.
 pub(crate) fn close(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
-    let mut descent = Descent::begin(scene, settings, true)?;
-    if descent.goal.seams.is_some() {
-        descent.goal.set_rough(true);
-        let mut sewing = Sewing::new(&mut descent);
-        if !sewing.gather(scene, watch)? {
+    let mut descent = Descent::begin(scene, settings, Task::Sew)?;
+    if descent.objective().terms.stitches.is_some() {
+        if !sew(&mut descent, scene, watch)? {
             return Ok(None);
         }
-        sewing.tighten(watch)?;
-        descent.join(scene);
+        join_closed_stitches(&mut descent, scene);
     }
-    let open = descent.widest() > settings.sewing_distance;
+    let open = descent.objective().widest_stitch(&descent.x) > settings.sewing_distance;
     let reason = if open { StopReason::SeamsOpen } else { StopReason::Settled };
     Ok(Some(report::outcome(&mut descent, scene, reason)))
 }
 
-struct Sewing<'a, 'b> {
-    descent: &'a mut Descent<'b>,
+/// Gathers the pieces and draws the threads tight; `false` if the pieces do not come together.
+fn sew(d: &mut Descent<'_>, scene: &Scene, watch: &mut dyn Watch) -> Result<bool, ClothError> {
+    if SURROGATE_HESSIAN.is_on() {
+        d.use_surrogate(true);
+    }
+    // Threads pull single triangles to their strain limit. Beside the stiffness there, steps would be micrometres long.
+    if STRAIN_LIMIT_HOMOTOPY.is_on() {
+        widen_partly(d);
+    }
+    let mut threads = Threads::new(d);
+    cap_steps(d);
+    let mut pinned = PinnedTargets::sewing();
+    if !gather(d, scene, &mut threads, &mut pinned, watch)? {
+        return Ok(false);
+    }
+    tighten(d, &mut threads, &mut pinned, watch)?;
+    Ok(true)
+}
+
+/// Caps steps as sewing needs it. They are so short that a contact is felt before it is passed, and that flat cloth may bend.
+pub(crate) fn cap_steps(d: &mut Descent<'_>) {
+    d.step_cap.edges = SEWING_STEP_CAP_EDGES.get();
+    d.step_cap.growth = SEWING_STEP_GROWTH.get();
+}
+
+/// Descends by the mechanisms of sewing around `rule`, which decides when to end.
+pub(crate) fn drive_sewing(
+    d: &mut Descent<'_>,
+    rule: &mut dyn Mechanism,
+    pinned: &mut PinnedTargets,
+    tau_most: f64,
+    watch: &mut dyn Watch,
+) -> Result<StopReason, ClothError> {
+    let mut regularization = RegularizationSchedule { most: tau_most };
+    let (mut stiffness, mut lagged, mut reuse, mut block_end) =
+        (AdaptiveStiffness, LaggedForces, FactorReuse, BlockEnd);
+    let mut mechanisms: Vec<&mut dyn Mechanism> = vec![rule, pinned];
+    if ADAPTIVE_STIFFNESS.is_on() {
+        mechanisms.push(&mut stiffness);
+    }
+    mechanisms.extend([&mut lagged as &mut dyn Mechanism, &mut reuse, &mut regularization, &mut block_end]);
+    let blocks = Blocks { steps: d.block_steps(BLOCK_STEPS.get()), detection: Detection::EveryBlock };
+    drive(d, blocks, &mut mechanisms, watch)
+}
+
+/// The force of the threads, and the distance at which cloth feels the body while it is sewn.
+struct Threads {
     /// Largest distance to the body as it should be in the end, m.
     gap: f64,
-    /// Distance that is held for now, m.
-    wide: f64,
-    /// N/m.
+    /// Distance at which cloth feels the body for now, m. Cloth that feels the body early slides round it.
+    stand_off: f64,
+    /// Force per length of seam, N/m.
     force: f64,
 }
 
-impl<'a, 'b> Sewing<'a, 'b> {
-    fn new(descent: &'a mut Descent<'b>) -> Self {
-        let gap = descent.goal.barrier.as_ref().map_or(0.0, |b| b.frame.body_gap.iter().copied().fold(0.0, f64::max));
-        let wide = (WIDE * descent.goal.edge).min(WIDEST);
-        // Threads pull single triangles to their limit; beside their stiffness steps would be micrometres.
-        descent.widen_locks();
-        let mut sewing = Self { descent, gap, wide, force: PULL_FIRST };
-        sewing.stand_off(wide);
-        sewing
+impl Threads {
+    fn new(d: &mut Descent<'_>) -> Self {
+        let barrier = d.objective().terms.barrier.as_ref();
+        let gap = barrier.map_or(0.0, |b| b.frame.body_gap.iter().copied().fold(0.0, f64::max));
+        let mut threads = Self { gap, stand_off: 0.0, force: SEWING_FORCE_FIRST.get() };
+        let first = (STAND_OFF_EDGES.get() * d.objective().edge).min(STAND_OFF_MOST.get());
+        threads.set_stand_off(d, if STAND_OFF.is_on() { first } else { 0.0 });
+        threads
     }
 
-    fn pull(&mut self, force: f64, reach: f64) {
+    fn pull(&mut self, d: &mut Descent<'_>, force: f64, reach: f64) {
         self.force = force;
-        if let Some(s) = &mut self.descent.goal.seams {
-            (s.force, s.reach) = (force, reach);
-        }
-        self.descent.start_anew();
+        d.change(|o, _| {
+            if let Some(s) = &mut o.terms.stitches {
+                (s.force, s.reach) = (force, reach);
+            }
+            Change::Energy
+        });
     }
 
-    /// Holds the cloth further off the body than its gaps: what feels the body early slides round it.
-    fn stand_off(&mut self, wide: f64) {
-        self.wide = wide;
-        if let Some(b) = &mut self.descent.goal.barrier {
-            b.stand_off = wide;
-            b.cover_anew(&self.descent.x);
-        }
-        self.descent.start_anew();
-    }
-
-    /// Brings the pieces together; `false` if they do not come.
-    fn gather(&mut self, scene: &Scene, watch: &mut dyn Watch) -> Result<bool, ClothError> {
-        let edge = self.descent.goal.edge;
-        let reach = REACH * edge;
-        self.descent.take_care();
-        self.pull(PULL_FIRST, reach);
-        self.descent.lay(scene);
-        let mut idle = 0;
-        let first = self.descent.widest();
-        loop {
-            let before = self.descent.widest();
-            watch.done(GATHERING * ((first - before) / first.max(1e-12)).max(0.0));
-            if before < self.wide {
-                // Nearly closed: the distance to the body shrinks with the gaps.
-                self.stand_off(before.max(0.5 * self.wide));
+    fn set_stand_off(&mut self, d: &mut Descent<'_>, distance: f64) {
+        self.stand_off = distance;
+        d.change(|o, x| {
+            if let Some(b) = &mut o.terms.barrier {
+                b.stand_off = distance;
+                b.cover_anew(x);
             }
-            if before <= NEAR * edge {
-                return Ok(true);
-            }
-            let b = self.descent.advance(watch, &format!("widest seam {:.1} mm open", before * 1e3))?;
-            self.descent.tau = self.descent.tau.min(1.0);
-            if self.descent.widest() <= SHRINKS * before {
-                continue;
-            }
-            // Pull harder when the gaps no longer shrink by themselves.
-            if self.force < PULL_MOST && b.steps > 3 && b.mean > 0.3 {
-                self.pull(HARDER * self.force, reach);
-                if self.force >= CRAMPED && self.wide > LEAST_WIDE * edge {
-                    self.stand_off(NEARER * self.wide);
-                }
-            } else if self.force >= PULL_MOST && before < NEARLY * edge && self.wide > LEAST_WIDE * edge {
-                // In a narrow place the body itself may hold the gap open.
-                self.stand_off(NEARER * self.wide);
-            } else {
-                // Short steps are no standstill yet, no steps are.
-                idle += if b.steps == 0 || self.force >= PULL_MOST { 4 } else { 1 };
-            }
-            if idle > PATIENCE {
-                return Ok(before <= DRAWN * edge);
-            }
-        }
-    }
-
-    /// Draws the threads tight while the cloth comes to its distance from the body.
-    fn tighten(&mut self, watch: &mut dyn Watch) -> Result<(), ClothError> {
-        let distance = self.descent.settings.sewing_distance;
-        self.pull(PULL_SEWN, distance);
-        let most = self.descent.steps + MOST_TIGHTENING;
-        let mut last = f64::INFINITY;
-        while self.descent.steps < most {
-            let widest = self.descent.widest();
-            let done = 1.0 - (most - self.descent.steps) as f64 / MOST_TIGHTENING as f64;
-            watch.done(GATHERING + (1.0 - GATHERING) * done);
-            let b = self.descent.advance(watch, &format!("widest seam {:.3} mm open", widest * 1e3))?;
-            if self.wide > 0.0 {
-                let next = 0.5 * self.wide;
-                self.stand_off(if next <= self.gap { 0.0 } else { next });
-                last = f64::INFINITY;
-                continue;
-            }
-            let won = last - self.descent.energy;
-            last = self.descent.energy;
-            let elastic = self.descent.goal.elastic(&self.descent.x);
-            let closed = self.descent.widest() <= 0.1 * distance;
-            // Few stitches of tight cloth hold out against any pull: what is sewn is welded all the same.
-            let in_vain = self.descent.widest() > AS_WIDE * widest && won <= WON_NOTHING * elastic;
-            // The drape goes on from here: no need to rest.
-            if closed && won <= SEWN * elastic || in_vain || b.steps == 0 && won <= 0.0 {
-                break;
-            }
-        }
-        Ok(())
+            Change::Energy
+        });
     }
 }
 
-impl Descent<'_> {
-    /// Steps from here on are those of sewing.
-    pub(crate) fn take_care(&mut self) {
-        (self.stride, self.bolder) = (SEWING_STRIDE, BOLDER);
+/// Brings the pieces together; `false` if they do not come.
+fn gather(
+    d: &mut Descent<'_>,
+    scene: &Scene,
+    threads: &mut Threads,
+    pinned: &mut PinnedTargets,
+    watch: &mut dyn Watch,
+) -> Result<bool, ClothError> {
+    let edge = d.objective().edge;
+    let reach = GATHERING_REACH.get() * edge;
+    threads.pull(d, SEWING_FORCE_FIRST.get(), reach);
+    if INITIAL_GUESS.is_on() {
+        initial_guess::bend_pieces(d, scene);
+    }
+    let first = d.objective().widest_stitch(&d.x);
+    let mut rule = Gathering { threads, edge, reach, first, before: first, idle: 0 };
+    let reason = drive_sewing(d, &mut rule, pinned, GATHERING_TAU_MOST.get(), watch)?;
+    Ok(reason == StopReason::Settled)
+}
+
+/// Force continuation while the pieces are apart: the threads pull harder where the gaps no longer shrink.
+struct Gathering<'t> {
+    threads: &'t mut Threads,
+    /// Mean edge, m.
+    edge: f64,
+    /// Gap at which the full force acts, m.
+    reach: f64,
+    /// Widest gap at the start, m.
+    first: f64,
+    /// Widest gap before the block, m.
+    before: f64,
+    /// Blocks without much progress; a standstill counts four times.
+    idle: u32,
+}
+
+impl Mechanism for Gathering<'_> {
+    fn begin_round(&mut self, d: &mut Descent<'_>, watch: &mut dyn Watch) -> Result<Verdict, ClothError> {
+        self.before = d.objective().widest_stitch(&d.x);
+        watch.done(GATHERING_WORK * ((self.first - self.before) / self.first.max(1e-12)).max(0.0));
+        if self.before < self.threads.stand_off {
+            // The seams are nearly closed: the distance to the body shrinks with the gaps.
+            self.threads.set_stand_off(d, self.before.max(0.5 * self.threads.stand_off));
+        }
+        if self.before <= GATHERED_GAP.get() * self.edge {
+            return Ok(Verdict::Stop(StopReason::Settled));
+        }
+        d.report_progress(watch, &format!("widest seam {:.1} mm open", self.before * 1e3))?;
+        Ok(Verdict::Go)
     }
 
-    /// Puts the members of closed stitches on one point, unless something would cross.
-    fn join(&mut self, scene: &Scene) {
-        let gap = |s: &&[u32; 2]| (self.x[s[0] as usize] - self.x[s[1] as usize]).norm();
-        let closed: Vec<[u32; 2]> =
-            scene.stitches.iter().filter(|s| gap(s) <= JOINED * self.settings.sewing_distance).copied().collect();
-        let group = crate::scene::weld::groups(self.x.len(), &closed);
-        let mut sums = vec![(Vec3::zeros(), 0.0); self.x.len()];
-        for (x, g) in self.x.iter().zip(&group) {
-            let (sum, n) = &mut sums[*g as usize];
-            (*sum, *n) = (*sum + x, *n + 1.0);
+    fn after_block(&mut self, d: &mut Descent<'_>, b: &Block) -> Verdict {
+        if d.objective().widest_stitch(&d.x) <= SEWING_GAP_PROGRESS.get() * self.before {
+            return Verdict::Go;
         }
-        let joined: Vec<Vec3> = (self.x.iter().zip(&group))
-            .map(|(x, g)| if sums[*g as usize].1 > 1.0 { sums[*g as usize].0 / sums[*g as usize].1 } else { *x })
-            .collect();
-        let faces: Vec<[u32; 3]> = scene.triangles.iter().map(|t| t.vertices).collect();
-        let free = self.goal.barrier.as_ref().is_none_or(|b| {
-            (!b.frame.own || count::own(&joined, &faces).count <= count::own(&self.x, &faces).count)
-                && b.body.as_ref().is_none_or(|b| count::with_body(&joined, &faces, b).count == 0)
-        });
-        if free {
-            self.x = joined;
+        self.press_on(d, b);
+        if self.idle <= GATHERING_IDLE_MOST.get() {
+            return Verdict::Go;
+        }
+        let drawn_shut = self.before <= DRAWN_SHUT_GAP.get() * self.edge;
+        Verdict::Stop(if drawn_shut { StopReason::Settled } else { StopReason::SeamsOpen })
+    }
+}
+
+impl Gathering<'_> {
+    /// The gaps no longer shrink by themselves: pulls harder, lets the cloth nearer to the body, or counts the block as idle.
+    fn press_on(&mut self, d: &mut Descent<'_>, b: &Block) {
+        let (force_most, threads) = (SEWING_FORCE_MOST.get(), &mut *self.threads);
+        let may_come_nearer = threads.stand_off > STAND_OFF_EDGES_LEAST.get() * self.edge;
+        if threads.force < force_most && b.steps > 3 && b.mean > 0.3 {
+            threads.pull(d, SEWING_FORCE_FACTOR.get() * threads.force, self.reach);
+            if threads.force >= STAND_OFF_CRAMPED_FORCE.get() && may_come_nearer {
+                threads.set_stand_off(d, STAND_OFF_FACTOR.get() * threads.stand_off);
+            }
+        } else if threads.force >= force_most && self.before < STAND_OFF_NARROW_GAP.get() * self.edge && may_come_nearer
+        {
+            // In a narrow place the body itself may hold the gap open.
+            threads.set_stand_off(d, STAND_OFF_FACTOR.get() * threads.stand_off);
+        } else {
+            // Short steps are no standstill yet; a block without a step is.
+            self.idle += if b.steps == 0 || threads.force >= force_most { 4 } else { 1 };
         }
     }
+}
 
-    /// Widest gap of a stitch, m.
-    fn widest(&self) -> f64 {
-        self.goal.seams.as_ref().map_or(0.0, |s| s.widest(&self.x))
+/// Draws the threads tight while the cloth comes to its distance from the body.
+fn tighten(
+    d: &mut Descent<'_>,
+    threads: &mut Threads,
+    pinned: &mut PinnedTargets,
+    watch: &mut dyn Watch,
+) -> Result<(), ClothError> {
+    let distance = d.settings.sewing_distance;
+    threads.pull(d, SEWING_FORCE_TIGHT.get(), distance);
+    let last_step = d.steps + TIGHTENING_STEPS_MOST.get();
+    let mut rule = Tightening { threads, last_step, widest: 0.0, last_energy: f64::INFINITY };
+    drive_sewing(d, &mut rule, pinned, f64::INFINITY, watch)?;
+    Ok(())
+}
+
+/// The rule of the tightening. The drape goes on from its end, so the cloth need not rest.
+struct Tightening<'t> {
+    threads: &'t mut Threads,
+    /// Number of the step at which the tightening ends.
+    last_step: u64,
+    /// Widest gap before the block, m.
+    widest: f64,
+    /// Energy after the block before, J.
+    last_energy: f64,
+}
+
+impl Mechanism for Tightening<'_> {
+    fn begin_round(&mut self, d: &mut Descent<'_>, watch: &mut dyn Watch) -> Result<Verdict, ClothError> {
+        if d.steps >= self.last_step {
+            return Ok(Verdict::Stop(StopReason::MaxSteps));
+        }
+        self.widest = d.objective().widest_stitch(&d.x);
+        let done = 1.0 - (self.last_step - d.steps) as f64 / TIGHTENING_STEPS_MOST.get() as f64;
+        watch.done(GATHERING_WORK + (1.0 - GATHERING_WORK) * done);
+        d.report_progress(watch, &format!("widest seam {:.3} mm open", self.widest * 1e3))?;
+        Ok(Verdict::Go)
+    }
+
+    fn after_block(&mut self, d: &mut Descent<'_>, b: &Block) -> Verdict {
+        if self.threads.stand_off > 0.0 {
+            let next = 0.5 * self.threads.stand_off;
+            self.threads.set_stand_off(d, if next <= self.threads.gap { 0.0 } else { next });
+            self.last_energy = f64::INFINITY;
+            return Verdict::Go;
+        }
+        let gain = self.last_energy - d.energy;
+        self.last_energy = d.energy;
+        let elastic = d.objective().elastic(&d.x);
+        let widest = d.objective().widest_stitch(&d.x);
+        let closed = widest <= CLOSED_GAP.get() * d.settings.sewing_distance;
+        // A few stitches of tight cloth hold out against any force. Such seams are welded all the same.
+        let in_vain =
+            widest > TIGHTENING_GAP_PROGRESS.get() * self.widest && gain <= TIGHTENING_ENERGY_SHARE.get() * elastic;
+        let sewn = closed && gain <= SEWN_ENERGY_SHARE.get() * elastic;
+        if sewn || in_vain || b.steps == 0 && gain <= 0.0 { Verdict::Stop(StopReason::Settled) } else { Verdict::Go }
+    }
+}
+
+/// Puts the members of closed stitches on one point, unless something would cross.
+fn join_closed_stitches(d: &mut Descent<'_>, scene: &Scene) {
+    let gap = |s: &&[u32; 2]| (d.x[s[0] as usize] - d.x[s[1] as usize]).norm();
+    let near = CLOSED_GAP.get() * d.settings.sewing_distance;
+    let closed: Vec<[u32; 2]> = scene.stitches.iter().filter(|s| gap(s) <= near).copied().collect();
+    let group = crate::scene::weld::groups(d.x.len(), &closed);
+    let mut sums = vec![(Vec3::zeros(), 0.0); d.x.len()];
+    for (x, g) in d.x.iter().zip(&group) {
+        let (sum, n) = &mut sums[*g as usize];
+        (*sum, *n) = (*sum + x, *n + 1.0);
+    }
+    let joined: Vec<Vec3> = (d.x.iter().zip(&group))
+        .map(|(x, g)| if sums[*g as usize].1 > 1.0 { sums[*g as usize].0 / sums[*g as usize].1 } else { *x })
+        .collect();
+    let faces: Vec<[u32; 3]> = scene.triangles.iter().map(|t| t.vertices).collect();
+    let free = d.objective().terms.barrier.as_ref().is_none_or(|b| {
+        (!b.frame.own || count::own(&joined, &faces).count <= count::own(&d.x, &faces).count)
+            && b.body.as_ref().is_none_or(|b| count::with_body(&joined, &faces, b).count == 0)
+    });
+    if free {
+        d.x = joined;
     }
 }

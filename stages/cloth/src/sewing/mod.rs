@@ -3,5 +3,6 @@
 pub(crate) mod closing;
 pub(crate) mod initial_guess;
 pub(crate) mod multilevel;
+pub(crate) mod tuning;
 
 pub(crate) use multilevel::sew;

@@ -1,66 +1,59 @@
-//! Sewing from coarse to fine: the coarsest level is sewn and rests, every finer one starts from where the coarser lies,
-//! its seams already one (docs/levels.md).
+//! Sewing from coarse to fine (docs/levels.md): the coarsest level is sewn and settles; every finer level starts where the coarser
+//! one lies, with its seams already closed.
 
 use crate::hierarchy::Level;
 use crate::optimize::descent::Descent;
+use crate::optimize::mechanism::{Block, Mechanism, Verdict};
+use crate::optimize::mechanisms::pinned_targets::PinnedTargets;
+use crate::optimize::mechanisms::strain_limit_homotopy::{narrow, widen_partly};
 use crate::optimize::report;
-use crate::optimize::strain_limit_homotopy::Locks;
+use crate::optimize::strain_limit_phase::StrainLimitPhase;
+use crate::optimize::task::Task;
+use crate::optimize::tuning::{STRAIN_LIMIT_HOMOTOPY, SURROGATE_HESSIAN};
 use crate::report::watch::Part;
 use crate::scene::measures::mean_edge;
 use crate::scene::weld::weld;
-use crate::sewing::closing::close;
+use crate::sewing::closing::{cap_steps, close, drive_sewing};
+use crate::sewing::tuning::{
+    MULTILEVEL_SEWING, SETTLING_ENERGY_SHARE, SETTLING_MEAN_PART, SETTLING_QUIET_BLOCKS, SETTLING_SLIDE_MOST,
+    SETTLING_STEPS_MOST, SETTLING_STUCK_BLOCKS_MOST, SETTLING_TAU_FIRST, SETTLING_TAU_FREE, WELD_GAP_EDGES,
+};
 use crate::{ClothError, Outcome, Scene, Settings, StopReason, Vec3, Watch};
 
-/// Widest gap over the mean edge that welding may close.
-const NEARLY: f64 = 0.3;
-/// Energy won in a block over the elastic energy at which a level is smooth enough to go on from.
-const SMOOTH: f64 = 0.01;
-/// What slides farther than this falls, m.
-const FARTHEST: f64 = 0.15;
-/// τ with which letting down begins, s²: what is sewn lies near its rest.
-const TAU_DOWN: f64 = 0.1;
-/// Shift (mass / τ) from which the metric is the cloth's own, s², and blocks without a step after which it stays.
-const FREE: f64 = 1.0;
-const MOST_STUCK: u32 = 6;
-/// … and with little won.
-const STILL: u32 = 3;
-/// Mean part of the steps of a block whose win counts.
-const FAIR: f64 = 0.3;
-/// Most steps spent on it.
-const MOST: u64 = 240;
-
-/// Parts of all work: sewing coarser levels, and letting down the coarser of two; sewing where there is one level only.
-const SEWING_WORK: f64 = 0.5;
-const DOWN_WORK: f64 = 0.65;
-const ALONE_WORK: f64 = 0.8;
+/// Parts of all work, for the progress display: sewing coarser levels, settling the coarser of two, and sewing where there
+/// is one level only.
+const COARSE_SEWING_WORK: f64 = 0.5;
+const COARSE_SETTLING_WORK: f64 = 0.65;
+const SINGLE_LEVEL_SEWING_WORK: f64 = 0.8;
 
 /// Closes the stitches; `None` where something stays in the way.
 pub(crate) fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
-    Step { scene, settings, finest: true }.sew(watch)
+    SewnLevel { scene, settings, finest: true }.sew(watch)
 }
 
 /// One level to be sewn.
 #[derive(Clone, Copy)]
-struct Step<'a> {
+struct SewnLevel<'a> {
     scene: &'a Scene,
     settings: &'a Settings,
     /// No finer cloth hangs on it.
     finest: bool,
 }
 
-impl Step<'_> {
+impl SewnLevel<'_> {
     fn sew(self, watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
         if let Some(outcome) = self.by_levels(watch)? {
             return Ok(Some(outcome));
         }
         let same = <[Vec3]>::to_vec;
-        // Coarser cloth is let down by the finer one's.
-        let work = if self.finest { ALONE_WORK } else { 1.0 };
+        // The finer level settles coarser cloth.
+        let work = if self.finest { SINGLE_LEVEL_SEWING_WORK } else { 1.0 };
         let closed = close(self.scene, self.settings, &mut Part::new(watch, [0.0, work], &same))?;
         let watch = &mut Part::new(watch, [work, 1.0], &same);
-        match closed.as_ref().filter(|c| self.finest && c.seam_gap_max <= NEARLY * mean_edge(self.scene)) {
+        match closed.as_ref().filter(|c| self.finest && c.seam_gap_max <= WELD_GAP_EDGES.get() * mean_edge(self.scene))
+        {
             // Else a garment that has no coarser level would hang where sewing left it.
-            Some(c) => Ok(self.let_down(&c.positions, watch)?.map(|down| Outcome::after(down, c)).or(closed)),
+            Some(c) => Ok(self.settle_in_place(&c.positions, watch)?.map(|down| Outcome::after(down, c)).or(closed)),
             None => Ok(closed),
         }
     }
@@ -68,47 +61,54 @@ impl Step<'_> {
     /// Sews the next coarser level first; `None` where there is none, where it cannot be sewn, or where the finer cloth
     /// would cross something there.
     fn by_levels(self, watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
-        if self.scene.stitches.is_empty() {
+        if self.scene.stitches.is_empty() || !MULTILEVEL_SEWING.is_on() {
             return Ok(None);
         }
         let Some(level) = Level::below(self.scene) else { return Ok(None) };
-        let below = Step { scene: &level.scene, finest: false, ..self };
+        let below = SewnLevel { scene: &level.scene, finest: false, ..self };
         let spread = |x: &[Vec3]| level.spread(x);
-        let Some(sewn) = below.sew(&mut Part::new(watch, [0.0, SEWING_WORK], &spread))? else { return Ok(None) };
-        if sewn.seam_gap_max > NEARLY * mean_edge(&level.scene) {
+        let Some(sewn) = below.sew(&mut Part::new(watch, [0.0, COARSE_SEWING_WORK], &spread))? else { return Ok(None) };
+        if sewn.seam_gap_max > WELD_GAP_EDGES.get() * mean_edge(&level.scene) {
             return Ok(None);
         }
-        let mut part = Part::new(watch, [SEWING_WORK, DOWN_WORK], &spread);
-        let Some(down) = below.let_down(&sewn.positions, &mut part)? else { return Ok(None) };
+        let mut part = Part::new(watch, [COARSE_SEWING_WORK, COARSE_SETTLING_WORK], &spread);
+        let Some(down) = below.settle_in_place(&sewn.positions, &mut part)? else { return Ok(None) };
         let x = level.spread(&down.positions);
         watch.look(&x, level.scene.triangles.len());
-        let mut watch = Part::new(watch, [DOWN_WORK, 1.0], &<[Vec3]>::to_vec);
-        Ok(self.let_down(&x, &mut watch)?.map(|outcome| outcome.after(&sewn).after(&down)))
+        let mut watch = Part::new(watch, [COARSE_SETTLING_WORK, 1.0], &<[Vec3]>::to_vec);
+        Ok(self.settle_in_place(&x, &mut watch)?.map(|outcome| outcome.after(&sewn).after(&down)))
     }
 
-    /// Lets what is sewn slide down into its place, as hands would, without friction; what would slide off stays.
-    fn let_down(self, x: &[Vec3], watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
+    /// Lets sewn cloth slide down into its place under gravity and without friction, as hands would lead it. Cloth that would
+    /// slide off stays.
+    fn settle_in_place(self, x: &[Vec3], watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
         let heavy = Settings { gravity_scale: 1.0, ..self.settings.clone() };
-        let down = Step { settings: &heavy, ..self }.smooth(x, watch)?;
+        let settled = SewnLevel { settings: &heavy, ..self }.smooth(x, watch)?;
         let slid = |o: &Outcome| crate::farthest(x, &o.positions);
-        if down.as_ref().is_some_and(|o| slid(o) > FARTHEST) { self.smooth(x, watch) } else { Ok(down) }
+        if settled.as_ref().is_some_and(|o| slid(o) > SETTLING_SLIDE_MOST.get()) {
+            self.smooth(x, watch)
+        } else {
+            Ok(settled)
+        }
     }
 
-    /// Lets the cloth, its seams welded, come near to rest from `x`; `None` where it crosses something there.
+    /// Welds the seams and lets the cloth come near to rest from `x`; `None` where it crosses something there.
     fn smooth(self, x: &[Vec3], watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
         let welded = weld(self.scene, x);
-        let mut descent = match Descent::begin(&welded.scene, self.settings, false) {
+        let mut descent = match Descent::begin(&welded.scene, self.settings, Task::Settle) {
             Ok(descent) => descent,
             Err(ClothError::StartCrosses { .. }) => return Ok(None),
             Err(e) => return Err(e),
         };
         if !self.finest {
             // Between the places where they should be held, coarse cloth would cut through a round body.
-            descent.hold_here();
+            descent.hold_pins_here();
         }
-        descent.take_care();
-        descent.tau = TAU_DOWN;
-        descent.goal.set_rough(true);
+        cap_steps(&mut descent);
+        descent.regularization.tau = SETTLING_TAU_FIRST.get();
+        if SURROGATE_HESSIAN.is_on() {
+            descent.use_surrogate(true);
+        }
         ease(&mut descent, self.scene.triangles.len(), watch)?;
         let mut outcome = report::outcome(&mut descent, &welded.scene, StopReason::Settled);
         outcome.positions = welded.spread(&outcome.positions);
@@ -116,27 +116,51 @@ impl Step<'_> {
     }
 }
 
-/// Descends until little is won, with locks at the strain limits that become as narrow as the law has them on the way.
-fn ease(descent: &mut Descent<'_>, triangles: usize, watch: &mut dyn Watch) -> Result<(), ClothError> {
-    let (mut stuck, mut still) = (0, 0);
-    let mut locks = descent.widen_locks();
-    while descent.steps < MOST && stuck <= MOST_STUCK && still < STILL {
-        let b = descent.advance(watch, &format!("smoothing {triangles} triangles"))?;
-        watch.done((descent.steps as f64 / MOST as f64).sqrt());
-        stuck = if b.steps == 0 { stuck + 1 } else { 0 };
-        let little = b.won <= SMOOTH * descent.goal.elastic(&descent.x);
-        // Little won by steps that fell short says nothing, and under a large shift only that the shift is large.
-        still = match (little && b.steps > 0, b.mean > FAIR) {
-            (true, true) if descent.tau >= FREE => STILL,
-            (true, true) => still + 1,
-            (true, false) => still,
+/// Descends until little is gained. The strain-limit barrier begins wide and becomes the law's own on the way.
+fn ease(d: &mut Descent<'_>, triangles: usize, watch: &mut dyn Watch) -> Result<(), ClothError> {
+    if STRAIN_LIMIT_HOMOTOPY.is_on() {
+        widen_partly(d);
+    }
+    let mut rule = Settling { triangles, quiet_blocks: 0 };
+    drive_sewing(d, &mut rule, &mut PinnedTargets::sewing(), f64::INFINITY, watch)?;
+    Ok(())
+}
+
+/// The rule of settling: it ends when several blocks gained little, or after a fixed number of steps.
+struct Settling {
+    triangles: usize,
+    /// Blocks that gained little.
+    quiet_blocks: u32,
+}
+
+impl Mechanism for Settling {
+    fn begin_round(&mut self, d: &mut Descent<'_>, watch: &mut dyn Watch) -> Result<Verdict, ClothError> {
+        let most = SETTLING_STEPS_MOST.get();
+        watch.done((d.steps as f64 / most as f64).sqrt());
+        let quiet = self.quiet_blocks >= SETTLING_QUIET_BLOCKS.get();
+        if d.steps >= most || d.stuck_blocks > SETTLING_STUCK_BLOCKS_MOST.get() || quiet {
+            return Ok(Verdict::Stop(StopReason::Settled));
+        }
+        d.report_progress(watch, &format!("smoothing {} triangles", self.triangles))?;
+        Ok(Verdict::Go)
+    }
+
+    fn after_block(&mut self, d: &mut Descent<'_>, b: &Block) -> Verdict {
+        let enough = SETTLING_QUIET_BLOCKS.get();
+        let little = b.gain <= SETTLING_ENERGY_SHARE.get() * d.objective().elastic(&d.x);
+        // A small gain of steps that fell short shows nothing, and under a large shift it shows only that the shift is large.
+        self.quiet_blocks = match (little && b.steps > 0, b.mean > SETTLING_MEAN_PART.get()) {
+            (true, true) if d.regularization.tau >= SETTLING_TAU_FREE.get() => enough,
+            (true, true) => self.quiet_blocks + 1,
+            (true, false) => self.quiet_blocks,
             _ => 0,
         };
-        if let (Locks::Wide(share), true) = (locks, still >= STILL) {
-            let changed;
-            (locks, changed) = descent.narrow_locks(share);
-            still = if changed { 0 } else { still };
+        if let StrainLimitPhase::Wide(share) = d.strain_limits
+            && self.quiet_blocks >= enough
+            && narrow(d, share)
+        {
+            self.quiet_blocks = 0;
         }
+        Verdict::Go
     }
-    Ok(())
 }

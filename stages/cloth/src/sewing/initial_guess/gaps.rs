@@ -1,13 +1,11 @@
-//! Which bends bring pieces nearest to what they are sewn to, whatever else may be in the way.
+//! The bends that bring pieces nearest to the places they are sewn to, whatever else may be in the way.
 
 use crate::Vec3;
 use crate::sewing::initial_guess::piece::{Bend, Piece};
+use crate::sewing::tuning::{GUESS_BENDS, GUESS_ROUNDS};
 
-/// Bends about a line that are tried to each side at first.
-const EACH: i32 = 6;
-/// Rounds in which the pieces are then bent to each other, and the parts of the most that each is bent more or less.
-const ROUNDS: usize = 2;
-const PARTS: [f64; 10] = [-0.16, -0.08, -0.04, -0.016, -0.008, 0.008, 0.016, 0.04, 0.08, 0.16];
+/// Parts of the largest curvature by which each piece is bent more or less in a round.
+const CURVATURE_STEPS: [f64; 10] = [-0.16, -0.08, -0.04, -0.016, -0.008, 0.008, 0.016, 0.04, 0.08, 0.16];
 
 /// An end of a thread: on a piece, where it lies flat, or where it stays.
 #[derive(Clone, Copy, Debug)]
@@ -18,7 +16,7 @@ pub(crate) enum End {
 
 /// Pieces, how each is bent, and the threads between them.
 #[derive(Debug)]
-pub(crate) struct Laid {
+pub(crate) struct BentPieces {
     pub pieces: Vec<Piece>,
     pub bends: Vec<Bend>,
     threads: Vec<[End; 2]>,
@@ -30,7 +28,7 @@ enum Other {
     Still(Vec3),
 }
 
-impl Laid {
+impl BentPieces {
     /// All flat.
     pub fn new(pieces: Vec<Piece>, threads: Vec<[End; 2]>) -> Self {
         Self { bends: vec![Bend::default(); pieces.len()], pieces, threads }
@@ -38,12 +36,13 @@ impl Laid {
 
     /// Bends those for which that leaves less open, by the sum of the squares of the gaps.
     pub fn close(&mut self) {
+        let bends = i32::try_from(GUESS_BENDS.get()).unwrap_or(i32::MAX);
         for k in 0..self.pieces.len() {
-            self.bend(k, self.pieces[k].bends(EACH));
+            self.bend(k, self.pieces[k].bends(bends));
         }
-        for _ in 0..ROUNDS {
+        for _ in 0..GUESS_ROUNDS.get() {
             for k in 0..self.pieces.len() {
-                self.bend(k, self.pieces[k].near(self.bends[k], &PARTS));
+                self.bend(k, self.pieces[k].near(self.bends[k], &CURVATURE_STEPS));
             }
         }
     }

@@ -1,17 +1,15 @@
-//! Flat pieces are bent round what they will be sewn to, as hands lay a pattern round a form, before threads pull them there:
-//! the way there from a plane on each side of a body takes sewing a quarter of its steps (docs/static.md, Laying).
+//! The initial guess of sewing: flat pieces are bent isometrically, on a cylinder, towards the places that their threads lead to.
+//! The way there from a plane on each side of a body then takes a quarter of the steps (docs/sewing.md).
 
 pub(crate) mod gaps;
 pub(crate) mod piece;
 
 use crate::optimize::descent::Descent;
 use crate::scene::topology::components;
+use crate::sewing::tuning::GUESS_STEPS;
 use crate::{Element, Scene, Vec3};
-use gaps::{End, Laid};
+use gaps::{BentPieces, End};
 use piece::Piece;
-
-/// Steps in which pieces are bent.
-const STEPS: u32 = 8;
 
 /// Triangles of one piece, and its vertices.
 #[derive(Default)]
@@ -20,7 +18,7 @@ struct Part<'a> {
     triangles: Vec<&'a Element>,
 }
 
-/// What hangs together, by the number of its first vertex; others are empty.
+/// Every connected component, at the index of its first vertex; the parts at other indices are empty.
 fn parts(scene: &Scene) -> Vec<Part<'_>> {
     let n = scene.positions.len();
     let part = components(n, scene.triangles.iter().map(|t| &t.vertices));
@@ -34,67 +32,68 @@ fn parts(scene: &Scene) -> Vec<Part<'_>> {
     parts
 }
 
-impl Descent<'_> {
-    /// Bends flat pieces towards where their threads lead, as far as nothing is in the way and the threads win more than it costs.
-    pub(crate) fn lay(&mut self, scene: &Scene) {
-        let Some(mut laid) = self.flat(scene) else { return };
-        laid.close();
-        let mut goes: Vec<usize> = (0..laid.pieces.len()).filter(|k| !laid.bends[*k].is_none()).collect();
-        for step in 1..=STEPS {
-            if goes.is_empty() {
-                break;
-            }
-            let part = f64::from(step) / f64::from(STEPS);
-            // One by one where together something is in the way.
-            if !self.bends(&laid, &goes, part) {
-                goes.retain(|k| self.bends(&laid, &[*k], part));
-            }
+/// Bends flat pieces towards the places that their threads lead to, as far as nothing is in the way and the threads gain more
+/// than the bending costs.
+pub(crate) fn bend_pieces(d: &mut Descent<'_>, scene: &Scene) {
+    let Some(mut guess) = flat_pieces(d, scene) else { return };
+    guess.close();
+    let mut moving: Vec<usize> = (0..guess.pieces.len()).filter(|k| !guess.bends[*k].is_none()).collect();
+    let steps = GUESS_STEPS.get();
+    for step in 1..=steps {
+        if moving.is_empty() {
+            break;
+        }
+        let part = f64::from(step) / f64::from(steps);
+        // The pieces go one by one where something is in the way of all of them together.
+        if !bend_to(d, &guess, &moving, part) {
+            moving.retain(|k| bend_to(d, &guess, &[*k], part));
         }
     }
+}
 
-    /// Pieces that are flat and held nowhere, and all threads.
-    fn flat(&self, scene: &Scene) -> Option<Laid> {
-        let threads = self.goal.seams.as_ref()?;
-        let (mut pieces, mut on, mut held) = (Vec::new(), vec![None; self.x.len()], vec![false; self.x.len()]);
-        self.goal.pins.iter().for_each(|(v, _)| held[*v as usize] = true);
-        for Part { vertices, triangles } in parts(scene) {
-            if triangles.is_empty() || vertices.iter().any(|v| held[*v as usize]) {
-                continue;
-            }
-            if let Some(piece) = Piece::new(vertices, triangles.into_iter(), &self.x) {
-                piece.vertices.iter().for_each(|v| on[*v as usize] = Some(pieces.len()));
-                pieces.push(piece);
-            }
+/// The pieces that are flat and held nowhere, and all threads.
+fn flat_pieces(d: &Descent<'_>, scene: &Scene) -> Option<BentPieces> {
+    let threads = d.objective().terms.stitches.as_ref()?;
+    let (mut pieces, mut on, mut held) = (Vec::new(), vec![None; d.x.len()], vec![false; d.x.len()]);
+    d.objective().unknowns.pins.iter().for_each(|(v, _)| held[*v as usize] = true);
+    for Part { vertices, triangles } in parts(scene) {
+        if triangles.is_empty() || vertices.iter().any(|v| held[*v as usize]) {
+            continue;
         }
-        let end = |v: u32| {
-            let at = self.x[v as usize];
-            on[v as usize].map_or(End::Still(at), |k| End::On(k, at))
-        };
-        Some(Laid::new(pieces, threads.ends(end, End::Still)))
+        if let Some(piece) = Piece::new(vertices, triangles.into_iter(), &d.x) {
+            piece.vertices.iter().for_each(|v| on[*v as usize] = Some(pieces.len()));
+            pieces.push(piece);
+        }
     }
+    let end = |v: u32| {
+        let at = d.x[v as usize];
+        on[v as usize].map_or(End::Still(at), |k| End::On(k, at))
+    };
+    Some(BentPieces::new(pieces, threads.ends(end, End::Still)))
+}
 
-    /// Bends these pieces by so much of what they will be, if on the straight way nothing is in the way and energy is won.
-    fn bends(&mut self, laid: &Laid, these: &[usize], part: f64) -> bool {
-        let mut to = self.x.clone();
-        these.iter().for_each(|k| laid.pieces[*k].put(laid.bends[*k].part(part), &mut to));
-        let whole: Vec<Vec3> = to.iter().zip(&self.x).map(|(p, q)| p - q).collect();
-        let mut step = whole.clone();
-        self.limit(&mut step);
-        if step != whole {
-            return false;
-        }
-        let (from, energy) = (std::mem::replace(&mut self.x, to), self.energy);
-        self.evaluate();
-        // Also where it is no number.
-        let wins = self.energy < energy;
-        if wins {
-            self.goal.barrier.iter_mut().for_each(|b| b.took(&self.x));
-        } else {
-            self.x = from;
-            self.evaluate();
-        }
-        wins
+/// Bends these pieces to a part of their final bend, if nothing is in the way on the straight path and energy is gained.
+fn bend_to(d: &mut Descent<'_>, guess: &BentPieces, these: &[usize], part: f64) -> bool {
+    let mut to = d.x.clone();
+    these.iter().for_each(|k| guess.pieces[*k].put(guess.bends[*k].part(part), &mut to));
+    let whole: Vec<Vec3> = to.iter().zip(&d.x).map(|(p, q)| p - q).collect();
+    let mut step = whole.clone();
+    d.limit(&mut step);
+    if step != whole {
+        return false;
     }
+    let (from, energy) = (std::mem::replace(&mut d.x, to), d.energy);
+    d.evaluate();
+    // This is false, too, where the energy is no number.
+    let gains = d.energy < energy;
+    if gains {
+        let x = d.x.clone();
+        d.detection().into_iter().for_each(|b| b.took(&x));
+    } else {
+        d.x = from;
+        d.evaluate();
+    }
+    gains
 }
 
 #[cfg(all(test, feature = "self-contact"))]
@@ -102,6 +101,8 @@ impl Descent<'_> {
 mod tests {
     use super::*;
     use crate::collision::crossings::count;
+    use crate::optimize::descent::Change;
+    use crate::optimize::task::Task;
     use crate::optimize::test_sheets;
     use crate::{BodyMesh, Material, Pin, Settings};
 
@@ -130,19 +131,21 @@ mod tests {
         BodyMesh { positions: (0..8).map(corner).collect(), triangles }
     }
 
-    /// Laid as sewing lays it: the places, and the root mean square of the gaps before and after, m.
+    /// The positions after the initial guess, and the root mean square of the gaps before and after it, m.
     fn laid(scene: &Scene) -> (Vec<Vec3>, [f64; 2]) {
         let settings = Settings::sewing();
-        let mut d = Descent::begin(scene, &settings, true).unwrap();
+        let mut d = Descent::begin(scene, &settings, Task::Sew).unwrap();
         let gap = |x: &[Vec3]| {
             let all = scene.stitches.iter().map(|[a, b]| (x[*a as usize] - x[*b as usize]).norm_squared());
             (all.sum::<f64>() / scene.stitches.len() as f64).sqrt()
         };
         let before = gap(&d.x);
-        let threads = d.goal.seams.as_mut().unwrap();
-        (threads.force, threads.reach) = (1.0, 0.01);
-        d.start_anew();
-        d.lay(scene);
+        d.change(|o, _| {
+            let threads = o.terms.stitches.as_mut().unwrap();
+            (threads.force, threads.reach) = (1.0, 0.01);
+            Change::Energy
+        });
+        bend_pieces(&mut d, scene);
         let after = gap(&d.x);
         (d.x, [before, after])
     }

@@ -1,15 +1,13 @@
 //! A flat piece, and how it lies when it is bent about a line in its plane: as on a cylinder, so that no length in the cloth
 //! changes.
 
+use crate::sewing::tuning::{GUESS_DIRECTIONS, GUESS_FLATNESS};
 use crate::{Element, Vec3};
 
-/// Directions of the lines, over half a turn from the weft, and where across the piece they lie, from its middle (0) to its ends.
-const DIRECTIONS: u32 = 8;
-const ACROSS: [f64; 5] = [0.0, -0.5, 0.5, -1.0, 1.0];
-/// A piece is flat whose vertices are no farther off its plane than this, over its size.
-const FLAT: f64 = 1e-3;
-/// Most that a piece turns from its line to the farther end, rad.
-const MOST: f64 = std::f64::consts::FRAC_PI_2;
+/// Where the lines lie across the piece, from its middle (0) to its ends (−1 and 1).
+const LINE_PLACES: [f64; 5] = [0.0, -0.5, 0.5, -1.0, 1.0];
+/// Largest turn of a piece from its line to the farther end, rad.
+const TURN_MOST: f64 = std::f64::consts::FRAC_PI_2;
 
 /// A line in the plane of a piece.
 #[derive(Clone, Copy, Debug)]
@@ -60,12 +58,13 @@ impl Piece {
         let middle = at.iter().sum::<Vec3>() / at.len() as f64;
         let size = at.iter().map(|p| (p - middle).norm()).fold(0.0, f64::max);
         // Nor is what lies beyond numbers.
-        if !at.iter().all(|p| (p - middle).dot(&normal).abs() <= FLAT * size) {
+        if !at.iter().all(|p| (p - middle).dot(&normal).abs() <= GUESS_FLATNESS.get() * size) {
             return None;
         }
         let warp = normal.cross(&weft);
-        let directions = (0..DIRECTIONS).map(|k| {
-            let (sin, cos) = libm::sincos(std::f64::consts::PI * f64::from(k) / f64::from(DIRECTIONS));
+        let directions_tried = GUESS_DIRECTIONS.get();
+        let directions = (0..directions_tried).map(|k| {
+            let (sin, cos) = libm::sincos(std::f64::consts::PI * f64::from(k) / f64::from(directions_tried));
             [weft * cos - warp * sin, weft * sin + warp * cos]
         });
         let lines = directions.flat_map(|d| lines(&at, &middle, d)).collect();
@@ -128,11 +127,11 @@ fn lines(at: &[Vec3], middle: &Vec3, [across, along]: [Vec3; 2]) -> impl Iterato
     let span = at.iter().map(|p| (p - middle).dot(&across)).fold(start, |[low, high], s| [low.min(s), high.max(s)]);
     let (centre, half) = (0.5 * (span[0] + span[1]), 0.5 * (span[1] - span[0]));
     let (middle, farther) = (*middle, move |share: f64| (1.0 + share.abs()) * half);
-    ACROSS.into_iter().map(move |share| Line {
+    LINE_PLACES.into_iter().map(move |share| Line {
         at: middle + across * (centre + share * half),
         along,
         across,
-        most: MOST / farther(share),
+        most: TURN_MOST / farther(share),
     })
 }
 
@@ -166,7 +165,7 @@ mod tests {
                 assert!((from_axis.norm() - radius.abs()).abs() < 1e-12 * radius.abs().max(1.0));
                 most = most.max((s * bend.curvature).abs());
             }
-            assert!(most < MOST + 1e-9, "{most}");
+            assert!(most < TURN_MOST + 1e-9, "{most}");
             // Neighbours in the mesh turn by a third of the most between them, and are a chord apart.
             for (a, b) in [(0usize, 1usize), (7, 14), (20, 27)] {
                 let (flat, now) = ((x[a] - x[b]).norm(), (bent[a] - bent[b]).norm());

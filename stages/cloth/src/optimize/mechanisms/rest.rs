@@ -1,0 +1,146 @@
+//! Stopping: the convergence test by the Newton step, and the limits at which a descent is given up.
+
+use crate::optimize::descent::Descent;
+use crate::optimize::mechanism::{Block, Mechanism, StepVerdict, Verdict};
+use crate::optimize::strain_limit_phase::StrainLimitPhase;
+use crate::optimize::tuning::{BLOCK_END_PART, FALL_DISTANCE_SIZES, NEARLY_AT_REST_RESIDUAL, STUCK_BLOCKS_MOST};
+use crate::report::watch::Watch;
+use crate::{ClothError, StopReason, Vec3};
+
+impl Descent<'_> {
+    /// Is the cloth at rest by the last measured Newton step? It gains and moves no more than the tolerances, net forces and
+    /// slides are small, held vertices are at their places, and no regularisation acts.
+    pub fn rests(&self) -> bool {
+        let s = self.settings;
+        self.regularization.is_free()
+            && self.newton.decrement <= s.decrement_tolerance
+            && self.newton.longest <= s.move_tolerance
+            && self.newton.residual <= s.residual_tolerance
+            && self.objective().largest_slide() <= s.move_tolerance
+            && self.pins_placed()
+    }
+
+    /// Would the cloth soon be at rest by the preconditioner of the last round?
+    pub fn nearly_rests(&self) -> bool {
+        let s = self.settings;
+        self.newton.decrement < s.decrement_tolerance
+            && self.newton.residual < NEARLY_AT_REST_RESIDUAL.get() * s.residual_tolerance
+    }
+}
+
+/// Measures the Newton step with the preconditioner of the round.
+pub(crate) struct MeasureNewtonStep;
+
+impl Mechanism for MeasureNewtonStep {
+    fn before_block(&mut self, d: &mut Descent<'_>, _: &mut dyn Watch) -> Result<Verdict, ClothError> {
+        d.measure_newton_step();
+        Ok(Verdict::Go)
+    }
+}
+
+/// Tests whether the cloth is at rest.
+pub(crate) struct ConvergenceTest;
+
+impl Mechanism for ConvergenceTest {
+    fn before_block(&mut self, d: &mut Descent<'_>, _: &mut dyn Watch) -> Result<Verdict, ClothError> {
+        let widened = matches!(d.strain_limits, StrainLimitPhase::Wide(_));
+        Ok(if !widened && d.rests() { Verdict::AtRest } else { Verdict::Go })
+    }
+}
+
+/// Ends a block whose steps are too short for its preconditioner, or whose net forces are as small as the goal. A shorter
+/// step than a full one still improves the history.
+pub(crate) struct BlockEnd;
+
+impl Mechanism for BlockEnd {
+    fn after_step(&mut self, d: &mut Descent<'_>, taken: Option<f64>) -> StepVerdict {
+        let short = taken.is_some_and(|part| part < BLOCK_END_PART.get());
+        let goal = d.settings.residual_tolerance;
+        if short || goal.is_finite() && d.net_force() <= goal { StepVerdict::EndBlock } else { StepVerdict::Go }
+    }
+}
+
+/// Gives cloth up that has fallen out of the scene.
+#[derive(Default)]
+pub(crate) struct FallLimit {
+    start: Vec<Vec3>,
+    farthest: f64,
+}
+
+impl Mechanism for FallLimit {
+    fn begin(&mut self, d: &mut Descent<'_>) {
+        self.start = d.x.clone();
+        self.farthest = FALL_DISTANCE_SIZES.get() * d.objective().size(&self.start);
+    }
+
+    fn before_block(&mut self, d: &mut Descent<'_>, _: &mut dyn Watch) -> Result<Verdict, ClothError> {
+        let limit = self.farthest * self.farthest;
+        let fell = self.start.iter().zip(&d.x).any(|(p, q)| (p - q).norm_squared() > limit);
+        Ok(if fell { Verdict::Stop(StopReason::Unheld) } else { Verdict::Go })
+    }
+}
+
+/// Ends a descent after the most steps of the settings.
+pub(crate) struct StepLimit;
+
+impl Mechanism for StepLimit {
+    fn before_block(&mut self, d: &mut Descent<'_>, _: &mut dyn Watch) -> Result<Verdict, ClothError> {
+        let over = d.steps >= d.settings.max_descents;
+        Ok(if over { Verdict::Stop(StopReason::MaxSteps) } else { Verdict::Go })
+    }
+}
+
+/// Ends a descent after many blocks in a row that took no step.
+pub(crate) struct StagnationLimit;
+
+impl Mechanism for StagnationLimit {
+    fn after_block(&mut self, d: &mut Descent<'_>, _: &Block) -> Verdict {
+        if d.stuck_blocks <= STUCK_BLOCKS_MOST.get() {
+            return Verdict::Go;
+        }
+        Verdict::Stop(if d.pins_placed() { StopReason::MaxSteps } else { StopReason::HeldBack })
+    }
+}
+
+/// Reports how far a descent to rest has come, and ends it on request.
+#[derive(Debug, Default)]
+pub(crate) struct RestProgress {
+    first: f64,
+    part: f64,
+}
+
+impl RestProgress {
+    /// The part of the way that is done: by the digits of what must become small. It never shrinks.
+    fn part(&mut self, to_go: f64) -> f64 {
+        self.first = self.first.max(to_go);
+        let digits = if self.first > 1.0 { 1.0 - libm::log(to_go) / libm::log(self.first) } else { 1.0 };
+        self.part = self.part.max(digits.clamp(0.0, 1.0));
+        self.part
+    }
+}
+
+impl Mechanism for RestProgress {
+    fn before_block(&mut self, d: &mut Descent<'_>, watch: &mut dyn Watch) -> Result<Verdict, ClothError> {
+        d.report_progress(watch, &words(d))?;
+        watch.done(self.part(to_go(d)));
+        Ok(Verdict::Go)
+    }
+}
+
+/// The largest ratio of a quantity that must be small at rest to its tolerance, at least 1.
+fn to_go(d: &Descent<'_>) -> f64 {
+    let (n, s) = (&d.newton, d.settings);
+    let ratios = [n.decrement / s.decrement_tolerance, n.longest / s.move_tolerance, n.residual / s.residual_tolerance];
+    ratios.into_iter().fold(1.0, f64::max)
+}
+
+fn words(d: &Descent<'_>) -> String {
+    format!(
+        "energy {:.4e} J, a Newton step would win {:.1e} of the elastic energy (goal {:.0e}) and move {:.3} mm (goal {:.1})",
+        d.energy,
+        d.newton.decrement,
+        d.settings.decrement_tolerance,
+        d.newton.longest * 1e3,
+        d.settings.move_tolerance * 1e3
+    )
+}

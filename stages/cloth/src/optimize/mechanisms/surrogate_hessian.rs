@@ -1,0 +1,21 @@
+//! Surrogate bending Hessian: it couples fewer vertices than the whole one and leads as well until the cloth is nearly at rest.
+
+use crate::optimize::descent::Descent;
+use crate::optimize::mechanism::{Mechanism, Verdict};
+
+/// Uses the surrogate until the cloth seems to be at rest, and the whole Hessian to make sure of it.
+pub(crate) struct SurrogateHessian;
+
+impl Mechanism for SurrogateHessian {
+    fn begin(&mut self, d: &mut Descent<'_>) {
+        d.use_surrogate(true);
+    }
+
+    fn at_rest(&mut self, d: &mut Descent<'_>) -> Verdict {
+        if !d.objective().uses_surrogate() {
+            return Verdict::Go;
+        }
+        d.use_surrogate(false);
+        Verdict::Again
+    }
+}

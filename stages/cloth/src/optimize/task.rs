@@ -1,0 +1,12 @@
+//! The tasks that a descent is built for.
+
+/// What a descent is to reach. The task decides which terms the objective has and which mechanisms act.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Task {
+    /// Close the stitches: a stitch penalty pulls every pair together.
+    Sew,
+    /// Settle cloth whose rest is the result.
+    Settle,
+    /// Settle a coarser level, from whose rest a finer level goes on. It may rest with any forces.
+    SettleCoarse,
+}
