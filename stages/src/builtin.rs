@@ -5,6 +5,8 @@ use toile_stage_api::Registry;
 /// All built-in stages.
 #[must_use]
 pub fn builtin() -> Registry {
+    #[cfg(feature = "experiments")]
+    crate::experiment::begin_from_environment();
     Registry::default()
         .with(crate::import_dxf::ImportDxf)
         .with(crate::import_garmentcode::ImportGarmentcode)

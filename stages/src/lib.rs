@@ -9,6 +9,8 @@ pub mod assemble;
 pub mod body;
 pub mod builtin;
 pub mod drape;
+#[cfg(feature = "experiments")]
+pub mod experiment;
 pub mod export_dxf;
 pub mod export_gltf;
 pub mod export_obj;
