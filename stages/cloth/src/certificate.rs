@@ -60,7 +60,7 @@ fn figures(scene: &Scene, settings: &Settings) -> Result<Figures, ClothError> {
     let x = &scene.positions;
     let topology = Topology::of_elements(x.len(), &scene.triangles);
     let mut figures = strains(scene, settings);
-    let own = count::own(x, &topology.faces);
+    let own = count::self_crossings(x, &topology.faces);
     figures.self_crossings = own.count;
     figures.first_crossing = own.pairs.first().map(|p| p[0]);
     let body = Body::of_scene(scene);
@@ -75,7 +75,7 @@ fn figures(scene: &Scene, settings: &Settings) -> Result<Figures, ClothError> {
 }
 
 fn against_body(figures: &mut Figures, x: &[Vec3], topology: &Topology, body: &Body) {
-    let found = count::with_body(x, &topology.faces, body);
+    let found = count::body_crossings(x, &topology.faces, body);
     figures.body_crossings = found.count;
     figures.first_crossing = figures.first_crossing.or(found.pairs.first().map(|p| p[0]));
     let used: std::collections::BTreeSet<u32> = topology.faces.iter().flatten().copied().collect();

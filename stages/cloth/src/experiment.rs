@@ -12,9 +12,19 @@
 
 use crate::tuning::{Mechanism, Number};
 
-const NUMBERS: &[&[&dyn Number]] =
-    &[crate::optimize::tuning::NUMBERS, crate::sewing::tuning::NUMBERS, crate::dynamics::tuning::NUMBERS];
-const MECHANISMS: &[&[&Mechanism]] = &[crate::optimize::tuning::MECHANISMS, crate::sewing::tuning::MECHANISMS];
+const NUMBERS: &[&[&dyn Number]] = &[
+    crate::collision::tuning::NUMBERS,
+    crate::contact::tuning::NUMBERS,
+    crate::optimize::tuning::NUMBERS,
+    crate::sewing::tuning::NUMBERS,
+    crate::dynamics::tuning::NUMBERS,
+];
+const MECHANISMS: &[&[&Mechanism]] = &[
+    crate::collision::tuning::MECHANISMS,
+    crate::contact::tuning::MECHANISMS,
+    crate::optimize::tuning::MECHANISMS,
+    crate::sewing::tuning::MECHANISMS,
+];
 
 fn numbers() -> impl Iterator<Item = &'static dyn Number> {
     NUMBERS.iter().flat_map(|room| room.iter().copied())

@@ -50,7 +50,7 @@ impl<'a> Kernels<'a> {
     pub fn lists(&mut self) {
         let x = self.descent.x.clone();
         if let Some(b) = self.descent.detection() {
-            b.cover_anew(&x);
+            b.rebuild_lists_for_new_gaps(&x);
         }
     }
 
@@ -58,7 +58,7 @@ impl<'a> Kernels<'a> {
     pub fn lists_again(&mut self) {
         let x = self.descent.x.clone();
         if let Some(b) = self.descent.detection() {
-            b.relist(&x);
+            b.rebuild_lists(&x);
         }
     }
 }

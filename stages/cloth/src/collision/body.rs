@@ -1,56 +1,61 @@
-//! The body, and parry3d's tree over it. The only place where f64 and parry's f32 meet: parry finds candidates (boxes grown
-//! by the rounding), all distances that decide are computed in f64 from the original positions.
+//! The body, and the tree of parry3d over it.
+//!
+//! This is the only place where `f64` and the `f32` of parry3d meet. The tree finds candidates with boxes grown by
+//! the rounding. All distances that decide are computed in `f64` from the original positions.
 
-use crate::collision::body_motion::Travel;
-use crate::collision::broad_phase::bvh::Aabb;
-use crate::collision::broad_phase::distance_grid::Clearance;
-use crate::collision::culling::convex_features::Sides;
+use crate::collision::body_motion::BodyMotion;
+use crate::collision::broad_phase::aabb::Aabb;
+use crate::collision::broad_phase::distance_grid::DistanceGrid;
+use crate::collision::culling::convex_features::ConvexFeatures;
+use crate::collision::culling::coplanar_faces::{coplanar_edges, coplanar_neighbours};
 use crate::collision::narrow_phase::distance::{point_triangle, point_triangle_gap};
+use crate::collision::tuning::{DISTANCE_GRID, NEAREST_PLACE_RADIUS};
 use crate::scene::topology::Topology;
 use crate::{BodyMesh, Scene, Vec3};
-use parry3d::bounding_volume::Aabb as FlatAabb;
-use parry3d::math::Vector as Flat;
+use parry3d::bounding_volume::Aabb as RoundedAabb;
+use parry3d::math::Vector as RoundedVector;
 use parry3d::partitioning::{Bvh, BvhBuildStrategy};
 use std::sync::Arc;
 
-/// Part of a body around a place in which the nearest place on it is looked for first; it is doubled until there is one.
-const SMALL: f64 = 1e-3;
+/// Bound of the rounding of a coordinate to `f32`, over the largest coordinate: twice the spacing of `f32` at 1.
+const ROUNDING_TO_F32: f64 = 2.4e-7;
 
+/// A body that cloth can touch.
 #[derive(Clone)]
 pub(crate) struct Body {
     tree: Arc<Bvh>,
     pub positions: Arc<Vec<Vec3>>,
     pub topology: Arc<Topology>,
-    /// What of it cloth is held off by.
-    pub sides: Sides,
-    /// For each side of each face, the face in which its plane goes on (`flat.rs`); empty where no plane does.
-    pub planes: Arc<Vec<[u32; 3]>>,
+    /// Corners and edges that cloth can press on.
+    pub features: ConvexFeatures,
+    /// For each side of each face, the coplanar face beyond it. Empty where no faces are coplanar.
+    pub coplanar: Arc<Vec<[u32; 3]>>,
     pub bounds: Aabb,
-    /// Of every triangle where it was at first.
+    /// Boxes of the triangles at the positions given first.
     pub boxes: Arc<Vec<Aabb>>,
-    /// Lower bounds of the distance to it, while it is at rest.
-    pub clearance: Arc<Clearance>,
-    /// How it moves; none for a body at rest.
-    pub travel: Option<Travel>,
-    /// Rounding of the largest coordinate to f32, m.
+    /// Lower bounds of the distance to the body at rest.
+    pub grid: Arc<DistanceGrid>,
+    /// The motion of the body; `None` for a body at rest.
+    pub motion: Option<BodyMotion>,
+    /// Bound of the rounding of coordinates to `f32`, m.
     rounding: f64,
-    /// How far around a place the nearest one is looked for first, m.
-    small: f64,
+    /// First radius of the search for the nearest place, m.
+    first_radius: f64,
 }
 
-fn flat(v: &Vec3) -> Flat {
-    // Rounding to f32 is allowed for by growing every query box.
+fn rounded(v: &Vec3) -> RoundedVector {
+    // Every query box is grown by the rounding to `f32`.
     #[allow(clippy::cast_possible_truncation)]
-    Flat::new(v.x as f32, v.y as f32, v.z as f32)
+    RoundedVector::new(v.x as f32, v.y as f32, v.z as f32)
 }
 
 impl Body {
-    /// The body of a scene at rest, prepared once for all scenes that share it; `None` for a body without triangles.
+    /// The body of a scene at rest, prepared once for all scenes that share it. `None` for a body without triangles.
     pub fn of_scene(scene: &Scene) -> Option<Self> {
         scene.body.as_ref().and_then(|b| b.prepared(Self::new))
     }
 
-    /// `None` for a body without triangles.
+    /// Prepares a body. `None` for a body without triangles.
     pub fn new(mesh: &BodyMesh) -> Option<Self> {
         let live: Vec<[u32; 3]> = mesh.triangles.iter().filter(|t| has_area(&mesh.positions, t)).copied().collect();
         if live.is_empty() {
@@ -60,52 +65,55 @@ impl Body {
         let topology = Topology::new(mesh.positions.len(), live);
         let boxes: Vec<Aabb> =
             topology.faces.iter().map(|t| Aabb::of_three(&crate::pick3(&mesh.positions, t))).collect();
-        let leaf = |b: &Aabb| FlatAabb::new(flat(&b.low), flat(&b.high));
+        let leaf = |b: &Aabb| RoundedAabb::new(rounded(&b.low), rounded(&b.high));
         let tree = Bvh::from_iter(BvhBuildStrategy::Binned, boxes.iter().map(leaf).enumerate());
         let size = bounds.low.amax().max(bounds.high.amax());
-        let flat_edges = crate::collision::culling::coplanar_faces::edges(&mesh.positions, &topology);
-        let sides = Sides::new(&mesh.positions, &topology, &flat_edges);
-        let planes = crate::collision::culling::coplanar_faces::across(&topology, &flat_edges);
-        let clearance = Clearance::new(&mesh.positions, &topology.faces, &bounds);
+        let flat_edges = coplanar_edges(&mesh.positions, &topology);
+        let features = ConvexFeatures::new(&mesh.positions, &topology, &flat_edges);
+        let coplanar = coplanar_neighbours(&topology, &flat_edges);
+        let grid = DistanceGrid::new(&mesh.positions, &topology.faces, &bounds);
         Some(Self {
             tree: Arc::new(tree),
             positions: Arc::new(mesh.positions.clone()),
             topology: Arc::new(topology),
-            sides,
-            planes: Arc::new(planes),
+            features,
+            coplanar: Arc::new(coplanar),
             bounds,
             boxes: Arc::new(boxes),
-            clearance: Arc::new(clearance),
-            travel: None,
-            rounding: size * 2.4e-7,
-            small: SMALL * (bounds.high - bounds.low).norm(),
+            grid: Arc::new(grid),
+            motion: None,
+            rounding: size * ROUNDING_TO_F32,
+            first_radius: NEAREST_PLACE_RADIUS.get() * (bounds.high - bounds.low).norm(),
         })
     }
 
-    /// As it holds off coarser cloth of such edges and gap (m): by less of what lies close together.
-    pub fn held_off(mut self, cloth: [f64; 2]) -> Self {
-        self.sides.thin(&self.positions, &self.topology, cloth);
+    /// The body for coarser cloth with this mean edge and gap, m, with fewer of the corners that lie close together.
+    pub fn decimated(mut self, cloth: [f64; 2]) -> Self {
+        self.features.decimate(&self.positions, &self.topology, cloth);
         self
     }
 
-    /// May anything of it be in this box?
+    /// May any part of the body be in this box?
     #[inline]
     pub fn may_meet(&self, b: &Aabb) -> bool {
-        self.clear_of(b) <= 0.0
+        self.distance_bound(b) <= 0.0
     }
 
-    /// How far it is from all that is in this box, at least, m.
+    /// A lower bound of the distance between the body and this box, m; not positive where they may meet.
     #[inline]
-    pub fn clear_of(&self, b: &Aabb) -> f64 {
+    pub fn distance_bound(&self, b: &Aabb) -> f64 {
+        if !DISTANCE_GRID.is_on() {
+            return self.bounds.gap(b);
+        }
         let middle = (b.low + b.high) * 0.5;
-        let clear = self.clearance.at(&middle) - 0.5 * (b.high - b.low).norm();
+        let clear = self.grid.at(&middle) - 0.5 * (b.high - b.low).norm();
         if b.meets(&self.bounds) { clear } else { clear.max(self.bounds.gap(b)) }
     }
 
     /// Triangles whose boxes may meet `bounds`.
     pub fn candidates(&self, bounds: &Aabb, mut emit: impl FnMut(u32)) {
         let b = bounds.grown(self.rounding);
-        let query = FlatAabb::new(flat(&b.low), flat(&b.high));
+        let query = RoundedAabb::new(rounded(&b.low), rounded(&b.high));
         for i in self.tree.intersect_aabb(&query) {
             emit(i);
         }
@@ -121,10 +129,10 @@ impl Body {
         point_triangle_gap(p, self.triangle(i).each_ref())
     }
 
-    /// Nearest point within `reach` of `p`, and its distance.
+    /// The nearest point of the body within `reach` of `p`, m, and its distance, m.
     pub fn nearest(&self, p: &Vec3, reach: f64) -> Option<(Vec3, f64)> {
         let mut best: Option<(Vec3, f64)> = None;
-        let mut r = self.small.min(reach);
+        let mut r = self.first_radius.min(reach);
         loop {
             self.candidates(&Aabb::of_one(p).grown(r), |i| {
                 let [a, b, c] = self.triangle(i);
@@ -143,19 +151,19 @@ impl Body {
         }
     }
 
-    /// Is `p` in the box around it?
+    /// Is `p` in the box around the body?
     pub fn may_contain(&self, p: &Vec3) -> bool {
         self.bounds.meets(&Aabb::of_one(p))
     }
 
-    /// Is `p` inside? By the winding number, so that small holes do not matter.
+    /// Is `p` inside the body? The winding number decides, so that small holes do not matter.
     pub fn contains(&self, p: &Vec3) -> bool {
         if !self.may_contain(p) {
             return false;
         }
-        let mut turns = Turns::default();
+        let mut turns = HalfTurnCount::default();
         self.topology.faces.iter().for_each(|t| turns.add(&t.map(|v| self.positions[v as usize] - p)));
-        turns.whole != 0
+        turns.passages != 0
     }
 }
 
@@ -164,22 +172,25 @@ fn has_area(x: &[Vec3], t: &[u32; 3]) -> bool {
     (b - a).cross(&(c - a)).norm_squared() > 0.0
 }
 
-/// Half the solid angles of triangles seen from the origin, summed as a direction that turns on: more than half of what is all
-/// around is there once it has passed the half turn, and no angle need be told.
-struct Turns {
+/// Sum of half the signed solid angles of triangles seen from the origin, as a turning unit vector.
+///
+/// The origin is inside where the sum passes the half turn: then more than half of all directions hit the surface. No
+/// angle has to be computed.
+struct HalfTurnCount {
     direction: [f64; 2],
-    /// Times it passed the half turn, one way less the other.
-    whole: i64,
+    /// Number of passages of the half turn, one direction counted positive and the other negative.
+    passages: i64,
 }
 
-impl Default for Turns {
+impl Default for HalfTurnCount {
     fn default() -> Self {
-        Self { direction: [1.0, 0.0], whole: 0 }
+        Self { direction: [1.0, 0.0], passages: 0 }
     }
 }
 
-impl Turns {
-    /// Turns by half the signed solid angle of a triangle (Van Oosterom and Strackee 1983), less than half a turn.
+impl HalfTurnCount {
+    /// Adds half the signed solid angle of a triangle, which is less than half a turn (Van Oosterom and Strackee
+    /// 1983).
     #[inline]
     fn add(&mut self, [a, b, c]: &[Vec3; 3]) {
         let (la, lb, lc) = (a.norm(), b.norm(), c.norm());
@@ -191,7 +202,7 @@ impl Turns {
         let (cos, sin, [x, y]) = (den / length, num / length, self.direction);
         let new = [x * cos - y * sin, x * sin + y * cos];
         let up = |y: f64| y >= 0.0;
-        self.whole += i64::from(up(sin) && up(y) && !up(new[1])) - i64::from(!up(sin) && !up(y) && up(new[1]));
+        self.passages += i64::from(up(sin) && up(y) && !up(new[1])) - i64::from(!up(sin) && !up(y) && up(new[1]));
         self.direction = new;
     }
 }
@@ -200,7 +211,7 @@ impl Turns {
 mod tests {
     use super::*;
 
-    /// Of an octahedron without its first faces.
+    /// An octahedron without its first faces.
     fn octahedron(without: usize) -> Body {
         let positions = [1.0, -1.0].into_iter().flat_map(|s| [0, 1, 2].map(|k| Vec3::ith(k, s))).collect();
         let of = |x: u32, y: u32, z: u32| {
@@ -210,7 +221,7 @@ mod tests {
         Body::new(&BodyMesh { positions, triangles: all.skip(without).collect() }).expect("a body")
     }
 
-    /// However far off, and only within reach.
+    /// The nearest place is found at any distance, but only within reach.
     #[test]
     fn the_nearest_place_is_nearer_than_all_others() {
         let body = octahedron(0);

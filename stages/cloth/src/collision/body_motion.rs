@@ -1,19 +1,22 @@
 //! The motion of a body in one step.
 
 use crate::Vec3;
-use crate::collision::broad_phase::bvh::Tree;
+use crate::collision::broad_phase::bvh::BoxTree;
 
-/// Displacements of a body's vertices in the step that is tried, and a tree that follows them.
+/// Displacements of a body's vertices in a step, and a tree that follows them.
 #[derive(Clone)]
-pub(crate) struct Travel {
+pub(crate) struct BodyMotion {
+    /// Displacement of each vertex in the current step, m.
     pub step: Vec<Vec3>,
-    pub going: bool,
-    pub tree: Tree,
+    /// The body moves in the current step.
+    pub is_moving: bool,
+    /// Tree of the moving triangles.
+    pub tree: BoxTree,
 }
 
-impl Travel {
-    /// A body of so many vertices that does not move yet; `tree`: a tree of its moving triangles.
-    pub fn at_rest(tree: Tree, vertices: usize) -> Self {
-        Self { step: vec![Vec3::zeros(); vertices], going: false, tree }
+impl BodyMotion {
+    /// A body that does not move yet. `tree` is a tree of its triangles, `vertices` the number of its vertices.
+    pub fn at_rest(tree: BoxTree, vertices: usize) -> Self {
+        Self { step: vec![Vec3::zeros(); vertices], is_moving: false, tree }
     }
 }

@@ -14,3 +14,4 @@ pub(crate) mod self_candidates;
 #[cfg(not(feature = "self-contact"))]
 #[path = "self_candidates_absent.rs"]
 pub(crate) mod self_candidates;
+pub(crate) mod tuning;

@@ -1,56 +1,58 @@
-//! A body on its way: its triangles move in straight lines through a step, and count as moving in all searches.
+//! Moving bodies: during a step all triangles move in straight lines, and every search counts them as moving.
 
 use crate::Vec3;
 use crate::collision::body::Body;
-use crate::collision::body_candidates::Against;
-use crate::collision::body_motion::Travel;
-use crate::collision::broad_phase::bvh::{Aabb, Tree, meet_moving};
-use crate::collision::narrow_phase::candidates::{Moving, Way};
+use crate::collision::body_candidates::BodyCandidates;
+use crate::collision::body_motion::BodyMotion;
+use crate::collision::broad_phase::aabb::{Aabb, meet_moving};
+use crate::collision::broad_phase::bvh::BoxTree;
+use crate::collision::narrow_phase::candidates::{LinearMotion, MovingFace};
 use crate::collision::narrow_phase::distance::{point_triangle, segments};
 use crate::collision::narrow_phase::pair_kind::{PairKey, PairKind};
 use std::sync::Arc;
 
 impl Body {
-    /// From now on the body may move. Every edge can press then.
-    pub fn set_out(&mut self) {
-        let tree = Tree::moving(&self.positions, &self.topology.faces);
-        self.travel = Some(Travel::at_rest(tree, self.positions.len()));
-        self.sides.any(&self.topology);
-        self.planes = Arc::default();
+    /// Prepares the body for motion. Every edge can press from then on.
+    pub fn begin_motion(&mut self) {
+        let tree = BoxTree::moving(&self.positions, &self.topology.faces);
+        self.motion = Some(BodyMotion::at_rest(tree, self.positions.len()));
+        self.features.restore_all(&self.topology);
+        self.coplanar = Arc::default();
     }
 
-    /// Displacements that the next step is to take.
-    pub fn depart(&mut self, step: &[Vec3]) {
-        if let Some(t) = &mut self.travel {
+    /// Sets the displacements of the next step, m.
+    pub fn set_step(&mut self, step: &[Vec3]) {
+        if let Some(t) = &mut self.motion {
             t.step.copy_from_slice(step);
-            t.going = true;
+            t.is_moving = true;
         }
     }
 
-    /// Takes a part of the displacements.
-    pub fn arrive(&mut self, part: f64) {
-        let Some(t) = &mut self.travel else { return };
+    /// Moves the body by a part of the displacements.
+    pub fn take_step(&mut self, part: f64) {
+        let Some(t) = &mut self.motion else { return };
         Arc::make_mut(&mut self.positions).iter_mut().zip(&t.step).for_each(|(p, d)| *p += d * part);
         t.step.fill(Vec3::zeros());
-        t.going = false;
+        t.is_moving = false;
         self.bounds = Aabb::of(&self.positions);
     }
 
-    pub fn travels(&self) -> bool {
-        self.travel.as_ref().is_some_and(|t| t.going)
+    /// Does the body move in the current step?
+    pub fn is_moving(&self) -> bool {
+        self.motion.as_ref().is_some_and(|t| t.is_moving)
     }
 
-    /// Displacement of a vertex in the step that is tried.
+    /// Displacement of a vertex in the current step, m.
     #[inline]
-    pub fn moves(&self, w: u32) -> Vec3 {
-        match &self.travel {
+    pub fn displacement(&self, w: u32) -> Vec3 {
+        match &self.motion {
             Some(t) => t.step[w as usize],
             None => Vec3::zeros(),
         }
     }
 
-    /// Value of a field over the body's vertices at the body's point of a near pair; nothing for pairs of cloth.
-    pub fn at_pair(&self, key: &PairKey, x: &[Vec3], field: &[Vec3]) -> Vec3 {
+    /// Value of a field over the body's vertices at the body's point of a pair; zero for pairs of cloth alone.
+    pub fn interpolate_at_pair(&self, key: &PairKey, x: &[Vec3], field: &[Vec3]) -> Vec3 {
         let [a, b, c, d] = key.1;
         let value = |w: u32| field[w as usize];
         match key.0 {
@@ -71,45 +73,46 @@ impl Body {
     }
 }
 
-impl Against {
-    /// Cloth–body pairs that come nearer than `reach` while both move; what moves along together does not meet.
-    pub fn fill_travelling(&mut self, way: &Way<'_>, body: &mut Body, reach: f64) {
-        let Way { x, step, topology, .. } = *way;
-        self.clear();
-        let Some(travel) = &mut body.travel else { return };
-        travel.tree.refit_moving(&body.positions, &travel.step, &body.topology.faces, 0.0);
+impl BodyCandidates {
+    /// Lists the pairs of cloth and body that come nearer than `reach` while both move, m. Parts that move as one do
+    /// not meet.
+    pub fn list_moving(&mut self, motion: &LinearMotion<'_>, body: &mut Body, reach: f64) {
+        let LinearMotion { x, step, topology, .. } = *motion;
+        self.remove_all();
+        let Some(motion) = &mut body.motion else { return };
+        motion.tree.refit_moving(&body.positions, &motion.step, &body.topology.faces, 0.0);
         for f in (0u32..).take(topology.faces.len()) {
-            let a = Moving::of(topology, f, x, step);
-            let (bounds, moves) = (a.owned.bounds(reach), Aabb::of_three(&a.by));
-            travel.tree.meeting_moving(&bounds, &moves, |g| {
-                let b = Moving::of(&body.topology, g, &body.positions, &travel.step);
+            let a = MovingFace::of(topology, f, x, step);
+            let (bounds, moves) = (a.face.bounds(reach), Aabb::of_three(&a.by));
+            motion.tree.meeting_moving(&bounds, &moves, |g| {
+                let b = MovingFace::of(&body.topology, g, &body.positions, &motion.step);
                 self.add_points(&a, &b, g, reach);
                 self.add_edges(&a, &b, reach);
             });
         }
     }
 
-    fn add_points(&mut self, a: &Moving, b: &Moving, g: u32, reach: f64) {
-        let (face, moves) = (b.owned.bounds(reach), Aabb::of_three(&b.by));
-        for k in (0..3).filter(|k| a.owned.owns_vertex(*k)) {
-            if meet_moving(&face, &moves, &Aabb::of_one(&a.owned.at[k]), &Aabb::of_one(&a.by[k])) {
-                self.add_point(a.owned.corners[k], g, 0.0);
+    fn add_points(&mut self, a: &MovingFace, b: &MovingFace, g: u32, reach: f64) {
+        let (face, moves) = (b.face.bounds(reach), Aabb::of_three(&b.by));
+        for k in (0..3).filter(|k| a.face.owns_vertex(*k)) {
+            if meet_moving(&face, &moves, &Aabb::of_one(&a.face.at[k]), &Aabb::of_one(&a.by[k])) {
+                self.add_point(a.face.corners[k], g, 0.0);
             }
         }
-        let (face, moves) = (a.owned.bounds(reach), Aabb::of_three(&a.by));
-        for k in (0..3).filter(|k| b.owned.owns_vertex(*k)) {
-            if meet_moving(&face, &moves, &Aabb::of_one(&b.owned.at[k]), &Aabb::of_one(&b.by[k])) {
-                self.add_face(&a.owned, b.owned.corners[k], 0.0);
+        let (face, moves) = (a.face.bounds(reach), Aabb::of_three(&a.by));
+        for k in (0..3).filter(|k| b.face.owns_vertex(*k)) {
+            if meet_moving(&face, &moves, &Aabb::of_one(&b.face.at[k]), &Aabb::of_one(&b.by[k])) {
+                self.add_face(&a.face, b.face.corners[k], 0.0);
             }
         }
     }
 
-    fn add_edges(&mut self, a: &Moving, b: &Moving, reach: f64) {
-        for j in (0..3).filter(|j| b.owned.owns_edge(*j)) {
-            let (bounds, moves) = (b.owned.edge_box(j).grown(reach), b.edge_move(j));
-            for i in (0..3).filter(|i| a.owned.owns_edge(*i)) {
-                if meet_moving(&bounds, &moves, &a.owned.edge_box(i), &a.edge_move(i)) {
-                    self.add_edge(&a.owned, i, b.owned.edge(j), &b.owned.run(j), 0.0);
+    fn add_edges(&mut self, a: &MovingFace, b: &MovingFace, reach: f64) {
+        for j in (0..3).filter(|j| b.face.owns_edge(*j)) {
+            let (bounds, moves) = (b.face.edge_box(j).grown(reach), b.edge_move(j));
+            for i in (0..3).filter(|i| a.face.owns_edge(*i)) {
+                if meet_moving(&bounds, &moves, &a.face.edge_box(i), &a.edge_move(i)) {
+                    self.add_edge(&a.face, i, b.face.edge(j), &b.face.edge_vector(j), 0.0);
                 }
             }
         }

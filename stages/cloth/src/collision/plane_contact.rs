@@ -1,20 +1,26 @@
-//! One contact for each plane of a body: over the edge between two coplanar faces a cloth vertex is held by the face it is over.
-//! Held by both it would stand higher there, and what slides across would catch on an edge that is none.
+//! One contact for each plane of a body.
+//!
+//! Over the edge between two coplanar faces one face holds a cloth vertex, the one it is over. If both faces held it,
+//! it would stand higher there. Cloth that slides across would then catch on an edge that does not exist.
 
 use crate::Vec3;
 use crate::collision::body::Body;
-use crate::collision::culling::coplanar_faces::NONE;
+use crate::collision::culling::coplanar_faces::NO_FACE;
 use crate::collision::narrow_phase::distance::point_triangle;
 
-/// Squares of distances that differ by less than this share are the same place, reckoned from two faces.
-const SAME: f64 = 1e-12;
+/// Squares of distances that differ by less than this share are one place, computed from two faces. It bounds
+/// rounding.
+const SAME_PLACE_TOLERANCE: f64 = 1e-12;
 
 impl Body {
-    /// Does the plane of face `g` go on where a point comes nearest to it (the place in `g`, told by the corners' weights), to
-    /// a face that is nearer? Of two that share the place the first one holds. So a plane pushes once, and without a jump
-    /// when a vertex goes from over one face to over the next, also beyond its rim.
-    pub fn goes_on(&self, g: u32, weights: &[f64; 3], p: &Vec3, d: &Vec3) -> bool {
-        if self.planes.is_empty() {
+    /// Is another face of the same plane nearer to a point than face `g`? Of two faces at the same distance the lower
+    /// number counts as nearer.
+    ///
+    /// `weights` are the barycentric weights of the nearest place in `g`, and `d` is the vector from that place to
+    /// `p`. A plane then pushes once, also beyond its rim, and without a jump when a vertex passes from one face to
+    /// the next.
+    pub fn has_nearer_coplanar_face(&self, g: u32, weights: &[f64; 3], p: &Vec3, d: &Vec3) -> bool {
+        if self.coplanar.is_empty() {
             return false;
         }
         let square = d.norm_squared();
@@ -22,30 +28,30 @@ impl Body {
             let [a, b, c] = self.triangle(h);
             let w = point_triangle(p, &a, &b, &c);
             let other = (p - (a * w[0] + b * w[1] + c * w[2])).norm_squared();
-            other < square * (1.0 - SAME) || (other <= square * (1.0 + SAME) && h < g)
+            other < square * (1.0 - SAME_PLACE_TOLERANCE) || (other <= square * (1.0 + SAME_PLACE_TOLERANCE) && h < g)
         };
         let zero = |k: usize| weights[k] == 0.0;
         match (0..3).filter(|k| zero(*k)).count() {
             0 => false,
             1 => {
                 let side = (0..3).find(|k| zero(*k)).map_or(0, |k| (k + 1) % 3);
-                Some(self.planes[g as usize][side]).filter(|h| *h != NONE).is_some_and(nearer)
+                Some(self.coplanar[g as usize][side]).filter(|h| *h != NO_FACE).is_some_and(nearer)
             }
             _ => {
                 let corner = (0..3).find(|k| !zero(*k)).unwrap_or(0);
-                self.around(g, corner, 1).any(nearer) || self.around(g, corner, 2).any(nearer)
+                self.coplanar_around(g, corner, 1).any(nearer) || self.coplanar_around(g, corner, 2).any(nearer)
             }
         }
     }
 
-    /// The faces of its plane round a corner of face `g`, from one of the two sides there on.
-    fn around(&self, g: u32, corner: usize, turn: usize) -> impl Iterator<Item = u32> + '_ {
+    /// The coplanar faces around a corner of face `g`, in the order from one of its two sides.
+    fn coplanar_around(&self, g: u32, corner: usize, turn: usize) -> impl Iterator<Item = u32> + '_ {
         let vertex = self.topology.faces[g as usize][corner];
         let side = move |f: u32| {
             let k = self.topology.faces[f as usize].iter().position(|v| *v == vertex).unwrap_or(0);
             // A side runs from its corner to the next.
             let through = if turn == 1 { k } else { (k + 2) % 3 };
-            Some(self.planes[f as usize][through]).filter(|h| *h != NONE && *h != g)
+            Some(self.coplanar[f as usize][through]).filter(|h| *h != NO_FACE && *h != g)
         };
         std::iter::successors(side(g), move |f| side(*f)).take(self.topology.faces.len())
     }
@@ -56,7 +62,7 @@ mod tests {
     use super::*;
     use crate::BodyMesh;
 
-    /// A level square of two faces beside a third that rises from it.
+    /// A level square of two faces beside a third face that rises from it.
     fn body() -> Body {
         let at = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [1.0, 0.0, 1.0], [0.0, 0.0, 1.0], [2.0, 0.5, 0.5]];
         let mesh = BodyMesh {
@@ -67,12 +73,12 @@ mod tests {
     }
 
     fn holds(body: &Body, p: Vec3) -> Vec<u32> {
-        let goes_on = |g: u32| {
+        let is_elsewhere = |g: u32| {
             let [a, b, c] = body.triangle(g);
             let w = point_triangle(&p, &a, &b, &c);
-            body.goes_on(g, &w, &p, &(p - (a * w[0] + b * w[1] + c * w[2])))
+            body.has_nearer_coplanar_face(g, &w, &p, &(p - (a * w[0] + b * w[1] + c * w[2])))
         };
-        (0..3).filter(|g| !goes_on(*g)).collect()
+        (0..3).filter(|g| !is_elsewhere(*g)).collect()
     }
 
     #[test]

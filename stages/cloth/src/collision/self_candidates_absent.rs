@@ -1,30 +1,31 @@
-//! Stands in for self-contact in a build without this effect: a type without a value, so that nothing of its work is compiled.
-//! The build check has refused every scene that calls for the effect.
+//! The search for self-contact in a build without this effect: a type without a value.
+//!
+//! Nothing of its work is compiled. The build check has refused every scene with self-contact.
 
 use crate::Vec3;
-use crate::collision::narrow_phase::candidates::{Near, Way};
+use crate::collision::narrow_phase::candidates::{ClothCandidates, LinearMotion};
 
-/// The search for cloth near cloth, which this build does not have.
-pub(crate) enum Own {}
+/// The search for self-contact, which this build does not have.
+pub(crate) enum SelfCollision {}
 
-impl Own {
+impl SelfCollision {
     pub fn new(_: &crate::Scene, _: &[Vec3], _: &crate::scene::topology::Topology) -> Option<Self> {
         None
     }
 
-    pub fn list(&mut self, _: &mut Near, _: &Way<'_>, _: f64, _: f64, _: f64) {
+    pub fn list(&mut self, _: &mut ClothCandidates, _: &LinearMotion<'_>, _: f64, _: f64, _: f64) {
         match *self {}
     }
 
-    pub fn list_once(&mut self, _: &mut Near, _: &Way<'_>, _: f64) {
+    pub fn list_once(&mut self, _: &mut ClothCandidates, _: &LinearMotion<'_>, _: f64) {
         match *self {}
     }
 
-    pub fn surely_lies_free(&mut self, _: &[Vec3], _: &crate::scene::topology::Topology) -> bool {
+    pub fn is_surely_free(&mut self, _: &[Vec3], _: &crate::scene::topology::Topology) -> bool {
         match *self {}
     }
 
-    pub fn forget(&mut self) {
+    pub fn invalidate(&mut self) {
         match *self {}
     }
 }

@@ -1,42 +1,45 @@
-//! For how long a list of what is near stays good.
+//! The region in which a list of candidate pairs stays valid.
 
 use crate::Vec3;
 
-/// Where the vertices were when a list was made that holds all that comes near within a slack of there, and of the way
-/// along a step.
+/// The vertex positions for which a list of candidate pairs was made, and the slack around them.
+///
+/// The list holds every pair that comes near within the slack of those positions and along the step it was made for.
 #[derive(Debug, Default)]
-pub(crate) struct Listed {
-    at: Vec<Vec3>,
-    /// m, per vertex.
+pub(crate) struct ListValidity {
+    positions: Vec<Vec3>,
+    /// Distance that every vertex may move before the list must be made anew, m.
     slack: f64,
-    on_the_way: bool,
+    /// The list was made for a step that has not been taken yet.
+    step_is_pending: bool,
 }
 
-impl Listed {
-    /// Does the list hold for ways from `x` of at most `longest`, and `beside` them?
-    pub fn covers(&mut self, x: &[Vec3], longest: f64, beside: f64) -> bool {
-        self.on_the_way = false;
-        let moved = crate::farthest(&self.at, x);
-        !self.at.is_empty() && moved + longest + beside <= self.slack
+impl ListValidity {
+    /// Is the list valid along steps from `x` of at most `longest`, m?
+    pub fn covers(&mut self, x: &[Vec3], longest: f64) -> bool {
+        self.step_is_pending = false;
+        let moved = crate::farthest(&self.positions, x);
+        !self.positions.is_empty() && moved + longest <= self.slack
     }
 
-    /// A list has been made along a step from `x`.
-    pub fn made(&mut self, x: &[Vec3], slack: f64) {
-        self.at.clear();
-        self.at.extend_from_slice(x);
+    /// Records that a list has been made for a step from `x`.
+    pub fn record(&mut self, x: &[Vec3], slack: f64) {
+        self.positions.clear();
+        self.positions.extend_from_slice(x);
         self.slack = slack;
-        self.on_the_way = true;
+        self.step_is_pending = true;
     }
 
-    /// `x` was reached: if the list was made for that step, the slack counts from here on.
-    pub fn took(&mut self, x: &[Vec3]) {
-        if std::mem::take(&mut self.on_the_way) {
-            self.at.copy_from_slice(x);
+    /// Records that a step to `x` was taken. If the list was made for that step, the slack counts from `x`.
+    pub fn step_taken(&mut self, x: &[Vec3]) {
+        if std::mem::take(&mut self.step_is_pending) {
+            self.positions.copy_from_slice(x);
         }
     }
 
-    pub fn forget(&mut self) {
-        self.at.clear();
-        self.on_the_way = false;
+    /// Declares the list invalid.
+    pub fn invalidate(&mut self) {
+        self.positions.clear();
+        self.step_is_pending = false;
     }
 }

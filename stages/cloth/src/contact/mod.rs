@@ -5,3 +5,4 @@ pub(crate) mod lagged_friction;
 pub(crate) mod list_validity;
 pub(crate) mod parameters;
 pub(crate) mod step_bound;
+pub(crate) mod tuning;

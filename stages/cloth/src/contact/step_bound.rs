@@ -1,41 +1,53 @@
-//! How far a descent may step before a near pair comes too close, and which vertices are held back where one does.
+//! Bounds of a step by continuous collision detection: a largest fraction of the step, or shorter moves of single
+//! vertices.
 
 use crate::Vec3;
-use crate::collision::narrow_phase::ccd::{Pair, SAFE};
+use crate::collision::body::Body;
+use crate::collision::narrow_phase::ccd::{FREE_MOTION_SHARE, MovingPair};
 use crate::collision::narrow_phase::pair_kind::PairKind;
+use crate::collision::tuning::IMPACT_FRACTION_USED;
 use crate::contact::barrier::Barrier;
+use crate::contact::tuning::{VERTEX_TRUNCATION, VERTEX_TRUNCATION_ROUNDS};
 use crate::report::cost::{Lap, Work};
 
-/// Rounds in which single vertices are held back before the whole step is shortened.
-const ROUNDS: usize = 5;
+/// A pair that a step brings too near: vertices of the cloth, their number, and the part of the step up to there.
+type Hit = ([u32; 4], usize, f64);
 
-fn test(mut pair: Pair, distance: f64, hit: impl FnOnce(f64)) {
-    let part = pair.free_part(distance);
+/// Calls `hit` with the vertices of the cloth if the pair allows only a part of its motion.
+fn test(mut pair: MovingPair, distance: f64, cloth: ([u32; 4], usize), hit: &mut impl FnMut(Hit)) {
+    let part = pair.max_step_fraction(distance);
     if part < 1.0 {
-        hit(part);
+        hit((cloth.0, cloth.1, part));
     }
 }
 
 impl Barrier {
-    /// The part of `step` that may be taken; the distances of the last evaluation must be those at `x`, and the lists
-    /// must cover the step.
-    pub fn free_part(&mut self, x: &[Vec3], step: &[Vec3]) -> f64 {
+    /// The largest fraction of `step` that may be taken.
+    ///
+    /// The distances of the last evaluation must be those at `x`, and the lists must cover the step.
+    pub fn max_step_fraction(&mut self, x: &[Vec3], step: &[Vec3]) -> f64 {
+        let used = IMPACT_FRACTION_USED.get();
         let mut whole: f64 = 1.0;
-        self.each(x, step, |_, _, part| whole = whole.min(SAFE * part));
+        self.for_each_hit(x, step, |(_, _, part)| whole = whole.min(used * part));
         whole
     }
 
-    /// Holds single vertices back where their pairs would come too near. The step is another one then, which the lists
-    /// need not cover.
-    pub fn hold_back(&mut self, x: &[Vec3], step: &mut [Vec3]) {
-        for _ in 0..ROUNDS {
+    /// Shortens the moves of single vertices whose pairs would come too near.
+    ///
+    /// The lists need not cover the step that results.
+    pub fn truncate_vertices(&mut self, x: &[Vec3], step: &mut [Vec3]) {
+        if !VERTEX_TRUNCATION.is_on() {
+            return;
+        }
+        let used = IMPACT_FRACTION_USED.get();
+        for _ in 0..VERTEX_TRUNCATION_ROUNDS.get() {
             let mut scale = vec![1.0; x.len()];
             let mut any = false;
-            self.each(x, step, |vertices, cloth, part| {
+            self.for_each_hit(x, step, |(vertices, cloth, part)| {
                 any = true;
                 for v in &vertices[..cloth] {
                     let s: &mut f64 = &mut scale[*v as usize];
-                    *s = s.min(SAFE * part);
+                    *s = s.min(used * part);
                 }
             });
             if !any {
@@ -46,77 +58,101 @@ impl Barrier {
     }
 
     /// Calls `hit` for every pair that the step brings too near.
-    fn each(&mut self, x: &[Vec3], step: &[Vec3], mut hit: impl FnMut([u32; 4], usize, f64)) {
+    fn for_each_hit(&mut self, x: &[Vec3], step: &[Vec3], mut hit: impl FnMut(Hit)) {
         let mut lap = Lap::start();
-        self.each_own(x, step, &mut hit);
-        self.tally.costs.spend(Work::SelfContact, &mut lap);
-        self.each_of_body(x, step, &mut hit);
-        self.tally.costs.spend(Work::BodyContact, &mut lap);
+        self.for_each_self_hit(x, step, &mut hit);
+        self.statistics.costs.spend(Work::SelfContact, &mut lap);
+        if let Some(body) = &self.body {
+            let pairs = BodyPairs { barrier: self, body, x, step };
+            pairs.for_each_vertex_hit(&mut hit);
+            pairs.for_each_edge_hit(&mut hit);
+            pairs.for_each_face_hit(&mut hit);
+        }
+        self.statistics.costs.spend(Work::BodyContact, &mut lap);
     }
 
-    fn each_own(&self, x: &[Vec3], step: &[Vec3], hit: &mut impl FnMut([u32; 4], usize, f64)) {
-        let moved = |v: u32| step[v as usize];
-        for (v, l) in self.near.points.iter().zip(&self.distances[PairKind::VertexTriangle as usize]) {
-            test(Pair { at: crate::pick4(x, v), by: v.map(moved), kind: PairKind::VertexTriangle }, *l, |part| {
-                hit(*v, 4, part)
-            });
-        }
-        for (v, l) in self.near.edges.iter().zip(&self.distances[PairKind::EdgeEdge as usize]) {
-            test(Pair { at: crate::pick4(x, v), by: v.map(moved), kind: PairKind::EdgeEdge }, *l, |part| {
-                hit(*v, 4, part)
-            });
-        }
-    }
-
-    fn each_of_body(&self, x: &[Vec3], step: &[Vec3], hit: &mut impl FnMut([u32; 4], usize, f64)) {
-        let moved = |v: u32| step[v as usize];
-        let Some(body) = &self.body else { return };
-        let [_, _, points, edges, faces] = &self.distances;
-        let near = |longest: f64, l: f64| body.travels() || longest > 0.2 * l;
-        // What was put down may be less than the distance.
-        let mut look = |pair: Pair, longest: f64, l: f64, cloth: ([u32; 4], usize)| {
-            let l = if body.travels() { l } else { pair.distance() };
-            if near(longest, l) {
-                test(pair, l, |part| hit(cloth.0, cloth.1, part));
+    fn for_each_self_hit(&self, x: &[Vec3], step: &[Vec3], hit: &mut impl FnMut(Hit)) {
+        let lists =
+            [(&self.lists.cloth.points, PairKind::VertexTriangle), (&self.lists.cloth.edges, PairKind::EdgeEdge)];
+        for (pairs, kind) in lists {
+            for (v, distance) in pairs.iter().zip(&self.distances[kind as usize]) {
+                test(MovingPair { at: crate::pick4(x, v), by: crate::pick4(step, v), kind }, *distance, (*v, 4), hit);
             }
-        };
-        for (pair, l) in self.against.points.iter().zip(points) {
+        }
+    }
+}
+
+/// The listed pairs of cloth and body, and a step of the cloth.
+struct BodyPairs<'a> {
+    barrier: &'a Barrier,
+    body: &'a Body,
+    x: &'a [Vec3],
+    step: &'a [Vec3],
+}
+
+impl BodyPairs<'_> {
+    #[inline]
+    fn displacement(&self, v: u32) -> Vec3 {
+        self.step[v as usize]
+    }
+
+    /// Can a pair at this distance, m, come too near when cloth moves by at most `longest`, m?
+    #[inline]
+    fn may_hit(&self, longest: f64, distance: f64) -> bool {
+        self.body.is_moving() || longest > FREE_MOTION_SHARE * distance
+    }
+
+    fn test(&self, pair: MovingPair, longest: f64, listed: f64, cloth: ([u32; 4], usize), hit: &mut impl FnMut(Hit)) {
+        // The listed distance may be a lower bound.
+        let distance = if self.body.is_moving() { listed } else { pair.distance() };
+        if self.may_hit(longest, distance) {
+            test(pair, distance, cloth, hit);
+        }
+    }
+
+    fn for_each_vertex_hit(&self, hit: &mut impl FnMut(Hit)) {
+        let distances = &self.barrier.distances[PairKind::VertexBodyTriangle as usize];
+        for (pair, listed) in self.barrier.lists.body.points.iter().zip(distances) {
             let [v, g] = pair.vertices;
-            let (d, longest) = (moved(v), moved(v).norm());
-            if near(longest, *l) {
-                let [a, b, c] = body.triangle(g);
-                let [p, q, r] = body.topology.faces[g as usize].map(|w| body.moves(w));
-                look(
-                    Pair { at: [x[v as usize], a, b, c], by: [d, p, q, r], kind: PairKind::VertexBodyTriangle },
-                    longest,
-                    *l,
-                    ([v; 4], 1),
-                );
+            let (d, longest) = (self.displacement(v), self.displacement(v).norm());
+            if self.may_hit(longest, *listed) {
+                let [a, b, c] = self.body.triangle(g);
+                let [p, q, r] = self.body.topology.faces[g as usize].map(|w| self.body.displacement(w));
+                let kind = PairKind::VertexBodyTriangle;
+                let pair = MovingPair { at: [self.x[v as usize], a, b, c], by: [d, p, q, r], kind };
+                self.test(pair, longest, *listed, ([v; 4], 1), hit);
             }
         }
-        for (pair, l) in self.against.edges.iter().zip(edges) {
+    }
+
+    fn for_each_edge_hit(&self, hit: &mut impl FnMut(Hit)) {
+        let (x, y) = (self.x, &self.body.positions);
+        let distances = &self.barrier.distances[PairKind::EdgeBodyEdge as usize];
+        for (pair, listed) in self.barrier.lists.body.edges.iter().zip(distances) {
             let [a, b, p, q] = pair.vertices;
-            let (da, db) = (moved(a), moved(b));
+            let (da, db) = (self.displacement(a), self.displacement(b));
             let longest = da.norm().max(db.norm());
-            if near(longest, *l) {
-                let at = [x[a as usize], x[b as usize], body.positions[p as usize], body.positions[q as usize]];
-                let by = [da, db, body.moves(p), body.moves(q)];
-                look(Pair { at, by, kind: PairKind::EdgeBodyEdge }, longest, *l, ([a, b, a, a], 2));
+            if self.may_hit(longest, *listed) {
+                let at = [x[a as usize], x[b as usize], y[p as usize], y[q as usize]];
+                let by = [da, db, self.body.displacement(p), self.body.displacement(q)];
+                let pair = MovingPair { at, by, kind: PairKind::EdgeBodyEdge };
+                self.test(pair, longest, *listed, ([a, b, a, a], 2), hit);
             }
         }
-        for (pair, l) in self.against.faces.iter().zip(faces) {
+    }
+
+    fn for_each_face_hit(&self, hit: &mut impl FnMut(Hit)) {
+        let distances = &self.barrier.distances[PairKind::TriangleBodyVertex as usize];
+        for (pair, listed) in self.barrier.lists.body.faces.iter().zip(distances) {
             let [a, b, c, w] = pair.vertices;
-            let d = [a, b, c].map(moved);
+            let d = [a, b, c].map(|v| self.displacement(v));
             let longest = d.iter().fold(0.0, |l: f64, d| l.max(d.norm()));
-            if near(longest, *l) {
-                let [p, q, r] = crate::pick3(x, &[a, b, c]);
-                let at = [p, q, r, body.positions[w as usize]];
-                look(
-                    Pair { at, by: [d[0], d[1], d[2], body.moves(w)], kind: PairKind::TriangleBodyVertex },
-                    longest,
-                    *l,
-                    ([a, b, c, a], 3),
-                );
+            if self.may_hit(longest, *listed) {
+                let [p, q, r] = crate::pick3(self.x, &[a, b, c]);
+                let at = [p, q, r, self.body.positions[w as usize]];
+                let by = [d[0], d[1], d[2], self.body.displacement(w)];
+                let pair = MovingPair { at, by, kind: PairKind::TriangleBodyVertex };
+                self.test(pair, longest, *listed, ([a, b, c, a], 3), hit);
             }
         }
     }

@@ -2,25 +2,26 @@
 //! The stages of a scheme of second order turn a hit into a rebound of up to √2 times its speed, out of nothing.
 
 use crate::Vec3;
-use crate::contact::barrier::{Barrier, Touch};
+use crate::contact::barrier::Barrier;
+use crate::contact::barrier::active_contact::ActiveContact;
 use crate::dynamics::tuning::IMPACT_SWEEPS;
 
 /// Takes the separating speed out of every contact, by impulses of equal size on both sides; `body` holds the
 /// velocities of the body's vertices (empty for a body at rest), `free` the vertices that are not held.
 pub(crate) fn settle(barrier: &Barrier, x: &[Vec3], v: &mut [Vec3], mass: &[f64], free: &[bool], body: &[Vec3]) {
-    let place = |t: &Touch| match &barrier.body {
-        Some(b) if !body.is_empty() => b.at_pair(&t.key, x, body),
+    let place = |t: &ActiveContact| match &barrier.body {
+        Some(b) if !body.is_empty() => b.interpolate_at_pair(&t.key, x, body),
         _ => Vec3::zeros(),
     };
-    let others: Vec<Vec3> = barrier.touches.iter().map(place).collect();
+    let others: Vec<Vec3> = barrier.contacts.iter().map(place).collect();
     for _ in 0..IMPACT_SWEEPS.get() {
-        for (t, other) in barrier.touches.iter().zip(&others) {
+        for (t, other) in barrier.contacts.iter().zip(&others) {
             stop(t, other, v, mass, free);
         }
     }
 }
 
-fn stop(t: &Touch, other: &Vec3, v: &mut [Vec3], mass: &[f64], free: &[bool]) {
+fn stop(t: &ActiveContact, other: &Vec3, v: &mut [Vec3], mass: &[f64], free: &[bool]) {
     let mut speed = -other.dot(&t.normal);
     let mut mobility = 0.0;
     for (w, i) in t.weights.iter().zip(t.vertices.map(|i| i as usize)).filter(|(w, _)| **w != 0.0) {

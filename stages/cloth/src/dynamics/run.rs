@@ -57,7 +57,7 @@ impl<'a> Walk<'a> {
         let mut start = Start::new(scene, settings)?;
         let path = scene.body.as_ref().and_then(|b| Path::new(motion, &b.positions));
         if let Some(body) = start.body.as_mut().filter(|_| path.is_some()) {
-            body.set_out();
+            body.begin_motion();
         }
         let body = start.body.as_ref().filter(|_| path.is_some());
         let hooks = crate::scene::measures::held(scene).into_iter().map(|(v, at)| Hook::new(v, at, body)).collect();

@@ -1,7 +1,7 @@
 //! One stage of a time step: the body moves as far as the cloth in its way lets it, the cloth gives way, and so on until the body
 //! is where it belongs. Then the descent goes on to its end.
 
-use crate::collision::narrow_phase::candidates::Gap;
+use crate::collision::narrow_phase::candidates::PairGeometry;
 use crate::collision::narrow_phase::pair_kind::PairKind;
 use crate::contact::barrier::Barrier;
 use crate::dynamics::attachments::Hook;
@@ -118,7 +118,7 @@ impl Stepper<'_> {
             Some(_) => {
                 self.descent.evaluate();
                 let x = self.descent.x.clone();
-                self.descent.detection().map_or(1.0, |b| b.free_part(&x, &step))
+                self.descent.detection().map_or(1.0, |b| b.max_step_fraction(&x, &step))
             }
             None => 1.0,
         };
@@ -138,13 +138,13 @@ impl Stepper<'_> {
         let barrier = self.descent.detection()?;
         let way: Option<Vec<Vec3>> = to.zip(barrier.body.as_mut()).map(|(to, b)| {
             let way: Vec<Vec3> = to.iter().zip(b.positions.iter()).map(|(p, q)| (p - q) * share).collect();
-            b.depart(&way);
+            b.set_step(&way);
             way
         });
-        barrier.cover(&x, step);
+        barrier.update_lists(&x, step);
         if let Some(way) = &way {
             give_way(barrier, &x, step, way, free);
-            barrier.cover(&x, step);
+            barrier.update_lists(&x, step);
         }
         way
     }
@@ -157,11 +157,11 @@ impl Stepper<'_> {
             if let Some(barrier) = &mut o.terms.barrier {
                 if let (Some(way), Some(body)) = (way, &mut barrier.body) {
                     if let Some(friction) = &mut o.terms.friction {
-                        friction.carry(|key| body.at_pair(key, &from, way) * part);
+                        friction.move_anchors(|key| body.interpolate_at_pair(key, &from, way) * part);
                     }
-                    body.arrive(part);
+                    body.take_step(part);
                 }
-                barrier.took(x);
+                barrier.step_taken(x);
             }
             if inert.is_some() {
                 o.terms.inertia = inert;
@@ -187,7 +187,7 @@ impl Stepper<'_> {
         if along {
             let x = self.descent.x.clone();
             if let Some(b) = self.descent.detection() {
-                b.cover(&x, &off);
+                b.update_lists(&x, &off);
             }
             off = with_cloth_beside(&mut self.descent, &off);
         }
@@ -234,9 +234,9 @@ impl Stepper<'_> {
 
     /// Where two things are nearest to each other.
     fn tightest(&self) -> Place {
-        let touches = self.descent.objective().terms.barrier.iter().flat_map(|b| &b.touches);
+        let touches = self.descent.objective().terms.barrier.iter().flat_map(|b| &b.contacts);
         let v = touches.min_by(|a, b| a.distance.total_cmp(&b.distance)).map_or(0, |t| t.vertices[0]);
-        let faces = self.descent.objective().terms.barrier.iter().flat_map(|b| &b.frame.topology.faces);
+        let faces = self.descent.objective().terms.barrier.iter().flat_map(|b| &b.parameters.topology.faces);
         let triangle = (0u32..).zip(faces).find(|(_, f)| f.contains(&v)).map_or(0, |(i, _)| i);
         Place { triangle, at: self.descent.x[v as usize] }
     }
@@ -289,17 +289,18 @@ impl Mechanism for StageEnd {
 /// to the body than its gap.
 fn give_way(barrier: &Barrier, x: &[Vec3], step: &mut [Vec3], way: &[Vec3], free: &[bool]) {
     let Some(body) = &barrier.body else { return };
-    let near = &barrier.against;
+    let near = &barrier.lists.body;
     let points = near.point_gaps(x, body).map(|(g, _)| (PairKind::VertexBodyTriangle, 1, 1.0, g));
     let edges = near.edge_gaps(x, body).map(|(g, _)| (PairKind::EdgeBodyEdge, 2, 0.5, g));
     let faces = near.face_gaps(x, body).map(|(g, _)| (PairKind::TriangleBodyVertex, 3, 0.5, g));
-    for (kind, count, share, Gap { vertices, weights, d, .. }) in points.chain(edges).chain(faces) {
+    for (kind, count, share, PairGeometry { vertices, weights, separation: d, .. }) in points.chain(edges).chain(faces)
+    {
         let distance = d.norm();
-        let gaps = vertices[..count].iter().map(|v| barrier.frame.body_gap[*v as usize]);
+        let gaps = vertices[..count].iter().map(|v| barrier.parameters.body_gap[*v as usize]);
         let room = 0.9 * (distance - share * gaps.fold(f64::INFINITY, f64::min)).max(0.0);
         let normal = d / distance.max(1e-300);
         let mine: Vec3 = (0..count).map(|k| step[vertices[k] as usize] * weights[k]).sum();
-        let nearer = (body.at_pair(&(kind, vertices), x, way) - mine).dot(&normal);
+        let nearer = (body.interpolate_at_pair(&(kind, vertices), x, way) - mine).dot(&normal);
         if nearer > room {
             for v in vertices[..count].iter().filter(|v| free[**v as usize]) {
                 step[*v as usize] += normal * (nearer - room);

@@ -7,10 +7,10 @@
 
 use crate::Vec3;
 use crate::collision::body::Body;
-use crate::collision::body_candidates::Against;
-use crate::collision::broad_phase::bvh::Tree;
-use crate::collision::narrow_phase::candidates::{Gap, Near, Way};
-use crate::contact::parameters::Frame;
+use crate::collision::body_candidates::BodyCandidates;
+use crate::collision::broad_phase::bvh::BoxTree;
+use crate::collision::narrow_phase::candidates::{ClothCandidates, LinearMotion, PairGeometry};
+use crate::contact::parameters::ContactParameters;
 
 const OWN_SHARE: f64 = 0.45;
 const BODY_SHARE: f64 = 0.9;
@@ -57,11 +57,11 @@ pub(crate) struct Tally {
 }
 
 pub(crate) struct Contact {
-    frame: Frame,
+    frame: ContactParameters,
     body: Option<Body>,
-    tree: Option<Tree>,
-    near: Near,
-    against: Against,
+    tree: Option<BoxTree>,
+    near: ClothCandidates,
+    against: BodyCandidates,
     /// Positions when the lists were made, and how far anything may move from there.
     listed: Vec<Vec3>,
     slack: f64,
@@ -85,15 +85,15 @@ pub(crate) struct Contact {
 }
 
 impl Contact {
-    pub fn new(x: &[Vec3], frame: Frame, body: Option<Body>, [rate, penalty]: [f64; 2]) -> Self {
+    pub fn new(x: &[Vec3], frame: ContactParameters, body: Option<Body>, [rate, penalty]: [f64; 2]) -> Self {
         let n = x.len();
-        let tree = frame.own.then(|| Tree::new(x, &frame.topology.faces));
+        let tree = frame.has_self_contact.then(|| BoxTree::new(x, &frame.topology.faces));
         let mut contact = Self {
             frame,
             body,
             tree,
-            near: Near::default(),
-            against: Against::default(),
+            near: ClothCandidates::default(),
+            against: BodyCandidates::default(),
             listed: Vec::new(),
             slack: 0.0,
             reach: 0.0,
@@ -174,22 +174,22 @@ impl Contact {
 
     fn list(&mut self, x: &[Vec3], pace: f64) {
         self.tally.lists += 1;
-        let h = self.frame.edge;
-        let thick = self.frame.body_gap.iter().chain(&self.frame.own_gap).fold(0.0f64, |a, b| a.max(*b));
+        let h = self.frame.mean_edge;
+        let thick = self.frame.body_gap.iter().chain(&self.frame.self_gap).fold(0.0f64, |a, b| a.max(*b));
         self.slack = (40.0 * pace).clamp(0.12 * h, 0.5 * h);
         self.reach = (1.5 * thick).max(0.2 * h).max((30.0 * pace).min(0.8 * h));
         // The slack stands for the motion here.
         let still = vec![Vec3::zeros(); x.len()];
-        let way = Way::new(x, &still, &self.frame.topology, &self.frame.groups);
+        let way = LinearMotion::new(x, &still, &self.frame.topology, &self.frame.stitch_groups);
         if let Some(tree) = &mut self.tree {
             let reach = self.reach + 2.0 * self.slack;
             tree.refit(x, &self.frame.topology.faces, 0.5 * reach);
-            self.near.clear_own();
-            tree.own_pairs(|f, g| self.near.add_own(f, g, &way, reach));
+            self.near.remove_all();
+            tree.meeting_pairs_at_rest(|f, g| self.near.add_pair(f, g, &way, reach));
         }
         if let Some(body) = &self.body {
             let reach = self.reach + self.slack;
-            self.against.fill(&way, body, [reach, reach], h);
+            self.against.list(&way, body, [reach, reach], h);
         }
         self.listed.clear();
         self.listed.extend_from_slice(x);
@@ -213,11 +213,11 @@ impl Contact {
         self.crowd.clear();
         self.crowd.resize(n, f64::INFINITY);
         for (g, place) in self.against.point_gaps(x, body) {
-            let l = g.d.norm();
+            let l = g.separation.norm();
             let i = g.vertices[0] as usize;
             if l < self.crowd[i] {
                 self.crowd[i] = l;
-                self.body_plane[i] = g.d / l.max(1e-300);
+                self.body_plane[i] = g.separation / l.max(1e-300);
                 self.body_offset[i] = self.body_plane[i].dot(&place);
             }
         }
@@ -246,7 +246,15 @@ impl Contact {
         let Some(body) = &self.body else { return };
         for (g, place) in self.against.edge_gaps(x, body) {
             let [a, b, ..] = g.vertices;
-            body_pair(&mut self.body_distance, &mut self.pairs, &self.frame, [a, b, a, a], g.weights, g.d, &place);
+            body_pair(
+                &mut self.body_distance,
+                &mut self.pairs,
+                &self.frame,
+                [a, b, a, a],
+                g.weights,
+                g.separation,
+                &place,
+            );
         }
     }
 
@@ -254,7 +262,15 @@ impl Contact {
         let Some(body) = &self.body else { return };
         for (g, place) in self.against.face_gaps(x, body) {
             let [a, b, c, _] = g.vertices;
-            body_pair(&mut self.body_distance, &mut self.pairs, &self.frame, [a, b, c, a], g.weights, g.d, &place);
+            body_pair(
+                &mut self.body_distance,
+                &mut self.pairs,
+                &self.frame,
+                [a, b, c, a],
+                g.weights,
+                g.separation,
+                &place,
+            );
         }
     }
 
@@ -336,7 +352,7 @@ impl Contact {
             .sum()
     }
 
-    pub fn frame(&self) -> &Frame {
+    pub fn frame(&self) -> &ContactParameters {
         &self.frame
     }
 }
@@ -351,8 +367,15 @@ impl Pair {
 }
 
 #[inline]
-fn own_pair(distance: &mut [f64], pairs: &mut Vec<Pair>, frame: &Frame, reach: f64, g: &Gap, share: f64) {
-    let Gap { vertices, weights, d, .. } = *g;
+fn own_pair(
+    distance: &mut [f64],
+    pairs: &mut Vec<Pair>,
+    frame: &ContactParameters,
+    reach: f64,
+    g: &PairGeometry,
+    share: f64,
+) {
+    let PairGeometry { vertices, weights, separation: d, .. } = *g;
     let l = d.norm();
     if l >= reach {
         return;
@@ -361,7 +384,7 @@ fn own_pair(distance: &mut [f64], pairs: &mut Vec<Pair>, frame: &Frame, reach: f
     for v in vertices {
         let i = v as usize;
         distance[i] = distance[i].min(l);
-        gap = gap.min(frame.own_gap[i]);
+        gap = gap.min(frame.self_gap[i]);
     }
     gap *= share;
     if l < 2.0 * gap && l > 0.0 {
@@ -384,7 +407,7 @@ fn own_pair(distance: &mut [f64], pairs: &mut Vec<Pair>, frame: &Frame, reach: f
 fn body_pair(
     distance: &mut [f64],
     pairs: &mut Vec<Pair>,
-    frame: &Frame,
+    frame: &ContactParameters,
     vertices: [u32; 4],
     weights: [f64; 4],
     d: Vec3,

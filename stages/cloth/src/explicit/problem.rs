@@ -1,7 +1,7 @@
 //! The one place where model, contact, sewing, limits and effects meet. An integrator sees only this.
 
 use crate::collision::body::Body;
-use crate::contact::parameters::frame;
+use crate::contact::parameters::contact_parameters;
 use crate::energy::model::model;
 use crate::energy::{Energy, elastic};
 use crate::explicit::contact::Contact;
@@ -102,7 +102,7 @@ impl Problem {
             return;
         }
         let dt = s.step_fraction.min(1.0) * self.stable_step(&self.start.clone());
-        let frame = frame(scene, s, topology, &self.inverse_mass, body.is_some(), own);
+        let frame = contact_parameters(scene, s, topology, &self.inverse_mass, body.is_some(), own);
         self.friction = s.effects.friction != Switch::Off && frame.friction.iter().any(|m| *m > 0.0);
         self.contact = Some(Contact::new(&self.start, frame, body, [CONTACT_RATE / (dt * dt), s.contact_stiffness]));
     }

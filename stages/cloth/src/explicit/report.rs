@@ -50,7 +50,7 @@ pub(crate) fn effects(problem: &Problem, scene: &Scene, s: &Settings) -> Vec<Eff
 }
 
 fn self_contact(problem: &Problem, s: &Settings) -> EffectReport {
-    let on = problem.contact.as_ref().is_some_and(|c| c.frame().own);
+    let on = problem.contact.as_ref().is_some_and(|c| c.frame().has_self_contact);
     let evidence = match &problem.contact {
         Some(c) if on => {
             let t = c.tally;

@@ -125,7 +125,7 @@ impl<'a> Descent<'a> {
         };
         let still = vec![Vec3::zeros(); descent.x.len()];
         if let Some(b) = &mut descent.objective.terms.barrier {
-            b.cover(&descent.x, &still);
+            b.update_lists(&descent.x, &still);
         }
         if let Some(p) = &mut descent.objective.terms.pressure {
             p.refresh(&descent.x);
@@ -265,7 +265,7 @@ impl<'a> Descent<'a> {
             let Objective { terms, costs, .. } = objective;
             let Terms { barrier, friction, hysteresis, pressure, .. } = terms;
             if let (Some(friction), Some(barrier)) = (friction, barrier) {
-                friction.refresh(x, &barrier.touches, barrier.frame.press);
+                friction.refresh(x, &barrier.contacts, barrier.parameters.stiffness);
                 costs.spend(Work::Friction, &mut lap);
             }
             if let Some(h) = hysteresis {

@@ -1,6 +1,6 @@
 //! Draping: the mechanisms of a descent to rest, and coarser levels that find the way first.
 
-use crate::contact::lagged_friction::Stick;
+use crate::contact::lagged_friction::LaggedFriction;
 use crate::hierarchy::Level;
 use crate::optimize::descent::{Change, Descent};
 use crate::optimize::driver::{Blocks, Detection, drive};
@@ -232,7 +232,7 @@ impl Descent<'_> {
                 let index = &o.unknowns.index;
                 let has_friction = o.terms.friction.is_some();
                 let barrier = o.terms.barrier.as_mut().filter(|_| has_friction);
-                Change::energy_if(barrier.is_some_and(|b| b.preload(x, &forces, index)))
+                Change::energy_if(barrier.is_some_and(|b| b.warm_start_loads(x, &forces, index)))
             });
         if !warm {
             return false;
@@ -240,8 +240,8 @@ impl Descent<'_> {
         self.change(|o, x| {
             let forces = o.forces().to_vec();
             if let (Some(friction), Some(b)) = (&mut o.terms.friction, &o.terms.barrier) {
-                friction.refresh(x, &b.touches, b.frame.press);
-                friction.take_up(forces, &o.unknowns.index);
+                friction.refresh(x, &b.contacts, b.parameters.stiffness);
+                friction.balance(forces, &o.unknowns.index);
             }
             Change::Energy
         });
@@ -252,9 +252,9 @@ impl Descent<'_> {
     pub fn drop_warm_start(&mut self) {
         self.change(|o, x| {
             if let Some(b) = &mut o.terms.barrier {
-                b.unload(x);
+                b.undo_warm_start(x);
             }
-            o.terms.friction.iter_mut().for_each(|s| *s = Stick::default());
+            o.terms.friction.iter_mut().for_each(|s| *s = LaggedFriction::default());
             Change::Energy
         });
     }

@@ -28,7 +28,7 @@ impl Descent<'_> {
         let (most_rounds, hold_back_under) = (HOLD_BACK_ROUNDS.get(), HOLD_BACK_UNDER.get());
         for round in 0..=most_rounds {
             let x = std::mem::take(&mut self.x);
-            let listed = self.detection().is_some_and(|b| b.cover(&x, step));
+            let listed = self.detection().is_some_and(|b| b.update_lists(&x, step));
             self.x = x;
             if listed {
                 self.evaluate_again();
@@ -37,13 +37,13 @@ impl Descent<'_> {
             let done = self.detection().is_none_or(|barrier| {
                 // A shorter step along the same direction is still a good one. Single vertices are held back alone only
                 // where a few of them would stop all others.
-                let part = barrier.free_part(&x, step);
+                let part = barrier.max_step_fraction(&x, step);
                 if part < hold_back_under && round < most_rounds {
-                    barrier.hold_back(&x, step);
+                    barrier.truncate_vertices(&x, step);
                     return false;
                 }
                 if part < 1.0 {
-                    barrier.tally.limited += 1;
+                    barrier.statistics.shortened_steps += 1;
                     step.iter_mut().for_each(|d| *d *= part);
                 }
                 true
@@ -115,7 +115,7 @@ impl Descent<'_> {
         self.history.push(moved, y);
         self.steps += 1;
         let x = std::mem::take(&mut self.x);
-        self.detection().into_iter().for_each(|b| b.took(&x));
+        self.detection().into_iter().for_each(|b| b.step_taken(&x));
         self.x = x;
     }
 }

@@ -1,11 +1,11 @@
 //! The energy that a descent lowers: cloth, weight, contact, friction of the last refresh, stitch penalty, inertia.
 
 use crate::collision::body::Body;
-use crate::collision::broad_phase::bvh::Aabb;
-use crate::collision::self_candidates::Own;
+use crate::collision::broad_phase::aabb::Aabb;
+use crate::collision::self_candidates::SelfCollision;
 use crate::contact::barrier::Barrier;
-use crate::contact::lagged_friction::Stick;
-use crate::contact::parameters::{Frame, frame};
+use crate::contact::lagged_friction::LaggedFriction;
+use crate::contact::parameters::{ContactParameters, contact_parameters};
 use crate::energy::hysteresis;
 use crate::energy::hysteresis::held::Hysteresis;
 use crate::energy::inertia::Inert;
@@ -27,7 +27,7 @@ pub(crate) struct Terms {
     /// Energies of the cloth itself, and its weight.
     pub cloth: Vec<Box<dyn Energy>>,
     pub barrier: Option<Barrier>,
-    pub friction: Option<Stick>,
+    pub friction: Option<LaggedFriction>,
     pub hysteresis: Option<Hysteresis>,
     pub pressure: Option<Pressure>,
     /// The stitch penalty, while pieces are sewn.
@@ -87,8 +87,8 @@ impl Objective {
         let unknowns = Unknowns::new(mass, pins);
         let hessian = HessianChoice::new(&cloth, stitches.as_ref(), &unknowns.index, unknowns.unknown_mass.len());
         let hysteresis = hysteresis::called_for(scene, s).then(|| Hysteresis::new(scene, &topology)).flatten();
-        let frame = frame(scene, s, topology, &unknowns.mass, body.is_some(), own);
-        let edge = frame.edge;
+        let frame = contact_parameters(scene, s, topology, &unknowns.mass, body.is_some(), own);
+        let edge = frame.mean_edge;
         let meets = own || body.is_some();
         let rubs = s.effects.friction != Switch::Off && frame.friction.iter().any(|m| *m > 0.0);
         let barrier = meets.then(|| contact(scene, s, frame, body, near, task, &mut costs));
@@ -104,7 +104,7 @@ impl Objective {
             terms: Terms {
                 cloth,
                 barrier,
-                friction: (rubs && meets).then(Stick::default),
+                friction: (rubs && meets).then(LaggedFriction::default),
                 hysteresis,
                 pressure: Pressure::new(scene, s.pressure),
                 stitches,
@@ -187,13 +187,15 @@ impl Objective {
 
     /// Has friction acted by now?
     pub fn friction_has_acted(&self) -> bool {
-        let acts = |s: &Stick| s.most > 0 || self.terms.barrier.iter().any(|b| Stick::would_hold(&b.touches));
+        let acts = |s: &LaggedFriction| {
+            s.most_contacts > 0 || self.terms.barrier.iter().any(|b| LaggedFriction::is_caused_by(&b.contacts))
+        };
         self.terms.friction.as_ref().is_some_and(acts) || self.terms.hysteresis.is_some()
     }
 
     /// Largest slide at the last refresh of the friction, m.
     pub fn largest_slide(&self) -> f64 {
-        let contacts = self.terms.friction.as_ref().map_or(0.0, |s| s.largest);
+        let contacts = self.terms.friction.as_ref().map_or(0.0, |s| s.largest_slip);
         self.terms.hysteresis.as_ref().map_or(contacts, |h| contacts.max(h.largest()))
     }
 
@@ -307,16 +309,16 @@ fn pins_and_stitches(scene: &Scene, x: &[Vec3], task: Task) -> (Vec<(u32, Vec3)>
 fn contact(
     scene: &Scene,
     s: &Settings,
-    mut frame: Frame,
+    mut frame: ContactParameters,
     body: Option<Body>,
-    near: Option<Own>,
+    near: Option<SelfCollision>,
     task: Task,
     costs: &mut Costs,
 ) -> Barrier {
     frame.topology.forget_hinges();
     let mut lap = Lap::start();
     let coarser = task == Task::SettleCoarse;
-    let body = body.map(|b| if coarser { b.held_off([frame.edge, s.body_gap]) } else { b });
+    let body = body.map(|b| if coarser { b.decimated([frame.mean_edge, s.body_gap]) } else { b });
     costs.spend(Work::BodyContact, &mut lap);
     Barrier::new(frame, body, areas(scene), near)
 }

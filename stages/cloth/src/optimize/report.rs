@@ -1,6 +1,6 @@
 //! What a descent tells.
 
-use crate::contact::barrier::Tally;
+use crate::contact::barrier::statistics::ContactStatistics;
 use crate::effects::{effect, switched};
 use crate::energy::hysteresis::RULE;
 use crate::energy::strain_limit::locks_from;
@@ -35,7 +35,7 @@ pub(crate) fn outcome(d: &mut Descent<'_>, scene: &Scene, stop_reason: StopReaso
 
 pub(crate) fn effects(d: &Descent<'_>, scene: &Scene) -> Vec<EffectReport> {
     let barrier = d.objective().terms.barrier.as_ref();
-    let costs = barrier.map_or(d.objective().costs, |b| d.objective().costs.join(&b.tally.costs));
+    let costs = barrier.map_or(d.objective().costs, |b| d.objective().costs.join(&b.statistics.costs));
     let mut list = vec![cloth(d, scene), descent(d)];
     list.extend(d.objective().terms.stitches.is_some().then(|| {
         effect("sewing", true, "stitches are to be closed".into(), "threads pull every stitched pair".into())
@@ -78,8 +78,8 @@ fn descent(d: &Descent<'_>) -> EffectReport {
     effect("descent", true, "always: metric, its factor, directions".into(), evidence)
 }
 
-fn tally(d: &Descent<'_>) -> Tally {
-    d.objective().terms.barrier.as_ref().map_or_else(Tally::default, |b| b.tally)
+fn tally(d: &Descent<'_>) -> ContactStatistics {
+    d.objective().terms.barrier.as_ref().map_or_else(ContactStatistics::default, |b| b.statistics)
 }
 
 /// In how many looks at the cloth an effect did something.
@@ -88,15 +88,15 @@ fn active(looks: u64, of: u64) -> String {
 }
 
 fn self_contact(d: &Descent<'_>) -> EffectReport {
-    let on = d.objective().terms.barrier.as_ref().is_some_and(|b| b.frame.own);
+    let on = d.objective().terms.barrier.as_ref().is_some_and(|b| b.parameters.has_self_contact);
     let t = tally(d);
     let evidence = if on {
-        let (lists, limited) = (t.lists, t.limited);
-        let active = active(t.own_looks, t.looks);
-        let ahead = format!("{} blocks without a look, {} of them taken back", t.ahead, t.back);
+        let (lists, limited) = (t.lists, t.shortened_steps);
+        let active = active(t.evaluations_with_self_contact, t.evaluations);
+        let ahead = format!("{} blocks without a look, {} of them taken back", t.deferred_blocks, t.rolled_back_blocks);
         format!(
             "{active}; up to {} near pairs, lists made {lists} times, {limited} steps shortened; {ahead}",
-            t.own_most
+            t.most_self_contacts
         )
     } else {
         "cloth may pass through cloth".into()
@@ -109,11 +109,15 @@ fn body_contact(d: &Descent<'_>) -> EffectReport {
     let body = d.objective().terms.barrier.as_ref().and_then(|b| b.body.as_ref());
     let t = tally(d);
     let evidence = match (body, d.settings.effects.body_contact) {
-        (Some(_), _) if t.nearest_body.is_finite() => {
-            let active = active(t.body_looks, t.looks);
-            format!("{active}; up to {} contacts, nearest {:.3} mm", t.body_most, t.nearest_body * 1e3)
+        (Some(_), _) if t.smallest_body_distance.is_finite() => {
+            let active = active(t.evaluations_with_body_contact, t.evaluations);
+            format!(
+                "{active}; up to {} contacts, nearest {:.3} mm",
+                t.most_body_contacts,
+                t.smallest_body_distance * 1e3
+            )
         }
-        (Some(_), _) => active(t.body_looks, t.looks),
+        (Some(_), _) => active(t.evaluations_with_body_contact, t.evaluations),
         (None, Switch::Off) => "cloth may pass through a body".into(),
         (None, _) => "the scene has no body".into(),
     };
@@ -124,8 +128,8 @@ fn body_contact(d: &Descent<'_>) -> EffectReport {
 fn friction(d: &Descent<'_>) -> EffectReport {
     let evidence = match &d.objective().terms.friction {
         None => "no contact, or no coefficient above 0".into(),
-        Some(s) if s.most == 0 => active(0, 0),
-        Some(s) => format!("up to {} contacts rub, {} slid at the last look", s.most, s.slid),
+        Some(s) if s.most_contacts == 0 => active(0, 0),
+        Some(s) => format!("up to {} contacts rub, {} slid at the last look", s.most_contacts, s.sliding),
     };
     let rule = switched(d.settings.effects.friction, "contact and a coefficient above 0");
     effect("friction", d.objective().terms.friction.is_some(), rule, evidence)

@@ -1,7 +1,7 @@
 //! State of speculative steps.
 
 use crate::Vec3;
-use crate::contact::lagged_friction::Stick;
+use crate::contact::lagged_friction::LaggedFriction;
 use crate::energy::hysteresis::held::Hysteresis;
 use crate::optimize::tuning::SPECULATION_BLOCKS_FIRST;
 
@@ -30,6 +30,6 @@ pub(crate) struct Checkpoint {
     pub tau: f64,
     pub isotropic: f64,
     pub steps: u64,
-    pub friction: Option<Stick>,
+    pub friction: Option<LaggedFriction>,
     pub hysteresis: Option<Hysteresis>,
 }

@@ -1,7 +1,7 @@
 //! A scene checked, and a start that is free of crossings.
 
 use crate::collision::body::Body;
-use crate::collision::self_candidates::Own;
+use crate::collision::self_candidates::SelfCollision;
 use crate::prepare::initial_feasibility::repair;
 use crate::report::cost::{Costs, Lap, Work};
 use crate::scene::topology::Topology;
@@ -17,7 +17,7 @@ pub(crate) struct Start {
     /// Does cloth meet cloth?
     pub own: bool,
     /// What finds cloth near cloth.
-    pub near: Option<Own>,
+    pub near: Option<SelfCollision>,
     /// Vertices moved, and the largest move, m.
     pub repaired: (usize, f64),
     /// Not part of any result.
@@ -39,9 +39,9 @@ impl Start {
         let mut repaired = (0, 0.0);
         let mut held = vec![false; positions.len()];
         scene.pins.iter().for_each(|p| held[p.vertex as usize] = true);
-        let mut near = own.then(|| Own::new(scene, &positions, &topology)).flatten();
+        let mut near = own.then(|| SelfCollision::new(scene, &positions, &topology)).flatten();
         if own {
-            if !near.as_mut().is_some_and(|n| n.surely_lies_free(&positions, &topology)) {
+            if !near.as_mut().is_some_and(|n| n.is_surely_free(&positions, &topology)) {
                 repaired = repair::free_of_itself(&mut positions, &topology, &held)?;
             }
             costs.spend(Work::SelfContact, &mut lap);
@@ -55,7 +55,7 @@ impl Start {
             costs.spend(Work::BodyContact, &mut lap);
         }
         if near.is_some() && repaired.0 > 0 {
-            near = Own::new(scene, &positions, &topology);
+            near = SelfCollision::new(scene, &positions, &topology);
         }
         Ok(Self { topology, positions, body, own, near, repaired, costs })
     }

@@ -102,7 +102,7 @@ struct Threads {
 impl Threads {
     fn new(d: &mut Descent<'_>) -> Self {
         let barrier = d.objective().terms.barrier.as_ref();
-        let gap = barrier.map_or(0.0, |b| b.frame.body_gap.iter().copied().fold(0.0, f64::max));
+        let gap = barrier.map_or(0.0, |b| b.parameters.body_gap.iter().copied().fold(0.0, f64::max));
         let mut threads = Self { gap, stand_off: 0.0, force: SEWING_FORCE_FIRST.get() };
         let first = (STAND_OFF_EDGES.get() * d.objective().edge).min(STAND_OFF_MOST.get());
         threads.set_stand_off(d, if STAND_OFF.is_on() { first } else { 0.0 });
@@ -123,8 +123,8 @@ impl Threads {
         self.stand_off = distance;
         d.change(|o, x| {
             if let Some(b) = &mut o.terms.barrier {
-                b.stand_off = distance;
-                b.cover_anew(x);
+                b.body_activation_distance = distance;
+                b.rebuild_lists_for_new_gaps(x);
             }
             Change::Energy
         });
@@ -289,8 +289,9 @@ fn join_closed_stitches(d: &mut Descent<'_>, scene: &Scene) {
         .collect();
     let faces: Vec<[u32; 3]> = scene.triangles.iter().map(|t| t.vertices).collect();
     let free = d.objective().terms.barrier.as_ref().is_none_or(|b| {
-        (!b.frame.own || count::own(&joined, &faces).count <= count::own(&d.x, &faces).count)
-            && b.body.as_ref().is_none_or(|b| count::with_body(&joined, &faces, b).count == 0)
+        (!b.parameters.has_self_contact
+            || count::self_crossings(&joined, &faces).count <= count::self_crossings(&d.x, &faces).count)
+            && b.body.as_ref().is_none_or(|b| count::body_crossings(&joined, &faces, b).count == 0)
     });
     if free {
         d.x = joined;

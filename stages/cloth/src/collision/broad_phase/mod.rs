@@ -1,5 +1,8 @@
-//! The broad phase: trees, lists and bounds that tell which primitives can be near.
+//! The broad phase: trees, lists and bounds that find the primitives that may be near.
 
+pub(crate) mod aabb;
+#[cfg(feature = "self-contact")]
+pub(crate) mod block_search;
 pub(crate) mod blocks;
 pub(crate) mod body_distance_bound;
 pub(crate) mod bvh;
@@ -10,3 +13,4 @@ pub(crate) mod packed_lists;
 pub(crate) mod proximity_list;
 #[cfg(feature = "self-contact")]
 pub(crate) mod self_search;
+pub(crate) mod swept_box;

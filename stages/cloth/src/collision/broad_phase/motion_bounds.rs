@@ -1,40 +1,47 @@
-//! How far tiles of the cloth have moved against each other since a search. What it found apart stays apart until two tiles
-//! have used up between them what was left; cloth that moves along together uses up nothing.
+//! Bounds of the motion of blocks of cloth against each other since a wide search.
+//!
+//! Pairs that the search found apart stay apart until their two blocks have used up the rest of the distance between
+//! them. Cloth that moves as one uses up nothing.
 
 use crate::Vec3;
-use crate::collision::broad_phase::bvh::{Range, Tree, higher, join_up, lower, narrow};
-use crate::collision::broad_phase::packed_lists::Lists;
-use crate::collision::narrow_phase::candidates::Way;
+use crate::collision::broad_phase::bvh::{BoxTree, join_up};
+use crate::collision::broad_phase::packed_lists::PackedLists;
+use crate::collision::broad_phase::swept_box::{MotionRange, higher, lower, rounded};
+use crate::collision::narrow_phase::candidates::LinearMotion;
 
-const NONE: Range = [[1e30; 4], [-1e30; 4]];
+/// The range of no moves at all.
+const NO_MOTION: MotionRange = [[1e30; 4], [-1e30; 4]];
 
-/// Moves since the search, up to both ends of a step.
+/// Bounds of the moves since the search, up to both ends of a step.
 #[derive(Debug, Default)]
-pub(crate) struct Drift {
-    /// Where the cloth was then.
+pub(crate) struct MotionBounds {
+    /// Positions of the cloth at the search.
     at: Vec<Vec3>,
-    /// Corners of the triangles of every tile.
-    corners: Lists,
-    /// Of every vertex, and of every node of the tree down to the tiles.
-    vertices: Vec<Range>,
-    pub nodes: Vec<Range>,
+    /// Corners of the triangles of each block.
+    corners: PackedLists,
+    /// Range of the moves of each vertex.
+    vertices: Vec<MotionRange>,
+    /// Range of the moves of each node of the tree, down to the blocks.
+    pub nodes: Vec<MotionRange>,
 }
 
-impl Drift {
-    pub fn new(tree: &Tree, vertices: usize, faces: &[[u32; 3]]) -> Self {
-        let corners = Lists::new(tree.tiles(), vertices, |tile, add| {
-            tree.tile(tile as usize).flat_map(|f| faces[f as usize]).for_each(add);
+impl MotionBounds {
+    /// Bounds for a tree over the triangles `faces` of cloth with this number of vertices.
+    pub fn new(tree: &BoxTree, vertices: usize, faces: &[[u32; 3]]) -> Self {
+        let corners = PackedLists::new(tree.blocks(), vertices, |block, add| {
+            tree.block(block as usize).flat_map(|f| faces[f as usize]).for_each(add);
         });
-        Self { corners, nodes: vec![NONE; 2 * tree.tiles()], ..Self::default() }
+        Self { corners, nodes: vec![NO_MOTION; 2 * tree.blocks()], ..Self::default() }
     }
 
-    /// A search was made from here.
+    /// Records that a search was made at `x`.
     pub fn start(&mut self, x: &[Vec3]) {
         self.at.clear();
         self.at.extend_from_slice(x);
     }
 
-    pub fn forget(&mut self) {
+    /// Forgets the search.
+    pub fn invalidate(&mut self) {
         self.at.clear();
     }
 
@@ -43,31 +50,32 @@ impl Drift {
         !self.at.is_empty()
     }
 
-    /// Takes the moves up to the ends of a step.
-    pub fn take(&mut self, way: &Way<'_>) {
+    /// Computes the ranges of the moves up to the ends of a step.
+    pub fn set_motion(&mut self, motion: &LinearMotion<'_>) {
         self.vertices.clear();
-        self.vertices.extend(way.x.iter().zip(way.step).zip(&self.at).map(|((p, d), at)| {
+        self.vertices.extend(motion.x.iter().zip(motion.step).zip(&self.at).map(|((p, d), at)| {
             let by = p - at;
             range(&by, &(by + d))
         }));
-        let tiles = self.nodes.len() / 2;
-        for tile in (0..tiles).rev() {
-            let corners = self.corners.of(u32::try_from(tile).unwrap_or(u32::MAX));
-            self.nodes[tiles + tile] = corners.iter().fold(NONE, |all, v| join(&all, &self.vertices[*v as usize]));
+        let blocks = self.nodes.len() / 2;
+        for block in (0..blocks).rev() {
+            let corners = self.corners.of(u32::try_from(block).unwrap_or(u32::MAX));
+            self.nodes[blocks + block] =
+                corners.iter().fold(NO_MOTION, |all, v| join(&all, &self.vertices[*v as usize]));
         }
         join_up(&mut self.nodes, join);
     }
 }
 
-// What rounding does is allowed for where these are compared.
+/// The range of two moves. Comparisons of ranges allow for the rounding.
 #[inline]
-fn range(from: &Vec3, to: &Vec3) -> Range {
-    let (p, q) = (narrow(from), narrow(to));
+fn range(from: &Vec3, to: &Vec3) -> MotionRange {
+    let (p, q) = (rounded(from), rounded(to));
     join(&[p, p], &[q, q])
 }
 
 #[inline]
-fn join(a: &Range, b: &Range) -> Range {
+fn join(a: &MotionRange, b: &MotionRange) -> MotionRange {
     let mut both = *a;
     for k in 0..4 {
         both[0][k] = lower(a[0][k], b[0][k]);

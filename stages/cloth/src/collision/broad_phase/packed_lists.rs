@@ -1,51 +1,53 @@
-//! Many short lists of whole numbers in one.
+//! Many short lists of whole numbers in one array.
 
-/// Where in a number stands what it was given, six bits of it.
-const TIED: u32 = 26;
+/// First bit of the tag in an item of [`PackedLists::tagged`]; the tag has six bits.
+const TAG_SHIFT: u32 = 26;
 
-/// A number of [`Lists::tied`], and what it was given.
+/// An item of [`PackedLists::tagged`] and its tag.
 #[inline]
-pub(crate) fn untied(item: u32) -> (u32, u8) {
-    (item & ((1 << TIED) - 1), (item >> TIED) as u8)
+pub(crate) fn untagged(item: u32) -> (u32, u8) {
+    (item & ((1 << TAG_SHIFT) - 1), (item >> TAG_SHIFT) as u8)
 }
 
 /// Lists of whole numbers, one after the other.
 #[derive(Debug, Default)]
-pub(crate) struct Lists {
+pub(crate) struct PackedLists {
+    /// First item of every list, and the end of the last.
     start: Vec<u32>,
     items: Vec<u32>,
 }
 
-impl Lists {
-    /// So many lists of numbers below `most`, ascending, each number once.
+impl PackedLists {
+    /// Makes `n` lists of numbers below `most`, each in ascending order without repetition.
     pub fn new(n: usize, most: usize, mut fill: impl FnMut(u32, &mut dyn FnMut(u32))) -> Self {
-        Self::made(n, most, |i, add| fill(i, &mut |item| add(item, 1)), |item, _| item)
+        Self::build(n, most, |i, add| fill(i, &mut |item| add(item, 1)), |item, _| item)
     }
 
-    /// The same with what each number was given in its list, bit by bit: [`untied`] tells. Triangles up to 2²⁶, far more than any
-    /// factor holds.
-    pub fn tied(n: usize, most: usize, fill: impl FnMut(u32, &mut dyn FnMut(u32, u8))) -> Self {
-        Self::made(n, most, fill, |item, given| item | u32::from(given) << TIED)
+    /// Makes such lists with a tag at each number: the bits given with it, joined by "or". [`untagged`] reads it.
+    /// Numbers stay below 2²⁶, far more than any factorisation holds.
+    pub fn tagged(n: usize, most: usize, fill: impl FnMut(u32, &mut dyn FnMut(u32, u8))) -> Self {
+        Self::build(n, most, fill, |item, tag| item | u32::from(tag) << TAG_SHIFT)
     }
 
-    fn made(
+    /// Makes the lists; `pack` joins a number and its tag in one item.
+    fn build(
         n: usize,
         most: usize,
         mut fill: impl FnMut(u32, &mut dyn FnMut(u32, u8)),
-        told: impl Fn(u32, u8) -> u32,
+        pack: impl Fn(u32, u8) -> u32,
     ) -> Self {
         let mut lists = Self { start: vec![0], items: Vec::new() };
         let (mut one, mut bits) = (Vec::new(), vec![0u8; most]);
         for i in (0u32..).take(n) {
-            fill(i, &mut |item, given| {
+            fill(i, &mut |item, tag| {
                 let bits = &mut bits[item as usize];
                 if *bits == 0 {
                     one.push(item);
                 }
-                *bits |= given;
+                *bits |= tag;
             });
             one.sort_unstable();
-            lists.items.extend(one.drain(..).map(|item| told(item, std::mem::take(&mut bits[item as usize]))));
+            lists.items.extend(one.drain(..).map(|item| pack(item, std::mem::take(&mut bits[item as usize]))));
             lists.start.push(u32::try_from(lists.items.len()).unwrap_or(u32::MAX));
         }
         lists.items.shrink_to_fit();
@@ -58,6 +60,7 @@ impl Lists {
         self.start.len() - 1
     }
 
+    /// Items of list `i`.
     #[inline]
     pub fn of(&self, i: u32) -> &[u32] {
         &self.items[self.start[i as usize] as usize..self.start[i as usize + 1] as usize]
@@ -65,7 +68,7 @@ impl Lists {
 }
 
 /// The triangles at every vertex.
-pub(crate) fn stars(n: usize, faces: &[[u32; 3]]) -> Lists {
+pub(crate) fn faces_at_vertices(n: usize, faces: &[[u32; 3]]) -> PackedLists {
     let mut start = vec![0u32; n + 1];
     faces.iter().flatten().for_each(|v| start[*v as usize + 1] += 1);
     (0..n).for_each(|v| start[v + 1] += start[v]);
@@ -76,5 +79,5 @@ pub(crate) fn stars(n: usize, faces: &[[u32; 3]]) -> Lists {
             next[*v as usize] += 1;
         }
     }
-    Lists { start, items }
+    PackedLists { start, items }
 }

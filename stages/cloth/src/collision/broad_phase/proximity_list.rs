@@ -1,83 +1,90 @@
-//! What of a body at rest is beside each vertex and each triangle of the cloth, kept with its distances while the cloth stays
-//! near where it was asked: a walk through the body's tree costs more than all else that is asked of most.
+//! Proximity lists (Verlet lists) of a body at rest: its features beside each vertex and triangle of the cloth.
+//!
+//! Lists are kept with their distances while the cloth stays near the place they were made for, because a walk
+//! through the body's tree is the most expensive query.
 
 use crate::Vec3;
 use crate::collision::body::Body;
-use crate::collision::broad_phase::bvh::Aabb;
-use crate::collision::narrow_phase::candidates::Owned;
+use crate::collision::broad_phase::aabb::Aabb;
+use crate::collision::narrow_phase::candidates::FaceFeatures;
 use crate::collision::narrow_phase::distance::{plane_gap, point_triangle_gap};
+use crate::collision::tuning::{PROXIMITY_LIST_EXCESS, PROXIMITY_LISTS, SHORT_PROXIMITY_LIST};
 
-/// Rounds a distance to single precision, not up.
-pub(crate) const DOWN: f64 = 1.0 - 1e-6;
+/// Factor that rounds a distance to single precision, never upwards.
+pub(crate) const ROUND_DOWN: f64 = 1.0 - 1e-6;
 
-/// Times what is asked for, beyond which a list holds so much else that a new one is cheaper, if it is longer than this.
-const TOO_WIDE: f64 = 3.0;
-const SHORT: usize = 8;
-
-/// What is beside a vertex or a triangle.
+/// The features beside a vertex or a triangle.
 #[derive(Clone, Debug)]
-struct Held<const N: usize, T> {
+struct ProximityList<const N: usize, T> {
+    /// Corners of the cloth when the list was made.
     at: [Vec3; N],
-    /// All nearer than this are held, m.
-    limit: f64,
-    /// In the order of the body's tree, and what they were away, m, or less.
-    list: Vec<(T, f32)>,
+    /// Radius of the list, m: it holds every feature nearer than this.
+    radius: f64,
+    /// Features in the order of the body's tree, and lower bounds of their distances, m.
+    features: Vec<(T, f32)>,
 }
 
-/// What of a body may meet a triangle of the cloth.
+/// A feature of the body that may meet a triangle of the cloth.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) enum Side {
-    /// This vertex the face.
+pub(crate) enum BodyFeature {
+    /// A vertex of the body, against the face.
     Corner(u32),
-    /// The edge between these vertices that edge of the triangle.
+    /// An edge of the body between these vertices, against that edge of the triangle.
     Edge(u8, [u32; 2]),
 }
 
-impl<const N: usize, T: Copy> Held<N, T> {
-    fn nothing() -> Box<Self> {
-        Box::new(Self { at: [Vec3::zeros(); N], limit: 0.0, list: Vec::new() })
+impl<const N: usize, T: Copy> ProximityList<N, T> {
+    /// A list that is not valid anywhere.
+    fn empty() -> Box<Self> {
+        Box::new(Self { at: [Vec3::zeros(); N], radius: 0.0, features: Vec::new() })
     }
 
-    /// How far each corner has moved since the list was made, m, if that still holds for what is nearer than `reach`.
+    /// Distance of each corner from its position when the list was made, m; `None` if the list is not valid for
+    /// `reach`.
     fn moved(&self, x: &[Vec3; N], reach: f64) -> Option<[f64; N]> {
         let moved: [f64; N] = std::array::from_fn(|k| (self.at[k] - x[k]).norm());
-        // No list made beyond numbers holds.
-        let near = moved.iter().all(|m| m + reach <= self.limit);
-        let narrow = self.limit <= TOO_WIDE * reach || self.list.len() <= SHORT;
-        let holds = self.limit > 0.0 && near && narrow;
-        holds.then_some(moved)
+        // A list made for positions that are not numbers is never valid.
+        let near = moved.iter().all(|m| m + reach <= self.radius);
+        let narrow =
+            self.radius <= PROXIMITY_LIST_EXCESS.get() * reach || self.features.len() <= SHORT_PROXIMITY_LIST.get();
+        let is_valid = PROXIMITY_LISTS.is_on() && self.radius > 0.0 && near && narrow;
+        is_valid.then_some(moved)
     }
 
-    fn start(&mut self, x: &[Vec3; N], limit: f64) {
-        (self.at, self.limit) = (*x, limit);
-        self.list.clear();
+    /// Empties the list, for new corners and a new radius, m.
+    fn restart(&mut self, x: &[Vec3; N], radius: f64) {
+        (self.at, self.radius) = (*x, radius);
+        self.features.clear();
     }
 
-    /// Takes what is so far away, if that counts.
-    fn hold(&mut self, what: T, away: f64) {
-        if away <= self.limit {
-            // A smaller distance only lets more be asked.
+    /// Adds a feature at a distance, m, if it is within the radius.
+    fn add(&mut self, feature: T, distance: f64) {
+        if distance <= self.radius {
+            // A smaller distance only lets more features be tested.
             #[allow(clippy::cast_possible_truncation)]
-            self.list.push((what, (DOWN * away) as f32));
+            self.features.push((feature, (ROUND_DOWN * distance) as f32));
         }
     }
 }
 
-/// Candidates of the cloth's vertices and triangles; of those that never were near the body there is nothing.
+/// Proximity lists of the vertices and triangles of the cloth. Parts that never were near the body have none.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Beside {
-    points: Vec<Option<Box<Held<1, u32>>>>,
-    faces: Vec<Option<Box<Held<3, Side>>>>,
+pub(crate) struct ProximityLists {
+    /// Triangles of the body beside each vertex of the cloth.
+    points: Vec<Option<Box<ProximityList<1, u32>>>>,
+    /// Features of the body beside each triangle of the cloth.
+    faces: Vec<Option<Box<ProximityList<3, BodyFeature>>>>,
 }
 
-impl Beside {
-    /// For so many vertices and triangles of the cloth.
-    pub fn cover(&mut self, vertices: usize, faces: usize) {
+impl ProximityLists {
+    /// Makes room for these numbers of vertices and triangles.
+    pub fn resize(&mut self, vertices: usize, faces: usize) {
         self.points.resize(vertices, None);
         self.faces.resize(faces, None);
     }
 
-    /// Triangles that may be nearer than `reach` to vertex `v` at `x`, and maybe others; those within `margin` more are kept.
+    /// Triangles that may be nearer than `reach` to vertex `v` at `x`, m, and perhaps others. A new list holds those
+    /// within `margin` more.
     pub fn point<'a>(
         &'a mut self,
         v: u32,
@@ -86,97 +93,101 @@ impl Beside {
         margin: f64,
         body: &Body,
     ) -> impl Iterator<Item = u32> + use<'a> {
-        let (held, x) = (self.points[v as usize].get_or_insert_with(Held::nothing), [*x]);
-        let [moved] = held.moved(&x, reach).unwrap_or_else(|| {
-            held.start(&x, reach + margin);
-            held.fill(body);
+        let (list, x) = (self.points[v as usize].get_or_insert_with(ProximityList::empty), [*x]);
+        let [moved] = list.moved(&x, reach).unwrap_or_else(|| {
+            list.restart(&x, reach + margin);
+            list.fill(body);
             [0.0]
         });
-        let limit = reach + moved;
-        held.list.iter().filter(move |(_, d)| f64::from(*d) <= limit).map(|(g, _)| *g)
+        let radius = reach + moved;
+        list.features.iter().filter(move |(_, d)| f64::from(*d) <= radius).map(|(g, _)| *g)
     }
 
-    /// What presses of the body and may come nearer than `reach` to what the cloth's triangle `f` owns, of which no corner goes
-    /// farther than `by`; and maybe other such.
+    /// Features of the body that may come nearer than `reach` to features of the cloth triangle `f`, m, and perhaps
+    /// others.
+    ///
+    /// `by` holds the lengths of the moves of the corners, m. A new list holds features within `margin` more, m.
     pub fn face<'a>(
         &'a mut self,
         f: u32,
-        cloth: &Owned,
+        cloth: &FaceFeatures,
         [reach, margin]: [f64; 2],
         by: &'a [f64; 3],
         body: &Body,
-    ) -> impl Iterator<Item = Side> + use<'a> {
-        let held = self.faces[f as usize].get_or_insert_with(Held::nothing);
+    ) -> impl Iterator<Item = BodyFeature> + use<'a> {
+        let list = self.faces[f as usize].get_or_insert_with(ProximityList::empty);
         let longest = by[0].max(by[1]).max(by[2]);
-        let moved = held.moved(&cloth.at, reach + longest).unwrap_or_else(|| {
-            held.start(&cloth.at, reach + longest + margin);
-            held.fill(cloth, body);
+        let moved = list.moved(&cloth.at, reach + longest).unwrap_or_else(|| {
+            list.restart(&cloth.at, reach + longest + margin);
+            list.fill(cloth, body);
             [0.0; 3]
         });
-        // Since the list was made, and in the step.
+        // The moves since the list was made, and in the step.
         let gone: [f64; 3] = std::array::from_fn(|k| moved[k] + by[k]);
         let most = gone[0].max(gone[1]).max(gone[2]);
-        let may = move |s: &Side| match s {
-            Side::Corner(_) => most,
-            Side::Edge(i, _) => gone[usize::from(*i)].max(gone[(usize::from(*i) + 1) % 3]),
+        let may = move |s: &BodyFeature| match s {
+            BodyFeature::Corner(_) => most,
+            BodyFeature::Edge(i, _) => gone[usize::from(*i)].max(gone[(usize::from(*i) + 1) % 3]),
         };
-        held.list.iter().filter(move |(s, d)| f64::from(*d) <= reach + may(s)).map(|(s, _)| *s)
+        list.features.iter().filter(move |(s, d)| f64::from(*d) <= reach + may(s)).map(|(s, _)| *s)
     }
 }
 
-impl Owned {
-    /// Of a body's face at rest: what cloth can press on.
+impl FaceFeatures {
+    /// The features of a face of a body at rest that cloth can press on.
     #[inline]
     fn of_body(body: &Body, g: u32) -> Self {
         let corners = body.topology.faces[g as usize];
-        Self { corners, at: crate::pick3(&body.positions, &corners), bits: body.sides.of(g) }
+        Self { corners, at: crate::pick3(&body.positions, &corners), bits: body.features.of(g) }
     }
 }
 
-impl Held<1, u32> {
-    /// Holds all within the limit.
+impl ProximityList<1, u32> {
+    /// Fills the list.
     fn fill(&mut self, body: &Body) {
         let (place, x) = (Aabb::of_one(&self.at[0]), self.at[0]);
-        body.candidates(&place.grown(self.limit), |g| {
-            if place.gap(&body.boxes[g as usize]) <= self.limit {
-                self.hold(g, body.point_gap(&x, g));
+        body.candidates(&place.grown(self.radius), |g| {
+            if place.gap(&body.boxes[g as usize]) <= self.radius {
+                self.add(g, body.point_gap(&x, g));
             }
         });
     }
 }
 
-impl Held<3, Side> {
-    /// Holds all within the limit.
-    fn fill(&mut self, cloth: &Owned, body: &Body) {
+impl ProximityList<3, BodyFeature> {
+    /// Fills the list.
+    fn fill(&mut self, cloth: &FaceFeatures, body: &Body) {
         let x = &cloth.at;
         let (bounds, normal) = (Aabb::of_three(x), crate::unit_normal(*x).unwrap_or_else(Vec3::zeros));
-        body.candidates(&bounds.grown(self.limit), |g| {
-            if body.sides.of(g) == 0 || bounds.gap(&body.boxes[g as usize]) > self.limit {
+        body.candidates(&bounds.grown(self.radius), |g| {
+            if body.features.of(g) == 0 || bounds.gap(&body.boxes[g as usize]) > self.radius {
                 return;
             }
-            let b = &Owned::of_body(body, g);
-            let away = plane_gap(&x[0], &normal, &b.at) > self.limit || beside_ball(x, &b.at) > self.limit;
-            if !away {
-                self.hold_sides(cloth, b);
+            let b = &FaceFeatures::of_body(body, g);
+            let is_beyond =
+                plane_gap(&x[0], &normal, &b.at) > self.radius || distance_from_ball(x, &b.at) > self.radius;
+            if !is_beyond {
+                self.add_features(cloth, b);
             }
         });
     }
 
-    fn hold_sides(&mut self, cloth: &Owned, b: &Owned) {
+    /// Adds the vertices and edges that a face of the body owns.
+    fn add_features(&mut self, cloth: &FaceFeatures, b: &FaceFeatures) {
         for k in (0..3).filter(|k| b.owns_vertex(*k)) {
-            self.hold(Side::Corner(b.corners[k]), point_triangle_gap(&b.at[k], cloth.at.each_ref()));
+            self.add(BodyFeature::Corner(b.corners[k]), point_triangle_gap(&b.at[k], cloth.at.each_ref()));
         }
         for j in (0..3).filter(|j| b.owns_edge(*j)) {
             for i in (0u8..3).filter(|i| cloth.owns_edge(usize::from(*i))) {
-                let away = cloth.edge_gap(usize::from(i), [&b.at[j], &b.at[(j + 1) % 3]]);
-                self.hold(Side::Edge(i, b.edge(j)), away);
+                let distance = cloth.edge_gap(usize::from(i), [&b.at[j], &b.at[(j + 1) % 3]]);
+                self.add(BodyFeature::Edge(i, b.edge(j)), distance);
             }
         }
     }
 }
 
-/// How far a triangle stays from the ball around another; near the truth where that is small.
-fn beside_ball(x: &[Vec3; 3], t: &[Vec3; 3]) -> f64 {
+/// A lower bound of the distance between a triangle and the ball around another, m.
+fn distance_from_ball(x: &[Vec3; 3], t: &[Vec3; 3]) -> f64 {
     let middle = (t[0] + t[1] + t[2]) / 3.0;
     let radius = t.iter().map(|p| (p - middle).norm_squared()).fold(0.0, f64::max).sqrt();
     point_triangle_gap(&middle, x.each_ref()) - radius
@@ -187,7 +198,7 @@ mod tests {
     use super::*;
     use crate::BodyMesh;
 
-    /// A ball of triangles of some centimetres.
+    /// A ball of triangles with edges of some centimetres.
     fn ball() -> Body {
         let at = |i: u32, j: u32| {
             let (u, v) = (f64::from(i) * 0.3, f64::from(j) * 0.3 - 1.5);
@@ -202,14 +213,14 @@ mod tests {
         Body::new(&BodyMesh { positions, triangles }).expect("a body")
     }
 
-    /// A run that goes wrong comes back to where it was sound.
+    /// A solve that fails and returns to sound positions gets the same lists again.
     #[test]
     fn a_list_made_beyond_numbers_does_not_hold() {
         let (body, at) = (ball(), Vec3::new(0.21, 0.0, 0.0));
         let near = |ways: &[Vec3]| {
-            let mut beside = Beside::default();
-            beside.cover(1, 0);
-            ways.iter().map(|x| beside.point(0, x, 0.02, 0.01, &body).count()).last()
+            let mut lists = ProximityLists::default();
+            lists.resize(1, 0);
+            ways.iter().map(|x| lists.point(0, x, 0.02, 0.01, &body).count()).last()
         };
         let lost = Vec3::repeat(f64::NAN);
         assert!(near(&[at]) > Some(0));
@@ -217,11 +228,11 @@ mod tests {
         assert_eq!(near(&[at, lost, at]), near(&[at]));
     }
 
-    /// Wherever a triangle wanders, what is kept holds all that is near, in the order of the tree.
+    /// Wherever a triangle wanders, its lists hold every near feature, in the order of the tree.
     #[test]
     fn nothing_near_is_missed_on_a_long_way() {
-        let (body, mut beside, mut found) = (ball(), Beside::default(), 0);
-        beside.cover(1, 1);
+        let (body, mut lists, mut found) = (ball(), ProximityLists::default(), 0);
+        lists.resize(1, 1);
         for i in 0..400u32 {
             let t = f64::from(i) * 0.01;
             let at = Vec3::new(0.23 * libm::cos(t), 0.05 * libm::sin(3.0 * t), 0.23 * libm::sin(t));
@@ -229,25 +240,27 @@ mod tests {
             let reach = 0.02 + 0.01 * libm::sin(5.0 * t);
             let mut near = Vec::new();
             body.candidates(&Aabb::of_three(&x).grown(reach), |g| near.push(g));
-            let kept: Vec<u32> = beside.point(0, &at, reach, 0.01, &body).collect();
+            let kept: Vec<u32> = lists.point(0, &at, reach, 0.01, &body).collect();
             let wanted: Vec<u32> = near.iter().copied().filter(|g| body.point_gap(&at, *g) <= reach).collect();
             let of_kept: Vec<u32> = kept.iter().copied().filter(|g| wanted.contains(g)).collect();
             assert_eq!(of_kept, wanted);
-            let cloth = Owned { corners: [0, 1, 2], at: x, bits: 63 };
-            let kept: Vec<Side> = beside.face(0, &cloth, [reach - 1e-3, 0.01], &[1e-3; 3], &body).collect();
-            let near = |s: &Side| match s {
-                Side::Corner(w) => point_triangle_gap(&body.positions[*w as usize], x.each_ref()) <= reach,
-                Side::Edge(i, ends) => {
+            let cloth = FaceFeatures { corners: [0, 1, 2], at: x, bits: 63 };
+            let kept: Vec<BodyFeature> = lists.face(0, &cloth, [reach - 1e-3, 0.01], &[1e-3; 3], &body).collect();
+            let near = |s: &BodyFeature| match s {
+                BodyFeature::Corner(w) => point_triangle_gap(&body.positions[*w as usize], x.each_ref()) <= reach,
+                BodyFeature::Edge(i, ends) => {
                     cloth.edge_gap(usize::from(*i), ends.map(|w| &body.positions[w as usize])) <= reach
                 }
             };
-            let of_kept: Vec<Side> = kept.into_iter().filter(near).collect();
+            let of_kept: Vec<BodyFeature> = kept.into_iter().filter(near).collect();
             let mut wanted = Vec::new();
             body.candidates(&Aabb::of_three(&x).grown(reach), |g| {
-                let b = Owned::of_body(&body, g);
-                wanted.extend((0..3).filter(|k| b.owns_vertex(*k)).map(|k| Side::Corner(b.corners[k])).filter(near));
+                let b = FaceFeatures::of_body(&body, g);
+                wanted.extend(
+                    (0..3).filter(|k| b.owns_vertex(*k)).map(|k| BodyFeature::Corner(b.corners[k])).filter(near),
+                );
                 let edges = (0..3).filter(|j| b.owns_edge(*j));
-                wanted.extend(edges.flat_map(|j| [0u8, 1, 2].map(|i| Side::Edge(i, b.edge(j)))).filter(near));
+                wanted.extend(edges.flat_map(|j| [0u8, 1, 2].map(|i| BodyFeature::Edge(i, b.edge(j)))).filter(near));
             });
             found += wanted.len();
             assert_eq!(of_kept, wanted);

@@ -1,152 +1,171 @@
-//! Triangles of cloth near each other, found in two rounds: seldom a tree finds what is not far apart, and neighbours in the cloth are
-//! known for good; out of these every list takes what may meet.
+//! The broad phase of self-contact, in two rounds.
+//!
+//! From time to time a tree finds the pairs of blocks that are not far apart. Neighbours in the cloth are known once
+//! for all. Every list takes from both the pairs that may meet.
 
-use crate::collision::broad_phase::blocks::Tiles;
-use crate::collision::broad_phase::bvh::{Flat, Sweep, Tree};
-use crate::collision::broad_phase::motion_bounds::Drift;
-use crate::collision::culling::normal_cone::Calm;
-use crate::collision::narrow_phase::candidates::{Near, Way};
+use crate::collision::broad_phase::blocks::Blocks;
+use crate::collision::broad_phase::bvh::BoxTree;
+use crate::collision::broad_phase::motion_bounds::MotionBounds;
+use crate::collision::broad_phase::swept_box::{RoundedMotion, SweptBox};
+use crate::collision::culling::normal_cone::NormalCones;
+use crate::collision::narrow_phase::candidates::{ClothCandidates, LinearMotion};
+use crate::collision::tuning::{DRIFTED_BLOCK_PAIRS, MOTION_BOUNDS, WIDE_SEARCH_SLACK};
 use crate::scene::topology::Topology;
 use crate::{Element, Vec3};
 
-/// Slack of what is not far apart over the mean edge.
-const FAR_SLACK: f64 = 0.3;
-/// So many pairs of tiles over the tiles may have drifted before a search is made anew.
-const DRIFTED: f64 = 0.5;
-/// What single precision may be wrong by in drifts, over the largest coordinate.
-const ROUNDING: f64 = 4e-6;
+/// Bound of the rounding of moves in single precision, over the largest coordinate.
+const ROUNDING_OF_MOTION: f64 = 4e-6;
 
-/// What finds them.
-pub(crate) struct Search {
-    tree: Tree,
-    /// Of every triangle, its slot in the tree.
+/// The broad phase of self-contact.
+pub(crate) struct SelfBroadPhase {
+    tree: BoxTree,
+    /// The slot of each triangle in the tree.
     slots: Vec<u32>,
-    tiles: Tiles,
-    calm: Calm,
-    /// Pairs of triangles that are no neighbours and were nearer than `found`, m, when a search was made.
+    blocks: Blocks,
+    cones: NormalCones,
+    /// Pairs of triangles that are no neighbours and were nearer than `wide_reach` at the last wide search.
     pairs: Vec<[u32; 2]>,
-    found: f64,
-    drift: Drift,
-    /// Pairs of tiles that have drifted, and pairs of triangles that meet on a way.
+    /// Reach of the last wide search, m.
+    wide_reach: f64,
+    bounds: MotionBounds,
+    /// Pairs of blocks that have drifted since the last wide search.
     drifted: Vec<[usize; 2]>,
+    /// Pairs of triangles that meet along the motion.
     meeting: Vec<[u32; 2]>,
-    flat: Flat,
-    /// Boxes of the triangles on their way, grown by half the reach.
-    sweeps: Vec<Sweep>,
+    rounded: RoundedMotion,
+    /// Swept boxes of the triangles, grown by half the reach.
+    swept: Vec<SweptBox>,
 }
 
-impl Search {
-    /// `x`: where the cloth begins, whose tree it is.
+impl SelfBroadPhase {
+    /// Makes the search for cloth that begins at `x`, where its tree is built.
     pub fn new(cloth: &[Element], x: &[Vec3], topology: &Topology) -> Self {
-        let (tree, calm) = (Tree::moving(x, &topology.faces), Calm::new(cloth, x.len(), topology));
+        let (tree, cones) = (BoxTree::moving(x, &topology.faces), NormalCones::new(cloth, x.len(), topology));
         Self {
             slots: tree.slots(),
-            tiles: tree.strangers_beside(calm.all_neighbours()),
-            calm,
+            blocks: tree.non_neighbours_beside(cones.all_neighbours()),
+            cones,
             pairs: Vec::new(),
-            found: 0.0,
-            drift: Drift::new(&tree, x.len(), &topology.faces),
+            wide_reach: 0.0,
+            bounds: MotionBounds::new(&tree, x.len(), &topology.faces),
             tree,
             drifted: Vec::new(),
             meeting: Vec::new(),
-            flat: Flat::default(),
-            sweeps: Vec::new(),
+            rounded: RoundedMotion::default(),
+            swept: Vec::new(),
         }
     }
 
-    /// Lists the pairs that come nearer than `gap` along a way, or `slack` beside it; edges are `edge` long.
-    pub fn list(&mut self, near: &mut Near, way: &Way<'_>, gap: f64, slack: f64, edge: f64) {
+    /// Lists the pairs that come nearer than `gap` along a motion, or within `slack` of it, m. `edge` is the mean
+    /// edge, m.
+    pub fn list(
+        &mut self,
+        candidates: &mut ClothCandidates,
+        motion: &LinearMotion<'_>,
+        gap: f64,
+        slack: f64,
+        edge: f64,
+    ) {
         let reach = gap + 2.0 * slack;
-        self.look(way, reach);
-        self.neighbours(way, |f, g| near.add_own(f, g, way, reach));
-        self.find(way, reach, gap + 2.0 * slack.max(FAR_SLACK * edge));
-        self.meeting.iter().for_each(|&[f, g]| near.add_own(f, g, way, reach));
+        self.set_motion(motion, reach);
+        self.neighbours(motion, |f, g| candidates.add_pair(f, g, motion, reach));
+        self.find_meeting_pairs(motion, reach, gap + 2.0 * slack.max(WIDE_SEARCH_SLACK.get() * edge));
+        self.meeting.iter().for_each(|&[f, g]| candidates.add_pair(f, g, motion, reach));
     }
 
-    /// All triangles that may come nearer than `reach` along a way, and no list: nothing is kept for the next one.
-    pub fn once(&mut self, way: &Way<'_>, reach: f64, mut emit: impl FnMut(u32, u32)) {
-        self.look(way, reach);
-        self.neighbours(way, &mut emit);
-        self.forget();
-        let Self { tree, tiles, sweeps, .. } = self;
-        let sweep = |f: u32| sweeps[f as usize];
-        tree.refit_tiles(sweep);
-        tree.meeting_strangers(tiles, |f, g| sweep(f).meets(&sweep(g)), emit);
+    /// Emits the pairs of triangles that may come nearer than `reach` along a motion, m. Nothing is kept for the next
+    /// list.
+    pub fn list_once(&mut self, motion: &LinearMotion<'_>, reach: f64, mut emit: impl FnMut(u32, u32)) {
+        self.set_motion(motion, reach);
+        self.neighbours(motion, &mut emit);
+        self.invalidate();
+        let Self { tree, blocks, swept, .. } = self;
+        let swept_box = |f: u32| swept[f as usize];
+        tree.refit_blocks(swept_box);
+        tree.meeting_non_neighbours(blocks, |f, g| swept_box(f).meets(&swept_box(g)), emit);
     }
 
-    /// Takes a way: boxes, and where the cloth is calm.
-    fn look(&mut self, way: &Way<'_>, reach: f64) {
-        self.flat.take(way.x, way.step);
-        self.sweeps.clear();
-        self.sweeps.extend(way.topology.faces.iter().map(self.flat.sweeps(0.5 * reach)));
-        self.calm.look(way.x, way.step, way.topology);
+    /// Takes a motion: computes swept boxes and normal cones.
+    fn set_motion(&mut self, motion: &LinearMotion<'_>, reach: f64) {
+        self.rounded.set(motion.x, motion.step);
+        self.swept.clear();
+        self.swept.extend(motion.topology.faces.iter().map(self.rounded.swept(0.5 * reach)));
+        self.cones.set_motion(motion.x, motion.step, motion.topology);
     }
 
-    /// Neighbours in the cloth that may meet on the way that was taken.
-    fn neighbours(&self, way: &Way<'_>, mut emit: impl FnMut(u32, u32)) {
-        let meet = |f: u32, g: u32| self.sweeps[f as usize].meets(&self.sweeps[g as usize]);
-        self.calm.restless(way.topology, |f, g, joined| {
+    /// Emits the neighbours in the cloth that may meet along the motion.
+    fn neighbours(&self, motion: &LinearMotion<'_>, mut emit: impl FnMut(u32, u32)) {
+        let meet = |f: u32, g: u32| self.swept[f as usize].meets(&self.swept[g as usize]);
+        self.cones.unsafe_neighbours(motion.topology, |f, g, joined| {
             if joined || meet(f, g) {
                 emit(f, g);
             }
         });
     }
 
-    /// Finds the strangers that meet on this way. Most that were near when a search was made are not on this way: their boxes
-    /// tell so soonest. Where tiles have drifted too far since, they are looked at anew.
-    fn find(&mut self, way: &Way<'_>, reach: f64, wide: f64) {
-        if !self.has_held(way, reach) {
-            self.search(way, reach, wide);
+    /// Finds the pairs of non-neighbours that meet along the motion.
+    ///
+    /// Most pairs of the last wide search do not meet, and their boxes show it at the least cost. Blocks that have
+    /// drifted too far since that search are searched anew.
+    fn find_meeting_pairs(&mut self, motion: &LinearMotion<'_>, reach: f64, new_reach: f64) {
+        if !self.is_search_valid(motion, reach) {
+            self.search_widely(motion, reach, new_reach);
         }
-        let Self { tree, tiles, sweeps, pairs, drifted, meeting, slots, .. } = self;
-        let meet = |f: u32, g: u32| sweeps[f as usize].meets(&sweeps[g as usize]);
+        let Self { tree, blocks, swept, pairs, drifted, meeting, slots, .. } = self;
+        let meet = |f: u32, g: u32| swept[f as usize].meets(&swept[g as usize]);
         meeting.clear();
         meeting.extend(pairs.iter().filter(|[f, g]| meet(*f, *g)));
         if drifted.is_empty() {
             return;
         }
         for [a, b] in drifted.drain(..) {
-            tree.strangers(tiles, a, b, |f, g| {
+            tree.non_neighbours(blocks, a, b, |f, g| {
                 if meet(f, g) {
                     meeting.push([f, g]);
                 }
             });
         }
-        meeting.sort_unstable_by_key(|pair| tree.turn(pair.map(|f| slots[f as usize])));
+        meeting.sort_unstable_by_key(|pair| tree.rank(pair.map(|f| slots[f as usize])));
         meeting.dedup();
     }
 
-    /// Does what the last search found still hold for all but a few tiles?
-    fn has_held(&mut self, way: &Way<'_>, reach: f64) -> bool {
+    /// Is the last wide search still valid for all but a few blocks?
+    fn is_search_valid(&mut self, motion: &LinearMotion<'_>, reach: f64) -> bool {
         self.drifted.clear();
-        if !self.drift.is_known() {
+        if !MOTION_BOUNDS.is_on() || !self.bounds.is_known() {
             return false;
         }
-        self.drift.take(way);
-        let spare = self.found - reach - ROUNDING * self.flat.size;
-        // Rounding is within what has just been taken off.
+        self.bounds.set_motion(motion);
+        let spare = self.wide_reach - reach - ROUNDING_OF_MOTION * self.rounded.size;
+        // The rounding has just been taken off.
         #[allow(clippy::cast_possible_truncation)]
-        self.tree.drifted(&self.drift.nodes, spare as f32, |a, b| self.drifted.push([a, b]));
-        self.drifted.len() as f64 <= DRIFTED * self.tree.tiles() as f64
+        self.tree.drifted_blocks(&self.bounds.nodes, spare as f32, |a, b| self.drifted.push([a, b]));
+        self.drifted.len() as f64 <= DRIFTED_BLOCK_PAIRS.get() * self.tree.blocks() as f64
     }
 
-    /// Finds all strangers nearer than `wide` along the way; the sweeps are those for `reach`.
-    fn search(&mut self, way: &Way<'_>, reach: f64, wide: f64) {
-        let Self { tree, tiles, sweeps, pairs, drifted, .. } = self;
+    /// Finds all pairs of non-neighbours nearer than `wide_reach` along the motion, m. The swept boxes are those for
+    /// `reach`.
+    fn search_widely(&mut self, motion: &LinearMotion<'_>, reach: f64, new_reach: f64) {
+        let Self { tree, blocks, swept, pairs, drifted, .. } = self;
         pairs.clear();
         drifted.clear();
-        // The sweeps allow for more than this rounds.
+        // The swept boxes allow for more than this rounding.
         #[allow(clippy::cast_possible_truncation)]
-        let more = (wide - reach) as f32;
-        let sweep = |f: u32| &sweeps[f as usize];
-        tree.refit_tiles(|f| sweep(f).grown(0.5 * more));
-        tree.meeting_strangers(tiles, |f, g| sweep(f).grown(more).meets(sweep(g)), |f, g| pairs.push([f, g]));
-        self.drift.start(way.x);
-        self.found = wide;
+        let more = (new_reach - reach) as f32;
+        let swept_box = |f: u32| &swept[f as usize];
+        tree.refit_blocks(|f| swept_box(f).grown(0.5 * more));
+        tree.meeting_non_neighbours(
+            blocks,
+            |f, g| swept_box(f).grown(more).meets(swept_box(g)),
+            |f, g| pairs.push([f, g]),
+        );
+        self.bounds.start(motion.x);
+        self.wide_reach = new_reach;
     }
 
-    pub fn forget(&mut self) {
-        self.drift.forget();
+    /// Makes the next wide search due.
+    pub fn invalidate(&mut self) {
+        self.bounds.invalidate();
     }
 }
 
@@ -154,7 +173,8 @@ impl Search {
 mod tests {
     use super::*;
 
-    /// A strip that crumples more and more as it travels: lists are those that a search at every step makes, in their order.
+    /// A strip crumples more and more as it travels. Its lists equal those of a search at every step, in the same
+    /// order.
     #[test]
     fn what_drifts_is_listed_as_if_searched_anew() {
         let (n, mut scene) = (60u32, crate::Scene::default());
@@ -178,18 +198,18 @@ mod tests {
             };
             scene.positions.iter().map(fold).collect()
         };
-        let (mut kept, mut listed) = (Search::new(&scene.triangles, &scene.positions, &topology), 0);
+        let (mut kept, mut listed) = (SelfBroadPhase::new(&scene.triangles, &scene.positions, &topology), 0);
         for i in 0..120 {
             let t = f64::from(i) / 120.0;
             let (x, next) = (place(t), place(t + 0.004));
             let step: Vec<Vec3> = next.iter().zip(&x).map(|(q, p)| (q - p) * 1.5).collect();
-            let way = Way::new(&x, &step, &topology, &groups);
-            let mut fresh = Search::new(&scene.triangles, &scene.positions, &topology);
-            let [mut near, mut wanted] = [Near::default(), Near::default()];
-            kept.list(&mut near, &way, 0.2, 0.1, 1.0);
-            fresh.list(&mut wanted, &way, 0.2, 0.1, 1.0);
-            assert_eq!((&near.points, &near.edges), (&wanted.points, &wanted.edges), "{i}");
-            listed += near.edges.len();
+            let motion = LinearMotion::new(&x, &step, &topology, &groups);
+            let mut fresh = SelfBroadPhase::new(&scene.triangles, &scene.positions, &topology);
+            let [mut candidates, mut wanted] = [ClothCandidates::default(), ClothCandidates::default()];
+            kept.list(&mut candidates, &motion, 0.2, 0.1, 1.0);
+            fresh.list(&mut wanted, &motion, 0.2, 0.1, 1.0);
+            assert_eq!((&candidates.points, &candidates.edges), (&wanted.points, &wanted.edges), "{i}");
+            listed += candidates.edges.len();
         }
         assert!(listed > 1000, "{listed}");
     }

@@ -1,24 +1,25 @@
-//! Counting the intersecting pairs of a cloth, and of a cloth and a body.
+//! Counts of intersecting pairs of cloth triangles, and of cloth and body triangles.
 
 use crate::Vec3;
 use crate::collision::body::Body;
-use crate::collision::broad_phase::bvh::{Aabb, Tree};
-use crate::collision::crossings::pair::{apart_cross, corner_cross, edge_fold};
+use crate::collision::broad_phase::aabb::Aabb;
+use crate::collision::broad_phase::bvh::BoxTree;
+use crate::collision::crossings::pair::{corner_triangles_cross, disjoint_triangles_cross, edge_triangles_fold};
 
-/// Intersecting pairs, the first few kept.
+/// The number of intersecting pairs, and the first of them.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Crossings {
     pub count: usize,
-    /// Triangle of the cloth and its partner (cloth or body), at most [`KEPT`].
+    /// Triangle of the cloth and its partner in cloth or body. At most [`LISTED_CROSSINGS`] pairs are kept.
     pub pairs: Vec<[u32; 2]>,
 }
 
-const KEPT: usize = 10_000;
+const LISTED_CROSSINGS: usize = 10_000;
 
 impl Crossings {
     fn add(&mut self, i: u32, j: u32) {
         self.count += 1;
-        if self.pairs.len() < KEPT {
+        if self.pairs.len() < LISTED_CROSSINGS {
             self.pairs.push([i, j]);
         }
     }
@@ -29,15 +30,17 @@ fn degenerate(t: &[u32; 3], x: &[Vec3]) -> bool {
     (b - a).cross(&(c - a)).norm_squared() == 0.0
 }
 
-/// Pairs of cloth triangles that cross (no common vertex), pass through each other beside a common vertex, or lie
-/// folded on each other beside a common edge. Vertices at bit-equal places count as common, as they do in a file; triangles on
-/// each other cross unless they have the same vertices (layers sewn to each other everywhere).
-pub(crate) fn own(x: &[Vec3], faces: &[[u32; 3]]) -> Crossings {
+/// Counts the pairs of cloth triangles that cross.
+///
+/// Triangles without a common vertex cross, triangles with a common vertex pass through each other beside it, and
+/// triangles with a common edge lie folded on each other. Vertices at bit-equal places count as common, as they do in
+/// a file. Triangles on each other cross unless they have the same vertices (layers sewn to each other everywhere).
+pub(crate) fn self_crossings(x: &[Vec3], faces: &[[u32; 3]]) -> Crossings {
     let same = places(x);
     let given = faces;
     let faces: Vec<[u32; 3]> = faces.iter().map(|t| t.map(|v| same[v as usize])).collect();
     let mut found = Crossings::default();
-    Tree::new(x, &faces).own_pairs(|i, j| {
+    BoxTree::new(x, &faces).meeting_pairs_at_rest(|i, j| {
         let (s, t) = (faces[i as usize], faces[j as usize]);
         let joined = || given[i as usize].iter().all(|v| given[j as usize].contains(v));
         if cross(x, s, t) && !joined() && !degenerate(&s, x) && !degenerate(&t, x) {
@@ -47,13 +50,13 @@ pub(crate) fn own(x: &[Vec3], faces: &[[u32; 3]]) -> Crossings {
     found
 }
 
-/// For every vertex the first vertex at the same place.
+/// For every vertex, the first vertex at the same place.
 fn places(x: &[Vec3]) -> Vec<u32> {
     let key = |i: u32| x[i as usize];
     let mut order: Vec<u32> = (0..x.len()).map(|i| u32::try_from(i).unwrap_or(u32::MAX)).collect();
     let compare = |p: &u32, q: &u32| {
         let (a, b) = (key(*p), key(*q));
-        // −0 and 0 are one place.
+        // Here −0 and 0 are one place.
         (a.x + 0.0)
             .total_cmp(&(b.x + 0.0))
             .then((a.y + 0.0).total_cmp(&(b.y + 0.0)))
@@ -71,18 +74,18 @@ fn places(x: &[Vec3]) -> Vec<u32> {
     same
 }
 
-/// Do two triangles of cloth cross, or pass through or lie on each other beside what they have in common?
+/// Do two triangles of cloth cross, or pass through or lie on each other beside their common vertices?
 pub(crate) fn cross(x: &[Vec3], s: [u32; 3], t: [u32; 3]) -> bool {
     let common = s.iter().filter(|v| t.contains(v)).count();
     let at = |t: [u32; 3]| t.map(|v| x[v as usize]);
     match common {
-        0 => apart_cross(&at(s), &at(t)),
+        0 => disjoint_triangles_cross(&at(s), &at(t)),
         1 => {
             let turn = |t: [u32; 3], o: [u32; 3]| {
                 let k = t.iter().position(|v| o.contains(v)).unwrap_or(0);
                 [t[k], t[(k + 1) % 3], t[(k + 2) % 3]]
             };
-            corner_cross(&at(turn(s, t)), &at(turn(t, s)))
+            corner_triangles_cross(&at(turn(s, t)), &at(turn(t, s)))
         }
         2 => {
             let turn = |t: [u32; 3], o: [u32; 3]| {
@@ -90,15 +93,15 @@ pub(crate) fn cross(x: &[Vec3], s: [u32; 3], t: [u32; 3]) -> bool {
                 let (a, b) = (t[(k + 1) % 3], t[(k + 2) % 3]);
                 [a.min(b), a.max(b), t[k]]
             };
-            edge_fold(&at(turn(s, t)), &at(turn(t, s)))
+            edge_triangles_fold(&at(turn(s, t)), &at(turn(t, s)))
         }
-        // Two triangles on each other.
+        // The two triangles lie on each other.
         _ => true,
     }
 }
 
-/// Pairs of a cloth and a triangle of a body at rest that cross, ascending.
-pub(crate) fn with_body(x: &[Vec3], faces: &[[u32; 3]], body: &Body) -> Crossings {
+/// Pairs of a cloth triangle and a triangle of a body at rest that cross, in ascending order.
+pub(crate) fn body_crossings(x: &[Vec3], faces: &[[u32; 3]], body: &Body) -> Crossings {
     let (mut found, mut crossed) = (Crossings::default(), Vec::new());
     for (i, t) in (0u32..).zip(faces) {
         let a = t.map(|v| x[v as usize]);
@@ -107,7 +110,7 @@ pub(crate) fn with_body(x: &[Vec3], faces: &[[u32; 3]], body: &Body) -> Crossing
             continue;
         }
         body.candidates(&bounds, |k| {
-            if apart_cross(&a, &body.triangle(k)) {
+            if disjoint_triangles_cross(&a, &body.triangle(k)) {
                 crossed.push(k);
             }
         });
@@ -132,7 +135,7 @@ mod tests {
     fn count(other: [Vec3; 3]) -> usize {
         let mut x = flat();
         x.extend(other);
-        own(&x, &[[0, 1, 2], [3, 4, 5]]).count
+        self_crossings(&x, &[[0, 1, 2], [3, 4, 5]]).count
     }
 
     #[test]
@@ -149,7 +152,7 @@ mod tests {
         assert_eq!(count(tip(1e-300)), 0);
         assert_eq!(count(tip(0.0)), 0);
         assert_eq!(count(tip(-1e-300)), 1);
-        // Beside the triangle.
+        // This one lies beside the triangle.
         assert_eq!(count([v(2.0, 2.0, -1.0), v(2.0, 2.0, 1.0), v(3.0, 2.0, 1.0)]), 0);
     }
 
@@ -163,44 +166,44 @@ mod tests {
     fn a_far_edge_through_a_neighbour_counts() {
         let mut x = flat();
         x.extend([v(0.2, 0.2, -0.1), v(0.3, 0.3, 0.1)]);
-        assert_eq!(own(&x, &[[0, 1, 2], [0, 3, 4]]).count, 1);
+        assert_eq!(self_crossings(&x, &[[0, 1, 2], [0, 3, 4]]).count, 1);
         x[3].z = 0.05;
-        assert_eq!(own(&x, &[[0, 1, 2], [0, 3, 4]]).count, 0);
+        assert_eq!(self_crossings(&x, &[[0, 1, 2], [0, 3, 4]]).count, 0);
     }
 
     #[test]
     fn a_fold_flat_over_an_edge_counts() {
         let mut x = flat();
         x.push(v(0.5, 0.3, 0.0));
-        assert_eq!(own(&x, &[[0, 1, 2], [1, 0, 3]]).count, 1);
+        assert_eq!(self_crossings(&x, &[[0, 1, 2], [1, 0, 3]]).count, 1);
         x[3].z = 1e-9;
-        assert_eq!(own(&x, &[[0, 1, 2], [1, 0, 3]]).count, 0);
+        assert_eq!(self_crossings(&x, &[[0, 1, 2], [1, 0, 3]]).count, 0);
         x[3] = v(0.5, -0.3, 0.0);
-        assert_eq!(own(&x, &[[0, 1, 2], [1, 0, 3]]).count, 0);
+        assert_eq!(self_crossings(&x, &[[0, 1, 2], [1, 0, 3]]).count, 0);
     }
 
     #[test]
     fn vertices_at_one_place_are_one() {
-        // Two triangles of a seam whose vertices are doubled: neighbours, not a crossing.
+        // Two triangles of a seam whose vertices are doubled are neighbours, not a crossing.
         let mut x = flat();
         x.extend([v(0.0, -0.0, 0.0), v(1.0, 0.0, 0.0), v(0.5, -1.0, 0.3)]);
-        assert_eq!(own(&x, &[[0, 1, 2], [3, 5, 4]]).count, 0);
+        assert_eq!(self_crossings(&x, &[[0, 1, 2], [3, 5, 4]]).count, 0);
     }
 
     #[test]
     fn triangles_on_each_other_count() {
         let x = flat();
         let double: Vec<Vec3> = x.iter().chain(&x).copied().collect();
-        assert_eq!(own(&double, &[[0, 1, 2], [3, 4, 5]]).count, 1);
-        assert_eq!(own(&double, &[[0, 1, 2], [4, 3, 5]]).count, 1);
-        assert_eq!(own(&x, &[[0, 1, 2], [1, 2, 0]]).count, 0, "two layers sewn together");
+        assert_eq!(self_crossings(&double, &[[0, 1, 2], [3, 4, 5]]).count, 1);
+        assert_eq!(self_crossings(&double, &[[0, 1, 2], [4, 3, 5]]).count, 1);
+        assert_eq!(self_crossings(&x, &[[0, 1, 2], [1, 2, 0]]).count, 0, "two layers sewn together");
     }
 
     #[test]
     fn a_body_pierced_by_cloth_is_counted() {
         let cloth = [v(0.2, 0.2, -1.0), v(0.2, 0.25, 1.0), v(0.25, 0.2, 1.0)];
         let body = Body::new(&crate::BodyMesh { positions: flat(), triangles: vec![[0, 1, 2]] }).expect("a body");
-        let found = with_body(&cloth, &[[0, 1, 2]], &body);
+        let found = body_crossings(&cloth, &[[0, 1, 2]], &body);
         assert_eq!((found.count, found.pairs), (1, vec![[0, 0]]));
     }
 }

@@ -1,4 +1,4 @@
-//! Do two triangles cross? Answered by exact signs, no tolerance.
+//! Tests whether two triangles cross, by exact signs and without tolerance.
 
 use crate::Vec3;
 use nalgebra::Vector2;
@@ -6,7 +6,7 @@ use nalgebra::Vector2;
 type Triangle = [Vec3; 3];
 
 fn sign3(a: &Vec3, b: &Vec3, c: &Vec3, d: &Vec3) -> i8 {
-    // Flat cloth in a plane square to an axis: the exact sum would take long to say so.
+    // For flat cloth in a plane normal to an axis the exact sum would take long.
     if (0..3).any(|k| a[k] == d[k] && b[k] == d[k] && c[k] == d[k]) {
         return 0;
     }
@@ -25,34 +25,34 @@ fn sign(v: f64) -> i8 {
 
 /// How a segment meets a triangle.
 #[derive(Clone, Copy, PartialEq, Eq)]
-enum Meets {
+enum Intersection {
     No,
     Touches,
     Crosses,
     InPlane,
 }
 
-fn segment_triangle(p: &Vec3, q: &Vec3, t: &Triangle) -> Meets {
+fn segment_triangle(p: &Vec3, q: &Vec3, t: &Triangle) -> Intersection {
     let (sp, sq) = (sign3(&t[0], &t[1], &t[2], p), sign3(&t[0], &t[1], &t[2], q));
     if sp == 0 && sq == 0 {
-        return Meets::InPlane;
+        return Intersection::InPlane;
     }
     if sp * sq > 0 {
-        return Meets::No;
+        return Intersection::No;
     }
     let s = [0, 1, 2].map(|k| sign3(p, q, &t[k], &t[(k + 1) % 3]));
     if !(s.iter().all(|v| *v >= 0) || s.iter().all(|v| *v <= 0)) {
-        return Meets::No;
+        return Intersection::No;
     }
-    if s.iter().all(|v| *v != 0) && sp * sq < 0 { Meets::Crosses } else { Meets::Touches }
+    if s.iter().all(|v| *v != 0) && sp * sq < 0 { Intersection::Crosses } else { Intersection::Touches }
 }
 
-/// Has a segment a point in common with a triangle, or with its plane all of them?
+/// Does a segment have a point in common with a triangle, or lie in its plane?
 pub(crate) fn segment_meets(p: &Vec3, q: &Vec3, t: &Triangle) -> bool {
-    segment_triangle(p, q, t) != Meets::No
+    segment_triangle(p, q, t) != Intersection::No
 }
 
-/// Do triangles in one plane share area?
+/// Do two triangles of one plane share area?
 fn overlap_in_plane(a: &Triangle, b: &Triangle) -> bool {
     let n = (a[1] - a[0]).cross(&(a[2] - a[0]));
     let drop = n.iamax();
@@ -65,12 +65,12 @@ fn overlap_in_plane(a: &Triangle, b: &Triangle) -> bool {
     !separated(&p, &q) && !separated(&q, &p)
 }
 
-/// Signs of the corners of `t` against the plane of `plane`.
+/// Signs of the corners of `t` relative to the plane of `plane`.
 fn signs(t: &Triangle, plane: &Triangle) -> [i8; 3] {
     t.map(|v| sign3(&plane[0], &plane[1], &plane[2], &v))
 }
 
-/// Turned so that corner 0 is alone on its side; also the sign there.
+/// The triangle rotated so that corner 0 is alone on its side, and the sign of that side.
 fn lonely_first(t: &Triangle, s: &[i8; 3]) -> (Triangle, i8) {
     let (pos, neg) = (s.iter().filter(|v| **v > 0).count(), s.iter().filter(|v| **v < 0).count());
     let want = if pos <= neg { 1 } else { -1 };
@@ -78,8 +78,8 @@ fn lonely_first(t: &Triangle, s: &[i8; 3]) -> (Triangle, i8) {
     ([t[k], t[(k + 1) % 3], t[(k + 2) % 3]], want)
 }
 
-/// Triangles without a common vertex: does each pass through the other, or do they overlap in one plane?
-pub(crate) fn apart_cross(a: &Triangle, b: &Triangle) -> bool {
+/// Do triangles without a common vertex pass through each other, or overlap in one plane?
+pub(crate) fn disjoint_triangles_cross(a: &Triangle, b: &Triangle) -> bool {
     let sa = signs(a, b);
     let one_side = |s: &[i8; 3]| s.iter().all(|v| *v > 0) || s.iter().all(|v| *v < 0);
     if one_side(&sa) {
@@ -107,14 +107,16 @@ pub(crate) fn apart_cross(a: &Triangle, b: &Triangle) -> bool {
     sign3(&p[0], &p[1], &q[0], &q[1]) < 0 && sign3(&p[0], &p[2], &q[2], &q[0]) < 0
 }
 
-/// Triangles with corner 0 in common: does the far edge of one pass through the other?
-pub(crate) fn corner_cross(a: &Triangle, b: &Triangle) -> bool {
+/// Does the far edge of a triangle pass through another triangle that shares corner 0?
+pub(crate) fn corner_triangles_cross(a: &Triangle, b: &Triangle) -> bool {
     let x = segment_triangle(&a[1], &a[2], b);
     let y = segment_triangle(&b[1], &b[2], a);
-    x == Meets::Crosses || y == Meets::Crosses || (x == Meets::InPlane && y == Meets::InPlane && overlap_in_plane(a, b))
+    x == Intersection::Crosses
+        || y == Intersection::Crosses
+        || (x == Intersection::InPlane && y == Intersection::InPlane && overlap_in_plane(a, b))
 }
 
-/// Triangles with the edge 0–1 in common: folded flat onto each other?
-pub(crate) fn edge_fold(a: &Triangle, b: &Triangle) -> bool {
+/// Are two triangles that share the edge 0–1 folded flat onto each other?
+pub(crate) fn edge_triangles_fold(a: &Triangle, b: &Triangle) -> bool {
     sign3(&a[0], &a[1], &a[2], &b[2]) == 0 && overlap_in_plane(a, b)
 }

@@ -1,74 +1,84 @@
-//! Which corners and edges of a body cloth can press on: those that nothing outside meets first are not looked for, and on
-//! cloth much coarser than the body not all that lie close beside each other.
+//! Corners and edges of a body that cloth can press on.
+//!
+//! Features that nothing outside can touch first are left out. For cloth much coarser than the body, most features
+//! that lie close together are left out too.
 
 use crate::Vec3;
-use crate::collision::broad_phase::bvh::Aabb;
+use crate::collision::broad_phase::aabb::Aabb;
+use crate::collision::tuning::{CONVEX_FEATURES, FEATURE_CELL, FEATURE_DECIMATION, FEATURE_DEPTH};
 use crate::scene::topology::{Hinge, Topology};
 use std::sync::Arc;
 
-/// Share of the cloth's edge within which one corner of a smooth body stands for all.
-const CELL: f64 = 0.15;
-/// Share of the cloth's gap by which cloth may come nearer then.
-const DEPTH: f64 = 0.1;
-
-/// Per face a bit for each corner (0..3) and edge (3..6) that it owns and that counts.
+/// Features of the body: for each face one bit for each corner (bits 0 to 2) and edge (bits 3 to 5) that it owns and
+/// that counts.
 #[derive(Clone)]
-pub(crate) struct Sides {
-    /// Of a closed, oriented mesh all but the hollow and flat edges, and the corners where only such meet.
+pub(crate) struct ConvexFeatures {
+    /// All features except hollow and flat edges of a closed, oriented mesh, and the corners where only such edges
+    /// meet.
     pressing: Arc<Vec<u8>>,
-    /// Fewer, for coarser cloth.
-    thinned: Option<Vec<u8>>,
+    /// Fewer features, for coarser cloth.
+    decimated: Option<Vec<u8>>,
 }
 
-impl Sides {
+impl ConvexFeatures {
+    /// Features of a body. `flat` marks edges between coplanar faces; it may be empty.
     pub fn new(x: &[Vec3], topology: &Topology, flat: &[bool]) -> Self {
-        let pressing = sides(topology, &pressing(x, topology, flat), x.len());
-        Self { pressing: Arc::new(pressing), thinned: None }
+        let pressing = owned_bits(topology, &pressing_edges(x, topology, flat), x.len());
+        Self { pressing: Arc::new(pressing), decimated: None }
     }
 
-    /// Of face `f`.
+    /// The bits of face `f`.
     #[inline]
     pub fn of(&self, f: u32) -> u8 {
-        self.thinned.as_ref().unwrap_or(&self.pressing)[f as usize]
+        self.decimated.as_ref().unwrap_or(&self.pressing)[f as usize]
     }
 
-    /// For a body that moves: a hollow edge may open, a flat one may bend.
-    pub fn any(&mut self, topology: &Topology) {
-        (self.pressing, self.thinned) = (Arc::new(topology.owned.clone()), None);
+    /// Restores all features, for a body that moves: a hollow edge may open and a flat edge may bend.
+    pub fn restore_all(&mut self, topology: &Topology) {
+        (self.pressing, self.decimated) = (Arc::new(topology.owned.clone()), None);
     }
 
-    /// For coarser cloth of such edges and gap to the body, m. Its triangles would press on hundreds of corners of a finely
-    /// meshed body; where that is smooth, one in each cell of a grid holds them off nearly as well, and no edge is needed. So the
-    /// cloth may come a little nearer, and touch: only finer cloth, which is held off by all, may end there.
-    pub fn thin(&mut self, x: &[Vec3], topology: &Topology, [edge, gap]: [f64; 2]) {
-        let cell = CELL * edge;
+    /// Leaves out features for coarser cloth with this mean edge and gap to the body, m.
+    ///
+    /// A triangle of such cloth would press on hundreds of corners of a finely meshed body. Where the body is smooth,
+    /// one corner in each cell of a grid holds it off nearly as well, and no edge is needed. The cloth may come a
+    /// little nearer then, and may touch. The finest cloth starts from there and is held off by all features.
+    pub fn decimate(&mut self, x: &[Vec3], topology: &Topology, [edge, gap]: [f64; 2]) {
+        if !FEATURE_DECIMATION.is_on() {
+            return;
+        }
+        let depth = FEATURE_DEPTH.get() * gap;
+        let cell = FEATURE_CELL.get() * edge;
         let mut stays = vec![true; topology.edges.len()];
-        // Of edges with more than two faces all hinges must be smooth.
+        // An edge with more than two faces is left out only if all its hinges are smooth.
         for h in &topology.hinges {
             stays[topology.edge_of(h)] = false;
         }
-        for h in topology.hinges.iter().filter(|h| !smooth(x, h, cell, DEPTH * gap)) {
+        for h in topology.hinges.iter().filter(|h| !is_smooth(x, h, cell, depth)) {
             stays[topology.edge_of(h)] = true;
         }
-        let mut corners = ends(topology, &stays, x.len());
+        let mut corners = end_vertices(topology, &stays, x.len());
         one_of_each_cell(x, self.corners(topology), cell, &mut corners);
-        let counts = self.pressing.iter().enumerate().map(|(f, s)| s & bits(topology, f, &corners, &stays));
-        self.thinned = Some(counts.collect());
+        let counts = self.pressing.iter().enumerate().map(|(f, s)| s & marked_bits(topology, f, &corners, &stays));
+        self.decimated = Some(counts.collect());
     }
 
-    /// Those that press.
+    /// The corners that press.
     fn corners<'a>(&'a self, topology: &'a Topology) -> impl Iterator<Item = u32> + 'a {
         let of = |(t, bits): (&'a [u32; 3], &'a u8)| (0..3).filter(move |k| bits & (1 << k) != 0).map(move |k| t[k]);
         topology.faces.iter().zip(self.pressing.iter()).flat_map(of)
     }
 }
 
-/// An edge that is hollow seen from outside cannot be the first thing a straight edge outside meets, nor can one between two
-/// faces of a plane; and that would push cloth along the plane. Where the mesh is not closed or not oriented, nothing is known
-/// and every edge counts.
-fn pressing(x: &[Vec3], topology: &Topology, flat: &[bool]) -> Vec<bool> {
+/// Edges that something outside can touch first.
+///
+/// A straight edge outside meets a hollow edge never first, nor an edge between two faces of a plane, which would
+/// push cloth along that plane. Where the mesh is not closed or not oriented, every edge counts.
+fn pressing_edges(x: &[Vec3], topology: &Topology, flat: &[bool]) -> Vec<bool> {
     let all = vec![true; topology.edges.len()];
-    if topology.hinges.len() * 2 != topology.faces.len() * 3 || topology.edges.len() != topology.hinges.len() {
+    let is_closed =
+        topology.hinges.len() * 2 == topology.faces.len() * 3 && topology.edges.len() == topology.hinges.len();
+    if !is_closed || !CONVEX_FEATURES.is_on() {
         return all;
     }
     let volume: f64 = topology
@@ -95,20 +105,20 @@ fn pressing(x: &[Vec3], topology: &Topology, flat: &[bool]) -> Vec<bool> {
     pressing
 }
 
-/// Is the edge shorter than `cell`, and does the body bend so little across it that over the length of a cell it falls less
-/// than `depth` below its tangent?
-fn smooth(x: &[Vec3], h: &Hinge, cell: f64, depth: f64) -> bool {
+/// Is the edge shorter than `cell`, and is the body smooth across it? Over the length of a cell it then falls less
+/// than `depth` below its tangent, m.
+fn is_smooth(x: &[Vec3], h: &Hinge, cell: f64, depth: f64) -> bool {
     let [a, b, c, d] = h.vertices.map(|v| x[v as usize]);
     let (m, n) = ((b - a).cross(&(c - a)), (d - a).cross(&(b - a)));
     let (lm, ln, length) = (m.norm(), n.norm(), (b - a).norm());
     let sine = m.cross(&n).norm() / (lm * ln);
-    // Turn over the mean height of the two faces.
+    // The curvature is the turn over the mean height of the two faces.
     let curvature = sine * 2.0 * length / (lm + ln);
     length < cell && m.dot(&n) > 0.0 && 0.5 * cell * cell * curvature < depth
 }
 
 /// Vertices at which one of these edges ends.
-fn ends(topology: &Topology, edges: &[bool], vertex_count: usize) -> Vec<bool> {
+fn end_vertices(topology: &Topology, edges: &[bool], vertex_count: usize) -> Vec<bool> {
     let mut ends = vec![false; vertex_count];
     for (e, _) in topology.edges.iter().zip(edges).filter(|(_, p)| **p) {
         e.iter().for_each(|v| ends[*v as usize] = true);
@@ -116,10 +126,10 @@ fn ends(topology: &Topology, edges: &[bool], vertex_count: usize) -> Vec<bool> {
     ends
 }
 
-/// Marks of these corners that are not marked yet the first in each cell of a grid.
+/// Marks, of these corners that are not marked yet, the first in each cell of a grid.
 fn one_of_each_cell(x: &[Vec3], corners: impl Iterator<Item = u32>, cell: f64, marks: &mut [bool]) {
     let low = Aabb::of(x).low;
-    // Saturates far off, where all count as one cell.
+    // The conversion saturates far off, where all places count as one cell.
     let place = |v: u32| ((x[v as usize] - low) / cell).map(|c| c as u32);
     let mut others: Vec<([u32; 3], u32)> =
         corners.filter(|v| !marks[*v as usize]).map(|v| (place(v).into(), v)).collect();
@@ -127,8 +137,8 @@ fn one_of_each_cell(x: &[Vec3], corners: impl Iterator<Item = u32>, cell: f64, m
     others.chunk_by(|p, q| p.0 == q.0).for_each(|cell| marks[cell[0].1 as usize] = true);
 }
 
-/// What a face has of these corners and edges.
-fn bits(topology: &Topology, f: usize, corners: &[bool], edges: &[bool]) -> u8 {
+/// Bits of the corners and edges of face `f` that are marked.
+fn marked_bits(topology: &Topology, f: usize, corners: &[bool], edges: &[bool]) -> u8 {
     let of = |k: usize| {
         let [corner, edge] = [topology.faces[f][k], topology.face_edges[f][k]];
         u8::from(corners[corner as usize]) << k | u8::from(edges[edge as usize]) << (k + 3)
@@ -136,10 +146,10 @@ fn bits(topology: &Topology, f: usize, corners: &[bool], edges: &[bool]) -> u8 {
     (0..3).fold(0, |b, k| b | of(k))
 }
 
-/// What each face owns of the edges that press, and of the corners at which one ends.
-fn sides(topology: &Topology, pressing: &[bool], vertex_count: usize) -> Vec<u8> {
-    let corners = ends(topology, pressing, vertex_count);
-    topology.owned.iter().enumerate().map(|(f, owned)| owned & bits(topology, f, &corners, pressing)).collect()
+/// Bits of each face for the marked edges that it owns, and for the corners at which one ends.
+fn owned_bits(topology: &Topology, pressing: &[bool], vertex_count: usize) -> Vec<u8> {
+    let corners = end_vertices(topology, pressing, vertex_count);
+    topology.owned.iter().enumerate().map(|(f, owned)| owned & marked_bits(topology, f, &corners, pressing)).collect()
 }
 
 #[cfg(test)]
@@ -148,10 +158,10 @@ mod tests {
     use crate::{BodyMesh, Vec3};
 
     fn counted(body: &Body, bits: u8) -> u32 {
-        (0u32..).take(body.topology.faces.len()).map(|f| (body.sides.of(f) & bits).count_ones()).sum()
+        (0u32..).take(body.topology.faces.len()).map(|f| (body.features.of(f) & bits).count_ones()).sum()
     }
 
-    /// Of a box whose top is a fan about its middle: at the middle nothing presses, nor along the spokes.
+    /// A box whose top is a fan about its middle: neither the middle nor the spokes press.
     #[test]
     fn in_a_plane_and_in_a_hollow_nothing_presses() {
         let corner = |k: u32| Vec3::new(f64::from(k & 1), f64::from(k >> 1 & 1), f64::from(k >> 2));
@@ -165,13 +175,13 @@ mod tests {
             let count = |bits: u8| counted(&body, bits);
             [count(7), count(7 << 3)]
         };
-        // Eight corners and twelve edges of a box; a tip has a corner and four edges more, a dent as few as a plane.
+        // A box has eight corners and twelve edges. A tip adds a corner and four edges, a dent adds none.
         assert_eq!(pressing(1.0), [8, 12]);
         assert_eq!(pressing(1.2), [9, 16]);
         assert_eq!(pressing(0.8), [8, 12]);
     }
 
-    /// A lid of squares of 1 mm, bent over a tube of this radius, its rim closed by a point below.
+    /// A lid of squares of 1 mm, bent over a tube of this radius. A point below closes its rim.
     fn lid(radius: f64) -> Body {
         const N: u32 = 40;
         let at = |i: u32, j: u32| {
@@ -200,23 +210,23 @@ mod tests {
         let (edge, gap) = (0.03, 1e-3);
         let full = lid(0.2);
         let [corners, edges] = [counted(&full, 7), counted(&full, 7 << 3)];
-        let thin = lid(0.2).held_off([edge, gap]);
-        // The rim and the tip stay; of the smooth inside one in every 4.5 mm.
+        let thin = lid(0.2).decimated([edge, gap]);
+        // The rim and the tip stay, and of the smooth inside one corner in every 4.5 mm.
         assert!(corners > 1600 && edges > 1600, "{corners} {edges}");
         let [left, sharp] = [counted(&thin, 7), counted(&thin, 7 << 3)];
         assert_eq!([left, sharp], [160 + 1 + 9 * 9, 160 + 4]);
     }
 
-    /// What bends as sharply as the cloth's gap can tell stays as it is, and so does all for finer cloth.
+    /// A sharply bent body keeps all features, and finer cloth meets all features of any body.
     #[test]
     fn what_is_bent_stays_whole() {
         let whole = |radius: f64, edge: f64| {
-            let (full, thin) = (lid(radius), lid(radius).held_off([edge, 1e-3]));
+            let (full, thin) = (lid(radius), lid(radius).decimated([edge, 1e-3]));
             counted(&full, 63) == counted(&thin, 63)
         };
         assert!(!whole(0.2, 0.03) && whole(0.02, 0.03) && whole(0.2, 0.006));
         let shared = lid(0.2);
-        assert!(counted(&shared.clone().held_off([0.03, 1e-3]), 63) < counted(&shared, 63));
+        assert!(counted(&shared.clone().decimated([0.03, 1e-3]), 63) < counted(&shared, 63));
         assert_eq!(counted(&shared, 63), counted(&lid(0.2), 63));
     }
 }

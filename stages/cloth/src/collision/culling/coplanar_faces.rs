@@ -1,32 +1,36 @@
-//! Faces of a body that lie in one plane. Over the edge between two of them a vertex of the cloth is held by the one it is
-//! over: held by both it would stand higher there, and what slides across would bump and rub on an edge that is none.
+//! Coplanar faces of a body.
+//!
+//! Over the edge between two coplanar faces one face holds a cloth vertex, the one it is over. If both held it, it
+//! would stand higher there, and sliding cloth would bump on an edge that does not exist.
 
 use crate::Vec3;
+use crate::collision::tuning::{COPLANAR_ANGLE, COPLANAR_FACES};
 use crate::scene::topology::{Hinge, Topology};
 
-/// Two faces lie in one plane up to this angle, rad.
-const FLAT: f64 = 1e-6;
-/// No face.
-pub(crate) const NONE: u32 = u32::MAX;
+/// Stands for no face.
+pub(crate) const NO_FACE: u32 = u32::MAX;
 
-/// The edges between two faces of one plane; empty where there is none.
-pub(crate) fn edges(x: &[Vec3], topology: &Topology) -> Vec<bool> {
+/// Marks of the edges between two coplanar faces; empty where there is none.
+pub(crate) fn coplanar_edges(x: &[Vec3], topology: &Topology) -> Vec<bool> {
+    if !COPLANAR_FACES.is_on() {
+        return Vec::new();
+    }
     let mut hinges = vec![0u8; topology.edges.len()];
     let mut flat = vec![false; topology.edges.len()];
     for h in &topology.hinges {
         let edge = topology.edge_of(h);
         hinges[edge] = hinges[edge].saturating_add(1);
-        flat[edge] = hinges[edge] == 1 && goes_straight_on(x, h);
+        flat[edge] = hinges[edge] == 1 && is_coplanar(x, h);
     }
     if flat.contains(&true) { flat } else { Vec::new() }
 }
 
-/// For each side of each face, the face in which its plane goes on; empty where no plane does.
-pub(crate) fn across(topology: &Topology, flat: &[bool]) -> Vec<[u32; 3]> {
+/// For each side of each face, the coplanar face beyond it; empty where no faces are coplanar.
+pub(crate) fn coplanar_neighbours(topology: &Topology, flat: &[bool]) -> Vec<[u32; 3]> {
     if flat.is_empty() {
         return Vec::new();
     }
-    let mut out = vec![[NONE; 3]; topology.faces.len()];
+    let mut out = vec![[NO_FACE; 3]; topology.faces.len()];
     for h in &topology.hinges {
         let [(f, i), (g, j)] = [0, 1].map(|k| (h.faces[k] as usize, usize::from(h.sides[k])));
         if flat[topology.edge_of(h)] {
@@ -37,9 +41,9 @@ pub(crate) fn across(topology: &Topology, flat: &[bool]) -> Vec<[u32; 3]> {
     out
 }
 
-/// Do the two faces lie in one plane, on both sides of their edge?
-fn goes_straight_on(x: &[Vec3], h: &Hinge) -> bool {
+/// Do the two faces of a hinge lie in one plane, on both sides of their edge?
+fn is_coplanar(x: &[Vec3], h: &Hinge) -> bool {
     let [a, b, c, d] = h.vertices.map(|v| x[v as usize]);
     let (m, n) = ((b - a).cross(&(c - a)), (d - a).cross(&(b - a)));
-    m.dot(&n) > 0.0 && m.cross(&n).norm() <= FLAT * m.norm() * n.norm()
+    m.dot(&n) > 0.0 && m.cross(&n).norm() <= COPLANAR_ANGLE.get() * m.norm() * n.norm()
 }

@@ -1,34 +1,32 @@
-//! One convex flat piece that is still spread out cannot meet itself: seen along one direction and turned back by one
-//! angle, every triangle points the way it was cut.
+//! Culling by a monotone map: one convex flat piece that is still spread out does not meet itself.
 //!
-//! Let f be the piece's way into a plane and J its derivative. Where J + Jᵀ ≥ 2 c everywhere on a convex piece,
-//! (f(b) − f(a))·(b − a) ≥ c |b − a|² for any two of its points (integrate J along the line between them), so nothing
-//! comes nearer than c times its distance in the cloth. J is linear in a step, so its two ends bound all of it.
+//! Let f be the map of the piece into a plane and J its derivative, with J + Jᵀ ≥ 2 c everywhere on a convex piece.
+//! Integrating J along the line between two places a and b gives (f(b) − f(a))·(b − a) ≥ c |b − a|². So nothing comes
+//! nearer than c times its distance in the cloth. J is linear in a step, so its two ends bound the whole step.
 
+use crate::collision::tuning::{SPREAD_SHEET_BOUND, SPREAD_SHEET_CULLING};
 use crate::scene::topology::Topology;
 use crate::{Scene, Vec3};
 use std::f64::consts::PI;
 
-/// Least c: what does not touch in the cloth stays further apart than any gap (`frame` in problem.rs).
-const SPREAD: f64 = 0.5;
 /// Rounding allowed in sums of angles, rad.
-const ROUNDING: f64 = 1e-6;
+const ROUNDING_OF_ANGLE_SUMS: f64 = 1e-6;
 
 #[derive(Debug)]
-pub(crate) struct Sheet {
-    /// Of every triangle, the factors of its corners in the derivatives along the cloth's two axes, 1/m.
+pub(crate) struct FlatSheet {
+    /// For each triangle, the factors of its corners in the derivatives along the two axes of the cloth, 1/m.
     factors: Vec<[[f64; 2]; 3]>,
-    /// Of every vertex, their sums over all triangles.
+    /// For each vertex, the sums of these factors over all triangles, 1/m.
     sums: Vec<[f64; 2]>,
-    /// Along the plane's two axes, where every vertex is and where it gets to.
+    /// Coordinates of each vertex along the two axes of the plane, at the beginning and the end of the step, m.
     seen: Vec<[f64; 4]>,
 }
 
-impl Sheet {
-    /// `None` where the cloth is not one convex flat piece.
+impl FlatSheet {
+    /// Makes the test for one convex flat piece; `None` for any other cloth.
     pub fn new(scene: &Scene, topology: &Topology) -> Option<Self> {
         let one = !scene.triangles.is_empty() && scene.stitches.is_empty();
-        (one && is_flat(scene) && is_convex_disc(scene, topology)).then(|| {
+        (SPREAD_SHEET_CULLING.is_on() && one && is_flat(scene) && is_convex_disc(scene, topology)).then(|| {
             let factors: Vec<_> = scene.triangles.iter().map(crate::Element::gradients).collect();
             let mut sums = vec![[0.0; 2]; scene.positions.len()];
             for (g, t) in factors.iter().zip(&topology.faces) {
@@ -41,7 +39,7 @@ impl Sheet {
         })
     }
 
-    /// Is the piece spread out all along a step?
+    /// Is the piece spread out along the whole step?
     pub fn is_spread(&mut self, x: &[Vec3], step: &[Vec3], faces: &[[u32; 3]]) -> bool {
         let Some([u, v]) = self.plane(x) else { return false };
         self.seen.clear();
@@ -49,16 +47,17 @@ impl Sheet {
             let end = p + d;
             [p.dot(&u), p.dot(&v), end.dot(&u), end.dot(&v)]
         }));
+        let bound = SPREAD_SHEET_BOUND.get();
         self.factors.iter().zip(faces).all(|(g, t)| {
             let [a, b] = derivatives(g, &t.map(|v| self.seen[v as usize]));
             [0, 2].into_iter().all(|k| {
-                let (p, q, r) = (a[k] - SPREAD, b[k + 1] - SPREAD, 0.5 * (a[k + 1] + b[k]));
+                let (p, q, r) = (a[k] - bound, b[k + 1] - bound, 0.5 * (a[k + 1] + b[k]));
                 p >= 0.0 && q >= 0.0 && p * q >= r * r
             })
         })
     }
 
-    /// The plane the piece lies nearest to, turned with it: images of the cloth's two axes.
+    /// The images of the cloth's two axes in the plane nearest to the piece, turned with it.
     fn plane(&self, x: &[Vec3]) -> Option<[Vec3; 2]> {
         let mut sum = [Vec3::zeros(); 2];
         for (g, p) in self.sums.iter().zip(x) {
@@ -70,7 +69,7 @@ impl Sheet {
     }
 }
 
-/// Of four numbers, along the cloth's two axes.
+/// Derivatives of four coordinates along the two axes of the cloth.
 #[inline]
 fn derivatives(g: &[[f64; 2]; 3], seen: &[[f64; 4]; 3]) -> [[f64; 4]; 2] {
     let mut along = [[0.0; 4]; 2];
@@ -81,7 +80,7 @@ fn derivatives(g: &[[f64; 2]; 3], seen: &[[f64; 4]; 3]) -> [[f64; 4]; 2] {
     along
 }
 
-/// Has every vertex one place in the cloth, and is every triangle turned the same way?
+/// Does every vertex have one place in the cloth, and is every triangle turned the same way?
 fn is_flat(scene: &Scene) -> bool {
     let mut place: Vec<Option<[f64; 2]>> = vec![None; scene.positions.len()];
     scene.triangles.iter().all(|t| {
@@ -90,7 +89,8 @@ fn is_flat(scene: &Scene) -> bool {
     })
 }
 
-/// A disc whose border nowhere turns inwards, with as much cloth around every other vertex as fits there.
+/// Is the cloth a disc whose border nowhere turns inwards? Every inner vertex must have a full turn of cloth around
+/// it.
 fn is_convex_disc(scene: &Scene, topology: &Topology) -> bool {
     let mut sides = vec![0u8; topology.edges.len()];
     topology.face_edges.iter().flatten().for_each(|e| sides[*e as usize] = sides[*e as usize].saturating_add(1));
@@ -106,8 +106,8 @@ fn is_convex_disc(scene: &Scene, topology: &Topology) -> bool {
     let disc = used + topology.faces.len() == topology.edges.len() + 1;
     disc && sides.iter().all(|n| *n <= 2)
         && round.iter().zip(&border).all(|(r, b)| match b {
-            0 => *r == 0.0 || (r - 2.0 * PI).abs() <= ROUNDING,
-            2 => *r <= PI + ROUNDING,
+            0 => *r == 0.0 || (r - 2.0 * PI).abs() <= ROUNDING_OF_ANGLE_SUMS,
+            2 => *r <= PI + ROUNDING_OF_ANGLE_SUMS,
             _ => false,
         })
 }
@@ -117,7 +117,7 @@ mod tests {
     use super::*;
     use crate::Element;
 
-    /// A strip of squares along x, cut in two each, bent down by `bend` from one to the next.
+    /// A strip of squares along x, each cut in two, bent down by `bend` from one to the next, rad.
     fn strip(n: u32, bend: f64) -> Scene {
         let mut scene = Scene::default();
         let (mut at, mut turned) = (Vec3::zeros(), 0.0);
@@ -137,7 +137,7 @@ mod tests {
 
     fn spread(scene: &Scene, step: &[Vec3]) -> Option<bool> {
         let topology = Topology::of_elements(scene.positions.len(), &scene.triangles);
-        let mut sheet = Sheet::new(scene, &topology)?;
+        let mut sheet = FlatSheet::new(scene, &topology)?;
         Some(sheet.is_spread(&scene.positions, step, &topology.faces))
     }
 
@@ -147,7 +147,7 @@ mod tests {
         assert_eq!(spread(&strip(6, 0.0), &still), Some(true));
         assert_eq!(spread(&strip(6, 0.15), &still), Some(true));
         assert_eq!(spread(&strip(6, 0.5), &still), Some(false));
-        // Turned as a whole, in its plane and out of it, it is as spread as before.
+        // Turned as a whole, in its plane and out of it, the strip is as spread out as before.
         let mut turned = strip(6, 0.15);
         turned.positions.iter_mut().for_each(|p| *p = Vec3::new(-p.y, p.z, -p.x));
         assert_eq!(spread(&turned, &still), Some(true));

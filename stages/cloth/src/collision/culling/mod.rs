@@ -1,4 +1,4 @@
-//! Culling: cloth that surely does not meet itself, and body features that nothing can touch.
+//! Culling: cloth that surely does not meet itself, and features of a body that nothing can touch.
 
 pub(crate) mod convex_features;
 pub(crate) mod coplanar_faces;

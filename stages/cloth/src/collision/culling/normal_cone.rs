@@ -1,35 +1,34 @@
-//! Where the cloth lies so smoothly that it cannot meet itself: around a vertex whose triangles all look nearly the same
-//! way, and go on doing so along a step, no two of them can come near each other (curvature test of Volino and
-//! Magnenat-Thalmann 1994, along a whole step). Nearly all pairs that a box tree finds are such neighbours.
+//! Culling of self-contact by normal cones.
+//!
+//! Where all triangles around a vertex have nearly the same normal along a step, no two of them can come near each
+//! other. This is the curvature test of Volino and Magnenat-Thalmann (1994), along a whole step. Nearly all pairs
+//! that a tree of boxes finds are such neighbours.
 
-use crate::collision::broad_phase::bvh::narrow;
-use crate::collision::broad_phase::packed_lists::{Lists, stars, untied};
+use crate::collision::broad_phase::packed_lists::{PackedLists, faces_at_vertices, untagged};
+use crate::collision::broad_phase::swept_box::rounded;
+use crate::collision::tuning::{
+    NORMAL_CONE_BORDER_ANGLE, NORMAL_CONE_COSINE, NORMAL_CONE_CULLING, NORMAL_CONE_INNER_ANGLE,
+};
 use crate::scene::topology::Topology;
 use crate::{Element, Vec3};
 
-/// Least cosine between the normals of a patch and their mean, and least part of a triangle's area seen along it: what
-/// is within keeps at least 0.4 of an altitude, more than any gap (`frame` in problem.rs).
-const ALIKE: f64 = 0.5;
-/// Largest sum of rest angles around a border vertex, rad: at the end of a slit the two sides could overlap.
-const MOST_ROUND_BORDER: f64 = 1.4 * std::f64::consts::PI;
-/// … and around any other; more is a surplus that must ruffle.
-const MOST_ROUND: f64 = 2.2 * std::f64::consts::PI;
+/// Bit of a pair of neighbours: the second has the first corner of the first as a corner too. The bits of the other
+/// corners follow.
+const AT_CORNER: u8 = 0b1;
+/// Bit of a pair of neighbours: the second is at a neighbour of the first corner of the first.
+const AROUND_CORNER: u8 = 0b1000;
 
-/// Bits of a pair of neighbours for the corners of the first: the second has it as a corner too; the second is at one of its neighbours.
-const AT: u8 = 0b1;
-const AROUND: u8 = 0b1000;
-
-/// Normals of a triangle that bound those along a step: at its beginning, half mixed, at its end.
+/// Area-weighted normals of a triangle that bound those along a step: at its beginning, mixed, and at its end.
 type Normals = [Vec3; 3];
 
-/// Where the corners of the triangles are, and how they move.
-struct Moves<'a> {
+/// Positions and moves of the corners of the triangles.
+struct CornerMoves<'a> {
     x: &'a [Vec3],
     step: &'a [Vec3],
     faces: &'a [[u32; 3]],
 }
 
-impl Moves<'_> {
+impl CornerMoves<'_> {
     #[inline]
     fn normals(&self, f: u32) -> Normals {
         let t = &self.faces[f as usize];
@@ -40,35 +39,35 @@ impl Moves<'_> {
     }
 }
 
-/// A direction and one number more, in single precision: most of the cloth lies so smoothly that this tells enough.
-type Quick = [f32; 4];
+/// A direction and one more number, in single precision. It suffices for most of the cloth, which is smooth.
+type RoundedNormal = [f32; 4];
 
-/// What single precision may be wrong by, of numbers of 1 or less.
-const ROUNDING: f32 = 1e-5;
+/// Bound of the rounding in single precision, of numbers of 1 or less.
+const ROUNDING_OF_NORMALS: f32 = 1e-5;
 
 #[inline]
-fn quick(n: &Vec3, last: f64) -> Quick {
-    // What is left of a direction counts only beyond the rounding.
-    let [x, y, z, _] = narrow(n);
+fn rounded_normal(n: &Vec3, last: f64) -> RoundedNormal {
+    // A direction counts only beyond the rounding.
+    let [x, y, z, _] = rounded(n);
     #[allow(clippy::cast_possible_truncation)]
     [x, y, z, last as f32]
 }
 
 #[inline]
-fn dot(a: &Quick, b: &Quick) -> f32 {
+fn dot(a: &RoundedNormal, b: &RoundedNormal) -> f32 {
     (a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3])
 }
 
-/// The direction of the first of a triangle's normals, and what it must have along a mean for all of them to have enough:
-/// they differ little in most steps.
+/// The direction of the first of a triangle's normals, and the least component along a mean with which all three have
+/// enough. Normals differ little in most steps.
 #[inline]
-fn first([n, m, o]: &Normals, double: f64) -> Quick {
+fn first_normal([n, m, o]: &Normals, double_area: f64) -> RoundedNormal {
     let (length, off) = (n.norm_squared().sqrt(), larger((m - n).norm_squared(), (o - n).norm_squared()).sqrt());
     if length <= 0.0 {
         return [0.0, 0.0, 0.0, f32::INFINITY];
     }
     let one = 1.0 / length;
-    quick(&(n * one), (ALIKE * larger(length + off, double) + off) * one)
+    rounded_normal(&(n * one), (NORMAL_CONE_COSINE.get() * larger(length + off, double_area) + off) * one)
 }
 
 #[inline]
@@ -76,85 +75,111 @@ fn larger(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
 
-/// Has a normal enough along a mean, of a triangle with twice this rest area?
+/// Does a normal have enough of its length along a mean? `double_area` is twice the rest area of the triangle, m².
 #[inline]
-fn enough(n: &Vec3, mean: &Vec3, double: f64) -> bool {
+fn is_along(n: &Vec3, mean: &Vec3, double_area: f64) -> bool {
     let along = n.dot(mean);
-    along >= 0.0 && along * along >= ALIKE * ALIKE * larger(n.norm_squared(), double * double)
+    let cosine = NORMAL_CONE_COSINE.get();
+    along >= 0.0 && along * along >= cosine * cosine * larger(n.norm_squared(), double_area * double_area)
 }
 
-/// Smooth patches around the vertices.
+/// Normal cones of the patches around the vertices.
 #[derive(Debug)]
-pub(crate) struct Calm {
-    /// Triangles at a vertex, and its neighbours.
-    star: Lists,
-    ring: Lists,
-    /// Triangles with higher numbers that are at a corner of a triangle or a neighbour of one, and what each of them has to do
-    /// with it: [`AT`] its corners, [`AROUND`] its corners.
-    near: Lists,
-    /// Twice the rest area, per triangle.
-    double: Vec<f64>,
-    /// May the patch be calm at all?
-    able: Vec<bool>,
-    /// … with those around its vertex's neighbours?
-    wholly: Vec<bool>,
-    firsts: Vec<Quick>,
-    /// Of every triangle, what its normals add to a mean.
-    sums: Vec<Quick>,
-    /// The mean of the normals at a vertex, −1, and how far another mean may be off it with enough of all of them along it.
-    means: Vec<Quick>,
-    spare: Vec<f32>,
-    /// Vertices whose triangles, and whose neighbours' triangles, were alike at the last look.
-    one: Vec<bool>,
-    two: Vec<bool>,
+pub(crate) struct NormalCones {
+    /// The triangles at each vertex.
+    faces_at: PackedLists,
+    /// The neighbours of each vertex.
+    neighbours: PackedLists,
+    /// For each triangle, the near triangles with higher numbers: those at one of its corners ([`AT_CORNER`]) or at a
+    /// neighbour of one ([`AROUND_CORNER`]).
+    near: PackedLists,
+    /// Twice the rest area of each triangle, m².
+    double_area: Vec<f64>,
+    /// Can the patch at a vertex be smooth at all?
+    may_be_smooth: Vec<bool>,
+    /// Can the patch at a vertex and the patches at its neighbours be smooth at all?
+    may_be_smooth_around: Vec<bool>,
+    /// First normal of each triangle, with the least component that it must have along a mean.
+    first_normals: Vec<RoundedNormal>,
+    /// Contribution of the normals of each triangle to a mean.
+    sums: Vec<RoundedNormal>,
+    /// The mean of the normals at each vertex, and −1.
+    means: Vec<RoundedNormal>,
+    /// How far another mean may be from the mean at each vertex with all its triangles still along it.
+    margins: Vec<f32>,
+    /// Vertices whose triangles have nearly the same normal along the last motion.
+    smooth_at: Vec<bool>,
+    /// Vertices at which, and at whose neighbours, the triangles have nearly the same normal along the last motion.
+    smooth_around: Vec<bool>,
 }
 
-impl Calm {
-    /// Of `n` vertices.
+impl NormalCones {
+    /// Prepares the test for `n` vertices.
     pub fn new(cloth: &[Element], n: usize, topology: &Topology) -> Self {
         let faces = &topology.faces;
-        let star = stars(n, faces);
-        let around = |v: u32| star.of(v).iter().flat_map(|f| faces[*f as usize]);
-        let ring = Lists::new(n, n, |v, add| around(v).filter(|w| *w != v).for_each(add));
-        let wide = Lists::new(n, faces.len(), |v, add| wide(&star, &ring, v).copied().for_each(add));
-        let near = Lists::tied(faces.len(), faces.len(), |f, add| {
+        let faces_at = faces_at_vertices(n, faces);
+        let around = |v: u32| faces_at.of(v).iter().flat_map(|f| faces[*f as usize]);
+        let neighbours = PackedLists::new(n, n, |v, add| around(v).filter(|w| *w != v).for_each(add));
+        let faces_around =
+            PackedLists::new(n, faces.len(), |v, add| faces_around(&faces_at, &neighbours, v).copied().for_each(add));
+        let near = PackedLists::tagged(faces.len(), faces.len(), |f, add| {
             for (k, v) in faces[f as usize].iter().enumerate() {
-                star.of(*v).iter().filter(|g| **g > f).for_each(|g| add(*g, AT << k));
-                wide.of(*v).iter().filter(|g| **g > f).for_each(|g| add(*g, AROUND << k));
+                faces_at.of(*v).iter().filter(|g| **g > f).for_each(|g| add(*g, AT_CORNER << k));
+                faces_around.of(*v).iter().filter(|g| **g > f).for_each(|g| add(*g, AROUND_CORNER << k));
             }
         });
-        let able = able(cloth, topology, &star, &ring);
-        let double = cloth.iter().map(|t| 2.0 * t.area().abs()).collect();
-        let wholly = (0u32..).zip(&able).map(|(v, a)| *a && ring.of(v).iter().all(|w| able[*w as usize])).collect();
-        let [firsts, sums] = [(); 2].map(|()| vec![Quick::default(); topology.faces.len()]);
-        let (means, spare) = (vec![Quick::default(); n], vec![0.0; n]);
-        let [one, two] = [(); 2].map(|()| vec![false; n]);
-        Self { star, ring, near, double, able, wholly, firsts, sums, means, spare, one, two }
+        let may_be_smooth = may_be_smooth(cloth, topology, &faces_at, &neighbours);
+        let double_area = cloth.iter().map(|t| 2.0 * t.area().abs()).collect();
+        let may_be_smooth_around = (0u32..)
+            .zip(&may_be_smooth)
+            .map(|(v, a)| *a && neighbours.of(v).iter().all(|w| may_be_smooth[*w as usize]))
+            .collect();
+        let [first_normals, sums] = [(); 2].map(|()| vec![RoundedNormal::default(); topology.faces.len()]);
+        let (means, margins) = (vec![RoundedNormal::default(); n], vec![0.0; n]);
+        let [smooth_at, smooth_around] = [(); 2].map(|()| vec![false; n]);
+        Self {
+            faces_at,
+            neighbours,
+            near,
+            double_area,
+            may_be_smooth,
+            may_be_smooth_around,
+            first_normals,
+            sums,
+            means,
+            margins,
+            smooth_at,
+            smooth_around,
+        }
     }
 
-    /// Looks at the cloth at `x` and along `step`.
-    pub fn look(&mut self, x: &[Vec3], step: &[Vec3], topology: &Topology) {
-        let moves = Moves { x, step, faces: &topology.faces };
-        let quicks = self.firsts.iter_mut().zip(&mut self.sums);
-        for (f, ((one, sum), double)) in (0u32..).zip(quicks.zip(&self.double)) {
+    /// Tests all patches at `x` and along `step`.
+    pub fn set_motion(&mut self, x: &[Vec3], step: &[Vec3], topology: &Topology) {
+        if !NORMAL_CONE_CULLING.is_on() {
+            return;
+        }
+        let moves = CornerMoves { x, step, faces: &topology.faces };
+        let normals = self.first_normals.iter_mut().zip(&mut self.sums);
+        for (f, ((one, sum), double_area)) in (0u32..).zip(normals.zip(&self.double_area)) {
             let n = moves.normals(f);
-            *one = first(&n, *double);
-            *sum = quick(&(n[0] + n[2]), 0.0);
+            *one = first_normal(&n, *double_area);
+            *sum = rounded_normal(&(n[0] + n[2]), 0.0);
         }
-        for (v, k) in (0u32..).zip(0..self.one.len()) {
-            self.one[k] = self.able[k] && self.look_at(v, &moves);
+        for (v, k) in (0u32..).zip(0..self.smooth_at.len()) {
+            self.smooth_at[k] = self.may_be_smooth[k] && self.is_smooth_at(v, &moves);
         }
-        for (v, k) in (0u32..).zip(0..self.two.len()) {
-            self.two[k] = self.wholly[k] && self.one[k] && self.look_around(v, &moves);
+        for (v, k) in (0u32..).zip(0..self.smooth_around.len()) {
+            self.smooth_around[k] =
+                self.may_be_smooth_around[k] && self.smooth_at[k] && self.is_smooth_around(v, &moves);
         }
     }
 
-    /// Are the triangles at a vertex alike?
+    /// Do the triangles at a vertex have nearly the same normal?
     #[inline]
-    fn look_at(&mut self, v: u32, moves: &Moves<'_>) -> bool {
-        let star = self.star.of(v);
-        let mut mean = Quick::default();
-        for f in star {
+    fn is_smooth_at(&mut self, v: u32, moves: &CornerMoves<'_>) -> bool {
+        let faces_at = self.faces_at.of(v);
+        let mut mean = RoundedNormal::default();
+        for f in faces_at {
             let sum = &self.sums[*f as usize];
             (0..4).for_each(|k| mean[k] += sum[k]);
         }
@@ -162,98 +187,104 @@ impl Calm {
         let one = if l > 0.0 { 1.0 / l } else { 0.0 };
         (0..3).for_each(|k| mean[k] *= one);
         mean[3] = -1.0;
-        let mut spare: f32 = if l > 0.0 { 1.0 } else { -1.0 };
-        for f in star {
-            let s = dot(&self.firsts[*f as usize], &mean);
-            spare = if s < spare { s } else { spare };
+        let mut margin: f32 = if l > 0.0 { 1.0 } else { -1.0 };
+        for f in faces_at {
+            let s = dot(&self.first_normals[*f as usize], &mean);
+            margin = if s < margin { s } else { margin };
         }
-        spare -= ROUNDING;
-        (self.means[v as usize], self.spare[v as usize]) = (mean, spare);
-        spare >= 0.0 || self.alike(v, v, &mut None, moves)
+        margin -= ROUNDING_OF_NORMALS;
+        (self.means[v as usize], self.margins[v as usize]) = (mean, margin);
+        margin >= 0.0 || self.has_like_normals(v, v, &mut None, moves)
     }
 
-    /// Do the triangles around a vertex look the same way as those at it?
+    /// Do the triangles at the neighbours of a vertex have nearly the same normal as those at it?
     #[inline]
-    fn look_around(&self, v: u32, moves: &Moves<'_>) -> bool {
+    fn is_smooth_around(&self, v: u32, moves: &CornerMoves<'_>) -> bool {
         let (all, mut mean) = (&self.means[v as usize], None);
-        self.ring.of(v).iter().all(|w| {
-            let (mut off, spare) = (self.means[*w as usize], self.spare[*w as usize]);
+        self.neighbours.of(v).iter().all(|w| {
+            let (mut off, margin) = (self.means[*w as usize], self.margins[*w as usize]);
             (0..4).for_each(|k| off[k] -= all[k]);
-            spare >= 0.0 && dot(&off, &off) <= spare * spare || self.alike(*w, v, &mut mean, moves)
+            margin >= 0.0 && dot(&off, &off) <= margin * margin || self.has_like_normals(*w, v, &mut mean, moves)
         })
     }
 
-    /// Do the triangles at `w` look the same way as those at `v`, whose `mean` normal is worked out when it is first needed?
-    fn alike(&self, w: u32, v: u32, mean: &mut Option<Vec3>, moves: &Moves<'_>) -> bool {
+    /// Do the triangles at `w` have nearly the same normal as those at `v`? Their mean normal is computed when it is
+    /// first needed.
+    fn has_like_normals(&self, w: u32, v: u32, mean: &mut Option<Vec3>, moves: &CornerMoves<'_>) -> bool {
         let all = &self.means[v as usize];
-        self.star.of(w).iter().all(|f| {
-            let quick = &self.firsts[*f as usize];
-            let (spare, double) = (dot(quick, all), self.double[*f as usize]);
-            // The first of its normals alone may be too far off.
-            let off = spare + quick[3] < ALIKE as f32 - ROUNDING;
-            spare >= ROUNDING
+        self.faces_at.of(w).iter().all(|f| {
+            let first = &self.first_normals[*f as usize];
+            let (margin, double_area) = (dot(first, all), self.double_area[*f as usize]);
+            // The first of the normals alone may deviate too far.
+            let off = margin + first[3] < NORMAL_CONE_COSINE.get() as f32 - ROUNDING_OF_NORMALS;
+            margin >= ROUNDING_OF_NORMALS
                 || !off && {
                     let mean = mean.get_or_insert_with(|| self.mean(v, moves));
-                    moves.normals(*f).iter().all(|n| enough(n, mean, double))
+                    moves.normals(*f).iter().all(|n| is_along(n, mean, double_area))
                 }
         })
     }
 
-    /// The mean direction of the normals at a vertex; no number where there is none.
-    fn mean(&self, v: u32, moves: &Moves<'_>) -> Vec3 {
-        let sum: Vec3 = self.star.of(v).iter().map(|f| moves.normals(*f)).map(|n| n[0] + n[2]).sum();
+    /// The mean direction of the normals at a vertex; not a number where there is none.
+    fn mean(&self, v: u32, moves: &CornerMoves<'_>) -> Vec3 {
+        let sum: Vec3 = self.faces_at.of(v).iter().map(|f| moves.normals(*f)).map(|n| n[0] + n[2]).sum();
         sum / sum.norm()
     }
 
-    /// Pairs of triangles so near in the cloth that [`Self::restless`] tells of them.
+    /// The pairs of neighbours that [`Self::unsafe_neighbours`] may emit.
     pub fn all_neighbours(&self) -> impl Iterator<Item = [u32; 2]> + '_ {
-        (0u32..).take(self.double.len()).flat_map(|f| self.near.of(f).iter().map(move |g| [f, untied(*g).0]))
+        (0u32..).take(self.double_area.len()).flat_map(|f| self.near.of(f).iter().map(move |g| [f, untagged(*g).0]))
     }
 
-    /// Neighbouring triangles that do not lie in one calm patch, as the last look saw them, and whether they have a corner in
-    /// common.
-    pub fn restless(&self, topology: &Topology, mut emit: impl FnMut(u32, u32, bool)) {
+    /// Emits the neighbouring triangles that do not lie in one smooth patch along the last motion, and whether they
+    /// share a corner.
+    pub fn unsafe_neighbours(&self, topology: &Topology, mut emit: impl FnMut(u32, u32, bool)) {
         for (f, corners) in (0u32..).zip(&topology.faces) {
-            if corners.iter().all(|v| self.two[*v as usize]) {
+            if corners.iter().all(|v| self.smooth_around[*v as usize]) {
                 continue;
             }
-            let calm = (0..3).fold(0, |calm, k| {
+            let smooth = (0..3).fold(0, |smooth, k| {
                 let v = corners[k] as usize;
-                calm | bits(self.one[v], self.two[v], k)
+                smooth | corner_bits(self.smooth_at[v], self.smooth_around[v], k)
             });
-            for (g, tie) in self.near.of(f).iter().map(|g| untied(*g)).filter(|(_, tie)| tie & calm == 0) {
-                emit(f, g, tie & (7 * AT) != 0);
+            for (g, tag) in self.near.of(f).iter().map(|g| untagged(*g)).filter(|(_, tag)| tag & smooth == 0) {
+                emit(f, g, tag & (7 * AT_CORNER) != 0);
             }
         }
     }
 }
 
 /// The triangles at the neighbours of a vertex, some of them more than once.
-fn wide<'a>(star: &'a Lists, ring: &'a Lists, v: u32) -> impl Iterator<Item = &'a u32> {
-    ring.of(v).iter().flat_map(|w| star.of(*w))
+fn faces_around<'a>(faces_at: &'a PackedLists, neighbours: &'a PackedLists, v: u32) -> impl Iterator<Item = &'a u32> {
+    neighbours.of(v).iter().flat_map(|w| faces_at.of(*w))
 }
 
-/// [`AT`] and [`AROUND`] of corner `k`.
+/// The bits of corner `k`, for smooth patches at it and around it.
 #[inline]
-fn bits(at: bool, around: bool, k: usize) -> u8 {
-    (u8::from(at) * AT + u8::from(around) * AROUND) << k
+fn corner_bits(at: bool, around: bool, k: usize) -> u8 {
+    (u8::from(at) * AT_CORNER + u8::from(around) * AROUND_CORNER) << k
 }
 
-/// Vertices whose triangles form one fan, all turned the same way, without more cloth than fits round them.
-fn able(cloth: &[Element], topology: &Topology, star: &Lists, ring: &Lists) -> Vec<bool> {
-    let mut round = vec![0.0; star.len()];
+/// Vertices whose triangles form one fan, all turned the same way, without more cloth than fits around them.
+fn may_be_smooth(
+    cloth: &[Element],
+    topology: &Topology,
+    faces_at: &PackedLists,
+    neighbours: &PackedLists,
+) -> Vec<bool> {
+    let mut round = vec![0.0; faces_at.len()];
     for t in cloth {
         (0..3).for_each(|k| round[t.vertices[k] as usize] += t.rest_angle(k).abs());
     }
-    let edges = sides(topology);
+    let edges = regular_vertices(topology);
     (0u32..)
         .zip(&round)
         .map(|(v, round)| {
-            // A closed fan has as many neighbours as triangles, an open one has one more.
-            let (faces, neighbours) = (star.of(v).len(), ring.of(v).len());
+            // A closed fan has as many neighbours as triangles, an open fan has one more.
+            let (faces, neighbours) = (faces_at.of(v).len(), neighbours.of(v).len());
             let most = match neighbours.wrapping_sub(faces) {
-                0 => MOST_ROUND,
-                1 => MOST_ROUND_BORDER,
+                0 => NORMAL_CONE_INNER_ANGLE.get(),
+                1 => NORMAL_CONE_BORDER_ANGLE.get(),
                 _ => return false,
             };
             *round <= most && faces > 0 && edges[v as usize]
@@ -261,8 +292,8 @@ fn able(cloth: &[Element], topology: &Topology, star: &Lists, ring: &Lists) -> V
         .collect()
 }
 
-/// Vertices none of whose edges has more than two triangles, or two turned against each other.
-fn sides(topology: &Topology) -> Vec<bool> {
+/// Vertices none of whose edges has more than two triangles, or two that are turned against each other.
+fn regular_vertices(topology: &Topology) -> Vec<bool> {
     let n = topology.faces.iter().flatten().max().map_or(0, |v| *v as usize + 1);
     let mut fine = vec![true; n];
     let mut count = vec![0u8; topology.edges.len()];
@@ -288,7 +319,7 @@ mod tests {
     use super::*;
     use crate::Scene;
 
-    /// A strip of squares, each cut in two, along x; `bend` turns every next square down, rad.
+    /// A strip of squares along x, each cut in two. `bend` turns every next square down, rad.
     fn strip(bend: f64) -> (Scene, Topology) {
         let mut scene = Scene::default();
         let (mut at, mut turned) = (Vec3::zeros(), 0.0);
@@ -312,38 +343,39 @@ mod tests {
         (scene, topology)
     }
 
-    fn calm(bend: f64, step: impl Fn(usize) -> Vec3) -> (Calm, Topology) {
+    fn cones(bend: f64, step: impl Fn(usize) -> Vec3) -> (NormalCones, Topology) {
         let (scene, topology) = strip(bend);
-        let mut calm = Calm::new(&scene.triangles, scene.positions.len(), &topology);
+        let mut cones = NormalCones::new(&scene.triangles, scene.positions.len(), &topology);
         let step: Vec<Vec3> = (0..scene.positions.len()).map(step).collect();
-        calm.look(&scene.positions, &step, &topology);
-        (calm, topology)
+        cones.set_motion(&scene.positions, &step, &topology);
+        (cones, topology)
     }
 
-    /// Do two neighbours lie in one calm patch?
-    fn parts(calm: &Calm, t: &Topology, f: u32, g: u32) -> bool {
-        let mut restless = false;
-        calm.restless(t, |p, q, _| restless |= [p, q] == [f, g]);
-        calm.all_neighbours().any(|pair| pair == [f, g]) && !restless
+    /// Do two neighbours lie in one smooth patch?
+    fn is_smooth(cones: &NormalCones, t: &Topology, f: u32, g: u32) -> bool {
+        let mut is_unsafe = false;
+        cones.unsafe_neighbours(t, |p, q, _| is_unsafe |= [p, q] == [f, g]);
+        cones.all_neighbours().any(|pair| pair == [f, g]) && !is_unsafe
     }
 
     #[test]
     fn flat_cloth_is_calm_and_folded_cloth_is_not() {
-        let (flat, t) = calm(0.0, |_| Vec3::zeros());
-        assert!(parts(&flat, &t, 4, 6) && parts(&flat, &t, 4, 5));
-        assert!(!parts(&flat, &t, 0, 11), "far apart in the cloth: anything may happen");
-        let (folded, t) = calm(1.3, |_| Vec3::zeros());
-        assert!(!parts(&folded, &t, 3, 6));
+        let (flat, t) = cones(0.0, |_| Vec3::zeros());
+        assert!(is_smooth(&flat, &t, 4, 6) && is_smooth(&flat, &t, 4, 5));
+        assert!(!is_smooth(&flat, &t, 0, 11), "far apart in the cloth: anything may happen");
+        let (folded, t) = cones(1.3, |_| Vec3::zeros());
+        assert!(!is_smooth(&folded, &t, 3, 6));
     }
 
-    /// Flat at both ends of the step, but turned over in between: the triangles pass through nothing at half way.
+    /// The strip is flat at both ends of the step, but turned over in between: at half way the triangles have no
+    /// area.
     #[test]
     fn a_step_that_turns_the_cloth_over_is_not_calm() {
         let (scene, _) = strip(0.0);
         let over = |i: usize| Vec3::new(-2.0 * scene.positions[i].x, 0.0, 0.0);
-        let (turned, t) = calm(0.0, over);
-        assert!(!parts(&turned, &t, 4, 5));
-        let (moved, t) = calm(0.0, |_| Vec3::new(5.0, 3.0, -2.0));
-        assert!(parts(&moved, &t, 4, 5));
+        let (turned, t) = cones(0.0, over);
+        assert!(!is_smooth(&turned, &t, 4, 5));
+        let (moved, t) = cones(0.0, |_| Vec3::new(5.0, 3.0, -2.0));
+        assert!(is_smooth(&moved, &t, 4, 5));
     }
 }

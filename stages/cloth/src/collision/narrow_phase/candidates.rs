@@ -1,27 +1,27 @@
-//! Lists of primitives that are near each other, kept until the motion since their making uses up the slack.
+//! Candidate pairs of cloth primitives, kept until motion uses up the slack of the list.
 
 use crate::Vec3;
-use crate::collision::broad_phase::bvh::{Aabb, least, meet_moving, most};
+use crate::collision::broad_phase::aabb::{Aabb, lower_corner, meet_moving, upper_corner};
 use crate::collision::narrow_phase::distance::{point_triangle, segments};
 use crate::scene::topology::Topology;
 
-/// Vertex–triangle and edge–edge pairs of cloth; vertex numbers throughout.
+/// Candidate pairs of cloth with cloth, by vertex numbers.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Near {
-    /// Vertex, triangle corners (cloth).
+pub(crate) struct ClothCandidates {
+    /// A vertex and the three corners of a triangle.
     pub points: Vec<[u32; 4]>,
-    /// Ends of two cloth edges.
+    /// The ends of two edges.
     pub edges: Vec<[u32; 4]>,
 }
 
-/// What one face brings to its pairs: its corners, and the vertices and edges it owns.
-pub(crate) struct Owned {
+/// A face with its corners and the vertices and edges that it owns. Every vertex and edge has one owner.
+pub(crate) struct FaceFeatures {
     pub(crate) corners: [u32; 3],
     pub(crate) at: [Vec3; 3],
     pub(crate) bits: u8,
 }
 
-impl Owned {
+impl FaceFeatures {
     #[inline]
     fn of(t: &Topology, f: u32, x: &[Vec3]) -> Self {
         let corners = t.faces[f as usize];
@@ -48,25 +48,25 @@ impl Owned {
         Aabb::of_two(&self.at[k], &self.at[(k + 1) % 3])
     }
 
-    /// The box of the whole face, grown.
+    /// The box of the face, grown by `reach`, m.
     #[inline]
     pub(crate) fn bounds(&self, reach: f64) -> Aabb {
         Aabb::of_three(&self.at).grown(reach)
     }
 }
 
-/// A face on its way: corners, boxes of its vertices' and edges' places and moves.
-pub(crate) struct Moving {
-    pub(crate) owned: Owned,
+/// A face and the displacements of its corners.
+pub(crate) struct MovingFace {
+    pub(crate) face: FaceFeatures,
     pub(crate) by: [Vec3; 3],
 }
 
-impl Moving {
+impl MovingFace {
     #[inline]
     pub(crate) fn of(t: &Topology, f: u32, x: &[Vec3], step: &[Vec3]) -> Self {
-        let owned = Owned::of(t, f, x);
-        let by = crate::pick3(step, &owned.corners);
-        Self { owned, by }
+        let face = FaceFeatures::of(t, f, x);
+        let by = crate::pick3(step, &face.corners);
+        Self { face, by }
     }
 
     #[inline]
@@ -74,38 +74,37 @@ impl Moving {
         Aabb::of_two(&self.by[k], &self.by[(k + 1) % 3])
     }
 
-    /// Where the face gets to, grown.
+    /// The box that the face sweeps, grown by `reach`, m.
     #[inline]
     pub(crate) fn swept(&self, reach: f64) -> Aabb {
-        swept(&Aabb::of_three(&self.owned.at), &Aabb::of_three(&self.by), reach)
+        swept(&Aabb::of_three(&self.face.at), &Aabb::of_three(&self.by), reach)
     }
 }
 
-/// Where a box gets to along a step, grown.
+/// The box that a box sweeps along a step, grown by `reach`, m.
 #[inline]
 pub(crate) fn swept(b: &Aabb, d: &Aabb, reach: f64) -> Aabb {
     let zero = Vec3::zeros();
-    Aabb { low: b.low + least(&d.low, &zero), high: b.high + most(&d.high, &zero) }.grown(reach)
+    Aabb { low: b.low + lower_corner(&d.low, &zero), high: b.high + upper_corner(&d.high, &zero) }.grown(reach)
 }
 
-/// What two triangles own that has no vertex in common with the other: a bit for every vertex of the first and of the second,
-/// and for every pair of edges. Of most neighbours there is nothing.
-struct Apart {
+/// Features that two triangles own and that share no vertex with the other triangle. Most neighbours have none.
+struct UnsharedFeatures {
     points: u8,
     edges: u16,
 }
 
-impl Apart {
+impl UnsharedFeatures {
     #[inline]
-    fn of(way: &Way<'_>, f: u32, g: u32) -> Self {
-        let [a, b] = [f, g].map(|f| way.topology.faces[f as usize]);
-        let [owned, others] = [f, g].map(|f| way.topology.owned[f as usize]);
+    fn of(motion: &LinearMotion<'_>, f: u32, g: u32) -> Self {
+        let [a, b] = [f, g].map(|f| motion.topology.faces[f as usize]);
+        let [owned, others] = [f, g].map(|f| motion.topology.owned[f as usize]);
         let (mut points, mut edges) = (owned & 7 | (others & 7) << 3, 0);
-        // Of every corner of the first, the corners of the second that it is joined to.
+        // Bits of the corners of the second triangle that each corner of the first is joined to.
         let mut joined = [0u8; 3];
         for i in 0..3 {
             for (j, w) in b.iter().enumerate() {
-                if way.groups[a[i] as usize] == way.groups[*w as usize] {
+                if motion.groups[a[i] as usize] == motion.groups[*w as usize] {
                     joined[i] |= 1 << j;
                     points &= !(1 << i | 8 << j);
                 }
@@ -113,7 +112,7 @@ impl Apart {
         }
         for i in (0..3).filter(|i| owned & (8 << i) != 0) {
             let ends = joined[i] | joined[(i + 1) % 3];
-            // Bit j: edge j has a joined end.
+            // Bit j says that edge j has a joined end.
             let joined = ends | ends >> 1 | (ends & 1) << 2;
             edges |= u16::from(others >> 3 & !joined & 7) << (3 * i);
         }
@@ -126,93 +125,101 @@ impl Apart {
     }
 }
 
-/// The gap of a near pair.
-pub(crate) struct Gap {
+/// Distance vector of a pair and its derivatives.
+pub(crate) struct PairGeometry {
     pub vertices: [u32; 4],
-    /// Shares of the vertices of the cloth.
+    /// Derivatives of the separation with respect to the vertices of the cloth.
     pub weights: [f64; 4],
-    /// From the second primitive to the first.
-    pub d: Vec3,
-    /// Is it left to others to push here: to the next triangle where a plane goes on beyond an edge, to the vertices of edges
-    /// that are parallel?
-    pub aside: bool,
+    /// Vector from the second primitive to the first, m.
+    pub separation: Vec3,
+    /// Another pair pushes here: the next triangle of a plane, or the vertices of nearly parallel edges.
+    pub is_redundant: bool,
 }
 
-/// Places, and a step from them.
+/// Vertex positions and a step from them, during which every vertex moves in a straight line.
 #[derive(Clone, Copy)]
-pub(crate) struct Way<'a> {
+pub(crate) struct LinearMotion<'a> {
     pub x: &'a [Vec3],
     pub step: &'a [Vec3],
-    /// The longest move in it, m.
+    /// Longest move in the step, m.
     pub longest: f64,
     pub topology: &'a Topology,
-    /// Vertices of one group (stitched together) count as one.
+    /// The stitch group of every vertex. Vertices of one group count as one vertex.
     pub groups: &'a [u32],
 }
 
-impl<'a> Way<'a> {
+impl<'a> LinearMotion<'a> {
     pub fn new(x: &'a [Vec3], step: &'a [Vec3], topology: &'a Topology, groups: &'a [u32]) -> Self {
         let longest = crate::longest(step);
         Self { x, step, longest, topology, groups }
     }
 }
 
-impl Near {
-    pub fn clear_own(&mut self) {
+impl ClothCandidates {
+    /// Removes all pairs.
+    pub fn remove_all(&mut self) {
         self.points.clear();
         self.edges.clear();
     }
 
-    /// Adds what of two triangles comes nearer than `reach` along a way.
-    pub fn add_own(&mut self, f: u32, g: u32, way: &Way<'_>, reach: f64) {
-        let apart = Apart::of(way, f, g);
-        if apart.is_none() {
+    /// Adds the features of two triangles that come nearer than `reach` along a motion, m.
+    pub fn add_pair(&mut self, f: u32, g: u32, motion: &LinearMotion<'_>, reach: f64) {
+        let unshared = UnsharedFeatures::of(motion, f, g);
+        if unshared.is_none() {
             return;
         }
-        let (a, b) = (Moving::of(way.topology, f, way.x, way.step), Moving::of(way.topology, g, way.x, way.step));
-        let [(low, by), (high, on)] = [&a, &b].map(|m| (m.owned.bounds(0.0), Aabb::of_three(&m.by)));
+        let (a, b) = (
+            MovingFace::of(motion.topology, f, motion.x, motion.step),
+            MovingFace::of(motion.topology, g, motion.x, motion.step),
+        );
+        let [(low, by), (high, on)] = [&a, &b].map(|m| (m.face.bounds(0.0), Aabb::of_three(&m.by)));
         if !meet_moving(&low.grown(reach), &by, &high, &on) {
             return;
         }
         for (one, other, bounds, moves, bits) in
-            [(&a, &b, &high, &on, apart.points), (&b, &a, &low, &by, apart.points >> 3)]
+            [(&a, &b, &high, &on, unshared.points), (&b, &a, &low, &by, unshared.points >> 3)]
         {
-            let c = other.owned.corners;
+            let c = other.face.corners;
             for k in (0..3).filter(|k| bits & (1 << k) != 0) {
-                let (p, d) = (one.owned.at[k], one.by[k]);
+                let (p, d) = (one.face.at[k], one.by[k]);
                 if meet_moving(&bounds.grown(reach), moves, &Aabb::of_one(&p), &Aabb::of_one(&d)) {
-                    self.points.push([one.owned.corners[k], c[0], c[1], c[2]]);
+                    self.points.push([one.face.corners[k], c[0], c[1], c[2]]);
                 }
             }
         }
-        for i in (0..3).filter(|i| apart.edges & (7 << (3 * i)) != 0) {
-            let (p, bounds, moves) = (a.owned.edge(i), a.owned.edge_box(i).grown(reach), a.edge_move(i));
-            for j in (0..3).filter(|j| apart.edges & (1 << (3 * i + j)) != 0) {
-                let q = b.owned.edge(j);
-                if meet_moving(&bounds, &moves, &b.owned.edge_box(j), &b.edge_move(j)) {
+        for i in (0..3).filter(|i| unshared.edges & (7 << (3 * i)) != 0) {
+            let (p, bounds, moves) = (a.face.edge(i), a.face.edge_box(i).grown(reach), a.edge_move(i));
+            for j in (0..3).filter(|j| unshared.edges & (1 << (3 * i + j)) != 0) {
+                let q = b.face.edge(j);
+                if meet_moving(&bounds, &moves, &b.face.edge_box(j), &b.edge_move(j)) {
                     self.edges.push([p[0], p[1], q[0], q[1]]);
                 }
             }
         }
     }
 
-    /// Cloth vertices and triangles: vertices, weights and the vector of the gap.
-    pub fn point_gaps<'a>(&'a self, x: &'a [Vec3]) -> impl Iterator<Item = Gap> + 'a {
+    /// Geometry of the pairs of a vertex and a triangle.
+    pub fn point_gaps<'a>(&'a self, x: &'a [Vec3]) -> impl Iterator<Item = PairGeometry> + 'a {
         self.points.iter().map(|vertices| {
             let [p, q, r, s] = crate::pick4(x, vertices);
             let w = point_triangle(&p, &q, &r, &s);
             let d = p - (q * w[0] + r * w[1] + s * w[2]);
-            Gap { vertices: *vertices, weights: [1.0, -w[0], -w[1], -w[2]], d, aside: false }
+            PairGeometry {
+                vertices: *vertices,
+                weights: [1.0, -w[0], -w[1], -w[2]],
+                separation: d,
+                is_redundant: false,
+            }
         })
     }
 
-    /// Cloth edges and edges.
-    pub fn edge_gaps<'a>(&'a self, x: &'a [Vec3]) -> impl Iterator<Item = Gap> + 'a {
+    /// Geometry of the pairs of two edges.
+    pub fn edge_gaps<'a>(&'a self, x: &'a [Vec3]) -> impl Iterator<Item = PairGeometry> + 'a {
         self.edges.iter().map(|vertices| {
             let [p, q, r, s] = crate::pick4(x, vertices);
             let [t, u] = segments(&p, &q, &r, &s);
             let d = p + (q - p) * t - (r + (s - r) * u);
-            Gap { vertices: *vertices, weights: [1.0 - t, t, u - 1.0, -u], d, aside: false }
+            PairGeometry { vertices: *vertices, weights: [1.0 - t, t, u - 1.0, -u], separation: d, is_redundant: false }
         })
     }
 }

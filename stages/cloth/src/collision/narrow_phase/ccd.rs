@@ -1,28 +1,31 @@
-//! How far a step may go: continuous collision detection by additive conservative advancement (Li et al. 2021), so
-//! that along an accepted step no near pair comes closer than a share of its distance, and nothing crosses.
+//! Continuous collision detection by additive conservative advancement (Li et al. 2021).
+//!
+//! Along an accepted step no near pair comes closer than a share of its distance, and nothing crosses.
 
 use crate::Vec3;
 use crate::collision::narrow_phase::distance::{point_triangle_gap, segment_gap};
 use crate::collision::narrow_phase::pair_kind::PairKind;
+use crate::collision::tuning::{
+    ADVANCE_END_SHARE, ADVANCES_PER_TEST, DISTANCE_KEPT_PER_STEP, IMPACT_FRACTION_USED, REACHED_DISTANCE_TOLERANCE,
+    SLOW_APPROACH_DISTANCE,
+};
 
-/// Share of its distance that a pair keeps in a step.
-const KEEP: f64 = 0.2;
-/// Nearer than this a pair comes only slowly, m: far above rounding, also to `f32`.
-const NEAREST: f64 = 2e-5;
-/// Share of a found time of impact that is used.
-pub(crate) const SAFE: f64 = 0.9;
-const MOST_ADVANCES: usize = 64;
-/// A pair that comes so near to a distance, over it, is said to reach it.
-const NEARLY: f64 = 1e-3;
+/// A pair whose cloth moves by at most this share of its distance cannot come too near.
+///
+/// The least distance of [`MovingPair::max_step_fraction`] is at most the rest of the distance.
+pub(crate) const FREE_MOTION_SHARE: f64 = 0.2;
 
-/// A pair: positions and displacements of its four points, and which of them are on the first side (its kind).
-pub(crate) struct Pair {
+/// A pair of primitives with the positions and displacements of its four points. The kind says which points form the
+/// first primitive.
+pub(crate) struct MovingPair {
+    /// Positions of the points.
     pub at: [Vec3; 4],
+    /// Displacements of the points, m.
     pub by: [Vec3; 4],
     pub kind: PairKind,
 }
 
-impl Pair {
+impl MovingPair {
     /// Distance of the two primitives, m.
     pub fn distance(&self) -> f64 {
         let [p, q, r, s] = &self.at;
@@ -33,8 +36,9 @@ impl Pair {
         }
     }
 
-    /// Bound of how fast the two sides approach: largest displacements against their mean.
-    fn pace(&mut self) -> f64 {
+    /// Bound of the approach of the two primitives, m: their largest displacements relative to the mean, which is
+    /// taken off.
+    fn approach(&mut self) -> f64 {
         let mean = (self.by[0] + self.by[1] + self.by[2] + self.by[3]) * 0.25;
         self.by.iter_mut().for_each(|d| *d -= mean);
         let n = self.by.map(|d| d.norm());
@@ -45,16 +49,18 @@ impl Pair {
         }
     }
 
-    /// Largest part (at most 1) of the displacement that keeps [`KEEP`] of the distance.
-    pub fn free_part(&mut self, distance: f64) -> f64 {
-        let pace = self.pace();
-        let least = (KEEP * distance).max(NEAREST.min(0.8 * distance));
-        if pace <= distance - least {
+    /// Largest part (at most 1) of the displacement that keeps the least distance: [`DISTANCE_KEPT_PER_STEP`] of
+    /// `distance`, or [`SLOW_APPROACH_DISTANCE`] where that is more.
+    pub fn max_step_fraction(&mut self, distance: f64) -> f64 {
+        let approach = self.approach();
+        let least = (DISTANCE_KEPT_PER_STEP.get() * distance)
+            .max(SLOW_APPROACH_DISTANCE.get().min((1.0 - FREE_MOTION_SHARE) * distance));
+        if approach <= distance - least {
             return 1.0;
         }
         let (mut t, mut gap) = (0.0, distance);
-        for _ in 0..MOST_ADVANCES {
-            let step = SAFE * (gap - least) / pace;
+        for _ in 0..ADVANCES_PER_TEST.get() {
+            let step = IMPACT_FRACTION_USED.get() * (gap - least) / approach;
             t += step;
             if t >= 1.0 {
                 return 1.0;
@@ -63,25 +69,26 @@ impl Pair {
                 self.at[k] += self.by[k] * step;
             }
             gap = self.distance();
-            if gap - least < 0.05 * (distance - least) {
+            if gap - least < ADVANCE_END_SHARE.get() * (distance - least) {
                 break;
             }
         }
         t
     }
 
-    /// Does it stay farther apart than `least` all along the displacement? `false`, too, where that takes too long to tell.
+    /// Does the pair stay farther apart than `least` along the displacement, m? `false` also where the test takes too
+    /// many advances.
     pub fn stays_beyond(&mut self, least: f64) -> bool {
-        let (pace, mut left) = (self.pace(), 1.0);
-        for _ in 0..MOST_ADVANCES {
+        let (approach, mut left) = (self.approach(), 1.0);
+        for _ in 0..ADVANCES_PER_TEST.get() {
             let room = self.distance() - least;
-            if room <= NEARLY * least {
+            if room <= REACHED_DISTANCE_TOLERANCE.get() * least {
                 return false;
             }
-            if pace * left <= room {
+            if approach * left <= room {
                 return true;
             }
-            let step = room / pace;
+            let step = room / approach;
             left -= step;
             (0..4).for_each(|k| self.at[k] += self.by[k] * step);
         }

@@ -1,8 +1,9 @@
-//! Nearest points of a point and a triangle, and of two segments.
+//! Nearest points and distances of primitives.
 
 use crate::Vec3;
 
-/// Barycentric weights of the point of triangle `abc` nearest to `p`.
+/// Barycentric weights of the point of triangle `abc` nearest to `p` (Ericson, Real-Time Collision Detection, section
+/// 5.1.5).
 #[inline]
 pub(crate) fn point_triangle(p: &Vec3, a: &Vec3, b: &Vec3, c: &Vec3) -> [f64; 3] {
     let (ab, ac, ap) = (b - a, c - a, p - a);
@@ -48,7 +49,8 @@ fn ratio(a: f64, b: f64) -> f64 {
     if b > 0.0 { (a / b).clamp(0.0, 1.0) } else { 0.0 }
 }
 
-/// Parameters (0..1) of the nearest points of segments `p0p1` and `q0q1`.
+/// Parameters (0 to 1) of the nearest points of segments `p0p1` and `q0q1`. Parallel segments start from the middle
+/// of the first.
 #[inline]
 pub(crate) fn segments(p0: &Vec3, p1: &Vec3, q0: &Vec3, q1: &Vec3) -> [f64; 2] {
     let (d1, d2, r) = (p1 - p0, q1 - q0, p0 - q0);
@@ -64,21 +66,21 @@ pub(crate) fn segments(p0: &Vec3, p1: &Vec3, q0: &Vec3, q1: &Vec3) -> [f64; 2] {
     [s, t]
 }
 
-/// Distance of a point and a triangle.
+/// Distance of a point from a triangle, m.
 #[inline]
 pub(crate) fn point_triangle_gap(p: &Vec3, [a, b, c]: [&Vec3; 3]) -> f64 {
     let w = point_triangle(p, a, b, c);
     (p - (a * w[0] + b * w[1] + c * w[2])).norm()
 }
 
-/// Distance of two segments.
+/// Distance of two segments, m.
 #[inline]
 pub(crate) fn segment_gap([p, q]: [&Vec3; 2], [r, s]: [&Vec3; 2]) -> f64 {
     let [t, u] = segments(p, q, r, s);
     (p + (q - p) * t - (r + (s - r) * u)).norm()
 }
 
-/// How far a triangle stays from the plane through a place, square to a normal of length one; 0 where it meets it.
+/// A lower bound of the distance of a triangle from a plane through `at` with a unit normal, m; 0 where they meet.
 #[inline]
 pub(crate) fn plane_gap(at: &Vec3, normal: &Vec3, t: &[Vec3; 3]) -> f64 {
     let height = t.map(|p| normal.dot(&(p - at)));

@@ -20,7 +20,19 @@ impl PairKind {
     pub fn is_cloth_only(self) -> bool {
         self <= Self::EdgeEdge
     }
+
+    /// Number of cloth vertices in the pair. They come first.
+    #[inline]
+    pub fn cloth_vertex_count(self) -> usize {
+        match self {
+            Self::VertexTriangle | Self::EdgeEdge => 4,
+            Self::VertexBodyTriangle => 1,
+            Self::EdgeBodyEdge => 2,
+            Self::TriangleBodyVertex => 3,
+        }
+    }
 }
 
-/// Name of a pair: its kind and its vertices (for a body triangle, its index). The same pair has the same key at every evaluation.
+/// Identity of a pair: its kind and its vertices, or the index of a body triangle. A pair has the same key at every
+/// evaluation.
 pub(crate) type PairKey = (PairKind, [u32; 4]);

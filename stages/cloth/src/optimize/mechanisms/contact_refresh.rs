@@ -31,7 +31,7 @@ impl Descent<'_> {
     pub fn stiffen_tight_contacts(&mut self) {
         self.change(|o, _| {
             let index = &o.unknowns.index;
-            Change::energy_if(o.terms.barrier.as_mut().is_some_and(|b| b.harden(index)))
+            Change::energy_if(o.terms.barrier.as_mut().is_some_and(|b| b.stiffen_contacts(index)))
         });
     }
 

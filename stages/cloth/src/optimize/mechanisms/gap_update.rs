@@ -31,7 +31,7 @@ impl GapUpdate {
     fn update(d: &mut Descent<'_>) -> bool {
         d.change(|o, x| {
             let index = &o.unknowns.index;
-            Change::energy_if(o.terms.barrier.as_mut().is_some_and(|b| b.bear(x, index)))
+            Change::energy_if(o.terms.barrier.as_mut().is_some_and(|b| b.update_gaps(x, index)))
         })
     }
 }

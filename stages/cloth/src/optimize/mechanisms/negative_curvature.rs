@@ -72,7 +72,7 @@ impl Descent<'_> {
                 if self.energy < before - least {
                     let x = self.x.clone();
                     if let Some(b) = self.detection() {
-                        b.took(&x);
+                        b.step_taken(&x);
                     }
                     return true;
                 }

@@ -58,7 +58,7 @@ impl PinnedTargets {
         }
         let x = reached(d, step);
         if let Some(b) = d.detection() {
-            b.took(&x);
+            b.step_taken(&x);
         }
         d.move_to(x);
     }

@@ -53,7 +53,7 @@ impl Descent<'_> {
     }
 
     fn touches_itself_nowhere(&self) -> bool {
-        self.objective().terms.barrier.as_ref().is_some_and(|b| b.may_look_away())
+        self.objective().terms.barrier.as_ref().is_some_and(|b| b.may_defer_self_detection())
     }
 
     fn speculates(&self) -> bool {
@@ -67,15 +67,16 @@ impl Descent<'_> {
             self.speculation.checkpoint = Some(self.checkpoint());
         }
         self.speculation.blocks += 1;
-        self.detection().into_iter().for_each(|b| b.look_away());
+        self.detection().into_iter().for_each(|b| b.defer_self_detection());
         let block = self.take_steps(steps, mechanisms);
-        self.detection().into_iter().for_each(|b| b.look_again());
+        self.detection().into_iter().for_each(|b| b.resume_self_detection());
         block
     }
 
     /// Takes a block with detection of self-contact in every step.
     fn take_detected_block(&mut self, steps: usize, mechanisms: &mut [&mut dyn Mechanism]) -> Block {
-        let touches = |d: &Self| d.objective().terms.barrier.as_ref().map_or(0, |b| b.tally.own_looks);
+        let touches =
+            |d: &Self| d.objective().terms.barrier.as_ref().map_or(0, |b| b.statistics.evaluations_with_self_contact);
         let (before, free) = (touches(self), self.touches_itself_nowhere());
         let block = self.take_steps(steps, mechanisms);
         if free && touches(self) == before {
@@ -104,7 +105,7 @@ impl Descent<'_> {
         (self.regularization.tau, self.regularization.isotropic) = (tau, isotropic);
         self.change(|o, x| {
             (o.terms.friction, o.terms.hysteresis) = (friction, hysteresis);
-            o.terms.barrier.iter_mut().for_each(|b| b.relist(x));
+            o.terms.barrier.iter_mut().for_each(|b| b.rebuild_lists(x));
             Change::Energy
         });
     }
@@ -141,8 +142,13 @@ mod tests {
         assert_eq!(settle(&mut d, Task::Settle, &mut Silent).unwrap(), StopReason::Settled);
         let faces: Vec<[u32; 3]> = scene.triangles.iter().map(|t| t.vertices).collect();
         let lowest = d.x[81..].iter().map(|p| p.y).fold(f64::INFINITY, f64::min);
-        let tally = d.objective().terms.barrier.as_ref().map_or([0; 2], |b| [b.tally.ahead, b.tally.back]);
-        (lowest, count::own(&d.x, &faces).count, tally)
+        let tally = d
+            .objective()
+            .terms
+            .barrier
+            .as_ref()
+            .map_or([0; 2], |b| [b.statistics.deferred_blocks, b.statistics.rolled_back_blocks]);
+        (lowest, count::self_crossings(&d.x, &faces).count, tally)
     }
 
     #[test]

@@ -1,7 +1,7 @@
 //! The start: is it free, and if it dips into the body, can it be pushed out?
 
 use crate::collision::body::Body;
-use crate::collision::broad_phase::bvh::Aabb;
+use crate::collision::broad_phase::aabb::Aabb;
 use crate::collision::crossings::count;
 use crate::collision::crossings::pair::segment_meets;
 use crate::prepare::initial_feasibility::untangle::untangle;
@@ -53,7 +53,7 @@ pub(crate) fn free_of_body(
     let start = x.to_vec();
     let mut first = None;
     for round in 0..ROUNDS {
-        let found = count::with_body(x, &topology.faces, body);
+        let found = count::body_crossings(x, &topology.faces, body);
         let within = inside(x, &topology.faces, &found.pairs, body);
         let deep = within.iter().filter(|w| **w).count();
         if found.count == 0 && deep == 0 {
@@ -135,7 +135,7 @@ pub(crate) fn free_of_itself(x: &mut [Vec3], topology: &Topology, held: &[bool])
     let mut gone = 0.0;
     let mut last = Vec::new();
     loop {
-        let found = count::own(x, &topology.faces);
+        let found = count::self_crossings(x, &topology.faces);
         let Some(first) = found.pairs.first() else { break };
         let of = |f: u32| part[topology.faces[f as usize][0] as usize];
         let itself = found.pairs.iter().find(|p| of(p[0]) == of(p[1]));
@@ -161,7 +161,7 @@ pub(crate) fn free_of_itself(x: &mut [Vec3], topology: &Topology, held: &[bool])
     // What is just apart would start with contacts of any stiffness.
     let mut further = x.to_vec();
     last.iter().for_each(|(pair, way)| part_them(&mut further, &part, *pair, way * CLEAR));
-    if count::own(&further, &topology.faces).count == 0 {
+    if count::self_crossings(&further, &topology.faces).count == 0 {
         x.copy_from_slice(&further);
     }
     Ok(moves(x, &start))

@@ -17,7 +17,7 @@ const PULL: f64 = 0.5;
 
 /// Smooths the cloth around its crossings; held vertices stay. Returns the pairs left.
 pub(crate) fn untangle(x: &mut [Vec3], topology: &Topology, held: &[bool]) -> Vec<[u32; 2]> {
-    let mut found = count::own(x, &topology.faces);
+    let mut found = count::self_crossings(x, &topology.faces);
     if found.count == 0 {
         return found.pairs;
     }
@@ -33,7 +33,7 @@ pub(crate) fn untangle(x: &mut [Vec3], topology: &Topology, held: &[bool]) -> Ve
             let sum: Vec3 = neighbours[i].iter().map(|j| before[*j as usize]).sum();
             x[i] += (sum / neighbours[i].len() as f64 - before[i]) * PULL;
         }
-        found = count::own(x, &topology.faces);
+        found = count::self_crossings(x, &topology.faces);
     }
     found.pairs
 }
@@ -118,11 +118,11 @@ mod tests {
     #[test]
     fn a_pinch_is_smoothed_away_and_the_rest_stays() {
         let (mut x, topology) = pinched(12);
-        assert!(count::own(&x, &topology.faces).count > 0);
+        assert!(count::self_crossings(&x, &topology.faces).count > 0);
         let corner = x[0];
         let held = vec![false; x.len()];
         assert!(untangle(&mut x, &topology, &held).is_empty());
-        assert_eq!(count::own(&x, &topology.faces).count, 0);
+        assert_eq!(count::self_crossings(&x, &topology.faces).count, 0);
         assert_eq!(x[0], corner);
     }
 
@@ -131,7 +131,7 @@ mod tests {
     fn two_pinches_in_small_cloth_are_smoothed_away() {
         let (mut x, topology) = pinched(12);
         pinch(&mut x, 12, 9);
-        let found = count::own(&x, &topology.faces).count;
+        let found = count::self_crossings(&x, &topology.faces).count;
         assert!(found as f64 > MOST_SHARE * topology.faces.len() as f64 && found > 8, "{found}");
         let held = vec![false; x.len()];
         assert!(untangle(&mut x, &topology, &held).is_empty());

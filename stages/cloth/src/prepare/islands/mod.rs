@@ -9,7 +9,7 @@ pub(crate) mod thread_pool;
 
 pub(crate) use solve_each::each;
 
-use crate::collision::broad_phase::bvh::Aabb;
+use crate::collision::broad_phase::aabb::Aabb;
 use crate::scene::measures::held;
 use crate::scene::topology::links;
 use crate::scene::weld::groups;

@@ -1,6 +1,6 @@
 //! Drapes groups of parts, each as a scene of its own, and puts together what came of them.
 
-use crate::collision::broad_phase::bvh::Aabb;
+use crate::collision::broad_phase::aabb::Aabb;
 use crate::prepare::islands::Group;
 use crate::prepare::islands::thread_pool;
 use crate::prepare::islands::thread_pool::Word;

@@ -88,7 +88,7 @@ fn bend_to(d: &mut Descent<'_>, guess: &BentPieces, these: &[usize], part: f64) 
     let gains = d.energy < energy;
     if gains {
         let x = d.x.clone();
-        d.detection().into_iter().for_each(|b| b.took(&x));
+        d.detection().into_iter().for_each(|b| b.step_taken(&x));
     } else {
         d.x = from;
         d.evaluate();
@@ -153,7 +153,7 @@ mod tests {
     fn crossings(scene: &Scene, x: &[Vec3]) -> usize {
         let faces: Vec<[u32; 3]> = scene.triangles.iter().map(|t| t.vertices).collect();
         let body = crate::collision::body::Body::of_scene(scene);
-        count::own(x, &faces).count + body.map_or(0, |b| count::with_body(x, &faces, &b).count)
+        count::self_crossings(x, &faces).count + body.map_or(0, |b| count::body_crossings(x, &faces, &b).count)
     }
 
     #[test]
