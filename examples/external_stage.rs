@@ -1,4 +1,4 @@
-//! A stage in another process: protocol 1 in full. Declare it in a pipeline and allow it on the command line:
+//! A stage in another process: protocol 2 in full. Declare it in a pipeline and allow it on the command line:
 //!
 //! ```toml
 //! [plugin.acme]
@@ -31,9 +31,10 @@ struct Params {
 fn main() -> ExitCode {
     match std::env::args().nth(1).as_deref() {
         Some("describe") => describe(),
-        Some("run") => run(),
+        Some("forecast") => end(forecast()),
+        Some("run") => end(work()),
         _ => {
-            eprint("usage: external_stage describe | run");
+            eprint("usage: external_stage describe | forecast | run");
             ExitCode::from(1)
         }
     }
@@ -56,13 +57,16 @@ fn describe() -> ExitCode {
         gives: Vec::new(),
         revision: 1,
         params_schema,
+        // It has no parameter that an accuracy could set.
+        knobs: Vec::new(),
+        forecast: true,
     };
     print(&json!(Description { protocol: PROTOCOL, stages: vec![stage] }));
     ExitCode::SUCCESS
 }
 
-fn run() -> ExitCode {
-    match work() {
+fn end(done: Result<(), Failure>) -> ExitCode {
+    match done {
         Ok(()) => ExitCode::SUCCESS,
         Err(Failure::Rejected(finding)) => {
             print_line("diagnostic", &json!(finding));
@@ -84,16 +88,30 @@ fn broken(error: impl std::fmt::Display) -> Failure {
     Failure::Broken(error.to_string())
 }
 
-fn work() -> Result<(), Failure> {
+/// The request and the garment that lies in its input folder.
+fn asked() -> Result<(Request, Garment), Failure> {
     let mut text = String::new();
     std::io::stdin().read_to_string(&mut text).map_err(broken)?;
     let request: Request = serde_json::from_str(&text).map_err(broken)?;
     if request.protocol != PROTOCOL || request.stage != STAGE {
         return Err(Failure::Broken(format!("cannot do `{}` of protocol {}", request.stage, request.protocol)));
     }
-    let params: Params = serde_json::from_value(request.params).map_err(broken)?;
     let bundle = std::fs::read_to_string(request.input.join(FILE_NAME)).map_err(broken)?;
-    let mut garment = from_text(&bundle).map_err(broken)?;
+    let garment = from_text(&bundle).map_err(broken)?;
+    Ok((request, garment))
+}
+
+/// It starts a process and goes through the pieces once.
+fn forecast() -> Result<(), Failure> {
+    let (_, garment) = asked()?;
+    let seconds = 0.01 + 1e-6 * garment.pieces.len() as f64;
+    print_line("forecast", &json!({ "seconds": seconds, "mb": 4.0 }));
+    Ok(())
+}
+
+fn work() -> Result<(), Failure> {
+    let (request, mut garment) = asked()?;
+    let params: Params = serde_json::from_value(request.params).map_err(broken)?;
     print_line("progress", &json!({ "done": 0, "total": 1, "words": "setting the material" }));
     set_material(&mut garment, params)?;
     let text = to_text(&garment).map_err(broken)?;

@@ -82,15 +82,15 @@ fn check<'r>(source: SourceText, request: &Request, stop: &Arc<Stop>, registry: 
     let Some(mut document) = pipeline::parse(&source, &mut report) else {
         return Loaded { source: Some(source), pipeline: None, gate: None, report };
     };
-    let tuning = if request.tuning == Tuning::default() {
-        accuracy::tuning(&document, request, &mut report)
-    } else {
-        request.tuning.clone()
-    };
-    pipeline::tune(&mut document, &tuning);
     let folder = folder_of(&request.file);
     external::connect(&document, &folder, &request.allow_run, stop, registry, &mut report);
     let registry: &'r Registry = registry;
+    let tuning = if request.tuning.is_empty() {
+        accuracy::tuning(&document, request, registry, &mut report)
+    } else {
+        request.tuning.clone()
+    };
+    pipeline::tune(&mut document, registry, &tuning);
     let pipeline = pipeline::link(&document, registry, &mut report);
     let gate = match Gate::new(&folder, &request.allow_read, &pipeline.mounts) {
         Ok(gate) => {

@@ -5,7 +5,7 @@ mod support;
 use std::os::unix::fs::PermissionsExt as _;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
-use support::bench::{Bench, HEAD};
+use support::bench::{Bench, HEAD, Said, command};
 
 /// The example that `cargo test` builds beside the tests.
 fn example() -> PathBuf {
@@ -80,9 +80,14 @@ const DESCRIBE: &str =
 
 /// A shell script that answers `describe` and does `body` on `run`.
 fn script(bench: &Bench, body: &str) -> PathBuf {
+    described(bench, DESCRIBE, body)
+}
+
+/// A shell script with a description of its own; `$1` tells it `run` from `forecast`.
+fn described(bench: &Bench, description: &str, body: &str) -> PathBuf {
     let path = bench.path("program.sh");
     let text = format!(
-        "#!/bin/sh\nif [ \"$1\" = describe ]; then echo '{DESCRIBE}'; exit 0; fi\ncat > request.json\n{body}\n"
+        "#!/bin/sh\nif [ \"$1\" = describe ]; then echo '{description}'; exit 0; fi\ncat > request.json\n{body}\n"
     );
     std::fs::write(&path, text).expect("script");
     std::fs::set_permissions(&path, std::fs::Permissions::from_mode(0o755)).expect("rights");
@@ -149,10 +154,106 @@ fn it_sees_nothing_of_the_callers_environment() {
 fn it_is_told_from_other_protocols() {
     let bench = Bench::new();
     let program = script(&bench, "");
-    let text = std::fs::read_to_string(&program).expect("script").replace("\"protocol\":1", "\"protocol\":2");
+    let text = std::fs::read_to_string(&program).expect("script").replace("\"protocol\":1", "\"protocol\":3");
     std::fs::write(&program, text).expect("script");
     bench.text(&pipeline(&program, "[[stage]]\nuse = \"acme.x\"\n"));
     let said = bench.run(&["--allow-run", "acme"]);
     assert_eq!(said.code, 2);
-    assert!(said.err.contains("speaks protocol 2"), "{}", said.err);
+    assert!(said.err.contains("speaks protocol 3, this program speaks 1 to 2"), "{}", said.err);
+}
+
+/// What `plan` foresees.
+fn plan(bench: &Bench, more: &[&str]) -> (Said, serde_json::Value) {
+    let mut arguments: Vec<std::ffi::OsString> =
+        vec!["plan".into(), bench.pipeline_file().into(), "--json".into(), "--allow-run".into(), "acme".into()];
+    arguments.extend(more.iter().map(std::ffi::OsString::from));
+    let said = command(arguments);
+    let plan = serde_json::from_str(&said.out).unwrap_or_default();
+    (said, plan)
+}
+
+#[test]
+fn the_example_is_foreseen() {
+    let bench = Bench::new();
+    bench.text(&pipeline(&example(), SET));
+    let (said, plan) = plan(&bench, &[]);
+    assert_eq!(said.code, 0, "{said:?}");
+    assert_eq!(plan["stages"][1]["expected_seconds"], 0.01);
+    assert_eq!(plan["stages"][1]["expected_mb"], 17.0, "the program's own memory is counted too");
+    assert_eq!(plan["stages"][0]["expected_seconds"], serde_json::Value::Null, "a stage that foresees nothing");
+}
+
+/// A mesh maker that has knobs and foresees, in protocol 2.
+const MESHER: &str = r#"{"protocol":2,"stages":[{"name":"acme.mesh","summary":"","needs":[],"gives":["mesh"],"revision":1,
+"params_schema":{"type":"object","properties":{"fine":{"type":"object","properties":{"edge":{"type":"string"}}},"count":{"type":"integer"}}},
+"forecast":true,"knobs":[{"meaning":"edge-length","key":"fine.edge","instead_of":"count"},{"meaning":"tolerance","key":"rest"}]}]}"#;
+const MESH: &str = "[[stage]]\nuse = \"acme.mesh\"\nwith.count = 7\n[[stage]]\nuse = \"export-obj\"\n";
+
+#[test]
+fn a_mesh_that_is_foreseen_is_known_to_later_stages() {
+    let bench = Bench::new();
+    let told = r#"{"kind":"forecast","seconds":2.5,"mb":30,"mesh":{"triangles":8000,"edge":0.01}}"#;
+    let description = MESHER.replace('\n', "");
+    bench.text(&pipeline(&described(&bench, &description, &format!("[ $1 = forecast ] && echo '{told}'")), MESH));
+    let (said, plan) = plan(&bench, &[]);
+    assert_eq!(said.code, 0, "{said:?}");
+    assert_eq!(
+        (&plan["stages"][1]["expected_seconds"], &plan["stages"][1]["expected_mb"]),
+        (&2.5.into(), &43.0.into())
+    );
+    assert_eq!(plan["expected"]["triangles"], 8000.0);
+    assert!(plan["stages"][2]["expected_seconds"].as_f64().is_some_and(|s| s > 0.0), "{plan}");
+}
+
+#[test]
+fn its_knobs_are_turned_by_an_asked_accuracy() {
+    let bench = Bench::new();
+    let description = MESHER.replace('\n', "").replace(r#""count":{"#, r#""rest":{"type":"string"},"count":{"#);
+    bench.text(&pipeline(&described(&bench, &description, ""), MESH));
+    let (said, plan) = plan(&bench, &["--accuracy", "fine"]);
+    assert_eq!(said.code, 0, "{said:?}");
+    assert_eq!(plan["stages"][1]["params"], serde_json::json!({ "fine": { "edge": "16 mm" }, "rest": "normal" }));
+    assert_eq!(plan["stages"][1]["expected_seconds"], serde_json::Value::Null, "it told nothing");
+}
+
+#[test]
+fn protocol_1_has_neither_knobs_nor_forecast() {
+    let bench = Bench::new();
+    let description = MESHER.replace('\n', "").replace("\"protocol\":2", "\"protocol\":1");
+    let asked = bench.path("asked");
+    bench.text(&pipeline(&described(&bench, &description, &format!("touch {}", asked.display())), MESH));
+    let (said, plan) = plan(&bench, &[]);
+    assert_eq!((said.code, asked.exists()), (0, false), "{said:?}");
+    assert_eq!(plan["stages"][1]["expected_seconds"], serde_json::Value::Null);
+    let found = bench.findings(&["--allow-run", "acme", "--accuracy", "fine"]);
+    assert!(found.iter().any(|f| f.0 == "accuracy-no-stage"), "{found:?}");
+}
+
+#[test]
+fn a_request_speaks_the_programs_own_protocol() {
+    for (description, version) in [(DESCRIBE.to_owned(), 1), (DESCRIBE.replace(":1,\"stages", ":2,\"stages"), 2)] {
+        let bench = Bench::new();
+        let kept = bench.path("request.json");
+        let program = described(&bench, &description, &format!("cp request.json {}; exit 1", kept.display()));
+        bench.text(&pipeline(&program, "[[stage]]\nuse = \"acme.x\"\n")).run(&["--allow-run", "acme"]);
+        let request: serde_json::Value =
+            serde_json::from_str(&std::fs::read_to_string(kept).expect("request")).expect("JSON");
+        assert_eq!(request["protocol"], version);
+    }
+}
+
+#[test]
+fn a_wrong_forecast_ends_the_plan() {
+    for (body, expected) in [
+        (r#"echo '{"kind":"forecast","seconds":-1}'"#, "below 0"),
+        (r#"echo '{"kind":"forecast","seconds":1,"mesh":{"triangles":-3,"edge":0.01}}'"#, "below 0"),
+        ("echo not json", "not of protocol 2"),
+        ("exit 9", "ended with"),
+    ] {
+        let bench = Bench::new();
+        bench.text(&pipeline(&described(&bench, &MESHER.replace('\n', ""), body), MESH));
+        let (said, _) = plan(&bench, &[]);
+        assert_eq!(said.code, 3, "{body}: {said:?}");
+        assert!(said.err.contains(expected), "{body}: {}", said.err);
+    }
 }

@@ -9,8 +9,7 @@ use serde_json::{Value, json};
 use std::fmt::Write as _;
 use std::path::Path;
 use std::sync::Arc;
-use toile_stage_api::Registry;
-use toile_stages::outlook::Expected;
+use toile_stage_api::{Cost, Registry};
 
 pub(super) fn run(args: &PlanArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
     let loaded = load::load(&args.accuracy.request(&args.pipeline), stop, registry);
@@ -35,9 +34,9 @@ fn plan(pipeline: &Pipeline<'_>, gate: &Gate, seen: &Foresight) -> Value {
         .collect();
     let outputs: Vec<&str> =
         pipeline.steps.iter().flat_map(|s| &s.paths).filter(|p| p.is_output()).map(|p| p.text.as_str()).collect();
-    let mesh = seen.outlook.mesh();
+    let mesh = seen.forecast.mesh;
     let steps = pipeline.steps.iter().zip(&seen.stages);
-    let effects = seen.outlook.effects().iter();
+    let effects = seen.forecast.effects.iter();
     json!({
         "pipeline": format!("{} v{}", pipeline.line, pipeline.version),
         "seed": pipeline.seed,
@@ -57,7 +56,7 @@ fn plan(pipeline: &Pipeline<'_>, gate: &Gate, seen: &Foresight) -> Value {
     })
 }
 
-fn step(step: &Step<'_>, expected: Option<&Expected>) -> Value {
+fn step(step: &Step<'_>, expected: Option<&Cost>) -> Value {
     let info = step.ready.info();
     json!({
         "use": info.name,
@@ -89,7 +88,7 @@ fn text(pipeline: &Pipeline<'_>, plan: &Value, seen: &Foresight) -> String {
         let needs = expected.map_or_else(|| "not foreseen".to_owned(), |e| about(e.seconds, e.mb));
         let _ = writeln!(text, "{:>3} {:<18} {gives:<42} {needs}", number + 1, step.id);
     }
-    for e in seen.outlook.effects() {
+    for e in &seen.forecast.effects {
         let state = if e.on { "on" } else { "off" };
         let _ = writeln!(text, "effect {:<14} {state:<4} {} ({})", e.name, e.rule, e.evidence);
     }
@@ -100,12 +99,12 @@ fn text(pipeline: &Pipeline<'_>, plan: &Value, seen: &Foresight) -> String {
         let _ = writeln!(text, "writes {}", output.as_str().unwrap_or(""));
     }
     if seen.stages.iter().any(Option::is_some) {
-        let size = seen.outlook.mesh().map_or_else(String::new, |m| {
+        let size = seen.forecast.mesh.map_or_else(String::new, |m| {
             format!(" for about {:.0} triangles with edges of about {:.1} mm", m.triangles, m.edge * 1e3)
         });
         let _ = writeln!(
             text,
-            "in all {}{size}; a tight garment may take six times as long",
+            "in all {}{size}; cloth that slides until something holds it may take five times as long",
             about(seen.seconds(), seen.mb())
         );
     }

@@ -4,6 +4,7 @@ use super::args::StudyArgs;
 use super::console::Console;
 use crate::engine::{Exit, Stop, clean, write_whole};
 use crate::load;
+use crate::pipeline::knob;
 use crate::progress::Voice;
 use crate::study::choose::millimetres;
 use crate::study::report::Head;
@@ -12,7 +13,7 @@ use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toile_garment::Diagnostic;
-use toile_stage_api::Registry;
+use toile_stage_api::{Meaning, Registry};
 
 /// Names of the results.
 const FILES: [&str; 4] = ["study.json", "study.svg", "study.html", "study.md"];
@@ -85,7 +86,7 @@ impl Chain {
             Some(pipeline) if exit == Exit::Good => Ok(Self {
                 name: format!("{} v{}", pipeline.line, pipeline.version),
                 file_name: format!("{}-v{}", pipeline.line, pipeline.version),
-                has_mesh_stage: pipeline.steps.iter().any(|s| s.ready.info().name == "triangulate"),
+                has_mesh_stage: pipeline.steps.iter().any(|s| knob(s.ready.knobs(), Meaning::EdgeLength).is_some()),
             }),
             _ => Err(Halt { findings: loaded.report.findings, source, exit }),
         }

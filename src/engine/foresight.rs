@@ -1,21 +1,25 @@
-//! Looking ahead: what a chain will need, from its files alone.
+//! Looking ahead: a walk along the chain that asks every stage what it will need, from the files alone.
 
 use super::exit::{Exit, of_stage_error};
 use super::files::ReadFiles;
 use super::gate::Gate;
 use super::stop::Stop;
-use crate::pipeline::Pipeline;
+use crate::pipeline::{Pipeline, Step};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use toile_garment::{Diagnostic, Report, Severity};
-use toile_stage_api::{StageContext, StageError};
-use toile_stages::outlook::{Expected, Outlook};
+use toile_stage_api::{Cost, Forecast, StageContext, StageError};
+
+/// Memory of the program, its libraries and a pattern, MB.
+const PROGRAM_MB: f64 = 13.0;
+/// Memory of a body with its search tree, MB for 1000 triangles: the bodies of `samples/` have about 12,000.
+const BODY_MB_PER_THOUSAND: f64 = 0.85;
 
 /// What was foreseen.
 pub struct Foresight {
     /// Mesh and effects.
-    pub outlook: Outlook,
-    /// One for each stage of the chain; `None` where nothing can be said.
-    pub stages: Vec<Option<Expected>>,
+    pub forecast: Forecast,
+    /// One for each stage of the chain, with the memory of the whole program; `None` where nothing can be said.
+    pub stages: Vec<Option<Cost>>,
     /// What is wrong with the files.
     pub findings: Vec<Diagnostic>,
     /// How a run would end already now.
@@ -23,16 +27,30 @@ pub struct Foresight {
 }
 
 impl Foresight {
-    /// Seconds of all stages that can be foreseen.
+    /// CPU seconds of all stages that can be foreseen.
     #[must_use]
     pub fn seconds(&self) -> f64 {
         self.stages.iter().flatten().map(|e| e.seconds).sum()
     }
 
-    /// Memory of the largest of them, MB.
+    /// Memory of the program in the stage that takes most, MB.
     #[must_use]
     pub fn mb(&self) -> f64 {
         self.stages.iter().flatten().map(|e| e.mb).fold(0.0, f64::max)
+    }
+
+    /// Adds the next stage. Memory that was needed once stays with the program.
+    fn add(&mut self, cost: Option<Cost>) {
+        let body = self.forecast.garment.body.as_ref().map_or(0, |b| b.triangles.len()) as f64 * 1e-3;
+        let whole = |c: Cost| Cost { mb: (PROGRAM_MB + c.mb + BODY_MB_PER_THOUSAND * body).max(self.mb()), ..c };
+        let whole = cost.map(whole);
+        self.stages.push(whole);
+    }
+
+    fn end(mut self, findings: Vec<Diagnostic>, exit: Exit) -> Self {
+        self.findings = findings;
+        self.exit = exit;
+        self
     }
 }
 
@@ -40,7 +58,7 @@ impl Foresight {
 #[must_use]
 pub fn foresee(pipeline: &Pipeline<'_>, gate: &Gate, stop: &Stop) -> Foresight {
     let mut seen =
-        Foresight { outlook: Outlook::default(), stages: Vec::new(), findings: Vec::new(), exit: Exit::Good };
+        Foresight { forecast: Forecast::default(), stages: Vec::new(), findings: Vec::new(), exit: Exit::Good };
     let (mut report, mut files) = (Report::default(), ReadFiles(gate));
     for step in &pipeline.steps {
         let mut cx = StageContext {
@@ -51,25 +69,23 @@ pub fn foresee(pipeline: &Pipeline<'_>, gate: &Gate, stop: &Stop) -> Foresight {
             seed: pipeline.seed,
             threads: 1,
         };
-        let (name, params) = (step.ready.info().name, step.ready.params());
-        let look = AssertUnwindSafe(|| seen.outlook.stage(&name, &params, &mut cx));
-        let looked =
-            catch_unwind(look).unwrap_or_else(|panic| Err(StageError::Internal(super::panic_text(panic.as_ref()))));
-        match looked {
-            Ok(expected) => seen.stages.push(expected),
+        match ask(step, &mut seen.forecast, &mut cx) {
+            Ok(cost) => seen.add(cost),
             Err(error) => {
                 let (findings, exit) = of_stage_error(error);
                 let at = |f: Diagnostic| if f.source.is_none() { f.at(step.place.clone()) } else { f };
-                seen.findings.extend(findings.into_iter().map(at));
-                seen.exit = exit;
-                return seen;
+                return seen.end(findings.into_iter().map(at).collect(), exit);
             }
         }
     }
     // Notes of the import are for the run; errors end it.
-    seen.findings = report.findings.into_iter().filter(|f| f.severity == Severity::Error).collect();
-    if !seen.findings.is_empty() {
-        seen.exit = Exit::Input;
-    }
-    seen
+    let errors: Vec<Diagnostic> = report.findings.into_iter().filter(|f| f.severity == Severity::Error).collect();
+    let exit = if errors.is_empty() { Exit::Good } else { Exit::Input };
+    seen.end(errors, exit)
+}
+
+/// Asks a stage; a panic in it is a mistake of the program, as in a run.
+fn ask(step: &Step<'_>, forecast: &mut Forecast, cx: &mut StageContext<'_>) -> Result<Option<Cost>, StageError> {
+    let asked = catch_unwind(AssertUnwindSafe(|| step.ready.forecast(forecast, cx)));
+    asked.unwrap_or_else(|panic| Err(StageError::Internal(super::panic_text(panic.as_ref()))))
 }

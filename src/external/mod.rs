@@ -1,15 +1,16 @@
 //! A stage that is another program. Declared in the pipeline, run only with consent, its answers read as hostile.
 //!
-//! Protocol 1: `PROGRAM describe` prints its stages as JSON. `PROGRAM run` reads one JSON request from stdin; the
-//! garment goes in and comes back as a bundle folder, progress and findings come as JSON lines on stdout. Exit code 0:
-//! done, 1: failed, 2: garment rejected.
+//! `PROGRAM describe` prints its stages as JSON. `PROGRAM run` reads one JSON request from stdin; the garment goes in and
+//! comes back as a bundle folder, progress and findings come as JSON lines on stdout. `PROGRAM forecast`, since protocol 2,
+//! reads the same request and tells what the work will need. Exit code 0: done, 1: failed, 2: garment rejected.
 
+mod forecast;
 mod process;
 mod protocol;
 mod stage;
 
 pub use process::kill_group;
-pub use protocol::{Description, Line, PROTOCOL, Request, StageDescription};
+pub use protocol::{Description, Line, OLDEST_PROTOCOL, PROTOCOL, Request, StageDescription};
 pub use stage::ExternalStage;
 
 use crate::engine::Stop;

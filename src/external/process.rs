@@ -83,12 +83,18 @@ impl Program {
         Ok((ended, answer))
     }
 
-    /// Runs it with a request on stdin.
+    /// Starts it with a verb, `run` or `forecast`, and a request on stdin.
     ///
     /// # Errors
     /// See [`ProcessError`].
-    pub fn run(&self, request: &[u8], folder: &Path, hear: &mut dyn FnMut(&[u8])) -> Result<Ended, ProcessError> {
-        self.talk("run", request, folder, self.timeout, hear)
+    pub fn ask(
+        &self,
+        verb: &str,
+        request: &[u8],
+        folder: &Path,
+        hear: &mut dyn FnMut(&[u8]),
+    ) -> Result<Ended, ProcessError> {
+        self.talk(verb, request, folder, self.timeout, hear)
     }
 
     fn talk(

@@ -1,11 +1,14 @@
-//! The words of protocol 1.
+//! The words of protocol 2, and those of protocol 1 among them.
 
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 use toile_garment::{Aspect, Diagnostic};
+use toile_stage_api::{Knob, MeshSize};
 
-/// Version of the protocol.
-pub const PROTOCOL: u32 = 1;
+/// Newest version of the protocol.
+pub const PROTOCOL: u32 = 2;
+/// Oldest version that is still spoken. A program is answered in the version that its description names.
+pub const OLDEST_PROTOCOL: u32 = 1;
 
 /// Answer to `describe`.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -31,9 +34,15 @@ pub struct StageDescription {
     pub revision: u32,
     /// Schema of its parameters.
     pub params_schema: serde_json::Value,
+    /// Parameters that an asked accuracy may set. Since protocol 2.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub knobs: Vec<Knob>,
+    /// The program answers `forecast` for this stage. Since protocol 2.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub forecast: bool,
 }
 
-/// What `run` reads from stdin.
+/// The request that `run` and `forecast` read from stdin.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Request {
     /// Version of the protocol.
@@ -48,9 +57,12 @@ pub struct Request {
     pub output: PathBuf,
     /// Seed.
     pub seed: u64,
+    /// Size of the mesh, for `forecast`, as far as an earlier stage could tell it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mesh: Option<MeshSize>,
 }
 
-/// One line on stdout of `run`.
+/// One line on stdout of `run` and `forecast`.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 #[serde(tag = "kind", rename_all = "lowercase")]
 pub enum Line {
@@ -68,4 +80,16 @@ pub enum Line {
     },
     /// A finding.
     Diagnostic(Diagnostic),
+    /// What the stage will need; of several lines the last counts. Only from `forecast`.
+    Forecast {
+        /// CPU seconds of all threads; without them nothing is foreseen.
+        #[serde(default)]
+        seconds: Option<f64>,
+        /// Memory of the work, MB.
+        #[serde(default)]
+        mb: f64,
+        /// Size of the mesh that the stage makes; without it the mesh stays as it was.
+        #[serde(default)]
+        mesh: Option<MeshSize>,
+    },
 }

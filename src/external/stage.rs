@@ -1,24 +1,28 @@
 //! A stage of another program, behind the same trait as the built-in ones.
 
+use super::forecast;
 use super::process::{Ended, ProcessError, Program};
-use super::protocol::{Description, Line, PROTOCOL, Request, StageDescription};
+use super::protocol::{Description, Line, OLDEST_PROTOCOL, PROTOCOL, Request, StageDescription};
 use crate::engine::{MAX_INPUT, read_limited};
 use schemars::{Schema, SchemaGenerator};
 use serde::Deserialize as _;
 use serde_json::Value;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use toile_garment::bundle::{FILE_NAME, from_text, to_text};
 use toile_garment::{Diagnostic, Garment, Report};
-use toile_stage_api::{AnyStage, ReadyStage, StageContext, StageError, StageInfo};
+use toile_stage_api::{AnyStage, Cost, Forecast, Knob, MeshSize, ReadyStage, StageContext, StageError, StageInfo};
 
 /// Most stages of one program.
 const MAX_STAGES: usize = 100;
 
 /// A stage of another program.
 pub struct ExternalStage {
-    program: Program,
-    info: StageInfo,
+    pub(super) program: Program,
+    pub(super) protocol: u32,
+    pub(super) info: StageInfo,
     schema: Value,
+    knobs: Vec<Knob>,
+    pub(super) forecasts: bool,
 }
 
 /// Asks a program for its stages.
@@ -29,17 +33,19 @@ pub(super) fn describe(program: &Program, plugin: &str) -> Result<Vec<ExternalSt
     }
     let description: Description =
         serde_json::from_slice(&answer).map_err(|e| format!("its description is wrong: {e}"))?;
-    if description.protocol != PROTOCOL {
-        return Err(format!("it speaks protocol {}, this program speaks {PROTOCOL}", description.protocol));
+    let protocol = description.protocol;
+    if !(OLDEST_PROTOCOL..=PROTOCOL).contains(&protocol) {
+        return Err(format!("it speaks protocol {protocol}, this program speaks {OLDEST_PROTOCOL} to {PROTOCOL}"));
     }
     if description.stages.len() > MAX_STAGES {
         return Err(format!("it declares more than {MAX_STAGES} stages"));
     }
-    description.stages.into_iter().map(|stage| ExternalStage::new(program.clone(), stage, plugin)).collect()
+    let stage = |stage| ExternalStage::new(program.clone(), protocol, stage, plugin);
+    description.stages.into_iter().map(stage).collect()
 }
 
 impl ExternalStage {
-    fn new(program: Program, described: StageDescription, plugin: &str) -> Result<Self, String> {
+    fn new(program: Program, protocol: u32, described: StageDescription, plugin: &str) -> Result<Self, String> {
         let short = described.name.strip_prefix(plugin).and_then(|s| s.strip_prefix('.'));
         let good =
             |s: &str| !s.is_empty() && s.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit() || b == b'-');
@@ -56,13 +62,20 @@ impl ExternalStage {
             gives: described.gives.into(),
             revision: described.revision,
         };
-        Ok(Self { program, info, schema: described.params_schema })
+        // Protocol 1 has no words for these.
+        let knobs = if protocol >= 2 { described.knobs } else { Vec::new() };
+        let forecasts = protocol >= 2 && described.forecast;
+        Ok(Self { program, protocol, info, schema: described.params_schema, knobs, forecasts })
     }
 }
 
 impl AnyStage for ExternalStage {
     fn info(&self) -> StageInfo {
         self.info.clone()
+    }
+
+    fn knobs(&self) -> &[Knob] {
+        &self.knobs
     }
 
     fn schema(&self, _: &mut SchemaGenerator) -> Schema {
@@ -78,8 +91,8 @@ impl AnyStage for ExternalStage {
     }
 }
 
-struct Ready<'a> {
-    stage: &'a ExternalStage,
+pub(super) struct Ready<'a> {
+    pub(super) stage: &'a ExternalStage,
     params: Value,
 }
 
@@ -88,25 +101,24 @@ impl ReadyStage for Ready<'_> {
         self.stage.info()
     }
 
+    fn knobs(&self) -> &[Knob] {
+        &self.stage.knobs
+    }
+
     fn params(&self) -> Value {
         self.params.clone()
+    }
+
+    fn forecast(&self, forecast: &mut Forecast, cx: &mut StageContext<'_>) -> Result<Option<Cost>, StageError> {
+        if self.stage.forecasts { forecast::ask(self, forecast, cx) } else { Ok(None) }
     }
 
     fn check(&self, _: &Garment, _: &mut Report) {}
 
     fn run(&self, garment: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
-        let folder = tempfile::Builder::new().prefix("toile-plugin-").tempdir().map_err(|e| system(&e.to_string()))?;
-        let (input, output) = (folder.path().join("in"), folder.path().join("out"));
-        for dir in [&input, &output] {
-            std::fs::create_dir(dir).map_err(|e| system(&e.to_string()))?;
-        }
-        let text = to_text(&garment).map_err(|e| StageError::Internal(e.to_string()))?;
-        std::fs::write(input.join(FILE_NAME), text).map_err(|e| system(&e.to_string()))?;
-        let stage = self.stage.info.name.to_string();
-        let params = self.params.clone();
-        let request = Request { protocol: PROTOCOL, stage, params, input, output: output.clone(), seed: cx.seed };
-        let request = serde_json::to_vec(&request).map_err(|e| StageError::Internal(e.to_string()))?;
-        self.talk(&request, folder.path(), cx)?;
+        let desk = Desk::lay(&garment)?;
+        self.talk("run", &self.request(&desk, None, cx)?, &desk, cx, &mut |_| {})?;
+        let mut back = self.read_back(&desk.output.join(FILE_NAME))?;
         let mut back = self.read_back(&output.join(FILE_NAME))?;
         // The engine alone writes the history.
         back.provenance = garment.provenance;
@@ -115,24 +127,78 @@ impl ReadyStage for Ready<'_> {
     }
 }
 
+/// The folders through which garments go to the program and back; they are gone with the last use.
+pub(super) struct Desk {
+    folder: tempfile::TempDir,
+    input: PathBuf,
+    pub(super) output: PathBuf,
+}
+
+impl Desk {
+    /// Lays a garment into a fresh input folder.
+    pub(super) fn lay(garment: &Garment) -> Result<Self, StageError> {
+        let folder = tempfile::Builder::new().prefix("toile-plugin-").tempdir().map_err(|e| system(&e.to_string()))?;
+        let (input, output) = (folder.path().join("in"), folder.path().join("out"));
+        for dir in [&input, &output] {
+            std::fs::create_dir(dir).map_err(|e| system(&e.to_string()))?;
+        }
+        let text = to_text(garment).map_err(|e| StageError::Internal(e.to_string()))?;
+        std::fs::write(input.join(FILE_NAME), text).map_err(|e| system(&e.to_string()))?;
+        Ok(Self { folder, input, output })
+    }
+}
+
 impl Ready<'_> {
-    fn talk(&self, request: &[u8], folder: &Path, cx: &mut StageContext<'_>) -> Result<(), StageError> {
+    /// The request in the words of the program's own protocol.
+    pub(super) fn request(
+        &self,
+        desk: &Desk,
+        mesh: Option<MeshSize>,
+        cx: &StageContext<'_>,
+    ) -> Result<Vec<u8>, StageError> {
+        let request = Request {
+            protocol: self.stage.protocol,
+            stage: self.stage.info.name.to_string(),
+            params: self.params.clone(),
+            input: desk.input.clone(),
+            output: desk.output.clone(),
+            seed: cx.seed,
+            mesh,
+        };
+        serde_json::to_vec(&request).map_err(|e| StageError::Internal(e.to_string()))
+    }
+
+    /// Starts the program and listens to the end; `told` hears the lines that are neither progress nor findings.
+    pub(super) fn talk(
+        &self,
+        verb: &str,
+        request: &[u8],
+        desk: &Desk,
+        cx: &mut StageContext<'_>,
+        told: &mut dyn FnMut(Line),
+    ) -> Result<(), StageError> {
         let mut wrong: Option<String> = None;
         let mut rejections = Vec::new();
-        let ended = self.stage.program.run(request, folder, &mut |line| match serde_json::from_slice(line) {
-            Ok(Line::Progress { done, total, words }) => cx.progress.update(done, total, &crate::render::safe(&words)),
-            Ok(Line::Diagnostic(finding)) if finding.severity == toile_garment::Severity::Error => {
-                rejections.push(finding)
-            }
-            Ok(Line::Diagnostic(finding)) => cx.report.push(finding),
-            Err(error) => {
-                let line = String::from_utf8_lossy(&line[..line.len().min(80)]).into_owned();
-                wrong.get_or_insert(format!(
-                    "the line `{}` is not of protocol {PROTOCOL}: {error}",
-                    crate::render::safe(&line)
-                ));
-            }
-        });
+        let ended =
+            self.stage.program.ask(verb, request, desk.folder.path(), &mut |line| match serde_json::from_slice(line) {
+                Ok(Line::Progress { done, total, words }) => {
+                    cx.progress.update(done, total, &crate::render::safe(&words));
+                }
+                Ok(Line::Diagnostic(finding)) if finding.severity == toile_garment::Severity::Error => {
+                    rejections.push(finding);
+                }
+                Ok(Line::Diagnostic(finding)) => cx.report.push(finding),
+                Ok(line) if self.stage.forecasts => told(line),
+                Ok(_) => drop(wrong.get_or_insert("it tells a forecast, which it did not declare".to_owned())),
+                Err(error) => {
+                    let line = String::from_utf8_lossy(&line[..line.len().min(80)]).into_owned();
+                    wrong.get_or_insert(format!(
+                        "the line `{}` is not of protocol {}: {error}",
+                        crate::render::safe(&line),
+                        self.stage.protocol
+                    ));
+                }
+            });
         let ended = ended.map_err(|e| self.process_error(&e))?;
         match wrong {
             Some(wrong) => Err(self.input("plugin-protocol", wrong)),
@@ -165,7 +231,7 @@ impl Ready<'_> {
         }
     }
 
-    fn read_back(&self, path: &Path) -> Result<Garment, StageError> {
+    pub(super) fn read_back(&self, path: &Path) -> Result<Garment, StageError> {
         let real = std::fs::symlink_metadata(path).is_ok_and(|m| m.is_file());
         if !real {
             return Err(self.input("plugin-protocol", format!("it wrote no {FILE_NAME} into its output folder")));
@@ -183,7 +249,7 @@ impl Ready<'_> {
         }
     }
 
-    fn input(&self, code: &str, message: String) -> StageError {
+    pub(super) fn input(&self, code: &str, message: String) -> StageError {
         StageError::input(Diagnostic::error(code, format!("plugin stage `{}`: {message}", self.stage.info.name)))
     }
 }

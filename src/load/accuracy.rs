@@ -2,23 +2,24 @@
 
 use super::Request;
 use crate::engine::read_limited;
-use crate::pipeline::{Document, Tuning};
+use crate::pipeline::{Document, Tuning, knob, turned_by};
 use crate::study::Study;
 use crate::study::choose::{Choice, Refusal, Wanted};
 use std::path::Path;
 use toile_garment::{Diagnostic, Report, SourceRef};
+use toile_stage_api::{AnyStage, Meaning, Registry};
 
 /// Largest study that is read, bytes.
 const MAX_STUDY: u64 = 16 << 20;
 
 /// The settings for the accuracy of the request, else of the pipeline's head; no settings when neither asks.
-pub(super) fn tuning(document: &Document<'_>, request: &Request, report: &mut Report) -> Tuning {
+pub(super) fn tuning(document: &Document<'_>, request: &Request, registry: &Registry, report: &mut Report) -> Tuning {
     let (text, place) = match (&request.accuracy, &document.accuracy) {
         (Some(text), _) => (text.as_str(), SourceRef::file(format!("--accuracy {text}"))),
         (None, Some(text)) => (text.get_ref().as_str(), document.source.place(&text.span())),
         (None, None) => return Tuning::default(),
     };
-    let chosen = choose(text, document, request, report);
+    let chosen = choose(text, document, request, registry, report);
     match chosen {
         Ok((choice, finding)) => {
             report.push(finding.at(place));
@@ -35,24 +36,37 @@ fn choose(
     text: &str,
     document: &Document<'_>,
     request: &Request,
+    registry: &Registry,
     report: &mut Report,
 ) -> Result<(Choice, Diagnostic), Diagnostic> {
     let wanted = Wanted::read(text).map_err(|why| {
         Diagnostic::error("wrong-value", format!("accuracy: {why}")).hint("write e.g. accuracy = \"2 mm\"")
     })?;
-    for stage in ["triangulate", "drape"] {
-        if !document.stages.iter().any(|s| s.name.get_ref() == stage) {
-            let message = format!("an accuracy is a choice of mesh and drape, but the chain has no `{stage}`");
-            let hint = "leave it out; `with.accuracy` of `drape` alone says how near to rest a drape is led";
-            return Err(Diagnostic::error("accuracy-no-stage", message).hint(hint));
-        }
-    }
+    needs_knobs(document, registry)?;
     let file = request.file.with_extension("study.json");
     let study = stored(&file, document, report);
     let choice =
         wanted.choose(study.as_ref()).map_err(|Refusal::OutOfReach(least)| refusal(text, least, study.is_some()))?;
     let words = words(text, &choice, &file);
     Ok((choice, Diagnostic::info("accuracy-chosen", words)))
+}
+
+/// Refuses a chain in which no stage has a knob for the mesh, or none for the rest. Where a stage is unknown, nobody can tell.
+fn needs_knobs(document: &Document<'_>, registry: &Registry) -> Result<(), Diagnostic> {
+    let stages: Vec<Option<&dyn AnyStage>> = document.stages.iter().map(|s| registry.get(s.name.get_ref())).collect();
+    if stages.iter().any(Option::is_none) {
+        return Ok(());
+    }
+    for wanted in [Meaning::EdgeLength, Meaning::Tolerance] {
+        if !stages.iter().flatten().any(|s| knob(s.knobs(), wanted).is_some()) {
+            let (stage, _) = turned_by(registry, wanted);
+            let message = format!("an accuracy is a choice of mesh and drape, but the chain has no `{stage}`");
+            let (drape, key) = turned_by(registry, Meaning::Tolerance);
+            let hint = format!("leave it out; `with.{key}` of `{drape}` alone says how near to rest a drape is led");
+            return Err(Diagnostic::error("accuracy-no-stage", message).hint(hint));
+        }
+    }
+    Ok(())
 }
 
 /// The study beside the pipeline. One that cannot be used is told of, not passed over in silence.

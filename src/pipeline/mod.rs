@@ -22,4 +22,4 @@ pub use nearest::{nearest, remedy};
 pub use plugins::Plugin;
 pub use schema_walk::SchemaTree;
 pub use text::{MAX_BYTES, SourceText};
-pub use tune::{Tuning, tune};
+pub use tune::{Tuning, knob, tune, turned_by};

@@ -2,72 +2,65 @@
 
 use super::document::{Document, StageEntry};
 use std::borrow::Cow;
+use std::collections::BTreeMap;
+use std::ops::Range;
+use toile_stage_api::{AnyStage, Knob, Meaning, Registry};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// The settings that decide how exact a drape is and what it costs. What is `None` stays as the pipeline has it.
-#[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Tuning {
-    /// `edge_length` of `triangulate`, with its unit; takes the place of `triangles` too.
-    pub edge_length: Option<String>,
-    /// `accuracy` of `drape`: how near to rest.
-    pub accuracy: Option<String>,
-    /// `model` of `stitch` and `drape`.
-    pub model: Option<String>,
-    /// `integrator` of `stitch` and `drape`.
-    pub integrator: Option<String>,
-    /// `effects.self-contact` of `drape`.
-    pub self_contact: Option<String>,
-}
+/// The settings that decide how exact a drape is and what it costs, each in the words of its meaning. What is not
+/// there stays as the pipeline has it.
+pub type Tuning = BTreeMap<Meaning, String>;
 
-/// Writes the settings into the stages as if they stood there. `--set` comes later and has the last word.
-pub fn tune(document: &mut Document<'_>, tuning: &Tuning) {
+/// Writes the settings into the stages that have knobs for them, as if they stood there. `--set` comes later and has the
+/// last word.
+pub fn tune(document: &mut Document<'_>, registry: &Registry, tuning: &Tuning) {
     for entry in &mut document.stages {
-        let name = entry.name.get_ref().clone();
-        match name.as_str() {
-            "triangulate" => {
-                if tuning.edge_length.is_some() {
-                    entry.with.get_mut().remove("triangles");
-                }
-                put(entry, "edge_length", tuning.edge_length.as_ref());
+        let knobs = registry.get(entry.name.get_ref()).map_or(&[][..], |s| s.knobs());
+        for knob in knobs {
+            if let Some(value) = tuning.get(&knob.meaning) {
+                turn(entry, knob, value);
             }
-            "stitch" => tune_method(entry, tuning),
-            "drape" => {
-                tune_method(entry, tuning);
-                put(entry, "accuracy", tuning.accuracy.as_ref());
-                put_effect(entry, tuning.self_contact.as_ref());
-            }
-            _ => {}
         }
     }
 }
 
-fn tune_method(entry: &mut StageEntry<'_>, tuning: &Tuning) {
-    put(entry, "model", tuning.model.as_ref());
-    put(entry, "integrator", tuning.integrator.as_ref());
+/// Name and key of the first stage that has a knob of this meaning: the one to tell of where a chain has none.
+#[must_use]
+pub fn turned_by(registry: &Registry, meaning: Meaning) -> (String, String) {
+    let of = |s: &dyn AnyStage| Some((s.info().name.into_owned(), knob(s.knobs(), meaning)?.key.to_string()));
+    registry.iter().find_map(of).unwrap_or_default()
 }
 
-fn put(entry: &mut StageEntry<'_>, key: &'static str, value: Option<&String>) {
-    let Some(value) = value else { return };
-    let span = entry.with.span();
-    let table = entry.with.get_mut();
-    table.remove(key);
-    let value = Spanned::new(span.clone(), DeValue::String(Cow::Owned(value.clone())));
-    table.insert(Spanned::new(span, Cow::Borrowed(key)), value);
+/// The knob of this meaning.
+#[must_use]
+pub fn knob(knobs: &[Knob], meaning: Meaning) -> Option<&Knob> {
+    knobs.iter().find(|k| k.meaning == meaning)
 }
 
-fn put_effect(entry: &mut StageEntry<'_>, value: Option<&String>) {
-    let Some(value) = value else { return };
+fn turn(entry: &mut StageEntry<'_>, knob: &Knob, value: &str) {
     let span = entry.with.span();
     let table = entry.with.get_mut();
-    if !table.contains_key("effects") {
-        let empty = Spanned::new(span.clone(), DeValue::Table(DeTable::new()));
-        table.insert(Spanned::new(span.clone(), Cow::Borrowed("effects")), empty);
+    if let Some(other) = &knob.instead_of {
+        table.remove(other.as_ref());
     }
-    if let Some(DeValue::Table(effects)) = table.get_mut("effects").map(Spanned::get_mut) {
-        effects.remove("self-contact");
-        let value = Spanned::new(span.clone(), DeValue::String(Cow::Owned(value.clone())));
-        effects.insert(Spanned::new(span, Cow::Borrowed("self-contact")), value);
+    put(table, &span, &knob.key, value);
+}
+
+/// Puts a text at a key with dots; inner tables are made where they are missing.
+fn put(table: &mut DeTable<'_>, span: &Range<usize>, key: &str, value: &str) {
+    let here = |value| Spanned::new(span.clone(), value);
+    let named = |key: &str| Spanned::new(span.clone(), Cow::Owned(key.to_owned()));
+    let Some((first, rest)) = key.split_once('.') else {
+        table.remove(key);
+        table.insert(named(key), here(DeValue::String(Cow::Owned(value.to_owned()))));
+        return;
+    };
+    if !table.contains_key(first) {
+        table.insert(named(first), here(DeValue::Table(DeTable::new())));
+    }
+    if let Some(DeValue::Table(inner)) = table.get_mut(first).map(Spanned::get_mut) {
+        put(inner, span, rest, value);
     }
 }
 
@@ -84,15 +77,10 @@ mod tests {
         let source = SourceText::new("p.toml", text, Vec::new());
         let mut report = Report::default();
         let mut document = parse(&source, &mut report).expect("a pipeline");
-        let some = |t: &str| Some(t.to_owned());
-        let tuning = Tuning {
-            edge_length: some("16 mm"),
-            accuracy: some("fine"),
-            self_contact: some("off"),
-            ..Tuning::default()
-        };
-        tune(&mut document, &tuning);
+        let asked = [(Meaning::EdgeLength, "16 mm"), (Meaning::Tolerance, "fine"), (Meaning::SelfContact, "off")];
+        let tuning: Tuning = asked.into_iter().map(|(m, t)| (m, t.to_owned())).collect();
         let registry = toile_stages::builtin();
+        tune(&mut document, &registry, &tuning);
         let pipeline = link(&document, &registry, &mut report);
         let params: Vec<serde_json::Value> = pipeline.steps.iter().map(|s| s.ready.params()).collect();
         assert_eq!((&params[0]["edge_length"], &params[0]["triangles"]), (&"16 mm".into(), &serde_json::Value::Null));

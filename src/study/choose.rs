@@ -6,6 +6,7 @@ use super::presets::{PRESETS, Preset};
 use super::report::Study;
 use crate::pipeline::Tuning;
 use toile_garment::units::{Length, tidy};
+use toile_stage_api::Meaning;
 
 /// What `accuracy` asks for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -75,21 +76,23 @@ impl Choice {
     /// As the chain takes it: mesh and tolerance. What a pipeline says of model, integrator and contact is its own matter.
     #[must_use]
     pub fn tuning(&self) -> Tuning {
-        let all = tuning(&self.setting);
-        Tuning { edge_length: all.edge_length, accuracy: all.accuracy, ..Tuning::default() }
+        let mut all = tuning(&self.setting);
+        all.retain(|meaning, _| matches!(meaning, Meaning::EdgeLength | Meaning::Tolerance));
+        all
     }
 }
 
 /// A setting as the chain takes it, in full.
 #[must_use]
 pub fn tuning(setting: &Setting) -> Tuning {
-    Tuning {
-        edge_length: setting.edge.map(|mm| format!("{mm} mm")),
-        accuracy: Some(word(&setting.accuracy)),
-        model: Some(word(&setting.model)),
-        integrator: Some(word(&setting.integrator)),
-        self_contact: Some(word(&setting.self_contact)),
-    }
+    let edge = setting.edge.map(|mm| (Meaning::EdgeLength, format!("{mm} mm")));
+    let rest = [
+        (Meaning::Tolerance, word(&setting.accuracy)),
+        (Meaning::Model, word(&setting.model)),
+        (Meaning::Integrator, word(&setting.integrator)),
+        (Meaning::SelfContact, word(&setting.self_contact)),
+    ];
+    edge.into_iter().chain(rest).collect()
 }
 
 /// A preset's error is what the study of this garment found; without one it is what the preset promises.

@@ -1,10 +1,10 @@
 //! One run of the grid: the chain up to its drape, in a folder of its own; a run that is through is not done again.
 
 use super::choose::tuning;
-use super::grid::{Setting, word};
+use super::grid::Setting;
 use crate::engine::{self, Exit, Gate, RunOptions, RunRecord, Stop, read_limited, write_whole};
 use crate::load::{self, Request};
-use crate::pipeline::Pipeline;
+use crate::pipeline::{Pipeline, knob, turned_by};
 use crate::progress::{Teller, Voice};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -13,7 +13,7 @@ use toile_formats::gltf;
 use toile_garment::garment::Certificate;
 use toile_garment::provenance::InputRecord;
 use toile_garment::{Diagnostic, Garment, Severity};
-use toile_stage_api::Registry;
+use toile_stage_api::{Meaning, Registry};
 
 /// What a run came to, beside its garment.
 const RESULT_NAME: &str = "result.json";
@@ -97,6 +97,7 @@ impl Bench<'_> {
     /// When the pipeline is wrong, the disk refuses, or the user stops.
     pub fn run(&self, setting: &Setting, registry: &mut Registry) -> Result<Ran, Halt> {
         let request = Request { tuning: tuning(setting), ..self.request.clone() };
+        let (drape, _) = turned_by(registry, Meaning::Tolerance);
         let mut loaded = load::load(&request, self.stop, registry);
         let text = loaded.text().map(|(file, text)| (file.to_owned(), text.to_owned()));
         if loaded.report.has_errors() {
@@ -107,7 +108,7 @@ impl Bench<'_> {
             return Err(Halt { findings: loaded.report.findings, source: text, exit: Exit::Usage });
         };
         let wrong = |finding| Halt { findings: vec![finding], source: text.clone(), exit: Exit::Usage };
-        cut(&mut pipeline).map_err(wrong)?;
+        cut(&mut pipeline, &drape).map_err(wrong)?;
         varies(&pipeline, setting).map_err(wrong)?;
         let key = key(&pipeline);
         if !self.force
@@ -206,37 +207,32 @@ impl Done {
     }
 }
 
-/// Cuts the chain behind its drape, and takes out taps before it: they write files and change nothing.
-fn cut(pipeline: &mut Pipeline<'_>) -> Result<(), Diagnostic> {
-    let last = pipeline.steps.iter().rposition(|s| s.ready.info().name == "drape");
+/// Cuts the chain behind its drape, the last stage that can be told how near to rest, and takes out taps before it: they
+/// write files and change nothing. `drape` is the stage to tell of where there is none.
+fn cut(pipeline: &mut Pipeline<'_>, drape: &str) -> Result<(), Diagnostic> {
+    let last = pipeline.steps.iter().rposition(|s| knob(s.ready.knobs(), Meaning::Tolerance).is_some());
     let Some(last) = last else {
-        let message = format!("`{}` drapes nothing: a study needs a stage `drape`", pipeline.line);
-        return Err(Diagnostic::error("study-no-drape", message).hint("add `use = \"drape\"` to the chain"));
+        let message = format!("`{}` drapes nothing: a study needs a stage `{drape}`", pipeline.line);
+        let hint = format!("add `use = \"{drape}\"` to the chain");
+        return Err(Diagnostic::error("study-no-drape", message).hint(hint));
     };
     pipeline.steps.truncate(last + 1);
     pipeline.steps.retain(|s| !s.ready.info().gives.is_empty());
     Ok(())
 }
 
-/// An override must not hold fast what the study varies: all its rows would be one.
+/// An override must not hold fast what the study varies: all its rows would be one. The last stage with a knob decides
+/// what comes out.
 fn varies(pipeline: &Pipeline<'_>, setting: &Setting) -> Result<(), Diagnostic> {
-    let wanted = [
-        ("triangulate", "/edge_length", setting.edge.map(|mm| format!("{mm} mm"))),
-        ("drape", "/accuracy", Some(word(&setting.accuracy))),
-        ("drape", "/model", Some(word(&setting.model))),
-        ("drape", "/integrator", Some(word(&setting.integrator))),
-        ("drape", "/effects/self-contact", Some(word(&setting.self_contact))),
-    ];
-    for (stage, path, value) in wanted {
-        let Some(value) = value else { continue };
-        for step in pipeline.steps.iter().filter(|s| s.ready.info().name == stage) {
-            let params = step.ready.params();
-            let found = params.pointer(path).and_then(serde_json::Value::as_str).unwrap_or("");
-            if found != value {
-                let key = path.trim_start_matches('/').replace('/', ".");
-                let message = format!("`{}.{key}` is held at `{found}`, but the study varies it", step.id);
-                return Err(Diagnostic::error("study-held", message).hint("leave out that --set"));
-            }
+    for (meaning, value) in tuning(setting) {
+        let mut steps = pipeline.steps.iter().rev();
+        let Some((step, key)) = steps.find_map(|s| Some((s, &knob(s.ready.knobs(), meaning)?.key))) else { continue };
+        let params = step.ready.params();
+        let found = params.pointer(&format!("/{}", key.replace('.', "/")));
+        let found = found.and_then(serde_json::Value::as_str).unwrap_or("");
+        if found != value {
+            let message = format!("`{}.{key}` is held at `{found}`, but the study varies it", step.id);
+            return Err(Diagnostic::error("study-held", message).hint("leave out that --set"));
         }
     }
     Ok(())

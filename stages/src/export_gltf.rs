@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use std::path::Path;
 use toile_formats::gltf::{self, WriteError};
 use toile_garment::{Aspect, Garment};
-use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
 
 /// Writes a GLB.
 pub struct ExportGltf;
@@ -33,6 +33,15 @@ impl Stage for ExportGltf {
         &[],
         1,
     );
+
+    fn forecast(
+        &self,
+        _: &Self::Params,
+        forecast: &mut Forecast,
+        _: &mut StageContext<'_>,
+    ) -> Result<Option<Cost>, StageError> {
+        Ok(forecast.by_triangles(0.01, 0.005, 1.0))
+    }
 
     fn run(&self, params: &Self::Params, garment: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
         let glb = gltf::write_garment(&garment).map_err(failure)?;

@@ -7,7 +7,7 @@ use std::path::Path;
 use toile_formats::obj::{self, GarmentObjError};
 use toile_garment::garment::UpAxis;
 use toile_garment::{Aspect, Diagnostic, Garment};
-use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
 
 /// Writes an OBJ.
 pub struct ExportObj;
@@ -41,6 +41,15 @@ impl Stage for ExportObj {
         &[],
         1,
     );
+
+    fn forecast(
+        &self,
+        _: &Self::Params,
+        forecast: &mut Forecast,
+        _: &mut StageContext<'_>,
+    ) -> Result<Option<Cost>, StageError> {
+        Ok(forecast.by_triangles(0.005, 0.005, 1.0))
+    }
 
     fn run(&self, params: &Self::Params, garment: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
         let up = params.up.unwrap_or(garment.file_up);

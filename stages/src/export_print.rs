@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use toile_formats::plot::{self, Font, Paper, Sheet};
 use toile_garment::units::Length;
 use toile_garment::{Aspect, Diagnostic, Garment};
-use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
 
 /// Between pieces, and from the edge, metres.
 const GAP: f64 = 0.02;
@@ -59,6 +59,15 @@ impl Stage for ExportPrint {
         &[],
         1,
     );
+
+    fn forecast(
+        &self,
+        _: &Self::Params,
+        _: &mut Forecast,
+        _: &mut StageContext<'_>,
+    ) -> Result<Option<Cost>, StageError> {
+        Ok(Some(Cost::seconds(0.02)))
+    }
 
     fn run(
         &self,

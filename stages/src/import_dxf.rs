@@ -9,7 +9,7 @@ use toile_formats::dxf::{self, InsertRule, ReadOptions, Tolerances, Vendor};
 use toile_formats::rul;
 use toile_garment::units::{Angle, Length};
 use toile_garment::{Aspect, Diagnostic, Garment, SourceRef};
-use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
 
 /// Most sizes of a list.
 const SIZES: usize = 100;
@@ -111,6 +111,16 @@ impl Stage for ImportDxf {
 
     const INFO: StageInfo =
         StageInfo::new("import-dxf", "reads the pieces of an AAMA or ASTM DXF in one size", &[], &[Aspect::Pieces], 3);
+
+    fn forecast(
+        &self,
+        params: &Self::Params,
+        forecast: &mut Forecast,
+        cx: &mut StageContext<'_>,
+    ) -> Result<Option<Cost>, StageError> {
+        forecast.garment = self.run(params, Garment::default(), cx)?;
+        Ok(Some(Cost::seconds(0.03)))
+    }
 
     fn run(
         &self,

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use toile_formats::garmentcode;
 use toile_garment::units::Length;
 use toile_garment::{Aspect, Diagnostic, Garment};
-use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
 
 /// How near chords keep to curves, metres.
 const FLATNESS: f64 = 5e-5;
@@ -41,6 +41,16 @@ impl Stage for ImportGarmentcode {
         &[Aspect::Pieces],
         1,
     );
+
+    fn forecast(
+        &self,
+        params: &Self::Params,
+        forecast: &mut Forecast,
+        cx: &mut StageContext<'_>,
+    ) -> Result<Option<Cost>, StageError> {
+        forecast.garment = self.run(params, Garment::default(), cx)?;
+        Ok(Some(Cost::seconds(0.01)))
+    }
 
     fn run(
         &self,

@@ -22,7 +22,6 @@ pub mod import_dxf;
 pub mod import_garmentcode;
 pub mod import_mesh;
 pub mod joined;
-pub mod outlook;
 pub mod sewing;
 mod solve;
 pub mod stitch;

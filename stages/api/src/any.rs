@@ -2,6 +2,8 @@
 
 use crate::context::StageContext;
 use crate::error::StageError;
+use crate::forecast::{Cost, Forecast};
+use crate::knob::Knob;
 use crate::stage::{Stage, StageInfo};
 use schemars::{Schema, SchemaGenerator};
 use serde::Deserialize as _;
@@ -11,6 +13,9 @@ use toile_garment::{Garment, Report};
 pub trait AnyStage: Send + Sync {
     /// Name, needs, gives.
     fn info(&self) -> StageInfo;
+
+    /// Parameters that an asked accuracy, or a study, may set.
+    fn knobs(&self) -> &[Knob];
 
     /// Schema of the parameters.
     fn schema(&self, generator: &mut SchemaGenerator) -> Schema;
@@ -30,8 +35,17 @@ pub trait ReadyStage: Send + Sync {
     /// Name, needs, gives.
     fn info(&self) -> StageInfo;
 
+    /// Parameters that an asked accuracy, or a study, may set.
+    fn knobs(&self) -> &[Knob];
+
     /// The full parameters, defaults included.
     fn params(&self) -> serde_json::Value;
+
+    /// Foresees what `run` will need; see [`Stage::forecast`].
+    ///
+    /// # Errors
+    /// See [`StageError`].
+    fn forecast(&self, forecast: &mut Forecast, cx: &mut StageContext<'_>) -> Result<Option<Cost>, StageError>;
 
     /// Looks without changing.
     fn check(&self, garment: &Garment, report: &mut Report);
@@ -53,6 +67,10 @@ impl<S: Stage> AnyStage for S {
         S::INFO
     }
 
+    fn knobs(&self) -> &[Knob] {
+        S::KNOBS
+    }
+
     fn schema(&self, generator: &mut SchemaGenerator) -> Schema {
         generator.subschema_for::<S::Params>()
     }
@@ -71,8 +89,16 @@ impl<S: Stage> ReadyStage for Ready<'_, S> {
         S::INFO
     }
 
+    fn knobs(&self) -> &[Knob] {
+        S::KNOBS
+    }
+
     fn params(&self) -> serde_json::Value {
         serde_json::to_value(&self.params).unwrap_or(serde_json::Value::Null)
+    }
+
+    fn forecast(&self, forecast: &mut Forecast, cx: &mut StageContext<'_>) -> Result<Option<Cost>, StageError> {
+        self.stage.forecast(&self.params, forecast, cx)
     }
 
     fn check(&self, garment: &Garment, report: &mut Report) {

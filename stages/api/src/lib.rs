@@ -6,12 +6,16 @@
 mod any;
 mod context;
 mod error;
+mod forecast;
+mod knob;
 mod registry;
 mod stage;
 
 pub use any::{AnyStage, ReadyStage};
 pub use context::{FileError, Files, Progress, StageContext};
 pub use error::StageError;
+pub use forecast::{Cost, Forecast, MeshSize};
+pub use knob::{Knob, Meaning};
 pub use registry::{Registry, RegistryError};
 pub use stage::{Stage, StageInfo};
 pub use toile_garment as garment;

@@ -2,6 +2,8 @@
 
 use crate::context::StageContext;
 use crate::error::StageError;
+use crate::forecast::{Cost, Forecast};
+use crate::knob::Knob;
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
@@ -50,6 +52,25 @@ pub trait Stage: Send + Sync + 'static {
     type Params: DeserializeOwned + Serialize + JsonSchema + Send + Sync + 'static;
     /// Name, needs, gives.
     const INFO: StageInfo;
+
+    /// Parameters that an asked accuracy, or a study, may set. There are none by default.
+    const KNOBS: &'static [Knob] = &[];
+
+    /// Foresees what `run` will need, from the parameters and from what files say; it does none of the work. What the
+    /// stage learns for others (pieces, fabrics, body, mesh) it leaves in the forecast; files are read through the
+    /// context, and what is wrong with them goes into its report. `None` says that nothing can be foreseen, and is the
+    /// default.
+    ///
+    /// # Errors
+    /// See [`StageError`]: an error here ends the plan as it would end the run.
+    fn forecast(
+        &self,
+        _params: &Self::Params,
+        _forecast: &mut Forecast,
+        _cx: &mut StageContext<'_>,
+    ) -> Result<Option<Cost>, StageError> {
+        Ok(None)
+    }
 
     /// Looks without changing; called just before `run`.
     fn check(&self, _params: &Self::Params, _garment: &Garment, _report: &mut Report) {}

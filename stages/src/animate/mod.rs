@@ -11,7 +11,7 @@ use store::Store;
 use toile_cloth::{Motion, Scene, Trip};
 use toile_garment::garment::EffectRecord;
 use toile_garment::{Aspect, Diagnostic, Garment, Vec3};
-use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
 
 /// Distance between the drape's body and the first frame from which a person should look, metres.
 const FAR: f64 = 0.2;
@@ -29,6 +29,17 @@ impl Stage for Animate {
         &[Aspect::Animation],
         1,
     );
+
+    fn forecast(
+        &self,
+        params: &Self::Params,
+        forecast: &mut Forecast,
+        _: &mut StageContext<'_>,
+    ) -> Result<Option<Cost>, StageError> {
+        // Without a number of frames the film is taken to last a second.
+        let film = params.frames.map_or(1.0, |n| f64::from(n) / params.fps);
+        Ok(forecast.by_triangles(0.1, film, 12.0))
+    }
 
     fn run(
         &self,

@@ -13,7 +13,7 @@ use toile_garment::dart::DartKind;
 use toile_garment::seam::{Seam, SeamKind, SeamRun, SeamSide};
 use toile_garment::units::Share;
 use toile_garment::{Aspect, DartId, Diagnostic, Garment, Piece, SeamId};
-use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
 
 /// Parameters of `assemble`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -41,6 +41,15 @@ impl Stage for Assemble {
         &[Aspect::Seams],
         1,
     );
+
+    fn forecast(
+        &self,
+        _: &Self::Params,
+        forecast: &mut Forecast,
+        _: &mut StageContext<'_>,
+    ) -> Result<Option<Cost>, StageError> {
+        Ok(forecast.by_triangles(0.001, 0.001, 1.0))
+    }
 
     fn run(&self, params: &Params, mut garment: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
         if !(params.max_ease.0.is_finite() && params.max_ease.0 >= 0.0) {

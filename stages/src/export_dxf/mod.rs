@@ -14,7 +14,7 @@ use toile_formats::dxf::write::{self, Drawing, PieceOptions, StyleText, piece_dr
 use toile_formats::dxf::{self, ReadOptions};
 use toile_formats::rul;
 use toile_garment::{Aspect, Diagnostic, Garment, Piece};
-use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
 
 pub use flat_piece::flat_piece;
 
@@ -110,6 +110,15 @@ impl Stage for ExportDxf {
         &[],
         2,
     );
+
+    fn forecast(
+        &self,
+        _: &Self::Params,
+        forecast: &mut Forecast,
+        _: &mut StageContext<'_>,
+    ) -> Result<Option<Cost>, StageError> {
+        Ok(forecast.by_triangles(0.02, 0.001, 1.0))
+    }
 
     fn run(
         &self,

@@ -2,7 +2,7 @@
 
 use super::{FlattenParams, flatten_garment};
 use toile_garment::{Aspect, Diagnostic, Garment};
-use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
 
 /// Flattens the draped surface back to 2D pieces.
 pub struct Flatten;
@@ -16,6 +16,15 @@ impl Stage for Flatten {
         &[Aspect::Flat],
         1,
     );
+
+    fn forecast(
+        &self,
+        _: &Self::Params,
+        forecast: &mut Forecast,
+        _: &mut StageContext<'_>,
+    ) -> Result<Option<Cost>, StageError> {
+        Ok(forecast.by_triangles(0.005, 0.005, 1.0))
+    }
 
     fn run(&self, params: &Self::Params, garment: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
         check(params)?;

@@ -4,6 +4,7 @@
 
 mod borders;
 mod boundary;
+mod forecast;
 mod lists;
 mod rest;
 #[cfg(test)]
@@ -21,7 +22,7 @@ use toile_garment::ids::{MeshVertex, PieceId, SeamId};
 use toile_garment::outline::{LinePoint, PieceLine, PointKind};
 use toile_garment::seam::{Seam, SeamKind, SeamRun, SeamSide, Stitch};
 use toile_garment::{Aspect, Diagnostic, Garment, Piece, Severity, SourceRef, Vec3};
-use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
 
 pub use rest::Rest;
 
@@ -65,6 +66,17 @@ impl Stage for ImportMesh {
         &[Aspect::Pieces, Aspect::Mesh, Aspect::Stitched, Aspect::Fabric],
         2,
     );
+
+    fn forecast(
+        &self,
+        params: &Self::Params,
+        forecast: &mut Forecast,
+        cx: &mut StageContext<'_>,
+    ) -> Result<Option<Cost>, StageError> {
+        forecast.garment = self.run(params, Garment::default(), cx)?;
+        forecast.mesh = forecast::measure(&forecast.garment);
+        Ok(forecast.by_triangles(0.01, 0.005, 1.0))
+    }
 
     fn run(&self, params: &Self::Params, _: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
         let mut input = Input { params, errors: Vec::new() };

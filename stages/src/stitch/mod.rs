@@ -16,7 +16,7 @@ use toile_garment::garment::Shape;
 use toile_garment::seam::Seam;
 use toile_garment::units::{Duration, Length};
 use toile_garment::{Aspect, Diagnostic, Garment, MeshVertex, SeamId, Vec3};
-use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, Forecast, Knob, Meaning, Stage, StageContext, StageError, StageInfo};
 
 /// Places the pieces around the body and closes seams and darts.
 #[derive(Clone, Copy, Debug, Default)]
@@ -89,6 +89,22 @@ impl Stage for Stitch {
         &[Aspect::Stitched, Aspect::Fabric, Aspect::Body],
         1,
     );
+
+    const KNOBS: &'static [Knob] = &[Knob::new(Meaning::Model, "model"), Knob::new(Meaning::Integrator, "integrator")];
+
+    fn forecast(
+        &self,
+        params: &Self::Params,
+        forecast: &mut Forecast,
+        cx: &mut StageContext<'_>,
+    ) -> Result<Option<Cost>, StageError> {
+        load::fabrics(params, &mut forecast.garment, cx)?;
+        if let Some(body) = &params.body {
+            forecast.garment.body = Some(load::body(body, cx)?);
+        }
+        // Fitted to the same garments as the cost of `drape`.
+        Ok(forecast.by_triangles(0.1, 0.15, 4.3))
+    }
 
     fn run(
         &self,

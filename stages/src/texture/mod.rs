@@ -15,7 +15,7 @@ use std::path::Path;
 use toile_formats::texture::read_image;
 use toile_garment::texture::{Material, PieceTexture, Textures};
 use toile_garment::{Aspect, Diagnostic, Garment, Piece, Severity};
-use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
 
 /// Lays the fabric on the pieces.
 pub struct Texture;
@@ -29,6 +29,15 @@ impl Stage for Texture {
         &[Aspect::Texture],
         1,
     );
+
+    fn forecast(
+        &self,
+        _: &Self::Params,
+        forecast: &mut Forecast,
+        _: &mut StageContext<'_>,
+    ) -> Result<Option<Cost>, StageError> {
+        Ok(forecast.by_triangles(0.002, 0.001, 1.0))
+    }
 
     fn run(
         &self,

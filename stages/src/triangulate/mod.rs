@@ -9,6 +9,7 @@ mod check;
 mod counts;
 mod crossing;
 mod curve;
+mod forecast;
 mod lattice;
 mod layout;
 mod lines;
@@ -32,7 +33,7 @@ use serde::{Deserialize, Serialize};
 pub(crate) use size::DEFAULT as DEFAULT_EDGE;
 use toile_garment::units::{Angle, Length};
 use toile_garment::{Aspect, Diagnostic, Garment, Piece, Report, Vec2};
-use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+use toile_stage_api::{Cost, Forecast, Knob, Meaning, Stage, StageContext, StageError, StageInfo};
 
 /// Tries at finer lines before a crossing of sampled lines is an error.
 const TRIES: usize = 5;
@@ -80,6 +81,18 @@ impl Stage for Triangulate {
         &[Aspect::Mesh],
         1,
     );
+
+    const KNOBS: &'static [Knob] = &[Knob::in_place_of("triangles", Meaning::EdgeLength, "edge_length")];
+
+    fn forecast(
+        &self,
+        params: &Self::Params,
+        forecast: &mut Forecast,
+        _: &mut StageContext<'_>,
+    ) -> Result<Option<Cost>, StageError> {
+        forecast.mesh = forecast::mesh(params, &forecast.garment)?;
+        Ok(forecast.by_triangles(0.01, 0.01, 1.0))
+    }
 
     fn run(&self, params: &Params, mut garment: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
         let shapes = shapes(&garment).map_err(StageError::Input)?;

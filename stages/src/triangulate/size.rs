@@ -67,7 +67,7 @@ pub fn edge_length(params: &Params, garment: &Garment, shapes: &Shapes) -> Resul
     if !(h.is_finite() && h > 0.0 && params.angle.0.is_finite()) {
         return wrong(format!("the edge length {} mm cannot be", h * 1e3), "e.g. edge_length = \"12 mm\"");
     }
-    let triangles = 4.0 * area / (3_f64.sqrt() * h * h);
+    let triangles = triangles(area, h);
     let edges: f64 = shapes.iter().flat_map(|s| &s.rings).map(|r| r.total() / h).sum();
     if triangles > MOST || edges > MOST {
         return Err(StageError::Limit(format!(
@@ -90,6 +90,11 @@ pub fn edge_length(params: &Params, garment: &Garment, shapes: &Shapes) -> Resul
     Ok(h)
 }
 
+/// Number of triangles with edges of length `h` that cover an area: each covers √3/4 h².
+pub fn triangles(area: f64, h: f64) -> f64 {
+    4.0 * area / (3_f64.sqrt() * h * h)
+}
+
 /// Refuses too many edges on lines.
 pub fn check_total(edges: usize) -> Result<(), StageError> {
     if edges as f64 > MOST {
@@ -101,7 +106,7 @@ pub fn check_total(edges: usize) -> Result<(), StageError> {
 }
 
 /// Area of all pieces without intakes and cutouts.
-fn cloth_area(garment: &Garment, shapes: &Shapes) -> f64 {
+pub fn cloth_area(garment: &Garment, shapes: &Shapes) -> f64 {
     let area = |points: &[toile_garment::Vec2]| super::lines::signed_area(points).abs();
     garment
         .pieces

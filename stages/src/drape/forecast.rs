@@ -1,25 +1,22 @@
-//! Effects of the drape: on or off, by which rule, on what evidence, as far as files and parameters say it.
+//! The effects that a drape will have, each with rule and evidence, as far as files and parameters tell.
 
-use super::MeshSize;
-use crate::drape::{EffectsParam, IntegratorName, SwitchName};
+use super::{DrapeParams, IntegratorName, SwitchName};
 use crate::solve::material;
-use serde::Deserialize as _;
-use serde_json::Value;
-use toile_cloth::{HYSTERESIS_FELT, Integrator};
+use toile_cloth::HYSTERESIS_FELT;
 use toile_garment::Garment;
 use toile_garment::fabric::Fabric;
 use toile_garment::garment::EffectRecord;
-use toile_garment::units::Pressure;
+use toile_stage_api::{Forecast, MeshSize};
 
-/// The effects of `drape` with these parameters.
-pub fn effects(params: &Value, garment: &Garment, mesh: Option<MeshSize>) -> Vec<EffectRecord> {
-    let switches = params.get("effects").and_then(|e| EffectsParam::deserialize(e).ok()).unwrap_or_default();
+/// The effects of a drape with these parameters.
+pub(super) fn effects(params: &DrapeParams, forecast: &Forecast) -> Vec<EffectRecord> {
+    let (switches, garment) = (&params.effects, &forecast.garment);
     let body = effect("body-contact", switches.body_contact, "the scene has a body", of_body(garment));
     let own = effect(
         "self-contact",
         switches.self_contact,
         "cloth that moves freely can meet itself",
-        of_cloth(garment, mesh),
+        of_cloth(garment, forecast.mesh),
     );
     let touches = own.on || body.on;
     let friction =
@@ -34,8 +31,8 @@ pub fn effects(params: &Value, garment: &Garment, mesh: Option<MeshSize>) -> Vec
 }
 
 /// Only where one is given.
-fn pressure(params: &Value) -> Option<EffectRecord> {
-    let p = Pressure::deserialize(params.get("pressure")?).ok().filter(|p| p.0 != 0.0)?;
+fn pressure(params: &DrapeParams) -> Option<EffectRecord> {
+    let p = params.pressure.filter(|p| p.0 != 0.0)?;
     Some(effect("pressure", SwitchName::Auto, "a pressure is given", (true, p.to_string())))
 }
 
@@ -78,9 +75,8 @@ fn of_friction(garment: &Garment, touches: bool) -> Evidence {
     }
 }
 
-fn of_bending(params: &Value, switch: SwitchName, garment: &Garment) -> Evidence {
-    let integrator = params.get("integrator").and_then(|i| IntegratorName::deserialize(i).ok()).unwrap_or_default();
-    if Integrator::from(integrator) == Integrator::CentralDifference {
+fn of_bending(params: &DrapeParams, switch: SwitchName, garment: &Garment) -> Evidence {
+    if params.integrator == IntegratorName::CentralDifference {
         return (false, "central differences do not simulate it".to_owned());
     }
     let least = if switch == SwitchName::On { f64::MIN_POSITIVE } else { HYSTERESIS_FELT };
@@ -101,11 +97,15 @@ fn of_limits(garment: &Garment) -> Evidence {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use serde_json::json;
+    use crate::drape::EffectsParam;
+
+    fn of(params: &DrapeParams, garment: Garment) -> Vec<EffectRecord> {
+        effects(params, &Forecast { garment, ..Forecast::default() })
+    }
 
     #[test]
     fn a_scene_without_body_and_fabric_needs_no_contact_with_them() {
-        let found = effects(&json!({}), &Garment::default(), None);
+        let found = of(&DrapeParams::default(), Garment::default());
         let on: Vec<(&str, bool)> = found.iter().map(|e| (e.name.as_str(), e.on)).collect();
         assert_eq!(
             on,
@@ -121,7 +121,8 @@ mod tests {
 
     #[test]
     fn a_switch_is_the_rule_where_it_is_set() {
-        let found = effects(&json!({ "effects": { "self-contact": "off" } }), &Garment::default(), None);
+        let effects = EffectsParam { self_contact: SwitchName::Off, ..EffectsParam::default() };
+        let found = of(&DrapeParams { effects, ..DrapeParams::default() }, Garment::default());
         assert!(!found[0].on && found[0].rule.contains("effects.self-contact = \"off\""));
         assert_eq!(found[2].evidence, "no contact is simulated");
     }
@@ -132,13 +133,16 @@ mod tests {
             bend_hysteresis: Some(hysteresis),
             ..crate::testing::cloth(0.15, 3000.0, 40.0, [1e-5; 2])
         };
-        let on = |params: Value, hysteresis: f64| {
+        let on = |params: &DrapeParams, hysteresis: f64| {
             let fabrics = [("cloth".to_owned(), fabric(hysteresis))].into_iter().collect();
-            effects(&params, &Garment { fabrics, ..Garment::default() }, None)[4].on
+            of(params, Garment { fabrics, ..Garment::default() })[4].on
         };
-        let asked = json!({ "effects": { "bending-hysteresis": "on" } });
-        assert!(on(json!({}), 1e-3) && !on(json!({}), 1e-6), "by itself where it is felt");
-        assert!(on(asked.clone(), 1e-6) && !on(asked, 0.0), "asked for: wherever there is any");
-        assert!(!on(json!({ "integrator": "central-difference" }), 1e-3));
+        let usual = DrapeParams::default();
+        let effects = EffectsParam { bending_hysteresis: SwitchName::On, ..EffectsParam::default() };
+        let asked = DrapeParams { effects, ..DrapeParams::default() };
+        assert!(on(&usual, 1e-3) && !on(&usual, 1e-6), "by itself where it is felt");
+        assert!(on(&asked, 1e-6) && !on(&asked, 0.0), "asked for: wherever there is any");
+        let explicit = DrapeParams { integrator: IntegratorName::CentralDifference, ..DrapeParams::default() };
+        assert!(!on(&explicit, 1e-3));
     }
 }

@@ -1,0 +1,69 @@
+//! A forecast: what a chain will need, told stage by stage before anything works.
+
+use serde::{Deserialize, Serialize};
+use toile_garment::Garment;
+use toile_garment::garment::EffectRecord;
+
+/// The size of the mesh that drape and exports will work on.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+pub struct MeshSize {
+    /// Number of triangles; an estimate, so it need not be whole.
+    pub triangles: f64,
+    /// Length of a mesh edge, metres.
+    pub edge: f64,
+}
+
+/// The cost that a stage expects of its own work.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Cost {
+    /// CPU seconds of all threads.
+    pub seconds: f64,
+    /// Memory that the work takes beside the program and the files read before, MB.
+    #[serde(default)]
+    pub mb: f64,
+}
+
+impl Cost {
+    /// Work that needs next to nothing, whatever the garment.
+    pub const NOTHING: Self = Self { seconds: 0.0, mb: 0.0 };
+
+    /// A cost in seconds, with no memory worth telling.
+    #[must_use]
+    pub const fn seconds(seconds: f64) -> Self {
+        Self { seconds, mb: 0.0 }
+    }
+}
+
+/// Everything that the stages so far have told about the chain. Each stage reads it and adds what it knows.
+#[derive(Clone, Debug, Default)]
+pub struct Forecast {
+    /// The garment as the files describe it: pieces, fabrics, body. It never holds a result of work.
+    pub garment: Garment,
+    /// Size of the mesh, as soon as a stage can tell it.
+    pub mesh: Option<MeshSize>,
+    /// Effects that will be simulated or left out, each with its rule and its evidence.
+    pub effects: Vec<EffectRecord>,
+}
+
+impl Forecast {
+    /// The cost of work that grows with the mesh: seconds whatever the size, then seconds and MB for 1000 triangles. It is
+    /// `None` while no stage has told the size of the mesh.
+    #[must_use]
+    pub fn by_triangles(&self, fixed: f64, seconds: f64, mb: f64) -> Option<Cost> {
+        let thousands = self.mesh?.triangles * 1e-3;
+        Some(Cost { seconds: fixed + seconds * thousands, mb: mb * thousands })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn cost_grows_with_the_mesh_and_nothing_is_said_without_one() {
+        let mut forecast = Forecast::default();
+        assert_eq!(forecast.by_triangles(0.25, 0.5, 2.0), None);
+        forecast.mesh = Some(MeshSize { triangles: 4000.0, edge: 0.01 });
+        assert_eq!(forecast.by_triangles(0.25, 0.5, 2.0), Some(Cost { seconds: 2.25, mb: 8.0 }));
+    }
+}
