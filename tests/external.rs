@@ -187,7 +187,7 @@ fn the_example_is_foreseen() {
 const MESHER: &str = r#"{"protocol":2,"stages":[{"name":"acme.mesh","summary":"","needs":[],"gives":["mesh"],"revision":1,
 "params_schema":{"type":"object","properties":{"fine":{"type":"object","properties":{"edge":{"type":"string"}}},"count":{"type":"integer"}}},
 "forecast":true,"knobs":[{"meaning":"edge-length","key":"fine.edge","instead_of":"count"},{"meaning":"tolerance","key":"rest"}]}]}"#;
-const MESH: &str = "[[stage]]\nuse = \"acme.mesh\"\nwith.count = 7\n[[stage]]\nuse = \"export-obj\"\n";
+const MESH: &str = "[[stage]]\nuse = \"acme.mesh\"\nwith.count = 7\n[[stage]]\nuse = \"export-report\"\n";
 
 #[test]
 fn a_mesh_that_is_foreseen_is_known_to_later_stages() {

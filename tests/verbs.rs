@@ -220,6 +220,33 @@ fn a_plan_foresees_mesh_effects_and_cost() {
     assert!(finer["effects"][0]["rule"].as_str().is_some_and(|r| r.contains("switched off")));
 }
 
+/// A garment of another importer is foreseen as well: its mesh, and every stage to the end.
+#[test]
+fn a_plan_foresees_a_garmentcode_garment() {
+    let bench = Bench::new();
+    for file in ["tests/golden/garmentcode/tube.json", "samples/fabrics/wool-suiting.toml"] {
+        let name = file.rsplit('/').next().expect("name");
+        std::fs::copy(root().join(file), bench.path("pipelines/test").join(name)).expect("file");
+    }
+    let stages = [
+        "import-garmentcode\"\nwith.file = \"tube.json",
+        "triangulate\"\nwith.edge_length = \"8 mm",
+        "assemble",
+        "stitch\"\nwith.fabric = \"wool-suiting.toml",
+        "drape",
+        "export-gltf\"\nwith.file = \"{out}/tube.glb",
+    ];
+    let text: String = stages.iter().map(|s| format!("[[stage]]\nuse = \"{s}\"\n")).collect();
+    bench.stages(&text);
+    let plan = json(&toile(&[&"plan", &bench.pipeline_file(), &"--json"]));
+    assert_eq!(plan["expected"]["stages_not_foreseen"], 0, "{plan}");
+    // Two pieces of about 0.6 m² in all, less the dart: an edge of 8 mm makes 36,000 triangles of a square metre.
+    let triangles = plan["expected"]["triangles"].as_f64().expect("triangles");
+    assert!((20_000.0..23_000.0).contains(&triangles), "{triangles}");
+    assert!(plan["expected"]["seconds"].as_f64().is_some_and(|s| s > 1.0), "{plan}");
+    assert!(plan["effects"][0]["evidence"].as_str().is_some_and(|e| e.starts_with("2 pieces, about")), "{plan}");
+}
+
 /// A file that would end the run ends the plan, with the same exit code.
 #[test]
 fn a_plan_says_what_is_wrong_with_the_files() {

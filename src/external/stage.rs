@@ -119,7 +119,6 @@ impl ReadyStage for Ready<'_> {
         let desk = Desk::lay(&garment)?;
         self.talk("run", &self.request(&desk, None, cx)?, &desk, cx, &mut |_| {})?;
         let mut back = self.read_back(&desk.output.join(FILE_NAME))?;
-        let mut back = self.read_back(&output.join(FILE_NAME))?;
         // The engine alone writes the history.
         back.provenance = garment.provenance;
         self.check_gives(&back)?;

@@ -35,8 +35,7 @@ mod tuning;
 
 pub use certificate::{Figures, certify};
 pub use dynamics::{Dynamics, Frame, Motion, Trip};
-pub use effects::is_built;
-pub use energy::hysteresis::{FELT as HYSTERESIS_FELT, RULE as HYSTERESIS_RULE};
+pub use effects::{EFFECTS, Effect, Facts};
 pub use error::{ClothError, Place};
 pub use report::outcome::{EffectReport, Outcome, Reaction, StopReason};
 pub use report::watch::{Silent, Watch};

@@ -1,103 +1,57 @@
 //! The effects that a drape will have, each with rule and evidence, as far as files and parameters tell.
 
-use super::{DrapeParams, IntegratorName, SwitchName};
+use super::DrapeParams;
 use crate::solve::material;
-use toile_cloth::HYSTERESIS_FELT;
-use toile_garment::Garment;
-use toile_garment::fabric::Fabric;
+use toile_cloth::{EFFECTS, Effect, Facts, Settings, Switch};
 use toile_garment::garment::EffectRecord;
-use toile_stage_api::{Forecast, MeshSize};
+use toile_garment::units::tidy;
+use toile_stage_api::Forecast;
 
 /// The effects of a drape with these parameters.
 pub(super) fn effects(params: &DrapeParams, forecast: &Forecast) -> Vec<EffectRecord> {
-    let (switches, garment) = (&params.effects, &forecast.garment);
-    let body = effect("body-contact", switches.body_contact, "the scene has a body", of_body(garment));
-    let own = effect(
-        "self-contact",
-        switches.self_contact,
-        "cloth that moves freely can meet itself",
-        of_cloth(garment, forecast.mesh),
-    );
-    let touches = own.on || body.on;
-    let friction =
-        effect("friction", switches.friction, "contact and a coefficient above 0", of_friction(garment, touches));
-    let limit = effect("strain-limit", switches.strain_limit, "a fabric has a limit", of_limits(garment));
-    let switch = switches.bending_hysteresis;
-    let evidence = of_bending(params, switch, garment);
-    let bending = effect("bending-hysteresis", switch, toile_cloth::HYSTERESIS_RULE, evidence);
-    let mut list = vec![own, body, friction, limit, bending];
-    list.extend(pressure(params));
-    list
-}
-
-/// Only where one is given.
-fn pressure(params: &DrapeParams) -> Option<EffectRecord> {
-    let p = params.pressure.filter(|p| p.0 != 0.0)?;
-    Some(effect("pressure", SwitchName::Auto, "a pressure is given", (true, p.to_string())))
-}
-
-/// Does the scene call for it, and what says so.
-type Evidence = (bool, String);
-
-/// Nothing is simulated that the scene has no use for, whatever was asked.
-fn effect(name: &str, switch: SwitchName, rule: &str, (called_for, evidence): Evidence) -> EffectRecord {
-    let rule = match switch {
-        SwitchName::Auto => rule.to_owned(),
-        SwitchName::On => format!("asked for with effects.{name} = \"on\"; used where {rule}"),
-        SwitchName::Off => format!("switched off with effects.{name} = \"off\""),
+    let settings = params.settings(1);
+    let facts = facts(&settings, forecast);
+    let record = |effect: &&Effect| {
+        let on = effect.is_on(&facts, &settings);
+        effect.is_told(on).then(|| record(effect, on, &facts, &settings))
     };
-    let on = switch != SwitchName::Off && called_for;
-    let refused = if on && !toile_cloth::is_built(name) { "; not in this build: the run will be refused" } else { "" };
-    EffectRecord { name: name.to_owned(), on, rule, evidence: evidence + refused, cpu_seconds: 0.0 }
+    EFFECTS.iter().filter_map(record).collect()
 }
 
-fn of_cloth(garment: &Garment, mesh: Option<MeshSize>) -> Evidence {
+/// What the files tell of the scene to come.
+fn facts(settings: &Settings, forecast: &Forecast) -> Facts {
+    let garment = &forecast.garment;
     let pieces = garment.pieces.len();
-    let size = mesh.map_or_else(String::new, |m| {
+    let size = forecast.mesh.map_or_else(String::new, |m| {
         format!(", about {:.0} triangles with edges of about {:.1} mm", m.triangles, m.edge * 1e3)
     });
-    (true, format!("{pieces} {}{size}", if pieces == 1 { "piece" } else { "pieces" }))
+    let cloth = format!("{pieces} {}{size}", if pieces == 1 { "piece" } else { "pieces" });
+    let body = garment.body.as_ref().filter(|b| !b.triangles.is_empty());
+    let body = body.map(|b| format!("body `{}` with {} triangles", b.name, b.triangles.len()));
+    let materials: Vec<_> = garment.fabrics.values().map(material).collect();
+    let facts = Facts::new(&materials, settings, cloth, body);
+    Facts { pressure: tidy(facts.pressure), ..facts }
 }
 
-fn of_body(garment: &Garment) -> Evidence {
-    match garment.body.as_ref().filter(|b| !b.triangles.is_empty()) {
-        Some(body) => (true, format!("body `{}` with {} triangles", body.name, body.triangles.len())),
-        None => (false, "no stage gives a body".to_owned()),
-    }
-}
-
-fn of_friction(garment: &Garment, touches: bool) -> Evidence {
-    let most = garment.fabrics.values().map(|f| f.friction).fold(0.0, f64::max);
-    if touches {
-        (most > 0.0, format!("largest coefficient of the fabrics {most}"))
-    } else {
-        (false, "no contact is simulated".to_owned())
-    }
-}
-
-fn of_bending(params: &DrapeParams, switch: SwitchName, garment: &Garment) -> Evidence {
-    if params.integrator == IntegratorName::CentralDifference {
-        return (false, "central differences do not simulate it".to_owned());
-    }
-    let least = if switch == SwitchName::On { f64::MIN_POSITIVE } else { HYSTERESIS_FELT };
-    let most = garment.fabrics.values().map(|f| material(f).bend_friction_share()).fold(0.0, f64::max);
-    (most >= least, format!("largest of the fabrics {most:.2}"))
-}
-
-fn of_limits(garment: &Garment) -> Evidence {
-    let limits = |f: &Fabric| [Some(f.strain_limit_warp), Some(f.strain_limit_weft), f.strain_limit_bias];
-    let least = garment.fabrics.values().flat_map(limits).flatten().fold(f64::INFINITY, f64::min);
-    if least.is_finite() {
-        (true, format!("smallest limit of the fabrics {:.1} %", least * 100.0))
-    } else {
-        (false, "no fabric has a limit".to_owned())
-    }
+/// Nothing is simulated that the scene has no use for, whatever was asked.
+fn record(effect: &Effect, on: bool, facts: &Facts, settings: &Settings) -> EffectRecord {
+    let (name, rule) = (effect.name, effect.rule);
+    let rule = match effect.switch(settings) {
+        Switch::Auto => rule.to_owned(),
+        Switch::On => format!("asked for with effects.{name} = \"on\"; used where {rule}"),
+        Switch::Off => format!("switched off with effects.{name} = \"off\""),
+    };
+    let refused = if on && !effect.is_built { "; not in this build: the run will be refused" } else { "" };
+    let evidence = effect.evidence(facts, settings) + refused;
+    EffectRecord { name: name.to_owned(), on, rule, evidence, cpu_seconds: 0.0 }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::drape::EffectsParam;
+    use crate::drape::{EffectsParam, IntegratorName, SwitchName};
+    use toile_garment::Garment;
+    use toile_garment::fabric::Fabric;
 
     fn of(params: &DrapeParams, garment: Garment) -> Vec<EffectRecord> {
         effects(params, &Forecast { garment, ..Forecast::default() })

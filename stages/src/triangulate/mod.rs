@@ -30,7 +30,6 @@ use net::Net;
 use regular::{FillError, Filled};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-pub(crate) use size::DEFAULT as DEFAULT_EDGE;
 use toile_garment::units::{Angle, Length};
 use toile_garment::{Aspect, Diagnostic, Garment, Piece, Report, Vec2};
 use toile_stage_api::{Cost, Forecast, Knob, Meaning, Stage, StageContext, StageError, StageInfo};

@@ -41,7 +41,7 @@ fn scene(material: Material) -> Scene {
     scene
 }
 
-fn fabric() -> Material {
+pub(crate) fn fabric() -> Material {
     Material {
         warp: Curve::Exponential { k0: 700.0, beta: 20.0 },
         weft: Curve::Samples(vec![[0.0, 0.0], [0.05, 10.0], [0.2, 100.0]]),

@@ -1,7 +1,6 @@
 //! What the run tells: balance of forces, and which effects were on, by which rule and on what evidence.
 
-use crate::effects::{effect, switched};
-use crate::energy::hysteresis;
+use crate::effects::{self, BENDING_HYSTERESIS, BODY_CONTACT, Effect, FRICTION, SELF_CONTACT, STRAIN_LIMIT, effect};
 use crate::explicit::problem::Problem;
 use crate::scene::measures::mean_weight;
 use crate::{Curve, EffectReport, Reaction, Scene, Settings, Vec3};
@@ -33,23 +32,32 @@ pub(crate) fn balance(problem: &mut Problem, x: &[Vec3], gravity: f64, dt: f64) 
 }
 
 pub(crate) fn effects(problem: &Problem, scene: &Scene, s: &Settings) -> Vec<EffectReport> {
-    vec![
-        self_contact(problem, s),
-        body_contact(problem, scene, s),
-        friction(problem, scene, s),
-        strain_limit(problem, scene, s),
-        bending_hysteresis(s),
-        softened(scene, s),
-        effect(
-            "even-inertia",
-            problem.evened > 0,
-            "a vertex is more than twice as stiff per mass as the median".into(),
-            format!("{} vertices got inertia (no weight)", problem.evened),
-        ),
-    ]
+    let table = effects::reports(scene, s, |e| shown(e, problem, scene));
+    // Explicit steps do not count the time of each effect.
+    let mut list: Vec<EffectReport> = table.into_iter().map(|(report, _)| report).collect();
+    list.push(softened(scene, s));
+    list.push(effect(
+        "even-inertia",
+        problem.evened > 0,
+        "a vertex is more than twice as stiff per mass as the median".into(),
+        format!("{} vertices got inertia (no weight)", problem.evened),
+    ));
+    list
 }
 
-fn self_contact(problem: &Problem, s: &Settings) -> EffectReport {
+/// Whether the run had an effect, and what it showed.
+fn shown(effect: &Effect, problem: &Problem, scene: &Scene) -> Option<(bool, String)> {
+    Some(match effect.name {
+        name if name == SELF_CONTACT.name => self_contact(problem),
+        name if name == BODY_CONTACT.name => body_contact(problem, scene),
+        name if name == FRICTION.name => friction(problem, scene),
+        name if name == STRAIN_LIMIT.name => strain_limit(problem, scene),
+        name if name == BENDING_HYSTERESIS.name => (false, "not simulated by explicit steps".into()),
+        _ => return None,
+    })
+}
+
+fn self_contact(problem: &Problem) -> (bool, String) {
     let on = problem.contact.as_ref().is_some_and(|c| c.frame().has_self_contact);
     let evidence = match &problem.contact {
         Some(c) if on => {
@@ -61,10 +69,10 @@ fn self_contact(problem: &Problem, s: &Settings) -> EffectReport {
         }
         _ => "cloth may pass through cloth".into(),
     };
-    effect("self-contact", on, switched(s.effects.self_contact, "cloth that moves freely can meet itself"), evidence)
+    (on, evidence)
 }
 
-fn body_contact(problem: &Problem, scene: &Scene, s: &Settings) -> EffectReport {
+fn body_contact(problem: &Problem, scene: &Scene) -> (bool, String) {
     let body = problem.contact.as_ref().and_then(|c| c.body().map(|b| (c, b)));
     let evidence = match (&body, &scene.body) {
         (Some((c, b)), _) => format!(
@@ -78,10 +86,10 @@ fn body_contact(problem: &Problem, scene: &Scene, s: &Settings) -> EffectReport 
         (None, None) => "the scene has no body".into(),
         (None, Some(_)) => "cloth may pass through the body".into(),
     };
-    effect("body-contact", body.is_some(), switched(s.effects.body_contact, "the scene has a body"), evidence)
+    (body.is_some(), evidence)
 }
 
-fn friction(problem: &Problem, scene: &Scene, s: &Settings) -> EffectReport {
+fn friction(problem: &Problem, scene: &Scene) -> (bool, String) {
     let most = scene.materials.iter().map(|m| m.friction).fold(0.0, f64::max);
     let slipped = problem.contact.as_ref().map_or(0, |c| c.tally.slipped);
     let evidence = if problem.friction {
@@ -91,15 +99,10 @@ fn friction(problem: &Problem, scene: &Scene, s: &Settings) -> EffectReport {
     } else {
         "all coefficients are 0".into()
     };
-    effect("friction", problem.friction, switched(s.effects.friction, "contact and a coefficient above 0"), evidence)
+    (problem.friction, evidence)
 }
 
-fn bending_hysteresis(s: &Settings) -> EffectReport {
-    let evidence = "not simulated by explicit steps".into();
-    effect("bending-hysteresis", false, switched(s.effects.bending_hysteresis, hysteresis::RULE), evidence)
-}
-
-fn strain_limit(problem: &Problem, scene: &Scene, s: &Settings) -> EffectReport {
+fn strain_limit(problem: &Problem, scene: &Scene) -> (bool, String) {
     let evidence = match &problem.limit {
         Some(l) if l.most_watched > 0 => {
             format!(
@@ -113,7 +116,7 @@ fn strain_limit(problem: &Problem, scene: &Scene, s: &Settings) -> EffectReport 
         }
         None => "switched off".into(),
     };
-    effect("strain-limit", problem.limit.is_some(), switched(s.effects.strain_limit, "a fabric has a limit"), evidence)
+    (problem.limit.is_some(), evidence)
 }
 
 /// Stretch curves used softer than measured, and what it costs.

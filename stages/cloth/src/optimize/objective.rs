@@ -6,7 +6,7 @@ use crate::collision::self_candidates::SelfCollision;
 use crate::contact::barrier::Barrier;
 use crate::contact::lagged_friction::LaggedFriction;
 use crate::contact::parameters::{ContactParameters, contact_parameters};
-use crate::energy::hysteresis;
+use crate::effects::{BENDING_HYSTERESIS, Facts};
 use crate::energy::hysteresis::held::Hysteresis;
 use crate::energy::inertia::Inert;
 use crate::energy::model::model;
@@ -86,7 +86,8 @@ impl Objective {
         let (pins, stitches) = pins_and_stitches(scene, &positions, task);
         let unknowns = Unknowns::new(mass, pins);
         let hessian = HessianChoice::new(&cloth, stitches.as_ref(), &unknowns.index, unknowns.unknown_mass.len());
-        let hysteresis = hysteresis::called_for(scene, s).then(|| Hysteresis::new(scene, &topology)).flatten();
+        let bends_back = BENDING_HYSTERESIS.is_wanted(&Facts::of_scene(scene, s), s);
+        let hysteresis = bends_back.then(|| Hysteresis::new(scene, &topology)).flatten();
         let frame = contact_parameters(scene, s, topology, &unknowns.mass, body.is_some(), own);
         let edge = frame.mean_edge;
         let meets = own || body.is_some();

@@ -1,8 +1,9 @@
 //! What a descent tells.
 
 use crate::contact::barrier::statistics::ContactStatistics;
-use crate::effects::{effect, switched};
-use crate::energy::hysteresis::RULE;
+use crate::effects::{
+    self, BENDING_HYSTERESIS, BODY_CONTACT, Effect, FRICTION, PRESSURE, SELF_CONTACT, STRAIN_LIMIT, effect,
+};
 use crate::energy::strain_limit::locks_from;
 use crate::optimize::descent::Descent;
 use crate::report::cost::Work;
@@ -34,38 +35,37 @@ pub(crate) fn outcome(d: &mut Descent<'_>, scene: &Scene, stop_reason: StopReaso
 }
 
 pub(crate) fn effects(d: &Descent<'_>, scene: &Scene) -> Vec<EffectReport> {
-    let barrier = d.objective().terms.barrier.as_ref();
-    let costs = barrier.map_or(d.objective().costs, |b| d.objective().costs.join(&b.statistics.costs));
-    let mut list = vec![cloth(d, scene), descent(d)];
-    list.extend(d.objective().terms.stitches.is_some().then(|| {
-        effect("sewing", true, "stitches are to be closed".into(), "threads pull every stitched pair".into())
+    let (objective, terms) = (d.objective(), &d.objective().terms);
+    let costs = terms.barrier.as_ref().map_or(objective.costs, |b| objective.costs.join(&b.statistics.costs));
+    let costing = |e: EffectReport, work: Option<Work>| {
+        let cpu_seconds = work.filter(|_| e.on).map_or(0.0, |w| costs.of(w));
+        EffectReport { cpu_seconds, ..e }
+    };
+    let mut list = vec![costing(cloth(d, scene), Some(Work::Cloth)), costing(descent(d), Some(Work::Descent))];
+    list.extend(terms.stitches.is_some().then(|| {
+        let words = "threads pull every stitched pair".into();
+        costing(effect("sewing", true, "stitches are to be closed".into(), words), Some(Work::Sewing))
     }));
-    list.extend([self_contact(d), body_contact(d), friction(d), strain_limit(d, scene), bending_hysteresis(d, scene)]);
-    list.extend(
-        d.objective()
-            .terms
-            .pressure
-            .as_ref()
-            .map(|p| effect("pressure", true, "a pressure is given".into(), p.words())),
-    );
-    for e in &mut list {
-        e.cpu_seconds = work(e.name).filter(|_| e.on).map_or(0.0, |w| costs.of(w));
-    }
+    let table = effects::reports(scene, d.settings, |e| shown(e, d, scene));
+    list.extend(table.into_iter().map(|(e, work)| costing(e, work)));
     list
 }
 
-fn work(name: &str) -> Option<Work> {
-    Some(match name {
-        "cloth" => Work::Cloth,
-        "descent" => Work::Descent,
-        "sewing" => Work::Sewing,
-        "self-contact" => Work::SelfContact,
-        "body-contact" => Work::BodyContact,
-        "friction" => Work::Friction,
-        "bending-hysteresis" => Work::Hysteresis,
-        "pressure" => Work::Pressure,
+/// Whether the descent had an effect, and what it showed.
+fn shown(effect: &Effect, d: &Descent<'_>, scene: &Scene) -> Option<(bool, String)> {
+    Some(match effect.name {
+        name if name == SELF_CONTACT.name => self_contact(d),
+        name if name == BODY_CONTACT.name => body_contact(d),
+        name if name == FRICTION.name => friction(d),
+        name if name == STRAIN_LIMIT.name => strain_limit(d, scene),
+        name if name == BENDING_HYSTERESIS.name => bending_hysteresis(d, scene),
+        name if name == PRESSURE.name => pressure(d),
         _ => return None,
     })
+}
+
+fn pressure(d: &Descent<'_>) -> (bool, String) {
+    d.objective().terms.pressure.as_ref().map_or((false, String::new()), |p| (true, p.words()))
 }
 
 fn cloth(d: &Descent<'_>, scene: &Scene) -> EffectReport {
@@ -87,7 +87,7 @@ fn active(looks: u64, of: u64) -> String {
     if looks == 0 { "never active: not needed".into() } else { format!("active in {looks} of {of} looks") }
 }
 
-fn self_contact(d: &Descent<'_>) -> EffectReport {
+fn self_contact(d: &Descent<'_>) -> (bool, String) {
     let on = d.objective().terms.barrier.as_ref().is_some_and(|b| b.parameters.has_self_contact);
     let t = tally(d);
     let evidence = if on {
@@ -101,11 +101,10 @@ fn self_contact(d: &Descent<'_>) -> EffectReport {
     } else {
         "cloth may pass through cloth".into()
     };
-    let rule = switched(d.settings.effects.self_contact, "cloth that moves freely can meet itself");
-    effect("self-contact", on, rule, evidence)
+    (on, evidence)
 }
 
-fn body_contact(d: &Descent<'_>) -> EffectReport {
+fn body_contact(d: &Descent<'_>) -> (bool, String) {
     let body = d.objective().terms.barrier.as_ref().and_then(|b| b.body.as_ref());
     let t = tally(d);
     let evidence = match (body, d.settings.effects.body_contact) {
@@ -121,21 +120,19 @@ fn body_contact(d: &Descent<'_>) -> EffectReport {
         (None, Switch::Off) => "cloth may pass through a body".into(),
         (None, _) => "the scene has no body".into(),
     };
-    let rule = switched(d.settings.effects.body_contact, "the scene has a body");
-    effect("body-contact", body.is_some(), rule, evidence)
+    (body.is_some(), evidence)
 }
 
-fn friction(d: &Descent<'_>) -> EffectReport {
+fn friction(d: &Descent<'_>) -> (bool, String) {
     let evidence = match &d.objective().terms.friction {
         None => "no contact, or no coefficient above 0".into(),
         Some(s) if s.most_contacts == 0 => active(0, 0),
         Some(s) => format!("up to {} contacts rub, {} slid at the last look", s.most_contacts, s.sliding),
     };
-    let rule = switched(d.settings.effects.friction, "contact and a coefficient above 0");
-    effect("friction", d.objective().terms.friction.is_some(), rule, evidence)
+    (d.objective().terms.friction.is_some(), evidence)
 }
 
-fn strain_limit(d: &Descent<'_>, scene: &Scene) -> EffectReport {
+fn strain_limit(d: &Descent<'_>, scene: &Scene) -> (bool, String) {
     let least = scene.materials.iter().flat_map(|m| m.strain_limit).fold(f64::INFINITY, f64::min);
     let limited = least.is_finite();
     let on = limited && d.settings.effects.strain_limit != Switch::Off;
@@ -149,10 +146,10 @@ fn strain_limit(d: &Descent<'_>, scene: &Scene) -> EffectReport {
         (false, true) => "switched off".into(),
         (false, false) => "no fabric has a limit".into(),
     };
-    effect("strain-limit", on, switched(d.settings.effects.strain_limit, "a fabric has a limit"), evidence)
+    (on, evidence)
 }
 
-fn bending_hysteresis(d: &Descent<'_>, scene: &Scene) -> EffectReport {
+fn bending_hysteresis(d: &Descent<'_>, scene: &Scene) -> (bool, String) {
     let switch = d.settings.effects.bending_hysteresis;
     let share = scene.materials.iter().map(Material::bend_friction_share).fold(0.0, f64::max);
     let part = format!("HB c/B is at most {share:.2}");
@@ -162,5 +159,5 @@ fn bending_hysteresis(d: &Descent<'_>, scene: &Scene) -> EffectReport {
         (None, true) if switch == Switch::Off => "switched off".into(),
         (None, true) => format!("{part}: the drape coefficient would change by less than a point"),
     };
-    effect("bending-hysteresis", d.objective().terms.hysteresis.is_some(), switched(switch, RULE), evidence)
+    (d.objective().terms.hysteresis.is_some(), evidence)
 }

@@ -2,11 +2,12 @@
 
 use crate::collision::body::Body;
 use crate::collision::self_candidates::SelfCollision;
+use crate::effects::{self, BODY_CONTACT, Facts, SELF_CONTACT};
 use crate::prepare::initial_feasibility::repair;
 use crate::report::cost::{Costs, Lap, Work};
 use crate::scene::topology::Topology;
 use crate::scene::validate;
-use crate::{ClothError, Scene, Settings, Switch, Vec3, effects};
+use crate::{ClothError, Scene, Settings, Vec3};
 
 /// What every run begins with.
 pub(crate) struct Start {
@@ -33,9 +34,10 @@ impl Start {
         let topology = Topology::of_elements(scene.positions.len(), &scene.triangles);
         let mut positions = scene.positions.clone();
         let (mut costs, mut lap) = (Costs::default(), Lap::start());
-        let body = if s.effects.body_contact == Switch::Off { None } else { Body::of_scene(scene) };
+        let facts = Facts::of_scene(scene, s);
+        let body = if BODY_CONTACT.is_on(&facts, s) { Body::of_scene(scene) } else { None };
         costs.spend(Work::BodyContact, &mut lap);
-        let own = s.effects.self_contact != Switch::Off;
+        let own = SELF_CONTACT.is_on(&facts, s);
         let mut repaired = (0, 0.0);
         let mut held = vec![false; positions.len()];
         scene.pins.iter().for_each(|p| held[p.vertex as usize] = true);
