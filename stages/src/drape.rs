@@ -41,7 +41,7 @@ impl Stage for Drape {
     ) -> Result<Option<Cost>, StageError> {
         forecast.effects = forecast::effects(params, forecast);
         // Fitted to `pipelines/` and a GarmentCode skirt of 550 to 25,000 triangles, each within a factor of 1.5.
-        Ok(forecast.by_triangles(0.05, 0.1, 4.3))
+        Ok(forecast.by_triangles(0.04, 0.11, 4.3))
     }
 
     fn run(

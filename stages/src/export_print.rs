@@ -66,7 +66,7 @@ impl Stage for ExportPrint {
         _: &mut Forecast,
         _: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
-        Ok(Some(Cost::seconds(0.02)))
+        Ok(Some(Cost::seconds(0.01)))
     }
 
     fn run(

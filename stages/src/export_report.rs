@@ -44,7 +44,7 @@ impl Stage for ExportReport {
         forecast: &mut Forecast,
         _: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
-        Ok(forecast.by_triangles(0.02, 0.002, 1.0))
+        Ok(forecast.by_triangles(0.01, 0.002, 1.0))
     }
 
     fn run(&self, params: &Self::Params, garment: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {

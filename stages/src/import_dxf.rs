@@ -119,7 +119,7 @@ impl Stage for ImportDxf {
         cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
         forecast.garment = self.run(params, Garment::default(), cx)?;
-        Ok(Some(Cost::seconds(0.03)))
+        Ok(Some(Cost::seconds(0.01)))
     }
 
     fn run(

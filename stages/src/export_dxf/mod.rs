@@ -117,7 +117,7 @@ impl Stage for ExportDxf {
         forecast: &mut Forecast,
         _: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
-        Ok(forecast.by_triangles(0.02, 0.001, 1.0))
+        Ok(forecast.by_triangles(0.01, 0.001, 1.0))
     }
 
     fn run(

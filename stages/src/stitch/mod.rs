@@ -103,7 +103,7 @@ impl Stage for Stitch {
             forecast.garment.body = Some(load::body(body, cx)?);
         }
         // Fitted to the same garments as the cost of `drape`.
-        Ok(forecast.by_triangles(0.1, 0.15, 4.3))
+        Ok(forecast.by_triangles(0.06, 0.16, 4.3))
     }
 
     fn run(
