@@ -21,7 +21,7 @@ fn an_effect_is_on_by_its_rule_or_off_by_its_switch() {
     assert!(SELF_CONTACT.is_on(&facts(), &s) && !BODY_CONTACT.is_on(&facts(), &s));
     assert!(!FRICTION.is_on(&facts(), &s) && FRICTION.is_on(&Facts { friction: 0.3, ..facts() }, &s));
     assert!(STRAIN_LIMIT.is_on(&Facts { strain_limit: 0.1, ..facts() }, &s) && !STRAIN_LIMIT.is_on(&facts(), &s));
-    let off = Settings { effects: Effects { self_contact: Switch::Off, ..s.effects.clone() }, ..s };
+    let off = Settings { effects: Effects { self_contact: Switch::Off, ..s.effects }, ..s };
     assert!(!SELF_CONTACT.is_on(&facts(), &off), "switched off");
     assert!(!FRICTION.is_on(&Facts { friction: 0.3, ..facts() }, &off), "nothing touches");
 }
@@ -31,7 +31,7 @@ fn friction_in_bending_is_on_where_it_is_felt_or_asked_for() {
     let s = Settings::default();
     let on = |share: f64, s: &Settings| BENDING_HYSTERESIS.is_on(&Facts { bend_friction: share, ..facts() }, s);
     assert!(on(0.06, &s) && !on(0.04, &s));
-    let asked = Settings { effects: Effects { bending_hysteresis: Switch::On, ..s.effects.clone() }, ..s.clone() };
+    let asked = Settings { effects: Effects { bending_hysteresis: Switch::On, ..s.effects }, ..s.clone() };
     assert!(on(0.04, &asked) && !on(0.0, &asked) && BENDING_HYSTERESIS.is_wanted(&facts(), &asked));
     assert!(!on(0.06, &Settings { integrator: Integrator::CentralDifference, ..s }));
 }
