@@ -1,12 +1,11 @@
 //! What is in a file: JSON (contracts §3) and a table for people.
 
-use super::darts::{DrawnDart, Form};
+use super::darts::{DrawnDart, Form, Pleat};
 use super::garment::to_piece;
 use super::ledger::Verdict;
 use super::notches::DrawnNotch;
 use super::pattern::{Pattern, ReadOptions, read};
 use super::piece::DrawnPiece;
-use super::pleats::Pleat;
 use super::{geom, grade};
 use crate::rul::{self, RuleTable};
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};

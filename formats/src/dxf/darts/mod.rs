@@ -1,307 +1,42 @@
-//! Darts drawn as wedges in an outline: found by stated tests, never by guess.
+//! Darts: how they are found in a drawing, weighed, and denied. One file per rule, every number in [`thresholds`].
+//!
+//! | file | rule |
+//! |---|---|
+//! | `blunt.rs` | two vertices side by side are one apex; done before anything else, finding `dart-apex-blunt` |
+//! | `search.rs` | the order of the search in one piece, and the look-alikes that are told |
+//! | `legs_test.rs` | the test of two legs: lengths, ratio, angle, mouth |
+//! | `wedge.rs` | wedges in the outline, and lenses cut open to the edge |
+//! | `marked/` | legs drawn as internal lines; boxes (plackets, flaps, pockets) are denied |
+//! | `lens.rs` | fish-eye darts: closed lenses, also in strokes; pocket openings are denied |
+//! | `on_fold.rs` | darts of a half piece that the fold cuts in two; necklines on the fold are denied |
+//! | `zigzag.rs` | teeth of a zigzag edge are denied |
+//! | `evidence.rs` | confidence and evidence of a dart that was found |
+//! | `drill.rs` | drill holes and notches without lines: candidates, finding `dart-candidate` |
+//! | `pleat.rs` | pairs of fold lines: told and not made, finding `pleat-candidate` |
+//! | `neckline.rs` | wedges in the middle of a whole piece that are V necklines |
+//! | `deny.rs` | wedges that other pieces or the file's habit deny: godets, slits, vents |
+//! | `legs_differ.rs` | legs of different length, finding `dart-legs-differ` |
+//! | `dart.rs` | the dart as drawn, and what was denied |
+//!
+//! What is denied becomes the finding `wedge-not-a-dart` or stands in `not_darts` of `inspect`.
 
-pub mod blunt;
-pub mod rows;
+mod blunt;
+mod dart;
+mod deny;
+mod drill;
+mod evidence;
+mod legs_differ;
+mod legs_test;
+mod lens;
+mod marked;
+mod neckline;
+mod on_fold;
+mod pleat;
+mod search;
+pub mod thresholds;
+mod wedge;
+mod zigzag;
 
-use super::chain::JOIN;
-use super::geom;
-use super::outline::{Node, Outline};
-use toile_garment::Vec2;
-use toile_garment::outline::PointKind;
-
-/// Angle between the legs, degrees. Real slits and slivers stay below 3 (measured), real darts go down to 4.3.
-pub const ANGLE: std::ops::RangeInclusive<f64> = 3.5..=60.0;
-/// Length of a leg, mm. Below are notches cut into the outline.
-pub const LEG: std::ops::RangeInclusive<f64> = 25.0..=400.0;
-/// Shorter leg over longer leg, at least.
-pub const LEG_RATIO: f64 = 0.6;
-/// Widest mouth, mm; wider ones are necklines and vents.
-pub const MOUTH: f64 = 150.0;
-/// Two vertices at most this far apart can be one apex, mm.
-pub const BLUNT: f64 = 2.0;
-/// A leg ends at a corner that turns more than this, degrees.
-pub(super) const LEG_END: f64 = 20.0;
-/// Farthest look along the outline from an apex, mm: a lens can be cut open down to the hem.
-const WALK: f64 = 1000.0;
-/// The path of a leg over its chord, at most.
-const CURVED: f64 = 1.15;
-
-/// How a dart was drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
-    /// Wedge in the outline.
-    Wedge,
-    /// Legs as internal lines, the outline runs over the mouth.
-    Marked,
-    /// Closed lens inside the piece.
-    Lens,
-}
-
-/// A dart as drawn, mm.
-#[derive(Clone, Debug)]
-pub struct DrawnDart {
-    /// Form.
-    pub form: Form,
-    /// One apex, two for a lens.
-    pub apexes: Vec<Vec2>,
-    /// Mouth, or widest points.
-    pub mouth: [Vec2; 2],
-    /// Legs as drawn.
-    pub legs: [Vec<Vec2>; 2],
-    /// Legs on the working line. Where a lens is open to the edge they go on to the edge.
-    pub work: [Vec<Vec2>; 2],
-    /// A lens whose lower tip is cut open to the edge: `mouth` and `legs` then end at its widest place.
-    pub open_lens: bool,
-    /// `cut`, `sew` or `internal`.
-    pub on: &'static str,
-    /// Line in the file.
-    pub line: u64,
-    /// Entities that are its legs (marked darts and lenses).
-    pub ids: Vec<u32>,
-    /// How sure it is one, 0 to 1.
-    pub confidence: f64,
-    /// What speaks for it.
-    pub evidence: Vec<String>,
-}
-
-/// What looks like a dart and is none.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Denied {
-    /// Its apex, or the middle of a lens.
-    pub at: Vec2,
-    /// Why it is none.
-    pub why: &'static str,
-    /// What it looks like.
-    pub form: Form,
-}
-
-impl DrawnDart {
-    /// Length of a leg along its path, mm.
-    #[must_use]
-    pub fn leg_path(&self, leg: usize) -> f64 {
-        geom::length(if self.open_lens { &self.legs[leg] } else { &self.work[leg] }, false)
-    }
-
-    /// Straight length of a leg, mm.
-    #[must_use]
-    pub fn leg_chord(&self, leg: usize) -> f64 {
-        match (self.legs[leg].first(), self.legs[leg].last()) {
-            (Some(a), Some(b)) => (a - b).norm(),
-            _ => 0.0,
-        }
-    }
-
-    /// Middle of its mouth and apexes.
-    #[must_use]
-    pub fn middle(&self) -> Vec2 {
-        (self.mouth[0] + self.mouth[1]) * 0.5
-    }
-
-    /// Width of the mouth, mm.
-    #[must_use]
-    pub fn width(&self) -> f64 {
-        (self.mouth[1] - self.mouth[0]).norm()
-    }
-}
-
-/// Do two legs from an apex make a dart? Gives the reason when they do not.
-///
-/// # Errors
-/// The test that failed.
-pub fn wedge_test(apex: Vec2, a: Vec2, b: Vec2, least_angle: f64) -> Result<(), &'static str> {
-    let (u, v) = (a - apex, b - apex);
-    let (short, long) = (u.norm().min(v.norm()), u.norm().max(v.norm()));
-    let angle = geom::angle(u, v);
-    if !LEG.contains(&short) || !LEG.contains(&long) {
-        return Err("its legs are not 25 to 400 mm long");
-    }
-    if short < LEG_RATIO * long {
-        return Err("its legs are too unequal");
-    }
-    if angle < least_angle {
-        return Err("its angle is below 3.5 degrees: a slit");
-    }
-    if angle > *ANGLE.end() {
-        return Err("its angle is above 60 degrees");
-    }
-    if (a - b).norm() > MOUTH {
-        return Err("its mouth is wider than 150 mm");
-    }
-    Ok(())
-}
-
-/// All wedges of a closed outline that pass the tests, and those with legs of some length that do not.
-#[must_use]
-pub fn wedges(outline: &Outline, on: &'static str) -> (Vec<DrawnDart>, Vec<Denied>) {
-    let nodes = &outline.drawn;
-    let n = nodes.len();
-    let positions = outline.positions();
-    let mut found: Vec<DrawnDart> = Vec::new();
-    let mut denied = Vec::new();
-    for apex in (0..n).filter(|i| nodes[*i].kind == PointKind::Turn) {
-        let turn = geom::turn(positions[(apex + n - 1) % n], positions[apex], positions[(apex + 1) % n]);
-        if turn.to_degrees() > -90.0 {
-            continue;
-        }
-        let (Some(before), Some(after)) = (walk(nodes, apex, false), walk(nodes, apex, true)) else { continue };
-        let whole: [Vec<usize>; 2] = [before, after].map(|leg| leg.into_iter().rev().collect());
-        let apex_at = positions[apex];
-        let test = |legs: &[Vec<usize>; 2]| {
-            let (a, b) = (positions[legs[0][0]], positions[legs[1][0]]);
-            // The mouth must open to the outside: a chord through cloth means a notch of another kind.
-            let middle = (a + b) * 0.475 + apex_at * 0.05;
-            legs[0][0] != legs[1][0]
-                && wedge_test(apex_at, a, b, *ANGLE.start()).is_ok()
-                && !geom::inside(middle, &positions)
-        };
-        if test(&whole) {
-            found.extend(build(outline, &positions, apex, &whole, &whole, on));
-        } else if let Some(wide) = widest(&whole, &positions).filter(test) {
-            found.extend(build(outline, &positions, apex, &wide, &whole, on));
-        } else if let Err(why) = wedge_test(apex_at, positions[whole[0][0]], positions[whole[1][0]], *ANGLE.start()) {
-            denied.push(Denied { at: apex_at, why, form: Form::Wedge });
-        }
-    }
-    let (found, teeth) = rows::without_rows(found, &positions);
-    denied.extend(teeth);
-    (found, denied)
-}
-
-/// A fish-eye dart that is cut open to the edge: its legs close again at the edge. Cut off at the widest place.
-fn widest(whole: &[Vec<usize>; 2], positions: &[Vec2]) -> Option<[Vec<usize>; 2]> {
-    let at = |leg: &[usize], i: usize| positions[leg[i]];
-    let (a, b) = (at(&whole[0], 0), at(&whole[1], 0));
-    let apex = at(&whole[0], whole[0].len() - 1);
-    let axis = (a + b) * 0.5 - apex;
-    let cut = |leg: &[usize]| {
-        let offset = |i: &usize| geom::cross(axis, at(leg, *i) - apex).abs();
-        let i = (1..leg.len().saturating_sub(1)).max_by(|i, j| offset(i).total_cmp(&offset(j)))?;
-        Some(leg[i..].to_vec())
-    };
-    let legs = [cut(&whole[0])?, cut(&whole[1])?];
-    let mouth = (at(&legs[0], 0) - at(&legs[1], 0)).norm();
-    ((a - b).norm() <= 0.25 * mouth).then_some(legs)
-}
-
-/// The next vertex that is not the same one drawn twice.
-fn beside(nodes: &[Node], i: usize, forward: bool) -> Vec2 {
-    let n = nodes.len();
-    let step = |k: usize| nodes[if forward { i + k } else { i + n * k - k } % n].at;
-    (1..4).map(step).find(|p| (p - nodes[i].at).norm() > JOIN).unwrap_or_else(|| step(1))
-}
-
-/// Along the outline from an apex to the corner where the leg ends; apex first.
-fn walk(nodes: &[Node], apex: usize, forward: bool) -> Option<Vec<usize>> {
-    let n = nodes.len();
-    let step = |i: usize| if forward { (i + 1) % n } else { (i + n - 1) % n };
-    let (mut path, mut length, mut at) = (vec![apex], 0.0, apex);
-    while path.len() <= n {
-        let next = step(at);
-        length += (nodes[next].at - nodes[at].at).norm();
-        if length > WALK {
-            return None;
-        }
-        path.push(next);
-        let (before, after) = (beside(nodes, next, false), beside(nodes, next, true));
-        let turn = geom::turn(before, nodes[next].at, after).to_degrees();
-        let chord = (nodes[next].at - nodes[apex].at).norm();
-        if nodes[next].kind == PointKind::Turn && turn.abs() > LEG_END && chord > JOIN {
-            return (turn > 0.0 && length <= chord * CURVED).then_some(path);
-        }
-        at = next;
-    }
-    None
-}
-
-fn build(
-    outline: &Outline,
-    positions: &[Vec2],
-    apex: usize,
-    legs: &[Vec<usize>; 2],
-    whole: &[Vec<usize>; 2],
-    on: &'static str,
-) -> Option<DrawnDart> {
-    let drawn = |leg: &[usize]| leg.iter().map(|i| positions[*i]).collect::<Vec<_>>();
-    let place = |i: usize| outline.place.get(i).copied().flatten();
-    let work = work_positions_between(outline, place(whole[0][0])?, place(apex)?);
-    let mut back = work_positions_between(outline, place(apex)?, place(whole[1][0])?);
-    back.reverse();
-    Some(DrawnDart {
-        form: Form::Wedge,
-        apexes: vec![positions[apex]],
-        mouth: [positions[legs[0][0]], positions[legs[1][0]]],
-        legs: [drawn(&legs[0]), drawn(&legs[1])],
-        work: [work, back],
-        open_lens: legs != whole,
-        on,
-        line: outline.line,
-        ids: Vec::new(),
-        confidence: 0.0,
-        evidence: Vec::new(),
-    })
-}
-
-fn work_positions_between(outline: &Outline, from: usize, to: usize) -> Vec<Vec2> {
-    let n = outline.work.len();
-    let steps = (to + n - from) % n;
-    (0..=steps).map(|k| outline.work[(from + k) % n].at).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::chain::Path;
-    use super::super::outline::Marks;
-    use super::*;
-
-    fn outline(points: &[(f64, f64)]) -> Outline {
-        let points = points.iter().map(|(x, y)| (Vec2::new(*x, *y), true)).collect();
-        let mut o = Outline::new(Path { ids: vec![0], line: 1, points, closed: true });
-        o.classify(&Marks::new(&[], &[], &Default::default()));
-        o.make_work(None, 0.05);
-        o
-    }
-
-    fn with_wedge(left: (f64, f64), apex: (f64, f64), right: (f64, f64)) -> Outline {
-        outline(&[(0.0, 0.0), (300.0, 0.0), (300.0, 600.0), right, apex, left, (0.0, 600.0)])
-    }
-
-    #[test]
-    fn wedge_with_unequal_legs_is_found_as_drawn() {
-        let darts = wedges(&with_wedge((135.0, 612.0), (150.0, 500.0), (165.0, 600.0)), "cut").0;
-        assert_eq!(darts.len(), 1);
-        assert_eq!(darts[0].apexes, [Vec2::new(150.0, 500.0)]);
-        assert_eq!(darts[0].mouth, [Vec2::new(165.0, 600.0), Vec2::new(135.0, 612.0)]);
-        assert!((darts[0].leg_chord(0) - 101.119).abs() < 1e-3 && (darts[0].leg_chord(1) - 113.0).abs() < 1e-3);
-    }
-
-    #[test]
-    fn slits_notches_tabs_and_necklines_are_no_darts() {
-        // 2.9 degrees: a slit.
-        assert!(wedges(&with_wedge((145.0, 600.0), (150.0, 400.0), (155.0, 600.0)), "cut").0.is_empty());
-        // 8 mm deep: a notch cut into the outline.
-        assert!(wedges(&with_wedge((148.0, 600.0), (150.0, 592.0), (152.0, 600.0)), "cut").0.is_empty());
-        // Outward: a tab.
-        assert!(wedges(&with_wedge((135.0, 600.0), (150.0, 700.0), (165.0, 600.0)), "cut").0.is_empty());
-        // 200 mm wide: a V neck.
-        assert!(wedges(&with_wedge((50.0, 600.0), (150.0, 400.0), (250.0, 600.0)), "cut").0.is_empty());
-    }
-
-    #[test]
-    fn curved_legs_are_measured_along_the_path() {
-        let o = outline(&[
-            (0.0, 0.0),
-            (300.0, 0.0),
-            (300.0, 600.0),
-            (170.0, 600.0),
-            (163.0, 550.0),
-            (150.0, 480.0),
-            (137.0, 550.0),
-            (130.0, 600.0),
-            (0.0, 600.0),
-        ]);
-        let darts = wedges(&o, "cut").0;
-        assert_eq!(darts.len(), 1);
-        assert_eq!(darts[0].legs[0].len(), 3);
-        assert!(darts[0].leg_path(0) > darts[0].leg_chord(0));
-    }
-}
+pub use dart::{Denied, DrawnDart, Form};
+pub(super) use deny::deny_inserts_and_unmarked;
+pub use pleat::Pleat;

@@ -3,7 +3,6 @@
 mod attributes;
 mod block_names;
 mod inserts;
-mod rivals;
 mod sheets;
 
 pub use inserts::InsertRule;
@@ -11,6 +10,7 @@ pub use inserts::InsertRule;
 use inserts::Inserted;
 
 use super::checks;
+use super::darts;
 use super::desk::{Desk, Rules};
 use super::findings::Findings;
 use super::geom;
@@ -144,7 +144,7 @@ fn read_into(bytes: &[u8], file: &str, options: &ReadOptions, findings: &mut Fin
     block_names::fill(&mut pieces, sample_size.as_deref(), &mut desk);
     carry_between_sizes(&mut pieces, &mut desk);
     desk.each(&mut pieces, DrawnPiece::finish);
-    rivals::deny_inserts_and_unmarked(&mut pieces, &mut desk);
+    darts::deny_inserts_and_unmarked(&mut pieces, &mut desk);
     checks::pieces(&pieces, sample_size.as_deref(), &mut desk);
     for (id, verdict, rule) in overruled {
         ledger.overrule(id, verdict, rule);

@@ -82,20 +82,4 @@ impl DrawnPiece {
         }
         self.notches = list;
     }
-
-    pub(super) fn check_extras(&mut self, desk: &mut Desk<'_>) {
-        for dart in &self.darts {
-            let (a, b) = (dart.leg_path(0), dart.leg_path(1));
-            if (a - b).abs() > 1.0 && (a - b).abs() > 0.01 * a.max(b) {
-                let text = format!(
-                    "the legs of the dart at {} of `{}` are {a:.1} and {b:.1} mm long, {:.1} mm apart; they were left as drawn",
-                    mm(dart.apexes[0]),
-                    self.label(),
-                    (a - b).abs()
-                );
-                let hint = "the difference is eased in when the dart is sewn; correct the pattern if it is a mistake";
-                desk.say(Diagnostic::warning("dart-legs-differ", text).hint(hint), &self.block, "1", dart.line);
-            }
-        }
-    }
 }

@@ -1,9 +1,6 @@
 //! One drawn piece in one size: what the layers of a block mean together.
 
-mod blunt_apexes;
 mod border;
-mod find_darts;
-mod fold_darts;
 mod folded;
 mod marks;
 mod notes;
@@ -12,12 +9,11 @@ mod run_on;
 mod sew;
 
 use super::chain::Path;
-use super::darts::{Denied, DrawnDart};
+use super::darts::{Denied, DrawnDart, Pleat};
 use super::desk::Desk;
 use super::geom::PointIndex;
 use super::notches::DrawnNotch;
 use super::outline::{Marks, Outline};
-use super::pleats::Pleat;
 use super::sheet::{Drill, Sheet, Stroke};
 use std::collections::BTreeMap;
 use toile_garment::piece::Quantity;
@@ -84,8 +80,8 @@ pub struct DrawnPiece {
     pub curve_points: usize,
     /// Are there points of layers 2 or 3 in the block?
     pub marked: bool,
-    dense: Option<Outline>,
-    dense_sew: Option<Outline>,
+    pub(super) dense: Option<Outline>,
+    pub(super) dense_sew: Option<Outline>,
     marks: Vec<super::sheet::Mark>,
     strokes: Vec<Stroke>,
 }
@@ -216,6 +212,6 @@ impl DrawnPiece {
         self.find_notches(desk);
         self.find_darts(desk);
         self.deny_necklines(desk);
-        self.check_extras(desk);
+        self.check_legs(desk);
     }
 }

@@ -1,17 +1,9 @@
 //! The outline on which marked legs end: legs are opened, cut off, divided and put onto it.
 
-use super::super::chain::Path;
-use super::super::geom::{self, Groups};
+use crate::dxf::chain::Path;
+use crate::dxf::darts::thresholds::{DISTANCE_OF_EXACT_END, DISTANCE_OF_LEG_END, OVERRUN_OF_LEG, REACH_OF_LEG};
+use crate::dxf::geom::{self, Groups};
 use toile_garment::Vec2;
-
-/// Ends of marked legs lie on the outline within this, mm.
-const ON_OUTLINE: f64 = 1.0;
-/// Ends nearer than this are left where they are, mm.
-const EXACT: f64 = 0.05;
-/// A leg meets the outline at most this far from where it ends beside it, mm.
-const REACH: f64 = 5.0;
-/// Legs run at most this far past the edge, mm: some writers draw internal lines 20 mm longer.
-const PAST: f64 = 25.0;
 
 /// Where marked legs may end.
 pub(super) struct Ground<'a> {
@@ -33,25 +25,27 @@ impl<'a> Ground<'a> {
         self.line.line.len() + self.work.line.len()
     }
 
-    /// Distance from the outline; any number over `ON_OUTLINE` when it is not on it.
+    /// Distance from the outline; any number over `DISTANCE_OF_LEG_END` when it is not on it.
     fn off(&self, p: Vec2) -> f64 {
-        let limit = 2.0 * ON_OUTLINE;
+        let limit = 2.0 * DISTANCE_OF_LEG_END;
         self.line.distance_under(p, self.work.distance_under(p, limit))
     }
 
     pub fn on(&self, p: Vec2) -> bool {
-        self.off(p) <= ON_OUTLINE
+        self.off(p) <= DISTANCE_OF_LEG_END
     }
 
     /// Outside the sewn outline, but not far past the edge.
     fn past(&self, p: Vec2) -> bool {
-        !geom::inside(p, self.line.line) && (geom::inside(p, self.cut) || geom::distance(p, self.cut, true) <= PAST)
+        !geom::inside(p, self.line.line)
+            && (geom::inside(p, self.cut) || geom::distance(p, self.cut, true) <= OVERRUN_OF_LEG)
     }
 
     /// The lines a drawn line consists of: each inside, with its ends on the outline where it reaches it.
     pub fn lines(&self, path: &Path) -> Vec<Vec<Vec2>> {
         let line = self.trimmed(self.opened(path));
-        let touches: Vec<usize> = (1..line.len().saturating_sub(1)).filter(|i| self.off(line[*i]) <= EXACT).collect();
+        let touches: Vec<usize> =
+            (1..line.len().saturating_sub(1)).filter(|i| self.off(line[*i]) <= DISTANCE_OF_EXACT_END).collect();
         let starts = std::iter::once(0).chain(touches.iter().copied());
         let ends = touches.iter().copied().chain(line.len().checked_sub(1));
         starts.zip(ends).filter(|(a, b)| a < b).map(|(a, b)| self.fitted(line[a..=b].to_vec())).collect()
@@ -94,11 +88,13 @@ impl<'a> Ground<'a> {
             line.reverse();
             let n = line.len();
             let (inner, end) = (line[n - 2], line[n - 1]);
-            if !(EXACT..=ON_OUTLINE).contains(&self.off(end)) || (end - inner).norm() < REACH {
+            if !(DISTANCE_OF_EXACT_END..=DISTANCE_OF_LEG_END).contains(&self.off(end))
+                || (end - inner).norm() < REACH_OF_LEG
+            {
                 continue;
             }
-            let beyond = end + (end - inner) * (REACH / (end - inner).norm());
-            let near = |p: &Vec2| (p - end).norm() <= REACH;
+            let beyond = end + (end - inner) * (REACH_OF_LEG / (end - inner).norm());
+            let near = |p: &Vec2| (p - end).norm() <= REACH_OF_LEG;
             if let Some(p) = crossing(inner, beyond, self.work.line).filter(near) {
                 line[n - 1] = p;
             }

@@ -1,25 +1,20 @@
-//! Darts drawn inside: legs on layer 8 with their ends on the boundary, lenses, and notches with a drill hole.
+//! Darts marked inside the piece: legs on layer 8 with their ends on the outline.
+//!
+//! `ground.rs` opens the lines, cuts them off and puts their ends onto the outline; `legs.rs` pairs them and tells the
+//! legs of darts from the sides of boxes (plackets, flaps, pockets).
 
-mod drills;
 mod ground;
 mod legs;
-mod lens;
 
-pub use drills::{candidates, kites, threes};
-pub use lens::{lens_doubt, lenses};
-
-use super::chain::Path;
-use super::darts::{Denied, DrawnDart, rows};
-use super::limits;
-use super::outline::Outline;
+use super::dart::{Denied, DrawnDart};
+use super::thresholds::{COUNT_OF_MARKED_LINES, DISTANCE_OF_SAME_DART};
+use super::zigzag;
+use crate::dxf::chain::Path;
+use crate::dxf::limits;
+use crate::dxf::outline::Outline;
 use ground::Ground;
 use legs::{Leg, dart, halves, pairs};
 use toile_garment::Vec2;
-
-/// Two drawings of one dart differ by at most this, mm.
-const SAME: f64 = 1.0;
-/// Most lines that are looked at, and most darts.
-const LINES: usize = 2000;
 
 /// Marked darts among internal lines, and what looks like one and is none. Legs that run over an allowance to the cut
 /// line, or past the edge, are cut off at the sewn outline.
@@ -34,7 +29,7 @@ pub fn marked(internal: &[Path], outline: &Outline, cut: Option<&[Vec2]>) -> (Ve
         None => {}
     };
     let mut tests = 0;
-    for path in internal.iter().take(LINES) {
+    for path in internal.iter().take(COUNT_OF_MARKED_LINES) {
         let cost = path.points.len() * ground.size();
         if tests + cost > limits::DART_TESTS {
             continue;
@@ -54,18 +49,18 @@ pub fn marked(internal: &[Path], outline: &Outline, cut: Option<&[Vec2]>) -> (Ve
     for pair in pairs(&single) {
         take(dart(pair.legs, pair.line, pair.ids, &work));
     }
-    let (found, row) = rows::without_rows(found, &[]);
+    let (found, row) = zigzag::without_rows(found, &[]);
     denied.extend(row);
     (found, denied)
 }
 
 /// Adds a dart unless it is drawn there already; then the lines belong to that one.
 fn add(found: &mut Vec<DrawnDart>, dart: DrawnDart) {
-    let near = |a: Vec2, b: Vec2| (a - b).norm() <= SAME;
+    let near = |a: Vec2, b: Vec2| (a - b).norm() <= DISTANCE_OF_SAME_DART;
     let same = |d: &&mut DrawnDart| {
         near(d.apexes[0], dart.apexes[0]) && near(d.mouth[0], dart.mouth[0]) && near(d.mouth[1], dart.mouth[1])
     };
-    let full = found.len() >= LINES;
+    let full = found.len() >= COUNT_OF_MARKED_LINES;
     match found.iter_mut().find(same) {
         Some(there) => there.ids.extend(&dart.ids),
         None if full => {}
@@ -75,8 +70,8 @@ fn add(found: &mut Vec<DrawnDart>, dart: DrawnDart) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::outline::Marks;
     use super::*;
+    use crate::dxf::outline::Marks;
 
     fn path(points: &[(f64, f64)], closed: bool) -> Path {
         let points = points.iter().map(|(x, y)| (Vec2::new(*x, *y), true)).collect();
@@ -107,37 +102,5 @@ mod tests {
     #[test]
     fn lines_that_end_inside_are_no_darts() {
         assert!(marked(&[path(&[(135.0, 580.0), (150.0, 500.0), (165.0, 580.0)], false)], &sheet(), None).0.is_empty());
-    }
-
-    #[test]
-    fn lens_but_not_a_welt_pocket() {
-        let o = sheet().positions();
-        let eye = path(&[(150.0, 450.0), (162.0, 300.0), (150.0, 150.0), (138.0, 300.0)], true);
-        let darts = lenses(&[eye], &o);
-        assert_eq!(darts.len(), 1);
-        assert!((darts[0].width() - 24.0).abs() < 1e-9);
-        assert_eq!(darts[0].apexes.len(), 2);
-        let welt = path(&[(100.0, 300.0), (240.0, 300.0), (240.0, 312.0), (100.0, 312.0)], true);
-        assert!(lenses(&[welt], &o).is_empty());
-    }
-
-    #[test]
-    fn three_holes_along_the_grain() {
-        let v = Vec2::new;
-        let up = Some(v(0.0, 1.0));
-        let eye = [v(150.0, 450.0), v(162.0, 300.0), v(150.0, 150.0)];
-        assert_eq!(threes(&eye, &[], up), vec![eye]);
-        assert_eq!(threes(&[eye[1], eye[0], eye[2]], &[], up).len(), 1, "in any order");
-        assert_eq!(threes(&[eye[0], v(150.0, 290.0), eye[2]], &[], up).len(), 1, "on the axis");
-        // Across the grain, a wide triangle, four holes: none.
-        assert!(threes(&eye, &[], Some(v(1.0, 0.0))).is_empty());
-        assert!(threes(&[eye[0], v(250.0, 300.0), eye[2]], &[], up).is_empty());
-        assert!(threes(&[eye[0], eye[1], eye[2], v(10.0, 10.0)], &[], up).is_empty());
-    }
-
-    #[test]
-    fn notches_and_drill_are_a_candidate() {
-        let c = candidates(&[Vec2::new(135.0, 600.0), Vec2::new(165.0, 600.0)], &[Vec2::new(150.0, 510.0)], &[]);
-        assert_eq!(c.len(), 1);
     }
 }

@@ -1,30 +1,15 @@
 //! Legs of marked darts: which belong together, where they meet, and whether they are those of a dart.
 
-use super::super::chain::Path;
-use super::super::darts::{ANGLE, BLUNT, Denied, DrawnDart, Form, LEG_END, wedge_test};
-use super::super::geom::{self, PointIndex};
+use crate::dxf::chain::Path;
+use crate::dxf::darts::dart::{Denied, DrawnDart, Form};
+use crate::dxf::darts::legs_test::wedge_test;
+use crate::dxf::darts::thresholds::{
+    ANGLE_OF_DART, ANGLE_OF_MARKED_DART, BOW_OF_LEG, DEPTH_OF_MARKED_APEX, DISTANCE_OF_ALLOWANCE_CORNER,
+    DISTANCE_OF_SAME_APEX, DISTANCE_OF_SAME_LEG, GAP_OF_LEGS, GAP_OF_SHORT_LEG, LENGTH_OF_CHORD, LENGTH_OF_TIP,
+    TURN_OF_LEG_END, TURN_OF_TWIN_APEX, WIDTH_OF_BLUNT_APEX,
+};
+use crate::dxf::geom::{self, PointIndex};
 use toile_garment::Vec2;
-
-/// Legs that share their apex end this near each other, mm.
-const SAME_APEX: f64 = 0.2;
-/// Two legs may miss each other at the apex by this, mm.
-const APEX_GAP: f64 = 1.0;
-/// A leg that ends beside the other one within this is a little short, mm.
-const TOUCH: f64 = 0.1;
-/// Mouth points of one leg drawn twice, mm.
-const SAME_LEG: f64 = 1.0;
-/// Least angle of a marked dart, degrees: it is drawn on purpose, so narrow ones count.
-const LEAST_ANGLE: f64 = 2.0;
-/// The path of a leg over its chord, at most.
-const CURVED: f64 = 1.15;
-/// Two vertices side by side are one apex when they turn more than this together, degrees.
-const POINTED: f64 = 60.0;
-/// The angle at the apex is taken from the first part of the legs, mm.
-const TIP: f64 = 20.0;
-/// A corner of a leg this near the mouth is the way over an allowance, mm.
-const AT_MOUTH: f64 = 15.0;
-/// Shorter chords say nothing of a direction, mm.
-const CHORD: f64 = 0.5;
 
 /// A line from the outline to a point inside.
 pub(super) struct Leg<'a> {
@@ -56,7 +41,7 @@ pub(super) struct Pair {
 
 /// The legs that meet at one apex, two by two. Of three the outer ones count: the third is the centre line.
 pub(super) fn pairs(legs: &[Leg<'_>]) -> Vec<Pair> {
-    let index = PointIndex::new(APEX_GAP, legs.iter().enumerate().map(|(i, l)| (l.apex(), i)));
+    let index = PointIndex::new(GAP_OF_LEGS, legs.iter().enumerate().map(|(i, l)| (l.apex(), i)));
     let mut used = vec![false; legs.len()];
     let mut out = Vec::new();
     for i in 0..legs.len() {
@@ -74,8 +59,9 @@ pub(super) fn pairs(legs: &[Leg<'_>]) -> Vec<Pair> {
 
 /// The free legs that end where leg `i` does; without any, the nearest one that has no nearer partner itself.
 fn meeting(i: usize, legs: &[Leg<'_>], index: &PointIndex, used: &[bool]) -> Vec<usize> {
-    let near = |k: usize| index.near(legs[k].apex(), APEX_GAP).into_iter().filter(move |(_, j)| *j != k && !used[*j]);
-    let mut group: Vec<usize> = near(i).filter(|(d, _)| *d <= SAME_APEX).map(|(_, j)| j).collect();
+    let near =
+        |k: usize| index.near(legs[k].apex(), GAP_OF_LEGS).into_iter().filter(move |(_, j)| *j != k && !used[*j]);
+    let mut group: Vec<usize> = near(i).filter(|(d, _)| *d <= DISTANCE_OF_SAME_APEX).map(|(_, j)| j).collect();
     if group.is_empty() {
         let mutual = |(d, j): &(f64, usize)| near(*j).next().is_some_and(|(nearest, _)| nearest >= *d - 1e-9);
         group.extend(near(i).find(mutual).map(|(_, j)| j));
@@ -101,7 +87,7 @@ fn sectors(group: &[usize], legs: &[Leg<'_>]) -> Vec<Vec<usize>> {
         if let Some(sector) = out.last_mut() {
             sector.push(order[at]);
         }
-        if gap(at) > *ANGLE.end() && k < n {
+        if gap(at) > *ANGLE_OF_DART.end() && k < n {
             out.push(Vec::new());
         }
     }
@@ -113,7 +99,7 @@ fn sector_pairs(sector: &[usize], legs: &[Leg<'_>]) -> Vec<Pair> {
     let mut distinct: Vec<Vec<usize>> = Vec::new();
     for i in sector {
         match distinct.last_mut() {
-            Some(last) if (legs[last[0]].mouth() - legs[*i].mouth()).norm() <= SAME_LEG => last.push(*i),
+            Some(last) if (legs[last[0]].mouth() - legs[*i].mouth()).norm() <= DISTANCE_OF_SAME_LEG => last.push(*i),
             _ => distinct.push(vec![*i]),
         }
     }
@@ -146,9 +132,9 @@ fn pair(a: &[usize], b: &[usize], legs: &[Leg<'_>]) -> Pair {
 /// Where two legs meet: at the end of the longer one when the other ends beside it, else in the middle.
 fn meet(a: &[Vec2], b: &[Vec2]) -> Vec2 {
     let (p, q) = (a[a.len() - 1], b[b.len() - 1]);
-    if (p - q).norm() <= TOUCH || geom::distance(q, a, false) <= TOUCH {
+    if (p - q).norm() <= GAP_OF_SHORT_LEG || geom::distance(q, a, false) <= GAP_OF_SHORT_LEG {
         p
-    } else if geom::distance(p, b, false) <= TOUCH {
+    } else if geom::distance(p, b, false) <= GAP_OF_SHORT_LEG {
         q
     } else {
         (p + q) * 0.5
@@ -163,7 +149,7 @@ pub(super) fn halves(mut points: Vec<Vec2>) -> Option<[Vec<Vec2>; 2]> {
     let inner = 1..points.len() - 1;
     let twin = [apex.wrapping_sub(1), apex + 1].into_iter().filter(|k| inner.contains(k)).find(|k| {
         let [one, both] = [turn(&points, *k), turn(&points, *k) + turn(&points, apex)].map(|t| t.to_degrees().abs());
-        (points[*k] - points[apex]).norm() <= BLUNT && one > LEG_END && both > POINTED
+        (points[*k] - points[apex]).norm() <= WIDTH_OF_BLUNT_APEX && one > TURN_OF_LEG_END && both > TURN_OF_TWIN_APEX
     });
     if let Some(twin) = twin {
         let first = twin.min(apex);
@@ -185,9 +171,9 @@ pub(super) fn dart(
 ) -> Option<Result<DrawnDart, Denied>> {
     let apex = *legs[0].last()?;
     let (a, b) = (legs[0][0], legs[1][0]);
-    wedge_test(apex, a, b, LEAST_ANGLE).ok()?;
-    let straight = legs.iter().all(|l| geom::length(l, false) <= CURVED * (l[0] - l[l.len() - 1]).norm());
-    if !straight || !geom::inside(apex, outline) || geom::distance(apex, outline, true) < 5.0 {
+    wedge_test(apex, a, b, ANGLE_OF_MARKED_DART).ok()?;
+    let straight = legs.iter().all(|l| geom::length(l, false) <= BOW_OF_LEG * (l[0] - l[l.len() - 1]).norm());
+    if !straight || !geom::inside(apex, outline) || geom::distance(apex, outline, true) < DEPTH_OF_MARKED_APEX {
         return None;
     }
     if let Some(why) = boxed(&legs) {
@@ -219,7 +205,7 @@ fn boxed(legs: &[Vec<Vec2>; 2]) -> Option<&'static str> {
     let apex = legs[0][legs[0].len() - 1];
     let (u, v) = (a - apex, b - apex);
     let angle = geom::angle(u, v);
-    if angle > *ANGLE.end() {
+    if angle > *ANGLE_OF_DART.end() {
         return Some("its point is blunter than 60 degrees: a placket, flap or pocket");
     }
     legs.iter().any(|leg| has_corner(leg)).then_some("a side has a corner: a placket, flap or pocket")
@@ -227,7 +213,7 @@ fn boxed(legs: &[Vec<Vec2>; 2]) -> Option<&'static str> {
 
 /// The place on a leg that shows its direction at the apex.
 fn tip(leg: &[Vec2]) -> Vec2 {
-    let mut left = TIP.min(0.5 * geom::length(leg, false));
+    let mut left = LENGTH_OF_TIP.min(0.5 * geom::length(leg, false));
     for k in (1..leg.len()).rev() {
         let step = (leg[k - 1] - leg[k]).norm();
         if step >= left {
@@ -242,10 +228,10 @@ fn tip(leg: &[Vec2]) -> Vec2 {
 fn has_corner(leg: &[Vec2]) -> bool {
     let mut points: Vec<Vec2> = Vec::with_capacity(leg.len());
     for p in leg {
-        if points.last().is_none_or(|last| (p - last).norm() >= CHORD) {
+        if points.last().is_none_or(|last| (p - last).norm() >= LENGTH_OF_CHORD) {
             points.push(*p);
         }
     }
-    let corner = |w: &[Vec2]| geom::turn(w[0], w[1], w[2]).to_degrees().abs() > LEG_END;
-    points.windows(3).any(|w| corner(w) && (w[1] - leg[0]).norm() > AT_MOUTH)
+    let corner = |w: &[Vec2]| geom::turn(w[0], w[1], w[2]).to_degrees().abs() > TURN_OF_LEG_END;
+    points.windows(3).any(|w| corner(w) && (w[1] - leg[0]).norm() > DISTANCE_OF_ALLOWANCE_CORNER)
 }

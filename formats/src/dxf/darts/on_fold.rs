@@ -1,32 +1,30 @@
 //! Darts that lie on the fold: a half piece holds one half of them, the mirror image makes them whole.
 
-use super::DrawnPiece;
-use super::find_darts::{STROKES, STROKES_MOST};
+use super::dart::{Denied, DrawnDart, Form};
+use super::thresholds::{
+    ANGLE_OF_FOLD_NECKLINE, COUNT_OF_STROKES, DISTANCE_OF_FOLD_POINT, DOUBT_OF_HALF_DART, GAP_OF_STROKES,
+    VERTICES_OF_HALF_LINE, WIDTH_OF_FOLD_NECKLINE,
+};
+use super::{lens, marked, wedge};
 use crate::dxf::chain::{self, Path};
-use crate::dxf::darts::{self, Denied, DrawnDart, Form};
 use crate::dxf::geom;
-use crate::dxf::marked;
 use crate::dxf::outline::Outline;
+use crate::dxf::piece::DrawnPiece;
 use crate::dxf::unfold::Fold;
 use toile_garment::Vec2;
-
-/// Points this near the fold lie on it, mm.
-const ON_FOLD: f64 = 0.5;
-/// Wider and blunter wedges on a fold are necklines, mm and degrees.
-const NECKLINE: (f64, f64) = (60.0, 30.0);
 
 impl DrawnPiece {
     /// Wedges, marked darts and lenses cut in two by the fold, whole.
     pub(super) fn darts_on_fold(&self, on: &'static str) -> (Vec<DrawnDart>, Vec<Denied>) {
         let Some(fold) = self.fold.map(Fold) else { return (Vec::new(), Vec::new()) };
         let Some(whole) = unfolded(self.sewn(), fold) else { return (Vec::new(), Vec::new()) };
-        let on_fold = |p: &Vec2| fold.distance(*p) <= ON_FOLD;
-        let (wedges, _) = darts::wedges(&whole, on);
+        let on_fold = |p: &Vec2| fold.distance(*p) <= DISTANCE_OF_FOLD_POINT;
+        let (wedges, _) = wedge::wedges(&whole, on);
         let (mut found, mut denied) = (Vec::new(), Vec::new());
         for dart in wedges.into_iter().filter(|d| d.apexes.iter().all(on_fold)) {
             let (u, v) = (dart.mouth[0] - dart.apexes[0], dart.mouth[1] - dart.apexes[0]);
             let angle = geom::angle(u, v);
-            if dart.width() > NECKLINE.0 || angle > NECKLINE.1 {
+            if dart.width() > WIDTH_OF_FOLD_NECKLINE || angle > ANGLE_OF_FOLD_NECKLINE {
                 let why = "it is wide and on the fold: a V neckline";
                 denied.push(Denied { at: dart.apexes[0], why, form: dart.form });
             } else {
@@ -39,12 +37,12 @@ impl DrawnPiece {
         found.extend(legs);
         denied.extend(boxes);
         for paths in [&halves, &others] {
-            let free = |lens: &DrawnDart| !found.iter().any(|d| d.ids.iter().any(|id| lens.ids.contains(id)));
-            let lenses: Vec<DrawnDart> = marked::lenses(paths, &whole.positions()).into_iter().filter(free).collect();
+            let free = |eye: &DrawnDart| !found.iter().any(|d| d.ids.iter().any(|id| eye.ids.contains(id)));
+            let lenses: Vec<DrawnDart> = lens::lenses(paths, &whole.positions()).into_iter().filter(free).collect();
             found.extend(lenses);
         }
         for dart in &mut found {
-            dart.confidence -= if dart.form == Form::Wedge { 0.0 } else { 0.05 };
+            dart.confidence -= if dart.form == Form::Wedge { 0.0 } else { DOUBT_OF_HALF_DART };
             dart.evidence.push("its apex lies on the fold: one half is drawn".into());
         }
         (found, denied)
@@ -52,8 +50,8 @@ impl DrawnPiece {
 
     /// Halves of lenses that are no single internal line: drawn as several strokes, or on the cutouts' layer.
     fn half_lenses(&self, fold: Fold) -> Vec<Path> {
-        let open = |paths: &[Path]| paths.iter().filter(|p| !p.closed).take(STROKES_MOST).cloned().collect();
-        let chained = [&self.internal, &self.cutouts].map(|paths| chain::chain(open(paths), STROKES));
+        let open = |paths: &[Path]| paths.iter().filter(|p| !p.closed).take(COUNT_OF_STROKES).cloned().collect();
+        let chained = [&self.internal, &self.cutouts].map(|paths| chain::chain(open(paths), GAP_OF_STROKES));
         let several = chained.into_iter().flat_map(|c| c.open.into_iter().chain(c.closed)).filter(|p| p.ids.len() > 1);
         let alone = |p: &&Path| p.points.len() > 2 && (p.closed || p.ids.len() == 1);
         let cutouts = self.cutouts.iter().filter(alone).cloned();
@@ -71,9 +69,9 @@ fn unfolded(half: &Outline, fold: Fold) -> Option<Outline> {
 
 /// An open line with one end, or both, on the fold, and its mirror image: one line.
 fn doubled(path: &Path, fold: Fold) -> Option<Path> {
-    let on = |p: Option<&(Vec2, bool)>| p.is_some_and(|p| fold.distance(p.0) <= ON_FOLD);
-    let off = path.points.iter().any(|p| fold.distance(p.0) > ON_FOLD);
-    if !off || path.points.len() > 2000 {
+    let on = |p: Option<&(Vec2, bool)>| p.is_some_and(|p| fold.distance(p.0) <= DISTANCE_OF_FOLD_POINT);
+    let off = path.points.iter().any(|p| fold.distance(p.0) > DISTANCE_OF_FOLD_POINT);
+    if !off || path.points.len() > VERTICES_OF_HALF_LINE {
         return None;
     }
     let mut points = path.points.clone();

@@ -1,29 +1,21 @@
 //! Teeth of a zigzag edge: wedges in a row that share their mouth points are no darts.
 
-use super::{Denied, DrawnDart};
+use super::dart::{Denied, DrawnDart};
+use super::thresholds::{ANGLE_OF_TEETH, COUNT_OF_TEETH, DIFFERENCE_OF_TEETH, DISTANCE_OF_SHARED_MOUTH};
 use crate::dxf::geom::{self, PointIndex};
 use toile_garment::Vec2;
 
 /// Why a tooth is no dart.
 pub const WHY: &str = "it is one of a row of like wedges side by side: a zigzag edge";
-/// Mouth points this near each other are one, mm.
-const SHARED: f64 = 0.5;
-/// Teeth of a row differ by at most this share, in width and in the length of their sides.
-const ALIKE: f64 = 0.15;
-/// Points of teeth of a row differ by at most this, degrees.
-const POINTED: f64 = 15.0;
-/// As many wedges side by side are a row.
-const ROW: usize = 3;
-
 /// Takes the rows out of the darts of a line; its vertices tell whether two wedges lie between halves of others.
 #[must_use]
 pub fn without_rows(darts: Vec<DrawnDart>, line: &[Vec2]) -> (Vec<DrawnDart>, Vec<Denied>) {
     let rows = rows(&darts);
     let places = if rows.iter().any(|row| row.len() == 2) { line } else { &[] };
-    let places = PointIndex::new(SHARED, places.iter().enumerate().map(|(i, p)| (*p, i)));
+    let places = PointIndex::new(DISTANCE_OF_SHARED_MOUTH, places.iter().enumerate().map(|(i, p)| (*p, i)));
     let mut tooth = vec![false; darts.len()];
     for row in &rows {
-        let whole = row.len() >= ROW;
+        let whole = row.len() >= COUNT_OF_TEETH;
         let in_row = whole || matches!(row.as_slice(), [a, b] if between_halves(&darts[*a], &darts[*b], line, &places));
         row.iter().for_each(|i| tooth[*i] = in_row);
     }
@@ -41,7 +33,7 @@ pub fn without_rows(darts: Vec<DrawnDart>, line: &[Vec2]) -> (Vec<DrawnDart>, Ve
 /// Groups of like darts that hang together by their mouth points.
 fn rows(darts: &[DrawnDart]) -> Vec<Vec<usize>> {
     let mouths = darts.iter().enumerate().flat_map(|(i, d)| d.mouth.map(|m| (m, i)));
-    let index = PointIndex::new(SHARED, mouths);
+    let index = PointIndex::new(DISTANCE_OF_SHARED_MOUTH, mouths);
     let mut seen = vec![false; darts.len()];
     let mut rows = Vec::new();
     for first in 0..darts.len() {
@@ -51,7 +43,7 @@ fn rows(darts: &[DrawnDart]) -> Vec<Vec<usize>> {
                 continue;
             }
             row.push(i);
-            let beside = darts[i].mouth.iter().flat_map(|m| index.near(*m, SHARED)).map(|(_, j)| j);
+            let beside = darts[i].mouth.iter().flat_map(|m| index.near(*m, DISTANCE_OF_SHARED_MOUTH)).map(|(_, j)| j);
             next.extend(beside.filter(|j| !seen[*j] && like(&darts[i], &darts[*j])));
         }
         rows.extend((!row.is_empty()).then_some(row));
@@ -60,7 +52,7 @@ fn rows(darts: &[DrawnDart]) -> Vec<Vec<usize>> {
 }
 
 fn alike(a: f64, b: f64) -> bool {
-    (a - b).abs() <= ALIKE * a.max(b)
+    (a - b).abs() <= DIFFERENCE_OF_TEETH * a.max(b)
 }
 
 fn like(a: &DrawnDart, b: &DrawnDart) -> bool {
@@ -70,17 +62,19 @@ fn like(a: &DrawnDart, b: &DrawnDart) -> bool {
 
 /// Does the line go on at both outer mouth points of two neighbours as it does between them?
 fn between_halves(a: &DrawnDart, b: &DrawnDart, line: &[Vec2], places: &PointIndex) -> bool {
-    let Some((a, b)) = [(a, b), (b, a)].into_iter().find(|(a, b)| (a.mouth[1] - b.mouth[0]).norm() <= SHARED) else {
+    let Some((a, b)) =
+        [(a, b), (b, a)].into_iter().find(|(a, b)| (a.mouth[1] - b.mouth[0]).norm() <= DISTANCE_OF_SHARED_MOUTH)
+    else {
         return false;
     };
     let n = line.len();
-    let vertex = |p: Vec2| places.near(p, SHARED).first().map(|(_, i)| *i);
+    let vertex = |p: Vec2| places.near(p, DISTANCE_OF_SHARED_MOUTH).first().map(|(_, i)| *i);
     let (Some(first), Some(last)) = (vertex(a.mouth[0]), vertex(b.mouth[1])) else { return false };
     let point = |tip: Vec2, p: Vec2, q: Vec2| geom::angle(p - tip, q - tip);
     let between = point(a.mouth[1], a.apexes[0], b.apexes[0]);
     let half = |at: usize, beyond: Vec2, apex: Vec2| {
         let (side, leg) = ((beyond - line[at]).norm(), (apex - line[at]).norm());
-        alike(side, leg) && (point(line[at], apex, beyond) - between).abs() <= POINTED
+        alike(side, leg) && (point(line[at], apex, beyond) - between).abs() <= ANGLE_OF_TEETH
     };
     half(first, line[(first + n - 1) % n], a.apexes[0]) && half(last, line[(last + 1) % n], b.apexes[0])
 }

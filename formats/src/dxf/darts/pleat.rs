@@ -1,25 +1,17 @@
 //! Pleats and dart-pleats: pairs of fold lines that run in from the edge and do not meet. They are told, not made: how
 //! deep a pleat is sewn and to which side it lies stands in no DXF.
 
-use super::chain::Path;
-use super::geom;
-use super::notches::DrawnNotch;
-use toile_garment::Vec2;
-
-/// Ends of fold lines lie on the outline within this, mm.
-const ON_OUTLINE: f64 = 1.0;
-/// Distance of the two lines at the edge, mm.
-const MOUTH: std::ops::RangeInclusive<f64> = 5.0..=120.0;
-/// Length of a fold line, mm.
-const LENGTH: std::ops::RangeInclusive<f64> = 20.0..=1500.0;
-/// Lines that converge less are a pleat, more a dart-pleat, degrees.
-const PARALLEL: f64 = 2.0;
-/// Lines that converge more are neither, degrees.
-const CONVERGE: f64 = 40.0;
-/// A notch marks the end of a line within this, mm.
-const NOTCHED: f64 = 3.0;
-/// Most lines that are paired.
-const LINES: usize = 200;
+use super::thresholds::{
+    ANGLE_OF_DART_PLEAT, ANGLE_OF_PLEAT, BOW_OF_PLEAT, CONFIDENCE_OF_PLEAT, CONFIDENCE_OF_PLEAT_NOTCHES,
+    CONFIDENCE_OF_PLEAT_WORD, COSINE_OF_PLEAT, COUNT_OF_PLEAT_LINES, DISTANCE_OF_PLEAT_END, DISTANCE_OF_PLEAT_NOTCH,
+    LENGTH_OF_PLEAT, RATIO_OF_PLEAT_LINES, SPREAD_OF_PLEAT, WIDTH_OF_PLEAT,
+};
+use crate::dxf::chain::Path;
+use crate::dxf::desk::Desk;
+use crate::dxf::geom;
+use crate::dxf::notches::DrawnNotch;
+use crate::dxf::piece::{DrawnPiece, mm};
+use toile_garment::{Diagnostic, Vec2};
 
 /// A pair of fold lines.
 #[derive(Clone, Debug, PartialEq)]
@@ -38,10 +30,32 @@ pub struct Pleat {
     pub line: u64,
 }
 
+impl DrawnPiece {
+    /// Tells the pairs of fold lines among the internal lines that are no legs.
+    pub(super) fn find_pleats(&mut self, line: &[Vec2], desk: &mut Desk<'_>) {
+        let legs = |p: &&Path| self.darts.iter().any(|d| d.ids.iter().any(|id| p.ids.contains(id)));
+        let free: Vec<&Path> = self.internal.iter().filter(|p| !legs(p)).collect();
+        let texts: Vec<(Vec2, String)> = self.texts.iter().map(|(at, _, text)| (*at, text.clone())).collect();
+        self.pleats = find(&free, line, &self.notches, &texts);
+        for pleat in &self.pleats {
+            let [a, b] = pleat.lines.map(|l| mm(l[0]));
+            let what = if pleat.converging { "dart-pleat" } else { "pleat" };
+            let text = format!(
+                "the lines from {a} and {b} of `{}`, {:.1} mm apart, look like a {what} ({}); it was not made one",
+                self.label(),
+                pleat.width,
+                pleat.evidence.join(", ")
+            );
+            let hint = "declare it in the sewing file: [[dart]] piece, apex, mouth, kind = \"pleat\"";
+            desk.say(Diagnostic::info("pleat-candidate", text).hint(hint), &self.block, "8", pleat.line);
+        }
+    }
+}
+
 /// All pairs among the internal lines that have a notch or a word of the trade beside them.
-#[must_use]
-pub fn find(internal: &[&Path], outline: &[Vec2], notches: &[DrawnNotch], texts: &[(Vec2, String)]) -> Vec<Pleat> {
-    let lines: Vec<([Vec2; 2], &Path)> = internal.iter().take(LINES).filter_map(|p| fold_line(p, outline)).collect();
+fn find(internal: &[&Path], outline: &[Vec2], notches: &[DrawnNotch], texts: &[(Vec2, String)]) -> Vec<Pleat> {
+    let lines: Vec<([Vec2; 2], &Path)> =
+        internal.iter().take(COUNT_OF_PLEAT_LINES).filter_map(|p| fold_line(p, outline)).collect();
     let mut found: Vec<Pleat> = Vec::new();
     let mut used = vec![false; lines.len()];
     for i in 0..lines.len() {
@@ -62,10 +76,10 @@ fn fold_line<'a>(path: &'a Path, outline: &[Vec2]) -> Option<([Vec2; 2], &'a Pat
     let points = path.positions();
     let (first, last) = (*points.first()?, *points.last()?);
     let chord = (last - first).norm();
-    if path.closed || !LENGTH.contains(&chord) || geom::length(&points, false) > 1.02 * chord {
+    if path.closed || !LENGTH_OF_PLEAT.contains(&chord) || geom::length(&points, false) > BOW_OF_PLEAT * chord {
         return None;
     }
-    let on = [first, last].map(|p| geom::distance(p, outline, true) <= ON_OUTLINE);
+    let on = [first, last].map(|p| geom::distance(p, outline, true) <= DISTANCE_OF_PLEAT_END);
     match on {
         [true, false] if geom::inside(last, outline) => Some(([first, last], path)),
         [false, true] if geom::inside(first, outline) => Some(([last, first], path)),
@@ -85,16 +99,21 @@ fn pair(
     let angle = geom::angle(u, v);
     let (short, long) = (u.norm().min(v.norm()), u.norm().max(v.norm()));
     let inner = (b1 - a1).norm();
-    let square = ((b0 - a0).dot(&u).abs() / (width * u.norm()).max(1e-9)) < 0.5;
-    if !MOUTH.contains(&width) || angle > CONVERGE || short < 0.9 * long || inner > width * 1.1 || !square {
+    let square = ((b0 - a0).dot(&u).abs() / (width * u.norm()).max(1e-9)) < COSINE_OF_PLEAT;
+    if !WIDTH_OF_PLEAT.contains(&width)
+        || angle > ANGLE_OF_DART_PLEAT
+        || short < RATIO_OF_PLEAT_LINES * long
+        || inner > width * SPREAD_OF_PLEAT
+        || !square
+    {
         return None;
     }
     let mut evidence = vec!["two lines of like length run in from the edge side by side"];
-    let mut confidence = 0.4_f64;
-    let notched = [a0, b0].map(|p| notches.iter().any(|n| (n.at - p).norm() <= NOTCHED));
+    let mut confidence = CONFIDENCE_OF_PLEAT;
+    let notched = [a0, b0].map(|p| notches.iter().any(|n| (n.at - p).norm() <= DISTANCE_OF_PLEAT_NOTCH));
     if notched == [true, true] {
         evidence.push("a notch at the end of each");
-        confidence += 0.35;
+        confidence += CONFIDENCE_OF_PLEAT_NOTCHES;
     }
     const WORDS: [&str; 8] = ["pleat", "plait", "tuck", "falte", "pli ", "plissee", "piega", "褶"];
     let middle = (a0 + a1 + b0 + b1) * 0.25;
@@ -104,12 +123,12 @@ fn pair(
     });
     if said {
         evidence.push("a text beside it says so");
-        confidence += 0.2;
+        confidence += CONFIDENCE_OF_PLEAT_WORD;
     }
     // Side by side alone is a pocket or a stitch line as well.
     (evidence.len() > 1).then_some(Pleat {
         lines: [a.0, b.0],
-        converging: angle > PARALLEL,
+        converging: angle > ANGLE_OF_PLEAT,
         width,
         confidence,
         evidence,

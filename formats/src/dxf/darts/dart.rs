@@ -1,0 +1,86 @@
+//! What is found: a dart as drawn, and what looks like one and is none.
+
+use crate::dxf::geom;
+use toile_garment::Vec2;
+
+/// Tells what to do about a dart that was not taken; the hint of every finding that denies one.
+pub(super) const DECLARE: &str =
+    "if it is a dart, declare it in the sewing file: [[dart]] piece, apex, mouth, kind = \"wedge\"";
+
+/// How a dart was drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Form {
+    /// Wedge in the outline.
+    Wedge,
+    /// Legs as internal lines, the outline runs over the mouth.
+    Marked,
+    /// Closed lens inside the piece.
+    Lens,
+}
+
+/// A dart as drawn, mm.
+#[derive(Clone, Debug)]
+pub struct DrawnDart {
+    /// Form.
+    pub form: Form,
+    /// One apex, two for a lens.
+    pub apexes: Vec<Vec2>,
+    /// Mouth, or widest points.
+    pub mouth: [Vec2; 2],
+    /// Legs as drawn.
+    pub legs: [Vec<Vec2>; 2],
+    /// Legs on the working line. Where a lens is open to the edge they go on to the edge.
+    pub work: [Vec<Vec2>; 2],
+    /// A lens whose lower tip is cut open to the edge: `mouth` and `legs` then end at its widest place.
+    pub open_lens: bool,
+    /// `cut`, `sew` or `internal`.
+    pub on: &'static str,
+    /// Line in the file.
+    pub line: u64,
+    /// Entities that are its legs (marked darts and lenses).
+    pub ids: Vec<u32>,
+    /// How sure it is one, 0 to 1.
+    pub confidence: f64,
+    /// What speaks for it.
+    pub evidence: Vec<String>,
+}
+
+/// What looks like a dart and is none.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Denied {
+    /// Its apex, or the middle of a lens.
+    pub at: Vec2,
+    /// Why it is none.
+    pub why: &'static str,
+    /// What it looks like.
+    pub form: Form,
+}
+
+impl DrawnDart {
+    /// Length of a leg along its path, mm.
+    #[must_use]
+    pub fn leg_path(&self, leg: usize) -> f64 {
+        geom::length(if self.open_lens { &self.legs[leg] } else { &self.work[leg] }, false)
+    }
+
+    /// Straight length of a leg, mm.
+    #[must_use]
+    pub fn leg_chord(&self, leg: usize) -> f64 {
+        match (self.legs[leg].first(), self.legs[leg].last()) {
+            (Some(a), Some(b)) => (a - b).norm(),
+            _ => 0.0,
+        }
+    }
+
+    /// Middle of its mouth and apexes.
+    #[must_use]
+    pub fn middle(&self) -> Vec2 {
+        (self.mouth[0] + self.mouth[1]) * 0.5
+    }
+
+    /// Width of the mouth, mm.
+    #[must_use]
+    pub fn width(&self) -> f64 {
+        (self.mouth[1] - self.mouth[0]).norm()
+    }
+}
