@@ -109,7 +109,7 @@ pub fn to_piece(drawn: &DrawnPiece, file: &str) -> Piece {
         s.layer = Some(layer.to_owned());
         Some(s)
     };
-    let fold = drawn.fold.map(Fold);
+    let fold = drawn.axes.fold.map(Fold);
     let mut sewn = drawn.sewn().clone();
     let mut darts = drawn.darts.clone();
     anchor_marked(&mut sewn, &mut darts, fold);
@@ -122,12 +122,12 @@ pub fn to_piece(drawn: &DrawnPiece, file: &str) -> Piece {
         let mirrored: Vec<DrawnDart> = darts.iter().filter(|d| !on_fold(fold, d)).map(|d| fold.dart(d)).collect();
         darts.extend(mirrored);
     }
-    let text = |key: &str| drawn.keys.get(key).filter(|v| !v.is_empty()).cloned();
+    let text = |key: &str| drawn.texts.keys.get(key).filter(|v| !v.is_empty()).cloned();
     Piece {
         name: drawn.label().to_owned(),
         block: drawn.block.clone(),
         size: drawn.size.clone(),
-        quantity: drawn.quantity,
+        quantity: drawn.texts.quantity,
         material: text("material").or_else(|| text("fabric")),
         category: text("category"),
         annotation: text("annotation"),
@@ -139,8 +139,8 @@ pub fn to_piece(drawn: &DrawnPiece, file: &str) -> Piece {
             .into_iter()
             .map(|d| DrillHole { at: d.at * M, diameter: d.diameter.map(|d| d * M), source: source(d.line, "13") })
             .collect(),
-        grain: drawn.grain.map(|g| g.map(|p| p * M)),
-        fold: drawn.fold.map(|f| f.map(|p| p * M)),
+        grain: drawn.axes.grain.map(|g| g.map(|p| p * M)),
+        fold: drawn.axes.fold.map(|f| f.map(|p| p * M)),
         internal_lines: internals(drawn, fold).into_iter().map(|p| open_line(&p, source(p.line, "8"))).collect(),
         cutouts: cutouts(drawn, fold).into_iter().map(|p| open_line(&p, source(p.line, "11"))).collect(),
         match_lines: match_lines(drawn, fold, &source),
@@ -151,6 +151,7 @@ pub fn to_piece(drawn: &DrawnPiece, file: &str) -> Piece {
             .collect(),
         texts: drawn
             .texts
+            .others
             .iter()
             .map(|(at, layer, text)| PieceText { at: at * M, layer: layer.clone(), text: text.clone() })
             .collect(),
@@ -248,7 +249,7 @@ fn notch(n: &DrawnNotch, source: Option<SourceRef>) -> Notch {
 }
 
 fn drills(drawn: &DrawnPiece, fold: Option<Fold>) -> Vec<Drill> {
-    let mut list = drawn.drills.clone();
+    let mut list = drawn.inside.drills.clone();
     if let Some(fold) = fold {
         let mirrored: Vec<Drill> =
             list.iter().filter(|d| beside(fold, &[d.at])).map(|d| Drill { at: fold.mirror(d.at), ..*d }).collect();
@@ -264,7 +265,7 @@ fn match_lines(
     source: &dyn Fn(u64, &str) -> Option<SourceRef>,
 ) -> Vec<PieceLine> {
     let mut out = Vec::new();
-    for (layer, path) in &drawn.stripes {
+    for (layer, path) in &drawn.inside.stripes {
         let name = if layer.trim() == "10" { "plaid" } else { "stripe" };
         let twin = fold.filter(|f| beside(*f, &path.positions())).map(|f| mirrored_path(path, f));
         for path in std::iter::once(path).chain(twin.as_ref()) {
@@ -281,9 +282,9 @@ fn mirrored_path(path: &Path, fold: Fold) -> Path {
 fn internals(drawn: &DrawnPiece, fold: Option<Fold>) -> Vec<Path> {
     let is_leg = |p: &Path| drawn.darts.iter().any(|d| d.ids.iter().any(|id| p.ids.contains(id)));
     let mut list = Vec::new();
-    for (i, path) in drawn.internal.iter().enumerate().filter(|(_, p)| !is_leg(p)) {
+    for (i, path) in drawn.inside.internal.iter().enumerate().filter(|(_, p)| !is_leg(p)) {
         list.push(path.clone());
-        let once = drawn.not_mirrored.get(i).copied().unwrap_or(false);
+        let once = drawn.inside.not_mirrored.get(i).copied().unwrap_or(false);
         if let Some(fold) = fold.filter(|f| !once && beside(*f, &path.positions())) {
             list.push(mirrored_path(path, fold));
         }
@@ -294,7 +295,7 @@ fn internals(drawn: &DrawnPiece, fold: Option<Fold>) -> Vec<Path> {
 fn cutouts(drawn: &DrawnPiece, fold: Option<Fold>) -> Vec<Path> {
     let is_leg = |p: &Path| drawn.darts.iter().any(|d| d.ids.iter().any(|id| p.ids.contains(id)));
     let mut list = Vec::new();
-    for path in drawn.cutouts.iter().filter(|p| !is_leg(p)) {
+    for path in drawn.inside.cutouts.iter().filter(|p| !is_leg(p)) {
         list.push(path.clone());
         if let Some(fold) = fold.filter(|f| beside(*f, &path.positions())) {
             list.push(mirrored_path(path, fold));

@@ -167,11 +167,11 @@ fn ledger(pattern: &Pattern) -> Value {
 
 fn graded(pattern: &Pattern, table: &RuleTable) -> Value {
     let mut out = Map::new();
-    for piece in pattern.pieces.iter().filter(|p| !p.rules.is_empty()) {
+    for piece in pattern.pieces.iter().filter(|p| !p.texts.rules.is_empty()) {
         let mut sizes = Map::new();
         for size in &table.sizes {
             if let Ok(graded) = grade::grade(piece, table, size) {
-                sizes.insert(size.clone(), graded.turn_list.iter().map(|p| xy(*p)).collect());
+                sizes.insert(size.clone(), graded.points.turn_list.iter().map(|p| xy(*p)).collect());
             }
         }
         out.insert(piece.label().to_owned(), Value::Object(sizes));
@@ -182,7 +182,7 @@ fn graded(pattern: &Pattern, table: &RuleTable) -> Value {
 fn piece(drawn: &DrawnPiece, piece: &Piece) -> Value {
     let line = drawn.boundary.positions();
     let area = geom::area(&line).abs() / 100.0;
-    let half = drawn.fold.is_some();
+    let half = drawn.axes.fold.is_some();
     let bounds =
         geom::bounds(line.iter().copied()).map(|(lo, hi)| json!([round(lo.x), round(lo.y), round(hi.x), round(hi.y)]));
     let net = drawn.sewn().positions();
@@ -190,8 +190,8 @@ fn piece(drawn: &DrawnPiece, piece: &Piece) -> Value {
         "block": drawn.block,
         "name": drawn.name,
         "size": drawn.size,
-        "quantity": drawn.quantity.plain,
-        "quantity_pair": [drawn.quantity.plain, drawn.quantity.mirrored],
+        "quantity": drawn.texts.quantity.plain,
+        "quantity_pair": [drawn.texts.quantity.plain, drawn.texts.quantity.mirrored],
         "material": piece.material,
         "area_cm2": round(area),
         "area_unfolded_cm2": round(if half { 2.0 * area } else { area }),
@@ -202,35 +202,35 @@ fn piece(drawn: &DrawnPiece, piece: &Piece) -> Value {
         "net_area_cm2": round(geom::area(&net).abs() / 100.0),
         "net_perimeter_mm": round(geom::length(&net, true)),
         "sew_line_count": drawn.sew_lines,
-        "dart_count": drawn.darts.len() + drawn.candidates.len(),
+        "dart_count": drawn.darts.len() + drawn.doubts.candidates.len(),
         "darts_unfolded": piece.darts.len(),
         // Marks (POINT) count apart from notches drawn with strokes: both are listed and both are sewn.
         "notch_count": drawn.notches.iter().filter(|n| !n.strokes && !n.cut).count(),
         "stroke_notch_count": drawn.notches.iter().filter(|n| n.strokes).count(),
         "cut_notch_count": drawn.notches.iter().filter(|n| n.cut).count(),
-        "drill_count": drawn.drills.len(),
-        "drill_diameters_mm": drawn.drills.iter().map(|d| d.diameter.map(round)).collect::<Vec<_>>(),
-        "stripe_line_count": drawn.stripes.len(),
-        "internal_line_count": drawn.internal.len(),
-        "cutout_count": drawn.cutouts.len(),
-        "grain_line_mm": drawn.grain.map(|g| g.map(xy)),
-        "turn_point_count": drawn.turn_points,
-        "curve_point_count": drawn.curve_points,
+        "drill_count": drawn.inside.drills.len(),
+        "drill_diameters_mm": drawn.inside.drills.iter().map(|d| d.diameter.map(round)).collect::<Vec<_>>(),
+        "stripe_line_count": drawn.inside.stripes.len(),
+        "internal_line_count": drawn.inside.internal.len(),
+        "cutout_count": drawn.inside.cutouts.len(),
+        "grain_line_mm": drawn.axes.grain.map(|g| g.map(xy)),
+        "turn_point_count": drawn.points.turn_points,
+        "curve_point_count": drawn.points.curve_points,
     });
-    let darts = drawn.darts.iter().map(dart).chain(drawn.candidates.iter().map(candidate));
-    let denied = drawn.denied.iter().map(|d| json!({ "at_mm": xy(d.at), "why": d.why }));
+    let darts = drawn.darts.iter().map(dart).chain(drawn.doubts.candidates.iter().map(candidate));
+    let denied = drawn.doubts.denied.iter().map(|d| json!({ "at_mm": xy(d.at), "why": d.why }));
     // Moved in: `json!` would copy what is a `Value` already.
     let lists = [
         ("darts", darts.collect()),
         ("not_darts", denied.collect()),
-        ("pleats", drawn.pleats.iter().map(pleat).collect()),
+        ("pleats", drawn.doubts.pleats.iter().map(pleat).collect()),
         ("notches", drawn.notches.iter().map(notch).collect()),
-        ("drills_mm", drawn.drills.iter().map(|d| xy(d.at)).collect()),
+        ("drills_mm", drawn.inside.drills.iter().map(|d| xy(d.at)).collect()),
         ("edges", edges(piece)),
     ];
     if let Some(map) = out.as_object_mut() {
         map.extend(lists.into_iter().map(|(key, list)| (key.to_owned(), Value::Array(list))));
-        map.extend(drawn.fold.map(|fold| ("fold_line_mm".to_owned(), json!(fold.map(xy)))));
+        map.extend(drawn.axes.fold.map(|fold| ("fold_line_mm".to_owned(), json!(fold.map(xy)))));
     }
     out
 }
@@ -344,22 +344,7 @@ fn text(pattern: &Pattern) -> String {
         ),
     );
     for p in &pattern.pieces {
-        let line = p.boundary.positions();
-        let (area, length) = (geom::area(&line).abs() / 100.0, geom::length(&line, true));
-        let size = p.size.clone().unwrap_or_else(|| "-".to_owned());
-        let row = format!(
-            "{:<24} {:<8} {:>10.2} {:>10.1} {:>5} {:>5} {:>7} {:>6} {:>5}",
-            p.label(),
-            size,
-            area,
-            length,
-            line.len(),
-            p.darts.len(),
-            p.notches.len(),
-            p.drills.len(),
-            if p.fold.is_some() { "half" } else { "" }
-        );
-        say(&mut out, row.trim_end().to_owned());
+        say(&mut out, row(p));
     }
     let l = &pattern.ledger;
     say(
@@ -376,4 +361,24 @@ fn text(pattern: &Pattern) -> String {
         say(&mut out, finding.to_string());
     }
     out
+}
+
+/// A piece in one line of the table.
+fn row(p: &DrawnPiece) -> String {
+    let line = p.boundary.positions();
+    let (area, length) = (geom::area(&line).abs() / 100.0, geom::length(&line, true));
+    let size = p.size.clone().unwrap_or_else(|| "-".to_owned());
+    let row = format!(
+        "{:<24} {:<8} {:>10.2} {:>10.1} {:>5} {:>5} {:>7} {:>6} {:>5}",
+        p.label(),
+        size,
+        area,
+        length,
+        line.len(),
+        p.darts.len(),
+        p.notches.len(),
+        p.inside.drills.len(),
+        if p.axes.fold.is_some() { "half" } else { "" }
+    );
+    row.trim_end().to_owned()
 }

@@ -46,7 +46,7 @@ impl Pattern {
         }
         for piece in &self.pieces {
             let missing: BTreeSet<u32> =
-                piece.rules.iter().map(|r| r.rule).filter(|n| *n != 0 && !table.rules.contains_key(n)).collect();
+                piece.texts.rules.iter().map(|r| r.rule).filter(|n| *n != 0 && !table.rules.contains_key(n)).collect();
             if !missing.is_empty() {
                 let list: Vec<String> = missing.iter().take(20).map(u32::to_string).collect();
                 let text = format!(
@@ -82,7 +82,7 @@ type Doubt<'a> = (&'a DrawnPiece, u32, [&'a str; 2], f64);
 fn implausible<'a>(piece: &'a DrawnPiece, table: &'a RuleTable) -> Option<Doubt<'a>> {
     let (lo, hi) = geom::bounds(piece.boundary.drawn.iter().map(|n| n.at))?;
     let most = STEP.0.max(STEP.1 * (hi.x - lo.x).max(hi.y - lo.y));
-    let used: BTreeSet<u32> = piece.rules.iter().map(|r| r.rule).collect();
+    let used: BTreeSet<u32> = piece.texts.rules.iter().map(|r| r.rule).collect();
     used.into_iter().filter_map(|rule| table.rules.get(&rule).map(|g| (rule, g))).find_map(|(rule, growth)| {
         let step = |k: usize| -> Option<f64> {
             let (a, b): (&Vec2, &Vec2) = (growth.get(k)?, growth.get(k + 1)?);

@@ -7,7 +7,7 @@ use super::geom;
 use super::layers::{Layers, Role};
 use super::ledger::{Ledger, Verdict};
 use super::limits;
-use super::model::{Block, Entity, Shape};
+use super::model::{Block, Entity, Shape, Vertex};
 use super::texts;
 use std::collections::{BTreeMap, BTreeSet};
 use toile_garment::notch::NotchKind;
@@ -119,6 +119,9 @@ pub(crate) fn has_boundary(layers: &Layers, block: &Block) -> bool {
     block.entities.iter().any(|e| layers.role(&e.layer) == Role::Boundary && !e.shape.extent().is_empty())
 }
 
+/// Vertices of a polyline that is the strokes of one notch.
+const STROKES_OF_NOTCH: std::ops::RangeInclusive<usize> = 2..=16;
+
 impl<'a> Sorter<'a> {
     pub(crate) fn new(
         layers: &'a Layers,
@@ -164,15 +167,7 @@ impl<'a> Sorter<'a> {
     ) {
         let blocks = self.blocks;
         for entity in &blocks[index].entities {
-            self.expanded = self.expanded.saturating_add(1);
-            const MOST: usize = limits::ENTITIES + limits::EXPANDED;
-            if self.expanded > MOST {
-                // Said once; the error ends the reading, so nothing is lost in silence.
-                if self.expanded == MOST + 1 {
-                    let text = format!("the INSERTs of this file expand to more than {MOST} entities");
-                    let place = self.findings.place_in(&blocks[index].name, None, entity.line);
-                    self.findings.push(Diagnostic::error("insert-too-many", text).at(place));
-                }
+            if !self.count_expanded(&blocks[index].name, entity.line) {
                 return;
             }
             let Shape::Insert { block, at, scale, rotation } = &entity.shape else {
@@ -180,31 +175,12 @@ impl<'a> Sorter<'a> {
                 self.entity(sheet, entity, role, placings);
                 continue;
             };
-            let place = self.findings.place_in(&blocks[index].name, Some(&entity.layer), entity.line);
-            let target = self.by_name.get(block).and_then(|list| list.first()).copied();
-            let problem = match target {
-                None => Some(("block-missing", "there is no such block")),
-                Some(t) if path.contains(&t) => Some(("insert-recursive", "it would insert itself")),
-                Some(t) if own && has_boundary(self.layers, &blocks[t]) => {
-                    Some(("insert-not-expanded", "both blocks have an outline of their own"))
-                }
-                Some(_) if path.len() >= limits::INSERT_DEPTH => {
-                    Some(("insert-too-deep", "blocks are nested too deeply"))
-                }
-                Some(_) => None,
-            };
-            if let Some((code, why)) = problem {
-                let text = format!("the INSERT of `{block}` inside block `{}` was left out: {why}", blocks[index].name);
-                self.findings.push(Diagnostic::warning(code, text).at(place));
-                self.ledger.note(entity.id, Verdict::Refused, "INSERT inside a block, not expanded");
-                continue;
-            }
-            let Some(target) = target else { continue };
-            self.ledger.note(entity.id, Verdict::Interpreted, "INSERT inside a block, expanded");
+            let Some(target) = self.insertable(index, entity, block, own, path) else { continue };
             if !own
                 && self.told.insert(entity.id)
                 && let Some(finding) = transformed(&blocks[index].name, block, *scale, *rotation)
             {
+                let place = self.findings.place_in(&blocks[index].name, Some(&entity.layer), entity.line);
                 self.findings.push(finding.at(place));
             }
             let angle = rotation.to_radians();
@@ -221,166 +197,262 @@ impl<'a> Sorter<'a> {
         }
     }
 
+    /// Counts an entity of a block; tells whether the limit still holds.
+    fn count_expanded(&mut self, block: &str, line: u64) -> bool {
+        const MOST: usize = limits::ENTITIES + limits::EXPANDED;
+        self.expanded = self.expanded.saturating_add(1);
+        // Said once; the error ends the reading, so nothing is lost in silence.
+        if self.expanded == MOST + 1 {
+            let text = format!("the INSERTs of this file expand to more than {MOST} entities");
+            let place = self.findings.place_in(block, None, line);
+            self.findings.push(Diagnostic::error("insert-too-many", text).at(place));
+        }
+        self.expanded <= MOST
+    }
+
+    /// The block that an INSERT inside block `index` places, unless it cannot be expanded, which is then told.
+    fn insertable(&mut self, index: usize, entity: &Entity, block: &str, own: bool, path: &[usize]) -> Option<usize> {
+        let blocks = self.blocks;
+        let outer = &blocks[index].name;
+        let target = self.by_name.get(block).and_then(|list| list.first()).copied();
+        let problem = match target {
+            None => Some(("block-missing", "there is no such block")),
+            Some(t) if path.contains(&t) => Some(("insert-recursive", "it would insert itself")),
+            Some(t) if own && has_boundary(self.layers, &blocks[t]) => {
+                Some(("insert-not-expanded", "both blocks have an outline of their own"))
+            }
+            Some(_) if path.len() >= limits::INSERT_DEPTH => Some(("insert-too-deep", "blocks are nested too deeply")),
+            Some(_) => None,
+        };
+        if let Some((code, why)) = problem {
+            let text = format!("the INSERT of `{block}` inside block `{outer}` was left out: {why}");
+            let place = self.findings.place_in(outer, Some(&entity.layer), entity.line);
+            self.findings.push(Diagnostic::warning(code, text).at(place));
+            self.ledger.note(entity.id, Verdict::Refused, "INSERT inside a block, not expanded");
+            return None;
+        }
+        self.ledger.note(entity.id, Verdict::Interpreted, "INSERT inside a block, expanded");
+        target
+    }
+
+    /// Sorts one entity by what it is, and by the role of its layer.
     fn entity(&mut self, sheet: &mut Sheet, entity: &Entity, role: Role, placings: &[Placing]) {
         let mm = self.mm;
         let place = |p: Vec2| placings.iter().fold(p * mm, |p, placing| placing.apply(p));
-        let (id, line) = (entity.id, entity.line);
-        let accepted = |ledger: &mut Ledger, rule| ledger.note(id, Verdict::Accepted, rule);
-        match (&entity.shape, role) {
-            (Shape::Text { at, value, .. }, _) => {
-                accepted(self.ledger, "text");
+        let sorted = match &entity.shape {
+            Shape::Text { at, value, .. } => {
+                self.ledger.note(entity.id, Verdict::Accepted, "text");
                 let note = |text: &str| Note { at: place(*at), layer: entity.layer.clone(), text: text.to_owned() };
                 sheet.notes.extend(value.split('\n').map(note));
+                true
             }
-            (Shape::Attribute { at, tag, value }, _) => match texts::attribute(tag, value) {
-                Some(text) => {
-                    self.ledger.note(id, Verdict::Interpreted, "attribute with a value: read as a text of the piece");
-                    sheet.notes.push(Note { at: place(*at), layer: entity.layer.clone(), text });
-                }
-                None => {
-                    self.ledger.note(id, Verdict::Interpreted, "attribute: notch link or without a value, not needed")
-                }
-            },
-            (Shape::Point { at, .. }, Role::Turn) => {
-                accepted(self.ledger, "turn point (layer 2)");
-                sheet.turn.push(place(*at));
+            Shape::Attribute { at, tag, value } => {
+                self.attribute(sheet, entity, place(*at), tag, value);
+                true
             }
-            (Shape::Point { at, .. }, Role::Curve) => {
-                accepted(self.ledger, "curve point (layer 3)");
-                sheet.curve.push(place(*at));
+            Shape::Point { .. } => self.point(sheet, entity, role, placings, &place),
+            Shape::Circle { center, radius } if role == Role::Drill => {
+                self.ledger.note(entity.id, Verdict::Interpreted, "circle on layer 13 read as a drill hole");
+                let diameter = Some(2.0 * radius * mm * growth(placings));
+                sheet.drills.push(Drill { line: entity.line, at: place(*center), diameter });
+                true
             }
-            (Shape::Point { at, depth, width, angle }, Role::Notch(kind)) => {
-                accepted(self.ledger, "notch point (layers 4, 80 to 83)");
-                let turned = |a: f64| turn_angle(a.to_radians(), placings);
-                let k = mm * growth(placings);
-                let (depth, width) = (depth.map(|d| d * k), width.map(|w| w * k));
-                let angle = angle.map(turned);
-                sheet.marks.push(Mark { id, line, at: place(*at), depth, width, angle, kind });
+            Shape::Polyline { vertices, .. } => self.polyline_as_stroke(sheet, entity, role, vertices, &place),
+            Shape::Line(ends) => self.line_as_stroke(sheet, entity, role, ends.map(place)),
+            _ => false,
+        };
+        if !sorted {
+            self.line(sheet, entity, role, growth(placings), &place);
+        }
+    }
+
+    /// An attribute is a text of the piece where it has a name and a value of one.
+    fn attribute(&mut self, sheet: &mut Sheet, entity: &Entity, at: Vec2, tag: &str, value: &str) {
+        let rule = match texts::attribute(tag, value) {
+            Some(text) => {
+                sheet.notes.push(Note { at, layer: entity.layer.clone(), text });
+                "attribute with a value: read as a text of the piece"
             }
-            (Shape::Point { at, depth, .. }, Role::Drill) => {
-                accepted(self.ledger, "drill hole (layer 13)");
-                let diameter = depth.map(|d| d.abs() * mm * growth(placings)).filter(|d| *d > 0.0);
-                sheet.drills.push(Drill { line, at: place(*at), diameter });
+            None => "attribute: notch link or without a value, not needed",
+        };
+        self.ledger.note(entity.id, Verdict::Interpreted, rule);
+    }
+
+    /// Sorts a point; tells whether its layer gives it a meaning.
+    fn point(
+        &mut self,
+        sheet: &mut Sheet,
+        entity: &Entity,
+        role: Role,
+        placings: &[Placing],
+        place: &dyn Fn(Vec2) -> Vec2,
+    ) -> bool {
+        let Shape::Point { at, depth, width, angle } = entity.shape else { return false };
+        let (id, line, at) = (entity.id, entity.line, place(at));
+        let scale = self.mm * growth(placings);
+        let mut verdict = Verdict::Accepted;
+        let rule = match role {
+            Role::Turn => {
+                sheet.turn.push(at);
+                "turn point (layer 2)"
             }
-            (Shape::Circle { center, radius }, Role::Drill) => {
-                self.ledger.note(id, Verdict::Interpreted, "circle on layer 13 read as a drill hole");
-                sheet.drills.push(Drill {
-                    line,
-                    at: place(*center),
-                    diameter: Some(2.0 * radius * mm * growth(placings)),
-                });
+            Role::Curve => {
+                sheet.curve.push(at);
+                "curve point (layer 3)"
             }
-            (Shape::Point { at, .. }, Role::Match) => {
-                accepted(self.ledger, "stripe or plaid mark (layers 9 and 10)");
-                let points = vec![(place(*at), true)];
-                sheet.stripes.push((entity.layer.clone(), Path { ids: vec![id], line, points, closed: false }));
+            Role::Notch(kind) => {
+                let (depth, width) = (depth.map(|d| d * scale), width.map(|w| w * scale));
+                let angle = angle.map(|a| turn_angle(a.to_radians(), placings));
+                sheet.marks.push(Mark { id, line, at, depth, width, angle, kind });
+                "notch point (layers 4, 80 to 83)"
             }
-            (Shape::Polyline { vertices, .. }, Role::GradeReference | Role::Mirror | Role::Grain)
-                if vertices.len() >= 2 =>
-            {
-                self.ledger.note(id, Verdict::Interpreted, "polyline on layer 5, 6 or 7: the line between its ends");
+            Role::Drill => {
+                let diameter = depth.map(|d| d.abs() * self.mm * growth(placings)).filter(|d| *d > 0.0);
+                sheet.drills.push(Drill { line, at, diameter });
+                "drill hole (layer 13)"
+            }
+            Role::Match => {
+                let path = Path { ids: vec![id], line, points: vec![(at, true)], closed: false };
+                sheet.stripes.push((entity.layer.clone(), path));
+                "stripe or plaid mark (layers 9 and 10)"
+            }
+            Role::Boundary => {
+                verdict = Verdict::Interpreted;
+                "point on layer 1 beside a notch, not needed"
+            }
+            _ => return false,
+        };
+        self.ledger.note(id, verdict, rule);
+        true
+    }
+
+    /// A polyline on a layer of straight lines or notches: the line between its ends, or strokes. Tells whether it is.
+    fn polyline_as_stroke(
+        &mut self,
+        sheet: &mut Sheet,
+        entity: &Entity,
+        role: Role,
+        vertices: &[Vertex],
+        place: &dyn Fn(Vec2) -> Vec2,
+    ) -> bool {
+        let (id, line) = (entity.id, entity.line);
+        match role {
+            Role::GradeReference | Role::Mirror | Role::Grain if vertices.len() >= 2 => {
+                let rule = "polyline on layer 5, 6 or 7: the line between its ends";
+                self.ledger.note(id, Verdict::Interpreted, rule);
                 let ends = [vertices[0].at, vertices[vertices.len() - 1].at].map(place);
-                let stroke = Stroke { id, line, ends };
-                match role {
-                    Role::GradeReference => sheet.reference.push(stroke),
-                    Role::Mirror => sheet.mirror.push(stroke),
-                    _ => sheet.grain.push(stroke),
-                }
+                sheet.strokes(role).push(Stroke { id, line, ends });
             }
-            (Shape::Polyline { vertices, .. }, Role::Notch(_)) if (2..=16).contains(&vertices.len()) => {
+            Role::Notch(_) if STROKES_OF_NOTCH.contains(&vertices.len()) => {
                 self.ledger.note(id, Verdict::Interpreted, "polyline on a notch layer: strokes of a notch");
                 let strokes = vertices.windows(2).map(|w| Stroke { id, line, ends: [w[0].at, w[1].at].map(place) });
                 sheet.notch_strokes.extend(strokes);
             }
-            (Shape::Point { .. }, Role::Boundary) => {
-                self.ledger.note(id, Verdict::Interpreted, "point on layer 1 beside a notch, not needed");
+            _ => return false,
+        }
+        true
+    }
+
+    /// A straight line on a layer of straight lines or notches; tells whether it is on one.
+    fn line_as_stroke(&mut self, sheet: &mut Sheet, entity: &Entity, role: Role, ends: [Vec2; 2]) -> bool {
+        let (verdict, rule) = match role {
+            Role::GradeReference => (Verdict::Accepted, "grade reference line (layer 5)"),
+            Role::Mirror => (Verdict::Accepted, "mirror line (layer 6)"),
+            Role::Grain => (Verdict::Accepted, "grain line (layer 7)"),
+            Role::Notch(_) => (Verdict::Interpreted, "line on a notch layer: stroke of a notch"),
+            _ => return false,
+        };
+        self.ledger.note(entity.id, verdict, rule);
+        sheet.strokes(role).push(Stroke { id: entity.id, line: entity.line, ends });
+        true
+    }
+
+    /// Sorts a line or curve into the list of its layer, flattened.
+    fn line(&mut self, sheet: &mut Sheet, entity: &Entity, role: Role, growth: f64, place: &dyn Fn(Vec2) -> Vec2) {
+        let tol = self.flatness / (self.mm * growth).max(1e-9);
+        let Some((points, closed, rule)) = flattened(&entity.shape, tol) else {
+            if matches!(entity.shape, Shape::Other(_)) {
+                self.ledger.note(entity.id, Verdict::Refused, "entity type not used in patterns");
             }
-            (Shape::Line(ends), Role::Notch(_) | Role::GradeReference | Role::Mirror | Role::Grain) => {
-                let stroke = Stroke { id, line, ends: ends.map(place) };
-                match role {
-                    Role::GradeReference => {
-                        accepted(self.ledger, "grade reference line (layer 5)");
-                        sheet.reference.push(stroke);
-                    }
-                    Role::Mirror => {
-                        accepted(self.ledger, "mirror line (layer 6)");
-                        sheet.mirror.push(stroke);
-                    }
-                    Role::Grain => {
-                        accepted(self.ledger, "grain line (layer 7)");
-                        sheet.grain.push(stroke);
-                    }
-                    _ => {
-                        self.ledger.note(id, Verdict::Interpreted, "line on a notch layer: stroke of a notch");
-                        sheet.notch_strokes.push(stroke);
-                    }
+            return;
+        };
+        let points = || points.iter().map(|(p, own)| (place(*p), *own)).collect();
+        let path = |points| Path { ids: vec![entity.id], line: entity.line, points, closed };
+        match sheet.list(role) {
+            Some((list, meaning)) => {
+                let (verdict, rule) = rule.map_or((Verdict::Accepted, meaning), |rule| (Verdict::Interpreted, rule));
+                self.ledger.note(entity.id, verdict, rule);
+                list.push(path(points()));
+            }
+            None => match role {
+                Role::DenseOther => {
+                    let rule = "dense copy of internal lines, not needed";
+                    self.ledger.note(entity.id, Verdict::Interpreted, rule);
                 }
-            }
-            _ => self.line(sheet, entity, role, growth(placings), &place),
+                Role::Match => {
+                    self.ledger.note(entity.id, Verdict::Accepted, "stripe or plaid line (layers 9 and 10)");
+                    sheet.stripes.push((entity.layer.clone(), path(points())));
+                }
+                _ => self.ledger.note(entity.id, Verdict::Refused, "line on a layer without meaning for lines"),
+            },
+        }
+    }
+}
+
+impl Sheet {
+    /// The list of straight lines for the role of a layer.
+    fn strokes(&mut self, role: Role) -> &mut Vec<Stroke> {
+        match role {
+            Role::GradeReference => &mut self.reference,
+            Role::Mirror => &mut self.mirror,
+            Role::Grain => &mut self.grain,
+            _ => &mut self.notch_strokes,
         }
     }
 
-    fn line(&mut self, sheet: &mut Sheet, entity: &Entity, role: Role, growth: f64, place: &dyn Fn(Vec2) -> Vec2) {
-        let tol = self.flatness / (self.mm * growth).max(1e-9);
-        let drawn = |points: Vec<Vec2>| {
-            let n = points.len();
-            points.into_iter().enumerate().map(move |(i, p)| (p, i == 0 || i + 1 == n)).collect::<Vec<_>>()
-        };
-        let (points, closed, rule) = match &entity.shape {
-            Shape::Polyline { vertices, closed, .. } => (curve::polyline(vertices, *closed, tol), *closed, None),
-            Shape::Line(ends) => (ends.iter().map(|p| (*p, true)).collect(), false, None),
-            Shape::Arc { center, radius, start, end } => {
-                let axis = Vec2::new(*radius, 0.0);
-                let points = curve::ellipse(*center, axis, 1.0, start.to_radians(), end.to_radians(), tol);
-                (drawn(points), false, Some("ARC flattened"))
-            }
-            Shape::Circle { center, radius } => {
-                let points = curve::ellipse(*center, Vec2::new(*radius, 0.0), 1.0, 0.0, 0.0, tol);
-                (drawn(points), true, Some("CIRCLE flattened"))
-            }
-            Shape::Ellipse { center, major, ratio, start, end } => {
-                let whole = (end - start).abs() < 1e-9 || (end - start - std::f64::consts::TAU).abs() < 1e-6;
-                let points = curve::ellipse(*center, *major, *ratio, *start, *end, tol);
-                (drawn(points), whole, Some("ELLIPSE flattened"))
-            }
-            Shape::Spline(s) => (drawn(s.flatten(tol)), s.flags & 1 != 0, Some("SPLINE flattened")),
-            Shape::Insert { .. } => return,
-            Shape::Other(_) => {
-                self.ledger.note(entity.id, Verdict::Refused, "entity type not used in patterns");
-                return;
-            }
-            _ => return,
-        };
-        let list = match role {
-            Role::Boundary => (&mut sheet.boundary, "outline (layer 1)"),
-            Role::DenseBoundary => (&mut sheet.dense, "dense copy of the outline (layer 84)"),
-            Role::Sew => (&mut sheet.sew, "sew line (layer 14)"),
-            Role::DenseSew => (&mut sheet.dense_sew, "dense copy of the sew line (layer 87)"),
-            Role::Internal => (&mut sheet.internal, "internal line (layer 8)"),
-            Role::Cutout => (&mut sheet.cutouts, "cutout (layer 11)"),
-            Role::DenseOther => {
-                self.ledger.note(entity.id, Verdict::Interpreted, "dense copy of internal lines, not needed");
-                return;
-            }
-            Role::Match => {
-                self.ledger.note(entity.id, Verdict::Accepted, "stripe or plaid line (layers 9 and 10)");
-                let points = points.into_iter().map(|(p, own)| (place(p), own)).collect();
-                let path = Path { ids: vec![entity.id], line: entity.line, points, closed };
-                sheet.stripes.push((entity.layer.clone(), path));
-                return;
-            }
-            _ => {
-                self.ledger.note(entity.id, Verdict::Refused, "line on a layer without meaning for lines");
-                return;
-            }
-        };
-        match rule {
-            Some(rule) => self.ledger.note(entity.id, Verdict::Interpreted, rule),
-            None => self.ledger.note(entity.id, Verdict::Accepted, list.1),
-        }
-        let points = points.into_iter().map(|(p, own)| (place(p), own)).collect();
-        list.0.push(Path { ids: vec![entity.id], line: entity.line, points, closed });
+    /// The list of lines for the role of a layer, and what the ledger calls them.
+    fn list(&mut self, role: Role) -> Option<(&mut Vec<Path>, &'static str)> {
+        Some(match role {
+            Role::Boundary => (&mut self.boundary, "outline (layer 1)"),
+            Role::DenseBoundary => (&mut self.dense, "dense copy of the outline (layer 84)"),
+            Role::Sew => (&mut self.sew, "sew line (layer 14)"),
+            Role::DenseSew => (&mut self.dense_sew, "dense copy of the sew line (layer 87)"),
+            Role::Internal => (&mut self.internal, "internal line (layer 8)"),
+            Role::Cutout => (&mut self.cutouts, "cutout (layer 11)"),
+            _ => return None,
+        })
     }
+}
+
+/// Points of a line, each with whether it is a vertex of the drawing.
+type Flat = Vec<(Vec2, bool)>;
+
+/// A line or curve as points, whether it is closed, and the ledger's word where it was a curve. `tol` is in file units.
+fn flattened(shape: &Shape, tol: f64) -> Option<(Flat, bool, Option<&'static str>)> {
+    let drawn = |points: Vec<Vec2>| {
+        let n = points.len();
+        points.into_iter().enumerate().map(move |(i, p)| (p, i == 0 || i + 1 == n)).collect::<Vec<_>>()
+    };
+    Some(match shape {
+        Shape::Polyline { vertices, closed, .. } => (curve::polyline(vertices, *closed, tol), *closed, None),
+        Shape::Line(ends) => (ends.iter().map(|p| (*p, true)).collect(), false, None),
+        Shape::Arc { center, radius, start, end } => {
+            let axis = Vec2::new(*radius, 0.0);
+            let points = curve::ellipse(*center, axis, 1.0, start.to_radians(), end.to_radians(), tol);
+            (drawn(points), false, Some("ARC flattened"))
+        }
+        Shape::Circle { center, radius } => {
+            let points = curve::ellipse(*center, Vec2::new(*radius, 0.0), 1.0, 0.0, 0.0, tol);
+            (drawn(points), true, Some("CIRCLE flattened"))
+        }
+        Shape::Ellipse { center, major, ratio, start, end } => {
+            let whole = (end - start).abs() < 1e-9 || (end - start - std::f64::consts::TAU).abs() < 1e-6;
+            let points = curve::ellipse(*center, *major, *ratio, *start, *end, tol);
+            (drawn(points), whole, Some("ELLIPSE flattened"))
+        }
+        Shape::Spline(s) => (drawn(s.flatten(tol)), s.flags & 1 != 0, Some("SPLINE flattened")),
+        _ => return None,
+    })
 }
 
 impl Placing {

@@ -55,7 +55,7 @@ impl Pattern {
         if self.sizes.len() <= 1 {
             return self.sizes.first().cloned();
         }
-        let marked = self.pieces.iter().find(|p| p.marked && p.size.is_some()).and_then(|p| p.size.clone());
+        let marked = self.pieces.iter().find(|p| p.points.marked && p.size.is_some()).and_then(|p| p.size.clone());
         let choice = marked.or_else(|| self.sizes.get(self.sizes.len() / 2).cloned());
         if let Some(choice) = &choice {
             let text = format!(

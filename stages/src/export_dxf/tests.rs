@@ -245,7 +245,7 @@ fn a_size_run_is_two_files() {
         let table = rul::read(&files.0[1].1, "run.rul").expect("rules");
         let pattern = dxf::read(&files.0[0].1, "run.dxf", &ReadOptions::default()).expect("pattern");
         assert_eq!((table.sizes, pattern.sizes.len()), (pattern.sizes.clone(), 3));
-        assert!(table.rules.len() > 3 && pattern.pieces.iter().any(|p| !p.rules.is_empty()));
+        assert!(table.rules.len() > 3 && pattern.pieces.iter().any(|p| !p.texts.rules.is_empty()));
     }
 }
 
@@ -257,7 +257,7 @@ fn off_the_drawn_size(pattern: &dxf::Pattern, table: &rul::RuleTable, size: &str
         let graded = dxf::grade::grade(sample, table, size).expect("graded");
         let there = drawn.boundary.positions();
         for (from, to) in sample.boundary.positions().iter().zip(graded.boundary.positions()) {
-            if sample.rules.iter().any(|r| (r.at - from).norm() < 0.02) {
+            if sample.texts.rules.iter().any(|r| (r.at - from).norm() < 0.02) {
                 worst = there.iter().map(|q| (q - to).norm()).fold(f64::INFINITY, f64::min).max(worst);
             }
         }

@@ -14,7 +14,8 @@ const TESTS: usize = 50_000_000;
 
 pub(super) fn check(piece: &DrawnPiece, desk: &mut Desk<'_>) {
     let leg = |p: &&Path| !piece.darts.iter().any(|d| d.ids.iter().any(|id| p.ids.contains(id)));
-    let cutouts: Vec<(&Path, Vec<Vec2>)> = piece.cutouts.iter().filter(leg).map(|p| (p, p.positions())).collect();
+    let cutouts: Vec<(&Path, Vec<Vec2>)> =
+        piece.inside.cutouts.iter().filter(leg).map(|p| (p, p.positions())).collect();
     if cutouts.is_empty() {
         return;
     }

@@ -40,13 +40,13 @@ fn say_far(piece: &DrawnPiece, what: &str, far: &[(Vec2, f64, u64)], layer: &str
 }
 
 fn drills(piece: &DrawnPiece, line: &[Vec2], bounds: (Vec2, Vec2), desk: &mut Desk<'_>) {
-    let exact = piece.drills.len().saturating_mul(line.len()) <= TESTS;
+    let exact = piece.inside.drills.len().saturating_mul(line.len()) <= TESTS;
     let off = |p: Vec2| {
         let out = beyond(p, bounds);
         if out > DRILL || !exact || geom::inside(p, line) { out } else { geom::distance(p, line, true) }
     };
     let far: Vec<_> =
-        piece.drills.iter().map(|d| (d.at, off(d.at), d.line)).filter(|(_, off, _)| *off > DRILL).collect();
+        piece.inside.drills.iter().map(|d| (d.at, off(d.at), d.line)).filter(|(_, off, _)| *off > DRILL).collect();
     say_far(piece, "drill hole", &far, "13", desk);
 }
 
@@ -55,7 +55,7 @@ fn internals(piece: &DrawnPiece, bounds: (Vec2, Vec2), desk: &mut Desk<'_>) {
         let far = path.points.iter().map(|p| (p.0, beyond(p.0, bounds), path.line));
         far.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|f| f.1 > LINE)
     };
-    let far: Vec<_> = piece.internal.iter().filter_map(farthest).collect();
+    let far: Vec<_> = piece.inside.internal.iter().filter_map(farthest).collect();
     say_far(piece, "internal line", &far, "8", desk);
 }
 

@@ -98,7 +98,7 @@ fn alike(a: &DrawnPiece, b: &DrawnPiece) -> bool {
 /// other.
 fn vertices(group: &[&DrawnPiece], sample: Option<&str>, desk: &mut Desk<'_>) {
     let is_sample = |p: &&&DrawnPiece| p.size.as_deref().zip(sample).is_some_and(|(a, b)| tidy(a) == tidy(b));
-    let marked = || group.iter().filter(|p| p.marked && p.size.is_some());
+    let marked = || group.iter().filter(|p| p.points.marked && p.size.is_some());
     let Some(base) = marked().find(is_sample).or_else(|| marked().next()) else { return };
     let n = base.boundary.drawn.len();
     let other: Vec<String> = marked()
@@ -120,7 +120,8 @@ fn vertices(group: &[&DrawnPiece], sample: Option<&str>, desk: &mut Desk<'_>) {
 
 /// A piece that is not drawn in all sizes of the nest, and has no rules to make them.
 fn lacking(group: &[&DrawnPiece], sizes: &[&str], desk: &mut Desk<'_>) {
-    let Some(first) = group.first().filter(|_| group.iter().all(|p| p.size.is_some() && p.rules.is_empty())) else {
+    let Some(first) = group.first().filter(|_| group.iter().all(|p| p.size.is_some() && p.texts.rules.is_empty()))
+    else {
         return;
     };
     let has = |size: &str| group.iter().any(|p| p.size.as_deref().is_some_and(|s| tidy(s) == tidy(size)));

@@ -18,18 +18,18 @@ impl DrawnPiece {
     /// Makes one vertex of every blunt apex, on the outlines and their dense copies.
     pub(in crate::dxf) fn join_blunt_apexes(&mut self, desk: &mut Desk<'_>) {
         let mut all = join(&mut self.boundary);
-        if let Some(copy) = &mut self.dense {
+        if let Some(copy) = &mut self.unfinished.dense {
             join_copy(copy, &all);
         }
         if let Some(sew) = &mut self.sew {
             let joined = join(sew);
-            if let Some(copy) = &mut self.dense_sew {
+            if let Some(copy) = &mut self.unfinished.dense_sew {
                 join_copy(copy, &joined);
             }
             all.extend(joined);
         }
-        let rules = self.rules.iter_mut().map(|r| &mut r.at);
-        for p in self.turn_list.iter_mut().chain(rules) {
+        let rules = self.texts.rules.iter_mut().map(|r| &mut r.at);
+        for p in self.points.turn_list.iter_mut().chain(rules) {
             carry(p, &all);
         }
         for one in all.iter().filter(|j| j.width() > JOIN) {

@@ -50,7 +50,7 @@ fn deny(piece: &mut DrawnPiece, verdicts: Vec<Option<&'static str>>, desk: &mut 
         desk.say(Diagnostic::warning("wedge-not-a-dart", text).hint(DECLARE), &block, "1", dart.line);
         false
     });
-    piece.denied.extend(denied);
+    piece.doubts.denied.extend(denied);
 }
 
 /// Tells whether the file marks its wedges by drill holes. A habit needs more than one witness, and no fewer than speak
@@ -68,7 +68,7 @@ fn drills_its_darts(pieces: &[DrawnPiece]) -> bool {
 /// Tells whether a drill hole lies in the dart near its apex, or a little beside it.
 fn drilled(piece: &DrawnPiece, dart: &DrawnDart) -> bool {
     let polygon = [dart.mouth[0], dart.apexes[0], dart.mouth[1]];
-    piece.drills.iter().any(|d| {
+    piece.inside.drills.iter().any(|d| {
         (d.at - dart.apexes[0]).norm() <= DISTANCE_OF_HABIT_DRILL
             && (geom::inside(d.at, &polygon) || geom::distance(d.at, &polygon, true) <= MARGIN_OF_HABIT_DRILL)
     })

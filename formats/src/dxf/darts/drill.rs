@@ -17,8 +17,8 @@ impl DrawnPiece {
     pub(super) fn find_candidates(&mut self, drills: &[Vec2], desk: &mut Desk<'_>) {
         let at: Vec<Vec2> = self.notches.iter().filter(|n| n.on != "off" && n.on != "internal").map(|n| n.at).collect();
         let hint = "declare it in the sewing file: [[dart]] piece, apex, mouth, kind = \"wedge\" or \"fish-eye\"";
-        self.candidates = candidates(&at, drills, &self.darts);
-        for (drill, mouth) in &self.candidates {
+        self.doubts.candidates = candidates(&at, drills, &self.darts);
+        for (drill, mouth) in &self.doubts.candidates {
             let text = format!(
                 "two notches at {} and {} and a drill hole at {} of `{}` may be a dart; it was not made one",
                 mm(mouth[0]),
@@ -28,7 +28,7 @@ impl DrawnPiece {
             );
             desk.say(Diagnostic::info("dart-candidate", text).hint(hint), &self.block, "13", self.line);
         }
-        for [tip, side, other] in threes(drills, &self.darts, self.grain.map(|g| g[1] - g[0])) {
+        for [tip, side, other] in threes(drills, &self.darts, self.axes.grain.map(|g| g[1] - g[0])) {
             let text = format!(
                 "three drill holes of `{}` at {}, {} and {} may be a fish-eye dart; it was not made one",
                 self.label(),

@@ -24,11 +24,11 @@ impl DrawnPiece {
             Form::Lens => add(CONFIDENCE_OF_LENS, "a closed line, sharp at both ends and alike on both sides"),
         }
         let ends = if dart.form == Form::Lens { Vec::new() } else { dart.mouth.to_vec() };
-        let corner = |p: &Vec2| self.turn_list.iter().any(|t| (t - p).norm() <= DISTANCE_OF_TURN_POINT);
-        if self.marked && dart.apexes.iter().chain(&ends).all(corner) {
+        let corner = |p: &Vec2| self.points.turn_list.iter().any(|t| (t - p).norm() <= DISTANCE_OF_TURN_POINT);
+        if self.points.marked && dart.apexes.iter().chain(&ends).all(corner) {
             add(CONFIDENCE_OF_TURN_POINTS, "its apex and mouth are turn points");
         }
-        if dart.apexes.iter().any(|a| self.drills.iter().any(|d| (d.at - a).norm() <= DISTANCE_OF_APEX_DRILL)) {
+        if dart.apexes.iter().any(|a| self.inside.drills.iter().any(|d| (d.at - a).norm() <= DISTANCE_OF_APEX_DRILL)) {
             add(CONFIDENCE_OF_DRILL, "a drill hole at its apex");
         }
         if !ends.is_empty()

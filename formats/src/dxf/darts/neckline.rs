@@ -52,7 +52,7 @@ impl DrawnPiece {
             let why = "it is wide and in the middle of a symmetric piece: a V neckline";
             let text = format!("the wedge at {} of `{}` was not taken as a dart: {why}", mm(at), self.label());
             desk.say(Diagnostic::warning("wedge-not-a-dart", text).hint(DECLARE), &self.block, "1", file_line);
-            self.denied.push(Denied { at, why, form: Form::Wedge });
+            self.doubts.denied.push(Denied { at, why, form: Form::Wedge });
         }
     }
 }

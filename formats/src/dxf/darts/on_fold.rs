@@ -16,7 +16,7 @@ use toile_garment::Vec2;
 impl DrawnPiece {
     /// Wedges, marked darts and lenses cut in two by the fold, whole.
     pub(super) fn darts_on_fold(&self, on: &'static str) -> (Vec<DrawnDart>, Vec<Denied>) {
-        let Some(fold) = self.fold.map(Fold) else { return (Vec::new(), Vec::new()) };
+        let Some(fold) = self.axes.fold.map(Fold) else { return (Vec::new(), Vec::new()) };
         let Some(whole) = unfolded(self.sewn(), fold) else { return (Vec::new(), Vec::new()) };
         let on_fold = |p: &Vec2| fold.distance(*p) <= DISTANCE_OF_FOLD_POINT;
         let (wedges, _) = wedge::wedges(&whole, on);
@@ -31,7 +31,7 @@ impl DrawnPiece {
                 found.push(dart);
             }
         }
-        let halves: Vec<Path> = self.internal.iter().filter_map(|p| doubled(p, fold)).collect();
+        let halves: Vec<Path> = self.inside.internal.iter().filter_map(|p| doubled(p, fold)).collect();
         let others: Vec<Path> = self.half_lenses(fold);
         let (legs, boxes) = marked::marked(&halves, &whole, None);
         found.extend(legs);
@@ -51,10 +51,11 @@ impl DrawnPiece {
     /// Halves of lenses that are no single internal line: drawn as several strokes, or on the cutouts' layer.
     fn half_lenses(&self, fold: Fold) -> Vec<Path> {
         let open = |paths: &[Path]| paths.iter().filter(|p| !p.closed).take(COUNT_OF_STROKES).cloned().collect();
-        let chained = [&self.internal, &self.cutouts].map(|paths| chain::chain(open(paths), GAP_OF_STROKES));
+        let chained =
+            [&self.inside.internal, &self.inside.cutouts].map(|paths| chain::chain(open(paths), GAP_OF_STROKES));
         let several = chained.into_iter().flat_map(|c| c.open.into_iter().chain(c.closed)).filter(|p| p.ids.len() > 1);
         let alone = |p: &&Path| p.points.len() > 2 && (p.closed || p.ids.len() == 1);
-        let cutouts = self.cutouts.iter().filter(alone).cloned();
+        let cutouts = self.inside.cutouts.iter().filter(alone).cloned();
         let whole = several.chain(cutouts).filter_map(|p| doubled(&p, fold));
         whole.filter(|p| p.closed).collect()
     }

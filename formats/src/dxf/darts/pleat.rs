@@ -34,10 +34,10 @@ impl DrawnPiece {
     /// Tells the pairs of fold lines among the internal lines that are no legs.
     pub(super) fn find_pleats(&mut self, line: &[Vec2], desk: &mut Desk<'_>) {
         let legs = |p: &&Path| self.darts.iter().any(|d| d.ids.iter().any(|id| p.ids.contains(id)));
-        let free: Vec<&Path> = self.internal.iter().filter(|p| !legs(p)).collect();
-        let texts: Vec<(Vec2, String)> = self.texts.iter().map(|(at, _, text)| (*at, text.clone())).collect();
-        self.pleats = find(&free, line, &self.notches, &texts);
-        for pleat in &self.pleats {
+        let free: Vec<&Path> = self.inside.internal.iter().filter(|p| !legs(p)).collect();
+        let texts: Vec<(Vec2, String)> = self.texts.others.iter().map(|(at, _, text)| (*at, text.clone())).collect();
+        self.doubts.pleats = find(&free, line, &self.notches, &texts);
+        for pleat in &self.doubts.pleats {
             let [a, b] = pleat.lines.map(|l| mm(l[0]));
             let what = if pleat.converging { "dart-pleat" } else { "pleat" };
             let text = format!(

@@ -13,14 +13,15 @@ impl DrawnPiece {
         let on = if self.sew.is_some() { "sew" } else { "cut" };
         let (mut found, mut denied) = wedge::wedges(self.sewn(), on);
         let cut = self.sew.is_some().then(|| self.boundary.positions());
-        let (legs, boxes) = marked::marked(&self.internal, self.sewn(), cut.as_deref());
+        let (legs, boxes) = marked::marked(&self.inside.internal, self.sewn(), cut.as_deref());
         found.extend(legs);
         denied.extend(boxes);
         let line = self.sewn().positions();
-        let grain = self.grain.map(|g| g[1] - g[0]);
-        let [closed, cut_out] = [&self.internal, &self.cutouts].map(|p| lens::closed_inside(p, &found, &line));
-        let drills: Vec<Vec2> = self.drills.iter().map(|d| d.at).collect();
-        for paths in [self.internal.as_slice(), &self.cutouts, &closed, &cut_out] {
+        let grain = self.axes.grain.map(|g| g[1] - g[0]);
+        let [closed, cut_out] =
+            [&self.inside.internal, &self.inside.cutouts].map(|p| lens::closed_inside(p, &found, &line));
+        let drills: Vec<Vec2> = self.inside.drills.iter().map(|d| d.at).collect();
+        for paths in [self.inside.internal.as_slice(), &self.inside.cutouts, &closed, &cut_out] {
             for eye in lens::lenses(paths, &line) {
                 match lens::lens_doubt(&eye, grain, &drills) {
                     None => found.push(eye),
@@ -41,7 +42,7 @@ impl DrawnPiece {
             self.weigh(dart);
         }
         self.darts = found;
-        self.denied = denied;
+        self.doubts.denied = denied;
         self.tell_look_alikes(desk);
         self.find_candidates(&drills, desk);
         self.find_pleats(&line, desk);
@@ -51,12 +52,12 @@ impl DrawnPiece {
     fn tell_look_alikes(&self, desk: &mut Desk<'_>) {
         let told = |d: &&Denied| d.form == Form::Marked || d.why == zigzag::WHY;
         let mut seen: Vec<&str> = Vec::new();
-        for one in self.denied.iter().filter(told) {
+        for one in self.doubts.denied.iter().filter(told) {
             if seen.contains(&one.why) {
                 continue;
             }
             seen.push(one.why);
-            let count = self.denied.iter().filter(told).filter(|d| d.why == one.why).count();
+            let count = self.doubts.denied.iter().filter(told).filter(|d| d.why == one.why).count();
             let others = if count > 1 { format!(" (and {} more)", count - 1) } else { String::new() };
             let text = format!(
                 "the wedge at {} of `{}`{others} was not taken as a dart: {}",

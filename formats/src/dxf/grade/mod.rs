@@ -33,10 +33,10 @@ impl Growth {
     fn new(piece: &DrawnPiece, table: &RuleTable, size: usize) -> Result<Self, GradeError> {
         // Growths are in the frame of the grade reference line, whose direction is +x.
         let angle = |line: Option<[Vec2; 2]>| line.map_or(0.0, |[a, b]| libm::atan2(b.y - a.y, b.x - a.x));
-        let main = angle(piece.reference);
+        let main = angle(piece.axes.reference);
         let mut index = PointIndex::new(AT, []);
         let mut by_point = Vec::new();
-        for mark in &piece.rules {
+        for mark in &piece.texts.rules {
             let growth = match table.rules.get(&mark.rule) {
                 Some(list) => list.get(size).copied().ok_or(GradeError::Size)?,
                 None if mark.rule == 0 => Vec2::zeros(),
@@ -111,12 +111,12 @@ pub fn grade(sample: &DrawnPiece, table: &RuleTable, size: &str) -> Result<Drawn
     for notch in &mut piece.notches {
         notch.at = if notch.on == "sew" { sewn.carry(notch.at) } else { cut.carry(notch.at) };
     }
-    for drill in &mut piece.drills {
+    for drill in &mut piece.inside.drills {
         let at = growth.at(drill.at).map_or_else(|| cut.carry(drill.at), |g| drill.at + g);
         drill.at = at;
     }
-    let stripes = piece.stripes.iter_mut().map(|s| &mut s.1);
-    for path in piece.internal.iter_mut().chain(&mut piece.cutouts).chain(stripes) {
+    let stripes = piece.inside.stripes.iter_mut().map(|s| &mut s.1);
+    for path in piece.inside.internal.iter_mut().chain(&mut piece.inside.cutouts).chain(stripes) {
         line(path, &growth, &cut);
     }
     for dart in &mut piece.darts {
@@ -125,8 +125,8 @@ pub fn grade(sample: &DrawnPiece, table: &RuleTable, size: &str) -> Result<Drawn
         dart.legs.iter_mut().chain(&mut dart.work).flatten().for_each(|p| *p = carry(*p));
     }
     // The fold moves with the boundary it lies on; the grain keeps its direction.
-    piece.fold = piece.fold.map(|f| f.map(|p| cut.carry(p)));
-    piece.turn_list.iter_mut().for_each(|p| *p = cut.carry(*p));
+    piece.axes.fold = piece.axes.fold.map(|f| f.map(|p| cut.carry(p)));
+    piece.points.turn_list.iter_mut().for_each(|p| *p = cut.carry(*p));
     piece.size = Some(table.sizes[column].clone());
     Ok(piece)
 }

@@ -21,7 +21,7 @@ use super::limits;
 use super::model::{Block, Drawing, Entity, Shape};
 use super::parse;
 use super::piece::DrawnPiece;
-use super::sheet::{Sorter, has_boundary};
+use super::sheet::{Sheet, Sorter, has_boundary};
 use super::texts;
 use super::tolerances::Tolerances;
 use super::units::{self, Evidence, Units};
@@ -125,39 +125,11 @@ fn read_into(bytes: &[u8], file: &str, options: &ReadOptions, findings: &mut Fin
     let (mm, flatness) = (units.mm_per_unit, options.tolerances.curve);
     let mut sorter = Sorter::new(&layers, mm, flatness, &blocks, &by_name, &mut ledger, findings);
     let sheets = sheets::sheets(&drawing, &blocks, &mut sorter, &inserted, options.inserts, &options.tolerances);
-    if sheets.len() > limits::PIECES {
-        let text = format!("{} pieces, over the limit of {}", sheets.len(), limits::PIECES);
-        return Err(Diagnostic::error("too-many-pieces", text).at(findings.place(1)));
-    }
     let rules = Rules { tolerances: options.tolerances, notch_scale: profile.notch_scale };
-    let mut overruled = Vec::new();
-    let mut desk = Desk { findings, overruled: &mut overruled, rules: &rules };
-    let outlines = desk.each(sheets, |(name, line, sheet), desk| DrawnPiece::outline(&name, line, sheet, desk));
-    let mut pieces: Vec<DrawnPiece> = outlines.into_iter().flatten().collect();
-    if pieces.is_empty() && !desk.findings.has_errors() {
-        let text = "there is no piece in this file: no block has a line on layer 1, and ENTITIES holds no closed line";
-        return Err(Diagnostic::error("no-pieces", text)
-            .at(desk.findings.place(1))
-            .hint("export as AAMA or ASTM, or map the layer of the outlines to \"1\""));
-    }
     let sample_size = style_texts.get("sample size").cloned().filter(|s| !s.is_empty());
-    block_names::fill(&mut pieces, sample_size.as_deref(), &mut desk);
-    carry_between_sizes(&mut pieces, &mut desk);
-    desk.each(&mut pieces, DrawnPiece::finish);
-    darts::deny_inserts_and_unmarked(&mut pieces, &mut desk);
-    checks::pieces(&pieces, sample_size.as_deref(), &mut desk);
-    for (id, verdict, rule) in overruled {
-        ledger.overrule(id, verdict, rule);
-    }
+    let pieces = build_pieces(sheets, &rules, sample_size.as_deref(), &mut ledger, findings)?;
     report_layers(&drawing, &blocks, &layers, &ledger, findings);
     ledger.close();
-    let mut sizes: Vec<String> = Vec::new();
-    let mut seen = BTreeSet::new();
-    for size in pieces.iter().filter_map(|p| p.size.as_ref()) {
-        if seen.insert(size.clone()) {
-            sizes.push(size.clone());
-        }
-    }
     Ok(Pattern {
         file: file.to_owned(),
         style: style_texts.get("style name").cloned(),
@@ -165,7 +137,7 @@ fn read_into(bytes: &[u8], file: &str, options: &ReadOptions, findings: &mut Fin
         units,
         encoding: drawing.encoding.name(),
         release: drawing.release,
-        sizes,
+        sizes: sizes_in_order(&pieces),
         sample_size,
         pieces,
         vertices: drawing.vertex_count,
@@ -174,6 +146,45 @@ fn read_into(bytes: &[u8], file: &str, options: &ReadOptions, findings: &mut Fin
         ledger,
         style_texts,
     })
+}
+
+/// Makes pieces of the sheets: outlines first, then what the sizes take over from each other, then notches and darts.
+fn build_pieces(
+    sheets: Vec<(String, u64, Sheet)>,
+    rules: &Rules,
+    sample_size: Option<&str>,
+    ledger: &mut Ledger,
+    findings: &mut Findings,
+) -> Result<Vec<DrawnPiece>, Diagnostic> {
+    if sheets.len() > limits::PIECES {
+        let text = format!("{} pieces, over the limit of {}", sheets.len(), limits::PIECES);
+        return Err(Diagnostic::error("too-many-pieces", text).at(findings.place(1)));
+    }
+    let mut overruled = Vec::new();
+    let mut desk = Desk { findings, overruled: &mut overruled, rules };
+    let outlines = desk.each(sheets, |(name, line, sheet), desk| DrawnPiece::outline(&name, line, sheet, desk));
+    let mut pieces: Vec<DrawnPiece> = outlines.into_iter().flatten().collect();
+    if pieces.is_empty() && !desk.findings.has_errors() {
+        let text = "there is no piece in this file: no block has a line on layer 1, and ENTITIES holds no closed line";
+        return Err(Diagnostic::error("no-pieces", text)
+            .at(desk.findings.place(1))
+            .hint("export as AAMA or ASTM, or map the layer of the outlines to \"1\""));
+    }
+    block_names::fill(&mut pieces, sample_size, &mut desk);
+    carry_between_sizes(&mut pieces, &mut desk);
+    desk.each(&mut pieces, DrawnPiece::finish);
+    darts::deny_inserts_and_unmarked(&mut pieces, &mut desk);
+    checks::pieces(&pieces, sample_size, &mut desk);
+    for (id, verdict, rule) in overruled {
+        ledger.overrule(id, verdict, rule);
+    }
+    Ok(pieces)
+}
+
+/// The sizes of all pieces, each once, in file order.
+fn sizes_in_order(pieces: &[DrawnPiece]) -> Vec<String> {
+    let mut seen = BTreeSet::new();
+    pieces.iter().filter_map(|p| p.size.clone()).filter(|size| seen.insert(size.clone())).collect()
 }
 
 fn style_texts(drawing: &Drawing) -> BTreeMap<String, String> {
@@ -245,14 +256,14 @@ fn carry_between_sizes(pieces: &mut [DrawnPiece], desk: &mut Desk<'_>) {
         }
     }
     for (name, list) in groups {
-        let Some(sample) = list.iter().copied().find(|i| pieces[*i].marked) else { continue };
+        let Some(sample) = list.iter().copied().find(|i| pieces[*i].points.marked) else { continue };
         if list.len() < 2 {
             continue;
         }
         let sample = pieces[sample].clone();
         let mut failed = Vec::new();
         for i in list {
-            if !pieces[i].marked && !pieces[i].take_from_sample(&sample) {
+            if !pieces[i].points.marked && !pieces[i].take_from_sample(&sample) {
                 failed.push(pieces[i].size.clone().unwrap_or_default());
             }
         }

@@ -11,6 +11,8 @@ use crate::dxf::sheet::Sheet;
 use toile_garment::outline::PointKind;
 use toile_garment::{Diagnostic, Vec2};
 
+/// An open line longer than this share of the outline means that the outline itself is open.
+const STRAY: f64 = 0.5;
 /// Shorter spikes without width that stand out of an outline are strokes of notches, mm.
 const SPIKE: f64 = 10.0;
 
@@ -53,28 +55,42 @@ pub(super) fn boundary(block: &str, line: u64, sheet: &Sheet, desk: &mut Desk<'_
     closed.sort_by(|a, b| area(b).total_cmp(&area(a)));
     let longest_open = open.iter().map(|p| geom::length(&p.positions(), false)).fold(0.0, f64::max);
     let main_length = closed.first().map_or(0.0, |p| geom::length(&p.positions(), true));
-    if closed.is_empty() || longest_open > 0.5 * main_length {
-        for path in &open {
-            let (a, b) = (path.points[0].0, path.points[path.points.len() - 1].0);
-            let text = format!(
-                "the outline of block `{block}` is open: {:.2} mm are missing between {} and {}",
-                (a - b).norm(),
-                mm(b),
-                mm(a)
-            );
-            let finding = Diagnostic::error("outline-open", text).hint(format!(
-                "close it in the pattern; gaps up to {} mm are closed with a note",
-                desk.rules.tolerances.gap
-            ));
-            desk.say(finding, block, "1", path.line);
-        }
-        if open.is_empty() {
-            let text = format!("block `{block}` has lines on layer 1 but no outline");
-            desk.say(Diagnostic::error("outline-missing", text), block, "1", line);
-        }
+    if closed.is_empty() || longest_open > STRAY * main_length {
+        say_open(block, line, &open, desk);
         return None;
     }
-    for path in &open {
+    refuse_strays(block, &open, desk);
+    let mut closed = closed.into_iter();
+    let main = closed.next()?;
+    let inner = inner_lines(block, &main, closed, desk);
+    Some((main, inner))
+}
+
+/// Tells that the outline is open, or not there at all.
+fn say_open(block: &str, line: u64, open: &[Path], desk: &mut Desk<'_>) {
+    for path in open {
+        let (a, b) = (path.points[0].0, path.points[path.points.len() - 1].0);
+        let text = format!(
+            "the outline of block `{block}` is open: {:.2} mm are missing between {} and {}",
+            (a - b).norm(),
+            mm(b),
+            mm(a)
+        );
+        let finding = Diagnostic::error("outline-open", text).hint(format!(
+            "close it in the pattern; gaps up to {} mm are closed with a note",
+            desk.rules.tolerances.gap
+        ));
+        desk.say(finding, block, "1", path.line);
+    }
+    if open.is_empty() {
+        let text = format!("block `{block}` has lines on layer 1 but no outline");
+        desk.say(Diagnostic::error("outline-missing", text), block, "1", line);
+    }
+}
+
+/// Leaves out open lines beside the outline, and tells it.
+fn refuse_strays(block: &str, open: &[Path], desk: &mut Desk<'_>) {
+    for path in open {
         let text = format!(
             "an open line on layer 1 of block `{block}` at {} is no part of the outline; it was left out",
             mm(path.points[0].0)
@@ -84,11 +100,13 @@ pub(super) fn boundary(block: &str, line: u64, sheet: &Sheet, desk: &mut Desk<'_
         }
         desk.say(Diagnostic::warning("outline-stray-line", text), block, "1", path.line);
     }
-    let mut closed = closed.into_iter();
-    let main = closed.next()?;
+}
+
+/// Further closed lines on layer 1: those inside the outline are cutouts, the others are left out.
+fn inner_lines(block: &str, main: &Path, others: impl Iterator<Item = Path>, desk: &mut Desk<'_>) -> Vec<Path> {
     let polygon = main.positions();
     let mut inner = Vec::new();
-    for path in closed {
+    for path in others {
         let inside = path.points.iter().all(|p| geom::inside(p.0, &polygon));
         let (what, verdict) =
             if inside { ("read as a cutout", Verdict::Interpreted) } else { ("left out", Verdict::Refused) };
@@ -102,7 +120,7 @@ pub(super) fn boundary(block: &str, line: u64, sheet: &Sheet, desk: &mut Desk<'_
             inner.push(path);
         }
     }
-    Some((main, inner))
+    inner
 }
 
 /// The ledger's word on lines that repeat others.

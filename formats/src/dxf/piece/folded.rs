@@ -20,7 +20,7 @@ impl DrawnPiece {
         let [a, b] = stroke.ends;
         self.say_other_folds(&joined, desk);
         if fold_run(&line, a, b).is_some() || fold_part(&line, a, b) {
-            self.fold = Some([a, b]);
+            self.axes.fold = Some([a, b]);
             desk.overrule(stroke.id, Verdict::Interpreted, "mirror line on the boundary: the half piece is unfolded");
         } else {
             let text = format!(

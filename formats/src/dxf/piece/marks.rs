@@ -26,7 +26,10 @@ impl DrawnPiece {
 
     pub(super) fn make_work(&mut self, desk: &mut Desk<'_>) {
         let label = self.label().to_owned();
-        let lines = [(Some(&mut self.boundary), &self.dense, "84"), (self.sew.as_mut(), &self.dense_sew, "87")];
+        let lines = [
+            (Some(&mut self.boundary), &self.unfinished.dense, "84"),
+            (self.sew.as_mut(), &self.unfinished.dense_sew, "87"),
+        ];
         for (outline, dense, layer) in lines {
             let Some(outline) = outline else { continue };
             let verdict = outline.make_work(dense.as_ref(), desk.rules.tolerances.curve);
@@ -58,18 +61,22 @@ impl DrawnPiece {
     }
 
     pub(super) fn find_notches(&mut self, desk: &mut Desk<'_>) {
-        let work = (self.marks.len() + self.strokes.len()) as u64 * self.boundary.drawn.len() as u64;
-        if self.marks.len() > limits::NOTCHES || self.strokes.len() > limits::NOTCHES || work > limits::NOTCH_TESTS {
+        let work =
+            (self.unfinished.marks.len() + self.unfinished.strokes.len()) as u64 * self.boundary.drawn.len() as u64;
+        if self.unfinished.marks.len() > limits::NOTCHES
+            || self.unfinished.strokes.len() > limits::NOTCHES
+            || work > limits::NOTCH_TESTS
+        {
             let text = format!("`{}` has more than {} notches", self.label(), limits::NOTCHES);
             desk.say(Diagnostic::error("too-many-notches", text), &self.block, "4", self.line);
             return;
         }
         let boundary = self.boundary.positions();
         let sew = self.sew.as_ref().map(Outline::positions);
-        let internal: Vec<(Vec<Vec2>, bool)> = self.internal.iter().map(|p| (p.positions(), p.closed)).collect();
+        let internal: Vec<(Vec<Vec2>, bool)> = self.inside.internal.iter().map(|p| (p.positions(), p.closed)).collect();
         let ground = Ground { boundary: &boundary, sew: sew.as_deref(), internal: &internal };
-        let (mut list, doubled) = notches::from_marks(&self.marks, &ground, desk.rules.notch_scale);
-        list.extend(notches::from_strokes(&self.strokes, &ground));
+        let (mut list, doubled) = notches::from_marks(&self.unfinished.marks, &ground, desk.rules.notch_scale);
+        list.extend(notches::from_strokes(&self.unfinished.strokes, &ground));
         list.extend(self.boundary.cut.iter().map(|c| notches::cut_in(c, self.boundary.line)));
         notches::pair_twins(&mut list);
         for id in doubled {

@@ -14,12 +14,19 @@ use super::desk::Desk;
 use super::geom::PointIndex;
 use super::notches::DrawnNotch;
 use super::outline::{Marks, Outline};
-use super::sheet::{Drill, Sheet, Stroke};
+use super::sheet::{Drill, Mark, Sheet, Stroke};
 use std::collections::BTreeMap;
+use toile_garment::outline::PointKind;
 use toile_garment::piece::Quantity;
 use toile_garment::{Diagnostic, Vec2};
 
+/// Points nearer to each other than this are one, mm.
+const SAME_POINT: f64 = 0.01;
+
 /// A piece as drawn, millimetres in block coordinates.
+///
+/// It is built in two steps: `outline` reads lines and texts, `finish` finds notches and darts once the kinds of
+/// vertices are known in every size. Until then `notches`, `darts` and `doubts` are empty.
 #[derive(Clone, Debug)]
 pub struct DrawnPiece {
     /// Block name.
@@ -30,30 +37,59 @@ pub struct DrawnPiece {
     pub name: Option<String>,
     /// Text `Size`, if any.
     pub size: Option<String>,
-    /// Text `Quantity`.
-    pub quantity: Quantity,
-    /// Other piece texts by key, in lower case.
-    pub keys: BTreeMap<String, String>,
-    /// Texts without meaning: place, layer, text.
-    pub texts: Vec<(Vec2, String, String)>,
-    /// Grade rule texts: place and rule.
-    pub rules: Vec<RuleMark>,
+    /// What the other texts say.
+    pub texts: PieceTexts,
     /// Cut line.
     pub boundary: Outline,
     /// Sew line, where it differs.
     pub sew: Option<Outline>,
     /// Number of sew lines drawn.
     pub sew_lines: usize,
-    /// Fold of a half piece.
-    pub fold: Option<[Vec2; 2]>,
+    /// Fold, grain and lines of reference.
+    pub axes: Axes,
+    /// What is drawn inside the outline.
+    pub inside: Inside,
+    /// Points of layers 2 and 3.
+    pub points: VertexPoints,
     /// Notches.
     pub notches: Vec<DrawnNotch>,
+    /// Darts.
+    pub darts: Vec<DrawnDart>,
+    /// What may be a dart or pleat, or looks like one and is none.
+    pub doubts: DartDoubts,
+    /// What `finish` makes of.
+    pub(super) unfinished: Unfinished,
+}
+
+/// The texts of a block, but for its name and size.
+#[derive(Clone, Debug, Default)]
+pub struct PieceTexts {
+    /// Text `Quantity`.
+    pub quantity: Quantity,
+    /// Other piece texts by key, in lower case.
+    pub keys: BTreeMap<String, String>,
+    /// Texts without meaning: place, layer, text.
+    pub others: Vec<(Vec2, String, String)>,
+    /// Grade rule texts: place and rule.
+    pub rules: Vec<RuleMark>,
+}
+
+/// Straight lines that say how a piece lies, each with its two ends.
+#[derive(Clone, Debug, Default)]
+pub struct Axes {
+    /// Fold of a half piece.
+    pub fold: Option<[Vec2; 2]>,
     /// Grain line.
     pub grain: Option<[Vec2; 2]>,
     /// Reference line of the grading.
     pub reference: Option<[Vec2; 2]>,
     /// Alternate reference lines, with their number where a text says it.
     pub alternates: Vec<(Option<u32>, [Vec2; 2])>,
+}
+
+/// What is drawn inside an outline.
+#[derive(Clone, Debug, Default)]
+pub struct Inside {
     /// Internal lines (legs of marked darts among them).
     pub internal: Vec<Path>,
     /// Internal lines that say `NM`: not mirrored.
@@ -64,14 +100,11 @@ pub struct DrawnPiece {
     pub drills: Vec<Drill>,
     /// Stripe and plaid lines (layers 9 and 10): layer and line.
     pub stripes: Vec<(String, Path)>,
-    /// Darts.
-    pub darts: Vec<DrawnDart>,
-    /// Wedges and lenses that were not taken as darts, with the reason.
-    pub denied: Vec<Denied>,
-    /// A drill hole and two notches that may be a dart.
-    pub candidates: Vec<(Vec2, [Vec2; 2])>,
-    /// Pairs of fold lines.
-    pub pleats: Vec<Pleat>,
+}
+
+/// The points of layers 2 and 3, which say what kinds the vertices are.
+#[derive(Clone, Debug, Default)]
+pub struct VertexPoints {
     /// Points of layer 2 in file order, doubled ones merged.
     pub turn_list: Vec<Vec2>,
     /// Number of corners: points of layer 2, or corners of the outline where there are none.
@@ -80,10 +113,30 @@ pub struct DrawnPiece {
     pub curve_points: usize,
     /// Are there points of layers 2 or 3 in the block?
     pub marked: bool,
-    pub(super) dense: Option<Outline>,
-    pub(super) dense_sew: Option<Outline>,
-    marks: Vec<super::sheet::Mark>,
-    strokes: Vec<Stroke>,
+}
+
+/// What was not made a dart.
+#[derive(Clone, Debug, Default)]
+pub struct DartDoubts {
+    /// Wedges and lenses that were not taken as darts, with the reason.
+    pub denied: Vec<Denied>,
+    /// A drill hole and two notches that may be a dart.
+    pub candidates: Vec<(Vec2, [Vec2; 2])>,
+    /// Pairs of fold lines.
+    pub pleats: Vec<Pleat>,
+}
+
+/// What the first step keeps for the second.
+#[derive(Clone, Debug)]
+pub(super) struct Unfinished {
+    /// Dense copy of the cut line (layer 84).
+    pub dense: Option<Outline>,
+    /// Dense copy of the sew line (layer 87).
+    pub dense_sew: Option<Outline>,
+    /// Notches drawn as points.
+    pub marks: Vec<Mark>,
+    /// Notches drawn as strokes.
+    pub strokes: Vec<Stroke>,
 }
 
 /// A grade rule text.
@@ -101,6 +154,38 @@ pub(crate) fn mm(p: Vec2) -> String {
     format!("({:.1}, {:.1}) mm", p.x, p.y)
 }
 
+impl Axes {
+    /// The lines of a sheet. The fold is found later, when the outline is known.
+    fn new(sheet: &Sheet) -> Self {
+        let length = |ends: &[Vec2; 2]| (ends[1] - ends[0]).norm();
+        Self {
+            fold: None,
+            grain: sheet.grain.iter().map(|s| s.ends).max_by(|a, b| length(a).total_cmp(&length(b))),
+            reference: sheet.reference.first().map(|s| s.ends),
+            alternates: sheet.reference.iter().skip(1).map(|s| (None, s.ends)).collect(),
+        }
+    }
+}
+
+impl VertexPoints {
+    fn new(sheet: &Sheet, marked: bool) -> Self {
+        let turn_list = distinct(&sheet.turn);
+        Self { turn_points: turn_list.len(), turn_list, curve_points: distinct(&sheet.curve).len(), marked }
+    }
+}
+
+/// The points of a list without those that repeat another.
+fn distinct(list: &[Vec2]) -> Vec<Vec2> {
+    let mut index = PointIndex::new(SAME_POINT, []);
+    let new = |(i, p): (usize, &Vec2)| index.insert_new(*p, i, SAME_POINT).then_some(*p);
+    list.iter().enumerate().filter_map(new).collect()
+}
+
+/// How often a piece is cut, by its INSERTs if there are any.
+fn quantity(inserted: Option<[u32; 2]>) -> Quantity {
+    inserted.map_or_else(Quantity::default, |[plain, mirrored]| Quantity { plain, mirrored })
+}
+
 impl DrawnPiece {
     /// The outline that is sewn: the sew line where there is one.
     #[must_use]
@@ -116,64 +201,41 @@ impl DrawnPiece {
 
     /// First step: lines chained and kinds set. `None` when the outline is wrong (which is then a finding).
     pub(crate) fn outline(block: &str, line: u64, sheet: Sheet, desk: &mut Desk<'_>) -> Option<Self> {
-        let boundary = border::boundary(block, line, &sheet, desk)?;
-        let (main, inner) = boundary;
+        let (main, inner) = border::boundary(block, line, &sheet, desk)?;
         let marks = Marks::new(&sheet.turn, &sheet.curve, &desk.rules.tolerances);
         let mut outline = Outline::new(main);
         outline.classify(&marks);
         border::check_shape(block, &mut outline, desk)?;
         points::check(block, line, &sheet, desk);
-        let distinct = |list: &[Vec2]| {
-            let mut index = PointIndex::new(0.01, []);
-            list.iter()
-                .enumerate()
-                .filter(|(i, p)| index.insert_new(**p, *i, 0.01))
-                .map(|(_, p)| *p)
-                .collect::<Vec<_>>()
-        };
-        let turn_list = distinct(&sheet.turn);
+        let gap = desk.rules.tolerances.gap;
         let mut piece = Self {
             block: block.to_owned(),
             line,
             name: None,
             size: None,
-            quantity: Quantity::default(),
-            keys: BTreeMap::new(),
-            texts: Vec::new(),
-            rules: Vec::new(),
+            texts: PieceTexts { quantity: quantity(sheet.inserted), ..PieceTexts::default() },
             sew: None,
             sew_lines: 0,
-            fold: None,
+            axes: Axes::new(&sheet),
+            points: VertexPoints::new(&sheet, marks.any),
+            inside: Inside {
+                internal: sheet.internal.into_iter().map(Path::tidy).filter(|p| p.points.len() >= 2).collect(),
+                not_mirrored: Vec::new(),
+                cutouts: inner.into_iter().chain(border::cutouts(sheet.cutouts, desk)).collect(),
+                drills: sheet.drills,
+                stripes: sheet.stripes,
+            },
             notches: Vec::new(),
-            grain: sheet
-                .grain
-                .iter()
-                .map(|s| s.ends)
-                .max_by(|a, b| (a[1] - a[0]).norm().total_cmp(&(b[1] - b[0]).norm())),
-            reference: sheet.reference.first().map(|s| s.ends),
-            alternates: sheet.reference.iter().skip(1).map(|s| (None, s.ends)).collect(),
-            internal: sheet.internal.into_iter().map(Path::tidy).filter(|p| p.points.len() >= 2).collect(),
-            not_mirrored: Vec::new(),
-            cutouts: inner.into_iter().chain(border::cutouts(sheet.cutouts, desk)).collect(),
-            drills: sheet.drills,
-            stripes: sheet.stripes,
             darts: Vec::new(),
-            denied: Vec::new(),
-            candidates: Vec::new(),
-            pleats: Vec::new(),
-            turn_points: turn_list.len(),
-            turn_list,
-            curve_points: distinct(&sheet.curve).len(),
-            marked: marks.any,
-            dense: border::closed_copy(sheet.dense, desk.rules.tolerances.gap),
-            dense_sew: border::closed_copy(sheet.dense_sew, desk.rules.tolerances.gap),
-            marks: sheet.marks,
-            strokes: sheet.notch_strokes,
+            doubts: DartDoubts::default(),
+            unfinished: Unfinished {
+                dense: border::closed_copy(sheet.dense, gap),
+                dense_sew: border::closed_copy(sheet.dense_sew, gap),
+                marks: sheet.marks,
+                strokes: sheet.notch_strokes,
+            },
             boundary: outline,
         };
-        if let Some([plain, mirrored]) = sheet.inserted {
-            piece.quantity = Quantity { plain, mirrored };
-        }
         piece.read_notes(sheet.notes, desk);
         piece.check_rules(desk);
         piece.find_fold(&sheet.mirror, desk);
@@ -181,19 +243,19 @@ impl DrawnPiece {
         if let Some(sew) = &mut piece.sew {
             sew.classify(&marks);
         }
-        if !piece.marked {
-            piece.turn_points =
-                piece.boundary.drawn.iter().filter(|n| n.kind == toile_garment::outline::PointKind::Turn).count();
+        if !piece.points.marked {
+            let corners = piece.boundary.drawn.iter().filter(|n| n.kind == PointKind::Turn);
+            piece.points.turn_points = corners.count();
         }
         piece.check_grain(desk);
         Some(piece)
     }
 
     fn check_grain(&mut self, desk: &mut Desk<'_>) {
-        if self.grain.is_some_and(|[a, b]| (b - a).norm() < 1.0) {
-            self.grain = None;
+        if self.axes.grain.is_some_and(|[a, b]| (b - a).norm() < 1.0) {
+            self.axes.grain = None;
         }
-        if self.grain.is_none() {
+        if self.axes.grain.is_none() {
             let text = format!("`{}` has no grain line (layer 7)", self.label());
             desk.say(
                 Diagnostic::warning("grain-missing", text).hint("the warp is then taken along +y"),

@@ -14,19 +14,19 @@ impl DrawnPiece {
             0.05,
             notes.iter().enumerate().filter(|(_, n)| n.text.eq_ignore_ascii_case("nm")).map(|(i, n)| (n.at, i)),
         );
-        self.not_mirrored =
-            self.internal.iter().map(|p| starts(p).iter().any(|s| not_mirrored.has(*s, 0.05))).collect();
+        self.inside.not_mirrored =
+            self.inside.internal.iter().map(|p| starts(p).iter().any(|s| not_mirrored.has(*s, 0.05))).collect();
         for note in notes {
             if let Some((rule, line)) = texts::rule_number(&note.text) {
                 if note.layer.trim() == "5" && self.name_alternate(note.at, rule) {
                     continue;
                 }
-                self.rules.push(RuleMark { at: note.at, rule, line });
+                self.texts.rules.push(RuleMark { at: note.at, rule, line });
             } else if let Some((key, value)) = texts::key_value(&note.text) {
                 self.check_key(&key, &value, desk);
                 self.take_key(&key, value, &note.text, note.at, note.layer);
             } else if !note.text.is_empty() {
-                self.texts.push((note.at, note.layer, note.text));
+                self.texts.others.push((note.at, note.layer, note.text));
             }
         }
     }
@@ -34,21 +34,21 @@ impl DrawnPiece {
     /// A number on layer 5 at an end of an alternate reference line is its name.
     fn name_alternate(&mut self, at: Vec2, number: u32) -> bool {
         let near = |ends: &[Vec2; 2]| ends.iter().any(|p| (p - at).norm() <= 0.05);
-        let line = self.alternates.iter_mut().find(|l| l.0.is_none() && near(&l.1));
+        let line = self.axes.alternates.iter_mut().find(|l| l.0.is_none() && near(&l.1));
         line.map(|l| l.0 = Some(number)).is_some()
     }
 
     /// The alternate reference line a rule names: by its text, else by its place among them.
     pub(crate) fn alternate(&self, number: u32) -> Option<[Vec2; 2]> {
-        let named = self.alternates.iter().find(|l| l.0 == Some(number));
+        let named = self.axes.alternates.iter().find(|l| l.0 == Some(number));
         let counted =
-            || (number as usize).checked_sub(1).and_then(|i| self.alternates.get(i)).filter(|l| l.0.is_none());
+            || (number as usize).checked_sub(1).and_then(|i| self.axes.alternates.get(i)).filter(|l| l.0.is_none());
         named.or_else(counted).map(|l| l.1)
     }
 
     /// Every alternate reference line that a rule names must be there.
     pub(super) fn check_rules(&self, desk: &mut Desk<'_>) {
-        let missing = self.rules.iter().filter_map(|r| r.line).find(|n| *n != 0 && self.alternate(*n).is_none());
+        let missing = self.texts.rules.iter().filter_map(|r| r.line).find(|n| *n != 0 && self.alternate(*n).is_none());
         if let Some(number) = missing {
             let text = format!(
                 "grade rules of `{}` name the alternate reference line {number}, which layer 5 does not have; the reference line was taken",
@@ -94,11 +94,11 @@ impl DrawnPiece {
             "size" | "size name" | "sample size" if self.size.is_none() => {
                 self.size = Some(value).filter(|v| !v.is_empty())
             }
-            "quantity" => self.quantity = texts::quantity(&value).unwrap_or_default(),
+            "quantity" => self.texts.quantity = texts::quantity(&value).unwrap_or_default(),
             "category" | "annotation" | "material" | "fabric" => {
-                self.keys.entry(key.to_owned()).or_insert(value);
+                self.texts.keys.entry(key.to_owned()).or_insert(value);
             }
-            _ => self.texts.push((at, layer, text.to_owned())),
+            _ => self.texts.others.push((at, layer, text.to_owned())),
         }
     }
 }

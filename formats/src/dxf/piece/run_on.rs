@@ -8,21 +8,21 @@ use toile_garment::Vec2;
 impl DrawnPiece {
     /// Carries kinds and notches over from the sample size.
     pub(crate) fn take_from_sample(&mut self, sample: &Self) -> bool {
-        if !self.marked && sample.marked {
+        if !self.points.marked && sample.points.marked {
             if !self.boundary.classify_like(&sample.boundary) {
                 return false;
             }
             if let (Some(sew), Some(like)) = (&mut self.sew, &sample.sew) {
                 sew.classify_like(like);
             }
-            self.turn_points = 0;
+            self.points.turn_points = 0;
         }
-        if self.marks.is_empty() && self.strokes.is_empty() {
+        if self.unfinished.marks.is_empty() && self.unfinished.strokes.is_empty() {
             let (from, to) = (sample.boundary.positions(), self.boundary.positions());
-            if from.len() != to.len() || sample.marks.len() > limits::NOTCHES {
-                return sample.marks.is_empty();
+            if from.len() != to.len() || sample.unfinished.marks.len() > limits::NOTCHES {
+                return sample.unfinished.marks.is_empty();
             }
-            self.marks = sample.marks.iter().filter_map(|m| carried(m, &from, &to)).collect();
+            self.unfinished.marks = sample.unfinished.marks.iter().filter_map(|m| carried(m, &from, &to)).collect();
         }
         true
     }

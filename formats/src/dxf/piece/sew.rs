@@ -45,13 +45,13 @@ impl DrawnPiece {
                 desk.say(Diagnostic::info("stitch-line", text), &self.block, "14", path.line);
                 self.keep_inside(path, desk);
             }
-        } else if let Some(i) = (0..self.internal.len())
-            .filter(|i| self.may_be_inner_copy(&self.internal[*i], whole))
+        } else if let Some(i) = (0..self.inside.internal.len())
+            .filter(|i| self.may_be_inner_copy(&self.inside.internal[*i], whole))
             .take(40)
-            .find(|i| self.is_inner_copy(&self.internal[*i]))
+            .find(|i| self.is_inner_copy(&self.inside.internal[*i]))
         {
-            let path = self.internal.remove(i);
-            self.not_mirrored.remove(i);
+            let path = self.inside.internal.remove(i);
+            self.inside.not_mirrored.remove(i);
             for id in &path.ids {
                 desk.overrule(*id, Verdict::Interpreted, "closed line on layer 8 inside the outline: sew line");
             }
@@ -66,8 +66,8 @@ impl DrawnPiece {
             let rule = "stitch line on layer 14 that is no outline: internal line";
             desk.overrule(*id, Verdict::Interpreted, rule);
         }
-        self.not_mirrored.push(false);
-        self.internal.push(path);
+        self.inside.not_mirrored.push(false);
+        self.inside.internal.push(path);
     }
 
     /// Judges the line of layer 14 by where it lies to the cut line: a line outside it is none that is sewn.
@@ -121,7 +121,7 @@ impl DrawnPiece {
             let d = b - a;
             ends.iter().all(|p| geom::cross(d, p - a).abs() <= 0.5 * d.norm())
         };
-        path.points.len() >= 3 && self.fold.is_some_and(near)
+        path.points.len() >= 3 && self.axes.fold.is_some_and(near)
     }
 
     fn may_be_inner_copy(&self, path: &Path, whole: f64) -> bool {

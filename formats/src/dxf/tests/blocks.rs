@@ -121,7 +121,7 @@ fn marks_in_blocks_of_their_own_belong_to_the_piece_that_inserts_them() {
     );
     let pattern = good(&text);
     assert_eq!((pattern.pieces.len(), codes(&pattern.findings)), (1, vec!["piece-name-missing"]));
-    let drill = &pattern.pieces[0].drills[0];
+    let drill = &pattern.pieces[0].inside.drills[0];
     assert_eq!((drill.at, drill.diameter), (toile_garment::Vec2::new(150.0, 490.0), Some(8.0)));
 }
 
@@ -130,7 +130,7 @@ fn a_piece_inserted_left_and_right_is_cut_twice() {
     let text = with_blocks(|w| piece_block(w, "A"), |w| insert(insert(w, "A", (1.0, 1.0), 0.0), "A", (-1.0, 1.0), 0.0));
     let pattern = good(&text);
     assert_wedge(&pattern);
-    assert_eq!((pattern.pieces[0].quantity.plain, pattern.pieces[0].quantity.mirrored), (1, 1));
+    assert_eq!((pattern.pieces[0].texts.quantity.plain, pattern.pieces[0].texts.quantity.mirrored), (1, 1));
     assert!(pattern.pieces[0].darts[0].apexes[0].x > 0.0);
 }
 
@@ -169,7 +169,7 @@ fn flat_drawing_gives_its_loops() {
     assert_eq!(pattern.pieces.len(), 2);
     assert!(codes(&pattern.findings).contains(&"pieces-from-entities"));
     assert_eq!(pattern.pieces[0].darts.len(), 1);
-    assert!(pattern.pieces[0].grain.is_some() && pattern.pieces[1].grain.is_none());
+    assert!(pattern.pieces[0].axes.grain.is_some() && pattern.pieces[1].axes.grain.is_none());
 }
 
 #[test]

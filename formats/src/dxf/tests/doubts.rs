@@ -42,7 +42,7 @@ fn sew_lines_outside_across_and_far_inside() {
     let outside = shifted((-5.0, -5.0), 1.05);
     let pattern = good(&with(|w| w.polyline("14", true, &outside)));
     assert_eq!(codes(&pattern.findings), ["sew-line-outside"]);
-    assert!(pattern.pieces[0].sew.is_none() && pattern.pieces[0].internal.len() == 1);
+    assert!(pattern.pieces[0].sew.is_none() && pattern.pieces[0].inside.internal.len() == 1);
     let across = good(&with(|w| w.polyline("14", true, &shifted((150.0, 10.0), 0.9))));
     assert_eq!(codes(&across.findings), ["sew-line-crosses"]);
     let far = [(60.0, 10.0), (290.0, 10.0), (290.0, 440.0), (60.0, 440.0)];
@@ -154,9 +154,9 @@ fn texts_that_say_nothing_or_two_things() {
     let m_text =
         with(|w| w.pair(0, "MTEXT").pair(8, "1").xy(0.0, 0.0).pair(1, r"{\fArial;Material: SILK\PQuantity: 3}"));
     let piece = &good(&m_text).pieces[0];
-    assert_eq!((piece.keys["material"].as_str(), piece.quantity.plain), ("SILK", 3));
+    assert_eq!((piece.texts.keys["material"].as_str(), piece.texts.quantity.plain), ("SILK", 3));
     let named = with(|w| w.pair(0, "ATTDEF").pair(8, "1").xy(0.0, 0.0).pair(1, "SILK").pair(2, "Material"));
-    assert_eq!(good(&named).pieces[0].keys["material"], "SILK");
+    assert_eq!(good(&named).pieces[0].texts.keys["material"], "SILK");
     let loose = file_with(
         |w| w.polyline("1", true, &RECTANGLE),
         |w| {
@@ -177,7 +177,7 @@ fn texts_that_say_nothing_or_two_things() {
     let pattern = good(&inserted(&|w| w));
     assert_eq!(codes(&pattern.findings), [] as [&str; 0]);
     let piece = &pattern.pieces[0];
-    assert_eq!((piece.keys["material"].as_str(), piece.texts[0].2.as_str()), ("SILK", "COLOUR: RED"));
+    assert_eq!((piece.texts.keys["material"].as_str(), piece.texts.others[0].2.as_str()), ("SILK", "COLOUR: RED"));
     let again = |material: &str| {
         let second = |w: Writer| w.pair(0, "INSERT").pair(8, "1").pair(2, "FRONT_38").xy(0.0, 0.0);
         said(&inserted(&|w| attribute(second(w), "Material", material)))
@@ -193,9 +193,9 @@ fn texts_that_say_nothing_or_two_things() {
 fn folds_points_and_marks_out_of_place() {
     let half = |w: Writer| w.polyline("1", true, &RECTANGLE);
     let split = good(&file(|w| half(w).line("6", (0.0, 0.0), (0.0, 300.0)).line("6", (0.0, 600.0), (0.0, 300.0))));
-    assert!(split.pieces[0].fold.is_some() && split.findings.is_empty());
+    assert!(split.pieces[0].axes.fold.is_some() && split.findings.is_empty());
     let two = good(&file(|w| half(w).line("6", (0.0, 0.0), (0.0, 600.0)).line("6", (0.0, 0.0), (300.0, 0.0))));
-    assert_eq!((codes(&two.findings), two.pieces[0].fold.is_some()), (vec!["fold-second"], true));
+    assert_eq!((codes(&two.findings), two.pieces[0].axes.fold.is_some()), (vec!["fold-second"], true));
     assert_eq!(said(&with(|w| w.points("2", &[(100.0, 300.0), (200.0, 300.0)]))), ["points-off-vertices"]);
     assert_eq!(said(&with(|w| w.point("13", 400.0, 100.0))), ["mark-outside"]);
     assert_eq!(said(&with(|w| w.line("8", (100.0, 300.0), (1300.0, 300.0)))), ["mark-outside"]);

@@ -11,7 +11,7 @@ fn half(top: &[(f64, f64)], fold: f64, body: impl Fn(Writer) -> Writer) -> Strin
 
 fn only_piece(text: &str) -> toile_garment::Piece {
     let pattern = good(text);
-    assert!(pattern.pieces[0].fold.is_some());
+    assert!(pattern.pieces[0].axes.fold.is_some());
     garment(&pattern).pieces.remove(0)
 }
 

@@ -70,7 +70,7 @@ fn curves_of_later_releases() {
     let exact = 40_000.0 + std::f64::consts::PI * 5000.0;
     assert!((area - exact).abs() / exact < 5e-4);
     assert_eq!((pattern.census.sent, pattern.census.agreed), (1, 1));
-    assert_eq!(pattern.pieces[0].turn_points, 4);
+    assert_eq!(pattern.pieces[0].points.turn_points, 4);
     // The same from lines and an arc.
     let arc =
         Writer::default().pair(0, "ARC").pair(8, "1").xy(200.0, 100.0).pair(40, "100").pair(50, "-90").pair(51, "90").0;
@@ -125,7 +125,7 @@ fn half_piece_is_unfolded_with_all_that_is_on_it() {
         w.polyline("8", false, &[(20.0, 200.0), (80.0, 200.0)]).text_at("8", "NM", 20.0, 200.0)
     });
     let pattern = good(&text);
-    assert!(pattern.pieces[0].fold.is_some());
+    assert!(pattern.pieces[0].axes.fold.is_some());
     let g = garment(&pattern);
     let piece = &g.pieces[0];
     assert!((piece.outline.signed_area() - 2.0 * 0.0885).abs() < 1e-9);
@@ -163,7 +163,7 @@ fn sew_line_on_14_and_on_8() {
     for layer in ["14", "8"] {
         let pattern = good(&file(|w| w.polyline("1", true, &cut).polyline(layer, true, &WEDGE)));
         let piece = &pattern.pieces[0];
-        assert_eq!((piece.sew_lines, piece.internal.len(), piece.darts.len()), (1, 0, 1), "layer {layer}");
+        assert_eq!((piece.sew_lines, piece.inside.internal.len(), piece.darts.len()), (1, 0, 1), "layer {layer}");
         assert_eq!(piece.darts[0].on, "sew");
         let g = garment(&pattern);
         assert!((g.pieces[0].outline.signed_area() - 0.1785).abs() < 1e-9);
@@ -223,8 +223,8 @@ fn grain_and_fold_may_be_polylines() {
     let text = format!("{}{}{}", &text[..at - 4], grain, &text[end..]);
     let pattern = good(&text);
     assert_eq!(codes(&pattern.findings), [] as [&str; 0]);
-    assert_eq!(pattern.pieces[0].grain.map(|g| (g[1] - g[0]).y), Some(300.0));
-    assert!(pattern.pieces[0].reference.is_some());
+    assert_eq!(pattern.pieces[0].axes.grain.map(|g| (g[1] - g[0]).y), Some(300.0));
+    assert!(pattern.pieces[0].axes.reference.is_some());
 }
 
 #[test]

@@ -20,7 +20,7 @@ pub struct Grown {
 
 /// The vertices of a line, unfolded.
 fn nodes(piece: &DrawnPiece, outline: &Outline) -> Vec<Node> {
-    piece.fold.and_then(|f| Fold(f).outline(&outline.drawn)).unwrap_or_else(|| outline.drawn.clone())
+    piece.axes.fold.and_then(|f| Fold(f).outline(&outline.drawn)).unwrap_or_else(|| outline.drawn.clone())
 }
 
 /// The vertices of a line that stand in the file. `None` when a size has other vertices.
