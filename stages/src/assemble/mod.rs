@@ -3,7 +3,7 @@
 mod runs;
 mod stitches;
 
-use crate::sewing::resolve::{Limits, ResolvedSeam, Side, resolve};
+use crate::sewing::resolve::{Limits, ResolvedSeam, Side, find, judged};
 use crate::sewing::shapes::{Shapes, shapes};
 use runs::run_vertices;
 use schemars::JsonSchema;
@@ -58,7 +58,8 @@ impl Stage for Assemble {
         }
         let shapes = shapes(&garment).map_err(StageError::Input)?;
         let limits = Limits { max_ease: params.max_ease.0 };
-        let resolved = resolve(&garment, &shapes, &limits, cx.report).map_err(StageError::Parameter)?;
+        let found = find(&garment, &shapes);
+        let resolved = judged(found, &garment.plan, &limits, cx.report).map_err(StageError::Parameter)?;
         let mut seams = Vec::new();
         let mut errors = Vec::new();
         for seam in &resolved {

@@ -1,6 +1,7 @@
 //! What the sewing file means for the pieces: copies, edge names, declared darts, and seams resolved to outline runs.
 //!
-//! `triangulate` and `assemble` both ask here, so that the vertices the first lays down are the vertices the second sews.
+//! `import-dxf` asks here to check a sewing file, `triangulate` to lay down vertices, `assemble` to sew them. All three
+//! look at the document as it is then, and find the same: nothing that is derived is kept in it.
 
 mod apply;
 mod file;

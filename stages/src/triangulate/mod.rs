@@ -22,7 +22,7 @@ mod size;
 mod smooth;
 mod write;
 
-use crate::sewing::resolve::{Limits, resolve};
+use crate::sewing::resolve::{find, placed};
 use crate::sewing::shapes::{mm, shapes};
 use counts::Counts;
 use layout::Layout;
@@ -31,7 +31,7 @@ use regular::{FillError, Filled};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use toile_garment::units::{Angle, Length};
-use toile_garment::{Aspect, Diagnostic, Garment, Piece, Report, Vec2};
+use toile_garment::{Aspect, Diagnostic, Garment, Piece, Vec2};
 use toile_stage_api::{Cost, Forecast, Knob, Meaning, Stage, StageContext, StageError, StageInfo};
 
 /// Tries at finer lines before a crossing of sampled lines is an error.
@@ -96,7 +96,7 @@ impl Stage for Triangulate {
     fn run(&self, params: &Params, mut garment: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
         let shapes = shapes(&garment).map_err(StageError::Input)?;
         // What the seams look like is told by `assemble`; here they only have to be found.
-        let seams = resolve(&garment, &shapes, &Limits::NONE, &mut Report::default()).map_err(StageError::Parameter)?;
+        let seams = placed(find(&garment, &shapes)).map_err(StageError::Parameter)?;
         size::check_pieces(&garment, &shapes)?;
         let h = size::edge_length(params, &garment, &shapes)?;
         let net = net::build(&garment, &shapes, &seams, h, cx.report).map_err(StageError::Input)?;

@@ -6,11 +6,11 @@ use crate::sewing::shapes::{Shapes, mm};
 use std::collections::BTreeSet;
 use toile_garment::{Diagnostic, Garment, PieceId, Report};
 
-/// Removes the darts that seams take, and the seams that only repeat a dart.
+/// Removes the darts that seams take, and the seams that only repeat a dart. Tells whether a dart was removed.
 ///
 /// # Errors
 /// When a seam names what is not there.
-pub fn release(garment: &mut Garment, shapes: &Shapes, report: &mut Report) -> Result<(), Vec<Diagnostic>> {
+pub fn release(garment: &mut Garment, shapes: &Shapes, report: &mut Report) -> Result<bool, Vec<Diagnostic>> {
     let mut errors = Vec::new();
     let mut taken: BTreeSet<(PieceId, usize)> = BTreeSet::new();
     let mut repeats: BTreeSet<usize> = BTreeSet::new();
@@ -37,6 +37,7 @@ pub fn release(garment: &mut Garment, shapes: &Shapes, report: &mut Report) -> R
         let message = format!("seam `{}` sews the two legs of a dart, which is sewn already", seam.name);
         report.push(Diagnostic::info("seam-is-dart", message).at(seam.source));
     }
+    let released = !taken.is_empty();
     for (piece, dart) in taken.into_iter().rev() {
         let p = &mut garment.pieces[piece.index()];
         let dart = p.darts.remove(dart);
@@ -45,7 +46,7 @@ pub fn release(garment: &mut Garment, shapes: &Shapes, report: &mut Report) -> R
             format!("piece `{}`: wedge `{}`{at} has its legs in a declared seam and is no dart", p.name, dart.name);
         report.push(Diagnostic::info("wedge-is-no-dart", message).at(dart.source));
     }
-    Ok(())
+    Ok(released)
 }
 
 /// Darts a leg of which a side takes: a run ends inside the intake, or is the intake.

@@ -5,8 +5,8 @@ mod copies;
 mod darts;
 mod names;
 
-use super::resolve::{Limits, resolve};
-use super::shapes::shapes;
+use super::resolve::{find, placed};
+use super::shapes::{Shapes, shapes};
 use toile_garment::sewing::SewingPlan;
 use toile_garment::{Diagnostic, Garment, PieceId, Report};
 use toile_stage_api::StageError;
@@ -34,17 +34,18 @@ pub fn apply(garment: &mut Garment, plan: SewingPlan, report: &mut Report) -> Re
     }
     // Bad outlines are for the stage that needs them, with all their places.
     let Ok(rings) = shapes(garment) else { return Ok(()) };
-    claims::release(garment, &rings, report).map_err(StageError::Parameter)?;
-    check_seams(garment)
+    let released = claims::release(garment, &rings, report).map_err(StageError::Parameter)?;
+    // A wedge that is no dart is part of the outline again.
+    let rings = if released { shapes(garment) } else { Ok(rings) };
+    rings.map_or(Ok(()), |rings| check_seams(garment, &rings))
 }
 
-/// Are all seams and attachments where they say?
-fn check_seams(garment: &Garment) -> Result<(), StageError> {
-    let Ok(rings) = shapes(garment) else { return Ok(()) };
-    let mut errors = resolve(garment, &rings, &Limits::NONE, &mut Report::default()).err().unwrap_or_default();
+/// Checks that all seams and attachments are where they say.
+fn check_seams(garment: &Garment, rings: &Shapes) -> Result<(), StageError> {
+    let mut errors = placed(find(garment, rings)).err().unwrap_or_default();
     for attach in &garment.plan.attachments {
         let run = toile_garment::sewing::RunSpec::Edge { piece: attach.piece.clone(), edge: attach.edge.clone() };
-        errors.extend(super::lookup::run(garment, &rings, &run, attach.source.as_ref()).err());
+        errors.extend(super::lookup::run(garment, rings, &run, attach.source.as_ref()).err());
     }
     if errors.is_empty() { Ok(()) } else { Err(StageError::Parameter(errors)) }
 }

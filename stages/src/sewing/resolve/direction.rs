@@ -10,7 +10,7 @@ use super::super::ring::SAME;
 use super::super::shapes::{Shapes, mm};
 use super::{notches, side};
 use toile_garment::sewing::SeamSpec;
-use toile_garment::{Diagnostic, Garment, Report};
+use toile_garment::{Diagnostic, Garment};
 
 /// Sides with every run in sewing direction.
 pub fn settle(
@@ -19,7 +19,7 @@ pub fn settle(
     spec: &SeamSpec,
     mut a: Vec<RawRun>,
     mut b: Vec<RawRun>,
-    report: &mut Report,
+    notes: &mut Vec<Diagnostic>,
 ) -> Result<(Vec<RawRun>, Vec<RawRun>), Diagnostic> {
     let (fixed_a, fixed_b) = (fixed(shapes, &a), fixed(shapes, &b));
     let against = spec.reverse.unwrap_or(true);
@@ -43,7 +43,7 @@ pub fn settle(
         }
         if way_a == way_b && a.len() == 1 && b.len() == 1 {
             let message = format!("seam `{}` folds over: both sides are walked in the same sense", spec.name);
-            report.push(
+            notes.push(
                 Diagnostic::warning("seam-folds-over", message)
                     .at(spec.source.clone())
                     .hint("swap from and to on one side, or write reverse = false if the pieces lie face to face"),

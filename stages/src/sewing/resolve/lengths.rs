@@ -15,11 +15,6 @@ pub struct Limits {
     pub max_ease: f64,
 }
 
-impl Limits {
-    /// Nothing is refused: for stages that only need to know where the seams run.
-    pub const NONE: Self = Self { max_ease: f64::INFINITY };
-}
-
 /// Compares the sides' lengths with what is declared.
 pub fn check(spec: &SeamSpec, a: f64, b: f64, limits: &Limits, report: &mut Report) -> Result<(), Diagnostic> {
     let difference = a - b;

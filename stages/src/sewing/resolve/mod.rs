@@ -11,7 +11,7 @@ pub use side::{Side, Span};
 
 use super::lookup;
 use super::shapes::Shapes;
-use toile_garment::sewing::SeamSpec;
+use toile_garment::sewing::{SeamSpec, SewingPlan};
 use toile_garment::{Diagnostic, Garment, Report, SourceRef};
 
 /// A declared seam, found on the outlines.
@@ -31,34 +31,81 @@ pub struct ResolvedSeam {
     pub source: Option<SourceRef>,
 }
 
-/// Resolves all seams of the plan. Findings go to the report.
+/// What was found of one seam of the plan: the seam, and what is to be said of it.
+///
+/// Looking for a seam has no side effect. So every stage that needs to know where the seams run asks [`find`], and the
+/// one that sews them has them judged.
+#[derive(Clone, Debug)]
+pub struct Found {
+    /// Notes on the direction of its sides; they hold even where the seam is wrong.
+    direction: Vec<Diagnostic>,
+    /// Notes on its notches.
+    notches: Vec<Diagnostic>,
+    /// The seam, or all that is wrong with it.
+    seam: Result<ResolvedSeam, Vec<Diagnostic>>,
+}
+
+/// Looks for all seams of the plan, in its order.
+#[must_use]
+pub fn find(garment: &Garment, shapes: &Shapes) -> Vec<Found> {
+    garment.plan.seams.iter().map(|spec| found(garment, shapes, spec)).collect()
+}
+
+/// The seams alone, for stages that only need to know where they run.
 ///
 /// # Errors
 /// All seams that cannot be sewn as written: unknown names, points off the outline, directions that contradict the
-/// marks, undeclared differences in length.
-pub fn resolve(
-    garment: &Garment,
-    shapes: &Shapes,
+/// marks. Lengths are not compared.
+pub fn placed(found: Vec<Found>) -> Result<Vec<ResolvedSeam>, Vec<Diagnostic>> {
+    collect(found.into_iter().map(|f| f.seam))
+}
+
+/// The seams with their lengths compared. Notes go to the report.
+///
+/// # Errors
+/// As [`placed`], and differences in length that are not declared.
+pub fn judged(
+    found: Vec<Found>,
+    plan: &SewingPlan,
     limits: &Limits,
     report: &mut Report,
 ) -> Result<Vec<ResolvedSeam>, Vec<Diagnostic>> {
-    let mut errors = Vec::new();
-    let mut seams = Vec::new();
-    for spec in &garment.plan.seams {
-        match seam(garment, shapes, spec, limits, report) {
-            Ok(s) => seams.push(s),
+    let judge = |(f, spec): (Found, &SeamSpec)| {
+        f.direction.into_iter().for_each(|note| report.push(note));
+        let seam = f.seam?;
+        lengths::check(spec, seam.a.length, seam.b.length, limits, report).map_err(|e| vec![e])?;
+        f.notches.into_iter().for_each(|note| report.push(note));
+        Ok(seam)
+    };
+    collect(found.into_iter().zip(&plan.seams).map(judge))
+}
+
+/// All seams, or all that is wrong with any.
+fn collect(
+    each: impl Iterator<Item = Result<ResolvedSeam, Vec<Diagnostic>>>,
+) -> Result<Vec<ResolvedSeam>, Vec<Diagnostic>> {
+    let (mut seams, mut errors) = (Vec::new(), Vec::new());
+    for one in each {
+        match one {
+            Ok(seam) => seams.push(seam),
             Err(e) => errors.extend(e),
         }
     }
     if errors.is_empty() { Ok(seams) } else { Err(errors) }
 }
 
+fn found(garment: &Garment, shapes: &Shapes, spec: &SeamSpec) -> Found {
+    let (mut direction, mut notches) = (Vec::new(), Vec::new());
+    let seam = seam(garment, shapes, spec, &mut direction, &mut notches);
+    Found { direction, notches, seam }
+}
+
 fn seam(
     garment: &Garment,
     shapes: &Shapes,
     spec: &SeamSpec,
-    limits: &Limits,
-    report: &mut Report,
+    direction: &mut Vec<Diagnostic>,
+    notches: &mut Vec<Diagnostic>,
 ) -> Result<ResolvedSeam, Vec<Diagnostic>> {
     let at = spec.source.as_ref();
     let find = |runs: &[toile_garment::sewing::RunSpec]| {
@@ -70,11 +117,11 @@ fn seam(
         (Ok(a), Ok(b)) => (a, b),
         (a, b) => return Err([a.err(), b.err()].into_iter().flatten().flatten().collect()),
     };
-    let (a, b) = direction::settle(garment, shapes, spec, a, b, report).map_err(|e| vec![e])?;
+    let (a, b) = direction::settle(garment, shapes, spec, a, b, direction).map_err(|e| vec![e])?;
     let a = side::side(garment, shapes, spec, &a).map_err(|e| vec![e])?;
     let b = side::side(garment, shapes, spec, &b).map_err(|e| vec![e])?;
     side::check_not_itself(spec, &a, &b, shapes).map_err(|e| vec![e])?;
-    lengths::check(spec, a.length, b.length, limits, report).map_err(|e| vec![e])?;
-    let notches = notches::matched(garment, shapes, spec, &a, &b, report);
-    Ok(ResolvedSeam { name: spec.name.clone(), a, b, notches, gather: spec.gather, source: spec.source.clone() })
+    let pairs = notches::matched(garment, shapes, spec, &a, &b, notches);
+    let (gather, source) = (spec.gather, spec.source.clone());
+    Ok(ResolvedSeam { name: spec.name.clone(), a, b, notches: pairs, gather, source })
 }

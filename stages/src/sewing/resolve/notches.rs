@@ -3,7 +3,7 @@
 use super::side::Side;
 use crate::sewing::shapes::Shapes;
 use toile_garment::sewing::SeamSpec;
-use toile_garment::{Diagnostic, Garment, Piece, Report};
+use toile_garment::{Diagnostic, Garment, Piece};
 
 /// Matching notches may differ by this share of the side's length …
 pub const TOLERANCE: f64 = 0.03;
@@ -71,7 +71,7 @@ pub fn matched(
     spec: &SeamSpec,
     a: &Side,
     b: &Side,
-    report: &mut Report,
+    notes: &mut Vec<Diagnostic>,
 ) -> Vec<(f64, f64)> {
     let (x, y) = (along(garment, shapes, a), along(garment, shapes, b));
     if x.is_empty() && y.is_empty() {
@@ -92,7 +92,7 @@ pub fn matched(
         y.len(),
         pairs.len()
     );
-    report.push(Diagnostic::info("seam-notches-differ", message).at(spec.source.clone()));
+    notes.push(Diagnostic::info("seam-notches-differ", message).at(spec.source.clone()));
     pairs
 }
 
