@@ -76,6 +76,13 @@ macro_rules! quantity {
             const UNITS: &'static [(&'static str, f64)] = &[$(($unit, $factor)),+];
         }
 
+        quantity_as_text!($name, $label, $example);
+    };
+}
+
+/// Makes a quantity readable from text with a unit, and writable as such, in every place where texts stand.
+macro_rules! quantity_as_text {
+    ($name:ident, $label:literal, $example:literal) => {
         impl std::str::FromStr for $name {
             type Err = UnitError;
             fn from_str(text: &str) -> Result<Self, UnitError> {

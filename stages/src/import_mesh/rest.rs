@@ -32,63 +32,31 @@ pub struct Built {
     pub findings: Vec<Diagnostic>,
 }
 
+/// The triangles that have an area at rest, and what became of the others.
+struct Sorted {
+    triangles: Vec<[u32; 3]>,
+    /// Shape of each triangle in the plane, as drawn.
+    shapes: Vec<[Vec2; 3]>,
+    /// Triangles that lie mirrored in the plane.
+    turned: Vec<bool>,
+    /// Triangles without area.
+    flat: Tally,
+}
+
 /// Builds the mesh; triangles without area are left out and counted.
 pub fn build(rest: Rest, file: &str, positions: &[Vec3], cloth: &ObjMesh) -> Result<Built, Box<Diagnostic>> {
-    let place = SourceRef::file(file);
-    let corners = match (rest, &cloth.uv_triangles) {
-        (Rest::Positions, _) => None,
-        (Rest::Uv, Some(uv)) => Some(uv),
-        (Rest::Uv, None) => {
-            let message = format!("`rest = \"uv\"`, but not every corner in `{file}` has a texture vertex");
-            let finding = Diagnostic::error("mesh-without-uv", message).at(place);
-            return Err(Box::new(
-                finding.hint("export the mesh with texture coordinates in metres, or use rest = \"positions\""),
-            ));
-        }
-    };
+    let uv = texture_corners(rest, file, cloth)?;
     let frame = frame_of(positions, &cloth.triangles);
-    let mut triangles = Vec::with_capacity(cloth.triangles.len());
-    let mut shapes: Vec<[Vec2; 3]> = Vec::with_capacity(cloth.triangles.len());
-    let mut turned = Vec::with_capacity(cloth.triangles.len());
-    let mut flat = Tally::default();
-    for (k, t) in cloth.triangles.iter().enumerate() {
-        let shape = match corners.and_then(|uv| uv.get(k)) {
-            Some(uv) => uv.map(|i| cloth.texcoords.get(i as usize).map_or_else(Vec2::zeros, |p| Vec2::new(p[0], p[1]))),
-            None => frame.lay(t.map(|i| positions[i as usize])),
-        };
-        let area = doubled_area(shape);
-        let longest = (0..3).map(|i| (shape[(i + 1) % 3] - shape[i]).norm_squared()).fold(0.0, f64::max);
-        if area.abs() <= THIN * longest {
-            flat.add(k);
-            continue;
-        }
-        triangles.push(*t);
-        turned.push(area < 0.0);
-        shapes.push(shape);
-    }
+    let Sorted { triangles, mut shapes, turned, flat } = sort(positions, cloth, uv, &frame);
     if triangles.is_empty() {
         let finding = Diagnostic::error("mesh-empty", format!("`{file}` has no triangle with area at rest"));
-        return Err(Box::new(finding.at(place)));
+        return Err(Box::new(finding.at(SourceRef::file(file))));
     }
-    let mut findings = Vec::new();
-    let mut note = |count: usize, code: &str, words: &str| {
-        if count > 0 {
-            findings.push(Diagnostic::warning(code, format!("`{file}`: {count} {words}")).at(place.clone()));
-        }
-    };
-    let words = format!("triangles without area at rest were left out: number {flat}");
-    note(flat.count(), "triangles-flat", &words);
-    let backwards = turned.iter().filter(|t| **t).count();
-    note(
-        backwards,
-        "uv-mirrored",
-        "triangles lie mirrored in the texture plane; the cloth is seen from its back there",
-    );
+    let findings = notes(file, &turned, &flat);
     for (shape, _) in shapes.iter_mut().zip(&turned).filter(|(_, turned)| **turned) {
         shape.iter_mut().for_each(|p| p.x = -p.x);
     }
-    let layout = layout(positions.len(), &triangles, &shapes);
-    let mesh = match layout {
+    let mesh = match layout(positions.len(), &triangles, &shapes) {
         Some(rest) => PieceMesh { rest, triangles, ..PieceMesh::default() },
         None => PieceMesh {
             rest: picture(&frame, positions),
@@ -98,6 +66,65 @@ pub fn build(rest: Rest, file: &str, positions: &[Vec3], cloth: &ObjMesh) -> Res
         },
     };
     Ok(Built { mesh, findings })
+}
+
+/// The texture vertices of all corners, when they are the rest shape.
+fn texture_corners<'c>(
+    rest: Rest,
+    file: &str,
+    cloth: &'c ObjMesh,
+) -> Result<Option<&'c Vec<[u32; 3]>>, Box<Diagnostic>> {
+    match (rest, &cloth.uv_triangles) {
+        (Rest::Positions, _) => Ok(None),
+        (Rest::Uv, Some(uv)) => Ok(Some(uv)),
+        (Rest::Uv, None) => {
+            let message = format!("`rest = \"uv\"`, but not every corner in `{file}` has a texture vertex");
+            let finding = Diagnostic::error("mesh-without-uv", message).at(SourceRef::file(file));
+            Err(Box::new(
+                finding.hint("export the mesh with texture coordinates in metres, or use rest = \"positions\""),
+            ))
+        }
+    }
+}
+
+/// Lays every triangle into the plane and keeps those with an area.
+fn sort(positions: &[Vec3], cloth: &ObjMesh, uv: Option<&Vec<[u32; 3]>>, frame: &Frame) -> Sorted {
+    let mut out = Sorted {
+        triangles: Vec::with_capacity(cloth.triangles.len()),
+        shapes: Vec::with_capacity(cloth.triangles.len()),
+        turned: Vec::with_capacity(cloth.triangles.len()),
+        flat: Tally::default(),
+    };
+    for (k, t) in cloth.triangles.iter().enumerate() {
+        let shape = match uv.and_then(|uv| uv.get(k)) {
+            Some(uv) => uv.map(|i| cloth.texcoords.get(i as usize).map_or_else(Vec2::zeros, |p| Vec2::new(p[0], p[1]))),
+            None => frame.lay(t.map(|i| positions[i as usize])),
+        };
+        let area = doubled_area(shape);
+        let longest = (0..3).map(|i| (shape[(i + 1) % 3] - shape[i]).norm_squared()).fold(0.0, f64::max);
+        if area.abs() <= THIN * longest {
+            out.flat.add(k);
+            continue;
+        }
+        out.triangles.push(*t);
+        out.turned.push(area < 0.0);
+        out.shapes.push(shape);
+    }
+    out
+}
+
+/// Warnings about triangles that were left out or lie mirrored.
+fn notes(file: &str, turned: &[bool], flat: &Tally) -> Vec<Diagnostic> {
+    let backwards = turned.iter().filter(|t| **t).count();
+    let left_out = format!("triangles without area at rest were left out: number {flat}");
+    let mirrored = "triangles lie mirrored in the texture plane; the cloth is seen from its back there";
+    [(flat.count(), "triangles-flat", left_out.as_str()), (backwards, "uv-mirrored", mirrored)]
+        .into_iter()
+        .filter(|(count, ..)| *count > 0)
+        .map(|(count, code, words)| {
+            Diagnostic::warning(code, format!("`{file}`: {count} {words}")).at(SourceRef::file(file))
+        })
+        .collect()
 }
 
 /// One place per vertex, when all triangles agree to the bit.
