@@ -103,7 +103,7 @@ fn graded(bytes: &[u8], table: &[u8]) -> Result<(), String> {
     let sample = table.sample.clone().unwrap_or_default();
     let is = |size: &Option<String>, wanted: &str| size.as_deref().is_some_and(|s| s.eq_ignore_ascii_case(wanted));
     let mut worst = 0.0_f64;
-    for piece in pattern.pieces.iter().filter(|p| is(&p.size, &sample) && !p.rules.is_empty()) {
+    for piece in pattern.pieces.iter().filter(|p| is(&p.size, &sample) && !p.texts.rules.is_empty()) {
         for size in &table.sizes {
             let drawn = pattern.pieces.iter().find(|p| p.name == piece.name && is(&p.size, size));
             let Some(drawn) = drawn else { return Err(format!("{} {size} is not drawn", piece.label())) };
@@ -111,7 +111,7 @@ fn graded(bytes: &[u8], table: &[u8]) -> Result<(), String> {
             // A vertex that one size needs may stand in another only on the dense copy.
             let mut there = drawn.boundary.positions();
             there.extend(drawn.boundary.work_positions());
-            let ruled = |p: Vec2| piece.rules.iter().any(|r| (r.at - p).norm() <= 0.02);
+            let ruled = |p: Vec2| piece.texts.rules.iter().any(|r| (r.at - p).norm() <= 0.02);
             for (from, to) in piece.boundary.positions().iter().zip(graded.boundary.positions()) {
                 if ruled(*from) {
                     worst = there.iter().map(|q| (q - to).norm()).fold(f64::INFINITY, f64::min).max(worst);

@@ -51,7 +51,7 @@ pub fn read(obj_bytes: &[u8], obj_name: &str, sidecar_toml: Option<&str>) -> Res
         errors.extend(e);
         None
     });
-    let raw = match obj::read(obj_bytes, obj_name) {
+    let raw = match obj::read_geometry(obj_bytes, obj_name) {
         Ok(raw) => raw,
         Err(e) => {
             errors.extend(e);

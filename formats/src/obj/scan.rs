@@ -7,7 +7,7 @@ use toile_garment::{Diagnostic, SourceRef, Vec3};
 /// Findings that are written out; the rest is counted.
 const MAX_FINDINGS: usize = 20;
 /// Longest line, bytes.
-const MAX_LINE: usize = 1 << 20;
+pub(super) const MAX_LINE: usize = 1 << 20;
 /// Numbers nearer to zero than this are zero.
 const TINY: f64 = 1e-300;
 
@@ -25,6 +25,32 @@ pub struct Face {
     pub line: u64,
 }
 
+/// How many lines of each kind stand before a face.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Counts {
+    pub positions: usize,
+    pub texcoords: usize,
+    pub normals: usize,
+}
+
+impl Counts {
+    /// A corner of a face by its words, e.g. `3/1/2`.
+    ///
+    /// # Errors
+    /// What is wrong with it, in words.
+    pub fn corner(&self, word: &str) -> Result<Corner, String> {
+        let mut parts = word.split('/');
+        let v = index(parts.next().unwrap_or_default(), self.positions, "vertex")?
+            .ok_or_else(|| format!("`{}` names no vertex", word.escape_debug()))?;
+        let vt = index(parts.next().unwrap_or_default(), self.texcoords, "texture vertex")?;
+        index(parts.next().unwrap_or_default(), self.normals, "normal")?;
+        if parts.next().is_some() {
+            return Err(format!("`{}` has more than three parts", word.escape_debug()));
+        }
+        Ok(Corner { v, vt })
+    }
+}
+
 /// What the file says.
 #[derive(Default)]
 pub struct Scan {
@@ -37,7 +63,7 @@ pub struct Scan {
     pub materials: Vec<String>,
     pub ignored: BTreeMap<String, u64>,
     /// `vn` lines; only their number matters for relative indices.
-    normals: usize,
+    pub normals: usize,
 }
 
 struct Scanner<'a> {
@@ -67,7 +93,7 @@ pub fn scan(bytes: &[u8], file: &str) -> Result<Scan, Vec<Diagnostic>> {
 }
 
 /// Lines with `\` continuations joined, and the number of their first line.
-fn logical_lines(bytes: &[u8]) -> impl Iterator<Item = (u64, std::borrow::Cow<'_, [u8]>)> {
+pub(super) fn logical_lines(bytes: &[u8]) -> impl Iterator<Item = (u64, std::borrow::Cow<'_, [u8]>)> {
     let mut lines = bytes.split(|b| *b == b'\n').enumerate();
     std::iter::from_fn(move || {
         let (number, line) = lines.next()?;
@@ -131,7 +157,7 @@ impl Scanner<'_> {
 
     fn number(&mut self, line: u64, word: &str) -> Option<f64> {
         match word.parse::<f64>() {
-            Ok(x) if x.is_finite() && x.abs() <= MAX_COORDINATE => Some(if x.abs() < TINY { 0.0 } else { x }),
+            Ok(x) if x.is_finite() && x.abs() <= MAX_COORDINATE => Some(tidy(x)),
             Ok(x) if x.is_finite() => {
                 self.fail(line, "obj-number", format!("the coordinate {x} is over {MAX_COORDINATE} m"));
                 None
@@ -208,13 +234,15 @@ impl Scanner<'_> {
 
     fn face<'w>(&mut self, line: u64, words: impl Iterator<Item = &'w str>) {
         let start = self.out.corners.len();
+        let out = &self.out;
+        let counts = Counts { positions: out.positions.len(), texcoords: out.texcoords.len(), normals: out.normals };
         for word in words {
             if self.out.corners.len() - start == MAX_POLYGON {
                 self.fail(line, "obj-polygon", format!("a face with more than {MAX_POLYGON} corners"));
                 self.out.corners.truncate(start);
                 return;
             }
-            match self.corner(word) {
+            match counts.corner(word) {
                 Ok(corner) => self.out.corners.push(corner),
                 Err(why) => {
                     self.fail(line, "obj-index", why);
@@ -232,19 +260,6 @@ impl Scanner<'_> {
         self.out.faces.push(Face { corners: start..self.out.corners.len(), line });
     }
 
-    fn corner(&self, word: &str) -> Result<Corner, String> {
-        let mut parts = word.split('/');
-        let v = parts.next().unwrap_or_default();
-        let v = index(v, self.out.positions.len(), "vertex")?
-            .ok_or_else(|| format!("`{}` names no vertex", word.escape_debug()))?;
-        let vt = index(parts.next().unwrap_or_default(), self.out.texcoords.len(), "texture vertex")?;
-        index(parts.next().unwrap_or_default(), self.out.normals, "normal")?;
-        if parts.next().is_some() {
-            return Err(format!("`{}` has more than three parts", word.escape_debug()));
-        }
-        Ok(Corner { v, vt })
-    }
-
     fn finish(mut self) -> Result<Scan, Vec<Diagnostic>> {
         if self.findings.is_empty() {
             if self.out.positions.is_empty() {
@@ -259,6 +274,16 @@ impl Scanner<'_> {
         }
         if self.findings.is_empty() { Ok(self.out) } else { Err(self.findings) }
     }
+}
+
+/// A number with what is too near to zero made zero.
+pub(super) fn tidy(x: f64) -> f64 {
+    if x.abs() < TINY { 0.0 } else { x }
+}
+
+/// A finite number within the limit of coordinates.
+pub(super) fn finite(word: &str) -> Option<f64> {
+    word.parse().ok().filter(|x: &f64| x.is_finite() && x.abs() <= MAX_COORDINATE)
 }
 
 /// An index counted from 0: absolute from 1, or relative to the end when negative. Empty means absent.

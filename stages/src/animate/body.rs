@@ -146,7 +146,7 @@ fn sorted(t: &[u32; 3]) -> [u32; 3] {
 
 fn frame(bytes: &[u8], file: &Path, body: &Body, known: &BTreeSet<[u32; 3]>) -> Result<Vec<Vec3>, StageError> {
     let name = file.display().to_string();
-    let mesh = obj::read(bytes, &name).map_err(StageError::Input)?;
+    let mesh = obj::read_geometry(bytes, &name).map_err(StageError::Input)?;
     let wrong = |code: &str, message: String| {
         let found = Diagnostic::error(code, message).at(SourceRef::file(name.clone()));
         Err(StageError::input(found.hint(
