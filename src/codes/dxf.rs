@@ -159,7 +159,7 @@ pub(super) const CODES: &[Code] = &[
     ),
     code(
         "library-census-differs",
-        "A second, independent reader of DXF counts other curves than this program. This program's reading is used; look at the drawing.",
+        "The library that reads curves (arcs, ellipses, splines, light polylines) gave back less than stands in the file, so the file is refused. Draw the curve anew, or export it as a polyline. Exit code 3.",
     ),
     code(
         "line-not-flat",

@@ -1,4 +1,4 @@
-//! One entity from its tags.
+//! One entity from its tags. Curves are only looked at: what is wrong is told here, and `library.rs` reads them.
 
 use super::findings::Findings;
 use super::groups::Group;
@@ -13,6 +13,10 @@ const PLAIN: [i32; 22] = [5, 6, 7, 8, 48, 60, 62, 66, 67, 100, 102, 330, 360, 37
 /// Browzwear repeats the depth of a notch here.
 const ELEVATION: i32 = 38;
 const KEPT: usize = 64;
+/// Group code of the degree of a spline.
+const DEGREE: i32 = 71;
+/// Bits of a number that hold flags.
+const FLAGS: i64 = 0x7FFF;
 
 /// An entity with layer, line and unused codes, and the given shape.
 pub(crate) fn shell(id: u32, group: &Group<'_>, encoding: TextEncoding, shape: Shape) -> Entity {
@@ -142,7 +146,6 @@ pub(crate) fn read(id: u32, group: &Group<'_>, encoding: TextEncoding, findings:
     let name = String::from_utf8_lossy(group.head.value).to_ascii_uppercase();
     let mut r = Reader { group, findings, failed: false };
     let mirror = mirrored(group);
-    let flip = |p: Vec2| if mirror { Vec2::new(-p.x, p.y) } else { p };
     let shape = match name.as_str() {
         "LINE" => Shape::Line([r.point(10), r.point(11)]),
         "POINT" => point(&mut r),
@@ -155,15 +158,26 @@ pub(crate) fn read(id: u32, group: &Group<'_>, encoding: TextEncoding, findings:
         }
         "INSERT" => insert(&mut r, encoding, mirror),
         "ARC" => {
-            let (center, radius) = (flip(r.point(10)), r.positive(40, "the radius of an ARC"));
-            let (start, end) = (r.need(50), r.need(51));
-            let (start, end) = if mirror { (180.0 - end, 180.0 - start) } else { (start, end) };
-            Shape::Arc { center, radius, start, end }
+            look(&mut r, &[10, 20], "the radius of an ARC");
+            let _ = (r.need(50), r.need(51));
+            Shape::Other(name)
         }
-        "CIRCLE" => Shape::Circle { center: flip(r.point(10)), radius: r.positive(40, "the radius of a CIRCLE") },
-        "ELLIPSE" => ellipse(&mut r, mirror),
-        "SPLINE" => spline(&mut r),
-        "LWPOLYLINE" => light_polyline(&mut r, mirror),
+        "CIRCLE" => {
+            look(&mut r, &[10, 20], "the radius of a CIRCLE");
+            Shape::Other(name)
+        }
+        "ELLIPSE" => {
+            look_at_ellipse(&mut r);
+            Shape::Other(name)
+        }
+        "SPLINE" => {
+            look_at_spline(&mut r);
+            Shape::Other(name)
+        }
+        "LWPOLYLINE" => {
+            look_at_light_polyline(&mut r);
+            Shape::Other(name)
+        }
         "ATTDEF" | "ATTRIB" => {
             let text = |code| group.tags.iter().find(|t| t.code == code).map(|t| encoding.decode(t.value));
             let [tag, value] = [2, 1].map(|code| text(code).map(|t| encoding::unescape(&t)).unwrap_or_default());
@@ -216,47 +230,44 @@ fn insert(r: &mut Reader<'_, '_>, encoding: TextEncoding, mirror: bool) -> Shape
     Shape::Insert { block, at: Vec2::new(side * at.x, at.y), scale, rotation }
 }
 
-fn ellipse(r: &mut Reader<'_, '_>, mirror: bool) -> Shape {
-    let (center, major) = (r.point(10), r.point(11));
-    let ratio = r.positive(40, "the axis ratio of an ELLIPSE");
-    let start = r.maybe(41).unwrap_or(0.0);
-    let end = r.maybe(42).unwrap_or(2.0 * std::f64::consts::PI);
-    // Seen from behind the minor axis points the other way: the parameter runs backwards.
-    let (start, end) = if mirror { (-end, -start) } else { (start, end) };
+/// Coordinates that must be there, and a number that must be above 0.
+fn look(r: &mut Reader<'_, '_>, codes: &[i32], above_zero: &str) {
+    codes.iter().for_each(|code| {
+        r.need(*code);
+    });
+    r.positive(40, above_zero);
+}
+
+fn look_at_ellipse(r: &mut Reader<'_, '_>) {
+    let (_, major) = (r.point(10), r.point(11));
+    look(r, &[], "the axis ratio of an ELLIPSE");
+    let _ = (r.maybe(41), r.maybe(42));
     if major.norm() <= 0.0 && !r.failed {
         let line = r.group.head.line;
         r.fail(Diagnostic::error("number-out-of-range", "an ELLIPSE without a major axis"), line);
     }
-    Shape::Ellipse { center, major, ratio, start, end }
 }
 
-fn light_polyline(r: &mut Reader<'_, '_>, mirror: bool) -> Shape {
-    let mut vertices: Vec<Vertex> = Vec::new();
+fn look_at_light_polyline(r: &mut Reader<'_, '_>) {
+    let mut vertices = 0_usize;
     let mut y_missing = false;
     for tag in &r.group.tags {
-        let value = match tag.code {
-            10 | 20 | 42 => number(tag, r.findings),
-            _ => continue,
-        };
-        let value = match value {
-            Ok(v) => v,
-            Err(e) => {
-                r.failed = true;
-                r.findings.push(e);
-                continue;
-            }
-        };
-        match (tag.code, vertices.last_mut()) {
-            (10, _) if y_missing => r.fail(Diagnostic::error("coordinate-missing", "a vertex without y"), tag.line),
-            (10, _) => {
-                vertices.push(Vertex { at: Vec2::new(value, 0.0), bulge: 0.0 });
+        if !matches!(tag.code, 10 | 20 | 42) {
+            continue;
+        }
+        if let Err(e) = number(tag, r.findings) {
+            r.failed = true;
+            r.findings.push(e);
+            continue;
+        }
+        match tag.code {
+            10 if y_missing => r.fail(Diagnostic::error("coordinate-missing", "a vertex without y"), tag.line),
+            10 => {
+                vertices += 1;
                 y_missing = true;
             }
-            (20, Some(v)) if y_missing => {
-                v.at.y = value;
-                y_missing = false;
-            }
-            (42, Some(v)) => v.bulge = value,
+            20 if y_missing => y_missing = false,
+            42 if vertices > 0 => {}
             _ => r.fail(Diagnostic::error("coordinate-missing", "a vertex without x"), tag.line),
         }
     }
@@ -264,26 +275,24 @@ fn light_polyline(r: &mut Reader<'_, '_>, mirror: bool) -> Shape {
     if y_missing && !r.failed {
         r.fail(Diagnostic::error("coordinate-missing", "a vertex without y"), line);
     }
-    if let Some(count) = integer(r.group, 90).filter(|n| *n != vertices.len() as i64 && !r.failed) {
-        let text = format!("an LWPOLYLINE says {count} vertices and holds {}", vertices.len());
+    if let Some(count) = integer(r.group, 90).filter(|n| *n != vertices as i64 && !r.failed) {
+        let text = format!("an LWPOLYLINE says {count} vertices and holds {vertices}");
         r.fail(Diagnostic::error("vertex-count-differs", text), line);
     }
-    if mirror {
-        for v in &mut vertices {
-            v.at.x = -v.at.x;
-            v.bulge = -v.bulge;
-        }
-    }
-    let closed = integer(r.group, 70).unwrap_or(0) & 1 != 0;
-    Shape::Polyline { vertices, closed, light: true }
 }
 
-fn spline(r: &mut Reader<'_, '_>) -> Shape {
+/// A whole number of a curve: its flags, of which those that mean something are the lowest bits, or the degree of a
+/// spline.
+pub(crate) fn whole(group: &Group<'_>, code: i32) -> i64 {
+    let number = integer(group, code);
+    if code == DEGREE { number.filter(|d| *d >= 0).unwrap_or(3) } else { number.unwrap_or(0) & FLAGS }
+}
+
+fn look_at_spline(r: &mut Reader<'_, '_>) {
     let line = r.group.head.line;
-    let degree = integer(r.group, 71).and_then(|d| usize::try_from(d).ok()).unwrap_or(3);
     let spline = Spline {
-        degree,
-        flags: integer(r.group, 70).unwrap_or(0),
+        degree: usize::try_from(whole(r.group, DEGREE)).unwrap_or(usize::MAX),
+        flags: whole(r.group, 70),
         knots: r.numbers(40),
         weights: r.numbers(41),
         control: r.points(10),
@@ -300,5 +309,4 @@ fn spline(r: &mut Reader<'_, '_>) -> Shape {
             r.fail(Diagnostic::error("vertex-count-differs", text), line);
         }
     }
-    Shape::Spline(spline)
 }

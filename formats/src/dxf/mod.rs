@@ -25,7 +25,7 @@ mod header;
 mod inspect;
 pub mod layers;
 pub mod ledger;
-mod lib_curves;
+mod library;
 pub mod limits;
 pub mod model;
 mod mtext;
@@ -47,7 +47,7 @@ pub mod write;
 
 pub use findings::Findings;
 pub use inspect::{Inspection, inspect, inspect_with};
-pub use lib_curves::Census;
+pub use library::Census;
 pub use pattern::{InsertRule, Pattern, ReadOptions, read};
 pub use texts::unit;
 pub use tolerances::Tolerances;

@@ -1,5 +1,6 @@
 //! The faithful model: what the file holds, before any pattern meaning. Numbers are in file units.
 
+use super::library::Census;
 use crate::encoding::TextEncoding;
 use toile_garment::Vec2;
 
@@ -26,6 +27,8 @@ pub struct Drawing {
     pub tables: bool,
     /// Number of vertices of all polylines.
     pub vertex_count: u64,
+    /// How many curves the library read.
+    pub census: Census,
 }
 
 /// A block: one piece in one size.

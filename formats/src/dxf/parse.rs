@@ -4,6 +4,7 @@ use super::entity;
 use super::findings::Findings;
 use super::groups::{Group, Groups};
 use super::header::{read_header, say_encoding, text_encoding};
+use super::library::Curves;
 use super::limits;
 use super::model::{Block, Drawing, Entity, Shape, Vertex};
 use super::tags::{Tag, Tags, number};
@@ -38,6 +39,7 @@ struct Parser<'f> {
     polyline: Option<OpenPolyline>,
     count: u32,
     vertex_count: u64,
+    curves: Curves,
     sections: u32,
     ended: bool,
     after_end: bool,
@@ -67,6 +69,7 @@ pub fn parse(bytes: &[u8], code_page: Option<&str>, findings: &mut Findings) -> 
         polyline: None,
         count: 0,
         vertex_count: 0,
+        curves: Curves::default(),
         sections: 0,
         ended: false,
         after_end: false,
@@ -77,6 +80,8 @@ pub fn parse(bytes: &[u8], code_page: Option<&str>, findings: &mut Findings) -> 
     }
     let comments = groups.tags.comments().iter().map(|c| parser.text(c)).collect();
     parser.end(groups.tags)?;
+    let in_blocks = parser.blocks.iter_mut().flat_map(|b| &mut b.entities);
+    let census = parser.curves.read(in_blocks.chain(&mut parser.entities), parser.findings);
     Ok(Drawing {
         release: header.release,
         insunits: header.insunits,
@@ -88,6 +93,7 @@ pub fn parse(bytes: &[u8], code_page: Option<&str>, findings: &mut Findings) -> 
         header_variables: header.variables,
         tables: parser.tables,
         vertex_count: parser.vertex_count,
+        census,
     })
 }
 
@@ -259,8 +265,9 @@ impl Parser<'_> {
         let encoding = self.encoding;
         let entity = entity::read(id, group, encoding, self.findings);
         if let Some(entity) = entity {
-            if let Shape::Polyline { vertices, .. } = &entity.shape {
-                self.vertex_count += vertices.len() as u64;
+            if let Some(kind) = Curves::kind(head.value) {
+                let vertices = self.curves.take(id, kind, group);
+                self.vertex_count += if head.is("LWPOLYLINE") { vertices as u64 } else { 0 };
             }
             self.store(entity);
         }

@@ -1,7 +1,7 @@
 //! Vertices and faces alone, read by `tobj`: the way bodies come in.
 //!
-//! What `tobj` would misread never reaches it ([`Guarded`]): it gets the `v` and `f` lines of the file, word by word as
-//! they stand, with every index looked at before. Afterwards every number and index is looked at again. `tobj` numbers
+//! A guard stands before `tobj` and keeps away all that it would misread. It passes on the `v` and `f` lines of the file,
+//! word by word as they stand, and looks at every index before. Afterwards every number and index is looked at again. `tobj` numbers
 //! vertices by first use and forgets unused ones; one more face over all vertices, put behind the last line, tells where
 //! each of them went. A file that does not pass is read by our own scanner, which tells line and remedy.
 

@@ -1,7 +1,7 @@
 //! Wavefront OBJ: bodies, cloth meshes, and the draped garment.
 //!
-//! `tobj` reads bodies ([`read_geometry`]). Cloth of `import-mesh`, whose vertex order, texture vertices and groups are a
-//! contract, comes from a scan of ours ([`read`]); a test and a fuzz target hold both readings against each other.
+//! `tobj` reads bodies ([`read_geometry`]). Cloth of `import-mesh` comes from a scan of ours ([`read`]), as its vertex
+//! order, texture vertices and groups are a contract. A test and a fuzz target hold both readings against each other.
 
 mod geometry;
 mod inspect;

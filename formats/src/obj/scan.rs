@@ -51,7 +51,7 @@ impl Counts {
     }
 }
 
-/// What the file says.
+/// The content of a file.
 #[derive(Default)]
 pub struct Scan {
     pub positions: Vec<Vec3>,

@@ -16,7 +16,7 @@ use super::findings::Findings;
 use super::geom;
 use super::layers::{Layers, Role};
 use super::ledger::Ledger;
-use super::lib_curves::{self, Census};
+use super::library::Census;
 use super::limits;
 use super::model::{Block, Drawing, Entity, Shape};
 use super::parse;
@@ -73,7 +73,7 @@ pub struct Pattern {
     pub ledger: Ledger,
     /// Number of polyline vertices in the file.
     pub vertices: u64,
-    /// What the library reader and ours agreed on.
+    /// How many curves the library read.
     pub census: Census,
     /// Findings; none is an error.
     pub findings: Vec<Diagnostic>,
@@ -106,7 +106,6 @@ pub fn read(bytes: &[u8], file: &str, options: &ReadOptions) -> Result<Pattern, 
 
 fn read_into(bytes: &[u8], file: &str, options: &ReadOptions, findings: &mut Findings) -> Result<Pattern, Diagnostic> {
     let mut drawing = parse::parse(bytes, options.code_page.as_deref(), findings)?;
-    let census = lib_curves::cross_read(&mut drawing, findings);
     let layers = Layers::new(&options.layers);
     let mut ledger = Ledger::new(drawing.entity_count);
     let style_texts = style_texts(&drawing);
@@ -141,7 +140,7 @@ fn read_into(bytes: &[u8], file: &str, options: &ReadOptions, findings: &mut Fin
         sample_size,
         pieces,
         vertices: drawing.vertex_count,
-        census,
+        census: drawing.census,
         findings: Vec::new(),
         ledger,
         style_texts,
