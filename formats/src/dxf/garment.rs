@@ -149,19 +149,17 @@ pub fn to_piece(drawn: &DrawnPiece, file: &str) -> Piece {
             .enumerate()
             .map(|(i, d)| dart(d, i, source(d.line, if d.form == Form::Wedge { sewn_layer } else { "8" })))
             .collect(),
-        texts: drawn
-            .texts
-            .others
-            .iter()
-            .map(|(at, layer, text)| PieceText { at: at * M, layer: layer.clone(), text: text.clone() })
-            .collect(),
-        source: {
-            let mut s = SourceRef::file(file).at_line(drawn.line);
-            s.block = Some(drawn.block.clone());
-            Some(s)
-        },
+        texts: texts(drawn),
+        source: Some(SourceRef { block: Some(drawn.block.clone()), ..SourceRef::file(file).at_line(drawn.line) }),
         ..Piece::default()
     }
+}
+
+/// Texts without meaning, where they stand.
+fn texts(drawn: &DrawnPiece) -> Vec<PieceText> {
+    let text =
+        |(at, layer, text): &(Vec2, String, String)| PieceText { at: at * M, layer: layer.clone(), text: text.clone() };
+    drawn.texts.others.iter().map(text).collect()
 }
 
 /// The mouth of a marked dart becomes two vertices of the outline, so that its pointers have something to point to.

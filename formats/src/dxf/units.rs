@@ -38,14 +38,22 @@ pub(crate) struct Evidence<'a> {
     pub side: f64,
 }
 
+/// Decides on the unit of a file, and tells what was guessed, doubtful or contradicts.
 pub(crate) fn decide(evidence: &Evidence<'_>, findings: &mut Findings) -> Units {
-    let declared = evidence.text.map(str::to_owned);
     let place = findings.place(1);
     let mut say = |f: Diagnostic| findings.push(f.at(place.clone()));
-    let units = |mm_per_unit| Units { declared: declared.clone(), mm_per_unit };
-    if let Some(asked) = evidence.asked {
-        return units(asked);
-    }
+    let mm_per_unit = match evidence.asked {
+        Some(asked) => asked,
+        None => match stated(evidence, &mut say) {
+            Some(mm) => checked(mm, evidence.side, &mut say),
+            None => guessed(evidence, &mut say),
+        },
+    };
+    Units { declared: evidence.text.map(str::to_owned), mm_per_unit }
+}
+
+/// Millimetres per unit as the file states it: by its text, else by its header.
+fn stated(evidence: &Evidence<'_>, say: &mut impl FnMut(Diagnostic)) -> Option<f64> {
     let from_text = evidence.text.and_then(texts::unit);
     if let (Some(text), None) = (evidence.text, from_text) {
         say(Diagnostic::warning("units-unknown", format!("the text `Units: {text}` names no known unit")));
@@ -68,17 +76,23 @@ pub(crate) fn decide(evidence: &Evidence<'_>, findings: &mut Findings) -> Units 
         let text = format!("the file says {said} and also {other}; {said} counts");
         say(Diagnostic::info("units-contradict", text).hint("give the unit: units = \"mm\" or \"inch\""));
     }
-    let side = evidence.side;
-    let Some(mm) = from_text.or(from_header) else {
-        let guess = guess(side, evidence.tolerance);
-        let text = format!(
-            "the file names no unit; {} was taken because the largest piece is then {:.0} mm long",
-            name(guess),
-            side * guess
-        );
-        say(Diagnostic::warning("units-guessed", text).hint("give the unit: units = \"mm\" or \"inch\""));
-        return units(guess);
-    };
+    from_text.or(from_header)
+}
+
+/// The unit that makes the pieces as large as pieces are.
+fn guessed(evidence: &Evidence<'_>, say: &mut impl FnMut(Diagnostic)) -> f64 {
+    let guess = guess(evidence.side, evidence.tolerance);
+    let text = format!(
+        "the file names no unit; {} was taken because the largest piece is then {:.0} mm long",
+        name(guess),
+        evidence.side * guess
+    );
+    say(Diagnostic::warning("units-guessed", text).hint("give the unit: units = \"mm\" or \"inch\""));
+    guess
+}
+
+/// A stated unit, or a better one where it makes the pieces impossibly large or small.
+fn checked(mm: f64, side: f64, say: &mut impl FnMut(Diagnostic)) -> f64 {
     if side * mm > SIDE_MOST {
         let better = [1.0, 10.0, 25.4].into_iter().filter(|u| *u < mm).rev().find(|u| SIDE.contains(&(side * u)));
         if let Some(better) = better {
@@ -90,7 +104,7 @@ pub(crate) fn decide(evidence: &Evidence<'_>, findings: &mut Findings) -> Units 
                 side * better
             );
             say(Diagnostic::warning("units-doubtful", text).hint("give the unit: units = \"mm\" or \"inch\""));
-            return units(better);
+            return better;
         }
     }
     if side > 0.0 && side * mm < SIDE_LEAST && SIDE.contains(&(side * 1000.0)) {
@@ -101,7 +115,7 @@ pub(crate) fn decide(evidence: &Evidence<'_>, findings: &mut Findings) -> Units 
             side * 1000.0
         );
         say(Diagnostic::warning("units-doubtful", text).hint("give the unit: units = \"mm\" or \"m\""));
-        return units(1000.0);
+        return 1000.0;
     }
     if side > 0.0 && (side * mm > SIDE_MOST || side * mm < LARGEST_LEAST) {
         let text = format!(
@@ -111,7 +125,7 @@ pub(crate) fn decide(evidence: &Evidence<'_>, findings: &mut Findings) -> Units 
         );
         say(Diagnostic::warning("units-doubtful", text).hint("give the unit: units = \"mm\", \"cm\" or \"inch\""));
     }
-    units(mm)
+    mm
 }
 
 fn guess(side: f64, tolerance: Option<f64>) -> f64 {

@@ -1,4 +1,4 @@
-//! The sewing file: what a DXF cannot say (contracts §7).
+//! The sewing file: it says how pieces are sewn, which no DXF can.
 //!
 //! Seams, declared darts and pleats, placements, layers, attachments; and what a garment needs beside them: copies of
 //! drawn pieces, names of edges, pieces that are left out. Every quantity carries its unit.

@@ -1,4 +1,4 @@
-//! What the sewing file means for the pieces: copies, edge names, declared darts, and seams resolved to outline runs.
+//! The meaning of the sewing file for the pieces: copies, edge names, declared darts, and seams resolved to outline runs.
 //!
 //! `import-dxf` asks here to check a sewing file, `triangulate` to lay down vertices, `assemble` to sew them. All three
 //! look at the document as it is then, and find the same: nothing that is derived is kept in it.

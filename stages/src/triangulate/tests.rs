@@ -8,7 +8,7 @@ use toile_garment::mesh::ChainKind;
 use toile_garment::notch::{Notch, NotchKind};
 use toile_garment::outline::{LinePoint, PieceLine, PointKind};
 use toile_garment::sewing::RunSpec;
-use toile_garment::{PieceId, SeamId};
+use toile_garment::{PieceId, Report, SeamId};
 
 fn mesh(garment: Garment, h_mm: f64) -> Result<(Garment, Report), StageError> {
     run(&Triangulate, &Params { edge_length: Some(Length(h_mm * 1e-3)), ..Params::default() }, garment)

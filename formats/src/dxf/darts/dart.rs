@@ -1,4 +1,4 @@
-//! What is found: a dart as drawn, and what looks like one and is none.
+//! The dart as drawn, and the record of a look-alike that was denied.
 
 use crate::dxf::geom;
 use toile_garment::Vec2;
@@ -41,18 +41,18 @@ pub struct DrawnDart {
     pub ids: Vec<u32>,
     /// How sure it is one, 0 to 1.
     pub confidence: f64,
-    /// What speaks for it.
+    /// Reasons that speak for it.
     pub evidence: Vec<String>,
 }
 
-/// What looks like a dart and is none.
+/// A look-alike that is no dart.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Denied {
     /// Its apex, or the middle of a lens.
     pub at: Vec2,
     /// Why it is none.
     pub why: &'static str,
-    /// What it looks like.
+    /// The form it looks like.
     pub form: Form,
 }
 

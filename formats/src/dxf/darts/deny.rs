@@ -17,8 +17,8 @@ const INSERT: &str = "another piece has a point with sides as long as its legs: 
 const UNMARKED: &str =
     "the darts of this file have a drill hole at the apex and this wedge has neither that nor notches at its mouth";
 
-/// A wedge whose legs are as long as the two sides of another piece's point is a place for a godet; and where the file
-/// marks its darts by drill holes, a wedge without one is a slit or vent.
+/// Denies wedges by the rest of the file. A wedge whose legs are as long as the two sides of another piece's point is a
+/// place for a godet. Where the file marks its darts by drill holes, a wedge without one is a slit or vent.
 pub(in crate::dxf) fn deny_inserts_and_unmarked(pieces: &mut [DrawnPiece], desk: &mut Desk<'_>) {
     let points: Vec<Vec<[f64; 2]>> = pieces.iter().map(convex_points).collect();
     let habit = drills_its_darts(pieces);

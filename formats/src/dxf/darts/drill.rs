@@ -1,4 +1,4 @@
-//! What drill holes and notches alone say of darts: candidates.
+//! Candidates: drill holes and notches that may be darts, although no line is drawn.
 
 use super::dart::DrawnDart;
 use super::legs_test::wedge_test;
@@ -50,7 +50,8 @@ impl DrawnPiece {
     }
 }
 
-/// Three drill holes along the grain: both tips and one at the widest place, on the axis or beside it. Tip, middle, tip.
+/// Three drill holes along the grain: both tips and one at the widest place, on the axis or beside it. They come as tip,
+/// middle, tip.
 fn threes(drills: &[Vec2], darts: &[DrawnDart], grain: Option<Vec2>) -> Vec<[Vec2; 3]> {
     let near = |p: &Vec2| {
         darts.iter().any(|d| d.apexes.iter().chain(&d.mouth).any(|q| (p - q).norm() < DISTANCE_OF_TAKEN_DRILL))

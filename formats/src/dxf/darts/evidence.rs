@@ -1,4 +1,4 @@
-//! What speaks for a dart that was found, and how sure it is one.
+//! Evidence and confidence of a dart that was found.
 
 use super::dart::{DrawnDart, Form};
 use super::thresholds::{

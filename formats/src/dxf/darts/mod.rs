@@ -18,7 +18,7 @@
 //! | `legs_differ.rs` | legs of different length, finding `dart-legs-differ` |
 //! | `dart.rs` | the dart as drawn, and what was denied |
 //!
-//! What is denied becomes the finding `wedge-not-a-dart` or stands in `not_darts` of `inspect`.
+//! A look-alike that is denied becomes the finding `wedge-not-a-dart` or stands in `not_darts` of `inspect`.
 
 mod blunt;
 mod dart;

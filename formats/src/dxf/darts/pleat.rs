@@ -24,7 +24,7 @@ pub struct Pleat {
     pub width: f64,
     /// 0 to 1.
     pub confidence: f64,
-    /// What speaks for it.
+    /// Reasons that speak for it.
     pub evidence: Vec<&'static str>,
     /// Line in the file.
     pub line: u64,

@@ -37,7 +37,7 @@ pub struct DrawnPiece {
     pub name: Option<String>,
     /// Text `Size`, if any.
     pub size: Option<String>,
-    /// What the other texts say.
+    /// All other texts.
     pub texts: PieceTexts,
     /// Cut line.
     pub boundary: Outline,
@@ -47,7 +47,7 @@ pub struct DrawnPiece {
     pub sew_lines: usize,
     /// Fold, grain and lines of reference.
     pub axes: Axes,
-    /// What is drawn inside the outline.
+    /// Lines and marks inside the outline.
     pub inside: Inside,
     /// Points of layers 2 and 3.
     pub points: VertexPoints,
@@ -55,9 +55,9 @@ pub struct DrawnPiece {
     pub notches: Vec<DrawnNotch>,
     /// Darts.
     pub darts: Vec<DrawnDart>,
-    /// What may be a dart or pleat, or looks like one and is none.
+    /// Candidates for darts and pleats, and look-alikes that are none.
     pub doubts: DartDoubts,
-    /// What `finish` makes of.
+    /// Lines and marks of which `finish` makes working lines and notches.
     pub(super) unfinished: Unfinished,
 }
 
@@ -87,7 +87,7 @@ pub struct Axes {
     pub alternates: Vec<(Option<u32>, [Vec2; 2])>,
 }
 
-/// What is drawn inside an outline.
+/// Lines and marks inside an outline.
 #[derive(Clone, Debug, Default)]
 pub struct Inside {
     /// Internal lines (legs of marked darts among them).
@@ -115,7 +115,7 @@ pub struct VertexPoints {
     pub marked: bool,
 }
 
-/// What was not made a dart.
+/// Candidates and look-alikes: they were not made darts.
 #[derive(Clone, Debug, Default)]
 pub struct DartDoubts {
     /// Wedges and lenses that were not taken as darts, with the reason.
@@ -126,7 +126,7 @@ pub struct DartDoubts {
     pub pleats: Vec<Pleat>,
 }
 
-/// What the first step keeps for the second.
+/// Lines and marks that the first step keeps for the second.
 #[derive(Clone, Debug)]
 pub(super) struct Unfinished {
     /// Dense copy of the cut line (layer 84).

@@ -31,7 +31,7 @@ pub struct ResolvedSeam {
     pub source: Option<SourceRef>,
 }
 
-/// What was found of one seam of the plan: the seam, and what is to be said of it.
+/// One seam of the plan as it was found, with the notes on it.
 ///
 /// Looking for a seam has no side effect. So every stage that needs to know where the seams run asks [`find`], and the
 /// one that sews them has them judged.
