@@ -85,7 +85,7 @@ pub(crate) struct Placing {
     pub at: Vec2,
 }
 
-/// What sorting needs.
+/// The state of sorting entities into sheets.
 pub(crate) struct Sorter<'a> {
     pub layers: &'a Layers,
     pub mm: f64,

@@ -1,9 +1,12 @@
 //! Vertices and faces alone, read by `tobj`: the way bodies come in.
 //!
-//! A guard stands before `tobj` and keeps away all that it would misread. It passes on the `v` and `f` lines of the file,
-//! word by word as they stand, and looks at every index before. Afterwards every number and index is looked at again. `tobj` numbers
-//! vertices by first use and forgets unused ones; one more face over all vertices, put behind the last line, tells where
-//! each of them went. A file that does not pass is read by our own scanner, which tells line and remedy.
+//! A guard stands before `tobj` and keeps away all that it would misread. It passes on the `v` and `f` lines of the
+//! file, word by word as they stand, and looks at every index before. Afterwards every number and index is looked at
+//! again.
+//!
+//! `tobj` numbers vertices by first use and forgets unused ones. So one more face over all vertices stands behind the
+//! last line, and tells where each of them went. A file that does not pass is read by our own scanner, which tells line
+//! and remedy.
 
 use super::polygon;
 use super::scan::{self, Corner, Counts, Face, MAX_LINE, Scan, logical_lines};

@@ -50,8 +50,8 @@ impl DrawnPiece {
     }
 }
 
-/// Three drill holes along the grain: both tips and one at the widest place, on the axis or beside it. They come as tip,
-/// middle, tip.
+/// Three drill holes along the grain: both tips, and one at the widest place, on the axis or beside it. They come in
+/// the order tip, middle, tip.
 fn threes(drills: &[Vec2], darts: &[DrawnDart], grain: Option<Vec2>) -> Vec<[Vec2; 3]> {
     let near = |p: &Vec2| {
         darts.iter().any(|d| d.apexes.iter().chain(&d.mouth).any(|q| (p - q).norm() < DISTANCE_OF_TAKEN_DRILL))

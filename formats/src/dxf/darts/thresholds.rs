@@ -75,8 +75,8 @@ pub const DIFFERENCE_OF_TEETH: f64 = 0.15;
 /// Points of the teeth of a row differ by at most this, degrees. Larger and smaller do as for the widths. No
 /// measurement is kept.
 pub const ANGLE_OF_TEETH: f64 = 15.0;
-/// So many wedges side by side, or more, are a row. A larger count takes short zigzags for darts; a smaller one loses two darts
-/// that share a mouth point. No measurement is kept.
+/// So many wedges side by side, or more, are a row. A larger count takes short zigzags for darts; a smaller one loses
+/// two darts that share a mouth point. No measurement is kept.
 pub const COUNT_OF_TEETH: usize = 3;
 
 // ---- Darts marked by internal lines (`marked/`).

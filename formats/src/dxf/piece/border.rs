@@ -143,8 +143,8 @@ fn close_at_fold(open: &mut Vec<Path>, closed: &mut Vec<Path>, sheet: &Sheet) {
     }
 }
 
-/// An outline must have an area, a sane size and no crossing. Where only vertices drawn twice, a little apart, tangle it,
-/// they are made one.
+/// An outline must have an area, a sane size and no crossing. Where only vertices drawn twice, a little apart, tangle
+/// it, they are made one.
 pub(super) fn check_shape(block: &str, outline: &mut Outline, desk: &mut Desk<'_>) -> Option<()> {
     let line = outline.line;
     let fail = |desk: &mut Desk<'_>, code: &str, text: String, hint: &str| {
