@@ -12,6 +12,7 @@ pub mod report;
 pub mod rul;
 #[cfg(test)]
 mod sample;
+mod schema;
 pub mod sewing;
 pub mod svg;
 pub mod texture;

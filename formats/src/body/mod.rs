@@ -24,6 +24,7 @@ mod sidecar;
 mod tests;
 
 use crate::obj;
+pub use sidecar::schema;
 use toile_garment::body::Body;
 use toile_garment::garment::UpAxis;
 use toile_garment::{Diagnostic, SourceRef};

@@ -1,6 +1,8 @@
 //! The TOML file beside a body: name, measures, landmarks, segments.
 
+use crate::schema::{document, list, quantity, table, text, with_about};
 use crate::toml_text::{TomlText, describe, did_you_mean};
+use serde_json::{Map, Value, json};
 use serde_spanned::Spanned;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -13,6 +15,8 @@ use toml::de::{DeTable, DeValue};
 /// Segments a piece can be placed around.
 const SEGMENTS: [&str; 6] = ["torso", "arm-left", "arm-right", "leg-left", "leg-right", "neck"];
 const SEGMENT_KEYS: [&str; 4] = ["from", "to", "half_width", "half_depth"];
+/// Keys at the top of the file.
+const TOP: [&str; 6] = ["name", "measures", "landmarks", "segments", "note", "source"];
 /// Largest length in a body file, metres.
 const MAX: f64 = 10.0;
 
@@ -62,7 +66,7 @@ pub fn read(text: &str, file: &str) -> Result<Sidecar, Vec<Diagnostic>> {
             "note" | "source" => {
                 r.text(key, value);
             }
-            _ => r.unknown(key, &["name", "measures", "landmarks", "segments", "note", "source"]),
+            _ => r.unknown(key, &TOP),
         }
     }
     if r.findings.is_empty() { Ok(out) } else { Err(r.findings) }
@@ -169,6 +173,37 @@ impl<'a> Reader<'a> {
         }
         found
     }
+}
+
+/// JSON schema (draft 7) of the file, built from the same lists of keys as the reader.
+#[must_use]
+pub fn schema() -> Value {
+    let length = quantity::<Length>;
+    let point = || list("Three lengths: x to the wearer's left, y up, z to the front.", length(), 3);
+    let named =
+        |about: &str, value: Value| json!({ "description": about, "type": "object", "additionalProperties": value });
+    let segment_key = |key: &str| match key {
+        "from" => with_about(point(), "Upper end of the axis."),
+        "to" => with_about(point(), "Lower end of the axis."),
+        "half_width" => with_about(length(), "Half of the width across the axis, from the wearer's left to right."),
+        _ => with_about(length(), "Half of the depth across the axis, from front to back."),
+    };
+    let segment = table(
+        "An elliptic cylinder around a part of the body, for wrapping pieces around it.",
+        &SEGMENT_KEYS,
+        SEGMENT_KEYS.map(|key| (key.to_owned(), segment_key(key))).into_iter().collect(),
+    );
+    let segments: Map<String, Value> = SEGMENTS.map(|name| (name.to_owned(), segment.clone())).into_iter().collect();
+    let top = |key: &str| match key {
+        "name" => text("Name of the body. Default: the name of the mesh file."),
+        "measures" => named("Lengths of the body by their ISO 8559-1 names, such as `waist_girth`.", length()),
+        "landmarks" => named("Points of the body, such as `waist-front`.", point()),
+        "segments" => table("Parts of the body that pieces are wrapped around.", &[], segments.clone()),
+        "note" => text("A remark; the program does not use it."),
+        _ => text("Where the body comes from."),
+    };
+    let about = "What the mesh of a body cannot say. The file has the name of the mesh, with the ending `.toml`.";
+    document("toile body side file", about, &[], TOP.map(|key| (key.to_owned(), top(key))).into_iter().collect())
 }
 
 /// The file of a body.

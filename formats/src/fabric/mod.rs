@@ -58,9 +58,11 @@ mod fields;
 pub mod kes;
 mod poisson;
 mod reader;
+mod schema;
 #[cfg(test)]
 mod tests;
 
+pub use schema::schema;
 use toile_garment::Diagnostic;
 use toile_garment::fabric::Fabric;
 

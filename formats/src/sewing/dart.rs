@@ -1,5 +1,6 @@
 //! `[[dart]]`: declared darts and pleats, and wedges that are none.
 
+use super::keys;
 use super::walk::{Table, Value, Walk};
 use std::ops::Range;
 use toile_garment::Vec2;
@@ -14,20 +15,25 @@ const KINDS: &[(&str, Option<DartKind>)] = &[
     ("none", None),
 ];
 
+/// The words of `kind`.
+pub fn kinds() -> Vec<&'static str> {
+    KINDS.iter().map(|(word, _)| *word).collect()
+}
+
 /// One declared dart.
 pub fn dart(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Option<DartSpec> {
     let at = span.start;
-    let mut t = Table::new(table, span, Some("dart"));
-    let piece = t.need("piece", "\"front\"", walk).and_then(|v| walk.text(v, "piece"));
+    let mut t = Table::new(table, span, &keys::DART);
+    let piece = t.need("piece", walk).and_then(|v| walk.text(v, "piece"));
     let name = t.take("name").and_then(|v| walk.text(v, "name"));
     let kind = match t.take("kind") {
         Some(value) => walk.word(value, "kind", KINDS),
         None => Some(Some(DartKind::Wedge)),
     };
     let apexes = apexes(&mut t, walk);
-    let mouth = t.need("mouth", "[[\"140 mm\", \"443 mm\"], [\"168 mm\", \"443 mm\"]]", walk);
+    let mouth = t.need("mouth", walk);
     let mouth = mouth.and_then(|v| mouth_points(v, walk));
-    t.finish(&["piece", "name", "kind", "apex", "apexes", "mouth"], "[[dart]]", walk);
+    t.finish(walk);
     let (kind, apexes) = (kind?, apexes?);
     check_count(kind, apexes.len(), at, walk)?;
     let source = Some(walk.source(at, Some("dart")));

@@ -1,24 +1,24 @@
-//! The sewing file: it says how pieces are sewn, which no DXF can.
+//! The sewing file says what a DXF cannot say.
 //!
 //! Seams, declared darts and pleats, placements, layers, attachments; and what a garment needs beside them: copies of
 //! drawn pieces, names of edges, pieces that are left out. Every quantity carries its unit.
 
 mod dart;
+mod keys;
 mod lines;
 mod place;
 mod run;
+mod schema;
 mod seam;
 mod walk;
 
 use lines::Lines;
+pub use schema::schema;
 use serde_spanned::Spanned;
 use toile_garment::Diagnostic;
 use toile_garment::sewing::SewingPlan;
 use toml::de::{DeTable, DeValue};
 use walk::{Table, Walk};
-
-/// Tables and keys at the top of the file.
-const TOP: &[&str] = &["seam", "dart", "place", "layer", "attach", "copy", "edge", "leave_out"];
 
 /// Reads a sewing file. `file` is its name for messages.
 ///
@@ -44,7 +44,7 @@ fn syntax_error(error: &toml::de::Error, lines: &Lines<'_>) -> Diagnostic {
 
 fn plan(document: &DeTable<'_>, walk: &mut Walk<'_>) -> SewingPlan {
     let mut plan = SewingPlan::default();
-    let mut top = Table::new(document, 0..0, None);
+    let mut top = Table::new(document, 0..0, &keys::TOP);
     for (n, (table, span)) in tables(&mut top, "seam", walk).into_iter().enumerate() {
         plan.seams.extend(seam::seam(table, span, n, walk));
     }
@@ -69,7 +69,7 @@ fn plan(document: &DeTable<'_>, walk: &mut Walk<'_>) -> SewingPlan {
     if let Some(value) = top.take("leave_out") {
         plan.leave_out = walk.texts(value, "leave_out").unwrap_or_default();
     }
-    top.finish(TOP, "the sewing file", walk);
+    top.finish(walk);
     plan
 }
 

@@ -1,5 +1,6 @@
 //! `[[place]]`, `[[layer]]`, `[[attach]]`, `[[copy]]`.
 
+use super::keys;
 use super::walk::{Table, Value, Walk};
 use std::ops::Range;
 use toile_garment::Vec3;
@@ -10,21 +11,30 @@ use toml::de::DeTable;
 const SEGMENTS: &[&str] = &["torso", "arm-left", "arm-right", "leg-left", "leg-right", "neck"];
 const SIDES: &[&str] = &["front", "back", "left", "right"];
 
+/// The segments of a body that a piece may be wrapped around.
+pub fn segments() -> Vec<&'static str> {
+    SEGMENTS.to_vec()
+}
+
+/// The sides of a segment.
+pub fn sides() -> Vec<&'static str> {
+    SIDES.to_vec()
+}
+
 /// Where a piece starts in 3D.
 pub fn place(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Option<PlaceSpec> {
     let at = span.start;
-    let mut t = Table::new(table, span, Some("place"));
-    let piece = t.need("piece", "\"front\"", walk).and_then(|v| walk.text(v, "piece"));
+    let mut t = Table::new(table, span, &keys::PLACE);
+    let piece = t.need("piece", walk).and_then(|v| walk.text(v, "piece"));
     let around = t.take("around");
     let rotation = t.take("rotation");
-    let known: &[&str];
     let placement = match (around, rotation) {
         (Some(around), None) => {
-            known = &["piece", "around", "side", "height", "turn"];
+            t.keys = &keys::PLACE_AROUND;
             wrapped(around, &mut t, walk)
         }
         (None, Some(rotation)) => {
-            known = &["piece", "rotation", "translation"];
+            t.keys = &keys::PLACE_EXPLICIT;
             explicit(rotation, &mut t, walk)
         }
         (both, _) => {
@@ -35,20 +45,20 @@ pub fn place(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Op
             return None;
         }
     };
-    t.finish(known, "[[place]]", walk);
+    t.finish(walk);
     Some(PlaceSpec { piece: piece?, placement: placement?, source: Some(walk.source(at, Some("place"))) })
 }
 
 fn wrapped(around: Value<'_>, t: &mut Table<'_>, walk: &mut Walk<'_>) -> Option<Placement> {
     let words = |list: &'static [&'static str]| list.iter().map(|w| (*w, *w)).collect::<Vec<_>>();
     let segment = walk.word(around, "around", &words(SEGMENTS));
-    let side = t.need("side", "\"front\"", walk).and_then(|v| walk.word(v, "side", &words(SIDES)));
+    let side = t.need("side", walk).and_then(|v| walk.word(v, "side", &words(SIDES)));
     let on_arm = segment.is_some_and(|s| s.starts_with("arm"));
     let height = match t.take("height") {
         Some(value) => walk.quantity::<Length>(value, "height"),
         // On an arm the height counts from the joint: zero is a sound default. Elsewhere there is none.
         None if on_arm => Some(0.0),
-        None => t.need("height", "\"914 mm\"", walk).map(|_| 0.0),
+        None => t.need("height", walk).map(|_| 0.0),
     };
     let turn = match t.take("turn") {
         Some(value) => walk.quantity::<Angle>(value, "turn"),
@@ -59,7 +69,7 @@ fn wrapped(around: Value<'_>, t: &mut Table<'_>, walk: &mut Walk<'_>) -> Option<
 
 fn explicit(rotation: Value<'_>, t: &mut Table<'_>, walk: &mut Walk<'_>) -> Option<Placement> {
     let example = "[\"0 mm\", \"914 mm\", \"250 mm\"]";
-    let translation = t.need("translation", example, walk).and_then(|v| {
+    let translation = t.need("translation", walk).and_then(|v| {
         let items = walk.list(v, "translation", 3, example)?;
         let parts: Vec<_> = items.iter().map(|i| walk.quantity::<Length>(i, "translation")).collect();
         Some(Vec3::new(parts[0]?, parts[1]?, parts[2]?))
@@ -99,25 +109,25 @@ fn is_rotation(r: &[[f64; 3]; 3]) -> bool {
 
 /// A layer order.
 pub fn layer(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Option<LayerSpec> {
-    let mut t = Table::new(table, span, Some("layer"));
-    let pieces = t.need("pieces", "[\"lining-front\"]", walk).and_then(|v| walk.texts(v, "pieces"));
-    let order = t.need("order", "-1", walk).and_then(|v| walk.integer(v, "order"));
-    t.finish(&["pieces", "order"], "[[layer]]", walk);
+    let mut t = Table::new(table, span, &keys::LAYER);
+    let pieces = t.need("pieces", walk).and_then(|v| walk.texts(v, "pieces"));
+    let order = t.need("order", walk).and_then(|v| walk.integer(v, "order"));
+    t.finish(walk);
     Some(LayerSpec { pieces: pieces?, order: order? })
 }
 
 /// An edge tied to the body.
 pub fn attach(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Option<AttachSpec> {
     let at = span.start;
-    let mut t = Table::new(table, span, Some("attach"));
-    let piece = t.need("piece", "\"waistband\"", walk).and_then(|v| walk.text(v, "piece"));
-    let edge = t.need("edge", "\"top\"", walk).and_then(|v| walk.label(v, "edge"));
-    let to = t.need("to", "\"waist\"", walk).and_then(|v| walk.text(v, "to"));
+    let mut t = Table::new(table, span, &keys::ATTACH);
+    let piece = t.need("piece", walk).and_then(|v| walk.text(v, "piece"));
+    let edge = t.need("edge", walk).and_then(|v| walk.label(v, "edge"));
+    let to = t.need("to", walk).and_then(|v| walk.text(v, "to"));
     let strength = match t.take("strength") {
         Some(value) => strength(value, walk),
         None => Some(AttachStrength::Hold),
     };
-    t.finish(&["piece", "edge", "to", "strength"], "[[attach]]", walk);
+    t.finish(walk);
     let source = Some(walk.source(at, Some("attach")));
     Some(AttachSpec { piece: piece?, edge: edge?, to: to?, strength: strength?, source })
 }
@@ -143,14 +153,14 @@ fn strength(value: Value<'_>, walk: &mut Walk<'_>) -> Option<AttachStrength> {
 /// A second copy of a piece.
 pub fn copy(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Option<CopySpec> {
     let at = span.start;
-    let mut t = Table::new(table, span, Some("copy"));
-    let piece = t.need("piece", "\"sleeve\"", walk).and_then(|v| walk.text(v, "piece"));
-    let name = t.need("name", "\"sleeve-right\"", walk).and_then(|v| walk.text(v, "name"));
+    let mut t = Table::new(table, span, &keys::COPY);
+    let piece = t.need("piece", walk).and_then(|v| walk.text(v, "piece"));
+    let name = t.need("name", walk).and_then(|v| walk.text(v, "name"));
     let mirror = match t.take("mirror") {
         Some(value) => walk.flag(value, "mirror"),
         None => Some(false),
     };
-    t.finish(&["piece", "name", "mirror"], "[[copy]]", walk);
+    t.finish(walk);
     let source = Some(walk.source(at, Some("copy")));
     Some(CopySpec { piece: piece?, name: name?, mirror: mirror?, source })
 }

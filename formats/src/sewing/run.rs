@@ -1,5 +1,6 @@
 //! Runs of outline edges: `"front.side-left"`, `"front.3"`, two points, or a list of those.
 
+use super::keys;
 use super::walk::{Table, Value, Walk};
 use std::ops::Range;
 use toile_garment::sewing::{EdgeNameSpec, RunSpec, RunWay};
@@ -7,6 +8,11 @@ use toml::de::{DeTable, DeValue};
 
 const WAYS: &[(&str, RunWay)] =
     &[("short", RunWay::Short), ("long", RunWay::Long), ("left", RunWay::Left), ("right", RunWay::Right)];
+
+/// The words of `way`.
+pub fn ways() -> Vec<&'static str> {
+    WAYS.iter().map(|(word, _)| *word).collect()
+}
 
 /// One side of a seam.
 pub fn side(value: Value<'_>, key: &str, walk: &mut Walk<'_>) -> Option<Vec<RunSpec>> {
@@ -42,10 +48,10 @@ fn named(value: Value<'_>, key: &str, walk: &mut Walk<'_>) -> Option<RunSpec> {
 }
 
 fn run_table(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Option<RunSpec> {
-    let mut t = Table::new(table, span, Some("run"));
-    let piece = t.need("piece", "\"front\"", walk).and_then(|v| walk.text(v, "piece"));
+    let mut t = Table::new(table, span, &keys::RUN);
+    let piece = t.need("piece", walk).and_then(|v| walk.text(v, "piece"));
     let run = body(&mut t, piece, walk);
-    t.finish(&["piece", "from", "to", "way", "edge"], "a run", walk);
+    t.finish(walk);
     run
 }
 
@@ -55,8 +61,8 @@ fn body(t: &mut Table<'_>, piece: Option<String>, walk: &mut Walk<'_>) -> Option
         let edge = walk.label(value, "edge");
         return Some(RunSpec::Edge { piece: piece?, edge: edge? });
     }
-    let from = t.need("from", "[\"12 mm\", \"340 mm\"]", walk).and_then(|v| walk.point(v, "from"));
-    let to = t.need("to", "[\"12 mm\", \"20 mm\"]", walk).and_then(|v| walk.point(v, "to"));
+    let from = t.need("from", walk).and_then(|v| walk.point(v, "from"));
+    let to = t.need("to", walk).and_then(|v| walk.point(v, "to"));
     let way = match t.take("way") {
         Some(value) => walk.word(value, "way", WAYS),
         None => Some(RunWay::Short),
@@ -66,10 +72,10 @@ fn body(t: &mut Table<'_>, piece: Option<String>, walk: &mut Walk<'_>) -> Option
 
 /// A `[[edge]]`: a name for a run.
 pub fn edge_name(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Option<EdgeNameSpec> {
-    let mut t = Table::new(table, span, Some("edge"));
-    let piece = t.need("piece", "\"front\"", walk).and_then(|v| walk.text(v, "piece"));
-    let name = t.need("name", "\"side-left\"", walk).and_then(|v| walk.text(v, "name"));
+    let mut t = Table::new(table, span, &keys::EDGE);
+    let piece = t.need("piece", walk).and_then(|v| walk.text(v, "piece"));
+    let name = t.need("name", walk).and_then(|v| walk.text(v, "name"));
     let run = body(&mut t, piece, walk);
-    t.finish(&["piece", "name", "number", "from", "to", "way", "edge"], "[[edge]]", walk);
+    t.finish(walk);
     Some(EdgeNameSpec { run: run?, name: name? })
 }

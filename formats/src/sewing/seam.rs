@@ -1,7 +1,7 @@
 //! `[[seam]]`.
 
-use super::run;
 use super::walk::{Table, Walk};
+use super::{keys, run};
 use std::ops::Range;
 use toile_garment::sewing::SeamSpec;
 use toile_garment::units::Length;
@@ -10,13 +10,13 @@ use toml::de::DeTable;
 /// One seam; `n` numbers those without a name.
 pub fn seam(table: &DeTable<'_>, span: Range<usize>, n: usize, walk: &mut Walk<'_>) -> Option<SeamSpec> {
     let at = span.start;
-    let mut t = Table::new(table, span, Some("seam"));
+    let mut t = Table::new(table, span, &keys::SEAM);
     let name = match t.take("name") {
         Some(value) => walk.text(value, "name"),
         None => Some(format!("seam-{}", n + 1)),
     };
-    let a = t.need("a", "\"front.side-left\"", walk).and_then(|v| run::side(v, "a", walk));
-    let b = t.need("b", "\"back.side-left\"", walk).and_then(|v| run::side(v, "b", walk));
+    let a = t.need("a", walk).and_then(|v| run::side(v, "a", walk));
+    let b = t.need("b", walk).and_then(|v| run::side(v, "b", walk));
     let ease = t.take("ease").map(|v| walk.quantity::<Length>(v, "ease"));
     let gather = t.take("gather").map(|v| gather(v, walk));
     let reverse = t.take("reverse").map(|v| walk.flag(v, "reverse"));
@@ -25,7 +25,7 @@ pub fn seam(table: &DeTable<'_>, span: Range<usize>, n: usize, walk: &mut Walk<'
             d.hint("ease is the difference in length, gather the ratio of longer over shorter")
         });
     }
-    t.finish(&["name", "a", "b", "ease", "gather", "reverse"], "[[seam]]", walk);
+    t.finish(walk);
     let source = Some(walk.source(at, Some("seam")));
     Some(SeamSpec {
         name: name?,

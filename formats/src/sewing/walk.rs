@@ -1,5 +1,6 @@
 //! Walking a TOML table with spans: every mistake is kept with its place, and the walk goes on.
 
+use super::keys::Keys;
 use super::lines::Lines;
 use serde_spanned::Spanned;
 use std::ops::Range;
@@ -23,28 +24,29 @@ pub struct Table<'v> {
     taken: Vec<&'v str>,
     /// Where it stands.
     pub span: Range<usize>,
-    /// Its name for messages.
-    pub name: Option<&'static str>,
+    /// The keys it may have.
+    pub keys: &'static Keys,
 }
 
 impl<'v> Table<'v> {
     /// Starts taking keys.
-    pub fn new(table: &'v DeTable<'v>, span: Range<usize>, name: Option<&'static str>) -> Self {
-        Self { table, taken: Vec::new(), span, name }
+    pub fn new(table: &'v DeTable<'v>, span: Range<usize>, keys: &'static Keys) -> Self {
+        Self { table, taken: Vec::new(), span, keys }
     }
 
-    /// The value of a key.
+    /// The value of a key. A key that is not among those of the table is never read.
     pub fn take(&mut self, key: &str) -> Option<Value<'v>> {
-        let (key, value) = self.table.get_key_value(key)?;
+        let (key, value) = self.table.get_key_value(self.keys.find(key)?.name)?;
         self.taken.push(key.get_ref());
         Some(value)
     }
 
     /// The value of a key that must be there.
-    pub fn need(&mut self, key: &str, example: &str, walk: &mut Walk<'_>) -> Option<Value<'v>> {
+    pub fn need(&mut self, key: &str, walk: &mut Walk<'_>) -> Option<Value<'v>> {
         let value = self.take(key);
         if value.is_none() {
-            let name = self.name.unwrap_or("table");
+            let name = self.keys.name;
+            let example = self.keys.find(key).map_or("…", |k| k.example);
             walk.error("sewing-key-missing", self.span.start, format!("`{name}` has no `{key}`"), |d| {
                 d.hint(format!("add {key} = {example}"))
             });
@@ -53,10 +55,11 @@ impl<'v> Table<'v> {
     }
 
     /// Reports the keys nobody took.
-    pub fn finish(self, known: &[&str], what: &str, walk: &mut Walk<'_>) {
+    pub fn finish(self, walk: &mut Walk<'_>) {
+        let what = self.keys.heading;
         for key in self.table.keys().filter(|k| !self.taken.iter().any(|t| *t == k.get_ref().as_ref())) {
             let message = format!("unknown key `{}` in {what}", key.get_ref());
-            let hint = nearest(key.get_ref(), known.iter().copied());
+            let hint = nearest(key.get_ref(), self.keys.keys.iter().map(|k| k.name));
             walk.error("sewing-unknown-key", key.span().start, message, |d| d.hint(hint));
         }
     }

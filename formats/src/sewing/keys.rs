@@ -1,0 +1,304 @@
+//! Every key of a sewing file: its table, its form, an example, and what it means.
+//!
+//! The reader takes no key that does not stand here, and the schema is built from the same tables.
+
+use super::{dart, place, run};
+
+/// The form of a value.
+#[derive(Clone, Copy, Debug)]
+pub enum Form {
+    /// A text in quotes.
+    Text,
+    /// A list of texts.
+    Texts,
+    /// A name or a whole number.
+    Label,
+    /// A length with its unit.
+    Length,
+    /// An angle with its unit.
+    Angle,
+    /// A plain number between two limits.
+    Number(f64, f64),
+    /// A whole number.
+    Integer,
+    /// `true` or `false`.
+    Flag,
+    /// One word of a list.
+    Word(fn() -> Vec<&'static str>),
+    /// Two lengths.
+    Point,
+    /// A list of points.
+    Points,
+    /// Two points.
+    TwoPoints,
+    /// Three lengths.
+    Vector,
+    /// Three rows of three plain numbers.
+    Matrix,
+    /// One run of outline edges, or a list of runs.
+    Side,
+    /// `hold`, or `elastic` and a number.
+    Strength,
+    /// A list of tables.
+    Tables(&'static Keys),
+}
+
+/// One key.
+#[derive(Debug)]
+pub struct Key {
+    pub name: &'static str,
+    pub form: Form,
+    pub required: bool,
+    /// How a value is written.
+    pub example: &'static str,
+    pub about: &'static str,
+}
+
+/// The keys of one table.
+#[derive(Debug)]
+pub struct Keys {
+    /// Name of the table in messages.
+    pub name: &'static str,
+    /// The table as the file writes it.
+    pub heading: &'static str,
+    pub about: &'static str,
+    pub keys: &'static [Key],
+}
+
+impl Keys {
+    /// The key of a name.
+    pub fn find(&self, name: &str) -> Option<&'static Key> {
+        self.keys.iter().find(|k| k.name == name)
+    }
+}
+
+const fn must(name: &'static str, form: Form, example: &'static str, about: &'static str) -> Key {
+    Key { name, form, required: true, example, about }
+}
+
+const fn may(name: &'static str, form: Form, example: &'static str, about: &'static str) -> Key {
+    Key { name, form, required: false, example, about }
+}
+
+const PIECE: &str = "The piece, by its name in the pattern or that of a copy.";
+
+/// The top of the file.
+pub static TOP: Keys = Keys {
+    name: "table",
+    heading: "the sewing file",
+    about: "What a pattern file cannot say: seams, darts, places, layers, attachments, copies, names of edges.",
+    keys: &[
+        may("seam", Form::Tables(&SEAM), "[[seam]]", "Seams, in the order in which they are named in reports."),
+        may("dart", Form::Tables(&DART), "[[dart]]", "Darts and pleats that the reader cannot see, or must not see."),
+        may("place", Form::Tables(&PLACE), "[[place]]", "Where pieces start in 3D."),
+        may("layer", Form::Tables(&LAYER), "[[layer]]", "Which pieces lie over which."),
+        may("attach", Form::Tables(&ATTACH), "[[attach]]", "Edges that are held on the body."),
+        may("copy", Form::Tables(&COPY), "[[copy]]", "Further copies of drawn pieces."),
+        may("edge", Form::Tables(&EDGE), "[[edge]]", "Names for edges of pieces."),
+        may("leave_out", Form::Texts, "[\"facing\"]", "Pieces that are not sewn."),
+    ],
+};
+
+/// `[[seam]]`.
+pub static SEAM: Keys = Keys {
+    name: "seam",
+    heading: "[[seam]]",
+    about: "A seam: two sides that are sewn to each other.",
+    keys: &[
+        may("name", Form::Text, "\"side-left\"", "Name of the seam. Default: `seam-1`, `seam-2` and so on."),
+        must("a", Form::Side, "\"front.side-left\"", "The first side."),
+        must(
+            "b",
+            Form::Side,
+            "\"back.side-left\"",
+            "The second side. Where both sides are points, `a.from` meets `b.from`.",
+        ),
+        may(
+            "ease",
+            Form::Length,
+            "\"4 mm\"",
+            "How much longer side `a` or `b` may be; the longer side is held in evenly.",
+        ),
+        may(
+            "gather",
+            Form::Number(1.0, 100.0),
+            "1.6",
+            "Length of the longer side over the shorter. Not beside `ease`.",
+        ),
+        may(
+            "reverse",
+            Form::Flag,
+            "true",
+            "Whether the start of `a` meets the end of `b`. Default: found from notches and places.",
+        ),
+    ],
+};
+
+/// `[[dart]]`.
+pub static DART: Keys = Keys {
+    name: "dart",
+    heading: "[[dart]]",
+    about: "A dart or pleat that is declared, or a wedge that is denied.",
+    keys: &[
+        must("piece", Form::Text, "\"front\"", PIECE),
+        may("name", Form::Text, "\"waist-left\"", "Name of the dart. Default: a number."),
+        may(
+            "kind",
+            Form::Word(dart::kinds),
+            "\"wedge\"",
+            "Kind of the dart; `none` says that this wedge is no dart. Default: `wedge`.",
+        ),
+        may("apex", Form::Point, "[\"154 mm\", \"330 mm\"]", "The apex of a wedge, in the coordinates of the piece."),
+        may(
+            "apexes",
+            Form::Points,
+            "[[\"154 mm\", \"330 mm\"], [\"154 mm\", \"90 mm\"]]",
+            "Both apexes of a fish-eye, or the ends of a pleat's lines.",
+        ),
+        must(
+            "mouth",
+            Form::TwoPoints,
+            "[[\"140 mm\", \"443 mm\"], [\"168 mm\", \"443 mm\"]]",
+            "The two points where the legs begin.",
+        ),
+    ],
+};
+
+const ROTATION: Key = must(
+    "rotation",
+    Form::Matrix,
+    "[[1,0,0],[0,1,0],[0,0,1]]",
+    "Rows of the rotation: world = rotation · [x, y, 0] + translation. The right side faces outwards.",
+);
+const TRANSLATION: Key = must(
+    "translation",
+    Form::Vector,
+    "[\"0 mm\", \"914 mm\", \"250 mm\"]",
+    "Where the origin of the piece goes: +x is the wearer's left, +y up, +z front.",
+);
+const AROUND: Key = must(
+    "around",
+    Form::Word(place::segments),
+    "\"torso\"",
+    "The segment of the body that the piece is wrapped around.",
+);
+const SIDE: Key =
+    must("side", Form::Word(place::sides), "\"front\"", "The side of the segment that the middle of the piece faces.");
+const HEIGHT: Key = may(
+    "height",
+    Form::Length,
+    "\"914 mm\"",
+    "Height of the origin of the piece over the floor; on an arm, the way from the joint (default 0). Required elsewhere.",
+);
+const TURN: Key = may("turn", Form::Angle, "\"15 deg\"", "Turn about the axis of the segment. Default: 0.");
+
+/// `[[place]]`, in either form.
+pub static PLACE: Keys = Keys {
+    name: "place",
+    heading: "[[place]]",
+    about: "Where a piece starts: by rotation and translation, or wrapped around a segment of the body.",
+    keys: &[must("piece", Form::Text, "\"front\"", PIECE), AROUND, SIDE, HEIGHT, TURN, ROTATION, TRANSLATION],
+};
+
+/// `[[place]]` around a segment of the body.
+pub static PLACE_AROUND: Keys = Keys {
+    name: "place",
+    heading: "[[place]]",
+    about: "A piece wrapped around a segment of the body.",
+    keys: &[must("piece", Form::Text, "\"front\"", PIECE), AROUND, SIDE, HEIGHT, TURN],
+};
+
+/// `[[place]]` by rotation and translation.
+pub static PLACE_EXPLICIT: Keys = Keys {
+    name: "place",
+    heading: "[[place]]",
+    about: "A piece placed by rotation and translation.",
+    keys: &[must("piece", Form::Text, "\"front\"", PIECE), ROTATION, TRANSLATION],
+};
+
+/// `[[layer]]`.
+pub static LAYER: Keys = Keys {
+    name: "layer",
+    heading: "[[layer]]",
+    about: "The order in which pieces lie over each other.",
+    keys: &[
+        must("pieces", Form::Texts, "[\"lining-front\"]", "The pieces."),
+        must(
+            "order",
+            Form::Integer,
+            "-1",
+            "Their order: smaller lies nearer to the body. Pieces that no layer names have 0.",
+        ),
+    ],
+};
+
+/// `[[attach]]`.
+pub static ATTACH: Keys = Keys {
+    name: "attach",
+    heading: "[[attach]]",
+    about: "An edge that is held on the body.",
+    keys: &[
+        must("piece", Form::Text, "\"waistband\"", PIECE),
+        must("edge", Form::Label, "\"top\"", "The edge, by name or number."),
+        must("to", Form::Text, "\"waist\"", "The landmark or girth of the body file that holds it."),
+        may(
+            "strength",
+            Form::Strength,
+            "\"hold\"",
+            "`hold`, or `elastic` and the relative length of the band, e.g. `elastic 0.9`. Default: `hold`.",
+        ),
+    ],
+};
+
+/// `[[copy]]`.
+pub static COPY: Keys = Keys {
+    name: "copy",
+    heading: "[[copy]]",
+    about: "A further copy of a drawn piece.",
+    keys: &[
+        must("piece", Form::Text, "\"sleeve\"", "The drawn piece."),
+        must("name", Form::Text, "\"sleeve-right\"", "Name of the copy."),
+        may("mirror", Form::Flag, "true", "Whether the copy is mirrored. Default: false."),
+    ],
+};
+
+const RUN_FROM: Key = may(
+    "from",
+    Form::Point,
+    "[\"12 mm\", \"340 mm\"]",
+    "Start of the run, within 1 mm of a corner or vertex of the outline.",
+);
+const RUN_TO: Key = may("to", Form::Point, "[\"12 mm\", \"20 mm\"]", "End of the run.");
+const RUN_WAY: Key =
+    may("way", Form::Word(run::ways), "\"short\"", "Which way around the piece from `from` to `to`. Default: `short`.");
+
+/// One run of outline edges as a table.
+pub static RUN: Keys = Keys {
+    name: "run",
+    heading: "a run",
+    about: "A run of outline edges: `edge`, or `from` and `to`.",
+    keys: &[
+        must("piece", Form::Text, "\"front\"", PIECE),
+        RUN_FROM,
+        RUN_TO,
+        RUN_WAY,
+        may("edge", Form::Label, "\"side-left\"", "The edge, by name or number."),
+        may("number", Form::Label, "3", "The edge, by number; the same as `edge`."),
+    ],
+};
+
+/// `[[edge]]`.
+pub static EDGE: Keys = Keys {
+    name: "edge",
+    heading: "[[edge]]",
+    about: "A name for a run of outline edges: `number`, or `from` and `to`.",
+    keys: &[
+        must("piece", Form::Text, "\"front\"", PIECE),
+        must("name", Form::Text, "\"side-left\"", "The name."),
+        may("number", Form::Label, "3", "The edge, by the number that `toile inspect --svg` draws."),
+        RUN_FROM,
+        RUN_TO,
+        RUN_WAY,
+        may("edge", Form::Label, "\"3\"", "The edge, by name or number; the same as `number`."),
+    ],
+};
