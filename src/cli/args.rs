@@ -40,12 +40,33 @@ pub enum Verb {
     Fabric(FabricArgs),
     /// List the stages, or explain one with all its parameters.
     Stages(StagesArgs),
-    /// Print the JSON schema of pipeline files.
-    Schema,
+    /// Print the JSON schema of pipeline files, or of another kind of file.
+    Schema(SchemaArgs),
     /// Explain the code of a finding.
     Explain(ExplainArgs),
     /// Print the completion script of a shell.
     Completions(CompletionsArgs),
+}
+
+/// Options of `schema`.
+#[derive(Args, Debug)]
+pub struct SchemaArgs {
+    /// Kind of file.
+    #[arg(value_name = "KIND", value_enum, default_value = "pipeline")]
+    pub kind: FileKind,
+}
+
+/// Kinds of files that a person writes.
+#[derive(Clone, Copy, Debug, ValueEnum)]
+pub enum FileKind {
+    /// The chain of stages.
+    Pipeline,
+    /// Seams, darts and places beside a pattern.
+    Sewing,
+    /// What was measured on a cloth.
+    Fabric,
+    /// Measures, landmarks and segments beside the mesh of a body.
+    Body,
 }
 
 /// Which pipeline, and what it may do.

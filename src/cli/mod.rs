@@ -85,7 +85,7 @@ fn dispatch(cli: Cli, mut registry: Registry, stop: &Arc<Stop>, console: &mut Co
         Verb::Body(args) => body::run(&args, console),
         Verb::Fabric(args) => fabric::run(&args, stop, console),
         Verb::Stages(args) => stages::run(&args, &registry, console),
-        Verb::Schema => schema::run(&registry, console),
+        Verb::Schema(args) => schema::run(&args, &registry, console),
         Verb::Explain(args) => explain::run(&args, console),
         Verb::Completions(args) => completions::run(&args, console),
     }

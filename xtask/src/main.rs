@@ -1,0 +1,85 @@
+//! The daily commands of the repository: `cargo xtask COMMAND [MORE ARGUMENTS]`.
+
+#![allow(clippy::print_stdout, clippy::print_stderr)]
+
+mod book;
+mod dependencies;
+mod licences;
+mod notices;
+mod run;
+
+use run::{Done, cargo};
+use std::process::ExitCode;
+
+/// One command: its name, what it does, and its work.
+type Command = (&'static str, &'static str, fn(&[String]) -> Done);
+
+const COMMANDS: [Command; 13] = [
+    ("fmt", "writes all sources in the one form", |more| cargo(&["fmt", "--all"], more)),
+    ("lint", "clippy over all packages, warnings fail", lint),
+    ("doc", "the documentation of all packages, warnings fail", doc),
+    ("test", "all tests; the solver's with overflow checks", test),
+    ("golden", "the golden cases", |more| cargo(&["test", "--release", "--locked", "--test", "golden"], more)),
+    ("bless", "writes schemas and the book's reference anew", bless),
+    ("validate", "all physics cases, as a table", |more| harness("validation", more)),
+    ("stability", "all hard cases, as a table", |more| harness("stability", more)),
+    ("book", "builds the book with the pinned mdBook, warnings fail", book::build),
+    ("deny", "licences, bans and sources of all dependencies, by deny.toml", licences::check),
+    ("notices", "third-party notices of the program, into target/THIRD-PARTY.md", notices::write),
+    ("fuzz", "type-checks the fuzz targets", fuzz),
+    ("ci", "all that must hold before a change is taken", |more| run::program("bash", &[".ci/run"], more, &[])),
+];
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let found = arguments.first().and_then(|name| COMMANDS.iter().find(|(n, ..)| n == name));
+    let Some((_, _, work)) = found else {
+        println!("cargo xtask COMMAND [MORE ARGUMENTS]\n");
+        COMMANDS.iter().for_each(|(name, about, _)| println!("  {name:<10} {about}"));
+        return if arguments.is_empty() { ExitCode::SUCCESS } else { ExitCode::from(2) };
+    };
+    match work(&arguments[1..]) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(why) => {
+            eprintln!("{why}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn lint(more: &[String]) -> Done {
+    let words = ["clippy", "--release", "--locked", "--workspace", "--all-targets"];
+    cargo(&words, &[more, &["--".to_owned(), "-D".to_owned(), "warnings".to_owned()]].concat())
+}
+
+fn doc(more: &[String]) -> Done {
+    let words = ["doc", "--release", "--locked", "--no-deps", "--workspace"];
+    run::program("cargo", &words, more, &[("RUSTDOCFLAGS", "-D warnings")])
+}
+
+/// The shipped solver has no overflow checks, because they cost time; its own tests run with them.
+fn test(more: &[String]) -> Done {
+    let checks = "profile.release.package.toile-cloth.overflow-checks=true";
+    cargo(&["test", "--release", "--locked", "--workspace", "--exclude", "toile-cloth"], more)?;
+    cargo(&["test", "--release", "--locked", "--package", "toile-cloth", "--config", checks], more)
+}
+
+fn bless(more: &[String]) -> Done {
+    let words = ["test", "--release", "--locked", "--test", "pipelines", "--test", "book"];
+    run::program("cargo", &words, more, &[("TOILE_BLESS", "1")])
+}
+
+fn harness(name: &str, more: &[String]) -> Done {
+    let words = ["test", "--release", "--locked", "--package", "toile", "--test", name, "--", "--all"];
+    cargo(&words, more)
+}
+
+/// The targets lie outside the workspace. They are checked with its versions and its compiled dependencies, and without
+/// the C++ part of libFuzzer, which only a fuzzing run needs.
+fn fuzz(more: &[String]) -> Done {
+    let lock = "fuzz/Cargo.lock";
+    std::fs::copy("Cargo.lock", lock).map_err(|e| format!("{lock}: {e}"))?;
+    let words = ["check", "--release", "--manifest-path", "fuzz/Cargo.toml", "--target-dir", "target"];
+    let settings = [("CUSTOM_LIBFUZZER_PATH", "none"), ("CARGO_PROFILE_RELEASE_DEBUG", "false")];
+    run::program("cargo", &words, more, &settings)
+}
