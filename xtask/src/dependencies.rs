@@ -29,10 +29,7 @@ pub fn all(package: Option<&str>) -> Result<Vec<Dependency>, String> {
     }
     let metadata: Value = serde_json::from_slice(&output.stdout).map_err(|e| format!("cargo metadata: {e}"))?;
     let packages = list(&metadata["packages"]);
-    let wanted = match package {
-        Some(name) => Some(built_of(&metadata, packages, name)),
-        None => None,
-    };
+    let wanted = package.map(|name| built_of(&metadata, packages, name));
     let mut found: Vec<Dependency> = packages
         .iter()
         .filter(|p| p["source"].is_string() && wanted.as_ref().is_none_or(|ids| ids.contains(text(&p["id"]))))
