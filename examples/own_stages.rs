@@ -14,7 +14,7 @@ struct Annotate;
 #[derive(Debug, Deserialize, Serialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 struct AnnotateParams {
-    /// What to write.
+    /// The text that is written.
     text: String,
 }
 

@@ -1,4 +1,5 @@
-//! What each code of a finding means: the text of `toile explain CODE`. A code stands here as soon as it can appear.
+//! The meaning of each code of a finding: the text of `toile explain CODE`. A code stands here as soon as it can
+//! appear.
 
 mod cloth;
 mod dxf;
@@ -13,7 +14,7 @@ mod sewing;
 pub struct Code {
     /// Kebab case, reads as what is wrong.
     pub code: &'static str,
-    /// What is wrong and what to do.
+    /// The mistake, and what to do about it.
     pub text: &'static str,
 }
 

@@ -1,4 +1,4 @@
-//! What a person sees on the terminal.
+//! The terminal as a person sees it.
 
 mod support;
 use serde_json::Value;

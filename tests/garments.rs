@@ -4,9 +4,10 @@
 //! TOILE_GARMENTS=FOLDER cargo test --release --test garments -- --ignored --nocapture
 //! ```
 //!
-//! The folder holds, per garment, `NAME.dxf` and `NAME.facts.json` (pieces with edges and placement, seam runs, body; mm),
-//! and `bodies/` with OBJ files in metres. Each becomes a project of its own: the facts make the sewing file, skirts and
-//! trousers are held at the waist. `TOILE_ONLY=WORD` takes those whose name holds the word, `TOILE_EDGE` another mesh.
+//! The folder holds, per garment, `NAME.dxf` and `NAME.facts.json` (pieces with edges and placement, seam runs, body;
+//! mm), and `bodies/` with OBJ files in metres. Each becomes a project of its own: the facts make the sewing file,
+//! skirts and trousers are held at the waist. `TOILE_ONLY=WORD` takes those whose name holds the word, `TOILE_EDGE`
+//! another mesh.
 
 #![allow(clippy::print_stdout, clippy::expect_used, clippy::unwrap_used)]
 

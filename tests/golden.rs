@@ -125,7 +125,7 @@ fn summary(folder: &Path, case: &Case) -> Result<Value, String> {
     }))
 }
 
-/// What a pattern file holds: counts exactly, lengths to 0.1 mm, so that the file of expectations stays readable.
+/// The contents of a pattern file: counts exactly, lengths to 0.1 mm, so that the file of expectations stays readable.
 fn facts(folder: &Path, out: &Path, (name, file): (&String, &String)) -> Result<(String, Value), String> {
     let path = file.strip_prefix("{out}/").map_or_else(|| folder.join(file), |below| out.join(below));
     let said = command(vec!["inspect".into(), path.into(), "--json".into()]);

@@ -1,5 +1,6 @@
-//! Effects that a build may leave out: what calls for one that is not there is refused by name, and what calls for none comes to
-//! the same bytes in every build. Run it for a build without them, too: `cargo test --no-default-features --test left_out`.
+//! Effects that a build may leave out: what calls for one that is not there is refused by name, and what calls for none
+//! comes to the same bytes in every build. Run it for a build without them, too: `cargo test --no-default-features
+//! --test left_out`.
 
 mod support;
 
@@ -34,7 +35,7 @@ fn hung(keys: &[&str]) -> Ended {
     run(folder.path(), CAP, &[])
 }
 
-/// What was asked for with the other effects off.
+/// The wanted effect, with the other effects off.
 fn with(effect: &str, key: &str) -> Ended {
     let keys: Vec<&str> = NONE.into_iter().filter(|off| !off.contains(effect)).chain([key]).collect();
     hung(&keys)

@@ -1,6 +1,6 @@
-//! What the program takes from the platform's mathematics: its last bits differ from platform to platform, so nothing
-//! that reaches an output may come from there. `clippy.toml` forbids it in our sources; this looks into the linked
-//! program, where all libraries are.
+//! The functions that the program takes from the platform's mathematics: its last bits differ from platform to
+//! platform, so nothing that reaches an output may come from there. `clippy.toml` forbids it in our sources; this looks
+//! into the linked program, where all libraries are.
 #![cfg(all(target_os = "linux", target_env = "gnu", not(debug_assertions)))]
 
 use std::collections::BTreeSet;

@@ -50,7 +50,7 @@ fn a_study_compares_goes_on_and_is_chosen_from() {
     is_chosen_from(dir.path(), &found);
 }
 
-/// What is through is not done again; what is not, or was done with other settings, is.
+/// Finished runs are not done again; unfinished ones, and those with other settings, are.
 fn goes_on(out: &Path, first: &Said, document: &Path) {
     let again = study(out, &["--json"]);
     assert_eq!((again.code, &again.out), (0, &first.out), "the same figures, times included");

@@ -17,7 +17,7 @@ const FLARE: f64 = 8.0;
 /// How much longer the front quarter is than the back quarter at the waist, half of it.
 const SHIFT: f64 = 5.0;
 
-/// What makes the front and the back differ.
+/// The differences between front and back.
 struct Quarter {
     /// Finished waist.
     waist: f64,

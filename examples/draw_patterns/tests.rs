@@ -1,4 +1,4 @@
-//! Is it a pattern? Lengths that are sewn together, closed lines, allowance, darts.
+//! A drawn file is a sound pattern: lengths that are sewn together, closed lines, allowance, darts.
 
 use super::*;
 use crate::draft::{Edge, length};

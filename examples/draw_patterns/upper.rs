@@ -1,4 +1,4 @@
-//! What all garments for the upper body share: shoulder, neckline, armhole.
+//! All garments for the upper body share this: shoulder, neckline, armhole.
 
 use crate::body::SHOULDER_SLOPE;
 use crate::draft::{Edge, at, left, towards};

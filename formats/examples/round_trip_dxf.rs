@@ -75,7 +75,8 @@ fn keep(folder: Option<&std::path::Path>, input: &str, name: &str, bytes: &[u8])
 
 type Files = Vec<(String, Vec<u8>)>;
 
-/// Every dialect of the whole size run: what its sample size, graded by the written rules, differs from the sizes drawn.
+/// Every dialect of the whole size run: what its sample size, graded by the written rules, differs from the sizes
+/// drawn.
 fn nest(pattern: &Pattern, input: &str) -> Vec<(Option<String>, Files)> {
     let table = std::fs::read(std::path::Path::new(input).with_extension("rul")).ok();
     let table = table.and_then(|b| rul::read(&b, "t.rul").ok());
@@ -96,7 +97,8 @@ fn nest(pattern: &Pattern, input: &str) -> Vec<(Option<String>, Files)> {
     trips.collect()
 }
 
-/// Grades the sample size of a nest by its table; every ruled vertex must lie on a vertex of the size drawn, within 0.01 mm.
+/// Grades the sample size of a nest by its table; every ruled vertex must lie on a vertex of the size drawn, within
+/// 0.01 mm.
 fn graded(bytes: &[u8], table: &[u8]) -> Result<(), String> {
     let pattern = read(bytes, "nest.dxf", &ReadOptions::default()).map_err(|e| format!("{:?}", e[0].message))?;
     let table = rul::read(table, "nest.rul").map_err(|e| format!("{:?}", e[0].message))?;

@@ -25,9 +25,9 @@ pub enum CornerKind {
 /// Allowances of a piece, metres.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Allowance {
-    /// Of every edge that has none of its own.
+    /// Width for every edge that has none of its own, m.
     pub width: f64,
-    /// Of single edges: number of the edge and width.
+    /// Widths of single edges: number of the edge and width, m.
     pub edges: Vec<(u32, f64)>,
     /// Corners.
     pub corners: CornerKind,
@@ -153,7 +153,7 @@ fn rings(line: &[LinePoint], widths: &[f64], corners: CornerKind) -> Vec<Ring> {
     out
 }
 
-/// What joins two strips at a convex vertex, seen from the vertex.
+/// The join of two strips at a convex vertex, seen from the vertex.
 fn join(at: Vec2, [from, to]: [Vec2; 2], kind: CornerKind) -> Vec<Vec2> {
     let (p, q) = (at + from, at + to);
     let meet = match kind {
@@ -315,9 +315,9 @@ mod tests {
 
     #[test]
     fn a_dart_becomes_narrower_by_its_allowance() {
-        // 30 mm wide, 100 mm deep. Its legs move inwards by 10 mm: the apex goes down by 10 / sin(half angle) less
-        // than the legs reach, so the cut wedge is a like triangle: at the cut line's height (610) it is as wide as
-        // 30 · (100 + 10 − h) / 100 with h = 10 / sin(atan(0.15)).
+        // 30 mm wide, 100 mm deep. Its legs move inwards by 10 mm, and the apex goes down by 10 / sin(half angle) less
+        // than the legs reach. So the cut wedge is a like triangle. At the cut line's height (610) it is as wide as 30
+        // · (100 + 10 − h) / 100 with h = 10 / sin(atan(0.15)).
         let line =
             [(0.0, 0.0), (300.0, 0.0), (300.0, 600.0), (165.0, 600.0), (150.0, 500.0), (135.0, 600.0), (0.0, 600.0)];
         let cut = cut(&line, &ten(CornerKind::Miter));

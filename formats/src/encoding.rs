@@ -48,8 +48,9 @@ fn dos_850(byte: u8) -> char {
     }
 }
 
-/// Chooses the code page: UTF-8 for AC1021 and later, if the bytes are; else UTF-8 when non-ASCII bytes are valid UTF-8;
-/// else the declared code page; else Shift-JIS or GBK when the bytes read as Japanese or Chinese; else Windows-1252.
+/// Chooses the code page. AC1021 and later are UTF-8 where the bytes are valid, and so are older files with valid
+/// non-ASCII bytes. Else the declared code page is taken. Without one, bytes that read as Japanese or Chinese are
+/// Shift-JIS or GBK, and all others Windows-1252.
 #[must_use]
 pub fn choose(bytes: &[u8], release: Option<&str>, code_page: Option<&str>) -> TextEncoding {
     let sure = |page| TextEncoding { page, guessed: false };

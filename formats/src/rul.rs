@@ -1,7 +1,8 @@
 //! Grade rule tables (`.rul`), the companion of an AAMA or ASTM DXF file.
 //!
-//! Read with all deviations seen in the field: with and without commas, SAMPLE SIZE before or after the size list,
-//! all pairs on the RULE line, one pair a line, a blank first line, `ANSI/AAMA` and `ASTM` headers.
+//! The reader takes all deviations that were seen in the field. Commas may be missing, and SAMPLE SIZE may stand before
+//! or after the size list. All pairs may stand on the RULE line, or one pair a line. The first line may be blank. It
+//! takes `ANSI/AAMA` and `ASTM` headers.
 
 use crate::encoding;
 use std::collections::BTreeMap;

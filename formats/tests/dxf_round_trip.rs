@@ -1,4 +1,4 @@
-//! What the writer writes, the reader reads: the sample patterns, out and in again.
+//! The reader reads what the writer writes: the sample patterns, out and in again.
 
 use std::path::PathBuf;
 use toile_formats::dxf::write::{Dialect, Drawing, PieceOptions, Sizes, StyleText, piece_drawing, write};

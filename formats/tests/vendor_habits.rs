@@ -1,7 +1,7 @@
 //! More than fifty small files in the habits of pattern systems, with facts worked out by hand.
 //!
-//! Most hold the same two pieces: a rectangle of 300 × 600 mm (1800 cm², 1800 mm round), and the same with a wedge of
-//! 30 × 100 mm in its upper edge (1785 cm²; 1800 − 30 + 2·√(15² + 100²) = 1972.2375 mm round).
+//! Most hold the same two pieces: a rectangle of 300 × 600 mm (1800 cm², 1800 mm round), and a second one. The second
+//! has a wedge of 30 × 100 mm in its upper edge (1785 cm²; 1800 − 30 + 2·√(15² + 100²) = 1972.2375 mm round).
 
 mod habits;
 

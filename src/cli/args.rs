@@ -9,7 +9,7 @@ use std::path::PathBuf;
 #[derive(Debug, Parser)]
 #[command(name = "toile", version, max_term_width = 100, after_help = HELP)]
 pub struct Cli {
-    /// What to do.
+    /// The verb.
     #[command(subcommand)]
     pub verb: Verb,
 }
@@ -63,7 +63,7 @@ pub enum FileKind {
     Pipeline,
     /// Seams, darts and places beside a pattern.
     Sewing,
-    /// What was measured on a cloth.
+    /// Measured figures of a cloth.
     Fabric,
     /// Measures, landmarks and segments beside the mesh of a body.
     Body,
@@ -87,7 +87,7 @@ pub struct PipelineArgs {
 }
 
 impl PipelineArgs {
-    /// As the loader wants it.
+    /// The request in the form of the loader.
     pub fn request(&self) -> Request {
         Request {
             file: self.pipeline.clone(),
@@ -132,7 +132,8 @@ pub struct RunArgs {
     /// Write events as JSON lines to this file.
     #[arg(long, value_name = "FILE")]
     pub events: Option<PathBuf>,
-    /// Keep preview.glb in the output folder: the garment while it is sewn and draped, new whenever a coarser mesh is done.
+    /// Keep preview.glb in the output folder: the garment while it is sewn and draped, new whenever a coarser mesh is
+    /// done.
     #[arg(long)]
     pub preview: bool,
     /// Let the pipeline write into this folder too; may be repeated.

@@ -80,7 +80,7 @@ pub(super) fn garment_from_bundle(bytes: &[u8]) -> Result<Garment, String> {
     toile_garment::bundle::from_text(text).map_err(|e| e.to_string())
 }
 
-/// What a person is told, and the files to write.
+/// The summary for a person, and the files to write.
 type Flattened = (String, Vec<(PathBuf, Vec<u8>)>);
 
 fn flatten(

@@ -13,7 +13,7 @@ use toile_garment::Diagnostic;
 
 pub(super) use meshes::refused as refused_glb;
 
-/// What was found in a file.
+/// The contents that were found in a file.
 pub(super) struct Inspected {
     /// For programs.
     pub json: Value,

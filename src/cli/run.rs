@@ -74,7 +74,7 @@ fn open_events(args: &RunArgs) -> Result<Option<Box<dyn Write + Send>>, Vec<Diag
     }
 }
 
-/// What came of it: one line per output.
+/// The result: one line per output.
 fn summary(outcome: &Outcome, out: &Path) -> String {
     let Some(record) = &outcome.record else { return String::new() };
     let mut text = String::new();

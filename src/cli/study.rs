@@ -70,7 +70,7 @@ fn study(args: &StudyArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &
     Ok(Exit::Good)
 }
 
-/// What is known of the chain before anything runs.
+/// The facts about the chain that are known before anything runs.
 struct Chain {
     name: String,
     file_name: String,

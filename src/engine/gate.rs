@@ -61,7 +61,7 @@ impl Gate {
         Ok(real)
     }
 
-    /// As [`Self::input`], but the file may be absent and its name is matched without regard to case.
+    /// Opens like [`Self::input`], but the file may be absent and its name is matched without regard to case.
     ///
     /// # Errors
     /// [`FileError::Refused`] outside the allowed folders.

@@ -31,8 +31,8 @@ fn milli(seconds: f64) -> f64 {
     (seconds * 1000.0).round() / 1000.0
 }
 
-/// Largest resident memory so far, MB, since `reset_peak` if that was called. Not reset from stage to stage: who measures
-/// the process from outside would see the last stage's peak only.
+/// Largest resident memory so far, MB, since `reset_peak` if that was called. Not reset from stage to stage: who
+/// measures the process from outside would see the last stage's peak only.
 #[must_use]
 pub fn peak_mb() -> Option<f64> {
     let status = std::fs::read_to_string("/proc/self/status").ok()?;

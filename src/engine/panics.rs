@@ -13,7 +13,7 @@ pub fn quiet_panics() {
     }));
 }
 
-/// What a panic said, and where.
+/// The message of a panic, and its place.
 #[must_use]
 pub fn panic_text(panic: &(dyn Any + Send)) -> String {
     let said = panic

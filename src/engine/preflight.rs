@@ -1,4 +1,4 @@
-//! What can be said about files before any work: inputs are there and allowed, outputs differ from each other.
+//! Checks of files before any work: inputs are there and allowed, outputs differ from each other.
 
 use super::gate::{Gate, output_below};
 use crate::pipeline::{PathText, Step, nearest};

@@ -88,7 +88,7 @@ pub struct RunRecord {
 }
 
 impl RunRecord {
-    /// As text.
+    /// The record as JSON text.
     #[must_use]
     pub fn to_text(&self) -> String {
         let mut text = serde_json::to_string_pretty(self).unwrap_or_default();

@@ -19,7 +19,7 @@ use toile_garment::provenance::{InputRecord, StageRecord};
 use toile_garment::{Diagnostic, Garment, Report};
 use toile_stage_api::{StageContext, StageError};
 
-/// What the caller wants of a run.
+/// The caller's wishes for a run.
 #[derive(Clone, Debug)]
 pub struct RunOptions {
     /// Output folder.
@@ -38,7 +38,7 @@ pub struct RunOptions {
     pub pipeline_file: (String, Vec<u8>),
 }
 
-/// What came of a run.
+/// The result of a run.
 pub struct Outcome {
     /// How it ended.
     pub exit: Exit,

@@ -10,7 +10,7 @@ use std::time::Duration;
 /// How long a stage has to see the flag before the program leaves without it.
 const GRACE: Duration = Duration::from_millis(350);
 
-/// What must be tidied when the program leaves in the middle of its work.
+/// The things to tidy when the program leaves in the middle of its work.
 #[derive(Default)]
 pub struct Stop {
     flag: AtomicBool,

@@ -50,7 +50,7 @@ pub struct PathText {
 }
 
 impl PathText {
-    /// Is it an output?
+    /// True for an output.
     #[must_use]
     pub fn is_output(&self) -> bool {
         self.text.starts_with("{out}")
@@ -133,7 +133,7 @@ fn looks_like_path(text: &str) -> bool {
         || text.contains('\0')
 }
 
-/// What the stages so far give.
+/// The aspects that the stages so far give.
 struct Chain<'r> {
     registry: &'r Registry,
     given: BTreeSet<Aspect>,

@@ -25,9 +25,9 @@ pub struct Document<'t> {
     pub version: u64,
     /// Seed for anything random.
     pub seed: u64,
-    /// What accuracy is wanted: the name of a preset or a length.
+    /// The wanted accuracy: the name of a preset or a length.
     pub accuracy: Option<Spanned<String>>,
-    /// What the caller may set.
+    /// The inputs that the caller may set.
     pub inputs: BTreeMap<String, Input>,
     /// Stages in other processes.
     pub plugins: Vec<Plugin>,

@@ -75,7 +75,7 @@ impl<'v> Filler<'_, '_, 'v> {
         Some(DeValue::String(filled.into()))
     }
 
-    /// What stands for `{name}`; `first` and `after` say what stands around it.
+    /// The value of `{name}`; `first` and `after` say what stands around it.
     fn named(&mut self, name: &str, first: bool, after: &str, span: &Range<usize>) -> Option<String> {
         let is_out = name == "out";
         let ends_well = !is_out || after.is_empty() || after.starts_with('/');

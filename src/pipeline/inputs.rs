@@ -10,7 +10,7 @@ use toile_garment::units::Length;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-/// What an input may hold.
+/// The kind of value that an input may hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum InputKind {
     /// Any text.

@@ -27,7 +27,7 @@ pub(super) struct ParamSet<'t> {
 pub(super) struct Overrides<'t> {
     /// Name, value, index.
     pub inputs: Vec<(String, String, usize)>,
-    /// Of stages.
+    /// Overrides of parameters of stages.
     pub params: Vec<ParamSet<'t>>,
 }
 

@@ -20,7 +20,7 @@ pub struct UnknownKey {
     pub path: Vec<String>,
     /// Where it stands.
     pub span: Range<usize>,
-    /// What was meant.
+    /// The known key that was probably meant.
     pub hint: String,
 }
 

@@ -26,12 +26,12 @@ pub enum Corners {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct AllowanceParams {
-    /// Of all edges that have none of their own, e.g. `"10 mm"`.
+    /// Width for all edges that have none of their own, e.g. `"10 mm"`.
     pub width: Length,
-    /// Of all edges of single pieces, e.g. `{ facing = "6 mm" }`.
+    /// Widths for all edges of single pieces, e.g. `{ facing = "6 mm" }`.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub pieces: BTreeMap<String, Length>,
-    /// Of single edges by piece and number or name, e.g. `{ "front.0" = "40 mm" }`.
+    /// Widths of single edges by piece and number or name, e.g. `{ "front.0" = "40 mm" }`.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub edges: BTreeMap<String, Length>,
     /// Corners.

@@ -91,7 +91,7 @@ fn close(start: &Scene, params: &DrapeParams, cx: &mut StageContext<'_>) -> Resu
     Ok(toile_cloth::sew(start, &settings, &mut Follow::new(cx))?.positions)
 }
 
-/// What the GLB will hold: the certificate speaks of the stored numbers.
+/// The positions as the GLB will store them: the certificate speaks of the stored numbers.
 #[allow(clippy::cast_possible_truncation)]
 fn to_f32(p: &Vec3) -> Vec3 {
     p.map(|c| f64::from(c as f32))

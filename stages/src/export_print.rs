@@ -26,7 +26,8 @@ pub struct ExportPrintParams {
     /// Between pieces (20 mm).
     #[serde(skip_serializing_if = "Option::is_none")]
     pub gap: Option<Length>,
-    /// A TrueType or OpenType file: names are drawn with its letters, so that those of any script stand in PDF and HPGL.
+    /// A TrueType or OpenType file: names are drawn with its letters, so that those of any script stand in PDF and
+    /// HPGL.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub font: Option<PathBuf>,
     /// Makes the cut lines anew.

@@ -36,7 +36,7 @@ impl FileUnit {
     }
 }
 
-/// What an INSERT does to the piece it places.
+/// The effect of an INSERT on the piece it places.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Inserts {
@@ -95,7 +95,7 @@ pub struct ImportDxfParams {
     /// Chords keep this near a curve (0.05 mm).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub curve: Option<Length>,
-    /// What INSERTs do to pieces (`shape`).
+    /// The effect of INSERTs on pieces (`shape`).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub inserts: Option<Inserts>,
     /// Takes the outline of pieces that have no sew line for their sew line, and makes a cut line around it.

@@ -1,7 +1,7 @@
 //! The built-in stages, one module each.
 //!
-//! The data's way: `import_dxf` (or `import_mesh`) → `triangulate` → `assemble` → `stitch` → `drape` (→ `animate`) → `texture` →
-//! exports, `flatten`, report.
+//! The data's way: `import_dxf` (or `import_mesh`) → `triangulate` → `assemble` → `stitch` → `drape` (→ `animate`) →
+//! `texture` → exports, `flatten`, report.
 
 pub mod allowance;
 pub mod animate;

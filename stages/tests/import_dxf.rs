@@ -140,7 +140,8 @@ fn a_list_of_sizes_gives_every_piece_in_each() {
         let garment = garment.expect("both");
         let names: Vec<&str> = garment.pieces.iter().map(|p| p.name.as_str()).collect();
         assert_eq!(names, ["BACK@40", "BACK@42"], "{sizes}");
-        // 200 × 400 mm; in 42 the upper right corner is 20 mm further right, the lower left stays: between them by length.
+        // 200 × 400 mm; in 42 the upper right corner is 20 mm further right, the lower left stays: between them by
+        // length.
         assert!((garment.pieces[0].outline.signed_area() - 0.08).abs() < 1e-12);
         let right = garment.pieces[1].outline.positions().iter().map(|p| p.x).fold(0.0, f64::max);
         assert!((right - 0.22).abs() < 1e-12);

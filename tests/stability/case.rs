@@ -1,4 +1,4 @@
-//! What a case is, and what comes of it.
+//! A case and its result.
 
 use crate::known;
 use crate::lab::{Count, Lab};
@@ -36,7 +36,7 @@ impl Case {
 pub struct Row {
     pub id: String,
     pub variants: usize,
-    /// What did not hold, with the variant where it did not.
+    /// The failed expectations, each with its variant.
     pub failures: Vec<String>,
     /// Variants with a failure.
     pub failed: usize,

@@ -1,4 +1,4 @@
-//! What must hold for every run that the program accepts (catalogue: U1 to U8).
+//! Checks that hold for every run that the program accepts (catalogue: U1 to U8).
 
 use crate::crossing;
 use crate::support::draped::Draped;

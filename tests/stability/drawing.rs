@@ -14,7 +14,7 @@ pub struct Sheet {
     /// A line in the middle of the piece, degrees from +x: the warp.
     pub grain: f64,
     pub material: &'static str,
-    /// Of the drawing's origin, mm; y is up.
+    /// Coordinates from the drawing's origin, mm; y is up.
     pub translation: [f64; 3],
     /// Faces backwards.
     pub back: bool,

@@ -190,7 +190,7 @@ impl<'a> Lab<'a> {
         Ok(run)
     }
 
-    /// What holds for every accepted run.
+    /// The checks that hold for every accepted run.
     pub fn judge(&mut self, trial: &Trial, run: &Ended) -> Result<Draped, String> {
         if run.code > 1 {
             self.count.silent += usize::from(run.findings().next().is_none());

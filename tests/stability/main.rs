@@ -1,11 +1,13 @@
-//! Hard cases: degenerate meshes, extreme cloth, seams and darts, contact, scale, numbers, symmetry. Each runs the way a
-//! user runs it, on files of its own making, and has the name it has in the catalogue (`E1-knife`).
+//! Hard cases: degenerate meshes, extreme cloth, seams and darts, contact, scale, numbers, symmetry. Each runs the way
+//! a user runs it, on files of its own making, and has the name it has in the catalogue (`E1-knife`).
 //!
 //! ```text
 //! cargo test --release -p toile --test stability                    # the quick cases, once; they must pass
 //! cargo test --release -p toile --test stability -- --all           # every case, as a table
+//!
 //! cargo test --release -p toile --test stability -- --all B E7      # cases whose name begins with one of these
 //! cargo test --release -p toile --test stability -- --matrix        # every case, 3 accuracies × 10 shaken starts
+//!
 //! cargo test --release -p toile --test stability -- --matrix --quick
 //! cargo test --release -p toile --test stability -- --list
 //! ```
@@ -13,13 +15,14 @@
 //! More switches: `--accuracy NAME`, `--cap SECONDS` (CPU time of one case, 90), `--json FILE`, `--keep FOLDER` (leaves
 //! the files of every run there), `--jitters N` (starts of the matrix, 10).
 //!
-//! What holds for every run that the program accepts is asked in one place, `checks.rs`: finite, nothing crosses by the
-//! program's exact count and by one of our own on the exported mesh, nothing inside the body, forces in balance, energy not
-//! grown, the exit code and the findings tell the truth. A run may also be refused, where the case says so: with a code, a
-//! place and a remedy. A start is shaken by a tenth of the cloth's thickness.
+//! The checks that hold for every accepted run stand in one place, `checks.rs`. All is finite. Nothing crosses, by the
+//! program's exact count and by one of our own on the exported mesh. Nothing is inside the body, forces are in balance,
+//! energy has not grown. The exit code and the findings tell the truth. A run may also be refused, where the case says
+//! so: with a code, a place and a remedy. A start is shaken by a tenth of the cloth's thickness.
 //!
 //! `known.rs` lists cases that fail and why: they do not break the test command, but the table says so, and `--all` and
-//! `--matrix` end with 1. What other harnesses hold stands in `cases/elsewhere.rs`, what cannot run in `cases/not_yet.rs`.
+//! `--matrix` end with 1. What other harnesses hold stands in `cases/elsewhere.rs`, what cannot run in
+//! `cases/not_yet.rs`.
 #![allow(clippy::print_stdout, clippy::expect_used, clippy::unwrap_used, missing_docs)]
 
 mod case;

@@ -11,7 +11,7 @@ pub struct Drawn {
     pub name: &'static str,
     /// mm.
     pub corners: Vec<[f64; 2]>,
-    /// Of the drawing's origin, mm; y is up.
+    /// Coordinates from the drawing's origin, mm; y is up.
     pub translation: [f64; 3],
     /// Degrees about x, y, z.
     pub rotation: [f64; 3],

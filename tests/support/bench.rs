@@ -14,7 +14,7 @@ pub struct Bench {
     pub dir: tempfile::TempDir,
 }
 
-/// What a command said.
+/// The output of a command.
 #[derive(Debug)]
 pub struct Said {
     pub code: u8,

@@ -1,4 +1,4 @@
-//! What came out of a drape.
+//! The result of a drape.
 
 use super::program::Ended;
 use serde_json::Value;

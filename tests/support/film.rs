@@ -1,4 +1,4 @@
-//! What came out of a motion: frames, and what is read off them over time.
+//! The result of a motion: frames, and what is read off them over time.
 
 use super::draped::positions;
 use super::program::Ended;
@@ -62,7 +62,8 @@ impl Signal {
         tops.map(|w| w[1] + over(w)).collect()
     }
 
-    /// Of a wave that neither grows nor dies, 1/s: a first guess, mended until its phase is the same in both halves.
+    /// Frequency of a wave that neither grows nor dies, 1/s: a first guess, mended until its phase is the same in both
+    /// halves.
     pub fn omega(&self) -> Result<f64, String> {
         let mut omega = TAU / self.period()?;
         let middle = self.values.len() / 2;

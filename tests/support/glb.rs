@@ -1,4 +1,4 @@
-//! What a GLB is made of, read without the program's own reader.
+//! The parts of a GLB, read without the program's own reader.
 
 use serde_json::{Value, json};
 

@@ -11,7 +11,7 @@ use toile::engine::Stop;
 /// The end of a run.
 pub struct Ended {
     pub code: u8,
-    /// What it said to people.
+    /// The messages for people.
     pub said: String,
     /// CPU time, s.
     pub cpu: f64,

@@ -186,7 +186,7 @@ pub struct Write;
 pub struct WriteParams {
     /// Where.
     pub file: PathBuf,
-    /// What.
+    /// The text that is written.
     #[serde(default)]
     pub text: String,
     /// Write the whole garment document instead.

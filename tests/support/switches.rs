@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-/// What every such test understands.
+/// The switches that every such test understands.
 pub struct Switches {
     pub all: bool,
     pub list: bool,

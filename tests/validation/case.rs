@@ -1,4 +1,4 @@
-//! What a case is, and what comes of it.
+//! A case and its result.
 
 use crate::lab::Lab;
 use crate::options::Options;

@@ -1,18 +1,19 @@
-//! Physics cases with a known answer, run the way a user runs them: a cloth mesh, pins, loads and a fabric file are
-//! written to a folder, `import-mesh` → `drape` → `export-obj` runs, with `animate` where time matters, and the result is measured against a closed form
-//! computed here.
+//! Physics cases with a known answer, run the way a user runs them. A cloth mesh, pins, loads and a fabric file are
+//! written to a folder. `import-mesh` → `drape` → `export-obj` runs, with `animate` where time matters. The result is
+//! measured against a closed form computed here.
 //!
 //! ```text
 //! cargo test --release -p toile --test validation                       # the quick cases; they must be good
 //! cargo test --release -p toile --test validation -- --all              # every case, as a table
+//!
 //! cargo test --release -p toile --test validation -- --all hang sleeve  # cases whose name holds one of these words
 //! cargo test --release -p toile --test validation -- --list
 //! ```
 //!
 //! More switches: `--accuracy`, `--model`, `--integrator` (keys of the drape, as in a pipeline), `--cap SECONDS` (CPU
-//! time of one case, 60), `--json FILE`, `--keep FOLDER` (leaves the files of every run there).
-//! Verdicts: `good` within the tolerance a converged solver reaches, `poor` within the one past which the model is
-//! wrong for the case, `bad` beyond it or without a result. The exit code is 1 when any is bad, or a quick one not good.
+//! time of one case, 60), `--json FILE`, `--keep FOLDER` (leaves the files of every run there). Verdicts: `good` within
+//! the tolerance a converged solver reaches, `poor` within the one past which the model is wrong for the case, `bad`
+//! beyond it or without a result. The exit code is 1 when any is bad, or a quick one not good.
 #![allow(clippy::print_stdout, clippy::expect_used, clippy::unwrap_used, missing_docs)]
 
 mod case;

@@ -1,4 +1,4 @@
-//! What the packages of the workspace depend on, as `cargo metadata` says it.
+//! The dependencies of the workspace, as `cargo metadata` lists them.
 
 use crate::run::root;
 use serde_json::Value;

@@ -22,7 +22,7 @@ pub fn program(name: &str, words: &[&str], more: &[String], settings: &[(&str, &
     }
 }
 
-/// What a program says, both ways out together.
+/// The output of a program, both streams together.
 pub fn said(name: &str, words: &[&str]) -> Result<String, String> {
     let output = Command::new(name).args(words).current_dir(root()).output().map_err(|e| format!("{name}: {e}"))?;
     let both = [output.stdout, output.stderr].map(|bytes| String::from_utf8_lossy(&bytes).into_owned());

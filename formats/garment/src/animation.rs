@@ -11,7 +11,8 @@ pub struct Animation {
     pub fps: f64,
     /// Number of frames.
     pub count: u32,
-    /// Per frame, per piece, per mesh vertex, metres. Empty in the document of a GLB: there the frames are morph targets.
+    /// Per frame, per piece, per mesh vertex, metres. Empty in the document of a GLB: there the frames are morph
+    /// targets.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     #[schemars(with = "Vec<Vec<Vec<[f64; 3]>>>")]
     pub frames: Vec<Vec<Vec<Vec3>>>,

@@ -94,7 +94,8 @@ impl std::fmt::Display for Diagnostic {
 /// Most places that a tally names.
 const NAMED: usize = 5;
 
-/// How many things of a list are in question, and which of them come first: a message stays one line whatever their number.
+/// How many things of a list are in question, and which of them come first: a message stays one line whatever their
+/// number.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Tally {
     count: usize,

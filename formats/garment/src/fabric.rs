@@ -15,7 +15,7 @@ pub enum StretchLaw {
         /// N/m.
         stiffness: f64,
     },
-    /// `T = k0/beta · (exp(beta ε) − 1)`, fitted to KES EMT and LT (validation §1).
+    /// `T = k0/beta · (exp(beta ε) − 1)`, fitted to KES EMT and LT (`toile_formats::fabric::kes`).
     Exponential {
         /// Slope at rest, N/m.
         k0: f64,
@@ -90,8 +90,8 @@ pub struct Fabric {
     pub sources: BTreeMap<String, ValueSource>,
 }
 
-/// Spring constants of the edges of a mesh, N/m (force over change of length): bare springs in the sense of Liu, Chen, Shi 2003,
-/// whatever the lengths of the edges.
+/// Spring constants of the edges of a mesh, N/m (force over change of length): bare springs in the sense of Liu, Chen,
+/// Shi 2003, whatever the lengths of the edges.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct SpringConstants {
     /// Edges within 22.5° of warp or weft.

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 /// Length of an edge or leg before and after, metres.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct LengthChange {
-    /// What it is: `edge 3`, `side-left`, `dart-1 leg 0`.
+    /// Name of the feature: `edge 3`, `side-left`, `dart-1 leg 0`.
     pub name: String,
     /// In the original piece.
     pub original: f64,

@@ -14,7 +14,7 @@ use crate::texture::Textures;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What a garment can hold; stages say what they need and give.
+/// A kind of content of a garment; stages declare which kinds they need and give.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Aspect {
@@ -40,7 +40,7 @@ pub enum Aspect {
     Body,
 }
 
-/// The figures of a drape with their limits (contracts §2).
+/// The figures of a drape with their limits, as `run.json` holds them.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Certificate {
     /// All gates held?
@@ -110,7 +110,7 @@ pub struct Garment {
     pub size: Option<String>,
     /// Pieces; `pieces[i].id == i`.
     pub pieces: Vec<Piece>,
-    /// What the sewing file declares.
+    /// The declarations of the sewing file.
     #[serde(default)]
     pub plan: SewingPlan,
     /// Seams and darts as sewn; filled by `assemble`.
@@ -176,7 +176,7 @@ pub enum UpAxis {
 }
 
 impl UpAxis {
-    /// Is it +y?
+    /// True for +y.
     #[must_use]
     pub fn is_y(&self) -> bool {
         *self == Self::Y

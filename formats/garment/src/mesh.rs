@@ -4,7 +4,7 @@ use crate::Vec2;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What a chain of mesh edges is.
+/// The kind of a chain of mesh edges.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum ChainKind {
@@ -21,7 +21,7 @@ pub enum ChainKind {
 /// A chain of mesh edges that a line of the piece became.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct MeshChain {
-    /// What it is.
+    /// Kind of the chain.
     pub kind: ChainKind,
     /// Index of the line it came from (outline 0, cutout k, dart k, internal line k).
     pub index: u32,
@@ -44,8 +44,8 @@ pub struct PieceMesh {
     /// For every vertex of the piece outline (`Piece::outline.points`) its mesh vertex, where it is one.
     pub outline_vertex: Vec<Option<u32>>,
     /// Rest positions of the corners of every triangle, metres, where no single flat layout holds them all: the rest
-    /// shape of a curved cloth mesh (import-mesh), or a layout with cuts. Each triangle has a frame of its own,
-    /// x along the weft, y along the warp, counter-clockwise. When set, it is the rest shape, and `rest` only a picture.
+    /// shape of a curved cloth mesh (import-mesh), or a layout with cuts. Each triangle has a frame of its own, x along
+    /// the weft, y along the warp, counter-clockwise. When set, it is the rest shape, and `rest` only a picture.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Option<Vec<[[f64; 2]; 3]>>")]
     pub rest_corners: Option<Vec<[Vec2; 3]>>,

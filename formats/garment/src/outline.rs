@@ -4,7 +4,7 @@ use crate::{SourceRef, Vec2};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// What a vertex of a line is.
+/// The kind of a vertex of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum PointKind {

@@ -12,7 +12,7 @@ use serde::{Deserialize, Serialize};
 /// How often a piece is cut: plain, and mirrored.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Quantity {
-    /// As drawn.
+    /// Copies lie as drawn.
     pub plain: u32,
     /// Mirrored.
     pub mirrored: u32,
@@ -77,7 +77,7 @@ pub struct Piece {
     /// Annotation text.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub annotation: Option<String>,
-    /// Is it the mirror image of its block?
+    /// True if the piece is the mirror image of its block.
     #[serde(default)]
     pub mirrored: bool,
     /// The sewn and meshed line, counter-clockwise.
@@ -108,8 +108,8 @@ pub struct Piece {
     /// Cutouts (layer 11), holes in the cloth.
     #[serde(default)]
     pub cutouts: Vec<PieceLine>,
-    /// Stripe and plaid lines (layers 9 and 10), by which pieces are laid on patterned cloth; named `stripe` or `plaid`.
-    /// A mark is a line of one point.
+    /// Stripe and plaid lines (layers 9 and 10), by which pieces are laid on patterned cloth; named `stripe` or
+    /// `plaid`. A mark is a line of one point.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub match_lines: Vec<PieceLine>,
     /// Darts and pleats.

@@ -1,4 +1,4 @@
-//! What made the garment: written by the engine, read by reports. No clock, no machine.
+//! The origin of a garment, written by the engine and read by reports. It holds no clock and no name of a machine.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

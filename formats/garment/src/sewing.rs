@@ -1,4 +1,4 @@
-//! What the sewing file declares: facts of the style that a DXF cannot hold (contracts §7).
+//! The declarations of the sewing file: facts of the style that a DXF cannot hold.
 
 use crate::dart::DartKind;
 use crate::source::SourceRef;

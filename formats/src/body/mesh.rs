@@ -100,11 +100,12 @@ fn sound(positions: &[Vec3], triangles: Vec<[u32; 3]>) -> (Vec<[u32; 3]>, Tally,
     (out, flat, double)
 }
 
-/// A triangle's side on an edge: its vertices, the smaller first, the triangle, and whether it runs from the smaller to the larger.
+/// A triangle's side on an edge: its vertices, the smaller first, the triangle, and whether it runs from the smaller to
+/// the larger.
 type Side = ((u32, u32), u32, bool);
 
-/// The sides of all triangles, edge by edge: dealt out by their smaller vertices and sorted there, as a body of a million
-/// triangles has three million.
+/// The sides of all triangles, edge by edge: dealt out by their smaller vertices and sorted there, as a body of a
+/// million triangles has three million.
 struct Edges(Vec<Side>);
 
 impl Edges {

@@ -40,8 +40,9 @@ pub struct ReadBody {
 
 /// Reads a body from its OBJ and, where there is one, the text of the TOML file beside it.
 ///
-/// Bit-equal vertices of an open mesh are merged, triangles without area and doubles dropped, parts that face inwards turned; each is
-/// counted in a finding. `obj_name` is the file's name for messages and, without its ending, the body's default name.
+/// Bit-equal vertices of an open mesh are merged, triangles without area and doubles dropped, parts that face inwards
+/// turned; each is counted in a finding. `obj_name` is the file's name for messages and, without its ending, the body's
+/// default name.
 ///
 /// # Errors
 /// All mistakes of both files. Triangles that face both ways in one part are refused.
@@ -92,8 +93,8 @@ pub fn turn(body: &mut Body, up: UpAxis) {
     }
 }
 
-/// The body as two texts, OBJ and TOML; the same body gives the same bytes. Reading them gives it back: the mesh bit-equal,
-/// the lengths of the TOML within a rounding error.
+/// The body as two texts, OBJ and TOML; the same body gives the same bytes. Reading them gives it back: the mesh
+/// bit-equal, the lengths of the TOML within a rounding error.
 #[must_use]
 pub fn write(body: &Body) -> (String, String) {
     let mut mesh = obj::MeshText::default();

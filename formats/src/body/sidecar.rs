@@ -20,7 +20,7 @@ const TOP: [&str; 6] = ["name", "measures", "landmarks", "segments", "note", "so
 /// Largest length in a body file, metres.
 const MAX: f64 = 10.0;
 
-/// What the file says.
+/// The contents of the file.
 #[derive(Default)]
 pub struct Sidecar {
     pub name: String,

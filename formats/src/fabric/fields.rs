@@ -1,4 +1,4 @@
-//! What may stand in a fabric file: keys, units and allowed ranges.
+//! The keys of a fabric file with their units and allowed ranges.
 
 use toile_garment::units::{
     ArealMass, Bending, Dimension, Hysteresis, Length, LineForce, Share, Shear, UnitError, parse,
@@ -31,7 +31,7 @@ pub struct Field {
     pub max: f64,
     /// The range in words.
     pub allowed: &'static str,
-    /// What the value is, for the schema and the book.
+    /// Meaning of the value, for the schema and the book.
     pub about: &'static str,
 }
 

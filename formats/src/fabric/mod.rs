@@ -3,14 +3,15 @@
 //! # Form
 //!
 //! A TOML file. Quantities are texts with a unit (`"500 N/m"`); pure ratios (`friction`, `poisson`, `lt_warp`) are
-//! plain numbers. Every quantity may instead be a table that says where it comes from:
-//! `emt_warp = { value = "3.5 %", method = "KES-FB1", source = "own laboratory, 2024" }`; without, the `method` and
-//! `source` of its table, then those of the file hold.
+//! plain numbers. Every quantity may instead be a table that says where it comes from: `emt_warp = { value = "3.5 %",
+//! method = "KES-FB1", source = "own laboratory, 2024" }`. Otherwise the `method` and `source` of its table hold, then
+//! those of the file.
 //!
 //! ```toml
 //! name = "cotton shirting"
 //! source = "typical values"
 //! areal_mass = "115 g/m2"            # 1 g/m2 to 10 kg/m2
+//!
 //! thickness = "0.28 mm"
 //! friction = 0.4                     # cloth on body and on itself
 //! strain_limit_warp = "3.5 %"        # default: EMT where measured, else 5 %
@@ -20,9 +21,11 @@
 //! method = "KES-F"
 //! emt_warp = "3.5 %"
 //! lt_warp = 0.80
+//!
 //! emt_weft = "8 %"
 //! lt_weft = 0.80
 //! shear = "45 N/m/rad"               # G, or "0.8 gf/cm/deg"
+//!
 //! bending_warp = "8 uN.m"            # B, or "0.08 gf.cm2/cm"
 //! bending_weft = "5 uN.m"
 //! bending_hysteresis = "0.4 mN"      # 2HB, optional; bending lengths of [fast] hold that friction already
@@ -34,13 +37,13 @@
 //!   `shear` (N/m per rad), `bending` or `bending_warp`, `bending_weft`, `bending_bias` (N·m).
 //! - `[isotropic]` `stretch` (N/m: Young's modulus times thickness), `poisson`, `bending`; the shear stiffness is
 //!   `stretch / (2 (1 + poisson))`.
-//! - `[fast]` `e5_…`, `e20_…`, `e100_…` (strain at 5, 20, 100 gf/cm, `_warp` and `_weft`), `eb5` (bias strain at 5 gf/cm,
-//!   from which G = 1.23 / eb5 N/m), `bending_…` or `bending_length_…` (B = areal mass · g · c³).
+//! - `[fast]` `e5_…`, `e20_…`, `e100_…` (strain at 5, 20, 100 gf/cm, `_warp` and `_weft`), `eb5` (bias strain at 5
+//!   gf/cm). The shear stiffness is G = 1.23 / eb5 N/m. `bending_…` or `bending_length_…` (B = areal mass · g · c³).
 //! - `[curve]` `warp = [["0 %", "0 N/m"], ["1 %", "20 N/m"], …]` and `weft`: measured samples, both columns rising.
 //!
-//! - `[springs]` `yarn`, `bias` (N/m), beside one of the others: constants of the springs of `model = "springs"` along the edges of
-//!   the mesh, those within 22.5° of warp or weft and all others. Without it they are derived from the laws; all else of a
-//!   drape (strain limits, other models) goes by the laws.
+//! - `[springs]` `yarn`, `bias` (N/m), beside one of the others. They are the constants of the springs of `model =
+//!   "springs"`: of edges within 22.5° of warp or weft, and of all others. Without the table they follow from the laws.
+//!   All else of a drape goes by the laws.
 //!
 //! `poisson`, `shear` and the bending keys may stand in any table of laws.
 //!
@@ -48,8 +51,8 @@
 //!
 //! `poisson` is what a strip test along the warp shows at small strain: contraction along the weft over extension along
 //! the warp (ν12; without it 0). A strip along the weft then contracts by `poisson · E_weft / E_warp`. The laws of
-//! `[linear]`, `[isotropic]`, `[fast]` and `[curve]` are taken as such strip tests, with free sides; the fabric's laws
-//! hold the width, so they are stiffer by `1 / (1 − ν12 ν21)` at rest, and a strip of that fabric gives the file's numbers
+//! `[linear]`, `[isotropic]`, `[fast]` and `[curve]` are taken as such strip tests, with free sides. The fabric's laws
+//! hold the width, so they are stiffer by `1 / (1 − ν12 ν21)` at rest. A strip of that fabric gives the file's numbers
 //! back. KES-F pulls a sample four times as wide as long, which hardly gets narrower: its laws are taken as they are.
 
 mod build;

@@ -1,5 +1,5 @@
-//! Poisson's ratio: from strip tests with free sides, as files give them, to laws with the width held, as the fabric has
-//! them.
+//! Poisson's ratio: from strip tests with free sides, as files give them, to laws with the width held, as the fabric
+//! has them.
 
 use super::reader::Entries;
 use toile_garment::Diagnostic;
@@ -17,8 +17,8 @@ pub struct Coupled {
 /// strips along both directions pull as the given laws say.
 ///
 /// With held widths the moduli are `C_i = E_i / (1 − ν12 ν21)`, `C12 = ν12 C_weft`, and `ν21 = ν12 E_weft / E_warp`.
-/// Narrowing costs each strip `C12² / C_j` of its slope at any strain, as compression is linear: adding that slope to the
-/// whole law is exact.
+/// Narrowing costs each strip `C12² / C_j` of its slope at any strain, as compression is linear: adding that slope to
+/// the whole law is exact.
 pub fn couple(e: &mut Entries, warp: StretchLaw, weft: StretchLaw, ratio: f64) -> Coupled {
     let anisotropy = weft.tangent(0.0) / warp.tangent(0.0);
     let share = ratio * anisotropy.max(1.0);

@@ -13,7 +13,7 @@ const EQUAL: f64 = 1e-4;
 /// Sides that differ more, longer over shorter, are gathered.
 const GATHERED: f64 = 1.15;
 
-/// What the stitches mean.
+/// The meaning of the stitches.
 #[derive(Debug, Default)]
 pub struct Sewn {
     pub seams: Vec<SeamSpec>,

@@ -1,4 +1,4 @@
-//! What must hold before the `gltf` crate may see a document: every index, count, offset and stride that it
+//! Checks before the `gltf` crate may see a document: every index, count, offset and stride that it
 //! would otherwise use unchecked.
 
 use super::ReadError;

@@ -1,4 +1,4 @@
-//! What is in a GLB.
+//! The contents of a GLB, for `toile inspect`.
 
 use super::ReadError;
 use super::geometry::{open, placed};

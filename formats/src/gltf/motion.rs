@@ -1,5 +1,5 @@
-//! Frames of a motion as morph targets: each mesh gets one target for each frame, and one animation lets the weight of
-//! each rise to 1 at its time and fall again, so that a viewer goes straight from frame to frame.
+//! Frames of a motion as morph targets: each mesh gets one target for each frame. One animation lets the weight of each
+//! rise to 1 at its time and fall again. So a viewer goes straight from frame to frame.
 
 use super::normals;
 use super::write::{Buffer, Mesh, WriteError, floats};
@@ -43,7 +43,7 @@ pub fn push(
     Ok(())
 }
 
-/// What is added to the base in single precision, as a viewer adds it.
+/// The difference that is added to the base in single precision, as a viewer adds it.
 fn delta(
     piece: &toile_garment::Piece,
     what: &'static str,

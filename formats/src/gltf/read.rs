@@ -37,7 +37,7 @@ pub fn read_garment(bytes: &[u8]) -> Result<Garment, ReadError> {
     read_garment_with_findings(bytes).map(|r| r.garment)
 }
 
-/// As [`read_garment`], with what was noticed on the way.
+/// Reads like [`read_garment`], and gives the findings, too.
 ///
 /// # Errors
 /// See [`ReadError`].

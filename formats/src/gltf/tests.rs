@@ -26,7 +26,7 @@ fn attribute(json: &Value, mesh: usize, name: &str) -> u64 {
     json["meshes"][mesh]["primitives"][0]["attributes"][name].as_u64().expect("attribute")
 }
 
-/// What a GLB does not carry.
+/// The parts of a garment that a GLB does not carry.
 fn without_body_mesh(mut garment: Garment) -> Garment {
     if let Some(body) = &mut garment.body {
         body.positions.clear();

@@ -161,8 +161,9 @@ pub fn extras(key: &str, value: &serde_json::Value) -> json::Extras {
 }
 
 /// A GLB with a node and a mesh for each piece, named after it: metres, +y up; TEXCOORD_0 in metres of cloth,
-/// TEXCOORD_1 packed; images embedded; the garment document in `asset.extras.toile`. Positions are those of the
-/// drape, else of the sewn shape; the frames of a motion are morph targets, played by one animation. The same garment gives the same bytes.
+/// TEXCOORD_1 packed; images embedded; the garment document in `asset.extras.toile`. Positions are those of the drape,
+/// else of the sewn shape; the frames of a motion are morph targets, played by one animation. The same garment gives
+/// the same bytes.
 ///
 /// # Errors
 /// See [`WriteError`].

@@ -6,7 +6,7 @@ use toile_garment::{Diagnostic, Vec2};
 
 /// Plotter units per millimetre.
 const UNITS: f64 = 40.0;
-/// What a coordinate can hold, units.
+/// Largest coordinate, plotter units.
 const MOST: f64 = 8_388_607.0;
 /// Ends a label (ASCII ETX).
 const END: char = '\u{3}';

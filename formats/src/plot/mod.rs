@@ -18,7 +18,7 @@ pub use svg::svg;
 
 use toile_garment::Vec2;
 
-/// What a stroke is; each is a layer of the drawing and a pen of the plotter.
+/// The kind of a stroke; each kind is a layer of the drawing and a pen of the plotter.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Layer {
     /// Cut line.

@@ -7,7 +7,7 @@ use toile_garment::{Diagnostic, Vec2};
 
 /// Points per millimetre.
 const POINT: f64 = 72.0 / 25.4;
-/// What stays blank at the edge of a tile: printers do not reach it, mm.
+/// Blank margin of a tile, mm: printers do not reach it.
 const MARGIN: f64 = 10.0;
 /// Arms of the marks at the corners of a tile, mm.
 const MARK: f64 = 5.0;
@@ -45,7 +45,7 @@ impl Paper {
     }
 }
 
-/// What one page shows of the sheet.
+/// The part of the sheet that one page shows.
 struct Tile {
     /// Lower left corner of what is shown, mm.
     from: Vec2,

@@ -27,7 +27,7 @@ pub struct Table {
     pub key: &'static str,
     /// Title.
     pub title: &'static str,
-    /// What it says.
+    /// Remark below the table.
     pub note: String,
     /// Key and heading of each column; units stand in both.
     pub columns: Vec<(&'static str, &'static str)>,

@@ -14,7 +14,7 @@ pub type Value<'v> = &'v Spanned<DeValue<'v>>;
 /// Collects mistakes.
 pub struct Walk<'a> {
     lines: &'a Lines<'a>,
-    /// What was found.
+    /// All mistakes so far.
     pub errors: Vec<Diagnostic>,
 }
 

@@ -12,8 +12,8 @@ fn nameless(facts: Facts) -> Facts {
     Facts { name: None, ..facts }
 }
 
-/// 200 × 100 mm with a half circle of radius 50 mm at its right end. The arc is 36 chords: the fewest whose sagitta keeps
-/// within 0.05 mm, π / (2·acos(1 − 0.05 / 50)) rounded up.
+/// 200 × 100 mm with a half circle of radius 50 mm at its right end. The arc is 36 chords: the fewest whose sagitta
+/// keeps within 0.05 mm, π / (2·acos(1 − 0.05 / 50)) rounded up.
 fn stadium_half() -> Facts {
     let area = 200.0 + 36.0 * 12.5 * libm::sin(PI / 36.0);
     Facts { area, net_area: area, perimeter: 500.0 + 36.0 * 100.0 * libm::sin(PI / 72.0), ..plain("") }

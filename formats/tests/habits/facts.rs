@@ -1,4 +1,4 @@
-//! What must come out of a file.
+//! The facts that must come out of a file.
 
 use serde_json::Value;
 use toile_formats::dxf::{ReadOptions, inspect_with};
@@ -107,7 +107,7 @@ pub fn wedge(name: &'static str) -> Facts {
     Facts { area: 1785.0, net_area: 1785.0, perimeter: ROUND, darts, ..plain(name) }
 }
 
-/// What a file says otherwise.
+/// The differences from those facts.
 pub fn check(case: &Case) -> Vec<String> {
     let inspection = match inspect_with(&case.bytes, "t.dxf", case.rul.as_deref(), &case.options) {
         Ok(inspection) => inspection,

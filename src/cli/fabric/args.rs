@@ -8,12 +8,12 @@ use toile_stages::fabric_test::Direction;
 /// `fabric`
 #[derive(Args, Debug)]
 pub struct FabricArgs {
-    /// What to do with a fabric file.
+    /// The thing to do with a fabric file.
     #[command(subcommand)]
     pub verb: FabricVerb,
 }
 
-/// What can be done with a fabric file.
+/// The things that can be done with a fabric file.
 #[derive(Debug, Subcommand)]
 pub enum FabricVerb {
     /// Do a laboratory's test on the solver and read it as the instrument does.
@@ -34,7 +34,7 @@ pub enum Test {
     PictureFrame(FrameArgs),
 }
 
-/// What all tests take.
+/// The options that all tests share.
 #[derive(Args, Debug)]
 pub struct Common {
     /// Fabric file.
@@ -57,7 +57,7 @@ pub struct Common {
 /// `fabric test cusick`
 #[derive(Args, Debug)]
 pub struct CusickArgs {
-    /// What all tests take.
+    /// The options that all tests share.
     #[command(flatten)]
     pub common: Common,
     /// Diameter of the specimen: "24 cm" for limp, "30 cm" for usual, "36 cm" for stiff cloth.
@@ -77,7 +77,7 @@ pub struct CusickArgs {
 /// `fabric test cantilever`
 #[derive(Args, Debug)]
 pub struct CantileverArgs {
-    /// What all tests take.
+    /// The options that all tests share.
     #[command(flatten)]
     pub common: Common,
     /// Cut the strip in this direction only [default: all three]
@@ -91,7 +91,7 @@ pub struct CantileverArgs {
 /// `fabric test bias`
 #[derive(Args, Debug)]
 pub struct BiasArgs {
-    /// What all tests take.
+    /// The options that all tests share.
     #[command(flatten)]
     pub common: Common,
     /// Largest extension.
@@ -105,7 +105,7 @@ pub struct BiasArgs {
 /// `fabric test picture-frame`
 #[derive(Args, Debug)]
 pub struct FrameArgs {
-    /// What all tests take.
+    /// The options that all tests share.
     #[command(flatten)]
     pub common: Common,
     /// Largest shear angle.

@@ -20,7 +20,7 @@ use toile_garment::fabric::Fabric;
 use toile_garment::{Diagnostic, Report, SourceRef};
 use toile_stage_api::{StageContext, StageError};
 
-/// What a test gives.
+/// The result of a test.
 struct Sheet {
     /// For programs; keys say their units.
     json: Value,

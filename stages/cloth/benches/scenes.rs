@@ -1,5 +1,6 @@
-//! Time to rest of whole scenes, of the kinds that solvers are compared on: `cargo bench -p toile-cloth --bench scenes`.
-//! One line per scene and start; starts differ by a jitter of 0.1 mm. Compare ratios within one run: machines are noisy.
+//! Time to rest of whole scenes, of the kinds that solvers are compared on: `cargo bench -p toile-cloth --bench
+//! scenes`. One line per scene and start; starts differ by a jitter of 0.1 mm. Compare ratios within one run: machines
+//! are noisy.
 #![allow(clippy::print_stdout, clippy::expect_used)]
 
 #[path = "../tests/common/mod.rs"]
@@ -9,8 +10,8 @@ use common::{flat, jitter, sheet, sphere};
 use std::time::Instant;
 use toile_cloth::{Element, Material, Pin, Scene, Settings, Silent, Vec3, certify, drape};
 
-/// Cotton as the comparison uses it: 500 N/m with a Poisson ratio of 0.3, 10 µN·m, 0.15 kg/m²; it locks at 1.2 % along warp, weft
-/// and bias.
+/// Cotton as the comparison uses it: 500 N/m with a Poisson ratio of 0.3, 10 µN·m, 0.15 kg/m²; it locks at 1.2 % along
+/// warp, weft and bias.
 fn cotton() -> Material {
     Material { thickness: 5e-4, friction: 0.3, strain_limit: [0.012; 3], ..Material::isotropic(0.15, 500.0, 0.3, 1e-5) }
 }

@@ -178,8 +178,8 @@ fn a_strip_rings_along_itself_at_the_closed_frequency() {
 
 #[test]
 fn a_cantilever_rings_across_itself_at_the_closed_frequency() {
-    // validation §7: ω = 1.8751041² √(B/σ) / L², 1 %. Regular triangles; two rows are held, so the free length starts
-    // half a row behind the second (§2.2).
+    // The closed form is ω = 1.8751041² √(B/σ) / L², met within 1 %. The triangles are regular. Two rows are held, so
+    // the free length starts half a row behind the second.
     let (sigma, b, n) = (0.2, 1e-4, 30);
     let row = 0.1 / f64::from(n);
     let free = 0.1 - 0.5 * row;
@@ -271,8 +271,8 @@ fn a_box_pushes_a_hanging_sheet_aside() {
 
 #[test]
 fn cloth_follows_what_it_hangs_on_when_that_moves_off_at_once() {
-    // The bar goes at 0.5 m/s from one step to the next: half an edge before any cloth knows of it, which its law cannot
-    // bear. Only the held row went, and single edges came to 45 % and the cloth to no rest.
+    // The bar goes at 0.5 m/s from one step to the next: half an edge before any cloth knows of it, which its law
+    // cannot bear. Only the held row went, and single edges came to 45 % and the cloth to no rest.
     let fabric = Material {
         warp: Curve::Exponential { k0: 7117.2, beta: 35.141 },
         weft: Curve::Exponential { k0: 3113.8, beta: 15.374 },
@@ -422,8 +422,8 @@ fn central_differences_fall_exactly_and_tell_what_they_cannot() {
     assert!(matches!(moving, ClothError::BadSetting { name: "integrator", .. }), "{moving}");
 }
 
-/// What was draped on a body stays where it rests: its contacts, those of edges and faces as well, start with the friction
-/// that held it.
+/// Cloth that was draped on a body stays where it rests: its contacts, those of edges and faces as well, start with the
+/// friction that held it.
 #[test]
 fn cloth_at_rest_on_a_ball_stays_there() {
     let mut scene = sheet(0.2, 0.2, 10, 10, cotton(), |x, y| Vec3::new(x - 0.1, 0.102, y - 0.1));
@@ -444,8 +444,8 @@ fn cloth_at_rest_on_a_ball_stays_there() {
     assert!(let_go > 10.0 * held, "{let_go} m with its friction lost, {held} m with it");
 }
 
-/// A sheet that sinks at 2 mm/s comes to a box after some 200 steps (reliability I8): until then the contact changes not a bit, and
-/// then it begins without a jump.
+/// A sheet that sinks at 2 mm/s comes to a box after some 200 steps (reliability I8): until then the contact changes
+/// not a bit, and then it begins without a jump.
 #[test]
 fn a_contact_that_is_needed_late_begins_without_a_jump() {
     let (speed, fps, settings) = (2e-3, 1000.0, alone());

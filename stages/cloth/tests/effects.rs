@@ -58,7 +58,7 @@ fn self_contact_of_cloth_in_folds_that_do_not_meet_is_never_active() {
     assert!(on.settled && on.positions.iter().any(|p| p.y < -0.02), "it hangs");
 }
 
-/// What is held is led as fast as the cloth follows where nothing rubs, whatever could.
+/// Held vertices are led as fast as the cloth follows where nothing rubs, whether or not anything could rub.
 #[test]
 fn effects_that_nothing_calls_for_do_not_slow_what_is_led() {
     let mut drawn = hanging();

@@ -121,8 +121,8 @@ fn a_sheet_hangs_by_its_corners_at_the_strain_limit() {
     assert!((held / (0.15 * G) - 1.0).abs() < 1e-3, "{held} N");
 }
 
-/// The same with limits along warp, weft and bias: no edge of its mesh, which lie in these directions, is longer, and all but its
-/// corners hangs as it does without.
+/// The same with limits along warp, weft and bias: no edge of its mesh, which lie in these directions, is longer, and
+/// all but its corners hangs as it does without.
 #[test]
 fn a_sheet_hangs_by_its_corners_within_its_limits_on_the_bias_too() {
     let (n, limit) = (40, 0.0125);
@@ -148,7 +148,7 @@ fn a_sheet_hangs_by_its_corners_within_its_limits_on_the_bias_too() {
 
 #[test]
 fn a_strip_between_two_pins_hangs_in_a_catenary() {
-    // Span 1, length 1.2: sag 0.292344 (validation.md §1).
+    // Span 1, length 1.2: sag 0.292344, by the catenary.
     let n = 60;
     let mut scene = sheet(1.2, 0.02, n, 1, linear(0.1, 2000.0, 2000.0, 20.0), |x, y| {
         let s = x / 1.2;
@@ -212,8 +212,8 @@ fn inner_forces_keep_momentum() {
 
 #[test]
 fn a_cantilever_bends_by_its_length_over_bending_length() {
-    // H/W of the heavy elastica (validation.md §2.1), on regular triangles; two rows are held, so the free length
-    // starts half a row behind the second (§2.2).
+    // The ratio H/W of the heavy elastica, on regular triangles. Two rows are held, so the free length starts half a
+    // row behind the second.
     let (sigma, n) = (0.2, 30);
     let row = 0.1 / f64::from(n);
     let side = row * 2.0 / 3f64.sqrt();

@@ -20,10 +20,10 @@ pub enum SteppingName {
     /// Implicit steps of second order (TR-BDF2), stable at any length.
     #[default]
     Implicit,
-    /// The paper's explicit central differences, for comparison: steps that are too long end the run. The body stands still,
-    /// `accuracy` and bending hysteresis play no part.
+    /// The paper's explicit central differences, for comparison: steps that are too long end the run. The body stands
+    /// still, `accuracy` and bending hysteresis play no part.
     CentralDifference,
-    /// As `central-difference`, but `calming` acts against the velocity of half a step before, as it is often
+    /// Steps like `central-difference`, but `calming` acts against the velocity of half a step before, as it is often
     /// programmed: steps must be the shorter the stronger it is, 2/ω (√(1 + ζ²) − ζ).
     Leapfrog,
 }
@@ -32,9 +32,10 @@ pub enum SteppingName {
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct AnimateParams {
-    /// The moving body: the first file of a series of OBJ files (`walk-000.obj`; its number is counted up to the first
-    /// file that is missing), each with the vertices and faces of the body the garment was draped on; or a GLB whose
-    /// first animation moves the same mesh by a skin, by morph targets or by its nodes. Without it the body stands still.
+    /// The moving body: the first file of a series of OBJ files, or a GLB. The number of an OBJ file (`walk-000.obj`)
+    /// is counted up to the first file that is missing. Each file has the vertices and faces of the body the garment
+    /// was draped on. The first animation of a GLB moves the same mesh by a skin, by morph targets or by its nodes.
+    /// Without it the body stands still.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub body: Option<PathBuf>,
     /// Frames in a second, of the body and of the result.
@@ -64,8 +65,8 @@ pub struct AnimateParams {
     pub step: Duration,
     /// Distance at which cloth is held off the body.
     pub body_gap: Length,
-    /// Central differences: stiffness of every contact, a penalty, N/m between vertex and body; without it contacts are as
-    /// stiff as the step bears.
+    /// Central differences: stiffness of every contact, a penalty, N/m between vertex and body; without it contacts are
+    /// as stiff as the step bears.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub contact_stiffness: Option<LineForce>,
     /// Distance at which cloth is held off cloth; at least the fabric's thickness is used.
@@ -143,7 +144,7 @@ impl AnimateParams {
         }
     }
 
-    /// What moves; the cloth `rests` at the start, or falls from there.
+    /// The moving parts; the cloth `rests` at the start, or falls from there.
     #[must_use]
     pub fn motion(&self, body: Vec<Vec<Vec3>>, rests: bool) -> Motion {
         let seconds = |s: f64| (s * self.fps).ceil() as usize;

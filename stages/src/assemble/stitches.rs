@@ -13,7 +13,7 @@ pub enum StitchError {
 }
 
 impl StitchError {
-    /// As a finding.
+    /// The mistake as a finding.
     pub fn finding(self, seam: &str) -> Diagnostic {
         match self {
             Self::Counts(a, b) => Diagnostic::error(

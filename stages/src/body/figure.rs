@@ -14,7 +14,7 @@ const UPPER_ARM_AT: f64 = 0.29;
 /// Half the gap between the thighs at their widest, metres.
 const THIGH_GAP: f64 = 0.013;
 
-/// What the fit turns so that the mesh meets the measures: factors of girths, offsets of heights (metres).
+/// The unknowns of the fit, by which the mesh meets the measures: factors of girths, offsets of heights (metres).
 #[derive(Clone, Debug, PartialEq)]
 pub struct Tune {
     /// Factors: hip, waist, under bust, bust, neck, upper arm, wrist, thigh.

@@ -25,7 +25,7 @@ pub struct Fitted {
     pub net: Net,
 }
 
-/// What is measured on a mesh, in the order of [`Tune`].
+/// The measures of a mesh, in the order of [`Tune`].
 pub struct Taken {
     /// Hip, waist, under bust, bust, neck, upper arm, wrist, thigh, metres.
     pub girths: [f64; 8],
@@ -80,7 +80,7 @@ fn turn(m: &BodyMeasures, tune: &mut Tune, taken: &Taken) {
     }
 }
 
-/// What the measures ask for.
+/// The wanted measures.
 pub fn wanted(m: &BodyMeasures) -> Taken {
     Taken {
         girths: [

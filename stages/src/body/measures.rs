@@ -151,7 +151,7 @@ impl BodyMeasures {
         true
     }
 
-    /// What is impossible among these measures: every finding, not only the first.
+    /// The impossible ones among these measures: every finding, not only the first.
     #[must_use]
     pub fn check(&self) -> Vec<Diagnostic> {
         let mut found: Vec<Diagnostic> = self

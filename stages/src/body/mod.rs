@@ -1,7 +1,7 @@
 //! The parametric body: one closed mesh that meets given girths and heights.
 //!
-//! The body is a field (swept sections and eggs joined with fillets), polygonised on one side of its plane of
-//! symmetry, remeshed to even triangles, and turned until a tape on the mesh gives the wanted measures.
+//! The body is a field: swept sections and eggs joined with fillets. It is polygonised on one side of its plane of
+//! symmetry and remeshed to even triangles. Then it is adjusted until a tape on the mesh gives the wanted measures.
 
 mod curve;
 mod field;

@@ -78,8 +78,8 @@ pub struct EffectsParam {
 pub struct DrapeParams {
     /// Downward acceleration.
     pub gravity: Acceleration,
-    /// Pressure behind the cloth: pushes every triangle to the side from which its corners run counter-clockwise (outwards,
-    /// for pieces placed with their right side out). Not with `central-difference`.
+    /// Pressure behind the cloth: pushes every triangle to the side from which its corners run counter-clockwise
+    /// (outwards, for pieces placed with their right side out). Not with `central-difference`.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub pressure: Option<Pressure>,
     /// In-plane model.

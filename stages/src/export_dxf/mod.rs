@@ -27,11 +27,11 @@ pub enum DxfDialect {
     /// ASTM D6673.
     #[default]
     Astm,
-    /// As CLO writes it.
+    /// The habits of CLO.
     Clo,
-    /// As Gerber AccuMark writes it: ASTM in runs, names of 20 ASCII characters.
+    /// The habits of Gerber AccuMark: ASTM in runs, names of 20 ASCII characters.
     Gerber,
-    /// As Optitex writes it: AAMA, blocks called by numbers.
+    /// The habits of Optitex: AAMA, blocks called by numbers.
     Optitex,
     /// For drawing programs: layers declared with colours.
     Plain,

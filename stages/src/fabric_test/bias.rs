@@ -1,10 +1,10 @@
 //! Bias extension: a strip cut at 45° is pulled by its ends; its yarns turn towards the pull, so it gives way by shear.
 //!
-//! The shear angle is read in the middle, where yarns are free of both clamps, and stands beside that of yarns that keep
-//! their lengths: `γ = 90° − 2 acos((D + d)/(√2 D))`, D = length − width. FAST-3 reads the extension at 5 gf/cm (EB5) and
-//! takes G = 123/EB5 N/m (EB5 in %), as if all of the strip sheared alike. Beside the clamps it does not: with yarns
-//! that keep their lengths a strip twice as long as wide is 1.5 times as stiff, so G after FAST comes out up to 1.5 times
-//! too large. The strip is kept flat: wrinkles at large shear are not shown.
+//! The shear angle is read in the middle, where yarns are free of both clamps. Beside it stands that of yarns that keep
+//! their lengths: `γ = 90° − 2 acos((D + d)/(√2 D))`, D = length − width. FAST-3 reads the extension at 5 gf/cm (EB5)
+//! and takes G = 123/EB5 N/m (EB5 in %), as if all of the strip sheared alike. Beside the clamps it does not. With
+//! yarns that keep their lengths a strip twice as long as wide is 1.5 times as stiff. So G after FAST comes out up to
+//! 1.5 times too large. The strip is kept flat: wrinkles at large shear are not shown.
 
 use super::mesh::{Flat, crossed_strip};
 use super::rig::{Rest, Rig};
@@ -61,10 +61,10 @@ pub struct BiasReading {
     pub waist: f64,
 }
 
-/// What is read.
+/// The reading.
 #[derive(Clone, Debug)]
 pub struct Bias {
-    /// As asked.
+    /// The settings of the test.
     pub params: BiasParams,
     /// From rest to the largest extension.
     pub readings: Vec<BiasReading>,

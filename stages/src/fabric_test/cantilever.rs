@@ -44,10 +44,10 @@ pub struct CantileverParams {
     pub edge: Option<f64>,
 }
 
-/// What is read.
+/// The reading.
 #[derive(Clone, Debug)]
 pub struct Cantilever {
-    /// As asked.
+    /// The settings of the test.
     pub direction: Direction,
     /// Edge of the mesh, m.
     pub edge: f64,
@@ -57,7 +57,7 @@ pub struct Cantilever {
     pub bending_length: f64,
     /// σ g c³, N·m.
     pub rigidity: f64,
-    /// What the fabric's numbers say, N·m, and whether that number is in the file or estimated.
+    /// The rigidity by the fabric's numbers, N·m, and whether that number is in the file or estimated.
     pub expected: (f64, bool),
     /// Does friction act in its bending?
     pub rubs: bool,

@@ -1,8 +1,8 @@
 //! Cusick's drape test (BS 5058, ISO 9073-9): a disc of cloth lies on a disc of 18 cm and hangs over its edge; parallel
 //! light from above casts its shadow.
 //!
-//! Drape coefficient = (shadow − disc) / (specimen − disc), areas. The specimen measures 30 cm; one whose coefficient is
-//! below 30 % is tested again with 24 cm, one above 85 % with 36 cm.
+//! Drape coefficient = (shadow − disc) / (specimen − disc), areas. The specimen measures 30 cm; one whose coefficient
+//! is below 30 % is tested again with 24 cm, one above 85 % with 36 cm.
 //!
 //! Which of the cloth's many states of rest is read: `fall.rs`. Beside laboratories: `drape.md`.
 
@@ -49,10 +49,10 @@ impl CusickParams {
     }
 }
 
-/// What is read.
+/// The readings.
 #[derive(Clone, Debug)]
 pub struct Cusick {
-    /// As asked.
+    /// The settings of the test.
     pub params: CusickParams,
     /// (shadow − disc) / (specimen − disc).
     pub drape_coefficient: f64,

@@ -41,7 +41,7 @@ impl Direction {
     }
 
     /// Bending rigidity that the fabric's numbers say for this direction, N·m; on the bias that of the solver's cloth,
-    /// which is the measured one or its estimate from warp and weft (`stages/cloth/docs/flexion.md`).
+    /// which is the measured one or its estimate from warp and weft (`stages/cloth/docs/bending.md`).
     #[must_use]
     pub fn bending(self, fabric: &Fabric) -> f64 {
         match self {

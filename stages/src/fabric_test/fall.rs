@@ -1,12 +1,12 @@
 //! How the specimen of a drape test falls, and in which state of rest it is read.
 //!
-//! Cloth over a disc has many states of rest, with two to twelve folds. A small ripple grows into the folds that grow fastest,
-//! often eight, and stays there, though five may lie deeper and shade seven points less. Cloth in a laboratory falls with
-//! a swing and is not so shy. So it falls several times, on a coarse mesh, each time with another number of folds begun,
-//! and is read where elastic energy and weight together are least.
+//! Cloth over a disc has many states of rest, with two to twelve folds. A small ripple grows into the folds that grow
+//! fastest, often eight, and stays there, though five may lie deeper and shade seven points less. Cloth in a laboratory
+//! falls with a swing and is not so shy. So it falls several times, on a coarse mesh, each time with another number of
+//! folds begun, and is read where elastic energy and weight together are least.
 //!
-//! The cloth on the disc is held flat. A hinge over the last held circle bends over half a cell on each side of it, so the
-//! edge of the disc lies half a cell within that circle.
+//! The cloth on the disc is held flat. A hinge over the last held circle bends over half a cell on each side of it, so
+//! the edge of the disc lies half a cell within that circle.
 
 use super::cusick::{CusickParams, DISC};
 use super::mesh::{Flat, ROW, ring};

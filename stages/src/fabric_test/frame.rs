@@ -1,10 +1,10 @@
 //! The picture frame: cloth in a frame of four hinged sides along its yarns, pulled at a corner. The yarns keep their
 //! lengths, so all that is felt is shear.
 //!
-//! A frame of side a at the shear angle γ has the diagonal `D = 2 a cos(π/4 − γ/2)`. The force F along it comes from the
-//! frame's work: `F dD = Σ R·dx` over the held vertices. Two figures of shear per length are in use: `F/(2 a cos φ)`,
-//! φ = π/4 − γ/2, as laboratories give it, and `τ = F sin φ/a`, whose work over γ is the energy per area of cloth, so that
-//! τ = G γ for a constant G. They are equal at γ = 0.
+//! A frame of side a at the shear angle γ has the diagonal `D = 2 a cos(π/4 − γ/2)`. The force F along it comes from
+//! the frame's work: `F dD = Σ R·dx` over the held vertices. Two figures of shear per length are in use. Laboratories
+//! give `F/(2 a cos φ)` with φ = π/4 − γ/2. The other is `τ = F sin φ/a`: its work over γ is the energy per area of
+//! cloth, so τ = G γ for a constant G. They are equal at γ = 0.
 
 use super::mesh::{Flat, ROW, strip};
 use super::rig::Rig;
@@ -49,10 +49,10 @@ pub struct FrameReading {
     pub shear_stress: f64,
 }
 
-/// What is read.
+/// The reading.
 #[derive(Clone, Debug)]
 pub struct Frame {
-    /// As asked.
+    /// The settings of the test.
     pub params: FrameParams,
     /// From rest to the largest angle.
     pub readings: Vec<FrameReading>,

@@ -76,8 +76,8 @@ pub fn strip([width, length]: [f64; 2], columns: usize, rows: usize) -> Flat {
     Flat::new(at, triangles)
 }
 
-/// A strip of squares, each cut by both diagonals: on cloth cut on the bias both families of yarns lie along edges, so that
-/// yarns which hardly stretch let the triangles shear. Across other triangles they lock.
+/// A strip of squares, each cut by both diagonals: on cloth cut on the bias both families of yarns lie along edges, so
+/// that yarns which hardly stretch let the triangles shear. Across other triangles they lock.
 pub fn crossed_strip([width, length]: [f64; 2], columns: usize, rows: usize) -> Flat {
     let (dx, dy) = (width / columns as f64, length / rows as f64);
     let corners = (0..=rows).flat_map(|j| (0..=columns).map(move |i| [i as f64 * dx, j as f64 * dy]));

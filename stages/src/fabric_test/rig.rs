@@ -1,4 +1,4 @@
-//! What holds a specimen while the solver looks for its rest.
+//! The rig that holds a specimen while the solver looks for its rest.
 
 use super::GRAVITY;
 use super::mesh::Flat;
@@ -19,7 +19,7 @@ pub struct Rig<'a> {
     pub material: Material,
     /// Where its vertices start, m.
     pub start: Vec<Vec3>,
-    /// What the clamps hold, and where.
+    /// The vertices that the clamps hold, and their places.
     pub held: Vec<(u32, Vec3)>,
     /// Does it hang? Otherwise it lies on a table without friction.
     pub heavy: bool,

@@ -6,7 +6,7 @@ use toile_garment::Vec3;
 /// Rays around the disc.
 pub const RAYS: usize = 720;
 
-/// What the drapemeter's paper ring would be cut along.
+/// The line along which the drapemeter's paper ring would be cut.
 #[derive(Clone, Debug)]
 pub struct Shadow {
     /// Area with the disc, m².

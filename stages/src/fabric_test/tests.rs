@@ -30,8 +30,8 @@ fn a_strip_shows_the_bending_length_of_its_direction() {
     }
 }
 
-/// Strips cut out of the disc would keep 41 % at c = 25 mm; the intact cloth stands higher, as folds stiffen it. Stiff cloth
-/// keeps nearly all, limp cloth little.
+/// Strips cut out of the disc would keep 41 % at c = 25 mm; the intact cloth stands higher, as folds stiffen it. Stiff
+/// cloth keeps nearly all, limp cloth little.
 #[test]
 fn the_drape_coefficient_rises_with_the_bending_length() {
     let with = |c: f64| drape(&cloth(0.15, 3000.0, 40.0, [0.15 * GRAVITY * c * c * c; 2]), 8e-3, 0);
@@ -69,7 +69,8 @@ fn the_drape_coefficient_depends_on_stiffness_over_weight() {
 
 #[test]
 fn the_drape_coefficient_does_not_depend_on_the_mesh() {
-    // One cloth does not fall alike twice, and with more folds it covers more: so readings with as many folds are compared.
+    // One cloth does not fall alike twice, and with more folds it covers more: so readings with as many folds are
+    // compared.
     let read = |edge| -> Vec<(usize, f64)> {
         let readings = (0..10).map(|start| drape(&shirting(), edge, start));
         readings.map(|d| (d.nodes.len(), d.drape_coefficient)).collect()

@@ -1,9 +1,9 @@
 //! The two energies of the flattening: as-rigid-as-possible triangles, and equal-length pairs.
 //!
-//! Triangles: `ψ = A ‖F − R‖²` with `F` from the target triangle to the flat one and `R` its nearest rotation.
-//! In the plane `ψ = A (‖F‖² − 2w + 2)` with `w = |(F₁₁ + F₂₂, F₂₁ − F₁₂)|`, so the Hessian is
-//! `A (2I − 2κ q qᵀ)`, `κ = 1/w`, `q` the turn of `F`; clamping `κ ≤ ½` makes it positive and is exact for `w ≥ 2`.
-//! (Liu et al. 2008 for the energy; the closed form is the plane case of the known twist eigen-analysis.)
+//! Triangles: `ψ = A ‖F − R‖²` with `F` from the target triangle to the flat one and `R` its nearest rotation. In the
+//! plane `ψ = A (‖F‖² − 2w + 2)` with `w = |(F₁₁ + F₂₂, F₂₁ − F₁₂)|`. The Hessian is `A (2I − 2κ q qᵀ)`, with `κ = 1/w`
+//! and `q` the turn of `F`. Clamping `κ ≤ ½` makes it positive and is exact for `w ≥ 2`. (Liu et al. 2008 for the
+//! energy; the closed form is the plane case of the known twist eigen-analysis.)
 //!
 //! Pairs: `ψ = k (lₐ/ρₐ − l_b/ρ_b)²`: two sewn edges keep the ratio of their stored lengths and choose their common
 //! stretch themselves.

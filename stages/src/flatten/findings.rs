@@ -1,4 +1,4 @@
-//! What the flattening has to say in words.
+//! The findings of the flattening, in words.
 
 use toile_garment::flat::{FlatMetric, FlatPiece};
 use toile_garment::seam::Seam;

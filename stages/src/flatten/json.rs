@@ -1,4 +1,4 @@
-//! The flattening result as JSON (contracts §6): millimetres and degrees.
+//! The flattening result as JSON, in millimetres and degrees.
 
 use super::features::{self, Chain, ChainPair, Corner};
 use serde_json::{Value, json};

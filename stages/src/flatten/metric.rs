@@ -1,8 +1,9 @@
 //! The rest metric that a triangle of the flattened piece should have.
 //!
 //! A symmetric stretch tensor `S` (2×2, in the coordinates of the stored piece) says how a triangle of the stored piece
-//! was stretched to reach its place in 3D. With the drape before an edit, `S0`, and the surface now, `S1`, the
-//! new rest edges are `S0⁻¹ · S1 · (stored edges)`: the cloth keeps the strain it had, the edit alone changes the piece.
+//! was stretched to reach its place in 3D. `S0` is that of the drape before an edit and `S1` that of the surface now.
+//! The new rest edges are `S0⁻¹ · S1 · (stored edges)`: the cloth keeps the strain it had, the edit alone changes the
+//! piece.
 
 use nalgebra::{Matrix2, Matrix3x2};
 use toile_garment::{Vec2, Vec3};
@@ -81,7 +82,7 @@ pub fn noise_variance(taken: &[Matrix2<f64>], stored: &[Matrix2<f64>]) -> f64 {
     if count > 0 { sum / count as f64 } else { 0.0 }
 }
 
-/// What noise of this variance adds to the metric on average: it makes every edge longer, by 6σ² in its square.
+/// The mean share of the metric that noise of this variance adds: it makes every edge longer, by 6σ² in its square.
 #[must_use]
 pub fn noise_bias(stored: &Matrix2<f64>, variance: f64) -> Matrix2<f64> {
     let inverse = stored.try_inverse().unwrap_or_default();

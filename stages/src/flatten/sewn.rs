@@ -22,7 +22,7 @@ pub struct Station {
 pub struct MeshEdges(Vec<BTreeSet<[u32; 2]>>);
 
 impl MeshEdges {
-    /// Of all pieces.
+    /// The sewn edges of all pieces.
     #[must_use]
     pub fn of(garment: &Garment) -> Self {
         let sides = |t: &[u32; 3]| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]].map(|[a, b]| [a.min(b), a.max(b)]);

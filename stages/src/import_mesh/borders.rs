@@ -1,4 +1,4 @@
-//! What is wrong along the borders of an imported mesh: corners in the middle of a neighbour's edge, vertices that
+//! Mistakes along the borders of an imported mesh: corners in the middle of a neighbour's edge, vertices that
 //! stand twice. Both tear cloth that looks whole.
 
 use super::boundary::users;
@@ -23,7 +23,7 @@ pub struct Borders<'a> {
 }
 
 impl<'a> Borders<'a> {
-    /// Of a mesh whose vertices stand at `at`.
+    /// Checks the borders of a mesh whose vertices stand at `at`.
     pub fn new(mesh: &'a PieceMesh, at: &'a [Vec3], file: &'a str) -> Self {
         let edges: BTreeSet<[u32; 2]> = users(mesh).into_iter().filter(|(_, u)| u.count == 1).map(|(e, _)| e).collect();
         let used: BTreeSet<u32> = edges.iter().flatten().copied().collect();
@@ -32,7 +32,7 @@ impl<'a> Borders<'a> {
         Self { mesh, at, file, edges, list }
     }
 
-    /// Of every border vertex, those at the other ends of its border edges.
+    /// The neighbours of every border vertex along its border edges.
     pub fn neighbours(&self) -> BTreeMap<u32, Vec<u32>> {
         let mut beside: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
         for [a, b] in &self.edges {

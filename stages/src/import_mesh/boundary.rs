@@ -11,7 +11,7 @@ pub struct Users {
     length: f64,
 }
 
-/// Of every edge, by its ends, the lower first.
+/// The triangles at every edge, by its ends, the lower first.
 pub fn users(mesh: &PieceMesh) -> BTreeMap<[u32; 2], Users> {
     let mut users: BTreeMap<[u32; 2], Users> = BTreeMap::new();
     for (t, corners) in mesh.triangles.iter().enumerate() {

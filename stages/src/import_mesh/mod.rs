@@ -35,7 +35,8 @@ pub struct ImportMesh;
 pub struct ImportMeshParams {
     /// OBJ with the start positions, metres.
     pub cloth: String,
-    /// Where the rest shape comes from: the 3D `positions`, or `uv` (`vt` in metres, u along the weft, v along the warp).
+    /// Where the rest shape comes from: the 3D `positions`, or `uv` (`vt` in metres, u along the weft, v along the
+    /// warp).
     #[serde(default)]
     pub rest: Rest,
     /// Vertical axis of all files: `y` or `z`.

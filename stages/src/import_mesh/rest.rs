@@ -177,7 +177,7 @@ impl Frame {
     }
 }
 
-/// Weft and warp on a triangle or plane: the warp runs up; on one that lies nearly level it runs to the back (+y of a
+/// Weft and warp on a triangle or plane: the warp runs up. On one that lies nearly level it runs to the back (+y of a
 /// file with z up), the weft to the wearer's left (+x).
 fn axes(normal: Vec3) -> (Vec3, Vec3) {
     let along = |d: Vec3| d - normal * d.dot(&normal);

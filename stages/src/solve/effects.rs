@@ -3,7 +3,7 @@
 use toile_cloth::EffectReport;
 use toile_garment::garment::EffectRecord;
 
-/// What the solver tells of its effects.
+/// The solver's report of its effects.
 #[must_use]
 pub fn effects(told: &[EffectReport]) -> Vec<EffectRecord> {
     let record = |e: &EffectReport| EffectRecord {

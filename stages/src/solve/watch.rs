@@ -16,7 +16,7 @@ pub struct Follow<'a> {
     progress: &'a mut dyn Progress,
     cancel: &'a AtomicBool,
     garment: Option<Shown<'a>>,
-    /// Of [`PARTS`]; 0 while nothing is known.
+    /// Parts of [`PARTS`] that are done; 0 while nothing is known.
     done: u64,
 }
 
@@ -60,7 +60,7 @@ impl Watch for Follow<'_> {
     }
 }
 
-/// What to do about a triangle without width.
+/// The remedy for a triangle without width.
 pub const MESH_ANEW: &str = "mesh the cloth anew there, or join the vertices of the short edge";
 
 /// How to run without an effect, or with it.

@@ -99,7 +99,7 @@ impl TextureParams {
         named.or_else(same).map_or(0, |i| u32::try_from(i + 1).unwrap_or(0))
     }
 
-    /// What is wrong with the numbers and names.
+    /// The mistakes in the numbers and names.
     pub fn check(&self, garment: &Garment) -> Vec<Diagnostic> {
         let mut found = Vec::new();
         for look in self.looks() {

@@ -280,7 +280,7 @@ fn erleben() -> Vec<Case> {
     list
 }
 
-/// What hangs is held at its highest vertices and lowered by 30 mm; what lies is let go.
+/// Hanging cloth is held at its highest vertices and lowered by 30 mm; lying cloth is let go.
 fn meets(lab: &mut Lab, obstacle: Mesh, cloth: Mesh, bending: f64) -> Result<(), String> {
     let high = cloth.at.iter().map(|p| p.z).fold(f64::NEG_INFINITY, f64::max);
     let hangs = sag(&cloth.at) > 0.01;

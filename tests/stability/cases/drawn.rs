@@ -61,8 +61,8 @@ fn sheet() -> Mesh {
     m.place(|[u, v]| Vec3::new(u, v, 0.0))
 }
 
-/// A sheet of 1 m hangs by its middle under a ring of 38 mm and is drawn up by 0.8 m, as slowly as it takes. It passes, and
-/// then all of it is over the ring; or it jams, and then the program says that it is not at rest. Nothing crosses.
+/// A sheet of 1 m hangs by its middle under a ring of 38 mm and is drawn up by 0.8 m, as slowly as it takes. It passes,
+/// and then all of it is over the ring; or it jams, and then the program says that it is not at rest. Nothing crosses.
 fn drawn(lab: &mut Lab, fabric: Cloth) -> Result<(), String> {
     let high = WIRE + 3e-3;
     let cloth = sheet();
@@ -105,9 +105,9 @@ fn drawn(lab: &mut Lab, fabric: Cloth) -> Result<(), String> {
 /// How far from the pad neck and arm start, m: clear of what hangs over it.
 const OPEN: f64 = 0.15;
 
-/// A cape over a shoulder pad; neck and arm close on both sides of it, nearer to the pad than cloth and gaps are thick. In the
-/// last of seven seconds nothing moves more than 0.05 mm in a frame, and the cape is still held. (In the sixth two starts of thirty were
-/// not at rest yet: 0.07 mm, falling to 0.003 at its end.)
+/// A cape over a shoulder pad; neck and arm close on both sides of it, nearer to the pad than cloth and gaps are thick.
+/// In the last of seven seconds nothing moves more than 0.05 mm in a frame, and the cape is still held. In the sixth
+/// second two starts of thirty were not at rest yet: 0.07 mm, falling to 0.003 at its end.
 fn pinched(lab: &mut Lab) -> Result<(), String> {
     let (pad, jaw, gap) = (0.08, 0.05, 2e-3);
     let scene = |gap: f64| {

@@ -31,7 +31,7 @@ fn far_body(lab: &mut Lab) -> Result<(), String> {
     Ok(())
 }
 
-/// As bending goes to nothing, so does its share in the shape.
+/// The share of bending in the shape vanishes together with bending.
 fn little_bending(lab: &mut Lab) -> Result<(), String> {
     let level = even(0.02, 0.06, 0.005).place(|[u, v]| Vec3::new(u, v, 0.0));
     let clamp = level.pick(|[_, v]| v < 0.0051);

@@ -102,9 +102,9 @@ fn strain(part: &Part) -> f64 {
 const WEDGE: f64 = 30.0;
 const WARP: f64 = 60.0;
 
-/// A dart of 30° in a piece whose warp lies 30° off its height. In the written GLB the cloth coordinates are the drawing
-/// turned by the grain, triangle by triangle; they differ at one place of the cloth on the dart's legs alone, and there
-/// by the width of the wedge.
+/// A dart of 30° in a piece whose warp lies 30° off its height. In the written GLB the cloth coordinates are the
+/// drawing turned by the grain, triangle by triangle. Coordinates differ at one place of the cloth on the dart's legs
+/// alone, and there by the width of the wedge.
 fn dart(lab: &mut Lab) -> Result<(), String> {
     let half = f64::to_radians(0.5 * WEDGE);
     let (x, y) = (80.0 * libm::sin(half), 80.0 * libm::cos(half));
@@ -142,8 +142,8 @@ fn apart(a: [f64; 2], b: [f64; 2]) -> f64 {
     libm::hypot(a[0] - b[0], a[1] - b[1])
 }
 
-/// The triangles fill the drawing, as long in the cloth's coordinates as they are in space, and no edge within the piece is
-/// cut open: what belongs to one triangle alone lies on the outline, the legs among it.
+/// The triangles fill the drawing, as long in the cloth's coordinates as they are in space, and no edge within the
+/// piece is cut open. An edge of one triangle alone lies on the outline or on a leg.
 fn on_grain(lab: &mut Lab, part: &Part, corners: &[[f64; 2]]) {
     let at: Vec<[f64; 2]> = part.uv.iter().map(|uv| drawn(*uv)).collect();
     let cross = |a: [f64; 2], b: [f64; 2], c: [f64; 2]| (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
@@ -168,7 +168,7 @@ fn on_grain(lab: &mut Lab, part: &Part, corners: &[[f64; 2]]) {
     lab.expect(cut == 0, format!("{cut} edges inside the piece are cut open"));
 }
 
-/// What lies at one place of the cloth with two coordinates lies on the two legs, equally far from the tip.
+/// Vertices at one place of the cloth with two coordinates lie on the two legs, equally far from the tip.
 fn joined_at_legs(lab: &mut Lab, part: &Part) {
     let at: Vec<[f64; 2]> = part.uv.iter().map(|uv| drawn(*uv)).collect();
     let place = |i: usize| Vec3::from(part.positions[i]);

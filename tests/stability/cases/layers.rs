@@ -15,8 +15,8 @@ pub fn cases() -> Vec<Case> {
 const WAY: f64 = 0.03;
 
 /// Four layers on a table. The lowest is held at its right edge; the third is sewn to it along the left edge, over the
-/// second, which ends 20 mm before the seam. The second is drawn out to the right, the fourth forwards: both come along as they
-/// are, the others stay.
+/// second, which ends 20 mm before the seam. The second is drawn out to the right, the fourth forwards: both come along
+/// as they are, the others stay.
 fn skipped(lab: &mut Lab) -> Result<(), String> {
     let (side, pitch) = (0.2, 0.02);
     let mut cloth = Mesh::default();

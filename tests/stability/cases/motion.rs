@@ -87,16 +87,16 @@ fn shot(lab: &mut Lab) -> Result<(), String> {
     let shots = film(lab, &trial, &run, &frames)?;
     let last = shots.last().ok_or("a frame")?;
     let before = trial.cloth.at.iter().zip(last).filter(|(p, _)| p.x.abs() < 0.02 && (p.z + 0.1).abs() < 0.02);
-    // The ball ends with its back at y = 0.06 m. The cloth is too short to be led so far and slips over it; what went through
-    // it would be straight behind it.
+    // The ball ends with its back at y = 0.06 m. The cloth is too short to be led so far and slips over it; what went
+    // through it would be straight behind it.
     let off_axis = |q: &Vec3| libm::hypot(q.x, q.z + 0.1);
     let behind = before.filter(|(_, q)| q.y < 0.06 && off_axis(q) < 0.035).count();
     lab.expect(behind == 0, format!("{behind} vertices that were hit stayed behind"));
     Ok(())
 }
 
-/// A bar goes at full speed from one step to the next, and what hangs on it too: half a cell of cloth that bears 3 %. At
-/// 0.5 m/s no cloth is stretched more; two corners that are jerked at 2 m/s may bear more, and that is told.
+/// A bar goes at full speed from one step to the next, and what hangs on it too: half a cell of cloth that bears 3 %.
+/// At 0.5 m/s no cloth is stretched more; two corners that are jerked at 2 m/s may bear more, and that is told.
 fn taken_along(lab: &mut Lab) -> Result<(), String> {
     let law = [Law::Exponential { k0: 7000.0, beta: 35.0 }, Law::Exponential { k0: 3000.0, beta: 15.0 }];
     let fabric = Cloth { warp: law[0], weft: law[1], limit: 0.03, ..cotton() };
@@ -160,7 +160,7 @@ fn held_on_slope(lab: &mut Lab) -> Result<(), String> {
     Ok(())
 }
 
-/// What rests on a ball stays there, frame after frame.
+/// Cloth that rests on a ball stays there, frame after frame.
 fn still(lab: &mut Lab) -> Result<(), String> {
     let trial = Trial::new(lying(del(0.2, 0.02), 0.102), cotton()).over(ball(0.1, Vec3::zeros(), 3));
     let trial = lab.shaken(&filmed(trial, &["frames = 90"], &[]));

@@ -50,8 +50,8 @@ fn accuracies(lab: &mut Lab) -> Result<(), String> {
     Ok(())
 }
 
-/// So many triangles without area in the cloth and in the body: one finding each with the number of them and the first five,
-/// and the drape is what it is without them.
+/// So many triangles without area in the cloth and in the body: one finding each with the number of them and the first
+/// five, and the drape is what it is without them.
 fn flood(lab: &mut Lab) -> Result<(), String> {
     let one = Trial::new(lying(del(0.2, 0.04), 0.052), cotton()).over(ball(0.05, Vec3::zeros(), 2));
     let d = lab.settles(&one)?;

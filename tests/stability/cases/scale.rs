@@ -186,8 +186,8 @@ fn sized(lab: &mut Lab, side: f64) -> Result<(), String> {
     Ok(())
 }
 
-/// Ten times as large with the cloth that fits, which rounds every number anew: the same shape to a millionth of the side.
-/// Only from an even start: from a shaken one the two come to rest by other steps.
+/// Ten times as large with the cloth that fits, which rounds every number anew: the same shape to a millionth of the
+/// side. Only from an even start: from a shaken one the two come to rest by other steps.
 fn tenfold(lab: &mut Lab, one: &Trial) -> Result<(), String> {
     let (mut one, mut ten) = (one.clone(), similarity(one, 10.0));
     let gaps = |m: f64| ["body_gap", "self_gap"].map(|gap| format!("{gap} = \"{m} m\"")).to_vec();

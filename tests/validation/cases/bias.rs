@@ -1,8 +1,8 @@
 //! Bias extension: shear angle in the middle of a strip cut at 45° and pulled by its ends.
 //!
-//! The closed form is that of yarns that do not stretch, and converges slowly: a strip of linear cloth, solved by finite
-//! elements on fine meshes, falls short of it by 18 % at K/G = 100, 13 % at 200, 3.4 % at 2,000 and 0.7 % at 20,000. And where
-//! yarns do not stretch, triangles with edges off the yarns lock: here the edges run along them.
+//! The closed form is that of yarns that do not stretch, and converges slowly. A strip of linear cloth, solved by
+//! finite elements on fine meshes, falls short of it by 18 % at K/G = 100, 13 % at 200, 3.4 % at 2,000 and 0.7 % at
+//! 20,000. And where yarns do not stretch, triangles with edges off the yarns lock: here the edges run along them.
 
 use crate::case::{Case, case, share};
 use crate::lab::Lab;
@@ -59,7 +59,7 @@ fn shear(cloth: &Mesh, strip: &[[f64; 2]], at: &[Vec3]) -> f64 {
     sum / weight
 }
 
-/// What a weft and a warp yarn of unit length became in a triangle.
+/// The images of a weft and a warp yarn of unit length in a triangle.
 fn yarns(rest: &[[f64; 2]], at: &[Vec3], t: &[usize; 3]) -> [Vec3; 2] {
     let [a, b, c] = t.map(|i| rest[i]);
     let (p, q) = (at[t[1]] - at[t[0]], at[t[2]] - at[t[0]]);

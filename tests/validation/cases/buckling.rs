@@ -88,8 +88,8 @@ fn upright(lab: &mut Lab) -> Result<(), String> {
     Ok(())
 }
 
-/// A ribbon on edge. Its clamped end cannot warp, which raises Γ by 0.85 width/length (seen at a tenth, a twentieth and a
-/// fortieth on fine meshes), and its own plane must not bend before it buckles.
+/// A ribbon on edge. Its clamped end cannot warp, which raises Γ by 0.85 width/length (seen at a tenth, a twentieth and
+/// a fortieth on fine meshes), and its own plane must not bend before it buckles.
 fn on_edge(lab: &mut Lab) -> Result<(), String> {
     let (length, width, w, rows, stretch) = (0.1, 0.0025, 0.4905, 160, 19_000.0);
     // EI = B b and GJ = 2 B b without a Poisson ratio.

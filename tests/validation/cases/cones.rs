@@ -35,8 +35,8 @@ pub fn cases() -> Vec<Case> {
 }
 
 /// A sewn sector: it starts on a wider cone with the mouth open by a tenth of a turn, so that it is bent the right way
-/// and neither flat nor the answer. K is above 1e6 B/R², so that it rolls rather than stretches; limper cloth on such edges
-/// finds its folds along them, and its waist gets oval.
+/// and neither flat nor the answer. K is above 1e6 B/R², so that it rolls rather than stretches; limper cloth on such
+/// edges finds its folds along them, and its waist gets oval.
 fn sew(lab: &mut Lab, sector: polar::Sector, bending: f64) -> Result<(polar::Sector, Draped, Vec<usize>), String> {
     let stitches = sector.sides();
     let open = (0.9 * TAU).max(1.02 * sector.angle).min(TAU);

@@ -1,5 +1,5 @@
-//! Bare edge springs in regular lattices: what the model `springs` makes of a patch that is strained evenly. Rim springs bear
-//! half, so a patch is as stiff as the endless lattice.
+//! Bare edge springs in regular lattices: what the model `springs` makes of a patch that is strained evenly. Rim
+//! springs bear half, so a patch is as stiff as the endless lattice.
 
 use crate::case::{Case, case, share};
 use crate::lab::Lab;
@@ -33,8 +33,9 @@ fn bare_equilateral(lab: &mut Lab) -> Result<(), String> {
     equilateral(lab, 100.0, bare([100.0; 2]))
 }
 
-/// Springs as they follow from a law: a side's spring has √3/2 of its direction's stiffness K there (docs/structural.md, Van
-/// Gelder's weight); a shear stiffness of K/2 makes up what the sides off the yarns lack of it.
+/// Springs as they follow from a law: a side's spring has √3/2 of its direction's stiffness K there
+/// (stages/cloth/docs/structural.md, Van Gelder's weight). A shear stiffness of K/2 makes up for what the sides off the
+/// yarns lack.
 fn lawful_equilateral(lab: &mut Lab) -> Result<(), String> {
     let k = 100.0;
     let stretch = 2.0 / libm::sqrt(3.0) * k;
@@ -59,13 +60,14 @@ fn equilateral(lab: &mut Lab, k: f64, fabric: Cloth) -> Result<(), String> {
     Ok(())
 }
 
-/// Squares with both diagonals of constant `kd`; they meet in a vertex, so that each is two springs of twice the constant.
+/// Squares with both diagonals of constant `kd`; they meet in a vertex, so that each is two springs of twice the
+/// constant.
 fn bare_square(lab: &mut Lab, ks: f64, kd: f64) -> Result<(), String> {
     square(lab, ks, kd, bare([ks, 2.0 * kd]))
 }
 
-/// Diagonals as they follow from a law are at least half as stiff as the sides, as a fabric without any shear stiffness makes
-/// them.
+/// Diagonals as they follow from a law are at least half as stiff as the sides, as a fabric without any shear stiffness
+/// makes them.
 fn lawful_square(lab: &mut Lab) -> Result<(), String> {
     let (stretch, shear) = (900.0, 50.0);
     square(lab, 0.5 * stretch, 0.25 * stretch + 0.5 * shear, Cloth::linear(0.1, stretch, shear, 1e-5))

@@ -60,8 +60,8 @@ fn damped(lab: &mut Lab) -> Result<(), String> {
     Ok(())
 }
 
-/// A chain held at one end has every other mode of one twice as long that is held at both: so no rim of triangles, whose
-/// corners are lighter than half a mass, plays a part. Columns of vertices along the yarn are such chains.
+/// A chain held at one end has every other mode of one twice as long that is held at both. So no rim of triangles plays
+/// a part, whose corners are lighter than half a mass. Columns of vertices along the yarn are such chains.
 fn chain(lab: &mut Lab) -> Result<(), String> {
     let (k, sigma, length, n) = (200.0, 0.2, 0.5, 50);
     let h = length / n as f64;
@@ -75,9 +75,9 @@ fn chain(lab: &mut Lab) -> Result<(), String> {
     Ok(())
 }
 
-/// The inside of a sheet whose border is held, so that rims and corners play no part; rounding alone sets it in motion. The
-/// reference's step is that of springs that do not shear, so the case is taken with next to no shear stiffness; with the
-/// case's own, triangles, which shear in that mode, bear less: h √(σ/(K + 2G)).
+/// The inside of a sheet whose border is held, so that rims and corners play no part; rounding alone sets it in motion.
+/// The reference's step is that of springs that do not shear, so the case is taken with next to no shear stiffness.
+/// With the case's own, triangles bear less, because they shear in that mode: h √(σ/(K + 2G)).
 fn grid(lab: &mut Lab) -> Result<(), String> {
     let (k, sigma, h) = (500.0, 0.2, 0.01);
     for (name, shear, expected) in [

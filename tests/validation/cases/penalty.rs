@@ -18,7 +18,7 @@ const K: f64 = 50.0;
 const V: f64 = 0.5;
 /// Far deeper than it gives way: contact is hard below a quarter of the gap.
 const GAP: f64 = 4e-3;
-/// Of the triangle, m.
+/// Edge of the triangle, m.
 const SIDE: f64 = 0.1;
 
 pub fn cases() -> Vec<Case> {

@@ -1,5 +1,5 @@
-//! Strips held at one end that ring, along themselves and across. Draped under a weight and let go without it, they swing
-//! in many modes; the sum over the shape of the first, weighted with the masses, holds that one alone.
+//! Strips held at one end that ring, along themselves and across. Draped under a weight and let go without it, they
+//! swing in many modes; the sum over the shape of the first, weighted with the masses, holds that one alone.
 
 use crate::case::{Case, case, share};
 use crate::closed::ring;

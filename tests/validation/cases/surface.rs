@@ -1,4 +1,4 @@
-//! What is measured on a sewn surface.
+//! Measurements on a sewn surface.
 
 use crate::support::mesh::{Mesh, area};
 use std::collections::BTreeMap;

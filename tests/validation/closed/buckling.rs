@@ -4,7 +4,8 @@ use super::{rk4, root};
 
 const STEPS: usize = 2000;
 
-/// An upright strip, Γ = w L³/B: tip displacement over L per `f = F L²/B`: `θ'' = −Γ (1 − s) θ − f`, θ(0) = 0, θ'(1) = 0.
+/// An upright strip, Γ = w L³/B: tip displacement over L per `f = F L²/B`: `θ'' = −Γ (1 − s) θ − f`, θ(0) = 0, θ'(1) =
+/// 0.
 pub fn upright(gamma: f64) -> f64 {
     let (a, b) = upright_ends(gamma);
     // θ'(0) = k makes the slope of the bend at the tip vanish.
@@ -27,7 +28,9 @@ pub fn upright_critical() -> f64 {
     root(4.0, 12.0, |g| upright_ends(g).0[1])
 }
 
-/// A strip on edge, held at one end; `x = q L³/√(EI GJ)`. Tip displacement to the side over L per `f = P L²/EI`:
+/// A strip on edge, held at one end; `x = q L³/√(EI GJ)`.
+///
+/// The tip displacement to the side over L belongs to `f = P L²/EI`.
 /// `β'' = −m (m β − p)`, `v'' = −√… m β + p` with m = x (1 − s)²/2, p = f (1 − s), β scaled by √(GJ/EI).
 pub fn on_edge(x: f64) -> f64 {
     let (a, b) = on_edge_ends(x);

@@ -1,6 +1,7 @@
 //! A sheet that hangs by its upper edge.
 
-/// Elongation of a sheet of length `l` and weight `w` (N/m²) whose strain at tension T is `strain(T)`, by Simpson's rule.
+/// Elongation of a sheet of length `l` and weight `w` (N/m²) whose strain at tension T is `strain(T)`, by Simpson's
+/// rule.
 pub fn elongation(l: f64, w: f64, strain: impl Fn(f64) -> f64) -> f64 {
     let n = 20_000;
     let h = l / f64::from(n);

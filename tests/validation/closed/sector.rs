@@ -3,9 +3,9 @@
 use super::{rk4, root};
 use std::f64::consts::FRAC_PI_2;
 
-/// Drape coefficient for a bending length `c`: with r from the disc's to the specimen's edge,
-/// `B (r θ')' = −w cos θ (R² − r²)/2`, θ = 0 at the disc, θ' = 0 at the rim; integrated from the rim. Sectors that hang
-/// overlap their neighbours in the shadow, which so is a full disc out to their tips.
+/// Drape coefficient for a bending length `c`. With r from the disc's to the specimen's edge, `B (r θ')' = −w cos θ (R²
+/// − r²)/2`, θ = 0 at the disc and θ' = 0 at the rim. It is integrated from the rim. Sectors that hang overlap their
+/// neighbours in the shadow, which so is a full disc out to their tips.
 pub fn drape_coefficient(c: f64, disc: f64, rim: f64) -> f64 {
     let n = 4000;
     let h = (rim - disc) / n as f64;

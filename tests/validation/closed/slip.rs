@@ -3,7 +3,8 @@
 use super::{rk4, root};
 
 /// Compression δ/L at which the tip slips: the force on it then leans by atan μ. From the tip, with unit force and
-/// rigidity: `θ'' = −sin(θ − ψ)`, θ to the vertical; the clamp is where θ is 0 for the second time, straight above the tip.
+/// rigidity: `θ'' = −sin(θ − ψ)`, θ to the vertical; the clamp is where θ is 0 for the second time, straight above the
+/// tip.
 pub fn compression(mu: f64) -> f64 {
     let bow = bow(libm::atan(mu));
     let end = bow[bow.len() - 1];

@@ -30,8 +30,8 @@ pub fn bias(fabric: &str, read: &Bias) -> String {
     chart.finish(fabric, &words)
 }
 
-/// Shear stress over shear angle, beside it the force per side as laboratories give it (blue), and what the fabric's G says
-/// (dashed).
+/// Shear stress over shear angle, beside it the force per side as laboratories give it (blue), and what the fabric's G
+/// says (dashed).
 #[must_use]
 pub fn frame(fabric: &str, read: &Frame) -> String {
     let last = read.readings.last().copied().unwrap_or_default();
