@@ -186,7 +186,7 @@ fn a_cantilever_rings_across_itself_at_the_closed_frequency() {
     let omega = 1.875_104_1_f64 * 1.875_104_1 * f64::sqrt(b / sigma) / (free * free);
     let mut m = linear(sigma, 3000.0, 3000.0, 100.0);
     (m.bend_warp, m.bend_weft) = (b, b);
-    // Wide, because its sides are a zigzag, which bends a little too softly (docs/flexion.md).
+    // Wide, because its sides are a zigzag, which bends a little too softly (docs/bending.md).
     let mut scene = regular(14, n, row * 2.0 / 3f64.sqrt(), m);
     scene.pins = (0..30).map(|v| Pin { vertex: v, at: scene.positions[v as usize] }).collect();
     for p in scene.positions.iter_mut().skip(30) {

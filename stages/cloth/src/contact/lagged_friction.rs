@@ -1,8 +1,6 @@
-//! Coulomb friction as an energy: tangential springs with a return mapping, refreshed between steps.
-//!
-//! Every contact holds its place by a tangential spring until the spring force reaches μ times the normal force.
-//! Then it slides with that force. Normal force, normal and anchor are those of the last refresh (docs/static.md).
-//! A refresh moves the anchor of a sliding contact along, so that sticking contacts do not creep.
+//! Coulomb friction for descents: every contact holds its place by a tangential spring until the spring force reaches
+//! μ times the normal force, then slides with that force (docs/contact.md). Normal force, normal and place are those
+//! of the last refresh; what slid is taken over into the new place, so real stick stays and nothing creeps.
 
 use crate::Vec3;
 use crate::collision::narrow_phase::pair_kind::PairKey;

@@ -1,5 +1,5 @@
 //! Bending (class 3 of the paper, its flexion springs) as the curvature of every triangle, told by the folds over its edges
-//! (docs/flexion.md): E = ½ A Σ D κ². The form is quadratic in the positions, so it cannot blow up, and needs lengths
+//! (docs/bending.md): E = ½ A Σ D κ². The form is quadratic in the positions, so it cannot blow up, and needs lengths
 //! only, so it works across seams.
 
 use crate::energy::Energy;
@@ -38,7 +38,7 @@ fn rigidity(m: &Material) -> Vector3<f64> {
 }
 
 /// How much firmer a triangle is made for its softening and for its square: measured, so that cantilevers on Delaunay meshes
-/// shaken by up to 0.3 cells meet the elastica within 1 % (docs/flexion.md).
+/// shaken by up to 0.3 cells meet the elastica within 1 % (docs/bending.md).
 const FIRMER: [f64; 2] = [0.4, 2.5];
 /// Softening up to which that holds: narrow triangles beside wide ones would come out a thousand times too firm.
 const SOFTEST: f64 = 0.5;

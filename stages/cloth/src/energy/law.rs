@@ -1,5 +1,5 @@
 //! A stretch curve as a table: tangents at equal strains, linear between, so that tension and energy are its exact
-//! integrals and cost no exponential. The tangent may be capped (validation §8.5).
+//! integrals and cost no exponential. The tangent may be capped.
 
 use crate::energy::strain_limit::{Bias, Lock};
 use crate::{Curve, Integrator, Material, Settings, Switch};

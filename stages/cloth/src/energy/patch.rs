@@ -1,4 +1,4 @@
-//! Curvature of a triangle from the folds of its hinges (docs/flexion.md): the quadratic surface through its three corners
+//! Curvature of a triangle from the folds of its hinges (docs/bending.md): the quadratic surface through its three corners
 //! and the three corners across its edges. What bends a surface uniformly is met exactly on any mesh.
 
 use crate::scene::topology::Hinge;

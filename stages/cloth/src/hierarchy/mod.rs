@@ -1,5 +1,5 @@
 //! Coarser levels of a scene, made from its own mesh: edges are collapsed in the cloth's plane, seams together, and every
-//! vertex that went remembers where on the coarser cloth it lies (docs/levels.md).
+//! vertex that went remembers where on the coarser cloth it lies (docs/hierarchy.md).
 
 pub(crate) mod charts;
 pub(crate) mod collapse;

@@ -2,7 +2,7 @@
 //!
 //! Even cloth (a cone, a disc, a square) begins on a saddle between all the ways in which it may fold. What leaves it by rounding alone
 //! leaves it late: with 40,000 triangles it took twice the steps on both levels. A little noise in all directions leaves it at once.
-//! Which of the folds it then finds is another matter: they lie within half a percent of what falling wins (docs/static.md).
+//! Which of the folds it then finds is another matter: they lie within half a percent of what falling wins (docs/book/src/solver.md).
 
 use crate::Scene;
 use crate::scene::measures::mean_edge;

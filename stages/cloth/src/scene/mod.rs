@@ -137,7 +137,7 @@ impl Material {
     }
 
     /// Rigidity against twist D₆₆, N·m: the one with which a strip cut on the bias shows its measured rigidity; without
-    /// that, Huber's √(B₁ B₂)/2 (docs/flexion.md).
+    /// that, Huber's √(B₁ B₂)/2 (docs/bending.md).
     #[must_use]
     pub fn bend_twist(&self) -> f64 {
         let mean = (self.bend_warp * self.bend_weft).sqrt();

@@ -14,7 +14,7 @@ pub enum Model {
 /// How time advances.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Integrator {
-    /// No time at all: the least energy is sought by a descent (docs/static.md).
+    /// No time at all: the least energy is sought by a descent (docs/book/src/solver.md).
     #[default]
     Static,
     /// Explicit central differences with an adaptive step (paper equations 8–14).
@@ -107,7 +107,7 @@ pub struct Settings {
     /// Most vertices pushed out of the body at the start, as a fraction; above it the start is refused.
     pub repair_share: f64,
     /// Threads allowed: one for each part of the cloth that meets no other, while there are any, and two for the factor of a large
-    /// part (docs/static.md). Results never depend on it.
+    /// part (docs/book/src/solver.md). Results never depend on it.
     pub threads: usize,
 }
 

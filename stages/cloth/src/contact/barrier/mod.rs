@@ -1,4 +1,4 @@
-//! Contact as a smooth energy of true distances, for the equilibrium solver (docs/static.md).
+//! Contact as a smooth energy of the true distances, for descents (docs/contact.md).
 //!
 //! Two primitives at distance d, nearer than their activation distance ĝ, store κ a b(d). Here κ is a stiffness, a
 //! the area of cloth and b the barrier of incremental potential contact (Li et al. 2020, equation 6). Candidate

@@ -1,4 +1,4 @@
-//! Triangle springs whose coefficients depend on all three elongations (docs/coupled.md; validation §5.4).
+//! Triangle springs whose coefficients depend on all three elongations (docs/coupled.md).
 //!
 //! Still springs: forces act along the three edges of a triangle. But each coefficient comes from the Green strain
 //! that the three lengths give together, so that any orthotropic, non-linear fabric is met exactly.
