@@ -6,9 +6,10 @@
 //! cargo test --release -p toile --test stability -- --all           # every case, as a table
 //!
 //! cargo test --release -p toile --test stability -- --all B E7      # cases whose name begins with one of these
-//! cargo test --release -p toile --test stability -- --matrix        # every case, 3 accuracies × 10 shaken starts
 //!
+//! cargo test --release -p toile --test stability -- --matrix        # every case, 3 accuracies × 10 shaken starts
 //! cargo test --release -p toile --test stability -- --matrix --quick
+//!
 //! cargo test --release -p toile --test stability -- --list
 //! ```
 //!

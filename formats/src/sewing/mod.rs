@@ -1,7 +1,42 @@
-//! The sewing file says what a DXF cannot say.
+//! The sewing file says what a DXF cannot say: seams, declared darts and pleats, places, layers and attachments. It
+//! also names what a garment needs beside them: copies of drawn pieces, names of edges, and pieces that are left out.
 //!
-//! Seams, declared darts and pleats, placements, layers, attachments; and what a garment needs beside them: copies of
-//! drawn pieces, names of edges, pieces that are left out. Every quantity carries its unit.
+//! # Form
+//!
+//! A TOML file with lists of tables. Quantities are texts with a unit. Points are in the coordinates of the piece, and
+//! are snapped to the nearest corner or vertex of the outline within 1 mm.
+//!
+//! ```toml
+//! [[seam]]
+//! name = "side-left"
+//! a = "front.side-left"                  # an edge by name or number …
+//!
+//! b = { piece = "back", from = ["0 mm", "384 mm"], to = ["0 mm", "0 mm"] }   # … or a run between two points
+//! ease = "4 mm"                          # or gather = 1.6; an undeclared difference over the limit is an error
+//!
+//! [[dart]]                               # only where the detection of darts must be overruled, or cannot see
+//! piece = "front"
+//! apex = ["154 mm", "330 mm"]
+//!
+//! mouth = [["140 mm", "443 mm"], ["168 mm", "443 mm"]]
+//!
+//! [[place]]                              # where a piece starts in 3D: explicit, or around a segment of the body
+//! piece = "front"
+//! around = "torso"
+//! side = "front"
+//! height = "914 mm"
+//!
+//! [[attach]]
+//! piece = "waistband"
+//! edge = "top"
+//! to = "waist"
+//! strength = "elastic 0.9"
+//! ```
+//!
+//! # Sides of a seam
+//!
+//! A side is one run of outline edges, or a list of runs in order. `a.from` meets `b.from`, and `a.to` meets `b.to`. A
+//! run between two points follows the outline on the shorter way, unless `way` says otherwise.
 
 mod dart;
 mod keys;

@@ -1,12 +1,10 @@
 //! The laboratory's tests of a fabric, done on the solver: the numbers of a fabric file go in, the numbers that the
 //! laboratory would read come out.
 //!
-//! | test | asks | after |
-//! |---|---|---|
-//! | [`cusick`] | how much of its shadow a disc of cloth keeps when it hangs over a smaller disc | BS 5058, ISO 9073-9 |
-//! | [`cantilever`] | how far a strip can be pushed over an edge | BS 3356, ASTM D1388, FAST-2 |
-//! | [`bias`] | how a strip cut at 45° gives way | bias extension, FAST-3 (EB5) |
-//! | [`frame`] | what shearing takes when the yarns keep their lengths | picture frame |
+//! - [`cusick`]: how much of its shadow a disc of cloth keeps when it hangs over a smaller disc (BS 5058, ISO 9073-9).
+//! - [`cantilever`]: how far a strip can be pushed over an edge (BS 3356, ASTM D1388, FAST-2).
+//! - [`bias`]: how a strip cut at 45° gives way (bias extension, FAST-3, EB5).
+//! - [`frame`]: the force that shearing needs when the yarns keep their lengths (picture frame).
 //!
 //! Every test makes its own even mesh (`mesh.rs`), is held by a rig (`rig.rs`), and is read as the instrument reads it.
 //! Pictures of the results: [`picture`]. Lengths are metres, angles radians, forces newtons.
