@@ -31,8 +31,26 @@ fn the_page_of_the_pipeline_is_current() {
     page("pipeline.md", &text);
 }
 
+/// The manual of a stage without its name, in lines that fit a page.
 fn without_name(manual: &str, name: &str) -> String {
-    manual.strip_prefix(name).unwrap_or(manual).trim_start().to_owned()
+    let manual = manual.strip_prefix(name).unwrap_or(manual).trim_start();
+    manual.lines().map(|line| folded(line) + "\n").collect()
+}
+
+/// A line cut at blanks where it is longer than a page is wide; what follows keeps the indent.
+fn folded(line: &str) -> String {
+    const WIDTH: usize = 110;
+    let indent = " ".repeat(line.len() - line.trim_start().len());
+    let mut lines = vec![String::new()];
+    for word in line.split_whitespace() {
+        let last = lines.last_mut().expect("a line");
+        if !last.is_empty() && indent.len() + last.chars().count() + 1 + word.chars().count() > WIDTH {
+            lines.push(word.to_owned());
+        } else {
+            *last = if last.is_empty() { word.to_owned() } else { format!("{last} {word}") };
+        }
+    }
+    lines.iter().map(|text| format!("{indent}{text}")).collect::<Vec<_>>().join("\n")
 }
 
 #[test]
@@ -59,8 +77,9 @@ fn the_pages_of_the_three_files_are_current() {
 fn the_page_of_findings_is_current() {
     let mut text = format!("# Findings\n\n{HEAD}");
     text.push_str("Every finding has a fixed code. `toile explain CODE` prints the same text.\n\n");
+    text.push_str("| code | meaning |\n|---|---|\n");
     for code in toile::codes::all() {
-        let _ = write!(text, "**`{}`** {}\n\n", code.code, code.text);
+        let _ = writeln!(text, "| `{}` | {} |", code.code, cell(code.text));
     }
     page("findings.md", &text);
 }
