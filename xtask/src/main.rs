@@ -80,6 +80,6 @@ fn fuzz(more: &[String]) -> Done {
     let lock = "fuzz/Cargo.lock";
     std::fs::copy("Cargo.lock", lock).map_err(|e| format!("{lock}: {e}"))?;
     let words = ["check", "--release", "--manifest-path", "fuzz/Cargo.toml", "--target-dir", "target"];
-    let settings = [("CUSTOM_LIBFUZZER_PATH", "none"), ("CARGO_PROFILE_RELEASE_DEBUG", "false")];
+    let settings = [("CUSTOM_LIBFUZZER_PATH", "target/libfuzzer.a"), ("CARGO_PROFILE_RELEASE_DEBUG", "false")];
     run::program("cargo", &words, more, &settings)
 }
