@@ -18,10 +18,10 @@ fn the_page_of_the_pipeline_is_current() {
     let schema = toile::schema::pipeline_schema(&registry);
     let mut text = format!("# Pipeline file\n\n{HEAD}");
     text.push_str("A pipeline is a chain of stages. Its JSON schema is `pipelines/toile.schema.json`.\n\n");
-    keys(&mut text, &schema, &schema["properties"]["pipeline"], "## `[pipeline]`");
+    keys(&mut text, &schema["properties"]["pipeline"], "## `[pipeline]`");
     let input = &schema["definitions"]["pipeline-input"]["anyOf"][1];
-    keys(&mut text, &schema, input, "## `[input]`, one table for each name");
-    keys(&mut text, &schema, &schema["properties"]["plugin"]["additionalProperties"], "## `[plugin.NAME]`");
+    keys(&mut text, input, "## `[input]`, one table for each name");
+    keys(&mut text, &schema["properties"]["plugin"]["additionalProperties"], "## `[plugin.NAME]`");
     text.push_str("## Stages\n\nEach stage is one `[[stage]]` table with `use`, `id` and `with`.\n\n");
     for stage in registry.iter() {
         let manual = toile::schema::manual(stage);
@@ -93,32 +93,32 @@ fn doc_of(file: &str) -> String {
 
 /// The keys at the top of a file, and those of its tables.
 fn tables(text: &mut String, schema: &Value) {
-    keys(text, schema, schema, "### Top of the file");
+    keys(text, schema, "### Top of the file");
     if let Some(run) = schema["definitions"]["run"]["anyOf"][1].as_object() {
-        keys(text, schema, &Value::Object(run.clone()), "### A run of outline edges");
+        keys(text, &Value::Object(run.clone()), "### A run of outline edges");
     }
     for (name, table) in schema["properties"].as_object().expect("properties") {
         match &table["items"] {
             Value::Null if table["properties"].is_object() && name != "segments" => {
-                keys(text, schema, table, &format!("### `[{name}]`"));
+                keys(text, table, &format!("### `[{name}]`"));
             }
             Value::Null if name == "segments" => {
                 let one = table["properties"].as_object().and_then(|p| p.values().next()).expect("a segment");
-                keys(text, schema, one, "### `[segments.NAME]`");
+                keys(text, one, "### `[segments.NAME]`");
             }
             items if items["oneOf"].is_array() => {
                 for form in items["oneOf"].as_array().expect("forms") {
-                    keys(text, schema, form, &format!("### `[[{name}]]`"));
+                    keys(text, form, &format!("### `[[{name}]]`"));
                 }
             }
-            items if items["properties"].is_object() => keys(text, schema, items, &format!("### `[[{name}]]`")),
+            items if items["properties"].is_object() => keys(text, items, &format!("### `[[{name}]]`")),
             _ => {}
         }
     }
 }
 
 /// A table of keys.
-fn keys(text: &mut String, root: &Value, schema: &Value, heading: &str) {
+fn keys(text: &mut String, schema: &Value, heading: &str) {
     let Some(properties) = schema["properties"].as_object() else { return };
     let _ = write!(text, "{heading}\n\n");
     if let Some(about) = schema["description"].as_str() {
@@ -129,13 +129,13 @@ fn keys(text: &mut String, root: &Value, schema: &Value, heading: &str) {
     for (name, property) in properties {
         let must = if required.contains(&name.as_str()) { " (required)" } else { "" };
         let about = property["description"].as_str().unwrap_or("");
-        let _ = writeln!(text, "| `{name}`{must} | {} | {} |", kind(root, property), cell(about));
+        let _ = writeln!(text, "| `{name}`{must} | {} | {} |", kind(property), cell(about));
     }
     text.push('\n');
 }
 
 /// The kind of a value in words.
-fn kind(root: &Value, schema: &Value) -> String {
+fn kind(schema: &Value) -> String {
     if let Some(name) = schema["$ref"].as_str() {
         return name.rsplit('/').next().unwrap_or("").to_owned();
     }
@@ -147,7 +147,7 @@ fn kind(root: &Value, schema: &Value) -> String {
         return format!("e.g. `{}`", cell(&example.to_string()));
     }
     if let Some(branches) = schema["anyOf"].as_array().or_else(|| schema["oneOf"].as_array()) {
-        return branches.first().map_or_else(String::new, |b| kind(root, b));
+        return branches.first().map_or_else(String::new, kind);
     }
     match &schema["type"] {
         Value::String(kind) if kind == "object" || kind == "array" => "table".to_owned(),
