@@ -150,7 +150,8 @@ fn kind(schema: &Value) -> String {
         return branches.first().map_or_else(String::new, kind);
     }
     match &schema["type"] {
-        Value::String(kind) if kind == "object" || kind == "array" => "table".to_owned(),
+        Value::String(kind) if kind == "object" => "table".to_owned(),
+        Value::String(kind) if kind == "array" => "list".to_owned(),
         Value::String(kind) if kind == "string" => match schema["description"].as_str() {
             Some(units) if units.starts_with("Units:") => {
                 format!("quantity; {}", units.to_lowercase().trim_end_matches('.'))
