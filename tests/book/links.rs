@@ -36,6 +36,36 @@ fn every_chapter_stands_in_the_summary() {
     }
 }
 
+/// The pages about the solver name its files by paths; each of them is there.
+#[test]
+fn the_solver_pages_name_real_files() {
+    let rooms = root().join("stages/cloth/src");
+    let mut sources = Vec::new();
+    list(&rooms, &mut sources);
+    let mut pages = vec![root().join("docs/book/src/solver.md"), root().join("docs/book/src/glossary.md")];
+    walk(&root().join("stages/cloth/docs"), &mut pages);
+    for page in pages {
+        let text = std::fs::read_to_string(&page).expect("page");
+        for name in text.split('`').skip(1).step_by(2).filter(|name| !name.contains([' ', '<'])) {
+            let known = |path: &PathBuf| path.ends_with(name.trim_end_matches('/'));
+            let is_path = name.ends_with(".rs") || name.ends_with('/');
+            let found = sources.iter().any(known) || root().join(name).exists();
+            assert!(!is_path || found, "{} names `{name}`, which is not there", page.display());
+        }
+    }
+}
+
+/// All files and folders below a folder.
+fn list(folder: &Path, found: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).expect("folder") {
+        let path = entry.expect("entry").path();
+        if path.is_dir() {
+            list(&path, found);
+        }
+        found.push(path);
+    }
+}
+
 /// All pages that are part of the repository.
 fn pages() -> Vec<PathBuf> {
     let mut pages = Vec::new();
