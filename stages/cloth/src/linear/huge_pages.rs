@@ -65,8 +65,8 @@ mod tests {
         for length in [0, 5, LARGE / size_of::<f32>() + 3] {
             let mut room = Pages::new(length).expect("memory");
             assert!(room.len() == length && room.iter().all(|v| *v == 0.0));
-            room.iter_mut().zip(1u16..).for_each(|(v, k)| *v = f32::from(k));
-            assert!(room.iter().zip(1u16..).all(|(v, k)| *v == f32::from(k)));
+            room.iter_mut().zip((1..=u16::MAX).cycle()).for_each(|(v, k)| *v = f32::from(k));
+            assert!(room.iter().zip((1..=u16::MAX).cycle()).all(|(v, k)| *v == f32::from(k)));
         }
         assert!(Pages::new(usize::MAX).is_none());
     }

@@ -1,4 +1,4 @@
-//! Sewing from coarse to fine (docs/levels.md): the coarsest level is sewn and settles; every finer level starts where the coarser
+//! Sewing from coarse to fine (docs/hierarchy.md): the coarsest level is sewn and settles; every finer level starts where the coarser
 //! one lies, with its seams already closed.
 
 use crate::hierarchy::Level;
