@@ -15,13 +15,15 @@ use crate::tuning::{Mechanism, Number};
 const NUMBERS: &[&[&dyn Number]] = &[
     crate::collision::tuning::NUMBERS,
     crate::contact::tuning::NUMBERS,
+    crate::dynamics::tuning::NUMBERS,
+    crate::explicit::tuning::NUMBERS,
     crate::optimize::tuning::NUMBERS,
     crate::sewing::tuning::NUMBERS,
-    crate::dynamics::tuning::NUMBERS,
 ];
 const MECHANISMS: &[&[&Mechanism]] = &[
     crate::collision::tuning::MECHANISMS,
     crate::contact::tuning::MECHANISMS,
+    crate::explicit::tuning::MECHANISMS,
     crate::optimize::tuning::MECHANISMS,
     crate::sewing::tuning::MECHANISMS,
 ];

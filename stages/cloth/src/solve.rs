@@ -75,7 +75,7 @@ pub fn animate(
     motion.check(scene.body.as_deref(), scene.positions.len())?;
     match settings.integrator {
         Integrator::Static => dynamics::film(scene, settings, dynamics, motion, watch, each),
-        Integrator::CentralDifference => explicit::motion::film(scene, settings, dynamics, motion, watch, each),
+        Integrator::CentralDifference => explicit::motion::animate(scene, settings, dynamics, motion, watch, each),
     }
 }
 

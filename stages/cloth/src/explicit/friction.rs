@@ -1,11 +1,13 @@
-//! Coulomb friction on the accepted velocities: an impulse against the sliding, as large as stops it, at most
-//! μ times the normal impulse. So what can stick does stick, without creep (docs/contact.md).
+//! Coulomb friction on the velocities after a step: an impulse against the sliding.
+//!
+//! The impulse is as large as stops the sliding, and at most μ times the normal impulse. A contact that can stick
+//! therefore sticks, without creep (docs/contact.md). The paper has no friction.
 
 use crate::Vec3;
-use crate::explicit::contact::Pair;
+use crate::explicit::contact::pair::ContactPair;
 
-/// Applies friction to `v`; returns how many contacts slip.
-pub(crate) fn apply(pairs: &[Pair], inverse_mass: &[f64], dt: f64, v: &mut [Vec3]) -> u64 {
+/// Applies friction to the velocities `v`; returns the number of contacts that slip.
+pub(crate) fn apply(pairs: &[ContactPair], inverse_mass: &[f64], dt: f64, v: &mut [Vec3]) -> u64 {
     let mut slipping = 0;
     for p in pairs.iter().filter(|p| p.load > 0.0 && p.friction > 0.0) {
         let mut relative = Vec3::zeros();

@@ -1,11 +1,29 @@
-//! The paper's scheme whole: explicit central differences with its own contact, friction, sewing and strain limit.
+//! The explicit scheme of Liu, Chen and Shi 2003, complete: central differences with contact, friction, sewing forces
+//! and a correction of over-elongation of their own.
+//!
+//! The paper is *Simulation of 3D Garment Based on Improved Spring-Mass Model*, Journal of Software 14(3), 619–627.
+//! Equation numbers in this folder are those of the paper:
+//!
+//! | equations | content | place |
+//! |---|---|---|
+//! | 1 | motion of a particle under internal and external forces | [`problem`] |
+//! | 2, 3 | force and energy of a spring | `energy/` |
+//! | 4 | weight of a particle | `energy/weight.rs` |
+//! | 5 | sewing force, linear in the gap | [`sewing_force`] |
+//! | 6 | anti-collision penalty | [`contact`] |
+//! | 7 | damping against the velocity | [`central_difference`] |
+//! | 8–14 | central differences, started at rest, with an adaptive step | [`central_difference`], [`run`] |
+//! | 15 | draping: the same system without sewing forces | [`run`] |
+//! | §2.2 | correction of over-elongated springs | [`over_elongation`] |
 
 pub(crate) mod central_difference;
 pub(crate) mod contact;
 pub(crate) mod friction;
 pub(crate) mod motion;
+pub(crate) mod over_elongation;
 pub(crate) mod problem;
 pub(crate) mod report;
+pub(crate) mod rest;
 pub(crate) mod run;
-pub(crate) mod sewing;
-pub(crate) mod strain_limit;
+pub(crate) mod sewing_force;
+pub(crate) mod tuning;

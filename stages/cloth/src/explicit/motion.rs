@@ -1,5 +1,6 @@
-//! Motion by the paper's central differences (equations 8–14), for comparison with the implicit steps: all steps have the
-//! length that was asked for, and one that is too long ends the run. The body stands still.
+//! Motion in time by the paper's central differences (equations 8–14), for comparison with the implicit steps.
+//!
+//! All steps have the length that was set, and a step that is too long ends the run. The body stands still.
 
 use crate::dynamics::drag::viscous;
 use crate::dynamics::motion::{Dynamics, Frame, Motion, Trip};
@@ -10,14 +11,11 @@ use crate::explicit::problem::Problem;
 use crate::explicit::report;
 use crate::{ClothError, Scene, Settings, Vec3, Watch};
 
-/// Places beyond this are no cloth any more, m.
-const LOST: f64 = 1e6;
-
-/// Moves the cloth by explicit steps; `each` is given every frame.
+/// Moves the cloth by explicit steps, and hands every frame to `each`.
 ///
 /// # Errors
 /// An unusable scene, a body that moves, steps that are too long, or a stop on request.
-pub(crate) fn film(
+pub(crate) fn animate(
     scene: &Scene,
     settings: &Settings,
     dynamics: &Dynamics,
@@ -29,21 +27,21 @@ pub(crate) fn film(
         let what = "central differences know a body at rest only".into();
         return Err(ClothError::BadSetting { name: "integrator", what });
     }
-    let mut walk = Walk::new(scene, settings, dynamics, motion)?;
-    walk.show(0, each);
+    let mut run = MotionRun::new(scene, settings, dynamics, motion)?;
+    run.show(0, each);
     for k in 1..motion.frames.max(1) {
-        walk.frame(k, watch)?;
-        walk.show(k, each);
-        if walk.trip.settled && motion.until_settled {
+        run.advance_to_frame(k, watch)?;
+        run.show(k, each);
+        if run.trip.settled && motion.until_settled {
             break;
         }
     }
-    Ok(walk.end(settings))
+    Ok(run.end(settings))
 }
 
-/// A penalty makes a vertex swing; its step must be shorter than 2/ω.
-fn bears(problem: &Problem, stiffness: f64, dt: f64) -> Result<(), ClothError> {
-    let lightest = problem.inverse_mass.iter().fold(0.0_f64, |a, b| a.max(*b));
+/// Checks that a step of `dt` seconds bears a contact stiffness, N/m: it must be shorter than 2/ω of the lightest vertex.
+fn check_penalty_step(problem: &Problem, stiffness: f64, dt: f64) -> Result<(), ClothError> {
+    let lightest = problem.masses.inverse.iter().fold(0.0_f64, |a, b| a.max(*b));
     let longest = 2.0 / (stiffness * lightest).sqrt();
     if dt < longest {
         return Ok(());
@@ -53,23 +51,26 @@ fn bears(problem: &Problem, stiffness: f64, dt: f64) -> Result<(), ClothError> {
     Err(ClothError::BadSetting { name: "contact_stiffness", what })
 }
 
-struct Walk<'a> {
+/// A motion in progress.
+struct MotionRun<'a> {
     scene: &'a Scene,
     dynamics: &'a Dynamics,
     motion: &'a Motion,
     problem: Problem,
-    /// Velocities are those half a step before.
+    /// Positions at a time, and velocities half a step before.
     state: State,
-    /// Steps from frame to frame, and their length, s.
+    /// Steps from frame to frame, a whole number.
     steps: f64,
+    /// Length of a step, s.
     dt: f64,
-    /// About the longest stable step at the start, s.
+    /// Estimate of the longest stable step at the start, s.
     stable: f64,
-    quiet: usize,
+    /// Frames in a row that were at rest.
+    quiet_frames: usize,
     trip: Trip,
 }
 
-impl<'a> Walk<'a> {
+impl<'a> MotionRun<'a> {
     fn new(
         scene: &'a Scene,
         settings: &Settings,
@@ -79,58 +80,60 @@ impl<'a> Walk<'a> {
         let frame = 1.0 / motion.fps;
         let steps = dynamics.steps(frame);
         let dt = frame / steps;
-        // Nothing is damped but by what was asked for, and every vertex has the inertia of its mass.
+        // Only the damping of the settings acts, and every vertex has the inertia of its mass.
         let damping = if dynamics.lagged { 0.0 } else { dynamics.damping };
         let plain = Settings { damping, stiffness_damping: 0.0, even_inertia: false, ..settings.clone() };
         let mut problem = Problem::new(scene, &plain, false)?;
         let stable = problem.stable_step(&problem.start.clone());
         if problem.contact.is_some() {
-            bears(&problem, plain.contact_stiffness, dt)?;
+            check_penalty_step(&problem, plain.contact_stiffness, dt)?;
         }
         if problem.contact.is_some() && dt < stable {
-            // Contact is as stiff as this step bears.
+            // Contact becomes as stiff as this step bears.
             problem = Problem::new(scene, &Settings { step_fraction: dt / stable, ..plain }, false)?;
         }
         let state = State::at_rest(problem.start.clone());
-        let mut walk =
-            Self { scene, dynamics, motion, problem, state, steps, dt, stable, quiet: 0, trip: Trip::default() };
-        walk.step_back();
-        Ok(walk)
+        let mut run =
+            Self { scene, dynamics, motion, problem, state, steps, dt, stable, quiet_frames: 0, trip: Trip::default() };
+        run.set_velocities_half_a_step_back();
+        Ok(run)
     }
 
-    /// Velocities half a step before the start.
-    fn step_back(&mut self) {
+    /// Takes the velocities back by half a step before the start.
+    fn set_velocities_half_a_step_back(&mut self) {
         if !self.motion.velocities.is_empty() {
             self.state.v.copy_from_slice(&self.motion.velocities);
         }
         let mut force = vec![Vec3::zeros(); self.state.x.len()];
         self.problem.forces(&self.state.x, &mut force);
-        for ((v, f), w) in self.state.v.iter_mut().zip(&force).zip(&self.problem.inverse_mass) {
+        for ((v, f), w) in self.state.v.iter_mut().zip(&force).zip(&self.problem.masses.inverse) {
             *v -= f * (0.5 * self.dt * w);
         }
     }
 
-    fn frame(&mut self, number: usize, watch: &mut dyn Watch) -> Result<(), ClothError> {
+    /// Steps from a frame to the next one, which has this number.
+    fn advance_to_frame(&mut self, number: usize, watch: &mut dyn Watch) -> Result<(), ClothError> {
         let before = self.state.x.clone();
         for _ in 0..self.steps as usize {
             if watch.cancelled() {
                 return Err(ClothError::Cancelled { step: self.trip.steps });
             }
-            self.brake();
+            self.apply_drag();
             central_difference::step(&mut self.problem, &mut self.state, self.dt);
             self.trip.steps += 1;
-            self.check()?;
+            self.check_stability()?;
         }
         let (frames, fps) = (self.motion.frames, self.motion.fps);
         watch.progress(self.trip.steps, &format!("frame {number} of {frames}"));
         self.trip.speed = crate::farthest(&before, &self.state.x) * fps;
-        self.quiet = if self.trip.speed <= self.dynamics.rest_speed { self.quiet + 1 } else { 0 };
-        self.trip.settled = self.quiet >= crate::dynamics::run::QUIET_FRAMES;
+        self.quiet_frames = if self.trip.speed <= self.dynamics.rest_speed { self.quiet_frames + 1 } else { 0 };
+        self.trip.settled = self.quiet_frames >= crate::dynamics::run::QUIET_FRAMES;
         Ok(())
     }
 
-    fn check(&self) -> Result<(), ClothError> {
-        if self.state.x.iter().all(|p| p.amax() < LOST) {
+    /// Ends the run where the cloth has become unstable.
+    fn check_stability(&self) -> Result<(), ClothError> {
+        if self.state.is_in_range() {
             return Ok(());
         }
         let (dt, stable) = (self.dt, self.stable);
@@ -138,20 +141,21 @@ impl<'a> Walk<'a> {
         Err(ClothError::Unstable { step: self.trip.steps, what })
     }
 
-    /// The air, and damping that lags, act against the velocity of half a step before.
-    fn brake(&mut self) {
+    /// Applies the drag of the air, and damping that lags, against the velocity of half a step before.
+    fn apply_drag(&mut self) {
         let damping = if self.dynamics.lagged { self.dynamics.damping } else { 0.0 };
         if self.dynamics.drag <= 0.0 && damping <= 0.0 {
             return;
         }
         let air = Dynamics { damping, ..*self.dynamics };
         let State { x, v, .. } = &mut self.state;
-        let against = viscous(&air, &self.problem.mass, &self.scene.triangles, x, v);
-        for ((v, c), w) in v.iter_mut().zip(&against).zip(&self.problem.inverse_mass) {
+        let against = viscous(&air, &self.problem.masses.cloth, &self.scene.triangles, x, v);
+        for ((v, c), w) in v.iter_mut().zip(&against).zip(&self.problem.masses.inverse) {
             *v -= c * *v * (self.dt * w);
         }
     }
 
+    /// Hands the present frame to `each`.
     fn show(&mut self, number: usize, each: &mut dyn FnMut(&Frame<'_>)) {
         self.trip.frames = number + 1;
         each(&Frame {
@@ -165,6 +169,7 @@ impl<'a> Walk<'a> {
         });
     }
 
+    /// Ends the motion with its report.
     fn end(mut self, settings: &Settings) -> Trip {
         self.trip.effects = report::effects(&self.problem, self.scene, settings);
         self.trip.effects.push(effect(

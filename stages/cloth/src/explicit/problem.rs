@@ -1,60 +1,80 @@
-//! The one place where model, contact, sewing, limits and effects meet. An integrator sees only this.
+//! The dynamic system of the paper (equation 1): model, contact, sewing, limits and held vertices together.
+//!
+//! The integrator sees only this.
 
 use crate::collision::body::Body;
 use crate::contact::parameters::contact_parameters;
 use crate::energy::model::model;
 use crate::energy::{Energy, elastic};
-use crate::explicit::contact::Contact;
+use crate::explicit::contact::PenaltyContact;
+use crate::explicit::contact::stiffness::ContactStiffness;
 use crate::explicit::friction;
-use crate::explicit::sewing::Sewing;
-use crate::explicit::strain_limit::StrainLimit;
+use crate::explicit::over_elongation::OverElongation;
+use crate::explicit::sewing_force::SewingForces;
+use crate::explicit::tuning::{
+    EXPLICIT_CONTACT_STIFFNESS, HELD_VERTEX_DISTANCE, HELD_VERTEX_SPEED, MASS_SCALING, MASS_SCALING_STIFFNESS_RATIO,
+};
 use crate::prepare::start::Start;
 use crate::scene::measures::{held, masses};
 use crate::scene::topology::Topology;
 use crate::{ClothError, Scene, Settings, Switch, Vec3};
 
-/// Contact stiffness in units of mass / step².
-const CONTACT_RATE: f64 = 0.15;
-/// A vertex stiffer per mass than this many times the median gets inertia.
-const UNEVEN: f64 = 2.0;
-/// Speed at which a held vertex is led to its place, m/s.
-const LEAD: f64 = 1.0;
+/// Time step of cloth without any stiffness, s.
+const STEP_WITHOUT_STIFFNESS: f64 = 1e-2;
 
-/// What the solver works on.
+/// Masses of the vertices.
+pub(crate) struct Masses {
+    /// Mass of the cloth, kg; 0 for vertices without a triangle.
+    pub cloth: Vec<f64>,
+    /// Inertia of a vertex, kg: its mass, or more where mass is scaled.
+    inertia: Vec<f64>,
+    /// Inverse of the inertia, 1/kg; 0 for held vertices.
+    pub inverse: Vec<f64>,
+    /// Number of vertices whose inertia is more than their mass, so that they do not rule the step.
+    pub scaled: usize,
+}
+
+/// Damping of the motion.
+pub(crate) struct Damping {
+    /// Mass-proportional rate C_d/m of equation 7, 1/s.
+    pub rate: f64,
+    /// Stiffness-proportional damping time, in time steps.
+    pub stiffness_steps: f64,
+}
+
+/// The dynamic system.
 pub(crate) struct Problem {
     pub energies: Vec<Box<dyn Energy>>,
-    pub contact: Option<Contact>,
-    pub sewing: Sewing,
-    pub limit: Option<StrainLimit>,
-    pub friction: bool,
-    /// kg, of the cloth itself.
-    pub mass: Vec<f64>,
-    /// 1/kg, of the inertia; 0 for held vertices.
-    pub inverse_mass: Vec<f64>,
-    pub damping: f64,
-    pub stiffness_damping: f64,
-    /// Vertices that got inertia so that they do not rule the step.
-    pub evened: usize,
-    pub repaired: (usize, f64),
-    /// Start positions, freed of the body.
+    pub contact: Option<PenaltyContact>,
+    pub has_friction: bool,
+    pub sewing: SewingForces,
+    pub over_elongation: Option<OverElongation>,
+    pub masses: Masses,
+    pub damping: Damping,
+    /// Start positions, freed of the body, m.
     pub start: Vec<Vec3>,
+    /// Vertices moved to free the start, and the largest move, m.
+    pub repaired: (usize, f64),
+    /// Held vertices and their places, m.
     pins: Vec<(u32, Vec3)>,
-    loose: Vec<bool>,
-    rows: Vec<f64>,
-    inertia: Vec<f64>,
+    /// Work array: row sums of the stiffness, N/m.
+    stiffness_rows: Vec<f64>,
 }
 
 impl Problem {
-    /// Checks and builds. `sewing`: do stitches pull?
+    /// Checks a scene and builds its system. Stitches pull only where `pulls`.
+    ///
+    /// # Errors
+    /// An unusable scene or setting, or a start that crosses.
     pub fn new(scene: &Scene, s: &Settings, pulls: bool) -> Result<Self, ClothError> {
         let Start { topology, positions, body, own, repaired, .. } = Start::new(scene, s)?;
-        let mut problem = Self::bare(scene, s, pulls, &topology, positions, repaired);
+        let mut problem = Self::without_contact(scene, s, pulls, &topology, positions, repaired);
         problem.add_contact(scene, s, topology, body, own);
         Ok(problem)
     }
 
-    /// Everything but contact, without any check.
-    fn bare(
+    /// Builds everything but contact, without any check.
+    fn without_contact(
         scene: &Scene,
         s: &Settings,
         pulls: bool,
@@ -62,37 +82,27 @@ impl Problem {
         start: Vec<Vec3>,
         repaired: (usize, f64),
     ) -> Self {
-        let n = start.len();
-        let mass = masses(scene);
-        let energies = model(scene, s, topology, &mass);
-        let mut rows = vec![0.0; n];
+        let cloth = masses(scene);
+        let energies = model(scene, s, topology, &cloth);
+        let mut stiffness_rows = vec![0.0; start.len()];
         for e in &energies {
-            e.add_stiffness(&start, &mut rows);
+            e.add_stiffness(&start, &mut stiffness_rows);
         }
-        let (inertia, evened) = inertia(&mass, &rows, s.even_inertia);
-        let mut inverse_mass: Vec<f64> = inertia.iter().map(|m| if *m > 0.0 { 1.0 / m } else { 0.0 }).collect();
         let pins = held(scene);
-        for p in &pins {
-            inverse_mass[p.0 as usize] = 0.0;
-        }
-        let sewing = Sewing::new(scene, s, &rows, &inertia, pulls);
+        let masses = Masses::new(cloth, &stiffness_rows, s.even_inertia, &pins);
+        let sewing = SewingForces::new(scene, s, &stiffness_rows, &masses.inertia, pulls);
         Self {
             energies,
             contact: None,
+            has_friction: false,
             sewing,
-            limit: if s.effects.strain_limit == Switch::Off { None } else { StrainLimit::new(scene) },
-            friction: false,
-            loose: mass.iter().map(|m| *m == 0.0).collect(),
-            mass,
-            inverse_mass,
-            damping: s.damping,
-            stiffness_damping: s.stiffness_damping,
-            evened,
-            repaired,
+            over_elongation: if s.effects.strain_limit == Switch::Off { None } else { OverElongation::new(scene) },
+            masses,
+            damping: Damping { rate: s.damping, stiffness_steps: s.stiffness_damping },
             start,
+            repaired,
             pins,
-            rows,
-            inertia,
+            stiffness_rows,
         }
     }
 
@@ -102,23 +112,28 @@ impl Problem {
             return;
         }
         let dt = s.step_fraction.min(1.0) * self.stable_step(&self.start.clone());
-        let frame = contact_parameters(scene, s, topology, &self.inverse_mass, body.is_some(), own);
-        self.friction = s.effects.friction != Switch::Off && frame.friction.iter().any(|m| *m > 0.0);
-        self.contact = Some(Contact::new(&self.start, frame, body, [CONTACT_RATE / (dt * dt), s.contact_stiffness]));
+        let frame = contact_parameters(scene, s, topology, &self.masses.inverse, body.is_some(), own);
+        self.has_friction = s.effects.friction != Switch::Off && frame.friction.iter().any(|m| *m > 0.0);
+        let stiffness = if s.contact_stiffness > 0.0 {
+            ContactStiffness::Fixed(s.contact_stiffness)
+        } else {
+            ContactStiffness::PerMass(EXPLICIT_CONTACT_STIFFNESS.get() / (dt * dt))
+        };
+        self.contact = Some(PenaltyContact::new(&self.start, frame, body, stiffness));
     }
 
     /// Largest stable step of the elastic forces as the cloth stands, s.
     pub fn stable_step(&mut self, x: &[Vec3]) -> f64 {
-        self.rows.fill(0.0);
+        self.stiffness_rows.fill(0.0);
         for e in &self.energies {
-            e.add_stiffness(x, &mut self.rows);
+            e.add_stiffness(x, &mut self.stiffness_rows);
         }
-        let rate =
-            self.rows.iter().zip(&self.inertia).filter(|(_, m)| **m > 0.0).map(|(k, m)| k / m).fold(0.0, f64::max);
-        if rate > 0.0 { 2.0 / rate.sqrt() } else { 1e-2 }
+        let rows = self.stiffness_rows.iter().zip(&self.masses.inertia);
+        let rate = rows.filter(|(_, m)| **m > 0.0).map(|(k, m)| k / m).fold(0.0, f64::max);
+        if rate > 0.0 { 2.0 / rate.sqrt() } else { STEP_WITHOUT_STIFFNESS }
     }
 
-    /// Sum of all forces at `x`, N.
+    /// Sets `f` to the sum of all forces at `x`, N (right-hand side of equation 1).
     pub fn forces(&mut self, x: &[Vec3], f: &mut [Vec3]) {
         f.fill(Vec3::zeros());
         for e in &self.energies {
@@ -130,81 +145,99 @@ impl Problem {
         }
     }
 
-    /// Friction, joined vertices, held vertices.
+    /// Applies friction, joined vertices and held vertices to the velocities.
     pub fn constrain_velocities(&mut self, v: &mut [Vec3], x: &[Vec3], dt: f64) {
-        self.sewing.share_velocity(v, &self.inverse_mass);
+        self.sewing.share_velocity(v, &self.masses.inverse);
         if let Some(c) = &mut self.contact {
             c.stop_approach(v, dt);
-            if self.friction {
-                c.tally.slipped += friction::apply(&c.pairs, &self.inverse_mass, dt, v);
+            if self.has_friction {
+                c.tally.slipped += friction::apply(&c.pairs, &self.masses.inverse, dt, v);
             }
-            self.sewing.share_velocity(v, &self.inverse_mass);
+            self.sewing.share_velocity(v, &self.masses.inverse);
         }
+        let speed = HELD_VERTEX_SPEED.get();
         for (i, at) in &self.pins {
             let d = at - x[*i as usize];
             let l = d.norm();
-            v[*i as usize] = if l > LEAD * dt { d * (LEAD / l) } else { d / dt };
+            v[*i as usize] = if l > speed * dt { d * (speed / l) } else { d / dt };
         }
     }
 
-    /// Joined pairs, elongation limit, and last the guard that nothing crosses.
+    /// Applies joined pairs, the elongation limit, and last the guard that nothing crosses, to the positions.
     pub fn constrain_positions(&mut self, x: &[Vec3], next: &mut [Vec3], v: &mut [Vec3], dt: f64) {
-        self.sewing.zip(next, &self.inverse_mass);
-        if let Some(l) = &mut self.limit {
-            l.apply(next, v, &self.inverse_mass, dt);
+        self.sewing.close_joined(next, &self.masses.inverse);
+        if let Some(l) = &mut self.over_elongation {
+            l.apply(next, v, &self.masses.inverse, dt);
         }
         if let Some(c) = &mut self.contact {
-            c.guard(x, next, v, dt);
+            c.hold_in_balls(x, next, v, dt);
         }
     }
 
-    /// Elastic energy, J.
+    /// Elastic energy at `x`, J.
     pub fn elastic(&self, x: &[Vec3]) -> f64 {
         elastic(&self.energies, x)
     }
 
-    /// Elastic, weight and contact energy, J.
+    /// Elastic, weight and contact energy at `x`, J.
     pub fn potential(&self, x: &[Vec3]) -> f64 {
         self.energies.iter().map(|e| e.energy(x)).sum::<f64>() + self.contact.as_ref().map_or(0.0, |c| c.energy(x))
     }
 
-    /// J.
+    /// Kinetic energy of the vertices that are not held, J.
     pub fn kinetic(&self, v: &[Vec3]) -> f64 {
-        0.5 * self.inverse_mass.iter().zip(v).filter(|(w, _)| **w > 0.0).map(|(w, v)| v.norm_squared() / w).sum::<f64>()
+        let moving = self.masses.inverse.iter().zip(v).filter(|(w, _)| **w > 0.0);
+        0.5 * moving.map(|(w, v)| v.norm_squared() / w).sum::<f64>()
     }
 
-    /// Free to move and with mass?
-    pub fn free(&self, i: usize) -> bool {
-        self.inverse_mass[i] > 0.0 && !self.loose[i]
+    /// Returns `true` for a vertex that is free to move and has mass.
+    pub fn is_free(&self, i: usize) -> bool {
+        self.masses.inverse[i] > 0.0 && self.masses.cloth[i] != 0.0
     }
 
-    /// Are all held vertices where they should be?
-    pub fn pins_placed(&self, x: &[Vec3]) -> bool {
-        self.pins.iter().all(|(i, at)| (at - x[*i as usize]).norm() <= 1e-6)
+    /// Returns `true` if all held vertices are where they should be.
+    pub fn are_pins_placed(&self, x: &[Vec3]) -> bool {
+        let distance = HELD_VERTEX_DISTANCE.get();
+        self.pins.iter().all(|(i, at)| (at - x[*i as usize]).norm() <= distance)
     }
 
+    /// Held vertices and their places, m.
     pub fn pins(&self) -> &[(u32, Vec3)] {
         &self.pins
     }
 }
 
-/// Inertia of the vertices: their mass, more where small triangles would rule the step. The rest shape does not
-/// depend on it.
-fn inertia(mass: &[f64], rows: &[f64], even: bool) -> (Vec<f64>, usize) {
-    let mut rates: Vec<f64> = mass.iter().zip(rows).filter(|(m, _)| **m > 0.0).map(|(m, k)| k / m).collect();
+impl Masses {
+    /// Masses of a cloth; with `scaling`, small stiff triangles get inertia.
+    fn new(cloth: Vec<f64>, stiffness_rows: &[f64], scaling: bool, pins: &[(u32, Vec3)]) -> Self {
+        let (inertia, scaled) =
+            if scaling && MASS_SCALING.is_on() { scaled(&cloth, stiffness_rows) } else { (cloth.clone(), 0) };
+        let mut inverse: Vec<f64> = inertia.iter().map(|m| if *m > 0.0 { 1.0 / m } else { 0.0 }).collect();
+        for p in pins {
+            inverse[p.0 as usize] = 0.0;
+        }
+        Self { cloth, inertia, inverse, scaled }
+    }
+}
+
+/// Inertia of the vertices and the number of those that got more than their mass, where small triangles would rule
+/// the step. The rest shape does not depend on inertia.
+fn scaled(mass: &[f64], stiffness_rows: &[f64]) -> (Vec<f64>, usize) {
+    let with_mass = mass.iter().zip(stiffness_rows).filter(|(m, _)| **m > 0.0);
+    let mut rates: Vec<f64> = with_mass.map(|(m, k)| k / m).collect();
     rates.sort_by(f64::total_cmp);
-    let most = UNEVEN * rates.get(rates.len() / 2).copied().unwrap_or(0.0);
-    if !even || most <= 0.0 {
+    let most = MASS_SCALING_STIFFNESS_RATIO.get() * rates.get(rates.len() / 2).copied().unwrap_or(0.0);
+    if most <= 0.0 {
         return (mass.to_vec(), 0);
     }
-    let mut evened = 0;
-    let inertia = mass.iter().zip(rows).map(|(m, k)| {
+    let mut count = 0;
+    let inertia = mass.iter().zip(stiffness_rows).map(|(m, k)| {
         if *m > 0.0 && k / m > most {
-            evened += 1;
+            count += 1;
             k / most
         } else {
             *m
         }
     });
-    (inertia.collect(), evened)
+    (inertia.collect(), count)
 }

@@ -1,4 +1,4 @@
-//! What the run tells: balance of forces, and which effects were on, by which rule and on what evidence.
+//! The report of a run: the balance of forces, and for every effect if it was on, by which rule, on what evidence.
 
 use crate::effects::{self, BENDING_HYSTERESIS, BODY_CONTACT, Effect, FRICTION, SELF_CONTACT, STRAIN_LIMIT, effect};
 use crate::explicit::problem::Problem;
@@ -7,45 +7,50 @@ use crate::{Curve, EffectReport, Reaction, Scene, Settings, Vec3};
 
 /// Forces at rest.
 pub(crate) struct Balance {
+    /// Largest net force on a free vertex over the mean weight of a vertex.
     pub residual_rel: f64,
+    /// Forces of the held vertices on what holds them.
     pub reactions: Vec<Reaction>,
 }
 
-/// Net forces at `x`, at rest: what the elastic forces, the weight and all constraints (contact, friction, joined
-/// pairs, elongation limit) leave over to set a free vertex moving.
+/// Balance of the forces on cloth at rest at `x`.
+///
+/// A net force is the part of elastic forces and weight that the constraints (contact, friction, joined pairs,
+/// elongation limit) leave over to set a free vertex moving.
 pub(crate) fn balance(problem: &mut Problem, x: &[Vec3], gravity: f64, dt: f64) -> Balance {
     let n = x.len();
     let mut f = vec![Vec3::zeros(); n];
     problem.forces(x, &mut f);
     let reactions = problem.pins().iter().map(|(i, _)| Reaction { vertex: *i, force: -f[*i as usize] }).collect();
-    let mut v: Vec<Vec3> = f.iter().zip(&problem.inverse_mass).map(|(f, w)| f * (dt * w)).collect();
+    let mut v: Vec<Vec3> = f.iter().zip(&problem.masses.inverse).map(|(f, w)| f * (dt * w)).collect();
     problem.constrain_velocities(&mut v, x, dt);
     let mut next: Vec<Vec3> = x.iter().zip(&v).map(|(x, v)| x + v * dt).collect();
-    let inverse_mass = problem.inverse_mass.clone();
-    if let Some(limit) = &mut problem.limit {
+    let inverse_mass = problem.masses.inverse.clone();
+    if let Some(limit) = &mut problem.over_elongation {
         limit.settle(x, &mut next, &mut v, &inverse_mass, dt);
     }
-    let net = |i: usize| v[i].norm() / (dt * problem.inverse_mass[i]);
-    let most = (0..n).filter(|i| problem.free(*i)).map(net).fold(0.0, f64::max);
-    let weight = mean_weight(&problem.mass, gravity);
+    let net = |i: usize| v[i].norm() / (dt * problem.masses.inverse[i]);
+    let most = (0..n).filter(|i| problem.is_free(*i)).map(net).fold(0.0, f64::max);
+    let weight = mean_weight(&problem.masses.cloth, gravity);
     Balance { residual_rel: if weight > 0.0 { most / weight } else { 0.0 }, reactions }
 }
 
+/// Reports of all effects of a run.
 pub(crate) fn effects(problem: &Problem, scene: &Scene, s: &Settings) -> Vec<EffectReport> {
     let table = effects::reports(scene, s, |e| shown(e, problem, scene));
     // Explicit steps do not count the time of each effect.
     let mut list: Vec<EffectReport> = table.into_iter().map(|(report, _)| report).collect();
-    list.push(softened(scene, s));
+    list.push(softened_stretch(scene, s));
     list.push(effect(
         "even-inertia",
-        problem.evened > 0,
+        problem.masses.scaled > 0,
         "a vertex is more than twice as stiff per mass as the median".into(),
-        format!("{} vertices got inertia (no weight)", problem.evened),
+        format!("{} vertices got inertia (no weight)", problem.masses.scaled),
     ));
     list
 }
 
-/// Whether the run had an effect, and what it showed.
+/// State of an effect in the run, and the evidence for it; `None` for an effect without a place in this scheme.
 fn shown(effect: &Effect, problem: &Problem, scene: &Scene) -> Option<(bool, String)> {
     Some(match effect.name {
         name if name == SELF_CONTACT.name => self_contact(problem),
@@ -92,18 +97,18 @@ fn body_contact(problem: &Problem, scene: &Scene) -> (bool, String) {
 fn friction(problem: &Problem, scene: &Scene) -> (bool, String) {
     let most = scene.materials.iter().map(|m| m.friction).fold(0.0, f64::max);
     let slipped = problem.contact.as_ref().map_or(0, |c| c.tally.slipped);
-    let evidence = if problem.friction {
+    let evidence = if problem.has_friction {
         format!("coefficient up to {most}; {slipped} slips of a contact in a step, all other contacts stuck")
     } else if most > 0.0 {
         "no contact, or switched off".into()
     } else {
         "all coefficients are 0".into()
     };
-    (problem.friction, evidence)
+    (problem.has_friction, evidence)
 }
 
 fn strain_limit(problem: &Problem, scene: &Scene) -> (bool, String) {
-    let evidence = match &problem.limit {
+    let evidence = match &problem.over_elongation {
         Some(l) if l.most_watched > 0 => {
             format!(
                 "up to {} yarn directions of triangles near their limit, {} corrections",
@@ -116,11 +121,11 @@ fn strain_limit(problem: &Problem, scene: &Scene) -> (bool, String) {
         }
         None => "switched off".into(),
     };
-    (problem.limit.is_some(), evidence)
+    (problem.over_elongation.is_some(), evidence)
 }
 
-/// Stretch curves used softer than measured, and what it costs.
-fn softened(scene: &Scene, s: &Settings) -> EffectReport {
+/// Report of stretch curves that were used softer than measured, with the strain that this adds.
+fn softened_stretch(scene: &Scene, s: &Settings) -> EffectReport {
     let steepest = |c: &Curve| c.tangent(0.0);
     let rest = scene.materials.iter().map(|m| steepest(&m.warp).max(steepest(&m.weft))).fold(0.0, f64::max);
     let on = rest > s.stiffness_cap;

@@ -1,33 +1,24 @@
-//! The loop of sewing and draping by the paper's scheme: explicit steps until the cloth rests.
+//! The loop of sewing and draping by the paper's scheme: explicit steps until the cloth rests (§1.3.2 and §2).
 
 use crate::explicit::central_difference;
 use crate::explicit::central_difference::State;
 use crate::explicit::problem::Problem;
 use crate::explicit::report;
+use crate::explicit::rest::RestTest;
+use crate::explicit::tuning::{
+    BALANCE_GAIN, BALANCE_GIVE_UP, BALANCED_RESIDUAL, DAMPING_GROWTH, DAMPING_RAISE, DAMPING_RATE_MAX,
+    ENERGY_CHECK_STEPS, ENERGY_GROWTH_FLOOR, ENERGY_GROWTH_SHARE, OPEN_SEAM_SPEED_SHARE, REST_WINDOWS, STEP_HALVING,
+    STEP_HALVINGS_MAX, TREMBLING_SPEED, VELOCITY_REDUCTION, VELOCITY_REDUCTION_ROUNDS, VELOCITY_REDUCTION_SHARE,
+};
 use crate::scene::measures;
-use crate::{ClothError, Outcome, Scene, Settings, StopReason, Vec3, Watch};
+use crate::{ClothError, Outcome, Scene, Settings, StopReason, Watch};
 
-/// Steps between two looks at the energy.
-const CHECK: u64 = 64;
-/// Time between two looks at the rest, s (a film frame).
-const WINDOW: f64 = 1.0 / 24.0;
-/// Quiet windows in a row that count as rest.
-const QUIET: u32 = 3;
-const MOST_HALVINGS: u32 = 10;
-/// Most rounds of quietening, each of [`CHECK`] steps.
-const QUIETENINGS: u32 = 40;
-/// Share of the velocity that is left after a quietened step.
-const QUIET_SHARE: f64 = 0.5;
-/// Net force over mean weight at which a vertex counts as balanced.
-const BALANCED: f64 = 0.02;
-/// Growth of the damping in every window whose energy rests while vertices still move …
-const CALMING: f64 = 1.15;
-/// … no faster than this many times the tolerance (what falls or swings is no trembling) …
-const TREMBLING: f64 = 10.0;
-/// … up to this, 1/s: slow enough to see real motion as motion.
-const MOST_DAMPING: f64 = 100.0;
+/// Energy checks between two reports of progress.
+const CHECKS_OF_PROGRESS: u64 = 16;
+/// Largest number of open stitches that an outcome names.
+const OPEN_STITCHES_NAMED: usize = 20;
 
-/// Sews (`pulls`) or settles the cloth from the scene's positions.
+/// Sews the cloth (`pulls`) or settles it, from the scene's positions.
 ///
 /// # Errors
 /// An unusable scene or setting, a start that crosses, instability, or a stop on request.
@@ -40,140 +31,149 @@ pub(crate) fn run(
     let mut problem = Problem::new(scene, settings, pulls)?;
     let gravity = scene.gravity.norm() * settings.gravity_scale;
     let mut run = Run::new(&mut problem, settings, gravity, scene.triangles.len());
-    let reason = run.go(watch)?;
-    if reason == StopReason::Settled && !pulls {
-        run.quieten(watch)?;
+    let reason = run.advance_to_stop(watch)?;
+    if reason == StopReason::Settled && !pulls && VELOCITY_REDUCTION.is_on() {
+        run.reduce_velocity(watch)?;
     }
     Ok(run.outcome(scene, reason))
 }
 
+/// The adaptive time step, and the time so far.
+struct Clock {
+    /// Length of a step, s.
+    step: f64,
+    /// Halvings of the step so far.
+    halvings: u32,
+    /// Steps so far.
+    steps: u64,
+    /// Simulated time so far, s.
+    seconds: f64,
+}
+
+/// The last state whose energy was sound, with that energy, J.
+struct SoundState {
+    state: State,
+    energy: f64,
+}
+
 struct Run<'a> {
     problem: &'a mut Problem,
-    triangles: usize,
     settings: &'a Settings,
-    state: State,
-    /// The last state whose energy was sound.
-    sound: State,
-    sound_energy: f64,
-    dt: f64,
-    halvings: u32,
-    steps: u64,
-    seconds: f64,
-    /// Positions and elastic energy at the start of the window.
-    window: (Vec<Vec3>, f64, f64),
-    quiet: u32,
-    /// Largest elastic energy so far, J.
-    peak: f64,
-    speed: f64,
-    change: f64,
-    /// m/s².
+    triangles: usize,
+    /// Gravity, m/s².
     gravity: f64,
+    state: State,
+    sound: SoundState,
+    clock: Clock,
+    rest: RestTest,
 }
 
 impl<'a> Run<'a> {
     fn new(problem: &'a mut Problem, settings: &'a Settings, gravity: f64, triangles: usize) -> Self {
         let state = State::at_rest(problem.start.clone());
-        let elastic = problem.elastic(&state.x);
-        let sound_energy = problem.potential(&state.x);
-        let window = (state.x.clone(), elastic, 0.0);
-        let mut run = Self {
-            sound: state.clone(),
-            state,
-            problem,
-            triangles,
-            settings,
-            sound_energy,
-            dt: 0.0,
-            halvings: 0,
-            steps: 0,
-            seconds: 0.0,
-            window,
-            quiet: 0,
-            peak: elastic,
-            speed: 0.0,
-            change: 0.0,
-            gravity,
-        };
+        let rest = RestTest::new(&state.x, problem.elastic(&state.x));
+        let energy = problem.potential(&state.x);
+        let sound = SoundState { state: state.clone(), energy };
+        let clock = Clock { step: 0.0, halvings: 0, steps: 0, seconds: 0.0 };
+        let mut run = Self { problem, settings, triangles, gravity, state, sound, clock, rest };
         run.choose_step();
         run
     }
 
-    /// The adaptive step: a fraction of the stable one as the cloth stands, halved where energy grew.
+    /// Sets the adaptive step: a fraction of the stable one as the cloth stands, halved where energy grew.
     fn choose_step(&mut self) {
         let stable = self.problem.stable_step(&self.state.x);
-        self.dt = self.settings.step_fraction * stable / f64::from(1u32 << self.halvings);
+        self.clock.step = self.settings.step_fraction * stable / f64::from(1u32 << self.clock.halvings);
     }
 
-    fn go(&mut self, watch: &mut dyn Watch) -> Result<StopReason, ClothError> {
+    /// Steps until a stop condition holds.
+    fn advance_to_stop(&mut self, watch: &mut dyn Watch) -> Result<StopReason, ClothError> {
+        let check_steps = ENERGY_CHECK_STEPS.get();
         loop {
-            central_difference::step(self.problem, &mut self.state, self.dt);
-            self.steps += 1;
-            self.seconds += self.dt;
-            if self.problem.sewing.pulls() {
-                self.problem.sewing.time += self.dt;
-                self.problem.sewing.join(&self.state.x);
-            }
-            if self.steps.is_multiple_of(CHECK) {
+            self.advance();
+            if self.clock.steps.is_multiple_of(check_steps) {
                 if watch.cancelled() {
-                    return Err(ClothError::Cancelled { step: self.steps });
+                    return Err(ClothError::Cancelled { step: self.clock.steps });
                 }
                 self.check_energy()?;
-                if self.steps.is_multiple_of(16 * CHECK) {
-                    watch.progress(self.steps, &self.words());
-                    watch.done(self.seconds / self.settings.max_seconds);
-                    watch.look(&self.state.x, self.triangles);
+                if self.clock.steps.is_multiple_of(CHECKS_OF_PROGRESS * check_steps) {
+                    self.show_progress(watch);
                 }
             }
-            if self.seconds - self.window.2 >= WINDOW && self.look_for_rest() {
-                let closed = !self.problem.sewing.pulls() || self.problem.sewing.closed(&self.state.x);
-                return Ok(if !closed { StopReason::SeamsOpen } else { StopReason::Settled });
-            }
-            let sewing = &self.problem.sewing;
-            if sewing.pulls() && sewing.hopeless() && !sewing.closed(&self.state.x) {
-                return Ok(StopReason::SeamsOpen);
-            }
-            if self.steps >= self.settings.max_steps {
-                return Ok(StopReason::MaxSteps);
-            }
-            if self.seconds >= self.settings.max_seconds {
-                return Ok(StopReason::MaxSeconds);
+            if let Some(reason) = self.stop_reason() {
+                return Ok(reason);
             }
         }
     }
 
-    /// What rests in the mean may still tremble by micrometres, from step to step, where friction and contact take
-    /// turns. Nearly all motion is taken out of every step until forces balance at every vertex, or gain no more.
-    fn quieten(&mut self, watch: &mut dyn Watch) -> Result<(), ClothError> {
-        let gravity = self.gravity;
+    /// Takes one step and joins the pairs that came near.
+    fn advance(&mut self) {
+        central_difference::step(self.problem, &mut self.state, self.clock.step);
+        self.clock.steps += 1;
+        self.clock.seconds += self.clock.step;
+        if self.problem.sewing.pulls() {
+            self.problem.sewing.time += self.clock.step;
+            self.problem.sewing.join(&self.state.x);
+        }
+    }
+
+    /// The reason to stop now, if there is one.
+    fn stop_reason(&mut self) -> Option<StopReason> {
+        if self.rest.is_due(self.clock.seconds) && self.is_at_rest() {
+            let closed = !self.problem.sewing.pulls() || self.problem.sewing.is_closed(&self.state.x);
+            return Some(if closed { StopReason::Settled } else { StopReason::SeamsOpen });
+        }
+        let sewing = &self.problem.sewing;
+        if sewing.pulls() && sewing.is_hopeless() && !sewing.is_closed(&self.state.x) {
+            return Some(StopReason::SeamsOpen);
+        }
+        if self.clock.steps >= self.settings.max_steps {
+            return Some(StopReason::MaxSteps);
+        }
+        (self.clock.seconds >= self.settings.max_seconds).then_some(StopReason::MaxSeconds)
+    }
+
+    /// Takes nearly all motion out of every step until forces balance at every vertex, or gain no more.
+    ///
+    /// Cloth that rests in the mean may still tremble by micrometres from step to step, where friction and contact take
+    /// turns.
+    fn reduce_velocity(&mut self, watch: &mut dyn Watch) -> Result<(), ClothError> {
+        let (gravity, balanced) = (self.gravity, BALANCED_RESIDUAL.get());
+        let (gain, give_up) = (BALANCE_GAIN.get(), BALANCE_GIVE_UP.get());
+        let share = VELOCITY_REDUCTION_SHARE.get();
         let mut best = f64::INFINITY;
-        for _ in 0..QUIETENINGS {
-            let residual = report::balance(self.problem, &self.state.x, gravity, self.dt).residual_rel;
-            if residual < BALANCED || residual > 0.9 * best && best < 10.0 * BALANCED {
+        for _ in 0..VELOCITY_REDUCTION_ROUNDS.get() {
+            let residual = report::balance(self.problem, &self.state.x, gravity, self.clock.step).residual_rel;
+            if residual < balanced || residual > gain * best && best < give_up * balanced {
                 break;
             }
             best = best.min(residual);
-            for _ in 0..CHECK {
-                central_difference::step(self.problem, &mut self.state, self.dt);
-                self.state.v.iter_mut().for_each(|v| *v *= QUIET_SHARE);
+            for _ in 0..ENERGY_CHECK_STEPS.get() {
+                central_difference::step(self.problem, &mut self.state, self.clock.step);
+                self.state.v.iter_mut().for_each(|v| *v *= share);
             }
-            self.steps += CHECK;
+            self.clock.steps += ENERGY_CHECK_STEPS.get();
             if watch.cancelled() {
-                return Err(ClothError::Cancelled { step: self.steps });
+                return Err(ClothError::Cancelled { step: self.clock.steps });
             }
         }
         Ok(())
     }
 
-    fn words(&self) -> String {
+    /// Shows progress in words, as a share of the whole, and as positions.
+    fn show_progress(&self, watch: &mut dyn Watch) {
         let open = self.problem.sewing.open();
         let seams = if open > 0 { format!("{open} stitches open, ") } else { String::new() };
-        format!(
+        let words = format!(
             "{seams}{:.2} s simulated, speed {:.1} mm/s (goal {:.1}), energy change {:.2e}",
-            self.seconds,
-            self.speed * 1e3,
+            self.clock.seconds,
+            self.rest.speed * 1e3,
             self.settings.speed_tolerance * 1e3,
-            self.change
-        )
+            self.rest.change
+        );
+        watch.progress(self.clock.steps, &words);
+        watch.done(self.clock.seconds / self.settings.max_seconds);
+        watch.look(&self.state.x, self.triangles);
     }
 
     /// Halves the step and goes back to the last sound state when the numbers or the energy run away.
@@ -181,81 +181,79 @@ impl<'a> Run<'a> {
         let kinetic = self.problem.kinetic(&self.state.v);
         let elastic = self.problem.elastic(&self.state.x);
         let total = kinetic + self.problem.potential(&self.state.x);
-        let finite = total.is_finite() && self.state.x.iter().all(|p| p.amax() < 1e6);
-        // Sewing forces and led vertices do work, so growth then proves nothing.
-        let closed = !self.problem.sewing.pulling() && self.problem.pins_placed(&self.sound.x);
-        let grown = closed && total > self.sound_energy + 0.2 * (kinetic + elastic) + 1e-9;
-        if finite && !grown {
-            self.sound_energy = total;
-            self.sound.copy_motion(&self.state);
+        let finite = total.is_finite() && self.state.is_in_range();
+        if finite && !(self.has_grown(total, kinetic + elastic) && STEP_HALVING.is_on()) {
+            self.sound.energy = total;
+            self.sound.state.copy_motion(&self.state);
             self.choose_step();
             return Ok(());
         }
-        if self.halvings >= MOST_HALVINGS {
+        if self.clock.halvings >= STEP_HALVINGS_MAX.get() {
             if finite {
-                // The step is a thousandth of the stable one: the growth is no instability.
-                self.sound_energy = total;
+                // The step is a thousandth of the stable one, so the growth is no instability.
+                self.sound.energy = total;
                 return Ok(());
             }
             let what = "the forces stayed beyond numbers although the step was halved 10 times".into();
-            return Err(ClothError::Unstable { step: self.steps, what });
+            return Err(ClothError::Unstable { step: self.clock.steps, what });
         }
-        self.halvings += 1;
-        self.state.copy_motion(&self.sound);
+        self.clock.halvings += 1;
+        self.state.copy_motion(&self.sound.state);
         if let Some(c) = &mut self.problem.contact {
             c.measure(&self.state.x, 0.0);
         }
-        self.sound_energy = f64::INFINITY;
+        self.sound.energy = f64::INFINITY;
         self.choose_step();
         Ok(())
     }
 
-    /// Has nothing moved for a few windows? Both the paper's energy rule and the speed must agree.
-    fn look_for_rest(&mut self) -> bool {
-        let span = self.seconds - self.window.2;
-        let elastic = self.problem.elastic(&self.state.x);
-        let free = |i: &usize| self.problem.free(*i);
-        let moved = (0..self.state.x.len()).filter(free).map(|i| (self.state.x[i] - self.window.0[i]).norm());
-        self.speed = moved.fold(0.0, f64::max) / span;
-        // A flat piece at rest stores next to nothing; what it stored on the way gives the scale then.
-        self.peak = self.peak.max(elastic);
-        let scale = elastic.max(self.window.1).max(0.01 * self.peak);
-        self.change = if scale > 0.0 { (elastic - self.window.1).abs() / scale } else { 0.0 };
-        self.window.0.copy_from_slice(&self.state.x);
-        self.window.1 = elastic;
-        self.window.2 = self.seconds;
-        // Open seams are given up only when hardly anything moves.
-        let sewing = &self.problem.sewing;
-        let pulling = sewing.pulls() && !sewing.closed(&self.state.x);
-        let most = if pulling { 0.1 } else { 1.0 } * self.settings.speed_tolerance;
-        let calm = self.change <= self.settings.energy_tolerance
-            && self.speed <= most
-            && (!pulling || sewing.strained())
-            && self.problem.pins_placed(&self.state.x);
-        self.quiet = if calm { self.quiet + 1 } else { 0 };
-        let trembling = self.speed <= TREMBLING * self.settings.speed_tolerance;
-        if !calm && !pulling && trembling && self.change <= self.settings.energy_tolerance {
-            // The energy rests, single vertices still tremble at a contact: damping does not move the rest shape.
-            self.problem.damping = (self.problem.damping * CALMING).min(MOST_DAMPING);
-        }
-        self.quiet >= QUIET
+    /// Returns `true` if the total energy grew by more than motion explains; `stored` is kinetic and elastic energy, J.
+    ///
+    /// Sewing forces and held vertices on their way do work, so growth then proves nothing.
+    fn has_grown(&self, total: f64, stored: f64) -> bool {
+        let closed = !self.problem.sewing.is_pulling() && self.problem.are_pins_placed(&self.sound.state.x);
+        closed && total > self.sound.energy + ENERGY_GROWTH_SHARE.get() * stored + ENERGY_GROWTH_FLOOR.get()
     }
 
+    /// Returns `true` if nothing has moved for a few windows. The paper's energy rule and the speed must agree.
+    fn is_at_rest(&mut self) -> bool {
+        self.rest.measure(self.problem, &self.state.x, self.clock.seconds);
+        let (speed, tolerance) = (self.rest.speed, self.settings.speed_tolerance);
+        let energy_rests = self.rest.change <= self.settings.energy_tolerance;
+        // Open seams are given up only when hardly anything moves.
+        let sewing = &self.problem.sewing;
+        let pulling = sewing.pulls() && !sewing.is_closed(&self.state.x);
+        let most = if pulling { OPEN_SEAM_SPEED_SHARE.get() } else { 1.0 } * tolerance;
+        let quiet = energy_rests
+            && speed <= most
+            && (!pulling || sewing.is_fully_grown())
+            && self.problem.are_pins_placed(&self.state.x);
+        self.rest.quiet_windows = if quiet { self.rest.quiet_windows + 1 } else { 0 };
+        let trembling = speed <= TREMBLING_SPEED.get() * tolerance;
+        if !quiet && !pulling && trembling && energy_rests && DAMPING_RAISE.is_on() {
+            // Single vertices still tremble at a contact. Damping does not move the rest shape.
+            let rate = &mut self.problem.damping.rate;
+            *rate = (*rate * DAMPING_GROWTH.get()).min(DAMPING_RATE_MAX.get());
+        }
+        self.rest.quiet_windows >= REST_WINDOWS.get()
+    }
+
+    /// The outcome of the run.
     fn outcome(self, scene: &Scene, stop_reason: StopReason) -> Outcome {
         let gaps = measures::gaps(scene, &self.state.x);
         let energy = self.problem.elastic(&self.state.x);
-        let gravity = self.gravity;
-        let balance = report::balance(self.problem, &self.state.x, gravity, self.dt);
+        let balance = report::balance(self.problem, &self.state.x, self.gravity, self.clock.step);
+        let open = gaps.iter().copied().filter(|g| g.1 > self.settings.sewing_distance);
         Outcome {
-            steps: self.steps,
-            seconds: self.seconds,
+            steps: self.clock.steps,
+            seconds: self.clock.seconds,
             settled: stop_reason == StopReason::Settled,
             stop_reason,
             energy,
-            speed_max: self.speed,
+            speed_max: self.rest.speed,
             residual_rel: balance.residual_rel,
             seam_gap_max: gaps.first().map_or(0.0, |g| g.1),
-            open_stitches: gaps.into_iter().filter(|g| g.1 > self.settings.sewing_distance).take(20).collect(),
+            open_stitches: open.take(OPEN_STITCHES_NAMED).collect(),
             effects: report::effects(self.problem, scene, self.settings),
             reactions: balance.reactions,
             repaired: self.problem.repaired,

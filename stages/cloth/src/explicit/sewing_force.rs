@@ -1,52 +1,48 @@
-//! Sewing: a force linear in the gap on every open stitch (paper equation 5), capped so that pieces far apart do not
-//! fly; a pair that came close is joined: from then on both vertices move as one (docs/sewing.md).
+//! The sewing force (equation 5 of the paper), linear in the gap of every open stitch.
+//!
+//! The force is capped so that pieces far apart do not fly. A pair that came close is joined: from then on both
+//! vertices move as one (docs/sewing.md).
 
+use crate::explicit::tuning::{
+    JOINED_CLOSING_SHARE, JOINED_SNAP_DISTANCE, LAST_RESORT_DISTANCE, LAST_RESORT_JOINING, LAST_RESORT_TIME,
+    SEWING_CAP_DELAY, SEWING_CAP_DOUBLING, SEWING_CAP_DOUBLINGS, SEWING_FORCE_GROWTH, SEWING_STIFFNESS_GROWTH,
+};
 use crate::scene::measures::mean_edge;
 use crate::{Scene, Settings, Vec3};
 
-/// After this long the cap of the force begins to double …
-const PATIENCE: f64 = 0.5;
-/// … every so many seconds, so that a tight seam closes in the end.
-const DOUBLING: f64 = 0.15;
-/// … so often at most.
-const MOST_DOUBLINGS: f64 = 11.0;
-/// When the force has grown to its most, pairs nearer than this share of an edge are joined all the same: the pull is
-/// then as strong as it must be, and only the body or the cloth between them can keep them apart.
-const LAST_RESORT: f64 = 0.7;
-/// Time left for that, s.
-const HOPE: f64 = 0.5;
-/// Share of its gap that a joined pair closes in a step.
-const ZIP: f64 = 0.1;
-/// A joined pair nearer than this is put on one point, m.
-const SNAP: f64 = 1e-9;
-
+/// A stitched pair of vertices.
 struct Stitch {
     ends: [u32; 2],
-    /// N/m.
+    /// Coefficient c_s of equation 5, N/m.
     stiffness: f64,
-    /// N.
+    /// Largest force before growth, N.
     cap: f64,
     open: bool,
 }
 
-pub(crate) struct Sewing {
+/// The sewing forces of a scene, and the groups of vertices that are joined.
+pub(crate) struct SewingForces {
     stitches: Vec<Stitch>,
     /// Vertices joined so far, each group in ascending order.
     joined: Vec<Vec<u32>>,
     open: usize,
     vertex_count: usize,
+    /// Distance at which a pair is joined, m.
     distance: f64,
-    /// From how far a pair is joined when no force closes it, m.
-    last_resort: f64,
+    /// Distance at which a pair is joined once the force has grown to its most, m.
+    last_distance: f64,
+    /// Time over which the force grows to full, s.
     ramp: f64,
-    /// Does it pull, or does it only keep closed what is closed?
     pulls: bool,
+    /// Time since sewing began, s.
     pub time: f64,
 }
 
-impl Sewing {
-    /// `rows`: stiffness row sums of the vertices, N/m; `mass`: their inertia, kg.
-    pub fn new(scene: &Scene, s: &Settings, rows: &[f64], mass: &[f64], pulls: bool) -> Self {
+impl SewingForces {
+    /// Makes the forces of a scene. Without `pulls`, pairs that are closed are only kept closed.
+    ///
+    /// `stiffness_rows`: row sums of the stiffness at the vertices, N/m; `inertia`: their inertia, kg.
+    pub fn new(scene: &Scene, s: &Settings, stiffness_rows: &[f64], inertia: &[f64], pulls: bool) -> Self {
         let stitches: Vec<Stitch> = scene
             .stitches
             .iter()
@@ -55,8 +51,8 @@ impl Sewing {
                 let [a, b] = p.map(|v| v as usize);
                 Stitch {
                     ends: *p,
-                    stiffness: s.sewing_stiffness * rows[a].min(rows[b]),
-                    cap: s.sewing_acceleration * mass[a].min(mass[b]),
+                    stiffness: s.sewing_stiffness * stiffness_rows[a].min(stiffness_rows[b]),
+                    cap: s.sewing_acceleration * inertia[a].min(inertia[b]),
                     open: true,
                 }
             })
@@ -68,7 +64,7 @@ impl Sewing {
             open,
             vertex_count: scene.positions.len(),
             distance: s.sewing_distance,
-            last_resort: s.sewing_distance.max(LAST_RESORT * mean_edge(scene)),
+            last_distance: s.sewing_distance.max(LAST_RESORT_DISTANCE.get() * mean_edge(scene)),
             ramp: s.sewing_ramp,
             pulls,
             time: 0.0,
@@ -77,27 +73,30 @@ impl Sewing {
         sewing
     }
 
+    /// Number of stitches that are open.
     pub fn open(&self) -> usize {
         self.open
     }
 
-    /// Is this the sewing phase?
+    /// Returns `true` in the sewing phase.
     pub fn pulls(&self) -> bool {
         self.pulls
     }
 
-    pub fn pulling(&self) -> bool {
+    /// Returns `true` while a force acts: in the sewing phase with open stitches.
+    pub fn is_pulling(&self) -> bool {
         self.pulls && self.open > 0
     }
 
-    /// Has the force grown as far as it will?
-    pub fn strained(&self) -> bool {
-        self.time > PATIENCE + DOUBLING * MOST_DOUBLINGS
+    /// Returns `true` once the force has grown as far as it will.
+    pub fn is_fully_grown(&self) -> bool {
+        self.time > SEWING_CAP_DELAY.get() + SEWING_CAP_DOUBLING.get() * SEWING_CAP_DOUBLINGS.get()
     }
 
-    /// Has the grown force had its time without closing everything?
-    pub fn hopeless(&self) -> bool {
-        self.time > PATIENCE + DOUBLING * MOST_DOUBLINGS + HOPE
+    /// Returns `true` once the grown force has had its time without closing everything.
+    pub fn is_hopeless(&self) -> bool {
+        let grown = SEWING_CAP_DELAY.get() + SEWING_CAP_DOUBLING.get() * SEWING_CAP_DOUBLINGS.get();
+        self.time > grown + LAST_RESORT_TIME.get()
     }
 
     /// Joins pairs that came near.
@@ -105,20 +104,22 @@ impl Sewing {
         if self.open == 0 {
             return;
         }
-        let mut news = false;
-        let distance = if self.strained() { self.last_resort } else { self.distance };
+        let mut changed = false;
+        let last = self.is_fully_grown() && LAST_RESORT_JOINING.is_on();
+        let distance = if last { self.last_distance } else { self.distance };
         for s in self.stitches.iter_mut().filter(|s| s.open) {
             if (x[s.ends[0] as usize] - x[s.ends[1] as usize]).norm() <= distance {
                 s.open = false;
                 self.open -= 1;
-                news = true;
+                changed = true;
             }
         }
-        if news {
+        if changed {
             self.regroup();
         }
     }
 
+    /// Makes the groups of joined vertices anew from the closed stitches.
     fn regroup(&mut self) {
         let closed: Vec<[u32; 2]> = self.stitches.iter().filter(|s| !s.open).map(|s| s.ends).collect();
         let root = crate::scene::weld::groups(self.vertex_count, &closed);
@@ -128,28 +129,30 @@ impl Sewing {
         self.joined = members.chunk_by(|a, b| a.0 == b.0).map(|c| c.iter().map(|m| m.1).collect()).collect();
     }
 
+    /// Adds the sewing forces at `x` to `f`, N (equation 5).
     pub fn add_forces(&self, x: &[Vec3], f: &mut [Vec3]) {
-        if !self.pulling() {
+        if !self.is_pulling() {
             return;
         }
         let ramp = if self.ramp > 0.0 { (self.time / self.ramp).min(1.0) } else { 1.0 };
-        let doublings = ((self.time - PATIENCE) / DOUBLING).clamp(0.0, MOST_DOUBLINGS);
+        let most = SEWING_CAP_DOUBLINGS.get();
+        let elapsed = ((self.time - SEWING_CAP_DELAY.get()) / SEWING_CAP_DOUBLING.get()).clamp(0.0, most);
+        let doublings = if SEWING_FORCE_GROWTH.is_on() { elapsed } else { 0.0 };
         let growth = libm::exp2(doublings);
-        // In the end c_s grows too, to five times: as far as the time step allows.
-        let firmer = 1.0 + 4.0 * doublings / MOST_DOUBLINGS;
+        let stiffening = 1.0 + SEWING_STIFFNESS_GROWTH.get() * doublings / most;
         for s in self.stitches.iter().filter(|s| s.open) {
             let [a, b] = s.ends.map(|v| v as usize);
             let d = x[b] - x[a];
             let l = d.norm();
             if l > 0.0 {
-                let pull = d * (ramp * (firmer * s.stiffness * l).min(s.cap * growth) / l);
+                let pull = d * (ramp * (stiffening * s.stiffness * l).min(s.cap * growth) / l);
                 f[a] += pull;
                 f[b] -= pull;
             }
         }
     }
 
-    /// Joined vertices share their velocity.
+    /// Gives joined vertices one velocity: their mass-weighted mean.
     pub fn share_velocity(&self, v: &mut [Vec3], inverse_mass: &[f64]) {
         for g in &self.joined {
             let mean = mean(g, v, inverse_mass);
@@ -159,24 +162,25 @@ impl Sewing {
         }
     }
 
-    /// Joined vertices close what is left of their gap.
-    pub fn zip(&self, x: &mut [Vec3], inverse_mass: &[f64]) {
+    /// Moves joined vertices towards one point by a share of what is left of their gap.
+    pub fn close_joined(&self, x: &mut [Vec3], inverse_mass: &[f64]) {
+        let (share, snap) = (JOINED_CLOSING_SHARE.get(), JOINED_SNAP_DISTANCE.get());
         for g in &self.joined {
             let place = mean(g, x, inverse_mass);
             for i in g {
                 let d = place - x[*i as usize];
                 let l = d.norm_squared();
-                if l <= SNAP * SNAP {
+                if l <= snap * snap {
                     x[*i as usize] = place;
                 } else {
-                    x[*i as usize] += d * ZIP;
+                    x[*i as usize] += d * share;
                 }
             }
         }
     }
 
-    /// Is no pair further apart than it should be?
-    pub fn closed(&self, x: &[Vec3]) -> bool {
+    /// Returns `true` if no pair is further apart than the sewing distance (stop condition a of the paper).
+    pub fn is_closed(&self, x: &[Vec3]) -> bool {
         self.stitches.iter().all(|s| (x[s.ends[0] as usize] - x[s.ends[1] as usize]).norm() <= self.distance)
     }
 }
