@@ -17,6 +17,7 @@ const NUMBERS: &[&[&dyn Number]] = &[
     crate::contact::tuning::NUMBERS,
     crate::dynamics::tuning::NUMBERS,
     crate::explicit::tuning::NUMBERS,
+    crate::linear::tuning::NUMBERS,
     crate::optimize::tuning::NUMBERS,
     crate::sewing::tuning::NUMBERS,
 ];
@@ -24,6 +25,7 @@ const MECHANISMS: &[&[&Mechanism]] = &[
     crate::collision::tuning::MECHANISMS,
     crate::contact::tuning::MECHANISMS,
     crate::explicit::tuning::MECHANISMS,
+    crate::linear::tuning::MECHANISMS,
     crate::optimize::tuning::MECHANISMS,
     crate::sewing::tuning::MECHANISMS,
 ];

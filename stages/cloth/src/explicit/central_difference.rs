@@ -1,6 +1,6 @@
 //! Central differences (equations 8–14 of the paper).
 //!
-//! They are written here with the velocity at half steps, which is the same scheme:
+//! They are written here with the velocity at half steps, which is the same scheme.
 //! `v⁺ = ((1 − c Δt/2) v⁻ + Δt f/m) / (1 + c Δt/2)`, `X⁺ = X + Δt v⁺`, with c = C_d/m of equation 7. The start is at
 //! rest (equation 13).
 //!

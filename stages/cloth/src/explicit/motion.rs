@@ -39,7 +39,9 @@ pub(crate) fn animate(
     Ok(run.end(settings))
 }
 
-/// Checks that a step of `dt` seconds bears a contact stiffness, N/m: it must be shorter than 2/ω of the lightest vertex.
+/// Checks that a step of `dt` seconds bears a contact stiffness, N/m.
+///
+/// The step must be shorter than 2/ω of the lightest vertex.
 fn check_penalty_step(problem: &Problem, stiffness: f64, dt: f64) -> Result<(), ClothError> {
     let lightest = problem.masses.inverse.iter().fold(0.0_f64, |a, b| a.max(*b));
     let longest = 2.0 / (stiffness * lightest).sqrt();

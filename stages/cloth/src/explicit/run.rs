@@ -90,7 +90,7 @@ impl<'a> Run<'a> {
     fn advance_to_stop(&mut self, watch: &mut dyn Watch) -> Result<StopReason, ClothError> {
         let check_steps = ENERGY_CHECK_STEPS.get();
         loop {
-            self.advance();
+            self.take_step();
             if self.clock.steps.is_multiple_of(check_steps) {
                 if watch.cancelled() {
                     return Err(ClothError::Cancelled { step: self.clock.steps });
@@ -107,7 +107,7 @@ impl<'a> Run<'a> {
     }
 
     /// Takes one step and joins the pairs that came near.
-    fn advance(&mut self) {
+    fn take_step(&mut self) {
         central_difference::step(self.problem, &mut self.state, self.clock.step);
         self.clock.steps += 1;
         self.clock.seconds += self.clock.step;

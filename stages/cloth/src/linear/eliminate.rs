@@ -1,33 +1,34 @@
-//! Elimination: a finished node is taken out of all nodes that own its rows at once.
+//! Elimination: a finished node is taken out of all its ancestors at once (right-looking supernodal Cholesky).
 //!
 //! Ng, Peyton: Block sparse Cholesky algorithms on advanced uniprocessor computers, SIAM J. Sci. Comput. 14 (1993), in
 //! its right-looking form.
 
 use crate::linear::dense;
-use crate::linear::dense::{Pack, TALL};
-use crate::linear::separator_halves::Reach;
+use crate::linear::dense::{PackedColumns, STRIP_ROWS};
+use crate::linear::separator_halves::PartView;
 use crate::linear::supernode::Node;
-use crate::linear::supernode::Run;
+use crate::linear::supernode::RowRun;
 use crate::linear::triangular_solve;
 use pulp::{Simd, WithSimd};
 use std::ops::Range;
 use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Room to work in.
+/// Work arrays of an elimination.
 #[derive(Default)]
-pub(crate) struct Bench {
-    pack: Pack,
+pub(crate) struct Workspace {
+    pack: PackedColumns,
     sums: Vec<f32>,
 }
 
-/// Eliminates some nodes. What runs under the widest registers of the machine is a named type, because only those are compiled for
-/// them as a whole.
+/// The elimination of some nodes.
+///
+/// It is a named type because only such types are compiled as a whole for the widest registers of the machine.
 pub(crate) struct Eliminate<'a> {
     pub all: &'a [Node],
     pub part: Range<usize>,
-    pub values: Reach<'a>,
-    pub bench: &'a mut Bench,
-    /// Is there a pivot that is not positive, here or in what is done beside it?
+    pub values: PartView<'a>,
+    pub workspace: &'a mut Workspace,
+    /// Set where a pivot is not positive, here or on the other thread.
     pub failed: &'a AtomicBool,
 }
 
@@ -36,7 +37,7 @@ impl WithSimd for Eliminate<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        // As many columns at a time as there are registers for.
+        // The number of columns at a time is that of the registers.
         match S::F32_LANES {
             16 => self.by::<S, 1, 8>(simd),
             8 => self.by::<S, 2, 4>(simd),
@@ -47,10 +48,10 @@ impl WithSimd for Eliminate<'_> {
 }
 
 impl Eliminate<'_> {
-    /// All its nodes in order; each takes its products out of the nodes that own its rows.
+    /// Eliminates all nodes in order; each takes its products out of the nodes that own its rows.
     #[inline(always)]
     fn by<S: Simd, const V: usize, const W: usize>(mut self, simd: S) {
-        let Bench { pack, sums } = self.bench;
+        let Workspace { pack, sums } = self.workspace;
         for node in &self.all[self.part.clone()] {
             if self.failed.load(Ordering::Relaxed) {
                 return;
@@ -60,52 +61,58 @@ impl Eliminate<'_> {
             if !dense::factor_panel::<S, V, W>(simd, panel, height, width, pack) {
                 return self.failed.store(true, Ordering::Relaxed);
             }
-            // While it is near; its products are made of the pack.
-            triangular_solve::lay_out(panel, height, width, sums);
-            let tall = height.next_multiple_of(TALL);
-            if sums.len() < W * tall {
-                sums.resize(W * tall, 0.0);
+            // The panel is still in the cache here; its products are made of the pack.
+            triangular_solve::store_for_solves(panel, height, width, sums);
+            let padded = height.next_multiple_of(STRIP_ROWS);
+            if sums.len() < W * padded {
+                sums.resize(W * padded, 0.0);
             }
-            let sums = &mut sums[..W * tall];
+            let sums = &mut sums[..W * padded];
             let mut next = Next::default();
             for first in (width - width % W..height).step_by(W) {
-                dense::products::<S, V, W>(simd, pack, first, tall, sums);
+                dense::products::<S, V, W>(simd, pack, first, padded, sums);
                 for column in first.max(width)..(first + W).min(height) {
-                    next.spread(node, self.all, column, &sums[(column - first) * tall..][..height], &mut self.values);
+                    next.take_out_column(
+                        node,
+                        self.all,
+                        column,
+                        &sums[(column - first) * padded..][..height],
+                        &mut self.values,
+                    );
                 }
             }
         }
     }
 }
 
-/// Where the products of the next column go: the owner of its row, and the first run that reaches so far.
+/// The place of the products of the next column: the ancestor of its row, and the first run that reaches this column.
 #[derive(Default)]
 struct Next {
-    owner: usize,
+    ancestor: usize,
     run: usize,
 }
 
 impl Next {
     /// Takes one column of products out of the node that owns it; columns come in their order.
     #[inline(always)]
-    fn spread(&mut self, node: &Node, all: &[Node], column: usize, sums: &[f32], values: &mut Reach<'_>) {
-        while node.owners.get(self.owner).is_some_and(|o| o.to <= column) {
-            (self.owner, self.run) = (self.owner + 1, 0);
+    fn take_out_column(&mut self, node: &Node, all: &[Node], column: usize, sums: &[f32], values: &mut PartView<'_>) {
+        while node.ancestors.get(self.ancestor).is_some_and(|o| o.to <= column) {
+            (self.ancestor, self.run) = (self.ancestor + 1, 0);
         }
-        let Some(owner) = node.owners.get(self.owner) else { return };
-        let ends = |r: &Run| (r.from + r.length) as usize <= column;
-        while owner.runs.get(self.run).is_some_and(ends) {
+        let Some(ancestor) = node.ancestors.get(self.ancestor) else { return };
+        let ends = |r: &RowRun| (r.from + r.length) as usize <= column;
+        while ancestor.runs.get(self.run).is_some_and(ends) {
             self.run += 1;
         }
-        let Some(first) = owner.runs.get(self.run) else { return };
-        let late = column.saturating_sub(first.from as usize);
-        let target = &all[owner.node as usize];
-        let start = target.start + (first.to as usize + late) * target.height();
+        let Some(first) = ancestor.runs.get(self.run) else { return };
+        let skipped = column.saturating_sub(first.from as usize);
+        let target = &all[ancestor.node as usize];
+        let start = target.start + (first.to as usize + skipped) * target.height();
         let into = values.at(start, target.height());
-        for run in &owner.runs[self.run..] {
+        for run in &ancestor.runs[self.run..] {
             let (from, to, length) = (run.from as usize, run.to as usize, run.length as usize);
-            let late = column.saturating_sub(from);
-            for (v, s) in into[to + late..to + length].iter_mut().zip(&sums[from + late..][..length - late]) {
+            let skipped = column.saturating_sub(from);
+            for (v, s) in into[to + skipped..to + length].iter_mut().zip(&sums[from + skipped..][..length - skipped]) {
                 *v -= s;
             }
         }

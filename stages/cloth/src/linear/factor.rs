@@ -1,61 +1,67 @@
-//! Supernodal Cholesky factor in single precision: it only steers the descent, the state is double. Ours, because the
-//! libraries' kernels choose their sums by the processor, and the same input must give the same bytes everywhere.
+//! Supernodal Cholesky factor in single precision. It only steers the descent; the state is in double precision.
 //!
-//! Large systems fall in two halves that know nothing of each other but what both take out of the nodes above. What the second one
-//! takes out is summed aside first, in the same way whether one thread does both halves or two side by side.
+//! The kernels of libraries choose their order of summation by the processor. The same input must give the same bytes
+//! everywhere, so the kernels are written here.
+//!
+//! Large systems fall into two halves that share only the nodes above both. Updates of the second half are summed aside
+//! first, in the same way by one thread as by two.
 
 use crate::Vec3;
-use crate::linear::dense::TALL;
-use crate::linear::eliminate::{Bench, Eliminate};
-use crate::linear::fork_join::both;
+use crate::linear::dense::STRIP_ROWS;
+use crate::linear::eliminate::{Eliminate, Workspace};
+use crate::linear::fork_join::fork_join;
 use crate::linear::hessian::Pattern;
-use crate::linear::huge_pages::Pages;
-use crate::linear::separator_halves::{Halves, Reach};
+use crate::linear::huge_pages::HugePageBuffer;
+use crate::linear::separator_halves::{PartView, SeparatorHalves};
 use crate::linear::substitute::{Substitute, Way};
-use crate::linear::symbolic::{Order, Symbolic};
+use crate::linear::symbolic::{EliminationOrder, Symbolic};
+use crate::linear::tuning::PARALLEL_SOLVE_SCALARS_MIN;
 use nalgebra::Matrix3;
 use pulp::Arch;
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
 
-/// 2⁻⁶⁰.
-const FLOOR: f32 = 1.0 / (1u64 << 60) as f32;
-
-/// Scalars of a factor from which a second thread is worth its start in a solve.
-const LONG: usize = 4_000_000;
+/// Value in place of a zero of a factor whose system has the size of one: 2⁻⁶⁰.
+const ZERO_SUBSTITUTE: f32 = 1.0 / (1u64 << 60) as f32;
 
 /// A factorised block matrix.
 #[derive(Default)]
 pub(crate) struct Factor {
     pattern: Pattern,
     symbolic: Symbolic,
-    /// Of the pattern before: the cloth's own second derivatives and rough ones take turns.
-    before: Order,
-    values: Pages,
+    /// Order of the pattern before the present one: full and surrogate second derivatives take turns.
+    previous_order: EliminationOrder,
+    values: HugePageBuffer,
+    /// Right-hand side, and then the solution, in the order of elimination.
     right: Vec<f32>,
-    /// What the second half takes out of the right-hand side above it.
+    /// Updates of the right-hand side above the halves by the second half.
     aside: Vec<f32>,
-    /// Room to work in, for each half.
-    benches: [Bench; 2],
+    /// Work arrays of the elimination, for each half.
+    workspaces: [Workspace; 2],
+    /// Work arrays of the solves, for each half.
     locals: [Vec<f32>; 2],
     arch: Arch,
     threads: usize,
-    /// CPU seconds of the second thread that nobody has asked for yet.
-    beside: f64,
-    /// A power of two by which the system is divided, of the size of its largest value: so similar systems have the same
-    /// factor.
+    /// CPU seconds of the second thread since they were last taken.
+    second_thread_seconds: f64,
+    /// Power of two by which the system is divided. It has the size of the largest value, so that similar systems have the
+    /// same factor.
     size: f64,
+    /// Symbolic analyses so far.
     pub analyses: u32,
+    /// Numerical factorisations so far.
     pub factors: u32,
 }
 
 impl Factor {
-    /// Made by so many threads (two are of use).
+    /// An empty factor that `threads` threads will work on; two are of use.
     pub fn by(threads: usize) -> Self {
         Self { threads, ..Self::default() }
     }
 
-    /// Takes in the system of `values` on `pattern` plus `shift` on the diagonal; `false` when the memory for its factor is not there.
+    /// Takes in the system of `values` on `pattern` plus `shift` on the diagonal.
+    ///
+    /// Returns `false` when there is no memory for its factor.
     pub fn take_in(&mut self, pattern: &Pattern, values: &[Matrix3<f64>], shift: &[f64]) -> bool {
         if self.pattern != *pattern {
             self.analyse(pattern);
@@ -67,42 +73,42 @@ impl Factor {
         true
     }
 
-    /// Factorises the system taken in last; `false` when it is not positive definite.
+    /// Factorises the system taken in last. Returns `false` when it is not positive definite.
     pub fn eliminate(&mut self) -> bool {
         self.factors += 1;
         let Symbolic { nodes, halves, length, .. } = &self.symbolic;
         let start = |k: usize| nodes.get(k).map_or(*length, |n| n.start);
         let [a, b] = halves.0;
-        let threads = halves.hands(self.threads);
-        let [own, others, above] = halves.cut(start, &mut self.values[..*length]);
-        let ([bench, spare], from) = (&mut self.benches, start(b));
-        // Not kept: most is held while the next system is put together.
+        let threads = halves.useful_threads(self.threads);
+        let [own, second, above] = halves.cut(start, &mut self.values[..*length]);
+        let ([workspace, spare], from) = (&mut self.workspaces, start(b));
+        // This is not kept, because most memory is in use while the next system is put together.
         let aside = &mut vec![0.0; above.len()];
         let (arch, failed) = (self.arch, AtomicBool::new(false));
-        let go = |part: Range<usize>, values: Reach<'_>, bench: &mut Bench| {
-            arch.dispatch(Eliminate { all: nodes, part, values, bench, failed: &failed });
+        let go = |part: Range<usize>, values: PartView<'_>, workspace: &mut Workspace| {
+            arch.dispatch(Eliminate { all: nodes, part, values, workspace, failed: &failed });
         };
-        self.beside += both(
+        self.second_thread_seconds += fork_join(
             threads,
-            || go(0..a, Reach { own, first: 0, above, from }, bench),
-            || go(a..b, Reach { own: others, first: start(a), above: aside, from }, spare),
+            || go(0..a, PartView { own, first: 0, above, from }, workspace),
+            || go(a..b, PartView { own: second, first: start(a), above: aside, from }, spare),
         );
         above.iter_mut().zip(&*aside).for_each(|(v, s)| *v += s);
-        go(b..nodes.len(), Reach { own: above, first: from, above: &mut [], from: *length }, bench);
+        go(b..nodes.len(), PartView { own: above, first: from, above: &mut [], from: *length }, workspace);
         !failed.into_inner()
     }
 
     /// Makes room for a factor of another pattern, if it can.
     fn analyse(&mut self, pattern: &Pattern) {
-        // The old factor goes first: both would be the most that is ever held.
-        (self.values, self.pattern) = (Pages::default(), Pattern::default());
+        // The old factor goes first, because both together would be the most memory that is ever held.
+        (self.values, self.pattern) = (HugePageBuffer::default(), Pattern::default());
         let last = std::mem::take(&mut self.symbolic).order;
-        let found = Symbolic::alike(pattern, &last).or_else(|| {
-            let before = std::mem::replace(&mut self.before, last);
-            Symbolic::alike(pattern, &before).or_else(|| Symbolic::new(pattern))
+        let found = Symbolic::with_order_of(pattern, &last).or_else(|| {
+            let previous = std::mem::replace(&mut self.previous_order, last);
+            Symbolic::with_order_of(pattern, &previous).or_else(|| Symbolic::new(pattern))
         });
         let Some(symbolic) = found else { return };
-        let Some(values) = Pages::new(symbolic.length + TALL) else { return };
+        let Some(values) = HugePageBuffer::new(symbolic.length + STRIP_ROWS) else { return };
         self.analyses += 1;
         self.values = values;
         self.right = vec![0.0; 3 * pattern.unknowns()];
@@ -110,7 +116,7 @@ impl Factor {
         self.symbolic = symbolic;
     }
 
-    /// Rounds the blocks into the columns they belong to.
+    /// Rounds the blocks into their columns of the factor.
     #[allow(clippy::cast_possible_truncation)]
     fn fill(&mut self, values: &[Matrix3<f64>], shift: &[f64]) {
         let diagonal = self.pattern.start.iter().filter_map(|k| values.get(*k as usize));
@@ -157,51 +163,59 @@ impl Factor {
         }
     }
 
+    /// Substitutes forwards and backwards in the right-hand side.
     fn substitute(&mut self) {
-        let (nodes, values, Halves([a, b])) = (&self.symbolic.nodes, &self.values, self.symbolic.halves);
+        let (nodes, values, SeparatorHalves([a, b])) = (&self.symbolic.nodes, &self.values, self.symbolic.halves);
         let all = self.right.len();
         let start = |k: usize| nodes.get(k).map_or(all, |n| 3 * n.first as usize);
-        let [own, others, above] = self.symbolic.halves.cut(start, &mut self.right);
+        let [own, second, above] = self.symbolic.halves.cut(start, &mut self.right);
         let (aside, from) = (&mut self.aside, start(b));
         aside.clear();
         aside.resize(above.len(), 0.0);
-        let (arch, threads) =
-            (self.arch, if values.len() < LONG { 1 } else { self.symbolic.halves.hands(self.threads) });
-        let go = |way: Way, part: Range<usize>, right: Reach<'_>, local: &mut Vec<f32>| {
+        let (arch, threads) = (
+            self.arch,
+            if values.len() < PARALLEL_SOLVE_SCALARS_MIN.get() {
+                1
+            } else {
+                self.symbolic.halves.useful_threads(self.threads)
+            },
+        );
+        let go = |way: Way, part: Range<usize>, right: PartView<'_>, local: &mut Vec<f32>| {
             arch.dispatch(Substitute { way, nodes: &nodes[part], values, right, local });
         };
-        let mut beside = 0.0;
+        let mut seconds = 0.0;
         let mut halves = |way: Way, above: &mut [f32], aside: &mut [f32], [local, spare]: &mut [Vec<f32>; 2]| {
-            beside += both(
+            seconds += fork_join(
                 threads,
-                || go(way, 0..a, Reach { own, first: 0, above, from }, local),
-                || go(way, a..b, Reach { own: others, first: start(a), above: aside, from }, spare),
+                || go(way, 0..a, PartView { own, first: 0, above, from }, local),
+                || go(way, a..b, PartView { own: second, first: start(a), above: aside, from }, spare),
             );
         };
         halves(Way::Down, above, aside, &mut self.locals);
         above.iter_mut().zip(&*aside).for_each(|(v, s)| *v += s);
         for way in [Way::Down, Way::Up] {
-            let right = Reach { own: above, first: from, above: &mut [], from: all };
+            let right = PartView { own: above, first: from, above: &mut [], from: all };
             go(way, b..nodes.len(), right, &mut self.locals[0]);
         }
         aside.copy_from_slice(above);
         halves(Way::Up, above, aside, &mut self.locals);
-        self.beside += beside;
+        self.second_thread_seconds += seconds;
     }
 
     /// CPU seconds of the second thread since the last call.
-    pub fn beside(&mut self) -> f64 {
-        std::mem::take(&mut self.beside)
+    pub fn take_second_thread_seconds(&mut self) -> f64 {
+        std::mem::take(&mut self.second_thread_seconds)
     }
 }
 
-/// What stands in place of zeros, per pair of axes, far below what single precision can tell of a system of the size of
-/// one: far from the pattern what fills in is soon too small to be a normal number, and those take the processor a hundred
-/// times as long. None between axes that know nothing of each other, so that flat cloth stays flat.
+/// The values in place of zeros, per pair of axes, far below the rounding of a system of the size of one.
+///
+/// Fill-in far from the pattern is soon too small to be a normal number, and the processor takes a hundred times as long
+/// for such numbers. Axes that are not coupled keep their zeros, so that flat cloth stays flat.
 fn floor(values: &[Matrix3<f64>]) -> [[f32; 3]; 3] {
     let mut coupled = Matrix3::<f64>::zeros();
     values.iter().for_each(|m| coupled += m.abs());
-    let low = |c: usize, r: usize| if coupled[(r, c)] + coupled[(c, r)] > 0.0 { FLOOR } else { 0.0 };
+    let low = |c: usize, r: usize| if coupled[(r, c)] + coupled[(c, r)] > 0.0 { ZERO_SUBSTITUTE } else { 0.0 };
     [0, 1, 2].map(|c| [low(c, 0), low(c, 1), low(c, 2)])
 }
 
@@ -241,7 +255,7 @@ mod tests {
     }
 
     #[test]
-    fn solves_unknowns_that_know_nothing_of_each_other() {
+    fn solves_uncoupled_unknowns() {
         for n in [1, 3] {
             let pattern = Pattern::new(n, Vec::new());
             let block = Matrix3::new(4.0, 1.0, 0.0, 1.0, 3.0, 0.5, 0.0, 0.5, 2.0);
@@ -254,7 +268,7 @@ mod tests {
         }
     }
 
-    /// Of factor and solution of a grid.
+    /// Bits of factor and solution of a grid.
     fn bits(side: u32, arch: Arch, threads: usize) -> (Vec<u32>, Vec<u64>) {
         let (pattern, values, x, mut b) = grid(side);
         let mut factor = Factor { arch, threads, ..Factor::default() };
@@ -264,7 +278,7 @@ mod tests {
         (factor.values.iter().map(|v| v.to_bits()).collect(), b.iter().flatten().map(|v| v.to_bits()).collect())
     }
 
-    /// Whatever registers a processor has, not a bit of factor and solution may differ.
+    /// Factor and solution may not differ by a bit, whatever registers a processor has.
     #[test]
     fn every_width_of_registers_gives_the_same_bits() {
         let narrow = bits(13, Arch::Scalar, 1);
@@ -282,7 +296,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_factorised_is_said_by_either_half() {
+    fn an_indefinite_system_is_reported_by_either_half() {
         let (pattern, values, x, _) = grid(60);
         let mut factor = Factor::by(2);
         for v in [0, x.len() / 2, x.len() - 1] {
@@ -293,12 +307,12 @@ mod tests {
         assert!(factor.take_in(&pattern, &values, &vec![1.0; x.len()]) && factor.eliminate());
     }
 
-    /// All that this processor can do beyond single numbers.
+    /// All vector instruction sets of this processor.
     fn wider() -> Vec<Arch> {
         #[cfg(target_arch = "x86_64")]
-        let others = [pulp::x86::V3::try_new().map(Arch::V3), pulp::x86::V4::try_new().map(Arch::V4)];
+        let second = [pulp::x86::V3::try_new().map(Arch::V3), pulp::x86::V4::try_new().map(Arch::V4)];
         #[cfg(not(target_arch = "x86_64"))]
-        let others = [Some(Arch::new())];
-        others.into_iter().flatten().collect()
+        let second = [Some(Arch::new())];
+        second.into_iter().flatten().collect()
     }
 }

@@ -1,12 +1,12 @@
-//! Two pieces of work that hang on nothing of each other, on two threads.
+//! Fork–join: two independent pieces of work on two threads.
 
 use crate::report::cost::Lap;
 use std::panic::resume_unwind;
 use std::sync::Mutex;
 use std::thread::{Builder, scope};
 
-/// Does both, side by side where there are threads for it; CPU seconds of the other thread, if there was one.
-pub(crate) fn both(threads: usize, one: impl FnOnce(), other: impl FnOnce() + Send) -> f64 {
+/// Does both pieces of work, side by side from two threads on. Returns the CPU seconds of the second thread, or 0.
+pub(crate) fn fork_join(threads: usize, one: impl FnOnce(), other: impl FnOnce() + Send) -> f64 {
     if threads < 2 {
         one();
         other();
@@ -18,11 +18,11 @@ pub(crate) fn both(threads: usize, one: impl FnOnce(), other: impl FnOnce() + Se
         other.lock().ok().and_then(|mut o| o.take()).map(|o| o()).map(|()| lap.next())
     };
     scope(|s| {
-        let hand = Builder::new().spawn_scoped(s, go).ok();
+        let helper = Builder::new().spawn_scoped(s, go).ok();
         one();
-        let beside = hand.and_then(|h| h.join().unwrap_or_else(|panic| resume_unwind(panic)));
-        beside.unwrap_or_else(|| {
-            // No thread was to be had.
+        let seconds = helper.and_then(|h| h.join().unwrap_or_else(|panic| resume_unwind(panic)));
+        seconds.unwrap_or_else(|| {
+            // The system gave no thread.
             go();
             0.0
         })
@@ -37,14 +37,14 @@ mod tests {
     fn both_are_done_at_any_number_of_threads() {
         for threads in [0, 1, 2, 9] {
             let (mut one, mut other) = (0, 0);
-            let beside = both(threads, || one += 1, || other += 1);
-            assert!((one, other) == (1, 1) && beside >= 0.0);
+            let seconds = fork_join(threads, || one += 1, || other += 1);
+            assert!((one, other) == (1, 1) && seconds >= 0.0);
         }
     }
 
     #[test]
-    #[should_panic(expected = "told")]
-    fn what_goes_wrong_on_the_other_thread_is_told() {
-        both(2, || (), || panic!("told"));
+    #[should_panic(expected = "second")]
+    fn a_panic_of_the_second_thread_is_passed_on() {
+        fork_join(2, || (), || panic!("second"));
     }
 }

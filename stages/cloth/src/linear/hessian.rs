@@ -4,16 +4,20 @@ use crate::Vec3;
 use nalgebra::Matrix3;
 use std::sync::Arc;
 
-/// Not an unknown.
+/// The number of a vertex that is no unknown.
 pub(crate) const FIXED: u32 = u32::MAX;
 
 /// A sparse symmetric matrix of 3 × 3 blocks: the places of the blocks, and their values.
 pub(crate) type System = (Pattern, Vec<Matrix3<f64>>);
 
-/// Which pairs of unknowns are coupled: the rows of each column, the diagonal first, ascending. A clone copies nothing.
+/// The pairs of unknowns that are coupled: the rows of each column, the diagonal first, ascending.
+///
+/// A clone copies nothing.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Pattern {
+    /// Place of the first row of every column, and the number of all rows.
     pub start: Arc<Vec<u32>>,
+    /// Rows of all columns.
     pub rows: Arc<Vec<u32>>,
 }
 
@@ -38,6 +42,7 @@ impl Pattern {
         Self { start: start.into(), rows: rows.into() }
     }
 
+    /// Number of unknowns.
     pub fn unknowns(&self) -> usize {
         self.start.len().saturating_sub(1)
     }
@@ -56,7 +61,7 @@ impl Pattern {
         out
     }
 
-    /// Place of a block.
+    /// Place of a block; `None` outside the pattern.
     #[inline]
     pub fn find(&self, column: u32, row: u32) -> Option<usize> {
         let a = self.start[column as usize] as usize;
@@ -71,13 +76,14 @@ pub(crate) struct Hessian {
     /// Unknown of every vertex, or [`FIXED`].
     pub unknown: Vec<u32>,
     pub pattern: Pattern,
+    /// Blocks of the pattern, N/m.
     pub values: Vec<Matrix3<f64>>,
     /// Blocks outside the pattern (contacts): (column, row, block).
     pub extra: Vec<(u32, u32, Matrix3<f64>)>,
 }
 
 impl Hessian {
-    /// Zero, over cliques of vertices that are coupled.
+    /// A zero matrix of `n` unknowns with a pattern over coupled pairs of vertices.
     pub fn new(unknown: Vec<u32>, n: usize, pairs: impl Iterator<Item = [u32; 2]>) -> Self {
         let known = pairs.filter_map(|p| {
             let [a, b] = p.map(|v| unknown[v as usize]);
@@ -107,7 +113,7 @@ impl Hessian {
         }
     }
 
-    /// Adds to the diagonal block of a vertex.
+    /// Adds a block to the diagonal block of a vertex.
     #[inline]
     pub fn add(&mut self, i: u32, block: &Matrix3<f64>) {
         let a = self.unknown[i as usize];
@@ -116,7 +122,7 @@ impl Hessian {
         }
     }
 
-    /// Adds `k (w ⊗ w) ⊗ block` over some vertices.
+    /// Adds `(w ⊗ w) ⊗ block` over some vertices with their weights w.
     #[inline]
     pub fn spread(&mut self, vertices: &[u32], weights: &[f64], block: &Matrix3<f64>) {
         for i in 0..vertices.len() {
@@ -132,9 +138,11 @@ impl Hessian {
         }
     }
 
-    /// Adds `share` of what every coupling's stiffness would be if it stood in all directions: a stretch that turns with
-    /// the cloth costs nothing at first order, but over a finite step it does (the metric of projective dynamics).
-    pub fn stiffen(&mut self, share: f64) {
+    /// Adds a `share` of the stiffness of every coupling in all directions (stretch-isotropic regularisation).
+    ///
+    /// A stretched edge may turn without cost at first order, but not over a finite step. With a share of 1 the stretch
+    /// stiffness is that of the Laplacian of projective dynamics (Liu et al. 2017).
+    pub fn add_isotropic_stiffness(&mut self, share: f64) {
         for column in 0..self.pattern.unknowns() {
             let first = self.pattern.start[column] as usize;
             for k in first + 1..self.pattern.start[column + 1] as usize {
@@ -155,15 +163,16 @@ impl Hessian {
         self.extra.clear();
     }
 
-    /// The extra blocks worked into pattern and values; ordered sums, so the same for every run. Takes the values: what
-    /// follows is a new start.
+    /// Pattern and values with the extra blocks worked in. Sums are ordered, so they are the same in every run.
+    ///
+    /// The values are taken out; the matrix must be reset afterwards.
     pub fn merged(&mut self) -> (Pattern, Vec<Matrix3<f64>>) {
         let mut values = std::mem::take(&mut self.values);
         let extra = self.summed();
         if extra.is_empty() {
             return (self.pattern.clone(), values);
         }
-        // From the end, so that all is moved in its place.
+        // The columns are moved from the last to the first, so that none is overwritten.
         let (mut from, mut to) = (values.len(), values.len() + extra.len());
         values.reserve_exact(extra.len());
         values.resize(to, Matrix3::zeros());
@@ -191,7 +200,7 @@ impl Hessian {
         (Pattern { start: start.into(), rows: rows.into() }, values)
     }
 
-    /// The extra blocks in order, those of one place as one.
+    /// The extra blocks in order, those of one place summed.
     fn summed(&mut self) -> Vec<(u32, u32, Matrix3<f64>)> {
         let mut extra = std::mem::take(&mut self.extra);
         extra.sort_by_key(|e| (e.0, e.1));
@@ -206,7 +215,7 @@ impl Hessian {
     }
 }
 
-/// The unknowns' part of a field over all vertices.
+/// Copies the part of the unknowns out of a field over all vertices.
 pub(crate) fn gather(unknown: &[u32], field: &[Vec3], out: &mut [Vec3]) {
     for (u, v) in unknown.iter().zip(field) {
         if *u != FIXED {
@@ -215,12 +224,12 @@ pub(crate) fn gather(unknown: &[u32], field: &[Vec3], out: &mut [Vec3]) {
     }
 }
 
-/// A field over all vertices from the unknowns' part, `factor` times; held vertices stay.
+/// A field over all vertices from the part of the unknowns, times `factor`; held vertices have zero.
 pub(crate) fn scattered(unknown: &[u32], part: &[Vec3], factor: f64) -> Vec<Vec3> {
     unknown.iter().map(|u| if *u == FIXED { Vec3::zeros() } else { part[*u as usize] * factor }).collect()
 }
 
-/// Couplings of a square grid: of every knot with those so many lines and columns on.
+/// Couplings of a square grid: of every knot with those `reach` lines and columns further on.
 #[cfg(test)]
 pub(crate) fn grid_pairs(side: u32, reach: &[(u32, u32)]) -> Vec<[u32; 2]> {
     let mut pairs = Vec::new();
@@ -238,18 +247,18 @@ pub(crate) fn grid_pairs(side: u32, reach: &[(u32, u32)]) -> Vec<[u32; 2]> {
 mod tests {
     use super::*;
 
-    /// A spring along x resists in all directions, and its ends still move along together for nothing.
+    /// A spring along x then resists in all directions, and its ends still move together without a force.
     #[test]
-    fn a_stiffened_spring_stands_in_all_directions() {
+    fn isotropic_stiffness_acts_in_all_directions() {
         let mut h = Hessian::new(vec![0, 1, 2], 3, [[0, 1], [1, 2]].into_iter());
         let along = Matrix3::from_diagonal(&Vec3::new(100.0, 0.0, 0.0));
         h.spread(&[0, 1], &[1.0, -1.0], &along);
-        h.stiffen(0.1);
+        h.add_isotropic_stiffness(0.1);
         let want = along + Matrix3::identity() * 10.0;
         assert_eq!(h.values, [want, -want, want, Matrix3::zeros(), Matrix3::zeros()]);
     }
 
-    /// Contacts come between, before and after the couplings of the cloth, some of them twice.
+    /// The extra blocks come between, before and after the couplings of the cloth, some of them twice.
     #[test]
     fn extra_blocks_take_their_places() {
         let of = |k: f64| Matrix3::from_diagonal_element(k);

@@ -12,3 +12,4 @@ pub(crate) mod substitute;
 pub(crate) mod supernode;
 pub(crate) mod symbolic;
 pub(crate) mod triangular_solve;
+pub(crate) mod tuning;

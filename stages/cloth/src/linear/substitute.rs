@@ -1,27 +1,27 @@
-//! Solving with a factor: down through its nodes, and up again.
+//! Substitution with a factor: forwards through its nodes, and backwards.
 
-use crate::linear::dense::TALL;
-use crate::linear::separator_halves::Reach;
+use crate::linear::dense::STRIP_ROWS;
+use crate::linear::separator_halves::PartView;
 use crate::linear::supernode::Node;
 use crate::linear::triangular_solve;
 use pulp::{Simd, WithSimd};
 
-/// Which way the nodes are gone through.
+/// The direction of a substitution.
 #[derive(Clone, Copy, PartialEq)]
 pub(crate) enum Way {
-    /// With the lower triangle, children before parents.
+    /// Forward substitution with the lower triangle, children before parents.
     Down,
-    /// With its transpose, parents before children.
+    /// Backward substitution with its transpose, parents before children.
     Up,
 }
 
-/// Some nodes, a factor, and the right-hand side.
+/// The substitution in some nodes of a factor.
 pub(crate) struct Substitute<'a> {
     pub way: Way,
     pub nodes: &'a [Node],
     pub values: &'a [f32],
-    pub right: Reach<'a>,
-    /// Room to work in.
+    pub right: PartView<'a>,
+    /// Work array of one node.
     pub local: &'a mut Vec<f32>,
 }
 
@@ -60,7 +60,7 @@ impl Substitute<'_> {
 
 /// Rows of a node that belong to its own part of the tree, and those above.
 #[inline(always)]
-fn parted<'a>(node: &'a Node, right: &Reach<'_>) -> (&'a [u32], &'a [u32]) {
+fn parted<'a>(node: &'a Node, right: &PartView<'_>) -> (&'a [u32], &'a [u32]) {
     let from = (right.from / 3) as u32;
     node.rows.split_at(node.rows.partition_point(|r| *r < from))
 }
@@ -69,10 +69,10 @@ fn parted<'a>(node: &'a Node, right: &Reach<'_>) -> (&'a [u32], &'a [u32]) {
 fn gather<'a>(
     node: &Node,
     values: &'a [f32],
-    right: &Reach<'_>,
+    right: &PartView<'_>,
     local: &'a mut Vec<f32>,
 ) -> (&'a [f32], &'a mut [f32]) {
-    let (first, width, length) = (3 * node.first as usize - right.first, node.width(), node.height() + TALL);
+    let (first, width, length) = (3 * node.first as usize - right.first, node.width(), node.height() + STRIP_ROWS);
     if local.len() < length {
         local.resize(length, 0.0);
     }
@@ -85,11 +85,11 @@ fn gather<'a>(
     let (first, from) = (right.first / 3, right.from / 3);
     near.iter().zip(mine).for_each(|(row, part)| *part = own[*row as usize - first]);
     far.iter().zip(above).for_each(|(row, part)| *part = over[*row as usize - from]);
-    (&values[node.start..node.start + node.height() * width + TALL], local)
+    (&values[node.start..node.start + node.height() * width + STRIP_ROWS], local)
 }
 
 #[inline(always)]
-fn scatter(node: &Node, right: &mut Reach<'_>, local: &[f32]) {
+fn scatter(node: &Node, right: &mut PartView<'_>, local: &[f32]) {
     let width = node.width();
     right.at(3 * node.first as usize, width).copy_from_slice(&local[..width]);
     let (near, far) = parted(node, right);

@@ -1,21 +1,25 @@
 //! A supernode: neighbouring columns of the factor that have the same rows below them.
 
-/// Scalar rows that stand side by side in a node and in the owner of one of them.
+/// Scalar rows that stand side by side in a node and in one of its ancestors.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Run {
+pub(crate) struct RowRun {
+    /// Place of the first row in the node.
     pub from: u32,
+    /// Place of the first row in the ancestor.
     pub to: u32,
+    /// Number of rows.
     pub length: u32,
 }
 
-/// A node in which some rows of another are columns.
+/// A node in which some rows of another one are columns: an update target of that node.
 #[derive(Clone, Debug)]
-pub(crate) struct Owner {
+pub(crate) struct Ancestor {
+    /// Number of the node.
     pub node: u32,
-    /// Where these rows end, scalars counted from the other's first column.
+    /// End of these rows, in scalars from the first column of the other node.
     pub to: usize,
-    /// Where they and all rows after them stand.
-    pub runs: Vec<Run>,
+    /// Places of these rows and of all rows after them.
+    pub runs: Vec<RowRun>,
 }
 
 /// Columns that share their rows; counted in vertices, each three scalars.
@@ -23,26 +27,28 @@ pub(crate) struct Owner {
 pub(crate) struct Node {
     /// Place of the first column in the order of elimination.
     pub first: u32,
+    /// Number of columns.
     pub columns: u32,
     /// Rows below the columns, ascending.
     pub rows: Vec<u32>,
-    /// The nodes that own `rows`, which take this one's products.
-    pub owners: Vec<Owner>,
-    /// Where its values start.
+    /// The nodes whose columns are `rows`; they take the products of this one.
+    pub ancestors: Vec<Ancestor>,
+    /// Place of its first value in the factor.
     pub start: usize,
 }
 
 impl Node {
-    /// Scalar rows, columns included.
+    /// Number of scalar rows, those of the columns included.
     pub fn height(&self) -> usize {
         3 * (self.columns as usize + self.rows.len())
     }
 
+    /// Number of scalar columns.
     pub fn width(&self) -> usize {
         3 * self.columns as usize
     }
 
-    /// Where a row of the order stands in the columns and rows.
+    /// Place of a row of the order among the columns and rows of the node.
     pub fn place(&self, row: u32) -> u32 {
         if row < self.first + self.columns {
             return row - self.first;

@@ -1,10 +1,16 @@
-//! The shape of a factor: order of elimination and supernodes, from `faer`'s analysis (whole numbers only, so the same
-//! on every machine).
+//! Symbolic analysis: the order of elimination and the supernodes of a factor, from `faer`.
+//!
+//! It has whole numbers only, so it is the same on every machine.
 
 use crate::linear::hessian::Pattern;
 use crate::linear::nested_dissection;
-use crate::linear::separator_halves::Halves;
-use crate::linear::supernode::{Node, Owner, Run};
+use crate::linear::separator_halves::SeparatorHalves;
+use crate::linear::supernode::{Ancestor, Node, RowRun};
+use crate::linear::tuning::{
+    LARGE_SYSTEM_UNKNOWNS, MERGED_LARGE_ZEROS, MERGED_MIDDLE_VERTICES, MERGED_MIDDLE_ZEROS, MERGED_SMALL_VERTICES,
+    MERGED_SMALL_ZEROS, ORDER_REUSE, ORDER_REUSE_COUPLING_PARTS, ORDER_REUSE_GROWTH_PARTS, SEPARATOR_HALVES,
+    SUPERNODE_COLUMNS_MAX, SUPERNODE_COLUMNS_MAX_SMALL,
+};
 use faer::Side;
 use faer::perm::PermRef;
 use faer::sparse::SymbolicSparseColMatRef;
@@ -13,39 +19,34 @@ use faer::sparse::linalg::cholesky::{
 };
 use faer::sparse::linalg::{SupernodalThreshold, SymbolicSupernodalParams};
 
-/// No node.
+/// The number of no node.
 const NONE: u32 = u32::MAX;
-/// Neighbouring supernodes are joined up to so many vertices when the share of zeros it stores stays below.
-const RELAX: [(usize, f64); 4] = [(2, 1.0), (6, 0.8), (16, 0.1), (usize::MAX, 0.05)];
+/// Numbers of vertices up to which neighbouring supernodes are merged, each with the largest share of stored zeros.
+fn merging() -> [(usize, f64); 4] {
+    [
+        (2, 1.0),
+        (MERGED_SMALL_VERTICES.get(), MERGED_SMALL_ZEROS.get()),
+        (MERGED_MIDDLE_VERTICES.get(), MERGED_MIDDLE_ZEROS.get()),
+        (usize::MAX, MERGED_LARGE_ZEROS.get()),
+    ]
+}
 
-/// Vertices in the columns of a supernode, at most: wider ones are cut, so that half of their corner need not be stored, and
-/// what is worked on at a time stays near the processor. In a small system that saves nothing.
-const WIDE: u32 = 32;
-const WIDE_OF_SMALL: u32 = 128;
-/// Unknowns of a large one, at least.
-const LARGE: usize = 3_000;
-
-/// A factor that is larger by more than one part in so many asks for an order of its own, and so do couplings that are fewer
-/// by as much.
-const MUCH: usize = 5;
-/// Couplings that are more by one part in so many are not even tried in an order.
-const FAR: usize = 2;
-
-/// Where a block of the pattern goes.
+/// The place of a block of the pattern in the factor.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Target {
+pub(crate) struct BlockTarget {
     /// Index of its first scalar.
     at: u32,
-    /// Height of its node; the last bit says whether the block is mirrored.
+    /// Twice the height of its node; the last bit is set for a mirrored block.
     shape: u32,
 }
 
-impl Target {
-    /// `None` for a factor beyond all memory.
+impl BlockTarget {
+    /// The target of a block; `None` for a factor with more numbers than 32 bits count.
     fn new(at: usize, height: usize, mirrored: bool) -> Option<Self> {
         Some(Self { at: u32::try_from(at).ok()?, shape: u32::try_from(2 * height).ok()? | u32::from(mirrored) })
     }
 
+    /// Returns `true` for a block that is stored transposed.
     #[inline]
     pub fn is_mirrored(self) -> bool {
         self.shape & 1 == 1
@@ -58,88 +59,103 @@ impl Target {
     }
 }
 
-/// An order of elimination, and what it was made for.
+/// An order of elimination, and the size of the system for which it was made.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Order {
-    /// Unknowns as they are eliminated.
+pub(crate) struct EliminationOrder {
+    /// Unknowns in the order of their elimination.
     unknowns: Vec<u32>,
     /// Place of every unknown among them.
     pub place: Vec<u32>,
+    /// Blocks of the pattern for which it was made.
     pairs: usize,
-    /// Scalars of the factor then.
+    /// Scalars of the factor for which it was made.
     length: usize,
 }
 
-impl Order {
-    /// Was it made for much the same couplings?
+impl EliminationOrder {
+    /// Returns `true` if it was made for nearly the same couplings.
     fn may_fit(&self, pattern: &Pattern) -> bool {
         let pairs = pattern.rows.len();
-        let many = pairs >= self.pairs - self.pairs / MUCH && pairs <= self.pairs + self.pairs / FAR;
+        let many = pairs >= self.pairs - self.pairs / ORDER_REUSE_GROWTH_PARTS.get()
+            && pairs <= self.pairs + self.pairs / ORDER_REUSE_COUPLING_PARTS.get();
         pattern.unknowns() == self.place.len() && !self.place.is_empty() && many
     }
 }
 
+/// The symbolic factor of a pattern.
 #[derive(Debug, Default)]
 pub(crate) struct Symbolic {
-    pub order: Order,
+    pub order: EliminationOrder,
     /// Children before parents.
     pub nodes: Vec<Node>,
-    /// Of a large system.
-    pub halves: Halves,
-    pub targets: Vec<Target>,
+    /// Halves of the factor of a large system.
+    pub halves: SeparatorHalves,
+    /// Targets of the blocks of the pattern.
+    pub targets: Vec<BlockTarget>,
     /// Scalars of the factor.
     pub length: usize,
 }
 
 impl Symbolic {
-    /// In an order of its own; `None` when there is nothing to factorise or no memory for it.
+    /// The analysis in a new order; `None` when there is nothing to factorise or no memory for it.
     pub fn new(pattern: &Pattern) -> Option<Self> {
         if pattern.unknowns() == 0 {
             return None;
         }
         let (unknowns, place) = nested_dissection::order(pattern)?;
-        let order = Order { unknowns, place, pairs: pattern.rows.len(), length: 0 };
+        let order = EliminationOrder { unknowns, place, pairs: pattern.rows.len(), length: 0 };
         let mut found = Self::in_order(pattern, order)?;
         found.order.length = found.length;
         Some(found)
     }
 
-    /// In the order made for another pattern of the same unknowns: far cheaper than a new one, and as good while they are much the
-    /// same. `None` where they are not.
-    pub fn alike(pattern: &Pattern, order: &Order) -> Option<Self> {
-        if !order.may_fit(pattern) {
+    /// The analysis in the order made for another pattern of the same unknowns; `None` where the patterns differ much.
+    ///
+    /// It is far cheaper than a new order, and as good while the patterns are nearly the same.
+    pub fn with_order_of(pattern: &Pattern, order: &EliminationOrder) -> Option<Self> {
+        if !(ORDER_REUSE.is_on() && order.may_fit(pattern)) {
             return None;
         }
         let found = Self::in_order(pattern, order.clone())?;
-        (found.length <= order.length + order.length / MUCH).then_some(found)
+        (found.length <= order.length + order.length / ORDER_REUSE_GROWTH_PARTS.get()).then_some(found)
     }
 
-    fn in_order(pattern: &Pattern, order: Order) -> Option<Self> {
+    fn in_order(pattern: &Pattern, order: EliminationOrder) -> Option<Self> {
         let n = pattern.unknowns();
         let lower = SymbolicSparseColMatRef::new_checked(n, n, &pattern.start, None, &pattern.rows);
+        let merging = merging();
         let params = CholeskySymbolicParams {
             supernodal_flop_ratio_threshold: SupernodalThreshold::FORCE_SUPERNODAL,
-            supernodal_params: SymbolicSupernodalParams { relax: Some(&RELAX) },
+            supernodal_params: SymbolicSupernodalParams { relax: Some(&merging) },
             ..CholeskySymbolicParams::default()
         };
         let ordering = SymmetricOrdering::Custom(PermRef::new_checked(&order.unknowns, &order.place, n));
         let analysis = factorize_symbolic_cholesky(lower, Side::Lower, ordering, params).ok()?;
-        let (nodes, length) = if pattern.rows.len() == n { apart(n)? } else { nodes(&analysis)? };
+        let (nodes, length) = if pattern.rows.len() == n { uncoupled_nodes(n)? } else { nodes(&analysis)? };
         let targets = targets(pattern, &order.place, &nodes)?;
-        let halves = if n < LARGE { Halves::none(&nodes) } else { Halves::new(&nodes) };
+        let halves = if n >= LARGE_SYSTEM_UNKNOWNS.get() && SEPARATOR_HALVES.is_on() {
+            SeparatorHalves::new(&nodes)
+        } else {
+            SeparatorHalves::none(&nodes)
+        };
         Some(Self { order, nodes, halves, targets, length })
     }
 }
 
-/// Unknowns that know nothing of each other, as when only one vertex is free: `faer` makes no supernodes of them.
-fn apart(n: usize) -> Option<(Vec<Node>, usize)> {
-    let node = |k: u32| Node { first: k, columns: 1, rows: Vec::new(), owners: Vec::new(), start: 9 * k as usize };
+/// Nodes of uncoupled unknowns, as when only one vertex is free; `faer` makes no supernodes of them.
+fn uncoupled_nodes(n: usize) -> Option<(Vec<Node>, usize)> {
+    let node = |k: u32| Node { first: k, columns: 1, rows: Vec::new(), ancestors: Vec::new(), start: 9 * k as usize };
     Some(((0..u32::try_from(n).ok()?).map(node).collect(), 9 * n))
 }
 
+/// The supernodes of an analysis and the number of scalars of the factor; wide ones are cut.
 fn nodes(analysis: &SymbolicCholesky<u32>) -> Option<(Vec<Node>, usize)> {
     let SymbolicCholeskyRaw::Supernodal(s) = analysis.raw() else { return None };
-    let widest = if analysis.ncols() < LARGE { WIDE_OF_SMALL } else { WIDE };
+    let widest = if analysis.ncols() < LARGE_SYSTEM_UNKNOWNS.get() {
+        SUPERNODE_COLUMNS_MAX_SMALL.get()
+    } else {
+        SUPERNODE_COLUMNS_MAX.get()
+    };
     let (mut start, mut nodes) = (0, Vec::new());
     for k in 0..s.n_supernodes() {
         let (first, end) = (s.supernode_begin()[k], s.supernode_end()[k]);
@@ -147,49 +163,49 @@ fn nodes(analysis: &SymbolicCholesky<u32>) -> Option<(Vec<Node>, usize)> {
         rows.sort_unstable();
         for (from, to) in cuts(first, end, widest) {
             let rows = (to..end).chain(rows.iter().copied()).collect();
-            let node = Node { first: from, columns: to - from, rows, owners: Vec::new(), start };
+            let node = Node { first: from, columns: to - from, rows, ancestors: Vec::new(), start };
             start += node.height() * node.width();
             nodes.push(node);
         }
     }
-    let owner = owners(&nodes);
+    let node_of = node_of_column(&nodes);
     for k in 0..nodes.len() {
-        let found = owners_of(k, &nodes, &owner)?;
-        nodes[k].owners = found;
+        let found = ancestors_of(k, &nodes, &node_of)?;
+        nodes[k].ancestors = found;
     }
     Some((nodes, start))
 }
 
-/// Columns by the nodes that hold them, none more than `widest`.
+/// Ranges of the columns `first..end`, each of at most `widest`.
 fn cuts(first: u32, end: u32, widest: u32) -> impl Iterator<Item = (u32, u32)> {
     (first..end).step_by(widest as usize).map(move |from| (from, end.min(from + widest)))
 }
 
-/// The owners of a node's rows, in order.
-fn owners_of(k: usize, nodes: &[Node], owner: &[u32]) -> Option<Vec<Owner>> {
+/// The ancestors of a node, in the order of its rows.
+fn ancestors_of(k: usize, nodes: &[Node], node_of: &[u32]) -> Option<Vec<Ancestor>> {
     let node = &nodes[k];
     let mut found = Vec::new();
     let mut from = 0;
-    for same in node.rows.chunk_by(|p, q| owner[*p as usize] == owner[*q as usize]) {
-        let at = owner[same[0] as usize];
+    for same in node.rows.chunk_by(|p, q| node_of[*p as usize] == node_of[*q as usize]) {
+        let at = node_of[same[0] as usize];
         if at == NONE || at as usize <= k {
             return None;
         }
         let runs = runs(&node.rows[from..], node.columns + u32::try_from(from).ok()?, &nodes[at as usize]);
         from += same.len();
-        found.push(Owner { node: at, to: node.width() + 3 * from, runs });
+        found.push(Ancestor { node: at, to: node.width() + 3 * from, runs });
     }
     Some(found)
 }
 
-/// Where rows that stand at `first` and after it in one node stand in another.
-fn runs(rows: &[u32], first: u32, node: &Node) -> Vec<Run> {
-    let mut runs: Vec<Run> = Vec::new();
+/// Runs of the rows that stand at `first` and after it in one node and somewhere in another.
+fn runs(rows: &[u32], first: u32, node: &Node) -> Vec<RowRun> {
+    let mut runs: Vec<RowRun> = Vec::new();
     for (k, row) in (first..).zip(rows) {
         let (from, to) = (3 * k, 3 * node.place(*row));
         match runs.last_mut() {
             Some(r) if r.to + r.length == to => r.length += 3,
-            _ => runs.push(Run { from, to, length: 3 }),
+            _ => runs.push(RowRun { from, to, length: 3 }),
         }
     }
     runs.shrink_to_fit();
@@ -197,28 +213,28 @@ fn runs(rows: &[u32], first: u32, node: &Node) -> Vec<Run> {
 }
 
 /// The node of every column.
-fn owners(nodes: &[Node]) -> Vec<u32> {
+fn node_of_column(nodes: &[Node]) -> Vec<u32> {
     let n = nodes.iter().map(|n| n.columns as usize).sum();
-    let mut owner = vec![NONE; n];
+    let mut node_of = vec![NONE; n];
     for (k, node) in (0u32..).zip(nodes) {
-        owner[node.first as usize..(node.first + node.columns) as usize].fill(k);
+        node_of[node.first as usize..(node.first + node.columns) as usize].fill(k);
     }
-    owner
+    node_of
 }
 
-/// `None` for a factor beyond all memory.
-fn targets(pattern: &Pattern, place: &[u32], nodes: &[Node]) -> Option<Vec<Target>> {
-    let owner = owners(nodes);
+/// The targets of all blocks of a pattern; `None` for a factor with more numbers than 32 bits count.
+fn targets(pattern: &Pattern, place: &[u32], nodes: &[Node]) -> Option<Vec<BlockTarget>> {
+    let node_of = node_of_column(nodes);
     let mut targets = Vec::with_capacity(pattern.rows.len());
     for j in 0..pattern.unknowns() {
         for k in pattern.start[j] as usize..pattern.start[j + 1] as usize {
             let (column, row) = (place[j], place[pattern.rows[k] as usize]);
             let mirrored = row < column;
             let (column, row) = (column.min(row), column.max(row));
-            let node = &nodes[owner[column as usize] as usize];
+            let node = &nodes[node_of[column as usize] as usize];
             let height = node.height();
             let at = node.start + 3 * node.place(column) as usize * height + 3 * node.place(row) as usize;
-            targets.push(Target::new(at, height, mirrored)?);
+            targets.push(BlockTarget::new(at, height, mirrored)?);
         }
     }
     Some(targets)

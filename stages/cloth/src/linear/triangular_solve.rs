@@ -1,28 +1,32 @@
-//! Triangular solves with the columns of one panel. They take as long as the factor takes to be read, so it is laid in the
-//! order in which they read it: by columns, several streams at a time, large factors came at a third of the memory's speed.
-//! Sums run in the order of the columns and rows however they lie.
+//! Blocked triangular solves with the columns of one panel.
+//!
+//! A solve takes as long as reading the factor. A panel is therefore stored in the order in which the solves read it.
+//! Stored by columns, and read in several streams at a time, large factors came at a third of the memory's speed. Sums
+//! run in the order of columns and rows, whatever the storage.
 
-use crate::linear::dense::{TALL, line, registers, registers_mut};
+use crate::linear::dense::{STRIP_ROWS, line, registers, registers_mut};
 use pulp::Simd;
 
-/// Columns that are taken at a time.
-const WIDE: usize = 4;
+/// Columns that are solved at a time.
+const SOLVE_COLUMNS: usize = 4;
 
-/// Lays the columns of a panel, one after the other, in the order of the solves: `WIDE` of them at a time, the corner on
-/// the diagonal first, then by strips of `TALL` rows; what is above the diagonal is left out. `spare` is any room.
+/// Stores the columns of a panel, which lie one after the other, in the order of the solves.
+///
+/// `SOLVE_COLUMNS` columns come at a time: the corner on the diagonal first, then strips of `STRIP_ROWS` rows. Entries
+/// above the diagonal are left out. `spare` is a work array.
 #[inline(always)]
-pub(crate) fn lay_out(panel: &mut [f32], height: usize, width: usize, spare: &mut Vec<f32>) {
+pub(crate) fn store_for_solves(panel: &mut [f32], height: usize, width: usize, spare: &mut Vec<f32>) {
     let mut to = 0;
-    for j in (0..width).step_by(WIDE) {
-        let n = WIDE.min(width - j);
+    for j in (0..width).step_by(SOLVE_COLUMNS) {
+        let n = SOLVE_COLUMNS.min(width - j);
         spare.clear();
         spare.extend_from_slice(&panel[j * height..(j + n) * height]);
-        let (strips, rest) = ((height - j - n) / TALL, (height - j - n) % TALL);
+        let (strips, rest) = ((height - j - n) / STRIP_ROWS, (height - j - n) % STRIP_ROWS);
         let (corner, below) = panel[to..to + n * (height - j)].split_at_mut(n * n);
-        let (whole, last) = below.split_at_mut(n * TALL * strips);
+        let (whole, last) = below.split_at_mut(n * STRIP_ROWS * strips);
         for (c, column) in spare.chunks_exact(height).enumerate() {
             corner[c * n..][..n].copy_from_slice(&column[j..j + n]);
-            let (lines, end) = column[j + n..].as_chunks::<TALL>();
+            let (lines, end) = column[j + n..].as_chunks::<STRIP_ROWS>();
             for (strip, line) in whole.as_chunks_mut().0.chunks_exact_mut(n).zip(lines) {
                 strip[c] = *line;
             }
@@ -32,13 +36,15 @@ pub(crate) fn lay_out(panel: &mut [f32], height: usize, width: usize, spare: &mu
     }
 }
 
-/// Solves `L y = x` for the columns of one panel and takes them out of the rows below. Behind the panel in `l` and the
-/// rows in `x` stand `TALL` numbers more, of which nothing is used; the diagonal of `l` is inverted.
+/// Solves `L y = x` for the columns of one panel and takes them out of the rows below.
+///
+/// The panel in `l` and the rows in `x` are followed by `STRIP_ROWS` numbers that are not used. The diagonal of `l` is
+/// inverted.
 #[inline(always)]
 pub(crate) fn solve_lower<S: Simd, const V: usize>(simd: S, mut l: &[f32], x: &mut [f32], width: usize) {
-    let height = x.len() - TALL;
-    for j in (0..width).step_by(WIDE) {
-        let n = WIDE.min(width - j);
+    let height = x.len() - STRIP_ROWS;
+    for j in (0..width).step_by(SOLVE_COLUMNS) {
+        let n = SOLVE_COLUMNS.min(width - j);
         let (corner, columns) = l.split_at(n * n);
         let (top, below) = x[j..].split_at_mut(n);
         for (c, column) in corner.chunks_exact(n).enumerate() {
@@ -68,35 +74,36 @@ fn take_all<S: Simd, const V: usize, const N: usize>(
     x: &mut [f32],
 ) {
     let factors = y.map(|y| simd.splat_f32s(-y));
-    let (strips, last) = columns.split_at(N * (rows - rows % TALL));
-    let (x, rest) = x.split_at_mut(rows - rows % TALL);
-    let take = |x: &mut [f32; TALL], n: usize, column: &[f32; TALL]| {
+    let (strips, last) = columns.split_at(N * (rows - rows % STRIP_ROWS));
+    let (x, rest) = x.split_at_mut(rows - rows % STRIP_ROWS);
+    let take = |x: &mut [f32; STRIP_ROWS], n: usize, column: &[f32; STRIP_ROWS]| {
         let (x, c) = (registers_mut::<S, V>(simd, x), registers::<S, V>(simd, column));
         for v in 0..V {
             x[v] = simd.mul_add_f32s(factors[n], c[v], x[v]);
         }
     };
-    for (x, strip) in x.as_chunks_mut().0.iter_mut().zip(strips.chunks_exact(N * TALL)) {
+    for (x, strip) in x.as_chunks_mut().0.iter_mut().zip(strips.chunks_exact(N * STRIP_ROWS)) {
         strip.as_chunks().0.iter().enumerate().for_each(|(n, column)| take(x, n, column));
     }
     let rest = first_mut(rest);
-    (0..N).for_each(|n| take(rest, n, first(&last[n * (rows % TALL)..])));
+    (0..N).for_each(|n| take(rest, n, first(&last[n * (rows % STRIP_ROWS)..])));
 }
 
-/// Solves `Lᵀ y = x` for the columns of one panel, the rows below being known. As for [`solve_lower`], with zeros behind
-/// the rows in `x`.
+/// Solves `Lᵀ y = x` for the columns of one panel; the rows below are known.
+///
+/// The arguments are those of [`solve_lower`], with zeros behind the rows in `x`.
 #[inline(always)]
 pub(crate) fn solve_upper<S: Simd, const V: usize>(simd: S, l: &[f32], x: &mut [f32], width: usize) {
-    let height = x.len() - TALL;
-    let first = (width - 1) / WIDE * WIDE;
-    let mut end = laid(height, width);
-    for j in (0..=first).rev().step_by(WIDE) {
-        let n = WIDE.min(width - j);
+    let height = x.len() - STRIP_ROWS;
+    let first = (width - 1) / SOLVE_COLUMNS * SOLVE_COLUMNS;
+    let mut end = stored_length(height, width);
+    for j in (0..=first).rev().step_by(SOLVE_COLUMNS) {
+        let n = SOLVE_COLUMNS.min(width - j);
         let (top, below) = x[j..].split_at_mut(n);
         let rows = height - j - n;
         end -= n * (n + rows);
         let (corner, columns) = l[end..].split_at(n * n);
-        let mut sums = [0.0; WIDE];
+        let mut sums = [0.0; SOLVE_COLUMNS];
         match n {
             4 => sums = products_of::<S, V, 4>(simd, columns, rows, below),
             3 => sums[..3].copy_from_slice(&products_of::<S, V, 3>(simd, columns, rows, below)),
@@ -111,26 +118,27 @@ pub(crate) fn solve_upper<S: Simd, const V: usize>(simd: S, l: &[f32], x: &mut [
     }
 }
 
-/// Numbers in a panel that is laid out.
-fn laid(height: usize, width: usize) -> usize {
-    (0..width).step_by(WIDE).map(|j| WIDE.min(width - j) * (height - j)).sum()
+/// Number of scalars in a panel that is stored for the solves.
+fn stored_length(height: usize, width: usize) -> usize {
+    (0..width).step_by(SOLVE_COLUMNS).map(|j| SOLVE_COLUMNS.min(width - j) * (height - j)).sum()
 }
 
-/// Products of columns with `x`, each summed in lanes from the last rows to the first, then the lanes in order: panels are
-/// read from the last to the first, so memory is read in one stream, and what the columns before this one solved comes last.
+/// Products of columns with `x`, each summed in lanes from the last rows to the first, and then over the lanes in order.
+///
+/// Panels are read from the last row to the first, so that memory is read in one stream.
 #[inline(always)]
 fn products_of<S: Simd, const V: usize, const N: usize>(simd: S, columns: &[f32], rows: usize, x: &[f32]) -> [f32; N] {
     let mut lanes = [[simd.splat_f32s(0.0); V]; N];
-    let mut add = |x: &[f32; TALL], n: usize, column: &[f32; TALL]| {
+    let mut add = |x: &[f32; STRIP_ROWS], n: usize, column: &[f32; STRIP_ROWS]| {
         let (x, c) = (registers::<S, V>(simd, x), registers::<S, V>(simd, column));
         for v in 0..V {
             lanes[n][v] = simd.mul_add_f32s(x[v], c[v], lanes[n][v]);
         }
     };
-    let (strips, last) = columns.split_at(N * (rows - rows % TALL));
-    let (x, rest) = x.split_at(rows - rows % TALL);
-    (0..N).for_each(|n| add(first(rest), n, first(&last[n * (rows % TALL)..])));
-    for (x, strip) in x.as_chunks().0.iter().zip(strips.chunks_exact(N * TALL)).rev() {
+    let (strips, last) = columns.split_at(N * (rows - rows % STRIP_ROWS));
+    let (x, rest) = x.split_at(rows - rows % STRIP_ROWS);
+    (0..N).for_each(|n| add(first(rest), n, first(&last[n * (rows % STRIP_ROWS)..])));
+    for (x, strip) in x.as_chunks().0.iter().zip(strips.chunks_exact(N * STRIP_ROWS)).rev() {
         strip.as_chunks().0.iter().enumerate().rev().for_each(|(n, column)| add(x, n, column));
     }
     lanes.map(|lanes| {
@@ -142,29 +150,29 @@ fn products_of<S: Simd, const V: usize, const N: usize>(simd: S, columns: &[f32]
 }
 
 #[inline(always)]
-fn first(numbers: &[f32]) -> &[f32; TALL] {
-    numbers.first_chunk().unwrap_or_else(|| unreachable!("{TALL} numbers stand behind every panel"))
+fn first(numbers: &[f32]) -> &[f32; STRIP_ROWS] {
+    numbers.first_chunk().unwrap_or_else(|| unreachable!("{STRIP_ROWS} numbers stand behind every panel"))
 }
 
 #[inline(always)]
-fn first_mut(numbers: &mut [f32]) -> &mut [f32; TALL] {
-    numbers.first_chunk_mut().unwrap_or_else(|| unreachable!("{TALL} numbers stand behind the rows"))
+fn first_mut(numbers: &mut [f32]) -> &mut [f32; STRIP_ROWS] {
+    numbers.first_chunk_mut().unwrap_or_else(|| unreachable!("{STRIP_ROWS} numbers stand behind the rows"))
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Panels of every remainder of columns and rows, against the plain sums by columns.
+    /// Panels of every remainder of columns and rows agree with plain sums by columns.
     #[test]
-    fn a_panel_that_is_laid_out_solves_as_its_columns_do() {
+    fn a_stored_panel_solves_as_its_columns_do() {
         for (height, width) in [(1, 1), (2, 2), (3, 3), (21, 5), (36, 4), (40, 9), (70, 22)] {
             let entry = |i: usize, j: usize| if i == j { 0.5 } else { 0.1 / (1.0 + i.abs_diff(j) as f32) };
             let columns: Vec<f32> = (0..width * height).map(|k| entry(k % height, k / height)).collect();
-            let mut panel = [columns.clone(), vec![1e3; TALL]].concat();
-            lay_out(&mut panel[..width * height], height, width, &mut Vec::new());
+            let mut panel = [columns.clone(), vec![1e3; STRIP_ROWS]].concat();
+            store_for_solves(&mut panel[..width * height], height, width, &mut Vec::new());
             let given: Vec<f32> = (0..height).map(|i| 1.0 - (i % 5) as f32).collect();
-            let padded = || [given.clone(), vec![0.0; TALL]].concat();
+            let padded = || [given.clone(), vec![0.0; STRIP_ROWS]].concat();
             let (mut down, mut up) = (given.clone(), given.clone());
             for j in 0..width {
                 down[j] *= columns[j * height + j];

@@ -199,7 +199,7 @@ impl<'a> Descent<'a> {
     /// Adds the time since the last lap to the cost of the descent, with the time of the factor's other thread.
     pub fn spend(&mut self, lap: &mut Lap) {
         self.objective.costs.spend(Work::Descent, lap);
-        self.objective.costs.add(Work::Descent, self.preconditioner.factor.beside());
+        self.objective.costs.add(Work::Descent, self.preconditioner.factor.take_second_thread_seconds());
     }
 
     /// Is a factorisation of this cloth as dear as many steps?

@@ -244,7 +244,7 @@ impl Objective {
     pub fn assemble(&mut self, x: &[Vec3], isotropic: f64, convex: bool) -> (Pattern, Vec<Matrix3<f64>>) {
         let hessian = self.hessian.of_cloth(&self.terms.cloth, x, convex);
         if isotropic > 0.0 {
-            hessian.stiffen(isotropic);
+            hessian.add_isotropic_stiffness(isotropic);
         }
         if let Some(i) = &self.terms.inertia {
             i.add_hessian(hessian);

@@ -1,20 +1,28 @@
-//! Graphs of unknowns: who is coupled with whom, how heavy each is, and the same with neighbours joined in pairs.
+//! Graphs of coupled unknowns with weights, and their coarsening by pairs of neighbours.
 
 use crate::linear::hessian::Pattern;
 use std::cmp::Reverse;
 
+/// The number of no vertex.
 pub(crate) const NONE: u32 = u32::MAX;
 
-/// Neighbours of every vertex; joined vertices weigh as many as they are, and so do joined edges.
+/// A graph with weights of vertices and edges.
+///
+/// The weight of a joined vertex is the number of unknowns in it; that of a joined edge is the number of its couplings.
 #[derive(Debug, Default)]
 pub(crate) struct Graph {
+    /// Place of the first neighbour of every vertex, and the number of all neighbours.
     start: Vec<u32>,
+    /// Neighbours of all vertices.
     ends: Vec<u32>,
-    bonds: Vec<u32>,
+    /// Weights of the edges to them.
+    edge_weights: Vec<u32>,
+    /// Weights of the vertices.
     pub weight: Vec<u32>,
 }
 
 impl Graph {
+    /// The graph of a pattern, with weights of one.
     pub fn new(pattern: &Pattern) -> Self {
         let n = pattern.unknowns();
         let pairs = || {
@@ -39,13 +47,15 @@ impl Graph {
                 at[a] += 1;
             }
         }
-        Self { start, bonds: vec![1; ends.len()], ends, weight: vec![1; n] }
+        Self { start, edge_weights: vec![1; ends.len()], ends, weight: vec![1; n] }
     }
 
+    /// Number of vertices.
     pub fn len(&self) -> usize {
         self.weight.len()
     }
 
+    /// Weight of all vertices.
     pub fn total(&self) -> u32 {
         self.weight.iter().sum()
     }
@@ -54,19 +64,20 @@ impl Graph {
         self.start[v as usize] as usize..self.start[v as usize + 1] as usize
     }
 
+    /// Neighbours of a vertex.
     #[inline]
     pub fn around(&self, v: u32) -> &[u32] {
         &self.ends[self.range(v)]
     }
 
-    /// Neighbours and how strongly they are bound.
-    fn bound(&self, v: u32) -> impl Iterator<Item = (u32, u32)> + '_ {
+    /// Neighbours of a vertex with the weights of the edges to them.
+    fn weighted_edges(&self, v: u32) -> impl Iterator<Item = (u32, u32)> + '_ {
         let range = self.range(v);
-        self.ends[range.clone()].iter().copied().zip(self.bonds[range].iter().copied())
+        self.ends[range.clone()].iter().copied().zip(self.edge_weights[range].iter().copied())
     }
 
-    /// What `v` reaches, the nearest first; `seen` is marked.
-    pub fn front(&self, v: u32, seen: &mut [bool]) -> Vec<u32> {
+    /// The vertices that `v` reaches, the nearest first; they are marked in `seen`.
+    pub fn reached_from(&self, v: u32, seen: &mut [bool]) -> Vec<u32> {
         let mut front = vec![v];
         seen[v as usize] = true;
         let mut next = 0;
@@ -87,9 +98,9 @@ impl Graph {
         (0u32..).zip(some).for_each(|(k, v)| name[*v as usize] = k);
         let mut graph = Self { start: vec![0], ..Self::default() };
         for v in some {
-            for (w, bond) in self.bound(*v).filter(|(w, _)| name[*w as usize] != NONE) {
+            for (w, bond) in self.weighted_edges(*v).filter(|(w, _)| name[*w as usize] != NONE) {
                 graph.ends.push(name[w as usize]);
-                graph.bonds.push(bond);
+                graph.edge_weights.push(bond);
             }
             graph.start.push(number(graph.ends.len()));
             graph.weight.push(self.weight[*v as usize]);
@@ -97,9 +108,10 @@ impl Graph {
         graph
     }
 
-    /// The graph with neighbours joined in pairs, those first that are bound most strongly, and the joint vertex of each;
-    /// nothing becomes heavier than `most`. Those with as many neighbours come in an order of their own in every `way`.
-    pub fn joined(&self, most: u32, way: u32) -> (Self, Vec<u32>) {
+    /// The graph with neighbours joined in pairs along the heaviest edges, and the joint vertex of each vertex.
+    ///
+    /// No vertex becomes heavier than `most`. Vertices with as many neighbours come in an order that depends on `way`.
+    pub fn coarsened(&self, most: u32, way: u32) -> (Self, Vec<u32>) {
         let mut joint = vec![NONE; self.len()];
         let mut pairs: Vec<[u32; 2]> = Vec::new();
         let mut queue: Vec<u32> = (0..number(self.len())).collect();
@@ -110,7 +122,7 @@ impl Graph {
             }
             let own = self.weight[v as usize];
             let weight = |w: u32| self.weight[w as usize];
-            let free = self.bound(v).filter(|(w, _)| joint[*w as usize] == NONE && own + weight(*w) <= most);
+            let free = self.weighted_edges(v).filter(|(w, _)| joint[*w as usize] == NONE && own + weight(*w) <= most);
             let mate = free.max_by_key(|(w, bond)| (*bond, Reverse((weight(*w), *w)))).map_or(v, |(w, _)| w);
             joint[v as usize] = number(pairs.len());
             joint[mate as usize] = number(pairs.len());
@@ -119,24 +131,25 @@ impl Graph {
         (self.by_pairs(&pairs, &joint), joint)
     }
 
+    /// The graph whose vertices are these pairs.
     fn by_pairs(&self, pairs: &[[u32; 2]], joint: &[u32]) -> Self {
         let mut graph = Self { start: vec![0], ..Self::default() };
         let mut place = vec![NONE; pairs.len()];
         for (own, [v, mate]) in (0u32..).zip(pairs) {
             let first = graph.ends.len();
             let both = if v == mate { &[*v][..] } else { &[*v, *mate] };
-            for (w, bond) in both.iter().flat_map(|v| self.bound(*v)) {
+            for (w, bond) in both.iter().flat_map(|v| self.weighted_edges(*v)) {
                 let to = joint[w as usize];
                 let at = place[to as usize];
                 if to == own {
                     continue;
                 }
                 if at != NONE && at as usize >= first {
-                    graph.bonds[at as usize] += bond;
+                    graph.edge_weights[at as usize] += bond;
                 } else {
                     place[to as usize] = number(graph.ends.len());
                     graph.ends.push(to);
-                    graph.bonds.push(bond);
+                    graph.edge_weights.push(bond);
                 }
             }
             graph.start.push(number(graph.ends.len()));
@@ -146,7 +159,7 @@ impl Graph {
     }
 }
 
-/// Unknowns and couplings are counted in 32 bits.
+/// A count in 32 bits; unknowns and couplings never exceed them.
 pub(crate) fn number(n: usize) -> u32 {
     u32::try_from(n).unwrap_or(NONE)
 }

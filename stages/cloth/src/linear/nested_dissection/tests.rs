@@ -1,13 +1,13 @@
 use crate::linear::hessian::grid_pairs;
 use crate::linear::nested_dissection::*;
 
-/// A square grid, each knot coupled with those up to two lines away.
+/// A square grid, each point coupled with those up to two lines away.
 fn grid(side: u32) -> Pattern {
     let pairs = grid_pairs(side, &[(0, 1), (1, 0), (1, 1), (0, 2), (2, 0)]);
     Pattern::new((side * side) as usize, pairs)
 }
 
-/// Sums of the factor of a matrix eliminated in this order.
+/// Number of sums in the factorisation of a matrix in this order.
 fn sums(pattern: &Pattern, order: &[u32]) -> usize {
     let graph = Graph::new(pattern);
     let mut place = vec![0; order.len()];
@@ -27,10 +27,10 @@ fn sums(pattern: &Pattern, order: &[u32]) -> usize {
     all
 }
 
-/// The order of a whole that is parted however small it is.
+/// The order by nested dissection, however small the whole is.
 fn parted(pattern: &Pattern) -> Vec<u32> {
     let (names, mut order) = ((0..number(pattern.unknowns())).collect::<Vec<_>>(), Vec::new());
-    dissect(&Graph::new(pattern), &names, &mut order).expect("an order");
+    order_pieces(&Graph::new(pattern), &names, &mut order).expect("an order");
     order
 }
 
@@ -41,7 +41,7 @@ fn the_order_holds_every_unknown_once() {
     assert!((0..15_129).all(|v: u32| order[place[v as usize] as usize] == v));
 }
 
-/// Against the order of least degree of the whole.
+/// Nested dissection is compared with least degree of the whole.
 #[test]
 fn large_cloth_takes_fewer_sums_than_in_the_order_of_least_degree() {
     let pattern = grid(125);
@@ -53,22 +53,27 @@ fn large_cloth_takes_fewer_sums_than_in_the_order_of_least_degree() {
     assert!(10 * ours < 9 * least, "{ours} and {least}");
 }
 
-/// On a grid with two lines of neighbours, no fewer than two lines part it; what lies between holds all couplings.
+/// A grid whose points are coupled over two lines needs a separator of two lines. No coupling crosses the separator.
 #[test]
-fn little_more_than_two_lines_lie_between_the_halves_of_a_square() {
+fn the_separator_of_a_square_has_little_more_than_two_lines() {
     let (side, pattern) = (80, grid(80));
     let graph = Graph::new(&pattern);
-    let sides = bisection::part(&graph);
-    let size = |s| sides.iter().filter(|t| **t == s).count();
-    assert!(size(BETWEEN) <= 5 * side / 2, "{} between", size(BETWEEN));
-    assert!(3 * size(FIRST).max(size(SECOND)) <= 2 * graph.len(), "{} and {}", size(FIRST), size(SECOND));
-    for v in (0..number(graph.len())).filter(|v| sides[*v as usize] == FIRST) {
-        assert!(graph.around(v).iter().all(|w| sides[*w as usize] != SECOND), "{v} touches the other side");
+    let sides = bisection::bisect(&graph);
+    let size = |s: Side| sides.iter().filter(|t| **t == s).count();
+    assert!(size(Side::Separator) <= 5 * side / 2, "{} in the separator", size(Side::Separator));
+    assert!(
+        3 * size(Side::First).max(size(Side::Second)) <= 2 * graph.len(),
+        "{} and {}",
+        size(Side::First),
+        size(Side::Second)
+    );
+    for v in (0..number(graph.len())).filter(|v| sides[*v as usize] == Side::First) {
+        assert!(graph.around(v).iter().all(|w| sides[*w as usize] != Side::Second), "{v} touches the other side");
     }
 }
 
 #[test]
-fn pieces_that_do_not_hang_together_are_ordered_one_by_one() {
+fn unconnected_pieces_are_ordered_one_by_one() {
     let one = grid(16);
     let mut pairs = Vec::new();
     for c in 0..256u32 {
@@ -82,9 +87,9 @@ fn pieces_that_do_not_hang_together_are_ordered_one_by_one() {
     assert!(first == (0..256).collect::<Vec<_>>() || first == (256..512).collect::<Vec<_>>());
 }
 
-/// A star: all that parts it is its middle.
+/// The middle of a star is its separator.
 #[test]
-fn one_vertex_parts_a_star() {
+fn one_vertex_separates_a_star() {
     let pattern = Pattern::new(1000, (1..1000).map(|k| [0, k]).collect());
     let order = parted(&pattern);
     assert!(sums(&pattern, &order) <= 1000, "{}", sums(&pattern, &order));
