@@ -1,23 +1,28 @@
-//! What a result is worth, computed afresh from the positions.
+//! The certificate of a result, computed afresh from the positions.
 
 use crate::collision::body::Body;
 use crate::collision::crossings::count;
 use crate::energy::coupled::Coupled;
 use crate::energy::elastic;
 use crate::energy::model::model;
-use crate::prepare::canonical_frame::Canon;
+use crate::prepare::canonical_frame::CanonicalScene;
 use crate::prepare::initial_feasibility::repair;
 use crate::scene::measures::masses;
 use crate::scene::topology::Topology;
 use crate::scene::validate;
 use crate::{ClothError, Scene, Settings, Vec3};
 
+/// Largest distance to the body that is measured, m.
+const BODY_DISTANCE_REACH: f64 = 0.05;
+/// Largest depth inside the body that is measured, m.
+const DEPTH_REACH: f64 = 1.0;
+
 /// Figures of a state.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Figures {
     /// Elastic energy, J.
     pub energy: f64,
-    /// 95 % of the triangles have at most this strain along warp and weft.
+    /// Strain along warp and weft that 95 % of the triangles do not exceed.
     pub strain_p95: f64,
     /// Largest strain along warp or weft.
     pub strain_max: f64,
@@ -41,15 +46,16 @@ pub struct Figures {
     pub seam_gap_max: f64,
 }
 
-/// Computes the figures of `positions`. Crossings are counted on the numbers given: round them to `f32` first when
-/// that is what will be stored. Net forces are not among them: they feel a rounding of 0.1 µm, and the outcome tells them.
+/// Computes the figures of `positions`. Crossings are counted on the numbers given: round them to `f32` first when that
+/// is what will be stored. Net forces are not among them, because a rounding of 0.1 µm changes them; the outcome has
+/// them.
 ///
 /// # Errors
 /// When the scene or a setting is unusable.
 pub fn certify(scene: &Scene, settings: &Settings, positions: &[Vec3]) -> Result<Figures, ClothError> {
     validate::scene(scene)?;
-    // As it was draped: the same trees over the body, and the same figures however the scene is turned.
-    let mut canon = Canon::of(scene);
+    // The frame is that of the drape: the trees over the body are the same, and so are the figures of a turned scene.
+    let mut canon = CanonicalScene::of(scene);
     canon.scene.positions = canon.told(positions);
     figures(&canon.scene, settings)
 }
@@ -74,6 +80,7 @@ fn figures(scene: &Scene, settings: &Settings) -> Result<Figures, ClothError> {
     Ok(figures)
 }
 
+/// Figures against the body.
 fn against_body(figures: &mut Figures, x: &[Vec3], topology: &Topology, body: &Body) {
     let found = count::body_crossings(x, &topology.faces, body);
     figures.body_crossings = found.count;
@@ -83,15 +90,16 @@ fn against_body(figures: &mut Figures, x: &[Vec3], topology: &Topology, body: &B
     for v in used {
         let p = &x[v as usize];
         if within[v as usize] {
-            let depth = body.nearest(p, 1.0).map_or(1.0, |(_, d)| d);
+            let depth = body.nearest(p, DEPTH_REACH).map_or(DEPTH_REACH, |(_, d)| d);
             figures.penetration_max = figures.penetration_max.max(depth);
             figures.body_distance_min = 0.0;
-        } else if let Some((_, d)) = body.nearest(p, figures.body_distance_min.min(0.05)) {
+        } else if let Some((_, d)) = body.nearest(p, figures.body_distance_min.min(BODY_DISTANCE_REACH)) {
             figures.body_distance_min = figures.body_distance_min.min(d);
         }
     }
 }
 
+/// Figures of strain.
 fn strains(scene: &Scene, settings: &Settings) -> Figures {
     let x = &scene.positions;
     let mut figures = Figures::default();

@@ -1,8 +1,8 @@
-//! Why a run was refused or failed.
+//! Errors: the reasons why a run was refused or failed.
 
 use crate::Vec3;
 
-/// Where something is wrong.
+/// A place where something is wrong.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
     /// A cloth triangle there.
@@ -20,13 +20,13 @@ pub enum ClothError {
     BadScene {
         /// Fixed kebab-case code.
         code: &'static str,
-        /// What and where, with numbers.
+        /// The fault and its place, with numbers.
         what: String,
     },
     /// The setting cannot be used.
     #[error("setting `{name}`: {what}")]
     BadSetting {
-        /// Which.
+        /// Name of the setting.
         name: &'static str,
         /// Allowed range.
         what: String,
@@ -34,7 +34,7 @@ pub enum ClothError {
     /// The scene calls for an effect that is not in this build.
     #[error("this build has no {effect}")]
     NotBuilt {
-        /// Which: the name of its switch, and of its feature.
+        /// Name of its switch and of its feature.
         effect: &'static str,
     },
     /// The cloth crosses itself or the body before the first step and could not be freed.
@@ -52,29 +52,29 @@ pub enum ClothError {
     /// The numbers left the finite range although the step was halved again and again.
     #[error("unstable at step {step}: {what}")]
     Unstable {
-        /// When.
+        /// Step at which it happened.
         step: u64,
-        /// What was seen.
+        /// The observation.
         what: String,
     },
     /// The body moves where cloth has no way out: between two parts of it, or between it and what is held.
     #[error("the body cannot go on {seconds:.3} s after the first frame: it catches the cloth near ({:.3}, {:.3}, {:.3}) m", .place.at.x, .place.at.y, .place.at.z)]
     Caught {
-        /// When, from the first frame on (negative on the way to it).
+        /// Time from the first frame on, s; negative on the way to it.
         seconds: f64,
-        /// Where.
+        /// Place of the cloth that is caught.
         place: Place,
     },
     /// The watch asked to stop.
     #[error("stopped on request at step {step}")]
     Cancelled {
-        /// When.
+        /// Step at which it happened.
         step: u64,
     },
 }
 
 impl ClothError {
-    /// The same, with its place told otherwise.
+    /// The error with its place mapped.
     pub(crate) fn placed(mut self, told: impl FnOnce(Place) -> Place) -> Self {
         if let Self::StartCrosses { place, .. } | Self::Caught { place, .. } = &mut self {
             *place = told(*place);

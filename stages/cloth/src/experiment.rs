@@ -16,17 +16,23 @@ const NUMBERS: &[&[&dyn Number]] = &[
     crate::collision::tuning::NUMBERS,
     crate::contact::tuning::NUMBERS,
     crate::dynamics::tuning::NUMBERS,
+    crate::energy::tuning::NUMBERS,
     crate::explicit::tuning::NUMBERS,
+    crate::hierarchy::tuning::NUMBERS,
     crate::linear::tuning::NUMBERS,
     crate::optimize::tuning::NUMBERS,
+    crate::prepare::tuning::NUMBERS,
     crate::sewing::tuning::NUMBERS,
 ];
 const MECHANISMS: &[&[&Mechanism]] = &[
     crate::collision::tuning::MECHANISMS,
     crate::contact::tuning::MECHANISMS,
+    crate::energy::tuning::MECHANISMS,
     crate::explicit::tuning::MECHANISMS,
+    crate::hierarchy::tuning::MECHANISMS,
     crate::linear::tuning::MECHANISMS,
     crate::optimize::tuning::MECHANISMS,
+    crate::prepare::tuning::MECHANISMS,
     crate::sewing::tuning::MECHANISMS,
 ];
 

@@ -1,8 +1,8 @@
 //! The ways into the solver: sew, drape and animate, each by the solver that the settings ask for.
 
 use crate::explicit::run;
-use crate::prepare::canonical_frame::Canon;
-use crate::prepare::degenerate_edges::Narrow;
+use crate::prepare::canonical_frame::CanonicalScene;
+use crate::prepare::degenerate_edges::CollapsedEdges;
 use crate::prepare::islands;
 use crate::report::watch::Part;
 use crate::scene::validate;
@@ -19,7 +19,7 @@ const WHOLE: [f64; 2] = [0.0, 1.0];
 /// An unusable scene or setting, a start that crosses, instability, or a stop on request.
 pub fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     validate::scene(scene)?;
-    let canon = Canon::of(scene);
+    let canon = CanonicalScene::of(scene);
     let sewn = sew_canonical(&canon.scene, settings, &mut Part::new(watch, WHOLE, &|x| canon.given(x)));
     shown(canon.back(sewn)?, scene, watch)
 }
@@ -47,7 +47,7 @@ fn sew_canonical(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> R
 /// As [`sew`].
 pub fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     validate::scene(scene)?;
-    if let Some(groups) = islands::apart(scene, settings) {
+    if let Some(groups) = islands::islands(scene, settings) {
         let each = Settings { threads: settings.threads / groups.len(), ..settings.clone() };
         let whole = |scene: &Scene, watch: &mut dyn Watch| drape_group(scene, &each, watch);
         if let Some(outcome) = islands::each(scene, &groups, settings.threads, watch, whole)? {
@@ -81,12 +81,12 @@ pub fn animate(
 
 /// Settles parts of the cloth that may meet each other.
 fn drape_group(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
-    let canon = Canon::of(scene);
+    let canon = CanonicalScene::of(scene);
     let given = |x: &[Vec3]| canon.given(x);
     let mut part = Part::new(watch, WHOLE, &given);
-    let draped = match Narrow::of(&canon.scene) {
+    let draped = match CollapsedEdges::of(&canon.scene) {
         Some(narrow) => {
-            let apart = |x: &[Vec3]| narrow.apart(x);
+            let apart = |x: &[Vec3]| narrow.parted(x);
             let mut part = Part::new(&mut part, WHOLE, &apart);
             drape_canonical(&narrow.scene, settings, &mut part).map(|o| narrow.back(o))
         }

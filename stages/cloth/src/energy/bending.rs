@@ -1,10 +1,15 @@
-//! Bending (class 3 of the paper, its flexion springs) as the curvature of every triangle, told by the folds over its edges
-//! (docs/bending.md): E = ½ A Σ D κ². The form is quadratic in the positions, so it cannot blow up, and needs lengths
-//! only, so it works across seams.
+//! Bending (class 3 of the paper, its flexion springs), by the curvature of every triangle: E = ½ A Σ D κ².
+//!
+//! The curvature comes from the folds over the edges of a triangle (docs/flexion.md). The form is quadratic in the
+//! positions, so its Hessian is constant. It needs lengths only, so it works across seams.
 
 use crate::energy::Energy;
 use crate::energy::patch::{Fold, Parts, Share, curvature, voigt};
 use crate::energy::springs::Springs;
+use crate::energy::tuning::{
+    BENDING_FIRMNESS, FIRMNESS_LINEAR, FIRMNESS_QUADRATIC, FIRMNESS_SOFTENING_MAX, SLIM_ALTITUDE_SHARE,
+    SURROGATE_ALTITUDE_MIN, SURROGATE_NARROW_PARTS, SURROGATE_SPRING_SHARE,
+};
 use crate::linear::hessian::Hessian;
 use crate::scene::bending_length;
 use crate::scene::measures::or_earth;
@@ -15,20 +20,21 @@ use nalgebra::{Vector2, Vector3};
 /// A triangle and the corners across its edges.
 pub(crate) struct Patch {
     pub vertices: [u32; 6],
-    /// E = ½ Σ |row · x|²; √N.
+    /// Rows of the form E = ½ Σ |row · x|², √(N/m).
     pub rows: [[f64; 6]; 3],
 }
 
+/// The bending energy of a cloth.
 pub(crate) struct Flexion {
-    /// All patches but the slim ones.
+    /// All patches but the slim ones, summed as springs.
     springs: Springs,
+    /// Patches of slim triangles, summed by themselves.
     slim: Vec<Patch>,
-    /// The slim ones as springs, for all but energy and forces.
+    /// The slim patches as springs, for all but energy and forces.
     slim_springs: Springs,
-    /// What stands for bending in a rough metric: springs for wide triangles, their patches for the others.
-    rough: Option<Springs>,
-    /// A power of two of the size of the rigidities, in which the patches have theirs, N·m: so that cloth twice as stiff has
-    /// the same patches.
+    /// The surrogate Hessian: springs for wide triangles, their patches for the others.
+    surrogate: Option<Springs>,
+    /// Unit of the rigidities of the patches, N·m: a power of two, so that cloth twice as stiff has the same patches.
     size: f64,
 }
 
@@ -37,37 +43,21 @@ fn rigidity(m: &Material) -> Vector3<f64> {
     Vector3::new(m.bend_weft, m.bend_warp, m.bend_twist())
 }
 
-/// How much firmer a triangle is made for its softening and for its square: measured, so that cantilevers on Delaunay meshes
-/// shaken by up to 0.3 cells meet the elastica within 1 % (docs/bending.md).
-const FIRMER: [f64; 2] = [0.4, 2.5];
-/// Softening up to which that holds: narrow triangles beside wide ones would come out a thousand times too firm.
-const SOFTEST: f64 = 0.5;
-
-/// Least altitude of a triangle over the bending length from which springs between neighbours may stand for its bending in a
-/// metric. At 0.36 they took twice as many steps, at 0.74 as many.
-const WIDE: f64 = 0.5;
-/// One triangle in so many may be narrower: more of them beside wide ones took twice as many steps.
-const NARROW: usize = 20;
-/// Stiffness of such a spring over that of the fold.
-const SPRING: f64 = 0.5;
-/// Altitude over longest side of a triangle below which its bending is summed by itself: as springs it would be a small
-/// difference of large energies.
-const SLIM: f64 = 0.05;
-
 /// The first hinge on each side of a face: number, and which of its two faces this is.
 type Sides = [Option<(usize, usize)>; 3];
 
-fn beside(topology: &Topology) -> Vec<Sides> {
-    let mut beside = vec![[None; 3]; topology.faces.len()];
+/// The hinges on the sides of every face.
+fn hinges_of_faces(topology: &Topology) -> Vec<Sides> {
+    let mut of_faces = vec![[None; 3]; topology.faces.len()];
     for (n, h) in topology.hinges.iter().enumerate() {
         for own in 0..2 {
-            beside[h.faces[own] as usize][usize::from(h.sides[own])].get_or_insert((n, own));
+            of_faces[h.faces[own] as usize][usize::from(h.sides[own])].get_or_insert((n, own));
         }
     }
-    beside
+    of_faces
 }
 
-/// Direction of the only side without a hinge.
+/// Direction of the only side without a hinge; `None` where there is none or more than one.
 fn open_side(e: &Element, sides: &Sides) -> Option<Vector2<f64>> {
     let mut open = (0..3).filter(|k| sides[*k].is_none());
     let k = open.next().filter(|_| open.next().is_none())?;
@@ -75,7 +65,7 @@ fn open_side(e: &Element, sides: &Sides) -> Option<Vector2<f64>> {
     Some(way / e.rest_length(k))
 }
 
-/// A triangle's folds, the hinges they belong to, and what they tell of its curvature.
+/// The folds of a triangle, their hinges, and the parts of its curvature by each fold.
 struct Bend {
     folds: Vec<Fold>,
     hinges: Vec<usize>,
@@ -90,15 +80,18 @@ impl Bend {
         Self { hinges: sides.iter().flatten().map(|s| s.0).collect(), folds, parts }
     }
 
-    /// All three parts of a triangle inside the cloth.
+    /// Hinges, folds and parts of a triangle inside the cloth, which has three of them.
     fn whole(&self) -> Option<impl Iterator<Item = (usize, &Fold, &Vector3<f64>)>> {
         let parts = self.parts.as_ref().filter(|_| self.folds.len() == 3)?;
         Some(self.hinges.iter().zip(&self.folds).zip(parts).map(|((h, f), p)| (*h, f, p)))
     }
 }
 
-/// By how much each triangle must be stiffer for its mesh to bend like the cloth.
+/// Factor on the bending stiffness of each triangle with which its mesh bends like the cloth.
 fn firmness(bends: &[Bend], areas: &[f64], hinges: usize) -> Vec<f64> {
+    if !BENDING_FIRMNESS.is_on() {
+        return vec![1.0; bends.len()];
+    }
     let mut shares = vec![Share::default(); hinges];
     for (bend, area) in bends.iter().zip(areas) {
         bend.whole().into_iter().flatten().for_each(|(h, _, part)| shares[h].add(*area, part));
@@ -106,14 +99,14 @@ fn firmness(bends: &[Bend], areas: &[f64], hinges: usize) -> Vec<f64> {
     let of = |(bend, area): (&Bend, &f64)| {
         let softer: f64 =
             bend.whole().into_iter().flatten().map(|(h, f, _)| 0.5 * shares[h].softening(f.length, f.normal)).sum();
-        let softer = (softer / area).min(SOFTEST);
-        1.0 + softer * (FIRMER[0] + FIRMER[1] * softer)
+        let softer = (softer / area).min(FIRMNESS_SOFTENING_MAX.get());
+        1.0 + softer * (FIRMNESS_LINEAR.get() + FIRMNESS_QUADRATIC.get() * softer)
     };
     bends.iter().zip(areas).map(of).collect()
 }
 
 impl Patch {
-    /// Of a triangle with this area, m².
+    /// The patch of a triangle with this area, m².
     fn new(e: &Element, bend: &Bend, area: f64, stiffness: &Vector3<f64>) -> Self {
         let mut patch = Self::around(e, &bend.folds);
         match &bend.parts {
@@ -123,7 +116,7 @@ impl Patch {
                     (0..3).for_each(|row| patch.add(row, scale[row] * part[row], fold));
                 }
             }
-            // Each fold by itself, shared with the other wing.
+            // Each fold counts by itself and is shared with the other wing.
             None => {
                 for (row, fold) in bend.folds.iter().enumerate() {
                     patch.add(row, across(fold, stiffness).sqrt(), fold);
@@ -174,7 +167,7 @@ impl Patch {
         self.rows.iter().map(|r| r[i] * r[j]).sum()
     }
 
-    /// The same as springs between its vertices.
+    /// The same form as springs between its vertices.
     fn springs(&self) -> impl Iterator<Item = ([u32; 2], f64)> + '_ {
         let pair = |i: usize, j: usize| ([self.vertices[i], self.vertices[j]], -self.stiffness(i, j));
         (0..6).flat_map(move |i| (0..i).map(move |j| pair(i, j)))
@@ -185,11 +178,12 @@ fn half_square(bend: &[Vec3; 3]) -> f64 {
     0.5 * (bend[0].norm_squared() + bend[1].norm_squared() + bend[2].norm_squared())
 }
 
-/// The patches of all triangles that have neighbours, by triangle, for these rigidities of each material against (κ₀₀,
-/// κ₁₁, 2 κ₀₁), N·m.
+/// The patches of all triangles that have neighbours, with the number of their triangle.
+///
+/// `rigidities` are those of each material against (κ₀₀, κ₁₁, 2 κ₀₁), N·m.
 pub(crate) fn patches(scene: &Scene, topology: &Topology, rigidities: &[Vector3<f64>]) -> Vec<(usize, Patch)> {
-    let beside = beside(topology);
-    let faces = scene.triangles.iter().zip(&beside);
+    let of_faces = hinges_of_faces(topology);
+    let faces = scene.triangles.iter().zip(&of_faces);
     let bends: Vec<Bend> = faces.map(|(e, sides)| Bend::new(e, sides, topology, scene)).collect();
     let areas: Vec<f64> = scene.triangles.iter().map(|e| e.area().abs()).collect();
     let firmness = firmness(&bends, &areas, topology.hinges.len());
@@ -202,8 +196,8 @@ pub(crate) fn patches(scene: &Scene, topology: &Topology, rigidities: &[Vector3<
     (0..bends.len()).filter_map(patch).collect()
 }
 
-/// `None` where most triangles are narrow. `patches` with their triangles.
-fn rough(
+/// The surrogate Hessian; `None` where too many triangles are narrow.
+fn surrogate(
     scene: &Scene,
     topology: &Topology,
     rigidities: &[Vector3<f64>],
@@ -214,56 +208,61 @@ fn rough(
     let lengths: Vec<f64> = scene.materials.iter().map(length).collect();
     let wide = |f: usize| is_wide(&scene.triangles[f], lengths[scene.triangles[f].material as usize]);
     let narrow = patches.iter().filter(|(f, _)| !wide(*f));
-    if NARROW * narrow.clone().count() >= patches.len() {
+    if SURROGATE_NARROW_PARTS.get() * narrow.clone().count() >= patches.len() {
         return None;
     }
     let mut springs: Vec<_> = narrow.flat_map(|(_, p)| p.springs()).collect();
-    let beside = beside(topology);
+    let of_faces = hinges_of_faces(topology);
     for (f, _) in patches.iter().filter(|(f, _)| wide(*f)) {
-        let folds = beside[*f].iter().flatten().map(|(h, own)| Fold::new(&topology.hinges[*h], *own, scene));
-        folds.for_each(|fold| stand_in(&fold, &rigidities[scene.triangles[*f].material as usize], &mut springs));
+        let folds = of_faces[*f].iter().flatten().map(|(h, own)| Fold::new(&topology.hinges[*h], *own, scene));
+        folds.for_each(|fold| {
+            add_surrogate_springs(&fold, &rigidities[scene.triangles[*f].material as usize], &mut springs)
+        });
     }
     Some(Springs::new(scene.positions.len(), springs))
 }
 
-/// Springs from the corners of the wings to the ends of the hinge, as stiff against their going up alone.
-fn stand_in(fold: &Fold, stiffness: &Vector3<f64>, springs: &mut Vec<([u32; 2], f64)>) {
-    let k = SPRING * across(fold, stiffness);
+/// Adds springs from the corners of the wings to the ends of the hinge.
+///
+/// They are as stiff as a share of the fold against a corner that goes up alone.
+fn add_surrogate_springs(fold: &Fold, stiffness: &Vector3<f64>, springs: &mut Vec<([u32; 2], f64)>) {
+    let k = SURROGATE_SPRING_SHARE.get() * across(fold, stiffness);
     for (c, w) in fold.vertices.iter().zip(fold.weights).skip(2) {
         springs.extend(fold.vertices[..2].iter().map(|a| ([*a, *c], k * w * w)));
     }
 }
 
-/// Is a triangle so slim that its patch is a small difference of large energies?
+/// Returns `true` for a triangle so slim that its patch as springs is a small difference of large energies.
 fn is_slim(e: &Element) -> bool {
     let longest = (0..3).map(|k| e.rest_length(k)).fold(0.0, f64::max);
-    e.altitude() < SLIM * longest
+    e.altitude() < SLIM_ALTITUDE_SHARE.get() * longest
 }
 
-/// Is a triangle so wide that weight and stretch hold folds over it, not bending?
+/// Returns `true` for a triangle so wide that weight and stretch hold folds over it, not bending.
 fn is_wide(e: &Element, bending_length: f64) -> bool {
-    e.altitude() >= WIDE * bending_length
+    e.altitude() >= SURROGATE_ALTITUDE_MIN.get() * bending_length
 }
 
-/// Stiffness of a fold by itself, in units of `rigidities`, half of it for each wing.
+/// Half of the stiffness of a fold by itself, the part of one wing, in units of the rigidities.
 fn across(fold: &Fold, stiffness: &Vector3<f64>) -> f64 {
     let across = voigt(fold.normal, fold.normal);
     0.5 * across.component_mul(&across).dot(stiffness) * fold.slimness
 }
 
 impl Flexion {
+    /// The bending energy of a scene.
     pub fn new(scene: &Scene, topology: &Topology) -> Self {
         let mut rigidities: Vec<Vector3<f64>> = scene.materials.iter().map(rigidity).collect();
         let size = power_of_two(rigidities.iter().map(Vector3::amax).fold(0.0, f64::max));
         rigidities.iter_mut().for_each(|r| *r /= size);
         let patches = patches(scene, topology, &rigidities);
-        let rough = rough(scene, topology, &rigidities, &patches);
+        let surrogate = surrogate(scene, topology, &rigidities, &patches);
         let (slim, others): (Vec<_>, Vec<_>) = patches.into_iter().partition(|p| is_slim(&scene.triangles[p.0]));
         let springs = |some: &[(usize, Patch)]| {
             Springs::new(scene.positions.len(), some.iter().flat_map(|(_, p)| p.springs()).collect())
         };
         let (springs, slim_springs) = (springs(&others), springs(&slim));
-        Self { springs, slim: slim.into_iter().map(|p| p.1).collect(), slim_springs, rough, size }
+        Self { springs, slim: slim.into_iter().map(|p| p.1).collect(), slim_springs, surrogate, size }
     }
 }
 
@@ -303,16 +302,16 @@ impl Energy for Flexion {
         [&self.springs, &self.slim_springs].iter().for_each(|s| s.add_hessian(self.size, h));
     }
 
-    fn rough(&self) -> bool {
-        self.rough.is_some()
+    fn has_surrogate(&self) -> bool {
+        self.surrogate.is_some()
     }
 
-    fn add_rough_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
-        self.rough.iter().for_each(|r| r.add_pairs(pairs));
+    fn add_surrogate_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
+        self.surrogate.iter().for_each(|r| r.add_pairs(pairs));
     }
 
-    fn add_rough_hessian(&self, _: &[Vec3], _: bool, h: &mut Hessian) {
-        self.rough.iter().for_each(|r| r.add_hessian(self.size, h));
+    fn add_surrogate_hessian(&self, _: &[Vec3], _: bool, h: &mut Hessian) {
+        self.surrogate.iter().for_each(|r| r.add_hessian(self.size, h));
     }
 
     fn quadratic(&self) -> bool {

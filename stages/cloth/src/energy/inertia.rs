@@ -1,29 +1,32 @@
-//! Inertia and damping of one stage of a time step, as terms of the energy that a descent lowers:
-//! ½ r Σ m |x − x̃|² + s/(2h) Σ (x − b)ᵀ C (x − b), with the velocity (x − b)/h, and the cloth's own energy times s.
+//! Inertia and damping of one stage of a time step, as terms of the energy that a descent lowers.
+//!
+//! The terms are ½ r Σ m |x − x̃|² + s/(2h) Σ (x − b)ᵀ C (x − b), with the velocity (x − b)/h. The energy of the cloth
+//! counts times s.
 
 use crate::Vec3;
 use crate::linear::hessian::Hessian;
 use nalgebra::Matrix3;
 
+/// The inertia term of a stage.
 pub(crate) struct Inert {
-    /// kg, per vertex.
+    /// Mass of every vertex, kg.
     pub mass: Vec<f64>,
-    /// r, 1/s².
+    /// Factor r of the inertia, 1/s².
     pub rate: f64,
     /// Share s of the cloth's energy: ½ in the trapezoidal stage, whose other half acted at the start of the step.
     pub share: f64,
-    /// Where the vertices would go by themselves, x̃, m.
+    /// Places x̃ to which the vertices would go by themselves, m.
     pub target: Vec<Vec3>,
-    /// b, m.
+    /// Places b from which velocities are taken, m.
     pub base: Vec<Vec3>,
-    /// h, s.
+    /// Time h of the velocities, s.
     pub h: f64,
     /// Damping of every vertex, C, kg/s.
     pub viscous: Vec<Matrix3<f64>>,
 }
 
 impl Inert {
-    /// Scales what the cloth gave so far, adds inertia and damping; the energy, J.
+    /// Scales energy and forces of the cloth, adds those of inertia and damping, and returns the energy, J.
     pub fn evaluate(&self, x: &[Vec3], energy: f64, f: &mut [Vec3]) -> f64 {
         let mut sum = self.share * energy;
         let k = self.share / self.h;
@@ -36,7 +39,9 @@ impl Inert {
         sum
     }
 
-    /// Scales the cloth's second derivatives and adds those of the damping; the inertia is the metric's shift.
+    /// Scales the second derivatives of the cloth and adds those of the damping.
+    ///
+    /// The inertia is the shift of the preconditioner.
     pub fn add_hessian(&self, h: &mut Hessian) {
         if self.share != 1.0 {
             h.values.iter_mut().for_each(|v| *v *= self.share);

@@ -1,23 +1,27 @@
-//! A stretch curve as a table: tangents at equal strains, linear between, so that tension and energy are its exact
-//! integrals and cost no exponential. The tangent may be capped.
+//! Stretch laws: a curve as a table of tangents at equal strains, linear between them.
+//!
+//! Tension and energy are the exact integrals of the table and cost no exponential. The tangent may be capped for
+//! explicit steps. The slope at the present strain is the stiffness c_e of equations 2 and 3 of the paper.
 
 use crate::energy::strain_limit::{Bias, Lock};
+use crate::energy::tuning::{LAW_CELLS, LAW_CELLS_OF_SAMPLES, LAW_REACH_LIMITS, LAW_REACH_UNLIMITED};
 use crate::{Curve, Integrator, Material, Settings, Switch};
 
-/// Cells of a table, more for kinks of measured curves, and how far over the limit it goes.
-const CELLS: usize = 256;
-const CELLS_OF_SAMPLES: usize = 1024;
-const BEYOND: f64 = 1.5;
-/// Strain up to which a table goes otherwise.
-const UNLIMITED: f64 = 0.5;
+/// Bounds of the strain up to which the table of a fabric with a limit goes.
+const REACH_BOUNDS: [f64; 2] = [0.02, 2.0];
 
-/// A piece of a law: what it has where it begins, and how its tangent grows.
+/// A cell of the table.
 #[derive(Clone, Copy, Debug, Default)]
 struct Cell {
+    /// Strain at which it begins.
     from: f64,
+    /// Tension there, N/m.
     tension: f64,
+    /// Slope of the tension there, N/m.
     tangent: f64,
+    /// Growth of the slope with the strain, N/m.
     bow: f64,
+    /// Energy there, J/m².
     energy: f64,
 }
 
@@ -26,19 +30,20 @@ struct Cell {
 pub(crate) struct Law {
     inverse_step: f64,
     step: f64,
-    /// The first for cloth pushed together, the last for all beyond the table; both straight.
+    /// The first cell is for compressed cloth, the last for all beyond the table; both are straight.
     cells: Vec<Cell>,
     lock: Lock,
 }
 
 impl Law {
-    /// Up to `reach` strain (a straight line beyond), with the tangent capped; `limit`: the strain at which the cloth
-    /// locks (infinite for never).
+    /// The law of a curve up to `reach` strain, a straight line beyond, with its tangent capped, N/m.
+    ///
+    /// `limit` is the strain at which the cloth locks, infinite for never.
     pub fn new(curve: &Curve, cap: f64, reach: f64, limit: f64) -> Self {
         let cells = match curve {
             Curve::Linear { .. } => 1,
-            Curve::Samples(_) => CELLS_OF_SAMPLES,
-            Curve::Exponential { .. } => CELLS,
+            Curve::Samples(_) => LAW_CELLS_OF_SAMPLES.get(),
+            Curve::Exponential { .. } => LAW_CELLS.get(),
         };
         let step = reach / cells as f64;
         let tangent: Vec<f64> = (0..=cells)
@@ -67,7 +72,7 @@ impl Law {
         Self { inverse_step: 1.0 / step, step, cells: all, lock }
     }
 
-    /// Does it carry more than its curve at this strain?
+    /// Returns `true` if it carries more than its curve at this strain.
     fn is_locking(&self, strain: f64) -> bool {
         strain > self.lock.from
     }
@@ -81,7 +86,7 @@ impl Law {
 
     /// Tension, N/m, and energy, J/m².
     #[inline(always)]
-    pub fn both(&self, strain: f64) -> (f64, f64) {
+    pub fn tension_and_energy(&self, strain: f64) -> (f64, f64) {
         let &Cell { from, tension: t, tangent: k, bow, energy } = self.cell(strain);
         let on = strain - from;
         let (t, energy) = (t + on * (k + 0.5 * on * bow), energy + on * (t + on * (0.5 * k + on * bow * (1.0 / 6.0))));
@@ -92,18 +97,18 @@ impl Law {
         (t + tension, energy + stored)
     }
 
-    /// N/m.
+    /// Tension, N/m.
     #[inline(always)]
     pub fn tension(&self, strain: f64) -> f64 {
-        self.both(strain).0
+        self.tension_and_energy(strain).0
     }
 
-    /// J/m².
+    /// Energy, J/m².
     pub fn energy(&self, strain: f64) -> f64 {
-        self.both(strain).1
+        self.tension_and_energy(strain).1
     }
 
-    /// dT/dε as interpolated, N/m.
+    /// Slope dT/dε as interpolated, N/m.
     #[inline]
     pub fn slope(&self, strain: f64) -> f64 {
         let lock = if strain <= self.lock.from { 0.0 } else { self.lock.over(strain)[2] };
@@ -111,33 +116,35 @@ impl Law {
         lock + cell.tangent + (strain - cell.from) * cell.bow
     }
 
-    /// A bound of the slope around a strain, N/m; only unlocked laws are asked for it.
+    /// A bound of the slope around a strain, N/m, without the lock.
     pub fn tangent(&self, strain: f64) -> f64 {
         let cell = self.cell(strain);
         cell.tangent.max(cell.tangent + self.step * cell.bow)
     }
 }
 
-/// Both directions, the shear and the bias of a fabric.
+/// The laws of a fabric: both directions, shear and bias.
 #[derive(Clone, Debug)]
 pub(crate) struct Fabric {
     pub weft: Law,
     pub warp: Law,
     pub bias: Bias,
+    /// Shear stiffness G, N/m per radian.
     pub shear: f64,
     /// Coupling modulus of warp and weft, N/m.
     pub cross: f64,
 }
 
 impl Fabric {
+    /// The laws of a material for these settings.
     pub fn new(m: &Material, s: &Settings) -> Self {
         let locks = s.integrator == Integrator::Static && s.effects.strain_limit != Switch::Off;
         let lock = |limit: f64| if locks { limit } else { f64::INFINITY };
-        // A straight curve is one whatever its limit: a limit that is not reached changes no bit.
+        // A straight curve has one cell whatever its limit, so a limit that is not reached changes no bit.
         let reach = |curve: &Curve, limit: f64| match curve {
-            Curve::Linear { .. } => UNLIMITED,
-            _ if limit.is_finite() => (BEYOND * limit).clamp(0.02, 2.0),
-            _ => UNLIMITED,
+            Curve::Linear { .. } => LAW_REACH_UNLIMITED.get(),
+            _ if limit.is_finite() => (LAW_REACH_LIMITS.get() * limit).clamp(REACH_BOUNDS[0], REACH_BOUNDS[1]),
+            _ => LAW_REACH_UNLIMITED.get(),
         };
         let law = |curve: &Curve, limit: f64| Law::new(curve, s.curve_cap(), reach(curve, limit), lock(limit));
         let [along_warp, along_weft, on_bias] = m.strain_limit;
@@ -147,12 +154,12 @@ impl Fabric {
         Self { weft, warp, bias: Bias::at(lock(on_bias), softer), shear: m.shear, cross }
     }
 
-    /// Lets it lock over this share of its limits; says whether that is anything new.
+    /// Lets it lock over this share of its limits. Returns `true` if that is a change.
     pub fn lock_over(&mut self, locking: f64) -> bool {
         self.weft.lock.lock_over(locking) | self.warp.lock.lock_over(locking) | self.bias.lock_over(locking)
     }
 
-    /// Does it carry more than its curves at these stretches along weft and warp and this Green strain?
+    /// Returns `true` if it carries more than its curves at these stretches along weft and warp and this Green strain.
     pub fn is_locking(&self, [weft, warp]: [f64; 2], green: &[f64; 3]) -> bool {
         self.weft.is_locking(weft - 1.0) || self.warp.is_locking(warp - 1.0) || self.bias.is_locking(green)
     }

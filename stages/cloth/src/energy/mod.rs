@@ -19,6 +19,7 @@ pub(crate) mod strain_limit;
 pub(crate) mod structural;
 #[cfg(test)]
 pub(crate) mod tests;
+pub(crate) mod tuning;
 pub(crate) mod weight;
 
 use crate::Vec3;
@@ -26,24 +27,24 @@ use crate::linear::hessian::Hessian;
 
 /// A potential of the positions.
 pub(crate) trait Energy: Send + Sync {
-    /// Adds minus the gradient, N.
+    /// Adds the forces at `x`, minus the gradient, N.
     fn add_forces(&self, x: &[Vec3], f: &mut [Vec3]);
-    /// J.
+    /// The energy at `x`, J.
     fn energy(&self, x: &[Vec3]) -> f64;
-    /// Both at once: adds the forces, gives the energy.
+    /// Adds the forces at `x`, N, and returns the energy, J.
     fn evaluate(&self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
         self.add_forces(x, f);
         self.energy(x)
     }
-    /// How far off rounding may leave the energy of cloth that lies about so, J, where that does not go with the energy itself.
+    /// Rounding error of the energy of cloth near `x`, J, where it is not in proportion to the energy itself.
     fn noise(&self, _x: &[Vec3]) -> f64 {
         0.0
     }
-    /// The largest strain that it knows of, along the threads; compressed is below 0.
+    /// Largest strain along warp and weft; below 0 where the cloth is compressed.
     fn strain(&self, _x: &[Vec3]) -> f64 {
         f64::NEG_INFINITY
     }
-    /// Is it stored in the cloth (and not weight or load)?
+    /// Returns `true` for energy that is stored in the cloth, `false` for weight and loads.
     fn elastic(&self) -> bool {
         true
     }
@@ -52,41 +53,44 @@ pub(crate) trait Energy: Send + Sync {
     fn add_stiffness(&self, x: &[Vec3], k: &mut [f64]);
     /// Pairs of vertices that the second derivatives couple.
     fn add_pairs(&self, pairs: &mut Vec<[u32; 2]>);
-    /// Adds the second derivatives, N/m; made positive semi-definite element by element where `convex` (the metric of a
-    /// descent), as they are otherwise (the test of a minimum).
+    /// Adds the second derivatives, N/m.
+    ///
+    /// Where `convex`, they are made positive semi-definite element by element, for the preconditioner of a descent.
+    /// They are full otherwise, for the test of a minimum.
     fn add_hessian(&self, x: &[Vec3], convex: bool, h: &mut Hessian);
-    /// What may stand for the second derivatives on a mesh too coarse for them to matter: fewer pairs …
-    fn add_rough_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
+    /// Adds the pairs of a surrogate Hessian, which has fewer pairs, for meshes too coarse for the full one to matter.
+    fn add_surrogate_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
         self.add_pairs(pairs);
     }
-    /// … and their stiffness, N/m.
-    fn add_rough_hessian(&self, x: &[Vec3], convex: bool, h: &mut Hessian) {
+    /// Adds the surrogate Hessian, N/m.
+    fn add_surrogate_hessian(&self, x: &[Vec3], convex: bool, h: &mut Hessian) {
         self.add_hessian(x, convex, h);
     }
-    /// Is there such a thing?
-    fn rough(&self) -> bool {
+    /// Returns `true` if there is a surrogate Hessian.
+    fn has_surrogate(&self) -> bool {
         false
     }
-    /// Does cloth that lies so carry more anywhere than its curves, because it locks at its strain limits?
+    /// Returns `true` if cloth at `x` locks anywhere at its strain limits and so carries more than its curves.
     fn is_locking(&self, _x: &[Vec3]) -> bool {
         false
     }
-    /// Lets cloth lock over this share of its strain limits, never if it is infinite; says whether that is anything new.
+    /// Lets cloth lock over this share of its strain limits, or never if it is infinite. Returns `true` if that is a
+    /// change.
     fn lock_over(&mut self, _locking: f64) -> bool {
         false
     }
-    /// Are the second derivatives the same everywhere?
+    /// Returns `true` if the second derivatives are the same everywhere.
     fn quadratic(&self) -> bool {
         false
     }
 }
 
-/// What the cloth stores, J.
+/// Elastic energy that the cloth stores, J.
 pub(crate) fn elastic(energies: &[Box<dyn Energy>], x: &[Vec3]) -> f64 {
     energies.iter().filter(|e| e.elastic()).map(|e| e.energy(x)).sum()
 }
 
-/// All pairs of an element's vertices.
+/// Adds all pairs of the vertices of an element.
 pub(crate) fn clique(vertices: &[u32], pairs: &mut Vec<[u32; 2]>) {
     for i in 0..vertices.len() {
         for j in 0..i {

@@ -1,25 +1,26 @@
-//! Curvature of a triangle from the folds of its hinges (docs/bending.md): the quadratic surface through its three corners
-//! and the three corners across its edges. What bends a surface uniformly is met exactly on any mesh.
+//! Curvature of a triangle from the folds of its hinges (docs/flexion.md).
+//!
+//! It is that of the quadratic surface through the three corners of the triangle and the three corners across its
+//! edges. A uniform curvature is met exactly on any mesh.
 
+use crate::energy::tuning::PATCH_DETERMINANT_MIN;
 use crate::scene::topology::Hinge;
 use crate::{Element, Scene};
 use nalgebra::{Matrix2, Matrix3, Matrix3x2, Vector2, Vector3};
 
-/// Least determinant of the normed equations of a patch that is solved; below it its six points lie nearly on one conic.
-const LEAST: f64 = 0.02;
-/// A uniform moment has three components.
-const MEAN: f64 = 1.0 / 3.0;
+/// Mean over the three components of a uniform moment.
+const MEAN_OF_MOMENTS: f64 = 1.0 / 3.0;
 
 /// The fold across one side of a triangle: u₂ + u₃ = Σ weights · x, u the unit vectors from the edge into the wings.
 pub(crate) struct Fold {
     pub vertices: [u32; 4],
-    /// 1/m.
+    /// Weights of the vertices, 1/m.
     pub weights: [f64; 4],
     /// Fold of the surface ½ κ(p, p) in the triangle's axes = along · (κ₀₀, κ₁₁, 2 κ₀₁), m.
     along: Vector3<f64>,
     /// Unit normal of the edge.
     pub normal: Vector2<f64>,
-    /// m, in this triangle.
+    /// Length of the edge in this triangle, m.
     pub length: f64,
     /// Squared length of the edge over the area of both wings.
     pub slimness: f64,
@@ -34,7 +35,7 @@ fn wing(e: &Element, side: usize, reversed: bool) -> (f64, f64, f64) {
 }
 
 impl Fold {
-    /// Of a hinge, in the axes of its face `own` (0 or 1).
+    /// The fold of a hinge, in the axes of its face `own` (0 or 1).
     pub fn new(h: &Hinge, own: usize, scene: &Scene) -> Self {
         let element = |w: usize| &scene.triangles[h.faces[w] as usize];
         let (e, side) = (element(own), usize::from(h.sides[own]));
@@ -53,7 +54,7 @@ impl Fold {
         if normal.dot(&(c - a)) < 0.0 {
             normal = -normal;
         }
-        // From end 0 of the hinge, the neighbour laid flat beside this triangle.
+        // The places are counted from end 0 of the hinge, with the neighbour laid flat beside this triangle.
         let along_edge = if reversed(own) { a - b } else { b - a };
         let mut points = [Vector2::zeros(), along_edge, Vector2::zeros(), Vector2::zeros()];
         for (w, (along, altitude, _)) in wings.into_iter().enumerate() {
@@ -70,22 +71,23 @@ impl Fold {
     }
 }
 
-/// (κ₀₀, κ₁₁, 2 κ₀₁) of a ⊗ b, made symmetric.
+/// The symmetric part of a ⊗ b as (κ₀₀, κ₁₁, 2 κ₀₁).
 pub(crate) fn voigt(a: Vector2<f64>, b: Vector2<f64>) -> Vector3<f64> {
     Vector3::new(a.x * b.x, a.y * b.y, a.x * b.y + a.y * b.x)
 }
 
-/// What each fold of a triangle adds to its curvature (κ₀₀, κ₁₁, 2 κ₀₁), 1/m.
+/// Parts of the curvature (κ₀₀, κ₁₁, 2 κ₀₁) of a triangle by each of its folds, 1/m.
 pub(crate) type Parts = [Vector3<f64>; 3];
 
-/// `open`: direction of the free edge of a triangle with two folds: nothing bends across it there. `None` where the folds do
-/// not tell the curvature.
+/// The parts of the curvature of a triangle by its folds; `None` where the folds do not determine it.
+///
+/// `open` is the direction of the free edge of a triangle with two folds. Nothing bends across that edge.
 pub(crate) fn curvature(folds: &[Fold], open: Option<Vector2<f64>>) -> Option<Parts> {
     let norm = |f: &Fold| f.along.norm();
     match folds {
         [p, q, r] => {
             let m = Matrix3::from_rows(&[p, q, r].map(|f| f.along.transpose()));
-            if m.determinant().abs() < LEAST * norm(p) * norm(q) * norm(r) {
+            if m.determinant().abs() < PATCH_DETERMINANT_MIN.get() * norm(p) * norm(q) * norm(r) {
                 return None;
             }
             let i = m.try_inverse()?;
@@ -96,7 +98,7 @@ pub(crate) fn curvature(folds: &[Fold], open: Option<Vector2<f64>>) -> Option<Pa
             let n = Vector2::new(-t.y, t.x);
             let basis = Matrix3x2::from_columns(&[voigt(t, t), voigt(t, n)]);
             let m = Matrix2::from_rows(&[p, q].map(|f| f.along.transpose() * basis));
-            if m.determinant().abs() < LEAST * norm(p) * norm(q) {
+            if m.determinant().abs() < PATCH_DETERMINANT_MIN.get() * norm(p) * norm(q) {
                 return None;
             }
             let c = basis * m.try_inverse()?;
@@ -106,32 +108,37 @@ pub(crate) fn curvature(folds: &[Fold], open: Option<Vector2<f64>>) -> Option<Pa
     }
 }
 
-/// Sum over the two triangles of a hinge of what a unit moment does on its fold, and of what a unit fold stores, for
-/// rigidities (1, 1, ½).
+/// Sums over the two triangles of a hinge: work of a unit moment on its fold, and energy of a unit fold.
+///
+/// Rigidities are (1, 1, ½).
 #[derive(Clone, Copy, Default)]
 pub(crate) struct Share {
     moment: Vector3<f64>,
     stored: f64,
-    /// Triangles that tell it.
-    told: u8,
+    /// Number of triangles in the sums.
+    triangles: u8,
 }
 
-const EVEN: Vector3<f64> = Vector3::new(1.0, 1.0, 0.5);
+/// Rigidities of an isotropic sheet against (κ₀₀, κ₁₁, 2 κ₀₁).
+const ISOTROPIC_RIGIDITY: Vector3<f64> = Vector3::new(1.0, 1.0, 0.5);
 
 impl Share {
+    /// Adds a triangle with its area (m²) and its part of the curvature.
     pub fn add(&mut self, area: f64, part: &Vector3<f64>) {
         self.moment += part * area;
-        self.stored += area * part.dot(&part.component_mul(&EVEN));
-        self.told += 1;
+        self.stored += area * part.dot(&part.component_mul(&ISOTROPIC_RIGIDITY));
+        self.triangles += 1;
     }
 
-    /// How much softer than the surface this hinge makes the mesh, m²: a uniform moment does l n ⊗ n on a hinge of a mesh
-    /// that keeps it in balance everywhere; what is left over bends the mesh out of the quadratic surface.
+    /// Softening of the mesh by this hinge, m².
+    ///
+    /// On a mesh in balance a uniform moment does the work l n ⊗ n on a hinge. The rest bends the mesh out of the
+    /// quadratic surface.
     pub fn softening(&self, length: f64, normal: Vector2<f64>) -> f64 {
-        if self.told < 2 || self.stored <= 0.0 {
+        if self.triangles < 2 || self.stored <= 0.0 {
             return 0.0;
         }
         let left = self.moment - voigt(normal, normal) * length;
-        MEAN * left.dot(&left.component_mul(&EVEN)) / self.stored
+        MEAN_OF_MOMENTS * left.dot(&left.component_mul(&ISOTROPIC_RIGIDITY)) / self.stored
     }
 }

@@ -1,13 +1,15 @@
-//! Pressure across the cloth (docs/pressure.md): pushes every triangle along its normal, wherever that turns. On cloth
-//! with a rim no potential has these forces, so they are taken as constant between two refreshes.
+//! Pressure across the cloth, along the normal of every triangle (docs/pressure.md).
+//!
+//! On cloth with a rim no potential has these forces, so they are constant between two refreshes.
 
 use crate::{Scene, Vec3};
 
+/// The pressure on a cloth.
 pub(crate) struct Pressure {
-    /// Pa.
+    /// Pressure, Pa.
     pressure: f64,
     faces: Vec<[u32; 3]>,
-    /// N, per vertex, of the last refresh.
+    /// Force on every vertex at the last refresh, N.
     push: Vec<Vec3>,
     refreshes: u64,
 }
@@ -21,7 +23,7 @@ impl Pressure {
         })
     }
 
-    /// Takes the triangles as they lie at `x`.
+    /// Takes the normals of the triangles at `x`.
     pub fn refresh(&mut self, x: &[Vec3]) {
         self.refreshes += 1;
         self.push.fill(Vec3::zeros());
@@ -33,7 +35,7 @@ impl Pressure {
         }
     }
 
-    /// Adds the forces, gives the energy of the last refresh's loads, J.
+    /// Adds the forces of the last refresh, N, and returns their energy, J.
     pub fn evaluate(&self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
         let mut energy = 0.0;
         for ((p, x), f) in self.push.iter().zip(x).zip(f) {
@@ -43,7 +45,7 @@ impl Pressure {
         energy
     }
 
-    /// What is told of it.
+    /// The pressure in words, for the report.
     pub fn words(&self) -> String {
         format!(
             "{} Pa along the normals of {} triangles, taken {} times",

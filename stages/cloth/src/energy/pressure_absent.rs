@@ -1,4 +1,5 @@
-//! Stands in for pressure in a build without this effect: a type without a value, so that nothing of its work is compiled.
+//! The stand-in for pressure in a build without this effect: a type without a value, so that no work of it is compiled.
+//!
 //! The build check has refused every scene that calls for the effect.
 
 use crate::Vec3;

@@ -1,14 +1,15 @@
 //! Shear springs of the paper (class 2: the cloth's shear), on the edges that lie off the grain (docs/shear.md).
 
 use crate::energy::Energy;
-use crate::energy::structural::{Spring, pull, row_sums, springs, stiffen};
+use crate::energy::structural::{Spring, add_spring_hessian, pull, row_sums, springs};
 use crate::linear::hessian::Hessian;
 use crate::scene::topology::Topology;
 use crate::{Scene, Vec3};
 
+/// The shear springs of a cloth.
 pub(crate) struct Shear {
     springs: Vec<Spring>,
-    /// G of every material, N/m.
+    /// Shear stiffness G of every material, N/m.
     stiffness: Vec<f64>,
 }
 
@@ -19,6 +20,7 @@ impl Shear {
         Self { springs, stiffness: scene.materials.iter().map(|m| m.shear).collect() }
     }
 
+    /// Stiffness of a spring per section, N/m.
     fn modulus(&self, s: &Spring) -> f64 {
         s.share[2] * self.stiffness[s.fabric as usize]
     }
@@ -54,7 +56,7 @@ impl Energy for Shear {
         for s in &self.springs {
             let k = s.section * self.modulus(s);
             let e = (x[s.ends[1] as usize] - x[s.ends[0] as usize]).norm() / s.length - 1.0;
-            stiffen(x, s, k * e, k, convex, h);
+            add_spring_hessian(x, s, k * e, k, convex, h);
         }
     }
 }

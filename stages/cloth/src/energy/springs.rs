@@ -1,16 +1,19 @@
-//! A quadratic form of the positions that does not feel where the cloth is: E = ½ Σ k |x_b − x_a|² over pairs of vertices,
-//! k below 0 where the two push apart. Takes a third of the sums that its squares take one by one.
+//! A translation-invariant quadratic form of the positions as springs: E = ½ Σ k |x_b − x_a|² over pairs of vertices.
+//!
+//! The stiffness k is below 0 where the two push apart. It takes a third of the sums of the squares one by one.
 
 use crate::Vec3;
 use crate::linear::hessian::Hessian;
 use nalgebra::Matrix3;
 
+/// Springs between pairs of vertices.
 #[derive(Default)]
 pub(crate) struct Springs {
     /// For every vertex the first of its springs to vertices of higher numbers.
     start: Vec<u32>,
+    /// Ends of all springs with the higher numbers.
     ends: Vec<u32>,
-    /// In units of what calls them, N/m.
+    /// Stiffness of all springs, in the unit of the caller.
     stiffness: Vec<f64>,
 }
 
@@ -18,26 +21,26 @@ fn length(ends: &[u32]) -> u32 {
     u32::try_from(ends.len()).unwrap_or(u32::MAX)
 }
 
-/// Springs by their first ends, those of one in their order: a sort by counting.
-fn dealt(n: usize, all: Vec<([u32; 2], f64)>) -> Vec<(u32, u32, f64)> {
+/// Springs sorted by their first ends (a stable counting sort).
+fn sorted_by_first_end(n: usize, all: Vec<([u32; 2], f64)>) -> Vec<(u32, u32, f64)> {
     let mut next = vec![0; n + 1];
     all.iter().for_each(|([a, _], _)| next[*a as usize + 1] += 1);
     (0..n).for_each(|v| next[v + 1] += next[v]);
-    let mut dealt = vec![(0, 0, 0.0); all.len()];
+    let mut sorted = vec![(0, 0, 0.0); all.len()];
     for ([a, b], k) in all {
-        dealt[next[a as usize]] = (a, b, k);
+        sorted[next[a as usize]] = (a, b, k);
         next[a as usize] += 1;
     }
-    dealt
+    sorted
 }
 
 impl Springs {
-    /// Between `n` vertices; those of one pair are added in their order.
+    /// Springs between `n` vertices; those of one pair are summed in their order.
     pub fn new(n: usize, mut all: Vec<([u32; 2], f64)>) -> Self {
         all.retain(|([a, b], k)| a != b && *k != 0.0);
         all.iter_mut().for_each(|(ends, _)| ends.sort_unstable());
         let (mut start, mut ends, mut stiffness): (_, _, Vec<f64>) = (vec![0], Vec::new(), Vec::new());
-        for own in dealt(n, all).chunk_by_mut(|p, q| p.0 == q.0) {
+        for own in sorted_by_first_end(n, all).chunk_by_mut(|p, q| p.0 == q.0) {
             start.resize(own[0].0 as usize + 1, length(&ends));
             own.sort_by_key(|s| s.1);
             for same in own.chunk_by(|p, q| p.1 == q.1) {
@@ -51,14 +54,14 @@ impl Springs {
         Self { start, ends, stiffness }
     }
 
-    /// Both ends and the stiffness of each.
+    /// Ends and stiffness of all springs.
     pub fn all(&self) -> impl Iterator<Item = ([u32; 2], f64)> + '_ {
         let springs = self.ends.iter().zip(&self.stiffness);
         let from = (0u32..).zip(self.start.windows(2)).flat_map(|(a, s)| (s[0]..s[1]).map(move |_| a));
         from.zip(springs).map(|(a, (b, k))| ([a, *b], *k))
     }
 
-    /// Adds the forces, `size` times; gives the energy, `size` times.
+    /// Adds the forces and returns the energy, both times `size`.
     pub fn evaluate(&self, size: f64, x: &[Vec3], f: &mut [Vec3]) -> f64 {
         let mut twice = 0.0;
         for (a, own) in self.start.windows(2).enumerate() {
@@ -76,21 +79,24 @@ impl Springs {
         0.5 * twice
     }
 
+    /// The energy at `x`, times `size`.
     pub fn energy(&self, size: f64, x: &[Vec3]) -> f64 {
         let twice: f64 = self.all().map(|([a, b], k)| size * k * (x[b as usize] - x[a as usize]).norm_squared()).sum();
         0.5 * twice
     }
 
-    /// How far off rounding may leave the energy: where the cloth is flat, all that springs pull and push is nothing.
+    /// Rounding error of the energy. In flat cloth large energies of pulling and pushing springs cancel.
     pub fn noise(&self, size: f64, x: &[Vec3]) -> f64 {
         let sizes = self.all().map(|([a, b], k)| (size * k).abs() * (x[b as usize] - x[a as usize]).norm_squared());
         f64::EPSILON * sizes.sum::<f64>()
     }
 
+    /// Adds the pairs of all springs.
     pub fn add_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
         pairs.extend(self.all().map(|s| s.0));
     }
 
+    /// Adds the second derivatives, times `size`.
     pub fn add_hessian(&self, size: f64, h: &mut Hessian) {
         for (ends, k) in self.all() {
             h.spread(&ends, &[1.0, -1.0], &(Matrix3::identity() * (size * k)));

@@ -1,18 +1,21 @@
-//! Sewing threads for descents: a pull of at most `force` per stitch, linear inside a small reach (paper equation 5,
-//! with a cap so that pieces far apart are not torn together).
+//! Stitch penalty: the sewing force of equation 5 of the paper as an energy, with a cap.
+//!
+//! The pull of a stitch is linear inside a small reach and constant beyond, so that pieces far apart are not torn
+//! together.
 
 use crate::linear::hessian::Hessian;
 use crate::scene::measures::mean_edge;
 use crate::{Scene, Vec3};
 use nalgebra::Matrix3;
 
-/// Where a thread leads to.
+/// The second end of a thread.
 #[derive(Clone, Copy)]
 enum End {
     Vertex(u32),
     Place(Vec3),
 }
 
+/// A thread from a vertex.
 struct Thread {
     vertex: u32,
     to: End,
@@ -31,6 +34,7 @@ impl Thread {
     }
 }
 
+/// The threads of all stitches.
 pub(crate) struct Seams {
     threads: Vec<Thread>,
     /// Pull per length of seam, N/m.
@@ -61,7 +65,7 @@ impl Seams {
         }
     }
 
-    /// Both ends of all, as told of a vertex and of a place.
+    /// Both ends of all threads, each mapped as a vertex or as a place.
     pub fn ends<T>(&self, vertex: impl Fn(u32) -> T, place: impl Fn(Vec3) -> T) -> Vec<[T; 2]> {
         let to = |end| match end {
             End::Vertex(v) => vertex(v),
@@ -70,7 +74,7 @@ impl Seams {
         self.threads.iter().map(|t| [vertex(t.vertex), to(t.to)]).collect()
     }
 
-    /// Energy, J; adds the forces.
+    /// Adds the forces at `x`, N, and returns the energy, J.
     pub fn evaluate(&self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
         let mut energy = 0.0;
         for t in &self.threads {
@@ -91,7 +95,7 @@ impl Seams {
         energy
     }
 
-    /// Adds second derivatives.
+    /// Adds the second derivatives, N/m.
     pub fn add_hessian(&self, x: &[Vec3], h: &mut Hessian) {
         for t in &self.threads {
             let d = t.gap(x);

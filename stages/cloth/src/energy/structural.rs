@@ -1,4 +1,6 @@
-//! Structural springs of the paper (class 1: the cloth's stretch), on the mesh edges (docs/structural.md).
+//! Structural springs of the paper (class 1: the cloth's stretch, equations 2 and 3), on the mesh edges.
+//!
+//! Details: docs/structural.md.
 //!
 //! An edge at angle φ from the weft carries cos⁴φ of the weft curve and sin⁴φ of the warp curve; its cross-section is
 //! the area of its triangles over its length (Van Gelder's weight).
@@ -10,7 +12,7 @@ use crate::scene::topology::Topology;
 use crate::{Scene, Settings, Vec3};
 
 /// Squared cosine of 22.5°, with room for rounding: edges at least this near a yarn are springs along it.
-const NEAR_YARN: f64 = 0.853_553;
+const YARN_SQUARED_COSINE_MIN: f64 = 0.853_553;
 
 /// One triangle's part of an edge spring.
 pub(crate) struct Spring {
@@ -19,9 +21,9 @@ pub(crate) struct Spring {
     pub length: f64,
     /// Area / length, m.
     pub section: f64,
-    /// Shares of weft curve, warp curve and shear stiffness; none where the fabric gives the constant.
+    /// Shares of weft curve, warp curve and shear stiffness; 0 where the fabric gives the constant.
     pub share: [f64; 3],
-    /// N per strain of the constant that the fabric gives.
+    /// Stiffness of the constant that the fabric gives, N per strain; 0 for none.
     bare: f64,
 }
 
@@ -56,7 +58,8 @@ fn side(t: &crate::Element, k: usize, constants: Option<[f64; 2]>) -> Spring {
     let (c, s) = ((b[0] - a[0]) / length, (b[1] - a[1]) / length);
     let (cc, ss) = (c * c, s * s);
     // Each side of an edge has half of its spring, so that the rim has half springs.
-    let bare = constants.map(|[yarn, bias]| 0.5 * length * if cc.max(ss) >= NEAR_YARN { yarn } else { bias });
+    let bare =
+        constants.map(|[yarn, bias]| 0.5 * length * if cc.max(ss) >= YARN_SQUARED_COSINE_MIN { yarn } else { bias });
     Spring {
         ends: [t.vertices[k], t.vertices[(k + 1) % 3]],
         fabric: t.material,
@@ -67,6 +70,7 @@ fn side(t: &crate::Element, k: usize, constants: Option<[f64; 2]>) -> Spring {
     }
 }
 
+/// The structural springs of a cloth.
 pub(crate) struct Structural {
     springs: Vec<Spring>,
     fabrics: Vec<Fabric>,
@@ -101,7 +105,7 @@ pub(crate) fn row_sums(ends: [u32; 2], k: f64, rows: &mut [f64]) {
 }
 
 /// Adds the second derivatives of a spring: `slope` (N per strain) along it, `force` over its length across it.
-pub(crate) fn stiffen(x: &[Vec3], s: &Spring, force: f64, slope: f64, convex: bool, h: &mut Hessian) {
+pub(crate) fn add_spring_hessian(x: &[Vec3], s: &Spring, force: f64, slope: f64, convex: bool, h: &mut Hessian) {
     let d = x[s.ends[1] as usize] - x[s.ends[0] as usize];
     let l = d.norm();
     if l <= 0.0 {
@@ -118,7 +122,7 @@ fn strain(x: &[Vec3], s: &Spring) -> f64 {
 }
 
 impl Structural {
-    /// What both curves have, by their shares and the section, beside the constant times `bare`.
+    /// Sum of a value of both curves by their shares and the section, or the fabric's constant times `bare`.
     fn sum(&self, s: &Spring, of: impl Fn(&Law) -> f64, bare: f64) -> f64 {
         if s.bare > 0.0 {
             return s.bare * bare;
@@ -127,7 +131,7 @@ impl Structural {
         s.section * (s.share[0] * of(&law.weft) + s.share[1] * of(&law.warp))
     }
 
-    /// N.
+    /// Force of a spring at a strain, N (equation 2).
     fn force(&self, s: &Spring, e: f64) -> f64 {
         self.sum(s, |law| law.tension(e), e)
     }
@@ -166,7 +170,7 @@ impl Energy for Structural {
     fn add_hessian(&self, x: &[Vec3], convex: bool, h: &mut Hessian) {
         for s in &self.springs {
             let e = strain(x, s);
-            stiffen(x, s, self.force(s, e), self.sum(s, |law| law.slope(e), 1.0), convex, h);
+            add_spring_hessian(x, s, self.force(s, e), self.sum(s, |law| law.slope(e), 1.0), convex, h);
         }
     }
 }

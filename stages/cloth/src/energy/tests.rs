@@ -244,8 +244,9 @@ fn tables_follow_their_curves() {
     assert!((capped.tangent(0.1) - 1000.0).abs() < 1e-9);
 }
 
-/// Below, at and far beyond where cloth locks: tension is the slope of the energy, and the stiffness that of the tension. At its
-/// limit it carries twenty times as much as its curve.
+/// Tension is the slope of the energy, and stiffness that of the tension, below, at and far beyond the lock.
+///
+/// At its limit the cloth carries twenty times as much as its curve.
 #[test]
 fn a_lock_is_one_energy_throughout() {
     let (curve, limit) = (Curve::Linear { stiffness: 500.0 }, 0.08);
@@ -279,16 +280,17 @@ fn narrow_cells_bend_like_their_neighbours() {
         }
         let topology = Topology::of_elements(scene.positions.len(), &scene.triangles);
         let stored = Flexion::new(&scene, &topology).evaluate(&scene.positions, &mut vec![Vec3::zeros(); 30]);
-        // Not more than the whole sheet bent to that radius, and a little for the uneven cells; the two ends bend freely.
+        // At most the whole sheet bent to that radius, and a little for the uneven cells; the two ends bend freely.
         let whole = 0.5 * b / (radius * radius) * 0.08 * 0.08;
         assert!((0.5..1.3).contains(&(stored / whole)), "{narrow} m: {stored:e} J of {whole:e} J");
     }
 }
 
-/// Springs stand for bending in a metric only where triangles are wide against the bending length; they couple neighbours only,
-/// and cost nothing where all moves along.
+/// Surrogate springs stand for bending only where triangles are wide against the bending length.
+///
+/// They couple neighbours only, and a common move of all vertices has no force.
 #[test]
-fn a_rough_metric_is_for_wide_triangles() {
+fn surrogate_bending_is_for_wide_triangles() {
     // Cells of about 10 mm: bending lengths of 4 and of 40 mm.
     let bending = |length: f64| Material::isotropic(0.15, 500.0, 0.3, 0.15 * 9.81 * length * length * length);
     let of = |length: f64| {
@@ -296,16 +298,16 @@ fn a_rough_metric_is_for_wide_triangles() {
         let t = Topology::of_elements(scene.positions.len(), &scene.triangles);
         (Flexion::new(&scene, &t), t, scene)
     };
-    assert!(!of(0.04).0.rough());
+    assert!(!of(0.04).0.has_surrogate());
     let (flexion, topology, scene) = of(0.004);
-    assert!(flexion.rough());
+    assert!(flexion.has_surrogate());
     let mut pairs = Vec::new();
-    flexion.add_rough_pairs(&mut pairs);
+    flexion.add_surrogate_pairs(&mut pairs);
     let neighbours = |p: &[u32; 2]| topology.edges.contains(&[p[0].min(p[1]), p[0].max(p[1])]);
     assert!(!pairs.is_empty() && pairs.iter().all(neighbours));
     let n = scene.positions.len();
     let mut h = Hessian::new((0u32..).take(n).collect(), n, pairs.into_iter());
-    flexion.add_rough_hessian(&scene.positions, true, &mut h);
+    flexion.add_surrogate_hessian(&scene.positions, true, &mut h);
     let (pattern, values) = h.merged();
     let along = pattern.times(&values, &vec![Vec3::new(1.0, 2.0, 3.0); n]);
     let up: Vec<Vec3> = (0u32..).take(n).map(|i| Vec3::new(0.0, 0.0, noise(i))).collect();

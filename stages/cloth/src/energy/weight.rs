@@ -1,15 +1,20 @@
-//! Gravity (paper equation 4; here by area, so that uneven meshes hang evenly) and dead loads.
+//! Gravity (equation 4 of the paper) and dead loads.
+//!
+//! The paper gives every particle the same share of the weight. Here shares go by area, so that uneven meshes hang
+//! evenly.
 
 use crate::energy::Energy;
 use crate::linear::hessian::Hessian;
 use crate::{Scene, Vec3};
 
+/// Weight and dead loads of all vertices.
 pub(crate) struct Weight {
+    /// Force on every vertex, N.
     force: Vec<Vec3>,
 }
 
 impl Weight {
-    /// `mass` in kg per vertex.
+    /// The weight of a scene; `mass` is that of every vertex, kg.
     pub fn new(scene: &Scene, mass: &[f64], gravity_scale: f64) -> Self {
         let g = scene.gravity * gravity_scale;
         let mut force: Vec<Vec3> = mass.iter().map(|m| g * *m).collect();

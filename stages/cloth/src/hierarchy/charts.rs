@@ -1,28 +1,36 @@
-//! Copies of vertices: one for each side of a seam, so that every copy has one rest place.
+//! Charts of the cloth: copies of vertices, one for each side of a seam, so that every copy has one rest place.
+//!
+//! A knot is the class of all vertices that are, or will be, sewn to one point.
 
 use crate::hierarchy::prolong;
 use crate::scene::weld::groups;
 use crate::{Scene, Vec3};
 
+/// Copies and knots of all vertices of a scene.
 #[derive(Debug)]
 pub(crate) struct Charts {
     /// Copies at the corners of every triangle.
     pub corners: Vec<[u32; 3]>,
-    /// Vertex, rest place, and knot of every copy. Copies of one knot are, or will be sewn, together.
+    /// Vertex of every copy.
     pub vertex: Vec<u32>,
+    /// Rest place of every copy, m.
     pub rest: Vec<Vec3>,
-    /// Rest places of the corners of every triangle, as they were.
+    /// Rest places of the corners of every triangle before any collapse, m.
     pub places: Vec<[Vec3; 3]>,
-    /// Are they places in space, of a rest shape that is curved?
+    /// Set where these are places in space, of a curved rest shape.
     pub curved: bool,
+    /// Knot of every copy.
     pub knot: Vec<u32>,
-    /// Knots, and which of them must stay.
+    /// Number of knots.
     pub knots: usize,
+    /// Knots that must stay because of a load.
     pub fixed: Vec<bool>,
+    /// Knots with a held vertex.
     pub pinned: Vec<bool>,
 }
 
 impl Charts {
+    /// The charts of a scene.
     pub fn new(scene: &Scene) -> Self {
         let n = 3 * scene.triangles.len();
         let (places, curved) = prolong::corners(scene);
@@ -55,11 +63,14 @@ impl Charts {
 fn joined(scene: &Scene, places: &[[Vec3; 3]]) -> Vec<[u32; 2]> {
     let rest = |i: usize| places[i / 3][i % 3];
     let mut pairs = Vec::new();
-    for same in prolong::sides(scene).chunk_by(|p, q| (p.0, p.1) == (q.0, q.1)) {
+    for same in prolong::triangle_sides(scene).chunk_by(|p, q| (p.0, p.1) == (q.0, q.1)) {
         for (n, p) in same.iter().enumerate() {
             for q in &same[n + 1..] {
                 let material = scene.triangles[p.2 / 3].material == scene.triangles[q.2 / 3].material;
-                if material && prolong::near(&rest(p.2), &rest(q.2)) && prolong::near(&rest(p.3), &rest(q.3)) {
+                if material
+                    && prolong::is_same_place(&rest(p.2), &rest(q.2))
+                    && prolong::is_same_place(&rest(p.3), &rest(q.3))
+                {
                     let link = |i: usize, j: usize| [i, j].map(|c| u32::try_from(c).unwrap_or(u32::MAX));
                     pairs.extend([link(p.2, q.2), link(p.3, q.3)]);
                 }

@@ -1,24 +1,19 @@
-//! Collapse of edges: the shortest first, until all are about as long as wanted. A vertex on a border or seam moves along
-//! it only, where it runs nearly straight; ends of seams, loads and the limits of held stretches stay.
+//! Collapse of edges, the shortest first, until all are about as long as wanted.
+//!
+//! A vertex on a border or seam moves along it only, where it runs nearly straight. Ends of seams, loads and the limits
+//! of held regions stay.
 
 use crate::hierarchy::charts::Charts;
 use crate::hierarchy::prolong::weights;
+use crate::hierarchy::tuning::{BORDER_OFFSET_MAX, COLLAPSE_EDGE_SHARE, COLLAPSED_EDGE_MAX, COLLAPSED_SHAPE_MIN};
 use crate::{Scene, Vec3};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Edges shorter than this share of the wanted length go …
-const SHORT: f64 = 0.7;
-/// … if no edge becomes longer than this.
-const LONG: f64 = 1.6;
-/// Least shape of a triangle (1: equilateral), unless it had less.
-const SHAPE: f64 = 0.35;
-/// Farthest a border may be cut short, over the wanted length.
-const OFF: f64 = 0.12;
-
+/// A mesh of copies whose edges collapse.
 pub(crate) struct Mesh {
     pub charts: Charts,
-    /// Corners as copies; `None` for what has collapsed.
+    /// Corners as copies; `None` for a triangle that has collapsed.
     pub triangles: Vec<Option<[u32; 3]>>,
     /// Copies that lie in each triangle.
     pub carried: Vec<Vec<u32>>,
@@ -29,7 +24,7 @@ pub(crate) struct Mesh {
 /// Collapses of one knot into another, the shortest first.
 struct Queue {
     heap: BinaryHeap<Reverse<(u64, u32, u32)>>,
-    /// Of every knot, what waits there: most are offered again before their turn.
+    /// Collapses of every knot that are in the queue: most are offered again before their turn.
     waiting: Vec<Vec<(u64, u32)>>,
 }
 
@@ -54,6 +49,7 @@ impl Queue {
 }
 
 impl Mesh {
+    /// The mesh of a scene before any collapse.
     pub fn new(scene: &Scene, charts: Charts) -> Self {
         let triangles: Vec<_> = charts.corners.iter().map(|c| Some(*c)).collect();
         let mut stars = vec![Vec::new(); charts.knots];
@@ -71,6 +67,7 @@ impl Mesh {
         (self.charts.rest[a as usize] - self.charts.rest[b as usize]).norm()
     }
 
+    /// Triangles around a knot with their corners.
     fn around(&self, knot: u32) -> impl Iterator<Item = (u32, [u32; 3])> + '_ {
         self.stars[knot as usize].iter().filter_map(|f| self.triangles[*f as usize].map(|c| (*f, c)))
     }
@@ -105,12 +102,12 @@ impl Mesh {
         }
         seen.sort_by(|p, q| p.0.cmp(&q.0).then(p.1.total_cmp(&q.1)));
         seen.dedup_by_key(|s| s.0);
-        for (b, length) in seen.into_iter().filter(|s| s.1 < SHORT * edge) {
+        for (b, length) in seen.into_iter().filter(|s| s.1 < COLLAPSE_EDGE_SHARE.get() * edge) {
             queue.push(length, a, b);
         }
     }
 
-    /// Which copy of `b` each copy of `a` becomes; `None` where the collapse is not allowed.
+    /// Pairs of a copy of `a` and the copy of `b` that it becomes; `None` where the collapse is not allowed.
     fn moves(&self, a: u32, b: u32, edge: f64) -> Option<Vec<(u32, u32)>> {
         if self.charts.fixed[a as usize] || self.charts.pinned[a as usize] && !self.charts.pinned[b as usize] {
             return None;
@@ -131,7 +128,7 @@ impl Mesh {
         (fits && self.linked(a, b) && self.smooth(a, b, edge) && self.shaped(a, &moves, edge)).then_some(moves)
     }
 
-    /// The surface stays one: the two share no neighbours but those of their common triangles.
+    /// Returns `true` if the surface stays one: the two share no neighbours but those of their common triangles.
     fn linked(&self, a: u32, b: u32) -> bool {
         let (first, second) = (self.ring(a), self.ring(b));
         let shared = first.iter().filter(|k| **k != a && **k != b && second.binary_search(k).is_ok()).count();
@@ -147,7 +144,8 @@ impl Mesh {
         shared == across.len()
     }
 
-    /// A knot inside the cloth may go anywhere, one on a border or seam only along it where it is nearly straight.
+    /// Returns `true` if a knot may go to `b`: from inside the cloth always, from a border or seam only along it where
+    /// it is nearly straight.
     fn smooth(&self, a: u32, b: u32, edge: f64) -> bool {
         let lines = self.lines(a);
         match lines.as_slice() {
@@ -163,7 +161,7 @@ impl Mesh {
         }
     }
 
-    /// Neighbours of a knot along borders, seams and the limits of held regions, each with how many triangles meet there.
+    /// Neighbours of a knot along borders, seams and limits of held regions, with the number of triangles there.
     fn lines(&self, a: u32) -> Vec<(u32, usize)> {
         let mut sides: Vec<(u32, [u32; 2], bool)> = Vec::new();
         for (_, c) in self.around(a) {
@@ -182,7 +180,7 @@ impl Mesh {
             .collect()
     }
 
-    /// On every side, the way from `b` over `a` to `c` is nearly straight.
+    /// Returns `true` if the way from `b` over `a` to `c` is nearly straight on every side.
     fn straight(&self, a: u32, b: u32, c: u32, edge: f64) -> bool {
         let mut ends: Vec<(u32, u32, u32)> = Vec::new();
         for (_, corners) in self.around(a) {
@@ -198,11 +196,11 @@ impl Mesh {
             let (whole, part) = (q - p, m - p);
             let off = whole.cross(&part).norm() / whole.norm();
             let along = part.dot(&whole);
-            off < OFF * edge && along > 0.0 && along < whole.norm_squared()
+            off < BORDER_OFFSET_MAX.get() * edge && along > 0.0 && along < whole.norm_squared()
         })
     }
 
-    /// No triangle turns over, becomes a sliver or too large.
+    /// Returns `true` if no triangle turns over, becomes a sliver or too large.
     fn shaped(&self, a: u32, moves: &[(u32, u32)], edge: f64) -> bool {
         let mut left = vec![0; moves.len()];
         for (_, c) in self.around(a) {
@@ -218,21 +216,23 @@ impl Mesh {
             let (old, shape) = (self.shape(&c), self.shape(&new));
             let turned = old.dot(&shape) <= 0.0;
             let (old, shape) = (old.norm(), shape.norm());
-            let long = (0..3).any(|k| self.length(new[k], new[(k + 1) % 3]) > LONG * edge);
-            if turned || shape < SHAPE.min(old) || long {
+            let long = (0..3).any(|k| self.length(new[k], new[(k + 1) % 3]) > COLLAPSED_EDGE_MAX.get() * edge);
+            if turned || shape < COLLAPSED_SHAPE_MIN.get().min(old) || long {
                 return false;
             }
         }
         left.iter().all(|n| *n > 0)
     }
 
-    /// Normal, as long as the area over that of the equilateral triangle with the same sum of squared sides.
+    /// Normal of a triangle. Its length is the area over that of the equilateral triangle with the same sum of squared
+    /// sides.
     fn shape(&self, c: &[u32; 3]) -> Vec3 {
         let [p, q, r] = c.map(|c| self.charts.rest[c as usize]);
         let squares: f64 = (0..3).map(|k| self.length(c[k], c[(k + 1) % 3])).map(|l| l * l).sum();
         (q - p).cross(&(r - p)) * (2.0 * 3.0f64.sqrt() / squares)
     }
 
+    /// Collapses knot `a` into `b`.
     fn take(&mut self, a: u32, b: u32, moves: &[(u32, u32)]) {
         let star: Vec<(u32, [u32; 3])> = self.around(a).collect();
         let mut homeless: Vec<(u32, u32)> = moves.iter().map(|m| (m.1, m.0)).collect();
@@ -255,7 +255,7 @@ impl Mesh {
         }
     }
 
-    /// Of these triangles around a copy, the one that a place lies deepest in.
+    /// The one of some triangles around a copy in which a place lies deepest.
     fn home(&self, target: u32, p: u32, among: impl Iterator<Item = u32>) -> Option<u32> {
         let mut best = (f64::NEG_INFINITY, None);
         for f in among {

@@ -1,37 +1,34 @@
-//! Coarser levels of a scene, made from its own mesh: edges are collapsed in the cloth's plane, seams together, and every
-//! vertex that went remembers where on the coarser cloth it lies (docs/hierarchy.md).
+//! Multiresolution hierarchy: coarser levels of a scene, made from its own mesh (docs/levels.md).
+//!
+//! Edges are collapsed in the plane of the cloth, the two sides of a seam together. Every vertex that went has a place
+//! on the coarser cloth, from which it is moved.
 
 pub(crate) mod charts;
 pub(crate) mod collapse;
+pub(crate) mod membrane_softening;
 pub(crate) mod perturb;
 pub(crate) mod prolong;
-pub(crate) mod soften;
 #[cfg(test)]
 pub(crate) mod tests;
+pub(crate) mod tuning;
 
 use crate::scene::bending_length;
 use crate::scene::measures::mean_edge;
 use crate::{Element, Scene, Vec3};
 use charts::Charts;
 use collapse::Mesh;
+use tuning::{
+    LEVEL_EDGE_BENDING_LENGTHS, LEVEL_EDGE_MAX, LEVEL_EDGE_RATIO, LEVEL_TRIANGLE_SHARE_MAX, LEVEL_TRIANGLES_MIN,
+};
 
-/// Edge of a coarser level over that of the finer one.
-const STEP: f64 = 2.0;
-/// Longest mean edge of a level, m: above it folds come out wrong.
-const LONGEST: f64 = 0.045;
-/// Longest mean edge of a level that only hangs, over the bending length of its softest fabric: longer ones find folds
-/// that the finer cloth has to leave again.
-const BENDS: f64 = 1.3;
-/// Fewest triangles of a level: few and large ones lock against bending, and what they lock into, the finer keep.
-const FEWEST: usize = 600;
-/// A level must have fewer than this share of the triangles to be worth the while.
-const SHARE: f64 = 0.5;
+/// Expected number of triangles of a level over that of the finer cloth: edges are about twice as long.
+const EXPECTED_TRIANGLE_SHARE: f64 = 0.25;
 
-/// A coarser scene and how the finer one hangs on it.
+/// A coarser scene, and the places of the finer vertices on it.
 #[derive(Debug)]
 pub(crate) struct Level {
     pub scene: Scene,
-    /// For every vertex of the finer scene, where it lies: one entry, or one for each side of a seam it lies on.
+    /// Places of every vertex of the finer scene: one, or one for each side of a seam.
     anchors: Vec<Vec<Anchor>>,
 }
 
@@ -45,36 +42,41 @@ struct Anchor {
 impl Level {
     /// The next coarser level; `None` when the cloth is coarse enough, or too intricate to become coarser.
     pub fn below(scene: &Scene) -> Option<Self> {
-        Self::up_to(scene, LONGEST)
+        Self::up_to(scene, LEVEL_EDGE_MAX.get())
     }
 
-    /// The same, only as coarse as the cloth can bend under its weight, softer in its plane so that it can, and a little shaken.
+    /// The next coarser level for a drape; `None` as for [`Self::below`].
+    ///
+    /// It is only as coarse as the cloth can bend under its weight, softer in its plane, and a little perturbed.
     pub fn below_folds(scene: &Scene) -> Option<Self> {
         let mut level = Self::up_to(scene, longest_that_folds(scene))?;
         let longer = mean_edge(&level.scene) / mean_edge(scene);
-        soften::soften(&mut level.scene, longer);
-        perturb::shake(&mut level.scene);
+        membrane_softening::soften_membrane(&mut level.scene, longer);
+        perturb::perturb(&mut level.scene);
         Some(level)
     }
 
-    /// May there be such a level at all, before its mesh is tried?
+    /// Returns `true` if there may be a level for a drape, before its mesh is tried.
     pub fn may_be_below_folds(scene: &Scene) -> bool {
         may_be(scene, longest_that_folds(scene))
     }
 
+    /// The next coarser level with a mean edge of at most `longest`, m.
     fn up_to(scene: &Scene, longest: f64) -> Option<Self> {
         if !may_be(scene, longest) {
             return None;
         }
-        let edge = STEP * mean_edge(scene);
+        let edge = LEVEL_EDGE_RATIO.get() * mean_edge(scene);
         let charts = Charts::new(scene);
         let mut mesh = Mesh::new(scene, charts);
         mesh.collapse(edge);
         let level = Self::from(scene, &mesh);
-        let small = (level.scene.triangles.len() as f64) < SHARE * scene.triangles.len() as f64;
-        (small && level.scene.triangles.len() >= FEWEST).then_some(level)
+        let small =
+            (level.scene.triangles.len() as f64) < LEVEL_TRIANGLE_SHARE_MAX.get() * scene.triangles.len() as f64;
+        (small && level.scene.triangles.len() >= LEVEL_TRIANGLES_MIN.get()).then_some(level)
     }
 
+    /// The level of a collapsed mesh.
     fn from(scene: &Scene, mesh: &Mesh) -> Self {
         let mut number = vec![u32::MAX; scene.positions.len()];
         let mut kept = Vec::new();
@@ -92,25 +94,28 @@ impl Level {
         Self { scene, anchors }
     }
 
-    /// Positions of the finer scene from those here.
+    /// Positions of the finer scene from those of the level (prolongation), m.
     pub fn spread(&self, x: &[Vec3]) -> Vec<Vec3> {
         let place = |a: &Anchor| (0..3).map(|k| x[a.vertices[k] as usize] * a.weights[k]).sum::<Vec3>();
         self.anchors.iter().map(|all| all.iter().map(place).sum::<Vec3>() / all.len().max(1) as f64).collect()
     }
 }
 
-/// May there be a level with edges of at most this length, m?
+/// Returns `true` if there may be a level with a mean edge of at most `longest`, m.
 fn may_be(scene: &Scene, longest: f64) -> bool {
-    STEP * mean_edge(scene) <= longest && (scene.triangles.len() as f64) * 0.25 >= FEWEST as f64
+    LEVEL_EDGE_RATIO.get() * mean_edge(scene) <= longest
+        && (scene.triangles.len() as f64) * EXPECTED_TRIANGLE_SHARE >= LEVEL_TRIANGLES_MIN.get() as f64
 }
 
-/// Longest mean edge with which all fabrics fold as they should under their weight, m.
+/// Longest mean edge with which all fabrics still fold rightly under their weight, m.
 fn longest_that_folds(scene: &Scene) -> f64 {
     let gravity = scene.gravity.norm();
     let lengths = scene.materials.iter().map(|m| bending_length(m.bend_warp.min(m.bend_weft), m.areal_mass, gravity));
-    lengths.fold(f64::INFINITY, f64::min).min(LONGEST / BENDS) * BENDS
+    lengths.fold(f64::INFINITY, f64::min).min(LEVEL_EDGE_MAX.get() / LEVEL_EDGE_BENDING_LENGTHS.get())
+        * LEVEL_EDGE_BENDING_LENGTHS.get()
 }
 
+/// The scene of a collapsed mesh; `number` gives the new numbers of the vertices `kept`.
 fn coarse(fine: &Scene, mesh: &Mesh, number: &[u32], kept: &[u32]) -> Scene {
     let old = fine.triangles.iter().zip(&mesh.charts.places);
     let triangles = mesh.triangles.iter().zip(old).filter_map(|(corners, (old, places))| {
@@ -118,7 +123,11 @@ fn coarse(fine: &Scene, mesh: &Mesh, number: &[u32], kept: &[u32]) -> Scene {
             let at = c.map(|c| mesh.charts.rest[c as usize]);
             Element {
                 vertices: c.map(|c| number[mesh.charts.vertex[c as usize] as usize]),
-                rest: if mesh.charts.curved { prolong::laid(&at, places, old) } else { at.map(|p| [p.x, p.y]) },
+                rest: if mesh.charts.curved {
+                    prolong::in_cloth_axes(&at, places, old)
+                } else {
+                    at.map(|p| [p.x, p.y])
+                },
                 material: old.material,
             }
         })
@@ -126,6 +135,7 @@ fn coarse(fine: &Scene, mesh: &Mesh, number: &[u32], kept: &[u32]) -> Scene {
     fine.part(kept, number, triangles.collect())
 }
 
+/// Places of all vertices on the triangles of a collapsed mesh.
 fn anchors(mesh: &Mesh, number: &[u32]) -> Vec<Vec<Anchor>> {
     let mut anchors = vec![Vec::new(); number.len()];
     for (v, n) in number.iter().enumerate().filter(|(_, n)| **n != u32::MAX) {

@@ -1,21 +1,15 @@
-//! Where the corners of the cloth lie at rest: in the plane of their piece, or, for cloth whose rest shape is curved and
-//! so has no plane (an imported mesh), where they lie in space at the start once its strain is taken out.
+//! Rest places of the corners of the cloth, and barycentric weights in them.
+//!
+//! A corner lies in the plane of its piece. Cloth whose rest shape is curved, as an imported mesh, has no plane. Its
+//! corners lie where they are in space at the start, once their strain is taken out.
 
+use crate::hierarchy::tuning::{
+    ANCHOR_OUTSIDE_MAX, CURVED_EDGE_SHARE, REST_CORNER_TOLERANCE, REST_SHAPE_ROUNDS, REST_SHAPE_STRAIN_LEFT,
+    REST_SHAPE_STRAIN_MAX,
+};
 use crate::{Element, Scene, Vec3};
 
-/// Neighbours whose rest corners differ by more than this do not lie in one plane, m …
-const SAME: f64 = 1e-7;
-/// … and with more than this share of such edges the cloth has no plane.
-const CURVED: f64 = 0.5;
-/// Largest strain of an edge at which places in space are those of a rest shape …
-const AT_REST: f64 = 1e-3;
-/// … and the one up to which an edge is left as it is: drawn on to none, each disturbs its neighbours (100,000 triangles: 153 rounds
-/// instead of 40).
-const LEFT: f64 = 7.5e-4;
-/// Rounds in which edges get their rest lengths, at most.
-const ROUNDS: usize = 400;
-
-/// Rest places of the corners of every triangle, and whether they are those of a curved rest shape.
+/// Rest places of the corners of every triangle, m; `true` beside them for those of a curved rest shape.
 pub(crate) fn corners(scene: &Scene) -> (Vec<[Vec3; 3]>, bool) {
     if curved(scene)
         && let Some(x) = unstrained(scene)
@@ -25,16 +19,19 @@ pub(crate) fn corners(scene: &Scene) -> (Vec<[Vec3; 3]>, bool) {
     (scene.triangles.iter().map(|t| t.rest.map(flat)).collect(), false)
 }
 
-/// Places near the start at which every edge has its rest length: edge by edge, both ends move alike.
+/// Places near the start at which every edge has its rest length, m; `None` where there are none.
+///
+/// Edges are corrected one by one, and both ends move alike.
 fn unstrained(scene: &Scene) -> Option<Vec<Vec3>> {
     let side = |t: &Element, k: usize| (t.vertices[k] as usize, t.vertices[(k + 1) % 3] as usize, t.rest_length(k));
     let sides: Vec<_> = scene.triangles.iter().flat_map(|t| [0, 1, 2].map(|k| side(t, k))).collect();
     let mut x = scene.positions.clone();
-    for _ in 0..ROUNDS {
+    let left = REST_SHAPE_STRAIN_LEFT.get();
+    for _ in 0..REST_SHAPE_ROUNDS.get() {
         let mut worst: f64 = 0.0;
         for &(a, b, rest) in &sides {
             let edge = x[b] - x[a];
-            if (edge.norm_squared() - rest * rest).abs() <= 2.0 * LEFT * rest * rest {
+            if (edge.norm_squared() - rest * rest).abs() <= 2.0 * left * rest * rest {
                 continue;
             }
             let length = edge.norm();
@@ -46,31 +43,34 @@ fn unstrained(scene: &Scene) -> Option<Vec<Vec3>> {
             x[a] += half;
             x[b] -= half;
         }
-        if worst <= AT_REST {
+        if worst <= REST_SHAPE_STRAIN_MAX.get() {
             return Some(x);
         }
     }
     None
 }
 
+/// A place in the plane of a piece, in space.
 fn flat(p: [f64; 2]) -> Vec3 {
     Vec3::new(p[0], p[1], 0.0)
 }
 
-/// Do most neighbours lie in planes of their own?
+/// Returns `true` if most neighbouring triangles have no common plane.
 fn curved(scene: &Scene) -> bool {
     let rest = |i: usize| flat(scene.triangles[i / 3].rest[i % 3]);
     let (mut apart, mut all) = (0usize, 0usize);
-    for same in sides(scene).chunk_by(|p, q| (p.0, p.1) == (q.0, q.1)) {
+    for same in triangle_sides(scene).chunk_by(|p, q| (p.0, p.1) == (q.0, q.1)) {
         let [p, q, ..] = same else { continue };
         all += 1;
-        apart += usize::from(!(near(&rest(p.2), &rest(q.2)) && near(&rest(p.3), &rest(q.3))));
+        apart += usize::from(!(is_same_place(&rest(p.2), &rest(q.2)) && is_same_place(&rest(p.3), &rest(q.3))));
     }
-    apart as f64 > CURVED * all as f64
+    apart as f64 > CURVED_EDGE_SHARE.get() * all as f64
 }
 
-/// Sides of all triangles, those of one edge together: its ends, smaller first, and the corners (3 × triangle + k) there.
-pub(crate) fn sides(scene: &Scene) -> Vec<(u32, u32, usize, usize)> {
+/// Sides of all triangles, those of one edge together.
+///
+/// A side has the ends of its edge, the smaller one first, and the corners (3 × triangle + k) there.
+pub(crate) fn triangle_sides(scene: &Scene) -> Vec<(u32, u32, usize, usize)> {
     let mut sides = Vec::with_capacity(3 * scene.triangles.len());
     for (f, t) in scene.triangles.iter().enumerate() {
         for k in 0..3 {
@@ -83,14 +83,15 @@ pub(crate) fn sides(scene: &Scene) -> Vec<(u32, u32, usize, usize)> {
     sides
 }
 
-/// Are two rest places one?
-pub(crate) fn near(p: &Vec3, q: &Vec3) -> bool {
-    (p - q).amax() < SAME
+/// Returns `true` if two rest places are the same.
+pub(crate) fn is_same_place(p: &Vec3, q: &Vec3) -> bool {
+    (p - q).amax() < REST_CORNER_TOLERANCE.get()
 }
 
-/// A triangle of a curved rest shape laid into the axes of the cloth, as the triangle `old` lay in them (its rest places
-/// `at`).
-pub(crate) fn laid(new: &[Vec3; 3], at: &[Vec3; 3], old: &Element) -> [[f64; 2]; 3] {
+/// The rest corners of a triangle of a curved rest shape, in the axes of the cloth.
+///
+/// `old` is a triangle with rest places `at` whose axes are taken over.
+pub(crate) fn in_cloth_axes(new: &[Vec3; 3], at: &[Vec3; 3], old: &Element) -> [[f64; 2]; 3] {
     let normal = (new[1] - new[0]).cross(&(new[2] - new[0])).normalize();
     let weft = weft(at, &old.rest);
     let x = (weft - normal * normal.dot(&weft)).normalize();
@@ -107,11 +108,11 @@ fn weft(at: &[Vec3; 3], rest: &[[f64; 2]; 3]) -> Vec3 {
     (e * b[1] - f * a[1]) / double
 }
 
-/// Barycentric weights of a place in a triangle, held to a little outside it.
+/// Barycentric weights of a place in a triangle, clamped to a little outside it.
 pub(crate) fn weights([a, b, c]: &[Vec3; 3], p: &Vec3) -> [f64; 3] {
-    const OUTSIDE: f64 = 0.5;
+    let outside = ANCHOR_OUTSIDE_MAX.get();
     let normal = (b - a).cross(&(c - a));
     let part = |q: &Vec3, r: &Vec3| (q - p).cross(&(r - p)).dot(&normal) / normal.norm_squared();
-    let w = [part(b, c), part(c, a)].map(|w| w.clamp(-OUTSIDE, 1.0 + OUTSIDE));
+    let w = [part(b, c), part(c, a)].map(|w| w.clamp(-outside, 1.0 + outside));
     [w[0], w[1], 1.0 - w[0] - w[1]]
 }

@@ -9,7 +9,8 @@ use pulp::Simd;
 pub(crate) const STRIP_ROWS: usize = 16;
 /// Entries below this become zero.
 ///
-/// Far from the diagonal entries fade below the smallest normal numbers, with which a sum costs a hundred times as much.
+/// Far from the diagonal entries fade below the smallest normal numbers, with which a sum costs a hundred times as
+/// much.
 const UNDERFLOW_LIMIT: f32 = 1e-30;
 
 /// Finished columns of a matrix, in strips of `STRIP_ROWS` rows; each strip has its columns one after the other.

@@ -44,8 +44,8 @@ pub(crate) struct Factor {
     threads: usize,
     /// CPU seconds of the second thread since they were last taken.
     second_thread_seconds: f64,
-    /// Power of two by which the system is divided. It has the size of the largest value, so that similar systems have the
-    /// same factor.
+    /// Power of two by which the system is divided. It has the size of the largest value, so that similar systems have
+    /// the same factor.
     size: f64,
     /// Symbolic analyses so far.
     pub analyses: u32,
@@ -210,8 +210,8 @@ impl Factor {
 
 /// The values in place of zeros, per pair of axes, far below the rounding of a system of the size of one.
 ///
-/// Fill-in far from the pattern is soon too small to be a normal number, and the processor takes a hundred times as long
-/// for such numbers. Axes that are not coupled keep their zeros, so that flat cloth stays flat.
+/// Fill-in far from the pattern is soon too small to be a normal number, and the processor takes a hundred times as
+/// long for such numbers. Axes that are not coupled keep their zeros, so that flat cloth stays flat.
 fn floor(values: &[Matrix3<f64>]) -> [[f32; 3]; 3] {
     let mut coupled = Matrix3::<f64>::zeros();
     values.iter().for_each(|m| coupled += m.abs());

@@ -123,7 +123,8 @@ fn stored_length(height: usize, width: usize) -> usize {
     (0..width).step_by(SOLVE_COLUMNS).map(|j| SOLVE_COLUMNS.min(width - j) * (height - j)).sum()
 }
 
-/// Products of columns with `x`, each summed in lanes from the last rows to the first, and then over the lanes in order.
+/// Products of columns with `x`, each summed in lanes from the last rows to the first, and then over the lanes in
+/// order.
 ///
 /// Panels are read from the last row to the first, so that memory is read in one stream.
 #[inline(always)]

@@ -74,7 +74,7 @@ impl HessianChoice {
 impl AssembledHessian {
     fn new(cloth: &[Box<dyn Energy>], stitches: Option<&Seams>, index: Vec<u32>, n: usize, surrogate: bool) -> Self {
         let mut pairs = Vec::new();
-        cloth.iter().for_each(|e| if surrogate { e.add_rough_pairs(&mut pairs) } else { e.add_pairs(&mut pairs) });
+        cloth.iter().for_each(|e| if surrogate { e.add_surrogate_pairs(&mut pairs) } else { e.add_pairs(&mut pairs) });
         stitches.into_iter().for_each(|t| t.add_pairs(&mut pairs));
         let hessian = Hessian::new(index, n, pairs.into_iter());
         let mut assembled = Self { hessian, constant: ConstantBlocks::General(Vec::new()), surrogate };
@@ -87,7 +87,7 @@ impl AssembledHessian {
 
     fn add(&mut self, energy: &dyn Energy, x: &[Vec3], convex: bool) {
         if self.surrogate {
-            energy.add_rough_hessian(x, convex, &mut self.hessian);
+            energy.add_surrogate_hessian(x, convex, &mut self.hessian);
         } else {
             energy.add_hessian(x, convex, &mut self.hessian);
         }

@@ -225,7 +225,7 @@ impl Objective {
 
     /// Uses the surrogate bending Hessian from now on, or the whole one, where the cloth has both.
     pub fn use_surrogate(&mut self, surrogate: bool) {
-        let able = self.terms.hysteresis.is_none() && self.terms.cloth.iter().any(|e| e.rough());
+        let able = self.terms.hysteresis.is_none() && self.terms.cloth.iter().any(|e| e.has_surrogate());
         if surrogate && !able {
             return;
         }

@@ -1,17 +1,21 @@
-//! One way to tell a scene: turned by quarters about the vertical, or with its stitches in another order, it is worked out
-//! as the same numbers, so it comes to the same rest, bit for bit. Quarter turns and sorting are exact.
+//! Canonical frame of a scene. Quarter turns about the vertical and the order of stitches change no bit of a result.
+//!
+//! The scene is turned and its stitches are sorted before it is solved, and the result is turned back. Quarter turns
+//! and sorting are exact.
 
+use crate::prepare::tuning::CANONICAL_FRAME;
 use crate::{ClothError, Outcome, Pin, Place, Scene, Vec3};
 
 /// A scene in its canonical form, and the way back.
-pub(crate) struct Canon {
+pub(crate) struct CanonicalScene {
     pub scene: Scene,
+    /// Quarter turns from the given scene.
     turns: u8,
     /// Index of every stitch in the scene as it was given.
     stitches: Vec<u32>,
 }
 
-/// A quarter turn about the vertical (y); of 0, too, there is only one.
+/// A place after a quarter turn about the vertical (y). The difference turns −0 into 0.
 fn quarter(p: Vec3) -> Vec3 {
     Vec3::new(p.z, p.y, 0.0 - p.x)
 }
@@ -20,7 +24,7 @@ fn turned(p: Vec3, quarters: u8) -> Vec3 {
     (0..quarters % 4).fold(p, |p, _| quarter(p))
 }
 
-/// Quarter turns after which the cloth lies along x from its first corner: towards the first other one that is not near.
+/// Quarter turns after which the cloth lies along x, from its first corner towards the first corner that is not near.
 fn facing(scene: &Scene) -> u8 {
     let mut corners = scene.triangles.iter().flat_map(|t| t.vertices).filter_map(|v| scene.positions.get(v as usize));
     let Some(first) = corners.clone().next() else { return 0 };
@@ -34,16 +38,17 @@ fn facing(scene: &Scene) -> u8 {
     (0..4).find(along).unwrap_or(0)
 }
 
-/// Stitches from their lower to their higher vertex, ascending, and where each stood.
+/// Stitches from their lower to their higher vertex, ascending, and the former index of each.
 fn sorted(stitches: &[[u32; 2]]) -> (Vec<[u32; 2]>, Vec<u32>) {
     let mut all: Vec<([u32; 2], u32)> = stitches.iter().map(|[a, b]| [*a.min(b), *a.max(b)]).zip(0..).collect();
     all.sort_unstable();
     all.into_iter().unzip()
 }
 
-impl Canon {
+impl CanonicalScene {
+    /// The canonical form of a scene.
     pub fn of(scene: &Scene) -> Self {
-        let turns = facing(scene);
+        let turns = if CANONICAL_FRAME.is_on() { facing(scene) } else { 0 };
         let to = |p: Vec3| turned(p, turns) + Vec3::zeros();
         let all = |x: &[Vec3]| x.iter().map(|p| to(*p)).collect();
         let (ordered, stitches) = sorted(&scene.stitches);
@@ -62,7 +67,7 @@ impl Canon {
         Self { scene, turns, stitches }
     }
 
-    /// What came of it, as the scene was given.
+    /// The outcome for the scene as it was given.
     pub fn back(&self, result: Result<Outcome, ClothError>) -> Result<Outcome, ClothError> {
         let mut outcome = result.map_err(|e| e.placed(|p| Place { at: self.there(p.at), ..p }))?;
         outcome.positions = self.given(&outcome.positions);
@@ -83,6 +88,7 @@ impl Canon {
         x.iter().map(|p| turned(*p, self.turns) + Vec3::zeros()).collect()
     }
 
+    /// A vector in the frame of the scene as it was given.
     pub fn there(&self, p: Vec3) -> Vec3 {
         turned(p, 4 - self.turns)
     }
@@ -120,8 +126,8 @@ mod tests {
     #[test]
     fn a_turned_scene_is_the_same_scene() {
         for k in 0..4 {
-            let canon = Canon::of(&turn(&scene(), k));
-            assert_eq!(canon.scene, Canon::of(&scene()).scene, "{k} quarters");
+            let canon = CanonicalScene::of(&turn(&scene(), k));
+            assert_eq!(canon.scene, CanonicalScene::of(&scene()).scene, "{k} quarters");
             let back: Vec<Vec3> = canon.scene.positions.iter().map(|p| canon.there(*p)).collect();
             assert_eq!(back, turn(&scene(), k).positions);
         }
@@ -130,7 +136,7 @@ mod tests {
     #[test]
     fn stitches_in_any_order_are_the_same_and_keep_their_names() {
         let other = Scene { stitches: vec![[1, 4], [2, 4], [3, 0]], ..scene() };
-        let (a, b) = (Canon::of(&scene()), Canon::of(&other));
+        let (a, b) = (CanonicalScene::of(&scene()), CanonicalScene::of(&other));
         assert_eq!((a.scene, a.stitches), (b.scene, vec![1, 2, 0]));
         assert_eq!(b.stitches, [2, 0, 1]);
     }

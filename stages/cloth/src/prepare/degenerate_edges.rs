@@ -1,32 +1,33 @@
-//! Edges that are tiny beside their triangles: a step that is short for the cloth turns such an edge right over, so that no
-//! descent gets anywhere, in any precision. Their ends are draped as one vertex, and parted again where the cloth lies.
+//! Degenerate-edge collapse: the ends of edges that are tiny beside their triangles are draped as one vertex.
+//!
+//! A step that is short for the cloth turns such an edge right over, so that no descent gets anywhere, in any
+//! precision. The ends are parted again in the result.
 
+use crate::prepare::tuning::{DEGENERATE_EDGE_COLLAPSE, DEGENERATE_EDGE_MIN, DEGENERATE_EDGE_SHARE};
 use crate::scene::weld::groups;
 use crate::scene::weld::{Welded, weld};
 use crate::{Outcome, Scene, Vec3};
 
-/// An edge is tiny below this share of the longest of its triangle …
-const TINY: f64 = 2e-3;
-/// … but what is shorter than this cannot be stored in single precision, m.
-const LEAST: f64 = 1e-6;
-
-/// A scene without tiny edges, and what it takes to bring them back.
-pub(crate) struct Narrow {
+/// A scene without tiny edges, and the offsets that bring them back.
+pub(crate) struct CollapsedEdges {
     pub scene: Scene,
     welded: Welded,
-    /// Rest place of every vertex from the middle of those it is one with (weft, warp), m.
+    /// Rest place of every vertex from the middle of its group (weft, warp), m.
     offset: Vec<[f64; 2]>,
+    /// Number of tiny edges.
     pub edges: usize,
 }
 
 /// An edge from its lower to its higher vertex, and the way along it in the cloth, m.
 type Tiny = ([u32; 2], [f64; 2]);
 
+/// All tiny edges of a scene, ascending.
 fn tiny_edges(scene: &Scene) -> Vec<Tiny> {
     let mut edges = Vec::new();
+    let (least, share) = (DEGENERATE_EDGE_MIN.get(), DEGENERATE_EDGE_SHARE.get());
     for t in &scene.triangles {
         let lengths = [0, 1, 2].map(|k| t.rest_length(k));
-        for k in (0..3).filter(|k| (LEAST..TINY * t.longest_edge()).contains(&lengths[*k])) {
+        for k in (0..3).filter(|k| (least..share * t.longest_edge()).contains(&lengths[*k])) {
             let (a, b) = (t.vertices[k], t.vertices[(k + 1) % 3]);
             let (p, q) = (t.rest[k], t.rest[(k + 1) % 3]);
             let way = [q[0] - p[0], q[1] - p[1]];
@@ -67,11 +68,11 @@ fn offsets(edges: &[Tiny], welded: &Welded) -> Vec<[f64; 2]> {
     (0..n).map(|v| [from_first[v][0] - middle(v, 0), from_first[v][1] - middle(v, 1)]).collect()
 }
 
-impl Narrow {
+impl CollapsedEdges {
     /// `None` where there are no tiny edges, or nothing would be left.
     pub fn of(scene: &Scene) -> Option<Self> {
         let edges = tiny_edges(scene);
-        if edges.is_empty() || !scene.stitches.is_empty() {
+        if edges.is_empty() || !DEGENERATE_EDGE_COLLAPSE.is_on() || !scene.stitches.is_empty() {
             return None;
         }
         let sewn = Scene { stitches: edges.iter().map(|e| e.0).collect(), ..scene.clone() };
@@ -87,8 +88,9 @@ impl Narrow {
         whole.then(|| Self { scene: welded.scene.clone(), welded, offset, edges: edges.len() })
     }
 
-    /// Where a metre of weft and of warp go at every vertex, as sums over its triangles, and how many those are: of a fold along
-    /// tiny edges half is on either side.
+    /// Deformed directions of weft and warp at every vertex, as sums over its triangles, and the number of these.
+    ///
+    /// Half of a fold along tiny edges is on either side.
     fn axes(&self, x: &[Vec3]) -> Vec<([Vec3; 2], f64)> {
         let mut axes = vec![([Vec3::zeros(); 2], 0.0); x.len()];
         for t in &self.scene.triangles {
@@ -104,22 +106,22 @@ impl Narrow {
         axes
     }
 
-    /// The ends apart again, as the cloth around them is stretched and turned.
-    pub fn apart(&self, x: &[Vec3]) -> Vec<Vec3> {
+    /// Positions with the ends parted again, as the cloth around them is stretched and turned, m.
+    pub fn parted(&self, x: &[Vec3]) -> Vec<Vec3> {
         let axes = self.axes(x);
-        let apart = |(v, [a, b]): (usize, &[f64; 2])| {
+        let place = |(v, [a, b]): (usize, &[f64; 2])| {
             let g = self.welded.map[v] as usize;
             let ([weft, warp], count) = axes[g];
             x[g] + (weft * *a + warp * *b) / count
         };
-        self.offset.iter().enumerate().map(apart).collect()
+        self.offset.iter().enumerate().map(place).collect()
     }
 
-    /// The same of all that came of it.
+    /// The outcome for the scene with its tiny edges.
     pub fn back(&self, mut outcome: Outcome) -> Outcome {
-        let positions = self.apart(&outcome.positions);
+        let positions = self.parted(&outcome.positions);
         for r in &mut outcome.reactions {
-            // Of the vertices that are one, the first is held in the name of all.
+            // The first vertex of a group is held in the name of all.
             let first = self.welded.map.iter().position(|g| *g == r.vertex);
             r.vertex = first.and_then(|v| u32::try_from(v).ok()).unwrap_or(r.vertex);
         }
@@ -148,11 +150,11 @@ mod tests {
 
     #[test]
     fn ends_of_tiny_edges_are_one_and_come_apart_again() {
-        let narrow = Narrow::of(&strip()).expect("tiny edges");
-        assert_eq!((narrow.edges, narrow.scene.positions.len(), narrow.scene.triangles.len()), (2, 6, 4));
+        let collapsed = CollapsedEdges::of(&strip()).expect("tiny edges");
+        assert_eq!((collapsed.edges, collapsed.scene.positions.len(), collapsed.scene.triangles.len()), (2, 6, 4));
         let turn = |p: &Vec3| Vec3::new(-p.z, 2.0 * p.x, p.y);
         let outcome = Outcome {
-            positions: narrow.scene.positions.iter().map(turn).collect(),
+            positions: collapsed.scene.positions.iter().map(turn).collect(),
             steps: 0,
             seconds: 0.0,
             settled: true,
@@ -167,9 +169,9 @@ mod tests {
             repaired: (0, 0.0),
             joined: 0,
         };
-        let back = narrow.back(outcome);
+        let back = collapsed.back(outcome);
         assert_eq!(back.joined, 2);
-        // Both cells beside lost half of the width of the narrow one; what is left turned and twice as long.
+        // Both neighbouring cells lost half of the width of the collapsed one, and all is turned and twice as long.
         for (p, q) in strip().positions.iter().zip(&back.positions) {
             assert!((turn(p) - q).norm() < 1.1e-5, "{p} {q}");
         }
@@ -181,6 +183,6 @@ mod tests {
     fn plain_cloth_is_left_alone() {
         let mut scene = strip();
         scene.triangles.truncate(2);
-        assert!(Narrow::of(&scene).is_none());
+        assert!(CollapsedEdges::of(&scene).is_none());
     }
 }

@@ -5,3 +5,4 @@ pub(crate) mod degenerate_edges;
 pub(crate) mod initial_feasibility;
 pub(crate) mod islands;
 pub(crate) mod start;
+pub(crate) mod tuning;

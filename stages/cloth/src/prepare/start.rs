@@ -1,4 +1,4 @@
-//! A scene checked, and a start that is free of crossings.
+//! The start of every run: a scene that is checked, and positions free of crossings.
 
 use crate::collision::body::Body;
 use crate::collision::self_candidates::SelfCollision;
@@ -9,24 +9,25 @@ use crate::scene::topology::Topology;
 use crate::scene::validate;
 use crate::{ClothError, Scene, Settings, Vec3};
 
-/// What every run begins with.
+/// The start of a run.
 pub(crate) struct Start {
     pub topology: Topology,
     /// Positions freed of the body and of the cloth itself, where these effects are on.
     pub positions: Vec<Vec3>,
+    /// The body, if cloth meets it.
     pub body: Option<Body>,
-    /// Does cloth meet cloth?
+    /// Set where cloth meets cloth.
     pub own: bool,
-    /// What finds cloth near cloth.
+    /// The search for cloth near cloth.
     pub near: Option<SelfCollision>,
     /// Vertices moved, and the largest move, m.
     pub repaired: (usize, f64),
-    /// Not part of any result.
+    /// CPU time so far. It is not part of any result.
     pub costs: Costs,
 }
 
 impl Start {
-    /// Checks and repairs.
+    /// Checks a scene and repairs its start.
     pub fn new(scene: &Scene, s: &Settings) -> Result<Self, ClothError> {
         validate::scene(scene)?;
         validate::settings(s)?;

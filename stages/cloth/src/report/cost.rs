@@ -1,6 +1,6 @@
-//! Where the CPU time of a run goes. It is told beside the results and never part of them.
+//! CPU time of a run by kind of work. It is reported beside the results and never part of them.
 
-/// Kinds of work that are told apart.
+/// Kinds of work.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Work {
     /// Stretch, bending, weight.
@@ -11,7 +11,7 @@ pub(crate) enum Work {
     Sewing,
     Hysteresis,
     Pressure,
-    /// Metric, factor and directions of the descent.
+    /// Preconditioner, factor and directions of the descent.
     Descent,
 }
 
@@ -20,31 +20,34 @@ pub(crate) enum Work {
 pub(crate) struct Costs([f64; 8]);
 
 impl Costs {
-    /// Counts the time since the last look.
+    /// Adds the time since the timer was last read.
     pub fn spend(&mut self, work: Work, lap: &mut Lap) {
         self.0[work as usize] += lap.next();
     }
 
-    /// Counts seconds of another thread.
+    /// Adds seconds of another thread.
     pub fn add(&mut self, work: Work, seconds: f64) {
         self.0[work as usize] += seconds;
     }
 
+    /// CPU seconds of a kind of work.
     pub fn of(&self, work: Work) -> f64 {
         self.0[work as usize]
     }
 
+    /// The sum of two costs.
     pub fn join(mut self, other: &Self) -> Self {
         self.0.iter_mut().zip(other.0).for_each(|(a, b)| *a += b);
         self
     }
 }
 
-/// A stop watch.
+/// A timer of CPU time.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lap(f64);
 
 impl Lap {
+    /// A timer that starts now.
     pub fn start() -> Self {
         Self(clock())
     }
@@ -63,7 +66,7 @@ fn clock() -> f64 {
     t.tv_sec as f64 + t.tv_nsec as f64 * 1e-9
 }
 
-/// Wall time where the system tells nothing better, s.
+/// Wall time, s, where the system has no CPU time of a thread.
 #[cfg(not(unix))]
 fn clock() -> f64 {
     static START: std::sync::OnceLock<std::time::Instant> = std::sync::OnceLock::new();

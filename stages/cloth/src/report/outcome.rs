@@ -1,8 +1,8 @@
-//! What a run gives back.
+//! The outcome of a run.
 
 use crate::Vec3;
 
-/// Why a run ended.
+/// The reason why a run ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StopReason {
     /// Energy change and speed below their tolerances (and, when sewing, every pair closed).
@@ -10,14 +10,14 @@ pub enum StopReason {
     /// Stitches are open although the sewing force has grown to its most: the pieces do not reach round the body, or
     /// something is in the way.
     SeamsOpen,
-    /// Nothing holds the cloth: it falls and falls.
+    /// Nothing holds the cloth, so it falls without end.
     Unheld,
     /// Something holds the cloth back from where held vertices are led: it would tear before they are there, or no step
     /// leads on.
     HeldBack,
-    /// The step limit.
+    /// The step limit was reached.
     MaxSteps,
-    /// The limit of simulated time.
+    /// The limit of simulated time was reached.
     MaxSeconds,
 }
 
@@ -41,11 +41,11 @@ impl StopReason {
 pub struct EffectReport {
     /// `self-contact`, `body-contact`, `friction`, `strain-limit`, `softened-stretch`, …
     pub name: &'static str,
-    /// Was it built?
+    /// Set where the effect acted.
     pub on: bool,
     /// The rule that decided.
     pub rule: String,
-    /// What the scene or the run showed.
+    /// The evidence that the scene or the run gave.
     pub evidence: String,
     /// CPU time it took on all levels, s (0 where it is not measured apart). Never part of a result that must be
     /// reproducible.
@@ -57,7 +57,7 @@ pub struct EffectReport {
 pub struct Reaction {
     /// Held vertex.
     pub vertex: u32,
-    /// N.
+    /// Force, N.
     pub force: Vec3,
 }
 
@@ -78,7 +78,7 @@ pub struct Outcome {
     pub energy: f64,
     /// Fastest free vertex at the end, m/s.
     pub speed_max: f64,
-    /// Largest net force on a free vertex at the end (contact, friction and pins included), over the mean vertex weight.
+    /// Largest net force on a free vertex at the end over the mean vertex weight; contact, friction and pins count.
     pub residual_rel: f64,
     /// Largest distance of a stitched pair, m.
     pub seam_gap_max: f64,

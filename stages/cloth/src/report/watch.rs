@@ -2,15 +2,15 @@
 
 use crate::Vec3;
 
-/// Told about progress, asked whether to go on.
+/// An observer of a run, who may stop it.
 pub trait Watch {
-    /// After `step` steps; a few words on how far it is.
+    /// Called now and then after `step` steps, with the progress in words.
     fn progress(&mut self, step: u64, words: &str);
-    /// Should the run stop now?
+    /// Returns `true` if the run should stop now.
     fn cancelled(&self) -> bool;
     /// The part of the work that seems done, 0 to 1. It never shrinks; nothing else depends on it.
     fn done(&mut self, _part: f64) {}
-    /// Does it want to see the cloth on the way?
+    /// Returns `true` for a watch that wants to see the cloth on the way.
     fn looks(&self) -> bool {
         false
     }
@@ -18,7 +18,7 @@ pub trait Watch {
     fn look(&mut self, _positions: &[Vec3], _triangles: usize) {}
 }
 
-/// Watches nothing.
+/// A watch that does nothing.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Silent;
 
@@ -34,8 +34,9 @@ pub(crate) struct Part<'a> {
     whole: &'a mut dyn Watch,
     /// Places of the caller's vertices from those of the other cloth.
     back: &'a dyn Fn(&[Vec3]) -> Vec<Vec3>,
-    /// What was done of the whole before this part, and what will be after it.
+    /// Share of the whole that was done before this part.
     from: f64,
+    /// Share of the whole that is done after this part.
     to: f64,
 }
 

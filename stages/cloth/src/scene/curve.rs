@@ -66,7 +66,8 @@ impl Curve {
         }
     }
 
-    /// Is it a law a solver can use: finite, positive slope, samples ascending from the origin?
+    /// Returns `true` for a law that a solver can use: finite, of positive slope, with samples ascending from the
+    /// origin.
     #[must_use]
     pub fn is_sound(&self) -> bool {
         let positive = |v: f64| v.is_finite() && v > 0.0;

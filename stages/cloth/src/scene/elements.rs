@@ -4,7 +4,9 @@ use crate::Element;
 use std::ops::{Deref, DerefMut};
 use std::sync::Arc;
 
-/// Triangles that any number of scenes share: a clone copies nothing until one of them is changed. Otherwise a plain list.
+/// Triangles that any number of scenes share, otherwise a plain list.
+///
+/// A clone copies nothing until one of them is changed.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Elements(Arc<Vec<Element>>);
 

@@ -14,7 +14,7 @@ pub(crate) fn areas(scene: &Scene) -> Vec<f64> {
     lumped(scene, |t| t.area().abs() / 3.0)
 }
 
-/// What every triangle gives to each of its corners, summed at the vertices.
+/// Sums at the vertices of a `share` that every triangle gives to each of its corners.
 fn lumped(scene: &Scene, share: impl Fn(&Element) -> f64) -> Vec<f64> {
     let mut sum = vec![0.0; scene.positions.len()];
     for t in &scene.triangles {

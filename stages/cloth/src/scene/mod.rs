@@ -1,4 +1,4 @@
-//! What the solver is given: plain arrays.
+//! The scene that the solver is given, as plain arrays.
 
 pub mod curve;
 pub(crate) mod elements;
@@ -54,7 +54,7 @@ impl Element {
         libm::atan2(p[0] * q[1] - p[1] * q[0], p[0] * q[0] + p[1] * q[1])
     }
 
-    /// The same between vertices of other numbers.
+    /// The triangle with other numbers for its vertices.
     pub(crate) fn renumbered(&self, to: impl Fn(u32) -> u32) -> Self {
         Self { vertices: self.vertices.map(to), ..*self }
     }
@@ -73,11 +73,11 @@ impl Element {
 /// A fabric as the solver needs it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Material {
-    /// kg/m².
+    /// Areal mass, kg/m².
     pub areal_mass: f64,
-    /// m.
+    /// Thickness, m.
     pub thickness: f64,
-    /// Coulomb coefficient, on the body and on itself.
+    /// Coulomb coefficient of friction, on the body and on itself.
     pub friction: f64,
     /// Tension along the warp.
     pub warp: Curve,
@@ -96,17 +96,20 @@ pub struct Material {
     pub bend_bias: Option<f64>,
     /// Friction HB against bending, as a moment per width, N: half of the hysteresis 2HB; 0 for none.
     pub bend_friction: f64,
-    /// Constants, N/m, of the bare springs of `Model::Springs` on edges within 22.5° of a yarn and on all others, in place of those
-    /// that the laws give.
+    /// Constants of the bare springs of `Model::Springs`, N/m, in place of those that the laws give.
+    ///
+    /// The first is for edges within 22.5° of a yarn, the second for all others.
     pub springs: Option<[f64; 2]>,
     /// Largest strain allowed along [warp, weft, both bias directions]; infinite for none.
     pub strain_limit: [f64; 3],
 }
 
-/// Gravity under which bending lengths are told, m/s².
+/// Gravity of the Earth, m/s², under which bending lengths are given.
 pub const EARTH: f64 = 9.81;
-/// Least flexibility in twist over that of the mean of warp and weft: a measured bias strip may be stiffer than any plate.
-const STIFFEST_TWIST: f64 = 0.5;
+/// Least flexibility in twist over that of the mean of warp and weft.
+///
+/// A measured bias strip may be stiffer than any plate.
+const TWIST_FLEXIBILITY_MIN: f64 = 0.5;
 
 /// Peirce's bending length of a rigidity (N·m) under an areal mass (kg/m²) and gravity (m/s²), m: (B/(σ g))^⅓.
 #[must_use]
@@ -115,7 +118,8 @@ pub fn bending_length(bending: f64, areal_mass: f64, gravity: f64) -> f64 {
 }
 
 impl Material {
-    /// Linear, isotropic in the plane: Young modulus per width `young` (N/m), Poisson ratio, bending rigidity (N·m).
+    /// A linear fabric that is isotropic in its plane: Young modulus per width `young` (N/m), Poisson ratio, bending
+    /// rigidity (N·m).
     #[must_use]
     pub fn isotropic(areal_mass: f64, young: f64, poisson: f64, bending: f64) -> Self {
         let k = young / (1.0 - poisson * poisson);
@@ -136,21 +140,23 @@ impl Material {
         }
     }
 
-    /// Rigidity against twist D₆₆, N·m: the one with which a strip cut on the bias shows its measured rigidity; without
-    /// that, Huber's √(B₁ B₂)/2 (docs/bending.md).
+    /// Rigidity against twist D₆₆, N·m.
+    ///
+    /// A strip cut on the bias shows its measured rigidity with it. Without a measurement it is Huber's √(B₁ B₂)/2
+    /// (docs/flexion.md).
     #[must_use]
     pub fn bend_twist(&self) -> f64 {
         let mean = (self.bend_warp * self.bend_weft).sqrt();
         match self.bend_bias {
             Some(bias) if mean > 0.0 && bias > 0.0 => {
                 let soft = 4.0 / bias - 1.0 / self.bend_warp - 1.0 / self.bend_weft;
-                1.0 / soft.max(STIFFEST_TWIST / mean)
+                1.0 / soft.max(TWIST_FLEXIBILITY_MIN / mean)
             }
             _ => 0.5 * mean,
         }
     }
 
-    /// Bending rigidity of a strip cut at 45°, N·m: 4/(1/B₁ + 1/B₂ + 1/D₆₆), the strip being free to twist.
+    /// Bending rigidity of a strip cut at 45° that is free to twist, N·m: 4/(1/B₁ + 1/B₂ + 1/D₆₆).
     #[must_use]
     pub fn bend_at_45(&self) -> f64 {
         let twist = self.bend_twist();
@@ -163,8 +169,9 @@ impl Material {
         bending_length(self.bend_warp.min(self.bend_weft), self.areal_mass, EARTH)
     }
 
-    /// How much of the moment in a fold of the size of the bending length is friction, HB c/B; 0 for cloth that does not
-    /// resist bending.
+    /// Share of friction in the moment of a fold of the size of the bending length, HB c/B.
+    ///
+    /// It is 0 for cloth that does not resist bending.
     #[must_use]
     pub fn bend_friction_share(&self) -> f64 {
         let least = self.bend_warp.min(self.bend_weft);
@@ -183,7 +190,7 @@ impl Material {
 pub struct Pin {
     /// Vertex.
     pub vertex: u32,
-    /// Where it is held, m. A vertex that starts elsewhere is led there as fast as contact allows.
+    /// Place where it is held, m. A vertex that starts elsewhere is led there as fast as contact allows.
     pub at: Vec3,
 }
 
@@ -192,14 +199,16 @@ pub struct Pin {
 pub struct Load {
     /// Vertex.
     pub vertex: u32,
-    /// N.
+    /// Force, N.
     pub force: Vec3,
 }
 
-/// What the cloth meets: a triangle mesh at rest. Orientation does not matter; closed meshes have an inside.
+/// The body that the cloth meets: a triangle mesh at rest.
+///
+/// The orientation of its triangles does not matter. Closed meshes have an inside.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct BodyMesh {
-    /// m.
+    /// Positions of the vertices, m.
     pub positions: Vec<Vec3>,
     /// Triangles.
     pub triangles: Vec<[u32; 3]>,
@@ -222,7 +231,7 @@ pub struct Scene {
     pub stitches: Vec<[u32; 2]>,
     /// The body, if any.
     pub body: Option<SharedBody>,
-    /// m/s².
+    /// Gravity, m/s².
     pub gravity: Vec3,
     /// Layer of every vertex (0 next to the body, 1 over it …); may be empty. Order is kept by the contact itself;
     /// the number only says how many thicknesses further from the body the vertex is held.
@@ -230,8 +239,10 @@ pub struct Scene {
 }
 
 impl Scene {
-    /// A scene of the vertices `kept` alone, of which `number` gives the new numbers (others `u32::MAX`), with its own
-    /// triangles. What hangs on other vertices is left out.
+    /// A scene of the vertices `kept` alone, with its own triangles.
+    ///
+    /// `number` gives the new numbers of all vertices, `u32::MAX` for those left out. Pins, loads and stitches of these
+    /// are left out, too.
     pub(crate) fn part(&self, kept: &[u32], number: &[u32], triangles: Elements) -> Self {
         let to = |v: u32| number[v as usize];
         let stays = |v: u32| to(v) != u32::MAX;

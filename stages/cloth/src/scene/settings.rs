@@ -1,6 +1,8 @@
-//! How to solve: model, integrator, contact, stops. Defaults are for draping; [`Settings::sewing`] for sewing.
+//! Settings of the solver: model, integrator, contact, stops.
+//!
+//! Defaults are for draping; [`Settings::sewing`] has those for sewing.
 
-/// Which in-plane model carries the cloth.
+/// The in-plane model of the cloth.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Model {
     /// The paper's three classes of springs on the mesh edges (structural, shear, flexion), each with its own
@@ -11,25 +13,25 @@ pub enum Model {
     Coupled,
 }
 
-/// How time advances.
+/// The integrator of the solver.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Integrator {
-    /// No time at all: the least energy is sought by a descent (docs/book/src/solver.md).
+    /// The least energy is sought by a descent, without time (docs/static.md).
     #[default]
     Static,
     /// Explicit central differences with an adaptive step (paper equations 8–14).
     CentralDifference,
 }
 
-/// Whether an effect is used.
+/// A switch for an effect.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Switch {
-    /// By the effect's own rule.
+    /// The effect is used by its own rule.
     #[default]
     Auto,
-    /// Whatever the rule says.
+    /// The effect is used whatever the rule says.
     On,
-    /// Not even built.
+    /// The effect is not even built.
     Off,
 }
 
@@ -106,8 +108,10 @@ pub struct Settings {
     pub max_seconds: f64,
     /// Most vertices pushed out of the body at the start, as a fraction; above it the start is refused.
     pub repair_share: f64,
-    /// Threads allowed: one for each part of the cloth that meets no other, while there are any, and two for the factor of a large
-    /// part (docs/book/src/solver.md). Results never depend on it.
+    /// Largest number of threads. Results never depend on it.
+    ///
+    /// Each part of the cloth that meets no other has one thread, and the factor of a large part has two
+    /// (docs/static.md).
     pub threads: usize,
 }
 

@@ -5,29 +5,33 @@ use std::any::Any;
 use std::ops::Deref;
 use std::sync::{Arc, OnceLock};
 
-/// A body that any number of scenes share: a clone copies nothing, and the trees over its triangles, for a body of a million
-/// half a second of work, are built once, by the first who needs them.
+/// A body that any number of scenes share. A clone copies nothing.
+///
+/// The trees over its triangles are built once, by the first solver that needs them. They take half a second for a body
+/// of a million triangles.
 #[derive(Clone, Default)]
 pub struct SharedBody(Arc<Shared>);
 
 #[derive(Default)]
 struct Shared {
     mesh: BodyMesh,
-    /// What a solver keeps of the mesh.
+    /// Data that a solver has prepared from the mesh.
     prepared: OnceLock<Box<dyn Any + Send + Sync>>,
-    /// The same after so many quarter turns about the vertical.
+    /// The body after 0 to 3 quarter turns about the vertical.
     turned: [OnceLock<SharedBody>; 4],
 }
 
 impl SharedBody {
-    /// A copy of what `make` prepares from the mesh. It is made by the first caller and kept for all others, who must ask for
-    /// the same type.
+    /// A copy of the data that `make` prepares from the mesh.
+    ///
+    /// It is made by the first caller and kept for all others, who must want the same type.
     pub(crate) fn prepared<T: Any + Clone + Send + Sync>(&self, make: impl Fn(&BodyMesh) -> T) -> T {
         let kept = self.0.prepared.get_or_init(|| Box::new(make(&self.0.mesh)));
         kept.downcast_ref().map_or_else(|| make(&self.0.mesh), T::clone)
     }
 
-    /// After so many quarter turns about the vertical, as `to` turns places; itself where that changes nothing.
+    /// The body after some quarter turns about the vertical, where `to` turns places; itself where that changes
+    /// nothing.
     pub(crate) fn turned(&self, quarters: u8, to: impl Fn(&Vec3) -> Vec3) -> Self {
         let same = |p: &Vec3| to(p).iter().zip(p.iter()).all(|(a, b)| a.to_bits() == b.to_bits());
         if self.positions.iter().all(same) {

@@ -7,7 +7,7 @@ use crate::Element;
 pub(crate) struct Hinge {
     pub vertices: [u32; 4],
     pub faces: [u32; 2],
-    /// Which edge of each face (edge k runs from corner k to the next).
+    /// Number of the edge in each face; edge k runs from corner k to the next.
     pub sides: [u8; 2],
 }
 
@@ -18,26 +18,26 @@ pub(crate) struct Topology {
     /// Ends of every edge, smaller index first.
     pub edges: Vec<[u32; 2]>,
     pub face_edges: Vec<[u32; 3]>,
-    /// Per face a bit for each corner (0..3) and edge (3..6) that it owns.
+    /// For every face a bit for each corner (0..3) and edge (3..6) that it owns.
     pub owned: Vec<u8>,
     pub hinges: Vec<Hinge>,
 }
 
-/// What makes the corners of a triangle one part.
+/// Two pairs of corners that join a triangle to one part.
 pub(crate) fn links(t: &[u32; 3]) -> [[u32; 2]; 2] {
     [[t[0], t[1]], [t[1], t[2]]]
 }
 
-/// Of every vertex, the first one of what hangs together with it through these faces.
+/// For every vertex the first vertex of its connected component through these faces.
 pub(crate) fn components<'a>(vertex_count: usize, faces: impl Iterator<Item = &'a [u32; 3]>) -> Vec<u32> {
     crate::scene::weld::groups(vertex_count, &faces.flat_map(links).collect::<Vec<_>>())
 }
 
-/// Ends of an edge, the smaller index first, a face that has it, and which edge of that it is.
+/// Ends of an edge, the smaller index first, a face that has it, and the number of the edge in that face.
 type Side = (u32, u32, u32, u8);
 
-/// The sides of all faces, ascending: dealt out by their smaller ends first, since a body has millions.
-fn sides(vertex_count: usize, faces: &[[u32; 3]]) -> Vec<Side> {
+/// The sides of all faces, ascending; they are first sorted by counting, since a body has millions.
+fn sorted_sides(vertex_count: usize, faces: &[[u32; 3]]) -> Vec<Side> {
     let of = |(f, t): (u32, &[u32; 3])| {
         let t = *t;
         [0u8, 1, 2].map(|k| {
@@ -61,7 +61,7 @@ fn sides(vertex_count: usize, faces: &[[u32; 3]]) -> Vec<Side> {
 
 impl Topology {
     pub fn new(vertex_count: usize, faces: Vec<[u32; 3]>) -> Self {
-        let sides = sides(vertex_count, &faces);
+        let sides = sorted_sides(vertex_count, &faces);
         let mut topology =
             Self { face_edges: vec![[0; 3]; faces.len()], owned: vec![0; faces.len()], faces, ..Self::default() };
         topology.own_vertices(vertex_count);
@@ -109,7 +109,7 @@ impl Topology {
         }
     }
 
-    /// Lets go what only those ask that energies and searches are made of: more than half of all.
+    /// Frees edges and hinges, which only the making of energies and searches needs: more than half of all memory.
     pub fn forget_hinges(&mut self) {
         (self.edges, self.hinges) = (Vec::new(), Vec::new());
     }
@@ -119,7 +119,7 @@ impl Topology {
         self.face_edges[h.faces[0] as usize][usize::from(h.sides[0])] as usize
     }
 
-    /// [`components`] of its faces.
+    /// For every vertex the first vertex of its connected component ([`components`]).
     pub fn components(&self, vertex_count: usize) -> Vec<u32> {
         components(vertex_count, self.faces.iter())
     }

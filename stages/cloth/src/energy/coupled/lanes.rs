@@ -1,57 +1,59 @@
-//! Triangles side by side. What needs no table is worked out for a block of them at once, in registers as wide as the machine
-//! has; every triangle's sums are its own, so their width changes no bit.
+//! Forces of several triangles at once, in vector registers as wide as the machine has.
+//!
+//! Every triangle has its own sums, so the width of the registers changes no bit.
 
 use crate::Vec3;
-use crate::energy::coupled::{LEAST_STRETCH, MILD, Triangle, mild_angle, stress_and_energy};
+use crate::energy::coupled::{SHEAR_SERIES_SINE_MAX, SHEAR_STRETCH_MIN, Triangle, series_angle, stress_and_energy};
 use crate::energy::law::Fabric;
 use crate::energy::strain_limit::Bias;
 use pulp::{Arch, Simd, WithSimd};
 use std::array::from_fn;
 
 /// Triangles in a block.
-const N: usize = 32;
+const LANES: usize = 32;
 
-type Row = [f64; N];
+type Row = [f64; LANES];
 
 /// One triangle per lane; lanes beyond the last triangle hold a point without area.
 struct Block {
-    vertices: [[u32; 3]; N],
-    fabric: [u32; N],
+    vertices: [[u32; 3]; LANES],
+    fabric: [u32; LANES],
     area: Row,
     half: [Row; 3],
     inverse: [[Row; 3]; 3],
 }
 
-pub(crate) struct Lanes {
+/// All triangles in blocks.
+pub(crate) struct TriangleBlocks {
     blocks: Vec<Block>,
     triangles: usize,
     arch: Arch,
 }
 
-impl Lanes {
+impl TriangleBlocks {
     pub fn new(triangles: &[Triangle]) -> Self {
-        let blocks = triangles.chunks(N).map(Block::new).collect();
+        let blocks = triangles.chunks(LANES).map(Block::new).collect();
         Self { blocks, triangles: triangles.len(), arch: Arch::new() }
     }
 
-    /// What the machine has.
+    /// The vector instruction set of the machine.
     pub fn arch(&self) -> Arch {
         self.arch
     }
 
     pub fn triangles(&self) -> impl Iterator<Item = Triangle> + '_ {
-        self.blocks.iter().flat_map(|b| (0..N).map(|lane| b.triangle(lane))).take(self.triangles)
+        self.blocks.iter().flat_map(|b| (0..LANES).map(|lane| b.triangle(lane))).take(self.triangles)
     }
 
-    /// Adds the forces; gives the energy.
+    /// Adds the forces, N, and returns the energy, J.
     pub fn evaluate(&self, fabrics: &[Fabric], x: &[Vec3], f: &mut [Vec3]) -> f64 {
         self.arch.dispatch(Evaluate { lanes: self, fabrics, x, f })
     }
 }
 
-// A named type, because only such a one is compiled for the widest registers as a whole.
+/// The evaluation of all blocks. It is a named type, because only such a type is compiled for the widest registers.
 struct Evaluate<'a> {
-    lanes: &'a Lanes,
+    lanes: &'a TriangleBlocks,
     fabrics: &'a [Fabric],
     x: &'a [Vec3],
     f: &'a mut [Vec3],
@@ -62,27 +64,28 @@ impl WithSimd for Evaluate<'_> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) -> f64 {
-        let mut slate = Slate::default();
+        let mut state = BlockState::default();
         let mut energy = 0.0;
         for (k, block) in self.lanes.blocks.iter().enumerate() {
-            block.strain(self.x, &mut slate);
-            block.tense(self.fabrics, &mut slate);
-            block.stress(self.fabrics, &mut slate);
-            let count = N.min(self.lanes.triangles - k * N);
-            energy = block.pull(&mut slate, self.f, energy, count);
+            block.strain(self.x, &mut state);
+            block.evaluate_laws(self.fabrics, &mut state);
+            block.stress(self.fabrics, &mut state);
+            let count = LANES.min(self.lanes.triangles - k * LANES);
+            energy = block.pull(&mut state, self.f, energy, count);
         }
         energy
     }
 }
 
-/// What is worked out for a block.
+/// State of a block of triangles.
 #[derive(Default)]
-struct Slate {
-    /// By edge and axis.
+struct BlockState {
+    /// Edge vectors, by edge and axis, m.
     edges: [[Row; 3]; 3],
     green: [Row; 3],
-    /// Over 1, along weft and warp, and one over the stretch.
+    /// Strain along weft and warp.
     strain: [Row; 2],
+    /// Inverse of the stretch along weft and warp.
     inverse: [Row; 2],
     sine: Row,
     /// Tensions, then the stress conjugate to the Green strain, N/m.
@@ -90,27 +93,27 @@ struct Slate {
     shear: Row,
     /// Green strain from which the bias locks.
     locks: Row,
-    /// Per area, J/m².
+    /// Energy per area, J/m².
     energy: Row,
-    /// What each edge pulls, by axis, N.
+    /// Force of each edge, by axis, N.
     pulls: [[Row; 3]; 3],
 }
 
-impl Slate {
-    /// Is a lane neither sheared far nor nearly collapsed nor locked on the bias?
+impl BlockState {
+    /// Returns `true` for a lane that is neither sheared far nor nearly collapsed nor locked on the bias.
     #[inline(always)]
-    fn mild(&self, l: usize) -> bool {
+    fn is_regular(&self, l: usize) -> bool {
         let green = [self.green[0][l], self.green[1][l], self.green[2][l]];
-        (self.sine[l].abs() < MILD)
-            & (self.strain[0][l].min(self.strain[1][l]) > LEAST_STRETCH - 1.0)
+        (self.sine[l].abs() < SHEAR_SERIES_SINE_MAX)
+            & (self.strain[0][l].min(self.strain[1][l]) > SHEAR_STRETCH_MIN - 1.0)
             & (Bias::largest(green) <= self.locks[l])
     }
 }
 
-// By index throughout: what is not one plain loop over the lanes is not made for wide registers.
+// All loops go by index, because only plain loops over the lanes are compiled for wide registers.
 #[allow(clippy::needless_range_loop)]
 impl Block {
-    /// Of at least one triangle, and at most as many as there are lanes.
+    /// A block of at least one triangle, and at most as many as there are lanes.
     fn new(triangles: &[Triangle]) -> Self {
         let mut block = Self::at(triangles[0].vertices[0]);
         for (lane, t) in triangles.iter().enumerate() {
@@ -125,10 +128,10 @@ impl Block {
         block
     }
 
-    /// Points without area.
+    /// A block of points without area.
     fn at(point: u32) -> Self {
-        let zero = [0.0; N];
-        Self { vertices: [[point; 3]; N], fabric: [0; N], area: zero, half: [zero; 3], inverse: [[zero; 3]; 3] }
+        let zero = [0.0; LANES];
+        Self { vertices: [[point; 3]; LANES], fabric: [0; LANES], area: zero, half: [zero; 3], inverse: [[zero; 3]; 3] }
     }
 
     fn triangle(&self, lane: usize) -> Triangle {
@@ -141,9 +144,9 @@ impl Block {
         }
     }
 
-    /// Edges, and how far they are stretched and sheared.
+    /// Edges, and their stretch and shear.
     #[inline(always)]
-    fn strain(&self, x: &[Vec3], s: &mut Slate) {
+    fn strain(&self, x: &[Vec3], s: &mut BlockState) {
         for (lane, v) in self.vertices.iter().enumerate() {
             let [a, b, c] = crate::pick3(x, v);
             for axis in 0..3 {
@@ -152,7 +155,7 @@ impl Block {
                 s.edges[2][axis][lane] = a[axis] - c[axis];
             }
         }
-        for l in 0..N {
+        for l in 0..LANES {
             let mut q = [0.0; 3];
             for k in 0..3 {
                 let [x, y, z] = [s.edges[k][0][l], s.edges[k][1][l], s.edges[k][2][l]];
@@ -165,20 +168,20 @@ impl Block {
                 s.green[k][l] = green[k];
             }
             let (a, b) = ((1.0 + 2.0 * green[0]).max(0.0).sqrt(), (1.0 + 2.0 * green[1]).max(0.0).sqrt());
-            let (ia, ib) = (1.0 / a.max(LEAST_STRETCH), 1.0 / b.max(LEAST_STRETCH));
+            let (ia, ib) = (1.0 / a.max(SHEAR_STRETCH_MIN), 1.0 / b.max(SHEAR_STRETCH_MIN));
             (s.strain[0][l], s.strain[1][l]) = (a - 1.0, b - 1.0);
             (s.inverse[0][l], s.inverse[1][l]) = (ia, ib);
             s.sine[l] = green[2] * ia * ib;
         }
     }
 
-    /// What the tables tell.
+    /// Tensions and energies by the tables.
     #[inline(always)]
-    fn tense(&self, fabrics: &[Fabric], s: &mut Slate) {
-        for l in 0..N {
+    fn evaluate_laws(&self, fabrics: &[Fabric], s: &mut BlockState) {
+        for l in 0..LANES {
             let fabric = &fabrics[self.fabric[l] as usize];
             let (a, b) = (s.strain[0][l], s.strain[1][l]);
-            let ((weft, e), (warp, g)) = (fabric.weft.both(a), fabric.warp.both(b));
+            let ((weft, e), (warp, g)) = (fabric.weft.tension_and_energy(a), fabric.warp.tension_and_energy(b));
             s.stress[0][l] = weft + fabric.cross * b;
             s.stress[1][l] = warp + fabric.cross * a;
             s.energy[l] = e + g + fabric.cross * a * b;
@@ -188,14 +191,14 @@ impl Block {
     }
 
     #[inline(always)]
-    fn stress(&self, fabrics: &[Fabric], s: &mut Slate) {
-        let mut all_mild = true;
-        for l in 0..N {
-            all_mild &= s.mild(l);
+    fn stress(&self, fabrics: &[Fabric], s: &mut BlockState) {
+        let mut all_regular = true;
+        for l in 0..LANES {
+            all_regular &= s.is_regular(l);
         }
-        for l in 0..N {
+        for l in 0..LANES {
             let (ia, ib, sine) = (s.inverse[0][l], s.inverse[1][l], s.sine[l]);
-            let (gamma, slope) = mild_angle(sine);
+            let (gamma, slope) = series_angle(sine);
             let tau = s.shear[l] * gamma * slope;
             let lean = tau * sine;
             s.energy[l] += 0.5 * s.shear[l] * gamma * gamma;
@@ -203,15 +206,15 @@ impl Block {
             s.stress[1][l] = s.stress[1][l] * ib - lean * (ib * ib);
             s.stress[2][l] = tau * (ia * ib);
         }
-        if !all_mild {
-            self.mend(fabrics, s);
+        if !all_regular {
+            self.replace_irregular(fabrics, s);
         }
     }
 
-    /// What is sheared far, nearly collapsed or locked on the bias is told one by one.
-    fn mend(&self, fabrics: &[Fabric], s: &mut Slate) {
-        for l in 0..N {
-            if s.mild(l) {
+    /// Works out one by one the lanes that are sheared far, nearly collapsed or locked on the bias.
+    fn replace_irregular(&self, fabrics: &[Fabric], s: &mut BlockState) {
+        for l in 0..LANES {
+            if s.is_regular(l) {
                 continue;
             }
             let green = [s.green[0][l], s.green[1][l], s.green[2][l]];
@@ -223,8 +226,8 @@ impl Block {
 
     /// Adds the forces of the first `count`, and their energy to `energy`.
     #[inline(always)]
-    fn pull(&self, s: &mut Slate, f: &mut [Vec3], mut energy: f64, count: usize) -> f64 {
-        for l in 0..N {
+    fn pull(&self, s: &mut BlockState, f: &mut [Vec3], mut energy: f64, count: usize) -> f64 {
+        for l in 0..LANES {
             for k in 0..3 {
                 let m = &self.inverse;
                 let sum = m[0][k][l] * s.stress[0][l] + m[1][k][l] * s.stress[1][l] + m[2][k][l] * s.stress[2][l];
@@ -267,7 +270,7 @@ mod tests {
             x.extend(rest.map(|[u, v]| Vec3::new(long * u + lean * v, 0.9 * v, 0.3 * u * v)));
         }
         let (mut f, mut alone) = (vec![Vec3::zeros(); x.len()], vec![Vec3::zeros(); x.len()]);
-        let energy = Lanes::new(&triangles).evaluate(&fabrics, &x, &mut f);
+        let energy = TriangleBlocks::new(&triangles).evaluate(&fabrics, &x, &mut f);
         let mut sum = 0.0;
         for t in &triangles {
             let e = t.edges(&x);

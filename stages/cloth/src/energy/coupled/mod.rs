@@ -11,16 +11,18 @@ use crate::energy::law::Fabric;
 use crate::energy::strain_limit::Bias;
 use crate::linear::hessian::Hessian;
 use crate::{Element, Elements, Scene, Settings, Vec3};
-use lanes::Lanes;
+use lanes::TriangleBlocks;
 use nalgebra::Matrix3;
-use stiff::Stiff;
+use stiff::AssembleHessian;
 
-/// Below this stretch the shear law is not evaluated nearer to collapse.
-const LEAST_STRETCH: f64 = 0.25;
-/// Sine of the shear angle up to which a series gives the angle, and from which it is continued in a straight line.
-const MILD: f64 = 0.3;
-const STEEP: f64 = 0.8;
+/// Least stretch at which the shear law is evaluated, so that it stays finite near collapse.
+const SHEAR_STRETCH_MIN: f64 = 0.25;
+/// Sine of the shear angle up to which a series gives the angle.
+const SHEAR_SERIES_SINE_MAX: f64 = 0.3;
+/// Sine of the shear angle from which the angle is continued in a straight line.
+const SHEAR_SINE_MAX: f64 = 0.8;
 
+/// A triangle in its rest state.
 pub(crate) struct Triangle {
     vertices: [u32; 3],
     fabric: u32,
@@ -31,9 +33,10 @@ pub(crate) struct Triangle {
     inverse: [[f64; 3]; 3],
 }
 
+/// The in-plane energy of a cloth by coupled triangle springs.
 pub(crate) struct Coupled {
-    triangles: Lanes,
-    /// As they are told: their shape gradients are worked out when asked for.
+    triangles: TriangleBlocks,
+    /// The elements of the scene, for their shape gradients.
     elements: Elements,
     fabrics: Vec<Fabric>,
 }
@@ -91,13 +94,13 @@ fn inverse(m: &[[f64; 3]; 3]) -> [[f64; 3]; 3] {
 fn strain(green: &[f64; 3]) -> Strain {
     let a = (1.0 + 2.0 * green[0]).max(0.0).sqrt();
     let b = (1.0 + 2.0 * green[1]).max(0.0).sqrt();
-    let sine = green[2] / (a.max(LEAST_STRETCH) * b.max(LEAST_STRETCH));
+    let sine = green[2] / (a.max(SHEAR_STRETCH_MIN) * b.max(SHEAR_STRETCH_MIN));
     Strain { stretch: [a, b], sine, bias: Bias::largest(*green) }
 }
 
 /// Shear angle of a small sine and its derivative.
 #[inline(always)]
-fn mild_angle(sine: f64) -> (f64, f64) {
+fn series_angle(sine: f64) -> (f64, f64) {
     let q = sine * sine;
     let g = 1.0 + q * (1.0 / 6.0 + q * (3.0 / 40.0 + q * (15.0 / 336.0 + q * (105.0 / 3456.0 + q * 945.0 / 42240.0))));
     (sine * g, 1.0 / (1.0 - q).sqrt())
@@ -107,14 +110,14 @@ fn mild_angle(sine: f64) -> (f64, f64) {
 #[inline]
 fn angle(sine: f64) -> (f64, f64) {
     let s = sine.abs();
-    if s < MILD {
-        return mild_angle(sine);
+    if s < SHEAR_SERIES_SINE_MAX {
+        return series_angle(sine);
     }
-    if s < STEEP {
+    if s < SHEAR_SINE_MAX {
         return (libm::asin(sine), 1.0 / (1.0 - sine * sine).sqrt());
     }
-    let slope = 1.0 / (1.0 - STEEP * STEEP).sqrt();
-    ((libm::asin(STEEP) + slope * (s - STEEP)).copysign(sine), slope)
+    let slope = 1.0 / (1.0 - SHEAR_SINE_MAX * SHEAR_SINE_MAX).sqrt();
+    ((libm::asin(SHEAR_SINE_MAX) + slope * (s - SHEAR_SINE_MAX)).copysign(sine), slope)
 }
 
 /// Stress conjugate to (E_weft, E_warp, 2 E_12), N/m.
@@ -123,7 +126,7 @@ fn stress(green: &[f64; 3], fabric: &Fabric) -> [f64; 3] {
     stress_and_energy(green, fabric).0
 }
 
-/// The same and the energy per area, J/m².
+/// Stress conjugate to (E_weft, E_warp, 2 E_12), N/m, and energy per area, J/m².
 #[inline]
 fn stress_and_energy(green: &[f64; 3], fabric: &Fabric) -> ([f64; 3], f64) {
     let (mut stress, mut energy) = unlocked(green, fabric);
@@ -134,13 +137,13 @@ fn stress_and_energy(green: &[f64; 3], fabric: &Fabric) -> ([f64; 3], f64) {
     (stress, energy)
 }
 
-/// Without what the bias locks.
+/// Stress and energy without the locks of the bias.
 #[inline]
 fn unlocked(green: &[f64; 3], fabric: &Fabric) -> ([f64; 3], f64) {
     let s = strain(green);
     let [a, b] = s.stretch;
-    let (am, bm) = (a.max(LEAST_STRETCH), b.max(LEAST_STRETCH));
-    let ((weft, e), (warp, g)) = (fabric.weft.both(a - 1.0), fabric.warp.both(b - 1.0));
+    let (am, bm) = (a.max(SHEAR_STRETCH_MIN), b.max(SHEAR_STRETCH_MIN));
+    let ((weft, e), (warp, g)) = (fabric.weft.tension_and_energy(a - 1.0), fabric.warp.tension_and_energy(b - 1.0));
     let (gamma, slope) = angle(s.sine);
     let energy = e + g + fabric.cross * (a - 1.0) * (b - 1.0) + 0.5 * fabric.shear * gamma * gamma;
     let tau = fabric.shear * gamma * slope;
@@ -148,8 +151,8 @@ fn unlocked(green: &[f64; 3], fabric: &Fabric) -> ([f64; 3], f64) {
     let warp = (warp + fabric.cross * (a - 1.0)) / b.max(1e-3);
     let lean = tau * s.sine;
     let stress = [
-        if a > LEAST_STRETCH { weft - lean / (am * am) } else { weft },
-        if b > LEAST_STRETCH { warp - lean / (bm * bm) } else { warp },
+        if a > SHEAR_STRETCH_MIN { weft - lean / (am * am) } else { weft },
+        if b > SHEAR_STRETCH_MIN { warp - lean / (bm * bm) } else { warp },
         tau / (am * bm),
     ];
     (stress, energy)
@@ -158,7 +161,7 @@ fn unlocked(green: &[f64; 3], fabric: &Fabric) -> ([f64; 3], f64) {
 impl Coupled {
     pub fn new(scene: &Scene, settings: &Settings) -> Self {
         Self {
-            triangles: Lanes::new(&scene.triangles.iter().map(Triangle::new).collect::<Vec<_>>()),
+            triangles: TriangleBlocks::new(&scene.triangles.iter().map(Triangle::new).collect::<Vec<_>>()),
             elements: scene.triangles.clone(),
             fabrics: scene.materials.iter().map(|m| Fabric::new(m, settings)).collect(),
         }
@@ -223,25 +226,25 @@ impl Energy for Coupled {
     }
 
     fn add_hessian(&self, x: &[Vec3], convex: bool, h: &mut Hessian) {
-        self.triangles.arch().dispatch(Stiff { of: self, x, convex, into: h });
+        self.triangles.arch().dispatch(AssembleHessian { of: self, x, convex, into: h });
     }
 }
 
-/// Stress and its derivative by (E_weft, E_warp, 2 E_12); `convex`: without the terms that can be negative.
+/// Stress and its derivative by (E_weft, E_warp, 2 E_12); where `convex`, without the terms that can be negative.
 fn tangent(green: &[f64; 3], fabric: &Fabric, convex: bool) -> ([f64; 3], Matrix3<f64>) {
     let s = strain(green);
     let [a, b] = s.stretch;
-    let (am, bm) = (a.max(LEAST_STRETCH), b.max(LEAST_STRETCH));
+    let (am, bm) = (a.max(SHEAR_STRETCH_MIN), b.max(SHEAR_STRETCH_MIN));
     let (gamma, slope) = angle(s.sine);
     // Second derivative of the angle by its sine.
-    let bow = if s.sine.abs() < STEEP { s.sine * slope * slope * slope } else { 0.0 };
+    let bow = if s.sine.abs() < SHEAR_SINE_MAX { s.sine * slope * slope * slope } else { 0.0 };
     let tau = fabric.shear * gamma * slope;
     let rate = fabric.shear * (slope * slope + if convex { 0.0 } else { gamma * bow });
     let (ka, kb) = (fabric.weft.slope(a - 1.0), fabric.warp.slope(b - 1.0));
     let (ai, bi) = (1.0 / a.max(1e-3), 1.0 / b.max(1e-3));
     let (da, db) = (
-        if a > LEAST_STRETCH { s.sine / (am * am) } else { 0.0 },
-        if b > LEAST_STRETCH { s.sine / (bm * bm) } else { 0.0 },
+        if a > SHEAR_STRETCH_MIN { s.sine / (am * am) } else { 0.0 },
+        if b > SHEAR_STRETCH_MIN { s.sine / (bm * bm) } else { 0.0 },
     );
     let v = nalgebra::Vector3::new(-da, -db, 1.0 / (am * bm));
     let mut d = v * v.transpose() * rate;
@@ -272,8 +275,8 @@ fn tangent(green: &[f64; 3], fabric: &Fabric, convex: bool) -> ([f64; 3], Matrix
     (stress(green, fabric), d)
 }
 
-/// The pulling part of a plane stress: negative principal values set to 0.
-fn pulling(s: &[f64; 3]) -> [f64; 3] {
+/// The tensile part of a plane stress: negative principal values are set to 0.
+fn tensile_part(s: &[f64; 3]) -> [f64; 3] {
     let (mean, half, shear) = (0.5 * (s[0] + s[1]), 0.5 * (s[0] - s[1]), s[2]);
     let r = (half * half + shear * shear).sqrt();
     let (high, low) = ((mean + r).max(0.0), (mean - r).max(0.0));

@@ -1,80 +1,83 @@
-//! Second derivatives of triangles side by side, as [`crate::energy::coupled::lanes`] has their forces: what asks no table is worked out for
-//! several at once, and every triangle's sums are its own, so their number changes no bit.
+//! Second derivatives of several triangles at once, in vector registers.
+//!
+//! Forces are in [`crate::energy::coupled::lanes`]. Every triangle has its own sums, so the number of lanes changes no
+//! bit.
 
 use crate::Vec3;
-use crate::energy::coupled::{Coupled, Triangle, pulling, tangent};
+use crate::energy::coupled::{Coupled, Triangle, tangent, tensile_part};
 use crate::linear::hessian::Hessian;
 use nalgebra::Matrix3;
 use pulp::{Simd, WithSimd};
 
 /// Triangles in a block.
-const N: usize = 8;
+const HESSIAN_LANES: usize = 8;
 
-type Row = [f64; N];
-/// By row and column, or by strain and axis.
+type Row = [f64; HESSIAN_LANES];
+/// Values by row and column, or by strain and axis.
 type Square = [[Row; 3]; 3];
 
 /// Corners of the blocks of a triangle, in the order in which they are added.
 const PAIRS: [[usize; 2]; 6] = [[0, 0], [1, 0], [1, 1], [2, 0], [2, 1], [2, 2]];
 
-// A named type, because only such a one is compiled for the widest registers as a whole.
-pub(crate) struct Stiff<'a> {
+/// The assembly of the Hessian. It is a named type, because only such a type is compiled for the widest registers.
+pub(crate) struct AssembleHessian<'a> {
     pub of: &'a Coupled,
     pub x: &'a [Vec3],
-    /// Without what may be negative.
+    /// Leaves out the terms that may be negative.
     pub convex: bool,
     pub into: &'a mut Hessian,
 }
 
-impl WithSimd for Stiff<'_> {
+impl WithSimd for AssembleHessian<'_> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
-        let (mut slate, mut vertices, mut count) = (Slate::default(), [[0; 3]; N], 0);
+        let (mut state, mut vertices, mut count) = (BlockState::default(), [[0; 3]; HESSIAN_LANES], 0);
         for (t, w) in self.of.shapes() {
-            slate.take(count, &t, &w, self.of, self.x, self.convex);
+            state.take(count, &t, &w, self.of, self.x, self.convex);
             vertices[count] = t.vertices;
             count += 1;
-            if count == N {
-                slate.derive();
-                slate.add(&vertices, self.into);
+            if count == HESSIAN_LANES {
+                state.derive();
+                state.add(&vertices, self.into);
                 count = 0;
             }
         }
         if count > 0 {
-            slate.derive();
-            slate.add(&vertices[..count], self.into);
+            state.derive();
+            state.add(&vertices[..count], self.into);
         }
     }
 }
 
-/// What is worked out for a block.
+/// State of a block of triangles.
 #[derive(Default)]
-struct Slate {
+struct BlockState {
     area: Row,
     /// Shape gradients, by corner.
     w: [[Row; 2]; 3],
     /// Stress, and its derivative by the strain.
     stress: [Row; 3],
     law: Square,
-    /// How the places change along weft and warp, by axis.
+    /// Deformed directions of weft and warp, by axis.
     along: [[Row; 3]; 2],
-    /// Derivatives of the three strains by the place of each corner, and of the stress.
+    /// Derivatives of the three strains by the place of each corner.
     strains: [Square; 3],
+    /// Derivatives of the stress by the place of each corner, times the area.
     pulls: [Square; 3],
-    /// By pair.
+    /// Blocks of the Hessian, by pair of corners.
     blocks: [Square; 6],
 }
 
-// By index throughout: what is not one plain loop over the lanes is not made for wide registers.
+// All loops go by index, because only plain loops over the lanes are compiled for wide registers.
 #[allow(clippy::needless_range_loop)]
-impl Slate {
-    /// What of a triangle asks tables.
+impl BlockState {
+    /// Takes in a triangle: the part of the work that needs tables.
     #[inline(always)]
     fn take(&mut self, l: usize, t: &Triangle, w: &[[f64; 2]; 3], of: &Coupled, x: &[Vec3], convex: bool) {
         let (stress, law) = tangent(&t.green(&t.edges(x)), &of.fabrics[t.fabric as usize], convex);
-        let stress = if convex { pulling(&stress) } else { stress };
+        let stress = if convex { tensile_part(&stress) } else { stress };
         let places = crate::pick3(x, &t.vertices);
         self.area[l] = t.area;
         for k in 0..3 {
@@ -99,13 +102,13 @@ impl Slate {
             let (block, a, b) = (&mut self.blocks[pair], &self.strains[i], &self.pulls[j]);
             for r in 0..3 {
                 for c in 0..3 {
-                    for l in 0..N {
+                    for l in 0..HESSIAN_LANES {
                         block[r][c][l] = a[0][r][l] * b[0][c][l] + a[1][r][l] * b[1][c][l] + a[2][r][l] * b[2][c][l];
                     }
                 }
             }
             let ([p, q], [u, v], s) = (&self.w[i], &self.w[j], &self.stress);
-            for l in 0..N {
+            for l in 0..HESSIAN_LANES {
                 let lean = self.area[l]
                     * (p[l] * (s[0][l] * u[l] + s[2][l] * v[l]) + q[l] * (s[2][l] * u[l] + s[1][l] * v[l]));
                 for k in 0..3 {
@@ -115,10 +118,10 @@ impl Slate {
         }
     }
 
-    /// By one axis of the place of a corner.
+    /// Derivatives by one axis of the place of a corner.
     #[inline(always)]
     fn derive_along(&mut self, k: usize, axis: usize) {
-        for l in 0..N {
+        for l in 0..HESSIAN_LANES {
             let (weft, warp) = (self.along[0][axis][l], self.along[1][axis][l]);
             let (u, v) = (self.w[k][0][l], self.w[k][1][l]);
             let d = [weft * u, warp * v, warp * u + weft * v];

@@ -1,5 +1,6 @@
-//! Stands in for friction in bending in a build without this effect: a type without a value, so that nothing of its work is compiled.
-//! The build check has refused every scene that calls for the effect.
+//! The stand-in for friction in bending in a build without this effect: a type without a value.
+//!
+//! No work of the effect is compiled. The build check has refused every scene that calls for the effect.
 
 use crate::Vec3;
 

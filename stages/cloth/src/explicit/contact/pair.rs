@@ -30,7 +30,14 @@ pub(crate) struct ContactPair {
 
 impl ContactPair {
     /// Makes a pair without stiffness and load, and with an infinite distance.
-    fn new(vertices: [u32; 4], weights: [f64; 4], normal: Vec3, offset: f64, gap: f64, frame: &ContactParameters) -> Self {
+    fn new(
+        vertices: [u32; 4],
+        weights: [f64; 4],
+        normal: Vec3,
+        offset: f64,
+        gap: f64,
+        frame: &ContactParameters,
+    ) -> Self {
         let friction = frame.friction[vertices[0] as usize];
         Self { vertices, weights, normal, offset, gap, stiffness: 0.0, load: 0.0, distance: f64::INFINITY, friction }
     }

@@ -1,7 +1,7 @@
 //! Multilevel bisection of a graph into two sides and a separator, a few vertices between them.
 //!
-//! The graph is coarsened by joining neighbours in pairs, as often as it is large. The bisection of the coarsest graph is
-//! carried back, and refined at every size by moves of single vertices.
+//! The graph is coarsened by joining neighbours in pairs, as often as it is large. The bisection of the coarsest graph
+//! is carried back, and refined at every size by moves of single vertices.
 //!
 //! Sources: Karypis and Kumar, A fast and high quality multilevel scheme for partitioning irregular graphs, 1998;
 //! Fiduccia and Mattheyses 1982.

@@ -1,4 +1,4 @@
 //! A start that crosses nothing: cloth is freed of the body and of itself.
 
 pub(crate) mod repair;
-pub(crate) mod untangle;
+pub(crate) mod resolve_intersections;

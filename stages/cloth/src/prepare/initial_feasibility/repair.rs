@@ -1,48 +1,56 @@
-//! The start: is it free, and if it dips into the body, can it be pushed out?
+//! Repair of a start that is not free: cloth is pushed out of the body, and pieces are moved apart.
 
 use crate::collision::body::Body;
 use crate::collision::broad_phase::aabb::Aabb;
 use crate::collision::crossings::count;
 use crate::collision::crossings::pair::segment_meets;
-use crate::prepare::initial_feasibility::untangle::untangle;
+use crate::prepare::initial_feasibility::resolve_intersections::resolve_intersections;
+use crate::prepare::tuning::{
+    BODY_REPAIR_CLEARANCE_GROWTH, BODY_REPAIR_ROUNDS, INTERSECTION_RESOLUTION, PIECES_APART_FIRST, PIECES_APART_GROWTH,
+    PIECES_APART_MAX, PIECES_CLEARANCE,
+};
 use crate::scene::topology::Topology;
 use crate::{ClothError, Place, Vec3};
 
-const ROUNDS: usize = 30;
-/// Farthest two pieces are moved apart at the start, m, and by how much further than just apart.
-const APART: f64 = 0.1;
-const CLEAR: f64 = 5e-5;
+/// Distance within which the nearest place on the body is looked for, m.
+const NEAREST_PLACE_REACH: f64 = 1.0;
+/// Least distance of two middles that gives a direction, m.
+const MIDDLE_DISTANCE_MIN: f64 = 1e-9;
 
-/// For every vertex: is it inside the body? One winding number for each part of the cloth that is joined by edges which do
-/// not meet the body.
+/// For every vertex `true` if it is inside the body.
+///
+/// There is one winding number for each part of the cloth that is joined by edges which do not meet the body.
 pub(crate) fn inside(x: &[Vec3], faces: &[[u32; 3]], crossing: &[[u32; 2]], body: &Body) -> Vec<bool> {
     let mut crosses = vec![false; faces.len()];
     for p in crossing {
         crosses[p[0] as usize] = true;
     }
-    let apart = |e: &[u32; 2]| !meets(e.map(|v| x[v as usize]), body);
+    let free = |e: &[u32; 2]| !meets(e.map(|v| x[v as usize]), body);
     let links: Vec<[u32; 2]> = faces
         .iter()
         .zip(&crosses)
-        .flat_map(|(t, c)| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]].into_iter().filter(move |e| !c || apart(e)))
+        .flat_map(|(t, c)| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]].into_iter().filter(move |e| !c || free(e)))
         .collect();
     let part = crate::scene::weld::groups(x.len(), &links);
-    // No turn need be counted for what reaches out of the body's box.
+    // A part that reaches out of the body's box is outside and needs no winding number.
     let reaches_out = |(p, q): (&u32, &Vec3)| (!body.may_contain(q)).then_some(*p as usize);
     let mut known: Vec<Option<bool>> = vec![None; x.len()];
     part.iter().zip(x).filter_map(reaches_out).for_each(|p| known[p] = Some(false));
     part.iter().map(|p| *known[*p as usize].get_or_insert_with(|| body.contains(&x[*p as usize]))).collect()
 }
 
-/// Has a segment any point in common with the body's surface?
+/// Returns `true` if a segment has a point in common with the surface of the body.
 fn meets([p, q]: [Vec3; 2], body: &Body) -> bool {
     let mut any = false;
     body.candidates(&Aabb::of_two(&p, &q), |k| any = any || segment_meets(&p, &q, &body.triangle(k)));
     any
 }
 
-/// Moves what is inside the body out to `gap` in front of it. Returns how many vertices were moved and the largest
+/// Moves vertices inside the body to `gap` (m) in front of it. Returns the number of moved vertices and the largest
 /// move, m.
+///
+/// # Errors
+/// A start of which more than a `share` of the vertices is inside, or that stays inside.
 pub(crate) fn free_of_body(
     x: &mut [Vec3],
     topology: &Topology,
@@ -52,7 +60,7 @@ pub(crate) fn free_of_body(
 ) -> Result<(usize, f64), ClothError> {
     let start = x.to_vec();
     let mut first = None;
-    for round in 0..ROUNDS {
+    for round in 0..BODY_REPAIR_ROUNDS.get() {
         let found = count::body_crossings(x, &topology.faces, body);
         let within = inside(x, &topology.faces, &found.pairs, body);
         let deep = within.iter().filter(|w| **w).count();
@@ -70,9 +78,9 @@ pub(crate) fn free_of_body(
                 touched[v as usize] = true;
             }
         }
-        let clearance = gap * (1.0 + 0.25 * round as f64);
+        let clearance = gap * (1.0 + BODY_REPAIR_CLEARANCE_GROWTH.get() * round as f64);
         for i in (0..x.len()).filter(|i| touched[*i]) {
-            if let Some((q, d)) = body.nearest(&x[i], 1.0).filter(|(_, d)| *d > 0.0) {
+            if let Some((q, d)) = body.nearest(&x[i], NEAREST_PLACE_REACH).filter(|(_, d)| *d > 0.0) {
                 let out = if within[i] { (q - x[i]) / d } else { (x[i] - q) / d };
                 if within[i] || d < clearance {
                     x[i] = q + out * clearance;
@@ -84,6 +92,7 @@ pub(crate) fn free_of_body(
     Err(ClothError::StartCrosses { self_crossings: 0, body_crossings, inside, place })
 }
 
+/// A place at which the start is not free.
 fn place(x: &[Vec3], topology: &Topology, pairs: &[[u32; 2]], within: &[bool]) -> Place {
     let any = |t: &[u32; 3]| t.iter().any(|v| within[*v as usize]);
     let triangle = pairs
@@ -98,21 +107,22 @@ pub(crate) fn at_triangle(x: &[Vec3], topology: &Topology, triangle: u32) -> Pla
     Place { triangle, at: t.iter().map(|v| x[*v as usize]).sum::<Vec3>() / 3.0 }
 }
 
+/// Unit normal of a triangle; the vertical axis z for one without area.
 fn normal(x: &[Vec3], t: [u32; 3]) -> Vec3 {
     crate::unit_normal(crate::pick3(x, &t)).unwrap_or_else(Vec3::z)
 }
 
-/// From the middle of one piece to that of another, as a unit vector.
-fn apart(x: &[Vec3], part: &[u32], [a, b]: [u32; 2]) -> Option<Vec3> {
+/// Unit vector from the middle of one piece to that of another.
+fn direction_between(x: &[Vec3], part: &[u32], [a, b]: [u32; 2]) -> Option<Vec3> {
     let middle = |which: u32| {
         let inside = || x.iter().zip(part).filter(|(_, p)| **p == which);
         inside().map(|(q, _)| *q).sum::<Vec3>() / inside().count() as f64
     };
-    (middle(b) - middle(a)).try_normalize(1e-9)
+    (middle(b) - middle(a)).try_normalize(MIDDLE_DISTANCE_MIN)
 }
 
 /// Moves one piece back and the other on by half of a way.
-fn part_them(x: &mut [Vec3], part: &[u32], [a, b]: [u32; 2], way: Vec3) {
+fn move_apart(x: &mut [Vec3], part: &[u32], [a, b]: [u32; 2], way: Vec3) {
     for (q, p) in x.iter_mut().zip(part) {
         if *p == a {
             *q -= way * 0.5;
@@ -122,16 +132,20 @@ fn part_them(x: &mut [Vec3], part: &[u32], [a, b]: [u32; 2], way: Vec3) {
     }
 }
 
-/// Pieces that touch or cross at the start are moved apart, whole, along the line of their middles (placements often
-/// put neighbours edge to edge in one plane). A piece that crosses itself is refused, and so are pieces still crossing
-/// after [`APART`]. Returns how many vertices were moved and the largest move, m.
+/// Moves pieces that touch or cross at the start apart, whole, along the line of their middles.
+///
+/// Placements often put neighbours edge to edge in one plane. Returns the number of moved vertices and the largest
+/// move, m.
+///
+/// # Errors
+/// A piece that crosses itself, and pieces that still cross after [`PIECES_APART_MAX`].
 pub(crate) fn free_of_itself(x: &mut [Vec3], topology: &Topology, held: &[bool]) -> Result<(usize, f64), ClothError> {
     let start = x.to_vec();
-    if untangle(x, topology, held).is_empty() {
+    if INTERSECTION_RESOLUTION.is_on() && resolve_intersections(x, topology, held).is_empty() {
         return Ok(moves(x, &start));
     }
     let part = topology.components(x.len());
-    let mut step = 1e-4;
+    let mut step = PIECES_APART_FIRST.get();
     let mut gone = 0.0;
     let mut last = Vec::new();
     loop {
@@ -139,7 +153,7 @@ pub(crate) fn free_of_itself(x: &mut [Vec3], topology: &Topology, held: &[bool])
         let Some(first) = found.pairs.first() else { break };
         let of = |f: u32| part[topology.faces[f as usize][0] as usize];
         let itself = found.pairs.iter().find(|p| of(p[0]) == of(p[1]));
-        if gone > APART || itself.is_some() {
+        if gone > PIECES_APART_MAX.get() || itself.is_some() {
             return Err(ClothError::StartCrosses {
                 self_crossings: found.count,
                 body_crossings: 0,
@@ -151,23 +165,23 @@ pub(crate) fn free_of_itself(x: &mut [Vec3], topology: &Topology, held: &[bool])
         pairs.iter_mut().for_each(|p| p.sort_unstable());
         pairs.sort_unstable();
         pairs.dedup();
-        // Pieces on each other part across themselves.
+        // Pieces with one middle are moved along a normal.
         let across = normal(x, topology.faces[first[0] as usize]);
-        last = pairs.into_iter().map(|pair| (pair, apart(x, &part, pair).unwrap_or(across))).collect();
-        last.iter().for_each(|(pair, way)| part_them(x, &part, *pair, way * step));
+        last = pairs.into_iter().map(|pair| (pair, direction_between(x, &part, pair).unwrap_or(across))).collect();
+        last.iter().for_each(|(pair, way)| move_apart(x, &part, *pair, way * step));
         gone += step;
-        step *= 1.5;
+        step *= PIECES_APART_GROWTH.get();
     }
-    // What is just apart would start with contacts of any stiffness.
+    // Pieces that are just apart would start with contacts of any stiffness.
     let mut further = x.to_vec();
-    last.iter().for_each(|(pair, way)| part_them(&mut further, &part, *pair, way * CLEAR));
+    last.iter().for_each(|(pair, way)| move_apart(&mut further, &part, *pair, way * PIECES_CLEARANCE.get()));
     if count::self_crossings(&further, &topology.faces).count == 0 {
         x.copy_from_slice(&further);
     }
     Ok(moves(x, &start))
 }
 
-/// How many vertices were moved, and the largest move, m.
+/// Number of moved vertices, and the largest move, m.
 fn moves(x: &[Vec3], start: &[Vec3]) -> (usize, f64) {
     let moves = x.iter().zip(start).map(|(p, q)| (p - q).norm());
     moves.fold((0, 0.0), |(n, m), d| (n + usize::from(d > 0.0), f64::max(m, d)))

@@ -1,8 +1,7 @@
-//! Parts of cloth that cannot meet, whatever they do, are draped each by itself, side by side where there are threads for it:
-//! none can change a bit of another's rest, and their times add.
+//! Islands: parts of cloth that cannot meet are draped each by itself, side by side where there are threads.
 //!
-//! A held part stays within the length of its cloth of where it is held. Parts whose boxes meet are one group; a part that
-//! nothing holds may get anywhere, and so may what is sewn to it.
+//! No island changes a bit of another one's rest, and their times add. A held part stays within the length of its cloth
+//! of where it is held. Parts whose boxes meet are one island. A part that nothing holds may get anywhere.
 
 pub(crate) mod solve_each;
 pub(crate) mod thread_pool;
@@ -10,6 +9,7 @@ pub(crate) mod thread_pool;
 pub(crate) use solve_each::each;
 
 use crate::collision::broad_phase::aabb::Aabb;
+use crate::prepare::tuning::{ISLAND_STRETCH, ISLANDS, ISLANDS_MAX};
 use crate::scene::measures::held;
 use crate::scene::topology::links;
 use crate::scene::weld::groups;
@@ -17,25 +17,21 @@ use crate::{Scene, Settings, Switch, Vec3};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
-/// Stretched length over length that is thought of; a part that gets farther after all is draped with all others.
-const STRETCH: f64 = 1.5;
-
-/// Most parts that are told apart: every two are compared, and no garment has more.
-const MOST_PARTS: usize = 500;
-
 /// Parts that may meet each other, as a scene of their own.
-pub(crate) struct Group {
+pub(crate) struct Island {
     pub scene: Scene,
-    /// Where its vertices, triangles and stitches stand in the whole scene.
+    /// Numbers of its vertices in the whole scene.
     vertices: Vec<u32>,
+    /// Numbers of its triangles in the whole scene.
     triangles: Vec<u32>,
+    /// Numbers of its stitches in the whole scene.
     stitches: Vec<u32>,
-    /// Where it stays.
+    /// Box in which it stays.
     within: Aabb,
 }
 
-/// Groups of parts, at least two; `None` where all may meet.
-pub(crate) fn apart(scene: &Scene, settings: &Settings) -> Option<Vec<Group>> {
+/// The islands of a scene, at least two; `None` where all parts may meet.
+pub(crate) fn islands(scene: &Scene, settings: &Settings) -> Option<Vec<Island>> {
     let n = scene.positions.len();
     let sides = scene.triangles.iter().flat_map(|t| links(&t.vertices));
     let links: Vec<[u32; 2]> = sides.chain(scene.stitches.iter().copied()).collect();
@@ -44,7 +40,7 @@ pub(crate) fn apart(scene: &Scene, settings: &Settings) -> Option<Vec<Group>> {
     links.iter().flatten().for_each(|v| used[*v as usize] = true);
     // Vertices of no triangle stay out of all groups, and where they are.
     let roots: Vec<u32> = (0u32..).take(n).filter(|v| used[*v as usize] && part[*v as usize] == *v).collect();
-    if !(2..=MOST_PARTS).contains(&roots.len()) {
+    if !(2..=ISLANDS_MAX.get()).contains(&roots.len()) || !ISLANDS.is_on() {
         return None;
     }
     let boxes = boxes(scene, settings, &part, &roots);
@@ -63,10 +59,10 @@ pub(crate) fn apart(scene: &Scene, settings: &Settings) -> Option<Vec<Group>> {
         own.fold(Aabb::EMPTY, |a, (_, b)| a.join(b))
     };
     (all.len() > 1)
-        .then(|| all.iter().map(|g| Group::new(scene, within(*g), |v| of(v) == *g && used[v as usize])).collect())
+        .then(|| all.iter().map(|g| Island::new(scene, within(*g), |v| of(v) == *g && used[v as usize])).collect())
 }
 
-/// Where each part stays.
+/// The box in which each part stays.
 fn boxes(scene: &Scene, settings: &Settings, part: &[u32], roots: &[u32]) -> Vec<Aabb> {
     let pins = held(scene);
     let around = neighbours(scene);
@@ -78,16 +74,17 @@ fn boxes(scene: &Scene, settings: &Settings, part: &[u32], roots: &[u32]) -> Vec
         let far = |p: &&(u32, Vec3)| (p.1 - first.1).norm();
         let last = own.iter().max_by(|p, q| far(p).total_cmp(&far(q))).unwrap_or(first);
         [first, last].iter().fold(everywhere, |b, (v, at)| {
-            let ball = Aabb { low: *at, high: *at }.grown(STRETCH * farthest(&around, *v) + gap);
+            let ball = Aabb { low: *at, high: *at }.grown(ISLAND_STRETCH.get() * farthest(&around, *v) + gap);
             Aabb { low: b.low.sup(&ball.low), high: b.high.inf(&ball.high) }
         })
     };
     roots.iter().map(of).collect()
 }
 
+/// Neighbours of every vertex with their distances along the cloth, m.
 type Lengths = Vec<Vec<(u32, f64)>>;
 
-/// Neighbours of every vertex, and how far along the cloth they are.
+/// Neighbours of every vertex, and their distances along the cloth, m.
 fn neighbours(scene: &Scene) -> Lengths {
     let mut around = vec![Vec::new(); scene.positions.len()];
     let mut join = |a: u32, b: u32, length: f64| {
@@ -109,7 +106,7 @@ fn farthest(around: &Lengths, from: u32) -> f64 {
     let mut longest = 0.0;
     while let Some(Reverse((bits, v))) = open.pop() {
         let here = way[v as usize];
-        // What is not negative stands in the order of its bits.
+        // Numbers that are not negative are ordered as their bits.
         if bits != here.to_bits() {
             continue;
         }
@@ -124,7 +121,7 @@ fn farthest(around: &Lengths, from: u32) -> f64 {
     longest
 }
 
-impl Group {
+impl Island {
     fn new(scene: &Scene, within: Aabb, mine: impl Fn(u32) -> bool) -> Self {
         let vertices: Vec<u32> = (0u32..).take(scene.positions.len()).filter(|v| mine(*v)).collect();
         let mut number = vec![u32::MAX; scene.positions.len()];
@@ -138,6 +135,7 @@ impl Group {
         Self { scene: own, vertices, triangles, stitches, within }
     }
 
+    /// Puts the positions of this group into those of the whole scene.
     fn put(&self, positions: &[Vec3], all: &mut [Vec3]) {
         self.vertices.iter().zip(positions).for_each(|(v, p)| all[*v as usize] = *p);
     }
@@ -148,7 +146,7 @@ mod tests {
     use super::*;
     use crate::{Element, Material, Outcome, Pin};
 
-    /// Strips of three cells of 20 mm that hang from their first two vertices, each so far from the one before.
+    /// Strips of three cells of 20 mm that hang from their first two vertices, each `step` metres from the one before.
     fn strips(count: u32, step: f64) -> Scene {
         let mut scene = Scene {
             materials: vec![Material::isotropic(0.15, 500.0, 0.3, 1e-5)],
@@ -181,12 +179,12 @@ mod tests {
     #[test]
     fn parts_within_reach_are_one_group_and_others_are_not() {
         let settings = Settings::default();
-        assert!(apart(&strips(2, 0.1), &settings).is_none(), "both reach 95 mm");
-        let groups = apart(&strips(3, 0.3), &settings).expect("groups");
+        assert!(islands(&strips(2, 0.1), &settings).is_none(), "both reach 95 mm");
+        let groups = islands(&strips(3, 0.3), &settings).expect("groups");
         assert_eq!(groups.iter().map(|g| g.vertices.len()).collect::<Vec<_>>(), [8, 8, 8]);
         let mut loose = strips(3, 0.3);
         loose.pins.retain(|p| p.vertex >= 8);
-        assert!(apart(&loose, &settings).is_none(), "what nothing holds may get anywhere");
+        assert!(islands(&loose, &settings).is_none(), "what nothing holds may get anywhere");
     }
 
     #[test]
@@ -212,9 +210,9 @@ mod tests {
     }
 
     #[test]
-    fn what_gets_farther_is_draped_with_all_others() {
+    fn a_part_that_gets_farther_is_draped_with_all_others() {
         let scene = strips(2, 0.3);
-        let groups = apart(&scene, &Settings::default()).expect("groups");
+        let groups = islands(&scene, &Settings::default()).expect("groups");
         let far = Outcome { positions: vec![Vec3::repeat(9.0); 8], ..rest(&strips(1, 0.3)) };
         let none = each(&scene, &groups, 2, &mut crate::Silent, |_, _| Ok(far.clone())).expect("no error");
         assert!(none.is_none());

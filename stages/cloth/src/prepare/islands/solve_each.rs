@@ -1,18 +1,21 @@
-//! Drapes groups of parts, each as a scene of its own, and puts together what came of them.
+//! Drapes islands, each as a scene of its own, and joins their outcomes.
 
 use crate::collision::broad_phase::aabb::Aabb;
-use crate::prepare::islands::Group;
+use crate::prepare::islands::Island;
 use crate::prepare::islands::thread_pool;
 use crate::prepare::islands::thread_pool::Word;
 use crate::{ClothError, EffectReport, Outcome, Place, Reaction, Scene, StopReason, Vec3, Watch};
 
-/// Drapes every group by itself, so many at a time; `None` where one got farther than was thought.
+/// Largest number of open stitches that an outcome names.
+const OPEN_STITCHES_NAMED: usize = 20;
+
+/// Drapes every island by itself, `threads` at a time; `None` where one left its box.
 ///
 /// # Errors
-/// Of the first group that has one.
+/// The error of the first island that has one.
 pub(crate) fn each(
     scene: &Scene,
-    groups: &[Group],
+    groups: &[Island],
     threads: usize,
     watch: &mut dyn Watch,
     drape: impl Fn(&Scene, &mut dyn Watch) -> Result<Outcome, ClothError> + Sync,
@@ -21,7 +24,7 @@ pub(crate) fn each(
     let work = |k: usize, watch: &mut dyn Watch| drape(&groups[k].scene, watch);
     let draped = thread_pool::work(groups.len(), threads, watch, work, |k, word, watch| shown.tell(k, word, watch));
     let (mut whole, mut positions) = (None, shown.positions);
-    // As one after the other would have told.
+    // The order is that of one thread.
     for (g, outcome) in groups.iter().zip(draped) {
         let outcome = outcome.map_err(|e| e.placed(|p| g.told(p)))?;
         let stays = |p: &Vec3| g.within.meets(&Aabb::of_one(p));
@@ -38,23 +41,24 @@ pub(crate) fn each(
     Ok(whole.map(|w| Outcome { positions, ..w }))
 }
 
-/// All of the cloth as it is on the way.
+/// The whole cloth on the way, for a watch.
 struct Shown<'a> {
-    groups: &'a [Group],
+    groups: &'a [Island],
     positions: Vec<Vec3>,
-    /// The part of the work that each group is, and how much of that is done.
+    /// Share of each island in all work.
     shares: Vec<f64>,
+    /// Part of each island's work that is done.
     done: Vec<f64>,
 }
 
 impl<'a> Shown<'a> {
-    fn new(scene: &Scene, groups: &'a [Group]) -> Self {
+    fn new(scene: &Scene, groups: &'a [Island]) -> Self {
         let all = groups.iter().map(|g| g.scene.triangles.len()).sum::<usize>().max(1) as f64;
         let shares = groups.iter().map(|g| g.scene.triangles.len() as f64 / all).collect();
         Self { groups, positions: scene.positions.clone(), shares, done: vec![0.0; groups.len()] }
     }
 
-    /// Tells of a group as of a part of all.
+    /// Passes on a message of an island as one of the whole.
     fn tell(&mut self, k: usize, word: Word, watch: &mut dyn Watch) {
         match word {
             Word::Progress(step, words) => watch.progress(step, &words),
@@ -70,8 +74,8 @@ impl<'a> Shown<'a> {
     }
 }
 
-impl Group {
-    /// Vertices and stitches by their names in the whole scene.
+impl Island {
+    /// The outcome with the numbers of vertices and stitches in the whole scene.
     fn named(&self, mut outcome: Outcome) -> Outcome {
         for r in &mut outcome.reactions {
             *r = Reaction { vertex: self.vertices[r.vertex as usize], ..*r };
@@ -80,12 +84,13 @@ impl Group {
         outcome
     }
 
+    /// A place with the number of its triangle in the whole scene.
     fn told(&self, place: Place) -> Place {
         Place { triangle: self.triangles.get(place.triangle as usize).copied().unwrap_or(place.triangle), ..place }
     }
 }
 
-/// What came of two groups.
+/// The outcome of two islands together.
 fn joined(a: Outcome, b: Outcome) -> Outcome {
     let (more, less) = if b.energy > a.energy { (&b, &a) } else { (&a, &b) };
     let effects = more.effects.iter().map(|e| {
@@ -99,7 +104,7 @@ fn joined(a: Outcome, b: Outcome) -> Outcome {
     let effects = effects.collect();
     let mut open_stitches = [a.open_stitches, b.open_stitches].concat();
     open_stitches.sort_by(|p, q| q.1.total_cmp(&p.1).then(p.0.cmp(&q.0)));
-    open_stitches.truncate(20);
+    open_stitches.truncate(OPEN_STITCHES_NAMED);
     let mut reactions = [a.reactions, b.reactions].concat();
     reactions.sort_by_key(|r| r.vertex);
     Outcome {

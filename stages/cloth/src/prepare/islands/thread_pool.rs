@@ -1,19 +1,18 @@
-//! Work that hangs on nothing else, side by side on a few threads. What comes of it, and the order in which it is told, does
-//! not depend on how many they are.
+//! A thread pool for independent pieces of work. Results and their order do not depend on the number of threads.
 
 use crate::{ClothError, Vec3, Watch};
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::mpsc::{self, RecvTimeoutError, Sender};
 use std::time::Duration;
 
-/// Time after which the watch is asked again whether to go on.
-const PATIENCE: Duration = Duration::from_millis(50);
+/// Time between two questions to the watch, if the run should stop.
+const CANCELLATION_POLL: Duration = Duration::from_millis(50);
 
-/// What is told on the way.
+/// A message of a piece of work on its way.
 pub(crate) enum Word {
-    /// Step, and how far it is.
+    /// Step, and progress in words.
     Progress(u64, String),
-    /// Part of the work.
+    /// Part of the work that is done.
     Done(f64),
     /// Places of the vertices, m, and triangles of the mesh.
     Look(Vec<Vec3>, usize),
@@ -29,7 +28,7 @@ struct Told<'a> {
 
 impl Told<'_> {
     fn send(&self, word: Word) {
-        // Heard until all work is done.
+        // The receiver lives until all work is done.
         drop(self.tell.send((self.item, word)));
     }
 }
@@ -58,8 +57,9 @@ impl Watch for Told<'_> {
     }
 }
 
-/// Does so many pieces of work, begun in their order, `threads` at a time; `told` hears of each by its number. What comes of
-/// them, in their order; after one that failed none is begun.
+/// Does `count` pieces of work, begun in their order, `threads` at a time. Returns their results in order.
+///
+/// `told` gets the messages of each with its number. After one that failed none is begun.
 pub(crate) fn work<T: Send>(
     count: usize,
     threads: usize,
@@ -91,7 +91,7 @@ pub(crate) fn work<T: Send>(
             .collect();
         drop(tell);
         loop {
-            match heard.recv_timeout(PATIENCE) {
+            match heard.recv_timeout(CANCELLATION_POLL) {
                 Ok((item, word)) => told(item, word, watch),
                 Err(RecvTimeoutError::Timeout) => {}
                 Err(RecvTimeoutError::Disconnected) => break,
@@ -126,7 +126,7 @@ mod tests {
 
     /// The first that fails is the one that one after the other would have met.
     #[test]
-    fn what_fails_first_in_order_is_told_and_nothing_is_begun_after_it() {
+    fn the_first_failure_in_order_is_reported_and_nothing_is_begun_after_it() {
         for threads in [1, 2, 5] {
             let fails = |k: usize, _: &mut dyn Watch| {
                 if k >= 7 { Err(ClothError::Cancelled { step: k as u64 }) } else { Ok(k) }

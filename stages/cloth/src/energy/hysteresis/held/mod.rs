@@ -1,31 +1,29 @@
-//! The holds of bent cloth.
+//! Frictional springs of bent cloth, with return mapping.
 
 #[cfg(test)]
 pub(crate) mod tests;
 
 use crate::energy::bending::{Patch, patches};
+use crate::energy::tuning::FRICTION_BUILD_UP;
 use crate::linear::hessian::Hessian;
 use crate::scene::topology::Topology;
 use crate::{Material, Scene, Vec3};
 use nalgebra::Vector3;
 
-/// Change of curvature over which the friction builds up, times the bending length: far below that of folds (about 1), far
-/// above what a state of rest leaves undecided.
-const BUILD_UP: f64 = 0.02;
-
-/// One direction of one triangle. Its coordinate is s = n · Σ row x = √A κ.
+/// The frictional spring of one direction of one triangle. Its coordinate is s = n · Σ row x = √A κ.
 #[derive(Clone)]
 struct Hold {
     vertices: [u32; 6],
     row: [f64; 6],
-    /// Of the triangle at the last refresh.
+    /// Unit normal of the triangle at the last refresh.
     normal: Vec3,
     /// Value of s at which the spring is free.
     place: f64,
-    /// Largest friction √A HB, J, and the s over which it is reached.
+    /// Largest friction √A HB, J.
     most: f64,
+    /// Change of s over which the largest friction is reached.
     reach: f64,
-    /// √A, m.
+    /// Square root √A of the area, m.
     size: f64,
 }
 
@@ -37,7 +35,7 @@ pub(crate) struct Hysteresis {
     largest: f64,
 }
 
-/// Does friction act in its bending?
+/// Returns `true` for a fabric with friction in bending.
 fn rubs(m: &Material) -> bool {
     m.bend_friction_share() > 0.0
 }
@@ -51,7 +49,7 @@ impl Hold {
             normal: Vec3::zeros(),
             place: 0.0,
             most: size * m.bend_friction,
-            reach: size * BUILD_UP / m.bending_length(),
+            reach: size * FRICTION_BUILD_UP.get() / m.bending_length(),
             size,
         }
     }
@@ -62,7 +60,8 @@ impl Hold {
         self.normal.dot(&bend)
     }
 
-    /// New normal, and what slid is taken over; by how much, as a height over the triangle, m.
+    /// Takes the normal at `x` and moves the free place to within reach. Returns the slide as a height over the
+    /// triangle, m.
     fn refresh(&mut self, x: &[Vec3]) -> f64 {
         let corners = [0, 1, 2].map(|k| x[self.vertices[k] as usize]);
         self.normal = crate::unit_normal(corners).unwrap_or_else(Vec3::zeros);
@@ -92,22 +91,22 @@ impl Hysteresis {
         Some(Self { holds, slid: 0, largest: 0.0 })
     }
 
-    /// Holds that slid at the last refresh.
+    /// Number of springs that slid at the last refresh.
     pub fn slid(&self) -> usize {
         self.slid
     }
 
-    /// The largest slide then as a height over the triangle, m.
+    /// Largest slide at the last refresh as a height over the triangle, m.
     pub fn largest(&self) -> f64 {
         self.largest
     }
 
-    /// Number of holds.
+    /// Number of springs.
     pub fn len(&self) -> usize {
         self.holds.len()
     }
 
-    /// Takes over what slid on the way to `x`.
+    /// Lets all springs slide to `x`.
     pub fn refresh(&mut self, x: &[Vec3]) {
         (self.slid, self.largest) = (0, 0.0);
         for h in &mut self.holds {
@@ -117,7 +116,7 @@ impl Hysteresis {
         }
     }
 
-    /// Energy, J; adds the forces.
+    /// Adds the forces at `x`, N, and returns the energy, J.
     pub fn evaluate(&self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
         let mut energy = 0.0;
         for h in &self.holds {

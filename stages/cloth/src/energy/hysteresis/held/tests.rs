@@ -43,8 +43,9 @@ fn rolled(scene: &Scene, curvature: f64) -> Vec<Vec3> {
     scene.positions.iter().map(roll).collect()
 }
 
-/// Moment per width at a curvature: what a little more of it costs, over the area that bends (at the ends, the triangles
-/// with a free side across do not).
+/// Moment per width at a curvature: the derivative of the energy over the area that bends.
+///
+/// Triangles with a free side across do not bend; they are at the ends.
 fn moment(scene: &Scene, held: &Hysteresis, curvature: f64) -> f64 {
     let mut f = vec![Vec3::zeros(); scene.positions.len()];
     let h = 1e-4;
@@ -73,7 +74,7 @@ fn a_loop_of_bending_is_as_wide_as_2hb() {
 fn friction_holds_what_bends_little() {
     let (scene, mut held) = strip();
     held.refresh(&scene.positions);
-    let little = 0.5 * BUILD_UP / scene.materials[0].bending_length();
+    let little = 0.5 * FRICTION_BUILD_UP.get() / scene.materials[0].bending_length();
     assert!((moment(&scene, &held, little) / (0.5 * FRICTION) - 1.0).abs() < 0.02);
     held.refresh(&rolled(&scene, little));
     assert_eq!((held.slid, held.largest), (0, 0.0));

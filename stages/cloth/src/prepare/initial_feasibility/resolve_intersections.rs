@@ -1,44 +1,40 @@
-//! A sewn start that crosses itself at a few places: seams that closed over a fold leave a pinch behind. The cloth
-//! around each crossing is smoothed until none is left.
+//! Intersection resolution for a sewn start that crosses itself at a few places.
+//!
+//! Seams that closed over a fold leave a pinch behind. The cloth around each crossing is smoothed until none is left.
 
 use crate::Vec3;
 use crate::collision::crossings::count;
+use crate::prepare::tuning::{
+    UNTANGLE_PAIRS_MAX, UNTANGLE_PULL, UNTANGLE_ROUNDS, UNTANGLE_SHARE_MAX, UNTANGLE_WIDEN_ROUNDS,
+};
 use crate::scene::topology::Topology;
 
-/// More crossing pairs than this share of the triangles are no pinch, nor a few of them (one vertex drawn through the cloth
-/// makes up to a dozen): the start is wrong.
-const MOST_SHARE: f64 = 0.02;
-const MOST_FEW: f64 = 24.0;
-const ROUNDS: usize = 60;
-/// Rounds after which the smoothed neighbourhood grows by one ring.
-const WIDEN: usize = 8;
-/// Share of the way to the neighbours' middle.
-const PULL: f64 = 0.5;
-
-/// Smooths the cloth around its crossings; held vertices stay. Returns the pairs left.
-pub(crate) fn untangle(x: &mut [Vec3], topology: &Topology, held: &[bool]) -> Vec<[u32; 2]> {
+/// Smooths the cloth around its crossings; held vertices stay. Returns the pairs of triangles that still cross.
+pub(crate) fn resolve_intersections(x: &mut [Vec3], topology: &Topology, held: &[bool]) -> Vec<[u32; 2]> {
     let mut found = count::self_crossings(x, &topology.faces);
     if found.count == 0 {
         return found.pairs;
     }
     let neighbours = neighbours(x.len(), topology);
-    let most = (MOST_SHARE * topology.faces.len() as f64).max(MOST_FEW) as usize;
-    for round in 0..ROUNDS {
+    let most = (UNTANGLE_SHARE_MAX.get() * topology.faces.len() as f64).max(UNTANGLE_PAIRS_MAX.get()) as usize;
+    for round in 0..UNTANGLE_ROUNDS.get() {
         if found.count == 0 || found.count > most {
             break;
         }
-        let near = near(x.len(), topology, &neighbours, &found.pairs, 1 + round / WIDEN);
+        let smoothed =
+            vertices_around(x.len(), topology, &neighbours, &found.pairs, 1 + round / UNTANGLE_WIDEN_ROUNDS.get());
         let before = x.to_vec();
-        for i in (0..x.len()).filter(|i| near[*i] && !held[*i] && !neighbours[*i].is_empty()) {
+        for i in (0..x.len()).filter(|i| smoothed[*i] && !held[*i] && !neighbours[*i].is_empty()) {
             let sum: Vec3 = neighbours[i].iter().map(|j| before[*j as usize]).sum();
-            x[i] += (sum / neighbours[i].len() as f64 - before[i]) * PULL;
+            x[i] += (sum / neighbours[i].len() as f64 - before[i]) * UNTANGLE_PULL.get();
         }
         found = count::self_crossings(x, &topology.faces);
     }
     found.pairs
 }
 
-/// Neighbours of every vertex, ascending; at a border only those along it, so that hems keep their place.
+/// Neighbours of every vertex, ascending. A border vertex has only those along the border, so that hems keep their
+/// place.
 fn neighbours(n: usize, topology: &Topology) -> Vec<Vec<u32>> {
     let mut edges: Vec<(u32, u32)> = Vec::new();
     for t in &topology.faces {
@@ -63,7 +59,13 @@ fn neighbours(n: usize, topology: &Topology) -> Vec<Vec<u32>> {
 }
 
 /// Vertices of the crossing triangles and some rings around them.
-fn near(n: usize, topology: &Topology, neighbours: &[Vec<u32>], pairs: &[[u32; 2]], rings: usize) -> Vec<bool> {
+fn vertices_around(
+    n: usize,
+    topology: &Topology,
+    neighbours: &[Vec<u32>],
+    pairs: &[[u32; 2]],
+    rings: usize,
+) -> Vec<bool> {
     let mut near = vec![false; n];
     for v in pairs.iter().flatten().flat_map(|f| topology.faces[*f as usize]) {
         near[v as usize] = true;
@@ -121,19 +123,19 @@ mod tests {
         assert!(count::self_crossings(&x, &topology.faces).count > 0);
         let corner = x[0];
         let held = vec![false; x.len()];
-        assert!(untangle(&mut x, &topology, &held).is_empty());
+        assert!(resolve_intersections(&mut x, &topology, &held).is_empty());
         assert_eq!(count::self_crossings(&x, &topology.faces).count, 0);
         assert_eq!(x[0], corner);
     }
 
-    /// Two at once in cloth of few triangles: more pairs than the share of a pinch in large cloth.
+    /// Two pinches at once in cloth of few triangles make more pairs than the share allows in large cloth.
     #[test]
     fn two_pinches_in_small_cloth_are_smoothed_away() {
         let (mut x, topology) = pinched(12);
         pinch(&mut x, 12, 9);
         let found = count::self_crossings(&x, &topology.faces).count;
-        assert!(found as f64 > MOST_SHARE * topology.faces.len() as f64 && found > 8, "{found}");
+        assert!(found as f64 > UNTANGLE_SHARE_MAX.get() * topology.faces.len() as f64 && found > 8, "{found}");
         let held = vec![false; x.len()];
-        assert!(untangle(&mut x, &topology, &held).is_empty());
+        assert!(resolve_intersections(&mut x, &topology, &held).is_empty());
     }
 }

@@ -1,0 +1,141 @@
+//! Tuned numbers and mechanisms of the preparation of a scene.
+
+use crate::tuning::{mechanisms, tuned};
+
+tuned! {
+    room "prepare";
+
+    /// Length of an edge, over the longest edge of its triangle, below which its ends are draped as one vertex.
+    DEGENERATE_EDGE_SHARE: f64 = 2e-3, {
+        unit: "longest edges",
+        larger: "Narrow cells that drape well are joined.",
+        smaller: "Steps turn short edges right over, and a descent gets nowhere.",
+        tried: "not recorded",
+        evidence: "No measurement is kept.",
+    }
+    /// Length of an edge below which it is left alone, because single precision cannot store its ends.
+    DEGENERATE_EDGE_MIN: f64 = 1e-6, {
+        unit: "m",
+        larger: "More degenerate edges are left in the cloth.",
+        smaller: "Ends fall together once they are stored in single precision.",
+        tried: "not recorded",
+        evidence: "No measurement is kept.",
+    }
+    /// Stretched length over rest length that bounds how far a held part may get.
+    ISLAND_STRETCH: f64 = 1.5, {
+        unit: "rest lengths",
+        larger: "Fewer parts are draped by themselves.",
+        smaller: "Parts get farther after all, and all are draped again together.",
+        tried: "not recorded",
+        evidence: "No measurement is kept.",
+    }
+    /// Largest number of parts of a scene that are compared with each other.
+    ISLANDS_MAX: usize = 500, {
+        unit: "parts",
+        larger: "Comparing every two parts takes longer.",
+        smaller: "Scenes of many parts are draped as one.",
+        tried: "not recorded",
+        evidence: "No measurement is kept. No garment has as many parts.",
+    }
+    /// Largest number of rounds in which vertices are pushed out of the body at the start.
+    BODY_REPAIR_ROUNDS: usize = 30, {
+        unit: "rounds",
+        larger: "Hopeless starts are refused later.",
+        smaller: "Starts that could be freed are refused.",
+        tried: "not recorded",
+        evidence: "No measurement is kept.",
+    }
+    /// Growth of the clearance from the body in every round, as a share of the gap.
+    BODY_REPAIR_CLEARANCE_GROWTH: f64 = 0.25, {
+        unit: "gaps per round",
+        larger: "Freed cloth starts farther from the body.",
+        smaller: "More rounds are needed at sharp features.",
+        tried: "not recorded",
+        evidence: "No measurement is kept.",
+    }
+    /// Farthest that two pieces are moved apart at the start.
+    PIECES_APART_MAX: f64 = 0.1, {
+        unit: "m",
+        larger: "Wrong placements are accepted.",
+        smaller: "Pieces that overlap in one plane are refused.",
+        tried: "not recorded",
+        evidence: "No measurement is kept.",
+    }
+    /// First move of two pieces apart.
+    PIECES_APART_FIRST: f64 = 1e-4, {
+        unit: "m",
+        larger: "Pieces that only touch are moved farther than needed.",
+        smaller: "More rounds are taken.",
+        tried: "not recorded",
+        evidence: "No measurement is kept.",
+    }
+    /// Growth of the move from round to round.
+    PIECES_APART_GROWTH: f64 = 1.5, {
+        unit: "factor",
+        larger: "Pieces are moved farther than needed.",
+        smaller: "More rounds are taken.",
+        tried: "not recorded",
+        evidence: "No measurement is kept.",
+    }
+    /// Distance by which pieces are moved further than just apart.
+    PIECES_CLEARANCE: f64 = 5e-5, {
+        unit: "m",
+        larger: "Pieces start farther from their places.",
+        smaller: "The drape starts with contacts of any stiffness.",
+        tried: "not recorded",
+        evidence: "No measurement is kept.",
+    }
+    /// Crossing pairs, as a share of the triangles, above which a start is refused instead of smoothed.
+    UNTANGLE_SHARE_MAX: f64 = 0.02, {
+        unit: "share of the triangles",
+        larger: "Wrong starts are smoothed in vain.",
+        smaller: "Starts with several pinches are refused.",
+        tried: "not recorded",
+        evidence: "No measurement is kept.",
+    }
+    /// Crossing pairs up to which any start is smoothed; one vertex drawn through the cloth makes up to a dozen.
+    UNTANGLE_PAIRS_MAX: f64 = 24.0, {
+        unit: "pairs",
+        larger: "Wrong starts of small cloth are smoothed in vain.",
+        smaller: "Two pinches in small cloth are refused.",
+        tried: "not recorded",
+        evidence: "Two pinches at once in a sheet of 288 triangles are smoothed away (test).",
+    }
+    /// Largest number of rounds of smoothing around crossings.
+    UNTANGLE_ROUNDS: usize = 60, {
+        unit: "rounds",
+        larger: "Hopeless starts are refused later.",
+        smaller: "Starts that could be freed are refused.",
+        tried: "not recorded",
+        evidence: "No measurement is kept.",
+    }
+    /// Rounds after which the smoothed neighbourhood grows by one ring.
+    UNTANGLE_WIDEN_ROUNDS: usize = 8, {
+        unit: "rounds",
+        larger: "Stubborn crossings take longer.",
+        smaller: "More cloth is smoothed than needed.",
+        tried: "not recorded",
+        evidence: "No measurement is kept.",
+    }
+    /// Share of the way to the mean of its neighbours that a vertex goes in a round.
+    UNTANGLE_PULL: f64 = 0.5, {
+        unit: "share of the way",
+        larger: "The cloth is smoothed more than needed.",
+        smaller: "More rounds are taken.",
+        tried: "not recorded",
+        evidence: "No measurement is kept.",
+    }
+}
+
+mechanisms! {
+    room "prepare";
+
+    /// Turns a scene by quarters and sorts its stitches, so that equal scenes come to the same bits.
+    CANONICAL_FRAME = "canonical-frame";
+    /// Drapes the ends of tiny edges as one vertex.
+    DEGENERATE_EDGE_COLLAPSE = "degenerate-edge-collapse";
+    /// Drapes parts of cloth that cannot meet each by itself.
+    ISLANDS = "islands";
+    /// Smooths the cloth around a few crossings at the start.
+    INTERSECTION_RESOLUTION = "intersection-resolution";
+}
