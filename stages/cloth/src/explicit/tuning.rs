@@ -30,7 +30,7 @@ tuned! {
         evidence: "The body stands still, so the share must stay below one.",
     }
     /// Share of the gap of its vertices at which an edge or a face is held off.
-    EDGE_GAP_SHARE: f64 = 0.5, {
+    EXPLICIT_EDGE_GAP_SHARE: f64 = 0.5, {
         unit: "share of the gap",
         larger: "Edges and faces carry over a curved body, and vertices hang in the air.",
         smaller: "Edges come nearer to sharp features of the body.",

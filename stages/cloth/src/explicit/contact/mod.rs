@@ -21,9 +21,9 @@ use crate::explicit::contact::pair::{ContactPair, take_body_gap, take_cloth_gap}
 use crate::explicit::contact::stiffness::{ContactStiffness, set_stiffness};
 use crate::explicit::tuning::{
     BODY_BALL_SHARE, CLOTH_BALL_SHARE, CONTACT_PAIR_GAPS, DISTANCE_FLOOR, DISTANCE_FLOOR_SHARE,
-    DISTANCE_MEASURE_STEPS_MIN, EDGE_GAP_SHARE, HARD_CONTACT, HARD_CONTACT_RELEASE_SHARE, HARD_CONTACT_RELEASE_SPEED,
-    HARD_CONTACT_SHARE, PAIR_LIST_SLACK_MAX, PAIR_LIST_SLACK_MIN, PAIR_LIST_STEPS, PAIR_REACH_GAPS, PAIR_REACH_MAX,
-    PAIR_REACH_MIN, PAIR_REACH_STEPS,
+    DISTANCE_MEASURE_STEPS_MIN, EXPLICIT_EDGE_GAP_SHARE, HARD_CONTACT, HARD_CONTACT_RELEASE_SHARE,
+    HARD_CONTACT_RELEASE_SPEED, HARD_CONTACT_SHARE, PAIR_LIST_SLACK_MAX, PAIR_LIST_SLACK_MIN, PAIR_LIST_STEPS,
+    PAIR_REACH_GAPS, PAIR_REACH_MAX, PAIR_REACH_MIN, PAIR_REACH_STEPS,
 };
 
 /// Share of a ball's radius at which a vertex is put back: slightly inside, so that rounding cannot put it out.
@@ -213,7 +213,7 @@ impl PenaltyContact {
         for g in self.lists.cloth.point_gaps(x) {
             take_cloth_gap(distance, pairs, &self.frame, reach, &g, 1.0);
         }
-        let share = EDGE_GAP_SHARE.get();
+        let share = EXPLICIT_EDGE_GAP_SHARE.get();
         for g in self.lists.cloth.edge_gaps(x) {
             take_cloth_gap(distance, pairs, &self.frame, reach, &g, share);
         }

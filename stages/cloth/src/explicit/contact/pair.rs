@@ -3,7 +3,7 @@
 use crate::Vec3;
 use crate::collision::narrow_phase::candidates::PairGeometry;
 use crate::contact::parameters::ContactParameters;
-use crate::explicit::tuning::{CONTACT_PAIR_GAPS, EDGE_GAP_SHARE};
+use crate::explicit::tuning::{CONTACT_PAIR_GAPS, EXPLICIT_EDGE_GAP_SHARE};
 
 /// Two near primitives and the plane between them. The body's side of a pair has no vertices: it does not move.
 #[derive(Clone, Copy, Debug)]
@@ -99,7 +99,7 @@ pub(crate) fn take_body_gap(
     place: &Vec3,
 ) {
     let l = d.norm();
-    let share = EDGE_GAP_SHARE.get();
+    let share = EXPLICIT_EDGE_GAP_SHARE.get();
     let mut gap = f64::INFINITY;
     for v in vertices {
         let i = v as usize;
