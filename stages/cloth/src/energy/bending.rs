@@ -1,6 +1,6 @@
 //! Bending (class 3 of the paper, its flexion springs), by the curvature of every triangle: E = ½ A Σ D κ².
 //!
-//! The curvature comes from the folds over the edges of a triangle (docs/flexion.md). The form is quadratic in the
+//! The curvature comes from the folds over the edges of a triangle (docs/bending.md). The form is quadratic in the
 //! positions, so its Hessian is constant. It needs lengths only, so it works across seams.
 
 use crate::energy::Energy;

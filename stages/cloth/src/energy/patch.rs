@@ -1,4 +1,4 @@
-//! Curvature of a triangle from the folds of its hinges (docs/flexion.md).
+//! Curvature of a triangle from the folds of its hinges (docs/bending.md).
 //!
 //! It is that of the quadratic surface through the three corners of the triangle and the three corners across its
 //! edges. A uniform curvature is met exactly on any mesh.

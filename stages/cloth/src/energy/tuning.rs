@@ -115,7 +115,7 @@ tuned! {
         larger: "Meshes bend too stiffly.",
         smaller: "Meshes bend too softly.",
         tried: "not recorded",
-        evidence: "Cantilevers on Delaunay meshes shaken by 0 to 0.3 cells stay within 1 % (docs/flexion.md).",
+        evidence: "Cantilevers on Delaunay meshes shaken by 0 to 0.3 cells stay within 1 % (docs/bending.md).",
     }
     /// Added firmness of a triangle in bending per squared softening of its mesh.
     FIRMNESS_QUADRATIC: f64 = 2.5, {
@@ -123,7 +123,7 @@ tuned! {
         larger: "Uneven meshes bend too stiffly.",
         smaller: "Uneven meshes bend too softly.",
         tried: "not recorded",
-        evidence: "Cantilevers on Delaunay meshes shaken by 0.4 cells stay within 2 % (docs/flexion.md).",
+        evidence: "Cantilevers on Delaunay meshes shaken by 0.4 cells stay within 2 % (docs/bending.md).",
     }
     /// Largest softening of a mesh that counts for its firmness.
     FIRMNESS_SOFTENING_MAX: f64 = 0.5, {
@@ -171,7 +171,7 @@ tuned! {
         larger: "More patches fall back to one spring per fold.",
         smaller: "Patches whose six points lie nearly on one conic get huge coefficients.",
         tried: "not recorded",
-        evidence: "No patch of a Delaunay mesh was below it (docs/flexion.md).",
+        evidence: "No patch of a Delaunay mesh was below it (docs/bending.md).",
     }
     /// Change of curvature over which friction in bending builds up, times the bending length.
     FRICTION_BUILD_UP: f64 = 0.02, {

@@ -1,4 +1,4 @@
-//! Multiresolution hierarchy: coarser levels of a scene, made from its own mesh (docs/levels.md).
+//! Multiresolution hierarchy: coarser levels of a scene, made from its own mesh (docs/hierarchy.md).
 //!
 //! Edges are collapsed in the plane of the cloth, the two sides of a seam together. Every vertex that went has a place
 //! on the coarser cloth, from which it is moved.

@@ -19,7 +19,7 @@ tuned! {
         larger: "Folds of the level come out wrong, and the finer cloth keeps them.",
         smaller: "Fewer meshes have a coarser level.",
         tried: "not recorded",
-        evidence: "Above about twice the bending length folds come out wrong (docs/levels.md).",
+        evidence: "Above about twice the bending length folds come out wrong (docs/hierarchy.md).",
     }
     /// Longest mean edge of a level of a drape, over the bending length of its softest fabric.
     LEVEL_EDGE_BENDING_LENGTHS: f64 = 1.3, {

@@ -143,7 +143,7 @@ impl Material {
     /// Rigidity against twist D₆₆, N·m.
     ///
     /// A strip cut on the bias shows its measured rigidity with it. Without a measurement it is Huber's √(B₁ B₂)/2
-    /// (docs/flexion.md).
+    /// (docs/bending.md).
     #[must_use]
     pub fn bend_twist(&self) -> f64 {
         let mean = (self.bend_warp * self.bend_weft).sqrt();
