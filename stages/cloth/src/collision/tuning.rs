@@ -131,7 +131,7 @@ tuned! {
         larger: "More pairs of edges only stop each other and do not push.",
         smaller: "The nearest places of nearly parallel edges jump from end to end, and descents come to no rest.",
         tried: "not recorded",
-        evidence: "A frictionless sleeve on an elliptic tube rested in 0.5 s instead of 50 s (docs/static.md).",
+        evidence: "A frictionless sleeve on an elliptic tube rested in 0.5 s instead of 50 s (docs/lab/2026-11-27-rest-without-time.md).",
     }
     /// Least cosine between the normals of a smooth patch and their mean.
     /// It is also the least part of a triangle's area seen along the mean.

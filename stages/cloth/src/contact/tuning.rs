@@ -12,7 +12,7 @@ tuned! {
         larger: "Cloth under load stays closer to its gap, and the Hessian is worse conditioned.",
         smaller: "Gaps close further under load: at 8, a skirt's gap of 1.25 mm is half closed by 300 Pa.",
         tried: "not recorded",
-        evidence: "With stiffness from weight alone, light tense strips lost their friction (docs/static.md).",
+        evidence: "With stiffness from weight alone, light tense strips lost their friction (docs/lab/2026-11-27-rest-without-time.md).",
     }
     /// Largest second derivative of a contact in the preconditioner, over pressure times activation distance.
     HESSIAN_LIMIT_OF_CONTACT: f64 = 2e6, {
@@ -20,7 +20,7 @@ tuned! {
         larger: "Single precision loses the cloth behind the contact, and steps become worse.",
         smaller: "The preconditioner underestimates stiff contacts, and steps towards them are too long.",
         tried: "not recorded",
-        evidence: "It is 1e5 N/m in a skirt; beyond that single precision loses the cloth behind it (docs/static.md).",
+        evidence: "It is 1e5 N/m in a skirt; beyond that single precision loses the cloth behind it (docs/lab/2026-11-27-rest-without-time.md).",
     }
     /// Largest gap of self-contact over the smallest altitude of the triangles at a vertex.
     SELF_GAP_PER_ALTITUDE: f64 = 0.3, {
@@ -52,7 +52,7 @@ tuned! {
         larger: "More contacts become stiff, and the Hessian is worse conditioned.",
         smaller: "Contacts close further before they are stiffened, and steps get shorter.",
         tried: "not recorded",
-        evidence: "Tens of kPa would close a gap of 0.5 mm to a micrometre without it (docs/static.md).",
+        evidence: "Tens of kPa would close a gap of 0.5 mm to a micrometre without it (docs/lab/2026-11-27-rest-without-time.md).",
     }
     /// Share of its gap at which a stiffened contact holds the load that it had.
     STIFFENING_TARGET: f64 = 0.4, {
@@ -108,7 +108,7 @@ tuned! {
         larger: "More contacts move out, and more rounds follow each other.",
         smaller: "Tight cloth lies deeper in its gap, and its girth is too small.",
         tried: "not recorded",
-        evidence: "A tight sleeve shows its tension within 1 %; without it, 19 % too little (docs/static.md).",
+        evidence: "A tight sleeve shows its tension within 1 %; without it, 19 % too little (docs/lab/2026-11-27-rest-without-time.md).",
     }
     /// The same share for a vertex that began with the load under which it rests.
     GAP_UPDATE_SHARE_WARM: f64 = 0.6, {
@@ -116,7 +116,7 @@ tuned! {
         larger: "A strip pulled round a cylinder is stretched, and slips at each pull.",
         smaller: "Cloth that is draped anew from rest lies deeper in its gap.",
         tried: "0.6 and 0.8",
-        evidence: "The strip round a cylinder lost up to 7 % of its tension at 0.8 (docs/static.md).",
+        evidence: "The strip round a cylinder lost up to 7 % of its tension at 0.8 (docs/lab/2026-11-27-rest-without-time.md).",
     }
     /// Largest increase of a gap to the body.
     GAP_INCREASE_LIMIT: f64 = 1.5, {
@@ -140,7 +140,7 @@ tuned! {
         larger: "Contacts give way along the body before they slide.",
         smaller: "Tangential springs are stiffer, and the Hessian is worse conditioned.",
         tried: "not recorded",
-        evidence: "Strips on a rough floor slipped 4 to 15 % too early without it (docs/static.md).",
+        evidence: "Strips on a rough floor slipped 4 to 15 % too early without it (docs/lab/2026-11-27-rest-without-time.md).",
     }
     /// Share of its slip that a refresh of friction moves the anchor of a contact.
     SLIP_SHARE_PER_REFRESH: f64 = 0.5, {
@@ -148,7 +148,7 @@ tuned! {
         larger: "Steps on the way overshoot, and slip that is kept stays.",
         smaller: "Sliding cloth needs more refreshes to come to rest.",
         tried: "0.5 and 1",
-        evidence: "At 1, one of fifteen pulls round a cylinder came to no rest (docs/static.md).",
+        evidence: "At 1, one of fifteen pulls round a cylinder came to no rest (docs/lab/2026-11-27-rest-without-time.md).",
     }
     /// Largest number of Gauss-Seidel sweeps that share out the friction forces of a start in balance.
     FRICTION_BALANCE_SWEEPS: usize = 2000, {
