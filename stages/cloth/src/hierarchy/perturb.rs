@@ -3,7 +3,7 @@
 //! Even cloth (a cone, a disc, a square) begins on a saddle between all the ways in which it may fold. By rounding
 //! alone it leaves the saddle late: 40,000 triangles took twice the steps on both levels. With a little noise in all
 //! directions it leaves at once. The folds that it then finds differ by less than half a percent in energy
-//! (docs/lab, rest without time).
+//! (docs/book/src/solver.md).
 
 use crate::Scene;
 use crate::hierarchy::tuning::{PERTURBATION, PERTURBATION_AMPLITUDE};

@@ -175,7 +175,7 @@ tuned! {
         larger: "Solves of middle-sized systems take longer.",
         smaller: "Starting a thread costs more than it saves.",
         tried: "not recorded",
-        evidence: "No measurement is kept. Starting a thread takes 0.1 ms (docs/lab, rest without time).",
+        evidence: "No measurement is kept. Starting a thread takes 0.1 ms (docs/lab/2026-11-27-rest-without-time.md).",
     }
     /// Bytes of a factor from which it is put into huge pages; one page has 2 MiB.
     HUGE_PAGE_BYTES_MIN: usize = 8 << 20, {

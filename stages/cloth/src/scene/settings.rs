@@ -16,7 +16,7 @@ pub enum Model {
 /// The integrator of the solver.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Integrator {
-    /// The least energy is sought by a descent, without time (docs/lab, rest without time).
+    /// The least energy is sought by a descent, without time (docs/book/src/solver.md).
     #[default]
     Static,
     /// Explicit central differences with an adaptive step (paper equations 8–14).
@@ -111,7 +111,7 @@ pub struct Settings {
     /// Largest number of threads. Results never depend on it.
     ///
     /// Each part of the cloth that meets no other has one thread, and the factor of a large part has two
-    /// (docs/lab, rest without time).
+    /// (docs/book/src/solver.md).
     pub threads: usize,
 }
 
