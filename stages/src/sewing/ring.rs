@@ -9,7 +9,7 @@ use toile_garment::dart::DartKind;
 /// Positions nearer than this are one (0.001 mm).
 pub const SAME: f64 = 1e-6;
 /// Coordinates are snapped to this grid (0.0001 mm), so that equality is exact.
-const GRID: f64 = 1e-7;
+pub const GRID: f64 = 1e-7;
 /// A spike narrower than this is drawn by mistake (0.02 mm).
 const SPIKE: f64 = 2e-5;
 

@@ -101,22 +101,6 @@ pub fn segments(points: &[Vec2], closed: bool, curve: usize) -> Vec<Segment> {
     (0..count).map(|i| Segment { a: points[i], b: points[(i + 1) % n], curve, index: i }).collect()
 }
 
-/// Even-odd test against closed polygons.
-pub fn inside<'r>(rings: impl Iterator<Item = &'r [Vec2]>, p: Vec2) -> bool {
-    let mut odd = false;
-    for ring in rings {
-        let n = ring.len();
-        for i in 0..n {
-            let (a, b) = (ring[i], ring[(i + 1) % n]);
-            if (a.y > p.y) != (b.y > p.y) {
-                let (lower, upper) = if a.y < b.y { (a, b) } else { (b, a) };
-                odd ^= side(lower, upper, p) > 0.0;
-            }
-        }
-    }
-    odd
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

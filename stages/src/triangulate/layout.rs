@@ -114,11 +114,21 @@ impl Layout {
     pub fn boundary(&self) -> Vec<[u32; 2]> {
         let mut out = Vec::new();
         for (k, (kind, _)) in self.kinds.iter().enumerate().filter(|(_, (kind, _))| kind.bounds_cloth()) {
-            let points: Vec<Vec2> = self.chains[k].iter().map(|v| self.points[*v as usize]).collect();
-            let forward = (super::lines::signed_area(&points) > 0.0) == (*kind == CurveKind::Outline);
+            let forward = (super::lines::signed_area(&self.places(k)) > 0.0) == (*kind == CurveKind::Outline);
             out.extend(self.edges(k).map(|[a, b]| if forward { [a, b] } else { [b, a] }));
         }
         out
+    }
+
+    /// Rings that bound the cloth.
+    pub fn rings(&self) -> Vec<Vec<Vec2>> {
+        let bounds = |k: &usize| self.kinds[*k].0.bounds_cloth();
+        (0..self.chains.len()).filter(bounds).map(|k| self.places(k)).collect()
+    }
+
+    /// Positions of the vertices of a curve.
+    fn places(&self, curve: usize) -> Vec<Vec2> {
+        self.chains[curve].iter().map(|v| self.points[*v as usize]).collect()
     }
 
     /// Segments of the curves that `wanted` asks for.
@@ -134,10 +144,7 @@ impl Layout {
 
     /// Area of the sampled cloth, square metres.
     pub fn area(&self) -> f64 {
-        let area = |k: usize| {
-            let points: Vec<Vec2> = self.chains[k].iter().map(|v| self.points[*v as usize]).collect();
-            super::lines::signed_area(&points).abs()
-        };
+        let area = |k: usize| super::lines::signed_area(&self.places(k)).abs();
         let bounds = |k: &usize| self.kinds[*k].0.bounds_cloth();
         (0..self.chains.len())
             .filter(bounds)

@@ -1,7 +1,8 @@
 //! The curves of one piece: checked rings, and internal lines clipped to the cloth and joined where they meet.
 
-use super::crossing::{Segment, TooComplex, inside, meetings, segments};
+use super::crossing::{Segment, TooComplex, meetings, segments};
 use super::curve::{Curve, CurveKind};
+use super::lyon::covers;
 use crate::sewing::ring::{SAME, clean, snap};
 use crate::sewing::shapes::{PieceShape, mm};
 use toile_garment::dart::DartKind;
@@ -98,8 +99,8 @@ fn check(piece: &Piece, curves: &[Curve]) -> Result<(), Vec<Diagnostic>> {
     if errors.is_empty() {
         for c in &curves[1..] {
             let holes = curves[1..].iter().filter(|d| d.kind != c.kind).map(|d| d.points.as_slice());
-            let outside = !inside(std::iter::once(curves[0].points.as_slice()), c.points[0]);
-            if outside || inside(holes, c.points[0]) {
+            let outside = !covers([curves[0].points.as_slice()], c.points[0]);
+            if outside || covers(holes, c.points[0]) {
                 let where_ = if outside { "lies outside the outline" } else { "lies inside another hole" };
                 let message =
                     format!("piece `{}`: the {} {where_}, at {}", piece.name, what(piece, c.kind), mm(c.points[0]));
@@ -167,7 +168,7 @@ fn add(
     for (from, to) in stretches(&line, &cuts) {
         let part = part(&line, from, to);
         let middle = line.at(from + 0.5 * (to - from));
-        let cloth = inside(curves.iter().filter(|c| c.kind.bounds_cloth()).map(|c| c.points.as_slice()), middle);
+        let cloth = covers(curves.iter().filter(|c| c.kind.bounds_cloth()).map(|c| c.points.as_slice()), middle);
         let length = to - from;
         if !cloth || along_boundary(curves, &part, h) || (length < JOIN * h && !cuts.is_empty()) {
             left_out += length;

@@ -173,8 +173,7 @@ fn mesh_piece(layout: &Layout, piece: &Piece, h: f64, params: &Params) -> Result
         Mesher::Lyon => lyon::fill(layout),
     };
     filled.map_err(|e| match e {
-        FillError::Conflicts(list) => edges_of(layout, &list),
-        FillError::Touches(edge) => edges_of(layout, &[edge]),
+        FillError::Conflicts(list) | FillError::Touches(list) => edges_of(layout, &list),
         FillError::Points => Vec::new(),
     })
 }

@@ -20,8 +20,8 @@ pub type Filled = (Vec<Vec2>, Vec<[u32; 3]>);
 pub enum FillError {
     /// Edges that cross others, as vertex pairs.
     Conflicts(Vec<[u32; 2]>),
-    /// The cloth touches itself at this edge.
-    Touches([u32; 2]),
+    /// The cloth touches itself at one of these edges.
+    Touches(Vec<[u32; 2]>),
     /// Points that coincide.
     Points,
 }
@@ -82,7 +82,7 @@ pub fn cloth(points: &[Vec2], edges: &[[u32; 2]], layout: &Layout) -> Result<Vec
     if !missing.is_empty() {
         return Err(FillError::Conflicts(missing));
     }
-    region::cloth(&hull, &layout.boundary()).map_err(|leak| FillError::Touches(leak.edge))
+    region::cloth(points, &hull, layout).map_err(FillError::Touches)
 }
 
 /// Edges that are no edge of any triangle.
@@ -96,9 +96,10 @@ pub fn missing(triangles: &[[u32; 3]], edges: &[[u32; 2]]) -> Vec<[u32; 2]> {
     edges.iter().copied().filter(|[a, b]| sides.binary_search(&[(*a).min(*b), (*a).max(*b)]).is_err()).collect()
 }
 
-/// Middle of the bounding box.
-fn middle(points: &[Vec2]) -> Vec2 {
-    let (mut low, mut high) = (points[0], points[0]);
+/// Middle of the bounding box; the origin where there is no point.
+pub fn middle(points: &[Vec2]) -> Vec2 {
+    let first = points.first().copied().unwrap_or_default();
+    let (mut low, mut high) = (first, first);
     for p in points {
         low = low.inf(p);
         high = high.sup(p);

@@ -1,28 +1,19 @@
-//! The only place that knows lyon: paths from layouts, its fill rule and its tessellator (f32), vertices back by id.
+//! The draft mesh: lyon's tessellation of a layout, with the layout's own vertices by their ids.
 
-use super::layout::Layout;
-use super::regular::{FillError, Filled};
-use super::smooth::cross;
-use lyon::math::{Point, point};
-use lyon::path::{FillRule, Path};
+use super::super::layout::Layout;
+use super::super::regular::{FillError, Filled, middle};
+use super::super::smooth::cross;
+use super::Frame;
+use super::fill_rule::RULE;
+use crate::sewing::ring::snap;
+use lyon::path::Path;
 use lyon::tessellation::{
     FillGeometryBuilder, FillOptions, FillTessellator, FillVertex, GeometryBuilder, GeometryBuilderError, VertexId,
 };
-use toile_garment::Vec2;
-
-/// Millimetres about the middle of the piece: f32 keeps a ten-thousandth of a millimetre there.
-struct Frame(Vec2);
-
-impl Frame {
-    fn to(&self, p: Vec2) -> Point {
-        let d = (p - self.0) * 1e3;
-        point(d.x as f32, d.y as f32)
-    }
-}
 
 /// The closed boundary of a layout as a path, and the vertex of every endpoint in path order.
 fn path(layout: &Layout) -> (Path, Vec<u32>) {
-    let frame = Frame(layout.points.first().copied().unwrap_or_default());
+    let frame = Frame(snap(middle(&layout.points)));
     let mut builder = Path::builder();
     let mut ids = Vec::new();
     for (k, _) in layout.kinds.iter().enumerate().filter(|(_, (kind, _))| kind.bounds_cloth()) {
@@ -83,7 +74,7 @@ pub fn fill(layout: &Layout) -> Result<Filled, FillError> {
         .zip(ids)
         .collect();
     let mut out = Collector { of_endpoint, vertices: Vec::new(), triangles: Vec::new() };
-    let options = FillOptions::default().with_fill_rule(FillRule::EvenOdd).with_tolerance(1e-3);
+    let options = FillOptions::default().with_fill_rule(RULE).with_tolerance(1e-3);
     FillTessellator::new()
         .tessellate_with_ids(path.id_iter(), &path, None, &options, &mut out)
         .map_err(|_| FillError::Points)?;

@@ -1,0 +1,71 @@
+//! What lyon decides, and what it measurably cannot.
+
+use super::*;
+use crate::testing::{one, rectangle, run};
+use crate::triangulate::curve::CurveKind;
+use crate::triangulate::layout::Layout;
+use crate::triangulate::{Mesher, Params, Triangulate, regular};
+
+fn ring(points: &[(f64, f64)]) -> Vec<Vec2> {
+    points.iter().map(|(x, y)| Vec2::new(*x, *y) * 1e-3).collect()
+}
+
+#[test]
+fn a_hole_is_no_cloth_and_an_island_in_it_is() {
+    let square = |r: f64| ring(&[(-r, -r), (r, -r), (r, r), (-r, r)]);
+    let rings = [square(100.0), square(50.0), square(10.0)];
+    let at = |x: f64| covers(rings.iter().map(Vec::as_slice), Vec2::new(x, 0.001) * 1e-3);
+    assert_eq!([0.0, 30.0, 70.0, 120.0, -30.0, -70.0, -120.0].map(at), [true, false, true, false, false, true, false]);
+}
+
+/// A ring runs over the place of a point by a ten-thousandth of a millimetre, two metres from the origin.
+#[test]
+fn a_grid_step_beside_the_line_is_told() {
+    let triangle = ring(&[(2000.0, 0.0), (2300.0, 0.0), (2300.0, 100.0)]);
+    let on = |above: f64| covers([triangle.as_slice()], Vec2::new(2.15, 0.05 + above));
+    assert!(on(-GRID) && !on(GRID));
+}
+
+/// A front of 0.7 m, slashed 110 mm deep and 0.2 mm wide.
+fn slashed() -> Layout {
+    let points = ring(&[
+        (340.9058, 0.0),
+        (256.5881, 256.5881),
+        (0.0, 0.2676),
+        (-113.2178, 113.3517),
+        (-34.8055, 34.8465),
+        (-113.3782, 113.5119),
+        (-226.596, 226.596),
+        (-368.2766, 0.0),
+        (-142.9327, -142.9327),
+        (0.0, -247.4903),
+        (164.534, -164.534),
+    ]);
+    let chain = (0..points.len() as u32).collect();
+    Layout { points, chains: vec![chain], kinds: vec![(CurveKind::Outline, true)], ..Layout::default() }
+}
+
+/// The reason why the mesh that is draped does not start from lyon's tessellation: it loses an edge of this outline,
+/// although every point is exact in `f32`. The constrained triangulation keeps all edges.
+#[test]
+fn the_tessellation_loses_an_edge_beside_a_narrow_slit() {
+    let layout = slashed();
+    let (edges, repeated) = layout.all_edges();
+    assert!(repeated.is_empty());
+    let lost = |triangles: &[[u32; 3]]| {
+        let sides = |[a, b]: [u32; 2]| triangles.iter().filter(|t| t.contains(&a) && t.contains(&b)).count();
+        edges.iter().filter(|edge| sides(**edge) != 1).count()
+    };
+    assert_eq!(lost(&regular::cloth(&layout.points, &edges, &layout).expect("mesh")), 0);
+    let draft = fill(&layout).expect("draft");
+    assert!(lost(&draft.1) > 0, "lyon can be what the mesher starts from");
+}
+
+/// The draft has the area of the outline: its points are exact in `f32`.
+#[test]
+fn the_draft_keeps_the_area() {
+    let params = Params { mesher: Mesher::Lyon, ..Params::default() };
+    let (garment, _) = run(&Triangulate, &params, one(rectangle(0, "r", 613.7, 291.3))).expect("draft");
+    let area = garment.pieces[0].mesh.as_ref().expect("mesh").area();
+    assert!((area / (0.6137 * 0.2913) - 1.0).abs() < 1e-12, "{area}");
+}
