@@ -84,6 +84,15 @@ impl Curve {
         along(self.points[i], self.points[(i + 1) % n], self.arc[i], self.arc[i + 1], s)
     }
 
+    /// Points from one position to a later one: both ends, and the drawn points between.
+    pub fn between(&self, from: f64, to: f64) -> Vec<Vec2> {
+        let ahead = |(p, s): (&Vec2, &f64)| (self.ahead(from, *s), *p);
+        let mut inner: Vec<(f64, Vec2)> = self.points.iter().zip(&self.arc).map(ahead).collect();
+        inner.retain(|(d, _)| *d > SAME && *d < to - from - SAME);
+        inner.sort_by(|a, b| a.0.total_cmp(&b.0));
+        std::iter::once(self.at(from)).chain(inner.into_iter().map(|(_, p)| p)).chain([self.at(to)]).collect()
+    }
+
     /// Nearest position and its distance.
     pub fn project(&self, p: Vec2) -> (f64, f64) {
         nearest_on(&self.points, &self.arc, self.closed, p)

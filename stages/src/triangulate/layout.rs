@@ -3,6 +3,7 @@
 use super::counts::Counts;
 use super::crossing::Segment;
 use super::curve::{Curve, CurveKind};
+use super::lyon::places_along;
 use crate::sewing::ring::{SAME, snap};
 use std::collections::BTreeMap;
 use toile_garment::Vec2;
@@ -57,8 +58,9 @@ pub fn layout(piece: usize, curves: &[Curve], counts: &Counts) -> Layout {
         let (mut chain, mut stretch, mut at_break) = (Vec::new(), Vec::new(), Vec::new());
         for s in 0..c.stretches() {
             let (from, length) = c.stretch(s);
-            for (j, share) in counts.cuts((piece, k), s).into_iter().enumerate() {
-                let v = table.vertex(c.at(from + length * share));
+            let places = places_along(&c.between(from, from + length), &counts.cuts((piece, k), s));
+            for (j, place) in places.into_iter().enumerate() {
+                let v = table.vertex(place);
                 if j == 0 {
                     at_break.push(v);
                 }

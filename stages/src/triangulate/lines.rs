@@ -244,15 +244,7 @@ fn part(line: &Curve, from: f64, to: f64) -> Vec<Vec2> {
     if line.closed && from == 0.0 && to == line.total() {
         return line.points.clone();
     }
-    let mut inner: Vec<(f64, Vec2)> = Vec::new();
-    for (p, s) in line.points.iter().zip(&line.arc) {
-        let d = if line.closed { line.ahead(from, *s) } else { s - from };
-        if d > SAME && d < to - from - SAME {
-            inner.push((d, *p));
-        }
-    }
-    inner.sort_by(|a, b| a.0.total_cmp(&b.0));
-    std::iter::once(line.at(from)).chain(inner.into_iter().map(|(_, p)| p)).chain([line.at(to)]).collect()
+    line.between(from, to)
 }
 
 /// Does the line run on the boundary all along?

@@ -78,7 +78,7 @@ impl Stage for Triangulate {
         "meshes every piece; lines become chains of edges, seam sides and dart legs get equal counts",
         &[Aspect::Pieces],
         &[Aspect::Mesh],
-        1,
+        2,
     );
 
     const KNOBS: &'static [Knob] = &[Knob::in_place_of("triangles", Meaning::EdgeLength, "edge_length")];

@@ -1,6 +1,6 @@
 //! lyon's even-odd rule at one point: is there cloth?
 
-use super::Frame;
+use super::{Frame, NO_CURVES};
 use lyon::algorithms::hit_test::hit_test_path;
 use lyon::math::Point;
 use lyon::path::{FillRule, PathEvent};
@@ -8,9 +8,6 @@ use toile_garment::Vec2;
 
 /// The rule that decides cloth: what one ring encloses is cloth, and a ring within it takes it away again.
 pub const RULE: FillRule = FillRule::EvenOdd;
-
-/// The test flattens no curve: all rings are polygons.
-const NO_CURVES: f32 = 1.0;
 
 /// Tells whether the cloth that closed rings bound covers a point.
 ///

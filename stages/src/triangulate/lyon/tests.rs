@@ -69,3 +69,45 @@ fn the_draft_keeps_the_area() {
     let area = garment.pieces[0].mesh.as_ref().expect("mesh").area();
     assert!((area / (0.6137 * 0.2913) - 1.0).abs() < 1e-12, "{area}");
 }
+
+/// A wavy line of 1.4 m, in steps of about 3 mm.
+fn wave() -> Vec<Vec2> {
+    (0..400).map(|i| Vec2::new(3.3e-3 * f64::from(i), 0.02 * libm::sin(0.07 * f64::from(i)))).collect()
+}
+
+#[test]
+fn places_keep_to_the_grid_along_a_stretch() {
+    let wave = wave();
+    let stretch = &wave[..120];
+    let arc = crate::sewing::ring::arcs(stretch, false);
+    let shares: Vec<f64> = (0..50).map(|k| f64::from(k) / 50.0).collect();
+    let places = places_along(stretch, &shares);
+    assert_eq!(places[0], stretch[0]);
+    for (share, place) in shares.iter().zip(&places) {
+        let s = share * arc[arc.len() - 1];
+        let i = arc.partition_point(|a| *a <= s) - 1;
+        let exact = crate::sewing::ring::along(stretch[i], stretch[i + 1], arc[i], arc[i + 1], s);
+        assert!((place - exact).norm() < 2.5 * GRID, "{}", (place - exact).norm());
+    }
+    assert!(places_along(&[], &shares).is_empty());
+    assert_eq!(places_along(&[stretch[7]; 3], &[0.0, 0.5]), [stretch[7]; 2]);
+}
+
+/// The reason why positions of notches and seam ends are measured in `f64`: over a long line lyon's sum of lengths is
+/// farther off than two places may be that are one.
+#[test]
+fn lengths_drift_over_a_whole_outline() {
+    use lyon::algorithms::length::approximate_length;
+    let there_and_back: Vec<Vec2> = wave().into_iter().chain(wave().into_iter().rev()).collect();
+    let arc = crate::sewing::ring::arcs(&there_and_back, false);
+    let mut path = lyon::path::Path::builder();
+    let frame = Frame(there_and_back[0]);
+    path.begin(frame.to(there_and_back[0]));
+    for p in &there_and_back[1..] {
+        path.line_to(frame.to(*p));
+    }
+    path.end(false);
+    let length = f64::from(approximate_length(&path.build(), NO_CURVES)) * GRID;
+    let drift = (length - arc[arc.len() - 1]).abs();
+    assert!(drift > crate::sewing::ring::SAME, "lyon can measure whole outlines: {drift}");
+}
