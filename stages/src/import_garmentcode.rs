@@ -39,7 +39,7 @@ impl Stage for ImportGarmentcode {
         "reads pieces, places, seams and darts of a GarmentCode specification",
         &[],
         &[Aspect::Pieces],
-        1,
+        2,
     );
 
     fn forecast(

@@ -1,7 +1,10 @@
 //! One edge as points: straight, Bézier or an arc of a circle.
+//!
+//! lyon flattens the Béziers, in `f64`. Arcs are turned here: lyon would ask the platform for sines and cosines.
 
 use super::spec::Curve;
 use crate::dxf::geom::rotate;
+use lyon::geom::{CubicBezierSegment, LineSegment, Point, QuadraticBezierSegment};
 use toile_garment::Vec2;
 
 /// Most chords of an edge.
@@ -15,34 +18,37 @@ pub fn points(a: Vec2, b: Vec2, curve: &Curve, relative: bool, flatness: f64) ->
     let control = |p: &Vec2| if relative { a + (b - a) * p.x + Vec2::new(a.y - b.y, b.x - a.x) * p.y } else { *p };
     match curve {
         Curve::Straight => Ok(vec![a]),
-        Curve::Bezier(list) => {
-            let mut hull = vec![a];
-            hull.extend(list.iter().map(control));
-            hull.push(b);
-            let n = chords(&hull, flatness);
-            Ok((0..n).map(|k| bezier(&hull, k as f64 / n as f64)).collect())
+        Curve::Quadratic(p) => {
+            let [from, ctrl, to] = [a, control(p), b].map(point);
+            let curve = QuadraticBezierSegment { from, ctrl, to };
+            Ok(chords(|chord| curve.for_each_flattened(tolerance(&[from, ctrl, to], flatness), &mut |c: &_| chord(c))))
+        }
+        Curve::Cubic(p, q) => {
+            let [from, ctrl1, ctrl2, to] = [a, control(p), control(q), b].map(point);
+            let curve = CubicBezierSegment { from, ctrl1, ctrl2, to };
+            Ok(chords(|chord| {
+                curve.for_each_flattened(tolerance(&[from, ctrl1, ctrl2, to], flatness), &mut |c: &_| chord(c))
+            }))
         }
         Curve::Arc { radius, large, right } => arc(a, b, *radius, *large, *right, flatness),
     }
 }
 
-/// De Casteljau.
-fn bezier(hull: &[Vec2], t: f64) -> Vec2 {
-    let mut d = hull.to_vec();
-    for r in 1..d.len() {
-        for i in 0..d.len() - r {
-            d[i] = d[i] * (1.0 - t) + d[i + 1] * t;
-        }
-    }
-    d[0]
+fn point(p: Vec2) -> Point<f64> {
+    Point::new(p.x, p.y)
 }
 
-/// Equal steps so that every chord keeps within `flatness`: the second difference of the hull bounds the bend.
-fn chords(hull: &[Vec2], flatness: f64) -> usize {
-    let degree = (hull.len() - 1) as f64;
-    let bend = hull.windows(3).map(|w| (w[0] - w[1] * 2.0 + w[2]).norm()).fold(0.0, f64::max);
-    let n = libm::ceil(libm::sqrt(degree * (degree - 1.0) * bend / (8.0 * flatness.max(1e-9))));
-    if n.is_finite() { (n as usize).clamp(4, CHORDS) } else { CHORDS }
+/// The flatness; for a curve of many metres so much more that its chords stay under [`CHORDS`].
+fn tolerance(hull: &[Point<f64>], flatness: f64) -> f64 {
+    let length: f64 = hull.windows(2).map(|w| (w[1] - w[0]).length()).sum();
+    flatness.max(1e-6 * length).max(1e-9)
+}
+
+/// Where the chords of a flattened curve start.
+fn chords(flatten: impl FnOnce(&mut dyn FnMut(&LineSegment<f64>))) -> Vec<Vec2> {
+    let mut out = Vec::new();
+    flatten(&mut |chord| out.push(Vec2::new(chord.from.x, chord.from.y)));
+    out
 }
 
 /// An arc from `a` to `b`; `right`: counter-clockwise, so that it bulges to the right of the way.

@@ -41,7 +41,8 @@ pub struct Edge {
 #[derive(Debug, Clone, PartialEq)]
 pub enum Curve {
     Straight,
-    Bezier(Vec<Vec2>),
+    Quadratic(Vec2),
+    Cubic(Vec2, Vec2),
     Arc { radius: f64, large: bool, right: bool },
 }
 
@@ -187,12 +188,12 @@ fn edge(value: &Value, count: usize, place: &str, r: &mut Reader) -> Option<Edge
 /// `[x, y]` of the older form, or `{type, params}`.
 fn curve(value: &Value, place: &str, r: &mut Reader) -> Option<Curve> {
     if value.is_array() {
-        return Some(Curve::Bezier(vec![r.point(value, place)?]));
+        return Some(Curve::Quadratic(r.point(value, place)?));
     }
     let params = value.get("params").and_then(Value::as_array).map_or(&[] as &[Value], Vec::as_slice);
     match (value.get("type").and_then(Value::as_str), params) {
-        (Some("quadratic"), [p]) => Some(Curve::Bezier(vec![r.point(p, place)?])),
-        (Some("cubic"), [p, q]) => Some(Curve::Bezier(vec![r.point(p, place)?, r.point(q, place)?])),
+        (Some("quadratic"), [p]) => Some(Curve::Quadratic(r.point(p, place)?)),
+        (Some("cubic"), [p, q]) => Some(Curve::Cubic(r.point(p, place)?, r.point(q, place)?)),
         (Some("circle"), [radius, large, right]) => {
             let truth = |v: &Value| v.as_bool().unwrap_or_else(|| v.as_f64().is_some_and(|n| n != 0.0));
             let radius = r.number(radius, place)?;
