@@ -1,8 +1,8 @@
 //! The only place of this package that knows lyon.
 //!
-//! Its fill rule tells cloth from holes and intakes. Its measurements of paths place the vertices along every stretch of
-//! a line. Its tessellator makes the draft mesh. lyon computes in `f32`, so every path lies in a frame of its own, in
-//! steps of the grid that the points of a pattern are snapped to.
+//! Its fill rule tells cloth from holes and intakes. Its measurements of paths place the vertices along every stretch
+//! of a line. Its tessellator makes the draft mesh. lyon computes in `f32`, so every path lies in a frame of its own,
+//! in steps of the grid that the points of a pattern are snapped to.
 //!
 //! Its tessellation is no ground for the mesh that is draped: a slit of 0.2 mm costs it an edge of the outline (see the
 //! tests).
