@@ -7,7 +7,7 @@ pub(crate) const EFFECT: Effect = Effect {
     feature: None,
     is_built: true,
     rule: "a fabric has a limit",
-    page: "static.md",
+    page: "coupled.md",
     switch: Some(|s| s.effects.strain_limit),
     called_for: |facts, _| facts.strain_limit.is_finite(),
     evidence: |facts, _| {
