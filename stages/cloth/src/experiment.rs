@@ -1,6 +1,6 @@
 //! All tuned numbers and mechanisms of the solver in one table, and experiments with them.
 //!
-//! `docs/tuning.md` is generated from [`table`]. A build with the feature `experiments` also has [`begin`], which reads an
+//! `docs/tuning.md` is generated from [`table`]. A build with the feature `experiments` also has `begin`, which reads an
 //! experiment file:
 //!
 //! ```toml
