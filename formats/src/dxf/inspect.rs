@@ -1,4 +1,4 @@
-//! What is in a file: JSON (contracts §3) and a table for people.
+//! The contents of a file, as JSON and as a table for people.
 
 use super::darts::{DrawnDart, Form, Pleat};
 use super::garment::to_piece;
@@ -20,7 +20,7 @@ pub struct Inspection {
     pub pattern: Pattern,
     /// One garment piece per drawn piece and size, unfolded: its edges are the ones the sewing file counts.
     pub pieces: Vec<Piece>,
-    /// Facts by the keys of contracts §3.
+    /// Facts of the file by the keys of `toile inspect --json`.
     pub json: Value,
     /// The same as a table.
     pub text: String,
