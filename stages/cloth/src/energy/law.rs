@@ -81,7 +81,7 @@ impl Law {
     fn cell(&self, strain: f64) -> &Cell {
         let u = strain * self.inverse_step;
         let last = self.cells.len() - 1;
-        &self.cells[if u > 0.0 { (u as usize + 1).min(last) } else { 0 }]
+        &self.cells[if u > 0.0 { (u as usize).saturating_add(1).min(last) } else { 0 }]
     }
 
     /// Tension, N/m, and energy, J/m².
