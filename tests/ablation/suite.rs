@@ -30,16 +30,6 @@ pub struct Figures {
     pub energy: Option<f64>,
 }
 
-impl Figures {
-    pub fn sewing(&self) -> Option<f64> {
-        self.sewing
-    }
-
-    pub fn draping(&self) -> Option<f64> {
-        self.draping
-    }
-}
-
 /// All cases that the options ask for, in a fixed order.
 pub fn cases(options: &Options) -> Vec<Case> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));

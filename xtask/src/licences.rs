@@ -59,46 +59,8 @@ fn mistake(rules: &Rules, of: &Dependency) -> Option<String> {
 
 /// Is an expression such as `(MIT OR Apache-2.0) AND Zlib` met by the allowed licences?
 fn allowed(licences: &[String], expression: &str) -> bool {
-    let expression = expression.replace('/', " OR ").replace('(', " ( ").replace(')', " ) ");
-    let words: Vec<&str> = expression.split_whitespace().collect();
-    let mut at = 0;
-    let met = either(licences, &words, &mut at);
-    met && at == words.len()
-}
-
-fn either(licences: &[String], words: &[&str], at: &mut usize) -> bool {
-    let mut met = both(licences, words, at);
-    while words.get(*at) == Some(&"OR") {
-        *at += 1;
-        met |= both(licences, words, at);
-    }
-    met
-}
-
-fn both(licences: &[String], words: &[&str], at: &mut usize) -> bool {
-    let mut met = one(licences, words, at);
-    while words.get(*at) == Some(&"AND") {
-        *at += 1;
-        met &= one(licences, words, at);
-    }
-    met
-}
-
-fn one(licences: &[String], words: &[&str], at: &mut usize) -> bool {
-    let Some(word) = words.get(*at) else { return false };
-    *at += 1;
-    if *word == "(" {
-        let met = either(licences, words, at);
-        let closed = words.get(*at) == Some(&")");
-        *at += 1;
-        return met && closed;
-    }
-    let mut name = (*word).to_owned();
-    if words.get(*at) == Some(&"WITH") {
-        name = format!("{name} WITH {}", words.get(*at + 1).unwrap_or(&""));
-        *at += 2;
-    }
-    licences.contains(&name)
+    let expression = spdx::Expression::parse_mode(expression, spdx::ParseMode::LAX);
+    expression.is_ok_and(|e| e.evaluate(|licence| licences.contains(&licence.to_string())))
 }
 
 #[cfg(test)]

@@ -13,7 +13,7 @@ use serde_json::{Map, Value, json};
 use std::fmt::Write as _;
 use toile_garment::{Diagnostic, Piece, Severity, Vec2};
 
-/// What is in a file.
+/// The contents of a file.
 #[derive(Clone, Debug)]
 pub struct Inspection {
     /// The pattern as read.
@@ -34,7 +34,7 @@ pub fn inspect(bytes: &[u8], file: &str, rul: Option<&[u8]>) -> Result<Inspectio
     inspect_with(bytes, file, rul, &ReadOptions::default())
 }
 
-/// As [`inspect`], with the user's own layers and unit.
+/// Inspects a file as [`inspect`] does, with the user's own layers and unit.
 ///
 /// # Errors
 /// All findings, at least one of them an error.

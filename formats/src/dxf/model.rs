@@ -40,7 +40,7 @@ pub struct Block {
     pub base: Vec2,
     /// Line of `BLOCK`.
     pub line: u64,
-    /// What it holds.
+    /// Entities of the block.
     pub entities: Vec<Entity>,
 }
 
@@ -53,7 +53,7 @@ pub struct Entity {
     pub layer: String,
     /// Line of its group code 0.
     pub line: u64,
-    /// What it is.
+    /// Kind and geometry.
     pub shape: Shape,
     /// Codes this reader has no use for, kept with their text.
     pub other: Vec<(i32, String)>,
@@ -85,7 +85,7 @@ pub struct Spline {
     pub fit: Vec<Vec2>,
 }
 
-/// What an entity is.
+/// Kind and geometry of an entity.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
     /// POLYLINE with its VERTEXes, or LWPOLYLINE.
@@ -94,7 +94,7 @@ pub enum Shape {
         vertices: Vec<Vertex>,
         /// Closed by flag.
         closed: bool,
-        /// Is it an LWPOLYLINE?
+        /// True for an LWPOLYLINE.
         light: bool,
     },
     /// LINE.

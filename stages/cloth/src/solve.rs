@@ -12,8 +12,9 @@ use crate::{dynamics, explicit, optimize, sewing};
 /// All of the work.
 const WHOLE: [f64; 2] = [0.0, 1.0];
 
-/// Closes the stitches: the paper's dynamic system with sewing forces, until every pair is closer than the sewing
-/// distance and the elastic energy rests. Pairs that came close are joined exactly (gap 0).
+/// Closes the stitches until every pair is closer than the sewing distance. Pairs that came close are joined exactly (gap 0).
+/// The equilibrium solver sews by a penalty with force continuation; where it finds no way, the paper's dynamic system with
+/// sewing forces takes its place.
 ///
 /// # Errors
 /// An unusable scene or setting, a start that crosses, instability, or a stop on request.

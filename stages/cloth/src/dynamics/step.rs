@@ -4,6 +4,7 @@
 use crate::collision::narrow_phase::candidates::PairGeometry;
 use crate::collision::narrow_phase::pair_kind::PairKind;
 use crate::contact::barrier::Barrier;
+use crate::contact::tuning::EDGE_GAP_SHARE;
 use crate::dynamics::attachments::Hook;
 use crate::dynamics::tuning::{
     BODY_IDLE_PARTS_MOST, BODY_PART_LEAST, BODY_PARTS_MOST, GIVING_WAY_STEPS, OFF_COURSE_EDGES, STAGE_BLOCK_END_PART,
@@ -34,6 +35,15 @@ pub(crate) struct Stepper<'a> {
 /// The end of a descent in a stage: the longest move of a step that still counts, m, and the τ of the regularisation, s².
 type StageGoal = (f64, f64);
 
+/// A stage on its way: its end, and the step of implicit Euler that may take its place.
+struct Stage {
+    goal: StageGoal,
+    /// The step of implicit Euler, until it is taken.
+    plain: Option<Inert>,
+    /// Has it taken the place of the stage?
+    rough: bool,
+}
+
 impl Stepper<'_> {
     /// Solves a stage that starts with the displacements `guess`; `body` holds the vertices of the body at its end. Where the
     /// cloth runs into something, or the stage does not come to its end, the step `plain` of implicit Euler is solved instead.
@@ -44,23 +54,22 @@ impl Stepper<'_> {
     pub fn solve(
         &mut self,
         inert: Inert,
-        mut plain: Option<Inert>,
-        guess: Vec<Vec3>,
+        plain: Option<Inert>,
+        mut guess: Vec<Vec3>,
         body: Option<&[Vec3]>,
         now: f64,
     ) -> Result<bool, ClothError> {
-        let mut goal = self.goal(&inert);
+        let mut stage = Stage { goal: self.goal(&inert), plain, rough: false };
         self.descent.refresh_lagged_forces();
         self.set_inertia(inert);
         if self.descent.factorisations() == 0 && !self.hooks.is_empty() {
-            self.descent.regularization.tau = goal.1;
+            self.descent.regularization.tau = stage.goal.1;
             self.descent.check_energy()?;
             self.descent.precondition()?;
         }
-        let (mut guess, mut rough) = (guess, false);
         let (mut idle, mut parts) = (0, 0);
         loop {
-            let part = self.come(guess, body, parts < BODY_PARTS_MOST.get(), &mut plain, &mut goal, &mut rough);
+            let part = self.come(guess, body, parts < BODY_PARTS_MOST.get(), &mut stage);
             if part >= 1.0 || body.is_none() {
                 break;
             }
@@ -73,18 +82,24 @@ impl Stepper<'_> {
             if idle > 0 {
                 self.descent.stiffen_tight_contacts();
             }
-            self.relax(goal, 1, GIVING_WAY_STEPS.get())?;
+            self.relax(stage.goal, 1, GIVING_WAY_STEPS.get())?;
             guess = vec![Vec3::zeros(); self.descent.x.len()];
         }
         let steps = self.descent.block_steps(BLOCK_STEPS.get());
-        let mut ended = self.relax(goal, STAGE_FACTORISATIONS_MOST.get(), steps)?;
-        if !ended && let Some(p) = plain.take() {
-            (goal, rough) = (self.goal(&p), true);
+        let mut ended = self.relax(stage.goal, STAGE_FACTORISATIONS_MOST.get(), steps)?;
+        if !ended && let Some(p) = self.take_plain(&mut stage) {
             self.set_inertia(p);
-            ended = self.relax(goal, STAGE_FACTORISATIONS_MOST.get(), steps)?;
+            ended = self.relax(stage.goal, STAGE_FACTORISATIONS_MOST.get(), steps)?;
         }
         self.unfinished += u64::from(!ended);
-        Ok(rough)
+        Ok(stage.rough)
+    }
+
+    /// The step of implicit Euler takes the place of the stage, if it has not yet.
+    fn take_plain(&self, stage: &mut Stage) -> Option<Inert> {
+        let plain = stage.plain.take()?;
+        (stage.goal, stage.rough) = (self.goal(&plain), true);
+        Some(plain)
     }
 
     fn goal(&self, inert: &Inert) -> StageGoal {
@@ -99,17 +114,8 @@ impl Stepper<'_> {
     }
 
     /// Moves cloth, held vertices and body together as far as nothing crosses, and with `care` as far as nothing tears. Where
-    /// that is only a part of the way, `plain` takes the place of the stage. Returns the part.
-    fn come(
-        &mut self,
-        guess: Vec<Vec3>,
-        to: Option<&[Vec3]>,
-        care: bool,
-        plain: &mut Option<Inert>,
-        goal: &mut StageGoal,
-        rough: &mut bool,
-    ) -> f64 {
-        let mut step = guess;
+    /// that is only a part of the way, the step of implicit Euler takes the place of the stage. Returns the part.
+    fn come(&mut self, mut step: Vec<Vec3>, to: Option<&[Vec3]>, care: bool, stage: &mut Stage) -> f64 {
         let led = self.take_along(&mut step, to);
         let untorn = led.filter(|_| care).map_or(1.0, |far| self.untorn(&step, far));
         step.iter_mut().for_each(|s| *s *= untorn);
@@ -123,10 +129,7 @@ impl Stepper<'_> {
             None => 1.0,
         };
         let part = free * untorn;
-        let inert = if part < 1.0 { plain.take() } else { None };
-        if let Some(p) = &inert {
-            (*goal, *rough) = (self.goal(p), true);
-        }
+        let inert = if part < 1.0 { self.take_plain(stage) } else { None };
         self.arrive(&step, way.as_deref(), free, inert);
         part
     }
@@ -291,8 +294,9 @@ fn give_way(barrier: &Barrier, x: &[Vec3], step: &mut [Vec3], way: &[Vec3], free
     let Some(body) = &barrier.body else { return };
     let near = &barrier.lists.body;
     let points = near.point_gaps(x, body).map(|(g, _)| (PairKind::VertexBodyTriangle, 1, 1.0, g));
-    let edges = near.edge_gaps(x, body).map(|(g, _)| (PairKind::EdgeBodyEdge, 2, 0.5, g));
-    let faces = near.face_gaps(x, body).map(|(g, _)| (PairKind::TriangleBodyVertex, 3, 0.5, g));
+    let edge_share = EDGE_GAP_SHARE.get();
+    let edges = near.edge_gaps(x, body).map(|(g, _)| (PairKind::EdgeBodyEdge, 2, edge_share, g));
+    let faces = near.face_gaps(x, body).map(|(g, _)| (PairKind::TriangleBodyVertex, 3, edge_share, g));
     for (kind, count, share, PairGeometry { vertices, weights, separation: d, .. }) in points.chain(edges).chain(faces)
     {
         let distance = d.norm();

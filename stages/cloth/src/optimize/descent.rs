@@ -168,7 +168,8 @@ impl<'a> Descent<'a> {
         }
     }
 
-    /// Lists and bounds of collision detection. No use of them changes the energy at a place.
+    /// Lists and bounds of collision detection. A caller updates lists by it and asks for bounds; a change of the energy goes
+    /// through [`Self::change`].
     pub fn detection(&mut self) -> Option<&mut Barrier> {
         self.objective.terms.barrier.as_mut()
     }
@@ -228,7 +229,7 @@ impl<'a> Descent<'a> {
         self.objective.pins_placed(&self.x)
     }
 
-    /// Holds the held vertices where they are.
+    /// Holds the held vertices where they are. No term of the energy reads their places, so nothing becomes invalid.
     pub fn hold_pins_here(&mut self) {
         let x = &self.x;
         self.objective.unknowns.pins.iter_mut().for_each(|(v, at)| *at = x[*v as usize]);
@@ -258,7 +259,7 @@ impl<'a> Descent<'a> {
         Ok(())
     }
 
-    /// Takes the terms of the objective apart, for forces that lag behind the positions.
+    /// Refreshes the forces that lag behind the positions: friction in contacts and in bending, and pressure.
     pub fn refresh_lagged_forces(&mut self) {
         self.change(|objective, x| {
             let mut lap = Lap::start();

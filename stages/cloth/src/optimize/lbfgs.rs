@@ -1,4 +1,4 @@
-//! Limited-memory BFGS around a given metric (Nocedal and Wright, Numerical Optimization, algorithm 7.4).
+//! Limited-memory BFGS around a given preconditioner (Nocedal and Wright, Numerical Optimization, algorithm 7.4).
 
 use crate::Vec3;
 use crate::optimize::tuning::LBFGS_PAIRS;
@@ -29,7 +29,7 @@ impl Lbfgs {
         }
     }
 
-    /// The direction for forces `f`: the metric's solution, corrected by the pairs.
+    /// The direction for forces `f`: the preconditioner's solution, corrected by the pairs.
     pub fn direction(&self, f: &[Vec3], solve: impl FnOnce(&mut [Vec3])) -> Vec<Vec3> {
         let mut q = f.to_vec();
         let mut shares = Vec::with_capacity(self.pairs.len());

@@ -17,10 +17,10 @@ use crate::optimize::tuning::{ADAPTIVE_STIFFNESS, BLOCK_STEPS, STRAIN_LIMIT_HOMO
 use crate::sewing::initial_guess;
 use crate::sewing::tuning::{
     CLOSED_GAP, DRAWN_SHUT_GAP, GATHERED_GAP, GATHERING_IDLE_MOST, GATHERING_REACH, GATHERING_TAU_MOST, INITIAL_GUESS,
-    SEWING_FORCE_FACTOR, SEWING_FORCE_FIRST, SEWING_FORCE_MOST, SEWING_FORCE_TIGHT, SEWING_GAP_PROGRESS,
-    SEWING_STEP_CAP_EDGES, SEWING_STEP_GROWTH, SEWN_ENERGY_SHARE, STAND_OFF, STAND_OFF_CRAMPED_FORCE, STAND_OFF_EDGES,
-    STAND_OFF_EDGES_LEAST, STAND_OFF_FACTOR, STAND_OFF_MOST, STAND_OFF_NARROW_GAP, TIGHTENING_ENERGY_SHARE,
-    TIGHTENING_GAP_PROGRESS, TIGHTENING_STEPS_MOST,
+    SEWING_FORCE_BLOCK_STEPS, SEWING_FORCE_FACTOR, SEWING_FORCE_FIRST, SEWING_FORCE_MEAN_PART, SEWING_FORCE_MOST,
+    SEWING_FORCE_TIGHT, SEWING_GAP_PROGRESS, SEWING_STEP_CAP_EDGES, SEWING_STEP_GROWTH, SEWN_ENERGY_SHARE, STAND_OFF,
+    STAND_OFF_CRAMPED_FORCE, STAND_OFF_EDGES, STAND_OFF_EDGES_LEAST, STAND_OFF_FACTOR, STAND_OFF_MOST,
+    STAND_OFF_NARROW_GAP, TIGHTENING_ENERGY_SHARE, TIGHTENING_GAP_PROGRESS, TIGHTENING_STEPS_MOST,
 };
 use crate::{ClothError, Outcome, Scene, Settings, StopReason, Vec3, Watch};
 
@@ -199,7 +199,10 @@ impl Gathering<'_> {
     fn press_on(&mut self, d: &mut Descent<'_>, b: &Block) {
         let (force_most, threads) = (SEWING_FORCE_MOST.get(), &mut *self.threads);
         let may_come_nearer = threads.stand_off > STAND_OFF_EDGES_LEAST.get() * self.edge;
-        if threads.force < force_most && b.steps > 3 && b.mean > 0.3 {
+        if threads.force < force_most
+            && b.steps > SEWING_FORCE_BLOCK_STEPS.get()
+            && b.mean > SEWING_FORCE_MEAN_PART.get()
+        {
             threads.pull(d, SEWING_FORCE_FACTOR.get() * threads.force, self.reach);
             if threads.force >= STAND_OFF_CRAMPED_FORCE.get() && may_come_nearer {
                 threads.set_stand_off(d, STAND_OFF_FACTOR.get() * threads.stand_off);

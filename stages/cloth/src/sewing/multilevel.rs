@@ -5,7 +5,7 @@ use crate::hierarchy::Level;
 use crate::optimize::descent::Descent;
 use crate::optimize::mechanism::{Block, Mechanism, Verdict};
 use crate::optimize::mechanisms::pinned_targets::PinnedTargets;
-use crate::optimize::mechanisms::strain_limit_homotopy::{narrow, widen_partly};
+use crate::optimize::mechanisms::strain_limit_homotopy::{narrow_barrier, widen_partly};
 use crate::optimize::report;
 use crate::optimize::strain_limit_phase::StrainLimitPhase;
 use crate::optimize::task::Task;
@@ -157,7 +157,7 @@ impl Mechanism for Settling {
         };
         if let StrainLimitPhase::Wide(share) = d.strain_limits
             && self.quiet_blocks >= enough
-            && narrow(d, share)
+            && narrow_barrier(d, share)
         {
             self.quiet_blocks = 0;
         }

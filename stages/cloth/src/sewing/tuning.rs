@@ -29,6 +29,22 @@ tuned! {
         tried: "not recorded",
         evidence: "No measurement is kept.",
     }
+    /// Steps of a block without progress above which the force grows.
+    SEWING_FORCE_BLOCK_STEPS: usize = 3, {
+        unit: "steps",
+        larger: "The force grows later.",
+        smaller: "The force grows although the block hardly moved the cloth.",
+        tried: "not recorded",
+        evidence: "No measurement is kept.",
+    }
+    /// Mean part of the steps of such a block above which the force grows.
+    SEWING_FORCE_MEAN_PART: f64 = 0.3, {
+        unit: "part of the full step",
+        larger: "The force grows later.",
+        smaller: "The force grows although steps fall short.",
+        tried: "not recorded",
+        evidence: "No measurement is kept.",
+    }
     /// Force of the threads at the sewing distance while they are drawn tight.
     SEWING_FORCE_TIGHT: f64 = 1e4, {
         unit: "N/m",

@@ -48,7 +48,7 @@ impl PinnedTargets {
         }
     }
 
-    fn advance(&self, d: &mut Descent<'_>) {
+    fn move_pins(&self, d: &mut Descent<'_>) {
         let rubs = d.objective().friction_has_acted() && d.objective().terms.stitches.is_none();
         let most = if rubs { PIN_MOVE_FRICTION.get() } else { PIN_MOVE_FIRST.get() };
         let most = self.way.min(most) * d.objective().edge;
@@ -74,7 +74,7 @@ impl Mechanism for PinnedTargets {
             }
         }
         if !(self.waits || self.least_strain.is_finite() || d.pins_placed()) {
-            self.advance(d);
+            self.move_pins(d);
         }
         Ok(Verdict::Go)
     }

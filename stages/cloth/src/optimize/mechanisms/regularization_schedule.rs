@@ -26,14 +26,14 @@ impl RegularizationSchedule {
             return;
         }
         let at_rest = d.newton.decrement <= d.settings.decrement_tolerance;
-        let soars = d.is_large() && at_rest;
+        let large_at_rest = d.is_large() && at_rest;
         let r = &mut d.regularization;
         if b.stuck && b.steps == 0 {
             d.history.clear();
             r.tau = (r.tau * TAU_AFTER_STUCK_BLOCK.get()).max(TAU_LEAST.get());
         } else if b.mean > WHOLE_BLOCK_PART.get() {
             // Near rest the shift of large cloth has lost its use, and every new τ takes a factorisation.
-            let factor = if soars { TAU_FACTOR_AT_REST.get() } else { TAU_FACTOR.get() };
+            let factor = if large_at_rest { TAU_FACTOR_AT_REST.get() } else { TAU_FACTOR.get() };
             r.tau = (r.tau * factor).min(TAU_MOST.get());
         } else if b.mean < SHORT_BLOCK_PART.get() {
             let factor = if b.steps == 1 { TAU_AFTER_ONE_SHORT_STEP.get() } else { TAU_AFTER_SHORT_STEPS.get() };

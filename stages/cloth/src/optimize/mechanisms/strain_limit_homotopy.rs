@@ -58,7 +58,7 @@ impl StrainLimitHomotopy {
                 changed
             }
             StrainLimitPhase::Wide(share) if d.newton.decrement < STRAIN_LIMIT_NARROW_DECREMENT.get() || d.rests() => {
-                narrow(d, share)
+                narrow_barrier(d, share)
             }
             _ => false,
         }
@@ -97,7 +97,7 @@ pub(crate) fn widen_partly(d: &mut Descent<'_>) {
 }
 
 /// Narrows the barrier from this share of the limits until that changes a force; says whether it did.
-pub(crate) fn narrow(d: &mut Descent<'_>, mut share: f64) -> bool {
+pub(crate) fn narrow_barrier(d: &mut Descent<'_>, mut share: f64) -> bool {
     let mut changed = false;
     while share > 0.0 && !changed {
         share = if share > STRAIN_LIMIT_WIDE_SHARE_LEAST.get() { STRAIN_LIMIT_NARROWING.get() * share } else { 0.0 };
