@@ -144,7 +144,7 @@ pub fn two_pieces() -> Garment {
     };
     let stage = StageRecord { stage: "drape".into(), id: "drape".into(), revision: 1, params: serde_json::json!({}) };
     let input = InputRecord { path: "patterns/skirt.dxf".into(), blake3: "0".into() };
-    let shape = Shape { positions: vec![bulge(1.0), bulge(-1.0)], sewn: true, welded: true };
+    let shape = Shape { positions: vec![bulge(1.0), bulge(-1.0)], sewn: true, welded: true, ..Shape::default() };
     let mut garment = Garment {
         style: "tube".into(),
         pieces: vec![front, piece(1, "back")],

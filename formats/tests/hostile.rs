@@ -28,7 +28,7 @@ fn glb() -> Vec<u8> {
     let texture = PieceTexture { material: 0, uv_cloth: uv.clone(), uv_packed: uv };
     let garment = Garment {
         pieces: vec![piece],
-        drape: Some(Shape { positions: vec![positions], sewn: false, welded: true }),
+        drape: Some(Shape { positions: vec![positions], sewn: false, welded: true, ..Shape::default() }),
         textures: Some(Textures { materials: vec![material], pieces: vec![texture] }),
         ..Garment::default()
     };

@@ -3,9 +3,11 @@
 mod certificate;
 mod forecast;
 mod params;
+mod tightness;
 
 pub use params::{AccuracyName, DrapeParams, EffectsParam, IntegratorName, ModelName, SwitchName};
 
+use crate::solve::body_parts::contact_filter;
 use crate::solve::{Follow, Layout, MESH_ANEW, effects, failure, failure_in, scene};
 use toile_cloth::{ClothError, Outcome, Scene, Settings, StopReason};
 use toile_garment::garment::Shape;
@@ -53,14 +55,20 @@ impl Stage for Drape {
         let layout = Layout::of(&garment);
         let stitched = garment.stitched.take().ok_or_else(|| StageError::Internal("no stitched shape".to_owned()))?;
         let gravity = Vec3::new(0.0, -params.gravity.0, 0.0);
-        let start =
+        let mut start =
             scene(&garment, &layout, layout.join(&stitched.positions), gravity).map_err(StageError::Parameter)?;
+        start.contact_filter = contact_filter(&garment, &layout, &stitched.ignores);
         let settings = params.settings(cx.threads);
         let told = |e| failure_in(e, &garment, &stitched.positions);
         let sewn = if stitched.sewn { start.positions.clone() } else { close(&start, params, cx).map_err(told)? };
         let welded = toile_cloth::weld(&start, &sewn);
         drop((start, sewn));
-        let shape = |x: &[Vec3]| Shape { positions: layout.split(&welded.spread(x)), sewn: true, welded: true };
+        let shape = |x: &[Vec3]| Shape {
+            positions: layout.split(&welded.spread(x)),
+            sewn: true,
+            welded: true,
+            ..Shape::default()
+        };
         let shown = |x: &[Vec3]| Garment { drape: Some(shape(x)), ..garment.clone() };
         let outcome = toile_cloth::drape(&welded.scene, &settings, &mut Follow::showing(cx, &shown)).map_err(told)?;
         let stored: Vec<Vec3> = outcome.positions.iter().map(to_f32).collect();
@@ -69,6 +77,9 @@ impl Stage for Drape {
         garment.drape = Some(shape(&stored));
         garment.reactions = reactions(&garment, &layout, &welded.map, &outcome);
         garment.stitched = Some(stitched);
+        let certificate = garment.certificate.as_ref();
+        let tight = certificate.and_then(|c| tightness::finding(&garment, c, figures.tightest.as_ref()));
+        cx.report.findings.extend(tight);
         tell(&mut garment, &outcome, cx);
         tell_springs(&garment, params, cx);
         Ok(garment)

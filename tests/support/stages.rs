@@ -88,7 +88,7 @@ impl Stage for Drape {
     fn run(&self, p: &DrapeParams, mut garment: Garment, _: &mut StageContext<'_>) -> Result<Garment, StageError> {
         let lift = |m: &PieceMesh| m.rest.iter().map(|v| Vec3::new(v.x, v.y, 0.0)).collect();
         let positions = garment.pieces.iter().filter_map(|p| p.mesh.as_ref()).map(lift).collect();
-        garment.drape = Some(Shape { positions, sewn: true, welded: true });
+        garment.drape = Some(Shape { positions, sewn: true, welded: true, ..Shape::default() });
         garment.certificate = Some(Certificate { passed: p.passed, settled: true, ..Certificate::default() });
         let cpu_seconds = Instant::now().elapsed().as_secs_f64() + 0.25;
         let (rule, evidence) = ("always".to_owned(), "test".to_owned());

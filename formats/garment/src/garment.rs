@@ -54,8 +54,14 @@ pub struct Certificate {
     pub energy_j: f64,
     /// 95th percentile of the edge strain.
     pub strain_p95: f64,
-    /// Largest edge strain.
+    /// Largest strain along warp or weft.
     pub strain_max: f64,
+    /// Largest strain along warp, weft or bias over the fabric's limit of that direction (1 = at the limit).
+    #[serde(default)]
+    pub strain_over_limit: f64,
+    /// Strain that a garment may have along warp or weft: the fabric's limit and the margin of the gate.
+    #[serde(default)]
+    pub strain_gate: f64,
     /// Largest gap of a sewn pair, mm.
     pub seam_gap_max_mm: f64,
     /// Largest gap of a dart pair, mm.
@@ -97,6 +103,9 @@ pub struct Shape {
     pub sewn: bool,
     /// Are all stitches closed and welded?
     pub welded: bool,
+    /// Parts of the body that pieces did not meet on the way to this shape, by the names of the pieces.
+    #[serde(default, skip_serializing_if = "std::collections::BTreeMap::is_empty")]
+    pub ignores: std::collections::BTreeMap<String, Vec<String>>,
 }
 
 /// Pieces, seams, fabric, body and everything the stages add.

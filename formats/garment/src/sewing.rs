@@ -125,6 +125,9 @@ pub struct PlaceSpec {
     pub piece: String,
     /// Where.
     pub placement: Placement,
+    /// Parts of the body that the piece does not meet while it is sewn; `None` where the program is to decide.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ignores: Option<Vec<String>>,
     /// Origin.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub source: Option<SourceRef>,

@@ -60,6 +60,7 @@ pub fn read(bytes: &[u8], file: &str, flatness: f64) -> Result<Read, Vec<Diagnos
                 plan.places.push(PlaceSpec {
                     piece: panel.name.clone(),
                     placement: explicit(&built, &spec),
+                    ignores: None,
                     source: Some(place()),
                 });
                 garment.pieces.push(built.piece.clone());

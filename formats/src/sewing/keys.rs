@@ -192,12 +192,20 @@ const HEIGHT: Key = may(
 );
 const TURN: Key = may("turn", Form::Angle, "\"15 deg\"", "Turn about the axis of the segment. Default: 0.");
 
+const IGNORES: Key = may(
+    "ignores",
+    Form::Texts,
+    "[\"forearm-left\"]",
+    "Parts of the body that the piece does not meet while it is sewn: segments, `forearm-left`, `forearm-right`. The drape \
+     ends with all of the body. Default: forearms that stand in the way of cloth which does not lie on the arm.",
+);
+
 /// `[[place]]`, in either form.
 pub static PLACE: Keys = Keys {
     name: "place",
     heading: "[[place]]",
     about: "Where a piece starts: by rotation and translation, or wrapped around a segment of the body.",
-    keys: &[must("piece", Form::Text, "\"front\"", PIECE), AROUND, SIDE, HEIGHT, TURN, ROTATION, TRANSLATION],
+    keys: &[must("piece", Form::Text, "\"front\"", PIECE), AROUND, SIDE, HEIGHT, TURN, ROTATION, TRANSLATION, IGNORES],
 };
 
 /// `[[place]]` around a segment of the body.
@@ -205,7 +213,7 @@ pub static PLACE_AROUND: Keys = Keys {
     name: "place",
     heading: "[[place]]",
     about: "A piece wrapped around a segment of the body.",
-    keys: &[must("piece", Form::Text, "\"front\"", PIECE), AROUND, SIDE, HEIGHT, TURN],
+    keys: &[must("piece", Form::Text, "\"front\"", PIECE), AROUND, SIDE, HEIGHT, TURN, IGNORES],
 };
 
 /// `[[place]]` by rotation and translation.
@@ -213,7 +221,7 @@ pub static PLACE_EXPLICIT: Keys = Keys {
     name: "place",
     heading: "[[place]]",
     about: "A piece placed by rotation and translation.",
-    keys: &[must("piece", Form::Text, "\"front\"", PIECE), ROTATION, TRANSLATION],
+    keys: &[must("piece", Form::Text, "\"front\"", PIECE), ROTATION, TRANSLATION, IGNORES],
 };
 
 /// `[[layer]]`.

@@ -6,7 +6,7 @@ use std::ops::Range;
 use toile_garment::Vec3;
 use toile_garment::sewing::{AttachSpec, AttachStrength, CopySpec, LayerSpec, PlaceSpec, Placement};
 use toile_garment::units::{Angle, Length};
-use toml::de::DeTable;
+use toml::de::{DeTable, DeValue};
 
 const SEGMENTS: &[&str] = &["torso", "arm-left", "arm-right", "leg-left", "leg-right", "neck"];
 const SIDES: &[&str] = &["front", "back", "left", "right"];
@@ -14,6 +14,20 @@ const SIDES: &[&str] = &["front", "back", "left", "right"];
 /// The segments of a body that a piece may be wrapped around.
 pub fn segments() -> Vec<&'static str> {
     SEGMENTS.to_vec()
+}
+
+/// Parts of the body that a piece may ignore while it is sewn: the segments, and the forearms with their hands.
+const PARTS: &[&str] =
+    &["torso", "arm-left", "arm-right", "forearm-left", "forearm-right", "leg-left", "leg-right", "neck"];
+
+/// A list of parts of the body.
+fn parts(value: Value<'_>, walk: &mut Walk<'_>) -> Vec<String> {
+    let words: Vec<_> = PARTS.iter().map(|w| (*w, *w)).collect();
+    let DeValue::Array(items) = value.get_ref() else {
+        walk.wrong_type(value, "ignores", "a list of parts of the body, e.g. [\"forearm-left\"]");
+        return Vec::new();
+    };
+    items.iter().filter_map(|item| walk.word(item, "ignores", &words)).map(str::to_owned).collect()
 }
 
 /// The sides of a segment.
@@ -45,8 +59,9 @@ pub fn place(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Op
             return None;
         }
     };
+    let ignores = t.take("ignores").map(|value| parts(value, walk));
     t.finish(walk);
-    Some(PlaceSpec { piece: piece?, placement: placement?, source: Some(walk.source(at, Some("place"))) })
+    Some(PlaceSpec { piece: piece?, placement: placement?, ignores, source: Some(walk.source(at, Some("place"))) })
 }
 
 fn wrapped(around: Value<'_>, t: &mut Table<'_>, walk: &mut Walk<'_>) -> Option<Placement> {

@@ -100,7 +100,7 @@ impl<'a> Walk<'a> {
         self.errors.push(with(finding));
     }
 
-    fn wrong_type(&mut self, value: Value<'_>, key: &str, expected: &str) {
+    pub fn wrong_type(&mut self, value: Value<'_>, key: &str, expected: &str) {
         let found = value.get_ref().type_str();
         let message = format!("`{key}` must be {expected}, found {found}");
         self.error("sewing-wrong-type", value.span().start, message, |d| d);

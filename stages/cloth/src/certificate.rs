@@ -10,7 +10,7 @@ use crate::prepare::initial_feasibility::repair;
 use crate::scene::measures::masses;
 use crate::scene::topology::Topology;
 use crate::scene::validate;
-use crate::{ClothError, Scene, Settings, Vec3};
+use crate::{ClothError, ContactFilter, Place, Scene, Settings, Vec3};
 
 /// Largest distance to the body that is measured, m.
 const BODY_DISTANCE_REACH: f64 = 0.05;
@@ -28,6 +28,8 @@ pub struct Figures {
     pub strain_max: f64,
     /// Largest strain along warp, weft or bias over the strain limit of that direction (1 = at the limit).
     pub strain_over_limit: f64,
+    /// The triangle with the largest strain over its limit, and its strains; `None` where nothing is stretched.
+    pub tightest: Option<Tightest>,
     /// Largest elongation of a mesh edge.
     pub edge_strain_max: f64,
     /// Largest shear angle, rad.
@@ -46,6 +48,19 @@ pub struct Figures {
     pub seam_gap_max: f64,
 }
 
+/// Strains of one triangle.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tightest {
+    /// Where it is.
+    pub place: Place,
+    /// Strain along the warp.
+    pub warp: f64,
+    /// Strain along the weft.
+    pub weft: f64,
+    /// Strain along the bias direction that is stretched more.
+    pub bias: f64,
+}
+
 /// Computes the figures of `positions`. Crossings are counted on the numbers given: round them to `f32` first when that
 /// is what will be stored. Net forces are not among them, because a rounding of 0.1 µm changes them; the outcome has
 /// them.
@@ -57,7 +72,12 @@ pub fn certify(scene: &Scene, settings: &Settings, positions: &[Vec3]) -> Result
     // The frame is that of the drape: the trees over the body are the same, and so are the figures of a turned scene.
     let mut canon = CanonicalScene::of(scene);
     canon.scene.positions = canon.told(positions);
-    figures(&canon.scene, settings)
+    canon.scene.contact_filter = ContactFilter::default();
+    let mut figures = figures(&canon.scene, settings)?;
+    if let Some(t) = &mut figures.tightest {
+        t.place.at = canon.there(t.place.at);
+    }
+    Ok(figures)
 }
 
 fn figures(scene: &Scene, settings: &Settings) -> Result<Figures, ClothError> {
@@ -90,10 +110,10 @@ fn against_body(figures: &mut Figures, x: &[Vec3], topology: &Topology, body: &B
     for v in used {
         let p = &x[v as usize];
         if within[v as usize] {
-            let depth = body.nearest(p, DEPTH_REACH).map_or(DEPTH_REACH, |(_, d)| d);
+            let depth = body.nearest(p, DEPTH_REACH, 0).map_or(DEPTH_REACH, |(_, d)| d);
             figures.penetration_max = figures.penetration_max.max(depth);
             figures.body_distance_min = 0.0;
-        } else if let Some((_, d)) = body.nearest(p, figures.body_distance_min.min(BODY_DISTANCE_REACH)) {
+        } else if let Some((_, d)) = body.nearest(p, figures.body_distance_min.min(BODY_DISTANCE_REACH), 0) {
             figures.body_distance_min = figures.body_distance_min.min(d);
         }
     }
@@ -104,13 +124,17 @@ fn strains(scene: &Scene, settings: &Settings) -> Figures {
     let x = &scene.positions;
     let mut figures = Figures::default();
     let mut largest = Vec::with_capacity(scene.triangles.len());
-    for (t, s) in scene.triangles.iter().zip(Coupled::new(scene, settings).strains(x)) {
+    for (i, (t, s)) in (0u32..).zip(scene.triangles.iter().zip(Coupled::new(scene, settings).strains(x))) {
         let [warp_limit, weft_limit, bias_limit] = scene.materials[t.material as usize].strain_limit;
         let [weft, warp] = s.stretch.map(|a| a - 1.0);
         largest.push(weft.max(warp));
         let bias = (1.0 + 2.0 * s.bias).max(0.0).sqrt() - 1.0;
         let over = (weft / weft_limit).max(warp / warp_limit).max(bias / bias_limit);
-        figures.strain_over_limit = figures.strain_over_limit.max(over);
+        if over > figures.strain_over_limit {
+            figures.strain_over_limit = over;
+            let at = t.vertices.iter().map(|v| x[*v as usize]).sum::<Vec3>() / 3.0;
+            figures.tightest = Some(Tightest { place: Place { triangle: i, at }, warp, weft, bias });
+        }
         figures.shear_max = figures.shear_max.max(libm::asin(s.sine.abs().min(1.0)));
         for k in 0..3 {
             let l = (x[t.vertices[k] as usize] - x[t.vertices[(k + 1) % 3] as usize]).norm();

@@ -33,12 +33,14 @@ mod sewing;
 mod solve;
 mod tuning;
 
-pub use certificate::{Figures, certify};
+pub use certificate::{Figures, Tightest, certify};
 pub use dynamics::{Dynamics, Frame, Motion, Trip};
 pub use effects::{EFFECTS, Effect, Facts};
 pub use error::{ClothError, Place};
+pub use prepare::initial_feasibility::pieces_off_body::{PieceMove, pieces_off_body};
 pub use report::outcome::{EffectReport, Outcome, Reaction, StopReason};
 pub use report::watch::{Silent, Watch};
+pub use scene::contact_filter::ContactFilter;
 pub use scene::curve::Curve;
 pub use scene::elements::Elements;
 pub use scene::settings::{Effects, Integrator, Model, Settings, Switch};

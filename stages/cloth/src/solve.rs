@@ -6,15 +6,19 @@ use crate::prepare::degenerate_edges::CollapsedEdges;
 use crate::prepare::islands;
 use crate::report::watch::Part;
 use crate::scene::validate;
-use crate::{ClothError, Dynamics, Frame, Integrator, Motion, Outcome, Scene, Settings, Trip, Vec3, Watch};
+use crate::{
+    ClothError, ContactFilter, Dynamics, Frame, Integrator, Motion, Outcome, Scene, Settings, Trip, Vec3, Watch,
+};
 use crate::{dynamics, explicit, optimize, sewing};
 
 /// All of the work.
 const WHOLE: [f64; 2] = [0.0, 1.0];
+/// Part of all work until cloth rests beside the parts of the body that it ignores, for the progress display.
+const FILTERED_WORK: f64 = 0.8;
 
 /// Closes the stitches until every pair is closer than the sewing distance. Pairs that came close are joined exactly (gap 0).
-/// The equilibrium solver sews by a penalty with force continuation; where it finds no way, the paper's dynamic system with
-/// sewing forces takes its place.
+/// The equilibrium solver sews by a penalty with force continuation. What stays open is welded where cloth crosses nothing
+/// then; the outcome tells the gaps that are left.
 ///
 /// # Errors
 /// An unusable scene or setting, a start that crosses, instability, or a stop on request.
@@ -27,16 +31,7 @@ pub fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<
 
 fn sew_canonical(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     match settings.integrator {
-        // Where pieces are in each other's way only motion in time finds the way round.
-        Integrator::Static => match sewing::sew(scene, settings, watch)? {
-            Some(outcome) => Ok(outcome),
-            None => run::run(
-                scene,
-                &Settings { integrator: Integrator::CentralDifference, ..settings.clone() },
-                true,
-                watch,
-            ),
-        },
+        Integrator::Static => sewing::sew(scene, settings, watch),
         Integrator::CentralDifference => run::run(scene, settings, true, watch),
     }
 }
@@ -48,6 +43,20 @@ fn sew_canonical(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> R
 /// As [`sew`].
 pub fn drape(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     validate::scene(scene)?;
+    if !scene.contact_filter.ignores_any() {
+        return drape_islands(scene, settings, watch);
+    }
+    // Cloth comes to rest beside what it ignores, and meets the whole body from there.
+    let same = <[Vec3]>::to_vec;
+    let filtered = drape_islands(scene, settings, &mut Part::new(watch, [0.0, FILTERED_WORK], &same))?;
+    let whole =
+        Scene { positions: filtered.positions.clone(), contact_filter: ContactFilter::default(), ..scene.clone() };
+    let mut watch = Part::new(watch, [FILTERED_WORK, 1.0], &same);
+    Ok(drape_islands(&whole, settings, &mut watch)?.after(&filtered))
+}
+
+/// Settles the parts of the cloth that never meet side by side.
+fn drape_islands(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     if let Some(groups) = islands::islands(scene, settings) {
         let each = Settings { threads: settings.threads / groups.len(), ..settings.clone() };
         let whole = |scene: &Scene, watch: &mut dyn Watch| drape_group(scene, &each, watch);

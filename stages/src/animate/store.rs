@@ -104,7 +104,7 @@ pub fn write(
     };
     let mut moved = garment.clone();
     for (k, frame) in animation.frames.iter().enumerate() {
-        moved.drape = Some(Shape { positions: frame.clone(), sewn: true, welded: true });
+        moved.drape = Some(Shape { positions: frame.clone(), sewn: true, welded: true, ..Shape::default() });
         let text = obj::write_garment(&moved, garment.file_up).map_err(|e| StageError::Internal(e.to_string()))?;
         cx.files.write(Path::new(&format!("{before}{:0width$}{after}", first + k)), text.as_bytes())?;
     }

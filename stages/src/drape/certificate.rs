@@ -7,8 +7,13 @@ use toile_garment::Garment;
 use toile_garment::garment::Certificate;
 use toile_garment::seam::SeamKind;
 
-/// Default gates; the strain gate is the fabric's own limit.
-const GATES: [(&str, f64); 6] = [
+/// Strain at the gate over the fabric's limit. The solver's limit is a steep wall and no cut: tight cloth comes to rest up to
+/// some per cent of the limit beyond it. Of 21 garments those that fit end below 1.01, those that are too tight above 1.07.
+const STRAIN_MARGIN: f64 = 1.05;
+
+/// Default gates. The gate of the largest strain follows from the fabric.
+const GATES: [(&str, f64); 7] = [
+    ("strain_over_limit", STRAIN_MARGIN),
     ("residual_rel", 0.1),
     ("seam_gap_max_mm", 0.1),
     ("dart_gap_max_mm", 0.1),
@@ -21,7 +26,8 @@ const GATES: [(&str, f64); 6] = [
 #[must_use]
 pub fn certificate(garment: &Garment, params: &DrapeParams, outcome: &Outcome, figures: &Figures) -> Certificate {
     let mut limits: BTreeMap<String, f64> = GATES.map(|(n, v)| (n.to_owned(), v)).into();
-    limits.insert("strain_max".to_owned(), strain_limit(garment));
+    let strain_gate = STRAIN_MARGIN * strain_limit(garment);
+    limits.insert("strain_max".to_owned(), strain_gate);
     limits.extend(params.limits.clone());
     let mut certificate = Certificate {
         passed: false,
@@ -30,6 +36,8 @@ pub fn certificate(garment: &Garment, params: &DrapeParams, outcome: &Outcome, f
         energy_j: figures.energy,
         strain_p95: figures.strain_p95,
         strain_max: figures.strain_max,
+        strain_over_limit: figures.strain_over_limit,
+        strain_gate,
         // Sewn vertices are one vertex now; a stitch that could not be closed was joined at the middle.
         seam_gap_max_mm: gap(garment, figures, false),
         dart_gap_max_mm: gap(garment, figures, true),
@@ -57,6 +65,7 @@ fn within(c: &Certificate) -> bool {
         ("residual_rel", c.residual_rel),
         ("strain_p95", c.strain_p95),
         ("strain_max", c.strain_max),
+        ("strain_over_limit", c.strain_over_limit),
         ("seam_gap_max_mm", c.seam_gap_max_mm),
         ("dart_gap_max_mm", c.dart_gap_max_mm),
         ("self_crossings", c.self_crossings as f64),

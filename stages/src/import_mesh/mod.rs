@@ -226,7 +226,7 @@ fn one_piece(
     Ok(Garment {
         style: name.to_owned(),
         pieces: vec![piece],
-        stitched: Some(Shape { positions: vec![positions], sewn: false, welded: true }),
+        stitched: Some(Shape { positions: vec![positions], sewn: false, welded: true, ..Shape::default() }),
         file_up: params.up,
         ..Garment::default()
     })

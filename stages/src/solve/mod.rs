@@ -1,5 +1,6 @@
 //! Between garment words and the solver's plain arrays: the one place where both are known.
 
+pub mod body_parts;
 mod effects;
 mod fabric;
 pub mod place;

@@ -1,7 +1,7 @@
 //! A garment as a scene: vertices of all pieces in one list, rest shapes on the grain.
 
 use super::fabric::material;
-use toile_cloth::{BodyMesh, Element, Load, Material, Pin, Scene};
+use toile_cloth::{BodyMesh, ContactFilter, Element, Load, Material, Pin, Scene};
 use toile_garment::mesh::PieceMesh;
 use toile_garment::seam::Seam;
 use toile_garment::{Diagnostic, Garment, MeshVertex, Piece, Vec2, Vec3};
@@ -108,6 +108,7 @@ pub fn scene(
             .map(|b| BodyMesh { positions: b.positions.clone(), triangles: b.triangles.clone() }.into()),
         gravity,
         layers: layers(garment, layout),
+        contact_filter: ContactFilter::default(),
     })
 }
 

@@ -2,20 +2,24 @@
 
 pub mod around;
 mod attach;
+mod cone;
+mod ignored_parts;
 pub(crate) mod load;
 pub mod place;
+mod raise;
 
 use crate::sewing::turned::Lengths;
+use crate::solve::body_parts::contact_filter;
 use crate::solve::{Follow, Layout, effects, failure_in, scene};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use toile_cloth::{Outcome, Settings};
+use toile_cloth::{Outcome, PieceMove, Settings};
 use toile_garment::garment::Shape;
 use toile_garment::seam::Seam;
 use toile_garment::units::{Duration, Length};
-use toile_garment::{Aspect, Diagnostic, Garment, MeshVertex, SeamId, Vec3};
+use toile_garment::{Aspect, Diagnostic, Garment, MeshVertex, Piece, SeamId, Vec3};
 use toile_stage_api::{Cost, Forecast, Knob, Meaning, Stage, StageContext, StageError, StageInfo};
 
 /// Places the pieces around the body and closes seams and darts.
@@ -116,15 +120,32 @@ impl Stage for Stitch {
         if let Some(body) = &params.body {
             garment.body = Some(load::body(body, cx)?);
         }
-        let placed = place::place(&garment, params.clearance.0).map_err(StageError::Parameter)?;
+        let mut placed = place::place(&garment, params.clearance.0).map_err(StageError::Parameter)?;
+        if let Some(by) = raise::change_of_height(&garment, &placed) {
+            for i in ignored_parts::beside_arms(&garment, &placed) {
+                placed[i].iter_mut().for_each(|p| p.y += by);
+            }
+            cx.report.push(raise::finding(by));
+        }
         let pins = attach::pins(&garment, &placed, params.body_gap.0).map_err(StageError::Parameter)?;
         garment.pins.extend(pins);
         let turned = garment.seams.iter().filter_map(|seam| turned(seam, &placed));
         cx.report.findings.extend(turned);
         let layout = Layout::of(&garment);
-        let start = scene(&garment, &layout, layout.join(&placed), WEIGHT).map_err(StageError::Parameter)?;
+        let ignores = ignored_parts::ignored_parts(&garment, &placed);
+        cx.report.findings.extend(ignored_parts::finding(&ignores));
+        if !ignores.is_empty() {
+            let beside = ignored_parts::beside_arms(&garment, &placed);
+            let coned = cone::lay_on_cone(&garment, &mut placed, &beside);
+            cx.report.findings.extend(cone::finding(&coned));
+        }
+        let mut start = scene(&garment, &layout, layout.join(&placed), WEIGHT).map_err(StageError::Parameter)?;
+        start.contact_filter = contact_filter(&garment, &layout, &ignores);
+        let moves = toile_cloth::pieces_off_body(&mut start).map_err(|e| failure_in(e, &garment, &placed))?;
+        cx.report.findings.extend(moves.iter().filter_map(|m| moved_off(&garment, &layout, m)));
         let settings = settings(params, cx.threads);
-        let shape = |x: &[Vec3]| Shape { positions: layout.split(x), sewn: true, welded: false };
+        let shape =
+            |x: &[Vec3]| Shape { positions: layout.split(x), sewn: true, welded: false, ignores: ignores.clone() };
         let shown = |x: &[Vec3]| Garment { stitched: Some(shape(x)), ..garment.clone() };
         let sewn = toile_cloth::sew(&start, &settings, &mut Follow::showing(cx, &shown));
         let outcome = sewn.map_err(|e| failure_in(e, &garment, &placed))?;
@@ -133,6 +154,22 @@ impl Stage for Stitch {
         garment.stitched = Some(shape(&outcome.positions));
         Ok(garment)
     }
+}
+
+/// A finding on a piece that started in the body and was moved off it.
+fn moved_off(garment: &Garment, layout: &Layout, moved: &PieceMove) -> Option<Diagnostic> {
+    let first = |p: &&Piece| layout.index(MeshVertex { piece: p.id, vertex: 0 });
+    let piece = garment.pieces.iter().filter(|p| first(p) <= moved.vertex).max_by_key(first)?;
+    let by = moved.by * 1e3;
+    let message = format!(
+        "piece `{}` started in the body; it was moved by {:.0} mm, ({:.0}, {:.0}, {:.0}) mm, until it was free",
+        piece.name,
+        by.norm(),
+        by.x,
+        by.y,
+        by.z
+    );
+    Some(Diagnostic::info("start-moved", message).at(piece.source.clone()).hint("place it there in the sewing file"))
 }
 
 /// A finding on a seam that is named the wrong way round, as its pieces are placed.

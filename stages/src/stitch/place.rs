@@ -36,7 +36,8 @@ pub fn place(garment: &Garment, clearance: f64) -> Result<Vec<Vec<Vec3>>, Vec<Di
     if errors.is_empty() { Ok(placed) } else { Err(errors) }
 }
 
-fn spec_of<'a>(garment: &'a Garment, piece: &Piece) -> Option<&'a PlaceSpec> {
+/// What the sewing file says of where a piece starts.
+pub(super) fn spec_of<'a>(garment: &'a Garment, piece: &Piece) -> Option<&'a PlaceSpec> {
     let places = &garment.plan.places;
     places
         .iter()
@@ -238,6 +239,7 @@ mod tests {
         let place = |piece: &str, side: &str| PlaceSpec {
             piece: piece.into(),
             placement: Placement::Around { segment: "torso".into(), side: side.into(), height: 1.2, turn: 0.0 },
+            ignores: None,
             source: None,
         };
         let mut g = Garment { pieces: vec![strip(0, "front", width), strip(1, "back", width)], ..Garment::default() };

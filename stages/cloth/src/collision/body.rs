@@ -10,6 +10,7 @@ use crate::collision::culling::convex_features::ConvexFeatures;
 use crate::collision::culling::coplanar_faces::{coplanar_edges, coplanar_neighbours};
 use crate::collision::narrow_phase::distance::{point_triangle, point_triangle_gap};
 use crate::collision::tuning::{DISTANCE_GRID, NEAREST_PLACE_RADIUS};
+use crate::scene::contact_filter::MetParts;
 use crate::scene::topology::Topology;
 use crate::{BodyMesh, Scene, Vec3};
 use parry3d::bounding_volume::Aabb as RoundedAabb;
@@ -35,6 +36,8 @@ pub(crate) struct Body {
     pub boxes: Arc<Vec<Aabb>>,
     /// Lower bounds of the distance to the body at rest.
     pub grid: Arc<DistanceGrid>,
+    /// The parts that the cloth meets.
+    pub met: MetParts,
     /// The motion of the body; `None` for a body at rest.
     pub motion: Option<BodyMotion>,
     /// Bound of the rounding of coordinates to `f32`, m.
@@ -52,7 +55,11 @@ fn rounded(v: &Vec3) -> RoundedVector {
 impl Body {
     /// The body of a scene at rest, prepared once for all scenes that share it. `None` for a body without triangles.
     pub fn of_scene(scene: &Scene) -> Option<Self> {
-        scene.body.as_ref().and_then(|b| b.prepared(Self::new))
+        let mesh = scene.body.as_ref()?;
+        let mut body = mesh.prepared(Self::new)?;
+        let kept = mesh.triangles.iter().enumerate().filter(|(_, t)| has_area(&mesh.positions, t)).map(|(g, _)| g);
+        body.met = MetParts::new(&scene.contact_filter, scene.triangles.iter().map(|t| t.vertices), kept);
+        Some(body)
     }
 
     /// Prepares a body. `None` for a body without triangles.
@@ -81,6 +88,7 @@ impl Body {
             bounds,
             boxes: Arc::new(boxes),
             grid: Arc::new(grid),
+            met: MetParts::default(),
             motion: None,
             rounding: size * ROUNDING_TO_F32,
             first_radius: NEAREST_PLACE_RADIUS.get() * (bounds.high - bounds.low).norm(),
@@ -129,12 +137,15 @@ impl Body {
         point_triangle_gap(p, self.triangle(i).each_ref())
     }
 
-    /// The nearest point of the body within `reach` of `p`, m, and its distance, m.
-    pub fn nearest(&self, p: &Vec3, reach: f64) -> Option<(Vec3, f64)> {
+    /// The nearest point of the body within `reach` of `p`, m, and its distance, m, without the parts `ignored`.
+    pub fn nearest(&self, p: &Vec3, reach: f64, ignored: u32) -> Option<(Vec3, f64)> {
         let mut best: Option<(Vec3, f64)> = None;
         let mut r = self.first_radius.min(reach);
         loop {
             self.candidates(&Aabb::of_one(p).grown(r), |i| {
+                if !self.met.is_met(i, ignored) {
+                    return;
+                }
                 let [a, b, c] = self.triangle(i);
                 let w = point_triangle(p, &a, &b, &c);
                 let q = a * w[0] + b * w[1] + c * w[2];
@@ -156,13 +167,15 @@ impl Body {
         self.bounds.meets(&Aabb::of_one(p))
     }
 
-    /// Is `p` inside the body? The winding number decides, so that small holes do not matter.
-    pub fn contains(&self, p: &Vec3) -> bool {
+    /// Is `p` inside the body without the parts `ignored`? The winding number decides, so that small holes do not matter.
+    pub fn contains(&self, p: &Vec3, ignored: u32) -> bool {
         if !self.may_contain(p) {
             return false;
         }
         let mut turns = HalfTurnCount::default();
-        self.topology.faces.iter().for_each(|t| turns.add(&t.map(|v| self.positions[v as usize] - p)));
+        for (_, t) in (0u32..).zip(&self.topology.faces).filter(|(g, _)| self.met.is_met(*g, ignored)) {
+            turns.add(&t.map(|v| self.positions[v as usize] - p));
+        }
         turns.passages != 0
     }
 }
@@ -227,9 +240,9 @@ mod tests {
         let body = octahedron(0);
         for far in [1e-4, 0.003, 0.04, 0.5, 7.0] {
             let p = Vec3::new(0.5, 0.3, 0.2) + Vec3::repeat(far / 3.0_f64.sqrt());
-            let (q, d) = body.nearest(&p, 10.0).expect("a place");
+            let (q, d) = body.nearest(&p, 10.0, 0).expect("a place");
             assert!((d - far).abs() < 1e-12 && (q - Vec3::new(0.5, 0.3, 0.2)).norm() < 1e-12, "{far}: {q:?} {d}");
-            assert_eq!(body.nearest(&p, 0.99 * far), None);
+            assert_eq!(body.nearest(&p, 0.99 * far, 0), None);
         }
     }
 
@@ -237,11 +250,13 @@ mod tests {
     fn more_than_half_of_what_is_all_around_is_inside() {
         let (middle, aside) = (Vec3::new(0.01, -0.02, 0.03), Vec3::new(0.3, 0.3, -0.35));
         for (without, inside) in [(0, true), (2, true), (3, true), (5, false), (6, false)] {
-            assert_eq!(octahedron(without).contains(&middle), inside, "{without} faces open");
+            assert_eq!(octahedron(without).contains(&middle, 0), inside, "{without} faces open");
         }
         let whole = octahedron(0);
         assert!(
-            whole.contains(&aside) && !whole.contains(&(aside * 1.2)) && !whole.contains(&Vec3::new(0.9, 0.9, 0.9))
+            whole.contains(&aside, 0)
+                && !whole.contains(&(aside * 1.2), 0)
+                && !whole.contains(&Vec3::new(0.9, 0.9, 0.9), 0)
         );
     }
 }

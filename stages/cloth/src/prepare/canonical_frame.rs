@@ -63,6 +63,7 @@ impl CanonicalScene {
             body: body.map(|b| b.turned(turns, |p| to(*p))),
             gravity: to(scene.gravity),
             layers: scene.layers.clone(),
+            contact_filter: scene.contact_filter.clone(),
         };
         Self { scene, turns, stitches }
     }

@@ -69,6 +69,22 @@ tuned! {
         tried: "not recorded",
         evidence: "No measurement is kept.",
     }
+    /// Step by which a piece that starts in the body is moved along its normal.
+    PIECE_OFF_BODY_STEP: f64 = 5e-3, {
+        unit: "m",
+        larger: "Pieces are moved farther than needed.",
+        smaller: "More places are tried.",
+        tried: "not recorded",
+        evidence: "A turtle collar that cuts the neck is free after 15 mm and sews in 4.7 s.",
+    }
+    /// Farthest that a piece is moved off the body along its normal.
+    PIECE_OFF_BODY_MOST: f64 = 0.15, {
+        unit: "m",
+        larger: "A piece may land on the other side of a limb.",
+        smaller: "Pieces that are placed deep in the body are refused.",
+        tried: "not recorded",
+        evidence: "Half the depth of a torso is 0.13 m.",
+    }
     /// Growth of the move from round to round.
     PIECES_APART_GROWTH: f64 = 1.5, {
         unit: "factor",

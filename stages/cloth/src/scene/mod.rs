@@ -1,5 +1,6 @@
 //! The scene that the solver is given, as plain arrays.
 
+pub mod contact_filter;
 pub mod curve;
 pub(crate) mod elements;
 pub(crate) mod measures;
@@ -9,7 +10,7 @@ pub(crate) mod topology;
 pub(crate) mod validate;
 pub mod weld;
 
-use crate::{Curve, Elements, SharedBody, Vec3};
+use crate::{ContactFilter, Curve, Elements, SharedBody, Vec3};
 
 /// One triangle of cloth with its own rest shape (so sewn vertices may differ on both sides of a seam).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -236,6 +237,8 @@ pub struct Scene {
     /// Layer of every vertex (0 next to the body, 1 over it …); may be empty. Order is kept by the contact itself;
     /// the number only says how many thicknesses further from the body the vertex is held.
     pub layers: Vec<i32>,
+    /// Parts of the body that some vertices do not meet. Sewing goes on without them. A drape ends with all of the body.
+    pub contact_filter: ContactFilter,
 }
 
 impl Scene {
@@ -259,6 +262,7 @@ impl Scene {
             body: self.body.clone(),
             gravity: self.gravity,
             layers: kept.iter().filter_map(layer).collect(),
+            contact_filter: self.contact_filter.part(kept),
         }
     }
 }

@@ -33,6 +33,10 @@ pub(crate) fn scene(scene: &Scene) -> Result<(), ClothError> {
             return bad("bad-stitch", format!("stitch {i} names vertices {} and {} of {n}", s[0], s[1]));
         }
     }
+    let filter = &scene.contact_filter.ignored;
+    if !filter.is_empty() && filter.len() != n {
+        return bad("bad-contact-filter", format!("a contact filter for {} of {n} vertices", filter.len()));
+    }
     if !scene.layers.is_empty() && scene.layers.len() != n {
         return bad("bad-layers", format!("{} layer numbers for {n} vertices", scene.layers.len()));
     }

@@ -67,6 +67,7 @@ fn renumbered(scene: &Scene, map: &[u32], joined: Vec<Vec3>) -> Scene {
     pins.sort_by_key(|p| p.vertex);
     pins.dedup_by_key(|p| p.vertex);
     let renamed = |t: &Element| t.renumbered(|v| map[v as usize]);
+    let count = joined.len();
     // Nothing sewn: every vertex keeps its number.
     let same = joined.len() == map.len();
     let triangles = if same { scene.triangles.clone() } else { scene.triangles.iter().map(renamed).collect() };
@@ -85,6 +86,7 @@ fn renumbered(scene: &Scene, map: &[u32], joined: Vec<Vec3>) -> Scene {
         body: scene.body.clone(),
         gravity: scene.gravity,
         layers,
+        contact_filter: scene.contact_filter.joined(map, count),
     }
 }
 

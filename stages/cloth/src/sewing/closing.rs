@@ -16,7 +16,7 @@ use crate::optimize::task::Task;
 use crate::optimize::tuning::{ADAPTIVE_STIFFNESS, BLOCK_STEPS, STRAIN_LIMIT_HOMOTOPY, SURROGATE_HESSIAN};
 use crate::sewing::initial_guess;
 use crate::sewing::tuning::{
-    CLOSED_GAP, DRAWN_SHUT_GAP, GATHERED_GAP, GATHERING_IDLE_MOST, GATHERING_REACH, GATHERING_TAU_MOST, INITIAL_GUESS,
+    CLOSED_GAP, GATHERED_GAP, GATHERING_IDLE_MOST, GATHERING_REACH, GATHERING_TAU_MOST, INITIAL_GUESS,
     SEWING_FORCE_BLOCK_STEPS, SEWING_FORCE_FACTOR, SEWING_FORCE_FIRST, SEWING_FORCE_MEAN_PART, SEWING_FORCE_MOST,
     SEWING_FORCE_TIGHT, SEWING_GAP_PROGRESS, SEWING_STEP_CAP_EDGES, SEWING_STEP_GROWTH, SEWN_ENERGY_SHARE, STAND_OFF,
     STAND_OFF_CRAMPED_FORCE, STAND_OFF_EDGES, STAND_OFF_EDGES_LEAST, STAND_OFF_FACTOR, STAND_OFF_MOST,
@@ -27,25 +27,23 @@ use crate::{ClothError, Outcome, Scene, Settings, StopReason, Vec3, Watch};
 /// Part of the work until the pieces are together, for the progress display.
 const GATHERING_WORK: f64 = 0.8;
 
-/// Closes the stitches. `None` where something stays in the way.
+/// Closes the stitches as far as they come.
 ///
 /// # Errors
 /// An unusable scene or setting, a start that crosses, instability, or a stop on request.
-pub(crate) fn close(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
+pub(crate) fn close(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     let mut descent = Descent::begin(scene, settings, Task::Sew)?;
     if descent.objective().terms.stitches.is_some() {
-        if !sew(&mut descent, scene, watch)? {
-            return Ok(None);
-        }
+        sew(&mut descent, scene, watch)?;
         join_closed_stitches(&mut descent, scene);
     }
     let open = descent.objective().widest_stitch(&descent.x) > settings.sewing_distance;
     let reason = if open { StopReason::SeamsOpen } else { StopReason::Settled };
-    Ok(Some(report::outcome(&mut descent, scene, reason)))
+    Ok(report::outcome(&mut descent, scene, reason))
 }
 
-/// Gathers the pieces and draws the threads tight; `false` if the pieces do not come together.
-fn sew(d: &mut Descent<'_>, scene: &Scene, watch: &mut dyn Watch) -> Result<bool, ClothError> {
+/// Gathers the pieces and draws the threads tight.
+fn sew(d: &mut Descent<'_>, scene: &Scene, watch: &mut dyn Watch) -> Result<(), ClothError> {
     if SURROGATE_HESSIAN.is_on() {
         d.use_surrogate(true);
     }
@@ -56,11 +54,8 @@ fn sew(d: &mut Descent<'_>, scene: &Scene, watch: &mut dyn Watch) -> Result<bool
     let mut threads = Threads::new(d);
     cap_steps(d);
     let mut pinned = PinnedTargets::sewing();
-    if !gather(d, scene, &mut threads, &mut pinned, watch)? {
-        return Ok(false);
-    }
-    tighten(d, &mut threads, &mut pinned, watch)?;
-    Ok(true)
+    gather(d, scene, &mut threads, &mut pinned, watch)?;
+    tighten(d, &mut threads, &mut pinned, watch)
 }
 
 /// Caps steps as sewing needs it. They are so short that a contact is felt before it is passed, and that flat cloth may bend.
@@ -131,14 +126,14 @@ impl Threads {
     }
 }
 
-/// Brings the pieces together; `false` if they do not come.
+/// Brings the pieces together, as far as they come.
 fn gather(
     d: &mut Descent<'_>,
     scene: &Scene,
     threads: &mut Threads,
     pinned: &mut PinnedTargets,
     watch: &mut dyn Watch,
-) -> Result<bool, ClothError> {
+) -> Result<(), ClothError> {
     let edge = d.objective().edge;
     let reach = GATHERING_REACH.get() * edge;
     threads.pull(d, SEWING_FORCE_FIRST.get(), reach);
@@ -147,8 +142,8 @@ fn gather(
     }
     let first = d.objective().widest_stitch(&d.x);
     let mut rule = Gathering { threads, edge, reach, first, before: first, idle: 0 };
-    let reason = drive_sewing(d, &mut rule, pinned, GATHERING_TAU_MOST.get(), watch)?;
-    Ok(reason == StopReason::Settled)
+    drive_sewing(d, &mut rule, pinned, GATHERING_TAU_MOST.get(), watch)?;
+    Ok(())
 }
 
 /// Force continuation while the pieces are apart: the threads pull harder where the gaps no longer shrink.
@@ -186,11 +181,8 @@ impl Mechanism for Gathering<'_> {
             return Verdict::Go;
         }
         self.press_on(d, b);
-        if self.idle <= GATHERING_IDLE_MOST.get() {
-            return Verdict::Go;
-        }
-        let drawn_shut = self.before <= DRAWN_SHUT_GAP.get() * self.edge;
-        Verdict::Stop(if drawn_shut { StopReason::Settled } else { StopReason::SeamsOpen })
+        // The full force holds the gap open. The threads are drawn tight, and welding closes what stays open.
+        if self.idle <= GATHERING_IDLE_MOST.get() { Verdict::Go } else { Verdict::Stop(StopReason::SeamsOpen) }
     }
 }
 

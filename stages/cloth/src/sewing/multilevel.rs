@@ -11,12 +11,11 @@ use crate::optimize::strain_limit_phase::StrainLimitPhase;
 use crate::optimize::task::Task;
 use crate::optimize::tuning::{STRAIN_LIMIT_HOMOTOPY, SURROGATE_HESSIAN};
 use crate::report::watch::Part;
-use crate::scene::measures::mean_edge;
 use crate::scene::weld::weld;
 use crate::sewing::closing::{cap_steps, close, drive_sewing};
 use crate::sewing::tuning::{
     MULTILEVEL_SEWING, SETTLING_ENERGY_SHARE, SETTLING_MEAN_PART, SETTLING_QUIET_BLOCKS, SETTLING_SLIDE_MOST,
-    SETTLING_STEPS_MOST, SETTLING_STUCK_BLOCKS_MOST, SETTLING_TAU_FIRST, SETTLING_TAU_FREE, WELD_GAP_EDGES,
+    SETTLING_STEPS_MOST, SETTLING_STUCK_BLOCKS_MOST, SETTLING_TAU_FIRST, SETTLING_TAU_FREE,
 };
 use crate::{ClothError, Outcome, Scene, Settings, StopReason, Vec3, Watch};
 
@@ -26,8 +25,8 @@ const COARSE_SEWING_WORK: f64 = 0.5;
 const COARSE_SETTLING_WORK: f64 = 0.65;
 const SINGLE_LEVEL_SEWING_WORK: f64 = 0.8;
 
-/// Closes the stitches; `None` where something stays in the way.
-pub(crate) fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
+/// Closes the stitches as far as they come.
+pub(crate) fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     SewnLevel { scene, settings, finest: true }.sew(watch)
 }
 
@@ -41,25 +40,27 @@ struct SewnLevel<'a> {
 }
 
 impl SewnLevel<'_> {
-    fn sew(self, watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
+    fn sew(self, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
         if let Some(outcome) = self.by_levels(watch)? {
-            return Ok(Some(outcome));
+            return Ok(outcome);
         }
         let same = <[Vec3]>::to_vec;
         // The finer level settles coarser cloth.
         let work = if self.finest { SINGLE_LEVEL_SEWING_WORK } else { 1.0 };
         let closed = close(self.scene, self.settings, &mut Part::new(watch, [0.0, work], &same))?;
-        let watch = &mut Part::new(watch, [work, 1.0], &same);
-        match closed.as_ref().filter(|c| self.finest && c.seam_gap_max <= WELD_GAP_EDGES.get() * mean_edge(self.scene))
-        {
-            // Else a garment that has no coarser level would hang where sewing left it.
-            Some(c) => Ok(self.settle_in_place(&c.positions, watch)?.map(|down| Outcome::after(down, c)).or(closed)),
-            None => Ok(closed),
+        if !self.finest {
+            return Ok(closed);
         }
+        // Else a garment that has no coarser level would hang where sewing left it.
+        let watch = &mut Part::new(watch, [work, 1.0], &same);
+        Ok(match self.settle_in_place(&closed.positions, watch)? {
+            Some(down) => down.after(&closed),
+            None => closed,
+        })
     }
 
-    /// Sews the next coarser level first; `None` where there is none, where it cannot be sewn, or where the finer cloth
-    /// would cross something there.
+    /// Sews the next coarser level first; `None` where there is none, or where cloth would cross something once its seams
+    /// are welded.
     fn by_levels(self, watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
         if self.scene.stitches.is_empty() || !MULTILEVEL_SEWING.is_on() {
             return Ok(None);
@@ -67,10 +68,7 @@ impl SewnLevel<'_> {
         let Some(level) = Level::below(self.scene) else { return Ok(None) };
         let below = SewnLevel { scene: &level.scene, finest: false, ..self };
         let spread = |x: &[Vec3]| level.spread(x);
-        let Some(sewn) = below.sew(&mut Part::new(watch, [0.0, COARSE_SEWING_WORK], &spread))? else { return Ok(None) };
-        if sewn.seam_gap_max > WELD_GAP_EDGES.get() * mean_edge(&level.scene) {
-            return Ok(None);
-        }
+        let sewn = below.sew(&mut Part::new(watch, [0.0, COARSE_SEWING_WORK], &spread))?;
         let mut part = Part::new(watch, [COARSE_SEWING_WORK, COARSE_SETTLING_WORK], &spread);
         let Some(down) = below.settle_in_place(&sewn.positions, &mut part)? else { return Ok(None) };
         let x = level.spread(&down.positions);

@@ -93,14 +93,6 @@ tuned! {
         tried: "not recorded",
         evidence: "No measurement is kept.",
     }
-    /// Widest gap that is drawn shut where the full force holds it open: the garment is tight there.
-    DRAWN_SHUT_GAP: f64 = 0.7, {
-        unit: "mean edges",
-        larger: "Seams are drawn shut through what is in their way.",
-        smaller: "Tight garments are refused.",
-        tried: "not recorded",
-        evidence: "No measurement is kept.",
-    }
     /// Longest move of a vertex in a step of sewing.
     SEWING_STEP_CAP_EDGES: f64 = 0.3, {
         unit: "mean edges",
@@ -208,14 +200,6 @@ tuned! {
         evidence: "No measurement is kept.",
     }
 
-    /// Widest gap that welding may close.
-    WELD_GAP_EDGES: f64 = 0.3, {
-        unit: "mean edges",
-        larger: "Triangles at the seam are stretched by welding.",
-        smaller: "More garments hang where sewing left them.",
-        tried: "not recorded",
-        evidence: "No measurement is kept.",
-    }
     /// Energy gained in a block at which a settling level gained little.
     SETTLING_ENERGY_SHARE: f64 = 0.01, {
         unit: "elastic energy",

@@ -266,7 +266,7 @@ fn an_edit_of_one_side_of_a_seam_is_not_shared_with_the_other() {
     let shorter: Vec<Vec3> = before[0].iter().map(|p| p * 0.97).collect();
     let now = vec![shorter, before[1].clone()];
     let mut g = Garment { seams: vec![seam], ..garment(pieces, now) };
-    g.drape_before_edit = Some(Shape { positions: before, sewn: true, welded: true });
+    g.drape_before_edit = Some(Shape { positions: before, sewn: true, welded: true, ..Shape::default() });
     let mut report = Report::default();
     let flat = flatten_garment(&g, &FlattenParams::default(), &mut report, &mut |_, _| true).expect("flattens");
     assert!(report.findings.iter().any(|d| d.code == "flatten-one-sided"));

@@ -163,13 +163,13 @@ pub fn dart_piece(polar: &[[f64; 2]], triangles: &[[u32; 3]], rings: &[Vec<u32>]
 }
 
 pub fn garment(pieces: Vec<Piece>, surface: Vec<Vec<Vec3>>) -> Garment {
-    let drape = Some(Shape { positions: surface, sewn: true, welded: true });
+    let drape = Some(Shape { positions: surface, sewn: true, welded: true, ..Shape::default() });
     Garment { pieces, drape, ..Garment::default() }
 }
 
 pub fn edited(piece: Piece, before: Vec<Vec3>, now: Vec<Vec3>) -> Garment {
     let mut g = garment(vec![piece], vec![now]);
-    g.drape_before_edit = Some(Shape { positions: vec![before], sewn: true, welded: true });
+    g.drape_before_edit = Some(Shape { positions: vec![before], sewn: true, welded: true, ..Shape::default() });
     g
 }
 

@@ -96,7 +96,7 @@ impl ProximityLists {
         let (list, x) = (self.points[v as usize].get_or_insert_with(ProximityList::empty), [*x]);
         let [moved] = list.moved(&x, reach).unwrap_or_else(|| {
             list.restart(&x, reach + margin);
-            list.fill(body);
+            list.fill(body, body.met.ignored_by([v]));
             [0.0]
         });
         let radius = reach + moved;
@@ -143,11 +143,11 @@ impl FaceFeatures {
 }
 
 impl ProximityList<1, u32> {
-    /// Fills the list.
-    fn fill(&mut self, body: &Body) {
+    /// Fills the list, without the parts of the body that are ignored.
+    fn fill(&mut self, body: &Body, ignored: u32) {
         let (place, x) = (Aabb::of_one(&self.at[0]), self.at[0]);
         body.candidates(&place.grown(self.radius), |g| {
-            if place.gap(&body.boxes[g as usize]) <= self.radius {
+            if body.met.is_met(g, ignored) && place.gap(&body.boxes[g as usize]) <= self.radius {
                 self.add(g, body.point_gap(&x, g));
             }
         });
@@ -159,6 +159,8 @@ impl ProximityList<3, BodyFeature> {
     fn fill(&mut self, cloth: &FaceFeatures, body: &Body) {
         let x = &cloth.at;
         let (bounds, normal) = (Aabb::of_three(x), crate::unit_normal(*x).unwrap_or_else(Vec3::zeros));
+        let ignored_by_face = body.met.ignored_by_face(&cloth.corners);
+        let ignored_by_edges = [0, 1, 2].map(|i| body.met.ignored_by(cloth.edge(i)));
         body.candidates(&bounds.grown(self.radius), |g| {
             if body.features.of(g) == 0 || bounds.gap(&body.boxes[g as usize]) > self.radius {
                 return;
@@ -166,19 +168,26 @@ impl ProximityList<3, BodyFeature> {
             let b = &FaceFeatures::of_body(body, g);
             let is_beyond =
                 plane_gap(&x[0], &normal, &b.at) > self.radius || distance_from_ball(x, &b.at) > self.radius;
+            if !is_beyond && body.met.is_met(g, ignored_by_face) {
+                self.add_corners(cloth, b);
+            }
             if !is_beyond {
-                self.add_features(cloth, b);
+                self.add_edges(cloth, b, ignored_by_edges.map(|ignored| body.met.is_met(g, ignored)));
             }
         });
     }
 
-    /// Adds the vertices and edges that a face of the body owns.
-    fn add_features(&mut self, cloth: &FaceFeatures, b: &FaceFeatures) {
+    /// Adds the vertices that a face of the body owns.
+    fn add_corners(&mut self, cloth: &FaceFeatures, b: &FaceFeatures) {
         for k in (0..3).filter(|k| b.owns_vertex(*k)) {
             self.add(BodyFeature::Corner(b.corners[k]), point_triangle_gap(&b.at[k], cloth.at.each_ref()));
         }
+    }
+
+    /// Adds the edges that a face of the body owns, against those edges of the cloth triangle that meet it.
+    fn add_edges(&mut self, cloth: &FaceFeatures, b: &FaceFeatures, meets: [bool; 3]) {
         for j in (0..3).filter(|j| b.owns_edge(*j)) {
-            for i in (0u8..3).filter(|i| cloth.owns_edge(usize::from(*i))) {
+            for i in (0u8..3).filter(|i| meets[usize::from(*i)] && cloth.owns_edge(usize::from(*i))) {
                 let distance = cloth.edge_gap(usize::from(i), [&b.at[j], &b.at[(j + 1) % 3]]);
                 self.add(BodyFeature::Edge(i, b.edge(j)), distance);
             }

@@ -100,7 +100,8 @@ pub(crate) fn cross(x: &[Vec3], s: [u32; 3], t: [u32; 3]) -> bool {
     }
 }
 
-/// Pairs of a cloth triangle and a triangle of a body at rest that cross, in ascending order.
+/// Pairs of a cloth triangle and a triangle of a body at rest that cross, in ascending order. Parts of the body that the
+/// cloth ignores are left out.
 pub(crate) fn body_crossings(x: &[Vec3], faces: &[[u32; 3]], body: &Body) -> Crossings {
     let (mut found, mut crossed) = (Crossings::default(), Vec::new());
     for (i, t) in (0u32..).zip(faces) {
@@ -109,8 +110,9 @@ pub(crate) fn body_crossings(x: &[Vec3], faces: &[[u32; 3]], body: &Body) -> Cro
         if !bounds.meets(&body.bounds) {
             continue;
         }
+        let ignored = body.met.ignored_by_face(t);
         body.candidates(&bounds, |k| {
-            if disjoint_triangles_cross(&a, &body.triangle(k)) {
+            if body.met.is_met(k, ignored) && disjoint_triangles_cross(&a, &body.triangle(k)) {
                 crossed.push(k);
             }
         });

@@ -25,7 +25,7 @@ pub(crate) fn inside(x: &[Vec3], faces: &[[u32; 3]], crossing: &[[u32; 2]], body
     for p in crossing {
         crosses[p[0] as usize] = true;
     }
-    let free = |e: &[u32; 2]| !meets(e.map(|v| x[v as usize]), body);
+    let free = |e: &[u32; 2]| !meets(e.map(|v| x[v as usize]), body, body.met.ignored_by(*e));
     let links: Vec<[u32; 2]> = faces
         .iter()
         .zip(&crosses)
@@ -36,13 +36,16 @@ pub(crate) fn inside(x: &[Vec3], faces: &[[u32; 3]], crossing: &[[u32; 2]], body
     let reaches_out = |(p, q): (&u32, &Vec3)| (!body.may_contain(q)).then_some(*p as usize);
     let mut known: Vec<Option<bool>> = vec![None; x.len()];
     part.iter().zip(x).filter_map(reaches_out).for_each(|p| known[p] = Some(false));
-    part.iter().map(|p| *known[*p as usize].get_or_insert_with(|| body.contains(&x[*p as usize]))).collect()
+    let within = |p: usize| body.contains(&x[p], body.met.ignored_by_piece(p));
+    part.iter().map(|p| *known[*p as usize].get_or_insert_with(|| within(*p as usize))).collect()
 }
 
-/// Returns `true` if a segment has a point in common with the surface of the body.
-fn meets([p, q]: [Vec3; 2], body: &Body) -> bool {
+/// Returns `true` if a segment has a point in common with the surface of the body, without the parts `ignored`.
+fn meets([p, q]: [Vec3; 2], body: &Body, ignored: u32) -> bool {
     let mut any = false;
-    body.candidates(&Aabb::of_two(&p, &q), |k| any = any || segment_meets(&p, &q, &body.triangle(k)));
+    body.candidates(&Aabb::of_two(&p, &q), |k| {
+        any = any || body.met.is_met(k, ignored) && segment_meets(&p, &q, &body.triangle(k));
+    });
     any
 }
 
@@ -80,7 +83,9 @@ pub(crate) fn free_of_body(
         }
         let clearance = gap * (1.0 + BODY_REPAIR_CLEARANCE_GROWTH.get() * round as f64);
         for i in (0..x.len()).filter(|i| touched[*i]) {
-            if let Some((q, d)) = body.nearest(&x[i], NEAREST_PLACE_REACH).filter(|(_, d)| *d > 0.0) {
+            if let Some((q, d)) =
+                body.nearest(&x[i], NEAREST_PLACE_REACH, body.met.ignored_by_piece(i)).filter(|(_, d)| *d > 0.0)
+            {
                 let out = if within[i] { (q - x[i]) / d } else { (x[i] - q) / d };
                 if within[i] || d < clearance {
                     x[i] = q + out * clearance;
