@@ -28,14 +28,15 @@ const TABLES: [&[Code]; 7] =
 
 /// All codes, in alphabetical order.
 #[must_use]
-pub fn all() -> Vec<&'static Code> {
-    let mut all: Vec<&Code> = TABLES.iter().copied().flatten().collect();
+pub fn all() -> Vec<Code> {
+    let joined = toile_formats::codes::CODES.iter().copied().flatten().map(|c| code(c.name(), c.text()));
+    let mut all: Vec<Code> = TABLES.iter().copied().flatten().copied().chain(joined).collect();
     all.sort_by_key(|c| c.code);
     all
 }
 
 /// A code by its name.
 #[must_use]
-pub fn find(name: &str) -> Option<&'static Code> {
-    TABLES.iter().copied().flatten().find(|c| c.code == name)
+pub fn find(name: &str) -> Option<Code> {
+    all().into_iter().find(|c| c.code == name)
 }

@@ -4,11 +4,23 @@
 //! convex vertex what joins two strips. So darts, reflex corners and narrow places come out right without special
 //! cases; the union is that of `i_overlay`, on a grid of about a millionth of a millimetre.
 
+use crate::codes::{EDGE_UNKNOWN, OUT_OF_RANGE};
 use crate::dxf::geom::cross;
 use i_overlay::core::fill_rule::FillRule;
 use i_overlay::float::simplify::SimplifyShape;
 use toile_garment::outline::{LinePoint, PieceLine, PointKind};
-use toile_garment::{Diagnostic, Piece, Vec2};
+use toile_garment::{Code, Diagnostic, Piece, Vec2};
+
+codes! {
+    pub(crate) list CODES;
+
+    /// No cut line can be made around a piece: its outline encloses nothing. Exit code 2.
+    ALLOWANCE_FAILED = "allowance-failed";
+
+    /// The allowances of a piece grow together and enclose a hole; the cut line runs around it. Take a smaller
+    /// allowance there.
+    ALLOWANCE_GROWS_TOGETHER = "allowance-grows-together";
+}
 
 /// How two strips meet at a convex corner.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -65,7 +77,7 @@ pub fn cut_line(piece: &Piece, allowance: &Allowance) -> Result<(PieceLine, Vec<
     let outer = |shape: &Vec<Ring>| shape.first().map_or(0.0, area);
     let Some(shape) = shapes.iter().max_by(|a, b| outer(a).total_cmp(&outer(b))).filter(|s| outer(s) > 0.0) else {
         let text = format!("no cut line can be made around piece `{}`: its outline encloses nothing", piece.name);
-        return Err(Diagnostic::error("allowance-failed", text));
+        return Err(Diagnostic::error(ALLOWANCE_FAILED, text));
     };
     let mut findings = Vec::new();
     let closed = shape.iter().skip(1).map(area).sum::<f64>();
@@ -75,7 +87,7 @@ pub fn cut_line(piece: &Piece, allowance: &Allowance) -> Result<(PieceLine, Vec<
             piece.name,
             closed * 1e4
         );
-        findings.push(Diagnostic::warning("allowance-grows-together", text).hint("take a smaller allowance there"));
+        findings.push(Diagnostic::warning(ALLOWANCE_GROWS_TOGETHER, text).hint("take a smaller allowance there"));
     }
     let ring: Vec<Vec2> = shape[0].iter().map(|p| Vec2::new(p[0], p[1])).collect();
     let corners = Corners::new(&line, &points, &widths, allowance.corners);
@@ -104,7 +116,7 @@ fn widths(piece: &Piece, line: &[LinePoint], allowance: &Allowance) -> Result<Ve
     let all = std::iter::once(allowance.width).chain(allowance.edges.iter().map(|e| e.1));
     if let Some(bad) = all.into_iter().find(|w| !(0.0..=WIDEST).contains(w)) {
         let text = format!("an allowance of {} mm; it must be 0 to {} mm", bad * 1e3, WIDEST * 1e3);
-        return Err(Diagnostic::error("out-of-range", text));
+        return Err(Diagnostic::error(OUT_OF_RANGE, text));
     }
     let n = line.len();
     let mut out = vec![allowance.width; n];
@@ -112,7 +124,7 @@ fn widths(piece: &Piece, line: &[LinePoint], allowance: &Allowance) -> Result<Ve
         let Some(edge) = piece.edges.iter().find(|e| e.index == *index) else {
             let text = format!("piece `{}` has no edge {index}; it has {}", piece.name, piece.edges.len());
             let hint = "`toile inspect FILE --svg OUT` draws their numbers";
-            return Err(Diagnostic::error("edge-unknown", text).hint(hint));
+            return Err(Diagnostic::error(EDGE_UNKNOWN, text).hint(hint));
         };
         let at = |v: u32| piece.outline.points.get(v as usize).map(|p| p.at);
         let find = |p: Vec2| (0..n).find(|i| (line[*i].at - p).norm() <= SAME);

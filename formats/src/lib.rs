@@ -1,6 +1,12 @@
 //! Bytes to faithful models to the garment document: one module per file format.
+
+#[macro_use]
+#[path = "../garment/src/code_list.rs"]
+mod code_list;
+
 pub mod allowance;
 pub mod body;
+pub mod codes;
 pub mod dxf;
 pub mod encoding;
 pub mod fabric;

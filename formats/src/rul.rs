@@ -4,9 +4,46 @@
 //! or after the size list. All pairs may stand on the RULE line, or one pair a line. The first line may be blank. It
 //! takes `ANSI/AAMA` and `ASTM` headers.
 
+use crate::codes::FILE_TOO_LARGE;
 use crate::encoding;
 use std::collections::BTreeMap;
-use toile_garment::{Diagnostic, SourceRef, Vec2};
+use toile_garment::{Code, Diagnostic, SourceRef, Vec2};
+
+codes! {
+    pub(crate) list CODES;
+
+    /// A growth in the rule table is no number. Exit code 3.
+    RULE_BAD_NUMBER = "rule-bad-number";
+
+    /// A rule has not two growths for each size. Exit code 3.
+    RULE_COUNT_DIFFERS = "rule-count-differs";
+
+    /// The rule table ends without END. What is there was read, but rules may be missing; make sure that it was copied
+    /// completely.
+    RULE_END_MISSING = "rule-end-missing";
+
+    /// A rule moves points in the sample size, which should stay as drawn. The growth of other sizes is taken relative
+    /// to the table's own sample.
+    RULE_SAMPLE_MOVES = "rule-sample-moves";
+
+    /// The sample size is not in the list of sizes. Exit code 3.
+    RULE_SAMPLE_UNKNOWN = "rule-sample-unknown";
+
+    /// The number of sizes and the list of sizes differ. Exit code 3.
+    RULE_SIZES_DIFFER = "rule-sizes-differ";
+
+    /// The rule table is larger than the limit. Exit code 3.
+    RULE_TOO_MANY = "rule-too-many";
+
+    /// A rule stands in the table twice; the last one counts.
+    RULE_TWICE = "rule-twice";
+
+    /// A line of the rule table is no key, rule or growth. Exit code 3.
+    RULE_UNKNOWN = "rule-unknown";
+
+    /// The rule table lists no sizes, so its growths belong to none. Exit code 3.
+    RULE_WITHOUT_SIZES = "rule-without-sizes";
+}
 
 /// Most sizes of a table.
 const SIZES: usize = 500;
@@ -74,7 +111,7 @@ pub fn read(bytes: &[u8], file: &str) -> Result<RuleTable, Vec<Diagnostic>> {
     let place = SourceRef::file(file);
     if bytes.len() > BYTES {
         return Err(vec![
-            Diagnostic::error("file-too-large", format!("a rule table of {} bytes", bytes.len())).at(place),
+            Diagnostic::error(FILE_TOO_LARGE, format!("a rule table of {} bytes", bytes.len())).at(place),
         ]);
     }
     let text = encoding::choose(bytes, None, None);
@@ -105,7 +142,7 @@ impl Reader<'_> {
         SourceRef::file(self.file).at_line(line)
     }
 
-    fn error(&mut self, code: &str, text: String, line: u64) {
+    fn error(&mut self, code: Code, text: String, line: u64) {
         let place = self.place(line);
         self.errors.push(Diagnostic::error(code, text).at(place));
     }
@@ -138,7 +175,7 @@ impl Reader<'_> {
             _ if in_sizes && !text.contains(':') => self.add_sizes(text),
             _ if self.rule.is_some() && starts_number(text) => self.values(text, line),
             _ if self.rule.is_some() && !text.contains(':') => {
-                self.error("rule-bad-number", format!("`{}` is no list of growths", short(text)), line);
+                self.error(RULE_BAD_NUMBER, format!("`{}` is no list of growths", short(text)), line);
             }
             _ => {}
         }
@@ -157,7 +194,7 @@ impl Reader<'_> {
         let delta = words.next().is_some_and(|w| w.eq_ignore_ascii_case("delta"));
         let number = words.next().and_then(|n| n.trim_end_matches(',').parse().ok());
         let Some(number) = number.filter(|_| delta) else {
-            self.error("rule-unknown", format!("expected `RULE: DELTA n`, found `RULE: {}`", short(value)), line);
+            self.error(RULE_UNKNOWN, format!("expected `RULE: DELTA n`, found `RULE: {}`", short(value)), line);
             return;
         };
         self.rule = Some(Open { number, line, values: Vec::new() });
@@ -176,11 +213,11 @@ impl Reader<'_> {
                     }
                 }
                 Some(_) => {
-                    self.error("rule-too-many", format!("more than {NUMBERS} numbers"), line);
+                    self.error(RULE_TOO_MANY, format!("more than {NUMBERS} numbers"), line);
                     self.ended = true;
                     return;
                 }
-                None => self.error("rule-bad-number", format!("`{}` is not a finite number", short(word)), line),
+                None => self.error(RULE_BAD_NUMBER, format!("`{}` is not a finite number", short(word)), line),
             }
         }
     }
@@ -194,18 +231,18 @@ impl Reader<'_> {
         let n = self.table.sizes.len();
         if n == 0 {
             // Without sizes nothing else can be judged.
-            self.error("rule-without-sizes", "the rule table has no SIZE LIST".into(), 1);
+            self.error(RULE_WITHOUT_SIZES, "the rule table has no SIZE LIST".into(), 1);
             return Err(self.errors);
         }
         if let Some(count) = self.count.filter(|c| *c != n && n > 0) {
-            self.error("rule-sizes-differ", format!("NUMBER OF SIZES is {count}, SIZE LIST holds {n}"), self.lines[0]);
+            self.error(RULE_SIZES_DIFFER, format!("NUMBER OF SIZES is {count}, SIZE LIST holds {n}"), self.lines[0]);
         }
         let sample = match self.table.sample.clone().map(|s| self.table.size_index(&s).ok_or(s)) {
             Some(Ok(i)) => Some(i),
             Some(Err(s)) if n > 0 => {
                 let list = self.table.sizes.join(" ");
                 let text = format!("SAMPLE SIZE `{}` is not in SIZE LIST {list}", short(&s));
-                self.error("rule-sample-unknown", text, self.lines[1]);
+                self.error(RULE_SAMPLE_UNKNOWN, text, self.lines[1]);
                 None
             }
             _ => None,
@@ -218,7 +255,7 @@ impl Reader<'_> {
             if rule.values.len() != 2 * n {
                 let text =
                     format!("rule {} has {} numbers, {} sizes need {}", rule.number, rule.values.len(), n, 2 * n);
-                self.error("rule-count-differs", text, rule.line);
+                self.error(RULE_COUNT_DIFFERS, text, rule.line);
                 continue;
             }
             let growth: Vec<Vec2> = rule.values.chunks_exact(2).map(|p| Vec2::new(p[0], p[1]) * mm).collect();
@@ -226,18 +263,18 @@ impl Reader<'_> {
                 let text =
                     format!("rule {} moves the sample size by ({}, {}) mm", rule.number, at_sample.x, at_sample.y);
                 let place = self.place(rule.line);
-                self.table.findings.push(Diagnostic::warning("rule-sample-moves", text).at(place));
+                self.table.findings.push(Diagnostic::warning(RULE_SAMPLE_MOVES, text).at(place));
             }
             if self.table.rules.insert(rule.number, growth).is_some() {
                 let place = self.place(rule.line);
                 let text = format!("rule {} stands twice; the last one counts", rule.number);
-                self.table.findings.push(Diagnostic::warning("rule-twice", text).at(place));
+                self.table.findings.push(Diagnostic::warning(RULE_TWICE, text).at(place));
             }
         }
         if !self.ended {
             let text = "the rule table has no END: rules may be missing at its end";
             let place = self.place(self.lines[2]);
-            let finding = Diagnostic::warning("rule-end-missing", text).at(place).hint("get a whole copy of the table");
+            let finding = Diagnostic::warning(RULE_END_MISSING, text).at(place).hint("get a whole copy of the table");
             self.table.findings.push(finding);
         }
         if self.errors.is_empty() { Ok(self.table) } else { Err(self.errors) }

@@ -1,7 +1,8 @@
 //! TOML text with places: every value keeps its line and column, and all mistakes are collected.
 
+use crate::codes::FILE_TOO_LARGE;
 use serde_spanned::Spanned;
-use toile_garment::{Diagnostic, SourceRef};
+use toile_garment::{Code, Diagnostic, SourceRef};
 use toml::de::{DeTable, DeValue};
 
 /// Largest TOML file that is read, bytes.
@@ -22,10 +23,10 @@ impl<'a> TomlText<'a> {
     }
 
     /// The parsed table, or every syntax error.
-    pub fn parse(&self, code: &str) -> Result<Spanned<DeTable<'a>>, Vec<Diagnostic>> {
+    pub fn parse(&self, code: Code) -> Result<Spanned<DeTable<'a>>, Vec<Diagnostic>> {
         if self.text.len() > MAX_BYTES {
             let message = format!("the file has {} bytes, over the limit of {MAX_BYTES}", self.text.len());
-            return Err(vec![Diagnostic::error("file-too-large", message).at(SourceRef::file(self.file))]);
+            return Err(vec![Diagnostic::error(FILE_TOO_LARGE, message).at(SourceRef::file(self.file))]);
         }
         let (table, errors) = DeTable::parse_recoverable(self.text);
         if errors.is_empty() {

@@ -4,10 +4,6 @@ use super::{Code, code};
 
 /// Codes of placing, sewing and draping.
 pub(super) const CODES: &[Code] = &[
-    code(
-        "animation-left-out",
-        "The frames of a motion ride in the GLB as morph targets; they are for viewers and are not read back into the garment.",
-    ),
     code("attach-strength", "The elastic share of an [[attach]] is not between 0 and 1.5. Exit code 2."),
     code("attach-target-empty", "The body has no section at the height an edge is attached to. Exit code 2."),
     code(

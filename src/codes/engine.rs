@@ -33,10 +33,6 @@ pub(super) const CODES: &[Code] = &[
         "A file that the pipeline names is not there. Paths are relative to the pipeline file, not to the folder the command is run in. Exit code 3.",
     ),
     code(
-        "file-too-large",
-        "A file is larger than the limit (pipelines 1 MiB, inputs 256 MiB), so that a wrong file cannot take all memory. Exit code 3.",
-    ),
-    code(
         "grammar-version",
         "`toile = N` at the head of the pipeline says which grammar it is written in, and this program reads another one. Use the toile version the pipeline was made for, or write the pipeline anew.",
     ),
@@ -64,7 +60,6 @@ pub(super) const CODES: &[Code] = &[
         "out-not-first",
         "`{out}` stands for the output folder and can only stand at the beginning of a path: \"{out}/name.glb\".",
     ),
-    code("out-of-range", "A value is outside the range that makes sense; the message names the range."),
     code(
         "outputs-collide",
         "Two outputs of one run have the same name (upper and lower case are not told apart). Give each its own.",
@@ -110,10 +105,6 @@ pub(super) const CODES: &[Code] = &[
     code(
         "unknown-input",
         "`{name}` in a text is not a declared input. `{out}`, `{line}` and `{version}` are always there; a plain brace is written `{{`.",
-    ),
-    code(
-        "unknown-key",
-        "A key that nobody reads. It is an error because a misspelt parameter would otherwise be ignored in silence.",
     ),
     code("unknown-kind", "An input is of kind text, path, number or length."),
     code(

@@ -4,7 +4,6 @@ use super::{Code, code};
 
 /// Codes of the sewing file and of what it says about the pattern.
 pub(super) const CODES: &[Code] = &[
-    code("coordinate-out-of-range", "A piece holds a coordinate that is no place on a pattern. Exit code 3."),
     code(
         "dart-mouth-off-outline",
         "The mouth of a dart does not lie on the outline of its piece, so the dart cannot be sewn. Exit code 3.",
@@ -18,10 +17,6 @@ pub(super) const CODES: &[Code] = &[
     code(
         "edge-name-scattered",
         "Edges of one name do not follow one another, so they are no run. Name them apart, or give two points. Exit code 2.",
-    ),
-    code(
-        "edge-unknown",
-        "A piece has no edge of this name or number. `toile inspect --svg` draws the edges with their numbers. Exit code 2.",
     ),
     code(
         "piece-ambiguous",
@@ -69,37 +64,6 @@ pub(super) const CODES: &[Code] = &[
     ),
     code("seam-to-itself", "Both sides of a seam are the same stretch of outline. Exit code 2."),
     code("seam-without-length", "A side of a seam has no length once the darts in it are sewn. Exit code 2."),
-    code("sewing-bad-gather", "`gather` is longer over shorter and lies between 1 and 100. Exit code 2."),
-    code("sewing-bad-quantity", "A text is no number with a unit, e.g. \"12 mm\". Exit code 2."),
-    code("sewing-bad-run", "A run is given by from and to, by an edge, or by several of those. Exit code 2."),
-    code(
-        "sewing-bare-number",
-        "A length is a bare number, which hides its unit. Write it as a text, e.g. \"12 mm\". Exit code 2.",
-    ),
-    code("sewing-dart-apexes", "A fish-eye dart has two apexes, a wedge dart one. Exit code 2."),
-    code("sewing-ease-and-gather", "A seam declares both ease and gather. Keep one. Exit code 2."),
-    code("sewing-empty-list", "A side or list is empty; write at least one entry. Exit code 2."),
-    code("sewing-empty-text", "A name is empty; write a name or leave the key out. Exit code 2."),
     code("sewing-file", "The sewing file is not UTF-8 text. Exit code 2."),
-    code(
-        "sewing-file-syntax",
-        "The sewing file is not TOML at this place; the message says what is wrong. Exit code 2.",
-    ),
-    code("sewing-key-missing", "A key that must be there is not. Exit code 2."),
-    code(
-        "sewing-no-rotation",
-        "The three rows of a rotation are no rotation: they must be at right angles, of length one and not mirrored. Exit code 2.",
-    ),
-    code(
-        "sewing-place",
-        "A [[place]] needs either rotation and translation, or `around` with side and height. Exit code 2.",
-    ),
-    code("sewing-strength", "`strength` reads \"hold\" or \"elastic 0.9\". Exit code 2."),
-    code(
-        "sewing-unknown-key",
-        "A key of the sewing file that nobody reads; a misspelt one would otherwise be ignored in silence. Exit code 2.",
-    ),
-    code("sewing-unknown-word", "A value takes one of a few words, and this is none of them. Exit code 2."),
-    code("sewing-wrong-type", "A value is of another type than its key takes. Exit code 2."),
     code("wedge-is-no-dart", "A seam uses the edges of a wedge that was taken for a dart, so it is none."),
 ];

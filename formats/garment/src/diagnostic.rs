@@ -36,25 +36,25 @@ pub struct Diagnostic {
 impl Diagnostic {
     /// A finding without place and remedy; add them with [`Self::at`] and [`Self::hint`].
     #[must_use]
-    pub fn new(severity: Severity, code: &str, message: impl Into<String>) -> Self {
-        Self { severity, code: code.to_owned(), message: message.into(), source: None, hint: None }
+    pub fn new(severity: Severity, code: impl AsRef<str>, message: impl Into<String>) -> Self {
+        Self { severity, code: code.as_ref().to_owned(), message: message.into(), source: None, hint: None }
     }
 
     /// An error.
     #[must_use]
-    pub fn error(code: &str, message: impl Into<String>) -> Self {
+    pub fn error(code: impl AsRef<str>, message: impl Into<String>) -> Self {
         Self::new(Severity::Error, code, message)
     }
 
     /// A warning.
     #[must_use]
-    pub fn warning(code: &str, message: impl Into<String>) -> Self {
+    pub fn warning(code: impl AsRef<str>, message: impl Into<String>) -> Self {
         Self::new(Severity::Warning, code, message)
     }
 
     /// A note.
     #[must_use]
-    pub fn info(code: &str, message: impl Into<String>) -> Self {
+    pub fn info(code: impl AsRef<str>, message: impl Into<String>) -> Self {
         Self::new(Severity::Info, code, message)
     }
 

@@ -7,6 +7,8 @@
 pub mod animation;
 pub mod body;
 pub mod bundle;
+pub mod code;
+mod code_list;
 pub mod dart;
 pub mod diagnostic;
 pub mod fabric;
@@ -24,6 +26,7 @@ pub mod source;
 pub mod texture;
 pub mod units;
 
+pub use code::Code;
 pub use diagnostic::{Diagnostic, Report, Severity, Tally};
 pub use garment::{Aspect, Garment};
 pub use ids::{DartId, MeshVertex, PieceId, SeamId};

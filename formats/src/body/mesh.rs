@@ -1,9 +1,11 @@
 //! The body's mesh made sound: merged, without flat triangles, facing outwards.
 
+use super::codes;
 use super::place;
+use crate::codes::BODY_SIZE;
 use crate::obj::ObjMesh;
 use std::collections::BTreeMap;
-use toile_garment::{Diagnostic, Severity, Tally, Vec3};
+use toile_garment::{Code, Diagnostic, Severity, Tally, Vec3};
 
 /// Height of a body that needs no question, metres: a doll to a giant.
 const HEIGHT: std::ops::RangeInclusive<f64> = 0.2..=3.0;
@@ -12,7 +14,7 @@ type Mesh = (Vec<Vec3>, Vec<[u32; 3]>);
 
 /// Cleans the mesh; what was done stands in the findings.
 pub fn clean(raw: &ObjMesh, file: &str, findings: &mut Vec<Diagnostic>) -> Result<Mesh, Box<Diagnostic>> {
-    let mut note = |severity, code: &str, count: usize, words: &str| {
+    let mut note = |severity, code: Code, count: usize, words: &str| {
         if count > 0 {
             findings.push(Diagnostic::new(severity, code, format!("`{file}`: {count} {words}")).at(place(file)));
         }
@@ -21,30 +23,35 @@ pub fn clean(raw: &ObjMesh, file: &str, findings: &mut Vec<Diagnostic>) -> Resul
     let given = edges(raw.positions.len(), &raw.triangles);
     let closed = count(&given).0 == 0;
     let (positions, mapped, merged, unused) = merge(raw, !closed);
-    note(Severity::Info, "body-vertices-merged", merged, "vertices at the place of another were merged");
-    note(Severity::Info, "body-vertices-unused", unused, "vertices belong to no face and were left out");
+    note(Severity::Info, codes::BODY_VERTICES_MERGED, merged, "vertices at the place of another were merged");
+    note(Severity::Info, codes::BODY_VERTICES_UNUSED, unused, "vertices belong to no face and were left out");
     let (mut triangles, flat, double) = sound(&positions, mapped);
     for (code, which, words) in [
-        ("body-triangles-flat", flat, "triangles without area were left out"),
-        ("body-triangles-double", double, "triangles that stand twice were left out"),
+        (codes::BODY_TRIANGLES_FLAT, flat, "triangles without area were left out"),
+        (codes::BODY_TRIANGLES_DOUBLE, double, "triangles that stand twice were left out"),
     ] {
         note(Severity::Warning, code, which.count(), &format!("{words}: number {which}"));
     }
     if triangles.is_empty() {
-        let finding = Diagnostic::error("body-empty", format!("`{file}` has no triangle with area"));
+        let finding = Diagnostic::error(codes::BODY_EMPTY, format!("`{file}` has no triangle with area"));
         return Err(Box::new(finding.at(place(file))));
     }
     let edges = if triangles == raw.triangles { given } else { edges(positions.len(), &triangles) };
     let (open, crowded, mixed) = count(&edges);
     if mixed > 0 {
         let message = format!("`{file}`: along {mixed} edges the two triangles face opposite ways");
-        let finding = Diagnostic::error("body-faces-mixed", message).at(place(file));
+        let finding = Diagnostic::error(codes::BODY_FACES_MIXED, message).at(place(file));
         return Err(Box::new(finding.hint("make all faces point outwards (recalculate the normals) and export again")));
     }
-    note(Severity::Warning, "body-open", open, "open edges: the body is not closed, inside and outside are guessed");
-    note(Severity::Warning, "body-not-manifold", crowded, "edges belong to more than two triangles");
+    note(
+        Severity::Warning,
+        codes::BODY_OPEN,
+        open,
+        "open edges: the body is not closed, inside and outside are guessed",
+    );
+    note(Severity::Warning, codes::BODY_NOT_MANIFOLD, crowded, "edges belong to more than two triangles");
     let turned = turn_outwards(&positions, &mut triangles, &edges);
-    note(Severity::Warning, "body-inside-out", turned, "triangles faced inwards and were turned");
+    note(Severity::Warning, codes::BODY_INSIDE_OUT, turned, "triangles faced inwards and were turned");
     Ok((positions, triangles))
 }
 
@@ -202,5 +209,5 @@ pub fn size(raw: &ObjMesh, file: &str, person: bool) -> Option<Diagnostic> {
         || "a body file holds metres, y up".to_owned(),
         |(unit, _)| format!("the file looks like {unit}; a body file holds metres, y up"),
     );
-    Some(Diagnostic::new(severity, "body-size", message).at(place(file)).hint(hint))
+    Some(Diagnostic::new(severity, BODY_SIZE, message).at(place(file)).hint(hint))
 }

@@ -18,6 +18,7 @@
 //! half_depth = "120 mm"
 //! ```
 
+pub(crate) mod codes;
 mod mesh;
 mod sidecar;
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! The TOML file beside a body: name, measures, landmarks, segments.
 
+use super::codes;
+use crate::codes::UNKNOWN_KEY;
 use crate::schema::{document, list, quantity, table, text, with_about};
 use crate::toml_text::{TomlText, describe, did_you_mean};
 use serde_json::{Map, Value, json};
@@ -37,7 +39,7 @@ struct Reader<'a> {
 /// Reads the file.
 pub fn read(text: &str, file: &str) -> Result<Sidecar, Vec<Diagnostic>> {
     let mut r = Reader { toml: TomlText::new(text, file), findings: Vec::new() };
-    let root = r.toml.parse("body-syntax")?;
+    let root = r.toml.parse(codes::BODY_SYNTAX)?;
     let mut out = Sidecar::default();
     for (key, value) in root.get_ref() {
         match key.get_ref().as_ref() {
@@ -74,11 +76,11 @@ pub fn read(text: &str, file: &str) -> Result<Sidecar, Vec<Diagnostic>> {
 
 impl<'a> Reader<'a> {
     fn wrong<T>(&mut self, at: &Spanned<T>, message: String) {
-        self.findings.push(Diagnostic::error("body-value", message).at(self.toml.place(at)));
+        self.findings.push(Diagnostic::error(codes::BODY_VALUE, message).at(self.toml.place(at)));
     }
 
     fn unknown(&mut self, key: &Spanned<Cow<'_, str>>, known: &[&str]) {
-        let finding = Diagnostic::error("unknown-key", format!("unknown key `{}` in a body file", key.get_ref()));
+        let finding = Diagnostic::error(UNKNOWN_KEY, format!("unknown key `{}` in a body file", key.get_ref()));
         let hint = did_you_mean(key.get_ref(), known.iter().copied());
         self.findings.push(finding.at(self.toml.place(key)).hint(hint));
     }

@@ -4,6 +4,7 @@
 //! it wrong (two-byte codes in old releases, a date as a string), so a damaged pair outside the geometry is passed
 //! over to the next SECTION with a warning; inside BLOCKS and ENTITIES it ends the reading.
 
+use super::codes;
 use super::findings::Findings;
 use super::limits;
 use toile_garment::Diagnostic;
@@ -118,7 +119,7 @@ impl<'a> Reader<'a> {
 /// Geometry that cannot be read, or nothing at all; with the byte.
 pub(crate) fn to_text(bytes: &[u8], findings: &mut Findings) -> Result<Vec<u8>, Diagnostic> {
     let refuse = |text: String, findings: &Findings| {
-        Err(Diagnostic::error("binary-dxf", text)
+        Err(Diagnostic::error(codes::BINARY_DXF, text)
             .at(findings.place(1))
             .hint("the writer of this file is at fault; export it as ASCII (text) DXF"))
     };
@@ -144,7 +145,7 @@ pub(crate) fn to_text(bytes: &[u8], findings: &mut Findings) -> Result<Vec<u8>, 
             }
             let text =
                 format!("this binary DXF is damaged at byte {place} ({name}); it was read on from the next section");
-            findings.push(Diagnostic::warning("binary-dxf-damaged", text).at(findings.place(1)));
+            findings.push(Diagnostic::warning(codes::BINARY_DXF_DAMAGED, text).at(findings.place(1)));
             if !section.is_empty() {
                 out.extend_from_slice(b"0\nENDSEC\n");
             }
@@ -167,6 +168,6 @@ pub(crate) fn to_text(bytes: &[u8], findings: &mut Findings) -> Result<Vec<u8>, 
         }
     }
     let text = "this is a binary DXF; lines are counted as in its text form, two for each pair";
-    findings.push(Diagnostic::info("binary-dxf-read", text).at(findings.place(1)));
+    findings.push(Diagnostic::info(codes::BINARY_DXF_READ, text).at(findings.place(1)));
     Ok(out)
 }

@@ -1,5 +1,6 @@
 //! One entity from its tags. Curves are only looked at: what is wrong is told here, and `library.rs` reads them.
 
+use super::codes;
 use super::findings::Findings;
 use super::groups::Group;
 use super::model::{Entity, Shape, Spline, Vertex};
@@ -65,7 +66,7 @@ impl Reader<'_, '_> {
                         "group code {code} stands twice in one {}: a line between two entities is lost",
                         String::from_utf8_lossy(self.group.head.value)
                     );
-                    self.fail(Diagnostic::error("coordinate-twice", text), tag.line);
+                    self.fail(Diagnostic::error(codes::COORDINATE_TWICE, text), tag.line);
                 }
                 Err(e) => {
                     self.failed = true;
@@ -86,7 +87,7 @@ impl Reader<'_, '_> {
         let value = self.maybe(code);
         if value.is_none() && !self.failed {
             let text = format!("a {} without group code {code}", String::from_utf8_lossy(self.group.head.value));
-            self.fail(Diagnostic::error("coordinate-missing", text), self.group.head.line);
+            self.fail(Diagnostic::error(codes::COORDINATE_MISSING, text), self.group.head.line);
         }
         value.unwrap_or(0.0)
     }
@@ -117,7 +118,7 @@ impl Reader<'_, '_> {
         let (x, y) = (self.numbers(code), self.numbers(code + 10));
         if x.len() != y.len() && !self.failed {
             let text = format!("{} x but {} y coordinates", x.len(), y.len());
-            self.fail(Diagnostic::error("coordinate-missing", text), self.group.head.line);
+            self.fail(Diagnostic::error(codes::COORDINATE_MISSING, text), self.group.head.line);
         }
         x.into_iter().zip(y).map(|(x, y)| Vec2::new(x, y)).collect()
     }
@@ -126,7 +127,7 @@ impl Reader<'_, '_> {
         let value = self.need(code);
         if value <= 0.0 && !self.failed {
             let text = format!("{what} is {value}, it must be above 0");
-            self.fail(Diagnostic::error("number-out-of-range", text), self.group.head.line);
+            self.fail(Diagnostic::error(codes::NUMBER_OUT_OF_RANGE, text), self.group.head.line);
         }
         value
     }
@@ -220,7 +221,7 @@ fn insert(r: &mut Reader<'_, '_>, encoding: TextEncoding, mirror: bool) -> Shape
     if copies.iter().any(|n| *n > 1) {
         let text = format!("an INSERT repeats `{block}` {} × {} times; it was read once", copies[0], copies[1]);
         let place = r.findings.place(r.group.head.line);
-        r.findings.push(Diagnostic::warning("insert-array", text).at(place));
+        r.findings.push(Diagnostic::warning(codes::INSERT_ARRAY, text).at(place));
     }
     // Seen from behind x runs the other way: so do the scale along it and the turn.
     let side = if mirror { -1.0 } else { 1.0 };
@@ -244,7 +245,7 @@ fn look_at_ellipse(r: &mut Reader<'_, '_>) {
     let _ = (r.maybe(41), r.maybe(42));
     if major.norm() <= 0.0 && !r.failed {
         let line = r.group.head.line;
-        r.fail(Diagnostic::error("number-out-of-range", "an ELLIPSE without a major axis"), line);
+        r.fail(Diagnostic::error(codes::NUMBER_OUT_OF_RANGE, "an ELLIPSE without a major axis"), line);
     }
 }
 
@@ -261,23 +262,23 @@ fn look_at_light_polyline(r: &mut Reader<'_, '_>) {
             continue;
         }
         match tag.code {
-            10 if y_missing => r.fail(Diagnostic::error("coordinate-missing", "a vertex without y"), tag.line),
+            10 if y_missing => r.fail(Diagnostic::error(codes::COORDINATE_MISSING, "a vertex without y"), tag.line),
             10 => {
                 vertices += 1;
                 y_missing = true;
             }
             20 if y_missing => y_missing = false,
             42 if vertices > 0 => {}
-            _ => r.fail(Diagnostic::error("coordinate-missing", "a vertex without x"), tag.line),
+            _ => r.fail(Diagnostic::error(codes::COORDINATE_MISSING, "a vertex without x"), tag.line),
         }
     }
     let line = r.group.head.line;
     if y_missing && !r.failed {
-        r.fail(Diagnostic::error("coordinate-missing", "a vertex without y"), line);
+        r.fail(Diagnostic::error(codes::COORDINATE_MISSING, "a vertex without y"), line);
     }
     if let Some(count) = integer(r.group, 90).filter(|n| *n != vertices as i64 && !r.failed) {
         let text = format!("an LWPOLYLINE says {count} vertices and holds {vertices}");
-        r.fail(Diagnostic::error("vertex-count-differs", text), line);
+        r.fail(Diagnostic::error(codes::VERTEX_COUNT_DIFFERS, text), line);
     }
 }
 
@@ -301,12 +302,12 @@ fn look_at_spline(r: &mut Reader<'_, '_>) {
     if !r.failed
         && let Err(text) = spline.check()
     {
-        r.fail(Diagnostic::error("spline-damaged", text), line);
+        r.fail(Diagnostic::error(codes::SPLINE_DAMAGED, text), line);
     }
     for (code, have) in [(72, spline.knots.len()), (73, spline.control.len()), (74, spline.fit.len())] {
         if let Some(count) = integer(r.group, code).filter(|n| *n != have as i64 && !r.failed) {
             let text = format!("a SPLINE says {count} and holds {have} values (group code {code})");
-            r.fail(Diagnostic::error("vertex-count-differs", text), line);
+            r.fail(Diagnostic::error(codes::VERTEX_COUNT_DIFFERS, text), line);
         }
     }
 }

@@ -1,8 +1,9 @@
 //! Collects findings while a file is read: many, but no flood.
 
+use super::codes;
 use super::limits;
 use std::collections::BTreeMap;
-use toile_garment::{Diagnostic, Severity, SourceRef};
+use toile_garment::{Code, Diagnostic, Severity, SourceRef};
 
 /// Findings of one file, with the place filled in.
 #[derive(Clone, Debug, Default)]
@@ -55,8 +56,8 @@ impl Findings {
     }
 
     /// Was a finding of this code made?
-    pub(crate) fn said(&self, code: &str) -> bool {
-        self.seen.contains_key(code)
+    pub(crate) fn said(&self, code: Code) -> bool {
+        self.seen.contains_key(code.name())
     }
 
     pub(crate) fn has_errors(&self) -> bool {
@@ -73,7 +74,10 @@ impl Findings {
         for (code, seen) in self.seen {
             if seen > limits::FINDINGS_PER_CODE {
                 let more = seen - limits::FINDINGS_PER_CODE;
-                list.push(Diagnostic::info("more-findings", format!("{more} more findings `{code}` are not listed")));
+                list.push(Diagnostic::info(
+                    codes::MORE_FINDINGS,
+                    format!("{more} more findings `{code}` are not listed"),
+                ));
             }
         }
         list
@@ -83,15 +87,16 @@ impl Findings {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use codes::{BLANK_LINE as A, STRAY_PAIR as B, STRAY_VERTEX as C};
 
-    fn say(to: &mut Findings, code: &str, n: usize) {
-        (0..n).for_each(|i| to.push(Diagnostic::warning(code, format!("{code} {i}"))));
+    fn say(to: &mut Findings, code: Code, n: usize) {
+        (0..n).for_each(|i| to.push(Diagnostic::warning(code, format!("number {i}"))));
     }
 
     #[test]
     fn findings_of_parts_are_those_of_the_whole() {
         let most = limits::FINDINGS_PER_CODE;
-        let shares = [("a", 3), ("b", most + 5), ("a", most), ("b", 1), ("c", 2)];
+        let shares = [(A, 3), (B, most + 5), (A, most), (B, 1), (C, 2)];
         let (mut whole, mut parts) = (Findings::new("f"), Findings::new("f"));
         for (code, n) in shares {
             say(&mut whole, code, n);

@@ -1,5 +1,6 @@
 //! Tags in groups: each entity, section and block begins with a `0` tag.
 
+use super::codes;
 use super::findings::Findings;
 use super::limits;
 use super::tags::{Tag, Tags};
@@ -33,7 +34,7 @@ impl<'a> Groups<'a> {
         let Some(head) = head else { return Ok(None) };
         if head.code != 0 {
             let text = format!("group code {} stands outside any entity", head.code);
-            return Err(Diagnostic::error("stray-pair", text).at(findings.place(head.line)));
+            return Err(Diagnostic::error(codes::STRAY_PAIR, text).at(findings.place(head.line)));
         }
         let tags = &mut self.group.tags;
         tags.clear();
@@ -44,7 +45,7 @@ impl<'a> Groups<'a> {
             }
             if tags.len() >= limits::PAIRS_PER_ENTITY {
                 let text = format!("an entity of more than {} pairs", limits::PAIRS_PER_ENTITY);
-                return Err(Diagnostic::error("entity-too-large", text).at(findings.place(head.line)));
+                return Err(Diagnostic::error(codes::ENTITY_TOO_LARGE, text).at(findings.place(head.line)));
             }
             tags.push(tag);
         }

@@ -1,5 +1,6 @@
 //! The header of a file: release, unit, and the code page of its text.
 
+use super::codes;
 use super::findings::Findings;
 use super::groups::Groups;
 use crate::encoding::{self, TextEncoding};
@@ -53,7 +54,7 @@ pub(crate) fn text_encoding(
         return Ok(encoding::choose(bytes, header.release.as_deref(), header.code_page.as_deref()));
     };
     encoding::named(asked).ok_or_else(|| {
-        Diagnostic::error("code-page-unknown", format!("`{asked}` is no code page this program knows"))
+        Diagnostic::error(codes::CODE_PAGE_UNKNOWN, format!("`{asked}` is no code page this program knows"))
             .at(findings.place(1))
             .hint("e.g. \"utf-8\", \"gbk\", \"shift_jis\", \"windows-1252\", \"ANSI_936\"")
     })
@@ -77,5 +78,5 @@ pub(crate) fn say_encoding(bytes: &[u8], header: &Header, encoding: TextEncoding
         _ => return,
     };
     let hint = "if names look wrong, give the code page: code_page = \"…\"";
-    findings.push(Diagnostic::warning("encoding-guessed", text).at(findings.place(1)).hint(hint));
+    findings.push(Diagnostic::warning(codes::ENCODING_GUESSED, text).at(findings.place(1)).hint(hint));
 }

@@ -1,5 +1,6 @@
 //! The contents of a file, as JSON and as a table for people.
 
+use super::codes;
 use super::darts::{DrawnDart, Form, Pleat};
 use super::garment::to_piece;
 use super::ledger::Verdict;
@@ -65,7 +66,7 @@ fn companion(pattern: &mut Pattern, bytes: &[u8], file: &str) -> Option<RuleTabl
         Err(list) => {
             let text = format!("the rule table `{file}` is wrong; only drawn sizes can be made until it is mended");
             let place = list.first().and_then(|f| f.source.clone());
-            pattern.findings.push(Diagnostic::warning("rule-table-broken", text).at(place));
+            pattern.findings.push(Diagnostic::warning(codes::RULE_TABLE_BROKEN, text).at(place));
             let softer = |f: Diagnostic| Diagnostic { severity: Severity::Warning, ..f };
             pattern.findings.extend(list.into_iter().map(softer));
             None

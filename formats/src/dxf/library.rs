@@ -6,6 +6,7 @@
 //! So our own tags look first ([`super::entity`] tells line and remedy of what is wrong), and the tags that give a curve
 //! its shape are handed over as they stand in the file. Afterwards kind and counts are looked at again.
 
+use super::codes;
 use super::entity;
 use super::findings::Findings;
 use super::groups::Group;
@@ -135,7 +136,7 @@ impl Curves {
                 None => {
                     let text = format!("the library reader lost part of a {}", KINDS[curve.kind].0);
                     let place = findings.place(curve.line);
-                    findings.push(Diagnostic::error("library-census-differs", text).at(place));
+                    findings.push(Diagnostic::error(codes::LIBRARY_CENSUS_DIFFERS, text).at(place));
                 }
             }
         }

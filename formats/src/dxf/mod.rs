@@ -9,7 +9,8 @@
 
 mod binary;
 pub mod chain;
-mod checks;
+pub(crate) mod checks;
+pub(crate) mod codes;
 mod contact;
 pub mod curve;
 pub mod cut_notches;
@@ -32,7 +33,7 @@ mod mtext;
 pub mod notches;
 pub mod outline;
 mod parse;
-mod pattern;
+pub(crate) mod pattern;
 pub mod piece;
 mod rule_doubts;
 mod sheet;

@@ -1,5 +1,6 @@
 //! Tags into the faithful model: sections, blocks, polylines with their vertices.
 
+use super::codes;
 use super::entity;
 use super::findings::Findings;
 use super::groups::{Group, Groups};
@@ -9,7 +10,7 @@ use super::limits;
 use super::model::{Block, Drawing, Entity, Shape, Vertex};
 use super::tags::{Tag, Tags, number};
 use crate::encoding::{self, TextEncoding};
-use toile_garment::{Diagnostic, Vec2};
+use toile_garment::{Code, Diagnostic, Vec2};
 
 #[derive(Clone, Copy, PartialEq)]
 enum Section {
@@ -98,12 +99,12 @@ pub fn parse(bytes: &[u8], code_page: Option<&str>, findings: &mut Findings) -> 
 }
 
 impl Parser<'_> {
-    fn error(&mut self, code: &str, text: String, line: u64) {
+    fn error(&mut self, code: Code, text: String, line: u64) {
         let place = self.findings.place(line);
         self.findings.push(Diagnostic::error(code, text).at(place));
     }
 
-    fn warn(&mut self, code: &str, text: String, line: u64) {
+    fn warn(&mut self, code: Code, text: String, line: u64) {
         let place = self.findings.place(line);
         self.findings.push(Diagnostic::warning(code, text).at(place));
     }
@@ -117,7 +118,7 @@ impl Parser<'_> {
         if self.ended {
             if !self.after_end {
                 self.after_end = true;
-                self.warn("data-after-eof", "there are entities after EOF; they were not read".into(), head.line);
+                self.warn(codes::DATA_AFTER_EOF, "there are entities after EOF; they were not read".into(), head.line);
             }
             return Ok(());
         }
@@ -131,7 +132,7 @@ impl Parser<'_> {
             Section::None => {
                 let name = self.text(head.value);
                 let text = format!("`{name}` stands outside any SECTION");
-                return Err(Diagnostic::error("outside-section", text)
+                return Err(Diagnostic::error(codes::OUTSIDE_SECTION, text)
                     .at(self.findings.place(head.line))
                     .hint("a SECTION or ENDSEC line is damaged"));
             }
@@ -141,7 +142,7 @@ impl Parser<'_> {
             _ => self.entity(group)?,
         }
         if self.findings.errors_full() {
-            return Err(Diagnostic::error("too-many-errors", "too many errors; reading stopped here")
+            return Err(Diagnostic::error(codes::TOO_MANY_ERRORS, "too many errors; reading stopped here")
                 .at(self.findings.place(head.line)));
         }
         Ok(())
@@ -152,12 +153,11 @@ impl Parser<'_> {
         if self.section != Section::None {
             self.close_polyline(None);
             self.close_block(None);
-            self.warn("section-not-closed", "a SECTION begins before the one above has ended".into(), line);
+            self.warn(codes::SECTION_NOT_CLOSED, "a SECTION begins before the one above has ended".into(), line);
         }
         let Some(name) = group.tags.first().filter(|t| t.code == 2) else {
-            return Err(
-                Diagnostic::error("section-without-name", "a SECTION without a name").at(self.findings.place(line))
-            );
+            return Err(Diagnostic::error(codes::SECTION_WITHOUT_NAME, "a SECTION without a name")
+                .at(self.findings.place(line)));
         };
         self.sections += 1;
         const KNOWN: [&str; 6] = ["HEADER", "CLASSES", "TABLES", "OBJECTS", "THUMBNAILIMAGE", "ACDSDATA"];
@@ -169,7 +169,7 @@ impl Parser<'_> {
             self.tables |= name.is("TABLES");
             if !KNOWN.iter().any(|k| name.is(k)) {
                 let shown = self.text(name.value);
-                self.error("unknown-section", format!("unknown section `{shown}`"), name.line);
+                self.error(codes::UNKNOWN_SECTION, format!("unknown section `{shown}`"), name.line);
             }
             Section::Skipped
         };
@@ -180,16 +180,16 @@ impl Parser<'_> {
         let open = self.polyline.is_some();
         self.close_polyline(if open { Some(head.line) } else { None });
         if self.block.is_some() {
-            self.warn("block-not-closed", "a BLOCK ends without ENDBLK".into(), head.line);
+            self.warn(codes::BLOCK_NOT_CLOSED, "a BLOCK ends without ENDBLK".into(), head.line);
             self.close_block(None);
         }
         if head.is("EOF") {
             if self.section != Section::None {
-                self.warn("section-not-closed", "the last SECTION ends without ENDSEC".into(), head.line);
+                self.warn(codes::SECTION_NOT_CLOSED, "the last SECTION ends without ENDSEC".into(), head.line);
             }
             self.ended = true;
         } else if self.section == Section::None {
-            self.warn("endsec-without-section", "ENDSEC without a SECTION".into(), head.line);
+            self.warn(codes::ENDSEC_WITHOUT_SECTION, "ENDSEC without a SECTION".into(), head.line);
         }
         self.section = Section::None;
         Ok(())
@@ -198,7 +198,7 @@ impl Parser<'_> {
     fn open_block(&mut self, group: &Group<'_>) {
         self.close_polyline(Some(group.head.line));
         if self.block.is_some() {
-            self.warn("block-not-closed", "a BLOCK begins before the one above has ended".into(), group.head.line);
+            self.warn(codes::BLOCK_NOT_CLOSED, "a BLOCK begins before the one above has ended".into(), group.head.line);
             self.close_block(None);
         }
         let mut block = Block { name: String::new(), base: Vec2::zeros(), line: group.head.line, entities: Vec::new() };
@@ -218,7 +218,7 @@ impl Parser<'_> {
             }
         }
         if !named {
-            self.warn("block-without-name", "a BLOCK without a name".into(), block.line);
+            self.warn(codes::BLOCK_WITHOUT_NAME, "a BLOCK without a name".into(), block.line);
             block.name = format!("BLOCK_{}", self.blocks.len() + 1);
         }
         self.block = Some(block);
@@ -228,7 +228,7 @@ impl Parser<'_> {
         self.close_polyline(endblk);
         match (self.block.take(), endblk) {
             (Some(block), _) => self.blocks.push(block),
-            (None, Some(line)) => self.error("endblk-without-block", "ENDBLK without a BLOCK".into(), line),
+            (None, Some(line)) => self.error(codes::ENDBLK_WITHOUT_BLOCK, "ENDBLK without a BLOCK".into(), line),
             (None, None) => {}
         }
     }
@@ -241,7 +241,7 @@ impl Parser<'_> {
         }
         if head.is("SEQEND") {
             if self.polyline.is_none() && !self.last_takes_seqend() {
-                self.warn("stray-seqend", "SEQEND without a POLYLINE".into(), head.line);
+                self.warn(codes::STRAY_SEQEND, "SEQEND without a POLYLINE".into(), head.line);
             }
             self.close_polyline(None);
             return Ok(());
@@ -249,14 +249,14 @@ impl Parser<'_> {
         self.close_polyline(Some(head.line));
         if self.section == Section::Blocks && self.block.is_none() {
             let name = self.text(head.value);
-            self.error("entity-outside-block", format!("`{name}` stands in BLOCKS but in no BLOCK"), head.line);
+            self.error(codes::ENTITY_OUTSIDE_BLOCK, format!("`{name}` stands in BLOCKS but in no BLOCK"), head.line);
             return Ok(());
         }
         let id = self.count;
         self.count += 1;
         if self.count as usize > limits::ENTITIES {
             let text = format!("more than {} entities", limits::ENTITIES);
-            return Err(Diagnostic::error("too-many-entities", text).at(self.findings.place(head.line)));
+            return Err(Diagnostic::error(codes::TOO_MANY_ENTITIES, text).at(self.findings.place(head.line)));
         }
         if head.is("POLYLINE") {
             self.open_polyline(id, group);
@@ -303,7 +303,7 @@ impl Parser<'_> {
     fn vertex(&mut self, group: &Group<'_>) {
         let line = group.head.line;
         if self.polyline.is_none() {
-            self.error("stray-vertex", "a VERTEX outside a POLYLINE: an outline here is incomplete".into(), line);
+            self.error(codes::STRAY_VERTEX, "a VERTEX outside a POLYLINE: an outline here is incomplete".into(), line);
             return;
         }
         self.vertex_count += 1;
@@ -323,14 +323,14 @@ impl Parser<'_> {
         if polyline.vertices.len() > limits::OUTLINE_POINTS {
             polyline.vertices.clear();
             let text = format!("a POLYLINE of more than {} vertices", limits::OUTLINE_POINTS);
-            self.error("polyline-too-long", text, line);
+            self.error(codes::POLYLINE_TOO_LONG, text, line);
         }
     }
 
     fn close_polyline(&mut self, without_seqend: Option<u64>) {
         let Some(open) = self.polyline.take() else { return };
         if let Some(line) = without_seqend {
-            self.warn("polyline-without-seqend", "a POLYLINE ends without SEQEND".into(), line);
+            self.warn(codes::POLYLINE_WITHOUT_SEQEND, "a POLYLINE ends without SEQEND".into(), line);
         }
         let mut entity = open.entity;
         if let Some([low, high]) = open.depth.filter(|[low, high]| high - low > 0.01 && !open.mesh) {
@@ -341,7 +341,7 @@ impl Parser<'_> {
             let place =
                 self.findings.place_in(self.block.as_ref().map_or("", |b| &b.name), Some(&entity.layer), entity.line);
             let hint = "lay the pattern flat before the export: lengths are lost otherwise";
-            self.findings.push(Diagnostic::warning("line-not-flat", text).at(place).hint(hint));
+            self.findings.push(Diagnostic::warning(codes::LINE_NOT_FLAT, text).at(place).hint(hint));
         }
         if !open.mesh {
             entity.shape = Shape::Polyline { vertices: open.vertices, closed: open.closed, light: false };
@@ -357,14 +357,19 @@ impl Parser<'_> {
         }
         if self.section != Section::None || self.polyline.is_some() || self.block.is_some() {
             let place = self.findings.place(line);
-            return Err(Diagnostic::error("file-truncated", "the file ends in the middle of a section: it is cut off")
-                .at(place)
-                .hint("get a whole copy of the file"));
+            return Err(Diagnostic::error(
+                codes::FILE_TRUNCATED,
+                "the file ends in the middle of a section: it is cut off",
+            )
+            .at(place)
+            .hint("get a whole copy of the file"));
         }
         if self.sections == 0 {
-            return Err(Diagnostic::error("not-dxf", "there is no SECTION in this file").at(self.findings.place(1)));
+            return Err(
+                Diagnostic::error(codes::NOT_DXF, "there is no SECTION in this file").at(self.findings.place(1))
+            );
         }
-        self.warn("eof-missing", "the end mark EOF is missing".into(), line);
+        self.warn(codes::EOF_MISSING, "the end mark EOF is missing".into(), line);
         Ok(())
     }
 }

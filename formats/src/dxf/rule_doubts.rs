@@ -1,11 +1,12 @@
 //! A rule table beside the pattern it is meant for.
 
+use super::codes;
 use super::geom;
 use super::pattern::Pattern;
 use super::piece::DrawnPiece;
 use crate::rul::RuleTable;
 use std::collections::BTreeSet;
-use toile_garment::{Diagnostic, SourceRef, Vec2};
+use toile_garment::{Code, Diagnostic, SourceRef, Vec2};
 
 /// From one size to the next no point of a piece moves farther, mm, or farther than this share of its larger side.
 const STEP: (f64, f64) = (120.0, 0.25);
@@ -23,7 +24,7 @@ impl Pattern {
     pub fn check_rules(&self, table: &RuleTable) -> Vec<Diagnostic> {
         let place = || SourceRef::file(self.file.clone());
         let mut out = Vec::new();
-        let mut say = |code: &str, text: String, hint: &str, piece: Option<&DrawnPiece>| {
+        let mut say = |code: Code, text: String, hint: &str, piece: Option<&DrawnPiece>| {
             let mut at = place();
             (at.block, at.line) = (piece.map(|p| p.block.clone()), piece.map(|p| p.line));
             out.push(Diagnostic::warning(code, text).at(at).hint(hint));
@@ -32,13 +33,18 @@ impl Pattern {
         if let Some((own, theirs)) = own.zip(table.name.as_ref()).filter(|(a, b)| differ(a, b)) {
             let text =
                 format!("the pattern names the rule table `{own}`, and the one beside it is `{theirs}`; it was taken");
-            say("rule-table-differs", text, "give the rule table that belongs to the pattern: rules = \"…\"", None);
+            say(
+                codes::RULE_TABLE_DIFFERS,
+                text,
+                "give the rule table that belongs to the pattern: rules = \"…\"",
+                None,
+            );
         }
         let own = self.sample_size.as_ref();
         if let Some((own, theirs)) = own.zip(table.sample.as_ref()).filter(|(a, b)| differ(a, b)) {
             let text = format!("the sample size is `{own}` in the pattern and `{theirs}` in the rule table");
             say(
-                "rule-table-differs",
+                codes::RULE_TABLE_DIFFERS,
                 text,
                 "growths are relative to the sample size of the table; make sure which is right",
                 None,
@@ -55,7 +61,7 @@ impl Pattern {
                     list.join(", ")
                 );
                 say(
-                    "rules-missing",
+                    codes::RULES_MISSING,
                     text,
                     "give the rule table that belongs to the pattern, whole: rules = \"…\"",
                     Some(piece),
@@ -70,7 +76,7 @@ impl Pattern {
                 sizes[1],
                 table.units.as_deref().unwrap_or("none")
             );
-            say("rule-growth-doubtful", text, "correct UNITS in the rule table", Some(piece));
+            say(codes::RULE_GROWTH_DOUBTFUL, text, "correct UNITS in the rule table", Some(piece));
         }
         out
     }

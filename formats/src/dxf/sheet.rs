@@ -1,6 +1,7 @@
 //! A block sorted by layer, in millimetres: lines flattened, points, strokes and texts by their role.
 
 use super::chain::Path;
+use super::codes;
 use super::curve;
 use super::findings::Findings;
 use super::geom;
@@ -109,7 +110,7 @@ fn transformed(outer: &str, inner: &str, scale: [f64; 2], rotation: f64) -> Opti
     );
     let hint = "compare the size of the piece; insert blocks at their own size if it is not meant";
     (!plain).then(|| {
-        let code = if x * y < 0.0 { "insert-mirrored" } else { "insert-transformed" };
+        let code = if x * y < 0.0 { codes::INSERT_MIRRORED } else { codes::INSERT_TRANSFORMED };
         Diagnostic::warning(code, text).hint(hint)
     })
 }
@@ -205,7 +206,7 @@ impl<'a> Sorter<'a> {
         if self.expanded == MOST + 1 {
             let text = format!("the INSERTs of this file expand to more than {MOST} entities");
             let place = self.findings.place_in(block, None, line);
-            self.findings.push(Diagnostic::error("insert-too-many", text).at(place));
+            self.findings.push(Diagnostic::error(codes::INSERT_TOO_MANY, text).at(place));
         }
         self.expanded <= MOST
     }
@@ -216,12 +217,14 @@ impl<'a> Sorter<'a> {
         let outer = &blocks[index].name;
         let target = self.by_name.get(block).and_then(|list| list.first()).copied();
         let problem = match target {
-            None => Some(("block-missing", "there is no such block")),
-            Some(t) if path.contains(&t) => Some(("insert-recursive", "it would insert itself")),
+            None => Some((codes::BLOCK_MISSING, "there is no such block")),
+            Some(t) if path.contains(&t) => Some((codes::INSERT_RECURSIVE, "it would insert itself")),
             Some(t) if own && has_boundary(self.layers, &blocks[t]) => {
-                Some(("insert-not-expanded", "both blocks have an outline of their own"))
+                Some((codes::INSERT_NOT_EXPANDED, "both blocks have an outline of their own"))
             }
-            Some(_) if path.len() >= limits::INSERT_DEPTH => Some(("insert-too-deep", "blocks are nested too deeply")),
+            Some(_) if path.len() >= limits::INSERT_DEPTH => {
+                Some((codes::INSERT_TOO_DEEP, "blocks are nested too deeply"))
+            }
             Some(_) => None,
         };
         if let Some((code, why)) = problem {

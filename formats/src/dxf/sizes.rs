@@ -1,8 +1,10 @@
 //! Choosing a size: drawn, or graded from the sample size.
 
+use super::codes;
 use super::grade::{self, GradeError};
 use super::pattern::Pattern;
 use super::piece::DrawnPiece;
+use crate::codes::SIZE_NOT_FOUND;
 use crate::rul::RuleTable;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -62,7 +64,7 @@ impl Pattern {
                 "no size was asked for and no sample size is drawn; {choice} was taken of {}",
                 self.sizes.join(", ")
             );
-            findings.push(Diagnostic::warning("size-chosen", text).at(self.place()).hint("give size = \"…\""));
+            findings.push(Diagnostic::warning(codes::SIZE_CHOSEN, text).at(self.place()).hint("give size = \"…\""));
         }
         choice
     }
@@ -74,7 +76,7 @@ impl Pattern {
             let list = self.available_sizes(rul).join(", ");
             let known = if list.is_empty() { "the file names no size".into() } else { format!("there are: {list}") };
             return Err(vec![
-                Diagnostic::error("size-not-found", format!("size `{wanted}` is not in this pattern; {known}"))
+                Diagnostic::error(SIZE_NOT_FOUND, format!("size `{wanted}` is not in this pattern; {known}"))
                     .at(self.place()),
             ]);
         }
@@ -125,7 +127,7 @@ impl Pattern {
                 Err(GradeError::NoRules) => return Ok(vec![borrowed(base)]),
                 Err(GradeError::Rule(n)) => {
                     let text = format!("`{}` uses grade rule {n}, which the rule table does not have", piece.label());
-                    return Err(Box::new(Diagnostic::error("rule-missing", text).at(self.place())));
+                    return Err(Box::new(Diagnostic::error(codes::RULE_MISSING, text).at(self.place())));
                 }
                 Err(GradeError::Size) => {}
             }
@@ -136,6 +138,6 @@ impl Pattern {
         let label = list.first().map_or("", |i| self.pieces[*i].label());
         let have: Vec<&str> = list.iter().filter_map(|i| self.pieces[*i].size.as_deref()).collect();
         let text = format!("piece `{label}` is not drawn in size `{wanted}`; it is in {}", have.join(", "));
-        Err(Box::new(Diagnostic::error("size-not-found", text).at(self.place())))
+        Err(Box::new(Diagnostic::error(SIZE_NOT_FOUND, text).at(self.place())))
     }
 }

@@ -1,7 +1,9 @@
 //! The tolerant tag reader: code/value pairs with their line numbers.
 
+use super::codes;
 use super::findings::Findings;
 use super::{binary, limits};
+use crate::codes::FILE_TOO_LARGE;
 use std::borrow::Cow;
 use toile_garment::Diagnostic;
 
@@ -44,19 +46,19 @@ pub fn sniff<'a>(bytes: &'a [u8], findings: &mut Findings) -> Result<Cow<'a, [u8
     let place = findings.place(1);
     if bytes.len() > limits::FILE_BYTES {
         let text = format!("the file has {} bytes, over the limit of {}", bytes.len(), limits::FILE_BYTES);
-        return Err(Diagnostic::error("file-too-large", text).at(place));
+        return Err(Diagnostic::error(FILE_TOO_LARGE, text).at(place));
     }
     if bytes.starts_with(&binary::SENTINEL[..18]) {
         return binary::to_text(bytes, findings).map(Cow::Owned);
     }
     if bytes.starts_with(&[0xFF, 0xFE]) || bytes.starts_with(&[0xFE, 0xFF]) {
-        findings.push(Diagnostic::info("utf-16-text", "the file is UTF-16 text").at(place));
+        findings.push(Diagnostic::info(codes::UTF_16_TEXT, "the file is UTF-16 text").at(place));
         let wide = if bytes[0] == 0xFF { encoding_rs::UTF_16LE } else { encoding_rs::UTF_16BE };
         return Ok(Cow::Owned(wide.decode(bytes).0.into_owned().into_bytes()));
     }
     let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     if bytes.iter().all(u8::is_ascii_whitespace) {
-        return Err(Diagnostic::error("file-empty", "the file is empty").at(place));
+        return Err(Diagnostic::error(codes::FILE_EMPTY, "the file is empty").at(place));
     }
     Ok(Cow::Borrowed(bytes))
 }
@@ -81,7 +83,7 @@ impl<'a> Tags<'a> {
         match self.next_line() {
             Some(line) if line.len() > limits::LINE_BYTES => {
                 let text = format!("a line of {} bytes, over the limit of {}", line.len(), limits::LINE_BYTES);
-                Err(Diagnostic::error("line-too-long", text).at(findings.place(self.line)))
+                Err(Diagnostic::error(codes::LINE_TOO_LONG, text).at(findings.place(self.line)))
             }
             line => Ok(line),
         }
@@ -111,14 +113,14 @@ impl<'a> Tags<'a> {
             let Some(value) = self.checked_line(findings)? else {
                 let text =
                     format!("the file ends after group code {number}: its value is missing, the file is cut off");
-                return Err(Diagnostic::error("file-truncated", text)
+                return Err(Diagnostic::error(codes::FILE_TRUNCATED, text)
                     .at(findings.place(line))
                     .hint("get a whole copy of the file"));
             };
             self.pairs += 1;
             if self.pairs > limits::PAIRS {
                 let text = format!("more than {} code/value pairs", limits::PAIRS);
-                return Err(Diagnostic::error("too-many-pairs", text).at(findings.place(line)));
+                return Err(Diagnostic::error(codes::TOO_MANY_PAIRS, text).at(findings.place(line)));
             }
             if number == 999 {
                 if self.comments.len() < 8 {
@@ -150,7 +152,7 @@ impl<'a> Tags<'a> {
             let inside = self.bytes[..trailing].iter().filter(|b| **b == self.terminator).count() as u64;
             if self.first_blank <= inside {
                 let text = format!("{} blank line(s) between pairs were passed over", self.blank_lines);
-                findings.push(Diagnostic::warning("blank-line", text).at(findings.place(self.first_blank)));
+                findings.push(Diagnostic::warning(codes::BLANK_LINE, text).at(findings.place(self.first_blank)));
             }
         }
     }
@@ -176,9 +178,9 @@ fn bad_code(code: &[u8], line: u64, findings: &Findings) -> Diagnostic {
     let shown = shown(code);
     if line == 1 {
         let text = format!("this is no DXF text: line 1 must be a group code, found {shown}");
-        return Diagnostic::error("not-dxf", text).at(findings.place(line));
+        return Diagnostic::error(codes::NOT_DXF, text).at(findings.place(line));
     }
-    Diagnostic::error("bad-group-code", format!("expected a group code (a whole number), found {shown}"))
+    Diagnostic::error(codes::BAD_GROUP_CODE, format!("expected a group code (a whole number), found {shown}"))
         .at(findings.place(line))
         .hint("a line is missing or extra just before this one; export the file again")
 }
@@ -197,20 +199,21 @@ pub fn number(tag: &Tag<'_>, findings: &Findings) -> Result<f64, Diagnostic> {
     let shown = if tag.value.is_empty() { "an empty line".to_owned() } else { shown(tag.value) };
     match value {
         Some(_) => Err(Diagnostic::error(
-            "number-out-of-range",
+            codes::NUMBER_OUT_OF_RANGE,
             format!("the number {shown} (group code {}) is out of range", tag.code),
         )
         .at(place)),
         None if tag.value.contains(&b',') => Err(Diagnostic::error(
-            "decimal-comma",
+            codes::DECIMAL_COMMA,
             format!("the number {shown} (group code {}) has a decimal comma", tag.code),
         )
         .at(place)
         .hint("export with a decimal point")),
-        None => {
-            Err(Diagnostic::error("bad-number", format!("{shown} (group code {}) is not a finite number", tag.code))
-                .at(place)
-                .hint("correct the line or export the file again"))
-        }
+        None => Err(Diagnostic::error(
+            codes::BAD_NUMBER,
+            format!("{shown} (group code {}) is not a finite number", tag.code),
+        )
+        .at(place)
+        .hint("correct the line or export the file again")),
     }
 }

@@ -1,5 +1,6 @@
 //! Millimetres per file unit: declared, guessed, and checked against the size of the pieces.
 
+use super::codes;
 use super::findings::Findings;
 use super::texts;
 use toile_garment::Diagnostic;
@@ -56,7 +57,7 @@ pub(crate) fn decide(evidence: &Evidence<'_>, findings: &mut Findings) -> Units 
 fn stated(evidence: &Evidence<'_>, say: &mut impl FnMut(Diagnostic)) -> Option<f64> {
     let from_text = evidence.text.and_then(texts::unit);
     if let (Some(text), None) = (evidence.text, from_text) {
-        say(Diagnostic::warning("units-unknown", format!("the text `Units: {text}` names no known unit")));
+        say(Diagnostic::warning(codes::UNITS_UNKNOWN, format!("the text `Units: {text}` names no known unit")));
     }
     let from_header = match evidence.insunits {
         Some(1) => Some(25.4),
@@ -74,7 +75,7 @@ fn stated(evidence: &Evidence<'_>, say: &mut impl FnMut(Diagnostic)) -> Option<f
         && let Some((_, other)) = others.iter().find(|(mm, _)| mm != first)
     {
         let text = format!("the file says {said} and also {other}; {said} counts");
-        say(Diagnostic::info("units-contradict", text).hint("give the unit: units = \"mm\" or \"inch\""));
+        say(Diagnostic::info(codes::UNITS_CONTRADICT, text).hint("give the unit: units = \"mm\" or \"inch\""));
     }
     from_text.or(from_header)
 }
@@ -87,7 +88,7 @@ fn guessed(evidence: &Evidence<'_>, say: &mut impl FnMut(Diagnostic)) -> f64 {
         name(guess),
         evidence.side * guess
     );
-    say(Diagnostic::warning("units-guessed", text).hint("give the unit: units = \"mm\" or \"inch\""));
+    say(Diagnostic::warning(codes::UNITS_GUESSED, text).hint("give the unit: units = \"mm\" or \"inch\""));
     guess
 }
 
@@ -103,7 +104,7 @@ fn checked(mm: f64, side: f64, say: &mut impl FnMut(Diagnostic)) -> f64 {
                 name(better),
                 side * better
             );
-            say(Diagnostic::warning("units-doubtful", text).hint("give the unit: units = \"mm\" or \"inch\""));
+            say(Diagnostic::warning(codes::UNITS_DOUBTFUL, text).hint("give the unit: units = \"mm\" or \"inch\""));
             return better;
         }
     }
@@ -114,7 +115,7 @@ fn checked(mm: f64, side: f64, say: &mut impl FnMut(Diagnostic)) -> f64 {
             side * mm,
             side * 1000.0
         );
-        say(Diagnostic::warning("units-doubtful", text).hint("give the unit: units = \"mm\" or \"m\""));
+        say(Diagnostic::warning(codes::UNITS_DOUBTFUL, text).hint("give the unit: units = \"mm\" or \"m\""));
         return 1000.0;
     }
     if side > 0.0 && (side * mm > SIDE_MOST || side * mm < LARGEST_LEAST) {
@@ -123,7 +124,7 @@ fn checked(mm: f64, side: f64, say: &mut impl FnMut(Diagnostic)) -> f64 {
             name(mm),
             side * mm
         );
-        say(Diagnostic::warning("units-doubtful", text).hint("give the unit: units = \"mm\", \"cm\" or \"inch\""));
+        say(Diagnostic::warning(codes::UNITS_DOUBTFUL, text).hint("give the unit: units = \"mm\", \"cm\" or \"inch\""));
     }
     mm
 }

@@ -1,5 +1,6 @@
 //! From the file's values to the fabric: one source for each property, laws fitted, defaults stated.
 
+use super::codes;
 use super::reader::{Entries, Entry};
 use super::{kes, poisson};
 use std::collections::BTreeMap;
@@ -63,7 +64,7 @@ pub fn fabric(e: &mut Entries) -> Option<Fabric> {
 }
 
 fn missing(e: &mut Entries, what: &str, hint: &str) {
-    let finding = Diagnostic::error("fabric-value-missing", format!("`{}` gives no {what}", e.whole.file));
+    let finding = Diagnostic::error(codes::FABRIC_VALUE_MISSING, format!("`{}` gives no {what}", e.whole.file));
     e.findings.push(finding.at(e.whole.clone()).hint(hint));
 }
 
@@ -103,7 +104,7 @@ fn common(e: &mut Entries, key: &'static str, sources: &mut Sources) -> Option<f
 fn once(e: &mut Entries, what: &str, places: &[(String, SourceRef)]) {
     if let [(first, _), (second, at), ..] = places {
         let message = format!("{what} is given twice, as `{first}` and as `{second}`");
-        let finding = Diagnostic::error("fabric-value-twice", message).at(at.clone());
+        let finding = Diagnostic::error(codes::FABRIC_VALUE_TWICE, message).at(at.clone());
         e.findings.push(finding.hint("keep the one that was measured"));
     }
 }
@@ -162,7 +163,7 @@ fn incomplete(e: &mut Entries, given: &str, wanted: &str, at: SourceRef) -> Opti
     let message = format!("`{given}` is given without `{wanted}`");
     // A value that was refused has its own finding already.
     if !e.findings.iter().any(|f| f.message.contains(&format!("`{wanted}"))) {
-        e.findings.push(Diagnostic::error("fabric-value-missing", message).at(at));
+        e.findings.push(Diagnostic::error(codes::FABRIC_VALUE_MISSING, message).at(at));
     }
     None
 }
@@ -178,7 +179,7 @@ fn from_fast(e: &mut Entries, direction: &str) -> Option<Found> {
         };
         if points.last().is_some_and(|p: &[f64; 2]| value.value <= p[0]) {
             let message = format!("`{key} = {}` is not above the strain at the lower tension", value.source.written);
-            e.findings.push(Diagnostic::error("fabric-curve", message).at(value.at.clone()));
+            e.findings.push(Diagnostic::error(codes::FABRIC_CURVE, message).at(value.at.clone()));
             return None;
         }
         points.push([value.value, tension]);

@@ -1,5 +1,6 @@
 //! Measured tension curves: rows of strain and tension.
 
+use super::codes;
 use super::fields::{self, Unit};
 use super::reader::{CurveEntry, Entries, Origin};
 use crate::toml_text::{TomlText, describe};
@@ -29,7 +30,7 @@ pub fn read(
     };
     if rows.len() > MAX_ROWS {
         let message = format!("the {direction} curve has {} rows, over the limit of {MAX_ROWS}", rows.len());
-        out.findings.push(Diagnostic::error("fabric-curve", message).at(toml.place(value)));
+        out.findings.push(Diagnostic::error(codes::FABRIC_CURVE, message).at(toml.place(value)));
         return;
     }
     let mut points: Vec<[f64; 2]> = Vec::new();
@@ -59,7 +60,7 @@ pub fn read(
 }
 
 fn hinted(message: String) -> Diagnostic {
-    Diagnostic::error("fabric-curve", message)
+    Diagnostic::error(codes::FABRIC_CURVE, message)
         .hint("rows are [\"strain %\", \"tension N/m\"], both rising from [\"0 %\", \"0 N/m\"]")
 }
 

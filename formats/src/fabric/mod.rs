@@ -57,6 +57,7 @@
 //! back. KES-F pulls a sample four times as wide as long, which hardly gets narrower: its laws are taken as they are.
 
 mod build;
+pub(crate) mod codes;
 mod curve;
 mod fields;
 pub mod kes;

@@ -2,6 +2,7 @@
 //! has them.
 
 use super::reader::Entries;
+use crate::codes::VALUE_OUT_OF_RANGE;
 use toile_garment::Diagnostic;
 use toile_garment::fabric::StretchLaw;
 
@@ -52,5 +53,5 @@ fn refuse(e: &mut Entries, ratio: f64, anisotropy: f64) {
         1.0 / anisotropy
     );
     let hint = "poisson is the contraction along the weft in a strip test along the warp";
-    e.findings.push(Diagnostic::error("value-out-of-range", message).at(at).hint(hint));
+    e.findings.push(Diagnostic::error(VALUE_OUT_OF_RANGE, message).at(at).hint(hint));
 }

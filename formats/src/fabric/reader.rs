@@ -1,7 +1,9 @@
 //! The file's values by table and key, checked one by one for unit and range.
 
+use super::codes;
 use super::curve;
 use super::fields::{self, FIELDS, Field, TABLES, TEXTS, Unit};
+use crate::codes::{UNKNOWN_KEY, VALUE_OUT_OF_RANGE};
 use crate::toml_text::{TomlText, describe, did_you_mean};
 use serde_spanned::Spanned;
 use std::collections::BTreeMap;
@@ -45,7 +47,7 @@ pub struct Origin {
 /// Reads all values. Syntax errors end it; all other mistakes are collected.
 pub fn read(text: &str, file: &str) -> Result<Entries, Vec<Diagnostic>> {
     let toml = TomlText::new(text, file);
-    let root = toml.parse("fabric-syntax")?;
+    let root = toml.parse(codes::FABRIC_SYNTAX)?;
     let mut out = Entries { whole: toml.whole(), ..Entries::default() };
     let root = root.get_ref();
     let origin = origin_of(&toml, root, &Origin::default(), &mut out.findings);
@@ -60,7 +62,7 @@ pub fn read(text: &str, file: &str) -> Result<Entries, Vec<Diagnostic>> {
         }
     }
     if out.name.trim().is_empty() {
-        let finding = Diagnostic::error("fabric-name-missing", "the fabric has no name").at(out.whole.clone());
+        let finding = Diagnostic::error(codes::FABRIC_NAME_MISSING, "the fabric has no name").at(out.whole.clone());
         out.findings.push(finding.hint("write `name = \"cotton shirting\"` at the top of the file"));
     }
     Ok(out)
@@ -75,7 +77,7 @@ fn read_table(
 ) {
     let Some(entries) = value.get_ref().as_table() else {
         let message = format!("`{table}` must be a table, not {}", describe(value.get_ref()));
-        out.findings.push(Diagnostic::error("fabric-value", message).at(toml.place(value)));
+        out.findings.push(Diagnostic::error(codes::FABRIC_VALUE, message).at(toml.place(value)));
         return;
     };
     let origin = origin_of(toml, entries, origin, &mut out.findings);
@@ -104,7 +106,7 @@ pub fn origin_of(toml: &TomlText<'_>, table: &DeTable<'_>, above: &Origin, findi
             (_, Some(_)) => {}
             (_, None) => {
                 let message = format!("`{word}` must be a text, not {}", describe(value.get_ref()));
-                findings.push(Diagnostic::error("fabric-value", message).at(toml.place(value)));
+                findings.push(Diagnostic::error(codes::FABRIC_VALUE, message).at(toml.place(value)));
             }
         }
     }
@@ -129,12 +131,12 @@ fn read_value(
         Some(inner) => {
             let Some((_, plain)) = inner.iter().find(|(k, _)| k.get_ref() == "value") else {
                 let message = format!("`{word}` has no `value`");
-                out.findings.push(Diagnostic::error("fabric-value", message).at(toml.place(value)));
+                out.findings.push(Diagnostic::error(codes::FABRIC_VALUE, message).at(toml.place(value)));
                 return;
             };
             for (k, _) in inner.iter().filter(|(k, _)| !["value", "method", "source"].contains(&k.get_ref().as_ref())) {
                 let message = format!("unknown key `{}` of `{word}`", k.get_ref());
-                let finding = Diagnostic::error("unknown-key", message).at(toml.place(k));
+                let finding = Diagnostic::error(UNKNOWN_KEY, message).at(toml.place(k));
                 out.findings.push(finding.hint("known here: value, method, source"));
             }
             (plain, origin_of(toml, inner, origin, &mut out.findings))
@@ -158,21 +160,21 @@ fn number(field: &Field, value: &DeValue<'_>) -> Result<(f64, String), Box<Diagn
         DeValue::Float(f) if field.unit == Unit::Ratio => f.as_str().replace('_', ""),
         DeValue::Integer(_) | DeValue::Float(_) => {
             let bare = describe(value);
-            let finding = Diagnostic::error("unit-missing", format!("`{key} = {bare}` has no unit"));
+            let finding = Diagnostic::error(codes::UNIT_MISSING, format!("`{key} = {bare}` has no unit"));
             return Err(Box::new(
                 finding.hint(format!("write `{key} = \"{}\"`", fields::with_unit(field.unit, &bare))),
             ));
         }
         other => {
             let message = format!("`{key}` must be a quantity, not {}", describe(other));
-            return Err(Box::new(Diagnostic::error("fabric-value", message)));
+            return Err(Box::new(Diagnostic::error(codes::FABRIC_VALUE, message)));
         }
     };
     let number = fields::value(field.unit, &text)
-        .map_err(|e| Box::new(Diagnostic::error("fabric-value", format!("`{key}`: {}", e.message))))?;
+        .map_err(|e| Box::new(Diagnostic::error(codes::FABRIC_VALUE, format!("`{key}`: {}", e.message))))?;
     if !(field.min..=field.max).contains(&number) {
         let message = format!("`{key} = {text}` is out of range; allowed is {}", field.allowed);
-        let finding = Diagnostic::error("value-out-of-range", message);
+        let finding = Diagnostic::error(VALUE_OUT_OF_RANGE, message);
         return Err(Box::new(finding.hint("check the number and its unit")));
     }
     Ok((number, text))
@@ -189,5 +191,5 @@ fn unknown(toml: &TomlText<'_>, table: &'static str, key: &Spanned<std::borrow::
             format!("`{word}` stands in {}", tables.iter().map(|t| format!("[{t}]")).collect::<Vec<_>>().join(", "))
         }
     };
-    Diagnostic::error("unknown-key", format!("unknown key `{word}` {place}")).at(toml.place(key)).hint(hint)
+    Diagnostic::error(UNKNOWN_KEY, format!("unknown key `{word}` {place}")).at(toml.place(key)).hint(hint)
 }

@@ -6,6 +6,7 @@
 //! Curves: quadratic and cubic Bézier with control points relative to the edge, and arcs of a circle with radius in
 //! file units. Rotations are Euler angles in degrees, applied about x, then y, then z.
 
+pub(crate) mod codes;
 mod edges;
 mod panel;
 mod spec;
@@ -13,6 +14,7 @@ mod stitches;
 #[cfg(test)]
 mod tests;
 
+use crate::codes::FILE_TOO_LARGE;
 use toile_garment::sewing::{PlaceSpec, Placement, SewingPlan};
 use toile_garment::{Diagnostic, Garment, PieceId, SourceRef, Vec3};
 
@@ -44,7 +46,7 @@ pub fn read(bytes: &[u8], file: &str, flatness: f64) -> Result<Read, Vec<Diagnos
     let place = || SourceRef::file(file);
     if bytes.len() > BYTES {
         let text = format!("a specification of {} bytes; {BYTES} can be read", bytes.len());
-        return Err(vec![Diagnostic::error("file-too-large", text).at(place())]);
+        return Err(vec![Diagnostic::error(FILE_TOO_LARGE, text).at(place())]);
     }
     let bytes = bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes);
     let spec = spec::parse(bytes).map_err(|list| at(list, file))?;
@@ -87,7 +89,7 @@ pub fn read(bytes: &[u8], file: &str, flatness: f64) -> Result<Read, Vec<Diagnos
 /// An entry that cannot be right.
 fn wrong(what: String) -> Diagnostic {
     let remedy = "mend this entry of the specification, or make it anew in GarmentCode";
-    Diagnostic::error("garmentcode-wrong", what).hint(remedy)
+    Diagnostic::error(codes::GARMENTCODE_WRONG, what).hint(remedy)
 }
 
 fn at(list: Vec<Diagnostic>, file: &str) -> Vec<Diagnostic> {

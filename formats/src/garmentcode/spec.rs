@@ -1,5 +1,6 @@
 //! The faithful model of a specification: what the JSON holds, every number checked.
 
+use super::codes;
 use super::{EDGES, PANELS, STITCHES};
 use serde_json::{Map, Value};
 use toile_garment::{Diagnostic, Vec2};
@@ -94,7 +95,7 @@ impl Reader {
 pub fn parse(bytes: &[u8]) -> Result<Spec, Vec<Diagnostic>> {
     let value: Value = serde_json::from_slice(bytes).map_err(|e| {
         let text = format!("this is not JSON: {e}");
-        vec![Diagnostic::error("garmentcode-not-json", text).hint("give a GarmentCode `…_specification.json`")]
+        vec![Diagnostic::error(codes::GARMENTCODE_NOT_JSON, text).hint("give a GarmentCode `…_specification.json`")]
     })?;
     let mut r = Reader { errors: Vec::new() };
     let spec = spec(&value, &mut r);

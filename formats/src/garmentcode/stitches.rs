@@ -1,5 +1,6 @@
 //! Stitches: seams between edges, and darts where the two legs of a wedge are sewn together.
 
+use super::codes;
 use super::panel::Built;
 use super::spec::{Spec, Stitch};
 use crate::dxf::geom::{cross, length};
@@ -138,7 +139,7 @@ fn seam(panels: &[Built], stitch: &Stitch, number: usize, findings: &mut Vec<Dia
             b.name,
             lb * 1e3
         );
-        findings.push(Diagnostic::info("garmentcode-gathers", text));
+        findings.push(Diagnostic::info(codes::GARMENTCODE_GATHERS, text));
     }
     let run =
         |piece: &toile_garment::Piece, k: usize| vec![RunSpec::Edge { piece: piece.name.clone(), edge: k.to_string() }];

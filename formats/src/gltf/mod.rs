@@ -4,6 +4,7 @@
 //! Files of others are checked by `container` and `check` before the `gltf` crate sees them: it panics on some.
 
 mod check;
+pub(crate) mod codes;
 mod container;
 mod document;
 mod geometry;

@@ -1,5 +1,6 @@
 //! The garment from a GLB alone, with the 3D shape as it stands there now.
 
+use super::codes;
 use super::geometry::{Placed, Sound, open, placed};
 use super::{ReadError, check};
 use gltf_json as json;
@@ -49,7 +50,7 @@ pub fn read_garment_with_findings(bytes: &[u8]) -> Result<ReadGarment, ReadError
     let (edited, mut findings) = take_shape(&mut garment, &placed(&sound)?)?;
     if let Some(animation) = garment.animation.take() {
         let message = format!("the {} frames of the motion stay in the GLB and were not read back", animation.count);
-        findings.push(Diagnostic::info("animation-left-out", message));
+        findings.push(Diagnostic::info(codes::ANIMATION_LEFT_OUT, message));
     }
     Ok(ReadGarment { garment, edited, findings })
 }
@@ -150,7 +151,7 @@ fn take_shape(garment: &mut Garment, placed: &[Placed]) -> Result<(bool, Vec<Dia
                 moved.0,
                 moved.1 * 1e3
             );
-            findings.push(Diagnostic::info("shape-edited", message));
+            findings.push(Diagnostic::info(codes::SHAPE_EDITED, message));
         }
     }
     let edited = !findings.is_empty();

@@ -8,6 +8,7 @@
 //! last line, and tells where each of them went. A file that does not pass is read by our own scanner, which tells line
 //! and remedy.
 
+use super::codes;
 use super::polygon;
 use super::scan::{self, Corner, Counts, Face, MAX_LINE, Scan, logical_lines};
 use super::{MAX_BYTES, MAX_COORDINATE, MAX_ITEMS, MAX_POLYGON, ObjMesh, read};
@@ -35,7 +36,7 @@ pub fn read_geometry(bytes: &[u8], file: &str) -> Result<ObjMesh, Vec<Diagnostic
 fn explain(bytes: &[u8], file: &str) -> Vec<Diagnostic> {
     read(bytes, file).err().unwrap_or_else(|| {
         let message = "two readings of the file differ: the library finds a mistake where this program finds none";
-        vec![Diagnostic::error("obj-readers-differ", message).at(SourceRef::file(file))]
+        vec![Diagnostic::error(codes::OBJ_READERS_DIFFER, message).at(SourceRef::file(file))]
     })
 }
 

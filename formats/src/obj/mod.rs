@@ -3,6 +3,7 @@
 //! `tobj` reads bodies ([`read_geometry`]). Cloth of `import-mesh` comes from a scan of ours ([`read`]), as its vertex
 //! order, texture vertices and groups are a contract. A test and a fuzz target hold both readings against each other.
 
+pub(crate) mod codes;
 mod geometry;
 mod inspect;
 mod polygon;
@@ -11,6 +12,7 @@ mod scan;
 mod tests;
 mod write;
 
+use crate::codes::FILE_TOO_LARGE;
 use std::collections::BTreeMap;
 use toile_garment::{Diagnostic, SourceRef, Vec3};
 
@@ -77,7 +79,7 @@ impl ObjMesh {
 pub fn read(bytes: &[u8], file: &str) -> Result<ObjMesh, Vec<Diagnostic>> {
     if bytes.len() > MAX_BYTES {
         let message = format!("the file has {} bytes, over the limit of {MAX_BYTES}", bytes.len());
-        return Err(vec![Diagnostic::error("file-too-large", message).at(SourceRef::file(file))]);
+        return Err(vec![Diagnostic::error(FILE_TOO_LARGE, message).at(SourceRef::file(file))]);
     }
     polygon::mesh(scan::scan(bytes, file)?, file).map_err(|d| vec![*d])
 }

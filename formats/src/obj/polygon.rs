@@ -1,5 +1,6 @@
 //! Faces into triangles.
 
+use super::codes;
 use super::scan::{Corner, Scan};
 use super::{MAX_ITEMS, ObjGroup, ObjMesh};
 use toile_garment::{Diagnostic, SourceRef, Vec3};
@@ -19,7 +20,7 @@ pub fn mesh(scan: Scan, file: &str) -> Result<ObjMesh, Box<Diagnostic>> {
         let points: Vec<Vec3> = corners.iter().filter_map(|c| scan.positions.get(c.v as usize).copied()).collect();
         let Some(cut) = triangles(&points) else {
             let message = format!("the face with {} corners has no simple shape to cut into triangles", corners.len());
-            let finding = Diagnostic::error("obj-polygon", message).at(SourceRef::file(file).at_line(face.line));
+            let finding = Diagnostic::error(codes::OBJ_POLYGON, message).at(SourceRef::file(file).at_line(face.line));
             return Err(Box::new(finding.hint("triangulate the mesh before export")));
         };
         for t in cut {
@@ -27,7 +28,7 @@ pub fn mesh(scan: Scan, file: &str) -> Result<ObjMesh, Box<Diagnostic>> {
         }
         if out.triangles.len() > MAX_ITEMS {
             let message = format!("more than {MAX_ITEMS} triangles");
-            return Err(Box::new(Diagnostic::error("obj-too-many", message).at(SourceRef::file(file))));
+            return Err(Box::new(Diagnostic::error(codes::OBJ_TOO_MANY, message).at(SourceRef::file(file))));
         }
     }
     let end = out.triangles.len();

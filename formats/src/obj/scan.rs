@@ -1,8 +1,9 @@
 //! Our own scan of an OBJ file: every line counted, every number and index checked.
 
+use super::codes;
 use super::{MAX_COORDINATE, MAX_ITEMS, MAX_POLYGON};
 use std::collections::BTreeMap;
-use toile_garment::{Diagnostic, SourceRef, Vec3};
+use toile_garment::{Code, Diagnostic, SourceRef, Vec3};
 
 /// Findings that are written out; the rest is counted.
 const MAX_FINDINGS: usize = 20;
@@ -78,14 +79,14 @@ pub fn scan(bytes: &[u8], file: &str) -> Result<Scan, Vec<Diagnostic>> {
     let mut s = Scanner { out: Scan::default(), file, findings: Vec::new(), more: 0 };
     for (number, line) in logical_lines(bytes) {
         if line.len() > MAX_LINE {
-            s.fail(number, "obj-line", format!("the line has {} bytes, over the limit of {MAX_LINE}", line.len()));
+            s.fail(number, codes::OBJ_LINE, format!("the line has {} bytes, over the limit of {MAX_LINE}", line.len()));
             continue;
         }
         let text = String::from_utf8_lossy(&line);
         s.line(number, &text);
         if s.out.positions.len() > MAX_ITEMS || s.out.texcoords.len() > MAX_ITEMS || s.out.corners.len() > 4 * MAX_ITEMS
         {
-            s.fail(number, "obj-too-many", format!("more than {MAX_ITEMS} vertices or triangles"));
+            s.fail(number, codes::OBJ_TOO_MANY, format!("more than {MAX_ITEMS} vertices or triangles"));
             break;
         }
     }
@@ -117,7 +118,7 @@ pub(super) fn logical_lines(bytes: &[u8]) -> impl Iterator<Item = (u64, std::bor
 }
 
 impl Scanner<'_> {
-    fn fail(&mut self, line: u64, code: &str, message: String) -> &mut Self {
+    fn fail(&mut self, line: u64, code: Code, message: String) -> &mut Self {
         if self.findings.len() < MAX_FINDINGS {
             self.findings.push(Diagnostic::error(code, message).at(SourceRef::file(self.file).at_line(line)));
         } else {
@@ -159,12 +160,12 @@ impl Scanner<'_> {
         match word.parse::<f64>() {
             Ok(x) if x.is_finite() && x.abs() <= MAX_COORDINATE => Some(tidy(x)),
             Ok(x) if x.is_finite() => {
-                self.fail(line, "obj-number", format!("the coordinate {x} is over {MAX_COORDINATE} m"));
+                self.fail(line, codes::OBJ_NUMBER, format!("the coordinate {x} is over {MAX_COORDINATE} m"));
                 None
             }
             _ => {
                 let word: String = word.chars().take(40).collect();
-                self.fail(line, "obj-number", format!("`{}` is not a finite number", word.escape_debug()));
+                self.fail(line, codes::OBJ_NUMBER, format!("`{}` is not a finite number", word.escape_debug()));
                 if word.contains(',') {
                     self.hint("write a decimal point, not a comma");
                 }
@@ -174,7 +175,7 @@ impl Scanner<'_> {
     }
 
     fn empty(&mut self, message: String) {
-        self.fail(1, "obj-empty", message);
+        self.fail(1, codes::OBJ_EMPTY, message);
         self.hint("export a mesh of triangles, with its faces");
     }
 
@@ -190,7 +191,7 @@ impl Scanner<'_> {
         let mut out = Vec::with_capacity(most.min(8));
         for word in words {
             if out.len() == most {
-                self.fail(line, "obj-line", format!("more than {most} numbers in a vertex line"));
+                self.fail(line, codes::OBJ_LINE, format!("more than {most} numbers in a vertex line"));
                 return None;
             }
             out.push(self.number(line, word)?);
@@ -209,12 +210,12 @@ impl Scanner<'_> {
             [x, y, z] | [x, y, z, _, _, _] | [x, y, z, _, _, _, _] => self.out.positions.push(Vec3::new(*x, *y, *z)),
             [x, y, z, w] => {
                 if (*w - 1.0).abs() > 1e-9 {
-                    self.fail(line, "obj-line", format!("a vertex weight of {w} is not supported"));
+                    self.fail(line, codes::OBJ_LINE, format!("a vertex weight of {w} is not supported"));
                 }
                 self.out.positions.push(Vec3::new(*x, *y, *z));
             }
             other => {
-                self.fail(line, "obj-line", format!("a vertex line with {} numbers; it has three", other.len()));
+                self.fail(line, codes::OBJ_LINE, format!("a vertex line with {} numbers; it has three", other.len()));
                 self.out.positions.push(Vec3::zeros());
             }
         }
@@ -224,7 +225,7 @@ impl Scanner<'_> {
         let uv = match self.numbers(line, words, 3) {
             Some(n) if n.len() >= 2 => [n[0], n[1]],
             Some(n) => {
-                self.fail(line, "obj-line", format!("a vt line with {} numbers; it has two", n.len()));
+                self.fail(line, codes::OBJ_LINE, format!("a vt line with {} numbers; it has two", n.len()));
                 [0.0; 2]
             }
             None => [0.0; 2],
@@ -238,14 +239,14 @@ impl Scanner<'_> {
         let counts = Counts { positions: out.positions.len(), texcoords: out.texcoords.len(), normals: out.normals };
         for word in words {
             if self.out.corners.len() - start == MAX_POLYGON {
-                self.fail(line, "obj-polygon", format!("a face with more than {MAX_POLYGON} corners"));
+                self.fail(line, codes::OBJ_POLYGON, format!("a face with more than {MAX_POLYGON} corners"));
                 self.out.corners.truncate(start);
                 return;
             }
             match counts.corner(word) {
                 Ok(corner) => self.out.corners.push(corner),
                 Err(why) => {
-                    self.fail(line, "obj-index", why);
+                    self.fail(line, codes::OBJ_INDEX, why);
                     self.out.corners.truncate(start);
                     return;
                 }
@@ -253,7 +254,7 @@ impl Scanner<'_> {
         }
         if self.out.corners.len() - start < 3 {
             let n = self.out.corners.len() - start;
-            self.fail(line, "obj-line", format!("a face with {n} corners; it has three or more"));
+            self.fail(line, codes::OBJ_LINE, format!("a face with {n} corners; it has three or more"));
             self.out.corners.truncate(start);
             return;
         }
@@ -270,7 +271,7 @@ impl Scanner<'_> {
         }
         if self.more > 0 {
             let message = format!("and {} more mistakes of this kind", self.more);
-            self.findings.push(Diagnostic::error("obj-more", message).at(SourceRef::file(self.file)));
+            self.findings.push(Diagnostic::error(codes::OBJ_MORE, message).at(SourceRef::file(self.file)));
         }
         if self.findings.is_empty() { Ok(self.out) } else { Err(self.findings) }
     }

@@ -1,6 +1,8 @@
 //! The sheet as HPGL for plotters: 40 units to the millimetre, one pen per layer.
 
+use super::codes;
 use super::{Layer, Sheet};
+use crate::codes::TEXT_NOT_ASCII;
 use std::fmt::Write as _;
 use toile_garment::{Diagnostic, Vec2};
 
@@ -18,7 +20,7 @@ const END: char = '\u{3}';
 pub fn hpgl(sheet: &Sheet) -> Result<(String, Vec<Diagnostic>), Diagnostic> {
     if sheet.size.x.max(sheet.size.y) * UNITS > MOST {
         let text = format!("a sheet of {:.0} × {:.0} mm is larger than HPGL can say", sheet.size.x, sheet.size.y);
-        return Err(Diagnostic::error("sheet-too-large", text).hint("write fewer pieces, or give a width"));
+        return Err(Diagnostic::error(codes::SHEET_TOO_LARGE, text).hint("write fewer pieces, or give a width"));
     }
     let mut out = String::from("IN;\nPA;\n");
     let mut findings = Vec::new();
@@ -42,7 +44,7 @@ pub fn hpgl(sheet: &Sheet) -> Result<(String, Vec<Diagnostic>), Diagnostic> {
             if plain != text {
                 let text = format!("the label `{}` is plotted as `{plain}`", label.text);
                 findings.push(
-                    Diagnostic::info("text-not-ascii", text)
+                    Diagnostic::info(TEXT_NOT_ASCII, text)
                         .hint("HPGL holds 7-bit ASCII only; with a `font` its letters are drawn"),
                 );
             }

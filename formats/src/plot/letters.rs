@@ -1,5 +1,6 @@
 //! Labels drawn as the outlines of a font's letters, for scripts a printer or plotter has no letters of.
 
+use super::codes;
 use super::{Label, Sheet};
 use toile_garment::{Diagnostic, Vec2};
 use ttf_parser::{Face, OutlineBuilder};
@@ -21,7 +22,7 @@ impl<'a> Font<'a> {
     pub fn read(bytes: &'a [u8], name: &str) -> Result<Self, Diagnostic> {
         Face::parse(bytes, 0).map(Self).map_err(|error| {
             let text = format!("`{name}` is no font that can be read: {error}");
-            Diagnostic::error("font-unreadable", text).hint("give a TrueType or OpenType file (.ttf, .otf, .ttc)")
+            Diagnostic::error(codes::FONT_UNREADABLE, text).hint("give a TrueType or OpenType file (.ttf, .otf, .ttc)")
         })
     }
 
@@ -54,7 +55,7 @@ pub fn spell(sheet: &mut Sheet, font: &Font<'_>) -> Vec<Diagnostic> {
         }
         let lacking = label.text.chars().filter(|c| font.0.glyph_index(*c).is_none()).collect::<String>();
         let text = format!("the font has no letters `{lacking}` of the label `{}`", label.text);
-        findings.push(Diagnostic::info("text-not-in-font", text).hint("give a `font` that has them"));
+        findings.push(Diagnostic::info(codes::TEXT_NOT_IN_FONT, text).hint("give a `font` that has them"));
         sheet.labels.push(label);
     }
     findings

@@ -1,6 +1,7 @@
 //! The pattern at its true size, for printers, plotters and drawing programs: strokes and texts by layer, laid out on a
 //! sheet of millimetres, written as SVG, as PDF in tiles, or as HPGL.
 
+pub(crate) mod codes;
 mod hpgl;
 mod lay;
 mod letters;

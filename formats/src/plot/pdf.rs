@@ -1,5 +1,6 @@
 //! The sheet as PDF at 1:1: on one page of its own size, or in tiles on paper, with marks to join them.
 
+use super::codes;
 use super::{Layer, Sheet};
 use miniz_oxide::deflate::compress_to_vec_zlib;
 use pdf_writer::{Content, Filter, Finish, Name, Pdf, Rect, Ref, Str};
@@ -82,8 +83,9 @@ pub fn pdf(sheet: &Sheet, paper: Paper, title: &str) -> Result<(Vec<u8>, Vec<Dia
     let mut findings = Vec::new();
     if lost {
         let text = "letters that are not Latin are written as `?` in the PDF";
-        findings
-            .push(Diagnostic::info("text-not-latin", text).hint("SVG holds all of them; with a `font` they are drawn"));
+        findings.push(
+            Diagnostic::info(codes::TEXT_NOT_LATIN, text).hint("SVG holds all of them; with a `font` they are drawn"),
+        );
     }
     Ok((pdf.finish(), findings))
 }
@@ -94,7 +96,7 @@ fn tiles(sheet: &Sheet, paper: Paper) -> Result<(Vec2, Vec<Tile>), Diagnostic> {
     let Paper::Tiles(page) = paper else {
         if size.x.max(size.y) > LARGEST {
             let text = format!("a page of {:.0} × {:.0} mm is larger than PDF allows", size.x, size.y);
-            return Err(Diagnostic::error("sheet-too-large", text).hint("choose a paper to tile it on"));
+            return Err(Diagnostic::error(codes::SHEET_TOO_LARGE, text).hint("choose a paper to tile it on"));
         }
         return Ok((size, vec![Tile { from: Vec2::zeros(), size, place: None }]));
     };
@@ -103,7 +105,7 @@ fn tiles(sheet: &Sheet, paper: Paper) -> Result<(Vec2, Vec<Tile>), Diagnostic> {
     let (columns, rows) = (count(size.x, shown.x), count(size.y, shown.y));
     if columns.saturating_mul(rows) > PAGES {
         let text = format!("{columns} × {rows} pages; at most {PAGES} are written");
-        return Err(Diagnostic::error("sheet-too-large", text).hint("choose a larger paper"));
+        return Err(Diagnostic::error(codes::SHEET_TOO_LARGE, text).hint("choose a larger paper"));
     }
     let mut out = Vec::new();
     for row in 0..rows {

@@ -1,5 +1,6 @@
 //! `[[dart]]`: declared darts and pleats, and wedges that are none.
 
+use super::codes;
 use super::keys;
 use super::walk::{Table, Value, Walk};
 use std::ops::Range;
@@ -46,7 +47,7 @@ fn apexes(t: &mut Table<'_>, walk: &mut Walk<'_>) -> Option<Vec<Vec2>> {
     }
     let Some(value) = t.take("apexes") else { return Some(Vec::new()) };
     let DeValue::Array(items) = value.get_ref() else {
-        walk.error("sewing-wrong-type", value.span().start, "`apexes` must be a list of points", |d| d);
+        walk.error(codes::SEWING_WRONG_TYPE, value.span().start, "`apexes` must be a list of points", |d| d);
         return None;
     };
     let points: Vec<_> = items.iter().map(|item| walk.point(item, "apexes")).collect();
@@ -70,6 +71,8 @@ fn check_count(kind: Option<DartKind>, apexes: usize, at: usize, walk: &mut Walk
         return Some(());
     }
     let message = format!("{need}, found {apexes}");
-    walk.error("sewing-dart-apexes", at, message, |d| d.hint("write apex = [\"154 mm\", \"330 mm\"], or apexes = […]"));
+    walk.error(codes::SEWING_DART_APEXES, at, message, |d| {
+        d.hint("write apex = [\"154 mm\", \"330 mm\"], or apexes = […]")
+    });
     None
 }

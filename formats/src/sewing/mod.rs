@@ -38,6 +38,7 @@
 //! A side is one run of outline edges, or a list of runs in order. `a.from` meets `b.from`, and `a.to` meets `b.to`. A
 //! run between two points follows the outline on the shorter way, unless `way` says otherwise.
 
+pub(crate) mod codes;
 mod dart;
 mod keys;
 mod lines;
@@ -72,7 +73,7 @@ pub fn read(text: &str, file: &str) -> Result<SewingPlan, Vec<Diagnostic>> {
 
 fn syntax_error(error: &toml::de::Error, lines: &Lines<'_>) -> Diagnostic {
     let at = error.span().map_or(0, |s| s.start);
-    Diagnostic::error("sewing-file-syntax", format!("this is not TOML: {}", error.message()))
+    Diagnostic::error(codes::SEWING_FILE_SYNTAX, format!("this is not TOML: {}", error.message()))
         .at(lines.source(at, None))
         .hint("strings stand in quotes, tables are written [[seam]]")
 }
@@ -112,7 +113,7 @@ fn plan(document: &DeTable<'_>, walk: &mut Walk<'_>) -> SewingPlan {
 fn tables<'v>(top: &mut Table<'v>, name: &str, walk: &mut Walk<'_>) -> Vec<(&'v DeTable<'v>, std::ops::Range<usize>)> {
     let Some(value) = top.take(name) else { return Vec::new() };
     let wrong = |walk: &mut Walk<'_>, value: &Spanned<DeValue<'_>>| {
-        walk.error("sewing-wrong-type", value.span().start, format!("`{name}` must be a list of tables"), |d| {
+        walk.error(codes::SEWING_WRONG_TYPE, value.span().start, format!("`{name}` must be a list of tables"), |d| {
             d.hint(format!("write [[{name}]]"))
         });
     };

@@ -1,5 +1,6 @@
 //! `[[place]]`, `[[layer]]`, `[[attach]]`, `[[copy]]`.
 
+use super::codes;
 use super::keys;
 use super::walk::{Table, Value, Walk};
 use std::ops::Range;
@@ -53,7 +54,7 @@ pub fn place(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Op
         }
         (both, _) => {
             let words = if both.is_some() { "`around` and `rotation`" } else { "neither `around` nor `rotation`" };
-            walk.error("sewing-place", at, format!("a place has {words}"), |d| {
+            walk.error(codes::SEWING_PLACE, at, format!("a place has {words}"), |d| {
                 d.hint("give rotation and translation, or around, side and height")
             });
             return None;
@@ -104,7 +105,7 @@ fn rows(value: Value<'_>, walk: &mut Walk<'_>) -> Option<[[f64; 3]; 3]> {
     if is_rotation(&out) {
         return Some(out);
     }
-    walk.error("sewing-no-rotation", value.span().start, "`rotation` is no rotation matrix", |d| {
+    walk.error(codes::SEWING_NO_ROTATION, value.span().start, "`rotation` is no rotation matrix", |d| {
         d.hint("its rows must be perpendicular, of length 1, and right-handed (determinant +1, no mirror)")
     });
     None
@@ -158,7 +159,7 @@ fn strength(value: Value<'_>, walk: &mut Walk<'_>) -> Option<AttachStrength> {
         _ => None,
     };
     if parsed.is_none() {
-        walk.error("sewing-strength", value.span().start, format!("`strength` cannot be `{text}`"), |d| {
+        walk.error(codes::SEWING_STRENGTH, value.span().start, format!("`strength` cannot be `{text}`"), |d| {
             d.hint("write \"hold\" or \"elastic 0.9\" (relative length of the band, over 0)")
         });
     }

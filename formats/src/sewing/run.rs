@@ -1,5 +1,6 @@
 //! Runs of outline edges: `"front.side-left"`, `"front.3"`, two points, or a list of those.
 
+use super::codes;
 use super::keys;
 use super::walk::{Table, Value, Walk};
 use std::ops::Range;
@@ -18,7 +19,7 @@ pub fn ways() -> Vec<&'static str> {
 pub fn side(value: Value<'_>, key: &str, walk: &mut Walk<'_>) -> Option<Vec<RunSpec>> {
     let DeValue::Array(items) = value.get_ref() else { return Some(vec![run(value, key, walk)?]) };
     if items.is_empty() {
-        walk.error("sewing-empty-list", value.span().start, format!("`{key}` names no edge"), |d| {
+        walk.error(codes::SEWING_EMPTY_LIST, value.span().start, format!("`{key}` names no edge"), |d| {
             d.hint("write at least one run, e.g. \"front.side-left\"")
         });
         return None;
@@ -39,7 +40,7 @@ fn named(value: Value<'_>, key: &str, walk: &mut Walk<'_>) -> Option<RunSpec> {
     let parts = text.rsplit_once('.').filter(|(p, e)| !p.trim().is_empty() && !e.trim().is_empty());
     let Some((piece, edge)) = parts else {
         let message = format!("`{key}`: `{text}` names no edge of a piece");
-        walk.error("sewing-bad-run", value.span().start, message, |d| {
+        walk.error(codes::SEWING_BAD_RUN, value.span().start, message, |d| {
             d.hint("write \"piece.edge\", e.g. \"front.side-left\" or \"front.3\"")
         });
         return None;

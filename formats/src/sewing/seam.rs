@@ -1,5 +1,6 @@
 //! `[[seam]]`.
 
+use super::codes;
 use super::walk::{Table, Walk};
 use super::{keys, run};
 use std::ops::Range;
@@ -21,7 +22,7 @@ pub fn seam(table: &DeTable<'_>, span: Range<usize>, n: usize, walk: &mut Walk<'
     let gather = t.take("gather").map(|v| gather(v, walk));
     let reverse = t.take("reverse").map(|v| walk.flag(v, "reverse"));
     if ease.is_some() && gather.is_some() {
-        walk.error("sewing-ease-and-gather", at, "a seam has `ease` or `gather`, not both", |d| {
+        walk.error(codes::SEWING_EASE_AND_GATHER, at, "a seam has `ease` or `gather`, not both", |d| {
             d.hint("ease is the difference in length, gather the ratio of longer over shorter")
         });
     }
@@ -43,7 +44,7 @@ fn gather(value: super::walk::Value<'_>, walk: &mut Walk<'_>) -> Option<f64> {
     if (1.0..=100.0).contains(&ratio) {
         return Some(ratio);
     }
-    walk.error("sewing-bad-gather", value.span().start, format!("`gather` cannot be {ratio}"), |d| {
+    walk.error(codes::SEWING_BAD_GATHER, value.span().start, format!("`gather` cannot be {ratio}"), |d| {
         d.hint("gather is the longer side over the shorter, from 1 to 100, e.g. 1.6")
     });
     None

@@ -1,11 +1,12 @@
 //! Walking a TOML table with spans: every mistake is kept with its place, and the walk goes on.
 
+use super::codes;
 use super::keys::Keys;
 use super::lines::Lines;
 use serde_spanned::Spanned;
 use std::ops::Range;
 use toile_garment::units::{Dimension, Length};
-use toile_garment::{Diagnostic, SourceRef, Vec2};
+use toile_garment::{Code, Diagnostic, SourceRef, Vec2};
 use toml::de::{DeTable, DeValue};
 
 /// A value with its span.
@@ -47,7 +48,7 @@ impl<'v> Table<'v> {
         if value.is_none() {
             let name = self.keys.name;
             let example = self.keys.find(key).map_or("…", |k| k.example);
-            walk.error("sewing-key-missing", self.span.start, format!("`{name}` has no `{key}`"), |d| {
+            walk.error(codes::SEWING_KEY_MISSING, self.span.start, format!("`{name}` has no `{key}`"), |d| {
                 d.hint(format!("add {key} = {example}"))
             });
         }
@@ -60,7 +61,7 @@ impl<'v> Table<'v> {
         for key in self.table.keys().filter(|k| !self.taken.iter().any(|t| *t == k.get_ref().as_ref())) {
             let message = format!("unknown key `{}` in {what}", key.get_ref());
             let hint = nearest(key.get_ref(), self.keys.keys.iter().map(|k| k.name));
-            walk.error("sewing-unknown-key", key.span().start, message, |d| d.hint(hint));
+            walk.error(codes::SEWING_UNKNOWN_KEY, key.span().start, message, |d| d.hint(hint));
         }
     }
 }
@@ -91,7 +92,7 @@ impl<'a> Walk<'a> {
     /// Keeps a mistake.
     pub fn error(
         &mut self,
-        code: &str,
+        code: Code,
         offset: usize,
         message: impl Into<String>,
         with: impl FnOnce(Diagnostic) -> Diagnostic,
@@ -103,7 +104,7 @@ impl<'a> Walk<'a> {
     pub fn wrong_type(&mut self, value: Value<'_>, key: &str, expected: &str) {
         let found = value.get_ref().type_str();
         let message = format!("`{key}` must be {expected}, found {found}");
-        self.error("sewing-wrong-type", value.span().start, message, |d| d);
+        self.error(codes::SEWING_WRONG_TYPE, value.span().start, message, |d| d);
     }
 
     /// A text.
@@ -111,7 +112,7 @@ impl<'a> Walk<'a> {
         match value.get_ref() {
             DeValue::String(s) if !s.trim().is_empty() => Some(s.trim().to_owned()),
             DeValue::String(_) => {
-                self.error("sewing-empty-text", value.span().start, format!("`{key}` is empty"), |d| d);
+                self.error(codes::SEWING_EMPTY_TEXT, value.span().start, format!("`{key}` is empty"), |d| d);
                 None
             }
             _ => {
@@ -145,7 +146,7 @@ impl<'a> Walk<'a> {
         if found.is_none() {
             let hint = nearest(&text, words.iter().map(|(w, _)| *w));
             let message = format!("`{key}` cannot be `{text}`");
-            self.error("sewing-unknown-word", value.span().start, message, |d| d.hint(hint));
+            self.error(codes::SEWING_UNKNOWN_WORD, value.span().start, message, |d| d.hint(hint));
         }
         found
     }
@@ -189,7 +190,7 @@ impl<'a> Walk<'a> {
             DeValue::String(s) => match toile_garment::units::parse::<D>(s) {
                 Ok(v) => Some(v),
                 Err(e) => {
-                    self.error("sewing-bad-quantity", at, format!("`{key}`: {}", e.message), |d| d);
+                    self.error(codes::SEWING_BAD_QUANTITY, at, format!("`{key}`: {}", e.message), |d| d);
                     None
                 }
             },
@@ -201,7 +202,7 @@ impl<'a> Walk<'a> {
                 };
                 let message = format!("`{key}`: a {} needs a unit", D::NAME);
                 let hint = format!("write \"{number} {}\", not a bare {number}", D::UNITS[0].0);
-                self.error("sewing-bare-number", at, message, |d| d.hint(hint));
+                self.error(codes::SEWING_BARE_NUMBER, at, message, |d| d.hint(hint));
                 None
             }
             _ => {

@@ -1,11 +1,12 @@
 //! Cutouts that cannot be cut: open, crossing themselves or the outline, outside the piece, on each other.
 
+use super::codes;
 use crate::dxf::chain::Path;
 use crate::dxf::contact::{self, Contact};
 use crate::dxf::desk::Desk;
 use crate::dxf::geom::{self, Crossing};
 use crate::dxf::piece::{DrawnPiece, mm};
-use toile_garment::{Diagnostic, Vec2};
+use toile_garment::{Code, Diagnostic, Vec2};
 
 /// A cutout may touch the outline within this, mm.
 const NEAR: f64 = 0.5;
@@ -21,7 +22,7 @@ pub(super) fn check(piece: &DrawnPiece, desk: &mut Desk<'_>) {
     }
     let outline = piece.boundary.positions();
     let tries = (TESTS / (outline.len() * cutouts.len()).max(1)).clamp(4, 200);
-    let mut say = |path: &Path, code: &str, what: String| {
+    let mut say = |path: &Path, code: Code, what: String| {
         let text = format!(
             "the cutout of `{}` at {} {what}; it was kept as drawn",
             piece.label(),
@@ -37,14 +38,14 @@ pub(super) fn check(piece: &DrawnPiece, desk: &mut Desk<'_>) {
     }
     for (one, two) in overlapping(&cutouts) {
         let at = cutouts[two].1.first().map_or_else(String::new, |p| mm(*p));
-        say(cutouts[one].0, "cutouts-overlap", format!("overlaps the one at {at}"));
+        say(cutouts[one].0, codes::CUTOUTS_OVERLAP, format!("overlaps the one at {at}"));
     }
 }
 
-fn fault(path: &Path, points: &[Vec2], outline: &[Vec2], tries: usize) -> Option<(&'static str, String)> {
+fn fault(path: &Path, points: &[Vec2], outline: &[Vec2], tries: usize) -> Option<(Code, String)> {
     if !path.closed {
         let gap = points.first().zip(points.last()).map_or(0.0, |(a, b)| (a - b).norm());
-        return Some(("cutout-open", format!("is open by {gap:.1} mm")));
+        return Some((codes::CUTOUT_OPEN, format!("is open by {gap:.1} mm")));
     }
     let crosses = match geom::crossing(points) {
         Crossing::At(_, _, p) => Some(p),
@@ -54,13 +55,13 @@ fn fault(path: &Path, points: &[Vec2], outline: &[Vec2], tries: usize) -> Option
         }),
     };
     if let Some(p) = crosses {
-        return Some(("cutout-crosses-itself", format!("crosses itself at {}", mm(p))));
+        return Some((codes::CUTOUT_CROSSES_ITSELF, format!("crosses itself at {}", mm(p))));
     }
     let sample = |line: &[Vec2]| line.iter().copied().step_by(line.len() / tries + 1).collect::<Vec<_>>();
     let ours = sample(&with_middles(points));
     let distance = |p: &Vec2| geom::distance(*p, outline, true);
     if ours.iter().all(|p| distance(p) <= NEAR) && geom::area(points).abs() > 0.9 * geom::area(outline).abs() {
-        return Some(("cutout-outside", "is the outline itself: nothing would be left of the piece".into()));
+        return Some((codes::CUTOUT_OUTSIDE, "is the outline itself: nothing would be left of the piece".into()));
     }
     let outside = ours.iter().filter(|p| !geom::inside(**p, outline) && distance(p) > NEAR).count();
     let swallowed = || {
@@ -70,9 +71,9 @@ fn fault(path: &Path, points: &[Vec2], outline: &[Vec2], tries: usize) -> Option
         within.any(|p| geom::inside(*p, points) && geom::distance(*p, points, true) > NEAR)
     };
     if outside == ours.len() {
-        Some(("cutout-outside", "lies outside the piece".into()))
+        Some((codes::CUTOUT_OUTSIDE, "lies outside the piece".into()))
     } else if outside > 0 || swallowed() {
-        Some(("cutout-outside", "crosses the outline".into()))
+        Some((codes::CUTOUT_OUTSIDE, "crosses the outline".into()))
     } else {
         None
     }

@@ -1,5 +1,6 @@
 //! Drill holes, internal lines and notches that lie or reach where none can.
 
+use super::codes;
 use crate::dxf::desk::Desk;
 use crate::dxf::geom;
 use crate::dxf::piece::{DrawnPiece, mm};
@@ -36,7 +37,7 @@ fn say_far(piece: &DrawnPiece, what: &str, far: &[(Vec2, f64, u64)], layer: &str
         mm(at)
     );
     let hint = "take them out of the block if they belong to another piece";
-    desk.say(Diagnostic::warning("mark-outside", text).hint(hint), &piece.block, layer, line);
+    desk.say(Diagnostic::warning(codes::MARK_OUTSIDE, text).hint(hint), &piece.block, layer, line);
 }
 
 fn drills(piece: &DrawnPiece, line: &[Vec2], bounds: (Vec2, Vec2), desk: &mut Desk<'_>) {
@@ -71,5 +72,5 @@ fn notches(piece: &DrawnPiece, desk: &mut Desk<'_>) {
         mm(first.at)
     );
     let hint = "correct the notches in the pattern program, or check the unit of the file";
-    desk.say(Diagnostic::warning("notch-too-large", text).hint(hint), &piece.block, "4", first.line);
+    desk.say(Diagnostic::warning(codes::NOTCH_TOO_LARGE, text).hint(hint), &piece.block, "4", first.line);
 }

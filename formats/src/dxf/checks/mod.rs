@@ -1,5 +1,6 @@
 //! What a file says that cannot all be meant: each check looks at pieces that are read, and only reports.
 
+pub(crate) mod codes;
 mod cutouts;
 mod marks;
 mod nest;

@@ -1,5 +1,7 @@
 //! Sizes of a nest that do not fit each other, and pieces that stand in a file twice.
 
+use super::codes;
+use crate::dxf::codes::{PIECES_FROM_ENTITIES, SIZES_DIFFER_IN_VERTICES};
 use crate::dxf::desk::Desk;
 use crate::dxf::piece::DrawnPiece;
 use std::collections::BTreeMap;
@@ -47,12 +49,12 @@ fn sample_size(pieces: &[DrawnPiece], sizes: &[&str], sample: Option<&str>, desk
     };
     let place = desk.findings.place(pieces.first().map_or(1, |p| p.line));
     let hint = "without a size that is asked for, one of those that are drawn is taken; give size = \"…\"";
-    desk.findings.push(Diagnostic::warning("sample-size-missing", text).at(place).hint(hint));
+    desk.findings.push(Diagnostic::warning(codes::SAMPLE_SIZE_MISSING, text).at(place).hint(hint));
 }
 
 /// No piece has a name, and the names of the blocks say none either.
 fn names(pieces: &[DrawnPiece], desk: &mut Desk<'_>) {
-    let unnamed = pieces.iter().all(|p| p.name.is_none()) && !desk.findings.said("pieces-from-entities");
+    let unnamed = pieces.iter().all(|p| p.name.is_none()) && !desk.findings.said(PIECES_FROM_ENTITIES);
     let Some(first) = pieces.first().filter(|_| unnamed) else { return };
     let text = format!(
         "no text `Piece Name` names the {} piece(s); they have the names of their blocks, as `{}`",
@@ -60,7 +62,7 @@ fn names(pieces: &[DrawnPiece], desk: &mut Desk<'_>) {
         first.block
     );
     let place = desk.findings.place_in(&first.block, Some("1"), first.line);
-    desk.findings.push(Diagnostic::info("piece-name-missing", text).at(place));
+    desk.findings.push(Diagnostic::info(codes::PIECE_NAME_MISSING, text).at(place));
 }
 
 /// Two pieces of one name and size.
@@ -82,7 +84,7 @@ fn twice(group: &[&DrawnPiece], desk: &mut Desk<'_>) {
             if same { "the same outline" } else { "different outlines" }
         );
         let hint = "give the pieces names of their own, or take the one too many out of the file";
-        desk.say(Diagnostic::warning("piece-repeats", text).hint(hint), &second.block, "1", second.line);
+        desk.say(Diagnostic::warning(codes::PIECE_REPEATS, text).hint(hint), &second.block, "1", second.line);
     }
 }
 
@@ -115,7 +117,7 @@ fn vertices(group: &[&DrawnPiece], sample: Option<&str>, desk: &mut Desk<'_>) {
         base.size.clone().unwrap_or_default()
     );
     let hint = "names and numbers of edges may differ between these sizes; export the nest again if they should not";
-    desk.say(Diagnostic::warning("sizes-differ-in-vertices", text).hint(hint), &base.block, "1", base.line);
+    desk.say(Diagnostic::warning(SIZES_DIFFER_IN_VERTICES, text).hint(hint), &base.block, "1", base.line);
 }
 
 /// A piece that is not drawn in all sizes of the nest, and has no rules to make them.
@@ -137,5 +139,5 @@ fn lacking(group: &[&DrawnPiece], sizes: &[&str], desk: &mut Desk<'_>) {
         missing.join(", ")
     );
     let hint = "export the piece in every size; a garment in one that is missing is refused";
-    desk.say(Diagnostic::warning("piece-lacks-size", text).hint(hint), &first.block, "1", first.line);
+    desk.say(Diagnostic::warning(codes::PIECE_LACKS_SIZE, text).hint(hint), &first.block, "1", first.line);
 }

@@ -1,5 +1,6 @@
 //! Apexes drawn as two vertices side by side: made one before darts are looked for.
 
+use super::codes;
 use super::legs_test::wedge_test;
 use super::thresholds::{
     ANGLE_OF_DART, COUNT_OF_BLUNT_APEXES, DISTANCE_OF_COPY_VERTEX, DISTANCE_OF_VERTEX_MARK, SHARE_OF_BLUNT_APEX,
@@ -39,7 +40,7 @@ impl DrawnPiece {
                 self.label(),
                 one.width()
             );
-            desk.say(Diagnostic::info("dart-apex-blunt", text), &self.block, "1", self.boundary.line);
+            desk.say(Diagnostic::info(codes::DART_APEX_BLUNT, text), &self.block, "1", self.boundary.line);
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Wedges that the rest of the file says are no darts: places for godets, slits, vents.
 
+use super::codes;
 use super::dart::{DECLARE, Denied, DrawnDart, Form};
 use super::thresholds::{
     CORNERS_OF_INSERT, COUNT_OF_HABIT, DIFFERENCE_OF_INSERT, DISTANCE_OF_HABIT_DRILL, DISTANCE_OF_HABIT_NOTCH,
@@ -47,7 +48,7 @@ fn deny(piece: &mut DrawnPiece, verdicts: Vec<Option<&'static str>>, desk: &mut 
         let at = dart.apexes[0];
         denied.push(Denied { at, why, form: dart.form });
         let text = format!("the wedge at ({:.1}, {:.1}) mm of `{label}` was not taken as a dart: {why}", at.x, at.y);
-        desk.say(Diagnostic::warning("wedge-not-a-dart", text).hint(DECLARE), &block, "1", dart.line);
+        desk.say(Diagnostic::warning(codes::WEDGE_NOT_A_DART, text).hint(DECLARE), &block, "1", dart.line);
         false
     });
     piece.doubts.denied.extend(denied);

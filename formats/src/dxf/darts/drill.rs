@@ -1,5 +1,6 @@
 //! Candidates: drill holes and notches that may be darts, although no line is drawn.
 
+use super::codes;
 use super::dart::DrawnDart;
 use super::legs_test::wedge_test;
 use super::thresholds::{
@@ -26,7 +27,7 @@ impl DrawnPiece {
                 mm(*drill),
                 self.label()
             );
-            desk.say(Diagnostic::info("dart-candidate", text).hint(hint), &self.block, "13", self.line);
+            desk.say(Diagnostic::info(codes::DART_CANDIDATE, text).hint(hint), &self.block, "13", self.line);
         }
         for [tip, side, other] in threes(drills, &self.darts, self.axes.grain.map(|g| g[1] - g[0])) {
             let text = format!(
@@ -36,7 +37,7 @@ impl DrawnPiece {
                 mm(side),
                 mm(other)
             );
-            desk.say(Diagnostic::info("dart-candidate", text).hint(hint), &self.block, "13", self.line);
+            desk.say(Diagnostic::info(codes::DART_CANDIDATE, text).hint(hint), &self.block, "13", self.line);
         }
         for kite in kites(drills, &self.darts) {
             let text = format!(
@@ -45,7 +46,7 @@ impl DrawnPiece {
                 mm(kite[0]),
                 mm(kite[1])
             );
-            desk.say(Diagnostic::info("dart-candidate", text).hint(hint), &self.block, "13", self.line);
+            desk.say(Diagnostic::info(codes::DART_CANDIDATE, text).hint(hint), &self.block, "13", self.line);
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The finding `dart-legs-differ`: legs that are sewn together and are not of one length.
 
+use super::codes;
 use super::thresholds::{LENGTH_OF_LEG_DIFFERENCE, SHARE_OF_LEG_DIFFERENCE};
 use crate::dxf::desk::Desk;
 use crate::dxf::piece::{DrawnPiece, mm};
@@ -18,7 +19,7 @@ impl DrawnPiece {
                     (a - b).abs()
                 );
                 let hint = "the difference is eased in when the dart is sewn; correct the pattern if it is a mistake";
-                desk.say(Diagnostic::warning("dart-legs-differ", text).hint(hint), &self.block, "1", dart.line);
+                desk.say(Diagnostic::warning(codes::DART_LEGS_DIFFER, text).hint(hint), &self.block, "1", dart.line);
             }
         }
     }

@@ -21,6 +21,7 @@
 //! A look-alike that is denied becomes the finding `wedge-not-a-dart` or stands in `not_darts` of `inspect`.
 
 mod blunt;
+pub(crate) mod codes;
 mod dart;
 mod deny;
 mod drill;

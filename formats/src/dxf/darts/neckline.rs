@@ -1,5 +1,6 @@
 //! Wedges in the middle of a whole piece that are V necklines. Those of half pieces are denied in `on_fold.rs`.
 
+use super::codes;
 use super::dart::{DECLARE, Denied, DrawnDart, Form};
 use super::thresholds::{
     ANGLE_OF_BLUNT_NECKLINE, ANGLE_OF_NECKLINE, ANGLE_OF_SHOULDER, CORNERS_OF_NECKED_PIECE, DISTANCE_OF_MIRROR_IMAGE,
@@ -51,7 +52,7 @@ impl DrawnPiece {
         for (at, file_line) in denied {
             let why = "it is wide and in the middle of a symmetric piece: a V neckline";
             let text = format!("the wedge at {} of `{}` was not taken as a dart: {why}", mm(at), self.label());
-            desk.say(Diagnostic::warning("wedge-not-a-dart", text).hint(DECLARE), &self.block, "1", file_line);
+            desk.say(Diagnostic::warning(codes::WEDGE_NOT_A_DART, text).hint(DECLARE), &self.block, "1", file_line);
             self.doubts.denied.push(Denied { at, why, form: Form::Wedge });
         }
     }

@@ -1,6 +1,7 @@
 //! Pleats and dart-pleats: pairs of fold lines that run in from the edge and do not meet. They are told, not made: how
 //! deep a pleat is sewn and to which side it lies stands in no DXF.
 
+use super::codes;
 use super::thresholds::{
     ANGLE_OF_DART_PLEAT, ANGLE_OF_PLEAT, BOW_OF_PLEAT, CONFIDENCE_OF_PLEAT, CONFIDENCE_OF_PLEAT_NOTCHES,
     CONFIDENCE_OF_PLEAT_WORD, COSINE_OF_PLEAT, COUNT_OF_PLEAT_LINES, DISTANCE_OF_PLEAT_END, DISTANCE_OF_PLEAT_NOTCH,
@@ -47,7 +48,7 @@ impl DrawnPiece {
                 pleat.evidence.join(", ")
             );
             let hint = "declare it in the sewing file: [[dart]] piece, apex, mouth, kind = \"pleat\"";
-            desk.say(Diagnostic::info("pleat-candidate", text).hint(hint), &self.block, "8", pleat.line);
+            desk.say(Diagnostic::info(codes::PLEAT_CANDIDATE, text).hint(hint), &self.block, "8", pleat.line);
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The search for the darts of one piece: what is looked for, in which order, and what is told of look-alikes.
 
+use super::codes;
 use super::dart::{DECLARE, Denied, Form};
 use super::{lens, marked, wedge, zigzag};
 use crate::dxf::desk::Desk;
@@ -66,7 +67,7 @@ impl DrawnPiece {
                 one.why
             );
             let layer = if one.form == Form::Marked { "8" } else { "1" };
-            desk.say(Diagnostic::info("wedge-not-a-dart", text).hint(DECLARE), &self.block, layer, self.line);
+            desk.say(Diagnostic::info(codes::WEDGE_NOT_A_DART, text).hint(DECLARE), &self.block, layer, self.line);
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Names and sizes from `PIECE_SIZE` block names, where a file has no texts that say them.
 
+use super::codes;
 use crate::dxf::desk::Desk;
 use crate::dxf::piece::DrawnPiece;
 use std::collections::{BTreeMap, BTreeSet};
@@ -27,7 +28,7 @@ pub(super) fn fill(pieces: &mut [DrawnPiece], sample: Option<&str>, desk: &mut D
         pieces.get(first).map_or("", |p| p.block.as_str())
     );
     let place = desk.findings.place(pieces.get(first).map_or(1, |p| p.line));
-    desk.findings.push(Diagnostic::info("name-from-block", text).at(place));
+    desk.findings.push(Diagnostic::info(codes::NAME_FROM_BLOCK, text).at(place));
     for (piece, part) in pieces.iter_mut().zip(&parts) {
         if let Some((head, tail)) = part {
             (piece.name, piece.size) = (Some(head.clone()), Some(tail.clone()));

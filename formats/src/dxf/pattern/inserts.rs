@@ -3,7 +3,11 @@
 //! An INSERT's scale and mirroring change the shape of the piece and are applied; its place and its turn only lay the
 //! piece on the table, so the piece keeps the coordinates of its block ([`InsertRule`] can say otherwise).
 
+use super::codes;
 use super::is_model_space;
+use crate::dxf::codes::{
+    BLOCK_MISSING, INSERT_MIRRORED, INSERT_RECURSIVE, INSERT_TOO_DEEP, INSERT_TOO_MANY, INSERT_TRANSFORMED,
+};
 use crate::dxf::findings::Findings;
 use crate::dxf::ledger::{Ledger, Verdict};
 use crate::dxf::limits;
@@ -117,7 +121,7 @@ pub(super) fn check_expansion(
     );
     let place = findings.place_in(&blocks[worst].name, None, blocks[worst].line);
     let hint = "export the pieces as blocks of their own, without blocks in blocks";
-    Err(Diagnostic::error("insert-too-many", text).at(place).hint(hint))
+    Err(Diagnostic::error(INSERT_TOO_MANY, text).at(place).hint(hint))
 }
 
 /// Which block each INSERT of ENTITIES places where a name stands for several: the n-th INSERT of a name is that of the n-th block
@@ -201,7 +205,7 @@ fn repeated(block: &Block, inserted: &Inserted) -> Option<Diagnostic> {
         return None;
     };
     let hint = "give each shape a block of its own, or the text `Quantity: 1,1` for a piece and its mirror image";
-    Some(Diagnostic::warning("insert-repeated", text).hint(hint))
+    Some(Diagnostic::warning(codes::INSERT_REPEATED, text).hint(hint))
 }
 
 impl<'a> Walk<'a, '_> {
@@ -261,7 +265,7 @@ impl<'a> Walk<'a, '_> {
         let Some(named) = self.by_name.get(block) else {
             let text = format!("an INSERT names block `{block}`, which is not in the file");
             let place = self.findings.place_in(block, Some(&entity.layer), entity.line);
-            self.findings.push(Diagnostic::warning("block-missing", text).at(place));
+            self.findings.push(Diagnostic::warning(BLOCK_MISSING, text).at(place));
             ledger.note(entity.id, Verdict::Refused, "INSERT of a block that is missing");
             return;
         };
@@ -323,16 +327,16 @@ impl<'a> Walk<'a, '_> {
                 if self.steps == limits::EXPANDED + 1 {
                     self.steps += 1;
                     let text = format!("the INSERTs of this file expand to more than {} entities", limits::EXPANDED);
-                    self.findings.push(Diagnostic::error("insert-too-many", text).at(place));
+                    self.findings.push(Diagnostic::error(INSERT_TOO_MANY, text).at(place));
                 }
                 return;
             }
             let loops = path.contains(&target);
             if loops || path.len() >= limits::INSERT_DEPTH {
                 let (code, why) = if loops {
-                    ("insert-recursive", "it would insert itself")
+                    (INSERT_RECURSIVE, "it would insert itself")
                 } else {
-                    ("insert-too-deep", "blocks are nested too deeply")
+                    (INSERT_TOO_DEEP, "blocks are nested too deeply")
                 };
                 let text = format!("the INSERT inside block `{}` was left out: {why}", blocks[index].name);
                 self.findings.push(Diagnostic::warning(code, text).at(place));
@@ -359,21 +363,21 @@ impl<'a> Walk<'a, '_> {
                     block.name
                 );
                 let hint = "`inserts = \"placed\"` applies both, `inserts = \"ignored\"` neither";
-                self.findings.push(Diagnostic::warning("insert-transformed", text).at(place.clone()).hint(hint));
+                self.findings.push(Diagnostic::warning(INSERT_TRANSFORMED, text).at(place.clone()).hint(hint));
             }
             if let Some(finding) = repeated(block, inserted) {
                 self.findings.push(finding.at(place.clone()));
             }
             if inserted.mirrored > 0 && inserted.plain == 0 {
                 let text = format!("block `{}` is inserted mirrored; the piece was mirrored", block.name);
-                self.findings.push(Diagnostic::warning("insert-mirrored", text).at(place));
+                self.findings.push(Diagnostic::warning(INSERT_MIRRORED, text).at(place));
             }
         }
         for (name, list) in self.by_name {
             if list.len() > 1 && !is_model_space(name) {
                 let text = format!("{} blocks are called `{name}`; all were read", list.len());
                 let place = self.findings.place_in(name, None, self.blocks[list[1]].line);
-                self.findings.push(Diagnostic::warning("block-name-repeats", text).at(place));
+                self.findings.push(Diagnostic::warning(codes::BLOCK_NAME_REPEATS, text).at(place));
             }
         }
     }

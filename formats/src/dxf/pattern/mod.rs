@@ -2,11 +2,13 @@
 
 mod attributes;
 mod block_names;
+pub(crate) mod codes;
 mod inserts;
 mod sheets;
 
 pub use inserts::InsertRule;
 
+use crate::dxf::codes::SIZES_DIFFER_IN_VERTICES;
 use inserts::Inserted;
 
 use super::checks;
@@ -157,7 +159,7 @@ fn build_pieces(
 ) -> Result<Vec<DrawnPiece>, Diagnostic> {
     if sheets.len() > limits::PIECES {
         let text = format!("{} pieces, over the limit of {}", sheets.len(), limits::PIECES);
-        return Err(Diagnostic::error("too-many-pieces", text).at(findings.place(1)));
+        return Err(Diagnostic::error(codes::TOO_MANY_PIECES, text).at(findings.place(1)));
     }
     let mut overruled = Vec::new();
     let mut desk = Desk { findings, overruled: &mut overruled, rules };
@@ -165,7 +167,7 @@ fn build_pieces(
     let mut pieces: Vec<DrawnPiece> = outlines.into_iter().flatten().collect();
     if pieces.is_empty() && !desk.findings.has_errors() {
         let text = "there is no piece in this file: no block has a line on layer 1, and ENTITIES holds no closed line";
-        return Err(Diagnostic::error("no-pieces", text)
+        return Err(Diagnostic::error(codes::NO_PIECES, text)
             .at(desk.findings.place(1))
             .hint("export as AAMA or ASTM, or map the layer of the outlines to \"1\""));
     }
@@ -272,7 +274,7 @@ fn carry_between_sizes(pieces: &mut [DrawnPiece], desk: &mut Desk<'_>) {
                 failed.join(", ")
             );
             let place = desk.findings.place_in(&sample.block, None, sample.line);
-            desk.findings.push(Diagnostic::warning("sizes-differ-in-vertices", text).at(place));
+            desk.findings.push(Diagnostic::warning(SIZES_DIFFER_IN_VERTICES, text).at(place));
         }
     }
 }
@@ -297,6 +299,6 @@ fn report_layers(drawing: &Drawing, blocks: &[Block], layers: &Layers, ledger: &
         place.layer = Some(layer.clone());
         let severity = if layers.role(&layer) == Role::Boundary { Severity::Warning } else { Severity::Info };
         let text = format!("{count} {kind} on layer `{layer}` have no meaning here and were left out");
-        findings.push(Diagnostic::new(severity, "entities-left-out", text).at(place));
+        findings.push(Diagnostic::new(severity, codes::ENTITIES_LEFT_OUT, text).at(place));
     }
 }

@@ -1,8 +1,10 @@
 //! Which blocks are pieces; the closed lines of ENTITIES where no block is one.
 
+use super::codes;
 use super::inserts::{InsertRule, Inserted};
 use super::is_model_space;
 use crate::dxf::chain::{self, Path};
+use crate::dxf::codes::PIECES_FROM_ENTITIES;
 use crate::dxf::geom;
 use crate::dxf::layers::{Layers, Role};
 use crate::dxf::ledger::Verdict;
@@ -43,7 +45,7 @@ pub(super) fn sheets(
         } else if !block.entities.is_empty() {
             let text = format!("block `{}` has no outline on layer 1; it is no piece", block.name);
             let place = sorter.findings.place_in(&block.name, None, block.line);
-            sorter.findings.push(Diagnostic::warning("block-without-outline", text).at(place));
+            sorter.findings.push(Diagnostic::warning(codes::BLOCK_WITHOUT_OUTLINE, text).at(place));
         }
     }
     for e in &drawing.entities {
@@ -69,7 +71,7 @@ pub(super) fn sheets(
     if count > 0 {
         let text = format!("{count} line(s) stand in ENTITIES outside any block; they were left out");
         let place = sorter.findings.place(1);
-        sorter.findings.push(Diagnostic::warning("lines-outside-blocks", text).at(place));
+        sorter.findings.push(Diagnostic::warning(codes::LINES_OUTSIDE_BLOCKS, text).at(place));
     }
     loose_marks(drawing, sorter);
     out
@@ -78,8 +80,8 @@ pub(super) fn sheets(
 /// Points and attributes of ENTITIES belong to no piece.
 fn loose_marks(drawing: &Drawing, sorter: &mut Sorter<'_>) {
     for (code, what, wanted) in [
-        ("lines-outside-blocks", "point(s), as of notches and drill holes,", 0),
-        ("entities-left-out", "attribute(s) with a text", 1),
+        (codes::LINES_OUTSIDE_BLOCKS, "point(s), as of notches and drill holes,", 0),
+        (codes::ENTITIES_LEFT_OUT, "attribute(s) with a text", 1),
     ] {
         let is = |e: &&Entity| match &e.shape {
             Shape::Point { .. } => wanted == 0 && sorter.layers.role(&e.layer) != Role::Unknown,
@@ -139,7 +141,7 @@ fn flat(drawing: &Drawing, sorter: &mut Sorter<'_>, tolerances: &Tolerances) -> 
     }
     let place = sorter.findings.place(1);
     let text = format!("no block holds an outline; {} closed line(s) of ENTITIES were read as pieces", outer.len());
-    sorter.findings.push(Diagnostic::warning("pieces-from-entities", text).at(place));
+    sorter.findings.push(Diagnostic::warning(PIECES_FROM_ENTITIES, text).at(place));
     share_out(all, &mut outer);
     outer.sort_by_key(|o| o.2);
     outer.into_iter().enumerate().map(|(i, (_, sheet, line))| (format!("PIECE_{}", i + 1), line, sheet)).collect()

@@ -1,6 +1,8 @@
 //! The outline among the lines of layer 1.
 
+use super::codes;
 use super::{Desk, mm};
+use crate::codes::OUTLINE_CROSSES_ITSELF;
 use crate::dxf::chain::{self, Chained, Path};
 use crate::dxf::contact::{self, Contact};
 use crate::dxf::geom::{self, Crossing};
@@ -9,7 +11,7 @@ use crate::dxf::limits;
 use crate::dxf::outline::{Node, Outline};
 use crate::dxf::sheet::Sheet;
 use toile_garment::outline::PointKind;
-use toile_garment::{Diagnostic, Vec2};
+use toile_garment::{Code, Diagnostic, Vec2};
 
 /// An open line longer than this share of the outline means that the outline itself is open.
 const STRAY: f64 = 0.5;
@@ -41,7 +43,7 @@ pub(super) fn boundary(block: &str, line: u64, sheet: &Sheet, desk: &mut Desk<'_
     if !doubled.is_empty() {
         note_doubled(&doubled, desk);
         let text = format!("{} line(s) of the outline of block `{block}` stand there twice; read once", doubled.len());
-        desk.say(Diagnostic::info("outline-doubled", text), block, "1", line);
+        desk.say(Diagnostic::info(codes::OUTLINE_DOUBLED, text), block, "1", line);
     }
     if closed.is_empty() {
         close_at_fold(&mut open, &mut closed, sheet);
@@ -49,7 +51,7 @@ pub(super) fn boundary(block: &str, line: u64, sheet: &Sheet, desk: &mut Desk<'_
     for gap in gaps {
         let text =
             format!("the outline of block `{block}` has a gap of {:.2} mm at {}; it was closed", gap.width, mm(gap.at));
-        desk.say(Diagnostic::warning("outline-gap-closed", text), block, "1", line);
+        desk.say(Diagnostic::warning(codes::OUTLINE_GAP_CLOSED, text), block, "1", line);
     }
     let area = |p: &Path| geom::area(&p.positions()).abs();
     closed.sort_by(|a, b| area(b).total_cmp(&area(a)));
@@ -76,7 +78,7 @@ fn say_open(block: &str, line: u64, open: &[Path], desk: &mut Desk<'_>) {
             mm(b),
             mm(a)
         );
-        let finding = Diagnostic::error("outline-open", text).hint(format!(
+        let finding = Diagnostic::error(codes::OUTLINE_OPEN, text).hint(format!(
             "close it in the pattern; gaps up to {} mm are closed with a note",
             desk.rules.tolerances.gap
         ));
@@ -84,7 +86,7 @@ fn say_open(block: &str, line: u64, open: &[Path], desk: &mut Desk<'_>) {
     }
     if open.is_empty() {
         let text = format!("block `{block}` has lines on layer 1 but no outline");
-        desk.say(Diagnostic::error("outline-missing", text), block, "1", line);
+        desk.say(Diagnostic::error(codes::OUTLINE_MISSING, text), block, "1", line);
     }
 }
 
@@ -98,7 +100,7 @@ fn refuse_strays(block: &str, open: &[Path], desk: &mut Desk<'_>) {
         for id in &path.ids {
             desk.overrule(*id, Verdict::Refused, "open line on layer 1 beside the outline");
         }
-        desk.say(Diagnostic::warning("outline-stray-line", text), block, "1", path.line);
+        desk.say(Diagnostic::warning(codes::OUTLINE_STRAY_LINE, text), block, "1", path.line);
     }
 }
 
@@ -115,7 +117,7 @@ fn inner_lines(block: &str, main: &Path, others: impl Iterator<Item = Path>, des
         for id in &path.ids {
             desk.overrule(*id, verdict, "second closed line on layer 1");
         }
-        desk.say(Diagnostic::warning("outline-second", text), block, "1", path.line);
+        desk.say(Diagnostic::warning(codes::OUTLINE_SECOND, text), block, "1", path.line);
         if inside {
             inner.push(path);
         }
@@ -147,20 +149,20 @@ fn close_at_fold(open: &mut Vec<Path>, closed: &mut Vec<Path>, sheet: &Sheet) {
 /// it, they are made one.
 pub(super) fn check_shape(block: &str, outline: &mut Outline, desk: &mut Desk<'_>) -> Option<()> {
     let line = outline.line;
-    let fail = |desk: &mut Desk<'_>, code: &str, text: String, hint: &str| {
+    let fail = |desk: &mut Desk<'_>, code: Code, text: String, hint: &str| {
         desk.say(Diagnostic::error(code, text).hint(hint), block, "1", line);
         None
     };
     let mut points = outline.positions();
     if points.len() > limits::OUTLINE_POINTS {
         let text = format!("the outline of block `{block}` has more than {} points", limits::OUTLINE_POINTS);
-        return fail(desk, "outline-too-long", text, "export it with a coarser curve tolerance");
+        return fail(desk, codes::OUTLINE_TOO_LONG, text, "export it with a coarser curve tolerance");
     }
     let (lo, hi) = geom::bounds(points.iter().copied())?;
     let extent = (hi.x - lo.x).max(hi.y - lo.y);
     if extent > limits::PIECE_EXTENT_MM {
         let text = format!("the outline of block `{block}` is {:.0} m long", extent / 1000.0);
-        return fail(desk, "outline-too-large", text, "check the unit of the file");
+        return fail(desk, codes::OUTLINE_TOO_LARGE, text, "check the unit of the file");
     }
     let mut crossing = geom::crossing(&points);
     if matches!(crossing, Crossing::At(..)) && untangle(block, outline, desk) {
@@ -172,15 +174,15 @@ pub(super) fn check_shape(block: &str, outline: &mut Outline, desk: &mut Desk<'_
         }
         Crossing::None => {
             let text = format!("the outline of block `{block}` at {} encloses no area", mm(points[0]));
-            fail(desk, "outline-without-area", text, "draw a closed outline on layer 1")
+            fail(desk, codes::OUTLINE_WITHOUT_AREA, text, "draw a closed outline on layer 1")
         }
         Crossing::TooMany => {
             let text = format!("the outline of block `{block}` is too entangled to check");
-            fail(desk, "outline-too-entangled", text, "simplify it")
+            fail(desk, codes::OUTLINE_TOO_ENTANGLED, text, "simplify it")
         }
         Crossing::At(_, _, p) => {
             let text = format!("the outline of block `{block}` intersects itself at {}", mm(p));
-            fail(desk, "outline-crosses-itself", text, "correct the outline there")
+            fail(desk, OUTLINE_CROSSES_ITSELF, text, "correct the outline there")
         }
     }
 }
@@ -191,14 +193,14 @@ fn check_contacts(block: &str, line: u64, points: &[Vec2], desk: &mut Desk<'_>) 
         match contact {
             Contact::Crosses(p) => {
                 let text = format!("the outline of block `{block}` intersects itself at its vertex {}", mm(p));
-                let finding = Diagnostic::error("outline-crosses-itself", text).hint("correct the outline there");
+                let finding = Diagnostic::error(OUTLINE_CROSSES_ITSELF, text).hint("correct the outline there");
                 desk.say(finding, block, "1", line);
                 return None;
             }
             Contact::Touches(p) => {
                 let text = format!("the outline of block `{block}` touches itself at {}; it was read as drawn", mm(p));
                 let hint = "draw the parts as pieces of their own, or leave a gap between the lines";
-                desk.say(Diagnostic::warning("outline-touches-itself", text).hint(hint), block, "1", line);
+                desk.say(Diagnostic::warning(codes::OUTLINE_TOUCHES_ITSELF, text).hint(hint), block, "1", line);
             }
         }
     }
@@ -208,7 +210,7 @@ fn check_contacts(block: &str, line: u64, points: &[Vec2], desk: &mut Desk<'_>) 
             mm(tip)
         );
         let hint = "take the spike out of the outline in the pattern program";
-        desk.say(Diagnostic::warning("outline-spike", text).hint(hint), block, "1", line);
+        desk.say(Diagnostic::warning(codes::OUTLINE_SPIKE, text).hint(hint), block, "1", line);
     }
     Some(())
 }
@@ -235,7 +237,7 @@ fn untangle(block: &str, outline: &mut Outline, desk: &mut Desk<'_>) -> bool {
         outline.drawn.len() - nodes.len(),
         chain::JOIN
     );
-    desk.say(Diagnostic::info("outline-vertices-doubled", text), block, "1", outline.line);
+    desk.say(Diagnostic::info(codes::OUTLINE_VERTICES_DOUBLED, text), block, "1", outline.line);
     outline.drawn = nodes;
     outline.as_drawn();
     true

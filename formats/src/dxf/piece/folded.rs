@@ -1,5 +1,6 @@
 //! The fold of a half piece.
 
+use super::codes;
 use super::{Desk, DrawnPiece, mm};
 use crate::dxf::geom;
 use crate::dxf::ledger::Verdict;
@@ -30,7 +31,7 @@ impl DrawnPiece {
                 self.label()
             );
             desk.overrule(stroke.id, Verdict::Refused, "mirror line off the boundary");
-            desk.say(Diagnostic::warning("fold-off-boundary", text), &self.block, "6", stroke.line);
+            desk.say(Diagnostic::warning(codes::FOLD_OFF_BOUNDARY, text), &self.block, "6", stroke.line);
         }
     }
 
@@ -48,7 +49,7 @@ impl DrawnPiece {
             );
             desk.overrule(stroke.id, Verdict::Refused, "second mirror line");
             let hint = "draw a piece that is folded twice unfolded once";
-            desk.say(Diagnostic::warning("fold-second", text).hint(hint), &self.block, "6", stroke.line);
+            desk.say(Diagnostic::warning(codes::FOLD_SECOND, text).hint(hint), &self.block, "6", stroke.line);
         }
     }
 }

@@ -1,5 +1,6 @@
 //! Working lines, notches and darts of a piece whose outline is known.
 
+use super::codes;
 use super::{Desk, DrawnPiece, mm};
 use crate::dxf::geom::{self, Crossing};
 use crate::dxf::ledger::Verdict;
@@ -20,7 +21,7 @@ impl DrawnPiece {
                 self.label(),
                 mm(first.at)
             );
-            desk.say(Diagnostic::info("notch-cut-in", text), &self.block, "1", self.boundary.line);
+            desk.say(Diagnostic::info(codes::NOTCH_CUT_IN, text), &self.block, "1", self.boundary.line);
         }
     }
 
@@ -37,7 +38,7 @@ impl DrawnPiece {
                 let text = format!(
                     "the dense curve on layer {layer} of `{label}` is up to {off:.1} mm off the outline; not used"
                 );
-                let finding = Diagnostic::warning("validation-curve-differs", text);
+                let finding = Diagnostic::warning(codes::VALIDATION_CURVE_DIFFERS, text);
                 desk.say(finding, &self.block, layer, outline.line);
             }
             let changed = outline.making != Making::AsDrawn || !outline.cut.is_empty();
@@ -49,13 +50,13 @@ impl DrawnPiece {
                 );
                 outline.sharpen();
                 outline.as_drawn();
-                desk.say(Diagnostic::warning("curve-not-smoothed", text), &self.block, "1", outline.line);
+                desk.say(Diagnostic::warning(codes::CURVE_NOT_SMOOTHED, text), &self.block, "1", outline.line);
             }
             if let Making::Smoothed(off) = outline.making {
                 let text = format!(
                     "curve points of `{label}` were joined by a smooth curve, up to {off:.2} mm off the chords"
                 );
-                desk.say(Diagnostic::info("curve-interpolated", text), &self.block, "3", outline.line);
+                desk.say(Diagnostic::info(codes::CURVE_INTERPOLATED, text), &self.block, "3", outline.line);
             }
         }
     }
@@ -68,7 +69,7 @@ impl DrawnPiece {
             || work > limits::NOTCH_TESTS
         {
             let text = format!("`{}` has more than {} notches", self.label(), limits::NOTCHES);
-            desk.say(Diagnostic::error("too-many-notches", text), &self.block, "4", self.line);
+            desk.say(Diagnostic::error(codes::TOO_MANY_NOTCHES, text), &self.block, "4", self.line);
             return;
         }
         let boundary = self.boundary.positions();
@@ -85,7 +86,7 @@ impl DrawnPiece {
         for notch in list.iter().filter(|n| n.on == "off") {
             let text =
                 format!("a notch of `{}` at {} lies {:.1} mm off the boundary", self.label(), mm(notch.at), notch.off);
-            desk.say(Diagnostic::warning("notch-off-boundary", text), &self.block, "4", notch.line);
+            desk.say(Diagnostic::warning(codes::NOTCH_OFF_BOUNDARY, text), &self.block, "4", notch.line);
         }
         self.notches = list;
     }

@@ -1,6 +1,7 @@
 //! One drawn piece in one size: what the layers of a block mean together.
 
 mod border;
+pub(crate) mod codes;
 mod folded;
 mod marks;
 mod notes;
@@ -258,7 +259,7 @@ impl DrawnPiece {
         if self.axes.grain.is_none() {
             let text = format!("`{}` has no grain line (layer 7)", self.label());
             desk.say(
-                Diagnostic::warning("grain-missing", text).hint("the warp is then taken along +y"),
+                Diagnostic::warning(codes::GRAIN_MISSING, text).hint("the warp is then taken along +y"),
                 &self.block,
                 "7",
                 self.line,

@@ -1,5 +1,6 @@
 //! Texts of a block: keys of the piece, grade rules, labels.
 
+use super::codes;
 use super::{Desk, DrawnPiece, RuleMark};
 use crate::dxf::chain::Path;
 use crate::dxf::geom::PointIndex;
@@ -54,7 +55,7 @@ impl DrawnPiece {
                 "grade rules of `{}` name the alternate reference line {number}, which layer 5 does not have; the reference line was taken",
                 self.label()
             );
-            desk.say(Diagnostic::warning("grade-line-missing", text), &self.block, "5", self.line);
+            desk.say(Diagnostic::warning(codes::GRADE_LINE_MISSING, text), &self.block, "5", self.line);
         }
     }
 
@@ -71,17 +72,17 @@ impl DrawnPiece {
                 self.block
             );
             let hint = "take the wrong one out of the block";
-            desk.say(Diagnostic::warning("text-contradicts", text).hint(hint), &self.block, "1", self.line);
+            desk.say(Diagnostic::warning(codes::TEXT_CONTRADICTS, text).hint(hint), &self.block, "1", self.line);
         }
         if key == "quantity" && texts::quantity(value).is_none() {
             let text = format!("`{}`: `Quantity: {value}` cannot be understood; 1 was taken", self.label());
             let finding = if value.is_empty() {
                 Diagnostic::info(
-                    "quantity-unclear",
+                    codes::QUANTITY_UNCLEAR,
                     format!("`{}`: the text `Quantity` is empty; 1 was taken", self.label()),
                 )
             } else {
-                Diagnostic::warning("quantity-unclear", text)
+                Diagnostic::warning(codes::QUANTITY_UNCLEAR, text)
                     .hint("write a number, or two as `1,1`: as drawn, and mirrored")
             };
             desk.say(finding, &self.block, "1", self.line);

@@ -1,6 +1,7 @@
 //! Points of layers 2 and 3 that lie on no line of their block.
 
 use super::Desk;
+use super::codes;
 use crate::dxf::geom::PointIndex;
 use crate::dxf::sheet::Sheet;
 use toile_garment::{Diagnostic, Vec2};
@@ -16,7 +17,7 @@ pub(super) fn check(block: &str, line: u64, sheet: &Sheet, desk: &mut Desk<'_>) 
     }
     let text = format!("{} of the {all} points on layers 2 and 3 of block `{block}` stand at no vertex", all - met);
     let hint = "other programs put drill holes on 2 and notches on 3; then map them: layers = { \"2\" = \"13\", \"3\" = \"4\" }";
-    desk.say(Diagnostic::warning("points-off-vertices", text).hint(hint), block, "2", line);
+    desk.say(Diagnostic::warning(codes::POINTS_OFF_VERTICES, text).hint(hint), block, "2", line);
 }
 
 /// How many of the points of layers 2 and 3 stand at a vertex of a line, and how many there are.

@@ -1,6 +1,7 @@
 //! The sew line: on layer 14, or as a closed line on layer 8.
 
 use super::border::note_doubled;
+use super::codes;
 use super::{Desk, DrawnPiece, mm};
 use crate::dxf::chain::{self, Chained, Path};
 use crate::dxf::geom;
@@ -42,7 +43,7 @@ impl DrawnPiece {
                     "a line on layer 14 of `{}` is not the whole sew line; kept as an internal line",
                     self.label()
                 );
-                desk.say(Diagnostic::info("stitch-line", text), &self.block, "14", path.line);
+                desk.say(Diagnostic::info(codes::STITCH_LINE, text), &self.block, "14", path.line);
                 self.keep_inside(path, desk);
             }
         } else if let Some(i) = (0..self.inside.internal.len())
@@ -77,7 +78,7 @@ impl DrawnPiece {
         let label = self.label();
         let (code, sewn, text, hint) = if lies.outside == lies.tried {
             (
-                "sew-line-outside",
+                codes::SEW_LINE_OUTSIDE,
                 false,
                 format!(
                     "the line on layer 14 of `{label}` runs outside the cut line, up to {:.1} mm; it was not taken as the sew line, the cut line is sewn",
@@ -87,7 +88,7 @@ impl DrawnPiece {
             )
         } else if lies.outside > 0 {
             (
-                "sew-line-crosses",
+                codes::SEW_LINE_CROSSES,
                 true,
                 format!(
                     "the sew line of `{label}` crosses the cut line and lies up to {:.1} mm outside it at {}; it was taken as drawn",
@@ -98,7 +99,7 @@ impl DrawnPiece {
             )
         } else if lies.in_by > *ALLOWANCE.end() && geom::area(&sew).abs() < 0.6 * whole {
             (
-                "sew-line-far",
+                codes::SEW_LINE_FAR,
                 true,
                 format!(
                     "the sew line of `{label}` lies up to {:.1} mm inside the cut line and encloses only {:.0} % of it; it was taken as drawn",

@@ -1,5 +1,6 @@
 //! The block of one piece in one size.
 
+use super::codes;
 use super::model::{Dialect, DrawLine, DrawNotch, PieceDrawing};
 use super::names::PieceName;
 use super::style::{folded, key_value};
@@ -90,7 +91,7 @@ fn texts(tags: &mut Tags, piece: &PieceDrawing, name: &PieceName, dialect: Diale
     let count = if !dialect.is_astm() {
         if quantity.mirrored > 0 {
             findings.push(Diagnostic::info(
-                "quantity-without-sides",
+                codes::QUANTITY_WITHOUT_SIDES,
                 format!(
                     "AAMA holds one quantity: `{}` is written as {} instead of {} and {} mirrored",
                     piece.name,
@@ -190,7 +191,7 @@ fn notch(tags: &mut Tags, notch: &DrawNotch, piece: &PieceDrawing, dialect: Dial
     let plain = !dialect.is_astm() && layer != "4";
     if plain {
         findings.push(Diagnostic::info(
-            "notch-shape-lost",
+            codes::NOTCH_SHAPE_LOST,
             format!("AAMA has no {:?} notch: one of `{}` is written on layer 4", notch.kind, piece.name),
         ));
     }

@@ -1,5 +1,6 @@
 //! Half of a piece that is symmetric about its fold line.
 
+use super::codes;
 use super::model::{DrawLine, DrawPoint, PieceDrawing};
 use toile_garment::outline::PointKind;
 use toile_garment::{Diagnostic, Vec2};
@@ -19,7 +20,7 @@ pub fn half(drawing: PieceDrawing, fold: [Vec2; 2], findings: &mut Vec<Diagnosti
     let (Some((boundary, ends)), true) = (boundary, symmetric) else {
         findings.push(
             Diagnostic::warning(
-                "fold-not-symmetric",
+                codes::FOLD_NOT_SYMMETRIC,
                 format!(
                     "piece `{}` is not the mirror image of itself about its fold: it is written whole",
                     drawing.name

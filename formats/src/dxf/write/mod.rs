@@ -6,6 +6,7 @@
 //! in `Key: value` texts.
 
 mod block;
+pub(crate) mod codes;
 mod fold;
 mod from_piece;
 mod growth;

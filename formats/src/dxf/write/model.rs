@@ -1,6 +1,8 @@
 //! What the writer draws: pieces in millimetres, lines whose points know what they are.
 
+use super::codes;
 use super::tags::decimal;
+use crate::codes::COORDINATE_OUT_OF_RANGE;
 use toile_garment::notch::NotchKind;
 use toile_garment::outline::PointKind;
 use toile_garment::piece::Quantity;
@@ -206,7 +208,7 @@ pub fn fault(piece: &PieceDrawing) -> Option<Diagnostic> {
     if piece.boundary.points.len() < 3 {
         let n = piece.boundary.points.len();
         return Some(Diagnostic::error(
-            "boundary-too-short",
+            codes::BOUNDARY_TOO_SHORT,
             format!("the boundary of piece `{}` has {n} points, a piece needs at least 3", piece.name),
         ));
     }
@@ -220,7 +222,7 @@ pub fn fault(piece: &PieceDrawing) -> Option<Diagnostic> {
     let rest = rest.chain(piece.drill_holes.iter().map(|d| Vec2::new(d.diameter.unwrap_or(0.0), 0.0)));
     let wrong = lines.chain(marks).chain(sizes).chain(rest).find(bad)?;
     Some(Diagnostic::error(
-        "coordinate-out-of-range",
+        COORDINATE_OUT_OF_RANGE,
         format!(
             "piece `{}` holds ({}, {}) mm, which is not a place on a pattern",
             piece.name,

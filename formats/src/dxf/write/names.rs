@@ -1,8 +1,9 @@
 //! Names the format can carry: 7-bit ASCII, at most 20 characters, no blanks in block names, each block once.
 
+use super::codes;
 use super::model::{Dialect, Drawing};
 use std::collections::{BTreeMap, BTreeSet};
-use toile_garment::Diagnostic;
+use toile_garment::{Code, Diagnostic};
 
 /// Longest name that all readers keep.
 pub const LONGEST: usize = 20;
@@ -37,7 +38,7 @@ impl Names {
                     one_line(&piece.name, "PIECE")
                 };
                 if name != piece.name {
-                    findings.push(renamed("piece-name-changed", &piece.name, &name));
+                    findings.push(renamed(codes::PIECE_NAME_CHANGED, &piece.name, &name));
                 }
                 short.insert(&piece.name, name);
             }
@@ -51,7 +52,7 @@ impl Names {
             if let (Some(was), Some(now)) = (piece.size.as_deref(), size.as_deref())
                 && was != now
             {
-                findings.push(renamed("size-name-changed", was, now));
+                findings.push(renamed(codes::SIZE_NAME_CHANGED, was, now));
             }
             let bare = |s: &str, empty| clean(s, empty).replace(' ', "-");
             let tail = size.as_deref().map(|s| format!("_{}", bare(s, "SIZE"))).unwrap_or_default();
@@ -66,7 +67,7 @@ impl Names {
     }
 }
 
-fn renamed(code: &str, was: &str, now: &str) -> Diagnostic {
+fn renamed(code: Code, was: &str, now: &str) -> Diagnostic {
     Diagnostic::warning(
         code,
         format!(

@@ -1,5 +1,6 @@
 //! A whole size run: every size as drawn or graded, and the grade rules that lead from the sample size to each.
 
+use super::codes;
 use super::from_piece::{PieceOptions, piece_drawing};
 use super::growth::{Grown, drawn_line, made_line};
 use super::model::{DrawLine, DrawRule, Drawing, PieceDrawing, StyleText};
@@ -142,7 +143,7 @@ impl Sizes {
                 sized.drawn.label()
             );
             let place = SourceRef::file(self.file.clone()).at_line(sized.drawn.line);
-            findings.push(Diagnostic::warning("sizes-without-rules", text).at(place));
+            findings.push(Diagnostic::warning(codes::SIZES_WITHOUT_RULES, text).at(place));
             return Vec::new();
         };
         let angle = piece.grain.map_or(0.0, |[a, b]| libm::atan2(b.y - a.y, b.x - a.x));

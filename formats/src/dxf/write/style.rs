@@ -3,6 +3,7 @@
 use super::model::{Dialect, StyleText};
 use super::names::{ascii, escaped};
 use super::tags::Tags;
+use crate::codes::TEXT_NOT_ASCII;
 use toile_garment::{Diagnostic, Vec2};
 
 /// Vendor, application and release of the `Author` text; the release is the writer's own, raised with its output.
@@ -101,7 +102,7 @@ pub fn folded(value: &str, dialect: Dialect, findings: &mut Vec<Diagnostic>) -> 
     let text = ascii(value);
     if text != value {
         findings.push(
-            Diagnostic::info("text-not-ascii", format!("the text `{value}` is written as `{text}`"))
+            Diagnostic::info(TEXT_NOT_ASCII, format!("the text `{value}` is written as `{text}`"))
                 .hint("the format holds 7-bit ASCII only"),
         );
     }

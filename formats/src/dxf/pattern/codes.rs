@@ -1,0 +1,35 @@
+//! Codes of telling the pieces of a drawing from its blocks and sheets.
+
+use toile_garment::Code;
+
+codes! {
+    pub(crate) list CODES;
+
+    /// Two blocks have the same name. Both pieces are kept and told apart by a number.
+    BLOCK_NAME_REPEATS = "block-name-repeats";
+
+    /// A block holds nothing on the boundary layers (1, or 14), so it is no piece and was left out. Check the layers,
+    /// or map them with `layers` of `import-dxf`.
+    BLOCK_WITHOUT_OUTLINE = "block-without-outline";
+
+    /// Entities of the file are nothing this program can place: unknown kinds or layers. The message counts them by
+    /// kind and layer; no outline was among them unless other findings say so.
+    ENTITIES_LEFT_OUT = "entities-left-out";
+
+    /// A block is inserted several times with other scales or mirrored. One piece was made of it, as the first INSERT
+    /// has it, and the others were only counted. Give each shape a block of its own.
+    INSERT_REPEATED = "insert-repeated";
+
+    /// Lines on piece layers stand outside all blocks. They belong to no piece and were left out.
+    LINES_OUTSIDE_BLOCKS = "lines-outside-blocks";
+
+    /// No text names pieces and sizes, so they were taken from the names of the blocks, as `FRONT_38`.
+    NAME_FROM_BLOCK = "name-from-block";
+
+    /// The file holds no closed boundary on the layers of the standards, so there is no piece. Check the layers, or map
+    /// them with `layers` of `import-dxf`. Exit code 3.
+    NO_PIECES = "no-pieces";
+
+    /// The file has more pieces than the limit. Exit code 3.
+    TOO_MANY_PIECES = "too-many-pieces";
+}

@@ -1,0 +1,112 @@
+//! Codes of making a piece of its lines: outline, fold, notches, grain and texts.
+
+use toile_garment::Code;
+
+codes! {
+    pub(crate) list CODES;
+
+    /// Curve points were joined by a smooth curve, as the standard asks; the message says how far the curve leaves the
+    /// chords.
+    CURVE_INTERPOLATED = "curve-interpolated";
+
+    /// Curve points were left as straight chords, because the smooth curve would leave them too far or cross itself.
+    CURVE_NOT_SMOOTHED = "curve-not-smoothed";
+
+    /// The fold line does not lie on a straight edge of the half piece, so the piece was not unfolded. Put the fold on
+    /// the edge, or draw the whole piece.
+    FOLD_OFF_BOUNDARY = "fold-off-boundary";
+
+    /// A piece has more than one fold line (layer 6). Only the longest counts; draw a piece that is folded twice
+    /// unfolded once.
+    FOLD_SECOND = "fold-second";
+
+    /// A grade rule names an alternate grade reference line that layer 5 does not have; the reference line was taken.
+    GRADE_LINE_MISSING = "grade-line-missing";
+
+    /// The piece has no grain line. The y axis of the file is taken as the warp.
+    GRAIN_MISSING = "grain-missing";
+
+    /// Notches are cut into the outline. They are read as notches, and the sewn line runs over them.
+    NOTCH_CUT_IN = "notch-cut-in";
+
+    /// A notch lies farther from the outline than a notch can. It was kept, but it is no mark on an edge.
+    NOTCH_OFF_BOUNDARY = "notch-off-boundary";
+
+    /// Lines of the outline stand in the file twice. They were read once.
+    OUTLINE_DOUBLED = "outline-doubled";
+
+    /// The ends of an outline missed each other by a little and were joined; the message says by how much.
+    OUTLINE_GAP_CLOSED = "outline-gap-closed";
+
+    /// A piece has lines on the boundary layer but none that closes. Exit code 3.
+    OUTLINE_MISSING = "outline-missing";
+
+    /// The outline of a piece is open by more than a gap that may be closed. Close it in the pattern program.
+    /// Exit code 3.
+    OUTLINE_OPEN = "outline-open";
+
+    /// A second closed line on the boundary layer: one inside the piece is taken as a cutout, one beside it was left
+    /// out.
+    OUTLINE_SECOND = "outline-second";
+
+    /// The outline runs out to a point and back on the same line, so a spike without width stands out of the piece. It
+    /// was read as drawn; take it out in the pattern program.
+    OUTLINE_SPIKE = "outline-spike";
+
+    /// A line on the boundary layer is no part of the outline and was left out.
+    OUTLINE_STRAY_LINE = "outline-stray-line";
+
+    /// The outline is too long and winding for its crossings to be searched within the limit. Simplify it. Exit code 3.
+    OUTLINE_TOO_ENTANGLED = "outline-too-entangled";
+
+    /// The piece is larger than any cloth. The unit of the file is probably wrong; set `units` of `import-dxf`.
+    /// Exit code 3.
+    OUTLINE_TOO_LARGE = "outline-too-large";
+
+    /// The outline has more points than the limit. Exit code 3.
+    OUTLINE_TOO_LONG = "outline-too-long";
+
+    /// The outline comes back to a place that it has passed, so two parts of the piece hang together at a point or not
+    /// at all. It was read as drawn; draw the parts as pieces, or leave a gap.
+    OUTLINE_TOUCHES_ITSELF = "outline-touches-itself";
+
+    /// Vertices of an outline that stand within 0.06 mm of the one before tangled it; they were left out.
+    OUTLINE_VERTICES_DOUBLED = "outline-vertices-doubled";
+
+    /// The outline encloses nothing, e.g. a line drawn forth and back. Exit code 3.
+    OUTLINE_WITHOUT_AREA = "outline-without-area";
+
+    /// Most points of layers 2 and 3, which mark corners and curve points, stand at no vertex. Some programs put drill
+    /// holes and notches on these layers; map them with `layers` of `import-dxf`.
+    POINTS_OFF_VERTICES = "points-off-vertices";
+
+    /// The text `Quantity` of a piece is no number and no pair of numbers, so 1 was taken. Write `2`, or `1,1` for one
+    /// as drawn and one mirrored.
+    QUANTITY_UNCLEAR = "quantity-unclear";
+
+    /// The sew line leaves the cut line, so a part of it has no cloth. It was taken as drawn; correct layer 14 or layer
+    /// 1 at the place named.
+    SEW_LINE_CROSSES = "sew-line-crosses";
+
+    /// The sew line lies much farther inside the cut line than an allowance is wide. It was taken as drawn; make sure
+    /// that layer 14 holds the sew line of this piece.
+    SEW_LINE_FAR = "sew-line-far";
+
+    /// The line on layer 14 runs outside the cut line, where there is no cloth, so it is no sew line. The cut line is
+    /// sewn; if the two layers are exchanged, map them with `layers` of `import-dxf`.
+    SEW_LINE_OUTSIDE = "sew-line-outside";
+
+    /// A line on layer 14 inside the outline is no closed sew line. It was kept as an internal line.
+    STITCH_LINE = "stitch-line";
+
+    /// Two texts of a piece give the same key different values. The first one counts; take the wrong one out of the
+    /// block.
+    TEXT_CONTRADICTS = "text-contradicts";
+
+    /// A piece has more marks than the limit. Exit code 3.
+    TOO_MANY_NOTCHES = "too-many-notches";
+
+    /// The dense curve that the file carries on layer 84 or 87 lies more than 2 mm off the outline, or misses one of
+    /// its corners. It was not used; the curve through the drawn points is.
+    VALIDATION_CURVE_DIFFERS = "validation-curve-differs";
+}

@@ -1,0 +1,14 @@
+//! Codes of reading GLB files.
+
+use toile_garment::Code;
+
+codes! {
+    pub(crate) list CODES;
+
+    /// The frames of a motion ride in the GLB as morph targets; they are for viewers and are not read back into the
+    /// garment.
+    ANIMATION_LEFT_OUT = "animation-left-out";
+
+    /// Vertices of the GLB were moved since the export. The flattening carries the edit into the pieces.
+    SHAPE_EDITED = "shape-edited";
+}
