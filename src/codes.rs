@@ -1,13 +1,8 @@
 //! The meaning of each code of a finding: the text of `toile explain CODE`. A code stands here as soon as it can
 //! appear.
 
-mod cloth;
-mod dxf;
 mod engine;
 mod inputs;
-mod meshing;
-mod outputs;
-mod sewing;
 
 /// One code.
 #[derive(Clone, Copy, Debug)]
@@ -23,13 +18,17 @@ const fn code(code: &'static str, text: &'static str) -> Code {
 }
 
 /// The tables, one for each part of the program; each is in alphabetical order.
-const TABLES: [&[Code]; 7] =
-    [engine::CODES, dxf::CODES, inputs::CODES, sewing::CODES, meshing::CODES, cloth::CODES, outputs::CODES];
+const TABLES: [&[Code]; 2] = [engine::CODES, inputs::CODES];
 
 /// All codes, in alphabetical order.
 #[must_use]
 pub fn all() -> Vec<Code> {
-    let joined = toile_formats::codes::CODES.iter().copied().flatten().map(|c| code(c.name(), c.text()));
+    let joined = [toile_formats::codes::CODES, toile_stages::codes::CODES]
+        .into_iter()
+        .flatten()
+        .copied()
+        .flatten()
+        .map(|c| code(c.name(), c.text()));
     let mut all: Vec<Code> = TABLES.iter().copied().flatten().copied().chain(joined).collect();
     all.sort_by_key(|c| c.code);
     all

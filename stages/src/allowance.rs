@@ -1,9 +1,11 @@
 //! Seam allowances as parameters of the stages that read and write patterns.
 
+use crate::codes::PIECE_UNKNOWN;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use toile_formats::allowance::{self, Allowance, CornerKind};
+use toile_formats::codes::EDGE_UNKNOWN;
 use toile_formats::dxf::geom;
 use toile_garment::units::Length;
 use toile_garment::{Diagnostic, Piece, Vec2};
@@ -106,11 +108,11 @@ fn unknown(params: &AllowanceParams, pieces: &[Piece]) -> Vec<Diagnostic> {
     let names: Vec<&str> = pieces.iter().map(|p| p.name.as_str()).collect();
     let lost_piece = params.pieces.keys().filter(|k| !names.contains(&k.as_str())).map(|k| {
         let text = format!("`allowance.pieces`: there is no piece `{k}`; there are {}", names.join(", "));
-        Diagnostic::error("piece-unknown", text)
+        Diagnostic::error(PIECE_UNKNOWN, text)
     });
     let lost_edge = params.edges.keys().filter(|k| pieces.iter().all(|p| edge(k, p).is_none())).map(|k| {
         let hint = "write `piece.number` or `piece.name`; `toile inspect FILE --svg OUT` draws the numbers";
-        Diagnostic::error("edge-unknown", format!("`allowance.edges`: there is no edge `{k}`")).hint(hint)
+        Diagnostic::error(EDGE_UNKNOWN, format!("`allowance.edges`: there is no edge `{k}`")).hint(hint)
     });
     lost_piece.chain(lost_edge).collect()
 }

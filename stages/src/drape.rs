@@ -11,8 +11,24 @@ use crate::solve::body_parts::contact_filter;
 use crate::solve::{Follow, Layout, MESH_ANEW, effects, failure, failure_in, scene};
 use toile_cloth::{ClothError, Outcome, Scene, Settings, StopReason};
 use toile_garment::garment::Shape;
-use toile_garment::{Aspect, Diagnostic, Garment, Vec3};
+use toile_garment::{Aspect, Code, Diagnostic, Garment, Vec3};
 use toile_stage_api::{Cost, Forecast, Knob, Meaning, Stage, StageContext, StageError, StageInfo};
+
+codes! {
+    pub(crate) list CODES;
+
+    /// The drape did not come to rest within its steps or its time, nothing holds it, or something holds it back from
+    /// where it is led. The message says which and what helps; the certificate says how far it was.
+    DRAPE_NOT_SETTLED = "drape-not-settled";
+
+    /// Edges are so short beside the others of their triangles that no step could be taken: their ends were draped as
+    /// one vertex, and parted again afterwards.
+    EDGES_TINY = "edges-tiny";
+
+    /// The fabric gives constants of springs ([springs]), and the model of the drape is not `springs`: it went by the
+    /// fabric's laws.
+    SPRINGS_UNUSED = "springs-unused";
+}
 
 /// Settles the garment and certifies the result.
 #[derive(Clone, Copy, Debug, Default)]
@@ -125,12 +141,12 @@ fn tell(garment: &mut Garment, outcome: &Outcome, cx: &mut StageContext<'_>) {
             "{} edges are shorter than 1/500 of their triangles: the ends of each were draped as one vertex, and parted again",
             outcome.joined
         );
-        cx.report.push(Diagnostic::info("edges-tiny", message).hint(MESH_ANEW));
+        cx.report.push(Diagnostic::info(EDGES_TINY, message).hint(MESH_ANEW));
     }
     if outcome.stop_reason != StopReason::Settled {
         cx.report.push(
             Diagnostic::warning(
-                "drape-not-settled",
+                DRAPE_NOT_SETTLED,
                 format!(
                     "the drape is not at rest: {}; net force up to {:.2} of a vertex's weight{}",
                     outcome.stop_reason.words(),
@@ -148,7 +164,7 @@ fn tell_springs(garment: &Garment, params: &DrapeParams, cx: &mut StageContext<'
     let with = garment.fabrics.values().find(|f| f.springs.is_some());
     if let Some(fabric) = with.filter(|_| params.model != ModelName::Springs) {
         let message = format!("`{}` gives spring constants ([springs]); the drape went by its laws", fabric.name);
-        let finding = Diagnostic::info("springs-unused", message);
+        let finding = Diagnostic::info(SPRINGS_UNUSED, message);
         cx.report.push(finding.hint("with.model = \"springs\" takes them"));
     }
 }

@@ -6,8 +6,15 @@ use serde_json::json;
 use std::path::Path;
 use toile_formats::obj::{self, GarmentObjError};
 use toile_garment::garment::UpAxis;
-use toile_garment::{Aspect, Diagnostic, Garment};
+use toile_garment::{Aspect, Code, Diagnostic, Garment};
 use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
+
+codes! {
+    pub(crate) list CODES;
+
+    /// `reactions` needs a drape, and there is none. Put `drape` before `export-obj`. Exit code 2.
+    REACTIONS_MISSING = "reactions-missing";
+}
 
 /// Writes an OBJ.
 pub struct ExportObj;
@@ -67,7 +74,7 @@ impl Stage for ExportObj {
 fn reactions(garment: &Garment, up: UpAxis) -> Result<String, StageError> {
     if garment.reactions.len() != garment.pins.len() {
         let message = format!("there are {} pins but {} reaction forces", garment.pins.len(), garment.reactions.len());
-        let finding = Diagnostic::error("reactions-missing", message);
+        let finding = Diagnostic::error(REACTIONS_MISSING, message);
         return Err(StageError::parameter(finding.hint("put `drape` before `export-obj`, or leave `reactions` out")));
     }
     let counts = garment.pieces.iter().map(|p| p.mesh.as_ref().map_or(0, |m| m.rest.len()));

@@ -4,10 +4,21 @@ use crate::allowance::{self, AllowanceParams, Which};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
+use toile_formats::codes::OUT_OF_RANGE;
 use toile_formats::plot::{self, Font, Paper, Sheet};
 use toile_garment::units::Length;
-use toile_garment::{Aspect, Diagnostic, Garment};
+use toile_garment::{Aspect, Code, Diagnostic, Garment};
 use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
+
+codes! {
+    pub(crate) list CODES;
+
+    /// The ending of the file of `export-print` must be .svg, .pdf or .plt. Exit code 2.
+    FORM_UNKNOWN = "form-unknown";
+
+    /// `paper` of `export-print` names no format; the message lists those there are. Exit code 2.
+    PAPER_UNKNOWN = "paper-unknown";
+}
 
 /// Between pieces, and from the edge, metres.
 const GAP: f64 = 0.02;
@@ -76,11 +87,11 @@ impl Stage for ExportPrint {
         garment: Garment,
         cx: &mut StageContext<'_>,
     ) -> Result<Garment, StageError> {
-        let wrong = |code: &str, text: String| StageError::parameter(Diagnostic::error(code, text));
+        let wrong = |code: Code, text: String| StageError::parameter(Diagnostic::error(code, text));
         let gap = params.gap.map_or(GAP, |g| g.0) * 1e3;
         let width = params.width.map(|w| w.0 * 1e3);
         if !(0.0..=500.0).contains(&gap) || width.is_some_and(|w| !(50.0..=100_000.0).contains(&w)) {
-            return Err(wrong("out-of-range", "`gap` must be 0 to 500 mm and `width` 50 mm to 100 m".into()));
+            return Err(wrong(OUT_OF_RANGE, "`gap` must be 0 to 500 mm and `width` 50 mm to 100 m".into()));
         }
         let mut pieces = garment.pieces.clone();
         allowance::add(params.allowance.as_ref(), &mut pieces, Which::All, cx)?;
@@ -94,7 +105,7 @@ impl Stage for ExportPrint {
             "pdf" => {
                 let paper = Paper::named(&params.paper).ok_or_else(|| {
                     let known = "a4, a3, a2, a1, a0, letter, sheet";
-                    wrong("paper-unknown", format!("`paper` is `{}`; there are {known}", params.paper))
+                    wrong(PAPER_UNKNOWN, format!("`paper` is `{}`; there are {known}", params.paper))
                 })?;
                 plot::pdf(&sheet, paper, &garment.style).map_err(StageError::parameter)?
             }
@@ -104,7 +115,7 @@ impl Stage for ExportPrint {
             }
             _ => {
                 let text = format!("`file` is `{}`; its ending must be .svg, .pdf or .plt", params.file);
-                return Err(wrong("form-unknown", text));
+                return Err(wrong(FORM_UNKNOWN, text));
             }
         };
         findings.into_iter().for_each(|f| cx.report.push(f));

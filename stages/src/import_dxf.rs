@@ -5,11 +5,29 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use toile_formats::codes::{OUT_OF_RANGE, SIZE_NOT_FOUND};
 use toile_formats::dxf::{self, InsertRule, ReadOptions, Tolerances, Vendor};
 use toile_formats::rul;
 use toile_garment::units::{Angle, Length};
-use toile_garment::{Aspect, Diagnostic, Garment, SourceRef};
+use toile_garment::{Aspect, Code, Diagnostic, Garment, SourceRef};
 use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
+
+codes! {
+    pub(crate) list CODES;
+
+    /// Which program wrote the file, and why that is thought. Set `profile` of `import-dxf` to overrule it.
+    DXF_PROFILE = "dxf-profile";
+
+    /// How many entities of the file were accepted, interpreted by a rule, and refused. `toile inspect` lists the
+    /// rules.
+    LEDGER = "ledger";
+
+    /// The `profile` asked for is no writer this program knows; the hint lists them. Exit code 2.
+    PROFILE_UNKNOWN = "profile-unknown";
+
+    /// A sewing file belongs to one size, and `size` of `import-dxf` is a list. Exit code 2.
+    SIZES_WITH_SEWING = "sizes-with-sewing";
+}
 
 /// Most sizes of a list.
 const SIZES: usize = 100;
@@ -166,13 +184,13 @@ fn in_sizes(
     if params.sewing.is_some() {
         let text = "a sewing file belongs to one size, and `size` is a list";
         let hint = "sew one size, or leave `sewing` out to write or print several";
-        return Err(StageError::parameter(Diagnostic::error("sizes-with-sewing", text).hint(hint)));
+        return Err(StageError::parameter(Diagnostic::error(SIZES_WITH_SEWING, text).hint(hint)));
     }
     let all = sizes.len() == 1 && sizes[0].eq_ignore_ascii_case("all") && !pattern.sizes.contains(&sizes[0]);
     let sizes = if all { pattern.size_order(table) } else { sizes.clone() };
     if sizes.is_empty() || sizes.len() > SIZES {
         let text = format!("`size` names {} sizes; it must be 1 to {SIZES}", sizes.len());
-        return Err(StageError::parameter(Diagnostic::error("out-of-range", text)));
+        return Err(StageError::parameter(Diagnostic::error(OUT_OF_RANGE, text)));
     }
     pattern.to_garment_in_sizes(&sizes, table).map_err(by_fault)
 }
@@ -183,7 +201,7 @@ fn options(params: &ImportDxfParams) -> Result<ReadOptions, StageError> {
     let mut within = |name: &str, value: Option<f64>, least: f64, most: f64, unit: &str, usual: f64| match value {
         Some(v) if !(least..=most).contains(&v) => {
             let text = format!("`{name}` is {v} {unit}; it must be {least} to {most} {unit}");
-            faults.push(Diagnostic::error("out-of-range", text));
+            faults.push(Diagnostic::error(OUT_OF_RANGE, text));
             usual
         }
         v => v.unwrap_or(usual),
@@ -199,7 +217,7 @@ fn options(params: &ImportDxfParams) -> Result<ReadOptions, StageError> {
     let vendor = vendor.unwrap_or_else(|name| {
         let text = format!("`profile` is `{name}`, which is no writer this program knows");
         let hint = format!("there are: {}", Vendor::names().join(", "));
-        faults.push(Diagnostic::error("profile-unknown", text).hint(hint));
+        faults.push(Diagnostic::error(PROFILE_UNKNOWN, text).hint(hint));
         None
     });
     if !faults.is_empty() {
@@ -222,7 +240,7 @@ fn options(params: &ImportDxfParams) -> Result<ReadOptions, StageError> {
 
 /// A size that is not there is a wrong parameter; all else is a wrong file.
 fn by_fault(findings: Vec<Diagnostic>) -> StageError {
-    if findings.iter().all(|f| f.code == "size-not-found") {
+    if findings.iter().all(|f| f.code == SIZE_NOT_FOUND) {
         StageError::Parameter(findings)
     } else {
         StageError::Input(findings)
@@ -250,7 +268,7 @@ fn report_profile(pattern: &dxf::Pattern, file: &str, cx: &mut StageContext<'_>)
     let (name, why) = (profile.vendor.name(), profile.reasons.join("; "));
     let text =
         format!("written by {name} ({:.0} %: {why}), as {}{effects}", profile.confidence * 100.0, profile.standard.0);
-    cx.report.push(Diagnostic::info("dxf-profile", text).at(SourceRef::file(file)));
+    cx.report.push(Diagnostic::info(DXF_PROFILE, text).at(SourceRef::file(file)));
 }
 
 fn report_ledger(pattern: &dxf::Pattern, file: &str, cx: &mut StageContext<'_>) {
@@ -264,5 +282,5 @@ fn report_ledger(pattern: &dxf::Pattern, file: &str, cx: &mut StageContext<'_>) 
         count(Verdict::Interpreted),
         count(Verdict::Refused)
     );
-    cx.report.push(Diagnostic::info("ledger", text).at(SourceRef::file(file)));
+    cx.report.push(Diagnostic::info(LEDGER, text).at(SourceRef::file(file)));
 }

@@ -4,6 +4,7 @@ use crate::allowance::{self, AllowanceParams, Which};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
+use toile_formats::codes::OUT_OF_RANGE;
 use toile_formats::garmentcode;
 use toile_garment::units::Length;
 use toile_garment::{Aspect, Diagnostic, Garment};
@@ -61,7 +62,7 @@ impl Stage for ImportGarmentcode {
         let flatness = params.curve.map_or(FLATNESS, |c| c.0);
         if !(1e-6..=2e-3).contains(&flatness) {
             let text = format!("`curve` is {} mm; it must be 0.001 to 2 mm", flatness * 1e3);
-            return Err(StageError::parameter(Diagnostic::error("out-of-range", text)));
+            return Err(StageError::parameter(Diagnostic::error(OUT_OF_RANGE, text)));
         }
         let file = params.file.to_string_lossy().into_owned();
         let bytes = cx.files.read(&params.file)?;

@@ -3,11 +3,16 @@
 //! The data's way: `import_dxf` (or `import_mesh`) → `triangulate` → `assemble` → `stitch` → `drape` (→ `animate`) →
 //! `texture` → exports, `flatten`, report.
 
+#[macro_use]
+#[path = "../../formats/garment/src/code_list.rs"]
+mod code_list;
+
 pub mod allowance;
 pub mod animate;
 pub mod assemble;
 pub mod body;
 pub mod builtin;
+pub mod codes;
 pub mod drape;
 #[cfg(feature = "experiments")]
 pub mod experiment;

@@ -11,6 +11,43 @@ pub struct Place {
     pub at: Vec3,
 }
 
+/// Kinds of scenes that the solver cannot take.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum SceneFault {
+    /// There is no cloth triangle.
+    NoCloth,
+    /// There are more vertices or triangles than the solver can number.
+    TooLarge,
+    /// A vertex of cloth or body is at a place that is not finite.
+    Position,
+    /// A triangle names a vertex that is not there, or one vertex twice.
+    Triangle,
+    /// A rest triangle has no area.
+    FlatTriangle,
+    /// A material has values that no cloth has, or a triangle names one that is not there.
+    Material,
+    /// A pin names a vertex that is not there, or a place that is not finite.
+    Pin,
+    /// A load is not finite or acts on a vertex that is not there.
+    Load,
+    /// A stitch names a vertex that is not there.
+    Stitch,
+    /// Layer numbers and vertices differ in count.
+    Layers,
+    /// Gravity is not finite or absurdly large.
+    Gravity,
+    /// A triangle of the body names a vertex that is not there.
+    Body,
+    /// The start velocities do not fit the cloth.
+    Velocities,
+    /// There are frames of a body, but no body.
+    NoBody,
+    /// A frame of the body has other vertices than the body.
+    FrameVertices,
+    /// A vertex of a frame of the body is not finite.
+    FrameNotFinite,
+}
+
 /// Failures of the solver.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 #[non_exhaustive]
@@ -18,8 +55,8 @@ pub enum ClothError {
     /// The scene is not usable: an index out of range, a number not finite, a triangle without area …
     #[error("{what}")]
     BadScene {
-        /// Fixed kebab-case code.
-        code: &'static str,
+        /// The kind of fault.
+        fault: SceneFault,
         /// The fault and its place, with numbers.
         what: String,
     },

@@ -5,8 +5,8 @@ mod common;
 use common::{cotton, jitter, linear, noise, regular, sheet, sphere};
 use std::f64::consts::PI;
 use toile_cloth::{
-    BodyMesh, ClothError, Curve, Dynamics, Effects, Integrator, Material, Motion, Pin, Scene, Settings, Silent, Switch,
-    Vec3, animate, certify, drape,
+    BodyMesh, ClothError, Curve, Dynamics, Effects, Integrator, Material, Motion, Pin, Scene, SceneFault, Settings,
+    Silent, Switch, Vec3, animate, certify, drape,
 };
 
 const G: f64 = 9.81;
@@ -372,9 +372,9 @@ fn bad_frames_are_told() {
         animate(&scene, &Settings::default(), &Dynamics::default(), &motion, &mut Silent, &mut |_| {}).unwrap_err()
     };
     let few = ask(Motion { body: vec![vec![Vec3::zeros(); 7]], ..Motion::default() });
-    assert!(matches!(few, ClothError::BadScene { code: "body-frame-vertices", .. }), "{few}");
+    assert!(matches!(few, ClothError::BadScene { fault: SceneFault::FrameVertices, .. }), "{few}");
     let wild = ask(Motion { body: vec![vec![Vec3::repeat(f64::NAN); 8]], ..Motion::default() });
-    assert!(matches!(wild, ClothError::BadScene { code: "body-frame-not-finite", .. }), "{wild}");
+    assert!(matches!(wild, ClothError::BadScene { fault: SceneFault::FrameNotFinite, .. }), "{wild}");
 }
 
 #[test]

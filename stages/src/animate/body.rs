@@ -1,13 +1,15 @@
 //! Frames of the body: a series of OBJ files, or the animation of a GLB.
 
 use super::AnimateParams;
+use super::codes;
+use crate::codes::{BODY_FRAME_VERTICES, BODY_MISSING};
 use std::collections::BTreeMap;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use toile_formats::{gltf, obj};
 use toile_garment::body::Body;
 use toile_garment::garment::UpAxis;
-use toile_garment::{Diagnostic, Garment, SourceRef, Vec3};
+use toile_garment::{Code, Diagnostic, Garment, SourceRef, Vec3};
 use toile_stage_api::{StageContext, StageError};
 
 /// Most frames that are read.
@@ -26,7 +28,7 @@ pub fn frames(
     cx: &mut StageContext<'_>,
 ) -> Result<Vec<Vec<Vec3>>, StageError> {
     let body = garment.body.as_ref().filter(|b| !b.triangles.is_empty()).ok_or_else(|| {
-        let found = Diagnostic::error("body-missing", "the body is to move, but the garment was draped on none");
+        let found = Diagnostic::error(BODY_MISSING, "the body is to move, but the garment was draped on none");
         StageError::parameter(found.hint("give the stage `stitch` the body at rest: with.body = \"…obj\""))
     })?;
     let glb = path.extension().is_some_and(|e| e.eq_ignore_ascii_case("glb"));
@@ -37,7 +39,8 @@ pub fn frames(
         if moved * params.fps > FASTEST {
             let message =
                 format!("the body moves by {moved:.3} m from the frame before: {:.0} m/s", moved * params.fps);
-            let found = Diagnostic::error("body-frame-jumps", message).at(SourceRef::file(file.display().to_string()));
+            let found =
+                Diagnostic::error(codes::BODY_FRAME_JUMPS, message).at(SourceRef::file(file.display().to_string()));
             return Err(StageError::input(
                 found.hint("frames hold metres, one after the other; is with.fps their rate?"),
             ));
@@ -55,7 +58,7 @@ fn series(
 ) -> Result<Vec<(PathBuf, Vec<Vec3>)>, StageError> {
     let text = path.to_string_lossy().into_owned();
     let Some((before, start, width, after)) = number(&text) else {
-        let found = Diagnostic::error("body-frames-name", format!("`{text}` has no number to count up from"));
+        let found = Diagnostic::error(codes::BODY_FRAMES_NAME, format!("`{text}` has no number to count up from"));
         return Err(StageError::parameter(found.hint("name the first file of a series: with.body = \"walk-000.obj\"")));
     };
     let name = |k: usize| PathBuf::from(format!("{before}{k:0width$}{after}"));
@@ -84,11 +87,15 @@ fn animation(
     cx: &mut StageContext<'_>,
 ) -> Result<Vec<(PathBuf, Vec<Vec3>)>, StageError> {
     let name = path.display().to_string();
-    let refuse = |code: &str, message: String, hint: &str| {
+    let refuse = |code: Code, message: String, hint: &str| {
         StageError::input(Diagnostic::error(code, message).at(SourceRef::file(name.clone())).hint(hint))
     };
     let moving = gltf::read_moving(&cx.files.read(path)?, fps).map_err(|e| {
-        refuse("body-glb", e.to_string(), "export one GLB with the body's mesh, its skin or shapes, and one animation")
+        refuse(
+            codes::BODY_GLB,
+            e.to_string(),
+            "export one GLB with the body's mesh, its skin or shapes, and one animation",
+        )
     })?;
     let found = counterparts(&body.positions, &moving.rest);
     let missing = found.iter().filter(|f| f.is_none()).count();
@@ -102,7 +109,7 @@ fn animation(
             p.z
         );
         return Err(refuse(
-            "body-frame-vertices",
+            BODY_FRAME_VERTICES,
             message,
             "the GLB must hold the body that `stitch` reads, in metres, in the same rest pose",
         ));
@@ -147,7 +154,7 @@ fn sorted(t: &[u32; 3]) -> [u32; 3] {
 fn frame(bytes: &[u8], file: &Path, body: &Body, known: &BTreeSet<[u32; 3]>) -> Result<Vec<Vec3>, StageError> {
     let name = file.display().to_string();
     let mesh = obj::read_geometry(bytes, &name).map_err(StageError::Input)?;
-    let wrong = |code: &str, message: String| {
+    let wrong = |code: Code, message: String| {
         let found = Diagnostic::error(code, message).at(SourceRef::file(name.clone()));
         Err(StageError::input(found.hint(
             "export every frame from the mesh of the body that `stitch` reads, vertices and faces in the same order",
@@ -156,14 +163,14 @@ fn frame(bytes: &[u8], file: &Path, body: &Body, known: &BTreeSet<[u32; 3]>) -> 
     let (n, m) = (mesh.positions.len(), body.positions.len());
     if n != m {
         return wrong(
-            "body-frame-vertices",
+            BODY_FRAME_VERTICES,
             format!("the frame has {n} vertices, the body the garment was draped on {m}"),
         );
     }
     let theirs: BTreeSet<[u32; 3]> = mesh.triangles.iter().map(sorted).collect();
     if let Some(t) = known.iter().find(|t| !theirs.contains(*t)) {
         let [a, b, c] = t.map(|i| i + 1);
-        return wrong("body-frame-faces", format!("the body's face {a} {b} {c} is not in the frame"));
+        return wrong(codes::BODY_FRAME_FACES, format!("the body's face {a} {b} {c} is not in the frame"));
     }
     Ok(mesh.positions)
 }

@@ -1,6 +1,7 @@
 //! Animate: the draped garment moves in time on a moving body (the paper's third phase of collisions, §2.3).
 
 mod body;
+pub(crate) mod codes;
 mod params;
 mod store;
 
@@ -10,7 +11,7 @@ use crate::solve::{self, Follow, Layout, failure, scene};
 use store::Store;
 use toile_cloth::{Motion, Scene, Trip};
 use toile_garment::garment::EffectRecord;
-use toile_garment::{Aspect, Diagnostic, Garment, Vec3};
+use toile_garment::{Aspect, Code, Diagnostic, Garment, Vec3};
 use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
 
 /// Distance between the drape's body and the first frame from which a person should look, metres.
@@ -98,7 +99,7 @@ fn tell_strain(store: &Store<'_>, garment: &Garment, cx: &mut StageContext<'_>) 
     if let Some(limit) = limit.filter(|l| strain > **l) {
         let message =
             format!("frame {frame} stretches the cloth by {:.1} %, over {:.1} %", 100.0 * strain, 100.0 * limit);
-        let found = Diagnostic::warning("frames-overstretched", message);
+        let found = Diagnostic::warning(codes::FRAMES_OVERSTRETCHED, message);
         cx.report.push(found.hint("does the body jerk there? let it move off more slowly, or hold more of the cloth"));
     }
 }
@@ -112,7 +113,7 @@ fn tell(
     cx: &mut StageContext<'_>,
 ) {
     add_effects(&mut garment.effects, trip);
-    let mut warn = |code: &str, message: String, hint: &str| {
+    let mut warn = |code: Code, message: String, hint: &str| {
         cx.report.push(Diagnostic::warning(code, message).hint(hint));
     };
     if params.until_settled && !trip.settled {
@@ -122,12 +123,12 @@ fn tell(
             trip.frames,
             params.dynamics().rest_speed * 1e3
         );
-        warn("motion-not-settled", message, "give it more time (with.frames) or calm it (with.calming)");
+        warn(codes::MOTION_NOT_SETTLED, message, "give it more time (with.frames) or calm it (with.calming)");
     }
     if trip.unfinished > 0 {
         let message =
             format!("{} of {} stages of time steps were not solved to the end", trip.unfinished, 2 * trip.steps);
-        warn("motion-not-solved", message, "shorten the time step (with.step)");
+        warn(codes::MOTION_NOT_SOLVED, message, "shorten the time step (with.step)");
     }
     if trip.led > FAR {
         let message = format!(
@@ -136,7 +137,7 @@ fn tell(
             motion.lead_in
         );
         warn(
-            "body-led",
+            codes::BODY_LED,
             message,
             "begin the motion in the pose of the body that `stitch` reads, or lengthen with.lead_in",
         );
@@ -146,7 +147,7 @@ fn tell(
             "in some frame {} pairs of cloth triangles and {} of cloth and body cross",
             animation.self_crossings, animation.body_crossings
         );
-        warn("frames-cross", message, "does the body's motion cross itself? shorten the time step (with.step)");
+        warn(codes::FRAMES_CROSS, message, "does the body's motion cross itself? shorten the time step (with.step)");
     }
 }
 

@@ -1,6 +1,7 @@
 //! Frames as they will be stored, each counted afresh.
 
 use super::body::number;
+use super::codes;
 use crate::solve::Layout;
 use std::path::Path;
 use toile_cloth::{BodyMesh, ClothError, Figures, Frame, Scene, Settings, Welded, certify};
@@ -99,7 +100,7 @@ pub fn write(
     cx: &mut StageContext<'_>,
 ) -> Result<(), StageError> {
     let Some((before, first, width, after)) = number(pattern) else {
-        let found = Diagnostic::error("sequence-name", format!("`{pattern}` has no number to count up from"));
+        let found = Diagnostic::error(codes::SEQUENCE_NAME, format!("`{pattern}` has no number to count up from"));
         return Err(StageError::parameter(found.hint("name the first frame: with.sequence = \"{out}/frame-000.obj\"")));
     };
     let mut moved = garment.clone();

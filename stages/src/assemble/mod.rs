@@ -1,5 +1,6 @@
 //! `assemble`: seams and darts become vertex runs and stitches.
 
+pub(crate) mod codes;
 mod runs;
 mod stitches;
 
@@ -54,7 +55,9 @@ impl Stage for Assemble {
     fn run(&self, params: &Params, mut garment: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
         if !(params.max_ease.0.is_finite() && params.max_ease.0 >= 0.0) {
             let message = format!("max_ease cannot be {}", params.max_ease);
-            return Err(StageError::parameter(Diagnostic::error("max-ease", message).hint("e.g. max_ease = \"3 %\"")));
+            return Err(StageError::parameter(
+                Diagnostic::error(codes::MAX_EASE, message).hint("e.g. max_ease = \"3 %\""),
+            ));
         }
         let shapes = shapes(&garment).map_err(StageError::Input)?;
         let limits = Limits { max_ease: params.max_ease.0 };
@@ -95,7 +98,7 @@ fn declared(garment: &Garment, shapes: &Shapes, seam: &ResolvedSeam) -> Result<S
             let piece = &garment.pieces[span.piece.index()];
             let vertices = run_vertices(piece, &shapes[span.piece.index()], span).ok_or_else(|| {
                 let message = format!("seam `{}`: its ends on piece `{}` are no mesh vertices", seam.name, piece.name);
-                Diagnostic::error("seam-not-in-mesh", message)
+                Diagnostic::error(codes::SEAM_NOT_IN_MESH, message)
                     .at(seam.source.clone())
                     .hint("mesh the pieces with the sewing file they are sewn with")
             })?;

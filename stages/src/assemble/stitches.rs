@@ -1,5 +1,7 @@
 //! Stitches: the k-th edge of one side to the k-th of the other.
 
+use super::codes;
+use crate::codes::SEAM_TO_ITSELF;
 use toile_garment::seam::{SeamSide, Stitch};
 use toile_garment::{Diagnostic, MeshVertex, PieceId};
 
@@ -17,12 +19,12 @@ impl StitchError {
     pub fn finding(self, seam: &str) -> Diagnostic {
         match self {
             Self::Counts(a, b) => Diagnostic::error(
-                "seam-counts-differ",
+                codes::SEAM_COUNTS_DIFFER,
                 format!("seam `{seam}`: the mesh has {a} edges on one side and {b} on the other"),
             )
             .hint("mesh the pieces again with the sewing file they are sewn with"),
             Self::Itself => {
-                Diagnostic::error("seam-to-itself", format!("seam `{seam}` would stitch vertices to themselves"))
+                Diagnostic::error(SEAM_TO_ITSELF, format!("seam `{seam}` would stitch vertices to themselves"))
                     .hint("the two sides must be different stretches of outline")
             }
         }

@@ -1,5 +1,6 @@
 //! The measures of a body and what is possible among them.
 
+use super::codes;
 use toile_garment::Diagnostic;
 
 /// Body measures by their ISO 8559-1 names, metres. Girths as a tape gives them, heights over the floor.
@@ -223,7 +224,7 @@ fn outside(name: &str, value: f64, (low, high): (f64, f64)) -> Option<Diagnostic
     }
     let message = format!("{name} = {:.1} mm is no measure of a body", value * 1000.0);
     let hint = format!("give {name} between {:.0} mm and {:.0} mm", low * 1000.0, high * 1000.0);
-    Some(Diagnostic::error("body-measure-out-of-range", message).hint(hint))
+    Some(Diagnostic::error(codes::BODY_MEASURE_OUT_OF_RANGE, message).hint(hint))
 }
 
 /// Two heights of which one lies under the other.
@@ -244,7 +245,7 @@ impl Gap {
         let message =
             format!("{} = {low:.1} mm is not at least {least:.0} mm under {} = {high:.1} mm", self.lower, self.upper);
         let hint = format!("make {} smaller or {} larger", self.lower, self.upper);
-        Some(Diagnostic::error("body-measures-contradict", message).hint(hint))
+        Some(Diagnostic::error(codes::BODY_MEASURES_CONTRADICT, message).hint(hint))
     }
 }
 
@@ -272,6 +273,6 @@ impl Share {
             limit * 1000.0
         );
         let hint = format!("make {} smaller or {} larger", self.small, self.large);
-        Some(Diagnostic::error("body-measures-contradict", message).hint(hint))
+        Some(Diagnostic::error(codes::BODY_MEASURES_CONTRADICT, message).hint(hint))
     }
 }

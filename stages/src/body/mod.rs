@@ -3,6 +3,7 @@
 //! The body is a field: swept sections and eggs joined with fillets. It is polygonised on one side of its plane of
 //! symmetry and remeshed to even triangles. Then it is adjusted until a tape on the mesh gives the wanted measures.
 
+pub(crate) mod codes;
 mod curve;
 mod field;
 mod figure;
@@ -101,7 +102,7 @@ fn missed(m: &BodyMeasures, taken: &Taken) -> Vec<Diagnostic> {
             let (have, want) = (have * 1000.0, want * 1000.0);
             let message =
                 format!("{name} = {want:.1} mm cannot be reached with the other measures: the nearest is {have:.1} mm");
-            Diagnostic::error("body-measure-not-met", message).hint("bring the measures closer to each other")
+            Diagnostic::error(codes::BODY_MEASURE_NOT_MET, message).hint("bring the measures closer to each other")
         })
         .collect()
 }
@@ -123,5 +124,5 @@ fn shape_findings(figure: &Figure, net: &Net, positions: &[Vec3], triangles: &[[
     }
     let reason = if ball { format!("{folded} triangles fold") } else { "limbs grow together".to_owned() };
     let message = format!("these measures give no clean body: {reason}");
-    Some(Diagnostic::error("body-not-clean", message).hint("bring the measures closer to a usual size"))
+    Some(Diagnostic::error(codes::BODY_NOT_CLEAN, message).hint("bring the measures closer to a usual size"))
 }

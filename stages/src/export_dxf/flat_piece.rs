@@ -1,6 +1,7 @@
 //! A piece at its flattened place: the same structure, every point moved.
 
 use super::carry::{Ride, by_nearest, by_triangle, chain_rides};
+use super::codes;
 use super::outline_map::{Follow, moved_outline};
 use toile_garment::dart::{Dart, DartKind};
 use toile_garment::flat::FlatPiece;
@@ -18,7 +19,7 @@ use toile_garment::{Diagnostic, Piece, Vec2};
 /// When the piece has no mesh, or mesh and outline do not belong together.
 pub fn flat_piece(piece: &Piece, flat: &FlatPiece) -> Result<Piece, Box<Diagnostic>> {
     let fault =
-        |what: &str| Box::new(Diagnostic::error("flat-does-not-fit", format!("piece `{}`: {what}", piece.name)));
+        |what: &str| Box::new(Diagnostic::error(codes::FLAT_DOES_NOT_FIT, format!("piece `{}`: {what}", piece.name)));
     let mesh = piece.mesh.as_ref().ok_or_else(|| fault("it was flattened without a mesh"))?;
     let to = &flat.positions;
     if mesh.rest.len() != to.len() {

@@ -1,6 +1,7 @@
 //! `export-dxf`: the pattern as DXF again, as it came or as it was flattened.
 
 mod carry;
+pub(crate) mod codes;
 mod flat_piece;
 mod outline_map;
 #[cfg(test)]
@@ -173,7 +174,7 @@ fn write_run(path: &Path, params: &ExportDxfParams, cx: &mut StageContext<'_>) -
 fn flat_pieces(garment: &Garment) -> Result<Vec<Piece>, StageError> {
     let Some(flat) = &garment.flat else {
         return Err(StageError::parameter(
-            Diagnostic::error("flat-missing", "there are no flattened pieces to write")
+            Diagnostic::error(codes::FLAT_MISSING, "there are no flattened pieces to write")
                 .hint("put `flatten` before `export-dxf`, or set with.source = \"pattern\""),
         ));
     };
@@ -182,7 +183,12 @@ fn flat_pieces(garment: &Garment) -> Result<Vec<Piece>, StageError> {
     for piece in &garment.pieces {
         let found = flat.pieces.iter().find(|f| f.piece == piece.id);
         let moved = found.map_or_else(
-            || Err(Box::new(Diagnostic::error("flat-missing", format!("piece `{}` was not flattened", piece.name)))),
+            || {
+                Err(Box::new(Diagnostic::error(
+                    codes::FLAT_MISSING,
+                    format!("piece `{}` was not flattened", piece.name),
+                )))
+            },
             |f| flat_piece(piece, f),
         );
         match moved {

@@ -4,6 +4,7 @@
 //! Two rows are held; the hinge over the second bends over half a cell on each side of it, so the edge lies half a cell
 //! behind that row.
 
+use super::codes;
 use super::direction::{Direction, bending_length};
 use super::mesh::{Flat, ROW, strip};
 use super::rig::Rig;
@@ -170,6 +171,6 @@ pub fn compare(read: &Cantilever, cx: &mut StageContext<'_>) {
         } else {
             "repeat with a shorter --edge; what stays is how garments of this fabric will bend"
         };
-        cx.report.push(Diagnostic::warning("bending-differs-from-file", message).hint(hint));
+        cx.report.push(Diagnostic::warning(codes::BENDING_DIFFERS_FROM_FILE, message).hint(hint));
     }
 }

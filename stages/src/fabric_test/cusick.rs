@@ -6,6 +6,7 @@
 //!
 //! Which of the cloth's many states of rest is read: `fall.rs`. Beside laboratories: `drape.md`.
 
+use super::codes;
 use super::fall::{Fallen, deepest};
 use super::nodes::{Node, nodes};
 use super::shadow::{RAYS, shadow};
@@ -137,9 +138,9 @@ pub(super) fn advise(read: &Cusick, cx: &mut StageContext<'_>) {
     let smaller = SPECIMENS.into_iter().rfind(|s| *s < read.params.specimen);
     let larger = SPECIMENS.into_iter().find(|s| *s > read.params.specimen);
     let (code, words, next) = if read.drape_coefficient < USUAL[0] {
-        ("specimen-too-large", "below 30 %: the cloth is too limp", smaller)
+        (codes::SPECIMEN_TOO_LARGE, "below 30 %: the cloth is too limp", smaller)
     } else if read.drape_coefficient > USUAL[1] {
-        ("specimen-too-small", "above 85 %: the cloth is too stiff", larger)
+        (codes::SPECIMEN_TOO_SMALL, "above 85 %: the cloth is too stiff", larger)
     } else {
         return;
     };

@@ -11,6 +11,7 @@
 
 pub mod bias;
 pub mod cantilever;
+pub(crate) mod codes;
 pub mod cusick;
 pub mod direction;
 mod fall;
@@ -33,6 +34,7 @@ pub use cusick::{Cusick, CusickParams};
 pub use direction::Direction;
 pub use frame::{Frame, FrameParams};
 
+use crate::codes::SETTING_OUT_OF_RANGE;
 use direction::bending_length;
 use toile_garment::Diagnostic;
 use toile_garment::fabric::Fabric;
@@ -53,9 +55,7 @@ fn within<D: Dimension>(name: &str, value: f64, range: std::ops::RangeInclusive<
     let shown = |x: f64| format!("{} {unit}", tidy(x / factor));
     let message =
         format!("{name} is {}; allowed is {} to {}", shown(value), shown(*range.start()), shown(*range.end()));
-    Err(StageError::parameter(
-        Diagnostic::error("setting-out-of-range", message).hint("choose a value inside the range"),
-    ))
+    Err(StageError::parameter(Diagnostic::error(SETTING_OUT_OF_RANGE, message).hint("choose a value inside the range")))
 }
 
 /// Refuses a fabric that hardly stands out at all: its figure would be that of the mesh.
@@ -70,5 +70,5 @@ fn needs_bending(fabric: &Fabric, directions: &[Direction]) -> Result<(), StageE
         1e3 * LIMPEST
     );
     let hint = "give bending_warp and bending_weft, or FAST's bending lengths, in the fabric file";
-    Err(StageError::input(Diagnostic::error("fabric-without-bending", message).hint(hint)))
+    Err(StageError::input(Diagnostic::error(codes::FABRIC_WITHOUT_BENDING, message).hint(hint)))
 }

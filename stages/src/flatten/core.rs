@@ -1,6 +1,7 @@
 //! From the garment to the sheet and back.
 
 use super::align::Rigid;
+use super::codes;
 use super::energy::{EdgePair, Triangle};
 use super::features::{self, Features};
 use super::metric::{carried, cauchy_green, edges2, edges3, noise_bias, noise_variance, smoothed, sqrt_spd};
@@ -80,8 +81,11 @@ fn metric_of(garment: &Garment, choice: MetricChoice) -> FlatMetric {
 fn sources(garment: &Garment) -> Result<Vec<Source<'_>>, StageError> {
     let missing = |what: &str| {
         StageError::input(
-            Diagnostic::error("flatten-nothing", format!("the garment has no {what}; there is nothing to flatten"))
-                .hint("run `triangulate` and `drape` first, or give a GLB that toile wrote"),
+            Diagnostic::error(
+                codes::FLATTEN_NOTHING,
+                format!("the garment has no {what}; there is nothing to flatten"),
+            )
+            .hint("run `triangulate` and `drape` first, or give a GLB that toile wrote"),
         )
     };
     let drape = garment.drape.as_ref().ok_or_else(|| missing("drape"))?;
@@ -95,7 +99,7 @@ fn sources(garment: &Garment) -> Result<Vec<Source<'_>>, StageError> {
         let inside = mesh.triangles.iter().flatten().all(|v| (*v as usize) < n);
         if !shape(drape) || !shape(before) || !inside {
             return Err(StageError::input(Diagnostic::error(
-                "flatten-vertices-differ",
+                codes::FLATTEN_VERTICES_DIFFER,
                 format!("piece `{}`: mesh, drape and the shape before the edit differ in their vertices", piece.name),
             )));
         }
@@ -136,7 +140,7 @@ fn bad_triangle(source: &Source<'_>, k: usize, what: &str) -> StageError {
     let place = format!("{:.2}, {:.2} mm", 1e3 * at.x, 1e3 * at.y);
     StageError::input(
         Diagnostic::error(
-            "flatten-bad-triangle",
+            codes::FLATTEN_BAD_TRIANGLE,
             format!("piece `{}`: triangle {k} at ({place}) {what}", source.piece.name),
         )
         .at(source.piece.source.clone())

@@ -1,5 +1,6 @@
 //! The findings of the flattening, in words.
 
+use super::codes;
 use toile_garment::flat::{FlatMetric, FlatPiece};
 use toile_garment::seam::Seam;
 use toile_garment::{Diagnostic, Garment, Piece, Report};
@@ -8,23 +9,23 @@ use toile_garment::{Diagnostic, Garment, Piece, Report};
 pub fn metric(garment: &Garment, metric: FlatMetric, report: &mut Report) {
     report.push(match metric {
         FlatMetric::Unedited => Diagnostic::info(
-            "flatten-unedited",
+            codes::FLATTEN_UNEDITED,
             "the drape was not edited: its strain is elastic and stays in the cloth, so the stored pieces come back by construction",
         )
         .hint("use metric = \"surface\" to flatten the worn lengths, or edit the 3D shape first"),
         FlatMetric::Carried => Diagnostic::info(
-            "flatten-carried",
+            codes::FLATTEN_CARRIED,
             "flattened on the stored lengths changed by the 3D edit; the strain the drape had before stays in the cloth",
         ),
         FlatMetric::Surface => Diagnostic::info(
-            "flatten-surface",
+            codes::FLATTEN_SURFACE,
             "flattened on the lengths of the 3D surface: strain of the worn cloth becomes size of the pieces",
         ),
     });
     if garment.drape.as_ref().is_some_and(|d| !d.welded) {
         report.push(
             Diagnostic::warning(
-                "flatten-open-seams",
+                codes::FLATTEN_OPEN_SEAMS,
                 "the 3D shape has seams that are not closed; sewn edges may differ",
             )
             .hint("run `drape` until its certificate passes"),
@@ -35,7 +36,8 @@ pub fn metric(garment: &Garment, metric: FlatMetric, report: &mut Report) {
 /// One side of a seam was edited and the other was not.
 pub fn one_sided(seam: &Seam) -> Diagnostic {
     let what = format!("the edit changed only one side of seam `{}`: its sides are not held equal there", seam.name);
-    Diagnostic::warning("flatten-one-sided", what).hint("edit both pieces alike, or ease the difference in the pattern")
+    Diagnostic::warning(codes::FLATTEN_ONE_SIDED, what)
+        .hint("edit both pieces alike, or ease the difference in the pattern")
 }
 
 /// Names the dart that would cure a piece whose curvature forces more strain than the limit.
@@ -54,7 +56,7 @@ pub fn developable(piece: &Piece, flat: &FlatPiece, limit: f64, report: &mut Rep
     };
     report.push(
         Diagnostic::warning(
-            "piece-not-developable",
+            codes::PIECE_NOT_DEVELOPABLE,
             format!(
                 "piece `{}` encloses {degrees:.1} degrees of curvature: no flat piece avoids {:.2} % strain (mean {:.2} %)",
                 piece.name,

@@ -5,6 +5,7 @@
 //! [`sewn`] keeps sewn edges equal, [`align`] lays the piece on its grain and [`figures`] measures.
 
 pub mod align;
+pub(crate) mod codes;
 mod core;
 pub mod energy;
 pub mod features;

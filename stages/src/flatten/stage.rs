@@ -1,5 +1,6 @@
 //! `flatten` as a stage.
 
+use super::codes;
 use super::{FlattenParams, flatten_garment};
 use toile_garment::{Aspect, Diagnostic, Garment};
 use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
@@ -43,7 +44,7 @@ fn check(params: &FlattenParams) -> Result<(), StageError> {
     let mut wrong = Vec::new();
     let mut need = |good: bool, words: String| {
         if !good {
-            wrong.push(Diagnostic::error("flatten-parameter", words));
+            wrong.push(Diagnostic::error(codes::FLATTEN_PARAMETER, words));
         }
     };
     let motion = params.stop_motion.0;

@@ -2,9 +2,10 @@
 //! stand twice. Both tear cloth that looks whole.
 
 use super::boundary::users;
+use super::codes;
 use std::collections::{BTreeMap, BTreeSet};
 use toile_garment::mesh::PieceMesh;
-use toile_garment::{Diagnostic, SourceRef, Vec2, Vec3};
+use toile_garment::{Code, Diagnostic, SourceRef, Vec2, Vec3};
 
 /// Nearer to an edge than this share of its length is on it.
 const ON: f64 = 1e-6;
@@ -55,7 +56,7 @@ impl<'a> Borders<'a> {
     }
 
     /// An error at these vertices, if there are any.
-    fn finding(&self, code: &str, found: &[u32], what: &str, remedy: &str) -> Option<Diagnostic> {
+    fn finding(&self, code: Code, found: &[u32], what: &str, remedy: &str) -> Option<Diagnostic> {
         let first = *found.first()?;
         let (n, p) = (found.len(), self.at[first as usize] * 1e3);
         let message = format!(
@@ -69,7 +70,7 @@ impl<'a> Borders<'a> {
     pub fn junction(&self) -> Option<Diagnostic> {
         let found: Vec<u32> = self.edges.iter().filter_map(|e| self.on_edge(*e)).collect();
         let remedy = "split the triangle beside it at that vertex, so that both sides have it";
-        self.finding("mesh-t-junction", &found, "lie in the middle of a neighbour's edge", remedy)
+        self.finding(codes::MESH_T_JUNCTION, &found, "lie in the middle of a neighbour's edge", remedy)
     }
 
     fn on_edge(&self, [a, b]: [u32; 2]) -> Option<u32> {
@@ -103,6 +104,6 @@ impl<'a> Borders<'a> {
         }
         let what = "of the border stand twice at one place, and nothing sews them";
         let remedy = "join them in the mesh, name the pairs in with.stitches, or draw a slit open";
-        self.finding("vertices-doubled", &found, what, remedy)
+        self.finding(codes::VERTICES_DOUBLED, &found, what, remedy)
     }
 }

@@ -1,5 +1,6 @@
 //! The edges of an imported mesh as closed chains: the longest is the outline, the others are cutouts.
 
+use super::codes;
 use std::collections::BTreeMap;
 use toile_garment::mesh::{ChainKind, MeshChain, PieceMesh};
 use toile_garment::{Diagnostic, SourceRef, Vec2};
@@ -33,7 +34,7 @@ pub fn chains(mesh: &PieceMesh, file: &str, findings: &mut Vec<Diagnostic>) -> V
     let crowded = users.values().filter(|u| u.count > 2).count();
     if crowded > 0 {
         let message = format!("`{file}`: {crowded} edges belong to more than two triangles");
-        findings.push(Diagnostic::warning("mesh-not-manifold", message).at(SourceRef::file(file)));
+        findings.push(Diagnostic::warning(codes::MESH_NOT_MANIFOLD, message).at(SourceRef::file(file)));
     }
     let mut next: BTreeMap<u32, Vec<(u32, f64)>> = BTreeMap::new();
     for u in users.into_values().filter(|u| u.count == 1) {

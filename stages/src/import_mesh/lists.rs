@@ -1,5 +1,6 @@
 //! Text lists of vertices: pins, stitches, loads. `#` starts a comment; indices count from 0.
 
+use super::codes;
 use std::collections::BTreeSet;
 use toile_garment::{Diagnostic, SourceRef, Vec3};
 
@@ -56,13 +57,14 @@ fn lines<T>(text: &str, file: &str, mut read: impl FnMut(&[&str]) -> Result<T, S
             Ok(item) => out.push(item),
             Err(why) if findings.len() < MAX_FINDINGS => {
                 let place = SourceRef::file(file).at_line(number as u64 + 1);
-                findings.push(Diagnostic::error("vertex-list", why).at(place).hint(HINT));
+                findings.push(Diagnostic::error(codes::VERTEX_LIST, why).at(place).hint(HINT));
             }
             Err(_) => more += 1,
         }
     }
     if more > 0 {
-        findings.push(Diagnostic::error("vertex-list", format!("and {more} more lines")).at(SourceRef::file(file)));
+        findings
+            .push(Diagnostic::error(codes::VERTEX_LIST, format!("and {more} more lines")).at(SourceRef::file(file)));
     }
     if findings.is_empty() { Ok(out) } else { Err(findings) }
 }

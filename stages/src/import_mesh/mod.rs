@@ -4,6 +4,7 @@
 
 mod borders;
 mod boundary;
+pub(crate) mod codes;
 mod forecast;
 mod lists;
 mod rest;
@@ -15,6 +16,7 @@ use borders::Borders;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
+use toile_formats::codes::BODY_SIZE;
 use toile_formats::{body, fabric, obj};
 use toile_garment::fabric::Fabric;
 use toile_garment::garment::{Load, Pin, Shape, UpAxis};
@@ -136,7 +138,7 @@ impl Input<'_> {
         let bytes = cx.files.read(Path::new(file))?;
         let text = String::from_utf8(bytes).map_err(|e| {
             let message = format!("`{file}` is no UTF-8 text (byte {})", e.utf8_error().valid_up_to());
-            vec![Diagnostic::error("text-encoding", message).at(SourceRef::file(file))]
+            vec![Diagnostic::error(codes::TEXT_ENCODING, message).at(SourceRef::file(file))]
         });
         Ok(self.keep(text))
     }
@@ -160,7 +162,7 @@ impl Input<'_> {
         let beside = beside.map(|b| String::from_utf8_lossy(&b).into_owned());
         let Some(mut read) = self.keep(body::read(&bytes, file, beside.as_deref())) else { return Ok(None) };
         // A body of a test scene, a ball or a disc, need not be as high as a person.
-        let height = |d: &Diagnostic| d.code == "body-size" && d.severity == Severity::Warning;
+        let height = |d: &Diagnostic| d.code == BODY_SIZE && d.severity == Severity::Warning;
         read.findings.retain(|d| !height(d));
         cx.report.findings.append(&mut read.findings);
         body::turn(&mut read.body, self.params.up);
@@ -202,7 +204,7 @@ fn one_piece(
     let loose = unused(positions.len(), &built.mesh.triangles);
     if loose > 0 {
         let message = format!("`{file}`: {loose} vertices belong to no triangle; they stay in the file and do nothing");
-        cx.report.push(Diagnostic::warning("vertices-unused", message).at(place.clone()));
+        cx.report.push(Diagnostic::warning(codes::VERTICES_UNUSED, message).at(place.clone()));
     }
     built.mesh.chains = boundary::chains(&built.mesh, file, &mut cx.report.findings);
     let points: Vec<LinePoint> = built

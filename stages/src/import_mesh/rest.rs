@@ -4,6 +4,7 @@
 //! shape has no such layout: there each triangle keeps the rest places of its own corners (`PieceMesh::rest_corners`),
 //! so edge lengths at rest are exactly those of the file.
 
+use super::codes;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use toile_formats::obj::ObjMesh;
@@ -49,7 +50,7 @@ pub fn build(rest: Rest, file: &str, positions: &[Vec3], cloth: &ObjMesh) -> Res
     let frame = frame_of(positions, &cloth.triangles);
     let Sorted { triangles, mut shapes, turned, flat } = sort(positions, cloth, uv, &frame);
     if triangles.is_empty() {
-        let finding = Diagnostic::error("mesh-empty", format!("`{file}` has no triangle with area at rest"));
+        let finding = Diagnostic::error(codes::MESH_EMPTY, format!("`{file}` has no triangle with area at rest"));
         return Err(Box::new(finding.at(SourceRef::file(file))));
     }
     let findings = notes(file, &turned, &flat);
@@ -79,7 +80,7 @@ fn texture_corners<'c>(
         (Rest::Uv, Some(uv)) => Ok(Some(uv)),
         (Rest::Uv, None) => {
             let message = format!("`rest = \"uv\"`, but not every corner in `{file}` has a texture vertex");
-            let finding = Diagnostic::error("mesh-without-uv", message).at(SourceRef::file(file));
+            let finding = Diagnostic::error(codes::MESH_WITHOUT_UV, message).at(SourceRef::file(file));
             Err(Box::new(
                 finding.hint("export the mesh with texture coordinates in metres, or use rest = \"positions\""),
             ))
@@ -118,7 +119,7 @@ fn notes(file: &str, turned: &[bool], flat: &Tally) -> Vec<Diagnostic> {
     let backwards = turned.iter().filter(|t| **t).count();
     let left_out = format!("triangles without area at rest were left out: number {flat}");
     let mirrored = "triangles lie mirrored in the texture plane; the cloth is seen from its back there";
-    [(flat.count(), "triangles-flat", left_out.as_str()), (backwards, "uv-mirrored", mirrored)]
+    [(flat.count(), codes::TRIANGLES_FLAT, left_out.as_str()), (backwards, codes::UV_MIRRORED, mirrored)]
         .into_iter()
         .filter(|(count, ..)| *count > 0)
         .map(|(count, code, words)| {
@@ -211,7 +212,7 @@ fn frame_of(positions: &[Vec3], triangles: &[[u32; 3]]) -> Frame {
 /// Says where the grain lies when the file does not.
 pub fn grain_note(file: &str) -> Diagnostic {
     let message = format!("`{file}` says nothing about the grain: the warp runs up, on level cloth to the back");
-    Diagnostic::info("grain-guessed", message)
+    Diagnostic::info(codes::GRAIN_GUESSED, message)
         .at(SourceRef::file(file))
         .hint("give `vt` in metres (u weft, v warp) and rest = \"uv\" to lay the grain otherwise")
 }

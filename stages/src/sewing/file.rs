@@ -1,5 +1,6 @@
 //! The sewing file as a stage is given it.
 
+use super::codes;
 use std::path::Path;
 use toile_garment::sewing::SewingPlan;
 use toile_garment::{Diagnostic, SourceRef};
@@ -14,7 +15,7 @@ pub fn file(path: &Path, cx: &mut StageContext<'_>) -> Result<SewingPlan, StageE
     let bytes = cx.files.read(path)?;
     let text = String::from_utf8(bytes).map_err(|_| {
         let text = format!("the sewing file `{name}` is not UTF-8 text");
-        StageError::parameter(Diagnostic::error("sewing-file", text).at(SourceRef::file(name.clone())))
+        StageError::parameter(Diagnostic::error(codes::SEWING_FILE, text).at(SourceRef::file(name.clone())))
     })?;
     toile_formats::sewing::read(&text, &name).map_err(StageError::Parameter)
 }

@@ -1,7 +1,10 @@
 //! Names of pieces and edges, points on outlines.
 
+use super::codes;
 use super::ring::SAME;
 use super::shapes::{PieceShape, Shapes, mm};
+use crate::codes::{OUTLINE_TOO_SMALL, PIECE_UNKNOWN};
+use toile_formats::codes::EDGE_UNKNOWN;
 use toile_garment::outline::PointKind;
 use toile_garment::sewing::{RunSpec, RunWay, SewingPlan};
 use toile_garment::{Diagnostic, Garment, Piece, PieceId, SourceRef, Vec2};
@@ -57,13 +60,13 @@ pub fn piece(garment: &Garment, name: &str, at: Option<&SourceRef>) -> Result<Pi
     match (same.next(), same.next()) {
         (Some(p), None) => Ok(p.id),
         (Some(a), Some(b)) => {
-            Err(Diagnostic::error("piece-ambiguous", format!("`{name}` can be `{}` or `{}`", a.name, b.name))
+            Err(Diagnostic::error(codes::PIECE_AMBIGUOUS, format!("`{name}` can be `{}` or `{}`", a.name, b.name))
                 .at(at.cloned())
                 .hint("write the name in the case of the pattern file"))
         }
         _ => {
             let names: Vec<_> = garment.pieces.iter().map(|p| p.name.as_str()).collect();
-            Err(Diagnostic::error("piece-unknown", format!("there is no piece `{name}`"))
+            Err(Diagnostic::error(PIECE_UNKNOWN, format!("there is no piece `{name}`"))
                 .at(at.cloned())
                 .hint(nearest(name, &names)))
         }
@@ -143,12 +146,12 @@ fn unknown_edge(plan: &SewingPlan, p: &Piece, edge: &str) -> Diagnostic {
     known.dedup();
     let numbers = format!("its edges are numbered 0 to {}", p.edges.len().saturating_sub(1));
     let hint = if known.is_empty() { numbers } else { format!("{}; {numbers}", nearest(edge, &known)) };
-    Diagnostic::error("edge-unknown", format!("piece `{}` has no edge `{edge}`", p.name)).hint(hint)
+    Diagnostic::error(EDGE_UNKNOWN, format!("piece `{}` has no edge `{edge}`", p.name)).hint(hint)
 }
 
 fn scattered(p: &Piece, edge: &str) -> Diagnostic {
     Diagnostic::error(
-        "edge-name-scattered",
+        codes::EDGE_NAME_SCATTERED,
         format!("piece `{}`: the edges called `{edge}` do not follow one another", p.name),
     )
     .hint("name them apart, or give the run by two points")
@@ -202,7 +205,7 @@ fn points_run(
     let closed = r.ahead(s0, s1) < SAME;
     if closed && matches!(way, RunWay::Short | RunWay::Long) {
         return Err(Diagnostic::error(
-            "run-without-length",
+            codes::RUN_WITHOUT_LENGTH,
             format!("piece `{}`: the run starts and ends at {}", p.name, mm(from)),
         )
         .at(at.cloned())
@@ -223,7 +226,7 @@ fn points_run(
 fn tied(p: &Piece, from: Vec2, to: Vec2, length: f64) -> Diagnostic {
     let message =
         format!("piece `{}`: both ways from {} to {} are about {:.0} mm long", p.name, mm(from), mm(to), length * 1e3);
-    Diagnostic::error("run-way-ambiguous", message)
+    Diagnostic::error(codes::RUN_WAY_AMBIGUOUS, message)
         .hint("add way = \"left\" (cloth on the left, counter-clockwise) or way = \"right\"")
 }
 
@@ -235,7 +238,7 @@ fn locate_both(p: &Piece, shape: &PieceShape, from: Vec2, to: Vec2) -> Result<(u
             (Err(d), _) | (_, Err(d)) => wrong = wrong.or(Some(d)),
         }
     }
-    Err(wrong.unwrap_or_else(|| Diagnostic::error("outline-too-small", format!("piece `{}` has no outline", p.name))))
+    Err(wrong.unwrap_or_else(|| Diagnostic::error(OUTLINE_TOO_SMALL, format!("piece `{}` has no outline", p.name))))
 }
 
 /// The position of a point: the nearest corner, vertex, or place on the line within a millimetre.
@@ -256,7 +259,7 @@ pub fn locate(p: &Piece, shape: &PieceShape, ring: usize, point: Vec2) -> Result
     let nearest = best((0..r.points.len()).collect());
     let hint = nearest.map_or(String::new(), |i| format!("the nearest vertex is {}", mm(r.points[i])));
     Err(Diagnostic::error(
-        "point-off-outline",
+        codes::POINT_OFF_OUTLINE,
         format!("piece `{}`: the point {} lies {:.1} mm off the outline", p.name, mm(point), distance * 1e3),
     )
     .hint(hint))

@@ -4,6 +4,7 @@
 //! look at the document as it is then, and find the same: nothing that is derived is kept in it.
 
 mod apply;
+pub(crate) mod codes;
 mod file;
 mod lookup;
 pub mod resolve;

@@ -1,6 +1,9 @@
 //! The rings of every piece: its outline with all wedge darts notched out, and its cutouts.
 
+use super::codes;
 use super::ring::{Gap, Ring, SAME, arcs, clean, snap};
+use crate::codes::OUTLINE_TOO_SMALL;
+use toile_formats::codes::COORDINATE_OUT_OF_RANGE;
 use toile_garment::dart::{Dart, DartKind};
 use toile_garment::{Diagnostic, Garment, Piece, Vec2};
 
@@ -41,7 +44,7 @@ pub fn shape(piece: &Piece, errors: &mut Vec<Diagnostic>) -> PieceShape {
     if errors.len() == found && base.len() < 3 {
         errors.push(
             Diagnostic::error(
-                "outline-too-small",
+                OUTLINE_TOO_SMALL,
                 format!("piece `{}`: the outline has {} different points, a piece needs 3", piece.name, base.len()),
             )
             .at(piece.outline.source.clone().or_else(|| piece.source.clone())),
@@ -66,7 +69,7 @@ fn check_numbers(piece: &Piece, errors: &mut Vec<Diagnostic>) {
     if let Some(p) = lines.flat_map(|l| l.points.iter().map(|p| &p.at)).chain(darts).find(|p| !sound(p)) {
         errors.push(
             Diagnostic::error(
-                "coordinate-out-of-range",
+                COORDINATE_OUT_OF_RANGE,
                 format!("piece `{}` has a point at ({}, {}) m, beyond {FARTHEST} m", piece.name, p.x, p.y),
             )
             .at(piece.source.clone())
@@ -115,7 +118,7 @@ fn outer(
     if let Some((a, b)) = overlap(&drawn, &splices) {
         errors.push(
             Diagnostic::error(
-                "darts-overlap",
+                codes::DARTS_OVERLAP,
                 format!(
                     "piece `{}`: darts `{}` and `{}` share a part of the outline",
                     piece.name,
@@ -138,7 +141,7 @@ fn name(piece: &Piece, dart: usize) -> &str {
 }
 
 fn mouth_error(piece: &Piece, dart: &Dart, what: String) -> Diagnostic {
-    Diagnostic::error("dart-mouth-off-outline", format!("piece `{}`, dart `{}`: {what}", piece.name, dart.name))
+    Diagnostic::error(codes::DART_MOUTH_OFF_OUTLINE, format!("piece `{}`, dart `{}`: {what}", piece.name, dart.name))
         .at(dart.source.clone().or_else(|| piece.source.clone()))
         .hint("declare the dart with its mouth points on the outline, or deny it with kind = \"none\"")
 }

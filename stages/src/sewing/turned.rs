@@ -1,5 +1,6 @@
 //! A seam whose sides lie one way and are named the other: sewn so, the cloth between them is twisted by half a turn.
 
+use super::codes;
 use toile_garment::{Diagnostic, Vec3};
 
 /// What is left of the length of all stitches together, at most, where they are those of a seam named the wrong way round and
@@ -40,7 +41,8 @@ impl Lengths {
             self.named * 1e3,
             self.turned * 1e3
         );
-        Diagnostic::warning("seam-reversed", message).hint("swap the two ends of one side, unless the twist is meant")
+        Diagnostic::warning(codes::SEAM_REVERSED, message)
+            .hint("swap the two ends of one side, unless the twist is meant")
     }
 }
 

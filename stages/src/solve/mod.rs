@@ -1,6 +1,7 @@
 //! Between garment words and the solver's plain arrays: the one place where both are known.
 
 pub mod body_parts;
+pub(crate) mod codes;
 mod effects;
 mod fabric;
 pub mod place;

@@ -1,5 +1,6 @@
 //! Where in the garment the solver failed.
 
+use super::codes;
 use super::failure;
 use super::watch::MESH_ANEW;
 use toile_cloth::ClothError;
@@ -48,7 +49,7 @@ fn narrow(garment: &Garment, at: &[Vec<Vec3>]) -> Option<StageError> {
         p.y,
         p.z
     );
-    let finding = Diagnostic::error("flat-triangle", message).at(piece.source.clone());
+    let finding = Diagnostic::error(codes::FLAT_TRIANGLE, message).at(piece.source.clone());
     Some(StageError::input(finding.hint(MESH_ANEW)))
 }
 

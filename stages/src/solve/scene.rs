@@ -1,5 +1,6 @@
 //! A garment as a scene: vertices of all pieces in one list, rest shapes on the grain.
 
+use super::codes;
 use super::fabric::material;
 use toile_cloth::{BodyMesh, ContactFilter, Element, Load, Material, Pin, Scene};
 use toile_garment::mesh::PieceMesh;
@@ -114,7 +115,7 @@ pub fn scene(
 
 fn no_fabric(piece: &Piece) -> Diagnostic {
     let material = piece.material.as_deref().unwrap_or("");
-    Diagnostic::error("fabric-missing", format!("piece `{}` (material `{material}`) has no fabric", piece.name))
+    Diagnostic::error(codes::FABRIC_MISSING, format!("piece `{}` (material `{material}`) has no fabric", piece.name))
         .at(piece.source.clone())
         .hint("give the stage a fabric: with.fabric = \"…toml\"")
 }

@@ -1,7 +1,9 @@
 //! Progress, stopping and failures of the solver in the engine's words.
 
+use super::codes;
+use crate::codes::SETTING_OUT_OF_RANGE;
 use std::sync::atomic::{AtomicBool, Ordering};
-use toile_cloth::{ClothError, Vec3, Watch};
+use toile_cloth::{ClothError, SceneFault, Vec3, Watch};
 use toile_garment::{Diagnostic, Garment};
 use toile_stage_api::{Progress, StageContext, StageError};
 
@@ -77,22 +79,22 @@ fn do_without(effect: &str) -> String {
 pub fn failure(error: ClothError) -> StageError {
     match error {
         ClothError::Cancelled { .. } => StageError::Cancelled,
-        ClothError::BadScene { code: code @ "flat-triangle", what } => StageError::input(
-            Diagnostic::error(code, what).hint(MESH_ANEW),
+        ClothError::BadScene { fault: SceneFault::FlatTriangle, what } => StageError::input(
+            Diagnostic::error(codes::FLAT_TRIANGLE, what).hint(MESH_ANEW),
         ),
-        ClothError::BadScene { code, what } => StageError::input(Diagnostic::error(code, what)),
+        ClothError::BadScene { fault, what } => StageError::input(Diagnostic::error(codes::of(fault), what)),
         ClothError::BadSetting { name, what } => {
-            StageError::parameter(Diagnostic::error("setting-out-of-range", format!("{name}: {what}")))
+            StageError::parameter(Diagnostic::error(SETTING_OUT_OF_RANGE, format!("{name}: {what}")))
         }
         ClothError::NotBuilt { effect } => StageError::parameter(
-            Diagnostic::error("effect-not-built", error.to_string()).hint(do_without(effect)),
+            Diagnostic::error(codes::EFFECT_NOT_BUILT, error.to_string()).hint(do_without(effect)),
         ),
         ClothError::StartCrosses { .. } => StageError::input(
-            Diagnostic::error("start-crosses", error.to_string())
+            Diagnostic::error(codes::START_CROSSES, error.to_string())
                 .hint("move the cloth there apart, or off the body: [[place]] in the sewing file, or the start positions of a mesh"),
         ),
         ClothError::Caught { .. } => StageError::input(
-            Diagnostic::error("body-catches-cloth", error.to_string())
+            Diagnostic::error(codes::BODY_CATCHES_CLOTH, error.to_string())
                 .hint("give the body more room there (arms, thighs), shorten with.step, or lessen with.body_gap"),
         ),
         ClothError::Unstable { .. } => StageError::Unstable(error.to_string()),

@@ -1,6 +1,9 @@
 //! Edges tied to the body: a waist edge is laid on the ring a tape makes around the body there.
 
+use super::codes;
 use crate::body::{Section, hull, section_at};
+use crate::codes::BODY_MISSING;
+use toile_formats::codes::EDGE_UNKNOWN;
 use toile_garment::garment::Pin;
 use toile_garment::sewing::{AttachSpec, AttachStrength};
 use toile_garment::{Diagnostic, Garment, MeshVertex, Piece, Vec2, Vec3};
@@ -60,7 +63,10 @@ fn ring_pins(
     for spec in specs {
         match spec.strength {
             AttachStrength::Elastic(share) if !(share > 0.0 && share <= 1.5) => {
-                return Err(Diagnostic::error("attach-strength", format!("elastic {share} is not between 0 and 1.5")));
+                return Err(Diagnostic::error(
+                    codes::ATTACH_STRENGTH,
+                    format!("elastic {share} is not between 0 and 1.5"),
+                ));
             }
             // Both end on the same ring: an elastic edge is gathered evenly onto it.
             AttachStrength::Hold | AttachStrength::Elastic(_) => {}
@@ -81,7 +87,7 @@ fn ring_pins(
 /// The body's level section at a landmark or height.
 fn section(garment: &Garment, to: &str) -> Result<Section, Diagnostic> {
     let body = garment.body.as_ref().ok_or_else(|| {
-        Diagnostic::error("body-missing", format!("an edge is attached to `{to}`, but there is no body"))
+        Diagnostic::error(BODY_MISSING, format!("an edge is attached to `{to}`, but there is no body"))
             .hint("give the stage `stitch` a body: with.body = \"…obj\"")
     })?;
     let known = || body.landmarks.keys().map(String::as_str).collect::<Vec<_>>().join(", ");
@@ -92,11 +98,14 @@ fn section(garment: &Garment, to: &str) -> Result<Section, Diagnostic> {
         .map(|p| p.y)
         .or_else(|| body.measures.get(&format!("{to}_height")).copied())
         .ok_or_else(|| {
-            Diagnostic::error("attach-target-unknown", format!("the body has no landmark or height `{to}`"))
+            Diagnostic::error(codes::ATTACH_TARGET_UNKNOWN, format!("the body has no landmark or height `{to}`"))
                 .hint(format!("this body has the landmarks {}", known()))
         })?;
     section_at(body, height).ok_or_else(|| {
-        Diagnostic::error("attach-target-empty", format!("the body has no section at `{to}`, {:.0} mm", height * 1e3))
+        Diagnostic::error(
+            codes::ATTACH_TARGET_EMPTY,
+            format!("the body has no section at `{to}`, {:.0} mm", height * 1e3),
+        )
     })
 }
 
@@ -166,7 +175,7 @@ fn edges_of(piece: &Piece, specs: &[&AttachSpec]) -> Result<Vec<usize>, Diagnost
             .collect();
         if named.is_empty() {
             return Err(Diagnostic::error(
-                "edge-unknown",
+                EDGE_UNKNOWN,
                 format!("piece `{}` has no edge `{}` to attach", piece.name, spec.edge),
             )
             .hint("`toile inspect --svg` draws the numbers of all edges"));

@@ -1,6 +1,7 @@
 //! Body and fabrics from their files.
 
 use super::StitchParams;
+use crate::codes::TEXT_NOT_UTF8;
 use std::path::Path;
 use toile_garment::body::Body;
 use toile_garment::fabric::Fabric;
@@ -46,6 +47,6 @@ pub fn body(path: &Path, cx: &mut StageContext<'_>) -> Result<Body, StageError> 
 
 fn text(path: &Path, bytes: &[u8]) -> Result<String, StageError> {
     String::from_utf8(bytes.to_vec()).map_err(|_| {
-        StageError::input(Diagnostic::error("text-not-utf8", format!("{} is not UTF-8 text", path.display())))
+        StageError::input(Diagnostic::error(TEXT_NOT_UTF8, format!("{} is not UTF-8 text", path.display())))
     })
 }

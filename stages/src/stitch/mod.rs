@@ -4,6 +4,7 @@ pub mod around;
 mod attach;
 mod cone;
 mod ignored_parts;
+pub(crate) mod codes;
 pub(crate) mod load;
 pub mod place;
 mod raise;
@@ -197,7 +198,7 @@ fn settings(params: &StitchParams, threads: usize) -> Settings {
 fn tell(garment: &Garment, outcome: &Outcome, distance: f64, cx: &mut StageContext<'_>) {
     if outcome.repaired.0 > 0 {
         cx.report.push(Diagnostic::info(
-            "start-repaired",
+            codes::START_REPAIRED,
             format!(
                 "{} vertices started inside the body and were pushed out, by up to {:.1} mm",
                 outcome.repaired.0,
@@ -213,7 +214,7 @@ fn tell(garment: &Garment, outcome: &Outcome, distance: f64, cx: &mut StageConte
         let at = open.at * 1e3;
         cx.report.push(
             Diagnostic::warning(
-                "seam-open",
+                codes::SEAM_OPEN,
                 format!(
                     "seam `{name}` is still {:.1} mm open after sewing, {} stitches of it, widest at ({:.0}, {:.0}, {:.0}) mm ({})",
                     open.gap * 1e3,

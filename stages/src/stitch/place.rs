@@ -1,6 +1,8 @@
 //! Where every piece starts in 3D.
 
 use super::around::{Cylinder, side_angle};
+use super::codes;
+use crate::codes::BODY_MISSING;
 use toile_garment::body::Body;
 use toile_garment::sewing::{PlaceSpec, Placement};
 use toile_garment::{Diagnostic, Garment, Piece, Vec2, Vec3};
@@ -46,7 +48,7 @@ pub(super) fn spec_of<'a>(garment: &'a Garment, piece: &Piece) -> Option<&'a Pla
 }
 
 fn not_placed(piece: &Piece) -> Diagnostic {
-    Diagnostic::error("piece-not-placed", format!("nothing says where piece `{}` starts in 3D", piece.name))
+    Diagnostic::error(codes::PIECE_NOT_PLACED, format!("nothing says where piece `{}` starts in 3D", piece.name))
         .at(piece.source.clone())
         .hint(format!("add to the sewing file: [[place]] piece = \"{}\" around = \"torso\" side = \"front\" height = \"1050 mm\", or a rotation and a translation", piece.name))
 }
@@ -111,24 +113,24 @@ fn wrap(
 ) -> Result<Wrap, Diagnostic> {
     let body = garment.body.as_ref().ok_or_else(|| {
         Diagnostic::error(
-            "body-missing",
+            BODY_MISSING,
             format!("piece `{}` is placed around `{segment}`, but there is no body", piece.name),
         )
         .hint("give the stage `stitch` a body: with.body = \"…obj\"")
     })?;
     let shape = body.segments.get(segment).ok_or_else(|| unknown_segment(body, piece, segment))?;
     let angle = side_angle(side).ok_or_else(|| {
-        Diagnostic::error("place-side-unknown", format!("piece `{}`: side `{side}` is not known", piece.name))
+        Diagnostic::error(codes::PLACE_SIDE_UNKNOWN, format!("piece `{}`: side `{side}` is not known", piece.name))
             .hint("use front, back, left or right")
     })?;
     let cylinder = Cylinder::new(shape, clearance).ok_or_else(|| {
-        Diagnostic::error("body-segment-flat", format!("the axis of body segment `{segment}` has no length"))
+        Diagnostic::error(codes::BODY_SEGMENT_FLAT, format!("the axis of body segment `{segment}` has no length"))
     })?;
     let (middle, size) = extent(piece, turn);
     let top = if segment.starts_with("arm") { Some(height) } else { cylinder.axial_of_height(height) };
     let top = top.ok_or_else(|| {
         Diagnostic::error(
-            "place-height",
+            codes::PLACE_HEIGHT,
             format!("the axis of body segment `{segment}` lies level: a height says nothing"),
         )
     })?;
@@ -152,8 +154,11 @@ fn unknown_segment(body: &Body, piece: &Piece, segment: &str) -> Diagnostic {
     } else {
         format!("this body has: {}", known.join(", "))
     };
-    Diagnostic::error("body-segment-unknown", format!("piece `{}`: the body has no segment `{segment}`", piece.name))
-        .hint(hint)
+    Diagnostic::error(
+        codes::BODY_SEGMENT_UNKNOWN,
+        format!("piece `{}`: the body has no segment `{segment}`", piece.name),
+    )
+    .hint(hint)
 }
 
 /// Middle and size of a piece's box after turning it, the middle in piece coordinates.

@@ -3,6 +3,7 @@
 //! TEXCOORD_0 is the cloth itself, in metres: u along the weft, v along the warp of the piece. TEXCOORD_1 packs all
 //! pieces into one square without overlap.
 
+pub(crate) mod codes;
 mod color;
 mod pack;
 mod params;
@@ -12,6 +13,7 @@ mod tests;
 use params::Look;
 pub use params::TextureParams;
 use std::path::Path;
+use toile_formats::codes::FILE_TOO_LARGE;
 use toile_formats::texture::read_image;
 use toile_garment::texture::{Material, PieceTexture, Textures};
 use toile_garment::{Aspect, Diagnostic, Garment, Piece, Severity};
@@ -79,8 +81,8 @@ fn material(look: &Look<'_>, cx: &mut StageContext<'_>) -> Result<Result<Materia
         None => None,
         Some(file) => match read_image(&cx.files.read(Path::new(file))?, file) {
             Ok(image) => Some(image),
-            Err(finding) if finding.code.starts_with("image") => return Err(StageError::input(*finding)),
-            Err(finding) => return Err(StageError::Limit(finding.to_string())),
+            Err(finding) if finding.code == FILE_TOO_LARGE => return Err(StageError::Limit(finding.to_string())),
+            Err(finding) => return Err(StageError::input(*finding)),
         },
     };
     Ok(color::linear(look.color).map(|color| Material {

@@ -1,7 +1,10 @@
 //! Parameters of the stage `texture`.
 
+use super::codes;
+use crate::codes::PIECE_UNKNOWN;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use toile_formats::codes::VALUE_OUT_OF_RANGE;
 use toile_garment::units::Length;
 use toile_garment::{Diagnostic, Garment, Piece};
 
@@ -106,31 +109,34 @@ impl TextureParams {
             let name = look.name;
             if look.repeat.iter().any(|l| !(1e-4..=10.0).contains(&l.0)) {
                 let message = format!("the repeat of `{name}` is {} × {}", look.repeat[0], look.repeat[1]);
-                found.push(Diagnostic::error("value-out-of-range", message).hint("allowed is 0.1 mm to 10 m"));
+                found.push(Diagnostic::error(VALUE_OUT_OF_RANGE, message).hint("allowed is 0.1 mm to 10 m"));
             }
             if !(0.0..=1.0).contains(&look.roughness) {
                 let message = format!("the roughness of `{name}` is {}", look.roughness);
-                found.push(Diagnostic::error("value-out-of-range", message).hint("allowed is 0 to 1"));
+                found.push(Diagnostic::error(VALUE_OUT_OF_RANGE, message).hint("allowed is 0 to 1"));
             }
         }
         if !(0.0..=1.0).contains(&self.margin.0) {
             let message = format!("the margin is {}", self.margin);
-            found.push(Diagnostic::error("value-out-of-range", message).hint("allowed is 0 mm to 1 m"));
+            found.push(Diagnostic::error(VALUE_OUT_OF_RANGE, message).hint("allowed is 0 mm to 1 m"));
         }
         for (i, o) in self.materials.iter().enumerate() {
             for piece in o.pieces.iter().filter(|p| garment.piece_named(p).is_none()) {
                 let names: Vec<&str> = garment.pieces.iter().map(|p| p.name.as_str()).collect();
                 let near = names.iter().min_by_key(|n| strsim::damerau_levenshtein(piece, n));
-                let finding = Diagnostic::error("piece-unknown", format!("there is no piece `{piece}`"));
+                let finding = Diagnostic::error(PIECE_UNKNOWN, format!("there is no piece `{piece}`"));
                 found.push(finding.hint(near.map_or(String::new(), |n| format!("did you mean `{n}`?"))));
             }
             if o.name.is_empty() || o.name == "cloth" || self.materials[..i].iter().any(|m| m.name == o.name) {
                 let message = format!("material {} has no name of its own: `{}`", i + 1, o.name);
-                found.push(Diagnostic::error("material-name", message).hint("give every material another `name`"));
+                found.push(Diagnostic::error(codes::MATERIAL_NAME, message).hint("give every material another `name`"));
             }
             let used = garment.pieces.iter().any(|p| self.material_of(p) as usize == i + 1);
             if !used {
-                found.push(Diagnostic::warning("material-unused", format!("no piece has the material `{}`", o.name)));
+                found.push(Diagnostic::warning(
+                    codes::MATERIAL_UNUSED,
+                    format!("no piece has the material `{}`", o.name),
+                ));
             }
         }
         found

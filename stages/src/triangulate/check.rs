@@ -1,5 +1,6 @@
 //! What a mesh must hold before it leaves the stage.
 
+use super::codes;
 use super::layout::Layout;
 use super::smooth::{cross, least_angle};
 use crate::sewing::shapes::mm;
@@ -86,7 +87,7 @@ pub fn findings(piece: &Piece, q: &Quality, draft: bool) -> Vec<Diagnostic> {
             "piece `{}`: the mesh has {} reversed triangles and an area {:.1e} off its outline",
             piece.name, q.reversed, q.area_error
         );
-        out.push(Diagnostic::error("mesh-wrong", message).at(piece.source.clone()));
+        out.push(Diagnostic::error(codes::MESH_WRONG, message).at(piece.source.clone()));
     }
     if !draft && q.below > 0 {
         let at = q.worst_at.map_or(String::new(), |p| format!(" at {}", mm(p)));
@@ -94,7 +95,7 @@ pub fn findings(piece: &Piece, q: &Quality, draft: bool) -> Vec<Diagnostic> {
             "piece `{}`: {} triangles below {PROMISED}°, least angle {:.1}°{at}: short edges or narrow strips",
             piece.name, q.below, q.least_angle
         );
-        out.push(Diagnostic::info("mesh-angle-low", message).at(piece.source.clone()));
+        out.push(Diagnostic::info(codes::MESH_ANGLE_LOW, message).at(piece.source.clone()));
     }
     out
 }

@@ -1,12 +1,15 @@
 //! The curves of one piece: checked rings, and internal lines clipped to the cloth and joined where they meet.
 
+use super::codes;
 use super::crossing::{Segment, TooComplex, meetings, segments};
 use super::curve::{Curve, CurveKind};
 use super::lyon::covers;
+use crate::codes::OUTLINE_TOO_SMALL;
 use crate::sewing::ring::{SAME, clean, snap};
 use crate::sewing::shapes::{PieceShape, mm};
+use toile_formats::codes::OUTLINE_CROSSES_ITSELF;
 use toile_garment::dart::DartKind;
-use toile_garment::{Diagnostic, Piece, Report, Vec2};
+use toile_garment::{Code, Diagnostic, Piece, Report, Vec2};
 
 /// A line that ends nearer to another than this share of the edge length ends on it.
 const JOIN: f64 = 0.2;
@@ -63,10 +66,10 @@ fn check(piece: &Piece, curves: &[Curve]) -> Result<(), Vec<Diagnostic>> {
         if c.points.len() < 3 || area.abs() < NO_AREA && c.kind == CurveKind::Outline || area == 0.0 {
             let message = format!("piece `{}`: the {} encloses {:.3} mm²", piece.name, what(piece, c.kind), area * 1e6);
             let place = c.points.first().map_or(String::new(), |p| format!(" near {}", mm(*p)));
-            errors.push(Diagnostic::error("outline-too-small", message + &place).at(at()));
+            errors.push(Diagnostic::error(OUTLINE_TOO_SMALL, message + &place).at(at()));
         } else if c.kind == CurveKind::Outline && area < 0.0 {
             let message = format!("piece `{}`: the outline runs clockwise", piece.name);
-            errors.push(Diagnostic::error("outline-clockwise", message).at(at()));
+            errors.push(Diagnostic::error(codes::OUTLINE_CLOCKWISE, message).at(at()));
         }
     }
     if !errors.is_empty() {
@@ -80,9 +83,9 @@ fn check(piece: &Piece, curves: &[Curve]) -> Result<(), Vec<Diagnostic>> {
         Ok(found) => errors.extend(found.iter().map(|m| {
             let (a, b) = (what(piece, curves[m.first.curve].kind), what(piece, curves[m.second.curve].kind));
             let (code, words) = if m.first.curve == m.second.curve {
-                ("outline-crosses-itself", format!("the {a} crosses or touches itself"))
+                (OUTLINE_CROSSES_ITSELF, format!("the {a} crosses or touches itself"))
             } else {
-                ("lines-cross", format!("the {a} crosses or touches the {b}"))
+                (codes::LINES_CROSS, format!("the {a} crosses or touches the {b}"))
             };
             Diagnostic::error(code, format!("piece `{}`: {words} at {}", piece.name, mm(m.at)))
                 .at(at())
@@ -90,7 +93,7 @@ fn check(piece: &Piece, curves: &[Curve]) -> Result<(), Vec<Diagnostic>> {
         })),
         Err(TooComplex) => errors.push(
             Diagnostic::error(
-                "outline-too-complex",
+                codes::OUTLINE_TOO_COMPLEX,
                 format!("piece `{}`: its lines overlap too often to be checked", piece.name),
             )
             .at(at()),
@@ -104,7 +107,7 @@ fn check(piece: &Piece, curves: &[Curve]) -> Result<(), Vec<Diagnostic>> {
                 let where_ = if outside { "lies outside the outline" } else { "lies inside another hole" };
                 let message =
                     format!("piece `{}`: the {} {where_}, at {}", piece.name, what(piece, c.kind), mm(c.points[0]));
-                errors.push(Diagnostic::error("hole-misplaced", message).at(at()));
+                errors.push(Diagnostic::error(codes::HOLE_MISPLACED, message).at(at()));
             }
         }
     }
@@ -153,14 +156,14 @@ fn add(
         CurveKind::Line(k) => piece.internal_lines.get(k).and_then(|l| l.source.clone()),
         _ => None,
     };
-    let mut drop = |code: &str, why: &str| {
+    let mut drop = |code: Code, why: &str| {
         let message = format!("piece `{}`: the {} {why}", piece.name, what(piece, kind));
         report.push(Diagnostic::info(code, message).at(source()));
     };
     let points = tidy(points, closed);
     let closed = closed && points.len() > 2;
     if points.len() < 2 || length(&points) < 0.05 * h {
-        drop("internal-line-too-short", "is too short to be meshed and is left out");
+        drop(codes::INTERNAL_LINE_TOO_SHORT, "is too short to be meshed and is left out");
         return;
     }
     let (line, cuts) = cut_at_boundary(curves, kind, points, closed);
@@ -178,7 +181,10 @@ fn add(
         place(curves, Curve::line(kind, part, whole_ring), h);
     }
     if left_out > 1e-3 {
-        drop("internal-line-clipped", &format!("lies outside the cloth or on its edge for {:.1} mm", left_out * 1e3));
+        drop(
+            codes::INTERNAL_LINE_CLIPPED,
+            &format!("lies outside the cloth or on its edge for {:.1} mm", left_out * 1e3),
+        );
     }
 }
 

@@ -6,6 +6,7 @@
 
 mod cdt;
 mod check;
+pub(crate) mod codes;
 mod counts;
 mod crossing;
 mod curve;
@@ -217,7 +218,7 @@ fn crossing_error(piece: &Piece, layout: &Layout, crossed: &[(usize, usize)]) ->
         .map(|[a, b]| mm((layout.points[a as usize] + layout.points[b as usize]) * 0.5))
         .collect();
     Diagnostic::error(
-        "lines-cross",
+        codes::LINES_CROSS,
         format!("piece `{}`: lines cross or touch when meshed, near {}", piece.name, places.join(", ")),
     )
     .at(piece.source.clone())

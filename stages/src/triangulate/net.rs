@@ -1,5 +1,6 @@
 //! All curves of all pieces, tied by seams and darts: where one side has a vertex by necessity, the other gets one too.
 
+use super::codes;
 use super::curve::{Curve, CurveKind};
 use super::lines;
 use crate::sewing::resolve::{ResolvedSeam, Side, on_rings};
@@ -292,7 +293,7 @@ fn carry(net: &mut Net, one_mark: f64) -> Result<(), Vec<Diagnostic>> {
     let names: Vec<_> = net.links.iter().map(|l| l.name.as_str()).take(8).collect();
     Err(vec![
         Diagnostic::error(
-            "seam-marks-endless",
+            codes::SEAM_MARKS_ENDLESS,
             format!("marks carried from seam to seam never meet themselves again (seams {}, …)", names.join(", ")),
         )
         .hint("a stretch of outline is sewn to itself with a shift: split the seam at its ends"),

@@ -1,6 +1,7 @@
 //! The edge length of the mesh, and the limit on triangles.
 
 use super::Params;
+use super::codes;
 use crate::sewing::shapes::Shapes;
 use toile_garment::dart::DartKind;
 use toile_garment::{Diagnostic, Garment};
@@ -46,15 +47,16 @@ pub fn check_pieces(garment: &Garment, shapes: &Shapes) -> Result<(), StageError
         piece.name,
         largest * 1e3
     );
-    let finding = Diagnostic::error("piece-size", message).at(piece.source.clone());
+    let finding = Diagnostic::error(codes::PIECE_SIZE, message).at(piece.source.clone());
     Err(StageError::input(finding.hint(format!("say the pattern's unit{likely}"))))
 }
 
 /// Edge length for the parameters.
 pub fn edge_length(params: &Params, garment: &Garment, shapes: &Shapes) -> Result<f64, StageError> {
     let area = cloth_area(garment, shapes);
-    let wrong =
-        |message: String, hint: &str| Err(StageError::parameter(Diagnostic::error("edge-length", message).hint(hint)));
+    let wrong = |message: String, hint: &str| {
+        Err(StageError::parameter(Diagnostic::error(codes::EDGE_LENGTH, message).hint(hint)))
+    };
     let h = match (params.edge_length, params.triangles) {
         (Some(_), Some(_)) => {
             return wrong("edge_length and triangles are both given".to_owned(), "give one of them");

@@ -1,6 +1,6 @@
 //! What moves, how it is stepped, and what comes out.
 
-use crate::{BodyMesh, ClothError, EffectReport, Vec3};
+use crate::{BodyMesh, ClothError, EffectReport, SceneFault, Vec3};
 
 /// How time is stepped.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -105,8 +105,8 @@ pub struct Trip {
 /// More are an error in a number, not a film.
 const MOST_FRAMES: f64 = 100_000.0;
 
-fn bad<T>(code: &'static str, what: String) -> Result<T, ClothError> {
-    Err(ClothError::BadScene { code, what })
+fn bad<T>(fault: SceneFault, what: String) -> Result<T, ClothError> {
+    Err(ClothError::BadScene { fault, what })
 }
 
 impl Dynamics {
@@ -143,18 +143,22 @@ impl Motion {
         }
         if !self.velocities.is_empty() && self.velocities.len() != vertices {
             let what = format!("{} start velocities for {vertices} vertices", self.velocities.len());
-            return bad("bad-velocities", what);
+            return bad(SceneFault::Velocities, what);
         }
         let Some(n) = body.map(|b| b.positions.len()).filter(|_| !self.body.is_empty()) else {
-            return if self.body.is_empty() { Ok(()) } else { bad("no-body", "frames of a body, but no body".into()) };
+            return if self.body.is_empty() {
+                Ok(())
+            } else {
+                bad(SceneFault::NoBody, "frames of a body, but no body".into())
+            };
         };
         for (i, frame) in self.body.iter().enumerate() {
             if frame.len() != n {
                 let what = format!("frame {i} of the body has {} vertices, the body has {n}", frame.len());
-                return bad("body-frame-vertices", what);
+                return bad(SceneFault::FrameVertices, what);
             }
             if let Some(v) = frame.iter().position(|p| !p.iter().all(|c| c.is_finite())) {
-                return bad("body-frame-not-finite", format!("vertex {v} of frame {i} of the body is not finite"));
+                return bad(SceneFault::FrameNotFinite, format!("vertex {v} of frame {i} of the body is not finite"));
             }
         }
         Ok(())

@@ -1,36 +1,36 @@
 //! The gate: nothing unusable gets behind it.
 
-use crate::{ClothError, Integrator, Scene, Settings, Switch};
+use crate::{ClothError, Integrator, Scene, SceneFault, Settings, Switch};
 
-fn bad(code: &'static str, what: String) -> Result<(), ClothError> {
-    Err(ClothError::BadScene { code, what })
+fn bad(fault: SceneFault, what: String) -> Result<(), ClothError> {
+    Err(ClothError::BadScene { fault, what })
 }
 
 /// Checks indices, numbers and areas.
 pub(crate) fn scene(scene: &Scene) -> Result<(), ClothError> {
     let n = scene.positions.len();
     if scene.triangles.is_empty() {
-        return bad("no-cloth", "the scene has no cloth triangle".into());
+        return bad(SceneFault::NoCloth, "the scene has no cloth triangle".into());
     }
     if n >= u32::MAX as usize / 4 || scene.triangles.len() >= u32::MAX as usize / 4 {
-        return bad("too-large", format!("{n} vertices are over the limit of this solver"));
+        return bad(SceneFault::TooLarge, format!("{n} vertices are over the limit of this solver"));
     }
     finite("cloth", &scene.positions)?;
     materials(scene)?;
     triangles(scene)?;
     for (i, p) in scene.pins.iter().enumerate() {
         if p.vertex as usize >= n || !p.at.iter().all(|c| c.is_finite()) {
-            return bad("bad-pin", format!("pin {i} names vertex {} of {n} at {:?}", p.vertex, p.at.as_slice()));
+            return bad(SceneFault::Pin, format!("pin {i} names vertex {} of {n} at {:?}", p.vertex, p.at.as_slice()));
         }
     }
     for (i, l) in scene.loads.iter().enumerate() {
         if l.vertex as usize >= n || !l.force.iter().all(|c| c.is_finite()) {
-            return bad("bad-load", format!("load {i} names vertex {} of {n}", l.vertex));
+            return bad(SceneFault::Load, format!("load {i} names vertex {} of {n}", l.vertex));
         }
     }
     for (i, s) in scene.stitches.iter().enumerate() {
         if s.iter().any(|v| *v as usize >= n) {
-            return bad("bad-stitch", format!("stitch {i} names vertices {} and {} of {n}", s[0], s[1]));
+            return bad(SceneFault::Stitch, format!("stitch {i} names vertices {} and {} of {n}", s[0], s[1]));
         }
     }
     let filter = &scene.contact_filter.ignored;
@@ -38,17 +38,17 @@ pub(crate) fn scene(scene: &Scene) -> Result<(), ClothError> {
         return bad("bad-contact-filter", format!("a contact filter for {} of {n} vertices", filter.len()));
     }
     if !scene.layers.is_empty() && scene.layers.len() != n {
-        return bad("bad-layers", format!("{} layer numbers for {n} vertices", scene.layers.len()));
+        return bad(SceneFault::Layers, format!("{} layer numbers for {n} vertices", scene.layers.len()));
     }
     if !scene.gravity.iter().all(|c| c.is_finite() && c.abs() <= 1e6) {
-        return bad("bad-gravity", format!("gravity is {:?} m/s2", scene.gravity.as_slice()));
+        return bad(SceneFault::Gravity, format!("gravity is {:?} m/s2", scene.gravity.as_slice()));
     }
     body(scene)
 }
 
 fn finite(what: &str, positions: &[crate::Vec3]) -> Result<(), ClothError> {
     match positions.iter().position(|p| !p.iter().all(|c| c.is_finite() && c.abs() < 1e6)) {
-        Some(i) => bad("bad-position", format!("{what} vertex {i} is at {:?} m", positions[i].as_slice())),
+        Some(i) => bad(SceneFault::Position, format!("{what} vertex {i} is at {:?} m", positions[i].as_slice())),
         None => Ok(()),
     }
 }
@@ -58,16 +58,16 @@ fn triangles(scene: &Scene) -> Result<(), ClothError> {
     for (i, t) in scene.triangles.iter().enumerate() {
         let [a, b, c] = t.vertices;
         if t.vertices.iter().any(|v| *v as usize >= n) || a == b || b == c || a == c {
-            return bad("bad-triangle", format!("triangle {i} names vertices {a}, {b}, {c} of {n}"));
+            return bad(SceneFault::Triangle, format!("triangle {i} names vertices {a}, {b}, {c} of {n}"));
         }
         if t.material as usize >= scene.materials.len() {
-            return bad("bad-material", format!("triangle {i} names material {}", t.material));
+            return bad(SceneFault::Material, format!("triangle {i} names material {}", t.material));
         }
         let longest = (0..3).map(|k| t.rest_length(k)).fold(0.0, f64::max);
         let area = t.area().abs();
         if !area.is_finite() || area <= 1e-9 * longest * longest {
             return bad(
-                "flat-triangle",
+                SceneFault::FlatTriangle,
                 format!(
                     "rest triangle {i} has an area of {area:.3e} m2 on an edge of {:.3} mm, near {}",
                     longest * 1e3,
@@ -90,7 +90,7 @@ fn materials(scene: &Scene) -> Result<(), ClothError> {
         let positive = [("areal_mass", m.areal_mass), ("shear", m.shear)];
         for (name, v) in positive {
             if !(v.is_finite() && v > 0.0) {
-                return bad("bad-material", format!("material {i}: {name} is {v}, it must be > 0"));
+                return bad(SceneFault::Material, format!("material {i}: {name} is {v}, it must be > 0"));
             }
         }
         let not_negative = [
@@ -105,17 +105,20 @@ fn materials(scene: &Scene) -> Result<(), ClothError> {
         ];
         for (name, v) in not_negative {
             if !(v.is_finite() && v >= 0.0) {
-                return bad("bad-material", format!("material {i}: {name} is {v}, it must be ≥ 0"));
+                return bad(SceneFault::Material, format!("material {i}: {name} is {v}, it must be ≥ 0"));
             }
         }
         if !(0.0..1.0).contains(&m.poisson) {
-            return bad("bad-material", format!("material {i}: poisson is {}, it must be in 0 ≤ … < 1", m.poisson));
+            return bad(
+                SceneFault::Material,
+                format!("material {i}: poisson is {}, it must be in 0 ≤ … < 1", m.poisson),
+            );
         }
         if !m.warp.is_sound() || !m.weft.is_sound() {
-            return bad("bad-material", format!("material {i}: a stretch curve does not rise from (0, 0)"));
+            return bad(SceneFault::Material, format!("material {i}: a stretch curve does not rise from (0, 0)"));
         }
         if m.strain_limit.iter().any(|l| l.is_nan() || *l <= 0.0) {
-            return bad("bad-material", format!("material {i}: strain limits are {:?}", m.strain_limit));
+            return bad(SceneFault::Material, format!("material {i}: strain limits are {:?}", m.strain_limit));
         }
     }
     Ok(())
@@ -126,7 +129,7 @@ fn body(scene: &Scene) -> Result<(), ClothError> {
     finite("body", &b.positions)?;
     let n = b.positions.len();
     match b.triangles.iter().position(|t| t.iter().any(|v| *v as usize >= n)) {
-        Some(i) => bad("bad-body", format!("body triangle {i} names vertices {:?} of {n}", b.triangles[i])),
+        Some(i) => bad(SceneFault::Body, format!("body triangle {i} names vertices {:?} of {n}", b.triangles[i])),
         None => Ok(()),
     }
 }

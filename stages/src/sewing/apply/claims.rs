@@ -1,5 +1,6 @@
 //! Wedges whose legs a declared seam takes: a godet or an insert is sewn in, so the wedge is no dart.
 
+use crate::sewing::codes;
 use crate::sewing::lookup::{self, RawRun};
 use crate::sewing::ring::SAME;
 use crate::sewing::shapes::{Shapes, mm};
@@ -35,7 +36,7 @@ pub fn release(garment: &mut Garment, shapes: &Shapes, report: &mut Report) -> R
     for k in repeats.iter().rev() {
         let seam = garment.plan.seams.remove(*k);
         let message = format!("seam `{}` sews the two legs of a dart, which is sewn already", seam.name);
-        report.push(Diagnostic::info("seam-is-dart", message).at(seam.source));
+        report.push(Diagnostic::info(codes::SEAM_IS_DART, message).at(seam.source));
     }
     let released = !taken.is_empty();
     for (piece, dart) in taken.into_iter().rev() {
@@ -44,7 +45,7 @@ pub fn release(garment: &mut Garment, shapes: &Shapes, report: &mut Report) -> R
         let at = dart.apexes.first().map_or(String::new(), |a| format!(" at {}", mm(*a)));
         let message =
             format!("piece `{}`: wedge `{}`{at} has its legs in a declared seam and is no dart", p.name, dart.name);
-        report.push(Diagnostic::info("wedge-is-no-dart", message).at(dart.source));
+        report.push(Diagnostic::info(codes::WEDGE_IS_NO_DART, message).at(dart.source));
     }
     Ok(released)
 }

@@ -1,6 +1,7 @@
 //! Copies of drawn pieces, plain or mirrored.
 
 use super::number;
+use crate::sewing::codes;
 use crate::sewing::lookup;
 use toile_garment::outline::{OutlineEdge, PieceLine};
 use toile_garment::piece::Quantity;
@@ -24,7 +25,7 @@ pub fn copy(garment: &mut Garment, errors: &mut Vec<Diagnostic>) {
 fn one(garment: &Garment, spec: &CopySpec) -> Result<(Piece, Vec<EdgeNameSpec>), Diagnostic> {
     let source = &garment.pieces[lookup::piece(garment, &spec.piece, spec.source.as_ref())?.index()];
     if garment.pieces.iter().any(|p| p.name.eq_ignore_ascii_case(&spec.name)) {
-        return Err(Diagnostic::error("piece-name-taken", format!("there is a piece `{}` already", spec.name))
+        return Err(Diagnostic::error(codes::PIECE_NAME_TAKEN, format!("there is a piece `{}` already", spec.name))
             .at(spec.source.clone())
             .hint("give the copy another name"));
     }

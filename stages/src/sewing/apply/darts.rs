@@ -1,5 +1,7 @@
 //! Declared darts: added, overruled, denied.
 
+use crate::codes::OUTLINE_TOO_SMALL;
+use crate::sewing::codes;
 use crate::sewing::lookup;
 use crate::sewing::ring::Ring;
 use crate::sewing::shapes::mm;
@@ -36,7 +38,7 @@ fn one(piece: &mut Piece, spec: &DartSpec, report: &mut Report, errors: &mut Vec
             Some(k) => deny(piece, k),
             None => report.push(
                 Diagnostic::warning(
-                    "dart-to-deny-not-found",
+                    codes::DART_TO_DENY_NOT_FOUND,
                     format!("piece `{}` has no dart with its mouth at {}", piece.name, mm(spec.mouth[0])),
                 )
                 .at(spec.source.clone()),
@@ -105,11 +107,13 @@ fn dart(spec: &DartSpec, kind: DartKind, mouth: [Vec2; 2], legs: [Vec<Vec2>; 2],
 
 /// A wedge: in the outline where its apex is a point of it, else cut out of the cloth.
 fn wedge(piece: &mut Piece, spec: &DartSpec, old: Option<&Dart>) -> Result<Dart, Diagnostic> {
-    let apex =
-        *spec.apexes.first().ok_or_else(|| Diagnostic::error("dart-without-apex", "a wedge dart needs an apex"))?;
+    let apex = *spec
+        .apexes
+        .first()
+        .ok_or_else(|| Diagnostic::error(codes::DART_WITHOUT_APEX, "a wedge dart needs an apex"))?;
     let ring = Ring::from_line(&piece.outline.positions());
     if ring.points.len() < 3 {
-        return Err(Diagnostic::error("outline-too-small", format!("piece `{}` has no outline", piece.name)));
+        return Err(Diagnostic::error(OUTLINE_TOO_SMALL, format!("piece `{}` has no outline", piece.name)));
     }
     let (s, distance) = ring.project(apex);
     if distance <= ON_LINE {

@@ -7,6 +7,7 @@ mod names;
 
 use super::resolve::{find, placed};
 use super::shapes::{Shapes, shapes};
+use crate::codes::PIECE_UNKNOWN;
 use toile_garment::sewing::SewingPlan;
 use toile_garment::{Diagnostic, Garment, PieceId, Report};
 use toile_stage_api::StageError;
@@ -62,7 +63,7 @@ fn leave_out(garment: &mut Garment, errors: &mut Vec<Diagnostic>) {
         if garment.pieces.len() == before {
             let names: Vec<_> = garment.pieces.iter().map(|p| p.name.as_str()).collect();
             let message = format!("leave_out: no piece, material or category is called `{word}`");
-            errors.push(Diagnostic::error("piece-unknown", message).hint(super::lookup::nearest(word, &names)));
+            errors.push(Diagnostic::error(PIECE_UNKNOWN, message).hint(super::lookup::nearest(word, &names)));
         }
     }
     number(garment);

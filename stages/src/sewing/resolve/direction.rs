@@ -9,6 +9,7 @@ use super::super::lookup::RawRun;
 use super::super::ring::SAME;
 use super::super::shapes::{Shapes, mm};
 use super::{notches, side};
+use crate::sewing::codes;
 use toile_garment::sewing::SeamSpec;
 use toile_garment::{Diagnostic, Garment};
 
@@ -44,7 +45,7 @@ pub fn settle(
         if way_a == way_b && a.len() == 1 && b.len() == 1 {
             let message = format!("seam `{}` folds over: both sides are walked in the same sense", spec.name);
             notes.push(
-                Diagnostic::warning("seam-folds-over", message)
+                Diagnostic::warning(codes::SEAM_FOLDS_OVER, message)
                     .at(spec.source.clone())
                     .hint("swap from and to on one side, or write reverse = false if the pieces lie face to face"),
             );
@@ -191,7 +192,7 @@ fn both_readings(
         "seam `{}` {why}. One reading: {a0} meets {b0} and {a1} meets {b1}. The other: {a0} meets {b1} and {a1} meets {b0}",
         spec.name
     );
-    Diagnostic::error("seam-direction-ambiguous", message)
+    Diagnostic::error(codes::SEAM_DIRECTION_AMBIGUOUS, message)
         .at(spec.source.clone())
         .hint("give both sides by two points (a.from meets b.from), or state reverse = true or false")
 }

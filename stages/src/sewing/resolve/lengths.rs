@@ -1,5 +1,6 @@
 //! Differences in length: declared ease and gather, and what is over the limit.
 
+use crate::sewing::codes;
 use toile_garment::sewing::SeamSpec;
 use toile_garment::{Diagnostic, Report};
 
@@ -37,11 +38,11 @@ pub fn check(spec: &SeamSpec, a: f64, b: f64, limits: &Limits, report: &mut Repo
     }
     if difference.abs() > NOISE {
         let message = format!("seam `{}` eases {:.1} mm ({figures})", spec.name, difference.abs() * 1e3);
-        report.push(Diagnostic::info("seam-eased", message).at(spec.source.clone()));
+        report.push(Diagnostic::info(codes::SEAM_EASED, message).at(spec.source.clone()));
     }
     Ok(())
 }
 
 fn differ(spec: &SeamSpec, what: String) -> Diagnostic {
-    Diagnostic::error("seam-lengths-differ", format!("seam `{}` {what}", spec.name)).at(spec.source.clone())
+    Diagnostic::error(codes::SEAM_LENGTHS_DIFFER, format!("seam `{}` {what}", spec.name)).at(spec.source.clone())
 }

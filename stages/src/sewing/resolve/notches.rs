@@ -1,6 +1,7 @@
 //! Notches along a seam: which meets which.
 
 use super::side::Side;
+use crate::sewing::codes;
 use crate::sewing::shapes::Shapes;
 use toile_garment::sewing::SeamSpec;
 use toile_garment::{Diagnostic, Garment, Piece};
@@ -92,7 +93,7 @@ pub fn matched(
         y.len(),
         pairs.len()
     );
-    notes.push(Diagnostic::info("seam-notches-differ", message).at(spec.source.clone()));
+    notes.push(Diagnostic::info(codes::SEAM_NOTCHES_DIFFER, message).at(spec.source.clone()));
     pairs
 }
 

@@ -3,8 +3,10 @@
 use super::super::lookup::RawRun;
 use super::super::ring::SAME;
 use super::super::shapes::{Shapes, mm};
+use crate::codes::SEAM_TO_ITSELF;
+use crate::sewing::codes;
 use toile_garment::sewing::SeamSpec;
-use toile_garment::{Diagnostic, Garment, PieceId};
+use toile_garment::{Code, Diagnostic, Garment, PieceId};
 
 /// A stretch of a ring, without an intake inside.
 #[derive(Clone, Debug, PartialEq)]
@@ -75,7 +77,7 @@ pub fn side(garment: &Garment, shapes: &Shapes, spec: &SeamSpec, runs: &[RawRun]
                 let dart = piece.darts.get(gap.dart).map_or("", |d| d.name.as_str());
                 return Err(wrong(
                     spec,
-                    "seam-ends-in-dart",
+                    codes::SEAM_ENDS_IN_DART,
                     format!("ends at {} inside dart `{dart}` of piece `{}`", mm(ring.at(end)), piece.name),
                     "end it at a mouth point, or deny the dart with [[dart]] kind = \"none\"",
                 ));
@@ -85,7 +87,7 @@ pub fn side(garment: &Garment, shapes: &Shapes, spec: &SeamSpec, runs: &[RawRun]
         if spans.is_empty() {
             return Err(wrong(
                 spec,
-                "seam-without-length",
+                codes::SEAM_WITHOUT_LENGTH,
                 format!("has a run of no length on piece `{}` at {}", piece.name, mm(ring.at(run.from))),
                 "give two different points",
             ));
@@ -96,7 +98,7 @@ pub fn side(garment: &Garment, shapes: &Shapes, spec: &SeamSpec, runs: &[RawRun]
     Ok(out)
 }
 
-fn wrong(spec: &SeamSpec, code: &str, what: String, hint: &str) -> Diagnostic {
+fn wrong(spec: &SeamSpec, code: Code, what: String, hint: &str) -> Diagnostic {
     Diagnostic::error(code, format!("seam `{}` {what}", spec.name)).at(spec.source.clone()).hint(hint)
 }
 
@@ -149,7 +151,7 @@ pub fn check_not_itself(spec: &SeamSpec, a: &Side, b: &Side, shapes: &Shapes) ->
             if shared {
                 return Err(wrong(
                     spec,
-                    "seam-to-itself",
+                    SEAM_TO_ITSELF,
                     format!("has the same stretch of outline near {} on both sides", mm(ring.at(t0))),
                     "the two sides must be different stretches; a fold-over sews two neighbouring ones",
                 ));

@@ -1,0 +1,17 @@
+//! Codes of joining the meshes of pieces by their seams.
+
+use toile_garment::Code;
+
+codes! {
+    pub(crate) list CODES;
+
+    /// `max_ease` must be a share between 0 and 1. Exit code 2.
+    MAX_EASE = "max-ease";
+
+    /// The two sides of a seam have different numbers of mesh vertices. The mesh was not made for these seams; put
+    /// `triangulate` after the sewing file was read. Exit code 3.
+    SEAM_COUNTS_DIFFER = "seam-counts-differ";
+
+    /// A seam runs where the mesh has no edges. Exit code 3.
+    SEAM_NOT_IN_MESH = "seam-not-in-mesh";
+}

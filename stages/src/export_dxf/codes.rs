@@ -1,0 +1,13 @@
+//! Codes of writing flattened pieces as DXF.
+
+use toile_garment::Code;
+
+codes! {
+    pub(crate) list CODES;
+
+    /// The flattened positions do not belong to the piece's mesh or outline. Exit code 3.
+    FLAT_DOES_NOT_FIT = "flat-does-not-fit";
+
+    /// There are no flattened pieces to write. Put `flatten` before `export-dxf`, or set its `source` to "pattern".
+    FLAT_MISSING = "flat-missing";
+}

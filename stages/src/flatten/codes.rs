@@ -1,0 +1,41 @@
+//! Codes of flattening a garment to pieces.
+
+use toile_garment::Code;
+
+codes! {
+    pub(crate) list CODES;
+
+    /// A triangle has no area in 3D or in the stored piece, so it cannot be flattened. The message names the place.
+    /// Exit code 3.
+    FLATTEN_BAD_TRIANGLE = "flatten-bad-triangle";
+
+    /// The 3D shape was edited: the edit is carried into the pieces, and the strain of the drape stays in the cloth.
+    FLATTEN_CARRIED = "flatten-carried";
+
+    /// The garment has no drape or no meshes, so there is nothing to flatten. Exit code 3.
+    FLATTEN_NOTHING = "flatten-nothing";
+
+    /// An edit changed the length of one side of a seam alone. Each side keeps what the surface says; they no longer
+    /// match.
+    FLATTEN_ONE_SIDED = "flatten-one-sided";
+
+    /// Seams of the drape are open, so what is flattened is not the sewn garment.
+    FLATTEN_OPEN_SEAMS = "flatten-open-seams";
+
+    /// A parameter of `flatten` is outside its range. Exit code 2.
+    FLATTEN_PARAMETER = "flatten-parameter";
+
+    /// The strain of the cloth is not known, so the pieces get the lengths of the 3D surface as it is.
+    FLATTEN_SURFACE = "flatten-surface";
+
+    /// The 3D shape was not edited since the drape, so the pieces come back as they were; the strain of the drape stays
+    /// in the cloth.
+    FLATTEN_UNEDITED = "flatten-unedited";
+
+    /// Mesh, drape and the shape before the edit have different numbers of vertices. Exit code 3.
+    FLATTEN_VERTICES_DIFFER = "flatten-vertices-differ";
+
+    /// A piece cannot lie flat without strain beyond the limit; the message says where the dart would have to go that
+    /// cures it.
+    PIECE_NOT_DEVELOPABLE = "piece-not-developable";
+}

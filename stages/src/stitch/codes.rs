@@ -1,0 +1,38 @@
+//! Codes of placing pieces around a body and sewing them together.
+
+use toile_garment::Code;
+
+codes! {
+    pub(crate) list CODES;
+
+    /// The elastic share of an [[attach]] is not between 0 and 1.5. Exit code 2.
+    ATTACH_STRENGTH = "attach-strength";
+
+    /// The body has no section at the height an edge is attached to. Exit code 2.
+    ATTACH_TARGET_EMPTY = "attach-target-empty";
+
+    /// The body has no landmark or height of this name. The message lists them. Exit code 2.
+    ATTACH_TARGET_UNKNOWN = "attach-target-unknown";
+
+    /// The axis of a body segment has no length, so nothing can be placed around it. Exit code 3.
+    BODY_SEGMENT_FLAT = "body-segment-flat";
+
+    /// A [[place]] names a segment that the body does not have. The message lists them. Exit code 2.
+    BODY_SEGMENT_UNKNOWN = "body-segment-unknown";
+
+    /// Nothing says where a piece starts in 3D. Add a [[place]] for it to the sewing file. Exit code 2.
+    PIECE_NOT_PLACED = "piece-not-placed";
+
+    /// The body segment of a [[place]] lies level, so a height says nothing along it. Exit code 2.
+    PLACE_HEIGHT = "place-height";
+
+    /// A [[place]] names a side that is none of front, back, left, right. Exit code 2.
+    PLACE_SIDE_UNKNOWN = "place-side-unknown";
+
+    /// A seam did not close: something is in the way, or the pieces do not reach. Place them nearer to where they are
+    /// sewn. The drape joins what is open; its certificate says whether the cloth bears it.
+    SEAM_OPEN = "seam-open";
+
+    /// Vertices started inside the body and were pushed out before the first step.
+    START_REPAIRED = "start-repaired";
+}

@@ -1,0 +1,16 @@
+//! Codes of giving materials their look.
+
+use toile_garment::Code;
+
+codes! {
+    pub(crate) list CODES;
+
+    /// A colour is not written as # and six hexadecimal digits. Exit code 2.
+    COLOR = "color";
+
+    /// Two materials have the same name. Exit code 2.
+    MATERIAL_NAME = "material-name";
+
+    /// No piece uses this material; check its list of pieces.
+    MATERIAL_UNUSED = "material-unused";
+}
