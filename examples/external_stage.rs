@@ -18,7 +18,17 @@ use std::io::{Read as _, Write as _};
 use std::process::ExitCode;
 use toile::external::{Description, PROTOCOL, Request, StageDescription};
 use toile_garment::bundle::{FILE_NAME, from_text, to_text};
-use toile_garment::{Aspect, Diagnostic, Garment};
+use toile_garment::{Aspect, Code, Diagnostic, Garment};
+
+toile_garment::codes! {
+    pub(crate) list CODES;
+
+    /// The material of a piece was set.
+    MATERIAL_SET = "material-set";
+
+    /// The garment has no piece of this name. The hint lists the pieces.
+    UNKNOWN_PIECE = "unknown-piece";
+}
 
 const STAGE: &str = "acme.set-material";
 
@@ -121,12 +131,12 @@ fn work() -> Result<(), Failure> {
 fn set_material(garment: &mut Garment, params: Params) -> Result<(), Failure> {
     let names: Vec<String> = garment.pieces.iter().map(|p| p.name.clone()).collect();
     let piece = garment.pieces.iter_mut().find(|p| p.name == params.piece).ok_or_else(|| {
-        let finding = Diagnostic::error("unknown-piece", format!("there is no piece `{}`", params.piece));
+        let finding = Diagnostic::error(UNKNOWN_PIECE, format!("there is no piece `{}`", params.piece));
         Failure::Rejected(Box::new(finding.hint(format!("the pieces are {}", names.join(", ")))))
     })?;
     let old = piece.material.replace(params.material.clone()).unwrap_or_else(|| "none".to_owned());
     let message = format!("the material of `{}` was {old} and is now {}", params.piece, params.material);
-    print_line("diagnostic", &json!(Diagnostic::info("material-set", message)));
+    print_line("diagnostic", &json!(Diagnostic::info(MATERIAL_SET, message)));
     Ok(())
 }
 

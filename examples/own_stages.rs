@@ -4,8 +4,15 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use toile_garment::{Aspect, Diagnostic, Garment};
+use toile_garment::{Aspect, Code, Diagnostic, Garment};
 use toile_stage_api::{Stage, StageContext, StageError, StageInfo};
+
+toile_garment::codes! {
+    pub(crate) list CODES;
+
+    /// The text was written on every piece.
+    ANNOTATED = "annotated";
+}
 
 /// Writes a text on every piece.
 struct Annotate;
@@ -32,7 +39,7 @@ impl Stage for Annotate {
             piece.annotation = Some(params.text.clone());
         }
         let message = format!("{} pieces annotated", garment.pieces.len());
-        cx.report.push(Diagnostic::info("annotated", message));
+        cx.report.push(Diagnostic::info(ANNOTATED, message));
         Ok(garment)
     }
 }

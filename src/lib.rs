@@ -1,6 +1,10 @@
 //! The engine and command line of toile: reads a pipeline, checks the whole chain, runs it, writes outputs and the
 //! record of the run. It knows stages only through a [`Registry`](toile_stage_api::Registry).
 
+#[macro_use]
+#[path = "../formats/garment/src/code_list.rs"]
+mod code_list;
+
 pub mod cli;
 pub mod codes;
 pub mod engine;

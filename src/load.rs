@@ -1,7 +1,9 @@
 //! From a file name to a checked chain: what `run`, `check` and `plan` have in common.
 
 mod accuracy;
+pub(crate) mod codes;
 
+use crate::codes::FILE_MISSING;
 use crate::engine::{Exit, Gate, Stop, check_paths, clean, read_limited};
 use crate::external;
 use crate::pipeline::{self, MAX_BYTES, Pipeline, SourceText, Tuning};
@@ -66,13 +68,13 @@ fn open(request: &Request) -> Result<SourceText, Vec<Diagnostic>> {
     let name = clean(&request.file);
     let at = |d: Diagnostic| vec![d.at(SourceRef::file(name.clone()))];
     if !request.file.is_file() {
-        return Err(at(Diagnostic::error("file-missing", format!("there is no pipeline file `{name}`"))));
+        return Err(at(Diagnostic::error(FILE_MISSING, format!("there is no pipeline file `{name}`"))));
     }
     let bytes = read_limited(&request.file, &request.file, MAX_BYTES)
         .map_err(|e| crate::engine::of_file_error(&e).0.into_iter().flat_map(&at).collect::<Vec<_>>())?;
     let text = String::from_utf8(bytes).map_err(|e| {
         let message = format!("the pipeline is no UTF-8 text: byte {} is wrong", e.utf8_error().valid_up_to());
-        at(Diagnostic::error("not-text", message).hint("save it as UTF-8"))
+        at(Diagnostic::error(codes::NOT_TEXT, message).hint("save it as UTF-8"))
     })?;
     Ok(SourceText::new(name, text, request.set.clone()))
 }

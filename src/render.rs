@@ -79,27 +79,27 @@ pub fn findings_json(findings: &[Diagnostic]) -> Value {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::codes::WRONG_VALUE;
     use toile_garment::SourceRef;
 
     #[test]
     fn floods_are_counted() {
-        let many: Vec<Diagnostic> =
-            (0..100).map(|i| Diagnostic::warning("flat-triangle", format!("triangle {i}"))).collect();
+        let many: Vec<Diagnostic> = (0..100).map(|i| Diagnostic::warning(WRONG_VALUE, format!("value {i}"))).collect();
         let text = findings_text(&many, None);
         assert_eq!(text.lines().count(), MAX_PER_CODE + 1);
-        assert!(text.contains("… and 95 more of `flat-triangle`"));
+        assert!(text.contains("… and 95 more of `wrong-value`"));
     }
 
     #[test]
     fn names_from_files_cannot_steer_a_terminal() {
-        let finding = Diagnostic::error("x", "piece \u{1b}[2J");
+        let finding = Diagnostic::error(WRONG_VALUE, "piece \u{1b}[2J");
         assert!(!finding_line(&finding).contains('\u{1b}'));
     }
 
     #[test]
     fn shows_the_line_it_points_at() {
         let place = SourceRef { file: "p.toml".into(), line: Some(2), column: Some(5), ..SourceRef::default() };
-        let finding = Diagnostic::error("x", "wrong").at(place).hint("right");
+        let finding = Diagnostic::error(WRONG_VALUE, "wrong").at(place).hint("right");
         let text = findings_text(&[finding], Some(("p.toml", "a\nb = c\n")));
         assert!(text.contains("p.toml:2:5\n    | b = c\n    |     ^\n  help: right"), "{text}");
     }

@@ -1,15 +1,18 @@
 //! `toile body`: a body from measures, as OBJ with its side file.
 
 use super::args::BodyArgs;
+use super::codes;
 use super::console::Console;
 use super::flatten::{is_free, write_result};
+use crate::codes::{SET_FORM, WRONG_VALUE};
 use crate::engine::Exit;
 use crate::pipeline::remedy;
 use std::fmt::Write as _;
 use std::path::Path;
 use toile_formats::body::write;
-use toile_garment::Diagnostic;
+use toile_formats::codes::SIZE_NOT_FOUND;
 use toile_garment::units::Length;
+use toile_garment::{Code, Diagnostic};
 use toile_stages::body::{BodyMeasures, SIZES, parametric};
 
 pub(super) fn run(args: &BodyArgs, console: &mut Console<'_>) -> Exit {
@@ -40,14 +43,14 @@ fn measures(args: &BodyArgs, out: &Path) -> Result<BodyMeasures, Vec<Diagnostic>
     let mut wrong = Vec::new();
     if !out.extension().is_some_and(|e| e.eq_ignore_ascii_case("obj")) {
         let message = format!("`{}` is no name for a mesh", crate::engine::clean(out));
-        wrong.push(Diagnostic::error("wrong-value", message).hint("name it FILE.obj; the side file is FILE.toml"));
+        wrong.push(Diagnostic::error(WRONG_VALUE, message).hint("name it FILE.obj; the side file is FILE.toml"));
     }
     let label = args.size.as_deref().unwrap_or("38");
     let mut measures = BodyMeasures::size(label).unwrap_or_else(|| {
         let labels: Vec<&str> = SIZES.iter().map(|(l, _)| *l).collect();
         let message = format!("there is no body of size `{label}`");
         let hint = format!("sizes are {}; others are made with --set", labels.join(", "));
-        wrong.push(Diagnostic::error("size-not-found", message).hint(hint));
+        wrong.push(Diagnostic::error(SIZE_NOT_FOUND, message).hint(hint));
         BodyMeasures::default()
     });
     for set in &args.set {
@@ -62,21 +65,21 @@ fn measures(args: &BodyArgs, out: &Path) -> Result<BodyMeasures, Vec<Diagnostic>
 }
 
 fn apply(measures: &mut BodyMeasures, set: &str) -> Result<(), Box<Diagnostic>> {
-    let error = |code: &str, message: String, hint: String| Box::new(Diagnostic::error(code, message).hint(hint));
+    let error = |code: Code, message: String, hint: String| Box::new(Diagnostic::error(code, message).hint(hint));
     let Some((name, text)) = set.split_once('=') else {
         let message = format!("`--set {set}` is not MEASURE=LENGTH");
-        return Err(error("set-form", message, "e.g. --set waist_girth=\"700 mm\"".to_owned()));
+        return Err(error(SET_FORM, message, "e.g. --set waist_girth=\"700 mm\"".to_owned()));
     };
     let (name, text) = (name.trim(), text.trim().trim_matches('"'));
-    let length: Length = text.parse().map_err(|e| {
-        error("wrong-value", format!("{name}: {e}"), "write a number and a unit, e.g. 700 mm".to_owned())
-    })?;
+    let length: Length = text
+        .parse()
+        .map_err(|e| error(WRONG_VALUE, format!("{name}: {e}"), "write a number and a unit, e.g. 700 mm".to_owned()))?;
     if measures.set(name, length.0) {
         return Ok(());
     }
     let known = measures.entries();
     let hint = remedy(name, known.iter().map(|(known, _)| *known));
-    Err(error("unknown-measure", format!("a body has no measure `{name}`"), hint))
+    Err(error(codes::UNKNOWN_MEASURE, format!("a body has no measure `{name}`"), hint))
 }
 
 /// Sizes side by side, one measure a line.

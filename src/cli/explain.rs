@@ -9,15 +9,16 @@ use crate::pipeline::remedy;
 pub(super) fn run(args: &ExplainArgs, console: &mut Console<'_>) -> Exit {
     let Some(name) = &args.code else {
         for code in codes::all() {
-            console.result(&format!("{}\n", code.code));
+            console.result(&format!("{}\n", code.name()));
         }
         return Exit::Good;
     };
     if let Some(code) = codes::find(name) {
-        console.result(&format!("{}\n\n{}\n", code.code, code.text));
+        console.result(&format!("{}\n\n{}\n", code.name(), code.text()));
         return Exit::Good;
     }
-    let hint = remedy(name, codes::all().iter().map(|c| c.code));
+    let all = codes::all();
+    let hint = remedy(name, all.iter().map(|c| c.name()));
     console.say(&format!("there is no code `{}`\n  help: {hint}\n", crate::render::safe(name)));
     Exit::Usage
 }

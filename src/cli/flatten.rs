@@ -1,7 +1,9 @@
 //! `toile flatten GARMENT`: 3D → 2D from the garment's file alone, by the same stages a pipeline uses.
 
 use super::args::FlattenArgs;
+use super::codes;
 use super::console::Console;
+use crate::codes::NEEDS_NOT_GIVEN;
 use crate::engine::{Exit, MAX_INPUT, Stop, clean, of_file_error, of_stage_error, read_limited, write_whole};
 use crate::progress::Teller;
 use std::collections::BTreeMap;
@@ -57,7 +59,7 @@ fn read(path: &Path, report: &mut Report) -> Result<Garment, Vec<Diagnostic>> {
     let name = clean(path);
     let no_reader = || {
         let hint = "give a GLB that `export-gltf` wrote, or a garment document";
-        vec![Diagnostic::error("no-reader", format!("`{name}` is no garment file")).hint(hint)]
+        vec![Diagnostic::error(codes::NO_READER, format!("`{name}` is no garment file")).hint(hint)]
     };
     let (_, reader) = reader.ok_or_else(no_reader)?;
     reader(&bytes, &name, report).map_err(|finding| vec![finding])
@@ -71,7 +73,7 @@ fn from_glb(bytes: &[u8], name: &str, report: &mut Report) -> Result<Garment, Di
 
 fn from_bundle(bytes: &[u8], name: &str, _: &mut Report) -> Result<Garment, Diagnostic> {
     garment_from_bundle(bytes)
-        .map_err(|message| Diagnostic::error("garment-file", message).at(SourceRef::file(name.to_owned())))
+        .map_err(|message| Diagnostic::error(codes::GARMENT_FILE, message).at(SourceRef::file(name.to_owned())))
 }
 
 /// Reads a garment document.
@@ -162,7 +164,7 @@ fn run_stage(
     let ready = stage.configure(params).map_err(|e| StageError::Internal(e.message().to_owned()))?;
     if let Some(need) = ready.info().needs.iter().find(|n| !garment.has(**n)) {
         let message = format!("the garment holds no {}, which `{name}` needs", crate::pipeline::word(*need));
-        return Err(StageError::input(Diagnostic::error("needs-not-given", message)));
+        return Err(StageError::input(Diagnostic::error(NEEDS_NOT_GIVEN, message)));
     }
     let mut cx = StageContext {
         report,

@@ -5,6 +5,7 @@ mod meshes;
 mod pattern;
 
 use super::args::InspectArgs;
+use super::codes;
 use super::console::Console;
 use crate::engine::{Exit, MAX_INPUT, of_file_error, read_limited};
 use serde_json::Value;
@@ -86,7 +87,7 @@ fn find(file: &Path, bytes: &[u8]) -> Option<&'static Form> {
 
 fn no_reader(name: &str) -> Diagnostic {
     let endings: Vec<&str> = FORMS.iter().flat_map(|f| f.endings).copied().collect();
-    Diagnostic::error("no-reader", format!("`{name}` is of no form that can be inspected"))
+    Diagnostic::error(codes::NO_READER, format!("`{name}` is of no form that can be inspected"))
         .hint(format!("known endings are {}", endings.join(", ")))
 }
 

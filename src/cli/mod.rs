@@ -3,6 +3,7 @@
 mod args;
 mod body;
 mod check;
+pub(crate) mod codes;
 mod completions;
 mod console;
 mod explain;

@@ -2,6 +2,7 @@
 
 use super::args::RunArgs;
 use super::console::Console;
+use crate::codes::WRITE_FAILED;
 use crate::engine::{self, Exit, Outcome, RunOptions, Stop, clean, default_out};
 use crate::load::{self, Loaded};
 use crate::progress::{Teller, Voice};
@@ -69,7 +70,7 @@ fn open_events(args: &RunArgs) -> Result<Option<Box<dyn Write + Send>>, Vec<Diag
         Err(error) => {
             let message = format!("cannot write events to `{}`: {error}", clean(path));
             let hint = "choose another file, or pass --force to replace it";
-            Err(vec![Diagnostic::error("write-failed", message).hint(hint)])
+            Err(vec![Diagnostic::error(WRITE_FAILED, message).hint(hint)])
         }
     }
 }

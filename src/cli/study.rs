@@ -1,7 +1,9 @@
 //! `toile study`: what accuracy costs in time, for one garment.
 
 use super::args::StudyArgs;
+use super::codes;
 use super::console::Console;
+use crate::codes::{PATH_REFUSED, UNKNOWN_VALUE, WRITE_FAILED, WRONG_VALUE};
 use crate::engine::{Exit, Stop, clean, write_whole};
 use crate::load;
 use crate::pipeline::knob;
@@ -55,7 +57,8 @@ fn study(args: &StudyArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &
     let head = Head { pipeline: chain.name, threads, wanted_mm: wanted, left_out: runs.left_out };
     let Some(study) = report(head, runs.ran) else {
         let message = "no setting gave a drape; nothing can be compared".to_owned();
-        let finding = Diagnostic::error("study-empty", message).hint("`toile run` with the same pipeline says why");
+        let finding =
+            Diagnostic::error(codes::STUDY_EMPTY, message).hint("`toile run` with the same pipeline says why");
         return Err(Halt { findings: vec![finding], source: None, exit: Exit::Unstable });
     };
     write(&study, &out)?;
@@ -159,7 +162,7 @@ fn words<T: DeserializeOwned>(texts: &[String], option: &str, own: Vec<T>) -> Re
     }
     let read = |text: &String| {
         serde_json::from_value(serde_json::Value::String(text.clone())).map_err(|e| {
-            Diagnostic::error("unknown-value", format!("{option}: {e}")).hint("`toile stages drape` lists the words")
+            Diagnostic::error(UNKNOWN_VALUE, format!("{option}: {e}")).hint("`toile stages drape` lists the words")
         })
     };
     texts.iter().map(read).collect()
@@ -167,7 +170,7 @@ fn words<T: DeserializeOwned>(texts: &[String], option: &str, own: Vec<T>) -> Re
 
 /// A length in mm.
 fn length(text: &str, option: &str) -> Result<f64, Diagnostic> {
-    let wrong = |why: String| Diagnostic::error("wrong-value", format!("{option}: {why}")).hint("write e.g. \"12 mm\"");
+    let wrong = |why: String| Diagnostic::error(WRONG_VALUE, format!("{option}: {why}")).hint("write e.g. \"12 mm\"");
     millimetres(text).map_err(wrong)
 }
 
@@ -184,7 +187,7 @@ fn check_folder(out: &Path, name: &str) -> Result<(), Diagnostic> {
         return Ok(());
     }
     let message = format!("`{}` holds a `{}` that is not of a study of {name}", clean(out), FILES[0]);
-    Err(Diagnostic::error("path-refused", message).hint("choose another folder with --out"))
+    Err(Diagnostic::error(PATH_REFUSED, message).hint("choose another folder with --out"))
 }
 
 fn json(study: &Study) -> String {
@@ -195,10 +198,7 @@ fn write(study: &Study, out: &Path) -> Result<(), Halt> {
     let texts = [json(study), chart::svg(study), page::html(study), table::markdown(study)];
     for (name, text) in FILES.iter().zip(texts) {
         write_whole(&out.join(name), text.as_bytes()).map_err(|e| Halt {
-            findings: vec![Diagnostic::error(
-                "write-failed",
-                format!("cannot write `{}`: {e}", clean(&out.join(name))),
-            )],
+            findings: vec![Diagnostic::error(WRITE_FAILED, format!("cannot write `{}`: {e}", clean(&out.join(name))))],
             source: None,
             exit: Exit::System,
         })?;

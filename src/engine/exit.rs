@@ -1,6 +1,9 @@
 //! Exit codes: whose fault it was.
 
-use toile_garment::Diagnostic;
+use super::codes;
+use crate::codes::{FILE_MISSING, PATH_REFUSED, WRITE_FAILED};
+use toile_formats::codes::FILE_TOO_LARGE;
+use toile_garment::{Code, Diagnostic};
 use toile_stage_api::{FileError, StageError};
 
 /// How a run ended; the number is the exit code.
@@ -48,7 +51,7 @@ impl Exit {
     #[must_use]
     pub fn of_findings(findings: &[Diagnostic]) -> Self {
         let errors = || findings.iter().filter(|f| f.severity == toile_garment::Severity::Error);
-        let is_input = |f: &Diagnostic| matches!(f.code.as_str(), "file-missing" | "file-too-large" | "not-a-file");
+        let is_input = |f: &Diagnostic| f.code == FILE_MISSING || f.code == FILE_TOO_LARGE;
         if errors().next().is_none() {
             Self::Good
         } else if errors().all(is_input) {
@@ -62,16 +65,16 @@ impl Exit {
 /// Findings and exit code of a stage's failure.
 #[must_use]
 pub fn of_stage_error(error: StageError) -> (Vec<Diagnostic>, Exit) {
-    let one = |code: &str, message: String, exit| (vec![Diagnostic::error(code, message)], exit);
+    let one = |code: Code, message: String, exit| (vec![Diagnostic::error(code, message)], exit);
     match error {
         StageError::Input(findings) => (findings, Exit::Input),
         StageError::Parameter(findings) => (findings, Exit::Usage),
-        StageError::Unsupported(_) => one("unsupported", error.to_string(), Exit::Input),
-        StageError::Limit(text) => one("limit", text, Exit::Input),
-        StageError::Unstable(text) => one("unstable", text, Exit::Unstable),
+        StageError::Unsupported(_) => one(codes::UNSUPPORTED, error.to_string(), Exit::Input),
+        StageError::Limit(text) => one(codes::LIMIT, text, Exit::Input),
+        StageError::Unstable(text) => one(codes::UNSTABLE, text, Exit::Unstable),
         StageError::File(error) => of_file_error(&error),
         StageError::Cancelled => (Vec::new(), Exit::Stopped),
-        other => one("internal-error", other.to_string(), Exit::System),
+        other => one(codes::INTERNAL_ERROR, other.to_string(), Exit::System),
     }
 }
 
@@ -79,10 +82,10 @@ pub fn of_stage_error(error: StageError) -> (Vec<Diagnostic>, Exit) {
 #[must_use]
 pub fn of_file_error(error: &FileError) -> (Vec<Diagnostic>, Exit) {
     let (code, exit) = match error {
-        FileError::Refused { .. } => ("path-refused", Exit::Usage),
-        FileError::Missing { .. } => ("file-missing", Exit::Input),
-        FileError::TooLarge { .. } => ("file-too-large", Exit::Input),
-        _ => ("write-failed", Exit::System),
+        FileError::Refused { .. } => (PATH_REFUSED, Exit::Usage),
+        FileError::Missing { .. } => (FILE_MISSING, Exit::Input),
+        FileError::TooLarge { .. } => (FILE_TOO_LARGE, Exit::Input),
+        _ => (WRITE_FAILED, Exit::System),
     };
     (vec![Diagnostic::error(code, error.to_string())], exit)
 }

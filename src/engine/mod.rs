@@ -1,5 +1,6 @@
 //! Runs a chain: files through the gate, outputs whole or not at all, provenance, stopping, the record of the run.
 
+pub(crate) mod codes;
 mod exit;
 mod files;
 mod foresight;

@@ -1,6 +1,8 @@
 //! Checks of files before any work: inputs are there and allowed, outputs differ from each other.
 
+use super::codes;
 use super::gate::{Gate, output_below};
+use crate::codes::{FILE_MISSING, PATH_REFUSED};
 use crate::pipeline::{PathText, Step, nearest};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -30,11 +32,11 @@ pub fn check_paths(steps: &[Step<'_>], gate: &Gate, report: &mut Report) {
     let mut seen: BTreeMap<String, SourceRef> = BTreeMap::new();
     for output in steps.iter().flat_map(|s| &s.paths).filter(|p| p.is_output()) {
         match output_below(Path::new(&output.text)) {
-            Err(error) => report.push(Diagnostic::error("path-refused", error.to_string()).at(output.place.clone())),
+            Err(error) => report.push(Diagnostic::error(PATH_REFUSED, error.to_string()).at(output.place.clone())),
             Ok(below) => {
                 if let Some(first) = seen.insert(below.to_string_lossy().to_lowercase(), output.place.clone()) {
                     let message = format!("two outputs are called `{}`; the other stands at {first}", output.text);
-                    let finding = Diagnostic::error("outputs-collide", message);
+                    let finding = Diagnostic::error(codes::OUTPUTS_COLLIDE, message);
                     report.push(finding.at(output.place.clone()).hint("give each output its own name"));
                 }
             }
@@ -56,9 +58,9 @@ fn input_finding(gate: &Gate, input: &PathText, error: &FileError, folders: &mut
                 || "paths are relative to the pipeline file".to_owned(),
                 |near| format!("did you mean `{near}`? Paths are relative to the pipeline file"),
             );
-            Diagnostic::error("file-missing", error.to_string()).at(input.place.clone()).hint(hint)
+            Diagnostic::error(FILE_MISSING, error.to_string()).at(input.place.clone()).hint(hint)
         }
-        _ => Diagnostic::error("path-refused", error.to_string())
+        _ => Diagnostic::error(PATH_REFUSED, error.to_string())
             .at(input.place.clone())
             .hint("paths are relative to the pipeline file and stay in its project; see --allow-read DIR"),
     }

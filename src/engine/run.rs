@@ -1,5 +1,6 @@
 //! Runs a checked chain.
 
+use super::codes;
 use super::exit::{Exit, of_file_error, of_stage_error};
 use super::files::RunFiles;
 use super::gate::{Gate, output_below, refused};
@@ -258,7 +259,7 @@ impl<'a> Run<'a> {
             certificate.body_crossings,
         );
         let hint = "the outputs are written for looking at; `limits` in run.json says what was asked";
-        self.report.push(Diagnostic::error("certificate-failed", message).hint(hint));
+        self.report.push(Diagnostic::error(codes::CERTIFICATE_FAILED, message).hint(hint));
         self.tell_findings();
         Exit::Gate
     }

@@ -1,5 +1,6 @@
 //! The forecast of a stage in another program: `PROGRAM forecast`, since protocol 2.
 
+use super::codes;
 use super::protocol::Line;
 use super::stage::{Desk, Ready};
 use toile_garment::bundle::FILE_NAME;
@@ -19,7 +20,7 @@ pub(super) fn ask(
     let sound = |x: f64| x.is_finite() && x >= 0.0;
     let size = |m: MeshSize| sound(m.triangles) && sound(m.edge);
     if !(seconds.is_none_or(sound) && sound(mb) && mesh.is_none_or(size)) {
-        return Err(stage.input("plugin-protocol", "its forecast has a number below 0".to_owned()));
+        return Err(stage.input(codes::PLUGIN_PROTOCOL, "its forecast has a number below 0".to_owned()));
     }
     let left = desk.output.join(FILE_NAME);
     if std::fs::symlink_metadata(&left).is_ok() {

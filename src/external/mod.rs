@@ -4,6 +4,7 @@
 //! comes back as a bundle folder, progress and findings come as JSON lines on stdout. `PROGRAM forecast`, since protocol 2,
 //! reads the same request and tells what the work will need. Exit code 0: done, 1: failed, 2: garment rejected.
 
+pub(crate) mod codes;
 mod forecast;
 mod process;
 mod protocol;
@@ -45,7 +46,7 @@ pub fn connect(
             let command = plugin.command.join(" ");
             let message = format!("the pipeline wants to run the program `{command}` as plugin `{}`", plugin.name);
             let hint = format!("if you trust it, pass --allow-run {}", plugin.name);
-            report.push(document.source.error("plugin-needs-consent", &plugin.span, message).hint(hint));
+            report.push(document.source.error(codes::PLUGIN_NEEDS_CONSENT, &plugin.span, message).hint(hint));
             continue;
         }
         let program = Program::new(plugin, folder, Arc::clone(stop));
@@ -53,13 +54,13 @@ pub fn connect(
             Ok(stages) => {
                 for stage in stages {
                     if let Err(error) = registry.add(Box::new(stage)) {
-                        report.push(document.source.error("plugin-protocol", &plugin.span, error.to_string()));
+                        report.push(document.source.error(codes::PLUGIN_PROTOCOL, &plugin.span, error.to_string()));
                     }
                 }
             }
             Err(error) => {
                 let message = format!("plugin `{}`: {error}", plugin.name);
-                let finding = document.source.error("plugin-protocol", &plugin.span, message);
+                let finding = document.source.error(codes::PLUGIN_PROTOCOL, &plugin.span, message);
                 report.push(finding.hint("run the program by hand with the argument `describe`"));
             }
         }

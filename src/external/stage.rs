@@ -1,5 +1,6 @@
 //! A stage of another program, behind the same trait as the built-in ones.
 
+use super::codes;
 use super::forecast;
 use super::process::{Ended, ProcessError, Program};
 use super::protocol::{Description, Line, OLDEST_PROTOCOL, PROTOCOL, Request, StageDescription};
@@ -9,7 +10,7 @@ use serde::Deserialize as _;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use toile_garment::bundle::{FILE_NAME, from_text, to_text};
-use toile_garment::{Diagnostic, Garment, Report};
+use toile_garment::{Code, Diagnostic, Garment, Report};
 use toile_stage_api::{AnyStage, Cost, Forecast, Knob, MeshSize, ReadyStage, StageContext, StageError, StageInfo};
 
 /// Most stages of one program.
@@ -200,7 +201,7 @@ impl Ready<'_> {
             });
         let ended = ended.map_err(|e| self.process_error(&e))?;
         match wrong {
-            Some(wrong) => Err(self.input("plugin-protocol", wrong)),
+            Some(wrong) => Err(self.input(codes::PLUGIN_PROTOCOL, wrong)),
             None => self.judge(&ended, rejections),
         }
     }
@@ -211,13 +212,14 @@ impl Ready<'_> {
             Some(0 | 2) => {
                 if rejections.is_empty() {
                     let message = format!("`{}` rejected the garment without saying why", self.stage.info.name);
-                    rejections.push(Diagnostic::error("plugin-rejected", message));
+                    rejections.push(Diagnostic::error(codes::PLUGIN_REJECTED, message));
                 }
                 Err(StageError::Input(rejections))
             }
             _ => {
                 let said = if ended.stderr.is_empty() { String::new() } else { format!("; it said: {}", ended.stderr) };
-                rejections.push(Diagnostic::error("plugin-failed", format!("it ended with {}{said}", ended.status)));
+                rejections
+                    .push(Diagnostic::error(codes::PLUGIN_FAILED, format!("it ended with {}{said}", ended.status)));
                 Err(StageError::Input(rejections))
             }
         }
@@ -226,29 +228,31 @@ impl Ready<'_> {
     fn process_error(&self, error: &ProcessError) -> StageError {
         match error {
             ProcessError::Stopped => StageError::Cancelled,
-            other => self.input("plugin-failed", other.to_string()),
+            other => self.input(codes::PLUGIN_FAILED, other.to_string()),
         }
     }
 
     pub(super) fn read_back(&self, path: &Path) -> Result<Garment, StageError> {
         let real = std::fs::symlink_metadata(path).is_ok_and(|m| m.is_file());
         if !real {
-            return Err(self.input("plugin-protocol", format!("it wrote no {FILE_NAME} into its output folder")));
+            return Err(self.input(codes::PLUGIN_PROTOCOL, format!("it wrote no {FILE_NAME} into its output folder")));
         }
         let bytes = read_limited(Path::new(FILE_NAME), path, MAX_INPUT)?;
-        let text = String::from_utf8(bytes).map_err(|e| self.input("plugin-protocol", e.to_string()))?;
-        from_text(&text).map_err(|e| self.input("plugin-protocol", e.to_string()))
+        let text = String::from_utf8(bytes).map_err(|e| self.input(codes::PLUGIN_PROTOCOL, e.to_string()))?;
+        from_text(&text).map_err(|e| self.input(codes::PLUGIN_PROTOCOL, e.to_string()))
     }
 
     fn check_gives(&self, garment: &Garment) -> Result<(), StageError> {
         let missing = self.stage.info.gives.iter().find(|a| !garment.has(**a));
         match missing {
-            Some(aspect) => Err(self.input("plugin-protocol", format!("it promised {aspect:?} and did not give it"))),
+            Some(aspect) => {
+                Err(self.input(codes::PLUGIN_PROTOCOL, format!("it promised {aspect:?} and did not give it")))
+            }
             None => Ok(()),
         }
     }
 
-    pub(super) fn input(&self, code: &str, message: String) -> StageError {
+    pub(super) fn input(&self, code: Code, message: String) -> StageError {
         StageError::input(Diagnostic::error(code, format!("plugin stage `{}`: {message}", self.stage.info.name)))
     }
 }

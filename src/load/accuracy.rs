@@ -1,6 +1,8 @@
 //! What an asked accuracy means for a chain.
 
 use super::Request;
+use super::codes;
+use crate::codes::WRONG_VALUE;
 use crate::engine::read_limited;
 use crate::pipeline::{Document, Tuning, knob, turned_by};
 use crate::study::Study;
@@ -40,7 +42,7 @@ fn choose(
     report: &mut Report,
 ) -> Result<(Choice, Diagnostic), Diagnostic> {
     let wanted = Wanted::read(text).map_err(|why| {
-        Diagnostic::error("wrong-value", format!("accuracy: {why}")).hint("write e.g. accuracy = \"2 mm\"")
+        Diagnostic::error(WRONG_VALUE, format!("accuracy: {why}")).hint("write e.g. accuracy = \"2 mm\"")
     })?;
     needs_knobs(document, registry)?;
     let file = request.file.with_extension("study.json");
@@ -48,7 +50,7 @@ fn choose(
     let choice =
         wanted.choose(study.as_ref()).map_err(|Refusal::OutOfReach(least)| refusal(text, least, study.is_some()))?;
     let words = words(text, &choice, &file);
-    Ok((choice, Diagnostic::info("accuracy-chosen", words)))
+    Ok((choice, Diagnostic::info(codes::ACCURACY_CHOSEN, words)))
 }
 
 /// Refuses a chain in which no stage has a knob for the mesh, or none for the rest. Where a stage is unknown, nobody can tell.
@@ -63,7 +65,7 @@ fn needs_knobs(document: &Document<'_>, registry: &Registry) -> Result<(), Diagn
             let message = format!("an accuracy is a choice of mesh and drape, but the chain has no `{stage}`");
             let (drape, key) = turned_by(registry, Meaning::Tolerance);
             let hint = format!("leave it out; `with.{key}` of `{drape}` alone says how near to rest a drape is led");
-            return Err(Diagnostic::error("accuracy-no-stage", message).hint(hint));
+            return Err(Diagnostic::error(codes::ACCURACY_NO_STAGE, message).hint(hint));
         }
     }
     Ok(())
@@ -77,7 +79,7 @@ fn stored(file: &Path, document: &Document<'_>, report: &mut Report) -> Option<S
     let name = name_of(file);
     let unfit = |why: String| {
         let message = format!("`{name}` is not used: {why}; the accuracy comes from the presets");
-        Diagnostic::warning("study-unfit", message).hint("make it anew with `toile study`")
+        Diagnostic::warning(codes::STUDY_UNFIT, message).hint("make it anew with `toile study`")
     };
     let read = read_limited(file, file, MAX_STUDY).map_err(|e| unfit(e.to_string()));
     let study = read.and_then(|bytes| serde_json::from_slice::<Study>(&bytes).map_err(|e| unfit(e.to_string())));
@@ -98,7 +100,7 @@ fn refusal(text: &str, least: f64, studied: bool) -> Diagnostic {
     } else {
         "ask for less, or let `toile study` find what this garment needs and put its study.json beside the pipeline as NAME.study.json"
     };
-    Diagnostic::error("accuracy-out-of-reach", message).hint(hint)
+    Diagnostic::error(codes::ACCURACY_OUT_OF_REACH, message).hint(hint)
 }
 
 fn words(text: &str, choice: &Choice, file: &Path) -> String {

@@ -1,5 +1,6 @@
 //! Document → checked chain: stages looked up, parameters parsed, needs and gives matched.
 
+use super::codes;
 use super::document::{Document, Reader, StageEntry};
 use super::fill::fill_table;
 use super::inputs::{Values, settle};
@@ -7,6 +8,7 @@ use super::nearest::remedy;
 use super::overrides::{self, Overrides};
 use super::params::configure;
 use super::schema_walk::SchemaTree;
+use crate::codes::NEEDS_NOT_GIVEN;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use toile_garment::{Aspect, Report, SourceRef};
@@ -157,7 +159,7 @@ impl<'r> Chain<'r> {
             } else {
                 remedy(name, names.iter().map(String::as_str))
             };
-            cx.push("unknown-stage", &entry.name.span(), format!("unknown stage `{name}`"), hint);
+            cx.push(codes::UNKNOWN_STAGE, &entry.name.span(), format!("unknown stage `{name}`"), hint);
         }
         found
     }
@@ -167,7 +169,7 @@ impl<'r> Chain<'r> {
         for need in info.needs.iter().filter(|n| !self.given.contains(n)) {
             if !self.unsure {
                 let message = format!("`{}` needs {}, which no earlier stage gives", info.name, word(*need));
-                cx.push("needs-not-given", &entry.name.span(), message, self.givers(*need));
+                cx.push(NEEDS_NOT_GIVEN, &entry.name.span(), message, self.givers(*need));
             }
         }
         self.given.extend(info.gives.iter());

@@ -1,12 +1,14 @@
 //! The grammar of the pipeline file: TOML text → stages, inputs and plugins as written, with their places.
 
+use super::codes;
 use super::inputs::{Input, read_inputs};
 use super::nearest::remedy;
 use super::plugins::{Plugin, read_plugins};
 use super::text::{MAX_BYTES, SourceText};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
-use toile_garment::Report;
+use toile_formats::codes::{FILE_TOO_LARGE, UNKNOWN_KEY};
+use toile_garment::{Code, Report};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -49,13 +51,13 @@ pub struct StageEntry<'t> {
 pub fn parse<'t>(source: &'t SourceText, report: &mut Report) -> Option<Document<'t>> {
     if source.text().len() as u64 > MAX_BYTES {
         let message = format!("the pipeline has {} bytes, over the limit of {MAX_BYTES}", source.text().len());
-        report.push(source.error("file-too-large", &(0..0), message));
+        report.push(source.error(FILE_TOO_LARGE, &(0..0), message));
         return None;
     }
     let (root, errors) = DeTable::parse_recoverable(source.text());
     for error in errors.iter().take(MAX_ERRORS) {
         let message = error.message().replace("recursion limit", "tables or lists are nested beyond the limit of 80");
-        report.push(source.error("toml-syntax", &error.span().unwrap_or(0..0), message));
+        report.push(source.error(codes::TOML_SYNTAX, &error.span().unwrap_or(0..0), message));
     }
     errors.is_empty().then(|| read_root(source, root.get_ref(), report))
 }
@@ -122,7 +124,7 @@ fn read_stage<'t>(cx: &mut Reader<'_>, item: &Spanned<DeValue<'t>>, taken: &mut 
             let span = id.span();
             let id = cx.name(id, "id");
             if !taken.all.insert(id.clone()) {
-                cx.push("duplicate-id", &span, format!("two stages have the id `{id}`"), "give each its own id");
+                cx.push(codes::DUPLICATE_ID, &span, format!("two stages have the id `{id}`"), "give each its own id");
             }
             id
         }
@@ -175,7 +177,7 @@ pub(super) struct Reader<'a> {
 }
 
 impl Reader<'_> {
-    pub fn push(&mut self, code: &str, span: &Range<usize>, message: String, hint: impl Into<String>) {
+    pub fn push(&mut self, code: Code, span: &Range<usize>, message: String, hint: impl Into<String>) {
         let finding = self.source.error(code, span, message).hint(hint);
         self.report.push(finding);
     }
@@ -188,14 +190,14 @@ impl Reader<'_> {
 
     pub fn wrong_type(&mut self, value: &Spanned<DeValue<'_>>, key: &str, wanted: &str) {
         let message = format!("`{key}` is {}, but must be {wanted}", value.get_ref().type_str());
-        self.push("wrong-type", &value.span(), message, format!("write {wanted}"));
+        self.push(codes::WRONG_TYPE, &value.span(), message, format!("write {wanted}"));
     }
 
     pub fn refuse_unknown(&mut self, table: &DeTable<'_>, known: &[&str], owner: &str) {
         for (key, _) in table {
             if !known.contains(&key.get_ref().as_ref()) {
                 let message = format!("unknown key `{}` in {owner}", key.get_ref());
-                self.push("unknown-key", &key.span(), message, remedy(key.get_ref(), known.iter().copied()));
+                self.push(UNKNOWN_KEY, &key.span(), message, remedy(key.get_ref(), known.iter().copied()));
             }
         }
     }
@@ -213,13 +215,13 @@ impl Reader<'_> {
                 || format!("a parameter of the stage is written `with.{name}`"),
                 |near| format!("did you mean `{near}`? A parameter of the stage is written `with.{name}`"),
             );
-            self.push("unknown-key", &key.span(), format!("unknown key `{name}` in [[stage]]"), hint);
+            self.push(UNKNOWN_KEY, &key.span(), format!("unknown key `{name}` in [[stage]]"), hint);
         }
     }
 
     pub fn require(&mut self, table: &DeTable<'_>, key: &str, span: &Range<usize>, what: &str) {
         if !table.contains_key(key) {
-            self.push("missing-key", span, format!("`{key}` is missing"), format!("add {what}"));
+            self.push(codes::MISSING_KEY, span, format!("`{key}` is missing"), format!("add {what}"));
         }
     }
 
@@ -260,7 +262,7 @@ impl Reader<'_> {
         if !is_name(text.get_ref()) {
             let message = format!("`{}` is no good {what}", text.get_ref());
             let hint = "use lower-case letters, digits and hyphens, at most 64, beginning with a letter";
-            self.push("bad-name", &text.span(), message, hint);
+            self.push(codes::BAD_NAME, &text.span(), message, hint);
             return "unnamed".to_owned();
         }
         text.into_inner()
@@ -273,7 +275,12 @@ impl Reader<'_> {
             Some(GRAMMAR) => {}
             Some(n) => {
                 let message = format!("the pipeline is written for grammar {n}, this program reads {GRAMMAR}");
-                self.push("grammar-version", &value.span(), message, "use the toile version the pipeline was made for");
+                self.push(
+                    codes::GRAMMAR_VERSION,
+                    &value.span(),
+                    message,
+                    "use the toile version the pipeline was made for",
+                );
             }
             None => self.wrong_type(value, "toile", "the version of the grammar: toile = 1"),
         }

@@ -1,9 +1,11 @@
 //! `{name}` in the texts of a stage's parameters. Spans survive: a filled text stands where the template stood.
 //! On the way the one gate for numbers: none that is not finite gets through.
 
+use super::codes;
 use super::document::Reader;
 use super::inputs::{InputKind, Values};
 use super::nearest::remedy;
+use crate::codes::WRONG_VALUE;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -39,7 +41,7 @@ impl<'v> Filler<'_, '_, 'v> {
             DeValue::Array(items) => items.iter_mut().for_each(|item| self.value(item)),
             DeValue::Float(number) if !number.as_str().parse().is_ok_and(f64::is_finite) => {
                 let message = format!("`{number}` is not a finite number");
-                self.cx.push("wrong-value", &span, message, "write a finite number");
+                self.cx.push(WRONG_VALUE, &span, message, "write a finite number");
                 self.whole = false;
             }
             _ => {}
@@ -64,7 +66,7 @@ impl<'v> Filler<'_, '_, 'v> {
             } else {
                 let Some(end) = tail.find('}') else {
                     let hint = "close it with `}`, or write `{{` for a brace";
-                    self.cx.push("open-brace", span, format!("`{tail}` opens a name and does not close it"), hint);
+                    self.cx.push(codes::OPEN_BRACE, span, format!("`{tail}` opens a name and does not close it"), hint);
                     return None;
                 };
                 filled.push_str(&self.named(&tail[1..end], filled.is_empty(), &tail[end + 1..], span)?);
@@ -81,7 +83,7 @@ impl<'v> Filler<'_, '_, 'v> {
         let ends_well = !is_out || after.is_empty() || after.starts_with('/');
         if (is_out || self.values.mounts.contains_key(name)) && !(first && ends_well) {
             let hint = "write \"{out}/name.glb\"";
-            self.cx.push("out-not-first", span, format!("`{{{name}}}` names a folder and must stand first"), hint);
+            self.cx.push(codes::OUT_NOT_FIRST, span, format!("`{{{name}}}` names a folder and must stand first"), hint);
             return None;
         }
         if is_out {
@@ -101,7 +103,7 @@ impl<'v> Filler<'_, '_, 'v> {
         let known = self.values.by_name.keys().chain(&self.values.missing).map(String::as_str);
         let known: Vec<&str> = known.chain(["out"]).collect();
         let hint = format!("{}; a plain brace is written `{{{{`", remedy(name, known));
-        self.cx.push("unknown-input", span, format!("`{{{name}}}` is not an input"), hint);
+        self.cx.push(codes::UNKNOWN_INPUT, span, format!("`{{{name}}}` is not an input"), hint);
     }
 }
 

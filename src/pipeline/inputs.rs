@@ -1,5 +1,6 @@
 //! `[input]`: what the caller may set, and the values of one run.
 
+use super::codes;
 use super::document::Reader;
 use super::nearest::remedy;
 use std::collections::{BTreeMap, BTreeSet};
@@ -63,7 +64,7 @@ pub(super) fn read_inputs(cx: &mut Reader<'_>, root: &DeTable<'_>) -> BTreeMap<S
         let name = key.get_ref().as_ref();
         if RESERVED.contains(&name) || !is_input_name(name) {
             let hint = "use lower-case letters, digits, hyphens and underscores; `out`, `line`, `version` are taken";
-            cx.push("bad-name", &key.span(), format!("`{name}` is no good input name"), hint);
+            cx.push(codes::BAD_NAME, &key.span(), format!("`{name}` is no good input name"), hint);
         } else if let Some(input) = read_input(cx, name, key.span(), value) {
             inputs.insert(name.to_owned(), input);
         }
@@ -104,7 +105,7 @@ fn read_kind(cx: &mut Reader<'_>, word: &str, span: &Range<usize>) -> Option<Inp
     let found = KINDS.iter().find(|(name, _)| *name == word).map(|(_, kind)| *kind);
     if found.is_none() {
         let hint = remedy(word, KINDS.iter().map(|(name, _)| *name));
-        cx.push("unknown-kind", span, format!("unknown kind `{word}` of an input"), hint);
+        cx.push(codes::UNKNOWN_KIND, span, format!("unknown kind `{word}` of an input"), hint);
     }
     found
 }
@@ -122,7 +123,7 @@ fn read_default(cx: &mut Reader<'_>, kind: InputKind, value: &Spanned<DeValue<'_
     match check(kind, &text) {
         Ok(()) => Some(text),
         Err(message) => {
-            cx.push("wrong-type", &value.span(), message, "correct the default");
+            cx.push(codes::WRONG_TYPE, &value.span(), message, "correct the default");
             None
         }
     }
@@ -164,7 +165,7 @@ pub(super) fn settle(
                     values.missing.insert(name.clone());
                     if !input.wrong_default {
                         let message = format!("the input `{name}` has no value");
-                        cx.push("missing-input", &input.span, message, format!("give one: --set {name}=…"));
+                        cx.push(codes::MISSING_INPUT, &input.span, message, format!("give one: --set {name}=…"));
                     }
                 }
             },
@@ -178,7 +179,7 @@ pub(super) fn settle(
 fn set_one(cx: &mut Reader<'_>, values: &mut Values, name: &str, kind: InputKind, text: &str, index: usize) {
     if let Err(message) = check(kind, text) {
         let span = cx.source.span_of_set(index);
-        cx.push("wrong-type", &span, message, format!("`{name}` is of kind {}", word_of(kind)));
+        cx.push(codes::WRONG_TYPE, &span, message, format!("`{name}` is of kind {}", word_of(kind)));
         values.missing.insert(name.to_owned());
         return;
     }
@@ -203,5 +204,5 @@ pub(super) fn refuse_unknown_set(cx: &mut Reader<'_>, key: &str, index: usize, k
     let span = cx.source.span_of_set(index);
     let hint = remedy(key, known.iter().map(String::as_str));
     let message = format!("`{key}` is neither an input nor a stage's parameter (stage-id.key)");
-    cx.push("unknown-set", &span, message, hint);
+    cx.push(codes::UNKNOWN_SET, &span, message, hint);
 }

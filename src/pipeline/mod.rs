@@ -4,6 +4,7 @@
 //! looks the stages up, parses all parameters and matches needs and gives.
 
 mod chain;
+pub(crate) mod codes;
 mod document;
 mod fill;
 mod inputs;

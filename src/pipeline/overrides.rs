@@ -3,6 +3,7 @@
 use super::document::{Document, Reader, StageEntry};
 use super::inputs::refuse_unknown_set;
 use super::schema_walk::SchemaTree;
+use crate::codes::SET_FORM;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -38,7 +39,7 @@ pub(super) fn sort<'t>(cx: &mut Reader<'_>, document: &Document<'t>) -> Override
         let Some((key, raw)) = set.split_once('=') else {
             let span = document.source.span_of_set(index);
             cx.push(
-                "set-form",
+                SET_FORM,
                 &span,
                 format!("`{set}` has no `=`"),
                 "write --set name=value or --set stage-id.key=value",
@@ -83,7 +84,7 @@ pub(super) fn apply<'t>(
         let value = typed(set.raw, schema.wants_text(&set.path), &span);
         if !insert(table, &set.path, value, &span) {
             let message = format!("`{}` lies below a value that is no table", set.path.join("."));
-            cx.push("set-form", &span, message, "name the key of a value");
+            cx.push(SET_FORM, &span, message, "name the key of a value");
         }
     }
 }

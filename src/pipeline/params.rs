@@ -1,9 +1,12 @@
 //! One stage's parameters: every mistake in them, not only the first.
 
+use super::codes;
 use super::document::Reader;
 use super::nearest::nearest;
 use super::schema_walk::SchemaTree;
+use crate::codes::{UNKNOWN_VALUE, WRONG_VALUE};
 use std::ops::Range;
+use toile_formats::codes::UNKNOWN_KEY;
 use toile_stage_api::{AnyStage, ReadyStage};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, ValueDeserializer};
@@ -20,7 +23,7 @@ pub(super) fn configure<'r>(
     let unknown = schema.unknown_keys(&table);
     for key in &unknown {
         let message = format!("unknown key `{}` of `{owner}`", key.path.join("."));
-        cx.push("unknown-key", &key.span, message, key.hint.clone());
+        cx.push(UNKNOWN_KEY, &key.span, message, key.hint.clone());
         remove(&mut table, &key.path);
     }
     let missing = report_missing(cx, schema, &table, span, owner);
@@ -70,15 +73,15 @@ fn report_error(cx: &mut Reader<'_>, message: &str, span: &Range<usize>, schema:
     if let Some(key) = message.strip_prefix("missing field `").and_then(|m| m.strip_suffix('`')) {
         let about = schema.root().get("properties").and_then(|p| p.get(key)?.get("description")?.as_str());
         let hint = format!("add `with.{key} = …`{}", about.map(|a| format!(": {a}")).unwrap_or_default());
-        cx.push("missing-key", span, format!("`{owner}` needs `{key}`"), hint);
+        cx.push(codes::MISSING_KEY, span, format!("`{owner}` needs `{key}`"), hint);
         return;
     }
     let code = if message.starts_with("unknown field") {
-        "unknown-key"
+        UNKNOWN_KEY
     } else if message.starts_with("unknown variant") {
-        "unknown-value"
+        UNKNOWN_VALUE
     } else {
-        "wrong-value"
+        WRONG_VALUE
     };
     let hint = expected_hint(message).unwrap_or_else(|| format!("see `toile stages {owner}` for its parameters"));
     cx.push(code, span, format!("`{owner}`: {message}"), hint);

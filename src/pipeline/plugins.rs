@@ -1,8 +1,10 @@
 //! `[plugin.NAME]`: programs that hold stages. Declared here, run only with consent.
 
+use super::codes;
 use super::document::{Reader, is_name};
 use std::ops::Range;
 use std::str::FromStr;
+use toile_formats::codes::OUT_OF_RANGE;
 use toile_garment::units::Duration;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -31,7 +33,7 @@ pub(super) fn read_plugins(cx: &mut Reader<'_>, root: &DeTable<'_>) -> Vec<Plugi
 fn read_plugin(cx: &mut Reader<'_>, name: &str, span: Range<usize>, value: &Spanned<DeValue<'_>>) -> Option<Plugin> {
     if !is_name(name) {
         let hint = "use lower-case letters, digits and hyphens, beginning with a letter";
-        cx.push("bad-name", &span, format!("`{name}` is no good plugin name"), hint);
+        cx.push(codes::BAD_NAME, &span, format!("`{name}` is no good plugin name"), hint);
         return None;
     }
     let DeValue::Table(table) = value.get_ref() else {
@@ -63,11 +65,11 @@ fn read_timeout(cx: &mut Reader<'_>, table: &DeTable<'_>) -> f64 {
         Ok(Duration(seconds)) if seconds > 0.0 && seconds <= 86_400.0 => seconds,
         Ok(_) => {
             let message = "the timeout must be above 0 s and at most a day".to_owned();
-            cx.push("out-of-range", &text.span(), message, "write e.g. timeout = \"10 min\"");
+            cx.push(OUT_OF_RANGE, &text.span(), message, "write e.g. timeout = \"10 min\"");
             DEFAULT_TIMEOUT
         }
         Err(error) => {
-            cx.push("wrong-type", &text.span(), error.message, "write e.g. timeout = \"10 min\"");
+            cx.push(codes::WRONG_TYPE, &text.span(), error.message, "write e.g. timeout = \"10 min\"");
             DEFAULT_TIMEOUT
         }
     }

@@ -1,7 +1,7 @@
 //! The text of a pipeline file with the overrides of the command line; every offset leads back to a place.
 
 use std::ops::Range;
-use toile_garment::{Diagnostic, SourceRef};
+use toile_garment::{Code, Diagnostic, SourceRef};
 
 /// Largest pipeline file, bytes.
 pub const MAX_BYTES: u64 = 1 << 20;
@@ -66,7 +66,7 @@ impl SourceText {
 
     /// An error at a span.
     #[must_use]
-    pub fn error(&self, code: &str, span: &Range<usize>, message: impl Into<String>) -> Diagnostic {
+    pub fn error(&self, code: Code, span: &Range<usize>, message: impl Into<String>) -> Diagnostic {
         Diagnostic::error(code, message).at(self.place(span))
     }
 }

@@ -7,6 +7,7 @@
 
 pub mod chart;
 pub mod choose;
+pub(crate) mod codes;
 pub mod estimate;
 pub mod front;
 pub mod girth;

@@ -1,7 +1,9 @@
 //! One run of the grid: the chain up to its drape, in a folder of its own; a run that is through is not done again.
 
 use super::choose::tuning;
+use super::codes;
 use super::grid::Setting;
+use crate::codes::WRITE_FAILED;
 use crate::engine::{self, Exit, Gate, RunOptions, RunRecord, Stop, read_limited, write_whole};
 use crate::load::{self, Request};
 use crate::pipeline::{Pipeline, knob, turned_by};
@@ -168,7 +170,7 @@ impl Bench<'_> {
         let done = Done::of(*setting, key, &record, failure);
         let garment = draped.then_some(outcome.garment);
         self.store(&options.out, &done, garment.as_ref()).map_err(|reason| Halt {
-            findings: vec![Diagnostic::error("write-failed", reason)],
+            findings: vec![Diagnostic::error(WRITE_FAILED, reason)],
             source: None,
             exit: Exit::System,
         })?;
@@ -214,7 +216,7 @@ fn cut(pipeline: &mut Pipeline<'_>, drape: &str) -> Result<(), Diagnostic> {
     let Some(last) = last else {
         let message = format!("`{}` drapes nothing: a study needs a stage `{drape}`", pipeline.line);
         let hint = format!("add `use = \"{drape}\"` to the chain");
-        return Err(Diagnostic::error("study-no-drape", message).hint(hint));
+        return Err(Diagnostic::error(codes::STUDY_NO_DRAPE, message).hint(hint));
     };
     pipeline.steps.truncate(last + 1);
     pipeline.steps.retain(|s| !s.ready.info().gives.is_empty());
@@ -232,7 +234,7 @@ fn varies(pipeline: &Pipeline<'_>, setting: &Setting) -> Result<(), Diagnostic> 
         let found = found.and_then(serde_json::Value::as_str).unwrap_or("");
         if found != value {
             let message = format!("`{}.{key}` is held at `{found}`, but the study varies it", step.id);
-            return Err(Diagnostic::error("study-held", message).hint("leave out that --set"));
+            return Err(Diagnostic::error(codes::STUDY_HELD, message).hint("leave out that --set"));
         }
     }
     Ok(())

@@ -79,7 +79,7 @@ fn the_page_of_findings_is_current() {
     text.push_str("Every finding has a fixed code. `toile explain CODE` prints the same text.\n\n");
     text.push_str("| code | meaning |\n|---|---|\n");
     for code in toile::codes::all() {
-        let _ = writeln!(text, "| `{}` | {} |", code.code, cell(code.text));
+        let _ = writeln!(text, "| `{}` | {} |", code.name(), cell(code.text()));
     }
     page("findings.md", &text);
 }

@@ -7,8 +7,18 @@ use std::time::{Duration, Instant};
 use toile_garment::garment::{Certificate, EffectRecord, Shape};
 use toile_garment::mesh::PieceMesh;
 use toile_garment::units::Length;
-use toile_garment::{Aspect, Diagnostic, Garment, Piece, PieceId, Vec2, Vec3};
+use toile_garment::{Aspect, Code, Diagnostic, Garment, Piece, PieceId, Vec2, Vec3};
 use toile_stage_api::{Registry, Stage, StageContext, StageError, StageInfo};
+
+toile_garment::codes! {
+    pub(crate) list CODES;
+
+    /// There are many of these.
+    TEST_MANY = "test-many";
+
+    /// It is wrong on purpose.
+    TEST_WRONG = "test-wrong";
+}
 
 pub fn registry() -> Registry {
     toile_stages::builtin().with(Sheet).with(Drape).with(Slow).with(Fail).with(Write).with(Read)
@@ -157,7 +167,7 @@ impl Stage for Fail {
     const INFO: StageInfo = StageInfo::new("test-fail", "fails", &[], &[], 1);
 
     fn run(&self, p: &FailParams, garment: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
-        let finding = || Diagnostic::error("test-wrong", "it is wrong");
+        let finding = || Diagnostic::error(TEST_WRONG, "it is wrong");
         match p.way {
             Way::Input => Err(StageError::input(finding())),
             Way::Parameter => Err(StageError::parameter(finding())),
@@ -171,7 +181,7 @@ impl Stage for Fail {
                 Ok(garment)
             }
             Way::Flood => {
-                (0..100).for_each(|i| cx.report.push(Diagnostic::warning("test-many", format!("number {i}"))));
+                (0..100).for_each(|i| cx.report.push(Diagnostic::warning(TEST_MANY, format!("number {i}"))));
                 Ok(garment)
             }
         }

@@ -55,12 +55,6 @@ impl Code {
     }
 }
 
-impl AsRef<str> for Code {
-    fn as_ref(&self) -> &str {
-        self.name
-    }
-}
-
 /// Findings hold the names of codes as text, since programs of others give findings too.
 impl PartialEq<Code> for String {
     fn eq(&self, code: &Code) -> bool {

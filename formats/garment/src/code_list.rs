@@ -16,11 +16,13 @@ macro_rules! codes {
     ) => {
         $(
             $(#[doc = $text])+
+            #[allow(clippy::disallowed_methods)]
             $visible const $constant: Code = Code::listed(stringify!($constant), $name, concat!($($text),+));
         )+
 
         // The list repeats the codes instead of naming them, so that a code that nothing gives stays dead code.
         /// All codes of this room.
+        #[allow(clippy::disallowed_methods)]
         $visible const $list: &[Code] = &[$(Code::listed(stringify!($constant), $name, concat!($($text),+))),+];
     };
 }

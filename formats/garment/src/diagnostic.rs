@@ -1,5 +1,6 @@
 //! Findings: data, many per run, with fixed codes.
 
+use crate::code::Code;
 use crate::source::SourceRef;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -17,6 +18,10 @@ pub enum Severity {
 }
 
 /// One finding: what is wrong, where, and what to do about it.
+///
+/// Our own findings are made from a [`Code`]. Only what is read, such as a document or a line of another program, can
+/// hold a code that no list of ours has.
+#[non_exhaustive]
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Diagnostic {
     /// How bad it is.
@@ -36,25 +41,25 @@ pub struct Diagnostic {
 impl Diagnostic {
     /// A finding without place and remedy; add them with [`Self::at`] and [`Self::hint`].
     #[must_use]
-    pub fn new(severity: Severity, code: impl AsRef<str>, message: impl Into<String>) -> Self {
-        Self { severity, code: code.as_ref().to_owned(), message: message.into(), source: None, hint: None }
+    pub fn new(severity: Severity, code: Code, message: impl Into<String>) -> Self {
+        Self { severity, code: code.name().to_owned(), message: message.into(), source: None, hint: None }
     }
 
     /// An error.
     #[must_use]
-    pub fn error(code: impl AsRef<str>, message: impl Into<String>) -> Self {
+    pub fn error(code: Code, message: impl Into<String>) -> Self {
         Self::new(Severity::Error, code, message)
     }
 
     /// A warning.
     #[must_use]
-    pub fn warning(code: impl AsRef<str>, message: impl Into<String>) -> Self {
+    pub fn warning(code: Code, message: impl Into<String>) -> Self {
         Self::new(Severity::Warning, code, message)
     }
 
     /// A note.
     #[must_use]
-    pub fn info(code: impl AsRef<str>, message: impl Into<String>) -> Self {
+    pub fn info(code: Code, message: impl Into<String>) -> Self {
         Self::new(Severity::Info, code, message)
     }
 
@@ -62,6 +67,13 @@ impl Diagnostic {
     #[must_use]
     pub fn at(mut self, source: impl Into<Option<SourceRef>>) -> Self {
         self.source = source.into();
+        self
+    }
+
+    /// The finding as a warning.
+    #[must_use]
+    pub fn softened(mut self) -> Self {
+        self.severity = Severity::Warning;
         self
     }
 

@@ -12,7 +12,7 @@ use crate::rul::{self, RuleTable};
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use serde_json::{Map, Value, json};
 use std::fmt::Write as _;
-use toile_garment::{Diagnostic, Piece, Severity, Vec2};
+use toile_garment::{Diagnostic, Piece, Vec2};
 
 /// The contents of a file.
 #[derive(Clone, Debug)]
@@ -67,8 +67,7 @@ fn companion(pattern: &mut Pattern, bytes: &[u8], file: &str) -> Option<RuleTabl
             let text = format!("the rule table `{file}` is wrong; only drawn sizes can be made until it is mended");
             let place = list.first().and_then(|f| f.source.clone());
             pattern.findings.push(Diagnostic::warning(codes::RULE_TABLE_BROKEN, text).at(place));
-            let softer = |f: Diagnostic| Diagnostic { severity: Severity::Warning, ..f };
-            pattern.findings.extend(list.into_iter().map(softer));
+            pattern.findings.extend(list.into_iter().map(Diagnostic::softened));
             None
         }
     }

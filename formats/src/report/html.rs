@@ -130,6 +130,7 @@ fn html_cell(key: &str, cell: &Cell) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::codes::OUT_OF_RANGE;
     use crate::report::json;
     use toile_garment::Piece;
 
@@ -140,7 +141,7 @@ mod tests {
 
     #[test]
     fn names_cannot_become_markup_and_nothing_is_fetched() {
-        let findings = [Diagnostic::warning("x-y", "a <b> & c").hint("do 'this'")];
+        let findings = [Diagnostic::warning(OUT_OF_RANGE, "a <b> & c").hint("do 'this'")];
         let page = html(&garment(), &findings);
         assert!(!page.contains("<script") && page.contains("&lt;script&gt;") && page.contains("a &lt;b&gt; &amp; c"));
         for outside in ["src=", "href=", "@import", "url("] {
@@ -153,8 +154,8 @@ mod tests {
 
     #[test]
     fn json_holds_the_same_rows() {
-        let value = json(&garment(), &[Diagnostic::error("bad-thing", "words")]);
-        assert_eq!(value["findings"][0]["code"], "bad-thing");
+        let value = json(&garment(), &[Diagnostic::error(OUT_OF_RANGE, "words")]);
+        assert_eq!(value["findings"][0]["code"], "out-of-range");
         assert_eq!(value["pieces"][0]["name"], "<script>alert(1)</script>");
         assert!(value["pieces"][0]["flat_cm2"].is_null());
     }

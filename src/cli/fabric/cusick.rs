@@ -2,6 +2,8 @@
 
 use super::args::CusickArgs;
 use super::{Sheet, Tested, figure};
+use crate::cli::codes;
+use crate::codes::WRONG_VALUE;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 use toile_garment::Diagnostic;
@@ -28,7 +30,7 @@ fn specimen(args: &CusickArgs) -> Result<f64, StageError> {
     SPECIMENS.into_iter().find(|s| (s - asked).abs() < 1e-6).ok_or_else(|| {
         let message = format!("a specimen of {} is not one of the standard's", args.specimen);
         let hint = "write \"24 cm\" (limp), \"30 cm\" (usual) or \"36 cm\" (stiff)";
-        StageError::parameter(Diagnostic::error("wrong-value", message).hint(hint))
+        StageError::parameter(Diagnostic::error(WRONG_VALUE, message).hint(hint))
     })
 }
 
@@ -69,7 +71,7 @@ impl Readings {
                 100.0 * lab
             );
             let hint = "measure bending as a cantilever (FAST-2): its length holds the friction that KES-F gives apart";
-            cx.report.push(Diagnostic::warning("drape-differs-from-lab", message).hint(hint));
+            cx.report.push(Diagnostic::warning(codes::DRAPE_DIFFERS_FROM_LAB, message).hint(hint));
         }
     }
 

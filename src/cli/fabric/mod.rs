@@ -19,6 +19,7 @@ use std::sync::Arc;
 use toile_garment::fabric::Fabric;
 use toile_garment::{Diagnostic, Report, SourceRef};
 use toile_stage_api::{StageContext, StageError};
+use toile_stages::codes::TEXT_NOT_UTF8;
 
 /// The result of a test.
 struct Sheet {
@@ -78,7 +79,7 @@ fn read(common: &Common, console: &mut Console<'_>) -> Option<Fabric> {
     let name = clean(&common.fabric);
     let no_text = |_| {
         let place = SourceRef::file(name.clone());
-        vec![Diagnostic::error("text-not-utf8", format!("{name} is not UTF-8 text")).at(place)]
+        vec![Diagnostic::error(TEXT_NOT_UTF8, format!("{name} is not UTF-8 text")).at(place)]
     };
     let bytes = read_limited(&common.fabric, &common.fabric, MAX_INPUT).map_err(|e| of_file_error(&e).0);
     let text = bytes.and_then(|b| String::from_utf8(b).map_err(no_text));

@@ -1,6 +1,7 @@
 //! A garment document on disk.
 
 use super::{Inspected, Source};
+use crate::cli::codes;
 use crate::engine::{GarmentCounts, clean};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
@@ -13,7 +14,7 @@ pub(super) fn is_json(bytes: &[u8]) -> bool {
 
 pub(super) fn document(source: &Source<'_>) -> Result<Inspected, Vec<Diagnostic>> {
     let place = SourceRef::file(clean(source.path));
-    let wrong = |message| vec![Diagnostic::error("garment-file", message).at(place)];
+    let wrong = |message| vec![Diagnostic::error(codes::GARMENT_FILE, message).at(place)];
     let garment = crate::cli::flatten::garment_from_bundle(source.bytes).map_err(wrong)?;
     let json = json!({
         "style": garment.style,

@@ -2,6 +2,7 @@
 
 use super::garment::table;
 use super::{Inspected, Source};
+use crate::cli::codes;
 use crate::engine::clean;
 use serde_json::Value;
 use std::fmt::Write as _;
@@ -50,9 +51,7 @@ pub(super) fn glb(source: &Source<'_>) -> Result<Inspected, Vec<Diagnostic>> {
             (source.draw.then(|| svg::pattern(&read.garment.pieces, &read.garment.style)), read.findings)
         }
         Err(ReadError::NoDocument) => (None, Vec::new()),
-        Err(error) => {
-            (None, vec![Diagnostic { severity: toile_garment::Severity::Warning, ..refused(&error, source.name) }])
-        }
+        Err(error) => (None, vec![refused(&error, source.name).softened()]),
     };
     Ok(Inspected { json, text, svg, findings })
 }
@@ -60,8 +59,8 @@ pub(super) fn glb(source: &Source<'_>) -> Result<Inspected, Vec<Diagnostic>> {
 /// Why a GLB was refused, as a finding.
 pub(in crate::cli) fn refused(error: &ReadError, file: &str) -> Diagnostic {
     let code = match error {
-        ReadError::Container(_) | ReadError::Damaged(_) => "glb-damaged",
-        _ => "garment-file",
+        ReadError::Container(_) | ReadError::Damaged(_) => codes::GLB_DAMAGED,
+        _ => codes::GARMENT_FILE,
     };
     Diagnostic::error(code, error.to_string()).at(SourceRef::file(file))
 }

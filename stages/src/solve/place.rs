@@ -53,9 +53,10 @@ fn narrow(garment: &Garment, at: &[Vec<Vec3>]) -> Option<StageError> {
     Some(StageError::input(finding.hint(MESH_ANEW)))
 }
 
-fn named(finding: Diagnostic, piece: &Piece) -> Diagnostic {
-    let message = format!("piece `{}`: {}", piece.name, finding.message);
-    Diagnostic { message, source: finding.source.or_else(|| piece.source.clone()), ..finding }
+fn named(mut finding: Diagnostic, piece: &Piece) -> Diagnostic {
+    finding.message = format!("piece `{}`: {}", piece.name, finding.message);
+    let place = finding.source.take().or_else(|| piece.source.clone());
+    finding.at(place)
 }
 
 /// The piece whose vertex is nearest to a place.

@@ -8,7 +8,6 @@ mod shapes;
 use super::align::Rigid;
 use super::figures::vertex_areas;
 use super::*;
-use crate::flatten::codes;
 use nalgebra::{Rotation3, Unit};
 use shapes::*;
 use std::f64::consts::{PI, TAU};
@@ -227,7 +226,7 @@ fn a_bust_cap_keeps_its_mean_strain_low_and_is_told_its_dart() {
     println!("cap: mean strain {:.4} %, forced {:?}, {} rounds", 100.0 * sum / area, p.forced_strain, p.rounds);
     assert!(100.0 * sum / area <= 1.16, "{}", 100.0 * sum / area);
     let exact = 360.0 * (1.0 - libm::cos(PI / 6.0));
-    let finding = report.findings.iter().find(|f| f.code == codes::PIECE_NOT_DEVELOPABLE).expect("finding");
+    let finding = report.findings.iter().find(|f| f.code == "piece-not-developable").expect("finding");
     assert!((p.curvature.to_degrees() / exact - 1.0).abs() < 0.12, "{}", p.curvature.to_degrees());
     assert!(finding.hint.as_ref().is_some_and(|h| h.contains("dart")));
 }
@@ -270,7 +269,7 @@ fn an_edit_of_one_side_of_a_seam_is_not_shared_with_the_other() {
     g.drape_before_edit = Some(Shape { positions: before, sewn: true, welded: true, ..Shape::default() });
     let mut report = Report::default();
     let flat = flatten_garment(&g, &FlattenParams::default(), &mut report, &mut |_, _| true).expect("flattens");
-    assert!(report.findings.iter().any(|d| d.code == codes::FLATTEN_ONE_SIDED));
+    assert!(report.findings.iter().any(|d| d.code == "flatten-one-sided"));
     let answer: Vec<Vec2> = front.points.iter().map(|p| p * 0.97).collect();
     assert!(error_mm(&flat.pieces[0].positions, &answer, &front.triangles()) < 1e-5);
     assert!(error_mm(&flat.pieces[1].positions, &back.points, &back.triangles()) < 1e-5);
@@ -341,7 +340,7 @@ fn broken_input_is_refused_with_its_place() {
     };
     assert!(run(&g).contains("no area in 3D"));
     g.drape.as_mut().expect("drape").positions[0].pop();
-    assert!(run(&g).contains(codes::FLATTEN_VERTICES_DIFFER));
+    assert!(run(&g).contains("flatten-vertices-differ"));
     g.drape = None;
     assert!(run(&g).contains("no drape"));
 }

@@ -1,0 +1,29 @@
+//! Codes of running a chain.
+
+use toile_garment::Code;
+
+codes! {
+    pub(crate) list CODES;
+
+    /// The drape was computed and written, but a figure of its certificate is beyond its limit, so the result should
+    /// not be relied on. Exit code 1.\n`certificate` in run.json holds each figure and `limits` what was asked.
+    /// Crossings often come from pieces placed inside the body; large strain from a garment too small for the body or a
+    /// wrong unit.
+    CERTIFICATE_FAILED = "certificate-failed";
+
+    /// A mistake of the program itself, caught before it could damage anything. Exit code 5. Please report it with the
+    /// pipeline and the message.
+    INTERNAL_ERROR = "internal-error";
+
+    /// Something is larger than the program takes on; the message names the limit. Exit code 3.
+    LIMIT = "limit";
+
+    /// Two outputs of one run have the same name (upper and lower case are not told apart). Give each its own.
+    OUTPUTS_COLLIDE = "outputs-collide";
+
+    /// The solver did not converge or became unstable. Exit code 4.
+    UNSTABLE = "unstable";
+
+    /// The file is right, but the program cannot do this yet. Exit code 3.
+    UNSUPPORTED = "unsupported";
+}

@@ -1,0 +1,22 @@
+//! Codes of stages in other processes.
+
+use toile_garment::Code;
+
+codes! {
+    pub(crate) list CODES;
+
+    /// The program behind a plugin's stage ended with an error, took too long or wrote too much. What it said on stderr
+    /// is in the message.
+    PLUGIN_FAILED = "plugin-failed";
+
+    /// A pipeline names a program of its own. It is never run on the word of a file alone: if you trust it, pass
+    /// `--allow-run NAME`. Exit code 2.
+    PLUGIN_NEEDS_CONSENT = "plugin-needs-consent";
+
+    /// The program behind a plugin does not keep to protocol 1. Run it by hand with the argument `describe`; see
+    /// `external` in ARCHITECTURE.md.
+    PLUGIN_PROTOCOL = "plugin-protocol";
+
+    /// The program behind a plugin's stage did not accept the garment.
+    PLUGIN_REJECTED = "plugin-rejected";
+}

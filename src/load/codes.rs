@@ -1,0 +1,27 @@
+//! Codes of opening a pipeline and choosing its accuracy.
+
+use toile_garment::Code;
+
+codes! {
+    pub(crate) list CODES;
+
+    /// What `accuracy` of the pipeline's head, or --accuracy, was taken to mean: the setting, and its error. The error
+    /// is estimated by a study of this garment where one lies beside the pipeline (`toile study`), else it is what the
+    /// preset promises.
+    ACCURACY_CHOSEN = "accuracy-chosen";
+
+    /// An accuracy chooses the mesh and the drape together, so the chain must have `triangulate` and `drape`. For a
+    /// mesh from a file, `with.accuracy` of `drape` says how near to rest it is led. Exit code 2.
+    ACCURACY_NO_STAGE = "accuracy-no-stage";
+
+    /// Nothing that is known is as exact as asked. `toile study` measures finer meshes of this garment; its study.json,
+    /// put beside the pipeline as NAME.study.json, is then chosen from. Exit code 2.
+    ACCURACY_OUT_OF_REACH = "accuracy-out-of-reach";
+
+    /// The file is not UTF-8 text. Save it as UTF-8.
+    NOT_TEXT = "not-text";
+
+    /// The study beside the pipeline cannot be used, so the accuracy comes from the presets: it is damaged, of another
+    /// version, or of another pipeline. Make it anew with `toile study`.
+    STUDY_UNFIT = "study-unfit";
+}
