@@ -98,6 +98,17 @@ fn every_code_can_be_explained() {
 }
 
 #[test]
+fn every_code_is_explained_in_full_sentences() {
+    for code in toile::codes::all() {
+        let text = code.text();
+        let first = text.chars().next().expect("a text");
+        assert!(first.is_uppercase() || "`[".contains(first) || text.starts_with("with."), "{}: {text}", code.name());
+        assert!(text.ends_with('.') && text.split_whitespace().count() >= 5, "{}: {text}", code.name());
+        assert!(!text.contains("  "), "{}: {text}", code.name());
+    }
+}
+
+#[test]
 fn no_two_codes_are_alike() {
     let codes: Vec<&str> = toile::codes::all().iter().map(|c| c.name()).collect();
     assert!(codes.windows(2).all(|pair| pair[0] < pair[1]), "a code stands in the table twice");
