@@ -6,7 +6,7 @@ codes! {
     pub(crate) list CODES;
 
     /// The drape was computed and written, but a figure of its certificate is beyond its limit, so the result should
-    /// not be relied on. Exit code 1.\n`certificate` in run.json holds each figure and `limits` what was asked.
+    /// not be relied on. Exit code 1. `certificate` in run.json holds each figure and `limits` what was asked.
     /// Crossings often come from pieces placed inside the body; large strain from a garment too small for the body or a
     /// wrong unit.
     CERTIFICATE_FAILED = "certificate-failed";

@@ -5,7 +5,7 @@ use toile_garment::Code;
 codes! {
     pub(crate) list CODES;
 
-    /// A product line, id, input or plugin has a name that cannot stand in file names and on the command line.\nUse
+    /// A product line, id, input or plugin has a name that cannot stand in file names and on the command line. Use
     /// lower-case letters, digits and hyphens, beginning with a letter, at most 64 characters.
     BAD_NAME = "bad-name";
 
