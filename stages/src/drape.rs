@@ -28,6 +28,10 @@ codes! {
     /// The fabric gives constants of springs ([springs]), and the model of the drape is not `springs`: it went by the
     /// fabric's laws.
     SPRINGS_UNUSED = "springs-unused";
+
+    /// The strain of the drape is above its gate. The message names the piece and the place, the strains along warp, weft
+    /// and bias, and the girths of body and cloth there.
+    TOO_TIGHT = "too-tight";
 }
 
 /// Settles the garment and certifies the result.

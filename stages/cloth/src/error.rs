@@ -34,6 +34,8 @@ pub enum SceneFault {
     Stitch,
     /// Layer numbers and vertices differ in count.
     Layers,
+    /// The contact filter speaks of another number of vertices.
+    ContactFilter,
     /// Gravity is not finite or absurdly large.
     Gravity,
     /// A triangle of the body names a vertex that is not there.

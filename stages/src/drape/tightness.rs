@@ -27,7 +27,7 @@ pub fn finding(garment: &Garment, certificate: &Certificate, tightest: Option<&T
             format!("; at this height the body measures {:.0} mm round and the cloth {:.0} mm", body * 1e3, cloth * 1e3)
         })
     );
-    let finding = Diagnostic::warning("too-tight", message).at(piece.source.clone());
+    let finding = Diagnostic::warning(super::TOO_TIGHT, message).at(piece.source.clone());
     Some(
         finding.hint("widen the pattern there, take a larger size, a fabric that stretches further, or a smaller body"),
     )

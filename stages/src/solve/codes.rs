@@ -13,6 +13,9 @@ codes! {
     /// Gravity is not finite or absurdly large. Exit code 3.
     BAD_GRAVITY = "bad-gravity";
 
+    /// The parts of the body that vertices ignore are given for another number of vertices. Exit code 3.
+    BAD_CONTACT_FILTER = "bad-contact-filter";
+
     /// Layer numbers and vertices differ in count. Exit code 3.
     BAD_LAYERS = "bad-layers";
 
@@ -82,6 +85,7 @@ pub(super) fn of(fault: SceneFault) -> Code {
         SceneFault::Load => BAD_LOAD,
         SceneFault::Stitch => BAD_STITCH,
         SceneFault::Layers => BAD_LAYERS,
+        SceneFault::ContactFilter => BAD_CONTACT_FILTER,
         SceneFault::Gravity => BAD_GRAVITY,
         SceneFault::Body => BAD_BODY,
         SceneFault::Velocities => BAD_VELOCITIES,

@@ -33,6 +33,19 @@ codes! {
     /// sewn. The drape joins what is open; its certificate says whether the cloth bears it.
     SEAM_OPEN = "seam-open";
 
+    /// A wide ring of cloth starts on a common cone around the torso instead of the flat sheets that the sewing file places.
+    START_ON_CONE = "start-on-cone";
+
+    /// A piece started in the body. It was moved along its normal until it was free.
+    START_MOVED = "start-moved";
+
+    /// A waist seam started where the body is wider than it. All pieces that lie on no arm were raised or lowered.
+    START_RAISED = "start-raised";
+
+    /// Pieces were sewn without meeting a forearm that stood in their way. The drape meets the whole body. A list
+    /// `ignores` in a [[place]] says otherwise.
+    SEWN_PAST_LIMB = "sewn-past-limb";
+
     /// Vertices started inside the body and were pushed out before the first step.
     START_REPAIRED = "start-repaired";
 }

@@ -55,7 +55,7 @@ pub fn finding(names: &[String]) -> Option<Diagnostic> {
     (!names.is_empty()).then(|| {
         let message =
             format!("{} start on a cone around the torso: so wide a ring crumples from flat sheets", pieces.join(", "));
-        Diagnostic::info("start-on-cone", message)
+        Diagnostic::info(super::codes::START_ON_CONE, message)
             .hint("place them around the torso in the sewing file to start them elsewhere")
     })
 }

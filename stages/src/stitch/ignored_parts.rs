@@ -91,7 +91,7 @@ pub fn finding(ignores: &BTreeMap<String, Vec<String>>) -> Option<Diagnostic> {
     let pieces: Vec<String> = ignores.keys().map(|name| format!("`{name}`")).collect();
     (!parts.is_empty()).then(|| {
         let message = format!("{} were sewn without meeting {}", pieces.join(", "), parts.join(", "));
-        Diagnostic::info("sewn-past-limb", message).hint(
+        Diagnostic::info(super::codes::SEWN_PAST_LIMB, message).hint(
             "the drape meets the whole body; ignores = [] in a [[place]] lets that piece meet all of it from the start",
         )
     })

@@ -2,9 +2,9 @@
 
 pub mod around;
 mod attach;
+pub(crate) mod codes;
 mod cone;
 mod ignored_parts;
-pub(crate) mod codes;
 pub(crate) mod load;
 pub mod place;
 mod raise;
@@ -170,7 +170,11 @@ fn moved_off(garment: &Garment, layout: &Layout, moved: &PieceMove) -> Option<Di
         by.y,
         by.z
     );
-    Some(Diagnostic::info("start-moved", message).at(piece.source.clone()).hint("place it there in the sewing file"))
+    Some(
+        Diagnostic::info(codes::START_MOVED, message)
+            .at(piece.source.clone())
+            .hint("place it there in the sewing file"),
+    )
 }
 
 /// A finding on a seam that is named the wrong way round, as its pieces are placed.

@@ -45,7 +45,7 @@ pub fn finding(by: f64) -> Diagnostic {
         "where its pieces are placed the garment is narrower than the body: they were {way} by {:.0} mm before sewing",
         by.abs() * 1e3
     );
-    Diagnostic::info("start-raised", message).hint("place them there in the sewing file")
+    Diagnostic::info(super::codes::START_RAISED, message).hint("place them there in the sewing file")
 }
 
 /// Girths of the torso on level planes, from the lowest up.

@@ -35,7 +35,7 @@ pub(crate) fn scene(scene: &Scene) -> Result<(), ClothError> {
     }
     let filter = &scene.contact_filter.ignored;
     if !filter.is_empty() && filter.len() != n {
-        return bad("bad-contact-filter", format!("a contact filter for {} of {n} vertices", filter.len()));
+        return bad(SceneFault::ContactFilter, format!("a contact filter for {} of {n} vertices", filter.len()));
     }
     if !scene.layers.is_empty() && scene.layers.len() != n {
         return bad(SceneFault::Layers, format!("{} layer numbers for {n} vertices", scene.layers.len()));
