@@ -2,7 +2,6 @@
 
 use crate::pattern::pipeline;
 use crate::support::cloth::Cloth;
-use crate::support::mesh::Mesh;
 use std::fmt::Write as _;
 use std::path::Path;
 
@@ -27,8 +26,8 @@ pub struct Drawing {
     pub sewing: String,
     /// By material; the first is that of pieces without one.
     pub fabrics: Vec<(&'static str, Cloth)>,
-    /// A body, y up, and its side file.
-    pub body: Option<(Mesh, String)>,
+    /// A body as OBJ, y up, and its side file.
+    pub body: Option<(String, String)>,
     /// Length of a mesh edge, mm.
     pub edge: f64,
     /// Keys of the drape as TOML.
@@ -47,7 +46,7 @@ impl Drawing {
             stitch += &format!("with.fabrics.{name} = \"{name}.toml\"\n");
         }
         if let Some((body, side)) = &self.body {
-            std::fs::write(folder.join("body.obj"), body.obj())?;
+            std::fs::write(folder.join("body.obj"), body)?;
             std::fs::write(folder.join("body.toml"), side)?;
             stitch += "with.body = \"body.obj\"\n";
         }

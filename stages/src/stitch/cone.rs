@@ -9,6 +9,8 @@ use toile_garment::{Diagnostic, Garment, MeshVertex, Vec2, Vec3};
 
 /// Least angle between the side seams of a panel that is laid on a cone, rad.
 const SECTOR_LEAST: f64 = 0.05;
+/// Least slope of the middle of a panel, rad.
+const SLOPE_LEAST: f64 = 0.25;
 /// Distance from the torso at which the upper edges start, m.
 const CLEARANCE: f64 = 0.02;
 
@@ -155,13 +157,19 @@ fn lay(garment: &Garment, s: &Sector, azimuth: f64, steepness: f64, top: f64, to
         let (sin, cos) = libm::sincos(angle);
         Vec3::new(sin, 0.0, cos)
     };
+    // A level ring might rise as well as fall.
+    let (tilt_sin, tilt_cos) = libm::sincos((SLOPE_LEAST - libm::asin(drop)).max(0.0));
     let origin = Vec3::new(torso.from.x, top + s.inner * drop, torso.from.z) + ahead(azimuth) * out;
     for (p, rest) in x.iter_mut().zip(&mesh.rest) {
         let d = rest - s.apex;
         // Seen from the right side of the cloth x runs to the wearer's left, and so does the azimuth.
         let turn = libm::atan2(s.middle.perp(&d), s.middle.dot(&d));
         let radius = d.norm();
-        *p = origin + ahead(azimuth + turn / steepness) * (radius * steepness) - Vec3::y() * (radius * drop);
+        let on_cone = ahead(azimuth + turn / steepness) * (radius * steepness) - Vec3::y() * (radius * drop);
+        let (out, up) = (on_cone.dot(&ahead(azimuth)), on_cone.y);
+        let tilted =
+            ahead(azimuth) * (out * tilt_cos + up * tilt_sin - out) + Vec3::y() * (up * tilt_cos - out * tilt_sin - up);
+        *p = origin + on_cone + tilted;
     }
 }
 
@@ -238,7 +246,8 @@ mod tests {
             let (garment, mut placed) = halves(sector);
             assert_eq!(lay_on_cone(&garment, &mut placed, &[0, 1]), ["back", "front"]);
             let (low, high) = placed.iter().flatten().fold((9.0_f64, 0.0_f64), |(l, h), p| (l.min(p.y), h.max(p.y)));
-            let slope = (1.0 - (sector / std::f64::consts::PI).powi(2)).max(0.0).sqrt();
+            let steepness = sector / std::f64::consts::PI;
+            let slope = (1.0 - steepness * steepness).max(0.0).sqrt().max(libm::sin(SLOPE_LEAST));
             assert!(((high - low) - slope * (RADII[2] - RADII[0])).abs() < 1e-9, "{sector}: {low} to {high}");
             // Along a radius lengths are kept; across, a chord is no longer than it was.
             for (piece, x) in garment.pieces.iter().zip(&placed) {

@@ -25,7 +25,10 @@ pub fn ignored_parts(garment: &Garment, placed: &[Vec<Vec3>]) -> BTreeMap<String
     for forearm in parts.iter().filter(|p| p.name.starts_with("forearm-")) {
         if is_in_the_way(garment, placed, &beside, forearm) {
             for i in &beside {
-                ignores.entry(garment.pieces[*i].name.clone()).or_default().push(forearm.name.clone());
+                let top = placed[*i].iter().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
+                // Cloth that begins below the elbow has nothing to do with the upper arm.
+                let part = if top < forearm.axis[0].y { &forearm.segment } else { &forearm.name };
+                ignores.entry(garment.pieces[*i].name.clone()).or_default().push(part.clone());
             }
         }
     }

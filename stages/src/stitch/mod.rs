@@ -132,6 +132,7 @@ impl Stage for Stitch {
         garment.pins.extend(pins);
         let turned = garment.seams.iter().filter_map(|seam| turned(seam, &placed));
         cx.report.findings.extend(turned);
+        let settings = settings(params, cx.threads);
         let layout = Layout::of(&garment);
         let ignores = ignored_parts::ignored_parts(&garment, &placed);
         cx.report.findings.extend(ignored_parts::finding(&ignores));
@@ -142,9 +143,9 @@ impl Stage for Stitch {
         }
         let mut start = scene(&garment, &layout, layout.join(&placed), WEIGHT).map_err(StageError::Parameter)?;
         start.contact_filter = contact_filter(&garment, &layout, &ignores);
-        let moves = toile_cloth::pieces_off_body(&mut start).map_err(|e| failure_in(e, &garment, &placed))?;
+        let moves =
+            toile_cloth::pieces_off_body(&mut start, &settings).map_err(|e| failure_in(e, &garment, &placed))?;
         cx.report.findings.extend(moves.iter().filter_map(|m| moved_off(&garment, &layout, m)));
-        let settings = settings(params, cx.threads);
         let shape =
             |x: &[Vec3]| Shape { positions: layout.split(x), sewn: true, welded: false, ignores: ignores.clone() };
         let shown = |x: &[Vec3]| Garment { stitched: Some(shape(x)), ..garment.clone() };

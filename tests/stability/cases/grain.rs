@@ -17,7 +17,7 @@ pub fn cases() -> Vec<Case> {
 }
 
 /// Accepted, at rest, closed, nothing crosses.
-fn good(lab: &mut Lab, run: &Ended) {
+pub(super) fn good(lab: &mut Lab, run: &Ended) {
     lab.count.accepted += 1;
     let c = &run.record["certificate"];
     lab.expect(run.code == 0, format!("exit code {}: {}", run.code, run.said));
@@ -68,7 +68,7 @@ fn light_and_heavy(lab: &mut Lab) -> Result<(), String> {
     let fabrics = vec![("light", of(0.02, 1e2)), ("heavy", of(2.0, 1e6))];
     let trunk = turned(&[[0.1, 0.0], [0.1, 0.9], [0.12, 1.0], [0.12, 1.2]], 48);
     let at = trunk.at.iter().map(|p| Vec3::new(p.y, p.z, p.x)).collect();
-    let body = Some((Mesh { at, ..trunk }, "[measures]\nwaist_height = \"1000 mm\"\n".to_owned()));
+    let body = Some((Mesh { at, ..trunk }.obj(), "[measures]\nwaist_height = \"1000 mm\"\n".to_owned()));
     let drawing = Drawing { sheets, sewing, fabrics, body, edge: 20.0, drape: Vec::new() };
     let accuracy = lab.accuracy().map(str::to_owned);
     let run = lab.program(&[], |folder| drawing.write(folder, accuracy.as_deref()))?;

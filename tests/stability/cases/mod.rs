@@ -14,6 +14,7 @@ pub mod not_yet;
 mod numbers;
 mod scale;
 mod seams;
+mod starts;
 mod symmetry;
 
 use crate::case::Case;
@@ -26,6 +27,7 @@ pub fn all() -> Vec<Case> {
     list.extend(numbers::cases());
     list.extend(seams::cases());
     list.extend(grain::cases());
+    list.extend(starts::cases());
     list.extend(layers::cases());
     list.extend(contact::cases());
     list.extend(motion::cases());

@@ -4,10 +4,11 @@
 
 use crate::collision::body::Body;
 use crate::collision::crossings::count;
+use crate::prepare::initial_feasibility::repair::free_of_body;
 use crate::prepare::tuning::{PIECE_OFF_BODY_MOST, PIECE_OFF_BODY_STEP};
 use crate::scene::topology::Topology;
 use crate::scene::validate;
-use crate::{ClothError, Scene, Vec3};
+use crate::{ClothError, Scene, Settings, Vec3};
 
 /// A piece that was moved.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,14 +20,20 @@ pub struct PieceMove {
 }
 
 /// Moves every piece of the scene that crosses the body along its mean normal until it is free, and not farther than
-/// [`PIECE_OFF_BODY_MOST`]. Pieces that would not be free there stay.
+/// [`PIECE_OFF_BODY_MOST`]. Pieces that would not be free there stay. Nothing is moved where it is enough to push single
+/// vertices out of the body.
 ///
 /// # Errors
-/// An unusable scene.
-pub fn pieces_off_body(scene: &mut Scene) -> Result<Vec<PieceMove>, ClothError> {
+/// An unusable scene or setting.
+pub fn pieces_off_body(scene: &mut Scene, settings: &Settings) -> Result<Vec<PieceMove>, ClothError> {
     validate::scene(scene)?;
+    validate::settings(settings)?;
     let Some(body) = Body::of_scene(scene) else { return Ok(Vec::new()) };
     let topology = Topology::of_elements(scene.positions.len(), &scene.triangles);
+    let (gap, share) = (settings.body_gap, settings.repair_share);
+    if free_of_body(&mut scene.positions.clone(), &topology, &body, gap, share).is_ok() {
+        return Ok(Vec::new());
+    }
     let part = topology.components(scene.positions.len());
     let found = count::body_crossings(&scene.positions, &topology.faces, &body);
     let mut crossing: Vec<u32> = found.pairs.iter().map(|p| part[topology.faces[p[0] as usize][0] as usize]).collect();
@@ -87,7 +94,7 @@ mod tests {
             .collect();
         scene.body = Some(BodyMesh { positions, triangles }.into());
         let start = scene.positions.clone();
-        let moves = pieces_off_body(&mut scene).unwrap();
+        let moves = pieces_off_body(&mut scene, &Settings { repair_share: 0.0, ..Settings::sewing() }).unwrap();
         // The ball reaches from 20 mm behind the sheet to 80 mm in front of it.
         assert_eq!(moves.len(), 1);
         assert!((moves[0].by + normal * 0.025).norm() < 1e-9, "{:?}", moves[0]);
