@@ -6,6 +6,7 @@ use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use toile_formats::codes::{OUT_OF_RANGE, SIZE_NOT_FOUND};
+use toile_formats::dxf::darts::UndecidedDart;
 use toile_formats::dxf::{self, InsertRule, ReadOptions, Tolerances, Vendor};
 use toile_formats::rul;
 use toile_garment::units::{Angle, Length};
@@ -150,7 +151,10 @@ impl Stage for ImportDxf {
         let bytes = cx.files.read(&params.file)?;
         let options = options(params)?;
         let pattern = dxf::read(&bytes, &file, &options).map_err(StageError::Input)?;
-        cx.report.findings.extend(pattern.findings.iter().cloned());
+        // What is undecided is told once the sewing file is known, and of one size alone.
+        let one_size = !matches!(params.size, Some(SizeChoice::Many(_)));
+        let now = |f: &&Diagnostic| !(one_size && dxf::darts::is_undecided(f));
+        cx.report.findings.extend(pattern.findings.iter().filter(now).cloned());
         let table = rule_table(params, cx)?;
         cx.report.findings.extend(table.iter().flat_map(|t| pattern.check_rules(t)));
         let (mut read, findings) = in_sizes(params, &pattern, table.as_ref())?;
@@ -159,11 +163,35 @@ impl Stage for ImportDxf {
         report_ledger(&pattern, &file, cx);
         allowance::add(params.allowance.as_ref(), &mut read.pieces, Which::Missing, cx)?;
         let mut garment = Garment { style: read.style, size: read.size, pieces: read.pieces, ..garment };
-        if let Some(path) = &params.sewing {
-            let plan = crate::sewing::file(path, cx)?;
-            crate::sewing::apply(&mut garment, plan, cx.report)?;
+        let undecided = undecided(params, &pattern, table.as_ref())?;
+        match &params.sewing {
+            Some(path) => {
+                let plan = crate::sewing::file(path, cx)?;
+                crate::sewing::apply_deciding(&mut garment, plan, undecided, cx.report)?;
+            }
+            None => cx.report.findings.extend(undecided.into_iter().map(|u| u.finding)),
         }
         Ok(garment)
+    }
+}
+
+/// The size of a single one; none is that of the file.
+fn one_size(size: Option<&SizeChoice>) -> Option<&str> {
+    match size {
+        Some(SizeChoice::One(size)) => Some(size.as_str()).filter(|s| !s.trim().is_empty()),
+        _ => None,
+    }
+}
+
+/// The wedges of a single size that the drawing leaves undecided.
+fn undecided(
+    params: &ImportDxfParams,
+    pattern: &dxf::Pattern,
+    table: Option<&rul::RuleTable>,
+) -> Result<Vec<UndecidedDart>, StageError> {
+    match &params.size {
+        Some(SizeChoice::Many(_)) => Ok(Vec::new()),
+        size => pattern.undecided_darts(one_size(size.as_ref()), table).map_err(by_fault),
     }
 }
 
@@ -174,12 +202,8 @@ fn in_sizes(
     table: Option<&rul::RuleTable>,
 ) -> Result<(Garment, Vec<Diagnostic>), StageError> {
     let sizes = match &params.size {
-        None => return pattern.to_garment(None, table).map_err(by_fault),
-        Some(SizeChoice::One(size)) => {
-            let size = Some(size.as_str()).filter(|s| !s.trim().is_empty());
-            return pattern.to_garment(size, table).map_err(by_fault);
-        }
         Some(SizeChoice::Many(sizes)) => sizes,
+        size => return pattern.to_garment(one_size(size.as_ref()), table).map_err(by_fault),
     };
     if params.sewing.is_some() {
         let text = "a sewing file belongs to one size, and `size` is a list";

@@ -10,6 +10,7 @@ use super::piece::DrawnPiece;
 use super::sheet::Drill;
 use super::unfold::Fold;
 use crate::rul::RuleTable;
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 use toile_garment::dart::{Dart, DartEvidence, DartKind};
 use toile_garment::notch::Notch;
@@ -18,7 +19,7 @@ use toile_garment::piece::{DrillHole, PieceText};
 use toile_garment::{Diagnostic, Garment, Piece, PieceId, SourceRef, Vec2};
 
 /// Metres per millimetre.
-const M: f64 = 1e-3;
+pub(super) const M: f64 = 1e-3;
 
 impl Pattern {
     /// The garment in one size: as asked, else the sample size, else the only one. A size that is not drawn is graded
@@ -32,17 +33,12 @@ impl Pattern {
         rul: Option<&RuleTable>,
     ) -> Result<(Garment, Vec<Diagnostic>), Vec<Diagnostic>> {
         let chosen = self.choose(size, rul)?;
-        let mut names = BTreeSet::new();
         let pieces = chosen
             .pieces
             .iter()
+            .zip(names(&chosen.pieces))
             .enumerate()
-            .map(|(i, drawn)| {
-                let mut piece = to_piece(drawn, &self.file);
-                piece.id = PieceId::from(i);
-                piece.name = unique(piece.name, &mut names);
-                piece
-            })
+            .map(|(i, (drawn, name))| Piece { id: PieceId::from(i), name, ..to_piece(drawn, &self.file) })
             .collect();
         let garment =
             Garment { style: self.style.clone().unwrap_or_default(), size: chosen.size, pieces, ..Garment::default() };
@@ -88,6 +84,12 @@ impl Pattern {
         all.size = sample.or(sizes.first()).cloned();
         if errors.is_empty() { Ok((all, findings)) } else { Err(errors) }
     }
+}
+
+/// The names of pieces in a garment: each once.
+pub(super) fn names(pieces: &[Cow<'_, DrawnPiece>]) -> Vec<String> {
+    let mut taken = BTreeSet::new();
+    pieces.iter().map(|p| unique(p.label().to_owned(), &mut taken)).collect()
 }
 
 fn unique(name: String, taken: &mut BTreeSet<String>) -> String {

@@ -202,7 +202,7 @@ fn piece(drawn: &DrawnPiece, piece: &Piece) -> Value {
         "net_area_cm2": round(geom::area(&net).abs() / 100.0),
         "net_perimeter_mm": round(geom::length(&net, true)),
         "sew_line_count": drawn.sew_lines,
-        "dart_count": drawn.darts.len() + drawn.doubts.candidates.len(),
+        "dart_count": drawn.darts.len() + drawn.doubts.undecided.len() + drawn.doubts.candidates.len(),
         "darts_unfolded": piece.darts.len(),
         // Marks (POINT) count apart from notches drawn with strokes: both are listed and both are sewn.
         "notch_count": drawn.notches.iter().filter(|n| !n.strokes && !n.cut).count(),
@@ -217,7 +217,9 @@ fn piece(drawn: &DrawnPiece, piece: &Piece) -> Value {
         "turn_point_count": drawn.points.turn_points,
         "curve_point_count": drawn.points.curve_points,
     });
-    let darts = drawn.darts.iter().map(dart).chain(drawn.doubts.candidates.iter().map(candidate));
+    let undecided = drawn.doubts.undecided.iter().map(|d| dart(d, true));
+    let darts = drawn.darts.iter().map(|d| dart(d, false)).chain(undecided);
+    let darts = darts.chain(drawn.doubts.candidates.iter().map(candidate));
     let denied = drawn.doubts.denied.iter().map(|d| json!({ "at_mm": xy(d.at), "why": d.why }));
     // Moved in: `json!` would copy what is a `Value` already.
     let lists = [
@@ -242,7 +244,7 @@ fn notch(n: &DrawnNotch) -> Value {
     })
 }
 
-fn dart(d: &DrawnDart) -> Value {
+fn dart(d: &DrawnDart, undecided: bool) -> Value {
     let kind = match d.form {
         Form::Wedge => "boundary_wedge",
         Form::Marked => "internal_line",
@@ -258,9 +260,9 @@ fn dart(d: &DrawnDart) -> Value {
         "leg_difference_mm": round((d.leg_path(0) - d.leg_path(1)).abs()),
         "width_mm": round(d.width()),
         "line": d.on,
-        "confidence": round(d.confidence),
+        "confidence": round(d.confidence()),
         "evidence": d.evidence,
-        "candidate": false,
+        "candidate": undecided,
     });
     if let (Form::Lens, Some(map)) = (d.form, out.as_object_mut()) {
         map.insert("apexes_mm".to_owned(), d.apexes.iter().map(|p| xy(*p)).collect());

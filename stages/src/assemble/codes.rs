@@ -8,6 +8,10 @@ codes! {
     /// `max_ease` must be a share between 0 and 1. Exit code 2.
     MAX_EASE = "max-ease";
 
+    /// Seams sew two neighbouring mesh vertices of one piece to one point, and no dart takes the cloth between them away.
+    /// Declare the dart with the [[dart]] lines of the finding, or end both seams at one place. Exit code 3.
+    SEAMS_CLOSE_CLOTH = "seams-close-cloth";
+
     /// The two sides of a seam have different numbers of mesh vertices. The mesh was not made for these seams; put
     /// `triangulate` after the sewing file was read. Exit code 3.
     SEAM_COUNTS_DIFFER = "seam-counts-differ";

@@ -1,6 +1,7 @@
 //! `assemble`: seams and darts become vertex runs and stitches.
 
 pub(crate) mod codes;
+mod collapsed;
 mod runs;
 mod stitches;
 
@@ -78,6 +79,9 @@ impl Stage for Assemble {
                     Err(e) => errors.push(e),
                 }
             }
+        }
+        if errors.is_empty() {
+            errors = collapsed::check(&garment, &seams);
         }
         if !errors.is_empty() {
             return Err(StageError::Input(errors));

@@ -5,6 +5,10 @@ use toile_garment::Code;
 codes! {
     pub(crate) list CODES;
 
+    /// The drawing left a wedge undecided, and the seams close it: they bring its mouth or its legs together. It was made
+    /// a dart.
+    DART_BY_SEAMS = "dart-by-seams";
+
     /// The mouth of a dart does not lie on the outline of its piece, so the dart cannot be sewn. Exit code 3.
     DART_MOUTH_OFF_OUTLINE = "dart-mouth-off-outline";
 
@@ -49,7 +53,7 @@ codes! {
     /// Sewn as written, the pieces would lie on top of each other. Usually from and to of one side are swapped.
     SEAM_FOLDS_OVER = "seam-folds-over";
 
-    /// A seam sews the two legs of a dart, so the dart was taken out and the seam kept.
+    /// A seam sews the two legs of a dart, which is sewn already, so the seam was left out.
     SEAM_IS_DART = "seam-is-dart";
 
     /// The sides of a seam differ by more than may be eased, and neither ease nor gather was declared. Correct the

@@ -12,5 +12,5 @@ pub mod ring;
 pub mod shapes;
 pub mod turned;
 
-pub use apply::apply;
+pub use apply::{apply, apply_deciding};
 pub use file::file;

@@ -484,3 +484,34 @@ fn random_outlines_never_panic() {
     }
     assert!(meshed > 120, "{meshed}");
 }
+
+/// A needle dart of 3 mm over 190 mm is cut out like any other: legs of equal counts, good triangles beside it.
+#[test]
+fn needle_darts_leave_good_triangles() {
+    let mouth = [(151.5, 600.0), (148.5, 600.0)];
+    for (marked, h) in [(false, 8.0), (false, 14.0), (false, 20.0), (true, 8.0), (true, 14.0), (true, 20.0)] {
+        let mut points = vec![(0.0, 0.0, 't'), (300.0, 0.0, 't'), (300.0, 600.0, 't'), (151.5, 600.0, 't')];
+        points.extend((!marked).then_some((150.0, 410.0, 't')));
+        points.extend([(148.5, 600.0, 't'), (0.0, 600.0, 't')]);
+        let mut front = piece(0, "front", &points);
+        let kind = if marked { DartKind::MarkedWedge } else { DartKind::Wedge };
+        front.darts = vec![dart("needle", kind, &[(150.0, 410.0)], mouth)];
+        let (garment, report) = mesh(one(front), h).expect("mesh");
+        assert!(report.findings.is_empty(), "{h} mm: {:?}", report.findings);
+        let p = &garment.pieces[0];
+        let m = p.mesh.as_ref().expect("mesh");
+        assert!((m.area() - (0.18 - 0.5 * 3e-3 * 0.19)).abs() < 1e-9, "{h} mm: {}", m.area());
+        let (angle, q, _) = figures(p);
+        assert!(angle >= 30.0 && q >= 0.7, "marked {marked}, {h} mm: least angle {angle}, q {q}");
+        let legs = &p.darts[0].mesh.as_ref().expect("dart mesh").legs;
+        assert_eq!(legs[0].len(), legs[1].len());
+        assert_eq!(legs[0].last(), legs[1].last(), "the legs share the apex");
+        assert_eq!(missing(p), 0);
+        let (garment, _) = run(&Assemble, &Default::default(), garment).expect("seams");
+        assert_eq!(garment.seams[0].stitches.len(), legs_of(&garment)[0].len() - 1);
+    }
+}
+
+fn legs_of(garment: &Garment) -> &[Vec<u32>; 2] {
+    &garment.pieces[0].darts[0].mesh.as_ref().expect("dart mesh").legs
+}

@@ -3,8 +3,8 @@
 use super::codes;
 use super::legs_test::wedge_test;
 use super::thresholds::{
-    ANGLE_OF_DART, COUNT_OF_BLUNT_APEXES, DISTANCE_OF_COPY_VERTEX, DISTANCE_OF_VERTEX_MARK, SHARE_OF_BLUNT_APEX,
-    TURN_OF_APEX, TURN_OF_LEG_END, VERTICES_OF_BLUNT_OUTLINE, WIDTH_OF_BLUNT_APEX,
+    COUNT_OF_BLUNT_APEXES, DISTANCE_OF_COPY_VERTEX, DISTANCE_OF_VERTEX_MARK, SHARE_OF_BLUNT_APEX, TURN_OF_APEX,
+    TURN_OF_LEG_END, VERTICES_OF_BLUNT_OUTLINE, WIDTH_OF_BLUNT_APEX,
 };
 use super::wedge::walk;
 use crate::dxf::chain::JOIN;
@@ -116,7 +116,7 @@ fn blunt(nodes: &[Node], i: usize) -> Option<Vec2> {
     }
     let ends = [walk(nodes, i, false)?, walk(nodes, (i + 1) % n, true)?].map(|leg| at(leg[leg.len() - 1]));
     let wide = (b - a).norm() <= SHARE_OF_BLUNT_APEX * (ends[1] - ends[0]).norm();
-    (wide && wedge_test(apex, ends[0], ends[1], *ANGLE_OF_DART.start()).is_ok()).then_some(apex)
+    (wide && wedge_test(apex, ends[0], ends[1]).is_ok()).then_some(apex)
 }
 
 fn replace(outline: &mut Outline, i: usize, apex: Vec2) -> Joined {

@@ -8,19 +8,23 @@ codes! {
     /// The apex of a dart is drawn as two vertices side by side, up to 2 mm apart. Their middle is its apex.
     DART_APEX_BLUNT = "dart-apex-blunt";
 
-    /// Lines inside the piece look like a dart but do not close to one. Declare it with [[dart]] in the sewing file if
-    /// it is one.
+    /// Drill holes and notches may mark a dart that no line draws. Declare it with [[dart]] in the sewing file if it is
+    /// one.
     DART_CANDIDATE = "dart-candidate";
 
     /// The two legs of a dart differ in length, so its mouth does not close flush. The difference is eased over the
     /// leg; correct the pattern if it is not meant.
     DART_LEGS_DIFFER = "dart-legs-differ";
 
+    /// A wedge may be a dart, and neither its marks nor the sewing file decide it: it is narrow, or shaped as a slit. It
+    /// was not made one. Copy the [[dart]] lines of the finding into the sewing file, with kind = "none" if it is none.
+    DART_UNDECIDED = "dart-undecided";
+
     /// Two lines look like the folds of a pleat or dart-pleat. It is not made one unless the sewing file declares it
     /// with `[[dart]]`.
     PLEAT_CANDIDATE = "pleat-candidate";
 
-    /// A wedge in the outline has the shape of a dart, but its legs or its angle do not fit one. Declare it with
-    /// [[dart]] in the sewing file if it is one.
+    /// A wedge has the shape of a dart, but the evidence is against it: an insert fits into it, it is unmarked among
+    /// marked darts, a text calls it a slit, its legs differ. Declare it with [[dart]] in the sewing file if it is one.
     WEDGE_NOT_A_DART = "wedge-not-a-dart";
 }

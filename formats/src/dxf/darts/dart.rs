@@ -1,9 +1,10 @@
 //! The dart as drawn, and the record of a look-alike that was denied.
 
+use super::thresholds::{POINTS_THAT_HALVE_DOUBT, RANGE_OF_CONFIDENCE};
 use crate::dxf::geom;
 use toile_garment::Vec2;
 
-/// Tells what to do about a dart that was not taken; the hint of every finding that denies one.
+/// Tells what to do about a look-alike that was not taken, where no single dart can be written down.
 pub(super) const DECLARE: &str =
     "if it is a dart, declare it in the sewing file: [[dart]] piece, apex, mouth, kind = \"wedge\"";
 
@@ -39,10 +40,12 @@ pub struct DrawnDart {
     pub line: u64,
     /// Entities that are its legs (marked darts and lenses).
     pub ids: Vec<u32>,
-    /// How sure it is one, 0 to 1.
-    pub confidence: f64,
-    /// Reasons that speak for it.
-    pub evidence: Vec<String>,
+    /// Points of all evidence: what speaks for it less what speaks against it.
+    pub points: i32,
+    /// Reasons that speak for it and against it.
+    pub evidence: Vec<&'static str>,
+    /// The reasons that speak against it.
+    pub against: Vec<&'static str>,
 }
 
 /// A look-alike that is no dart.
@@ -57,6 +60,13 @@ pub struct Denied {
 }
 
 impl DrawnDart {
+    /// How sure it is a dart, 0 to 1: a few points halve the doubt.
+    #[must_use]
+    pub fn confidence(&self) -> f64 {
+        let doubt = libm::exp2(-f64::from(self.points) / POINTS_THAT_HALVE_DOUBT);
+        (1.0 - doubt).clamp(*RANGE_OF_CONFIDENCE.start(), *RANGE_OF_CONFIDENCE.end())
+    }
+
     /// Length of a leg along its path, mm.
     #[must_use]
     pub fn leg_path(&self, leg: usize) -> f64 {

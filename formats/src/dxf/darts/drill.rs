@@ -2,6 +2,7 @@
 
 use super::codes;
 use super::dart::DrawnDart;
+use super::declare::table;
 use super::legs_test::wedge_test;
 use super::thresholds::{
     ANGLE_OF_CANDIDATE, ANGLE_OF_DRILL_ROW, COSINE_OF_KITE, COUNT_OF_CANDIDATE_MARKS, COUNT_OF_FREE_DRILLS,
@@ -27,7 +28,11 @@ impl DrawnPiece {
                 mm(*drill),
                 self.label()
             );
-            desk.say(Diagnostic::info(codes::DART_CANDIDATE, text).hint(hint), &self.block, "13", self.line);
+            let lines = format!(
+                "if it is one, write in the sewing file, with the apex where the legs meet:\n{}",
+                table(self.label(), *drill, *mouth)
+            );
+            desk.say(Diagnostic::warning(codes::DART_CANDIDATE, text).hint(lines), &self.block, "13", self.line);
         }
         for [tip, side, other] in threes(drills, &self.darts, self.axes.grain.map(|g| g[1] - g[0])) {
             let text = format!(
@@ -126,7 +131,8 @@ fn candidates(notches: &[Vec2], drills: &[Vec2], darts: &[DrawnDart]) -> Vec<(Ve
             near.iter().enumerate().flat_map(|(i, a)| near[i + 1..].iter().map(move |b| (*a, *b))).find(|(a, b)| {
                 let (u, v) = ((a - drill).norm(), (b - drill).norm());
                 (u - v).abs() <= DIFFERENCE_OF_CANDIDATE_LEGS * u.max(v)
-                    && wedge_test(*drill, *a, *b, ANGLE_OF_CANDIDATE).is_ok()
+                    && wedge_test(*drill, *a, *b).is_ok()
+                    && geom::angle(a - drill, b - drill) >= ANGLE_OF_CANDIDATE
             });
         found.extend(pair.map(|(a, b)| (*drill, [a, b])));
     }

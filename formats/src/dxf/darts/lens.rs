@@ -64,8 +64,9 @@ fn lens(path: &Path, outline: &[Vec2]) -> Option<DrawnDart> {
         on: "internal",
         line: path.line,
         ids: path.ids.clone(),
-        confidence: 0.0,
+        points: 0,
         evidence: Vec::new(),
+        against: Vec::new(),
     })
 }
 

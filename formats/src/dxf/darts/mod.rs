@@ -10,22 +10,30 @@
 //! | `lens.rs` | fish-eye darts: closed lenses, also in strokes; pocket openings are denied |
 //! | `on_fold.rs` | darts of a half piece that the fold cuts in two; necklines on the fold are denied |
 //! | `zigzag.rs` | teeth of a zigzag edge are denied |
-//! | `evidence.rs` | confidence and evidence of a dart that was found |
+//! | `evidence.rs` | the table of evidence for and against, each row with its points |
+//! | `decide.rs` | the decision by points: dart, undecided, or none |
+//! | `insert.rs` | wedges into which another piece's point fits: godets |
+//! | `declare.rs` | undecided darts, finding `dart-undecided`, with the lines of the sewing file |
 //! | `drill.rs` | drill holes and notches without lines: candidates, finding `dart-candidate` |
 //! | `pleat.rs` | pairs of fold lines: told and not made, finding `pleat-candidate` |
 //! | `neckline.rs` | wedges in the middle of a whole piece that are V necklines |
-//! | `deny.rs` | wedges that other pieces or the file's habit deny: godets, slits, vents |
 //! | `legs_differ.rs` | legs of different length, finding `dart-legs-differ` |
 //! | `dart.rs` | the dart as drawn, and what was denied |
+//!
+//! Shape alone makes no dart: the search gathers all that may be one, and evidence decides. For a dart speak an angle
+//! that slits do not have, lines drawn as legs, notches, a drill hole, a cap, a word, legs of one length, a sibling and
+//! another size. Unequal legs, the shape of a slit, the habit of the file, another word and an insert speak against it.
 //!
 //! A look-alike that is denied becomes the finding `wedge-not-a-dart` or stands in `not_darts` of `inspect`.
 
 mod blunt;
 pub(crate) mod codes;
 mod dart;
-mod deny;
+mod decide;
+mod declare;
 mod drill;
 mod evidence;
+mod insert;
 mod legs_differ;
 mod legs_test;
 mod lens;
@@ -39,5 +47,6 @@ mod wedge;
 mod zigzag;
 
 pub use dart::{Denied, DrawnDart, Form};
-pub(super) use deny::deny_inserts_and_unmarked;
+pub(super) use decide::decide;
+pub use declare::{UndecidedDart, is_undecided};
 pub use pleat::Pleat;

@@ -1,9 +1,9 @@
 //! Darts that lie on the fold: a half piece holds one half of them, the mirror image makes them whole.
 
-use super::dart::{Denied, DrawnDart, Form};
+use super::dart::{Denied, DrawnDart};
 use super::thresholds::{
-    ANGLE_OF_FOLD_NECKLINE, COUNT_OF_STROKES, DISTANCE_OF_FOLD_POINT, DOUBT_OF_HALF_DART, GAP_OF_STROKES,
-    VERTICES_OF_HALF_LINE, WIDTH_OF_FOLD_NECKLINE,
+    ANGLE_OF_FOLD_NECKLINE, COUNT_OF_STROKES, DISTANCE_OF_FOLD_POINT, GAP_OF_STROKES, VERTICES_OF_HALF_LINE,
+    WIDTH_OF_FOLD_NECKLINE,
 };
 use super::{lens, marked, wedge};
 use crate::dxf::chain::{self, Path};
@@ -42,8 +42,7 @@ impl DrawnPiece {
             found.extend(lenses);
         }
         for dart in &mut found {
-            dart.confidence -= if dart.form == Form::Wedge { 0.0 } else { DOUBT_OF_HALF_DART };
-            dart.evidence.push("its apex lies on the fold: one half is drawn".into());
+            dart.evidence.push("its apex lies on the fold: one half is drawn");
         }
         (found, denied)
     }

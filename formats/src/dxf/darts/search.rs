@@ -4,12 +4,12 @@ use super::codes;
 use super::dart::{DECLARE, Denied, Form};
 use super::{lens, marked, wedge, zigzag};
 use crate::dxf::desk::Desk;
-use crate::dxf::ledger::Verdict;
 use crate::dxf::piece::{DrawnPiece, mm};
 use toile_garment::{Diagnostic, Vec2};
 
 impl DrawnPiece {
-    /// Finds the darts of a piece whose outline, notches and working lines are known.
+    /// Finds all that may be a dart of a piece whose outline, notches and working lines are known, with the evidence of
+    /// the piece. `decide.rs` decides when all pieces are known.
     pub(in crate::dxf) fn find_darts(&mut self, desk: &mut Desk<'_>) {
         let on = if self.sew.is_some() { "sew" } else { "cut" };
         let (mut found, mut denied) = wedge::wedges(self.sewn(), on);
@@ -33,12 +33,6 @@ impl DrawnPiece {
         let (folded, necklines) = self.darts_on_fold(on);
         found.extend(folded);
         denied.extend(necklines);
-        for dart in &found {
-            for id in &dart.ids {
-                let rule = if dart.form == Form::Lens { "closed lens: fish-eye dart" } else { "legs of a marked dart" };
-                desk.overrule(*id, Verdict::Interpreted, rule);
-            }
-        }
         for dart in &mut found {
             self.weigh(dart);
         }

@@ -5,9 +5,7 @@
 
 use super::dart::{Denied, DrawnDart, Form};
 use super::legs_test::wedge_test;
-use super::thresholds::{
-    ANGLE_OF_DART, BOW_OF_LEG, LENGTH_OF_WALK, PLACE_OF_PROBE, SLIT_OF_OPEN_LENS, TURN_OF_APEX, TURN_OF_LEG_END,
-};
+use super::thresholds::{BOW_OF_LEG, LENGTH_OF_WALK, PLACE_OF_PROBE, SLIT_OF_OPEN_LENS, TURN_OF_APEX, TURN_OF_LEG_END};
 use super::zigzag;
 use crate::dxf::chain::JOIN;
 use crate::dxf::geom;
@@ -35,17 +33,13 @@ pub fn wedges(outline: &Outline, on: &'static str) -> (Vec<DrawnDart>, Vec<Denie
             let (a, b) = (positions[legs[0][0]], positions[legs[1][0]]);
             // The mouth must open to the outside: a chord through cloth means a notch of another kind.
             let middle = (a + b) * (0.5 * (1.0 - PLACE_OF_PROBE)) + apex_at * PLACE_OF_PROBE;
-            legs[0][0] != legs[1][0]
-                && wedge_test(apex_at, a, b, *ANGLE_OF_DART.start()).is_ok()
-                && !geom::inside(middle, &positions)
+            legs[0][0] != legs[1][0] && wedge_test(apex_at, a, b).is_ok() && !geom::inside(middle, &positions)
         };
         if test(&whole) {
             found.extend(build(outline, &positions, apex, &whole, &whole, on));
         } else if let Some(wide) = widest(&whole, &positions).filter(test) {
             found.extend(build(outline, &positions, apex, &wide, &whole, on));
-        } else if let Err(why) =
-            wedge_test(apex_at, positions[whole[0][0]], positions[whole[1][0]], *ANGLE_OF_DART.start())
-        {
+        } else if let Err(why) = wedge_test(apex_at, positions[whole[0][0]], positions[whole[1][0]]) {
             denied.push(Denied { at: apex_at, why, form: Form::Wedge });
         }
     }
@@ -123,8 +117,9 @@ fn build(
         on,
         line: outline.line,
         ids: Vec::new(),
-        confidence: 0.0,
+        points: 0,
         evidence: Vec::new(),
+        against: Vec::new(),
     })
 }
 
@@ -163,8 +158,8 @@ mod tests {
 
     #[test]
     fn slits_notches_tabs_and_necklines_are_no_darts() {
-        // 2.9 degrees: a slit.
-        assert!(wedges(&with_wedge((145.0, 600.0), (150.0, 400.0), (155.0, 600.0)), "cut").0.is_empty());
+        // 1 mm wide: a slit.
+        assert!(wedges(&with_wedge((149.5, 600.0), (150.0, 400.0), (150.5, 600.0)), "cut").0.is_empty());
         // 8 mm deep: a notch cut into the outline.
         assert!(wedges(&with_wedge((148.0, 600.0), (150.0, 592.0), (152.0, 600.0)), "cut").0.is_empty());
         // Outward: a tab.

@@ -119,7 +119,7 @@ pub fn grade(sample: &DrawnPiece, table: &RuleTable, size: &str) -> Result<Drawn
     for path in piece.inside.internal.iter_mut().chain(&mut piece.inside.cutouts).chain(stripes) {
         line(path, &growth, &cut);
     }
-    for dart in &mut piece.darts {
+    for dart in piece.darts.iter_mut().chain(&mut piece.doubts.undecided) {
         let carry = |p: Vec2| growth.at(p).map_or_else(|| sewn.carry(p), |g| p + g);
         dart.apexes.iter_mut().chain(&mut dart.mouth).for_each(|p| *p = carry(*p));
         dart.legs.iter_mut().chain(&mut dart.work).flatten().for_each(|p| *p = carry(*p));

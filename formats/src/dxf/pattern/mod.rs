@@ -174,7 +174,7 @@ fn build_pieces(
     block_names::fill(&mut pieces, sample_size, &mut desk);
     carry_between_sizes(&mut pieces, &mut desk);
     desk.each(&mut pieces, DrawnPiece::finish);
-    darts::deny_inserts_and_unmarked(&mut pieces, &mut desk);
+    darts::decide(&mut pieces, &mut desk);
     checks::pieces(&pieces, sample_size, &mut desk);
     for (id, verdict, rule) in overruled {
         ledger.overrule(id, verdict, rule);

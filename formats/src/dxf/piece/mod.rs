@@ -121,6 +121,8 @@ pub struct VertexPoints {
 pub struct DartDoubts {
     /// Wedges and lenses that were not taken as darts, with the reason.
     pub denied: Vec<Denied>,
+    /// Wedges and marked legs whose evidence does not decide whether they are darts.
+    pub undecided: Vec<DrawnDart>,
     /// A drill hole and two notches that may be a dart.
     pub candidates: Vec<(Vec2, [Vec2; 2])>,
     /// Pairs of fold lines.
@@ -275,6 +277,5 @@ impl DrawnPiece {
         self.find_notches(desk);
         self.find_darts(desk);
         self.deny_necklines(desk);
-        self.check_legs(desk);
     }
 }

@@ -44,7 +44,7 @@ pub(super) fn piece(line: &[(f64, f64)], body: impl Fn(Writer) -> Writer) -> Str
     file(|w| body(w.polyline("1", true, line).points("2", line)))
 }
 
-fn notched(w: Writer, points: &[(f64, f64)]) -> Writer {
+pub(super) fn notched(w: Writer, points: &[(f64, f64)]) -> Writer {
     points.iter().fold(w, |w, (x, y)| w.point("4", *x, *y).pair(30, "5").pair(39, "0"))
 }
 
@@ -208,8 +208,8 @@ fn drill_and_notches_are_a_candidate_and_no_dart() {
 
 #[test]
 fn what_is_no_dart() {
-    // 2.9 degrees: a slit; its reason is told.
-    let slit = check("slit", &piece(&top(&[(155.0, 600.0), (150.0, 400.0), (145.0, 600.0)]), |w| w), &[]);
+    // 1 mm wide: a slit; its reason is told.
+    let slit = check("slit", &piece(&top(&[(150.5, 600.0), (150.0, 400.0), (149.5, 600.0)]), |w| w), &[]);
     assert!(slit["not_darts"][0]["why"].as_str().is_some_and(|w| w.contains("slit")));
     check("tab", &piece(&top(&[(165.0, 600.0), (150.0, 700.0), (135.0, 600.0)]), |w| w), &[]);
     check("notch", &piece(&top(&[(153.0, 600.0), (150.0, 594.0), (147.0, 600.0)]), |w| w), &[]);

@@ -2,6 +2,7 @@
 
 mod binary;
 mod blocks;
+mod dart_evidence;
 mod dart_forms;
 mod dart_loose;
 mod darts;

@@ -5,6 +5,7 @@ use crate::sewing::codes;
 use crate::sewing::lookup;
 use crate::sewing::ring::Ring;
 use crate::sewing::shapes::mm;
+use toile_formats::dxf::darts::UndecidedDart;
 use toile_garment::dart::{Dart, DartEvidence, DartKind};
 use toile_garment::outline::{LinePoint, PieceLine, PointKind};
 use toile_garment::sewing::DartSpec;
@@ -15,24 +16,34 @@ const SAME_POINT: f64 = 2e-3;
 /// A line that ends this near to a dart's point gives its leg.
 const ON_LINE: f64 = 1e-3;
 
-/// Applies the `[[dart]]` tables of these pieces.
+/// Applies the `[[dart]]` tables of these pieces. A table that denies what the reader left undecided has nothing to do.
 pub fn declare(
     garment: &mut Garment,
     wanted: impl Fn(&str) -> bool,
+    undecided: &[UndecidedDart],
     report: &mut Report,
     errors: &mut Vec<Diagnostic>,
 ) {
     let specs: Vec<DartSpec> = garment.plan.darts.iter().filter(|d| wanted(&d.piece)).cloned().collect();
     for spec in &specs {
+        if spec.kind.is_none() && undecided.iter().any(|u| is_declared(&u.spec, spec)) {
+            continue;
+        }
         match lookup::piece(garment, &spec.piece, spec.source.as_ref()) {
-            Ok(id) => one(&mut garment.pieces[id.index()], spec, report, errors),
+            Ok(id) => declare_one(&mut garment.pieces[id.index()], spec, report, errors),
             Err(e) => errors.push(e),
         }
     }
 }
 
-fn one(piece: &mut Piece, spec: &DartSpec, report: &mut Report, errors: &mut Vec<Diagnostic>) {
-    let known = piece.darts.iter().position(|d| is_same(d, spec));
+/// Does a table of the sewing file speak of this wedge?
+pub fn is_declared(wedge: &DartSpec, spec: &DartSpec) -> bool {
+    wedge.piece.eq_ignore_ascii_case(&spec.piece) && is_same((&wedge.mouth, &wedge.apexes), spec)
+}
+
+/// Applies one table.
+pub fn declare_one(piece: &mut Piece, spec: &DartSpec, report: &mut Report, errors: &mut Vec<Diagnostic>) {
+    let known = piece.darts.iter().position(|d| is_same((&d.mouth, &d.apexes), spec));
     let Some(kind) = spec.kind else {
         match known {
             Some(k) => deny(piece, k),
@@ -61,12 +72,11 @@ fn one(piece: &mut Piece, spec: &DartSpec, report: &mut Report, errors: &mut Vec
     }
 }
 
-fn is_same(dart: &Dart, spec: &DartSpec) -> bool {
+fn is_same((drawn, apexes): (&[Vec2; 2], &[Vec2]), spec: &DartSpec) -> bool {
     let near = |a: &Vec2, b: &Vec2| (a - b).norm() < SAME_POINT;
     let [m0, m1] = &spec.mouth;
-    let mouth =
-        near(&dart.mouth[0], m0) && near(&dart.mouth[1], m1) || near(&dart.mouth[0], m1) && near(&dart.mouth[1], m0);
-    let apex = !spec.apexes.is_empty() && spec.apexes.iter().all(|a| dart.apexes.iter().any(|d| near(a, d)));
+    let mouth = near(&drawn[0], m0) && near(&drawn[1], m1) || near(&drawn[0], m1) && near(&drawn[1], m0);
+    let apex = !spec.apexes.is_empty() && spec.apexes.iter().all(|a| apexes.iter().any(|d| near(a, d)));
     mouth || apex
 }
 

@@ -4,10 +4,12 @@ mod claims;
 mod copies;
 mod darts;
 mod names;
+mod undecided;
 
 use super::resolve::{find, placed};
 use super::shapes::{Shapes, shapes};
 use crate::codes::PIECE_UNKNOWN;
+use toile_formats::dxf::darts::UndecidedDart;
 use toile_garment::sewing::SewingPlan;
 use toile_garment::{Diagnostic, Garment, PieceId, Report};
 use toile_stage_api::StageError;
@@ -18,6 +20,20 @@ use toile_stage_api::StageError;
 /// # Errors
 /// When the plan names a piece, edge or point that is not there.
 pub fn apply(garment: &mut Garment, plan: SewingPlan, report: &mut Report) -> Result<(), StageError> {
+    apply_deciding(garment, plan, Vec::new(), report)
+}
+
+/// [`apply`], and the wedges that the reader leaves undecided become darts where the plan closes them. The others are
+/// told, unless the plan says what they are.
+///
+/// # Errors
+/// As [`apply`].
+pub fn apply_deciding(
+    garment: &mut Garment,
+    plan: SewingPlan,
+    undecided: Vec<UndecidedDart>,
+    report: &mut Report,
+) -> Result<(), StageError> {
     let mut errors = Vec::new();
     garment.plan = plan;
     leave_out(garment, &mut errors);
@@ -25,10 +41,11 @@ pub fn apply(garment: &mut Garment, plan: SewingPlan, report: &mut Report) -> Re
     let copies = garment.plan.copies.clone();
     let is_copy = |name: &str| copies.iter().any(|c| c.name.eq_ignore_ascii_case(name));
     names::edges(garment, |piece| !is_copy(piece), &mut errors);
-    darts::declare(garment, |piece| !is_copy(piece), report, &mut errors);
+    darts::declare(garment, |piece| !is_copy(piece), &undecided, report, &mut errors);
+    undecided::decide(garment, undecided, report, &mut errors);
     copies::copy(garment, &mut errors);
     names::edges(garment, is_copy, &mut errors);
-    darts::declare(garment, is_copy, report, &mut errors);
+    darts::declare(garment, is_copy, &[], report, &mut errors);
     names::canonical(garment, &mut errors);
     if !errors.is_empty() {
         return Err(StageError::Parameter(errors));

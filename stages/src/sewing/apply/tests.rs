@@ -2,6 +2,7 @@ use super::*;
 use crate::assemble::Assemble;
 use crate::testing::{dart, line, one, piece, rectangle, run, seam, two_points, v};
 use crate::triangulate::Triangulate;
+use toile_formats::dxf::darts::UndecidedDart;
 use toile_garment::Severity;
 use toile_garment::dart::DartKind;
 use toile_garment::notch::{Notch, NotchKind};
@@ -256,4 +257,115 @@ fn the_neck_of_two_pieces_needs_its_direction() {
     let shoulder = seam("shoulder", edge("front", "3"), edge("back", "1"));
     let plan = SewingPlan { seams: vec![shoulder, seam("neck", both, edge("band", "0"))], ..SewingPlan::default() };
     apply(&mut garment, plan, &mut Report::default()).expect("settled by the shoulder");
+}
+
+/// A skirt front with a needle of 3 × 190 mm in its waist that the reader left undecided, cut or drawn as lines, and
+/// the band that is sewn to it.
+fn needle(marked: bool, seams: Vec<SeamSpec>, darts: Vec<DartSpec>) -> (Garment, Report) {
+    let mut points = vec![(0.0, 0.0, 't'), (300.0, 0.0, 't'), (300.0, 600.0, 't'), (151.5, 600.0, 't')];
+    points.extend((!marked).then_some((150.0, 410.0, 't')));
+    points.extend([(148.5, 600.0, 't'), (0.0, 600.0, 't')]);
+    let mut front = piece(0, "front", &points);
+    if marked {
+        front.internal_lines = vec![line(&[(151.5, 600.0), (150.0, 410.0), (148.5, 600.0)])];
+    }
+    let mut garment = Garment { pieces: vec![front, rectangle(1, "band", 297.0, 40.0)], ..Garment::default() };
+    let spec = DartSpec {
+        piece: "front".into(),
+        name: None,
+        apexes: vec![v(150.0, 410.0)],
+        mouth: [v(151.5, 600.0), v(148.5, 600.0)],
+        kind: Some(DartKind::Wedge),
+        source: None,
+    };
+    let undecided =
+        vec![UndecidedDart { spec, finding: Diagnostic::warning(crate::sewing::codes::DART_BY_SEAMS, "a wedge") }];
+    let mut report = Report::default();
+    let plan = SewingPlan { seams, darts, ..SewingPlan::default() };
+    apply_deciding(&mut garment, plan, undecided, &mut report).expect("plan");
+    (garment, report)
+}
+
+/// Seams of the waist that end at both mouth points and go on at one point of the band.
+fn waist() -> Vec<SeamSpec> {
+    let (left, right) =
+        (two_points("front", (148.5, 600.0), (0.0, 600.0)), two_points("front", (300.0, 600.0), (151.5, 600.0)));
+    vec![
+        seam("left", vec![left], vec![two_points("band", (148.5, 0.0), (0.0, 0.0))]),
+        seam("right", vec![right], vec![two_points("band", (297.0, 0.0), (148.5, 0.0))]),
+    ]
+}
+
+fn codes(report: &Report) -> Vec<&str> {
+    report.findings.iter().map(|f| f.code.as_str()).collect()
+}
+
+#[test]
+fn seams_that_close_a_needle_make_it_a_dart() {
+    let one_seam = seam(
+        "waist",
+        waist().iter().rev().flat_map(|s| s.a.clone()).collect(),
+        vec![two_points("band", (297.0, 0.0), (0.0, 0.0))],
+    );
+    for marked in [false, true] {
+        for seams in [waist(), vec![one_seam.clone()]] {
+            let (garment, report) = needle(marked, seams, Vec::new());
+            assert_eq!(codes(&report), ["dart-by-seams"], "marked {marked}");
+            assert_eq!(garment.pieces[0].darts.len(), 1);
+            assert!(garment.pieces[0].internal_lines.is_empty(), "its lines are legs now");
+            let (garment, _) = run(&Triangulate, &Default::default(), garment).expect("mesh");
+            let (garment, _) = run(&Assemble, &Default::default(), garment).expect("seams");
+            // The cloth of the needle is gone: half of 3 × 190 mm.
+            let area = garment.pieces[0].mesh.as_ref().expect("mesh").area();
+            assert!((area - (0.18 - 0.5 * 3e-3 * 0.19)).abs() < 1e-9, "marked {marked}: {area}");
+        }
+    }
+    // The legs sewn to each other are the dart itself.
+    let legs = seam(
+        "legs",
+        vec![two_points("front", (151.5, 600.0), (150.0, 410.0))],
+        vec![two_points("front", (148.5, 600.0), (150.0, 410.0))],
+    );
+    let (garment, report) = needle(false, vec![legs], Vec::new());
+    assert_eq!(codes(&report), ["dart-by-seams", "seam-is-dart"]);
+    assert_eq!(garment.pieces[0].darts.len(), 1);
+}
+
+#[test]
+fn a_needle_that_no_seam_closes_is_told_unless_the_file_says_what_it_is() {
+    let (garment, report) = needle(false, waist()[..1].to_vec(), Vec::new());
+    assert_eq!((codes(&report), garment.pieces[0].darts.len()), (vec!["dart-undecided"], 0));
+    // Two seams that end at its mouth and go to places apart leave it open.
+    let mut apart = waist();
+    apart[1].b = vec![two_points("band", (297.0, 0.0), (151.5, 0.0))];
+    assert_eq!(codes(&needle(false, apart, Vec::new()).1), ["dart-undecided"]);
+    // A leg that is sewn to another piece is no dart's.
+    let taken = seam(
+        "godet",
+        vec![two_points("front", (151.5, 600.0), (150.0, 410.0))],
+        vec![two_points("band", (0.0, 0.0), (190.0, 0.0))],
+    );
+    let (garment, report) = needle(false, vec![taken], Vec::new());
+    assert_eq!((codes(&report), garment.pieces[0].darts.len()), (vec![], 0));
+    for (kind, count) in [(Some(DartKind::Wedge), 1), (None, 0)] {
+        let mouth = [v(148.5, 600.0), v(151.5, 600.0)];
+        let spec =
+            DartSpec { piece: "Front".into(), name: None, apexes: vec![v(150.0, 410.0)], mouth, kind, source: None };
+        let (garment, report) = needle(false, Vec::new(), vec![spec]);
+        assert_eq!((codes(&report), garment.pieces[0].darts.len()), (vec![], count), "{kind:?}");
+    }
+}
+
+#[test]
+fn a_needle_that_nobody_found_is_an_error_with_its_place_and_its_lines() {
+    let mut garment = needle(true, Vec::new(), Vec::new()).0;
+    garment.plan.seams = waist();
+    let (garment, _) = run(&Triangulate, &Default::default(), garment).expect("mesh");
+    let Err(StageError::Input(errors)) = run(&Assemble, &Default::default(), garment) else { panic!("an error") };
+    assert_eq!(errors.len(), 1);
+    assert_eq!(errors[0].code, "seams-close-cloth");
+    assert!(errors[0].message.contains("piece `front`") && errors[0].message.contains("3.0 mm apart"), "{errors:?}");
+    let hint = errors[0].hint.as_deref().expect("hint");
+    assert!(hint.contains("apex = [\"150.000 mm\", \"410.000 mm\"]"), "{hint}");
+    assert!(hint.contains("[\"148.500 mm\", \"600.000 mm\"]") && hint.contains("[\"151.500 mm\""), "{hint}");
 }

@@ -4,9 +4,9 @@ use crate::dxf::chain::Path;
 use crate::dxf::darts::dart::{Denied, DrawnDart, Form};
 use crate::dxf::darts::legs_test::wedge_test;
 use crate::dxf::darts::thresholds::{
-    ANGLE_OF_DART, ANGLE_OF_MARKED_DART, BOW_OF_LEG, DEPTH_OF_MARKED_APEX, DISTANCE_OF_ALLOWANCE_CORNER,
-    DISTANCE_OF_SAME_APEX, DISTANCE_OF_SAME_LEG, GAP_OF_LEGS, GAP_OF_SHORT_LEG, LENGTH_OF_CHORD, LENGTH_OF_TIP,
-    TURN_OF_LEG_END, TURN_OF_TWIN_APEX, WIDTH_OF_BLUNT_APEX,
+    ANGLE_OF_DART, BOW_OF_LEG, DEPTH_OF_MARKED_APEX, DISTANCE_OF_ALLOWANCE_CORNER, DISTANCE_OF_SAME_APEX,
+    DISTANCE_OF_SAME_LEG, GAP_OF_LEGS, GAP_OF_SHORT_LEG, LENGTH_OF_CHORD, LENGTH_OF_TIP, TURN_OF_LEG_END,
+    TURN_OF_TWIN_APEX, WIDTH_OF_BLUNT_APEX,
 };
 use crate::dxf::geom::{self, PointIndex};
 use toile_garment::Vec2;
@@ -87,7 +87,7 @@ fn sectors(group: &[usize], legs: &[Leg<'_>]) -> Vec<Vec<usize>> {
         if let Some(sector) = out.last_mut() {
             sector.push(order[at]);
         }
-        if gap(at) > *ANGLE_OF_DART.end() && k < n {
+        if gap(at) > ANGLE_OF_DART && k < n {
             out.push(Vec::new());
         }
     }
@@ -171,7 +171,7 @@ pub(super) fn dart(
 ) -> Option<Result<DrawnDart, Denied>> {
     let apex = *legs[0].last()?;
     let (a, b) = (legs[0][0], legs[1][0]);
-    wedge_test(apex, a, b, ANGLE_OF_MARKED_DART).ok()?;
+    wedge_test(apex, a, b).ok()?;
     let straight = legs.iter().all(|l| geom::length(l, false) <= BOW_OF_LEG * (l[0] - l[l.len() - 1]).norm());
     if !straight || !geom::inside(apex, outline) || geom::distance(apex, outline, true) < DEPTH_OF_MARKED_APEX {
         return None;
@@ -194,8 +194,9 @@ pub(super) fn dart(
         on: "internal",
         line,
         ids,
-        confidence: 0.0,
+        points: 0,
         evidence: Vec::new(),
+        against: Vec::new(),
     }))
 }
 
@@ -205,7 +206,7 @@ fn boxed(legs: &[Vec<Vec2>; 2]) -> Option<&'static str> {
     let apex = legs[0][legs[0].len() - 1];
     let (u, v) = (a - apex, b - apex);
     let angle = geom::angle(u, v);
-    if angle > *ANGLE_OF_DART.end() {
+    if angle > ANGLE_OF_DART {
         return Some("its point is blunter than 60 degrees: a placket, flap or pocket");
     }
     legs.iter().any(|leg| has_corner(leg)).then_some("a side has a corner: a placket, flap or pocket")
