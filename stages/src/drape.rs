@@ -10,7 +10,7 @@ pub use params::{AccuracyName, DrapeParams, EffectsParam, IntegratorName, ModelN
 use crate::solve::body_parts::contact_filter;
 use crate::solve::{Follow, Layout, MESH_ANEW, effects, failure, failure_in, scene};
 use toile_cloth::{ClothError, Outcome, Scene, Settings, StopReason};
-use toile_garment::garment::Shape;
+use toile_garment::garment::{Certificate, Shape};
 use toile_garment::{Aspect, Code, Diagnostic, Garment, Vec3};
 use toile_stage_api::{Cost, Forecast, Knob, Meaning, Stage, StageContext, StageError, StageInfo};
 
@@ -24,6 +24,10 @@ codes! {
     /// Edges are so short beside the others of their triangles that no step could be taken: their ends were draped as
     /// one vertex, and parted again afterwards.
     EDGES_TINY = "edges-tiny";
+
+    /// The top of the garment sank on the body by more than its gate: nothing holds the garment where it was sewn. Hold an
+    /// edge with [[attach]], or make it narrower there.
+    SLID = "slid";
 
     /// The fabric gives constants of springs ([springs]), and the model of the drape is not `springs`: it went by the
     /// fabric's laws.
@@ -45,7 +49,7 @@ impl Stage for Drape {
         "settles the sewn garment under gravity and certifies the result",
         &[Aspect::Mesh, Aspect::Stitched, Aspect::Fabric],
         &[Aspect::Drape],
-        1,
+        2,
     );
 
     const KNOBS: &'static [Knob] = &[
@@ -93,17 +97,26 @@ impl Stage for Drape {
         let outcome = toile_cloth::drape(&welded.scene, &settings, &mut Follow::showing(cx, &shown)).map_err(told)?;
         let stored: Vec<Vec3> = outcome.positions.iter().map(to_f32).collect();
         let figures = toile_cloth::certify(&welded.scene, &settings, &stored).map_err(failure)?;
-        garment.certificate = Some(certificate::certificate(&garment, params, &outcome, &figures));
+        let slip = slip(&garment, &stitched, &layout.split(&welded.spread(&stored)));
+        garment.certificate = Some(certificate::certificate(&garment, params, &outcome, &figures, slip));
         garment.drape = Some(shape(&stored));
         garment.reactions = reactions(&garment, &layout, &welded.map, &outcome);
         garment.stitched = Some(stitched);
         let certificate = garment.certificate.as_ref();
         let tight = certificate.and_then(|c| tightness::finding(&garment, c, figures.tightest.as_ref()));
         cx.report.findings.extend(tight);
+        cx.report.findings.extend(certificate.and_then(slid));
         tell(&mut garment, &outcome, cx);
         tell_springs(&garment, params, cx);
         Ok(garment)
     }
+}
+
+/// How far the top of a sewn garment sank on its body, m.
+fn slip(garment: &Garment, stitched: &Shape, rest: &[Vec<Vec3>]) -> f64 {
+    let top = |x: &[Vec<Vec3>]| x.iter().flatten().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
+    let hangs = stitched.sewn && garment.body.is_some() && !garment.seams.is_empty();
+    if hangs { (top(&stitched.positions) - top(rest)).max(0.0) } else { 0.0 }
 }
 
 /// Positions with all stitches closed: a cloth mesh that came without `stitch` is sewn here.
@@ -161,6 +174,15 @@ fn tell(garment: &mut Garment, outcome: &Outcome, cx: &mut StageContext<'_>) {
             .hint(remedy(outcome.stop_reason)),
         );
     }
+}
+
+/// A finding on a garment that slid down its body.
+fn slid(certificate: &Certificate) -> Option<Diagnostic> {
+    let most = certificate.limits.get("slip_mm").copied().unwrap_or(f64::INFINITY);
+    let message = format!("the garment slid: its top lies {:.0} mm below where it was sewn", certificate.slip_mm);
+    let finding = Diagnostic::warning(SLID, message);
+    (certificate.slip_mm > most)
+        .then(|| finding.hint("hold an edge with [[attach]], or make the garment narrower where it should hold"))
 }
 
 /// Spring constants of a fabric say nothing to another model.

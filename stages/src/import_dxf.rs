@@ -129,7 +129,7 @@ impl Stage for ImportDxf {
     type Params = ImportDxfParams;
 
     const INFO: StageInfo =
-        StageInfo::new("import-dxf", "reads the pieces of an AAMA or ASTM DXF in one size", &[], &[Aspect::Pieces], 3);
+        StageInfo::new("import-dxf", "reads the pieces of an AAMA or ASTM DXF in one size", &[], &[Aspect::Pieces], 4);
 
     fn forecast(
         &self,

@@ -319,6 +319,7 @@ fn certificate(garment: &Garment) -> Table {
     row("strain_p95", percent(c.strain_p95), limit("strain_p95", 100.0), "%");
     row("strain_max", percent(c.strain_max), limit("strain_max", 100.0), "%");
     row("strain_over_limit", Cell::Number(c.strain_over_limit, 4), limit("strain_over_limit", 1.0), "of the limit");
+    row("slip_mm", Cell::Number(c.slip_mm, 1), limit("slip_mm", 1.0), "mm");
     row("seam_gap_max_mm", Cell::Number(c.seam_gap_max_mm, 4), limit("seam_gap_max_mm", 1.0), "mm");
     row("dart_gap_max_mm", Cell::Number(c.dart_gap_max_mm, 4), limit("dart_gap_max_mm", 1.0), "mm");
     row("self_crossings", Cell::Count(c.self_crossings), limit("self_crossings", 1.0), "");

@@ -92,7 +92,7 @@ impl Stage for Stitch {
         "places the pieces around the body and sews seams and darts",
         &[Aspect::Pieces, Aspect::Mesh, Aspect::Seams],
         &[Aspect::Stitched, Aspect::Fabric, Aspect::Body],
-        1,
+        2,
     );
 
     const KNOBS: &'static [Knob] = &[Knob::new(Meaning::Model, "model"), Knob::new(Meaning::Integrator, "integrator")];
