@@ -127,6 +127,21 @@ fn finds_all_mistakes_at_once() {
 }
 
 #[test]
+fn parts_that_a_piece_ignores_are_known_words() {
+    let place = |ignores: &str| {
+        let at = "piece = \"front\"\naround = \"torso\"\nside = \"front\"\nheight = \"1 m\"\n";
+        format!("[[place]]\n{at}{ignores}\n")
+    };
+    let read_ignores = |text: &str| read(text, "good.toml").expect("a sewing file").places[0].ignores.clone();
+    assert_eq!(read_ignores(&place("")), None);
+    assert_eq!(read_ignores(&place("ignores = []")), Some(Vec::new()));
+    let two = read_ignores(&place("ignores = [\"forearm-left\", \"arm-right\"]"));
+    assert_eq!(two, Some(vec!["forearm-left".to_owned(), "arm-right".to_owned()]));
+    assert_eq!(mistakes(&place("ignores = [\"forarm-left\"]"))[0].0, "sewing-unknown-word");
+    assert_eq!(mistakes(&place("ignores = \"arm-left\""))[0].0, "sewing-wrong-type");
+}
+
+#[test]
 fn refuses_what_cannot_be() {
     let one = |text: &str| mistakes(text)[0].0.clone();
     let seam = |rest: &str| format!("[[seam]]\na = \"f.1\"\nb = \"b.1\"\n{rest}\n");
