@@ -69,6 +69,14 @@ tuned! {
         tried: "not recorded",
         evidence: "No measurement is kept.",
     }
+    /// Turns in which a start is freed of itself and then of the body again.
+    REPAIR_TURNS: usize = 4, {
+        unit: "turns",
+        larger: "Starts that cannot be freed are refused later.",
+        smaller: "Starts are refused that one turn more would free.",
+        tried: "1 to 4",
+        evidence: "With one turn a lapel jacket began with 53 crossings of the body, and the drape kept them.",
+    }
     /// Step by which a piece that starts in the body is moved along its normal.
     PIECE_OFF_BODY_STEP: f64 = 5e-3, {
         unit: "m",

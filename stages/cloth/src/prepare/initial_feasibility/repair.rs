@@ -97,6 +97,21 @@ pub(crate) fn free_of_body(
     Err(ClothError::StartCrosses { self_crossings: 0, body_crossings, inside, place })
 }
 
+/// Refuses cloth that crosses the body or has vertices inside it.
+///
+/// # Errors
+/// The crossings and a place.
+pub(crate) fn refuse_crossing(x: &[Vec3], topology: &Topology, body: &Body) -> Result<(), ClothError> {
+    let found = count::body_crossings(x, &topology.faces, body);
+    let within = inside(x, &topology.faces, &found.pairs, body);
+    let deep = within.iter().filter(|w| **w).count();
+    if found.count == 0 && deep == 0 {
+        return Ok(());
+    }
+    let place = place(x, topology, &found.pairs, &within);
+    Err(ClothError::StartCrosses { self_crossings: 0, body_crossings: found.count, inside: deep, place })
+}
+
 /// A place at which the start is not free.
 fn place(x: &[Vec3], topology: &Topology, pairs: &[[u32; 2]], within: &[bool]) -> Place {
     let any = |t: &[u32; 3]| t.iter().any(|v| within[*v as usize]);
