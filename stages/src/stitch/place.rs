@@ -38,7 +38,7 @@ pub fn place(garment: &Garment, clearance: f64) -> Result<Vec<Vec<Vec3>>, Vec<Di
     if errors.is_empty() { Ok(placed) } else { Err(errors) }
 }
 
-/// What the sewing file says of where a piece starts.
+/// The place that the sewing file gives a piece.
 pub(super) fn spec_of<'a>(garment: &'a Garment, piece: &Piece) -> Option<&'a PlaceSpec> {
     let places = &garment.plan.places;
     places
