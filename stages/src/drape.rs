@@ -112,10 +112,10 @@ impl Stage for Drape {
     }
 }
 
-/// How far the top of a sewn garment sank on its body, m.
+/// How far the top of a sewn garment that nothing holds sank on its body, m.
 fn slip(garment: &Garment, stitched: &Shape, rest: &[Vec<Vec3>]) -> f64 {
     let top = |x: &[Vec<Vec3>]| x.iter().flatten().map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
-    let hangs = stitched.sewn && garment.body.is_some() && !garment.seams.is_empty();
+    let hangs = stitched.sewn && garment.body.is_some() && !garment.seams.is_empty() && garment.pins.is_empty();
     if hangs { (top(&stitched.positions) - top(rest)).max(0.0) } else { 0.0 }
 }
 

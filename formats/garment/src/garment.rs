@@ -62,7 +62,7 @@ pub struct Certificate {
     /// Strain that a garment may have along warp or weft: the fabric's limit and the margin of the gate.
     #[serde(default)]
     pub strain_gate: f64,
-    /// How far the top of the cloth sank while a sewn garment came to rest on its body, mm; 0 without body or seams.
+    /// How far the top of a sewn garment that nothing holds sank while it came to rest on its body, mm.
     #[serde(default)]
     pub slip_mm: f64,
     /// Largest gap of a sewn pair, mm.
