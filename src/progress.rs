@@ -155,7 +155,7 @@ impl Teller {
             map.insert("kind".to_owned(), json!(kind));
         }
         self.sequence += 1;
-        if writeln!(events, "{body}").and_then(|()| events.flush()).is_err() {
+        if writeln!(events, "{}", toile_garment::text::json(&body.to_string())).and_then(|()| events.flush()).is_err() {
             // Nobody listens any more.
             self.events = None;
         }

@@ -13,15 +13,11 @@ pub fn finding_line(finding: &Diagnostic) -> String {
     safe(&finding.to_string())
 }
 
-/// Text without control characters: names come from files and must not steer a terminal.
+/// Text in which control characters and those that turn its direction are written out: names come from files and must
+/// not steer a terminal.
 #[must_use]
 pub fn safe(text: &str) -> String {
-    let keep = |c: char| !c.is_control() || c == '\n';
-    let mut out = String::with_capacity(text.len());
-    for c in text.chars() {
-        if keep(c) { out.push(c) } else { out.extend(c.escape_default()) }
-    }
-    out
+    toile_garment::text::shown(text, &['\n'])
 }
 
 /// Findings as text: the line of the source below each, the first few of a code one by one, the rest counted.
@@ -92,8 +88,8 @@ mod tests {
 
     #[test]
     fn names_from_files_cannot_steer_a_terminal() {
-        let finding = Diagnostic::error(WRONG_VALUE, "piece \u{1b}[2J");
-        assert!(!finding_line(&finding).contains('\u{1b}'));
+        let finding = Diagnostic::error(WRONG_VALUE, "piece \u{1b}[2J\u{202e}");
+        assert!(!finding_line(&finding).contains(['\u{1b}', '\u{202e}']));
     }
 
     #[test]

@@ -191,3 +191,117 @@ fn events_are_json_lines_in_order() {
     assert_eq!(bench.run(&["--force", "--events", &path]).code, 0);
     assert_eq!(bench.run(&["--out", "elsewhere", "--events", &path]).code, 2, "events are not overwritten either");
 }
+
+const READ: &str = "[[stage]]\nuse = \"test-read\"\nwith.file = \"../../result/a.txt\"\n";
+
+#[test]
+fn force_never_replaces_an_input_of_the_run() {
+    let bench = Bench::new();
+    std::fs::create_dir_all(bench.out()).expect("folder");
+    std::fs::write(bench.out().join("a.txt"), "the customer's").expect("file");
+    let said = bench.stages(&format!("{READ}{WRITE}")).run(&["--force"]);
+    assert_eq!(said.code, 2, "{said:?}");
+    assert_eq!(bench.output("a.txt").as_deref(), Some("the customer's"));
+    assert_eq!(bench.left(), ["a.txt"]);
+}
+
+#[test]
+fn force_replaces_neither_the_pipeline_nor_an_input_called_like_the_record() {
+    let bench = Bench::new();
+    let own = WRITE.replace("a.txt", "v1.toml");
+    let before = bench.stages(&own).pipeline_file();
+    let text = std::fs::read_to_string(&before).expect("text");
+    let folder = before.parent().expect("folder").to_path_buf();
+    let run = |more: &[&str]| {
+        let mut all =
+            vec!["run".to_owned(), before.display().to_string(), "--out".into(), folder.display().to_string()];
+        all.extend(more.iter().map(|s| (*s).to_owned()));
+        support::bench::command(all.into_iter().map(Into::into).collect())
+    };
+    assert_eq!(run(&["--force", "--quiet"]).code, 2);
+    assert_eq!(std::fs::read_to_string(&before).expect("text"), text);
+    let events = before.to_str().expect("text").to_owned();
+    assert_eq!(run(&["--force", "--quiet", "--events", &events]).code, 2);
+    assert_eq!(std::fs::read_to_string(&before).expect("text"), text, "events replace no input either");
+    std::fs::write(folder.join("run.json"), "a pattern of this name").expect("file");
+    bench.stages("[[stage]]\nuse = \"test-read\"\nwith.file = \"run.json\"\n");
+    assert_eq!(run(&["--force", "--quiet"]).code, 2);
+    assert_eq!(std::fs::read_to_string(folder.join("run.json")).expect("text"), "a pattern of this name");
+}
+
+#[test]
+fn outputs_of_an_earlier_run_are_gone_before_the_work() {
+    let bench = Bench::new();
+    let two = format!(
+        "{WRITE}{}",
+        WRITE.replace("a.txt", "b.txt").replace("[[stage]]\nuse = \"test-sheet\"\nwith.side = \"1 m\"\n", "")
+    );
+    assert_eq!(bench.stages(&two).run(&[]).code, 0);
+    assert_eq!(bench.left(), ["a.txt", "b.txt", "run.json"]);
+    let fails = format!("{WRITE}[[stage]]\nuse = \"test-fail\"\nwith.way = \"unstable\"\n");
+    assert_eq!(bench.stages(&fails).run(&["--force"]).code, 4);
+    assert_eq!(bench.left(), ["run.json"], "nothing of the run that passed lies beside one that failed");
+    assert_eq!(bench.record()["exit_code"], 4);
+    assert_eq!(bench.stages(&two).run(&[]).code, 0);
+    assert_eq!(bench.stages(WRITE).run(&["--force"]).code, 0);
+    assert_eq!(bench.left(), ["a.txt", "run.json"], "an output that is not made anew is gone too");
+}
+
+#[test]
+fn an_output_that_was_changed_since_or_is_read_now_stays() {
+    let bench = Bench::new();
+    assert_eq!(bench.stages(WRITE).run(&[]).code, 0);
+    std::fs::write(bench.out().join("a.txt"), "mine").expect("file");
+    let other = WRITE.replace("a.txt", "b.txt");
+    assert_eq!(bench.stages(&other).run(&["--force"]).code, 0);
+    assert_eq!(bench.output("a.txt").as_deref(), Some("mine"));
+    assert_eq!(bench.record()["findings"][0]["code"], "earlier-output-changed");
+    assert_eq!(bench.stages(WRITE).run(&["--force"]).code, 0);
+    assert_eq!(bench.stages(&format!("{READ}{other}")).run(&["--force"]).code, 0);
+    assert_eq!(bench.left(), ["a.txt", "b.txt", "run.json"], "an earlier output may be an input now");
+}
+
+#[cfg(unix)]
+#[test]
+fn lock_and_temporary_files_follow_no_link() {
+    let bench = Bench::new();
+    std::fs::create_dir_all(bench.out()).expect("folder");
+    let victim = bench.path("victim");
+    std::fs::write(&victim, "mine").expect("file");
+    for name in [".0.tmp-toile", ".record.tmp-toile"] {
+        std::os::unix::fs::symlink(&victim, bench.out().join(name)).expect("link");
+    }
+    assert_eq!(bench.stages(WRITE).run(&[]).code, 0);
+    assert_eq!(bench.left(), ["a.txt", "run.json"]);
+    std::os::unix::fs::symlink(bench.path("absent"), bench.out().join(".lock.tmp-toile")).expect("link");
+    assert_eq!(bench.run(&["--force"]).code, 5);
+    assert!(!bench.path("absent").exists());
+    assert_eq!(std::fs::read_to_string(&victim).expect("text"), "mine");
+}
+
+#[test]
+fn a_file_is_known_by_its_parameter_and_not_by_its_looks() {
+    let bench = Bench::new();
+    for name in ["nope", "skirt.aama", "http://x/y", ".", "..", "{out}/x.dxf", "", "a.b.c"] {
+        bench.stages(&format!("[[stage]]\nuse = \"test-read\"\nwith.file = \"{name}\"\n"));
+        let said = bench.check(&[]);
+        assert!(matches!(said.code, 2 | 3), "{name:?}: {said:?}");
+    }
+    for text in ["/lining", "./x", "c:/x", "front.dxf", "a.toml", "../.."] {
+        let stages = WRITE.replace("hello {line} v{version}", text);
+        let said = bench.stages(&stages).check(&[]);
+        assert_eq!(said.code, 0, "{text:?}: {said:?}");
+    }
+}
+
+#[test]
+fn a_run_over_its_time_is_stopped_with_words() {
+    let bench = Bench::new();
+    bench.stages(&format!("{WRITE}[[stage]]\nuse = \"test-slow\"\nwith.ms = 60000\n"));
+    let begun = std::time::Instant::now();
+    assert_eq!(bench.run(&["--max-seconds", "0.3"]).code, 5);
+    assert!(begun.elapsed().as_secs() < 20);
+    assert_eq!(bench.left(), ["run.json"]);
+    assert_eq!(bench.record()["findings"][0]["code"], "over-limit");
+    assert_eq!(bench.run(&["--max-seconds", "-1"]).code, 2);
+}

@@ -257,3 +257,68 @@ fn a_wrong_forecast_ends_the_plan() {
         assert!(said.err.contains(expected), "{body}: {}", said.err);
     }
 }
+
+/// Copies the garment, so that the stage has done its work.
+const WORK: &str = "cp in/garment.json out/garment.json";
+
+#[test]
+fn a_process_it_leaves_behind_does_not_keep_the_run_waiting() {
+    for pipes in ["", " >/dev/null", " 2>/dev/null"] {
+        let bench = Bench::new();
+        let program = script(&bench, &format!("{WORK}; setsid sleep 20{pipes} </dev/null &"));
+        bench.text(&pipeline(&program, "[[stage]]\nuse = \"acme.x\"\n"));
+        let begun = Instant::now();
+        assert_eq!(bench.run(&["--allow-run", "acme"]).code, 0, "{pipes}");
+        assert!(begun.elapsed() < Duration::from_secs(4), "{pipes}: {:?}", begun.elapsed());
+    }
+}
+
+#[test]
+fn what_it_says_last_is_heard() {
+    let (_, said) = misbehave("(sleep 0.1; echo late >&2; exit 9) ; exit 9");
+    assert!(said.contains("late"), "{said}");
+    let lines = "for i in 1 2 3; do echo '{\"kind\":\"progress\"}'; done";
+    let (_, said) = misbehave(&format!("{lines}; echo not json"));
+    assert!(said.contains("not of protocol"), "{said}");
+}
+
+#[test]
+fn its_findings_are_limited_and_the_rest_is_counted() {
+    let bench = Bench::new();
+    let flood = r#"i=0; while [ $i -lt 1500 ]; do echo '{"kind":"diagnostic","severity":"warning","code":"c","message":"m"}'; i=$((i+1)); done"#;
+    let program = script(&bench, &format!("{flood}; {WORK}"));
+    bench.text(&pipeline(&program, "[[stage]]\nuse = \"acme.x\"\n"));
+    assert_eq!(bench.run(&["--allow-run", "acme"]).code, 0);
+    let findings = bench.record()["findings"].as_array().expect("list").clone();
+    assert_eq!(findings.len(), 1001);
+    assert_eq!(findings[1000]["code"], "plugin-findings-left-out");
+    assert!(findings[1000]["message"].as_str().is_some_and(|m| m.contains("1500")), "{}", findings[1000]);
+}
+
+#[test]
+fn consent_may_be_given_to_a_content_alone() {
+    let bench = Bench::new();
+    let program = script(&bench, WORK);
+    bench.text(&pipeline(&program, "[[stage]]\nuse = \"acme.x\"\n"));
+    let said = bench.run(&[]);
+    let content =
+        said.err.split("--allow-run acme=").nth(1).and_then(|t| t.split(' ').next()).expect("digest").to_owned();
+    assert_eq!(bench.run(&["--allow-run", &format!("acme={content}")]).code, 0);
+    assert_eq!(bench.run(&["--force", "--allow-run", &format!("acme={}", &content[..8])]).code, 2, "too short");
+    let text = std::fs::read_to_string(&program).expect("script");
+    std::fs::write(&program, text + "# changed\n").expect("script");
+    let said = bench.run(&["--force", "--allow-run", &format!("acme={content}")]);
+    assert_eq!(said.code, 2);
+    assert!(said.err.contains("not the one that was allowed"), "{}", said.err);
+    assert_eq!(bench.run(&["--force", "--allow-run", "acme"]).code, 0, "the name alone trusts any content");
+}
+
+#[test]
+fn a_program_that_changes_during_the_run_is_not_started_again() {
+    let bench = Bench::new();
+    let program = script(&bench, &format!("{WORK}; echo '# more' >> {}", bench.path("program.sh").display()));
+    bench.text(&pipeline(&program, "[[stage]]\nuse = \"acme.x\"\n[[stage]]\nuse = \"acme.x\"\n"));
+    assert_eq!(bench.run(&["--allow-run", "acme"]).code, 3);
+    let finding = bench.record()["findings"][0].clone();
+    assert!(finding["message"].as_str().is_some_and(|m| m.contains("changed since")), "{finding}");
+}

@@ -286,3 +286,39 @@ fn a_preview_shows_every_level_and_events_tell_the_time_left() {
     assert_eq!(said.code, 2, "{said:?}");
     assert!(!other.join("run.json").exists(), "found before any work");
 }
+
+/// No output replaces the file that its verb reads.
+#[test]
+fn no_verb_replaces_what_it_reads() {
+    let dir = tempfile::tempdir().expect("folder");
+    let copy = |from: &str, name: &str| {
+        let path = dir.path().join(name);
+        std::fs::copy(sample(from), &path).expect("copy");
+        path
+    };
+    let pattern = copy("patterns/long-skirt.astm.dxf", "skirt.dxf");
+    let fabric = copy("fabrics/wool-suiting.toml", "cloth.toml");
+    let garment = dir.path().join("garment.json");
+    std::fs::write(&garment, "{}").expect("file");
+    let same = dir.path().join("sub/../garment.json");
+    std::fs::create_dir(dir.path().join("sub")).expect("folder");
+    let other = dir.path().join("other.dxf");
+    let said = [
+        toile(&[&"inspect", &pattern, &"--svg", &pattern, &"--force"]),
+        toile(&[&"fabric", &"test", &"cantilever", &fabric, &"--svg", &fabric, &"--force"]),
+        toile(&[&"flatten", &garment, &"--dxf", &garment, &"--force"]),
+        toile(&[&"flatten", &garment, &"--json", &same, &"--force"]),
+    ];
+    for said in said {
+        assert_eq!(said.code, 2, "{said:?}");
+        assert!(said.err.contains("an output never replaces an input"), "{}", said.err);
+    }
+    assert_eq!(
+        std::fs::read(&pattern).expect("file"),
+        std::fs::read(sample("patterns/long-skirt.astm.dxf")).expect("file")
+    );
+    assert_eq!(std::fs::read_to_string(&garment).expect("file"), "{}");
+    let twice = toile(&[&"flatten", &garment, &"--dxf", &other, &"--json", &other]);
+    assert_eq!(twice.code, 2);
+    assert!(twice.err.contains("outputs-collide"), "{}", twice.err);
+}

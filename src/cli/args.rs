@@ -81,8 +81,8 @@ pub struct PipelineArgs {
     /// Let the pipeline read this folder too; may be repeated.
     #[arg(long, value_name = "DIR")]
     pub allow_read: Vec<PathBuf>,
-    /// Let the pipeline run the program of this plugin; may be repeated.
-    #[arg(long, value_name = "NAME")]
+    /// Let the pipeline run the program of this plugin, with =CONTENT only if its files have this digest; may be repeated.
+    #[arg(long, value_name = "NAME[=CONTENT]")]
     pub allow_run: Vec<String>,
 }
 
@@ -139,12 +139,23 @@ pub struct RunArgs {
     /// Let the pipeline write into this folder too; may be repeated.
     #[arg(long, value_name = "DIR")]
     pub allow_write: Vec<PathBuf>,
-    /// Replace files that are there.
+    /// Longest time of the run, s: refused when more is foreseen [500], stopped when it takes more.
+    #[arg(long, value_name = "SECONDS", value_parser = positive)]
+    pub max_seconds: Option<f64>,
+    /// Most memory of the run, MB: refused when more is foreseen [what the system can give], stopped when it takes more.
+    #[arg(long, value_name = "MB", value_parser = positive)]
+    pub max_memory: Option<f64>,
+    /// Remove the outputs of an earlier run before the work, and replace files that are there, but never an input.
     #[arg(long)]
     pub force: bool,
     /// Say nothing but errors.
     #[arg(long)]
     pub quiet: bool,
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok().filter(|n| n.is_finite() && *n > 0.0);
+    number.ok_or_else(|| "write a number above 0".to_owned())
 }
 
 /// How findings are printed.

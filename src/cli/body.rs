@@ -3,7 +3,7 @@
 use super::args::BodyArgs;
 use super::codes;
 use super::console::Console;
-use super::flatten::{is_free, write_result};
+use super::results::Results;
 use crate::codes::{SET_FORM, WRONG_VALUE};
 use crate::engine::Exit;
 use crate::pipeline::remedy;
@@ -21,13 +21,14 @@ pub(super) fn run(args: &BodyArgs, console: &mut Console<'_>) -> Exit {
         return Exit::Good;
     };
     let side = out.with_extension("toml");
+    let results = Results::new(args.force, &[]);
     let findings = match measures(args, out) {
-        Ok(_) if !(is_free(out, args.force, console) && is_free(&side, args.force, console)) => return Exit::Usage,
+        Ok(_) if !results.are_free(&[out, &side], console) => return Exit::Usage,
         Ok(measures) => match parametric(&measures) {
             Ok(body) => {
                 let (mesh, text) = write(&body);
-                let mesh = write_result(out, mesh.as_bytes(), args.force, console);
-                let text = write_result(&side, text.as_bytes(), args.force, console);
+                let mesh = results.write(out, mesh.as_bytes(), console);
+                let text = results.write(&side, text.as_bytes(), console);
                 return if mesh == Exit::Good { text } else { mesh };
             }
             Err(findings) => findings,

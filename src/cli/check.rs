@@ -2,23 +2,39 @@
 
 use super::args::{CheckArgs, Format};
 use super::console::Console;
-use crate::engine::{Exit, Stop};
+use crate::engine::{Exit, Stop, foresee};
 use crate::load;
 use crate::render::findings_json;
 use std::sync::Arc;
+use toile_garment::{Diagnostic, Severity};
 use toile_stage_api::Registry;
 
 pub(super) fn run(args: &CheckArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
     let loaded = load::load(&args.accuracy.request(&args.pipeline), stop, registry);
-    let exit = loaded.exit();
+    let mut exit = loaded.exit();
+    let mut findings = loaded.report.findings.clone();
+    // Input files are read as far as that is cheap, also where something else is wrong.
+    if let (Some(pipeline), Some(gate)) = (&loaded.pipeline, &loaded.gate) {
+        let seen = foresee(pipeline, gate, stop);
+        let is_new = |f: &Diagnostic| !loaded.report.findings.iter().any(|known| same(known, f));
+        findings.extend(seen.findings.into_iter().filter(is_new));
+        findings.extend(seen.notes);
+        exit = if exit == Exit::Good { seen.exit } else { exit };
+    }
     if args.format == Format::Json {
-        console.json(&findings_json(&loaded.report.findings));
+        console.json(&findings_json(&findings));
         return exit;
     }
-    console.findings(&loaded.report.findings, loaded.text());
+    findings.retain(|f| f.severity != Severity::Info);
+    console.findings(&findings, loaded.text());
     if exit == Exit::Good {
         let stages = loaded.pipeline.map_or(0, |p| p.steps.len());
         console.result(&format!("the chain is sound: {stages} stages\n"));
     }
     exit
+}
+
+/// The same mistake, found once by the path and once by the stage that reads it.
+fn same(a: &Diagnostic, b: &Diagnostic) -> bool {
+    a.code == b.code && a.message == b.message
 }

@@ -22,7 +22,7 @@ impl<'a> Console<'a> {
 
     /// A JSON result.
     pub fn json(&mut self, value: &serde_json::Value) {
-        let mut text = serde_json::to_string_pretty(value).unwrap_or_default();
+        let mut text = toile_garment::text::json(&serde_json::to_string_pretty(value).unwrap_or_default());
         text.push('\n');
         self.result(&text);
     }

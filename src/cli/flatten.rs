@@ -3,8 +3,9 @@
 use super::args::FlattenArgs;
 use super::codes;
 use super::console::Console;
+use super::results::Results;
 use crate::codes::NEEDS_NOT_GIVEN;
-use crate::engine::{Exit, MAX_INPUT, Stop, clean, of_file_error, of_stage_error, read_limited, write_whole};
+use crate::engine::{Exit, MAX_INPUT, Stop, clean, of_file_error, of_stage_error, read_limited};
 use crate::progress::Teller;
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -28,6 +29,11 @@ const DXF_TAP: &str = "export-dxf";
 
 pub(super) fn run(args: &FlattenArgs, registry: &Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
     let mut report = Report::default();
+    let results = Results::new(args.force, &[&args.garment]);
+    let wanted: Vec<&Path> = args.dxf.iter().chain(&args.json).map(PathBuf::as_path).collect();
+    if !results.are_free(&wanted, console) {
+        return Exit::Usage;
+    }
     let garment = match read(&args.garment, &mut report) {
         Ok(garment) => garment,
         Err(findings) => {
@@ -40,7 +46,7 @@ pub(super) fn run(args: &FlattenArgs, registry: &Registry, stop: &Arc<Stop>, con
         Ok((summary, files)) => {
             console.findings(&report.findings, None);
             console.result(&crate::render::safe(&summary));
-            let all = files.iter().map(|(path, bytes)| write_result(path, bytes, args.force, console));
+            let all = files.iter().map(|(path, bytes)| results.write(path, bytes, console));
             all.fold(Exit::Good, |worst, exit| if worst == Exit::Good { exit } else { worst })
         }
         Err(error) => {
@@ -101,7 +107,7 @@ fn flatten(
     if let Some(path) = &args.json {
         let value = flatten_json(&garment, flat);
         let text = serde_json::to_string(&value).map_err(|e| StageError::Internal(format!("flat as JSON: {e}")))?;
-        results.push((path.clone(), (text + "\n").into_bytes()));
+        results.push((path.clone(), (toile_garment::text::json(&text) + "\n").into_bytes()));
     }
     if let Some(path) = &args.dxf {
         let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
@@ -175,37 +181,6 @@ fn run_stage(
         threads: std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
     };
     ready.run(garment, &mut cx)
-}
-
-/// Says so when a file may not be written because it is there.
-pub(super) fn is_free(path: &Path, force: bool, console: &mut Console<'_>) -> bool {
-    let taken = path.exists() && !force;
-    if taken {
-        let name = clean(path);
-        console.say(&format!("error[path-refused] `{name}` is there already; replace it with --force\n"));
-    }
-    !taken
-}
-
-/// Writes one result whole, never over a file without `--force`, and names it on stdout.
-pub(super) fn write_result(path: &Path, bytes: &[u8], force: bool, console: &mut Console<'_>) -> Exit {
-    let exit = write_file(path, bytes, force, console);
-    if exit == Exit::Good {
-        console.result(&format!("{}\n", clean(path)));
-    }
-    exit
-}
-
-/// The same without a word on stdout.
-pub(super) fn write_file(path: &Path, bytes: &[u8], force: bool, console: &mut Console<'_>) -> Exit {
-    if !is_free(path, force, console) {
-        return Exit::Usage;
-    }
-    if let Err(error) = write_whole(path, bytes) {
-        console.say(&format!("error[write-failed] cannot write `{}`: {error}\n", clean(path)));
-        return Exit::System;
-    }
-    Exit::Good
 }
 
 /// Keeps what a tap writes; lets it read nothing.

@@ -7,6 +7,7 @@ mod pattern;
 use super::args::InspectArgs;
 use super::codes;
 use super::console::Console;
+use super::results::Results;
 use crate::engine::{Exit, MAX_INPUT, of_file_error, read_limited};
 use serde_json::Value;
 use std::path::Path;
@@ -103,5 +104,5 @@ fn show(args: &InspectArgs, inspected: &Inspected, console: &mut Console<'_>) ->
         console.say("error[no-reader] this form of file has no pieces to draw\n");
         return Exit::Usage;
     };
-    super::flatten::write_result(path, svg.as_bytes(), args.force, console)
+    Results::new(args.force, &[&args.file]).write(path, svg.as_bytes(), console)
 }

@@ -11,6 +11,7 @@ mod fabric;
 mod flatten;
 mod inspect;
 mod plan;
+mod results;
 mod run;
 mod schema;
 mod stages;

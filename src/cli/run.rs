@@ -4,10 +4,11 @@ use super::args::RunArgs;
 use super::console::Console;
 use crate::codes::WRITE_FAILED;
 use crate::engine::{self, Exit, Outcome, RunOptions, Stop, clean, default_out};
+use crate::engine::{Limits, Watchdog, foresee, known_inputs, of_file_error, refuse_input};
 use crate::load::{self, Loaded};
 use crate::progress::{Teller, Voice};
 use std::io::Write;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toile_garment::Diagnostic;
 use toile_stage_api::Registry;
@@ -21,7 +22,13 @@ pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, con
     let Loaded { source: Some(source), pipeline: Some(pipeline), gate: Some(gate), report } = loaded else {
         return Exit::Usage;
     };
-    let events = match open_events(args) {
+    let limits = Limits { seconds: args.max_seconds, mb: args.max_memory };
+    if let Some(finding) = limits.refuse(&foresee(&pipeline, &gate, stop)) {
+        console.findings(&[finding], None);
+        return Exit::System;
+    }
+    let inputs = known_inputs(&pipeline, &gate, &args.pipeline.pipeline);
+    let events = match open_events(args, &inputs) {
         Ok(events) => events,
         Err(findings) => {
             console.findings(&findings, None);
@@ -42,8 +49,9 @@ pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, con
     // A pool that is there already (a library user's) is taken as it is: results do not depend on it.
     drop(rayon::ThreadPoolBuilder::new().num_threads(threads).build_global());
     let mut teller = Teller::new(if args.quiet { Voice::Quiet } else { Voice::Auto }, events);
+    let watchdog = Watchdog::watch(limits, stop);
     let outcome = engine::run(&pipeline, gate, &options, stop, &mut teller, report);
-    drop(teller);
+    drop((teller, watchdog));
     console.result(&summary(&outcome, &out));
     outcome.exit
 }
@@ -56,8 +64,9 @@ pub(super) fn threads(asked: Option<u16>) -> usize {
     asked.or_else(from_environment).unwrap_or_else(cores)
 }
 
-fn open_events(args: &RunArgs) -> Result<Option<Box<dyn Write + Send>>, Vec<Diagnostic>> {
+fn open_events(args: &RunArgs, inputs: &[PathBuf]) -> Result<Option<Box<dyn Write + Send>>, Vec<Diagnostic>> {
     let Some(path) = &args.events else { return Ok(None) };
+    refuse_input(path, inputs).map_err(|error| of_file_error(&error).0)?;
     let mut options = std::fs::File::options();
     options.write(true);
     if args.force {

@@ -191,7 +191,7 @@ fn check_folder(out: &Path, name: &str) -> Result<(), Diagnostic> {
 }
 
 fn json(study: &Study) -> String {
-    serde_json::to_string_pretty(study).unwrap_or_default() + "\n"
+    toile_garment::text::json(&serde_json::to_string_pretty(study).unwrap_or_default()) + "\n"
 }
 
 fn write(study: &Study, out: &Path) -> Result<(), Halt> {

@@ -11,12 +11,20 @@ codes! {
     /// wrong unit.
     CERTIFICATE_FAILED = "certificate-failed";
 
+    /// With --force the outputs of an earlier run go before the work begins. This one was changed since that run wrote
+    /// it, so it stays. It does not belong to the new run.
+    EARLIER_OUTPUT_CHANGED = "earlier-output-changed";
+
     /// A mistake of the program itself, caught before it could damage anything. Exit code 5. Please report it with the
     /// pipeline and the message.
     INTERNAL_ERROR = "internal-error";
 
     /// Something is larger than the program takes on; the message names the limit. Exit code 3.
     LIMIT = "limit";
+
+    /// The run is foreseen to need more time or memory than it may, or it turned out so and was stopped. The message tells
+    /// the forecast and the limit; --max-seconds and --max-memory set them. Exit code 5.
+    OVER_LIMIT = "over-limit";
 
     /// Two outputs of one run have the same name (upper and lower case are not told apart). Give each its own.
     OUTPUTS_COLLIDE = "outputs-collide";

@@ -49,6 +49,7 @@ impl RunFiles {
     }
 
     fn read_real(&mut self, given: &Path, real: &Path) -> Result<Vec<u8>, FileError> {
+        self.outputs.note_input(given, real)?;
         let bytes = read_limited(given, real, MAX_INPUT)?;
         self.note_input(Gate::shown(given), &bytes);
         Ok(bytes)

@@ -22,6 +22,8 @@ pub struct Foresight {
     pub stages: Vec<Option<Cost>>,
     /// What is wrong with the files.
     pub findings: Vec<Diagnostic>,
+    /// What else the stages told: notes and warnings, which a run tells again.
+    pub notes: Vec<Diagnostic>,
     /// How a run would end already now.
     pub exit: Exit,
 }
@@ -47,18 +49,27 @@ impl Foresight {
         self.stages.push(whole);
     }
 
-    fn end(mut self, findings: Vec<Diagnostic>, exit: Exit) -> Self {
-        self.findings = findings;
-        self.exit = exit;
-        self
+    /// The first failure decides how the program ends.
+    fn fail(&mut self, findings: impl Iterator<Item = Diagnostic>, exit: Exit) {
+        for finding in findings {
+            if !self.findings.contains(&finding) {
+                self.findings.push(finding);
+            }
+        }
+        self.exit = if self.exit == Exit::Good { exit } else { self.exit };
     }
 }
 
 /// Reads pattern, fabrics and body, and nothing else; no stage works.
 #[must_use]
 pub fn foresee(pipeline: &Pipeline<'_>, gate: &Gate, stop: &Stop) -> Foresight {
-    let mut seen =
-        Foresight { forecast: Forecast::default(), stages: Vec::new(), findings: Vec::new(), exit: Exit::Good };
+    let mut seen = Foresight {
+        forecast: Forecast::default(),
+        stages: Vec::new(),
+        findings: Vec::new(),
+        notes: Vec::new(),
+        exit: Exit::Good,
+    };
     let (mut report, mut files) = (Report::default(), ReadFiles(gate));
     for step in &pipeline.steps {
         let mut cx = StageContext {
@@ -71,17 +82,22 @@ pub fn foresee(pipeline: &Pipeline<'_>, gate: &Gate, stop: &Stop) -> Foresight {
         };
         match ask(step, &mut seen.forecast, &mut cx) {
             Ok(cost) => seen.add(cost),
+            // The other stages are asked all the same, so that all mistakes are found at once.
             Err(error) => {
+                seen.add(None);
                 let (findings, exit) = of_stage_error(error);
                 let at = |f: Diagnostic| if f.source.is_none() { f.at(step.place.clone()) } else { f };
-                return seen.end(findings.into_iter().map(at).collect(), exit);
+                seen.fail(findings.into_iter().map(at), exit);
             }
         }
     }
-    // Notes of the import are for the run; errors end it.
-    let errors: Vec<Diagnostic> = report.findings.into_iter().filter(|f| f.severity == Severity::Error).collect();
-    let exit = if errors.is_empty() { Exit::Good } else { Exit::Input };
-    seen.end(errors, exit)
+    let is_error = |f: &Diagnostic| f.severity == Severity::Error;
+    let (errors, notes): (Vec<_>, Vec<_>) = report.findings.into_iter().partition(is_error);
+    if !errors.is_empty() {
+        seen.fail(errors.into_iter(), Exit::Input);
+    }
+    seen.notes = notes;
+    seen
 }
 
 /// Asks a stage; a panic in it is a mistake of the program, as in a run.

@@ -148,8 +148,8 @@ fn check_text(path: &Path, text: &str) -> Result<(), FileError> {
     let drive = text.as_bytes().get(1) == Some(&b':') && text.as_bytes()[0].is_ascii_alphabetic();
     if text.is_empty() {
         Err(refused(path, "it is empty"))
-    } else if text.chars().any(char::is_control) {
-        Err(refused(path, "it holds a control character"))
+    } else if text.chars().any(toile_garment::text::steers) {
+        Err(refused(path, "it holds a control character, or one that changes the direction of text"))
     } else if text.contains('\\') || (drive && !cfg!(windows)) {
         Err(refused(path, "write it with forward slashes, relative to the pipeline file"))
     } else if text.len() > 4096 {
@@ -194,14 +194,13 @@ fn check_name(path: &Path, name: &str) -> Result<String, FileError> {
     Ok(name.to_owned())
 }
 
-/// The nearest folder upwards that is a project's root; else at most two folders up (`pipelines/LINE/` lies two below
-/// its project), but never the root of the disk or a folder just below it.
+/// The nearest folder upwards that is marked as a project's root, but never the root of the disk or a folder just below
+/// it. A project without a mark reads its own folder only.
 #[must_use]
 pub fn project_root(base: &Path) -> PathBuf {
     let deep = |p: &&Path| p.components().filter(|c| matches!(c, Component::Normal(_))).count() >= 2;
     let marked = base.ancestors().filter(deep).find(|dir| ROOT_MARKS.iter().any(|mark| dir.join(mark).exists()));
-    let upwards = || base.ancestors().take(3).filter(deep).last();
-    marked.or_else(upwards).unwrap_or(base).to_path_buf()
+    marked.unwrap_or(base).to_path_buf()
 }
 
 fn canonical(folder: &Path) -> Result<PathBuf, FileError> {
@@ -222,10 +221,7 @@ fn missing(path: &Path, error: &std::io::Error) -> FileError {
 /// A path for a message: control characters shown, not sent to the terminal.
 #[must_use]
 pub fn clean(path: &Path) -> String {
-    path.to_string_lossy()
-        .chars()
-        .flat_map(|c| if c.is_control() { c.escape_default().collect() } else { vec![c] })
-        .collect()
+    toile_garment::text::shown(&path.to_string_lossy(), &[])
 }
 
 #[cfg(test)]
@@ -263,6 +259,19 @@ mod tests {
         let link = dir.path().join("project/samples/link.dxf");
         std::os::unix::fs::symlink(dir.path().join("secret.txt"), link).expect("link");
         assert!(matches!(gate.input(Path::new("../../samples/link.dxf")), Err(FileError::Refused { .. })));
+    }
+
+    #[test]
+    fn a_project_without_a_mark_reads_its_own_folder_only() {
+        let dir = tempfile::tempdir().expect("folder");
+        let base = dir.path().join("lines/skirt");
+        std::fs::create_dir_all(&base).expect("folders");
+        for name in ["lines/skirt/a.dxf", "lines/b.dxf"] {
+            std::fs::write(dir.path().join(name), "x").expect("file");
+        }
+        let gate = Gate::new(&base, &[], &BTreeMap::new()).expect("gate");
+        assert!(gate.input(Path::new("a.dxf")).is_ok());
+        assert!(matches!(gate.input(Path::new("../b.dxf")), Err(FileError::Refused { .. })));
     }
 
     #[test]

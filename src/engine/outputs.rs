@@ -1,18 +1,16 @@
 //! Outputs appear under their final names only when the run is through, each of them whole.
 
+use super::earlier::Earlier;
 use super::gate::{clean, output_below, refused};
+use super::same::{is_same, refuse_input};
 use super::stop::Stop;
+use super::whole::{self, Lock, is_temp_name, sync_folder, temp_path, write_new};
 use std::collections::BTreeSet;
-use std::fs::{File, TryLockError};
-use std::io::Write as _;
+use std::fs::File;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toile_stage_api::FileError;
 
-/// Ending of temporary files; a run sweeps those that an earlier one left.
-const TEMP_ENDING: &str = ".tmp-toile";
-/// Name of the lock in the output folder.
-const LOCK_NAME: &str = ".lock.tmp-toile";
 /// Name of the run's own record.
 pub const RECORD_NAME: &str = "run.json";
 /// Space that must be free before the work begins, bytes.
@@ -25,11 +23,30 @@ struct Staged {
     digest: String,
 }
 
+/// The outputs and inputs of a run, and its rights.
+#[derive(Clone, Debug, Default)]
+pub struct Plan {
+    /// Further folders for outputs.
+    pub allow_write: Vec<PathBuf>,
+    /// Outputs, as the pipeline names them.
+    pub outputs: Vec<PathBuf>,
+    /// Real paths of inputs; none of them is ever replaced.
+    pub inputs: Vec<PathBuf>,
+    /// Replace files that are there?
+    pub force: bool,
+}
+
 /// The output folder of one run.
 pub struct Outputs {
     root: PathBuf,
     extra: Vec<PathBuf>,
     force: bool,
+    /// Real paths of what is read.
+    inputs: Vec<PathBuf>,
+    /// Final places of outputs that are known before the work.
+    planned: Vec<PathBuf>,
+    /// Outputs of an earlier run that somebody changed since; they stay.
+    changed: Vec<String>,
     staged: Vec<Staged>,
     swept: BTreeSet<PathBuf>,
     stop: Arc<Stop>,
@@ -37,33 +54,67 @@ pub struct Outputs {
 }
 
 impl Outputs {
-    /// Makes and locks the folder, sweeps old temporaries, checks that there is space and that `planned` files are
-    /// not there yet.
+    /// Makes and locks the folder and sweeps old temporaries. Checks that there is space, that no output is an input,
+    /// and that no output is there yet. With `force` the outputs of an earlier run go instead, its record first.
     ///
     /// # Errors
-    /// [`FileError::Refused`] when files are there and `force` is not given, or another run uses the folder;
-    /// [`FileError::Write`] when it cannot be written.
-    pub fn open(
-        folder: &Path,
-        allow_write: &[PathBuf],
-        planned: &[PathBuf],
-        force: bool,
-        stop: Arc<Stop>,
-    ) -> Result<Self, FileError> {
+    /// [`FileError::Refused`] when files are there and `force` is not given, an output is an input, or another run uses
+    /// the folder; [`FileError::Write`] when it cannot be written.
+    pub fn open(folder: &Path, plan: &Plan, stop: Arc<Stop>) -> Result<Self, FileError> {
         std::fs::create_dir_all(folder).map_err(|e| write_error(folder, &e))?;
         let root = folder.canonicalize().map_err(|e| write_error(folder, &e))?;
         let mut extra = Vec::new();
-        for dir in allow_write {
+        for dir in &plan.allow_write {
             extra.push(dir.canonicalize().map_err(|e| write_error(dir, &e))?);
         }
         let lock = take_lock(&root)?;
-        let mut outputs =
-            Self { root, extra, force, staged: Vec::new(), swept: BTreeSet::new(), stop, lock: Some(lock) };
-        outputs.stop.add_litter(&outputs.root.join(LOCK_NAME));
+        let (force, inputs) = (plan.force, plan.inputs.clone());
+        let (planned, changed) = (Vec::new(), Vec::new());
+        let (staged, swept, lock) = (Vec::new(), BTreeSet::new(), Some(lock));
+        let mut outputs = Self { root, extra, force, inputs, planned, changed, staged, swept, stop, lock };
+        outputs.stop.add_litter(&lock_path(&outputs.root));
         outputs.check_free(folder)?;
         outputs.sweep(&outputs.root.clone());
-        outputs.check_planned(folder, planned)?;
+        outputs.planned = plan.outputs.iter().map(|path| outputs.target(path)).collect::<Result<_, _>>()?;
+        outputs.planned.push(outputs.root.join(RECORD_NAME));
+        for target in &outputs.planned {
+            refuse_input(target, &outputs.inputs)?;
+        }
+        outputs.make_room(folder)?;
         Ok(outputs)
+    }
+
+    /// Nothing of an earlier run stays, or the run is refused.
+    fn make_room(&mut self, folder: &Path) -> Result<(), FileError> {
+        if !self.force {
+            return self.check_planned(folder);
+        }
+        if let Some(earlier) = Earlier::read(&self.root) {
+            self.changed = earlier.retire(&self.root, &self.planned, &self.inputs)?;
+        }
+        Ok(())
+    }
+
+    /// Outputs of an earlier run that were changed since, and therefore stay.
+    #[must_use]
+    pub fn changed(&self) -> &[String] {
+        &self.changed
+    }
+
+    /// Notes that a file is read.
+    ///
+    /// # Errors
+    /// [`FileError::Refused`] when an output of this run is to take its place.
+    pub fn note_input(&mut self, given: &Path, real: &Path) -> Result<(), FileError> {
+        let mut targets = self.planned.iter().chain(self.staged.iter().map(|s| &s.target));
+        if targets.any(|target| is_same(target, real)) {
+            let reason = "an output of this run has its name, and an output never replaces an input";
+            return Err(refused(given, reason));
+        }
+        if !self.inputs.iter().any(|known| known == real) {
+            self.inputs.push(real.to_path_buf());
+        }
+        Ok(())
     }
 
     /// The folder, real path.
@@ -81,18 +132,12 @@ impl Outputs {
         Ok(())
     }
 
-    fn check_planned(&self, folder: &Path, planned: &[PathBuf]) -> Result<(), FileError> {
-        if self.force {
-            return Ok(());
-        }
-        let mut there: Vec<String> = Vec::new();
-        for path in planned {
-            let target = self.target(path)?;
-            if target.is_file() {
-                there.push(self.shown(&target));
-            }
-        }
-        if self.record_has_outputs() {
+    fn check_planned(&self, folder: &Path) -> Result<(), FileError> {
+        let record = self.root.join(RECORD_NAME);
+        let outputs = self.planned.iter().filter(|target| **target != record && target.is_file());
+        let mut there: Vec<String> = outputs.map(|target| self.shown(target)).collect();
+        // The record of a run that wrote nothing may be replaced; any other file of that name is somebody's.
+        if record.exists() && Earlier::read(&self.root).is_none_or(|earlier| !earlier.is_empty()) {
             there.push(RECORD_NAME.to_owned());
         }
         if there.is_empty() {
@@ -105,17 +150,6 @@ impl Outputs {
             there.join(", ")
         );
         Err(refused(folder, &reason))
-    }
-
-    /// The record of a run that wrote nothing may be replaced; any other file of that name is somebody's.
-    fn record_has_outputs(&self) -> bool {
-        let path = self.root.join(RECORD_NAME);
-        if !path.exists() {
-            return false;
-        }
-        let record = std::fs::read(&path).ok().and_then(|b| serde_json::from_slice::<serde_json::Value>(&b).ok());
-        let empty = record.and_then(|r| Some(r.get("toile").is_some() && r.get("outputs")?.as_array()?.is_empty()));
-        empty != Some(true)
     }
 
     /// Final place of an output.
@@ -153,6 +187,7 @@ impl Outputs {
         if self.staged.iter().any(|s| s.target.to_string_lossy().to_lowercase() == folded) {
             return Err(refused(path, "two outputs of this run have this name; give each its own"));
         }
+        refuse_input(&target, &self.inputs)?;
         if target.is_dir() || (target.exists() && !self.force) {
             return Err(refused(path, "it is there already; replace it with --force"));
         }
@@ -160,9 +195,9 @@ impl Outputs {
         std::fs::create_dir_all(&folder).map_err(|e| write_error(path, &e))?;
         self.check_folder(path, &folder)?;
         self.sweep(&folder);
-        let temp = folder.join(format!(".{}{TEMP_ENDING}", self.staged.len()));
+        let temp = temp_path(&folder, self.staged.len());
         self.stop.add_litter(&temp);
-        if let Err(error) = write_synced(&temp, bytes) {
+        if let Err(error) = write_new(&temp, bytes) {
             drop(std::fs::remove_file(&temp));
             return Err(write_error(path, &error));
         }
@@ -185,31 +220,49 @@ impl Outputs {
         }
         let Ok(entries) = std::fs::read_dir(folder) else { return };
         for entry in entries.flatten() {
-            let name = entry.file_name().to_string_lossy().into_owned();
-            let number = name.strip_prefix('.').and_then(|n| n.strip_suffix(TEMP_ENDING));
-            if number.is_some_and(|n| !n.is_empty() && (n == "record" || n.bytes().all(|b| b.is_ascii_digit()))) {
+            if is_temp_name(&entry.file_name().to_string_lossy()) {
                 drop(std::fs::remove_file(entry.path()));
             }
         }
     }
 
-    /// Gives all staged files their final names, and the record last: who finds the record finds the rest.
+    /// Gives all staged files their final names, and the record last: who finds the record finds the rest. The record
+    /// is safe on the disk before the first output takes its name. Where one cannot, none of them has.
     ///
     /// # Errors
     /// When the disk refuses.
     pub fn commit(&mut self, record: &[u8]) -> Result<(), FileError> {
         let stop = Arc::clone(&self.stop);
         let _whole = stop.commit_guard();
-        let mut folders = BTreeSet::new();
-        for staged in &self.staged {
-            std::fs::rename(&staged.temp, &staged.target).map_err(|e| write_error(Path::new(&staged.shown), &e))?;
-            self.stop.forget_litter(&staged.temp);
-            folders.extend(staged.target.parent().map(Path::to_path_buf));
+        let temp = temp_path(&self.root, "record");
+        let kept = write_new(&temp, record).map_err(|e| write_error(Path::new(RECORD_NAME), &e));
+        let named = kept.and_then(|()| self.name_all()).and_then(|()| {
+            let path = self.root.join(RECORD_NAME);
+            std::fs::rename(&temp, path).map_err(|e| write_error(Path::new(RECORD_NAME), &e))
+        });
+        if let Err(error) = named {
+            drop(std::fs::remove_file(&temp));
+            return Err(error);
         }
-        self.write_record(record)?;
+        sync_folder(&self.root);
         self.stop.set_last_words(None);
-        folders.iter().for_each(|folder| sync_folder(folder));
         self.staged.clear();
+        Ok(())
+    }
+
+    /// Renames all staged files, or none.
+    fn name_all(&self) -> Result<(), FileError> {
+        let mut folders = BTreeSet::new();
+        for (k, staged) in self.staged.iter().enumerate() {
+            if let Err(error) = std::fs::rename(&staged.temp, &staged.target) {
+                // They are incomplete without this one.
+                self.staged[..k].iter().for_each(|s| drop(std::fs::remove_file(&s.target)));
+                return Err(write_error(Path::new(&staged.shown), &error));
+            }
+            self.stop.forget_litter(&staged.temp);
+            folders.extend(staged.target.parent());
+        }
+        folders.into_iter().for_each(sync_folder);
         Ok(())
     }
 
@@ -219,7 +272,7 @@ impl Outputs {
     /// When the disk refuses.
     pub fn write_record(&self, record: &[u8]) -> Result<(), FileError> {
         let path = self.root.join(RECORD_NAME);
-        write_whole(&path, record).map_err(|e| write_error(Path::new(RECORD_NAME), &e))
+        whole::write_whole(&path, record).map_err(|e| write_error(Path::new(RECORD_NAME), &e))
     }
 
     /// Path and blake3 of what is staged.
@@ -235,7 +288,7 @@ impl Drop for Outputs {
             drop(std::fs::remove_file(&staged.temp));
             self.stop.forget_litter(&staged.temp);
         }
-        let lock = self.root.join(LOCK_NAME);
+        let lock = lock_path(&self.root);
         // Removed while held, so that nobody removes the lock of a run that came after.
         drop(std::fs::remove_file(&lock));
         self.stop.forget_litter(&lock);
@@ -243,36 +296,17 @@ impl Drop for Outputs {
     }
 }
 
-/// Takes the folder's lock, or says that another run has it. The system frees it when a process dies.
+/// The lock in the output folder.
+fn lock_path(root: &Path) -> PathBuf {
+    temp_path(root, "lock")
+}
+
+/// Takes the folder's lock, or says that another run has it.
 fn take_lock(root: &Path) -> Result<File, FileError> {
-    let path = root.join(LOCK_NAME);
-    for _ in 0..16 {
-        let file =
-            File::options().create(true).truncate(false).write(true).open(&path).map_err(|e| write_error(root, &e))?;
-        match file.try_lock() {
-            Ok(()) if is_same_file(&file, &path) => return Ok(file),
-            // The run before removed the file between our open and our lock: take the new one.
-            Ok(()) => {}
-            Err(TryLockError::WouldBlock) => {
-                return Err(refused(root, "another run of toile uses this folder; wait, or choose another with --out"));
-            }
-            // A disk without locks: better to work than to refuse.
-            Err(TryLockError::Error(_)) => return Ok(file),
-        }
+    match whole::take_lock(&lock_path(root)).map_err(|e| write_error(&lock_path(root), &e))? {
+        Lock::Held(file) => Ok(file),
+        Lock::Taken => Err(refused(root, "another run of toile uses this folder; wait, or choose another with --out")),
     }
-    Err(refused(root, "another run of toile uses this folder; wait, or choose another with --out"))
-}
-
-#[cfg(unix)]
-fn is_same_file(file: &File, path: &Path) -> bool {
-    use std::os::unix::fs::MetadataExt as _;
-    let (Ok(held), Ok(named)) = (file.metadata(), std::fs::metadata(path)) else { return false };
-    held.ino() == named.ino() && held.dev() == named.dev()
-}
-
-#[cfg(not(unix))]
-fn is_same_file(_: &File, _: &Path) -> bool {
-    true
 }
 
 /// Free bytes of the disk that holds a folder, where the system tells.
@@ -287,32 +321,24 @@ fn free_bytes(_: &Path) -> Option<u64> {
     None
 }
 
-fn write_synced(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    let mut file = File::create(path)?;
-    file.write_all(bytes)?;
-    file.sync_all()
-}
-
-/// Writes a file by way of a temporary one in the same folder.
-pub(crate) fn write_whole(path: &Path, bytes: &[u8]) -> std::io::Result<()> {
-    let temp = path.with_file_name(format!(".record{TEMP_ENDING}"));
-    let written = write_synced(&temp, bytes).and_then(|()| std::fs::rename(&temp, path));
-    if written.is_err() {
-        drop(std::fs::remove_file(&temp));
-    }
-    if let Some(folder) = path.parent() {
-        sync_folder(folder);
-    }
-    written
-}
-
-/// Makes renames last through a power cut, where the system can.
-fn sync_folder(folder: &Path) {
-    if let Ok(dir) = File::open(folder) {
-        drop(dir.sync_all());
-    }
-}
-
 fn write_error(path: &Path, error: &std::io::Error) -> FileError {
     FileError::Write { path: clean(path), reason: error.to_string() }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn where_one_output_cannot_take_its_name_none_does() {
+        let dir = tempfile::tempdir().expect("folder");
+        let mut outputs = Outputs::open(dir.path(), &Plan::default(), Stop::new()).expect("folder");
+        outputs.stage(Path::new("{out}/a.txt"), b"a").expect("staged");
+        outputs.stage(Path::new("{out}/b.txt"), b"b").expect("staged");
+        std::fs::create_dir(dir.path().join("b.txt")).expect("in the way");
+        assert!(outputs.commit(b"{}").is_err());
+        drop(outputs);
+        let left: Vec<_> = std::fs::read_dir(dir.path()).expect("folder").flatten().map(|e| e.file_name()).collect();
+        assert_eq!(left, ["b.txt"]);
+    }
 }

@@ -1,6 +1,6 @@
 //! The garment while it is worked on, for a viewer that reads its file again when it changes.
 
-use super::outputs::write_whole;
+use super::whole::write_whole;
 use std::path::PathBuf;
 use toile_garment::Garment;
 

@@ -2,6 +2,7 @@
 
 use super::exit::Exit;
 use serde::Serialize;
+use toile_garment::animation::MotionCertificate;
 use toile_garment::garment::{Certificate, EffectRecord};
 use toile_garment::provenance::InputRecord;
 use toile_garment::{Diagnostic, Garment};
@@ -81,6 +82,9 @@ pub struct RunRecord {
     pub findings: Vec<Diagnostic>,
     /// Certificate of the drape.
     pub certificate: Option<Certificate>,
+    /// Certificate of the motion, if the garment was moved.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub motion: Option<MotionCertificate>,
     /// Counts.
     pub garment: GarmentCounts,
     /// Outputs.
@@ -91,7 +95,7 @@ impl RunRecord {
     /// The record as JSON text.
     #[must_use]
     pub fn to_text(&self) -> String {
-        let mut text = serde_json::to_string_pretty(self).unwrap_or_default();
+        let mut text = toile_garment::text::json(&serde_json::to_string_pretty(self).unwrap_or_default());
         text.push('\n');
         text
     }

@@ -5,10 +5,11 @@ use super::exit::{Exit, of_file_error, of_stage_error};
 use super::files::RunFiles;
 use super::gate::{Gate, output_below, refused};
 use super::meter::{Meter, peak_mb};
-use super::outputs::{Outputs, RECORD_NAME};
+use super::outputs::{Outputs, Plan, RECORD_NAME};
 use super::preflight::planned_outputs;
 use super::preview::{PREVIEW_NAME, Preview};
 use super::record::{GarmentCounts, OutputRecord, RunRecord, StageRun};
+use super::same::known_inputs;
 use super::stop::Stop;
 use crate::pipeline::{Pipeline, Step};
 use crate::progress::Teller;
@@ -72,11 +73,18 @@ pub fn run(
         }
         planned.push(PathBuf::from(PREVIEW_NAME));
     }
-    let outputs = Outputs::open(&options.out, &options.allow_write, &planned, options.force, Arc::clone(stop));
-    let outputs = match outputs {
+    let plan = Plan {
+        allow_write: options.allow_write.clone(),
+        outputs: planned,
+        inputs: known_inputs(pipeline, &gate, Path::new(&options.pipeline_file.0)),
+        force: options.force,
+    };
+    let outputs = match Outputs::open(&options.out, &plan, Arc::clone(stop)) {
         Ok(outputs) => outputs,
         Err(error) => return refuse(&error, report, teller),
     };
+    let mut report = report;
+    report.findings.extend(outputs.changed().iter().map(|name| kept(name)));
     if options.preview {
         teller.show_in(Preview::new(outputs.root().join(PREVIEW_NAME)));
     }
@@ -93,6 +101,13 @@ fn refuse(error: &toile_stage_api::FileError, mut report: Report, teller: &mut T
         report.push(finding);
     }
     Outcome { exit, record: None, findings: report.findings, garment: Garment::default() }
+}
+
+/// An output of an earlier run that is no longer what that run wrote.
+fn kept(name: &str) -> Diagnostic {
+    let message = format!("`{name}` is an output of an earlier run that was changed since; it stays as it is");
+    Diagnostic::warning(codes::EARLIER_OUTPUT_CHANGED, message)
+        .hint("it does not belong to this run; move it elsewhere")
 }
 
 struct Run<'a> {
@@ -132,6 +147,7 @@ impl<'a> Run<'a> {
             effects: Vec::new(),
             findings: Vec::new(),
             certificate: None,
+            motion: None,
             garment: GarmentCounts::default(),
             outputs: Vec::new(),
         };
@@ -269,12 +285,18 @@ impl<'a> Run<'a> {
         self.record.inputs.extend_from_slice(self.files.inputs());
         self.record.findings.clone_from(&self.report.findings);
         self.record.certificate.clone_from(&self.garment.certificate);
+        self.record.motion = self.garment.animation.as_ref().and_then(|a| a.certificate.clone());
         self.record.garment = GarmentCounts::of(&self.garment);
         self.record.seconds = self.started.seconds();
     }
 
     fn finish(mut self, exit: Exit) -> Outcome {
         let mut exit = if exit == Exit::Good && self.stop.asked() { Exit::Stopped } else { exit };
+        if let Some(reason) = self.stop.reason().filter(|_| exit == Exit::Stopped) {
+            let hint = "`toile plan` shows what each stage takes; a coarser mesh takes less";
+            self.report.push(Diagnostic::error(codes::OVER_LIMIT, reason).hint(hint));
+            exit = Exit::System;
+        }
         self.tell_findings();
         self.fill_record();
         self.record.end(exit);
@@ -291,6 +313,12 @@ impl<'a> Run<'a> {
             exit = if exit == Exit::Good || exit == Exit::Gate { worse } else { exit };
             findings.into_iter().for_each(|f| self.report.push(f));
             self.tell_findings();
+            self.fill_record();
+            self.record.outputs.clear();
+            self.record.end(exit);
+            self.stop.set_last_words(None);
+            // It is said already that the disk refuses.
+            drop(self.files.outputs().write_record(self.record.to_text().as_bytes()));
         }
         self.teller.run_end(exit.word(), self.record.seconds);
         Outcome { exit, record: Some(self.record), findings: self.report.findings, garment: self.garment }

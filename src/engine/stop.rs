@@ -1,6 +1,6 @@
 //! Stopping: a signal sets a flag that stages look at; whoever does not look in time is left behind.
 
-use super::outputs::write_whole;
+use super::whole::write_whole;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -16,6 +16,7 @@ pub struct Stop {
     flag: AtomicBool,
     litter: Mutex<BTreeSet<PathBuf>>,
     groups: Mutex<BTreeSet<i32>>,
+    reason: Mutex<Option<String>>,
     last_words: Mutex<Option<(PathBuf, String)>>,
     committing: Mutex<()>,
 }
@@ -52,6 +53,17 @@ impl Stop {
         self.flag.store(true, Ordering::SeqCst);
     }
 
+    /// Asks for a stop that no person asked for.
+    pub(super) fn ask_because(&self, reason: String) {
+        *lock(&self.reason) = Some(reason);
+        self.ask();
+    }
+
+    /// Why the program itself asked for a stop.
+    pub(super) fn reason(&self) -> Option<String> {
+        lock(&self.reason).clone()
+    }
+
     /// The flag.
     #[must_use]
     pub fn flag(&self) -> &AtomicBool {
@@ -69,11 +81,11 @@ impl Stop {
         lock(&self.committing)
     }
 
-    pub(super) fn add_litter(&self, path: &Path) {
+    pub(crate) fn add_litter(&self, path: &Path) {
         lock(&self.litter).insert(path.to_path_buf());
     }
 
-    pub(super) fn forget_litter(&self, path: &Path) {
+    pub(crate) fn forget_litter(&self, path: &Path) {
         lock(&self.litter).remove(path);
     }
 
@@ -99,7 +111,7 @@ impl Stop {
         }
         for path in lock(&self.litter).iter() {
             // What cannot be removed is swept by the next run.
-            drop(std::fs::remove_file(path));
+            drop(std::fs::remove_file(path).or_else(|_| std::fs::remove_dir_all(path)));
         }
         if let Some((path, text)) = lock(&self.last_words).take() {
             drop(write_whole(&path, text.as_bytes()));

@@ -9,8 +9,12 @@ codes! {
     /// is in the message.
     PLUGIN_FAILED = "plugin-failed";
 
+    /// The program behind a plugin's stage told more findings than are taken from one stage. The rest was left out.
+    PLUGIN_FINDINGS_LEFT_OUT = "plugin-findings-left-out";
+
     /// A pipeline names a program of its own. It is never run on the word of a file alone: if you trust it, pass
-    /// `--allow-run NAME`. Exit code 2.
+    /// `--allow-run NAME`, or `--allow-run NAME=CONTENT` to trust this content alone. The content is a digest of the
+    /// program and of the files that its command names. Exit code 2.
     PLUGIN_NEEDS_CONSENT = "plugin-needs-consent";
 
     /// The program behind a plugin does not keep to protocol 1. Run it by hand with the argument `describe`; see

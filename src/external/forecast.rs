@@ -12,7 +12,7 @@ pub(super) fn ask(
     forecast: &mut Forecast,
     cx: &mut StageContext<'_>,
 ) -> Result<Option<Cost>, StageError> {
-    let desk = Desk::lay(&forecast.garment)?;
+    let desk = Desk::lay(&forecast.garment, stage.stage.program.stop())?;
     let mut told = Vec::new();
     let request = stage.request(&desk, forecast.mesh, cx)?;
     stage.talk("forecast", &request, &desk, cx, &mut |line| told.push(line))?;

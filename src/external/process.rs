@@ -19,6 +19,8 @@ const MAX_STDERR: usize = 4096;
 const DESCRIBE_TIME: Duration = Duration::from_secs(10);
 /// How often the stop flag is looked at.
 const TICK: Duration = Duration::from_millis(20);
+/// How long pipes are listened to once the program itself has ended: a process it left behind may hold them open.
+const LAST_WORDS: Duration = Duration::from_millis(300);
 /// What programs find on their path; nothing of the caller's environment is handed on.
 const PLAIN_PATH: &str = "/usr/local/bin:/usr/bin:/bin";
 
@@ -37,6 +39,9 @@ pub enum ProcessError {
     /// It could not be talked to.
     #[error("cannot talk to it: {0}")]
     Talk(#[from] std::io::Error),
+    /// It is another program than the one that was asked for its stages.
+    #[error("its files were changed since it was asked for its stages")]
+    Changed,
     /// The user stopped the run.
     #[error("stopped")]
     Stopped,
@@ -47,6 +52,8 @@ pub enum ProcessError {
 pub struct Program {
     path: PathBuf,
     arguments: Vec<String>,
+    folder: PathBuf,
+    digest: String,
     timeout: Duration,
     stop: Arc<Stop>,
 }
@@ -66,7 +73,36 @@ impl Program {
     pub fn new(plugin: &Plugin, folder: &Path, stop: Arc<Stop>) -> Self {
         let (first, arguments) = plugin.command.split_first().map_or(("", &[][..]), |(f, a)| (f.as_str(), a));
         let timeout = Duration::from_secs_f64(plugin.timeout.clamp(0.001, 86_400.0));
-        Self { path: find(first, folder), arguments: arguments.to_vec(), timeout, stop }
+        let (path, arguments, folder) = (find(first, folder), arguments.to_vec(), folder.to_path_buf());
+        let mut program = Self { path, arguments, folder, digest: String::new(), timeout, stop };
+        program.digest = program.content();
+        program
+    }
+
+    /// Digest of the command and of all files that its words name.
+    #[must_use]
+    pub fn digest(&self) -> &str {
+        &self.digest
+    }
+
+    /// The way to stop it.
+    pub(super) fn stop(&self) -> &Arc<Stop> {
+        &self.stop
+    }
+
+    /// The digest as the files are now.
+    fn content(&self) -> String {
+        let mut hasher = blake3::Hasher::new();
+        let words = self.arguments.iter().map(|word| (word.as_str(), self.folder.join(word)));
+        for (word, path) in std::iter::once(("", self.path.clone())).chain(words) {
+            hasher.update(&(word.len() as u64).to_le_bytes()).update(word.as_bytes());
+            let mut one = blake3::Hasher::new();
+            let file = std::fs::File::open(&path).ok().filter(|_| path.is_file());
+            if file.is_some_and(|f| one.update_reader(f).is_ok()) {
+                hasher.update(one.finalize().as_bytes());
+            }
+        }
+        hasher.finalize().to_hex().to_string()
     }
 
     /// Asks for the description.
@@ -114,28 +150,37 @@ impl Program {
         if let Some(stdout) = child.child.stdout.take() {
             std::thread::spawn(move || read_lines(stdout, &send));
         }
-        let stderr = child.child.stderr.take();
-        let errors = std::thread::spawn(move || stderr.map(keep_head).unwrap_or_default());
+        let (said, errors) = sync_channel(64);
+        if let Some(stderr) = child.child.stderr.take() {
+            std::thread::spawn(move || hand_on(stderr, &said));
+        }
         let until = Instant::now() + limit;
-        self.listen(&lines, until, limit, hear)?;
+        self.listen(&mut child, &lines, until, limit, hear)?;
         let status = child.wait(&self.stop, until, limit)?;
-        // Grandchildren that hold the pipes open must not keep the run waiting.
+        // Grandchildren that hold the pipes open must not keep the run waiting, in whatever group they are.
         kill_group(child.group());
-        Ok(Ended { status, stderr: errors.join().unwrap_or_default() })
+        Ok(Ended { status, stderr: keep_head(&errors) })
     }
 
     fn listen(
         &self,
+        child: &mut Running,
         lines: &Receiver<Heard>,
         until: Instant,
         limit: Duration,
         hear: &mut dyn FnMut(&[u8]),
     ) -> Result<(), ProcessError> {
+        let mut quiet = Instant::now();
         loop {
             match lines.recv_timeout(TICK) {
-                Ok(Heard::Line(line)) => hear(&line),
+                Ok(Heard::Line(line)) => {
+                    hear(&line);
+                    quiet = Instant::now();
+                }
                 Ok(Heard::Flood(limit)) => return Err(ProcessError::Flood(limit)),
                 Err(RecvTimeoutError::Disconnected) => return Ok(()),
+                Err(RecvTimeoutError::Timeout) if child.child.try_wait()?.is_none() => quiet = Instant::now(),
+                Err(RecvTimeoutError::Timeout) if quiet.elapsed() > LAST_WORDS => return Ok(()),
                 Err(RecvTimeoutError::Timeout) => {}
             }
             check_time(&self.stop, until, limit)?;
@@ -143,6 +188,9 @@ impl Program {
     }
 
     fn start(&self, verb: &str, folder: &Path) -> Result<Child, ProcessError> {
+        if self.content() != self.digest {
+            return Err(ProcessError::Changed);
+        }
         let mut command = Command::new(&self.path);
         command.args(&self.arguments).arg(verb).current_dir(folder).env_clear();
         command.env("PATH", PLAIN_PATH).env("LC_ALL", "C");
@@ -219,14 +267,21 @@ fn read_lines(mut stdout: impl Read, send: &SyncSender<Heard>) {
     }
 }
 
-fn keep_head(mut stderr: impl Read) -> String {
-    let (mut kept, mut buffer) = (Vec::new(), [0_u8; 4096]);
-    while let Ok(n) = stderr.read(&mut buffer) {
-        if n == 0 {
-            break;
-        }
-        let room = MAX_STDERR.saturating_sub(kept.len()).min(n);
-        kept.extend_from_slice(&buffer[..room]);
+/// Hands on what is read, until the pipe or the listener is gone.
+fn hand_on(mut pipe: impl Read, send: &SyncSender<Vec<u8>>) {
+    let mut buffer = [0_u8; 4096];
+    // A pipe that nobody listens to any more is read all the same, so that its writer does not hang.
+    while let Ok(n @ 1..) = pipe.read(&mut buffer) {
+        drop(send.try_send(buffer[..n].to_vec()));
+    }
+}
+
+/// The beginning of what was said. Nobody waits long for the end: a process left behind may hold the pipe open.
+fn keep_head(said: &Receiver<Vec<u8>>) -> String {
+    let (mut kept, until) = (Vec::new(), Instant::now() + LAST_WORDS);
+    while let Ok(part) = said.recv_timeout(until.saturating_duration_since(Instant::now())) {
+        let room = MAX_STDERR.saturating_sub(kept.len()).min(part.len());
+        kept.extend_from_slice(&part[..room]);
     }
     String::from_utf8_lossy(&kept).trim().to_owned()
 }

@@ -4,17 +4,20 @@ use super::codes;
 use super::forecast;
 use super::process::{Ended, ProcessError, Program};
 use super::protocol::{Description, Line, OLDEST_PROTOCOL, PROTOCOL, Request, StageDescription};
-use crate::engine::{MAX_INPUT, read_limited};
+use crate::engine::{MAX_INPUT, Stop, read_limited};
 use schemars::{Schema, SchemaGenerator};
 use serde::Deserialize as _;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use toile_garment::bundle::{FILE_NAME, from_text, to_text};
 use toile_garment::{Code, Diagnostic, Garment, Report};
 use toile_stage_api::{AnyStage, Cost, Forecast, Knob, MeshSize, ReadyStage, StageContext, StageError, StageInfo};
 
 /// Most stages of one program.
 const MAX_STAGES: usize = 100;
+/// Most findings that are taken from one stage.
+const MAX_FINDINGS: usize = 1000;
 
 /// A stage of another program.
 pub struct ExternalStage {
@@ -117,7 +120,7 @@ impl ReadyStage for Ready<'_> {
     fn check(&self, _: &Garment, _: &mut Report) {}
 
     fn run(&self, garment: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
-        let desk = Desk::lay(&garment)?;
+        let desk = Desk::lay(&garment, self.stage.program.stop())?;
         self.talk("run", &self.request(&desk, None, cx)?, &desk, cx, &mut |_| {})?;
         let mut back = self.read_back(&desk.output.join(FILE_NAME))?;
         // The engine alone writes the history.
@@ -130,21 +133,30 @@ impl ReadyStage for Ready<'_> {
 /// The folders through which garments go to the program and back; they are gone with the last use.
 pub(super) struct Desk {
     folder: tempfile::TempDir,
+    stop: Arc<Stop>,
     input: PathBuf,
     pub(super) output: PathBuf,
 }
 
 impl Desk {
     /// Lays a garment into a fresh input folder.
-    pub(super) fn lay(garment: &Garment) -> Result<Self, StageError> {
+    pub(super) fn lay(garment: &Garment, stop: &Arc<Stop>) -> Result<Self, StageError> {
         let folder = tempfile::Builder::new().prefix("toile-plugin-").tempdir().map_err(|e| system(&e.to_string()))?;
+        stop.add_litter(folder.path());
+        let stop = Arc::clone(stop);
         let (input, output) = (folder.path().join("in"), folder.path().join("out"));
         for dir in [&input, &output] {
             std::fs::create_dir(dir).map_err(|e| system(&e.to_string()))?;
         }
         let text = to_text(garment).map_err(|e| StageError::Internal(e.to_string()))?;
         std::fs::write(input.join(FILE_NAME), text).map_err(|e| system(&e.to_string()))?;
-        Ok(Self { folder, input, output })
+        Ok(Self { folder, stop, input, output })
+    }
+}
+
+impl Drop for Desk {
+    fn drop(&mut self) {
+        self.stop.forget_litter(self.folder.path());
     }
 }
 
@@ -179,15 +191,21 @@ impl Ready<'_> {
     ) -> Result<(), StageError> {
         let mut wrong: Option<String> = None;
         let mut rejections = Vec::new();
+        let mut heard = 0;
         let ended =
             self.stage.program.ask(verb, request, desk.folder.path(), &mut |line| match serde_json::from_slice(line) {
                 Ok(Line::Progress { done, total, words }) => {
                     cx.progress.update(done, total, &crate::render::safe(&words));
                 }
+                Ok(Line::Diagnostic(_)) if heard >= MAX_FINDINGS => heard += 1,
                 Ok(Line::Diagnostic(finding)) if finding.severity == toile_garment::Severity::Error => {
+                    heard += 1;
                     rejections.push(finding);
                 }
-                Ok(Line::Diagnostic(finding)) => cx.report.push(finding),
+                Ok(Line::Diagnostic(finding)) => {
+                    heard += 1;
+                    cx.report.push(finding);
+                }
                 Ok(line) if self.stage.forecasts => told(line),
                 Ok(_) => drop(wrong.get_or_insert("it tells a forecast, which it did not declare".to_owned())),
                 Err(error) => {
@@ -200,6 +218,13 @@ impl Ready<'_> {
                 }
             });
         let ended = ended.map_err(|e| self.process_error(&e))?;
+        if heard > MAX_FINDINGS {
+            let message = format!(
+                "plugin stage `{}` told {heard} findings; those after the first {MAX_FINDINGS} were left out",
+                self.stage.info.name
+            );
+            cx.report.push(Diagnostic::warning(codes::PLUGIN_FINDINGS_LEFT_OUT, message));
+        }
         match wrong {
             Some(wrong) => Err(self.input(codes::PLUGIN_PROTOCOL, wrong)),
             None => self.judge(&ended, rejections),

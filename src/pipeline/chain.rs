@@ -7,7 +7,7 @@ use super::inputs::{Values, settle};
 use super::nearest::remedy;
 use super::overrides::{self, Overrides};
 use super::params::configure;
-use super::schema_walk::SchemaTree;
+use super::schema_walk::{FileRole, SchemaTree};
 use crate::codes::NEEDS_NOT_GIVEN;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
@@ -26,6 +26,8 @@ pub struct Pipeline<'r> {
     pub seed: u64,
     /// The chain.
     pub steps: Vec<Step<'r>>,
+    /// Files that the commands of plugins may name: every word of them, as a path.
+    pub programs: Vec<PathBuf>,
     /// Folders behind `{name}/…`, for paths given on the command line.
     pub mounts: BTreeMap<String, PathBuf>,
 }
@@ -38,15 +40,17 @@ pub struct Step<'r> {
     pub place: SourceRef,
     /// The stage with its parameters.
     pub ready: Box<dyn ReadyStage + 'r>,
-    /// Texts of its parameters that look like paths.
+    /// Those of its parameters that are files.
     pub paths: Vec<PathText>,
 }
 
-/// A parameter that looks like a path.
+/// A parameter that is a file.
 #[derive(Clone, Debug)]
 pub struct PathText {
     /// After filling in.
     pub text: String,
+    /// Read or written.
+    pub role: FileRole,
     /// Where it stands.
     pub place: SourceRef,
 }
@@ -55,7 +59,7 @@ impl PathText {
     /// True for an output.
     #[must_use]
     pub fn is_output(&self) -> bool {
-        self.text.starts_with("{out}")
+        self.role == FileRole::Output
     }
 }
 
@@ -78,6 +82,7 @@ pub fn link<'r>(document: &Document<'_>, registry: &'r Registry, report: &mut Re
         version: document.version,
         seed: document.seed,
         steps,
+        programs: document.plugins.iter().flat_map(|p| &p.command).map(PathBuf::from).collect(),
         mounts: values.mounts,
     }
 }
@@ -93,46 +98,41 @@ fn make_step<'r>(
     let mut table = entry.with.get_ref().clone();
     overrides::apply(cx, entry, &overrides.params, schema, &mut table);
     let filled = fill_table(cx, values, &mut table);
-    let mut paths = Vec::new();
-    if filled {
-        collect_paths(cx, &table, &mut paths);
-    }
-    let ready = configure(cx, stage, schema, table, &entry.with.span(), entry.name.get_ref());
+    let ready = configure(cx, stage, schema, table.clone(), &entry.with.span(), entry.name.get_ref())?;
     let place = cx.source.place(&entry.name.span());
-    ready.filter(|_| filled).map(|ready| Step { id: entry.id.clone(), place, ready, paths })
+    let paths = paths(cx, schema, &ready.params(), &table, &place);
+    filled.then(|| Step { id: entry.id.clone(), place, ready, paths })
 }
 
-fn collect_paths(cx: &Reader<'_>, table: &DeTable<'_>, paths: &mut Vec<PathText>) {
-    for (_, value) in table {
-        collect_path(cx, value, paths);
-    }
+/// The paths among the parameters, defaults included. Their schema says which of them are files; their looks do not.
+fn paths(
+    cx: &Reader<'_>,
+    schema: &SchemaTree,
+    params: &serde_json::Value,
+    table: &DeTable<'_>,
+    place: &SourceRef,
+) -> Vec<PathText> {
+    let given = |keys: &[String]| value_at(table, keys).map(|value| cx.source.place(&value.span()));
+    let files = schema.files(params).into_iter();
+    files
+        // An output without a name is not written; an input without one is a mistake.
+        .filter(|file| file.role == FileRole::Input || !file.text.is_empty())
+        .map(|file| PathText {
+            place: given(&file.keys).unwrap_or_else(|| place.clone()),
+            text: file.text,
+            role: file.role,
+        })
+        .collect()
 }
 
-fn collect_path(cx: &Reader<'_>, value: &Spanned<DeValue<'_>>, paths: &mut Vec<PathText>) {
-    match value.get_ref() {
-        DeValue::String(text) if looks_like_path(text) => {
-            paths.push(PathText { text: text.to_string(), place: cx.source.place(&value.span()) });
-        }
-        DeValue::Table(table) => collect_paths(cx, table, paths),
-        DeValue::Array(items) => items.iter().for_each(|item| collect_path(cx, item, paths)),
-        _ => {}
-    }
-}
-
-/// Parameters do not say which of them are files; these forms can be nothing else.
-fn looks_like_path(text: &str) -> bool {
-    const ENDINGS: [&str; 14] = [
-        ".dxf", ".rul", ".toml", ".obj", ".glb", ".gltf", ".png", ".jpg", ".jpeg", ".svg", ".txt", ".json", ".html",
-        ".csv",
-    ];
-    const STARTS: [&str; 7] = ["{out}", "/", "\\", "./", "../", "..\\", "~/"];
-    let lower = text.to_ascii_lowercase();
-    let drive = text.as_bytes().get(1) == Some(&b':') && text.as_bytes()[0].is_ascii_alphabetic();
-    ENDINGS.iter().any(|e| lower.ends_with(e))
-        || STARTS.iter().any(|s| text.starts_with(s))
-        || drive
-        || text.contains("/../")
-        || text.contains('\0')
+/// The value at a way of keys and numbers.
+fn value_at<'t>(table: &'t DeTable<'t>, keys: &[String]) -> Option<&'t Spanned<DeValue<'t>>> {
+    let (key, rest) = keys.split_first()?;
+    rest.iter().try_fold(table.get(key.as_str())?, |at, key| match at.get_ref() {
+        DeValue::Table(inner) => inner.get(key.as_str()),
+        DeValue::Array(items) => items.get(key.parse::<usize>().ok()?),
+        _ => None,
+    })
 }
 
 /// The aspects that the stages so far give.

@@ -21,6 +21,6 @@ pub use document::{Document, GRAMMAR, MAX_ERRORS, StageEntry, parse};
 pub use inputs::{Input, InputKind};
 pub use nearest::{nearest, remedy};
 pub use plugins::Plugin;
-pub use schema_walk::SchemaTree;
+pub use schema_walk::{FileRole, SchemaTree};
 pub use text::{MAX_BYTES, SourceText};
 pub use tune::{Tuning, knob, tune, turned_by};

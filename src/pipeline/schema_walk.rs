@@ -14,6 +14,25 @@ pub struct SchemaTree {
     definitions: Map<String, Value>,
 }
 
+/// The use that a stage makes of a file that a parameter names.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum FileRole {
+    /// It reads it: `"format": "input-file"` in the schema.
+    Input,
+    /// It writes it: `"format": "output-file"` in the schema.
+    Output,
+}
+
+/// A parameter that is a file.
+pub struct FileParam {
+    /// Keys from `with` down to it; a number for an item of a list.
+    pub keys: Vec<String>,
+    /// Its path.
+    pub text: String,
+    /// Read or written.
+    pub role: FileRole,
+}
+
 /// A key that the schema does not know.
 pub struct UnknownKey {
     /// Keys from `with` down to it.
@@ -79,6 +98,56 @@ impl SchemaTree {
         };
         let branches = ["oneOf", "anyOf"].iter().find_map(|k| schema.get(*k)?.as_array());
         text_type || branches.is_some_and(|b| b.iter().filter(|s| !is_null(s)).all(|s| self.is_text(self.resolve(s))))
+    }
+
+    /// All parameters that are files.
+    #[must_use]
+    pub fn files(&self, params: &Value) -> Vec<FileParam> {
+        let mut found = Vec::new();
+        self.walk_files(self.root(), params, &mut Vec::new(), &mut found);
+        found
+    }
+
+    fn walk_files(&self, schema: &Value, value: &Value, keys: &mut Vec<String>, found: &mut Vec<FileParam>) {
+        let role = match schema.get("format").and_then(Value::as_str) {
+            Some("input-file") => Some(FileRole::Input),
+            Some("output-file") => Some(FileRole::Output),
+            _ => None,
+        };
+        match value {
+            Value::String(text) => {
+                found.extend(role.map(|role| FileParam { keys: keys.clone(), text: text.clone(), role }));
+            }
+            Value::Object(map) => {
+                let properties = schema.get("properties").and_then(Value::as_object);
+                for (key, inner) in map {
+                    let next = properties.and_then(|p| p.get(key)).or_else(|| schema.get("additionalProperties"));
+                    self.walk_inner(next, key, inner, keys, found);
+                }
+            }
+            Value::Array(items) => {
+                for (i, inner) in items.iter().enumerate() {
+                    self.walk_inner(schema.get("items"), &i.to_string(), inner, keys, found);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn walk_inner(
+        &self,
+        schema: Option<&Value>,
+        key: &str,
+        value: &Value,
+        keys: &mut Vec<String>,
+        found: &mut Vec<FileParam>,
+    ) {
+        // Followed link by link: the mark may stand beside the reference.
+        let Some(schema) = schema else { return };
+        keys.push(key.to_owned());
+        let marked = if schema.get("format").is_some() { schema } else { self.resolve(schema) };
+        self.walk_files(marked, value, keys, found);
+        keys.pop();
     }
 
     /// All keys of a table that the schema does not know.

@@ -63,8 +63,9 @@ impl Stage for Drape {
         &self,
         params: &Self::Params,
         forecast: &mut Forecast,
-        _: &mut StageContext<'_>,
+        cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
+        toile_cloth::check_settings(&params.settings(cx.threads)).map_err(failure)?;
         forecast.effects = forecast::effects(params, forecast);
         // Fitted to `pipelines/` and a GarmentCode skirt of 550 to 25,000 triangles, each within a factor of 1.5.
         Ok(forecast.by_triangles(0.04, 0.11, 4.3))

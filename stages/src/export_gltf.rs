@@ -15,6 +15,7 @@ pub struct ExportGltf;
 #[serde(deny_unknown_fields, default)]
 pub struct ExportGltfParams {
     /// The GLB to write.
+    #[schemars(extend("format" = "output-file"))]
     pub file: String,
 }
 

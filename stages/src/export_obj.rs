@@ -24,9 +24,11 @@ pub struct ExportObj;
 #[serde(deny_unknown_fields, default)]
 pub struct ExportObjParams {
     /// The OBJ to write: pieces in order, each in the vertex order of its mesh; an imported mesh keeps its order.
+    #[schemars(extend("format" = "output-file"))]
     pub file: String,
     /// Where to write the reaction force on every pin, in N, as JSON.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("format" = "output-file"))]
     pub reactions: Option<String>,
     /// Vertical axis of the file; that of the imported mesh when not given, else y.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -28,6 +28,7 @@ const GAP: f64 = 0.02;
 #[serde(deny_unknown_fields, default)]
 pub struct ExportPrintParams {
     /// Output file; its ending says the form: `.svg` (layers, millimetres), `.pdf` (tiles) or `.plt` (HPGL).
+    #[schemars(extend("format" = "output-file"))]
     pub file: String,
     /// Paper of a PDF: `a4`, `a3`, `a2`, `a1`, `a0`, `letter`, or `sheet` for one page as large as the drawing.
     pub paper: String,
@@ -40,6 +41,7 @@ pub struct ExportPrintParams {
     /// A TrueType or OpenType file: names are drawn with its letters, so that those of any script stand in PDF and
     /// HPGL.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("format" = "input-file"))]
     pub font: Option<PathBuf>,
     /// Makes the cut lines anew.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -74,10 +76,17 @@ impl Stage for ExportPrint {
 
     fn forecast(
         &self,
-        _: &Self::Params,
+        params: &Self::Params,
         _: &mut Forecast,
-        _: &mut StageContext<'_>,
+        cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
+        // An empty sheet: every parameter is looked at, and the font is read.
+        let mut sheet = plot::lay(&[], GAP * 1e3, None);
+        params.range()?;
+        if let Some(font) = &params.font {
+            spell(&mut sheet, font, cx)?;
+        }
+        params.form()?;
         Ok(Some(Cost::seconds(0.01)))
     }
 
@@ -87,40 +96,64 @@ impl Stage for ExportPrint {
         garment: Garment,
         cx: &mut StageContext<'_>,
     ) -> Result<Garment, StageError> {
-        let wrong = |code: Code, text: String| StageError::parameter(Diagnostic::error(code, text));
-        let gap = params.gap.map_or(GAP, |g| g.0) * 1e3;
-        let width = params.width.map(|w| w.0 * 1e3);
-        if !(0.0..=500.0).contains(&gap) || width.is_some_and(|w| !(50.0..=100_000.0).contains(&w)) {
-            return Err(wrong(OUT_OF_RANGE, "`gap` must be 0 to 500 mm and `width` 50 mm to 100 m".into()));
-        }
+        let (gap, width) = params.range()?;
         let mut pieces = garment.pieces.clone();
         allowance::add(params.allowance.as_ref(), &mut pieces, Which::All, cx)?;
         let mut sheet = plot::lay(&pieces, gap, width);
         if let Some(font) = &params.font {
             spell(&mut sheet, font, cx)?;
         }
-        let ending = params.file.rsplit_once('.').map_or("", |(_, e)| e).to_ascii_lowercase();
-        let (bytes, findings) = match ending.as_str() {
-            "svg" => (plot::svg(&sheet, &garment.style).into_bytes(), Vec::new()),
-            "pdf" => {
-                let paper = Paper::named(&params.paper).ok_or_else(|| {
-                    let known = "a4, a3, a2, a1, a0, letter, sheet";
-                    wrong(PAPER_UNKNOWN, format!("`paper` is `{}`; there are {known}", params.paper))
-                })?;
-                plot::pdf(&sheet, paper, &garment.style).map_err(StageError::parameter)?
-            }
-            "plt" | "hpgl" | "hpg" => {
+        let (bytes, findings) = match params.form()? {
+            Form::Svg => (plot::svg(&sheet, &garment.style).into_bytes(), Vec::new()),
+            Form::Pdf(paper) => plot::pdf(&sheet, paper, &garment.style).map_err(StageError::parameter)?,
+            Form::Hpgl => {
                 let (text, findings) = plot::hpgl(&sheet).map_err(StageError::parameter)?;
                 (text.into_bytes(), findings)
-            }
-            _ => {
-                let text = format!("`file` is `{}`; its ending must be .svg, .pdf or .plt", params.file);
-                return Err(wrong(FORM_UNKNOWN, text));
             }
         };
         findings.into_iter().for_each(|f| cx.report.push(f));
         cx.files.write(Path::new(&params.file), &bytes)?;
         Ok(garment)
+    }
+}
+
+/// The form of the output.
+enum Form {
+    Svg,
+    Pdf(Paper),
+    Hpgl,
+}
+
+fn wrong(code: Code, text: String) -> StageError {
+    StageError::parameter(Diagnostic::error(code, text))
+}
+
+impl ExportPrintParams {
+    /// Gap and width in mm, in range.
+    fn range(&self) -> Result<(f64, Option<f64>), StageError> {
+        let gap = self.gap.map_or(GAP, |g| g.0) * 1e3;
+        let width = self.width.map(|w| w.0 * 1e3);
+        if !(0.0..=500.0).contains(&gap) || width.is_some_and(|w| !(50.0..=100_000.0).contains(&w)) {
+            return Err(wrong(OUT_OF_RANGE, "`gap` must be 0 to 500 mm and `width` 50 mm to 100 m".into()));
+        }
+        Ok((gap, width))
+    }
+
+    /// The form that the ending says, with its paper.
+    fn form(&self) -> Result<Form, StageError> {
+        let ending = self.file.rsplit_once('.').map_or("", |(_, e)| e).to_ascii_lowercase();
+        match ending.as_str() {
+            "svg" => Ok(Form::Svg),
+            "pdf" => Paper::named(&self.paper).map(Form::Pdf).ok_or_else(|| {
+                let known = "a4, a3, a2, a1, a0, letter, sheet";
+                wrong(PAPER_UNKNOWN, format!("`paper` is `{}`; there are {known}", self.paper))
+            }),
+            "plt" | "hpgl" | "hpg" => Ok(Form::Hpgl),
+            _ => {
+                let text = format!("`file` is `{}`; its ending must be .svg, .pdf or .plt", self.file);
+                Err(wrong(FORM_UNKNOWN, text))
+            }
+        }
     }
 }
 

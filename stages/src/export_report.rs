@@ -12,10 +12,13 @@ use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo
 #[serde(deny_unknown_fields, default)]
 pub struct ExportReportParams {
     /// Tables for programs; empty writes none.
+    #[schemars(extend("format" = "output-file"))]
     pub json: PathBuf,
     /// Drawing of the flattened pieces over the originals; empty writes none.
+    #[schemars(extend("format" = "output-file"))]
     pub svg: PathBuf,
     /// One self-contained page; empty writes none.
+    #[schemars(extend("format" = "output-file"))]
     pub html: PathBuf,
 }
 
@@ -53,7 +56,8 @@ impl Stage for ExportReport {
         if given(&params.json) {
             let text = serde_json::to_string_pretty(&report::json(&garment, &findings))
                 .map_err(|e| StageError::Internal(format!("report as JSON: {e}")))?;
-            cx.files.write(&params.json, (text + "\n").as_bytes())?;
+            let text = toile_garment::text::json(&text) + "\n";
+            cx.files.write(&params.json, text.as_bytes())?;
         }
         if given(&params.svg) {
             cx.files.write(&params.svg, report::drawing(&garment).as_bytes())?;

@@ -83,15 +83,18 @@ pub enum SizeChoice {
 #[serde(deny_unknown_fields)]
 pub struct ImportDxfParams {
     /// The DXF, relative to the pipeline file.
+    #[schemars(extend("format" = "input-file"))]
     pub file: PathBuf,
     /// The sewing file: what is sewn to what, declared darts, placements.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("format" = "input-file"))]
     pub sewing: Option<PathBuf>,
     /// Size, or a list of sizes; without it the sample size of the file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub size: Option<SizeChoice>,
     /// The rule table; without it the file of the same name with `.rul`, if it is there.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("format" = "input-file"))]
     pub rules: Option<PathBuf>,
     /// Unit of the coordinates, overruling the file.
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -18,9 +18,11 @@ const FLATNESS: f64 = 5e-5;
 #[serde(deny_unknown_fields)]
 pub struct ImportGarmentcodeParams {
     /// The specification (JSON), relative to the pipeline file.
+    #[schemars(extend("format" = "input-file"))]
     pub file: PathBuf,
     /// A sewing file that adds to what the specification says: attachments, layers, names of edges.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("format" = "input-file"))]
     pub sewing: Option<PathBuf>,
     /// Chords keep this near a curve (0.05 mm).
     #[serde(default, skip_serializing_if = "Option::is_none")]

@@ -195,6 +195,7 @@ pub struct Write;
 #[serde(deny_unknown_fields)]
 pub struct WriteParams {
     /// Where.
+    #[schemars(extend("format" = "output-file"))]
     pub file: PathBuf,
     /// The text that is written.
     #[serde(default)]
@@ -223,6 +224,7 @@ pub struct Read;
 #[serde(deny_unknown_fields)]
 pub struct ReadParams {
     /// Which.
+    #[schemars(extend("format" = "input-file"))]
     pub file: String,
 }
 

@@ -77,13 +77,13 @@ impl<'a> Lab<'a> {
     /// Does the motion run to its end? An unstable one does not.
     pub fn stable(&mut self, trial: &Trial, motion: &Motion) -> Result<bool, String> {
         let run = self.end(&motion.of(trial, &[]))?;
-        if run.code == 4 { Ok(false) } else { sound(run).map(|_| true) }
+        if matches!(run.code, 1 | 4) { Ok(false) } else { sound(run).map(|_| true) }
     }
 
     /// Does the motion run to its end with every vertex within `room` (m) of its place in the first frame?
     pub fn bounded(&mut self, trial: &Trial, motion: &Motion, room: f64) -> Result<bool, String> {
         let run = self.end(&motion.of(trial, &[]))?;
-        if run.code == 4 {
+        if matches!(run.code, 1 | 4) {
             return Ok(false);
         }
         let film = Film::read(&sound(run)?, motion.fps)?;

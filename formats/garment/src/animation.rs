@@ -3,6 +3,27 @@
 use crate::Vec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
+
+/// The figures of a motion, each with its gate.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct MotionCertificate {
+    /// Are all figures within their gates?
+    pub passed: bool,
+    /// Largest strain along warp or weft in any frame.
+    pub stretch_max: f64,
+    /// Most intersecting triangle pairs of a frame, of the cloth with itself and with the body.
+    pub crossings: u64,
+    /// Energy gained from nothing, as a share of the energy that moves in the motion. 0 where the body moves, which does
+    /// work.
+    pub energy_gain: f64,
+    /// Distance of the middle of free cloth from where gravity alone brings it, as a share of the fall. `None` where
+    /// something else acts: pins, loads, a body, air or calming.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub fall_error: Option<f64>,
+    /// Gates.
+    pub limits: BTreeMap<String, f64>,
+}
 
 /// Frames at equal times, and the worst that was counted in any of them.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -26,4 +47,7 @@ pub struct Animation {
     pub penetration_max_mm: f64,
     /// Largest strain along warp or weft in any frame.
     pub strain_max: f64,
+    /// The certificate of the motion.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub certificate: Option<MotionCertificate>,
 }

@@ -23,6 +23,7 @@ pub mod provenance;
 pub mod seam;
 pub mod sewing;
 pub mod source;
+pub mod text;
 pub mod texture;
 pub mod units;
 

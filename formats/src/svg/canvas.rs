@@ -18,6 +18,7 @@ pub fn escape(text: &str) -> String {
             c if (c as u32) < 0x20 || (0x7f..0xa0).contains(&(c as u32)) || matches!(c, '\u{fffe}' | '\u{ffff}') => {
                 out.push('\u{fffd}');
             }
+            c if toile_garment::text::steers(c) => out.extend(c.escape_default()),
             c => out.push(c),
         }
     }
@@ -160,6 +161,7 @@ mod tests {
         assert_eq!(fixed(-1.5, 1), "-1.5");
         assert_eq!(fixed(f64::NAN, 2), "-");
         assert_eq!(escape("<a href='x'>&\"\u{1}"), "&lt;a href=&#39;x&#39;&gt;&amp;&quot;\u{fffd}");
+        assert_eq!(escape("a\u{202e}b"), "a\\u{202e}b");
     }
 
     #[test]

@@ -17,7 +17,9 @@ use toile_garment::{Code, Diagnostic, SourceRef};
 /// Largest side, pixels.
 pub const MAX_SIDE: u32 = 16_384;
 /// Most memory of the decoded picture, bytes.
-pub const MAX_DECODED: u64 = 1 << 30;
+pub const MAX_DECODED: u64 = 256 << 20;
+/// Most pixels: such a bitmap is looked at whole within the memory above.
+pub const MAX_PIXELS: u64 = 64 << 20;
 /// Largest file, bytes.
 pub const MAX_BYTES: usize = 256 << 20;
 
@@ -55,6 +57,14 @@ pub fn read_image(bytes: &[u8], file: &str) -> Result<Image, Box<Diagnostic>> {
     if width == 0 || height == 0 || width > MAX_SIDE || height > MAX_SIDE {
         let what = format!("{width} × {height} pixels; allowed are 1 to {MAX_SIDE} a side");
         return Err(bad(codes::IMAGE_SIZE, what));
+    }
+    let pixels = u64::from(width) * u64::from(height);
+    if pixels > MAX_PIXELS {
+        let what =
+            format!("{width} × {height} pixels are {} million; at most {} are read", pixels >> 20, MAX_PIXELS >> 20);
+        return Err(Box::new(
+            bad(codes::IMAGE_SIZE, what).hint("save the bitmap smaller: one repeat of the pattern will do"),
+        ));
     }
     reader(limits).decode().map_err(|e| bad(codes::IMAGE_BROKEN, e.to_string()))?;
     Ok(Image { mime: mime.to_owned(), width, height, bytes: kept })

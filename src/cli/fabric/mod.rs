@@ -10,7 +10,8 @@ mod picture_frame;
 pub use args::FabricArgs;
 
 use super::console::Console;
-use super::flatten::{Memory, is_free, write_file, write_result};
+use super::flatten::Memory;
+use super::results::Results;
 use crate::engine::{Exit, MAX_INPUT, Stop, clean, of_file_error, of_stage_error, read_limited};
 use crate::progress::{Teller, Voice};
 use args::{Common, FabricVerb, Test};
@@ -55,7 +56,7 @@ fn perform(
     test: impl FnOnce(&Fabric, &mut StageContext<'_>) -> Tested,
 ) -> Exit {
     let Some(fabric) = read(common, console) else { return Exit::Input };
-    if common.svg.as_ref().is_some_and(|svg| !is_free(svg, common.force, console)) {
+    if common.svg.as_ref().is_some_and(|svg| !results(common).is_free(svg, console)) {
         return Exit::Usage;
     }
     let mut report = Report::default();
@@ -72,6 +73,11 @@ fn perform(
             exit
         }
     }
+}
+
+/// The picture never replaces the fabric.
+fn results(common: &Common) -> Results {
+    Results::new(common.force, &[&common.fabric])
 }
 
 /// The fabric; all that is wrong with its file is said.
@@ -136,8 +142,8 @@ fn show(
     match &common.svg {
         None => Exit::Good,
         // JSON stands alone on stdout.
-        Some(path) if common.json => write_file(path, sheet.svg.as_bytes(), common.force, console),
-        Some(path) => write_result(path, sheet.svg.as_bytes(), common.force, console),
+        Some(path) if common.json => results(common).write_silently(path, sheet.svg.as_bytes(), console),
+        Some(path) => results(common).write(path, sheet.svg.as_bytes(), console),
     }
 }
 

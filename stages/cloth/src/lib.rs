@@ -47,7 +47,7 @@ pub use scene::settings::{Effects, Integrator, Model, Settings, Switch};
 pub use scene::shared_body::SharedBody;
 pub use scene::weld::{Welded, weld};
 pub use scene::{BodyMesh, Element, Load, Material, Pin, Scene};
-pub use solve::{animate, drape, sew};
+pub use solve::{animate, check_settings, drape, sew};
 
 /// A point or vector in the world, metres.
 pub type Vec3 = nalgebra::Vector3<f64>;

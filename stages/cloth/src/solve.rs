@@ -118,3 +118,11 @@ fn drape_canonical(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) ->
         Integrator::CentralDifference => run::run(scene, settings, false, watch),
     }
 }
+
+/// Checks settings alone, before there is a scene.
+///
+/// # Errors
+/// [`ClothError::BadSetting`] for a value out of range.
+pub fn check_settings(settings: &Settings) -> Result<(), ClothError> {
+    validate::settings(settings)
+}

@@ -29,6 +29,10 @@ codes! {
     /// message says by how much and in which frame: a body that jerks, or too little cloth that holds all the rest.
     FRAMES_OVERSTRETCHED = "frames-overstretched";
 
+    /// A figure of the motion's certificate is beyond its gate: stretch, crossings, energy from nothing, or a free fall
+    /// that is none. Exit code 1. `motion` in run.json holds all figures and gates.
+    MOTION_GATE = "motion-gate";
+
     /// with.until_settled was asked for, but the cloth still moved in the last frame.
     MOTION_NOT_SETTLED = "motion-not-settled";
 

@@ -1,6 +1,7 @@
 //! Animate: the draped garment moves in time on a moving body (the paper's third phase of collisions, §2.3).
 
 mod body;
+mod certificate;
 pub(crate) mod codes;
 mod params;
 mod store;
@@ -10,6 +11,7 @@ pub use params::{AnimateParams, SteppingName};
 use crate::solve::{self, Follow, Layout, failure, scene};
 use store::Store;
 use toile_cloth::{Motion, Scene, Trip};
+use toile_garment::animation::MotionCertificate;
 use toile_garment::garment::EffectRecord;
 use toile_garment::{Aspect, Code, Diagnostic, Garment, Vec3};
 use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
@@ -35,8 +37,11 @@ impl Stage for Animate {
         &self,
         params: &Self::Params,
         forecast: &mut Forecast,
-        _: &mut StageContext<'_>,
+        cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
+        toile_cloth::check_settings(&params.settings(cx.threads)).map_err(failure)?;
+        params.dynamics().check().map_err(failure)?;
+        params.motion(Vec::new(), true).check(None, 0).map_err(failure)?;
         // Without a number of frames the film is taken to last a second.
         let film = params.frames.map_or(1.0, |n| f64::from(n) / params.fps);
         Ok(forecast.by_triangles(0.1, film, 12.0))
@@ -63,13 +68,17 @@ impl Stage for Animate {
         let mut store = Store::new(&welded.scene, &settings);
         let trip = film(&welded.scene, params, &motion, &mut store, cx)?;
         tell_strain(&store, &garment, cx);
-        let animation = store.finish(params.fps, trip.settled, &layout, &welded)?;
+        let gate = garment.certificate.as_ref().and_then(|c| c.limits.get("strain_max")).copied();
+        let certificate = store.certificate(params, gate.unwrap_or(f64::INFINITY));
+        let mut animation = store.finish(params.fps, trip.settled, &layout, &welded)?;
+        tell_failures(&certificate, params, cx);
         if let Some(c) = &mut garment.certificate {
             c.self_crossings = c.self_crossings.max(animation.self_crossings);
             c.body_crossings = c.body_crossings.max(animation.body_crossings);
             c.penetration_max_mm = c.penetration_max_mm.max(animation.penetration_max_mm);
-            c.passed &= animation.self_crossings == 0 && animation.body_crossings == 0;
+            c.passed &= certificate.passed;
         }
+        animation.certificate = Some(certificate);
         garment.drape = Some(drape);
         tell(params, &motion, &trip, &animation, &mut garment, cx);
         if let Some(pattern) = &params.sequence {
@@ -90,6 +99,19 @@ fn film(
     let settings = params.settings(cx.threads);
     let mut take = |f: &toile_cloth::Frame<'_>| store.take(f);
     toile_cloth::animate(scene, &settings, &params.dynamics(), motion, &mut Follow::new(cx), &mut take).map_err(failure)
+}
+
+/// Figures of the motion's certificate that are beyond their gates.
+fn tell_failures(certificate: &MotionCertificate, params: &AnimateParams, cx: &mut StageContext<'_>) {
+    for (name, value, limit) in certificate::failures(certificate) {
+        let message = format!("`{name}` of the motion is {value:.3e}, over its gate of {limit:.3e}");
+        let hint = if params.fixed_step {
+            "leave out with.fixed_step, so that steps are as long as the cloth bears"
+        } else {
+            "shorten the time step (with.step)"
+        };
+        cx.report.push(Diagnostic::warning(codes::MOTION_GATE, message).hint(hint));
+    }
 }
 
 /// Does the motion stretch the cloth more than the certificate allows the drape?

@@ -20,8 +20,8 @@ pub enum SteppingName {
     /// Implicit steps of second order (TR-BDF2), stable at any length.
     #[default]
     Implicit,
-    /// The paper's explicit central differences, for comparison: steps that are too long end the run. The body stands
-    /// still, `accuracy` and bending hysteresis play no part.
+    /// The paper's explicit central differences, for comparison, with steps as long as the cloth bears, at most `step`.
+    /// The body stands still, `accuracy` and bending hysteresis play no part.
     CentralDifference,
     /// Steps like `central-difference`, but `calming` acts against the velocity of half a step before, as it is often
     /// programmed: steps must be the shorter the stronger it is, 2/ω (√(1 + ζ²) − ζ).
@@ -37,6 +37,7 @@ pub struct AnimateParams {
     /// was draped on. The first animation of a GLB moves the same mesh by a skin, by morph targets or by its nodes.
     /// Without it the body stands still.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("format" = "input-file"))]
     pub body: Option<PathBuf>,
     /// Frames in a second, of the body and of the result.
     pub fps: f64,
@@ -63,6 +64,9 @@ pub struct AnimateParams {
     pub calming: Duration,
     /// Longest time step; a whole number of equal ones makes a frame, more of them where the body is fast.
     pub step: Duration,
+    /// Central differences: take `step` as it is, even where the cloth does not bear it.
+    #[serde(skip_serializing_if = "std::ops::Not::not")]
+    pub fixed_step: bool,
     /// Distance at which cloth is held off the body.
     pub body_gap: Length,
     /// Central differences: stiffness of every contact, a penalty, N/m between vertex and body; without it contacts are
@@ -77,6 +81,7 @@ pub struct AnimateParams {
     pub rest_speed: Speed,
     /// Also writes every frame as OBJ; this is the name of the first: `{out}/frame-000.obj`.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("format" = "output-file"))]
     pub sequence: Option<String>,
 }
 
@@ -96,6 +101,7 @@ impl Default for AnimateParams {
             air: SwitchName::Auto,
             calming: Duration(2.0),
             step: Duration(1.0 / 120.0),
+            fixed_step: false,
             body_gap: drape.body_gap,
             contact_stiffness: None,
             self_gap: drape.self_gap,
@@ -132,6 +138,7 @@ impl AnimateParams {
             step: self.step.0,
             damping: if self.calming.0 > 0.0 { 1.0 / self.calming.0 } else { 0.0 },
             lagged: self.integrator == SteppingName::Leapfrog,
+            fixed: self.fixed_step,
             drag: if self.air == SwitchName::Off { 0.0 } else { AIR },
             rest_speed: self.rest_speed.0,
             tolerance: Dynamics::default().tolerance

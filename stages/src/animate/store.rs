@@ -1,12 +1,14 @@
 //! Frames as they will be stored, each counted afresh.
 
+use super::AnimateParams;
 use super::body::number;
+use super::certificate::Watched;
 use super::codes;
 use crate::solve::Layout;
 use std::path::Path;
 use toile_cloth::{BodyMesh, ClothError, Figures, Frame, Scene, Settings, Welded, certify};
 use toile_formats::obj;
-use toile_garment::animation::Animation;
+use toile_garment::animation::{Animation, MotionCertificate};
 use toile_garment::garment::Shape;
 use toile_garment::{Diagnostic, Garment, Vec3};
 use toile_stage_api::{StageContext, StageError};
@@ -19,16 +21,26 @@ pub struct Store<'a> {
     worst: Figures,
     /// Frame with the largest strain.
     strained: usize,
+    watched: Watched,
     failed: Option<ClothError>,
 }
 
 impl<'a> Store<'a> {
     pub fn new(scene: &'a Scene, settings: &'a Settings) -> Self {
-        Self { scene, settings, frames: Vec::new(), worst: Figures::default(), strained: 0, failed: None }
+        Self {
+            scene,
+            settings,
+            frames: Vec::new(),
+            worst: Figures::default(),
+            strained: 0,
+            watched: Watched::new(scene),
+            failed: None,
+        }
     }
 
     /// Takes a frame, in the numbers a viewer will see.
     pub fn take(&mut self, frame: &Frame<'_>) {
+        self.watched.take(frame);
         let x: Vec<Vec3> = frame.positions.iter().zip(&self.scene.positions).map(|(p, b)| as_shown(p, b)).collect();
         let body = self.scene.body.as_ref().map(|b| BodyMesh {
             positions: if frame.body.is_empty() { b.positions.clone() } else { frame.body.to_vec() },
@@ -54,6 +66,11 @@ impl<'a> Store<'a> {
         (self.worst.strain_max, self.strained)
     }
 
+    /// The certificate of the motion; `strain` is the gate of the drape's strain.
+    pub fn certificate(&self, params: &AnimateParams, strain: f64) -> MotionCertificate {
+        self.watched.certificate(self.scene, params, &self.worst, strain)
+    }
+
     /// The frames by piece, and the worst of their figures.
     ///
     /// # Errors
@@ -71,6 +88,7 @@ impl<'a> Store<'a> {
             body_crossings: self.worst.body_crossings as u64,
             penetration_max_mm: self.worst.penetration_max * 1e3,
             strain_max: self.worst.strain_max,
+            certificate: None,
         })
     }
 }

@@ -46,22 +46,22 @@ impl Stage for Assemble {
 
     fn forecast(
         &self,
-        _: &Self::Params,
+        params: &Self::Params,
         forecast: &mut Forecast,
-        _: &mut StageContext<'_>,
+        cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
+        let limits = limits(params)?;
+        // Outlines that are no outlines are told by the stage that meshes them.
+        if let Ok(shapes) = shapes(&forecast.garment) {
+            let found = find(&forecast.garment, &shapes);
+            judged(found, &forecast.garment.plan, &limits, cx.report).map_err(StageError::Parameter)?;
+        }
         Ok(forecast.by_triangles(0.001, 0.001, 1.0))
     }
 
     fn run(&self, params: &Params, mut garment: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
-        if !(params.max_ease.0.is_finite() && params.max_ease.0 >= 0.0) {
-            let message = format!("max_ease cannot be {}", params.max_ease);
-            return Err(StageError::parameter(
-                Diagnostic::error(codes::MAX_EASE, message).hint("e.g. max_ease = \"3 %\""),
-            ));
-        }
+        let limits = limits(params)?;
         let shapes = shapes(&garment).map_err(StageError::Input)?;
-        let limits = Limits { max_ease: params.max_ease.0 };
         let found = find(&garment, &shapes);
         let resolved = judged(found, &garment.plan, &limits, cx.report).map_err(StageError::Parameter)?;
         let mut seams = Vec::new();
@@ -92,6 +92,16 @@ impl Stage for Assemble {
         garment.seams = seams;
         Ok(garment)
     }
+}
+
+/// The limits of the parameters, in range.
+fn limits(params: &Params) -> Result<Limits, StageError> {
+    let max_ease = params.max_ease.0;
+    if max_ease.is_finite() && max_ease >= 0.0 {
+        return Ok(Limits { max_ease });
+    }
+    let found = Diagnostic::error(codes::MAX_EASE, format!("max_ease cannot be {}", params.max_ease));
+    Err(StageError::parameter(found.hint("e.g. max_ease = \"3 %\"")))
 }
 
 /// A declared seam on the meshes.

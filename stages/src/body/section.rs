@@ -1,18 +1,19 @@
 //! Sections of a mesh and the girth a tape gives on them.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use toile_garment::body::Body;
 use toile_garment::{Vec2, Vec3};
 
-/// A closed outline cut out of a mesh by a plane.
+/// An outline cut out of a mesh by a plane. It is open where the mesh is.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Section {
     /// Its points in order, metres.
     pub points: Vec<Vec3>,
+    closed: bool,
     across: [Vec3; 2],
 }
 
-/// All closed outlines where a plane cuts the mesh.
+/// All outlines where a plane cuts the mesh, open ones first.
 #[must_use]
 pub fn sections(positions: &[Vec3], triangles: &[[u32; 3]], point: Vec3, normal: Vec3) -> Vec<Section> {
     let side = |v: u32| positions.get(v as usize).map_or(f64::NAN, |p| (p - point).dot(&normal));
@@ -36,14 +37,21 @@ pub fn sections(positions: &[Vec3], triangles: &[[u32; 3]], point: Vec3, normal:
         positions[a as usize] + (positions[b as usize] - positions[a as usize]) * (sa / (sa - sb))
     };
     let mut loops = Vec::new();
-    while let Some((start, _)) = next.first_key_value() {
+    let reached: BTreeSet<(u32, u32)> = next.values().copied().collect();
+    let open: Vec<(u32, u32)> = next.keys().filter(|edge| !reached.contains(edge)).copied().collect();
+    let mut open = open.into_iter();
+    while let Some(start) = open.next().or_else(|| next.first_key_value().map(|(edge, _)| *edge)) {
         let mut points = Vec::new();
-        let mut at = *start;
+        let mut at = start;
         while let Some(to) = next.remove(&at) {
             points.push(cut(at));
             at = to;
         }
-        loops.push(Section { points, across });
+        let closed = at == start;
+        if !closed {
+            points.push(cut(at));
+        }
+        loops.push(Section { points, closed, across });
     }
     loops
 }
@@ -64,6 +72,15 @@ impl Section {
             hull(self.points.iter().map(|p| Vec2::new(p.dot(&self.across[0]), p.dot(&self.across[1]))).collect());
         let turned = hull.iter().skip(1).chain(hull.first());
         hull.iter().zip(turned).map(|(a, b)| (b - a).norm()).sum()
+    }
+
+    /// Distance between the ends of an open outline, metres; 0 for a closed one.
+    #[must_use]
+    pub fn gap(&self) -> f64 {
+        match (self.closed, self.points.first(), self.points.last()) {
+            (false, Some(a), Some(b)) => (b - a).norm(),
+            _ => 0.0,
+        }
     }
 
     /// Middle of the outline's bounding box, metres.
@@ -134,7 +151,23 @@ mod tests {
     fn girth_of_a_square_section_spans_its_dents() {
         let points = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.5, 0.4), (0.0, 1.0)];
         let points = points.map(|(x, z)| Vec3::new(x, 2.0, z)).to_vec();
-        let section = Section { points, across: basis(Vec3::y()) };
+        let section = Section { points, closed: true, across: basis(Vec3::y()) };
         assert!((section.girth() - 4.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn an_open_mesh_gives_open_outlines_with_their_gap() {
+        // A square tube without its last wall.
+        let corners = [(0.0, 0.0), (0.3, 0.0), (0.3, 0.4), (0.0, 0.4)];
+        let positions: Vec<Vec3> = [0.0, 1.0].iter().flat_map(|y| corners.map(|(x, z)| Vec3::new(x, *y, z))).collect();
+        let wall = |k: u32, next: u32| [[k, next + 4, next], [k, k + 4, next + 4]];
+        let walls: Vec<[u32; 3]> = (0..3).flat_map(|k| wall(k, k + 1)).collect();
+        let found = sections(&positions, &walls, Vec3::new(0.0, 0.5, 0.0), Vec3::y());
+        assert_eq!(found.len(), 1);
+        assert!((found[0].gap() - 0.4).abs() < 1e-12, "{}", found[0].gap());
+        assert!((found[0].girth() - 1.4).abs() < 1e-12);
+        let whole: Vec<[u32; 3]> = walls.into_iter().chain(wall(3, 0)).collect();
+        let found = sections(&positions, &whole, Vec3::new(0.0, 0.5, 0.0), Vec3::y());
+        assert_eq!((found.len(), found[0].gap()), (1, 0.0));
     }
 }

@@ -67,6 +67,7 @@ pub enum DxfSource {
 #[serde(deny_unknown_fields, default)]
 pub struct ExportDxfParams {
     /// Output file.
+    #[schemars(extend("format" = "output-file"))]
     pub file: String,
     /// Form of the standard.
     pub dialect: DxfDialect,
@@ -82,6 +83,7 @@ pub struct ExportDxfParams {
     /// A pattern file all sizes of which are written instead, with their grade rules in a `.rul` file beside the
     /// output; its own rule table is the file of the same name with `.rul`.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("format" = "input-file"))]
     pub size_run: Option<PathBuf>,
 }
 

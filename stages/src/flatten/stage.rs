@@ -20,10 +20,11 @@ impl Stage for Flatten {
 
     fn forecast(
         &self,
-        _: &Self::Params,
+        params: &Self::Params,
         forecast: &mut Forecast,
         _: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
+        check(params)?;
         Ok(forecast.by_triangles(0.005, 0.005, 1.0))
     }
 

@@ -25,6 +25,10 @@ codes! {
     /// A text file is not UTF-8. Save it as UTF-8. Exit code 3.
     TEXT_ENCODING = "text-encoding";
 
+    /// Triangles of the cloth mesh stand in the file again: they would be a second cloth in the place of the first.
+    /// Exit code 3.
+    TRIANGLES_DOUBLE = "triangles-double";
+
     /// Triangles of the cloth mesh have no area and were left out.
     TRIANGLES_FLAT = "triangles-flat";
 

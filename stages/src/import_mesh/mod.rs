@@ -15,6 +15,7 @@ mod turned;
 use borders::Borders;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 use std::path::Path;
 use toile_formats::codes::BODY_SIZE;
 use toile_formats::{body, fabric, obj};
@@ -36,6 +37,7 @@ pub struct ImportMesh;
 #[serde(deny_unknown_fields)]
 pub struct ImportMeshParams {
     /// OBJ with the start positions, metres.
+    #[schemars(extend("format" = "input-file"))]
     pub cloth: String,
     /// Where the rest shape comes from: the 3D `positions`, or `uv` (`vt` in metres, u along the weft, v along the
     /// warp).
@@ -46,17 +48,22 @@ pub struct ImportMeshParams {
     pub up: UpAxis,
     /// Held vertices: one index from 0 a line, optionally x y z to hold it elsewhere.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("format" = "input-file"))]
     pub pins: Option<String>,
     /// Sewn vertices: two indices from 0 a line.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("format" = "input-file"))]
     pub stitches: Option<String>,
     /// Forces: index fx fy fz in N a line.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("format" = "input-file"))]
     pub loads: Option<String>,
     /// OBJ of the body; a TOML file beside it is read too.
     #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("format" = "input-file"))]
     pub body: Option<String>,
     /// Fabric file.
+    #[schemars(extend("format" = "input-file"))]
     pub fabric: String,
 }
 
@@ -146,7 +153,9 @@ impl Input<'_> {
     fn cloth(&mut self, cx: &mut StageContext<'_>) -> Result<Option<obj::ObjMesh>, StageError> {
         let file = &self.params.cloth;
         let bytes = cx.files.read(Path::new(file))?;
-        Ok(self.keep(obj::read(&bytes, file)))
+        let cloth = self.keep(obj::read(&bytes, file));
+        self.errors.extend(cloth.as_ref().and_then(|cloth| repeated(cloth, file)));
+        Ok(cloth)
     }
 
     fn fabric(&mut self, cx: &mut StageContext<'_>) -> Result<Option<Fabric>, StageError> {
@@ -179,6 +188,22 @@ impl Input<'_> {
         let Some(text) = self.text(cx, file)? else { return Ok(Vec::new()) };
         Ok(self.keep(read(&text, file)).unwrap_or_default())
     }
+}
+
+/// Triangles that have the vertices of an earlier one: one cloth in the place of another.
+fn repeated(cloth: &obj::ObjMesh, file: &str) -> Option<Diagnostic> {
+    let mut seen = BTreeSet::new();
+    let mut again = cloth.triangles.iter().enumerate().filter(|(_, t)| {
+        let mut key = **t;
+        key.sort_unstable();
+        // One with a vertex twice has no area: such triangles are left out and counted.
+        key[0] != key[1] && key[1] != key[2] && !seen.insert(key)
+    });
+    let (first, _) = again.next()?;
+    let message =
+        format!("{} triangles stand in `{file}` again, the first of them is number {}", again.count() + 1, first + 1);
+    let found = Diagnostic::error(codes::TRIANGLES_DOUBLE, message).at(SourceRef::file(file));
+    Some(found.hint("remove double faces and export again; a second layer needs vertices of its own"))
 }
 
 /// The garment of one piece with mesh and start positions.

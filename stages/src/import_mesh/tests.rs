@@ -176,6 +176,14 @@ fn flat_triangles_are_left_out_and_counted() {
 }
 
 #[test]
+fn repeated_triangles_are_refused() {
+    let twice = format!("{SQUARE}f 2/2 4/3 1/1\n");
+    let Err(StageError::Input(errors)) = import("", &[("c.obj", &twice)]) else { panic!("taken") };
+    assert_eq!(errors[0].code, "triangles-double");
+    assert!(errors[0].message.contains("number 3"), "{}", errors[0].message);
+}
+
+#[test]
 fn stitches_become_a_seam() {
     let (garment, _) = import("stitches = \"s.txt\"", &[("c.obj", SQUARE), ("s.txt", "0 4\n1,3\n")]).expect("garment");
     let seam = &garment.seams[0];

@@ -4,12 +4,16 @@ use super::codes;
 use crate::body::{Section, hull, section_at};
 use crate::codes::BODY_MISSING;
 use toile_formats::codes::EDGE_UNKNOWN;
+use toile_garment::body::Body;
 use toile_garment::garment::Pin;
 use toile_garment::sewing::{AttachSpec, AttachStrength};
 use toile_garment::{Diagnostic, Garment, MeshVertex, Piece, Vec2, Vec3};
 
 /// Extra distance between held edges and the body, beyond the contact's own, metres.
 const SLACK: f64 = 3e-4;
+
+/// Largest gap of an open section, as a share of its girth.
+const LARGEST_GAP: f64 = 0.1;
 
 /// A tape around the body: a convex ring at one height.
 struct Ring {
@@ -50,6 +54,13 @@ pub fn pins(garment: &Garment, placed: &[Vec<Vec3>], gap: f64) -> Result<Vec<Pin
     if errors.is_empty() { Ok(pins) } else { Err(errors) }
 }
 
+/// Attachments that cannot be made on this body, whatever the mesh.
+pub fn faults(garment: &Garment) -> Vec<Diagnostic> {
+    let specs = &garment.plan.attachments;
+    let first = specs.iter().enumerate().filter(|(k, a)| specs[..*k].iter().all(|b| b.to != a.to));
+    first.filter_map(|(_, a)| Some(section(garment, &a.to).err()?.at(a.source.clone()))).collect()
+}
+
 fn ring_pins(
     garment: &Garment,
     placed: &[Vec<Vec3>],
@@ -62,14 +73,8 @@ fn ring_pins(
     let mut shares = Vec::new();
     for spec in specs {
         match spec.strength {
-            AttachStrength::Elastic(share) if !(share > 0.0 && share <= 1.5) => {
-                return Err(Diagnostic::error(
-                    codes::ATTACH_STRENGTH,
-                    format!("elastic {share} is not between 0 and 1.5"),
-                ));
-            }
-            // Both end on the same ring: an elastic edge is gathered evenly onto it.
-            AttachStrength::Hold | AttachStrength::Elastic(_) => {}
+            AttachStrength::Elastic(_) => return Err(elastic(spec)),
+            AttachStrength::Hold => {}
         }
     }
     for piece in &garment.pieces {
@@ -84,7 +89,17 @@ fn ring_pins(
     Ok(lay(&shares, &ring).0)
 }
 
-/// The body's level section at a landmark or height.
+/// An elastic band is not made yet.
+pub fn elastic(spec: &AttachSpec) -> Diagnostic {
+    let message = format!(
+        "an elastic band at edge `{}` of piece `{}` is not made yet; only strength = \"hold\" is",
+        spec.edge, spec.piece
+    );
+    let hint = "write strength = \"hold\", or sew the edge to a band that is drawn as a piece, with gather";
+    Diagnostic::error(codes::ATTACH_STRENGTH, message).at(spec.source.clone()).hint(hint)
+}
+
+/// The body's level section at a landmark or height. An open mesh may have a gap there, but no more than a share of it.
 fn section(garment: &Garment, to: &str) -> Result<Section, Diagnostic> {
     let body = garment.body.as_ref().ok_or_else(|| {
         Diagnostic::error(BODY_MISSING, format!("an edge is attached to `{to}`, but there is no body"))
@@ -101,12 +116,26 @@ fn section(garment: &Garment, to: &str) -> Result<Section, Diagnostic> {
             Diagnostic::error(codes::ATTACH_TARGET_UNKNOWN, format!("the body has no landmark or height `{to}`"))
                 .hint(format!("this body has the landmarks {}", known()))
         })?;
-    section_at(body, height).ok_or_else(|| {
-        Diagnostic::error(
-            codes::ATTACH_TARGET_EMPTY,
-            format!("the body has no section at `{to}`, {:.0} mm", height * 1e3),
-        )
+    let sound = |s: &Section| s.girth() > 0.0 && s.gap() <= LARGEST_GAP * s.girth();
+    section_at(body, height).filter(sound).ok_or_else(|| {
+        let (low, high) = extent(body);
+        let message = format!(
+            "the body goes not all the way round at `{to}`, {:.0} mm: its mesh ends or is torn there",
+            height * 1e3
+        );
+        let hint = format!(
+            "the mesh reaches from {:.0} to {:.0} mm; give a whole body, or set `{to}` in its side file",
+            low * 1e3 + 0.0,
+            high * 1e3
+        );
+        Diagnostic::error(codes::ATTACH_TARGET_EMPTY, message).hint(hint)
     })
+}
+
+/// Lowest and highest point of the triangles, metres.
+fn extent(body: &Body) -> (f64, f64) {
+    let heights = body.triangles.iter().flatten().filter_map(|v| Some(body.positions.get(*v as usize)?.y));
+    heights.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| (low.min(y), high.max(y)))
 }
 
 impl Ring {

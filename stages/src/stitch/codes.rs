@@ -5,10 +5,12 @@ use toile_garment::Code;
 codes! {
     pub(crate) list CODES;
 
-    /// The elastic share of an [[attach]] is not between 0 and 1.5. Exit code 2.
+    /// An [[attach]] asks for an elastic band, which is not made yet. Write strength = "hold", or sew the edge to a
+    /// band that is drawn as a piece. Exit code 2.
     ATTACH_STRENGTH = "attach-strength";
 
-    /// The body has no section at the height an edge is attached to. Exit code 2.
+    /// The body does not go all the way round at the height an edge is attached to: its mesh ends or is torn there.
+    /// Exit code 2.
     ATTACH_TARGET_EMPTY = "attach-target-empty";
 
     /// The body has no landmark or height of this name. The message lists them. Exit code 2.

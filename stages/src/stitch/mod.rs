@@ -9,6 +9,8 @@ pub(crate) mod load;
 pub mod place;
 mod raise;
 
+pub(crate) use attach::elastic;
+
 use crate::sewing::turned::Lengths;
 use crate::solve::body_parts::contact_filter;
 use crate::solve::{Follow, Layout, effects, failure_in, scene};
@@ -33,11 +35,14 @@ pub struct Stitch;
 pub struct StitchParams {
     /// Body: OBJ in metres, feet at y = 0; a side file of the same name with `.toml` may name its landmarks.
     #[serde(default)]
+    #[schemars(extend("format" = "input-file"))]
     pub body: Option<PathBuf>,
     /// Fabric of all pieces without one of their own.
+    #[schemars(extend("format" = "input-file"))]
     pub fabric: PathBuf,
     /// Fabrics by the material name of the pieces.
     #[serde(default)]
+    #[schemars(schema_with = "fabric_files")]
     pub fabrics: BTreeMap<String, PathBuf>,
     /// Distance between the body and pieces placed around it.
     #[serde(default = "clearance")]
@@ -60,6 +65,14 @@ pub struct StitchParams {
     /// How the seams are closed: by a descent without time, or in the paper's dynamic system.
     #[serde(default)]
     pub integrator: crate::drape::IntegratorName,
+}
+
+/// Every value of the table is a file.
+fn fabric_files(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+    schemars::json_schema!({
+        "type": "object",
+        "additionalProperties": { "type": "string", "format": "input-file" }
+    })
 }
 
 fn clearance() -> Length {
@@ -106,6 +119,11 @@ impl Stage for Stitch {
         load::fabrics(params, &mut forecast.garment, cx)?;
         if let Some(body) = &params.body {
             forecast.garment.body = Some(load::body(body, cx)?);
+        }
+        let wrong: Vec<Diagnostic> =
+            place::unplaced(&forecast.garment).chain(attach::faults(&forecast.garment)).collect();
+        if !wrong.is_empty() {
+            return Err(StageError::Parameter(wrong));
         }
         // Fitted to the same garments as the cost of `drape`.
         Ok(forecast.by_triangles(0.06, 0.16, 4.3))

@@ -38,6 +38,11 @@ pub fn place(garment: &Garment, clearance: f64) -> Result<Vec<Vec<Vec3>>, Vec<Di
     if errors.is_empty() { Ok(placed) } else { Err(errors) }
 }
 
+/// Pieces of which nothing says where they start.
+pub fn unplaced(garment: &Garment) -> impl Iterator<Item = Diagnostic> {
+    garment.pieces.iter().filter(|piece| spec_of(garment, piece).is_none()).map(not_placed)
+}
+
 /// The place that the sewing file gives a piece.
 pub(super) fn spec_of<'a>(garment: &'a Garment, piece: &Piece) -> Option<&'a PlaceSpec> {
     let places = &garment.plan.places;

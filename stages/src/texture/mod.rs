@@ -10,6 +10,7 @@ mod params;
 #[cfg(test)]
 mod tests;
 
+use crate::codes::PIECE_UNKNOWN;
 use params::Look;
 pub use params::TextureParams;
 use std::path::Path;
@@ -34,10 +35,15 @@ impl Stage for Texture {
 
     fn forecast(
         &self,
-        _: &Self::Params,
+        params: &Self::Params,
         forecast: &mut Forecast,
-        _: &mut StageContext<'_>,
+        cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
+        let names = !forecast.garment.pieces.is_empty();
+        let of_pieces = |f: &Diagnostic| f.code == PIECE_UNKNOWN || f.code == codes::MATERIAL_UNUSED;
+        let mut findings = params.check(&forecast.garment);
+        findings.retain(|f| names || !of_pieces(f));
+        read(&params.looks(), findings, cx)?;
         Ok(forecast.by_triangles(0.002, 0.001, 1.0))
     }
 
@@ -47,19 +53,7 @@ impl Stage for Texture {
         mut garment: Garment,
         cx: &mut StageContext<'_>,
     ) -> Result<Garment, StageError> {
-        let mut findings = params.check(&garment);
-        let looks = params.looks();
-        let mut materials = Vec::with_capacity(looks.len());
-        for look in &looks {
-            match material(look, cx)? {
-                Ok(m) => materials.push(m),
-                Err(finding) => findings.push(*finding),
-            }
-        }
-        if findings.iter().any(|f| f.severity == Severity::Error) {
-            return Err(StageError::Parameter(findings));
-        }
-        cx.report.findings.append(&mut findings);
+        let materials = read(&params.looks(), params.check(&garment), cx)?;
         let cloth: Vec<Vec<[f64; 2]>> = garment.pieces.iter().map(cloth_coordinates).collect();
         let packed = pack::pack(&cloth, params.margin.0);
         let choose = |piece: &Piece| params.material_of(piece);
@@ -73,6 +67,26 @@ impl Stage for Texture {
         garment.textures = Some(Textures { materials, pieces });
         Ok(garment)
     }
+}
+
+/// All looks with their bitmaps; `findings` were found before.
+fn read(
+    looks: &[Look<'_>],
+    mut findings: Vec<Diagnostic>,
+    cx: &mut StageContext<'_>,
+) -> Result<Vec<Material>, StageError> {
+    let mut materials = Vec::with_capacity(looks.len());
+    for look in looks {
+        match material(look, cx)? {
+            Ok(m) => materials.push(m),
+            Err(finding) => findings.push(*finding),
+        }
+    }
+    if findings.iter().any(|f| f.severity == Severity::Error) {
+        return Err(StageError::Parameter(findings));
+    }
+    cx.report.findings.append(&mut findings);
+    Ok(materials)
 }
 
 /// A look with its bitmap read.

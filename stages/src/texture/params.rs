@@ -14,6 +14,7 @@ use toile_garment::{Diagnostic, Garment, Piece};
 pub struct TextureParams {
     /// Fabric bitmap, PNG or JPEG; without one the colour alone.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("format" = "input-file"))]
     pub image: Option<String>,
     /// Size of the bitmap on the cloth: along the weft, along the warp.
     pub repeat: [Length; 2],
@@ -39,6 +40,7 @@ pub struct Override {
     pub pieces: Vec<String>,
     /// Fabric bitmap, PNG or JPEG.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("format" = "input-file"))]
     pub image: Option<String>,
     /// Size of the bitmap on the cloth: along the weft, along the warp.
     #[serde(skip_serializing_if = "Option::is_none")]

@@ -28,7 +28,8 @@ fn explicit(steps: usize, in_frame: f64, dt: f64) -> Motion {
     let mut motion = Motion::new(frames, steps as f64 * dt, dt).weightless();
     // Without what would hold a motion that runs away: elongation is taken back, and cloth is kept off cloth.
     let off = ["strain-limit", "self-contact"].map(|e| format!("effects.{e} = \"off\""));
-    motion.more = [vec!["integrator = \"central-difference\"".to_owned()], off.to_vec()].concat();
+    let explicit = ["integrator = \"central-difference\"", "fixed_step = true"].map(str::to_owned);
+    motion.more = [explicit.to_vec(), off.to_vec()].concat();
     motion
 }
 

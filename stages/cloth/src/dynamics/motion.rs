@@ -12,6 +12,8 @@ pub struct Dynamics {
     pub damping: f64,
     /// Explicit steps only: `damping` acts on the velocity of half a step before, not on the mean over the step.
     pub lagged: bool,
+    /// Explicit steps only: `step` is taken as it is, even where the cloth does not bear it.
+    pub fixed: bool,
     /// Pressure of still air over the square of the speed across the cloth, kg/m³: ½ ρ C_d.
     pub drag: f64,
     /// A stage of a step is solved when a Newton step would change no velocity by more than this, m/s.
@@ -22,7 +24,15 @@ pub struct Dynamics {
 
 impl Default for Dynamics {
     fn default() -> Self {
-        Self { step: 1.0 / 120.0, damping: 0.5, lagged: false, drag: 0.6, tolerance: 5e-3, rest_speed: 5e-3 }
+        Self {
+            step: 1.0 / 120.0,
+            damping: 0.5,
+            lagged: false,
+            fixed: false,
+            drag: 0.6,
+            tolerance: 5e-3,
+            rest_speed: 5e-3,
+        }
     }
 }
 
@@ -116,7 +126,11 @@ impl Dynamics {
         (time / self.step * (1.0 - 1e-9)).ceil().max(1.0)
     }
 
-    pub(crate) fn check(&self) -> Result<(), ClothError> {
+    /// Checks that all values are in range.
+    ///
+    /// # Errors
+    /// [`ClothError::BadSetting`] for the first that is not.
+    pub fn check(&self) -> Result<(), ClothError> {
         let ranges: [(&'static str, f64, f64, f64); 5] = [
             ("step", self.step, 1e-6, 1.0),
             ("damping", self.damping, 0.0, 1e6),
@@ -134,7 +148,11 @@ impl Dynamics {
 }
 
 impl Motion {
-    pub(crate) fn check(&self, body: Option<&BodyMesh>, vertices: usize) -> Result<(), ClothError> {
+    /// Checks that all values are in range and fit a body and a number of vertices.
+    ///
+    /// # Errors
+    /// [`ClothError::BadSetting`] or [`ClothError::BadScene`] for the first that does not.
+    pub fn check(&self, body: Option<&BodyMesh>, vertices: usize) -> Result<(), ClothError> {
         let frames = ("frames", self.frames as f64, 0.0, MOST_FRAMES);
         for (name, value, low, high) in [("fps", self.fps, 1.0, 1e5), ("lead_in", self.lead_in, 0.0, 60.0), frames] {
             if !(low..=high).contains(&value) {

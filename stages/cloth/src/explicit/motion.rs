@@ -1,6 +1,7 @@
 //! Motion in time by the paper's central differences (equations 8–14), for comparison with the implicit steps.
 //!
-//! All steps have the length that was set, and a step that is too long ends the run. The body stands still.
+//! Steps are as long as the cloth bears, as in the paper, and halved where the energy grows all the same. Steps whose
+//! length is held fast end the run where they are too long. The body stands still.
 
 use crate::dynamics::drag::viscous;
 use crate::dynamics::motion::{Dynamics, Frame, Motion, Trip};
@@ -9,12 +10,16 @@ use crate::explicit::central_difference;
 use crate::explicit::central_difference::State;
 use crate::explicit::problem::Problem;
 use crate::explicit::report;
+use crate::explicit::tuning::{
+    ENERGY_GROWTH_FLOOR, ENERGY_GROWTH_SHARE, MOTION_STEP_FRACTION, STEP_HALVING, STEP_HALVINGS_MAX,
+};
 use crate::{ClothError, Scene, Settings, Vec3, Watch};
 
 /// Moves the cloth by explicit steps, and hands every frame to `each`.
 ///
 /// # Errors
-/// An unusable scene, a body that moves, steps that are too long, or a stop on request.
+/// An unusable scene, a body that moves, cloth that bears no step worth taking, steps held fast that are too long, or a
+/// stop on request.
 pub(crate) fn animate(
     scene: &Scene,
     settings: &Settings,
@@ -53,6 +58,23 @@ fn check_penalty_step(problem: &Problem, stiffness: f64, dt: f64) -> Result<(), 
     Err(ClothError::BadSetting { name: "contact_stiffness", what })
 }
 
+/// Shortest step that is worth taking, s.
+const STEP_MIN: f64 = 1e-7;
+
+/// Number of equal steps from frame to frame: as set, or as many as the cloth bears.
+fn steps_in_frame(dynamics: &Dynamics, frame: f64, stable: f64) -> Result<f64, ClothError> {
+    let asked = dynamics.steps(frame);
+    if dynamics.fixed {
+        return Ok(asked);
+    }
+    let steps = asked.max((frame / (MOTION_STEP_FRACTION.get() * stable)).ceil());
+    if frame / steps >= STEP_MIN {
+        return Ok(steps);
+    }
+    let what = format!("this cloth bears steps of about {stable:.1e} s, too short for a motion");
+    Err(ClothError::BadSetting { name: "integrator", what })
+}
+
 /// A motion in progress.
 struct MotionRun<'a> {
     scene: &'a Scene,
@@ -67,6 +89,8 @@ struct MotionRun<'a> {
     dt: f64,
     /// Estimate of the longest stable step at the start, s.
     stable: f64,
+    /// Halvings of the step so far.
+    halvings: u32,
     /// Frames in a row that were at rest.
     quiet_frames: usize,
     trip: Trip,
@@ -80,13 +104,13 @@ impl<'a> MotionRun<'a> {
         motion: &'a Motion,
     ) -> Result<Self, ClothError> {
         let frame = 1.0 / motion.fps;
-        let steps = dynamics.steps(frame);
-        let dt = frame / steps;
         // Only the damping of the settings acts, and every vertex has the inertia of its mass.
         let damping = if dynamics.lagged { 0.0 } else { dynamics.damping };
         let plain = Settings { damping, stiffness_damping: 0.0, even_inertia: false, ..settings.clone() };
         let mut problem = Problem::new(scene, &plain, false)?;
         let stable = problem.stable_step(&problem.start.clone());
+        let steps = steps_in_frame(dynamics, frame, stable)?;
+        let dt = frame / steps;
         if problem.contact.is_some() {
             check_penalty_step(&problem, plain.contact_stiffness, dt)?;
         }
@@ -95,8 +119,8 @@ impl<'a> MotionRun<'a> {
             problem = Problem::new(scene, &Settings { step_fraction: dt / stable, ..plain }, false)?;
         }
         let state = State::at_rest(problem.start.clone());
-        let mut run =
-            Self { scene, dynamics, motion, problem, state, steps, dt, stable, quiet_frames: 0, trip: Trip::default() };
+        let (halvings, quiet_frames, trip) = (0, 0, Trip::default());
+        let mut run = Self { scene, dynamics, motion, problem, state, steps, dt, stable, halvings, quiet_frames, trip };
         run.set_velocities_half_a_step_back();
         Ok(run)
     }
@@ -106,16 +130,72 @@ impl<'a> MotionRun<'a> {
         if !self.motion.velocities.is_empty() {
             self.state.v.copy_from_slice(&self.motion.velocities);
         }
+        self.shift_velocities(-0.5 * self.dt);
+    }
+
+    /// Takes the velocities on by a time, s, as the forces of the present drive them.
+    fn shift_velocities(&mut self, time: f64) {
         let mut force = vec![Vec3::zeros(); self.state.x.len()];
         self.problem.forces(&self.state.x, &mut force);
         for ((v, f), w) in self.state.v.iter_mut().zip(&force).zip(&self.problem.masses.inverse) {
-            *v -= f * (0.5 * self.dt * w);
+            *v += f * (time * w);
         }
     }
 
     /// Steps from a frame to the next one, which has this number.
     fn advance_to_frame(&mut self, number: usize, watch: &mut dyn Watch) -> Result<(), ClothError> {
-        let before = self.state.x.clone();
+        let begun = self.state.clone();
+        loop {
+            let energy = self.energies();
+            self.step_through_frame(watch)?;
+            if !self.has_grown(energy) {
+                break;
+            }
+            self.halve_step(&begun)?;
+        }
+        let before = begun.x;
+        let (frames, fps) = (self.motion.frames, self.motion.fps);
+        watch.progress(self.trip.steps, &format!("frame {number} of {frames}"));
+        self.trip.speed = crate::farthest(&before, &self.state.x) * fps;
+        self.quiet_frames = if self.trip.speed <= self.dynamics.rest_speed { self.quiet_frames + 1 } else { 0 };
+        self.trip.settled = self.quiet_frames >= crate::dynamics::run::QUIET_FRAMES;
+        Ok(())
+    }
+
+    /// Total energy, and the part of it that is kinetic or elastic, J.
+    fn energies(&self) -> [f64; 2] {
+        let kinetic = self.problem.kinetic(&self.state.v);
+        [kinetic + self.problem.potential(&self.state.x), kinetic + self.problem.elastic(&self.state.x)]
+    }
+
+    /// Returns `true` if the energy has grown since by more than motion explains, or the cloth is lost. Held vertices on
+    /// their way do work, so growth then proves nothing.
+    fn has_grown(&self, [total, stored]: [f64; 2]) -> bool {
+        if self.dynamics.fixed {
+            return false;
+        }
+        let [now, stored_now] = self.energies();
+        let room = ENERGY_GROWTH_SHARE.get() * stored.max(stored_now.min(stored * 2.0)) + ENERGY_GROWTH_FLOOR.get();
+        let grown = self.problem.are_pins_placed(&self.state.x) && now > total + room;
+        !self.state.is_in_range() || grown
+    }
+
+    /// Goes back to a state and halves the step from there.
+    fn halve_step(&mut self, begun: &State) -> Result<(), ClothError> {
+        if self.halvings >= STEP_HALVINGS_MAX.get() || !STEP_HALVING.is_on() {
+            let what = format!("the energy grows even with steps of {:.1e} s", self.dt);
+            return Err(ClothError::Unstable { step: self.trip.steps, what });
+        }
+        self.halvings += 1;
+        self.state.copy_motion(begun);
+        // Velocities stand half a step before: that is nearer now.
+        self.shift_velocities(0.25 * self.dt);
+        (self.steps, self.dt) = (2.0 * self.steps, 0.5 * self.dt);
+        Ok(())
+    }
+
+    /// Takes all steps of a frame.
+    fn step_through_frame(&mut self, watch: &mut dyn Watch) -> Result<(), ClothError> {
         for _ in 0..self.steps as usize {
             if watch.cancelled() {
                 return Err(ClothError::Cancelled { step: self.trip.steps });
@@ -123,13 +203,10 @@ impl<'a> MotionRun<'a> {
             self.apply_drag();
             central_difference::step(&mut self.problem, &mut self.state, self.dt);
             self.trip.steps += 1;
-            self.check_stability()?;
+            if self.dynamics.fixed {
+                self.check_stability()?;
+            }
         }
-        let (frames, fps) = (self.motion.frames, self.motion.fps);
-        watch.progress(self.trip.steps, &format!("frame {number} of {frames}"));
-        self.trip.speed = crate::farthest(&before, &self.state.x) * fps;
-        self.quiet_frames = if self.trip.speed <= self.dynamics.rest_speed { self.quiet_frames + 1 } else { 0 };
-        self.trip.settled = self.quiet_frames >= crate::dynamics::run::QUIET_FRAMES;
         Ok(())
     }
 

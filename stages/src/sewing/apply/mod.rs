@@ -10,7 +10,7 @@ use super::resolve::{find, placed};
 use super::shapes::{Shapes, shapes};
 use crate::codes::PIECE_UNKNOWN;
 use toile_formats::dxf::darts::UndecidedDart;
-use toile_garment::sewing::SewingPlan;
+use toile_garment::sewing::{AttachStrength, SewingPlan};
 use toile_garment::{Diagnostic, Garment, PieceId, Report};
 use toile_stage_api::StageError;
 
@@ -62,6 +62,9 @@ pub fn apply_deciding(
 fn check_seams(garment: &Garment, rings: &Shapes) -> Result<(), StageError> {
     let mut errors = placed(find(garment, rings)).err().unwrap_or_default();
     for attach in &garment.plan.attachments {
+        if matches!(attach.strength, AttachStrength::Elastic(_)) {
+            errors.push(crate::stitch::elastic(attach));
+        }
         let run = toile_garment::sewing::RunSpec::Edge { piece: attach.piece.clone(), edge: attach.edge.clone() };
         errors.extend(super::lookup::run(garment, rings, &run, attach.source.as_ref()).err());
     }

@@ -7,7 +7,7 @@ use toile_garment::Severity;
 use toile_garment::dart::DartKind;
 use toile_garment::notch::{Notch, NotchKind};
 use toile_garment::outline::PieceLine;
-use toile_garment::sewing::{CopySpec, DartSpec, EdgeNameSpec, RunSpec, SeamSpec};
+use toile_garment::sewing::{AttachSpec, AttachStrength, CopySpec, DartSpec, EdgeNameSpec, RunSpec, SeamSpec};
 
 fn edge(piece: &str, edge: &str) -> Vec<RunSpec> {
     vec![RunSpec::Edge { piece: piece.into(), edge: edge.into() }]
@@ -181,6 +181,25 @@ fn a_seam_that_repeats_a_dart_is_left_to_the_dart() {
     let (garment, report) = godet(vec![legs]);
     assert_eq!((garment.pieces[0].darts.len(), garment.plan.seams.len()), (1, 0));
     assert_eq!(report.findings[0].code, "seam-is-dart");
+}
+
+#[test]
+fn an_elastic_band_is_refused_until_it_is_made() {
+    let attach = |strength| AttachSpec {
+        piece: "front".into(),
+        edge: "2".into(),
+        to: "waist".into(),
+        strength,
+        source: Some(toile_garment::SourceRef::file("s.toml")),
+    };
+    let plan = |strength| SewingPlan { attachments: vec![attach(strength)], ..SewingPlan::default() };
+    let mut garment = one(rectangle(0, "front", 300.0, 400.0));
+    apply(&mut garment, plan(AttachStrength::Hold), &mut Report::default()).expect("held");
+    let mut garment = one(rectangle(0, "front", 300.0, 400.0));
+    let errors = parameter_errors(apply(&mut garment, plan(AttachStrength::Elastic(0.9)), &mut Report::default()));
+    assert_eq!(errors[0].code, "attach-strength");
+    assert_eq!(errors[0].source.as_ref().map(|s| s.file.as_str()), Some("s.toml"));
+    assert!(errors[0].hint.as_deref().is_some_and(|h| h.contains("strength = \"hold\"")), "{:?}", errors[0].hint);
 }
 
 #[test]

@@ -1,0 +1,68 @@
+//! Files that a verb writes beside stdout: whole, never over a file without `--force`, never over what it reads.
+
+use super::console::Console;
+use crate::engine::{Exit, clean, refuse_input, write_whole};
+use std::path::{Path, PathBuf};
+
+/// The files that a verb writes, and its rights to replace.
+pub(super) struct Results {
+    force: bool,
+    /// Real paths of what it reads.
+    inputs: Vec<PathBuf>,
+}
+
+impl Results {
+    /// With `force` files that are there are replaced, but never the inputs.
+    pub fn new(force: bool, inputs: &[&Path]) -> Self {
+        Self { force, inputs: inputs.iter().filter_map(|i| i.canonicalize().ok()).collect() }
+    }
+
+    /// Says so when a file may not be written.
+    pub fn is_free(&self, path: &Path, console: &mut Console<'_>) -> bool {
+        if let Err(error) = refuse_input(path, &self.inputs) {
+            console.say(&format!("error[path-refused] {error}\n"));
+            return false;
+        }
+        let taken = path.exists() && !self.force;
+        if taken {
+            let name = clean(path);
+            console.say(&format!("error[path-refused] `{name}` is there already; replace it with --force\n"));
+        }
+        !taken
+    }
+
+    /// The same for several files, which must also differ from each other.
+    pub fn are_free(&self, paths: &[&Path], console: &mut Console<'_>) -> bool {
+        for (k, path) in paths.iter().enumerate() {
+            if paths[..k].contains(path) {
+                console.say(&format!("error[outputs-collide] two outputs are called `{}`\n", clean(path)));
+                return false;
+            }
+            if !self.is_free(path, console) {
+                return false;
+            }
+        }
+        true
+    }
+
+    /// Writes one result and names it on stdout.
+    pub fn write(&self, path: &Path, bytes: &[u8], console: &mut Console<'_>) -> Exit {
+        let exit = self.write_silently(path, bytes, console);
+        if exit == Exit::Good {
+            console.result(&format!("{}\n", clean(path)));
+        }
+        exit
+    }
+
+    /// The same without a word on stdout.
+    pub fn write_silently(&self, path: &Path, bytes: &[u8], console: &mut Console<'_>) -> Exit {
+        if !self.is_free(path, console) {
+            return Exit::Usage;
+        }
+        if let Err(error) = write_whole(path, bytes) {
+            console.say(&format!("error[write-failed] cannot write `{}`: {error}\n", clean(path)));
+            return Exit::System;
+        }
+        Exit::Good
+    }
+}

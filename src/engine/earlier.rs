@@ -1,0 +1,88 @@
+//! The outputs of an earlier run in the same folder: they are gone before the work of a new one begins.
+//!
+//! A run that fails must not lie beside the results of last week.
+
+use super::gate::output_below;
+use super::outputs::RECORD_NAME;
+use super::same::is_same;
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use toile_stage_api::FileError;
+
+/// Largest record that is read, bytes.
+const MAX_RECORD: u64 = 256 << 20;
+
+/// The record of an earlier run.
+pub(super) struct Earlier {
+    outputs: Vec<(String, String)>,
+}
+
+impl Earlier {
+    /// Reads the record in an output folder; `None` where there is none, or the file of this name is none of ours.
+    pub(super) fn read(root: &Path) -> Option<Self> {
+        let path = root.join(RECORD_NAME);
+        let bytes = super::files::read_limited(&path, &path, MAX_RECORD).ok()?;
+        let record: Value = serde_json::from_slice(&bytes).ok()?;
+        record.get("toile")?;
+        let text = |entry: &Value, key| entry.get(key).and_then(Value::as_str).map(str::to_owned);
+        let outputs = record.get("outputs")?.as_array()?.iter();
+        Some(Self { outputs: outputs.filter_map(|o| Some((text(o, "path")?, text(o, "blake3")?))).collect() })
+    }
+
+    /// Did that run write anything?
+    pub(super) fn is_empty(&self) -> bool {
+        self.outputs.is_empty()
+    }
+
+    /// Removes the record first, and then the outputs, those among `targets` too. What was changed since, or is an
+    /// input of the new run, stays. Gives the names of what was changed.
+    ///
+    /// # Errors
+    /// When the disk refuses.
+    pub(super) fn retire(
+        &self,
+        root: &Path,
+        targets: &[PathBuf],
+        inputs: &[PathBuf],
+    ) -> Result<Vec<String>, FileError> {
+        remove(&root.join(RECORD_NAME))?;
+        let mut changed = Vec::new();
+        for (shown, digest) in &self.outputs {
+            let own = output_below(Path::new(shown)).ok().map(|below| root.join(below));
+            let name = Path::new(shown).file_name();
+            let elsewhere = targets.iter().filter(|t| t.file_name() == name).cloned();
+            for path in own.into_iter().chain(elsewhere) {
+                if !std::fs::symlink_metadata(&path).is_ok_and(|m| m.is_file()) || belongs_to(&path, inputs) {
+                    continue;
+                }
+                if digest_of(&path).as_ref() == Some(digest) {
+                    remove(&path)?;
+                } else if !targets.contains(&path) {
+                    changed.push(shown.clone());
+                }
+            }
+        }
+        Ok(changed)
+    }
+}
+
+/// Is it one of these files, or a file beside one of them that has the same stem and may be read with it?
+fn belongs_to(path: &Path, inputs: &[PathBuf]) -> bool {
+    let beside = |input: &PathBuf| input.with_extension("") == path.with_extension("");
+    inputs.iter().any(|input| is_same(path, input) || beside(input))
+}
+
+fn digest_of(path: &Path) -> Option<String> {
+    let mut hasher = blake3::Hasher::new();
+    hasher.update_reader(std::fs::File::open(path).ok()?).ok()?;
+    Some(hasher.finalize().to_hex().to_string())
+}
+
+fn remove(path: &Path) -> Result<(), FileError> {
+    match std::fs::remove_file(path) {
+        Err(e) if e.kind() != std::io::ErrorKind::NotFound => {
+            Err(FileError::Write { path: super::gate::clean(path), reason: e.to_string() })
+        }
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,112 @@
+//! The certificate of a motion: what no motion of cloth does, measured frame by frame.
+
+use super::AnimateParams;
+use crate::drape::SwitchName;
+use std::collections::BTreeMap;
+use toile_cloth::{Figures, Frame, Scene};
+use toile_garment::Vec3;
+use toile_garment::animation::MotionCertificate;
+
+/// Strain of a motion over the gate of a drape. A jerk stretches cloth beyond its drape for a moment, which a finding
+/// tells; twice as much is no cloth any more.
+const STRETCH_MARGIN: f64 = 2.0;
+/// Largest share of energy that may come from nothing. Rounding and friction stay far below; a step that is too long
+/// makes nearly all of the energy it shows.
+const ENERGY_GAIN: f64 = 0.25;
+/// Largest deviation of a free fall.
+const FALL_ERROR: f64 = 0.01;
+/// Speed whose energy counts as none, m/s: ten times the speed at which cloth counts as at rest.
+const QUIET_SPEED: f64 = 0.05;
+
+/// Energies and the middle of the cloth over the frames.
+pub(super) struct Watched {
+    mass: Vec<f64>,
+    /// The first frame: its energy, J, and the middle of the cloth, m.
+    first: Option<(f64, Vec3)>,
+    gain: f64,
+    kinetic: f64,
+    potential: [f64; 2],
+    /// The last frame: its time, s, and the middle of the cloth, m.
+    last: (f64, Vec3),
+}
+
+impl Watched {
+    /// Nothing seen yet.
+    pub fn new(scene: &Scene) -> Self {
+        let mut mass = vec![0.0; scene.positions.len()];
+        for t in &scene.triangles {
+            let share = scene.materials[t.material as usize].areal_mass * t.area().abs() / 3.0;
+            t.vertices.iter().for_each(|v| mass[*v as usize] += share);
+        }
+        let potential = [f64::INFINITY, f64::NEG_INFINITY];
+        Self { mass, first: None, gain: 0.0, kinetic: 0.0, potential, last: (0.0, Vec3::zeros()) }
+    }
+
+    /// Takes a frame.
+    pub fn take(&mut self, frame: &Frame<'_>) {
+        let total: f64 = self.mass.iter().sum();
+        let middle: Vec3 = self.mass.iter().zip(frame.positions).map(|(m, p)| p * (m / total.max(1e-300))).sum();
+        let energy = frame.kinetic + frame.potential;
+        let (first, _) = *self.first.get_or_insert((energy, middle));
+        self.gain = self.gain.max(energy - first);
+        self.kinetic = self.kinetic.max(frame.kinetic);
+        self.potential = [self.potential[0].min(frame.potential), self.potential[1].max(frame.potential)];
+        self.last = (frame.seconds, middle);
+    }
+
+    /// Energy gained over the energy that moves.
+    fn energy_gain(&self) -> f64 {
+        let quiet = 0.5 * self.mass.iter().sum::<f64>() * QUIET_SPEED * QUIET_SPEED;
+        let moves = self.kinetic + (self.potential[1] - self.potential[0]).max(0.0) + quiet;
+        if moves > 0.0 { self.gain / moves } else { 0.0 }
+    }
+
+    /// Deviation from a free fall; `None` before anything fell.
+    fn fall_error(&self, gravity: f64) -> Option<f64> {
+        let (time, now) = self.last;
+        let fall = 0.5 * gravity * time * time;
+        let (_, first) = self.first.filter(|_| fall > 0.0)?;
+        Some((now - first + Vec3::y() * fall).norm() / fall)
+    }
+
+    /// Figures and gates together; `strain` is the gate of the drape's strain.
+    pub fn certificate(
+        &self,
+        scene: &Scene,
+        params: &AnimateParams,
+        worst: &Figures,
+        strain: f64,
+    ) -> MotionCertificate {
+        let still = params.air == SwitchName::Off && params.calming.0 <= 0.0;
+        let free = scene.pins.is_empty() && scene.loads.is_empty() && scene.body.is_none();
+        let limits = [
+            ("stretch_max", STRETCH_MARGIN * strain),
+            ("crossings", 0.0),
+            ("energy_gain", ENERGY_GAIN),
+            ("fall_error", FALL_ERROR),
+        ];
+        let mut certificate = MotionCertificate {
+            passed: false,
+            stretch_max: worst.strain_max,
+            crossings: (worst.self_crossings + worst.body_crossings) as u64,
+            energy_gain: if params.body.is_none() { self.energy_gain() } else { 0.0 },
+            fall_error: if still && free { self.fall_error(params.gravity.0) } else { None },
+            limits: BTreeMap::from(limits.map(|(name, limit)| (name.to_owned(), limit))),
+        };
+        certificate.passed = failures(&certificate).is_empty();
+        certificate
+    }
+}
+
+/// Figures beyond their gates, with the gates. A figure that is no number never passes.
+pub(super) fn failures(c: &MotionCertificate) -> Vec<(&'static str, f64, f64)> {
+    let figures = [
+        ("stretch_max", Some(c.stretch_max)),
+        ("crossings", Some(c.crossings as f64)),
+        ("energy_gain", Some(c.energy_gain)),
+        ("fall_error", c.fall_error),
+    ];
+    let gate = |name: &str| c.limits.get(name).copied().unwrap_or(f64::INFINITY);
+    let told = figures.into_iter().filter_map(|(name, value)| Some((name, value?, gate(name))));
+    told.filter(|(_, value, limit)| value.is_nan() || value > limit).collect()
+}
