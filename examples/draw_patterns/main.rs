@@ -39,7 +39,7 @@ fn files() -> Result<Vec<(String, Vec<u8>)>, String> {
                 name: style.file.to_ascii_uppercase(),
                 sample_size: Some(SAMPLE_SIZE.to_owned()),
                 author: "toile".to_owned(),
-                rule_table: None,
+                ..StyleText::default()
             },
             pieces: SIZES.iter().flat_map(|m| (style.pieces)(m).into_iter().map(|p| p.drawing(m.size))).collect(),
         };

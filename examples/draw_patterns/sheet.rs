@@ -1,7 +1,7 @@
 //! From a drafted sew line to the drawing of a piece: seam allowance, marks, place on the sheet.
 
 use crate::draft::{Edge, left};
-use toile_formats::dxf::write::{DrawDrill, DrawLine, DrawNotch, DrawPoint, PieceDrawing};
+use toile_formats::dxf::write::{DrawDrill, DrawLine, DrawNotch, DrawPoint, NotchLine, PieceDrawing};
 use toile_garment::Vec2;
 use toile_garment::notch::NotchKind;
 use toile_garment::outline::PointKind;
@@ -107,7 +107,14 @@ impl Draft {
 
     fn slit(&self, at: Vec2, inward: Vec2) -> DrawNotch {
         let angle = Some(libm::atan2(inward.y, inward.x).to_degrees());
-        DrawNotch { kind: NotchKind::Slit, at: at + self.shift, depth: NOTCH_DEPTH, width: 0.0, angle }
+        DrawNotch {
+            kind: NotchKind::Slit,
+            at: at + self.shift,
+            depth: NOTCH_DEPTH,
+            width: 0.0,
+            angle,
+            on: NotchLine::Cut,
+        }
     }
 
     /// Notches at the mouth, and the drill hole 10 mm short of the apex.

@@ -9,6 +9,9 @@ codes! {
     /// The body is taller or smaller than a person. Its file is probably not in metres.
     BODY_SIZE = "body-size";
 
+    /// The `code_page` asked for is none this program knows. The hint gives examples.
+    CODE_PAGE_UNKNOWN = "code-page-unknown";
+
     /// A piece holds a coordinate that is no place on a pattern. Exit code 3.
     COORDINATE_OUT_OF_RANGE = "coordinate-out-of-range";
 

@@ -30,6 +30,40 @@ impl TextEncoding {
         }
     }
 
+    /// Its name in the header of a DXF (`$DWGCODEPAGE`); none for UTF-8, which is told by the release.
+    #[must_use]
+    pub fn dxf_name(&self) -> Option<String> {
+        let Page::Web(encoding) = self.page else { return Some("dos850".to_owned()) };
+        let name = encoding.name().to_ascii_lowercase();
+        let number = match name.as_str() {
+            "utf-8" => return None,
+            "gbk" => "936",
+            "gb18030" => "54936",
+            "shift_jis" => "932",
+            "euc-kr" => "949",
+            "big5" => "950",
+            other => other.strip_prefix("windows-").unwrap_or(other),
+        };
+        Some(format!("ANSI_{number}"))
+    }
+
+    /// The bytes of one letter; none where the code page does not have it.
+    #[must_use]
+    pub fn encode(&self, letter: char) -> Option<Vec<u8>> {
+        let mut buffer = [0_u8; 4];
+        match self.page {
+            Page::Web(encoding) => {
+                let (bytes, _, unmappable) = encoding.encode(letter.encode_utf8(&mut buffer));
+                (!unmappable).then(|| bytes.into_owned())
+            }
+            Page::Dos850 if letter.is_ascii() => Some(vec![letter as u8]),
+            Page::Dos850 => {
+                let place = DOS_850.chars().position(|c| c == letter)?;
+                Some(vec![u8::try_from(place + 0x80).ok()?])
+            }
+        }
+    }
+
     /// Decodes one value. Control characters become U+FFFD, so that no name can move a terminal's cursor.
     #[must_use]
     pub fn decode(&self, bytes: &[u8]) -> String {

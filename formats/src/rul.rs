@@ -32,6 +32,10 @@ codes! {
     /// The number of sizes and the list of sizes differ. Exit code 3.
     RULE_SIZES_DIFFER = "rule-sizes-differ";
 
+    /// The rule table beside the pattern is wrong, as the findings after this one say. The pieces were read without it;
+    /// a run that needs it is refused.
+    RULE_TABLE_BROKEN = "rule-table-broken";
+
     /// The rule table is larger than the limit. Exit code 3.
     RULE_TOO_MANY = "rule-too-many";
 
@@ -135,6 +139,15 @@ pub fn read(bytes: &[u8], file: &str) -> Result<RuleTable, Vec<Diagnostic>> {
         }
     }
     reader.finish()
+}
+
+/// The mistakes of a table that nobody asked for, as warnings: the sizes that are drawn can be used without it.
+#[must_use]
+pub fn broken(mistakes: Vec<Diagnostic>, file: &str) -> Vec<Diagnostic> {
+    let text = format!("the rule table `{file}` is wrong; only drawn sizes can be made until it is mended");
+    let place = mistakes.first().and_then(|f| f.source.clone());
+    let first = Diagnostic::warning(RULE_TABLE_BROKEN, text).at(place);
+    std::iter::once(first).chain(mistakes.into_iter().map(Diagnostic::softened)).collect()
 }
 
 impl Reader<'_> {
@@ -284,21 +297,25 @@ impl Reader<'_> {
 /// Writes a table: ASTM or AAMA by its header, with commas or with blanks alone between numbers.
 #[must_use]
 pub fn write(table: &RuleTable, astm: bool, commas: bool) -> Vec<u8> {
+    write_with(table, astm, commas, false)
+}
+
+/// Writes a table as [`write()`] does, in inches or millimetres.
+#[must_use]
+pub fn write_with(table: &RuleTable, astm: bool, commas: bool, inches: bool) -> Vec<u8> {
     let or = |text: &Option<String>| crate::dxf::write::escaped(text.as_deref().unwrap_or_default());
     let version = if astm { "ASTM/D13Proposal 1 Version: D 6673-04" } else { "ANSI/AAMA VERSION: 1.0.0" };
     let sizes: Vec<String> = table.sizes.iter().map(|s| crate::dxf::write::escaped(&s.replace(' ', "-"))).collect();
     let mut lines = vec![
         version.to_owned(),
-        "UNITS: METRIC".to_owned(),
+        format!("UNITS: {}", if inches { "ENGLISH" } else { "METRIC" }),
         format!("GRADE RULE TABLE: {}", or(&table.name)),
         format!("NUMBER OF SIZES: {}", sizes.len()),
         format!("SIZE LIST: {}", sizes.join(" ")),
         format!("SAMPLE SIZE: {}", or(&table.sample).replace(' ', "-")),
     ];
-    let number = |v: f64| {
-        let text = format!("{v:.4}");
-        if text == "-0.0000" { "0.0000".to_owned() } else { text }
-    };
+    let (unit, digits) = if inches { (25.4, 6) } else { (1.0, 4) };
+    let number = |v: f64| crate::dxf::write::decimals(v / unit, digits);
     for (rule, growth) in &table.rules {
         lines.push(format!("RULE: DELTA {rule}"));
         for row in growth.chunks(4) {

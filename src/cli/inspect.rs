@@ -25,6 +25,8 @@ pub(super) struct Inspected {
     pub svg: Option<String>,
     /// Findings.
     pub findings: Vec<Diagnostic>,
+    /// Can anything of the file be used?
+    pub is_usable: bool,
 }
 
 /// The file to look into.
@@ -99,10 +101,14 @@ fn show(args: &InspectArgs, inspected: &Inspected, console: &mut Console<'_>) ->
     } else {
         console.result(&crate::render::safe(&inspected.text))
     }
-    let Some(path) = &args.svg else { return Exit::Good };
+    let exit = if inspected.is_usable { Exit::Good } else { Exit::Input };
+    let Some(path) = &args.svg else { return exit };
     let Some(svg) = &inspected.svg else {
         console.say("error[no-reader] this form of file has no pieces to draw\n");
         return Exit::Usage;
     };
-    Results::new(args.force, &[&args.file]).write(path, svg.as_bytes(), console)
+    match Results::new(args.force, &[&args.file]).write(path, svg.as_bytes(), console) {
+        Exit::Good => exit,
+        worse => worse,
+    }
 }

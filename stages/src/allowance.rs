@@ -76,7 +76,7 @@ fn apply(params: &AllowanceParams, pieces: &mut [Piece], which: Which) -> Result
                 findings.append(&mut told);
                 if which == Which::All {
                     let (sew, cut) = (piece.outline.positions(), line.positions());
-                    piece.notches.iter_mut().for_each(|n| n.at = outward(n.at, &sew, &cut));
+                    piece.notches.iter_mut().filter(|n| n.is_on_edge()).for_each(|n| n.at = outward(n.at, &sew, &cut));
                 }
                 piece.cut_line = Some(line);
             }

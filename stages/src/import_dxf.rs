@@ -92,6 +92,10 @@ pub struct ImportDxfParams {
     /// Size, or a list of sizes; without it the sample size of the file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub size: Option<SizeChoice>,
+    /// Names of the pieces to read, e.g. `["FRONT", "BACK"]`; without it all of them. A piece that is drawn wrongly
+    /// refuses the file only if it is asked for.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub pieces: Vec<String>,
     /// The rule table; without it the file of the same name with `.rul`, if it is there.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(extend("format" = "input-file"))]
@@ -117,6 +121,9 @@ pub struct ImportDxfParams {
     /// Chords keep this near a curve (0.05 mm).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub curve: Option<Length>,
+    /// Where an outline crosses itself, loops up to this across are cut off with a finding (15 mm).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub loops: Option<Length>,
     /// The effect of INSERTs on pieces (`shape`).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub inserts: Option<Inserts>,
@@ -132,7 +139,7 @@ impl Stage for ImportDxf {
     type Params = ImportDxfParams;
 
     const INFO: StageInfo =
-        StageInfo::new("import-dxf", "reads the pieces of an AAMA or ASTM DXF in one size", &[], &[Aspect::Pieces], 4);
+        StageInfo::new("import-dxf", "reads the pieces of an AAMA or ASTM DXF in one size", &[], &[Aspect::Pieces], 5);
 
     fn forecast(
         &self,
@@ -152,13 +159,18 @@ impl Stage for ImportDxf {
     ) -> Result<Garment, StageError> {
         let file = params.file.to_string_lossy().into_owned();
         let bytes = cx.files.read(&params.file)?;
-        let options = options(params)?;
-        let pattern = dxf::read(&bytes, &file, &options).map_err(StageError::Input)?;
+        let table = rule_table(params, cx)?;
+        let rule_units = table.as_ref().and_then(|t| t.units.clone());
+        let options = ReadOptions { rule_units, ..options(params)? };
+        let mut pattern = dxf::read(&bytes, &file, &options).map_err(StageError::Input)?;
+        cx.report.findings.extend(pattern.set_aside());
+        if !params.pieces.is_empty() {
+            pattern.keep_pieces(&params.pieces).map_err(StageError::Parameter)?;
+        }
         // What is undecided is told once the sewing file is known, and of one size alone.
         let one_size = !matches!(params.size, Some(SizeChoice::Many(_)));
         let now = |f: &&Diagnostic| !(one_size && dxf::darts::is_undecided(f));
         cx.report.findings.extend(pattern.findings.iter().filter(now).cloned());
-        let table = rule_table(params, cx)?;
         cx.report.findings.extend(table.iter().flat_map(|t| pattern.check_rules(t)));
         let (mut read, findings) = in_sizes(params, &pattern, table.as_ref())?;
         cx.report.findings.extend(findings);
@@ -239,6 +251,7 @@ fn options(params: &ImportDxfParams) -> Result<ReadOptions, StageError> {
         gap: within("gap", mm(params.gap), 0.0, 50.0, "mm", usual.gap),
         corner: within("corner", params.corner.map(|a| a.0.to_degrees()), 1.0, 120.0, "deg", usual.corner),
         curve: within("curve", mm(params.curve), 0.001, 2.0, "mm", usual.curve),
+        loops: within("loops", mm(params.loops), 0.0, 100.0, "mm", usual.loops),
     };
     let vendor = params.profile.as_deref().map(|name| Vendor::named(name).ok_or(name)).transpose();
     let vendor = vendor.unwrap_or_else(|name| {
@@ -253,6 +266,7 @@ fn options(params: &ImportDxfParams) -> Result<ReadOptions, StageError> {
     let mm_per_unit = params.units.map(FileUnit::mm);
     Ok(ReadOptions {
         mm_per_unit,
+        rule_units: None,
         layers: params.layers.clone(),
         code_page: params.code_page.clone(),
         vendor,
@@ -274,19 +288,35 @@ fn by_fault(findings: Vec<Diagnostic>) -> StageError {
     }
 }
 
+/// The rule table: as asked for, else the one beside the pattern. A broken one that was not asked for does not keep the
+/// drawn sizes from being read: its mistakes become warnings.
 fn rule_table(params: &ImportDxfParams, cx: &mut StageContext<'_>) -> Result<Option<rul::RuleTable>, StageError> {
     let (path, bytes) = match &params.rules {
         Some(path) => (path.clone(), Some(cx.files.read(path)?)),
         None => {
-            let beside: PathBuf = Path::new(&params.file).with_extension("rul");
-            let bytes = cx.files.read_optional(&beside)?;
-            (beside, bytes)
+            let mut found = (PathBuf::new(), None);
+            for ending in ["rul", "RUL", "Rul"] {
+                let beside = Path::new(&params.file).with_extension(ending);
+                if let Some(bytes) = cx.files.read_optional(&beside)? {
+                    found = (beside, Some(bytes));
+                    break;
+                }
+            }
+            found
         }
     };
     let Some(bytes) = bytes else { return Ok(None) };
-    let table = rul::read(&bytes, &path.to_string_lossy()).map_err(StageError::Input)?;
-    cx.report.findings.extend(table.findings.iter().cloned());
-    Ok(Some(table))
+    match rul::read(&bytes, &path.to_string_lossy()) {
+        Ok(table) => {
+            cx.report.findings.extend(table.findings.iter().cloned());
+            Ok(Some(table))
+        }
+        Err(list) if params.rules.is_some() => Err(StageError::Input(list)),
+        Err(list) => {
+            cx.report.findings.extend(rul::broken(list, &path.to_string_lossy()));
+            Ok(None)
+        }
+    }
 }
 
 fn report_profile(pattern: &dxf::Pattern, file: &str, cx: &mut StageContext<'_>) {

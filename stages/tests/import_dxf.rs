@@ -131,6 +131,44 @@ fn wrong_parameters_and_wrong_files_are_told_apart() {
     assert!(builtin().get("import-dxf").is_some());
 }
 
+/// A second block, FLAP, whose outline crosses itself.
+fn with_a_crossing_flap() -> String {
+    let mut flap = pairs(&[(0, "BLOCK"), (2, "FLAP_40"), (0, "TEXT"), (8, "1"), (1, "Piece Name: FLAP")]);
+    flap += &pairs(&[(0, "TEXT"), (8, "1"), (1, "Size: 40"), (0, "POLYLINE"), (8, "1"), (70, "1")]);
+    for (x, y) in [("300", "0"), ("500", "100"), ("500", "0"), ("300", "100")] {
+        flap += &pairs(&[(0, "VERTEX"), (8, "1"), (10, x), (20, y)]);
+    }
+    flap += &pairs(&[(0, "SEQEND"), (0, "ENDBLK")]);
+    pattern().replacen("0\nENDBLK\n", &format!("0\nENDBLK\n{flap}"), 1)
+}
+
+#[test]
+fn pieces_that_are_asked_for_come_without_a_wrong_one() {
+    let text = with_a_crossing_flap();
+    let files = [("p.dxf", text.as_str())];
+    let Err(StageError::Input(faults)) = run("file = \"p.dxf\"", &files).0 else { panic!("FLAP is asked for too") };
+    assert_eq!(faults.iter().map(|f| f.code.as_str()).collect::<Vec<_>>(), ["outline-crosses-itself", "sound-parts"]);
+    assert_eq!(faults[0].source.as_ref().and_then(|s| s.block.as_deref()), Some("FLAP_40"));
+    let (garment, report) = run("file = \"p.dxf\"\npieces = [\"back\"]", &files);
+    assert_eq!(garment.expect("sound").pieces.iter().map(|p| p.name.as_str()).collect::<Vec<_>>(), ["BACK"]);
+    let told = report.findings.iter().find(|f| f.code == "pieces-refused").expect("told");
+    assert!(told.message.contains("`FLAP` in size 40 (outline-crosses-itself)"), "{}", told.message);
+    let (wrong, _) = run("file = \"p.dxf\"\npieces = [\"SLEEVE\"]", &files);
+    assert!(matches!(&wrong, Err(StageError::Parameter(f)) if f[0].code == "piece-not-found"), "{wrong:?}");
+}
+
+/// A broken table beside the pattern, which nobody asked for, does not keep drawn sizes from being read.
+#[test]
+fn a_broken_table_beside_the_pattern_is_a_warning() {
+    let files = [("p.dxf", pattern()), ("p.RUL", RULES.replace("20 0", "20"))];
+    let files: Vec<(&str, &str)> = files.iter().map(|(n, t)| (*n, t.as_str())).collect();
+    let (garment, report) = run("file = \"p.dxf\"", &files);
+    assert_eq!(garment.expect("drawn").size.as_deref(), Some("40"));
+    assert!(report.findings.iter().any(|f| f.code == "rule-table-broken"));
+    let (asked, _) = run("file = \"p.dxf\"\nrules = \"p.RUL\"", &files);
+    assert!(matches!(&asked, Err(StageError::Input(f)) if f[0].code == "rule-count-differs"), "{asked:?}");
+}
+
 #[test]
 fn a_list_of_sizes_gives_every_piece_in_each() {
     let files = [("p.dxf", pattern()), ("p.rul", RULES.to_owned())];

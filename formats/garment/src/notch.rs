@@ -39,7 +39,8 @@ pub struct Notch {
     /// Inward direction, radians from +x, where the file gives one.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub angle: Option<f64>,
-    /// Which line it sits on: `boundary`, `sew`, `internal`, or `off` when none is near.
+    /// Which line it sits on: `boundary`, `sew`, `internal`, `fold` for a mark on the fold of a piece that was
+    /// unfolded, or `off` when none is near.
     pub on: String,
     /// Name, e.g. the matching label of the sewing file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -47,4 +48,12 @@ pub struct Notch {
     /// Origin.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub source: Option<SourceRef>,
+}
+
+impl Notch {
+    /// Does it sit on the edge of the cloth, or on the line that is sewn?
+    #[must_use]
+    pub fn is_on_edge(&self) -> bool {
+        !matches!(self.on.as_str(), "internal" | "fold" | "off")
+    }
 }

@@ -4,7 +4,7 @@ use crate::dart::Dart;
 use crate::ids::PieceId;
 use crate::mesh::PieceMesh;
 use crate::notch::Notch;
-use crate::outline::{OutlineEdge, PieceLine};
+use crate::outline::{LinePoint, OutlineEdge, PieceLine};
 use crate::{SourceRef, Vec2};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -50,6 +50,19 @@ pub struct PieceText {
     pub text: String,
 }
 
+/// The vertices of the closed lines of a piece as its file draws them, where the lines alone do not tell them.
+///
+/// A line that is sewn also holds the points of the smooth curve between them.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct DrawnVertices {
+    /// Vertices of `Piece::outline`, unfolded; none where the line tells them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub outline: Vec<LinePoint>,
+    /// Vertices of `Piece::cut_line`, unfolded; none where the line tells them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub cut_line: Vec<LinePoint>,
+}
+
 /// A pattern piece: what is sewn (`outline`), what is cut (`cut_line`), and all marks on it.
 ///
 /// The right side of the cloth faces the reader. `outline` is counter-clockwise, unfolded, and is the line that is
@@ -88,6 +101,9 @@ pub struct Piece {
     /// The cut line where it differs from `outline` (with seam allowance).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub cut_line: Option<PieceLine>,
+    /// Vertices of both lines as the file draws them, where the lines do not tell them.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub drawn: Option<DrawnVertices>,
     /// Notches.
     #[serde(default)]
     pub notches: Vec<Notch>,

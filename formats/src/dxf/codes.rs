@@ -37,9 +37,6 @@ codes! {
     /// A block has no name, so no INSERT can refer to it.
     BLOCK_WITHOUT_NAME = "block-without-name";
 
-    /// The `code_page` asked for is none this program knows. The hint gives examples. Exit code 3.
-    CODE_PAGE_UNKNOWN = "code-page-unknown";
-
     /// A vertex or point has no x or no y. The file is damaged; export it again. Exit code 3.
     COORDINATE_MISSING = "coordinate-missing";
 
@@ -127,6 +124,14 @@ codes! {
     /// A pair stands outside all sections. It was not read.
     OUTSIDE_SECTION = "outside-section";
 
+    /// `with.pieces` of `import-dxf` names a piece that the file does not hold. The message lists its pieces.
+    /// Exit code 2.
+    PIECE_NOT_FOUND = "piece-not-found";
+
+    /// A piece is not drawn in the size that was asked for, and no grade rules make it. The garment is without it. Draw
+    /// the piece in this size, or ask for another size.
+    PIECE_NOT_IN_SIZE = "piece-not-in-size";
+
     /// The file has no blocks with pieces. The outermost closed lines in ENTITIES were taken as the pieces.
     PIECES_FROM_ENTITIES = "pieces-from-entities";
 
@@ -143,10 +148,6 @@ codes! {
     /// A graded point names a rule that the table does not hold, so the size cannot be made. Give the rule table that
     /// belongs to the pattern, or a size that is drawn.
     RULE_MISSING = "rule-missing";
-
-    /// The rule table beside the pattern is wrong, as the findings after this one say. The pieces were read without it;
-    /// a run that needs it is refused.
-    RULE_TABLE_BROKEN = "rule-table-broken";
 
     /// The rule table has another name or another sample size than the pattern says. It was used; make sure that it
     /// belongs to the pattern.
@@ -168,6 +169,10 @@ codes! {
     /// The sizes of a piece have different numbers of points. Each is read on its own, but names of edges may not carry
     /// over.
     SIZES_DIFFER_IN_VERTICES = "sizes-differ-in-vertices";
+
+    /// The file holds pieces or sizes that cannot be used, and one of them was asked for. The message says what of the
+    /// file can be: other pieces (`with.pieces`) or other sizes (`with.size`).
+    SOUND_PARTS = "sound-parts";
 
     /// A spline has knots, weights or points that do not fit each other. Exit code 3.
     SPLINE_DAMAGED = "spline-damaged";
@@ -197,6 +202,9 @@ codes! {
     /// The unit in the file gives pieces of a size that no garment has, or two statements differ. Set `units` of
     /// `import-dxf` if the message's choice is wrong.
     UNITS_DOUBTFUL = "units-doubtful";
+
+    /// The pattern names no unit, and the grade rule table beside it does. That unit was taken for both.
+    UNITS_FROM_RULES = "units-from-rules";
 
     /// The file does not state its unit. It was taken from the size of the pieces; set `units` of `import-dxf` to be
     /// sure.

@@ -20,6 +20,9 @@ const SLIT: f64 = 0.1;
 /// The runs before and after are at least this long, mm.
 const RUN: f64 = 3.0;
 
+/// Where another size of the piece has a notch, every limit is wider by this factor.
+const IN_OTHER_SIZE: f64 = 2.0;
+
 /// A notch cut into a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CutNotch {
@@ -49,7 +52,7 @@ pub fn find(nodes: &[Node]) -> Vec<CutNotch> {
     }
     let mut i = 0;
     while i < n {
-        match (2..=INNER + 1).filter(|k| k + 2 <= n).find_map(|k| test(nodes, i, (i + k) % n, k)) {
+        match (2..=INNER + 1).filter(|k| k + 2 <= n).find_map(|k| test(nodes, i, (i + k) % n, k, 1.0)) {
             Some(notch) => {
                 found.push(notch);
                 i += (notch.to + n - notch.from) % n;
@@ -60,20 +63,27 @@ pub fn find(nodes: &[Node]) -> Vec<CutNotch> {
     found
 }
 
-fn test(nodes: &[Node], from: usize, to: usize, steps: usize) -> Option<CutNotch> {
+/// The notch between two vertices where another size of the piece has one: every limit is wider.
+#[must_use]
+pub fn again(nodes: &[Node], from: usize, to: usize) -> Option<CutNotch> {
+    let n = nodes.len();
+    test(nodes, from, to, (to + n - from) % n, IN_OTHER_SIZE)
+}
+
+fn test(nodes: &[Node], from: usize, to: usize, steps: usize, slack: f64) -> Option<CutNotch> {
     let n = nodes.len();
     let at = |i: usize| nodes[i % n].at;
     let (a, b) = (at(from), at(to));
     let mouth = b - a;
     let width = mouth.norm();
-    if width > MOUTH {
+    if width > MOUTH * slack {
         return None;
     }
     let (before, after) = (a - at(from + n - 1), at(to + 1) - b);
-    if before.norm() < RUN || after.norm() < RUN {
+    if before.norm() * slack < RUN || after.norm() * slack < RUN {
         return None;
     }
-    let straight = |u: Vec2, v: Vec2| geom::angle(u, v) <= STRAIGHT;
+    let straight = |u: Vec2, v: Vec2| geom::angle(u, v) <= STRAIGHT * slack;
     if !straight(before, after) || (width > SLIT && !(straight(before, mouth) && straight(mouth, after))) {
         return None;
     }
@@ -84,13 +94,14 @@ fn test(nodes: &[Node], from: usize, to: usize, steps: usize) -> Option<CutNotch
     let tip = inner.iter().copied().max_by(|p, q| height(*p).abs().total_cmp(&height(*q).abs()))?;
     let depth = height(tip).abs();
     let inward = height(tip) > 0.0;
-    if !DEPTH.contains(&depth) || inner.iter().any(|p| height(*p) * height(tip) < 0.0) {
+    let deep = depth * slack >= *DEPTH.start() && depth <= *DEPTH.end() * slack;
+    if !deep || inner.iter().any(|p| height(*p) * height(tip) < 0.0) {
         return None;
     }
     let reach = |p: &Vec2| (p - a).dot(&along);
     let spread = inner.iter().map(reach).fold(0.0_f64, |m, s| m.max(s).max(width - s)) - width;
     let bottom: Vec<Vec2> = inner.iter().copied().filter(|p| height(*p).abs() > 0.8 * depth).collect();
-    if spread > MOUTH * 0.5 {
+    if spread > MOUTH * 0.5 * slack {
         return None;
     }
     let kind = match (inner.len(), bottom.len()) {
@@ -101,7 +112,7 @@ fn test(nodes: &[Node], from: usize, to: usize, steps: usize) -> Option<CutNotch
         (3.., _) => NotchKind::U,
         _ => return None,
     };
-    if !inward && (kind != NotchKind::V || depth > OUTWARD) {
+    if !inward && (kind != NotchKind::V || depth > OUTWARD * slack) {
         return None;
     }
     let normal = Vec2::new(-along.y, along.x) * height(tip).signum();

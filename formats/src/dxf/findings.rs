@@ -55,6 +55,18 @@ impl Findings {
         }
     }
 
+    /// Takes out the errors that `belongs` names.
+    pub(crate) fn take_errors(&mut self, belongs: impl Fn(&Diagnostic) -> bool) -> Vec<Diagnostic> {
+        let (taken, rest) =
+            std::mem::take(&mut self.list).into_iter().partition(|f| f.severity == Severity::Error && belongs(f));
+        self.list = rest;
+        for finding in &taken as &Vec<Diagnostic> {
+            self.seen.entry(finding.code.clone()).and_modify(|n| *n = n.saturating_sub(1));
+        }
+        self.seen.retain(|_, n| *n > 0);
+        taken
+    }
+
     /// Was a finding of this code made?
     pub(crate) fn said(&self, code: Code) -> bool {
         self.seen.contains_key(code.name())

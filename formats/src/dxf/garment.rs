@@ -4,18 +4,20 @@ use super::chain::Path;
 use super::darts::{DrawnDart, Form};
 use super::geom;
 use super::notches::DrawnNotch;
-use super::outline::{Node, Outline};
+use super::outline::{Marks, Node, Outline};
 use super::pattern::Pattern;
-use super::piece::DrawnPiece;
+use super::piece::{DrawnPiece, RefusedPiece};
 use super::sheet::Drill;
+use super::tolerances::Tolerances;
 use super::unfold::Fold;
+use super::write::{DrawPoint, sparse};
 use crate::rul::RuleTable;
 use std::borrow::Cow;
 use std::collections::BTreeSet;
 use toile_garment::dart::{Dart, DartEvidence, DartKind};
 use toile_garment::notch::Notch;
 use toile_garment::outline::{LinePoint, OutlineEdge, PieceLine, PointKind};
-use toile_garment::piece::{DrillHole, PieceText};
+use toile_garment::piece::{DrawnVertices, DrillHole, PieceText};
 use toile_garment::{Diagnostic, Garment, Piece, PieceId, SourceRef, Vec2};
 
 /// Metres per millimetre.
@@ -118,8 +120,17 @@ pub fn to_piece(drawn: &DrawnPiece, file: &str) -> Piece {
     let nodes = whole(&sewn, fold);
     let sewn_layer = if drawn.sew.is_some() { "14" } else { "1" };
     let outline = closed_line(&nodes, source(sewn.line, sewn_layer));
-    let cut_line =
-        drawn.sew.as_ref().map(|_| closed_line(&whole(&drawn.boundary, fold), source(drawn.boundary.line, "1")));
+    let cut_nodes = drawn.sew.as_ref().map(|_| whole(&drawn.boundary, fold));
+    let cut_line = cut_nodes.as_ref().map(|nodes| closed_line(nodes, source(drawn.boundary.line, "1")));
+    let vertices = DrawnVertices {
+        outline: untold(drawn.sewn(), &nodes, fold),
+        cut_line: cut_nodes.as_ref().map(|nodes| untold(&drawn.boundary, nodes, fold)).unwrap_or_default(),
+    };
+    let marks = Marks::new(&drawn.points.turn_list, &drawn.points.curve_list, &Tolerances::default());
+    let kind = |p: Vec2| match (marks.kind(p), fold) {
+        (PointKind::Plain, Some(fold)) => marks.kind(fold.mirror(p)),
+        (kind, _) => kind,
+    };
     if let Some(fold) = fold {
         let mirrored: Vec<DrawnDart> = darts.iter().filter(|d| !on_fold(fold, d)).map(|d| fold.dart(d)).collect();
         darts.extend(mirrored);
@@ -136,6 +147,7 @@ pub fn to_piece(drawn: &DrawnPiece, file: &str) -> Piece {
         edges: edges(&outline),
         outline,
         cut_line,
+        drawn: Some(vertices).filter(|v| *v != DrawnVertices::default()),
         notches: notches(drawn, fold).into_iter().map(|n| notch(&n, source(n.line, "4"))).collect(),
         drill_holes: drills(drawn, fold)
             .into_iter()
@@ -143,18 +155,37 @@ pub fn to_piece(drawn: &DrawnPiece, file: &str) -> Piece {
             .collect(),
         grain: drawn.axes.grain.map(|g| g.map(|p| p * M)),
         fold: drawn.axes.fold.map(|f| f.map(|p| p * M)),
-        internal_lines: internals(drawn, fold).into_iter().map(|p| open_line(&p, source(p.line, "8"))).collect(),
-        cutouts: cutouts(drawn, fold).into_iter().map(|p| open_line(&p, source(p.line, "11"))).collect(),
+        internal_lines: internals(drawn, fold).into_iter().map(|p| open_line(&p, &kind, source(p.line, "8"))).collect(),
+        cutouts: cutouts(drawn, fold)
+            .into_iter()
+            .map(|p| open_line(&p, &kind, source(p.line, cutout_layer(drawn, &p.ids))))
+            .collect(),
         match_lines: match_lines(drawn, fold, &source),
         darts: darts
             .iter()
             .enumerate()
-            .map(|(i, d)| dart(d, i, source(d.line, if d.form == Form::Wedge { sewn_layer } else { "8" })))
+            .map(|(i, d)| {
+                dart(d, i, source(d.line, if d.form == Form::Wedge { sewn_layer } else { dart_layer(drawn, d) }))
+            })
             .collect(),
         texts: texts(drawn),
         source: Some(SourceRef { block: Some(drawn.block.clone()), ..SourceRef::file(file).at_line(drawn.line) }),
         ..Piece::default()
     }
+}
+
+/// The lines of a piece that cannot be used, in metres, to be looked at. `None` where it has none.
+pub(crate) fn refused_piece(refused: &RefusedPiece) -> Option<Piece> {
+    let (first, others) = refused.lines.split_first()?;
+    let name = format!("{} {} (cannot be used)", refused.label(), refused.size.as_deref().unwrap_or_default());
+    Some(Piece {
+        name,
+        block: refused.block.clone(),
+        size: refused.size.clone(),
+        outline: open_line(first, &plain, None),
+        internal_lines: others.iter().map(|p| open_line(p, &plain, None)).collect(),
+        ..Piece::default()
+    })
 }
 
 /// Texts without meaning, where they stand.
@@ -196,9 +227,54 @@ fn closed_line(nodes: &[Node], source: Option<SourceRef>) -> PieceLine {
     PieceLine { points, closed: true, name: None, source }
 }
 
-fn open_line(path: &Path, source: Option<SourceRef>) -> PieceLine {
-    let points = path.points.iter().map(|(at, _)| LinePoint { at: at * M, kind: PointKind::Plain }).collect();
+fn open_line(path: &Path, kind: &dyn Fn(Vec2) -> PointKind, source: Option<SourceRef>) -> PieceLine {
+    let points = path.points.iter().map(|(at, _)| LinePoint { at: at * M, kind: kind(*at) }).collect();
     PieceLine { points, closed: path.closed, name: None, source }
+}
+
+/// The layer on which a cutout is drawn.
+fn cutout_layer(drawn: &DrawnPiece, ids: &[u32]) -> &'static str {
+    if ids.iter().any(|id| drawn.inside.on_boundary_layer.contains(id)) { "1" } else { "11" }
+}
+
+/// The layer on which the lines of a dart inside the piece are drawn.
+fn dart_layer(drawn: &DrawnPiece, dart: &DrawnDart) -> &'static str {
+    let cut_out = drawn.inside.cutouts.iter().any(|p| p.ids.iter().any(|id| dart.ids.contains(id)));
+    if cut_out { cutout_layer(drawn, &dart.ids) } else { "8" }
+}
+
+/// No vertex of the line is marked.
+fn plain(_: Vec2) -> PointKind {
+    PointKind::Plain
+}
+
+/// The vertices of a line as drawn, unfolded; none where the working line tells them.
+fn untold(outline: &Outline, work: &[Node], fold: Option<Fold>) -> Vec<LinePoint> {
+    let nodes = outline.without_cut_notches();
+    let mut nodes = fold.and_then(|f| f.outline(&nodes)).unwrap_or(nodes);
+    if let Some(fold) = fold {
+        smooth_over(fold, &mut nodes, work);
+    }
+    let points = |nodes: &[Node]| nodes.iter().map(|n| DrawPoint { at: n.at, kind: n.kind }).collect::<Vec<_>>();
+    let drawn = points(&nodes);
+    if sparse::sparse(&points(work), true, sparse::CLOSE).points == drawn {
+        return Vec::new();
+    }
+    drawn.into_iter().map(|p| LinePoint { at: p.at * M, kind: p.kind }).collect()
+}
+
+/// The vertices on the fold are corners where the working line has corners; between curve points they are curve points.
+fn smooth_over(fold: Fold, nodes: &mut [Node], work: &[Node]) {
+    let n = nodes.len();
+    for i in (0..n).filter(|i| fold.distance(nodes[*i].at) <= 0.5).collect::<Vec<_>>() {
+        let corner = work.iter().any(|w| w.at == nodes[i].at && w.kind == PointKind::Turn);
+        let beside = [nodes[(i + n - 1) % n].kind, nodes[(i + 1) % n].kind];
+        nodes[i].kind = match () {
+            () if corner => PointKind::Turn,
+            () if beside == [PointKind::Curve; 2] => PointKind::Curve,
+            () => PointKind::Plain,
+        };
+    }
 }
 
 /// Edges between corners, from the first corner on.
@@ -269,7 +345,7 @@ fn match_lines(
         let name = if layer.trim() == "10" { "plaid" } else { "stripe" };
         let twin = fold.filter(|f| beside(*f, &path.positions())).map(|f| mirrored_path(path, f));
         for path in std::iter::once(path).chain(twin.as_ref()) {
-            out.push(PieceLine { name: Some(name.into()), ..open_line(path, source(path.line, layer)) });
+            out.push(PieceLine { name: Some(name.into()), ..open_line(path, &plain, source(path.line, layer)) });
         }
     }
     out

@@ -257,6 +257,24 @@ impl PointIndex {
         found
     }
 
+    /// The distinct places within `radius`, nearest first, with their distances; points 0.02 mm apart are one place.
+    #[must_use]
+    pub fn near_places(&self, p: Vec2, radius: f64) -> Vec<(f64, Vec2)> {
+        let reach = Vec2::new(radius, radius);
+        let ((x0, y0), (x1, y1)) = (self.key(p - reach), self.key(p + reach));
+        let cells = (x0..=x1).flat_map(|x| (y0..=y1).map(move |y| (x, y)));
+        let all = cells.filter_map(|cell| self.cells.get(&cell)).flatten();
+        let mut near: Vec<(f64, Vec2)> = all.map(|(q, _)| ((q - p).norm(), *q)).filter(|(d, _)| *d <= radius).collect();
+        near.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.x.total_cmp(&b.1.x)).then(a.1.y.total_cmp(&b.1.y)));
+        let mut out: Vec<(f64, Vec2)> = Vec::new();
+        for (d, q) in near {
+            if out.len() < 8 && out.iter().all(|(_, r)| (r - q).norm() > 0.02) {
+                out.push((d, q));
+            }
+        }
+        out
+    }
+
     /// Is there a point within `radius`?
     #[must_use]
     pub fn has(&self, p: Vec2, radius: f64) -> bool {

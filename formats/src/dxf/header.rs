@@ -3,6 +3,7 @@
 use super::codes;
 use super::findings::Findings;
 use super::groups::Groups;
+use crate::codes::CODE_PAGE_UNKNOWN;
 use crate::encoding::{self, TextEncoding};
 use toile_garment::Diagnostic;
 
@@ -54,7 +55,7 @@ pub(crate) fn text_encoding(
         return Ok(encoding::choose(bytes, header.release.as_deref(), header.code_page.as_deref()));
     };
     encoding::named(asked).ok_or_else(|| {
-        Diagnostic::error(codes::CODE_PAGE_UNKNOWN, format!("`{asked}` is no code page this program knows"))
+        Diagnostic::error(CODE_PAGE_UNKNOWN, format!("`{asked}` is no code page this program knows"))
             .at(findings.place(1))
             .hint("e.g. \"utf-8\", \"gbk\", \"shift_jis\", \"windows-1252\", \"ANSI_936\"")
     })

@@ -1,12 +1,11 @@
 //! The contents of a file, as JSON and as a table for people.
 
-use super::codes;
 use super::darts::{DrawnDart, Form, Pleat};
-use super::garment::to_piece;
+use super::garment::{refused_piece, to_piece};
 use super::ledger::Verdict;
 use super::notches::DrawnNotch;
-use super::pattern::{Pattern, ReadOptions, read};
-use super::piece::DrawnPiece;
+use super::pattern::{Pattern, ReadOptions, read_all};
+use super::piece::{DrawnPiece, RefusedPiece};
 use super::{geom, grade};
 use crate::rul::{self, RuleTable};
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
@@ -21,6 +20,8 @@ pub struct Inspection {
     pub pattern: Pattern,
     /// One garment piece per drawn piece and size, unfolded: its edges are the ones the sewing file counts.
     pub pieces: Vec<Piece>,
+    /// The lines of pieces that cannot be used, to be drawn.
+    pub refused: Vec<Piece>,
     /// Facts of the file by the keys of `toile inspect --json`.
     pub json: Value,
     /// The same as a table.
@@ -45,12 +46,15 @@ pub fn inspect_with(
     rul: Option<&[u8]>,
     options: &ReadOptions,
 ) -> Result<Inspection, Vec<Diagnostic>> {
-    let mut pattern = read(bytes, file, options)?;
+    let rule_units = rul.and_then(|r| rul::read(r, file).ok()).and_then(|t| t.units);
+    let options = ReadOptions { rule_units: options.rule_units.clone().or(rule_units), ..options.clone() };
+    let mut pattern = read_all(bytes, file, &options)?;
     let table = rul.and_then(|r| companion(&mut pattern, r, &rul_name(file)));
     let pieces: Vec<Piece> = pattern.pieces.par_iter().map(|p| to_piece(p, file)).collect();
     let json = facts(&pattern, &pieces, table.as_ref());
     let text = text(&pattern);
-    Ok(Inspection { pattern, pieces, json, text })
+    let refused = pattern.refused.iter().filter_map(refused_piece).collect();
+    Ok(Inspection { pattern, pieces, refused, json, text })
 }
 
 /// The rule table beside a pattern. A broken one does not keep the pieces from being looked at: its mistakes become
@@ -64,10 +68,7 @@ fn companion(pattern: &mut Pattern, bytes: &[u8], file: &str) -> Option<RuleTabl
             Some(table)
         }
         Err(list) => {
-            let text = format!("the rule table `{file}` is wrong; only drawn sizes can be made until it is mended");
-            let place = list.first().and_then(|f| f.source.clone());
-            pattern.findings.push(Diagnostic::warning(codes::RULE_TABLE_BROKEN, text).at(place));
-            pattern.findings.extend(list.into_iter().map(Diagnostic::softened));
+            pattern.findings.extend(rul::broken(list, file));
             None
         }
     }
@@ -107,10 +108,11 @@ fn facts(pattern: &Pattern, pieces: &[Piece], table: Option<&RuleTable>) -> Valu
     put("sizes", json!(drawn_order(pattern, table)));
     put("size_run", json!(pattern.size_order(table)));
     put("sample_size", json!(pattern.sample_size));
-    put("block_count", json!(pattern.pieces.len()));
+    put("block_count", json!(pattern.pieces.len() + pattern.refused.len()));
     put("ledger", ledger(pattern));
-    put("findings", json!(pattern.findings));
-    put("pieces", Value::Array(pattern.pieces.par_iter().zip(pieces).map(|(d, p)| piece(d, p)).collect()));
+    put("findings", json!(pattern.all_findings()));
+    let sound: Vec<Value> = pattern.pieces.par_iter().zip(pieces).map(|(d, p)| piece(d, p)).collect();
+    put("pieces", Value::Array(in_file_order(pattern, sound, refused)));
     if let Some(table) = table {
         put("rul_sizes", json!(table.sizes));
         put("rul_sample_size", json!(table.sample));
@@ -215,7 +217,7 @@ fn piece(drawn: &DrawnPiece, piece: &Piece) -> Value {
         "cutout_count": drawn.inside.cutouts.len(),
         "grain_line_mm": drawn.axes.grain.map(|g| g.map(xy)),
         "turn_point_count": drawn.points.turn_points,
-        "curve_point_count": drawn.points.curve_points,
+        "curve_point_count": drawn.points.curve_list.len(),
     });
     let undecided = drawn.doubts.undecided.iter().map(|d| dart(d, true));
     let darts = drawn.darts.iter().map(|d| dart(d, false)).chain(undecided);
@@ -235,6 +237,36 @@ fn piece(drawn: &DrawnPiece, piece: &Piece) -> Value {
         map.extend(drawn.axes.fold.map(|fold| ("fold_line_mm".to_owned(), json!(fold.map(xy)))));
     }
     out
+}
+
+/// A piece that cannot be used: what can be read of it, and why it is refused.
+fn refused(piece: &RefusedPiece) -> Value {
+    let line = piece.positions();
+    let closed = piece.lines.first().is_some_and(|l| l.closed);
+    let bounds =
+        geom::bounds(line.iter().copied()).map(|(lo, hi)| json!([round(lo.x), round(lo.y), round(hi.x), round(hi.y)]));
+    json!({
+        "block": piece.block,
+        "name": piece.name,
+        "size": piece.size,
+        "area_cm2": round(geom::area(&line).abs() / 100.0),
+        "perimeter_mm": round(geom::length(&line, closed)),
+        "bbox_mm": bounds,
+        "boundary_vertices": line.len(),
+        "importable": false,
+        "refused": piece.faults,
+        "darts": [],
+        "notches": [],
+        "edges": [],
+    })
+}
+
+/// The facts of sound pieces and of refused ones, in the order of the file.
+fn in_file_order<T>(pattern: &Pattern, sound: Vec<T>, refused: impl Fn(&RefusedPiece) -> T) -> Vec<T> {
+    let mut all: Vec<(u64, T)> = pattern.pieces.iter().map(|p| p.line).zip(sound).collect();
+    all.extend(pattern.refused.iter().map(|p| (p.line, refused(p))));
+    all.sort_by_key(|p| p.0);
+    all.into_iter().map(|p| p.1).collect()
 }
 
 fn notch(n: &DrawnNotch) -> Value {
@@ -345,8 +377,9 @@ fn text(pattern: &Pattern) -> String {
             "piece", "size", "area cm2", "edge mm", "pts", "darts", "notches", "drills", "fold"
         ),
     );
-    for p in &pattern.pieces {
-        say(&mut out, row(p));
+    let rows = pattern.pieces.iter().map(row).collect();
+    for row in in_file_order(pattern, rows, refused_row) {
+        say(&mut out, row);
     }
     let l = &pattern.ledger;
     say(
@@ -359,7 +392,7 @@ fn text(pattern: &Pattern) -> String {
             l.count(Verdict::Refused)
         ),
     );
-    for finding in &pattern.findings {
+    for finding in pattern.all_findings() {
         say(&mut out, finding.to_string());
     }
     out
@@ -383,4 +416,11 @@ fn row(p: &DrawnPiece) -> String {
         if p.axes.fold.is_some() { "half" } else { "" }
     );
     row.trim_end().to_owned()
+}
+
+/// A piece that cannot be used, in one line of the table.
+fn refused_row(p: &RefusedPiece) -> String {
+    let size = p.size.clone().unwrap_or_else(|| "-".to_owned());
+    let codes: Vec<&str> = p.faults.iter().map(|f| f.code.as_str()).collect();
+    format!("{:<24} {:<8} cannot be used: {}", p.label(), size, codes.join(", "))
 }

@@ -16,6 +16,9 @@ pub enum Verdict {
 /// A verdict that overrules the one of the layer: entity, verdict, rule.
 pub(crate) type Overruled = (u32, Verdict, &'static str);
 
+/// The word on a line whose layer has no meaning for lines.
+pub(crate) const NO_ROLE: &str = "line on a layer without meaning for lines";
+
 /// One line per entity; every entity ends up with exactly one verdict.
 #[derive(Clone, Debug, Default)]
 pub struct Ledger {
@@ -39,6 +42,12 @@ impl Ledger {
     /// Has the entity been used?
     pub(crate) fn used(&self, id: u32) -> bool {
         self.lines.get(id as usize).is_some_and(|l| l.is_some_and(|l| l.0 != Verdict::Refused))
+    }
+
+    /// Is there no role for the entity: no verdict yet, or a refusal for its layer alone?
+    pub(crate) fn is_without_role(&self, id: u32) -> bool {
+        let line = self.lines.get(id as usize).copied().flatten();
+        line.is_none_or(|(verdict, rule)| verdict == Verdict::Refused && rule == NO_ROLE)
     }
 
     /// Replaces a verdict that a later, better informed step overrules.

@@ -50,6 +50,7 @@ pub use findings::Findings;
 pub use inspect::{Inspection, inspect, inspect_with};
 pub use library::Census;
 pub use pattern::{InsertRule, Pattern, ReadOptions, read};
+pub use piece::RefusedPiece;
 pub use texts::unit;
 pub use tolerances::Tolerances;
 pub use units::Units;

@@ -40,8 +40,18 @@ pub struct Block {
     pub base: Vec2,
     /// Line of `BLOCK`.
     pub line: u64,
+    /// Line of what ends it.
+    pub end: u64,
     /// Entities of the block.
     pub entities: Vec<Entity>,
+}
+
+impl Block {
+    /// Does a line of the file stand in this block?
+    #[must_use]
+    pub fn holds(&self, line: u64) -> bool {
+        (self.line..=self.end).contains(&line)
+    }
 }
 
 /// An entity with its place.

@@ -26,7 +26,7 @@ pub struct DrawnNotch {
     pub width: f64,
     /// Inward direction, radians, where the file gives one.
     pub angle: Option<f64>,
-    /// `boundary`, `sew`, `internal` or `off`.
+    /// `boundary`, `sew`, `internal`, `fold` or `off`.
     pub on: &'static str,
     /// Distance from the boundary.
     pub off: f64,

@@ -5,6 +5,7 @@ use super::curve;
 use super::cut_notches::{self, CutNotch};
 use super::geom::{self, PointIndex};
 use super::tolerances::Tolerances;
+use std::collections::BTreeSet;
 use toile_garment::Vec2;
 use toile_garment::outline::PointKind;
 
@@ -61,6 +62,7 @@ pub struct Outline {
 }
 
 /// Points of layers 2 and 3 of a block, to be found by position.
+#[derive(Clone, Debug)]
 pub struct Marks {
     turn: PointIndex,
     curve: PointIndex,
@@ -79,6 +81,18 @@ impl Marks {
             curve: index(curve),
             any: !(turn.is_empty() && curve.is_empty()),
             corner: tolerances.corner,
+        }
+    }
+
+    /// The kind that a point says of the vertex at this place.
+    #[must_use]
+    pub fn kind(&self, at: Vec2) -> PointKind {
+        if self.turn.has(at, MATCH) {
+            PointKind::Turn
+        } else if self.curve.has(at, MATCH) {
+            PointKind::Curve
+        } else {
+            PointKind::Plain
         }
     }
 }
@@ -114,6 +128,12 @@ impl Outline {
     #[must_use]
     pub fn work_positions(&self) -> Vec<Vec2> {
         self.work.iter().map(|n| n.at).collect()
+    }
+
+    /// The vertices as drawn, but for notches that are cut into the line.
+    #[must_use]
+    pub fn without_cut_notches(&self) -> Vec<Node> {
+        kept(&self.drawn, &self.cut).into_iter().map(|(_, node)| node).collect()
     }
 
     /// Sets the kinds from layers 2 and 3, or from the angles where a vertex is not marked.
@@ -194,6 +214,16 @@ impl Outline {
         self.cut = cut_notches::find(&self.drawn);
     }
 
+    /// Adds the notches cut into this line where another size of the piece, with as many vertices, has one.
+    pub fn add_cut_notches(&mut self, known: &BTreeSet<(usize, usize)>) {
+        let (inner, _) = cut_notches::covered(self.drawn.len(), &self.cut);
+        let new = known.iter().filter(|(from, to)| !inner[*from] && !inner[*to]);
+        let new = new.filter(|(from, to)| !self.cut.iter().any(|c| (c.from, c.to) == (*from, *to)));
+        let new: Vec<CutNotch> = new.filter_map(|(from, to)| cut_notches::again(&self.drawn, *from, *to)).collect();
+        self.cut.extend(new);
+        self.cut.sort_by_key(|c| c.from);
+    }
+
     fn take_dense(&mut self, dense: &Outline) -> Result<f64, f64> {
         let (ours, theirs) = (self.positions(), dense.positions());
         let smooth = self.work_positions();
@@ -234,19 +264,11 @@ impl Outline {
         while k < n {
             let run_end = (k + 1..n).find(|j| nodes[(first + j) % n].1.kind == PointKind::Turn).unwrap_or(n);
             let run: Vec<Node> = (k..=run_end).map(|j| nodes[(first + j) % n].1).collect();
-            let points: Vec<Vec2> = run.iter().map(|r| r.at).collect();
-            let curved = run[1..run.len() - 1].iter().any(|r| r.kind == PointKind::Curve);
-            let inner = if curved { curve::smooth(&points, flatness) } else { vec![Vec::new(); points.len() - 1] };
-            for (j, between) in inner.into_iter().enumerate() {
+            for (j, between) in between(&run, flatness).into_iter().enumerate() {
                 place[nodes[(first + k + j) % n].0] = Some(work.len());
                 work.push(run[j]);
-                let sparse = (points[j + 1] - points[j]).norm() > SPARSE;
-                let smooth = [run[j], run[j + 1]].iter().all(|r| r.kind != PointKind::Plain && r.drawn);
-                if !(sparse && smooth) {
-                    continue;
-                }
                 for p in between {
-                    deviation = deviation.max(geom::point_segment(p, points[j], points[j + 1]).0);
+                    deviation = deviation.max(geom::point_segment(p, run[j].at, run[j + 1].at).0);
                     work.push(Node { at: p, kind: PointKind::Plain, drawn: false });
                 }
             }
@@ -293,6 +315,24 @@ impl Outline {
         }
         at
     }
+}
+
+/// For each chord of a run from corner to corner, the points of the smooth curve between its ends.
+pub(crate) fn between(run: &[Node], flatness: f64) -> Vec<Vec<Vec2>> {
+    let points: Vec<Vec2> = run.iter().map(|r| r.at).collect();
+    let inner = run.get(1..run.len().saturating_sub(1)).unwrap_or_default();
+    if !inner.iter().any(|r| r.kind == PointKind::Curve) {
+        return vec![Vec::new(); run.len().saturating_sub(1)];
+    }
+    let mut chords = curve::smooth(&points, flatness);
+    for (j, chord) in chords.iter_mut().enumerate() {
+        let sparse = (points[j + 1] - points[j]).norm() > SPARSE;
+        let smooth = [run[j], run[j + 1]].iter().all(|r| r.kind != PointKind::Plain && r.drawn);
+        if !(sparse && smooth) {
+            chord.clear();
+        }
+    }
+    chords
 }
 
 /// The vertices of a line without its cut notches, with their places in it; mouth points are no corners.

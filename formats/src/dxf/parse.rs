@@ -42,6 +42,8 @@ struct Parser<'f> {
     vertex_count: u64,
     curves: Curves,
     sections: u32,
+    /// Line of the group that is read.
+    line: u64,
     ended: bool,
     after_end: bool,
     tables: bool,
@@ -72,6 +74,7 @@ pub fn parse(bytes: &[u8], code_page: Option<&str>, findings: &mut Findings) -> 
         vertex_count: 0,
         curves: Curves::default(),
         sections: 0,
+        line: 0,
         ended: false,
         after_end: false,
         tables: false,
@@ -115,6 +118,7 @@ impl Parser<'_> {
 
     fn group(&mut self, group: &Group<'_>) -> Result<(), Diagnostic> {
         let head = group.head;
+        self.line = head.line;
         if self.ended {
             if !self.after_end {
                 self.after_end = true;
@@ -201,7 +205,13 @@ impl Parser<'_> {
             self.warn(codes::BLOCK_NOT_CLOSED, "a BLOCK begins before the one above has ended".into(), group.head.line);
             self.close_block(None);
         }
-        let mut block = Block { name: String::new(), base: Vec2::zeros(), line: group.head.line, entities: Vec::new() };
+        let mut block = Block {
+            name: String::new(),
+            base: Vec2::zeros(),
+            line: group.head.line,
+            end: group.head.line,
+            entities: Vec::new(),
+        };
         let mut named = false;
         for tag in &group.tags {
             match tag.code {
@@ -227,7 +237,7 @@ impl Parser<'_> {
     fn close_block(&mut self, endblk: Option<u64>) {
         self.close_polyline(endblk);
         match (self.block.take(), endblk) {
-            (Some(block), _) => self.blocks.push(block),
+            (Some(block), _) => self.blocks.push(Block { end: self.line, ..block }),
             (None, Some(line)) => self.error(codes::ENDBLK_WITHOUT_BLOCK, "ENDBLK without a BLOCK".into(), line),
             (None, None) => {}
         }

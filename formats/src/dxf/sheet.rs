@@ -6,7 +6,7 @@ use super::curve;
 use super::findings::Findings;
 use super::geom;
 use super::layers::{Layers, Role};
-use super::ledger::{Ledger, Verdict};
+use super::ledger::{Ledger, NO_ROLE, Verdict};
 use super::limits;
 use super::model::{Block, Entity, Shape, Vertex};
 use super::texts;
@@ -120,6 +120,14 @@ pub(crate) fn has_boundary(layers: &Layers, block: &Block) -> bool {
     block.entities.iter().any(|e| layers.role(&e.layer) == Role::Boundary && !e.shape.extent().is_empty())
 }
 
+/// The ledger's word on lines of notches on layers 2 and 3, which hold points.
+pub(crate) const FOREIGN_NOTCH: &str = "short line on layer 2 or 3 read as a stroke of a notch";
+/// The ledger's word on circles of drill holes on layer 2, which holds points.
+pub(crate) const FOREIGN_DRILL: &str = "circle on layer 2 read as a drill hole";
+/// A stroke of a notch on layer 2 or 3 is no longer than this, mm.
+const STROKE: f64 = 20.0;
+/// A drill hole on layer 2 has no larger radius than this, mm.
+const DRILL: f64 = 10.0;
 /// Vertices of a polyline that is the strokes of one notch.
 const STROKES_OF_NOTCH: std::ops::RangeInclusive<usize> = 2..=16;
 
@@ -254,8 +262,10 @@ impl<'a> Sorter<'a> {
                 true
             }
             Shape::Point { .. } => self.point(sheet, entity, role, placings, &place),
-            Shape::Circle { center, radius } if role == Role::Drill => {
-                self.ledger.note(entity.id, Verdict::Interpreted, "circle on layer 13 read as a drill hole");
+            Shape::Circle { center, radius } if role == Role::Drill || (role == Role::Turn && radius * mm <= DRILL) => {
+                let own = "circle on layer 13 read as a drill hole";
+                let rule = if role == Role::Drill { own } else { FOREIGN_DRILL };
+                self.ledger.note(entity.id, Verdict::Interpreted, rule);
                 let diameter = Some(2.0 * radius * mm * growth(placings));
                 sheet.drills.push(Drill { line: entity.line, at: place(*center), diameter });
                 true
@@ -346,14 +356,25 @@ impl<'a> Sorter<'a> {
                 let ends = [vertices[0].at, vertices[vertices.len() - 1].at].map(place);
                 sheet.strokes(role).push(Stroke { id, line, ends });
             }
-            Role::Notch(_) if STROKES_OF_NOTCH.contains(&vertices.len()) => {
-                self.ledger.note(id, Verdict::Interpreted, "polyline on a notch layer: strokes of a notch");
+            Role::Notch(_) | Role::Turn | Role::Curve
+                if STROKES_OF_NOTCH.contains(&vertices.len())
+                    && (matches!(role, Role::Notch(_))
+                        || self.is_short(&vertices.iter().map(|v| v.at).collect::<Vec<_>>())) =>
+            {
+                let own = "polyline on a notch layer: strokes of a notch";
+                let rule = if matches!(role, Role::Notch(_)) { own } else { FOREIGN_NOTCH };
+                self.ledger.note(id, Verdict::Interpreted, rule);
                 let strokes = vertices.windows(2).map(|w| Stroke { id, line, ends: [w[0].at, w[1].at].map(place) });
                 sheet.notch_strokes.extend(strokes);
             }
             _ => return false,
         }
         true
+    }
+
+    /// Do points of a line, in file units, lie as near to each other as those of a notch?
+    fn is_short(&self, points: &[Vec2]) -> bool {
+        geom::bounds(points.iter().copied()).is_some_and(|(lo, hi)| (hi - lo).norm() * self.mm <= STROKE)
     }
 
     /// A straight line on a layer of straight lines or notches; tells whether it is on one.
@@ -363,6 +384,7 @@ impl<'a> Sorter<'a> {
             Role::Mirror => (Verdict::Accepted, "mirror line (layer 6)"),
             Role::Grain => (Verdict::Accepted, "grain line (layer 7)"),
             Role::Notch(_) => (Verdict::Interpreted, "line on a notch layer: stroke of a notch"),
+            Role::Turn | Role::Curve if (ends[1] - ends[0]).norm() <= STROKE => (Verdict::Interpreted, FOREIGN_NOTCH),
             _ => return false,
         };
         self.ledger.note(entity.id, verdict, rule);
@@ -396,7 +418,7 @@ impl<'a> Sorter<'a> {
                     self.ledger.note(entity.id, Verdict::Accepted, "stripe or plaid line (layers 9 and 10)");
                     sheet.stripes.push((entity.layer.clone(), path(points())));
                 }
-                _ => self.ledger.note(entity.id, Verdict::Refused, "line on a layer without meaning for lines"),
+                _ => self.ledger.note(entity.id, Verdict::Refused, NO_ROLE),
             },
         }
     }

@@ -3,11 +3,11 @@
 use super::codes;
 use super::grade::{self, GradeError};
 use super::pattern::Pattern;
-use super::piece::DrawnPiece;
+use super::piece::{DrawnPiece, RefusedPiece};
 use crate::codes::SIZE_NOT_FOUND;
 use crate::rul::RuleTable;
 use std::borrow::Cow;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use toile_garment::{Diagnostic, SourceRef};
 
 /// The pieces of one size.
@@ -15,6 +15,18 @@ pub(crate) struct Chosen<'a> {
     pub size: Option<String>,
     pub pieces: Vec<Cow<'a, DrawnPiece>>,
     pub findings: Vec<Diagnostic>,
+}
+
+/// All sizes of one piece: places in the lists of sound and of refused pieces.
+#[derive(Default)]
+struct Group {
+    sound: Vec<usize>,
+    refused: Vec<usize>,
+}
+
+/// A piece is known by its name, one without a name by its block.
+fn key(name: &Option<String>, block: &str) -> String {
+    name.clone().unwrap_or_else(|| format!("\u{1}{block}"))
 }
 
 fn same(a: &str, b: &str) -> bool {
@@ -69,45 +81,137 @@ impl Pattern {
         choice
     }
 
+    /// Keeps only the pieces of these names, and what was found of them and of the file. A piece is called by its name
+    /// or its block, upper and lower case alike.
+    ///
+    /// # Errors
+    /// One finding per name that no piece has.
+    pub fn keep_pieces(&mut self, names: &[String]) -> Result<(), Vec<Diagnostic>> {
+        let called = |label: &str, block: &str, name: &str| same(label, name) || same(block, name);
+        let sound = self.pieces.iter().map(|p| (p.label(), p.block.as_str()));
+        let all: Vec<(&str, &str)> = sound.chain(self.refused.iter().map(|p| (p.label(), p.block.as_str()))).collect();
+        let missing: Vec<&String> =
+            names.iter().filter(|n| !all.iter().any(|(label, block)| called(label, block, n))).collect();
+        if !missing.is_empty() {
+            let labels: BTreeSet<&str> = all.iter().map(|p| p.0).collect();
+            let known = labels.into_iter().collect::<Vec<_>>().join(", ");
+            let say = |name: &&String| {
+                let text = format!("piece `{name}` is not in this pattern; there are: {known}");
+                Diagnostic::error(codes::PIECE_NOT_FOUND, text).at(self.place())
+            };
+            return Err(missing.iter().map(say).collect());
+        }
+        let wanted = |label: &str, block: &str| names.iter().any(|n| called(label, block, n));
+        let sound = self.pieces.iter().filter(|p| !wanted(p.label(), &p.block)).map(|p| p.block.clone());
+        let others = self.refused.iter().filter(|p| !wanted(p.label(), &p.block)).map(|p| p.block.clone());
+        let dropped: BTreeSet<String> = sound.chain(others).collect();
+        self.pieces.retain(|p| wanted(p.label(), &p.block));
+        self.refused.retain(|p| wanted(p.label(), &p.block));
+        let of_dropped =
+            |f: &Diagnostic| f.source.as_ref().and_then(|s| s.block.as_ref()).is_some_and(|b| dropped.contains(b));
+        self.findings.retain(|f| !of_dropped(f));
+        Ok(())
+    }
+
     pub(crate) fn choose(&self, size: Option<&str>, rul: Option<&RuleTable>) -> Result<Chosen<'_>, Vec<Diagnostic>> {
         let mut findings = Vec::new();
         let wanted = self.wanted(size, &mut findings);
         if let Some(wanted) = wanted.as_deref().filter(|w| !self.available_sizes(rul).iter().any(|s| same(s, w))) {
-            let list = self.available_sizes(rul).join(", ");
-            let known = if list.is_empty() { "the file names no size".into() } else { format!("there are: {list}") };
-            return Err(vec![
-                Diagnostic::error(SIZE_NOT_FOUND, format!("size `{wanted}` is not in this pattern; {known}"))
-                    .at(self.place()),
-            ]);
+            return Err(vec![self.size_not_found(wanted, rul)]);
         }
-        let mut groups: BTreeMap<String, Vec<usize>> = BTreeMap::new();
+        let mut groups: BTreeMap<String, Group> = BTreeMap::new();
         for (i, piece) in self.pieces.iter().enumerate() {
-            let key = piece.name.clone().unwrap_or_else(|| format!("\u{1}{}", piece.block));
-            groups.entry(key).or_default().push(i);
+            groups.entry(key(&piece.name, &piece.block)).or_default().sound.push(i);
+        }
+        for (i, piece) in self.refused.iter().enumerate() {
+            groups.entry(key(&piece.name, &piece.block)).or_default().refused.push(i);
         }
         let mut picked: Vec<(usize, Cow<'_, DrawnPiece>)> = Vec::new();
-        let mut errors = Vec::new();
-        for list in groups.values() {
-            match self.pick(list, wanted.as_deref(), rul) {
+        let (mut errors, mut lacking) = (Vec::new(), Vec::new());
+        for group in groups.values() {
+            match self.pick(group, wanted.as_deref(), rul) {
+                Ok(found) if found.is_empty() => lacking.push(group),
                 Ok(found) => picked.extend(found),
-                Err(error) => errors.push(*error),
+                Err(list) => errors.extend(list),
             }
         }
         if !errors.is_empty() {
+            errors.extend(self.instead(wanted.as_deref()));
             return Err(errors);
         }
+        if let (true, Some(wanted)) = (picked.is_empty(), &wanted) {
+            return Err(vec![self.size_not_found(wanted, rul)]);
+        }
+        findings.extend(lacking.iter().map(|group| self.left_out(group, wanted.as_deref().unwrap_or_default())));
         picked.sort_by_key(|p| p.0);
         Ok(Chosen { size: wanted, pieces: picked.into_iter().map(|p| p.1).collect(), findings })
     }
 
+    fn size_not_found(&self, wanted: &str, rul: Option<&RuleTable>) -> Diagnostic {
+        let list = self.available_sizes(rul).join(", ");
+        let known = if list.is_empty() { "the file names no size".into() } else { format!("there are: {list}") };
+        let text = format!("size `{wanted}` is not in this pattern; {known}");
+        Diagnostic::error(SIZE_NOT_FOUND, text).at(self.place())
+    }
+
+    /// Says that a piece is not drawn in the size that was asked for.
+    fn left_out(&self, group: &Group, wanted: &str) -> Diagnostic {
+        let sound = group.sound.iter().map(|i| (self.pieces[*i].label(), &self.pieces[*i].size));
+        let all: Vec<_> =
+            sound.chain(group.refused.iter().map(|i| (self.refused[*i].label(), &self.refused[*i].size))).collect();
+        let label = all.first().map_or("", |p| p.0);
+        let have: Vec<&str> = all.iter().filter_map(|p| p.1.as_deref()).collect();
+        let text = format!(
+            "piece `{label}` is not drawn in size `{wanted}`, and no grade rules make it; the garment is without it; it is in {}",
+            have.join(", ")
+        );
+        Diagnostic::warning(codes::PIECE_NOT_IN_SIZE, text).at(self.place()).hint("draw the piece in this size too")
+    }
+
+    /// Says which pieces and sizes can be asked for instead of those that cannot be used.
+    fn instead(&self, wanted: Option<&str>) -> Option<Diagnostic> {
+        let fits = |size: &Option<String>| wanted.zip(size.as_deref()).is_none_or(|(w, s)| same(w, s));
+        let spoilt: BTreeSet<&str> = self.refused.iter().filter(|r| fits(&r.size)).map(RefusedPiece::label).collect();
+        let sound: BTreeSet<&str> = self
+            .pieces
+            .iter()
+            .filter(|p| fits(&p.size))
+            .map(DrawnPiece::label)
+            .filter(|l| !spoilt.contains(l))
+            .collect();
+        let bad = |size: &String| self.refused.iter().any(|r| r.size.as_deref().is_some_and(|s| same(s, size)));
+        let sizes: Vec<&str> = self.sizes.iter().filter(|s| !bad(s)).map(String::as_str).collect();
+        let mut ways = Vec::new();
+        if !sound.is_empty() && !spoilt.is_empty() {
+            let list: Vec<String> = sound.iter().map(|l| format!("\"{l}\"")).collect();
+            ways.push(format!("the other pieces, with pieces = [{}]", list.join(", ")));
+        }
+        if !sizes.is_empty() && !self.refused.is_empty() && sizes.len() < self.sizes.len() {
+            ways.push(format!("another size ({})", sizes.join(", ")));
+        }
+        let text = format!("what can be used of this file: {}", ways.join(", or "));
+        (!ways.is_empty()).then(|| Diagnostic::info(codes::SOUND_PARTS, text).at(self.place()))
+    }
+
+    /// The pieces of a group in the size wanted; none where the group has none in this size.
     fn pick<'a>(
         &'a self,
-        list: &[usize],
+        group: &Group,
         wanted: Option<&str>,
         rul: Option<&RuleTable>,
-    ) -> Result<Vec<(usize, Cow<'a, DrawnPiece>)>, Box<Diagnostic>> {
+    ) -> Result<Vec<(usize, Cow<'a, DrawnPiece>)>, Vec<Diagnostic>> {
+        let list = &group.sound;
+        let faults = |of: &dyn Fn(&RefusedPiece) -> bool| {
+            let asked = group.refused.iter().map(|i| &self.refused[*i]).filter(|r| of(r));
+            let list: Vec<Diagnostic> = asked.flat_map(|r| r.faults.clone()).collect();
+            if list.is_empty() { Ok(()) } else { Err(list) }
+        };
         let borrowed = |i: &usize| (*i, Cow::Borrowed(&self.pieces[*i]));
-        let Some(wanted) = wanted else { return Ok(list.iter().map(borrowed).collect()) };
+        let Some(wanted) = wanted else {
+            faults(&|_| true)?;
+            return Ok(list.iter().map(borrowed).collect());
+        };
+        faults(&|r| r.size.as_deref().is_none_or(|s| same(s, wanted)))?;
         let sized = |i: &&usize| self.pieces[**i].size.as_deref().is_some_and(|s| same(s, wanted));
         let drawn: Vec<_> = list.iter().filter(sized).map(borrowed).collect();
         if !drawn.is_empty() {
@@ -115,29 +219,28 @@ impl Pattern {
         }
         let sizeless: Vec<_> = list.iter().filter(|i| self.pieces[**i].size.is_none()).map(borrowed).collect();
         let sample = rul.and_then(|r| r.sample.as_deref()).or(self.sample_size.as_deref());
-        let is_sample = |i: &&usize| match (self.pieces[**i].size.as_deref(), sample) {
+        let is_sample = |size: Option<&str>| match (size, sample) {
             (Some(s), Some(sample)) => same(s, sample),
-            _ => list.len() == 1,
+            _ => list.len() + group.refused.len() == 1,
         };
-        let base = list.iter().find(is_sample);
-        if let (Some(rul), Some(base)) = (rul, base) {
-            let piece = &self.pieces[*base];
-            match grade::grade(piece, rul, wanted) {
-                Ok(graded) => return Ok(vec![(*base, Cow::Owned(graded))]),
-                Err(GradeError::NoRules) => return Ok(vec![borrowed(base)]),
-                Err(GradeError::Rule(n)) => {
-                    let text = format!("`{}` uses grade rule {n}, which the rule table does not have", piece.label());
-                    return Err(Box::new(Diagnostic::error(codes::RULE_MISSING, text).at(self.place())));
+        if let Some(rul) = rul {
+            if rul.size_index(wanted).is_some() {
+                faults(&|r| is_sample(r.size.as_deref()))?;
+            }
+            if let Some(base) = list.iter().find(|i| is_sample(self.pieces[**i].size.as_deref())) {
+                let piece = &self.pieces[*base];
+                match grade::grade(piece, rul, wanted) {
+                    Ok(graded) => return Ok(vec![(*base, Cow::Owned(graded))]),
+                    Err(GradeError::NoRules) => return Ok(vec![borrowed(base)]),
+                    Err(GradeError::Rule(n)) => {
+                        let text =
+                            format!("`{}` uses grade rule {n}, which the rule table does not have", piece.label());
+                        return Err(vec![Diagnostic::error(codes::RULE_MISSING, text).at(self.place())]);
+                    }
+                    Err(GradeError::Size) => {}
                 }
-                Err(GradeError::Size) => {}
             }
         }
-        if !sizeless.is_empty() {
-            return Ok(sizeless);
-        }
-        let label = list.first().map_or("", |i| self.pieces[*i].label());
-        let have: Vec<&str> = list.iter().filter_map(|i| self.pieces[*i].size.as_deref()).collect();
-        let text = format!("piece `{label}` is not drawn in size `{wanted}`; it is in {}", have.join(", "));
-        Err(Box::new(Diagnostic::error(SIZE_NOT_FOUND, text).at(self.place())))
+        Ok(sizeless)
     }
 }

@@ -10,6 +10,51 @@ pub fn key_value(text: &str) -> Option<(String, String)> {
     (!key.is_empty()).then(|| (key, value.trim().to_owned()))
 }
 
+/// The key of the standard that a key of other programs stands for.
+#[must_use]
+pub fn foreign_key(key: &str) -> Option<&'static str> {
+    match key {
+        "piece" | "part" | "part name" => Some("piece name"),
+        "qty" | "amount" => Some("quantity"),
+        "mat" => Some("material"),
+        _ => None,
+    }
+}
+
+/// Is this a key of the standards, or one of other programs that is understood?
+#[must_use]
+pub fn is_known(key: &str) -> bool {
+    const KEYS: [&str; 26] = [
+        "piece name",
+        "size",
+        "size name",
+        "sample size",
+        "quantity",
+        "category",
+        "annotation",
+        "material",
+        "fabric",
+        "rotation",
+        "flip",
+        "tilt",
+        "fold",
+        "style name",
+        "creation date",
+        "creation time",
+        "author",
+        "product",
+        "version",
+        "grade rule table",
+        "units",
+        "tolerance",
+        "curve tolerance",
+        "link",
+        "ansi/aama version",
+        "astm/d13proposal 1 version",
+    ];
+    KEYS.contains(&key) || foreign_key(key).is_some()
+}
+
 /// Grade rule number of `# n` and `# n, m`; `m` is the alternate reference line.
 #[must_use]
 pub fn rule_number(text: &str) -> Option<(u32, Option<u32>)> {

@@ -9,10 +9,12 @@ pub struct Tolerances {
     pub corner: f64,
     /// Chords keep this near the curve, mm.
     pub curve: f64,
+    /// Loops up to this across, where a line crosses itself beside a corner, are cut off with a warning, mm.
+    pub loops: f64,
 }
 
 impl Default for Tolerances {
     fn default() -> Self {
-        Self { gap: 0.5, corner: 20.0, curve: 0.05 }
+        Self { gap: 0.5, corner: 20.0, curve: 0.05, loops: 15.0 }
     }
 }

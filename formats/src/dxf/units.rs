@@ -11,6 +11,10 @@ const SIDE: std::ops::RangeInclusive<f64> = 50.0..=2000.0;
 const LARGEST_LEAST: f64 = 100.0;
 /// No file holds nothing but pieces smaller than this, mm.
 const SIDE_LEAST: f64 = 5.0;
+/// Curve tolerances are 0.006 inch, 0.0152 cm or 0.152 mm: smaller ones are inches, larger ones millimetres.
+const INCH_TOLERANCE: f64 = 0.012;
+/// See [`INCH_TOLERANCE`].
+const MM_TOLERANCE: f64 = 0.05;
 /// No piece is larger than this, mm.
 const SIDE_MOST: f64 = 5000.0;
 
@@ -33,6 +37,8 @@ pub(crate) struct Evidence<'a> {
     pub other: Option<String>,
     /// `$INSUNITS`.
     pub insunits: Option<i64>,
+    /// Unit of the rule table.
+    pub rules: Option<&'a str>,
     /// Value of the text `Tolerance:`.
     pub tolerance: Option<f64>,
     /// Larger side of the largest piece, file units.
@@ -77,7 +83,15 @@ fn stated(evidence: &Evidence<'_>, say: &mut impl FnMut(Diagnostic)) -> Option<f
         let text = format!("the file says {said} and also {other}; {said} counts");
         say(Diagnostic::info(codes::UNITS_CONTRADICT, text).hint("give the unit: units = \"mm\" or \"inch\""));
     }
-    from_text.or(from_header)
+    from_text.or(from_header).or_else(|| from_rules(evidence, say))
+}
+
+/// The unit of the rule table, where the pattern itself names none.
+fn from_rules(evidence: &Evidence<'_>, say: &mut impl FnMut(Diagnostic)) -> Option<f64> {
+    let (mm, text) = evidence.rules.and_then(|t| Some((texts::unit(t)?, t)))?;
+    let text = format!("the pattern names no unit; its rule table says `UNITS: {text}`, which was taken for both");
+    say(Diagnostic::info(codes::UNITS_FROM_RULES, text));
+    Some(mm)
 }
 
 /// The unit that makes the pieces as large as pieces are.
@@ -88,7 +102,14 @@ fn guessed(evidence: &Evidence<'_>, say: &mut impl FnMut(Diagnostic)) -> f64 {
         name(guess),
         evidence.side * guess
     );
-    say(Diagnostic::warning(codes::UNITS_GUESSED, text).hint("give the unit: units = \"mm\" or \"inch\""));
+    let others: Vec<String> = [1.0, 10.0, 25.4]
+        .into_iter()
+        .filter(|u| *u != guess && SIDE.contains(&(evidence.side * u)))
+        .map(|u| format!("{:.0} mm in {}", evidence.side * u, name(u)))
+        .collect();
+    let or = if others.is_empty() { String::new() } else { format!("; it would be {}", others.join(", ")) };
+    let finding = Diagnostic::warning(codes::UNITS_GUESSED, format!("{text}{or}"));
+    say(finding.hint("give the unit: units = \"mm\", \"cm\" or \"inch\""));
     guess
 }
 
@@ -129,12 +150,20 @@ fn checked(mm: f64, side: f64, say: &mut impl FnMut(Diagnostic)) -> f64 {
     mm
 }
 
+/// The largest piece of a file in inches or centimetres measures 50 to 100 units, in millimetres hardly ever. The
+/// tolerance of the curves tells the three apart; without one it is centimetres.
 fn guess(side: f64, tolerance: Option<f64>) -> f64 {
-    if SIDE.contains(&side) {
-        // 50 to 79 units could be inches of a coat; the tolerance of the curves decides.
-        return if side < 79.0 && tolerance.is_some_and(|t| t > 0.0 && t < 0.02) { 25.4 } else { 1.0 };
+    let inch = |t: f64| t > 0.0 && t < INCH_TOLERANCE;
+    let small = side < LARGEST_LEAST && SIDE.contains(&side);
+    match tolerance {
+        // 50 to 79 units could be inches of a coat.
+        Some(t) if small && side < 79.0 && inch(t) => 25.4,
+        Some(t) if small && t >= MM_TOLERANCE => 1.0,
+        _ if small => 10.0,
+        _ if SIDE.contains(&side) => 1.0,
+        _ if SIDE.contains(&(side * 25.4)) => 25.4,
+        _ => 1.0,
     }
-    if SIDE.contains(&(side * 25.4)) { 25.4 } else { 1.0 }
 }
 
 fn name(mm: f64) -> &'static str {
@@ -153,9 +182,24 @@ mod tests {
 
     fn mm(text: Option<&str>, insunits: Option<i64>, side: f64) -> (f64, usize) {
         let mut findings = Findings::new("t.dxf");
-        let e = Evidence { asked: None, text, other: None, insunits, tolerance: None, side };
+        let e = Evidence { asked: None, text, other: None, insunits, rules: None, tolerance: None, side };
         let units = decide(&e, &mut findings);
         (units.mm_per_unit, findings.finish().len())
+    }
+
+    #[test]
+    fn tolerance_and_rule_table_tell_the_unit() {
+        let decided = |rules: Option<&str>, tolerance: Option<f64>, side: f64| {
+            let mut findings = Findings::new("t.dxf");
+            let e = Evidence { asked: None, text: None, other: None, insunits: None, rules, tolerance, side };
+            (decide(&e, &mut findings).mm_per_unit, findings.finish().remove(0).code)
+        };
+        assert_eq!(decided(None, Some(0.006), 60.0), (25.4, "units-guessed".into()));
+        assert_eq!(decided(None, Some(0.0152), 60.0), (10.0, "units-guessed".into()));
+        assert_eq!(decided(None, Some(0.152), 60.0), (1.0, "units-guessed".into()));
+        assert_eq!(decided(Some("ENGLISH"), None, 26.0), (25.4, "units-from-rules".into()));
+        assert_eq!(decided(Some("METRIC"), None, 600.0), (1.0, "units-from-rules".into()));
+        assert_eq!(decided(Some("CM"), None, 66.0), (10.0, "units-from-rules".into()));
     }
 
     #[test]
@@ -168,6 +212,10 @@ mod tests {
         assert_eq!(mm(None, Some(5), 60.0), (10.0, 0));
         assert_eq!(mm(None, None, 600.0), (1.0, 1));
         assert_eq!(mm(None, None, 24.0), (25.4, 1));
+        for side in [58.0, 66.0, 99.0] {
+            assert_eq!(mm(None, None, side), (10.0, 1), "no garment is {side} mm long");
+        }
+        assert_eq!(mm(None, None, 105.0), (1.0, 1));
         assert_eq!(mm(Some("ENGLISH"), None, 600.0), (1.0, 1));
         assert_eq!(mm(Some("METRIC"), None, 24.0), (1.0, 1));
     }

@@ -24,7 +24,7 @@ pub(super) fn document(source: &Source<'_>) -> Result<Inspected, Vec<Diagnostic>
         "certificate": garment.certificate,
     });
     let svg = source.draw.then(|| svg::pattern(&garment.pieces, &garment.style));
-    Ok(Inspected { json, text: table(&garment), svg, findings: Vec::new() })
+    Ok(Inspected { json, text: table(&garment), svg, findings: Vec::new(), is_usable: true })
 }
 
 fn pieces(garment: &Garment) -> Vec<Value> {

@@ -31,7 +31,7 @@ pub(super) fn obj(source: &Source<'_>) -> Result<Inspected, Vec<Diagnostic>> {
             let _ = writeln!(text, "{what}: {}", names.join(", "));
         }
     }
-    Ok(Inspected { json, text, svg: None, findings })
+    Ok(Inspected { json, text, svg: None, findings, is_usable: true })
 }
 
 pub(super) fn glb(source: &Source<'_>) -> Result<Inspected, Vec<Diagnostic>> {
@@ -53,7 +53,7 @@ pub(super) fn glb(source: &Source<'_>) -> Result<Inspected, Vec<Diagnostic>> {
         Err(ReadError::NoDocument) => (None, Vec::new()),
         Err(error) => (None, vec![refused(&error, source.name).softened()]),
     };
-    Ok(Inspected { json, text, svg, findings })
+    Ok(Inspected { json, text, svg, findings, is_usable: true })
 }
 
 /// Why a GLB was refused, as a finding.

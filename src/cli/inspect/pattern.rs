@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use toile_formats::dxf::{self, Inspection};
 use toile_formats::rul::{self, RuleTable};
 use toile_formats::svg;
-use toile_garment::Diagnostic;
+use toile_garment::{Diagnostic, Piece};
 
 /// A group code, or a comment, stands first.
 pub(super) fn is_dxf(bytes: &[u8]) -> bool {
@@ -27,18 +27,26 @@ pub(super) fn dxf(source: &Source<'_>) -> Result<Inspected, Vec<Diagnostic>> {
     let inspection = dxf::inspect(source.bytes, source.name, bytes.as_deref())?;
     let table = bytes.as_deref().and_then(|b| rul::read(b, source.name).ok());
     let svg = source.draw.then(|| drawing(&inspection, table.as_ref(), source.name));
-    let findings = inspection.pattern.findings;
+    let findings = inspection.pattern.all_findings();
+    let is_usable = !inspection.pattern.pieces.is_empty();
     // The findings go to stderr, so that a table piped elsewhere is a table.
     let listed: String = findings.iter().map(|f| format!("{f}\n")).collect();
     let text = inspection.text.strip_suffix(&listed).unwrap_or(&inspection.text).to_owned();
-    Ok(Inspected { json: inspection.json, text, svg, findings })
+    Ok(Inspected { json: inspection.json, text, svg, findings, is_usable })
 }
 
 /// The garment's pieces in the sample size; all drawn pieces when no size can be chosen.
 fn drawing(inspection: &Inspection, table: Option<&RuleTable>, name: &str) -> String {
+    let with_refused = |mut pieces: Vec<Piece>| {
+        pieces.extend(inspection.refused.iter().cloned());
+        pieces
+    };
     match inspection.pattern.to_garment(None, table) {
-        Ok((garment, _)) => svg::pattern(&garment.pieces, &format!("{name} {}", garment.size.unwrap_or_default())),
-        Err(_) => svg::pattern(&inspection.pieces, name),
+        Ok((garment, _)) => {
+            let title = format!("{name} {}", garment.size.unwrap_or_default());
+            svg::pattern(&with_refused(garment.pieces), &title)
+        }
+        Err(_) => svg::pattern(&with_refused(inspection.pieces.clone()), name),
     }
 }
 
@@ -69,7 +77,7 @@ pub(super) fn rul(source: &Source<'_>) -> Result<Inspected, Vec<Diagnostic>> {
         "growth_mm": rules,
         "findings": table.findings,
     });
-    Ok(Inspected { json, text: growth_table(&table), svg: None, findings: table.findings })
+    Ok(Inspected { json, text: growth_table(&table), svg: None, findings: table.findings, is_usable: true })
 }
 
 fn growth_table(table: &RuleTable) -> String {

@@ -70,9 +70,9 @@ fn each(line: &mut PieceLine, carry: impl Fn(Vec2) -> Vec2) {
     }
 }
 
-/// A notch on an outer line turns with it; one on an internal line goes with the cloth.
+/// A notch on an outer line turns with it; any other goes with the cloth.
 fn carry_notch(notch: &mut Notch, follow: &Follow, cloth: &impl Fn(Vec2) -> Vec2) {
-    if notch.on == "internal" {
+    if !notch.is_on_edge() {
         notch.at = cloth(notch.at);
         return;
     }

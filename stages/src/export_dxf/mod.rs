@@ -11,9 +11,10 @@ use crate::allowance::{self, AllowanceParams, Which};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
-use toile_formats::dxf::write::{self, Drawing, PieceOptions, StyleText, piece_drawing};
+use toile_formats::codes::CODE_PAGE_UNKNOWN;
+use toile_formats::dxf::write::{self, Drawing, PieceOptions, StyleText, WriteOptions, piece_drawing};
 use toile_formats::dxf::{self, ReadOptions};
-use toile_formats::rul;
+use toile_formats::{encoding, rul};
 use toile_garment::{Aspect, Diagnostic, Garment, Piece};
 use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
 
@@ -62,6 +63,25 @@ pub enum DxfSource {
     Pattern,
 }
 
+/// The unit of lengths in the file.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum DxfUnit {
+    /// Millimetres.
+    #[default]
+    Mm,
+    /// Inches.
+    Inch,
+}
+
+impl DxfUnit {
+    /// Millimetres are not written down with the parameters of a run.
+    #[allow(clippy::trivially_copy_pass_by_ref, reason = "serde calls it with a reference")]
+    fn is_mm(&self) -> bool {
+        *self == Self::Mm
+    }
+}
+
 /// Parameters of `export-dxf`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
@@ -73,6 +93,19 @@ pub struct ExportDxfParams {
     pub dialect: DxfDialect,
     /// The flattened pieces, or the pattern unchanged.
     pub source: DxfSource,
+    /// Unit of lengths.
+    #[serde(skip_serializing_if = "DxfUnit::is_mm")]
+    pub units: DxfUnit,
+    /// Code page of the texts, e.g. `"windows-1252"`, `"gbk"`, `"utf-8"`; without it 7-bit ASCII, other letters as
+    /// `\U+XXXX`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub code_page: Option<String>,
+    /// Who made the pattern.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub author: Option<String>,
+    /// Date that the file says, as it is to stand there; without it none.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub date: Option<String>,
     /// Write pieces that were unfolded as halves with a fold line again.
     pub half_on_fold: bool,
     /// Add a drill hole 10 mm from the apex and notches at the mouth of every dart that has none.
@@ -93,11 +126,34 @@ impl Default for ExportDxfParams {
             file: "{out}/pattern.dxf".to_owned(),
             dialect: DxfDialect::default(),
             source: DxfSource::default(),
+            units: DxfUnit::default(),
+            code_page: None,
+            author: None,
+            date: None,
             half_on_fold: false,
             mark_darts: false,
             allowance: None,
             size_run: None,
         }
+    }
+}
+
+impl ExportDxfParams {
+    /// Unit and code page.
+    fn options(&self) -> Result<WriteOptions, Box<Diagnostic>> {
+        let page = self.code_page.as_deref().map(|name| {
+            encoding::named(name).ok_or_else(|| {
+                let text = format!("`code_page` is `{name}`, which is no code page this program knows");
+                let hint = "e.g. \"windows-1252\", \"gbk\", \"shift_jis\", \"utf-8\"";
+                Box::new(Diagnostic::error(CODE_PAGE_UNKNOWN, text).hint(hint))
+            })
+        });
+        Ok(WriteOptions { inches: self.units == DxfUnit::Inch, page: page.transpose()? })
+    }
+
+    /// The texts of the style that the parameters say.
+    fn signed(&self, style: StyleText) -> StyleText {
+        StyleText { author: self.author.clone().unwrap_or_default(), date: self.date.clone(), ..style }
     }
 }
 
@@ -111,7 +167,7 @@ impl Stage for ExportDxf {
         "writes the flattened pieces, or the pattern, as DXF-AAMA or DXF-ASTM",
         &[Aspect::Pieces],
         &[],
-        2,
+        3,
     );
 
     fn forecast(
@@ -129,6 +185,7 @@ impl Stage for ExportDxf {
         garment: Garment,
         cx: &mut StageContext<'_>,
     ) -> Result<Garment, StageError> {
+        params.options().map_err(|f| StageError::parameter(*f))?;
         if let Some(pattern) = &params.size_run {
             write_run(pattern, params, cx)?;
             return Ok(garment);
@@ -160,14 +217,17 @@ fn write_run(path: &Path, params: &ExportDxfParams, cx: &mut StageContext<'_>) -
     if params.allowance.is_some() {
         sizes.recut(|pieces| allowance::add(params.allowance.as_ref(), pieces, Which::All, cx))?;
     }
-    let run = sizes.draw(options);
+    let mut run = sizes.draw(options);
+    run.drawing.style = params.signed(run.drawing.style);
     let dialect = params.dialect.written();
-    let written = write::write(&run.drawing, dialect).map_err(StageError::Input)?;
+    let options = params.options().map_err(|f| StageError::parameter(*f))?;
+    let written = write::write_with(&run.drawing, dialect, options).map_err(StageError::Input)?;
     run.findings.into_iter().chain(written.findings).for_each(|f| cx.report.push(f));
     cx.files.write(Path::new(&params.file), &written.bytes)?;
     if let Some(table) = &run.table {
         let file = Path::new(&params.file).with_extension("rul");
-        cx.files.write(&file, &rul::write(table, dialect.is_astm(), dialect != write::Dialect::Clo))?;
+        cx.files
+            .write(&file, &rul::write_with(table, dialect.is_astm(), dialect != write::Dialect::Clo, options.inches))?;
     }
     Ok(())
 }
@@ -210,10 +270,15 @@ pub fn draw(garment: &Garment, pieces: &[Piece], params: &ExportDxfParams) -> Re
     let mut findings = Vec::new();
     let options = PieceOptions { half_on_fold: params.half_on_fold, mark_darts: params.mark_darts };
     let drawing = Drawing {
-        style: StyleText { name: garment.style.clone(), sample_size: garment.size.clone(), ..StyleText::default() },
+        style: params.signed(StyleText {
+            name: garment.style.clone(),
+            sample_size: garment.size.clone(),
+            ..StyleText::default()
+        }),
         pieces: pieces.iter().map(|p| piece_drawing(p, options, &mut findings)).collect(),
     };
-    let mut written = write::write(&drawing, dialect)?;
+    let page = params.options().map_err(|f| vec![*f])?;
+    let mut written = write::write_with(&drawing, dialect, page)?;
     findings.append(&mut written.findings);
     written.findings = findings;
     Ok(written)

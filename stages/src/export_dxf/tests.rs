@@ -293,6 +293,41 @@ fn a_size_run_gets_the_allowance_in_every_size() {
 }
 
 #[test]
+fn inches_code_page_author_and_date_are_written() {
+    let mut named = piece();
+    named.name = "ÄRMEL".into();
+    let garment = Garment { pieces: vec![named], size: Some("38".into()), ..Garment::default() };
+    let text =
+        "source = \"pattern\"\nunits = \"inch\"\ncode_page = \"windows-1252\"\nauthor = \"Anna\"\ndate = \"1-2-2026\"";
+    let params: ExportDxfParams = toml::from_str(text).expect("params");
+    let (result, files, report) = run(garment.clone(), &params);
+    assert!(result.is_ok() && report.findings.is_empty(), "{:?}", report.findings);
+    let read = dxf::read(&files.0[0].1, "p.dxf", &ReadOptions::default()).expect("read");
+    assert_eq!((read.units.mm_per_unit, read.pieces[0].label()), (25.4, "ÄRMEL"));
+    assert_eq!(read.style_texts["creation date"], "1-2-2026");
+    let wrong = ExportDxfParams { code_page: Some("klingon".into()), ..params.clone() };
+    let (result, files, _) = run(garment.clone(), &wrong);
+    assert!(result.expect_err("refused").to_string().contains("code-page-unknown") && files.0.is_empty());
+    let escaped = ExportDxfParams { code_page: None, ..params };
+    let (_, _, report) = run(garment, &escaped);
+    assert_eq!(report.findings.iter().filter(|f| f.code == "text-escaped").count(), 1);
+}
+
+#[test]
+fn a_size_run_in_inches_has_its_rules_in_inches() {
+    let text = "file = \"out/run.dxf\"\nsize_run = \"t-shirt.dxf\"\nunits = \"inch\"";
+    let (result, files, _) = run(Garment::default(), &toml::from_str(text).expect("params"));
+    result.expect("written");
+    let pattern = dxf::read(&files.0[0].1, "run.dxf", &ReadOptions::default()).expect("pattern");
+    let table = rul::read(&files.0[1].1, "run.rul").expect("rules");
+    assert_eq!((pattern.units.mm_per_unit, table.units.as_deref()), (25.4, Some("ENGLISH")));
+    for size in &table.sizes {
+        let off = off_the_drawn_size(&pattern, &table, size);
+        assert!(off <= 0.01, "{size}: {off} mm");
+    }
+}
+
+#[test]
 fn parameters_are_strict() {
     let read = |text: &str| toml::from_str::<ExportDxfParams>(text);
     let params = read("dialect = \"clo\"\nsource = \"pattern\"").expect("params");

@@ -29,7 +29,7 @@ codes! {
     NOTCH_TOO_LARGE = "notch-too-large";
 
     /// A piece is not drawn in all sizes of the file and has no grade rules to make them. A garment in a missing size
-    /// is refused; export the piece in every size.
+    /// is made without it; export the piece in every size.
     PIECE_LACKS_SIZE = "piece-lacks-size";
 
     /// No text of the file says `Piece Name`. The pieces have the names of their blocks.
@@ -42,4 +42,8 @@ codes! {
     /// The sample size that the file names is not drawn, or the file holds several sizes and names none as the sample
     /// size. Ask for a size by name.
     SAMPLE_SIZE_MISSING = "sample-size-missing";
+
+    /// The sample size of a piece cannot be used, and it alone has the points that say corners and notches. The other
+    /// sizes were read by their angles, and notches may be missing there.
+    SIZES_WITHOUT_SAMPLE = "sizes-without-sample";
 }

@@ -6,13 +6,13 @@ mod marks;
 mod nest;
 
 use super::desk::Desk;
-use super::piece::DrawnPiece;
+use super::piece::{DrawnPiece, RefusedPiece};
 
 /// All checks of the pieces of a file.
-pub(super) fn pieces(pieces: &[DrawnPiece], sample: Option<&str>, desk: &mut Desk<'_>) {
+pub(super) fn pieces(pieces: &[DrawnPiece], refused: &[RefusedPiece], sample: Option<&str>, desk: &mut Desk<'_>) {
     for piece in pieces {
         cutouts::check(piece, desk);
         marks::check(piece, desk);
     }
-    nest::check(pieces, sample, desk);
+    nest::check(pieces, refused, sample, desk);
 }

@@ -3,7 +3,7 @@
 use super::codes;
 use crate::dxf::codes::{PIECES_FROM_ENTITIES, SIZES_DIFFER_IN_VERTICES};
 use crate::dxf::desk::Desk;
-use crate::dxf::piece::DrawnPiece;
+use crate::dxf::piece::{DrawnPiece, RefusedPiece};
 use std::collections::BTreeMap;
 use toile_garment::Diagnostic;
 
@@ -13,7 +13,7 @@ fn tidy(text: &str) -> String {
     text.trim().to_ascii_lowercase()
 }
 
-pub(super) fn check(pieces: &[DrawnPiece], sample: Option<&str>, desk: &mut Desk<'_>) {
+pub(super) fn check(pieces: &[DrawnPiece], refused: &[RefusedPiece], sample: Option<&str>, desk: &mut Desk<'_>) {
     let mut named = Group::new();
     for (i, piece) in pieces.iter().enumerate() {
         if let Some(name) = &piece.name {
@@ -22,7 +22,8 @@ pub(super) fn check(pieces: &[DrawnPiece], sample: Option<&str>, desk: &mut Desk
     }
     let mut sizes: Vec<&str> = Vec::new();
     let mut seen = std::collections::BTreeSet::new();
-    for size in pieces.iter().filter_map(|p| p.size.as_deref()) {
+    let others = refused.iter().filter_map(|p| p.size.as_deref());
+    for size in pieces.iter().filter_map(|p| p.size.as_deref()).chain(others) {
         if seen.insert(tidy(size)) {
             sizes.push(size);
         }
@@ -33,7 +34,9 @@ pub(super) fn check(pieces: &[DrawnPiece], sample: Option<&str>, desk: &mut Desk
         let group: Vec<&DrawnPiece> = list.iter().map(|i| &pieces[*i]).collect();
         twice(&group, desk);
         vertices(&group, sample, desk);
-        lacking(&group, &sizes, desk);
+        let spoilt: Vec<&RefusedPiece> = refused.iter().filter(|r| r.name == group[0].name).collect();
+        lacking(&group, &spoilt, &sizes, desk);
+        without_sample(&group, &spoilt, desk);
     }
 }
 
@@ -121,12 +124,13 @@ fn vertices(group: &[&DrawnPiece], sample: Option<&str>, desk: &mut Desk<'_>) {
 }
 
 /// A piece that is not drawn in all sizes of the nest, and has no rules to make them.
-fn lacking(group: &[&DrawnPiece], sizes: &[&str], desk: &mut Desk<'_>) {
+fn lacking(group: &[&DrawnPiece], spoilt: &[&RefusedPiece], sizes: &[&str], desk: &mut Desk<'_>) {
     let Some(first) = group.first().filter(|_| group.iter().all(|p| p.size.is_some() && p.texts.rules.is_empty()))
     else {
         return;
     };
-    let has = |size: &str| group.iter().any(|p| p.size.as_deref().is_some_and(|s| tidy(s) == tidy(size)));
+    let drawn = || group.iter().map(|p| &p.size).chain(spoilt.iter().map(|p| &p.size));
+    let has = |size: &str| drawn().any(|s| s.as_deref().is_some_and(|s| tidy(s) == tidy(size)));
     let missing: Vec<&str> = sizes.iter().copied().filter(|s| !has(s)).collect();
     if missing.is_empty() {
         return;
@@ -138,6 +142,22 @@ fn lacking(group: &[&DrawnPiece], sizes: &[&str], desk: &mut Desk<'_>) {
         sizes.len(),
         missing.join(", ")
     );
-    let hint = "export the piece in every size; a garment in one that is missing is refused";
+    let hint = "export the piece in every size; a garment in one that is missing is made without it";
     desk.say(Diagnostic::warning(codes::PIECE_LACKS_SIZE, text).hint(hint), &first.block, "1", first.line);
+}
+
+/// The size that says the corners and notches cannot be used, so that the others have none.
+fn without_sample(group: &[&DrawnPiece], spoilt: &[&RefusedPiece], desk: &mut Desk<'_>) {
+    let Some(sample) = spoilt.iter().find(|r| r.marked) else { return };
+    if group.iter().any(|p| p.points.marked) {
+        return;
+    }
+    let text = format!(
+        "size {} of `{}` cannot be used, and only it says the corners: those of the other sizes were found by angle, and notches may be missing there",
+        sample.size.as_deref().unwrap_or("-"),
+        sample.label()
+    );
+    let place = desk.findings.place_in(&sample.block, Some("2"), sample.line);
+    let hint = "correct that size in the pattern program";
+    desk.findings.push(Diagnostic::warning(codes::SIZES_WITHOUT_SAMPLE, text).at(place).hint(hint));
 }

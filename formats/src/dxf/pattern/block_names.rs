@@ -2,15 +2,22 @@
 
 use super::codes;
 use crate::dxf::desk::Desk;
-use crate::dxf::piece::DrawnPiece;
 use std::collections::{BTreeMap, BTreeSet};
 use toile_garment::Diagnostic;
 
+/// A piece to be named: its block and the line of it, and what its texts say.
+pub(super) struct Named<'a> {
+    pub block: &'a str,
+    pub line: u64,
+    pub name: &'a mut Option<String>,
+    pub size: &'a mut Option<String>,
+}
+
 /// Splits the block names of pieces that have neither `Piece Name` nor `Size`, when their tails are sizes: the sample
 /// size is among them, or one piece has several, or several pieces have the same.
-pub(super) fn fill(pieces: &mut [DrawnPiece], sample: Option<&str>, desk: &mut Desk<'_>) {
+pub(super) fn fill(mut pieces: Vec<Named<'_>>, sample: Option<&str>, desk: &mut Desk<'_>) {
     let parts: Vec<Option<(String, String)>> =
-        pieces.iter().map(|p| if p.name.is_none() && p.size.is_none() { split(&p.block) } else { None }).collect();
+        pieces.iter().map(|p| if p.name.is_none() && p.size.is_none() { split(p.block) } else { None }).collect();
     let mut tails: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
     let mut heads: BTreeMap<&str, BTreeSet<&str>> = BTreeMap::new();
     for (head, tail) in parts.iter().flatten() {
@@ -25,13 +32,13 @@ pub(super) fn fill(pieces: &mut [DrawnPiece], sample: Option<&str>, desk: &mut D
     let Some(first) = parts.iter().position(Option::is_some).filter(|_| sure) else { return };
     let text = format!(
         "no text names pieces and sizes; they were taken from the block names, as `{}`",
-        pieces.get(first).map_or("", |p| p.block.as_str())
+        pieces.get(first).map_or("", |p| p.block)
     );
     let place = desk.findings.place(pieces.get(first).map_or(1, |p| p.line));
     desk.findings.push(Diagnostic::info(codes::NAME_FROM_BLOCK, text).at(place));
     for (piece, part) in pieces.iter_mut().zip(&parts) {
         if let Some((head, tail)) = part {
-            (piece.name, piece.size) = (Some(head.clone()), Some(tail.clone()));
+            (*piece.name, *piece.size) = (Some(head.clone()), Some(tail.clone()));
         }
     }
 }

@@ -20,6 +20,10 @@ codes! {
     /// has it, and the others were only counted. Give each shape a block of its own.
     INSERT_REPEATED = "insert-repeated";
 
+    /// Short lines on layers 2 or 3, or circles on layer 2, were read as notches and drill holes, as some programs draw
+    /// them. The standards have points on these layers.
+    LAYER_FOREIGN = "layer-foreign";
+
     /// Lines on piece layers stand outside all blocks. They belong to no piece and were left out.
     LINES_OUTSIDE_BLOCKS = "lines-outside-blocks";
 
@@ -29,6 +33,21 @@ codes! {
     /// The file holds no closed boundary on the layers of the standards, so there is no piece. Check the layers, or map
     /// them with `layers` of `import-dxf`. Exit code 3.
     NO_PIECES = "no-pieces";
+
+    /// Some pieces or sizes of the file are drawn too wrongly to be used. They refuse the file only if they are asked
+    /// for; `toile inspect` shows them with their faults.
+    PIECES_REFUSED = "pieces-refused";
+
+    /// A flat drawing has an upright rectangle round all its pieces. It was taken for a plot frame and left out. If it
+    /// is a piece with cutouts, export it as a block of its own.
+    PLOT_FRAME_LEFT_OUT = "plot-frame-left-out";
+
+    /// Texts of pieces have keys that are not those of the standards, as `PIECE:` or `QTY:`. They were read as the keys
+    /// they stand for.
+    TEXT_KEY_FOREIGN = "text-key-foreign";
+
+    /// Texts of pieces have keys without a meaning for this program. The texts are kept and written again.
+    TEXT_KEY_UNKNOWN = "text-key-unknown";
 
     /// The file has more pieces than the limit. Exit code 3.
     TOO_MANY_PIECES = "too-many-pieces";

@@ -3,13 +3,16 @@
 mod attributes;
 mod block_names;
 pub(crate) mod codes;
+mod flat;
 mod inserts;
 mod sheets;
 
 pub use inserts::InsertRule;
 
 use crate::dxf::codes::SIZES_DIFFER_IN_VERTICES;
+use block_names::Named;
 use inserts::Inserted;
+use sheets::Draft;
 
 use super::checks;
 use super::darts;
@@ -21,21 +24,27 @@ use super::ledger::Ledger;
 use super::library::Census;
 use super::limits;
 use super::model::{Block, Drawing, Entity, Shape};
+use super::outline::Outline;
 use super::parse;
-use super::piece::DrawnPiece;
-use super::sheet::{Sheet, Sorter, has_boundary};
+use super::piece::{DrawnPiece, PieceTexts, RefusedPiece};
+use super::sheet::{FOREIGN_DRILL, FOREIGN_NOTCH, Sorter, has_boundary};
 use super::texts;
 use super::tolerances::Tolerances;
 use super::units::{self, Evidence, Units};
 use super::vendor::{self, Profile, Vendor};
 use std::collections::{BTreeMap, BTreeSet};
-use toile_garment::{Diagnostic, Severity};
+use toile_garment::{Diagnostic, Severity, SourceRef};
+
+/// Most keys that are listed in a finding.
+const KEYS: usize = 40;
 
 /// What the user may say about a file.
 #[derive(Clone, Debug, Default)]
 pub struct ReadOptions {
     /// Millimetres per file unit, overruling the file.
     pub mm_per_unit: Option<f64>,
+    /// Unit that the rule table beside the file names, in its words.
+    pub rule_units: Option<String>,
     /// Layer of the file → layer of the standard.
     pub layers: BTreeMap<String, String>,
     /// Code page of the texts, overruling the file.
@@ -71,39 +80,74 @@ pub struct Pattern {
     pub sample_size: Option<String>,
     /// One entry per piece and size, in file order.
     pub pieces: Vec<DrawnPiece>,
+    /// Pieces and sizes that are drawn too wrongly to be used, in file order.
+    pub refused: Vec<RefusedPiece>,
     /// What became of every entity.
     pub ledger: Ledger,
     /// Number of polyline vertices in the file.
     pub vertices: u64,
     /// How many curves the library read.
     pub census: Census,
-    /// Findings; none is an error.
+    /// Findings; none is an error: those stand with the pieces that are refused.
     pub findings: Vec<Diagnostic>,
 }
 
-/// Reads a pattern.
+impl Pattern {
+    /// All findings: those of the file, and the errors of the pieces that cannot be used.
+    #[must_use]
+    pub fn all_findings(&self) -> Vec<Diagnostic> {
+        let faults = self.refused.iter().flat_map(|p| &p.faults);
+        faults.chain(&self.findings).cloned().collect()
+    }
+
+    /// Says which pieces cannot be used, whether they are asked for or not.
+    #[must_use]
+    pub fn set_aside(&self) -> Option<Diagnostic> {
+        let first = self.refused.first()?;
+        let one = |p: &RefusedPiece| {
+            let codes: Vec<&str> = p.faults.iter().map(|f| f.code.as_str()).collect();
+            let size = p.size.as_ref().map_or_else(String::new, |s| format!(" in size {s}"));
+            format!("`{}`{size} ({})", p.label(), codes.join(", "))
+        };
+        let list: Vec<String> = self.refused.iter().map(one).collect();
+        let text = format!("{} piece(s) of this file cannot be used: {}", list.len(), list.join(", "));
+        let place = SourceRef { block: Some(first.block.clone()), ..SourceRef::file(&self.file).at_line(first.line) };
+        Some(Diagnostic::info(codes::PIECES_REFUSED, text).at(place).hint("`toile inspect` shows them"))
+    }
+}
+
+/// Reads a pattern. Pieces that are drawn too wrongly to be used are set aside; the others can be used all the same.
 ///
 /// # Errors
-/// All findings, at least one of them an error.
+/// All findings, at least one of them an error: the file cannot be read, or no piece of it can be used.
 pub fn read(bytes: &[u8], file: &str, options: &ReadOptions) -> Result<Pattern, Vec<Diagnostic>> {
+    let pattern = read_all(bytes, file, options)?;
+    if !pattern.pieces.is_empty() {
+        return Ok(pattern);
+    }
+    let faults = pattern.refused.into_iter().flat_map(|p| p.faults);
+    Err(worst_first(pattern.findings.into_iter().chain(faults).collect()))
+}
+
+/// Reads a pattern as [`read`] does, even where no piece of it can be used.
+pub(crate) fn read_all(bytes: &[u8], file: &str, options: &ReadOptions) -> Result<Pattern, Vec<Diagnostic>> {
     let mut findings = Findings::new(file);
     match read_into(bytes, file, options, &mut findings) {
         Ok(mut pattern) if !findings.has_errors() => {
             pattern.findings = findings.finish();
             Ok(pattern)
         }
-        Ok(_) => {
-            let mut list = findings.finish();
-            list.sort_by_key(|f| std::cmp::Reverse(f.severity));
-            Err(list)
+        Ok(pattern) => {
+            let faults = pattern.refused.into_iter().flat_map(|p| p.faults);
+            Err(worst_first(findings.finish().into_iter().chain(faults).collect()))
         }
-        Err(error) => {
-            let mut list = findings.finish();
-            list.push(error);
-            list.sort_by_key(|f| std::cmp::Reverse(f.severity));
-            Err(list)
-        }
+        Err(error) => Err(worst_first(findings.finish().into_iter().chain([error]).collect())),
     }
+}
+
+fn worst_first(mut list: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    list.sort_by_key(|f| std::cmp::Reverse(f.severity));
+    list
 }
 
 fn read_into(bytes: &[u8], file: &str, options: &ReadOptions, findings: &mut Findings) -> Result<Pattern, Diagnostic> {
@@ -125,10 +169,12 @@ fn read_into(bytes: &[u8], file: &str, options: &ReadOptions, findings: &mut Fin
     let units = sides.decide_units(&style_texts, options, findings);
     let (mm, flatness) = (units.mm_per_unit, options.tolerances.curve);
     let mut sorter = Sorter::new(&layers, mm, flatness, &blocks, &by_name, &mut ledger, findings);
-    let sheets = sheets::sheets(&drawing, &blocks, &mut sorter, &inserted, options.inserts, &options.tolerances);
+    let drafts = sheets::sheets(&drawing, &blocks, &mut sorter, &inserted, options.inserts, &options.tolerances);
     let rules = Rules { tolerances: options.tolerances, notch_scale: profile.notch_scale };
     let sample_size = style_texts.get("sample size").cloned().filter(|s| !s.is_empty());
-    let pieces = build_pieces(sheets, &rules, sample_size.as_deref(), &mut ledger, findings)?;
+    let (pieces, refused) = build_pieces(drafts, &rules, sample_size.as_deref(), &mut ledger, findings)?;
+    report_keys(&pieces, findings);
+    report_foreign_lines(&ledger, findings);
     report_layers(&drawing, &blocks, &layers, &ledger, findings);
     ledger.close();
     Ok(Pattern {
@@ -138,9 +184,10 @@ fn read_into(bytes: &[u8], file: &str, options: &ReadOptions, findings: &mut Fin
         units,
         encoding: drawing.encoding.name(),
         release: drawing.release,
-        sizes: sizes_in_order(&pieces),
+        sizes: sizes_in_order(&pieces, &refused),
         sample_size,
         pieces,
+        refused,
         vertices: drawing.vertex_count,
         census: drawing.census,
         findings: Vec::new(),
@@ -150,42 +197,92 @@ fn read_into(bytes: &[u8], file: &str, options: &ReadOptions, findings: &mut Fin
 }
 
 /// Makes pieces of the sheets: outlines first, then what the sizes take over from each other, then notches and darts.
+/// Pieces with errors are set aside.
 fn build_pieces(
-    sheets: Vec<(String, u64, Sheet)>,
+    drafts: Vec<Draft>,
     rules: &Rules,
     sample_size: Option<&str>,
     ledger: &mut Ledger,
     findings: &mut Findings,
-) -> Result<Vec<DrawnPiece>, Diagnostic> {
-    if sheets.len() > limits::PIECES {
-        let text = format!("{} pieces, over the limit of {}", sheets.len(), limits::PIECES);
+) -> Result<(Vec<DrawnPiece>, Vec<RefusedPiece>), Diagnostic> {
+    if drafts.len() > limits::PIECES {
+        let text = format!("{} pieces, over the limit of {}", drafts.len(), limits::PIECES);
         return Err(Diagnostic::error(codes::TOO_MANY_PIECES, text).at(findings.place(1)));
+    }
+    if drafts.is_empty() && !findings.has_errors() {
+        let text = "there is no piece in this file: no block has a line on layer 1, and ENTITIES holds no closed line";
+        return Err(Diagnostic::error(codes::NO_PIECES, text)
+            .at(findings.place(1))
+            .hint("export as AAMA or ASTM, or map the layer of the outlines to \"1\""));
     }
     let mut overruled = Vec::new();
     let mut desk = Desk { findings, overruled: &mut overruled, rules };
-    let outlines = desk.each(sheets, |(name, line, sheet), desk| DrawnPiece::outline(&name, line, sheet, desk));
-    let mut pieces: Vec<DrawnPiece> = outlines.into_iter().flatten().collect();
-    if pieces.is_empty() && !desk.findings.has_errors() {
-        let text = "there is no piece in this file: no block has a line on layer 1, and ENTITIES holds no closed line";
-        return Err(Diagnostic::error(codes::NO_PIECES, text)
-            .at(desk.findings.place(1))
-            .hint("export as AAMA or ASTM, or map the layer of the outlines to \"1\""));
-    }
-    block_names::fill(&mut pieces, sample_size, &mut desk);
+    let outlined = desk.each(drafts, Draft::outlined);
+    let (mut pieces, mut refused) = apart(outlined);
+    block_names::fill(named(&mut pieces, &mut refused), sample_size, &mut desk);
     carry_between_sizes(&mut pieces, &mut desk);
-    desk.each(&mut pieces, DrawnPiece::finish);
+    carry_texts(&mut pieces);
+    desk.each(&mut pieces, DrawnPiece::prepare);
+    share_cut_notches(&mut pieces);
+    let finished = desk.each(pieces, |mut piece, desk| {
+        piece.finish(desk);
+        let faults = desk.findings.take_errors(|_| true);
+        if faults.is_empty() { Ok(piece) } else { Err(piece.refuse(faults)) }
+    });
+    let (mut pieces, spoilt) = apart(finished);
+    refused.extend(spoilt);
+    refused.sort_by_key(|r| r.line);
     darts::decide(&mut pieces, &mut desk);
-    checks::pieces(&pieces, sample_size, &mut desk);
+    checks::pieces(&pieces, &refused, sample_size, &mut desk);
     for (id, verdict, rule) in overruled {
         ledger.overrule(id, verdict, rule);
     }
-    Ok(pieces)
+    Ok((pieces, refused))
+}
+
+impl Draft {
+    /// The piece with its outline, or set aside with all its faults.
+    fn outlined(self, desk: &mut Desk<'_>) -> Result<DrawnPiece, RefusedPiece> {
+        let made = DrawnPiece::outline(&self.block, self.line, self.sheet, desk);
+        let faults: Vec<Diagnostic> = self.faults.into_iter().chain(desk.findings.take_errors(|_| true)).collect();
+        match made {
+            Ok(piece) if faults.is_empty() => Ok(piece),
+            Ok(piece) => Err(piece.refuse(faults)),
+            Err(refused) => Err(RefusedPiece { faults, ..refused }),
+        }
+    }
+}
+
+/// The sound pieces, and those set aside.
+fn apart(list: Vec<Result<DrawnPiece, RefusedPiece>>) -> (Vec<DrawnPiece>, Vec<RefusedPiece>) {
+    let (mut pieces, mut refused) = (Vec::new(), Vec::new());
+    for piece in list {
+        match piece {
+            Ok(piece) => pieces.push(piece),
+            Err(piece) => refused.push(piece),
+        }
+    }
+    (pieces, refused)
+}
+
+/// All pieces in file order, to be named.
+fn named<'a>(pieces: &'a mut [DrawnPiece], refused: &'a mut [RefusedPiece]) -> Vec<Named<'a>> {
+    let sound =
+        pieces.iter_mut().map(|p| Named { block: &p.block, line: p.line, name: &mut p.name, size: &mut p.size });
+    let others =
+        refused.iter_mut().map(|p| Named { block: &p.block, line: p.line, name: &mut p.name, size: &mut p.size });
+    let mut all: Vec<Named<'a>> = sound.chain(others).collect();
+    all.sort_by_key(|p| p.line);
+    all
 }
 
 /// The sizes of all pieces, each once, in file order.
-fn sizes_in_order(pieces: &[DrawnPiece]) -> Vec<String> {
+fn sizes_in_order(pieces: &[DrawnPiece], refused: &[RefusedPiece]) -> Vec<String> {
+    let sound = pieces.iter().map(|p| (p.line, &p.size));
+    let mut all: Vec<(u64, &Option<String>)> = sound.chain(refused.iter().map(|p| (p.line, &p.size))).collect();
+    all.sort_by_key(|p| p.0);
     let mut seen = BTreeSet::new();
-    pieces.iter().filter_map(|p| p.size.clone()).filter(|size| seen.insert(size.clone())).collect()
+    all.into_iter().filter_map(|(_, size)| size.clone()).filter(|size| seen.insert(size.clone())).collect()
 }
 
 fn style_texts(drawing: &Drawing) -> BTreeMap<String, String> {
@@ -226,7 +323,8 @@ impl Sides<'_> {
         let text = style.get("units").map(String::as_str).filter(|t| !t.is_empty());
         let insunits = self.drawing.insunits;
         let other = text.and_then(|t| self.other_unit(t));
-        let evidence = Evidence { asked: options.mm_per_unit, text, other, insunits, tolerance, side: largest };
+        let rules = options.rule_units.as_deref();
+        let evidence = Evidence { asked: options.mm_per_unit, text, other, insunits, rules, tolerance, side: largest };
         units::decide(&evidence, findings)
     }
 
@@ -279,6 +377,88 @@ fn carry_between_sizes(pieces: &mut [DrawnPiece], desk: &mut Desk<'_>) {
     }
 }
 
+/// A notch that is cut into the outline in one size is one in all sizes with as many vertices.
+fn share_cut_notches(pieces: &mut [DrawnPiece]) {
+    fn cut(piece: &mut DrawnPiece) -> Option<&mut Outline> {
+        Some(&mut piece.boundary)
+    }
+    fn sewn(piece: &mut DrawnPiece) -> Option<&mut Outline> {
+        piece.sew.as_mut()
+    }
+    for line in [cut as fn(&mut DrawnPiece) -> Option<&mut Outline>, sewn] {
+        let mut known: BTreeMap<(String, usize), BTreeSet<(usize, usize)>> = BTreeMap::new();
+        for piece in pieces.iter_mut() {
+            let Some(name) = piece.name.clone() else { continue };
+            let Some(outline) = line(piece) else { continue };
+            let ends = outline.cut.iter().map(|c| (c.from, c.to));
+            known.entry((name, outline.drawn.len())).or_default().extend(ends);
+        }
+        for piece in pieces.iter_mut() {
+            let Some(name) = piece.name.clone() else { continue };
+            let Some(outline) = line(piece) else { continue };
+            if let Some(known) = known.get(&(name, outline.drawn.len())).filter(|k| k.len() > outline.cut.len()) {
+                outline.add_cut_notches(known);
+            }
+        }
+    }
+}
+
+/// Quantity, material and the like hold for every size that does not say them itself.
+fn carry_texts(pieces: &mut [DrawnPiece]) {
+    let mut said: BTreeMap<String, PieceTexts> = BTreeMap::new();
+    for piece in pieces.iter() {
+        let Some(name) = &piece.name else { continue };
+        let all = said.entry(name.clone()).or_default();
+        if piece.texts.quantity_told && !all.quantity_told {
+            (all.quantity, all.quantity_told) = (piece.texts.quantity, true);
+        }
+        for (key, value) in &piece.texts.keys {
+            all.keys.entry(key.clone()).or_insert_with(|| value.clone());
+        }
+    }
+    for piece in pieces {
+        let Some(all) = piece.name.as_ref().and_then(|n| said.get(n)) else { continue };
+        if all.quantity_told && !piece.texts.quantity_told {
+            piece.texts.quantity = all.quantity;
+        }
+        for (key, value) in &all.keys {
+            piece.texts.keys.entry(key.clone()).or_insert_with(|| value.clone());
+        }
+    }
+}
+
+/// Keys of texts that other programs use, and keys without a meaning here.
+fn report_keys(pieces: &[DrawnPiece], findings: &mut Findings) {
+    let Some(first) = pieces.first() else { return };
+    let place = |findings: &Findings| findings.place_in(&first.block, Some("1"), first.line);
+    let list = |keys: BTreeSet<String>| keys.iter().map(|k| format!("`{k}`")).collect::<Vec<_>>().join(", ");
+    let foreign: BTreeSet<String> = pieces.iter().flat_map(|p| p.texts.foreign.iter().cloned()).collect();
+    if !foreign.is_empty() {
+        let text = format!("the keys {} of piece texts are those of another standard; they were read", list(foreign));
+        let at = place(findings);
+        findings.push(Diagnostic::info(codes::TEXT_KEY_FOREIGN, text).at(at));
+    }
+    let others = pieces.iter().flat_map(|p| &p.texts.others).filter_map(|(_, _, text)| texts::key_value(text));
+    let unknown: BTreeSet<String> = others.map(|(key, _)| key).filter(|key| !texts::is_known(key)).take(KEYS).collect();
+    if !unknown.is_empty() {
+        let text =
+            format!("the keys {} of piece texts have no meaning here; the texts were kept as they are", list(unknown));
+        let at = place(findings);
+        findings.push(Diagnostic::info(codes::TEXT_KEY_UNKNOWN, text).at(at));
+    }
+}
+
+/// Lines that other programs draw on layers that hold points here, and what they were read as.
+fn report_foreign_lines(ledger: &Ledger, findings: &mut Findings) {
+    for ((_, rule), count) in ledger.by_rule() {
+        if rule == FOREIGN_NOTCH || rule == FOREIGN_DRILL {
+            let place = findings.place(1);
+            let text = format!("{count} × {rule}, as some programs draw them");
+            findings.push(Diagnostic::info(codes::LAYER_FOREIGN, text).at(place));
+        }
+    }
+}
+
 /// One finding per layer and entity type that has no meaning.
 fn report_layers(drawing: &Drawing, blocks: &[Block], layers: &Layers, ledger: &Ledger, findings: &mut Findings) {
     let mut unknown: BTreeMap<(String, String), (usize, u64)> = BTreeMap::new();
@@ -287,7 +467,7 @@ fn report_layers(drawing: &Drawing, blocks: &[Block], layers: &Layers, ledger: &
         let odd = match &e.shape {
             Shape::Other(_) => true,
             Shape::Text { .. } | Shape::Insert { .. } | Shape::Attribute { .. } => false,
-            _ => matches!(layers.role(&e.layer), Role::Unknown | Role::Annotation),
+            _ => matches!(layers.role(&e.layer), Role::Unknown | Role::Annotation) || ledger.is_without_role(e.id),
         };
         if odd && !ledger.used(e.id) {
             let entry = unknown.entry((e.layer.clone(), e.shape.name().to_owned())).or_insert((0, e.line));

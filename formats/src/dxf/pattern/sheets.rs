@@ -1,22 +1,30 @@
-//! Which blocks are pieces; the closed lines of ENTITIES where no block is one.
+//! Which blocks are pieces.
 
 use super::codes;
+use super::flat::flat;
 use super::inserts::{InsertRule, Inserted};
 use super::is_model_space;
-use crate::dxf::chain::{self, Path};
-use crate::dxf::codes::PIECES_FROM_ENTITIES;
-use crate::dxf::geom;
-use crate::dxf::layers::{Layers, Role};
+use crate::dxf::layers::Role;
 use crate::dxf::ledger::Verdict;
-use crate::dxf::limits;
 use crate::dxf::model::{Block, Drawing, Entity, Shape};
-use crate::dxf::sheet::{Drill, Mark, Note, Sheet, Sorter, Stroke};
+use crate::dxf::sheet::{Sheet, Sorter};
 use crate::dxf::texts;
 use crate::dxf::tolerances::Tolerances;
-use std::collections::BTreeMap;
-use toile_garment::{Diagnostic, Vec2};
+use toile_garment::Diagnostic;
 
-/// One sheet for every piece: name, line, sheet.
+/// A piece that is not made yet.
+pub(super) struct Draft {
+    /// Name of its block.
+    pub block: String,
+    /// Line of its block.
+    pub line: u64,
+    /// What is drawn.
+    pub sheet: Sheet,
+    /// Errors among its entities.
+    pub faults: Vec<Diagnostic>,
+}
+
+/// One draft for every piece. Errors of the file that lie in the block of a piece become its own.
 pub(super) fn sheets(
     drawing: &Drawing,
     blocks: &[Block],
@@ -24,7 +32,7 @@ pub(super) fn sheets(
     inserted: &[Inserted],
     rule: InsertRule,
     tolerances: &Tolerances,
-) -> Vec<(String, u64, Sheet)> {
+) -> Vec<Draft> {
     let mut out = Vec::new();
     for (i, block) in blocks.iter().enumerate() {
         if is_model_space(&block.name) {
@@ -40,8 +48,10 @@ pub(super) fn sheets(
         }
         let mut sheet = sorter.block(i, &how.placings(block, rule));
         sheet.inserted = (how.plain + how.mirrored > 1).then_some([how.plain, how.mirrored]);
-        if !sheet.boundary.is_empty() {
-            out.push((block.name.clone(), block.line, sheet));
+        let within = |f: &Diagnostic| f.source.as_ref().and_then(|s| s.line).is_some_and(|l| block.holds(l));
+        let faults = sorter.findings.take_errors(within);
+        if !sheet.boundary.is_empty() || !faults.is_empty() {
+            out.push(Draft { block: block.name.clone(), line: block.line, sheet, faults });
         } else if !block.entities.is_empty() {
             let text = format!("block `{}` has no outline on layer 1; it is no piece", block.name);
             let place = sorter.findings.place_in(&block.name, None, block.line);
@@ -98,75 +108,4 @@ fn loose_marks(drawing: &Drawing, sorter: &mut Sorter<'_>) {
         let hint = "put them into the block of their piece";
         sorter.findings.push(Diagnostic::warning(code, text).at(place).hint(hint));
     }
-}
-
-/// No block is a piece: the outermost closed lines in ENTITIES are.
-fn flat(drawing: &Drawing, sorter: &mut Sorter<'_>, tolerances: &Tolerances) -> Vec<(String, u64, Sheet)> {
-    let on_one =
-        drawing.entities.iter().any(|e| sorter.layers.role(&e.layer) == Role::Boundary && !e.shape.extent().is_empty());
-    // On plain drawings every line may be an outline; with layer 1 in use only those on it.
-    let as_boundary = Layers::new(&BTreeMap::new());
-    let relabelled: Vec<Entity> = drawing
-        .entities
-        .iter()
-        .filter(|e| !matches!(e.shape, Shape::Insert { .. }))
-        .map(|e| {
-            let mut e = e.clone();
-            if !on_one && !e.shape.extent().is_empty() && as_boundary.role(&e.layer) == Role::Unknown {
-                e.layer = "1".into();
-            }
-            e
-        })
-        .collect();
-    let all = sorter.loose(relabelled.iter());
-    let chained = chain::chain(all.boundary.clone(), tolerances.gap);
-    let mut loops = chained.closed;
-    let area = |p: &Path| geom::area(&p.positions()).abs();
-    loops.sort_by(|a, b| area(b).total_cmp(&area(a)));
-    let mut outer: Vec<(Vec<Vec2>, Sheet, u64)> = Vec::new();
-    for path in loops.into_iter().take(limits::PIECES + 1).chain(chained.open) {
-        let home = outer.iter().position(|(polygon, ..)| geom::inside(path.points[0].0, polygon));
-        match home {
-            Some(i) => outer[i].1.internal.push(path),
-            None => {
-                let line = path.line;
-                let polygon = path.positions();
-                let sheet = Sheet { boundary: vec![path], ..Sheet::default() };
-                outer.push((polygon, sheet, line));
-            }
-        }
-    }
-    if outer.is_empty() {
-        return Vec::new();
-    }
-    let place = sorter.findings.place(1);
-    let text = format!("no block holds an outline; {} closed line(s) of ENTITIES were read as pieces", outer.len());
-    sorter.findings.push(Diagnostic::warning(PIECES_FROM_ENTITIES, text).at(place));
-    share_out(all, &mut outer);
-    outer.sort_by_key(|o| o.2);
-    outer.into_iter().enumerate().map(|(i, (_, sheet, line))| (format!("PIECE_{}", i + 1), line, sheet)).collect()
-}
-
-fn share_out(all: Sheet, outer: &mut [(Vec<Vec2>, Sheet, u64)]) {
-    let home = |p: Vec2, outer: &[(Vec<Vec2>, Sheet, u64)]| {
-        outer.iter().position(|(polygon, ..)| geom::inside(p, polygon) || geom::distance(p, polygon, true) <= 0.5)
-    };
-    macro_rules! share {
-        ($($field:ident by $at:expr),+) => {$(
-            for item in all.$field {
-                let at: Vec2 = $at(&item);
-                if let Some(i) = home(at, outer) {
-                    outer[i].1.$field.push(item);
-                }
-            }
-        )+};
-    }
-    let first = |p: &Path| p.points.first().map_or(Vec2::zeros(), |p| p.0);
-    let start = |s: &Stroke| (s.ends[0] + s.ends[1]) * 0.5;
-    share!(
-        stripes by |s: &(String, Path)| first(&s.1), dense by first, sew by first, dense_sew by first, internal by first, cutouts by first,
-        turn by |p: &Vec2| *p, curve by |p: &Vec2| *p, marks by |m: &Mark| m.at,
-        notch_strokes by start, reference by start, mirror by start, grain by start, drills by |d: &Drill| d.at,
-        notes by |n: &Note| n.at
-    );
 }

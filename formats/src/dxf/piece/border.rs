@@ -1,7 +1,7 @@
 //! The outline among the lines of layer 1.
 
 use super::codes;
-use super::{Desk, mm};
+use super::{Desk, loops, mm};
 use crate::codes::OUTLINE_CROSSES_ITSELF;
 use crate::dxf::chain::{self, Chained, Path};
 use crate::dxf::contact::{self, Contact};
@@ -165,7 +165,10 @@ pub(super) fn check_shape(block: &str, outline: &mut Outline, desk: &mut Desk<'_
         return fail(desk, codes::OUTLINE_TOO_LARGE, text, "check the unit of the file");
     }
     let mut crossing = geom::crossing(&points);
-    if matches!(crossing, Crossing::At(..)) && untangle(block, outline, desk) {
+    if matches!(crossing, Crossing::At(..))
+        && (untangle(block, outline, desk)
+            || loops::cut_off(block, ("outline", "1"), outline, desk.rules.tolerances.loops, desk))
+    {
         (points, crossing) = (outline.positions(), Crossing::None);
     }
     match crossing {

@@ -23,6 +23,13 @@ codes! {
     /// A grade rule names an alternate grade reference line that layer 5 does not have; the reference line was taken.
     GRADE_LINE_MISSING = "grade-line-missing";
 
+    /// Texts of grade rules stand up to 1 mm beside a vertex, and no other is as near. They count for it.
+    GRADE_RULE_BESIDE_VERTEX = "grade-rule-beside-vertex";
+
+    /// Texts of grade rules stand at no vertex within 1 mm, or between two. They move nothing. Put them on their
+    /// vertices in the pattern program.
+    GRADE_RULE_OFF_VERTEX = "grade-rule-off-vertex";
+
     /// The piece has no grain line. The y axis of the file is taken as the warp.
     GRAIN_MISSING = "grain-missing";
 
@@ -37,6 +44,11 @@ codes! {
 
     /// The ends of an outline missed each other by a little and were joined; the message says by how much.
     OUTLINE_GAP_CLOSED = "outline-gap-closed";
+
+    /// A line crosses itself beside a corner and makes a small loop there, as programs do that offset or grade a line.
+    /// The loop was cut off where the line crosses itself. `with.loops` of `import-dxf` says up to which size (15 mm);
+    /// 0 refuses such pieces.
+    OUTLINE_LOOP_CUT_OFF = "outline-loop-cut-off";
 
     /// A piece has lines on the boundary layer but none that closes. Exit code 3.
     OUTLINE_MISSING = "outline-missing";
@@ -87,6 +99,10 @@ codes! {
     /// The sew line leaves the cut line, so a part of it has no cloth. It was taken as drawn; correct layer 14 or layer
     /// 1 at the place named.
     SEW_LINE_CROSSES = "sew-line-crosses";
+
+    /// The sew line goes through itself, and not in a small loop at a corner. It was taken as drawn; the mesher refuses
+    /// it. Correct it in the pattern program.
+    SEW_LINE_CROSSES_ITSELF = "sew-line-crosses-itself";
 
     /// The sew line lies much farther inside the cut line than an allowance is wide. It was taken as drawn; make sure
     /// that layer 14 holds the sew line of this piece.

@@ -7,13 +7,17 @@ use crate::dxf::ledger::Verdict;
 use crate::dxf::limits;
 use crate::dxf::notches::{self, Ground};
 use crate::dxf::outline::{Making, Outline};
+use crate::dxf::unfold::Fold;
 use toile_garment::{Diagnostic, Vec2};
 
 impl DrawnPiece {
-    pub(super) fn find_cut_notches(&mut self, desk: &mut Desk<'_>) {
+    pub(super) fn find_cut_notches(&mut self) {
         for outline in [Some(&mut self.boundary), self.sew.as_mut()].into_iter().flatten() {
             outline.find_cut_notches();
         }
+    }
+
+    pub(super) fn say_cut_notches(&self, desk: &mut Desk<'_>) {
         let n = self.boundary.cut.len();
         if let Some(first) = self.boundary.cut.first() {
             let text = format!(
@@ -79,6 +83,11 @@ impl DrawnPiece {
         let (mut list, doubled) = notches::from_marks(&self.unfinished.marks, &ground, desk.rules.notch_scale);
         list.extend(notches::from_strokes(&self.unfinished.strokes, &ground));
         list.extend(self.boundary.cut.iter().map(|c| notches::cut_in(c, self.boundary.line)));
+        if let Some(fold) = self.axes.fold.map(Fold) {
+            let line = |on: &str| if on == "sew" { sew.as_deref().unwrap_or(&boundary) } else { &boundary };
+            let on_edge = list.iter_mut().filter(|n| matches!(n.on, "boundary" | "sew"));
+            on_edge.filter(|n| fold.holds_alone(n.at, line(n.on))).for_each(|n| n.on = "fold");
+        }
         notches::pair_twins(&mut list);
         for id in doubled {
             desk.overrule(id, Verdict::Interpreted, "doubled notch, merged");

@@ -3,11 +3,16 @@
 mod border;
 pub(crate) mod codes;
 mod folded;
+mod loops;
 mod marks;
 mod notes;
+mod offset;
 mod points;
+mod refused;
 mod run_on;
 mod sew;
+
+pub use refused::RefusedPiece;
 
 use super::chain::Path;
 use super::darts::{Denied, DrawnDart, Pleat};
@@ -16,7 +21,7 @@ use super::geom::PointIndex;
 use super::notches::DrawnNotch;
 use super::outline::{Marks, Outline};
 use super::sheet::{Drill, Mark, Sheet, Stroke};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use toile_garment::outline::PointKind;
 use toile_garment::piece::Quantity;
 use toile_garment::{Diagnostic, Vec2};
@@ -26,8 +31,8 @@ const SAME_POINT: f64 = 0.01;
 
 /// A piece as drawn, millimetres in block coordinates.
 ///
-/// It is built in two steps: `outline` reads lines and texts, `finish` finds notches and darts once the kinds of
-/// vertices are known in every size. Until then `notches`, `darts` and `doubts` are empty.
+/// It is built in steps: `outline` reads lines and texts, `prepare` and `finish` find notches and darts once the kinds
+/// of vertices are known in every size. Until then `notches`, `darts` and `doubts` are empty.
 #[derive(Clone, Debug)]
 pub struct DrawnPiece {
     /// Block name.
@@ -65,8 +70,12 @@ pub struct DrawnPiece {
 /// The texts of a block, but for its name and size.
 #[derive(Clone, Debug, Default)]
 pub struct PieceTexts {
-    /// Text `Quantity`.
+    /// Text `Quantity`, else the number of INSERTs.
     pub quantity: Quantity,
+    /// Does a text or an INSERT say the quantity?
+    pub quantity_told: bool,
+    /// Keys of other programs that were read as those of the standard.
+    pub foreign: BTreeSet<String>,
     /// Other piece texts by key, in lower case.
     pub keys: BTreeMap<String, String>,
     /// Texts without meaning: place, layer, text.
@@ -97,6 +106,8 @@ pub struct Inside {
     pub not_mirrored: Vec<bool>,
     /// Cutouts.
     pub cutouts: Vec<Path>,
+    /// Entities of cutouts that are drawn on layer 1.
+    pub on_boundary_layer: Vec<u32>,
     /// Drill holes.
     pub drills: Vec<Drill>,
     /// Stripe and plaid lines (layers 9 and 10): layer and line.
@@ -111,7 +122,7 @@ pub struct VertexPoints {
     /// Number of corners: points of layer 2, or corners of the outline where there are none.
     pub turn_points: usize,
     /// Points of layer 3, doubled ones merged.
-    pub curve_points: usize,
+    pub curve_list: Vec<Vec2>,
     /// Are there points of layers 2 or 3 in the block?
     pub marked: bool,
 }
@@ -173,7 +184,7 @@ impl Axes {
 impl VertexPoints {
     fn new(sheet: &Sheet, marked: bool) -> Self {
         let turn_list = distinct(&sheet.turn);
-        Self { turn_points: turn_list.len(), turn_list, curve_points: distinct(&sheet.curve).len(), marked }
+        Self { turn_points: turn_list.len(), turn_list, curve_list: distinct(&sheet.curve), marked }
     }
 }
 
@@ -202,21 +213,28 @@ impl DrawnPiece {
         self.name.as_deref().filter(|n| !n.is_empty()).unwrap_or(&self.block)
     }
 
-    /// First step: lines chained and kinds set. `None` when the outline is wrong (which is then a finding).
-    pub(crate) fn outline(block: &str, line: u64, sheet: Sheet, desk: &mut Desk<'_>) -> Option<Self> {
-        let (main, inner) = border::boundary(block, line, &sheet, desk)?;
-        let marks = Marks::new(&sheet.turn, &sheet.curve, &desk.rules.tolerances);
-        let mut outline = Outline::new(main);
-        outline.classify(&marks);
-        border::check_shape(block, &mut outline, desk)?;
-        points::check(block, line, &sheet, desk);
+    /// First step: lines chained and kinds set.
+    ///
+    /// # Errors
+    /// The outline is wrong, which is then a finding.
+    pub(crate) fn outline(block: &str, line: u64, sheet: Sheet, desk: &mut Desk<'_>) -> Result<Self, RefusedPiece> {
+        let names = notes::names(&sheet.notes);
+        let (outline, inner, marks) = match Self::line_of_sheet(block, line, &sheet, desk) {
+            Some(found) => found,
+            None => return Err(RefusedPiece::new(block, line, sheet, names)),
+        };
+        let [name, size] = names;
         let gap = desk.rules.tolerances.gap;
         let mut piece = Self {
             block: block.to_owned(),
             line,
-            name: None,
-            size: None,
-            texts: PieceTexts { quantity: quantity(sheet.inserted), ..PieceTexts::default() },
+            name,
+            size,
+            texts: PieceTexts {
+                quantity: quantity(sheet.inserted),
+                quantity_told: sheet.inserted.is_some(),
+                ..PieceTexts::default()
+            },
             sew: None,
             sew_lines: 0,
             axes: Axes::new(&sheet),
@@ -224,6 +242,7 @@ impl DrawnPiece {
             inside: Inside {
                 internal: sheet.internal.into_iter().map(Path::tidy).filter(|p| p.points.len() >= 2).collect(),
                 not_mirrored: Vec::new(),
+                on_boundary_layer: inner.iter().flat_map(|p| p.ids.iter().copied()).collect(),
                 cutouts: inner.into_iter().chain(border::cutouts(sheet.cutouts, desk)).collect(),
                 drills: sheet.drills,
                 stripes: sheet.stripes,
@@ -246,12 +265,41 @@ impl DrawnPiece {
         if let Some(sew) = &mut piece.sew {
             sew.classify(&marks);
         }
+        piece.settle_rules(desk);
         if !piece.points.marked {
             let corners = piece.boundary.drawn.iter().filter(|n| n.kind == PointKind::Turn);
             piece.points.turn_points = corners.count();
         }
         piece.check_grain(desk);
-        Some(piece)
+        Ok(piece)
+    }
+
+    /// The outline with its kinds, closed lines inside it, and the points that say the kinds.
+    fn line_of_sheet(
+        block: &str,
+        line: u64,
+        sheet: &Sheet,
+        desk: &mut Desk<'_>,
+    ) -> Option<(Outline, Vec<Path>, Marks)> {
+        let (main, inner) = border::boundary(block, line, sheet, desk)?;
+        let marks = Marks::new(&sheet.turn, &sheet.curve, &desk.rules.tolerances);
+        let mut outline = Outline::new(main);
+        outline.classify(&marks);
+        border::check_shape(block, &mut outline, desk)?;
+        points::check(block, line, sheet, desk);
+        Some((outline, inner, marks))
+    }
+
+    /// The piece set aside, with its reasons.
+    pub(crate) fn refuse(self, faults: Vec<Diagnostic>) -> RefusedPiece {
+        let line = Path {
+            ids: self.boundary.ids.clone(),
+            line: self.boundary.line,
+            points: self.boundary.drawn.iter().map(|n| (n.at, n.drawn)).collect(),
+            closed: true,
+        };
+        let Self { block, line: at, name, size, points, .. } = self;
+        RefusedPiece { block, line: at, name, size, marked: points.marked, lines: vec![line], faults }
     }
 
     fn check_grain(&mut self, desk: &mut Desk<'_>) {
@@ -269,10 +317,15 @@ impl DrawnPiece {
         }
     }
 
-    /// Second step, once kinds are known in every size: working lines, notches, darts.
-    pub(crate) fn finish(&mut self, desk: &mut Desk<'_>) {
+    /// Second step, once kinds are known in every size: apexes and notches of the outline.
+    pub(crate) fn prepare(&mut self, desk: &mut Desk<'_>) {
         self.join_blunt_apexes(desk);
-        self.find_cut_notches(desk);
+        self.find_cut_notches();
+    }
+
+    /// Third step, once notches cut into the outline are known in every size: working lines, notches, darts.
+    pub(crate) fn finish(&mut self, desk: &mut Desk<'_>) {
+        self.say_cut_notches(desk);
         self.make_work(desk);
         self.find_notches(desk);
         self.find_darts(desk);

@@ -1,12 +1,28 @@
 //! Texts of a block: keys of the piece, grade rules, labels.
 
 use super::codes;
-use super::{Desk, DrawnPiece, RuleMark};
+use super::{Desk, DrawnPiece, RuleMark, mm};
 use crate::dxf::chain::Path;
 use crate::dxf::geom::PointIndex;
 use crate::dxf::sheet::Note;
 use crate::dxf::texts;
 use toile_garment::{Diagnostic, Vec2};
+
+/// A rule belongs to a vertex this far off if there is no other, mm.
+const RULE_OFF: f64 = 1.0;
+/// A rule this near to a vertex stands at it, mm.
+const RULE_AT: f64 = 0.02;
+
+/// Name and size among the texts of a block: the first of each that says something; without one, what a key of other
+/// programs says.
+pub(super) fn names(notes: &[Note]) -> [Option<String>; 2] {
+    let said: Vec<(String, String)> =
+        notes.iter().filter_map(|n| texts::key_value(&n.text)).filter(|(_, v)| !v.is_empty()).collect();
+    let first = |is: &dyn Fn(&str) -> bool| said.iter().find(|(key, _)| is(key)).map(|(_, value)| value.clone());
+    let name =
+        first(&|key| key == "piece name").or_else(|| first(&|key| texts::foreign_key(key) == Some("piece name")));
+    [name, first(&|key| matches!(key, "size" | "size name" | "sample size"))]
+}
 
 impl DrawnPiece {
     pub(super) fn read_notes(&mut self, notes: Vec<Note>, desk: &mut Desk<'_>) {
@@ -45,6 +61,68 @@ impl DrawnPiece {
         let counted =
             || (number as usize).checked_sub(1).and_then(|i| self.axes.alternates.get(i)).filter(|l| l.0.is_none());
         named.or_else(counted).map(|l| l.1)
+    }
+
+    /// Texts of grade rules that stand a little beside their vertex are put on it; those that stand at none are told.
+    pub(super) fn settle_rules(&mut self, desk: &mut Desk<'_>) {
+        if self.texts.rules.is_empty() {
+            return;
+        }
+        let index = PointIndex::new(RULE_OFF, self.rule_places().into_iter().enumerate().map(|(i, p)| (p, i)));
+        let (mut moved, mut lost) = ((0_usize, 0.0_f64), Vec::new());
+        for rule in &mut self.texts.rules {
+            let near = index.near_places(rule.at, RULE_OFF);
+            match near.as_slice() {
+                [(off, _), ..] if *off <= RULE_AT => {}
+                [(off, at)] => {
+                    moved = (moved.0 + 1, moved.1.max(*off));
+                    rule.at = *at;
+                }
+                // Rule 0 moves nothing: it may stand anywhere.
+                _ if rule.rule != 0 => lost.push(*rule),
+                _ => {}
+            }
+        }
+        if moved.0 > 0 {
+            let text = format!(
+                "{} grade rule(s) of `{}` stand up to {:.2} mm beside their vertex; they were put on it",
+                moved.0,
+                self.label(),
+                moved.1
+            );
+            desk.say(Diagnostic::info(codes::GRADE_RULE_BESIDE_VERTEX, text), &self.block, "2", self.line);
+        }
+        if let Some(first) = lost.first() {
+            let text = format!(
+                "{} grade rule(s) of `{}` stand at no vertex within {RULE_OFF} mm, or between two, as # {} at {}; they move nothing",
+                lost.len(),
+                self.label(),
+                first.rule,
+                mm(first.at)
+            );
+            let hint = "put the text on its vertex in the pattern program";
+            desk.say(Diagnostic::warning(codes::GRADE_RULE_OFF_VERTEX, text).hint(hint), &self.block, "2", self.line);
+        }
+    }
+
+    /// Every place that a grade rule can belong to.
+    fn rule_places(&self) -> Vec<Vec2> {
+        let lines = [
+            Some(&self.boundary),
+            self.sew.as_ref(),
+            self.unfinished.dense.as_ref(),
+            self.unfinished.dense_sew.as_ref(),
+        ];
+        let mut all: Vec<Vec2> = lines.into_iter().flatten().flat_map(|l| l.drawn.iter().map(|n| n.at)).collect();
+        let inside =
+            self.inside.internal.iter().chain(&self.inside.cutouts).chain(self.inside.stripes.iter().map(|s| &s.1));
+        all.extend(inside.flat_map(|p| p.points.iter().map(|q| q.0)));
+        all.extend(self.inside.drills.iter().map(|d| d.at));
+        all.extend(self.unfinished.marks.iter().map(|m| m.at));
+        all.extend(self.unfinished.strokes.iter().flat_map(|s| s.ends));
+        let axes = [self.axes.grain, self.axes.fold, self.axes.reference];
+        all.extend(axes.into_iter().flatten().chain(self.axes.alternates.iter().map(|a| a.1)).flatten());
+        all
     }
 
     /// Every alternate reference line that a rule names must be there.
@@ -89,13 +167,38 @@ impl DrawnPiece {
         }
     }
 
+    /// Takes a text under a key of another program, unless the standard's key says the same thing.
+    fn take_foreign(&mut self, key: &str, value: &str) -> bool {
+        match texts::foreign_key(key) {
+            Some("piece name") => self.name.as_deref() == Some(value),
+            Some("quantity") if !self.texts.quantity_told => {
+                let understood = texts::quantity(value);
+                self.texts.quantity = understood.unwrap_or(self.texts.quantity);
+                understood.is_some()
+            }
+            Some(own) if own != "quantity" && !self.texts.keys.contains_key(own) && !value.is_empty() => {
+                self.texts.keys.insert(own.to_owned(), value.to_owned());
+                true
+            }
+            _ => false,
+        }
+    }
+
+    /// Is this the text that names the piece or its size?
+    fn names(&self, key: &str, value: &str) -> bool {
+        let taken = if key == "piece name" { &self.name } else { &self.size };
+        value.is_empty() || taken.as_deref() == Some(value)
+    }
+
     fn take_key(&mut self, key: &str, value: String, text: &str, at: Vec2, layer: String) {
         match key {
-            "piece name" if self.name.is_none() => self.name = Some(value).filter(|v| !v.is_empty()),
-            "size" | "size name" | "sample size" if self.size.is_none() => {
-                self.size = Some(value).filter(|v| !v.is_empty())
+            "piece name" | "size" | "size name" | "sample size" if self.names(key, &value) => {}
+            "quantity" => {
+                (self.texts.quantity, self.texts.quantity_told) = (texts::quantity(&value).unwrap_or_default(), true);
             }
-            "quantity" => self.texts.quantity = texts::quantity(&value).unwrap_or_default(),
+            _ if self.take_foreign(key, &value) => {
+                self.texts.foreign.insert(key.to_owned());
+            }
             "category" | "annotation" | "material" | "fabric" => {
                 self.texts.keys.entry(key.to_owned()).or_insert(value);
             }

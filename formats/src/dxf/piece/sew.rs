@@ -2,7 +2,8 @@
 
 use super::border::note_doubled;
 use super::codes;
-use super::{Desk, DrawnPiece, mm};
+use super::offset::is_offset;
+use super::{Desk, DrawnPiece, loops, mm};
 use crate::dxf::chain::{self, Chained, Path};
 use crate::dxf::geom;
 use crate::dxf::ledger::Verdict;
@@ -11,6 +12,10 @@ use toile_garment::{Diagnostic, Vec2};
 
 /// Width of a seam allowance, mm.
 const ALLOWANCE: std::ops::RangeInclusive<f64> = 3.0..=40.0;
+/// A closed line on layer 14 with a larger share of the area of the piece is meant for its sew line, however it runs.
+const SHARE_OF_NET: f64 = 0.3;
+/// Most open lines of layer 8 that are joined to see whether they are the sew line.
+const RUNS: usize = 400;
 /// The sew line may run this far outside the cut line by rounding, mm.
 const OUTSIDE: f64 = 0.5;
 
@@ -29,10 +34,10 @@ impl DrawnPiece {
             closed.sort_by(|a, b| geom::area(&b.positions()).abs().total_cmp(&geom::area(&a.positions()).abs()));
             let mut closed = closed.into_iter();
             if let Some(first) = closed.next() {
-                if geom::area(&first.positions()).abs() < 0.3 * whole {
+                if geom::area(&first.positions()).abs() < SHARE_OF_NET * whole && !self.is_offset(&first, 0.0) {
                     stray.push(first);
                 } else if self.is_sew_line(&first, whole, desk) {
-                    self.sew = Some(Outline::new(Path { closed: true, ..first }));
+                    self.take_sew_line(first, "14", desk);
                 } else {
                     self.keep_inside(first, desk);
                 }
@@ -46,19 +51,52 @@ impl DrawnPiece {
                 desk.say(Diagnostic::info(codes::STITCH_LINE, text), &self.block, "14", path.line);
                 self.keep_inside(path, desk);
             }
-        } else if let Some(i) = (0..self.inside.internal.len())
-            .filter(|i| self.may_be_inner_copy(&self.inside.internal[*i], whole))
-            .take(40)
-            .find(|i| self.is_inner_copy(&self.inside.internal[*i]))
-        {
-            let path = self.inside.internal.remove(i);
-            self.inside.not_mirrored.remove(i);
-            for id in &path.ids {
-                desk.overrule(*id, Verdict::Interpreted, "closed line on layer 8 inside the outline: sew line");
-            }
-            self.sew_lines = 1;
-            self.sew = Some(Outline::new(Path { closed: true, ..path }));
+        } else {
+            self.find_inner_copy(desk);
         }
+    }
+
+    /// Makes the line on layer 8 that is the cut line moved inwards the sew line: drawn whole, or in runs.
+    fn find_inner_copy(&mut self, desk: &mut Desk<'_>) {
+        let whole = |p: &&Path| p.closed || self.ends_on_fold(p);
+        let lines = self.inside.internal.iter().filter(whole).filter(|p| self.is_offset(p, *ALLOWANCE.start()));
+        let area = |p: &Path| geom::area(&p.positions()).abs();
+        let largest = lines.max_by(|a, b| area(a).total_cmp(&area(b))).cloned();
+        let Some(path) = largest.or_else(|| self.inner_copy_in_runs()) else { return };
+        for id in &path.ids {
+            desk.overrule(*id, Verdict::Interpreted, "closed line on layer 8 inside the outline: sew line");
+        }
+        let taken: Vec<bool> =
+            self.inside.internal.iter().map(|p| p.ids.iter().any(|id| path.ids.contains(id))).collect();
+        let mut keep = taken.iter().map(|t| !t);
+        self.inside.internal.retain(|_| keep.next().unwrap_or(true));
+        let mut keep = taken.iter().map(|t| !t);
+        self.inside.not_mirrored.retain(|_| keep.next().unwrap_or(true));
+        self.sew_lines = 1;
+        self.take_sew_line(path, "8", desk);
+    }
+
+    /// Open lines on layer 8 that together make a closed line that is the cut line moved inwards.
+    fn inner_copy_in_runs(&self) -> Option<Path> {
+        let open: Vec<Path> = self.inside.internal.iter().filter(|p| !p.closed).take(RUNS).cloned().collect();
+        let Chained { closed, open, .. } = chain::chain(open, chain::JOIN);
+        let whole = closed.into_iter().chain(open.into_iter().filter(|p| p.ids.len() > 1 && self.ends_on_fold(p)));
+        whole.into_iter().find(|p| self.is_offset(p, *ALLOWANCE.start()))
+    }
+
+    fn is_offset(&self, path: &Path, least: f64) -> bool {
+        is_offset(&self.boundary.positions(), path, self.axes.fold, &(least..=*ALLOWANCE.end()))
+    }
+
+    /// Takes a line as the sew line; small loops of it are cut off.
+    fn take_sew_line(&mut self, path: Path, layer: &str, desk: &mut Desk<'_>) {
+        let mut sew = Outline::new(Path { closed: true, ..path });
+        if !loops::cut_off(&self.block, ("sew line", layer), &mut sew, desk.rules.tolerances.loops, desk) {
+            let text = format!("the sew line of `{}` intersects itself; it was taken as drawn", self.label());
+            let finding = Diagnostic::warning(codes::SEW_LINE_CROSSES_ITSELF, text);
+            desk.say(finding.hint("correct the sew line there"), &self.block, layer, sew.line);
+        }
+        self.sew = Some(sew);
     }
 
     /// Keeps a line of layer 14 as an internal line.
@@ -123,26 +161,6 @@ impl DrawnPiece {
             ends.iter().all(|p| geom::cross(d, p - a).abs() <= 0.5 * d.norm())
         };
         path.points.len() >= 3 && self.axes.fold.is_some_and(near)
-    }
-
-    fn may_be_inner_copy(&self, path: &Path, whole: f64) -> bool {
-        path.points.len() <= 20_000
-            && (path.closed || self.ends_on_fold(path))
-            && geom::area(&path.positions()).abs() >= 0.5 * whole
-    }
-
-    /// A closed line on layer 8 that runs inside the cut line all round, an allowance away.
-    fn is_inner_copy(&self, path: &Path) -> bool {
-        let (ours, theirs) = (self.boundary.positions(), path.positions());
-        let cut_near = |p: &Vec2| ALLOWANCE.contains(&geom::distance(*p, &theirs, true));
-        let stride = |n: usize| n / 500 + 1;
-        let cut: Vec<bool> = ours.iter().step_by(stride(ours.len())).map(cut_near).collect();
-        let near = cut.iter().filter(|c| **c).count();
-        let inside = theirs
-            .iter()
-            .step_by(stride(theirs.len()))
-            .all(|p| geom::inside(*p, &ours) || geom::distance(*p, &ours, true) <= 0.5);
-        inside && near * 10 >= cut.len() * 9
     }
 }
 

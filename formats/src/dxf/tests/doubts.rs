@@ -175,15 +175,16 @@ fn texts_that_say_nothing_or_two_things() {
         text.replacen("  0\nINSERT\n  8\n1\n  2\nFRONT_38\n 10\n0\n 20\n0\n", &first, 1)
     };
     let pattern = good(&inserted(&|w| w));
-    assert_eq!(codes(&pattern.findings), [] as [&str; 0]);
+    assert_eq!(codes(&pattern.findings), ["text-key-unknown"]);
+    assert!(pattern.findings[0].message.contains("`colour`"));
     let piece = &pattern.pieces[0];
     assert_eq!((piece.texts.keys["material"].as_str(), piece.texts.others[0].2.as_str()), ("SILK", "COLOUR: RED"));
     let again = |material: &str| {
         let second = |w: Writer| w.pair(0, "INSERT").pair(8, "1").pair(2, "FRONT_38").xy(0.0, 0.0);
         said(&inserted(&|w| attribute(second(w), "Material", material)))
     };
-    assert_eq!(again("SILK"), [] as [&str; 0]);
-    assert_eq!(again("WOOL"), ["entities-left-out"]);
+    assert_eq!(again("SILK"), ["text-key-unknown"]);
+    assert_eq!(again("WOOL"), ["entities-left-out", "text-key-unknown"]);
     let two =
         file_with(|w| w.polyline("1", true, &RECTANGLE), |w| w.text("1", "Units: METRIC").text("1", "Units: ENGLISH"));
     assert_eq!(said(&two), ["units-contradict"]);

@@ -7,11 +7,17 @@ mod dart_forms;
 mod dart_loose;
 mod darts;
 mod doubts;
+mod flat;
 mod fold_forms;
+mod foreign;
 mod lines;
 mod marks;
+mod narrow;
+mod nests;
+mod refused;
 mod sizes;
 mod text;
+mod unchanged;
 mod vendors;
 
 use super::*;

@@ -1,11 +1,12 @@
 //! The block of one piece in one size.
 
 use super::codes;
-use super::model::{Dialect, DrawLine, DrawNotch, PieceDrawing};
+use super::model::{Dialect, DrawLine, DrawNotch, NotchLine, PieceDrawing};
 use super::names::PieceName;
+use super::sparse::fitted;
 use super::style::{folded, key_value};
 use super::tags::{Tags, decimal};
-use super::thin::thin;
+use crate::dxf::geom;
 use std::collections::BTreeSet;
 use toile_garment::notch::NotchKind;
 use toile_garment::outline::PointKind;
@@ -20,14 +21,53 @@ pub fn block(
     findings: &mut Vec<Diagnostic>,
 ) {
     let dense = dialect.has_dense();
-    let thinned = PieceDrawing {
-        boundary: thin(&piece.boundary, dense),
-        sew_line: piece.sew_line.as_ref().map(|l| thin(l, dense)),
-        internal: piece.internal.iter().map(|l| thin(l, false)).collect(),
-        cutouts: piece.cutouts.iter().map(|l| thin(l, false)).collect(),
-        ..piece.clone()
-    };
+    let (boundary, lost, off) = fitted(&piece.boundary, dense);
+    let sew = piece.sew_line.as_ref().map(|l| fitted(l, dense));
+    let lost = lost + sew.as_ref().map_or(0, |s| s.1);
+    say_curves(piece, lost, off.max(sew.as_ref().map_or(0.0, |s| s.2)), findings);
+    let sew_line = sew.map(|s| s.0);
+    let notches = piece.notches.iter().map(|n| on_line(*n, &boundary, sew_line.as_ref())).collect();
+    let thinned = PieceDrawing { boundary, sew_line, notches, ..piece.clone() };
     draw(tags, &thinned, name, dialect, findings);
+}
+
+/// A reader's curve further than this off the line is said, mm.
+const CURVE_SAID: f64 = 0.1;
+/// A notch further than this off its line is put on it, mm; what is still farther off belongs to no line.
+const NOTCH_OFF: (f64, f64) = (0.2, 5.0);
+
+/// Says what the dialect cannot hold of the curves of a piece.
+fn say_curves(piece: &PieceDrawing, lost: usize, off: f64, findings: &mut Vec<Diagnostic>) {
+    let size = piece.size.as_ref().map_or_else(String::new, |s| format!(" in size {s}"));
+    if lost > 0 {
+        let text = format!(
+            "{lost} curve point(s) of `{}`{size} are written as plain vertices: a curve through them would leave the line",
+            piece.name
+        );
+        findings.push(Diagnostic::info(codes::CURVE_POINTS_LOST, text));
+    }
+    if off > CURVE_SAID {
+        let text = format!(
+            "the dialect has no dense copy of curves: a reader's curve through the curve points of `{}`{size} lies up to {off:.2} mm off",
+            piece.name
+        );
+        findings.push(Diagnostic::info(codes::CURVE_COPY_LOST, text).hint("dialect = \"astm\" holds a dense copy"));
+    }
+}
+
+/// A notch on the line that is written: where the line has fewer vertices than it had, the notch goes onto its chord.
+fn on_line(notch: DrawNotch, boundary: &DrawLine, sew: Option<&DrawLine>) -> DrawNotch {
+    let line = match notch.on {
+        NotchLine::Cut => Some(boundary),
+        NotchLine::Sew => sew,
+        NotchLine::Fold | NotchLine::None => None,
+    };
+    let Some(line) = line else { return notch };
+    let points: Vec<Vec2> = line.points.iter().map(|p| p.at).collect();
+    let foot = geom::nearest(notch.at, &points, line.closed);
+    let Some(foot) = foot.filter(|f| f.distance > NOTCH_OFF.0 && f.distance <= NOTCH_OFF.1) else { return notch };
+    let (a, b) = (points[foot.segment], points[(foot.segment + 1) % points.len()]);
+    DrawNotch { at: a + (b - a) * foot.t, ..notch }
 }
 
 fn draw(tags: &mut Tags, piece: &PieceDrawing, name: &PieceName, dialect: Dialect, findings: &mut Vec<Diagnostic>) {
@@ -72,7 +112,7 @@ fn draw(tags: &mut Tags, piece: &PieceDrawing, name: &PieceName, dialect: Dialec
         tags.entity("POINT", "13");
         tags.point(10, hole.at);
         if let Some(diameter) = hole.diameter {
-            tags.real(30, diameter);
+            tags.length(30, diameter);
         }
     }
     for rule in &piece.rules {
@@ -117,11 +157,14 @@ fn texts(tags: &mut Tags, piece: &PieceDrawing, name: &PieceName, dialect: Diale
     let mut at = (lo + hi) / 2.0;
     for (key, value) in fields {
         let Some(value) = value else { continue };
-        tags.text("1", at, &key_value(key, value, dialect, findings));
+        let text = key_value(tags, key, value, dialect, findings);
+        tags.text("1", at, &text);
         at.y -= 5.0;
     }
     for text in &piece.texts {
-        tags.text(&folded(&text.layer, Dialect::Gerber, findings), text.at, &folded(&text.text, dialect, findings));
+        let layer = folded(tags, &text.layer, Dialect::Gerber, findings);
+        let value = folded(tags, &text.text, dialect, findings);
+        tags.text(&layer, text.at, &value);
     }
 }
 
@@ -166,15 +209,22 @@ fn dense(tags: &mut Tags, layer: &str, line: &DrawLine, dialect: Dialect) {
     polyline(tags, layer, line.dense_points().into_iter(), line.closed, dialect);
 }
 
-/// Turn points on 2 and curve points on 3, each place once.
+/// Turn points on 2 and curve points on 3, each place once. A point says the kind of every vertex at its place, so where
+/// an inner line meets a vertex of an outer one, the outer line decides.
 fn points(tags: &mut Tags, piece: &PieceDrawing) {
+    let place = |at: Vec2| (decimal(at.x), decimal(at.y));
+    let outer = std::iter::once(&piece.boundary).chain(&piece.sew_line);
+    let taken: BTreeSet<_> = outer.flat_map(|l| &l.points).map(|p| place(p.at)).collect();
     for (kind, layer) in [(PointKind::Turn, "2"), (PointKind::Curve, "3")] {
         let mut seen = BTreeSet::new();
-        let marked = piece.lines().flat_map(|(_, l)| &l.points).filter(|p| p.kind == kind);
-        for point in marked {
-            if seen.insert((decimal(point.at.x), decimal(point.at.y))) {
-                tags.entity("POINT", layer);
-                tags.point(10, point.at);
+        for (of, line) in piece.lines() {
+            let is_inner = !matches!(of, "1" | "14");
+            for point in line.points.iter().filter(|p| p.kind == kind) {
+                let at = place(point.at);
+                if !(is_inner && taken.contains(&at)) && seen.insert(at) {
+                    tags.entity("POINT", layer);
+                    tags.point(10, point.at);
+                }
             }
         }
     }
@@ -197,10 +247,10 @@ fn notch(tags: &mut Tags, notch: &DrawNotch, piece: &PieceDrawing, dialect: Dial
     }
     tags.entity("POINT", if plain { "4" } else { layer });
     tags.point(10, notch.at);
-    tags.real(30, notch.depth);
-    tags.real(39, if notch.kind == NotchKind::Slit { 0.0 } else { notch.width });
+    tags.length(30, notch.depth);
+    tags.length(39, if notch.kind == NotchKind::Slit { 0.0 } else { notch.width });
     if let Some(angle) = notch.angle {
-        tags.real(50, angle);
+        tags.number(50, angle);
     }
 }
 

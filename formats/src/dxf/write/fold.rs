@@ -1,7 +1,7 @@
 //! Half of a piece that is symmetric about its fold line.
 
 use super::codes;
-use super::model::{DrawLine, DrawPoint, PieceDrawing};
+use super::model::{DrawLine, DrawPoint, LayerText, PieceDrawing};
 use toile_garment::outline::PointKind;
 use toile_garment::{Diagnostic, Vec2};
 
@@ -12,7 +12,9 @@ const SAME: f64 = 0.02;
 /// a finding.
 pub fn half(drawing: PieceDrawing, fold: [Vec2; 2], findings: &mut Vec<Diagnostic>) -> PieceDrawing {
     let Some(axis) = Axis::new(fold) else { return drawing };
-    let lines: Vec<_> = drawing.lines().map(|(_, l)| l).collect();
+    // Internal lines need not be mirrored; everything else must be.
+    let inner = drawing.cutouts.iter().chain(&drawing.boundary_cutouts);
+    let lines: Vec<_> = std::iter::once(&drawing.boundary).chain(&drawing.sew_line).chain(inner).collect();
     let marks: Vec<_> = drawing.notches.iter().map(|n| n.at).chain(drawing.drill_holes.iter().map(|d| d.at)).collect();
     let symmetric = axis.mirrors(&lines.iter().flat_map(|l| l.points.iter().map(|p| p.at)).collect::<Vec<_>>())
         && axis.mirrors(&marks);
@@ -35,10 +37,13 @@ pub fn half(drawing: PieceDrawing, fold: [Vec2; 2], findings: &mut Vec<Diagnosti
         line
     });
     let keep = |line: &DrawLine| line.points.iter().all(|p| axis.side(p.at) > -SAME);
+    let (internal, texts) = axis.half_of_lines(&drawing);
     PieceDrawing {
         boundary,
         sew_line,
-        internal: drawing.internal.iter().filter(|l| keep(l)).cloned().collect(),
+        internal,
+        texts,
+        boundary_cutouts: drawing.boundary_cutouts.iter().filter(|l| keep(l)).cloned().collect(),
         cutouts: drawing.cutouts.iter().filter(|l| keep(l)).cloned().collect(),
         notches: drawing.notches.iter().filter(|n| axis.side(n.at) > -SAME).copied().collect(),
         drill_holes: drawing.drill_holes.iter().filter(|d| axis.side(d.at) > -SAME).copied().collect(),
@@ -82,6 +87,44 @@ impl Axis {
         })
     }
 
+    /// The internal lines of the half. Of a line and its mirror image the left one stays; a line without one, and not on
+    /// the axis, stays as it is and is marked `NM`, not mirrored, by a text at its start.
+    fn half_of_lines(&self, drawing: &PieceDrawing) -> (Vec<DrawLine>, Vec<LayerText>) {
+        let (mut kept, mut texts) = (Vec::new(), drawing.texts.clone());
+        for (i, line) in drawing.internal.iter().enumerate() {
+            let others = drawing.internal.iter().enumerate().filter(|(j, _)| *j != i);
+            let mirrored = others.map(|(_, l)| l).any(|l| self.is_image(line, l));
+            let own = self.is_image(line, line);
+            let left = line.points.iter().all(|p| self.side(p.at) > -SAME);
+            if mirrored && !own && !left {
+                continue;
+            }
+            kept.push(line.clone());
+            let on_axis = line.points.iter().all(|p| self.side(p.at).abs() <= SAME);
+            let Some(start) = line.points.first().filter(|_| !on_axis && (own || !mirrored)) else { continue };
+            let marked = texts.iter().any(|t| t.text.eq_ignore_ascii_case("nm") && (t.at - start.at).norm() <= SAME);
+            if !marked {
+                texts.push(LayerText { at: start.at, layer: "8".into(), text: "NM".into() });
+            }
+        }
+        (kept, texts)
+    }
+
+    /// Is line `b` the mirror image of line `a`, drawn either way?
+    fn is_image(&self, a: &DrawLine, b: &DrawLine) -> bool {
+        let n = a.points.len();
+        let image: Vec<Vec2> = a.points.iter().map(|p| self.mirror(p.at)).collect();
+        let same = |i: usize, j: usize| (image[i] - b.points[j].at).norm() <= SAME;
+        let along = |shift: usize| (0..n).all(|i| same(i, (i + shift) % n));
+        let back = |shift: usize| (0..n).all(|i| same(i, (shift + n - i) % n));
+        let shifts = if a.closed { 0..n } else { 0..1 };
+        let ends = if a.closed { 0..n } else { n.saturating_sub(1)..n };
+        n == b.points.len()
+            && a.closed == b.closed
+            && n > 0
+            && (shifts.into_iter().any(along) || ends.into_iter().any(back))
+    }
+
     /// The part of a closed line to the left of the axis, starting and ending on it, and these two ends.
     /// `None` when the line does not cross the axis exactly twice.
     fn cut(&self, line: &DrawLine) -> Option<(DrawLine, [Vec2; 2])> {
@@ -99,7 +142,12 @@ impl Axis {
         points.first_mut()?.kind = PointKind::Turn;
         points.last_mut()?.kind = PointKind::Turn;
         let ends = [points.last()?.at, points.first()?.at];
-        Some((DrawLine { points, closed: true, dense: None }, ends))
+        let copy = |fine: &Vec<Vec2>| {
+            let points = fine.iter().map(|at| DrawPoint { at: *at, kind: PointKind::Plain }).collect();
+            let (half, _) = self.cut(&DrawLine { points, closed: true, dense: None })?;
+            Some(half.points.iter().map(|p| p.at).collect())
+        };
+        Some((DrawLine { points, closed: true, dense: line.dense.as_ref().and_then(copy) }, ends))
     }
 
     /// The points of a closed line, with those where a segment crosses the axis.

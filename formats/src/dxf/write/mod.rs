@@ -13,20 +13,23 @@ mod growth;
 mod model;
 mod names;
 mod size_run;
+pub(crate) mod sparse;
 mod style;
 mod tags;
 #[cfg(test)]
 mod tests;
-mod thin;
 
 pub(crate) use names::escaped;
+pub(crate) use tags::decimals;
 
-pub use from_piece::{PieceOptions, piece_drawing};
+pub use from_piece::{PieceOptions, drawn_vertices, piece_drawing};
 pub use model::{
-    Dialect, DrawDrill, DrawLine, DrawNotch, DrawPoint, DrawRule, Drawing, LayerText, PieceDrawing, StyleText,
+    Dialect, DrawDrill, DrawLine, DrawNotch, DrawPoint, DrawRule, Drawing, LayerText, NotchLine, PieceDrawing,
+    StyleText,
 };
 
 pub use size_run::{SizeRun, Sizes};
+pub use tags::WriteOptions;
 
 use names::Names;
 use tags::Tags;
@@ -35,17 +38,25 @@ use toile_garment::Diagnostic;
 /// A DXF file as bytes, and what had to be changed for the format's sake.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Written {
-    /// The file: CRLF, 7-bit ASCII.
+    /// The file: CRLF, 7-bit ASCII but for texts in a code page that was asked for.
     pub bytes: Vec<u8>,
     /// Names shortened, texts folded to ASCII, notch shapes the dialect does not have.
     pub findings: Vec<Diagnostic>,
 }
 
-/// Writes a drawing. The same drawing gives the same bytes: no date, no machine.
+/// Writes a drawing in millimetres and ASCII. The same drawing gives the same bytes: no clock, no machine.
 ///
 /// # Errors
 /// One finding per piece that holds a number that is not finite, or a boundary of fewer than three points.
 pub fn write(drawing: &Drawing, dialect: Dialect) -> Result<Written, Vec<Diagnostic>> {
+    write_with(drawing, dialect, WriteOptions::default())
+}
+
+/// Writes a drawing as [`write()`] does, in the unit and code page of the options.
+///
+/// # Errors
+/// As [`write()`].
+pub fn write_with(drawing: &Drawing, dialect: Dialect, options: WriteOptions) -> Result<Written, Vec<Diagnostic>> {
     let faults: Vec<_> = drawing.pieces.iter().filter_map(model::fault).collect();
     if !faults.is_empty() {
         return Err(faults);
@@ -53,8 +64,7 @@ pub fn write(drawing: &Drawing, dialect: Dialect) -> Result<Written, Vec<Diagnos
     let mut findings = Vec::new();
     let names = Names::of(drawing, dialect, &mut findings);
     let height = (dialect == Dialect::Gerber).then_some(0.25);
-    let mut tags = Tags::default();
-    tags.height = height;
+    let mut tags = Tags::new(height, options);
     style::header(&mut tags, dialect);
     tags.section("BLOCKS");
     for (piece, name) in drawing.pieces.iter().zip(&names.pieces) {

@@ -66,6 +66,8 @@ pub struct StyleText {
     pub sample_size: Option<String>,
     /// Who made the pattern.
     pub author: String,
+    /// When it was made, as the file is to say it.
+    pub date: Option<String>,
     /// Name of the grade rule table.
     pub rule_table: Option<String>,
 }
@@ -86,11 +88,26 @@ pub struct DrawLine {
     pub points: Vec<DrawPoint>,
     /// Joined at the ends?
     pub closed: bool,
-    /// A denser copy for layers 84 and 87, holding every vertex of `points`; `points` itself when there is none.
+    /// A denser copy for layers 84 and 87, holding every corner of `points`. Without one, `points` may hold the points
+    /// of smooth curves: they are sorted out when the line is written.
     pub dense: Option<Vec<Vec2>>,
 }
 
-/// A notch on the boundary.
+/// The line that a notch sits on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum NotchLine {
+    /// The cut line (layer 1).
+    #[default]
+    Cut,
+    /// The sew line (layer 14).
+    Sew,
+    /// The fold of a half piece.
+    Fold,
+    /// None of these.
+    None,
+}
+
+/// A notch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DrawNotch {
     /// Shape.
@@ -103,6 +120,8 @@ pub struct DrawNotch {
     pub width: f64,
     /// Direction into the piece, degrees from +x; square to the edge when there is none.
     pub angle: Option<f64>,
+    /// The line it sits on: what is written lies on it.
+    pub on: NotchLine,
 }
 
 /// A drill hole.
@@ -161,6 +180,8 @@ pub struct PieceDrawing {
     pub internal: Vec<DrawLine>,
     /// Cutouts (11).
     pub cutouts: Vec<DrawLine>,
+    /// Cutouts that are drawn on the layer of the outline (1).
+    pub boundary_cutouts: Vec<DrawLine>,
     /// Notches (4, 80 to 83).
     pub notches: Vec<DrawNotch>,
     /// Drill holes (13).
@@ -191,7 +212,8 @@ impl PieceDrawing {
         let boundary = std::iter::once(("1", &self.boundary));
         let sew = self.sew_line.iter().map(|l| ("14", l));
         let internal = self.internal.iter().map(|l| ("8", l));
-        boundary.chain(sew).chain(internal).chain(self.cutouts.iter().map(|l| ("11", l)))
+        let cutouts = self.cutouts.iter().map(|l| ("11", l)).chain(self.boundary_cutouts.iter().map(|l| ("1", l)));
+        boundary.chain(sew).chain(internal).chain(cutouts)
     }
 
     /// Lower left and upper right corner of the boundary, mm.

@@ -2,6 +2,7 @@
 
 use super::codes;
 use super::model::{Dialect, Drawing};
+use crate::encoding::TextEncoding;
 use std::collections::{BTreeMap, BTreeSet};
 use toile_garment::{Code, Diagnostic};
 
@@ -86,12 +87,22 @@ fn one_line(name: &str, empty: &str) -> String {
 
 /// Printable ASCII; all else as `\U+XXXX`.
 pub fn escaped(text: &str) -> String {
+    escaped_in(None, text)
+}
+
+/// Must a letter be escaped in a code page, or in ASCII without one?
+pub fn is_escaped_in(page: Option<TextEncoding>, letter: char) -> bool {
+    !(' '..='~').contains(&letter) && !letter.is_control() && page.is_none_or(|p| p.encode(letter).is_none())
+}
+
+/// A text with the letters of a code page, or of ASCII without one; all else as `\U+XXXX`.
+pub fn escaped_in(page: Option<TextEncoding>, text: &str) -> String {
     let mut out = String::with_capacity(text.len());
     let mut units = [0_u16; 2];
     for c in text.chars() {
         match c {
-            ' '..='~' => out.push(c),
             _ if c.is_control() => out.push(' '),
+            _ if !is_escaped_in(page, c) => out.push(c),
             _ => c.encode_utf16(&mut units).iter().for_each(|u| out.push_str(&format!("\\U+{u:04X}"))),
         }
     }

@@ -8,6 +8,7 @@ use crate::dxf::garment::to_piece;
 use crate::dxf::geom::{self, PointIndex};
 use crate::dxf::pattern::Pattern;
 use crate::dxf::piece::DrawnPiece;
+use crate::dxf::sizes::Chosen;
 use crate::rul::RuleTable;
 use std::collections::BTreeMap;
 use toile_garment::outline::PointKind;
@@ -73,12 +74,17 @@ impl Sizes {
     pub fn new(pattern: &Pattern, rul: Option<&RuleTable>) -> Result<Self, Vec<Diagnostic>> {
         let names = pattern.size_order(rul);
         let first = pattern.choose(None, rul)?;
-        let (sample, findings) = (first.size.clone(), first.findings.clone());
-        let chosen = if names.is_empty() {
+        let (sample, mut findings) = (first.size.clone(), first.findings.clone());
+        let chosen: Vec<Chosen<'_>> = if names.is_empty() {
             vec![first]
         } else {
             names.iter().map(|size| pattern.choose(Some(size), rul)).collect::<Result<_, _>>()?
         };
+        for finding in chosen.iter().flat_map(|c| &c.findings) {
+            if !findings.contains(finding) {
+                findings.push(finding.clone());
+            }
+        }
         let sized = |drawn: DrawnPiece| Sized { piece: to_piece(&drawn, &pattern.file), drawn };
         let lists = chosen.into_iter().map(|c| c.pieces.into_iter().map(|p| sized(p.into_owned())).collect()).collect();
         let style = pattern.style.clone().unwrap_or_default();
@@ -125,7 +131,7 @@ impl Sizes {
             findings: Vec::new(),
         });
         let rule_table = table.as_ref().and_then(|t| t.name.clone());
-        let style = StyleText { name: self.style, sample_size: self.sample, author: String::new(), rule_table };
+        let style = StyleText { name: self.style, sample_size: self.sample, rule_table, ..StyleText::default() };
         SizeRun { drawing: Drawing { style, pieces }, table, findings }
     }
 
@@ -139,7 +145,7 @@ impl Sizes {
     ) -> Vec<DrawRule> {
         let Some(lines) = self.grown(sized).filter(|_| rules.list.len() <= RULES) else {
             let text = format!(
-                "`{}` has other vertices in other sizes: it is written in every size, without grade rules",
+                "`{}` has other vertices in other sizes, or is missing in one: it is written in every size it has, without grade rules",
                 sized.drawn.label()
             );
             let place = SourceRef::file(self.file.clone()).at_line(sized.drawn.line);

@@ -1,7 +1,8 @@
 //! Header, inserts and the texts of the style.
 
+use super::codes;
 use super::model::{Dialect, StyleText};
-use super::names::{ascii, escaped};
+use super::names::{ascii, escaped_in};
 use super::tags::Tags;
 use crate::codes::TEXT_NOT_ASCII;
 use toile_garment::{Diagnostic, Vec2};
@@ -9,24 +10,31 @@ use toile_garment::{Diagnostic, Vec2};
 /// Vendor, application and release of the `Author` text; the release is the writer's own, raised with its output.
 const PRODUCT: &str = "toile";
 const RELEASE: &str = "1";
-/// Closeness of the drawn curves, mm.
-const TOLERANCE: &str = "0.2";
+/// Closeness of the drawn curves: millimetres, inches.
+const TOLERANCE: [&str; 2] = ["0.2", "0.008"];
 
 /// The header: empty, but for CLO.
 pub fn header(tags: &mut Tags, dialect: Dialect) {
     tags.section("HEADER");
-    let release = match dialect {
-        Dialect::Clo => Some("AC1006"),
-        Dialect::Plain => Some("AC1009"),
+    let release = match (dialect, tags.options.page) {
+        // Since AC1021 texts are UTF-8.
+        (_, Some(page)) if page.dxf_name().is_none() => Some("AC1021"),
+        (Dialect::Clo, _) => Some("AC1006"),
+        (Dialect::Plain, _) => Some("AC1009"),
         _ => None,
     };
     if let Some(release) = release {
         tags.pair(9, "$ACADVER");
         tags.pair(1, release);
     }
+    if let Some(name) = tags.options.page.and_then(|p| p.dxf_name()) {
+        tags.pair(9, "$DWGCODEPAGE");
+        tags.pair(3, &name);
+    }
     if dialect == Dialect::Plain {
         tags.pair(9, "$INSUNITS");
-        tags.int(70, 4);
+        let unit = if tags.options.inches { 1 } else { 4 };
+        tags.int(70, unit);
     }
     tags.end_section();
     if dialect == Dialect::Plain {
@@ -66,7 +74,7 @@ fn tables(tags: &mut Tags) {
             tags.pair(3, "Solid line");
             tags.int(72, 65);
             tags.int(73, 0);
-            tags.real(40, 0.0);
+            tags.number(40, 0.0);
         } else {
             for (layer, color) in COLORS {
                 tags.pair(0, "LAYER");
@@ -88,16 +96,21 @@ pub fn insert(tags: &mut Tags, block: &str) {
     tags.point(10, Vec2::zeros());
 }
 
-/// A `Key: value`, the key in the dialect's case, the value folded to ASCII with a finding.
-pub fn key_value(key: &str, value: &str, dialect: Dialect, findings: &mut Vec<Diagnostic>) -> String {
+/// A `Key: value`, the key in the dialect's case, the value as [`folded`] gives it.
+pub fn key_value(tags: &Tags, key: &str, value: &str, dialect: Dialect, findings: &mut Vec<Diagnostic>) -> String {
     let key = if dialect == Dialect::Clo { key.to_ascii_uppercase() } else { key.to_owned() };
-    format!("{key}: {}", folded(value, dialect, findings))
+    format!("{key}: {}", folded(tags, value, dialect, findings))
 }
 
-/// ASCII: other characters as `\U+XXXX`, which DXF readers resolve; folded, with a finding, for the narrowest reader.
-pub fn folded(value: &str, dialect: Dialect, findings: &mut Vec<Diagnostic>) -> String {
+/// The letters of the code page, ASCII without one: other characters as `\U+XXXX`, which DXF readers resolve, and folded
+/// for the narrowest reader. Both are said.
+pub fn folded(tags: &Tags, value: &str, dialect: Dialect, findings: &mut Vec<Diagnostic>) -> String {
     if !dialect.is_narrow() {
-        return escaped(value);
+        let text = escaped_in(tags.options.page, value);
+        if value.chars().any(|c| tags.escapes(c)) {
+            say_escaped(value, &text, findings);
+        }
+        return text;
     }
     let text = ascii(value);
     if text != value {
@@ -107,6 +120,17 @@ pub fn folded(value: &str, dialect: Dialect, findings: &mut Vec<Diagnostic>) -> 
         );
     }
     text
+}
+
+/// Says once that a text is written with escapes.
+fn say_escaped(value: &str, text: &str, findings: &mut Vec<Diagnostic>) {
+    let said = format!(
+        "the text `{value}` is written as `{text}`: programs that do not resolve these escapes show them as they are"
+    );
+    if !findings.iter().any(|f| f.message == said) {
+        let hint = "give a code page that has the letters, e.g. code_page = \"windows-1252\" or \"gbk\"";
+        findings.push(Diagnostic::info(codes::TEXT_ESCAPED, said).hint(hint));
+    }
 }
 
 /// The texts of the style, one under the other.
@@ -130,10 +154,15 @@ pub fn texts(tags: &mut Tags, style: &StyleText, dialect: Dialect, findings: &mu
     } else {
         lines.push(("Author", format!("{author};{PRODUCT};{RELEASE}")));
     }
-    lines.push(("Units", "METRIC".into()));
-    lines.push((if !dialect.is_astm() { "Tolerance" } else { "Curve Tolerance" }, TOLERANCE.into()));
+    if let Some(date) = &style.date {
+        lines.push(("Creation Date", date.clone()));
+    }
+    let inches = tags.options.inches;
+    lines.push(("Units", if inches { "ENGLISH" } else { "METRIC" }.into()));
+    let tolerance = TOLERANCE[usize::from(inches)];
+    lines.push((if !dialect.is_astm() { "Tolerance" } else { "Curve Tolerance" }, tolerance.into()));
     for (i, (key, value)) in lines.iter().enumerate() {
-        let text = key_value(key, value, dialect, findings);
+        let text = key_value(tags, key, value, dialect, findings);
         tags.text("1", Vec2::new(0.0, -20.0 - 5.0 * i as f64), &text);
     }
 }

@@ -56,7 +56,14 @@ fn piece() -> PieceDrawing {
             .map(|(x, y)| Vec2::new(x, y))
             .into(),
     );
-    let slit = DrawNotch { kind: NotchKind::Slit, at: Vec2::new(50.0, 0.0), depth: 5.0, width: 2.0, angle: Some(90.0) };
+    let slit = DrawNotch {
+        kind: NotchKind::Slit,
+        at: Vec2::new(50.0, 0.0),
+        depth: 5.0,
+        width: 2.0,
+        angle: Some(90.0),
+        on: NotchLine::Cut,
+    };
     PieceDrawing {
         name: "FRONT".into(),
         size: Some("38".into()),
@@ -73,8 +80,7 @@ fn piece() -> PieceDrawing {
 }
 
 fn drawing(pieces: Vec<PieceDrawing>) -> Drawing {
-    let style =
-        StyleText { name: "TEST".into(), sample_size: Some("38".into()), author: String::new(), rule_table: None };
+    let style = StyleText { name: "TEST".into(), sample_size: Some("38".into()), ..StyleText::default() };
     Drawing { style, pieces }
 }
 
@@ -115,7 +121,8 @@ fn aama_has_no_layer_of_astm() {
     assert!(e.iter().filter_map(|e| e.text(8)).all(|l| l.parse::<u32>().expect("layer") < 80));
     assert_eq!(census(&e, "POINT", "4"), 2);
     let codes: Vec<_> = written.findings.iter().map(|f| f.code.as_str()).collect();
-    assert_eq!(codes, ["quantity-without-sides", "notch-shape-lost"]);
+    // Its dense copy has one point beside each side of the curve point, so its chords are off the curve.
+    assert_eq!(codes, ["curve-copy-lost", "quantity-without-sides", "notch-shape-lost"]);
     assert!(e.iter().any(|e| e.text(1) == Some("Quantity: 2")));
 }
 
@@ -200,12 +207,22 @@ fn half_piece_on_its_fold() {
     assert_eq!((whole.boundary.points.len(), findings[0].code.as_str()), (4, "fold-not-symmetric"));
 }
 
-/// A run with its own curve points and the fine points of the curve between them.
-fn fine(sagitta: f64) -> PieceDrawing {
+/// A run with its own curve point, which stands `sagitta` inside its chord, and between the ends the points of a parabola
+/// of the sagitta `beside`.
+fn fine(sagitta: f64, beside: f64) -> PieceDrawing {
     use PointKind::{Curve, Plain, Turn};
-    let points = [(0., 0., Turn), (100., 0., Turn), (90., 30., Plain), (90. - sagitta, 50., Curve), (90., 70., Plain)];
-    let points = points.into_iter().chain([(100., 100., Turn), (0., 100., Turn)]);
-    let points = points.map(|(x, y, kind)| DrawPoint { at: Vec2::new(x, y), kind }).collect();
+    let point = |x: f64, y: f64, kind| DrawPoint { at: Vec2::new(x, y), kind };
+    let curve = |i: i32| {
+        let t = f64::from(i) / 10.0;
+        if i == 0 {
+            point(100.0 - sagitta, 50.0, Curve)
+        } else {
+            point(100.0 - beside * (1.0 - t * t), 50.0 + 50.0 * t, Plain)
+        }
+    };
+    let mut points = vec![point(0.0, 0.0, Turn), point(100.0, 0.0, Turn)];
+    points.extend((-9..10).map(curve));
+    points.extend([point(100.0, 100.0, Turn), point(0.0, 100.0, Turn)]);
     PieceDrawing {
         name: "P".into(),
         boundary: DrawLine { points, closed: true, dense: None },
@@ -214,13 +231,79 @@ fn fine(sagitta: f64) -> PieceDrawing {
 }
 
 #[test]
-fn a_smooth_curve_is_not_smoothed_again() {
+fn a_sparse_curve_goes_out_as_one_in_every_dialect() {
     let counts = |piece: PieceDrawing, dialect| {
-        let e = read(&write(&drawing(vec![piece]), dialect).expect("written").bytes);
-        [census(&e, "VERTEX", "1"), census(&e, "VERTEX", "84"), census(&e, "POINT", "3"), census(&e, "POINT", "2")]
+        let written = write(&drawing(vec![piece]), dialect).expect("written");
+        let e = read(&written.bytes);
+        let told: Vec<String> = written.findings.into_iter().map(|f| f.code).collect();
+        let of = |kind, layer| census(&e, kind, layer);
+        ([of("VERTEX", "1"), of("VERTEX", "84"), of("POINT", "3"), of("POINT", "2")], told)
     };
-    assert_eq!(counts(fine(8.0), Dialect::Astm), [5, 7, 1, 4]);
-    assert_eq!(counts(fine(8.0), Dialect::Aama), [7, 0, 0, 4]);
-    // Curve points that do not hold the shape: every vertex stays.
-    assert_eq!(counts(fine(-8.0), Dialect::Astm), [7, 7, 0, 4]);
+    for dialect in Dialect::ALL {
+        let copy = if dialect.has_dense() { 23 } else { 0 };
+        // The smooth curve through three points is a parabola.
+        let runs = if dialect == Dialect::Gerber { [9, 27, 1, 4] } else { [5, copy, 1, 4] };
+        assert_eq!(counts(fine(8.0, 8.0), dialect), (runs, vec![]), "{dialect:?}");
+        // 0.3 mm off: said where no copy holds the curve.
+        let (vertices, told) = counts(fine(8.0, 7.7), dialect);
+        assert_eq!(vertices, runs, "{dialect:?}");
+        assert_eq!(told.contains(&"curve-copy-lost".to_owned()), !dialect.has_dense(), "{dialect:?} {told:?}");
+        // Curve points that do not hold the shape: every vertex stays, as a polygon, and it is said.
+        let (vertices, told) = counts(fine(-8.0, 8.0), dialect);
+        assert_eq!((vertices[2], told), (0, vec!["curve-points-lost".to_owned()]), "{dialect:?}");
+    }
+}
+
+#[test]
+fn a_notch_beside_its_line_goes_onto_the_chord() {
+    let mut piece = fine(8.0, 8.0);
+    // On the curve, 2 mm beside the chord from (100, 0) to (92, 50).
+    let at = Vec2::new(94.0, 25.0);
+    let notch = DrawNotch { kind: NotchKind::Slit, at, depth: 5.0, width: 0.0, angle: None, on: NotchLine::Cut };
+    piece.notches = vec![notch, DrawNotch { at: Vec2::new(60.0, 40.0), on: NotchLine::None, ..notch }];
+    for dialect in Dialect::ALL {
+        let e = read(&write(&drawing(vec![piece.clone()]), dialect).expect("written").bytes);
+        let at: Vec<Vec2> = e.iter().filter(|e| e.kind == "POINT" && e.text(8) == Some("4")).map(Entity::at).collect();
+        let off = crate::dxf::geom::point_segment(at[0], Vec2::new(100.0, 0.0), Vec2::new(92.0, 50.0)).0;
+        assert!(off < 1e-4 && ((at[0] - notch.at).norm() - 1.975).abs() < 0.01, "{dialect:?}: {at:?}");
+        assert_eq!(at[1], Vec2::new(60.0, 40.0));
+    }
+}
+
+#[test]
+fn inches_code_page_author_and_date() {
+    let page = |name: &str| Some(crate::encoding::named(name).expect("code page"));
+    let mut drawing = drawing(vec![PieceDrawing { name: "Ärmel".into(), ..piece() }]);
+    (drawing.style.author, drawing.style.date) = ("Anna".into(), Some("27-11-2026".into()));
+    for dialect in Dialect::ALL {
+        let plain = write(&drawing, dialect).expect("written");
+        let escaped = plain.findings.iter().filter(|f| f.code == "text-escaped").count();
+        // The narrow dialect folds the letter, and says that.
+        assert_eq!(escaped, usize::from(!dialect.is_narrow()), "{dialect:?}");
+        for (name, bytes) in [("windows-1252", &b"\xC4rmel"[..]), ("utf-8", "Ärmel".as_bytes())] {
+            let options = WriteOptions { inches: true, page: page(name) };
+            let written = write_with(&drawing, dialect, options).expect("written");
+            let held = written.bytes.windows(bytes.len()).any(|w| w == bytes);
+            assert_eq!(held, !dialect.is_narrow(), "{dialect:?} {name}");
+            assert!(!written.findings.iter().any(|f| f.code == "text-escaped"), "{dialect:?} {name}");
+            let back = crate::dxf::read(&written.bytes, "t.dxf", &crate::dxf::ReadOptions::default()).expect("read");
+            let again = &back.pieces[0];
+            assert_eq!(again.label(), if dialect.is_narrow() { "Aermel" } else { "Ärmel" });
+            assert_eq!((back.units.mm_per_unit, back.units.declared.as_deref()), (25.4, Some("ENGLISH")));
+            for (node, point) in again.boundary.drawn.iter().zip(&piece().boundary.points) {
+                assert!((node.at - point.at).norm() < 2e-5, "{dialect:?}: {} {}", node.at, point.at);
+            }
+            // A notch 5 mm deep, in inches.
+            assert!((again.notches[0].depth - 5.0).abs() < 2e-5 && again.notches[0].angle.is_some());
+            assert!(
+                back.style_texts["author"].starts_with("Anna") && back.style_texts["creation date"] == "27-11-2026"
+            );
+        }
+    }
+    // Letters that a code page does not have are escaped, and said.
+    drawing.pieces[0].name = "裙 Ä".into();
+    let options = WriteOptions { inches: false, page: page("windows-1252") };
+    let written = write_with(&drawing, Dialect::Astm, options).expect("written");
+    assert!(written.bytes.windows(9).any(|w| w == b"\\U+88D9 \xC4"));
+    assert_eq!(written.findings.iter().filter(|f| f.code == "text-escaped").count(), 1);
 }

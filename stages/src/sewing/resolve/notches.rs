@@ -22,7 +22,7 @@ pub fn on_rings(piece: &Piece, shapes: &crate::sewing::shapes::PieceShape) -> Ve
     let reach = if piece.cut_line.is_some() { ALLOWANCE } else { OFF_LINE };
     let Some(ring) = shapes.rings.first() else { return Vec::new() };
     let mut out = Vec::new();
-    for notch in piece.notches.iter().filter(|n| n.on != "internal" && n.on != "off") {
+    for notch in piece.notches.iter().filter(|n| n.is_on_edge()) {
         let reach = if notch.on == "sew" { OFF_LINE } else { reach };
         let (s, distance) = ring.project(notch.at);
         let at_mouth = || {

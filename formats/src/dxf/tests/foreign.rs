@@ -1,0 +1,108 @@
+//! Keys and layers of other programs: read, or said.
+
+use super::*;
+use crate::dxf::write::{Dialect, Drawing, PieceOptions, StyleText, piece_drawing, write};
+
+#[test]
+fn keys_of_other_programs_name_the_piece() {
+    let w = Writer::default().pair(0, "SECTION").pair(2, "BLOCKS").block("B1").polyline("1", true, &RECTANGLE);
+    let w = w.text("1", "PIECE: FRONT").text("1", "SIZE: 160/84A").text("1", "QTY: 2").text("1", "Mat: COTTON");
+    let w = w.text("1", "LINING: NO").line("7", (60.0, 150.0), (60.0, 450.0)).pair(0, "ENDBLK").pair(0, "ENDSEC");
+    let w = w.pair(0, "SECTION").pair(2, "ENTITIES").text("1", "Units: METRIC").pair(0, "ENDSEC").pair(0, "EOF");
+    let pattern = good(&w.0);
+    let piece = &pattern.pieces[0];
+    assert_eq!((piece.label(), piece.size.as_deref(), piece.texts.quantity.plain), ("FRONT", Some("160/84A"), 2));
+    assert_eq!(piece.texts.keys["material"], "COTTON");
+    assert_eq!(codes(&pattern.findings), ["text-key-foreign", "text-key-unknown"]);
+    assert!(pattern.findings[0].message.contains("`mat`, `piece`, `qty`"), "{}", pattern.findings[0].message);
+    assert!(pattern.findings[1].message.contains("`lining`") && piece.texts.others[0].2 == "LINING: NO");
+    // The keys of the standard come first.
+    let both = good(&file(|w| {
+        w.text("1", "PIECE: X").text("1", "Quantity: 3").text("1", "QTY: 1").polyline("1", true, &RECTANGLE)
+    }));
+    assert_eq!((both.pieces[0].label(), both.pieces[0].texts.quantity.plain), ("FRONT", 3));
+}
+
+#[test]
+fn notches_on_3_and_drill_holes_on_2_are_used_and_said() {
+    let text = file(|w| {
+        let w = w.polyline("1", true, &RECTANGLE).line("3", (150.0, 0.0), (150.0, 5.0));
+        let w = w.polyline("3", false, &[(300.0, 200.0), (295.0, 200.0)]);
+        let w = w.pair(0, "CIRCLE").pair(8, "2").xy(150.0, 200.0).pair(40, "1.5");
+        w.line("2", (20.0, 20.0), (200.0, 20.0)).point("14", 5.0, 5.0)
+    });
+    let pattern = good(&text);
+    let piece = &pattern.pieces[0];
+    assert_eq!((piece.notches.len(), piece.inside.drills.len()), (2, 1));
+    assert!(piece.notches.iter().all(|n| n.on == "boundary" && (n.depth - 5.0).abs() < 1e-9));
+    assert_eq!(piece.inside.drills[0].diameter, Some(3.0));
+    let said = codes(&pattern.findings);
+    assert_eq!(said.iter().filter(|c| **c == "layer-foreign").count(), 2, "{said:?}");
+    // A long line on layer 2 and a point on layer 14 have no role: said, not only counted.
+    assert_eq!(said.iter().filter(|c| **c == "entities-left-out").count(), 2, "{said:?}");
+}
+
+fn written(pattern: &Pattern, options: PieceOptions) -> Pattern {
+    let garment = garment(pattern);
+    let mut findings = Vec::new();
+    let pieces = garment.pieces.iter().map(|p| piece_drawing(p, options, &mut findings)).collect();
+    assert_eq!(findings, []);
+    let bytes = write(&Drawing { style: StyleText::default(), pieces }, Dialect::Astm).expect("written").bytes;
+    good(&String::from_utf8(bytes).expect("ascii"))
+}
+
+#[test]
+fn cutouts_come_back_on_the_layer_they_came_from() {
+    let square = |x: f64| [(x, 100.0), (x + 50.0, 100.0), (x + 50.0, 150.0), (x, 150.0)];
+    let eye = [(150.0, 250.0), (157.0, 330.0), (150.0, 410.0), (143.0, 330.0)];
+    let first = good(&file(|w| {
+        let w =
+            w.polyline("1", true, &RECTANGLE).polyline("1", true, &square(40.0)).polyline("11", true, &square(200.0));
+        w.polyline("11", true, &eye)
+    }));
+    let second = written(&first, PieceOptions::default());
+    for pattern in [&first, &second] {
+        let piece = &pattern.pieces[0];
+        assert_eq!((piece.darts.len(), piece.inside.cutouts.len(), piece.inside.internal.len()), (1, 3, 0));
+        let on_one: Vec<f64> = piece
+            .inside
+            .cutouts
+            .iter()
+            .filter(|p| p.ids.iter().any(|id| piece.inside.on_boundary_layer.contains(id)))
+            .map(|p| p.points[0].0.x)
+            .collect();
+        assert_eq!(on_one.len(), 1);
+        assert!((40.0..=90.0).contains(&on_one[0]));
+    }
+}
+
+#[test]
+fn a_half_piece_keeps_its_fold_when_internal_lines_are_not_mirrored() {
+    let first = good(&file(|w| {
+        let w = w.polyline("1", true, &RECTANGLE).line("6", (0.0, 0.0), (0.0, 600.0));
+        let w = w.line("8", (40.0, 200.0), (120.0, 220.0)).line("8", (40.0, 400.0), (120.0, 400.0));
+        w.text_at("8", "NM", 40.0, 200.0)
+    }));
+    let whole = garment(&first);
+    assert_eq!(whole.pieces[0].internal_lines.len(), 3);
+    let second = written(&first, PieceOptions { half_on_fold: true, ..PieceOptions::default() });
+    let piece = &second.pieces[0];
+    assert!(piece.axes.fold.is_some() && (geom::area(&piece.boundary.positions()) - 180_000.0).abs() < 1e-6);
+    assert_eq!(piece.inside.not_mirrored, [true, false]);
+    assert_eq!(garment(&second).pieces[0].internal_lines.len(), 3);
+    assert_eq!(piece.texts.others.iter().filter(|t| t.2 == "NM").count(), 1);
+}
+
+/// The rule table beside a pattern tells its unit.
+#[test]
+fn the_rule_table_tells_the_unit_of_a_pattern_without_one() {
+    let small: Vec<(f64, f64)> = RECTANGLE.iter().map(|(x, y)| (x / 10.0, y / 10.0)).collect();
+    let text = file_with(|w| w.polyline("1", true, &small).point("2", 0.0, 0.0), |w| w);
+    let unit = |rules: Option<&str>| {
+        let table = rules.map(|u| format!("UNITS: {u}\nNUMBER OF SIZES: 1\nSIZE LIST: 38\nSAMPLE SIZE: 38\nEND\n"));
+        let seen = inspect(text.as_bytes(), "t.dxf", table.as_ref().map(|t| t.as_bytes())).expect("inspection");
+        (seen.pattern.units.mm_per_unit, seen.pattern.findings[0].code.clone())
+    };
+    assert_eq!(unit(None), (10.0, "units-guessed".into()));
+    assert_eq!(unit(Some("ENGLISH")), (25.4, "units-from-rules".into()));
+}

@@ -1,0 +1,77 @@
+//! Sew lines of narrow pieces: being an offset of the cut line decides.
+
+use super::*;
+
+fn rectangle(x: f64, y: f64, w: f64, h: f64) -> [(f64, f64); 4] {
+    [(x, y), (x + w, y), (x + w, y + h), (x, y + h)]
+}
+
+#[test]
+fn the_sew_line_of_a_strap_is_found_on_both_layers() {
+    for layer in ["8", "14"] {
+        let text = file(|w| {
+            let w = w.polyline("1", true, &rectangle(0.0, 0.0, 400.0, 30.0));
+            w.polyline(layer, true, &rectangle(10.0, 10.0, 380.0, 10.0))
+        });
+        let piece = &good(&text).pieces[0];
+        let net = geom::area(&piece.sewn().positions());
+        assert!((net - 3800.0).abs() < 1e-6 && piece.sew_lines == 1, "layer {layer}: {net}");
+        assert!(piece.darts.is_empty() && piece.inside.internal.is_empty());
+    }
+    // Drawn as four open lines, in disorder.
+    let [a, b, c, d] = rectangle(10.0, 10.0, 380.0, 10.0);
+    let text = file(|w| {
+        let w = w.polyline("1", true, &rectangle(0.0, 0.0, 400.0, 30.0));
+        w.line("8", a, b).line("8", d, c).line("8", b, c).line("8", d, a)
+    });
+    let piece = &good(&text).pieces[0];
+    assert!((geom::area(&piece.sewn().positions()) - 3800.0).abs() < 1e-6 && piece.inside.internal.is_empty());
+}
+
+/// A pointed flap, 60 mm wide, with an allowance of 8 mm: the sew line is a long lens that is no fish-eye dart.
+#[test]
+fn the_sew_line_of_a_pointed_flap_is_no_dart() {
+    let lens = |half: f64, bow: f64| -> Vec<(f64, f64)> {
+        let arc = |k: i32, side: f64| {
+            let x = half * f64::from(k) / 10.0;
+            (150.0 + x, 300.0 + side * bow * (1.0 - (x / half) * (x / half)))
+        };
+        (-10..10).map(|k| arc(k, -1.0)).chain((-9..=10).rev().map(|k| arc(k, 1.0))).collect()
+    };
+    let text = file(|w| w.polyline("1", true, &lens(150.0, 38.0)).polyline("8", true, &lens(118.0, 29.5)));
+    let piece = &good(&text).pieces[0];
+    assert!(piece.sew.is_some() && piece.darts.is_empty(), "{:?}", piece.darts);
+}
+
+#[test]
+fn what_is_no_offset_is_no_sew_line() {
+    // A buttonhole box at one end of a strap, a fish-eye dart in a narrow yoke, a pocket on a front.
+    let yoke = [(100.0, 40.0), (150.0, 30.0), (200.0, 40.0), (150.0, 50.0)];
+    let pocket = rectangle(40.0, 300.0, 120.0, 120.0);
+    let cases: [[&[(f64, f64)]; 2]; 3] = [
+        [&rectangle(0.0, 0.0, 400.0, 30.0), &rectangle(10.0, 10.0, 30.0, 10.0)],
+        [&rectangle(0.0, 0.0, 300.0, 80.0), &yoke],
+        [&RECTANGLE, &pocket],
+    ];
+    for [cut, inner] in cases {
+        for layer in ["8", "14"] {
+            let piece = &good(&file(|w| w.polyline("1", true, cut).polyline(layer, true, inner))).pieces[0];
+            assert!(piece.sew.is_none(), "layer {layer}: {inner:?}");
+        }
+    }
+}
+
+#[test]
+fn a_loop_of_the_sew_line_is_cut_off_and_a_crossing_is_said() {
+    let inner = |corner: &[(f64, f64)]| {
+        let mut line = vec![(10.0, 10.0), (290.0, 10.0), (290.0, 590.0)];
+        line.extend(corner);
+        file(move |w| w.polyline("1", true, &RECTANGLE).polyline("14", true, &line))
+    };
+    let looped = good(&inner(&[(8.0, 590.0), (8.0, 596.0), (14.0, 584.0)]));
+    assert_eq!(codes(&looped.findings), ["outline-loop-cut-off"]);
+    assert_eq!(looped.pieces[0].sewn().drawn.len(), 5);
+    assert!(geom::crossing(&looped.pieces[0].sewn().positions()) == geom::Crossing::None);
+    let crossed = good(&inner(&[(10.0, 590.0), (250.0, 300.0), (250.0, 560.0), (10.0, 300.0)]));
+    assert_eq!(codes(&crossed.findings), ["sew-line-crosses-itself"]);
+}

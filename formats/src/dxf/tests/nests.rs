@@ -1,0 +1,114 @@
+//! What one size of a nest says holds for all of them.
+
+use super::*;
+use crate::rul;
+use toile_garment::Vec2;
+
+/// A back whose dart is `width` mm wide and 200 mm deep, at the middle of a waist `grown` mm wider.
+fn back(width: f64, grown: f64) -> Vec<(f64, f64)> {
+    let (half, middle) = (0.5 * width, 150.0 + 0.5 * grown);
+    let w = 300.0 + grown;
+    vec![
+        (0.0, 0.0),
+        (w, 0.0),
+        (w, 400.0),
+        (middle + half, 400.0),
+        (middle, 200.0),
+        (middle - half, 400.0),
+        (0.0, 400.0),
+    ]
+}
+
+/// Sizes 34, 36 and 38; the sample size 36 alone has points, quantity and material.
+fn nest(widths: [f64; 3]) -> String {
+    let w = Writer::default().pair(0, "SECTION").pair(2, "BLOCKS");
+    let sizes = ["34", "36", "38"].into_iter().zip(widths).enumerate();
+    let w = sizes.fold(w, |w, (i, (size, width))| {
+        let outline = back(width, 20.0 * (i as f64 - 1.0));
+        let w = w.block(&format!("BACK_{size}")).text("1", "Piece Name: BACK").text("1", &format!("Size: {size}"));
+        let w = w.line("7", (60.0, 50.0), (60.0, 150.0)).polyline("1", true, &outline);
+        let sample = |w: Writer| w.text("1", "Quantity: 2").text("1", "Material: SHELL").points("2", &outline);
+        if size == "36" { sample(w) } else { w }.pair(0, "ENDBLK")
+    });
+    let w = w.pair(0, "ENDSEC").pair(0, "SECTION").pair(2, "ENTITIES").text("1", "Units: METRIC");
+    w.text("1", "Sample Size: 36").pair(0, "ENDSEC").pair(0, "EOF").0
+}
+
+#[test]
+fn a_dart_of_one_size_is_a_dart_in_all() {
+    // 2.3, 4.0 and 5.2 degrees: the first alone would be undecided.
+    let pattern = good(&nest([8.0, 14.0, 18.0]));
+    for (piece, width) in pattern.pieces.iter().zip([8.0, 14.0, 18.0]) {
+        let [dart] = piece.darts.as_slice() else { panic!("{:?}: {:?}", piece.size, piece.darts) };
+        assert!((dart.width() - width).abs() < 1e-9 && dart.apexes[0].y == 200.0);
+        assert!(piece.doubts.denied.is_empty());
+    }
+    assert_eq!(codes(&pattern.findings), [""; 0]);
+    assert!(pattern.pieces[0].darts[0].evidence.contains(&"it is a dart in another size of its piece"));
+    // Where no size has a dart, a slit is none.
+    let slits = good(&nest([4.0, 5.0, 6.0]));
+    assert!(slits.pieces.iter().all(|p| p.darts.is_empty()));
+}
+
+#[test]
+fn quantity_and_material_of_the_sample_size_hold_for_all() {
+    let pattern = good(&nest([14.0; 3]));
+    for size in ["34", "36", "38"] {
+        let (garment, _) = pattern.to_garment(Some(size), None).expect(size);
+        let piece = &garment.pieces[0];
+        assert_eq!((piece.quantity.plain, piece.material.as_deref()), (2, Some("SHELL")), "{size}");
+    }
+    // What a size says itself counts.
+    let own = nest([14.0; 3]).replacen("Size: 38", "Size: 38\n  0\nTEXT\n  8\n1\n 10\n0\n 20\n0\n  1\nQuantity: 4", 1);
+    let pattern = good(&own);
+    assert_eq!(pattern.pieces.iter().map(|p| p.texts.quantity.plain).collect::<Vec<_>>(), [2, 2, 4]);
+}
+
+#[test]
+fn grade_rules_a_little_beside_their_vertex_count() {
+    let table =
+        "NUMBER OF SIZES: 2\nSIZE LIST: 38 40\nSAMPLE SIZE: 38\nRULE: DELTA 1\n0 0 10 0\nRULE: DELTA 2\n0 0 0 0\nEND\n";
+    let table = rul::read(table.as_bytes(), "t.rul").expect("table");
+    let ruled = |x: f64, more: &[(f64, f64)]| {
+        let outline: Vec<(f64, f64)> = RECTANGLE.iter().chain(more).copied().collect();
+        let w = |w: Writer| w.polyline("1", true, &outline).points("2", &outline);
+        let text = file(|writer| {
+            let w = w(writer).text_at("2", "# 1", x, 0.0).text_at("2", "# 1", 300.0, 600.0);
+            w.text_at("2", "# 2", 0.0, 0.0).text_at("2", "# 2", 0.0, 600.0)
+        });
+        let pattern = good(&text);
+        let corners = pattern.to_garment(Some("40"), Some(&table)).map(|(g, _)| g.pieces[0].outline.positions());
+        (codes(&pattern.findings).into_iter().map(str::to_owned).collect::<Vec<_>>(), corners.expect("graded")[1] * 1e3)
+    };
+    let near = |p: Vec2, x: f64| (p - Vec2::new(x, 0.0)).norm() < 1e-9;
+    let (said, corner) = ruled(300.0, &[]);
+    assert!(said.is_empty() && near(corner, 310.0), "{said:?} {corner}");
+    let (said, corner) = ruled(300.7, &[]);
+    assert!(said == ["grade-rule-beside-vertex"] && near(corner, 310.0), "{said:?} {corner}");
+    // Too far from any vertex: told, and the corner moves only as far as its neighbours' rules say.
+    let (said, corner) = ruled(302.0, &[]);
+    assert!(said == ["grade-rule-off-vertex"] && !near(corner, 310.0), "{said:?} {corner}");
+}
+
+/// A notch that is cut into the outline deeply in one size and flatly in another is one in both, so that both are written
+/// with the same vertices.
+#[test]
+fn a_notch_cut_into_one_size_is_one_in_all() {
+    let notched = |depth: f64| {
+        let top = [(300.0, 400.0), (153.0, 400.0), (150.0, 400.0 - depth), (147.0, 400.0), (0.0, 400.0)];
+        [(0.0, 0.0), (300.0, 0.0)].into_iter().chain(top).collect::<Vec<(f64, f64)>>()
+    };
+    let sizes = |depths: [f64; 2]| {
+        let w = Writer::default().pair(0, "SECTION").pair(2, "BLOCKS");
+        let w = ["36", "38"].into_iter().zip(depths).fold(w, |w, (size, depth)| {
+            let w = w.block(&format!("A_{size}")).text("1", "Piece Name: A").text("1", &format!("Size: {size}"));
+            w.line("7", (60.0, 50.0), (60.0, 150.0)).polyline("1", true, &notched(depth)).pair(0, "ENDBLK")
+        });
+        let w = w.pair(0, "ENDSEC").pair(0, "SECTION").pair(2, "ENTITIES").text("1", "Units: METRIC");
+        good(&w.text("1", "Sample Size: 36").pair(0, "ENDSEC").pair(0, "EOF").0)
+    };
+    let cut = |p: &Pattern| p.pieces.iter().map(|p| p.boundary.cut.len()).collect::<Vec<_>>();
+    assert_eq!(cut(&sizes([5.0, 1.5])), [1, 1]);
+    assert_eq!(cut(&sizes([1.5, 1.5])), [0, 0]);
+    assert_eq!(cut(&sizes([5.0, 0.2])), [1, 0]);
+}

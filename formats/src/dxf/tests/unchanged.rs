@@ -1,0 +1,158 @@
+//! What came in goes out: vertices, curve points and marks, in every dialect and in every size.
+
+use super::*;
+use crate::dxf::write::{Dialect, Drawing, PieceOptions, Sizes, StyleText, piece_drawing, write};
+use toile_garment::Vec2;
+
+/// Corners and curve points of a front with an armhole of a quarter circle, in a size `k` mm wider.
+fn front(k: f64) -> [Vec<(f64, f64)>; 2] {
+    let corners = vec![(0.0, 0.0), (300.0 + k, 0.0), (300.0 + k, 400.0), (180.0 + k, 520.0), (0.0, 520.0)];
+    let curve = (1..8).map(|i| {
+        let (sin, cos) = libm::sincos(f64::from(i) * 11.25_f64.to_radians());
+        // Centre in the corner that the armhole cuts off.
+        (300.0 + k - 120.0 * sin, 520.0 - 120.0 * cos)
+    });
+    [corners, curve.collect()]
+}
+
+fn outline(k: f64) -> Vec<(f64, f64)> {
+    let [corners, curve] = front(k);
+    let mut all = corners[..3].to_vec();
+    all.extend(&curve);
+    all.extend(&corners[3..]);
+    all
+}
+
+fn block(w: Writer, size: &str, k: f64, marked: bool, copy: bool) -> Writer {
+    let w = w.block(&format!("FRONT_{size}")).text("1", "Piece Name: FRONT").text("1", &format!("Size: {size}"));
+    let w = w.line("7", (60.0, 150.0), (60.0, 450.0)).polyline("1", true, &outline(k));
+    // The dense copy bends 0.7 mm less than the points it copies.
+    let fine: Vec<(f64, f64)> = (1..32)
+        .map(|i| libm::sincos(f64::from(i) * 2.8125_f64.to_radians()))
+        .map(|(sin, cos)| (300.0 + k - 119.3 * sin, 520.0 - 119.3 * cos))
+        .collect();
+    let [corners, curve] = front(k);
+    let dense: Vec<(f64, f64)> = corners[..3].iter().chain(&fine).chain(&corners[3..]).copied().collect();
+    let w = if copy { w.polyline("84", true, &dense) } else { w };
+    let line = [(40.0, 40.0), (60.0, 80.0), (100.0, 90.0)];
+    let w = w.polyline("8", false, &line);
+    let w = if marked {
+        w.points("2", &corners).points("3", &curve).points("2", &line[..1]).points("3", &line[1..2])
+    } else {
+        w
+    };
+    w.pair(0, "ENDBLK")
+}
+
+fn nest(sizes: &[(&str, f64)], copy: bool) -> String {
+    let w = Writer::default().pair(0, "SECTION").pair(2, "BLOCKS");
+    let w = sizes.iter().fold(w, |w, (size, k)| block(w, size, *k, *size == "38", copy)).pair(0, "ENDSEC");
+    let w = w.pair(0, "SECTION").pair(2, "ENTITIES").text("1", "Units: METRIC").text("1", "Sample Size: 38");
+    w.pair(0, "ENDSEC").pair(0, "EOF").0
+}
+
+fn written(garment: &Garment, options: PieceOptions, dialect: Dialect) -> (String, Vec<Diagnostic>) {
+    let mut findings = Vec::new();
+    let pieces = garment.pieces.iter().map(|p| piece_drawing(p, options, &mut findings)).collect();
+    let style = StyleText { name: garment.style.clone(), sample_size: garment.size.clone(), ..StyleText::default() };
+    let written = write(&Drawing { style, pieces }, dialect).expect("written");
+    findings.extend(written.findings);
+    (String::from_utf8(written.bytes).expect("ascii"), findings)
+}
+
+/// Kinds and places of the drawn vertices of a line.
+fn vertices(piece: &piece::DrawnPiece) -> Vec<(Vec2, toile_garment::outline::PointKind)> {
+    piece.boundary.drawn.iter().map(|n| (n.at, n.kind)).collect()
+}
+
+fn assert_same(a: &piece::DrawnPiece, b: &piece::DrawnPiece, what: &str) {
+    let (p, q) = (vertices(a), vertices(b));
+    assert_eq!(p.len(), q.len(), "{what}");
+    for ((at, kind), (there, their)) in p.iter().zip(&q) {
+        assert!((at - there).norm() < 1e-4 && kind == their, "{what}: {at} {kind:?} against {there} {their:?}");
+    }
+    assert_eq!(
+        (a.points.curve_list.len(), a.points.turn_list.len(), a.notches.len()),
+        (b.points.curve_list.len(), b.points.turn_list.len(), b.notches.len()),
+        "{what}"
+    );
+}
+
+#[test]
+fn curve_points_go_out_as_they_came() {
+    for copy in [false, true] {
+        let text = nest(&[("38", 0.0)], copy);
+        let first = good(&text);
+        assert_eq!(first.pieces[0].points.curve_list.len(), 8);
+        let garment = garment(&first);
+        for dialect in Dialect::ALL {
+            let (again, said) = written(&garment, PieceOptions::default(), dialect);
+            let second = good(&again);
+            assert_same(&first.pieces[0], &second.pieces[0], &format!("{dialect:?} {copy}"));
+            // What a dialect without a dense copy cannot hold is said.
+            let lost = copy && !dialect.has_dense();
+            assert_eq!(codes(&said), if lost { vec!["curve-copy-lost"] } else { vec![] }, "{dialect:?}");
+            let (fine, there) = (first.pieces[0].boundary.work_positions(), second.pieces[0].boundary.work_positions());
+            let off = geom::deviation(&fine, &there, true);
+            assert!(off < if lost { 0.8 } else { 1e-3 }, "{dialect:?} {copy}: {off}");
+        }
+    }
+}
+
+#[test]
+fn a_size_run_has_the_same_vertices_in_every_size() {
+    for copy in [false, true] {
+        let first = good(&nest(&[("36", -9.0), ("38", 0.0), ("40", 60.0)], copy));
+        let run = Sizes::new(&first, None).expect("sizes").draw(PieceOptions::default());
+        assert_eq!(run.findings, []);
+        for dialect in Dialect::ALL {
+            let second = good(&String::from_utf8(write(&run.drawing, dialect).expect("written").bytes).expect("ascii"));
+            let counts: Vec<usize> = second.pieces.iter().map(|p| p.boundary.drawn.len()).collect();
+            assert_eq!(counts, [12; 3], "{dialect:?}");
+            for (a, b) in first.pieces.iter().zip(&second.pieces) {
+                assert!(vertices(a).iter().zip(vertices(b)).all(|(p, q)| (p.0 - q.0).norm() < 1e-4 && p.1 == q.1));
+            }
+        }
+    }
+}
+
+/// A waistband that is folded along its middle, with a mark on the fold and a notch on the edge.
+fn waistband() -> String {
+    file(|w| {
+        let w = w.polyline("1", true, &[(0.0, 0.0), (300.0, 0.0), (300.0, 18.0), (0.0, 18.0)]);
+        w.line("6", (0.0, 18.0), (300.0, 18.0))
+            .point("4", 120.0, 18.0)
+            .pair(30, "4")
+            .point("4", 200.0, 0.0)
+            .pair(30, "4")
+    })
+}
+
+#[test]
+fn a_mark_on_the_fold_is_no_notch_inside_the_piece() {
+    let first = good(&waistband());
+    let places: Vec<&str> = first.pieces[0].notches.iter().map(|n| n.on).collect();
+    assert_eq!(places, ["fold", "boundary"]);
+    let whole = garment(&first);
+    let on: Vec<&str> = whole.pieces[0].notches.iter().map(|n| n.on.as_str()).collect();
+    assert_eq!(on, ["fold", "boundary", "boundary"]);
+    for dialect in Dialect::ALL {
+        // Written whole, the mark is a short line across the fold.
+        let (text, _) = written(&whole, PieceOptions::default(), dialect);
+        let piece = &good(&text).pieces[0];
+        assert!(piece.notches.iter().all(|n| n.on == "boundary" && n.off < 1e-4), "{:?}", piece.notches);
+        assert_eq!((piece.notches.len(), piece.inside.internal.len()), (2, 1));
+        let line = piece.inside.internal[0].positions();
+        assert_eq!(line, [Vec2::new(120.0, 22.0), Vec2::new(120.0, 14.0)]);
+        // Written as a half, it is the notch on the fold that it was.
+        let half = PieceOptions { half_on_fold: true, ..PieceOptions::default() };
+        let piece = &good(&written(&whole, half, dialect).0).pieces[0];
+        assert_eq!(piece.notches.iter().map(|n| n.on).collect::<Vec<_>>(), ["fold", "boundary"], "{dialect:?}");
+        assert!(piece.inside.internal.is_empty());
+    }
+    // A notch where the fold ends stands on the edge of the whole piece too.
+    let hem = good(&file(|w| {
+        w.polyline("1", true, &RECTANGLE).line("6", (0.0, 0.0), (0.0, 600.0)).point("4", 0.0, 0.0).pair(30, "4")
+    }));
+    assert_eq!(hem.pieces[0].notches[0].on, "boundary");
+}
