@@ -39,7 +39,8 @@ codes! {
     /// written as drawn.
     SIZES_WITHOUT_RULES = "sizes-without-rules";
 
-    /// A text has letters outside 7-bit ASCII, or outside the code page that was asked for. They are written as
-    /// `\U+XXXX`, which not every program resolves. `code_page` of `export-dxf` writes the letters themselves.
+    /// A text has letters outside 7-bit ASCII, or outside the code page that was asked for. They are written as escapes
+    /// with their number (`U+XXXX`), which not every program resolves. `code_page` of `export-dxf` writes the letters
+    /// themselves.
     TEXT_ESCAPED = "text-escaped";
 }
