@@ -25,7 +25,8 @@ pub(super) fn run(args: &CheckArgs, registry: &mut Registry, stop: &Arc<Stop>, c
         console.json(&findings_json(&findings));
         return exit;
     }
-    findings.retain(|f| f.severity != Severity::Info);
+    // What the stages note about the files belongs to a run.
+    findings.retain(|f| f.severity != Severity::Info || loaded.report.findings.iter().any(|known| same(known, f)));
     console.findings(&findings, loaded.text());
     if exit == Exit::Good {
         let stages = loaded.pipeline.map_or(0, |p| p.steps.len());

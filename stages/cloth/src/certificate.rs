@@ -119,6 +119,11 @@ fn against_body(figures: &mut Figures, x: &[Vec3], topology: &Topology, body: &B
     }
 }
 
+/// Largest strain of the scene's positions along warp, weft or bias over the strain limit of that direction.
+pub(crate) fn strain_over_limit(scene: &Scene, settings: &Settings) -> f64 {
+    strains(scene, settings).strain_over_limit
+}
+
 /// Figures of strain.
 fn strains(scene: &Scene, settings: &Settings) -> Figures {
     let x = &scene.positions;

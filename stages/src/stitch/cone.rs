@@ -244,7 +244,7 @@ mod tests {
     fn halves_of_a_circle_lie_level_and_keep_their_lengths() {
         for sector in [std::f64::consts::PI, 1.9] {
             let (garment, mut placed) = halves(sector);
-            assert_eq!(lay_on_cone(&garment, &mut placed, &[0, 1]), ["back", "front"]);
+            assert_eq!(lay_on_cone(&garment, &mut placed, &[0, 1]), ["front", "back"]);
             let (low, high) = placed.iter().flatten().fold((9.0_f64, 0.0_f64), |(l, h), p| (l.min(p.y), h.max(p.y)));
             let steepness = sector / std::f64::consts::PI;
             let slope = (1.0 - steepness * steepness).max(0.0).sqrt().max(libm::sin(SLOPE_LEAST));

@@ -1,6 +1,7 @@
 //! Sewing from coarse to fine (docs/hierarchy.md): the coarsest level is sewn and settles; every finer level starts where the coarser
 //! one lies, with its seams already closed.
 
+use crate::certificate::strain_over_limit;
 use crate::hierarchy::Level;
 use crate::optimize::descent::Descent;
 use crate::optimize::mechanism::{Block, Mechanism, Verdict};
@@ -15,7 +16,7 @@ use crate::scene::weld::weld;
 use crate::sewing::closing::{cap_steps, close, drive_sewing};
 use crate::sewing::tuning::{
     MULTILEVEL_SEWING, SETTLING_ENERGY_SHARE, SETTLING_MEAN_PART, SETTLING_QUIET_BLOCKS, SETTLING_SLIDE_MOST,
-    SETTLING_STEPS_MOST, SETTLING_STUCK_BLOCKS_MOST, SETTLING_TAU_FIRST, SETTLING_TAU_FREE,
+    SETTLING_STEPS_MOST, SETTLING_STUCK_BLOCKS_MOST, SETTLING_TAU_FIRST, SETTLING_TAU_FREE, SEWN_STRAIN_MOST,
 };
 use crate::{ClothError, Outcome, Scene, Settings, StopReason, Vec3, Watch};
 
@@ -90,9 +91,10 @@ impl SewnLevel<'_> {
         }
     }
 
-    /// Welds the seams and lets the cloth come near to rest from `x`; `None` where it crosses something there.
+    /// Welds the seams and lets the cloth come near to rest from `x`; `None` where it crosses something there, or where it
+    /// stays stretched far beyond its limit.
     fn smooth(self, x: &[Vec3], watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
-        let welded = weld(self.scene, x);
+        let mut welded = weld(self.scene, x);
         let mut descent = match Descent::begin(&welded.scene, self.settings, Task::Settle) {
             Ok(descent) => descent,
             Err(ClothError::StartCrosses { .. }) => return Ok(None),
@@ -109,6 +111,12 @@ impl SewnLevel<'_> {
         }
         ease(&mut descent, self.scene.triangles.len(), watch)?;
         let mut outcome = report::outcome(&mut descent, &welded.scene, StopReason::Settled);
+        drop(descent);
+        // A belt that is too short for its body is not sewn by welding it.
+        welded.scene.positions.clone_from(&outcome.positions);
+        if strain_over_limit(&welded.scene, self.settings) > SEWN_STRAIN_MOST.get() {
+            return Ok(None);
+        }
         outcome.positions = welded.spread(&outcome.positions);
         Ok(Some(outcome))
     }

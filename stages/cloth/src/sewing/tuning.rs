@@ -200,6 +200,14 @@ tuned! {
         evidence: "No measurement is kept.",
     }
 
+    /// Strain of welded cloth over its limit, above which its seams count as open.
+    SEWN_STRAIN_MOST: f64 = 3.0, {
+        unit: "strain limits",
+        larger: "Seams that are much too short are welded, and only the drape's certificate tells.",
+        smaller: "Tight garments stay open after sewing.",
+        tried: "3",
+        evidence: "A belt of three quarters of its girth ends at 16 limits, a strapless dress on the hips at 1.07.",
+    }
     /// Energy gained in a block at which a settling level gained little.
     SETTLING_ENERGY_SHARE: f64 = 0.01, {
         unit: "elastic energy",

@@ -297,8 +297,10 @@ fn needle(marked: bool, seams: Vec<SeamSpec>, darts: Vec<DartSpec>) -> (Garment,
         kind: Some(DartKind::Wedge),
         source: None,
     };
-    let undecided =
-        vec![UndecidedDart { spec, finding: Diagnostic::warning(crate::sewing::codes::DART_BY_SEAMS, "a wedge") }];
+    let undecided = vec![UndecidedDart {
+        spec,
+        finding: Diagnostic::warning(crate::sewing::codes::DART_TO_DENY_NOT_FOUND, "a wedge"),
+    }];
     let mut report = Report::default();
     let plan = SewingPlan { seams, darts, ..SewingPlan::default() };
     apply_deciding(&mut garment, plan, undecided, &mut report).expect("plan");
@@ -353,11 +355,11 @@ fn seams_that_close_a_needle_make_it_a_dart() {
 #[test]
 fn a_needle_that_no_seam_closes_is_told_unless_the_file_says_what_it_is() {
     let (garment, report) = needle(false, waist()[..1].to_vec(), Vec::new());
-    assert_eq!((codes(&report), garment.pieces[0].darts.len()), (vec!["dart-undecided"], 0));
+    assert_eq!((codes(&report), garment.pieces[0].darts.len()), (vec!["dart-to-deny-not-found"], 0));
     // Two seams that end at its mouth and go to places apart leave it open.
     let mut apart = waist();
     apart[1].b = vec![two_points("band", (297.0, 0.0), (151.5, 0.0))];
-    assert_eq!(codes(&needle(false, apart, Vec::new()).1), ["dart-undecided"]);
+    assert_eq!(codes(&needle(false, apart, Vec::new()).1), ["dart-to-deny-not-found"]);
     // A leg that is sewn to another piece is no dart's.
     let taken = seam(
         "godet",
