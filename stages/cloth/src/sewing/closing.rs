@@ -1,6 +1,7 @@
 //! Closing the stitches by a penalty with force continuation (docs/sewing.md): the pieces are gathered by a growing force, then the
 //! threads are drawn tight while the cloth comes to its distance from the body.
 
+use crate::certificate::strain_over_limit;
 use crate::collision::crossings::count;
 use crate::optimize::descent::{Change, Descent};
 use crate::optimize::driver::{Blocks, Detection, drive};
@@ -18,9 +19,9 @@ use crate::sewing::initial_guess;
 use crate::sewing::tuning::{
     CLOSED_GAP, GATHERED_GAP, GATHERING_IDLE_MOST, GATHERING_REACH, GATHERING_TAU_MOST, INITIAL_GUESS,
     SEWING_FORCE_BLOCK_STEPS, SEWING_FORCE_FACTOR, SEWING_FORCE_FIRST, SEWING_FORCE_MEAN_PART, SEWING_FORCE_MOST,
-    SEWING_FORCE_TIGHT, SEWING_GAP_PROGRESS, SEWING_STEP_CAP_EDGES, SEWING_STEP_GROWTH, SEWN_ENERGY_SHARE, STAND_OFF,
-    STAND_OFF_CRAMPED_FORCE, STAND_OFF_EDGES, STAND_OFF_EDGES_LEAST, STAND_OFF_FACTOR, STAND_OFF_MOST,
-    STAND_OFF_NARROW_GAP, TIGHTENING_ENERGY_SHARE, TIGHTENING_GAP_PROGRESS, TIGHTENING_STEPS_MOST,
+    SEWING_FORCE_TIGHT, SEWING_GAP_PROGRESS, SEWING_STEP_CAP_EDGES, SEWING_STEP_GROWTH, SEWN_ENERGY_SHARE,
+    SEWN_STRAIN_MOST, STAND_OFF, STAND_OFF_CRAMPED_FORCE, STAND_OFF_EDGES, STAND_OFF_EDGES_LEAST, STAND_OFF_FACTOR,
+    STAND_OFF_MOST, STAND_OFF_NARROW_GAP, TIGHTENING_ENERGY_SHARE, TIGHTENING_GAP_PROGRESS, TIGHTENING_STEPS_MOST,
 };
 use crate::{ClothError, Outcome, Scene, Settings, StopReason, Vec3, Watch};
 
@@ -54,8 +55,17 @@ fn sew(d: &mut Descent<'_>, scene: &Scene, watch: &mut dyn Watch) -> Result<(), 
     let mut threads = Threads::new(d);
     cap_steps(d);
     let mut pinned = PinnedTargets::sewing();
-    gather(d, scene, &mut threads, &mut pinned, watch)?;
-    tighten(d, &mut threads, &mut pinned, watch)
+    let reason = gather(d, scene, &mut threads, &mut pinned, watch)?;
+    let apart = (reason != StopReason::Settled).then(|| d.x.clone());
+    tighten(d, &mut threads, &mut pinned, watch)?;
+    if let Some(apart) = apart {
+        let drawn = Scene { positions: d.x.clone(), ..scene.clone() };
+        // A belt that is too short for its body is not sewn by drawing it out.
+        if strain_over_limit(&drawn, d.settings) > SEWN_STRAIN_MOST.get() {
+            d.move_to(apart);
+        }
+    }
+    Ok(())
 }
 
 /// Caps steps as sewing needs it. They are so short that a contact is felt before it is passed, and that flat cloth may bend.
@@ -126,14 +136,14 @@ impl Threads {
     }
 }
 
-/// Brings the pieces together, as far as they come.
+/// Brings the pieces together, as far as they come. Returns `Settled` if they are together.
 fn gather(
     d: &mut Descent<'_>,
     scene: &Scene,
     threads: &mut Threads,
     pinned: &mut PinnedTargets,
     watch: &mut dyn Watch,
-) -> Result<(), ClothError> {
+) -> Result<StopReason, ClothError> {
     let edge = d.objective().edge;
     let reach = GATHERING_REACH.get() * edge;
     threads.pull(d, SEWING_FORCE_FIRST.get(), reach);
@@ -142,8 +152,7 @@ fn gather(
     }
     let first = d.objective().widest_stitch(&d.x);
     let mut rule = Gathering { threads, edge, reach, first, before: first, idle: 0 };
-    drive_sewing(d, &mut rule, pinned, GATHERING_TAU_MOST.get(), watch)?;
-    Ok(())
+    drive_sewing(d, &mut rule, pinned, GATHERING_TAU_MOST.get(), watch)
 }
 
 /// Force continuation while the pieces are apart: the threads pull harder where the gaps no longer shrink.
