@@ -28,23 +28,40 @@ use crate::{ClothError, Outcome, Scene, Settings, StopReason, Vec3, Watch};
 /// Part of the work until the pieces are together, for the progress display.
 const GATHERING_WORK: f64 = 0.8;
 
+/// Cloth whose stitches were closed.
+pub(crate) struct Closed {
+    /// With all threads drawn tight.
+    pub drawn: Outcome,
+    /// Before that, where drawing the threads tight stretches the cloth far beyond its limit.
+    pub apart: Option<Outcome>,
+}
+
 /// Closes the stitches as far as they come.
 ///
 /// # Errors
 /// An unusable scene or setting, a start that crosses, instability, or a stop on request.
-pub(crate) fn close(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
+pub(crate) fn close(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Closed, ClothError> {
     let mut descent = Descent::begin(scene, settings, Task::Sew)?;
+    let mut apart = None;
     if descent.objective().terms.stitches.is_some() {
-        sew(&mut descent, scene, watch)?;
+        apart = sew(&mut descent, scene, watch)?;
         join_closed_stitches(&mut descent, scene);
     }
-    let open = descent.objective().widest_stitch(&descent.x) > settings.sewing_distance;
-    let reason = if open { StopReason::SeamsOpen } else { StopReason::Settled };
-    Ok(report::outcome(&mut descent, scene, reason))
+    let outcome = |d: &mut Descent<'_>| {
+        let open = d.objective().widest_stitch(&d.x) > settings.sewing_distance;
+        report::outcome(d, scene, if open { StopReason::SeamsOpen } else { StopReason::Settled })
+    };
+    let drawn = outcome(&mut descent);
+    let apart = apart.map(|x| {
+        descent.move_to(x);
+        outcome(&mut descent)
+    });
+    Ok(Closed { drawn, apart })
 }
 
-/// Gathers the pieces and draws the threads tight.
-fn sew(d: &mut Descent<'_>, scene: &Scene, watch: &mut dyn Watch) -> Result<(), ClothError> {
+/// Gathers the pieces and draws the threads tight. Returns the positions before that where it stretches the cloth far beyond
+/// its limit.
+fn sew(d: &mut Descent<'_>, scene: &Scene, watch: &mut dyn Watch) -> Result<Option<Vec<Vec3>>, ClothError> {
     if SURROGATE_HESSIAN.is_on() {
         d.use_surrogate(true);
     }
@@ -58,14 +75,8 @@ fn sew(d: &mut Descent<'_>, scene: &Scene, watch: &mut dyn Watch) -> Result<(), 
     let reason = gather(d, scene, &mut threads, &mut pinned, watch)?;
     let apart = (reason != StopReason::Settled).then(|| d.x.clone());
     tighten(d, &mut threads, &mut pinned, watch)?;
-    if let Some(apart) = apart {
-        let drawn = Scene { positions: d.x.clone(), ..scene.clone() };
-        // A belt that is too short for its body is not sewn by drawing it out.
-        if strain_over_limit(&drawn, d.settings) > SEWN_STRAIN_MOST.get() {
-            d.move_to(apart);
-        }
-    }
-    Ok(())
+    let drawn = Scene { positions: d.x.clone(), ..scene.clone() };
+    Ok(apart.filter(|_| strain_over_limit(&drawn, d.settings) > SEWN_STRAIN_MOST.get()))
 }
 
 /// Caps steps as sewing needs it. They are so short that a contact is felt before it is passed, and that flat cloth may bend.

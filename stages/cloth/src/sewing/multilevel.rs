@@ -50,13 +50,14 @@ impl SewnLevel<'_> {
         let work = if self.finest { SINGLE_LEVEL_SEWING_WORK } else { 1.0 };
         let closed = close(self.scene, self.settings, &mut Part::new(watch, [0.0, work], &same))?;
         if !self.finest {
-            return Ok(closed);
+            return Ok(closed.drawn);
         }
         // Else a garment that has no coarser level would hang where sewing left it.
         let watch = &mut Part::new(watch, [work, 1.0], &same);
-        Ok(match self.settle_in_place(&closed.positions, watch)? {
-            Some(down) => down.after(&closed),
-            None => closed,
+        Ok(match self.settle_in_place(&closed.drawn.positions, watch)? {
+            Some(down) => down.after(&closed.drawn),
+            // A belt that is too short for its body is not sewn by drawing it out.
+            None => closed.apart.unwrap_or(closed.drawn),
         })
     }
 
