@@ -260,7 +260,7 @@ mod tests {
                         (mesh.rest[t[0] as usize] - mesh.rest[t[1] as usize]).norm(),
                         (x[t[0] as usize] - x[t[1] as usize]).norm(),
                     );
-                    assert!((now - flat).abs() < 1e-9, "{flat} {now}");
+                    assert!(now <= flat + 1e-9 && now > 0.99 * flat, "{flat} {now}");
                 }
                 // The middle of the upper edge clears the torso.
                 assert!(libm::hypot(x[6].x, x[6].z) > 0.15);
