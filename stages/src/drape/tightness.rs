@@ -1,9 +1,11 @@
 //! Where a garment is too tight: the place, its strains, and the girths of body and cloth there.
 
 use crate::body::{Section, sections};
+use crate::solve::level_cut::level_cut;
+use crate::solve::place::nearest;
 use toile_cloth::Tightest;
 use toile_garment::garment::Certificate;
-use toile_garment::{Diagnostic, Garment, Piece, Vec3};
+use toile_garment::{Diagnostic, Garment, Vec3};
 
 /// A finding on a drape whose strain is above its gate.
 #[must_use]
@@ -11,7 +13,7 @@ pub fn finding(garment: &Garment, certificate: &Certificate, tightest: Option<&T
     let limit = certificate.limits.get("strain_over_limit").copied().unwrap_or(f64::INFINITY);
     let worst = tightest.filter(|_| certificate.strain_over_limit > limit)?;
     let at = worst.place.at;
-    let piece = nearest_piece(garment, &at)?;
+    let piece = nearest(garment, &garment.drape.as_ref()?.positions, &at)?;
     let message = format!(
         "piece `{}` is too tight near ({:.0}, {:.0}, {:.0}) mm: strain {:.1} % along the warp, {:.1} % along the weft, \
          {:.1} % along the bias, {:.2} of the fabric's limit{}",
@@ -33,41 +35,21 @@ pub fn finding(garment: &Garment, certificate: &Certificate, tightest: Option<&T
     )
 }
 
-fn nearest_piece<'a>(garment: &'a Garment, at: &Vec3) -> Option<&'a Piece> {
-    let drape = garment.drape.as_ref()?;
-    let distance = |x: &[Vec3]| x.iter().map(|p| (p - at).norm_squared()).fold(f64::INFINITY, f64::min);
-    let pieces = garment.pieces.iter().zip(&drape.positions);
-    pieces.min_by(|p, q| distance(p.1).total_cmp(&distance(q.1))).map(|(piece, _)| piece)
-}
-
 /// Girth of the body by a tape, and length of the cloth around it before it is stretched, m, in the level plane of a place.
 fn girths(garment: &Garment, at: &Vec3) -> Option<[f64; 2]> {
     let body = garment.body.as_ref()?;
     let all = sections(&body.positions, &body.triangles, *at, Vec3::y());
-    let nearest = |p: &Vec3| {
+    let beside = |p: &Vec3| {
         let gap = |s: &Section| s.points.iter().map(|q| (q - p).norm_squared()).fold(f64::INFINITY, f64::min);
         (0..all.len()).min_by(|a, b| gap(&all[*a]).total_cmp(&gap(&all[*b])))
     };
-    let mine = nearest(at)?;
+    let mine = beside(at)?;
     let mut cloth = 0.0;
     for (piece, x) in garment.pieces.iter().zip(&garment.drape.as_ref()?.positions) {
         let Some(mesh) = &piece.mesh else { continue };
-        for (i, t) in mesh.triangles.iter().enumerate() {
-            let Some(rest) = mesh.rest_triangle(i) else { continue };
-            let place = t.map(|v| x[v as usize]);
-            // Ends of the cut on the drape and at rest.
-            let cut: Vec<_> = (0..3)
-                .filter_map(|k| {
-                    let (a, b) = (place[k].y - at.y, place[(k + 1) % 3].y - at.y);
-                    let share = a / (a - b);
-                    ((a < 0.0) != (b < 0.0))
-                        .then(|| (place[k].lerp(&place[(k + 1) % 3], share), rest[k].lerp(&rest[(k + 1) % 3], share)))
-                })
-                .collect();
-            if let [p, q] = cut[..]
-                && nearest(&((p.0 + q.0) * 0.5)) == Some(mine)
-            {
-                cloth += (q.1 - p.1).norm();
+        for ([p, q], length) in level_cut(mesh, x, at.y) {
+            if beside(&((p + q) * 0.5)) == Some(mine) {
+                cloth += length;
             }
         }
     }

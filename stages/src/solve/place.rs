@@ -59,8 +59,9 @@ fn named(mut finding: Diagnostic, piece: &Piece) -> Diagnostic {
     finding.at(place)
 }
 
-/// The piece whose vertex is nearest to a place.
-fn nearest<'a>(garment: &'a Garment, at: &[Vec<Vec3>], place: &Vec3) -> Option<&'a Piece> {
+/// The piece whose vertex is nearest to a place; `at`: positions of the pieces' vertices.
+#[must_use]
+pub fn nearest<'a>(garment: &'a Garment, at: &[Vec<Vec3>], place: &Vec3) -> Option<&'a Piece> {
     let distance =
         |vertices: &Vec<Vec3>| vertices.iter().map(|p| (p - place).norm_squared()).fold(f64::INFINITY, f64::min);
     let pieces = garment.pieces.iter().zip(at);

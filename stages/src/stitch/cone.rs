@@ -5,11 +5,12 @@
 //! isometric bend, by the angles of their side seams. A full circle lies level around the waist then, as it was cut.
 
 use toile_garment::body::BodySegment;
+use toile_garment::seam::{Seam, Stitch};
 use toile_garment::{Diagnostic, Garment, MeshVertex, Vec2, Vec3};
 
-/// Least angle between the side seams of a panel that is laid on a cone, rad.
+/// Least angle between the side seams of a panel that is laid on a cone, rad. Below it they count as parallel.
 const SECTOR_LEAST: f64 = 0.05;
-/// Least slope of the middle of a panel, rad.
+/// Least slope of the middle of a panel, rad. A level circle rose over the elbows of a body while it was sewn.
 const SLOPE_LEAST: f64 = 0.25;
 /// Distance from the torso at which the upper edges start, m.
 const CLEARANCE: f64 = 0.02;
@@ -36,15 +37,15 @@ pub fn lay_on_cone(garment: &Garment, placed: &mut [Vec<Vec3>], pieces: &[usize]
     let wide: Vec<usize> = pieces.iter().copied().filter(|i| is_wide(&placed[*i], torso)).collect();
     let Some(ring) = ring_of_sectors(garment, placed, &wide, torso) else { return Vec::new() };
     let total: f64 = ring.iter().map(|s| s.angle).sum();
-    let steepness = total / std::f64::consts::TAU;
-    if steepness > 1.0 {
+    let half_angle_sine = total / std::f64::consts::TAU;
+    if half_angle_sine > 1.0 {
         return Vec::new();
     }
     let top = ring.iter().flat_map(|s| &placed[s.piece]).map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
     let mut from = middle_azimuth(&ring, total);
     for sector in &ring {
-        let share = sector.angle / steepness;
-        lay(garment, sector, from + 0.5 * share, steepness, top, torso, &mut placed[sector.piece]);
+        let share = sector.angle / half_angle_sine;
+        lay(garment, sector, from + 0.5 * share, half_angle_sine, top, torso, &mut placed[sector.piece]);
         from += share;
     }
     ring.iter().map(|s| garment.pieces[s.piece].name.clone()).collect()
@@ -62,7 +63,7 @@ pub fn finding(names: &[String]) -> Option<Diagnostic> {
     })
 }
 
-/// Reaches a placed piece farther from the torso's axis than the torso's own width?
+/// Returns `true` if a placed piece reaches farther from the torso's axis than the torso is wide.
 fn is_wide(x: &[Vec3], torso: &BodySegment) -> bool {
     let away = |p: &Vec3| libm::hypot(p.x - torso.from.x, p.z - torso.from.z);
     x.iter().map(away).fold(0.0, f64::max) > 2.0 * torso.half_width
@@ -81,6 +82,36 @@ fn ring_of_sectors(
     Some(sectors)
 }
 
+/// The side seams of a piece, by which it is sewn to other pieces of a ring: their ends in piece coordinates, m, the end
+/// nearer to the torso's axis or higher first.
+fn side_seams(
+    garment: &Garment,
+    placed: &[Vec<Vec3>],
+    piece: usize,
+    ring: &[usize],
+    torso: &BodySegment,
+) -> Option<Vec<[Vec2; 2]>> {
+    let mesh = garment.pieces[piece].mesh.as_ref()?;
+    let outwards_and_down = |v: &&u32| {
+        let p = placed[piece][**v as usize];
+        libm::hypot(p.x - torso.from.x, p.z - torso.from.z) - p.y
+    };
+    let is_own = |v: MeshVertex| v.piece.index() == piece;
+    let is_other = |v: MeshVertex| !is_own(v) && ring.contains(&v.piece.index());
+    let own_vertex = |s: &Stitch| match (is_own(s.a) && is_other(s.b), is_own(s.b) && is_other(s.a)) {
+        (true, _) => Some(s.a.vertex),
+        (_, true) => Some(s.b.vertex),
+        _ => None,
+    };
+    let ends = |seam: &Seam| {
+        let on: Vec<u32> = seam.stitches.iter().filter_map(own_vertex).collect();
+        let upper = on.iter().min_by(|a, b| outwards_and_down(a).total_cmp(&outwards_and_down(b)))?;
+        let lower = on.iter().max_by(|a, b| outwards_and_down(a).total_cmp(&outwards_and_down(b)))?;
+        (on.len() > 1).then(|| [mesh.rest[*upper as usize], mesh.rest[*lower as usize]])
+    };
+    Some(garment.seams.iter().filter_map(ends).collect())
+}
+
 /// A piece as a sector between its two side seams.
 fn sector(
     garment: &Garment,
@@ -90,29 +121,7 @@ fn sector(
     torso: &BodySegment,
 ) -> Option<Sector> {
     let mesh = garment.pieces[piece].mesh.as_ref()?;
-    let axis = |v: &u32| {
-        let p = placed[piece][*v as usize];
-        libm::hypot(p.x - torso.from.x, p.z - torso.from.z) - p.y
-    };
-    // Ends of each side seam: the inner or upper one first.
-    let mut sides: Vec<[Vec2; 2]> = Vec::new();
-    for seam in &garment.seams {
-        let own = |v: MeshVertex| v.piece.index() == piece;
-        let other = |v: MeshVertex| v.piece.index() != piece && ring.contains(&v.piece.index());
-        let mut on: Vec<u32> = Vec::new();
-        for s in &seam.stitches {
-            if own(s.a) && other(s.b) {
-                on.push(s.a.vertex);
-            } else if own(s.b) && other(s.a) {
-                on.push(s.b.vertex);
-            }
-        }
-        if on.len() > 1 {
-            let upper = on.iter().min_by(|a, b| axis(a).total_cmp(&axis(b)))?;
-            let lower = on.iter().max_by(|a, b| axis(a).total_cmp(&axis(b)))?;
-            sides.push([mesh.rest[*upper as usize], mesh.rest[*lower as usize]]);
-        }
-    }
+    let sides = side_seams(garment, placed, piece, ring, torso)?;
     let [[a, b], [c, d]] = sides[..] else { return None };
     let (u, v) = ((b - a).try_normalize(1e-9)?, (d - c).try_normalize(1e-9)?);
     let mut angle = libm::atan2(u.perp(&v).abs(), u.dot(&v));
@@ -149,23 +158,32 @@ fn middle_azimuth(ring: &[Sector], total: f64) -> f64 {
 }
 
 /// Puts a sector on the cone, moved outwards until the middle of its upper edge clears the torso.
-fn lay(garment: &Garment, s: &Sector, azimuth: f64, steepness: f64, top: f64, torso: &BodySegment, x: &mut [Vec3]) {
+fn lay(
+    garment: &Garment,
+    s: &Sector,
+    azimuth: f64,
+    half_angle_sine: f64,
+    top: f64,
+    torso: &BodySegment,
+    x: &mut [Vec3],
+) {
     let Some(mesh) = &garment.pieces[s.piece].mesh else { return };
-    let drop = (1.0 - steepness * steepness).max(0.0).sqrt();
-    let out = (torso.half_width + CLEARANCE - s.inner * steepness).max(0.0);
+    let half_angle_cosine = (1.0 - half_angle_sine * half_angle_sine).max(0.0).sqrt();
+    let out = (torso.half_width + CLEARANCE - s.inner * half_angle_sine).max(0.0);
     let ahead = |angle: f64| {
         let (sin, cos) = libm::sincos(angle);
         Vec3::new(sin, 0.0, cos)
     };
     // A level ring might rise as well as fall.
-    let (tilt_sin, tilt_cos) = libm::sincos((SLOPE_LEAST - libm::asin(drop)).max(0.0));
-    let origin = Vec3::new(torso.from.x, top + s.inner * drop, torso.from.z) + ahead(azimuth) * out;
+    let (tilt_sin, tilt_cos) = libm::sincos((SLOPE_LEAST - libm::asin(half_angle_cosine)).max(0.0));
+    let origin = Vec3::new(torso.from.x, top + s.inner * half_angle_cosine, torso.from.z) + ahead(azimuth) * out;
     for (p, rest) in x.iter_mut().zip(&mesh.rest) {
         let d = rest - s.apex;
         // Seen from the right side of the cloth x runs to the wearer's left, and so does the azimuth.
         let turn = libm::atan2(s.middle.perp(&d), s.middle.dot(&d));
         let radius = d.norm();
-        let on_cone = ahead(azimuth + turn / steepness) * (radius * steepness) - Vec3::y() * (radius * drop);
+        let on_cone = ahead(azimuth + turn / half_angle_sine) * (radius * half_angle_sine)
+            - Vec3::y() * (radius * half_angle_cosine);
         let (out, up) = (on_cone.dot(&ahead(azimuth)), on_cone.y);
         let tilted =
             ahead(azimuth) * (out * tilt_cos + up * tilt_sin - out) + Vec3::y() * (up * tilt_cos - out * tilt_sin - up);
@@ -178,7 +196,7 @@ mod tests {
     use super::*;
     use toile_garment::body::Body;
     use toile_garment::mesh::PieceMesh;
-    use toile_garment::seam::{Seam, SeamKind, SeamSide, Stitch};
+    use toile_garment::seam::{SeamKind, SeamSide};
     use toile_garment::{Piece, PieceId, SeamId};
 
     /// Angles of a half ring of 12 columns, and radii of its rows, m.
@@ -246,11 +264,11 @@ mod tests {
             let (garment, mut placed) = halves(sector);
             assert_eq!(lay_on_cone(&garment, &mut placed, &[0, 1]), ["front", "back"]);
             let (low, high) = placed.iter().flatten().fold((9.0_f64, 0.0_f64), |(l, h), p| (l.min(p.y), h.max(p.y)));
-            let steepness = sector / std::f64::consts::PI;
-            let slope = (1.0 - steepness * steepness).max(0.0).sqrt();
+            let half_angle_sine = sector / std::f64::consts::PI;
+            let slope = (1.0 - half_angle_sine * half_angle_sine).max(0.0).sqrt();
             // A level panel is tilted about a line through its apex.
             let tilted = RADII[2] * libm::sin(SLOPE_LEAST);
-            let height = if steepness < 1.0 { slope * (RADII[2] - RADII[0]) } else { tilted };
+            let height = if half_angle_sine < 1.0 { slope * (RADII[2] - RADII[0]) } else { tilted };
             assert!(((high - low) - height).abs() < 1e-9, "{sector}: {low} to {high}");
             // Along a radius lengths are kept; across, a chord is no longer than it was.
             for (piece, x) in garment.pieces.iter().zip(&placed) {

@@ -6,14 +6,16 @@
 use super::place::spec_of;
 use crate::body::hull;
 use crate::solve::body_parts::{BodyPart, body_parts, nearest_part_seen_from_front};
+use crate::solve::level_cut::level_cut;
 use std::collections::BTreeMap;
 use toile_garment::{Diagnostic, Garment, Vec2, Vec3};
 
-/// Distance from the axis of a forearm within which cloth touches it, over the radius of the arm.
+/// Distance from the axis of a forearm within which cloth counts as touching it, over the radius of the arm. Gores of ten that
+/// stand 60 mm inside the hand catch it while they are sewn.
 const REACH: f64 = 1.5;
-/// Steps from the elbow to the tip of the hand at which the cloth is looked at.
+/// Steps from the elbow to the tip of the hand at which the cloth is looked at: one for about 50 mm.
 const HEIGHTS: i32 = 8;
-/// Length of a hand beyond the wrist, over the radius of the arm.
+/// Length of a hand beyond the wrist, over the radius of the arm: 0.2 m on an arm of 50 mm.
 const HAND_LENGTH: f64 = 4.0;
 
 /// Names of the parts that each piece ignores, by the names of the pieces. What the sewing file says of a piece wins.
@@ -41,7 +43,7 @@ pub fn ignored_parts(garment: &Garment, placed: &[Vec<Vec3>]) -> BTreeMap<String
     ignores
 }
 
-/// Do more than half of these places lie nearest to a segment, seen from the front?
+/// Returns `true` if more than half of these places lie nearest to a segment, seen from the front.
 fn lies_on(x: &[Vec3], segment: &str, parts: &[BodyPart]) -> bool {
     let near = |p: &&Vec3| nearest_part_seen_from_front(parts, p).is_some_and(|k| parts[k].segment == segment);
     2 * x.iter().filter(near).count() > x.len()
@@ -55,27 +57,18 @@ pub fn beside_arms(garment: &Garment, placed: &[Vec<Vec3>]) -> Vec<usize> {
     (0..placed.len()).filter(|i| !on_arm(&placed[*i])).collect()
 }
 
-/// Stands a forearm within the cloth of these pieces, or does it touch it? At some heights of the forearm the cloth is cut by a
-/// level plane, and the hull of the cut decides. Cloth that starts beyond the arm has to pass it.
+/// Returns `true` if these pieces stand around a forearm or touch it. Cloth that starts beyond the arm has to pass it. The
+/// hulls of some level cuts of the cloth decide.
 fn is_in_the_way(garment: &Garment, placed: &[Vec<Vec3>], pieces: &[usize], forearm: &BodyPart) -> bool {
     let [elbow, wrist] = forearm.axis;
     let hand = (wrist - elbow).try_normalize(1e-9).unwrap_or_else(Vec3::zeros) * (HAND_LENGTH * forearm.radius);
     (0..=HEIGHTS).any(|k| {
         let p = elbow + (wrist + hand - elbow) * (f64::from(k) / f64::from(HEIGHTS));
-        let cut = pieces.iter().flat_map(|i| level_cut(garment, *i, &placed[*i], p.y)).collect();
-        depth_in_hull(&hull(cut), &Vec2::new(p.x, p.z)) > -REACH * forearm.radius
+        let meshes = pieces.iter().filter_map(|i| Some((garment.pieces[*i].mesh.as_ref()?, &placed[*i])));
+        let ends = meshes.flat_map(|(mesh, at)| level_cut(mesh, at, p.y)).flat_map(|(ends, _)| ends);
+        let seen_from_above = ends.map(|p| Vec2::new(p.x, p.z)).collect();
+        depth_in_hull(&hull(seen_from_above), &Vec2::new(p.x, p.z)) > -REACH * forearm.radius
     })
-}
-
-/// Places where the edges of a placed piece pass a height, seen from above.
-fn level_cut(garment: &Garment, piece: usize, at: &[Vec3], height: f64) -> Vec<Vec2> {
-    let triangles = garment.pieces[piece].mesh.iter().flat_map(|m| &m.triangles);
-    let edges = triangles.flat_map(|t| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]]);
-    let ends = edges.map(|e| e.map(|v| at[v as usize]));
-    ends.filter(|[p, q]| (p.y < height) != (q.y < height))
-        .map(|[p, q]| p.lerp(&q, (height - p.y) / (q.y - p.y)))
-        .map(|p| Vec2::new(p.x, p.z))
-        .collect()
 }
 
 /// Distance of a place from the border of a hull, m, below zero outside. Without a hull it is infinitely far outside.

@@ -15,7 +15,7 @@ const CHANGE_MOST: f64 = 0.25;
 /// Length of a ring of seams over the girth of the body, below which the ring does not belong there.
 const TIGHT: f64 = 0.97;
 /// Difference of girth that counts as much as a change of height by 1 m, m.
-const GIRTH_OF_WAY: f64 = 0.1;
+const GIRTH_PER_HEIGHT: f64 = 0.1;
 /// Distance of the heights of seams that form one ring, m.
 const RING_HEIGHT: f64 = 0.08;
 /// Rise of a level seam over its length, at most.
@@ -31,7 +31,8 @@ pub fn change_of_height(garment: &Garment, placed: &[Vec<Vec3>]) -> Option<f64> 
     let tight = |r: &&Ring| girths.at(r.height).is_some_and(|girth| r.length < TIGHT * girth);
     // The narrowest ring decides.
     let ring = rings.iter().filter(tight).min_by(|a, b| a.length.total_cmp(&b.length))?;
-    let cost = |(height, girth): &(f64, f64)| (girth - ring.length).abs() + GIRTH_OF_WAY * (height - ring.height).abs();
+    let cost =
+        |(height, girth): &(f64, f64)| (girth - ring.length).abs() + GIRTH_PER_HEIGHT * (height - ring.height).abs();
     let within = |(height, _): &(f64, f64)| (height - ring.height).abs() <= CHANGE_MOST;
     let (height, girth) = girths.all().filter(within).min_by(|a, b| cost(a).total_cmp(&cost(b)))?;
     (ring.length >= TIGHT * girth).then_some(height - ring.height)

@@ -4,7 +4,6 @@ use crate::collision::body::Body;
 use crate::collision::self_candidates::SelfCollision;
 use crate::effects::{self, BODY_CONTACT, Facts, SELF_CONTACT};
 use crate::prepare::initial_feasibility::repair;
-use crate::prepare::tuning::REPAIR_TURNS;
 use crate::report::cost::{Costs, Lap, Work};
 use crate::scene::topology::Topology;
 use crate::scene::validate;
@@ -51,19 +50,10 @@ impl Start {
             costs.spend(Work::SelfContact, &mut lap);
         }
         if let Some(b) = &body {
-            let free = |x: &mut [Vec3]| repair::free_of_body(x, &topology, b, s.body_gap, s.repair_share);
-            let freed = free(&mut positions)?;
+            let distances = [s.body_gap, s.repair_share];
+            let held = own.then_some(&held[..]);
+            let freed = repair::free_of_body_in_turns(&mut positions, &topology, b, distances, held)?;
             repaired = (repaired.0.max(freed.0), f64::max(repaired.1, freed.1));
-            let again = |x: &mut [Vec3]| Ok(repair::free_of_itself(x, &topology, &held)?.0 > 0 && free(x)?.0 > 0);
-            // What frees the cloth of itself may push it into the body, and the other way round.
-            let mut moved = own && freed.0 > 0;
-            for _ in 0..REPAIR_TURNS.get() {
-                moved = moved && again(&mut positions)?;
-            }
-            if moved {
-                repair::free_of_itself(&mut positions, &topology, &held)?;
-                repair::refuse_crossing(&positions, &topology, b)?;
-            }
             costs.spend(Work::BodyContact, &mut lap);
         }
         if near.is_some() && repaired.0 > 0 {

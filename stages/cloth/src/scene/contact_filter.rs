@@ -1,6 +1,6 @@
 //! Contact filter: parts of the body that some vertices of the cloth do not meet.
 //!
-//! A skirt that is sewn around the legs does not meet the hands that hang beside it (docs/sewing.md).
+//! A skirt that is sewn around the legs does not meet the hands that hang beside it. The book's page on starts says when.
 
 use std::sync::Arc;
 

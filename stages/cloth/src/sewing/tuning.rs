@@ -206,7 +206,7 @@ tuned! {
         larger: "Seams that are much too short are welded, and only the drape's certificate tells.",
         smaller: "Tight garments stay open after sewing.",
         tried: "3",
-        evidence: "A belt of three quarters of its girth ends at 16 limits, a strapless dress on the hips at 1.07.",
+        evidence: "A belt of three quarters of its girth ends at 18.8 limits, a strapless dress on the hips at 1.07.",
     }
     /// Energy gained in a block at which a settling level gained little.
     SETTLING_ENERGY_SHARE: f64 = 0.01, {

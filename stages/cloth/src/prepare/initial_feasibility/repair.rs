@@ -7,7 +7,7 @@ use crate::collision::crossings::pair::segment_meets;
 use crate::prepare::initial_feasibility::resolve_intersections::resolve_intersections;
 use crate::prepare::tuning::{
     BODY_REPAIR_CLEARANCE_GROWTH, BODY_REPAIR_ROUNDS, INTERSECTION_RESOLUTION, PIECES_APART_FIRST, PIECES_APART_GROWTH,
-    PIECES_APART_MAX, PIECES_CLEARANCE,
+    PIECES_APART_MAX, PIECES_CLEARANCE, REPAIR_TURNS,
 };
 use crate::scene::topology::Topology;
 use crate::{ClothError, Place, Vec3};
@@ -49,6 +49,31 @@ fn meets([p, q]: [Vec3; 2], body: &Body, ignored: u32) -> bool {
     any
 }
 
+/// Cloth that crosses the body.
+struct BodyCrossing {
+    /// Triangles of the cloth and of the body that cross.
+    found: count::Crossings,
+    /// For every vertex `true` if it is inside the body.
+    within: Vec<bool>,
+    /// Number of vertices inside the body.
+    deep: usize,
+}
+
+impl BodyCrossing {
+    /// `None` where the cloth is free of the body.
+    fn of(x: &[Vec3], topology: &Topology, body: &Body) -> Option<Self> {
+        let found = count::body_crossings(x, &topology.faces, body);
+        let within = inside(x, &topology.faces, &found.pairs, body);
+        let deep = within.iter().filter(|w| **w).count();
+        (found.count > 0 || deep > 0).then_some(Self { found, within, deep })
+    }
+
+    fn error(&self, x: &[Vec3], topology: &Topology) -> ClothError {
+        let place = place(x, topology, &self.found.pairs, &self.within);
+        ClothError::StartCrosses { self_crossings: 0, body_crossings: self.found.count, inside: self.deep, place }
+    }
+}
+
 /// Moves vertices inside the body to `gap` (m) in front of it. Returns the number of moved vertices and the largest
 /// move, m.
 ///
@@ -64,14 +89,9 @@ pub(crate) fn free_of_body(
     let start = x.to_vec();
     let mut first = None;
     for round in 0..BODY_REPAIR_ROUNDS.get() {
-        let found = count::body_crossings(x, &topology.faces, body);
-        let within = inside(x, &topology.faces, &found.pairs, body);
-        let deep = within.iter().filter(|w| **w).count();
-        if found.count == 0 && deep == 0 {
-            let moves = x.iter().zip(&start).map(|(p, q)| (p - q).norm());
-            return Ok(moves.fold((0, 0.0), |(n, m), d| (n + usize::from(d > 0.0), f64::max(m, d))));
-        }
-        first.get_or_insert_with(|| (found.count, deep, place(x, topology, &found.pairs, &within)));
+        let Some(crossing) = BodyCrossing::of(x, topology, body) else { return Ok(moves(x, &start)) };
+        first.get_or_insert_with(|| crossing.error(x, topology));
+        let BodyCrossing { found, within, deep } = crossing;
         if round == 0 && deep as f64 > share * x.len() as f64 {
             break;
         }
@@ -93,23 +113,34 @@ pub(crate) fn free_of_body(
             }
         }
     }
-    let (body_crossings, inside, place) = first.unwrap_or((0, 0, Place { triangle: 0, at: Vec3::zeros() }));
-    Err(ClothError::StartCrosses { self_crossings: 0, body_crossings, inside, place })
+    first.map_or(Ok((0, 0.0)), Err)
 }
 
-/// Refuses cloth that crosses the body or has vertices inside it.
+/// Frees cloth of the body, as [`free_of_body`]. Where cloth meets cloth it is freed of itself after every push, because one
+/// may undo the other.
 ///
 /// # Errors
-/// The crossings and a place.
-pub(crate) fn refuse_crossing(x: &[Vec3], topology: &Topology, body: &Body) -> Result<(), ClothError> {
-    let found = count::body_crossings(x, &topology.faces, body);
-    let within = inside(x, &topology.faces, &found.pairs, body);
-    let deep = within.iter().filter(|w| **w).count();
-    if found.count == 0 && deep == 0 {
-        return Ok(());
+/// A start that cannot be freed of the body or of itself, or that still crosses the body after [`REPAIR_TURNS`].
+pub(crate) fn free_of_body_in_turns(
+    x: &mut [Vec3],
+    topology: &Topology,
+    body: &Body,
+    [gap, share]: [f64; 2],
+    held: Option<&[bool]>,
+) -> Result<(usize, f64), ClothError> {
+    let first = free_of_body(x, topology, body, gap, share)?;
+    let Some(held) = held else { return Ok(first) };
+    let mut freed = first;
+    for _ in 0..REPAIR_TURNS.get() {
+        if freed.0 == 0 || free_of_itself(x, topology, held)?.0 == 0 {
+            return Ok(first);
+        }
+        freed = free_of_body(x, topology, body, gap, share)?;
     }
-    let place = place(x, topology, &found.pairs, &within);
-    Err(ClothError::StartCrosses { self_crossings: 0, body_crossings: found.count, inside: deep, place })
+    if freed.0 > 0 && free_of_itself(x, topology, held)?.0 > 0 {
+        return BodyCrossing::of(x, topology, body).map_or(Ok(first), |crossing| Err(crossing.error(x, topology)));
+    }
+    Ok(first)
 }
 
 /// A place at which the start is not free.
