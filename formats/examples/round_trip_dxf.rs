@@ -1,6 +1,7 @@
 //! Writes a DXF in every dialect and reads it again: `round_trip_dxf [--out FOLDER] IN.dxf…`. Exit code 1 when anything
 //! differs. Sizes of a nest are also written as a size run, and its sample size is graded with the rules and compared.
-//! With `--out` what is written stays in the folder, for other readers.
+//! With `--out` what is written stays in the folder, for other readers. The environment variable `VERTICES` lists the
+//! vertices that differ.
 #![allow(clippy::print_stdout, clippy::print_stderr)]
 
 use std::process::ExitCode;

@@ -23,8 +23,8 @@ fn export(garment: &Garment, dialect: Dialect) -> Vec<u8> {
     write(&Drawing { style, pieces }, dialect).expect("written").bytes
 }
 
-/// A line is read back with all its vertices where the dialect has a dense copy of it. Else its corners and curve points
-/// come back, and the curve that the reader makes of them keeps this near, mm: the chords of both are up to 0.05 mm off.
+/// Curves that are read back keep this near, mm: the chords of both are up to 0.05 mm off. Where the dialect has a
+/// dense copy, all vertices of a line come back. Else its corners and curve points do, and the reader makes the curve.
 const CURVE: f64 = 0.1;
 
 fn same_curve(a: &PieceLine, b: &PieceLine, dialect: Dialect, what: &str) {

@@ -82,7 +82,7 @@ fn all_samples_are_read_alike() {
     assert!(read >= 3);
 }
 
-/// What exporters write, and what is wrong in small ways.
+/// Files as exporters write them, and files that are wrong in small ways.
 const FORMS: &[&str] = &[
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n",
     // Unused vertices, order unlike that of the faces, groups that share vertices.

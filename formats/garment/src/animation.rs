@@ -14,8 +14,8 @@ pub struct MotionCertificate {
     pub stretch_max: f64,
     /// Most intersecting triangle pairs of a frame, of the cloth with itself and with the body.
     pub crossings: u64,
-    /// Energy gained from nothing, as a share of the energy that moves in the motion. 0 where the body moves, which does
-    /// work.
+    /// Energy gained from nothing, as a share of the energy that moves in the motion. 0 where the body moves, which
+    /// does work.
     pub energy_gain: f64,
     /// Distance of the middle of free cloth from where gravity alone brings it, as a share of the fall. `None` where
     /// something else acts: pins, loads, a body, air or calming.

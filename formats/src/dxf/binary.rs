@@ -1,20 +1,20 @@
 //! Binary DXF into its text form: the same pairs, two lines each.
 //!
-//! Codes are one byte before release 13 and two bytes since; which of the two shows in the first pair. Writers get
-//! it wrong (two-byte codes in old releases, a date as a string), so a damaged pair outside the geometry is passed
-//! over to the next SECTION with a warning; inside BLOCKS and ENTITIES it ends the reading.
+//! Codes are one byte before release 13 and two bytes since; which of the two shows in the first pair. Some writers get
+//! it wrong: they give two-byte codes in old releases, or a date as a string. So reading passes over a damaged pair
+//! outside the geometry, to the next SECTION, with a warning. A damaged pair in BLOCKS or ENTITIES ends the reading.
 
 use super::codes;
 use super::findings::Findings;
 use super::limits;
 use toile_garment::Diagnostic;
 
-/// What every binary DXF begins with.
+/// The first bytes of every binary DXF.
 pub(crate) const SENTINEL: &[u8] = b"AutoCAD Binary DXF\r\n\x1a\0";
 /// Doubles nearer to zero than this, made of digits, are a text read as a number.
 const LEAST: f64 = 1e-20;
 
-/// What follows a group code.
+/// The kind of value that follows a group code.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Kind {
     Text,

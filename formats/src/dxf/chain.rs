@@ -65,7 +65,7 @@ pub struct Gap {
     pub at: Vec2,
 }
 
-/// What chaining made of the runs.
+/// The lines that chaining made of the runs.
 #[derive(Clone, Debug, Default)]
 pub struct Chained {
     /// Closed lines.
@@ -78,7 +78,8 @@ pub struct Chained {
     pub doubled: Vec<u32>,
 }
 
-/// Chains runs end to end, in order where the file's order fits, reversing where needed; gaps up to `gap` mm are closed.
+/// Chains runs end to end, in order where the file's order fits, reversing where needed. Gaps up to `gap` mm are
+/// closed.
 #[must_use]
 pub fn chain(paths: Vec<Path>, gap: f64) -> Chained {
     let mut out = Chained::default();

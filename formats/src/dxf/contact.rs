@@ -16,7 +16,7 @@ const LOOP: (f64, f64) = (30.0, 25.0);
 /// A loop of less area than this share of its length squared is a line drawn forth and back.
 const FLAT: f64 = 1e-4;
 
-/// What an outline does at a place it passes twice.
+/// The way an outline meets itself at a place it passes twice.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Contact {
     /// It goes through itself there.
@@ -73,7 +73,7 @@ impl<'a> Line<'a> {
         Pass { at: self.points[i], before: self.beside(i, n - 1), after: self.beside(i, 1) }
     }
 
-    /// What happens where vertex `v` meets segment `s`; `None` where nothing does.
+    /// The contact of vertex `v` with segment `s`; `None` where they do not meet.
     fn judge(&self, v: usize, s: usize) -> Option<Contact> {
         let n = self.points.len();
         let (p, a, b) = (self.points[v], self.points[s], self.points[(s + 1) % n]);

@@ -6,7 +6,7 @@ use super::tolerances::Tolerances;
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 use toile_garment::{Diagnostic, SourceRef};
 
-/// What building a piece writes to.
+/// The findings and verdicts that building a piece adds to, and its rules.
 pub(crate) struct Desk<'a> {
     pub findings: &'a mut Findings,
     pub overruled: &'a mut Vec<Overruled>,

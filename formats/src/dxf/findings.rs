@@ -57,10 +57,10 @@ impl Findings {
 
     /// Takes out the errors that `belongs` names.
     pub(crate) fn take_errors(&mut self, belongs: impl Fn(&Diagnostic) -> bool) -> Vec<Diagnostic> {
-        let (taken, rest) =
-            std::mem::take(&mut self.list).into_iter().partition(|f| f.severity == Severity::Error && belongs(f));
+        let is_taken = |f: &Diagnostic| f.severity == Severity::Error && belongs(f);
+        let (taken, rest): (Vec<_>, Vec<_>) = std::mem::take(&mut self.list).into_iter().partition(is_taken);
         self.list = rest;
-        for finding in &taken as &Vec<Diagnostic> {
+        for finding in &taken {
             self.seen.entry(finding.code.clone()).and_modify(|n| *n = n.saturating_sub(1));
         }
         self.seen.retain(|_, n| *n > 0);

@@ -47,8 +47,8 @@ impl Pattern {
         Ok((garment, chosen.findings))
     }
 
-    /// The garment in several sizes, in the order asked for: every piece in each, called `piece@size`; pieces of no size
-    /// once. The size of the garment is the sample size if it is among them, else the first.
+    /// The garment in several sizes, in the order asked for. It holds every piece in each, called `piece@size`, and
+    /// pieces of no size once. The size of the garment is the sample size if it is among them, else the first.
     ///
     /// # Errors
     /// As [`Self::to_garment`], for each size.
@@ -199,7 +199,7 @@ fn texts(drawn: &DrawnPiece) -> Vec<PieceText> {
 fn anchor_marked(sewn: &mut Outline, darts: &mut [DrawnDart], fold: Option<Fold>) {
     let half = sewn.positions();
     for dart in darts.iter_mut().filter(|d| d.form == Form::Marked) {
-        // Of a dart on the fold the half piece holds one mouth point.
+        // The half piece holds one mouth point of a dart on the fold.
         let fold = fold.filter(|f| on_fold(*f, dart));
         let off = dart.mouth.map(|m| geom::distance(m, &half, true));
         let mine = usize::from(off[1] < off[0]);
@@ -266,13 +266,15 @@ fn untold(outline: &Outline, work: &[Node], fold: Option<Fold>) -> Vec<LinePoint
 /// The vertices on the fold are corners where the working line has corners; between curve points they are curve points.
 fn smooth_over(fold: Fold, nodes: &mut [Node], work: &[Node]) {
     let n = nodes.len();
-    for i in (0..n).filter(|i| fold.distance(nodes[*i].at) <= 0.5).collect::<Vec<_>>() {
+    for i in (0..n).filter(|i| fold.passes(nodes[*i].at)).collect::<Vec<_>>() {
         let corner = work.iter().any(|w| w.at == nodes[i].at && w.kind == PointKind::Turn);
         let beside = [nodes[(i + n - 1) % n].kind, nodes[(i + 1) % n].kind];
-        nodes[i].kind = match () {
-            () if corner => PointKind::Turn,
-            () if beside == [PointKind::Curve; 2] => PointKind::Curve,
-            () => PointKind::Plain,
+        nodes[i].kind = if corner {
+            PointKind::Turn
+        } else if beside == [PointKind::Curve; 2] {
+            PointKind::Curve
+        } else {
+            PointKind::Plain
         };
     }
 }
@@ -288,7 +290,7 @@ fn edges(outline: &PieceLine) -> Vec<OutlineEdge> {
 
 /// Does a dart lie on the fold, so that it is its own mirror image?
 fn on_fold(fold: Fold, dart: &DrawnDart) -> bool {
-    dart.apexes.iter().all(|p| fold.distance(*p) <= 0.5)
+    dart.apexes.iter().all(|p| fold.passes(*p))
 }
 
 /// Away from the fold: what lies on it is its own mirror image.

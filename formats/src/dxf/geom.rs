@@ -60,6 +60,15 @@ pub struct Foot {
     pub t: f64,
 }
 
+impl Foot {
+    /// The place itself, on the line it was found for, or on another one with as many vertices.
+    #[must_use]
+    pub fn on(&self, line: &[Vec2]) -> Vec2 {
+        let (a, b) = (line[self.segment], line[(self.segment + 1) % line.len()]);
+        a + (b - a) * self.t
+    }
+}
+
 /// The nearest place on a line.
 #[must_use]
 pub fn nearest(p: Vec2, line: &[Vec2], closed: bool) -> Option<Foot> {
@@ -120,8 +129,8 @@ impl<'a> Groups<'a> {
         self.nearest_group(p, limit, 0.0, &mut 0)
     }
 
-    /// Distance from the line, but any number up to `enough` when it is not larger; `near` is the group of the point before and
-    /// becomes that of this one.
+    /// Distance from the line, but any number up to `enough` when it is not larger. `near` is the group of the point
+    /// before and becomes that of this one.
     fn distance_over(&self, p: Vec2, enough: f64, near: &mut usize) -> f64 {
         let first = if self.boxes.is_empty() { f64::INFINITY } else { self.within(*near, p) };
         self.nearest_group(p, first, enough, near)
@@ -219,8 +228,8 @@ impl PointIndex {
     /// An index for look-ups within `radius`.
     #[must_use]
     pub fn new(radius: f64, points: impl IntoIterator<Item = (Vec2, usize)>) -> Self {
-        let mut index = // Cells much larger than the radius: most look-ups then touch one.
-        Self { cell: 8.0 * radius, cells: BTreeMap::new() };
+        // Cells much larger than the radius: most look-ups then touch one.
+        let mut index = Self { cell: 8.0 * radius, cells: BTreeMap::new() };
         for (p, id) in points {
             index.insert(p, id);
         }
@@ -255,24 +264,6 @@ impl PointIndex {
         }
         found.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         found
-    }
-
-    /// The distinct places within `radius`, nearest first, with their distances; points 0.02 mm apart are one place.
-    #[must_use]
-    pub fn near_places(&self, p: Vec2, radius: f64) -> Vec<(f64, Vec2)> {
-        let reach = Vec2::new(radius, radius);
-        let ((x0, y0), (x1, y1)) = (self.key(p - reach), self.key(p + reach));
-        let cells = (x0..=x1).flat_map(|x| (y0..=y1).map(move |y| (x, y)));
-        let all = cells.filter_map(|cell| self.cells.get(&cell)).flatten();
-        let mut near: Vec<(f64, Vec2)> = all.map(|(q, _)| ((q - p).norm(), *q)).filter(|(d, _)| *d <= radius).collect();
-        near.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.x.total_cmp(&b.1.x)).then(a.1.y.total_cmp(&b.1.y)));
-        let mut out: Vec<(f64, Vec2)> = Vec::new();
-        for (d, q) in near {
-            if out.len() < 8 && out.iter().all(|(_, r)| (r - q).norm() > 0.02) {
-                out.push((d, q));
-            }
-        }
-        out
     }
 
     /// Is there a point within `radius`?

@@ -61,7 +61,7 @@ pub(crate) fn text_encoding(
     })
 }
 
-/// What is doubtful about the code page that was chosen.
+/// Says where the code page that was chosen is doubtful.
 pub(crate) fn say_encoding(bytes: &[u8], header: &Header, encoding: TextEncoding, findings: &mut Findings) {
     let read = format!("its text was read as {}", encoding.name());
     let release = header.release.as_deref();

@@ -5,7 +5,7 @@ use super::garment::{refused_piece, to_piece};
 use super::ledger::Verdict;
 use super::notches::DrawnNotch;
 use super::pattern::{Pattern, ReadOptions, read_all};
-use super::piece::{DrawnPiece, RefusedPiece};
+use super::piece::{DrawnPiece, RefusedPiece, in_file_order};
 use super::{geom, grade};
 use crate::rul::{self, RuleTable};
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
@@ -112,7 +112,7 @@ fn facts(pattern: &Pattern, pieces: &[Piece], table: Option<&RuleTable>) -> Valu
     put("ledger", ledger(pattern));
     put("findings", json!(pattern.all_findings()));
     let sound: Vec<Value> = pattern.pieces.par_iter().zip(pieces).map(|(d, p)| piece(d, p)).collect();
-    put("pieces", Value::Array(in_file_order(pattern, sound, refused)));
+    put("pieces", Value::Array(of_all_pieces(pattern, sound, refused)));
     if let Some(table) = table {
         put("rul_sizes", json!(table.sizes));
         put("rul_sample_size", json!(table.sample));
@@ -261,12 +261,10 @@ fn refused(piece: &RefusedPiece) -> Value {
     })
 }
 
-/// The facts of sound pieces and of refused ones, in the order of the file.
-fn in_file_order<T>(pattern: &Pattern, sound: Vec<T>, refused: impl Fn(&RefusedPiece) -> T) -> Vec<T> {
-    let mut all: Vec<(u64, T)> = pattern.pieces.iter().map(|p| p.line).zip(sound).collect();
-    all.extend(pattern.refused.iter().map(|p| (p.line, refused(p))));
-    all.sort_by_key(|p| p.0);
-    all.into_iter().map(|p| p.1).collect()
+/// The facts of all pieces, in the order of the file.
+fn of_all_pieces<T>(pattern: &Pattern, sound: Vec<T>, refused: impl Fn(&RefusedPiece) -> T) -> Vec<T> {
+    let sound = pattern.pieces.iter().map(|p| p.line).zip(sound);
+    in_file_order(sound, pattern.refused.iter().map(|p| (p.line, refused(p))))
 }
 
 fn notch(n: &DrawnNotch) -> Value {
@@ -293,7 +291,7 @@ fn dart(d: &DrawnDart, undecided: bool) -> Value {
         "width_mm": round(d.width()),
         "line": d.on,
         "confidence": round(d.confidence()),
-        "evidence": d.evidence,
+        "evidence": d.reasons(),
         "candidate": undecided,
     });
     if let (Form::Lens, Some(map)) = (d.form, out.as_object_mut()) {
@@ -378,7 +376,7 @@ fn text(pattern: &Pattern) -> String {
         ),
     );
     let rows = pattern.pieces.iter().map(row).collect();
-    for row in in_file_order(pattern, rows, refused_row) {
+    for row in of_all_pieces(pattern, rows, refused_row) {
         say(&mut out, row);
     }
     let l = &pattern.ledger;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-/// What became of an entity.
+/// The use that was made of an entity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Verdict {
     /// Taken as the standard says.

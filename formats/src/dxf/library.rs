@@ -3,8 +3,8 @@
 //! The crate reads these well, but loses data on whole pattern files. One bad number or unknown group code costs the
 //! file. A date of no calendar is a panic. A point of a spline counts only with all three coordinates.
 //!
-//! So our own tags look first ([`super::entity`] tells line and remedy of what is wrong), and the tags that give a curve
-//! its shape are handed over as they stand in the file. Afterwards kind and counts are looked at again.
+//! So our own tags look first: [`super::entity`] tells line and remedy of what is wrong. The tags that give a curve its
+//! shape are handed over as they stand in the file. Afterwards kind and counts are looked at again.
 
 use super::codes;
 use super::entity;

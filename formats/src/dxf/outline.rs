@@ -12,7 +12,7 @@ use toile_garment::outline::PointKind;
 /// Points of layers 2 and 3 coincide with vertices within this, mm.
 const MATCH: f64 = 0.02;
 /// Marked curve points further apart than this are control points of a smooth curve, mm.
-const SPARSE: f64 = 3.0;
+pub(crate) const SPARSE: f64 = 3.0;
 /// A point on a curve turns less than this, degrees.
 const NO_CURVE: f64 = 60.0;
 /// A dense copy may differ this much from the smooth curve through the points it copies, mm.
@@ -307,8 +307,7 @@ impl Outline {
                 return line[end];
             }
         }
-        let (a, b) = (line[foot.segment], line[(foot.segment + 1) % n]);
-        let at = if foot.distance < 0.01 { p } else { a + (b - a) * foot.t };
+        let at = if foot.distance < 0.01 { p } else { foot.on(&line) };
         self.work.insert(foot.segment + 1, Node { at, kind: PointKind::Plain, drawn: false });
         for place in self.place.iter_mut().flatten() {
             *place += usize::from(*place > foot.segment);

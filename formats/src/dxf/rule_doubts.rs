@@ -18,8 +18,8 @@ fn differ(a: &str, b: &str) -> bool {
 }
 
 impl Pattern {
-    /// What of a rule table does not fit this pattern: its name, its sample size, rules that are missing, growths that
-    /// no garment has.
+    /// Findings where a rule table does not fit this pattern: its name, its sample size, rules that are missing,
+    /// growths that no garment has.
     #[must_use]
     pub fn check_rules(&self, table: &RuleTable) -> Vec<Diagnostic> {
         let place = || SourceRef::file(self.file.clone());

@@ -124,8 +124,8 @@ pub(crate) fn has_boundary(layers: &Layers, block: &Block) -> bool {
 pub(crate) const FOREIGN_NOTCH: &str = "short line on layer 2 or 3 read as a stroke of a notch";
 /// The ledger's word on circles of drill holes on layer 2, which holds points.
 pub(crate) const FOREIGN_DRILL: &str = "circle on layer 2 read as a drill hole";
-/// A stroke of a notch on layer 2 or 3 is no longer than this, mm.
-const STROKE: f64 = 20.0;
+/// A line whose layer does not say so is a stroke of a notch only if it is no longer than this, mm.
+pub(crate) const STROKE: f64 = 20.0;
 /// A drill hole on layer 2 has no larger radius than this, mm.
 const DRILL: f64 = 10.0;
 /// Vertices of a polyline that is the strokes of one notch.
@@ -356,13 +356,12 @@ impl<'a> Sorter<'a> {
                 let ends = [vertices[0].at, vertices[vertices.len() - 1].at].map(place);
                 sheet.strokes(role).push(Stroke { id, line, ends });
             }
-            Role::Notch(_) | Role::Turn | Role::Curve
-                if STROKES_OF_NOTCH.contains(&vertices.len())
-                    && (matches!(role, Role::Notch(_))
-                        || self.is_short(&vertices.iter().map(|v| v.at).collect::<Vec<_>>())) =>
-            {
-                let own = "polyline on a notch layer: strokes of a notch";
-                let rule = if matches!(role, Role::Notch(_)) { own } else { FOREIGN_NOTCH };
+            Role::Notch(_) | Role::Turn | Role::Curve if STROKES_OF_NOTCH.contains(&vertices.len()) => {
+                let rule = match role {
+                    Role::Notch(_) => "polyline on a notch layer: strokes of a notch",
+                    _ if self.is_short(vertices) => FOREIGN_NOTCH,
+                    _ => return false,
+                };
                 self.ledger.note(id, Verdict::Interpreted, rule);
                 let strokes = vertices.windows(2).map(|w| Stroke { id, line, ends: [w[0].at, w[1].at].map(place) });
                 sheet.notch_strokes.extend(strokes);
@@ -372,9 +371,9 @@ impl<'a> Sorter<'a> {
         true
     }
 
-    /// Do points of a line, in file units, lie as near to each other as those of a notch?
-    fn is_short(&self, points: &[Vec2]) -> bool {
-        geom::bounds(points.iter().copied()).is_some_and(|(lo, hi)| (hi - lo).norm() * self.mm <= STROKE)
+    /// Do vertices, in file units, lie as near to each other as those of a notch?
+    fn is_short(&self, vertices: &[Vertex]) -> bool {
+        geom::bounds(vertices.iter().map(|v| v.at)).is_some_and(|(lo, hi)| (hi - lo).norm() * self.mm <= STROKE)
     }
 
     /// A straight line on a layer of straight lines or notches; tells whether it is on one.

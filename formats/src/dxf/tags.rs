@@ -167,7 +167,7 @@ fn group_code(text: &[u8]) -> Option<i32> {
     text.parse::<i32>().ok().filter(|c| (-32_768..=32_767).contains(c))
 }
 
-/// What stands in a line, as far as it can be shown.
+/// The text of a line, as far as it can be shown.
 fn shown(bytes: &[u8]) -> String {
     let text: String =
         String::from_utf8_lossy(bytes).chars().filter(|c| !c.is_control() && *c != '\u{FFFD}').take(40).collect();

@@ -84,8 +84,8 @@ fn count(text: &str) -> Option<u32> {
     number.parse().ok().filter(|_| word)
 }
 
-/// The text of a piece that an attribute stands for: `Piece Name: FRONT` of its name and its value. Links of notches, and
-/// attributes without a value, stand for none.
+/// The text of a piece that an attribute stands for, made of its name and its value: `Piece Name: FRONT`. Links of
+/// notches, and attributes without a value, stand for none.
 #[must_use]
 pub fn attribute(tag: &str, value: &str) -> Option<String> {
     const KEYS: [&str; 8] =

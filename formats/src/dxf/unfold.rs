@@ -29,14 +29,20 @@ impl Fold {
         geom::cross(d, p - self.0[0]).abs() / d.norm().max(1e-9)
     }
 
+    /// Does a place lie on the fold?
+    #[must_use]
+    pub fn passes(&self, p: Vec2) -> bool {
+        self.distance(p) <= ON_FOLD
+    }
+
     /// Does a place of a closed half line lie on the fold alone, so that the whole line passes it nowhere?
     #[must_use]
     pub fn holds_alone(&self, p: Vec2, half: &[Vec2]) -> bool {
         let n = half.len();
-        let on = |i: usize| self.distance(half[i % n]) <= ON_FOLD;
+        let on = |i: usize| self.passes(half[i % n]);
         let beside = (0..n).filter(|i| !(on(*i) && on(i + 1)));
         let near = |i: usize| geom::point_segment(p, half[i], half[(i + 1) % n]).0 <= ON_FOLD;
-        self.distance(p) <= ON_FOLD && !beside.into_iter().any(near)
+        self.passes(p) && !beside.into_iter().any(near)
     }
 
     /// A closed half line made whole: everything but the run on the fold, and its mirror image. `None` when no run lies
@@ -67,7 +73,7 @@ impl Fold {
     /// Longest run of neighbouring vertices on the fold.
     fn run(&self, half: &[Node]) -> Option<(usize, usize)> {
         let n = half.len();
-        let on: Vec<bool> = half.iter().map(|node| self.distance(node.at) <= ON_FOLD).collect();
+        let on: Vec<bool> = half.iter().map(|node| self.passes(node.at)).collect();
         let first_off = on.iter().position(|o| !o)?;
         let mut best: Option<(f64, usize, usize)> = None;
         let mut from: Option<usize> = None;

@@ -21,19 +21,19 @@ const SIDE_MOST: f64 = 5000.0;
 /// The unit of a file.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Units {
-    /// As the style text says it, e.g. `METRIC`.
+    /// The word of the style text, e.g. `METRIC`.
     pub declared: Option<String>,
-    /// What was used.
+    /// The unit that was used, mm.
     pub mm_per_unit: f64,
 }
 
-/// What there is to judge by.
+/// The evidence to judge by.
 pub(crate) struct Evidence<'a> {
     /// The user's own word, mm per unit.
     pub asked: Option<f64>,
     /// Value of the text `Units:`.
     pub text: Option<&'a str>,
-    /// What a second text `Units:` says.
+    /// The word of a second text `Units:`.
     pub other: Option<String>,
     /// `$INSUNITS`.
     pub insunits: Option<i64>,

@@ -126,7 +126,7 @@ pub struct Profile {
     pub others: Vec<(Vendor, Vec<String>)>,
     /// `ASTM`, `AAMA` or `plain`, and why.
     pub standard: (&'static str, String),
-    /// What was read differently because of it.
+    /// Readings that differ because of it.
     pub effects: Vec<String>,
     /// Depths and widths of notches times this.
     pub notch_scale: f64,

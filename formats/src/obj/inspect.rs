@@ -1,4 +1,4 @@
-//! What is in an OBJ.
+//! The contents of an OBJ.
 
 use super::read;
 use serde_json::{Value, json};

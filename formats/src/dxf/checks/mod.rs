@@ -1,4 +1,4 @@
-//! What a file says that cannot all be meant: each check looks at pieces that are read, and only reports.
+//! Checks for statements of a file that cannot all be meant. Each looks at pieces that are read, and only reports.
 
 pub(crate) mod codes;
 mod cutouts;

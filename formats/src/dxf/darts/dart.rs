@@ -1,6 +1,6 @@
 //! The dart as drawn, and the record of a look-alike that was denied.
 
-use super::thresholds::{POINTS_THAT_HALVE_DOUBT, RANGE_OF_CONFIDENCE};
+use super::thresholds::{POINTS_OF_DART, POINTS_THAT_HALVE_DOUBT, RANGE_OF_CONFIDENCE};
 use crate::dxf::geom;
 use toile_garment::Vec2;
 
@@ -40,12 +40,17 @@ pub struct DrawnDart {
     pub line: u64,
     /// Entities that are its legs (marked darts and lenses).
     pub ids: Vec<u32>,
-    /// Points of all evidence: what speaks for it less what speaks against it.
+    /// Evidence for it and against it.
+    pub evidence: Vec<Evidence>,
+}
+
+/// One reason for a dart or against it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Evidence {
+    /// Points for it; those against it are negative.
     pub points: i32,
-    /// Reasons that speak for it and against it.
-    pub evidence: Vec<&'static str>,
-    /// The reasons that speak against it.
-    pub against: Vec<&'static str>,
+    /// The reason.
+    pub why: &'static str,
 }
 
 /// A look-alike that is no dart.
@@ -59,11 +64,45 @@ pub struct Denied {
     pub form: Form,
 }
 
+impl Form {
+    /// The layer that findings name.
+    pub(super) fn layer(self) -> &'static str {
+        if self == Self::Marked { "8" } else { "1" }
+    }
+}
+
 impl DrawnDart {
+    /// Adds evidence.
+    pub(super) fn add(&mut self, points: i32, why: &'static str) {
+        self.evidence.push(Evidence { points, why });
+    }
+
+    /// Points of all evidence: what speaks for it less what speaks against it.
+    #[must_use]
+    pub fn points(&self) -> i32 {
+        self.evidence.iter().map(|e| e.points).sum()
+    }
+
+    /// All reasons, for it and against it.
+    #[must_use]
+    pub fn reasons(&self) -> Vec<&'static str> {
+        self.evidence.iter().map(|e| e.why).collect()
+    }
+
+    /// The last reason that speaks against it.
+    pub(super) fn objection(&self) -> Option<&'static str> {
+        self.evidence.iter().rev().find(|e| e.points < 0).map(|e| e.why)
+    }
+
+    /// Does its evidence make it a dart?
+    pub(super) fn is_sure(&self) -> bool {
+        self.points() >= POINTS_OF_DART
+    }
+
     /// How sure it is a dart, 0 to 1: a few points halve the doubt.
     #[must_use]
     pub fn confidence(&self) -> f64 {
-        let doubt = libm::exp2(-f64::from(self.points) / POINTS_THAT_HALVE_DOUBT);
+        let doubt = libm::exp2(-f64::from(self.points()) / POINTS_THAT_HALVE_DOUBT);
         (1.0 - doubt).clamp(*RANGE_OF_CONFIDENCE.start(), *RANGE_OF_CONFIDENCE.end())
     }
 

@@ -31,9 +31,9 @@ pub(in crate::dxf) fn decide(pieces: &mut [DrawnPiece], desk: &mut Desk<'_>) {
     weigh_siblings(pieces);
     for piece in pieces.iter_mut() {
         for dart in std::mem::take(&mut piece.darts) {
-            if dart.form == Form::Lens || dart.points >= POINTS_OF_DART {
+            if dart.form == Form::Lens || dart.is_sure() {
                 piece.keep(dart, desk);
-            } else if dart.points >= POINTS_OF_DOUBT {
+            } else if is_doubtful(&dart) {
                 piece.doubts.undecided.push(dart);
             } else {
                 piece.deny(&dart, desk);
@@ -66,7 +66,7 @@ fn weigh_by_file(pieces: &mut [DrawnPiece]) {
 fn drills_its_darts(pieces: &[DrawnPiece]) -> bool {
     let (mut with, mut without) = (0_usize, 0_usize);
     for piece in pieces {
-        for dart in piece.darts.iter().filter(|d| d.form != Form::Lens && d.points >= POINTS_OF_DART) {
+        for dart in piece.darts.iter().filter(|d| d.form != Form::Lens && d.is_sure()) {
             if piece.is_drilled(dart) { with += 1 } else { without += 1 }
         }
     }
@@ -75,14 +75,14 @@ fn drills_its_darts(pieces: &[DrawnPiece]) -> bool {
 
 /// Tells whether evidence leaves a dart undecided.
 fn is_doubtful(dart: &DrawnDart) -> bool {
-    (POINTS_OF_DOUBT..POINTS_OF_DART).contains(&dart.points)
+    (POINTS_OF_DOUBT..POINTS_OF_DART).contains(&dart.points())
 }
 
 /// A wedge in doubt, against which nothing speaks, is what it is in the other sizes of its piece.
 fn weigh_sizes(pieces: &mut [DrawnPiece]) {
     let mut sure: BTreeMap<String, BTreeSet<(usize, usize)>> = BTreeMap::new();
     for piece in pieces.iter().filter(|p| p.size.is_some()) {
-        let numbers = (0..piece.darts.len()).filter(|k| piece.darts[*k].points >= POINTS_OF_DART);
+        let numbers = (0..piece.darts.len()).filter(|k| piece.darts[*k].is_sure());
         if let Some(name) = &piece.name {
             sure.entry(name.clone()).or_default().extend(numbers.map(|k| (k, piece.darts.len())));
         }
@@ -91,7 +91,7 @@ fn weigh_sizes(pieces: &mut [DrawnPiece]) {
         let Some(sure) = piece.name.as_ref().and_then(|name| sure.get(name)) else { continue };
         let count = piece.darts.len();
         for (k, dart) in piece.darts.iter_mut().enumerate() {
-            if is_doubtful(dart) && dart.against.is_empty() && sure.contains(&(k, count)) {
+            if is_doubtful(dart) && dart.objection().is_none() && sure.contains(&(k, count)) {
                 dart.add(POINTS_OF_OTHER_SIZE, OTHER_SIZE);
             }
         }
@@ -105,7 +105,7 @@ fn weigh_siblings(pieces: &mut [DrawnPiece]) {
     }
     let sure: Vec<(Option<String>, [f64; 3])> = pieces
         .iter()
-        .flat_map(|p| p.darts.iter().filter(|d| d.points >= POINTS_OF_DART).map(|d| (p.size.clone(), measures(d))))
+        .flat_map(|p| p.darts.iter().filter(|d| d.is_sure()).map(|d| (p.size.clone(), measures(d))))
         .collect();
     for piece in pieces {
         let (darts, size) = (&mut piece.darts, &piece.size);
@@ -137,9 +137,10 @@ impl DrawnPiece {
     /// A wedge with evidence against it is told; a sliver without any is only noted.
     fn deny(&mut self, dart: &DrawnDart, desk: &mut Desk<'_>) {
         let (at, form) = (dart.apexes[0], dart.form);
-        let why = dart.against.last().copied().unwrap_or(NARROW);
+        let objection = dart.objection();
+        let why = objection.unwrap_or(NARROW);
         self.doubts.denied.push(Denied { at, why, form });
-        if !dart.against.is_empty() {
+        if objection.is_some() {
             let text = format!("the wedge at {} of `{}` was not taken as a dart: {why}", mm(at), self.label());
             let hint = format!("if it is a dart, write in the sewing file:\n{}", declaration(self.label(), dart));
             desk.say(Diagnostic::warning(codes::WEDGE_NOT_A_DART, text).hint(hint), &self.block, "1", dart.line);
@@ -148,8 +149,7 @@ impl DrawnPiece {
 
     fn tell_undecided(&self, desk: &mut Desk<'_>) {
         for dart in &self.doubts.undecided {
-            let layer = if dart.form == Form::Marked { "8" } else { "1" };
-            desk.say(self.undecided(self.label(), dart), &self.block, layer, dart.line);
+            desk.say(self.undecided(self.label(), dart), &self.block, dart.form.layer(), dart.line);
         }
     }
 }

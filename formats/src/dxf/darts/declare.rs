@@ -69,7 +69,7 @@ impl DrawnPiece {
             mm(dart.apexes[0]),
             dart.width(),
             dart.leg_chord(0).max(dart.leg_chord(1)),
-            if dart.evidence.is_empty() { "nothing marks it".to_owned() } else { dart.evidence.join("; ") },
+            if dart.evidence.is_empty() { "nothing marks it".to_owned() } else { dart.reasons().join("; ") },
         );
         let hint = format!(
             "if it is one, write in the sewing file:\n{}\nif it is none, add: kind = \"none\"",
@@ -95,5 +95,5 @@ pub(super) fn declaration(piece: &str, dart: &DrawnDart) -> String {
 /// Is this the finding of a dart that the drawing leaves undecided?
 #[must_use]
 pub fn is_undecided(finding: &Diagnostic) -> bool {
-    finding.code == codes::DART_UNDECIDED.name()
+    finding.code == codes::DART_UNDECIDED
 }

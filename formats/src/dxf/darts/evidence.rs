@@ -116,15 +116,6 @@ impl DrawnPiece {
 }
 
 impl DrawnDart {
-    /// Adds a row of evidence.
-    pub(super) fn add(&mut self, points: i32, why: &'static str) {
-        self.points += points;
-        self.evidence.push(why);
-        if points < 0 {
-            self.against.push(why);
-        }
-    }
-
     /// Angle between the straight legs, degrees.
     fn angle(&self) -> f64 {
         geom::angle(self.mouth[0] - self.apexes[0], self.mouth[1] - self.apexes[0])

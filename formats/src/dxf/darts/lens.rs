@@ -64,9 +64,7 @@ fn lens(path: &Path, outline: &[Vec2]) -> Option<DrawnDart> {
         on: "internal",
         line: path.line,
         ids: path.ids.clone(),
-        points: 0,
         evidence: Vec::new(),
-        against: Vec::new(),
     })
 }
 

@@ -46,7 +46,7 @@ pub mod thresholds;
 mod wedge;
 mod zigzag;
 
-pub use dart::{Denied, DrawnDart, Form};
+pub use dart::{Denied, DrawnDart, Evidence, Form};
 pub(super) use decide::decide;
 pub use declare::{UndecidedDart, is_undecided};
 pub use pleat::Pleat;

@@ -42,7 +42,7 @@ impl DrawnPiece {
             found.extend(lenses);
         }
         for dart in &mut found {
-            dart.evidence.push("its apex lies on the fold: one half is drawn");
+            dart.add(0, "its apex lies on the fold: one half is drawn");
         }
         (found, denied)
     }

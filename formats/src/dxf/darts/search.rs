@@ -60,8 +60,8 @@ impl DrawnPiece {
                 self.label(),
                 one.why
             );
-            let layer = if one.form == Form::Marked { "8" } else { "1" };
-            desk.say(Diagnostic::info(codes::WEDGE_NOT_A_DART, text).hint(DECLARE), &self.block, layer, self.line);
+            let finding = Diagnostic::info(codes::WEDGE_NOT_A_DART, text).hint(DECLARE);
+            desk.say(finding, &self.block, one.form.layer(), self.line);
         }
     }
 }

@@ -311,9 +311,9 @@ pub const POINTS_OF_WIDE_ANGLE: i32 = 4;
 pub const POINTS_OF_LINES: i32 = 2;
 /// Points for a closed line, sharp at both ends and alike on both sides.
 pub const POINTS_OF_LENS: i32 = 5;
-/// Points for a drill hole at the apex: with legs of one length it makes a needle a dart.
+/// Points for a drill hole at the apex: alone it makes a needle a dart.
 pub const POINTS_OF_DRILL: i32 = 3;
-/// Points for a notch at each mouth point: with legs of one length they make a needle a dart.
+/// Points for a notch at each mouth point: alone they make a needle a dart.
 pub const POINTS_OF_NOTCHES: i32 = 3;
 /// Points for a word of the trade beside it: "dart", "pince", "pinza", "Abnäher".
 pub const POINTS_OF_WORD: i32 = 3;
@@ -329,8 +329,8 @@ pub const POINTS_OF_SIBLING: i32 = 1;
 pub const POINTS_OF_OTHER_SIZE: i32 = 3;
 /// Points against legs of different lengths.
 pub const POINTS_OF_UNEQUAL_LEGS: i32 = -1;
-/// Points against the shape of a slit or vent: long, narrow, and without notches and drill hole. They leave one drawn as
-/// two lines undecided.
+/// Points against the shape of a slit or vent: long, narrow, and without notches and drill hole. They leave one that is
+/// drawn as two lines undecided, unless its apex and mouth are turn points.
 pub const POINTS_OF_SLIT: i32 = -5;
 /// Points against a wedge that nothing marks, in a file that drills its darts.
 pub const POINTS_OF_UNMARKED: i32 = -4;
@@ -385,7 +385,7 @@ pub const DIFFERENCE_OF_EQUAL_LEGS: f64 = 0.01;
 /// Legs are of different lengths when they differ by more than this share of the longer.
 pub const DIFFERENCE_OF_UNEQUAL_LEGS: f64 = 0.1;
 
-// ---- What the rest of the file says (`decide.rs`, `insert.rs`).
+// ---- Evidence of the rest of the file (`decide.rs`, `insert.rs`).
 
 /// Fewest drilled darts that make a habit, if those without are no more. A larger count keeps slits as darts; a smaller
 /// one lets a single hole deny all others. No measurement is kept.

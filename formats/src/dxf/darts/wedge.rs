@@ -117,9 +117,7 @@ fn build(
         on,
         line: outline.line,
         ids: Vec::new(),
-        points: 0,
         evidence: Vec::new(),
-        against: Vec::new(),
     })
 }
 

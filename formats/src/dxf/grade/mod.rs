@@ -10,7 +10,7 @@ use crate::rul::RuleTable;
 use toile_garment::Vec2;
 
 /// A rule text stands at its point within this, mm.
-const AT: f64 = 0.02;
+pub(super) const AT: f64 = 0.02;
 
 /// Why a piece could not be graded.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,7 +1,7 @@
 //! Growth of the working line, from that of the drawn vertices.
 //!
-//! A working line from a dense copy holds the corners of the drawn line; its curve points stand on the copy or up to two
-//! millimetres beside it. Each of them is an anchor where the copy passes it, so that the growth ruled for a curve
+//! A working line from a dense copy holds the corners of the drawn line. Its curve points stand on the copy or up to
+//! two millimetres beside it. Each of them is an anchor where the copy passes it, so that the growth ruled for a curve
 //! point is that of the fine curve there.
 
 use super::super::geom;

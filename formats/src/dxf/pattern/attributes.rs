@@ -5,8 +5,9 @@ use crate::dxf::ledger::{Ledger, Verdict};
 use crate::dxf::model::{Block, Drawing, Entity, Shape};
 use std::collections::BTreeMap;
 
-/// Gives the attributes of the first INSERT of every block to the block; the value of an INSERT goes before the one that
-/// the block itself has under this name. Attributes that say nothing new are noted, all others are left where they are.
+/// Gives the attributes of the first INSERT of every block to the block. The value of an INSERT goes before the one
+/// that the block itself has under this name. Attributes that say nothing new are noted, all others stay where they
+/// are.
 pub(super) fn give(
     drawing: &mut Drawing,
     blocks: &mut [Block],

@@ -12,15 +12,13 @@ use crate::dxf::layers::{Layers, Role};
 use crate::dxf::ledger::Verdict;
 use crate::dxf::limits;
 use crate::dxf::model::{Drawing, Entity, Shape};
-use crate::dxf::sheet::{Drill, Mark, Note, Sheet, Sorter, Stroke};
+use crate::dxf::sheet::{Drill, Mark, Note, STROKE, Sheet, Sorter, Stroke};
 use crate::dxf::tolerances::Tolerances;
 use std::collections::BTreeMap;
 use toile_garment::{Diagnostic, Vec2};
 
 /// A line this near to an outline touches it, mm.
 const TOUCH: f64 = 0.5;
-/// A stroke of a notch is no longer than this, mm.
-const STROKE: f64 = 20.0;
 /// An open line is an outline with a gap only if the gap is no larger share of its length than this …
 const GAP: f64 = 0.25;
 /// … and it is at least this long, mm.

@@ -1,7 +1,7 @@
 //! The INSERTs: how often, how large and on which side each piece is laid out.
 //!
-//! An INSERT's scale and mirroring change the shape of the piece and are applied; its place and its turn only lay the
-//! piece on the table, so the piece keeps the coordinates of its block ([`InsertRule`] can say otherwise).
+//! An INSERT's scale and mirroring change the shape of the piece and are applied. Its place and its turn only lay the
+//! piece on the table, so the piece keeps the coordinates of its block. [`InsertRule`] can say otherwise.
 
 use super::codes;
 use super::is_model_space;
@@ -16,7 +16,7 @@ use crate::dxf::sheet::Placing;
 use std::collections::{BTreeMap, BTreeSet};
 use toile_garment::Diagnostic;
 
-/// What an INSERT does to the piece it places.
+/// The parts of an INSERT that are applied to the piece it places.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum InsertRule {
     /// Scale and mirroring are applied, place and turn are not.
@@ -37,9 +37,9 @@ pub(super) struct Inserted {
     pub plain: u32,
     /// How often mirrored.
     pub mirrored: u32,
-    /// Is it only a part of other blocks?
+    /// True where it is only a part of other blocks.
     pub part: bool,
-    /// Does it only hold INSERTs of pieces?
+    /// True where it only holds INSERTs of pieces.
     pub assembly: bool,
     /// Later INSERTs whose scale is not that of the first, and the line of the first of them.
     pub other_scale: (u32, u64),
@@ -59,7 +59,7 @@ impl Inserted {
         if rule == InsertRule::Ignored { 1.0 } else { x.max(y) }
     }
 
-    /// What is to be done to the points of the block, file units.
+    /// The placings to be applied to the points of the block, file units.
     pub fn placings(&self, block: &Block, rule: InsertRule) -> Vec<Placing> {
         match rule {
             InsertRule::Ignored => Vec::new(),
@@ -124,8 +124,8 @@ pub(super) fn check_expansion(
     Err(Diagnostic::error(INSERT_TOO_MANY, text).at(place).hint(hint))
 }
 
-/// Which block each INSERT of ENTITIES places where a name stands for several: the n-th INSERT of a name is that of the n-th block
-/// of this name, all later ones are of the last.
+/// Counts the INSERTs of ENTITIES by name, to tell the block of each where several blocks have its name. The n-th
+/// INSERT of a name places the n-th block of this name; all later ones place the last.
 #[derive(Debug, Default)]
 pub(super) struct Turns(BTreeMap<String, usize>);
 
@@ -188,7 +188,7 @@ pub(super) fn inserts(
     walk.out
 }
 
-/// What a block that is inserted several times, each time otherwise, has lost.
+/// Says what is lost of a block that is inserted several times, each time otherwise.
 fn repeated(block: &Block, inserted: &Inserted) -> Option<Diagnostic> {
     let n = inserted.plain + inserted.mirrored;
     let text = if inserted.other_scale.0 > 0 {
@@ -349,7 +349,7 @@ impl<'a> Walk<'a, '_> {
         }
     }
 
-    /// What was done to pieces, and names that repeat.
+    /// Says how INSERTs changed pieces, and which names repeat.
     fn say(&mut self) {
         for (block, inserted) in self.blocks.iter().zip(&self.out) {
             let place = self.findings.place_in(&block.name, None, block.line);

@@ -26,7 +26,7 @@ use super::limits;
 use super::model::{Block, Drawing, Entity, Shape};
 use super::outline::Outline;
 use super::parse;
-use super::piece::{DrawnPiece, PieceTexts, RefusedPiece};
+use super::piece::{DrawnPiece, PieceTexts, RefusedPiece, in_file_order};
 use super::sheet::{FOREIGN_DRILL, FOREIGN_NOTCH, Sorter, has_boundary};
 use super::texts;
 use super::tolerances::Tolerances;
@@ -38,7 +38,7 @@ use toile_garment::{Diagnostic, Severity, SourceRef};
 /// Most keys that are listed in a finding.
 const KEYS: usize = 40;
 
-/// What the user may say about a file.
+/// The user's own word about a file.
 #[derive(Clone, Debug, Default)]
 pub struct ReadOptions {
     /// Millimetres per file unit, overruling the file.
@@ -53,7 +53,7 @@ pub struct ReadOptions {
     pub vendor: Option<Vendor>,
     /// Tolerances.
     pub tolerances: Tolerances,
-    /// What INSERTs do to pieces.
+    /// The parts of INSERTs that are applied to pieces.
     pub inserts: InsertRule,
 }
 
@@ -82,7 +82,7 @@ pub struct Pattern {
     pub pieces: Vec<DrawnPiece>,
     /// Pieces and sizes that are drawn too wrongly to be used, in file order.
     pub refused: Vec<RefusedPiece>,
-    /// What became of every entity.
+    /// The verdict on every entity.
     pub ledger: Ledger,
     /// Number of polyline vertices in the file.
     pub vertices: u64,
@@ -267,22 +267,17 @@ fn apart(list: Vec<Result<DrawnPiece, RefusedPiece>>) -> (Vec<DrawnPiece>, Vec<R
 
 /// All pieces in file order, to be named.
 fn named<'a>(pieces: &'a mut [DrawnPiece], refused: &'a mut [RefusedPiece]) -> Vec<Named<'a>> {
-    let sound =
-        pieces.iter_mut().map(|p| Named { block: &p.block, line: p.line, name: &mut p.name, size: &mut p.size });
-    let others =
-        refused.iter_mut().map(|p| Named { block: &p.block, line: p.line, name: &mut p.name, size: &mut p.size });
-    let mut all: Vec<Named<'a>> = sound.chain(others).collect();
-    all.sort_by_key(|p| p.line);
-    all
+    let sound = pieces.iter_mut().map(|p| (&p.block, p.line, &mut p.name, &mut p.size));
+    let others = refused.iter_mut().map(|p| (&p.block, p.line, &mut p.name, &mut p.size));
+    let named = |(block, line, name, size): (&'a String, u64, _, _)| (line, Named { block, line, name, size });
+    in_file_order(sound.map(named), others.map(named))
 }
 
 /// The sizes of all pieces, each once, in file order.
 fn sizes_in_order(pieces: &[DrawnPiece], refused: &[RefusedPiece]) -> Vec<String> {
-    let sound = pieces.iter().map(|p| (p.line, &p.size));
-    let mut all: Vec<(u64, &Option<String>)> = sound.chain(refused.iter().map(|p| (p.line, &p.size))).collect();
-    all.sort_by_key(|p| p.0);
+    let all = in_file_order(pieces.iter().map(|p| (p.line, &p.size)), refused.iter().map(|p| (p.line, &p.size)));
     let mut seen = BTreeSet::new();
-    all.into_iter().filter_map(|(_, size)| size.clone()).filter(|size| seen.insert(size.clone())).collect()
+    all.into_iter().flatten().filter(|size| seen.insert(*size)).cloned().collect()
 }
 
 fn style_texts(drawing: &Drawing) -> BTreeMap<String, String> {
@@ -296,7 +291,7 @@ fn style_texts(drawing: &Drawing) -> BTreeMap<String, String> {
     map
 }
 
-/// What tells how large the pieces are in file units.
+/// The evidence on how large the pieces are in file units.
 struct Sides<'a> {
     drawing: &'a Drawing,
     blocks: &'a [Block],

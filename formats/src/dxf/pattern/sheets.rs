@@ -18,7 +18,7 @@ pub(super) struct Draft {
     pub block: String,
     /// Line of its block.
     pub line: u64,
-    /// What is drawn.
+    /// Its drawing.
     pub sheet: Sheet,
     /// Errors among its entities.
     pub faults: Vec<Diagnostic>,

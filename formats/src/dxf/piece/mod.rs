@@ -13,6 +13,7 @@ mod run_on;
 mod sew;
 
 pub use refused::RefusedPiece;
+pub(crate) use refused::in_file_order;
 
 use super::chain::Path;
 use super::darts::{Denied, DrawnDart, Pleat};

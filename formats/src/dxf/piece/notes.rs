@@ -4,14 +4,13 @@ use super::codes;
 use super::{Desk, DrawnPiece, RuleMark, mm};
 use crate::dxf::chain::Path;
 use crate::dxf::geom::PointIndex;
+use crate::dxf::grade;
 use crate::dxf::sheet::Note;
 use crate::dxf::texts;
 use toile_garment::{Diagnostic, Vec2};
 
 /// A rule belongs to a vertex this far off if there is no other, mm.
 const RULE_OFF: f64 = 1.0;
-/// A rule this near to a vertex stands at it, mm.
-const RULE_AT: f64 = 0.02;
 
 /// Name and size among the texts of a block: the first of each that says something; without one, what a key of other
 /// programs says.
@@ -68,15 +67,17 @@ impl DrawnPiece {
         if self.texts.rules.is_empty() {
             return;
         }
-        let index = PointIndex::new(RULE_OFF, self.rule_places().into_iter().enumerate().map(|(i, p)| (p, i)));
+        let places = self.rule_places();
+        let index = PointIndex::new(RULE_OFF, places.iter().enumerate().map(|(i, p)| (*p, i)));
         let (mut moved, mut lost) = ((0_usize, 0.0_f64), Vec::new());
         for rule in &mut self.texts.rules {
-            let near = index.near_places(rule.at, RULE_OFF);
-            match near.as_slice() {
-                [(off, _), ..] if *off <= RULE_AT => {}
-                [(off, at)] => {
-                    moved = (moved.0 + 1, moved.1.max(*off));
-                    rule.at = *at;
+            let near = index.near(rule.at, RULE_OFF);
+            let are_one = |at: Vec2| near.iter().all(|(_, i)| (places[*i] - at).norm() <= grade::AT);
+            match near.first().map(|(off, i)| (*off, places[*i])) {
+                Some((off, _)) if off <= grade::AT => {}
+                Some((off, at)) if are_one(at) => {
+                    moved = (moved.0 + 1, moved.1.max(off));
+                    rule.at = at;
                 }
                 // Rule 0 moves nothing: it may stand anywhere.
                 _ if rule.rule != 0 => lost.push(*rule),
@@ -185,14 +186,14 @@ impl DrawnPiece {
     }
 
     /// Is this the text that names the piece or its size?
-    fn names(&self, key: &str, value: &str) -> bool {
+    fn is_named_by(&self, key: &str, value: &str) -> bool {
         let taken = if key == "piece name" { &self.name } else { &self.size };
         value.is_empty() || taken.as_deref() == Some(value)
     }
 
     fn take_key(&mut self, key: &str, value: String, text: &str, at: Vec2, layer: String) {
         match key {
-            "piece name" | "size" | "size name" | "sample size" if self.names(key, &value) => {}
+            "piece name" | "size" | "size name" | "sample size" if self.is_named_by(key, &value) => {}
             "quantity" => {
                 (self.texts.quantity, self.texts.quantity_told) = (texts::quantity(&value).unwrap_or_default(), true);
             }

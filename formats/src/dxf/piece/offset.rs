@@ -20,7 +20,7 @@ const ALONG: f64 = 0.6;
 /// Sine of the angle within which two lines run along each other.
 const PARALLEL: f64 = 0.2;
 /// A sew line may run this far outside the cut line by rounding, mm.
-const OUTSIDE: f64 = 0.5;
+pub(super) const OUTSIDE: f64 = 0.5;
 
 /// A place on a line, and the direction of the line there.
 struct Place {
@@ -42,8 +42,7 @@ pub(super) fn is_offset(cut: &[Vec2], sew: &Path, fold: Option<[Vec2; 2]>, allow
     let covered = |p: &Place| on_fold(p.at) || allowance.contains(&geom::distance(p.at, &line, true));
     let runs_along = |p: &Place| {
         geom::nearest(p.at, cut, true).is_some_and(|foot| {
-            let (a, b) = (cut[foot.segment], cut[(foot.segment + 1) % cut.len()]);
-            let away = p.at - (a + (b - a) * foot.t);
+            let away = p.at - foot.on(cut);
             // On the cut line itself there is no direction away from it.
             let square = away.norm() <= OUTSIDE || away.dot(&p.along).abs() <= PARALLEL * away.norm();
             allowance.contains(&foot.distance) && square

@@ -24,6 +24,16 @@ pub struct RefusedPiece {
     pub faults: Vec<Diagnostic>,
 }
 
+/// Facts of sound pieces and of refused ones, each with the line of its block, in the order of the file.
+pub(crate) fn in_file_order<T>(
+    sound: impl IntoIterator<Item = (u64, T)>,
+    refused: impl IntoIterator<Item = (u64, T)>,
+) -> Vec<T> {
+    let mut all: Vec<(u64, T)> = sound.into_iter().chain(refused).collect();
+    all.sort_by_key(|fact| fact.0);
+    all.into_iter().map(|fact| fact.1).collect()
+}
+
 impl RefusedPiece {
     /// The piece of a sheet, with the texts that were read from it.
     pub(crate) fn new(block: &str, line: u64, sheet: Sheet, [name, size]: [Option<String>; 2]) -> Self {

@@ -1,4 +1,4 @@
-//! What one size of a nest takes over from the sample size.
+//! Kinds and marks that one size of a nest takes over from the sample size.
 
 use super::DrawnPiece;
 use crate::dxf::sheet::Mark;
@@ -33,5 +33,5 @@ fn carried(mark: &Mark, from: &[Vec2], to: &[Vec2]) -> Option<Mark> {
     let (a, b) = (to[foot.segment], to[(foot.segment + 1) % to.len()]);
     let u = from[(foot.segment + 1) % from.len()] - from[foot.segment];
     let turned = libm::atan2(geom::cross(u, b - a), u.dot(&(b - a)));
-    Some(Mark { at: a + (b - a) * foot.t, angle: mark.angle.map(|x| x + turned), ..mark.clone() })
+    Some(Mark { at: foot.on(to), angle: mark.angle.map(|x| x + turned), ..mark.clone() })
 }

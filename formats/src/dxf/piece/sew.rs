@@ -2,7 +2,7 @@
 
 use super::border::note_doubled;
 use super::codes;
-use super::offset::is_offset;
+use super::offset::{OUTSIDE, is_offset};
 use super::{Desk, DrawnPiece, loops, mm};
 use crate::dxf::chain::{self, Chained, Path};
 use crate::dxf::geom;
@@ -16,8 +16,6 @@ const ALLOWANCE: std::ops::RangeInclusive<f64> = 3.0..=40.0;
 const SHARE_OF_NET: f64 = 0.3;
 /// Most open lines of layer 8 that are joined to see whether they are the sew line.
 const RUNS: usize = 400;
-/// The sew line may run this far outside the cut line by rounding, mm.
-const OUTSIDE: f64 = 0.5;
 
 impl DrawnPiece {
     pub(super) fn find_sew_line(&mut self, runs: Vec<Path>, desk: &mut Desk<'_>) {

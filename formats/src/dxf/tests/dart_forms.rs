@@ -4,7 +4,7 @@
 
 use super::*;
 
-/// What must come out: kind, apex, mouth (any order) and leg lengths (any order).
+/// A dart that must be found: kind, apex, mouth (any order) and leg lengths (any order).
 pub(super) type Fact = (&'static str, (f64, f64), [(f64, f64); 2], [f64; 2]);
 
 pub(super) fn check(name: &str, text: &str, facts: &[Fact]) -> serde_json::Value {

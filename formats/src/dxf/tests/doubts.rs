@@ -1,4 +1,4 @@
-//! What is doubtful is said: one fixture for each doubt.
+//! Every doubt is said: one fixture for each.
 
 use super::*;
 

@@ -1,4 +1,4 @@
-//! What one size of a nest says holds for all of them.
+//! Statements of one size of a nest hold for all of them.
 
 use super::*;
 use crate::rul;
@@ -44,7 +44,7 @@ fn a_dart_of_one_size_is_a_dart_in_all() {
         assert!(piece.doubts.denied.is_empty());
     }
     assert_eq!(codes(&pattern.findings), [""; 0]);
-    assert!(pattern.pieces[0].darts[0].evidence.contains(&"it is a dart in another size of its piece"));
+    assert!(pattern.pieces[0].darts[0].reasons().contains(&"it is a dart in another size of its piece"));
     // Where no size has a dart, a slit is none.
     let slits = good(&nest([4.0, 5.0, 6.0]));
     assert!(slits.pieces.iter().all(|p| p.darts.is_empty()));
@@ -90,8 +90,8 @@ fn grade_rules_a_little_beside_their_vertex_count() {
     assert!(said == ["grade-rule-off-vertex"] && !near(corner, 310.0), "{said:?} {corner}");
 }
 
-/// A notch that is cut into the outline deeply in one size and flatly in another is one in both, so that both are written
-/// with the same vertices.
+/// A notch that is cut deeply into the outline of one size, and flatly into that of another, is a notch in both. So
+/// both are written with the same vertices.
 #[test]
 fn a_notch_cut_into_one_size_is_one_in_all() {
     let notched = |depth: f64| {

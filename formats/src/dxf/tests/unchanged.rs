@@ -1,4 +1,4 @@
-//! What came in goes out: vertices, curve points and marks, in every dialect and in every size.
+//! A file goes out as it came in: vertices, curve points and marks, in every dialect and in every size.
 
 use super::*;
 use crate::dxf::write::{Dialect, Drawing, PieceOptions, Sizes, StyleText, piece_drawing, write};

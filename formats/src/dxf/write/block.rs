@@ -21,11 +21,11 @@ pub fn block(
     findings: &mut Vec<Diagnostic>,
 ) {
     let dense = dialect.has_dense();
-    let (boundary, lost, off) = fitted(&piece.boundary, dense);
+    let boundary = fitted(&piece.boundary, dense);
     let sew = piece.sew_line.as_ref().map(|l| fitted(l, dense));
-    let lost = lost + sew.as_ref().map_or(0, |s| s.1);
-    say_curves(piece, lost, off.max(sew.as_ref().map_or(0.0, |s| s.2)), findings);
-    let sew_line = sew.map(|s| s.0);
+    let lost = boundary.lost + sew.as_ref().map_or(0, |s| s.lost);
+    say_curves(piece, lost, boundary.off.max(sew.as_ref().map_or(0.0, |s| s.off)), findings);
+    let (boundary, sew_line) = (boundary.line, sew.map(|s| s.line));
     let notches = piece.notches.iter().map(|n| on_line(*n, &boundary, sew_line.as_ref())).collect();
     let thinned = PieceDrawing { boundary, sew_line, notches, ..piece.clone() };
     draw(tags, &thinned, name, dialect, findings);
@@ -66,8 +66,7 @@ fn on_line(notch: DrawNotch, boundary: &DrawLine, sew: Option<&DrawLine>) -> Dra
     let points: Vec<Vec2> = line.points.iter().map(|p| p.at).collect();
     let foot = geom::nearest(notch.at, &points, line.closed);
     let Some(foot) = foot.filter(|f| f.distance > NOTCH_OFF.0 && f.distance <= NOTCH_OFF.1) else { return notch };
-    let (a, b) = (points[foot.segment], points[(foot.segment + 1) % points.len()]);
-    DrawNotch { at: a + (b - a) * foot.t, ..notch }
+    DrawNotch { at: foot.on(&points), ..notch }
 }
 
 fn draw(tags: &mut Tags, piece: &PieceDrawing, name: &PieceName, dialect: Dialect, findings: &mut Vec<Diagnostic>) {
@@ -209,8 +208,8 @@ fn dense(tags: &mut Tags, layer: &str, line: &DrawLine, dialect: Dialect) {
     polyline(tags, layer, line.dense_points().into_iter(), line.closed, dialect);
 }
 
-/// Turn points on 2 and curve points on 3, each place once. A point says the kind of every vertex at its place, so where
-/// an inner line meets a vertex of an outer one, the outer line decides.
+/// Turn points on 2 and curve points on 3, each place once. A point says the kind of every vertex at its place. So the
+/// outer line decides where an inner line meets a vertex of it.
 fn points(tags: &mut Tags, piece: &PieceDrawing) {
     let place = |at: Vec2| (decimal(at.x), decimal(at.y));
     let outer = std::iter::once(&piece.boundary).chain(&piece.sew_line);

@@ -87,8 +87,8 @@ impl Axis {
         })
     }
 
-    /// The internal lines of the half. Of a line and its mirror image the left one stays; a line without one, and not on
-    /// the axis, stays as it is and is marked `NM`, not mirrored, by a text at its start.
+    /// The internal lines of the half, and the texts of the piece. The left one of a line and its mirror image stays. A
+    /// line without an image, and not on the axis, stays as it is; the text `NM` (not mirrored) at its start says so.
     fn half_of_lines(&self, drawing: &PieceDrawing) -> (Vec<DrawLine>, Vec<LayerText>) {
         let (mut kept, mut texts) = (Vec::new(), drawing.texts.clone());
         for (i, line) in drawing.internal.iter().enumerate() {

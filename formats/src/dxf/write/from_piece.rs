@@ -4,6 +4,7 @@ use super::codes;
 use super::fold::half;
 use super::model::{DrawDrill, DrawLine, DrawNotch, DrawPoint, LayerText, NotchLine, PieceDrawing};
 use super::sparse;
+use crate::dxf::outline::SPARSE;
 use toile_garment::dart::{Dart, DartKind};
 use toile_garment::notch::{Notch, NotchKind};
 use toile_garment::outline::{LinePoint, PieceLine, PointKind};
@@ -13,8 +14,6 @@ use toile_garment::{Diagnostic, Piece, SourceRef, Vec2};
 const MM: f64 = 1e3;
 /// A line that was not changed has its corners where they were drawn, metres.
 const SAME_CORNER: f64 = 1e-9;
-/// Points of a dart's leg farther apart than this are no dense curve, mm.
-const SPARSE: f64 = 3.0;
 
 /// How a piece is drawn.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

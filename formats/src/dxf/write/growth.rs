@@ -8,7 +8,7 @@ use toile_garment::outline::{LinePoint, PieceLine, PointKind};
 
 /// Millimetres in a metre.
 const MM: f64 = 1e3;
-/// As many corners nearest to a corner are tried for it in another size.
+/// Most corners that are tried for a corner in another size, the nearest first.
 const NEAR: usize = 16;
 
 /// A vertex in the sample size and in every size, mm.

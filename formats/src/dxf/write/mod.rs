@@ -1,9 +1,10 @@
-//! The DXF writer: a drawing in millimetres becomes the narrow subset of DXF that the widest set of pattern systems
-//! reads: R12 tags, an empty HEADER, one BLOCK per piece and size, one INSERT each, CRLF, 7-bit ASCII.
+//! The DXF writer. A drawing in millimetres becomes the narrow subset of DXF that the widest set of pattern systems
+//! reads. Its tags are those of R12, and its HEADER is empty. It holds one BLOCK per piece and size, and one INSERT
+//! each. Lines end in CRLF, and texts are 7-bit ASCII unless a code page is asked for.
 //!
-//! The meaning lives in numeric layers (1 boundary, 2 turn points, 3 curve points, 4 and 80 to 83 notches, 5 and 7
-//! grain, 6 fold, 8 internal lines, 11 cutouts, 13 drill holes, 14 sew line, 84 and 87 dense copies of 1 and 14) and
-//! in `Key: value` texts.
+//! The meaning lives in `Key: value` texts and in numeric layers. The boundary is on 1 and the sew line on 14, with
+//! dense copies on 84 and 87. Turn points are on 2, curve points on 3, notches on 4 and 80 to 83. The grain is on 5 and
+//! 7, the fold on 6. Internal lines are on 8, cutouts on 11, drill holes on 13.
 
 mod block;
 pub(crate) mod codes;

@@ -1,4 +1,4 @@
-//! What the writer draws: pieces in millimetres, lines whose points know what they are.
+//! The writer's own drawing: pieces in millimetres, and lines whose points have a kind.
 
 use super::codes;
 use super::tags::decimal;
@@ -15,11 +15,12 @@ pub enum Dialect {
     Aama,
     /// ASTM D6673: notch layers 80 to 83, dense copies on 84 and 87, right and left quantity.
     Astm,
-    /// As ASTM, with the version header, upper-case keys and group 250 that CLO writes.
+    /// The habits of ASTM, with the version header, upper-case keys and group 250 that CLO writes.
     Clo,
-    /// As ASTM, lines split into runs between turn points, texts 0.25 high, names of 20 ASCII characters.
+    /// The habits of ASTM, with lines split into runs between turn points, texts 0.25 high, and names of 20 ASCII
+    /// characters.
     Gerber,
-    /// As AAMA, blocks called by numbers.
+    /// The habits of AAMA, with blocks called by numbers.
     Optitex,
     /// For drawing programs: layers declared with colours and the unit in the header, no dense copies.
     Plain,

@@ -26,7 +26,7 @@ pub struct SizeRun {
     pub drawing: Drawing,
     /// The rules, where there is more than one size.
     pub table: Option<RuleTable>,
-    /// What could not be graded, and why.
+    /// Findings on pieces that could not be graded, and why.
     pub findings: Vec<Diagnostic>,
 }
 

@@ -27,17 +27,28 @@ pub(crate) struct Sparse {
     pub off: f64,
 }
 
-/// The line as it is written, what it lost, and how far off a reader's curve is.
-pub(crate) fn fitted(line: &DrawLine, has_dense_layer: bool) -> (DrawLine, usize, f64) {
+/// A line as it is written, and what that costs.
+pub(crate) struct Fitted {
+    /// The line.
+    pub line: DrawLine,
+    /// Curve points that became plain vertices.
+    pub lost: usize,
+    /// How far the curve that a reader makes lies off the line, mm.
+    pub off: f64,
+}
+
+/// The line as the dialect holds it.
+pub(crate) fn fitted(line: &DrawLine, has_dense_layer: bool) -> Fitted {
     if let Some(fine) = &line.dense {
         let off = if has_dense_layer { 0.0 } else { apart(&smooth(&line.points, line.closed), fine, line.closed) };
-        return (DrawLine { dense: line.dense.clone().filter(|_| has_dense_layer), ..line.clone() }, 0, off);
+        let line = DrawLine { dense: line.dense.clone().filter(|_| has_dense_layer), ..line.clone() };
+        return Fitted { line, lost: 0, off };
     }
     let made = sparse(&line.points, line.closed, if has_dense_layer { CLOSE_TO_COPY } else { CLOSE });
     let thinner = has_dense_layer && made.points.len() < line.points.len();
     let dense = thinner.then(|| line.points.iter().map(|p| p.at).collect());
     let off = if has_dense_layer { 0.0 } else { made.off };
-    (DrawLine { points: made.points, closed: line.closed, dense }, made.lost, off)
+    Fitted { line: DrawLine { points: made.points, closed: line.closed, dense }, lost: made.lost, off }
 }
 
 /// The vertices without the points of smooth curves, as far as a curve through the others keeps within `most` mm. A run

@@ -102,8 +102,8 @@ pub fn key_value(tags: &Tags, key: &str, value: &str, dialect: Dialect, findings
     format!("{key}: {}", folded(tags, value, dialect, findings))
 }
 
-/// The letters of the code page, ASCII without one: other characters as `\U+XXXX`, which DXF readers resolve, and folded
-/// for the narrowest reader. Both are said.
+/// A text in the letters of the code page, or in ASCII without one. Other characters become `\U+XXXX`, which DXF
+/// readers resolve, and are folded for the narrowest reader. Findings say both.
 pub fn folded(tags: &Tags, value: &str, dialect: Dialect, findings: &mut Vec<Diagnostic>) -> String {
     if !dialect.is_narrow() {
         let text = escaped_in(tags.options.page, value);

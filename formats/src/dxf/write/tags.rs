@@ -7,7 +7,7 @@ use toile_garment::Vec2;
 /// Millimetres in an inch.
 const INCH: f64 = 25.4;
 
-/// What a writer may choose beside the dialect.
+/// The choices of a writer beside the dialect.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct WriteOptions {
     /// Lengths in inches instead of millimetres.
@@ -20,7 +20,7 @@ pub struct WriteOptions {
 pub struct Tags {
     out: Vec<u8>,
     /// Height of texts in file units, 2.5 mm where there is none.
-    pub height: Option<f64>,
+    height: Option<f64>,
     /// Unit and code page.
     pub options: WriteOptions,
 }

@@ -207,8 +207,8 @@ fn half_piece_on_its_fold() {
     assert_eq!((whole.boundary.points.len(), findings[0].code.as_str()), (4, "fold-not-symmetric"));
 }
 
-/// A run with its own curve point, which stands `sagitta` inside its chord, and between the ends the points of a parabola
-/// of the sagitta `beside`.
+/// A run with its own curve point, which stands `sagitta` inside its chord. Between the ends are the points of a
+/// parabola of the sagitta `beside`.
 fn fine(sagitta: f64, beside: f64) -> PieceDrawing {
     use PointKind::{Curve, Plain, Turn};
     let point = |x: f64, y: f64, kind| DrawPoint { at: Vec2::new(x, y), kind };

@@ -194,9 +194,7 @@ pub(super) fn dart(
         on: "internal",
         line,
         ids,
-        points: 0,
         evidence: Vec::new(),
-        against: Vec::new(),
     }))
 }
 

@@ -20,7 +20,7 @@ pub struct PieceMove {
 }
 
 /// Moves every piece of the scene that crosses the body along its mean normal until it is free, and not farther than
-/// [`PIECE_OFF_BODY_MOST`]. Pieces that would not be free there stay. Nothing is moved where it is enough to push single
+/// `PIECE_OFF_BODY_MOST`. Pieces that would not be free there stay. Nothing is moved where it is enough to push single
 /// vertices out of the body.
 ///
 /// # Errors
