@@ -98,7 +98,7 @@ fn check_reads_the_files_and_tells_all_that_is_wrong() {
         std::fs::write(&path, change(&text)).expect("text");
     };
     let codes = |bench: &Bench| bench.findings(&[]).into_iter().map(|f| f.0).collect::<Vec<_>>();
-    // A body in millimetres and a fabric with a wrong unit, in one go.
+    // A fabric with a wrong unit, then a size that is not there as well: both are told at once.
     edit("fabric.toml", &|t| t.replacen("g/m2", "g", 1));
     assert_eq!(bench.check(&[]).code, 3);
     assert!(codes(&bench).contains(&"fabric-value".to_owned()), "{:?}", codes(&bench));

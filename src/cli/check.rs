@@ -18,15 +18,15 @@ pub(super) fn run(args: &CheckArgs, registry: &mut Registry, stop: &Arc<Stop>, c
         let seen = foresee(pipeline, gate, stop);
         let is_new = |f: &Diagnostic| !loaded.report.findings.iter().any(|known| same(known, f));
         findings.extend(seen.findings.into_iter().filter(is_new));
-        findings.extend(seen.notes);
+        // As text, what the stages note about the files belongs to a run.
+        let is_told = |f: &Diagnostic| args.format == Format::Json || f.severity != Severity::Info;
+        findings.extend(seen.notes.into_iter().filter(is_told));
         exit = if exit == Exit::Good { seen.exit } else { exit };
     }
     if args.format == Format::Json {
         console.json(&findings_json(&findings));
         return exit;
     }
-    // What the stages note about the files belongs to a run.
-    findings.retain(|f| f.severity != Severity::Info || loaded.report.findings.iter().any(|known| same(known, f)));
     console.findings(&findings, loaded.text());
     if exit == Exit::Good {
         let stages = loaded.pipeline.map_or(0, |p| p.steps.len());

@@ -104,7 +104,8 @@ fn show(args: &InspectArgs, inspected: &Inspected, console: &mut Console<'_>) ->
     let exit = if inspected.is_usable { Exit::Good } else { Exit::Input };
     let Some(path) = &args.svg else { return exit };
     let Some(svg) = &inspected.svg else {
-        console.say("error[no-reader] this form of file has no pieces to draw\n");
+        let finding = Diagnostic::error(codes::NO_READER, "this form of file has no pieces to draw");
+        console.findings(&[finding], None);
         return Exit::Usage;
     };
     match Results::new(args.force, &[&args.file]).write(path, svg.as_bytes(), console) {

@@ -1,8 +1,11 @@
 //! Files that a verb writes beside stdout: whole, never over a file without `--force`, never over what it reads.
 
 use super::console::Console;
+use crate::codes::{PATH_REFUSED, WRITE_FAILED};
+use crate::engine::codes::OUTPUTS_COLLIDE;
 use crate::engine::{Exit, clean, refuse_input, write_whole};
 use std::path::{Path, PathBuf};
+use toile_garment::{Code, Diagnostic};
 
 /// The files that a verb writes, and its rights to replace.
 pub(super) struct Results {
@@ -20,13 +23,12 @@ impl Results {
     /// Says so when a file may not be written.
     pub fn is_free(&self, path: &Path, console: &mut Console<'_>) -> bool {
         if let Err(error) = refuse_input(path, &self.inputs) {
-            console.say(&format!("error[path-refused] {error}\n"));
+            tell(PATH_REFUSED, &error.to_string(), console);
             return false;
         }
         let taken = path.exists() && !self.force;
         if taken {
-            let name = clean(path);
-            console.say(&format!("error[path-refused] `{name}` is there already; replace it with --force\n"));
+            tell(PATH_REFUSED, &format!("`{}` is there already; replace it with --force", clean(path)), console);
         }
         !taken
     }
@@ -35,7 +37,7 @@ impl Results {
     pub fn are_free(&self, paths: &[&Path], console: &mut Console<'_>) -> bool {
         for (k, path) in paths.iter().enumerate() {
             if paths[..k].contains(path) {
-                console.say(&format!("error[outputs-collide] two outputs are called `{}`\n", clean(path)));
+                tell(OUTPUTS_COLLIDE, &format!("two outputs are called `{}`", clean(path)), console);
                 return false;
             }
             if !self.is_free(path, console) {
@@ -60,9 +62,13 @@ impl Results {
             return Exit::Usage;
         }
         if let Err(error) = write_whole(path, bytes) {
-            console.say(&format!("error[write-failed] cannot write `{}`: {error}\n", clean(path)));
+            tell(WRITE_FAILED, &format!("cannot write `{}`: {error}", clean(path)), console);
             return Exit::System;
         }
         Exit::Good
     }
+}
+
+fn tell(code: Code, message: &str, console: &mut Console<'_>) {
+    console.findings(&[Diagnostic::error(code, message)], None);
 }

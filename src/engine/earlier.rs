@@ -3,7 +3,7 @@
 //! A run that fails must not lie beside the results of last week.
 
 use super::gate::output_below;
-use super::outputs::RECORD_NAME;
+use super::outputs::{RECORD_NAME, write_error};
 use super::same::is_same;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
@@ -66,7 +66,8 @@ impl Earlier {
     }
 }
 
-/// Is it one of these files, or a file beside one of them that has the same stem and may be read with it?
+/// Returns `true` for one of these files, and for a file beside one of them that has the same stem and may be read
+/// with it.
 fn belongs_to(path: &Path, inputs: &[PathBuf]) -> bool {
     let beside = |input: &PathBuf| input.with_extension("") == path.with_extension("");
     inputs.iter().any(|input| is_same(path, input) || beside(input))
@@ -80,9 +81,7 @@ fn digest_of(path: &Path) -> Option<String> {
 
 fn remove(path: &Path) -> Result<(), FileError> {
     match std::fs::remove_file(path) {
-        Err(e) if e.kind() != std::io::ErrorKind::NotFound => {
-            Err(FileError::Write { path: super::gate::clean(path), reason: e.to_string() })
-        }
+        Err(e) if e.kind() != std::io::ErrorKind::NotFound => Err(write_error(path, &e)),
         _ => Ok(()),
     }
 }

@@ -22,7 +22,7 @@ pub struct Foresight {
     pub stages: Vec<Option<Cost>>,
     /// What is wrong with the files.
     pub findings: Vec<Diagnostic>,
-    /// What else the stages told: notes and warnings, which a run tells again.
+    /// Notes and warnings of the stages, which a run tells again.
     pub notes: Vec<Diagnostic>,
     /// How a run would end already now.
     pub exit: Exit,
@@ -56,7 +56,9 @@ impl Foresight {
                 self.findings.push(finding);
             }
         }
-        self.exit = if self.exit == Exit::Good { exit } else { self.exit };
+        if self.exit == Exit::Good {
+            self.exit = exit;
+        }
     }
 }
 

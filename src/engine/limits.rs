@@ -49,7 +49,7 @@ impl Limits {
         Some(Diagnostic::error(codes::OVER_LIMIT, message).hint(hint))
     }
 
-    /// What is over its limit after this time.
+    /// Words for the limit that is passed by now.
     fn over(&self, began: Instant) -> Option<String> {
         let seconds = began.elapsed().as_secs_f64();
         if let Some(most) = self.seconds.filter(|most| seconds > *most) {
@@ -75,9 +75,9 @@ impl Watchdog {
     /// Stops the run as soon as a limit is passed.
     #[must_use]
     pub fn watch(limits: Limits, stop: &Arc<Stop>) -> Self {
-        let over = Arc::new(AtomicBool::new(false));
+        let done = Arc::new(AtomicBool::new(false));
         if limits.seconds.is_some() || limits.mb.is_some() {
-            let (done, stop, began) = (Arc::clone(&over), Arc::clone(stop), Instant::now());
+            let (done, stop, began) = (Arc::clone(&done), Arc::clone(stop), Instant::now());
             std::thread::spawn(move || {
                 while !done.load(Ordering::Relaxed) {
                     if let Some(words) = limits.over(began) {
@@ -88,7 +88,7 @@ impl Watchdog {
                 }
             });
         }
-        Self(over)
+        Self(done)
     }
 }
 

@@ -68,10 +68,18 @@ impl Outputs {
             extra.push(dir.canonicalize().map_err(|e| write_error(dir, &e))?);
         }
         let lock = take_lock(&root)?;
-        let (force, inputs) = (plan.force, plan.inputs.clone());
-        let (planned, changed) = (Vec::new(), Vec::new());
-        let (staged, swept, lock) = (Vec::new(), BTreeSet::new(), Some(lock));
-        let mut outputs = Self { root, extra, force, inputs, planned, changed, staged, swept, stop, lock };
+        let mut outputs = Self {
+            root,
+            extra,
+            force: plan.force,
+            inputs: plan.inputs.clone(),
+            planned: Vec::new(),
+            changed: Vec::new(),
+            staged: Vec::new(),
+            swept: BTreeSet::new(),
+            stop,
+            lock: Some(lock),
+        };
         outputs.stop.add_litter(&lock_path(&outputs.root));
         outputs.check_free(folder)?;
         outputs.sweep(&outputs.root.clone());
@@ -321,7 +329,7 @@ fn free_bytes(_: &Path) -> Option<u64> {
     None
 }
 
-fn write_error(path: &Path, error: &std::io::Error) -> FileError {
+pub(super) fn write_error(path: &Path, error: &std::io::Error) -> FileError {
     FileError::Write { path: clean(path), reason: error.to_string() }
 }
 

@@ -197,14 +197,15 @@ impl Ready<'_> {
                 Ok(Line::Progress { done, total, words }) => {
                     cx.progress.update(done, total, &crate::render::safe(&words));
                 }
-                Ok(Line::Diagnostic(_)) if heard >= MAX_FINDINGS => heard += 1,
-                Ok(Line::Diagnostic(finding)) if finding.severity == toile_garment::Severity::Error => {
-                    heard += 1;
-                    rejections.push(finding);
-                }
                 Ok(Line::Diagnostic(finding)) => {
                     heard += 1;
-                    cx.report.push(finding);
+                    if heard > MAX_FINDINGS {
+                        // Only counted.
+                    } else if finding.severity == toile_garment::Severity::Error {
+                        rejections.push(finding);
+                    } else {
+                        cx.report.push(finding);
+                    }
                 }
                 Ok(line) if self.stage.forecasts => told(line),
                 Ok(_) => drop(wrong.get_or_insert("it tells a forecast, which it did not declare".to_owned())),

@@ -168,9 +168,9 @@ impl Stage for ImportDxf {
             pattern.keep_pieces(&params.pieces).map_err(StageError::Parameter)?;
         }
         // What is undecided is told once the sewing file is known, and of one size alone.
-        let one_size = !matches!(params.size, Some(SizeChoice::Many(_)));
-        let now = |f: &&Diagnostic| !(one_size && dxf::darts::is_undecided(f));
-        cx.report.findings.extend(pattern.findings.iter().filter(now).cloned());
+        let is_single = !matches!(params.size, Some(SizeChoice::Many(_)));
+        let is_told_now = |f: &&Diagnostic| !(is_single && dxf::darts::is_undecided(f));
+        cx.report.findings.extend(pattern.findings.iter().filter(is_told_now).cloned());
         cx.report.findings.extend(table.iter().flat_map(|t| pattern.check_rules(t)));
         let (mut read, findings) = in_sizes(params, &pattern, table.as_ref())?;
         cx.report.findings.extend(findings);
@@ -190,7 +190,7 @@ impl Stage for ImportDxf {
     }
 }
 
-/// The size of a single one; none is that of the file.
+/// The single size that was asked for; `None` is the sample size of the file.
 fn one_size(size: Option<&SizeChoice>) -> Option<&str> {
     match size {
         Some(SizeChoice::One(size)) => Some(size.as_str()).filter(|s| !s.trim().is_empty()),

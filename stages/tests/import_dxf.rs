@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
-use toile_garment::{Aspect, Garment, Report};
+use toile_garment::{Aspect, Garment, Report, Severity};
 use toile_stage_api::{FileError, Files, Stage, StageContext, StageError};
 use toile_stages::builtin;
 use toile_stages::import_dxf::{ImportDxf, ImportDxfParams};
@@ -164,7 +164,9 @@ fn a_broken_table_beside_the_pattern_is_a_warning() {
     let files: Vec<(&str, &str)> = files.iter().map(|(n, t)| (*n, t.as_str())).collect();
     let (garment, report) = run("file = \"p.dxf\"", &files);
     assert_eq!(garment.expect("drawn").size.as_deref(), Some("40"));
-    assert!(report.findings.iter().any(|f| f.code == "rule-table-broken"));
+    let warnings = report.findings.iter().filter(|f| f.severity == Severity::Warning);
+    let codes: Vec<&str> = warnings.map(|f| f.code.as_str()).collect();
+    assert_eq!(codes, ["rule-table-broken", "rule-count-differs"], "every mistake is told");
     let (asked, _) = run("file = \"p.dxf\"\nrules = \"p.RUL\"", &files);
     assert!(matches!(&asked, Err(StageError::Input(f)) if f[0].code == "rule-count-differs"), "{asked:?}");
 }

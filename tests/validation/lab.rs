@@ -74,16 +74,16 @@ impl<'a> Lab<'a> {
         Film::read(&run, motion.fps)
     }
 
-    /// Does the motion run to its end? An unstable one does not.
+    /// Does the motion run to its end without energy from nothing? An unstable one does not.
     pub fn stable(&mut self, trial: &Trial, motion: &Motion) -> Result<bool, String> {
         let run = self.end(&motion.of(trial, &[]))?;
-        if matches!(run.code, 1 | 4) { Ok(false) } else { sound(run).map(|_| true) }
+        if run.code == 4 { Ok(false) } else { sound(run).map(|run| !gains_energy(&run)) }
     }
 
     /// Does the motion run to its end with every vertex within `room` (m) of its place in the first frame?
     pub fn bounded(&mut self, trial: &Trial, motion: &Motion, room: f64) -> Result<bool, String> {
         let run = self.end(&motion.of(trial, &[]))?;
-        if matches!(run.code, 1 | 4) {
+        if run.code == 4 {
             return Ok(false);
         }
         let film = Film::read(&sound(run)?, motion.fps)?;
@@ -112,6 +112,13 @@ impl<'a> Lab<'a> {
         }
         Ok(run)
     }
+}
+
+/// Is the energy gate of the motion's certificate passed over?
+fn gains_energy(run: &Ended) -> bool {
+    let motion = &run.record["motion"];
+    let [gain, gate] = [&motion["energy_gain"], &motion["limits"]["energy_gain"]].map(serde_json::Value::as_f64);
+    gain > gate
 }
 
 fn sound(run: Ended) -> Result<Ended, String> {

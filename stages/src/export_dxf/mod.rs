@@ -151,7 +151,12 @@ impl ExportDxfParams {
         Ok(WriteOptions { inches: self.units == DxfUnit::Inch, page: page.transpose()? })
     }
 
-    /// The texts of the style that the parameters say.
+    /// How pieces are drawn.
+    fn piece_options(&self) -> PieceOptions {
+        PieceOptions { half_on_fold: self.half_on_fold, mark_darts: self.mark_darts }
+    }
+
+    /// The texts of the style, with the author and the date of the parameters.
     fn signed(&self, style: StyleText) -> StyleText {
         StyleText { author: self.author.clone().unwrap_or_default(), date: self.date.clone(), ..style }
     }
@@ -185,6 +190,7 @@ impl Stage for ExportDxf {
         garment: Garment,
         cx: &mut StageContext<'_>,
     ) -> Result<Garment, StageError> {
+        // A wrong code page is found before anything is read or flattened pieces are asked for.
         params.options().map_err(|f| StageError::parameter(*f))?;
         if let Some(pattern) = &params.size_run {
             write_run(pattern, params, cx)?;
@@ -212,12 +218,11 @@ fn write_run(path: &Path, params: &ExportDxfParams, cx: &mut StageContext<'_>) -
     let beside = path.with_extension("rul");
     let table = cx.files.read_optional(&beside)?;
     let table = table.map(|t| rul::read(&t, &beside.to_string_lossy())).transpose().map_err(StageError::Input)?;
-    let options = PieceOptions { half_on_fold: params.half_on_fold, mark_darts: params.mark_darts };
     let mut sizes = write::Sizes::new(&pattern, table.as_ref()).map_err(StageError::Input)?;
     if params.allowance.is_some() {
         sizes.recut(|pieces| allowance::add(params.allowance.as_ref(), pieces, Which::All, cx))?;
     }
-    let mut run = sizes.draw(options);
+    let mut run = sizes.draw(params.piece_options());
     run.drawing.style = params.signed(run.drawing.style);
     let dialect = params.dialect.written();
     let options = params.options().map_err(|f| StageError::parameter(*f))?;
@@ -268,17 +273,16 @@ fn flat_pieces(garment: &Garment) -> Result<Vec<Piece>, StageError> {
 pub fn draw(garment: &Garment, pieces: &[Piece], params: &ExportDxfParams) -> Result<write::Written, Vec<Diagnostic>> {
     let dialect = params.dialect.written();
     let mut findings = Vec::new();
-    let options = PieceOptions { half_on_fold: params.half_on_fold, mark_darts: params.mark_darts };
     let drawing = Drawing {
         style: params.signed(StyleText {
             name: garment.style.clone(),
             sample_size: garment.size.clone(),
             ..StyleText::default()
         }),
-        pieces: pieces.iter().map(|p| piece_drawing(p, options, &mut findings)).collect(),
+        pieces: pieces.iter().map(|p| piece_drawing(p, params.piece_options(), &mut findings)).collect(),
     };
-    let page = params.options().map_err(|f| vec![*f])?;
-    let mut written = write::write_with(&drawing, dialect, page)?;
+    let options = params.options().map_err(|f| vec![*f])?;
+    let mut written = write::write_with(&drawing, dialect, options)?;
     findings.append(&mut written.findings);
     written.findings = findings;
     Ok(written)

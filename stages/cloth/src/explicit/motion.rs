@@ -58,7 +58,7 @@ fn check_penalty_step(problem: &Problem, stiffness: f64, dt: f64) -> Result<(), 
     Err(ClothError::BadSetting { name: "contact_stiffness", what })
 }
 
-/// Shortest step that is worth taking, s.
+/// Shortest step that is worth taking, s. It is chosen: a second then takes ten million steps.
 const STEP_MIN: f64 = 1e-7;
 
 /// Number of equal steps from frame to frame: as set, or as many as the cloth bears.
@@ -119,8 +119,19 @@ impl<'a> MotionRun<'a> {
             problem = Problem::new(scene, &Settings { step_fraction: dt / stable, ..plain }, false)?;
         }
         let state = State::at_rest(problem.start.clone());
-        let (halvings, quiet_frames, trip) = (0, 0, Trip::default());
-        let mut run = Self { scene, dynamics, motion, problem, state, steps, dt, stable, halvings, quiet_frames, trip };
+        let mut run = Self {
+            scene,
+            dynamics,
+            motion,
+            problem,
+            state,
+            steps,
+            dt,
+            stable,
+            halvings: 0,
+            quiet_frames: 0,
+            trip: Trip::default(),
+        };
         run.set_velocities_half_a_step_back();
         Ok(run)
     }
@@ -153,23 +164,25 @@ impl<'a> MotionRun<'a> {
             }
             self.halve_step(&begun)?;
         }
-        let before = begun.x;
         let (frames, fps) = (self.motion.frames, self.motion.fps);
         watch.progress(self.trip.steps, &format!("frame {number} of {frames}"));
-        self.trip.speed = crate::farthest(&before, &self.state.x) * fps;
+        self.trip.speed = crate::farthest(&begun.x, &self.state.x) * fps;
         self.quiet_frames = if self.trip.speed <= self.dynamics.rest_speed { self.quiet_frames + 1 } else { 0 };
         self.trip.settled = self.quiet_frames >= crate::dynamics::run::QUIET_FRAMES;
         Ok(())
     }
 
-    /// Total energy, and the part of it that is kinetic or elastic, J.
+    /// Total energy, and the part of it that is kinetic or elastic (stored), J.
     fn energies(&self) -> [f64; 2] {
         let kinetic = self.problem.kinetic(&self.state.v);
         [kinetic + self.problem.potential(&self.state.x), kinetic + self.problem.elastic(&self.state.x)]
     }
 
-    /// Returns `true` if the energy has grown since by more than motion explains, or the cloth is lost. Held vertices on
-    /// their way do work, so growth then proves nothing.
+    /// Returns `true` if the energy has grown by more than motion explains, or the cloth is lost. `total` and `stored` are
+    /// the [energies](Self::energies) before. Held vertices on their way do work, so growth then proves nothing.
+    ///
+    /// Motion explains a share of the stored energy. Energy stored since counts too, but at most doubles the share: cloth
+    /// that runs away stores without end.
     fn has_grown(&self, [total, stored]: [f64; 2]) -> bool {
         if self.dynamics.fixed {
             return false;

@@ -155,7 +155,7 @@ impl Wedge<'_> {
         let mut out = Vec::new();
         for (own, other) in [(a, b), (b, a)] {
             let outer = |side: &Side| [side.first(), side.last()].map(|r| r.and_then(Option::as_ref).cloned());
-            let here = outer(own).into_iter().flatten().filter(|r| self.ends_at(r, p)).count() > 0;
+            let here = outer(own).iter().flatten().any(|r| self.ends_at(r, p));
             let there = outer(other).into_iter().flatten().filter(|_| here);
             for run in there {
                 out.extend(self.ends(&run).map(|at| Meeting { seam, piece: run.piece, ring: run.ring, at }));

@@ -14,13 +14,12 @@ pub const RULE: FillRule = FillRule::EvenOdd;
 /// The point is the middle of the frame, so that rounding to `f32` cannot move it over a ring near by.
 pub fn covers<'r>(rings: impl IntoIterator<Item = &'r [Vec2]>, p: Vec2) -> bool {
     let frame = Frame(p);
-    let events = rings.into_iter().flat_map(|ring| closed(&frame, ring));
+    let events = rings.into_iter().flat_map(|ring| closed(frame, ring));
     hit_test_path(&Point::origin(), events, RULE, NO_CURVES)
 }
 
 /// The sides of a ring as events of a path.
-fn closed<'r>(frame: &Frame, ring: &'r [Vec2]) -> impl Iterator<Item = PathEvent> + use<'r> {
-    let frame = Frame(frame.0);
+fn closed(frame: Frame, ring: &[Vec2]) -> impl Iterator<Item = PathEvent> {
     let next = ring.iter().cycle().skip(1);
     ring.iter().zip(next).map(move |(a, b)| PathEvent::Line { from: frame.to(*a), to: frame.to(*b) })
 }

@@ -23,6 +23,7 @@ pub use walk::places_along;
 const NO_CURVES: f32 = 1.0;
 
 /// Steps of the grid about a place. `f32` holds all grid points within 1.6 m of it exactly.
+#[derive(Clone, Copy)]
 struct Frame(Vec2);
 
 impl Frame {

@@ -1,4 +1,4 @@
-//! What lyon decides, and what it measurably cannot.
+//! lyon decides where cloth is and places vertices. Its tessellation and its sums of lengths measurably fall short.
 
 use super::*;
 use crate::testing::{one, rectangle, run};
