@@ -15,6 +15,11 @@ codes! {
     /// A piece holds a coordinate that is no place on a pattern. Exit code 3.
     COORDINATE_OUT_OF_RANGE = "coordinate-out-of-range";
 
+    /// A wedge may be a dart, and neither its marks nor the sewing file decide it: it is narrow, or shaped as a slit.
+    /// It was not made one. Copy the [[dart]] lines of the finding into the sewing file, with kind = "none" if it is
+    /// none.
+    DART_UNDECIDED = "dart-undecided";
+
     /// A piece has no edge of this name or number. `toile inspect --svg` draws the edges with their numbers.
     /// Exit code 2.
     EDGE_UNKNOWN = "edge-unknown";

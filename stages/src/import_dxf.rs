@@ -5,6 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
+use toile_formats::codes::DART_UNDECIDED;
 use toile_formats::codes::{OUT_OF_RANGE, SIZE_NOT_FOUND};
 use toile_formats::dxf::darts::UndecidedDart;
 use toile_formats::dxf::{self, InsertRule, ReadOptions, Tolerances, Vendor};
@@ -169,7 +170,7 @@ impl Stage for ImportDxf {
         }
         // What is undecided is told once the sewing file is known, and of one size alone.
         let is_single = !matches!(params.size, Some(SizeChoice::Many(_)));
-        let is_told_now = |f: &&Diagnostic| !(is_single && dxf::darts::is_undecided(f));
+        let is_told_now = |f: &&Diagnostic| !(is_single && f.code == DART_UNDECIDED);
         cx.report.findings.extend(pattern.findings.iter().filter(is_told_now).cloned());
         cx.report.findings.extend(table.iter().flat_map(|t| pattern.check_rules(t)));
         let (mut read, findings) = in_sizes(params, &pattern, table.as_ref())?;

@@ -16,11 +16,6 @@ codes! {
     /// leg; correct the pattern if it is not meant.
     DART_LEGS_DIFFER = "dart-legs-differ";
 
-    /// A wedge may be a dart, and neither its marks nor the sewing file decide it: it is narrow, or shaped as a slit.
-    /// It was not made one. Copy the [[dart]] lines of the finding into the sewing file, with kind = "none" if it is
-    /// none.
-    DART_UNDECIDED = "dart-undecided";
-
     /// Two lines look like the folds of a pleat or dart-pleat. It is not made one unless the sewing file declares it
     /// with `[[dart]]`.
     PLEAT_CANDIDATE = "pleat-candidate";

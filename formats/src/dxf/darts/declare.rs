@@ -1,7 +1,7 @@
 //! Undecided darts as findings, with the lines of the sewing file that decide them.
 
-use super::codes;
 use super::dart::DrawnDart;
+use crate::codes::DART_UNDECIDED;
 use crate::dxf::garment::M;
 use crate::dxf::pattern::Pattern;
 use crate::dxf::piece::{DrawnPiece, mm};
@@ -75,7 +75,7 @@ impl DrawnPiece {
             "if it is one, write in the sewing file:\n{}\nif it is none, add: kind = \"none\"",
             declaration(name, dart)
         );
-        Diagnostic::warning(codes::DART_UNDECIDED, text).hint(hint)
+        Diagnostic::warning(DART_UNDECIDED, text).hint(hint)
     }
 }
 
@@ -90,10 +90,4 @@ pub(super) fn table(piece: &str, apex: Vec2, mouth: [Vec2; 2]) -> String {
 /// The lines of the sewing file that declare a dart.
 pub(super) fn declaration(piece: &str, dart: &DrawnDart) -> String {
     table(piece, dart.apexes[0], dart.mouth)
-}
-
-/// Is this the finding of a dart that the drawing leaves undecided?
-#[must_use]
-pub fn is_undecided(finding: &Diagnostic) -> bool {
-    finding.code == codes::DART_UNDECIDED
 }

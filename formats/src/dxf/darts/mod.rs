@@ -48,5 +48,5 @@ mod zigzag;
 
 pub use dart::{Denied, DrawnDart, Evidence, Form};
 pub(super) use decide::decide;
-pub use declare::{UndecidedDart, is_undecided};
+pub use declare::UndecidedDart;
 pub use pleat::Pleat;

@@ -3,7 +3,7 @@
 
 use super::dart_forms::{Fact, check, notched, piece, top};
 use super::*;
-use crate::dxf::darts::codes::DART_UNDECIDED;
+use crate::codes::DART_UNDECIDED;
 use toile_garment::Vec2;
 
 type Point = (f64, f64);

@@ -2,6 +2,7 @@ use super::*;
 use crate::assemble::Assemble;
 use crate::testing::{dart, line, one, piece, rectangle, run, seam, two_points, v};
 use crate::triangulate::Triangulate;
+use toile_formats::codes::DART_UNDECIDED;
 use toile_formats::dxf::darts::UndecidedDart;
 use toile_garment::Severity;
 use toile_garment::dart::DartKind;
@@ -297,10 +298,7 @@ fn needle(marked: bool, seams: Vec<SeamSpec>, darts: Vec<DartSpec>) -> (Garment,
         kind: Some(DartKind::Wedge),
         source: None,
     };
-    let undecided = vec![UndecidedDart {
-        spec,
-        finding: Diagnostic::warning(crate::sewing::codes::DART_TO_DENY_NOT_FOUND, "a wedge"),
-    }];
+    let undecided = vec![UndecidedDart { spec, finding: Diagnostic::warning(DART_UNDECIDED, "a wedge") }];
     let mut report = Report::default();
     let plan = SewingPlan { seams, darts, ..SewingPlan::default() };
     apply_deciding(&mut garment, plan, undecided, &mut report).expect("plan");
@@ -355,11 +353,11 @@ fn seams_that_close_a_needle_make_it_a_dart() {
 #[test]
 fn a_needle_that_no_seam_closes_is_told_unless_the_file_says_what_it_is() {
     let (garment, report) = needle(false, waist()[..1].to_vec(), Vec::new());
-    assert_eq!((codes(&report), garment.pieces[0].darts.len()), (vec!["dart-to-deny-not-found"], 0));
+    assert_eq!((codes(&report), garment.pieces[0].darts.len()), (vec!["dart-undecided"], 0));
     // Two seams that end at its mouth and go to places apart leave it open.
     let mut apart = waist();
     apart[1].b = vec![two_points("band", (297.0, 0.0), (151.5, 0.0))];
-    assert_eq!(codes(&needle(false, apart, Vec::new()).1), ["dart-to-deny-not-found"]);
+    assert_eq!(codes(&needle(false, apart, Vec::new()).1), ["dart-undecided"]);
     // A leg that is sewn to another piece is no dart's.
     let taken = seam(
         "godet",
