@@ -16,7 +16,7 @@ codes! {
     COORDINATE_OUT_OF_RANGE = "coordinate-out-of-range";
 
     /// A wedge may be a dart, and neither its marks nor the sewing file decide it: it is narrow, or shaped as a slit.
-    /// It was not made one. Copy the [[dart]] lines of the finding into the sewing file, with kind = "none" if it is
+    /// It was not made one. Copy the `[[dart]]` lines of the finding into the sewing file, with kind = "none" if it is
     /// none.
     DART_UNDECIDED = "dart-undecided";
 
