@@ -147,3 +147,22 @@ fn hopeless_work_is_refused_with_its_forecast() {
     assert_eq!(said.code, 5, "{said:?}");
     assert!(said.err.contains("--max-seconds"), "{}", said.err);
 }
+
+/// Rust ends a program that gets no memory without a word, so what does not fit is refused before.
+#[cfg(target_os = "linux")]
+#[test]
+fn a_file_that_needs_more_memory_than_there_is_is_refused_with_a_record() {
+    let bench = project(|_, _| true);
+    let file = bench.pipeline_file().with_file_name("body.obj");
+    let mut body = std::fs::read_to_string(&file).expect("body");
+    body.extend(std::iter::repeat_n("v 0.123456 0.123456 0.123456\n", 900_000));
+    std::fs::write(&file, body).expect("body");
+    let mut shell = std::process::Command::new("sh");
+    shell.args(["-c", "ulimit -v 300000; exec \"$0\" \"$@\"", env!("CARGO_BIN_EXE_toile"), "run"]);
+    let ended = shell.arg(bench.pipeline_file()).arg("--out").arg(bench.out()).output().expect("shell");
+    let said = String::from_utf8_lossy(&ended.stderr);
+    assert_eq!(ended.status.code(), Some(5), "{said}");
+    assert!(said.contains("over-limit") && said.contains("MB of memory"), "{said}");
+    assert_eq!(bench.record()["exit_code"], 5);
+    assert_eq!(bench.left(), ["run.json"]);
+}

@@ -36,9 +36,9 @@ pub(super) fn run(args: &FlattenArgs, registry: &Registry, stop: &Arc<Stop>, con
     }
     let garment = match read(&args.garment, &mut report) {
         Ok(garment) => garment,
-        Err(findings) => {
+        Err((findings, exit)) => {
             console.findings(&findings, None);
-            return Exit::Input;
+            return exit;
         }
     };
     let written = flatten(args, registry, stop, garment, &mut report);
@@ -58,17 +58,17 @@ pub(super) fn run(args: &FlattenArgs, registry: &Registry, stop: &Arc<Stop>, con
     }
 }
 
-fn read(path: &Path, report: &mut Report) -> Result<Garment, Vec<Diagnostic>> {
-    let bytes = read_limited(path, path, MAX_INPUT).map_err(|e| of_file_error(&e).0)?;
+fn read(path: &Path, report: &mut Report) -> Result<Garment, (Vec<Diagnostic>, Exit)> {
+    let bytes = read_limited(path, path, MAX_INPUT).map_err(|e| of_file_error(&e))?;
     let body = bytes.trim_ascii_start();
     let reader = READERS.iter().find(|(begin, _)| body.starts_with(begin));
     let name = clean(path);
     let no_reader = || {
         let hint = "give a GLB that `export-gltf` wrote, or a garment document";
-        vec![Diagnostic::error(codes::NO_READER, format!("`{name}` is no garment file")).hint(hint)]
+        (vec![Diagnostic::error(codes::NO_READER, format!("`{name}` is no garment file")).hint(hint)], Exit::Input)
     };
     let (_, reader) = reader.ok_or_else(no_reader)?;
-    reader(&bytes, &name, report).map_err(|finding| vec![finding])
+    reader(&bytes, &name, report).map_err(|finding| (vec![finding], Exit::Input))
 }
 
 fn from_glb(bytes: &[u8], name: &str, report: &mut Report) -> Result<Garment, Diagnostic> {

@@ -64,8 +64,9 @@ pub(super) fn run(args: &InspectArgs, console: &mut Console<'_>) -> Exit {
     let bytes = match read_limited(&args.file, &args.file, MAX_INPUT) {
         Ok(bytes) => bytes,
         Err(error) => {
-            console.findings(&of_file_error(&error).0, None);
-            return Exit::Input;
+            let (findings, exit) = of_file_error(&error);
+            console.findings(&findings, None);
+            return exit;
         }
     };
     let source = Source { path: &args.file, name: &name, bytes: &bytes, draw: args.svg.is_some() };

@@ -85,6 +85,7 @@ pub fn of_file_error(error: &FileError) -> (Vec<Diagnostic>, Exit) {
         FileError::Refused { .. } => (PATH_REFUSED, Exit::Usage),
         FileError::Missing { .. } => (FILE_MISSING, Exit::Input),
         FileError::TooLarge { .. } => (FILE_TOO_LARGE, Exit::Input),
+        FileError::Memory { .. } => (codes::OVER_LIMIT, Exit::System),
         _ => (WRITE_FAILED, Exit::System),
     };
     (vec![Diagnostic::error(code, error.to_string())], exit)

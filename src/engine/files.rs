@@ -1,6 +1,7 @@
 //! Files as the stages see them.
 
 use super::gate::{Gate, clean};
+use super::memory::too_little_for_file;
 use super::outputs::Outputs;
 use std::io::Read as _;
 use std::path::Path;
@@ -85,6 +86,9 @@ pub fn read_limited(given: &Path, real: &Path, limit: u64) -> Result<Vec<u8>, Fi
     let too_large = |size| FileError::TooLarge { path: clean(given), size, limit };
     if size > limit {
         return Err(too_large(size));
+    }
+    if let Some([needed, free]) = too_little_for_file(size) {
+        return Err(FileError::Memory { path: clean(given), needed, free });
     }
     let mut bytes = Vec::new();
     file.take(limit + 1).read_to_end(&mut bytes).map_err(missing)?;

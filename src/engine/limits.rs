@@ -3,6 +3,7 @@
 use super::codes;
 use super::exit::Exit;
 use super::foresight::Foresight;
+use super::memory::available_mb;
 use super::meter::peak_mb;
 use super::stop::Stop;
 use std::sync::Arc;
@@ -58,14 +59,6 @@ impl Limits {
         let most = self.mb.filter(|most| peak_mb().is_some_and(|mb| mb > *most))?;
         Some(format!("the run needed more than --max-memory {most} MB and was stopped"))
     }
-}
-
-/// Memory that the system can give, MB, where it tells.
-fn available_mb() -> Option<f64> {
-    let info = std::fs::read_to_string("/proc/meminfo").ok()?;
-    let line = info.lines().find_map(|l| l.strip_prefix("MemAvailable:"))?;
-    let kib: f64 = line.trim().strip_suffix("kB")?.trim().parse().ok()?;
-    Some(kib * 1.024e-3)
 }
 
 /// Watches a run until it is dropped.

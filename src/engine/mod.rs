@@ -7,6 +7,7 @@ mod files;
 mod foresight;
 mod gate;
 mod limits;
+mod memory;
 mod meter;
 mod outputs;
 mod panics;

@@ -34,6 +34,16 @@ pub enum FileError {
         /// The limit.
         limit: u64,
     },
+    /// Reading the file needs more memory than this process can have.
+    #[error("reading `{path}` needs about {needed:.0} MB of memory, and there are {free:.0} MB")]
+    Memory {
+        /// As given.
+        path: String,
+        /// Memory for reading and checking it, MB.
+        needed: f64,
+        /// Memory that is left, MB.
+        free: f64,
+    },
     /// Disk full, no rights, or it is there already and `--force` was not given.
     #[error("cannot write `{path}`: {reason}")]
     Write {
