@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toile_garment::{Diagnostic, Report, SourceRef};
-use toile_stage_api::Registry;
+use toile_stage_api::{Meaning, Registry};
 
 /// Which pipeline, and what it may do.
 #[derive(Clone, Debug, Default)]
@@ -26,6 +26,8 @@ pub struct Request {
     pub allow_run: BTreeSet<String>,
     /// Settings that trade accuracy for time, instead of those of the pipeline.
     pub tuning: Tuning,
+    /// How often the rest is sought again, instead of what the pipeline says.
+    pub repeats: Option<u32>,
     /// Accuracy wanted, instead of that of the pipeline's head.
     pub accuracy: Option<String>,
 }
@@ -87,13 +89,19 @@ fn check<'r>(source: SourceText, request: &Request, stop: &Arc<Stop>, registry: 
     let folder = folder_of(&request.file);
     external::connect(&document, &folder, &request.allow_run, stop, registry, &mut report);
     let registry: &'r Registry = registry;
-    let tuning = if request.tuning.is_empty() {
+    let mut tuning = if request.tuning.is_empty() {
         accuracy::tuning(&document, request, registry, &mut report)
     } else {
         request.tuning.clone()
     };
+    tuning.extend(request.repeats.map(|n| (Meaning::Repeats, n.to_string())));
     pipeline::tune(&mut document, registry, &tuning);
     let pipeline = pipeline::link(&document, registry, &mut report);
+    let repeats = |s: &pipeline::Step<'_>| pipeline::knob(s.ready.knobs(), Meaning::Repeats).is_some();
+    if request.repeats.is_some() && !pipeline.steps.iter().any(repeats) {
+        let message = "--repeats was given, and no stage of this chain can be repeated";
+        report.push(Diagnostic::error(codes::REPEATS_NO_STAGE, message).hint("`drape` can"));
+    }
     let gate = match Gate::new(&folder, &request.allow_read, &pipeline.mounts) {
         Ok(gate) => {
             check_paths(&pipeline.steps, &gate, &mut report);

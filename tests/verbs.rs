@@ -220,6 +220,42 @@ fn a_plan_foresees_mesh_effects_and_cost() {
     assert!(finer["effects"][0]["rule"].as_str().is_some_and(|r| r.contains("switched off")));
 }
 
+/// Rests from starts that differ by 1 µm are measured where it is asked, and `plan` advises it where nothing holds the
+/// cloth.
+#[test]
+fn repeats_tell_how_far_apart_the_rests_lie() {
+    let file = root().join("pipelines/long-skirt/v1.toml");
+    let out = tempfile::tempdir().expect("folder");
+    let run = |name: &str, more: &[&str]| -> Value {
+        let folder = out.path().join(name);
+        let mut arguments: Vec<OsString> = vec!["run".into(), file.clone().into(), "--out".into()];
+        arguments.extend([folder.clone().into(), "--quiet".into(), "--set".into(), "triangulate.triangles=700".into()]);
+        arguments.extend(more.iter().map(OsString::from));
+        let said = command(arguments);
+        assert_eq!(said.code, 0, "{said:?}");
+        let text = std::fs::read_to_string(folder.join("run.json")).expect("record");
+        serde_json::from_str::<Value>(&text).expect("JSON")["certificate"].clone()
+    };
+    let (once, thrice) = (run("once", &[]), run("thrice", &["--repeats", "2"]));
+    assert!(once["rests"].is_null() && once["energy_J"] == thrice["energy_J"], "{once} {thrice}");
+    let figure = |key: &str| thrice["rests"][key].as_f64().unwrap_or_else(|| panic!("{key}: {thrice}"));
+    assert_eq!((figure("repeats"), figure("settled")), (2.0, 2.0));
+    let apart = ["apart_median_mm", "apart_p95_mm", "apart_max_mm"].map(figure);
+    assert!(apart[0] > 0.0 && apart.is_sorted() && apart[2] < 1e3, "{apart:?}");
+
+    let plan = |line: &str, more: &[&dyn AsRef<std::ffi::OsStr>]| {
+        let file = root().join(format!("pipelines/{line}/v1.toml"));
+        toile(&[&[&"plan" as &dyn AsRef<std::ffi::OsStr>, &file], more].concat())
+    };
+    let advised = |said: &Said| said.out.contains("--repeats 4 measures");
+    assert!(advised(&plan("t-shirt", &[])) && !advised(&plan("long-skirt", &[])));
+    assert!(!advised(&plan("t-shirt", &[&"--repeats", &"4"])));
+    let bench = Bench::new();
+    bench.stages("[[stage]]\nuse = \"import-dxf\"\nwith.file = \"p.dxf\"\n");
+    let said = toile(&[&"check", &bench.pipeline_file(), &"--repeats", &"2"]);
+    assert!(said.code != 0 && said.err.contains("repeats-no-stage"), "{said:?}");
+}
+
 /// A garment of another importer is foreseen as well: its mesh, and every stage to the end.
 #[test]
 fn a_plan_foresees_a_garmentcode_garment() {

@@ -105,12 +105,15 @@ pub struct AccuracyArgs {
     /// Accuracy: a length such as "2 mm", or draft, normal, fine, reference; as `accuracy` in [pipeline].
     #[arg(long, value_name = "LENGTH")]
     pub accuracy: Option<String>,
+    /// Drape again from so many starts moved by up to 1 µm; the certificate tells how far the rests lie apart.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(0..=20))]
+    pub repeats: Option<u32>,
 }
 
 impl AccuracyArgs {
     /// A request with this accuracy.
     pub fn request(&self, pipeline: &PipelineArgs) -> Request {
-        Request { accuracy: self.accuracy.clone(), ..pipeline.request() }
+        Request { accuracy: self.accuracy.clone(), repeats: self.repeats, ..pipeline.request() }
     }
 }
 

@@ -51,6 +51,7 @@ fn plan(pipeline: &Pipeline<'_>, gate: &Gate, seen: &Foresight) -> Value {
             "edge_mm": mesh.map(|m| rounded(m.edge * 1e3)),
             "stages_not_foreseen": seen.stages.iter().filter(|e| e.is_none()).count(),
         },
+        "advice": seen.forecast.advice,
         "inputs": inputs,
         "outputs": outputs,
     })
@@ -91,6 +92,9 @@ fn text(pipeline: &Pipeline<'_>, plan: &Value, seen: &Foresight) -> String {
     for e in &seen.forecast.effects {
         let state = if e.on { "on" } else { "off" };
         let _ = writeln!(text, "effect {:<14} {state:<4} {} ({})", e.name, e.rule, e.evidence);
+    }
+    for advice in &seen.forecast.advice {
+        let _ = writeln!(text, "advice {advice}");
     }
     for input in plan["inputs"].as_array().into_iter().flatten() {
         let _ = writeln!(text, "reads  {} ({} bytes)", input["path"].as_str().unwrap_or(""), input["bytes"]);

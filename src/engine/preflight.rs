@@ -21,6 +21,9 @@ pub fn planned_inputs<'a>(steps: &'a [Step<'_>]) -> impl Iterator<Item = &'a Pat
     steps.iter().flat_map(|s| &s.paths).filter(|p| !p.is_output())
 }
 
+/// Most names of files that a remedy lists.
+const NAMES: usize = 8;
+
 /// Looks at every path of the chain.
 pub fn check_paths(steps: &[Step<'_>], gate: &Gate, report: &mut Report) {
     let mut folders: Folders = BTreeMap::new();
@@ -46,6 +49,24 @@ pub fn check_paths(steps: &[Step<'_>], gate: &Gate, report: &mut Report) {
     }
 }
 
+/// The remedy for a missing file: the files beside it whose names differ in their numbers alone, else the nearest name.
+fn missing_hint(name: &str, neighbours: &[String]) -> String {
+    let without_numbers =
+        |name: &str| name.split(|c: char| c.is_ascii_digit()).filter(|w| !w.is_empty()).collect::<Vec<_>>().join("0");
+    let numbered = name.contains(|c: char| c.is_ascii_digit());
+    let other_numbers = |n: &&String| numbered && without_numbers(n) == without_numbers(name);
+    let mut alike: Vec<String> =
+        neighbours.iter().filter(other_numbers).take(NAMES).map(|n| format!("`{n}`")).collect();
+    alike.sort();
+    if alike.len() > 1 {
+        return format!("there are {}; paths are relative to the pipeline file", alike.join(", "));
+    }
+    nearest(name, neighbours.iter().map(String::as_str)).map_or_else(
+        || "paths are relative to the pipeline file".to_owned(),
+        |near| format!("did you mean `{near}`? Paths are relative to the pipeline file"),
+    )
+}
+
 /// Names beside missing files: a folder is looked into once.
 type Folders = BTreeMap<PathBuf, Vec<String>>;
 
@@ -56,14 +77,25 @@ fn input_finding(gate: &Gate, input: &PathText, error: &FileError, folders: &mut
             let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
             let folder = path.parent().map(Path::to_path_buf).unwrap_or_default();
             let neighbours = folders.entry(folder).or_insert_with(|| gate.neighbours(path));
-            let hint = nearest(&name, neighbours.iter().map(String::as_str)).map_or_else(
-                || "paths are relative to the pipeline file".to_owned(),
-                |near| format!("did you mean `{near}`? Paths are relative to the pipeline file"),
-            );
+            let hint = missing_hint(&name, neighbours);
             Diagnostic::error(FILE_MISSING, error.to_string()).at(input.place.clone()).hint(hint)
         }
         _ => Diagnostic::error(PATH_REFUSED, error.to_string())
             .at(input.place.clone())
             .hint("paths are relative to the pipeline file and stay in its project; see --allow-read DIR"),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::missing_hint;
+
+    #[test]
+    fn files_that_differ_in_their_numbers_are_all_named() {
+        let there = ["size-38.obj", "size-36.obj", "size-38.toml", "notes.txt"].map(str::to_owned);
+        let hint = missing_hint("size-39.obj", &there);
+        assert_eq!(hint, "there are `size-36.obj`, `size-38.obj`; paths are relative to the pipeline file");
+        assert!(missing_hint("note.txt", &there).contains("did you mean `notes.txt`?"));
+        assert!(!missing_hint("fabric.toml", &there).contains("did you mean"));
     }
 }

@@ -21,6 +21,9 @@ codes! {
     /// The file is not UTF-8 text. Save it as UTF-8.
     NOT_TEXT = "not-text";
 
+    /// `--repeats` was given for a chain in which no stage can be repeated. Exit code 2.
+    REPEATS_NO_STAGE = "repeats-no-stage";
+
     /// The study beside the pipeline cannot be used, so the accuracy comes from the presets: it is damaged, of another
     /// version, or of another pipeline. Make it anew with `toile study`.
     STUDY_UNFIT = "study-unfit";

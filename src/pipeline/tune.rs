@@ -14,7 +14,7 @@ pub type Tuning = BTreeMap<Meaning, String>;
 
 /// Writes the settings into the stages that have knobs for them, as if they stood there. `--set` comes later and has the
 /// last word.
-pub fn tune(document: &mut Document<'_>, registry: &Registry, tuning: &Tuning) {
+pub fn tune<'a>(document: &mut Document<'a>, registry: &Registry, tuning: &'a Tuning) {
     for entry in &mut document.stages {
         let knobs = registry.get(entry.name.get_ref()).map_or(&[][..], |s| s.knobs());
         for knob in knobs {
@@ -38,7 +38,7 @@ pub fn knob(knobs: &[Knob], meaning: Meaning) -> Option<&Knob> {
     knobs.iter().find(|k| k.meaning == meaning)
 }
 
-fn turn(entry: &mut StageEntry<'_>, knob: &Knob, value: &str) {
+fn turn<'a>(entry: &mut StageEntry<'a>, knob: &Knob, value: &'a str) {
     let span = entry.with.span();
     let table = entry.with.get_mut();
     if let Some(other) = &knob.instead_of {
@@ -47,13 +47,14 @@ fn turn(entry: &mut StageEntry<'_>, knob: &Knob, value: &str) {
     put(table, &span, &knob.key, value);
 }
 
-/// Puts a text at a key with dots; inner tables are made where they are missing.
-fn put(table: &mut DeTable<'_>, span: &Range<usize>, key: &str, value: &str) {
+/// Puts a value, a whole number or else a text, at a key with dots; inner tables are made where they are missing.
+fn put<'a>(table: &mut DeTable<'a>, span: &Range<usize>, key: &str, value: &'a str) {
     let here = |value| Spanned::new(span.clone(), value);
     let named = |key: &str| Spanned::new(span.clone(), Cow::Owned(key.to_owned()));
     let Some((first, rest)) = key.split_once('.') else {
         table.remove(key);
-        table.insert(named(key), here(DeValue::String(Cow::Owned(value.to_owned()))));
+        let number = DeValue::parse(value).map(Spanned::into_inner).ok().filter(DeValue::is_integer);
+        table.insert(named(key), here(number.unwrap_or(DeValue::String(Cow::Borrowed(value)))));
         return;
     };
     if !table.contains_key(first) {

@@ -3,10 +3,13 @@
 mod certificate;
 mod forecast;
 mod params;
+mod repeats;
 mod tightness;
+mod unused;
 
 pub use params::{AccuracyName, DrapeParams, EffectsParam, IntegratorName, ModelName, SwitchName};
 
+use crate::codes::SETTING_OUT_OF_RANGE;
 use crate::solve::body_parts::contact_filter;
 use crate::solve::{Follow, Layout, MESH_ANEW, effects, failure, failure_in, scene};
 use toile_cloth::{ClothError, Outcome, Scene, Settings, StopReason};
@@ -24,6 +27,14 @@ codes! {
     /// Edges are so short beside the others of their triangles that no step could be taken: their ends were draped as
     /// one vertex, and parted again afterwards.
     EDGES_TINY = "edges-tiny";
+
+    /// The fabric gives `bending_hysteresis` beside bending lengths of [fast]. They were measured on cloth whose yarns
+    /// rub, so they hold this friction already, and it was not used again.
+    HYSTERESIS_UNUSED = "hysteresis-unused";
+
+    /// How far apart the garment comes to rest from starts that differ by 1 µm (`--repeats`). `plan` advises to measure it
+    /// where nothing holds the cloth.
+    RESTS_APART = "rests-apart";
 
     /// The top of the garment sank on the body by more than its gate: nothing holds the garment where it was sewn. Hold an
     /// edge with [[attach]], or make it narrower there.
@@ -57,6 +68,7 @@ impl Stage for Drape {
         Knob::new(Meaning::Model, "model"),
         Knob::new(Meaning::Integrator, "integrator"),
         Knob::new(Meaning::SelfContact, "effects.self-contact"),
+        Knob::new(Meaning::Repeats, "repeats"),
     ];
 
     fn forecast(
@@ -66,9 +78,12 @@ impl Stage for Drape {
         cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
         toile_cloth::check_settings(&params.settings(cx.threads)).map_err(failure)?;
+        repeats::check(params)?;
+        forecast.advice.extend(repeats::advice(params, &forecast.garment));
         forecast.effects = forecast::effects(params, forecast);
         // Fitted to `pipelines/` and a GarmentCode skirt of 550 to 25,000 triangles, each within a factor of 1.5.
-        Ok(forecast.by_triangles(0.04, 0.11, 4.3))
+        let once = forecast.by_triangles(0.04, 0.11, 4.3);
+        Ok(once.map(|c| Cost { seconds: c.seconds * f64::from(1 + params.repeats), ..c }))
     }
 
     fn run(
@@ -77,6 +92,7 @@ impl Stage for Drape {
         mut garment: Garment,
         cx: &mut StageContext<'_>,
     ) -> Result<Garment, StageError> {
+        repeats::check(params)?;
         let layout = Layout::of(&garment);
         let stitched = garment.stitched.take().ok_or_else(|| StageError::Internal("no stitched shape".to_owned()))?;
         let gravity = Vec3::new(0.0, -params.gravity.0, 0.0);
@@ -103,12 +119,17 @@ impl Stage for Drape {
         garment.drape = Some(shape(&stored));
         garment.reactions = reactions(&garment, &layout, &welded.map, &outcome);
         garment.stitched = Some(stitched);
+        let rests = repeats::measure(&welded, &settings, &outcome, params.repeats, cx).map_err(failure)?;
+        cx.report.findings.extend(rests.as_ref().map(repeats::finding));
+        if let Some(certificate) = &mut garment.certificate {
+            certificate.rests = rests;
+        }
         let certificate = garment.certificate.as_ref();
         let tight = certificate.and_then(|c| tightness::finding(&garment, c, figures.tightest.as_ref()));
         cx.report.findings.extend(tight);
         cx.report.findings.extend(certificate.and_then(slid));
         tell(&mut garment, &outcome, cx);
-        tell_springs(&garment, params, cx);
+        cx.report.findings.extend(unused::findings(&garment, params));
         Ok(garment)
     }
 }
@@ -184,16 +205,6 @@ fn slid(certificate: &Certificate) -> Option<Diagnostic> {
     let finding = Diagnostic::warning(SLID, message);
     (certificate.slip_mm > most)
         .then(|| finding.hint("hold an edge with [[attach]], or make the garment narrower where it should hold"))
-}
-
-/// Spring constants of a fabric say nothing to another model.
-fn tell_springs(garment: &Garment, params: &DrapeParams, cx: &mut StageContext<'_>) {
-    let with = garment.fabrics.values().find(|f| f.springs.is_some());
-    if let Some(fabric) = with.filter(|_| params.model != ModelName::Springs) {
-        let message = format!("`{}` gives spring constants ([springs]); the drape went by its laws", fabric.name);
-        let finding = Diagnostic::info(SPRINGS_UNUSED, message);
-        cx.report.push(finding.hint("with.model = \"springs\" takes them"));
-    }
 }
 
 /// Only motion in time has a speed.

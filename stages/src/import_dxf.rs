@@ -5,9 +5,9 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
-use toile_formats::codes::DART_UNDECIDED;
-use toile_formats::codes::{OUT_OF_RANGE, SIZE_NOT_FOUND};
+use toile_formats::codes::{DART_UNDECIDED, OUT_OF_RANGE, SIZE_NOT_FOUND};
 use toile_formats::dxf::darts::UndecidedDart;
+use toile_formats::dxf::layers::Layers;
 use toile_formats::dxf::{self, InsertRule, ReadOptions, Tolerances, Vendor};
 use toile_formats::rul;
 use toile_garment::units::{Angle, Length};
@@ -19,6 +19,9 @@ codes! {
 
     /// Which program wrote the file, and why that is thought. Set `profile` of `import-dxf` to overrule it.
     DXF_PROFILE = "dxf-profile";
+
+    /// `layers` of `import-dxf` lets a layer of the file stand for one that the standard does not have. Exit code 2.
+    LAYER_UNKNOWN = "layer-unknown";
 
     /// How many entities of the file were accepted, interpreted by a rule, and refused. `toile inspect` lists the
     /// rules.
@@ -104,7 +107,8 @@ pub struct ImportDxfParams {
     /// Unit of the coordinates, overruling the file.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub units: Option<FileUnit>,
-    /// Layers of the file that stand for other layers of the standard, e.g. `{ CUT = "1" }`.
+    /// Layers of the file that stand for layers of the standard, e.g. `{ CUT = "1" }`, or are left out:
+    /// `{ FRAME = "ignore" }`.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub layers: BTreeMap<String, String>,
     /// Code page of the texts, overruling the file, e.g. `"gbk"`, `"shift_jis"`, `"windows-1252"`.
@@ -261,6 +265,12 @@ fn options(params: &ImportDxfParams) -> Result<ReadOptions, StageError> {
         faults.push(Diagnostic::error(PROFILE_UNKNOWN, text).hint(hint));
         None
     });
+    for (layer, target) in params.layers.iter().filter(|(_, target)| !Layers::is_target(target)) {
+        let text = format!("`layers` says that `{layer}` stands for `{target}`, which is no layer of the standard");
+        let hint =
+            "write the layer of the file first: `{ CUT = \"1\" }`, and \"ignore\" for one that is to be left out";
+        faults.push(Diagnostic::error(LAYER_UNKNOWN, text).hint(hint));
+    }
     if !faults.is_empty() {
         return Err(StageError::Parameter(faults));
     }

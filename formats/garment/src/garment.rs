@@ -77,6 +77,26 @@ pub struct Certificate {
     pub penetration_max_mm: f64,
     /// Limits by figure name.
     pub limits: std::collections::BTreeMap<String, f64>,
+    /// How far apart the rests from shaken starts lie, where it was asked.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rests: Option<Rests>,
+}
+
+/// Rests of the same cloth from starts that differ by next to nothing, measured against the first.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Rests {
+    /// How many further rests there are.
+    pub repeats: u32,
+    /// How many of them reached their stop.
+    pub settled: u32,
+    /// Largest move of a start along each axis, mm.
+    pub shake_mm: f64,
+    /// Median distance of a vertex from its first rest, mm.
+    pub apart_median_mm: f64,
+    /// 95th percentile of the distance, mm.
+    pub apart_p95_mm: f64,
+    /// Largest distance, mm.
+    pub apart_max_mm: f64,
 }
 
 /// An effect of the simulation and why it was on or off.

@@ -42,6 +42,9 @@ pub enum Role {
     Unknown,
 }
 
+/// The word for a layer of the file that is to be left out.
+const IGNORE: &str = "ignore";
+
 /// Layer names of the file to layer numbers of the standard.
 #[derive(Clone, Debug, Default)]
 pub struct Layers {
@@ -53,6 +56,12 @@ impl Layers {
     #[must_use]
     pub fn new(remap: &BTreeMap<String, String>) -> Self {
         Self { remap: remap.iter().map(|(k, v)| (tidy(k).to_owned(), tidy(v).to_owned())).collect() }
+    }
+
+    /// Can a layer of a file stand for this one: a layer of the standard, or "ignore"?
+    #[must_use]
+    pub fn is_target(layer: &str) -> bool {
+        tidy(layer) == IGNORE || Self::default().role(layer) != Role::Unknown
     }
 
     /// Meaning of a layer of the file.

@@ -39,6 +39,8 @@ impl Cost {
 pub struct Forecast {
     /// The garment as the files describe it: pieces, fabrics, body. It never holds a result of work.
     pub garment: Garment,
+    /// Advice on the work to come, a sentence each: `plan` tells it.
+    pub advice: Vec<String>,
     /// Size of the mesh, as soon as a stage can tell it.
     pub mesh: Option<MeshSize>,
     /// Effects that will be simulated or left out, each with its rule and its evidence.

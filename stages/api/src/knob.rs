@@ -17,6 +17,8 @@ pub enum Meaning {
     Integrator,
     /// Contact of cloth with cloth: `auto`, `on` or `off`.
     SelfContact,
+    /// How often the rest is sought again from shaken starts: a whole number.
+    Repeats,
 }
 
 /// A parameter of a stage that may be set from outside to trade accuracy for time.

@@ -37,6 +37,7 @@ pub use certificate::{Figures, Tightest, certify};
 pub use dynamics::{Dynamics, Frame, Motion, Trip};
 pub use effects::{EFFECTS, Effect, Facts};
 pub use error::{ClothError, Place, SceneFault};
+pub use hierarchy::perturb::shaken;
 pub use prepare::initial_feasibility::pieces_off_body::{PieceMove, pieces_off_body};
 pub use report::outcome::{EffectReport, Outcome, Reaction, StopReason};
 pub use report::watch::{Silent, Watch};

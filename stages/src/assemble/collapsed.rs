@@ -1,8 +1,9 @@
 //! Seams that sew two corners of one triangle to one point: no cloth can be that narrow.
 
+use crate::sewing::sewn_points::SewnPoints;
 use crate::sewing::shapes::mm;
 use toile_garment::seam::Seam;
-use toile_garment::{Diagnostic, Garment, MeshVertex, Piece, Vec2};
+use toile_garment::{Diagnostic, Garment, Piece, Vec2};
 
 /// A line ends at a mesh vertex within this, metres.
 const AT_VERTEX: f64 = 1e-3;
@@ -10,20 +11,13 @@ const AT_VERTEX: f64 = 1e-3;
 /// One error for each piece with such a triangle. The usual cause is a dart that is neither found nor declared: seams
 /// end at both of its mouth points, and the cloth between them goes nowhere.
 pub fn check(garment: &Garment, seams: &[Seam]) -> Vec<Diagnostic> {
-    let mut points = SewnPoints::new(garment);
-    for stitch in seams.iter().flat_map(|s| &s.stitches) {
-        points.join(stitch.a, stitch.b);
-    }
+    let mut points = SewnPoints::new(garment, seams);
     garment.pieces.iter().filter_map(|piece| collapsed(piece, &mut points)).collect()
 }
 
 fn collapsed(piece: &Piece, points: &mut SewnPoints) -> Option<Diagnostic> {
-    let mesh = piece.mesh.as_ref()?;
-    let of = |vertex| MeshVertex { piece: piece.id, vertex };
-    let mut one = |[a, b]: [u32; 2]| points.point(of(a)) == points.point(of(b));
-    let sides = mesh.triangles.iter().flat_map(|[a, b, c]| [[*a, *b], [*b, *c], [*c, *a]]);
-    let [a, b] = sides.into_iter().find(|side| one(*side))?;
-    let [p, q] = [a, b].map(|v| mesh.rest.get(v as usize).copied().unwrap_or_default());
+    let rest = &piece.mesh.as_ref()?.rest;
+    let [p, q] = points.collapsed_side(piece)?.map(|v| rest.get(v as usize).copied().unwrap_or_default());
     let message = format!(
         "piece `{}`: seams sew {} and {}, {:.1} mm apart, to one point, and nothing takes the cloth between them away",
         piece.name,
@@ -52,39 +46,4 @@ fn apex(piece: &Piece, mouth: [Vec2; 2]) -> Option<Vec2> {
     let far = |p: &Vec2| mouth.iter().map(|m| (p - m).norm()).fold(f64::INFINITY, f64::min);
     let shared = |p: &Vec2| ends(mouth[1]).any(|q| (p - q).norm() <= AT_VERTEX);
     ends(mouth[0]).filter(shared).filter(|p| far(p) > AT_VERTEX).max_by(|a, b| far(a).total_cmp(&far(b)))
-}
-
-/// Mesh vertices in groups that stitches make one.
-struct SewnPoints {
-    /// Number of the first vertex of every piece.
-    first: Vec<usize>,
-    /// Another vertex of the same group, or the vertex itself.
-    parent: Vec<usize>,
-}
-
-impl SewnPoints {
-    fn new(garment: &Garment) -> Self {
-        let mut first = Vec::with_capacity(garment.pieces.len());
-        let mut count = 0;
-        for piece in &garment.pieces {
-            first.push(count);
-            count += piece.mesh.as_ref().map_or(0, |m| m.rest.len());
-        }
-        Self { first, parent: (0..count).collect() }
-    }
-
-    /// The vertex that stands for the group.
-    fn point(&mut self, v: MeshVertex) -> usize {
-        let mut at = self.first[v.piece.index()] + v.vertex as usize;
-        while self.parent[at] != at {
-            self.parent[at] = self.parent[self.parent[at]];
-            at = self.parent[at];
-        }
-        at
-    }
-
-    fn join(&mut self, a: MeshVertex, b: MeshVertex) {
-        let (a, b) = (self.point(a), self.point(b));
-        self.parent[a.max(b)] = a.min(b);
-    }
 }

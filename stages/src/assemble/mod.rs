@@ -5,7 +5,7 @@ mod collapsed;
 mod runs;
 mod stitches;
 
-use crate::sewing::resolve::{Limits, ResolvedSeam, Side, find, judged};
+use crate::sewing::resolve::{Limits, ResolvedSeam, Side, judged};
 use crate::sewing::shapes::{Shapes, shapes};
 use runs::run_vertices;
 use schemars::JsonSchema;
@@ -53,8 +53,7 @@ impl Stage for Assemble {
         let limits = limits(params)?;
         // Outlines that are no outlines are told by the stage that meshes them.
         if let Ok(shapes) = shapes(&forecast.garment) {
-            let found = find(&forecast.garment, &shapes);
-            judged(found, &forecast.garment.plan, &limits, cx.report).map_err(StageError::Parameter)?;
+            judged(&forecast.garment, &shapes, &limits, cx.report).map_err(StageError::Parameter)?;
         }
         Ok(forecast.by_triangles(0.001, 0.001, 1.0))
     }
@@ -62,8 +61,7 @@ impl Stage for Assemble {
     fn run(&self, params: &Params, mut garment: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
         let limits = limits(params)?;
         let shapes = shapes(&garment).map_err(StageError::Input)?;
-        let found = find(&garment, &shapes);
-        let resolved = judged(found, &garment.plan, &limits, cx.report).map_err(StageError::Parameter)?;
+        let resolved = judged(&garment, &shapes, &limits, cx.report).map_err(StageError::Parameter)?;
         let mut seams = Vec::new();
         let mut errors = Vec::new();
         for seam in &resolved {

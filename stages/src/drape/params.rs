@@ -96,8 +96,18 @@ pub struct DrapeParams {
     pub self_gap: Length,
     /// Longest time in the simulated world.
     pub max_time: Duration,
+    /// How often the rest is sought again from starts moved by up to 1 µm, 0 to 20: the certificate tells how far the
+    /// rests lie apart. Each costs as much as the drape.
+    #[serde(skip_serializing_if = "is_zero")]
+    #[schemars(range(max = 20))]
+    pub repeats: u32,
     /// Gates of the certificate by figure name; they replace the defaults.
     pub limits: BTreeMap<String, f64>,
+}
+
+/// Chains that ask for nothing keep their text.
+fn is_zero(number: &u32) -> bool {
+    *number == 0
 }
 
 impl Default for DrapeParams {
@@ -112,6 +122,7 @@ impl Default for DrapeParams {
             body_gap: Length(1e-3),
             self_gap: Length(1e-3),
             max_time: Duration(20.0),
+            repeats: 0,
             limits: BTreeMap::new(),
         }
     }

@@ -25,12 +25,21 @@ pub fn pins(text: &str, file: &str, count: usize) -> Read<(u32, Option<Vec3>)> {
     })
 }
 
+/// A line of a list of stitches.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sewn {
+    /// Number of the line, from 1.
+    pub line: u64,
+    /// The two vertices.
+    pub pair: (u32, u32),
+}
+
 /// `index index`.
-pub fn stitches(text: &str, file: &str, count: usize) -> Read<(u32, u32)> {
-    lines(text, file, |words| match words {
+pub fn stitches(text: &str, file: &str, count: usize) -> Read<Sewn> {
+    numbered(text, file, |line, words| match words {
         [a, b] => match (index(a, count)?, index(b, count)?) {
             (a, b) if a == b => Err(format!("vertex {a} is sewn to itself")),
-            pair => Ok(pair),
+            pair => Ok(Sewn { line, pair }),
         },
         _ => Err(format!("{} words; a stitch is `index index`", words.len())),
     })
@@ -44,19 +53,40 @@ pub fn loads(text: &str, file: &str, count: usize) -> Read<(u32, Vec3)> {
     })
 }
 
+/// The mistake of stitches that sew both ends of an edge of the cloth to one point, at the first of their lines.
+pub fn collapsed(stitches: &[Sewn], mut ends: [u32; 2], file: &str) -> Diagnostic {
+    ends.sort_unstable();
+    let touches = |s: &&Sewn| ends.iter().any(|v| s.pair.0 == *v || s.pair.1 == *v);
+    let lines: Vec<u64> = stitches.iter().filter(touches).map(|s| s.line).collect();
+    let told: Vec<String> = lines.iter().take(4).map(u64::to_string).collect();
+    let message = format!(
+        "vertices {} and {} are the ends of one edge of the cloth and are sewn to one point (lines {} of `{file}`)",
+        ends[0],
+        ends[1],
+        told.join(", ")
+    );
+    let hint = "sew one of them only, or join them in the mesh: the cloth between them would have no width";
+    let place = SourceRef::file(file).at_line(lines.first().copied().unwrap_or(1));
+    Diagnostic::error(codes::VERTEX_LIST, message).at(place).hint(hint)
+}
+
 fn lines<T>(text: &str, file: &str, mut read: impl FnMut(&[&str]) -> Result<T, String>) -> Read<T> {
+    numbered(text, file, |_, words| read(words))
+}
+
+fn numbered<T>(text: &str, file: &str, mut read: impl FnMut(u64, &[&str]) -> Result<T, String>) -> Read<T> {
     let (mut out, mut findings, mut more) = (Vec::new(), Vec::new(), 0usize);
-    for (number, line) in text.lines().enumerate() {
+    for (number, line) in (1..).zip(text.lines()) {
         let line = line.split('#').next().unwrap_or_default();
         // One word too many is enough to see that the line is wrong.
         let words: Vec<&str> = line.split([' ', '\t', ',', ';', '\r']).filter(|w| !w.is_empty()).take(6).collect();
         if words.is_empty() {
             continue;
         }
-        match read(&words) {
+        match read(number, &words) {
             Ok(item) => out.push(item),
             Err(why) if findings.len() < MAX_FINDINGS => {
-                let place = SourceRef::file(file).at_line(number as u64 + 1);
+                let place = SourceRef::file(file).at_line(number);
                 findings.push(Diagnostic::error(codes::VERTEX_LIST, why).at(place).hint(HINT));
             }
             Err(_) => more += 1,

@@ -12,6 +12,7 @@ mod rest;
 mod tests;
 mod turned;
 
+use crate::sewing::sewn_points::SewnPoints;
 use borders::Borders;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -95,11 +96,12 @@ impl Stage for ImportMesh {
         let body = input.body(cx)?;
         let count = cloth.as_ref().map_or(usize::MAX, |c| c.positions.len());
         let pins = input.list(cx, params.pins.as_deref(), |text, file| lists::pins(text, file, count))?;
-        let stitches = input.list(cx, params.stitches.as_deref(), |text, file| lists::stitches(text, file, count))?;
+        let sewn = input.list(cx, params.stitches.as_deref(), |text, file| lists::stitches(text, file, count))?;
         let loads = input.list(cx, params.loads.as_deref(), |text, file| lists::loads(text, file, count))?;
         let (Some(cloth), Some(fabric), true) = (cloth, fabric, input.errors.is_empty()) else {
             return Err(StageError::Input(input.errors));
         };
+        let stitches: Vec<(u32, u32)> = sewn.iter().map(|s| s.pair).collect();
         let mut garment = one_piece(params, cloth, &stitches, cx)?;
         if params.rest == Rest::Positions && turns_with_grain(&fabric) {
             cx.report.push(rest::grain_note(&params.cloth));
@@ -111,8 +113,12 @@ impl Stage for ImportMesh {
         let at = |v: u32, given: Option<Vec3>| given.map_or(start[v as usize], |p| up.from_file(p));
         garment.pins = pins.iter().map(|(v, p)| Pin { vertex: vertex(*v), at: at(*v, *p) }).collect();
         garment.loads = loads.iter().map(|(v, f)| Load { vertex: vertex(*v), force: up.from_file(*f) }).collect();
-        if !stitches.is_empty() {
-            garment.seams.push(seam(&stitches, params.stitches.as_deref()));
+        if let Some(file) = params.stitches.as_deref().filter(|_| !stitches.is_empty()) {
+            garment.seams.push(seam(&stitches, file));
+            let ends = SewnPoints::new(&garment, &garment.seams).collapsed_side(&garment.pieces[0]);
+            if let Some(ends) = ends {
+                return Err(StageError::input(lists::collapsed(&sewn, ends, file)));
+            }
         }
         if let Some(shape) = &mut garment.stitched {
             shape.welded = stitches.iter().all(|(a, b)| start[*a as usize] == start[*b as usize]);
@@ -269,7 +275,7 @@ fn unused(count: usize, triangles: &[[u32; 3]]) -> usize {
     used.iter().filter(|u| !**u).count()
 }
 
-fn seam(stitches: &[(u32, u32)], file: Option<&str>) -> Seam {
+fn seam(stitches: &[(u32, u32)], file: &str) -> Seam {
     let side = |pick: fn(&(u32, u32)) -> u32| SeamSide {
         runs: vec![SeamRun { piece: PieceId(0), vertices: stitches.iter().map(pick).collect() }],
         // The pairs of a file follow no line: there is no length to compare.
@@ -284,6 +290,6 @@ fn seam(stitches: &[(u32, u32)], file: Option<&str>) -> Seam {
         ease: 0.0,
         gather: None,
         stitches: stitches.iter().map(|(a, b)| Stitch { a: vertex(*a), b: vertex(*b) }).collect(),
-        source: file.map(SourceRef::file),
+        source: Some(SourceRef::file(file)),
     }
 }

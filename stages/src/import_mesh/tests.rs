@@ -185,15 +185,31 @@ fn repeated_triangles_are_refused() {
 
 #[test]
 fn stitches_become_a_seam() {
-    let (garment, _) = import("stitches = \"s.txt\"", &[("c.obj", SQUARE), ("s.txt", "0 4\n1,3\n")]).expect("garment");
+    let (garment, _) = strips("0 8\n1,9\n").expect("garment");
     let seam = &garment.seams[0];
     assert_eq!(seam.stitches.len(), 2);
-    assert_eq!((seam.stitches[1].a.vertex, seam.stitches[1].b.vertex), (1, 3));
+    assert_eq!((seam.stitches[1].a.vertex, seam.stitches[1].b.vertex), (1, 9));
     assert!(!garment.stitched.expect("start").welded);
 }
 
-/// Two strips of four vertices a side, one over the other, sewn along one side each in the order of these stitches.
-fn strips(stitches: &str) -> Report {
+#[test]
+fn ends_of_an_edge_that_are_sewn_to_one_point_are_told_with_their_lines() {
+    // By one stitch, by two, and by three in a row.
+    for (stitches, ends, lines) in [
+        ("0 8\n1 2\n", "1 and 2", "lines 2"),
+        ("# rail\n0 8\n1 8\n", "0 and 1", "lines 2, 3"),
+        ("2 9\n3 10\n9 10\n", "2 and 3", "lines 1, 2"),
+    ] {
+        let Err(StageError::Input(found)) = strips(stitches) else { panic!("{stitches} is refused as input") };
+        let told = &found[0];
+        assert_eq!(told.code, "vertex-list");
+        assert!(told.message.contains(ends) && told.message.contains(lines), "{told:?}");
+        assert_eq!(told.source.as_ref().map(|s| s.file.as_str()), Some("s.txt"));
+    }
+}
+
+/// Two strips of four vertices a side, one over the other, with these stitches.
+fn strips(stitches: &str) -> Result<(Garment, Report), StageError> {
     let mut cloth = String::new();
     for z in [0.0, 0.05] {
         (0..8).for_each(|k| cloth += &format!("v {} {} {z}\n", f64::from(k / 4) * 0.1, f64::from(k % 4) * 0.1));
@@ -203,12 +219,15 @@ fn strips(stitches: &str) -> Report {
             cloth += &format!("f {k} {} {}\nf {k} {} {}\n", k + 4, k + 5, k + 5, k + 1);
         }
     }
-    import("stitches = \"s.txt\"", &[("c.obj", &cloth), ("s.txt", stitches)]).expect("garment").1
+    import("stitches = \"s.txt\"", &[("c.obj", &cloth), ("s.txt", stitches)])
 }
 
 #[test]
 fn a_seam_named_the_wrong_way_round_is_told_in_whatever_order_its_stitches_come() {
-    let told = |stitches: &str| strips(stitches).findings.into_iter().find(|f| f.code == "seam-reversed");
+    let told = |stitches: &str| {
+        let (_, report) = strips(stitches).expect("garment");
+        report.findings.into_iter().find(|f| f.code == "seam-reversed")
+    };
     let found = told("1 10\n0 11\n3 8\n2 9\n").expect("told");
     assert!(found.message.contains("from the stitch 0 11 to 3 8") && found.message.contains("200 mm"), "{found:?}");
     assert!(told("1 9\n0 8\n3 11\n2 10\n").is_none());

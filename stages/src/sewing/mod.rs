@@ -9,6 +9,7 @@ mod file;
 mod lookup;
 pub mod resolve;
 pub mod ring;
+pub mod sewn_points;
 pub mod shapes;
 pub mod turned;
 

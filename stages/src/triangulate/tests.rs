@@ -247,6 +247,43 @@ fn notches_split_the_ease() {
 }
 
 #[test]
+fn a_seam_between_edges_that_do_not_belong_together_names_free_edges_that_fit() {
+    let pieces = vec![rectangle(0, "front", 200.0, 300.0), rectangle(1, "back", 200.0, 330.0)];
+    let mut garment = Garment { pieces, ..Garment::default() };
+    let edge = |piece: &str, edge: &str| vec![RunSpec::Edge { piece: piece.into(), edge: edge.into() }];
+    garment.plan.seams =
+        vec![seam("hem", edge("front", "0"), edge("back", "2")), seam("side", edge("front", "1"), edge("front", "2"))];
+    let (garment, _) = mesh(garment, 12.0).expect("mesh");
+    let Err(StageError::Parameter(errors)) = run(&Assemble, &Default::default(), garment) else { panic!("refused") };
+    // The edges of the first seam are taken; 300 mm is the other side of the front alone.
+    let hint = errors[0].hint.as_deref().unwrap_or_default();
+    assert_eq!(hint, "to 300.0 mm fits `front.3` (300.0 mm); to 200.0 mm fits `back.0` (200.0 mm)");
+}
+
+/// Lines drawn inside a piece that end on its outline beside the ends of a seam, on both sides of them, at corners of
+/// the piece and between.
+#[test]
+fn a_line_that_ends_beside_the_end_of_a_seam_leaves_the_seam_its_counts() {
+    for beside in [-6.0, -1.5, -0.5, -0.08, 0.0, 0.02, 0.08, 0.2, 0.5, 0.9, 1.5, 3.0, 6.0] {
+        for edge_length in [8.0, 12.0, 25.0] {
+            for whole in [true, false] {
+                let [low, high] = if whole { [0.0, 300.0] } else { [80.0, 220.0] };
+                let (from, to) = (f64::max(low + beside, 0.0), f64::min(high - beside, 300.0));
+                let mut front = rectangle(0, "front", 200.0, 300.0);
+                front.internal_lines = vec![line(&[(200.0, to), (120.0, 200.0), (200.0, from)])];
+                let pieces = vec![front, rectangle(1, "back", 200.0, 300.0)];
+                let mut garment = Garment { pieces, ..Garment::default() };
+                let side = |piece: &str, x: f64| vec![two_points(piece, (x, low), (x, high))];
+                garment.plan.seams = vec![seam("side", side("front", 200.0), side("back", 0.0))];
+                let sewn = mesh(garment, edge_length).map(|(garment, _)| run(&Assemble, &Default::default(), garment));
+                let sewn = sewn.expect("mesh");
+                assert!(sewn.is_ok(), "{beside} mm, edges of {edge_length} mm, {whole}: {:?}", sewn.err());
+            }
+        }
+    }
+}
+
+#[test]
 fn undeclared_difference_is_refused() {
     let pieces = vec![rectangle(0, "front", 200.0, 300.0), rectangle(1, "back", 200.0, 330.0)];
     let mut garment = Garment { pieces, ..Garment::default() };

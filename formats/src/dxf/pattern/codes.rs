@@ -24,6 +24,10 @@ codes! {
     /// them. The standards have points on these layers.
     LAYER_FOREIGN = "layer-foreign";
 
+    /// `layers` of `import-dxf` names a layer that the file does not have, so this line of the table does nothing. The
+    /// hint lists the layers of the file.
+    LAYER_NOT_IN_FILE = "layer-not-in-file";
+
     /// Lines on piece layers stand outside all blocks. They belong to no piece and were left out.
     LINES_OUTSIDE_BLOCKS = "lines-outside-blocks";
 

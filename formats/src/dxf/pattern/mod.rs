@@ -5,6 +5,7 @@ mod block_names;
 pub(crate) mod codes;
 mod flat;
 mod inserts;
+mod layer_names;
 mod sheets;
 
 pub use inserts::InsertRule;
@@ -12,6 +13,7 @@ pub use inserts::InsertRule;
 use crate::dxf::codes::SIZES_DIFFER_IN_VERTICES;
 use block_names::Named;
 use inserts::Inserted;
+use layer_names::LayerNames;
 use sheets::Draft;
 
 use super::checks;
@@ -153,6 +155,8 @@ fn worst_first(mut list: Vec<Diagnostic>) -> Vec<Diagnostic> {
 fn read_into(bytes: &[u8], file: &str, options: &ReadOptions, findings: &mut Findings) -> Result<Pattern, Diagnostic> {
     let mut drawing = parse::parse(bytes, options.code_page.as_deref(), findings)?;
     let layers = Layers::new(&options.layers);
+    let layer_names = LayerNames::of_file(&drawing);
+    layer_names.check_table(&options.layers, findings);
     let mut ledger = Ledger::new(drawing.entity_count);
     let style_texts = style_texts(&drawing);
     let profile = vendor::detect(&drawing, &layers, &style_texts, options.vendor);
@@ -172,6 +176,10 @@ fn read_into(bytes: &[u8], file: &str, options: &ReadOptions, findings: &mut Fin
     let drafts = sheets::sheets(&drawing, &blocks, &mut sorter, &inserted, options.inserts, &options.tolerances);
     let rules = Rules { tolerances: options.tolerances, notch_scale: profile.notch_scale };
     let sample_size = style_texts.get("sample size").cloned().filter(|s| !s.is_empty());
+    if drafts.is_empty() && !findings.has_errors() {
+        let text = "there is no piece in this file: no block has a line on layer 1, and ENTITIES holds no closed line";
+        return Err(Diagnostic::error(codes::NO_PIECES, text).at(findings.place(1)).hint(layer_names.remedy()));
+    }
     let (pieces, refused) = build_pieces(drafts, &rules, sample_size.as_deref(), &mut ledger, findings)?;
     report_keys(&pieces, findings);
     report_foreign_lines(&ledger, findings);
@@ -208,12 +216,6 @@ fn build_pieces(
     if drafts.len() > limits::PIECES {
         let text = format!("{} pieces, over the limit of {}", drafts.len(), limits::PIECES);
         return Err(Diagnostic::error(codes::TOO_MANY_PIECES, text).at(findings.place(1)));
-    }
-    if drafts.is_empty() && !findings.has_errors() {
-        let text = "there is no piece in this file: no block has a line on layer 1, and ENTITIES holds no closed line";
-        return Err(Diagnostic::error(codes::NO_PIECES, text)
-            .at(findings.place(1))
-            .hint("export as AAMA or ASTM, or map the layer of the outlines to \"1\""));
     }
     let mut overruled = Vec::new();
     let mut desk = Desk { findings, overruled: &mut overruled, rules };

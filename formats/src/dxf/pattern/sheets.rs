@@ -4,6 +4,7 @@ use super::codes;
 use super::flat::flat;
 use super::inserts::{InsertRule, Inserted};
 use super::is_model_space;
+use super::layer_names::LayerNames;
 use crate::dxf::layers::Role;
 use crate::dxf::ledger::Verdict;
 use crate::dxf::model::{Block, Drawing, Entity, Shape};
@@ -55,7 +56,8 @@ pub(super) fn sheets(
         } else if !block.entities.is_empty() {
             let text = format!("block `{}` has no outline on layer 1; it is no piece", block.name);
             let place = sorter.findings.place_in(&block.name, None, block.line);
-            sorter.findings.push(Diagnostic::warning(codes::BLOCK_WITHOUT_OUTLINE, text).at(place));
+            let hint = LayerNames::of(block.entities.iter()).remedy();
+            sorter.findings.push(Diagnostic::warning(codes::BLOCK_WITHOUT_OUTLINE, text).at(place).hint(hint));
         }
     }
     for e in &drawing.entities {

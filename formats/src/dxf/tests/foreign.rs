@@ -42,6 +42,24 @@ fn notches_on_3_and_drill_holes_on_2_are_used_and_said() {
     assert_eq!(said.iter().filter(|c| **c == "entities-left-out").count(), 2, "{said:?}");
 }
 
+#[test]
+fn outlines_on_another_layer_are_told_with_the_line_to_write() {
+    let text = file(|w| w.polyline("CUT LINE", true, &RECTANGLE).line("GRAIN", (60.0, 150.0), (60.0, 450.0)));
+    let refused = bad(&text);
+    let without = refused.iter().find(|f| f.code == "no-pieces").expect("no piece");
+    let hint = without.hint.as_deref().expect("remedy");
+    assert!(hint.contains("`CUT LINE`, `GRAIN`"), "{hint}");
+    assert!(hint.ends_with("with.layers = { \"CUT LINE\" = \"1\" }"), "{hint}");
+    let read = |table: &[(&str, &str)]| {
+        let layers = table.iter().map(|(a, b)| ((*a).to_owned(), (*b).to_owned())).collect();
+        read(text.as_bytes(), "p.dxf", &ReadOptions { layers, ..ReadOptions::default() }).expect("a pattern")
+    };
+    assert_eq!(codes(&read(&[("CUT LINE", "1"), ("GRAIN", "7")]).findings), [""; 0]);
+    // A layer that is not there is said; one that is to be left out is counted as such.
+    let table = [("CUT LINE", "1"), ("SEW", "14"), ("GRAIN", "ignore")];
+    assert_eq!(codes(&read(&table).findings), ["layer-not-in-file", "entities-left-out"]);
+}
+
 fn written(pattern: &Pattern, options: PieceOptions) -> Pattern {
     let garment = garment(pattern);
     let mut findings = Vec::new();

@@ -1,4 +1,4 @@
-//! Symmetry-breaking perturbation of a coarser level before it comes to rest.
+//! Perturbations of a start: of a coarser level, to break its symmetry, and of a scene, to see how far its rests lie apart.
 //!
 //! Even cloth (a cone, a disc, a square) begins on a saddle between all the ways in which it may fold. By rounding
 //! alone it leaves the saddle late: 40,000 triangles took twice the steps on both levels. With a little noise in all
@@ -18,11 +18,25 @@ pub(crate) fn perturb(level: &mut Scene) {
         return;
     }
     let far = PERTURBATION_AMPLITUDE.get() * mean_edge(level);
-    let mut held = vec![false; level.positions.len()];
-    level.pins.iter().for_each(|p| held[p.vertex as usize] = true);
-    for (v, (x, held)) in (0u32..).zip(level.positions.iter_mut().zip(held)) {
+    move_freely(level, far, 0);
+}
+
+/// The scene with every vertex that nothing holds moved by up to `far` metres along each axis. Each `draw` moves them
+/// otherwise, and the same one moves them the same way on every machine.
+#[must_use]
+pub fn shaken(scene: &Scene, far: f64, draw: u32) -> Scene {
+    let mut out = scene.clone();
+    move_freely(&mut out, far, draw);
+    out
+}
+
+fn move_freely(scene: &mut Scene, far: f64, draw: u32) {
+    let mut held = vec![false; scene.positions.len()];
+    scene.pins.iter().for_each(|p| held[p.vertex as usize] = true);
+    let first = draw.wrapping_mul(0x0100_0193);
+    for (v, (x, held)) in (0u32..).zip(scene.positions.iter_mut().zip(held)) {
         if !held {
-            (0..3).for_each(|k| x[k as usize] += far * noise(3 * v + k));
+            (0..3).for_each(|k| x[k as usize] += far * noise(first.wrapping_add(3 * v + k)));
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Seams resolved: every side an ordered list of spans on piece rings, with matched notches and checked lengths.
 
 mod direction;
+mod fitting;
 mod lengths;
 mod notches;
 mod side;
@@ -11,7 +12,7 @@ pub use side::{Side, Span};
 
 use super::lookup;
 use super::shapes::Shapes;
-use toile_garment::sewing::{SeamSpec, SewingPlan};
+use toile_garment::sewing::SeamSpec;
 use toile_garment::{Diagnostic, Garment, Report, SourceRef};
 
 /// A declared seam, found on the outlines.
@@ -65,19 +66,25 @@ pub fn placed(found: Vec<Found>) -> Result<Vec<ResolvedSeam>, Vec<Diagnostic>> {
 /// # Errors
 /// As [`placed`], and differences in length that are not declared.
 pub fn judged(
-    found: Vec<Found>,
-    plan: &SewingPlan,
+    garment: &Garment,
+    shapes: &Shapes,
     limits: &Limits,
     report: &mut Report,
 ) -> Result<Vec<ResolvedSeam>, Vec<Diagnostic>> {
-    let judge = |(f, spec): (Found, &SeamSpec)| {
-        f.direction.into_iter().for_each(|note| report.push(note));
-        let seam = f.seam?;
-        lengths::check(spec, seam.a.length, seam.b.length, limits, report).map_err(|e| vec![e])?;
-        f.notches.into_iter().for_each(|note| report.push(note));
+    let found = find(garment, shapes);
+    let judge = |(f, spec): (&Found, &SeamSpec)| {
+        f.direction.iter().for_each(|note| report.push(note.clone()));
+        let seam = f.seam.clone()?;
+        lengths::check(spec, seam.a.length, seam.b.length, limits, report).map_err(|error| {
+            match fitting::fitting(garment, shapes, &found, &seam, limits.max_ease) {
+                Some(fits) => vec![error.hint(fits)],
+                None => vec![error],
+            }
+        })?;
+        f.notches.iter().for_each(|note| report.push(note.clone()));
         Ok(seam)
     };
-    collect(found.into_iter().zip(&plan.seams).map(judge))
+    collect(found.iter().zip(&garment.plan.seams).map(judge))
 }
 
 /// All seams, or all that is wrong with any.
