@@ -3,6 +3,7 @@
 mod body;
 mod certificate;
 pub(crate) mod codes;
+mod forecast;
 mod params;
 mod store;
 
@@ -42,6 +43,7 @@ impl Stage for Animate {
         toile_cloth::check_settings(&params.settings(cx.threads)).map_err(failure)?;
         params.dynamics().check().map_err(failure)?;
         params.motion(Vec::new(), true).check(None, 0).map_err(failure)?;
+        forecast.effects.extend(forecast::effects(params));
         // Without a number of frames the film is taken to last a second.
         let film = params.frames.map_or(1.0, |n| f64::from(n) / params.fps);
         Ok(forecast.by_triangles(0.1, film, 12.0))
