@@ -9,6 +9,7 @@ mod code_list;
 
 pub mod allowance;
 pub mod animate;
+pub mod arrange;
 pub mod assemble;
 pub mod body;
 pub mod builtin;
@@ -27,6 +28,7 @@ pub mod import_dxf;
 pub mod import_garmentcode;
 pub mod import_mesh;
 pub mod joined;
+pub mod roles;
 pub mod sewing;
 mod solve;
 pub mod stitch;

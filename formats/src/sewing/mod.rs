@@ -20,7 +20,7 @@
 //!
 //! mouth = [["140 mm", "443 mm"], ["168 mm", "443 mm"]]
 //!
-//! [[place]]                              # where a piece starts in 3D: explicit, or around a segment of the body
+//! [[place]]                              # where a piece starts in 3D; one without it arranges itself
 //! piece = "front"
 //! around = "torso"
 //! side = "front"

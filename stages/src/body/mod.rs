@@ -8,6 +8,7 @@ mod curve;
 mod field;
 mod figure;
 mod fit;
+mod found;
 mod landmarks;
 mod measures;
 mod net;
@@ -16,6 +17,7 @@ mod remesh;
 mod section;
 mod segments;
 
+pub use found::with_segments;
 pub use measures::{BodyMeasures, SIZES};
 pub use section::{Section, girth_at, hull, section_at, section_near, sections};
 

@@ -5,6 +5,14 @@ use toile_garment::Code;
 codes! {
     pub(crate) list CODES;
 
+    /// A sleeve or cuff lies on one arm and is sewn to cloth on the other side of the body. Place it on the other
+    /// arm, or sew it to the other armhole. Exit code 2.
+    ARM_SWAPPED = "arm-swapped";
+
+    /// Pieces without a [[place]] were arranged by their roles and seams. The message tells how long the threads are
+    /// at the start, and which places are least sure.
+    ARRANGED = "arranged";
+
     /// An [[attach]] asks for an elastic band, which is not made yet. Write strength = "hold", or sew the edge to a
     /// band that is drawn as a piece. Exit code 2.
     ATTACH_STRENGTH = "attach-strength";
@@ -16,17 +24,29 @@ codes! {
     /// The body has no landmark or height of this name. The message lists them. Exit code 2.
     ATTACH_TARGET_UNKNOWN = "attach-target-unknown";
 
+    /// The body has no side file that names its segments. They and the waist were found on the mesh, because pieces
+    /// had to be arranged.
+    BODY_SEGMENTS_FOUND = "body-segments-found";
+
     /// The axis of a body segment has no length, so nothing can be placed around it. Exit code 3.
     BODY_SEGMENT_FLAT = "body-segment-flat";
 
     /// A [[place]] names a segment that the body does not have. The message lists them. Exit code 2.
     BODY_SEGMENT_UNKNOWN = "body-segment-unknown";
 
-    /// Nothing says where a piece starts in 3D. Add a [[place]] for it to the sewing file. Exit code 2.
+    /// A skirt or trousers without shoulders and without an [[attach]] would fall: the upper edges are held at the
+    /// waist.
+    HELD_AT_WAIST = "held-at-waist";
+
+    /// Nothing says where a piece starts in 3D, and no seam does. Add a [[place]] for it to the sewing file, sew it to
+    /// another piece, or leave it out. Exit code 2.
     PIECE_NOT_PLACED = "piece-not-placed";
 
     /// The body segment of a [[place]] lies level, so a height says nothing along it. Exit code 2.
     PLACE_HEIGHT = "place-height";
+
+    /// Two pieces lie at each other's place: exchanged, their threads are much shorter. Exit code 2.
+    PIECES_EXCHANGED = "pieces-exchanged";
 
     /// A [[place]] names a side that is none of front, back, left, right. Exit code 2.
     PLACE_SIDE_UNKNOWN = "place-side-unknown";
@@ -35,7 +55,12 @@ codes! {
     /// sewn. The drape joins what is open; its certificate says whether the cloth bears it.
     SEAM_OPEN = "seam-open";
 
-    /// A wide ring of cloth starts on a common cone around the torso instead of the flat sheets that the sewing file places.
+    /// The sides of a seam are farther apart than threads can draw them together. Place the pieces beside each other,
+    /// or leave their [[place]] out. Exit code 2.
+    SEAM_OUT_OF_REACH = "seam-out-of-reach";
+
+    /// A wide ring of cloth starts on a common cone around the torso instead of the flat sheets that the sewing file
+    /// places.
     START_ON_CONE = "start-on-cone";
 
     /// A piece started in the body. It was moved along its normal until it was free.

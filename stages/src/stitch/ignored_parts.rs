@@ -44,7 +44,7 @@ pub fn ignored_parts(garment: &Garment, placed: &[Vec<Vec3>]) -> BTreeMap<String
 }
 
 /// Returns `true` if more than half of these places lie nearest to a segment, seen from the front.
-fn lies_on(x: &[Vec3], segment: &str, parts: &[BodyPart]) -> bool {
+pub(super) fn lies_on(x: &[Vec3], segment: &str, parts: &[BodyPart]) -> bool {
     let near = |p: &&Vec3| nearest_part_seen_from_front(parts, p).is_some_and(|k| parts[k].segment == segment);
     2 * x.iter().filter(near).count() > x.len()
 }

@@ -1,12 +1,14 @@
 //! 2D to 3D: pieces placed around the body and sewn by the dynamic system (Liu, Chen, Shi 2003, §1.3.2).
 
 pub mod around;
+mod arranged;
 mod attach;
 pub(crate) mod codes;
 mod cone;
 mod ignored_parts;
 pub(crate) mod load;
 pub mod place;
+mod plan_check;
 mod raise;
 
 pub(crate) use attach::elastic;
@@ -121,7 +123,7 @@ impl Stage for Stitch {
             forecast.garment.body = Some(load::body(body, cx)?);
         }
         let wrong: Vec<Diagnostic> =
-            place::unplaced(&forecast.garment).chain(attach::faults(&forecast.garment)).collect();
+            arranged::unplaced(&forecast.garment).into_iter().chain(attach::faults(&forecast.garment)).collect();
         if !wrong.is_empty() {
             return Err(StageError::Parameter(wrong));
         }
@@ -139,7 +141,9 @@ impl Stage for Stitch {
         if let Some(body) = &params.body {
             garment.body = Some(load::body(body, cx)?);
         }
-        let mut placed = place::place(&garment, params.clearance.0).map_err(StageError::Parameter)?;
+        let arranged = arranged::arranged(&mut garment, cx.report).map_err(StageError::Parameter)?;
+        let mut placed = place::place(&garment, &arranged, params.clearance.0).map_err(StageError::Parameter)?;
+        refuse_hopeless(&garment, &placed, cx)?;
         if let Some(by) = raise::change_of_height(&garment, &placed) {
             for i in ignored_parts::beside_arms(&garment, &placed) {
                 placed[i].iter_mut().for_each(|p| p.y += by);
@@ -174,6 +178,19 @@ impl Stage for Stitch {
         garment.stitched = Some(shape(&outcome.positions));
         Ok(garment)
     }
+}
+
+/// Refuses what cannot be sewn from its places. A viewer of the run is shown the start.
+fn refuse_hopeless(garment: &Garment, placed: &[Vec<Vec3>], cx: &mut StageContext<'_>) -> Result<(), StageError> {
+    let faults = plan_check::faults(garment, placed);
+    if faults.is_empty() {
+        return Ok(());
+    }
+    if cx.progress.looks() {
+        let shape = Shape { positions: placed.to_vec(), ..Shape::default() };
+        cx.progress.look(&Garment { stitched: Some(shape), ..garment.clone() }, "as its pieces are placed");
+    }
+    Err(StageError::Parameter(faults))
 }
 
 /// A finding on a piece that started in the body and was moved off it.

@@ -1,7 +1,9 @@
 //! Where every piece starts in 3D.
 
 use super::around::{Cylinder, side_angle};
+use super::arranged::Arranged;
 use super::codes;
+use crate::arrange::Sheet;
 use crate::codes::BODY_MISSING;
 use toile_garment::body::Body;
 use toile_garment::sewing::{PlaceSpec, Placement};
@@ -16,7 +18,7 @@ const STACK_GAP: f64 = 0.015;
 ///
 /// # Errors
 /// All pieces that cannot be placed, each with the reason.
-pub fn place(garment: &Garment, clearance: f64) -> Result<Vec<Vec<Vec3>>, Vec<Diagnostic>> {
+pub fn place(garment: &Garment, arranged: &Arranged, clearance: f64) -> Result<Vec<Vec<Vec3>>, Vec<Diagnostic>> {
     let mut errors = Vec::new();
     let specs: Vec<Option<&PlaceSpec>> = garment.pieces.iter().map(|p| spec_of(garment, p)).collect();
     let wraps = wraps(garment, &specs, clearance, &mut errors);
@@ -32,15 +34,13 @@ pub fn place(garment: &Garment, clearance: f64) -> Result<Vec<Vec<Vec3>>, Vec<Di
                     placed.push(rest.iter().map(|p| wrap.at(*p)).collect());
                 }
             }
-            None => errors.push(not_placed(piece)),
+            None => match arranged.sheet(piece) {
+                Some(sheet) => placed.push(rest.iter().map(|p| sheet.at(*p)).collect()),
+                None => errors.push(not_placed(piece)),
+            },
         }
     }
     if errors.is_empty() { Ok(placed) } else { Err(errors) }
-}
-
-/// Pieces of which nothing says where they start.
-pub fn unplaced(garment: &Garment) -> impl Iterator<Item = Diagnostic> {
-    garment.pieces.iter().filter(|piece| spec_of(garment, piece).is_none()).map(not_placed)
 }
 
 /// The place that the sewing file gives a piece.
@@ -55,7 +55,7 @@ pub(super) fn spec_of<'a>(garment: &'a Garment, piece: &Piece) -> Option<&'a Pla
 fn not_placed(piece: &Piece) -> Diagnostic {
     Diagnostic::error(codes::PIECE_NOT_PLACED, format!("nothing says where piece `{}` starts in 3D", piece.name))
         .at(piece.source.clone())
-        .hint(format!("add to the sewing file: [[place]] piece = \"{}\" around = \"torso\" side = \"front\" height = \"1050 mm\", or a rotation and a translation", piece.name))
+        .hint("add a [[place]] for it to the sewing file")
 }
 
 fn explicit(rotation: &[[f64; 3]; 3], translation: &Vec3, p: Vec2) -> Vec3 {
@@ -64,7 +64,7 @@ fn explicit(rotation: &[[f64; 3]; 3], translation: &Vec3, p: Vec2) -> Vec3 {
 }
 
 /// A piece on its way around a segment.
-struct Wrap {
+pub(super) struct Wrap {
     piece: usize,
     segment: String,
     /// Angle of the middle, from the front.
@@ -81,6 +81,30 @@ struct Wrap {
 }
 
 impl Wrap {
+    /// A piece around a segment of the body, its middle on a side, its top at a height (on an arm, at a distance from
+    /// the joint), m, after a turn, rad.
+    ///
+    /// # Errors
+    /// There is no body, or it has no such segment or side.
+    pub(super) fn new(
+        garment: &Garment,
+        piece: &Piece,
+        segment: &str,
+        side: &str,
+        height: f64,
+        turn: f64,
+        clearance: f64,
+    ) -> Result<Self, Diagnostic> {
+        wrap(garment, piece, segment, side, height, turn, clearance)
+    }
+
+    /// The same as a sheet.
+    pub(super) fn sheet(&self, garment: &Garment) -> Option<Sheet> {
+        let segment = garment.body.as_ref()?.segments.get(&self.segment)?;
+        let middle = rotate(self.middle, self.turn);
+        Sheet::around(segment, 0.02, self.turn, middle, self.angle, 0.5 * (self.span[0] + self.span[1]))
+    }
+
     fn at(&self, p: Vec2) -> Vec3 {
         let q = rotate(p - self.middle, self.turn);
         self.cylinder.at(self.cylinder.arc_at(self.angle) + q.x, 0.5 * (self.span[0] + self.span[1]) - q.y)
@@ -260,7 +284,7 @@ mod tests {
 
     #[test]
     fn front_and_back_stand_apart_even_when_wide() {
-        let placed = place(&garment(0.7), 0.02).expect("placed");
+        let placed = place(&garment(0.7), &Arranged::default(), 0.02).expect("placed");
         let top = placed[0][3];
         assert!((top.y - 1.2).abs() < 1e-12);
         assert!(placed[0].iter().all(|p| p.z > -0.01), "{:?}", placed[0]);
@@ -272,7 +296,7 @@ mod tests {
     fn a_piece_without_a_place_is_named() {
         let mut g = garment(0.4);
         g.plan.places.pop();
-        let errors = place(&g, 0.02).expect_err("one is missing");
+        let errors = place(&g, &Arranged::default(), 0.02).expect_err("one is missing");
         assert_eq!((errors.len(), errors[0].code.as_str()), (1, "piece-not-placed"));
         assert!(errors[0].message.contains("back"));
     }
@@ -284,7 +308,7 @@ mod tests {
             rotation: [[-1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, -1.0]],
             translation: Vec3::new(0.1, 0.2, -0.3),
         };
-        let placed = place(&g, 0.02).expect("placed");
+        let placed = place(&g, &Arranged::default(), 0.02).expect("placed");
         assert!((placed[0][2] - Vec3::new(-0.3, 0.5, -0.3)).norm() < 1e-15);
     }
 }

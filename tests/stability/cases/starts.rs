@@ -12,6 +12,8 @@ pub fn cases() -> Vec<Case> {
         case("D21-circle-skirt-beside-arms", circle).quick(),
         case("D22-collar-in-the-neck", collar).quick(),
         case("D23-dress-placed-too-low", dress),
+        case("D24-shirt-without-places", shirt).quick(),
+        case("D25-sleeves-on-the-wrong-arms", swapped_sleeves).quick().once(),
     ]
 }
 
@@ -122,4 +124,71 @@ fn dress(lab: &mut Lab) -> Result<(), String> {
     let drawing =
         Drawing { sheets, sewing, fabrics: vec![("cotton", shirting())], body: body(), edge: 20.0, drape: Vec::new() };
     passes(lab, &drawing, &["start-raised"])
+}
+
+/// A shirt of straight pieces, with sleeves in one piece. Where a piece is placed the sewing file has to say.
+fn shirt_drawing() -> Drawing {
+    let trunk = |neck: f64| {
+        let half = [[250.0, 0.0], [250.0, 360.0], [195.0, 545.0], [75.0, 590.0], [40.0, neck]];
+        half.into_iter().chain(half.into_iter().rev().map(|[x, y]| [-x, y])).collect::<Vec<_>>()
+    };
+    let sleeve = [[-150.0, 0.0], [150.0, 0.0], [180.0, 150.0], [0.0, 220.0], [-180.0, 150.0]];
+    let sheets = vec![
+        sheet("FRONT", &trunk(510.0), [0.0; 3], false),
+        sheet("BACK", &trunk(570.0), [0.0; 3], true),
+        sheet("SLEEVE-L", &sleeve, [0.0; 3], false),
+        sheet("SLEEVE-R", &sleeve, [0.0; 3], false),
+    ];
+    let mut sewing = String::new();
+    // The left of the back as drawn is the wearer's left.
+    for (name, arm, s) in [("left", "SLEEVE-L", 1.0), ("right", "SLEEVE-R", -1.0)] {
+        let (side, shoulder) =
+            (|s: f64| [[s * 250.0, 0.0], [s * 250.0, 360.0]], |s: f64| [[s * 195.0, 545.0], [s * 75.0, 590.0]]);
+        let (armhole, cap) =
+            (|s: f64| [[s * 250.0, 360.0], [s * 195.0, 545.0]], |s: f64| [[s * 180.0, 150.0], [0.0, 220.0]]);
+        let under = |s: f64| [[s * 150.0, 0.0], [s * 180.0, 150.0]];
+        seam(&mut sewing, &format!("side-{name}"), ("FRONT", side(s)), ("BACK", side(-s)));
+        seam(&mut sewing, &format!("shoulder-{name}"), ("FRONT", shoulder(s)), ("BACK", shoulder(-s)));
+        seam(&mut sewing, &format!("armhole-front-{name}"), ("FRONT", armhole(s)), (arm, cap(-s)));
+        seam(&mut sewing, &format!("armhole-back-{name}"), ("BACK", armhole(-s)), (arm, cap(s)));
+        seam(&mut sewing, &format!("under-{name}"), (arm, under(s)), (arm, under(-s)));
+    }
+    Drawing { sheets, sewing, fabrics: vec![("cotton", shirting())], body: body(), edge: 30.0, drape: Vec::new() }
+}
+
+/// Writes the drawing with other places than those of its sheets.
+fn write_with_places(
+    drawing: &Drawing,
+    places: &str,
+    folder: &std::path::Path,
+    accuracy: Option<&str>,
+) -> std::io::Result<()> {
+    drawing.write(folder, accuracy)?;
+    std::fs::write(folder.join("sewing.toml"), format!("{}{places}", drawing.sewing))
+}
+
+/// Its sewing file has seams alone: the pieces arrange themselves.
+fn shirt(lab: &mut Lab) -> Result<(), String> {
+    let drawing = shirt_drawing();
+    let accuracy = lab.accuracy().map(str::to_owned);
+    let run = lab.program(&[], |folder| write_with_places(&drawing, "", folder, accuracy.as_deref()))?;
+    good(lab, &run);
+    lab.expect(run.findings().any(|f| f["code"] == "arranged"), "no finding `arranged`");
+    Ok(())
+}
+
+/// Its left sleeve is put on the right arm, and the right one on the left: refused before the first step.
+fn swapped_sleeves(lab: &mut Lab) -> Result<(), String> {
+    let drawing = shirt_drawing();
+    let place = |piece: &str, side: &str| {
+        format!("[[place]]\npiece = \"{piece}\"\naround = \"arm-{side}\"\nside = \"{side}\"\nheight = \"0 mm\"\n")
+    };
+    let places = place("SLEEVE-L", "right") + &place("SLEEVE-R", "left");
+    let run = lab.program(&[], |folder| write_with_places(&drawing, &places, folder, None))?;
+    lab.refusal(&run, "arm-swapped");
+    for piece in ["SLEEVE-L", "SLEEVE-R"] {
+        let named = run.findings().any(|f| f["code"] == "arm-swapped" && f["message"].to_string().contains(piece));
+        lab.expect(named, format!("`{piece}` is not named"));
+    }
+    Ok(())
 }

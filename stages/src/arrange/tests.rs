@@ -1,0 +1,170 @@
+//! A shirt and trousers of straight pieces, with and without names.
+
+use super::*;
+use crate::roles::{Facing, PiecePoint, roles};
+use crate::testing::{piece, v};
+use toile_garment::Vec2;
+
+/// A seam between two straight edges, mm, of which the first ends meet and the last.
+fn join(name: &str, a: (usize, [[f64; 2]; 2]), b: (usize, [[f64; 2]; 2])) -> Join {
+    let at = |(piece, [from, to]): (usize, [[f64; 2]; 2]), k: usize| {
+        let share = k as f64 / 8.0;
+        let [from, to] = [from, to].map(|[x, y]| v(x, y));
+        PiecePoint { piece, at: from + (to - from) * share }
+    };
+    let [from, to] = a.1.map(|[x, y]| v(x, y));
+    Join { name: name.into(), pairs: (0..=8).map(|k| [at(a, k), at(b, k)]).collect(), length: (to - from).norm() }
+}
+
+fn corners(points: &[[f64; 2]]) -> Vec<(f64, f64, char)> {
+    points.iter().map(|[x, y]| (*x, *y, 't')).collect()
+}
+
+/// Front, back and two sleeves in one piece, called so.
+pub fn shirt(names: [&str; 4]) -> (Vec<Piece>, Vec<Join>) {
+    let trunk = |neck: f64| {
+        let half = [[250.0, 0.0], [250.0, 360.0], [195.0, 545.0], [75.0, 590.0], [40.0, neck]];
+        half.into_iter().chain(half.into_iter().rev().map(|[x, y]| [-x, y])).collect::<Vec<_>>()
+    };
+    let sleeve = [[-150.0, 0.0], [150.0, 0.0], [180.0, 150.0], [0.0, 220.0], [-180.0, 150.0]];
+    let pieces = vec![
+        piece(0, names[0], &corners(&trunk(510.0))),
+        piece(1, names[1], &corners(&trunk(570.0))),
+        piece(2, names[2], &corners(&sleeve)),
+        piece(3, names[3], &corners(&sleeve)),
+    ];
+    let mut joins = Vec::new();
+    for (arm, s) in [(2, 1.0), (3, -1.0)] {
+        let side = |s: f64| [[s * 250.0, 0.0], [s * 250.0, 360.0]];
+        let shoulder = |s: f64| [[s * 195.0, 545.0], [s * 75.0, 590.0]];
+        let armhole = |s: f64| [[s * 250.0, 360.0], [s * 195.0, 545.0]];
+        let cap = |s: f64| [[s * 180.0, 150.0], [0.0, 220.0]];
+        let under = |s: f64| [[s * 150.0, 0.0], [s * 180.0, 150.0]];
+        joins.push(join("side", (0, side(s)), (1, side(-s))));
+        joins.push(join("shoulder", (0, shoulder(s)), (1, shoulder(-s))));
+        joins.push(join("front armhole", (0, armhole(s)), (arm, cap(-s))));
+        joins.push(join("back armhole", (1, armhole(-s)), (arm, cap(s))));
+        joins.push(join("under the arm", (arm, under(s)), (arm, under(-s))));
+    }
+    (pieces, joins)
+}
+
+/// Left and right front and back of trousers, and a waistband in two pieces.
+fn trousers() -> (Vec<Piece>, Vec<Join>) {
+    let leg = |s: f64, crotch: f64| {
+        let points = [[crotch, 600.0], [0.0, 700.0], [0.0, 900.0], [240.0, 900.0], [240.0, 0.0], [20.0, 0.0]];
+        let all = points.map(|[x, y]| [s * x, y]);
+        if s > 0.0 { all.into_iter().rev().collect::<Vec<_>>() } else { all.to_vec() }
+    };
+    let band = [[-240.0, 0.0], [240.0, 0.0], [240.0, 40.0], [-240.0, 40.0]];
+    let pieces = vec![
+        piece(0, "FRONT-LEG-L", &corners(&leg(1.0, -50.0))),
+        piece(1, "FRONT-LEG-R", &corners(&leg(-1.0, -50.0))),
+        piece(2, "BACK-LEG-L", &corners(&leg(-1.0, -50.0))),
+        piece(3, "BACK-LEG-R", &corners(&leg(1.0, -50.0))),
+        piece(4, "WAISTBAND-FRONT", &corners(&band)),
+        piece(5, "WAISTBAND-BACK", &corners(&band)),
+    ];
+    let crotch = |s: f64| [[0.0, 900.0], [s * -50.0, 600.0]];
+    let outer = |s: f64| [[s * 240.0, 0.0], [s * 240.0, 900.0]];
+    let inner = |s: f64| [[s * 20.0, 0.0], [s * -50.0, 600.0]];
+    let waist = |s: f64| [[0.0, 900.0], [s * 240.0, 900.0]];
+    let on_band = |s: f64| [[0.0, 0.0], [s * 240.0, 0.0]];
+    let joins = vec![
+        join("front crotch", (0, crotch(1.0)), (1, crotch(-1.0))),
+        join("back crotch", (2, crotch(-1.0)), (3, crotch(1.0))),
+        join("outer left", (0, outer(1.0)), (2, outer(-1.0))),
+        join("outer right", (1, outer(-1.0)), (3, outer(1.0))),
+        join("inner left", (0, inner(1.0)), (2, inner(-1.0))),
+        join("inner right", (1, inner(-1.0)), (3, inner(1.0))),
+        join("waist front left", (0, waist(1.0)), (4, on_band(1.0))),
+        join("waist front right", (1, waist(-1.0)), (4, on_band(-1.0))),
+        join("waist back left", (2, waist(-1.0)), (5, on_band(-1.0))),
+        join("waist back right", (3, waist(1.0)), (5, on_band(1.0))),
+        join("band left", (4, [[240.0, 0.0], [240.0, 40.0]]), (5, [[-240.0, 0.0], [-240.0, 40.0]])),
+        join("band right", (4, [[-240.0, 0.0], [-240.0, 40.0]]), (5, [[240.0, 0.0], [240.0, 40.0]])),
+    ];
+    (pieces, joins)
+}
+
+fn arranged(pieces: &[Piece], joins: &[Join]) -> Arrangement {
+    arrange(pieces, &roles(pieces, joins), joins, None, vec![None; pieces.len()])
+}
+
+fn middle(arrangement: &Arrangement, pieces: &[Piece], i: usize) -> Vec3 {
+    let place = arrangement.places[i].as_ref().expect("a place");
+    place.sheet.at(Polygon::of(&pieces[i]).centroid())
+}
+
+#[test]
+fn a_shirt_hangs_at_the_shoulders_with_its_sleeves_on_the_arms_they_are_sewn_to() {
+    for names in [["FRONT", "BACK", "SLEEVE", "SLEEVE-2"], ["P1", "P2", "P3", "P4"]] {
+        let (pieces, joins) = shirt(names);
+        let a = arranged(&pieces, &joins);
+        assert!(a.unplaced.is_empty() && a.held.is_empty(), "{:?} {:?}", a.unplaced, a.held);
+        let segments: Vec<&str> = a.places.iter().flatten().map(|p| p.segment.name()).collect();
+        assert_eq!(segments, ["torso", "torso", "arm-left", "arm-right"]);
+        assert!(middle(&a, &pieces, 0).z > 0.1 && middle(&a, &pieces, 1).z < -0.1);
+        let form = Form::of(None);
+        let tip = a.places[0].as_ref().expect("front").sheet.at(v(135.0, 567.5));
+        assert!((tip.y - form.torso.from.y).abs() < 0.03, "{tip}");
+        for (i, sign) in [(2, 1.0), (3, -1.0)] {
+            let place = a.places[i].as_ref().expect("sleeve");
+            assert!(place.sheet.bend.is_some());
+            let (cap, hem) = (place.sheet.at(v(0.0, 220.0)), place.sheet.at(v(0.0, 0.0)));
+            assert!(sign * cap.x > 0.0 && sign * (hem.x - cap.x) > 0.1 && hem.y < cap.y, "{cap} {hem}");
+            // The half that is sewn to the front lies in front.
+            let front = place.sheet.at(v(-sign * 90.0, 185.0));
+            let back = place.sheet.at(v(sign * 90.0, 185.0));
+            assert!(front.z > back.z, "{front} {back}");
+        }
+    }
+}
+
+#[test]
+fn the_deeper_neckline_is_the_front() {
+    let (pieces, joins) = shirt(["P1", "P2", "P3", "P4"]);
+    let found = roles(&pieces, &joins);
+    let told: Vec<_> = found.iter().map(|r| (r.part, r.facing)).collect();
+    let (bodice, sleeve) = (Some(Part::Bodice), Some(Part::Sleeve));
+    assert_eq!(told, [(bodice, Some(Facing::Front)), (bodice, Some(Facing::Back)), (sleeve, None), (sleeve, None)]);
+    assert!(found.iter().all(|r| r.confidence > 0.4 && r.confidence < 0.9 && !r.evidence.is_empty()));
+}
+
+#[test]
+fn trousers_are_held_at_the_waist_and_their_legs_lie_side_by_side() {
+    let (pieces, joins) = trousers();
+    let a = arranged(&pieces, &joins);
+    assert!(a.unplaced.is_empty());
+    assert_eq!(a.held, [Held { piece: 4, edge: 2 }, Held { piece: 5, edge: 2 }]);
+    let at = |i| middle(&a, &pieces, i);
+    assert!(at(0).x > 0.05 && at(1).x < -0.05 && at(2).x > 0.05 && at(3).x < -0.05);
+    assert!(at(0).z > 0.1 && at(1).z > 0.1 && at(2).z < -0.1 && at(3).z < -0.1);
+    // The forks of the fronts do not cross.
+    let seen = |i: usize| {
+        let sheet = &a.places[i].as_ref().expect("a place").sheet;
+        Polygon::of(&pieces[i]).map(|p| Vec2::new(sheet.at(p).x, sheet.at(p).y))
+    };
+    assert!(!seen(0).overlaps(&seen(1)));
+    let top = a.places[4].as_ref().expect("band").sheet.at(v(0.0, 40.0)).y;
+    assert!((top - Form::of(None).waist).abs() < 0.005, "{top}");
+}
+
+#[test]
+fn places_that_a_person_gives_stay_and_the_rest_follows() {
+    let (pieces, joins) = shirt(["FRONT", "BACK", "SLEEVE", "SLEEVE-2"]);
+    let given = Sheet { origin: Vec3::new(0.0, 0.6, 0.25), ..Sheet::facing(Vec3::z(), Vec3::y(), 0.0) };
+    let all = vec![Some(given.clone()), None, None, None];
+    let a = arrange(&pieces, &roles(&pieces, &joins), &joins, None, all);
+    assert_eq!(a.places[0].as_ref().expect("front").translation(), given.origin);
+    let (front, back) = (middle(&a, &pieces, 0), middle(&a, &pieces, 1));
+    assert!((front.y - back.y).abs() < 0.03, "{front} {back}");
+}
+
+#[test]
+fn a_piece_that_is_sewn_to_nothing_has_no_place() {
+    let (mut pieces, joins) = shirt(["FRONT", "BACK", "SLEEVE", "SLEEVE-2"]);
+    pieces.push(piece(4, "LABEL", &corners(&[[0.0, 0.0], [40.0, 0.0], [40.0, 20.0], [0.0, 20.0]])));
+    let a = arranged(&pieces, &joins);
+    assert_eq!(a.unplaced, [(4, "it is sewn to nothing".to_owned())]);
+}

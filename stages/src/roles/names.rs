@@ -1,0 +1,231 @@
+//! Names of pieces, read for their roles.
+
+use super::words::{Meaning, WORDS};
+use super::{Facing, Lateral, Part, Role};
+use toile_garment::Piece;
+
+/// Least length of a shared beginning of all names that is a number of the style, characters.
+const STYLE_NUMBER_LEAST: usize = 3;
+/// Longest word that must be a whole word of a name, characters.
+const CODE_MOST: usize = 3;
+/// Confidence that a word gives.
+const WORD: f64 = 0.9;
+/// Confidence that a code of two or three letters gives.
+const CODE: f64 = 0.75;
+/// Confidence that a single letter gives.
+const LETTER: f64 = 0.65;
+
+/// Roles as names, categories and annotations tell them.
+#[must_use]
+pub fn roles_of_names(pieces: &[Piece]) -> Vec<Role> {
+    let style = style_number(pieces);
+    let role = |piece: &Piece| {
+        let rest = piece.name.get(style..).unwrap_or(&piece.name);
+        let texts = [Some(rest), piece.category.as_deref()];
+        let role = texts.into_iter().flatten().fold(Role::default(), |r, text| r.filled_by(&role_of_text(text)));
+        // An annotation speaks of other pieces, too: which side the front lies on, what is sewn where.
+        let silent = role == Role::default();
+        if silent { piece.annotation.as_deref().map(role_of_text).unwrap_or_default() } else { role }
+    };
+    pieces.iter().map(role).collect()
+}
+
+/// Bytes at the start of all names that are a number of the style. It has a digit, and more than itself is left.
+fn style_number(pieces: &[Piece]) -> usize {
+    let Some(first) = pieces.first().filter(|_| pieces.len() > 1).map(|p| p.name.as_str()) else { return 0 };
+    let shared = |at: &usize| pieces.iter().all(|p| p.name.get(..*at) == first.get(..*at));
+    let ends = first.char_indices().map(|(at, _)| at).take_while(shared);
+    let most = ends.last().unwrap_or(0);
+    let is_number = first[..most].len() >= STYLE_NUMBER_LEAST && first[..most].contains(|c: char| c.is_ascii_digit());
+    if is_number { most } else { 0 }
+}
+
+/// The role that one text tells.
+#[must_use]
+pub fn role_of_text(text: &str) -> Role {
+    let mut rest = format!(" {} ", folded(text));
+    let mut role = Role::default();
+    // Longer words first: `under collar` is no `collar` alone, and `kragensteg` is a stand.
+    for (meaning, word) in by_length() {
+        while let Some(at) = find(&rest, word) {
+            let end = at + word.len();
+            rest.replace_range(at..end, &" ".repeat(word.len()));
+            if let Some(from) = text_word(word) {
+                role = role.or(&role_of_word(meaning, word, from));
+            }
+        }
+    }
+    role
+}
+
+/// Confidence of a word by its length; `None` for an empty one.
+fn text_word(word: &str) -> Option<f64> {
+    let length = word.chars().count();
+    let wide = !word.is_ascii();
+    match length {
+        0 => None,
+        _ if wide => Some(WORD),
+        1 => Some(LETTER),
+        2..=CODE_MOST => Some(CODE),
+        _ => Some(WORD),
+    }
+}
+
+fn role_of_word(meaning: Meaning, word: &str, confidence: f64) -> Role {
+    let evidence = vec![format!("the name says `{word}`")];
+    let role = Role { evidence, confidence, ..Role::default() };
+    match meaning {
+        Meaning::Part(part) => Role { part: Some(part), ..role },
+        Meaning::Facing(facing) => Role { facing: Some(facing), ..role },
+        Meaning::Lateral(lateral) => Role { lateral: Some(lateral), ..role },
+    }
+}
+
+/// All words with their meanings, the longest first; words of one length in the order of the table.
+fn by_length() -> Vec<(Meaning, &'static str)> {
+    let each =
+        WORDS.iter().flat_map(|(m, languages)| languages.iter().flat_map(move |w| w.iter().map(move |w| (*m, *w))));
+    let mut all: Vec<_> = each.collect();
+    all.sort_by_key(|(_, word)| std::cmp::Reverse(word.chars().count()));
+    all
+}
+
+/// Where a word stands in a folded text. Short Latin and Cyrillic words stand alone; long ones and Chinese anywhere.
+fn find(text: &str, word: &str) -> Option<usize> {
+    let is_chinese = word.chars().any(|c| c >= '\u{2e80}');
+    let anywhere = is_chinese || word.chars().count() > CODE_MOST + 1;
+    let starts = || text.match_indices(word).map(|(at, _)| at);
+    if anywhere {
+        return starts().next();
+    }
+    let is_start = |at: &usize| text[..*at].ends_with(' ');
+    // A word of four letters may go on: `lack` is no `lac`, but `hosen` is `hose`.
+    let is_end = |at: usize| text[at + word.len()..].starts_with(' ') || word.chars().count() > CODE_MOST;
+    starts().find(|at| is_start(at) && is_end(*at))
+}
+
+/// A text in lower case, without accents; everything but letters is a space, and so is a change from small to capital.
+#[must_use]
+pub fn folded(text: &str) -> String {
+    let mut out = String::new();
+    let mut was_small = false;
+    for c in text.chars() {
+        if was_small && c.is_uppercase() {
+            out.push(' ');
+        }
+        was_small = c.is_lowercase();
+        for c in c.to_lowercase() {
+            match plain(c) {
+                c if c.is_alphabetic() => out.push(c),
+                // The dot of a capital İ in lower case, and other marks that stand alone.
+                '\u{300}'..='\u{36f}' => {}
+                _ if out.ends_with(' ') => {}
+                _ => out.push(' '),
+            }
+        }
+    }
+    out.trim().to_owned()
+}
+
+/// Letters with accents, each row with the letter it becomes.
+const ACCENTS: &[(char, &str)] = &[
+    ('a', "àáâãäåāăąạảấầẩẫậắằẳẵặ"),
+    ('c', "çćč"),
+    ('d', "đð"),
+    ('e', "èéêëēęěẹẻẽếềểễệ"),
+    ('g', "ğ"),
+    ('i', "ìíîïīıịỉĩ"),
+    ('n', "ñńň"),
+    ('o', "òóôõöøōőọỏốồổỗộơớờởỡợ"),
+    ('s', "śşš"),
+    ('u', "ùúûüūůűụủũưứừửữự"),
+    ('y', "ýÿỳỵỷỹ"),
+    ('z', "źżž"),
+    ('е', "ё"),
+];
+
+fn plain(c: char) -> char {
+    ACCENTS.iter().find(|(_, marked)| marked.contains(c)).map_or(c, |(letter, _)| *letter)
+}
+
+impl Role {
+    /// This role, completed by what the category of the piece says. A category makes a lining of a front, and no body
+    /// of a waistband.
+    fn filled_by(&self, other: &Self) -> Self {
+        let is_layer = other.part.is_some_and(|p| matches!(p, Part::Lining | Part::Interlining | Part::Facing));
+        let part = other.part.filter(|_| is_layer || self.part.is_none());
+        let facing = other.facing.filter(|_| self.facing.is_none());
+        let lateral = other.lateral.filter(|_| self.lateral.is_none());
+        if part.is_none() && facing.is_none() && lateral.is_none() {
+            return self.clone();
+        }
+        self.or(&Self { part, facing, lateral, ..other.clone() })
+    }
+
+    /// This role, and where it says nothing what another says. Of two parts the more special one holds.
+    #[must_use]
+    pub fn or(&self, other: &Self) -> Self {
+        let special = |part: &Part| Part::ALL.iter().position(|p| p == part);
+        let part = [self.part, other.part].into_iter().flatten().min_by_key(special);
+        let facing: Option<Facing> = self.facing.or(other.facing);
+        let lateral: Option<Lateral> = self.lateral.or(other.lateral);
+        let known = [self, other].into_iter().filter(|r| r.confidence > 0.0).map(|r| r.confidence);
+        let confidence = known.fold(f64::INFINITY, f64::min);
+        let mut evidence = self.evidence.clone();
+        evidence.extend(other.evidence.iter().filter(|e| !self.evidence.contains(e)).cloned());
+        Self { part, facing, lateral, confidence: if confidence.is_finite() { confidence } else { 0.0 }, evidence }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn told(text: &str) -> (Option<Part>, Option<Facing>, Option<Lateral>) {
+        let role = role_of_text(text);
+        (role.part, role.facing, role.lateral)
+    }
+
+    #[test]
+    fn names_of_ten_languages_are_read() {
+        let (front, back) = (Some(Facing::Front), Some(Facing::Back));
+        for (text, part, facing, lateral) in [
+            ("Left sleeve cuff", Some(Part::Cuff), None, Some(Lateral::Left)),
+            ("UNDER COLLAR", Some(Part::Collar), Some(Facing::Under), None),
+            ("FTORSO_RIGHT", Some(Part::Bodice), front, Some(Lateral::Right)),
+            ("PANT_B_L", Some(Part::Leg), back, Some(Lateral::Left)),
+            ("前片", None, front, None),
+            ("后片 左", None, back, Some(Lateral::Left)),
+            ("Vorderhose rechts", Some(Part::Leg), front, Some(Lateral::Right)),
+            ("Rückenteil", None, back, None),
+            ("Kragensteg", Some(Part::Stand), None, None),
+            ("Manche gauche", Some(Part::Sleeve), None, Some(Lateral::Left)),
+            ("Falda delantero", Some(Part::Skirt), front, None),
+            ("Manica", Some(Part::Sleeve), None, None),
+            ("Saia costas", Some(Part::Skirt), back, None),
+            ("ÖN BEDEN", Some(Part::Bodice), front, None),
+            ("Kol sağ", Some(Part::Sleeve), None, Some(Lateral::Right)),
+            ("Рукав левый", Some(Part::Sleeve), None, Some(Lateral::Left)),
+            ("Полочка", None, front, None),
+            ("Tay áo trái", Some(Part::Sleeve), None, Some(Lateral::Left)),
+            ("Thân trước", Some(Part::Bodice), front, None),
+            ("BackYoke", Some(Part::Yoke), back, None),
+        ] {
+            assert_eq!(told(text), (part, facing, lateral), "{text}");
+        }
+    }
+
+    #[test]
+    fn a_number_of_the_style_before_all_names_says_nothing() {
+        let piece = |name: &str| Piece { name: name.into(), ..Piece::default() };
+        let roles = roles_of_names(&["GX1006FBK", "GX1006FFR", "GX1006FSL"].map(piece));
+        assert_eq!(roles[0].facing, Some(Facing::Back));
+        assert_eq!(roles[1].facing, Some(Facing::Front));
+        assert_eq!(roles[2].part, Some(Part::Sleeve));
+    }
+
+    #[test]
+    fn a_name_without_a_word_has_no_role() {
+        assert_eq!(role_of_text("P17"), Role::default());
+    }
+}
