@@ -42,6 +42,7 @@ const OWN: &[&[Code]] = &[
     crate::engine::codes::CODES,
     crate::external::codes::CODES,
     crate::load::codes::CODES,
+    crate::new::codes::CODES,
     crate::pipeline::codes::CODES,
     crate::study::codes::CODES,
 ];

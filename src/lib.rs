@@ -10,6 +10,7 @@ pub mod codes;
 pub mod engine;
 pub mod external;
 pub mod load;
+pub mod new;
 pub mod pipeline;
 pub mod progress;
 pub mod render;

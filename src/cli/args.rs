@@ -24,6 +24,8 @@ Exit codes: 0 good, 1 a gate of the certificate failed, 2 usage or configuration
 pub enum Verb {
     /// Run a pipeline; outputs and run.json go into one folder.
     Run(RunArgs),
+    /// Make a working folder from a pattern, with proposed seams, or from a sample: skirt, bodice, t-shirt.
+    New(NewArgs),
     /// Check everything that can be checked without work, all errors at once.
     Check(CheckArgs),
     /// Show what a run would do and need: stages, effects, seconds, memory, files.
@@ -259,6 +261,29 @@ pub struct InspectArgs {
     /// Replace OUT if it is there.
     #[arg(long)]
     pub force: bool,
+}
+
+/// `new`
+#[derive(Args, Debug)]
+pub struct NewArgs {
+    /// Pattern, or the name of a sample: skirt, bodice, t-shirt.
+    #[arg(value_name = "PATTERN.dxf")]
+    pub pattern: PathBuf,
+    /// Folder to write; what lies there already is kept.
+    #[arg(long, value_name = "DIR")]
+    pub out: PathBuf,
+    /// Body: an OBJ file, or a size to make one of [default: 38]
+    #[arg(long, value_name = "FILE|SIZE")]
+    pub body: Option<String>,
+    /// Fabric: a file, or one of those that come with the program [default: cotton-shirting]
+    #[arg(long, value_name = "FILE|NAME")]
+    pub fabric: Option<String>,
+    /// Propose from the shapes alone, as if the pieces had no names.
+    #[arg(long)]
+    pub anonymous: bool,
+    /// For programs: print the proposal.
+    #[arg(long)]
+    pub json: bool,
 }
 
 /// `flatten`

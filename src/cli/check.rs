@@ -8,6 +8,7 @@ use crate::render::findings_json;
 use std::sync::Arc;
 use toile_garment::{Diagnostic, Severity};
 use toile_stage_api::Registry;
+use toile_stages::codes::SEAM_PROPOSED;
 
 pub(super) fn run(args: &CheckArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
     let loaded = load::load(&args.accuracy.request(&args.pipeline), stop, registry);
@@ -19,7 +20,9 @@ pub(super) fn run(args: &CheckArgs, registry: &mut Registry, stop: &Arc<Stop>, c
         let is_new = |f: &Diagnostic| !loaded.report.findings.iter().any(|known| same(known, f));
         findings.extend(seen.findings.into_iter().filter(is_new));
         // As text, what the stages note about the files belongs to a run.
-        let is_told = |f: &Diagnostic| args.format == Format::Json || f.severity != Severity::Info;
+        // What nobody has confirmed yet is told always.
+        let is_open = |f: &Diagnostic| f.code == SEAM_PROPOSED;
+        let is_told = |f: &Diagnostic| args.format == Format::Json || f.severity != Severity::Info || is_open(f);
         findings.extend(seen.notes.into_iter().filter(is_told));
         exit = if exit == Exit::Good { seen.exit } else { exit };
     }

@@ -10,6 +10,7 @@ mod explain;
 mod fabric;
 mod flatten;
 mod inspect;
+mod new;
 mod plan;
 mod results;
 mod run;
@@ -79,6 +80,7 @@ pub fn run_from(
 fn dispatch(cli: Cli, mut registry: Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
     match cli.verb {
         Verb::Run(args) => run::run(&args, &mut registry, stop, console),
+        Verb::New(args) => new::run(&args, console),
         Verb::Check(args) => check::run(&args, &mut registry, stop, console),
         Verb::Plan(args) => plan::run(&args, &mut registry, stop, console),
         Verb::Inspect(args) => inspect::run(&args, console),

@@ -6,6 +6,10 @@ use toile_garment::Code;
 codes! {
     pub list SHARED;
 
+    /// The program proposed this seam, and nobody has confirmed it yet. Look at it, and remove `proposed` from the seam
+    /// in the sewing file when it is right.
+    SEAM_PROPOSED = "seam-proposed";
+
     /// A text file is not UTF-8. Save it as UTF-8. Exit code 3.
     TEXT_NOT_UTF8 = "text-not-utf8";
 }

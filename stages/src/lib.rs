@@ -28,6 +28,7 @@ pub mod import_dxf;
 pub mod import_garmentcode;
 pub mod import_mesh;
 pub mod joined;
+pub mod proposal;
 pub mod roles;
 pub mod sewing;
 mod solve;

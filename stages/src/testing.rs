@@ -107,7 +107,7 @@ pub fn two_points(piece: &str, from: (f64, f64), to: (f64, f64)) -> RunSpec {
 
 /// A seam without more.
 pub fn seam(name: &str, a: Vec<RunSpec>, b: Vec<RunSpec>) -> SeamSpec {
-    SeamSpec { name: name.into(), a, b, reverse: None, ease: None, gather: None, source: None }
+    SeamSpec { name: name.into(), a, b, reverse: None, ease: None, gather: None, proposed: None, source: None }
 }
 
 /// A fabric of the same stretch both ways without friction in bending; SI units.

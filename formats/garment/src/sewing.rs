@@ -66,6 +66,9 @@ pub struct SeamSpec {
     /// Declared gather ratio, longer over shorter.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub gather: Option<f64>,
+    /// Confidence from 0 to 1 of a seam that the program proposed and nobody confirmed yet.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub proposed: Option<f64>,
     /// Origin.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub source: Option<SourceRef>,

@@ -144,5 +144,14 @@ fn seam(panels: &[Built], stitch: &Stitch, number: usize, findings: &mut Vec<Dia
     let run =
         |piece: &toile_garment::Piece, k: usize| vec![RunSpec::Edge { piece: piece.name.clone(), edge: k.to_string() }];
     let reverse = Some(!stitch.same);
-    SeamSpec { name: format!("stitch-{number}"), a: run(a, i), b: run(b, j), reverse, ease, gather, source: None }
+    SeamSpec {
+        name: format!("stitch-{number}"),
+        a: run(a, i),
+        b: run(b, j),
+        reverse,
+        ease,
+        gather,
+        proposed: None,
+        source: None,
+    }
 }

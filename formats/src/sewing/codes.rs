@@ -5,6 +5,9 @@ use toile_garment::Code;
 codes! {
     pub(crate) list CODES;
 
+    /// `proposed` is a confidence from 0 to 1. Remove it from a seam that is right. Exit code 2.
+    SEWING_BAD_CONFIDENCE = "sewing-bad-confidence";
+
     /// `gather` is longer over shorter and lies between 1 and 100. Exit code 2.
     SEWING_BAD_GATHER = "sewing-bad-gather";
 

@@ -126,6 +126,12 @@ pub static SEAM: Keys = Keys {
             "Length of the longer side over the shorter. Not beside `ease`.",
         ),
         may(
+            "proposed",
+            Form::Number(0.0, 1.0),
+            "0.93",
+            "How sure the program is of a seam that it proposed. Remove it from a seam that is right.",
+        ),
+        may(
             "reverse",
             Form::Flag,
             "true",

@@ -20,6 +20,7 @@ pub fn seam(table: &DeTable<'_>, span: Range<usize>, n: usize, walk: &mut Walk<'
     let b = t.need("b", walk).and_then(|v| run::side(v, "b", walk));
     let ease = t.take("ease").map(|v| walk.quantity::<Length>(v, "ease"));
     let gather = t.take("gather").map(|v| gather(v, walk));
+    let proposed = t.take("proposed").map(|v| share(v, walk));
     let reverse = t.take("reverse").map(|v| walk.flag(v, "reverse"));
     if ease.is_some() && gather.is_some() {
         walk.error(codes::SEWING_EASE_AND_GATHER, at, "a seam has `ease` or `gather`, not both", |d| {
@@ -35,6 +36,7 @@ pub fn seam(table: &DeTable<'_>, span: Range<usize>, n: usize, walk: &mut Walk<'
         reverse: all_or_none(reverse)?,
         ease: all_or_none(ease)?,
         gather: all_or_none(gather)?,
+        proposed: all_or_none(proposed)?,
         source,
     })
 }
@@ -46,6 +48,18 @@ fn gather(value: super::walk::Value<'_>, walk: &mut Walk<'_>) -> Option<f64> {
     }
     walk.error(codes::SEWING_BAD_GATHER, value.span().start, format!("`gather` cannot be {ratio}"), |d| {
         d.hint("gather is the longer side over the shorter, from 1 to 100, e.g. 1.6")
+    });
+    None
+}
+
+/// How sure a proposal is, 0 to 1.
+fn share(value: super::walk::Value<'_>, walk: &mut Walk<'_>) -> Option<f64> {
+    let share = walk.number(value, "proposed")?;
+    if (0.0..=1.0).contains(&share) {
+        return Some(share);
+    }
+    walk.error(codes::SEWING_BAD_CONFIDENCE, value.span().start, format!("`proposed` cannot be {share}"), |d| {
+        d.hint("it is a confidence from 0 to 1; remove it from what is right")
     });
     None
 }

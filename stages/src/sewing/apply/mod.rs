@@ -8,9 +8,9 @@ mod undecided;
 
 use super::resolve::{find, placed};
 use super::shapes::{Shapes, shapes};
-use crate::codes::PIECE_UNKNOWN;
+use crate::codes::{PIECE_UNKNOWN, SEAM_PROPOSED};
 use toile_formats::dxf::darts::UndecidedDart;
-use toile_garment::sewing::{AttachStrength, SewingPlan};
+use toile_garment::sewing::{AttachStrength, SeamSpec, SewingPlan};
 use toile_garment::{Diagnostic, Garment, PieceId, Report};
 use toile_stage_api::StageError;
 
@@ -35,6 +35,7 @@ pub fn apply_deciding(
     report: &mut Report,
 ) -> Result<(), StageError> {
     let mut errors = Vec::new();
+    report.findings.extend(plan.seams.iter().filter_map(proposed));
     garment.plan = plan;
     leave_out(garment, &mut errors);
     // Drawn pieces first, so that copies inherit names and darts; then what is said of the copies themselves.
@@ -56,6 +57,14 @@ pub fn apply_deciding(
     // A wedge that is no dart is part of the outline again.
     let rings = if released { shapes(garment) } else { Ok(rings) };
     rings.map_or(Ok(()), |rings| check_seams(garment, &rings))
+}
+
+/// The note on a seam that nobody has confirmed yet.
+fn proposed(seam: &SeamSpec) -> Option<Diagnostic> {
+    let share = seam.proposed?;
+    let message = format!("seam `{}` is proposed, {:.0} % sure", seam.name, 100.0 * share);
+    let hint = "look at it, and remove `proposed` from it in the sewing file when it is right";
+    Some(Diagnostic::info(SEAM_PROPOSED, message).at(seam.source.clone()).hint(hint))
 }
 
 /// Checks that all seams and attachments are where they say.

@@ -1,0 +1,78 @@
+//! `toile new PATTERN.dxf --out DIR`: a working folder with proposed seams, or a sample.
+
+use super::args::NewArgs;
+use super::console::Console;
+use crate::codes::WRITE_FAILED;
+use crate::engine::{Exit, clean};
+use crate::new::{Body, Fabric, Folder, New, Order, Sample, from_pattern, read};
+use toile_garment::{Diagnostic, Severity};
+
+/// Size of the body, where none is asked for.
+const SIZE: &str = "38";
+/// Fabric, where none is asked for.
+const FABRIC: &str = "cotton-shirting";
+
+pub(super) fn run(args: &NewArgs, console: &mut Console<'_>) -> Exit {
+    let body = Body::of(args.body.as_deref().unwrap_or(SIZE));
+    let word = args.pattern.to_string_lossy();
+    if let Some(sample) = Sample::of(&word).filter(|_| !args.pattern.exists()) {
+        let fabric = Fabric::of(args.fabric.as_deref().unwrap_or(sample.fabric));
+        return match sample.folder(&body, &fabric) {
+            Ok(folder) => write(args, &folder, console),
+            Err(findings) => refuse(&findings, Exit::Usage, console),
+        };
+    }
+    let source = match read(&args.pattern) {
+        Ok(source) => source,
+        Err(findings) => return refuse(&findings, Exit::Input, console),
+    };
+    let told: Vec<Diagnostic> = source.findings.iter().filter(|f| f.severity != Severity::Info).cloned().collect();
+    console.findings(&told, None);
+    let fabric = Fabric::of(args.fabric.as_deref().unwrap_or(FABRIC));
+    let order = Order { source: &source, body, fabric, is_anonymous: args.anonymous };
+    match from_pattern(&order) {
+        Ok(new) => {
+            let exit = write(args, &new.folder, console);
+            if exit != Exit::Good {
+                return exit;
+            }
+            tell(args, &new, console)
+        }
+        Err(findings) => refuse(&findings, Exit::Usage, console),
+    }
+}
+
+fn refuse(findings: &[Diagnostic], exit: Exit, console: &mut Console<'_>) -> Exit {
+    console.findings(findings, None);
+    exit
+}
+
+/// Writes the folder and names what was written.
+fn write(args: &NewArgs, folder: &Folder, console: &mut Console<'_>) -> Exit {
+    match folder.write(&args.out) {
+        Ok(made) => {
+            for path in &made.kept {
+                console.say(&format!("kept {}, which was there\n", clean(path)));
+            }
+            if !args.json {
+                made.written.iter().for_each(|path| console.result(&format!("{}\n", clean(path))));
+            }
+            Exit::Good
+        }
+        Err((path, error)) => {
+            let message = format!("cannot write `{}`: {error}", clean(&path));
+            refuse(&[Diagnostic::error(WRITE_FAILED, message)], Exit::System, console)
+        }
+    }
+}
+
+/// Says what comes next. Exit code 1 where a person must decide something first.
+fn tell(args: &NewArgs, new: &New, console: &mut Console<'_>) -> Exit {
+    if args.json {
+        console.json(&new.proposal);
+    }
+    let pipeline = clean(&args.out.join("pipeline.toml"));
+    console.say(&format!("{} seams are proposed, {} of them too unsure to be sewn\n", new.seams, new.open));
+    console.say(&format!("next: toile run {pipeline}\n"));
+    if new.open == 0 { Exit::Good } else { Exit::Gate }
+}

@@ -1,0 +1,79 @@
+//! A working folder made from a pattern: pipeline, sewing file with proposed seams, fabric, body, and the proposal.
+//!
+//! Nothing that lies in the folder already is changed.
+
+pub(crate) mod codes;
+mod document;
+mod dress;
+mod folder;
+mod page;
+mod pattern;
+mod pipeline;
+mod samples;
+mod sewing;
+mod stock;
+
+pub use folder::{Folder, Made};
+pub use pattern::{Source, read};
+pub use samples::{SAMPLES, Sample};
+pub use stock::{Body, Fabric};
+
+use serde_json::Value;
+use toile_garment::Diagnostic;
+use toile_stages::proposal::{Nameless, Names, RoleNames, propose};
+
+/// The wishes of a person.
+#[derive(Debug)]
+pub struct Order<'a> {
+    /// The pattern.
+    pub source: &'a Source,
+    /// The body.
+    pub body: Body,
+    /// The fabric.
+    pub fabric: Fabric,
+    /// Are the names of the pieces left out of account?
+    pub is_anonymous: bool,
+}
+
+/// A folder that was put together, and what is open in it.
+#[derive(Debug)]
+pub struct New {
+    /// The files.
+    pub folder: Folder,
+    /// The proposal, as `proposal.json` holds it.
+    pub proposal: Value,
+    /// Seams that are proposed.
+    pub seams: usize,
+    /// Seams that are too unsure to be sewn.
+    pub open: usize,
+}
+
+/// Puts a folder together from a pattern.
+///
+/// # Errors
+/// The pattern cannot be sewn, or the body or fabric is not there.
+pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
+    let source = order.source;
+    let names: Box<dyn Names> =
+        if order.is_anonymous { Box::new(Nameless) } else { Box::new(RoleNames::new(&source.garment.pieces)) };
+    let proposal = propose(&source.garment, names.as_ref())?;
+    let body = order.body.model()?;
+    let dressed = dress::dress(source, &proposal, body.as_ref(), order.is_anonymous);
+    let document = document::document(source, &proposal, &dressed, order.is_anonymous);
+    let text = sewing::text(source, &proposal);
+    let open = proposal.seams.iter().filter(|s| s.confidence < sewing::LEAST_SURE).count();
+    let mut folder = Folder::default();
+    folder.add(&source.file_name(), source.bytes.clone());
+    if let Some((name, bytes)) = &source.rules {
+        folder.add(name, bytes.clone());
+    }
+    for (name, bytes) in order.body.files()?.into_iter().chain(order.fabric.files()?) {
+        folder.add(&name, bytes);
+    }
+    folder.add("sewing.toml", text.into_bytes());
+    folder.add("pipeline.toml", pipeline::text(source, &order.body, &order.fabric).into_bytes());
+    let json = serde_json::to_string_pretty(&document).unwrap_or_default();
+    folder.replace("proposal.json", format!("{}\n", toile_garment::text::json(&json)).into_bytes());
+    folder.replace("start.html", page::page(source, &proposal, &dressed).into_bytes());
+    Ok(New { folder, proposal: document, seams: proposal.seams.len(), open })
+}

@@ -1,0 +1,173 @@
+//! `start.html`: all pieces with their numbered edges, and the proposed seams in matching colours.
+
+use super::dress::Dressed;
+use super::pattern::Source;
+use super::sewing::LEAST_SURE;
+use std::fmt::Write as _;
+use toile_garment::{Piece, Vec2};
+use toile_stages::proposal::{Proposal, ProposedSeam, Run};
+
+/// From this confidence on a seam needs no second look.
+const SURE: f64 = 0.9;
+/// Pixels for a metre of cloth.
+const SCALE: f64 = 420.0;
+/// Room around a piece, pixels.
+const EDGE: f64 = 26.0;
+
+const STYLE: &str = "body{font:15px/1.45 system-ui,sans-serif;margin:2rem;max-width:75rem;color:#222}\
+h1{font-size:1.5rem}h2{font-size:1.15rem;margin-top:2rem}figure{display:inline-block;margin:0 1rem 1rem 0;\
+vertical-align:top}figcaption{font-weight:600}td,th{padding:.2rem .7rem;text-align:left;vertical-align:top}\
+tr{border-top:1px solid #ddd}.swatch{display:inline-block;width:1.6rem;height:.7rem}\
+.open{background:#fff4e0}code{background:#f2f2f2}";
+
+/// The page.
+pub fn page(source: &Source, proposal: &Proposal, dressed: &Dressed) -> String {
+    let title = escaped(&source.file_name());
+    let mut out = format!(
+        "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{title}</title>\n\
+         <style>{STYLE}</style></head>\n<body data-toile-page=\"1\">\n<h1>{title}: what the program proposes</h1>\n\
+         <p>Lines of the same colour are sewn to each other. Grey lines stay open. The small numbers are those of the \
+         edges, as <code>sewing.toml</code> writes them: <code>PIECE.3</code> is edge 3 of PIECE. Correct there what is \
+         wrong, and remove <code>proposed</code> from what is right. Then <code>toile run pipeline.toml</code> sews and \
+         drapes the garment.</p>\n"
+    );
+    let mut order: Vec<usize> = (0..proposal.seams.len()).collect();
+    order.sort_by(|i, j| proposal.seams[*i].confidence.total_cmp(&proposal.seams[*j].confidence));
+    table(&mut out, source, proposal, &order);
+    out.push_str("<h2>Pieces</h2>\n");
+    for (index, piece) in source.garment.pieces.iter().enumerate() {
+        let role = dressed.roles.get(index).map(|r| r.words()).unwrap_or_default();
+        figure(&mut out, proposal, index, piece, &role);
+    }
+    out.push_str("</body></html>\n");
+    out
+}
+
+/// The seams, the least sure first.
+fn table(out: &mut String, source: &Source, proposal: &Proposal, order: &[usize]) {
+    let groups: [(&str, &dyn Fn(f64) -> bool); 3] = [
+        ("Too unsure to be sewn", &|c| c < LEAST_SURE),
+        ("Please look at these", &|c| (LEAST_SURE..SURE).contains(&c)),
+        ("Likely right", &|c| c >= SURE),
+    ];
+    for (heading, holds) in groups {
+        let rows: Vec<usize> = order.iter().copied().filter(|k| holds(proposal.seams[*k].confidence)).collect();
+        if rows.is_empty() {
+            continue;
+        }
+        let _ = writeln!(
+            out,
+            "<h2>{heading}</h2>\n<table><tr><th></th><th>side a</th><th>side b</th><th>lengths</th><th>sure</th>\
+             <th>notes</th></tr>"
+        );
+        for k in rows {
+            row(out, source, proposal, k);
+        }
+        out.push_str("</table>\n");
+    }
+}
+
+fn row(out: &mut String, source: &Source, proposal: &Proposal, k: usize) {
+    let seam = &proposal.seams[k];
+    let class = if seam.confidence < SURE { " class=\"open\"" } else { "" };
+    let _ = writeln!(
+        out,
+        "<tr{class}><td><span class=\"swatch\" style=\"background:{}\"></span></td><td>{}</td><td>{}</td>\
+         <td>{:.0} and {:.0} mm</td><td>{:.0} %</td><td>{}</td></tr>",
+        colour(k),
+        side(source, &seam.a),
+        side(source, &seam.b),
+        seam.length_a * 1e3,
+        seam.length_b * 1e3,
+        seam.confidence * 100.0,
+        escaped(&notes(source, proposal, seam))
+    );
+}
+
+fn notes(source: &Source, proposal: &Proposal, seam: &ProposedSeam) -> String {
+    let mut notes = super::document::evidence(seam);
+    if seam.confidence < SURE {
+        for atom in &seam.instead {
+            let atom = &proposal.layout.atoms[*atom];
+            let piece = &source.garment.pieces[proposal.layout.panels[atom.panel].piece];
+            notes.push(format!("or to {} over {:.0} mm", piece.name, atom.length * 1e3));
+        }
+    }
+    notes.join("; ")
+}
+
+/// A side in words.
+fn side(source: &Source, runs: &[Run]) -> String {
+    let word = |r: &Run| {
+        let name = &source.garment.pieces[r.piece].name;
+        if r.edges.is_empty() {
+            format!("part of {name}")
+        } else {
+            r.edges.iter().map(|e| format!("{name}.{e}")).collect::<Vec<_>>().join(", ")
+        }
+    };
+    escaped(&runs.iter().map(word).collect::<Vec<_>>().join(", "))
+}
+
+/// Colours that follow one another are far apart on the circle of hues.
+fn colour(k: usize) -> String {
+    format!("hsl({},75%,{}%)", (k * 137) % 360, if k.is_multiple_of(2) { 42 } else { 54 })
+}
+
+fn figure(out: &mut String, proposal: &Proposal, index: usize, piece: &Piece, role: &str) {
+    let points = piece.outline.positions();
+    let (Some(low), Some(high)) = (extreme(&points, f64::min), extreme(&points, f64::max)) else { return };
+    let at = |p: Vec2| (EDGE + (p.x - low.x) * SCALE, EDGE + (high.y - p.y) * SCALE);
+    let (width, height) = ((high.x - low.x) * SCALE + 2.0 * EDGE, (high.y - low.y) * SCALE + 2.0 * EDGE);
+    let path = |list: &[Vec2]| list.iter().map(|p| at(*p)).map(|(x, y)| format!("{x:.1},{y:.1} ")).collect::<String>();
+    let role = if role.is_empty() { String::new() } else { format!(" ({role})") };
+    let _ = writeln!(
+        out,
+        "<figure><figcaption>{}{}</figcaption>\n<svg width=\"{width:.0}\" height=\"{height:.0}\" role=\"img\">\n\
+         <polygon points=\"{}\" fill=\"#f7f5ef\" stroke=\"#999\" stroke-width=\"1.5\"/>",
+        escaped(&piece.name),
+        escaped(&role),
+        path(&points)
+    );
+    for (k, seam) in proposal.seams.iter().enumerate() {
+        for run in seam.a.iter().chain(&seam.b).filter(|r| r.piece == index) {
+            let _ = writeln!(
+                out,
+                "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"4\"><title>{}</title></polyline>",
+                path(&run.points),
+                colour(k),
+                escaped(&seam.name)
+            );
+        }
+    }
+    for edge in &piece.edges {
+        if let Some((x, y)) = middle(&points, edge.from as usize, edge.to as usize).map(at) {
+            let _ = writeln!(
+                out,
+                "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"12\" text-anchor=\"middle\" paint-order=\"stroke\" \
+                 stroke=\"#fff\" stroke-width=\"3\">{}</text>",
+                edge.index
+            );
+        }
+    }
+    out.push_str("</svg></figure>\n");
+}
+
+fn extreme(points: &[Vec2], choose: fn(f64, f64) -> f64) -> Option<Vec2> {
+    points.iter().copied().reduce(|a, b| Vec2::new(choose(a.x, b.x), choose(a.y, b.y)))
+}
+
+/// The middle vertex of an edge, or the middle of its chord where it has no vertex between its ends.
+fn middle(points: &[Vec2], from: usize, to: usize) -> Option<Vec2> {
+    let n = points.len();
+    let steps = (to + n).checked_sub(from)? % n.max(1);
+    match steps {
+        0 => None,
+        1 => Some((points.get(from)? + points.get(to)?) / 2.0),
+        _ => points.get((from + steps / 2) % n).copied(),
+    }
+}
+
+fn escaped(text: &str) -> String {
+    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}

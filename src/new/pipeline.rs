@@ -1,0 +1,67 @@
+//! The pipeline of a folder.
+
+use super::pattern::Source;
+use super::stock::{Body, Fabric};
+
+/// Text of the pipeline.
+pub fn text(source: &Source, body: &Body, fabric: &Fabric) -> String {
+    let line = line(&source.stem);
+    let q = |text: &str| serde_json::to_string(text).unwrap_or_default();
+    let (file, body, fabric) = (q(&source.file_name()), q(&body.file_name()), q(&fabric.file_name()));
+    let (glb, flat) = (q(&format!("{{out}}/{line}.glb")), q(&format!("{{out}}/{line}-flat.dxf")));
+    format!(
+        r##"# The garment of {file}: `toile run` sews and drapes it.
+toile = 1
+
+[pipeline]
+line    = "{line}"
+version = 1
+
+[[stage]]
+use = "import-dxf"
+with.file   = {file}
+with.sewing = "sewing.toml"
+
+[[stage]]
+use = "triangulate"
+with.edge_length = "16 mm"
+
+[[stage]]
+use = "assemble"
+
+[[stage]]
+use = "stitch"
+with.body   = {body}
+with.fabric = {fabric}
+
+[[stage]]
+use = "drape"
+
+[[stage]]
+use = "texture"
+with.color = "#9aa7c7"
+
+[[stage]]
+use = "export-gltf"
+with.file = {glb}
+
+[[stage]]
+use = "flatten"
+
+[[stage]]
+use = "export-dxf"
+with.file = {flat}
+
+[[stage]]
+use = "export-report"
+"##
+    )
+}
+
+/// A name of a line: lower-case letters, digits and hyphens.
+fn line(stem: &str) -> String {
+    let plain: String = stem.to_lowercase().chars().map(|c| if c.is_ascii_alphanumeric() { c } else { '-' }).collect();
+    let words: Vec<&str> = plain.split('-').filter(|w| !w.is_empty()).collect();
+    let name = words.join("-");
+    if name.starts_with(|c: char| c.is_ascii_lowercase()) { name } else { format!("garment-{name}") }
+}

@@ -1,0 +1,100 @@
+//! The samples that come with the program.
+
+use super::folder::Folder;
+use super::stock::{Body, Fabric};
+use toile_garment::Diagnostic;
+
+/// A garment that comes with the program.
+#[derive(Debug)]
+pub struct Sample {
+    /// The word that asks for it.
+    pub word: &'static str,
+    /// Name of its files.
+    name: &'static str,
+    /// Fabric, where none is asked for.
+    pub fabric: &'static str,
+    pattern: &'static [u8],
+    sewing: &'static str,
+    pipeline: &'static str,
+}
+
+/// All samples.
+pub const SAMPLES: &[Sample] = &[
+    Sample {
+        word: "skirt",
+        name: "long-skirt",
+        fabric: "wool-suiting",
+        pattern: include_bytes!("../../samples/patterns/long-skirt.aama.dxf"),
+        sewing: include_str!("../../samples/patterns/long-skirt.sewing.toml"),
+        pipeline: include_str!("../../pipelines/long-skirt/v1.toml"),
+    },
+    Sample {
+        word: "bodice",
+        name: "fitted-bodice",
+        fabric: "cotton-shirting",
+        pattern: include_bytes!("../../samples/patterns/fitted-bodice.aama.dxf"),
+        sewing: include_str!("../../samples/patterns/fitted-bodice.sewing.toml"),
+        pipeline: include_str!("../../pipelines/fitted-bodice/v1.toml"),
+    },
+    Sample {
+        word: "t-shirt",
+        name: "t-shirt",
+        fabric: "cotton-jersey",
+        pattern: include_bytes!("../../samples/patterns/t-shirt.aama.dxf"),
+        sewing: include_str!("../../samples/patterns/t-shirt.sewing.toml"),
+        pipeline: include_str!("../../pipelines/t-shirt/v1.toml"),
+    },
+];
+
+impl Sample {
+    /// The sample of a word.
+    #[must_use]
+    pub fn of(word: &str) -> Option<&'static Self> {
+        SAMPLES.iter().find(|s| s.word == word || s.name == word)
+    }
+
+    /// Its folder: the pattern in the size of the body, with sewing file, fabric and body.
+    ///
+    /// # Errors
+    /// The body or fabric is not there.
+    pub fn folder(&self, body: &Body, fabric: &Fabric) -> Result<Folder, Vec<Diagnostic>> {
+        let mut folder = Folder::default();
+        folder.add(&format!("{}.dxf", self.name), self.pattern.to_vec());
+        for (name, bytes) in body.files()?.into_iter().chain(fabric.files()?) {
+            folder.add(&name, bytes);
+        }
+        folder.add("sewing.toml", self.sewing.as_bytes().to_vec());
+        folder.add("pipeline.toml", self.pipeline(body, fabric).into_bytes());
+        Ok(folder)
+    }
+
+    /// The pipeline of the sample with the paths of the folder. Textures stay out, and a plain colour stands in.
+    fn pipeline(&self, body: &Body, fabric: &Fabric) -> String {
+        let size = match body {
+            Body::Size(size) => format!("with.size   = {size:?}"),
+            Body::File(_) => "with.size   = \"38\"".to_owned(),
+        };
+        let line = |text: &str| -> Option<String> {
+            let key = text.split('=').next().unwrap_or_default().trim();
+            Some(match key {
+                "#:schema ../toile.schema.json" | "with.repeat" | "size" | "fabric" | "pattern" | "[input]" => {
+                    return None;
+                }
+                "with.file" if text.contains("samples") => format!("with.file   = \"{}.dxf\"", self.name),
+                "with.sewing" => "with.sewing = \"sewing.toml\"".to_owned(),
+                "with.size" => size.clone(),
+                "with.body" => format!("with.body   = {:?}", body.file_name()),
+                "with.fabric" => format!("with.fabric = {:?}", fabric.file_name()),
+                "with.image" => "with.color  = \"#9aa7c7\"".to_owned(),
+                _ => text.to_owned(),
+            })
+        };
+        let lines: Vec<String> =
+            self.pipeline.lines().filter(|l| !l.starts_with("#:schema")).filter_map(line).collect();
+        let mut text = lines.join("\n");
+        while text.contains("\n\n\n") {
+            text = text.replace("\n\n\n", "\n\n");
+        }
+        text + "\n"
+    }
+}

@@ -1,0 +1,121 @@
+//! The sewing file with proposed seams.
+
+use super::pattern::Source;
+use std::fmt::Write as _;
+use toile_garment::Vec2;
+use toile_stages::proposal::{Proposal, ProposedSeam, Run};
+
+/// A seam less sure than this is written as a comment, and a person decides.
+pub const LEAST_SURE: f64 = 0.3;
+/// Sides that differ by less are equal, metres.
+const EQUAL: f64 = 5e-4;
+/// A longer side over a shorter one from here on is gathered, and eased below.
+const GATHERED: f64 = 1.1;
+
+/// Text of the sewing file.
+pub fn text(source: &Source, proposal: &Proposal) -> String {
+    let mut out = head(source);
+    for copy in &source.copies {
+        let _ = write!(
+            out,
+            "\n[[copy]]\npiece = {}\nname = {}\nmirror = {}\n",
+            quoted(&copy.piece),
+            quoted(&copy.name),
+            copy.mirror
+        );
+    }
+    let (sure, open): (Vec<_>, Vec<_>) = proposal.seams.iter().partition(|s| s.confidence >= LEAST_SURE);
+    for seam in sure {
+        out.push_str(&table(source, seam));
+    }
+    if !open.is_empty() {
+        out.push_str("\n# These seams are too unsure. Remove the # of those that are right.\n");
+    }
+    for seam in open {
+        let commented: String = table(source, seam).trim_start().lines().map(|l| format!("# {l}\n")).collect();
+        let _ = write!(out, "\n{commented}");
+        for other in &seam.instead {
+            let _ = writeln!(out, "# It may be sewn to {} instead.", atom(source, proposal, *other));
+        }
+    }
+    out
+}
+
+fn head(source: &Source) -> String {
+    let file = source.file_name();
+    format!(
+        "# The seams of {file}, proposed by `toile new`.\n#\n\
+         # `toile inspect {file} --svg pieces.svg` draws the numbers of the edges. `proposed` says how sure the program\n\
+         # is: 1 is certain. Correct what is wrong, and remove `proposed` from what is right.\n"
+    )
+}
+
+/// One seam.
+fn table(source: &Source, seam: &ProposedSeam) -> String {
+    let mut out = format!(
+        "\n[[seam]]\nname = {}\na = {}\nb = {}\n",
+        quoted(&seam.name),
+        side(source, &seam.a),
+        side(source, &seam.b)
+    );
+    let by_edge = seam.a.iter().chain(&seam.b).any(|r| !r.edges.is_empty());
+    if seam.fold_over || (by_edge && seam.a.len() + seam.b.len() > 2) || edges_of(seam) > 2 {
+        let _ = writeln!(out, "reverse = {}", !seam.fold_over);
+    }
+    let (long, short) = (seam.length_a.max(seam.length_b), seam.length_a.min(seam.length_b));
+    if long / short > GATHERED {
+        let _ = writeln!(out, "gather = {:.3}", long / short);
+    } else if long - short > EQUAL {
+        let _ = writeln!(out, "ease = \"{:.1} mm\"", seam.ease() * 1e3);
+    }
+    let _ = writeln!(out, "proposed = {:.2}", seam.confidence);
+    out
+}
+
+fn edges_of(seam: &ProposedSeam) -> usize {
+    seam.a.iter().chain(&seam.b).map(|r| r.edges.len()).sum()
+}
+
+/// One side: an edge, a run, or a list of those.
+fn side(source: &Source, runs: &[Run]) -> String {
+    let parts: Vec<String> = runs.iter().flat_map(|r| run(source, r)).collect();
+    match parts.as_slice() {
+        [only] => only.clone(),
+        many => format!("[{}]", many.join(", ")),
+    }
+}
+
+fn run(source: &Source, run: &Run) -> Vec<String> {
+    let piece = &source.garment.pieces[run.piece].name;
+    if !run.edges.is_empty() {
+        return run.edges.iter().map(|e| quoted(&format!("{piece}.{e}"))).collect();
+    }
+    let way = if run.forward { "left" } else { "right" };
+    vec![format!(
+        "{{ piece = {}, from = {}, to = {}, way = \"{way}\" }}",
+        quoted(piece),
+        point(run.ends[0]),
+        point(run.ends[1])
+    )]
+}
+
+fn point(p: Vec2) -> String {
+    format!("[\"{:.3} mm\", \"{:.3} mm\"]", p.x * 1e3, p.y * 1e3)
+}
+
+/// An atom in words.
+fn atom(source: &Source, proposal: &Proposal, atom: usize) -> String {
+    let atom = &proposal.layout.atoms[atom];
+    let piece = &source.garment.pieces[proposal.layout.panels[atom.panel].piece].name;
+    let (from, to) = (atom.points[0], atom.points[atom.points.len() - 1]);
+    format!("{piece} from {} to {}, {:.0} mm", mm(from), mm(to), atom.length * 1e3)
+}
+
+fn mm(p: Vec2) -> String {
+    format!("({:.0}, {:.0}) mm", p.x * 1e3, p.y * 1e3)
+}
+
+/// A text of TOML.
+fn quoted(text: &str) -> String {
+    serde_json::to_string(text).unwrap_or_default()
+}

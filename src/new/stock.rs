@@ -1,0 +1,151 @@
+//! Bodies and fabrics that come with the program, or are brought along.
+
+use super::codes;
+use crate::engine::{MAX_INPUT, of_file_error, read_limited};
+use std::path::{Path, PathBuf};
+use toile_formats::codes::SIZE_NOT_FOUND;
+use toile_garment::Diagnostic;
+use toile_stages::body::{BodyMeasures, SIZES, parametric};
+
+/// Name and content of files.
+type Files = Vec<(String, Vec<u8>)>;
+
+/// The fabrics that come with the program.
+const FABRICS: &[(&str, &str)] = &[
+    ("cotton-jersey", include_str!("../../samples/fabrics/cotton-jersey.toml")),
+    ("cotton-shirting", include_str!("../../samples/fabrics/cotton-shirting.toml")),
+    ("denim-11oz", include_str!("../../samples/fabrics/denim-11oz.toml")),
+    ("linen-plain", include_str!("../../samples/fabrics/linen-plain.toml")),
+    ("silk-habotai", include_str!("../../samples/fabrics/silk-habotai.toml")),
+    ("wool-suiting", include_str!("../../samples/fabrics/wool-suiting.toml")),
+];
+
+/// The body of a folder.
+#[derive(Clone, Debug)]
+pub enum Body {
+    /// Made of a size.
+    Size(String),
+    /// A mesh.
+    File(PathBuf),
+}
+
+impl Body {
+    /// The body that a text names: an OBJ file, or a size.
+    #[must_use]
+    pub fn of(text: &str) -> Self {
+        let path = Path::new(text);
+        if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("obj")) {
+            Self::File(path.to_owned())
+        } else {
+            Self::Size(text.to_owned())
+        }
+    }
+
+    /// Name of the mesh in the folder.
+    #[must_use]
+    pub fn file_name(&self) -> String {
+        match self {
+            Self::Size(size) => format!("body-{size}.obj"),
+            Self::File(path) => name_of(path),
+        }
+    }
+
+    /// The body itself; `None` where the mesh cannot be read as one, which a run tells.
+    ///
+    /// # Errors
+    /// There is no such size or file.
+    pub fn model(&self) -> Result<Option<toile_garment::body::Body>, Vec<Diagnostic>> {
+        let files = self.files()?;
+        let side = files.get(1).and_then(|(_, bytes)| std::str::from_utf8(bytes).ok());
+        Ok(toile_formats::body::read(&files[0].1, &files[0].0, side).ok().map(|read| read.body))
+    }
+
+    /// The mesh, and the file of measures beside it.
+    ///
+    /// # Errors
+    /// There is no such size or file.
+    pub fn files(&self) -> Result<Files, Vec<Diagnostic>> {
+        match self {
+            Self::Size(size) => {
+                let measures = BodyMeasures::size(size).ok_or_else(|| vec![no_size(size)])?;
+                let (mesh, side) = toile_formats::body::write(&parametric(&measures)?);
+                let name = self.file_name();
+                Ok(vec![(name.clone(), mesh.into_bytes()), (name.replace(".obj", ".toml"), side.into_bytes())])
+            }
+            Self::File(path) => {
+                let mut files = vec![(name_of(path), load(path)?)];
+                let side = path.with_extension("toml");
+                if side.is_file() {
+                    files.push((name_of(&side), load(&side)?));
+                }
+                Ok(files)
+            }
+        }
+    }
+}
+
+fn no_size(size: &str) -> Diagnostic {
+    let labels: Vec<&str> = SIZES.iter().map(|(l, _)| *l).collect();
+    let hint = format!("sizes are {}; a mesh is named FILE.obj", labels.join(", "));
+    Diagnostic::error(SIZE_NOT_FOUND, format!("there is no body of size `{size}`")).hint(hint)
+}
+
+/// The fabric of a folder.
+#[derive(Clone, Debug)]
+pub enum Fabric {
+    /// One that comes with the program.
+    Stock(String),
+    /// A file.
+    File(PathBuf),
+}
+
+impl Fabric {
+    /// The fabric that a text names: a file, or one that comes with the program.
+    #[must_use]
+    pub fn of(text: &str) -> Self {
+        let path = Path::new(text);
+        if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml")) {
+            Self::File(path.to_owned())
+        } else {
+            Self::Stock(text.to_owned())
+        }
+    }
+
+    /// Name of the file in the folder.
+    #[must_use]
+    pub fn file_name(&self) -> String {
+        match self {
+            Self::Stock(name) => format!("{name}.toml"),
+            Self::File(path) => name_of(path),
+        }
+    }
+
+    /// The file.
+    ///
+    /// # Errors
+    /// There is no such fabric or file.
+    pub fn files(&self) -> Result<Files, Vec<Diagnostic>> {
+        let bytes = match self {
+            Self::Stock(name) => {
+                let found = FABRICS.iter().find(|(n, _)| n == name).map(|(_, text)| text.as_bytes().to_vec());
+                found.ok_or_else(|| vec![no_fabric(name)])?
+            }
+            Self::File(path) => load(path)?,
+        };
+        Ok(vec![(self.file_name(), bytes)])
+    }
+}
+
+fn no_fabric(name: &str) -> Diagnostic {
+    let names: Vec<&str> = FABRICS.iter().map(|(n, _)| *n).collect();
+    Diagnostic::error(codes::FABRIC_NOT_KNOWN, format!("there is no fabric `{name}`"))
+        .hint(format!("there are {}; a file of your own is named FILE.toml", names.join(", ")))
+}
+
+fn name_of(path: &Path) -> String {
+    path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned())
+}
+
+fn load(path: &Path) -> Result<Vec<u8>, Vec<Diagnostic>> {
+    read_limited(path, path, MAX_INPUT).map_err(|e| of_file_error(&e).0.into_iter().collect())
+}

@@ -1,0 +1,26 @@
+//! Seams proposed from the pieces alone: one assignment over the whole garment.
+//!
+//! The outlines are cut into [atoms] at corners, notches and darts. Every pair of atoms has a score: length,
+//! course, grain, marks, sides. A garment has one too: how corners meet, whether all pieces hang together, which
+//! openings stay. A search looks for the garment of the highest score.
+
+pub mod assignment;
+pub mod atoms;
+pub(crate) mod confidence;
+pub mod mirror;
+mod names;
+pub mod pairs;
+mod profile;
+mod propose;
+mod random;
+mod seams;
+pub mod search;
+pub mod tuning;
+pub mod whole;
+
+pub use names::RoleNames;
+pub use propose::{Bare, Nameless, Names, Proposal, own_images, propose};
+pub use seams::{ProposedSeam, Run};
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,125 @@
+//! Names of pieces, as they speak against a seam.
+//!
+//! Names only speak against seams. Bonuses for names that agree made proposals worse.
+
+use super::propose::Names;
+use super::tuning::NameWeights;
+use crate::roles::{Facing, Lateral, Part, Role, roles_of_names};
+use toile_garment::Piece;
+
+/// Names that are read for roles.
+pub struct RoleNames {
+    roles: Vec<Role>,
+    weights: NameWeights,
+}
+
+impl RoleNames {
+    /// The names of these pieces.
+    #[must_use]
+    pub fn new(pieces: &[Piece]) -> Self {
+        Self { roles: roles_of_names(pieces), weights: NameWeights::default() }
+    }
+}
+
+impl Names for RoleNames {
+    fn seam(&self, a: usize, b: usize, images: bool, length: f64) -> f64 {
+        let (w, a, b) = (&self.weights, &self.roles[a], &self.roles[b]);
+        let mut sum = 0.0;
+        let hangs_beside = |r: &Role| matches!(r.part, Some(Part::Sleeve | Part::Cuff));
+        if crosses(a.lateral, b.lateral) && (!images || hangs_beside(a) || hangs_beside(b)) {
+            sum += w.left_to_right;
+        }
+        if let (Some(p), Some(q)) = (a.part, b.part) {
+            let other_way = turned(a.facing, b.facing);
+            let beside = a.lateral.is_some() && b.lateral.is_some();
+            if p == q && beside && a.facing.is_some() && a.facing == b.facing && !images {
+                sum += w.same_part_and_facing;
+            }
+            if p != q && other_way && length > w.short {
+                sum += w.other_part_and_facing;
+            }
+            if never_meet(p, q) {
+                sum += w.never_meet;
+            }
+        }
+        sum
+    }
+
+    fn are_namesakes(&self, a: usize, b: usize) -> bool {
+        let (a, b) = (&self.roles[a], &self.roles[b]);
+        a.part.is_some() && a.part == b.part && a.facing == b.facing && crosses(a.lateral, b.lateral)
+    }
+}
+
+fn crosses(a: Option<Lateral>, b: Option<Lateral>) -> bool {
+    matches!((a, b), (Some(Lateral::Left), Some(Lateral::Right)) | (Some(Lateral::Right), Some(Lateral::Left)))
+}
+
+fn turned(a: Option<Facing>, b: Option<Facing>) -> bool {
+    matches!((a, b), (Some(Facing::Front), Some(Facing::Back)) | (Some(Facing::Back), Some(Facing::Front)))
+}
+
+/// The part of the body that a part of the garment lies on.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Height {
+    Neck,
+    Trunk,
+    Arm,
+    Wrist,
+    Waist,
+    Below,
+}
+
+fn height(part: Part) -> Option<Height> {
+    Some(match part {
+        Part::Collar | Part::Stand | Part::Hood => Height::Neck,
+        Part::Bodice | Part::Yoke => Height::Trunk,
+        Part::Sleeve => Height::Arm,
+        Part::Waistband => Height::Waist,
+        Part::Skirt | Part::Leg | Part::Tier => Height::Below,
+        Part::Cuff => Height::Wrist,
+        _ => return None,
+    })
+}
+
+/// Are two parts never sewn to each other?
+fn never_meet(a: Part, b: Part) -> bool {
+    use Height::{Arm, Below, Neck, Trunk, Waist, Wrist};
+    let (Some(x), Some(y)) = (height(a), height(b)) else { return false };
+    let is = |p: Height, q: Height| (x, y) == (p, q) || (x, y) == (q, p);
+    is(Neck, Arm)
+        || is(Neck, Waist)
+        || is(Neck, Below)
+        || is(Neck, Wrist)
+        || is(Wrist, Trunk)
+        || is(Wrist, Waist)
+        || is(Arm, Waist)
+        || is(Arm, Below)
+        || (is(Wrist, Below) && !matches!((a, b), (Part::Leg, _) | (_, Part::Leg)))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn named(names: &[&str]) -> RoleNames {
+        let pieces: Vec<Piece> = names.iter().map(|n| Piece { name: (*n).to_owned(), ..Piece::default() }).collect();
+        RoleNames::new(&pieces)
+    }
+
+    #[test]
+    fn names_speak_against_seams_from_left_to_right_but_not_on_the_middle() {
+        let names = named(&["left front bodice", "right front bodice", "left sleeve", "right sleeve"]);
+        assert_eq!(names.seam(0, 1, true, 0.3), 0.0);
+        assert!(names.seam(0, 1, false, 0.3) < -4.0);
+        assert!(names.seam(2, 3, true, 0.3) < -4.0);
+        assert!(names.are_namesakes(0, 1) && !names.are_namesakes(0, 2));
+    }
+
+    #[test]
+    fn a_collar_is_not_sewn_to_a_skirt_but_a_cuff_is_sewn_to_a_leg() {
+        let names = named(&["collar", "skirt", "cuff", "leg"]);
+        assert!(names.seam(0, 1, false, 0.3) < -4.0);
+        assert_eq!(names.seam(2, 3, false, 0.3), 0.0);
+    }
+}

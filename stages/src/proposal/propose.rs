@@ -1,0 +1,147 @@
+//! The proposal of a whole garment.
+
+use super::assignment::Assignment;
+use super::atoms::Layout;
+use super::confidence::margins;
+use super::mirror::{Mirror, maps};
+use super::pairs::{Pair, Pairs, Prior};
+use super::seams::{ProposedSeam, seams};
+use super::search::{Found, best};
+use super::tuning::{self, PairWeights, WholeWeights};
+use super::whole::Whole;
+use crate::sewing::ring::nearest_on;
+use crate::sewing::shapes::shapes;
+use toile_garment::{Diagnostic, Garment};
+
+/// Knowledge from the names of pieces.
+pub trait Names {
+    /// Added to the score of sewing two pieces to each other.
+    fn seam(&self, a: usize, b: usize, images: bool, length: f64) -> f64;
+    /// Are two pieces the left and the right one of a pair?
+    fn are_namesakes(&self, a: usize, b: usize) -> bool;
+}
+
+/// Names that say nothing.
+pub struct Nameless;
+
+impl Names for Nameless {
+    fn seam(&self, _: usize, _: usize, _: bool, _: f64) -> f64 {
+        0.0
+    }
+
+    fn are_namesakes(&self, _: usize, _: usize) -> bool {
+        false
+    }
+}
+
+struct OfPieces<'a>(&'a dyn Names);
+
+impl Prior for OfPieces<'_> {
+    fn score(&self, layout: &Layout, pair: Pair, images: bool) -> f64 {
+        let (a, b) = (&layout.atoms[pair.a], &layout.atoms[pair.b]);
+        let piece = |panel: usize| layout.panels[panel].piece;
+        self.0.seam(piece(a.panel), piece(b.panel), images, a.length.min(b.length))
+    }
+}
+
+/// An edge that is sewn to nothing.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bare {
+    /// Index of the piece in the garment.
+    pub piece: usize,
+    /// Number of the edge on which it lies.
+    pub edge: u32,
+    /// Length, metres.
+    pub length: f64,
+}
+
+/// All that is proposed for a garment.
+#[derive(Clone, Debug, Default)]
+pub struct Proposal {
+    /// Seams.
+    pub seams: Vec<ProposedSeam>,
+    /// Edges that are sewn to nothing.
+    pub bare: Vec<Bare>,
+    /// The outlines, cut.
+    pub layout: Layout,
+}
+
+/// Proposes the seams of a garment.
+///
+/// # Errors
+/// Outlines that cannot be sewn.
+pub fn propose(garment: &Garment, names: &dyn Names) -> Result<Proposal, Vec<Diagnostic>> {
+    let shapes = shapes(garment)?;
+    let layout = Layout::new(garment, &shapes, &garment.plan.leave_out);
+    let piece = |panel: usize| layout.panels[panel].piece;
+    let maps = maps(&layout, &|p, q| names.are_namesakes(piece(p), piece(q)));
+    let (weights, whole_weights) = (PairWeights::default(), WholeWeights::default());
+    let scored: Vec<(Mirror, Pairs)> = maps
+        .into_iter()
+        .map(|mirror| {
+            let pairs = Pairs::new(&layout, &mirror, &OfPieces(names), &weights);
+            (mirror, pairs)
+        })
+        .collect();
+    // A short search on every map, a long one on the best.
+    let mut tried: Vec<(Whole<'_>, Found)> = scored
+        .iter()
+        .map(|(mirror, pairs)| Whole::new(&layout, mirror, pairs, &whole_weights))
+        .map(|whole| {
+            let found = best(&layout, &whole, if scored.len() > 1 { tuning::SHORT } else { 1.0 });
+            (whole, found)
+        })
+        .collect();
+    tried.sort_by(|a, b| b.1.score.total().total_cmp(&a.1.score.total()));
+    tried.truncate(tuning::LONG_TRIES);
+    let mut chosen: Option<(Whole<'_>, Found)> = None;
+    for (whole, short) in tried {
+        let long = best(&layout, &whole, 1.0);
+        let found = if long.score.total() >= short.score.total() { long } else { short };
+        if chosen.as_ref().is_none_or(|(_, c)| found.score.total() > c.score.total()) {
+            chosen = Some((whole, found));
+        }
+    }
+    let Some((whole, mut found)) = chosen else { return Ok(Proposal { layout, ..Proposal::default() }) };
+    let margins = margins(&layout, &whole, &mut found);
+    let seams = seams(garment, &shapes, &layout, &margins);
+    let bare = bare(garment, &layout, &found.assignment);
+    Ok(Proposal { seams, bare, layout })
+}
+
+/// For every piece: is it its own mirror image? Pieces whose outlines cannot be sewn are not.
+#[must_use]
+pub fn own_images(garment: &Garment) -> Vec<bool> {
+    let mut out = vec![false; garment.pieces.len()];
+    let Ok(shapes) = shapes(garment) else { return out };
+    let layout = Layout::new(garment, &shapes, &[]);
+    for panel in &layout.panels {
+        out[panel.piece] = super::mirror::is_own_image(&layout, panel);
+    }
+    out
+}
+
+/// Edges that are sewn to nothing.
+fn bare(garment: &Garment, layout: &Layout, of: &Assignment) -> Vec<Bare> {
+    let free = (0..layout.atoms.len()).filter(|a| of.partner(*a).is_none());
+    free.map(|a| {
+        let atom = &layout.atoms[a];
+        let piece = layout.panels[atom.panel].piece;
+        let k = (atom.points.len() - 1) / 2;
+        let middle = (atom.points[k] + atom.points[k + 1]) / 2.0;
+        Bare { piece, edge: edge_of(garment, piece, middle), length: atom.length }
+    })
+    .collect()
+}
+
+/// The number of the edge nearest to a point.
+fn edge_of(garment: &Garment, piece: usize, p: toile_garment::Vec2) -> u32 {
+    let piece = &garment.pieces[piece];
+    let points = piece.outline.positions();
+    let n = points.len();
+    let off = |i: usize| nearest_on(&[points[i], points[(i + 1) % n]], &[0.0, 1.0], false, p).1;
+    let nearest = (0..n).min_by(|i, j| off(*i).total_cmp(&off(*j))).unwrap_or(0);
+    let ahead = |from: u32, to: usize| (to + n - from as usize) % n.max(1);
+    let holds = |from: u32, to: u32| ahead(from, nearest) < ahead(from, to as usize).max(1);
+    piece.edges.iter().find(|e| holds(e.from, e.to)).map_or(0, |e| e.index)
+}

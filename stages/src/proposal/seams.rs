@@ -1,0 +1,190 @@
+//! From sewn atoms to seams: stitches that continue each other become one seam, sides are runs along the outlines.
+
+use super::atoms::Layout;
+use super::confidence::Margin;
+use super::tuning;
+use crate::sewing::ring::Ring;
+use crate::sewing::shapes::Shapes;
+use toile_garment::{Garment, Vec2};
+
+/// A stretch of the outline of one piece, walked in sewing order.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Run {
+    /// Index of the piece in the garment.
+    pub piece: usize,
+    /// Start and end, in sewing order, metres in the plane of the piece.
+    pub ends: [Vec2; 2],
+    /// True where it is walked counter-clockwise.
+    pub forward: bool,
+    /// Points in sewing order.
+    pub points: Vec<Vec2>,
+    /// The numbers of the edges that it covers, in sewing order; empty where it covers parts of edges.
+    pub edges: Vec<u32>,
+}
+
+/// A proposed seam.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ProposedSeam {
+    /// Name.
+    pub name: String,
+    /// Runs of side a.
+    pub a: Vec<Run>,
+    /// Runs of side b, in the order in which they meet side a.
+    pub b: Vec<Run>,
+    /// Does one piece lie turned over on the other?
+    pub fold_over: bool,
+    /// Length of side a, metres.
+    pub length_a: f64,
+    /// Length of side b, metres.
+    pub length_b: f64,
+    /// Likelihood that it is right, 0 to 1.
+    pub confidence: f64,
+    /// The atoms of both sides, in sewing order.
+    pub atoms: Vec<[usize; 2]>,
+    /// Atoms that the edges may be sewn to instead.
+    pub instead: Vec<usize>,
+}
+
+impl ProposedSeam {
+    /// Length of side a minus length of side b, metres.
+    pub fn ease(&self) -> f64 {
+        self.length_a - self.length_b
+    }
+}
+
+/// One sewn pair, side a walked forward.
+#[derive(Clone, Debug)]
+struct Stitch {
+    a: usize,
+    b: usize,
+    opposite: bool,
+    confidence: f64,
+    instead: [Option<usize>; 2],
+}
+
+/// Joins pairs to seams and finds their runs.
+pub fn seams(garment: &Garment, shapes: &Shapes, layout: &Layout, margins: &[Margin]) -> Vec<ProposedSeam> {
+    let mut left: Vec<Stitch> = margins
+        .iter()
+        .map(|m| Stitch {
+            a: m.pair.a,
+            b: m.pair.b,
+            opposite: m.pair.opposite,
+            confidence: tuning::confidence(m.margin),
+            instead: m.instead,
+        })
+        .collect();
+    let mut out = Vec::new();
+    while !left.is_empty() {
+        let mut chain = vec![left.remove(0)];
+        while let Some(k) = left.iter().position(|s| follows(layout, &chain[chain.len() - 1], s)) {
+            chain.push(left.remove(k));
+        }
+        while let Some(k) = left.iter().position(|s| follows(layout, s, &chain[0])) {
+            chain.insert(0, left.remove(k));
+        }
+        out.push(seam(garment, shapes, layout, &chain));
+    }
+    out
+}
+
+/// Does one stitch go on where the other one ends, as surely and with the same ease?
+fn follows(layout: &Layout, before: &Stitch, after: &Stitch) -> bool {
+    let b = if before.opposite { layout.atoms[before.b].before } else { layout.atoms[before.b].next };
+    let ratio = |s: &Stitch| libm::log(layout.atoms[s.a].length / layout.atoms[s.b].length);
+    before.opposite == after.opposite
+        && layout.atoms[before.a].next == after.a
+        && b == after.b
+        && layout.atoms[before.b].panel != layout.atoms[before.a].panel
+        && (ratio(before) - ratio(after)).abs() < tuning::SAME_EASE
+        && (before.confidence - after.confidence).abs() < tuning::AS_SURE
+}
+
+fn seam(garment: &Garment, shapes: &Shapes, layout: &Layout, chain: &[Stitch]) -> ProposedSeam {
+    let opposite = chain[0].opposite;
+    let a = runs(garment, shapes, layout, chain.iter().map(|s| s.a), true);
+    let b = runs(garment, shapes, layout, chain.iter().map(|s| s.b), !opposite);
+    let length = |side: &dyn Fn(&Stitch) -> usize| chain.iter().map(|s| layout.atoms[side(s)].length).sum();
+    let weights: f64 = chain.iter().map(|s| layout.atoms[s.a].length).sum();
+    let confidence = chain.iter().map(|s| s.confidence * layout.atoms[s.a].length).sum::<f64>() / weights;
+    let mut instead: Vec<usize> = chain.iter().flat_map(|s| s.instead).flatten().collect();
+    instead.sort_unstable();
+    instead.dedup();
+    ProposedSeam {
+        name: format!("{} {}", label(garment, &a), label(garment, &b)),
+        length_a: length(&|s| s.a),
+        length_b: length(&|s| s.b),
+        fold_over: !opposite,
+        confidence,
+        atoms: chain.iter().map(|s| [s.a, s.b]).collect(),
+        instead,
+        a,
+        b,
+    }
+}
+
+/// A side in words: the piece, and the edge where it is one.
+fn label(garment: &Garment, runs: &[Run]) -> String {
+    let name = &garment.pieces[runs[0].piece].name;
+    let edges: Vec<String> = runs.iter().flat_map(|r| &r.edges).map(u32::to_string).collect();
+    if edges.is_empty() { name.clone() } else { format!("{name}.{}", edges.join("+")) }
+}
+
+/// Atoms that follow one another become runs; a dart between them begins a new one.
+fn runs(
+    garment: &Garment,
+    shapes: &Shapes,
+    layout: &Layout,
+    atoms: impl Iterator<Item = usize>,
+    forward: bool,
+) -> Vec<Run> {
+    let mut parts: Vec<(usize, f64, f64, Vec<Vec2>)> = Vec::new();
+    for a in atoms {
+        let atom = &layout.atoms[a];
+        let mut points = atom.points.clone();
+        let (mut from, mut to) = (atom.from, atom.to);
+        if !forward {
+            points.reverse();
+            (from, to) = (to, from);
+        }
+        let panel = atom.panel;
+        match parts.last_mut() {
+            Some((p, _, end, list)) if *p == panel && (*end - from).abs() < 1e-9 => {
+                *end = to;
+                list.extend(points.into_iter().skip(1));
+            }
+            _ => parts.push((panel, from, to, points)),
+        }
+    }
+    parts
+        .into_iter()
+        .map(|(panel, from, to, points)| {
+            let piece = layout.panels[panel].piece;
+            let ring = &shapes[piece].rings[0];
+            let edges = edges(garment, ring, piece, from, to, forward);
+            Run { piece, ends: [points[0], points[points.len() - 1]], forward, points, edges }
+        })
+        .collect()
+}
+
+/// The edges that a run covers wholly.
+fn edges(garment: &Garment, ring: &Ring, piece: usize, from: f64, to: f64, forward: bool) -> Vec<u32> {
+    let (start, end) = if forward { (from, to) } else { (to, from) };
+    let at = |vertex: u32| ring.of_line.get(vertex as usize).copied().flatten().map(|i| ring.arc[i]);
+    let near = |s: f64, t: f64| f64::min(ring.ahead(s, t), ring.ahead(t, s)) < 1e-6;
+    let edges = &garment.pieces[piece].edges;
+    let (mut out, mut here) = (Vec::new(), start);
+    for _ in 0..edges.len() {
+        let next = edges.iter().find(|e| at(e.from).is_some_and(|s| near(s, here)));
+        let Some((edge, stop)) = next.and_then(|e| Some((e, at(e.to)?))) else { return Vec::new() };
+        out.push(edge.index);
+        here = stop;
+        if near(here, end) {
+            if !forward {
+                out.reverse();
+            }
+            return out;
+        }
+    }
+    Vec::new()
+}

@@ -1,0 +1,131 @@
+//! Proposals for garments drafted here.
+
+use super::atoms::{Layout, Mark};
+use super::mirror::{ALONE, maps};
+use super::tuning::{CALIBRATION, confidence};
+use super::{Nameless, Proposal, Run, propose};
+use crate::sewing::shapes::shapes;
+use crate::testing::{dart, piece, rectangle};
+use toile_garment::dart::DartKind;
+use toile_garment::{Garment, Piece, PieceId};
+
+fn garment(pieces: Vec<Piece>) -> Garment {
+    let pieces = pieces.into_iter().enumerate().map(|(i, p)| Piece { id: PieceId::from(i), ..p }).collect();
+    Garment { pieces, ..Garment::default() }
+}
+
+/// A panel of a skirt, mm: wide at the hem, sloping sides of the same length.
+fn panel(name: &str, top: f64) -> Piece {
+    piece(0, name, &[(0.0, 0.0, 't'), (top + 150.0, 0.0, 't'), (top + 75.0, 600.0, 't'), (75.0, 600.0, 't')])
+}
+
+/// A skirt with waistbands.
+fn skirt() -> Garment {
+    garment(vec![
+        panel("front", 350.0),
+        panel("back", 390.0),
+        rectangle(0, "band front", 350.0, 40.0),
+        rectangle(0, "band back", 390.0, 40.0),
+    ])
+}
+
+/// The seams as pairs of `piece.edges`, in alphabetical order.
+fn sewn(garment: &Garment, proposal: &Proposal) -> Vec<String> {
+    let side = |runs: &[Run]| {
+        let one = |r: &Run| r.edges.iter().map(|e| format!("{}.{e}", garment.pieces[r.piece].name)).collect::<Vec<_>>();
+        runs.iter().flat_map(one).collect::<Vec<_>>().join("+")
+    };
+    let mut out: Vec<String> = proposal
+        .seams
+        .iter()
+        .map(|s| {
+            let mut sides = [side(&s.a), side(&s.b)];
+            sides.sort();
+            sides.join(" = ")
+        })
+        .collect();
+    out.sort();
+    out
+}
+
+#[test]
+fn a_skirt_is_sewn_at_its_sides_and_to_its_bands_and_stays_open_at_hem_and_waist() {
+    let skirt = skirt();
+    let proposal = propose(&skirt, &Nameless).expect("proposal");
+    assert_eq!(
+        sewn(&skirt, &proposal),
+        [
+            "back.1 = front.3",
+            "back.2 = band back.0",
+            "back.3 = front.1",
+            "band back.1 = band front.3",
+            "band back.3 = band front.1",
+            "band front.0 = front.2",
+        ]
+    );
+    let mut bare: Vec<(usize, u32)> = proposal.bare.iter().map(|b| (b.piece, b.edge)).collect();
+    bare.sort_unstable();
+    assert_eq!(bare, [(0, 0), (1, 0), (2, 2), (3, 2)]);
+    for seam in &proposal.seams {
+        let sum =
+            |runs: &[Run]| -> f64 { runs.iter().flat_map(|r| r.points.windows(2)).map(|w| (w[1] - w[0]).norm()).sum() };
+        assert!((sum(&seam.a) - seam.length_a).abs() < 1e-9 && (sum(&seam.b) - seam.length_b).abs() < 1e-9);
+        assert!(seam.ease().abs() < 1e-9 && !seam.fold_over, "{seam:?}");
+    }
+}
+
+#[test]
+fn the_same_pieces_give_the_same_proposal() {
+    let skirt = skirt();
+    let (one, two) = (propose(&skirt, &Nameless).expect("one"), propose(&skirt, &Nameless).expect("two"));
+    assert_eq!(one.seams, two.seams);
+}
+
+#[test]
+fn a_closed_dart_is_one_joint_with_the_angle_of_the_closed_cloth() {
+    // The waist is drawn with a wedge of 40 mm; closed, it runs straight on within the slope of the legs.
+    let points =
+        [(0.0, 0.0), (300.0, 0.0), (300.0, 500.0), (170.0, 500.0), (150.0, 400.0), (130.0, 500.0), (0.0, 500.0)];
+    let corners: Vec<(f64, f64, char)> = points.iter().map(|(x, y)| (*x, *y, 't')).collect();
+    let mut front = piece(0, "front", &corners);
+    front.darts.push(dart("waist", DartKind::Wedge, &[(150.0, 400.0)], [(170.0, 500.0), (130.0, 500.0)]));
+    let garment = garment(vec![front]);
+    let shapes = shapes(&garment).expect("shapes");
+    let layout = Layout::new(&garment, &shapes, &[]);
+    // Hem, side, two parts of the waist, side: no leg.
+    assert_eq!(layout.atoms.len(), 5);
+    let joint = layout.atoms.iter().map(|a| a.joint).find(|j| j.mark == Mark::Dart).expect("dart");
+    let leg = libm::atan(100.0 / 20.0);
+    assert!((joint.angle - 2.0 * (std::f64::consts::PI - leg)).abs() < 1e-9, "{}", joint.angle.to_degrees());
+    assert!(layout.atoms.iter().map(|a| a.length).sum::<f64>() < 1.57);
+}
+
+#[test]
+fn mirror_images_are_found_between_pieces_and_within_one() {
+    // A left and a right half that are no images of themselves, and a piece that is its own.
+    let half = [(0.0, 0.0), (200.0, 0.0), (220.0, 300.0), (0.0, 400.0)];
+    let left: Vec<(f64, f64, char)> = half.iter().map(|(x, y)| (*x, *y, 't')).collect();
+    let right: Vec<(f64, f64, char)> = half.iter().rev().map(|(x, y)| (-x, *y, 't')).collect();
+    let garment = garment(vec![piece(0, "a", &left), piece(0, "b", &right), panel("c", 300.0)]);
+    let shapes = shapes(&garment).expect("shapes");
+    let layout = Layout::new(&garment, &shapes, &[]);
+    let map = &maps(&layout, &|_, _| false)[0];
+    assert_eq!(map.panel, [1, 0, 2]);
+    // Every atom is the image of its image, as long, and on the panel that mirrors its own.
+    for (a, atom) in layout.atoms.iter().enumerate() {
+        let m = map.atom[a];
+        assert!(m != ALONE && map.atom[m] == a);
+        assert!((layout.atoms[m].length - atom.length).abs() < 1e-9);
+        assert_eq!(layout.atoms[m].panel, map.panel[atom.panel]);
+    }
+    // Hem and top of the third piece lie on its axis, its sides are images of each other.
+    let first = layout.panels[2].atoms.start;
+    assert_eq!(map.atom[first..], [first, first + 3, first + 2, first + 1]);
+}
+
+#[test]
+fn a_larger_margin_is_never_less_sure() {
+    let steps: Vec<f64> = (0..400).map(|k| confidence(f64::from(k) * 0.05 - 1.0)).collect();
+    assert!(steps.windows(2).all(|w| w[1] >= w[0]));
+    assert_eq!(confidence(1e9), CALIBRATION[CALIBRATION.len() - 1].1);
+}

@@ -1,0 +1,327 @@
+//! The tuned numbers of the proposal. Evidence: `docs/lab/2026-11-27-seam-proposals.md`.
+
+use super::atoms::Mark;
+
+/// Stations at which the course of an edge is compared.
+pub const STATIONS: usize = 16;
+/// An edge that leaves the direction of its chord by less is straight (radians).
+pub const STRAIGHT: f64 = 0.035;
+/// Two marks nearer than this along the outline are one (metres).
+pub const SAME_MARK: f64 = 2.5e-3;
+/// Corners are measured between chords of this length (metres).
+pub const CORNER_REACH: f64 = 4e-3;
+/// A corner that turns less is a mark on an edge (radians).
+pub const FLAT_CORNER: f64 = 0.17;
+/// The outlines of a piece and of its mirror image lie apart by no more (metres).
+pub const SAME_OUTLINE: f64 = 0.8e-3;
+/// A notch and its mirror image lie apart by no more (metres).
+pub const SAME_PLACE: f64 = 3e-3;
+/// Corners that turn more serve to find the mirror image of a piece (radians).
+pub const CLEAR_CORNER: f64 = 0.3;
+/// A panel whose width over length is smaller is a band: 4 × area / perimeter².
+pub const BAND: f64 = 0.15;
+/// Most maps of mirror images that are tried.
+pub const MOST_MAPS: usize = 6;
+
+/// Pairs that score less are not tried.
+pub const CANDIDATE_LEAST: f64 = -7.0;
+/// Pairs of one atom that are tried, the best ones.
+pub const CANDIDATES_OF_ATOM: usize = 24;
+/// A sum of corners is 180, 270 or 360 degrees within this (radians).
+pub const CORNER_SUM: f64 = 0.35;
+
+/// Corners of more than this together cannot lie flat (radians).
+pub const CORNER_SUM_MOST: f64 = 7.2;
+
+/// Weights of the properties of a pair of atoms, in natural logarithms of odds.
+#[derive(Clone, Debug)]
+pub struct PairWeights {
+    /// Every pair.
+    pub bias: f64,
+    /// Per unit of |ln(length / length)|, up to 1.2.
+    pub ratio: f64,
+    /// Lengths within 10 %.
+    pub within_tenth: f64,
+    /// Lengths within 1 %.
+    pub within_hundredth: f64,
+    /// Lengths within 0.3 %.
+    pub within_thousandth: f64,
+    /// Lengths within 1 %, over the number of others as long.
+    pub rare: f64,
+    /// One piece lies turned over on the other.
+    pub fold_over: f64,
+    /// Per 20 degrees by which the courses of the edges do not complement each other, up to 2.
+    pub course_fit: f64,
+    /// Per 20 degrees by which they neither complement nor mirror each other, up to 2.
+    pub course_alike: f64,
+    /// A straight edge to a curved one.
+    pub straight_to_curved: f64,
+    /// One piece would stand on its head.
+    pub same_way: f64,
+    /// Lower edge to lower edge.
+    pub low_to_low: f64,
+    /// An edge along the warp to one across.
+    pub along_to_across: f64,
+    /// Mouth of a dart to mouth of a dart, per end.
+    pub dart_dart: f64,
+    /// Mouth of a dart to notch.
+    pub dart_notch: f64,
+    /// Mouth of a dart to corner.
+    pub dart_corner: f64,
+    /// Corner to corner.
+    pub corner_corner: f64,
+    /// Corner to notch.
+    pub corner_notch: f64,
+    /// Notch to notch.
+    pub notch_notch: f64,
+    /// Corners that make a straight line together.
+    pub sum_180: f64,
+    /// Corners of three quarters of a turn together.
+    pub sum_270: f64,
+    /// Corners of a whole turn together.
+    pub sum_360: f64,
+    /// Corners that are too much for a flat place.
+    pub sum_more: f64,
+    /// Mirror edges of one piece: a tube.
+    pub tube: f64,
+    /// Other edges of one piece.
+    pub itself: f64,
+    /// A piece to its mirror image, but not at mirror edges.
+    pub left_to_right: f64,
+    /// A piece to its mirror image, at mirror edges.
+    pub images: f64,
+    /// Mirror edges that are curved.
+    pub images_curved: f64,
+    /// Mirror edges that run across the warp.
+    pub images_across: f64,
+    /// Both edges touch the axes of their pieces.
+    pub axis_to_axis: f64,
+    /// Only one of them does.
+    pub axis_to_none: f64,
+}
+
+impl Default for PairWeights {
+    fn default() -> Self {
+        Self {
+            bias: -1.95,
+            ratio: -2.57,
+            within_tenth: 0.90,
+            within_hundredth: -0.08,
+            within_thousandth: 0.41,
+            rare: 2.26,
+            fold_over: -0.97,
+            course_fit: -0.81,
+            course_alike: -0.18,
+            straight_to_curved: -1.27,
+            same_way: -3.40,
+            low_to_low: -2.75,
+            along_to_across: 0.25,
+            dart_dart: -4.60,
+            dart_notch: 1.90,
+            dart_corner: -2.70,
+            corner_corner: 0.80,
+            corner_notch: 1.33,
+            notch_notch: 0.81,
+            sum_180: 0.24,
+            sum_270: 0.12,
+            sum_360: -0.60,
+            sum_more: -3.00,
+            tube: -5.00,
+            itself: -7.50,
+            left_to_right: -3.50,
+            images: -1.95,
+            images_curved: -0.73,
+            images_across: -2.23,
+            axis_to_axis: 1.68,
+            axis_to_none: -1.20,
+        }
+    }
+}
+
+/// Weights of the properties of a whole garment.
+#[derive(Clone, Debug)]
+pub struct WholeWeights {
+    /// Every part beyond one.
+    pub part: f64,
+    /// Every handle of the surface.
+    pub handle: f64,
+    /// A part without an opening.
+    pub closed: f64,
+    /// Every piece that would have to lie on both sides at once.
+    pub one_sided: f64,
+    /// Every half of a piece that is joined to its mirror image otherwise than on the middle.
+    pub crossed: f64,
+    /// Every run of edges beyond the first that sews a piece to its mirror image.
+    pub second_middle: f64,
+    /// Sides that differ by more are gathered: |ln(length / length)|.
+    pub gather_from: f64,
+    /// A gather whose ratio occurs once.
+    pub single_gather: f64,
+    /// A corner between two unsewn atoms.
+    pub bare_corner: f64,
+    /// A notch within an unsewn edge.
+    pub bare_notch: f64,
+    /// A dart in an unsewn edge.
+    pub bare_dart: f64,
+    /// A place where one corner closes on itself.
+    pub folded_corner: f64,
+    /// Up to this many degrees off a straight edge, and what it adds; the last for all more.
+    pub open: [(f64, f64); 5],
+    /// Up to this many degrees off a flat place, and what it adds; the last for all more.
+    pub shut: [(f64, f64); 6],
+    /// Openings shorter than this (metres), and what one adds.
+    pub openings: [(f64, f64); 2],
+}
+
+impl Default for WholeWeights {
+    fn default() -> Self {
+        const MORE: f64 = f64::INFINITY;
+        Self {
+            part: -12.13,
+            handle: -12.00,
+            closed: -6.00,
+            one_sided: -12.00,
+            crossed: -8.00,
+            second_middle: -5.00,
+            gather_from: 0.04,
+            single_gather: -1.07,
+            bare_corner: -1.20,
+            bare_notch: -1.24,
+            bare_dart: -0.50,
+            folded_corner: -8.00,
+            open: [(5.0, 0.94), (12.0, 0.29), (25.0, -0.02), (50.0, -0.09), (MORE, -0.47)],
+            shut: [(3.0, 2.15), (12.0, 1.80), (30.0, 1.28), (60.0, 1.60), (100.0, -0.45), (MORE, -2.18)],
+            openings: [(0.1, -3.04), (0.25, -0.74)],
+        }
+    }
+}
+
+impl WholeWeights {
+    /// The corners round the edge of the garment.
+    pub fn open_fan(&self, corners: usize, sum: f64, mark: Mark) -> f64 {
+        match (corners, mark) {
+            (1, Mark::Corner) => self.bare_corner,
+            (1, Mark::Notch) => self.bare_notch,
+            (1, Mark::Dart) => self.bare_dart,
+            _ => step(&self.open, sum.to_degrees() - 180.0),
+        }
+    }
+
+    /// The corners round a place inside.
+    pub fn closed_fan(&self, corners: usize, sum: f64) -> f64 {
+        if corners == 1 { self.folded_corner } else { step(&self.shut, sum.to_degrees() - 360.0) }
+    }
+
+    /// An opening of this length, metres.
+    pub fn opening(&self, length: f64) -> f64 {
+        self.openings.iter().find(|(limit, _)| length < *limit).map_or(0.0, |(_, w)| *w)
+    }
+}
+
+fn step(table: &[(f64, f64)], off: f64) -> f64 {
+    table.iter().find(|(limit, _)| off.abs() < *limit).map_or(0.0, |(_, w)| *w)
+}
+
+/// Temperature at which a search starts: most changes are taken.
+pub const HOTTEST: f64 = 3.0;
+/// Temperature at which it ends: only gains are taken.
+pub const COLDEST: f64 = 0.15;
+/// Steps of every search.
+pub const STEPS_LEAST: f64 = 4_000.0;
+/// A pair is tried in proportion to exp(score / this).
+pub const TRIAL_SPREAD: f64 = 3.0;
+/// Steps for every atom beside those.
+pub const STEPS_PER_ATOM: f64 = 400.0;
+/// Share of the changes that sew a run of pairs, that free a pair, and that exchange partners; what is left takes a
+/// whole panel apart and sews it anew.
+pub const CHANGES: [f64; 3] = [0.55, 0.65, 0.8];
+/// A run of pairs goes on past a mark with this likelihood.
+pub const GO_ON: f64 = 0.7;
+/// The same where the next atoms are sewn otherwise.
+pub const GO_ON_OVER: f64 = 0.3;
+/// Pairs of a run score at least this.
+pub const GO_ON_LEAST: f64 = -2.0;
+/// Noise on the scores of pairs when a panel is sewn anew.
+pub const ANEW_NOISE: f64 = 1.5;
+/// Most searches from different seeds.
+pub const RESTARTS: u64 = 10;
+/// A search ends when so many restarts came to the best score again.
+pub const AGREED: u32 = 3;
+/// Seed of the first search.
+pub const SEED: u64 = 20_261_127;
+
+/// Share of its weight with which the surface counts, after a part of the steps from 0 to 1. It grows, because a
+/// garment is in parts while it is put together.
+pub fn surface_share(done: f64) -> f64 {
+    (0.1 + 1.2 * done).min(1.0)
+}
+
+/// Temperature at which the search begins again without a seam.
+pub const HOTTEST_AGAIN: f64 = 1.5;
+/// Steps of that search.
+pub const AGAIN_LEAST: f64 = 1_500.0;
+/// Steps of that search for every atom beside those.
+pub const AGAIN_PER_ATOM: f64 = 60.0;
+/// Most times that all begins again, because a better garment was met.
+pub const ROUNDS: u32 = 4;
+
+/// Margins, and the share of seams with that margin that are right.
+pub const CALIBRATION: [(f64, f64); 9] = [
+    (0.0, 0.4),
+    (1.0, 0.6),
+    (2.0, 0.72),
+    (3.0, 0.79),
+    (4.0, 0.85),
+    (5.5, 0.9),
+    (7.0, 0.95),
+    (10.0, 0.98),
+    (14.0, 0.99),
+];
+
+/// The confidence of a margin: linear between the entries of [`CALIBRATION`].
+pub fn confidence(margin: f64) -> f64 {
+    let table = &CALIBRATION;
+    let after = table.partition_point(|(m, _)| *m <= margin);
+    match (after.checked_sub(1).map(|k| table[k]), table.get(after)) {
+        (Some((m0, c0)), Some((m1, c1))) => c0 + (c1 - c0) * (margin - m0) / (m1 - m0),
+        (Some((_, c)), None) => c,
+        (None, _) => table[0].1,
+    }
+}
+
+/// Stitches that follow one another are one seam if their eases differ by less: |ln(length / length)|.
+pub const SAME_EASE: f64 = 0.02;
+/// And if their confidences differ by less.
+pub const AS_SURE: f64 = 0.1;
+
+/// Effort of the short search on every map of mirror images.
+pub const SHORT: f64 = 0.3;
+/// Maps that are searched at length.
+pub const LONG_TRIES: usize = 2;
+
+/// Weights of what the names of pieces say.
+#[derive(Clone, Debug)]
+pub struct NameWeights {
+    /// Left to right, but at mirror edges on the middle.
+    pub left_to_right: f64,
+    /// The same part facing the same way, but at mirror edges.
+    pub same_part_and_facing: f64,
+    /// Another part facing the other way.
+    pub other_part_and_facing: f64,
+    /// Seams shorter than this may join those (metres).
+    pub short: f64,
+    /// Parts that are never sewn to each other, such as a collar and a skirt.
+    pub never_meet: f64,
+}
+
+impl Default for NameWeights {
+    fn default() -> Self {
+        Self {
+            left_to_right: -5.0,
+            same_part_and_facing: -1.0,
+            other_part_and_facing: -2.0,
+            short: 0.02,
+            never_meet: -5.0,
+        }
+    }
+}

@@ -1,0 +1,163 @@
+//! `toile new`: the seams that it proposes for the samples, against the samples' own sewing files.
+
+mod support;
+use serde_json::Value;
+use std::path::{Path, PathBuf};
+use support::bench::{Said, command};
+use toile_formats::dxf::{self, ReadOptions};
+use toile_garment::{Garment, Report, Vec2};
+use toile_stages::roles::joins_of_plan;
+use toile_stages::sewing::{apply, resolve, shapes};
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+fn toile(arguments: &[&str]) -> Said {
+    command(arguments.iter().map(Into::into).collect())
+}
+
+/// Makes a folder from a sample's pattern.
+fn new(name: &str, folder: &Path, more: &[&str]) -> (Said, Value) {
+    let pattern = root().join(format!("samples/patterns/{name}.aama.dxf"));
+    let mut arguments = vec!["new", pattern.to_str().expect("path"), "--out", folder.to_str().expect("path")];
+    arguments.extend(more);
+    let said = toile(&arguments);
+    assert!(said.code <= 1, "{said:?}");
+    let text = std::fs::read_to_string(folder.join("proposal.json")).expect("proposal");
+    (said, serde_json::from_str(&text).expect("JSON"))
+}
+
+/// A point on a piece: block, instance, millimetres.
+type Place = (String, u64, Vec2);
+
+/// Points that the sample's own sewing file sews to each other.
+fn true_pairs(name: &str) -> Vec<[Place; 2]> {
+    let bytes = std::fs::read(root().join(format!("samples/patterns/{name}.aama.dxf"))).expect("pattern");
+    let text = std::fs::read_to_string(root().join(format!("samples/patterns/{name}.sewing.toml"))).expect("text");
+    let pattern = dxf::read(&bytes, name, &ReadOptions::default()).expect("DXF");
+    let (mut garment, _) = pattern.to_garment(None, None).expect("garment");
+    let plan = toile_formats::sewing::read(&text, name).expect("sewing file");
+    apply(&mut garment, plan, &mut Report::default()).expect("applies");
+    let rings = shapes::shapes(&garment).expect("outlines");
+    let seams = resolve::placed(resolve::find(&garment, &rings)).expect("seams");
+    let place = |p: toile_stages::roles::PiecePoint| place(&garment, p.piece, p.at);
+    joins_of_plan(&seams, &rings).into_iter().flat_map(|j| j.pairs).map(|pair| pair.map(place)).collect()
+}
+
+/// A point as `proposal.json` has it: copies are drawn as the piece they are cut from.
+fn place(garment: &Garment, piece: usize, at: Vec2) -> Place {
+    let piece = &garment.pieces[piece];
+    let copy = garment.plan.copies.iter().find(|c| c.name == piece.name);
+    let x = if copy.is_some_and(|c| c.mirror) { -at.x } else { at.x };
+    (piece.block.clone(), u64::from(copy.is_some()), Vec2::new(x, at.y) * 1e3)
+}
+
+/// The runs of a side: block, instance and points.
+fn runs(side: &Value) -> Vec<(String, u64, Vec<Vec2>)> {
+    let number = |v: &Value| v.as_f64().expect("number");
+    let point = |v: &Value| Vec2::new(number(&v[0]), number(&v[1]));
+    let run = |r: &Value| {
+        let points = r["points_mm"].as_array().expect("points").iter().map(point).collect();
+        (r["piece"].as_str().expect("block").to_owned(), r["instance"].as_u64().expect("instance"), points)
+    };
+    side["runs"].as_array().expect("runs").iter().map(run).collect()
+}
+
+/// Shares of a side's length at which it passes a point within 6 mm.
+fn shares(side: &Value, place: &Place) -> Vec<f64> {
+    let runs = runs(side);
+    let length = |points: &[Vec2]| points.windows(2).map(|w| (w[1] - w[0]).norm()).sum::<f64>();
+    let total: f64 = runs.iter().map(|r| length(&r.2)).sum();
+    let (mut before, mut out) = (0.0, Vec::new());
+    for (block, instance, points) in &runs {
+        for w in points.windows(2) {
+            let d = w[1] - w[0];
+            let t = ((place.2 - w[0]).dot(&d) / d.norm_squared().max(1e-12)).clamp(0.0, 1.0);
+            if (block, *instance) == (&place.0, place.1) && (w[0] + d * t - place.2).norm() < 6.0 {
+                out.push((before + t * d.norm()) / total);
+            }
+            before += d.norm();
+        }
+    }
+    out
+}
+
+/// Does a proposed seam sew two points to each other, within 12 mm along it?
+fn sews(seam: &Value, [p, q]: &[Place; 2]) -> bool {
+    let length: f64 = runs(&seam["a"]).iter().flat_map(|r| r.2.windows(2)).map(|w| (w[1] - w[0]).norm()).sum();
+    let meets = |x: &Place, y: &Place| {
+        let (a, b) = (shares(&seam["a"], x), shares(&seam["b"], y));
+        a.iter().any(|s| b.iter().any(|t| (s - t).abs() * length < 12.0))
+    };
+    meets(p, q) || meets(q, p)
+}
+
+/// Share of the points sewn by the sample's own file that a proposal sews too.
+fn found(name: &str, proposal: &Value) -> f64 {
+    let pairs = true_pairs(name);
+    let seams = proposal["seams"].as_array().expect("seams");
+    let hits = pairs.iter().filter(|pair| seams.iter().any(|s| sews(s, pair))).count();
+    hits as f64 / pairs.len() as f64
+}
+
+fn folder() -> (tempfile::TempDir, PathBuf) {
+    let dir = tempfile::tempdir().expect("folder");
+    let out = dir.path().join("new");
+    (dir, out)
+}
+
+/// Shares of the samples' seams that are found at least. The bodice has side seams that a dart parts on one side alone,
+/// and the neckband of the T-shirt has no mark where front and back meet.
+const FOUND: [(&str, f64); 3] = [("long-skirt", 1.0), ("fitted-bodice", 0.35), ("t-shirt", 0.5)];
+
+#[test]
+fn the_seams_of_the_samples_are_found_as_far_as_their_marks_tell() {
+    for (name, least) in FOUND {
+        let (_dir, out) = folder();
+        let (said, proposal) = new(name, &out, &[]);
+        assert_eq!(said.code, 0, "{said:?}");
+        let share = found(name, &proposal);
+        assert!(share >= least, "{name}: {share}");
+        let pipeline = out.join("pipeline.toml");
+        let checked = toile(&["check", pipeline.to_str().expect("path")]);
+        // Every seam is told until somebody confirms it.
+        assert!(checked.err.contains("seam-proposed"), "{}", checked.err);
+        let page = std::fs::read_to_string(out.join("start.html")).expect("page");
+        assert!(page.contains("data-toile-page") && !page.contains("http") && !page.contains("<script"));
+    }
+}
+
+#[test]
+fn a_folder_keeps_what_a_person_wrote() {
+    let (_dir, out) = folder();
+    new("long-skirt", &out, &[]);
+    let file = out.join("sewing.toml");
+    std::fs::write(&file, "# mine\n").expect("written");
+    let (said, _) = new("long-skirt", &out, &["--anonymous"]);
+    assert_eq!(std::fs::read_to_string(&file).expect("text"), "# mine\n");
+    assert!(said.err.contains("kept"), "{said:?}");
+}
+
+#[test]
+fn samples_are_made_without_the_repository_and_can_be_checked() {
+    for word in ["skirt", "bodice", "t-shirt"] {
+        let (_dir, out) = folder();
+        let said = toile(&["new", word, "--body", "36", "--out", out.to_str().expect("path")]);
+        assert_eq!(said.code, 0, "{said:?}");
+        let checked = toile(&["check", out.join("pipeline.toml").to_str().expect("path")]);
+        assert_eq!(checked.code, 0, "{word}: {checked:?}");
+    }
+}
+
+#[test]
+fn what_is_not_there_is_named() {
+    let (_dir, out) = folder();
+    let out = out.to_str().expect("path");
+    let said = toile(&["new", "skirt", "--fabric", "tweed", "--out", out]);
+    assert!(said.code == 2 && said.err.contains("cotton-shirting"), "{said:?}");
+    let said = toile(&["new", "skirt", "--body", "99", "--out", out]);
+    assert!(said.code == 2 && said.err.contains("38"), "{said:?}");
+    assert!(!Path::new(out).exists());
+    assert_eq!(toile(&["new", "no-such.dxf", "--out", out]).code, 3);
+}
