@@ -33,6 +33,8 @@ pub struct Teller {
     bar: Option<ProgressBar>,
     lines: Option<Lines>,
     preview: Option<Preview>,
+    keeps: bool,
+    seen: Option<Garment>,
     events: Option<Box<dyn Write + Send>>,
     sequence: u64,
     started: Instant,
@@ -55,6 +57,8 @@ impl Teller {
             bar,
             lines,
             preview: None,
+            keeps: false,
+            seen: None,
             events,
             sequence: 0,
             started: now,
@@ -70,6 +74,23 @@ impl Teller {
         Self::new(Voice::Silent, None)
     }
 
+    /// The garment on the way is kept, for the case that the run fails.
+    pub fn keep_looks(&mut self, keep: bool) {
+        self.keeps = keep;
+    }
+
+    /// The garment as it was last seen in the stage that is running, or was the last to run.
+    pub fn last_look(&mut self) -> Option<Garment> {
+        self.seen.take()
+    }
+
+    /// Words for a person, beside the findings.
+    pub fn note(&mut self, words: &str) {
+        if self.voice == Voice::Auto {
+            self.say(words);
+        }
+    }
+
     /// The garment is shown there on the way.
     pub fn show_in(&mut self, preview: Preview) {
         self.preview = Some(preview);
@@ -78,6 +99,7 @@ impl Teller {
     /// A stage begins.
     pub fn stage_start(&mut self, number: usize, total: usize, id: &str) {
         self.stage_started = Instant::now();
+        self.seen = None;
         let prefix = format!("{number}/{total} {id}");
         if let Some(bar) = &self.bar {
             bar.set_prefix(prefix.clone());
@@ -181,10 +203,11 @@ impl Progress for Teller {
     }
 
     fn looks(&self) -> bool {
-        self.preview.is_some()
+        self.preview.is_some() || self.keeps
     }
 
     fn look(&mut self, garment: &Garment, words: &str) {
+        self.seen = self.keeps.then(|| garment.clone());
         let Some(preview) = &self.preview else { return };
         match preview.show(garment) {
             Ok(()) => self.event("preview", json!({ "words": words })),

@@ -13,6 +13,7 @@ pub mod fabric;
 pub mod garmentcode;
 pub mod gltf;
 pub mod obj;
+pub mod picture;
 pub mod plot;
 pub mod report;
 pub mod rul;

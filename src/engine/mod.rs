@@ -3,6 +3,7 @@
 pub(crate) mod codes;
 mod earlier;
 mod exit;
+mod failure;
 mod files;
 mod foresight;
 mod gate;

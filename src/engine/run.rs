@@ -2,6 +2,7 @@
 
 use super::codes;
 use super::exit::{Exit, of_file_error, of_stage_error};
+use super::failure;
 use super::files::RunFiles;
 use super::gate::{Gate, output_below, refused};
 use super::meter::{Meter, peak_mb};
@@ -88,6 +89,7 @@ pub fn run(
     if options.preview {
         teller.show_in(Preview::new(outputs.root().join(PREVIEW_NAME)));
     }
+    failure::sweep(outputs.root());
     let files = RunFiles::new(gate, outputs);
     let mut run = Run::new(pipeline, options, files, stop, teller, report);
     let exit = run.chain(pipeline);
@@ -161,21 +163,36 @@ impl<'a> Run<'a> {
     }
 
     fn chain(&mut self, pipeline: &Pipeline<'_>) -> Exit {
+        let has_page = failure::has_page(&pipeline.steps);
+        self.teller.keep_looks(has_page);
         for (number, step) in pipeline.steps.iter().enumerate() {
             if self.stop.asked() {
                 return Exit::Stopped;
             }
             self.teller.stage_start(number + 1, pipeline.steps.len(), &step.id);
             self.remember();
+            let before = has_page.then(|| self.garment.clone());
             let exit = self.step(step);
             let seconds = self.record.stages.last().map_or(0.0, |s| s.seconds);
             self.tell_findings();
             self.teller.stage_end(&step.id, seconds, exit.word());
             if exit != Exit::Good {
+                self.show_failure(pipeline, before, exit);
                 return exit;
             }
         }
         self.gate()
+    }
+
+    /// Shows the garment as it was last seen, else as it was before the stage that failed.
+    fn show_failure(&mut self, pipeline: &Pipeline<'_>, before: Option<Garment>, exit: Exit) {
+        let Some(garment) = self.teller.last_look().or(before) else { return };
+        if matches!(exit, Exit::Input | Exit::Usage | Exit::Unstable) {
+            let folder = self.files.outputs().root().to_path_buf();
+            if let Some(page) = failure::write(&pipeline.steps, &garment, &self.report, &folder) {
+                self.teller.note(&format!("the garment as far as it came: {}", page.display()));
+            }
+        }
     }
 
     /// Leaves word for the case that the program has to go without coming back here.

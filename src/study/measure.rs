@@ -4,10 +4,8 @@
 //! right. Hem heights and girths along the cloth hardly depend on that, so they are the error that counts (`length`); what
 //! folds dominate, girths by the tape and the distance of the surfaces, is told beside them.
 
-use super::girth::{along, tape};
-use super::nearest::Nearest;
-use super::surface::{Hem, Surface};
 use serde::{Deserialize, Serialize};
+use toile_stages::fit::{Hem, Nearest, Surface, along, tape};
 
 /// Girths are looked for at every tenth of the garment's height.
 const LEVELS: u32 = 10;
@@ -134,8 +132,22 @@ fn one_way(from: &Surface, to: &Surface) -> Vec<(f64, f64)> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::surface::tests::tube;
     use super::*;
+    use toile_garment::Vec3;
+
+    /// A tube of `n` sides and `rows` rows around the y axis: radius and height in metres.
+    fn tube(n: u32, rows: u32, radius: f64, height: f64) -> Surface {
+        let ring = |row: u32| {
+            (0..n).map(move |k| {
+                let (s, c) = libm::sincos(f64::from(k) * std::f64::consts::TAU / f64::from(n));
+                Vec3::new(radius * c, height * f64::from(row) / f64::from(rows), radius * s)
+            })
+        };
+        let cells = (0..rows).flat_map(|row| (0..n).map(move |k| (row * n + k, row * n + (k + 1) % n)));
+        let triangles: Vec<_> = cells.flat_map(|(a, b)| [[a, b, a + n], [b, b + n, a + n]]).collect();
+        let piece = vec![0; triangles.len()];
+        Surface { points: (0..=rows).flat_map(ring).collect(), triangles, piece }
+    }
 
     #[test]
     fn a_wider_tube_is_further_by_its_radius() {

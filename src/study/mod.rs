@@ -1,24 +1,21 @@
 //! What accuracy costs in time, for one garment: `toile study`.
 //!
-//! `grid` says which settings are run, `runs` runs them into folders and takes up where an earlier study ended, `surface`,
-//! `girth` and `nearest` measure what came out, `measure` compares it with the finest, `estimate` tells the error from two
-//! levels, `front` finds what is worth its price. `table`, `chart` and `page` show it. `presets` are the points with names, `choose` picks
-//! one for `accuracy = "2 mm"`.
+//! `grid` says which settings are run, `runs` runs them into folders and takes up where an earlier study ended.
+//! `measure` compares what came out with the finest, `estimate` tells the error from two levels, `front` finds what is
+//! worth its price. `table`, `chart` and `page` show it. `presets` are the points with names, `choose` picks one for
+//! `accuracy = "2 mm"`.
 
 pub mod chart;
 pub mod choose;
 pub(crate) mod codes;
 pub mod estimate;
 pub mod front;
-pub mod girth;
 pub mod grid;
 pub mod measure;
-pub mod nearest;
 pub mod page;
 pub mod presets;
 pub mod report;
 pub mod runs;
-pub mod surface;
 pub mod table;
 
 pub use grid::{Axes, Setting};

@@ -6,8 +6,8 @@ use super::grid::Setting;
 use super::measure::{Error, Lengths, difference, distance, lengths, levels};
 use super::presets::Preset;
 use super::runs::{Done, Ran};
-use super::surface::Surface;
 use serde::{Deserialize, Serialize};
+use toile_stages::fit::Surface;
 
 /// Version of the form of `study.json`.
 pub const VERSION: u32 = 1;

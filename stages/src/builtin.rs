@@ -22,6 +22,7 @@ pub fn builtin() -> Registry {
         .with(crate::flatten::Flatten)
         .with(crate::export_dxf::ExportDxf)
         .with(crate::export_print::ExportPrint)
+        .with(crate::export_picture::ExportPicture)
         .with(crate::export_report::ExportReport)
 }
 

@@ -21,7 +21,8 @@ codes! {
     /// the same mesh. Exit code 3.
     BODY_FRAME_VERTICES = "body-frame-vertices";
 
-    /// A placement or attachment refers to the body, and none was given. Give `with.body` to `stitch`. Exit code 2.
+    /// A placement, an attachment or a map of the distance to the body refers to the body, and none was given. Give
+    /// `with.body` to `stitch`. Exit code 2.
     BODY_MISSING = "body-missing";
 
     /// The outline has fewer than three points or no area worth meshing. Exit code 3.

@@ -1,9 +1,10 @@
-//! The stage `export-report`: JSON, SVG and HTML of what was made.
+//! The stage `export-report`: JSON, CSV, SVG and HTML of what was made.
 
+use crate::fit;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
-use toile_formats::report;
+use toile_formats::report::{self, Language};
 use toile_garment::{Aspect, Garment};
 use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
 
@@ -17,14 +18,41 @@ pub struct ExportReportParams {
     /// Drawing of the flattened pieces over the originals; empty writes none.
     #[schemars(extend("format" = "output-file"))]
     pub svg: PathBuf,
-    /// One self-contained page; empty writes none.
+    /// Measures as comma-separated values, lengths in millimetres; empty writes none.
+    #[schemars(extend("format" = "output-file"))]
+    pub csv: PathBuf,
+    /// One self-contained page with the garment in 3D; empty writes none.
     #[schemars(extend("format" = "output-file"))]
     pub html: PathBuf,
+    /// Language of the page: `en` (English) or `zh` (Chinese). Names and findings stay as they are.
+    pub language: LanguageParam,
+}
+
+/// A language of the page.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum LanguageParam {
+    /// English.
+    #[default]
+    En,
+    /// Chinese, in simplified letters.
+    Zh,
+}
+
+impl LanguageParam {
+    fn language(self) -> Language {
+        match self {
+            Self::En => Language::English,
+            Self::Zh => Language::Chinese,
+        }
+    }
 }
 
 impl Default for ExportReportParams {
     fn default() -> Self {
-        Self { json: "{out}/report.json".into(), svg: "{out}/report.svg".into(), html: "{out}/report.html".into() }
+        let [json, svg, csv, html] =
+            ["report.json", "report.svg", "measures.csv", "report.html"].map(|name| format!("{{out}}/{name}").into());
+        Self { json, svg, csv, html, language: LanguageParam::En }
     }
 }
 
@@ -35,10 +63,10 @@ impl Stage for ExportReport {
     type Params = ExportReportParams;
     const INFO: StageInfo = StageInfo::new(
         "export-report",
-        "write the report in millimetres: JSON, SVG and one HTML page",
+        "write the report in millimetres: JSON, CSV, SVG and one HTML page with the garment in 3D",
         &[Aspect::Pieces],
         &[],
-        1,
+        2,
     );
 
     fn forecast(
@@ -47,14 +75,15 @@ impl Stage for ExportReport {
         forecast: &mut Forecast,
         _: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
-        Ok(forecast.by_triangles(0.01, 0.002, 1.0))
+        Ok(forecast.by_triangles(0.7, 0.05, 6.0))
     }
 
     fn run(&self, params: &Self::Params, garment: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
         let findings = cx.report.findings.clone();
+        let fit = fit::measure(&garment);
         let given = |path: &PathBuf| !path.as_os_str().is_empty();
         if given(&params.json) {
-            let text = serde_json::to_string_pretty(&report::json(&garment, &findings))
+            let text = serde_json::to_string_pretty(&report::json(&garment, &findings, &fit))
                 .map_err(|e| StageError::Internal(format!("report as JSON: {e}")))?;
             let text = toile_garment::text::json(&text) + "\n";
             cx.files.write(&params.json, text.as_bytes())?;
@@ -62,8 +91,12 @@ impl Stage for ExportReport {
         if given(&params.svg) {
             cx.files.write(&params.svg, report::drawing(&garment).as_bytes())?;
         }
+        if given(&params.csv) {
+            cx.files.write(&params.csv, fit.csv().as_bytes())?;
+        }
         if given(&params.html) {
-            cx.files.write(&params.html, report::html(&garment, &findings).as_bytes())?;
+            cx.files
+                .write(&params.html, report::html(&garment, &findings, &fit, params.language.language()).as_bytes())?;
         }
         Ok(garment)
     }

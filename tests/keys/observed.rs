@@ -94,10 +94,16 @@ impl Project {
                 out.garment = garment(bytes.as_deref().unwrap_or_default());
             }
             let has_copies = WITH_COPIES.iter().any(|end| name.ends_with(end));
-            out.files.insert(name, bytes.filter(|_| !has_copies));
+            let language = bytes.as_deref().filter(|_| name.ends_with(".html")).map(language);
+            out.files.insert(name, language.or(bytes.filter(|_| !has_copies)));
         }
         out
     }
+}
+
+/// The tag of a page with its language; the rest of a page holds copies of what was read.
+fn language(page: &[u8]) -> Vec<u8> {
+    page.split(|b| *b == b'\n').find(|line| line.starts_with(b"<html")).unwrap_or_default().to_vec()
 }
 
 /// The garment in a GLB without copies of what was read.

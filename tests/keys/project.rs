@@ -34,6 +34,10 @@ use = "export-dxf"
 use = "export-print"
 [[stage]]
 use = "export-report"
+[[stage]]
+use = "export-picture"
+with.width = 64
+with.height = 64
 "#;
 
 /// A specification of another program.

@@ -12,16 +12,18 @@ mod inspect;
 mod material;
 mod motion;
 mod moving;
-mod normals;
+pub(crate) mod normals;
 mod read;
 #[cfg(test)]
 mod tests;
 mod track;
+mod view;
 mod write;
 
 pub use inspect::inspect;
 pub use moving::{Moving, read_moving};
 pub use read::{ReadGarment, read_garment, read_garment_with_findings};
+pub use view::{ViewPiece, write_view};
 pub use write::{WriteError, write_garment};
 
 /// Largest GLB that is read, bytes.

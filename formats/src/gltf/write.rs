@@ -116,8 +116,13 @@ impl Buffer {
         })
     }
 
+    /// The bytes so far.
+    pub(super) fn bytes(&self) -> &[u8] {
+        &self.bytes
+    }
+
     /// Triangle indices, two bytes each where that is enough (the value 65535 is reserved).
-    fn indices(
+    pub(super) fn indices(
         &mut self,
         root: &mut json::Root,
         triangles: &[[u32; 3]],
@@ -203,7 +208,7 @@ pub fn write_garment(garment: &Garment) -> Result<Vec<u8>, WriteError> {
 
 pub(super) type Mesh<'a> = (&'a [Vec3], &'a [[u32; 3]]);
 
-fn meshes<'a>(garment: &'a Garment, shape: &'a Shape) -> Result<Vec<Mesh<'a>>, WriteError> {
+pub(super) fn meshes<'a>(garment: &'a Garment, shape: &'a Shape) -> Result<Vec<Mesh<'a>>, WriteError> {
     if garment.pieces.is_empty() {
         return Err(WriteError::Missing("pieces".to_owned()));
     }
@@ -226,7 +231,7 @@ fn meshes<'a>(garment: &'a Garment, shape: &'a Shape) -> Result<Vec<Mesh<'a>>, W
 }
 
 /// The fabrics; a plain one where the garment has no textures.
-fn materials(garment: &Garment) -> Vec<Material> {
+pub(super) fn materials(garment: &Garment) -> Vec<Material> {
     match &garment.textures {
         Some(textures) if !textures.materials.is_empty() => textures.materials.clone(),
         _ => vec![Material {

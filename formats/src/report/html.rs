@@ -1,123 +1,195 @@
-//! The report as one HTML page: no outside resource, no script, readable on paper.
+//! The report as one HTML page: no outside resource; readable on paper and without its script.
 
+use super::first;
+use super::fit::Fit;
+use super::live;
 use super::tables::{Cell, Table, metric_words, tables};
+use super::words::Language;
 use crate::svg;
 use crate::svg::canvas::{escape, fixed};
 use std::fmt::Write as _;
 use toile_garment::flat::FlatMetric;
-use toile_garment::{Diagnostic, Garment, Severity};
+use toile_garment::seam::SeamKind;
+use toile_garment::{Diagnostic, Garment};
 
-const STYLE: &str = "\
-:root{color-scheme:light}body{font:14px/1.45 'DejaVu Sans',Arial,Helvetica,sans-serif;color:#1b1b1b;background:#fff;max-width:1180px;margin:24px auto;padding:0 20px}\
-h1{font-size:24px;margin:0 0 4px}h2{font-size:17px;margin:28px 0 6px;border-bottom:2px solid #d8d2c4;padding-bottom:3px}\
-p{margin:6px 0;max-width:80ch}.sub{color:#555}.note{color:#555;font-size:13px}\
-.scroll{overflow-x:auto}table{border-collapse:collapse;font-size:12.5px;margin:6px 0}\
-th,td{padding:3px 9px;border-bottom:1px solid #e6e2d8;text-align:left;vertical-align:top}th{background:#f5f1e7;white-space:nowrap}\
-td.n{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}td.code{font-family:'DejaVu Sans Mono',monospace;font-size:11px;overflow-wrap:anywhere}\
-.good{color:#0b6b3a;font-weight:bold}.bad{color:#b3261e;font-weight:bold}.warning{color:#8a5300;font-weight:bold}.error{color:#b3261e;font-weight:bold}\
-.tile{display:inline-block;border:1px solid #d8d2c4;border-radius:6px;padding:6px 14px;margin:6px 8px 6px 0}.tile b{display:block;font-size:18px}\
-.drawings{display:flex;flex-wrap:wrap;gap:18px}figure{margin:6px 0;flex:1 1 420px;max-width:100%}figcaption{font-size:13px;color:#333}\
-svg{width:100%;height:auto;max-height:640px;border:1px solid #e6e2d8;background:#fff}@media print{body{margin:0;max-width:none}h2{break-after:avoid}tr,figure{break-inside:avoid}}";
+const STYLE: &str = include_str!("page/page.css");
+const SCRIPTS: [&str; 5] = [
+    include_str!("page/glb.js"),
+    include_str!("page/unfold.js"),
+    include_str!("page/shaders.js"),
+    include_str!("page/viewer.js"),
+    include_str!("page/page.js"),
+];
+
+/// The page may not fetch anything, whatever stands in it.
+const POLICY: &str = "default-src 'none'; img-src data: blob:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
+
+/// Tables that stand open in the page; the others are folded.
+const OPEN: [&str; 1] = ["ease"];
+
+/// Columns of flattened pieces; they say nothing where nothing was edited.
+const FLATTENED: [&str; 7] =
+    ["flat", "area_change", "grain_shift", "curvature_deg", "forced_strain", "change_mm", "surface_cm2"];
 
 /// The report for people.
 #[must_use]
-pub fn html(garment: &Garment, findings: &[Diagnostic]) -> String {
+pub fn html(garment: &Garment, findings: &[Diagnostic], fit: &Fit, language: Language) -> String {
     let title = if garment.style.is_empty() { "garment" } else { &garment.style };
+    let model = live::model(garment, fit);
     let mut out = format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n<title>{0}</title>\n\
-         <style>{STYLE}</style>\n</head>\n<body>\n<h1>{0}</h1>\n",
+        "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n\
+         <meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n\
+         <meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n<title>{}</title>\n\
+         <style>\n{STYLE}</style>\n</head>\n<body data-toile-page=\"1\">\n<main>\n",
+        language.tag(),
         escape(title)
     );
-    let size = garment.size.as_ref().map_or_else(String::new, |s| format!("size {}, ", escape(s)));
-    let pieces =
-        if garment.pieces.len() == 1 { "1 piece".to_owned() } else { format!("{} pieces", garment.pieces.len()) };
-    let _ = writeln!(out, "<p class=\"sub\">{size}{pieces}. Lengths in millimetres.</p>");
-    tiles(&mut out, garment, findings);
-    if let Some(flat) = &garment.flat {
-        let _ = writeln!(out, "<p>{}</p>", metric_words(flat.metric));
+    first::screen(&mut out, garment, findings, fit, language);
+    let all = shown_tables(garment, findings, fit);
+    let (open, folded): (Vec<_>, Vec<_>) = all.iter().partition(|t| OPEN.contains(&t.key));
+    open.iter().for_each(|t| table(&mut out, t, garment, language));
+    drawings(&mut out, garment, language);
+    folded.iter().for_each(|t| table(&mut out, t, garment, language));
+    out.push_str("</main>\n");
+    let _ = writeln!(
+        out,
+        "<script type=\"application/json\" id=\"toile-data\">{}</script>",
+        live::data(garment, fit, language)
+    );
+    if let Some(model) = model {
+        let _ = writeln!(out, "<script type=\"application/octet-stream\" id=\"toile-model\">{model}</script>");
     }
-    let all = tables(garment, findings);
-    let (first, rest): (Vec<_>, Vec<_>) = all.iter().partition(|t| t.key == "findings");
-    first.iter().for_each(|t| table(&mut out, t));
-    drawings(&mut out, garment);
-    rest.iter().for_each(|t| table(&mut out, t));
-    out.push_str("</body>\n</html>\n");
+    let _ = writeln!(out, "<script>\n{}</script>\n</body>\n</html>", SCRIPTS.concat());
     out
 }
 
-fn tiles(out: &mut String, garment: &Garment, findings: &[Diagnostic]) {
-    let mut tile = |value: String, words: &str, class: &str| {
-        let _ = writeln!(out, "<span class=\"tile\"><b class=\"{class}\">{value}</b>{words}</span>");
-    };
-    if let Some(c) = &garment.certificate {
-        let (word, class) = if c.passed { ("passed", "good") } else { ("failed", "bad") };
-        tile(word.to_owned(), "certificate of the drape", class);
-    }
-    if let Some(flat) = &garment.flat {
-        let edges = flat.pieces.iter().flat_map(|p| &p.edges).map(|e| (e.flat - e.original).abs());
-        tile(format!("{} mm", fixed(1e3 * edges.fold(0.0, f64::max), 3)), "largest change of an edge", "");
-        let darts = flat.pieces.iter().flat_map(|p| &p.darts).map(|d| (d.angle[1] - d.angle[0]).abs().to_degrees());
-        tile(format!("{}°", fixed(darts.fold(0.0, f64::max), 3)), "largest change of a dart", "");
-        let pairs = flat.pairs.iter().map(|p| ((p.a[1] - p.b[1]) - (p.a[0] - p.b[0])).abs());
-        tile(format!("{} mm", fixed(1e3 * pairs.fold(0.0, f64::max), 3)), "largest change of ease", "");
-    }
-    let serious = findings.iter().filter(|f| f.severity > Severity::Info).count();
-    tile(serious.to_string(), "warnings and errors", if serious == 0 { "good" } else { "warning" });
+/// Was the flattening asked to give other pieces than those that are stored?
+fn is_flattened(garment: &Garment) -> bool {
+    garment.flat.as_ref().is_some_and(|f| f.metric != FlatMetric::Unedited)
 }
 
-fn drawings(out: &mut String, garment: &Garment) {
-    out.push_str("<h2>Drawings</h2>\n<div class=\"drawings\">\n");
+fn shown_tables(garment: &Garment, findings: &[Diagnostic], fit: &Fit) -> Vec<Table> {
+    let measured = [fit.ease(), fit.lengths()].into_iter().filter(|t| !t.rows.is_empty());
+    let rest = tables(garment, findings).into_iter().filter(|t| t.key != "findings");
+    let all = measured.chain(rest);
+    if is_flattened(garment) { all.collect() } else { all.map(without_flattening).collect() }
+}
+
+/// A table without columns and rows of flattened pieces.
+fn without_flattening(mut table: Table) -> Table {
+    let kept = |key: &str| !FLATTENED.iter().any(|f| key.contains(f));
+    let keep: Vec<bool> = table.columns.iter().map(|(key, _)| kept(key)).collect();
+    let from = table.columns.iter().position(|(key, _)| *key == "from");
+    if let Some(from) = from {
+        table.rows.retain(|row| row[from] != Cell::Text("flat".to_owned()));
+    }
+    let mut columns = keep.iter();
+    table.columns.retain(|_| *columns.next().unwrap_or(&true));
+    for row in &mut table.rows {
+        let mut cells = keep.iter();
+        row.retain(|_| *cells.next().unwrap_or(&true));
+    }
+    table
+}
+
+fn drawings(out: &mut String, garment: &Garment, language: Language) {
+    if garment.pieces.is_empty() {
+        return;
+    }
+    let _ = writeln!(out, "<h2>{}</h2>\n<div class=\"drawings\">", escape(language.say("Pattern")));
     let mut figure = |drawing: &str, words: &str| {
         let _ = writeln!(out, "<figure>{drawing}<figcaption>{words}</figcaption></figure>");
     };
-    if let Some(flat) = &garment.flat {
-        for piece in &flat.pieces {
-            let name = garment.pieces.get(piece.piece.index()).map_or_else(String::new, |p| escape(&p.name));
-            if let Some(drawing) = svg::flat_piece(garment, piece, &piece.flat_strain) {
-                figure(
-                    &drawing,
-                    &format!("<b>{name}</b>: flattened over the original; strain of the flat cut when worn"),
-                );
-            }
-            if flat.metric == FlatMetric::Carried
-                && let Some(drawing) = svg::flat_piece(garment, piece, &piece.drape_strain)
-            {
-                figure(&drawing, &format!("<b>{name}</b>: strain from the original piece to the edited shape"));
-            }
+    let words = "Pieces with the numbers of their edges. A click picks a piece, a seam or a dart.";
+    figure(&svg::pickable(garment), language.say(words));
+    for flat in garment.flat.iter().filter(|_| is_flattened(garment)).flat_map(|f| &f.pieces) {
+        let name = garment.pieces.get(flat.piece.index()).map_or_else(String::new, |p| escape(&p.name));
+        if let Some(drawing) = svg::flat_piece(garment, flat, &flat.flat_strain) {
+            figure(&drawing, &format!("<b>{name}</b>: flattened over the original; strain of the flat cut when worn"));
         }
-    } else {
-        figure(&svg::pattern(&garment.pieces, &garment.style), "the pattern");
+        if garment.flat.as_ref().is_some_and(|f| f.metric == FlatMetric::Carried)
+            && let Some(drawing) = svg::flat_piece(garment, flat, &flat.drape_strain)
+        {
+            figure(&drawing, &format!("<b>{name}</b>: strain from the original piece to the edited shape"));
+        }
     }
     out.push_str("</div>\n");
+    if let Some(flat) = garment.flat.as_ref().filter(|f| f.metric != FlatMetric::Unedited) {
+        let _ = writeln!(out, "<p>{}</p>", metric_words(flat.metric));
+    }
 }
 
-fn table(out: &mut String, table: &Table) {
-    let _ = writeln!(out, "<h2>{}</h2>", escape(table.title));
+fn table(out: &mut String, table: &Table, garment: &Garment, language: Language) {
+    let open = OPEN.contains(&table.key);
+    let measures = matches!(table.key, "ease" | "lengths");
+    let title = escape(language.say(table.title));
+    let _ = match open {
+        true => writeln!(out, "<h2 id=\"{}\">{title}</h2>", table.key),
+        false => writeln!(out, "<details id=\"{}\"><summary>{title}</summary>", table.key),
+    };
     if !table.note.is_empty() {
-        let _ = writeln!(out, "<p class=\"note\">{}</p>", escape(&table.note));
+        let _ = writeln!(out, "<p class=\"note\">{}</p>", escape(language.say(&table.note)));
     }
-    out.push_str("<div class=\"scroll\"><table>\n<tr>");
+    let _ = write!(out, "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{title}\"><table>\n<tr>");
     for (_, heading) in &table.columns {
-        let _ = write!(out, "<th>{}</th>", escape(heading));
+        let _ = write!(out, "<th scope=\"col\">{}</th>", escape(language.say(heading)));
     }
     out.push_str("</tr>\n");
-    for row in &table.rows {
-        out.push_str("<tr>");
-        for ((key, _), cell) in table.columns.iter().zip(row) {
-            out.push_str(&html_cell(key, cell));
+    for (k, row) in table.rows.iter().enumerate() {
+        let picks = picks(table.key, k, row, garment);
+        let _ = match &picks {
+            Some(name) => write!(out, "<tr data-pick=\"{name}\">"),
+            None => write!(out, "<tr>"),
+        };
+        for (i, ((key, _), cell)) in table.columns.iter().zip(row).enumerate() {
+            // The cell with the name can be reached and pressed by the keyboard.
+            let named = usize::from(table.key == "darts" || table.key == "edges");
+            let cell = if measures && *key == "name" { &translated(cell, language) } else { cell };
+            out.push_str(&html_cell(key, cell, picks.is_some() && i == named));
         }
         out.push_str("</tr>\n");
     }
-    out.push_str("</table></div>\n");
+    out.push_str(if open { "</table></div>\n" } else { "</table></div></details>\n" });
 }
 
-fn html_cell(key: &str, cell: &Cell) -> String {
+/// The name of a measure in the language of the page.
+fn translated(cell: &Cell, language: Language) -> Cell {
     match cell {
+        Cell::Text(t) => Cell::Text(match t.strip_prefix("free edge of ") {
+            Some(pieces) => language.fill("free edge of {0}", &[pieces.to_owned()]),
+            None => language.say(t).to_owned(),
+        }),
+        other => other.clone(),
+    }
+}
+
+/// The piece, seam or dart that a row is about.
+fn picks(table: &str, number: usize, row: &[Cell], garment: &Garment) -> Option<String> {
+    let text = |k: usize| match row.get(k) {
+        Some(Cell::Text(t)) => Some(t.as_str()),
+        _ => None,
+    };
+    let piece = || garment.pieces.iter().position(|p| Some(p.name.as_str()) == text(0));
+    match table {
+        "pieces" => Some(format!("piece:{number}")),
+        "seams" => Some(format!("seam:{number}")),
+        "edges" | "strain" => piece().map(|p| format!("piece:{p}")),
+        "darts" => {
+            let p = piece()?;
+            let dart = garment.pieces[p].darts.iter().position(|d| Some(d.name.as_str()) == text(1))?;
+            let is_it = |kind: &SeamKind| matches!(kind, SeamKind::Dart { piece, dart: d } if piece.index() == p && d.index() == dart);
+            garment.seams.iter().position(|s| is_it(&s.kind)).map(|k| format!("seam:{k}"))
+        }
+        _ => None,
+    }
+}
+
+fn html_cell(key: &str, cell: &Cell, pressed: bool) -> String {
+    match cell {
+        Cell::Text(t) if pressed => format!("<td><button class=\"row\" type=\"button\">{}</button></td>", escape(t)),
         Cell::Text(t) if matches!(key, "params" | "blake3" | "code") => {
             format!("<td class=\"code\">{}</td>", escape(t))
         }
-        Cell::Text(t) if key == "severity" => format!("<td class=\"{0}\">{0}</td>", escape(t)),
         Cell::Text(t) => format!("<td>{}</td>", escape(t)),
         Cell::Number(x, decimals) => format!("<td class=\"n\">{}</td>", fixed(*x, *decimals)),
         Cell::Count(n) => format!("<td class=\"n\">{n}</td>"),
@@ -142,21 +214,42 @@ mod tests {
     #[test]
     fn names_cannot_become_markup_and_nothing_is_fetched() {
         let findings = [Diagnostic::warning(OUT_OF_RANGE, "a <b> & c").hint("do 'this'")];
-        let page = html(&garment(), &findings);
-        assert!(!page.contains("<script") && page.contains("&lt;script&gt;") && page.contains("a &lt;b&gt; &amp; c"));
-        for outside in ["src=", "href=", "@import", "url("] {
+        let page = html(&garment(), &findings, &Fit::default(), Language::English);
+        assert!(!page.contains("<script>alert") && page.contains("&lt;script&gt;"));
+        assert!(page.contains("a &lt;b&gt; &amp; c") && page.contains("\\u003cscript>alert(1)"));
+        assert_eq!(page.matches("<script").count(), 2, "data and program; there is no model");
+        for outside in ["href=", "@import", "url(", "import(", "fetch(", "XMLHttp"] {
             assert!(!page.contains(outside), "{outside}");
         }
+        assert_eq!(page.matches("src=").count(), page.matches("src=\"data:image/png;base64,").count());
         let links = page.replace("http://www.w3.org/2000/svg", "");
-        assert!(!links.contains("http"));
-        assert_eq!(page, html(&garment(), &findings));
+        assert!(!links.contains("http:") && !links.contains("https:"));
+        assert_eq!(page, html(&garment(), &findings, &Fit::default(), Language::English));
+    }
+
+    #[test]
+    fn the_page_speaks_the_language_that_is_asked_for() {
+        let page = html(&garment(), &[], &Fit::default(), Language::Chinese);
+        assert!(
+            page.contains("<html lang=\"zh-Hans\">") && page.contains("<b>未模拟。</b>") && page.contains("检查结果")
+        );
+        assert!(!page.contains("There are no warnings."));
     }
 
     #[test]
     fn json_holds_the_same_rows() {
-        let value = json(&garment(), &[Diagnostic::error(OUT_OF_RANGE, "words")]);
+        let value = json(&garment(), &[Diagnostic::error(OUT_OF_RANGE, "words")], &Fit::default());
         assert_eq!(value["findings"][0]["code"], "out-of-range");
         assert_eq!(value["pieces"][0]["name"], "<script>alert(1)</script>");
         assert!(value["pieces"][0]["flat_cm2"].is_null());
+    }
+
+    #[test]
+    fn columns_of_flattened_pieces_are_left_out_where_nothing_was_edited() {
+        let shown = shown_tables(&garment(), &[], &Fit::default());
+        let pieces = shown.iter().find(|t| t.key == "pieces").expect("pieces");
+        let keys: Vec<&str> = pieces.columns.iter().map(|c| c.0).collect();
+        assert_eq!(keys, ["name", "triangles", "outline_mm", "original_cm2"]);
+        assert_eq!(pieces.rows[0].len(), 4);
     }
 }

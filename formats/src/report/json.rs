@@ -1,20 +1,26 @@
 //! The report as JSON: the same tables, one object per row.
 
+use super::fit::Fit;
 use super::tables::{Cell, tables};
+use super::verdict::verdict;
+use super::words::Language;
 use crate::svg::canvas::fixed;
 use serde_json::{Map, Value, json};
 use toile_garment::{Diagnostic, Garment};
 
 /// The report for programs. Numbers are rounded to the decimals of the tables.
 #[must_use]
-pub fn json(garment: &Garment, findings: &[Diagnostic]) -> Value {
+pub fn json(garment: &Garment, findings: &[Diagnostic], fit: &Fit) -> Value {
     let mut out = Map::new();
     out.insert("kind".into(), json!("toile-report"));
     out.insert("version".into(), json!(1));
     out.insert("style".into(), json!(garment.style));
     out.insert("size".into(), json!(garment.size));
     out.insert("metric".into(), json!(garment.flat.as_ref().map(|f| f.metric)));
-    for table in tables(garment, findings) {
+    let v = verdict(garment, findings, Language::English);
+    out.insert("verdict".into(), json!({ "passed": v.passed, "why": v.why }));
+    let measured = [fit.table(), fit.ease(), fit.lengths()].into_iter().filter(|t| !t.rows.is_empty());
+    for table in tables(garment, findings).into_iter().chain(measured) {
         let row = |cells: &Vec<Cell>| {
             let keys = table.columns.iter().map(|(key, _)| (*key).to_owned());
             Value::Object(keys.zip(cells.iter().map(value)).collect())

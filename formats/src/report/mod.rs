@@ -1,15 +1,24 @@
 //! The report: one set of tables, as JSON, as drawing and as one self-contained HTML page.
 //!
-//! Millimetres, square centimetres, percent and degrees with fixed decimals; no clock, no machine facts.
+//! Millimetres, square centimetres, percent and degrees with fixed decimals; no clock, no machine facts. The page holds
+//! a model of the garment in 3D and a small viewer (`page/`), and pictures that stand where the viewer cannot run.
 
+mod first;
+mod fit;
 mod html;
 mod json;
+mod live;
 mod stats;
 mod tables;
+mod verdict;
+mod words;
 
+pub use fit::{Fit, FreeEdge, Level, Measure};
 pub use html::html;
 pub use json::json;
 pub use tables::{Cell, Table, tables};
+pub use verdict::{Verdict, verdict};
+pub use words::Language;
 
 use crate::svg;
 use toile_garment::Garment;

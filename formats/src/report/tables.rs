@@ -36,7 +36,12 @@ pub struct Table {
 }
 
 impl Table {
-    fn new(key: &'static str, title: &'static str, note: &str, columns: &[(&'static str, &'static str)]) -> Self {
+    pub(super) fn new(
+        key: &'static str,
+        title: &'static str,
+        note: &str,
+        columns: &[(&'static str, &'static str)],
+    ) -> Self {
         Self { key, title, note: note.to_owned(), columns: columns.to_vec(), rows: Vec::new() }
     }
 }

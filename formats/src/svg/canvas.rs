@@ -74,6 +74,16 @@ pub struct Canvas {
 }
 
 impl Canvas {
+    /// Begins a group that a page can pick by this name.
+    pub fn open(&mut self, pick: &str) {
+        let _ = writeln!(self.body, r#"<g data-pick="{}">"#, escape(pick));
+    }
+
+    /// Ends the group.
+    pub fn close(&mut self) {
+        self.body.push_str("</g>\n");
+    }
+
     /// A line through points; `class` names its style.
     pub fn line(&mut self, class: &str, points: &[Vec2], closed: bool) {
         if points.len() >= 2 {

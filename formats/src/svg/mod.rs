@@ -4,7 +4,7 @@
 
 pub mod canvas;
 mod flat;
-mod pattern;
+pub(crate) mod pattern;
 
 pub use flat::{flat_piece, flat_sheet};
-pub use pattern::pattern;
+pub use pattern::{pattern, pickable};

@@ -4,7 +4,8 @@ use super::canvas::{Bounds, Canvas, fixed};
 use toile_garment::dart::{Dart, DartKind};
 use toile_garment::notch::Notch;
 use toile_garment::outline::{OutlineEdge, PieceLine};
-use toile_garment::{Piece, Vec2};
+use toile_garment::seam::Seam;
+use toile_garment::{Garment, Piece, Vec2};
 
 const STYLE: &str = "\
 path{fill:none;stroke-linejoin:round;vector-effect:non-scaling-stroke}\
@@ -16,23 +17,66 @@ path{fill:none;stroke-linejoin:round;vector-effect:non-scaling-stroke}\
 text{font-family:'DejaVu Sans',Arial,Helvetica,sans-serif;text-anchor:middle;paint-order:stroke;stroke:#fff;stroke-width:.25em;stroke-linejoin:round}\
 .label{fill:#333}.name{fill:#111;font-weight:bold}.edge{fill:#0b3d91}.dartname{fill:#a01810}";
 
+/// Seams are seen when they are picked, and take clicks near them.
+const SEAM_STYLE: &str = "\
+.seam{stroke:#e8590c;stroke-width:9px;stroke-opacity:0;stroke-linecap:round;pointer-events:stroke;cursor:pointer}\
+.picked .seam{stroke-opacity:.85;stroke-width:5px}[data-pick]{cursor:pointer}.picked>.cloth{fill:#ffe2cc}";
+
 /// Draws pieces side by side: cut and sew line, numbered edges, darts, notches, grain, drill holes, internal lines.
 #[must_use]
 pub fn pattern(pieces: &[Piece], title: &str) -> String {
+    sheet(pieces, None, title)
+}
+
+/// Draws the pattern of a garment so that pieces, seams and darts can be picked in a page: groups with `data-pick`
+/// `piece:NUMBER` and `seam:NUMBER`.
+#[must_use]
+pub fn pickable(garment: &Garment) -> String {
+    sheet(&garment.pieces, Some(&garment.seams), &garment.style)
+}
+
+fn sheet(pieces: &[Piece], picks: Option<&[Seam]>, title: &str) -> String {
     let boxes: Vec<Option<Bounds>> = pieces.iter().map(bounds).collect();
     let size = text_size(&boxes);
     let (places, sheet) = shelves(&boxes, 6.0 * size);
     let mut canvas = Canvas::default();
-    for ((piece, bounds), place) in pieces.iter().zip(&boxes).zip(&places) {
+    for (k, ((piece, bounds), place)) in pieces.iter().zip(&boxes).zip(&places).enumerate() {
         if let (Some(bounds), Some(place)) = (bounds, place) {
+            if picks.is_some() {
+                canvas.open(&format!("piece:{k}"));
+            }
             Pen { canvas: &mut canvas, move_by: place - bounds.min, size }.piece(piece, bounds);
+            if picks.is_some() {
+                canvas.close();
+            }
         }
+    }
+    for (k, seam) in picks.unwrap_or_default().iter().enumerate() {
+        canvas.open(&format!("seam:{k}"));
+        for run in [&seam.a, &seam.b].into_iter().flat_map(|side| &side.runs) {
+            let i = run.piece.index();
+            let mesh = pieces.get(i).and_then(|p| p.mesh.as_ref());
+            let by = boxes.get(i).zip(places.get(i)).and_then(|(b, p)| Some(p.as_ref()? - b.as_ref()?.min));
+            if let (Some(mesh), Some(by)) = (mesh, by) {
+                let points = run.vertices.iter().filter_map(|v| mesh.rest.get(*v as usize));
+                canvas.line("seam", &points.map(|p| mm(*p) + by).collect::<Vec<_>>(), false);
+            }
+        }
+        canvas.close();
     }
     let foot = Vec2::new(sheet.min.x + size, sheet.min.y - 3.5 * size);
     canvas.scale_bar(foot, 0.4 * sheet.size().x, size);
     let legend = legend(&mut canvas, Vec2::new(sheet.min.x + size, foot.y - 2.4 * size), sheet.size().x, size);
     let all = Bounds { min: Vec2::new(sheet.min.x, legend), ..sheet };
-    canvas.finish(all.grown(2.0 * size), title, STYLE)
+    let style = if picks.is_none() { STYLE.to_owned() } else { format!("{STYLE}{SEAM_STYLE}") };
+    canvas.finish(all.grown(2.0 * size), title, &style)
+}
+
+/// The move from the coordinates of each piece to its place beside the others, metres; `None` for a piece without points.
+pub(crate) fn places(pieces: &[Piece]) -> Vec<Option<Vec2>> {
+    let boxes: Vec<Option<Bounds>> = pieces.iter().map(bounds).collect();
+    let (places, _) = shelves(&boxes, 6.0 * text_size(&boxes));
+    boxes.iter().zip(places).map(|(bounds, place)| Some((place? - bounds.as_ref()?.min) * 1e-3)).collect()
 }
 
 fn mm(p: Vec2) -> Vec2 {

@@ -163,6 +163,11 @@ impl Stage for Stitch {
             let coned = cone::lay_on_cone(&garment, &mut placed, &beside);
             cx.report.findings.extend(cone::finding(&coned));
         }
+        if cx.progress.looks() {
+            let placed = Shape { positions: placed.clone(), ignores: ignores.clone(), ..Shape::default() };
+            let garment = Garment { stitched: Some(placed), ..garment.clone() };
+            cx.progress.look(&garment, "as the pieces are placed");
+        }
         let mut start = scene(&garment, &layout, layout.join(&placed), WEIGHT).map_err(StageError::Parameter)?;
         start.contact_filter = contact_filter(&garment, &layout, &ignores);
         let moves =

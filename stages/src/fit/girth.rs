@@ -1,8 +1,8 @@
 //! Girths of a surface: along the cloth, and as a measuring tape around it shows them.
 
 use super::surface::Surface;
+use crate::body::hull;
 use toile_garment::Vec2;
-use toile_stages::body::hull;
 
 /// Length of the cloth around at a height, along every fold, metres; 0 where the height cuts no cloth.
 #[must_use]

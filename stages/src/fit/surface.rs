@@ -1,8 +1,10 @@
-//! The draped garment as one surface: sewn vertices are one vertex.
+//! The garment as one surface: sewn vertices are one vertex.
 
+use crate::joined::Joined;
 use std::collections::BTreeMap;
+use toile_garment::body::Body;
+use toile_garment::garment::Shape;
 use toile_garment::{Garment, MeshVertex, Vec3};
-use toile_stages::joined::Joined;
 
 /// A piece of a free edge shorter than this is a gap at a seam's end and no hem, metres.
 const SHORTEST_HEM: f64 = 0.05;
@@ -35,7 +37,18 @@ impl Surface {
     /// The surface of a draped garment; `None` before the drape.
     #[must_use]
     pub fn of(garment: &Garment) -> Option<Self> {
-        let shape = garment.drape.as_ref()?;
+        garment.drape.as_ref().map(|shape| Self::sewn(garment, shape))
+    }
+
+    /// The surface of a body.
+    #[must_use]
+    pub fn of_body(body: &Body) -> Self {
+        let piece = vec![0; body.triangles.len()];
+        Self { points: body.positions.clone(), triangles: body.triangles.clone(), piece }
+    }
+
+    /// The surface of a garment in some shape.
+    fn sewn(garment: &Garment, shape: &Shape) -> Self {
         let mut first = Vec::new();
         let mut points = Vec::new();
         for positions in &shape.positions {
@@ -57,7 +70,7 @@ impl Surface {
                 surface.piece.push(number as u32);
             }
         }
-        Some(surface)
+        surface
     }
 
     /// Corners of a triangle.

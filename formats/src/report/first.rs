@@ -1,0 +1,175 @@
+//! The first screen: the garment, its facts, the verdict, the key measures, and what was found.
+
+use super::fit::Fit;
+use super::live;
+use super::verdict::verdict;
+use super::words::Language;
+use crate::picture::{self, View, Wishes};
+use crate::svg::canvas::{escape, fixed};
+use std::fmt::Write as _;
+use toile_garment::fabric::Fabric;
+use toile_garment::seam::SeamKind;
+use toile_garment::{Diagnostic, Garment, Severity};
+
+/// Width and height of each of the two pictures that stand where there is no 3D view, pixels.
+const STILL: [u32; 2] = [420, 525];
+
+/// Writes the first screen.
+pub fn screen(out: &mut String, garment: &Garment, findings: &[Diagnostic], fit: &Fit, language: Language) {
+    out.push_str("<div class=\"first\">\n");
+    view(out, garment, fit, language);
+    out.push_str("<section>\n");
+    let title = if garment.style.is_empty() { "garment" } else { &garment.style };
+    let _ = writeln!(out, "<h1>{}</h1>", escape(title));
+    let v = verdict(garment, findings, language);
+    let class = match v.passed {
+        Some(true) => "good",
+        Some(false) => "bad",
+        None => "",
+    };
+    let _ = writeln!(out, "<p class=\"verdict {class}\"><b>{}</b>{}</p>", v.word, escape(&v.why));
+    facts(out, garment, language);
+    key_measures(out, fit, language);
+    found(out, findings, language);
+    out.push_str("</section>\n</div>\n");
+}
+
+fn view(out: &mut String, garment: &Garment, fit: &Fit, language: Language) {
+    let wishes =
+        Wishes { views: vec![View::Front, View::Back], width: STILL[0], height: STILL[1], body: true, field: None };
+    let Ok(png) = picture::png(garment, &wishes) else { return };
+    let say = |words: &str| escape(language.say(words));
+    let name = if garment.style.is_empty() { "garment" } else { &garment.style };
+    let named = |words: &str| escape(&language.fill(words, &[name.to_owned()]));
+    let _ = write!(
+        out,
+        "<figure class=\"view\">\n<div class=\"stage\"><img alt=\"{}\" width=\"{}\" height=\"{}\" src=\"{}\">\
+         <canvas data-view tabindex=\"0\" role=\"img\" aria-label=\"{}\"></canvas>\
+         <div id=\"spot\" hidden data-words=\"{}\"></div></div>\n<div class=\"tools\">\n",
+        named("{0}, from the front and from the back"),
+        2 * STILL[0],
+        STILL[1],
+        live::image(&png),
+        named("{0} in 3D. Arrow keys turn it, plus and minus change its size, 1 to 5 are fixed views."),
+        say("show the place"),
+    );
+    let looks = [("front", "Front"), ("back", "Back"), ("left", "Left"), ("right", "Right"), ("three-quarter", "¾")];
+    for (look, words) in looks {
+        let _ = write!(out, "<button type=\"button\" data-look=\"{look}\">{}</button>", say(words));
+    }
+    if garment.body.as_ref().is_some_and(|b| !b.triangles.is_empty()) {
+        let _ = write!(out, "<label><input type=\"checkbox\" id=\"body\" checked> {}</label>", say("body"));
+    }
+    let _ =
+        write!(out, "<label>{} <select id=\"map\"><option value=\"cloth\">{}</option>", say("colours"), say("cloth"));
+    for map in &fit.maps {
+        let _ = write!(out, "<option value=\"{}\">{}</option>", map.key, say(map.name));
+    }
+    let _ = write!(
+        out,
+        "</select></label>\n<label>{} <input type=\"range\" id=\"worn\" min=\"0\" max=\"100\" value=\"100\" \
+         aria-label=\"{}\"> {}</label>\n\
+         <label>{} <input type=\"range\" id=\"cut\" min=\"0\" max=\"100\" value=\"100\"></label>\n\
+         </div>\n<div id=\"legend\" hidden></div>\n<figure id=\"section\" hidden data-words=\"{}\">\
+         <svg role=\"img\" aria-label=\"{}\"><path class=\"body\"/><path class=\"cloth\"/></svg>\
+         <figcaption></figcaption></figure>\n<p id=\"picked\" role=\"status\" data-empty=\"{}\"></p>\n</figure>\n",
+        say("pattern"),
+        say("from the flat pattern to the garment"),
+        say("garment"),
+        say("cut at height"),
+        say("Section at {height} mm, seen from above. All cloth: {length} mm."),
+        say("section"),
+        say("Click a piece, a seam or a dart, here, in the drawing or in a table."),
+    );
+}
+
+fn facts(out: &mut String, garment: &Garment, language: Language) {
+    out.push_str("<dl class=\"facts\">\n");
+    let mut fact = |name: &str, value: &str| {
+        if !value.is_empty() {
+            let _ = writeln!(out, "<dt>{}</dt><dd>{}</dd>", escape(language.say(name)), escape(value));
+        }
+    };
+    fact("Size", garment.size.as_deref().unwrap_or_default());
+    let fabric = |f: &Fabric| {
+        let values = [f.name.clone(), fixed(1e3 * f.areal_mass, 0), fixed(1e3 * f.thickness, 2)];
+        language.fill("{0}, {1} g/m², {2} mm thick", &values)
+    };
+    fact("Fabric", &garment.fabrics.values().map(fabric).collect::<Vec<_>>().join("; "));
+    fact("Body", garment.body.as_ref().map_or("", |b| b.name.as_str()));
+    let darts: usize = garment.pieces.iter().map(|p| p.darts.len()).sum();
+    let seams = garment.seams.iter().filter(|s| s.kind == SeamKind::Seam).count();
+    let counts = [garment.pieces.len(), seams, darts].map(|n| n.to_string());
+    fact("Pattern", &language.fill("pieces: {0}, seams: {1}, darts: {2}", &counts));
+    out.push_str("</dl>\n");
+}
+
+fn key_measures(out: &mut String, fit: &Fit, language: Language) {
+    let known: Vec<_> = fit.levels.iter().filter_map(|l| Some((l, l.body?, l.ease()?))).collect();
+    if !known.is_empty() {
+        let head = ["girth, mm", "body", "pattern", "ease"].map(|h| escape(language.say(h)));
+        let _ = writeln!(out, "<table><tr><th scope=\"col\">{}</th></tr>", head.join("</th><th scope=\"col\">"));
+        for (level, body, ease) in known {
+            let sign = if ease >= 0.0005 { "+" } else { "" };
+            let [body, pattern, ease] = [body, level.pattern, ease].map(|x| fixed(1e3 * x, 0));
+            let name = level.name.replace('_', " ");
+            let cells = [body, pattern, format!("{sign}{ease}")].join("</td><td class=\"n\">");
+            let _ = writeln!(out, "<tr><td>{}</td><td class=\"n\">{cells}</td></tr>", escape(language.say(&name)));
+        }
+        out.push_str("</table>\n");
+    }
+    let mm = |x: f64| fixed(1e3 * x, 0);
+    if let Some([low, high]) = fit.range {
+        let long = "The garment is {0} mm long and ends {1} mm above the floor.";
+        let _ = write!(out, "<p>{}", escape(&language.fill(long, &[mm(high - low), mm(low)])));
+        if let Some(hem) = fit.edges.first() {
+            let _ = write!(out, " {}", escape(&language.fill("The lowest edge is {0} mm long.", &[mm(hem.length)])));
+        }
+        out.push_str("</p>\n");
+    }
+}
+
+fn found(out: &mut String, findings: &[Diagnostic], language: Language) {
+    let (mut serious, notes): (Vec<&Diagnostic>, Vec<&Diagnostic>) =
+        findings.iter().partition(|f| f.severity > Severity::Info);
+    serious.sort_by_key(|f| std::cmp::Reverse(f.severity));
+    let _ = writeln!(out, "<h2>{}</h2>", escape(language.say("Findings")));
+    if serious.is_empty() {
+        let _ = writeln!(out, "<p>{}</p>", escape(language.say("There are no warnings.")));
+    }
+    list(out, &serious, language);
+    if !notes.is_empty() {
+        let count = language.fill("notes: {0}", &[notes.len().to_string()]);
+        let _ = writeln!(out, "<details id=\"notes\"><summary>{}</summary>", escape(&count));
+        list(out, &notes, language);
+        out.push_str("</details>\n");
+    }
+}
+
+fn list(out: &mut String, findings: &[&Diagnostic], language: Language) {
+    if findings.is_empty() {
+        return;
+    }
+    out.push_str("<ul class=\"findings\">\n");
+    for f in findings {
+        let word = match f.severity {
+            Severity::Error => "error",
+            Severity::Warning => "warning",
+            Severity::Info => "",
+        };
+        let word = match word {
+            "" => String::new(),
+            word => format!("<span class=\"{word}\">{}</span> ", escape(language.say(word))),
+        };
+        let place = f.source.as_ref().map_or_else(String::new, |s| format!(" ({})", escape(&s.to_string())));
+        let remedy = escape(language.say("Remedy"));
+        let hint = f.hint.as_ref().map_or_else(String::new, |h| format!("<small>{remedy}: {}</small>", escape(h)));
+        let _ = writeln!(
+            out,
+            "<li>{word}{}<small><code>{}</code>{place}</small>{hint}</li>",
+            escape(&f.message),
+            escape(&f.code)
+        );
+    }
+    out.push_str("</ul>\n");
+}

@@ -1,0 +1,196 @@
+// Joins the view in 3D, the drawing and the tables: what is picked in one is shown in all.
+
+(() => {
+  const one = (selector) => document.querySelector(selector);
+  const all = (selector) => [...document.querySelectorAll(selector)];
+  const data = JSON.parse(one("#toile-data").textContent);
+  const said = one("#picked"), canvas = one("canvas[data-view]");
+  let viewer = null;
+  try {
+    if (one("#toile-model")) viewer = new Viewer(canvas, readGlb(bytesOf(one("#toile-model").textContent)), data);
+  } catch (problem) {
+    document.body.dataset.still = String(problem.message);
+  }
+  document.body.classList.toggle("live", !!viewer);
+
+  const state = { picked: null };
+  function pick(name, from) {
+    const found = name && data.names[name] ? name : null;
+    state.picked = found;
+    if (viewer) {
+      viewer.picked = found;
+      viewer.draw();
+    }
+    all(".picked").forEach((e) => e.classList.remove("picked"));
+    const marked = found ? all("[data-pick]").filter((e) => e.dataset.pick === found) : [];
+    marked.forEach((e) => e.classList.add("picked"));
+    said.textContent = found ? data.names[found] : said.dataset.empty;
+    const row = marked.find((e) => e.tagName === "TR");
+    if (row && from !== "table") {
+      const folded = row.closest("details");
+      if (folded) folded.open = true;
+    }
+    if (row && from === "drawing") row.scrollIntoView({ block: "nearest" });
+  }
+
+  all("[data-pick]").forEach((e) => {
+    const isRow = e.tagName === "TR";
+    const go = (event) => {
+      event.stopPropagation();
+      pick(state.picked === e.dataset.pick ? null : e.dataset.pick, isRow ? "table" : "drawing");
+    };
+    e.addEventListener("click", go);
+    const key = isRow ? e.querySelector("button") : null;
+    if (key) key.addEventListener("click", go);
+  });
+  document.addEventListener("keydown", (e) => {
+    if (e.key === "Escape") pick(null);
+  });
+
+  window.toile = {
+    state: () => ({
+      ready: !!viewer,
+      pieces: data.pieces,
+      picked: state.picked,
+      map: viewer && viewer.map ? viewer.map.key : "cloth",
+      view: viewer ? viewer.view : "still",
+    }),
+    pick,
+    at: (x, y) => (viewer ? viewer.at(x, y) : null),
+    section: (height) => (viewer ? viewer.section(height).length : null),
+  };
+  if (!viewer) return;
+
+  const legend = one("#legend"), cutter = one("#cut"), inset = one("#section");
+  function show() {
+    const map = viewer.map;
+    legend.hidden = !map;
+    if (!map) return;
+    const colours = map.stops.map((c) => `rgb(${c.join(",")})`).join(",");
+    const [low, high] = map.ends;
+    const mark = (k) => Number((low + ((high - low) * k) / 4).toFixed(2));
+    const sign = (x) => (low < 0 && x > 0 ? "+" : "") + x;
+    const last = low < 0 ? sign(mark(4)) : "≥ " + mark(4);
+    legend.replaceChildren(document.createElement("b"), document.createElement("i"), document.createElement("span"));
+    const [title, bar, marks] = legend.children;
+    title.textContent = `${map.name}, ${map.unit}`;
+    bar.style.background = `linear-gradient(to right,${colours})`;
+    for (const text of [0, 1, 2, 3].map((k) => sign(mark(k))).concat(last)) {
+      marks.append(Object.assign(document.createElement("span"), { textContent: text }));
+    }
+  }
+
+  function cut() {
+    const { low, high } = viewer.worn, share = Number(cutter.value) / 100;
+    const isCut = share < 1;
+    const height = low[1] + (high[1] - low[1]) * share;
+    viewer.cut = isCut ? height : Infinity;
+    viewer.draw();
+    inset.hidden = !isCut;
+    if (!isCut) return;
+    const found = viewer.section(height), points = found.cloth.concat(found.body).flat();
+    const xs = points.map((p) => p[0]), zs = points.map((p) => p[1]);
+    const edge = [Math.min(...xs), Math.min(...zs), Math.max(...xs), Math.max(...zs)];
+    const path = (lines) => lines.map(([a, b]) => `M${a[0].toFixed(4)} ${a[1].toFixed(4)}L${b[0].toFixed(4)} ${b[1].toFixed(4)}`).join("");
+    const svg = inset.querySelector("svg");
+    if (points.length) svg.setAttribute("viewBox", `${edge[0] - 0.01} ${edge[1] - 0.01} ${edge[2] - edge[0] + 0.02} ${edge[3] - edge[1] + 0.02}`);
+    svg.querySelector(".body").setAttribute("d", path(found.body));
+    svg.querySelector(".cloth").setAttribute("d", path(found.cloth));
+    const words = inset.dataset.words.replace("{height}", Math.round(1000 * height)).replace("{length}", Math.round(1000 * found.length));
+    inset.querySelector("figcaption").textContent = words;
+  }
+
+  all("[data-look]").forEach((b) => b.addEventListener("click", () => viewer.look(b.dataset.look)));
+  const body = one("#body");
+  if (body) body.addEventListener("change", () => { viewer.withBody = body.checked; viewer.draw(); });
+  one("#map").addEventListener("change", (e) => {
+    viewer.setMap(data.fields.find((f) => f.key === e.target.value) || null);
+    show();
+  });
+  one("#worn").addEventListener("input", (e) => {
+    viewer.share = Number(e.target.value) / 100;
+    if (viewer.share < 0.5 && viewer.view !== "front") viewer.look("front");
+    viewer.draw();
+  });
+  cutter.addEventListener("input", cut);
+
+  // Places that findings name can be shown.
+  const spot = one("#spot");
+  let shown = null;
+  viewer.painted = (camera) => {
+    spot.hidden = !shown;
+    if (!shown) return;
+    const [x, y] = viewer.onScreen(shown, camera);
+    spot.style.left = `${x / ratio()}px`;
+    spot.style.top = `${y / ratio()}px`;
+  };
+  all(".findings li").forEach((li) => {
+    const found = /\((-?[\d.]+), (-?[\d.]+), (-?[\d.]+)\) mm/.exec(li.textContent);
+    if (!found) return;
+    const button = Object.assign(document.createElement("button"), { type: "button", textContent: one("#spot").dataset.words });
+    button.addEventListener("click", () => {
+      shown = found.slice(1).map((x) => Number(x) / 1000);
+      // From the side on which the place lies, a little from above.
+      const [dx, , dz] = subtract(shown, viewer.worn.middle);
+      viewer.look("front");
+      Object.assign(viewer, { turn: (Math.atan2(dx, dz) * 180) / Math.PI, rise: 15, view: "free" });
+      canvas.scrollIntoView({ block: "nearest" });
+    });
+    li.append(button);
+  });
+
+  // Fingers and the mouse: one turns, two or the wheel change the size, with the shift key the garment is moved.
+  const held = new Map();
+  let moved = 0, apart = 0;
+  const ratio = () => canvas.width / canvas.clientWidth;
+  canvas.addEventListener("pointerdown", (e) => {
+    canvas.setPointerCapture(e.pointerId);
+    held.set(e.pointerId, [e.clientX, e.clientY]);
+    moved = 0;
+    apart = 0;
+  });
+  canvas.addEventListener("pointermove", (e) => {
+    const before = held.get(e.pointerId);
+    if (!before) return;
+    const [dx, dy] = [e.clientX - before[0], e.clientY - before[1]];
+    held.set(e.pointerId, [e.clientX, e.clientY]);
+    moved += Math.hypot(dx, dy);
+    if (held.size === 2) {
+      const [a, b] = [...held.values()], now = Math.hypot(a[0] - b[0], a[1] - b[1]);
+      if (apart) viewer.scale(now / apart);
+      apart = now;
+    } else if (e.shiftKey || e.buttons === 2) {
+      viewer.shift = [viewer.shift[0] + (2 * dx) / canvas.clientWidth, viewer.shift[1] - (2 * dy) / canvas.clientHeight];
+      viewer.draw();
+    } else if (moved > 3) {
+      viewer.orbit(-0.5 * dx, 0.4 * dy);
+    }
+  });
+  const release = (e) => {
+    const had = held.delete(e.pointerId);
+    if (e.type !== "pointerup" || !had || moved > 4) return;
+    const box = canvas.getBoundingClientRect();
+    pick(viewer.at((e.clientX - box.left) * ratio(), (e.clientY - box.top) * ratio()), "view");
+  };
+  canvas.addEventListener("pointerup", release);
+  canvas.addEventListener("pointercancel", release);
+  canvas.addEventListener("contextmenu", (e) => e.preventDefault());
+  canvas.addEventListener("wheel", (e) => {
+    if (!e.ctrlKey && document.activeElement !== canvas) return;
+    e.preventDefault();
+    viewer.scale(Math.exp(-0.0015 * e.deltaY));
+  }, { passive: false });
+  canvas.addEventListener("keydown", (e) => {
+    const turns = { ArrowLeft: [-10, 0], ArrowRight: [10, 0], ArrowUp: [0, 8], ArrowDown: [0, -8] };
+    const views = { 1: "front", 2: "back", 3: "left", 4: "right", 5: "three-quarter" };
+    if (turns[e.key]) viewer.orbit(...turns[e.key]);
+    else if (views[e.key]) viewer.look(views[e.key]);
+    else if (e.key === "+" || e.key === "=") viewer.scale(1.2);
+    else if (e.key === "-") viewer.scale(1 / 1.2);
+    else return;
+    e.preventDefault();
+  });
+  new ResizeObserver(() => viewer.draw()).observe(canvas);
+  viewer.look("three-quarter");
+  pick(null);
+})();

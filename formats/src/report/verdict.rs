@@ -1,0 +1,94 @@
+//! Passed or not, and why, in one sentence.
+
+use super::words::Language;
+use crate::svg::canvas::fixed;
+use toile_garment::garment::Certificate;
+use toile_garment::{Diagnostic, Garment, Severity};
+
+/// The sentence and its kind.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Verdict {
+    /// `Some(true)`: the drape passed. `None`: nothing was draped, and nothing failed.
+    pub passed: Option<bool>,
+    /// One word.
+    pub word: String,
+    /// Why.
+    pub why: String,
+}
+
+/// The verdict on a garment with the findings of its run.
+#[must_use]
+pub fn verdict(garment: &Garment, findings: &[Diagnostic], language: Language) -> Verdict {
+    let error = findings.iter().find(|f| f.severity == Severity::Error);
+    let (passed, word, why) = match (&garment.certificate, error) {
+        (Some(c), _) if !c.passed => (Some(false), "Not passed.", format!("{}.", reasons(c, language).join("; "))),
+        (_, Some(error)) => (Some(false), "Failed.", error.message.clone()),
+        (Some(c), None) => {
+            let strain = fixed(100.0 * c.strain_over_limit, 0);
+            (Some(true), "Passed.", language.fill(SOUND, &[strain]))
+        }
+        (None, None) => (None, "Not draped.", language.say(NOTHING).to_owned()),
+    };
+    Verdict { passed, word: language.say(word).to_owned(), why }
+}
+
+const SOUND: &str = "The garment came to rest, its seams and darts are closed, nothing crosses, and the largest strain \
+                     is {0} % of what the fabric bears.";
+
+const NOTHING: &str = "There is no drape and so no certificate; this page shows the garment as far as it was made.";
+
+/// A figure, the name of its limit, the words for both, what they are multiplied by, and their decimals.
+type Gate = (f64, &'static str, &'static str, f64, usize);
+
+/// In words, which gates did not hold.
+fn reasons(c: &Certificate, language: Language) -> Vec<String> {
+    let [crossings, body] = [c.self_crossings, c.body_crossings].map(|n| n as f64);
+    let gates: [Gate; 9] = [
+        (c.residual_rel, "residual_rel", "forces of {0} of a particle's weight are left, {1} are allowed", 1.0, 3),
+        (
+            c.strain_over_limit,
+            "strain_over_limit",
+            "the cloth is stretched to {0} % of what the fabric bears, {1} % are allowed",
+            100.0,
+            0,
+        ),
+        (c.strain_max, "strain_max", "the largest strain is {0} %, {1} % are allowed", 100.0, 2),
+        (c.slip_mm, "slip_mm", "the garment slid down by {0} mm, {1} mm are allowed", 1.0, 0),
+        (c.seam_gap_max_mm, "seam_gap_max_mm", "a seam is open by {0} mm, {1} mm are allowed", 1.0, 2),
+        (c.dart_gap_max_mm, "dart_gap_max_mm", "a dart is open by {0} mm, {1} mm are allowed", 1.0, 2),
+        (crossings, "self_crossings", "the cloth crosses itself at {0} places", 1.0, 0),
+        (body, "body_crossings", "cloth and body cross at {0} places", 1.0, 0),
+        (c.penetration_max_mm, "penetration_max_mm", "cloth lies {0} mm deep in the body", 1.0, 2),
+    ];
+    let broken = |(x, name, words, times, decimals): &Gate| {
+        let limit = c.limits.get(*name).filter(|l| *x > **l)?;
+        Some(language.fill(words, &[x, limit].map(|v| fixed(v * times, *decimals))))
+    };
+    let mut out: Vec<String> = gates.iter().filter_map(broken).collect();
+    if !c.settled {
+        out.insert(0, language.say("the garment did not come to rest").to_owned());
+    }
+    if out.is_empty() {
+        out.push(language.say("a gate of the certificate did not hold").to_owned());
+    }
+    out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::codes::OUT_OF_RANGE;
+
+    #[test]
+    fn a_verdict_names_what_failed() {
+        let limits = [("self_crossings".to_owned(), 0.0), ("slip_mm".to_owned(), 100.0)].into();
+        let c = Certificate { settled: true, self_crossings: 3, slip_mm: 20.0, limits, ..Certificate::default() };
+        let garment = Garment { certificate: Some(c.clone()), ..Garment::default() };
+        assert_eq!(verdict(&garment, &[], Language::English).why, "the cloth crosses itself at 3 places.");
+        let good = Garment { certificate: Some(Certificate { passed: true, ..c }), ..Garment::default() };
+        assert_eq!(verdict(&good, &[], Language::English).passed, Some(true));
+        let error = [Diagnostic::error(OUT_OF_RANGE, "no start was found")];
+        assert_eq!(verdict(&Garment::default(), &error, Language::English).why, "no start was found");
+        assert_eq!(verdict(&Garment::default(), &[], Language::English).passed, None);
+    }
+}

@@ -1,0 +1,196 @@
+//! Girths of garment and body at the heights that pattern makers name, and lengths of free edges.
+
+use super::maps::maps;
+use super::rings::{Ring, rings};
+use super::surface::Surface;
+use crate::body::section_near;
+use toile_formats::report::{Fit, FreeEdge, Level};
+use toile_garment::body::Body;
+use toile_garment::{Garment, Vec2, Vec3};
+
+/// A part of the body that a girth is taken around, and where.
+struct Place {
+    /// Name of the girth.
+    name: &'static str,
+    /// The part: a segment of the body.
+    segment: &'static str,
+    /// The measure of the body that tells the height.
+    height: &'static str,
+    /// The landmark that tells it where the measure is not known.
+    landmark: &'static str,
+    /// How far below that height, metres.
+    below: f64,
+}
+
+const fn place(name: &'static str, segment: &'static str, height: [&'static str; 2], below: f64) -> Place {
+    let [height, landmark] = height;
+    Place { name, segment, height, landmark, below }
+}
+
+/// Girths that are taken, where the garment covers them.
+const PLACES: [Place; 6] = [
+    place("bust", "torso", ["bust_height", "bust-left"], 0.0),
+    place("under_bust", "torso", ["under_bust_height", "under-bust-front"], 0.0),
+    place("waist", "torso", ["waist_height", "waist-front"], 0.0),
+    place("hip", "torso", ["hip_height", "hip-left"], 0.0),
+    place("thigh_left", "leg-left", ["crotch_height", "crotch"], 0.03),
+    place("thigh_right", "leg-right", ["crotch_height", "crotch"], 0.03),
+];
+
+/// A level this near to an edge of the garment is taken that much inside it, metres.
+const INSIDE: f64 = 0.004;
+
+/// A level that lies further than this beside the garment is not taken, metres.
+const BESIDE: f64 = 0.02;
+
+/// Measures a garment for its report.
+#[must_use]
+pub fn measure(garment: &Garment) -> Fit {
+    let mut fit = Fit { maps: maps(garment), ..Fit::default() };
+    let Some(surface) = Surface::of(garment).filter(|s| !s.triangles.is_empty()) else { return fit };
+    let range = surface.range();
+    let rest = rest_lengths(garment);
+    if let Some(body) = &garment.body {
+        let level = |p: &Place| level(p, body, &surface, &rest, range);
+        fit.levels = PLACES.iter().filter_map(level).collect();
+    }
+    let named = |pieces: &[u32]| {
+        let names = pieces.iter().filter_map(|p| garment.pieces.get(*p as usize)).map(|p| p.name.as_str());
+        names.collect::<Vec<_>>().join(", ")
+    };
+    let edge = |h: super::Hem| FreeEdge { pieces: named(&h.pieces), height: h.height, length: h.length };
+    fit.edges = surface.hems().into_iter().map(edge).collect();
+    fit.edges.sort_by(|a, b| a.height.total_cmp(&b.height).then_with(|| a.pieces.cmp(&b.pieces)));
+    fit.range = Some(range);
+    fit
+}
+
+fn level(place: &Place, body: &Body, surface: &Surface, rest: &Rest, [low, high]: [f64; 2]) -> Option<Level> {
+    let wanted = named_height(place, body)? - place.below;
+    // An edge that lies on the level, such as a waistband, is measured just inside.
+    let height = wanted.clamp(low + INSIDE, (high - INSIDE).max(low + INSIDE));
+    if (wanted - height).abs() > BESIDE {
+        return None;
+    }
+    let axis = axis(body, place.segment, height);
+    let around = rings(surface, height).into_iter().filter(|r| r.closed && r.holds(axis));
+    // The outermost of several layers. A skirt lies around both legs, and is no girth of one.
+    let ring = around.max_by(|a, b| a.tape().total_cmp(&b.tape()))?;
+    let other = if place.segment == "leg-left" { "leg-right" } else { "leg-left" };
+    if place.segment != "torso" && ring.holds(self::axis(body, other, height)) {
+        return None;
+    }
+    let skin = section_near(&body.positions, &body.triangles, Vec3::new(axis.x, height, axis.y), Vec3::y());
+    Some(Level {
+        name: place.name.to_owned(),
+        height,
+        body: skin.map(|s| s.girth()).filter(|g| *g > 0.0),
+        pattern: rest.around(surface, &ring, height),
+        along: ring.along(),
+        tape: ring.tape(),
+    })
+}
+
+/// The height of a place: by its measure, its landmark, or the lower end of the torso, which is the crotch.
+fn named_height(place: &Place, body: &Body) -> Option<f64> {
+    let crotch = || body.segments.get("torso").filter(|_| place.segment != "torso").map(|t| t.to.y);
+    let landmark = || body.landmarks.get(place.landmark).map(|p| p.y);
+    body.measures.get(place.height).copied().or_else(landmark).or_else(crotch)
+}
+
+/// The place of the axis of a part of the body at a height, seen from above.
+fn axis(body: &Body, segment: &str, height: f64) -> Vec2 {
+    let Some(s) = body.segments.get(segment) else { return Vec2::zeros() };
+    let share = (height - s.from.y) / (s.to.y - s.from.y);
+    let at = s.from + (s.to - s.from) * if share.is_finite() { share } else { 0.0 };
+    Vec2::new(at.x, at.z)
+}
+
+/// Rest shapes of all triangles, in the order of the surface.
+struct Rest(Vec<Option<[Vec2; 3]>>);
+
+fn rest_lengths(garment: &Garment) -> Rest {
+    let meshes = garment.pieces.iter().filter_map(|p| p.mesh.as_ref());
+    Rest(meshes.flat_map(|m| (0..m.triangles.len()).map(|t| m.rest_triangle(t))).collect())
+}
+
+impl Rest {
+    /// Length of the cloth at rest along a cut at a height, metres.
+    fn around(&self, surface: &Surface, ring: &Ring, height: f64) -> f64 {
+        let length = |t: &usize| {
+            let rest = self.0.get(*t).copied().flatten()?;
+            let at = surface.corners(*t);
+            let mut ends = (0..3).filter_map(|k| {
+                let (p, q) = (at[k], at[(k + 1) % 3]);
+                let share = (height - p.y) / (q.y - p.y);
+                ((p.y < height) != (q.y < height)).then(|| rest[k].lerp(&rest[(k + 1) % 3], share))
+            });
+            Some((ends.next()? - ends.next()?).norm())
+        };
+        ring.triangles.iter().filter_map(length).sum()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use toile_garment::Piece;
+    use toile_garment::garment::Shape;
+    use toile_garment::mesh::PieceMesh;
+
+    /// A tube of cloth of 0.9 m around a pole, made of one piece whose ends are sewn, stretched by a tenth around.
+    fn garment() -> Garment {
+        const SIDES: u32 = 180;
+        let radius = 0.99 / std::f64::consts::TAU;
+        let (mut rest, mut worn, mut triangles) = (Vec::new(), Vec::new(), Vec::new());
+        for row in 0..=4_u32 {
+            for k in 0..=SIDES {
+                let share = f64::from(k) / f64::from(SIDES);
+                let (s, c) = libm::sincos(std::f64::consts::TAU * share);
+                rest.push(Vec2::new(0.9 * share, 0.1 * f64::from(row)));
+                worn.push(Vec3::new(radius * c, 0.7 + 0.1 * f64::from(row), radius * s));
+            }
+        }
+        for cell in 0..4 * SIDES {
+            let a = cell / SIDES * (SIDES + 1) + cell % SIDES;
+            triangles.extend([[a, a + 1, a + SIDES + 2], [a, a + SIDES + 2, a + SIDES + 1]]);
+        }
+        let end = |v| toile_garment::MeshVertex { piece: 0_usize.into(), vertex: v };
+        let stitch = |row: u32| {
+            let a = row * (SIDES + 1);
+            toile_garment::seam::Stitch { a: end(a), b: end(a + SIDES) }
+        };
+        let seam = toile_garment::seam::Seam {
+            id: 0_usize.into(),
+            name: "back".into(),
+            kind: toile_garment::seam::SeamKind::Seam,
+            a: Default::default(),
+            b: Default::default(),
+            ease: 0.0,
+            gather: None,
+            stitches: (0..=4).map(stitch).collect(),
+            source: None,
+        };
+        let mesh = PieceMesh { rest, triangles, ..PieceMesh::default() };
+        Garment {
+            pieces: vec![Piece { name: "tube".into(), mesh: Some(mesh), ..Piece::default() }],
+            seams: vec![seam],
+            drape: Some(Shape { positions: vec![worn], ..Shape::default() }),
+            body: Some(Body { measures: [("hip_height".to_owned(), 0.84)].into(), ..Body::default() }),
+            ..Garment::default()
+        }
+    }
+
+    #[test]
+    fn a_tube_measures_its_pattern_at_rest_and_its_girth_as_worn() {
+        let fit = measure(&garment());
+        let names: Vec<&str> = fit.levels.iter().map(|l| l.name.as_str()).collect();
+        assert_eq!(names, ["hip"]);
+        let hip = &fit.levels[0];
+        assert!((hip.pattern - 0.9).abs() < 1e-9, "{}", hip.pattern);
+        assert!((hip.along - 0.99).abs() < 1e-3 && (hip.tape - 0.99).abs() < 1e-3);
+        assert_eq!((hip.height, hip.body), (0.84, None));
+        assert_eq!(fit.edges.len(), 2);
+        assert!(fit.edges[0].height < fit.edges[1].height && (fit.edges[0].length - 0.99).abs() < 1e-3);
+    }
+}

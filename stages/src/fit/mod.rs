@@ -1,0 +1,19 @@
+//! How a garment fits: its surface, girths, strain and distance to the body.
+//!
+//! The garment with its seams closed is a [`Surface`]. Girths of all that a height cuts are [`along`] and [`tape`].
+//! The parts of a cut, such as trunk and sleeves, are [`rings`]. Quantities per vertex, for colours, are [`maps`]. All
+//! that a report tells is put together by [`measure`].
+
+mod girth;
+mod maps;
+mod measures;
+mod nearest;
+mod rings;
+mod surface;
+
+pub use girth::{along, tape};
+pub use maps::{ease, maps, strain};
+pub use measures::measure;
+pub use nearest::Nearest;
+pub use rings::{Ring, rings};
+pub use surface::{Hem, Surface};

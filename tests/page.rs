@@ -1,0 +1,144 @@
+//! Opens reports in a headless browser: the view in 3D, maps, picking and the drawing work, and nothing is fetched.
+//!
+//! `tests/page/install` finds or installs the browser. Without one the tests say so, and check the page's text only.
+
+// A machine without a browser is told so.
+#![allow(clippy::print_stderr)]
+
+#[path = "page/browser.rs"]
+mod browser;
+
+use browser::Browser;
+use serde_json::{Value, json};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+const CHECK: &str = include_str!("page/check.js");
+
+/// Runs a pipeline; gives the exit code.
+fn run(pipeline: &Path, out: &Path, more: &[&str]) -> Option<i32> {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_toile"));
+    command.arg("run").arg(pipeline).args(["--quiet", "--out"]).arg(out).args(more);
+    command.output().expect("program").status.code()
+}
+
+/// The skirt on a coarse mesh.
+fn skirt(out: &Path, more: &[&str]) -> Option<i32> {
+    let pipeline = Path::new(env!("CARGO_MANIFEST_DIR")).join("pipelines/long-skirt/v1.toml");
+    run(&pipeline, out, &[&["--set", "triangulate.triangles=700"], more].concat())
+}
+
+fn program() -> Option<PathBuf> {
+    let found = browser::find();
+    if found.is_none() {
+        eprintln!("NOT CHECKED in a browser, because there is none; `tests/page/install` installs one");
+    }
+    found
+}
+
+/// Opens a page, runs the check in it, and gives what it saw.
+fn opened(browser: &mut Browser, page: &Path, size: [u32; 2]) -> Value {
+    browser.open(page, size);
+    let saw: Value = serde_json::from_str(browser.value(CHECK).as_str().expect("text")).expect("JSON");
+    assert_eq!(saw["errors"], json!([]), "{saw}");
+    assert_eq!(saw["requests"], json!([]), "{saw}");
+    assert_eq!(browser.problems(), [""; 0]);
+    assert!(number(&saw, "/wide") <= 0.0, "the page is wider than its window: {saw}");
+    saw
+}
+
+fn number(value: &Value, pointer: &str) -> f64 {
+    value.pointer(pointer).and_then(Value::as_f64).unwrap_or_else(|| panic!("{pointer} in {value}"))
+}
+
+fn says(value: &Value, pointer: &str, words: &str) {
+    let text = value.pointer(pointer).and_then(Value::as_str).unwrap_or_default();
+    assert!(text.contains(words), "{pointer} should say `{words}`: {value}");
+}
+
+#[test]
+fn the_page_shows_the_garment_and_what_is_picked() {
+    let folder = tempfile::tempdir().expect("folder");
+    let out = folder.path().join("out");
+    assert_eq!(skirt(&out, &[]), Some(0));
+    let (page, csv) = (out.join("report.html"), std::fs::read_to_string(out.join("measures.csv")).expect("measures"));
+    let size = std::fs::metadata(&page).expect("page").len();
+    assert!(size < 2 << 20, "{size} bytes");
+    assert!(csv.contains("\"hip_girth\",body,tape,960.0,840.0\n"), "{csv}");
+    let Some(program) = program() else { return };
+    let mut browser = Browser::start(&program, &[]);
+    for window in [[1600, 1000], [1024, 768], [390, 844]] {
+        let saw = opened(&mut browser, &page, window);
+        let state = json!({"ready": true, "pieces": 2, "picked": null, "map": "cloth", "view": "three-quarter"});
+        assert_eq!(saw["state"], state);
+        // The skirt fills a good part of the view, with its body more, and less when it is cut.
+        let share = |what: &str| number(&saw, &format!("/{what}/share"));
+        assert!(share("bare") > 0.08 && share("worn") > share("bare") + 0.01, "{saw}");
+        assert!(share("cut") < 0.8 * share("bare") && share("flat") > 0.05, "{saw}");
+        assert_ne!(saw["map"]["mean"], saw["bare"]["mean"]);
+        assert_eq!(saw["map"]["state"], "strain-warp");
+        says(&saw, "/map/legend", "strain along warp, %");
+        says(&saw, "/cut/words", "mm, seen from above");
+        says(&saw, "/picked/words", "piece FRONT");
+        let marked = saw["marked"].as_array().expect("list");
+        assert!(marked.iter().any(|m| m == "tr") && marked.iter().any(|m| m == "g"), "{saw}");
+        says(&saw, "/fromTable/name", "seam:");
+        assert_eq!((&saw["fromTable"]["marked"], &saw["fromDrawing"]), (&json!(1), &json!("piece:0")));
+        assert_eq!((&saw["key"], &saw["nameless"]), (&json!("left"), &json!(0)));
+    }
+    assert!(browser.sheets() <= 4);
+    // The viewer measures the hip anew, from the model in single precision.
+    let hip: Option<f64> =
+        csv.lines().find_map(|l| l.strip_prefix("\"hip_girth\",drape,surface,")?.split(',').next()?.parse().ok());
+    let again = 1e3 * browser.value("toile.section(0.84)").as_f64().expect("length");
+    assert!((again - hip.expect("hip")).abs() < 1.0, "{again} mm against {hip:?}");
+    // Without WebGL the pictures stand in the place of the view.
+    drop(browser);
+    let still = opened(&mut Browser::start(&program, &["--disable-3d-apis"]), &page, [1024, 768]);
+    assert_eq!((&still["state"]["ready"], &still["state"]["view"]), (&json!(false), &json!("still")));
+    assert_eq!(still["pictures"][0][1], 840);
+}
+
+#[test]
+fn a_drape_that_did_not_pass_says_why() {
+    let folder = tempfile::tempdir().expect("folder");
+    let out = folder.path().join("out");
+    assert_eq!(skirt(&out, &["--set", "drape.limits.strain_max=0.0001"]), Some(1));
+    let text = std::fs::read_to_string(out.join("report.html")).expect("page");
+    assert!(text.contains("<p class=\"verdict bad\"><b>Not passed.</b>the largest strain is "), "the verdict");
+}
+
+/// A held square of cloth goes through a box: the drape refuses it, and the page shows where they cross.
+#[test]
+fn a_failed_start_leaves_a_page_that_shows_where() {
+    let folder = tempfile::tempdir().expect("folder");
+    let (out, pipeline) = (folder.path().join("out"), folder.path().join("crossed.toml"));
+    let put = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).expect("file");
+    put("toile.root", "");
+    let fabric = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/fabrics/wool-suiting.toml");
+    std::fs::copy(fabric, folder.path().join("wool.toml")).expect("fabric");
+    let cloth = "v -0.3 1 -0.3\nv 0.3 1 -0.3\nv 0.3 1 0.3\nv -0.3 1 0.3\nf 1 3 2\nf 1 4 3\n";
+    put("cloth.obj", cloth);
+    put("pins.txt", "0\n1\n2\n3\n");
+    let corners = (0..8).map(|k| [k & 1, k >> 1 & 1, k >> 2].map(|high| if high == 1 { 0.1 } else { -0.1 }));
+    let mut body: String = corners.map(|[x, y, z]| format!("v {x} {} {z}\n", y + 1.0)).collect();
+    body.push_str("f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n");
+    put("body.obj", &body);
+    let text = "toile = 1\n[pipeline]\nline = \"crossed\"\nversion = 1\n[[stage]]\nuse = \"import-mesh\"\n\
+                with.cloth = \"cloth.obj\"\nwith.rest = \"positions\"\nwith.fabric = \"wool.toml\"\n\
+                with.body = \"body.obj\"\nwith.pins = \"pins.txt\"\n[[stage]]\nuse = \"drape\"\n[[stage]]\nuse = \"export-report\"\n";
+    put("crossed.toml", text);
+    assert_eq!(run(&pipeline, &out, &[]), Some(3));
+    let page = out.join("failure.html");
+    let said = std::fs::read_to_string(&page).expect("page");
+    assert!(said.contains("<p class=\"verdict bad\"><b>Failed.</b>"), "the verdict");
+    assert!(!out.join("report.html").exists(), "a failed run has no outputs");
+    if let Some(program) = program() {
+        let saw = opened(&mut Browser::start(&program, &[]), &page, [1024, 768]);
+        assert_eq!((&saw["state"]["ready"], &saw["spot"]["hidden"]), (&json!(true), &json!(false)), "{saw}");
+    }
+    // The next run takes the page away.
+    put("crossed.toml", &text.replace("[[stage]]\nuse = \"drape\"\n", ""));
+    assert_eq!(run(&pipeline, &out, &[]), Some(0));
+    assert!(!page.exists());
+}
