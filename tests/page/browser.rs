@@ -7,7 +7,7 @@ use std::process::{Child, ChildStdin, ChildStdout, Command, Stdio};
 
 /// The browser of this machine, if there is one.
 pub fn find() -> Option<PathBuf> {
-    let named = std::env::var_os("TOILE_BROWSER").map(PathBuf::from);
+    let named = std::env::var_os("TOILE_BROWSER").filter(|name| !name.is_empty()).map(PathBuf::from);
     let names = ["chromium", "chromium-browser", "google-chrome"];
     let folders = std::env::var_os("PATH").unwrap_or_default();
     let found = || std::env::split_paths(&folders).flat_map(|f| names.map(|n| f.join(n))).find(|p| p.is_file());
