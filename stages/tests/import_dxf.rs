@@ -166,7 +166,7 @@ fn a_broken_table_beside_the_pattern_is_a_warning() {
     assert_eq!(garment.expect("drawn").size.as_deref(), Some("40"));
     let warnings = report.findings.iter().filter(|f| f.severity == Severity::Warning);
     let codes: Vec<&str> = warnings.map(|f| f.code.as_str()).collect();
-    assert_eq!(codes, ["rule-table-broken", "rule-count-differs"], "every mistake is told");
+    assert_eq!(codes, ["rule-table-broken", "rule-count-differs", "grain-missing"], "every mistake is told");
     let (asked, _) = run("file = \"p.dxf\"\nrules = \"p.RUL\"", &files);
     assert!(matches!(&asked, Err(StageError::Input(f)) if f[0].code == "rule-count-differs"), "{asked:?}");
 }

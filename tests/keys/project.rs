@@ -32,6 +32,10 @@ use = "export-obj"
 use = "export-dxf"
 [[stage]]
 use = "export-print"
+"#;
+
+/// What shows the garment of a pattern: drawn in a project of its own, because pictures take most of the time.
+const SHOWN: &str = r#"
 [[stage]]
 use = "export-report"
 [[stage]]
@@ -201,7 +205,8 @@ pub fn write(bench: &Bench, name: &str) {
     let springs = if name == "springs" { "[springs]\nyarn = \"500 N/m\"\nbias = \"300 N/m\"\n" } else { "" };
     let fabric = format!("{FABRIC}{}{springs}", laws(name));
     let model = if name == "springs" { "use = \"drape\"\nwith.model = \"springs\"" } else { "use = \"drape\"" };
-    let stages = stages.replace("use = \"drape\"", model);
+    let shown = if name == "shown" { SHOWN } else { "" };
+    let stages = stages.replace("use = \"drape\"", model) + shown;
     let sewing = name.strip_prefix("around ").map_or_else(
         || SEWING.to_owned(),
         |segment| SEWING.replacen("around = \"torso\"", &format!("around = \"{segment}\""), 1),

@@ -23,6 +23,13 @@ pub enum Mark {
     Dart,
 }
 
+impl Atom {
+    /// Is it a lower edge? It runs from left to right, the cloth above it: a quarter turn to the right of the warp.
+    pub fn is_low(&self) -> bool {
+        self.along[0].abs() < 0.5 && self.along[1] < 0.0
+    }
+}
+
 /// The place between two atoms that follow one another.
 #[derive(Clone, Copy, Debug)]
 pub struct Joint {

@@ -45,6 +45,11 @@ impl Names for RoleNames {
         sum
     }
 
+    fn to_lower_edge(&self, piece: usize) -> f64 {
+        let is_at_neck = self.roles[piece].part.and_then(height) == Some(Height::Neck);
+        if is_at_neck { self.weights.never_meet } else { 0.0 }
+    }
+
     fn are_namesakes(&self, a: usize, b: usize) -> bool {
         let (a, b) = (&self.roles[a], &self.roles[b]);
         a.part.is_some() && a.part == b.part && a.facing == b.facing && crosses(a.lateral, b.lateral)

@@ -1,6 +1,6 @@
 //! Scores of sewing one atom to another, each pair looked at alone.
 
-use super::atoms::{Joint, Layout, Mark};
+use super::atoms::{Atom, Joint, Layout, Mark};
 use super::mirror::{ALONE, Mirror};
 use super::profile::{apart, mirrored, reversed};
 use super::tuning::{self, PairWeights};
@@ -128,11 +128,18 @@ impl<'a> Judge<'a> {
             let same = (a.along[0] > 0.0) == (b.along[0] > 0.0);
             sum += if same == p.opposite { w.same_way } else { 0.0 };
         }
-        // The lower edge runs from left to right, the cloth above it: a quarter turn to the right of the warp.
-        let is_low = |c: [f64; 2]| is_across(c[0]) && c[1] < 0.0;
-        sum += if is_low(a.along) && is_low(b.along) { w.low_to_low } else { 0.0 };
+        sum += if a.is_low() && b.is_low() { w.low_to_low } else { 0.0 };
+        sum += if p.opposite && self.is_level_pair(p) { w.level_to_level } else { 0.0 };
         let crossed = is_along(a.along[0]) && is_across(b.along[0]) || is_across(a.along[0]) && is_along(b.along[0]);
         sum + if crossed { w.along_to_across } else { 0.0 }
+    }
+
+    /// Do both edges run across the middle of their pieces, and both below or both above? Hems, necklines and waists do: a
+    /// body has to pass between them.
+    fn is_level_pair(&self, p: Pair) -> bool {
+        let (a, b) = (&self.layout.atoms[p.a], &self.layout.atoms[p.b]);
+        let is_level = |x: usize| self.on_axis(x) && self.layout.atoms[x].along[0].abs() < 0.5;
+        is_level(p.a) && is_level(p.b) && a.panel != b.panel && (a.along[1] < 0.0) == (b.along[1] < 0.0)
     }
 
     /// The joints that meet at both ends.
@@ -185,7 +192,7 @@ impl<'a> Judge<'a> {
         let other = self.mirror.panel[a.panel];
         let mut sum = 0.0;
         if a.panel == b.panel {
-            sum += if images { w.tube } else { w.itself };
+            sum += if images || is_tube(a, b) { w.tube } else { w.itself };
         } else if other == b.panel && other != ALONE && !images {
             sum += w.left_to_right;
         }
@@ -205,6 +212,13 @@ impl<'a> Judge<'a> {
             (false, false) => 0.0,
         }
     }
+}
+
+/// Do two edges of one piece close it to a tube: as long as each other, along the warp, and running opposite ways?
+fn is_tube(a: &Atom, b: &Atom) -> bool {
+    let is_along = |x: &Atom| x.along[0].abs() > 0.8;
+    let is_equal = libm::log(a.length / b.length).abs() < 0.01;
+    is_equal && is_along(a) && is_along(b) && a.along[0] * b.along[0] < 0.0
 }
 
 /// May the middle of the garment lie between two atoms? They are mirror images, or neither piece has an image at all.

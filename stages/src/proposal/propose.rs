@@ -17,6 +17,8 @@ use toile_garment::{Diagnostic, Garment};
 pub trait Names {
     /// Added to the score of sewing two pieces to each other.
     fn seam(&self, a: usize, b: usize, images: bool, length: f64) -> f64;
+    /// Added to the score of sewing a piece to the lower edge of another.
+    fn to_lower_edge(&self, piece: usize) -> f64;
     /// Are two pieces the left and the right one of a pair?
     fn are_namesakes(&self, a: usize, b: usize) -> bool;
 }
@@ -26,6 +28,10 @@ pub struct Nameless;
 
 impl Names for Nameless {
     fn seam(&self, _: usize, _: usize, _: bool, _: f64) -> f64 {
+        0.0
+    }
+
+    fn to_lower_edge(&self, _: usize) -> f64 {
         0.0
     }
 
@@ -40,7 +46,11 @@ impl Prior for OfPieces<'_> {
     fn score(&self, layout: &Layout, pair: Pair, images: bool) -> f64 {
         let (a, b) = (&layout.atoms[pair.a], &layout.atoms[pair.b]);
         let piece = |panel: usize| layout.panels[panel].piece;
-        self.0.seam(piece(a.panel), piece(b.panel), images, a.length.min(b.length))
+        let mut sum = self.0.seam(piece(a.panel), piece(b.panel), images, a.length.min(b.length));
+        for (x, y) in [(a, b), (b, a)] {
+            sum += if y.is_low() { self.0.to_lower_edge(piece(x.panel)) } else { 0.0 };
+        }
+        sum
     }
 }
 

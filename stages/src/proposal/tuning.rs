@@ -60,6 +60,8 @@ pub struct PairWeights {
     pub same_way: f64,
     /// Lower edge to lower edge.
     pub low_to_low: f64,
+    /// Lower or upper edges of two pieces that both lie across the middle of their pieces: an opening of the garment.
+    pub level_to_level: f64,
     /// An edge along the warp to one across.
     pub along_to_across: f64,
     /// Mouth of a dart to mouth of a dart, per end.
@@ -115,6 +117,7 @@ impl Default for PairWeights {
             straight_to_curved: -1.27,
             same_way: -3.40,
             low_to_low: -2.75,
+            level_to_level: -6.00,
             along_to_across: 0.25,
             dart_dart: -4.60,
             dart_notch: 1.90,

@@ -394,7 +394,7 @@ pub const WORDS: &[(Meaning, [&[&str]; 10])] = &[
             &["sinistra", "sinistro", "sx"],
             &["esquerda", "esquerdo", "esq"],
             &["sol"],
-            &["лев"],
+            &["лева", "лево", "левы"],
             &["trai"],
         ],
     ),
