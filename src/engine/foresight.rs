@@ -14,13 +14,13 @@ const PROGRAM_MB: f64 = 13.0;
 /// Memory of a body with its search tree, MB for 1000 triangles: the bodies of `samples/` have about 12,000.
 const BODY_MB_PER_THOUSAND: f64 = 0.85;
 
-/// What was foreseen.
+/// The forecast of a whole chain.
 pub struct Foresight {
     /// Mesh and effects.
     pub forecast: Forecast,
     /// One for each stage of the chain, with the memory of the whole program; `None` where nothing can be said.
     pub stages: Vec<Option<Cost>>,
-    /// What is wrong with the files.
+    /// Mistakes in the files.
     pub findings: Vec<Diagnostic>,
     /// Notes and warnings of the stages, which a run tells again.
     pub notes: Vec<Diagnostic>,

@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 const MAX_LINE: usize = 1 << 20;
 /// All of stdout, bytes.
 const MAX_STDOUT: usize = 16 << 20;
-/// As much of stderr is kept, bytes.
+/// Most of stderr that is kept, bytes.
 const MAX_STDERR: usize = 4096;
 /// Time for `describe`.
 const DESCRIBE_TIME: Duration = Duration::from_secs(10);
@@ -21,7 +21,7 @@ const DESCRIBE_TIME: Duration = Duration::from_secs(10);
 const TICK: Duration = Duration::from_millis(20);
 /// How long pipes are listened to once the program itself has ended: a process it left behind may hold them open.
 const LAST_WORDS: Duration = Duration::from_millis(300);
-/// What programs find on their path; nothing of the caller's environment is handed on.
+/// The path of programs; nothing of the caller's environment is handed on.
 const PLAIN_PATH: &str = "/usr/local/bin:/usr/bin:/bin";
 
 /// Why a program did not do its work.

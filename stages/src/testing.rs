@@ -2,6 +2,7 @@
 
 use std::path::Path;
 use std::sync::atomic::AtomicBool;
+use toile_garment::body::{Body, BodySegment};
 use toile_garment::dart::{Dart, DartEvidence, DartKind};
 use toile_garment::fabric::{Fabric, StretchLaw};
 use toile_garment::outline::{LinePoint, OutlineEdge, PieceLine, PointKind};
@@ -132,4 +133,13 @@ pub fn cloth(areal_mass: f64, stretch: f64, shear: f64, bending: [f64; 2]) -> Fa
         strain_limit_bias: None,
         sources: std::collections::BTreeMap::new(),
     }
+}
+
+/// A body without a mesh: round segments by name, start, end and radius, m.
+pub fn body_of(segments: &[(&str, [f64; 3], [f64; 3], f64)]) -> Body {
+    let segment = |(name, from, to, r): &(&str, [f64; 3], [f64; 3], f64)| {
+        let segment = BodySegment { from: (*from).into(), to: (*to).into(), half_width: *r, half_depth: *r };
+        ((*name).to_owned(), segment)
+    };
+    Body { segments: segments.iter().map(segment).collect(), ..Body::default() }
 }

@@ -113,7 +113,6 @@ fn garment(glb: &[u8]) -> Value {
     if let Some(parts) = value.as_object_mut() {
         AS_READ.iter().for_each(|part| drop(parts.remove(*part)));
     }
-    // Times of effects belong to the run.
     value
 }
 

@@ -24,9 +24,19 @@ pub enum Mark {
 }
 
 impl Atom {
+    /// Does it run along the warp?
+    pub fn is_along(&self) -> bool {
+        self.along[0].abs() > 0.8
+    }
+
+    /// Does it run across the warp?
+    pub fn is_across(&self) -> bool {
+        self.along[0].abs() < 0.5
+    }
+
     /// Is it a lower edge? It runs from left to right, the cloth above it: a quarter turn to the right of the warp.
     pub fn is_low(&self) -> bool {
-        self.along[0].abs() < 0.5 && self.along[1] < 0.0
+        self.is_across() && self.along[1] < 0.0
     }
 }
 

@@ -122,15 +122,14 @@ impl<'a> Judge<'a> {
 
     fn grain(&self, p: Pair) -> f64 {
         let (w, a, b) = (self.weights, &self.layout.atoms[p.a], &self.layout.atoms[p.b]);
-        let (is_along, is_across) = (|c: f64| c.abs() > 0.8, |c: f64| c.abs() < 0.5);
         let mut sum = 0.0;
-        if is_along(a.along[0]) && is_along(b.along[0]) {
+        if a.is_along() && b.is_along() {
             let same = (a.along[0] > 0.0) == (b.along[0] > 0.0);
             sum += if same == p.opposite { w.same_way } else { 0.0 };
         }
         sum += if a.is_low() && b.is_low() { w.low_to_low } else { 0.0 };
         sum += if p.opposite && self.is_level_pair(p) { w.level_to_level } else { 0.0 };
-        let crossed = is_along(a.along[0]) && is_across(b.along[0]) || is_across(a.along[0]) && is_along(b.along[0]);
+        let crossed = a.is_along() && b.is_across() || a.is_across() && b.is_along();
         sum + if crossed { w.along_to_across } else { 0.0 }
     }
 
@@ -138,7 +137,7 @@ impl<'a> Judge<'a> {
     /// body has to pass between them.
     fn is_level_pair(&self, p: Pair) -> bool {
         let (a, b) = (&self.layout.atoms[p.a], &self.layout.atoms[p.b]);
-        let is_level = |x: usize| self.on_axis(x) && self.layout.atoms[x].along[0].abs() < 0.5;
+        let is_level = |x: usize| self.on_axis(x) && self.layout.atoms[x].is_across();
         is_level(p.a) && is_level(p.b) && a.panel != b.panel && (a.along[1] < 0.0) == (b.along[1] < 0.0)
     }
 
@@ -202,7 +201,7 @@ impl<'a> Judge<'a> {
         if images && !a.straight {
             sum += w.images_curved;
         }
-        if images && a.along[0].abs() < 0.5 {
+        if images && a.is_across() {
             sum += w.images_across;
         }
         let (x, y) = (self.on_axis(p.a), self.on_axis(p.b));
@@ -216,9 +215,8 @@ impl<'a> Judge<'a> {
 
 /// Do two edges of one piece close it to a tube: as long as each other, along the warp, and running opposite ways?
 fn is_tube(a: &Atom, b: &Atom) -> bool {
-    let is_along = |x: &Atom| x.along[0].abs() > 0.8;
     let is_equal = libm::log(a.length / b.length).abs() < 0.01;
-    is_equal && is_along(a) && is_along(b) && a.along[0] * b.along[0] < 0.0
+    is_equal && a.is_along() && b.is_along() && a.along[0] * b.along[0] < 0.0
 }
 
 /// May the middle of the garment lie between two atoms? They are mirror images, or neither piece has an image at all.

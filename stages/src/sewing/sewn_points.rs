@@ -1,5 +1,6 @@
 //! Mesh vertices in groups that stitches make one point.
 
+use crate::joined::Joined;
 use toile_garment::seam::Seam;
 use toile_garment::{Garment, MeshVertex, Piece};
 
@@ -7,8 +8,7 @@ use toile_garment::{Garment, MeshVertex, Piece};
 pub struct SewnPoints {
     /// Number of the first vertex of every piece.
     first: Vec<usize>,
-    /// Another vertex of the same group, or the vertex itself.
-    parent: Vec<usize>,
+    joined: Joined,
 }
 
 impl SewnPoints {
@@ -20,9 +20,9 @@ impl SewnPoints {
             first.push(count);
             count += piece.mesh.as_ref().map_or(0, |m| m.rest.len());
         }
-        let mut points = Self { first, parent: (0..count).collect() };
+        let mut points = Self { first, joined: Joined::new(count) };
         for stitch in seams.iter().flat_map(|s| &s.stitches) {
-            points.join(stitch.a, stitch.b);
+            points.joined.join(points.number(stitch.a), points.number(stitch.b));
         }
         points
     }
@@ -32,21 +32,14 @@ impl SewnPoints {
         let of = |vertex| MeshVertex { piece: piece.id, vertex };
         let triangles = piece.mesh.iter().flat_map(|m| &m.triangles);
         let mut sides = triangles.flat_map(|[a, b, c]| [[*a, *b], [*b, *c], [*c, *a]]);
-        sides.find(|[a, b]| self.point(of(*a)) == self.point(of(*b)))
+        sides.find(|side| {
+            let [a, b] = side.map(|v| self.number(of(v)));
+            self.joined.root(a) == self.joined.root(b)
+        })
     }
 
-    /// The vertex that stands for the group.
-    fn point(&mut self, v: MeshVertex) -> usize {
-        let mut at = self.first[v.piece.index()] + v.vertex as usize;
-        while self.parent[at] != at {
-            self.parent[at] = self.parent[self.parent[at]];
-            at = self.parent[at];
-        }
-        at
-    }
-
-    fn join(&mut self, a: MeshVertex, b: MeshVertex) {
-        let (a, b) = (self.point(a), self.point(b));
-        self.parent[a.max(b)] = a.min(b);
+    /// The number of a vertex in the whole garment.
+    fn number(&self, v: MeshVertex) -> usize {
+        self.first[v.piece.index()] + v.vertex as usize
     }
 }

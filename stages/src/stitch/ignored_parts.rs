@@ -96,22 +96,16 @@ pub fn finding(ignores: &BTreeMap<String, Vec<String>>) -> Option<Diagnostic> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use toile_garment::body::{Body, BodySegment};
+    use crate::testing::body_of;
+    use toile_garment::body::Body;
     use toile_garment::mesh::PieceMesh;
     use toile_garment::{Piece, PieceId};
 
     fn body() -> Body {
-        let segment = |from: [f64; 3], to: [f64; 3], r: f64| BodySegment {
-            from: from.into(),
-            to: to.into(),
-            half_width: r,
-            half_depth: r,
-        };
-        let segments = [
-            ("torso".to_owned(), segment([0.0, 1.4, 0.0], [0.0, 0.8, 0.0], 0.17)),
-            ("arm-left".to_owned(), segment([0.16, 1.39, 0.0], [0.54, 1.0, 0.0], 0.05)),
-        ];
-        Body { segments: segments.into(), ..Body::default() }
+        body_of(&[
+            ("torso", [0.0, 1.4, 0.0], [0.0, 0.8, 0.0], 0.17),
+            ("arm-left", [0.16, 1.39, 0.0], [0.54, 1.0, 0.0], 0.05),
+        ])
     }
 
     /// A front and a back sheet, whose sides lie at a distance from the middle, m.

@@ -148,24 +148,18 @@ fn out_of_reach(garment: &Garment, placed: &[Vec<Vec3>]) -> Vec<Diagnostic> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use toile_garment::body::{Body, BodySegment};
+    use crate::testing::body_of;
+    use toile_garment::body::Body;
     use toile_garment::mesh::PieceMesh;
     use toile_garment::seam::{Seam, SeamSide, Stitch};
     use toile_garment::{Piece, PieceId, SeamId, Vec2};
 
     fn body() -> Body {
-        let segment = |from: [f64; 3], to: [f64; 3], r: f64| BodySegment {
-            from: from.into(),
-            to: to.into(),
-            half_width: r,
-            half_depth: r,
-        };
-        let segments = [
-            ("torso".to_owned(), segment([0.0, 1.4, 0.0], [0.0, 0.8, 0.0], 0.17)),
-            ("arm-left".to_owned(), segment([0.16, 1.39, 0.0], [0.54, 1.0, 0.0], 0.05)),
-            ("arm-right".to_owned(), segment([-0.16, 1.39, 0.0], [-0.54, 1.0, 0.0], 0.05)),
-        ];
-        Body { segments: segments.into(), ..Body::default() }
+        body_of(&[
+            ("torso", [0.0, 1.4, 0.0], [0.0, 0.8, 0.0], 0.17),
+            ("arm-left", [0.16, 1.39, 0.0], [0.54, 1.0, 0.0], 0.05),
+            ("arm-right", [-0.16, 1.39, 0.0], [-0.54, 1.0, 0.0], 0.05),
+        ])
     }
 
     /// Pieces of 0.2 m by 0.2 m around the middles given; each is sewn to the next along the side that faces it in the
