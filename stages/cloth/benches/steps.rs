@@ -6,7 +6,7 @@ mod common;
 
 use common::{cotton, sheet, sphere};
 use std::time::Instant;
-use toile_cloth::{Model, Settings, Silent, Vec3, drape};
+use toile_cloth::{ExplicitSteps, Model, Settings, Silent, Vec3, drape};
 
 fn main() {
     for n in [24, 34, 50] {
@@ -14,7 +14,8 @@ fn main() {
             let mut scene = sheet(0.6, 0.6, n, n, cotton(), |x, y| Vec3::new(x - 0.3, 0.152, y - 0.3));
             scene.gravity = Vec3::new(0.0, -9.81, 0.0);
             scene.body = Some(sphere(Vec3::zeros(), 0.15, 32).into());
-            let settings = Settings { model, max_steps: 4_000, ..Settings::default() };
+            let explicit = ExplicitSteps { max_steps: 4_000, ..ExplicitSteps::default() };
+            let settings = Settings { model, explicit, ..Settings::default() };
             let start = Instant::now();
             let out = drape(&scene, &settings, &mut Silent).expect("the scene is sound");
             let seconds = start.elapsed().as_secs_f64();

@@ -10,8 +10,8 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::time::Instant;
 use toile_cloth::{
-    BodyMesh, Curve, Effects, Element, Integrator, Material, Model, Outcome, Pin, Scene, Settings, Switch, Vec3, Watch,
-    certify, drape, sew, weld,
+    BodyMesh, Curve, Effects, Element, Equilibrium, ExplicitSteps, Integrator, Material, Model, Outcome, Pin, Scene,
+    Settings, Switch, Vec3, Watch, certify, drape, sew, weld,
 };
 
 /// Since when, and whether every look is told.
@@ -158,12 +158,18 @@ fn main() {
     let with = |s: Settings| Settings {
         model,
         integrator,
-        stiffness_cap: number("cap", s.stiffness_cap),
-        damping: number("damping", s.damping),
+        explicit: ExplicitSteps {
+            stiffness_cap: number("cap", s.explicit.stiffness_cap),
+            damping: number("damping", s.explicit.damping),
+            ..s.explicit
+        },
         threads: number("threads", 1.0) as usize,
-        decrement_tolerance: number("decrement", s.decrement_tolerance),
-        move_tolerance: number("move", s.move_tolerance),
-        residual_tolerance: number("residual", s.residual_tolerance),
+        equilibrium: Equilibrium {
+            decrement_tolerance: number("decrement", s.equilibrium.decrement_tolerance),
+            move_tolerance: number("move", s.equilibrium.move_tolerance),
+            residual_tolerance: number("residual", s.equilibrium.residual_tolerance),
+            ..s.equilibrium
+        },
         effects: Effects {
             self_contact: switch("self", s.effects.self_contact),
             body_contact: switch("body", s.effects.body_contact),
@@ -177,7 +183,8 @@ fn main() {
     let mut map: Vec<u32> = (0..u32::try_from(place.len()).unwrap()).collect();
     if !scene.stitches.is_empty() {
         let t = Instant::now();
-        let settings = with(Settings { max_seconds: number("sew", 6.0), ..Settings::sewing() });
+        let mut settings = with(Settings::sewing());
+        settings.explicit.max_seconds = number("sew", 6.0);
         match sew(&scene, &settings, &mut Print(t, verbose)) {
             Ok(o) => {
                 show("sew", &o, t);
@@ -190,7 +197,8 @@ fn main() {
         (finish, map) = (w.scene, w.map);
     }
     let t = Instant::now();
-    let settings = with(Settings { max_seconds: number("seconds", 20.0), ..Settings::default() });
+    let mut settings = with(Settings::default());
+    settings.explicit.max_seconds = number("seconds", 20.0);
     match drape(&finish, &settings, &mut Print(t, verbose)) {
         Ok(o) => {
             show("drape", &o, t);

@@ -44,7 +44,7 @@ pub use report::watch::{Silent, Watch};
 pub use scene::contact_filter::ContactFilter;
 pub use scene::curve::Curve;
 pub use scene::elements::Elements;
-pub use scene::settings::{Effects, Integrator, Model, Settings, Switch};
+pub use scene::settings::{Effects, Equilibrium, ExplicitSteps, Integrator, Model, Settings, Stitches, Switch};
 pub use scene::shared_body::SharedBody;
 pub use scene::weld::{Welded, weld};
 pub use scene::{BodyMesh, Element, Load, Material, Pin, Scene};

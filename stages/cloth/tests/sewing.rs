@@ -3,7 +3,9 @@
 mod common;
 
 use common::{add, cotton, linear, noise, post, sheet, sphere};
-use toile_cloth::{Element, Material, Scene, Settings, Silent, StopReason, Vec3, certify, drape, sew, weld};
+use toile_cloth::{
+    Element, ExplicitSteps, Material, Scene, Settings, Silent, StopReason, Vec3, certify, drape, sew, weld,
+};
 
 #[test]
 fn two_sheets_a_hand_apart_are_sewn() {
@@ -65,7 +67,10 @@ fn a_dart_closes_into_its_cone() {
     (m.bend_warp, m.bend_weft) = (1e-5, 1e-5);
     let (radius, rings) = (0.1, 8);
     let scene = dart(90.0, rings, 36, radius, m);
-    let settings = Settings { speed_tolerance: 2e-3, energy_tolerance: 1e-3, ..Settings::sewing() };
+    let settings = Settings {
+        explicit: ExplicitSteps { speed_tolerance: 2e-3, energy_tolerance: 1e-3, ..Settings::sewing().explicit },
+        ..Settings::sewing()
+    };
     let out = sew(&scene, &settings, &mut Silent).unwrap();
     assert!(out.settled, "{:?} {:?}", out.stop_reason, out.open_stitches);
     assert_eq!(out.seam_gap_max, 0.0);
@@ -115,7 +120,11 @@ fn a_bag_is_sewn_over_a_ball_and_hangs_on_it() {
 fn the_same_scene_gives_the_same_bits_at_any_thread_count() {
     let scene = tunic();
     let run = |threads: usize| {
-        let settings = Settings { threads, max_seconds: 0.4, ..Settings::sewing() };
+        let settings = Settings {
+            threads,
+            explicit: ExplicitSteps { max_seconds: 0.4, ..Settings::sewing().explicit },
+            ..Settings::sewing()
+        };
         sew(&scene, &settings, &mut Silent).unwrap().positions
     };
     let one = run(1);
@@ -136,7 +145,8 @@ fn a_seam_that_cannot_close_is_reported() {
     scene.materials[0].strain_limit = [0.02, 0.02, f64::INFINITY];
     scene.body = Some(post(0.1, 1.0, 40).into());
     scene.stitches = (0..=2).map(|j| [j * (n + 1), j * (n + 1) + n]).collect();
-    let settings = Settings { max_seconds: 4.0, ..Settings::sewing() };
+    let settings =
+        Settings { explicit: ExplicitSteps { max_seconds: 4.0, ..Settings::sewing().explicit }, ..Settings::sewing() };
     let out = sew(&scene, &settings, &mut Silent).unwrap();
     assert!(!out.settled && out.stop_reason != StopReason::Settled);
     assert_eq!(out.open_stitches.len(), 3);

@@ -128,7 +128,9 @@ impl AnimateParams {
             self_gap: self.self_gap,
             ..DrapeParams::default()
         };
-        Settings { contact_stiffness: self.contact_stiffness.map_or(0.0, |k| k.0), ..drape.settings(threads) }
+        let mut settings = drape.settings(threads);
+        settings.explicit.contact_stiffness = self.contact_stiffness.map_or(0.0, |k| k.0);
+        settings
     }
 
     /// How time is stepped.

@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use toile_cloth::{Effects, Integrator, Model, Settings, Switch};
+use toile_cloth::{Effects, Equilibrium, ExplicitSteps, Integrator, Model, Settings, Switch};
 use toile_garment::units::{Acceleration, Duration, Length, Pressure};
 
 /// In-plane model.
@@ -152,12 +152,18 @@ impl DrapeParams {
             pressure: self.pressure.map_or(0.0, |p| p.0),
             body_gap: self.body_gap.0,
             self_gap: self.self_gap.0,
-            decrement_tolerance: base.decrement_tolerance * share,
-            move_tolerance: base.move_tolerance * share,
-            residual_tolerance: base.residual_tolerance * share,
-            energy_tolerance: base.energy_tolerance * share,
-            speed_tolerance: base.speed_tolerance * share,
-            max_seconds: self.max_time.0,
+            equilibrium: Equilibrium {
+                decrement_tolerance: base.equilibrium.decrement_tolerance * share,
+                move_tolerance: base.equilibrium.move_tolerance * share,
+                residual_tolerance: base.equilibrium.residual_tolerance * share,
+                ..base.equilibrium
+            },
+            explicit: ExplicitSteps {
+                energy_tolerance: base.explicit.energy_tolerance * share,
+                speed_tolerance: base.explicit.speed_tolerance * share,
+                max_seconds: self.max_time.0,
+                ..base.explicit
+            },
             threads,
             ..base
         }

@@ -4,7 +4,7 @@ use super::GRAVITY;
 use super::mesh::Flat;
 use crate::solve::{Follow, failure};
 use std::collections::BTreeMap;
-use toile_cloth::{Effects, Element, Material, Pin, Scene, Settings, Switch};
+use toile_cloth::{Effects, Element, Equilibrium, Material, Pin, Scene, Settings, Switch};
 use toile_garment::Vec3;
 use toile_stage_api::{StageContext, StageError};
 
@@ -63,9 +63,12 @@ impl Rig<'_> {
         Settings {
             effects: Effects { self_contact: own, ..Effects::default() },
             self_gap: self.material.thickness.max(1e-4),
-            decrement_tolerance: FINE * base.decrement_tolerance,
-            move_tolerance: FINE * base.move_tolerance,
-            residual_tolerance: FINE * base.residual_tolerance,
+            equilibrium: Equilibrium {
+                decrement_tolerance: FINE * base.equilibrium.decrement_tolerance,
+                move_tolerance: FINE * base.equilibrium.move_tolerance,
+                residual_tolerance: FINE * base.equilibrium.residual_tolerance,
+                ..base.equilibrium
+            },
             threads,
             ..base
         }

@@ -20,7 +20,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use toile_cloth::{Outcome, PieceMove, Settings};
+use toile_cloth::{ExplicitSteps, Outcome, PieceMove, Settings, Stitches};
 use toile_garment::garment::Shape;
 use toile_garment::seam::Seam;
 use toile_garment::units::{Duration, Length};
@@ -178,7 +178,7 @@ impl Stage for Stitch {
         let shown = |x: &[Vec3]| Garment { stitched: Some(shape(x)), ..garment.clone() };
         let sewn = toile_cloth::sew(&start, &settings, &mut Follow::showing(cx, &shown));
         let outcome = sewn.map_err(|e| failure_in(e, &garment, &placed))?;
-        tell(&garment, &outcome, settings.sewing_distance, cx);
+        tell(&garment, &outcome, settings.sewing.closed_distance, cx);
         garment.effects = effects(&outcome.effects);
         garment.stitched = Some(shape(&outcome.positions));
         Ok(garment)
@@ -227,15 +227,16 @@ fn turned(seam: &Seam, placed: &[Vec<Vec3>]) -> Option<Diagnostic> {
 }
 
 fn settings(params: &StitchParams, threads: usize) -> Settings {
+    let base = Settings::sewing();
     Settings {
         model: params.model.into(),
         integrator: params.integrator.into(),
-        sewing_distance: params.sewing_distance.0,
+        sewing: Stitches { closed_distance: params.sewing_distance.0, ..base.sewing },
         body_gap: params.body_gap.0,
         self_gap: params.self_gap.0,
-        max_seconds: params.max_time.0,
+        explicit: ExplicitSteps { max_seconds: params.max_time.0, ..base.explicit },
         threads,
-        ..Settings::sewing()
+        ..base
     }
 }
 

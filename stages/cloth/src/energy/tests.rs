@@ -227,13 +227,8 @@ fn the_stiffness_bound_holds_for_random_motions() {
 
 #[test]
 fn tables_follow_their_curves() {
-    let settings = Settings { stiffness_cap: f64::INFINITY, ..Settings::default() };
-    let law = crate::energy::law::Law::new(
-        &Curve::Exponential { k0: 700.0, beta: 20.0 },
-        settings.stiffness_cap,
-        0.15,
-        f64::INFINITY,
-    );
+    let law =
+        crate::energy::law::Law::new(&Curve::Exponential { k0: 700.0, beta: 20.0 }, f64::INFINITY, 0.15, f64::INFINITY);
     let curve = Curve::Exponential { k0: 700.0, beta: 20.0 };
     for i in -10..30 {
         let e = 0.005 * f64::from(i);

@@ -106,17 +106,21 @@ impl<'a> MotionRun<'a> {
         let frame = 1.0 / motion.fps;
         // Only the damping of the settings acts, and every vertex has the inertia of its mass.
         let damping = if dynamics.lagged { 0.0 } else { dynamics.damping };
-        let plain = Settings { damping, stiffness_damping: 0.0, even_inertia: false, ..settings.clone() };
+        let mut plain = settings.clone();
+        plain.explicit.damping = damping;
+        plain.explicit.stiffness_damping = 0.0;
+        plain.explicit.even_inertia = false;
         let mut problem = Problem::new(scene, &plain, false)?;
         let stable = problem.stable_step(&problem.start.clone());
         let steps = steps_in_frame(dynamics, frame, stable)?;
         let dt = frame / steps;
         if problem.contact.is_some() {
-            check_penalty_step(&problem, plain.contact_stiffness, dt)?;
+            check_penalty_step(&problem, plain.explicit.contact_stiffness, dt)?;
         }
         if problem.contact.is_some() && dt < stable {
             // Contact becomes as stiff as this step bears.
-            problem = Problem::new(scene, &Settings { step_fraction: dt / stable, ..plain }, false)?;
+            plain.explicit.step_fraction = dt / stable;
+            problem = Problem::new(scene, &plain, false)?;
         }
         let state = State::at_rest(problem.start.clone());
         let mut run = Self {

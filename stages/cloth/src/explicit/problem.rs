@@ -89,7 +89,7 @@ impl Problem {
             e.add_stiffness(&start, &mut stiffness_rows);
         }
         let pins = held(scene);
-        let masses = Masses::new(cloth, &stiffness_rows, s.even_inertia, &pins);
+        let masses = Masses::new(cloth, &stiffness_rows, s.explicit.even_inertia, &pins);
         let sewing = SewingForces::new(scene, s, &stiffness_rows, &masses.inertia, pulls);
         Self {
             energies,
@@ -98,7 +98,7 @@ impl Problem {
             sewing,
             over_elongation: if s.effects.strain_limit == Switch::Off { None } else { OverElongation::new(scene) },
             masses,
-            damping: Damping { rate: s.damping, stiffness_steps: s.stiffness_damping },
+            damping: Damping { rate: s.explicit.damping, stiffness_steps: s.explicit.stiffness_damping },
             start,
             repaired,
             pins,
@@ -111,11 +111,11 @@ impl Problem {
         if body.is_none() && !own {
             return;
         }
-        let dt = s.step_fraction.min(1.0) * self.stable_step(&self.start.clone());
+        let dt = s.explicit.step_fraction.min(1.0) * self.stable_step(&self.start.clone());
         let frame = contact_parameters(scene, s, topology, &self.masses.inverse, body.is_some(), own);
         self.has_friction = s.effects.friction != Switch::Off && frame.friction.iter().any(|m| *m > 0.0);
-        let stiffness = if s.contact_stiffness > 0.0 {
-            ContactStiffness::Fixed(s.contact_stiffness)
+        let stiffness = if s.explicit.contact_stiffness > 0.0 {
+            ContactStiffness::Fixed(s.explicit.contact_stiffness)
         } else {
             ContactStiffness::PerMass(EXPLICIT_CONTACT_STIFFNESS.get() / (dt * dt))
         };

@@ -128,15 +128,15 @@ fn strain_limit(problem: &Problem, scene: &Scene) -> (bool, String) {
 fn softened_stretch(scene: &Scene, s: &Settings) -> EffectReport {
     let steepest = |c: &Curve| c.tangent(0.0);
     let rest = scene.materials.iter().map(|m| steepest(&m.warp).max(steepest(&m.weft))).fold(0.0, f64::max);
-    let on = rest > s.stiffness_cap;
+    let on = rest > s.explicit.stiffness_cap;
     let evidence = if on {
         format!(
             "stiffest curve starts at {rest:.0} N/m, used {:.0} N/m: a tension of 10 N/m adds {:.2} % strain",
-            s.stiffness_cap,
-            100.0 * (10.0 / s.stiffness_cap - 10.0 / rest)
+            s.explicit.stiffness_cap,
+            100.0 * (10.0 / s.explicit.stiffness_cap - 10.0 / rest)
         )
     } else {
-        format!("stiffest curve starts at {rest:.0} N/m, the cap is {:.0} N/m", s.stiffness_cap)
+        format!("stiffest curve starts at {rest:.0} N/m, the cap is {:.0} N/m", s.explicit.stiffness_cap)
     };
     effect("softened-stretch", on, "a stretch curve is steeper than the stiffness cap".into(), evidence)
 }

@@ -83,7 +83,7 @@ impl<'a> Run<'a> {
     /// Sets the adaptive step: a fraction of the stable one as the cloth stands, halved where energy grew.
     fn choose_step(&mut self) {
         let stable = self.problem.stable_step(&self.state.x);
-        self.clock.step = self.settings.step_fraction * stable / f64::from(1u32 << self.clock.halvings);
+        self.clock.step = self.settings.explicit.step_fraction * stable / f64::from(1u32 << self.clock.halvings);
     }
 
     /// Steps until a stop condition holds.
@@ -127,10 +127,10 @@ impl<'a> Run<'a> {
         if sewing.pulls() && sewing.is_hopeless() && !sewing.is_closed(&self.state.x) {
             return Some(StopReason::SeamsOpen);
         }
-        if self.clock.steps >= self.settings.max_steps {
+        if self.clock.steps >= self.settings.explicit.max_steps {
             return Some(StopReason::MaxSteps);
         }
-        (self.clock.seconds >= self.settings.max_seconds).then_some(StopReason::MaxSeconds)
+        (self.clock.seconds >= self.settings.explicit.max_seconds).then_some(StopReason::MaxSeconds)
     }
 
     /// Takes nearly all motion out of every step until forces balance at every vertex, or gain no more.
@@ -168,11 +168,11 @@ impl<'a> Run<'a> {
             "{seams}{:.2} s simulated, speed {:.1} mm/s (goal {:.1}), energy change {:.2e}",
             self.clock.seconds,
             self.rest.speed * 1e3,
-            self.settings.speed_tolerance * 1e3,
+            self.settings.explicit.speed_tolerance * 1e3,
             self.rest.change
         );
         watch.progress(self.clock.steps, &words);
-        watch.done(self.clock.seconds / self.settings.max_seconds);
+        watch.done(self.clock.seconds / self.settings.explicit.max_seconds);
         watch.look(&self.state.x, self.triangles);
     }
 
@@ -218,8 +218,8 @@ impl<'a> Run<'a> {
     /// Returns `true` if nothing has moved for a few windows. The paper's energy rule and the speed must agree.
     fn is_at_rest(&mut self) -> bool {
         self.rest.measure(self.problem, &self.state.x, self.clock.seconds);
-        let (speed, tolerance) = (self.rest.speed, self.settings.speed_tolerance);
-        let energy_rests = self.rest.change <= self.settings.energy_tolerance;
+        let (speed, tolerance) = (self.rest.speed, self.settings.explicit.speed_tolerance);
+        let energy_rests = self.rest.change <= self.settings.explicit.energy_tolerance;
         // Open seams are given up only when hardly anything moves.
         let sewing = &self.problem.sewing;
         let pulling = sewing.pulls() && !sewing.is_closed(&self.state.x);
@@ -243,7 +243,7 @@ impl<'a> Run<'a> {
         let gaps = measures::gaps(scene, &self.state.x);
         let energy = self.problem.elastic(&self.state.x);
         let balance = report::balance(self.problem, &self.state.x, self.gravity, self.clock.step);
-        let open = gaps.iter().copied().filter(|g| g.1 > self.settings.sewing_distance);
+        let open = gaps.iter().copied().filter(|g| g.1 > self.settings.sewing.closed_distance);
         Outcome {
             steps: self.clock.steps,
             seconds: self.clock.seconds,

@@ -120,12 +120,10 @@ fn rest_of_coarser_level(
     watch: &mut dyn Watch,
 ) -> Result<Option<CoarseRest>, ClothError> {
     let factor = coarse_tolerance_factor(level.scene.positions.len(), finer);
-    let coarse = Settings {
-        decrement_tolerance: factor * settings.decrement_tolerance,
-        move_tolerance: factor * settings.move_tolerance,
-        residual_tolerance: f64::INFINITY,
-        ..settings.clone()
-    };
+    let mut coarse = settings.clone();
+    coarse.equilibrium.decrement_tolerance *= factor;
+    coarse.equilibrium.move_tolerance *= factor;
+    coarse.equilibrium.residual_tolerance = f64::INFINITY;
     let spread = |x: &[Vec3]| level.spread(x);
     match drape_level(&level.scene, &coarse, Task::SettleCoarse, &mut Part::new(watch, [0.0, COARSE_WORK], &spread)) {
         Ok(rest) if matches!(rest.stop_reason, StopReason::Settled | StopReason::MaxSteps) => {

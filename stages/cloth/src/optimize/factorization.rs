@@ -55,7 +55,7 @@ impl Descent<'_> {
             && same(m.tau, self.regularization.tau)
             && m.isotropic == self.regularization.isotropic
             && m.surrogate == self.objective().uses_surrogate()
-            && crate::farthest(&m.at, &self.x) <= REUSE_DRIFT.get() * self.settings.move_tolerance
+            && crate::farthest(&m.at, &self.x) <= REUSE_DRIFT.get() * self.settings.equilibrium.move_tolerance
     }
 
     fn refactor(&mut self) -> bool {

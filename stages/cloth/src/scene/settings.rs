@@ -50,6 +50,87 @@ pub struct Effects {
     pub bending_hysteresis: Switch,
 }
 
+/// When a state without time counts as at rest.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Equilibrium {
+    /// The energy that a Newton step would still win, over the elastic energy, at which the state is at rest.
+    pub decrement_tolerance: f64,
+    /// The longest move of a vertex in such a step, m.
+    pub move_tolerance: f64,
+    /// Largest net force on a vertex over the mean vertex weight.
+    pub residual_tolerance: f64,
+    /// Most descent steps.
+    pub max_descents: u64,
+}
+
+impl Default for Equilibrium {
+    fn default() -> Self {
+        Self { decrement_tolerance: 1e-3, move_tolerance: 1e-4, residual_tolerance: 1e-2, max_descents: 5_000 }
+    }
+}
+
+/// The numbers of explicit steps: damping, penalty, step and stop.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ExplicitSteps {
+    /// Mass-proportional damping rate C_d/m, 1/s (paper equation 7).
+    pub damping: f64,
+    /// Stiffness-proportional damping time, in time steps: quiets the shortest waves, leaves the rest shape alone.
+    pub stiffness_damping: f64,
+    /// Stiffness of every contact, a penalty, N/m; 0 for as stiff as the step bears.
+    pub contact_stiffness: f64,
+    /// Largest tangent stiffness of the stretch curves used, N/m; infinite for the curves as measured. A lower cap
+    /// allows a longer time step and costs added strain, which the strain limit bounds and the report states.
+    pub stiffness_cap: f64,
+    /// Fraction of the stable time step that is used, 0..1.
+    pub step_fraction: f64,
+    /// Elements much smaller than the rest get inertia (not weight) so that they do not rule the time step.
+    pub even_inertia: bool,
+    /// Stop condition b: relative change of the elastic energy over a check interval.
+    pub energy_tolerance: f64,
+    /// No free vertex may be faster than this for the state to be called settled, m/s.
+    pub speed_tolerance: f64,
+    /// Most steps.
+    pub max_steps: u64,
+    /// Most simulated time, s.
+    pub max_seconds: f64,
+}
+
+impl Default for ExplicitSteps {
+    fn default() -> Self {
+        Self {
+            damping: 4.0,
+            stiffness_damping: 0.2,
+            contact_stiffness: 0.0,
+            stiffness_cap: 2000.0,
+            step_fraction: 0.6,
+            even_inertia: true,
+            energy_tolerance: 1e-3,
+            speed_tolerance: 2e-3,
+            max_steps: 2_000_000,
+            max_seconds: 20.0,
+        }
+    }
+}
+
+/// How stitched pairs are drawn together, and when they are joined.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Stitches {
+    /// Explicit steps: force per gap, in units of the stitch's share of the cloth's stiffness (paper equation 5: c_s).
+    pub stiffness: f64,
+    /// Explicit steps: largest acceleration a sewing force may give, m/s².
+    pub acceleration: f64,
+    /// A stitched pair nearer than this counts as sewn and is joined, m (stop condition a).
+    pub closed_distance: f64,
+    /// Explicit steps: time over which the sewing force grows to full, s.
+    pub ramp: f64,
+}
+
+impl Default for Stitches {
+    fn default() -> Self {
+        Self { stiffness: 0.05, acceleration: 200.0, closed_distance: 1e-3, ramp: 0.2 }
+    }
+}
+
 /// All numbers of a run.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
@@ -59,10 +140,6 @@ pub struct Settings {
     pub integrator: Integrator,
     /// Effects.
     pub effects: Effects,
-    /// Mass-proportional damping rate C_d/m, 1/s (paper equation 7).
-    pub damping: f64,
-    /// Stiffness-proportional damping time, in time steps: quiets the shortest waves, leaves the rest shape alone.
-    pub stiffness_damping: f64,
     /// Factor on the scene's gravity.
     pub gravity_scale: f64,
     /// Pressure that pushes the cloth to its front side, Pa; static only.
@@ -71,43 +148,14 @@ pub struct Settings {
     pub body_gap: f64,
     /// Distance at which cloth is held off cloth, m; at least the fabric's thickness is used.
     pub self_gap: f64,
-    /// Explicit steps: stiffness of every contact, a penalty, N/m; 0 for as stiff as the step bears.
-    pub contact_stiffness: f64,
-    /// Sewing force per gap, in units of the stitch's share of the cloth's stiffness (paper equation 5: c_s).
-    pub sewing_stiffness: f64,
-    /// Largest acceleration a sewing force may give, m/s².
-    pub sewing_acceleration: f64,
-    /// A stitched pair nearer than this counts as sewn and is joined, m (stop condition a).
-    pub sewing_distance: f64,
-    /// Time over which the sewing force grows to full, s.
-    pub sewing_ramp: f64,
-    /// Largest tangent stiffness of the stretch curves used, N/m; infinite for the curves as measured. A lower cap
-    /// allows a longer time step and costs added strain, which the strain limit bounds and the report states.
-    pub stiffness_cap: f64,
-    /// Fraction of the stable time step that is used, 0..1.
-    pub step_fraction: f64,
-    /// Elements much smaller than the rest get inertia (not weight) so that they do not rule the time step.
-    pub even_inertia: bool,
-    /// Static: the energy that a Newton step would still win, over the elastic energy, at which the state is at rest.
-    pub decrement_tolerance: f64,
-    /// Static: the longest move of a vertex in such a step, m.
-    pub move_tolerance: f64,
-    /// Static: largest net force on a vertex over the mean vertex weight.
-    pub residual_tolerance: f64,
-    /// Static: most descent steps.
-    pub max_descents: u64,
-    /// Stop condition b: relative change of the elastic energy over a check interval.
-    pub energy_tolerance: f64,
-    /// No free vertex may be faster than this for the state to be called settled, m/s.
-    pub speed_tolerance: f64,
-    /// Extra elongation allowed to a bias edge by shear, rad.
-    pub shear_allowance: f64,
-    /// Most steps.
-    pub max_steps: u64,
-    /// Most simulated time, s.
-    pub max_seconds: f64,
     /// Most vertices pushed out of the body at the start, as a fraction; above it the start is refused.
     pub repair_share: f64,
+    /// Rest without time.
+    pub equilibrium: Equilibrium,
+    /// Explicit steps.
+    pub explicit: ExplicitSteps,
+    /// Sewing.
+    pub sewing: Stitches,
     /// Largest number of threads. Results never depend on it.
     ///
     /// Each part of the cloth that meets no other has one thread, and the factor of a large part has two
@@ -121,30 +169,14 @@ impl Default for Settings {
             model: Model::Coupled,
             integrator: Integrator::Static,
             effects: Effects::default(),
-            damping: 4.0,
-            stiffness_damping: 0.2,
             gravity_scale: 1.0,
             pressure: 0.0,
             body_gap: 1e-3,
             self_gap: 1e-3,
-            contact_stiffness: 0.0,
-            sewing_stiffness: 0.05,
-            sewing_acceleration: 200.0,
-            sewing_distance: 1e-3,
-            sewing_ramp: 0.2,
-            stiffness_cap: 2000.0,
-            step_fraction: 0.6,
-            even_inertia: true,
-            decrement_tolerance: 1e-3,
-            move_tolerance: 1e-4,
-            residual_tolerance: 1e-2,
-            max_descents: 5_000,
-            energy_tolerance: 1e-3,
-            speed_tolerance: 2e-3,
-            shear_allowance: 0.6,
-            max_steps: 2_000_000,
-            max_seconds: 20.0,
             repair_share: 0.2,
+            equilibrium: Equilibrium::default(),
+            explicit: ExplicitSteps::default(),
+            sewing: Stitches::default(),
             threads: 1,
         }
     }
@@ -156,12 +188,15 @@ impl Settings {
     pub fn sewing() -> Self {
         Self {
             gravity_scale: 0.0,
-            damping: 10.0,
             // A sewer's hands slide the cloth into place, and leave no folds that were not there before.
             effects: Effects { friction: Switch::Off, bending_hysteresis: Switch::Off, ..Effects::default() },
-            energy_tolerance: 1e-2,
-            speed_tolerance: 5e-2,
-            max_seconds: 6.0,
+            explicit: ExplicitSteps {
+                damping: 10.0,
+                energy_tolerance: 1e-2,
+                speed_tolerance: 5e-2,
+                max_seconds: 6.0,
+                ..ExplicitSteps::default()
+            },
             ..Self::default()
         }
     }
@@ -169,6 +204,6 @@ impl Settings {
     /// The largest tangent stiffness used: only explicit steps need a cap.
     #[must_use]
     pub fn curve_cap(&self) -> f64 {
-        if self.integrator == Integrator::Static { f64::INFINITY } else { self.stiffness_cap }
+        if self.integrator == Integrator::Static { f64::INFINITY } else { self.explicit.stiffness_cap }
     }
 }

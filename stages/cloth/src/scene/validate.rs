@@ -136,23 +136,22 @@ fn body(scene: &Scene) -> Result<(), ClothError> {
 
 /// Checks the ranges of all numbers.
 pub(crate) fn settings(s: &Settings) -> Result<(), ClothError> {
-    let ranges: [(&'static str, f64, f64, f64); 17] = [
-        ("damping", s.damping, 0.0, 1e6),
-        ("stiffness_damping", s.stiffness_damping, 0.0, 2.0),
+    let ranges: [(&'static str, f64, f64, f64); 16] = [
+        ("damping", s.explicit.damping, 0.0, 1e6),
+        ("stiffness_damping", s.explicit.stiffness_damping, 0.0, 2.0),
         ("gravity_scale", s.gravity_scale, -1e6, 1e6),
         ("pressure", s.pressure, -1e7, 1e7),
         ("body_gap", s.body_gap, 1e-6, 0.1),
         ("self_gap", s.self_gap, 1e-6, 0.1),
-        ("contact_stiffness", s.contact_stiffness, 0.0, 1e9),
-        ("sewing_stiffness", s.sewing_stiffness, 0.0, 1.0),
-        ("sewing_acceleration", s.sewing_acceleration, 0.0, 1e6),
-        ("sewing_distance", s.sewing_distance, 1e-6, 0.1),
-        ("sewing_ramp", s.sewing_ramp, 0.0, 1e3),
-        ("stiffness_cap", s.stiffness_cap, 1e-6, f64::INFINITY),
-        ("step_fraction", s.step_fraction, 1e-6, 1e3),
-        ("energy_tolerance", s.energy_tolerance, 0.0, 1.0),
-        ("speed_tolerance", s.speed_tolerance, 0.0, 1e3),
-        ("shear_allowance", s.shear_allowance, 0.0, 10.0),
+        ("contact_stiffness", s.explicit.contact_stiffness, 0.0, 1e9),
+        ("sewing_stiffness", s.sewing.stiffness, 0.0, 1.0),
+        ("sewing_acceleration", s.sewing.acceleration, 0.0, 1e6),
+        ("sewing_distance", s.sewing.closed_distance, 1e-6, 0.1),
+        ("sewing_ramp", s.sewing.ramp, 0.0, 1e3),
+        ("stiffness_cap", s.explicit.stiffness_cap, 1e-6, f64::INFINITY),
+        ("step_fraction", s.explicit.step_fraction, 1e-6, 1e3),
+        ("energy_tolerance", s.explicit.energy_tolerance, 0.0, 1.0),
+        ("speed_tolerance", s.explicit.speed_tolerance, 0.0, 1e3),
         ("repair_share", s.repair_share, 0.0, 1.0),
     ];
     for (name, value, low, high) in ranges {
@@ -160,8 +159,9 @@ pub(crate) fn settings(s: &Settings) -> Result<(), ClothError> {
             return Err(ClothError::BadSetting { name, what: format!("{value} is outside {low} … {high}") });
         }
     }
-    if s.max_seconds.is_nan() || s.max_seconds <= 0.0 {
-        return Err(ClothError::BadSetting { name: "max_seconds", what: format!("{} is not > 0", s.max_seconds) });
+    let seconds = s.explicit.max_seconds;
+    if seconds.is_nan() || seconds <= 0.0 {
+        return Err(ClothError::BadSetting { name: "max_seconds", what: format!("{seconds} is not > 0") });
     }
     excluded(s)
 }

@@ -48,7 +48,7 @@ pub(crate) fn close(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -
         join_closed_stitches(&mut descent, scene);
     }
     let outcome = |d: &mut Descent<'_>| {
-        let open = d.objective().widest_stitch(&d.x) > settings.sewing_distance;
+        let open = d.objective().widest_stitch(&d.x) > settings.sewing.closed_distance;
         report::outcome(d, scene, if open { StopReason::SeamsOpen } else { StopReason::Settled })
     };
     let drawn = outcome(&mut descent);
@@ -237,7 +237,7 @@ fn tighten(
     pinned: &mut PinnedTargets,
     watch: &mut dyn Watch,
 ) -> Result<(), ClothError> {
-    let distance = d.settings.sewing_distance;
+    let distance = d.settings.sewing.closed_distance;
     threads.pull(d, SEWING_FORCE_TIGHT.get(), distance);
     let last_step = d.steps + TIGHTENING_STEPS_MOST.get();
     let mut rule = Tightening { threads, last_step, widest: 0.0, last_energy: f64::INFINITY };
@@ -279,7 +279,7 @@ impl Mechanism for Tightening<'_> {
         self.last_energy = d.energy;
         let elastic = d.objective().elastic(&d.x);
         let widest = d.objective().widest_stitch(&d.x);
-        let closed = widest <= CLOSED_GAP.get() * d.settings.sewing_distance;
+        let closed = widest <= CLOSED_GAP.get() * d.settings.sewing.closed_distance;
         // A few stitches of tight cloth hold out against any force. Such seams are welded all the same.
         let in_vain =
             widest > TIGHTENING_GAP_PROGRESS.get() * self.widest && gain <= TIGHTENING_ENERGY_SHARE.get() * elastic;
@@ -291,7 +291,7 @@ impl Mechanism for Tightening<'_> {
 /// Puts the members of closed stitches on one point, unless something would cross.
 fn join_closed_stitches(d: &mut Descent<'_>, scene: &Scene) {
     let gap = |s: &&[u32; 2]| (d.x[s[0] as usize] - d.x[s[1] as usize]).norm();
-    let near = CLOSED_GAP.get() * d.settings.sewing_distance;
+    let near = CLOSED_GAP.get() * d.settings.sewing.closed_distance;
     let closed: Vec<[u32; 2]> = scene.stitches.iter().filter(|s| gap(s) <= near).copied().collect();
     let group = crate::scene::weld::groups(d.x.len(), &closed);
     let mut sums = vec![(Vec3::zeros(), 0.0); d.x.len()];

@@ -23,9 +23,9 @@ impl GapUpdate {
         d.is_large()
             && self.rounds == 0
             && d.strain_limits != StrainLimitPhase::Off
-            && d.newton.decrement <= s.decrement_tolerance
-            && d.newton.longest <= s.move_tolerance
-            && d.newton.residual <= GAP_UPDATE_EARLY_RESIDUAL.get() * s.residual_tolerance
+            && d.newton.decrement <= s.equilibrium.decrement_tolerance
+            && d.newton.longest <= s.equilibrium.move_tolerance
+            && d.newton.residual <= GAP_UPDATE_EARLY_RESIDUAL.get() * s.equilibrium.residual_tolerance
     }
 
     fn update(d: &mut Descent<'_>) -> bool {

@@ -25,7 +25,7 @@ impl RegularizationSchedule {
         if d.regularization.adapt_isotropic(b.mean) {
             return;
         }
-        let at_rest = d.newton.decrement <= d.settings.decrement_tolerance;
+        let at_rest = d.newton.decrement <= d.settings.equilibrium.decrement_tolerance;
         let large_at_rest = d.is_large() && at_rest;
         let r = &mut d.regularization;
         if b.stuck && b.steps == 0 {

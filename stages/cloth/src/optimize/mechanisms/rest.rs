@@ -13,18 +13,18 @@ impl Descent<'_> {
     pub fn rests(&self) -> bool {
         let s = self.settings;
         self.regularization.is_free()
-            && self.newton.decrement <= s.decrement_tolerance
-            && self.newton.longest <= s.move_tolerance
-            && self.newton.residual <= s.residual_tolerance
-            && self.objective().largest_slide() <= s.move_tolerance
+            && self.newton.decrement <= s.equilibrium.decrement_tolerance
+            && self.newton.longest <= s.equilibrium.move_tolerance
+            && self.newton.residual <= s.equilibrium.residual_tolerance
+            && self.objective().largest_slide() <= s.equilibrium.move_tolerance
             && self.pins_placed()
     }
 
     /// Would the cloth soon be at rest by the preconditioner of the last round?
     pub fn nearly_rests(&self) -> bool {
         let s = self.settings;
-        self.newton.decrement < s.decrement_tolerance
-            && self.newton.residual < NEARLY_AT_REST_RESIDUAL.get() * s.residual_tolerance
+        self.newton.decrement < s.equilibrium.decrement_tolerance
+            && self.newton.residual < NEARLY_AT_REST_RESIDUAL.get() * s.equilibrium.residual_tolerance
     }
 }
 
@@ -55,7 +55,7 @@ pub(crate) struct BlockEnd;
 impl Mechanism for BlockEnd {
     fn after_step(&mut self, d: &mut Descent<'_>, taken: Option<f64>) -> StepVerdict {
         let short = taken.is_some_and(|part| part < BLOCK_END_PART.get());
-        let goal = d.settings.residual_tolerance;
+        let goal = d.settings.equilibrium.residual_tolerance;
         if short || goal.is_finite() && d.net_force() <= goal { StepVerdict::EndBlock } else { StepVerdict::Go }
     }
 }
@@ -85,7 +85,7 @@ pub(crate) struct StepLimit;
 
 impl Mechanism for StepLimit {
     fn before_block(&mut self, d: &mut Descent<'_>, _: &mut dyn Watch) -> Result<Verdict, ClothError> {
-        let over = d.steps >= d.settings.max_descents;
+        let over = d.steps >= d.settings.equilibrium.max_descents;
         Ok(if over { Verdict::Stop(StopReason::MaxSteps) } else { Verdict::Go })
     }
 }
@@ -130,7 +130,11 @@ impl Mechanism for RestProgress {
 /// The largest ratio of a quantity that must be small at rest to its tolerance, at least 1.
 fn to_go(d: &Descent<'_>) -> f64 {
     let (n, s) = (&d.newton, d.settings);
-    let ratios = [n.decrement / s.decrement_tolerance, n.longest / s.move_tolerance, n.residual / s.residual_tolerance];
+    let ratios = [
+        n.decrement / s.equilibrium.decrement_tolerance,
+        n.longest / s.equilibrium.move_tolerance,
+        n.residual / s.equilibrium.residual_tolerance,
+    ];
     ratios.into_iter().fold(1.0, f64::max)
 }
 
@@ -139,8 +143,8 @@ fn words(d: &Descent<'_>) -> String {
         "energy {:.4e} J, a Newton step would win {:.1e} of the elastic energy (goal {:.0e}) and move {:.3} mm (goal {:.1})",
         d.energy,
         d.newton.decrement,
-        d.settings.decrement_tolerance,
+        d.settings.equilibrium.decrement_tolerance,
         d.newton.longest * 1e3,
-        d.settings.move_tolerance * 1e3
+        d.settings.equilibrium.move_tolerance * 1e3
     )
 }
