@@ -80,7 +80,7 @@ pub enum Line {
     },
     /// A finding.
     Diagnostic(Diagnostic),
-    /// What the stage will need; of several lines the last counts. Only from `forecast`.
+    /// Time and memory that the stage will need. Only `forecast` answers with it. Of several lines the last counts.
     Forecast {
         /// CPU seconds of all threads; without them nothing is foreseen.
         #[serde(default)]

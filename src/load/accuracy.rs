@@ -1,4 +1,4 @@
-//! What an asked accuracy means for a chain.
+//! An asked accuracy is turned into settings of the stages of a chain.
 
 use super::Request;
 use super::codes;
@@ -53,7 +53,7 @@ fn choose(
     Ok((choice, Diagnostic::info(codes::ACCURACY_CHOSEN, words)))
 }
 
-/// Refuses a chain in which no stage has a knob for the mesh, or none for the rest. Where a stage is unknown, nobody can tell.
+/// Refuses a chain in which no stage has a knob for the mesh, or none for the rest. A chain with an unknown stage passes.
 fn needs_knobs(document: &Document<'_>, registry: &Registry) -> Result<(), Diagnostic> {
     let stages: Vec<Option<&dyn AnyStage>> = document.stages.iter().map(|s| registry.get(s.name.get_ref())).collect();
     if stages.iter().any(Option::is_none) {

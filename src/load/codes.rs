@@ -5,9 +5,8 @@ use toile_garment::Code;
 codes! {
     pub(crate) list CODES;
 
-    /// What `accuracy` of the pipeline's head, or --accuracy, was taken to mean: the setting, and its error. The error
-    /// is estimated by a study of this garment where one lies beside the pipeline (`toile study`), else it is what the
-    /// preset promises.
+    /// `accuracy` of the pipeline's head, or --accuracy, chose this setting, with this error. A study of this garment
+    /// that lies beside the pipeline estimates the error (`toile study`). Without one the error is the preset's bound.
     ACCURACY_CHOSEN = "accuracy-chosen";
 
     /// An accuracy chooses the mesh and the drape together, so the chain must have `triangulate` and `drape`. For a

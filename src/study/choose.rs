@@ -1,5 +1,6 @@
-//! `accuracy = "2 mm"`: the cheapest setting whose stated error is no larger, from the pipeline's own study where one lies
-//! beside it, else from the presets.
+//! `accuracy = "2 mm"` chooses the cheapest setting whose stated error is no larger.
+//!
+//! The settings come from the study beside the pipeline. Without a study they come from the presets.
 
 use super::grid::{Setting, word};
 use super::presets::{PRESETS, Preset};
@@ -8,7 +9,7 @@ use crate::pipeline::Tuning;
 use toile_garment::units::{Length, tidy};
 use toile_stage_api::Meaning;
 
-/// What `accuracy` asks for.
+/// The accuracy that a pipeline asks for.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Wanted {
     /// A named point.
@@ -17,7 +18,7 @@ pub enum Wanted {
     Length(f64),
 }
 
-/// What was chosen.
+/// The chosen setting with its error.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Choice {
     /// The setting.
@@ -73,7 +74,7 @@ impl Wanted {
 }
 
 impl Choice {
-    /// As the chain takes it: mesh and tolerance. What a pipeline says of model, integrator and contact is its own matter.
+    /// Mesh and tolerance as settings of the chain. Model, integrator and contact stay as the pipeline has them.
     #[must_use]
     pub fn tuning(&self) -> Tuning {
         let mut all = tuning(&self.setting);

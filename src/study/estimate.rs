@@ -1,14 +1,15 @@
-//! What the error is, from the meshes alone: from two levels, and from the whole ladder.
+//! The error is estimated from the meshes alone: from two levels, or from a whole ladder of levels.
 //!
-//! With `q(h) = q + C h^p` (Richardson), a coarser mesh H tells the error at h: `|q(H) − q(h)| / ((H/h)^p − 1)`, and the
-//! distance to the result at a still finer mesh f: `|q(H) − q(h)| (h^p − f^p) / (H^p − h^p)`.
+//! Richardson's rule supposes `q(h) = q + C h^p`. A coarser mesh H then gives the error at h as
+//! `|q(H) − q(h)| / ((H/h)^p − 1)`. The distance to the result of a still finer mesh f is
+//! `|q(H) − q(h)| (h^p − f^p) / (H^p − h^p)`.
 
 use super::measure::{Lengths, difference};
 use serde::{Deserialize, Serialize};
 
-/// Order of hem heights and girths in the edge length. Linear triangles give energies of second order on smooth shapes;
-/// contact and folds that are as wide as a few edges leave lengths of a garment little more than the first: over the ladders
-/// of the three samples, orders from 1 to 1.5 fit alike, and with this one no estimate is twice or half the error.
+/// Order of hem heights and girths in the edge length. Linear triangles give energies of second order on smooth shapes.
+/// Contact and folds that are a few edges wide leave lengths of a garment little more than the first order. Over the
+/// ladders of the three samples, orders from 1 to 1.5 fit alike. With this order no estimate is twice or half the error.
 pub const ORDER: f64 = 1.25;
 
 /// One mesh: its edge length in mm and what was measured.
@@ -33,8 +34,9 @@ pub fn estimate(coarser: Level<'_>, this: Level<'_>, finest: Option<f64>) -> Opt
     (step > 0.0).then(|| hem.max(girth) * rest.max(0.0) / step)
 }
 
-/// Estimated error of the first of these levels, which go from fine to coarse: by their trend where there are three, else
-/// from two; against the limit, or against the result of a mesh of the edge length `finest`, mm. No finer mesh is asked.
+/// Estimated error of the first of these levels, mm. The levels go from fine to coarse. Three levels give a trend, two a
+/// difference. The error is against the limit, or against the result of a mesh of the edge length `finest`. No mesh
+/// finer than the first level is used.
 #[must_use]
 pub fn error_of(levels: &[Level<'_>], finest: Option<f64>) -> Option<f64> {
     let [this, coarser, ..] = levels else { return None };
@@ -75,7 +77,7 @@ impl Trend {
     }
 }
 
-/// What a line says a figure is off by. Another mesh scatters by itself: two of them differ by √2 of one's deviation.
+/// The error of a figure by the line of its trend. Every mesh scatters: two of them differ by √2 of one's deviation.
 fn off([slope, scatter]: [f64; 2], edge: f64, finest: Option<f64>) -> f64 {
     match finest {
         Some(finest) => libm::hypot(slope * (power(edge) - power(finest)), std::f64::consts::SQRT_2 * scatter),

@@ -87,7 +87,7 @@ pub fn word(value: &impl Serialize) -> String {
     serde_json::to_value(value).ok().and_then(|v| v.as_str().map(str::to_owned)).unwrap_or_default()
 }
 
-/// What a study varies.
+/// The settings that a study varies.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axes {
     /// Edge lengths, mm.

@@ -1,8 +1,8 @@
-//! What is measured on a drape, and how far two drapes differ.
+//! Measures of a drape, and the difference of two drapes.
 //!
 //! Folded cloth has several states of rest: two meshes can put the folds of one hem in different places and both be
-//! right. Hem heights and girths along the cloth hardly depend on that, so they are the error that counts (`length`); what
-//! folds dominate, girths by the tape and the distance of the surfaces, is told beside them.
+//! right. Hem heights and girths along the cloth hardly depend on that, so they are the error that counts (`length`).
+//! Folds dominate the girths by the tape and the distance of the surfaces. These two stand beside the error.
 
 use serde::{Deserialize, Serialize};
 use toile_stages::fit::{Hem, Nearest, Surface, along, tape};
@@ -28,7 +28,7 @@ pub struct Lengths {
 }
 
 impl Lengths {
-    /// What the error is made of: hem heights and girths along the cloth.
+    /// The lengths that make up the error: hem heights and girths along the cloth.
     pub fn mesh_dependent(&self) -> impl Iterator<Item = f64> {
         self.hems_mm.iter().chain(&self.girths_mm).copied()
     }

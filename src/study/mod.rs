@@ -1,4 +1,4 @@
-//! What accuracy costs in time, for one garment: `toile study`.
+//! `toile study` shows for one garment how the error falls as the time grows.
 //!
 //! `grid` says which settings are run, `runs` runs them into folders and takes up where an earlier study ended.
 //! `measure` compares what came out with the finest, `estimate` tells the error from two levels, `front` finds what is

@@ -32,7 +32,7 @@ pub struct Row {
     pub on_front: bool,
     /// Name of the preset at this setting.
     pub preset: Option<String>,
-    /// What the preset promises, mm.
+    /// The error that the preset promises, mm.
     pub promised_mm: Option<f64>,
     /// Is the promise held?
     pub promise_held: Option<bool>,
@@ -57,7 +57,7 @@ pub struct Study {
     pub pipeline: String,
     /// Threads of the runs.
     pub threads: usize,
-    /// What the recommended setting must reach, mm.
+    /// The error that the recommended setting must reach, mm.
     pub wanted_mm: f64,
     /// Heights of the girths above the floor, mm.
     pub girth_heights_mm: Vec<f64>,
@@ -79,9 +79,9 @@ pub struct Head {
     pub pipeline: String,
     /// Threads.
     pub threads: usize,
-    /// What is wanted, mm.
+    /// The wanted error, mm.
     pub wanted_mm: f64,
-    /// What was left out.
+    /// Settings that were left out.
     pub left_out: Vec<String>,
 }
 
@@ -222,8 +222,8 @@ impl Study {
         Some(self.rows[row].error.as_ref()?.length_mm + self.own_error()?)
     }
 
-    /// What the finest itself is off the limit of fine meshes, mm: by the trend of all meshes, else by two; nothing can be
-    /// stated after a single one. A mesh from a file is the limit itself.
+    /// Distance of the finest result from the limit of fine meshes, mm. The trend of all meshes gives it, or two meshes.
+    /// A single mesh gives none. A mesh from a file is the limit itself.
     #[must_use]
     pub fn own_error(&self) -> Option<f64> {
         let finest = &self.rows[self.finest];

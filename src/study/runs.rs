@@ -17,7 +17,7 @@ use toile_garment::provenance::InputRecord;
 use toile_garment::{Diagnostic, Garment, Severity};
 use toile_stage_api::{Meaning, Registry};
 
-/// What a run came to, beside its garment.
+/// File of the figures of a run, beside its garment.
 const RESULT_NAME: &str = "result.json";
 /// The draped garment.
 const GARMENT_NAME: &str = "garment.glb";
@@ -32,7 +32,7 @@ pub struct Done {
     pub setting: Setting,
     /// Digest of program version, seed and the full parameters of every stage.
     pub key: String,
-    /// What it read.
+    /// Files that the run read.
     pub inputs: Vec<InputRecord>,
     /// How it ended, in a word.
     pub status: String,
@@ -62,7 +62,7 @@ pub struct Ran {
 
 /// Why a study cannot go on.
 pub struct Halt {
-    /// What is to be said.
+    /// Findings to show.
     pub findings: Vec<Diagnostic>,
     /// The pipeline's text, to show them in.
     pub source: Option<(String, String)>,
@@ -70,7 +70,7 @@ pub struct Halt {
     pub exit: Exit,
 }
 
-/// What all runs of a study share.
+/// The data that all runs of a study share.
 pub struct Bench<'a> {
     /// The pipeline and what it may do.
     pub request: Request,

@@ -51,7 +51,7 @@ pub fn cells(study: &Study, number: usize) -> [String; 13] {
     ]
 }
 
-/// What is special about a row, in words.
+/// Remarks on a row, in words.
 fn remarks(study: &Study, row: &Row, number: usize) -> String {
     let mut words: Vec<String> = Vec::new();
     if let (Some(name), Some(bound)) = (&row.preset, row.promised_mm) {
@@ -121,7 +121,7 @@ pub fn markdown(study: &Study) -> String {
     crate::render::safe(&out)
 }
 
-/// What the figures mean and what follows from them.
+/// Sentences that explain the figures and the recommendation.
 #[must_use]
 pub fn words(study: &Study) -> Vec<String> {
     let finest = &study.rows[study.finest];

@@ -1,4 +1,4 @@
-//! What the engine lends to a running stage.
+//! The engine lends a running stage its files, its findings and its progress.
 
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -11,7 +11,7 @@ pub enum FileError {
     /// The path leaves the allowed folders, or is not a plain relative path.
     #[error("the path `{path}` is not allowed: {reason}")]
     Refused {
-        /// As given.
+        /// The path as it was given.
         path: String,
         /// Why and what to do.
         reason: String,
@@ -19,7 +19,7 @@ pub enum FileError {
     /// There is no such file.
     #[error("cannot read `{path}`: {reason}")]
     Missing {
-        /// As given.
+        /// The path as it was given.
         path: String,
         /// The system's words.
         reason: String,
@@ -27,7 +27,7 @@ pub enum FileError {
     /// The file is larger than the limit.
     #[error("`{path}` has {size} bytes, over the limit of {limit}")]
     TooLarge {
-        /// As given.
+        /// The path as it was given.
         path: String,
         /// Its size.
         size: u64,
@@ -37,7 +37,7 @@ pub enum FileError {
     /// Reading the file needs more memory than this process can have.
     #[error("reading `{path}` needs about {needed:.0} MB of memory, and there are {free:.0} MB")]
     Memory {
-        /// As given.
+        /// The path as it was given.
         path: String,
         /// Memory for reading and checking it, MB.
         needed: f64,
@@ -47,7 +47,7 @@ pub enum FileError {
     /// Disk full, no rights, or it is there already and `--force` was not given.
     #[error("cannot write `{path}`: {reason}")]
     Write {
-        /// As given.
+        /// The path as it was given.
         path: String,
         /// The system's words.
         reason: String,

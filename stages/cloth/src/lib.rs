@@ -1,8 +1,8 @@
 //! The cloth solver on plain arrays: energies, integrators, contact, effects.
 //!
-//! It knows no garment and no file: a [`Scene`] of positions, rest triangles, stitches, pins and a body goes in,
-//! an [`Outcome`] with new positions comes out. [`sew`] closes the stitches, [`weld()`] makes sewn vertices one,
-//! [`drape`] settles the cloth, [`animate()`] moves it in time, [`certify`] counts afresh what the result is worth.
+//! It knows no garment and no file. A [`Scene`] of positions, rest triangles, stitches, pins and a body goes in. An
+//! [`Outcome`] with new positions comes out. [`sew`] closes the stitches, and [`weld()`] makes sewn vertices one.
+//! [`drape`] settles the cloth, and [`animate()`] moves it in time. [`certify`] checks a result afresh.
 //!
 //! SI units throughout (m, kg, s, N); tension, stretch and shear stiffness per metre of width (N/m), bending in N·m.
 

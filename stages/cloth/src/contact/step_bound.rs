@@ -8,7 +8,7 @@ use crate::collision::narrow_phase::pair_kind::PairKind;
 use crate::collision::tuning::IMPACT_FRACTION_USED;
 use crate::contact::barrier::Barrier;
 use crate::contact::tuning::{VERTEX_TRUNCATION, VERTEX_TRUNCATION_ROUNDS};
-use crate::report::cost::{Lap, Work};
+use crate::report::cost::{CpuTimer, Work};
 
 /// A pair that a step brings too near: vertices of the cloth, their number, and the part of the step up to there.
 type Hit = ([u32; 4], usize, f64);
@@ -59,7 +59,7 @@ impl Barrier {
 
     /// Calls `hit` for every pair that the step brings too near.
     fn for_each_hit(&mut self, x: &[Vec3], step: &[Vec3], mut hit: impl FnMut(Hit)) {
-        let mut lap = Lap::start();
+        let mut lap = CpuTimer::start();
         self.for_each_self_hit(x, step, &mut hit);
         self.statistics.costs.spend(Work::SelfContact, &mut lap);
         if let Some(body) = &self.body {

@@ -1,5 +1,7 @@
-//! Damping by the air: a pressure p = c v |v| on the cloth against the part v of its velocity across it (a plate in a
-//! stream: c = ½ ρ C_d), and a plain rate 1/s (paper equation 7).
+//! The air damps motion by two terms.
+//!
+//! A pressure p = c v |v| acts against the part v of the velocity that is across the cloth. A plate in a stream has
+//! c = ½ ρ C_d. A plain rate in 1/s acts on the whole velocity (paper equation 7).
 
 use crate::dynamics::motion::Dynamics;
 use crate::{Element, Vec3};

@@ -6,8 +6,10 @@ use crate::contact::barrier::Barrier;
 use crate::contact::barrier::active_contact::ActiveContact;
 use crate::dynamics::tuning::IMPACT_SWEEPS;
 
-/// Takes the separating speed out of every contact, by impulses of equal size on both sides; `body` holds the
-/// velocities of the body's vertices (empty for a body at rest), `free` the vertices that are not held.
+/// Takes the separating speed out of every contact, by impulses of equal size on both sides.
+///
+/// `body` holds the velocities of the body's vertices. It is empty for a body at rest. `free` marks the vertices that
+/// are not held.
 pub(crate) fn settle(barrier: &Barrier, x: &[Vec3], v: &mut [Vec3], mass: &[f64], free: &[bool], body: &[Vec3]) {
     let place = |t: &ActiveContact| match &barrier.body {
         Some(b) if !body.is_empty() => b.interpolate_at_pair(&t.key, x, body),

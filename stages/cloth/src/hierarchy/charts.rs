@@ -2,7 +2,7 @@
 //!
 //! A knot is the class of all vertices that are, or will be, sewn to one point.
 
-use crate::hierarchy::prolong;
+use crate::hierarchy::rest_places;
 use crate::scene::weld::groups;
 use crate::{Scene, Vec3};
 
@@ -33,7 +33,7 @@ impl Charts {
     /// The charts of a scene.
     pub fn new(scene: &Scene) -> Self {
         let n = 3 * scene.triangles.len();
-        let (places, curved) = prolong::corners(scene);
+        let (places, curved) = rest_places::corners(scene);
         let group = groups(n, &joined(scene, &places));
         let mut number = vec![u32::MAX; n];
         let (mut vertex, mut rest) = (Vec::new(), Vec::new());
@@ -63,13 +63,13 @@ impl Charts {
 fn joined(scene: &Scene, places: &[[Vec3; 3]]) -> Vec<[u32; 2]> {
     let rest = |i: usize| places[i / 3][i % 3];
     let mut pairs = Vec::new();
-    for same in prolong::triangle_sides(scene).chunk_by(|p, q| (p.0, p.1) == (q.0, q.1)) {
+    for same in rest_places::triangle_sides(scene).chunk_by(|p, q| (p.0, p.1) == (q.0, q.1)) {
         for (n, p) in same.iter().enumerate() {
             for q in &same[n + 1..] {
                 let material = scene.triangles[p.2 / 3].material == scene.triangles[q.2 / 3].material;
                 if material
-                    && prolong::is_same_place(&rest(p.2), &rest(q.2))
-                    && prolong::is_same_place(&rest(p.3), &rest(q.3))
+                    && rest_places::is_same_place(&rest(p.2), &rest(q.2))
+                    && rest_places::is_same_place(&rest(p.3), &rest(q.3))
                 {
                     let link = |i: usize, j: usize| [i, j].map(|c| u32::try_from(c).unwrap_or(u32::MAX));
                     pairs.extend([link(p.2, q.2), link(p.3, q.3)]);

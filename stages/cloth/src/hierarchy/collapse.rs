@@ -4,7 +4,7 @@
 //! of held regions stay.
 
 use crate::hierarchy::charts::Charts;
-use crate::hierarchy::prolong::weights;
+use crate::hierarchy::rest_places::weights;
 use crate::hierarchy::tuning::{BORDER_OFFSET_MAX, COLLAPSE_EDGE_SHARE, COLLAPSED_EDGE_MAX, COLLAPSED_SHAPE_MIN};
 use crate::{Scene, Vec3};
 use std::cmp::Reverse;

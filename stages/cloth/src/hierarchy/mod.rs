@@ -8,15 +8,17 @@ pub(crate) mod collapse;
 pub(crate) mod membrane_softening;
 pub(crate) mod perturb;
 pub(crate) mod prolong;
+pub(crate) mod rest_places;
 #[cfg(test)]
 pub(crate) mod tests;
 pub(crate) mod tuning;
 
 use crate::scene::bending_length;
 use crate::scene::measures::mean_edge;
-use crate::{Element, Scene, Vec3};
+use crate::{Element, Scene};
 use charts::Charts;
 use collapse::Mesh;
+use prolong::{Anchor, anchors};
 use tuning::{
     LEVEL_EDGE_BENDING_LENGTHS, LEVEL_EDGE_MAX, LEVEL_EDGE_RATIO, LEVEL_TRIANGLE_SHARE_MAX, LEVEL_TRIANGLES_MIN,
 };
@@ -30,13 +32,6 @@ pub(crate) struct Level {
     pub scene: Scene,
     /// Places of every vertex of the finer scene: one, or one for each side of a seam.
     anchors: Vec<Vec<Anchor>>,
-}
-
-/// A place on a triangle of the coarser cloth.
-#[derive(Clone, Copy, Debug)]
-struct Anchor {
-    vertices: [u32; 3],
-    weights: [f64; 3],
 }
 
 impl Level {
@@ -93,12 +88,6 @@ impl Level {
         let anchors = anchors(mesh, &number);
         Self { scene, anchors }
     }
-
-    /// Positions of the finer scene from those of the level (prolongation), m.
-    pub fn spread(&self, x: &[Vec3]) -> Vec<Vec3> {
-        let place = |a: &Anchor| (0..3).map(|k| x[a.vertices[k] as usize] * a.weights[k]).sum::<Vec3>();
-        self.anchors.iter().map(|all| all.iter().map(place).sum::<Vec3>() / all.len().max(1) as f64).collect()
-    }
 }
 
 /// Returns `true` if there may be a level with a mean edge of at most `longest`, m.
@@ -124,7 +113,7 @@ fn coarse(fine: &Scene, mesh: &Mesh, number: &[u32], kept: &[u32]) -> Scene {
             Element {
                 vertices: c.map(|c| number[mesh.charts.vertex[c as usize] as usize]),
                 rest: if mesh.charts.curved {
-                    prolong::in_cloth_axes(&at, places, old)
+                    rest_places::in_cloth_axes(&at, places, old)
                 } else {
                     at.map(|p| [p.x, p.y])
                 },
@@ -133,24 +122,4 @@ fn coarse(fine: &Scene, mesh: &Mesh, number: &[u32], kept: &[u32]) -> Scene {
         })
     });
     fine.part(kept, number, triangles.collect())
-}
-
-/// Places of all vertices on the triangles of a collapsed mesh.
-fn anchors(mesh: &Mesh, number: &[u32]) -> Vec<Vec<Anchor>> {
-    let mut anchors = vec![Vec::new(); number.len()];
-    for (v, n) in number.iter().enumerate().filter(|(_, n)| **n != u32::MAX) {
-        anchors[v].push(Anchor { vertices: [*n; 3], weights: [1.0, 0.0, 0.0] });
-    }
-    for (corners, carried) in mesh.triangles.iter().zip(&mesh.carried) {
-        let Some(corners) = corners else { continue };
-        let rest = corners.map(|c| mesh.charts.rest[c as usize]);
-        let vertices = corners.map(|c| number[mesh.charts.vertex[c as usize] as usize]);
-        for c in carried {
-            let v = mesh.charts.vertex[*c as usize] as usize;
-            if number[v] == u32::MAX {
-                anchors[v].push(Anchor { vertices, weights: prolong::weights(&rest, &mesh.charts.rest[*c as usize]) });
-            }
-        }
-    }
-    anchors
 }

@@ -1,5 +1,5 @@
-use crate::Material;
 use crate::hierarchy::*;
+use crate::{Material, Vec3};
 
 /// A strip of cells, n × m, each 10 mm; `shift` moves it in the cloth's plane and in space.
 fn sheet(n: u32, m: u32, first: u32, shift: f64) -> Scene {

@@ -1,6 +1,6 @@
 //! Fork–join: two independent pieces of work on two threads.
 
-use crate::report::cost::Lap;
+use crate::report::cost::CpuTimer;
 use std::panic::resume_unwind;
 use std::sync::Mutex;
 use std::thread::{Builder, scope};
@@ -14,7 +14,7 @@ pub(crate) fn fork_join(threads: usize, one: impl FnOnce(), other: impl FnOnce()
     }
     let other = Mutex::new(Some(other));
     let go = || {
-        let mut lap = Lap::start();
+        let mut lap = CpuTimer::start();
         other.lock().ok().and_then(|mut o| o.take()).map(|o| o()).map(|()| lap.next())
     };
     scope(|s| {

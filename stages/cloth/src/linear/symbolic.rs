@@ -1,4 +1,6 @@
-//! Symbolic analysis: the order of elimination and the supernodes of a factor, from `faer`.
+//! Symbolic analysis: the order of elimination and the supernodes of a factor.
+//!
+//! Nested dissection gives the order (`nested_dissection/`). `faer` orders small parts and counts the factor's entries.
 //!
 //! It has whole numbers only, so it is the same on every machine.
 

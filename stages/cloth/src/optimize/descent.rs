@@ -10,7 +10,7 @@ use crate::optimize::strain_limit_phase::StrainLimitPhase;
 use crate::optimize::task::Task;
 use crate::optimize::tuning::{BLOCK_STEPS_LARGE, LARGE_CLOTH_VERTICES, STEP_CAP_EDGES};
 use crate::prepare::start::Start;
-use crate::report::cost::{Lap, Work};
+use crate::report::cost::{CpuTimer, Work};
 use crate::scene::EARTH;
 use crate::scene::measures::{mean_weight, or_earth, side};
 use crate::scene::topology::Topology;
@@ -191,14 +191,14 @@ impl<'a> Descent<'a> {
 
     /// The Hessian at the positions, projected to be convex or as it is.
     pub fn assemble(&mut self, convex: bool) -> crate::linear::hessian::System {
-        let mut lap = Lap::start();
+        let mut lap = CpuTimer::start();
         let system = self.objective.assemble(&self.x, self.regularization.isotropic, convex);
         self.spend(&mut lap);
         system
     }
 
     /// Adds the time since the last lap to the cost of the descent, with the time of the factor's other thread.
-    pub fn spend(&mut self, lap: &mut Lap) {
+    pub fn spend(&mut self, lap: &mut CpuTimer) {
         self.objective.costs.spend(Work::Descent, lap);
         self.objective.costs.add(Work::Descent, self.preconditioner.factor.take_second_thread_seconds());
     }
@@ -237,7 +237,7 @@ impl<'a> Descent<'a> {
 
     /// Measures the Newton step from the positions with the last factorisation.
     pub fn measure_newton_step(&mut self) {
-        let mut lap = Lap::start();
+        let mut lap = CpuTimer::start();
         let mut d = self.f.clone();
         self.preconditioner.factor.solve(&mut d);
         self.spend(&mut lap);
@@ -262,7 +262,7 @@ impl<'a> Descent<'a> {
     /// Refreshes the forces that lag behind the positions: friction in contacts and in bending, and pressure.
     pub fn refresh_lagged_forces(&mut self) {
         self.change(|objective, x| {
-            let mut lap = Lap::start();
+            let mut lap = CpuTimer::start();
             let Objective { terms, costs, .. } = objective;
             let Terms { barrier, friction, hysteresis, pressure, .. } = terms;
             if let (Some(friction), Some(barrier)) = (friction, barrier) {

@@ -153,7 +153,7 @@ pub(crate) fn settle(d: &mut Descent<'_>, task: Task, watch: &mut dyn Watch) -> 
     let (mut pinned, mut progress) = (PinnedTargets::settling(), RestProgress::default());
     loop {
         let reason = settle_unchecked(d, task, &mut pinned, &mut progress, watch)?;
-        if d.is_checked() {
+        if d.check_or_roll_back() {
             return Ok(reason);
         }
     }

@@ -61,7 +61,7 @@ fn round(
     }
     match precondition(d, mechanisms) {
         // Where cloth has gone through itself ahead of detection, no way may lead on. It is taken back.
-        Err(_) if !d.is_checked() => precondition(d, mechanisms)?,
+        Err(_) if !d.check_or_roll_back() => precondition(d, mechanisms)?,
         other => other?,
     }
     for k in 0..mechanisms.len() {

@@ -8,7 +8,7 @@ use crate::optimize::tuning::{
     FACTOR_REUSE, FULL_HESSIAN, FULL_HESSIAN_DECREMENT, FULL_HESSIAN_WAIT_MOST, REUSE_DRIFT, TAU_AFTER_FAILED_FACTOR,
     TAU_FREE, TAU_LEAST,
 };
-use crate::report::cost::Lap;
+use crate::report::cost::CpuTimer;
 
 impl Descent<'_> {
     /// # Errors
@@ -104,7 +104,7 @@ impl Descent<'_> {
 
     /// Factorises a system; its values are dropped before the elimination begins.
     pub fn factorise(&mut self, (pattern, values): System) -> bool {
-        let mut lap = Lap::start();
+        let mut lap = CpuTimer::start();
         let shift: Vec<f64> = self.shift().collect();
         let fits = self.preconditioner.factor.take_in(&pattern, &values, &shift);
         drop(values);

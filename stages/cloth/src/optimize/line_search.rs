@@ -8,7 +8,7 @@ use crate::optimize::lbfgs::dot;
 use crate::optimize::tuning::{
     ARMIJO_SHARE, BACKTRACKING_LEAST, BACKTRACKING_MOST, HOLD_BACK_ROUNDS, HOLD_BACK_UNDER, LINE_SEARCH_TRIALS,
 };
-use crate::report::cost::Lap;
+use crate::report::cost::CpuTimer;
 
 /// Rounding of an energy over its size.
 const ENERGY_ROUNDING: f64 = 1e-14;
@@ -57,7 +57,7 @@ impl Descent<'_> {
 
     /// The quasi-Newton direction, no longer than the step cap.
     fn direction(&mut self) -> Vec<Vec3> {
-        let mut lap = Lap::start();
+        let mut lap = CpuTimer::start();
         let factor = &mut self.preconditioner.factor;
         let mut d = self.history.direction(&self.f, |q| factor.solve(q));
         if dot(&d, &self.f) <= 0.0 || d.iter().any(|v| !v.iter().all(|c| c.is_finite())) {

@@ -2,13 +2,13 @@
 //!
 //! [`driver`] holds the one loop, [`descent`] its state, [`mechanisms`] the rules that act in it.
 
+pub(crate) mod assembled_hessian;
 pub(crate) mod block;
 pub(crate) mod decrement_bound;
 pub(crate) mod descent;
 pub(crate) mod drape;
 pub(crate) mod driver;
 pub(crate) mod factorization;
-pub(crate) mod hessian_choice;
 pub(crate) mod lbfgs;
 pub(crate) mod line_search;
 pub(crate) mod mechanism;

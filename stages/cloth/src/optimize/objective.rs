@@ -14,10 +14,10 @@ use crate::energy::pressure::Pressure;
 use crate::energy::stitch_penalty::Seams;
 use crate::energy::{Energy, elastic};
 use crate::linear::hessian::{FIXED, Pattern};
-use crate::optimize::hessian_choice::HessianChoice;
+use crate::optimize::assembled_hessian::AssembledHessians;
 use crate::optimize::task::Task;
 use crate::prepare::start::Start;
-use crate::report::cost::{Costs, Lap, Work};
+use crate::report::cost::{Costs, CpuTimer, Work};
 use crate::scene::measures::{areas, held, masses};
 use crate::{Scene, Settings, Switch, Vec3};
 use nalgebra::Matrix3;
@@ -63,7 +63,7 @@ struct ClothTerms {
 pub(crate) struct Objective {
     pub terms: Terms,
     pub unknowns: Unknowns,
-    hessian: HessianChoice,
+    hessian: AssembledHessians,
     /// Mean rest length of an edge, m.
     pub edge: f64,
     /// Rounding of the energy that does not scale with the energy itself, J.
@@ -85,7 +85,7 @@ impl Objective {
         let cloth = model(scene, s, &topology, &mass);
         let (pins, stitches) = pins_and_stitches(scene, &positions, task);
         let unknowns = Unknowns::new(mass, pins);
-        let hessian = HessianChoice::new(&cloth, stitches.as_ref(), &unknowns.index, unknowns.unknown_mass.len());
+        let hessian = AssembledHessians::new(&cloth, stitches.as_ref(), &unknowns.index, unknowns.unknown_mass.len());
         let bends_back = BENDING_HYSTERESIS.is_wanted(&Facts::of_scene(scene, s), s);
         let hysteresis = bends_back.then(|| Hysteresis::new(scene, &topology)).flatten();
         let frame = contact_parameters(scene, s, topology, &unknowns.mass, body.is_some(), own);
@@ -118,7 +118,7 @@ impl Objective {
 
     /// Energy at `x`, J; `f` becomes the forces on the unknowns, N.
     pub fn evaluate(&mut self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
-        let mut lap = Lap::start();
+        let mut lap = CpuTimer::start();
         let all = &mut self.force;
         all.fill(Vec3::zeros());
         let (mut energy, mut elastic) = (0.0, 0.0);
@@ -149,7 +149,7 @@ impl Objective {
 
     /// Adds all terms that are not the cloth's own.
     fn add_other_terms(&mut self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
-        let mut lap = Lap::start();
+        let mut lap = CpuTimer::start();
         self.evaluations += 1;
         let (mut energy, all) = (self.cloth.energy, &mut self.force);
         if let Some(s) = &self.terms.stitches {
@@ -166,7 +166,7 @@ impl Objective {
         }
         if let Some(b) = &mut self.terms.barrier {
             energy += b.evaluate(x, all);
-            lap = Lap::start();
+            lap = CpuTimer::start();
         }
         if let Some(s) = &self.terms.friction {
             energy += s.evaluate(x, all);
@@ -317,7 +317,7 @@ fn contact(
     costs: &mut Costs,
 ) -> Barrier {
     frame.topology.forget_hinges();
-    let mut lap = Lap::start();
+    let mut lap = CpuTimer::start();
     let coarser = task == Task::SettleCoarse;
     let body = body.map(|b| if coarser { b.decimated([frame.mean_edge, s.body_gap]) } else { b });
     costs.spend(Work::BodyContact, &mut lap);

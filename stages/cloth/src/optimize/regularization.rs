@@ -1,5 +1,5 @@
 //! Regularisation of the preconditioner: a Levenberg–Marquardt shift by the mass, and a share of the stretch stiffness that
-//! acts in all directions.
+//! acts in all directions. `optimize/mechanisms/regularization_schedule.rs` says when it grows and shrinks.
 
 use crate::optimize::tuning::{
     ISOTROPIC_SHARE_FACTOR, ISOTROPIC_SHARE_FIRST, ISOTROPIC_SHARE_MOST, SHORT_BLOCK_PART, TAU_FIRST, TAU_FREE,

@@ -4,7 +4,7 @@ use crate::collision::body::Body;
 use crate::collision::self_candidates::SelfCollision;
 use crate::effects::{self, BODY_CONTACT, Facts, SELF_CONTACT};
 use crate::prepare::initial_feasibility::repair;
-use crate::report::cost::{Costs, Lap, Work};
+use crate::report::cost::{Costs, CpuTimer, Work};
 use crate::scene::topology::Topology;
 use crate::scene::validate;
 use crate::{ClothError, Scene, Settings, Vec3};
@@ -34,7 +34,7 @@ impl Start {
         effects::check(scene, s)?;
         let topology = Topology::of_elements(scene.positions.len(), &scene.triangles);
         let mut positions = scene.positions.clone();
-        let (mut costs, mut lap) = (Costs::default(), Lap::start());
+        let (mut costs, mut lap) = (Costs::default(), CpuTimer::start());
         let facts = Facts::of_scene(scene, s);
         let body = if BODY_CONTACT.is_on(&facts, s) { Body::of_scene(scene) } else { None };
         costs.spend(Work::BodyContact, &mut lap);

@@ -21,7 +21,7 @@ pub(crate) struct Costs([f64; 8]);
 
 impl Costs {
     /// Adds the time since the timer was last read.
-    pub fn spend(&mut self, work: Work, lap: &mut Lap) {
+    pub fn spend(&mut self, work: Work, lap: &mut CpuTimer) {
         self.0[work as usize] += lap.next();
     }
 
@@ -44,9 +44,9 @@ impl Costs {
 
 /// A timer of CPU time.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Lap(f64);
+pub(crate) struct CpuTimer(f64);
 
-impl Lap {
+impl CpuTimer {
     /// A timer that starts now.
     pub fn start() -> Self {
         Self(clock())

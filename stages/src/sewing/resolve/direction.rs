@@ -1,9 +1,9 @@
-//! Which end meets which.
+//! The ends of a seam that meet.
 //!
-//! Two points state it: `a.from` meets `b.from`. Edges by name or number do not. For them: a list of edges that follow
-//! one another is walked in the order written; and two pieces that both lie right side out are sewn against each other's
-//! sense (one outline forward, the other backward), for only so does the right side stay outside. `reverse = false` says
-//! that it is otherwise (a fold-over). Notches must agree with the reading, or both readings are shown.
+//! Two points state it: `a.from` meets `b.from`. Edges by name or number do not. A list of edges that follow one another
+//! is walked in the order written. Two pieces that both lie right side out are sewn against each other's sense: one
+//! outline forward, the other backward. Only so does the right side stay outside. `reverse = false` states the opposite
+//! (a fold-over). Notches must agree with the reading, or both readings are shown.
 
 use super::super::lookup::RawRun;
 use super::super::ring::SAME;

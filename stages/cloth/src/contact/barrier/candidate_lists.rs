@@ -10,7 +10,7 @@ use crate::contact::barrier::statistics::ContactStatistics;
 use crate::contact::list_validity::ListValidity;
 use crate::contact::parameters::ContactParameters;
 use crate::contact::tuning::{EDGE_GAP_SHARE, LIST_SLACK_MAX, LIST_SLACK_MIN, LIST_SLACK_PER_STEP};
-use crate::report::cost::{Lap, Work};
+use crate::report::cost::{CpuTimer, Work};
 
 /// State of the candidate pairs of cloth with cloth.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -69,7 +69,7 @@ impl CandidateLists {
             return false;
         }
         statistics.lists += 1;
-        let mut lap = Lap::start();
+        let mut lap = CpuTimer::start();
         let edge = parameters.mean_edge;
         let [least, most] = [LIST_SLACK_MIN.get() * edge, LIST_SLACK_MAX.get() * edge];
         let slack = (LIST_SLACK_PER_STEP.get() * motion.longest).clamp(least, most);

@@ -12,7 +12,7 @@ use crate::contact::barrier::Barrier;
 use crate::contact::barrier::active_contact::{largest_gap, smallest_gap};
 use crate::contact::barrier::candidate_lists::SelfDetection;
 use crate::contact::tuning::EDGE_GAP_SHARE;
-use crate::report::cost::{Lap, Work};
+use crate::report::cost::{CpuTimer, Work};
 
 impl Barrier {
     /// May the detection of self-contact be deferred? It may where the last evaluation found no such contact.
@@ -38,7 +38,7 @@ impl Barrier {
     pub fn is_clear_between(&mut self, from: &[Vec3], to: &[Vec3]) -> bool {
         self.lists.self_detection = SelfDetection::Due;
         let Some(search) = &mut self.lists.self_collision else { return true };
-        let mut lap = Lap::start();
+        let mut lap = CpuTimer::start();
         let step: Vec<Vec3> = to.iter().zip(from).map(|(p, q)| p - q).collect();
         let motion = LinearMotion::new(from, &step, &self.parameters.topology, &self.parameters.stitch_groups);
         search.list_once(&mut self.lists.cloth, &motion, largest_gap(&self.parameters.self_gap));

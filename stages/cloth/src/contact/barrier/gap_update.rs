@@ -1,7 +1,7 @@
 //! Gap update: loaded contacts of the body act from farther off, so that the cloth comes to rest at its gap.
 //!
 //! This is an augmented Lagrangian by distance: the load stays, and no contact becomes stiffer. Cloth that starts
-//! in balance gets its contact loads in the same way.
+//! in balance gets its contact loads in the same way. `optimize/mechanisms/gap_update.rs` says when.
 
 use crate::Vec3;
 use crate::collision::narrow_phase::pair_kind::PairKind;

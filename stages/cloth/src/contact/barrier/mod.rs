@@ -22,7 +22,7 @@ use crate::contact::barrier::statistics::ContactStatistics;
 use crate::contact::parameters::ContactParameters;
 use crate::contact::tuning::{CONTACT_HESSIAN_LIMIT, EDGE_GAP_SHARE};
 use crate::linear::hessian::Hessian;
-use crate::report::cost::{Lap, Work};
+use crate::report::cost::{CpuTimer, Work};
 
 /// State of contact at the vertices of the cloth.
 struct VertexStates {
@@ -112,7 +112,7 @@ impl Barrier {
 
     /// Finds the active contacts at `x`, adds their forces to `f`, N, and returns the energy, J.
     pub fn evaluate(&mut self, x: &[Vec3], f: &mut [Vec3]) -> f64 {
-        let mut lap = Lap::start();
+        let mut lap = CpuTimer::start();
         self.contacts.clear();
         self.find_self_contacts(x);
         let cloth = self.contacts.len();

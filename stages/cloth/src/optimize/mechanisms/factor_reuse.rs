@@ -5,6 +5,9 @@ use crate::optimize::mechanism::{Block, Mechanism, Verdict};
 use crate::optimize::tuning::{REUSE_FORCE_SHARE, REUSE_MEAN_PART};
 
 /// Watches whether a factor leads well enough to be used for another block.
+///
+/// `Descent::precondition` marks the factor of a full Hessian as good. This rule withdraws the mark when steps become
+/// short or forces stop falling. `Descent::factor_serves` reads it, in `optimize/factorization.rs`.
 pub(crate) struct FactorReuse;
 
 impl Mechanism for FactorReuse {

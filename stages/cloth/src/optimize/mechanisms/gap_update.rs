@@ -1,5 +1,5 @@
 //! Gap update at rest: a contact that gave way under its load is moved out to the distance it should have, as the multiplier
-//! update of an augmented Lagrangian does.
+//! update of an augmented Lagrangian does. The rule stands here, the formula in `contact/barrier/gap_update.rs`.
 
 use crate::ClothError;
 use crate::optimize::descent::{Change, Descent};
@@ -16,8 +16,8 @@ pub(crate) struct GapUpdate {
 }
 
 impl GapUpdate {
-    /// Does large cloth rest nearly enough for its first update? The motion that an update starts then comes to rest together
-    /// with the motion that is left.
+    /// Is large cloth so near rest that its first update pays? An update sets the cloth in motion again. Made early, that
+    /// motion dies out together with what is left of the motion before it.
     fn is_early(&self, d: &Descent<'_>) -> bool {
         let s = d.settings;
         d.is_large()
@@ -41,7 +41,7 @@ impl Mechanism for GapUpdate {
         if !self.is_early(d) {
             return Ok(Verdict::Go);
         }
-        if !d.is_checked() {
+        if !d.check_or_roll_back() {
             return Ok(Verdict::Again);
         }
         self.rounds = 1;
@@ -53,7 +53,7 @@ impl Mechanism for GapUpdate {
             return Verdict::Go;
         }
         // An update stays, so it must not follow steps that are taken back.
-        if !d.is_checked() {
+        if !d.check_or_roll_back() {
             d.use_surrogate(true);
             return Verdict::Again;
         }
@@ -61,6 +61,7 @@ impl Mechanism for GapUpdate {
             return Verdict::Go;
         }
         self.rounds += 1;
+        // The cloth moves again, so the cheaper Hessian leads until it is nearly at rest.
         d.use_surrogate(true);
         Verdict::Again
     }

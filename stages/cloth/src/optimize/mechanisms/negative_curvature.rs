@@ -9,7 +9,7 @@ use crate::optimize::tuning::{
     CURVATURE_GAIN_LEAST, CURVATURE_HALVINGS, CURVATURE_MOVE_FIRST, CURVATURE_POWER_ROUNDS, SADDLES_MOST,
 };
 
-/// Leaves saddles, up to a number of times; beyond it the cloth is called at rest on one.
+/// Leaves saddles, at most [`SADDLES_MOST`] times in a descent. After that the cloth is called at rest on one.
 #[derive(Default)]
 pub(crate) struct NegativeCurvature {
     saddles: u32,

@@ -1,5 +1,5 @@
 //! Continuation of pinned targets: held vertices that must get elsewhere are moved there in parts, no faster than the cloth
-//! follows. Moved at once, the few of them would tear at the others.
+//! follows. If they moved at once, these few vertices would stretch the cloth beside them out of all measure.
 
 use crate::linear::hessian::scattered;
 use crate::optimize::descent::Descent;
@@ -123,8 +123,8 @@ fn after(d: &mut Descent<'_>, mut step: Vec<Vec3>) -> (Vec<Vec3>, f64) {
     (std::mem::replace(&mut d.x, from), energy)
 }
 
-/// A step of held vertices, together with the response of the cloth beside them: the last factor's answer to the change of
-/// the forces.
+/// A step of held vertices, together with the response of the cloth beside them. The response is one solve with the last
+/// factor: its right side is the change of the forces by a small part of the step.
 pub(crate) fn with_cloth_beside(d: &mut Descent<'_>, step: &[Vec3]) -> Vec<Vec3> {
     let probe = PIN_PROBE_PART.get();
     d.evaluate();

@@ -1,4 +1,7 @@
 //! The schedule of the regularisation: more after blocks whose steps fell short, less after blocks of whole steps.
+//!
+//! The shift of the diagonal is mass / (τ · unit), so a small τ is a strong regularisation (`optimize/regularization.rs`).
+//! Levenberg's λ is the inverse of τ.
 
 use crate::ClothError;
 use crate::optimize::descent::Descent;
@@ -11,7 +14,7 @@ use crate::report::watch::Watch;
 
 /// Adapts the regularisation to how far the steps of a block went.
 pub(crate) struct RegularizationSchedule {
-    /// Largest τ after a block.
+    /// Largest τ after a block: the regularisation never becomes weaker than this.
     pub most: f64,
 }
 

@@ -20,7 +20,7 @@ impl Descent<'_> {
             && self.pins_placed()
     }
 
-    /// Would the cloth soon be at rest by the preconditioner of the last round?
+    /// Is the cloth nearly at rest by the Newton step of the last round, even if that step was regularised?
     pub fn nearly_rests(&self) -> bool {
         let s = self.settings;
         self.newton.decrement < s.equilibrium.decrement_tolerance

@@ -16,15 +16,15 @@ impl Descent<'_> {
             return self.take_detected_block(steps, mechanisms);
         }
         let block = self.take_speculative_block(steps, mechanisms);
-        // Cloth that is taken back has the same preconditioner as before.
-        if self.is_checked() { block } else { self.take_steps(steps, mechanisms) }
+        // Cloth that is taken back stands where the block began, so the preconditioner still fits and the block is taken again.
+        if self.check_or_roll_back() { block } else { self.take_steps(steps, mechanisms) }
     }
 
-    /// Takes a block whose check may be left open until [`Self::is_checked`]. `None` if instead the cloth has been taken back
+    /// Takes a block whose check may be left open until [`Self::check_or_roll_back`]. `None` if instead the cloth has been taken back
     /// and needs another preconditioner.
     pub fn take_block_ahead(&mut self, steps: usize, mechanisms: &mut [&mut dyn Mechanism]) -> Option<Block> {
         let far = self.speculation.blocks >= self.speculation.most_blocks;
-        if (far || !self.touches_itself_nowhere()) && !self.is_checked() {
+        if (far || !self.touches_itself_nowhere()) && !self.check_or_roll_back() {
             return None;
         }
         Some(if self.speculates() {
@@ -35,7 +35,7 @@ impl Descent<'_> {
     }
 
     /// Checks the blocks ahead of detection, if there are any; `false` if the cloth had to be taken back.
-    pub fn is_checked(&mut self) -> bool {
+    pub fn check_or_roll_back(&mut self) -> bool {
         let Some(checkpoint) = self.speculation.checkpoint.take() else { return true };
         self.speculation.blocks = 0;
         let to = std::mem::take(&mut self.x);

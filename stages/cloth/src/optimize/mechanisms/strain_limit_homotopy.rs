@@ -1,5 +1,7 @@
-//! Homotopy of the strain limits: their barrier is off while the cloth falls, wide where it is slow to settle, and the law's own
-//! at rest.
+//! Homotopy of the strain limits: their barrier is off while the cloth falls. Where the cloth is slow to settle, the barrier
+//! acts from a smaller strain on, with a softer wall (wide). At rest it is the barrier of the law.
+//!
+//! The width is a share of the limits: 0 is the law's own barrier, infinite is off (`Objective::widen_strain_limit`).
 
 use crate::ClothError;
 use crate::optimize::descent::{Change, Descent};

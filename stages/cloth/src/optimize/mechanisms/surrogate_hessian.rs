@@ -1,4 +1,7 @@
-//! Surrogate bending Hessian: it couples fewer vertices than the whole one and leads as well until the cloth is nearly at rest.
+//! Surrogate bending Hessian: springs between neighbours take the place of the whole bending stencil (`energy/bending.rs`).
+//!
+//! It couples fewer vertices, so its factor is cheaper. Far from rest the stretch stiffness decides where a step leads, and
+//! the surrogate leads as well as the whole Hessian.
 
 use crate::optimize::descent::Descent;
 use crate::optimize::mechanism::{Mechanism, Verdict};

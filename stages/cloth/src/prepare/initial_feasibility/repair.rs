@@ -158,7 +158,7 @@ pub(crate) fn at_triangle(x: &[Vec3], topology: &Topology, triangle: u32) -> Pla
     Place { triangle, at: t.iter().map(|v| x[*v as usize]).sum::<Vec3>() / 3.0 }
 }
 
-/// Unit normal of a triangle; the vertical axis z for one without area.
+/// Unit normal of a triangle; the axis z for one without area.
 fn normal(x: &[Vec3], t: [u32; 3]) -> Vec3 {
     crate::unit_normal(crate::pick3(x, &t)).unwrap_or_else(Vec3::z)
 }

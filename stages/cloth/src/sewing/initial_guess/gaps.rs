@@ -42,7 +42,7 @@ impl BentPieces {
         }
         for _ in 0..GUESS_ROUNDS.get() {
             for k in 0..self.pieces.len() {
-                self.bend(k, self.pieces[k].near(self.bends[k], &CURVATURE_STEPS));
+                self.bend(k, self.pieces[k].variants(self.bends[k], &CURVATURE_STEPS));
             }
         }
     }

@@ -102,8 +102,8 @@ impl Piece {
         (0..self.lines.len()).flat_map(about).collect()
     }
 
-    /// The same bend, more or less by these parts of the most.
-    pub fn near(&self, bend: Bend, parts: &[f64]) -> Vec<Bend> {
+    /// The same bend with its curvature changed by these parts of the largest curvature.
+    pub fn variants(&self, bend: Bend, parts: &[f64]) -> Vec<Bend> {
         let most = self.lines[bend.line].most;
         let more = |part: &f64| (bend.curvature + part * most).clamp(-most, most);
         parts.iter().map(|part| Bend { curvature: more(part), ..bend }).collect()

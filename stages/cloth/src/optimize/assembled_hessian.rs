@@ -7,7 +7,7 @@ use crate::linear::hessian::Hessian;
 use nalgebra::Matrix3;
 
 /// The Hessian in use, and the other one once it was used.
-pub(crate) struct HessianChoice {
+pub(crate) struct AssembledHessians {
     current: AssembledHessian,
     other: Option<AssembledHessian>,
 }
@@ -37,7 +37,7 @@ impl ConstantBlocks {
     }
 }
 
-impl HessianChoice {
+impl AssembledHessians {
     /// Starts with the whole Hessian of `n` unknowns; `index` gives the unknown of every vertex.
     pub fn new(cloth: &[Box<dyn Energy>], stitches: Option<&Seams>, index: &[u32], n: usize) -> Self {
         Self { current: AssembledHessian::new(cloth, stitches, index.to_vec(), n, false), other: None }
