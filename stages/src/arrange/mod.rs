@@ -18,7 +18,7 @@ pub use form::Form;
 pub use sheet::Sheet;
 
 use crate::roles::outline::{Polygon, turned};
-use crate::roles::{Join, Part, Role};
+use crate::roles::{Join, Part, Role, turn_of_file, turned_joins};
 use dresser::Dresser;
 use facing::Lie;
 use toile_garment::body::Body;
@@ -93,8 +93,16 @@ pub fn arrange(
     body: Option<&Body>,
     given: Vec<Option<Sheet>>,
 ) -> Arrangement {
-    let outlines: Vec<Polygon> = pieces.iter().map(Polygon::of).collect();
-    let mut d = Dresser::new(outlines, roles, joins, Form::of(body), given);
+    // Everything is worked out with upright pieces. The sheets take in the turn at the end.
+    let turn = turn_of_file(pieces);
+    let outlines: Vec<Polygon> = pieces.iter().map(|p| Polygon::of(p).map(|q| turned(q, turn))).collect();
+    let upright = |mut sheet: Sheet| {
+        sheet.turn -= turn;
+        sheet
+    };
+    let given = given.into_iter().map(|sheet| sheet.map(upright)).collect();
+    let joins = turned_joins(joins, turn);
+    let mut d = Dresser::new(outlines, roles, &joins, Form::of(body), given);
     let mut order: Vec<usize> = (0..pieces.len()).filter(|i| d.is_given[*i]).collect();
     for i in order.clone() {
         d.segments[i] = facing::segment_of(&d, i);
@@ -111,7 +119,9 @@ pub fn arrange(
         }
     }
     clear::layers(&mut d, &order);
-    told(&d, pieces)
+    let mut arrangement = told(&d, pieces, turn);
+    arrangement.places.iter_mut().flatten().for_each(|place| place.sheet.turn += turn);
+    arrangement
 }
 
 /// The order in which parts are placed.
@@ -244,12 +254,12 @@ fn axial_at_start(d: &Dresser<'_>, i: usize, turn: f64, is_first: bool) -> f64 {
     top + half
 }
 
-/// Places with their confidence, and how long the threads are.
-fn told(d: &Dresser<'_>, pieces: &[Piece]) -> Arrangement {
+/// Places with their confidence, and how long the threads are. `turn` brought the pieces upright.
+fn told(d: &Dresser<'_>, pieces: &[Piece], turn: f64) -> Arrangement {
     let mut arrangement = Arrangement {
         places: Vec::new(),
         unplaced: Vec::new(),
-        held: held(d, pieces),
+        held: held(d, pieces, turn),
         mean_thread: 0.0,
         longest_thread: 0.0,
     };
@@ -286,7 +296,7 @@ fn reason(d: &Dresser<'_>, i: usize) -> String {
 }
 
 /// The free upper edges of a skirt or of trousers, where nothing above holds them.
-fn held(d: &Dresser<'_>, pieces: &[Piece]) -> Vec<Held> {
+fn held(d: &Dresser<'_>, pieces: &[Piece], turn: f64) -> Vec<Held> {
     let has = |parts: &[Part]| (0..pieces.len()).any(|i| d.part(i).is_some_and(|p| parts.contains(&p)));
     if has(&[Part::Bodice, Part::Strap, Part::Sleeve]) {
         return Vec::new();
@@ -296,7 +306,7 @@ fn held(d: &Dresser<'_>, pieces: &[Piece]) -> Vec<Held> {
     for piece in pieces.iter().filter(|p| Some(rank(d.part(p.id.index()))) == lowest) {
         let free = anchors::free_upper_points(d, piece.id.index());
         for edge in &piece.edges {
-            let line = edge_line(piece, edge);
+            let line: Vec<Vec2> = edge_line(piece, edge).into_iter().map(|p| turned(p, turn)).collect();
             let length: f64 = line.windows(2).map(|w| (w[1] - w[0]).norm()).sum();
             let on_edge = |p: &Vec2| line.windows(2).any(|w| distance(*p, w[0], w[1]) < ON_EDGE);
             let covered: f64 = free.iter().filter(|(p, _)| on_edge(p)).map(|(_, l)| l).sum();

@@ -14,7 +14,7 @@ mod measures;
 mod net;
 mod polygonise;
 mod remesh;
-mod section;
+pub(crate) mod section;
 mod segments;
 
 pub use found::with_segments;

@@ -2,12 +2,14 @@
 //!
 //! Names tell it where they say something. Where they are silent, the shape of a piece and what it is sewn to do.
 
+mod drawn;
 mod joins;
 mod names;
 pub(crate) mod outline;
 mod seams;
 mod words;
 
+pub use drawn::{turn_of_file, turned_joins};
 pub use joins::{Join, PiecePoint, joins_of_meshes, joins_of_plan};
 pub use names::{folded, role_of_text, roles_of_names};
 pub use words::{Meaning, WORDS};
@@ -184,7 +186,8 @@ impl Role {
     }
 }
 
-/// Roles of all pieces, in their order. `joins` tells who is sewn to whom, as far as it is known.
+/// Roles of all pieces, in their order. `joins` tells who is sewn to whom, as far as it is known. Pieces may lie as they
+/// lie on the cutting table ([`turn_of_file`]).
 #[must_use]
 pub fn roles(pieces: &[Piece], joins: &[Join]) -> Vec<Role> {
     seams::complete(pieces, roles_of_names(pieces), joins)

@@ -4,8 +4,8 @@ use super::words::{Meaning, WORDS};
 use super::{Facing, Lateral, Part, Role};
 use toile_garment::Piece;
 
-/// Least length of a shared beginning of all names that is a number of the style, characters.
-const STYLE_NUMBER_LEAST: usize = 3;
+/// Least length of a shared beginning of all names that names the style, bytes.
+const STYLE_LEAST: usize = 3;
 /// Longest word that must be a whole word of a name, characters.
 const CODE_MOST: usize = 3;
 /// Confidence that a word gives.
@@ -18,11 +18,10 @@ const LETTER: f64 = 0.65;
 /// Roles as names, categories and annotations tell them.
 #[must_use]
 pub fn roles_of_names(pieces: &[Piece]) -> Vec<Role> {
-    let style = style_number(pieces);
+    let style = style_end(pieces);
     let role = |piece: &Piece| {
-        let rest = piece.name.get(style..).unwrap_or(&piece.name);
-        let texts = [Some(rest), piece.category.as_deref()];
-        let role = texts.into_iter().flatten().fold(Role::default(), |r, text| r.filled_by(&role_of_text(text)));
+        let texts = [Some(role_after_style(&piece.name, style)), piece.category.as_deref().map(role_of_text)];
+        let role = texts.into_iter().flatten().fold(Role::default(), |r, told| r.filled_by(&told));
         // An annotation speaks of other pieces, too: which side the front lies on, what is sewn where.
         let silent = role == Role::default();
         if silent { piece.annotation.as_deref().map(role_of_text).unwrap_or_default() } else { role }
@@ -30,23 +29,52 @@ pub fn roles_of_names(pieces: &[Piece]) -> Vec<Role> {
     pieces.iter().map(role).collect()
 }
 
-/// Bytes at the start of all names that are a number of the style. It has a digit, and more than itself is left.
-fn style_number(pieces: &[Piece]) -> usize {
+/// Bytes at the start of all names that name the style.
+///
+/// Names of a file often begin alike: `GX1006FBK`, `REGULAR TEEFR`. The name of the style ends after its last whole
+/// word, or within a word where more names tell a role so.
+fn style_end(pieces: &[Piece]) -> usize {
     let Some(first) = pieces.first().filter(|_| pieces.len() > 1).map(|p| p.name.as_str()) else { return 0 };
-    let shared = |at: &usize| pieces.iter().all(|p| p.name.get(..*at) == first.get(..*at));
-    let ends = first.char_indices().map(|(at, _)| at).take_while(shared);
-    let most = ends.last().unwrap_or(0);
-    let is_number = first[..most].len() >= STYLE_NUMBER_LEAST && first[..most].contains(|c: char| c.is_ascii_digit());
-    if is_number { most } else { 0 }
+    let is_shared = |at: &usize| pieces.iter().all(|p| p.name.get(..*at) == first.get(..*at));
+    let shared = first.char_indices().map(|(at, _)| at).take_while(is_shared).last().unwrap_or(0);
+    let word = first[..shared].char_indices().rev().find(|(_, c)| !c.is_alphabetic());
+    let after_word = word.map_or(0, |(at, c)| at + c.len_utf8());
+    let told = |at: usize| pieces.iter().filter(|p| role_after_style(&p.name, at) != Role::default()).count();
+    let cuts = [after_word, shared].map(|at| if at < STYLE_LEAST { 0 } else { at });
+    if told(cuts[1]) > told(cuts[0]) { cuts[1] } else { cuts[0] }
+}
+
+/// The role that a name tells after the name of the style. Codes in the name of the style say nothing, but whole words
+/// do: all pieces of `skirt front` and `skirt back` are of a skirt.
+fn role_after_style(name: &str, style: usize) -> Role {
+    let (style, rest) = name.split_at_checked(style).unwrap_or(("", name));
+    let own = role_of_text(rest);
+    let own = if own == Role::default() { role_of_ending(rest) } else { own };
+    own.filled_by(&role_of_words(style, |word| !word.is_ascii() || word.len() > CODE_MOST))
+}
+
+/// Front or back, where a name in capitals ends so: `RACERBK`.
+fn role_of_ending(name: &str) -> Role {
+    let letters = name.trim_end_matches(|c: char| !c.is_alphabetic());
+    let is_code = letters.chars().all(|c| !c.is_lowercase());
+    let ending = [("FR", Facing::Front), ("BK", Facing::Back)].into_iter().find(|(end, _)| letters.ends_with(end));
+    ending.filter(|_| is_code).map_or_else(Role::default, |(word, facing)| {
+        role_of_word(Meaning::Facing(facing), &word.to_lowercase(), LETTER)
+    })
 }
 
 /// The role that one text tells.
 #[must_use]
 pub fn role_of_text(text: &str) -> Role {
+    role_of_words(text, |_| true)
+}
+
+/// The role that the words of a text tell, of those words that count.
+fn role_of_words(text: &str, counts: impl Fn(&str) -> bool) -> Role {
     let mut rest = format!(" {} ", folded(text));
     let mut role = Role::default();
     // Longer words first: `under collar` is no `collar` alone, and `kragensteg` is a stand.
-    for (meaning, word) in by_length() {
+    for (meaning, word) in by_length().into_iter().filter(|(_, word)| counts(word)) {
         while let Some(at) = find(&rest, word) {
             let end = at + word.len();
             rest.replace_range(at..end, &" ".repeat(word.len()));
@@ -222,6 +250,22 @@ mod tests {
         assert_eq!(roles[0].facing, Some(Facing::Back));
         assert_eq!(roles[1].facing, Some(Facing::Front));
         assert_eq!(roles[2].part, Some(Part::Sleeve));
+    }
+
+    #[test]
+    fn a_style_before_all_names_says_nothing_but_by_its_words() {
+        let piece = |name: &str| Piece { name: name.into(), ..Piece::default() };
+        let told = |names: &[&str]| -> Vec<String> {
+            roles_of_names(&names.iter().map(|n| piece(n)).collect::<Vec<_>>()).iter().map(Role::words).collect()
+        };
+        assert_eq!(told(&["PLAIN TEEFR", "PLAIN TEEBK", "PLAIN TEESL1"]), ["front", "back", "sleeve"]);
+        assert_eq!(told(&["SS CL FR", "SS CL BK", "SS CL NB"]), ["front", "back", "collar"]);
+        assert_eq!(told(&["SS17 REG FR", "SS17 REG IX", "SS17 REG BK"]), ["front", "", "back"]);
+        assert_eq!(told(&["DEEP RACE FR", "DEEP RACERBK"]), ["front", "back"]);
+        assert_eq!(told(&["skirt_front", "skirt_back"]), ["front skirt", "back skirt"]);
+        assert_eq!(told(&["bodice", "body lining"]), ["bodice", "lining"]);
+        assert_eq!(told(&["front_l", "front_r"]), ["front left", "front right"]);
+        assert_eq!(told(&["sleeve_1", "sleeve_2"]), ["sleeve", "sleeve"]);
     }
 
     #[test]

@@ -1,6 +1,7 @@
-//! Roles from shape and seams, where names say nothing. Pieces are taken to be drawn upright, as they are worn.
+//! Roles from shape and seams, where names say nothing. Pieces that lie in the file are turned upright first.
 
-use super::outline::Polygon;
+use super::drawn::{turn_of_file, turned_joins};
+use super::outline::{Polygon, turned};
 use super::{Facing, Join, Part, Role};
 use toile_garment::{Piece, Vec2};
 
@@ -51,8 +52,9 @@ pub fn complete(pieces: &[Piece], roles: Vec<Role>, joins: &[Join]) -> Vec<Role>
     if joins.is_empty() {
         return roles;
     }
-    let outlines: Vec<Polygon> = pieces.iter().map(Polygon::of).collect();
-    let runs = runs(&outlines, joins);
+    let turn = turn_of_file(pieces);
+    let outlines: Vec<Polygon> = pieces.iter().map(|p| Polygon::of(p).map(|q| turned(q, turn))).collect();
+    let runs = runs(&outlines, &turned_joins(joins, turn));
     let all: Vec<Vec<usize>> = (0..outlines.len()).map(|i| twins(&outlines, i)).collect();
     let sewn = |i: usize, k: usize| runs[i].iter().any(|r| r.other == k);
     let first = |i: usize| all[i].iter().find(|k| sewn(i, **k)).or(all[i].first()).copied();
@@ -61,6 +63,7 @@ pub fn complete(pieces: &[Piece], roles: Vec<Role>, joins: &[Join]) -> Vec<Role>
     let mut sewn = Sewn { pieces, outlines, runs, twins, alike, roles };
     sewn.find_limbs();
     sewn.find_bodices();
+    sewn.find_tops();
     sewn.find_trunk();
     sewn.find_bands();
     // The clearest evidence comes first, and the rest follows it along the seams.
@@ -199,6 +202,22 @@ impl Sewn<'_> {
                 && (has_shoulder && has_side || has_sleeve)
             {
                 self.tell(i, Part::Bodice, "it is sewn to a sleeve, or over the shoulder");
+            }
+        }
+    }
+
+    /// Fronts and backs by name, in a garment with sleeves, a collar, a hood or a yoke and without a part from the waist
+    /// down: they are of a bodice.
+    fn find_tops(&mut self) {
+        let has = |parts: &[Part]| (0..self.pieces.len()).any(|i| self.is_part(i, parts));
+        if !has(&[Part::Sleeve, Part::Collar, Part::Stand, Part::Hood, Part::Yoke])
+            || has(&[Part::Skirt, Part::Leg, Part::Waistband, Part::Tier])
+        {
+            return;
+        }
+        for i in 0..self.pieces.len() {
+            if matches!(self.roles[i].facing, Some(Facing::Front | Facing::Back)) && !self.is_band(i) {
+                self.tell(i, Part::Bodice, "it is a front or a back of a garment with sleeves or a collar");
             }
         }
     }

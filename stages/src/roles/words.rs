@@ -176,7 +176,7 @@ pub const WORDS: &[(Meaning, [&[&str]; 10])] = &[
     (
         P(Part::Collar),
         [
-            &["collar", "turtle", "lapel", "neckband", "neck band", "co", "col", "clr", "nk"],
+            &["collar", "turtle", "lapel", "neckband", "neck band", "co", "col", "clr", "nk", "nb", "nr", "rn"],
             &["领", "領"],
             &["kragen", "halsbund"],
             &["col", "encolure"],
@@ -266,7 +266,7 @@ pub const WORDS: &[(Meaning, [&[&str]; 10])] = &[
     (
         P(Part::Leg),
         [
-            &["pant", "pants", "trouser", "leg", "jean", "short", "shorts", "culotte"],
+            &["pant", "pants", "trouser", "leg", "jean", "short", "shorts", "culotte", "ll"],
             &["裤"],
             &["hose", "hosenteil", "hosenbein"],
             &["pantalon", "jambe", "short"],

@@ -1,0 +1,74 @@
+//! The turn that brings the pieces of a file upright.
+//!
+//! Many systems draw their pieces lying, with the grain along x, as they lie on the cutting table. All pieces of a
+//! file are turned alike.
+
+use super::Join;
+use super::outline::{Polygon, turned};
+use crate::body::section::hull;
+use std::f64::consts::FRAC_PI_2;
+use toile_garment::{Piece, Vec2};
+
+/// The turn of all pieces that brings them upright, rad, counter-clockwise: 0 or a quarter to either side.
+///
+/// Pieces lie where most of their area has its grain nearer to x than to y. Then the upper end is the one with the
+/// hollows of the outlines: necklines, armholes and crotches lie in the upper half of a piece.
+#[must_use]
+pub fn turn_of_file(pieces: &[Piece]) -> f64 {
+    let outlines: Vec<Polygon> = pieces.iter().map(Polygon::of).collect();
+    let grained = || pieces.iter().zip(&outlines).filter(|(p, _)| p.grain.is_some());
+    let area = |lying: bool| -> f64 {
+        let lies = |p: &Piece| p.warp().x.abs() > p.warp().y.abs();
+        grained().filter(|(p, _)| lies(p) == lying).map(|(_, outline)| outline.area()).sum()
+    };
+    if area(true) <= area(false) {
+        return 0.0;
+    }
+    let to_the_right: f64 = outlines.iter().map(|outline| hollows(outline).x).sum();
+    if to_the_right < 0.0 { -FRAC_PI_2 } else { FRAC_PI_2 }
+}
+
+/// Moment of the hollows of an outline about the middle of its bounds, m³: of what its convex hull has more.
+fn hollows(outline: &Polygon) -> Vec2 {
+    let hull = Polygon { points: hull(outline.points.clone()) };
+    let [low, high] = outline.bounds();
+    let middle = (low + high) * 0.5;
+    let moment = |p: &Polygon| (p.centroid() - middle) * p.area();
+    if outline.points.is_empty() { Vec2::zeros() } else { moment(&hull) - moment(outline) }
+}
+
+/// Seams between turned pieces.
+#[must_use]
+pub fn turned_joins(joins: &[Join], turn: f64) -> Vec<Join> {
+    let mut joins = joins.to_vec();
+    for point in joins.iter_mut().flat_map(|j| &mut j.pairs).flatten() {
+        point.at = turned(point.at, turn);
+    }
+    joins
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use toile_garment::outline::{LinePoint, PieceLine, PointKind};
+
+    /// A front: hem at x = 0, neckline and armholes at the other end. `angle` turns it, rad.
+    fn front(angle: f64) -> Piece {
+        let half = [(0.0, 0.0), (0.0, 0.25), (0.4, 0.25), (0.45, 0.2), (0.62, 0.2), (0.65, 0.08), (0.55, 0.0)];
+        let other = half[1..6].iter().rev().map(|(x, y)| (*x, -*y));
+        let at = |(x, y): (f64, f64)| LinePoint { at: turned(Vec2::new(x, -y), angle), kind: PointKind::Turn };
+        let points = half.iter().copied().chain(other).map(at).collect();
+        let outline = PieceLine { points, closed: true, ..PieceLine::default() };
+        let grain = [Vec2::zeros(), turned(Vec2::x(), angle)];
+        Piece { outline, grain: Some(grain), ..Piece::default() }
+    }
+
+    #[test]
+    fn lying_pieces_are_turned_by_a_quarter_and_upright_ones_are_not() {
+        let quarter = FRAC_PI_2;
+        assert_eq!(turn_of_file(&[front(quarter)]), 0.0);
+        assert_eq!(turn_of_file(&[front(0.0)]), quarter);
+        assert_eq!(turn_of_file(&[front(2.0 * quarter)]), -quarter);
+        assert_eq!(turn_of_file(&[Piece::default()]), 0.0);
+    }
+}
