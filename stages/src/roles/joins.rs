@@ -44,7 +44,8 @@ impl Join {
     }
 }
 
-/// The seams of a garment whose pieces have meshes, one pair for each stitch.
+/// The seams of a garment whose pieces have meshes, one pair between each two stitches that follow one another. Stitches
+/// themselves lie on corners, too, where an outline has no direction.
 #[must_use]
 pub fn joins_of_meshes(garment: &Garment) -> Vec<Join> {
     let at = |v: MeshVertex| {
@@ -52,10 +53,18 @@ pub fn joins_of_meshes(garment: &Garment) -> Vec<Join> {
         Some(PiecePoint { piece: v.piece.index(), at: *rest.get(v.vertex as usize)? })
     };
     let join = |seam: &Seam| {
-        let pairs = seam.stitches.iter().filter_map(|s| Some([at(s.a)?, at(s.b)?])).collect();
+        let stitches: Vec<[PiecePoint; 2]> = seam.stitches.iter().filter_map(|s| Some([at(s.a)?, at(s.b)?])).collect();
+        let between = |w: &[[PiecePoint; 2]]| Some([middle(&w[0][0], &w[1][0])?, middle(&w[0][1], &w[1][1])?]);
+        let pairs: Vec<_> = stitches.windows(2).filter_map(between).collect();
+        let pairs = if pairs.is_empty() { stitches } else { pairs };
         Join { name: seam.name.clone(), pairs, length: 0.5 * (seam.a.length + seam.b.length) }
     };
     garment.seams.iter().filter(|s| matches!(s.kind, SeamKind::Seam)).map(join).collect()
+}
+
+/// The point half way between two points of one piece.
+fn middle(a: &PiecePoint, b: &PiecePoint) -> Option<PiecePoint> {
+    (a.piece == b.piece).then(|| PiecePoint { piece: a.piece, at: (a.at + b.at) * 0.5 })
 }
 
 /// The seams of a sewing file, as they were found on the outlines.

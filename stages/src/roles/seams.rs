@@ -55,7 +55,13 @@ pub fn complete(pieces: &[Piece], roles: Vec<Role>, joins: &[Join]) -> Vec<Role>
     let turn = turn_of_file(pieces);
     let outlines: Vec<Polygon> = pieces.iter().map(|p| Polygon::of(p).map(|q| turned(q, turn))).collect();
     let runs = runs(&outlines, &turned_joins(joins, turn));
-    let all: Vec<Vec<usize>> = (0..outlines.len()).map(|i| twins(&outlines, i)).collect();
+    // A front and a back may be nearly alike, but they are no twins.
+    let faces_alike = |i: usize, k: usize| {
+        let facings = [i, k].map(|p| roles[p].facing);
+        facings[0] == facings[1] || facings.contains(&None)
+    };
+    let twins_of = |i: usize| twins(&outlines, i).into_iter().filter(|k| faces_alike(i, *k)).collect();
+    let all: Vec<Vec<usize>> = (0..outlines.len()).map(twins_of).collect();
     let sewn = |i: usize, k: usize| runs[i].iter().any(|r| r.other == k);
     let first = |i: usize| all[i].iter().find(|k| sewn(i, **k)).or(all[i].first()).copied();
     let twins = (0..outlines.len()).map(first).collect();
