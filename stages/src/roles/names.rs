@@ -238,6 +238,8 @@ mod tests {
             ("Tay áo trái", Some(Part::Sleeve), None, Some(Lateral::Left)),
             ("Thân trước", Some(Part::Bodice), front, None),
             ("BackYoke", Some(Part::Yoke), back, None),
+            ("COLLOR", Some(Part::Collar), None, None),
+            ("FRONTR", None, front, Some(Lateral::Right)),
         ] {
             assert_eq!(told(text), (part, facing, lateral), "{text}");
         }
