@@ -24,12 +24,12 @@ fn glb() -> Vec<u8> {
     let mesh = PieceMesh { rest, triangles: vec![[0, 1, 2], [1, 3, 2]], ..PieceMesh::default() };
     let piece = Piece { name: "sheet".into(), mesh: Some(mesh), ..Piece::default() };
     let image = Some(Image { mime: "image/png".into(), width: 8, height: 8, bytes: png() });
-    let material = Material { name: "m".into(), color: [1.0; 3], image, repeat: [0.1; 2], roughness: 0.9 };
+    let material = Material { name: "m".into(), color: [1.0; 3], image, repeat: [0.1; 2], roughness: 0.9, normal: None, sheen: None };
     let texture = PieceTexture { material: 0, uv_cloth: uv.clone(), uv_packed: uv };
     let garment = Garment {
         pieces: vec![piece],
         drape: Some(Shape { positions: vec![positions], sewn: false, welded: true, ..Shape::default() }),
-        textures: Some(Textures { materials: vec![material], pieces: vec![texture] }),
+        textures: Some(Textures { materials: vec![material], pieces: vec![texture], ..Textures::default() }),
         ..Garment::default()
     };
     gltf::write_garment(&garment).expect("GLB")
