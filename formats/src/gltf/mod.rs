@@ -26,6 +26,7 @@ mod write;
 
 pub use inspect::inspect;
 pub use moving::{Moving, read_moving};
+pub use normals::smooth as smooth_normals;
 pub use read::{ReadGarment, read_garment, read_garment_with_findings};
 pub use view::{ViewPiece, write_view};
 pub use wishes::{Carried, Wishes};

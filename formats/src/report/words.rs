@@ -114,6 +114,8 @@ const CATALOGUE: &[(&str, &str)] = &[
     ("strain along warp", "经向应变"),
     ("strain along weft", "纬向应变"),
     ("distance to the body", "与人体的距离"),
+    ("bending", "弯曲"),
+    ("pressure on the body", "对人体的压力"),
     ("piece", "裁片"),
     ("seam", "缝线"),
     ("dart", "省道"),

@@ -4,6 +4,7 @@
 //! The parts of a cut, such as trunk and sleeves, are [`rings`]. Quantities per vertex, for colours, are [`maps`]. All
 //! that a report tells is put together by [`measure`].
 
+mod bent;
 mod girth;
 mod maps;
 mod measures;
@@ -11,6 +12,7 @@ mod nearest;
 mod rings;
 mod surface;
 
+pub use bent::{PAD, bending, pressure};
 pub use girth::{along, tape};
 pub use maps::{ease, maps, strain};
 pub use measures::measure;
