@@ -3,6 +3,7 @@
 use std::panic;
 use std::sync::Mutex;
 use toile_formats::{fabric, gltf, obj, texture};
+use toile_formats::gltf::{Carried, Wishes};
 use toile_garment::garment::Shape;
 use toile_garment::mesh::PieceMesh;
 use toile_garment::texture::{Image, Material, PieceTexture, Textures};
@@ -18,13 +19,18 @@ fn png() -> Vec<u8> {
 }
 
 fn glb() -> Vec<u8> {
+    glb_with(Carried::Plain)
+}
+
+fn glb_with(document: Carried) -> Vec<u8> {
     let rest = vec![Vec2::new(0.0, 0.0), Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0), Vec2::new(1.0, 1.0)];
     let positions = rest.iter().map(|r| Vec3::new(r.x, r.y, r.x * r.y)).collect();
     let uv: Vec<[f64; 2]> = rest.iter().map(|r| [r.x, r.y]).collect();
     let mesh = PieceMesh { rest, triangles: vec![[0, 1, 2], [1, 3, 2]], ..PieceMesh::default() };
     let piece = Piece { name: "sheet".into(), mesh: Some(mesh), ..Piece::default() };
     let image = Some(Image { mime: "image/png".into(), width: 8, height: 8, bytes: png() });
-    let material = Material { name: "m".into(), color: [1.0; 3], image, repeat: [0.1; 2], roughness: 0.9, normal: None, sheen: None };
+    let (color, repeat) = ([1.0; 3], [0.1; 2]);
+    let material = Material { name: "m".into(), color, image, repeat, roughness: 0.9, normal: None, sheen: None };
     let texture = PieceTexture { material: 0, uv_cloth: uv.clone(), uv_packed: uv };
     let garment = Garment {
         pieces: vec![piece],
@@ -32,7 +38,7 @@ fn glb() -> Vec<u8> {
         textures: Some(Textures { materials: vec![material], pieces: vec![texture], ..Textures::default() }),
         ..Garment::default()
     };
-    gltf::write_garment(&garment).expect("GLB")
+    gltf::write_garment_with(&garment, &Wishes { document, ..Wishes::default() }).expect("GLB")
 }
 
 /// A fixed sequence of numbers (xorshift).

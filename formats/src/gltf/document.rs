@@ -27,6 +27,9 @@ pub fn read(text: &str) -> Result<Garment, String> {
     let value: Value = serde_json::from_str(text).map_err(|e| e.to_string())?;
     let value = match value.get("packed").and_then(Value::as_str) {
         None => value,
+        Some(_) if value["version"].as_u64().is_none_or(|v| v > u64::from(bundle::VERSION)) => {
+            return Err("its packed document was written by a newer program; use a newer toile".to_owned());
+        }
         Some(packed) => pack::unpack(&STANDARD.decode(packed).map_err(|e| format!("its packed document: {e}"))?)?,
     };
     bundle::from_value(value).map_err(|e| e.to_string())

@@ -9,6 +9,7 @@ mod girth;
 mod maps;
 mod measures;
 mod nearest;
+mod points;
 mod rings;
 mod surface;
 
@@ -17,5 +18,6 @@ pub use girth::{along, tape};
 pub use maps::{ease, maps, strain};
 pub use measures::measure;
 pub use nearest::Nearest;
+pub use points::point;
 pub use rings::{Ring, rings};
 pub use surface::{Hem, Surface};
