@@ -6,7 +6,6 @@
 mod body;
 mod draft;
 mod fitted_bodice;
-mod flared_skirt;
 mod long_skirt;
 mod sheet;
 mod t_shirt;
@@ -29,7 +28,6 @@ const STYLES: &[Style] = &[
     Style { file: "long-skirt", pieces: long_skirt::pieces },
     Style { file: "fitted-bodice", pieces: fitted_bodice::pieces },
     Style { file: "t-shirt", pieces: t_shirt::pieces },
-    Style { file: "flared-skirt", pieces: flared_skirt::pieces },
 ];
 
 /// File names and bytes of all samples.
