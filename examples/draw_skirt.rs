@@ -31,7 +31,8 @@ fn mesh() -> Mesh {
     let rows = (LENGTH / EDGE).round() as usize;
     let angle = PI / PANELS as f64;
     let columns = (angle * (WAIST + 0.5 * LENGTH) * 1.15 / EDGE).round() as usize;
-    let number = |panel: usize, row: usize, column: usize| panel * (rows + 1) * (columns + 1) + row * (columns + 1) + column;
+    let number =
+        |panel: usize, row: usize, column: usize| panel * (rows + 1) * (columns + 1) + row * (columns + 1) + column;
     let (mut out, mut flat, mut faces) = (Mesh::default(), String::new(), String::new());
     for panel in 0..PANELS {
         for row in 0..=rows {

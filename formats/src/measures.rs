@@ -27,8 +27,8 @@
 
 use crate::toml_text::TomlText;
 use serde::Deserialize;
-use toile_garment::Diagnostic;
 use toile_garment::units::Length;
+use toile_garment::{Code, Diagnostic};
 
 codes! {
     pub(crate) list CODES;
@@ -141,10 +141,15 @@ pub fn read(text: &str, file: &str) -> Result<Vec<PointOfMeasure>, Vec<Diagnosti
         let place = e.span().map_or_else(|| toml.whole(), |s| toml.at(s.start));
         vec![Diagnostic::error(MEASURES_FILE, message).at(place)]
     })?;
-    let wrong: Vec<Diagnostic> = found.measure.iter().filter_map(|m| mistake(m).map(|why| (m, why))).map(|(m, why)| {
-        let finding = Diagnostic::error(MEASURES_FILE, format!("the measure `{}` {why}", m.name)).at(toml.whole());
-        finding.hint("give `edges`, or `around` with `at` or `height`, or `from` and `to`")
-    }).collect();
+    let wrong: Vec<Diagnostic> = found
+        .measure
+        .iter()
+        .filter_map(|m| mistake(m).map(|why| (m, why)))
+        .map(|(m, why)| {
+            let finding = Diagnostic::error(MEASURES_FILE, format!("the measure `{}` {why}", m.name)).at(toml.whole());
+            finding.hint("give `edges`, or `around` with `at` or `height`, or `from` and `to`")
+        })
+        .collect();
     if wrong.is_empty() { Ok(found.measure) } else { Err(wrong) }
 }
 

@@ -154,7 +154,11 @@ pub fn two_pieces() -> Garment {
         body: Some(body),
         stitched: Some(shape.clone()),
         drape: Some(shape),
-        textures: Some(Textures { materials: vec![material], pieces: vec![texture(0.0), texture(1.0)], ..Textures::default() }),
+        textures: Some(Textures {
+            materials: vec![material],
+            pieces: vec![texture(0.0), texture(1.0)],
+            ..Textures::default()
+        }),
         effects: vec![EffectRecord {
             name: "friction".into(),
             on: true,

@@ -2,8 +2,8 @@
 
 use std::panic;
 use std::sync::Mutex;
-use toile_formats::{fabric, gltf, obj, texture};
 use toile_formats::gltf::{Carried, Wishes};
+use toile_formats::{fabric, gltf, obj, texture};
 use toile_garment::garment::Shape;
 use toile_garment::mesh::PieceMesh;
 use toile_garment::texture::{Image, Material, PieceTexture, Textures};
@@ -141,17 +141,18 @@ fn no_file_panics_a_reader() {
 
 fn all() {
     named_damage();
-    let glb = glb();
     let mut dice = Dice(7);
-    for i in 0..3000 {
-        let mut bytes = mutant(&glb, &mut dice);
-        if i % 3 != 0 {
-            relength(&mut bytes, &glb);
+    for glb in [glb(), glb_with(Carried::Packed)] {
+        for i in 0..3000 {
+            let mut bytes = mutant(&glb, &mut dice);
+            if i % 3 != 0 {
+                relength(&mut bytes, &glb);
+            }
+            let _ = (gltf::read_garment(&bytes), gltf::inspect(&bytes));
         }
-        let _ = (gltf::read_garment(&bytes), gltf::inspect(&bytes));
-    }
-    for n in 0..64 {
-        assert!(gltf::read_garment(&glb[..glb.len() * n / 64]).is_err());
+        for n in 0..64 {
+            assert!(gltf::read_garment(&glb[..glb.len() * n / 64]).is_err());
+        }
     }
     let obj =
         b"o s\nv 0 0 0\nv 1 0 0.5\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\nf -1 -2 -3\n";

@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 use toile_formats::measures::{self, PointOfMeasure};
 use toile_formats::report::{self, Language, Point};
-use toile_garment::{Aspect, Diagnostic, Garment};
+use toile_garment::{Aspect, Code, Diagnostic, Garment};
 use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
 
 codes! {
@@ -127,11 +127,7 @@ fn asked(params: &ExportReportParams, cx: &mut StageContext<'_>) -> Result<Vec<P
 }
 
 /// All points of measure; those that cannot be taken, or are off, become findings.
-fn points(
-    params: &ExportReportParams,
-    garment: &Garment,
-    cx: &mut StageContext<'_>,
-) -> Result<Vec<Point>, StageError> {
+fn points(params: &ExportReportParams, garment: &Garment, cx: &mut StageContext<'_>) -> Result<Vec<Point>, StageError> {
     let mut out = Vec::new();
     for wanted in asked(params, cx)? {
         match fit::point(&wanted, garment) {

@@ -109,7 +109,9 @@ fn known(f: &Fabric) -> Vec<Known> {
         row("bending length along the weft", length(f.bend_weft), [6.0, 40.0], " mm"),
         row("ratio of bending, warp over weft,", f.bend_warp / f.bend_weft, [0.2, 6.0], ""),
     ];
-    for (what, law) in [("tension at 2 % along the warp", &f.stretch_warp), ("tension at 2 % along the weft", &f.stretch_weft)] {
+    for (what, law) in
+        [("tension at 2 % along the warp", &f.stretch_warp), ("tension at 2 % along the weft", &f.stretch_weft)]
+    {
         out.push(row(what, law.tension(0.02), [0.2, 3000.0], " N/m"));
     }
     if let Some(friction) = f.bend_hysteresis.filter(|h| *h > 0.0) {
@@ -128,7 +130,8 @@ mod tests {
 
     fn library() -> Vec<(String, Fabric)> {
         let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("../samples/fabrics");
-        let mut files: Vec<PathBuf> = std::fs::read_dir(folder).expect("folder").map(|f| f.expect("file").path()).collect();
+        let mut files: Vec<PathBuf> =
+            std::fs::read_dir(folder).expect("folder").map(|f| f.expect("file").path()).collect();
         files.retain(|f| f.extension().is_some_and(|e| e == "toml"));
         files.sort();
         let read = |f: &PathBuf| {

@@ -47,14 +47,19 @@ pub fn read(toml: &TomlText<'_>, word: &str, value: &Spanned<DeValue<'_>>, out: 
 
 /// The look; `None` where the file has none. Wrong words become findings.
 pub fn look(e: &mut Entries) -> Option<FabricLook> {
-    let number = |e: &Entries, key: &str| e.values.iter().find(|((t, k), _)| *t == "look" && *k == key).map(|(_, v)| v.value);
+    let number =
+        |e: &Entries, key: &str| e.values.iter().find(|((t, k), _)| *t == "look" && *k == key).map(|(_, v)| v.value);
     let told = ["ends_per_cm", "picks_per_cm", "sheen", "roughness"].map(|key| number(e, key));
     if told.iter().all(Option::is_none) && e.words.is_empty() {
         return None;
     }
-    let weave = word(e, "weave", "plain", |text| WEAVES.iter().find(|(n, _)| *n == text).map(|(_, w)| *w), |text| {
-        did_you_mean(text, WEAVES.iter().map(|(n, _)| *n))
-    });
+    let weave = word(
+        e,
+        "weave",
+        "plain",
+        |text| WEAVES.iter().find(|(n, _)| *n == text).map(|(_, w)| *w),
+        |text| did_you_mean(text, WEAVES.iter().map(|(n, _)| *n)),
+    );
     let color = word(e, "color", "#cfc6b4", linear, |_| "write it in hexadecimal, e.g. \"#d8c8b0\"".to_owned());
     let [ends, picks, sheen, roughness] = told;
     Some(FabricLook {

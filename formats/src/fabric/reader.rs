@@ -1,8 +1,8 @@
 //! The file's values by table and key, checked one by one for unit and range.
 
 use super::codes;
-use super::{curve, look};
 use super::fields::{self, FIELDS, Field, TABLES, TEXTS, Unit};
+use super::{curve, look};
 use crate::codes::{UNKNOWN_KEY, VALUE_OUT_OF_RANGE};
 use crate::toml_text::{TomlText, describe, did_you_mean};
 use serde_spanned::Spanned;

@@ -1,8 +1,8 @@
 //! The contents of a GLB, for `toile inspect`.
 
 use super::ReadError;
-use super::geometry::{open, placed};
 use super::document;
+use super::geometry::{open, placed};
 use super::read::document_text;
 use serde_json::{Value, json};
 use toile_garment::{Vec3, bundle};

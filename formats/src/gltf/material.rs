@@ -29,7 +29,8 @@ pub fn push(root: &mut json::Root, buffer: &mut Buffer, material: &Material) {
     let normal = material.normal.as_ref().map(|image| normal(root, buffer, image, material));
     let extensions = material.sheen.map(|sheen| {
         uses(root, SHEEN);
-        let value = json!({ "sheenColorFactor": sheen.color.map(factor), "sheenRoughnessFactor": factor(sheen.roughness) });
+        let value =
+            json!({ "sheenColorFactor": sheen.color.map(factor), "sheenRoughnessFactor": factor(sheen.roughness) });
         let others = [(SHEEN.to_owned(), value)].into_iter().collect();
         json::extensions::material::Material { others, ..Default::default() }
     });

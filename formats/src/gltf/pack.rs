@@ -106,7 +106,8 @@ fn encode(list: &List) -> ([usize; 3], Vec<u8>) {
     match &list.numbers {
         Numbers::Whole(n) => {
             let mut before = vec![0; columns];
-            let steps = n.iter().enumerate().map(|(i, x)| x.wrapping_sub(std::mem::replace(&mut before[i % columns], *x)));
+            let steps =
+                n.iter().enumerate().map(|(i, x)| x.wrapping_sub(std::mem::replace(&mut before[i % columns], *x)));
             let bytes: Vec<[u8; 4]> = steps.map(u32::to_le_bytes).collect();
             ([0, list.width, n.len() / columns], planes(&bytes, columns))
         }
@@ -143,7 +144,8 @@ pub fn unpack(bytes: &[u8]) -> Result<Value, String> {
         usize::try_from(u32::from_le_bytes(four)).ok()
     };
     let (length, count) = word(0).zip(word(1)).ok_or_else(broken)?;
-    let mut at = count.checked_mul(12).and_then(|n| n.checked_add(8)).filter(|n| *n <= inflated.len()).ok_or_else(broken)?;
+    let mut at =
+        count.checked_mul(12).and_then(|n| n.checked_add(8)).filter(|n| *n <= inflated.len()).ok_or_else(broken)?;
     let mut lists = Vec::with_capacity(count);
     for k in 0..count {
         let [kind, width, rows] = [0, 1, 2].map(|j| word(2 + 3 * k + j).unwrap_or(usize::MAX));
@@ -168,7 +170,8 @@ fn fill(value: &mut Value, lists: &[Packed<'_>], left: &mut usize) -> Result<(),
         Value::Object(map) => match map.get("#").and_then(Value::as_u64).filter(|_| map.len() == 1) {
             Some(number) => {
                 let list = usize::try_from(number).ok().and_then(|n| lists.get(n));
-                let list = list.ok_or_else(|| format!("its packed document names list {number}, which is not there"))?;
+                let list =
+                    list.ok_or_else(|| format!("its packed document names list {number}, which is not there"))?;
                 *left = left.checked_sub(list.2.len() / 4).ok_or("its packed document is too large")?;
                 *value = unfold(list);
                 Ok(())
@@ -231,7 +234,8 @@ mod tests {
         }
         let deflated = |bytes: &[u8]| miniz_oxide::deflate::compress_to_vec_zlib(bytes, 6);
         let heads = |words: &[u32]| deflated(&words.iter().flat_map(|w| w.to_le_bytes()).collect::<Vec<_>>());
-        for words in [&[0, u32::MAX][..], &[4, 1, 0, 1, u32::MAX], &[4, 1, 2, 1, 1], &[4, 1, 0, 99, 1], &[u32::MAX, 0]] {
+        for words in [&[0, u32::MAX][..], &[4, 1, 0, 1, u32::MAX], &[4, 1, 2, 1, 1], &[4, 1, 0, 99, 1], &[u32::MAX, 0]]
+        {
             assert!(unpack(&heads(words)).is_err(), "{words:?}");
         }
         let mut missing = [2_u32.to_le_bytes(), 0_u32.to_le_bytes()].concat();

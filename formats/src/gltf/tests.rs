@@ -1,7 +1,7 @@
 use super::*;
+use crate::picture::{Field, Scale};
 use crate::sample::two_pieces;
 use serde_json::Value;
-use crate::picture::{Field, Scale};
 use toile_garment::texture::{Colourway, Sheen};
 use toile_garment::{Garment, Vec3};
 

@@ -1,8 +1,8 @@
 //! From the garment to a GLB.
 
 use super::wishes::Wishes;
-use crate::picture::linear;
 use super::{container, document, extra, material, motion, normals, variants};
+use crate::picture::linear;
 use gltf_json as json;
 use json::accessor::{ComponentType, GenericComponentType, Type};
 use json::buffer::Target;
@@ -96,15 +96,13 @@ impl Buffer {
         let step = |x: &f32| ((x.clamp(0.0, 1.0) * f32::from(u16::MAX)).round() as u16).to_le_bytes();
         // Every entry begins at four bytes.
         let padding = vec![0; (N % 2) * 2];
-        let bytes: Vec<u8> = values.iter().flat_map(|v| v.iter().flat_map(step).chain(padding.iter().copied())).collect();
+        let bytes: Vec<u8> =
+            values.iter().flat_map(|v| v.iter().flat_map(step).chain(padding.iter().copied())).collect();
         let view = self.view(root, &bytes, Some(Target::ArrayBuffer));
         if N % 2 == 1 {
             root.buffer_views[view.value()].byte_stride = Some(json::buffer::Stride(2 * N + 2));
         }
-        root.push(json::Accessor {
-            normalized: true,
-            ..accessor(view, values.len(), ComponentType::U16, type_)
-        })
+        root.push(json::Accessor { normalized: true, ..accessor(view, values.len(), ComponentType::U16, type_) })
     }
 
     /// Numbers that belong to no vertex: times and weights of an animation.

@@ -166,7 +166,16 @@ impl Fit {
             let [on, method] = [p.on, p.method].map(|x| Cell::Text(x.to_owned()));
             let off = known(p.expected.map(|e| p.length - e));
             let passed = p.passed.map_or(Cell::Empty, Cell::Verdict);
-            vec![Cell::Text(p.name.clone()), on, method, mm(p.length), known(p.expected), known(p.tolerance), off, passed]
+            vec![
+                Cell::Text(p.name.clone()),
+                on,
+                method,
+                mm(p.length),
+                known(p.expected),
+                known(p.tolerance),
+                off,
+                passed,
+            ]
         };
         t.rows = self.points.iter().map(row).collect();
         t

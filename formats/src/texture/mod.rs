@@ -6,9 +6,9 @@
 pub(crate) mod codes;
 mod color;
 mod strip;
-mod weave;
 #[cfg(test)]
 mod tests;
+mod weave;
 
 pub use color::linear;
 pub use weave::{Drawn, draw};

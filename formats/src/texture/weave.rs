@@ -177,9 +177,13 @@ mod tests {
             let yarns = f64::from(drawn.image.width) / YARN as f64;
             assert!((drawn.repeat[0] * 3000.0 - yarns).abs() < 1e-9, "{weave:?}");
             let mean: [f64; 3] = std::array::from_fn(|c| {
-                pixels.pixels().map(|p| f64::from(p.0[c]) / 127.5 - 1.0).sum::<f64>() / f64::from(pixels.width() * pixels.height())
+                pixels.pixels().map(|p| f64::from(p.0[c]) / 127.5 - 1.0).sum::<f64>()
+                    / f64::from(pixels.width() * pixels.height())
             });
-            assert!(mean[0].abs() < 0.02 && mean[1].abs() < 0.02 && mean[2] > 0.4, "{weave:?} looks outwards: {mean:?}");
+            assert!(
+                mean[0].abs() < 0.02 && mean[1].abs() < 0.02 && mean[2] > 0.4,
+                "{weave:?} looks outwards: {mean:?}"
+            );
         }
         assert_eq!(draw(&FabricLook { ends: 0.0, ..look(Weave::Plain) }), None);
     }

@@ -67,9 +67,11 @@ fn per_vertex(garment: &Garment, number: impl Fn(&Bend, Option<&Fabric>) -> f64)
     let shape = shape(garment)?;
     let whole = |m: &&PieceMesh, at: &[Vec3]| m.triangles.iter().flatten().all(|v| (*v as usize) < at.len());
     let pieces: Vec<_> = garment.pieces.iter().zip(&shape.positions).collect();
-    let mesh = |piece: &'_ Piece, at: &[Vec3]| piece.mesh.as_ref().filter(|m| whole(m, at)).cloned().unwrap_or_default();
+    let mesh =
+        |piece: &'_ Piece, at: &[Vec3]| piece.mesh.as_ref().filter(|m| whole(m, at)).cloned().unwrap_or_default();
     let meshes: Vec<PieceMesh> = pieces.iter().map(|(piece, at)| mesh(piece, at)).collect();
-    let surfaces: Vec<_> = pieces.iter().zip(&meshes).map(|((_, at), m)| (at.as_slice(), m.triangles.as_slice())).collect();
+    let surfaces: Vec<_> =
+        pieces.iter().zip(&meshes).map(|((_, at), m)| (at.as_slice(), m.triangles.as_slice())).collect();
     let normals = smooth_normals(&surfaces);
     let of = |(((piece, at), mesh), normals): ((&(&Piece, &Vec<Vec3>), &PieceMesh), &Vec<Vec3>)| {
         let mut sums = vec![[0.0; 2]; at.len()];

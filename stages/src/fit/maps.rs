@@ -107,7 +107,10 @@ mod tests {
     fn maps_show_what_was_stretched_and_how_far_the_body_is() {
         let fields = maps(&garment());
         let all = |k: usize, x: f64| fields[k].values[0].iter().all(|v| (v - x).abs() < 1e-9);
-        assert_eq!(fields.iter().map(|f| f.key).collect::<Vec<_>>(), ["strain-warp", "strain-weft", "ease", "bending", "pressure"]);
+        assert_eq!(
+            fields.iter().map(|f| f.key).collect::<Vec<_>>(),
+            ["strain-warp", "strain-weft", "ease", "bending", "pressure"]
+        );
         assert!(all(0, 4.0) && all(1, -1.0) && all(2, 30.0));
         assert_eq!(fields.iter().map(|f| f.limit).collect::<Vec<_>>(), [5.0, 5.0, 40.0, 10.0, 0.05]);
     }

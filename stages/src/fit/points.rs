@@ -175,7 +175,8 @@ fn path(surface: &Surface, a: Vec3, b: Vec3) -> Option<Vec<Vec3>> {
     let mut best: Option<(f64, Vec<Vec3>)> = None;
     for section in sections(&surface.points, &surface.triangles, a, across) {
         let points = &section.points;
-        let near = |p: Vec3| (0..points.len()).min_by(|i, j| (points[*i] - p).norm().total_cmp(&(points[*j] - p).norm()));
+        let near =
+            |p: Vec3| (0..points.len()).min_by(|i, j| (points[*i] - p).norm().total_cmp(&(points[*j] - p).norm()));
         let (Some(i), Some(j)) = (near(a), near(b)) else { continue };
         let off = (points[i] - a).norm() + (points[j] - b).norm();
         let ways = [(i, j), (j, i)].map(|(i, j)| {
@@ -231,4 +232,95 @@ fn taut(path: &[Vec3]) -> f64 {
     let around: f64 = (0..ring.len()).map(|i| (ring[(i + 1) % ring.len()] - ring[i]).norm()).sum();
     // The hull closes along the straight line between the ends.
     around - (b - a).norm()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use toile_formats::measures::read;
+    use toile_garment::body::Body;
+    use toile_garment::garment::Shape;
+    use toile_garment::mesh::{ChainKind, MeshChain, PieceMesh};
+    use toile_garment::outline::{LinePoint, OutlineEdge, PieceLine, PointKind};
+
+    /// A strip of 0.3 by 0.1 m, worn as a roof: its long edges rise by 30° to the middle and fall again.
+    fn roof() -> Garment {
+        let corners = [[0.0, 0.0], [0.15, 0.0], [0.3, 0.0], [0.3, 0.1], [0.15, 0.1], [0.0, 0.1]];
+        let rest: Vec<Vec2> = corners.map(Vec2::from).to_vec();
+        let worn = |p: &Vec2| {
+            let from_end = 0.15 - (p.x - 0.15).abs();
+            Vec3::new(p.x * 0.75_f64.sqrt(), 1.0 + 0.5 * from_end, p.y)
+        };
+        let mesh = PieceMesh {
+            triangles: vec![[0, 1, 4], [0, 4, 5], [1, 2, 3], [1, 3, 4]],
+            chains: vec![MeshChain { kind: ChainKind::Outline, index: 0, vertices: (0..6).collect(), closed: true }],
+            outline_vertex: (0..6).map(Some).collect(),
+            rest: rest.clone(),
+            ..PieceMesh::default()
+        };
+        let points = rest.iter().map(|p| LinePoint { at: *p, kind: PointKind::Turn }).collect();
+        let edge = |index, name: Option<&str>, from, to| OutlineEdge { index, name: name.map(Into::into), from, to };
+        let piece = Piece {
+            name: "strip".into(),
+            outline: PieceLine { points, closed: true, ..PieceLine::default() },
+            edges: vec![edge(0, Some("hem"), 0, 2), edge(1, None, 2, 3), edge(2, None, 3, 5), edge(3, None, 5, 0)],
+            mesh: Some(mesh),
+            ..Piece::default()
+        };
+        let landmarks =
+            [("left".to_owned(), Vec3::new(0.0, 1.0, 0.05)), ("knee".to_owned(), Vec3::new(0.0, 0.45, 0.0))];
+        Garment {
+            pieces: vec![piece],
+            drape: Some(Shape { positions: vec![rest.iter().map(worn).collect()], ..Shape::default() }),
+            body: Some(Body { landmarks: landmarks.into(), ..Body::default() }),
+            ..Garment::default()
+        }
+    }
+
+    fn length(keys: &str) -> Result<f64, String> {
+        let read = read(&format!("[[measure]]\nname = \"m\"\n{keys}"), "m.toml").expect("a measure");
+        point(&read[0], &roof()).map(|p| p.length)
+    }
+
+    #[test]
+    fn edges_and_ways_have_their_lengths() {
+        let near = |keys: &str, want: f64| {
+            let got = length(keys).expect(keys);
+            assert!((got - want).abs() < 1e-9, "{keys}: {got}, not {want}");
+        };
+        near("on = \"pattern\"\nedges = [\"strip.hem\", \"strip.1\"]", 0.4);
+        near("on = \"drape\"\nedges = [\"strip.0\"]", 0.3);
+        let ends = "from = { edge = \"strip.3\", share = 0.5 }\nto = { edge = \"strip.1\", share = 0.5 }\n";
+        let straight = 0.3 * 0.75_f64.sqrt();
+        near(&format!("on = \"drape\"\n{ends}method = \"straight\""), straight);
+        near(&format!("on = \"pattern\"\n{ends}method = \"straight\""), 0.3);
+        // A tape lies over the ridge as the cloth does.
+        near(&format!("on = \"drape\"\n{ends}method = \"surface\""), 0.3);
+        near(&format!("on = \"drape\"\n{ends}method = \"tape\""), 0.3);
+        near("on = \"body\"\nfrom = \"knee\"\nto = { height = \"50 mm\" }\nmethod = \"straight\"", 0.4);
+    }
+
+    #[test]
+    fn what_is_not_there_is_told() {
+        for (keys, word) in [
+            ("on = \"drape\"\nedges = [\"strip.top\"]", "no edge `top`"),
+            ("on = \"drape\"\nedges = [\"belt.0\"]", "no piece `belt`"),
+            ("on = \"body\"\nfrom = \"nose\"\nto = \"knee\"", "no landmark `nose`"),
+            ("on = \"drape\"\naround = \"torso\"\nat = \"knee\"", "no segment `torso`"),
+        ] {
+            assert!(length(keys).expect_err(keys).contains(word), "{keys}");
+        }
+    }
+
+    #[test]
+    fn a_tolerance_passes_or_fails() {
+        let passed = |expected: &str| {
+            let text = format!(
+                "[[measure]]\nname = \"m\"\non = \"pattern\"\nedges = [\"strip.hem\"]\nexpected = \"{expected}\"\n\
+                 tolerance = \"2 mm\"\n"
+            );
+            point(&read(&text, "m.toml").expect("a measure")[0], &roof()).expect("measured").passed
+        };
+        assert_eq!([passed("301 mm"), passed("303 mm")], [Some(true), Some(false)]);
+    }
 }

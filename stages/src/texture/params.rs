@@ -148,7 +148,8 @@ impl TextureParams {
         for (i, c) in self.colourways.iter().enumerate() {
             if c.name.is_empty() || self.colourways[..i].iter().any(|other| other.name == c.name) {
                 let message = format!("colourway {} has no name of its own: `{}`", i + 1, c.name);
-                found.push(Diagnostic::error(codes::MATERIAL_NAME, message).hint("give every colourway another `name`"));
+                found
+                    .push(Diagnostic::error(codes::MATERIAL_NAME, message).hint("give every colourway another `name`"));
             }
             for name in c.materials.keys().filter(|n| !self.materials.iter().any(|m| m.name == **n)) {
                 let message = format!("colourway `{}` colours the material `{name}`, which is not there", c.name);
