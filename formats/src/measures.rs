@@ -183,9 +183,9 @@ mod tests {
         let text = "[[measure]]\nname = \"hem\"\non = \"pattern\"\nedges = [\"FRONT.0\"]\nexpected = \"1 m\"\n\n\
             [[measure]]\nname = \"back\"\non = \"body\"\nfrom = \"neck-back\"\nto = { height = \"0 mm\" }\n\
             method = \"straight\"\n";
-        let read = super::read(text, "m.toml").expect("measures");
-        assert_eq!((read.len(), read[0].method, read[1].method), (2, Method::Surface, Method::Straight));
-        assert_eq!(read[1].to, Some(End::Height { height: Length(0.0) }));
+        let all = read(text, "m.toml").expect("measures");
+        assert_eq!((all.len(), all[0].method, all[1].method), (2, Method::Surface, Method::Straight));
+        assert_eq!(all[1].to, Some(End::Height { height: Length(0.0) }));
         for (from, to, word) in [
             ("edges", "edge", "edge"),
             ("\"pattern\"", "\"body\"", "body has none"),
@@ -194,7 +194,7 @@ mod tests {
             ("expected = \"1 m\"", "tolerance = \"1 mm\"", "tolerance"),
             ("\"hem\"", "\" \"", "no name"),
         ] {
-            let found = super::read(&text.replacen(from, to, 1), "m.toml").expect_err(from);
+            let found = read(&text.replacen(from, to, 1), "m.toml").expect_err(from);
             assert!(found[0].message.contains(word) && found[0].source.is_some(), "{from}: {found:?}");
         }
     }
