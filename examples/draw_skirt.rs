@@ -19,7 +19,7 @@ const PANELS: usize = 2;
 /// Ripples of the start at the hem: folds all around, height in m, phase in rad.
 const RIPPLES: [[f64; 3]; 4] = [[7.0, 5e-3, 0.0], [9.0, 3.5e-3, 0.0], [12.0, 3.5e-3, 2.0], [5.0, 2.5e-3, 1.0]];
 
-/// What is written.
+/// The files of a mesh.
 #[derive(Default)]
 struct Mesh {
     obj: String,

@@ -56,7 +56,7 @@ pub enum Method {
     /// Along the surface, every fold included.
     #[default]
     Surface,
-    /// As a tape lies, which bridges hollows.
+    /// The way a tape lies, which bridges hollows.
     Tape,
     /// A straight line.
     Straight,
@@ -153,7 +153,7 @@ pub fn read(text: &str, file: &str) -> Result<Vec<PointOfMeasure>, Vec<Diagnosti
     if wrong.is_empty() { Ok(found.measure) } else { Err(wrong) }
 }
 
-/// What makes a measure no measure.
+/// The reason why a measure is none.
 fn mistake(m: &PointOfMeasure) -> Option<&'static str> {
     let ways = [!m.edges.is_empty(), m.around.is_some(), m.from.is_some() || m.to.is_some()];
     if m.name.trim().is_empty() {

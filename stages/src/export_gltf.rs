@@ -18,7 +18,7 @@ pub enum DocumentParam {
     /// Packed: small, read by `flatten` and `inspect`.
     #[default]
     Packed,
-    /// As JSON text, for programs that read it themselves.
+    /// JSON text, for programs that read it themselves.
     Plain,
     /// None: the pattern stays at home, and the GLB cannot be flattened.
     Nothing,

@@ -1,4 +1,4 @@
-//! What a GLB may show beside the pieces: the body, the wrong side of the cloth, and its lines.
+//! Parts that a GLB may show beside the pieces: the body, the wrong side of the cloth, and its lines.
 
 use super::normals;
 use super::write::{Buffer, Mesh, WriteError, floats};

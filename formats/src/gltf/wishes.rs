@@ -8,7 +8,7 @@ pub enum Carried {
     /// Packed: small, read by this program.
     #[default]
     Packed,
-    /// As JSON text, for programs that read it themselves.
+    /// JSON text, for programs that read it themselves.
     Plain,
     /// No document: the pattern stays at home, and the GLB cannot be flattened.
     Nothing,

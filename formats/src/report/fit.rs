@@ -48,7 +48,7 @@ pub struct Point {
     pub expected: Option<f64>,
     /// How far it may be off, metres.
     pub tolerance: Option<f64>,
-    /// Is it within its tolerance?
+    /// True where it is within its tolerance.
     pub passed: Option<bool>,
 }
 

@@ -1,7 +1,7 @@
 //! Points of measure of a house: edges, girths, and ways between two ends.
 //!
-//! A way along the surface lies in the plane through both ends and the normal of the surface between them, as a tape
-//! lies that is laid straight; a tape goes along the convex hull of that way.
+//! A way along the surface lies in the plane through both ends and the normal of the surface between them. So lies a
+//! tape that is laid straight. A tape goes along the convex hull of that way.
 
 use super::rings::rings;
 use super::surface::Surface;
