@@ -62,6 +62,7 @@ pub const CODES: &[&[Code]] = &[
     crate::fabric::codes::CODES,
     crate::garmentcode::codes::CODES,
     crate::gltf::codes::CODES,
+    crate::measures::CODES,
     crate::obj::codes::CODES,
     crate::plot::codes::CODES,
     crate::rul::CODES,

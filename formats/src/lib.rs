@@ -12,6 +12,7 @@ pub mod encoding;
 pub mod fabric;
 pub mod garmentcode;
 pub mod gltf;
+pub mod measures;
 pub mod obj;
 pub mod picture;
 pub mod plot;

@@ -133,6 +133,8 @@ pub fn two_pieces() -> Garment {
         image: Some(png()),
         repeat: [0.06, 0.04],
         roughness: 0.85,
+        normal: None,
+        sheen: None,
     };
     let body = Body {
         name: "stand".into(),
@@ -152,7 +154,11 @@ pub fn two_pieces() -> Garment {
         body: Some(body),
         stitched: Some(shape.clone()),
         drape: Some(shape),
-        textures: Some(Textures { materials: vec![material], pieces: vec![texture(0.0), texture(1.0)] }),
+        textures: Some(Textures {
+            materials: vec![material],
+            pieces: vec![texture(0.0), texture(1.0)],
+            ..Textures::default()
+        }),
         effects: vec![EffectRecord {
             name: "friction".into(),
             on: true,

@@ -2,6 +2,7 @@
 
 use std::panic;
 use std::sync::Mutex;
+use toile_formats::gltf::{Carried, Wishes};
 use toile_formats::{fabric, gltf, obj, texture};
 use toile_garment::garment::Shape;
 use toile_garment::mesh::PieceMesh;
@@ -18,21 +19,26 @@ fn png() -> Vec<u8> {
 }
 
 fn glb() -> Vec<u8> {
+    glb_with(Carried::Plain)
+}
+
+fn glb_with(document: Carried) -> Vec<u8> {
     let rest = vec![Vec2::new(0.0, 0.0), Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0), Vec2::new(1.0, 1.0)];
     let positions = rest.iter().map(|r| Vec3::new(r.x, r.y, r.x * r.y)).collect();
     let uv: Vec<[f64; 2]> = rest.iter().map(|r| [r.x, r.y]).collect();
     let mesh = PieceMesh { rest, triangles: vec![[0, 1, 2], [1, 3, 2]], ..PieceMesh::default() };
     let piece = Piece { name: "sheet".into(), mesh: Some(mesh), ..Piece::default() };
     let image = Some(Image { mime: "image/png".into(), width: 8, height: 8, bytes: png() });
-    let material = Material { name: "m".into(), color: [1.0; 3], image, repeat: [0.1; 2], roughness: 0.9 };
+    let (color, repeat) = ([1.0; 3], [0.1; 2]);
+    let material = Material { name: "m".into(), color, image, repeat, roughness: 0.9, normal: None, sheen: None };
     let texture = PieceTexture { material: 0, uv_cloth: uv.clone(), uv_packed: uv };
     let garment = Garment {
         pieces: vec![piece],
         drape: Some(Shape { positions: vec![positions], sewn: false, welded: true, ..Shape::default() }),
-        textures: Some(Textures { materials: vec![material], pieces: vec![texture] }),
+        textures: Some(Textures { materials: vec![material], pieces: vec![texture], ..Textures::default() }),
         ..Garment::default()
     };
-    gltf::write_garment(&garment).expect("GLB")
+    gltf::write_garment_with(&garment, &Wishes { document, ..Wishes::default() }).expect("GLB")
 }
 
 /// A fixed sequence of numbers (xorshift).
@@ -135,17 +141,18 @@ fn no_file_panics_a_reader() {
 
 fn all() {
     named_damage();
-    let glb = glb();
     let mut dice = Dice(7);
-    for i in 0..3000 {
-        let mut bytes = mutant(&glb, &mut dice);
-        if i % 3 != 0 {
-            relength(&mut bytes, &glb);
+    for glb in [glb(), glb_with(Carried::Packed)] {
+        for i in 0..3000 {
+            let mut bytes = mutant(&glb, &mut dice);
+            if i % 3 != 0 {
+                relength(&mut bytes, &glb);
+            }
+            let _ = (gltf::read_garment(&bytes), gltf::inspect(&bytes));
         }
-        let _ = (gltf::read_garment(&bytes), gltf::inspect(&bytes));
-    }
-    for n in 0..64 {
-        assert!(gltf::read_garment(&glb[..glb.len() * n / 64]).is_err());
+        for n in 0..64 {
+            assert!(gltf::read_garment(&glb[..glb.len() * n / 64]).is_err());
+        }
     }
     let obj =
         b"o s\nv 0 0 0\nv 1 0 0.5\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\nf -1 -2 -3\n";

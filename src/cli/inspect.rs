@@ -1,5 +1,6 @@
 //! `toile inspect FILE`: the table of file forms that can be looked into.
 
+mod fabric;
 mod garment;
 mod meshes;
 mod pattern;
@@ -21,7 +22,7 @@ pub(super) struct Inspected {
     pub json: Value,
     /// For people.
     pub text: String,
-    /// Drawing of the pieces, where one is asked for and the form has pieces.
+    /// Drawing, where one is asked for and the form has one: pieces, or curves of a fabric.
     pub svg: Option<String>,
     /// Findings.
     pub findings: Vec<Diagnostic>,
@@ -56,6 +57,7 @@ const FORMS: &[Form] = &[
     Form { endings: &["rul"], begins: pattern::is_rul, inspect: pattern::rul },
     Form { endings: &["glb"], begins: meshes::is_glb, inspect: meshes::glb },
     Form { endings: &["json"], begins: garment::is_json, inspect: garment::document },
+    Form { endings: &["toml"], begins: |_| false, inspect: fabric::inspect },
     Form { endings: &["obj"], begins: meshes::is_obj, inspect: meshes::obj },
 ];
 

@@ -10,14 +10,49 @@ use toile_stages::body::{BodyMeasures, SIZES, parametric};
 /// Name and content of files.
 type Files = Vec<(String, Vec<u8>)>;
 
+/// Names and texts of fabric files.
+macro_rules! fabrics {
+    ($($name:literal),* $(,)?) => {
+        [$(($name, include_str!(concat!("../../samples/fabrics/", $name, ".toml")))),*]
+    };
+}
+
 /// The fabrics that come with the program.
-const FABRICS: &[(&str, &str)] = &[
-    ("cotton-jersey", include_str!("../../samples/fabrics/cotton-jersey.toml")),
-    ("cotton-shirting", include_str!("../../samples/fabrics/cotton-shirting.toml")),
-    ("denim-11oz", include_str!("../../samples/fabrics/denim-11oz.toml")),
-    ("linen-plain", include_str!("../../samples/fabrics/linen-plain.toml")),
-    ("silk-habotai", include_str!("../../samples/fabrics/silk-habotai.toml")),
-    ("wool-suiting", include_str!("../../samples/fabrics/wool-suiting.toml")),
+const FABRICS: &[(&str, &str)] = &fabrics![
+    "acetate-lining",
+    "cotton-canvas",
+    "cotton-corduroy",
+    "cotton-flannel",
+    "cotton-fleece",
+    "cotton-interlock",
+    "cotton-jersey",
+    "cotton-lawn",
+    "cotton-poplin",
+    "cotton-shirting",
+    "cotton-twill",
+    "cotton-velvet",
+    "cotton-voile",
+    "denim-11oz",
+    "denim-14oz",
+    "linen-plain",
+    "linen-suiting",
+    "polyester-faille",
+    "ponte-roma",
+    "silk-chiffon",
+    "silk-crepe-de-chine",
+    "silk-georgette",
+    "silk-habotai",
+    "silk-organza",
+    "silk-satin",
+    "silk-taffeta",
+    "viscose-challis",
+    "viscose-crepe",
+    "viscose-jersey",
+    "wool-crepe",
+    "wool-flannel",
+    "wool-melton",
+    "wool-suiting",
+    "wool-tropical",
 ];
 
 /// The body of a folder.

@@ -49,6 +49,8 @@ pub const CODES: &[&[Code]] = &[
     crate::export_dxf::codes::CODES,
     crate::export_obj::CODES,
     crate::export_print::CODES,
+    crate::export_report::CODES,
+    crate::fabric_check::CODES,
     crate::fabric_test::codes::CODES,
     crate::flatten::codes::CODES,
     crate::import_dxf::CODES,

@@ -1,14 +1,28 @@
 //! Stage `export-gltf`: the garment as GLB, with the whole document inside.
 
+use crate::export_picture::ColoursParam;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;
-use toile_formats::gltf::{self, WriteError};
+use toile_formats::gltf::{self, Carried, Wishes, WriteError};
 use toile_garment::{Aspect, Garment};
 use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
 
 /// Writes a GLB.
 pub struct ExportGltf;
+
+/// The garment document in the GLB.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum DocumentParam {
+    /// Packed: small, read by `flatten` and `inspect`.
+    #[default]
+    Packed,
+    /// JSON text, for programs that read it themselves.
+    Plain,
+    /// None: the pattern stays at home, and the GLB cannot be flattened.
+    Nothing,
+}
 
 /// Parameters of `export-gltf`.
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
@@ -17,11 +31,28 @@ pub struct ExportGltfParams {
     /// The GLB to write.
     #[schemars(extend("format" = "output-file"))]
     pub file: String,
+    /// The garment document inside: `packed`, `plain` or `nothing`.
+    pub document: DocumentParam,
+    /// Adds the body as a node of its own.
+    pub body: bool,
+    /// Adds the wrong side of the cloth, as far behind the right one as the fabric is thick, and the edges between.
+    pub thickness: bool,
+    /// Adds lines: seams, darts and free edges.
+    pub lines: bool,
+    /// Meaning of the colours: `cloth`, or a map of `export-picture`, as colours of the vertices.
+    pub colours: ColoursParam,
 }
 
 impl Default for ExportGltfParams {
     fn default() -> Self {
-        Self { file: "{out}/garment.glb".to_owned() }
+        Self {
+            file: "{out}/garment.glb".to_owned(),
+            document: DocumentParam::Packed,
+            body: false,
+            thickness: false,
+            lines: false,
+            colours: ColoursParam::Cloth,
+        }
     }
 }
 
@@ -32,7 +63,7 @@ impl Stage for ExportGltf {
         "writes the garment as GLB: a node for each piece, cloth coordinates, images, the document inside",
         &[Aspect::Mesh, Aspect::Stitched],
         &[],
-        1,
+        2,
     );
 
     fn forecast(
@@ -45,7 +76,19 @@ impl Stage for ExportGltf {
     }
 
     fn run(&self, params: &Self::Params, garment: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
-        let glb = gltf::write_garment(&garment).map_err(failure)?;
+        let field = params.colours.field(&garment)?;
+        let wishes = Wishes {
+            document: match params.document {
+                DocumentParam::Packed => Carried::Packed,
+                DocumentParam::Plain => Carried::Plain,
+                DocumentParam::Nothing => Carried::Nothing,
+            },
+            body: params.body,
+            thickness: params.thickness,
+            lines: params.lines,
+            field: field.as_ref(),
+        };
+        let glb = gltf::write_garment_with(&garment, &wishes).map_err(failure)?;
         cx.files.write(Path::new(&params.file), &glb)?;
         Ok(garment)
     }

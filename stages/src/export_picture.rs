@@ -51,6 +51,10 @@ pub enum ColoursParam {
     StrainWeft,
     /// Distance from the cloth to the body.
     Ease,
+    /// How sharply the cloth is bent, as 1 over the radius.
+    Bending,
+    /// Pressure on the body, averaged over a pad of 20 mm as a sensor has it.
+    Pressure,
 }
 
 /// Parameters of `export-picture`.
@@ -68,7 +72,7 @@ pub struct ExportPictureParams {
     pub height: u32,
     /// Draws the body, where there is one.
     pub body: bool,
-    /// Meaning of the colours: `cloth`, `strain-warp`, `strain-weft` or `ease`.
+    /// Meaning of the colours: `cloth`, `strain-warp`, `strain-weft`, `ease`, `bending` or `pressure`.
     pub colours: ColoursParam,
 }
 
@@ -92,7 +96,7 @@ impl Stage for ExportPicture {
     type Params = ExportPictureParams;
     const INFO: StageInfo = StageInfo::new(
         "export-picture",
-        "writes a picture of the garment as PNG: cloth, strain or distance to the body",
+        "writes a picture of the garment as PNG: cloth, strain, bending, pressure or distance to the body",
         &[Aspect::Mesh, Aspect::Stitched],
         &[],
         1,
@@ -111,7 +115,7 @@ impl Stage for ExportPicture {
 
     fn run(&self, params: &Self::Params, garment: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
         params.range()?;
-        let field = params.field(&garment)?;
+        let field = params.colours.field(&garment)?;
         let wishes = Wishes {
             views: params.views(),
             width: params.width,
@@ -154,20 +158,28 @@ impl ExportPictureParams {
         );
         Err(StageError::parameter(Diagnostic::error(OUT_OF_RANGE, message)))
     }
+}
 
-    fn field(&self, garment: &Garment) -> Result<Option<Field>, StageError> {
+impl ColoursParam {
+    /// The quantity that the colours show; `None` for the cloth itself.
+    ///
+    /// # Errors
+    /// The quantity needs a body, and there is none.
+    pub fn field(self, garment: &Garment) -> Result<Option<Field>, StageError> {
         let strain = |k: usize| fit::strain(garment).and_then(|both| both.into_iter().nth(k));
-        Ok(match self.colours {
-            ColoursParam::Cloth => None,
-            ColoursParam::StrainWarp => strain(0),
-            ColoursParam::StrainWeft => strain(1),
-            ColoursParam::Ease => Some(fit::ease(garment).ok_or_else(no_body)?),
+        Ok(match self {
+            Self::Cloth => None,
+            Self::StrainWarp => strain(0),
+            Self::StrainWeft => strain(1),
+            Self::Ease => Some(fit::ease(garment).ok_or_else(no_body)?),
+            Self::Bending => fit::bending(garment),
+            Self::Pressure => Some(fit::pressure(garment, fit::PAD).ok_or_else(no_body)?),
         })
     }
 }
 
 fn no_body() -> StageError {
-    let message = "`colours = \"ease\"` shows the distance to the body, but the garment was sewn without one";
+    let message = "these `colours` show how the cloth meets the body, but the garment was sewn without one";
     StageError::parameter(Diagnostic::error(BODY_MISSING, message).hint("give `with.body` to `stitch`"))
 }
 

@@ -4,9 +4,20 @@ use crate::fit;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
-use toile_formats::report::{self, Language};
-use toile_garment::{Aspect, Garment};
+use toile_formats::measures::{self, PointOfMeasure};
+use toile_formats::report::{self, Language, Point};
+use toile_garment::{Aspect, Code, Diagnostic, Garment};
 use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
+
+codes! {
+    pub(crate) list CODES;
+
+    /// A point of measure cannot be taken on this garment. The message says what is not there; correct its names.
+    MEASURE_MISSING = "measure-missing";
+
+    /// A point of measure is further off than its tolerance. Change the pattern, or the length that is expected.
+    MEASURE_OFF = "measure-off";
+}
 
 /// Parameters of `export-report`.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -24,6 +35,10 @@ pub struct ExportReportParams {
     /// One self-contained page with the garment in 3D; empty writes none.
     #[schemars(extend("format" = "output-file"))]
     pub html: PathBuf,
+    /// Points of measure of your own, as TOML (`formats/src/measures.rs`): what is measured, and how far it may be off.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("format" = "input-file"))]
+    pub measures: Option<PathBuf>,
     /// Language of the page: `en` (English) or `zh` (Chinese). Names and findings stay as they are.
     pub language: LanguageParam,
 }
@@ -52,7 +67,7 @@ impl Default for ExportReportParams {
     fn default() -> Self {
         let [json, svg, csv, html] =
             ["report.json", "report.svg", "measures.csv", "report.html"].map(|name| format!("{{out}}/{name}").into());
-        Self { json, svg, csv, html, language: LanguageParam::En }
+        Self { json, svg, csv, html, measures: None, language: LanguageParam::En }
     }
 }
 
@@ -71,16 +86,18 @@ impl Stage for ExportReport {
 
     fn forecast(
         &self,
-        _: &Self::Params,
+        params: &Self::Params,
         forecast: &mut Forecast,
-        _: &mut StageContext<'_>,
+        cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
+        asked(params, cx)?;
         Ok(forecast.by_triangles(0.7, 0.05, 6.0))
     }
 
     fn run(&self, params: &Self::Params, garment: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
+        let mut fit = fit::measure(&garment);
+        fit.points = points(params, &garment, cx)?;
         let findings = cx.report.findings.clone();
-        let fit = fit::measure(&garment);
         let given = |path: &PathBuf| !path.as_os_str().is_empty();
         if given(&params.json) {
             let text = serde_json::to_string_pretty(&report::json(&garment, &findings, &fit))
@@ -100,4 +117,43 @@ impl Stage for ExportReport {
         }
         Ok(garment)
     }
+}
+
+/// The points of measure that are asked for.
+fn asked(params: &ExportReportParams, cx: &mut StageContext<'_>) -> Result<Vec<PointOfMeasure>, StageError> {
+    let Some(file) = &params.measures else { return Ok(Vec::new()) };
+    let bytes = cx.files.read(file)?;
+    measures::read(&String::from_utf8_lossy(&bytes), &file.to_string_lossy()).map_err(StageError::Input)
+}
+
+/// All points of measure; those that cannot be taken, or are off, become findings.
+fn points(params: &ExportReportParams, garment: &Garment, cx: &mut StageContext<'_>) -> Result<Vec<Point>, StageError> {
+    let mut out = Vec::new();
+    for wanted in asked(params, cx)? {
+        match fit::point(&wanted, garment) {
+            Ok(point) => {
+                if point.passed == Some(false) {
+                    cx.report.push(off(&point));
+                }
+                out.push(point);
+            }
+            Err(why) => {
+                let message = format!("the measure `{}` cannot be taken: {why}", wanted.name);
+                cx.report.push(Diagnostic::warning(MEASURE_MISSING, message));
+            }
+        }
+    }
+    Ok(out)
+}
+
+fn off(point: &Point) -> Diagnostic {
+    let mm = |x: Option<f64>| 1e3 * x.unwrap_or_default();
+    let message = format!(
+        "the measure `{}` is {:.1} mm; {:.1} mm are expected, {:.1} mm more or less are allowed",
+        point.name,
+        1e3 * point.length,
+        mm(point.expected),
+        mm(point.tolerance)
+    );
+    Diagnostic::warning(MEASURE_OFF, message)
 }

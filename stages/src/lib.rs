@@ -23,6 +23,7 @@ pub mod export_obj;
 pub mod export_picture;
 pub mod export_print;
 pub mod export_report;
+pub mod fabric_check;
 pub mod fabric_test;
 pub mod fit;
 pub mod flatten;

@@ -131,6 +131,7 @@ pub fn cloth(areal_mass: f64, stretch: f64, shear: f64, bending: [f64; 2]) -> Fa
         strain_limit_warp: 0.5,
         strain_limit_weft: 0.5,
         strain_limit_bias: None,
+        look: None,
         sources: std::collections::BTreeMap::new(),
     }
 }

@@ -39,6 +39,7 @@ const UNCHANGED: &str = "export-dxf.source=\"pattern\"";
 const WALK: &str = "animate.body=\"walk-0.obj\"";
 const STICK: &str = "import-mesh.body=\"walk-0.obj\"";
 const LOOK: &str = "texture.materials=[{ name = \"FRONT\", color = \"#ff0000\" }]";
+const WAYS: &str = "texture.colourways=[{ name = \"navy\", color = \"#1b2a4a\" }]";
 const IMAGE: &str = "texture.image=\"check.png\"";
 
 /// Parameters of the stages.
@@ -140,7 +141,16 @@ pub const STAGES: &[Flip] = &[
     given("pattern", &[LOOK], "texture.materials[0].roughness", "0.1"),
     given("pattern", &[IMAGE], "texture.repeat", "[\"20 mm\", \"20 mm\"]"),
     row("pattern", "texture.roughness", "0.2"),
+    row("pattern", "texture.weave", "true"),
+    given("pattern", &[WAYS], "texture.colourways[0].name", "\"sand\""),
+    given("pattern", &[WAYS], "texture.colourways[0].color", "\"#cbb892\""),
+    given("pattern", &[LOOK, WAYS], "texture.colourways[0].materials", "{ FRONT = \"#00ff00\" }"),
+    row("pattern", "export-gltf.body", "true"),
+    row("pattern", "export-gltf.colours", "\"strain-warp\""),
+    row("pattern", "export-gltf.document", "\"plain\""),
     row("pattern", "export-gltf.file", "\"{out}/other.glb\""),
+    row("pattern", "export-gltf.lines", "true"),
+    row("pattern", "export-gltf.thickness", "true"),
     row("pattern", "export-obj.file", "\"{out}/other.obj\""),
     row("pattern", "export-obj.reactions", "\"{out}/forces.json\""),
     row("pattern", "export-obj.up", "\"z\""),
@@ -182,6 +192,7 @@ pub const STAGES: &[Flip] = &[
     row("shown", "export-report.csv", "\"{out}/other.csv\""),
     row("shown", "export-report.language", "\"zh\""),
     row("shown", "export-report.html", "\"{out}/other.html\""),
+    row("shown", "export-report.measures", "\"absent.toml\""),
     row("shown", "export-report.json", "\"{out}/other.json\""),
     row("shown", "export-report.svg", "\"{out}/other.svg\""),
 ];
@@ -298,6 +309,12 @@ const FABRIC: &[Flip] = &[
     row("isotropic", "isotropic.stretch", "\"1600 N/m\""),
     row("isotropic", "isotropic.poisson", "0.3"),
     row("isotropic", "isotropic.bending", "\"20 uN.m\""),
+    row("look", "look.weave", "\"satin\""),
+    row("look", "look.color", "\"#884422\""),
+    row("look", "look.ends_per_cm", "40"),
+    row("look", "look.picks_per_cm", "40"),
+    row("look", "look.sheen", "0.7"),
+    row("look", "look.roughness", "0.2"),
     row("springs", "springs.yarn", "\"900 N/m\""),
     row("springs", "springs.bias", "\"900 N/m\""),
 ];

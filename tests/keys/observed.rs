@@ -2,7 +2,7 @@
 
 use super::project;
 use crate::support::bench::{Bench, list};
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::collections::BTreeMap;
 use toile_formats::gltf;
 
@@ -106,12 +106,16 @@ fn language(page: &[u8]) -> Vec<u8> {
     page.split(|b| *b == b'\n').find(|line| line.starts_with(b"<html")).unwrap_or_default().to_vec()
 }
 
-/// The garment in a GLB without copies of what was read.
+/// The garment in a GLB without copies of what was read, and what else the GLB shows.
 fn garment(glb: &[u8]) -> Value {
     let garment = gltf::read_garment(glb).expect("a garment");
     let mut value = serde_json::to_value(&garment).expect("JSON");
+    let inside = gltf::inspect(glb).expect("a GLB");
     if let Some(parts) = value.as_object_mut() {
         AS_READ.iter().for_each(|part| drop(parts.remove(*part)));
+        let is_packed = glb.windows(8).any(|w| w == b"\"packed\"");
+        let shown = json!({ "meshes": inside["meshes"], "materials": inside["materials"], "packed": is_packed });
+        parts.insert("glb".to_owned(), shown);
     }
     value
 }

@@ -203,10 +203,12 @@ pub fn write(bench: &Bench, name: &str) {
         _ => PATTERN,
     };
     let springs = if name == "springs" { "[springs]\nyarn = \"500 N/m\"\nbias = \"300 N/m\"\n" } else { "" };
-    let fabric = format!("{FABRIC}{}{springs}", laws(name));
+    let look = if name == "look" { "[look]\nweave = \"twill\"\nends_per_cm = 20\nsheen = 0.1\n" } else { "" };
+    let fabric = format!("{FABRIC}{}{springs}{look}", laws(name));
     let model = if name == "springs" { "use = \"drape\"\nwith.model = \"springs\"" } else { "use = \"drape\"" };
     let shown = if name == "shown" { SHOWN } else { "" };
-    let stages = stages.replace("use = \"drape\"", model) + shown;
+    let texture = if name == "look" { "use = \"texture\"\nwith.weave = true" } else { "use = \"texture\"" };
+    let stages = stages.replace("use = \"drape\"", model).replace("use = \"texture\"", texture) + shown;
     let sewing = name.strip_prefix("around ").map_or_else(
         || SEWING.to_owned(),
         |segment| SEWING.replacen("around = \"torso\"", &format!("around = \"{segment}\""), 1),

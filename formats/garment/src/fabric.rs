@@ -85,9 +85,53 @@ pub struct Fabric {
     /// Constants of the springs of `model = "springs"`, where they are given and not derived from the laws.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub springs: Option<SpringConstants>,
+    /// The look of the cloth, where the file tells it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub look: Option<FabricLook>,
     /// Where each number comes from, by field name.
     #[serde(default)]
     pub sources: BTreeMap<String, ValueSource>,
+}
+
+/// How yarns cross, or loops hang in each other.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum Weave {
+    /// One over, one under.
+    Plain,
+    /// Two over, two under, both ways: panama, canvas.
+    Basket,
+    /// 2/2 twill: the diagonal of suiting.
+    Twill,
+    /// 3/1 twill: the diagonal of denim.
+    WarpTwill,
+    /// Five-end satin.
+    Satin,
+    /// Crepe: crossings without a visible line.
+    Crepe,
+    /// Plain knit.
+    Jersey,
+    /// Cut pile: velvet, fleece, melton.
+    Pile,
+    /// Cut pile in ribs along the warp: corduroy.
+    Cord,
+}
+
+/// The look of a cloth: what a bitmap and a normal map of it are drawn from.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct FabricLook {
+    /// Weave or knit.
+    pub weave: Weave,
+    /// Ends (warp yarns) or wales per metre.
+    pub ends: f64,
+    /// Picks (weft yarns) or courses per metre.
+    pub picks: f64,
+    /// Colour, linear RGB 0–1.
+    pub color: [f64; 3],
+    /// Sheen, 0 (none) to 1.
+    pub sheen: f64,
+    /// glTF roughness, 0 (mirror) to 1 (chalk).
+    pub roughness: f64,
 }
 
 /// Spring constants of the edges of a mesh, N/m (force over change of length): bare springs in the sense of Liu, Chen,

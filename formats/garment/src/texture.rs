@@ -17,6 +17,30 @@ pub struct Material {
     pub repeat: [f64; 2],
     /// glTF roughness 0–1.
     pub roughness: f64,
+    /// Normal map with the same repeat, encoded as `image`; left out of the GLB extras as well.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub normal: Option<Image>,
+    /// Light that fibres throw back at a flat angle.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sheen: Option<Sheen>,
+}
+
+/// Sheen of a cloth, after `KHR_materials_sheen`.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Sheen {
+    /// Colour, linear RGB 0–1.
+    pub color: [f64; 3],
+    /// Roughness 0–1: how wide the light spreads.
+    pub roughness: f64,
+}
+
+/// The colours of all materials in one colourway.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Colourway {
+    /// Name.
+    pub name: String,
+    /// Base colour factor of each material, linear RGB 0–1.
+    pub colors: Vec<[f64; 3]>,
 }
 
 /// An encoded bitmap.
@@ -52,6 +76,9 @@ pub struct Textures {
     pub materials: Vec<Material>,
     /// One entry per piece.
     pub pieces: Vec<PieceTexture>,
+    /// Other colours of the same garment.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub colourways: Vec<Colourway>,
 }
 
 mod base64_bytes {

@@ -59,6 +59,7 @@ pub fn fabric(e: &mut Entries) -> Option<Fabric> {
         bend_hysteresis,
         bend_holds_friction: lengths,
         springs,
+        look: super::look::look(e),
         sources,
     })
 }

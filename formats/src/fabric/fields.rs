@@ -43,9 +43,10 @@ const ISOTROPIC: &[&str] = &["isotropic"];
 const KES: &[&str] = &["kes"];
 const FAST: &[&str] = &["fast"];
 const SPRINGS: &[&str] = &["springs"];
+const LOOK: &[&str] = &["look"];
 
 /// Tables of a fabric file.
-pub const TABLES: &[&str] = &["linear", "isotropic", "kes", "fast", "curve", "springs"];
+pub const TABLES: &[&str] = &["linear", "isotropic", "kes", "fast", "curve", "springs", "look"];
 /// Texts at the top of a fabric file, and at the head of each table.
 pub const TEXTS: &[&str] = &["name", "method", "source", "note"];
 
@@ -128,6 +129,14 @@ fields! {
         "Spring constant of mesh edges within 22.5° of warp or weft, for `model = \"springs\"`.";
     SPRINGS "bias" LineForce 1e-3 1e8 "0.001 N/m to 1e8 N/m"
         "Spring constant of all other mesh edges, for `model = \"springs\"`.";
+    LOOK "ends_per_cm" Ratio 1.0 400.0 "1 to 400"
+        "Ends (warp yarns) or wales in one centimetre.";
+    LOOK "picks_per_cm" Ratio 1.0 400.0 "1 to 400"
+        "Picks (weft yarns) or courses in one centimetre.";
+    LOOK "sheen" Ratio 0.0 1.0 "0 to 1"
+        "Light that fibres throw back at a flat angle: 0 none, 1 velvet.";
+    LOOK "roughness" Ratio 0.0 1.0 "0 to 1"
+        "Roughness of the surface: 0 a mirror, 1 chalk.";
 }
 
 /// The field of a key in a table.
@@ -137,7 +146,11 @@ pub fn find(table: &str, key: &str) -> Option<&'static Field> {
 
 /// Keys known in a table.
 pub fn known(table: &'static str) -> impl Iterator<Item = &'static str> {
-    let curves: &[&str] = if table == "curve" { &["warp", "weft"] } else { &[] };
+    let curves: &[&str] = match table {
+        "curve" => &["warp", "weft"],
+        "look" => super::look::WORDS,
+        _ => &[],
+    };
     let tables: &[&str] = if table.is_empty() { TABLES } else { &[] };
     FIELDS
         .iter()

@@ -46,6 +46,9 @@
 //!   "springs"`: of edges within 22.5° of warp or weft, and of all others. Without the table they follow from the laws.
 //!   All else of a drape goes by the laws.
 //!
+//! - `[look]` `weave` (`plain`, `basket`, `twill`, `warp-twill`, `satin`, `crepe`, `jersey`, `pile`, `cord`), `color`
+//!   (`#rrggbb`), `ends_per_cm`, `picks_per_cm`, `sheen`, `roughness`: what bitmaps of the cloth are drawn from.
+//!
 //! `poisson`, `shear` and the bending keys may stand in any table of laws.
 //!
 //! # Poisson's ratio
@@ -61,6 +64,7 @@ pub(crate) mod codes;
 mod curve;
 mod fields;
 pub mod kes;
+mod look;
 mod poisson;
 mod reader;
 mod schema;

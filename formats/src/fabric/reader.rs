@@ -1,8 +1,8 @@
 //! The file's values by table and key, checked one by one for unit and range.
 
 use super::codes;
-use super::curve;
 use super::fields::{self, FIELDS, Field, TABLES, TEXTS, Unit};
+use super::{curve, look};
 use crate::codes::{UNKNOWN_KEY, VALUE_OUT_OF_RANGE};
 use crate::toml_text::{TomlText, describe, did_you_mean};
 use serde_spanned::Spanned;
@@ -33,6 +33,8 @@ pub struct Entries {
     pub name: String,
     pub values: BTreeMap<(&'static str, &'static str), Entry>,
     pub curves: BTreeMap<&'static str, CurveEntry>,
+    /// Words of `[look]` with their places.
+    pub words: BTreeMap<&'static str, (String, SourceRef)>,
     pub whole: SourceRef,
     pub findings: Vec<Diagnostic>,
 }
@@ -87,6 +89,7 @@ fn read_table(
             (_, word) if TEXTS.contains(&word) => {}
             ("curve", "warp") => curve::read(toml, "warp", value, &origin, out),
             ("curve", "weft") => curve::read(toml, "weft", value, &origin, out),
+            ("look", word) if look::WORDS.contains(&word) => look::read(toml, word, value, out),
             _ => read_value(toml, table, key, value, &origin, out),
         }
     }

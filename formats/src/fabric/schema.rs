@@ -25,6 +25,7 @@ fn about_table(table: &str) -> &'static str {
         "kes" => "Figures of the Kawabata system, KES-F.",
         "fast" => "Figures of the SiroFAST system.",
         "curve" => "Measured tension curves of strips with free sides.",
+        "look" => "Weave, yarns, colour and sheen: what bitmaps of the cloth are drawn from.",
         _ => "Constants of the bare springs of `model = \"springs\"`, beside one of the other tables.",
     }
 }
@@ -33,6 +34,9 @@ fn keys(table: &str) -> Map<String, Value> {
     let mut keys: Map<String, Value> =
         TEXTS.iter().map(|key| ((*key).to_owned(), schema::text(about_text(key)))).collect();
     keys.extend(FIELDS.iter().filter(|f| f.tables.contains(&table)).map(|f| (f.key.to_owned(), value(f))));
+    if table == "look" {
+        keys.extend(super::look::schema());
+    }
     if table == "curve" {
         keys.extend(["warp", "weft"].map(|direction| (direction.to_owned(), curve(direction))));
     }

@@ -1,12 +1,47 @@
 //! The garment document as it rides in the GLB: without what the GLB already carries, without traces of the machine.
 
-use serde_json::Value;
+use super::{Carried, pack};
+use base64::Engine as _;
+use base64::engine::general_purpose::STANDARD;
+use serde_json::{Value, json};
 use toile_garment::Garment;
 use toile_garment::bundle::{self, BundleError};
 
-/// The text of `extras.toile`.
-pub fn text(garment: &Garment) -> Result<String, BundleError> {
+/// The value of `extras.toile`; `None` where no document is wanted.
+pub fn extras(garment: &Garment, carried: Carried) -> Result<Option<Value>, BundleError> {
+    Ok(match carried {
+        Carried::Nothing => None,
+        Carried::Plain => Some(lean(garment)?),
+        Carried::Packed => {
+            let packed = STANDARD.encode(pack::pack(lean(garment)?));
+            Some(json!({ "kind": bundle::KIND, "version": bundle::VERSION, "packed": packed }))
+        }
+    })
+}
+
+/// The garment of a value of `extras.toile`, packed or plain.
+///
+/// # Errors
+/// What is wrong with it, in words.
+pub fn read(text: &str) -> Result<Garment, String> {
+    let value: Value = serde_json::from_str(text).map_err(|e| e.to_string())?;
+    let value = match value.get("packed").and_then(Value::as_str) {
+        None => value,
+        Some(_) if value["version"].as_u64().is_none_or(|v| v > u64::from(bundle::VERSION)) => {
+            return Err("its packed document was written by a newer program; use a newer toile".to_owned());
+        }
+        Some(packed) => pack::unpack(&STANDARD.decode(packed).map_err(|e| format!("its packed document: {e}"))?)?,
+    };
+    bundle::from_value(value).map_err(|e| e.to_string())
+}
+
+/// The document without what the GLB carries beside it.
+fn lean(garment: &Garment) -> Result<Value, BundleError> {
     let mut lean = garment.clone();
+    // The sewn shape is where the drape began; a drape is never begun from a GLB.
+    if lean.drape.is_some() {
+        lean.stitched = None;
+    }
     if let Some(body) = &mut lean.body {
         body.positions = Vec::new();
         body.triangles = Vec::new();
@@ -15,7 +50,7 @@ pub fn text(garment: &Garment) -> Result<String, BundleError> {
         animation.frames = Vec::new();
     }
     for material in lean.textures.iter_mut().flat_map(|t| &mut t.materials) {
-        if let Some(image) = &mut material.image {
+        for image in [&mut material.image, &mut material.normal].into_iter().flatten() {
             image.bytes = Vec::new();
         }
     }
@@ -25,7 +60,7 @@ pub fn text(garment: &Garment) -> Result<String, BundleError> {
     }
     let mut value = bundle::to_value(&lean)?;
     scrub(&mut value, false);
-    Ok(value.to_string())
+    Ok(value)
 }
 
 /// Absolute paths become plain file names, in every `file` and `path` and in all parameters of stages.

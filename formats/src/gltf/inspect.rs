@@ -1,6 +1,7 @@
 //! The contents of a GLB, for `toile inspect`.
 
 use super::ReadError;
+use super::document;
 use super::geometry::{open, placed};
 use super::read::document_text;
 use serde_json::{Value, json};
@@ -23,13 +24,13 @@ pub fn inspect(bytes: &[u8]) -> Result<Value, ReadError> {
                     "piece": p.piece, "texcoord_0": p.uv.is_some() })
         })
         .collect();
-    let toile = document_text(&sound.document).map(|text| match bundle::from_text(text.get()) {
+    let toile = document_text(&sound.document).map(|text| match document::read(text.get()) {
         Ok(g) => json!({ "version": bundle::VERSION, "style": g.style, "size": g.size,
                          "pieces": g.pieces.iter().map(|p| &p.name).collect::<Vec<_>>(),
                          "darts": g.pieces.iter().map(|p| p.darts.len()).sum::<usize>(),
                          "seams": g.seams.len(), "draped": g.drape.is_some(),
                          "certificate_passed": g.certificate.as_ref().map(|c| c.passed) }),
-        Err(e) => json!({ "error": e.to_string() }),
+        Err(e) => json!({ "error": e }),
     });
     Ok(json!({
         "format": "glb",

@@ -7,24 +7,30 @@ mod check;
 pub(crate) mod codes;
 mod container;
 mod document;
+mod extra;
 mod geometry;
 mod inspect;
 mod material;
 mod motion;
 mod moving;
 pub(crate) mod normals;
+mod pack;
 mod read;
 #[cfg(test)]
 mod tests;
 mod track;
+mod variants;
 mod view;
+mod wishes;
 mod write;
 
 pub use inspect::inspect;
 pub use moving::{Moving, read_moving};
+pub use normals::smooth as smooth_normals;
 pub use read::{ReadGarment, read_garment, read_garment_with_findings};
 pub use view::{ViewPiece, write_view};
-pub use write::{WriteError, write_garment};
+pub use wishes::{Carried, Wishes};
+pub use write::{WriteError, write_garment, write_garment_with};
 
 /// Largest GLB that is read, bytes.
 pub const MAX_BYTES: usize = 512 << 20;

@@ -9,7 +9,7 @@ use serde::Deserialize;
 use std::collections::BTreeMap;
 use toile_garment::garment::Shape;
 use toile_garment::texture::Image;
-use toile_garment::{Diagnostic, Garment, Piece, Vec3, bundle};
+use toile_garment::{Diagnostic, Garment, Piece, Vec3};
 
 /// Vertices that moved less than this were only rounded to single precision, metres.
 const ROUNDING: f64 = 1e-6;
@@ -67,17 +67,20 @@ pub fn document_text(document: &gltf::Document) -> Option<Box<RawValue>> {
 
 fn document(sound: &Sound<'_>) -> Result<Garment, ReadError> {
     let text = document_text(&sound.document).ok_or(ReadError::NoDocument)?;
-    bundle::from_text(text.get()).map_err(|e| ReadError::Document(e.to_string()))
+    super::document::read(text.get()).map_err(ReadError::Document)
 }
 
 /// Images lie in the GLB as images of their own.
 fn restore_images(garment: &mut Garment, sound: &Sound<'_>) -> Result<(), ReadError> {
     let root = sound.document.as_json();
     for (i, material) in garment.textures.iter_mut().flat_map(|t| &mut t.materials).enumerate() {
-        let Some(image) = &mut material.image else { continue };
-        if image.bytes.is_empty() {
-            image.bytes = image_bytes(root, sound.bin, i).ok_or_else(|| {
-                ReadError::Document(format!("the image of material `{}` is not in the file", material.name))
+        let made = root.materials.get(i);
+        let color = made.and_then(|m| m.pbr_metallic_roughness.base_color_texture.as_ref()).map(|t| t.index);
+        let normal = made.and_then(|m| m.normal_texture.as_ref()).map(|t| t.index);
+        for (image, texture) in [(&mut material.image, color), (&mut material.normal, normal)] {
+            let Some(image) = image.as_mut().filter(|i| i.bytes.is_empty()) else { continue };
+            image.bytes = texture.and_then(|t| image_bytes(root, sound.bin, t)).ok_or_else(|| {
+                ReadError::Document(format!("an image of material `{}` is not in the file", material.name))
             })?;
             check_kind(image, &material.name)?;
         }
@@ -85,9 +88,8 @@ fn restore_images(garment: &mut Garment, sound: &Sound<'_>) -> Result<(), ReadEr
     Ok(())
 }
 
-fn image_bytes(root: &json::Root, bin: &[u8], material: usize) -> Option<Vec<u8>> {
-    let info = root.materials.get(material)?.pbr_metallic_roughness.base_color_texture.as_ref()?;
-    let texture = root.textures.get(info.index.value())?;
+fn image_bytes(root: &json::Root, bin: &[u8], texture: json::Index<json::Texture>) -> Option<Vec<u8>> {
+    let texture = root.textures.get(texture.value())?;
     let view = root.images.get(texture.source.value())?.buffer_view?;
     let (start, length, _) = check::view(root, view.value()).ok()?;
     bin.get(start..start.checked_add(length)?).map(<[u8]>::to_vec)

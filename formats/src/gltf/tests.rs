@@ -1,6 +1,8 @@
 use super::*;
+use crate::picture::{Field, Scale};
 use crate::sample::two_pieces;
 use serde_json::Value;
+use toile_garment::texture::{Colourway, Sheen};
 use toile_garment::{Garment, Vec3};
 
 /// The chunks as JSON and bytes.
@@ -26,8 +28,11 @@ fn attribute(json: &Value, mesh: usize, name: &str) -> u64 {
     json["meshes"][mesh]["primitives"][0]["attributes"][name].as_u64().expect("attribute")
 }
 
-/// The parts of a garment that a GLB does not carry.
+/// The parts of a garment that a GLB carries.
 fn without_body_mesh(mut garment: Garment) -> Garment {
+    if garment.drape.is_some() {
+        garment.stitched = None;
+    }
     if let Some(body) = &mut garment.body {
         body.positions.clear();
         body.triangles.clear();
@@ -258,7 +263,8 @@ fn no_path_leaves_the_machine() {
     let mut garment = two_pieces();
     garment.provenance.inputs[0].path = "/home/anna/patterns/skirt.dxf".into();
     garment.provenance.stages[0].params = serde_json::json!({ "file": "C:\\out\\garment.glb", "n": 3 });
-    let glb = write_garment(&garment).expect("GLB");
+    let plain = Wishes { document: Carried::Plain, ..Wishes::default() };
+    let glb = write_garment_with(&garment, &plain).expect("GLB");
     let text = String::from_utf8_lossy(&glb);
     assert!(!text.contains("anna") && !text.contains("C:\\\\out"));
     let read = read_garment(&glb).expect("read");
@@ -333,7 +339,9 @@ fn frames_are_morph_targets_that_a_viewer_plays() {
     assert_eq!(times, [0.0, 1.0 / 24.0, 2.0 / 24.0]);
     let (_, weights) = floats(&json, &bin, sampler["output"].as_u64().expect("output"));
     assert_eq!(weights, [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]);
-    assert!(!json["asset"]["extras"]["toile"].to_string().contains("frames"), "the document does not repeat them");
+    let plain = Wishes { document: Carried::Plain, ..Wishes::default() };
+    let (text, _) = open_glb(&write_garment_with(&garment, &plain).expect("GLB"));
+    assert!(!text["asset"]["extras"]["toile"].to_string().contains("frames"), "the document does not repeat them");
     // Read as a moving body it gives the frames back.
     let moving = read_moving(&glb, 24.0).expect("motion");
     let frames = garment.animation.expect("frames").frames;
@@ -423,3 +431,66 @@ fn a_glb_without_motion_is_refused_as_a_moving_body() {
     let glb = write_garment(&two_pieces()).expect("GLB");
     assert!(matches!(read_moving(&glb, 24.0), Err(ReadError::Damaged(_))));
 }
+
+#[test]
+fn the_document_is_packed_plain_or_absent_and_reads_the_same() {
+    let garment = two_pieces();
+    let of = |document| write_garment_with(&garment, &Wishes { document, ..Wishes::default() }).expect("GLB");
+    let [packed, plain, nothing] = [Carried::Packed, Carried::Plain, Carried::Nothing].map(of);
+    assert!(packed.len() < plain.len(), "{} bytes packed, {} plain", packed.len(), plain.len());
+    assert_eq!(read_garment(&packed).expect("packed"), read_garment(&plain).expect("plain"));
+    assert_eq!(read_garment(&nothing), Err(ReadError::NoDocument));
+    let (mut json, bin) = open_glb(&packed);
+    json["asset"]["extras"]["toile"]["version"] = 99.into();
+    let error = read_garment(&close_glb(&json, &bin)).expect_err("newer").to_string();
+    assert!(error.contains("newer"), "{error}");
+}
+
+/// The look of a cloth is sheen, a normal map with its repeat, and colourways that share their bitmaps.
+#[test]
+fn looks_and_colourways_are_told_in_extensions() {
+    let mut garment = two_pieces();
+    let textures = garment.textures.as_mut().expect("textures");
+    textures.materials[0].normal = textures.materials[0].image.clone();
+    textures.materials[0].sheen = Some(Sheen { color: [0.2, 0.1, 0.0], roughness: 0.4 });
+    textures.colourways = vec![Colourway { name: "navy".into(), colors: vec![[0.0, 0.0, 0.2]] }];
+    let glb = write_garment(&garment).expect("GLB");
+    let (json, _) = open_glb(&glb);
+    let material = &json["materials"][0];
+    assert_eq!(material["extensions"]["KHR_materials_sheen"]["sheenRoughnessFactor"], serde_json::json!(0.4_f32));
+    let scale = &material["normalTexture"]["extensions"]["KHR_texture_transform"]["scale"];
+    assert!((scale[0].as_f64().expect("scale") * 0.06 - 1.0).abs() < 1e-6);
+    assert_eq!(json["images"].as_array().map(Vec::len), Some(1), "equal bitmaps lie in the file once");
+    let names = &json["extensions"]["KHR_materials_variants"]["variants"];
+    assert_eq!(names, &serde_json::json!([{ "name": "as sewn" }, { "name": "navy" }]));
+    let mappings = &json["meshes"][1]["primitives"][0]["extensions"]["KHR_materials_variants"]["mappings"];
+    assert_eq!(mappings[1], serde_json::json!({ "material": 1, "variants": [1] }));
+    let blue = json["materials"][1]["pbrMetallicRoughness"]["baseColorFactor"][2].as_f64();
+    assert!((blue.expect("a colour") - 0.2).abs() < 1e-6);
+    assert_eq!(json["extensionsUsed"].as_array().map(Vec::len), Some(3));
+    assert_eq!(read_garment(&glb).expect("read"), without_body_mesh(garment));
+}
+
+#[test]
+fn what_is_wished_stands_beside_the_pieces_and_reading_goes_on() {
+    let mut garment = two_pieces();
+    garment.fabrics.insert(String::new(), crate::fabric::read(FABRIC, "f.toml").expect("fabric"));
+    let values = garment.pieces.iter().map(|p| vec![0.5; p.mesh.as_ref().map_or(0, |m| m.rest.len())]).collect();
+    let field = Field { key: "ease", name: "gap", unit: "mm", scale: Scale::FromZero, values, limit: 1.0 };
+    let wishes = Wishes { body: true, thickness: true, lines: true, field: Some(&field), ..Wishes::default() };
+    let glb = write_garment_with(&garment, &wishes).expect("GLB");
+    let (json, bin) = open_glb(&glb);
+    let names: Vec<&str> = json["nodes"].as_array().expect("nodes").iter().filter_map(|n| n["name"].as_str()).collect();
+    assert_eq!(names, ["front", "back", "front wrong side", "back wrong side", "seams", "body"]);
+    assert_eq!(json["meshes"][4]["primitives"][0]["mode"], 1, "lines");
+    // The wrong side lies a thickness behind the right one.
+    let [front, behind] = [0, 2].map(|mesh| floats(&json, &bin, attribute(&json, mesh, "POSITION")).1);
+    let away = |v: usize| (0..3).map(|k| f64::from(front[3 * v + k] - behind[3 * v + k]).powi(2)).sum::<f64>().sqrt();
+    assert!((0..front.len() / 3).all(|v| (away(v) - 0.5e-3).abs() < 1e-6));
+    assert!(json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"].is_u64());
+    assert_eq!(read_garment(&glb).expect("read"), without_body_mesh(garment));
+}
+
+const FABRIC: &str = "name = \"t\"\nareal_mass = \"150 g/m2\"\nthickness = \"0.5 mm\"\nfriction = 0.3\n\
+    [linear]\nstretch_warp = \"500 N/m\"\nstretch_weft = \"300 N/m\"\nshear = \"40 N/m/rad\"\n\
+    bending = \"1e-5 N.m\"\n";

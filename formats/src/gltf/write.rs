@@ -1,6 +1,8 @@
 //! From the garment to a GLB.
 
-use super::{container, document, material, motion, normals};
+use super::wishes::Wishes;
+use super::{container, document, extra, material, motion, normals, variants};
+use crate::picture::linear;
 use gltf_json as json;
 use json::accessor::{ComponentType, GenericComponentType, Type};
 use json::buffer::Target;
@@ -47,6 +49,8 @@ pub enum WriteError {
 #[derive(Default)]
 pub struct Buffer {
     bytes: Vec<u8>,
+    /// Bitmaps that lie in it, with their textures.
+    pub(super) textures: Vec<(Vec<u8>, json::Index<json::Texture>)>,
 }
 
 impl Buffer {
@@ -80,6 +84,25 @@ impl Buffer {
         bounds: bool,
     ) -> json::Index<json::Accessor> {
         self.accessor(root, values, type_, bounds, Some(Target::ArrayBuffer))
+    }
+
+    /// Numbers from 0 to 1 as whole 16-bit steps.
+    fn shares<const N: usize>(
+        &mut self,
+        root: &mut json::Root,
+        values: &[[f32; N]],
+        type_: Type,
+    ) -> json::Index<json::Accessor> {
+        let step = |x: &f32| ((x.clamp(0.0, 1.0) * f32::from(u16::MAX)).round() as u16).to_le_bytes();
+        // Every entry begins at four bytes.
+        let padding = vec![0; (N % 2) * 2];
+        let bytes: Vec<u8> =
+            values.iter().flat_map(|v| v.iter().flat_map(step).chain(padding.iter().copied())).collect();
+        let view = self.view(root, &bytes, Some(Target::ArrayBuffer));
+        if N % 2 == 1 {
+            root.buffer_views[view.value()].byte_stride = Some(json::buffer::Stride(2 * N + 2));
+        }
+        root.push(json::Accessor { normalized: true, ..accessor(view, values.len(), ComponentType::U16, type_) })
     }
 
     /// Numbers that belong to no vertex: times and weights of an animation.
@@ -173,23 +196,40 @@ pub fn extras(key: &str, value: &serde_json::Value) -> json::Extras {
 /// # Errors
 /// See [`WriteError`].
 pub fn write_garment(garment: &Garment) -> Result<Vec<u8>, WriteError> {
+    write_garment_with(garment, &Wishes::default())
+}
+
+/// A GLB like that of [`write_garment`], with wishes.
+///
+/// # Errors
+/// See [`WriteError`].
+pub fn write_garment_with(garment: &Garment, wishes: &Wishes<'_>) -> Result<Vec<u8>, WriteError> {
     let shape = garment.drape.as_ref().or(garment.stitched.as_ref());
     let shape = shape.ok_or_else(|| WriteError::Missing("positions in 3D".to_owned()))?;
     let meshes = meshes(garment, shape)?;
     let normals = normals::smooth(&meshes);
     let mut root = json::Root::default();
     let mut buffer = Buffer::default();
-    for m in materials(garment).iter() {
-        if m.image.as_ref().is_some_and(|i| i.bytes.is_empty()) {
+    for m in &materials(garment) {
+        if [&m.image, &m.normal].into_iter().flatten().any(|i| i.bytes.is_empty()) {
             return Err(WriteError::Damaged(format!("the image of material `{}` has no bytes", m.name)));
         }
         material::push(&mut root, &mut buffer, m);
     }
-    for ((piece, (positions, triangles)), normals) in garment.pieces.iter().zip(&meshes).zip(&normals) {
-        push_piece(&mut root, &mut buffer, garment, piece, positions, triangles, normals)?;
+    match (wishes.field, &garment.textures) {
+        // The fabrics stay in the file, so that it can be read again.
+        (Some(field), _) => {
+            extra::plain(&mut root, field.name, [1.0; 3]);
+        }
+        (None, Some(textures)) => variants::push(&mut root, &mut buffer, textures),
+        (None, None) => {}
+    }
+    for ((piece, mesh), normals) in garment.pieces.iter().zip(&meshes).zip(&normals) {
+        push_piece(&mut root, &mut buffer, garment, piece, *mesh, normals, wishes)?;
     }
     motion::push(&mut root, &mut buffer, garment, &meshes, &normals)?;
-    let nodes: Vec<_> = (0..garment.pieces.len() as u32).map(json::Index::new).collect();
+    beside(&mut root, &mut buffer, garment, &meshes, &normals, wishes)?;
+    let nodes: Vec<_> = (0..root.nodes.len() as u32).map(json::Index::new).collect();
     let scene = json::Scene { extensions: None, extras: None, name: None, nodes };
     root.scene = Some(root.push(scene));
     root.buffers.push(json::Buffer {
@@ -200,10 +240,34 @@ pub fn write_garment(garment: &Garment) -> Result<Vec<u8>, WriteError> {
         extras: None,
     });
     root.asset.generator = Some("toile".to_owned());
-    let toile = format!("{{\"toile\":{}}}", document::text(garment)?);
-    root.asset.extras = Some(json::extras::RawValue::from_string(toile)?);
+    root.asset.extras = document::extras(garment, wishes.document)?.and_then(|document| extras("toile", &document));
     let text = root.to_string()?;
     container::join(text.as_bytes(), &buffer.bytes).ok_or(WriteError::TooLarge)
+}
+
+/// Adds what is wished beside the pieces.
+fn beside(
+    root: &mut json::Root,
+    buffer: &mut Buffer,
+    garment: &Garment,
+    meshes: &[Mesh<'_>],
+    normals: &[Vec<Vec3>],
+    wishes: &Wishes<'_>,
+) -> Result<(), WriteError> {
+    if wishes.thickness {
+        for (k, piece) in garment.pieces.iter().enumerate() {
+            let Some(fabric) = garment.fabric_of(piece) else { continue };
+            let material = garment.textures.as_ref().and_then(|t| t.pieces.get(k)).map_or(0, |t| t.material);
+            extra::wrong_side(root, buffer, piece, meshes[k], &normals[k], (fabric.thickness, material))?;
+        }
+    }
+    if wishes.lines {
+        extra::lines(root, buffer, garment, meshes, normals)?;
+    }
+    if wishes.body {
+        extra::body(root, buffer, garment)?;
+    }
+    Ok(())
 }
 
 pub(super) type Mesh<'a> = (&'a [Vec3], &'a [[u32; 3]]);
@@ -230,17 +294,23 @@ pub(super) fn meshes<'a>(garment: &'a Garment, shape: &'a Shape) -> Result<Vec<M
     Ok(out)
 }
 
+fn cloth() -> Material {
+    Material {
+        name: "cloth".to_owned(),
+        color: [0.6, 0.6, 0.6],
+        image: None,
+        repeat: [1.0, 1.0],
+        roughness: 0.9,
+        normal: None,
+        sheen: None,
+    }
+}
+
 /// The fabrics; a plain one where the garment has no textures.
 pub(super) fn materials(garment: &Garment) -> Vec<Material> {
     match &garment.textures {
         Some(textures) if !textures.materials.is_empty() => textures.materials.clone(),
-        _ => vec![Material {
-            name: "cloth".to_owned(),
-            color: [0.6, 0.6, 0.6],
-            image: None,
-            repeat: [1.0, 1.0],
-            roughness: 0.9,
-        }],
+        _ => vec![cloth()],
     }
 }
 
@@ -265,9 +335,9 @@ fn push_piece(
     buffer: &mut Buffer,
     garment: &Garment,
     piece: &Piece,
-    positions: &[Vec3],
-    triangles: &[[u32; 3]],
+    (positions, triangles): Mesh<'_>,
     normals: &[Vec3],
+    wishes: &Wishes<'_>,
 ) -> Result<(), WriteError> {
     use json::mesh::Semantic;
     let mut attributes = BTreeMap::new();
@@ -285,16 +355,24 @@ fn push_piece(
         let cloth = floats(piece, "the texture coordinate", texture.uv_cloth.iter().map(|[u, v]| [*u, -v]))?;
         attributes.insert(Valid(Semantic::TexCoords(0)), buffer.floats(root, &cloth, Type::Vec2, false));
         let packed = floats(piece, "the packed coordinate", texture.uv_packed.iter().map(|[u, v]| [*u, 1.0 - v]))?;
-        attributes.insert(Valid(Semantic::TexCoords(1)), buffer.floats(root, &packed, Type::Vec2, false));
+        attributes.insert(Valid(Semantic::TexCoords(1)), buffer.shares(root, &packed, Type::Vec2));
     }
-    let material = texture.map_or(0, |t| t.material);
+    if let Some(field) = wishes.field {
+        let values = field.values.get(piece.id.index()).map_or(&[][..], Vec::as_slice);
+        let value = |v: usize| values.get(v).copied().unwrap_or(f64::NAN);
+        let colours: Vec<[f32; 3]> =
+            (0..positions.len()).map(|v| field.colour(value(v)).map(|c| linear(c) as f32)).collect();
+        attributes.insert(Valid(Semantic::Colors(0)), buffer.shares(root, &colours, Type::Vec3));
+    }
+    let painted = wishes.field.map(|_| root.materials.len() as u32 - 1);
+    let material = painted.unwrap_or_else(|| texture.map_or(0, |t| t.material));
     if material as usize >= root.materials.len() {
         return Err(WriteError::Damaged(format!("piece `{}` names material {material}", piece.name)));
     }
     let indices = buffer.indices(root, triangles, positions.len());
     let primitive = json::mesh::Primitive {
         attributes,
-        extensions: None,
+        extensions: variants::of_part(garment.textures.as_ref().filter(|_| wishes.field.is_none()), material),
         extras: None,
         indices: Some(indices),
         material: Some(json::Index::new(material)),

@@ -7,6 +7,8 @@ pub enum Scale {
     Signed,
     /// Red at zero, over yellow to blue at the end.
     FromZero,
+    /// Pale at zero, over orange to dark red at the end.
+    Rising,
 }
 
 /// A quantity per piece and mesh vertex.
@@ -34,6 +36,9 @@ const SIGNED: [[f64; 3]; 5] =
     [[33.0, 102.0, 172.0], [146.0, 197.0, 222.0], [247.0, 246.0, 243.0], [244.0, 165.0, 130.0], [178.0, 24.0, 43.0]];
 const FROM_ZERO: [[f64; 3]; 5] =
     [[165.0, 0.0, 38.0], [244.0, 109.0, 67.0], [254.0, 224.0, 144.0], [116.0, 173.0, 209.0], [49.0, 54.0, 149.0]];
+
+const RISING: [[f64; 3]; 5] =
+    [[247.0, 246.0, 243.0], [253.0, 212.0, 158.0], [252.0, 141.0, 89.0], [215.0, 48.0, 31.0], [127.0, 0.0, 0.0]];
 
 impl Field {
     /// Values at the lower and the upper end of the scale.
@@ -63,6 +68,7 @@ impl Field {
         match self.scale {
             Scale::Signed => &SIGNED,
             Scale::FromZero => &FROM_ZERO,
+            Scale::Rising => &RISING,
         }
     }
 

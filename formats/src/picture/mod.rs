@@ -16,6 +16,7 @@ mod raster;
 mod tests;
 
 pub use camera::View;
+pub(crate) use cloth::linear;
 pub use field::{Field, Scale};
 pub use model::lay;
 

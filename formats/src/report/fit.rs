@@ -31,6 +31,27 @@ pub struct FreeEdge {
     pub length: f64,
 }
 
+/// A point of measure of a house, as it was measured.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Point {
+    /// Name.
+    pub name: String,
+    /// The thing that was measured: `pattern`, `drape` or `body`.
+    pub on: &'static str,
+    /// How: `surface`, `tape` or `straight`.
+    pub method: &'static str,
+    /// The measure, metres.
+    pub length: f64,
+    /// Height above the floor, metres; 0 on the pattern.
+    pub height: f64,
+    /// The length that it should have, metres.
+    pub expected: Option<f64>,
+    /// How far it may be off, metres.
+    pub tolerance: Option<f64>,
+    /// True where it is within its tolerance.
+    pub passed: Option<bool>,
+}
+
 /// All that was measured for a report.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Fit {
@@ -42,6 +63,8 @@ pub struct Fit {
     pub edges: Vec<FreeEdge>,
     /// Lowest and highest point of the worn cloth, metres.
     pub range: Option<[f64; 2]>,
+    /// Points of measure of the house, in the order of their file.
+    pub points: Vec<Point>,
 }
 
 /// One measure, as programs read it.
@@ -93,16 +116,69 @@ impl Fit {
         out
     }
 
-    /// All measures as comma-separated values, lengths in millimetres.
+    /// All measures as comma-separated values, lengths in millimetres. Points of measure of the house follow, with the
+    /// lengths that they should have, in a table of their own after an empty line.
     #[must_use]
     pub fn csv(&self) -> String {
         let mut out = String::from("name,on,method,length_mm,height_mm\n");
+        let mm = |x: f64| crate::svg::canvas::fixed(1e3 * x, 1);
         for m in self.measures() {
             let name = m.name.replace('"', "\"\"");
-            let [length, height] = [m.length, m.height].map(|x| crate::svg::canvas::fixed(1e3 * x, 1));
+            let [length, height] = [m.length, m.height].map(mm);
             out.push_str(&format!("\"{name}\",{},{},{length},{height}\n", m.on, m.method));
         }
+        if !self.points.is_empty() {
+            out.push_str("\nname,on,method,length_mm,height_mm,expected_mm,tolerance_mm,passed\n");
+        }
+        for p in &self.points {
+            let name = p.name.replace('"', "\"\"");
+            let known = |x: Option<f64>| x.map(mm).unwrap_or_default();
+            let passed = p.passed.map(|p| p.to_string()).unwrap_or_default();
+            let (length, height) = (mm(p.length), mm(p.height));
+            let (expected, tolerance) = (known(p.expected), known(p.tolerance));
+            let row = [p.on, p.method, &length, &height, &expected, &tolerance, &passed].join(",");
+            out.push_str(&format!("\"{name}\",{row}\n"));
+        }
         out
+    }
+
+    /// The points of measure of the house.
+    #[must_use]
+    pub fn of_house(&self) -> Table {
+        let mut t = Table::new(
+            "points_of_measure",
+            "Points of measure",
+            "As the file of measures asks. Surface: along every fold; tape: bridges hollows.",
+            &[
+                ("name", "measure"),
+                ("on", "on"),
+                ("method", "method"),
+                ("mm", "mm"),
+                ("expected_mm", "expected mm"),
+                ("tolerance_mm", "tolerance mm"),
+                ("off_mm", "off mm"),
+                ("passed", "passed"),
+            ],
+        );
+        let mm = |x: f64| Cell::Number(1e3 * x, 1);
+        let row = |p: &Point| {
+            let known = |x: Option<f64>| x.map_or(Cell::Empty, mm);
+            let [on, method] = [p.on, p.method].map(|x| Cell::Text(x.to_owned()));
+            let off = known(p.expected.map(|e| p.length - e));
+            let passed = p.passed.map_or(Cell::Empty, Cell::Verdict);
+            vec![
+                Cell::Text(p.name.clone()),
+                on,
+                method,
+                mm(p.length),
+                known(p.expected),
+                known(p.tolerance),
+                off,
+                passed,
+            ]
+        };
+        t.rows = self.points.iter().map(row).collect();
+        t
     }
 
     /// The table of ease.

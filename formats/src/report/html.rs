@@ -69,7 +69,7 @@ fn is_flattened(garment: &Garment) -> bool {
 }
 
 fn shown_tables(garment: &Garment, findings: &[Diagnostic], fit: &Fit) -> Vec<Table> {
-    let measured = [fit.ease(), fit.lengths()].into_iter().filter(|t| !t.rows.is_empty());
+    let measured = [fit.of_house(), fit.ease(), fit.lengths()].into_iter().filter(|t| !t.rows.is_empty());
     let rest = tables(garment, findings).into_iter().filter(|t| t.key != "findings");
     let all = measured.chain(rest);
     if is_flattened(garment) { all.collect() } else { all.map(without_flattening).collect() }

@@ -13,7 +13,7 @@ mod tables;
 mod verdict;
 mod words;
 
-pub use fit::{Fit, FreeEdge, Level, Measure};
+pub use fit::{Fit, FreeEdge, Level, Measure, Point};
 pub use html::html;
 pub use json::json;
 pub use tables::{Cell, Table, tables};

@@ -4,9 +4,14 @@
 //! profiles, and some are bombs of a few kilobytes that unpack to gigabytes.
 
 pub(crate) mod codes;
+mod color;
 mod strip;
 #[cfg(test)]
 mod tests;
+mod weave;
+
+pub use color::linear;
+pub use weave::{Drawn, draw};
 
 use crate::codes::FILE_TOO_LARGE;
 use image::{ImageFormat, ImageReader, Limits};

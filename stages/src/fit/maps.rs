@@ -1,5 +1,6 @@
 //! Strain of the cloth and its distance to the body, per vertex.
 
+use super::bent::{PAD, bending, pressure};
 use super::nearest::Nearest;
 use super::surface::Surface;
 use crate::flatten::figures;
@@ -19,7 +20,7 @@ const EASE_ENDS: [f64; 8] = [10.0, 20.0, 40.0, 60.0, 100.0, 200.0, 400.0, 600.0]
 #[must_use]
 pub fn maps(garment: &Garment) -> Vec<Field> {
     let strains = strain(garment).into_iter().flatten();
-    strains.chain(ease(garment)).collect()
+    strains.chain(ease(garment)).chain(bending(garment)).chain(pressure(garment, PAD)).collect()
 }
 
 /// Strain along warp and along weft, percent. `None` without positions in 3D.
@@ -47,7 +48,7 @@ pub fn ease(garment: &Garment) -> Option<Field> {
     Some(Field { key: "ease", name: "distance to the body", unit: "mm", scale: Scale::FromZero, values, limit })
 }
 
-fn shape(garment: &Garment) -> Option<&Shape> {
+pub(super) fn shape(garment: &Garment) -> Option<&Shape> {
     garment.drape.as_ref().or(garment.stitched.as_ref())
 }
 
@@ -106,15 +107,18 @@ mod tests {
     fn maps_show_what_was_stretched_and_how_far_the_body_is() {
         let fields = maps(&garment());
         let all = |k: usize, x: f64| fields[k].values[0].iter().all(|v| (v - x).abs() < 1e-9);
-        assert_eq!(fields.iter().map(|f| f.key).collect::<Vec<_>>(), ["strain-warp", "strain-weft", "ease"]);
+        assert_eq!(
+            fields.iter().map(|f| f.key).collect::<Vec<_>>(),
+            ["strain-warp", "strain-weft", "ease", "bending", "pressure"]
+        );
         assert!(all(0, 4.0) && all(1, -1.0) && all(2, 30.0));
-        assert_eq!(fields.iter().map(|f| f.limit).collect::<Vec<_>>(), [5.0, 5.0, 40.0]);
+        assert_eq!(fields.iter().map(|f| f.limit).collect::<Vec<_>>(), [5.0, 5.0, 40.0, 10.0, 0.05]);
     }
 
     #[test]
     fn without_a_body_there_is_no_ease() {
         let garment = Garment { body: None, ..garment() };
-        assert_eq!(maps(&garment).len(), 2);
+        assert_eq!(maps(&garment).len(), 3);
         assert!(maps(&Garment::default()).is_empty());
     }
 }

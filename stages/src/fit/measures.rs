@@ -114,6 +114,11 @@ fn rest_lengths(garment: &Garment) -> Rest {
     Rest(meshes.flat_map(|m| (0..m.triangles.len()).map(|t| m.rest_triangle(t))).collect())
 }
 
+/// Length of the cloth at rest along a ring of its surface, metres.
+pub(super) fn rest_around(garment: &Garment, surface: &Surface, ring: &Ring, height: f64) -> f64 {
+    rest_lengths(garment).around(surface, ring, height)
+}
+
 impl Rest {
     /// Length of the cloth at rest along a cut at a height, metres.
     fn around(&self, surface: &Surface, ring: &Ring, height: f64) -> f64 {

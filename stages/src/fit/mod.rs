@@ -4,16 +4,20 @@
 //! The parts of a cut, such as trunk and sleeves, are [`rings`]. Quantities per vertex, for colours, are [`maps`]. All
 //! that a report tells is put together by [`measure`].
 
+mod bent;
 mod girth;
 mod maps;
 mod measures;
 mod nearest;
+mod points;
 mod rings;
 mod surface;
 
+pub use bent::{PAD, bending, pressure};
 pub use girth::{along, tape};
 pub use maps::{ease, maps, strain};
 pub use measures::measure;
 pub use nearest::Nearest;
+pub use points::point;
 pub use rings::{Ring, rings};
 pub use surface::{Hem, Surface};

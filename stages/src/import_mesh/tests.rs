@@ -148,7 +148,7 @@ fn a_curved_rest_shape_keeps_every_edge_length() {
     assert_eq!((outline.vertices.len(), outline.kind), (18, ChainKind::Outline));
     // The document holds it, and so does a GLB.
     let mut disk = Memory::default();
-    let glb = ExportGltfParams { file: "g.glb".into() };
+    let glb = ExportGltfParams { file: "g.glb".into(), ..ExportGltfParams::default() };
     run(&ExportGltf, &glb, garment.clone(), &mut disk).expect("GLB");
     assert_eq!(gltf::read_garment(&disk.0[Path::new("g.glb")]).expect("read"), garment);
 }
@@ -263,7 +263,7 @@ fn the_whole_way_to_a_glb() {
     let look: TextureParams =
         toml::from_str("image = \"check.png\"\nrepeat = [\"40 mm\", \"50 mm\"]").expect("parameters");
     let (garment, _) = run(&Texture, &look, garment, &mut disk).expect("texture");
-    let glb = ExportGltfParams { file: "g.glb".into() };
+    let glb = ExportGltfParams { file: "g.glb".into(), ..ExportGltfParams::default() };
     let (garment, _) = run(&ExportGltf, &glb, garment, &mut disk).expect("GLB");
     let first = disk.0[Path::new("g.glb")].clone();
     assert_eq!(gltf::read_garment(&first).expect("read"), garment);

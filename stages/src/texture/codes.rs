@@ -13,4 +13,7 @@ codes! {
 
     /// No piece uses this material; check its list of pieces.
     MATERIAL_UNUSED = "material-unused";
+
+    /// A look was to be drawn from a fabric that does not tell its weave. Add a table `[look]` to the fabric file.
+    LOOK_MISSING = "look-missing";
 }

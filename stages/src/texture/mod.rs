@@ -5,6 +5,7 @@
 
 pub(crate) mod codes;
 mod color;
+mod drawn;
 mod pack;
 mod params;
 #[cfg(test)]
@@ -20,6 +21,9 @@ use toile_garment::texture::{Material, PieceTexture, Textures};
 use toile_garment::{Aspect, Diagnostic, Garment, Piece, Severity};
 use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
 
+/// Colour of cloth of which nothing is known.
+const WHITE: &str = "#ffffff";
+
 /// Lays the fabric on the pieces.
 pub struct Texture;
 
@@ -30,7 +34,7 @@ impl Stage for Texture {
         "lays fabric bitmaps on the pieces, on grain and in real size, and packs the pieces into one square",
         &[Aspect::Mesh],
         &[Aspect::Texture],
-        1,
+        2,
     );
 
     fn forecast(
@@ -53,7 +57,11 @@ impl Stage for Texture {
         mut garment: Garment,
         cx: &mut StageContext<'_>,
     ) -> Result<Garment, StageError> {
-        let materials = read(&params.looks(), params.check(&garment), cx)?;
+        let mut materials = read(&params.looks(), params.check(&garment), cx)?;
+        if params.weave {
+            drawn::from_fabrics(params, &garment, &mut materials, cx);
+        }
+        let colourways = drawn::colourways(params, &materials)?;
         let cloth: Vec<Vec<[f64; 2]>> = garment.pieces.iter().map(cloth_coordinates).collect();
         let packed = pack::pack(&cloth, params.margin.0);
         let choose = |piece: &Piece| params.material_of(piece);
@@ -62,9 +70,13 @@ impl Stage for Texture {
             .iter()
             .zip(cloth)
             .zip(packed)
-            .map(|((piece, uv_cloth), uv_packed)| PieceTexture { material: choose(piece), uv_cloth, uv_packed })
+            .map(|((piece, uv_cloth), packed)| {
+                // Single precision is what a GLB holds; more would only make the document larger.
+                let uv_packed = packed.iter().map(|p| p.map(|x| f64::from(x as f32))).collect();
+                PieceTexture { material: choose(piece), uv_cloth, uv_packed }
+            })
             .collect();
-        garment.textures = Some(Textures { materials, pieces });
+        garment.textures = Some(Textures { materials, pieces, colourways });
         Ok(garment)
     }
 }
@@ -99,12 +111,14 @@ fn material(look: &Look<'_>, cx: &mut StageContext<'_>) -> Result<Result<Materia
             Err(finding) => return Err(StageError::input(*finding)),
         },
     };
-    Ok(color::linear(look.color).map(|color| Material {
+    Ok(color::linear(look.color.unwrap_or(WHITE)).map(|color| Material {
         name: look.name.to_owned(),
         color,
         image,
         repeat: look.repeat.map(|l| l.0),
         roughness: look.roughness,
+        normal: None,
+        sheen: None,
     }))
 }
 

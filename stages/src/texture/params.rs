@@ -4,6 +4,7 @@ use super::codes;
 use crate::codes::PIECE_UNKNOWN;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeMap;
 use toile_formats::codes::VALUE_OUT_OF_RANGE;
 use toile_garment::units::Length;
 use toile_garment::{Diagnostic, Garment, Piece};
@@ -18,8 +19,11 @@ pub struct TextureParams {
     pub image: Option<String>,
     /// Size of the bitmap on the cloth: along the weft, along the warp.
     pub repeat: [Length; 2],
-    /// Colour of the cloth, or the tint of the bitmap: `#rrggbb`.
-    pub color: String,
+    /// Draws bitmap, normal map and sheen from `[look]` of the fabric, for looks without a bitmap.
+    pub weave: bool,
+    /// Colour of the cloth, or the tint of the bitmap: `#rrggbb`. Default: with `weave` that of the fabric, else white.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub color: Option<String>,
     /// Roughness, 0 (mirror) to 1 (chalk).
     pub roughness: f64,
     /// Space between pieces in the packed coordinates, in metres of cloth.
@@ -27,6 +31,23 @@ pub struct TextureParams {
     /// Other looks, for pieces or materials by name.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub materials: Vec<Override>,
+    /// Other colours of the same garment, to choose from in a viewer.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub colourways: Vec<ColourwayParam>,
+}
+
+/// A colourway. Materials that it does not name keep their colour.
+#[derive(Clone, Debug, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct ColourwayParam {
+    /// Name, for people.
+    pub name: String,
+    /// Colour of the cloth: `#rrggbb`.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub color: Option<String>,
+    /// Colours of other materials by name.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub materials: BTreeMap<String, String>,
 }
 
 /// The look of some pieces. What is left out is as for the whole garment.
@@ -58,10 +79,12 @@ impl Default for TextureParams {
         Self {
             image: None,
             repeat: [Length(0.1), Length(0.1)],
-            color: "#ffffff".to_owned(),
+            weave: false,
+            color: None,
             roughness: 0.9,
             margin: Length(0.01),
             materials: Vec::new(),
+            colourways: Vec::new(),
         }
     }
 }
@@ -71,7 +94,7 @@ pub struct Look<'a> {
     pub name: &'a str,
     pub image: Option<&'a str>,
     pub repeat: [Length; 2],
-    pub color: &'a str,
+    pub color: Option<&'a str>,
     pub roughness: f64,
 }
 
@@ -82,7 +105,7 @@ impl TextureParams {
             name: "cloth",
             image: self.image.as_deref(),
             repeat: self.repeat,
-            color: &self.color,
+            color: self.color.as_deref(),
             roughness: self.roughness,
         };
         let others = self.materials.iter().map(|o| Look {
@@ -90,7 +113,7 @@ impl TextureParams {
             // Another colour without a bitmap of its own is a plain cloth.
             image: o.image.as_deref().or(if o.color.is_none() { self.image.as_deref() } else { None }),
             repeat: o.repeat.unwrap_or(self.repeat),
-            color: o.color.as_deref().unwrap_or(&self.color),
+            color: o.color.as_deref().or(self.color.as_deref()),
             roughness: o.roughness.unwrap_or(self.roughness),
         });
         std::iter::once(base).chain(others).collect()
@@ -121,6 +144,17 @@ impl TextureParams {
         if !(0.0..=1.0).contains(&self.margin.0) {
             let message = format!("the margin is {}", self.margin);
             found.push(Diagnostic::error(VALUE_OUT_OF_RANGE, message).hint("allowed is 0 mm to 1 m"));
+        }
+        for (i, c) in self.colourways.iter().enumerate() {
+            if c.name.is_empty() || self.colourways[..i].iter().any(|other| other.name == c.name) {
+                let message = format!("colourway {} has no name of its own: `{}`", i + 1, c.name);
+                found
+                    .push(Diagnostic::error(codes::MATERIAL_NAME, message).hint("give every colourway another `name`"));
+            }
+            for name in c.materials.keys().filter(|n| !self.materials.iter().any(|m| m.name == **n)) {
+                let message = format!("colourway `{}` colours the material `{name}`, which is not there", c.name);
+                found.push(Diagnostic::error(codes::MATERIAL_NAME, message));
+            }
         }
         for (i, o) in self.materials.iter().enumerate() {
             for piece in o.pieces.iter().filter(|p| garment.piece_named(p).is_none()) {

@@ -4,10 +4,12 @@ mod cantilever;
 mod chart;
 mod curves;
 mod cusick;
+mod tension;
 
 pub use cantilever::cantilever;
 pub use curves::{bias, frame};
 pub use cusick::cusick;
+pub use tension::tension;
 
 use toile_formats::svg::canvas::{Bounds, Canvas};
 use toile_garment::Vec2;
