@@ -13,6 +13,7 @@ use shapes::*;
 use std::f64::consts::{PI, TAU};
 use toile_garment::dart::{Dart, DartEvidence, DartKind, DartMesh};
 use toile_garment::flat::{Flat, FlatMetric};
+use toile_garment::units::Length;
 use toile_garment::garment::Shape;
 use toile_garment::mesh::{ChainKind, MeshChain, PieceMesh};
 use toile_garment::outline::{LinePoint, OutlineEdge, PieceLine, PointKind};
@@ -151,7 +152,7 @@ impl Noise {
 }
 
 /// Worst dart angle error (deg), width error (mm) and leg difference (mm) over five seeds.
-fn noisy_dart(size: f64, taken_in: f64, smoothing: u32) -> [f64; 4] {
+fn noisy_dart(size: f64, taken_in: f64, smooth: f64) -> [f64; 4] {
     let (s20, s_new) = (340f64.to_radians(), (340.0 - taken_in).to_radians());
     let (polar, triangles, rings) = disc(0.15, 18, s20);
     let new: Vec<[f64; 2]> = polar.iter().map(|[r, a]| [*r, a * s_new / s20]).collect();
@@ -161,7 +162,7 @@ fn noisy_dart(size: f64, taken_in: f64, smoothing: u32) -> [f64; 4] {
         let mut noise = Noise(seed * 7919);
         let now = noise.on(&cone(&new, s_new), size);
         let g = edited(dart_piece(&polar, &triangles, &rings), cone(&polar, s20), now);
-        let flat = flatten(&g, &FlattenParams { smoothing, ..FlattenParams::default() });
+        let flat = flatten(&g, &FlattenParams { smooth: Length(smooth), ..FlattenParams::default() });
         let d = &flat.pieces[0].darts[0];
         worst[0] = worst[0].max((d.angle[1] - (TAU - s_new)).abs().to_degrees());
         worst[1] = worst[1].max(1e3 * (d.width[1] - exact).abs());
@@ -182,12 +183,12 @@ fn noisy_dart(size: f64, taken_in: f64, smoothing: u32) -> [f64; 4] {
 
 #[test]
 fn a_dart_survives_noise_on_the_surface() {
-    let small = noisy_dart(1e-4, 0.0, 20);
+    let small = noisy_dart(1e-4, 0.0, 0.02);
     assert!(small[0] <= 0.10 && small[1] <= 0.25 && small[2] <= 0.02, "{small:?}");
-    let large = noisy_dart(3e-4, 0.0, 20);
+    let large = noisy_dart(3e-4, 0.0, 0.02);
     assert!(large[0] <= 0.5 && large[1] <= 1.3 && large[2] <= 0.02 && large[3] <= 1.0, "{large:?}");
-    let edit = noisy_dart(3e-4, 6.0, 20);
-    let clean = noisy_dart(0.0, 6.0, 20);
+    let edit = noisy_dart(3e-4, 6.0, 0.02);
+    let clean = noisy_dart(0.0, 6.0, 0.02);
     assert!(clean[0] <= 0.05 && clean[1] <= 0.1, "{clean:?}");
     assert!(edit[0] <= 0.5 && edit[1] <= 1.3 && edit[2] <= 0.02 && edit[3] <= 1.0, "{edit:?}");
 }
@@ -321,7 +322,7 @@ fn sewn_edges_of_two_pieces_stay_equal_under_noise() {
         })
         .collect();
     let g = Garment { seams, ..garment(pieces, vec![a, mirrored]) };
-    let flat = flatten(&g, &FlattenParams { smoothing: 5, ..FlattenParams::default() });
+    let flat = flatten(&g, &FlattenParams { smooth: Length(0.02), ..FlattenParams::default() });
     for p in &flat.pairs {
         println!("{}: {:.2e} mm apart, rounds {}", p.name, 1e3 * (p.a[1] - p.b[1]), flat.pieces[0].rounds);
         assert!(1e3 * (p.a[1] - p.b[1]).abs() <= 0.02);
