@@ -72,9 +72,8 @@ fn parameters(args: &FlattenArgs) -> Result<String, StageError> {
     }
     if let Some(path) = &args.tolerance {
         let bytes = read_limited(path, path, MAX_INPUT).map_err(StageError::File)?;
-        let wrong = |e: String| {
-            StageError::parameter(Diagnostic::error(UNKNOWN_KEY, e).at(SourceRef::file(clean(path))))
-        };
+        let wrong =
+            |e: String| StageError::parameter(Diagnostic::error(UNKNOWN_KEY, e).at(SourceRef::file(clean(path))));
         let text = String::from_utf8(bytes).map_err(|e| wrong(e.to_string()))?;
         let table: toml::Table = toml::from_str(&text).map_err(|e| wrong(e.message().to_owned()))?;
         parts.push(format!("tolerance = {}", toml::Value::Table(table)));
@@ -106,8 +105,7 @@ fn flatten(
     if let Some(dxf) = &args.dxf {
         let given = [("file", Some(dxf)), ("sewing", args.sewing.as_ref())];
         let named: Vec<(&str, &PathBuf)> = given.iter().filter_map(|(key, path)| Some((*key, (*path)?))).collect();
-        let parts: Vec<String> =
-            named.iter().map(|(key, _)| format!("{key} = \"{{out}}/{key}\"")).collect();
+        let parts: Vec<String> = named.iter().map(|(key, _)| format!("{key} = \"{{out}}/{key}\"")).collect();
         let params = format!("{{ {} }}", parts.join(", "));
         run_stage(registry, DXF_TAP, &params, garment, stop, report, &mut files)?;
         for (key, path) in named {

@@ -13,7 +13,6 @@ use serde_json::Value;
 use std::path::Path;
 use toile_garment::Diagnostic;
 
-
 /// The contents that were found in a file.
 pub(super) struct Inspected {
     /// For programs.

@@ -5,7 +5,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 use toile_formats::garment_file;
-use toile_garment::{Aspect, Diagnostic, Garment, SourceRef};
+use toile_garment::{Aspect, Code, Diagnostic, Garment, SourceRef};
 use toile_stage_api::{Cost, Forecast, MeshSize, Stage, StageContext, StageError, StageInfo};
 
 codes! {
@@ -74,24 +74,50 @@ impl Stage for ImportGarment {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::testing::{lend_files, piece};
+    use crate::testing::piece;
+    use std::path::Path;
+    use std::sync::atomic::AtomicBool;
     use toile_garment::garment::Shape;
     use toile_garment::mesh::PieceMesh;
-    use toile_garment::{Vec2, Vec3, bundle};
+    use toile_garment::{Report, Vec2, Vec3, bundle};
+    use toile_stage_api::{FileError, Files};
 
     fn square() -> Garment {
         let corners = [(0.0, 0.0, 't'), (100.0, 0.0, 't'), (100.0, 100.0, 't'), (0.0, 100.0, 't')];
         let rest = corners.map(|(x, y, _)| Vec2::new(x, y) * 1e-3).to_vec();
-        let drape = Shape { positions: vec![rest.iter().map(|p| Vec3::new(p.x, p.y, 0.0)).collect()], ..Shape::default() };
+        let drape =
+            Shape { positions: vec![rest.iter().map(|p| Vec3::new(p.x, p.y, 0.0)).collect()], ..Shape::default() };
         let mut sheet = piece(0, "sheet", &corners);
         sheet.mesh = Some(PieceMesh { rest, triangles: vec![[0, 1, 2], [0, 2, 3]], ..PieceMesh::default() });
         Garment { pieces: vec![sheet], drape: Some(drape), ..Garment::default() }
     }
 
+    struct One(Vec<u8>);
+
+    impl Files for One {
+        fn read(&mut self, _: &Path) -> Result<Vec<u8>, FileError> {
+            Ok(self.0.clone())
+        }
+        fn read_optional(&mut self, _: &Path) -> Result<Option<Vec<u8>>, FileError> {
+            Ok(None)
+        }
+        fn write(&mut self, _: &Path, _: &[u8]) -> Result<(), FileError> {
+            Ok(())
+        }
+    }
+
     fn read(bytes: Vec<u8>) -> Result<Garment, StageError> {
         let params = ImportGarmentParams { file: "g.glb".into() };
-        let files = vec![("g.glb", bytes)];
-        lend_files(files, |cx| ImportGarment.run(&params, Garment::default(), cx)).0
+        let (mut report, cancel) = (Report::default(), AtomicBool::new(false));
+        let mut cx = StageContext {
+            report: &mut report,
+            progress: &mut (),
+            files: &mut One(bytes),
+            cancel: &cancel,
+            seed: 0,
+            threads: 1,
+        };
+        ImportGarment.run(&params, Garment::default(), &mut cx)
     }
 
     #[test]

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use toile_garment::Vec2;
 use toile_garment::dart::DartKind;
 use toile_garment::sewing::{
-    AttachStrength, DartSpec, EdgeNameSpec, Placement, PlaceSpec, RunSpec, RunWay, SeamSpec, SewingPlan,
+    AttachStrength, DartSpec, EdgeNameSpec, PlaceSpec, Placement, RunSpec, RunWay, SeamSpec, SewingPlan,
 };
 
 /// The text of a sewing file that says this; `head` stands above it as a comment.
@@ -32,10 +32,7 @@ pub fn text(plan: &SewingPlan, head: &str) -> String {
         };
         let [piece, edge, to] = [&attach.piece, &attach.edge, &attach.to].map(|t| quoted(t));
         let strength = quoted(&strength);
-        let _ = write!(
-            out,
-            "\n[[attach]]\npiece = {piece}\nedge = {edge}\nto = {to}\nstrength = {strength}\n"
-        );
+        let _ = write!(out, "\n[[attach]]\npiece = {piece}\nedge = {edge}\nto = {to}\nstrength = {strength}\n");
     }
     for copy in &plan.copies {
         let [piece, name] = [&copy.piece, &copy.name].map(|t| quoted(t));
@@ -45,13 +42,7 @@ pub fn text(plan: &SewingPlan, head: &str) -> String {
 }
 
 fn seam(out: &mut String, seam: &SeamSpec) {
-    let _ = write!(
-        out,
-        "\n[[seam]]\nname = {}\na = {}\nb = {}\n",
-        quoted(&seam.name),
-        side(&seam.a),
-        side(&seam.b)
-    );
+    let _ = write!(out, "\n[[seam]]\nname = {}\na = {}\nb = {}\n", quoted(&seam.name), side(&seam.a), side(&seam.b));
     if let Some(reverse) = seam.reverse {
         let _ = writeln!(out, "reverse = {reverse}");
     }
@@ -189,18 +180,16 @@ mod tests {
         };
         let named = RunSpec::Edge { piece: "front \"A\"".to_owned(), edge: "3".to_owned() };
         let plan = SewingPlan {
-            seams: vec![
-                SeamSpec {
-                    name: "side".to_owned(),
-                    a: vec![points("front \"A\"", RunWay::Left), named.clone()],
-                    b: vec![points("back", RunWay::Right)],
-                    reverse: None,
-                    ease: Some(-0.0041),
-                    gather: None,
-                    proposed: None,
-                    source: None,
-                },
-            ],
+            seams: vec![SeamSpec {
+                name: "side".to_owned(),
+                a: vec![points("front \"A\"", RunWay::Left), named.clone()],
+                b: vec![points("back", RunWay::Right)],
+                reverse: None,
+                ease: Some(-0.0041),
+                gather: None,
+                proposed: None,
+                source: None,
+            }],
             darts: vec![DartSpec {
                 piece: "back".to_owned(),
                 name: Some("waist".to_owned()),
@@ -255,7 +244,8 @@ mod tests {
         let read = bare(read);
         assert_eq!((&read.layers, &read.attachments), (&plan.layers, &plan.attachments));
         assert_eq!(read.leave_out, plan.leave_out);
-        let (RunSpec::Points { from, way, .. }, RunSpec::Edge { .. }) = (&read.seams[0].a[0], &read.seams[0].a[1]) else {
+        let (RunSpec::Points { from, way, .. }, RunSpec::Edge { .. }) = (&read.seams[0].a[0], &read.seams[0].a[1])
+        else {
             panic!("runs: {:?}", read.seams[0].a)
         };
         assert!((from - Vec2::new(0.0123, -0.2)).norm() < 1e-12 && *way == RunWay::Left);

@@ -19,11 +19,16 @@ pub fn cure(piece: &Piece, mesh: &PieceMesh, flat: &FlatPiece) -> String {
     let width = 2e3 * way * libm::tan(0.5 * degrees.abs().min(90.0).to_radians());
     if degrees.abs() < NO_CURVATURE {
         format!("the strain is largest at {at}; a seam from there to {edge} would cure it, a dart would not")
-    } else if degrees.abs() > WIDEST_ALONE {
-        let change = if degrees > 0.0 { "taken in" } else { "flared" };
+    } else if degrees > WIDEST_ALONE {
+        let count = (degrees / WIDEST_ALONE).ceil();
         format!(
-            "that is too much for one place: draw a seam through {at}, where the strain is largest, and let both its \
-             sides be {change}; or ease and gather it"
+            "{count:.0} darts of {:.0} degrees each with their apexes near {at}, or a seam through that place, would cure it",
+            degrees / count
+        )
+    } else if degrees < -WIDEST_ALONE {
+        format!(
+            "that is too much to spread at one place: draw a seam through {at}, where the strain is largest, and flare \
+             both its sides, or gather the cloth into it"
         )
     } else if degrees > 0.0 {
         format!("a dart from {edge} with its apex near {at}, {width:.0} mm wide at the edge, would cure it")

@@ -101,8 +101,12 @@ mod tests {
             let field: Vec<Vec2> =
                 triangles.iter().map(|t| Vec2::new(f64::from(u8::from(middle(t) > 0.1)), 0.0)).collect();
             let soft = blur.pair(&field).expect("pair");
-            let near: Vec<f64> =
-                triangles.iter().zip(&soft).filter(|(t, _)| (middle(t) - 0.12).abs() < 0.01).map(|(_, s)| s.x).collect();
+            let near: Vec<f64> = triangles
+                .iter()
+                .zip(&soft)
+                .filter(|(t, _)| (middle(t) - 0.12).abs() < 0.01)
+                .map(|(_, s)| s.x)
+                .collect();
             steps.push(near.iter().sum::<f64>() / near.len() as f64);
         }
         // 1 − ½ e^(−x/w) at one width from the step.

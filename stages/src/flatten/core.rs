@@ -8,15 +8,12 @@ use super::params::{FlattenParams, LockKind, MetricChoice};
 use super::sewn::{self, MeshEdges, Station};
 use super::solve::{Flattened, Sheet, SolveError, Stop, solve};
 use super::source::{Source, bad_triangle, sources};
-use super::wanted::Wanted;
+use super::wanted::{REFINEMENTS, Wanted};
 use super::{dart_strain, figures, findings, held_lines, symmetry};
 use nalgebra::Matrix2;
 use toile_garment::flat::{Flat, FlatMetric, FlatPiece};
 use toile_garment::{Garment, MeshVertex, Report, Vec2};
 use toile_stage_api::StageError;
-
-/// Repeats of the solve that give back what the smoothing of a rough surface took from a real edit.
-const REFINEMENTS: u32 = 4;
 
 /// How the solve tells its caller of round and motion (metres); `false` stops it.
 pub type Watch<'w> = dyn FnMut(u32, f64) -> bool + 'w;
@@ -99,8 +96,7 @@ pub fn fitted(
     params: &FlattenParams,
     watch: &mut Watch<'_>,
 ) -> Result<Fit, StageError> {
-    let mut wanted =
-        sources.iter().map(|s| Wanted::of(s, metric, params.smooth.0)).collect::<Result<Vec<_>, _>>()?;
+    let mut wanted = sources.iter().map(|s| Wanted::of(s, metric, params.smooth.0)).collect::<Result<Vec<_>, _>>()?;
     let repeats = if wanted.iter().any(Wanted::is_smooth) { REFINEMENTS } else { 0 };
     let mut answer: Option<(Flattened, Vec<Vec<Matrix2<f64>>>)> = None;
     for _ in 0..=repeats {

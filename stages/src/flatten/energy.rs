@@ -224,7 +224,13 @@ mod tests {
         let n = numeric(&x, t.v, |y| t.energy(y));
         let p = EdgePair { v: [0, 1, 2, 3], share: [1.1, 0.9], stiffness: 3.0 };
         let m = numeric(&x, p.v, |y| p.energy(y));
-        for (a, b) in t.local(&x, Curvature::Exact).gradient.iter().zip(&n).chain(p.local(&x, Curvature::Exact).expect("pair").gradient.iter().zip(&m)) {
+        for (a, b) in t
+            .local(&x, Curvature::Exact)
+            .gradient
+            .iter()
+            .zip(&n)
+            .chain(p.local(&x, Curvature::Exact).expect("pair").gradient.iter().zip(&m))
+        {
             assert!((a - b).norm() < 1e-8, "{a} {b}");
         }
     }

@@ -22,6 +22,7 @@ pub mod metric;
 pub mod mirror;
 mod params;
 pub mod point_location;
+pub mod roughness;
 pub mod sewn;
 pub mod solve;
 pub mod source;

@@ -119,12 +119,7 @@ fn total(sheet: &Sheet, x: &[Vec2]) -> f64 {
 /// Leaves the direction in `system.rhs` and gives the decrement, the energy that a full step gains to second order.
 ///
 /// Where the exact Hessian is not positive, the projected one takes its place.
-fn newton_direction(
-    sheet: &Sheet,
-    x: &[Vec2],
-    system: &mut System,
-    curvature: Curvature,
-) -> Result<f64, SystemError> {
+fn newton_direction(sheet: &Sheet, x: &[Vec2], system: &mut System, curvature: Curvature) -> Result<f64, SystemError> {
     system.clear();
     for t in &sheet.triangles {
         system.add(&t.v, &t.local(x, curvature));

@@ -8,11 +8,11 @@ use super::align::Rigid;
 use super::features::Features;
 use super::figures::vertex_areas;
 use super::findings;
+use super::metric::edges2;
 use super::mirror::{Reflection, between};
 use super::params::{FlattenParams, SymmetryChoice};
 use super::point_location::PointLocation;
 use super::source::Source;
-use super::metric::edges2;
 use toile_garment::{Report, Vec2, Vec3};
 
 /// Largest difference of two sides that is taken for one, metres. Larger also evens out small edits of one side.
@@ -53,9 +53,7 @@ pub fn make(
         }
         let mean = |a: &[Vec2], b: &[Vec2]| a.iter().zip(b).map(|(a, b)| (a + b) * 0.5).collect::<Vec<_>>();
         let (p, q) = (mean(&there, &flats[image.p]), mean(&back, &flats[image.q]));
-        let upright = |s: &Source<'_>, x: &[Vec2]| {
-            s.mesh.triangles.iter().all(|t| edges2(x, *t).determinant() > 0.0)
-        };
+        let upright = |s: &Source<'_>, x: &[Vec2]| s.mesh.triangles.iter().all(|t| edges2(x, *t).determinant() > 0.0);
         if upright(&sources[image.p], &p) && upright(&sources[image.q], &q) {
             report.push(findings::symmetric(names, apart));
             (flats[image.p], flats[image.q]) = (p.clone(), if image.p == image.q { p } else { q });

@@ -1,20 +1,23 @@
 //! The metric that every triangle of a piece should get, and the targets that lead to it.
 //!
 //! On a rough surface (a scan, a drape that had not settled) the metric is smoothed over a length of cloth. Roughness
-//! also makes every length longer. With `F̄` the smoothed gradient of the surface, `F̄ᵀF + FᵀF̄ − F̄ᵀF̄` is the metric
-//! without the part that is quadratic in the roughness.
+//! also makes every length longer. As much as its size says on average is taken off; see [`super::roughness`].
 
 use super::blur::Blur;
 use super::metric::{carried, cauchy_green, edges2, edges3, sqrt_spd};
+use super::roughness::smooth_metric;
 use super::source::{Source, bad_triangle};
 use super::system::SystemError;
-use nalgebra::{Matrix2, Matrix3x2};
+use nalgebra::Matrix2;
+use toile_garment::Vec2;
 use toile_garment::flat::FlatMetric;
-use toile_garment::{Vec2, Vec3};
 use toile_stage_api::StageError;
 
-/// Width over which roughness is told from shape, in mean mesh edges. Larger takes curvature for roughness.
-const ROUGHNESS_EDGES: f64 = 2.0;
+/// Repeats of the solve that give back what the smoothing took from a real edit. More also bring roughness back.
+pub const REFINEMENTS: usize = 4;
+/// Width of the smoothing as a share of the length that is asked for. So the length is about the diameter of the disc of
+/// cloth from which half of an average comes.
+const WIDTH_SHARE: f64 = 0.5;
 
 /// What is wanted of a piece.
 pub enum Wanted {
@@ -47,7 +50,7 @@ impl Wanted {
     }
 
     /// Target edges of every triangle. `x` is the answer so far: what the smoothing took from its own metric is given
-    /// back, so that a metric which can be flat is not blurred. Without it the wanted metric itself is the target.
+    /// back, so that a metric which can be flat is not blurred. Without it the wanted metric is the target.
     ///
     /// # Errors
     /// When memory runs out.
@@ -71,7 +74,7 @@ impl Wanted {
                 let soft = blur.tensors(&own)?;
                 let given_back = |k: usize| {
                     let c = own[k] + metric[k] - soft[k];
-                    if is_positive(&c) { c } else { metric[k] }
+                    if is_positive(&c) { c } else { own[k] }
                 };
                 Ok(shaped(&(0..own.len()).map(given_back).collect::<Vec<_>>()))
             }
@@ -109,13 +112,11 @@ fn sharp(source: &Source<'_>, metric: FlatMetric, stored: &[Matrix2<f64>]) -> Re
 /// The smoothed metric, free of what roughness adds to lengths.
 fn blurred(source: &Source<'_>, metric: FlatMetric, smooth: f64) -> Result<Wanted, SystemError> {
     let (rest, triangles) = (&source.mesh.rest, &source.mesh.triangles);
-    let mut blur = Blur::new(rest, triangles, smooth)?;
-    let edge = mean_edge(rest, triangles);
-    let mut fine = Blur::new(rest, triangles, ROUGHNESS_EDGES * edge)?;
-    let now = blur.tensors(&without_roughness(source, source.surface, &mut fine)?)?;
+    let mut blur = Blur::new(rest, triangles, WIDTH_SHARE * smooth)?;
+    let now = smooth_metric(source, source.surface, &mut blur)?;
     let wanted = match metric {
         FlatMetric::Carried if source.before != source.surface => {
-            let before = blur.tensors(&without_roughness(source, source.before, &mut fine)?)?;
+            let before = smooth_metric(source, source.before, &mut blur)?;
             let edit = |(b, n)| carried(b, n).map_or(*n, |h| h.transpose() * h);
             before.iter().zip(&now).map(edit).collect()
         }
@@ -124,38 +125,4 @@ fn blurred(source: &Source<'_>, metric: FlatMetric, smooth: f64) -> Result<Wante
     };
     let kept = wanted.into_iter().map(|c| if is_positive(&c) { c } else { Matrix2::identity() }).collect();
     Ok(Wanted::Smooth(kept, Box::new(blur)))
-}
-
-fn without_roughness(source: &Source<'_>, p: &[Vec3], fine: &mut Blur) -> Result<Vec<Matrix2<f64>>, SystemError> {
-    let gradient: Vec<Matrix3x2<f64>> = source
-        .mesh
-        .triangles
-        .iter()
-        .zip(source.stored())
-        .map(|(t, e)| edges3(p, *t) * e.try_inverse().unwrap_or_default())
-        .collect();
-    let mut smooth = vec![Matrix3x2::zeros(); gradient.len()];
-    for row in 0..3 {
-        let field: Vec<Vec2> = gradient.iter().map(|f| f.row(row).transpose()).collect();
-        for (out, soft) in smooth.iter_mut().zip(fine.pair(&field)?) {
-            out.set_row(row, &soft.transpose());
-        }
-    }
-    Ok(gradient
-        .iter()
-        .zip(&smooth)
-        .map(|(f, s)| {
-            let mixed = s.transpose() * f;
-            mixed + mixed.transpose() - s.transpose() * s
-        })
-        .collect())
-}
-
-fn mean_edge(rest: &[Vec2], triangles: &[[u32; 3]]) -> f64 {
-    let sides = |t: &[u32; 3]| {
-        let [a, b, c] = t.map(|v| rest[v as usize]);
-        (b - a).norm() + (c - b).norm() + (a - c).norm()
-    };
-    let sum: f64 = triangles.iter().map(sides).sum();
-    sum / (3.0 * triangles.len().max(1) as f64)
 }

@@ -13,11 +13,11 @@ use shapes::*;
 use std::f64::consts::{PI, TAU};
 use toile_garment::dart::{Dart, DartEvidence, DartKind, DartMesh};
 use toile_garment::flat::{Flat, FlatMetric};
-use toile_garment::units::Length;
 use toile_garment::garment::Shape;
 use toile_garment::mesh::{ChainKind, MeshChain, PieceMesh};
 use toile_garment::outline::{LinePoint, OutlineEdge, PieceLine, PointKind};
 use toile_garment::seam::{Seam, SeamKind, SeamSide, Stitch};
+use toile_garment::units::Length;
 use toile_garment::{Garment, MeshVertex, Piece, PieceId, Report, SeamId, Vec2, Vec3};
 
 fn assert_developable(name: &str, grid: &Grid, angle: f64) {
