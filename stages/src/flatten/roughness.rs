@@ -30,7 +30,7 @@ pub fn smooth_metric(source: &Source<'_>, p: &[Vec3], blur: &mut Blur) -> Result
     let mut filter = Blur::new(rest, triangles, FILTER_EDGES * mean_edge(rest, triangles))?;
     let passed = |f: &Gradient, filter: &mut Blur| -> Result<f64, SystemError> {
         let soft = softened(f, filter)?;
-        Ok(median(f.iter().zip(&soft).zip(&inverse).map(|((f, s), i)| (f - s).norm_squared() / i.norm_squared())))
+        Ok(trimmed_mean(f.iter().zip(&soft).zip(&inverse).map(|((f, s), i)| (f - s).norm_squared() / i.norm_squared())))
     };
     let unit_passed = passed(&known, &mut filter)?;
     let variance = if unit_passed > 0.0 { passed(&rough, &mut filter)? / unit_passed } else { 0.0 };
@@ -51,22 +51,26 @@ fn softened(gradient: &Gradient, blur: &mut Blur) -> Result<Gradient, SystemErro
     Ok(out)
 }
 
-/// A vector of variance 1 in each coordinate, always the same for a vertex (the mixing of SplitMix64).
+/// A normal vector of variance 1 in each coordinate, always the same for a vertex (the mixing of SplitMix64).
 fn unit_roughness(vertex: u64) -> Vec3 {
-    let coordinate = |k: u64| {
-        let mut z = (3 * vertex + k + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    let share = |k: u64| {
+        let mut z = (6 * vertex + k + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        let share = ((z ^ (z >> 31)) >> 11) as f64 / (1u64 << 53) as f64;
-        (2.0 * share - 1.0) * 3f64.sqrt()
+        (((z ^ (z >> 31)) >> 11) as f64 + 0.5) / (1u64 << 53) as f64
     };
-    Vec3::new(coordinate(0), coordinate(1), coordinate(2))
+    let normal =
+        |k: u64| libm::sqrt(-2.0 * libm::log(share(2 * k))) * libm::cos(std::f64::consts::TAU * share(2 * k + 1));
+    Vec3::new(normal(0), normal(1), normal(2))
 }
 
-fn median(values: impl Iterator<Item = f64>) -> f64 {
+/// Mean of the smaller nine tenths. The tenth left out is where shape passes the filter: tips of darts, sharp folds.
+fn trimmed_mean(values: impl Iterator<Item = f64>) -> f64 {
     let mut values: Vec<f64> = values.collect();
     values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(0.0)
+    let kept = values.len().div_ceil(10) * 9;
+    values.truncate(kept.max(1));
+    values.iter().sum::<f64>() / values.len().max(1) as f64
 }
 
 fn mean_edge(rest: &[Vec2], triangles: &[[u32; 3]]) -> f64 {
