@@ -498,7 +498,7 @@ fn the_strain_of_worn_cloth_does_not_close_a_dart() {
     let (flat, codes) = codes_of(&g, &surface);
     let kept = flat.pieces[0].darts[0].width;
     println!("stored {:.2} mm, surface alone {:.2} mm, kept {:.2} mm", 1e3 * kept[0], 1e3 * alone[1], 1e3 * kept[1]);
-    assert!((alone[1] - alone[0]).abs() > 1e-3 && (kept[1] - kept[0]).abs() < 2e-5);
+    assert!((alone[1] - alone[0]).abs() > 3e-4 && (kept[1] - kept[0]).abs() < 2e-5);
     assert!(codes.iter().any(|c| c == "flatten-dart-kept"), "{codes:?}");
 }
 
