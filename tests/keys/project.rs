@@ -69,7 +69,7 @@ use = "flatten"
 "#;
 
 /// A triangle of cloth that was draped flat.
-const TRIANGLE: &str = r#"{"kind":"toile-garment","version":"1","garment":{"pieces":[{"id":0,"name":"front","block":"FRONT",
+const TRIANGLE: &str = r#"{"kind":"toile-garment","version":1,"garment":{"pieces":[{"id":0,"name":"front","block":"FRONT",
 "outline":{"closed":true,"points":[{"at":[0.0,0.0],"kind":"turn"},{"at":[0.1,0.0],"kind":"turn"},{"at":[0.0,0.1],"kind":"turn"}]},
 "mesh":{"rest":[[0.0,0.0],[0.1,0.0],[0.0,0.1]],"triangles":[[0,1,2]],"outline_vertex":[0,1,2],
 "chains":[{"kind":"outline","index":0,"vertices":[0,1,2],"closed":true}]}}],

@@ -279,3 +279,18 @@ fn close_seams(garment: &Garment, shape: &mut Shape) {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_welded_vertex_goes_with_the_one_that_lay_at_its_place() {
+        let (cloth, stored) = ([[0.0, 0.0], [0.1, 0.0], [0.2, 0.0]], [Vec3::zeros(), Vec3::zeros(), Vec3::x()]);
+        let moved = [Vec3::new(0.0, 0.0, 0.5), Vec3::new(1.0, 0.0, 0.5)];
+        let found = by_cloth(&moved, &[[0.0, 0.0], [0.2, 0.0]], &cloth, &stored).expect("matched");
+        assert_eq!(found, [moved[0], moved[0], moved[1]]);
+        // The third vertex lay alone, so nothing says where it went.
+        assert!(by_cloth(&moved[..1], &[[0.0, 0.0]], &cloth, &stored).is_err());
+    }
+}

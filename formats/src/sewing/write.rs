@@ -220,7 +220,7 @@ mod tests {
                     source: None,
                 },
             ],
-            layers: vec![LayerSpec { pieces: vec!["back".to_owned()], order: -1, source: None }],
+            layers: vec![LayerSpec { pieces: vec!["back".to_owned()], order: -1 }],
             attachments: vec![AttachSpec {
                 piece: "back".to_owned(),
                 edge: "top".to_owned(),
@@ -237,7 +237,6 @@ mod tests {
             plan.seams.iter_mut().for_each(|x| x.source = None);
             plan.darts.iter_mut().for_each(|x| x.source = None);
             plan.places.iter_mut().for_each(|x| x.source = None);
-            plan.layers.iter_mut().for_each(|x| x.source = None);
             plan.attachments.iter_mut().for_each(|x| x.source = None);
             plan
         };
