@@ -10,7 +10,7 @@ use toile_garment::seam::{Seam, SeamKind, SeamRun, SeamSide};
 use toile_garment::sewing::{AttachSpec, DartSpec, EdgeNameSpec, RunSpec, RunWay, SeamSpec, SewingPlan};
 use toile_garment::{Garment, Piece, Vec2};
 
-/// What stands above the file.
+/// The comment that stands above the file.
 pub const HEAD: &str = "The seams of the pieces that were written beside this file. Points are in the coordinates of \
                         their piece.";
 /// Difference of two sides that is no ease, metres.
@@ -18,7 +18,7 @@ const NO_EASE: f64 = 5e-5;
 /// How near a point of the sewing file lies to the dart it means, metres.
 const SAME_DART: f64 = 1e-3;
 
-/// What the sewing file of `pieces` says; they are the garment's pieces at their new places.
+/// The plan of a sewing file for `pieces`, which are the garment's pieces at their new places.
 pub fn plan(garment: &Garment, pieces: &[Piece]) -> SewingPlan {
     let declared = garment.seams.iter().filter(|s| s.kind == SeamKind::Seam);
     let plan = &garment.plan;

@@ -1,4 +1,4 @@
-//! What a pattern maker can do about a piece that cannot lie flat.
+//! Advice to a pattern maker about a piece that cannot lie flat.
 
 use toile_garment::flat::FlatPiece;
 use toile_garment::mesh::PieceMesh;

@@ -1,4 +1,4 @@
-//! What the strain of the cloth does to a dart, told apart from what the shape asks for.
+//! The strain of the cloth changes a dart; this is told apart from the change that the shape asks for.
 //!
 //! Worn cloth stretches around the tip of a dart, so the lengths of the worn surface give a smaller dart. That is no
 //! reason to sew a smaller one. Where the strain is known, a dart on the lengths of the surface keeps the intake that
@@ -25,7 +25,7 @@ pub struct HeldDart<'a> {
     mouths: [usize; 2],
     /// Intake of the stored piece, and of the free answer, metres.
     intake: [f64; 2],
-    /// Is it held whatever the edit, or against the strain of the cloth alone?
+    /// True when it is held whatever the edit, false when it is held against the strain of the cloth alone.
     is_locked: bool,
     /// The terms that hold it.
     pub locks: Vec<Lock>,

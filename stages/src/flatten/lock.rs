@@ -6,7 +6,7 @@
 use super::energy::Local;
 use toile_garment::Vec2;
 
-/// What is held.
+/// One thing that is held.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Lock {
     /// The vertex `v[0]` lies on the line through `v[1]` and `v[2]`.

@@ -21,14 +21,14 @@ pub enum MetricChoice {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum SymmetryChoice {
-    /// As one where the edit was symmetric, and as they are, with a warning, where it was not.
+    /// They are made one where the edit was symmetric. Where it was not, they stay as they are, with a warning.
     #[default]
     Auto,
-    /// As they are.
+    /// They stay as they are.
     Off,
 }
 
-/// What the flattening does not change.
+/// Things that the flattening does not change.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum LockKind {
@@ -82,7 +82,7 @@ pub struct FlattenParams {
     pub smooth: Length,
     /// How pieces that mirror each other come back.
     pub symmetry: SymmetryChoice,
-    /// What the flattening does not change.
+    /// Things that the flattening does not change.
     pub lock: Vec<LockKind>,
     /// Changes that pass without a warning. Without it no change is judged.
     pub tolerance: FlattenTolerance,

@@ -1,8 +1,8 @@
 //! The metric of a rough surface, free of what roughness adds to lengths.
 //!
 //! Every vertex is taken to be off by some vector of variance `σ²` in each coordinate. That adds `3σ² Σ b bᵀ` to the
-//! metric of a triangle on average, with `b` the gradients of its shape functions. The size `σ` is found by a filter that
-//! lets roughness pass and shape not. Known unit roughness goes through the same filter and says how much passes.
+//! metric of a triangle on average, with `b` the gradients of its shape functions. The size `σ` is found by a filter
+//! that lets roughness pass and shape not. Known unit roughness goes through the same filter and says how much passes.
 
 use super::blur::Blur;
 use super::metric::edges3;

@@ -1,8 +1,8 @@
 //! Pieces that mirror each other, and pieces on the middle, come back as one.
 //!
 //! Two stored outlines that a reflection carries onto each other belong together if the reflection left to right of the
-//! garment in 3D agrees. Where the edit was symmetric, the flat pieces differ by little more than mesh and folds do. The
-//! changes of both sides are then averaged, so that they are the same.
+//! garment in 3D agrees. Where the edit was symmetric, the flat pieces differ by little. The changes of both sides are
+//! then averaged, so that they are the same.
 
 use super::align::Rigid;
 use super::features::Features;

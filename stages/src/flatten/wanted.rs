@@ -15,11 +15,11 @@ use toile_stage_api::StageError;
 
 /// Repeats of the solve that give back what the smoothing took from a real edit. More also bring roughness back.
 pub const REFINEMENTS: usize = 4;
-/// Width of the smoothing as a share of the length that is asked for. So the length is about the diameter of the disc of
-/// cloth from which half of an average comes.
+/// Width of the smoothing as a share of the length that is asked for. The length is then about the diameter of the
+/// disc of cloth from which half of an average comes.
 const WIDTH_SHARE: f64 = 0.5;
 
-/// What is wanted of a piece.
+/// The shape that is wanted of a piece.
 pub enum Wanted {
     /// The stored piece itself.
     Stored,
