@@ -1,8 +1,8 @@
 //! Smoothing over a length of cloth, however fine the mesh is.
 //!
 //! A field `f` on the triangles of a piece becomes the solution `u` of `u − w² Δu = f` on its vertices, with no flow
-//! over the outline. The width `w` is a length, so a finer mesh averages over more triangles. Two legs of a dart and two
-//! pieces have vertices of their own, so nothing is averaged across a dart or seam. A constant stays as it is.
+//! over the outline. The width `w` is a length, so a finer mesh averages over more triangles. Two legs of a dart have
+//! vertices of their own, and so have two pieces: nothing is averaged across a dart or seam. A constant stays as it is.
 
 use super::energy::Local;
 use super::metric::edges2;

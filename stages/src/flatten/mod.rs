@@ -1,8 +1,8 @@
 //! The stage `flatten`: the 3D surface back to 2D pieces through the stored darts.
 //!
 //! Every piece is flattened on its own triangles: pieces and dart legs are separate vertex chains in the mesh, so
-//! nothing has to be cut or searched. The lengths asked for come from [`wanted`]. The flat positions come from [`solve`],
-//! and [`sewn`] keeps sewn edges equal. [`held_lines`] and [`dart_strain`] say what is locked and [`lock`] holds it.
+//! nothing has to be cut or searched. The lengths asked for come from [`wanted`], and the flat positions from [`solve`].
+//! Sewn edges are kept equal by [`sewn`]. [`held_lines`] and [`dart_strain`] say what is locked, and [`lock`] holds it.
 //! [`symmetry`] makes mirrored pieces one, [`align`] lays the pieces on their grain and [`figures`] measures.
 
 mod advice;
