@@ -1,7 +1,7 @@
 //! The stage `flatten`: the 3D surface back to 2D pieces through the stored darts.
 //!
 //! Every piece is flattened on its own triangles: pieces and dart legs are separate vertex chains in the mesh, so
-//! nothing has to be cut or searched. The lengths asked for come from [`wanted`], and the flat positions from [`solve`].
+//! nothing has to be cut or searched. Lengths asked for come from [`wanted`], and flat positions from [`solve`].
 //! Sewn edges are kept equal by [`sewn`]. [`held_lines`] and [`dart_strain`] say what is locked, and [`lock`] holds it.
 //! [`symmetry`] makes mirrored pieces one, [`align`] lays the pieces on their grain and [`figures`] measures.
 
