@@ -28,6 +28,9 @@ codes! {
     /// Exit code 3.
     FILE_TOO_LARGE = "file-too-large";
 
+    /// The file is no garment document of toile, is damaged, or was written by a newer toile. Exit code 3.
+    GARMENT_FILE = "garment-file";
+
     /// A value is outside the range that makes sense; the message names the range.
     OUT_OF_RANGE = "out-of-range";
 

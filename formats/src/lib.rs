@@ -10,6 +10,7 @@ pub mod codes;
 pub mod dxf;
 pub mod encoding;
 pub mod fabric;
+pub mod garment_file;
 pub mod garmentcode;
 pub mod gltf;
 pub mod measures;

@@ -289,12 +289,30 @@ pub struct NewArgs {
 /// `flatten`
 #[derive(Args, Debug)]
 pub struct FlattenArgs {
-    /// Garment.
+    /// Garment: a GLB, also as an editor saved it again, or a garment document.
     #[arg(value_name = "GARMENT.glb")]
     pub garment: PathBuf,
+    /// Which lengths the pieces shall have: auto, carried, surface [default: auto]
+    #[arg(long, value_name = "WORD")]
+    pub metric: Option<String>,
+    /// Length of cloth over which a rough surface is averaged, e.g. "20 mm" [default: 0 mm]
+    #[arg(long, value_name = "LENGTH")]
+    pub smooth: Option<String>,
+    /// How pieces that mirror each other come back: auto, off [default: auto]
+    #[arg(long, value_name = "WORD")]
+    pub symmetry: Option<String>,
+    /// What does not change: seams, grain, straight, right-angles, darts, or none [default: all but darts]
+    #[arg(long, value_name = "WORD,…", value_delimiter = ',')]
+    pub lock: Vec<String>,
+    /// Changes that pass without a warning: a TOML file with the keys of `tolerance` of the stage `flatten`.
+    #[arg(long, value_name = "FILE")]
+    pub tolerance: Option<PathBuf>,
     /// Write the flat pieces as DXF.
     #[arg(long, value_name = "OUT")]
     pub dxf: Option<PathBuf>,
+    /// Write a sewing file whose points lie on the new outlines.
+    #[arg(long, value_name = "OUT", requires = "dxf")]
+    pub sewing: Option<PathBuf>,
     /// Write the figures as JSON.
     #[arg(long, value_name = "OUT")]
     pub json: Option<PathBuf>,

@@ -9,12 +9,6 @@ codes! {
     /// cloth differ in a laboratory. Look at the bending stiffness first.
     DRAPE_DIFFERS_FROM_LAB = "drape-differs-from-lab";
 
-    /// The file is no garment document of toile, is damaged, or was written by a newer toile. Exit code 3.
-    GARMENT_FILE = "garment-file";
-
-    /// The file is no sound GLB: its header, lengths or JSON break the format. Export it again. Exit code 3.
-    GLB_DAMAGED = "glb-damaged";
-
     /// The file's form is not one that this verb reads.
     NO_READER = "no-reader";
 

@@ -1,7 +1,6 @@
 //! `toile flatten GARMENT`: 3D → 2D from the garment's file alone, by the same stages a pipeline uses.
 
 use super::args::FlattenArgs;
-use super::codes;
 use super::console::Console;
 use super::results::Results;
 use crate::codes::NEEDS_NOT_GIVEN;
@@ -11,26 +10,23 @@ use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use toile_formats::gltf;
+use toile_formats::codes::UNKNOWN_KEY;
+use toile_formats::garment_file;
 use toile_garment::flat::Flat;
 use toile_garment::{Diagnostic, Garment, Report, SourceRef};
 use toile_stage_api::{FileError, Files, Registry, StageContext, StageError};
 use toile_stages::flatten::json as flatten_json;
-use toml::Spanned;
-use toml::de::{DeTable, DeValue, ValueDeserializer};
+use toml::de::ValueDeserializer;
 
-type ReadGarment = fn(&[u8], &str, &mut Report) -> Result<Garment, Diagnostic>;
-
-/// Forms a garment can be read from: how they begin, and what reads them.
-const READERS: &[(&[u8], ReadGarment)] = &[(b"glTF", from_glb), (b"{", from_bundle)];
 /// The stage that flattens, and the tap that writes its result to the parameter `file`.
 const FLATTEN: &str = "flatten";
 const DXF_TAP: &str = "export-dxf";
 
 pub(super) fn run(args: &FlattenArgs, registry: &Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
     let mut report = Report::default();
-    let results = Results::new(args.force, &[&args.garment]);
-    let wanted: Vec<&Path> = args.dxf.iter().chain(&args.json).map(PathBuf::as_path).collect();
+    let inputs: Vec<&Path> = std::iter::once(&args.garment).chain(&args.tolerance).map(PathBuf::as_path).collect();
+    let results = Results::new(args.force, &inputs);
+    let wanted: Vec<&Path> = args.dxf.iter().chain(&args.sewing).chain(&args.json).map(PathBuf::as_path).collect();
     if !results.are_free(&wanted, console) {
         return Exit::Usage;
     }
@@ -60,32 +56,29 @@ pub(super) fn run(args: &FlattenArgs, registry: &Registry, stop: &Arc<Stop>, con
 
 fn read(path: &Path, report: &mut Report) -> Result<Garment, (Vec<Diagnostic>, Exit)> {
     let bytes = read_limited(path, path, MAX_INPUT).map_err(|e| of_file_error(&e))?;
-    let body = bytes.trim_ascii_start();
-    let reader = READERS.iter().find(|(begin, _)| body.starts_with(begin));
-    let name = clean(path);
-    let no_reader = || {
-        let hint = "give a GLB that `export-gltf` wrote, or a garment document";
-        (vec![Diagnostic::error(codes::NO_READER, format!("`{name}` is no garment file")).hint(hint)], Exit::Input)
-    };
-    let (_, reader) = reader.ok_or_else(no_reader)?;
-    reader(&bytes, &name, report).map_err(|finding| (vec![finding], Exit::Input))
+    garment_file::read(&bytes, &clean(path), report).map_err(|finding| (vec![finding], Exit::Input))
 }
 
-fn from_glb(bytes: &[u8], name: &str, report: &mut Report) -> Result<Garment, Diagnostic> {
-    let read = gltf::read_garment_with_findings(bytes).map_err(|e| super::inspect::refused_glb(&e, name))?;
-    report.findings.extend(read.findings);
-    Ok(read.garment)
-}
-
-fn from_bundle(bytes: &[u8], name: &str, _: &mut Report) -> Result<Garment, Diagnostic> {
-    garment_from_bundle(bytes)
-        .map_err(|message| Diagnostic::error(codes::GARMENT_FILE, message).at(SourceRef::file(name.to_owned())))
-}
-
-/// Reads a garment document.
-pub(super) fn garment_from_bundle(bytes: &[u8]) -> Result<Garment, String> {
-    let text = std::str::from_utf8(bytes).map_err(|e| format!("no UTF-8 text: {e}"))?;
-    toile_garment::bundle::from_text(text).map_err(|e| e.to_string())
+/// The parameters of the stage, as a pipeline writes them.
+fn parameters(args: &FlattenArgs) -> Result<String, StageError> {
+    let text = |t: &String| toml::Value::String(t.clone()).to_string();
+    let mut parts = Vec::new();
+    for (key, value) in [("metric", &args.metric), ("smooth", &args.smooth), ("symmetry", &args.symmetry)] {
+        parts.extend(value.as_ref().map(|v| format!("{key} = {}", text(v))));
+    }
+    if !args.lock.is_empty() {
+        let kinds: Vec<String> = args.lock.iter().filter(|k| *k != "none").map(text).collect();
+        parts.push(format!("lock = [{}]", kinds.join(", ")));
+    }
+    if let Some(path) = &args.tolerance {
+        let bytes = read_limited(path, path, MAX_INPUT).map_err(StageError::File)?;
+        let wrong =
+            |e: String| StageError::parameter(Diagnostic::error(UNKNOWN_KEY, e).at(SourceRef::file(clean(path))));
+        let text = String::from_utf8(bytes).map_err(|e| wrong(e.to_string()))?;
+        let table: toml::Table = toml::from_str(&text).map_err(|e| wrong(e.message().to_owned()))?;
+        parts.push(format!("tolerance = {}", toml::Value::Table(table)));
+    }
+    Ok(format!("{{ {} }}", parts.join(", ")))
 }
 
 /// The summary for a person, and the files to write.
@@ -99,7 +92,7 @@ fn flatten(
     report: &mut Report,
 ) -> Result<Flattened, StageError> {
     let mut files = Memory::default();
-    let garment = run_stage(registry, FLATTEN, None, garment, stop, report, &mut files)?;
+    let garment = run_stage(registry, FLATTEN, &parameters(args)?, garment, stop, report, &mut files)?;
     let internal = |what: &str| StageError::Internal(what.to_owned());
     let flat = garment.flat.as_ref().ok_or_else(|| internal("`flatten` gave no flat pieces"))?;
     let summary = summary(&garment, flat);
@@ -109,13 +102,17 @@ fn flatten(
         let text = serde_json::to_string(&value).map_err(|e| StageError::Internal(format!("flat as JSON: {e}")))?;
         results.push((path.clone(), (toile_garment::text::json(&text) + "\n").into_bytes()));
     }
-    if let Some(path) = &args.dxf {
-        let name = path.file_name().map(|n| n.to_string_lossy().into_owned()).unwrap_or_default();
-        let file = format!("{{out}}/{name}");
-        run_stage(registry, DXF_TAP, Some(&file), garment, stop, report, &mut files)?;
-        let bytes = files.written.remove(Path::new(&file));
-        let bytes = bytes.ok_or_else(|| StageError::Internal(format!("`{DXF_TAP}` did not write `{file}`")))?;
-        results.push((path.clone(), bytes));
+    if let Some(dxf) = &args.dxf {
+        let given = [("file", Some(dxf)), ("sewing", args.sewing.as_ref())];
+        let named: Vec<(&str, &PathBuf)> = given.iter().filter_map(|(key, path)| Some((*key, (*path)?))).collect();
+        let parts: Vec<String> = named.iter().map(|(key, _)| format!("{key} = \"{{out}}/{key}\"")).collect();
+        let params = format!("{{ {} }}", parts.join(", "));
+        run_stage(registry, DXF_TAP, &params, garment, stop, report, &mut files)?;
+        for (key, path) in named {
+            let bytes = files.written.remove(Path::new(&format!("{{out}}/{key}")));
+            let bytes = bytes.ok_or_else(|| StageError::Internal(format!("`{DXF_TAP}` wrote no {key}")))?;
+            results.push((path.clone(), bytes));
+        }
     }
     Ok((summary, results))
 }
@@ -155,19 +152,16 @@ fn summary(garment: &Garment, flat: &Flat) -> String {
 fn run_stage(
     registry: &Registry,
     name: &str,
-    file: Option<&str>,
+    params: &str,
     garment: Garment,
     stop: &Arc<Stop>,
     report: &mut Report,
     files: &mut Memory,
 ) -> Result<Garment, StageError> {
     let stage = registry.get(name).ok_or_else(|| StageError::Unsupported(format!("there is no stage `{name}`")))?;
-    let mut table = DeTable::new();
-    if let Some(file) = file {
-        table.insert(Spanned::new(0..0, "file".into()), Spanned::new(0..0, DeValue::String(file.into())));
-    }
-    let params = ValueDeserializer::from(Spanned::new(0..0, DeValue::Table(table)));
-    let ready = stage.configure(params).map_err(|e| StageError::Internal(e.message().to_owned()))?;
+    let wrong = |message: &str| StageError::parameter(Diagnostic::error(UNKNOWN_KEY, message.to_owned()));
+    let params = ValueDeserializer::parse(params).map_err(|e| wrong(e.message()))?;
+    let ready = stage.configure(params).map_err(|e| wrong(e.message()))?;
     if let Some(need) = ready.info().needs.iter().find(|n| !garment.has(**n)) {
         let message = format!("the garment holds no {}, which `{name}` needs", crate::pipeline::word(*need));
         return Err(StageError::input(Diagnostic::error(NEEDS_NOT_GIVEN, message)));

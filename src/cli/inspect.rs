@@ -14,8 +14,6 @@ use serde_json::Value;
 use std::path::Path;
 use toile_garment::Diagnostic;
 
-pub(super) use meshes::refused as refused_glb;
-
 /// The contents that were found in a file.
 pub(super) struct Inspected {
     /// For programs.

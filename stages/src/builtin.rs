@@ -9,6 +9,7 @@ pub fn builtin() -> Registry {
     crate::experiment::begin_from_environment();
     Registry::default()
         .with(crate::import_dxf::ImportDxf)
+        .with(crate::import_garment::ImportGarment)
         .with(crate::import_garmentcode::ImportGarmentcode)
         .with(crate::import_mesh::ImportMesh)
         .with(crate::triangulate::Triangulate)

@@ -54,6 +54,7 @@ pub const CODES: &[&[Code]] = &[
     crate::fabric_test::codes::CODES,
     crate::flatten::codes::CODES,
     crate::import_dxf::CODES,
+    crate::import_garment::CODES,
     crate::import_mesh::codes::CODES,
     crate::sewing::codes::CODES,
     crate::solve::codes::CODES,

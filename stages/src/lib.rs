@@ -28,6 +28,7 @@ pub mod fabric_test;
 pub mod fit;
 pub mod flatten;
 pub mod import_dxf;
+pub mod import_garment;
 pub mod import_garmentcode;
 pub mod import_mesh;
 pub mod joined;

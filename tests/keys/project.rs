@@ -59,6 +59,22 @@ use = "export-dxf"
 with.source = "pattern"
 "#;
 
+/// A garment in 3D, laid flat.
+const GARMENT: &str = r#"
+[[stage]]
+use = "import-garment"
+with.file = "garment.json"
+[[stage]]
+use = "flatten"
+"#;
+
+/// A triangle of cloth that was draped flat.
+const TRIANGLE: &str = r#"{"kind":"toile-garment","version":1,"garment":{"pieces":[{"id":0,"name":"front","block":"FRONT",
+"outline":{"closed":true,"points":[{"at":[0.0,0.0],"kind":"turn"},{"at":[0.1,0.0],"kind":"turn"},{"at":[0.0,0.1],"kind":"turn"}]},
+"mesh":{"rest":[[0.0,0.0],[0.1,0.0],[0.0,0.1]],"triangles":[[0,1,2]],"outline_vertex":[0,1,2],
+"chains":[{"kind":"outline","index":0,"vertices":[0,1,2],"closed":true}]}}],
+"drape":{"positions":[[[0.0,0.0,0.0],[0.1,0.0,0.0],[0.0,0.1,0.0]]],"sewn":true,"welded":true}}}"#;
+
 /// A sheet that hangs by two edges, and moves.
 const SHEET: &str = r#"
 [[stage]]
@@ -199,6 +215,7 @@ pub fn write(bench: &Bench, name: &str) {
     let put = |file: &str, text: &[u8]| std::fs::write(folder.join(file), text).expect("file");
     let stages = match name {
         "specification" => SPECIFICATION,
+        "garment" => GARMENT,
         "sheet" => SHEET,
         _ => PATTERN,
     };
@@ -225,6 +242,7 @@ pub fn write(bench: &Bench, name: &str) {
             .as_bytes(),
     );
     put("tube.json", include_bytes!("../golden/garmentcode/tube.json"));
+    put("garment.json", TRIANGLE.as_bytes());
     put("tube-sewing.toml", b"leave_out = [\"back\"]\n");
     for (file, radius) in [("body.obj", 0.06), ("wide.obj", 0.061)] {
         put(file, cylinder(radius).as_bytes());

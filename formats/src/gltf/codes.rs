@@ -9,6 +9,9 @@ codes! {
     /// garment.
     ANIMATION_LEFT_OUT = "animation-left-out";
 
+    /// The file is no sound GLB: its header, lengths or JSON break the format. Export it again. Exit code 3.
+    GLB_DAMAGED = "glb-damaged";
+
     /// Vertices of the GLB were moved since the export. The flattening carries the edit into the pieces.
     SHAPE_EDITED = "shape-edited";
 }

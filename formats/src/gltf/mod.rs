@@ -24,6 +24,7 @@ mod view;
 mod wishes;
 mod write;
 
+use crate::codes::GARMENT_FILE;
 pub use inspect::inspect;
 pub use moving::{Moving, read_moving};
 pub use normals::smooth as smooth_normals;
@@ -31,6 +32,18 @@ pub use read::{ReadGarment, read_garment, read_garment_with_findings};
 pub use view::{ViewPiece, write_view};
 pub use wishes::{Carried, Wishes};
 pub use write::{WriteError, write_garment, write_garment_with};
+
+use toile_garment::{Diagnostic, SourceRef};
+
+/// A refused GLB as a finding; `file` is its name.
+#[must_use]
+pub fn refused(error: &ReadError, file: &str) -> Diagnostic {
+    let code = match error {
+        ReadError::Container(_) | ReadError::Damaged(_) => codes::GLB_DAMAGED,
+        _ => GARMENT_FILE,
+    };
+    Diagnostic::error(code, error.to_string()).at(SourceRef::file(file))
+}
 
 /// Largest GLB that is read, bytes.
 pub const MAX_BYTES: usize = 512 << 20;

@@ -176,7 +176,11 @@ fn vertices_of(garment: &Garment, i: usize, piece: &Piece, placed: &[Placed]) ->
     // An editor splits and sorts vertices; the cloth coordinates say which is which.
     let cloth = garment.textures.as_ref().and_then(|t| t.pieces.get(i)).map(|t| t.uv_cloth.as_slice());
     match (&found.uv, cloth) {
-        (Some(uv), Some(cloth)) => by_cloth(&found.positions, uv, cloth).map_err(fail),
+        (Some(uv), Some(cloth)) => {
+            let stored = garment.drape.as_ref().or(garment.stitched.as_ref()).and_then(|s| s.positions.get(i));
+            let stored = stored.map_or(&[][..], Vec::as_slice);
+            by_cloth(&found.positions, uv, cloth, stored).map_err(fail)
+        }
         _ => Err(fail(format!(
             "the file has {} vertices in another order, the document {}, and there are no texture coordinates to match \
              them by; move vertices only, and keep their number and order",
@@ -202,7 +206,10 @@ fn mesh_of<'p>(piece: &Piece, placed: &'p [Placed]) -> Result<&'p Placed, String
 }
 
 /// Vertices matched by where they lie on the cloth.
-fn by_cloth(positions: &[Vec3], uv: &[[f64; 2]], cloth: &[[f64; 2]]) -> Result<Vec<Vec3>, String> {
+///
+/// An editor that welds the legs of a dart keeps one cloth coordinate of two: the other vertex goes with the one that lay
+/// at its place in the `stored` shape.
+fn by_cloth(positions: &[Vec3], uv: &[[f64; 2]], cloth: &[[f64; 2]], stored: &[Vec3]) -> Result<Vec<Vec3>, String> {
     // A grid of cells somewhat larger than the tolerance: a match lies in the cell or beside it.
     const CELL: f64 = 4.0 * UV_ROUNDING;
     let cell = |[u, v]: [f64; 2]| ((u / CELL).floor() as i64, (v / CELL).floor() as i64);
@@ -235,6 +242,12 @@ fn by_cloth(positions: &[Vec3], uv: &[[f64; 2]], cloth: &[[f64; 2]]) -> Result<V
             _ => out[*i] = Some(*position),
         }
     }
+    let place = |p: &Vec3| [p.x.to_bits(), p.y.to_bits(), p.z.to_bits()];
+    let there: BTreeMap<[u64; 3], Vec3> =
+        stored.iter().zip(&out).filter_map(|(s, found)| Some((place(s), (*found)?))).collect();
+    for (found, s) in out.iter_mut().zip(stored) {
+        *found = found.or_else(|| there.get(&place(s)).copied());
+    }
     let lost = out.iter().filter(|p| p.is_none()).count();
     out.into_iter().collect::<Option<Vec<_>>>().ok_or_else(|| format!("{lost} vertices are gone; move vertices only"))
 }
@@ -266,5 +279,20 @@ fn close_seams(garment: &Garment, shape: &mut Shape) {
         if !changed {
             return;
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_welded_vertex_goes_with_the_one_that_lay_at_its_place() {
+        let (cloth, stored) = ([[0.0, 0.0], [0.1, 0.0], [0.2, 0.0]], [Vec3::zeros(), Vec3::zeros(), Vec3::x()]);
+        let moved = [Vec3::new(0.0, 0.0, 0.5), Vec3::new(1.0, 0.0, 0.5)];
+        let found = by_cloth(&moved, &[[0.0, 0.0], [0.2, 0.0]], &cloth, &stored).expect("matched");
+        assert_eq!(found, [moved[0], moved[0], moved[1]]);
+        // The third vertex lay alone, so nothing says where it went.
+        assert!(by_cloth(&moved[..1], &[[0.0, 0.0]], &cloth, &stored).is_err());
     }
 }

@@ -47,6 +47,7 @@ mod run;
 mod schema;
 mod seam;
 mod walk;
+pub mod write;
 
 use lines::Lines;
 pub use schema::schema;

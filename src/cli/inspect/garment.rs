@@ -1,11 +1,11 @@
 //! A garment document on disk.
 
 use super::{Inspected, Source};
-use crate::cli::codes;
 use crate::engine::{GarmentCounts, clean};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
-use toile_formats::svg;
+use toile_formats::codes::GARMENT_FILE;
+use toile_formats::{garment_file, svg};
 use toile_garment::{Diagnostic, Garment, SourceRef};
 
 pub(super) fn is_json(bytes: &[u8]) -> bool {
@@ -14,8 +14,8 @@ pub(super) fn is_json(bytes: &[u8]) -> bool {
 
 pub(super) fn document(source: &Source<'_>) -> Result<Inspected, Vec<Diagnostic>> {
     let place = SourceRef::file(clean(source.path));
-    let wrong = |message| vec![Diagnostic::error(codes::GARMENT_FILE, message).at(place)];
-    let garment = crate::cli::flatten::garment_from_bundle(source.bytes).map_err(wrong)?;
+    let wrong = |message| vec![Diagnostic::error(GARMENT_FILE, message).at(place)];
+    let garment = garment_file::document(source.bytes).map_err(wrong)?;
     let json = json!({
         "style": garment.style,
         "size": garment.size,

@@ -2,13 +2,12 @@
 
 use super::garment::table;
 use super::{Inspected, Source};
-use crate::cli::codes;
 use crate::engine::clean;
 use serde_json::Value;
 use std::fmt::Write as _;
 use toile_formats::gltf::ReadError;
 use toile_formats::{gltf, obj, svg};
-use toile_garment::{Diagnostic, SourceRef};
+use toile_garment::Diagnostic;
 
 pub(super) fn is_obj(bytes: &[u8]) -> bool {
     let mut lines = bytes.get(..bytes.len().min(4000)).unwrap_or_default().split(|b| *b == b'\n');
@@ -35,7 +34,7 @@ pub(super) fn obj(source: &Source<'_>) -> Result<Inspected, Vec<Diagnostic>> {
 }
 
 pub(super) fn glb(source: &Source<'_>) -> Result<Inspected, Vec<Diagnostic>> {
-    let json = gltf::inspect(source.bytes).map_err(|e| vec![refused(&e, &clean(source.path))])?;
+    let json = gltf::inspect(source.bytes).map_err(|e| vec![gltf::refused(&e, &clean(source.path))])?;
     let mut text =
         format!("GLB: {} nodes, {} vertices, {} triangles", json["nodes"], json["vertices"], json["triangles"]);
     text.push_str(&size_text(&json));
@@ -51,18 +50,9 @@ pub(super) fn glb(source: &Source<'_>) -> Result<Inspected, Vec<Diagnostic>> {
             (source.draw.then(|| svg::pattern(&read.garment.pieces, &read.garment.style)), read.findings)
         }
         Err(ReadError::NoDocument) => (None, Vec::new()),
-        Err(error) => (None, vec![refused(&error, source.name).softened()]),
+        Err(error) => (None, vec![gltf::refused(&error, source.name).softened()]),
     };
     Ok(Inspected { json, text, svg, findings, is_usable: true })
-}
-
-/// Why a GLB was refused, as a finding.
-pub(in crate::cli) fn refused(error: &ReadError, file: &str) -> Diagnostic {
-    let code = match error {
-        ReadError::Container(_) | ReadError::Damaged(_) => codes::GLB_DAMAGED,
-        _ => codes::GARMENT_FILE,
-    };
-    Diagnostic::error(code, error.to_string()).at(SourceRef::file(file))
 }
 
 fn size_text(json: &Value) -> String {

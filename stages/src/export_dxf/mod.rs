@@ -4,6 +4,7 @@ mod carry;
 pub(crate) mod codes;
 mod flat_piece;
 mod outline_map;
+mod sewing;
 #[cfg(test)]
 mod tests;
 
@@ -89,6 +90,11 @@ pub struct ExportDxfParams {
     /// Output file.
     #[schemars(extend("format" = "output-file"))]
     pub file: String,
+    /// Also a sewing file whose points lie on the outlines that are written. It says all that the garment's own
+    /// sewing file says; copies of pieces are pieces of their own.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("format" = "output-file"))]
+    pub sewing: Option<String>,
     /// Form of the standard.
     pub dialect: DxfDialect,
     /// The flattened pieces, or the pattern unchanged.
@@ -124,6 +130,7 @@ impl Default for ExportDxfParams {
     fn default() -> Self {
         Self {
             file: "{out}/pattern.dxf".to_owned(),
+            sewing: None,
             dialect: DxfDialect::default(),
             source: DxfSource::default(),
             units: DxfUnit::default(),
@@ -206,6 +213,10 @@ impl Stage for ExportDxf {
             cx.report.push(finding);
         }
         cx.files.write(Path::new(&params.file), &written.bytes)?;
+        if let Some(file) = &params.sewing {
+            let plan = sewing::plan(&garment, &pieces);
+            cx.files.write(Path::new(file), toile_formats::sewing::write::text(&plan, sewing::HEAD).as_bytes())?;
+        }
         Ok(garment)
     }
 }

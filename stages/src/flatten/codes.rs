@@ -5,12 +5,25 @@ use toile_garment::Code;
 codes! {
     pub(crate) list CODES;
 
+    /// Two sides of the garment were changed differently, so pieces that mirrored each other no longer do.
+    FLATTEN_ASYMMETRIC = "flatten-asymmetric";
+
     /// A triangle has no area in 3D or in the stored piece, so it cannot be flattened. The message names the place.
     /// Exit code 3.
     FLATTEN_BAD_TRIANGLE = "flatten-bad-triangle";
 
     /// The 3D shape was edited: the edit is carried into the pieces, and the strain of the drape stays in the cloth.
     FLATTEN_CARRIED = "flatten-carried";
+
+    /// A dart keeps the intake that the shape asks for. The message has the intake that the strain of the worn cloth
+    /// would leave, too.
+    FLATTEN_DART_KEPT = "flatten-dart-kept";
+
+    /// Straight edges or right angles were held, which the flattening would have changed. The message says by how much.
+    FLATTEN_HELD = "flatten-held";
+
+    /// Straight edges or right angles changed too much to be held: the shape asks for it.
+    FLATTEN_LET_GO = "flatten-let-go";
 
     /// The garment has no drape or no meshes, so there is nothing to flatten. Exit code 3.
     FLATTEN_NOTHING = "flatten-nothing";
@@ -22,11 +35,17 @@ codes! {
     /// Seams of the drape are open, so what is flattened is not the sewn garment.
     FLATTEN_OPEN_SEAMS = "flatten-open-seams";
 
+    /// A piece changed by more than the tolerance that was given.
+    FLATTEN_OUT_OF_TOLERANCE = "flatten-out-of-tolerance";
+
     /// A parameter of `flatten` is outside its range. Exit code 2.
     FLATTEN_PARAMETER = "flatten-parameter";
 
     /// The strain of the cloth is not known, so the pieces get the lengths of the 3D surface as it is.
     FLATTEN_SURFACE = "flatten-surface";
+
+    /// Pieces that mirror each other, or a piece on the middle, differed by little and were made one.
+    FLATTEN_SYMMETRIC = "flatten-symmetric";
 
     /// The 3D shape was not edited since the drape, so the pieces come back as they were; the strain of the drape stays
     /// in the cloth.

@@ -1,35 +1,22 @@
 //! From the garment to the sheet and back.
 
 use super::align::Rigid;
-use super::codes;
 use super::energy::{EdgePair, Triangle};
 use super::features::{self, Features};
-use super::metric::{carried, cauchy_green, edges2, edges3, noise_bias, noise_variance, smoothed, sqrt_spd};
-use super::params::{FlattenParams, MetricChoice};
+use super::lock::Lock;
+use super::params::{FlattenParams, LockKind, MetricChoice};
 use super::sewn::{self, MeshEdges, Station};
 use super::solve::{Flattened, Sheet, SolveError, Stop, solve};
-use super::{figures, findings};
+use super::source::{Source, bad_triangle, sources};
+use super::wanted::{REFINEMENTS, Wanted};
+use super::{dart_strain, figures, findings, held_lines, symmetry};
 use nalgebra::Matrix2;
 use toile_garment::flat::{Flat, FlatMetric, FlatPiece};
-use toile_garment::mesh::PieceMesh;
-use toile_garment::{Diagnostic, Garment, MeshVertex, Piece, Report, Vec2, Vec3};
+use toile_garment::{Garment, MeshVertex, Report, Vec2};
 use toile_stage_api::StageError;
 
-/// Repeats of the solve that give back what the smoothing of a noisy surface took from a real edit.
-const REFINEMENTS: u32 = 4;
-
-/// Mean strain above which a second, weighed solve is worth its time.
-const WORTH_RELIEVING: f64 = 1e-4;
-
-/// A piece with all that the flattening needs of it.
-struct Source<'a> {
-    piece: &'a Piece,
-    mesh: &'a PieceMesh,
-    surface: &'a [Vec3],
-    before: &'a [Vec3],
-    /// First vertex of the piece in the sheet.
-    offset: u32,
-}
+/// How the solve tells its caller of round and motion (metres); `false` stops it.
+pub type Watch<'w> = dyn FnMut(u32, f64) -> bool + 'w;
 
 /// Flattens all pieces of a draped garment. `watch` is told round and motion (metres) and says whether to go on.
 ///
@@ -39,12 +26,11 @@ pub fn flatten_garment(
     garment: &Garment,
     params: &FlattenParams,
     report: &mut Report,
-    watch: &mut dyn FnMut(u32, f64) -> bool,
+    watch: &mut Watch<'_>,
 ) -> Result<Flat, StageError> {
     let metric = metric_of(garment, params.metric);
     let sources = sources(garment)?;
     findings::metric(garment, metric, report);
-    let wanted = sources.iter().map(|s| wanted(s, metric)).collect::<Result<Vec<_>, _>>()?;
     let edges = MeshEdges::of(garment);
     let (before, now): (Vec<_>, Vec<_>) = sources.iter().map(|s| (s.before, s.surface)).unzip();
     let alike = |s: &Station| sewn::alike(s, &before, &now);
@@ -52,13 +38,26 @@ pub fn flatten_garment(
     for seam in garment.seams.iter().filter(|s| !sewn::stations(s, &edges).iter().all(alike)) {
         report.push(findings::one_sided(seam));
     }
-    let pairs = pairs(&sources, &stations, params.pair_stiffness);
-    let (mut sheet, mut solved, targets) = fitted(&sources, &wanted, pairs, params, watch)?;
-    relieved(&mut sheet, &mut solved, params, watch)?;
-    let pieces: Vec<FlatPiece> =
-        sources.iter().zip(&targets).map(|(s, t)| measured(garment, s, t, &sheet, &solved)).collect();
+    let stiffness = if params.locks(LockKind::Seams) { params.pair_stiffness } else { 0.0 };
+    let pairs = pairs(&sources, &stations, stiffness);
+    let start = sources.iter().flat_map(|s| s.mesh.rest.iter().copied()).collect();
+    let mut fit = fitted(&sources, metric, Sheet { start, pairs, ..Sheet::default() }, params, watch)?;
+    let features: Vec<Features> = sources.iter().map(|s| features::of(garment, s.piece, s.mesh)).collect();
+    hold(garment, &sources, &features, metric, &mut fit, params, report, watch)?;
+    let mut flats: Vec<Vec<Vec2>> =
+        sources.iter().zip(&features).map(|(s, f)| laid(s, f, s.part(&fit.solved.positions), params)).collect();
+    if metric != FlatMetric::Unedited {
+        symmetry::make(&sources, &features, params, &mut flats, report);
+    }
+    let pieces: Vec<FlatPiece> = sources
+        .iter()
+        .zip(&features)
+        .zip(flats)
+        .enumerate()
+        .map(|(k, ((s, f), flat))| measured(s, f, &fit, k, flat))
+        .collect();
     for (source, flat) in sources.iter().zip(&pieces) {
-        findings::developable(source.piece, flat, params.strain_limit.0, report);
+        findings::developable(source.piece, source.mesh, flat, params.strain_limit.0, report);
     }
     let rest: Vec<&[Vec2]> = sources.iter().map(|s| s.mesh.rest.as_slice()).collect();
     let flat: Vec<&[Vec2]> = pieces.iter().map(|p| p.positions.as_slice()).collect();
@@ -78,204 +77,67 @@ fn metric_of(garment: &Garment, choice: MetricChoice) -> FlatMetric {
     }
 }
 
-fn sources(garment: &Garment) -> Result<Vec<Source<'_>>, StageError> {
-    let missing = |what: &str| {
-        StageError::input(
-            Diagnostic::error(
-                codes::FLATTEN_NOTHING,
-                format!("the garment has no {what}; there is nothing to flatten"),
-            )
-            .hint("run `triangulate` and `drape` first, or give a GLB that toile wrote"),
-        )
-    };
-    let drape = garment.drape.as_ref().ok_or_else(|| missing("drape"))?;
-    let before = garment.drape_before_edit.as_ref().unwrap_or(drape);
-    let mut out = Vec::new();
-    let mut offset = 0u32;
-    for (i, piece) in garment.pieces.iter().enumerate() {
-        let mesh = piece.mesh.as_ref().ok_or_else(|| missing("mesh"))?;
-        let n = mesh.rest.len();
-        let shape = |s: &'_ toile_garment::garment::Shape| s.positions.get(i).is_some_and(|p| p.len() == n);
-        let inside = mesh.triangles.iter().flatten().all(|v| (*v as usize) < n);
-        if !shape(drape) || !shape(before) || !inside {
-            return Err(StageError::input(Diagnostic::error(
-                codes::FLATTEN_VERTICES_DIFFER,
-                format!("piece `{}`: mesh, drape and the shape before the edit differ in their vertices", piece.name),
-            )));
+/// The sheet, its answer and the target edges of every triangle, per piece.
+pub struct Fit {
+    sheet: Sheet,
+    /// The answer.
+    pub solved: Flattened,
+    targets: Vec<Vec<Matrix2<f64>>>,
+}
+
+/// Solves for the wanted metric of every piece.
+///
+/// Smoothing alone would blur a real edit. So the answer is refined: what the smoothing took from the answer's own
+/// metric is given back, and the solve repeated. A metric that can be flat is a fixed point, noise is not.
+pub fn fitted(
+    sources: &[Source<'_>],
+    metric: FlatMetric,
+    mut sheet: Sheet,
+    params: &FlattenParams,
+    watch: &mut Watch<'_>,
+) -> Result<Fit, StageError> {
+    let mut wanted = sources.iter().map(|s| Wanted::of(s, metric, params.smooth.0)).collect::<Result<Vec<_>, _>>()?;
+    let repeats = if wanted.iter().any(Wanted::is_smooth) { REFINEMENTS } else { 0 };
+    let mut answer: Option<(Flattened, Vec<Vec<Matrix2<f64>>>)> = None;
+    for _ in 0..=repeats {
+        let x = answer.as_ref().map(|(a, _)| a.positions.as_slice());
+        let targets = sources
+            .iter()
+            .zip(&mut wanted)
+            .map(|(s, w)| w.targets(s, x.map(|x| s.part(x))))
+            .collect::<Result<Vec<_>, _>>()
+            .map_err(|e| failure(e.into()))?;
+        sheet.triangles = triangles(sources, &targets)?;
+        let earlier = answer.as_ref().map_or(0, |(a, _)| a.rounds);
+        if let Some((a, _)) = answer.take() {
+            sheet.start = a.positions;
         }
-        out.push(Source { piece, mesh, surface: &drape.positions[i], before: &before.positions[i], offset });
-        let count = u32::try_from(n).ok().and_then(|n| offset.checked_add(n));
-        offset = count.ok_or_else(|| StageError::Limit("more than 4,294,967,295 vertices".into()))?;
+        let mut solved = run(&sheet, params, watch)?;
+        solved.rounds = solved.rounds.saturating_add(earlier);
+        answer = Some((solved, targets));
+    }
+    match answer {
+        Some((solved, targets)) => Ok(Fit { sheet, solved, targets }),
+        None => Err(StageError::Internal("flattening without a solve".to_owned())),
+    }
+}
+
+fn triangles(sources: &[Source<'_>], targets: &[Vec<Matrix2<f64>>]) -> Result<Vec<Triangle>, StageError> {
+    let mut out = Vec::new();
+    for (source, targets) in sources.iter().zip(targets) {
+        for (k, (t, target)) in source.mesh.triangles.iter().zip(targets).enumerate() {
+            let triangle = Triangle::new(t.map(|v| v + source.offset), target);
+            out.push(triangle.ok_or_else(|| bad_triangle(source, k, "has no area"))?);
+        }
     }
     Ok(out)
 }
 
-/// Stretch that every triangle of the stored piece should get; `None` where the stored piece itself is asked for.
-fn wanted(source: &Source<'_>, metric: FlatMetric) -> Result<Option<Vec<Matrix2<f64>>>, StageError> {
-    let stored = source.stored();
-    if let Some(k) = stored.iter().map(Matrix2::determinant).position(|d| d.is_nan() || d <= 0.0) {
-        return Err(bad_triangle(source, k, "has no area, or lies on its wrong side, in the stored piece"));
-    }
-    if metric == FlatMetric::Unedited {
-        return Ok(None);
-    }
-    let mut stretch = Vec::with_capacity(stored.len());
-    for (k, (t, e)) in source.mesh.triangles.iter().zip(&stored).enumerate() {
-        let now = cauchy_green(e, &edges3(source.surface, *t));
-        let h = match metric {
-            FlatMetric::Carried => {
-                cauchy_green(e, &edges3(source.before, *t)).zip(now).and_then(|(b, n)| carried(&b, &n))
-            }
-            _ => now.as_ref().map(sqrt_spd),
-        };
-        let good = h.filter(|h| h.iter().all(|x| x.is_finite()) && h.determinant() > 1e-6);
-        stretch.push(good.ok_or_else(|| bad_triangle(source, k, "has no area in 3D, or is not finite"))?);
-    }
-    Ok(Some(stretch))
-}
-
-fn bad_triangle(source: &Source<'_>, k: usize, what: &str) -> StageError {
-    let at =
-        source.mesh.triangles.get(k).and_then(|t| source.mesh.rest.get(t[0] as usize)).copied().unwrap_or_default();
-    let place = format!("{:.2}, {:.2} mm", 1e3 * at.x, 1e3 * at.y);
-    StageError::input(
-        Diagnostic::error(
-            codes::FLATTEN_BAD_TRIANGLE,
-            format!("piece `{}`: triangle {k} at ({place}) {what}", source.piece.name),
-        )
-        .at(source.piece.source.clone())
-        .hint("mesh the piece afresh, or take the edit back at this place"),
-    )
-}
-
-/// Target edges of every triangle, per piece.
-type Targets = Vec<Vec<Matrix2<f64>>>;
-
-/// Solves for the wanted stretches, smoothed first where that is asked for.
-///
-/// Smoothing alone would blur a real edit. So the answer is refined: what the smoothing took from the answer's own
-/// metric is given back, and the solve repeated. A metric that can be flat is a fixed point, noise is not.
-fn fitted(
-    sources: &[Source<'_>],
-    wanted: &[Option<Vec<Matrix2<f64>>>],
-    pairs: Vec<EdgePair>,
-    params: &FlattenParams,
-    watch: &mut dyn FnMut(u32, f64) -> bool,
-) -> Result<(Sheet, Flattened, Targets), StageError> {
-    let blurred: Vec<Option<Vec<Matrix2<f64>>>> =
-        sources.iter().zip(wanted).map(|(s, w)| w.as_ref().map(|h| s.blurred(h, params.smoothing))).collect();
-    let targets: Targets = sources.iter().zip(&blurred).map(|(s, b)| s.targets(b.as_deref())).collect();
-    let start: Vec<Vec2> = sources.iter().flat_map(|s| s.mesh.rest.iter().copied()).collect();
-    let mut best = solved(sources, targets, start, pairs, params, watch)?;
-    if params.smoothing == 0 || blurred.iter().all(Option::is_none) {
-        return Ok(best);
-    }
-    for _ in 0..REFINEMENTS {
-        let x = best.1.positions.clone();
-        let refined =
-            sources.iter().zip(&blurred).map(|(s, b)| s.refined(b.as_deref(), &x, params.smoothing)).collect();
-        let rounds = best.1.rounds;
-        best = solved(sources, refined, x, std::mem::take(&mut best.0.pairs), params, watch)?;
-        best.1.rounds = best.1.rounds.saturating_add(rounds);
-    }
-    Ok(best)
-}
-
-impl Source<'_> {
-    fn stored(&self) -> Vec<Matrix2<f64>> {
-        self.mesh.triangles.iter().map(|t| edges2(&self.mesh.rest, *t)).collect()
-    }
-
-    fn targets(&self, metric: Option<&[Matrix2<f64>]>) -> Vec<Matrix2<f64>> {
-        let stored = self.stored();
-        match metric {
-            Some(metric) => metric.iter().zip(&stored).map(|(c, e)| sqrt_spd(c) * e).collect(),
-            None => stored,
-        }
-    }
-
-    /// The metric of a field of stretches, smoothed, less what noise adds to it on average.
-    fn blurred(&self, stretch: &[Matrix2<f64>], passes: u32) -> Vec<Matrix2<f64>> {
-        let metric: Vec<Matrix2<f64>> = stretch.iter().map(|h| h.transpose() * h).collect();
-        if passes == 0 {
-            return metric;
-        }
-        let (stored, soft) = (self.stored(), self.smooth(&metric, passes));
-        let taken: Vec<Matrix2<f64>> = metric.iter().zip(&soft).map(|(c, s)| c - s).collect();
-        let variance = noise_variance(&taken, &stored);
-        let bias: Vec<Matrix2<f64>> = stored.iter().map(|e| noise_bias(e, variance)).collect();
-        let bias = self.smooth(&bias, passes);
-        soft.iter()
-            .zip(&bias)
-            .map(|(c, b)| if (c - b).determinant() > 1e-3 && (c - b).trace() > 0.0 { c - b } else { *c })
-            .collect()
-    }
-
-    fn smooth(&self, metric: &[Matrix2<f64>], passes: u32) -> Vec<Matrix2<f64>> {
-        let area: Vec<f64> = self.stored().iter().map(|e| 0.5 * e.determinant()).collect();
-        smoothed(metric, &self.mesh.triangles, &area, passes)
-    }
-
-    /// Targets with the metric `C(x) + blurred(wanted) − blurred(C(x))` of the answer `x` so far.
-    fn refined(&self, blurred: Option<&[Matrix2<f64>]>, x: &[Vec2], passes: u32) -> Vec<Matrix2<f64>> {
-        let Some(blurred) = blurred else { return self.stored() };
-        let moved = self.mesh.triangles.iter().map(|t| edges2(x, t.map(|v| v + self.offset)));
-        let stretch: Vec<_> = moved.zip(self.stored()).map(|(f, e)| f * e.try_inverse().unwrap_or_default()).collect();
-        let sharp: Vec<Matrix2<f64>> = stretch.iter().map(|h| h.transpose() * h).collect();
-        let soft = self.smooth(&sharp, passes);
-        let metric: Vec<Matrix2<f64>> = (0..sharp.len())
-            .map(|k| {
-                let c = sharp[k] + blurred[k] - soft[k];
-                if c.trace() > 0.0 && c.determinant() > 1e-3 { c } else { blurred[k] }
-            })
-            .collect();
-        self.targets(Some(&metric))
-    }
-}
-
-fn solved(
-    sources: &[Source<'_>],
-    targets: Targets,
-    start: Vec<Vec2>,
-    pairs: Vec<EdgePair>,
-    params: &FlattenParams,
-    watch: &mut dyn FnMut(u32, f64) -> bool,
-) -> Result<(Sheet, Flattened, Targets), StageError> {
-    let mut sheet = Sheet { start, pairs, ..Sheet::default() };
-    for (source, targets) in sources.iter().zip(&targets) {
-        for (k, (t, target)) in source.mesh.triangles.iter().zip(targets).enumerate() {
-            let triangle = Triangle::new(t.map(|v| v + source.offset), target);
-            sheet.triangles.push(triangle.ok_or_else(|| bad_triangle(source, k, "has no area"))?);
-        }
-    }
+fn run(sheet: &Sheet, params: &FlattenParams, watch: &mut Watch<'_>) -> Result<Flattened, StageError> {
     let stop = Stop { motion: params.stop_motion.0, rounds: params.max_rounds };
-    let solved = solve(&sheet, stop, watch).map_err(failure)?;
-    settled(&solved, stop)?;
-    Ok((sheet, solved, targets))
-}
-
-/// Solves once more with every triangle weighed by what its cloth suffers, where strain cannot be avoided.
-fn relieved(
-    sheet: &mut Sheet,
-    solved: &mut Flattened,
-    params: &FlattenParams,
-    watch: &mut dyn FnMut(u32, f64) -> bool,
-) -> Result<(), StageError> {
-    if forced_strain(sheet, &solved.positions, 0, solved.positions.len())[0] < WORTH_RELIEVING {
-        return Ok(());
-    }
-    sheet.start.clone_from(&solved.positions);
-    sheet.triangles.iter_mut().for_each(|t| t.weigh(&solved.positions));
-    let stop = Stop { motion: params.stop_motion.0, rounds: params.max_rounds };
-    let again = solve(sheet, stop, watch).map_err(failure)?;
-    settled(&again, stop)?;
-    *solved = Flattened { rounds: again.rounds.saturating_add(solved.rounds), ..again };
-    Ok(())
-}
-
-fn settled(solved: &Flattened, stop: Stop) -> Result<(), StageError> {
+    let solved = solve(sheet, stop, watch).map_err(failure)?;
     if solved.converged {
-        return Ok(());
+        return Ok(solved);
     }
     Err(StageError::Unstable(format!(
         "flattening did not come to rest: after {} rounds a vertex still moves {:.3e} mm a round (goal {:.1e} mm)",
@@ -283,6 +145,39 @@ fn settled(solved: &Flattened, stop: Stop) -> Result<(), StageError> {
         1e3 * solved.last_motion,
         1e3 * stop.motion
     )))
+}
+
+/// Solves once more with what is locked, where the free answer would change it.
+#[allow(clippy::too_many_arguments, reason = "all of it is the state of one flattening")]
+fn hold(
+    garment: &Garment,
+    sources: &[Source<'_>],
+    features: &[Features],
+    metric: FlatMetric,
+    fit: &mut Fit,
+    params: &FlattenParams,
+    report: &mut Report,
+    watch: &mut Watch<'_>,
+) -> Result<(), StageError> {
+    if metric == FlatMetric::Unedited {
+        return Ok(());
+    }
+    let free = fit.solved.positions.clone();
+    let mut locks: Vec<Lock> = Vec::new();
+    for (source, features) in sources.iter().zip(features) {
+        locks.extend(held_lines::find(source, features, source.part(&free), params, report));
+    }
+    let darts = dart_strain::find(garment, sources, features, metric, &fit.sheet, &free, params, watch)?;
+    locks.extend(darts.iter().flat_map(|d| d.locks.iter().cloned()));
+    if locks.is_empty() {
+        return Ok(());
+    }
+    fit.sheet.start = free;
+    fit.sheet.locks = locks;
+    let again = run(&fit.sheet, params, watch)?;
+    fit.solved = Flattened { rounds: again.rounds.saturating_add(fit.solved.rounds), ..again };
+    darts.iter().for_each(|d| d.tell(&fit.solved.positions, report));
+    Ok(())
 }
 
 /// Sewn edges as pairs of the sheet, with the shares of their stored lengths.
@@ -309,22 +204,22 @@ fn failure(error: SolveError) -> StageError {
     }
 }
 
-/// Lays a piece on its grain and measures it.
-fn measured(
-    garment: &Garment,
-    source: &Source<'_>,
-    targets: &[Matrix2<f64>],
-    sheet: &Sheet,
-    solved: &Flattened,
-) -> FlatPiece {
-    let (mesh, n) = (source.mesh, source.mesh.rest.len());
-    let rest = &mesh.rest;
-    let from = source.offset as usize;
-    let raw = &solved.positions[from..from + n];
+/// A flattened piece laid where the stored one lies.
+fn laid(source: &Source<'_>, features: &Features, raw: &[Vec2], params: &FlattenParams) -> Vec<Vec2> {
+    let rest = &source.mesh.rest;
+    let weight = figures::vertex_areas(rest, &source.mesh.triangles);
+    let motion = if params.locks(LockKind::Grain) {
+        on_grain(features, rest, raw, &weight)
+    } else {
+        Rigid::best(raw, rest, &weight)
+    };
+    raw.iter().map(|p| motion.apply(*p)).collect()
+}
+
+/// The figures of a piece.
+fn measured(source: &Source<'_>, features: &Features, fit: &Fit, k: usize, flat: Vec<Vec2>) -> FlatPiece {
+    let (mesh, rest) = (source.mesh, &source.mesh.rest);
     let weight = figures::vertex_areas(rest, &mesh.triangles);
-    let features = features::of(garment, source.piece, mesh);
-    let motion = on_grain(&features, rest, raw, &weight);
-    let flat: Vec<Vec2> = raw.iter().map(|p| motion.apply(*p)).collect();
     let warp = source.piece.warp();
     FlatPiece {
         piece: source.piece.id,
@@ -333,15 +228,15 @@ fn measured(
             figures::area2(&flat, &mesh.triangles),
             figures::area3(source.surface, &mesh.triangles),
         ],
-        edges: figures::lengths(&features, rest, &flat, source.surface),
+        edges: figures::lengths(features, rest, &flat, source.surface),
         darts: features.darts.iter().map(|d| figures::dart(d, rest, &flat)).collect(),
-        grain_shift: figures::grain_shift(&features, rest, &flat, &weight),
+        grain_shift: figures::grain_shift(features, rest, &flat, &weight),
         drape_strain: figures::strain(rest, source.surface, &mesh.triangles, warp),
         flat_strain: figures::strain(&flat, source.surface, &mesh.triangles, warp),
-        rounds: solved.rounds,
-        last_motion: solved.last_motion,
-        curvature: figures::enclosed_defect(n, &mesh.triangles, targets),
-        forced_strain: forced_strain(sheet, &solved.positions, from, n),
+        rounds: fit.solved.rounds,
+        last_motion: fit.solved.last_motion,
+        curvature: figures::enclosed_defect(rest.len(), &mesh.triangles, &fit.targets[k]),
+        forced_strain: forced_strain(fit, source),
         positions: flat,
     }
 }
@@ -355,11 +250,12 @@ fn on_grain(features: &Features, rest: &[Vec2], flat: &[Vec2], weight: &[f64]) -
 }
 
 /// Mean and largest |stretch − 1| between the lengths asked for and the flat ones.
-fn forced_strain(sheet: &Sheet, x: &[Vec2], from: usize, count: usize) -> [f64; 2] {
-    let inside = |v: u32| (from..from + count).contains(&(v as usize));
+fn forced_strain(fit: &Fit, source: &Source<'_>) -> [f64; 2] {
+    let from = source.offset as usize;
+    let inside = |v: u32| (from..from + source.mesh.rest.len()).contains(&(v as usize));
     let (mut sum, mut area, mut largest) = (0.0, 0.0, 0.0f64);
-    for t in sheet.triangles.iter().filter(|t| inside(t.v[0])) {
-        let [s1, s2] = t.stretches(x).map(|s| (s - 1.0).abs());
+    for t in fit.sheet.triangles.iter().filter(|t| inside(t.v[0])) {
+        let [s1, s2] = t.stretches(&fit.solved.positions).map(|s| (s - 1.0).abs());
         sum += t.area * 0.5 * (s1 + s2);
         area += t.area;
         largest = largest.max(s1).max(s2);

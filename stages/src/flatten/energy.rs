@@ -1,15 +1,24 @@
-//! The two energies of the flattening: as-rigid-as-possible triangles, and equal-length pairs.
+//! The energies of the flattening: triangles that resist stretch, and equal lengths of sewn edges.
 //!
-//! Triangles: `ψ = A ‖F − R‖²` with `F` from the target triangle to the flat one and `R` its nearest rotation. In the
-//! plane `ψ = A (‖F‖² − 2w + 2)` with `w = |(F₁₁ + F₂₂, F₂₁ − F₁₂)|`. The Hessian is `A (2I − 2κ q qᵀ)`, with `κ = 1/w`
-//! and `q` the turn of `F`. Clamping `κ ≤ ½` makes it positive and is exact for `w ≥ 2`. (Liu et al. 2008 for the
-//! energy; the closed form is the plane case of the known twist eigen-analysis.)
+//! Triangles: the symmetric Dirichlet energy `ψ = A/4 (‖F‖² + ‖F⁻¹‖² − 4) = A/4 Σ (s − 1/s)²`, with `F` from the target
+//! triangle to the flat one and `s` its singular values. It counts the way of the cloth in both directions and grows
+//! without bound towards a flipped triangle. For small strains `ε` it is `A Σ ε²`. (Smith and Schaefer 2015 for the
+//! energy; Smith, de Goes and Kim 2019 for the eigenvalues of its Hessian.)
 //!
 //! Pairs: `ψ = k (lₐ/ρₐ − l_b/ρ_b)²`: two sewn edges keep the ratio of their stored lengths and choose their common
 //! stretch themselves.
 
 use nalgebra::Matrix2;
 use toile_garment::Vec2;
+
+/// Which Hessian of a term is asked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Curvature {
+    /// The second derivative as it is. Newton converges quadratically with it where it is positive.
+    Exact,
+    /// Its negative eigenvalues are left out, so that every direction leads downhill.
+    Projected,
+}
 
 /// A triangle with its target shape.
 #[derive(Clone, Debug)]
@@ -20,8 +29,6 @@ pub struct Triangle {
     b: [Vec2; 3],
     /// Area of the target.
     pub area: f64,
-    /// Weight of the energy; the area unless [`Self::weigh`] has changed it.
-    weight: f64,
 }
 
 /// Gradient and Hessian blocks of one term; blocks are indexed by local corner.
@@ -30,6 +37,38 @@ pub struct Local<const N: usize> {
     pub gradient: [Vec2; N],
     /// `hessian[i][j]` couples corner i to corner j.
     pub hessian: [[Matrix2<f64>; N]; N],
+}
+
+/// A map of the plane as a turn and a mirrored turn: `F = ½(s₁+s₂) R + ½(s₁−s₂) M`.
+struct Parts {
+    /// Singular values, the larger first; the second is negative where the map flips.
+    s: [f64; 2],
+    /// The nearest rotation `R`.
+    turn: Matrix2<f64>,
+    /// The mirrored turn `M`.
+    mirror: Matrix2<f64>,
+}
+
+impl Parts {
+    fn of(f: &Matrix2<f64>) -> Self {
+        let u = Vec2::new(f.m11 + f.m22, f.m21 - f.m12);
+        let d = Vec2::new(f.m11 - f.m22, f.m21 + f.m12);
+        let (nu, nd) = (u.norm(), d.norm());
+        let unit = |v: Vec2, n: f64| if n > 1e-300 { v / n } else { Vec2::new(1.0, 0.0) };
+        let (u, d) = (unit(u, nu), unit(d, nd));
+        Self {
+            s: [0.5 * (nu + nd), 0.5 * (nu - nd)],
+            turn: Matrix2::new(u.x, -u.y, u.y, u.x),
+            mirror: Matrix2::new(d.x, d.y, d.y, -d.x),
+        }
+    }
+}
+
+/// First and second derivative of `¼ (s − 1/s)²`.
+fn slopes(s: f64) -> (f64, f64) {
+    let inverse = 1.0 / s;
+    let square = inverse * inverse;
+    (0.5 * (s - inverse) * (1.0 + square), 0.5 + 1.5 * square * square)
 }
 
 impl Triangle {
@@ -42,74 +81,63 @@ impl Triangle {
         }
         let inverse = target.try_inverse()?;
         let (b1, b2) = (inverse.row(0).transpose(), inverse.row(1).transpose());
-        Some(Self { v, b: [-(b1 + b2), b1, b2], area, weight: area })
+        Some(Self { v, b: [-(b1 + b2), b1, b2], area })
     }
 
     fn gradient_of(&self, x: &[Vec2]) -> Matrix2<f64> {
-        let mut f = Matrix2::zeros();
-        for (v, b) in self.v.iter().zip(&self.b) {
-            f += x[*v as usize] * b.transpose();
-        }
-        f
+        let [p, q, r] = self.v.map(|v| x[v as usize]);
+        (q - p) * self.b[1].transpose() + (r - p) * self.b[2].transpose()
     }
 
-    /// Energy, m².
+    /// Energy, m²; infinite for a triangle that is flipped or has no area.
     #[must_use]
     pub fn energy(&self, x: &[Vec2]) -> f64 {
-        let f = self.gradient_of(x);
-        let (rotation, _) = nearest_rotation(&f);
-        self.weight * (f - rotation).norm_squared()
+        let [s1, s2] = self.stretches(x);
+        if s2 <= 0.0 {
+            return f64::INFINITY;
+        }
+        let (a, b) = (s1 - 1.0 / s1, s2 - 1.0 / s2);
+        0.25 * self.area * (a * a + b * b)
     }
 
-    /// Singular values of the map from target to flat, the larger first.
+    /// Singular values of the map from target to flat, the larger first; the second is negative after a flip.
     #[must_use]
     pub fn stretches(&self, x: &[Vec2]) -> [f64; 2] {
-        let f = self.gradient_of(x);
-        let s = Vec2::new(f.m11 + f.m22, f.m21 - f.m12).norm();
-        let d = Vec2::new(f.m11 - f.m22, f.m21 + f.m12).norm();
-        [0.5 * (s + d), 0.5 * (s - d)]
+        Parts::of(&self.gradient_of(x)).s
     }
 
-    /// Weighs the triangle by what its cloth suffers: `A ‖F − R‖²` counts the way from the worn to the flat shape,
-    /// the cloth goes the other way, `A_flat ‖F⁻¹ − Rᵀ‖²`.
-    pub fn weigh(&mut self, x: &[Vec2]) {
-        let [s1, s2] = self.stretches(x);
-        let there = (s1 - 1.0) * (s1 - 1.0) + (s2 - 1.0) * (s2 - 1.0);
-        if s2 > 0.1 && there > 1e-18 {
-            let (e1, e2) = (1.0 / s1 - 1.0, 1.0 / s2 - 1.0);
-            self.weight = self.area * s1 * s2 * (e1 * e1 + e2 * e2) / there;
-        }
-    }
-
-    /// Gradient and positive Hessian.
+    /// Gradient and Hessian.
     #[must_use]
-    pub fn local(&self, x: &[Vec2]) -> Local<3> {
-        let f = self.gradient_of(x);
-        let (rotation, w) = nearest_rotation(&f);
-        let p = (f - rotation) * (2.0 * self.weight);
-        let kappa = if w > 2.0 { 1.0 / w } else { 0.5 };
-        let turn = rotation * Matrix2::new(0.0, -1.0, 1.0, 0.0);
-        let q = self.b.map(|b| turn * b);
+    pub fn local(&self, x: &[Vec2], curvature: Curvature) -> Local<3> {
+        let Parts { s, turn, mirror } = Parts::of(&self.gradient_of(x));
+        let [(g1, h1), (g2, h2)] = s.map(slopes);
+        let (sum, difference) = (0.5 * (g1 + g2), 0.5 * (g1 - g2));
+        let p = (turn * sum + mirror * difference) * self.area;
+        let quarter = Matrix2::new(0.0, -1.0, 1.0, 0.0);
+        let twist = 2.0 * sum / (s[0] + s[1]);
+        let twist = if curvature == Curvature::Projected { twist.max(0.0) } else { twist };
+        let apart = s[0] - s[1];
+        let flip = if apart > 1e-6 { 2.0 * difference / apart } else { 0.5 * (h1 + h2) };
+        // Orthogonal directions of the 2×2 matrices with the eigenvalues of the Hessian.
+        let root = std::f64::consts::FRAC_1_SQRT_2;
+        let modes = [
+            ((turn + mirror) * 0.5, h1),
+            ((turn - mirror) * 0.5, h2),
+            (turn * quarter * root, twist),
+            (mirror * quarter * root, flip),
+        ];
         let mut out = Local { gradient: self.b.map(|b| p * b), hessian: [[Matrix2::zeros(); 3]; 3] };
-        for i in 0..3 {
-            for j in 0..3 {
-                let stiff = Matrix2::identity() * (2.0 * self.b[i].dot(&self.b[j]));
-                out.hessian[i][j] = (stiff - q[i] * q[j].transpose() * (2.0 * kappa)) * self.weight;
+        for (direction, eigenvalue) in modes {
+            let d = self.b.map(|b| direction * b);
+            let scale = eigenvalue * self.area;
+            for i in 0..3 {
+                for j in 0..3 {
+                    out.hessian[i][j] += d[i] * d[j].transpose() * scale;
+                }
             }
         }
         out
     }
-}
-
-/// The rotation nearest to `f`, and `w = tr(Rᵀ f)`.
-fn nearest_rotation(f: &Matrix2<f64>) -> (Matrix2<f64>, f64) {
-    let u = Vec2::new(f.m11 + f.m22, f.m21 - f.m12);
-    let w = u.norm();
-    if w < 1e-12 {
-        return (Matrix2::identity(), 0.0);
-    }
-    let (c, s) = (u.x / w, u.y / w);
-    (Matrix2::new(c, -s, s, c), w)
 }
 
 /// Two sewn edges that keep the ratio of their stored lengths.
@@ -140,9 +168,9 @@ impl EdgePair {
         self.parts(x).map_or(0.0, |(_, _, c)| self.stiffness * c * c)
     }
 
-    /// Gradient and positive Hessian: Gauss–Newton, plus the bending part of the longer edge.
+    /// Gradient and Hessian. The projected one is Gauss–Newton, plus the bending part of the longer edge.
     #[must_use]
-    pub fn local(&self, x: &[Vec2]) -> Option<Local<4>> {
+    pub fn local(&self, x: &[Vec2], curvature: Curvature) -> Option<Local<4>> {
         let ([na, nb], length, c) = self.parts(x)?;
         let (ga, gb) = (na / self.share[0], nb / self.share[1]);
         let dc = [-ga, ga, gb, -gb];
@@ -153,12 +181,16 @@ impl EdgePair {
                 out.hessian[i][j] = dc[i] * dc[j].transpose() * k2;
             }
         }
-        let (first, n, scale) =
-            if c > 0.0 { (0, na, c / (self.share[0] * length[0])) } else { (2, nb, -c / (self.share[1] * length[1])) };
-        let across = (Matrix2::identity() - n * n.transpose()) * (k2 * scale);
-        for i in 0..2 {
-            for j in 0..2 {
-                out.hessian[first + i][first + j] += if i == j { across } else { -across };
+        let bends = [(0, na, c / (self.share[0] * length[0])), (2, nb, -c / (self.share[1] * length[1]))];
+        for (first, n, scale) in bends {
+            if scale <= 0.0 && curvature == Curvature::Projected {
+                continue;
+            }
+            let across = (Matrix2::identity() - n * n.transpose()) * (k2 * scale);
+            for i in 0..2 {
+                for j in 0..2 {
+                    out.hessian[first + i][first + j] += if i == j { across } else { -across };
+                }
             }
         }
         Some(out)
@@ -192,29 +224,55 @@ mod tests {
         let n = numeric(&x, t.v, |y| t.energy(y));
         let p = EdgePair { v: [0, 1, 2, 3], share: [1.1, 0.9], stiffness: 3.0 };
         let m = numeric(&x, p.v, |y| p.energy(y));
-        for (a, b) in t.local(&x).gradient.iter().zip(&n).chain(p.local(&x).expect("pair").gradient.iter().zip(&m)) {
+        for (a, b) in t
+            .local(&x, Curvature::Exact)
+            .gradient
+            .iter()
+            .zip(&n)
+            .chain(p.local(&x, Curvature::Exact).expect("pair").gradient.iter().zip(&m))
+        {
             assert!((a - b).norm() < 1e-8, "{a} {b}");
         }
     }
 
-    #[test]
-    fn hessian_agrees_with_differences_where_it_is_not_clamped() {
-        let x = [Vec2::new(0.0, 0.1), Vec2::new(1.5, 0.0), Vec2::new(0.3, 1.4)];
-        let t = Triangle::new([0, 1, 2], &Matrix2::new(1.0, 0.4, 0.1, 0.8)).expect("triangle");
-        let exact = t.local(&x);
-        for j in 0..3 {
+    /// Largest difference between a Hessian and the differences of its gradient.
+    fn off<const N: usize>(x: &[Vec2], v: [u32; N], local: impl Fn(&[Vec2]) -> Local<N>) -> f64 {
+        let exact = local(x);
+        let mut worst = 0.0f64;
+        for j in 0..N {
             for d in 0..2 {
-                let mut up = x;
-                let mut down = x;
-                up[j][d] += 1e-6;
-                down[j][d] -= 1e-6;
-                let (gu, gd) = (t.local(&up).gradient, t.local(&down).gradient);
-                for i in 0..3 {
-                    let column = (gu[i] - gd[i]) / 2e-6;
-                    assert!((column - exact.hessian[i][j].column(d)).norm() < 1e-7);
+                let moved = |h: f64| {
+                    let mut y = x.to_vec();
+                    y[v[j] as usize][d] += h;
+                    local(&y).gradient
+                };
+                let (up, down) = (moved(1e-6), moved(-1e-6));
+                for i in 0..N {
+                    let column = (up[i] - down[i]) / 2e-6;
+                    worst = worst.max((column - exact.hessian[i][j].column(d)).norm());
                 }
             }
         }
+        worst
+    }
+
+    #[test]
+    fn exact_hessians_agree_with_differences() {
+        let x = [Vec2::new(0.0, 0.1), Vec2::new(1.5, 0.0), Vec2::new(0.3, 1.4), Vec2::new(0.9, 1.2)];
+        let t = Triangle::new([0, 1, 2], &Matrix2::new(1.0, 0.4, 0.1, 0.8)).expect("triangle");
+        assert!(off(&x, t.v, |y| t.local(y, Curvature::Exact)) < 1e-6);
+        // Compressed: the twist has a negative eigenvalue.
+        let small: Vec<Vec2> = x.iter().map(|p| p * 0.4).collect();
+        assert!(off(&small, t.v, |y| t.local(y, Curvature::Exact)) < 1e-5);
+        let p = EdgePair { v: [0, 1, 2, 3], share: [1.1, 0.9], stiffness: 3.0 };
+        assert!(off(&x, p.v, |y| p.local(y, Curvature::Exact).expect("pair")) < 1e-6);
+    }
+
+    #[test]
+    fn a_flipped_triangle_has_infinite_energy() {
+        let t = Triangle::new([0, 1, 2], &Matrix2::new(1.0, 0.0, 0.0, 1.0)).expect("triangle");
+        let x = [Vec2::new(0.0, 0.0), Vec2::new(1.0, 0.0), Vec2::new(0.0, -1.0)];
+        assert_eq!(t.energy(&x), f64::INFINITY);
     }
 
     #[test]

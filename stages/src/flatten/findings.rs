@@ -1,7 +1,8 @@
 //! The findings of the flattening, in words.
 
-use super::codes;
+use super::{advice, codes};
 use toile_garment::flat::{FlatMetric, FlatPiece};
+use toile_garment::mesh::PieceMesh;
 use toile_garment::seam::Seam;
 use toile_garment::{Diagnostic, Garment, Piece, Report};
 
@@ -40,31 +41,119 @@ pub fn one_sided(seam: &Seam) -> Diagnostic {
         .hint("edit both pieces alike, or ease the difference in the pattern")
 }
 
-/// Names the dart that would cure a piece whose curvature forces more strain than the limit.
-pub fn developable(piece: &Piece, flat: &FlatPiece, limit: f64, report: &mut Report) {
+/// Lines that were held, and lines that were let go, with what would have become of them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Held {
+    /// Edges held straight, with the bow they would have, metres.
+    pub straight: Vec<(String, f64)>,
+    /// Edges that were straight and are let go, with their bow, metres.
+    pub curved: Vec<(String, f64)>,
+    /// Right angles that were held, with the turn they would have, degrees.
+    pub right: Vec<f64>,
+    /// Right angles that are let go, with their turn, degrees.
+    pub turned: Vec<f64>,
+}
+
+/// Tells what was held of the outline of a piece, and what was let go.
+pub fn held(piece: &Piece, held: &Held, report: &mut Report) {
+    let largest = |of: &[f64]| of.iter().map(|x| x.abs()).fold(0.0, f64::max);
+    let edges = |of: &[(String, f64)]| {
+        let named: Vec<String> = of.iter().map(|(name, bow)| format!("`{name}` by {:.2} mm", 1e3 * bow)).collect();
+        named.join(", ")
+    };
+    if !held.straight.is_empty() {
+        let what = format!("piece `{}`: held straight what would bow: {}", piece.name, edges(&held.straight));
+        report.push(
+            Diagnostic::info(codes::FLATTEN_HELD, what)
+                .at(piece.source.clone())
+                .hint("leave `straight` out of `lock` to let it bow"),
+        );
+    }
+    if !held.right.is_empty() {
+        let what = format!(
+            "piece `{}`: {} right angles were held, which would turn by {:.2} degrees at most",
+            piece.name,
+            held.right.len(),
+            largest(&held.right)
+        );
+        report.push(
+            Diagnostic::info(codes::FLATTEN_HELD, what)
+                .at(piece.source.clone())
+                .hint("leave `right-angles` out of `lock` to let them turn"),
+        );
+    }
+    if !held.curved.is_empty() {
+        let what = format!("piece `{}`: straight edges became curves: {}", piece.name, edges(&held.curved));
+        report.push(
+            Diagnostic::warning(codes::FLATTEN_LET_GO, what)
+                .at(piece.source.clone())
+                .hint("the shape asks for it; a dart or seam nearby would keep the edge straight"),
+        );
+    }
+    if !held.turned.is_empty() {
+        let what = format!(
+            "piece `{}`: {} right angles turned, by {:.1} degrees at most",
+            piece.name,
+            held.turned.len(),
+            largest(&held.turned)
+        );
+        report.push(
+            Diagnostic::warning(codes::FLATTEN_LET_GO, what)
+                .at(piece.source.clone())
+                .hint("the shape asks for it; true the corner against its seam partner"),
+        );
+    }
+}
+
+/// A dart that the strain of the cloth, or an edit, would have changed.
+pub fn held_dart(piece: &Piece, name: &str, [stored, free]: [f64; 2], kept: f64, is_locked: bool) -> Diagnostic {
+    let [stored, free, kept] = [stored, free, kept].map(|l| 1e3 * l);
+    let place = format!("piece `{}`, dart `{name}`", piece.name);
+    let what = if is_locked {
+        format!("{place}: its intake was held at {kept:.2} mm; without the lock it would be {free:.2} mm")
+    } else {
+        format!(
+            "{place}: the worn surface alone gives {free:.2} mm of intake, which is the strain of the cloth; the shape \
+             asks for {kept:.2} mm (stored {stored:.2} mm), and that is what the dart has"
+        )
+    };
+    Diagnostic::info(codes::FLATTEN_DART_KEPT, what).at(piece.source.clone())
+}
+
+fn both((p, q): (&Piece, &Piece)) -> String {
+    if p.id == q.id {
+        format!("piece `{}` and its mirror image", p.name)
+    } else {
+        format!("pieces `{}` and `{}`", p.name, q.name)
+    }
+}
+
+/// Two sides that were made one.
+pub fn symmetric(pieces: (&Piece, &Piece), apart: f64) -> Diagnostic {
+    let what = format!("{} differed by {:.3} mm at most and were made one", both(pieces), 1e3 * apart);
+    Diagnostic::info(codes::FLATTEN_SYMMETRIC, what).hint("use symmetry = \"off\" to keep both sides as they are")
+}
+
+/// Two sides that differ too much to be one.
+pub fn asymmetric(pieces: (&Piece, &Piece), apart: f64) -> Diagnostic {
+    let what = format!("{} differ by {:.1} mm: the edit was not symmetric", both(pieces), 1e3 * apart);
+    Diagnostic::warning(codes::FLATTEN_ASYMMETRIC, what)
+        .hint("edit both sides alike, or use symmetry = \"off\" where the difference is meant")
+}
+
+/// Names what would cure a piece whose curvature forces more strain than the limit.
+pub fn developable(piece: &Piece, mesh: &PieceMesh, flat: &FlatPiece, limit: f64, report: &mut Report) {
     let [mean, largest] = flat.forced_strain;
     if largest <= limit {
         return;
     }
-    let degrees = flat.curvature.to_degrees();
-    let cure = if degrees.abs() < 0.5 {
-        "its curvature adds up to nothing: a seam across the piece would cure it better than a dart".to_owned()
-    } else if degrees > 0.0 {
-        format!("a dart (or darts together) of {degrees:.1} degrees, its apex in the bulge, would cure it")
-    } else {
-        format!("a godet or a slit spread by {:.1} degrees would cure it", -degrees)
-    };
-    report.push(
-        Diagnostic::warning(
-            codes::PIECE_NOT_DEVELOPABLE,
-            format!(
-                "piece `{}` encloses {degrees:.1} degrees of curvature: no flat piece avoids {:.2} % strain (mean {:.2} %)",
-                piece.name,
-                100.0 * largest,
-                100.0 * mean
-            ),
-        )
-        .at(piece.source.clone())
-        .hint(cure),
+    let what = format!(
+        "piece `{}` encloses {:.1} degrees of curvature: no flat piece avoids {:.2} % strain (mean {:.2} %)",
+        piece.name,
+        flat.curvature.to_degrees(),
+        100.0 * largest,
+        100.0 * mean
     );
+    let cure = advice::cure(piece, mesh, flat);
+    report.push(Diagnostic::warning(codes::PIECE_NOT_DEVELOPABLE, what).at(piece.source.clone()).hint(cure));
 }

@@ -49,65 +49,6 @@ pub fn carried(before: &Matrix2<f64>, now: &Matrix2<f64>) -> Option<Matrix2<f64>
     Some(s0 * sqrt_spd(now))
 }
 
-/// Averages a field of metrics over edge neighbours, `passes` times, weighted by area.
-///
-/// Triangles on two legs of a dart or on two pieces share no edge, so nothing is averaged across a seam or dart.
-#[must_use]
-pub fn smoothed(metric: &[Matrix2<f64>], triangles: &[[u32; 3]], area: &[f64], passes: u32) -> Vec<Matrix2<f64>> {
-    let neighbours = edge_neighbours(triangles);
-    let mut metric = metric.to_vec();
-    for _ in 0..passes {
-        metric = neighbours
-            .iter()
-            .enumerate()
-            .map(|(t, around)| {
-                let near = || std::iter::once(t).chain(around.iter().copied());
-                let weight: f64 = near().map(|i| area[i]).sum();
-                near().map(|i| metric[i] * area[i]).sum::<Matrix2<f64>>() / weight
-            })
-            .collect();
-    }
-    metric
-}
-
-/// Variance (m² per coordinate) of noise on the surface, from what smoothing took out of the metric.
-///
-/// Noise of variance σ² changes the square of an edge of length l by 2 e·δe, of variance 8 l² σ².
-#[must_use]
-pub fn noise_variance(taken: &[Matrix2<f64>], stored: &[Matrix2<f64>]) -> f64 {
-    let edges = |e: &Matrix2<f64>| [e.column(0).into_owned(), e.column(1).into_owned(), e.column(1) - e.column(0)];
-    let all = || taken.iter().zip(stored).flat_map(|(c, e)| edges(e).map(|v| (v.dot(&(c * v)), v.norm_squared())));
-    let sum: f64 = all().map(|(r, l2)| r * r / (8.0 * l2)).sum();
-    let count = all().count();
-    if count > 0 { sum / count as f64 } else { 0.0 }
-}
-
-/// The mean share of the metric that noise of this variance adds: it makes every edge longer, by 6σ² in its square.
-#[must_use]
-pub fn noise_bias(stored: &Matrix2<f64>, variance: f64) -> Matrix2<f64> {
-    let inverse = stored.try_inverse().unwrap_or_default();
-    inverse.transpose() * Matrix2::new(6.0, 3.0, 3.0, 6.0) * inverse * variance
-}
-
-/// For every triangle the triangles that share an edge with it.
-#[must_use]
-pub fn edge_neighbours(triangles: &[[u32; 3]]) -> Vec<Vec<usize>> {
-    let mut sides: Vec<([u32; 2], usize)> = triangles
-        .iter()
-        .enumerate()
-        .flat_map(|(i, t)| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]].map(|[a, b]| ([a.min(b), a.max(b)], i)))
-        .collect();
-    sides.sort_unstable();
-    let mut neighbours = vec![Vec::new(); triangles.len()];
-    for pair in sides.windows(2) {
-        if pair[0].0 == pair[1].0 {
-            neighbours[pair[0].1].push(pair[1].1);
-            neighbours[pair[1].1].push(pair[0].1);
-        }
-    }
-    neighbours
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -127,14 +68,5 @@ mod tests {
         let h = carried(&before, &(before * (1.03 * 1.03))).expect("regular");
         assert!((h - Matrix2::identity() * 1.03).norm() < 1e-14);
         assert_eq!(carried(&before, &before).expect("regular"), Matrix2::identity());
-    }
-
-    #[test]
-    fn smoothing_keeps_a_constant_and_stays_within_connected_cloth() {
-        let triangles = [[0, 1, 2], [1, 3, 2], [4, 5, 6]];
-        let h = [Matrix2::identity(), Matrix2::identity() * 1.2, Matrix2::identity() * 3.0];
-        let s = smoothed(&h, &triangles, &[1.0, 1.0, 1.0], 1);
-        assert!((s[0] - Matrix2::identity() * 1.1).norm() < 1e-14);
-        assert!((s[2] - Matrix2::identity() * 3.0).norm() < 1e-14);
     }
 }

@@ -2,7 +2,7 @@
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
-use toile_garment::units::{Length, Share};
+use toile_garment::units::{Angle, Length, Share};
 
 /// Which lengths the flattened pieces shall have.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -13,8 +13,62 @@ pub enum MetricChoice {
     Auto,
     /// Stored lengths, changed by what the 3D edit changed; the strain of the drape stays in the cloth.
     Carried,
-    /// Lengths of the 3D surface as it is, the strain of the drape included.
+    /// Lengths of the 3D surface as it is, the strain of the drape included. Darts keep what the shape asks for.
     Surface,
+}
+
+/// How pieces that mirror each other come back.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum SymmetryChoice {
+    /// They are made one where the edit was symmetric. Where it was not, they stay as they are, with a warning.
+    #[default]
+    Auto,
+    /// They stay as they are.
+    Off,
+}
+
+/// Things that the flattening does not change.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum LockKind {
+    /// Sewn edges keep the ratio of their lengths.
+    Seams,
+    /// The grain line keeps its direction.
+    Grain,
+    /// Straight edges of the outline stay straight, unless the shape clearly asks for a curve.
+    Straight,
+    /// Right angles of the outline stay right, unless the shape clearly asks for others.
+    RightAngles,
+    /// Darts keep their stored intake, whatever the edit.
+    Darts,
+}
+
+/// Changes of a piece that pass without a warning.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct FlattenTolerance {
+    /// Change of the area.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub area: Option<Share>,
+    /// Change of the length of an edge.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub edge: Option<Length>,
+    /// Change of the ease between two sewn sides.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub ease: Option<Length>,
+    /// Change of the angle of a dart.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dart_angle: Option<Angle>,
+    /// Change of the intake of a dart.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dart_intake: Option<Length>,
+    /// Difference between the legs of a dart.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dart_legs: Option<Length>,
+    /// Turn of the grain.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub grain: Option<Angle>,
 }
 
 /// Parameters of `flatten`.
@@ -23,26 +77,42 @@ pub enum MetricChoice {
 pub struct FlattenParams {
     /// Which lengths the flattened pieces shall have.
     pub metric: MetricChoice,
-    /// Passes of averaging the stretch between neighbouring triangles, never across a dart or seam. Use 20 for a
-    /// drape that had not settled or a scanned surface; none is needed for a settled one.
-    #[schemars(range(max = 200))]
-    pub smoothing: u32,
-    /// Stop when no vertex moves farther in a round.
+    /// Length of cloth over which lengths are averaged, never across a dart or seam. It does not depend on the mesh.
+    /// Use 20 mm for a scanned surface or a drape that had not settled; none is needed for a settled one.
+    pub smooth: Length,
+    /// How pieces that mirror each other come back.
+    pub symmetry: SymmetryChoice,
+    /// Things that the flattening does not change.
+    pub lock: Vec<LockKind>,
+    /// Changes that pass without a warning. Without it no change is judged.
+    pub tolerance: FlattenTolerance,
+    /// Stop when no vertex moves farther in a round, or when the energy no longer resolves a step.
     pub stop_motion: Length,
     /// Rounds after which it has failed.
     #[schemars(range(min = 1, max = 10000))]
     pub max_rounds: u32,
-    /// How much stiffer the equal length of sewn edges is than the cloth.
+    /// How much stiffer the equal length of sewn edges and the locks are than the cloth.
     pub pair_stiffness: f64,
     /// A piece whose curvature forces more strain than this is reported with the dart that would cure it.
     pub strain_limit: Share,
+}
+
+impl FlattenParams {
+    /// Is this locked?
+    #[must_use]
+    pub fn locks(&self, kind: LockKind) -> bool {
+        self.lock.contains(&kind)
+    }
 }
 
 impl Default for FlattenParams {
     fn default() -> Self {
         Self {
             metric: MetricChoice::Auto,
-            smoothing: 0,
+            smooth: Length(0.0),
+            symmetry: SymmetryChoice::Auto,
+            lock: vec![LockKind::Seams, LockKind::Grain, LockKind::Straight, LockKind::RightAngles],
+            tolerance: FlattenTolerance::default(),
             stop_motion: Length(1e-9),
             max_rounds: 300,
             pair_stiffness: 1e4,

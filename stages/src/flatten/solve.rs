@@ -1,23 +1,39 @@
-//! Projected Newton with a line search that forbids flipped triangles.
+//! Newton with a line search that no triangle can flip in.
 //!
 //! The stored piece is the start, so Newton needs no rounds of local/global before it: it opens a dart by six degrees
-//! in about six rounds where local/global needs two hundred. It stops on motion, never on a count.
+//! in about six rounds where local/global needs two hundred. The energy grows without bound towards a flip, and no step
+//! goes farther than 0.9 of the way to the first one.
+//!
+//! Rest is judged by what the energy can resolve. The Newton decrement is the energy that the next step would gain.
+//! Below the rounding of the energy no step can be told from no step; the last full step is taken, and that is the end.
 
-use super::energy::{EdgePair, Triangle};
+use super::energy::{Curvature, EdgePair, Triangle};
+use super::lock::Lock;
 use super::system::{System, SystemError};
 use crate::joined::Joined;
 use nalgebra::Matrix2;
 use toile_garment::Vec2;
 
-/// Triangles in the plane with the shape each should have, and the edges that are sewn to each other.
+/// Share of the energy, below which rounding of its sum hides what a step gains.
+const ENERGY_RESOLUTION: f64 = 1e-13;
+/// Share of the energy that may be left to gain where the line search finds no step.
+const ENERGY_SHARE_AT_REST: f64 = 1e-8;
+/// Share of the energy that the next step gains, from which on the exact Hessian is tried: smaller means later.
+const EXACT_HESSIAN_FROM: f64 = 0.05;
+/// Share of the decrement that a step must gain at least (Armijo).
+const SUFFICIENT_DECREASE: f64 = 1e-4;
+
+/// Triangles in the plane with the shape each should have, and what is held between them.
 #[derive(Clone, Debug, Default)]
 pub struct Sheet {
-    /// Start positions, metres.
+    /// Start positions, metres. No triangle may be flipped.
     pub start: Vec<Vec2>,
     /// Triangles with their targets.
     pub triangles: Vec<Triangle>,
     /// Sewn edges.
     pub pairs: Vec<EdgePair>,
+    /// Locks.
+    pub locks: Vec<Lock>,
 }
 
 /// When to stop.
@@ -40,7 +56,7 @@ pub struct Flattened {
     pub last_motion: f64,
     /// Energy left, m².
     pub energy: f64,
-    /// Was the motion small enough before the rounds ran out?
+    /// Did it come to rest before the rounds ran out?
     pub converged: bool,
 }
 
@@ -65,62 +81,78 @@ pub fn solve(sheet: &Sheet, stop: Stop, watch: &mut dyn FnMut(u32, f64) -> bool)
     let mut x = sheet.start.clone();
     let mut energy = total(sheet, &x);
     let groups = sheet.triangles.iter().map(|t| t.v.as_slice()).chain(sheet.pairs.iter().map(|p| p.v.as_slice()));
-    let mut system = System::new(held(sheet), groups)?;
+    let mut system = System::new(held(sheet), groups.chain(sheet.locks.iter().map(Lock::vertices)))?;
     let mut last_motion = f64::INFINITY;
+    let mut curvature = Curvature::Projected;
     for round in 1..=stop.rounds {
-        newton_direction(sheet, &x, &mut system)?;
+        let decrement = newton_direction(sheet, &x, &mut system, curvature)?;
         let motion = largest(&system.rhs);
-        let resting = motion <= stop.motion;
-        if !(resting && round == 1) {
-            let step = line_search(sheet, &mut x, &system.rhs, &mut energy);
-            last_motion = motion * step;
-            if step == 0.0 {
-                // Rounding hides any further descent: the direction itself says how far off the answer may be.
-                last_motion = motion;
-                return Ok(done(x, round, last_motion, energy, motion <= 1e3 * stop.motion));
-            }
-        } else {
+        let hidden = decrement <= ENERGY_RESOLUTION * energy;
+        let resting = motion <= stop.motion || hidden;
+        if motion <= stop.motion && round == 1 {
             last_motion = motion;
+        } else {
+            let step = line_search(sheet, &mut x, &system.rhs, &mut energy, if resting { 0.0 } else { decrement });
+            last_motion = motion * step;
         }
         if !watch(round, last_motion) {
             return Err(SolveError::Stopped);
         }
-        if resting {
-            return Ok(done(x, round, last_motion, energy, true));
+        // Where no step gains anything, only rounding is left to gain; the exact Hessian may have misled.
+        let stuck = last_motion == 0.0 && curvature == Curvature::Projected;
+        if resting || stuck {
+            let converged = resting || decrement <= ENERGY_SHARE_AT_REST * energy;
+            return Ok(Flattened { positions: x, rounds: round, last_motion, energy, converged });
         }
+        let near = decrement < EXACT_HESSIAN_FROM * energy && last_motion > 0.0;
+        curvature = if near { Curvature::Exact } else { Curvature::Projected };
     }
-    Ok(done(x, stop.rounds, last_motion, energy, false))
-}
-
-fn done(positions: Vec<Vec2>, rounds: u32, last_motion: f64, energy: f64, converged: bool) -> Flattened {
-    Flattened { positions, rounds, last_motion, energy, converged }
+    Ok(Flattened { positions: x, rounds: stop.rounds, last_motion, energy, converged: false })
 }
 
 fn total(sheet: &Sheet, x: &[Vec2]) -> f64 {
     let triangles: f64 = sheet.triangles.iter().map(|t| t.energy(x)).sum();
-    triangles + sheet.pairs.iter().map(|p| p.energy(x)).sum::<f64>()
+    let pairs: f64 = sheet.pairs.iter().map(|p| p.energy(x)).sum();
+    triangles + pairs + sheet.locks.iter().map(|l| l.energy(x)).sum::<f64>()
 }
 
-fn newton_direction(sheet: &Sheet, x: &[Vec2], system: &mut System) -> Result<(), SystemError> {
+/// Leaves the direction in `system.rhs` and gives the decrement, the energy that a full step gains to second order.
+///
+/// Where the exact Hessian is not positive, the projected one takes its place.
+fn newton_direction(sheet: &Sheet, x: &[Vec2], system: &mut System, curvature: Curvature) -> Result<f64, SystemError> {
     system.clear();
     for t in &sheet.triangles {
-        system.add(&t.v, &t.local(x));
+        system.add(&t.v, &t.local(x, curvature));
     }
     for p in &sheet.pairs {
-        if let Some(term) = p.local(x) {
+        if let Some(term) = p.local(x, curvature) {
             system.add(&p.v, &term);
         }
     }
-    system.solve()
+    for lock in &sheet.locks {
+        lock.assemble(x, |v, term| system.add(v, term));
+    }
+    match system.factorize() {
+        Err(SystemError::NotPositive) if curvature == Curvature::Exact => {
+            return newton_direction(sheet, x, system, Curvature::Projected);
+        }
+        other => other?,
+    }
+    let downhill = system.rhs.clone();
+    system.substitute()?;
+    Ok(0.5 * downhill.iter().zip(&system.rhs).map(|(g, d)| g.dot(d)).sum::<f64>())
 }
 
-/// Takes the longest of the steps 1, ½, ¼ … that flips no triangle and lowers the energy; 0 when none does.
-fn line_search(sheet: &Sheet, x: &mut Vec<Vec2>, direction: &[Vec2], energy: &mut f64) -> f64 {
+/// Takes the longest of the steps 1, ½, ¼ … that flips no triangle and gains enough energy; 0 when none does.
+///
+/// With a `decrement` of 0 the gain is not asked for, since the energy cannot resolve it.
+fn line_search(sheet: &Sheet, x: &mut Vec<Vec2>, direction: &[Vec2], energy: &mut f64, decrement: f64) -> f64 {
     let mut step = flip_limit(sheet, x, direction);
+    let slack = if decrement > 0.0 { 0.1 * ENERGY_RESOLUTION } else { 100.0 * ENERGY_RESOLUTION };
     for _ in 0..40 {
         let trial: Vec<Vec2> = x.iter().zip(direction).map(|(p, d)| p + d * step).collect();
         let value = total(sheet, &trial);
-        if value <= *energy + 1e-15 * energy.abs() {
+        if value <= *energy * (1.0 + slack) - SUFFICIENT_DECREASE * step * decrement {
             *x = trial;
             *energy = value;
             return step;

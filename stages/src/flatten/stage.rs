@@ -1,7 +1,7 @@
 //! `flatten` as a stage.
 
 use super::codes;
-use super::{FlattenParams, flatten_garment};
+use super::{FlattenParams, flatten_garment, tolerance};
 use toile_garment::{Aspect, Diagnostic, Garment};
 use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
 
@@ -15,7 +15,7 @@ impl Stage for Flatten {
         "flatten the draped surface back to 2D pieces through the stored darts",
         &[Aspect::Mesh, Aspect::Drape],
         &[Aspect::Flat],
-        1,
+        2,
     );
 
     fn forecast(
@@ -37,6 +37,7 @@ impl Stage for Flatten {
             !cancel.load(std::sync::atomic::Ordering::Relaxed)
         };
         let flat = flatten_garment(&garment, params, cx.report, &mut watch)?;
+        tolerance::judge(&garment, &flat, &params.tolerance, cx.report);
         Ok(Garment { flat: Some(flat), ..garment })
     }
 }
@@ -53,7 +54,8 @@ fn check(params: &FlattenParams) -> Result<(), StageError> {
         (1e-12..=1e-3).contains(&motion),
         format!("stop_motion is {:e} mm; it must lie in 1e-9 to 1 mm", 1e3 * motion),
     );
-    need(params.smoothing <= 200, format!("smoothing is {}; at most 200 passes are allowed", params.smoothing));
+    let smooth = params.smooth.0;
+    need((0.0..=0.2).contains(&smooth), format!("smooth is {} mm; it must lie in 0 to 200 mm", 1e3 * smooth));
     need((1..=10_000).contains(&params.max_rounds), format!("max_rounds is {}; 1 to 10000", params.max_rounds));
     let stiffness = params.pair_stiffness;
     need((0.0..=1e8).contains(&stiffness), format!("pair_stiffness is {stiffness}; it must lie in 0 to 1e8"));

@@ -24,6 +24,8 @@ pub struct System {
     symbolic: SymbolicCholesky<u32>,
     /// Entries, lower triangle.
     values: Vec<f64>,
+    /// Entries of the factor.
+    factor: Vec<f64>,
     /// Right side, then the solution.
     pub rhs: Vec<Vec2>,
 }
@@ -64,8 +66,9 @@ impl System {
         };
         let symbolic = factorize_symbolic_cholesky(matrix, Side::Lower, SymmetricOrdering::Amd, params)
             .map_err(out_of_memory(n))?;
-        let values = vec![0.0; row_idx.len()];
-        Ok(Self { block_start, block_row, col_ptr, row_idx, held, symbolic, values, rhs: vec![Vec2::zeros(); n] })
+        let (values, factor) = (vec![0.0; row_idx.len()], vec![0.0; symbolic.len_val()]);
+        let rhs = vec![Vec2::zeros(); n];
+        Ok(Self { block_start, block_row, col_ptr, row_idx, held, symbolic, values, factor, rhs })
     }
 
     /// Forgets entries and right side.
@@ -106,30 +109,27 @@ impl System {
         put(second + 2 * k, f11, m.m22);
     }
 
-    /// Solves; the solution stands in `rhs`, zero where a coordinate is held.
+    /// Factors the matrix that was added.
     ///
     /// # Errors
     /// When the matrix is not positive definite.
-    pub fn solve(&mut self) -> Result<(), SystemError> {
+    pub fn factorize(&mut self) -> Result<(), SystemError> {
         let n = self.held.len();
         for (v, held) in self.held.iter().enumerate() {
             for (d, held) in held.iter().enumerate() {
                 if *held {
                     self.values[self.col_ptr[2 * v + d] as usize] = 1.0;
-                    self.rhs[v][d] = 0.0;
                 }
             }
         }
         let symbolic = SymbolicSparseColMatRef::new_checked(2 * n, 2 * n, &self.col_ptr, None, &self.row_idx);
         let matrix = SparseColMatRef::new(symbolic, self.values.as_slice());
-        let mut factor = vec![0.0; self.symbolic.len_val()];
         let mut memory =
             MemBuffer::try_new(self.symbolic.factorize_numeric_llt_scratch::<f64>(Par::Seq, Default::default()))
                 .map_err(|_| SystemError::Memory(n))?;
-        let llt: LltRef<'_, u32, f64> = self
-            .symbolic
+        self.symbolic
             .factorize_numeric_llt(
-                &mut factor,
+                &mut self.factor,
                 matrix,
                 Side::Lower,
                 LltRegularization::default(),
@@ -138,6 +138,21 @@ impl System {
                 Default::default(),
             )
             .map_err(|_| SystemError::NotPositive)?;
+        Ok(())
+    }
+
+    /// Solves with the factor; the solution stands in `rhs`, zero where a coordinate is held.
+    ///
+    /// # Errors
+    /// When memory runs out.
+    pub fn substitute(&mut self) -> Result<(), SystemError> {
+        let n = self.held.len();
+        for (p, held) in self.rhs.iter_mut().zip(&self.held) {
+            for d in (0..2).filter(|d| held[*d]) {
+                p[d] = 0.0;
+            }
+        }
+        let llt: LltRef<'_, u32, f64> = LltRef::new(&self.symbolic, &self.factor);
         let mut x: Vec<f64> = self.rhs.iter().flat_map(|p| [p.x, p.y]).collect();
         let mut memory = MemBuffer::try_new(self.symbolic.solve_in_place_scratch::<f64>(1, Par::Seq))
             .map_err(|_| SystemError::Memory(n))?;
@@ -199,7 +214,8 @@ mod tests {
         s.add(&[0, 1], &spring(2.0));
         s.add(&[2, 1], &spring(3.0));
         s.rhs[2] = Vec2::new(6.0, -6.0);
-        s.solve().expect("solve");
+        s.factorize().expect("factor");
+        s.substitute().expect("solve");
         assert_eq!(s.rhs[0], Vec2::zeros());
         assert!((s.rhs[1] - Vec2::new(3.0, -3.0)).norm() < 1e-14);
         assert!((s.rhs[2] - Vec2::new(5.0, -5.0)).norm() < 1e-14);

@@ -1,0 +1,33 @@
+//! A garment from a file, whichever form it has: a GLB of this program, also edited, or a garment document.
+
+use crate::codes::GARMENT_FILE;
+use crate::gltf;
+use toile_garment::{Diagnostic, Garment, Report, SourceRef, bundle};
+
+/// Reads a GLB or a garment document. `file` is its name for messages.
+///
+/// # Errors
+/// When it is neither, or damaged.
+pub fn read(bytes: &[u8], file: &str, report: &mut Report) -> Result<Garment, Diagnostic> {
+    let wrong = |message: String| Diagnostic::error(GARMENT_FILE, message).at(SourceRef::file(file.to_owned()));
+    let body = bytes.trim_ascii_start();
+    if body.starts_with(b"glTF") {
+        let read = gltf::read_garment_with_findings(bytes).map_err(|e| gltf::refused(&e, file))?;
+        report.findings.extend(read.findings);
+        return Ok(read.garment);
+    }
+    if body.starts_with(b"{") {
+        return document(bytes).map_err(wrong);
+    }
+    Err(wrong(format!("`{file}` is no garment file"))
+        .hint("give a GLB that `export-gltf` wrote, or a garment document"))
+}
+
+/// Reads a garment document.
+///
+/// # Errors
+/// The reason in words.
+pub fn document(bytes: &[u8]) -> Result<Garment, String> {
+    let text = std::str::from_utf8(bytes).map_err(|e| format!("no UTF-8 text: {e}"))?;
+    bundle::from_text(text).map_err(|e| e.to_string())
+}

@@ -1,0 +1,182 @@
+//! The sewing file of pieces that were flattened.
+//!
+//! Seams come from the stitches: their ends are mesh vertices, and the mesh went with the outline. So the points lie on
+//! the new outline wherever it is. Copies of pieces are drawn as pieces of their own.
+
+use super::outline_map::Follow;
+use toile_garment::dart::Dart;
+use toile_garment::mesh::PieceMesh;
+use toile_garment::seam::{Seam, SeamKind, SeamRun, SeamSide};
+use toile_garment::sewing::{AttachSpec, DartSpec, EdgeNameSpec, RunSpec, RunWay, SeamSpec, SewingPlan};
+use toile_garment::{Garment, Piece, Vec2};
+
+/// The comment that stands above the file.
+pub const HEAD: &str = "The seams of the pieces that were written beside this file. Points are in the coordinates of \
+                        their piece.";
+/// Difference of two sides that is no ease, metres.
+const NO_EASE: f64 = 5e-5;
+/// How near a point of the sewing file lies to the dart it means, metres.
+const SAME_DART: f64 = 1e-3;
+
+/// The plan of a sewing file for `pieces`, which are the garment's pieces at their new places.
+pub fn plan(garment: &Garment, pieces: &[Piece]) -> SewingPlan {
+    let declared = garment.seams.iter().filter(|s| s.kind == SeamKind::Seam);
+    let plan = &garment.plan;
+    let names = edge_names(garment, pieces);
+    SewingPlan {
+        seams: declared.filter_map(|s| seam(garment, pieces, s)).collect(),
+        darts: plan.darts.iter().filter_map(|d| dart(garment, pieces, d)).collect(),
+        places: plan.places.clone(),
+        layers: plan.layers.clone(),
+        attachments: plan.attachments.iter().map(|a| attachment(a, garment)).collect(),
+        copies: Vec::new(),
+        edge_names: names,
+        leave_out: Vec::new(),
+    }
+}
+
+/// A piece by its name, before and after.
+fn named<'p>(garment: &'p Garment, pieces: &'p [Piece], name: &str) -> Option<(&'p Piece, &'p Piece)> {
+    let k = garment.pieces.iter().position(|p| p.name.eq_ignore_ascii_case(name))?;
+    Some((&garment.pieces[k], pieces.get(k)?))
+}
+
+fn seam(garment: &Garment, pieces: &[Piece], seam: &Seam) -> Option<SeamSpec> {
+    let (a, length_a) = side(garment, pieces, &seam.a)?;
+    let (b, length_b) = side(garment, pieces, &seam.b)?;
+    let gather = seam.gather.filter(|_| length_a.min(length_b) > 0.0);
+    let ease = (gather.is_none() && (length_a - length_b).abs() > NO_EASE).then_some(length_a - length_b);
+    Some(SeamSpec {
+        name: seam.name.clone(),
+        a,
+        b,
+        reverse: None,
+        ease,
+        gather: gather.map(|_| length_a.max(length_b) / length_a.min(length_b)),
+        proposed: None,
+        source: None,
+    })
+}
+
+/// The runs of a side and their length together.
+fn side(garment: &Garment, pieces: &[Piece], side: &SeamSide) -> Option<(Vec<RunSpec>, f64)> {
+    let mut runs = Vec::new();
+    let mut length = 0.0;
+    for run in &side.runs {
+        let (before, after) = (garment.pieces.get(run.piece.index())?, pieces.get(run.piece.index())?);
+        let mesh = before.mesh.as_ref()?;
+        let follow = Follow::new(before, &after.outline.positions());
+        let at = |v: u32| mesh.rest.get(v as usize).map(|p| follow.carry(*p).0);
+        for part in connected(mesh, run) {
+            let (from, to) = (at(*part.first()?)?, at(*part.last()?)?);
+            let places = part.iter().map(|v| at(*v)).collect::<Option<Vec<Vec2>>>()?;
+            length += places.windows(2).map(|w| (w[1] - w[0]).norm()).sum::<f64>();
+            runs.push(RunSpec::Points { piece: before.name.clone(), from, to, way: way(mesh, &part) });
+        }
+    }
+    (!runs.is_empty()).then_some((runs, length))
+}
+
+/// The parts of a run that follow a chain of the mesh without a jump over a dart.
+fn connected(mesh: &PieceMesh, run: &SeamRun) -> Vec<Vec<u32>> {
+    let mut parts: Vec<Vec<u32>> = Vec::new();
+    for v in &run.vertices {
+        match parts.last_mut() {
+            Some(part) if part.last().is_some_and(|u| step(mesh, *u, *v).is_some()) => part.push(*v),
+            _ => parts.push(vec![*v]),
+        }
+    }
+    parts.retain(|p| p.len() > 1);
+    parts
+}
+
+/// The direction in which a closed chain of the mesh leads from one vertex to the next: `true` with the chain.
+fn step(mesh: &PieceMesh, from: u32, to: u32) -> Option<bool> {
+    mesh.chains.iter().filter(|c| c.closed).find_map(|c| {
+        let n = c.vertices.len();
+        let k = c.vertices.iter().position(|v| *v == from)?;
+        match to {
+            _ if c.vertices[(k + 1) % n] == to => Some(true),
+            _ if c.vertices[(k + n - 1) % n] == to => Some(false),
+            _ => None,
+        }
+    })
+}
+
+fn way(mesh: &PieceMesh, part: &[u32]) -> RunWay {
+    match part.windows(2).next().and_then(|w| step(mesh, w[0], w[1])) {
+        Some(false) => RunWay::Right,
+        _ => RunWay::Left,
+    }
+}
+
+/// A declared dart where it is now; a denied one where its points went with the outline.
+fn dart(garment: &Garment, pieces: &[Piece], spec: &DartSpec) -> Option<DartSpec> {
+    let (before, after) = named(garment, pieces, &spec.piece)?;
+    let follow = Follow::new(before, &after.outline.positions());
+    let carry = |p: &Vec2| follow.carry(*p).0;
+    let means = |d: &Dart| {
+        d.apexes.iter().zip(&spec.apexes).any(|(a, b)| (a - b).norm() < SAME_DART)
+            || d.mouth.iter().any(|m| spec.mouth.iter().any(|n| (m - n).norm() < SAME_DART))
+    };
+    let found = spec.kind.and_then(|_| before.darts.iter().position(means)).and_then(|k| after.darts.get(k));
+    let (apexes, mouth) = match found {
+        Some(d) if d.apexes.len() == spec.apexes.len() => (d.apexes.clone(), d.mouth),
+        _ => (spec.apexes.iter().map(carry).collect(), [carry(&spec.mouth[0]), carry(&spec.mouth[1])]),
+    };
+    Some(DartSpec { apexes, mouth, source: None, ..spec.clone() })
+}
+
+/// Names of edges as runs between points, since numbers may change.
+fn edge_names(garment: &Garment, pieces: &[Piece]) -> Vec<EdgeNameSpec> {
+    let mut out: Vec<EdgeNameSpec> = Vec::new();
+    let mut add = |piece: &str, name: &str, from: Vec2, to: Vec2, way: RunWay| {
+        let is_same = |e: &EdgeNameSpec| {
+            let (RunSpec::Edge { piece: p, .. } | RunSpec::Points { piece: p, .. }) = &e.run;
+            p.eq_ignore_ascii_case(piece) && e.name.eq_ignore_ascii_case(name)
+        };
+        if !out.iter().any(is_same) {
+            let run = RunSpec::Points { piece: piece.to_owned(), from, to, way };
+            out.push(EdgeNameSpec { run, name: name.to_owned() });
+        }
+    };
+    for (before, after) in garment.pieces.iter().zip(pieces) {
+        let attached = |label: &str| {
+            let same = |a: &&AttachSpec| a.piece.eq_ignore_ascii_case(&before.name) && a.edge == label;
+            garment.plan.attachments.iter().any(|a| same(&a))
+        };
+        for edge in &before.edges {
+            let number = edge.index.to_string();
+            let name = match &edge.name {
+                Some(name) => name.clone(),
+                None if attached(&number) => by_number(&number),
+                None => continue,
+            };
+            let at = |i: u32| after.outline.points.get(i as usize).map(|p| p.at);
+            if let (Some(from), Some(to)) = (at(edge.from), at(edge.to)) {
+                add(&before.name, &name, from, to, RunWay::Left);
+            }
+        }
+    }
+    for spec in &garment.plan.edge_names {
+        if let RunSpec::Points { piece, from, to, way } = &spec.run
+            && let Some((before, after)) = named(garment, pieces, piece)
+        {
+            let follow = Follow::new(before, &after.outline.positions());
+            add(piece, &spec.name, follow.carry(*from).0, follow.carry(*to).0, *way);
+        }
+    }
+    out
+}
+
+/// The name that an edge gets which was meant by its number.
+fn by_number(number: &str) -> String {
+    format!("edge-{number}")
+}
+
+fn attachment(spec: &AttachSpec, garment: &Garment) -> AttachSpec {
+    let piece = garment.pieces.iter().find(|p| p.name.eq_ignore_ascii_case(&spec.piece));
+    let edge = piece.and_then(|p| p.edges.iter().find(|e| e.index.to_string() == spec.edge));
+    let name = edge.map(|e| e.name.clone().unwrap_or_else(|| by_number(&spec.edge)));
+    AttachSpec { edge: name.unwrap_or_else(|| spec.edge.clone()), source: None, ..spec.clone() }
+}

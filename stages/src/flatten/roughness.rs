@@ -1,0 +1,97 @@
+//! The metric of a rough surface, free of what roughness adds to lengths.
+//!
+//! Every vertex is taken to be off by some vector of variance `σ²` in each coordinate. That adds `3σ² Σ b bᵀ` to the
+//! metric of a triangle on average, with `b` the gradients of its shape functions. The size `σ` is found by a filter
+//! that lets roughness pass and shape not. Known unit roughness goes through the same filter and says how much passes.
+
+use super::blur::Blur;
+use super::metric::edges3;
+use super::source::Source;
+use super::system::SystemError;
+use nalgebra::{Matrix2, Matrix3x2};
+use toile_garment::{Vec2, Vec3};
+
+/// Width of the filter that tells roughness from shape, in mean mesh edges. Larger takes curvature for roughness.
+const FILTER_EDGES: f64 = 1.0;
+
+type Gradient = Vec<Matrix3x2<f64>>;
+
+/// The metric of a surface over the stored piece, smoothed by `blur`.
+///
+/// # Errors
+/// When memory runs out.
+pub fn smooth_metric(source: &Source<'_>, p: &[Vec3], blur: &mut Blur) -> Result<Vec<Matrix2<f64>>, SystemError> {
+    let (rest, triangles) = (&source.mesh.rest, &source.mesh.triangles);
+    let stored = source.stored();
+    let inverse: Vec<Matrix2<f64>> = stored.iter().map(|e| e.try_inverse().unwrap_or_default()).collect();
+    let unit: Vec<Vec3> = (0..p.len()).map(|k| unit_roughness(k as u64)).collect();
+    let of = |p: &[Vec3]| -> Gradient { triangles.iter().zip(&inverse).map(|(t, i)| edges3(p, *t) * i).collect() };
+    let (rough, known) = (of(p), of(&unit));
+    let mut filter = Blur::new(rest, triangles, FILTER_EDGES * mean_edge(rest, triangles))?;
+    let passed = |f: &Gradient, filter: &mut Blur| -> Result<f64, SystemError> {
+        let soft = softened(f, filter)?;
+        Ok(trimmed_mean(f.iter().zip(&soft).zip(&inverse).map(|((f, s), i)| (f - s).norm_squared() / i.norm_squared())))
+    };
+    let unit_passed = passed(&known, &mut filter)?;
+    let variance = if unit_passed > 0.0 { passed(&rough, &mut filter)? / unit_passed } else { 0.0 };
+    let added = Matrix2::new(6.0, 3.0, 3.0, 6.0) * variance;
+    let metric: Vec<Matrix2<f64>> =
+        rough.iter().zip(&inverse).map(|(f, i)| f.transpose() * f - i.transpose() * added * i).collect();
+    blur.tensors(&metric)
+}
+
+fn softened(gradient: &Gradient, blur: &mut Blur) -> Result<Gradient, SystemError> {
+    let mut out = vec![Matrix3x2::zeros(); gradient.len()];
+    for row in 0..3 {
+        let field: Vec<Vec2> = gradient.iter().map(|f| f.row(row).transpose()).collect();
+        for (out, soft) in out.iter_mut().zip(blur.pair(&field)?) {
+            out.set_row(row, &soft.transpose());
+        }
+    }
+    Ok(out)
+}
+
+/// A normal vector of variance 1 in each coordinate, always the same for a vertex (the mixing of SplitMix64).
+fn unit_roughness(vertex: u64) -> Vec3 {
+    let share = |k: u64| {
+        let mut z = (6 * vertex + k + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        (((z ^ (z >> 31)) >> 11) as f64 + 0.5) / (1u64 << 53) as f64
+    };
+    let normal =
+        |k: u64| libm::sqrt(-2.0 * libm::log(share(2 * k))) * libm::cos(std::f64::consts::TAU * share(2 * k + 1));
+    Vec3::new(normal(0), normal(1), normal(2))
+}
+
+/// Mean of the smaller nine tenths. The tenth left out is where shape passes the filter: tips of darts, sharp folds.
+fn trimmed_mean(values: impl Iterator<Item = f64>) -> f64 {
+    let mut values: Vec<f64> = values.collect();
+    values.sort_by(f64::total_cmp);
+    let kept = values.len().div_ceil(10) * 9;
+    values.truncate(kept.max(1));
+    values.iter().sum::<f64>() / values.len().max(1) as f64
+}
+
+fn mean_edge(rest: &[Vec2], triangles: &[[u32; 3]]) -> f64 {
+    let sides = |t: &[u32; 3]| {
+        let [a, b, c] = t.map(|v| rest[v as usize]);
+        (b - a).norm() + (c - b).norm() + (a - c).norm()
+    };
+    let sum: f64 = triangles.iter().map(sides).sum();
+    sum / (3.0 * triangles.len().max(1) as f64)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn unit_roughness_has_variance_one_and_no_mean() {
+        let all: Vec<Vec3> = (0..20_000).map(unit_roughness).collect();
+        let n = all.len() as f64;
+        let mean = all.iter().sum::<Vec3>() / n;
+        let square = all.iter().map(|v| v.norm_squared()).sum::<f64>() / (3.0 * n);
+        assert!(mean.norm() < 0.03 && (square - 1.0).abs() < 0.02, "{mean} {square}");
+    }
+}

@@ -1,0 +1,129 @@
+//! Pieces that mirror each other, and pieces on the middle, come back as one.
+//!
+//! Two stored outlines that a reflection carries onto each other belong together if the reflection left to right of the
+//! garment in 3D agrees. Where the edit was symmetric, the flat pieces differ by little. The changes of both sides are
+//! then averaged, so that they are the same.
+
+use super::align::Rigid;
+use super::features::Features;
+use super::figures::vertex_areas;
+use super::findings;
+use super::metric::edges2;
+use super::mirror::{Reflection, between};
+use super::params::{FlattenParams, SymmetryChoice};
+use super::point_location::PointLocation;
+use super::source::Source;
+use toile_garment::{Report, Vec2, Vec3};
+
+/// Largest difference of two sides that is taken for one, metres. Larger also evens out small edits of one side.
+const SAME_EDIT: f64 = 3e-3;
+/// Difference below which the sides are the same already, metres.
+const SAME_ALREADY: f64 = 1e-9;
+/// Mean distance in 3D from the mirror image, as a share of the square root of the area, up to which pieces are images.
+const IMAGE_IN_3D: f64 = 0.25;
+
+/// A piece and its image.
+struct Image {
+    p: usize,
+    q: usize,
+    reflection: Reflection,
+}
+
+/// Makes the flat pieces symmetric where the edit was, and reports both cases.
+pub fn make(
+    sources: &[Source<'_>],
+    features: &[Features],
+    params: &FlattenParams,
+    flats: &mut [Vec<Vec2>],
+    report: &mut Report,
+) {
+    if params.symmetry == SymmetryChoice::Off {
+        return;
+    }
+    for image in images(sources, features) {
+        let names = (sources[image.p].piece, sources[image.q].piece);
+        let (there, back) = (mirrored(sources, flats, &image, false), mirrored(sources, flats, &image, true));
+        let apart = difference(&there, &flats[image.p]);
+        if apart <= SAME_ALREADY {
+            continue;
+        }
+        if apart > SAME_EDIT {
+            report.push(findings::asymmetric(names, apart));
+            continue;
+        }
+        let mean = |a: &[Vec2], b: &[Vec2]| a.iter().zip(b).map(|(a, b)| (a + b) * 0.5).collect::<Vec<_>>();
+        let (p, q) = (mean(&there, &flats[image.p]), mean(&back, &flats[image.q]));
+        let upright = |s: &Source<'_>, x: &[Vec2]| s.mesh.triangles.iter().all(|t| edges2(x, *t).determinant() > 0.0);
+        if upright(&sources[image.p], &p) && upright(&sources[image.q], &q) {
+            report.push(findings::symmetric(names, apart));
+            (flats[image.p], flats[image.q]) = (p.clone(), if image.p == image.q { p } else { q });
+        }
+    }
+}
+
+fn difference(a: &[Vec2], b: &[Vec2]) -> f64 {
+    a.iter().zip(b).map(|(a, b)| (a - b).norm()).fold(0.0, f64::max)
+}
+
+/// Where the vertices of one piece are in the flat mirror image of the other. `back` exchanges the two.
+fn mirrored(sources: &[Source<'_>], flats: &[Vec<Vec2>], image: &Image, back: bool) -> Vec<Vec2> {
+    let (p, q, reflection) = match back {
+        false => (image.p, image.q, image.reflection),
+        true => (image.q, image.p, image.reflection.inverse()),
+    };
+    let (onto, rest) = (&sources[q], &sources[p].mesh.rest);
+    let change: Vec<Vec2> = flats[q].iter().zip(&onto.mesh.rest).map(|(f, r)| f - r).collect();
+    let location = PointLocation::new(&onto.mesh.rest, &onto.mesh.triangles);
+    let moved: Vec<Vec2> = rest
+        .iter()
+        .map(|r| r + reflection.inverse().turned(location.interpolate(reflection.of(*r), &change)))
+        .collect();
+    let fit = Rigid::best(&moved, &flats[p], &vertex_areas(rest, &sources[p].mesh.triangles));
+    moved.iter().map(|m| fit.apply(*m)).collect()
+}
+
+/// Every piece with its image, each piece once.
+fn images(sources: &[Source<'_>], features: &[Features]) -> Vec<Image> {
+    let count: usize = sources.iter().map(|s| s.surface.len()).sum();
+    let middle = sources.iter().flat_map(|s| s.surface).map(|p| p.x).sum::<f64>() / count.max(1) as f64;
+    let mut found: Vec<(f64, Image)> = Vec::new();
+    for p in 0..sources.len() {
+        for q in p..sources.len() {
+            for reflection in between((sources[p].mesh, &features[p]), (sources[q].mesh, &features[q])) {
+                let image = Image { p, q, reflection };
+                let off = off_in_3d(sources, &image, middle);
+                if off <= IMAGE_IN_3D {
+                    found.push((off, image));
+                }
+            }
+        }
+    }
+    found.sort_by(|a, b| a.0.total_cmp(&b.0).then((a.1.p, a.1.q).cmp(&(b.1.p, b.1.q))));
+    let mut taken = vec![false; sources.len()];
+    let mut out = Vec::new();
+    for (_, image) in found {
+        if !taken[image.p] && !taken[image.q] {
+            (taken[image.p], taken[image.q]) = (true, true);
+            out.push(image);
+        }
+    }
+    out
+}
+
+/// Mean distance of the outline of a piece from the mirror image of the other in 3D, over the root of its area.
+fn off_in_3d(sources: &[Source<'_>], image: &Image, middle: f64) -> f64 {
+    let (p, q) = (&sources[image.p], &sources[image.q]);
+    let (Some(a), Some(b)) = (p.mesh.outline(), q.mesh.outline()) else { return f64::INFINITY };
+    let step = (a.vertices.len() / 32).max(1);
+    let (mut sum, mut count) = (0.0, 0.0);
+    for v in a.vertices.iter().step_by(step) {
+        let to = image.reflection.of(p.mesh.rest[*v as usize]);
+        let far = |w: &&u32| (q.mesh.rest[**w as usize] - to).norm_squared();
+        let Some(w) = b.vertices.iter().min_by(|a, b| far(a).total_cmp(&far(b))) else { continue };
+        let at = p.surface[*v as usize];
+        sum += (q.surface[*w as usize] - Vec3::new(2.0 * middle - at.x, at.y, at.z)).norm();
+        count += 1.0;
+    }
+    let area = p.mesh.area();
+    if count > 0.0 && area > 0.0 { sum / count / area.sqrt() } else { f64::INFINITY }
+}
