@@ -4,6 +4,7 @@ pub mod body_parts;
 pub(crate) mod codes;
 mod effects;
 mod fabric;
+pub mod lines;
 pub mod level_cut;
 pub mod place;
 pub mod scene;

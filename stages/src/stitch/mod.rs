@@ -11,8 +11,6 @@ pub mod place;
 mod plan_check;
 mod raise;
 
-pub(crate) use attach::elastic;
-
 use crate::sewing::turned::Lengths;
 use crate::solve::body_parts::contact_filter;
 use crate::solve::{Follow, Layout, effects, failure_in, scene};
@@ -20,7 +18,7 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use toile_cloth::{ExplicitSteps, Outcome, PieceMove, Settings, Stitches};
+use toile_cloth::{ExplicitSteps, Outcome, PieceMove, Pin, Settings, Stitches};
 use toile_garment::garment::Shape;
 use toile_garment::seam::Seam;
 use toile_garment::units::{Duration, Length};
@@ -150,8 +148,9 @@ impl Stage for Stitch {
             }
             cx.report.push(raise::finding(by));
         }
-        let pins = attach::pins(&garment, &placed, params.body_gap.0).map_err(StageError::Parameter)?;
-        garment.pins.extend(pins);
+        let layer = garment.fabrics.values().map(|f| f.thickness).fold(params.self_gap.0, f64::max);
+        let holds = attach::holds(&garment, &placed, params.body_gap.0, layer).map_err(StageError::Parameter)?;
+        garment.pins.extend(holds.lasting);
         let turned = garment.seams.iter().filter_map(|seam| turned(seam, &placed));
         cx.report.findings.extend(turned);
         let settings = settings(params, cx.threads);
@@ -170,6 +169,9 @@ impl Stage for Stitch {
         }
         let mut start = scene(&garment, &layout, layout.join(&placed), WEIGHT).map_err(StageError::Parameter)?;
         start.contact_filter = contact_filter(&garment, &layout, &ignores);
+        start.pins.extend(holds.while_sewing.iter().map(|p| Pin { vertex: layout.index(p.vertex), at: p.at }));
+        // A band is sewn on stretched, and pulls in the drape.
+        start.bands.clear();
         let moves =
             toile_cloth::pieces_off_body(&mut start, &settings).map_err(|e| failure_in(e, &garment, &placed))?;
         cx.report.findings.extend(moves.iter().filter_map(|m| moved_off(&garment, &layout, m)));
@@ -179,6 +181,7 @@ impl Stage for Stitch {
         let sewn = toile_cloth::sew(&start, &settings, &mut Follow::showing(cx, &shown));
         let outcome = sewn.map_err(|e| failure_in(e, &garment, &placed))?;
         tell(&garment, &outcome, settings.sewing.closed_distance, cx);
+        garment.bands.extend(holds.bands);
         garment.effects = effects(&outcome.effects);
         garment.stitched = Some(shape(&outcome.positions));
         Ok(garment)
