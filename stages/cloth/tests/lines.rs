@@ -79,16 +79,19 @@ fn a_band_holds_on_a_post_by_friction_or_slides() {
         let mut cloth = linear(density, 200.0, 0.05, 1.0);
         cloth.friction = 0.3;
         let tension = margin * weight / (0.3 * TAU);
-        let gap = 1e-3;
-        let band = TAU * (0.1 + gap) / (1.0 + tension / stiffness);
-        let mut scene = ring(cloth, around, height, |_| 0.1013, band, stiffness);
+        // Cloth is held off a body by the gap and half of its thickness.
+        let gap = 1.15e-3;
+        // The middles of a ring's edges lie a little inside its circle.
+        let length = f64::from(ROUND) * (0.1 + gap) * libm::sin(TAU / f64::from(ROUND));
+        let band = length / (1.0 + tension / stiffness);
+        let mut scene = ring(cloth, around, height, |_| 0.1 + gap, band, stiffness);
         scene.body = Some(post(0.1, 0.6, 192).into());
         let out = settle(&scene, Switch::Auto);
         let sank = scene.positions[0].y - out.positions[0].y;
         if holds {
-            assert!(out.settled && sank < 1e-3, "it sank by {sank} m: {:?}", out.stop_reason);
-            let (length, found) = band_state(&scene.bands[0], &out.positions);
-            assert!((length / (TAU * (0.1 + gap)) - 1.0).abs() < 2e-3, "{length} m");
+            assert!(out.settled && sank < 5e-3, "it sank by {sank} m: {:?}", out.stop_reason);
+            let (now, found) = band_state(&scene.bands[0], &out.positions);
+            assert!((now / length - 1.0).abs() < 1e-3, "{now} m instead of {length} m");
             assert!((found / tension - 1.0).abs() < 0.03, "{found} N instead of {tension} N");
         } else {
             assert!(out.stop_reason == StopReason::Unheld || sank > 0.01, "it sank by {sank} m: {:?}", out.stop_reason);

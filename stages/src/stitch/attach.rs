@@ -9,7 +9,7 @@ use toile_garment::body::Body;
 use toile_garment::dart::{DartKind, DartMesh};
 use toile_garment::garment::{ElasticBand, Pin};
 use toile_garment::mesh::PieceMesh;
-use toile_garment::sewing::{AttachSpec, AttachStrength};
+use toile_garment::sewing::{AttachSpec, AttachStrength, LayerSpec};
 use toile_garment::{Diagnostic, Garment, MeshVertex, Piece, PieceId, Vec2, Vec3};
 
 /// Extra distance between held edges and the body, beyond the contact's own, metres.
@@ -51,11 +51,19 @@ pub struct Holds {
     pub bands: Vec<ElasticBand>,
 }
 
-/// What holds the attached edges, `gap` metres off the body. Cloth and what lies under its pleats is `layer` metres thick.
+impl Holds {
+    fn extend(&mut self, more: Self) {
+        self.lasting.extend(more.lasting);
+        self.while_sewing.extend(more.while_sewing);
+        self.bands.extend(more.bands);
+    }
+}
+
+/// What holds the attached edges, `gap` metres off the body. Cloth is `thickness` metres thick.
 ///
 /// # Errors
 /// All attachments that cannot be made, each with the reason.
-pub fn holds(garment: &Garment, placed: &[Vec<Vec3>], gap: f64, layer: f64) -> Result<Holds, Vec<Diagnostic>> {
+pub fn holds(garment: &Garment, placed: &[Vec<Vec3>], gap: f64, thickness: f64) -> Result<Holds, Vec<Diagnostic>> {
     let mut errors = Vec::new();
     let mut targets: Vec<&str> = Vec::new();
     for spec in &garment.plan.attachments {
@@ -66,12 +74,8 @@ pub fn holds(garment: &Garment, placed: &[Vec<Vec3>], gap: f64, layer: f64) -> R
     let mut holds = Holds::default();
     for to in targets {
         let specs: Vec<&AttachSpec> = garment.plan.attachments.iter().filter(|a| a.to == to).collect();
-        match ring_holds(garment, placed, [gap, layer], to, &specs) {
-            Ok(more) => {
-                holds.lasting.extend(more.lasting);
-                holds.while_sewing.extend(more.while_sewing);
-                holds.bands.extend(more.bands);
-            }
+        match ring_holds(garment, placed, [gap, thickness], to, &specs) {
+            Ok(more) => holds.extend(more),
             Err(finding) => errors.push(finding.at(specs[0].source.clone())),
         }
     }
@@ -85,31 +89,50 @@ pub fn faults(garment: &Garment) -> Vec<Diagnostic> {
     first.filter_map(|(_, a)| Some(section(garment, &a.to).err()?.at(a.source.clone()))).collect()
 }
 
+/// Holds at one landmark. Each layer of the garment has a ring of its own, outside that of the layer below.
 fn ring_holds(
     garment: &Garment,
     placed: &[Vec<Vec3>],
-    [gap, layer]: [f64; 2],
+    [gap, thickness]: [f64; 2],
     to: &str,
     specs: &[&AttachSpec],
 ) -> Result<Holds, Diagnostic> {
     let section = section(garment, to)?;
-    let mut ring = Ring::around(&section, gap);
-    let mut shares = Vec::new();
-    let mut pleated = false;
+    let mut layers: std::collections::BTreeMap<i32, Vec<(&Piece, Vec<usize>)>> = std::collections::BTreeMap::new();
     for piece in &garment.pieces {
         let edges = edges_of(piece, specs)?;
         if !edges.is_empty() {
-            let intake = pleat_intakes(piece);
-            pleated |= edges.iter().flat_map(|e| edge_vertices(piece, *e)).any(|v| intake.contains(&v));
-            shares.push(share(piece, &placed[piece.id.index()], &edges, &intake, &ring));
+            layers.entry(layer_of(garment, piece)).or_default().push((piece, edges));
         }
     }
-    // Under a pleat lie two more layers.
-    let gap = if pleated { gap + 2.0 * layer } else { gap };
-    // Straight mesh edges cut the corner of the ring: move it out until their middles keep the gap as well.
-    let cut = lay(&shares, &ring).1;
-    ring = Ring::around(&section, gap + cut + SLACK);
-    Ok(holds_of(garment, specs, to, lay(&shares, &ring).0, section.girth()))
+    let mut holds = Holds::default();
+    let mut gap = gap;
+    for pieces in layers.values() {
+        let ring = Ring::around(&section, gap);
+        let mut pleated = false;
+        let shares: Vec<Share> = pieces
+            .iter()
+            .map(|(piece, edges)| {
+                let intake = pleat_intakes(piece);
+                pleated |= edges.iter().flat_map(|e| edge_vertices(piece, *e)).any(|v| intake.contains(&v));
+                share(piece, &placed[piece.id.index()], edges, &intake, &ring)
+            })
+            .collect();
+        // Under a pleat lie two more layers. Straight mesh edges cut the corner of the ring: it moves out until their
+        // middles keep the gap as well.
+        let under = if pleated { 2.0 * thickness } else { 0.0 };
+        let out = gap + under + lay(&shares, &ring).1 + SLACK;
+        let laid = lay(&shares, &Ring::around(&section, out)).0;
+        holds.extend(holds_of(garment, specs, to, laid, section.girth()));
+        gap = out + thickness;
+    }
+    Ok(holds)
+}
+
+/// The layer that the sewing file gives a piece.
+fn layer_of(garment: &Garment, piece: &Piece) -> i32 {
+    let named = |l: &&LayerSpec| l.pieces.iter().any(|n| n.eq_ignore_ascii_case(&piece.name));
+    garment.plan.layers.iter().rev().find(named).map_or(0, |l| l.order)
 }
 
 /// How the attachments of a piece hold it; the first that names it tells.

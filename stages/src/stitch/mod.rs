@@ -148,8 +148,8 @@ impl Stage for Stitch {
             }
             cx.report.push(raise::finding(by));
         }
-        let layer = garment.fabrics.values().map(|f| f.thickness).fold(params.self_gap.0, f64::max);
-        let holds = attach::holds(&garment, &placed, params.body_gap.0, layer).map_err(StageError::Parameter)?;
+        let thickness = garment.fabrics.values().map(|f| f.thickness).fold(params.self_gap.0, f64::max);
+        let holds = attach::holds(&garment, &placed, params.body_gap.0, thickness).map_err(StageError::Parameter)?;
         garment.pins.extend(holds.lasting);
         let turned = garment.seams.iter().filter_map(|seam| turned(seam, &placed));
         cx.report.findings.extend(turned);
