@@ -1,6 +1,6 @@
 //! Edges tied to the body: a waist edge is laid on the ring a tape makes around the body there.
 
-use super::codes;
+use super::{codes, layer_of};
 use crate::body::{Section, hull, section_at};
 use crate::codes::BODY_MISSING;
 use crate::sewing::sewn_points::SewnPoints;
@@ -9,7 +9,7 @@ use toile_garment::body::Body;
 use toile_garment::dart::{DartKind, DartMesh};
 use toile_garment::garment::{ElasticBand, Pin};
 use toile_garment::mesh::PieceMesh;
-use toile_garment::sewing::{AttachSpec, AttachStrength, LayerSpec};
+use toile_garment::sewing::{AttachSpec, AttachStrength};
 use toile_garment::{Diagnostic, Garment, MeshVertex, Piece, PieceId, Vec2, Vec3};
 
 /// Extra distance between held edges and the body, beyond the contact's own, metres.
@@ -127,12 +127,6 @@ fn ring_holds(
         gap = out + thickness;
     }
     Ok(holds)
-}
-
-/// The layer that the sewing file gives a piece.
-fn layer_of(garment: &Garment, piece: &Piece) -> i32 {
-    let named = |l: &&LayerSpec| l.pieces.iter().any(|n| n.eq_ignore_ascii_case(&piece.name));
-    garment.plan.layers.iter().rev().find(named).map_or(0, |l| l.order)
 }
 
 /// How the attachments of a piece hold it; the first that names it tells.

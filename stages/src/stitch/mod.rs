@@ -21,6 +21,7 @@ use std::path::PathBuf;
 use toile_cloth::{ExplicitSteps, Outcome, PieceMove, Pin, Settings, Stitches};
 use toile_garment::garment::Shape;
 use toile_garment::seam::Seam;
+use toile_garment::sewing::LayerSpec;
 use toile_garment::units::{Duration, Length};
 use toile_garment::{Aspect, Diagnostic, Garment, MeshVertex, Piece, SeamId, Vec3};
 use toile_stage_api::{Cost, Forecast, Knob, Meaning, Stage, StageContext, StageError, StageInfo};
@@ -219,6 +220,12 @@ fn moved_off(garment: &Garment, layout: &Layout, moved: &PieceMove) -> Option<Di
             .at(piece.source.clone())
             .hint("place it there in the sewing file"),
     )
+}
+
+/// The layer that the sewing file gives a piece.
+fn layer_of(garment: &Garment, piece: &Piece) -> i32 {
+    let named = |l: &&LayerSpec| l.pieces.iter().any(|n| n.eq_ignore_ascii_case(&piece.name));
+    garment.plan.layers.iter().rev().find(named).map_or(0, |l| l.order)
 }
 
 /// A finding on a seam that is named the wrong way round, as its pieces are placed.
