@@ -199,7 +199,8 @@ const STRETCH: &str =
 const HELD_HEM: &str = "attach[2]={ piece = \"BACK\", edge = \"hem\", to = \"hip\" }";
 const LAYERS: &str = "layer=[{ order = 1, pieces = [\"BACK\"] }]";
 const ELASTIC: &str = "elastic=[{ along = \"BACK.0\", length = \"80 %\" }]";
-const FOLD: &str = "fold=[{ piece = \"BACK\", line = [[\"-100 mm\", \"40 mm\"], [\"100 mm\", \"40 mm\"]], angle = \"40 deg\" }]";
+const FOLD: &str =
+    "fold=[{ piece = \"BACK\", line = [[\"-100 mm\", \"40 mm\"], [\"100 mm\", \"40 mm\"]], angle = \"40 deg\" }]";
 const INTERLINING: &str = "interlining=[{ pieces = [\"BACK\"], areal_mass = \"60 g/m2\", bending = \"100 uN.m\" }]";
 const PLEAT: &str = "dart=[{ piece = \"BACK\", kind = \"pleat\", mouth = [[\"-10 mm\", \"151 mm\"], [\"10 mm\", \"151 mm\"]], apexes = [[\"-10 mm\", \"60 mm\"], [\"10 mm\", \"60 mm\"]], press = \"inverted\", sewn = \"30 mm\" }]";
 const PUT: &str = "place[0]={ piece = \"FRONT\", rotation = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], translation = [\"-100 mm\", \"850 mm\", \"80 mm\"] }";

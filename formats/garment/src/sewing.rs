@@ -315,8 +315,19 @@ pub struct SewingPlan {
 impl SewingPlan {
     /// Adds what another plan says; its places win over those of the same piece here.
     pub fn extend(&mut self, more: Self) {
-        let Self { seams, darts, places, layers, attachments, copies, edge_names, elastics, folds, interlinings, leave_out } =
-            more;
+        let Self {
+            seams,
+            darts,
+            places,
+            layers,
+            attachments,
+            copies,
+            edge_names,
+            elastics,
+            folds,
+            interlinings,
+            leave_out,
+        } = more;
         self.seams.extend(seams);
         self.darts.extend(darts);
         self.places.retain(|p| !places.iter().any(|m| m.piece.eq_ignore_ascii_case(&p.piece)));

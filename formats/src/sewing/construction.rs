@@ -90,9 +90,12 @@ fn angle(value: Value<'_>, walk: &mut Walk<'_>) -> Option<f64> {
     if angle != 0.0 && angle.abs() <= PI * (1.0 + 1e-12) {
         return Some(angle.clamp(-PI, PI));
     }
-    walk.error(codes::SEWING_FOLD_ANGLE, value.span().start, "`angle` must lie between -180° and 180°, and not be 0", |d| {
-        d.hint("write angle = \"180 deg\" where the right side is outside, and \"-180 deg\" where it is inside")
-    });
+    walk.error(
+        codes::SEWING_FOLD_ANGLE,
+        value.span().start,
+        "`angle` must lie between -180° and 180°, and not be 0",
+        |d| d.hint("write angle = \"180 deg\" where the right side is outside, and \"-180 deg\" where it is inside"),
+    );
     None
 }
 
@@ -106,9 +109,12 @@ pub fn interlining(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>)
     t.finish(walk);
     let (areal_mass, bending) = (areal_mass?, bending?);
     if !(areal_mass > 0.0 && bending >= 0.0) {
-        walk.error(codes::SEWING_INTERLINING, at, "an interlining has a mass, and a bending rigidity of 0 or more", |d| {
-            d.hint("e.g. areal_mass = \"60 g/m2\" and bending = \"40 uN.m\"")
-        });
+        walk.error(
+            codes::SEWING_INTERLINING,
+            at,
+            "an interlining has a mass, and a bending rigidity of 0 or more",
+            |d| d.hint("e.g. areal_mass = \"60 g/m2\" and bending = \"40 uN.m\""),
+        );
         return None;
     }
     Some(InterliningSpec { pieces: pieces?, areal_mass, bending, source: Some(walk.source(at, Some("interlining"))) })

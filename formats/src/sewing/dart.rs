@@ -56,7 +56,16 @@ pub fn dart(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Opt
         return None;
     }
     let source = Some(walk.source(at, Some("dart")));
-    Some(DartSpec { piece: piece?, name, apexes, mouth: mouth?, kind, press: press.flatten(), sewn: sewn.flatten(), source })
+    Some(DartSpec {
+        piece: piece?,
+        name,
+        apexes,
+        mouth: mouth?,
+        kind,
+        press: press.flatten(),
+        sewn: sewn.flatten(),
+        source,
+    })
 }
 
 fn apexes(t: &mut Table<'_>, walk: &mut Walk<'_>) -> Option<Vec<Vec2>> {

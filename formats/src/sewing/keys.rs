@@ -304,12 +304,7 @@ pub static ELASTIC: Keys = Keys {
             "\"60 %\"",
             "Length of the unstretched band: a length, or a share of the cloth along these edges.",
         ),
-        may(
-            "stretch",
-            Form::Force,
-            "\"30 N\"",
-            "Tension per strain: the tension at twice its length. Default: 30 N.",
-        ),
+        may("stretch", Form::Force, "\"30 N\"", "Tension per strain: the tension at twice its length. Default: 30 N."),
     ],
 };
 

@@ -60,7 +60,9 @@ fn value(key: &Key) -> Value {
         Form::Force => quantity::<Force>(),
         Form::ArealMass => quantity::<ArealMass>(),
         Form::Bending => quantity::<Bending>(),
-        Form::Strength => json!({ "type": "string", "pattern": "^\\s*(hold\\s*|while-sewing\\s*|elastic\\s+\\S+\\s*)$" }),
+        Form::Strength => {
+            json!({ "type": "string", "pattern": "^\\s*(hold\\s*|while-sewing\\s*|elastic\\s+\\S+\\s*)$" })
+        }
         Form::Tables(keys) => json!({ "type": "array", "items": rows(keys) }),
     };
     let mut form = with_about(form, key.about);

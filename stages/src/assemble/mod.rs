@@ -1,7 +1,7 @@
 //! `assemble`: seams and darts become vertex runs and stitches.
 
-pub(crate) mod codes;
 mod bands;
+pub(crate) mod codes;
 mod collapsed;
 mod runs;
 mod stitches;

@@ -40,7 +40,7 @@ pub(super) fn folds(garment: &Garment, layout: &Layout, now: &[Vec<Vec3>]) -> Ve
     names.zip(&scene.folds).map(state).collect()
 }
 
-/// What the certificate tells of bands, and of folds that lie open.
+/// Findings on the bands of a certificate, and on its folds that lie open.
 pub(super) fn findings(certificate: &Certificate) -> Vec<Diagnostic> {
     let band = |b: &BandAtRest| {
         let message = format!(

@@ -40,7 +40,7 @@ struct Share {
     middle: f64,
 }
 
-/// What holds the attached edges.
+/// Pins and bands that hold the attached edges.
 #[derive(Debug, Default)]
 pub struct Holds {
     /// Held for good.
@@ -59,7 +59,7 @@ impl Holds {
     }
 }
 
-/// What holds the attached edges, `gap` metres off the body. Cloth is `thickness` metres thick.
+/// Pins and bands of the attached edges, `gap` metres off the body. Cloth is `thickness` metres thick.
 ///
 /// # Errors
 /// All attachments that cannot be made, each with the reason.

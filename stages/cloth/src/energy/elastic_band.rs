@@ -105,8 +105,7 @@ impl Energy for Bands {
                 let l = way.norm();
                 let along = way * way.transpose() / (l * l);
                 let across = 0.5 * s.stiffness * strain / l;
-                let block =
-                    along * (0.5 * s.stiffness / s.rest - across) + nalgebra::Matrix3::identity() * across;
+                let block = along * (0.5 * s.stiffness / s.rest - across) + nalgebra::Matrix3::identity() * across;
                 h.spread(&s.ends, &[1.0, -1.0], &block);
             }
         }

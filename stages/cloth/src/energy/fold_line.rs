@@ -97,10 +97,8 @@ impl Fold {
     fn gradient_change(&self, d: &[Vec3; 4]) -> [Vec3; 4] {
         let (edge, to) = (d[1] - d[0], [d[2] - d[0], d[3] - d[0]]);
         let way = self.edge.dot(&edge) / self.length;
-        let normals = [
-            edge.cross(&self.to[0]) + self.edge.cross(&to[0]),
-            to[1].cross(&self.edge) + self.to[1].cross(&edge),
-        ];
+        let normals =
+            [edge.cross(&self.to[0]) + self.edge.cross(&to[0]), to[1].cross(&self.edge) + self.to[1].cross(&edge)];
         let squared = self.length * self.length;
         let mut corner = [Vec3::zeros(); 2];
         let mut turned = [Vec3::zeros(); 2];
@@ -108,8 +106,7 @@ impl Fold {
         for k in 0..2 {
             let (n, size) = (&self.normals[k], self.normals[k].norm_squared());
             corner[k] = n * (-self.length / size);
-            turned[k] = n * (-way / size)
-                - (normals[k] - n * (2.0 * n.dot(&normals[k]) / size)) * (self.length / size);
+            turned[k] = n * (-way / size) - (normals[k] - n * (2.0 * n.dot(&normals[k]) / size)) * (self.length / size);
             let foot = self.foot(k);
             let moved = (to[k].dot(&self.edge) + self.to[k].dot(&edge) - 2.0 * foot * self.edge.dot(&edge)) / squared;
             feet[k] = [foot, moved];

@@ -14,7 +14,7 @@ pub(crate) struct Pressure {
     faces: Vec<[u32; 3]>,
     /// Force on every vertex at the last refresh, N.
     push: Vec<Vec3>,
-    /// What keeps cloth that nothing holds in its place.
+    /// Relief for cloth that is free to move or to turn.
     relief: Option<Relief>,
     refreshes: u64,
 }
@@ -149,7 +149,8 @@ mod tests {
     /// about it. Where two are held, it has both.
     #[test]
     fn forces_on_cloth_that_nothing_holds_neither_carry_nor_turn_it() {
-        let positions: Vec<Vec3> = (0..6).map(|k| f64::from(k)).map(|k| Vec3::new(k % 3.0, (k / 3.0).floor(), 0.1 * k * k)).collect();
+        let positions: Vec<Vec3> =
+            (0..6).map(|k| f64::from(k)).map(|k| Vec3::new(k % 3.0, (k / 3.0).floor(), 0.1 * k * k)).collect();
         let faces = [[0, 1, 4], [0, 4, 3], [1, 2, 5], [1, 5, 4]];
         let rest = |v: u32| [f64::from(v % 3), f64::from(v / 3)];
         let triangles = faces.map(|f: [u32; 3]| Element { vertices: f, rest: f.map(rest), material: 0 }).to_vec();

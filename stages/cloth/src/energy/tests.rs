@@ -9,8 +9,8 @@ use crate::energy::shear::Shear;
 use crate::energy::structural::Structural;
 use crate::energy::weight::Weight;
 use crate::linear::hessian::Hessian;
-use crate::scene::topology::Topology;
 use crate::scene::lines::{Band, FoldLine};
+use crate::scene::topology::Topology;
 use crate::{Curve, Element, Material, Scene, Settings, Vec3};
 
 fn noise(seed: u32) -> f64 {

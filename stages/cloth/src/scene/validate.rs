@@ -53,7 +53,10 @@ fn lines(scene: &Scene) -> Result<(), ClothError> {
     for (i, b) in scene.bands.iter().enumerate() {
         let counts = b.vertices.len() > 1 && [b.rest.len(), b.rest.len() + 1].contains(&b.vertices.len());
         if !counts || b.vertices.iter().any(|v| *v as usize >= n) {
-            return bad(SceneFault::Band, format!("band {i} has {} vertices of {n}, and {} stretches", b.vertices.len(), b.rest.len()));
+            return bad(
+                SceneFault::Band,
+                format!("band {i} has {} vertices of {n}, and {} stretches", b.vertices.len(), b.rest.len()),
+            );
         }
         if !positive(b.stiffness) || !b.rest.iter().all(|r| positive(*r)) {
             return bad(SceneFault::Band, format!("band {i}: a length or the stiffness {} is not over 0", b.stiffness));
@@ -63,8 +66,14 @@ fn lines(scene: &Scene) -> Result<(), ClothError> {
         if f.vertices.iter().any(|v| *v as usize >= n) {
             return bad(SceneFault::Fold, format!("fold {i} names a vertex that is not there, of {n}"));
         }
-        if !f.angle.is_finite() || f.angle.abs() > std::f64::consts::PI || !(f.stiffness.is_finite() && f.stiffness >= 0.0) {
-            return bad(SceneFault::Fold, format!("fold {i} has an angle of {} rad and a stiffness of {} N", f.angle, f.stiffness));
+        if !f.angle.is_finite()
+            || f.angle.abs() > std::f64::consts::PI
+            || !(f.stiffness.is_finite() && f.stiffness >= 0.0)
+        {
+            return bad(
+                SceneFault::Fold,
+                format!("fold {i} has an angle of {} rad and a stiffness of {} N", f.angle, f.stiffness),
+            );
         }
     }
     Ok(())

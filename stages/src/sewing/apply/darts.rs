@@ -1,7 +1,7 @@
 //! Declared darts: added, overruled, denied.
 
-use crate::codes::OUTLINE_TOO_SMALL;
 use super::folds;
+use crate::codes::OUTLINE_TOO_SMALL;
 use crate::sewing::codes;
 use crate::sewing::lookup;
 use crate::sewing::ring::Ring;

@@ -4,11 +4,11 @@ use crate::testing::{dart, line, one, piece, rectangle, run, seam, two_points, v
 use crate::triangulate::Triangulate;
 use toile_formats::codes::DART_UNDECIDED;
 use toile_formats::dxf::darts::UndecidedDart;
+use toile_garment::Piece;
 use toile_garment::Severity;
 use toile_garment::dart::DartKind;
 use toile_garment::notch::{Notch, NotchKind};
 use toile_garment::outline::PieceLine;
-use toile_garment::Piece;
 use toile_garment::piece::PressedFold;
 use toile_garment::sewing::{CopySpec, DartSpec, EdgeNameSpec, FoldSpec, PleatPress, RunSpec, SeamSpec};
 
