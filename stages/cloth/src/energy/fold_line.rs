@@ -168,18 +168,15 @@ impl Energy for Creases {
                 continue;
             }
             let g = fold.gradient();
-            let mut blocks = [[Matrix3::zeros(); 4]; 4];
-            for i in 0..4 {
-                for j in 0..4 {
-                    blocks[i][j] = g[i] * g[j].transpose() * c.stiffness;
-                }
-            }
+            let mut blocks = g.map(|a| g.map(|b| a * b.transpose() * c.stiffness));
             if !convex {
                 add_curvature(&fold, c.stiffness * (fold.angle() - c.angle), &mut blocks);
             }
-            for i in 0..4 {
-                h.add(c.vertices[i], &blocks[i][i]);
-                (0..i).for_each(|j| h.couple(c.vertices[i], c.vertices[j], &blocks[i][j]));
+            for (i, row) in blocks.iter().enumerate() {
+                h.add(c.vertices[i], &row[i]);
+                for (j, block) in row[..i].iter().enumerate() {
+                    h.couple(c.vertices[i], c.vertices[j], block);
+                }
             }
         }
     }
