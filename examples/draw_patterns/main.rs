@@ -7,6 +7,7 @@ mod body;
 mod draft;
 mod fitted_bodice;
 mod long_skirt;
+mod plain_skirts;
 mod sheet;
 mod t_shirt;
 #[cfg(test)]
@@ -28,6 +29,8 @@ const STYLES: &[Style] = &[
     Style { file: "long-skirt", pieces: long_skirt::pieces },
     Style { file: "fitted-bodice", pieces: fitted_bodice::pieces },
     Style { file: "t-shirt", pieces: t_shirt::pieces },
+    Style { file: "gathered-skirt", pieces: plain_skirts::gathered },
+    Style { file: "pleated-skirt", pieces: plain_skirts::pleated },
 ];
 
 /// File names and bytes of all samples.

@@ -61,7 +61,7 @@ fn all() -> Vec<(&'static str, Draft, PieceDrawing)> {
 fn committed_files_are_what_is_drawn_here() {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("samples").join("patterns");
     let files = files().expect("drawn");
-    assert_eq!(files.len(), 6);
+    assert_eq!(files.len(), 10);
     for (name, bytes) in files {
         let committed = std::fs::read(folder.join(&name)).expect("committed file");
         assert!(committed == bytes, "{name} is stale: run cargo run --release --example draw_patterns");
@@ -176,6 +176,17 @@ fn skirt_fits_and_its_seams_match() {
         let names: Vec<_> = front.edges.iter().map(|e| e.name).collect();
         assert_eq!(names[..6], ["hem", "side", "waist-side", "leg", "leg", "waist-centre"]);
         assert_eq!(names[6..], ["leg", "leg", "waist-side-2", "side-2"]);
+    }
+}
+
+#[test]
+fn plain_skirts_are_as_wide_as_their_gathers_and_pleats() {
+    for m in &SIZES {
+        let waist = |pieces: Vec<Draft>| pieces.iter().map(|p| run(p, &[2])).sum::<f64>();
+        near(waist(plain_skirts::gathered(m)), plain_skirts::GATHER * m.waist, 1e-9, "gathered waist");
+        let pleats = 2.0 * plain_skirts::PLEATS as f64 * plain_skirts::PLEAT;
+        let finished = m.waist + plain_skirts::PLEATED_WAIST_EASE;
+        near(waist(plain_skirts::pleated(m)) - pleats, finished, 1e-9, "finished waist");
     }
 }
 

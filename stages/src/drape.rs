@@ -2,6 +2,7 @@
 
 mod certificate;
 mod forecast;
+mod lines;
 mod params;
 mod repeats;
 mod tightness;
@@ -27,6 +28,12 @@ codes! {
     /// Edges are so short beside the others of their triangles that no step could be taken: their ends were draped as
     /// one vertex, and parted again afterwards.
     EDGES_TINY = "edges-tiny";
+
+    /// An elastic band on the garment at rest: its length before it is stretched and now, and its tension.
+    ELASTIC_AT_REST = "elastic-at-rest";
+
+    /// A pressed fold of the garment lies open by more than half of its angle somewhere.
+    FOLD_OPEN = "fold-open";
 
     /// The fabric gives `bending_hysteresis` beside bending lengths of [fast]. They were measured on cloth whose yarns
     /// rub, so they hold this friction already, and it was not used again.
@@ -115,7 +122,13 @@ impl Stage for Drape {
         let stored: Vec<Vec3> = outcome.positions.iter().map(to_f32).collect();
         let figures = toile_cloth::certify(&welded.scene, &settings, &stored).map_err(failure)?;
         let slip = slip(&garment, &stitched, &layout.split(&welded.spread(&stored)));
+        let now = layout.split(&welded.spread(&stored));
+        let (bands, folds) = (lines::bands(&garment, &layout, &now), lines::folds(&garment, &layout, &now));
         garment.certificate = Some(certificate::certificate(&garment, params, &outcome, &figures, slip));
+        if let Some(certificate) = &mut garment.certificate {
+            (certificate.bands, certificate.folds) = (bands, folds);
+            cx.report.findings.extend(lines::findings(certificate));
+        }
         garment.drape = Some(shape(&stored));
         garment.reactions = reactions(&garment, &layout, &welded.map, &outcome);
         garment.stitched = Some(stitched);

@@ -220,6 +220,11 @@ const STRETCH: &str =
     "edge[2]={ piece = \"BACK\", name = \"hem\", from = [\"-100 mm\", \"0 mm\"], to = [\"100 mm\", \"0 mm\"] }";
 const HELD_HEM: &str = "attach[2]={ piece = \"BACK\", edge = \"hem\", to = \"hip\" }";
 const LAYERS: &str = "layer=[{ order = 1, pieces = [\"BACK\"] }]";
+const ELASTIC: &str = "elastic=[{ along = \"BACK.0\", length = \"80 %\" }]";
+const FOLD: &str =
+    "fold=[{ piece = \"BACK\", line = [[\"-100 mm\", \"40 mm\"], [\"100 mm\", \"40 mm\"]], angle = \"40 deg\" }]";
+const INTERLINING: &str = "interlining=[{ pieces = [\"BACK\"], areal_mass = \"60 g/m2\", bending = \"100 uN.m\" }]";
+const PLEAT: &str = "dart=[{ piece = \"BACK\", kind = \"pleat\", mouth = [[\"-10 mm\", \"151 mm\"], [\"10 mm\", \"151 mm\"]], apexes = [[\"-10 mm\", \"60 mm\"], [\"10 mm\", \"60 mm\"]], press = \"inverted\", sewn = \"30 mm\" }]";
 const PUT: &str = "place[0]={ piece = \"FRONT\", rotation = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], translation = [\"-100 mm\", \"850 mm\", \"80 mm\"] }";
 
 /// Keys of the sewing file.
@@ -235,6 +240,17 @@ const SEWING: &[Flip] = &[
     row("pattern", "attach[0].edge", "\"0\""),
     row("pattern", "attach[0].to", "\"hip\""),
     row("pattern", "attach[0].strength", "\"elastic 0.9\""),
+    given("pattern", &[ELASTIC], "elastic[0].along", "[\"FRONT.0\"]"),
+    given("pattern", &[ELASTIC], "elastic[0].length", "\"70 mm\""),
+    given("pattern", &[ELASTIC], "elastic[0].stretch", "\"2 N\""),
+    given("pattern", &[FOLD], "fold[0].piece", "\"FRONT\""),
+    given("pattern", &[FOLD], "fold[0].line", "[[\"-100 mm\", \"60 mm\"], [\"100 mm\", \"60 mm\"]]"),
+    given("pattern", &[FOLD], "fold[0].angle", "\"-40 deg\""),
+    given("pattern", &[INTERLINING], "interlining[0].pieces", "[\"FRONT\"]"),
+    given("pattern", &[INTERLINING], "interlining[0].areal_mass", "\"90 g/m2\""),
+    given("pattern", &[INTERLINING], "interlining[0].bending", "\"300 uN.m\""),
+    given("pattern", &[PLEAT], "dart[0].press", "\"box\""),
+    given("pattern", &[PLEAT], "dart[0].sewn", "\"60 mm\""),
     given("pattern", COPIES, "copy[0].mirror", "true"),
     given("pattern", COPIES, "copy[0].name", "\"FOURTH\""),
     given("pattern", COPIES, "copy[0].piece", "\"BACK\""),

@@ -77,9 +77,42 @@ pub struct Certificate {
     pub penetration_max_mm: f64,
     /// Limits by figure name.
     pub limits: std::collections::BTreeMap<String, f64>,
+    /// Elastic bands as they came to rest.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub bands: Vec<BandAtRest>,
+    /// Pressed folds as they came to rest.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub folds: Vec<FoldAtRest>,
     /// How far apart the rests from shaken starts lie, where it was asked.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rests: Option<Rests>,
+}
+
+/// An elastic band at rest.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct BandAtRest {
+    /// Name.
+    pub name: String,
+    /// Its length before it is stretched, mm.
+    pub unstretched_mm: f64,
+    /// Its length on the garment, mm.
+    pub length_mm: f64,
+    /// Mean tension, N.
+    #[serde(rename = "tension_N")]
+    pub tension_n: f64,
+}
+
+/// A pressed fold at rest. The angles are those by which the cloth is folded back from flat.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct FoldAtRest {
+    /// Piece and name of the fold.
+    pub name: String,
+    /// Pressed angle, degrees.
+    pub pressed_deg: f64,
+    /// Mean angle on the garment, degrees.
+    pub mean_deg: f64,
+    /// Least angle on the garment, as a share of the pressed one.
+    pub least_share: f64,
 }
 
 /// Rests of the same cloth from starts that differ by next to nothing, measured against the first.
@@ -157,6 +190,9 @@ pub struct Garment {
     /// Particles held in place (import-mesh, attachments): vertex and where it is held.
     #[serde(default)]
     pub pins: Vec<Pin>,
+    /// Elastic bands on the meshes; filled by `assemble` and `stitch`.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub bands: Vec<ElasticBand>,
     /// Forces on particles (import-mesh).
     #[serde(default)]
     pub loads: Vec<Load>,
@@ -241,6 +277,27 @@ pub struct Pin {
     /// Where, metres.
     #[schemars(with = "[f64; 3]")]
     pub at: Vec3,
+}
+
+/// An elastic band on the meshes.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ElasticBand {
+    /// Name.
+    pub name: String,
+    /// Vertices along it, one for each point that is sewn.
+    pub vertices: Vec<crate::ids::MeshVertex>,
+    /// Length of the unstretched band from each vertex to the next, metres. A closed band has as many as vertices.
+    pub rest: Vec<f64>,
+    /// Tension per strain, N.
+    pub stretch: f64,
+}
+
+impl ElasticBand {
+    /// A band without vertices, as strong as elastic of a waist.
+    #[must_use]
+    pub fn named(name: &str) -> Self {
+        Self { name: name.to_owned(), vertices: Vec::new(), rest: Vec::new(), stretch: crate::sewing::BAND_STRETCH }
+    }
 }
 
 /// A force on a particle.

@@ -63,6 +63,18 @@ pub struct DrawnVertices {
     pub cut_line: Vec<LinePoint>,
 }
 
+/// A fold that is pressed into the cloth.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PressedFold {
+    /// Name.
+    pub name: String,
+    /// Points of its line, metres.
+    #[schemars(with = "Vec<[f64; 2]>")]
+    pub line: Vec<Vec2>,
+    /// Angle by which the cloth is folded back from flat, radians, over 0 where the right side is outside.
+    pub angle: f64,
+}
+
 /// A pattern piece: what is sewn (`outline`), what is cut (`cut_line`), and all marks on it.
 ///
 /// The right side of the cloth faces the reader. `outline` is counter-clockwise, unfolded, and is the line that is
@@ -131,6 +143,9 @@ pub struct Piece {
     /// Darts and pleats.
     #[serde(default)]
     pub darts: Vec<Dart>,
+    /// Pressed folds.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub folds: Vec<PressedFold>,
     /// Other texts.
     #[serde(default)]
     pub texts: Vec<PieceText>,

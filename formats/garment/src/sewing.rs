@@ -90,6 +90,70 @@ pub struct DartSpec {
     pub mouth: [Vec2; 2],
     /// Kind, or `None` for "this wedge is not a dart".
     pub kind: Option<DartKind>,
+    /// How a pleat is pressed, if it is.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub press: Option<PleatPress>,
+    /// How far from the mouth a pleat is sewn down, metres; the whole of its lines where nothing is said.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sewn: Option<f64>,
+    /// Origin.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub source: Option<SourceRef>,
+}
+
+/// How a pleat is pressed: where its folds lie between its two lines.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum PleatPress {
+    /// Folded outwards along the line of the first mouth point, and back along the middle.
+    Knife,
+    /// Both lines meet on the right side; the depth lies behind, folded back half-way from each line to the middle.
+    Inverted,
+    /// Both lines meet on the wrong side; the depth lies in front.
+    Box,
+}
+
+/// A fold that is pressed into a piece along a line.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct FoldSpec {
+    /// Piece name.
+    pub piece: String,
+    /// Name; `fold-<n>` when the file gives none.
+    pub name: String,
+    /// Points of the line, metres.
+    #[schemars(with = "Vec<[f64; 2]>")]
+    pub line: Vec<Vec2>,
+    /// Angle by which the cloth is folded back from flat, radians, over 0 where the right side is outside.
+    pub angle: f64,
+    /// Origin.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub source: Option<SourceRef>,
+}
+
+/// Length of an unstretched band.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum BandLength {
+    /// A length, metres.
+    Length(f64),
+    /// A share of the cloth that it is sewn to.
+    Share(f64),
+}
+
+/// Tension of a band at twice its length where nothing is said, N: elastic 20 to 30 mm wide, as waists have.
+pub const BAND_STRETCH: f64 = 30.0;
+
+/// An elastic band that is sewn along edges.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ElasticSpec {
+    /// Name; `elastic-<n>` when the file gives none.
+    pub name: String,
+    /// Runs of outline edges in order.
+    pub along: Vec<RunSpec>,
+    /// Its length before it is stretched.
+    pub length: BandLength,
+    /// Tension per strain, N.
+    pub stretch: f64,
     /// Origin.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub source: Option<SourceRef>,
@@ -145,13 +209,29 @@ pub struct LayerSpec {
     pub order: i32,
 }
 
+/// Interlining that is fused or sewn to whole pieces.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct InterliningSpec {
+    /// Piece names.
+    pub pieces: Vec<String>,
+    /// Its areal mass, kg/m².
+    pub areal_mass: f64,
+    /// Its bending rigidity in every direction, N·m.
+    pub bending: f64,
+    /// Origin.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub source: Option<SourceRef>,
+}
+
 /// How strongly an edge is held.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum AttachStrength {
     /// Held at the place it has after sewing.
     Hold,
-    /// Held by an elastic band of this relative length.
+    /// Held there until the garment is sewn.
+    WhileSewing,
+    /// Held there until the garment is sewn, and then by an elastic band of this share of the body's girth.
     Elastic(f64),
 }
 
@@ -218,6 +298,15 @@ pub struct SewingPlan {
     /// Names of edges.
     #[serde(default)]
     pub edge_names: Vec<EdgeNameSpec>,
+    /// Elastic bands.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub elastics: Vec<ElasticSpec>,
+    /// Pressed folds.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub folds: Vec<FoldSpec>,
+    /// Interlinings.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub interlinings: Vec<InterliningSpec>,
     /// Pieces of the DXF that are not part of this garment (linings, fusings).
     #[serde(default)]
     pub leave_out: Vec<String>,
@@ -226,7 +315,19 @@ pub struct SewingPlan {
 impl SewingPlan {
     /// Adds what another plan says; its places win over those of the same piece here.
     pub fn extend(&mut self, more: Self) {
-        let Self { seams, darts, places, layers, attachments, copies, edge_names, leave_out } = more;
+        let Self {
+            seams,
+            darts,
+            places,
+            layers,
+            attachments,
+            copies,
+            edge_names,
+            elastics,
+            folds,
+            interlinings,
+            leave_out,
+        } = more;
         self.seams.extend(seams);
         self.darts.extend(darts);
         self.places.retain(|p| !places.iter().any(|m| m.piece.eq_ignore_ascii_case(&p.piece)));
@@ -235,6 +336,9 @@ impl SewingPlan {
         self.attachments.extend(attachments);
         self.copies.extend(copies);
         self.edge_names.extend(edge_names);
+        self.elastics.extend(elastics);
+        self.folds.extend(folds);
+        self.interlinings.extend(interlinings);
         self.leave_out.extend(leave_out);
     }
 }

@@ -8,6 +8,9 @@ codes! {
     /// `proposed` is a confidence from 0 to 1. Remove it from a seam that is right. Exit code 2.
     SEWING_BAD_CONFIDENCE = "sewing-bad-confidence";
 
+    /// The length or stretch of an [[elastic]] is not over 0. Exit code 2.
+    SEWING_BAND = "sewing-band";
+
     /// `gather` is longer over shorter and lies between 1 and 100. Exit code 2.
     SEWING_BAD_GATHER = "sewing-bad-gather";
 
@@ -22,6 +25,9 @@ codes! {
 
     /// A fish-eye dart has two apexes, a wedge dart one. Exit code 2.
     SEWING_DART_APEXES = "sewing-dart-apexes";
+
+    /// An [[interlining]] has no mass, or a bending rigidity below 0. Exit code 2.
+    SEWING_INTERLINING = "sewing-interlining";
 
     /// A seam declares both ease and gather. Keep one. Exit code 2.
     SEWING_EASE_AND_GATHER = "sewing-ease-and-gather";
@@ -56,4 +62,10 @@ codes! {
 
     /// A value is of another type than its key takes. Exit code 2.
     SEWING_WRONG_TYPE = "sewing-wrong-type";
+
+    /// The angle of a [[fold]] is 0 or over 180°. Exit code 2.
+    SEWING_FOLD_ANGLE = "sewing-fold-angle";
+
+    /// `press` and `sewn` are for a pleat whose lines end at two `apexes`. Exit code 2.
+    SEWING_PRESS = "sewing-press";
 }

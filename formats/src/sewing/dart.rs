@@ -6,7 +6,8 @@ use super::walk::{Table, Value, Walk};
 use std::ops::Range;
 use toile_garment::Vec2;
 use toile_garment::dart::DartKind;
-use toile_garment::sewing::DartSpec;
+use toile_garment::sewing::{DartSpec, PleatPress};
+use toile_garment::units::Length;
 use toml::de::{DeTable, DeValue};
 
 const KINDS: &[(&str, Option<DartKind>)] = &[
@@ -19,6 +20,14 @@ const KINDS: &[(&str, Option<DartKind>)] = &[
 /// The words of `kind`.
 pub fn kinds() -> Vec<&'static str> {
     KINDS.iter().map(|(word, _)| *word).collect()
+}
+
+const PRESSES: &[(&str, PleatPress)] =
+    &[("knife", PleatPress::Knife), ("inverted", PleatPress::Inverted), ("box", PleatPress::Box)];
+
+/// The words of `press`.
+pub fn presses() -> Vec<&'static str> {
+    PRESSES.iter().map(|(word, _)| *word).collect()
 }
 
 /// One declared dart.
@@ -34,11 +43,29 @@ pub fn dart(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Opt
     let apexes = apexes(&mut t, walk);
     let mouth = t.need("mouth", walk);
     let mouth = mouth.and_then(|v| mouth_points(v, walk));
+    let press = t.take("press").map(|v| walk.word(v, "press", PRESSES));
+    let sewn = t.take("sewn").map(|v| walk.quantity::<Length>(v, "sewn"));
     t.finish(walk);
     let (kind, apexes) = (kind?, apexes?);
     check_count(kind, apexes.len(), at, walk)?;
+    let pleated = kind == Some(DartKind::Pleat) && apexes.len() == 2;
+    if (press.is_some() || sewn.is_some()) && !pleated || sewn.flatten().is_some_and(|s| s < 0.0) {
+        walk.error(codes::SEWING_PRESS, at, "`press` and `sewn` need a pleat with two apexes", |d| {
+            d.hint("write kind = \"pleat\", apexes = [the ends of both lines], and sewn = \"80 mm\" or more")
+        });
+        return None;
+    }
     let source = Some(walk.source(at, Some("dart")));
-    Some(DartSpec { piece: piece?, name, apexes, mouth: mouth?, kind, source })
+    Some(DartSpec {
+        piece: piece?,
+        name,
+        apexes,
+        mouth: mouth?,
+        kind,
+        press: press.flatten(),
+        sewn: sewn.flatten(),
+        source,
+    })
 }
 
 fn apexes(t: &mut Table<'_>, walk: &mut Walk<'_>) -> Option<Vec<Vec2>> {

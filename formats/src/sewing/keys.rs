@@ -37,7 +37,15 @@ pub enum Form {
     Matrix,
     /// One run of outline edges, or a list of runs.
     Side,
-    /// `hold`, or `elastic` and a number.
+    /// A length, or a share.
+    BandLength,
+    /// A force with its unit.
+    Force,
+    /// An areal mass with its unit.
+    ArealMass,
+    /// A bending rigidity with its unit.
+    Bending,
+    /// `hold`, `while-sewing`, or `elastic` and a number.
     Strength,
     /// A list of tables.
     Tables(&'static Keys),
@@ -86,13 +94,17 @@ const PIECE: &str = "The piece, by its name in the pattern or that of a copy.";
 pub static TOP: Keys = Keys {
     name: "table",
     heading: "the sewing file",
-    about: "What a pattern file cannot say: seams, darts, places, layers, attachments, copies, names of edges.",
+    about: "What a pattern file cannot say: seams, darts, places, layers, attachments, bands, folds, interlinings, copies, \
+            names of edges.",
     keys: &[
         may("seam", Form::Tables(&SEAM), "[[seam]]", "Seams, in the order in which they are named in reports."),
         may("dart", Form::Tables(&DART), "[[dart]]", "Darts and pleats that the reader cannot see, or must not see."),
         may("place", Form::Tables(&PLACE), "[[place]]", "Where pieces start in 3D."),
         may("layer", Form::Tables(&LAYER), "[[layer]]", "Which pieces lie over which."),
         may("attach", Form::Tables(&ATTACH), "[[attach]]", "Edges that are held on the body."),
+        may("elastic", Form::Tables(&ELASTIC), "[[elastic]]", "Elastic bands that are sewn along edges."),
+        may("fold", Form::Tables(&FOLD), "[[fold]]", "Folds that are pressed into pieces."),
+        may("interlining", Form::Tables(&INTERLINING), "[[interlining]]", "Interlining on whole pieces."),
         may("copy", Form::Tables(&COPY), "[[copy]]", "Further copies of drawn pieces."),
         may("edge", Form::Tables(&EDGE), "[[edge]]", "Names for edges of pieces."),
         may("leave_out", Form::Texts, "[\"facing\"]", "Pieces that are not sewn."),
@@ -166,6 +178,19 @@ pub static DART: Keys = Keys {
             Form::TwoPoints,
             "[[\"140 mm\", \"443 mm\"], [\"168 mm\", \"443 mm\"]]",
             "The two points where the legs begin.",
+        ),
+        may(
+            "press",
+            Form::Word(dart::presses),
+            "\"knife\"",
+            "How a pleat with two `apexes` is pressed. `knife`: folded along the line of the first mouth point. `inverted` \
+             and `box`: along both lines, with the depth behind or in front. Default: not pressed.",
+        ),
+        may(
+            "sewn",
+            Form::Length,
+            "\"80 mm\"",
+            "How far from the mouth a pleat is sewn down. Default: to the ends of its lines.",
         ),
     ],
 };
@@ -259,8 +284,62 @@ pub static ATTACH: Keys = Keys {
             "strength",
             Form::Strength,
             "\"hold\"",
-            "`hold`, or `elastic` and the relative length of the band, e.g. `elastic 0.9`. Default: `hold`.",
+            "`hold`: held for good. `while-sewing`: held until the garment is sewn. `elastic 0.9`: held until then, and \
+             afterwards by a band of this share of the body's girth. Default: `hold`.",
         ),
+    ],
+};
+
+/// `[[elastic]]`.
+pub static ELASTIC: Keys = Keys {
+    name: "elastic",
+    heading: "[[elastic]]",
+    about: "An elastic band that is sewn along edges. It pulls once the garment is sewn.",
+    keys: &[
+        may("name", Form::Text, "\"cuff\"", "Name of the band. Default: `elastic-1`, `elastic-2` and so on."),
+        must("along", Form::Side, "[\"front.top\", \"back.top\"]", "The edges that it is sewn to, in order."),
+        must(
+            "length",
+            Form::BandLength,
+            "\"60 %\"",
+            "Length of the unstretched band: a length, or a share of the cloth along these edges.",
+        ),
+        may("stretch", Form::Force, "\"30 N\"", "Tension per strain: the tension at twice its length. Default: 30 N."),
+    ],
+};
+
+/// `[[fold]]`.
+pub static FOLD: Keys = Keys {
+    name: "fold",
+    heading: "[[fold]]",
+    about: "A fold that is pressed into a piece along a line: a hem, a facing, a crease.",
+    keys: &[
+        must("piece", Form::Text, "\"front\"", PIECE),
+        may("name", Form::Text, "\"hem\"", "Name of the fold. Default: `fold-1`, `fold-2` and so on."),
+        must(
+            "line",
+            Form::Points,
+            "[[\"0 mm\", \"40 mm\"], [\"300 mm\", \"40 mm\"]]",
+            "Points of the line, in the coordinates of the piece.",
+        ),
+        must(
+            "angle",
+            Form::Angle,
+            "\"180 deg\"",
+            "Angle by which the cloth is folded back from flat: over 0 where the right side is outside.",
+        ),
+    ],
+};
+
+/// `[[interlining]]`.
+pub static INTERLINING: Keys = Keys {
+    name: "interlining",
+    heading: "[[interlining]]",
+    about: "Interlining on whole pieces: it adds its mass and its bending rigidity to those of the fabric.",
+    keys: &[
+        must("pieces", Form::Texts, "[\"collar\"]", "The pieces."),
+        must("areal_mass", Form::ArealMass, "\"60 g/m2\"", "Its areal mass."),
+        must("bending", Form::Bending, "\"40 uN.m\"", "Its bending rigidity, the same in all directions."),
     ],
 };
 

@@ -39,6 +39,7 @@
 //! run between two points follows the outline on the shorter way, unless `way` says otherwise.
 
 pub(crate) mod codes;
+mod construction;
 mod dart;
 mod keys;
 mod lines;
@@ -102,6 +103,15 @@ fn plan(document: &DeTable<'_>, walk: &mut Walk<'_>) -> SewingPlan {
     }
     for (table, span) in tables(&mut top, "edge", walk) {
         plan.edge_names.extend(run::edge_name(table, span, walk));
+    }
+    for (n, (table, span)) in tables(&mut top, "elastic", walk).into_iter().enumerate() {
+        plan.elastics.extend(construction::elastic(table, span, n, walk));
+    }
+    for (n, (table, span)) in tables(&mut top, "fold", walk).into_iter().enumerate() {
+        plan.folds.extend(construction::fold(table, span, n, walk));
+    }
+    for (table, span) in tables(&mut top, "interlining", walk) {
+        plan.interlinings.extend(construction::interlining(table, span, walk));
     }
     if let Some(value) = top.take("leave_out") {
         plan.leave_out = walk.texts(value, "leave_out").unwrap_or_default();

@@ -153,6 +153,7 @@ fn strength(value: Value<'_>, walk: &mut Walk<'_>) -> Option<AttachStrength> {
     let mut words = text.split_whitespace();
     let parsed = match (words.next(), words.next(), words.next()) {
         (Some("hold"), None, _) => Some(AttachStrength::Hold),
+        (Some("while-sewing"), None, _) => Some(AttachStrength::WhileSewing),
         (Some("elastic"), Some(n), None) => {
             n.parse::<f64>().ok().filter(|n| *n > 0.0 && *n <= 10.0).map(AttachStrength::Elastic)
         }
@@ -160,7 +161,7 @@ fn strength(value: Value<'_>, walk: &mut Walk<'_>) -> Option<AttachStrength> {
     };
     if parsed.is_none() {
         walk.error(codes::SEWING_STRENGTH, value.span().start, format!("`strength` cannot be `{text}`"), |d| {
-            d.hint("write \"hold\" or \"elastic 0.9\" (relative length of the band, over 0)")
+            d.hint("write \"hold\", \"while-sewing\" or \"elastic 0.9\" (length of the band over the girth, over 0)")
         });
     }
     parsed

@@ -3,7 +3,7 @@
 use super::keys::{Form, Key, Keys, PLACE_AROUND, PLACE_EXPLICIT, RUN, TOP};
 use crate::schema::{document, list, quantity, table, text, with_about};
 use serde_json::{Map, Value, json};
-use toile_garment::units::{Angle, Length};
+use toile_garment::units::{Angle, ArealMass, Bending, Force, Length, Share};
 
 /// JSON schema (draft 7) of a sewing file.
 #[must_use]
@@ -56,7 +56,13 @@ fn value(key: &Key) -> Value {
         Form::Vector => list("", quantity::<Length>(), 3),
         Form::Matrix => list("", list("One row.", number(), 3), 3),
         Form::Side => json!({ "anyOf": [run(), { "type": "array", "minItems": 1, "items": run() }] }),
-        Form::Strength => json!({ "type": "string", "pattern": "^\\s*(hold\\s*|elastic\\s+\\S+\\s*)$" }),
+        Form::BandLength => json!({ "anyOf": [quantity::<Length>(), quantity::<Share>()] }),
+        Form::Force => quantity::<Force>(),
+        Form::ArealMass => quantity::<ArealMass>(),
+        Form::Bending => quantity::<Bending>(),
+        Form::Strength => {
+            json!({ "type": "string", "pattern": "^\\s*(hold\\s*|while-sewing\\s*|elastic\\s+\\S+\\s*)$" })
+        }
         Form::Tables(keys) => json!({ "type": "array", "items": rows(keys) }),
     };
     let mut form = with_about(form, key.about);

@@ -32,6 +32,10 @@ pub enum SceneFault {
     Load,
     /// A stitch names a vertex that is not there.
     Stitch,
+    /// An elastic band names a vertex that is not there, or has a length or stiffness that is not over 0.
+    Band,
+    /// A fold names a vertex that is not there, or has an angle over 180° or a stiffness below 0.
+    Fold,
     /// Layer numbers and vertices differ in count.
     Layers,
     /// The contact filter speaks of another number of vertices.

@@ -5,6 +5,12 @@ use toile_garment::Code;
 codes! {
     pub(crate) list CODES;
 
+    /// An elastic band ends where the mesh has no vertex. Let it run along whole edges. Exit code 3.
+    BAND_NOT_IN_MESH = "band-not-in-mesh";
+
+    /// A fold runs where the mesh has no edges, so that nothing is folded. Exit code 3.
+    FOLD_NOT_IN_MESH = "fold-not-in-mesh";
+
     /// `max_ease` must be a share between 0 and 1. Exit code 2.
     MAX_EASE = "max-ease";
 

@@ -1,5 +1,6 @@
 //! `assemble`: seams and darts become vertex runs and stitches.
 
+mod bands;
 pub(crate) mod codes;
 mod collapsed;
 mod runs;
@@ -7,11 +8,13 @@ mod stitches;
 
 use crate::sewing::resolve::{Limits, ResolvedSeam, Side, judged};
 use crate::sewing::shapes::{Shapes, shapes};
+use crate::solve::lines::fold_vertices;
 use runs::run_vertices;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use stitches::stitches;
 use toile_garment::dart::DartKind;
+use toile_garment::piece::PressedFold;
 use toile_garment::seam::{Seam, SeamKind, SeamRun, SeamSide};
 use toile_garment::units::Share;
 use toile_garment::{Aspect, DartId, Diagnostic, Garment, Piece, SeamId};
@@ -78,6 +81,7 @@ impl Stage for Assemble {
                 }
             }
         }
+        errors.extend(garment.pieces.iter().flat_map(unfolded));
         if errors.is_empty() {
             errors = collapsed::check(&garment, &seams);
         }
@@ -87,6 +91,7 @@ impl Stage for Assemble {
         for (i, seam) in seams.iter_mut().enumerate() {
             seam.id = SeamId::from(i);
         }
+        garment.bands = bands::bands(&garment, &shapes, &seams).map_err(StageError::Input)?;
         garment.seams = seams;
         Ok(garment)
     }
@@ -130,6 +135,17 @@ fn declared(garment: &Garment, shapes: &Shapes, seam: &ResolvedSeam) -> Result<S
         gather: seam.gather,
         stitches,
         source: seam.source.clone(),
+    })
+}
+
+/// Folds of a piece that its mesh does not have.
+fn unfolded(piece: &Piece) -> impl Iterator<Item = Diagnostic> + '_ {
+    let missing = |fold: &&PressedFold| piece.mesh.as_ref().is_some_and(|m| fold_vertices(m, &fold.line).len() < 2);
+    piece.folds.iter().filter(missing).map(|fold| {
+        let message = format!("piece `{}`: the mesh has no edges along fold `{}`", piece.name, fold.name);
+        Diagnostic::error(codes::FOLD_NOT_IN_MESH, message)
+            .at(piece.source.clone())
+            .hint("let its line run over cloth of the piece, in the coordinates of the piece")
     })
 }
 

@@ -57,6 +57,8 @@ pub fn certificate(
         body_crossings: figures.body_crossings as u64,
         penetration_max_mm: figures.penetration_max * 1e3,
         limits,
+        bands: Vec::new(),
+        folds: Vec::new(),
         rests: None,
     };
     certificate.passed = certificate.settled && within(&certificate);

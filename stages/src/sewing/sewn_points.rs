@@ -38,6 +38,12 @@ impl SewnPoints {
         })
     }
 
+    /// Returns `true` if stitches make two vertices one point.
+    pub fn are_one(&mut self, a: MeshVertex, b: MeshVertex) -> bool {
+        let [a, b] = [self.number(a), self.number(b)];
+        self.joined.root(a) == self.joined.root(b)
+    }
+
     /// The number of a vertex in the whole garment.
     fn number(&self, v: MeshVertex) -> usize {
         self.first[v.piece.index()] + v.vertex as usize

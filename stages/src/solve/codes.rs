@@ -7,6 +7,12 @@ use toile_garment::Code;
 codes! {
     pub(crate) list CODES;
 
+    /// An elastic band names a vertex that is not there, or has a length or stiffness that is not over 0. Exit code 3.
+    BAD_BAND = "bad-band";
+
+    /// A fold names a vertex that is not there, or has an angle over 180° or a stiffness below 0. Exit code 3.
+    BAD_FOLD = "bad-fold";
+
     /// A triangle of the body names a vertex that is not there. Exit code 3.
     BAD_BODY = "bad-body";
 
@@ -84,6 +90,8 @@ pub(super) fn of(fault: SceneFault) -> Code {
         SceneFault::Pin => BAD_PIN,
         SceneFault::Load => BAD_LOAD,
         SceneFault::Stitch => BAD_STITCH,
+        SceneFault::Band => BAD_BAND,
+        SceneFault::Fold => BAD_FOLD,
         SceneFault::Layers => BAD_LAYERS,
         SceneFault::ContactFilter => BAD_CONTACT_FILTER,
         SceneFault::Gravity => BAD_GRAVITY,

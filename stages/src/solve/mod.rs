@@ -5,6 +5,7 @@ pub(crate) mod codes;
 mod effects;
 mod fabric;
 pub mod level_cut;
+pub mod lines;
 pub mod place;
 pub mod scene;
 pub mod watch;

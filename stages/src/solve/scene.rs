@@ -2,6 +2,7 @@
 
 use super::codes;
 use super::fabric::material;
+use super::lines;
 use toile_cloth::{BodyMesh, ContactFilter, Element, Load, Material, Pin, Scene};
 use toile_garment::mesh::PieceMesh;
 use toile_garment::seam::Seam;
@@ -81,7 +82,7 @@ pub fn scene(
             errors.push(no_fabric(piece));
             continue;
         };
-        let it = material(fabric);
+        let it = interlined(garment, piece, material(fabric));
         let known = materials.iter().position(|m| *m == it);
         let index = known.unwrap_or_else(|| {
             materials.push(it);
@@ -110,6 +111,20 @@ pub fn scene(
         gravity,
         layers: layers(garment, layout),
         contact_filter: ContactFilter::default(),
+        bands: garment.bands.iter().map(|b| lines::band(b, layout)).collect(),
+        folds: garment.pieces.iter().flat_map(|p| lines::folds(garment, p, layout)).collect(),
+    })
+}
+
+/// The fabric of a piece with the interlinings that it has. Both layers bend about a plane of their own.
+pub(super) fn interlined(garment: &Garment, piece: &Piece, fabric: Material) -> Material {
+    let has = |pieces: &[String]| pieces.iter().any(|n| n.eq_ignore_ascii_case(&piece.name));
+    garment.plan.interlinings.iter().filter(|i| has(&i.pieces)).fold(fabric, |m, i| Material {
+        areal_mass: m.areal_mass + i.areal_mass,
+        bend_warp: m.bend_warp + i.bending,
+        bend_weft: m.bend_weft + i.bending,
+        bend_bias: m.bend_bias.map(|b| b + i.bending),
+        ..m
     })
 }
 

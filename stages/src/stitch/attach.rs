@@ -1,13 +1,16 @@
 //! Edges tied to the body: a waist edge is laid on the ring a tape makes around the body there.
 
-use super::codes;
+use super::{codes, layer_of};
 use crate::body::{Section, hull, section_at};
 use crate::codes::BODY_MISSING;
+use crate::sewing::sewn_points::SewnPoints;
 use toile_formats::codes::EDGE_UNKNOWN;
 use toile_garment::body::Body;
-use toile_garment::garment::Pin;
+use toile_garment::dart::{DartKind, DartMesh};
+use toile_garment::garment::{ElasticBand, Pin};
+use toile_garment::mesh::PieceMesh;
 use toile_garment::sewing::{AttachSpec, AttachStrength};
-use toile_garment::{Diagnostic, Garment, MeshVertex, Piece, Vec2, Vec3};
+use toile_garment::{Diagnostic, Garment, MeshVertex, Piece, PieceId, Vec2, Vec3};
 
 /// Extra distance between held edges and the body, beyond the contact's own, metres.
 const SLACK: f64 = 3e-4;
@@ -21,6 +24,12 @@ struct Ring {
     arc: Vec<f64>,
 }
 
+/// A vertex laid on a ring, and its arc position there, m.
+struct Laid {
+    pin: Pin,
+    arc: f64,
+}
+
 /// One piece's share of a ring.
 struct Share {
     piece: usize,
@@ -31,11 +40,30 @@ struct Share {
     middle: f64,
 }
 
-/// Pins that hold the attached edges, `gap` metres off the body.
+/// Pins and bands that hold the attached edges.
+#[derive(Debug, Default)]
+pub struct Holds {
+    /// Held for good.
+    pub lasting: Vec<Pin>,
+    /// Held until the garment is sewn.
+    pub while_sewing: Vec<Pin>,
+    /// Elastic bands that hold the edges then.
+    pub bands: Vec<ElasticBand>,
+}
+
+impl Holds {
+    fn extend(&mut self, more: Self) {
+        self.lasting.extend(more.lasting);
+        self.while_sewing.extend(more.while_sewing);
+        self.bands.extend(more.bands);
+    }
+}
+
+/// Pins and bands of the attached edges, `gap` metres off the body. Cloth is `thickness` metres thick.
 ///
 /// # Errors
 /// All attachments that cannot be made, each with the reason.
-pub fn pins(garment: &Garment, placed: &[Vec<Vec3>], gap: f64) -> Result<Vec<Pin>, Vec<Diagnostic>> {
+pub fn holds(garment: &Garment, placed: &[Vec<Vec3>], gap: f64, thickness: f64) -> Result<Holds, Vec<Diagnostic>> {
     let mut errors = Vec::new();
     let mut targets: Vec<&str> = Vec::new();
     for spec in &garment.plan.attachments {
@@ -43,15 +71,15 @@ pub fn pins(garment: &Garment, placed: &[Vec<Vec3>], gap: f64) -> Result<Vec<Pin
             targets.push(&spec.to);
         }
     }
-    let mut pins = Vec::new();
+    let mut holds = Holds::default();
     for to in targets {
         let specs: Vec<&AttachSpec> = garment.plan.attachments.iter().filter(|a| a.to == to).collect();
-        match ring_pins(garment, placed, gap, to, &specs) {
-            Ok(more) => pins.extend(more),
+        match ring_holds(garment, placed, [gap, thickness], to, &specs) {
+            Ok(more) => holds.extend(more),
             Err(finding) => errors.push(finding.at(specs[0].source.clone())),
         }
     }
-    if errors.is_empty() { Ok(pins) } else { Err(errors) }
+    if errors.is_empty() { Ok(holds) } else { Err(errors) }
 }
 
 /// Attachments that cannot be made on this body, whatever the mesh.
@@ -61,42 +89,112 @@ pub fn faults(garment: &Garment) -> Vec<Diagnostic> {
     first.filter_map(|(_, a)| Some(section(garment, &a.to).err()?.at(a.source.clone()))).collect()
 }
 
-fn ring_pins(
+/// Holds at one landmark. Each layer of the garment has a ring of its own, outside that of the layer below.
+fn ring_holds(
     garment: &Garment,
     placed: &[Vec<Vec3>],
-    gap: f64,
+    [gap, thickness]: [f64; 2],
     to: &str,
     specs: &[&AttachSpec],
-) -> Result<Vec<Pin>, Diagnostic> {
+) -> Result<Holds, Diagnostic> {
     let section = section(garment, to)?;
-    let mut ring = Ring::around(&section, gap);
-    let mut shares = Vec::new();
-    for spec in specs {
-        match spec.strength {
-            AttachStrength::Elastic(_) => return Err(elastic(spec)),
-            AttachStrength::Hold => {}
-        }
-    }
+    let mut layers: std::collections::BTreeMap<i32, Vec<(&Piece, Vec<usize>)>> = std::collections::BTreeMap::new();
     for piece in &garment.pieces {
         let edges = edges_of(piece, specs)?;
         if !edges.is_empty() {
-            shares.push(share(piece, &placed[piece.id.index()], &edges, &ring));
+            layers.entry(layer_of(garment, piece)).or_default().push((piece, edges));
         }
     }
-    // Straight mesh edges cut the corner of the ring: move it out until their middles keep the gap as well.
-    let cut = lay(&shares, &ring).1;
-    ring = Ring::around(&section, gap + cut + SLACK);
-    Ok(lay(&shares, &ring).0)
+    let mut holds = Holds::default();
+    let mut gap = gap;
+    for pieces in layers.values() {
+        let ring = Ring::around(&section, gap);
+        let mut pleated = false;
+        let shares: Vec<Share> = pieces
+            .iter()
+            .map(|(piece, edges)| {
+                let intake = pleat_intakes(piece);
+                pleated |= edges.iter().flat_map(|e| edge_vertices(piece, *e)).any(|v| intake.contains(&v));
+                share(piece, &placed[piece.id.index()], edges, &intake, &ring)
+            })
+            .collect();
+        // Under a pleat lie two more layers. Straight mesh edges cut the corner of the ring: it moves out until their
+        // middles keep the gap as well.
+        let under = if pleated { 2.0 * thickness } else { 0.0 };
+        let out = gap + under + lay(&shares, &ring).1 + SLACK;
+        let laid = lay(&shares, &Ring::around(&section, out)).0;
+        holds.extend(holds_of(garment, specs, to, laid, section.girth()));
+        gap = out + thickness;
+    }
+    Ok(holds)
 }
 
-/// An elastic band is not made yet.
-pub fn elastic(spec: &AttachSpec) -> Diagnostic {
-    let message = format!(
-        "an elastic band at edge `{}` of piece `{}` is not made yet; only strength = \"hold\" is",
-        spec.edge, spec.piece
-    );
-    let hint = "write strength = \"hold\", or sew the edge to a band that is drawn as a piece, with gather";
-    Diagnostic::error(codes::ATTACH_STRENGTH, message).at(spec.source.clone()).hint(hint)
+/// How the attachments of a piece hold it; the first that names it tells.
+fn strength(garment: &Garment, specs: &[&AttachSpec], piece: PieceId) -> AttachStrength {
+    let name = &garment.pieces[piece.index()].name;
+    specs.iter().find(|s| s.piece.eq_ignore_ascii_case(name)).map_or(AttachStrength::Hold, |s| s.strength)
+}
+
+/// Pins and bands of laid stations, which stand in order around the ring.
+fn holds_of(garment: &Garment, specs: &[&AttachSpec], to: &str, laid: Vec<Laid>, girth: f64) -> Holds {
+    let mut holds = Holds::default();
+    let mut points = SewnPoints::new(garment, &garment.seams);
+    let whole = laid.iter().all(|l| matches!(strength(garment, specs, l.pin.vertex.piece), AttachStrength::Elastic(_)));
+    let around = laid.iter().map(|l| l.arc).fold(f64::NEG_INFINITY, f64::max)
+        - laid.iter().map(|l| l.arc).fold(f64::INFINITY, f64::min);
+    let mut band: Option<(ElasticBand, f64)> = None;
+    for l in &laid {
+        let held = strength(garment, specs, l.pin.vertex.piece);
+        let AttachStrength::Elastic(share) = held else {
+            holds.bands.extend(band.take().map(|b| b.0).filter(|b| b.vertices.len() > 1));
+            let list = if held == AttachStrength::Hold { &mut holds.lasting } else { &mut holds.while_sewing };
+            list.push(l.pin);
+            continue;
+        };
+        holds.while_sewing.push(l.pin);
+        // The ring lies a little off the body; the file speaks of the body.
+        let scale = share * girth / around.max(1e-9);
+        let (band, before) = band.get_or_insert_with(|| (ElasticBand::named(to), l.arc));
+        if band.vertices.last().is_some_and(|last| points.are_one(*last, l.pin.vertex)) {
+            continue;
+        }
+        if !band.vertices.is_empty() {
+            band.rest.push(((l.arc - *before) * scale).max(SLACK));
+        }
+        band.vertices.push(l.pin.vertex);
+        *before = l.arc;
+    }
+    if let Some((mut band, _)) = band {
+        let ends = [band.vertices.first().copied(), band.vertices.last().copied()];
+        if let ([Some(first), Some(last)], true) = (ends, whole) {
+            if points.are_one(first, last) {
+                band.vertices.pop();
+            } else {
+                band.rest.push(SLACK);
+            }
+        }
+        holds.bands.push(band);
+    }
+    for pins in [&mut holds.lasting, &mut holds.while_sewing] {
+        pins.sort_by_key(|p| p.vertex);
+        pins.dedup_by_key(|p| p.vertex);
+    }
+    holds
+}
+
+/// Vertices of the outline between the mouth points of pleats, which are folded away.
+fn pleat_intakes(piece: &Piece) -> Vec<u32> {
+    let Some(chain) = piece.mesh.as_ref().and_then(PieceMesh::outline) else { return Vec::new() };
+    let n = chain.vertices.len();
+    let at = |v: u32| chain.vertices.iter().position(|c| *c == v);
+    let pleats = piece.darts.iter().filter(|d| d.kind == DartKind::Pleat).filter_map(|d| d.mesh.as_ref());
+    let between = |m: &DartMesh| {
+        let (i, k) = (at(*m.legs[0].first()?)?, at(*m.legs[1].first()?)?);
+        let (ahead, back) = ((k + n - i) % n, (i + n - k) % n);
+        let (from, steps) = if ahead <= back { (i, ahead) } else { (k, back) };
+        Some((1..steps).map(move |s| chain.vertices[(from + s) % n]))
+    };
+    pleats.filter_map(between).flatten().collect()
 }
 
 /// The body's level section at a landmark or height. An open mesh may have a gap there, but no more than a share of it.
@@ -217,15 +315,18 @@ fn edges_of(piece: &Piece, specs: &[&AttachSpec]) -> Result<Vec<usize>, Diagnost
 }
 
 /// Vertices along the attached edges. Where the next attached edge starts at another vertex (a dart lies between),
-/// the distance goes on from the same value: the dart is closed when sewn.
-fn share(piece: &Piece, placed: &[Vec3], edges: &[usize], ring: &Ring) -> Share {
+/// the distance goes on from the same value: the dart is closed when sewn. So is the intake of a pleat, which hangs free.
+fn share(piece: &Piece, placed: &[Vec3], edges: &[usize], intake: &[u32], ring: &Ring) -> Share {
     let mut stations: Vec<(u32, f64)> = Vec::new();
     let mut length = 0.0;
     for e in in_outline_order(piece, edges) {
         let chain = edge_vertices(piece, e);
         let rest = piece.mesh.as_ref().map_or(&[][..], |m| &m.rest);
         for (k, v) in chain.iter().enumerate() {
-            if k > 0 {
+            if intake.contains(v) {
+                continue;
+            }
+            if k > 0 && !intake.contains(&chain[k - 1]) {
                 length += (rest[*v as usize] - rest[chain[k - 1] as usize]).norm();
             }
             stations.push((*v, length));
@@ -279,7 +380,7 @@ fn edge_vertices(piece: &Piece, edge: usize) -> Vec<u32> {
 
 /// Lays the shares side by side around the ring, turned so that their middles move least. Also tells how far the
 /// straight line between neighbouring pins lies inside the ring at most, metres.
-fn lay(shares: &[Share], ring: &Ring) -> (Vec<Pin>, f64) {
+fn lay(shares: &[Share], ring: &Ring) -> (Vec<Laid>, f64) {
     let mut shares: Vec<&Share> = shares.iter().collect();
     shares.sort_by(|a, b| a.middle.total_cmp(&b.middle));
     let girth = ring.girth();
@@ -296,13 +397,13 @@ fn lay(shares: &[Share], ring: &Ring) -> (Vec<Pin>, f64) {
         start += s.length * scale;
     }
     offset /= shares.len().max(1) as f64;
-    let mut pins: Vec<Pin> = Vec::new();
+    let mut laid: Vec<Laid> = Vec::new();
     let mut cut = 0.0_f64;
     for (s, from) in shares.iter().zip(&starts) {
         let arc = |along: f64| from + along * scale + offset;
         for (v, along) in &s.stations {
-            let vertex = MeshVertex { piece: toile_garment::PieceId::from(s.piece), vertex: *v };
-            pins.push(Pin { vertex, at: ring.at(arc(*along)) });
+            let vertex = MeshVertex { piece: PieceId::from(s.piece), vertex: *v };
+            laid.push(Laid { pin: Pin { vertex, at: ring.at(arc(*along)) }, arc: arc(*along) });
         }
         for w in s.stations.windows(2) {
             let (a, b) = (arc(w[0].1), arc(w[1].1));
@@ -310,7 +411,6 @@ fn lay(shares: &[Share], ring: &Ring) -> (Vec<Pin>, f64) {
             cut = cut.max((ring.at(0.5 * (a + b)) - chord).norm());
         }
     }
-    pins.sort_by_key(|p| p.vertex);
-    pins.dedup_by_key(|p| p.vertex);
-    (pins, cut)
+    laid.sort_by(|a, b| a.arc.total_cmp(&b.arc).then(a.pin.vertex.cmp(&b.pin.vertex)));
+    (laid, cut)
 }

@@ -13,10 +13,6 @@ codes! {
     /// at the start, and which places are least sure.
     ARRANGED = "arranged";
 
-    /// An [[attach]] asks for an elastic band, which is not made yet. Write strength = "hold", or sew the edge to a
-    /// band that is drawn as a piece. Exit code 2.
-    ATTACH_STRENGTH = "attach-strength";
-
     /// The body does not go all the way round at the height an edge is attached to: its mesh ends or is torn there.
     /// Exit code 2.
     ATTACH_TARGET_EMPTY = "attach-target-empty";

@@ -11,8 +11,6 @@ pub mod place;
 mod plan_check;
 mod raise;
 
-pub(crate) use attach::elastic;
-
 use crate::sewing::turned::Lengths;
 use crate::solve::body_parts::contact_filter;
 use crate::solve::{Follow, Layout, effects, failure_in, scene};
@@ -20,9 +18,10 @@ use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use toile_cloth::{ExplicitSteps, Outcome, PieceMove, Settings, Stitches};
+use toile_cloth::{ExplicitSteps, Outcome, PieceMove, Pin, Settings, Stitches};
 use toile_garment::garment::Shape;
 use toile_garment::seam::Seam;
+use toile_garment::sewing::LayerSpec;
 use toile_garment::units::{Duration, Length};
 use toile_garment::{Aspect, Diagnostic, Garment, MeshVertex, Piece, SeamId, Vec3};
 use toile_stage_api::{Cost, Forecast, Knob, Meaning, Stage, StageContext, StageError, StageInfo};
@@ -150,8 +149,9 @@ impl Stage for Stitch {
             }
             cx.report.push(raise::finding(by));
         }
-        let pins = attach::pins(&garment, &placed, params.body_gap.0).map_err(StageError::Parameter)?;
-        garment.pins.extend(pins);
+        let thickness = garment.fabrics.values().map(|f| f.thickness).fold(params.self_gap.0, f64::max);
+        let holds = attach::holds(&garment, &placed, params.body_gap.0, thickness).map_err(StageError::Parameter)?;
+        garment.pins.extend(holds.lasting);
         let turned = garment.seams.iter().filter_map(|seam| turned(seam, &placed));
         cx.report.findings.extend(turned);
         let settings = settings(params, cx.threads);
@@ -170,6 +170,9 @@ impl Stage for Stitch {
         }
         let mut start = scene(&garment, &layout, layout.join(&placed), WEIGHT).map_err(StageError::Parameter)?;
         start.contact_filter = contact_filter(&garment, &layout, &ignores);
+        start.pins.extend(holds.while_sewing.iter().map(|p| Pin { vertex: layout.index(p.vertex), at: p.at }));
+        // A band is sewn on stretched, and pulls in the drape.
+        start.bands.clear();
         let moves =
             toile_cloth::pieces_off_body(&mut start, &settings).map_err(|e| failure_in(e, &garment, &placed))?;
         cx.report.findings.extend(moves.iter().filter_map(|m| moved_off(&garment, &layout, m)));
@@ -179,6 +182,7 @@ impl Stage for Stitch {
         let sewn = toile_cloth::sew(&start, &settings, &mut Follow::showing(cx, &shown));
         let outcome = sewn.map_err(|e| failure_in(e, &garment, &placed))?;
         tell(&garment, &outcome, settings.sewing.closed_distance, cx);
+        garment.bands.extend(holds.bands);
         garment.effects = effects(&outcome.effects);
         garment.stitched = Some(shape(&outcome.positions));
         Ok(garment)
@@ -216,6 +220,12 @@ fn moved_off(garment: &Garment, layout: &Layout, moved: &PieceMove) -> Option<Di
             .at(piece.source.clone())
             .hint("place it there in the sewing file"),
     )
+}
+
+/// The layer that the sewing file gives a piece.
+fn layer_of(garment: &Garment, piece: &Piece) -> i32 {
+    let named = |l: &&LayerSpec| l.pieces.iter().any(|n| n.eq_ignore_ascii_case(&piece.name));
+    garment.plan.layers.iter().rev().find(named).map_or(0, |l| l.order)
 }
 
 /// A finding on a seam that is named the wrong way round, as its pieces are placed.

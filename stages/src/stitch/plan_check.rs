@@ -1,8 +1,8 @@
 //! The plan is judged before the first step: what cannot be sewn from its places is refused, with the names of the
 //! pieces.
 
-use super::codes;
 use super::ignored_parts::lies_on;
+use super::{codes, layer_of};
 use crate::solve::body_parts::body_parts;
 use toile_garment::seam::SeamKind;
 use toile_garment::{Diagnostic, Garment, MeshVertex, Vec3};
@@ -91,7 +91,9 @@ fn exchanged(garment: &Garment, placed: &[Vec<Vec3>], threads: &[Threads], told:
     let far: Vec<usize> = (0..placed.len()).filter(far).collect();
     let mut found = Vec::new();
     for (n, i) in far.iter().enumerate() {
-        for k in &far[n + 1..] {
+        // Exchanged layers would be as wrong as threads around the body.
+        let layer = |p: &usize| layer_of(garment, &garment.pieces[*p]);
+        for k in far[n + 1..].iter().filter(|k| layer(k) == layer(i)) {
             let by = middle(&placed[*k]) - middle(&placed[*i]);
             let others = |p: usize| if p == *k { -by } else { Vec3::zeros() };
             let own = |p: usize| if p == *i { by } else { Vec3::zeros() };

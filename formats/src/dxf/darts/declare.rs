@@ -57,6 +57,8 @@ fn spec(piece: &str, dart: &DrawnDart) -> DartSpec {
         apexes: dart.apexes.iter().map(|p| p * M).collect(),
         mouth: dart.mouth.map(|p| p * M),
         kind: Some(DartKind::Wedge),
+        press: None,
+        sewn: None,
         source: None,
     }
 }

@@ -12,6 +12,7 @@ use crate::energy::tuning::{
 };
 use crate::linear::hessian::Hessian;
 use crate::scene::bending_length;
+use crate::scene::lines::folded_edges;
 use crate::scene::measures::or_earth;
 use crate::scene::topology::Topology;
 use crate::{Element, Material, Scene, Vec3, power_of_two};
@@ -46,10 +47,15 @@ fn rigidity(m: &Material) -> Vector3<f64> {
 /// The first hinge on each side of a face: number, and which of its two faces this is.
 type Sides = [Option<(usize, usize)>; 3];
 
-/// The hinges on the sides of every face.
-fn hinges_of_faces(topology: &Topology) -> Vec<Sides> {
+/// The hinges on the sides of every face. A pressed fold has an energy of its own and is an open side here.
+fn hinges_of_faces(scene: &Scene, topology: &Topology) -> Vec<Sides> {
     let mut of_faces = vec![[None; 3]; topology.faces.len()];
+    let folded = folded_edges(&scene.folds);
     for (n, h) in topology.hinges.iter().enumerate() {
+        let [a, b] = [h.vertices[0].min(h.vertices[1]), h.vertices[0].max(h.vertices[1])];
+        if folded.binary_search(&[a, b]).is_ok() {
+            continue;
+        }
         for own in 0..2 {
             of_faces[h.faces[own] as usize][usize::from(h.sides[own])].get_or_insert((n, own));
         }
@@ -182,7 +188,7 @@ fn half_square(bend: &[Vec3; 3]) -> f64 {
 ///
 /// `rigidities` are those of each material against (κ₀₀, κ₁₁, 2 κ₀₁), N·m.
 pub(crate) fn patches(scene: &Scene, topology: &Topology, rigidities: &[Vector3<f64>]) -> Vec<(usize, Patch)> {
-    let of_faces = hinges_of_faces(topology);
+    let of_faces = hinges_of_faces(scene, topology);
     let faces = scene.triangles.iter().zip(&of_faces);
     let bends: Vec<Bend> = faces.map(|(e, sides)| Bend::new(e, sides, topology, scene)).collect();
     let areas: Vec<f64> = scene.triangles.iter().map(|e| e.area().abs()).collect();
@@ -212,7 +218,7 @@ fn surrogate(
         return None;
     }
     let mut springs: Vec<_> = narrow.flat_map(|(_, p)| p.springs()).collect();
-    let of_faces = hinges_of_faces(topology);
+    let of_faces = hinges_of_faces(scene, topology);
     for (f, _) in patches.iter().filter(|(f, _)| wide(*f)) {
         let folds = of_faces[*f].iter().flatten().map(|(h, own)| Fold::new(&topology.hinges[*h], *own, scene));
         folds.for_each(|fold| {

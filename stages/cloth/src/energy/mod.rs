@@ -2,6 +2,8 @@
 
 pub(crate) mod bending;
 pub(crate) mod coupled;
+pub(crate) mod elastic_band;
+pub(crate) mod fold_line;
 pub(crate) mod hysteresis;
 pub(crate) mod inertia;
 pub(crate) mod law;

@@ -3,6 +3,8 @@
 use crate::energy::Energy;
 use crate::energy::bending::Flexion;
 use crate::energy::coupled::Coupled;
+use crate::energy::elastic_band::Bands;
+use crate::energy::fold_line::Creases;
 use crate::energy::shear::Shear;
 use crate::energy::structural::Structural;
 use crate::energy::weight::Weight;
@@ -18,6 +20,12 @@ pub(crate) fn model(scene: &Scene, s: &Settings, topology: &Topology, mass: &[f6
         Model::Coupled => vec![Box::new(Coupled::new(scene, s))],
     };
     list.push(Box::new(Flexion::new(scene, topology)));
+    if !scene.bands.is_empty() {
+        list.push(Box::new(Bands::new(scene)));
+    }
+    if !scene.folds.is_empty() {
+        list.push(Box::new(Creases::new(scene, topology)));
+    }
     list.push(Box::new(Weight::new(scene, mass, s.gravity_scale)));
     list
 }

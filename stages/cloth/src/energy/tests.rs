@@ -3,10 +3,13 @@
 use crate::energy::Energy;
 use crate::energy::bending::Flexion;
 use crate::energy::coupled::Coupled;
+use crate::energy::elastic_band::Bands;
+use crate::energy::fold_line::Creases;
 use crate::energy::shear::Shear;
 use crate::energy::structural::Structural;
 use crate::energy::weight::Weight;
 use crate::linear::hessian::Hessian;
+use crate::scene::lines::{Band, FoldLine};
 use crate::scene::topology::Topology;
 use crate::{Curve, Element, Material, Scene, Settings, Vec3};
 
@@ -60,7 +63,22 @@ fn energies(scene: &Scene, s: &Settings) -> Vec<Box<dyn Energy>> {
     bare.materials.iter_mut().for_each(|m| m.springs = Some([450.0, 50.0]));
     let mut locked = scene.clone();
     locked.materials.iter_mut().for_each(|m| m.strain_limit = [0.1, f64::INFINITY, 0.12]);
+    let ring: Vec<u32> = vec![0, 1, 2, 3, 8, 13, 18, 17, 16, 15, 10, 5];
+    let lined = Scene {
+        bands: vec![
+            Band { rest: vec![0.008; 12], vertices: ring, stiffness: 30.0 },
+            Band { vertices: vec![20, 21, 22, 23, 24], rest: vec![0.007, 0.008, 0.009, 0.008], stiffness: 20.0 },
+        ],
+        folds: vec![
+            FoldLine { vertices: vec![2, 7, 12, 17, 22], angle: 2.5, stiffness: 0.01 },
+            FoldLine { vertices: vec![5, 6], angle: -1.0, stiffness: 0.02 },
+        ],
+        ..scene.clone()
+    };
     vec![
+        Box::new(Bands::new(&lined)),
+        Box::new(Creases::new(&lined, &t)),
+        Box::new(Flexion::new(&lined, &t)),
         Box::new(Coupled::new(scene, s)),
         Box::new(Coupled::new(&locked, s)),
         Box::new(Structural::new(scene, &t, s)),

@@ -23,10 +23,12 @@ pub(crate) struct Charts {
     pub knot: Vec<u32>,
     /// Number of knots.
     pub knots: usize,
-    /// Knots that must stay because of a load.
+    /// Knots that must stay because of a load, or because lines meet there.
     pub fixed: Vec<bool>,
     /// Knots with a held vertex.
     pub pinned: Vec<bool>,
+    /// Number of the band or fold that each knot lies on, counted from 1; 0 for none.
+    pub line: Vec<u32>,
 }
 
 impl Charts {
@@ -52,10 +54,20 @@ impl Charts {
             vertices.for_each(|v| marked[sewn[v as usize] as usize] = true);
             marked
         };
-        let fixed = mark(&mut scene.loads.iter().map(|l| l.vertex));
+        let mut fixed = mark(&mut scene.loads.iter().map(|l| l.vertex));
         let pinned = mark(&mut scene.pins.iter().map(|p| p.vertex));
+        let mut line = vec![0; knots];
+        let lines = scene.bands.iter().map(|b| &b.vertices).chain(scene.folds.iter().map(|f| &f.vertices));
+        for (n, vertices) in (1u32..).zip(lines) {
+            for v in vertices {
+                let k = sewn[*v as usize] as usize;
+                // Where lines meet, cloth stays.
+                fixed[k] |= line[k] != 0 && line[k] != n;
+                line[k] = n;
+            }
+        }
         let knot = vertex.iter().map(|v| sewn[*v as usize]).collect();
-        Self { corners, vertex, rest, places, curved, knot, knots, fixed, pinned }
+        Self { corners, vertex, rest, places, curved, knot, knots, fixed, pinned, line }
     }
 }
 

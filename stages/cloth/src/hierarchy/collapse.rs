@@ -1,6 +1,6 @@
 //! Collapse of edges, the shortest first, until all are about as long as wanted.
 //!
-//! A vertex on a border or seam moves along it only, where it runs nearly straight. Ends of seams, loads and the limits
+//! A vertex on a border, seam, band or fold moves along it only, where it runs nearly straight. Ends of seams, loads and the limits
 //! of held regions stay.
 
 use crate::hierarchy::charts::Charts;
@@ -161,18 +161,21 @@ impl Mesh {
         }
     }
 
-    /// Neighbours of a knot along borders, seams and limits of held regions, with the number of triangles there.
+    /// Neighbours of a knot along borders, seams, bands, folds and limits of held regions, with the number of triangles there.
     fn lines(&self, a: u32) -> Vec<(u32, usize)> {
         let mut sides: Vec<(u32, [u32; 2], bool)> = Vec::new();
         for (_, c) in self.around(a) {
             let Some(k) = (0..3).find(|k| self.knot(c[*k]) == a) else { continue };
             for (other, third) in [(c[(k + 1) % 3], c[(k + 2) % 3]), (c[(k + 2) % 3], c[(k + 1) % 3])] {
                 let pinned = |c: u32| self.charts.pinned[self.knot(c) as usize];
-                sides.push((self.knot(other), [c[k], other], pinned(c[k]) && pinned(other) && !pinned(third)));
+                let limit = pinned(c[k]) && pinned(other) && !pinned(third);
+                let line = |c: u32| self.charts.line[self.knot(c) as usize];
+                let along = line(other) != 0 && line(other) == line(c[k]);
+                sides.push((self.knot(other), [c[k], other], limit || along));
             }
         }
         sides.sort_unstable();
-        // The limit of a held region is a line, too.
+        // A band, a fold and the limit of a held region are lines, too.
         sides
             .chunk_by(|p, q| p.0 == q.0)
             .filter(|same| same.len() != 2 || same[0].1 != same[1].1 || same.iter().any(|s| s.2))

@@ -64,6 +64,8 @@ impl CanonicalScene {
             gravity: to(scene.gravity),
             layers: scene.layers.clone(),
             contact_filter: scene.contact_filter.clone(),
+            bands: scene.bands.clone(),
+            folds: scene.folds.clone(),
         };
         Self { scene, turns, stitches }
     }

@@ -3,6 +3,7 @@
 pub mod contact_filter;
 pub mod curve;
 pub(crate) mod elements;
+pub mod lines;
 pub(crate) mod measures;
 pub mod settings;
 pub(crate) mod shared_body;
@@ -10,7 +11,7 @@ pub(crate) mod topology;
 pub(crate) mod validate;
 pub mod weld;
 
-use crate::{ContactFilter, Curve, Elements, SharedBody, Vec3};
+use crate::{Band, ContactFilter, Curve, Elements, FoldLine, SharedBody, Vec3};
 
 /// One triangle of cloth with its own rest shape (so sewn vertices may differ on both sides of a seam).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -239,18 +240,23 @@ pub struct Scene {
     pub layers: Vec<i32>,
     /// Parts of the body that some vertices do not meet. Sewing goes on without them. A drape ends with all of the body.
     pub contact_filter: ContactFilter,
+    /// Elastic bands sewn along the cloth.
+    pub bands: Vec<Band>,
+    /// Folds pressed into the cloth.
+    pub folds: Vec<FoldLine>,
 }
 
 impl Scene {
     /// A scene of the vertices `kept` alone, with its own triangles.
     ///
     /// `number` gives the new numbers of all vertices, `u32::MAX` for those left out. Pins, loads and stitches of these
-    /// are left out, too.
+    /// are left out, too. Bands and folds go straight over them.
     pub(crate) fn part(&self, kept: &[u32], number: &[u32], triangles: Elements) -> Self {
         let to = |v: u32| number[v as usize];
         let stays = |v: u32| to(v) != u32::MAX;
         let pins = self.pins.iter().filter(|p| stays(p.vertex)).map(|p| Pin { vertex: to(p.vertex), ..*p });
         let loads = self.loads.iter().filter(|l| stays(l.vertex)).map(|l| Load { vertex: to(l.vertex), ..*l });
+        let kept_number = |v: u32| Some(to(v)).filter(|v| *v != u32::MAX);
         let layer = |v: &u32| self.layers.get(*v as usize).copied();
         Self {
             positions: kept.iter().map(|v| self.positions[*v as usize]).collect(),
@@ -263,6 +269,8 @@ impl Scene {
             gravity: self.gravity,
             layers: kept.iter().filter_map(layer).collect(),
             contact_filter: self.contact_filter.part(kept),
+            bands: self.bands.iter().filter_map(|b| b.renumbered(kept_number)).collect(),
+            folds: self.folds.iter().filter_map(|f| f.renumbered(kept_number)).collect(),
         }
     }
 }

@@ -33,6 +33,7 @@ pub(crate) fn scene(scene: &Scene) -> Result<(), ClothError> {
             return bad(SceneFault::Stitch, format!("stitch {i} names vertices {} and {} of {n}", s[0], s[1]));
         }
     }
+    lines(scene)?;
     let filter = &scene.contact_filter.ignored;
     if !filter.is_empty() && filter.len() != n {
         return bad(SceneFault::ContactFilter, format!("a contact filter for {} of {n} vertices", filter.len()));
@@ -44,6 +45,38 @@ pub(crate) fn scene(scene: &Scene) -> Result<(), ClothError> {
         return bad(SceneFault::Gravity, format!("gravity is {:?} m/s2", scene.gravity.as_slice()));
     }
     body(scene)
+}
+
+fn lines(scene: &Scene) -> Result<(), ClothError> {
+    let n = scene.positions.len();
+    let positive = |v: f64| v.is_finite() && v > 0.0;
+    for (i, b) in scene.bands.iter().enumerate() {
+        let counts = b.vertices.len() > 1 && [b.rest.len(), b.rest.len() + 1].contains(&b.vertices.len());
+        if !counts || b.vertices.iter().any(|v| *v as usize >= n) {
+            return bad(
+                SceneFault::Band,
+                format!("band {i} has {} vertices of {n}, and {} stretches", b.vertices.len(), b.rest.len()),
+            );
+        }
+        if !positive(b.stiffness) || !b.rest.iter().all(|r| positive(*r)) {
+            return bad(SceneFault::Band, format!("band {i}: a length or the stiffness {} is not over 0", b.stiffness));
+        }
+    }
+    for (i, f) in scene.folds.iter().enumerate() {
+        if f.vertices.iter().any(|v| *v as usize >= n) {
+            return bad(SceneFault::Fold, format!("fold {i} names a vertex that is not there, of {n}"));
+        }
+        if !f.angle.is_finite()
+            || f.angle.abs() > std::f64::consts::PI
+            || !(f.stiffness.is_finite() && f.stiffness >= 0.0)
+        {
+            return bad(
+                SceneFault::Fold,
+                format!("fold {i} has an angle of {} rad and a stiffness of {} N", f.angle, f.stiffness),
+            );
+        }
+    }
+    Ok(())
 }
 
 fn finite(what: &str, positions: &[crate::Vec3]) -> Result<(), ClothError> {

@@ -76,6 +76,7 @@ fn renumbered(scene: &Scene, map: &[u32], joined: Vec<Vec3>) -> Scene {
         l.vertex = map[l.vertex as usize];
         l
     });
+    let to = |v: u32| Some(map[v as usize]);
     Scene {
         positions: joined,
         triangles,
@@ -87,6 +88,8 @@ fn renumbered(scene: &Scene, map: &[u32], joined: Vec<Vec3>) -> Scene {
         gravity: scene.gravity,
         layers,
         contact_filter: scene.contact_filter.joined(map, count),
+        bands: scene.bands.iter().filter_map(|b| b.renumbered(to)).collect(),
+        folds: scene.folds.iter().filter_map(|f| f.renumbered(to)).collect(),
     }
 }
 

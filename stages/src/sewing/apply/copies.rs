@@ -94,6 +94,9 @@ pub fn mirror(piece: &mut Piece) {
         dart.mouth = [flip(dart.mouth[1]), flip(dart.mouth[0])];
         dart.legs = [flipped(&dart.legs[1]), flipped(&dart.legs[0])];
     }
+    for fold in &mut piece.folds {
+        fold.line.iter_mut().for_each(|p| *p = flip(*p));
+    }
     piece.mesh = None;
     piece.mirrored = !piece.mirrored;
 }

@@ -1,5 +1,6 @@
 //! Declared darts: added, overruled, denied.
 
+use super::folds;
 use crate::codes::OUTLINE_TOO_SMALL;
 use crate::sewing::codes;
 use crate::sewing::lookup;
@@ -66,6 +67,11 @@ pub fn declare_one(piece: &mut Piece, spec: &DartSpec, report: &mut Report, erro
     match built {
         Ok(mut dart) => {
             dart.name = free_name(piece, spec, old.as_ref());
+            if kind == DartKind::Pleat
+                && let [Some(a), Some(b)] = pleat_ends(spec)
+            {
+                folds::press(piece, spec, &dart.name, [a, b]);
+            }
             piece.darts.push(dart);
         }
         Err(e) => errors.push(e.at(spec.source.clone())),
@@ -214,9 +220,9 @@ fn lens_half(piece: &Piece, ends: [Vec2; 2], mouth: Vec2) -> Option<Vec<Vec2>> {
     })
 }
 
-/// A pleat: its lines run from the mouth to their ends, or it is held at the mouth only.
-fn pleat(spec: &DartSpec) -> Dart {
-    let ends = match spec.apexes.as_slice() {
+/// Ends of the lines of a pleat, in the order of its mouth points.
+fn pleat_ends(spec: &DartSpec) -> [Option<Vec2>; 2] {
+    match spec.apexes.as_slice() {
         [] => [None, None],
         [one] => [Some(*one), Some(*one)],
         [a, b, ..] => {
@@ -224,8 +230,21 @@ fn pleat(spec: &DartSpec) -> Dart {
             let crossed = (b - spec.mouth[0]).norm() + (a - spec.mouth[1]).norm();
             if straight <= crossed { [Some(*a), Some(*b)] } else { [Some(*b), Some(*a)] }
         }
+    }
+}
+
+/// A pleat: its lines run from the mouth to their ends or as far as they are sewn, or it is held at the mouth only.
+fn pleat(spec: &DartSpec) -> Dart {
+    let ends = pleat_ends(spec);
+    let sewn = |from: Vec2, to: Vec2| match spec.sewn {
+        Some(sewn) if sewn < ON_LINE => None,
+        Some(sewn) => Some(from + (to - from) * (sewn / (to - from).norm()).min(1.0)),
+        None => Some(to),
     };
-    let leg = |i: usize| std::iter::once(spec.mouth[i]).chain(ends[i]).collect::<Vec<_>>();
+    let leg = |i: usize| {
+        let from = spec.mouth[i];
+        std::iter::once(from).chain(ends[i].and_then(|to| sewn(from, to))).collect::<Vec<_>>()
+    };
     let mut out = dart(spec, DartKind::Pleat, spec.mouth, [leg(0), leg(1)], "internal");
     out.depth = Some(0.5 * (spec.mouth[1] - spec.mouth[0]).norm());
     out

@@ -3,14 +3,15 @@
 mod claims;
 mod copies;
 mod darts;
+mod folds;
 mod names;
 mod undecided;
 
-use super::resolve::{find, placed};
+use super::resolve::{elastic_side, find, placed};
 use super::shapes::{Shapes, shapes};
 use crate::codes::{PIECE_UNKNOWN, SEAM_PROPOSED};
 use toile_formats::dxf::darts::UndecidedDart;
-use toile_garment::sewing::{AttachStrength, SeamSpec, SewingPlan};
+use toile_garment::sewing::{SeamSpec, SewingPlan};
 use toile_garment::{Diagnostic, Garment, PieceId, Report};
 use toile_stage_api::StageError;
 
@@ -43,10 +44,12 @@ pub fn apply_deciding(
     let is_copy = |name: &str| copies.iter().any(|c| c.name.eq_ignore_ascii_case(name));
     names::edges(garment, |piece| !is_copy(piece), &mut errors);
     darts::declare(garment, |piece| !is_copy(piece), &undecided, report, &mut errors);
+    folds::declare(garment, |piece| !is_copy(piece), &mut errors);
     undecided::decide(garment, undecided, report, &mut errors);
     copies::copy(garment, &mut errors);
     names::edges(garment, is_copy, &mut errors);
     darts::declare(garment, is_copy, &[], report, &mut errors);
+    folds::declare(garment, is_copy, &mut errors);
     names::canonical(garment, &mut errors);
     if !errors.is_empty() {
         return Err(StageError::Parameter(errors));
@@ -67,16 +70,18 @@ fn proposed(seam: &SeamSpec) -> Option<Diagnostic> {
     Some(Diagnostic::info(SEAM_PROPOSED, message).at(seam.source.clone()).hint(hint))
 }
 
-/// Checks that all seams and attachments are where they say.
+/// Checks that all seams, attachments, elastic bands and interlinings are where they say.
 fn check_seams(garment: &Garment, rings: &Shapes) -> Result<(), StageError> {
     let mut errors = placed(find(garment, rings)).err().unwrap_or_default();
     for attach in &garment.plan.attachments {
-        if matches!(attach.strength, AttachStrength::Elastic(_)) {
-            errors.push(crate::stitch::elastic(attach));
-        }
         let run = toile_garment::sewing::RunSpec::Edge { piece: attach.piece.clone(), edge: attach.edge.clone() };
         errors.extend(super::lookup::run(garment, rings, &run, attach.source.as_ref()).err());
     }
+    for spec in &garment.plan.interlinings {
+        let found = spec.pieces.iter().map(|name| super::lookup::piece(garment, name, spec.source.as_ref()));
+        errors.extend(found.filter_map(Result::err));
+    }
+    errors.extend(garment.plan.elastics.iter().filter_map(|e| elastic_side(garment, rings, e).err()));
     if errors.is_empty() { Ok(()) } else { Err(StageError::Parameter(errors)) }
 }
 

@@ -4,11 +4,13 @@ use crate::testing::{dart, line, one, piece, rectangle, run, seam, two_points, v
 use crate::triangulate::Triangulate;
 use toile_formats::codes::DART_UNDECIDED;
 use toile_formats::dxf::darts::UndecidedDart;
+use toile_garment::Piece;
 use toile_garment::Severity;
 use toile_garment::dart::DartKind;
 use toile_garment::notch::{Notch, NotchKind};
 use toile_garment::outline::PieceLine;
-use toile_garment::sewing::{AttachSpec, AttachStrength, CopySpec, DartSpec, EdgeNameSpec, RunSpec, SeamSpec};
+use toile_garment::piece::PressedFold;
+use toile_garment::sewing::{CopySpec, DartSpec, EdgeNameSpec, FoldSpec, PleatPress, RunSpec, SeamSpec};
 
 fn edge(piece: &str, edge: &str) -> Vec<RunSpec> {
     vec![RunSpec::Edge { piece: piece.into(), edge: edge.into() }]
@@ -184,23 +186,66 @@ fn a_seam_that_repeats_a_dart_is_left_to_the_dart() {
     assert_eq!(report.findings[0].code, "seam-is-dart");
 }
 
-#[test]
-fn an_elastic_band_is_refused_until_it_is_made() {
-    let attach = |strength| AttachSpec {
+/// A pleat on the upper edge of a rectangle of 300 × 400 mm, 40 mm deep, with lines of 200 mm.
+fn pleat(press: Option<PleatPress>, sewn: Option<f64>) -> DartSpec {
+    DartSpec {
         piece: "front".into(),
-        edge: "2".into(),
-        to: "waist".into(),
-        strength,
-        source: Some(toile_garment::SourceRef::file("s.toml")),
+        name: Some("pleat".into()),
+        apexes: vec![v(120.0, 200.0), v(200.0, 200.0)],
+        mouth: [v(120.0, 400.0), v(200.0, 400.0)],
+        kind: Some(DartKind::Pleat),
+        press,
+        sewn,
+        source: None,
+    }
+}
+
+#[test]
+fn pressed_pleats_fold_at_their_lines_and_between() {
+    let folded = |press, sewn| {
+        let mut garment = one(rectangle(0, "front", 300.0, 400.0));
+        let plan = SewingPlan { darts: vec![pleat(press, sewn)], ..SewingPlan::default() };
+        apply(&mut garment, plan, &mut Report::default()).expect("plan");
+        garment.pieces.remove(0)
     };
-    let plan = |strength| SewingPlan { attachments: vec![attach(strength)], ..SewingPlan::default() };
+    let places = |p: &Piece| {
+        let of = |f: &PressedFold| ((f.line[0].x * 1e3).round(), (f.angle.to_degrees()).round());
+        p.folds.iter().map(of).collect::<Vec<_>>()
+    };
+    let knife = folded(Some(PleatPress::Knife), Some(0.05));
+    assert_eq!(places(&knife), [(120.0, 180.0), (160.0, -180.0)]);
+    // Both legs are sewn for 50 mm; the rest of the outer fold, and the inner one, are lines of their own.
+    assert!((knife.darts[0].leg_length(0) - 0.05).abs() < 1e-9);
+    assert_eq!(knife.internal_lines.len(), 2);
+    assert!((knife.internal_lines[0].points[0].at - v(120.0, 350.0)).norm() < 1e-9);
+    let boxed = folded(Some(PleatPress::Box), Some(0.0));
+    assert_eq!(places(&boxed), [(120.0, -180.0), (140.0, 180.0), (180.0, 180.0), (200.0, -180.0)]);
+    assert_eq!((boxed.darts[0].legs[0].len(), boxed.internal_lines.len()), (1, 4));
+    let inverted = folded(Some(PleatPress::Inverted), None);
+    assert_eq!(places(&inverted), [(120.0, 180.0), (140.0, -180.0), (180.0, -180.0), (200.0, 180.0)]);
+    assert_eq!(inverted.internal_lines.len(), 2, "its legs are sewn down to their ends");
+    assert!(folded(None, None).folds.is_empty());
+}
+
+#[test]
+fn folds_are_drawn_on_their_pieces_and_on_mirrored_copies() {
+    let fold = |piece: &str| FoldSpec {
+        piece: piece.into(),
+        name: "hem".into(),
+        line: vec![v(0.0, 40.0), v(300.0, 40.0)],
+        angle: 3.0,
+        source: None,
+    };
+    let copy = CopySpec { piece: "front".into(), name: "other".into(), mirror: true, source: None };
     let mut garment = one(rectangle(0, "front", 300.0, 400.0));
-    apply(&mut garment, plan(AttachStrength::Hold), &mut Report::default()).expect("held");
+    let plan = SewingPlan { folds: vec![fold("front")], copies: vec![copy], ..SewingPlan::default() };
+    apply(&mut garment, plan, &mut Report::default()).expect("plan");
+    let [front, other] = [&garment.pieces[0], &garment.pieces[1]];
+    assert_eq!((front.internal_lines.len(), front.folds[0].line.clone()), (1, vec![v(0.0, 40.0), v(300.0, 40.0)]));
+    assert_eq!((other.folds[0].line.clone(), other.folds[0].angle), (vec![v(-0.0, 40.0), v(-300.0, 40.0)], 3.0));
     let mut garment = one(rectangle(0, "front", 300.0, 400.0));
-    let errors = parameter_errors(apply(&mut garment, plan(AttachStrength::Elastic(0.9)), &mut Report::default()));
-    assert_eq!(errors[0].code, "attach-strength");
-    assert_eq!(errors[0].source.as_ref().map(|s| s.file.as_str()), Some("s.toml"));
-    assert!(errors[0].hint.as_deref().is_some_and(|h| h.contains("strength = \"hold\"")), "{:?}", errors[0].hint);
+    let plan = SewingPlan { folds: vec![fold("back")], ..SewingPlan::default() };
+    assert_eq!(parameter_errors(apply(&mut garment, plan, &mut Report::default()))[0].code, "piece-unknown");
 }
 
 #[test]
@@ -211,6 +256,8 @@ fn darts_are_declared_overruled_and_denied() {
         apexes: apexes.iter().map(|(x, y)| v(*x, *y)).collect(),
         mouth: mouth.map(|(x, y)| v(x, y)),
         kind,
+        press: None,
+        sewn: None,
         source: None,
     };
     let mut front = rectangle(0, "front", 300.0, 400.0);
@@ -296,6 +343,8 @@ fn needle(marked: bool, seams: Vec<SeamSpec>, darts: Vec<DartSpec>) -> (Garment,
         apexes: vec![v(150.0, 410.0)],
         mouth: [v(151.5, 600.0), v(148.5, 600.0)],
         kind: Some(DartKind::Wedge),
+        press: None,
+        sewn: None,
         source: None,
     };
     let undecided = vec![UndecidedDart { spec, finding: Diagnostic::warning(DART_UNDECIDED, "a wedge") }];
@@ -368,8 +417,8 @@ fn a_needle_that_no_seam_closes_is_told_unless_the_file_says_what_it_is() {
     assert_eq!((codes(&report), garment.pieces[0].darts.len()), (vec![], 0));
     for (kind, count) in [(Some(DartKind::Wedge), 1), (None, 0)] {
         let mouth = [v(148.5, 600.0), v(151.5, 600.0)];
-        let spec =
-            DartSpec { piece: "Front".into(), name: None, apexes: vec![v(150.0, 410.0)], mouth, kind, source: None };
+        let apexes = vec![v(150.0, 410.0)];
+        let spec = DartSpec { piece: "Front".into(), apexes, mouth, kind, ..pleat(None, None) };
         let (garment, report) = needle(false, Vec::new(), vec![spec]);
         assert_eq!((codes(&report), garment.pieces[0].darts.len()), (vec![], count), "{kind:?}");
     }

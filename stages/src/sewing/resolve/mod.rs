@@ -12,7 +12,7 @@ pub use side::{Side, Span};
 
 use super::lookup;
 use super::shapes::Shapes;
-use toile_garment::sewing::SeamSpec;
+use toile_garment::sewing::{ElasticSpec, SeamSpec};
 use toile_garment::{Diagnostic, Garment, Report, SourceRef};
 
 /// A declared seam, found on the outlines.
@@ -99,6 +99,16 @@ fn collect(
         }
     }
     if errors.is_empty() { Ok(seams) } else { Err(errors) }
+}
+
+/// The edges that an elastic band is sewn to, without the intakes of darts.
+///
+/// # Errors
+/// The first of its runs that is not there.
+pub fn elastic_side(garment: &Garment, shapes: &Shapes, spec: &ElasticSpec) -> Result<Side, Diagnostic> {
+    let found = |r| lookup::run(garment, shapes, r, spec.source.as_ref());
+    let runs = spec.along.iter().map(found).collect::<Result<Vec<_>, _>>()?;
+    side::spans(garment, shapes, &format!("elastic `{}`", spec.name), spec.source.as_ref(), &runs)
 }
 
 fn found(garment: &Garment, shapes: &Shapes, spec: &SeamSpec) -> Found {

@@ -6,7 +6,7 @@ use super::super::shapes::{Shapes, mm};
 use crate::codes::SEAM_TO_ITSELF;
 use crate::sewing::codes;
 use toile_garment::sewing::SeamSpec;
-use toile_garment::{Code, Diagnostic, Garment, PieceId};
+use toile_garment::{Code, Diagnostic, Garment, PieceId, SourceRef};
 
 /// A stretch of a ring, without an intake inside.
 #[derive(Clone, Debug, PartialEq)]
@@ -68,6 +68,20 @@ impl Side {
 
 /// Cuts the runs of a side at the intakes they cross.
 pub fn side(garment: &Garment, shapes: &Shapes, spec: &SeamSpec, runs: &[RawRun]) -> Result<Side, Diagnostic> {
+    spans(garment, shapes, &format!("seam `{}`", spec.name), spec.source.as_ref(), runs)
+}
+
+/// [`side`] of whatever is sewn: `what` names it, `source` tells where the file says so.
+pub fn spans(
+    garment: &Garment,
+    shapes: &Shapes,
+    what: &str,
+    source: Option<&SourceRef>,
+    runs: &[RawRun],
+) -> Result<Side, Diagnostic> {
+    let wrong = |code: Code, told: String, hint: &str| {
+        Diagnostic::error(code, format!("{what} {told}")).at(source.cloned()).hint(hint)
+    };
     let mut out = Side::default();
     for run in runs {
         let piece = &garment.pieces[run.piece.index()];
@@ -76,7 +90,6 @@ pub fn side(garment: &Garment, shapes: &Shapes, spec: &SeamSpec, runs: &[RawRun]
             if let Some(gap) = ring.gap_around(end) {
                 let dart = piece.darts.get(gap.dart).map_or("", |d| d.name.as_str());
                 return Err(wrong(
-                    spec,
                     codes::SEAM_ENDS_IN_DART,
                     format!("ends at {} inside dart `{dart}` of piece `{}`", mm(ring.at(end)), piece.name),
                     "end it at a mouth point, or deny the dart with [[dart]] kind = \"none\"",
@@ -86,7 +99,6 @@ pub fn side(garment: &Garment, shapes: &Shapes, spec: &SeamSpec, runs: &[RawRun]
         let spans = cut(run, &shapes[run.piece.index()]);
         if spans.is_empty() {
             return Err(wrong(
-                spec,
                 codes::SEAM_WITHOUT_LENGTH,
                 format!("has a run of no length on piece `{}` at {}", piece.name, mm(ring.at(run.from))),
                 "give two different points",
