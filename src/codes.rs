@@ -41,6 +41,7 @@ const OWN: &[&[Code]] = &[
     crate::cli::codes::CODES,
     crate::engine::codes::CODES,
     crate::external::codes::CODES,
+    crate::line::codes::CODES,
     crate::load::codes::CODES,
     crate::new::codes::CODES,
     crate::pipeline::codes::CODES,

@@ -9,6 +9,7 @@ pub mod cli;
 pub mod codes;
 pub mod engine;
 pub mod external;
+pub mod line;
 pub mod load;
 pub mod new;
 pub mod pipeline;

@@ -1,6 +1,8 @@
 //! Verbs and their options.
 
 use super::fabric::FabricArgs;
+use super::line::LineArgs;
+use crate::engine::CacheOptions;
 use crate::load::Request;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -30,6 +32,10 @@ pub enum Verb {
     Check(CheckArgs),
     /// Show what a run would do and need: stages, effects, seconds, memory, files.
     Plan(PlanArgs),
+    /// List the files that a pipeline reads and writes, and the key of its content.
+    Deps(DepsArgs),
+    /// Sew a product line: styles in sizes, fabrics and other choices.
+    Line(LineArgs),
     /// Show what is in a file.
     Inspect(InspectArgs),
     /// Flatten a garment back to 2D, from its file alone.
@@ -69,6 +75,8 @@ pub enum FileKind {
     Fabric,
     /// Measures, landmarks and segments beside the mesh of a body.
     Body,
+    /// A product line.
+    Line,
 }
 
 /// Which pipeline, and what it may do.
@@ -150,15 +158,45 @@ pub struct RunArgs {
     /// Most memory of the run, MB: refused when more is foreseen [what the system can give], stopped when it takes more.
     #[arg(long, value_name = "MB", value_parser = positive)]
     pub max_memory: Option<f64>,
+    /// Cache.
+    #[command(flatten)]
+    pub cache: CacheArgs,
     /// Remove the outputs of an earlier run before the work, and replace files that are there, but never an input.
     #[arg(long)]
     pub force: bool,
     /// Say nothing but errors.
     #[arg(long)]
     pub quiet: bool,
+    /// End as soon as the standard input is closed.
+    #[arg(long, hide = true)]
+    pub tied: bool,
 }
 
-fn positive(text: &str) -> Result<f64, String> {
+/// Where results of stages are kept.
+#[derive(Args, Debug)]
+pub struct CacheArgs {
+    /// Keep results of stages in this folder and take them from there; it may be shared by many programs.
+    #[arg(long, value_name = "DIR")]
+    pub cache: Option<PathBuf>,
+    /// Most size of the cache, MB [default: 4000]
+    #[arg(long, value_name = "MB", requires = "cache", value_parser = positive)]
+    pub cache_size: Option<f64>,
+}
+
+impl CacheArgs {
+    /// Most bytes.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive size in MB")]
+    pub fn limit(&self) -> u64 {
+        (1e6 * self.cache_size.unwrap_or(4000.0)) as u64
+    }
+
+    /// The cache that is asked for.
+    pub fn options(&self) -> Option<CacheOptions> {
+        self.cache.as_ref().map(|folder| CacheOptions { folder: folder.clone(), limit: self.limit() })
+    }
+}
+
+pub(super) fn positive(text: &str) -> Result<f64, String> {
     let number = text.parse::<f64>().ok().filter(|n| n.is_finite() && *n > 0.0);
     number.ok_or_else(|| "write a number above 0".to_owned())
 }
@@ -195,6 +233,17 @@ pub struct PlanArgs {
     /// How exact.
     #[command(flatten)]
     pub accuracy: AccuracyArgs,
+    /// For programs.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `deps`
+#[derive(Args, Debug)]
+pub struct DepsArgs {
+    /// Pipeline.
+    #[command(flatten)]
+    pub pipeline: PipelineArgs,
     /// For programs.
     #[arg(long)]
     pub json: bool,

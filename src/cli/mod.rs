@@ -6,10 +6,12 @@ mod check;
 pub(crate) mod codes;
 mod completions;
 mod console;
+mod deps;
 mod explain;
 mod fabric;
 mod flatten;
 mod inspect;
+mod line;
 mod new;
 mod plan;
 mod results;
@@ -83,6 +85,8 @@ fn dispatch(cli: Cli, mut registry: Registry, stop: &Arc<Stop>, console: &mut Co
         Verb::New(args) => new::run(&args, console),
         Verb::Check(args) => check::run(&args, &mut registry, stop, console),
         Verb::Plan(args) => plan::run(&args, &mut registry, stop, console),
+        Verb::Deps(args) => deps::run(&args, &mut registry, stop, console),
+        Verb::Line(args) => line::run(&args, &mut registry, stop, console),
         Verb::Inspect(args) => inspect::run(&args, console),
         Verb::Flatten(args) => flatten::run(&args, &registry, stop, console),
         Verb::Study(args) => study::run(&args, &mut registry, stop, console),
