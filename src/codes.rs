@@ -39,6 +39,7 @@ codes! {
 const OWN: &[&[Code]] = &[
     SHARED,
     crate::cli::codes::CODES,
+    crate::diff::codes::CODES,
     crate::engine::codes::CODES,
     crate::external::codes::CODES,
     crate::line::codes::CODES,

@@ -7,6 +7,7 @@ mod code_list;
 
 pub mod cli;
 pub mod codes;
+pub mod diff;
 pub mod engine;
 pub mod external;
 pub mod line;

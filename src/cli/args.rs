@@ -34,6 +34,8 @@ pub enum Verb {
     Plan(PlanArgs),
     /// List the files that a pipeline reads and writes, and the key of its content.
     Deps(DepsArgs),
+    /// Tell what differs between two results: folders, records or GLBs. Exit code 1 if it is more than the tolerance.
+    Diff(DiffArgs),
     /// Sew a product line: styles in sizes, fabrics and other choices.
     Line(LineArgs),
     /// Show what is in a file.
@@ -236,6 +238,33 @@ pub struct PlanArgs {
     /// For programs.
     #[arg(long)]
     pub json: bool,
+}
+
+/// `diff`
+#[derive(Args, Debug)]
+pub struct DiffArgs {
+    /// Folder of a run, its run.json, or a GLB.
+    pub a: PathBuf,
+    /// The one to compare with it.
+    pub b: PathBuf,
+    /// Differences that are allowed, as TOML: pieces, darts, seams, measures and shape as lengths, strain as a number,
+    /// inputs, parameters, fabric and findings as "same" or "any". Without it nothing may differ.
+    #[arg(long, value_name = "FILE")]
+    pub tolerance: Option<PathBuf>,
+    /// How the differences are printed.
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: DiffFormat,
+}
+
+/// Forms of the differences.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum DiffFormat {
+    /// For people.
+    Text,
+    /// For programs.
+    Json,
+    /// One page with pictures side by side.
+    Html,
 }
 
 /// `deps`

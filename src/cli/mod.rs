@@ -7,6 +7,7 @@ pub(crate) mod codes;
 mod completions;
 mod console;
 mod deps;
+mod diff;
 mod explain;
 mod fabric;
 mod flatten;
@@ -85,6 +86,7 @@ fn dispatch(cli: Cli, mut registry: Registry, stop: &Arc<Stop>, console: &mut Co
         Verb::New(args) => new::run(&args, console),
         Verb::Check(args) => check::run(&args, &mut registry, stop, console),
         Verb::Plan(args) => plan::run(&args, &mut registry, stop, console),
+        Verb::Diff(args) => diff::run(&args, console),
         Verb::Deps(args) => deps::run(&args, &mut registry, stop, console),
         Verb::Line(args) => line::run(&args, &mut registry, stop, console),
         Verb::Inspect(args) => inspect::run(&args, console),
