@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-/// What kind of thing differs; the order is that of the report.
+/// A kind of thing that differs; the order is that of the report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Group {
@@ -47,6 +47,11 @@ impl Group {
     }
 }
 
+/// Is a number further from zero than allowed? One that is no number is.
+pub fn exceeds(by: f64, most: f64) -> bool {
+    by.is_nan() || by.abs() > most
+}
+
 /// A difference: a number that changed by so much, or words.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Change {
@@ -66,23 +71,33 @@ pub struct Change {
 
 impl Change {
     /// Words that differ; nothing if they are the same.
-    pub fn of_words(group: Group, what: impl Into<String>, before: Option<String>, after: Option<String>) -> Option<Self> {
+    pub fn of_words(
+        group: Group,
+        what: impl Into<String>,
+        before: Option<String>,
+        after: Option<String>,
+    ) -> Option<Self> {
         (before != after).then(|| Self { group, what: what.into(), before, after, by: None, unit: "" })
     }
 
     /// A number that differs by more than `least`; numbers are told in `unit`.
-    pub fn of_number(group: Group, what: impl Into<String>, [a, b]: [f64; 2], unit: &'static str, least: f64) -> Option<Self> {
+    pub fn of_number(
+        group: Group,
+        what: impl Into<String>,
+        [a, b]: [f64; 2],
+        unit: &'static str,
+        least: f64,
+    ) -> Option<Self> {
         let by = b - a;
         let shown = |x: f64| Some(format!("{x:.3} {unit}").trim_end().to_owned());
         let change = Self { group, what: what.into(), before: shown(a), after: shown(b), by: Some(by), unit };
-        // Not a number is a difference.
-        (!(by.abs() <= least)).then_some(change)
+        exceeds(by, least).then_some(change)
     }
 
     /// Something that was moved by so much, and stands nowhere as a number itself.
     pub fn moved(group: Group, what: impl Into<String>, by: f64, unit: &'static str, least: f64) -> Option<Self> {
         let change = Self { group, what: what.into(), before: None, after: None, by: Some(by), unit };
-        (!(by.abs() <= least)).then_some(change)
+        exceeds(by, least).then_some(change)
     }
 
     /// The difference in words.

@@ -22,7 +22,7 @@ pub fn changes(a: &Side, b: &Side) -> Vec<Change> {
 
 type Words = BTreeMap<String, String>;
 
-/// What is not the same on both sides, by name.
+/// Words that are not the same on both sides, by name.
 fn words(group: Group, a: &Words, b: &Words) -> Vec<Change> {
     let names = a.keys().chain(b.keys().filter(|k| !a.contains_key(*k)));
     names.filter_map(|name| Change::of_words(group, name, a.get(name).cloned(), b.get(name).cloned())).collect()

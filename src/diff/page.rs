@@ -39,7 +39,8 @@ pub fn html(a: &Side, b: &Side, changes: &[Change], tolerance: &Tolerance) -> St
         let _ = writeln!(out, "<h2>{}</h2>\n<table>", group[0].group.word());
         for change in group {
             let over = if tolerance.is_over(change) { " class=\"over\"" } else { "" };
-            let _ = writeln!(out, "<tr{over}><td>{}</td><td>{}</td></tr>", escape(&change.what), escape(&change.words()));
+            let _ =
+                writeln!(out, "<tr{over}><td>{}</td><td>{}</td></tr>", escape(&change.what), escape(&change.words()));
         }
         out.push_str("</table>\n");
     }

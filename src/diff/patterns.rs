@@ -22,11 +22,11 @@ pub fn changes(a: &Garment, b: &Garment) -> Vec<Change> {
     found
 }
 
-fn by_name<'g, T>(all: &'g [T], name: impl Fn(&T) -> String) -> BTreeMap<String, &'g T> {
+fn by_name<T>(all: &[T], name: impl Fn(&T) -> String) -> BTreeMap<String, &T> {
     all.iter().map(|t| (name(t), t)).collect()
 }
 
-/// What stands on one side only, and the differences of what stands on both.
+/// Names that stand on one side only, and the differences of what stands on both.
 fn both<T>(
     group: Group,
     a: &BTreeMap<String, &T>,
@@ -51,7 +51,8 @@ fn length(group: Group, what: String, a: f64, b: f64) -> Option<Change> {
 }
 
 fn piece(name: &str, a: &Piece, b: &Piece) -> Vec<Change> {
-    let lines = [("outline", Some(&a.outline), Some(&b.outline)), ("cut line", a.cut_line.as_ref(), b.cut_line.as_ref())];
+    let lines =
+        [("outline", Some(&a.outline), Some(&b.outline)), ("cut line", a.cut_line.as_ref(), b.cut_line.as_ref())];
     let mut found = Vec::new();
     for (what, a, b) in lines {
         let (Some(a), Some(b)) = (a, b) else { continue };

@@ -70,8 +70,8 @@ fn middle_move(surface: &Surface, motion: &Motion) -> f64 {
     (motion.apply(&middle) - middle).norm()
 }
 
-/// The motion of `from` that brings it nearest to `to`. With the same mesh a vertex belongs to its namesake; else to the
-/// nearest vertex, again and again.
+/// The motion of `from` that brings it nearest to `to`. With the same mesh a vertex belongs to its namesake. Else it
+/// belongs to the nearest vertex, which is sought again after every motion.
 fn best_motion(from: &Surface, to: &Surface) -> Motion {
     let step = (from.points.len() / SAMPLES).max(1);
     let chosen: Vec<Vec3> = from.points.iter().step_by(step).copied().collect();
@@ -149,17 +149,16 @@ fn rotate(m: &mut [[f64; 4]; 4], v: &mut [[f64; 4]; 4], p: usize, q: usize) {
     let t = theta.signum() / (theta.abs() + (theta * theta + 1.0).sqrt());
     let c = 1.0 / (t * t + 1.0).sqrt();
     let s = t * c;
-    for k in 0..4 {
-        let (a, b) = (m[k][p], m[k][q]);
-        (m[k][p], m[k][q]) = (c * a - s * b, s * a + c * b);
+    let turn = |a: f64, b: f64| (c * a - s * b, s * a + c * b);
+    for row in m.iter_mut() {
+        (row[p], row[q]) = turn(row[p], row[q]);
     }
-    for k in 0..4 {
-        let (a, b) = (m[p][k], m[q][k]);
-        (m[p][k], m[q][k]) = (c * a - s * b, s * a + c * b);
+    let (above, below) = (m[p], m[q]);
+    for (k, (a, b)) in above.into_iter().zip(below).enumerate() {
+        (m[p][k], m[q][k]) = turn(a, b);
     }
     for row in v {
-        let (a, b) = (row[p], row[q]);
-        (row[p], row[q]) = (c * a - s * b, s * a + c * b);
+        (row[p], row[q]) = turn(row[p], row[q]);
     }
 }
 
@@ -169,7 +168,8 @@ mod tests {
 
     #[test]
     fn a_turn_and_a_shift_are_found() {
-        let points: Vec<Vec3> = (0..30_i32).map(|k| Vec3::new(f64::from(k % 5), f64::from(k % 7), f64::from(k % 3))).collect();
+        let points: Vec<Vec3> =
+            (0..30_i32).map(|k| Vec3::new(f64::from(k % 5), f64::from(k % 7), f64::from(k % 3))).collect();
         let (s, c) = libm::sincos(0.3);
         let turn = |p: &Vec3| Vec3::new(c * p.x + s * p.z + 0.1, p.y - 0.2, -s * p.x + c * p.z + 0.3);
         let partners: Vec<Vec3> = points.iter().map(turn).collect();

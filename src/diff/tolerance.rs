@@ -1,6 +1,6 @@
-//! What may differ: a file that states a tolerance for each kind of difference.
+//! Allowed differences: a file states a tolerance for each kind.
 
-use super::change::{Change, Group};
+use super::change::{Change, Group, exceeds};
 use serde::Deserialize;
 use toile_garment::units::Length;
 
@@ -48,7 +48,7 @@ impl Tolerance {
         let words = |w: Option<Words>| w == Some(Words::Same);
         let number = |most: Option<f64>| {
             // Something that is new or gone is over any length.
-            most.is_some_and(|most| change.by.is_none_or(|by| !(by.abs() <= most)))
+            most.is_some_and(|most| change.by.is_none_or(|by| exceeds(by, most)))
         };
         let length = |l: Option<Length>| number(l.map(|l| 1e3 * l.0));
         match change.group {

@@ -14,7 +14,7 @@ const LEFT: f64 = 0.8;
 /// A temporary file of this age belongs to no living program.
 const OLD: Duration = Duration::from_secs(3600);
 
-/// What reading gave.
+/// The result of reading.
 pub enum Found {
     /// The content, with the right hash.
     Good(Vec<u8>),

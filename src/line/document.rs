@@ -184,7 +184,7 @@ fn read_style(cx: &mut Reader<'_>, table: &DeTable<'_>, span: Range<usize>) -> O
     let name = cx.text(table, "name").map(|name| cx.name(name, "name of a style"));
     let pipeline = cx.text(table, "pipeline");
     let pattern = cx.text(table, "pattern").map(|p| Set::new("pattern", p.get_ref(), p.span()));
-    let own = cx.table(table, "set", &span).map(|(inner, _)| sets(cx, inner)).unwrap_or_default();
+    let own = cx.table(table, "set", &span).map(|(inner, _)| sets(inner)).unwrap_or_default();
     let axes = cx.table(table, "matrix", &span).map(|(inner, _)| read_axes(cx, inner)).unwrap_or_default();
     let sets = pattern.into_iter().chain(own).collect();
     Some(Style { name: name?, pipeline: PathBuf::from(pipeline?.into_inner()), sets, axes, span })
@@ -239,7 +239,7 @@ fn named(cx: &mut Reader<'_>, name: &str, span: Range<usize>, value: &Spanned<De
         cx.wrong_type(value, name, "a table of inputs and parameters");
         return None;
     };
-    Some(Choice { label: name.to_owned(), sets: sets(cx, table), span })
+    Some(Choice { label: name.to_owned(), sets: sets(table), span })
 }
 
 fn read_rule(cx: &mut Reader<'_>, table: &DeTable<'_>, span: Range<usize>) -> Rule {
@@ -267,7 +267,7 @@ fn read_include(cx: &mut Reader<'_>, table: &DeTable<'_>, span: Range<usize>) ->
     }
     let style = cx.text(table, "style");
     let name = cx.text(table, "name").map(|name| cx.name(name, "name of a job"));
-    let sets = cx.table(table, "set", &span).map(|(inner, _)| sets(cx, inner)).unwrap_or_default();
+    let sets = cx.table(table, "set", &span).map(|(inner, _)| sets(inner)).unwrap_or_default();
     Some(Include { cells, style: style?, sets, name, span })
 }
 

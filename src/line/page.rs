@@ -38,7 +38,7 @@ pub fn html(results: &Results) -> String {
     out
 }
 
-/// What failed comes first; the worst of it before the rest.
+/// Jobs that failed come first; the worst of them before the rest.
 fn in_order(results: &Results) -> Vec<&Row> {
     let mut rows: Vec<&Row> = results.jobs.iter().collect();
     rows.sort_by_key(|r| std::cmp::Reverse(r.exit_code));

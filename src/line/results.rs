@@ -1,4 +1,4 @@
-//! What became of the jobs of a line: verdict, figures and cost of each.
+//! Results of the jobs of a line: verdict, figures and cost of each.
 
 use super::document::GateRule;
 use super::run::Ran;

@@ -25,7 +25,7 @@ const LEAVING: Duration = Duration::from_secs(10);
 pub struct Order<'a> {
     /// The line.
     pub line: &'a Line,
-    /// What is known of its jobs.
+    /// The survey of its jobs.
     pub survey: &'a Survey,
     /// Folder of the results.
     pub out: PathBuf,

@@ -37,13 +37,13 @@ pub struct Planned {
     pub mb: f64,
 }
 
-/// What was found about one job.
+/// Findings and plan of one job.
 pub struct Surveyed {
     /// Findings.
     pub findings: Vec<Diagnostic>,
     /// How its run would end already now.
     pub exit: Exit,
-    /// What is foreseen; `None` for a job with mistakes.
+    /// The plan; `None` for a job with mistakes.
     pub planned: Option<Planned>,
 }
 

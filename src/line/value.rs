@@ -1,6 +1,5 @@
 //! Values of a line as overrides: `key=value` in the form of `--set`.
 
-use crate::pipeline::Reader;
 use std::ops::Range;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -29,17 +28,17 @@ impl Set {
 }
 
 /// All values of a table as overrides; keys of inner tables are joined by dots.
-pub(super) fn sets(cx: &mut Reader<'_>, table: &DeTable<'_>) -> Vec<Set> {
+pub(super) fn sets(table: &DeTable<'_>) -> Vec<Set> {
     let mut found = Vec::new();
-    collect(cx, table, "", &mut found);
+    collect(table, "", &mut found);
     found
 }
 
-fn collect(cx: &mut Reader<'_>, table: &DeTable<'_>, before: &str, found: &mut Vec<Set>) {
+fn collect(table: &DeTable<'_>, before: &str, found: &mut Vec<Set>) {
     for (key, value) in table {
         let key = format!("{before}{}", key.get_ref());
         match value.get_ref() {
-            DeValue::Table(inner) => collect(cx, inner, &format!("{key}."), found),
+            DeValue::Table(inner) => collect(inner, &format!("{key}."), found),
             _ => found.extend(raw(value).map(|text| Set::new(&key, &text, value.span()))),
         }
     }

@@ -36,7 +36,7 @@ pub(super) fn jobs(args: &JobsArgs, registry: &mut Registry, stop: &Arc<Stop>, c
     Exit::Good
 }
 
-/// What a line needs in all.
+/// Jobs, time and memory of a whole line.
 struct Sums {
     /// Jobs and CPU seconds of each style.
     styles: BTreeMap<String, (usize, f64)>,
