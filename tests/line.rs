@@ -85,15 +85,15 @@ fn all_mistakes_of_all_jobs_are_told_at_once_with_their_places() {
         assert!(finding["hint"].is_string(), "{finding}");
     }
     for (code, place) in [
-        ("unknown-set", line_of("widht")),
+        ("unknown-key", line_of("widht")),
         ("line-choice-unknown", line_of("wade")),
-        ("size-unknown", line_of("\"41\"")),
         ("file-missing", line_of("coat.toml") - 2),
         ("wrong-value", line_of("time =")),
         ("missing-key", line_of("figure =") - 1),
     ] {
         assert!(told.iter().any(|(c, l)| c == code && *l == place), "{code} in line {place} is not in {told:?}");
     }
+    assert!(told.iter().any(|(c, _)| c == "size-not-found"), "files are read, too: {told:?}");
 }
 
 #[test]
@@ -155,7 +155,7 @@ fn a_killed_line_goes_on_and_gives_the_bytes_of_a_serial_one() {
     let many = LINE.replace("[\"36\", \"38\", \"40\"]", "[\"36\", \"38\", \"40\"]\nexport-print = [1]");
     let widths: Vec<String> = (0..12).map(|k| format!("w{k} = {{ export-print.gap = \"{} mm\" }}", 10 + k)).collect();
     let many = many.replace("export-print = [1]", &format!("gap = {{ {} }}", widths.join(", ")));
-    project.write("line.toml", &many.split("[[exclude]]").next().expect("matrix").to_owned());
+    project.write("line.toml", many.split("[[exclude]]").next().expect("matrix"));
     let (code, out, err) = project.toile("line run line.toml --out serial -j 1 --quiet");
     assert_eq!(code, 0, "{out}{err}");
     let serial = project.digests("serial/jobs");
