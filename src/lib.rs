@@ -18,3 +18,4 @@ pub mod progress;
 pub mod render;
 pub mod schema;
 pub mod study;
+pub mod watch;

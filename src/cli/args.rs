@@ -32,6 +32,8 @@ pub enum Verb {
     Check(CheckArgs),
     /// Show what a run would do and need: stages, effects, seconds, memory, files.
     Plan(PlanArgs),
+    /// Run a pipeline after every change of a file that it reads; the page of the last run loads itself anew.
+    Watch(WatchArgs),
     /// List the files that a pipeline reads and writes, and the key of its content.
     Deps(DepsArgs),
     /// Tell what differs between two results: folders, records or GLBs. Exit code 1 if it is more than the tolerance.
@@ -238,6 +240,32 @@ pub struct PlanArgs {
     /// For programs.
     #[arg(long)]
     pub json: bool,
+}
+
+/// `watch`
+#[derive(Args, Debug)]
+pub struct WatchArgs {
+    /// Pipeline.
+    #[command(flatten)]
+    pub pipeline: PipelineArgs,
+    /// How exact.
+    #[command(flatten)]
+    pub accuracy: AccuracyArgs,
+    /// Output folder; what an earlier run wrote there is replaced [default: out/LINE-vVERSION]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Threads [default: all cores, or TOILE_THREADS]; results never depend on it.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// Cache.
+    #[command(flatten)]
+    pub cache: CacheArgs,
+    /// End after so many runs [default: go on]
+    #[arg(long, value_name = "N")]
+    pub runs: Option<usize>,
+    /// Say nothing but errors.
+    #[arg(long)]
+    pub quiet: bool,
 }
 
 /// `diff`

@@ -20,6 +20,7 @@ mod run;
 mod schema;
 mod stages;
 mod study;
+mod watch;
 
 use crate::engine::{Exit, Stop};
 use args::{Cli, Verb};
@@ -83,6 +84,7 @@ pub fn run_from(
 fn dispatch(cli: Cli, mut registry: Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
     match cli.verb {
         Verb::Run(args) => run::run(&args, &mut registry, stop, console),
+        Verb::Watch(args) => watch::run(&args, &mut registry, stop, console),
         Verb::New(args) => new::run(&args, console),
         Verb::Check(args) => check::run(&args, &mut registry, stop, console),
         Verb::Plan(args) => plan::run(&args, &mut registry, stop, console),
