@@ -223,6 +223,7 @@ impl<'a> Run<'a> {
         if self.errors_since(before) {
             return Exit::Input;
         }
+        let checked = self.report.findings.len();
         self.garment.provenance.inputs = self.files.inputs().to_vec();
         let (stage, id) = (info.name.to_string(), step.id.clone());
         self.garment.provenance.stages.push(StageRecord { stage, id, revision: info.revision, params: params.clone() });
@@ -246,7 +247,7 @@ impl<'a> Run<'a> {
             Err(error) => self.fail(step, error),
         };
         if let Some(key) = key.filter(|_| !cached && exit == Exit::Good && Cache::is_worth(meter.seconds())) {
-            self.keep(&key, info.gives.is_empty(), before);
+            self.keep(&key, info.gives.is_empty(), checked);
         }
         if exit != Exit::Good && self.stop.asked() { Exit::Stopped } else { exit }
     }
@@ -274,7 +275,8 @@ impl<'a> Run<'a> {
         Some(Ok(Garment { provenance, ..entry.garment }))
     }
 
-    /// Keeps the result of a stage. One that gives something and writes files, too, may write its history.
+    /// Keeps the result of a stage, with the findings since `before`. One that gives something and writes files, too,
+    /// may write its history: it is not kept.
     fn keep(&mut self, key: &str, is_tap: bool, before: usize) {
         let (reads, writes) = self.files.end_stage();
         let Some(cache) = self.cache.as_mut().filter(|_| is_tap || writes.is_empty()) else { return };

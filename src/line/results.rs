@@ -116,8 +116,8 @@ fn row(line: &Line, job: &Job, ran: Option<&Ran>, folder: &Path) -> Row {
     match ran.and_then(|r| r.record.as_ref()) {
         Some(record) => fill(&mut row, record, folder, &line.file.gates),
         None if ran.is_some() => {
-            row.status = "refused".to_owned();
-            row.why.push(format!("it was refused before it began; see logs/{}.txt", job.name));
+            row.status = "no-record".to_owned();
+            row.why.push(format!("it left no record; see logs/{}.txt", job.name));
         }
         None => row.why.push("it was not run".to_owned()),
     }

@@ -34,7 +34,7 @@ pub(super) fn run(args: &RunLineArgs, registry: &mut Registry, stop: &Arc<Stop>,
     let wanted: Vec<usize> = (0..line.jobs.len()).filter(|k| is_wanted(&line.jobs[*k], &args.only)).collect();
     let mut told = |done: usize, job: &Job, ran: &Ran| {
         if !args.quiet && !ran.kept {
-            let status = ran.record.as_ref().and_then(|r| r["status"].as_str()).unwrap_or("refused");
+            let status = ran.record.as_ref().and_then(|r| r["status"].as_str()).unwrap_or("no-record");
             let seconds = ran.record.as_ref().and_then(|r| r["seconds"].as_f64()).unwrap_or(0.0);
             let text = format!("{done}/{} {} {status} {seconds:.1} s\n", wanted.len(), job.name);
             console.say(&crate::render::safe(&text));
