@@ -38,9 +38,13 @@ fn a_matrix_becomes_jobs_with_inputs_outputs_and_keys() {
     assert!(read("long-skirt.astm.rul").expect("looked for")["blake3"].is_null(), "a rule table that is not there");
     let keys: BTreeSet<&str> = all.values().map(|j| j["key"].as_str().expect("key")).collect();
     assert_eq!(keys.len(), 5, "every job is another content");
-    let (_, out, _) = project.toile("deps printed.toml --set size=36 --set export-print.width=\"600 mm\" --json");
-    let deps: Value = serde_json::from_str(&out).unwrap_or_default();
-    assert_ne!(deps["key"], Value::Null);
+    let (code, out, err) = project.toile("deps printed.toml --set size=36 --set export-print.width=600mm --json");
+    assert_eq!(code, 0, "{err}");
+    let deps: Value = serde_json::from_str(&out).expect("JSON");
+    assert_eq!(
+        (&deps["key"], &deps["inputs"].as_array().map(Vec::len)),
+        (&job["key"], &job["inputs"].as_array().map(Vec::len))
+    );
     let (code, out, _) = project.toile("line plan line.toml --json");
     let plan: Value = serde_json::from_str(&out).expect("JSON");
     assert_eq!((code, &plan["jobs"], &plan["different"], &plan["files"]), (0, &5.into(), &5.into(), &10.into()));
@@ -82,7 +86,6 @@ fn all_mistakes_of_all_jobs_are_told_at_once_with_their_places() {
             finding["code"].as_str().expect("code").to_owned(),
             finding["source"]["line"].as_u64().unwrap_or(0),
         ));
-        assert!(finding["hint"].is_string(), "{finding}");
     }
     for (code, place) in [
         ("unknown-key", line_of("widht")),
@@ -153,13 +156,13 @@ fn failures_carry_their_code_stay_to_look_at_and_are_not_tried_again() {
 fn a_killed_line_goes_on_and_gives_the_bytes_of_a_serial_one() {
     let project = Project::new();
     let many = LINE.replace("[\"36\", \"38\", \"40\"]", "[\"36\", \"38\", \"40\"]\nexport-print = [1]");
-    let widths: Vec<String> = (0..12).map(|k| format!("w{k} = {{ export-print.gap = \"{} mm\" }}", 10 + k)).collect();
+    let widths: Vec<String> = (0..4).map(|k| format!("w{k} = {{ export-print.gap = \"{} mm\" }}", 10 + k)).collect();
     let many = many.replace("export-print = [1]", &format!("gap = {{ {} }}", widths.join(", ")));
     project.write("line.toml", many.split("[[exclude]]").next().expect("matrix"));
     let (code, out, err) = project.toile("line run line.toml --out serial -j 1 --quiet");
     assert_eq!(code, 0, "{out}{err}");
     let serial = project.digests("serial/jobs");
-    assert_eq!(serial.len(), 72);
+    assert_eq!(serial.len(), 24);
     let mut killed = 0;
     for wait in [150, 420, 300, 700] {
         let mut child = project.command("line run line.toml --out killed -j 2 --quiet").spawn().expect("line");

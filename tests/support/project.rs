@@ -15,7 +15,7 @@ pub const PRINTED: &str = "toile = 1\n[pipeline]\nline = \"printed\"\nversion = 
 pub const DRAPED: &str = "toile = 1\n[pipeline]\nline = \"draped\"\nversion = 1\n\
     [input]\nfabric = { kind = \"text\", default = \"wool-suiting\" }\nimage = { kind = \"text\", default = \"twill-stripe\" }\n\
     [[stage]]\nuse = \"import-dxf\"\nwith.file = \"long-skirt.astm.dxf\"\nwith.sewing = \"long-skirt.sewing.toml\"\nwith.size = \"38\"\n\
-    [[stage]]\nuse = \"triangulate\"\nwith.triangles = 300\n[[stage]]\nuse = \"assemble\"\n\
+    [[stage]]\nuse = \"triangulate\"\nwith.triangles = 400\n[[stage]]\nuse = \"assemble\"\n\
     [[stage]]\nuse = \"stitch\"\nwith.body = \"size-38.obj\"\nwith.fabric = \"{fabric}.toml\"\n\
     [[stage]]\nuse = \"drape\"\n\
     [[stage]]\nuse = \"texture\"\nwith.image = \"{image}.png\"\nwith.repeat = [\"24 mm\", \"24 mm\"]\n\
