@@ -7,14 +7,17 @@ use support::project::Project;
 /// Moves the left dart of the front in size 38 by 5 mm to the side.
 fn move_dart(project: &Project) {
     let text = std::fs::read_to_string(project.path("long-skirt.astm.dxf")).expect("pattern");
-    let (before, rest) = text.split_once("\nFRONT_38\n").expect("block");
+    let (before, rest) = text.split_once("FRONT_38").expect("block");
     let (block, after) = rest.split_once("ENDBLK").expect("end");
-    let mut moved = block.to_owned();
-    for (from, to) in [("98.8800", "103.8800"), ("88.8800", "93.8800"), ("78.8800", "83.8800")] {
-        assert!(moved.contains(&format!("\n{from}\n")), "{from}");
-        moved = moved.replace(&format!("\n{from}\n"), &format!("\n{to}\n"));
-    }
-    project.write("long-skirt.astm.dxf", &format!("{before}\nFRONT_38\n{moved}ENDBLK{after}"));
+    let moved = block.split('\n').map(|line| match line.trim() {
+        "98.8800" => line.replace("98.8800", "103.8800"),
+        "88.8800" => line.replace("88.8800", "93.8800"),
+        "78.8800" => line.replace("78.8800", "83.8800"),
+        _ => line.to_owned(),
+    });
+    let moved = moved.collect::<Vec<_>>().join("\n");
+    assert_ne!(moved, block);
+    project.write("long-skirt.astm.dxf", &format!("{before}FRONT_38{moved}ENDBLK{after}"));
 }
 
 fn run(project: &Project, out: &str, more: &str) {
