@@ -39,8 +39,10 @@ codes! {
 const OWN: &[&[Code]] = &[
     SHARED,
     crate::cli::codes::CODES,
+    crate::diff::codes::CODES,
     crate::engine::codes::CODES,
     crate::external::codes::CODES,
+    crate::line::codes::CODES,
     crate::load::codes::CODES,
     crate::new::codes::CODES,
     crate::pipeline::codes::CODES,

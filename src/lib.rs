@@ -7,8 +7,10 @@ mod code_list;
 
 pub mod cli;
 pub mod codes;
+pub mod diff;
 pub mod engine;
 pub mod external;
+pub mod line;
 pub mod load;
 pub mod new;
 pub mod pipeline;
@@ -16,3 +18,4 @@ pub mod progress;
 pub mod render;
 pub mod schema;
 pub mod study;
+pub mod watch;

@@ -3,15 +3,17 @@
 mod accuracy;
 pub(crate) mod codes;
 
+pub(crate) use codes::NOT_TEXT;
+
 use crate::codes::FILE_MISSING;
 use crate::engine::{Exit, Gate, Stop, check_paths, clean, read_limited};
 use crate::external;
-use crate::pipeline::{self, MAX_BYTES, Pipeline, SourceText, Tuning};
+use crate::pipeline::{self, Document, MAX_BYTES, Pipeline, SourceText, Tuning};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toile_garment::{Diagnostic, Report, SourceRef};
-use toile_stage_api::{Meaning, Registry};
+use toile_stage_api::{FileError, Meaning, Registry};
 
 /// Which pipeline, and what it may do.
 #[derive(Clone, Debug, Default)]
@@ -20,6 +22,8 @@ pub struct Request {
     pub file: PathBuf,
     /// Overrides.
     pub set: Vec<String>,
+    /// Folder from which relative paths of overrides and of `allow_read` start; empty for the working folder.
+    pub base: PathBuf,
     /// Further folders it may read.
     pub allow_read: Vec<PathBuf>,
     /// Plugins it may run.
@@ -61,7 +65,18 @@ impl Loaded<'_> {
 /// Opens a pipeline and checks everything that needs no work; all mistakes are in the report.
 pub fn load<'r>(request: &Request, stop: &Arc<Stop>, registry: &'r mut Registry) -> Loaded<'r> {
     match open(request) {
-        Ok(source) => check(source, request, stop, registry),
+        Ok(source) => check(source, request, |document, report| {
+            external::connect(document, &folder_of(&request.file), &request.allow_run, stop, registry, report);
+            registry
+        }),
+        Err(findings) => Loaded { source: None, pipeline: None, gate: None, report: Report { findings } },
+    }
+}
+
+/// The same for a pipeline whose plugins are connected already: many requests may share one registry.
+pub fn reload<'r>(request: &Request, registry: &'r Registry) -> Loaded<'r> {
+    match open(request) {
+        Ok(source) => check(source, request, |_, _| registry),
         Err(findings) => Loaded { source: None, pipeline: None, gate: None, report: Report { findings } },
     }
 }
@@ -76,19 +91,21 @@ fn open(request: &Request) -> Result<SourceText, Vec<Diagnostic>> {
         .map_err(|e| crate::engine::of_file_error(&e).0.into_iter().flat_map(&at).collect::<Vec<_>>())?;
     let text = String::from_utf8(bytes).map_err(|e| {
         let message = format!("the pipeline is no UTF-8 text: byte {} is wrong", e.utf8_error().valid_up_to());
-        at(Diagnostic::error(codes::NOT_TEXT, message).hint("save it as UTF-8"))
+        at(Diagnostic::error(NOT_TEXT, message).hint("save it as UTF-8"))
     })?;
     Ok(SourceText::new(name, text, request.set.clone()))
 }
 
-fn check<'r>(source: SourceText, request: &Request, stop: &Arc<Stop>, registry: &'r mut Registry) -> Loaded<'r> {
+fn check<'r>(
+    source: SourceText,
+    request: &Request,
+    connect: impl FnOnce(&Document<'_>, &mut Report) -> &'r Registry,
+) -> Loaded<'r> {
     let mut report = Report::default();
     let Some(mut document) = pipeline::parse(&source, &mut report) else {
         return Loaded { source: Some(source), pipeline: None, gate: None, report };
     };
-    let folder = folder_of(&request.file);
-    external::connect(&document, &folder, &request.allow_run, stop, registry, &mut report);
-    let registry: &'r Registry = registry;
+    let registry = connect(&document, &mut report);
     let mut tuning = if request.tuning.is_empty() {
         accuracy::tuning(&document, request, registry, &mut report)
     } else {
@@ -102,7 +119,7 @@ fn check<'r>(source: SourceText, request: &Request, stop: &Arc<Stop>, registry: 
         let message = "--repeats was given, and no stage of this chain can be repeated";
         report.push(Diagnostic::error(codes::REPEATS_NO_STAGE, message).hint("`drape` can"));
     }
-    let gate = match Gate::new(&folder, &request.allow_read, &pipeline.mounts) {
+    let gate = match gate(request, &pipeline) {
         Ok(gate) => {
             check_paths(&pipeline.steps, &gate, &mut report);
             Some(gate)
@@ -115,6 +132,13 @@ fn check<'r>(source: SourceText, request: &Request, stop: &Arc<Stop>, registry: 
     };
     sort_by_place(&mut report);
     Loaded { source: Some(source), pipeline: Some(pipeline), gate, report }
+}
+
+fn gate(request: &Request, pipeline: &Pipeline<'_>) -> Result<Gate, FileError> {
+    let from_base = |dir: &PathBuf| request.base.join(dir);
+    let allow: Vec<PathBuf> = request.allow_read.iter().map(from_base).collect();
+    let mounts = pipeline.mounts.iter().map(|(name, dir)| (name.clone(), from_base(dir))).collect();
+    Gate::new(&folder_of(&request.file), &allow, &mounts)
 }
 
 /// The reader meets the mistakes in the order of the file, whatever step found them.

@@ -1,6 +1,8 @@
 //! Verbs and their options.
 
 use super::fabric::FabricArgs;
+use super::line::LineArgs;
+use crate::engine::CacheOptions;
 use crate::load::Request;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -30,6 +32,14 @@ pub enum Verb {
     Check(CheckArgs),
     /// Show what a run would do and need: stages, effects, seconds, memory, files.
     Plan(PlanArgs),
+    /// Run a pipeline after every change of a file that it reads; the page of the last run loads itself anew.
+    Watch(WatchArgs),
+    /// List the files that a pipeline reads and writes, and the key of its content.
+    Deps(DepsArgs),
+    /// Tell what differs between two results: folders, records or GLBs. Exit code 1 if it is more than the tolerance.
+    Diff(DiffArgs),
+    /// Sew a product line: styles in sizes, fabrics and other choices.
+    Line(LineArgs),
     /// Show what is in a file.
     Inspect(InspectArgs),
     /// Flatten a garment back to 2D, from its file alone.
@@ -69,6 +79,8 @@ pub enum FileKind {
     Fabric,
     /// Measures, landmarks and segments beside the mesh of a body.
     Body,
+    /// A product line.
+    Line,
 }
 
 /// Which pipeline, and what it may do.
@@ -150,15 +162,45 @@ pub struct RunArgs {
     /// Most memory of the run, MB: refused when more is foreseen [what the system can give], stopped when it takes more.
     #[arg(long, value_name = "MB", value_parser = positive)]
     pub max_memory: Option<f64>,
+    /// Cache.
+    #[command(flatten)]
+    pub cache: CacheArgs,
     /// Remove the outputs of an earlier run before the work, and replace files that are there, but never an input.
     #[arg(long)]
     pub force: bool,
     /// Say nothing but errors.
     #[arg(long)]
     pub quiet: bool,
+    /// End as soon as the standard input is closed.
+    #[arg(long, hide = true)]
+    pub tied: bool,
 }
 
-fn positive(text: &str) -> Result<f64, String> {
+/// Where results of stages are kept.
+#[derive(Args, Debug)]
+pub struct CacheArgs {
+    /// Keep results of stages in this folder and take them from there; it may be shared by many programs.
+    #[arg(long, value_name = "DIR")]
+    pub cache: Option<PathBuf>,
+    /// Most size of the cache, MB [default: 4000]
+    #[arg(long, value_name = "MB", requires = "cache", value_parser = positive)]
+    pub cache_size: Option<f64>,
+}
+
+impl CacheArgs {
+    /// Most bytes.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "a positive size in MB")]
+    pub fn limit(&self) -> u64 {
+        (1e6 * self.cache_size.unwrap_or(4000.0)) as u64
+    }
+
+    /// The cache that is asked for.
+    pub fn options(&self) -> Option<CacheOptions> {
+        self.cache.as_ref().map(|folder| CacheOptions { folder: folder.clone(), limit: self.limit() })
+    }
+}
+
+pub(super) fn positive(text: &str) -> Result<f64, String> {
     let number = text.parse::<f64>().ok().filter(|n| n.is_finite() && *n > 0.0);
     number.ok_or_else(|| "write a number above 0".to_owned())
 }
@@ -195,6 +237,70 @@ pub struct PlanArgs {
     /// How exact.
     #[command(flatten)]
     pub accuracy: AccuracyArgs,
+    /// For programs.
+    #[arg(long)]
+    pub json: bool,
+}
+
+/// `watch`
+#[derive(Args, Debug)]
+pub struct WatchArgs {
+    /// Pipeline.
+    #[command(flatten)]
+    pub pipeline: PipelineArgs,
+    /// How exact.
+    #[command(flatten)]
+    pub accuracy: AccuracyArgs,
+    /// Output folder; what an earlier run wrote there is replaced [default: out/LINE-vVERSION]
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Threads [default: all cores, or TOILE_THREADS]; results never depend on it.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
+    /// Cache.
+    #[command(flatten)]
+    pub cache: CacheArgs,
+    /// End after so many runs [default: go on]
+    #[arg(long, value_name = "N")]
+    pub runs: Option<usize>,
+    /// Say nothing but errors.
+    #[arg(long)]
+    pub quiet: bool,
+}
+
+/// `diff`
+#[derive(Args, Debug)]
+pub struct DiffArgs {
+    /// Folder of a run, its run.json, or a GLB.
+    pub a: PathBuf,
+    /// The one to compare with it.
+    pub b: PathBuf,
+    /// Differences that are allowed, as TOML: pieces, darts, seams, measures and shape as lengths, strain as a number,
+    /// inputs, parameters, fabric and findings as "same" or "any". Without it nothing may differ.
+    #[arg(long, value_name = "FILE")]
+    pub tolerance: Option<PathBuf>,
+    /// How the differences are printed.
+    #[arg(long, value_enum, default_value = "text")]
+    pub format: DiffFormat,
+}
+
+/// Forms of the differences.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum DiffFormat {
+    /// For people.
+    Text,
+    /// For programs.
+    Json,
+    /// One page with pictures side by side.
+    Html,
+}
+
+/// `deps`
+#[derive(Args, Debug)]
+pub struct DepsArgs {
+    /// Pipeline.
+    #[command(flatten)]
+    pub pipeline: PipelineArgs,
     /// For programs.
     #[arg(long)]
     pub json: bool,

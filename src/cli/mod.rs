@@ -6,10 +6,13 @@ mod check;
 pub(crate) mod codes;
 mod completions;
 mod console;
+mod deps;
+mod diff;
 mod explain;
 mod fabric;
 mod flatten;
 mod inspect;
+mod line;
 mod new;
 mod plan;
 mod results;
@@ -17,6 +20,7 @@ mod run;
 mod schema;
 mod stages;
 mod study;
+mod watch;
 
 use crate::engine::{Exit, Stop};
 use args::{Cli, Verb};
@@ -80,9 +84,13 @@ pub fn run_from(
 fn dispatch(cli: Cli, mut registry: Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
     match cli.verb {
         Verb::Run(args) => run::run(&args, &mut registry, stop, console),
+        Verb::Watch(args) => watch::run(&args, &mut registry, stop, console),
         Verb::New(args) => new::run(&args, console),
         Verb::Check(args) => check::run(&args, &mut registry, stop, console),
         Verb::Plan(args) => plan::run(&args, &mut registry, stop, console),
+        Verb::Diff(args) => diff::run(&args, console),
+        Verb::Deps(args) => deps::run(&args, &mut registry, stop, console),
+        Verb::Line(args) => line::run(&args, &mut registry, stop, console),
         Verb::Inspect(args) => inspect::run(&args, console),
         Verb::Flatten(args) => flatten::run(&args, &registry, stop, console),
         Verb::Study(args) => study::run(&args, &mut registry, stop, console),

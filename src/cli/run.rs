@@ -4,7 +4,7 @@ use super::args::RunArgs;
 use super::console::Console;
 use crate::codes::WRITE_FAILED;
 use crate::engine::{self, Exit, Outcome, RunOptions, Stop, clean, default_out};
-use crate::engine::{Limits, Watchdog, foresee, known_inputs, of_file_error, refuse_input};
+use crate::engine::{Content, Limits, Watchdog, known_inputs, of_file_error, refuse_input};
 use crate::load::{self, Loaded};
 use crate::progress::{Teller, Voice};
 use std::io::Write;
@@ -22,8 +22,12 @@ pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, con
     let Loaded { source: Some(source), pipeline: Some(pipeline), gate: Some(gate), report } = loaded else {
         return Exit::Usage;
     };
+    if args.tied {
+        stop.leave_with_parent();
+    }
     let limits = Limits { seconds: args.max_seconds, mb: args.max_memory };
-    if let Some(finding) = limits.refuse(&foresee(&pipeline, &gate, stop)) {
+    let content = Content::of(&pipeline, &gate, stop);
+    if let Some(finding) = limits.refuse(&content.foresight) {
         console.findings(&[finding], None);
         return Exit::System;
     }
@@ -45,6 +49,8 @@ pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, con
         allow_write: args.allow_write.clone(),
         set: args.pipeline.set.clone(),
         pipeline_file: (source.file().to_owned(), source.text().as_bytes().to_vec()),
+        foreseen: Some((content.key(&pipeline), content.reads)),
+        cache: args.cache.options(),
     };
     // A pool that is there already (a library user's) is taken as it is: results do not depend on it.
     drop(rayon::ThreadPoolBuilder::new().num_threads(threads).build_global());

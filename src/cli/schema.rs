@@ -12,6 +12,7 @@ pub(super) fn run(args: &SchemaArgs, registry: &Registry, console: &mut Console<
         FileKind::Sewing => toile_formats::sewing::schema(),
         FileKind::Fabric => toile_formats::fabric::schema(),
         FileKind::Body => toile_formats::body::schema(),
+        FileKind::Line => crate::line::schema(),
     });
     Exit::Good
 }

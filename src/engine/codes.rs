@@ -5,6 +5,13 @@ use toile_garment::Code;
 codes! {
     pub(crate) list CODES;
 
+    /// Files of the cache are not what was written there. They were removed and not used, so the result is right. Look
+    /// at the disk that holds the cache.
+    CACHE_DAMAGED = "cache-damaged";
+
+    /// A result could not be put into the cache: the disk is full, or there are no rights. The run itself is whole.
+    CACHE_NOT_WRITTEN = "cache-not-written";
+
     /// The drape was computed and written, but a figure of its certificate is beyond its limit, so the result should
     /// not be relied on. Exit code 1. `certificate` in run.json holds each figure and `limits` what was asked.
     /// Crossings often come from pieces placed inside the body; large strain from a garment too small for the body or a

@@ -1,7 +1,7 @@
 //! Looking ahead: a walk along the chain that asks every stage what it will need, from the files alone.
 
 use super::exit::{Exit, of_stage_error};
-use super::files::ReadFiles;
+use super::files::TracedFiles;
 use super::gate::Gate;
 use super::stop::Stop;
 use crate::pipeline::{Pipeline, Step};
@@ -65,6 +65,11 @@ impl Foresight {
 /// Reads pattern, fabrics and body, and nothing else; no stage works.
 #[must_use]
 pub fn foresee(pipeline: &Pipeline<'_>, gate: &Gate, stop: &Stop) -> Foresight {
+    look_ahead(pipeline, &mut TracedFiles::new(gate), stop)
+}
+
+/// The same with files that remember what was looked for.
+pub(super) fn look_ahead(pipeline: &Pipeline<'_>, files: &mut TracedFiles<'_>, stop: &Stop) -> Foresight {
     let mut seen = Foresight {
         forecast: Forecast::default(),
         stages: Vec::new(),
@@ -72,12 +77,12 @@ pub fn foresee(pipeline: &Pipeline<'_>, gate: &Gate, stop: &Stop) -> Foresight {
         notes: Vec::new(),
         exit: Exit::Good,
     };
-    let (mut report, mut files) = (Report::default(), ReadFiles(gate));
+    let mut report = Report::default();
     for step in &pipeline.steps {
         let mut cx = StageContext {
             report: &mut report,
             progress: &mut (),
-            files: &mut files,
+            files: &mut *files,
             cancel: stop.flag(),
             seed: pipeline.seed,
             threads: 1,

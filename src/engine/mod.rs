@@ -1,6 +1,8 @@
 //! Runs a chain: files through the gate, outputs whole or not at all, provenance, stopping, the record of the run.
 
+mod cache;
 pub(crate) mod codes;
+mod content;
 mod earlier;
 mod exit;
 mod failure;
@@ -18,16 +20,20 @@ mod record;
 mod run;
 mod same;
 mod stop;
+mod store;
 mod whole;
 
+pub use cache::CacheOptions;
+pub use content::{Content, chain, digest, is_unchanged, program};
 pub use exit::{Exit, of_file_error, of_stage_error};
-pub use files::{MAX_INPUT, ReadFiles, RunFiles, read_limited};
+pub use files::{FileRead, MAX_INPUT, RunFiles, TracedFiles, read_limited};
 pub use foresight::{Foresight, foresee};
 pub use gate::{Gate, clean, output_below, project_root};
 pub use limits::{Limits, Watchdog};
+pub use memory::available_mb;
 pub(crate) use meter::reset_peak;
 pub use meter::{Meter, peak_mb};
-pub use outputs::{Outputs, Plan, RECORD_NAME};
+pub use outputs::{Outputs, Plan, RECORD_NAME, is_locked};
 pub use panics::{panic_text, quiet_panics};
 pub use preflight::{check_paths, planned_inputs, planned_outputs};
 pub use preview::{PREVIEW_NAME, Preview};
@@ -35,4 +41,4 @@ pub use record::{GarmentCounts, OutputRecord, RunRecord, StageRun};
 pub use run::{Outcome, RunOptions, default_out, run};
 pub use same::{is_same, known_inputs, refuse_input};
 pub use stop::Stop;
-pub(crate) use whole::write_whole;
+pub(crate) use whole::{Lock, take_lock, temp_path, write_whole};

@@ -309,6 +309,13 @@ fn lock_path(root: &Path) -> PathBuf {
     temp_path(root, "lock")
 }
 
+/// Does a run use this folder now?
+#[must_use]
+pub fn is_locked(folder: &Path) -> bool {
+    let path = lock_path(folder);
+    path.exists() && matches!(whole::take_lock(&path), Ok(Lock::Taken))
+}
+
 /// Takes the folder's lock, or says that another run has it.
 fn take_lock(root: &Path) -> Result<File, FileError> {
     match whole::take_lock(&lock_path(root)).map_err(|e| write_error(&lock_path(root), &e))? {

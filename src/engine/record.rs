@@ -58,6 +58,11 @@ pub struct GarmentCounts {
 pub struct RunRecord {
     /// Program version.
     pub toile: String,
+    /// The program: its version and a digest of its file.
+    pub program: String,
+    /// Key of the content that was foreseen: a run with the same key writes the same outputs. It is missing where the
+    /// run read a file that nobody foresaw.
+    pub key: Option<String>,
     /// Product line and version.
     pub pipeline: String,
     /// Status in a word.

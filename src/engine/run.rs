@@ -1,9 +1,11 @@
 //! Runs a checked chain.
 
+use super::cache::{Cache, CacheOptions, Entry};
 use super::codes;
+use super::content::program;
 use super::exit::{Exit, of_file_error, of_stage_error};
 use super::failure;
-use super::files::RunFiles;
+use super::files::{FileRead, RunFiles};
 use super::gate::{Gate, output_below, refused};
 use super::meter::{Meter, peak_mb};
 use super::outputs::{Outputs, Plan, RECORD_NAME};
@@ -39,6 +41,10 @@ pub struct RunOptions {
     pub set: Vec<String>,
     /// Name and bytes of the pipeline file, for the record.
     pub pipeline_file: (String, Vec<u8>),
+    /// Key of the content that was foreseen, and the files that it counts.
+    pub foreseen: Option<(String, Vec<FileRead>)>,
+    /// Where results of stages are kept.
+    pub cache: Option<CacheOptions>,
 }
 
 /// The result of a run.
@@ -123,6 +129,8 @@ struct Run<'a> {
     stop: &'a Arc<Stop>,
     teller: &'a mut Teller,
     started: Meter,
+    foreseen: Vec<FileRead>,
+    cache: Option<Cache>,
 }
 
 impl<'a> Run<'a> {
@@ -137,6 +145,8 @@ impl<'a> Run<'a> {
         let name = format!("{} v{}", pipeline.line, pipeline.version);
         let record = RunRecord {
             toile: env!("CARGO_PKG_VERSION").to_owned(),
+            program: program().to_owned(),
+            key: options.foreseen.as_ref().map(|(key, _)| key.clone()),
             pipeline: name,
             status: Exit::Stopped.word(),
             exit_code: Exit::Stopped.code(),
@@ -159,7 +169,10 @@ impl<'a> Run<'a> {
         garment.provenance.seed = pipeline.seed;
         let (path, bytes) = &options.pipeline_file;
         let pipeline_file = InputRecord { path: path.clone(), blake3: blake3::hash(bytes).to_hex().to_string() };
-        Self { record, report, told: 0, pipeline_file, garment, files, stop, teller, started: Meter::start() }
+        let foreseen = options.foreseen.as_ref().map(|(_, reads)| reads.clone()).unwrap_or_default();
+        let cache = options.cache.as_ref().map(Cache::open);
+        let started = Meter::start();
+        Self { record, report, told: 0, pipeline_file, garment, files, stop, teller, started, foreseen, cache }
     }
 
     fn chain(&mut self, pipeline: &Pipeline<'_>) -> Exit {
@@ -210,11 +223,15 @@ impl<'a> Run<'a> {
         if self.errors_since(before) {
             return Exit::Input;
         }
+        let checked = self.report.findings.len();
         self.garment.provenance.inputs = self.files.inputs().to_vec();
         let (stage, id) = (info.name.to_string(), step.id.clone());
         self.garment.provenance.stages.push(StageRecord { stage, id, revision: info.revision, params: params.clone() });
         let meter = Meter::start();
-        let result = self.work(step);
+        let key = self.cache_key(step);
+        let restored = key.as_deref().and_then(|key| self.restore(key));
+        let cached = restored.is_some();
+        let result = restored.unwrap_or_else(|| self.work(step));
         self.record.stages.push(StageRun {
             name: info.name.to_string(),
             id: step.id.clone(),
@@ -223,13 +240,62 @@ impl<'a> Run<'a> {
             seconds: meter.seconds(),
             cpu_seconds: meter.cpu_seconds(),
             peak_mb: peak_mb(),
-            cached: false,
+            cached,
         });
         let exit = match result {
             Ok(garment) => self.take(garment, before),
             Err(error) => self.fail(step, error),
         };
+        if let Some(key) = key.filter(|_| !cached && exit == Exit::Good && Cache::is_worth(meter.seconds())) {
+            self.keep(&key, info.gives.is_empty(), checked);
+        }
         if exit != Exit::Good && self.stop.asked() { Exit::Stopped } else { exit }
+    }
+
+    /// First key of a stage, where there is a cache.
+    fn cache_key(&mut self, step: &Step<'_>) -> Option<String> {
+        self.files.begin_stage(self.cache.is_some());
+        self.cache.as_ref()?;
+        let (info, params) = (step.ready.info(), step.ready.params());
+        Cache::key(&info, &params, self.record.seed, &mut self.garment, &self.report.findings)
+    }
+
+    /// The result of a stage from the cache, with its outputs written and its files taken as read.
+    fn restore(&mut self, key: &str) -> Option<Result<Garment, StageError>> {
+        let files = &self.files;
+        let entry = self.cache.as_mut()?.find(key, |path| files.content(path))?;
+        self.files.take_as_read(&entry.reads).ok()?;
+        for (path, bytes) in &entry.writes {
+            if let Err(error) = toile_stage_api::Files::write(&mut self.files, path, bytes) {
+                return Some(Err(error.into()));
+            }
+        }
+        self.report.findings.extend(entry.findings);
+        let provenance = std::mem::take(&mut self.garment.provenance);
+        Some(Ok(Garment { provenance, ..entry.garment }))
+    }
+
+    /// Keeps the result of a stage, with the findings since `before`. One that gives something and writes files, too,
+    /// may write its history: it is not kept.
+    fn keep(&mut self, key: &str, is_tap: bool, before: usize) {
+        let (reads, writes) = self.files.end_stage();
+        let Some(cache) = self.cache.as_mut().filter(|_| is_tap || writes.is_empty()) else { return };
+        let findings = self.report.findings[before..].to_vec();
+        cache.keep(key, Entry { reads, garment: self.garment.clone(), findings, writes });
+    }
+
+    /// Tells what was wrong with the cache: at the end, so that it does not get into an output.
+    fn close_cache(&mut self) {
+        let Some((damaged, unwritten)) = self.cache.take().map(Cache::close) else { return };
+        if damaged > 0 {
+            let message = format!("{damaged} files of the cache were damaged; they were removed and not used");
+            self.report.push(Diagnostic::warning(codes::CACHE_DAMAGED, message).hint("look at the disk of the cache"));
+        }
+        if let Some(reason) = unwritten {
+            let message = format!("the cache could not be written: {reason}");
+            let finding = Diagnostic::warning(codes::CACHE_NOT_WRITTEN, message);
+            self.report.push(finding.hint("give --cache a folder with space and rights"));
+        }
     }
 
     fn work(&mut self, step: &Step<'_>) -> Result<Garment, StageError> {
@@ -300,6 +366,10 @@ impl<'a> Run<'a> {
     fn fill_record(&mut self) {
         self.record.inputs = vec![self.pipeline_file.clone()];
         self.record.inputs.extend_from_slice(self.files.inputs());
+        let is_foreseen = |i: &InputRecord| self.foreseen.iter().any(|f| Gate::shown(&f.path) == i.path);
+        if !self.files.inputs().iter().all(is_foreseen) {
+            self.record.key = None;
+        }
         self.record.findings.clone_from(&self.report.findings);
         self.record.certificate.clone_from(&self.garment.certificate);
         self.record.motion = self.garment.animation.as_ref().and_then(|a| a.certificate.clone());
@@ -314,6 +384,7 @@ impl<'a> Run<'a> {
             self.report.push(Diagnostic::error(codes::OVER_LIMIT, reason).hint(hint));
             exit = Exit::System;
         }
+        self.close_cache();
         self.tell_findings();
         self.fill_record();
         self.record.end(exit);

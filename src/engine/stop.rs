@@ -53,6 +53,16 @@ impl Stop {
         self.flag.store(true, Ordering::SeqCst);
     }
 
+    /// Leaves as soon as the standard input is closed: for a program whose work is of no use without the one that began
+    /// it.
+    pub(crate) fn leave_with_parent(self: &Arc<Self>) {
+        let stop = Arc::clone(self);
+        std::thread::spawn(move || {
+            drop(std::io::copy(&mut std::io::stdin().lock(), &mut std::io::sink()));
+            stop.leave();
+        });
+    }
+
     /// Asks for a stop that no person asked for.
     pub(super) fn ask_because(&self, reason: String) {
         *lock(&self.reason) = Some(reason);

@@ -11,7 +11,7 @@ const TEMP_ENDING: &str = ".tmp-toile";
 static NAMED: AtomicU64 = AtomicU64::new(0);
 
 /// Name of the temporary file with this number or word in a folder.
-pub(super) fn temp_path(folder: &Path, word: impl std::fmt::Display) -> PathBuf {
+pub(crate) fn temp_path(folder: &Path, word: impl std::fmt::Display) -> PathBuf {
     folder.join(format!(".{word}{TEMP_ENDING}"))
 }
 
@@ -53,7 +53,7 @@ pub(super) fn sync_folder(folder: &Path) {
 }
 
 /// The lock of a folder, while it is held.
-pub(super) enum Lock {
+pub(crate) enum Lock {
     /// It is ours.
     Held(File),
     /// Another run has it.
@@ -61,7 +61,7 @@ pub(super) enum Lock {
 }
 
 /// Takes the lock file at a path. The system frees it when a process dies. A link in its place is no lock.
-pub(super) fn take_lock(path: &Path) -> Result<Lock> {
+pub(crate) fn take_lock(path: &Path) -> Result<Lock> {
     for _ in 0..16 {
         let file = open_lock(path)?;
         match file.try_lock() {

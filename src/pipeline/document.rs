@@ -54,12 +54,18 @@ pub fn parse<'t>(source: &'t SourceText, report: &mut Report) -> Option<Document
         report.push(source.error(FILE_TOO_LARGE, &(0..0), message));
         return None;
     }
+    let root = parse_toml(source, report)?;
+    Some(read_root(source, root.get_ref(), report))
+}
+
+/// The table of a TOML text; its mistakes go to the report.
+pub(crate) fn parse_toml<'t>(source: &'t SourceText, report: &mut Report) -> Option<Spanned<DeTable<'t>>> {
     let (root, errors) = DeTable::parse_recoverable(source.text());
     for error in errors.iter().take(MAX_ERRORS) {
         let message = error.message().replace("recursion limit", "tables or lists are nested beyond the limit of 80");
         report.push(source.error(codes::TOML_SYNTAX, &error.span().unwrap_or(0..0), message));
     }
-    errors.is_empty().then(|| read_root(source, root.get_ref(), report))
+    errors.is_empty().then_some(root)
 }
 
 fn read_root<'t>(source: &'t SourceText, root: &DeTable<'t>, report: &mut Report) -> Document<'t> {
@@ -169,7 +175,7 @@ impl Ids {
 }
 
 /// Reads tables and collects what is wrong with them.
-pub(super) struct Reader<'a> {
+pub(crate) struct Reader<'a> {
     /// The text, for places.
     pub source: &'a SourceText,
     /// Where mistakes go.
@@ -248,7 +254,7 @@ impl Reader<'_> {
         None
     }
 
-    fn count(&mut self, table: &DeTable<'_>, key: &str) -> Option<u64> {
+    pub fn count(&mut self, table: &DeTable<'_>, key: &str) -> Option<u64> {
         let value = table.get(key)?;
         let number = whole_number(value.get_ref()).and_then(|n| u64::try_from(n).ok());
         if number.is_none() {
@@ -258,7 +264,7 @@ impl Reader<'_> {
     }
 
     /// Names end up in file names: lower-case letters, digits, hyphens, at most 64.
-    fn name(&mut self, text: Spanned<String>, what: &str) -> String {
+    pub fn name(&mut self, text: Spanned<String>, what: &str) -> String {
         if !is_name(text.get_ref()) {
             let message = format!("`{}` is no good {what}", text.get_ref());
             let hint = "use lower-case letters, digits and hyphens, at most 64, beginning with a letter";
@@ -268,18 +274,18 @@ impl Reader<'_> {
         text.into_inner()
     }
 
-    fn check_grammar(&mut self, root: &DeTable<'_>) {
+    pub fn check_grammar(&mut self, root: &DeTable<'_>) {
         self.require(root, "toile", &(0..0), "`toile = 1` as the first line: the version of this grammar");
         let Some(value) = root.get("toile") else { return };
         match whole_number(value.get_ref()) {
             Some(GRAMMAR) => {}
             Some(n) => {
-                let message = format!("the pipeline is written for grammar {n}, this program reads {GRAMMAR}");
+                let message = format!("the file is written for grammar {n}, this program reads {GRAMMAR}");
                 self.push(
                     codes::GRAMMAR_VERSION,
                     &value.span(),
                     message,
-                    "use the toile version the pipeline was made for",
+                    "use the toile version that the file was made for",
                 );
             }
             None => self.wrong_type(value, "toile", "the version of the grammar: toile = 1"),

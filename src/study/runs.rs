@@ -4,7 +4,7 @@ use super::choose::tuning;
 use super::codes;
 use super::grid::Setting;
 use crate::codes::WRITE_FAILED;
-use crate::engine::{self, Exit, Gate, RunOptions, RunRecord, Stop, read_limited, write_whole};
+use crate::engine::{self, Exit, Gate, RunOptions, RunRecord, Stop, is_unchanged, read_limited, write_whole};
 use crate::load::{self, Request};
 use crate::pipeline::{Pipeline, knob, turned_by};
 use crate::progress::{Teller, Voice};
@@ -155,6 +155,8 @@ impl Bench<'_> {
             allow_write: Vec::new(),
             set: self.request.set.clone(),
             pipeline_file: (file, text.into_bytes()),
+            foreseen: None,
+            cache: None,
         };
         // A killed run must not be taken for the one before it.
         drop(std::fs::remove_file(options.out.join(RESULT_NAME)));
@@ -241,19 +243,7 @@ fn varies(pipeline: &Pipeline<'_>, setting: &Setting) -> Result<(), Diagnostic> 
 }
 
 fn key(pipeline: &Pipeline<'_>) -> String {
-    let step = |s: &crate::pipeline::Step<'_>| {
-        let info = s.ready.info();
-        serde_json::json!([info.name, info.revision, s.ready.params()])
-    };
-    let all: Vec<serde_json::Value> = pipeline.steps.iter().map(step).collect();
-    let text = serde_json::json!([env!("CARGO_PKG_VERSION"), pipeline.seed, all]).to_string();
-    blake3::hash(text.as_bytes()).to_hex().to_string()
-}
-
-fn is_unchanged(input: &InputRecord, gate: &Gate) -> bool {
-    let path = Path::new(&input.path);
-    let bytes = gate.optional_input(path).ok().flatten().and_then(|p| read_limited(path, &p, engine::MAX_INPUT).ok());
-    bytes.is_some_and(|bytes| blake3::hash(&bytes).to_hex().as_str() == input.blake3)
+    engine::digest(&serde_json::json!([env!("CARGO_PKG_VERSION"), engine::chain(pipeline)]))
 }
 
 /// A setting that cannot be draped is a result too; a full disk or a stop is none.

@@ -3,11 +3,12 @@
 use crate::{current, root};
 use serde_json::Value;
 
-fn schemas() -> [(&'static str, Value); 3] {
+fn schemas() -> [(&'static str, Value); 4] {
     [
         ("sewing", toile_formats::sewing::schema()),
         ("fabric", toile_formats::fabric::schema()),
         ("body", toile_formats::body::schema()),
+        ("line", toile::line::schema()),
     ]
 }
 
@@ -25,6 +26,7 @@ fn every_sample_fits_the_schema_of_its_kind() {
         ("samples/patterns", ".sewing.toml", toile_formats::sewing::schema()),
         ("samples/fabrics", ".toml", toile_formats::fabric::schema()),
         ("samples/bodies", ".toml", toile_formats::body::schema()),
+        ("samples/lines", ".toml", toile::line::schema()),
     ];
     for (folder, ending, schema) in kinds {
         let mut count = 0;

@@ -9,6 +9,7 @@ pub mod film;
 pub mod glb;
 pub mod mesh;
 pub mod program;
+pub mod project;
 pub mod stages;
 pub mod switches;
 pub mod trial;

@@ -161,6 +161,10 @@ quantity!(
     Duration, "duration", "2 s", [("s", 1.0), ("ms", 1e-3), ("min", 60.0)]
 );
 quantity!(
+    /// Memory of a program, MB inside.
+    Memory, "memory", "800 MB", [("MB", 1.0), ("GB", 1e3)]
+);
+quantity!(
     /// Speed, m/s inside.
     Speed, "speed", "2 mm/s", [("mm/s", 1e-3), ("m/s", 1.0)]
 );

@@ -1,0 +1,136 @@
+//! `toile line run` and `toile line report`.
+
+use super::args::{ReportArgs, RunLineArgs};
+use super::sound;
+use crate::cli::console::Console;
+use crate::codes::{PATH_REFUSED, WRITE_FAILED};
+use crate::engine::{CacheOptions, Exit, Stop, available_mb, clean, write_whole};
+use crate::line::{Job, Line, Lock, Order, RESULTS_NAME, Ran, Results, Survey, page, was_run};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use toile_garment::Diagnostic;
+use toile_stage_api::Registry;
+
+/// Part of the free memory that the jobs may have together.
+const SHARE_OF_MEMORY: f64 = 0.8;
+
+pub(super) fn run(args: &RunLineArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
+    let (line, survey) = match sound(&args.file, registry, stop, console) {
+        Ok(both) => both,
+        Err(exit) => return exit,
+    };
+    let out = match folder(args.out.as_ref(), &line) {
+        Ok(out) => out,
+        Err(error) => return refuse(&error, console),
+    };
+    let _lock = match Lock::take(&out) {
+        Ok(lock) => lock,
+        Err(error) => return refuse(&error, console),
+    };
+    let order = match order(args, &line, &survey, out.clone()) {
+        Ok(order) => order,
+        Err(error) => return refuse(&error, console),
+    };
+    let wanted: Vec<usize> = (0..line.jobs.len()).filter(|k| is_wanted(&line.jobs[*k], &args.only)).collect();
+    let mut told = |done: usize, job: &Job, ran: &Ran| {
+        if !args.quiet && !ran.kept {
+            let status = ran.record.as_ref().and_then(|r| r["status"].as_str()).unwrap_or("no-record");
+            let seconds = ran.record.as_ref().and_then(|r| r["seconds"].as_f64()).unwrap_or(0.0);
+            let text = format!("{done}/{} {} {status} {seconds:.1} s\n", wanted.len(), job.name);
+            console.say(&crate::render::safe(&text));
+        }
+    };
+    let ran = order.run(&wanted, stop, &mut told);
+    if stop.asked() {
+        console.say("stopped; what is done is kept, and the same command goes on from there\n");
+        return Exit::Stopped;
+    }
+    let kept = ran.iter().flatten().filter(|r| r.kept).count();
+    // What was not wanted this time may be done all the same.
+    let ran = (0..line.jobs.len()).map(|k| ran[k].clone().or_else(|| was_run(&order.folder(&line.jobs[k])))).collect();
+    finish(&line, &out, ran, &format!("{kept} of {} were done before; ", wanted.len()), console)
+}
+
+pub(super) fn report(args: &ReportArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
+    let (line, _) = match sound(&args.file, registry, stop, console) {
+        Ok(both) => both,
+        Err(exit) => return exit,
+    };
+    let out = match folder(args.out.as_ref(), &line) {
+        Ok(out) => out,
+        Err(error) => return refuse(&error, console),
+    };
+    let ran = line.jobs.iter().map(|job| was_run(&out.join("jobs").join(&job.name))).collect();
+    finish(&line, &out, ran, "", console)
+}
+
+/// The folder of the results, with the folders that all jobs share.
+fn folder(asked: Option<&PathBuf>, line: &Line) -> Result<PathBuf, Diagnostic> {
+    let out = asked.cloned().unwrap_or_else(|| PathBuf::from("out").join(format!("{}-line", line.file.name)));
+    let failed = |e: std::io::Error| {
+        let message = format!("cannot write into `{}`: {e}", clean(&out));
+        Diagnostic::error(WRITE_FAILED, message).hint("choose another folder with --out")
+    };
+    for name in ["jobs", "logs"] {
+        std::fs::create_dir_all(out.join(name)).map_err(failed)?;
+    }
+    out.canonicalize().map_err(failed)
+}
+
+fn order<'a>(args: &RunLineArgs, line: &'a Line, survey: &'a Survey, out: PathBuf) -> Result<Order<'a>, Diagnostic> {
+    let program = std::env::current_exe().map_err(|e| {
+        let message = format!("the program cannot find its own file: {e}");
+        Diagnostic::error(PATH_REFUSED, message).hint("run it by its full path")
+    })?;
+    let cores = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    let processes = args.jobs.map_or(cores, usize::from);
+    let here = |dir: &Path| std::path::absolute(dir).unwrap_or_else(|_| dir.to_path_buf());
+    Ok(Order {
+        line,
+        survey,
+        out,
+        program,
+        rights: args.file.rights(),
+        processes,
+        threads: args.threads.map_or((cores / processes).max(1), usize::from),
+        mb: args.memory.or_else(|| available_mb().map(|mb| SHARE_OF_MEMORY * mb)).unwrap_or(f64::INFINITY),
+        cache: args.cache.options().map(|c| CacheOptions { folder: here(&c.folder), ..c }),
+        force: args.force,
+    })
+}
+
+/// Does a job have all the choices of `--only`?
+fn is_wanted(job: &Job, only: &[(String, String)]) -> bool {
+    only.iter().all(|(axis, choice)| match axis.as_str() {
+        "job" => job.name == *choice,
+        "style" => job.style == *choice,
+        _ => job.choices.get(axis) == Some(choice),
+    })
+}
+
+fn finish(line: &Line, out: &Path, ran: Vec<Option<Ran>>, before: &str, console: &mut Console<'_>) -> Exit {
+    let results = Results::collect(line, &ran, out);
+    let texts = [
+        (RESULTS_NAME, results.to_text()),
+        ("index.html", page::html(&results)),
+        ("line.csv", page::csv(&results)),
+        ("line.xml", page::junit(&results)),
+    ];
+    for (name, text) in texts {
+        let path = out.join(name);
+        if let Err(error) = write_whole(&path, text.as_bytes()) {
+            let message = format!("cannot write `{}`: {error}", clean(&path));
+            return refuse(&Diagnostic::error(WRITE_FAILED, message), console);
+        }
+    }
+    let counts: Vec<String> = results.counts().iter().map(|(status, count)| format!("{count} {status}")).collect();
+    let page = out.join("index.html");
+    let text = format!("{} jobs: {before}{}\n{}\n", line.jobs.len(), counts.join(", "), page.to_string_lossy());
+    console.result(&crate::render::safe(&text));
+    results.exit()
+}
+
+fn refuse(finding: &Diagnostic, console: &mut Console<'_>) -> Exit {
+    console.findings(std::slice::from_ref(finding), None);
+    if finding.code == WRITE_FAILED { Exit::System } else { Exit::Usage }
+}

@@ -1,0 +1,99 @@
+//! `toile watch`
+
+use super::args::WatchArgs;
+use super::console::Console;
+use crate::engine::{CacheOptions, Content, Exit, Limits, RunOptions, Stop, default_out};
+use crate::load::{self, Loaded};
+use crate::progress::{Teller, Voice};
+use crate::watch::{PAGE_NAME, Watched, show};
+use std::path::PathBuf;
+use std::sync::Arc;
+use std::time::Duration;
+use toile_stage_api::Registry;
+
+/// How often the files are looked at.
+const TICK: Duration = Duration::from_millis(150);
+
+pub(super) fn run(args: &WatchArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
+    let threads = super::run::threads(args.threads);
+    // A pool that is there already (a library user's) is taken as it is: results do not depend on it.
+    drop(rayon::ThreadPoolBuilder::new().num_threads(threads).build_global());
+    let mut number = 0;
+    let mut watched = Watched::default();
+    while !stop.asked() && args.runs.is_none_or(|most| number < most) {
+        number += 1;
+        let (seen, exit) = once(args, registry, stop, console, (number, threads));
+        // A pipeline with mistakes tells of no files: those of the run before are watched on.
+        watched = seen.unwrap_or_else(|| watched.now());
+        console.say(&format!("run {number}: {}\n", exit.word()));
+        while !stop.asked() && args.runs.is_none_or(|most| number < most) {
+            std::thread::sleep(TICK);
+            let now = watched.now();
+            let changed = watched.changed(&now);
+            // A file that is still being written changes again within a tick.
+            if !changed.is_empty() && now == watched.now() {
+                let names: Vec<String> = changed.iter().map(|p| p.to_string_lossy().into_owned()).collect();
+                console.say(&crate::render::safe(&format!("changed: {}\n", names.join(", "))));
+                break;
+            }
+        }
+    }
+    if stop.asked() { Exit::Stopped } else { Exit::Good }
+}
+
+/// One run; the files that it read, and how it ended.
+fn once(
+    args: &WatchArgs,
+    registry: &mut Registry,
+    stop: &Arc<Stop>,
+    console: &mut Console<'_>,
+    (number, threads): (usize, usize),
+) -> (Option<Watched>, Exit) {
+    let file = &args.pipeline.pipeline;
+    let loaded = load::load(&args.accuracy.request(&args.pipeline), stop, registry);
+    if loaded.report.has_errors() {
+        console.findings(&loaded.report.findings, loaded.text());
+        let seen = (number == 1).then(|| Watched::of(file, &[], None));
+        return (seen, loaded.exit());
+    }
+    let Loaded { source: Some(source), pipeline: Some(pipeline), gate: Some(gate), report } = loaded else {
+        return (None, Exit::Usage);
+    };
+    let content = Content::of(&pipeline, &gate, stop);
+    let watched = Watched::of(file, &content.reads, Some(&gate));
+    if let Some(finding) = Limits::default().refuse(&content.foresight) {
+        console.findings(&[finding], None);
+        return (Some(watched), Exit::System);
+    }
+    let out = args.out.clone().unwrap_or_else(|| default_out(&pipeline));
+    let options = RunOptions {
+        out: out.clone(),
+        force: true,
+        preview: false,
+        threads,
+        allow_write: Vec::new(),
+        set: args.pipeline.set.clone(),
+        pipeline_file: (source.file().to_owned(), source.text().as_bytes().to_vec()),
+        foreseen: Some((content.key(&pipeline), content.reads)),
+        cache: Some(cache(args, &out)),
+    };
+    let mut teller = Teller::new(if args.quiet { Voice::Quiet } else { Voice::Auto }, None);
+    let outcome = crate::engine::run(&pipeline, gate, &options, stop, &mut teller, report);
+    drop(teller);
+    let outputs = outcome.record.iter().flat_map(|r| &r.outputs).map(|o| o.path.as_str());
+    let page = outputs.into_iter().find(|p| p.ends_with(".html")).unwrap_or("failure.html");
+    match show(&out, number, page) {
+        Ok(()) if number == 1 => {
+            console.result(&crate::render::safe(&format!("{}\n", out.join(PAGE_NAME).to_string_lossy())))
+        }
+        Ok(()) => {}
+        Err(error) => console.say(&format!("the page cannot be written: {error}\n")),
+    }
+    (Some(watched), outcome.exit)
+}
+
+/// The cache that is asked for, else one beside the outputs.
+fn cache(args: &WatchArgs, out: &std::path::Path) -> CacheOptions {
+    let own = || CacheOptions { folder: PathBuf::from(out).join("cache"), limit: args.cache.limit() };
+    args.cache.options().unwrap_or_else(own)
+}

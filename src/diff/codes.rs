@@ -1,0 +1,11 @@
+//! Codes of comparing two results.
+
+use toile_garment::Code;
+
+codes! {
+    pub(crate) list CODES;
+
+    /// `toile diff` was given something that is no result. A result is the folder of a run, its run.json, or a GLB.
+    /// Exit code 3.
+    DIFF_NO_RESULT = "diff-no-result";
+}

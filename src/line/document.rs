@@ -1,0 +1,298 @@
+//! The grammar of a line: TOML text → styles, matrix, rules, limits and gates as written, with their places.
+
+use super::value::{Set, label, raw, sets};
+use crate::codes::WRONG_VALUE;
+use crate::engine::Limits;
+use crate::pipeline::{Reader, SourceText, parse_toml};
+use std::ops::Range;
+use std::path::PathBuf;
+use std::str::FromStr;
+use toile_garment::Report;
+use toile_garment::units::{Duration, Length, Memory, UnitError};
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// A line as written.
+#[derive(Clone, Debug, Default)]
+pub struct LineFile {
+    /// Name of the line.
+    pub name: String,
+    /// Limits of every job.
+    pub limits: Limits,
+    /// Styles.
+    pub styles: Vec<Style>,
+    /// Axes of the matrix.
+    pub axes: Vec<Axis>,
+    /// Jobs that are left out.
+    pub excludes: Vec<Rule>,
+    /// Single jobs.
+    pub includes: Vec<Include>,
+    /// Figures that every job must keep to.
+    pub gates: Vec<GateRule>,
+}
+
+/// A style: a pipeline with what is set for all its jobs.
+#[derive(Clone, Debug)]
+pub struct Style {
+    /// Name.
+    pub name: String,
+    /// Pipeline file, from the folder of the line.
+    pub pipeline: PathBuf,
+    /// Overrides of all its jobs.
+    pub sets: Vec<Set>,
+    /// Axes that replace those of the matrix, or come to them.
+    pub axes: Vec<Axis>,
+    /// Its place.
+    pub span: Range<usize>,
+}
+
+/// An axis of the matrix.
+#[derive(Clone, Debug)]
+pub struct Axis {
+    /// Name: the input that a plain value sets.
+    pub name: String,
+    /// Choices.
+    pub choices: Vec<Choice>,
+}
+
+/// One value of an axis.
+#[derive(Clone, Debug)]
+pub struct Choice {
+    /// Name, which stands in the names of jobs.
+    pub label: String,
+    /// Overrides that it means.
+    pub sets: Vec<Set>,
+    /// Its place.
+    pub span: Range<usize>,
+}
+
+/// An exclude: jobs that agree with all its cells are left out.
+#[derive(Clone, Debug)]
+pub struct Rule {
+    /// Axis or `style`, and the choices that are meant.
+    pub cells: Vec<(String, Vec<Choice>)>,
+    /// Its place.
+    pub span: Range<usize>,
+}
+
+/// A single job.
+#[derive(Clone, Debug)]
+pub struct Include {
+    /// Axis and choice.
+    pub cells: Vec<(String, Choice)>,
+    /// Style.
+    pub style: Spanned<String>,
+    /// Further overrides.
+    pub sets: Vec<Set>,
+    /// A word that is added to its name.
+    pub name: Option<String>,
+    /// Its place.
+    pub span: Range<usize>,
+}
+
+/// Bounds of a figure of a job.
+#[derive(Clone, Debug, PartialEq)]
+pub struct GateRule {
+    /// The figure: a key of the certificate, or `NAME.on.method` of a measure.
+    pub figure: String,
+    /// Least value; lengths in mm.
+    pub min: Option<f64>,
+    /// Largest value; lengths in mm.
+    pub max: Option<f64>,
+}
+
+/// Reads the grammar. `None` only if the text is no TOML at all.
+pub(super) fn parse(source: &SourceText, report: &mut Report) -> Option<LineFile> {
+    let root = parse_toml(source, report)?;
+    let root = root.get_ref();
+    let mut cx = Reader { source, report };
+    cx.refuse_unknown(root, &["toile", "line", "limits", "style", "matrix", "exclude", "include", "gate"], "a line");
+    cx.check_grammar(root);
+    let matrix = cx.table(root, "matrix", &(0..0)).map(|(table, _)| table);
+    Some(LineFile {
+        name: read_name(&mut cx, root),
+        limits: read_limits(&mut cx, root),
+        styles: tables(&mut cx, root, "style")
+            .into_iter()
+            .filter_map(|(t, span)| read_style(&mut cx, t, span))
+            .collect(),
+        axes: matrix.map(|table| read_axes(&mut cx, table)).unwrap_or_default(),
+        excludes: tables(&mut cx, root, "exclude").into_iter().map(|(t, span)| read_rule(&mut cx, t, span)).collect(),
+        includes: tables(&mut cx, root, "include")
+            .into_iter()
+            .filter_map(|(t, span)| read_include(&mut cx, t, span))
+            .collect(),
+        gates: tables(&mut cx, root, "gate").into_iter().filter_map(|(t, span)| read_gate(&mut cx, t, &span)).collect(),
+    })
+}
+
+fn read_name(cx: &mut Reader<'_>, root: &DeTable<'_>) -> String {
+    cx.require(root, "line", &(0..0), "[line] with `name`");
+    let Some((table, span)) = cx.table(root, "line", &(0..0)) else { return "unnamed".to_owned() };
+    cx.refuse_unknown(table, &["name", "about"], "[line]");
+    cx.require(table, "name", &span, "the name of the line, e.g. name = \"spring\"");
+    cx.text(table, "about");
+    cx.text(table, "name").map_or_else(|| "unnamed".to_owned(), |name| cx.name(name, "name of a line"))
+}
+
+fn read_limits(cx: &mut Reader<'_>, root: &DeTable<'_>) -> Limits {
+    let Some((table, _)) = cx.table(root, "limits", &(0..0)) else { return Limits::default() };
+    cx.refuse_unknown(table, &["time", "memory"], "[limits]");
+    Limits {
+        seconds: quantity(cx, table, "time", |t: Duration| t.0),
+        mb: quantity(cx, table, "memory", |m: Memory| m.0),
+    }
+}
+
+/// A quantity above zero.
+fn quantity<Q: FromStr<Err = UnitError>>(
+    cx: &mut Reader<'_>,
+    table: &DeTable<'_>,
+    key: &str,
+    inside: impl Fn(Q) -> f64,
+) -> Option<f64> {
+    let text = cx.text(table, key)?;
+    match text.get_ref().parse().map(inside) {
+        Ok(number) if number > 0.0 => return Some(number),
+        Ok(_) => cx.push(WRONG_VALUE, &text.span(), format!("`{key}` must be above 0"), "write a larger value"),
+        Err(error) => cx.push(WRONG_VALUE, &text.span(), error.message, "write a number and a unit"),
+    }
+    None
+}
+
+/// A list of tables: `[[key]]`.
+fn tables<'a, 't>(cx: &mut Reader<'_>, root: &'a DeTable<'t>, key: &str) -> Vec<(&'a DeTable<'t>, Range<usize>)> {
+    let Some(list) = root.get(key) else { return Vec::new() };
+    let DeValue::Array(items) = list.get_ref() else {
+        cx.wrong_type(list, key, &format!("a list: write [[{key}]], with two brackets"));
+        return Vec::new();
+    };
+    let mut found = Vec::new();
+    for item in items {
+        match item.get_ref() {
+            DeValue::Table(table) => found.push((table, item.span())),
+            _ => cx.wrong_type(item, key, &format!("a table: write [[{key}]]")),
+        }
+    }
+    found
+}
+
+fn read_style(cx: &mut Reader<'_>, table: &DeTable<'_>, span: Range<usize>) -> Option<Style> {
+    cx.refuse_unknown(table, &["name", "pipeline", "pattern", "set", "matrix"], "[[style]]");
+    cx.require(table, "name", &span, "the name of the style");
+    cx.require(table, "pipeline", &span, "the pipeline file, from the folder of the line");
+    let name = cx.text(table, "name").map(|name| cx.name(name, "name of a style"));
+    let pipeline = cx.text(table, "pipeline");
+    let pattern = cx.text(table, "pattern").map(|p| Set::new("pattern", p.get_ref(), p.span()));
+    let own = cx.table(table, "set", &span).map(|(inner, _)| sets(inner)).unwrap_or_default();
+    let axes = cx.table(table, "matrix", &span).map(|(inner, _)| read_axes(cx, inner)).unwrap_or_default();
+    let sets = pattern.into_iter().chain(own).collect();
+    Some(Style { name: name?, pipeline: PathBuf::from(pipeline?.into_inner()), sets, axes, span })
+}
+
+fn read_axes(cx: &mut Reader<'_>, table: &DeTable<'_>) -> Vec<Axis> {
+    let mut axes = Vec::new();
+    for (key, value) in table {
+        let name = key.get_ref().as_ref();
+        if ["style", "set", "name"].contains(&name) {
+            let message = format!("`{name}` has a meaning of its own and cannot be an axis");
+            cx.push(crate::pipeline::BAD_NAME, &key.span(), message, "give the axis another name");
+            continue;
+        }
+        let choices = match value.get_ref() {
+            DeValue::Array(items) => items.iter().filter_map(|item| plain(cx, name, item)).collect(),
+            DeValue::Table(inner) => inner.iter().filter_map(|(k, v)| named(cx, k.get_ref(), k.span(), v)).collect(),
+            _ => {
+                cx.wrong_type(value, name, "a list of values, or a table of named choices");
+                continue;
+            }
+        };
+        axes.push(Axis { name: name.to_owned(), choices });
+    }
+    axes
+}
+
+/// A plain value: it sets the input with the name of its axis.
+fn plain(cx: &mut Reader<'_>, axis: &str, item: &Spanned<DeValue<'_>>) -> Option<Choice> {
+    let scalar = !matches!(item.get_ref(), DeValue::Array(_) | DeValue::Table(_));
+    let Some(text) = raw(item).filter(|_| scalar) else {
+        cx.wrong_type(item, axis, "a text or a number");
+        return None;
+    };
+    let label = label(&text);
+    if label.is_empty() {
+        let message = format!("`{text}` gives no name for a folder");
+        cx.push(crate::pipeline::BAD_NAME, &item.span(), message, "name the choice: [matrix.AXIS] with NAME = { … }");
+        return None;
+    }
+    Some(Choice { label, sets: vec![Set::new(axis, &text, item.span())], span: item.span() })
+}
+
+/// A named choice with its overrides.
+fn named(cx: &mut Reader<'_>, name: &str, span: Range<usize>, value: &Spanned<DeValue<'_>>) -> Option<Choice> {
+    if label(name) != name || name.is_empty() {
+        let hint = "use letters, digits, dots and hyphens";
+        cx.push(crate::pipeline::BAD_NAME, &span, format!("`{name}` is no good name of a choice"), hint);
+        return None;
+    }
+    let DeValue::Table(table) = value.get_ref() else {
+        cx.wrong_type(value, name, "a table of inputs and parameters");
+        return None;
+    };
+    Some(Choice { label: name.to_owned(), sets: sets(table), span })
+}
+
+fn read_rule(cx: &mut Reader<'_>, table: &DeTable<'_>, span: Range<usize>) -> Rule {
+    let mut cells = Vec::new();
+    for (key, value) in table {
+        let axis = key.get_ref().to_string();
+        let one = std::slice::from_ref(value);
+        let items = match value.get_ref() {
+            DeValue::Array(items) => &items[..],
+            _ => one,
+        };
+        let choices = items.iter().filter_map(|item| plain(cx, &axis, item)).collect();
+        cells.push((axis, choices));
+    }
+    Rule { cells, span }
+}
+
+fn read_include(cx: &mut Reader<'_>, table: &DeTable<'_>, span: Range<usize>) -> Option<Include> {
+    cx.require(table, "style", &span, "the style of the job");
+    let mut cells = Vec::new();
+    for (key, value) in table.iter().filter(|(k, _)| !["style", "set", "name"].contains(&k.get_ref().as_ref())) {
+        let axis = key.get_ref().to_string();
+        let choice = plain(cx, &axis, value)?;
+        cells.push((axis, choice));
+    }
+    let style = cx.text(table, "style");
+    let name = cx.text(table, "name").map(|name| cx.name(name, "name of a job"));
+    let sets = cx.table(table, "set", &span).map(|(inner, _)| sets(inner)).unwrap_or_default();
+    Some(Include { cells, style: style?, sets, name, span })
+}
+
+fn read_gate(cx: &mut Reader<'_>, table: &DeTable<'_>, span: &Range<usize>) -> Option<GateRule> {
+    cx.refuse_unknown(table, &["figure", "min", "max"], "[[gate]]");
+    cx.require(table, "figure", span, "the figure, e.g. figure = \"strain_max\"");
+    let [min, max] = ["min", "max"].map(|key| bound(cx, table, key));
+    let figure = cx.text(table, "figure")?;
+    if !table.contains_key("min") && !table.contains_key("max") {
+        cx.require(table, "max", span, "a bound: min or max");
+    }
+    Some(GateRule { figure: figure.into_inner(), min, max })
+}
+
+/// A bound: a number, or a length, which becomes mm.
+fn bound(cx: &mut Reader<'_>, table: &DeTable<'_>, key: &str) -> Option<f64> {
+    let value = table.get(key)?;
+    let number = match value.get_ref() {
+        DeValue::Integer(n) => n.to_string().parse().ok(),
+        DeValue::Float(n) => n.as_str().parse().ok().filter(|n: &f64| n.is_finite()),
+        DeValue::String(text) => text.parse::<Length>().ok().map(|l| 1e3 * l.0),
+        _ => None,
+    };
+    if number.is_none() {
+        cx.wrong_type(value, key, "a finite number, or a length such as \"20 mm\"");
+    }
+    number
+}
