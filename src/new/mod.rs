@@ -55,7 +55,7 @@ pub struct New {
 pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
     let source = order.source;
     let names: Box<dyn Names> =
-        if order.is_anonymous { Box::new(Nameless) } else { Box::new(RoleNames::new(&source.garment.pieces)) };
+        if order.is_anonymous { Box::new(Nameless) } else { Box::new(RoleNames::new(&source.garment)) };
     let proposal = propose(&source.garment, names.as_ref())?;
     let body = order.body.model()?;
     let dressed = dress::dress(source, &proposal, body.as_ref(), order.is_anonymous);

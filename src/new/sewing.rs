@@ -100,7 +100,7 @@ fn run(source: &Source, run: &Run) -> Vec<String> {
 }
 
 fn point(p: Vec2) -> String {
-    format!("[\"{:.3} mm\", \"{:.3} mm\"]", p.x * 1e3, p.y * 1e3)
+    format!("[\"{:.4} mm\", \"{:.4} mm\"]", p.x * 1e3, p.y * 1e3)
 }
 
 /// An atom in words.

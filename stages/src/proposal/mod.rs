@@ -6,7 +6,9 @@
 
 pub mod assignment;
 pub mod atoms;
+pub mod carried;
 pub(crate) mod confidence;
+mod gaps;
 pub mod mirror;
 mod names;
 pub mod pairs;

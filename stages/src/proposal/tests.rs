@@ -1,6 +1,7 @@
 //! Proposals for garments drafted here.
 
 use super::atoms::{Layout, Mark};
+use super::carried::Carried;
 use super::mirror::{ALONE, maps};
 use super::tuning::{CALIBRATION, confidence};
 use super::{Nameless, Proposal, Run, propose};
@@ -91,7 +92,7 @@ fn a_closed_dart_is_one_joint_with_the_angle_of_the_closed_cloth() {
     front.darts.push(dart("waist", DartKind::Wedge, &[(150.0, 400.0)], [(170.0, 500.0), (130.0, 500.0)]));
     let garment = garment(vec![front]);
     let shapes = shapes(&garment).expect("shapes");
-    let layout = Layout::new(&garment, &shapes, &[]);
+    let layout = Layout::new(&garment, &shapes, &[], &Carried::default());
     // Hem, side, two parts of the waist, side: no leg.
     assert_eq!(layout.atoms.len(), 5);
     let joint = layout.atoms.iter().map(|a| a.joint).find(|j| j.mark == Mark::Dart).expect("dart");
@@ -108,7 +109,7 @@ fn mirror_images_are_found_between_pieces_and_within_one() {
     let right: Vec<(f64, f64, char)> = half.iter().rev().map(|(x, y)| (-x, *y, 't')).collect();
     let garment = garment(vec![piece(0, "a", &left), piece(0, "b", &right), panel("c", 300.0)]);
     let shapes = shapes(&garment).expect("shapes");
-    let layout = Layout::new(&garment, &shapes, &[]);
+    let layout = Layout::new(&garment, &shapes, &[], &Carried::default());
     let map = &maps(&layout, &|_, _| false)[0];
     assert_eq!(map.panel, [1, 0, 2]);
     // Every atom is the image of its image, as long, and on the panel that mirrors its own.
