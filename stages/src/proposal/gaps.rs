@@ -18,11 +18,36 @@ pub struct Gap {
     one: Vec<usize>,
     /// All other atoms of the opening, in the order in which they are met walking on.
     others: Vec<usize>,
+    /// Are the others a ring of their own, which the one goes round?
+    is_ring: bool,
 }
 
 /// The gaps of a garment.
 pub fn gaps(layout: &Layout, of: &Assignment) -> Vec<Gap> {
-    openings(layout, of).iter().filter_map(|opening| gap(layout, of, opening)).collect()
+    let openings = openings(layout, of);
+    let mut out: Vec<Gap> = openings.iter().filter_map(|opening| gap(layout, of, opening)).collect();
+    out.extend(openings.iter().filter_map(|opening| band(layout, of, opening)));
+    out
+}
+
+/// The long edge of a band that fits all round an opening of other pieces. The band begins at a seam.
+fn band(layout: &Layout, of: &Assignment, opening: &[usize]) -> Option<Gap> {
+    let atoms = &layout.atoms;
+    let total: f64 = opening.iter().map(|a| atoms[*a].length).sum();
+    let low: f64 = opening.iter().filter(|a| atoms[**a].is_low()).map(|a| atoms[*a].length).sum();
+    let begin = opening.iter().position(|a| of.partner(atoms[*a].before).is_some())?;
+    let fits = |a: usize| {
+        let (atom, panel) = (&atoms[a], &layout.panels[atoms[a].panel]);
+        let stretch = libm::log(total / atom.length);
+        let is_band = panel.slenderness < tuning::BAND && atom.length > tuning::BAND_EDGE * panel.perimeter;
+        let is_other = opening.iter().all(|o| atoms[*o].panel != atom.panel);
+        let is_turned = (2.0 * low > total) != atom.is_low();
+        let is_free = of.partner(a).is_none() && is_band && is_other && is_turned;
+        (is_free && tuning::BAND_STRETCH.contains(&stretch)).then_some((stretch.abs(), a))
+    };
+    let (_, band) = (0..atoms.len()).filter_map(fits).min_by(|x, y| x.0.total_cmp(&y.0))?;
+    let others = opening[begin..].iter().chain(&opening[..begin]).copied().collect();
+    Some(Gap { one: vec![band], others, is_ring: true })
 }
 
 /// Free atoms round every opening, each once, in walking order.
@@ -72,7 +97,7 @@ fn gap(layout: &Layout, of: &Assignment, opening: &[usize]) -> Option<Gap> {
     for start in 0..n {
         for count in 1..n {
             let at = |k: usize| opening[(start + k) % n];
-            let gap = Gap { one: (0..count).map(at).collect(), others: (count..n).map(at).collect() };
+            let gap = Gap { one: (0..count).map(at).collect(), others: (count..n).map(at).collect(), is_ring: false };
             let is_whole = gap.one.iter().all(|a| panel(*a) == panel(gap.one[0]))
                 && gap.others.iter().all(|a| panel(*a) != panel(gap.one[0]));
             let Some(off) = is_whole.then(|| off(layout, of, &gap)).flatten() else { continue };
@@ -125,7 +150,11 @@ impl Gap {
         if one.len() != others.len() {
             return Vec::new();
         }
-        one.into_iter().zip(others).map(|(a, b)| Pair { a: a.min(b), b: a.max(b), opposite: true }).collect()
+        let ends = [cut.atoms[one[0]].before, cut.atoms[one[one.len() - 1]].next];
+        let sewn = one.into_iter().zip(others);
+        // A band that goes all round is closed to a ring.
+        let join = (self.is_ring && ends[0] != ends[1]).then_some((ends[0], ends[1]));
+        sewn.chain(join).map(|(a, b)| Pair { a: a.min(b), b: a.max(b), opposite: true }).collect()
     }
 }
 

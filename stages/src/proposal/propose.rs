@@ -5,6 +5,7 @@ use super::atoms::Layout;
 use super::carried::{Carried, parted};
 use super::confidence::margins;
 use super::gaps::{Gap, carried_over, gaps};
+use super::known::{Decisions, Known};
 use super::mirror::{Mirror, maps};
 use super::pairs::{Pair, Pairs, Prior};
 use super::seams::{ProposedSeam, seams};
@@ -42,17 +43,21 @@ impl Names for Nameless {
     }
 }
 
-struct OfPieces<'a>(&'a dyn Names);
+/// What is known beside the shapes: names, and decisions of a person.
+struct Knowledge<'a> {
+    names: &'a dyn Names,
+    decisions: Decisions,
+}
 
-impl Prior for OfPieces<'_> {
+impl Prior for Knowledge<'_> {
     fn score(&self, layout: &Layout, pair: Pair, images: bool) -> f64 {
         let (a, b) = (&layout.atoms[pair.a], &layout.atoms[pair.b]);
         let piece = |panel: usize| layout.panels[panel].piece;
-        let mut sum = self.0.seam(piece(a.panel), piece(b.panel), images, a.length.min(b.length));
+        let mut sum = self.names.seam(piece(a.panel), piece(b.panel), images, a.length.min(b.length));
         for (x, y) in [(a, b), (b, a)] {
-            sum += if y.is_low() { self.0.to_lower_edge(piece(x.panel)) } else { 0.0 };
+            sum += if y.is_low() { self.names.to_lower_edge(piece(x.panel)) } else { 0.0 };
         }
-        sum
+        sum + self.decisions.score(pair)
     }
 }
 
@@ -72,22 +77,24 @@ pub struct Bare {
 pub struct Proposal {
     /// Seams.
     pub seams: Vec<ProposedSeam>,
+    /// For every seam: does the sewing file have it, or a part of it, already?
+    pub given: Vec<bool>,
     /// Edges that are sewn to nothing.
     pub bare: Vec<Bare>,
     /// The outlines, cut.
     pub layout: Layout,
 }
 
-/// Proposes the seams of a garment.
+/// Proposes the seams of a garment. Seams that a person gave are part of it; what he or she took out is not.
 ///
 /// # Errors
 /// Outlines that cannot be sewn.
-pub fn propose(garment: &Garment, names: &dyn Names) -> Result<Proposal, Vec<Diagnostic>> {
+pub fn propose(garment: &Garment, names: &dyn Names, known: &Known) -> Result<Proposal, Vec<Diagnostic>> {
     let shapes = shapes(garment)?;
     let cut = |carried: &Carried| Layout::new(garment, &shapes, &garment.plan.leave_out, carried);
     let mut carried = parted(&cut(&Carried::default()));
     let mut layout = cut(&carried);
-    let mut scores = scores(&layout, names);
+    let mut scores = scores(&layout, names, known);
     let Some((map, mut found)) = search_all(&layout, &scores) else {
         return Ok(Proposal { layout, ..Proposal::default() });
     };
@@ -95,7 +102,7 @@ pub fn propose(garment: &Garment, names: &dyn Names) -> Result<Proposal, Vec<Dia
     if !gaps.is_empty() {
         gaps.iter().for_each(|gap| gap.carry(&layout, &mut carried));
         let finer = cut(&carried);
-        let finer_scores = self::scores(&finer, names);
+        let finer_scores = self::scores(&finer, names, known);
         if let Some((mirror, pairs)) = finer_scores.get(map) {
             let whole_weights = WholeWeights::default();
             let whole = Whole::new(&finer, mirror, pairs, &whole_weights);
@@ -109,16 +116,20 @@ pub fn propose(garment: &Garment, names: &dyn Names) -> Result<Proposal, Vec<Dia
     let margins = margins(&layout, &whole, &mut found);
     let seams = seams(garment, &shapes, &layout, &margins);
     let bare = bare(garment, &layout, &found.assignment);
-    Ok(Proposal { seams, bare, layout })
+    let decisions = Decisions::new(&layout, known);
+    let is_given = |s: &ProposedSeam| s.atoms.iter().flatten().any(|a| decisions.is_given(*a));
+    let given = seams.iter().map(is_given).collect();
+    Ok(Proposal { seams, given, bare, layout })
 }
 
 /// The maps of mirror images, and the scores of pairs under each.
-fn scores(layout: &Layout, names: &dyn Names) -> Vec<(Mirror, Pairs)> {
+fn scores(layout: &Layout, names: &dyn Names, known: &Known) -> Vec<(Mirror, Pairs)> {
     let piece = |panel: usize| layout.panels[panel].piece;
     let maps = maps(layout, &|p, q| names.are_namesakes(piece(p), piece(q)));
     let weights = PairWeights::default();
+    let knowledge = Knowledge { names, decisions: Decisions::new(layout, known) };
     let scored = |mirror: Mirror| {
-        let pairs = Pairs::new(layout, &mirror, &OfPieces(names), &weights);
+        let pairs = Pairs::new(layout, &mirror, &knowledge, &weights);
         (mirror, pairs)
     };
     maps.into_iter().map(scored).collect()

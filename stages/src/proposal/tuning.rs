@@ -22,6 +22,10 @@ pub const SAME_COURSE: f64 = 0.14;
 pub const LEAST_PART: f64 = 8e-3;
 /// Most atoms round an opening that is looked at as a gap.
 pub const GAP_ATOMS: usize = 12;
+/// The edge of a band that goes round an opening is longer than this share of the band's outline.
+pub const BAND_EDGE: f64 = 0.35;
+/// A band is as long as what it goes round, or shorter and stretched: ln(opening / band).
+pub const BAND_STRETCH: std::ops::Range<f64> = -0.01..0.13;
 /// The ratio of both sides of a gap is that of the seams beside it within this: |ln(ratio / ratio)|.
 pub const GAP_RATIO: f64 = 0.03;
 /// The outlines of a piece and of its mirror image lie apart by no more (metres).
@@ -314,6 +318,28 @@ pub const AS_SURE: f64 = 0.1;
 pub const SHORT: f64 = 0.3;
 /// Maps that are searched at length.
 pub const LONG_TRIES: usize = 2;
+
+/// Weights of what a person decided before.
+#[derive(Clone, Debug)]
+pub struct DecisionWeights {
+    /// A pair that is sewn in the sewing file.
+    pub given: f64,
+    /// A pair that contradicts the sewing file, or that a person took out.
+    pub against: f64,
+}
+
+impl DecisionWeights {
+    /// A point lies on an edge within this, and no nearer to its ends (metres).
+    pub const REACH: f64 = 1e-3;
+    /// Two stitches are one within this (metres).
+    pub const SAME_STITCH: f64 = 15e-3;
+}
+
+impl Default for DecisionWeights {
+    fn default() -> Self {
+        Self { given: 20.0, against: -40.0 }
+    }
+}
 
 /// Weights of what the names of pieces say.
 #[derive(Clone, Debug)]
