@@ -284,6 +284,9 @@ pub struct NewArgs {
     /// Fabric: a file, or one of those that come with the program [default: cotton-shirting]
     #[arg(long, value_name = "FILE|NAME")]
     pub fabric: Option<String>,
+    /// A piece that is not sewn, such as a facing or a second sleeve; may be given more than once.
+    #[arg(long, value_name = "PIECE")]
+    pub leave_out: Vec<String>,
     /// Unit of the coordinates, overruling the file: mm, cm or inch.
     #[arg(long, value_name = "UNIT", value_parser = unit)]
     pub units: Option<FileUnit>,

@@ -4,7 +4,7 @@ use super::args::NewArgs;
 use super::console::Console;
 use crate::codes::WRITE_FAILED;
 use crate::engine::{Exit, clean};
-use crate::new::{Body, Earlier, Fabric, Folder, New, Order, Sample, from_pattern, read};
+use crate::new::{Body, Earlier, Fabric, Folder, New, Order, Sample, Wishes, from_pattern, read};
 use toile_garment::{Diagnostic, Severity};
 
 /// Size of the body, where none is asked for.
@@ -26,7 +26,8 @@ pub(super) fn run(args: &NewArgs, console: &mut Console<'_>) -> Exit {
         Ok(earlier) => earlier,
         Err(findings) => return refuse(&findings, Exit::Input, console),
     };
-    let source = match read(&args.pattern, earlier.as_ref().map(|e| e.plan.clone()), args.units) {
+    let wishes = Wishes { leave_out: args.leave_out.clone(), unit: args.units };
+    let source = match read(&args.pattern, earlier.as_ref().map(|e| e.plan.clone()), &wishes) {
         Ok(source) => source,
         Err(findings) => return refuse(&findings, Exit::Input, console),
     };

@@ -6,7 +6,7 @@
 use super::dress::at;
 use super::pattern::Source;
 use super::sewing::LEAST_SURE;
-use crate::engine::{MAX_INPUT, of_file_error, of_stage_error, read_limited};
+use crate::engine::{MAX_INPUT, of_file_error, read_limited};
 use serde_json::Value;
 use std::path::Path;
 use toile_garment::sewing::SewingPlan;

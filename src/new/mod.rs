@@ -16,7 +16,7 @@ mod stock;
 
 pub use earlier::Earlier;
 pub use folder::{Folder, Made};
-pub use pattern::{Source, read};
+pub use pattern::{Source, Wishes, read};
 pub use samples::{SAMPLES, Sample};
 pub use stock::{Body, Fabric};
 

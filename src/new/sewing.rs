@@ -62,16 +62,19 @@ pub fn text(source: &Source, proposal: &Proposal) -> String {
 
 fn head(source: &Source) -> String {
     let file = source.file_name();
-    let list: Vec<String> = source.left_out.iter().map(|p| quoted(p)).collect();
+    let list: Vec<String> = source.left_out.iter().map(String::as_str).map(quoted).collect();
     let left_out = if list.is_empty() {
         String::new()
     } else {
-        format!("\n# Interlinings are fused to other pieces and are not sewn.\nleave_out = [{}]\n", list.join(", "))
+        format!(
+            "\n# These pieces are not sewn. Interlinings are fused to other pieces.\nleave_out = [{}]\n",
+            list.join(", ")
+        )
     };
     format!(
         "# The seams of {file}, proposed by `toile new`.\n#\n\
          # `toile inspect {file} --svg pieces.svg` draws the numbers of the edges. `proposed` says how sure the program\n\
-         # is: 1 is certain. Correct what is wrong, and remove `proposed` from what is right.\n"
+         # is: 1 is certain. Correct what is wrong, and remove `proposed` from what is right.\n{left_out}"
     )
 }
 
