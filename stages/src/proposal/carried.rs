@@ -115,6 +115,9 @@ fn is_counterpart(layout: &Layout, chain: &Chain, a: usize) -> bool {
     let parts = || chain.atoms.iter().map(|c| &layout.atoms[*c]);
     let along = atom.is_along() && parts().all(|p| p.is_along() && p.along[0] * atom.along[0] < 0.0);
     let across = atom.is_across() && parts().all(Atom::is_across);
+    // The long edges of a band are equal, and are not sewn to each other.
     let is_itself = layout.atoms[chain.atoms[0]].panel == atom.panel;
-    (along || across && !is_itself) && apart(&atom.profile, &reversed(&chain.course)) < tuning::SAME_COURSE
+    let is_band = layout.panels[atom.panel].slenderness < tuning::BAND;
+    (if is_itself { along && !is_band } else { along || across })
+        && apart(&atom.profile, &reversed(&chain.course)) < tuning::SAME_COURSE
 }
