@@ -149,6 +149,50 @@ fn a_folder_keeps_what_a_person_wrote() {
 }
 
 #[test]
+fn a_sewing_file_is_filled_and_what_a_person_took_out_stays_out() {
+    let (_dir, out) = folder();
+    new("long-skirt", &out, &[]);
+    let file = out.join("sewing.toml");
+    let written = std::fs::read_to_string(&file).expect("text");
+    let tables: Vec<&str> = written.split("\n[[seam]]\n").collect();
+    assert!(tables.len() > 2, "{written}");
+    // The person confirms all seams, and takes the last one out.
+    let confirmed: Vec<String> = tables[..tables.len() - 1]
+        .iter()
+        .map(|t| t.lines().filter(|l| !l.starts_with("proposed")).map(|l| format!("{l}\n")).collect())
+        .collect();
+    let mine = confirmed.join("\n[[seam]]\n");
+    std::fs::write(&file, &mine).expect("written");
+    let (_, proposal) = new("long-skirt", &out, &[]);
+    assert_eq!(std::fs::read_to_string(&file).expect("text"), mine, "nothing is proposed again");
+    assert_eq!(proposal["declined"].as_array().map(Vec::len), Some(1));
+    let (_, proposal) = new("long-skirt", &out, &[]);
+    assert_eq!(proposal["declined"].as_array().map(Vec::len), Some(1), "it is remembered");
+    // Without the memory the seam is only missing: it is added below, and no line of the person changes.
+    std::fs::remove_file(out.join("proposal.json")).expect("removed");
+    new("long-skirt", &out, &[]);
+    let filled = std::fs::read_to_string(&file).expect("text");
+    assert!(filled.starts_with(&mine), "{filled}");
+    assert_eq!(filled.matches("[[seam]]").count(), tables.len() - 1);
+    assert_eq!(filled.matches("\nproposed = ").count(), 1);
+}
+
+#[test]
+fn a_unit_that_the_person_gives_reaches_the_pipeline() {
+    let (_dir, out) = folder();
+    let (_, in_mm) = new("long-skirt", &out, &["--units", "mm"]);
+    let text = std::fs::read_to_string(out.join("pipeline.toml")).expect("text");
+    assert!(text.contains("with.units  = \"mm\""), "{text}");
+    let (_dir, out) = folder();
+    let (_, plain) = new("long-skirt", &out, &[]);
+    assert_eq!(in_mm["seams"], plain["seams"]);
+    let (_dir, out) = folder();
+    let pattern = root().join("samples/patterns/long-skirt.aama.dxf");
+    let places = [pattern.to_str().expect("path"), "--out", out.to_str().expect("path"), "--units", "ell"];
+    assert_eq!(toile(&[&["new"], &places[..]].concat()).code, 2);
+}
+
+#[test]
 fn samples_are_made_without_the_repository_and_can_be_checked() {
     for word in ["skirt", "bodice", "t-shirt"] {
         let (_dir, out) = folder();

@@ -6,6 +6,7 @@ use crate::engine::CacheOptions;
 use crate::load::Request;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
+use toile_stages::import_dxf::FileUnit;
 
 /// The virtual trial garment: DXF patterns sewn and draped in 3D, and flattened back to 2D.
 #[derive(Debug, Parser)]
@@ -200,6 +201,11 @@ impl CacheArgs {
     }
 }
 
+fn unit(text: &str) -> Result<FileUnit, String> {
+    let word = serde_json::Value::from(text.to_lowercase());
+    serde_json::from_value(word).map_err(|_| "a unit is mm, cm or inch".to_owned())
+}
+
 pub(super) fn positive(text: &str) -> Result<f64, String> {
     let number = text.parse::<f64>().ok().filter(|n| n.is_finite() && *n > 0.0);
     number.ok_or_else(|| "write a number above 0".to_owned())
@@ -384,6 +390,12 @@ pub struct NewArgs {
     /// Fabric: a file, or one of those that come with the program [default: cotton-shirting]
     #[arg(long, value_name = "FILE|NAME")]
     pub fabric: Option<String>,
+    /// A piece that is not sewn, such as a facing or a second sleeve; may be given more than once.
+    #[arg(long, value_name = "PIECE")]
+    pub leave_out: Vec<String>,
+    /// Unit of the coordinates, overruling the file: mm, cm or inch.
+    #[arg(long, value_name = "UNIT", value_parser = unit)]
+    pub units: Option<FileUnit>,
     /// Propose from the shapes alone, as if the pieces had no names.
     #[arg(long)]
     pub anonymous: bool,

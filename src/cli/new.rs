@@ -4,7 +4,7 @@ use super::args::NewArgs;
 use super::console::Console;
 use crate::codes::WRITE_FAILED;
 use crate::engine::{Exit, clean};
-use crate::new::{Body, Fabric, Folder, New, Order, Sample, from_pattern, read};
+use crate::new::{Body, Earlier, Fabric, Folder, New, Order, Sample, Wishes, from_pattern, read};
 use toile_garment::{Diagnostic, Severity};
 
 /// Size of the body, where none is asked for.
@@ -22,14 +22,19 @@ pub(super) fn run(args: &NewArgs, console: &mut Console<'_>) -> Exit {
             Err(findings) => refuse(&findings, Exit::Usage, console),
         };
     }
-    let source = match read(&args.pattern) {
+    let earlier = match Earlier::read(&args.out) {
+        Ok(earlier) => earlier,
+        Err(findings) => return refuse(&findings, Exit::Input, console),
+    };
+    let wishes = Wishes { leave_out: args.leave_out.clone(), unit: args.units };
+    let source = match read(&args.pattern, earlier.as_ref().map(|e| e.plan.clone()), &wishes) {
         Ok(source) => source,
         Err(findings) => return refuse(&findings, Exit::Input, console),
     };
     let told: Vec<Diagnostic> = source.findings.iter().filter(|f| f.severity != Severity::Info).cloned().collect();
     console.findings(&told, None);
     let fabric = Fabric::of(args.fabric.as_deref().unwrap_or(FABRIC));
-    let order = Order { source: &source, body, fabric, is_anonymous: args.anonymous };
+    let order = Order { source: &source, body, fabric, earlier: earlier.as_ref(), is_anonymous: args.anonymous };
     match from_pattern(&order) {
         Ok(new) => {
             let exit = write(args, &new.folder, console);

@@ -8,7 +8,13 @@ use toile_stages::proposal::{Proposal, ProposedSeam, Run};
 
 /// The document. Lengths are millimetres in the coordinates of the DXF block.
 #[must_use]
-pub fn document(source: &Source, proposal: &Proposal, dressed: &Dressed, is_anonymous: bool) -> Value {
+pub fn document(
+    source: &Source,
+    proposal: &Proposal,
+    dressed: &Dressed,
+    declined: &[Value],
+    is_anonymous: bool,
+) -> Value {
     let garment = &source.garment;
     let pieces: Vec<Value> = garment
         .pieces
@@ -35,14 +41,19 @@ pub fn document(source: &Source, proposal: &Proposal, dressed: &Dressed, is_anon
         })
         .collect();
     unresolved.sort_by_key(|u| (u["piece"].as_str().unwrap_or_default().to_owned(), u["edge"].as_u64()));
-    json!({
+    let mut out = json!({
         "toile": env!("CARGO_PKG_VERSION"),
         "pattern": source.file_name(),
         "pieces": pieces,
         "seams": seams,
         "places": places(source, dressed),
         "unresolved": unresolved,
-    })
+    });
+    // Seams that were proposed once and that a person took out.
+    if !declined.is_empty() {
+        out["declined"] = declined.into();
+    }
+    out
 }
 
 /// Where the pieces lie: rotation, and translation in millimetres.
@@ -97,8 +108,10 @@ pub fn evidence(seam: &ProposedSeam) -> Vec<String> {
     } else {
         format!("one side is {:.2} times as long as the other", long / short)
     });
-    if seam.atoms.len() > 1 {
-        out.push(format!("{} marks fit along the seam", seam.atoms.len() - 1));
+    match seam.atoms.len().saturating_sub(1) {
+        0 => {}
+        1 => out.push("a mark along the seam fits".to_owned()),
+        marks => out.push(format!("{marks} marks along the seam fit")),
     }
     if seam.fold_over {
         out.push("one piece lies turned over on the other".to_owned());

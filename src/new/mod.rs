@@ -5,6 +5,7 @@
 pub(crate) mod codes;
 mod document;
 mod dress;
+mod earlier;
 mod folder;
 mod page;
 mod pattern;
@@ -13,8 +14,9 @@ mod samples;
 mod sewing;
 mod stock;
 
+pub use earlier::Earlier;
 pub use folder::{Folder, Made};
-pub use pattern::{Source, read};
+pub use pattern::{Source, Wishes, read};
 pub use samples::{SAMPLES, Sample};
 pub use stock::{Body, Fabric};
 
@@ -31,6 +33,8 @@ pub struct Order<'a> {
     pub body: Body,
     /// The fabric.
     pub fabric: Fabric,
+    /// What the folder holds already.
+    pub earlier: Option<&'a Earlier>,
     /// Are the names of the pieces left out of account?
     pub is_anonymous: bool,
 }
@@ -42,7 +46,7 @@ pub struct New {
     pub folder: Folder,
     /// The proposal, as `proposal.json` holds it.
     pub proposal: Value,
-    /// Seams that are proposed.
+    /// Seams that are proposed and that no file has.
     pub seams: usize,
     /// Seams that are too unsure to be sewn.
     pub open: usize,
@@ -55,13 +59,13 @@ pub struct New {
 pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
     let source = order.source;
     let names: Box<dyn Names> =
-        if order.is_anonymous { Box::new(Nameless) } else { Box::new(RoleNames::new(&source.garment.pieces)) };
-    let proposal = propose(&source.garment, names.as_ref())?;
+        if order.is_anonymous { Box::new(Nameless) } else { Box::new(RoleNames::new(&source.garment)) };
+    let (known, declined) = order.earlier.map(|e| e.decisions(source)).transpose()?.unwrap_or_default();
+    let proposal = propose(&source.garment, names.as_ref(), &known)?;
     let body = order.body.model()?;
     let dressed = dress::dress(source, &proposal, body.as_ref(), order.is_anonymous);
-    let document = document::document(source, &proposal, &dressed, order.is_anonymous);
-    let text = sewing::text(source, &proposal);
-    let open = proposal.seams.iter().filter(|s| s.confidence < sewing::LEAST_SURE).count();
+    let document = document::document(source, &proposal, &dressed, &declined, order.is_anonymous);
+    let open = sewing::missing(&proposal).filter(|s| s.confidence < sewing::LEAST_SURE).count();
     let mut folder = Folder::default();
     folder.add(&source.file_name(), source.bytes.clone());
     if let Some((name, bytes)) = &source.rules {
@@ -70,10 +74,20 @@ pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
     for (name, bytes) in order.body.files()?.into_iter().chain(order.fabric.files()?) {
         folder.add(&name, bytes);
     }
-    folder.add("sewing.toml", text.into_bytes());
+    match order.earlier {
+        None => folder.add("sewing.toml", sewing::text(source, &proposal).into_bytes()),
+        Some(earlier) => {
+            let text = sewing::filled(source, &proposal, &earlier.text);
+            if text != earlier.text {
+                folder.replace("sewing.toml", text.into_bytes());
+            } else {
+                folder.add("sewing.toml", text.into_bytes());
+            }
+        }
+    }
     folder.add("pipeline.toml", pipeline::text(source, &order.body, &order.fabric).into_bytes());
     let json = serde_json::to_string_pretty(&document).unwrap_or_default();
     folder.replace("proposal.json", format!("{}\n", toile_garment::text::json(&json)).into_bytes());
     folder.replace("start.html", page::page(source, &proposal, &dressed).into_bytes());
-    Ok(New { folder, proposal: document, seams: proposal.seams.len(), open })
+    Ok(New { folder, proposal: document, seams: sewing::missing(&proposal).count(), open })
 }

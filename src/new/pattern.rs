@@ -6,6 +6,17 @@ use toile_formats::dxf::{self, ReadOptions};
 use toile_formats::rul;
 use toile_garment::sewing::{CopySpec, SewingPlan};
 use toile_garment::{Diagnostic, Garment, Report};
+use toile_stages::import_dxf::FileUnit;
+use toile_stages::roles::{Part, roles_of_names};
+
+/// How a person wants a pattern to be read.
+#[derive(Debug, Default)]
+pub struct Wishes {
+    /// Pieces that are not sewn.
+    pub leave_out: Vec<String>,
+    /// The unit of the coordinates, overruling the file.
+    pub unit: Option<FileUnit>,
+}
 
 /// A pattern as it was read.
 #[derive(Debug)]
@@ -20,11 +31,26 @@ pub struct Source {
     pub garment: Garment,
     /// The copies.
     pub copies: Vec<CopySpec>,
+    /// Pieces that are not sewn.
+    pub left_out: Vec<String>,
+    /// The unit of the coordinates, where a person gave it.
+    pub unit: Option<FileUnit>,
     /// Findings of the reader.
     pub findings: Vec<Diagnostic>,
 }
 
 impl Source {
+    /// The piece that is an instance of a block, and whether it is turned over.
+    #[must_use]
+    pub fn find(&self, block: &str, instance: u64) -> Option<(usize, bool)> {
+        let is_copy = |name: &str| self.copies.iter().find(|c| c.name == name);
+        let mut pieces = self.garment.pieces.iter().enumerate().filter(|(_, p)| p.block == block);
+        pieces.find_map(|(i, p)| match is_copy(&p.name) {
+            None => (instance == 0).then_some((i, false)),
+            Some(copy) => (instance > 0).then_some((i, copy.mirror)),
+        })
+    }
+
     /// Name of the pattern in the folder.
     #[must_use]
     pub fn file_name(&self) -> String {
@@ -32,28 +58,33 @@ impl Source {
     }
 }
 
-/// Reads a pattern with the rule table beside it.
+/// Reads a pattern with the rule table beside it. A plan that a person wrote decides on copies, darts and what is left
+/// out; without one, pairs are copied and interlinings are left out.
 ///
 /// # Errors
 /// It is not there, or cannot be read.
-pub fn read(path: &Path) -> Result<Source, Vec<Diagnostic>> {
+pub fn read(path: &Path, plan: Option<SewingPlan>, wishes: &Wishes) -> Result<Source, Vec<Diagnostic>> {
     let bytes = read_limited(path, path, MAX_INPUT).map_err(|e| of_file_error(&e).0.into_iter().collect::<Vec<_>>())?;
     let name = path.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
     let stem = path.file_stem().map_or_else(|| "pattern".to_owned(), |n| n.to_string_lossy().into_owned());
     let beside = rules_beside(path).and_then(|p| Some((p.clone(), read_limited(&p, &p, MAX_INPUT).ok()?)));
     let table = beside.as_ref().and_then(|(p, b)| rul::read(b, &p.to_string_lossy()).ok());
-    let options = ReadOptions { rule_units: table.as_ref().and_then(|t| t.units.clone()), ..ReadOptions::default() };
+    let options = ReadOptions {
+        mm_per_unit: wishes.unit.map(FileUnit::mm),
+        rule_units: table.as_ref().and_then(|t| t.units.clone()),
+        ..ReadOptions::default()
+    };
     let pattern = dxf::read(&bytes, &name, &options)?;
     let (mut garment, more) = pattern.to_garment(None, table.as_ref())?;
     let mut findings = pattern.all_findings();
     findings.extend(more);
-    let copies = copies(&garment);
-    let plan = SewingPlan { copies: copies.clone(), ..SewingPlan::default() };
+    let plan = plan.unwrap_or_else(|| proposed_plan(&garment, &wishes.leave_out));
+    let (copies, left_out) = (plan.copies.clone(), plan.leave_out.clone());
     let mut report = Report::default();
     toile_stages::sewing::apply(&mut garment, plan, &mut report).map_err(|e| of_stage_error(e).0)?;
     findings.extend(report.findings);
     let rules = beside.map(|(_, bytes)| (format!("{stem}.rul"), bytes));
-    Ok(Source { stem, bytes, rules, garment, copies, findings })
+    Ok(Source { stem, bytes, rules, garment, copies, left_out, unit: wishes.unit, findings })
 }
 
 /// The rule table beside a pattern: the same name with `.rul`, upper and lower case not told apart.
@@ -64,6 +95,16 @@ fn rules_beside(path: &Path) -> Option<PathBuf> {
     let mut names: Vec<String> = entries.filter_map(|e| e.file_name().into_string().ok()).collect();
     names.sort();
     names.into_iter().find(|n| n.to_lowercase() == wanted).map(|n| folder.join(n))
+}
+
+/// Copies and pieces that are left out, as the pattern tells them. Interlinings are fused to other pieces.
+fn proposed_plan(garment: &Garment, more: &[String]) -> SewingPlan {
+    let roles = roles_of_names(&garment.pieces);
+    let is_fused = |p: &&toile_garment::Piece| roles[p.id.index()].part == Some(Part::Interlining);
+    let mut leave_out: Vec<String> = garment.pieces.iter().filter(is_fused).map(|p| p.name.clone()).collect();
+    leave_out.extend(more.iter().filter(|name| !leave_out.contains(name)).cloned().collect::<Vec<_>>());
+    let copies = copies(garment).into_iter().filter(|c| !leave_out.contains(&c.piece)).collect();
+    SewingPlan { copies, leave_out, ..SewingPlan::default() }
 }
 
 /// The mirrored copies of pieces that are cut in pairs: once as drawn and once turned over. A count of two alone means

@@ -9,6 +9,8 @@ pub fn text(source: &Source, body: &Body, fabric: &Fabric) -> String {
     let q = |text: &str| serde_json::to_string(text).unwrap_or_default();
     let (file, body, fabric) = (q(&source.file_name()), q(&body.file_name()), q(&fabric.file_name()));
     let (glb, flat) = (q(&format!("{{out}}/{line}.glb")), q(&format!("{{out}}/{line}-flat.dxf")));
+    let unit = source.unit.and_then(|u| serde_json::to_string(&u).ok());
+    let units = unit.map_or(String::new(), |u| format!("\nwith.units  = {u}"));
     format!(
         r##"# The garment of {file}: `toile run` sews and drapes it.
 toile = 1
@@ -20,7 +22,7 @@ version = 1
 [[stage]]
 use = "import-dxf"
 with.file   = {file}
-with.sewing = "sewing.toml"
+with.sewing = "sewing.toml"{units}
 
 [[stage]]
 use = "triangulate"

@@ -12,6 +12,25 @@ const EQUAL: f64 = 5e-4;
 /// A longer side over a shorter one from here on is gathered, and eased below.
 const GATHERED: f64 = 1.1;
 
+/// A sewing file that a person has, and the seams that it lacks. Its own lines stay as they are.
+pub fn filled(source: &Source, proposal: &Proposal, text: &str) -> String {
+    let new: Vec<&ProposedSeam> = missing(proposal).filter(|s| s.confidence >= LEAST_SURE).collect();
+    let mut out = text.to_owned();
+    if !new.is_empty() {
+        if !out.is_empty() && !out.ends_with('\n') {
+            out.push('\n');
+        }
+        out.push_str("\n# Proposed by `toile new` for edges that no seam above has.\n");
+    }
+    new.into_iter().for_each(|seam| out.push_str(&table(source, seam)));
+    out
+}
+
+/// The proposed seams that a person does not have.
+pub fn missing(proposal: &Proposal) -> impl Iterator<Item = &ProposedSeam> {
+    proposal.seams.iter().zip(&proposal.given).filter(|(_, given)| !**given).map(|(seam, _)| seam)
+}
+
 /// Text of the sewing file.
 pub fn text(source: &Source, proposal: &Proposal) -> String {
     let mut out = head(source);
@@ -43,10 +62,19 @@ pub fn text(source: &Source, proposal: &Proposal) -> String {
 
 fn head(source: &Source) -> String {
     let file = source.file_name();
+    let list: Vec<String> = source.left_out.iter().map(String::as_str).map(quoted).collect();
+    let left_out = if list.is_empty() {
+        String::new()
+    } else {
+        format!(
+            "\n# These pieces are not sewn. Interlinings are fused to other pieces.\nleave_out = [{}]\n",
+            list.join(", ")
+        )
+    };
     format!(
         "# The seams of {file}, proposed by `toile new`.\n#\n\
          # `toile inspect {file} --svg pieces.svg` draws the numbers of the edges. `proposed` says how sure the program\n\
-         # is: 1 is certain. Correct what is wrong, and remove `proposed` from what is right.\n"
+         # is: 1 is certain. Correct what is wrong, and remove `proposed` from what is right.\n{left_out}"
     )
 }
 
@@ -100,7 +128,7 @@ fn run(source: &Source, run: &Run) -> Vec<String> {
 }
 
 fn point(p: Vec2) -> String {
-    format!("[\"{:.3} mm\", \"{:.3} mm\"]", p.x * 1e3, p.y * 1e3)
+    format!("[\"{:.4} mm\", \"{:.4} mm\"]", p.x * 1e3, p.y * 1e3)
 }
 
 /// An atom in words.

@@ -50,7 +50,9 @@ pub enum FileUnit {
 }
 
 impl FileUnit {
-    fn mm(self) -> f64 {
+    /// Millimetres of a unit.
+    #[must_use]
+    pub fn mm(self) -> f64 {
         match self {
             Self::Mm => 1.0,
             Self::Cm => 10.0,

@@ -4,8 +4,10 @@ use std::fmt::Write as _;
 use toile_garment::Vec2;
 use toile_garment::dart::DartKind;
 use toile_garment::sewing::{
-    AttachStrength, DartSpec, EdgeNameSpec, PlaceSpec, Placement, RunSpec, RunWay, SeamSpec, SewingPlan,
+    AttachStrength, BandLength, DartSpec, EdgeNameSpec, ElasticSpec, FoldSpec, InterliningSpec, PlaceSpec, Placement,
+    PleatPress, RunSpec, RunWay, SeamSpec, SewingPlan,
 };
+use toile_garment::units::tidy;
 
 /// The text of a sewing file that says this; `head` stands above it as a comment.
 ///
@@ -20,6 +22,9 @@ pub fn text(plan: &SewingPlan, head: &str) -> String {
     plan.edge_names.iter().for_each(|e| edge(&mut out, e));
     plan.seams.iter().for_each(|s| seam(&mut out, s));
     plan.darts.iter().for_each(|d| dart(&mut out, d));
+    plan.folds.iter().for_each(|f| fold(&mut out, f));
+    plan.elastics.iter().for_each(|e| elastic(&mut out, e));
+    plan.interlinings.iter().for_each(|i| interlining(&mut out, i));
     plan.places.iter().for_each(|p| place(&mut out, p));
     for layer in &plan.layers {
         let names: Vec<String> = layer.pieces.iter().map(|n| quoted(n)).collect();
@@ -28,6 +33,7 @@ pub fn text(plan: &SewingPlan, head: &str) -> String {
     for attach in &plan.attachments {
         let strength = match attach.strength {
             AttachStrength::Hold => "hold".to_owned(),
+            AttachStrength::WhileSewing => "while-sewing".to_owned(),
             AttachStrength::Elastic(share) => format!("elastic {share}"),
         };
         let [piece, edge, to] = [&attach.piece, &attach.edge, &attach.to].map(|t| quoted(t));
@@ -122,6 +128,40 @@ fn dart(out: &mut String, dart: &DartSpec) {
         }
     }
     let _ = writeln!(out, "mouth = [{}, {}]", point(dart.mouth[0]), point(dart.mouth[1]));
+    let press = dart.press.map(|press| match press {
+        PleatPress::Knife => "knife",
+        PleatPress::Inverted => "inverted",
+        PleatPress::Box => "box",
+    });
+    if let Some(press) = press {
+        let _ = writeln!(out, "press = \"{press}\"");
+    }
+    if let Some(sewn) = dart.sewn {
+        let _ = writeln!(out, "sewn = {}", length(sewn));
+    }
+}
+
+fn fold(out: &mut String, fold: &FoldSpec) {
+    let line: Vec<String> = fold.line.iter().map(|p| point(*p)).collect();
+    let _ = write!(out, "\n[[fold]]\npiece = {}\nname = {}\n", quoted(&fold.piece), quoted(&fold.name));
+    let _ = write!(out, "line = [{}]\nangle = \"{} deg\"\n", line.join(", "), fold.angle.to_degrees());
+}
+
+fn elastic(out: &mut String, elastic: &ElasticSpec) {
+    let along: Vec<String> = elastic.along.iter().map(run).collect();
+    let length = match elastic.length {
+        BandLength::Length(metres) => length(metres),
+        BandLength::Share(share) => format!("\"{} %\"", tidy(1e2 * share)),
+    };
+    let _ = write!(out, "\n[[elastic]]\nname = {}\nalong = [{}]\n", quoted(&elastic.name), along.join(", "));
+    let _ = write!(out, "length = {length}\nstretch = \"{} N\"\n", elastic.stretch);
+}
+
+fn interlining(out: &mut String, interlining: &InterliningSpec) {
+    let names: Vec<String> = interlining.pieces.iter().map(|n| quoted(n)).collect();
+    let [mass, bending] = [1e3 * interlining.areal_mass, 1e6 * interlining.bending].map(tidy);
+    let _ = write!(out, "\n[[interlining]]\npieces = [{}]\n", names.join(", "));
+    let _ = write!(out, "areal_mass = \"{mass} g/m2\"\nbending = \"{bending} uN.m\"\n");
 }
 
 fn place(out: &mut String, place: &PlaceSpec) {
@@ -195,7 +235,29 @@ mod tests {
                 name: Some("waist".to_owned()),
                 apexes: vec![Vec2::new(0.1, 0.2), Vec2::new(0.1, 0.3)],
                 mouth: [Vec2::new(0.09, 0.25), Vec2::new(0.11, 0.25)],
-                kind: Some(DartKind::FishEye),
+                kind: Some(DartKind::Pleat),
+                press: Some(PleatPress::Box),
+                sewn: Some(0.03),
+                source: None,
+            }],
+            folds: vec![FoldSpec {
+                piece: "back".to_owned(),
+                name: "hem".to_owned(),
+                line: vec![Vec2::new(0.0, 0.04), Vec2::new(0.5, 0.04)],
+                angle: 1.5,
+                source: None,
+            }],
+            elastics: vec![ElasticSpec {
+                name: "waist".to_owned(),
+                along: vec![named.clone()],
+                length: BandLength::Share(0.9),
+                stretch: 30.0,
+                source: None,
+            }],
+            interlinings: vec![InterliningSpec {
+                pieces: vec!["back".to_owned()],
+                areal_mass: 0.06,
+                bending: 4e-5,
                 source: None,
             }],
             places: vec![
@@ -249,7 +311,12 @@ mod tests {
         };
         assert!((from - Vec2::new(0.0123, -0.2)).norm() < 1e-12 && *way == RunWay::Left);
         assert!((read.seams[0].ease.expect("ease") + 0.0041).abs() < 1e-12);
-        assert_eq!((read.darts[0].kind, read.darts[0].apexes.len()), (Some(DartKind::FishEye), 2));
+        assert_eq!((read.darts[0].kind, read.darts[0].apexes.len()), (Some(DartKind::Pleat), 2));
+        assert_eq!((read.darts[0].press, read.darts[0].sewn), (Some(PleatPress::Box), Some(0.03)));
+        let (fold, band, stiff) = (&read.folds[0], &read.elastics[0], &read.interlinings[0]);
+        assert!((fold.angle - 1.5).abs() < 1e-12 && (fold.line[1] - Vec2::new(0.5, 0.04)).norm() < 1e-12);
+        assert_eq!((band.length, band.stretch, band.along.len()), (BandLength::Share(0.9), 30.0, 1));
+        assert!((stiff.areal_mass - 0.06).abs() < 1e-12 && (stiff.bending - 4e-5).abs() < 1e-15);
         assert_eq!((read.edge_names.len(), read.places.len()), (1, 2));
         let Placement::Around { turn, height, .. } = &read.places[0].placement else { panic!("around") };
         assert!((turn - 0.25).abs() < 1e-12 && (height - 1.46).abs() < 1e-12);

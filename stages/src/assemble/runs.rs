@@ -5,8 +5,8 @@ use crate::sewing::shapes::PieceShape;
 use toile_garment::mesh::{ChainKind, MeshChain};
 use toile_garment::{Piece, Vec2};
 
-/// A span's end and its mesh vertex are one place (0.002 mm).
-const AT: f64 = 2e-6;
+/// A span's end and its mesh vertex are one place (0.01 mm).
+const AT: f64 = 2.0 * crate::triangulate::ONE_PLACE;
 
 /// Vertices of a span in sewing order; none when the mesh does not hold its ends.
 pub fn run_vertices(piece: &Piece, shape: &PieceShape, span: &Span) -> Option<Vec<u32>> {

@@ -7,7 +7,9 @@ use super::outline_map::Follow;
 use toile_garment::dart::Dart;
 use toile_garment::mesh::PieceMesh;
 use toile_garment::seam::{Seam, SeamKind, SeamRun, SeamSide};
-use toile_garment::sewing::{AttachSpec, DartSpec, EdgeNameSpec, RunSpec, RunWay, SeamSpec, SewingPlan};
+use toile_garment::sewing::{
+    AttachSpec, DartSpec, EdgeNameSpec, ElasticSpec, FoldSpec, RunSpec, RunWay, SeamSpec, SewingPlan,
+};
 use toile_garment::{Garment, Piece, Vec2};
 
 /// The comment that stands above the file.
@@ -26,6 +28,9 @@ pub fn plan(garment: &Garment, pieces: &[Piece]) -> SewingPlan {
     SewingPlan {
         seams: declared.filter_map(|s| seam(garment, pieces, s)).collect(),
         darts: plan.darts.iter().filter_map(|d| dart(garment, pieces, d)).collect(),
+        folds: plan.folds.iter().filter_map(|f| fold(garment, pieces, f)).collect(),
+        elastics: plan.elastics.iter().map(|e| elastic(garment, pieces, e)).collect(),
+        interlinings: plan.interlinings.clone(),
         places: plan.places.clone(),
         layers: plan.layers.clone(),
         attachments: plan.attachments.iter().map(|a| attachment(a, garment)).collect(),
@@ -127,6 +132,29 @@ fn dart(garment: &Garment, pieces: &[Piece], spec: &DartSpec) -> Option<DartSpec
     Some(DartSpec { apexes, mouth, source: None, ..spec.clone() })
 }
 
+/// A fold where its line went with the outline.
+fn fold(garment: &Garment, pieces: &[Piece], spec: &FoldSpec) -> Option<FoldSpec> {
+    let (before, after) = named(garment, pieces, &spec.piece)?;
+    let follow = Follow::new(before, &after.outline.positions());
+    Some(FoldSpec { line: spec.line.iter().map(|p| follow.carry(*p).0).collect(), source: None, ..spec.clone() })
+}
+
+/// A band along the edges where they are now.
+fn elastic(garment: &Garment, pieces: &[Piece], spec: &ElasticSpec) -> ElasticSpec {
+    let along = spec.along.iter().map(|run| match run {
+        RunSpec::Edge { piece, edge } => RunSpec::Edge { piece: piece.clone(), edge: edge_name(garment, piece, edge) },
+        RunSpec::Points { piece, from, to, way } => {
+            let carried = named(garment, pieces, piece).map(|(before, after)| {
+                let follow = Follow::new(before, &after.outline.positions());
+                (follow.carry(*from).0, follow.carry(*to).0)
+            });
+            let (from, to) = carried.unwrap_or((*from, *to));
+            RunSpec::Points { piece: piece.clone(), from, to, way: *way }
+        }
+    });
+    ElasticSpec { along: along.collect(), source: None, ..spec.clone() }
+}
+
 /// Names of edges as runs between points, since numbers may change.
 fn edge_names(garment: &Garment, pieces: &[Piece]) -> Vec<EdgeNameSpec> {
     let mut out: Vec<EdgeNameSpec> = Vec::new();
@@ -143,7 +171,9 @@ fn edge_names(garment: &Garment, pieces: &[Piece]) -> Vec<EdgeNameSpec> {
     for (before, after) in garment.pieces.iter().zip(pieces) {
         let attached = |label: &str| {
             let same = |a: &&AttachSpec| a.piece.eq_ignore_ascii_case(&before.name) && a.edge == label;
+            let on_band = |run: &RunSpec| matches!(run, RunSpec::Edge { piece, edge } if piece.eq_ignore_ascii_case(&before.name) && edge == label);
             garment.plan.attachments.iter().any(|a| same(&a))
+                || garment.plan.elastics.iter().any(|e| e.along.iter().any(on_band))
         };
         for edge in &before.edges {
             let number = edge.index.to_string();
@@ -175,8 +205,13 @@ fn by_number(number: &str) -> String {
 }
 
 fn attachment(spec: &AttachSpec, garment: &Garment) -> AttachSpec {
-    let piece = garment.pieces.iter().find(|p| p.name.eq_ignore_ascii_case(&spec.piece));
-    let edge = piece.and_then(|p| p.edges.iter().find(|e| e.index.to_string() == spec.edge));
-    let name = edge.map(|e| e.name.clone().unwrap_or_else(|| by_number(&spec.edge)));
-    AttachSpec { edge: name.unwrap_or_else(|| spec.edge.clone()), source: None, ..spec.clone() }
+    AttachSpec { edge: edge_name(garment, &spec.piece, &spec.edge), source: None, ..spec.clone() }
+}
+
+/// The name of an edge that was meant by its name or its number.
+fn edge_name(garment: &Garment, piece: &str, label: &str) -> String {
+    let piece = garment.pieces.iter().find(|p| p.name.eq_ignore_ascii_case(piece));
+    let edge = piece.and_then(|p| p.edges.iter().find(|e| e.index.to_string() == label));
+    let name = edge.map(|e| e.name.clone().unwrap_or_else(|| by_number(label)));
+    name.unwrap_or_else(|| label.to_owned())
 }

@@ -6,7 +6,10 @@
 
 pub mod assignment;
 pub mod atoms;
+pub mod carried;
 pub(crate) mod confidence;
+mod gaps;
+mod known;
 pub mod mirror;
 mod names;
 pub mod pairs;
@@ -18,6 +21,7 @@ pub mod search;
 pub mod tuning;
 pub mod whole;
 
+pub use known::{Known, tell_the_same};
 pub use names::RoleNames;
 pub use propose::{Bare, Nameless, Names, Proposal, own_images, propose};
 pub use seams::{ProposedSeam, Run};

@@ -5,28 +5,39 @@
 use super::propose::Names;
 use super::tuning::NameWeights;
 use crate::roles::{Facing, Lateral, Part, Role, roles_of_names};
-use toile_garment::Piece;
+use toile_garment::Garment;
 
 /// Names that are read for roles.
 pub struct RoleNames {
     roles: Vec<Role>,
+    /// Pieces and their mirrored copies.
+    twins: Vec<[usize; 2]>,
     weights: NameWeights,
 }
 
 impl RoleNames {
-    /// The names of these pieces.
+    /// The names of a garment's pieces, and its mirrored copies.
     #[must_use]
-    pub fn new(pieces: &[Piece]) -> Self {
-        Self { roles: roles_of_names(pieces), weights: NameWeights::default() }
+    pub fn new(garment: &Garment) -> Self {
+        let find = |name: &str| garment.pieces.iter().position(|p| p.name == name);
+        let mirrored = garment.plan.copies.iter().filter(|c| c.mirror);
+        let twins = mirrored.filter_map(|c| Some([find(&c.piece)?, find(&c.name)?])).collect();
+        Self { roles: roles_of_names(&garment.pieces), twins, weights: NameWeights::default() }
+    }
+
+    /// Is one of two pieces the mirrored copy of the other?
+    fn are_twins(&self, a: usize, b: usize) -> bool {
+        self.twins.contains(&[a, b]) || self.twins.contains(&[b, a])
     }
 }
 
 impl Names for RoleNames {
     fn seam(&self, a: usize, b: usize, images: bool, length: f64) -> f64 {
+        let are_twins = self.are_twins(a, b);
         let (w, a, b) = (&self.weights, &self.roles[a], &self.roles[b]);
         let mut sum = 0.0;
         let hangs_beside = |r: &Role| matches!(r.part, Some(Part::Sleeve | Part::Cuff));
-        if crosses(a.lateral, b.lateral) && (!images || hangs_beside(a) || hangs_beside(b)) {
+        if (are_twins || crosses(a.lateral, b.lateral)) && (!images || hangs_beside(a) || hangs_beside(b)) {
             sum += w.left_to_right;
         }
         if let (Some(p), Some(q)) = (a.part, b.part) {
@@ -51,6 +62,9 @@ impl Names for RoleNames {
     }
 
     fn are_namesakes(&self, a: usize, b: usize) -> bool {
+        if self.are_twins(a, b) {
+            return true;
+        }
         let (a, b) = (&self.roles[a], &self.roles[b]);
         a.part.is_some() && a.part == b.part && a.facing == b.facing && crosses(a.lateral, b.lateral)
     }
@@ -106,10 +120,11 @@ fn never_meet(a: Part, b: Part) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use toile_garment::Piece;
 
     fn named(names: &[&str]) -> RoleNames {
         let pieces: Vec<Piece> = names.iter().map(|n| Piece { name: (*n).to_owned(), ..Piece::default() }).collect();
-        RoleNames::new(&pieces)
+        RoleNames::new(&Garment { pieces, ..Garment::default() })
     }
 
     #[test]

@@ -2,11 +2,14 @@
 
 use super::assignment::Assignment;
 use super::atoms::Layout;
+use super::carried::{Carried, parted};
 use super::confidence::margins;
+use super::gaps::{Gap, carried_over, gaps};
+use super::known::{Decisions, Known};
 use super::mirror::{Mirror, maps};
 use super::pairs::{Pair, Pairs, Prior};
 use super::seams::{ProposedSeam, seams};
-use super::search::{Found, best};
+use super::search::{Found, Search, best};
 use super::tuning::{self, PairWeights, WholeWeights};
 use super::whole::Whole;
 use crate::sewing::ring::nearest_on;
@@ -40,17 +43,21 @@ impl Names for Nameless {
     }
 }
 
-struct OfPieces<'a>(&'a dyn Names);
+/// What is known beside the shapes: names, and decisions of a person.
+struct Knowledge<'a> {
+    names: &'a dyn Names,
+    decisions: Decisions,
+}
 
-impl Prior for OfPieces<'_> {
+impl Prior for Knowledge<'_> {
     fn score(&self, layout: &Layout, pair: Pair, images: bool) -> f64 {
         let (a, b) = (&layout.atoms[pair.a], &layout.atoms[pair.b]);
         let piece = |panel: usize| layout.panels[panel].piece;
-        let mut sum = self.0.seam(piece(a.panel), piece(b.panel), images, a.length.min(b.length));
+        let mut sum = self.names.seam(piece(a.panel), piece(b.panel), images, a.length.min(b.length));
         for (x, y) in [(a, b), (b, a)] {
-            sum += if y.is_low() { self.0.to_lower_edge(piece(x.panel)) } else { 0.0 };
+            sum += if y.is_low() { self.names.to_lower_edge(piece(x.panel)) } else { 0.0 };
         }
-        sum
+        sum + self.decisions.score(pair)
     }
 }
 
@@ -70,53 +77,105 @@ pub struct Bare {
 pub struct Proposal {
     /// Seams.
     pub seams: Vec<ProposedSeam>,
+    /// For every seam: does the sewing file have it, or a part of it, already?
+    pub given: Vec<bool>,
     /// Edges that are sewn to nothing.
     pub bare: Vec<Bare>,
     /// The outlines, cut.
     pub layout: Layout,
 }
 
-/// Proposes the seams of a garment.
+/// Proposes the seams of a garment. Seams that a person gave are part of it; what he or she took out is not.
 ///
 /// # Errors
 /// Outlines that cannot be sewn.
-pub fn propose(garment: &Garment, names: &dyn Names) -> Result<Proposal, Vec<Diagnostic>> {
+pub fn propose(garment: &Garment, names: &dyn Names, known: &Known) -> Result<Proposal, Vec<Diagnostic>> {
     let shapes = shapes(garment)?;
-    let layout = Layout::new(garment, &shapes, &garment.plan.leave_out);
-    let piece = |panel: usize| layout.panels[panel].piece;
-    let maps = maps(&layout, &|p, q| names.are_namesakes(piece(p), piece(q)));
-    let (weights, whole_weights) = (PairWeights::default(), WholeWeights::default());
-    let scored: Vec<(Mirror, Pairs)> = maps
-        .into_iter()
-        .map(|mirror| {
-            let pairs = Pairs::new(&layout, &mirror, &OfPieces(names), &weights);
-            (mirror, pairs)
-        })
-        .collect();
-    // A short search on every map, a long one on the best.
-    let mut tried: Vec<(Whole<'_>, Found)> = scored
-        .iter()
-        .map(|(mirror, pairs)| Whole::new(&layout, mirror, pairs, &whole_weights))
-        .map(|whole| {
-            let found = best(&layout, &whole, if scored.len() > 1 { tuning::SHORT } else { 1.0 });
-            (whole, found)
-        })
-        .collect();
-    tried.sort_by(|a, b| b.1.score.total().total_cmp(&a.1.score.total()));
-    tried.truncate(tuning::LONG_TRIES);
-    let mut chosen: Option<(Whole<'_>, Found)> = None;
-    for (whole, short) in tried {
-        let long = best(&layout, &whole, 1.0);
-        let found = if long.score.total() >= short.score.total() { long } else { short };
-        if chosen.as_ref().is_none_or(|(_, c)| found.score.total() > c.score.total()) {
-            chosen = Some((whole, found));
+    let cut = |carried: &Carried| Layout::new(garment, &shapes, &garment.plan.leave_out, carried);
+    let mut carried = parted(&cut(&Carried::default()));
+    let mut layout = cut(&carried);
+    let mut scores = scores(&layout, names, known);
+    let Some((map, mut found)) = search_all(&layout, &scores) else {
+        return Ok(Proposal { layout, ..Proposal::default() });
+    };
+    let gaps = gaps(&layout, &found.assignment);
+    if !gaps.is_empty() {
+        gaps.iter().for_each(|gap| gap.carry(&layout, &mut carried));
+        let finer = cut(&carried);
+        let finer_scores = self::scores(&finer, names, known);
+        if let Some((mirror, pairs)) = finer_scores.get(map) {
+            let whole_weights = WholeWeights::default();
+            let whole = Whole::new(&finer, mirror, pairs, &whole_weights);
+            found = closed(&layout, &finer, &whole, &found, &gaps);
+            (layout, scores) = (finer, finer_scores);
         }
     }
-    let Some((whole, mut found)) = chosen else { return Ok(Proposal { layout, ..Proposal::default() }) };
+    let Some((mirror, pairs)) = scores.get(map) else { return Ok(Proposal { layout, ..Proposal::default() }) };
+    let whole_weights = WholeWeights::default();
+    let whole = Whole::new(&layout, mirror, pairs, &whole_weights);
     let margins = margins(&layout, &whole, &mut found);
     let seams = seams(garment, &shapes, &layout, &margins);
     let bare = bare(garment, &layout, &found.assignment);
-    Ok(Proposal { seams, bare, layout })
+    let decisions = Decisions::new(&layout, known);
+    let is_given = |s: &ProposedSeam| s.atoms.iter().flatten().any(|a| decisions.is_given(*a));
+    let given = seams.iter().map(is_given).collect();
+    Ok(Proposal { seams, given, bare, layout })
+}
+
+/// The maps of mirror images, and the scores of pairs under each.
+fn scores(layout: &Layout, names: &dyn Names, known: &Known) -> Vec<(Mirror, Pairs)> {
+    let piece = |panel: usize| layout.panels[panel].piece;
+    let maps = maps(layout, &|p, q| names.are_namesakes(piece(p), piece(q)));
+    let weights = PairWeights::default();
+    let knowledge = Knowledge { names, decisions: Decisions::new(layout, known) };
+    let scored = |mirror: Mirror| {
+        let pairs = Pairs::new(layout, &mirror, &knowledge, &weights);
+        (mirror, pairs)
+    };
+    maps.into_iter().map(scored).collect()
+}
+
+/// A short search on every map, a long one on the best: the number of the map, and what was found on it.
+fn search_all(layout: &Layout, scores: &[(Mirror, Pairs)]) -> Option<(usize, Found)> {
+    let whole_weights = WholeWeights::default();
+    let mut tried: Vec<(usize, Whole<'_>, Found)> = scores
+        .iter()
+        .map(|(mirror, pairs)| Whole::new(layout, mirror, pairs, &whole_weights))
+        .enumerate()
+        .map(|(map, whole)| {
+            let found = best(layout, &whole, if scores.len() > 1 { tuning::SHORT } else { 1.0 });
+            (map, whole, found)
+        })
+        .collect();
+    tried.sort_by(|a, b| b.2.score.total().total_cmp(&a.2.score.total()));
+    tried.truncate(tuning::LONG_TRIES);
+    let mut chosen: Option<(usize, Found)> = None;
+    for (map, whole, short) in tried {
+        let long = best(layout, &whole, 1.0);
+        let found = if long.score.total() >= short.score.total() { long } else { short };
+        if chosen.as_ref().is_none_or(|(_, c)| found.score.total() > c.score.total()) {
+            chosen = Some((map, found));
+        }
+    }
+    chosen
+}
+
+/// A garment in a layout with the marks of its gaps; gaps are closed one by one where that is better.
+fn closed(layout: &Layout, finer: &Layout, whole: &Whole<'_>, found: &Found, gaps: &[Gap]) -> Found {
+    let mut search = Search::new(finer, whole);
+    let assignment = carried_over(&found.assignment, layout, finer, whole.mirror);
+    let mut best = Found { score: search.score(&assignment), assignment };
+    for gap in gaps {
+        let mut trial = best.assignment.clone();
+        let pairs = gap.pairs(layout, finer);
+        if pairs.iter().all(|p| trial.partner(p.a) == Some(p.b) || trial.sew(*p, whole.mirror)) {
+            let score = search.score(&trial);
+            if score.total() > best.score.total() {
+                best = Found { assignment: trial, score };
+            }
+        }
+    }
+    best
 }
 
 /// For every piece: is it its own mirror image? Pieces whose outlines cannot be sewn are not.
@@ -124,7 +183,7 @@ pub fn propose(garment: &Garment, names: &dyn Names) -> Result<Proposal, Vec<Dia
 pub fn own_images(garment: &Garment) -> Vec<bool> {
     let mut out = vec![false; garment.pieces.len()];
     let Ok(shapes) = shapes(garment) else { return out };
-    let layout = Layout::new(garment, &shapes, &[]);
+    let layout = Layout::new(garment, &shapes, &[], &Carried::default());
     for panel in &layout.panels {
         out[panel.piece] = super::mirror::is_own_image(&layout, panel);
     }

@@ -12,6 +12,22 @@ pub const SAME_MARK: f64 = 2.5e-3;
 pub const CORNER_REACH: f64 = 4e-3;
 /// A corner that turns less is a mark on an edge (radians).
 pub const FLAT_CORNER: f64 = 0.17;
+/// Edges are equally long within this: |ln(length / length)|.
+pub const EQUAL_EDGES: f64 = 0.004;
+/// Most atoms of a parted edge.
+pub const CHAIN_MOST: usize = 4;
+/// The courses of two edges complement each other within this (radians).
+pub const SAME_COURSE: f64 = 0.14;
+/// Carried marks cut off no less (metres).
+pub const LEAST_PART: f64 = 8e-3;
+/// Most atoms round an opening that is looked at as a gap.
+pub const GAP_ATOMS: usize = 12;
+/// The edge of a band that goes round an opening is longer than this share of the band's outline.
+pub const BAND_EDGE: f64 = 0.35;
+/// A band is as long as what it goes round, or shorter and stretched: ln(opening / band).
+pub const BAND_STRETCH: std::ops::Range<f64> = -0.01..0.13;
+/// The ratio of both sides of a gap is that of the seams beside it within this: |ln(ratio / ratio)|.
+pub const GAP_RATIO: f64 = 0.03;
 /// The outlines of a piece and of its mirror image lie apart by no more (metres).
 pub const SAME_OUTLINE: f64 = 0.8e-3;
 /// A notch and its mirror image lie apart by no more (metres).
@@ -193,7 +209,7 @@ impl Default for WholeWeights {
             bare_dart: -0.50,
             folded_corner: -8.00,
             open: [(5.0, 0.94), (12.0, 0.29), (25.0, -0.02), (50.0, -0.09), (MORE, -0.47)],
-            shut: [(3.0, 2.15), (12.0, 1.80), (30.0, 1.28), (60.0, 1.60), (100.0, -0.45), (MORE, -2.18)],
+            shut: [(3.0, 2.15), (12.0, 1.80), (30.0, 1.28), (60.0, 1.60), (100.0, -0.45), (MORE, -6.00)],
             openings: [(0.1, -3.04), (0.25, -0.74)],
         }
     }
@@ -206,6 +222,7 @@ impl WholeWeights {
             (1, Mark::Corner) => self.bare_corner,
             (1, Mark::Notch) => self.bare_notch,
             (1, Mark::Dart) => self.bare_dart,
+            (1, Mark::Carried) => 0.0,
             _ => step(&self.open, sum.to_degrees() - 180.0),
         }
     }
@@ -301,6 +318,28 @@ pub const AS_SURE: f64 = 0.1;
 pub const SHORT: f64 = 0.3;
 /// Maps that are searched at length.
 pub const LONG_TRIES: usize = 2;
+
+/// Weights of what a person decided before.
+#[derive(Clone, Debug)]
+pub struct DecisionWeights {
+    /// A pair that is sewn in the sewing file.
+    pub given: f64,
+    /// A pair that contradicts the sewing file, or that a person took out.
+    pub against: f64,
+}
+
+impl DecisionWeights {
+    /// A point lies on an edge within this, and no nearer to its ends (metres).
+    pub const REACH: f64 = 1e-3;
+    /// Two stitches are one within this (metres).
+    pub const SAME_STITCH: f64 = 15e-3;
+}
+
+impl Default for DecisionWeights {
+    fn default() -> Self {
+        Self { given: 20.0, against: -40.0 }
+    }
+}
 
 /// Weights of what the names of pieces say.
 #[derive(Clone, Debug)]

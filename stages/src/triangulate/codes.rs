@@ -14,6 +14,10 @@ codes! {
     /// A part of an internal line lies outside the cloth; that part is not in the mesh.
     INTERNAL_LINE_CLIPPED = "internal-line-clipped";
 
+    /// An internal line runs so close to the outline or to another line that no triangle fits between. It is left out of
+    /// the mesh; the cloth is the same without it.
+    INTERNAL_LINE_TOO_CLOSE = "internal-line-too-close";
+
     /// An internal line is too short for the mesh and was left out.
     INTERNAL_LINE_TOO_SHORT = "internal-line-too-short";
 

@@ -107,6 +107,14 @@ impl Curve {
         self.breaks.iter().map(|b| (*b, distance(*b))).min_by(|a, b| a.1.total_cmp(&b.1))
     }
 
+    /// The way from a position to the nearest break, if there is one within reach; negative against the curve.
+    pub fn way_to_break(&self, s: f64, reach: f64) -> Option<f64> {
+        let (b, d) = self.to_break(s).filter(|(_, d)| *d <= reach)?;
+        let ahead = self.wrap(b) - self.wrap(s);
+        let back = if self.closed { ahead.abs() > 0.5 * self.total() } else { false };
+        Some(if (ahead < 0.0) != back { -d } else { d })
+    }
+
     /// Adds a break; says whether it is new.
     pub fn add_break(&mut self, s: f64) -> bool {
         let s = self.wrap(s);

@@ -131,14 +131,32 @@ pub fn signed_area(points: &[Vec2]) -> f64 {
         .sum()
 }
 
-/// Adds pleat legs and internal lines to the curves, breaking all where they meet.
-pub fn add_lines(piece: &Piece, curves: &mut Vec<Curve>, h: f64, report: &mut Report) {
+/// Adds pleat legs and internal lines to the curves, breaking all where they meet. Lines that are left out are reported.
+pub fn add_lines(
+    piece: &Piece,
+    curves: &mut Vec<Curve>,
+    h: f64,
+    is_left_out: &dyn Fn(usize) -> bool,
+    report: &mut Report,
+) {
     for (k, dart) in piece.darts.iter().enumerate().filter(|(_, d)| d.kind == DartKind::Pleat) {
         for (leg, points) in dart.legs.iter().enumerate().filter(|(_, l)| l.len() > 1) {
             add(piece, curves, CurveKind::PleatLeg(k, leg), points, false, h, report);
         }
     }
     for (k, line) in piece.internal_lines.iter().enumerate() {
+        if is_left_out(k) {
+            let message = format!(
+                "piece `{}`: internal line {k} runs too close to another line and is not in the mesh",
+                piece.name
+            );
+            report.push(
+                Diagnostic::info(codes::INTERNAL_LINE_TOO_CLOSE, message).at(line.source.clone()).hint(
+                    "the cloth is the same without it; redraw it apart, or use a shorter edge_length, to keep it",
+                ),
+            );
+            continue;
+        }
         add(piece, curves, CurveKind::Line(k), &line.positions(), line.closed, h, report);
     }
 }

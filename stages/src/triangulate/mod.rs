@@ -23,16 +23,19 @@ mod size;
 mod smooth;
 mod write;
 
-use crate::sewing::resolve::{find, placed};
-use crate::sewing::shapes::{mm, shapes};
+use crate::sewing::resolve::{ResolvedSeam, find, placed};
+use crate::sewing::shapes::{Shapes, mm, shapes};
 use counts::Counts;
+use curve::CurveKind;
 use layout::Layout;
 use net::Net;
+pub(crate) use net::ONE_PLACE;
 use regular::{FillError, Filled};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 use toile_garment::units::{Angle, Length};
-use toile_garment::{Aspect, Diagnostic, Garment, Piece, Vec2};
+use toile_garment::{Aspect, Diagnostic, Garment, Piece, Report, Vec2};
 use toile_stage_api::{Cost, Forecast, Knob, Meaning, Stage, StageContext, StageError, StageInfo};
 
 /// Tries at finer lines before a crossing of sampled lines is an error.
@@ -100,10 +103,7 @@ impl Stage for Triangulate {
         let seams = placed(find(&garment, &shapes)).map_err(StageError::Parameter)?;
         size::check_pieces(&garment, &shapes)?;
         let h = size::edge_length(params, &garment, &shapes)?;
-        let net = net::build(&garment, &shapes, &seams, h, cx.report).map_err(StageError::Input)?;
-        let mut counts = counts::counts(&net, h);
-        size::check_total(counts.total())?;
-        let meshed = mesh_all(&garment, &net, &mut counts, h, params, cx)?;
+        let (net, meshed) = mesh_with_lines(&garment, &shapes, &seams, h, params, cx)?;
         for ((piece, shape), (layout, filled)) in garment.pieces.iter_mut().zip(&shapes).zip(meshed) {
             let quality = check::quality(&layout, &filled.0, &filled.1);
             for finding in check::findings(piece, &quality, params.mesher == Mesher::Lyon) {
@@ -118,6 +118,45 @@ impl Stage for Triangulate {
     }
 }
 
+/// Meshes all pieces. Internal lines that cannot be told from their neighbours at any sampling are left out, and said.
+fn mesh_with_lines(
+    garment: &Garment,
+    shapes: &Shapes,
+    seams: &[ResolvedSeam],
+    h: f64,
+    params: &Params,
+    cx: &mut StageContext<'_>,
+) -> Result<(Net, Vec<(Layout, Filled)>), StageError> {
+    let mut left_out = BTreeSet::new();
+    loop {
+        let mut notes = Report::default();
+        let net = net::build(garment, shapes, seams, h, &left_out, &mut notes).map_err(StageError::Input)?;
+        let mut counts = counts::counts(&net, h);
+        size::check_total(counts.total())?;
+        match mesh_all(garment, &net, &mut counts, h, params, cx)? {
+            Meshed::All(meshed) => {
+                notes.findings.into_iter().for_each(|note| cx.report.push(note));
+                return Ok((net, meshed));
+            }
+            Meshed::Crossed { errors, lines } => {
+                let known = left_out.len();
+                left_out.extend(lines);
+                if left_out.len() == known {
+                    return Err(StageError::Input(errors));
+                }
+            }
+        }
+    }
+}
+
+/// Meshes of all pieces, or what is in their way.
+enum Meshed {
+    /// Layout and triangles of every piece.
+    All(Vec<(Layout, Filled)>),
+    /// Crossings that finer edges do not part, and the internal lines among them: piece and line.
+    Crossed { errors: Vec<Diagnostic>, lines: BTreeSet<(usize, usize)> },
+}
+
 /// Meshes all pieces; sampled lines that cross are sampled finer, together with all they are sewn to.
 fn mesh_all(
     garment: &Garment,
@@ -126,10 +165,11 @@ fn mesh_all(
     h: f64,
     params: &Params,
     cx: &mut StageContext<'_>,
-) -> Result<Vec<(Layout, Filled)>, StageError> {
+) -> Result<Meshed, StageError> {
     for attempt in 0..TRIES {
         let mut done = Vec::new();
         let mut errors = Vec::new();
+        let mut lines = BTreeSet::new();
         let mut finer = std::collections::BTreeMap::new();
         for piece in &garment.pieces {
             if cx.cancelled() {
@@ -143,6 +183,9 @@ fn mesh_all(
                 Err(crossed) => {
                     errors.push(crossing_error(piece, &layout, &crossed));
                     for (k, i) in crossed {
+                        if let CurveKind::Line(line) = net.curves[p][k].kind {
+                            lines.insert((p, line));
+                        }
                         let s = layout.stretch[k].get(i).copied().unwrap_or(0);
                         finer.insert(counts.group((p, k), s), ((p, k), s));
                     }
@@ -150,10 +193,10 @@ fn mesh_all(
             }
         }
         if errors.is_empty() {
-            return Ok(done);
+            return Ok(Meshed::All(done));
         }
         if attempt + 1 == TRIES || finer.is_empty() {
-            return Err(StageError::Input(errors));
+            return Ok(Meshed::Crossed { errors, lines });
         }
         for (at, s) in finer.into_values() {
             counts.halve(at, s);

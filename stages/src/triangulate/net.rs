@@ -6,12 +6,16 @@ use super::lines;
 use crate::sewing::resolve::{ResolvedSeam, Side, on_rings};
 use crate::sewing::ring::SAME;
 use crate::sewing::shapes::Shapes;
+use std::collections::BTreeSet;
 use toile_garment::dart::DartKind;
 use toile_garment::outline::PointKind;
 use toile_garment::{Diagnostic, Garment, Piece, Report};
 
 /// Marks of two sides nearer than this share of the edge length are one mark.
 const ONE_MARK: f64 = 0.35;
+/// A place this near to a vertex that must be is that vertex (0.005 mm). Seam ends are written with three decimals, and
+/// marks come back from the other sides of seams.
+pub(crate) const ONE_PLACE: f64 = 5e-6;
 /// Rounds of carrying breaks from side to side.
 const ROUNDS: usize = 24;
 
@@ -86,7 +90,8 @@ impl TrackSpan {
     }
 }
 
-/// Builds the net and carries every break to the other sides.
+/// Builds the net and carries every break to the other sides. Internal lines that are left out are named by piece and
+/// number.
 ///
 /// # Errors
 /// Bad outlines, and seams whose marks never come to an end.
@@ -95,6 +100,7 @@ pub fn build(
     shapes: &Shapes,
     seams: &[ResolvedSeam],
     h: f64,
+    left_out: &BTreeSet<(usize, usize)>,
     report: &mut Report,
 ) -> Result<Net, Vec<Diagnostic>> {
     let mut net = Net::default();
@@ -115,11 +121,12 @@ pub fn build(
         link_seam(&mut net, seam);
     }
     for (piece, shape) in garment.pieces.iter().zip(shapes) {
-        lines::add_lines(piece, &mut net.curves[piece.id.index()], h, report);
+        let is_left_out = |line: usize| left_out.contains(&(piece.id.index(), line));
+        lines::add_lines(piece, &mut net.curves[piece.id.index()], h, &is_left_out, report);
         link_darts(&mut net, piece, shape);
     }
-    for seam in seams {
-        anchor_notches(&mut net, seam, h);
+    for (link, seam) in seams.iter().enumerate() {
+        anchor_notches(&mut net, link, seam, h);
     }
     for (piece, shape) in garment.pieces.iter().zip(shapes) {
         let outline = &mut net.curves[piece.id.index()][0];
@@ -188,14 +195,30 @@ fn link_seam(net: &mut Net, seam: &ResolvedSeam) {
     add_link(net, &seam.name, sides);
 }
 
-fn add_link(net: &mut Net, name: &str, sides: [Track; 2]) {
-    for span in sides.iter().flat_map(|t| &t.spans) {
-        let curve = &mut net.curves[span.at.0][span.at.1];
-        curve.add_break(span.from);
-        curve.add_break(span.place(span.start + span.length));
+fn add_link(net: &mut Net, name: &str, mut sides: [Track; 2]) {
+    for track in &mut sides {
+        let mut length = 0.0;
+        for span in &mut track.spans {
+            let curve = &mut net.curves[span.at.0][span.at.1];
+            let ends = [span.from, span.place(span.start + span.length)];
+            let [first, last] = ends.map(|s| settle(curve, s));
+            span.from = curve.wrap(span.from + first);
+            span.start = length;
+            span.length += if span.forward { last - first } else { first - last };
+            length += span.length;
+        }
+        track.length = length;
     }
     let ends = (sides[0].length, sides[1].length);
     net.links.push(Link { name: name.to_owned(), sides, anchors: vec![(0.0, 0.0), ends] });
+}
+
+/// Makes a place a break, if there is none in that place. Returns the way from the place to the break.
+fn settle(curve: &mut Curve, s: f64) -> f64 {
+    curve.way_to_break(s, ONE_PLACE).unwrap_or_else(|| {
+        curve.add_break(s);
+        0.0
+    })
 }
 
 /// Legs of a dart are sewn like the sides of a seam.
@@ -244,11 +267,8 @@ fn link_darts(net: &mut Net, piece: &Piece, shape: &crate::sewing::shapes::Piece
     }
 }
 
-/// Matched notches meet, unless they are too near to what meets already.
-fn anchor_notches(net: &mut Net, seam: &ResolvedSeam, h: f64) {
-    let Some(l) = net.links.iter().position(|l| l.name == seam.name && l.sides[0] == Track::of_side(&seam.a)) else {
-        return;
-    };
+/// Matched notches meet, unless they are too near to what meets already. Seams are linked in their order.
+fn anchor_notches(net: &mut Net, l: usize, seam: &ResolvedSeam, h: f64) {
     for (ta, tb) in &seam.notches {
         let places = [net.links[l].sides[0].position(*ta), net.links[l].sides[1].position(*tb)];
         let [Some(a), Some(b)] = places else { continue };
@@ -320,9 +340,8 @@ fn marks(net: &Net, track: &Track) -> Vec<f64> {
 
 fn carry_link(net: &mut Net, l: usize, one_mark: f64) -> bool {
     let [a, b] = [0, 1].map(|k| marks(net, &net.links[l].sides[k]));
-    let known = |k: usize, t: f64, link: &Link| {
-        link.anchors.iter().any(|x| (if k == 0 { x.0 } else { x.1 } - t).abs() < 2.0 * SAME)
-    };
+    let known =
+        |k: usize, t: f64, link: &Link| link.anchors.iter().any(|x| (if k == 0 { x.0 } else { x.1 } - t).abs() < SAME);
     let mut changed = false;
     // Marks of both sides that lie at about the same share are one mark.
     for t in &a {
@@ -342,10 +361,14 @@ fn carry_link(net: &mut Net, l: usize, one_mark: f64) -> bool {
             if known(k, *t, &net.links[l]) {
                 continue;
             }
-            let expected = across(&net.links[l].anchors, *t, k == 1);
+            let mut expected = across(&net.links[l].anchors, *t, k == 1);
             let place = net.links[l].sides[1 - k].position(expected);
-            if let Some(((p, c), s, _)) = place {
-                net.curves[p][c].add_break(s);
+            if let Some(((p, c), s, forward)) = place {
+                let way = net.curves[p][c].way_to_break(s, ONE_PLACE).map(|d| if forward { d } else { -d });
+                match way.filter(|d| !known(1 - k, expected + d, &net.links[l])) {
+                    Some(d) => expected += d,
+                    None => _ = net.curves[p][c].add_break(s),
+                }
             }
             let (ta, tb) = if k == 0 { (*t, expected) } else { (expected, *t) };
             insert_anchor(&mut net.links[l].anchors, ta, tb);

@@ -552,3 +552,50 @@ fn needle_darts_leave_good_triangles() {
 fn legs_of(garment: &Garment) -> &[Vec<u32>; 2] {
     &garment.pieces[0].darts[0].mesh.as_ref().expect("dart mesh").legs
 }
+
+#[test]
+fn seam_ends_a_hair_apart_give_both_sides_equal_counts() {
+    // The left piece's side is sewn in two parts. One ends 1.5 µm before the other begins, as rounded numbers do.
+    let hair = 1.5e-3;
+    for [low, high] in [[0.0, hair], [-hair, 0.0], [-0.7 * hair, 0.6 * hair]] {
+        let left = rectangle(0, "left", 200.0, 400.0);
+        let right = [rectangle(1, "low", 200.0, 150.0), rectangle(2, "high", 200.0, 250.0)];
+        let at = |piece: &str, from: (f64, f64), to: (f64, f64)| two_points(piece, from, to);
+        let mut garment = Garment { pieces: vec![left], ..Garment::default() };
+        garment.pieces.extend(right);
+        garment.plan.seams = vec![
+            seam(
+                "low",
+                vec![at("left", (200.0, 0.0), (200.0, 150.0 + low))],
+                vec![at("low", (0.0, 0.0), (0.0, 150.0))],
+            ),
+            seam(
+                "high",
+                vec![at("left", (200.0, 150.0 + high), (200.0, 400.0))],
+                vec![at("high", (0.0, 0.0), (0.0, 250.0))],
+            ),
+            seam("across", vec![at("low", (0.0, 150.0), (200.0, 150.0))], vec![at("high", (0.0, 0.0), (200.0, 0.0))]),
+        ];
+        let (meshed, _) = mesh(garment, 20.0).expect("mesh");
+        let (sewn, _) = run(&Assemble, &Default::default(), meshed).expect("counts agree");
+        let edges =
+            |side: &toile_garment::seam::SeamSide| side.runs.iter().map(|r| r.vertices.len() - 1).sum::<usize>();
+        assert!(sewn.seams.iter().all(|s| edges(&s.a) == edges(&s.b)));
+        assert_eq!(sewn.seams.len(), 3);
+    }
+}
+
+#[test]
+fn an_internal_line_that_hugs_the_outline_is_left_out_and_said() {
+    // The line leaves the outline under a small angle and comes back: no triangle fits between.
+    let mut front = rectangle(0, "front", 300.0, 400.0);
+    let close = line(&[(50.0, 150.0), (5.0, 0.002), (120.0, 0.001), (290.0, 0.002), (290.0, 60.0)]);
+    front.internal_lines = vec![line(&[(50.0, 200.0), (250.0, 220.0)]), close];
+    let (meshed, report) = mesh(one(front), 20.0).expect("cloth is not refused for a line nobody asked for");
+    let told: Vec<&str> = report.findings.iter().map(|f| f.code.as_str()).collect();
+    assert!(told.contains(&"internal-line-too-close"), "{told:?}");
+    let chains = &meshed.pieces[0].mesh.as_ref().expect("mesh").chains;
+    let lines: Vec<u32> = chains.iter().filter(|c| c.kind == ChainKind::InternalLine).map(|c| c.index).collect();
+    assert_eq!(lines, [0]);
+    assert_eq!(missing(&meshed.pieces[0]), 0);
+}

@@ -55,7 +55,7 @@ fn a_mirrored_copy_is_counter_clockwise_and_keeps_its_marks() {
     for (k, e) in left.edges.iter().enumerate() {
         let image = &right.edges[3 - k];
         assert_eq!((image.index as usize, &image.name), (3 - k, &e.name));
-        let at = |p: &toile_garment::Piece, i: u32| p.outline.points[i as usize].at;
+        let at = |p: &Piece, i: u32| p.outline.points[i as usize].at;
         assert_eq!(at(right, image.from).x, -at(left, e.to).x);
         assert_eq!(at(right, image.to).y, at(left, e.from).y);
     }
