@@ -8,7 +8,6 @@ pub mod assignment;
 pub mod atoms;
 pub mod carried;
 pub(crate) mod confidence;
-mod gaps;
 mod known;
 pub mod mirror;
 mod names;

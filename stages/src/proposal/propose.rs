@@ -4,12 +4,11 @@ use super::assignment::Assignment;
 use super::atoms::Layout;
 use super::carried::{Carried, parted};
 use super::confidence::margins;
-use super::gaps::{Gap, carried_over, gaps};
 use super::known::{Decisions, Known};
 use super::mirror::{Mirror, maps};
 use super::pairs::{Pair, Pairs, Prior};
 use super::seams::{ProposedSeam, seams};
-use super::search::{Found, Search, best};
+use super::search::{Found, best};
 use super::tuning::{self, PairWeights, WholeWeights};
 use super::whole::Whole;
 use crate::sewing::ring::nearest_on;
@@ -92,24 +91,11 @@ pub struct Proposal {
 pub fn propose(garment: &Garment, names: &dyn Names, known: &Known) -> Result<Proposal, Vec<Diagnostic>> {
     let shapes = shapes(garment)?;
     let cut = |carried: &Carried| Layout::new(garment, &shapes, &garment.plan.leave_out, carried);
-    let mut carried = parted(&cut(&Carried::default()));
-    let mut layout = cut(&carried);
-    let mut scores = scores(&layout, names, known);
+    let layout = cut(&parted(&cut(&Carried::default())));
+    let scores = scores(&layout, names, known);
     let Some((map, mut found)) = search_all(&layout, &scores) else {
         return Ok(Proposal { layout, ..Proposal::default() });
     };
-    let gaps = gaps(&layout, &found.assignment);
-    if !gaps.is_empty() {
-        gaps.iter().for_each(|gap| gap.carry(&layout, &mut carried));
-        let finer = cut(&carried);
-        let finer_scores = self::scores(&finer, names, known);
-        if let Some((mirror, pairs)) = finer_scores.get(map) {
-            let whole_weights = WholeWeights::default();
-            let whole = Whole::new(&finer, mirror, pairs, &whole_weights);
-            found = closed(&layout, &finer, &whole, &found, &gaps);
-            (layout, scores) = (finer, finer_scores);
-        }
-    }
     let Some((mirror, pairs)) = scores.get(map) else { return Ok(Proposal { layout, ..Proposal::default() }) };
     let whole_weights = WholeWeights::default();
     let whole = Whole::new(&layout, mirror, pairs, &whole_weights);
@@ -158,24 +144,6 @@ fn search_all(layout: &Layout, scores: &[(Mirror, Pairs)]) -> Option<(usize, Fou
         }
     }
     chosen
-}
-
-/// A garment in a layout with the marks of its gaps; gaps are closed one by one where that is better.
-fn closed(layout: &Layout, finer: &Layout, whole: &Whole<'_>, found: &Found, gaps: &[Gap]) -> Found {
-    let mut search = Search::new(finer, whole);
-    let assignment = carried_over(&found.assignment, layout, finer, whole.mirror);
-    let mut best = Found { score: search.score(&assignment), assignment };
-    for gap in gaps {
-        let mut trial = best.assignment.clone();
-        let pairs = gap.pairs(layout, finer);
-        if pairs.iter().all(|p| trial.partner(p.a) == Some(p.b) || trial.sew(*p, whole.mirror)) {
-            let score = search.score(&trial);
-            if score.total() > best.score.total() {
-                best = Found { assignment: trial, score };
-            }
-        }
-    }
-    best
 }
 
 /// For every piece: is it its own mirror image? Pieces whose outlines cannot be sewn are not.

@@ -20,14 +20,6 @@ pub const CHAIN_MOST: usize = 4;
 pub const SAME_COURSE: f64 = 0.14;
 /// Carried marks cut off no less (metres).
 pub const LEAST_PART: f64 = 8e-3;
-/// Most atoms round an opening that is looked at as a gap.
-pub const GAP_ATOMS: usize = 12;
-/// The edge of a band that goes round an opening is longer than this share of the band's outline.
-pub const BAND_EDGE: f64 = 0.35;
-/// A band is as long as what it goes round, or shorter and stretched: ln(opening / band).
-pub const BAND_STRETCH: std::ops::Range<f64> = -0.01..0.13;
-/// The ratio of both sides of a gap is that of the seams beside it within this: |ln(ratio / ratio)|.
-pub const GAP_RATIO: f64 = 0.03;
 /// The outlines of a piece and of its mirror image lie apart by no more (metres).
 pub const SAME_OUTLINE: f64 = 0.8e-3;
 /// A notch and its mirror image lie apart by no more (metres).
@@ -209,7 +201,7 @@ impl Default for WholeWeights {
             bare_dart: -0.50,
             folded_corner: -8.00,
             open: [(5.0, 0.94), (12.0, 0.29), (25.0, -0.02), (50.0, -0.09), (MORE, -0.47)],
-            shut: [(3.0, 2.15), (12.0, 1.80), (30.0, 1.28), (60.0, 1.60), (100.0, -0.45), (MORE, -6.00)],
+            shut: [(3.0, 2.15), (12.0, 1.80), (30.0, 1.28), (60.0, 1.60), (100.0, -0.45), (MORE, -2.18)],
             openings: [(0.1, -3.04), (0.25, -0.74)],
         }
     }
