@@ -184,7 +184,8 @@ mod tests {
         for k in inner(&field) {
             assert!((k / 10.0 - 1.0).abs() < 0.01, "{k} of 10 per metre");
         }
-        assert_eq!(field.limit, 10.0);
+        // Some values lie a hair above 10, so the scale ends at the next round number.
+        assert_eq!(field.limit, 20.0);
     }
 
     #[test]

@@ -3,7 +3,6 @@
 //! A seam of a garment joins atoms to atoms. The legs of a dart belong to no atom: the atoms on both sides of its mouth
 //! are neighbours, and the corner between them is measured with the dart closed.
 
-use super::carried::Carried;
 use super::profile::{Profile, bow, heading, profile, turn, wrapped};
 use super::tuning;
 use crate::sewing::resolve::on_rings;
@@ -22,8 +21,6 @@ pub enum Mark {
     Notch,
     /// The mouth of a dart.
     Dart,
-    /// A mark of another piece that was carried here.
-    Carried,
 }
 
 impl Atom {
@@ -104,21 +101,21 @@ pub struct Layout {
 }
 
 impl Layout {
-    /// Cuts the outlines of a garment, at carried marks too. Pieces in `left_out` get no panel.
-    pub fn new(garment: &Garment, shapes: &Shapes, left_out: &[String], carried: &Carried) -> Self {
+    /// Cuts the outlines of a garment. Pieces in `left_out` get no panel.
+    pub fn new(garment: &Garment, shapes: &Shapes, left_out: &[String]) -> Self {
         let mut out = Self::default();
         for (index, (piece, shape)) in garment.pieces.iter().zip(shapes).enumerate() {
             if left_out.iter().any(|n| n.eq_ignore_ascii_case(&piece.name)) || shape.rings.is_empty() {
                 continue;
             }
-            out.add(index, piece, shape, carried.of(index));
+            out.add(index, piece, shape);
         }
         out
     }
 
-    fn add(&mut self, index: usize, piece: &Piece, shape: &PieceShape, carried: &[f64]) {
+    fn add(&mut self, index: usize, piece: &Piece, shape: &PieceShape) {
         let (ring, first, panel) = (&shape.rings[0], self.atoms.len(), self.panels.len());
-        let cuts = cuts(piece, shape, carried);
+        let cuts = cuts(piece, shape);
         let n = cuts.len();
         let warp = piece.warp();
         for k in 0..n {
@@ -163,7 +160,7 @@ struct Cut {
 }
 
 /// The cuts of an outline in walking order, each once.
-fn cuts(piece: &Piece, shape: &PieceShape, carried: &[f64]) -> Vec<Cut> {
+fn cuts(piece: &Piece, shape: &PieceShape) -> Vec<Cut> {
     let ring = &shape.rings[0];
     let mut cuts: Vec<Cut> = ring
         .gaps
@@ -173,8 +170,7 @@ fn cuts(piece: &Piece, shape: &PieceShape, carried: &[f64]) -> Vec<Cut> {
     let ends = piece.edges.iter().filter_map(|e| ring.of_line.get(e.from as usize).copied().flatten());
     let corners = ends.map(|i| (ring.arc[i], Mark::Corner));
     let notches = on_rings(piece, shape).into_iter().filter(|(r, _)| *r == 0).map(|(_, s)| (s, Mark::Notch));
-    let carried = carried.iter().map(|s| (*s, Mark::Carried));
-    for (s, mark) in corners.chain(notches).chain(carried) {
+    for (s, mark) in corners.chain(notches) {
         let near = |t: f64| f64::min(ring.ahead(s, t), ring.ahead(t, s)) < tuning::SAME_MARK;
         let is_known = ring.gap_around(s).is_some() || cuts.iter().any(|c| near(c.end) || near(c.start));
         if !is_known {

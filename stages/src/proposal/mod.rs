@@ -6,7 +6,6 @@
 
 pub mod assignment;
 pub mod atoms;
-pub mod carried;
 pub(crate) mod confidence;
 mod known;
 pub mod mirror;

@@ -152,9 +152,7 @@ impl<'a> Judge<'a> {
         self.meetings(p)
             .iter()
             .map(|[x, y]| {
-                // A carried mark stands for the notch that is missing.
-                let mark = |m: Mark| if m == Mark::Carried { Mark::Notch } else { m };
-                let marks = match (mark(x.mark), mark(y.mark)) {
+                let marks = match (x.mark, y.mark) {
                     (Mark::Dart, Mark::Dart) => w.dart_dart,
                     (Mark::Dart, Mark::Notch) | (Mark::Notch, Mark::Dart) => w.dart_notch,
                     (Mark::Dart, Mark::Corner) | (Mark::Corner, Mark::Dart) => w.dart_corner,

@@ -2,7 +2,6 @@
 
 use super::assignment::Assignment;
 use super::atoms::Layout;
-use super::carried::{Carried, parted};
 use super::confidence::margins;
 use super::known::{Decisions, Known};
 use super::mirror::{Mirror, maps};
@@ -90,8 +89,7 @@ pub struct Proposal {
 /// Outlines that cannot be sewn.
 pub fn propose(garment: &Garment, names: &dyn Names, known: &Known) -> Result<Proposal, Vec<Diagnostic>> {
     let shapes = shapes(garment)?;
-    let cut = |carried: &Carried| Layout::new(garment, &shapes, &garment.plan.leave_out, carried);
-    let layout = cut(&parted(&cut(&Carried::default())));
+    let layout = Layout::new(garment, &shapes, &garment.plan.leave_out);
     let scores = scores(&layout, names, known);
     let Some((map, mut found)) = search_all(&layout, &scores) else {
         return Ok(Proposal { layout, ..Proposal::default() });
@@ -151,7 +149,7 @@ fn search_all(layout: &Layout, scores: &[(Mirror, Pairs)]) -> Option<(usize, Fou
 pub fn own_images(garment: &Garment) -> Vec<bool> {
     let mut out = vec![false; garment.pieces.len()];
     let Ok(shapes) = shapes(garment) else { return out };
-    let layout = Layout::new(garment, &shapes, &[], &Carried::default());
+    let layout = Layout::new(garment, &shapes, &[]);
     for panel in &layout.panels {
         out[panel.piece] = super::mirror::is_own_image(&layout, panel);
     }

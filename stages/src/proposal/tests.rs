@@ -1,7 +1,6 @@
 //! Proposals for garments drafted here.
 
 use super::atoms::{Layout, Mark};
-use super::carried::Carried;
 use super::mirror::{ALONE, maps};
 use super::tuning::{CALIBRATION, confidence};
 use super::{Known, Nameless, Proposal, Run, propose};
@@ -95,7 +94,7 @@ fn a_closed_dart_is_one_joint_with_the_angle_of_the_closed_cloth() {
     front.darts.push(dart("waist", DartKind::Wedge, &[(150.0, 400.0)], [(170.0, 500.0), (130.0, 500.0)]));
     let garment = garment(vec![front]);
     let shapes = shapes(&garment).expect("shapes");
-    let layout = Layout::new(&garment, &shapes, &[], &Carried::default());
+    let layout = Layout::new(&garment, &shapes, &[]);
     // Hem, side, two parts of the waist, side: no leg.
     assert_eq!(layout.atoms.len(), 5);
     let joint = layout.atoms.iter().map(|a| a.joint).find(|j| j.mark == Mark::Dart).expect("dart");
@@ -112,7 +111,7 @@ fn mirror_images_are_found_between_pieces_and_within_one() {
     let right: Vec<(f64, f64, char)> = half.iter().rev().map(|(x, y)| (-x, *y, 't')).collect();
     let garment = garment(vec![piece(0, "a", &left), piece(0, "b", &right), panel("c", 300.0)]);
     let shapes = shapes(&garment).expect("shapes");
-    let layout = Layout::new(&garment, &shapes, &[], &Carried::default());
+    let layout = Layout::new(&garment, &shapes, &[]);
     let map = &maps(&layout, &|_, _| false)[0];
     assert_eq!(map.panel, [1, 0, 2]);
     // Every atom is the image of its image, as long, and on the panel that mirrors its own.
@@ -132,88 +131,4 @@ fn a_larger_margin_is_never_less_sure() {
     let steps: Vec<f64> = (0..400).map(|k| confidence(f64::from(k) * 0.05 - 1.0)).collect();
     assert!(steps.windows(2).all(|w| w[1] >= w[0]));
     assert_eq!(confidence(1e9), CALIBRATION[CALIBRATION.len() - 1].1);
-}
-
-/// Where the sides of a seam run, as `piece` and the heights of their ends, mm.
-fn reaches(garment: &Garment, proposal: &Proposal) -> Vec<[(String, i64, i64); 2]> {
-    let side = |runs: &[Run]| {
-        let (first, last) = (&runs[0], &runs[runs.len() - 1]);
-        let mm = |y: f64| (y * 1e3).round() as i64;
-        let (from, to) = (mm(first.ends[0].y), mm(last.ends[1].y));
-        (garment.pieces[first.piece].name.clone(), from.min(to), from.max(to))
-    };
-    let mut out: Vec<_> = proposal
-        .seams
-        .iter()
-        .map(|s| {
-            let mut sides = [side(&s.a), side(&s.b)];
-            sides.sort();
-            sides
-        })
-        .collect();
-    out.sort();
-    out
-}
-
-#[test]
-fn a_side_that_a_dart_parts_on_one_piece_is_sewn_whole_to_the_plain_side_of_the_other() {
-    // The front's sides have a dart of 30 mm at 250 mm; closed, they are as long as those of the back.
-    let mut front = piece(
-        0,
-        "front",
-        &[
-            (0.0, 0.0, 't'),
-            (440.0, 0.0, 't'),
-            (440.0, 250.0, 't'),
-            (330.0, 265.0, 't'),
-            (440.0, 280.0, 't'),
-            (440.0, 400.0, 't'),
-            (360.0, 560.0, 't'),
-            (80.0, 560.0, 't'),
-            (0.0, 400.0, 't'),
-            (0.0, 280.0, 't'),
-            (110.0, 265.0, 't'),
-            (0.0, 250.0, 't'),
-        ],
-    );
-    front.darts.push(dart("left", DartKind::Wedge, &[(330.0, 265.0)], [(440.0, 250.0), (440.0, 280.0)]));
-    front.darts.push(dart("right", DartKind::Wedge, &[(110.0, 265.0)], [(0.0, 280.0), (0.0, 250.0)]));
-    let back = piece(
-        0,
-        "back",
-        &[
-            (0.0, 0.0, 't'),
-            (420.0, 0.0, 't'),
-            (420.0, 370.0, 't'),
-            (350.0, 560.0, 't'),
-            (70.0, 560.0, 't'),
-            (0.0, 370.0, 't'),
-        ],
-    );
-    let garment = garment(vec![front, back]);
-    let proposal = propose(&garment, &Nameless, &Known::default()).expect("proposal");
-    let sewn = reaches(&garment, &proposal);
-    let is_side = |s: &&[(String, i64, i64); 2]| s[0].0 == "back" && s[1].0 == "front" && s[0].2 <= 370;
-    let length: i64 = sewn.iter().filter(is_side).map(|s| s[0].2 - s[0].1).sum();
-    assert_eq!(length, 2 * 370, "{sewn:?}");
-}
-
-#[test]
-fn a_band_without_a_mark_goes_round_front_and_back() {
-    let garment = garment(vec![panel("front", 350.0), panel("back", 390.0), rectangle(0, "band", 740.0, 40.0)]);
-    let proposal = propose(&garment, &Nameless, &Known::default()).expect("proposal");
-    let length = |a: &str, b: &str| -> f64 {
-        let name = |runs: &[Run]| garment.pieces[runs[0].piece].name.clone();
-        let of = proposal.seams.iter().filter(|s| {
-            let mut names = [name(&s.a), name(&s.b)];
-            names.sort();
-            names == [a.to_owned(), b.to_owned()]
-        });
-        of.map(|s| s.length_a).sum()
-    };
-    assert!((length("band", "front") - 0.35).abs() < 1e-6, "{:?}", sewn(&garment, &proposal));
-    assert!((length("back", "band") - 0.39).abs() < 1e-6);
-    // The band is closed to a ring, and the sides of the skirt are sewn.
-    assert!((length("band", "band") - 0.04).abs() < 1e-6);
-    assert!(length("back", "front") > 1.2);
 }

@@ -12,14 +12,6 @@ pub const SAME_MARK: f64 = 2.5e-3;
 pub const CORNER_REACH: f64 = 4e-3;
 /// A corner that turns less is a mark on an edge (radians).
 pub const FLAT_CORNER: f64 = 0.17;
-/// Edges are equally long within this: |ln(length / length)|.
-pub const EQUAL_EDGES: f64 = 0.004;
-/// Most atoms of a parted edge.
-pub const CHAIN_MOST: usize = 4;
-/// The courses of two edges complement each other within this (radians).
-pub const SAME_COURSE: f64 = 0.14;
-/// Carried marks cut off no less (metres).
-pub const LEAST_PART: f64 = 8e-3;
 /// The outlines of a piece and of its mirror image lie apart by no more (metres).
 pub const SAME_OUTLINE: f64 = 0.8e-3;
 /// A notch and its mirror image lie apart by no more (metres).
@@ -214,7 +206,6 @@ impl WholeWeights {
             (1, Mark::Corner) => self.bare_corner,
             (1, Mark::Notch) => self.bare_notch,
             (1, Mark::Dart) => self.bare_dart,
-            (1, Mark::Carried) => 0.0,
             _ => step(&self.open, sum.to_degrees() - 180.0),
         }
     }

@@ -586,16 +586,19 @@ fn seam_ends_a_hair_apart_give_both_sides_equal_counts() {
 }
 
 #[test]
-fn an_internal_line_that_hugs_the_outline_is_left_out_and_said() {
-    // The line leaves the outline under a small angle and comes back: no triangle fits between.
+fn internal_lines_that_hug_each_other_are_left_out_and_said() {
+    // Two lines are the same curve, drawn through other points: whatever the sampling, their chords cross.
+    let curve = |from: f64| -> Vec<(f64, f64)> {
+        let at = |k: u32| from + 5.0 * f64::from(k);
+        (0..40).map(|k| (at(k), 200.0 + 30.0 * libm::sin(at(k) / 60.0))).collect()
+    };
     let mut front = rectangle(0, "front", 300.0, 400.0);
-    let close = line(&[(50.0, 150.0), (5.0, 0.002), (120.0, 0.001), (290.0, 0.002), (290.0, 60.0)]);
-    front.internal_lines = vec![line(&[(50.0, 200.0), (250.0, 220.0)]), close];
+    front.internal_lines = vec![line(&curve(50.0)), line(&curve(52.5))];
     let (meshed, report) = mesh(one(front), 20.0).expect("cloth is not refused for a line nobody asked for");
     let told: Vec<&str> = report.findings.iter().map(|f| f.code.as_str()).collect();
     assert!(told.contains(&"internal-line-too-close"), "{told:?}");
     let chains = &meshed.pieces[0].mesh.as_ref().expect("mesh").chains;
     let lines: Vec<u32> = chains.iter().filter(|c| c.kind == ChainKind::InternalLine).map(|c| c.index).collect();
-    assert_eq!(lines, [0]);
+    assert!(lines.len() < 2, "{lines:?}");
     assert_eq!(missing(&meshed.pieces[0]), 0);
 }
