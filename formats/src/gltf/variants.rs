@@ -26,7 +26,7 @@ pub fn push(root: &mut json::Root, buffer: &mut Buffer, textures: &Textures) {
     let names = std::iter::once(OWN).chain(textures.colourways.iter().map(|c| c.name.as_str()));
     let variants: Vec<Value> = names.map(|name| json!({ "name": name })).collect();
     let others = [(VARIANTS.to_owned(), json!({ "variants": variants }))].into_iter().collect();
-    root.extensions = Some(json::extensions::root::Root { others, ..Default::default() });
+    root.extensions = Some(json::extensions::root::Root { others });
 }
 
 /// The materials of one part in all variants; `None` without colourways.
@@ -36,5 +36,5 @@ pub fn of_part(textures: Option<&Textures>, material: u32) -> Option<json::exten
     let mapping = |k: usize| json!({ "material": material as usize + k * step, "variants": [k] });
     let mappings: Vec<Value> = (0..=textures.colourways.len()).map(mapping).collect();
     let others: Map<String, Value> = [(VARIANTS.to_owned(), json!({ "mappings": mappings }))].into_iter().collect();
-    Some(json::extensions::mesh::Primitive { others, ..Default::default() })
+    Some(json::extensions::mesh::Primitive { others })
 }

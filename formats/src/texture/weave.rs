@@ -96,7 +96,7 @@ fn relief(weave: Weave) -> Relief {
         Weave::Satin => woven([5, 5], |end, pick| (2 * end + pick) % 5 != 0),
         Weave::Crepe => woven([8, 8], |end, pick| CREPE[pick % 8] >> (end % 8) & 1 == 1),
         Weave::Jersey => Relief::of([2, 2], loops),
-        Weave::Pile => Relief::of([8, 8], |x, y| fibres(x, y)),
+        Weave::Pile => Relief::of([8, 8], fibres),
         Weave::Cord => Relief::of([8, 8], |x, y| {
             let across = (x as f64 + 0.5) / (8 * YARN) as f64;
             3.0 * libm::sin(std::f64::consts::PI * across) + 0.5 * fibres(x, y)

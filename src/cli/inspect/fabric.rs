@@ -13,11 +13,20 @@ const STRAINS: [f64; 5] = [0.005, 0.01, 0.02, 0.05, 0.1];
 /// Facts about a fabric file.
 pub fn inspect(source: &Source<'_>) -> Result<Inspected, Vec<Diagnostic>> {
     let text = String::from_utf8_lossy(source.bytes);
+    if !is_fabric(&text) {
+        return Err(vec![super::no_reader(source.name)]);
+    }
     let fabric = fabric::read(&text, source.name)?;
     let figures = fabric_check::figures(&fabric);
     let findings = fabric_check::doubts(&fabric, source.name);
     let svg = source.draw.then(|| toile_stages::fabric_test::picture::tension(&fabric));
     Ok(Inspected { json: json(&fabric, &figures), text: words(&fabric, &figures), svg, findings, is_usable: true })
+}
+
+/// Has a text the keys of a fabric? Text that is no TOML is left to the reader, which says what is wrong.
+fn is_fabric(text: &str) -> bool {
+    let table = text.parse::<toml::Table>();
+    table.map_or(true, |t| ["areal_mass", "method", "kes", "fast"].iter().any(|key| t.contains_key(*key)))
 }
 
 fn curves(fabric: &Fabric) -> [(&'static str, Vec<[f64; 2]>); 2] {

@@ -73,10 +73,11 @@ fn per_vertex(garment: &Garment, number: impl Fn(&Bend, Option<&Fabric>) -> f64)
     let surfaces: Vec<_> =
         pieces.iter().zip(&meshes).map(|((_, at), m)| (at.as_slice(), m.triangles.as_slice())).collect();
     let normals = smooth_normals(&surfaces);
-    let of = |(((piece, at), mesh), normals): ((&(&Piece, &Vec<Vec3>), &PieceMesh), &Vec<Vec3>)| {
+    let of = |i: usize| {
+        let ((piece, at), mesh) = (&pieces[i], &meshes[i]);
         let mut sums = vec![[0.0; 2]; at.len()];
         for (k, t) in mesh.triangles.iter().enumerate() {
-            let Some(bend) = bend(mesh, k, *t, at, normals, piece.warp()) else { continue };
+            let Some(bend) = bend(mesh, k, *t, at, &normals[i], piece.warp()) else { continue };
             let value = number(&bend, garment.fabric_of(piece));
             for v in t {
                 sums[*v as usize][0] += value * bend.area;
@@ -85,7 +86,7 @@ fn per_vertex(garment: &Garment, number: impl Fn(&Bend, Option<&Fabric>) -> f64)
         }
         sums.iter().map(|[sum, area]| if *area > 0.0 { sum / area } else { f64::NAN }).collect()
     };
-    Some(pieces.iter().zip(&meshes).zip(&normals).map(of).collect())
+    Some((0..pieces.len()).map(of).collect())
 }
 
 fn bend(mesh: &PieceMesh, k: usize, t: [u32; 3], at: &[Vec3], normals: &[Vec3], warp: Vec2) -> Option<Bend> {

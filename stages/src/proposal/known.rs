@@ -34,20 +34,23 @@ impl Decisions {
         !self.given[atom].is_empty()
     }
 
+    /// Does a person leave an atom open, whose proposed seam he or she took out?
+    fn is_left_open(&self, atom: usize) -> bool {
+        !self.declined[atom].is_empty() && !self.is_given(atom)
+    }
+
     /// Added to the score of a pair.
     pub fn score(&self, pair: Pair) -> f64 {
-        let of = |list: &[Vec<Option<usize>>]| {
-            let points = || list[pair.a].iter().map(|b| *b == Some(pair.b));
-            let more = list[pair.b].iter().filter(|a| **a != Some(pair.a)).count();
-            (points().filter(|m| *m).count(), points().count() + more)
-        };
-        let ((given, of_given), (declined, of_declined)) = (of(&self.given), of(&self.declined));
-        let sewn = match of_given {
+        let points = || self.given[pair.a].iter().map(|b| *b == Some(pair.b));
+        let more = self.given[pair.b].iter().filter(|a| **a != Some(pair.a)).count();
+        let (given, all) = (points().filter(|m| *m).count(), points().count() + more);
+        let sewn = match all {
             0 => 0.0,
             n if 2 * given > n => self.weights.given,
             _ => self.weights.against,
         };
-        sewn + if 2 * declined > of_declined { self.weights.against } else { 0.0 }
+        let is_left_open = self.is_left_open(pair.a) || self.is_left_open(pair.b);
+        sewn + if is_left_open { self.weights.against } else { 0.0 }
     }
 }
 
