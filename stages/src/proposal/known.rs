@@ -35,7 +35,7 @@ impl Decisions {
     }
 
     /// Does a person leave an atom open, whose proposed seam he or she took out?
-    fn is_left_open(&self, atom: usize) -> bool {
+    pub fn is_left_open(&self, atom: usize) -> bool {
         !self.declined[atom].is_empty() && !self.is_given(atom)
     }
 

@@ -98,9 +98,10 @@ pub fn propose(garment: &Garment, names: &dyn Names, known: &Known) -> Result<Pr
     let whole_weights = WholeWeights::default();
     let whole = Whole::new(&layout, mirror, pairs, &whole_weights);
     let margins = margins(&layout, &whole, &mut found);
-    let seams = seams(garment, &shapes, &layout, &margins);
+    let mut seams = seams(garment, &shapes, &layout, &margins);
     let bare = bare(garment, &layout, &found.assignment);
     let decisions = Decisions::new(&layout, known);
+    seams.retain(|s| !s.atoms.iter().flatten().any(|a| decisions.is_left_open(*a)));
     let is_given = |s: &ProposedSeam| s.atoms.iter().flatten().any(|a| decisions.is_given(*a));
     let given = seams.iter().map(is_given).collect();
     Ok(Proposal { seams, given, bare, layout })
