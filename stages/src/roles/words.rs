@@ -176,7 +176,21 @@ pub const WORDS: &[(Meaning, [&[&str]; 10])] = &[
     (
         P(Part::Collar),
         [
-            &["collar", "collor", "turtle", "lapel", "neckband", "neck band", "co", "col", "clr", "nk", "nb", "nr", "rn"],
+            &[
+                "collar",
+                "collor",
+                "turtle",
+                "lapel",
+                "neckband",
+                "neck band",
+                "co",
+                "col",
+                "clr",
+                "nk",
+                "nb",
+                "nr",
+                "rn",
+            ],
             &["领", "領"],
             &["kragen", "halsbund"],
             &["col", "encolure"],
