@@ -8,13 +8,7 @@ use toile_stages::proposal::{Proposal, ProposedSeam, Run};
 
 /// The document. Lengths are millimetres in the coordinates of the DXF block.
 #[must_use]
-pub fn document(
-    source: &Source,
-    proposal: &Proposal,
-    dressed: &Dressed,
-    declined: &[Value],
-    is_anonymous: bool,
-) -> Value {
+pub fn document(source: &Source, proposal: &Proposal, dressed: &Dressed, is_anonymous: bool) -> Value {
     let garment = &source.garment;
     let pieces: Vec<Value> = garment
         .pieces
@@ -41,19 +35,14 @@ pub fn document(
         })
         .collect();
     unresolved.sort_by_key(|u| (u["piece"].as_str().unwrap_or_default().to_owned(), u["edge"].as_u64()));
-    let mut out = json!({
+    json!({
         "toile": env!("CARGO_PKG_VERSION"),
         "pattern": source.file_name(),
         "pieces": pieces,
         "seams": seams,
         "places": places(source, dressed),
         "unresolved": unresolved,
-    });
-    // Seams that were proposed once and that a person took out.
-    if !declined.is_empty() {
-        out["declined"] = declined.into();
-    }
-    out
+    })
 }
 
 /// Where the pieces lie: rotation, and translation in millimetres.

@@ -45,7 +45,7 @@ fn join(seam: &ProposedSeam) -> Join {
 }
 
 /// The point of a side at a distance from its start.
-pub(super) fn at(runs: &[Run], mut way: f64) -> Option<PiecePoint> {
+fn at(runs: &[Run], mut way: f64) -> Option<PiecePoint> {
     for run in runs {
         for w in run.points.windows(2) {
             let length = (w[1] - w[0]).norm();

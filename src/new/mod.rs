@@ -60,11 +60,11 @@ pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
     let source = order.source;
     let names: Box<dyn Names> =
         if order.is_anonymous { Box::new(Nameless) } else { Box::new(RoleNames::new(&source.garment)) };
-    let (known, declined) = order.earlier.map(|e| e.decisions(source)).transpose()?.unwrap_or_default();
+    let known = order.earlier.map(|e| e.decisions(source)).transpose()?.unwrap_or_default();
     let proposal = propose(&source.garment, names.as_ref(), &known)?;
     let body = order.body.model()?;
     let dressed = dress::dress(source, &proposal, body.as_ref(), order.is_anonymous);
-    let document = document::document(source, &proposal, &dressed, &declined, order.is_anonymous);
+    let document = document::document(source, &proposal, &dressed, order.is_anonymous);
     let open = sewing::missing(&proposal).filter(|s| s.confidence < sewing::LEAST_SURE).count();
     let mut folder = Folder::default();
     folder.add(&source.file_name(), source.bytes.clone());

@@ -164,7 +164,7 @@ fn close(start: &Scene, params: &DrapeParams, cx: &mut StageContext<'_>) -> Resu
         integrator: params.integrator.into(),
         ..Settings::sewing()
     };
-    if widest <= settings.sewing.closed_distance {
+    if widest <= settings.stitches.closed_distance {
         return Ok(start.positions.clone());
     }
     Ok(toile_cloth::sew(start, &settings, &mut Follow::new(cx))?.positions)

@@ -95,7 +95,7 @@ impl Progress for () {
     fn update(&mut self, _: u64, _: u64, _: &str) {}
 }
 
-/// What the engine lends to a running stage.
+/// Findings, progress and files that the engine lends to a running stage.
 pub struct StageContext<'a> {
     /// Findings.
     pub report: &'a mut Report,

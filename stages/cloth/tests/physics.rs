@@ -24,6 +24,12 @@ fn still() -> Settings {
     }
 }
 
+/// The same settings with other explicit steps.
+fn stepping(mut settings: Settings, change: impl FnOnce(&mut ExplicitSteps)) -> Settings {
+    change(&mut settings.explicit);
+    settings
+}
+
 /// In time, by the paper's scheme.
 fn moving() -> Settings {
     Settings { integrator: Integrator::CentralDifference, ..still() }
@@ -49,12 +55,7 @@ fn a_hanging_linear_sheet_stretches_by_the_closed_form() {
     for (model, good) in [(Model::Coupled, 2e-3), (Model::Springs, 0.12)] {
         let mut scene = sheet(0.1, length, 4, 20, linear(sigma, k, k, 1e-3), |x, y| Vec3::new(x, y, 0.0));
         hang(&mut scene, 4, 20);
-        let out = drape(
-            &scene,
-            &Settings { model, explicit: ExplicitSteps { damping: 40.0, ..still().explicit }, ..still() },
-            &mut Silent,
-        )
-        .unwrap();
+        let out = drape(&scene, &stepping(Settings { model, ..still() }, |e| e.damping = 40.0), &mut Silent).unwrap();
         assert!(out.settled);
         let expected = sigma * G * length * length / (2.0 * k);
         let got = elongation(&out.positions, 4);
@@ -78,12 +79,7 @@ fn a_hanging_exponential_sheet_stretches_by_the_closed_form() {
         let share = if i == 0 || i == nx { 0.5 } else { 1.0 } / f64::from(nx);
         scene.loads.push(toile_cloth::Load { vertex: i, force: Vec3::new(0.0, -load * width * share, 0.0) });
     }
-    let out = drape(
-        &scene,
-        &Settings { explicit: ExplicitSteps { damping: 60.0, ..still().explicit }, ..still() },
-        &mut Silent,
-    )
-    .unwrap();
+    let out = drape(&scene, &stepping(still(), |e| e.damping = 60.0), &mut Silent).unwrap();
     let f = |t: f64| ((1.0 + b * t / k0) * libm::log1p(b * t / k0) - b * t / k0) * k0 / (b * b);
     let w = sigma * G;
     let expected = (f(load + w * length) - f(load)) / w;
@@ -100,10 +96,11 @@ fn the_strain_limit_carries_what_the_curve_does_not() {
     let (nx, ny) = (4, 25);
     let mut scene = sheet(0.1, length, nx, ny, m, |x, y| Vec3::new(x, y, 0.0));
     hang(&mut scene, nx, ny);
-    let settings = Settings {
-        explicit: ExplicitSteps { damping: 20.0, speed_tolerance: 1e-4, energy_tolerance: 1e-5, ..still().explicit },
-        ..still()
-    };
+    let settings = stepping(still(), |e| {
+        e.damping = 20.0;
+        e.speed_tolerance = 1e-4;
+        e.energy_tolerance = 1e-5;
+    });
     let out = drape(&scene, &settings, &mut Silent).unwrap();
     assert!(out.settled);
     let w = sigma * G;
@@ -174,10 +171,11 @@ fn a_strip_between_two_pins_hangs_in_a_catenary() {
     for v in [0, n, n + 1, 2 * n + 1] {
         scene.pins.push(Pin { vertex: v, at: scene.positions[v as usize] });
     }
-    let settings = Settings {
-        explicit: ExplicitSteps { damping: 15.0, speed_tolerance: 1e-4, energy_tolerance: 1e-4, ..still().explicit },
-        ..still()
-    };
+    let settings = stepping(still(), |e| {
+        e.damping = 15.0;
+        e.speed_tolerance = 1e-4;
+        e.energy_tolerance = 1e-4;
+    });
     let out = drape(&scene, &settings, &mut Silent).unwrap();
     assert!(out.settled);
     let sag = -out.positions.iter().map(|p| p.y).fold(0.0, f64::min);
@@ -188,8 +186,10 @@ fn a_strip_between_two_pins_hangs_in_a_catenary() {
 fn free_fall_follows_gravity_and_keeps_the_shape() {
     let mut scene = sheet(0.2, 0.2, 6, 6, linear(0.15, 800.0, 500.0, 40.0), |x, y| Vec3::new(x, 0.0, y));
     scene.gravity = Vec3::new(0.0, -G, 0.0);
-    let settings =
-        Settings { explicit: ExplicitSteps { damping: 0.0, max_seconds: 0.3, ..moving().explicit }, ..moving() };
+    let settings = stepping(moving(), |e| {
+        e.damping = 0.0;
+        e.max_seconds = 0.3;
+    });
     let out = drape(&scene, &settings, &mut Silent).unwrap();
     assert_eq!(out.stop_reason, StopReason::MaxSeconds);
     // Started at rest by X(−Δt) = X(0): the sum of the steps is ½ g t (t + Δt).
@@ -202,7 +202,10 @@ fn free_fall_follows_gravity_and_keeps_the_shape() {
     let c = 3.0;
     let dragged = drape(
         &scene,
-        &Settings { explicit: ExplicitSteps { damping: c, max_seconds: 0.3, ..settings.explicit }, ..settings },
+        &stepping(settings, |e| {
+            e.damping = c;
+            e.max_seconds = 0.3;
+        }),
         &mut Silent,
     )
     .unwrap();
@@ -220,11 +223,10 @@ fn inner_forces_keep_momentum() {
         for (i, p) in (0u32..).zip(&mut scene.positions) {
             *p += Vec3::new(noise(3 * i), noise(3 * i + 1), noise(3 * i + 2)) * 3e-3;
         }
-        let settings = Settings {
-            model,
-            explicit: ExplicitSteps { max_seconds: 0.05, damping: 0.0, ..moving().explicit },
-            ..moving()
-        };
+        let settings = stepping(Settings { model, ..moving() }, |e| {
+            e.max_seconds = 0.05;
+            e.damping = 0.0;
+        });
         let out = drape(&scene, &settings, &mut Silent).unwrap();
         let mut mass = vec![0.0; scene.positions.len()];
         for t in &scene.triangles {
@@ -254,15 +256,11 @@ fn a_cantilever_bends_by_its_length_over_bending_length() {
         let mut scene = regular(5, n, side, m);
         scene.gravity = Vec3::new(0.0, -G, 0.0);
         scene.pins = (0..12).map(|v| Pin { vertex: v, at: scene.positions[v as usize] }).collect();
-        let settings = Settings {
-            explicit: ExplicitSteps {
-                damping: 30.0,
-                speed_tolerance: 2e-5,
-                energy_tolerance: 1e-6,
-                ..still().explicit
-            },
-            ..still()
-        };
+        let settings = stepping(still(), |e| {
+            e.damping = 30.0;
+            e.speed_tolerance = 2e-5;
+            e.energy_tolerance = 1e-6;
+        });
         let out = drape(&scene, &settings, &mut Silent).unwrap();
         let tip = out.positions[out.positions.len() - 3];
         let ratio = -tip.y / (tip.z - 0.5 * row);
@@ -292,27 +290,15 @@ fn slope(angle: f64) -> Scene {
 #[test]
 fn friction_holds_below_the_slope_angle_and_slides_by_the_law_above() {
     let critical = libm::atan(0.3);
-    let settings = Settings {
-        explicit: ExplicitSteps {
-            damping: 0.0,
-            max_seconds: 0.5,
-            energy_tolerance: 0.0,
-            speed_tolerance: 0.0,
-            ..moving().explicit
-        },
-        ..moving()
-    };
+    let settings = stepping(moving(), |e| {
+        e.damping = 0.0;
+        e.max_seconds = 0.5;
+        e.energy_tolerance = 0.0;
+        e.speed_tolerance = 0.0;
+    });
     let run = |angle: f64, seconds: f64| {
         let scene = slope(angle);
-        let out = drape(
-            &scene,
-            &Settings {
-                explicit: ExplicitSteps { max_seconds: seconds, ..settings.clone().explicit },
-                ..settings.clone()
-            },
-            &mut Silent,
-        )
-        .unwrap();
+        let out = drape(&scene, &stepping(settings.clone(), |e| e.max_seconds = seconds), &mut Silent).unwrap();
         let (s, c) = libm::sincos(angle);
         ((out.positions[12] - scene.positions[12]).dot(&Vec3::new(c, -s, 0.0)), out.seconds)
     };
@@ -333,33 +319,21 @@ fn the_step_bound_is_safe_and_not_wasteful() {
     for (i, p) in (0u32..).zip(&mut scene.positions) {
         *p += Vec3::new(noise(2 * i), 0.0, noise(2 * i + 1)) * 1e-5;
     }
-    let base = Settings {
-        explicit: ExplicitSteps {
-            damping: 0.0,
-            stiffness_damping: 0.0,
-            max_steps: 20_000,
-            max_seconds: 1e3,
-            ..moving().explicit
-        },
-        ..moving()
-    };
-    let base =
-        Settings { explicit: ExplicitSteps { energy_tolerance: 0.0, speed_tolerance: 0.0, ..base.explicit }, ..base };
+    let base = stepping(moving(), |e| {
+        e.damping = 0.0;
+        e.stiffness_damping = 0.0;
+        e.max_steps = 20_000;
+        e.max_seconds = 1e3;
+    });
+    let base = stepping(base, |e| {
+        e.energy_tolerance = 0.0;
+        e.speed_tolerance = 0.0;
+    });
     let start = certify(&scene, &base, &scene.positions).unwrap().energy;
-    let calm = drape(
-        &scene,
-        &Settings { explicit: ExplicitSteps { step_fraction: 0.99, ..base.clone().explicit }, ..base.clone() },
-        &mut Silent,
-    )
-    .unwrap();
+    let calm = drape(&scene, &stepping(base.clone(), |e| e.step_fraction = 0.99), &mut Silent).unwrap();
     assert!(calm.energy <= start * 1.3, "{} J from {start} J", calm.energy);
     let full = calm.seconds / calm.steps as f64;
-    let wild = drape(
-        &scene,
-        &Settings { explicit: ExplicitSteps { step_fraction: 1.6, ..base.explicit }, ..base },
-        &mut Silent,
-    )
-    .unwrap();
+    let wild = drape(&scene, &stepping(base, |e| e.step_fraction = 1.6), &mut Silent).unwrap();
     assert!(wild.energy.is_finite() && wild.energy < 10.0 * start, "{} J from {start} J", wild.energy);
     let halved = wild.seconds / wild.steps as f64;
     assert!(halved < 1.5 * full, "the step was halved: {halved} against {full}");
@@ -389,11 +363,9 @@ fn a_far_piece_changes_nothing() {
     let mut one = sheet(0.2, 0.2, 8, 8, cotton(), |x, y| Vec3::new(x, 0.0, y));
     one.gravity = Vec3::new(0.0, -G, 0.0);
     one.pins = vec![Pin { vertex: 0, at: one.positions[0] }, Pin { vertex: 8, at: one.positions[8] }];
-    let settings = Settings {
-        integrator: Integrator::CentralDifference,
-        explicit: ExplicitSteps { max_seconds: 0.2, ..Settings::default().explicit },
-        ..Settings::default()
-    };
+    let settings = stepping(Settings { integrator: Integrator::CentralDifference, ..Settings::default() }, |e| {
+        e.max_seconds = 0.2
+    });
     let alone = drape(&one, &settings, &mut Silent).unwrap();
     let mut two = one.clone();
     let other = sheet(0.2, 0.2, 8, 8, cotton(), |x, y| Vec3::new(x + 10.0, 0.0, y));

@@ -17,8 +17,8 @@ pub use dresser::Segment;
 pub use form::Form;
 pub use sheet::Sheet;
 
-use crate::roles::outline::{Polygon, turned};
-use crate::roles::{Join, Part, Role, turn_of_file, turned_joins};
+use crate::roles::outline::turned;
+use crate::roles::{Join, Part, Role, Upright};
 use dresser::Dresser;
 use facing::Lie;
 use toile_garment::body::Body;
@@ -94,14 +94,12 @@ pub fn arrange(
     given: Vec<Option<Sheet>>,
 ) -> Arrangement {
     // Everything is worked out with upright pieces. The sheets take in the turn at the end.
-    let turn = turn_of_file(pieces);
-    let outlines: Vec<Polygon> = pieces.iter().map(|p| Polygon::of(p).map(|q| turned(q, turn))).collect();
+    let Upright { turn, outlines, joins } = Upright::of(pieces, joins);
     let upright = |mut sheet: Sheet| {
         sheet.turn -= turn;
         sheet
     };
     let given = given.into_iter().map(|sheet| sheet.map(upright)).collect();
-    let joins = turned_joins(joins, turn);
     let mut d = Dresser::new(outlines, roles, &joins, Form::of(body), given);
     let mut order: Vec<usize> = (0..pieces.len()).filter(|i| d.is_given[*i]).collect();
     for i in order.clone() {

@@ -1,6 +1,7 @@
 //! A shirt and trousers of straight pieces, with and without names.
 
 use super::*;
+use crate::roles::outline::Polygon;
 use crate::roles::{Facing, PiecePoint, roles};
 use crate::testing::{piece, v};
 use toile_garment::Vec2;

@@ -34,7 +34,7 @@ impl Atom {
         self.along[0].abs() < 0.5
     }
 
-    /// Is it a lower edge? It runs from left to right, the cloth above it: a quarter turn to the right of the warp.
+    /// Is it a lower edge? Such an edge runs from left to right with the cloth above it, across the warp.
     pub fn is_low(&self) -> bool {
         self.is_across() && self.along[1] < 0.0
     }

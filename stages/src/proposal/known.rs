@@ -1,4 +1,4 @@
-//! What a person decided before: seams that are given, and seams that were proposed and taken out.
+//! What a person decided before: seams that are given, and pieces whose open edges stay open.
 
 use super::atoms::{Atom, Layout};
 use super::pairs::Pair;
@@ -11,22 +11,22 @@ use crate::sewing::ring::{arcs, nearest_on};
 pub struct Known {
     /// Points that are sewn to each other.
     pub given: Vec<[PiecePoint; 2]>,
-    /// Points that a proposal sewed to each other, and a person does not.
-    pub declined: Vec<[PiecePoint; 2]>,
+    /// Pieces that a person decided on, by number. No seam between two of them is new.
+    pub decided: Vec<usize>,
 }
 
 /// Decisions, for the atoms of one layout.
 pub struct Decisions {
     given: Vec<Vec<Option<usize>>>,
-    declined: Vec<Vec<Option<usize>>>,
+    is_decided: Vec<bool>,
     weights: DecisionWeights,
 }
 
 impl Decisions {
     /// For one layout.
     pub fn new(layout: &Layout, known: &Known) -> Self {
-        let met = |pairs: &[[PiecePoint; 2]]| met(layout, pairs);
-        Self { given: met(&known.given), declined: met(&known.declined), weights: DecisionWeights::default() }
+        let is_decided = layout.atoms.iter().map(|a| known.decided.contains(&layout.panels[a.panel].piece)).collect();
+        Self { given: met(layout, &known.given), is_decided, weights: DecisionWeights::default() }
     }
 
     /// Is a part of an atom sewn already?
@@ -34,9 +34,9 @@ impl Decisions {
         !self.given[atom].is_empty()
     }
 
-    /// Does a person leave an atom open, whose proposed seam he or she took out?
-    pub fn is_left_open(&self, atom: usize) -> bool {
-        !self.declined[atom].is_empty() && !self.is_given(atom)
+    /// Are all these atoms on pieces that a person decided on?
+    pub fn are_decided<'a>(&self, mut atoms: impl Iterator<Item = &'a usize>) -> bool {
+        atoms.all(|a| self.is_decided[*a])
     }
 
     /// Added to the score of a pair.
@@ -44,13 +44,12 @@ impl Decisions {
         let points = || self.given[pair.a].iter().map(|b| *b == Some(pair.b));
         let more = self.given[pair.b].iter().filter(|a| **a != Some(pair.a)).count();
         let (given, all) = (points().filter(|m| *m).count(), points().count() + more);
-        let sewn = match all {
+        match all {
+            0 if self.are_decided([pair.a, pair.b].iter()) => self.weights.against,
             0 => 0.0,
             n if 2 * given > n => self.weights.given,
             _ => self.weights.against,
-        };
-        let is_left_open = self.is_left_open(pair.a) || self.is_left_open(pair.b);
-        sewn + if is_left_open { self.weights.against } else { 0.0 }
+        }
     }
 }
 
@@ -76,14 +75,4 @@ fn holds(layout: &Layout, atom: &Atom, point: PiecePoint) -> bool {
     let (way, off) = nearest_on(&atom.points, &arcs(&atom.points, false), false, point.at);
     let reach = DecisionWeights::REACH;
     off < reach && way > reach && way < atom.length - reach
-}
-
-/// Do two lists of points that meet tell the same seam? Most points of the first lie on the second.
-#[must_use]
-pub fn tell_the_same(of: &[[PiecePoint; 2]], others: &[[PiecePoint; 2]]) -> bool {
-    let near = |p: PiecePoint, q: PiecePoint| p.piece == q.piece && (p.at - q.at).norm() < DecisionWeights::SAME_STITCH;
-    let is_known = |[p, q]: &&[PiecePoint; 2]| {
-        others.iter().any(|[r, s]| near(*p, *r) && near(*q, *s) || near(*p, *s) && near(*q, *r))
-    };
-    2 * of.iter().filter(is_known).count() > of.len()
 }

@@ -19,7 +19,7 @@ pub mod search;
 pub mod tuning;
 pub mod whole;
 
-pub use known::{Known, tell_the_same};
+pub use known::Known;
 pub use names::RoleNames;
 pub use propose::{Bare, Nameless, Names, Proposal, own_images, propose};
 pub use seams::{ProposedSeam, Run};

@@ -83,7 +83,8 @@ pub struct Proposal {
     pub layout: Layout,
 }
 
-/// Proposes the seams of a garment. Seams that a person gave are part of it; what he or she took out is not.
+/// Proposes the seams of a garment. Seams that a person gave are part of it. Between pieces that he or she decided on,
+/// no other seam is.
 ///
 /// # Errors
 /// Outlines that cannot be sewn.
@@ -101,8 +102,8 @@ pub fn propose(garment: &Garment, names: &dyn Names, known: &Known) -> Result<Pr
     let mut seams = seams(garment, &shapes, &layout, &margins);
     let bare = bare(garment, &layout, &found.assignment);
     let decisions = Decisions::new(&layout, known);
-    seams.retain(|s| !s.atoms.iter().flatten().any(|a| decisions.is_left_open(*a)));
     let is_given = |s: &ProposedSeam| s.atoms.iter().flatten().any(|a| decisions.is_given(*a));
+    seams.retain(|s| is_given(s) || !decisions.are_decided(s.atoms.iter().flatten()));
     let given = seams.iter().map(is_given).collect();
     Ok(Proposal { seams, given, bare, layout })
 }

@@ -314,8 +314,6 @@ pub struct DecisionWeights {
 impl DecisionWeights {
     /// A point lies on an edge within this, and no nearer to its ends (metres).
     pub const REACH: f64 = 1e-3;
-    /// Two stitches are one within this (metres).
-    pub const SAME_STITCH: f64 = 15e-3;
 }
 
 impl Default for DecisionWeights {

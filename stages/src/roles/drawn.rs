@@ -1,4 +1,4 @@
-//! The turn that brings the pieces of a file upright.
+//! Pieces and seams of a file, turned upright.
 //!
 //! Many systems draw their pieces lying, with the grain along x, as they lie on the cutting table. All pieces of a
 //! file are turned alike.
@@ -9,14 +9,38 @@ use crate::body::section::hull;
 use std::f64::consts::FRAC_PI_2;
 use toile_garment::{Piece, Vec2};
 
-/// The turn of all pieces that brings them upright, rad, counter-clockwise: 0 or a quarter to either side.
+/// The outlines and the seams of a file after the turn that brings its pieces upright.
+#[derive(Clone, Debug)]
+pub struct Upright {
+    /// The turn of all pieces, rad, counter-clockwise: 0 or a quarter to either side.
+    pub turn: f64,
+    /// Turned outlines, in the order of the pieces.
+    pub outlines: Vec<Polygon>,
+    /// Seams between the turned pieces.
+    pub joins: Vec<Join>,
+}
+
+impl Upright {
+    /// Turns all pieces and seams alike.
+    #[must_use]
+    pub fn of(pieces: &[Piece], joins: &[Join]) -> Self {
+        let drawn: Vec<Polygon> = pieces.iter().map(Polygon::of).collect();
+        let turn = turn(pieces, &drawn);
+        let outlines = drawn.iter().map(|outline| outline.map(|p| turned(p, turn))).collect();
+        let mut joins = joins.to_vec();
+        for point in joins.iter_mut().flat_map(|j| &mut j.pairs).flatten() {
+            point.at = turned(point.at, turn);
+        }
+        Self { turn, outlines, joins }
+    }
+}
+
+/// The turn that brings pieces upright.
 ///
 /// Pieces lie where most of their area has its grain nearer to x than to y. Then the upper end is the one with the
 /// hollows of the outlines: necklines, armholes and crotches lie in the upper half of a piece.
-#[must_use]
-pub fn turn_of_file(pieces: &[Piece]) -> f64 {
-    let outlines: Vec<Polygon> = pieces.iter().map(Polygon::of).collect();
-    let grained = || pieces.iter().zip(&outlines).filter(|(p, _)| p.grain.is_some());
+fn turn(pieces: &[Piece], outlines: &[Polygon]) -> f64 {
+    let grained = || pieces.iter().zip(outlines).filter(|(p, _)| p.grain.is_some());
     let area = |lying: bool| -> f64 {
         let lies = |p: &Piece| p.warp().x.abs() > p.warp().y.abs();
         grained().filter(|(p, _)| lies(p) == lying).map(|(_, outline)| outline.area()).sum()
@@ -28,23 +52,14 @@ pub fn turn_of_file(pieces: &[Piece]) -> f64 {
     if to_the_right < 0.0 { -FRAC_PI_2 } else { FRAC_PI_2 }
 }
 
-/// Moment of the hollows of an outline about the middle of its bounds, m³: of what its convex hull has more.
+/// Moment of the hollows of an outline about the middle of its bounds, m³. A hollow is a part of the convex hull that
+/// the outline leaves out.
 fn hollows(outline: &Polygon) -> Vec2 {
     let hull = Polygon { points: hull(outline.points.clone()) };
     let [low, high] = outline.bounds();
     let middle = (low + high) * 0.5;
     let moment = |p: &Polygon| (p.centroid() - middle) * p.area();
     if outline.points.is_empty() { Vec2::zeros() } else { moment(&hull) - moment(outline) }
-}
-
-/// Seams between turned pieces.
-#[must_use]
-pub fn turned_joins(joins: &[Join], turn: f64) -> Vec<Join> {
-    let mut joins = joins.to_vec();
-    for point in joins.iter_mut().flat_map(|j| &mut j.pairs).flatten() {
-        point.at = turned(point.at, turn);
-    }
-    joins
 }
 
 #[cfg(test)]
@@ -66,9 +81,10 @@ mod tests {
     #[test]
     fn lying_pieces_are_turned_by_a_quarter_and_upright_ones_are_not() {
         let quarter = FRAC_PI_2;
-        assert_eq!(turn_of_file(&[front(quarter)]), 0.0);
-        assert_eq!(turn_of_file(&[front(0.0)]), quarter);
-        assert_eq!(turn_of_file(&[front(2.0 * quarter)]), -quarter);
-        assert_eq!(turn_of_file(&[Piece::default()]), 0.0);
+        let turn = |piece: Piece| Upright::of(&[piece], &[]).turn;
+        assert_eq!(turn(front(quarter)), 0.0);
+        assert_eq!(turn(front(0.0)), quarter);
+        assert_eq!(turn(front(2.0 * quarter)), -quarter);
+        assert_eq!(turn(Piece::default()), 0.0);
     }
 }

@@ -9,7 +9,7 @@ pub(crate) mod outline;
 mod seams;
 mod words;
 
-pub use drawn::{turn_of_file, turned_joins};
+pub use drawn::Upright;
 pub use joins::{Join, PiecePoint, joins_of_meshes, joins_of_plan};
 pub use names::{folded, role_of_text, roles_of_names};
 pub use words::{Meaning, WORDS};
@@ -186,8 +186,8 @@ impl Role {
     }
 }
 
-/// Roles of all pieces, in their order. `joins` tells who is sewn to whom, as far as it is known. Pieces may lie as they
-/// lie on the cutting table ([`turn_of_file`]).
+/// Roles of all pieces, in their order. `joins` tells who is sewn to whom, as far as it is known. Pieces may be
+/// drawn lying ([`Upright`]).
 #[must_use]
 pub fn roles(pieces: &[Piece], joins: &[Join]) -> Vec<Role> {
     seams::complete(pieces, roles_of_names(pieces), joins)

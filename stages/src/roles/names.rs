@@ -4,7 +4,7 @@ use super::words::{Meaning, WORDS};
 use super::{Facing, Lateral, Part, Role};
 use toile_garment::Piece;
 
-/// Least length of a shared beginning of all names that names the style, bytes.
+/// Shortest name of a style before the names of all pieces, bytes.
 const STYLE_LEAST: usize = 3;
 /// Longest word that must be a whole word of a name, characters.
 const CODE_MOST: usize = 3;
@@ -20,8 +20,8 @@ const LETTER: f64 = 0.65;
 pub fn roles_of_names(pieces: &[Piece]) -> Vec<Role> {
     let style = style_end(pieces);
     let role = |piece: &Piece| {
-        let texts = [Some(role_after_style(&piece.name, style)), piece.category.as_deref().map(role_of_text)];
-        let role = texts.into_iter().flatten().fold(Role::default(), |r, told| r.filled_by(&told));
+        let category = piece.category.as_deref().map(role_of_text).unwrap_or_default();
+        let role = role_after_style(&piece.name, style).filled_by(&category);
         // An annotation speaks of other pieces, too: which side the front lies on, what is sewn where.
         let silent = role == Role::default();
         if silent { piece.annotation.as_deref().map(role_of_text).unwrap_or_default() } else { role }
@@ -29,7 +29,7 @@ pub fn roles_of_names(pieces: &[Piece]) -> Vec<Role> {
     pieces.iter().map(role).collect()
 }
 
-/// Bytes at the start of all names that name the style.
+/// Length of the name of the style at the start of all names, bytes.
 ///
 /// Names of a file often begin alike: `GX1006FBK`, `REGULAR TEEFR`. The name of the style ends after its last whole
 /// word, or within a word where more names tell a role so.
@@ -69,7 +69,7 @@ pub fn role_of_text(text: &str) -> Role {
     role_of_words(text, |_| true)
 }
 
-/// The role that the words of a text tell, of those words that count.
+/// The role that a text tells by the words of the table for which `counts` is true.
 fn role_of_words(text: &str, counts: impl Fn(&str) -> bool) -> Role {
     let mut rest = format!(" {} ", folded(text));
     let mut role = Role::default();

@@ -1,7 +1,7 @@
 //! Roles from shape and seams, where names say nothing. Pieces that lie in the file are turned upright first.
 
-use super::drawn::{turn_of_file, turned_joins};
-use super::outline::{Polygon, turned};
+use super::drawn::Upright;
+use super::outline::Polygon;
 use super::{Facing, Join, Part, Role};
 use toile_garment::{Piece, Vec2};
 
@@ -52,9 +52,8 @@ pub fn complete(pieces: &[Piece], roles: Vec<Role>, joins: &[Join]) -> Vec<Role>
     if joins.is_empty() {
         return roles;
     }
-    let turn = turn_of_file(pieces);
-    let outlines: Vec<Polygon> = pieces.iter().map(|p| Polygon::of(p).map(|q| turned(q, turn))).collect();
-    let runs = runs(&outlines, &turned_joins(joins, turn));
+    let Upright { outlines, joins, .. } = Upright::of(pieces, joins);
+    let runs = runs(&outlines, &joins);
     // A front and a back may be nearly alike, but they are no twins.
     let faces_alike = |i: usize, k: usize| {
         let facings = [i, k].map(|p| roles[p].facing);

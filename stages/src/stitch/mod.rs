@@ -181,7 +181,7 @@ impl Stage for Stitch {
         let shown = |x: &[Vec3]| Garment { stitched: Some(shape(x)), ..garment.clone() };
         let sewn = toile_cloth::sew(&start, &settings, &mut Follow::showing(cx, &shown));
         let outcome = sewn.map_err(|e| failure_in(e, &garment, &placed))?;
-        tell(&garment, &outcome, settings.sewing.closed_distance, cx);
+        tell(&garment, &outcome, settings.stitches.closed_distance, cx);
         garment.bands.extend(holds.bands);
         garment.effects = effects(&outcome.effects);
         garment.stitched = Some(shape(&outcome.positions));
@@ -241,7 +241,7 @@ fn settings(params: &StitchParams, threads: usize) -> Settings {
     Settings {
         model: params.model.into(),
         integrator: params.integrator.into(),
-        sewing: Stitches { closed_distance: params.sewing_distance.0, ..base.sewing },
+        stitches: Stitches { closed_distance: params.sewing_distance.0, ..base.stitches },
         body_gap: params.body_gap.0,
         self_gap: params.self_gap.0,
         explicit: ExplicitSteps { max_seconds: params.max_time.0, ..base.explicit },

@@ -243,7 +243,7 @@ impl<'a> Run<'a> {
         let gaps = measures::gaps(scene, &self.state.x);
         let energy = self.problem.elastic(&self.state.x);
         let balance = report::balance(self.problem, &self.state.x, self.gravity, self.clock.step);
-        let open = gaps.iter().copied().filter(|g| g.1 > self.settings.sewing.closed_distance);
+        let open = gaps.iter().copied().filter(|g| g.1 > self.settings.stitches.closed_distance);
         Outcome {
             steps: self.clock.steps,
             seconds: self.clock.seconds,

@@ -51,8 +51,8 @@ impl SewingForces {
                 let [a, b] = p.map(|v| v as usize);
                 Stitch {
                     ends: *p,
-                    stiffness: s.sewing.stiffness * stiffness_rows[a].min(stiffness_rows[b]),
-                    cap: s.sewing.acceleration * inertia[a].min(inertia[b]),
+                    stiffness: s.stitches.stiffness * stiffness_rows[a].min(stiffness_rows[b]),
+                    cap: s.stitches.acceleration * inertia[a].min(inertia[b]),
                     open: true,
                 }
             })
@@ -63,9 +63,9 @@ impl SewingForces {
             joined: Vec::new(),
             open,
             vertex_count: scene.positions.len(),
-            distance: s.sewing.closed_distance,
-            last_distance: s.sewing.closed_distance.max(LAST_RESORT_DISTANCE.get() * mean_edge(scene)),
-            ramp: s.sewing.ramp,
+            distance: s.stitches.closed_distance,
+            last_distance: s.stitches.closed_distance.max(LAST_RESORT_DISTANCE.get() * mean_edge(scene)),
+            ramp: s.stitches.ramp,
             pulls,
             time: 0.0,
         };

@@ -71,7 +71,7 @@ pub(crate) struct StartFacts {
     pub repaired: (usize, f64),
 }
 
-/// What a change of the objective makes invalid.
+/// The values that a change of the objective makes invalid.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Change {
     /// Nothing: the objective is the same.

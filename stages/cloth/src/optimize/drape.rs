@@ -19,9 +19,9 @@ use crate::optimize::mechanisms::surrogate_hessian::SurrogateHessian;
 use crate::optimize::report;
 use crate::optimize::task::Task;
 use crate::optimize::tuning::{
-    ADAPTIVE_STIFFNESS, BLOCK_STEPS, BLOCK_STEPS_COARSE, COARSE_FIRST_DECREMENT, COARSE_LEVELS,
-    COARSE_TOLERANCE_FACTOR, COARSE_TOLERANCE_FACTOR_LARGE, CONTACT_WARM_START, GAP_UPDATE, LARGE_CLOTH_VERTICES,
-    LOADS_BALANCE_DECREMENT, NEGATIVE_CURVATURE, STRAIN_LIMIT_HOMOTOPY, SURROGATE_HESSIAN,
+    BLOCK_STEPS, BLOCK_STEPS_COARSE, COARSE_FIRST_DECREMENT, COARSE_LEVELS, COARSE_TOLERANCE_FACTOR,
+    COARSE_TOLERANCE_FACTOR_LARGE, CONTACT_WARM_START, GAP_UPDATE, LARGE_CLOTH_VERTICES, LOADS_BALANCE_DECREMENT,
+    NEGATIVE_CURVATURE, STRAIN_LIMIT_HOMOTOPY, SURROGATE_HESSIAN,
 };
 use crate::report::watch::Part;
 use crate::{ClothError, EffectReport, Outcome, Scene, Settings, StopReason, Vec3, Watch};
@@ -186,7 +186,7 @@ fn settle_unchecked(
     let mut block_end = BlockEnd;
     let all: [(bool, &mut dyn Mechanism); 17] = [
         (true, pinned),
-        (ADAPTIVE_STIFFNESS.is_on(), &mut adaptive_stiffness),
+        (true, &mut adaptive_stiffness),
         (true, &mut lagged_forces),
         (true, &mut measure_newton_step),
         (SURROGATE_HESSIAN.is_on(), &mut surrogate_hessian),

@@ -1,4 +1,4 @@
-//! What a descent tells.
+//! The report of a descent.
 
 use crate::contact::barrier::statistics::ContactStatistics;
 use crate::effects::{
@@ -25,7 +25,7 @@ pub(crate) fn outcome(d: &mut Descent<'_>, scene: &Scene, stop_reason: StopReaso
         speed_max: 0.0,
         residual_rel: d.newton.residual,
         seam_gap_max: gaps.first().map_or(0.0, |g| g.1),
-        open_stitches: gaps.into_iter().filter(|g| g.1 > d.settings.sewing.closed_distance).take(20).collect(),
+        open_stitches: gaps.into_iter().filter(|g| g.1 > d.settings.stitches.closed_distance).take(20).collect(),
         effects: effects(d, scene),
         reactions,
         repaired: d.start.repaired,

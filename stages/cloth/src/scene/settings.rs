@@ -154,8 +154,8 @@ pub struct Settings {
     pub equilibrium: Equilibrium,
     /// Explicit steps.
     pub explicit: ExplicitSteps,
-    /// Sewing.
-    pub sewing: Stitches,
+    /// Stitches.
+    pub stitches: Stitches,
     /// Largest number of threads. Results never depend on it.
     ///
     /// Each part of the cloth that meets no other has one thread, and the factor of a large part has two
@@ -176,7 +176,7 @@ impl Default for Settings {
             repair_share: 0.2,
             equilibrium: Equilibrium::default(),
             explicit: ExplicitSteps::default(),
-            sewing: Stitches::default(),
+            stitches: Stitches::default(),
             threads: 1,
         }
     }

@@ -14,7 +14,7 @@ use crate::optimize::mechanisms::rest::BlockEnd;
 use crate::optimize::mechanisms::strain_limit_homotopy::widen_partly;
 use crate::optimize::report;
 use crate::optimize::task::Task;
-use crate::optimize::tuning::{ADAPTIVE_STIFFNESS, BLOCK_STEPS, STRAIN_LIMIT_HOMOTOPY, SURROGATE_HESSIAN};
+use crate::optimize::tuning::{BLOCK_STEPS, STRAIN_LIMIT_HOMOTOPY, SURROGATE_HESSIAN};
 use crate::sewing::initial_guess;
 use crate::sewing::tuning::{
     CLOSED_GAP, GATHERED_GAP, GATHERING_IDLE_MOST, GATHERING_REACH, GATHERING_TAU_MOST, INITIAL_GUESS,
@@ -48,7 +48,7 @@ pub(crate) fn close(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -
         join_closed_stitches(&mut descent, scene);
     }
     let outcome = |d: &mut Descent<'_>| {
-        let open = d.objective().widest_stitch(&d.x) > settings.sewing.closed_distance;
+        let open = d.objective().widest_stitch(&d.x) > settings.stitches.closed_distance;
         report::outcome(d, scene, if open { StopReason::SeamsOpen } else { StopReason::Settled })
     };
     let drawn = outcome(&mut descent);
@@ -96,11 +96,8 @@ pub(crate) fn drive_sewing(
     let mut regularization = RegularizationSchedule { most: tau_most };
     let (mut stiffness, mut lagged, mut reuse, mut block_end) =
         (AdaptiveStiffness, LaggedForces, FactorReuse, BlockEnd);
-    let mut mechanisms: Vec<&mut dyn Mechanism> = vec![rule, pinned];
-    if ADAPTIVE_STIFFNESS.is_on() {
-        mechanisms.push(&mut stiffness);
-    }
-    mechanisms.extend([&mut lagged as &mut dyn Mechanism, &mut reuse, &mut regularization, &mut block_end]);
+    let mut mechanisms: [&mut dyn Mechanism; 7] =
+        [rule, pinned, &mut stiffness, &mut lagged, &mut reuse, &mut regularization, &mut block_end];
     let blocks = Blocks { steps: d.block_steps(BLOCK_STEPS.get()), detection: Detection::EveryBlock };
     drive(d, blocks, &mut mechanisms, watch)
 }
@@ -237,7 +234,7 @@ fn tighten(
     pinned: &mut PinnedTargets,
     watch: &mut dyn Watch,
 ) -> Result<(), ClothError> {
-    let distance = d.settings.sewing.closed_distance;
+    let distance = d.settings.stitches.closed_distance;
     threads.pull(d, SEWING_FORCE_TIGHT.get(), distance);
     let last_step = d.steps + TIGHTENING_STEPS_MOST.get();
     let mut rule = Tightening { threads, last_step, widest: 0.0, last_energy: f64::INFINITY };
@@ -279,7 +276,7 @@ impl Mechanism for Tightening<'_> {
         self.last_energy = d.energy;
         let elastic = d.objective().elastic(&d.x);
         let widest = d.objective().widest_stitch(&d.x);
-        let closed = widest <= CLOSED_GAP.get() * d.settings.sewing.closed_distance;
+        let closed = widest <= CLOSED_GAP.get() * d.settings.stitches.closed_distance;
         // A few stitches of tight cloth hold out against any force. Such seams are welded all the same.
         let in_vain =
             widest > TIGHTENING_GAP_PROGRESS.get() * self.widest && gain <= TIGHTENING_ENERGY_SHARE.get() * elastic;
@@ -291,7 +288,7 @@ impl Mechanism for Tightening<'_> {
 /// Puts the members of closed stitches on one point, unless something would cross.
 fn join_closed_stitches(d: &mut Descent<'_>, scene: &Scene) {
     let gap = |s: &&[u32; 2]| (d.x[s[0] as usize] - d.x[s[1] as usize]).norm();
-    let near = CLOSED_GAP.get() * d.settings.sewing.closed_distance;
+    let near = CLOSED_GAP.get() * d.settings.stitches.closed_distance;
     let closed: Vec<[u32; 2]> = scene.stitches.iter().filter(|s| gap(s) <= near).copied().collect();
     let group = crate::scene::weld::groups(d.x.len(), &closed);
     let mut sums = vec![(Vec3::zeros(), 0.0); d.x.len()];

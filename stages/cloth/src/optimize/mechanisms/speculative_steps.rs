@@ -16,12 +16,12 @@ impl Descent<'_> {
             return self.take_detected_block(steps, mechanisms);
         }
         let block = self.take_speculative_block(steps, mechanisms);
-        // Cloth that is taken back stands where the block began, so the preconditioner still fits and the block is taken again.
+        // Cloth that is taken back stands where the block began. The preconditioner still fits, so the block is repeated.
         if self.check_or_roll_back() { block } else { self.take_steps(steps, mechanisms) }
     }
 
-    /// Takes a block whose check may be left open until [`Self::check_or_roll_back`]. `None` if instead the cloth has been taken back
-    /// and needs another preconditioner.
+    /// Takes a block whose check may be left open until [`Self::check_or_roll_back`]. `None` if instead the cloth has been
+    /// taken back and needs another preconditioner.
     pub fn take_block_ahead(&mut self, steps: usize, mechanisms: &mut [&mut dyn Mechanism]) -> Option<Block> {
         let far = self.speculation.blocks >= self.speculation.most_blocks;
         if (far || !self.touches_itself_nowhere()) && !self.check_or_roll_back() {

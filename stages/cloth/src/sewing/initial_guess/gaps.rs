@@ -22,7 +22,7 @@ pub(crate) struct BentPieces {
     threads: Vec<[End; 2]>,
 }
 
-/// What an end of a piece is sewn to while only that piece bends.
+/// The other end of a thread while only one piece bends.
 enum Other {
     Same(Vec3),
     Still(Vec3),
