@@ -307,7 +307,7 @@ pub const LONG_TRIES: usize = 2;
 pub struct DecisionWeights {
     /// A pair that is sewn in the sewing file.
     pub given: f64,
-    /// A pair that contradicts the sewing file, or that a person took out.
+    /// A pair that contradicts the sewing file, or that is new between pieces a person decided on.
     pub against: f64,
 }
 
