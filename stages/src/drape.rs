@@ -12,6 +12,7 @@ pub use params::{AccuracyName, DrapeParams, EffectsParam, IntegratorName, ModelN
 
 use crate::codes::SETTING_OUT_OF_RANGE;
 use crate::solve::body_parts::contact_filter;
+use crate::solve::codes::START_CROSSES;
 use crate::solve::{Follow, Layout, MESH_ANEW, effects, failure, failure_in, scene};
 use toile_cloth::{ClothError, Outcome, Scene, Settings, StopReason};
 use toile_garment::garment::{Certificate, Shape};
@@ -55,6 +56,9 @@ codes! {
     /// and bias, and the girths of body and cloth there.
     TOO_TIGHT = "too-tight";
 }
+
+/// Stitches that are wider after sewing stay open in the drape, m. So do those whose cloth would cross if it were joined.
+const JOINED_GAP_MOST: f64 = 5e-3;
 
 /// Settles the garment and certifies the result.
 #[derive(Clone, Copy, Debug, Default)]
@@ -109,22 +113,26 @@ impl Stage for Drape {
         let settings = params.settings(cx.threads);
         let told = |e| failure_in(e, &garment, &stitched.positions);
         let sewn = if stitched.sewn { start.positions.clone() } else { close(&start, params, cx).map_err(told)? };
+        let joined = toile_cloth::joinable_stitches(&start, &settings, &sewn, JOINED_GAP_MOST);
+        let open = start.stitches.len() - joined.len();
+        start.stitches = joined;
         let welded = toile_cloth::weld(&start, &sewn);
         drop((start, sewn));
         let shape = |x: &[Vec3]| Shape {
             positions: layout.split(&welded.spread(x)),
             sewn: true,
-            welded: true,
+            welded: open == 0,
             ..Shape::default()
         };
         let shown = |x: &[Vec3]| Garment { drape: Some(shape(x)), ..garment.clone() };
-        let outcome = toile_cloth::drape(&welded.scene, &settings, &mut Follow::showing(cx, &shown)).map_err(told)?;
+        let outcome = toile_cloth::drape(&welded.scene, &settings, &mut Follow::showing(cx, &shown));
+        let outcome = outcome.map_err(|e| hindered(&e, open).unwrap_or_else(|| told(e)))?;
         let stored: Vec<Vec3> = outcome.positions.iter().map(to_f32).collect();
         let figures = toile_cloth::certify(&welded.scene, &settings, &stored).map_err(failure)?;
         let slip = slip(&garment, &stitched, &layout.split(&welded.spread(&stored)));
         let now = layout.split(&welded.spread(&stored));
         let (bands, folds) = (lines::bands(&garment, &layout, &now), lines::folds(&garment, &layout, &now));
-        garment.certificate = Some(certificate::certificate(&garment, params, &outcome, &figures, slip));
+        garment.certificate = Some(certificate::certificate(&garment, params, &outcome, &figures, &now, slip));
         if let Some(certificate) = &mut garment.certificate {
             (certificate.bands, certificate.folds) = (bands, folds);
             cx.report.findings.extend(lines::findings(certificate));
@@ -145,6 +153,14 @@ impl Stage for Drape {
         cx.report.findings.extend(unused::findings(&garment, params));
         Ok(garment)
     }
+}
+
+/// The failure of a drape with open stitches: cloth lies between their sides so closely that nothing can move.
+fn hindered(error: &ClothError, open: usize) -> Option<StageError> {
+    let message = format!("{open} stitches stay open after sewing, and cloth would cross if they were joined");
+    let hint = "correct the seams that `seam-open` or `seam-reversed` name, or place their pieces nearer";
+    let is_hindered = open > 0 && matches!(error, ClothError::Unstable { .. });
+    is_hindered.then(|| StageError::input(Diagnostic::error(START_CROSSES, message).hint(hint)))
 }
 
 /// How far the top of a sewn garment that nothing holds sank on its body, m.

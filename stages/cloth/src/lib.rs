@@ -40,7 +40,7 @@ pub use energy::elastic_band::band_state;
 pub use energy::fold_line::fold_angles;
 pub use error::{ClothError, Place, SceneFault};
 pub use hierarchy::perturb::shaken;
-pub use prepare::initial_feasibility::pieces_off_body::{PieceMove, pieces_off_body};
+pub use prepare::initial_feasibility::free_pieces::{PieceMove, free_pieces};
 pub use report::outcome::{EffectReport, Outcome, Reaction, StopReason};
 pub use report::watch::{Silent, Watch};
 pub use scene::contact_filter::ContactFilter;
@@ -51,6 +51,7 @@ pub use scene::settings::{Effects, Equilibrium, ExplicitSteps, Integrator, Model
 pub use scene::shared_body::SharedBody;
 pub use scene::weld::{Welded, weld};
 pub use scene::{BodyMesh, Element, Load, Material, Pin, Scene};
+pub use sewing::joining::joinable_stitches;
 pub use solve::{animate, check_settings, drape, sew};
 
 /// A point or vector in the world, metres.

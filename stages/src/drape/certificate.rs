@@ -3,9 +3,9 @@
 use super::DrapeParams;
 use std::collections::BTreeMap;
 use toile_cloth::{Figures, Outcome};
-use toile_garment::Garment;
 use toile_garment::garment::Certificate;
 use toile_garment::seam::SeamKind;
+use toile_garment::{Garment, MeshVertex, Vec3};
 
 /// Strain at the gate over the fabric's limit. The solver's limit is a steep wall: cloth comes to rest a little beyond it.
 /// Garments that fit end at 1.005 of it at most. A strapless dress on the hips, too tight there, ends at 1.07.
@@ -27,13 +27,14 @@ const GATES: [(&str, f64); 8] = [
     ("penetration_max_mm", 0.0),
 ];
 
-/// Puts figures and limits together.
+/// Puts figures and limits together. `rest`: places of the vertices, per piece, m.
 #[must_use]
 pub fn certificate(
     garment: &Garment,
     params: &DrapeParams,
     outcome: &Outcome,
     figures: &Figures,
+    rest: &[Vec<Vec3>],
     slip: f64,
 ) -> Certificate {
     let mut limits: BTreeMap<String, f64> = GATES.map(|(n, v)| (n.to_owned(), v)).into();
@@ -50,9 +51,9 @@ pub fn certificate(
         strain_over_limit: figures.strain_over_limit,
         strain_gate,
         slip_mm: slip * 1e3,
-        // Sewn vertices are one vertex now; a stitch that could not be closed was joined at the middle.
-        seam_gap_max_mm: gap(garment, figures, false),
-        dart_gap_max_mm: gap(garment, figures, true),
+        // Sewn vertices are one vertex now; a stitch that sewing could not close is open.
+        seam_gap_max_mm: gap(garment, rest, false),
+        dart_gap_max_mm: gap(garment, rest, true),
         self_crossings: figures.self_crossings as u64,
         body_crossings: figures.body_crossings as u64,
         penetration_max_mm: figures.penetration_max * 1e3,
@@ -65,9 +66,11 @@ pub fn certificate(
     certificate
 }
 
-fn gap(garment: &Garment, figures: &Figures, darts: bool) -> f64 {
-    let any = garment.seams.iter().any(|s| matches!(s.kind, SeamKind::Dart { .. }) == darts);
-    if any { figures.seam_gap_max * 1e3 } else { 0.0 }
+/// The widest stitch of the seams, or of the darts, mm.
+fn gap(garment: &Garment, rest: &[Vec<Vec3>], darts: bool) -> f64 {
+    let at = |v: MeshVertex| rest[v.piece.index()][v.vertex as usize];
+    let seams = garment.seams.iter().filter(|s| matches!(s.kind, SeamKind::Dart { .. }) == darts);
+    seams.flat_map(|s| &s.stitches).map(|s| (at(s.a) - at(s.b)).norm() * 1e3).fold(0.0, f64::max)
 }
 
 /// The largest strain any fabric of the garment is used at.

@@ -173,8 +173,7 @@ impl Stage for Stitch {
         start.pins.extend(holds.while_sewing.iter().map(|p| Pin { vertex: layout.index(p.vertex), at: p.at }));
         // A band is sewn on stretched, and pulls in the drape.
         start.bands.clear();
-        let moves =
-            toile_cloth::pieces_off_body(&mut start, &settings).map_err(|e| failure_in(e, &garment, &placed))?;
+        let moves = toile_cloth::free_pieces(&mut start, &settings).map_err(|e| failure_in(e, &garment, &placed))?;
         cx.report.findings.extend(moves.iter().filter_map(|m| moved_off(&garment, &layout, m)));
         let shape =
             |x: &[Vec3]| Shape { positions: layout.split(x), sewn: true, welded: false, ignores: ignores.clone() };
@@ -202,13 +201,13 @@ fn refuse_hopeless(garment: &Garment, placed: &[Vec<Vec3>], cx: &mut StageContex
     Err(StageError::Parameter(faults))
 }
 
-/// A finding on a piece that started in the body and was moved off it.
+/// A finding on a piece that started in the body or in another piece, and was moved.
 fn moved_off(garment: &Garment, layout: &Layout, moved: &PieceMove) -> Option<Diagnostic> {
     let first = |p: &&Piece| layout.index(MeshVertex { piece: p.id, vertex: 0 });
     let piece = garment.pieces.iter().filter(|p| first(p) <= moved.vertex).max_by_key(first)?;
     let by = moved.by * 1e3;
     let message = format!(
-        "piece `{}` started in the body; it was moved by {:.0} mm, ({:.0}, {:.0}, {:.0}) mm, until it was free",
+        "piece `{}` started in the body or in another piece; it was moved by {:.0} mm, ({:.0}, {:.0}, {:.0}) mm, until it was free",
         piece.name,
         by.norm(),
         by.x,

@@ -77,21 +77,29 @@ tuned! {
         tried: "not recorded",
         evidence: "Without a check after one turn a lapel jacket, smoothed longer, kept 53 crossings of the body.",
     }
-    /// Step by which a piece that starts in the body is moved along its normal.
-    PIECE_OFF_BODY_STEP: f64 = 5e-3, {
+    /// First move of a piece that starts in the body or in another piece, along one of its axes.
+    PIECE_MOVE_FIRST: f64 = 5e-3, {
         unit: "m",
         larger: "Pieces are moved farther than needed.",
         smaller: "More places are tried.",
         tried: "not recorded",
         evidence: "A turtle collar that cuts the neck is free after 25 mm.",
     }
-    /// Farthest that a piece is moved off the body along its normal.
-    PIECE_OFF_BODY_MOST: f64 = 0.15, {
-        unit: "m",
-        larger: "A piece may land on the other side of a limb.",
-        smaller: "Pieces that are placed deep in the body are refused.",
+    /// Growth of that move from one round to the next.
+    PIECE_MOVE_GROWTH: f64 = 1.3, {
+        unit: "factor",
+        larger: "Pieces are moved farther than needed.",
+        smaller: "More places are tried.",
         tried: "not recorded",
-        evidence: "Half the depth of a torso is 0.13 m.",
+        evidence: "No measurement is kept.",
+    }
+    /// Farthest that a piece is moved.
+    PIECE_MOVE_MOST: f64 = 0.4, {
+        unit: "m",
+        larger: "A piece may land on the other side of the body.",
+        smaller: "Pieces that are placed deep in others are refused.",
+        tried: "not recorded",
+        evidence: "A shirt whose sleeves cut its fronts needs 0.2 m.",
     }
     /// Growth of the move from round to round.
     PIECES_APART_GROWTH: f64 = 1.5, {

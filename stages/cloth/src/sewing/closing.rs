@@ -2,7 +2,6 @@
 //! threads are drawn tight while the cloth comes to its distance from the body.
 
 use crate::certificate::strain_over_limit;
-use crate::collision::crossings::count;
 use crate::optimize::descent::{Change, Descent};
 use crate::optimize::driver::{Blocks, Detection, drive};
 use crate::optimize::mechanism::{Block, Mechanism, Verdict};
@@ -16,6 +15,7 @@ use crate::optimize::report;
 use crate::optimize::task::Task;
 use crate::optimize::tuning::{BLOCK_STEPS, STRAIN_LIMIT_HOMOTOPY, SURROGATE_HESSIAN};
 use crate::sewing::initial_guess;
+use crate::sewing::joining::{Obstacles, join};
 use crate::sewing::tuning::{
     CLOSED_GAP, GATHERED_GAP, GATHERING_IDLE_MOST, GATHERING_REACH, GATHERING_TAU_MOST, INITIAL_GUESS,
     SEWING_FORCE_BLOCK_STEPS, SEWING_FORCE_FACTOR, SEWING_FORCE_FIRST, SEWING_FORCE_MEAN_PART, SEWING_FORCE_MOST,
@@ -285,27 +285,15 @@ impl Mechanism for Tightening<'_> {
     }
 }
 
-/// Puts the members of closed stitches on one point, unless something would cross.
+/// Puts the members of closed stitches on one point, where nothing crosses then.
 fn join_closed_stitches(d: &mut Descent<'_>, scene: &Scene) {
-    let gap = |s: &&[u32; 2]| (d.x[s[0] as usize] - d.x[s[1] as usize]).norm();
-    let near = CLOSED_GAP.get() * d.settings.stitches.closed_distance;
-    let closed: Vec<[u32; 2]> = scene.stitches.iter().filter(|s| gap(s) <= near).copied().collect();
-    let group = crate::scene::weld::groups(d.x.len(), &closed);
-    let mut sums = vec![(Vec3::zeros(), 0.0); d.x.len()];
-    for (x, g) in d.x.iter().zip(&group) {
-        let (sum, n) = &mut sums[*g as usize];
-        (*sum, *n) = (*sum + x, *n + 1.0);
-    }
-    let joined: Vec<Vec3> = (d.x.iter().zip(&group))
-        .map(|(x, g)| if sums[*g as usize].1 > 1.0 { sums[*g as usize].0 / sums[*g as usize].1 } else { *x })
-        .collect();
+    let gap_most = CLOSED_GAP.get() * d.settings.stitches.closed_distance;
     let faces: Vec<[u32; 3]> = scene.triangles.iter().map(|t| t.vertices).collect();
-    let free = d.objective().terms.barrier.as_ref().is_none_or(|b| {
-        (!b.parameters.has_self_contact
-            || count::self_crossings(&joined, &faces).count <= count::self_crossings(&d.x, &faces).count)
-            && b.body.as_ref().is_none_or(|b| count::body_crossings(&joined, &faces, b).count == 0)
-    });
-    if free {
-        d.x = joined;
-    }
+    let barrier = d.objective().terms.barrier.as_ref();
+    let near = Obstacles {
+        faces: &faces,
+        has_self_contact: barrier.is_some_and(|b| b.parameters.has_self_contact),
+        body: barrier.and_then(|b| b.body.as_ref()),
+    };
+    d.x = join(&d.x, &scene.stitches, gap_most, &near).x;
 }

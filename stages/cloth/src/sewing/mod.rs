@@ -2,6 +2,7 @@
 
 pub(crate) mod closing;
 pub(crate) mod initial_guess;
+pub(crate) mod joining;
 pub(crate) mod multilevel;
 pub(crate) mod tuning;
 
