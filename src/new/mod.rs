@@ -3,6 +3,7 @@
 //! Nothing that lies in the folder already is changed.
 
 pub(crate) mod codes;
+mod cut;
 mod document;
 mod dress;
 mod earlier;

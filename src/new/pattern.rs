@@ -1,5 +1,6 @@
 //! The pattern that a folder is made from.
 
+use super::cut;
 use crate::engine::{MAX_INPUT, of_file_error, of_stage_error, read_limited};
 use std::path::{Path, PathBuf};
 use toile_formats::dxf::{self, ReadOptions};
@@ -7,7 +8,6 @@ use toile_formats::rul;
 use toile_garment::sewing::{CopySpec, SewingPlan};
 use toile_garment::{Diagnostic, Garment, Report};
 use toile_stages::import_dxf::FileUnit;
-use toile_stages::roles::{Part, roles_of_names};
 
 /// How a person wants a pattern to be read.
 #[derive(Debug, Default)]
@@ -59,7 +59,7 @@ impl Source {
 }
 
 /// Reads a pattern with the rule table beside it. A plan that a person wrote decides on copies, darts and what is left
-/// out; without one, pairs are copied and interlinings are left out.
+/// out; without one, the pattern's own quantities do.
 ///
 /// # Errors
 /// It is not there, or cannot be read.
@@ -78,7 +78,7 @@ pub fn read(path: &Path, plan: Option<SewingPlan>, wishes: &Wishes) -> Result<So
     let (mut garment, more) = pattern.to_garment(None, table.as_ref())?;
     let mut findings = pattern.all_findings();
     findings.extend(more);
-    let plan = plan.unwrap_or_else(|| proposed_plan(&garment, &wishes.leave_out));
+    let plan = plan.unwrap_or_else(|| cut::plan(&garment, &wishes.leave_out));
     let (copies, left_out) = (plan.copies.clone(), plan.leave_out.clone());
     let mut report = Report::default();
     toile_stages::sewing::apply(&mut garment, plan, &mut report).map_err(|e| of_stage_error(e).0)?;
@@ -95,31 +95,4 @@ fn rules_beside(path: &Path) -> Option<PathBuf> {
     let mut names: Vec<String> = entries.filter_map(|e| e.file_name().into_string().ok()).collect();
     names.sort();
     names.into_iter().find(|n| n.to_lowercase() == wanted).map(|n| folder.join(n))
-}
-
-/// Copies and pieces that are left out, as the pattern tells them. Interlinings are fused to other pieces.
-fn proposed_plan(garment: &Garment, more: &[String]) -> SewingPlan {
-    let roles = roles_of_names(&garment.pieces);
-    let is_fused = |p: &&toile_garment::Piece| roles[p.id.index()].part == Some(Part::Interlining);
-    let mut leave_out: Vec<String> = garment.pieces.iter().filter(is_fused).map(|p| p.name.clone()).collect();
-    leave_out.extend(more.iter().filter(|name| !leave_out.contains(name)).cloned().collect::<Vec<_>>());
-    let copies = copies(garment).into_iter().filter(|c| !leave_out.contains(&c.piece)).collect();
-    SewingPlan { copies, leave_out, ..SewingPlan::default() }
-}
-
-/// The mirrored copies of pieces that are cut in pairs: once as drawn and once turned over. A count of two alone means
-/// a pair only where the piece is not its own mirror image.
-fn copies(garment: &Garment) -> Vec<CopySpec> {
-    let own = toile_stages::proposal::own_images(garment);
-    let is_pair = |p: &toile_garment::Piece| {
-        let both = p.quantity.plain > 0 && p.quantity.mirrored > 0;
-        both || (p.quantity.plain == 2 && !own[p.id.index()])
-    };
-    let copy = |p: &toile_garment::Piece| CopySpec {
-        piece: p.name.clone(),
-        name: format!("{}-M", p.name),
-        mirror: true,
-        source: None,
-    };
-    garment.pieces.iter().filter(|p| is_pair(p)).map(copy).collect()
 }

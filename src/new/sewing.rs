@@ -67,7 +67,7 @@ fn head(source: &Source) -> String {
         String::new()
     } else {
         format!(
-            "\n# These pieces are not sewn. Interlinings are fused to other pieces.\nleave_out = [{}]\n",
+            "\n# These pieces are not sewn: interlinings, and pieces with the quantity 0.\nleave_out = [{}]\n",
             list.join(", ")
         )
     };

@@ -37,6 +37,13 @@ impl Assignment {
         })
     }
 
+    /// The same without the seams of some atoms.
+    pub fn without(&self, atoms: std::ops::Range<usize>) -> Self {
+        let mut left = self.clone();
+        atoms.for_each(|a| left.free(a));
+        left
+    }
+
     fn free(&mut self, atom: usize) {
         if let Some(other) = self.partner(atom) {
             self.partner[other] = FREE;

@@ -10,6 +10,7 @@ pub(crate) mod confidence;
 mod known;
 pub mod mirror;
 mod names;
+mod openings;
 pub mod pairs;
 mod profile;
 mod propose;

@@ -61,6 +61,12 @@ impl Names for RoleNames {
         if is_at_neck { self.weights.never_meet } else { 0.0 }
     }
 
+    fn is_set_on(&self, piece: usize, other: usize) -> bool {
+        let height = |p: usize| self.roles[p].part.and_then(height);
+        use Height::{Arm, Neck, Trunk, Wrist};
+        matches!((height(piece), height(other)), (Some(Arm | Neck), Some(Trunk)) | (Some(Wrist), Some(Arm)))
+    }
+
     fn are_namesakes(&self, a: usize, b: usize) -> bool {
         if self.are_twins(a, b) {
             return true;

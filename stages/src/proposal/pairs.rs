@@ -105,6 +105,8 @@ impl<'a> Judge<'a> {
         sum += if n < 0.1 { w.within_tenth } else { 0.0 };
         sum += if n < 0.01 { w.within_hundredth } else { 0.0 };
         sum += if n < 0.003 { w.within_thousandth } else { 0.0 };
+        let is_short = n > 0.1 && a.length.max(b.length) < tuning::GATHERED_LEAST;
+        sum += if is_short || n > tuning::GATHER_MOST { tuning::TOO_GATHERED } else { 0.0 };
         let rivals = f64::max(self.rivals[p.a], self.rivals[p.b]).max(1.0);
         sum += if n < 0.01 { w.rare / rivals } else { 0.0 };
         if p.opposite { sum } else { sum + w.fold_over }

@@ -1,12 +1,12 @@
 //! The proposal of a whole garment.
 
-use super::assignment::Assignment;
 use super::atoms::Layout;
 use super::confidence::margins;
 use super::known::{Decisions, Known};
 use super::mirror::{Mirror, maps};
+use super::openings::closings;
 use super::pairs::{Pair, Pairs, Prior};
-use super::seams::{ProposedSeam, seams};
+use super::seams::{ProposedSeam, closing_seam, seams};
 use super::search::{Found, best};
 use super::tuning::{self, PairWeights, WholeWeights};
 use super::whole::Whole;
@@ -20,6 +20,8 @@ pub trait Names {
     fn seam(&self, a: usize, b: usize, images: bool, length: f64) -> f64;
     /// Added to the score of sewing a piece to the lower edge of another.
     fn to_lower_edge(&self, piece: usize) -> f64;
+    /// Is a piece set on an opening of another one: a sleeve or a collar on a bodice, a cuff on a sleeve?
+    fn is_set_on(&self, piece: usize, other: usize) -> bool;
     /// Are two pieces the left and the right one of a pair?
     fn are_namesakes(&self, a: usize, b: usize) -> bool;
 }
@@ -34,6 +36,10 @@ impl Names for Nameless {
 
     fn to_lower_edge(&self, _: usize) -> f64 {
         0.0
+    }
+
+    fn is_set_on(&self, _: usize, _: usize) -> bool {
+        false
     }
 
     fn are_namesakes(&self, _: usize, _: usize) -> bool {
@@ -55,6 +61,11 @@ impl Prior for Knowledge<'_> {
         for (x, y) in [(a, b), (b, a)] {
             sum += if y.is_low() { self.names.to_lower_edge(piece(x.panel)) } else { 0.0 };
         }
+        let is_set_on = self.names.is_set_on(piece(a.panel), piece(b.panel))
+            || self.names.is_set_on(piece(b.panel), piece(a.panel));
+        let gather = libm::log(a.length / b.length).abs();
+        let is_unlikely = gather > tuning::SET_ON_GATHER || a.length.min(b.length) < tuning::SET_ON_LEAST;
+        sum += if is_set_on && is_unlikely { tuning::TOO_GATHERED } else { 0.0 };
         sum + self.decisions.score(pair)
     }
 }
@@ -100,8 +111,12 @@ pub fn propose(garment: &Garment, names: &dyn Names, known: &Known) -> Result<Pr
     let whole = Whole::new(&layout, mirror, pairs, &whole_weights);
     let margins = margins(&layout, &whole, &mut found);
     let mut seams = seams(garment, &shapes, &layout, &margins);
-    let bare = bare(garment, &layout, &found.assignment);
     let decisions = Decisions::new(&layout, known);
+    let (closings, left) = closings(&layout, &found.assignment, names, |a| decisions.is_given(a));
+    let is_closed = |a: usize| closings.iter().any(|c| c.has(a));
+    seams.retain(|s| s.atoms.iter().all(|[a, b]| left.partner(*a) == Some(*b)));
+    seams.extend(closings.iter().map(|c| closing_seam(garment, &shapes, &layout, c)));
+    let bare = bare(garment, &layout, |a| left.partner(a).is_none() && !is_closed(a));
     let is_given = |s: &ProposedSeam| s.atoms.iter().flatten().any(|a| decisions.is_given(*a));
     seams.retain(|s| is_given(s) || !decisions.are_decided(s.atoms.iter().flatten()));
     let given = seams.iter().map(is_given).collect();
@@ -159,8 +174,8 @@ pub fn own_images(garment: &Garment) -> Vec<bool> {
 }
 
 /// Edges that are sewn to nothing.
-fn bare(garment: &Garment, layout: &Layout, of: &Assignment) -> Vec<Bare> {
-    let free = (0..layout.atoms.len()).filter(|a| of.partner(*a).is_none());
+fn bare(garment: &Garment, layout: &Layout, is_free: impl Fn(usize) -> bool) -> Vec<Bare> {
+    let free = (0..layout.atoms.len()).filter(|a| is_free(*a));
     free.map(|a| {
         let atom = &layout.atoms[a];
         let piece = layout.panels[atom.panel].piece;

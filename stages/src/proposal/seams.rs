@@ -2,6 +2,7 @@
 
 use super::atoms::Layout;
 use super::confidence::Margin;
+use super::openings::Closing;
 use super::tuning;
 use crate::sewing::ring::Ring;
 use crate::sewing::shapes::Shapes;
@@ -118,6 +119,26 @@ fn seam(garment: &Garment, shapes: &Shapes, layout: &Layout, chain: &[Stitch]) -
         confidence,
         atoms: chain.iter().map(|s| [s.a, s.b]).collect(),
         instead,
+        a,
+        b,
+    }
+}
+
+/// A seam of stretches that are sewn to each other as a whole.
+pub fn closing_seam(garment: &Garment, shapes: &Shapes, layout: &Layout, closing: &Closing) -> ProposedSeam {
+    let a = runs(garment, shapes, layout, closing.a.iter().copied(), true);
+    let b = runs(garment, shapes, layout, closing.b.iter().copied(), false);
+    let length = |atoms: &[usize]| atoms.iter().map(|a| layout.atoms[*a].length).sum();
+    let count = closing.a.len().max(closing.b.len());
+    let nth = |atoms: &[usize], k: usize| atoms[k * atoms.len() / count];
+    ProposedSeam {
+        name: format!("{} {}", label(garment, &a), label(garment, &b)),
+        length_a: length(&closing.a),
+        length_b: length(&closing.b),
+        fold_over: false,
+        confidence: tuning::OpeningWeights::default().confidence,
+        atoms: (0..count).map(|k| [nth(&closing.a, k), nth(&closing.b, k)]).collect(),
+        instead: Vec::new(),
         a,
         b,
     }

@@ -3,7 +3,7 @@
 use super::atoms::{Layout, Mark};
 use super::mirror::{ALONE, maps};
 use super::tuning::{CALIBRATION, confidence};
-use super::{Known, Nameless, Proposal, Run, propose};
+use super::{Known, Nameless, Proposal, RoleNames, Run, propose};
 use crate::sewing::shapes::shapes;
 use crate::testing::{dart, piece, rectangle};
 use toile_garment::dart::DartKind;
@@ -131,4 +131,32 @@ fn a_larger_margin_is_never_less_sure() {
     let steps: Vec<f64> = (0..400).map(|k| confidence(f64::from(k) * 0.05 - 1.0)).collect();
     assert!(steps.windows(2).all(|w| w[1] >= w[0]));
     assert_eq!(confidence(1e9), CALIBRATION[CALIBRATION.len() - 1].1);
+}
+
+/// Half a top, mm: hem, side, armhole, shoulder, and a neckline of one depth.
+fn top(name: &str, neckline: f64) -> Piece {
+    let points = [(0.0, 0.0), (480.0, 0.0), (480.0, 400.0), (430.0, 480.0), (420.0, 620.0), (300.0, 650.0)];
+    let neck = [(240.0, 650.0 - neckline)];
+    let mirror = points.iter().rev().map(|(x, y)| (480.0 - x, *y));
+    // Corners of the right half, the middle of the neckline, and the left half; hem and side are no corners twice.
+    let all: Vec<(f64, f64)> = points[1..].iter().copied().chain(neck).chain(mirror.take(5)).collect();
+    piece(0, name, &all.iter().map(|(x, y)| (*x, *y, 't')).collect::<Vec<_>>())
+}
+
+#[test]
+fn a_band_without_marks_goes_around_the_neckline_and_is_closed() {
+    let (front, back) = (top("front bodice", 120.0), top("back bodice", 60.0));
+    let neckline = |deep: f64| 2.0 * libm::hypot(60.0, deep);
+    let around = neckline(120.0) + neckline(60.0);
+    let band = rectangle(0, "neck band", 0.9 * around, 30.0);
+    let top = garment(vec![front, back, band]);
+    let proposal = propose(&top, &RoleNames::new(&top), &Known::default()).expect("proposal");
+    let of_band: Vec<_> = proposal.seams.iter().filter(|s| s.b.iter().any(|r| r.piece == 2)).collect();
+    let ring = of_band.iter().find(|s| s.a.iter().all(|r| r.piece != 2)).expect("a seam around the neck");
+    assert!((ring.length_a - around * 1e-3).abs() < 1e-6, "{}", ring.length_a);
+    assert!((ring.length_b - 0.9 * around * 1e-3).abs() < 1e-6);
+    let pieces: Vec<usize> = ring.a.iter().map(|r| r.piece).collect();
+    assert!(pieces.contains(&0) && pieces.contains(&1));
+    let ends = of_band.iter().find(|s| s.a.iter().all(|r| r.piece == 2)).expect("the ends of the band");
+    assert!((ends.length_a - 0.03).abs() < 1e-9 && !ends.fold_over);
 }

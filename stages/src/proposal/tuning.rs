@@ -33,6 +33,18 @@ pub const CORNER_SUM: f64 = 0.35;
 /// Corners of more than this together cannot lie flat (radians).
 pub const CORNER_SUM_MOST: f64 = 7.2;
 
+/// Edges that are both shorter are not gathered (metres).
+pub const GATHERED_LEAST: f64 = 0.04;
+
+/// What is set on an opening is gathered by no more: logarithm of the ratio.
+pub const SET_ON_GATHER: f64 = 0.5;
+/// Edges of such a seam are no shorter (metres).
+pub const SET_ON_LEAST: f64 = 0.03;
+/// Score of a pair that is gathered by more.
+pub const TOO_GATHERED: f64 = -6.0;
+/// No cloth is gathered by more: logarithm of the ratio.
+pub const GATHER_MOST: f64 = 1.15;
+
 /// Weights of the properties of a pair of atoms, in natural logarithms of odds.
 #[derive(Clone, Debug)]
 pub struct PairWeights {
@@ -345,6 +357,39 @@ impl Default for NameWeights {
             other_part_and_facing: -2.0,
             short: 0.02,
             never_meet: -5.0,
+        }
+    }
+}
+
+/// What closes an opening.
+#[derive(Clone, Debug)]
+pub struct OpeningWeights {
+    /// Length of what is set on an opening over that of the rest of the opening: sleeves are eased in, ribs are stretched.
+    pub zip: std::ops::Range<f64>,
+    /// Usual length of a band over that of the opening it goes around.
+    pub band_usual: f64,
+    /// Most that it differs from that.
+    pub band_spread: f64,
+    /// Two ends of a band, and a long side and what it is sewn to, differ by less: logarithm of their ratio.
+    pub band_ends: f64,
+    /// A long side of a band is at least so many times as long as its ends.
+    pub band_least: f64,
+    /// A corner of a band has a smaller angle (radians).
+    pub corner_most: f64,
+    /// Likelihood that such a seam is right.
+    pub confidence: f64,
+}
+
+impl Default for OpeningWeights {
+    fn default() -> Self {
+        Self {
+            zip: 0.85..1.2,
+            band_usual: 0.9,
+            band_spread: 0.2,
+            band_ends: 0.1,
+            band_least: 3.0,
+            corner_most: 2.3,
+            confidence: 0.7,
         }
     }
 }

@@ -26,7 +26,25 @@ pub fn roles_of_names(pieces: &[Piece]) -> Vec<Role> {
         let silent = role == Role::default();
         if silent { piece.annotation.as_deref().map(role_of_text).unwrap_or_default() } else { role }
     };
-    pieces.iter().map(role).collect()
+    let mut roles: Vec<Role> = pieces.iter().map(role).collect();
+    find_tops(&mut roles);
+    roles
+}
+
+/// Fronts and backs in a garment with sleeves, a collar, a hood or a yoke, and without a part from the waist down: they
+/// are of a bodice.
+fn find_tops(roles: &mut [Role]) {
+    let has = |parts: &[Part]| roles.iter().any(|r| r.part.is_some_and(|p| parts.contains(&p)));
+    if !has(&[Part::Sleeve, Part::Collar, Part::Stand, Part::Hood, Part::Yoke])
+        || has(&[Part::Skirt, Part::Leg, Part::Waistband, Part::Tier])
+    {
+        return;
+    }
+    let is_top = |r: &&mut Role| r.part.is_none() && matches!(r.facing, Some(Facing::Front | Facing::Back));
+    for role in roles.iter_mut().filter(is_top) {
+        role.part = Some(Part::Bodice);
+        role.evidence.push("it is a front or a back of a garment with sleeves or a collar".to_owned());
+    }
 }
 
 /// Length of the name of the style at the start of all names, bytes.
@@ -260,8 +278,8 @@ mod tests {
         let told = |names: &[&str]| -> Vec<String> {
             roles_of_names(&names.iter().map(|n| piece(n)).collect::<Vec<_>>()).iter().map(Role::words).collect()
         };
-        assert_eq!(told(&["PLAIN TEEFR", "PLAIN TEEBK", "PLAIN TEESL1"]), ["front", "back", "sleeve"]);
-        assert_eq!(told(&["SS CL FR", "SS CL BK", "SS CL NB"]), ["front", "back", "collar"]);
+        assert_eq!(told(&["PLAIN TEEFR", "PLAIN TEEBK", "PLAIN TEESL1"]), ["front bodice", "back bodice", "sleeve"]);
+        assert_eq!(told(&["SS CL FR", "SS CL BK", "SS CL NB"]), ["front bodice", "back bodice", "collar"]);
         assert_eq!(told(&["SS17 REG FR", "SS17 REG IX", "SS17 REG BK"]), ["front", "", "back"]);
         assert_eq!(told(&["DEEP RACE FR", "DEEP RACERBK"]), ["front", "back"]);
         assert_eq!(told(&["skirt_front", "skirt_back"]), ["front skirt", "back skirt"]);

@@ -68,7 +68,6 @@ pub fn complete(pieces: &[Piece], roles: Vec<Role>, joins: &[Join]) -> Vec<Role>
     let mut sewn = Sewn { pieces, outlines, runs, twins, alike, roles };
     sewn.find_limbs();
     sewn.find_bodices();
-    sewn.find_tops();
     sewn.find_trunk();
     sewn.find_bands();
     // The clearest evidence comes first, and the rest follows it along the seams.
@@ -207,22 +206,6 @@ impl Sewn<'_> {
                 && (has_shoulder && has_side || has_sleeve)
             {
                 self.tell(i, Part::Bodice, "it is sewn to a sleeve, or over the shoulder");
-            }
-        }
-    }
-
-    /// Fronts and backs by name, in a garment with sleeves, a collar, a hood or a yoke and without a part from the waist
-    /// down: they are of a bodice.
-    fn find_tops(&mut self) {
-        let has = |parts: &[Part]| (0..self.pieces.len()).any(|i| self.is_part(i, parts));
-        if !has(&[Part::Sleeve, Part::Collar, Part::Stand, Part::Hood, Part::Yoke])
-            || has(&[Part::Skirt, Part::Leg, Part::Waistband, Part::Tier])
-        {
-            return;
-        }
-        for i in 0..self.pieces.len() {
-            if matches!(self.roles[i].facing, Some(Facing::Front | Facing::Back)) && !self.is_band(i) {
-                self.tell(i, Part::Bodice, "it is a front or a back of a garment with sleeves or a collar");
             }
         }
     }

@@ -41,7 +41,7 @@ pub const WORDS: &[(Meaning, [&[&str]; 10])] = &[
     (
         P(Part::Interlining),
         [
-            &["interlining", "interfacing", "fusing", "fusible", "fus"],
+            &["interli", "interfac", "fusing", "fusible", "fus"],
             &["衬布", "粘衬", "朴"],
             &["einlage"],
             &["thermocollant", "entoilage"],
