@@ -48,7 +48,7 @@ pub enum Mesher {
     /// Near-equilateral triangles: for draping.
     #[default]
     Regular,
-    /// lyon's fill: slivers, no inner points; a draft to look at.
+    /// lyon's fill: narrow triangles, no inner points; a draft to look at.
     Lyon,
 }
 
@@ -108,7 +108,7 @@ impl Stage for Triangulate {
             let quality = check::quality(&layout, &filled.0, &filled.1);
             for finding in check::findings(piece, &quality, params.mesher == Mesher::Lyon) {
                 if finding.severity == toile_garment::Severity::Error {
-                    return Err(StageError::Internal(finding.message));
+                    return Err(StageError::input(finding));
                 }
                 cx.report.push(finding);
             }

@@ -58,7 +58,7 @@ impl FillGeometryBuilder for Collector {
     }
 }
 
-/// The draft mesher: no inner points, slivers; for a quick look, never for a drape. Inner lines are not kept.
+/// The draft mesher: no inner points, narrow triangles; for a quick look. Inner lines are not kept.
 ///
 /// # Errors
 /// When lyon finds a crossing.
@@ -90,5 +90,6 @@ pub fn fill(layout: &Layout) -> Result<Filled, FillError> {
         let [pa, pb, pc] = [a, b, c].map(|v| layout.points[v as usize]);
         triangles.push(if cross(pa, pb, pc) < 0.0 { [a, c, b] } else { [a, b, c] });
     }
+    super::flips::widen(&layout.points, &layout.all_edges().0, &mut triangles);
     Ok((layout.points.clone(), triangles))
 }
