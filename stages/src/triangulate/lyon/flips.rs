@@ -46,23 +46,16 @@ fn in_order([a, b]: [u32; 2]) -> [u32; 2] {
     [a.min(b), a.max(b)]
 }
 
-/// Two triangles on the other diagonal, if both have area and the least angle is larger.
+/// Two triangles on the other diagonal, if both have area and the least angle is larger. The wider triangle tells the
+/// sides of the edge, since three vertices of a straight line are wound by rounding.
 fn turn(points: &[Vec2], edge: [u32; 2], pair: [[u32; 3]; 2]) -> Option<[[u32; 3]; 2]> {
-    let k = (0..3).find(|k| !edge.contains(&pair[0][*k]))?;
-    let [p, a, b] = [0, 1, 2].map(|n| pair[0][(k + n) % 3]);
-    let q = pair[1].into_iter().find(|v| !edge.contains(v))?;
+    let double = |[a, b, c]: [u32; 3]| cross(points[a as usize], points[b as usize], points[c as usize]);
+    let [wide, flat] = if double(pair[0]) < double(pair[1]) { [pair[1], pair[0]] } else { pair };
+    let k = (0..3).find(|k| !edge.contains(&wide[*k]))?;
+    let [p, a, b] = [0, 1, 2].map(|n| wide[(k + n) % 3]);
+    let q = flat.into_iter().find(|v| !edge.contains(v))?;
     let other = [[p, a, q], [p, q, b]];
-    let at = |t: [u32; 3]| t.map(|v| points[v as usize]);
-    let has_area = |t: [u32; 3]| {
-        let [a, b, c] = at(t);
-        cross(a, b, c) > 0.0
-    };
-    let least = |pair: [[u32; 3]; 2]| {
-        let [one, two] = pair.map(|t| {
-            let [a, b, c] = at(t);
-            least_angle(a, b, c)
-        });
-        one.min(two)
-    };
-    (other.into_iter().all(has_area) && least(other) > least(pair) + 1e-9).then_some(other)
+    let angle = |[a, b, c]: [u32; 3]| least_angle(points[a as usize], points[b as usize], points[c as usize]);
+    let least = |pair: [[u32; 3]; 2]| angle(pair[0]).min(angle(pair[1]));
+    (other.into_iter().all(|t| double(t) > 0.0) && least(other) > least(pair) + 1e-9).then_some(other)
 }
