@@ -48,7 +48,7 @@ pub enum Mesher {
     /// Near-equilateral triangles: for draping.
     #[default]
     Regular,
-    /// lyon's fill: narrow triangles, no inner points; a draft to look at.
+    /// lyon's fill, its triangles halved: narrower triangles, internal lines are not kept; a draft to look at.
     Lyon,
 }
 
@@ -214,7 +214,7 @@ fn mesh_piece(layout: &Layout, piece: &Piece, h: f64, params: &Params) -> Result
     }
     let filled = match params.mesher {
         Mesher::Regular => regular::fill(layout, &edges, h, rows(piece, params.angle.0)),
-        Mesher::Lyon => lyon::fill(layout),
+        Mesher::Lyon => lyon::fill(layout, h),
     };
     filled.map_err(|e| match e {
         FillError::Conflicts(list) | FillError::Touches(list) => edges_of(layout, &list),
