@@ -219,6 +219,7 @@ impl<'a> Run<'a> {
         let info = step.ready.info();
         let params = step.ready.params();
         let before = self.report.findings.len();
+        self.garment.forget_outdated(&info.gives);
         step.ready.check(&self.garment, &mut self.report);
         if self.errors_since(before) {
             return Exit::Input;

@@ -139,13 +139,15 @@ fn value_at<'t>(table: &'t DeTable<'t>, keys: &[String]) -> Option<&'t Spanned<D
 struct Chain<'r> {
     registry: &'r Registry,
     given: BTreeSet<Aspect>,
+    /// What was given and is outdated, with the stage that made its base anew.
+    outdated: BTreeMap<Aspect, String>,
     /// After an unknown stage nobody knows what is there: later needs are not reported.
     unsure: bool,
 }
 
 impl<'r> Chain<'r> {
     fn new(registry: &'r Registry) -> Self {
-        Self { registry, given: BTreeSet::new(), unsure: false }
+        Self { registry, given: BTreeSet::new(), outdated: BTreeMap::new(), unsure: false }
     }
 
     fn find(&mut self, cx: &mut Reader<'_>, entry: &StageEntry<'_>) -> Option<&'r dyn AnyStage> {
@@ -168,9 +170,18 @@ impl<'r> Chain<'r> {
         let info = stage.info();
         for need in info.needs.iter().filter(|n| !self.given.contains(n)) {
             if !self.unsure {
-                let message = format!("`{}` needs {}, which no earlier stage gives", info.name, word(*need));
+                let lacking = match self.outdated.get(need) {
+                    Some(renewer) => format!("and what was there is outdated by the stage `{renewer}`"),
+                    None => "which no earlier stage gives".to_owned(),
+                };
+                let message = format!("`{}` needs {}, {lacking}", info.name, word(*need));
                 cx.push(NEEDS_NOT_GIVEN, &entry.name.span(), message, self.givers(*need));
             }
+        }
+        let outdated: Vec<Aspect> = self.given.iter().copied().filter(|a| a.is_outdated_by(&info.gives)).collect();
+        for aspect in outdated {
+            self.given.remove(&aspect);
+            self.outdated.insert(aspect, info.name.to_string());
         }
         self.given.extend(info.gives.iter());
     }

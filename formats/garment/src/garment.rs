@@ -40,6 +40,29 @@ pub enum Aspect {
     Body,
 }
 
+impl Aspect {
+    /// What it was made from, nearest last. It is outdated when one of these is made anew.
+    #[must_use]
+    pub fn bases(self) -> &'static [Self] {
+        const ORDER: [Aspect; 5] = [Aspect::Pieces, Aspect::Mesh, Aspect::Seams, Aspect::Stitched, Aspect::Drape];
+        let count = match self {
+            Self::Pieces | Self::Fabric | Self::Body => 0,
+            Self::Mesh => 1,
+            Self::Seams | Self::Texture => 2,
+            Self::Stitched => 3,
+            Self::Drape => 4,
+            Self::Animation | Self::Flat => 5,
+        };
+        &ORDER[..count]
+    }
+
+    /// Is it outdated once these are made anew?
+    #[must_use]
+    pub fn is_outdated_by(self, renewed: &[Self]) -> bool {
+        self.bases().iter().any(|base| renewed.contains(base))
+    }
+}
+
 /// The figures of a drape with their limits, as `run.json` holds them.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Certificate {
@@ -325,6 +348,30 @@ impl Garment {
             Aspect::Flat => self.flat.is_some(),
             Aspect::Fabric => !self.fabrics.is_empty(),
             Aspect::Body => self.body.is_some(),
+        }
+    }
+
+    /// Takes away what is outdated once these aspects are made anew: its vertices are those of another mesh.
+    pub fn forget_outdated(&mut self, renewed: &[Aspect]) {
+        let gone = |aspect: Aspect| aspect.is_outdated_by(renewed);
+        if gone(Aspect::Mesh) {
+            self.pieces.iter_mut().for_each(|piece| piece.mesh = None);
+        }
+        if gone(Aspect::Seams) {
+            (self.seams, self.bands, self.pins, self.loads) = Default::default();
+        }
+        if gone(Aspect::Stitched) {
+            self.stitched = None;
+        }
+        if gone(Aspect::Drape) {
+            (self.drape, self.drape_before_edit, self.certificate) = Default::default();
+            (self.reactions, self.effects) = Default::default();
+        }
+        if gone(Aspect::Animation) {
+            (self.animation, self.flat) = Default::default();
+        }
+        if gone(Aspect::Texture) {
+            self.textures = None;
         }
     }
 

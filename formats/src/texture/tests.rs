@@ -43,6 +43,27 @@ fn cuts_out_texts_times_and_profiles() {
     assert_eq!(read_image(&camera, "c.jpg").expect("JPEG").bytes, plain);
 }
 
+/// The checksum of a PNG's chunk.
+fn checksum(bytes: &[u8]) -> u32 {
+    let bit = |sum: u32| if sum & 1 == 1 { (sum >> 1) ^ 0xedb8_8320 } else { sum >> 1 };
+    !bytes.iter().fold(u32::MAX, |sum, byte| (0..8).fold(sum ^ u32::from(*byte), |sum, _| bit(sum)))
+}
+
+/// A sound header of many pixels is refused by its number of pixels, before any is decoded.
+#[test]
+fn a_small_file_of_many_pixels_is_refused() {
+    for side in [8193_u32, 16_384] {
+        let mut huge = sample::png().bytes;
+        huge[16..20].copy_from_slice(&side.to_be_bytes());
+        huge[20..24].copy_from_slice(&side.to_be_bytes());
+        let sum = checksum(&huge[12..29]);
+        huge[29..33].copy_from_slice(&sum.to_be_bytes());
+        let refused = read_image(&huge, "c.png").expect_err("refused");
+        assert_eq!(refused.code.as_str(), "image-size", "{}", refused.message);
+        assert!(refused.message.contains("at most 64"), "{}", refused.message);
+    }
+}
+
 #[test]
 fn refuses_bombs_and_broken_files() {
     let png = sample::png().bytes;

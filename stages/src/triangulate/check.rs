@@ -2,12 +2,15 @@
 
 use super::codes;
 use super::layout::Layout;
+use super::regular;
 use super::smooth::{cross, least_angle};
 use crate::sewing::shapes::mm;
 use toile_garment::{Diagnostic, Piece, Vec2};
 
 /// Angles the mesh promises away from drawn angles.
 const PROMISED: f64 = 30.0;
+/// Triangles of less height than this part of their longest edge have no area for the solver.
+const FLAT: f64 = 2e-9;
 /// Lines that meet at less than this make sharp triangles whatever is done.
 const SHARP: f64 = 62.0;
 
@@ -22,6 +25,8 @@ pub struct Quality {
     pub worst_at: Option<Vec2>,
     /// Triangles that are turned over or have no area.
     pub reversed: usize,
+    /// Drawn edges that bound the cloth and are no edge of the mesh.
+    pub lost: usize,
     /// Mesh area over the area of the sampled outline, minus one.
     pub area_error: f64,
 }
@@ -35,9 +40,8 @@ pub fn quality(layout: &Layout, points: &[Vec2], triangles: &[[u32; 3]]) -> Qual
         let [a, b, c] = t.map(|v| points[v as usize]);
         let double = cross(a, b, c);
         area += 0.5 * double;
-        if double <= 0.0 {
-            out.reversed += 1;
-        }
+        let longest = (b - a).norm_squared().max((c - b).norm_squared()).max((a - c).norm_squared());
+        out.reversed += usize::from(double <= FLAT * longest);
         if t.iter().any(|v| sharp.binary_search(v).is_ok()) {
             continue;
         }
@@ -50,6 +54,7 @@ pub fn quality(layout: &Layout, points: &[Vec2], triangles: &[[u32; 3]]) -> Qual
     }
     let drawn = layout.area();
     out.area_error = if drawn > 0.0 { area / drawn - 1.0 } else { 0.0 };
+    out.lost = regular::missing(triangles, &layout.boundary()).len();
     out
 }
 
@@ -82,12 +87,17 @@ pub fn sharp_vertices(layout: &Layout) -> Vec<u32> {
 /// Findings for a piece's mesh; an error where the mesh is wrong.
 pub fn findings(piece: &Piece, q: &Quality, draft: bool) -> Vec<Diagnostic> {
     let mut out = Vec::new();
-    if !draft && (q.reversed > 0 || q.area_error.abs() > 1e-9) {
+    if q.reversed > 0 || q.lost > 0 || q.area_error.abs() > 1e-9 {
         let message = format!(
-            "piece `{}`: the mesh has {} reversed triangles and an area {:.1e} off its outline",
-            piece.name, q.reversed, q.area_error
+            "piece `{}`: the mesh has {} triangles without area, lacks {} drawn edges, and its area is {:.1e} off",
+            piece.name, q.reversed, q.lost, q.area_error
         );
-        out.push(Diagnostic::error(codes::MESH_WRONG, message).at(piece.source.clone()));
+        let wrong = if draft {
+            Diagnostic::error(codes::DRAFT_MESH_WRONG, message).hint("take with.mesher = \"regular\" for this pattern")
+        } else {
+            Diagnostic::error(codes::MESH_WRONG, message)
+        };
+        out.push(wrong.at(piece.source.clone()));
     }
     if !draft && q.below > 0 {
         let at = q.worst_at.map_or(String::new(), |p| format!(" at {}", mm(p)));

@@ -5,6 +5,9 @@ use toile_garment::Code;
 codes! {
     pub(crate) list CODES;
 
+    /// The draft mesh of lyon does not hold the piece: a triangle has no area, or a drawn edge is lost. Exit code 3.
+    DRAFT_MESH_WRONG = "draft-mesh-wrong";
+
     /// `edge_length` or `triangles` is impossible: both were given, or the value is out of range. Exit code 2.
     EDGE_LENGTH = "edge-length";
 

@@ -48,7 +48,7 @@ pub enum Mesher {
     /// Near-equilateral triangles: for draping.
     #[default]
     Regular,
-    /// lyon's fill: slivers, no inner points; a draft to look at.
+    /// lyon's fill, its triangles halved: narrower triangles, internal lines are not kept; a draft to look at.
     Lyon,
 }
 
@@ -108,7 +108,7 @@ impl Stage for Triangulate {
             let quality = check::quality(&layout, &filled.0, &filled.1);
             for finding in check::findings(piece, &quality, params.mesher == Mesher::Lyon) {
                 if finding.severity == toile_garment::Severity::Error {
-                    return Err(StageError::Internal(finding.message));
+                    return Err(StageError::input(finding));
                 }
                 cx.report.push(finding);
             }
@@ -214,7 +214,7 @@ fn mesh_piece(layout: &Layout, piece: &Piece, h: f64, params: &Params) -> Result
     }
     let filled = match params.mesher {
         Mesher::Regular => regular::fill(layout, &edges, h, rows(piece, params.angle.0)),
-        Mesher::Lyon => lyon::fill(layout),
+        Mesher::Lyon => lyon::fill(layout, h),
     };
     filled.map_err(|e| match e {
         FillError::Conflicts(list) | FillError::Touches(list) => edges_of(layout, &list),

@@ -58,11 +58,12 @@ impl FillGeometryBuilder for Collector {
     }
 }
 
-/// The draft mesher: no inner points, slivers; for a quick look, never for a drape. Inner lines are not kept.
+/// The draft mesher: lyon's triangles, halved until their inner edges are about `h` long, metres. Inner lines are not
+/// kept.
 ///
 /// # Errors
 /// When lyon finds a crossing.
-pub fn fill(layout: &Layout) -> Result<Filled, FillError> {
+pub fn fill(layout: &Layout, h: f64) -> Result<Filled, FillError> {
     let (path, ids) = path(layout);
     let of_endpoint = path
         .id_iter()
@@ -90,5 +91,7 @@ pub fn fill(layout: &Layout) -> Result<Filled, FillError> {
         let [pa, pb, pc] = [a, b, c].map(|v| layout.points[v as usize]);
         triangles.push(if cross(pa, pb, pc) < 0.0 { [a, c, b] } else { [a, b, c] });
     }
-    Ok((layout.points.clone(), triangles))
+    let mut points = layout.points.clone();
+    super::flips::refine(&mut points, &layout.all_edges().0, &mut triangles, h);
+    Ok((points, triangles))
 }

@@ -9,6 +9,7 @@
 
 mod draft;
 mod fill_rule;
+mod flips;
 mod walk;
 
 use crate::sewing::ring::GRID;

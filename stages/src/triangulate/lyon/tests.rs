@@ -1,7 +1,8 @@
 //! lyon decides where cloth is and places vertices. Its tessellation and its sums of lengths measurably fall short.
 
 use super::*;
-use crate::testing::{one, rectangle, run};
+use crate::testing::{one, piece, rectangle, run};
+use crate::triangulate::check::{findings, quality};
 use crate::triangulate::curve::CurveKind;
 use crate::triangulate::layout::Layout;
 use crate::triangulate::{Mesher, Params, Triangulate, regular};
@@ -57,8 +58,43 @@ fn the_tessellation_loses_an_edge_beside_a_narrow_slit() {
         edges.iter().filter(|edge| sides(**edge) != 1).count()
     };
     assert_eq!(lost(&regular::cloth(&layout.points, &edges, &layout).expect("mesh")), 0);
-    let draft = fill(&layout).expect("draft");
+    let draft = fill(&layout, 0.05).expect("draft");
     assert!(lost(&draft.1) > 0, "lyon can be what the mesher starts from");
+}
+
+/// All vertices of a side lie on a straight line, so lyon alone makes triangles without area, and some as long as the
+/// piece.
+#[test]
+fn triangles_of_a_draft_have_area() {
+    let params =
+        Params { mesher: Mesher::Lyon, edge_length: Some("9 mm".parse().expect("length")), ..Params::default() };
+    let trapezium = piece(0, "r", &[(0.0, 0.0), (613.7, 0.0), (501.3, 291.3), (97.1, 291.3)].map(|(x, y)| (x, y, 'T')));
+    let (garment, _) = run(&Triangulate, &params, one(trapezium)).expect("draft");
+    let mesh = garment.pieces[0].mesh.as_ref().expect("mesh");
+    let widest = |t: usize| {
+        let [a, b, c] = mesh.rest_triangle(t).expect("triangle");
+        (b - a).norm_squared().max((c - b).norm_squared()).max((a - c).norm_squared())
+    };
+    let aspect = |t: usize| {
+        let [a, b, c] = mesh.rest_triangle(t).expect("triangle");
+        (b - a).perp(&(c - a)) / widest(t)
+    };
+    let least = (0..mesh.triangles.len()).map(aspect).fold(1.0, f64::min);
+    assert!(least > 0.1, "{least}");
+    let longest = (0..mesh.triangles.len()).map(widest).fold(0.0, f64::max).sqrt();
+    assert!(longest < 0.018, "{longest}");
+}
+
+/// A narrow slit costs the draft an edge, so it is refused with the reason before anything is sewn.
+#[test]
+fn a_draft_that_loses_an_edge_is_refused() {
+    let layout = slashed();
+    let (points, triangles) = fill(&layout, 0.05).expect("draft");
+    let quality = quality(&layout, &points, &triangles);
+    assert!(quality.lost > 0);
+    let found = findings(&rectangle(0, "r", 1.0, 1.0), &quality, true);
+    assert_eq!(found[0].code.as_str(), "draft-mesh-wrong");
+    assert_eq!(found[0].severity, toile_garment::Severity::Error);
 }
 
 /// The draft has the area of the outline: its points are exact in `f32`.
