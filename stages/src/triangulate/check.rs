@@ -2,7 +2,6 @@
 
 use super::codes;
 use super::layout::Layout;
-use super::regular;
 use super::smooth::{cross, least_angle};
 use crate::sewing::shapes::mm;
 use toile_garment::{Diagnostic, Piece, Vec2};
@@ -25,7 +24,7 @@ pub struct Quality {
     pub worst_at: Option<Vec2>,
     /// Triangles that are turned over or have no area.
     pub reversed: usize,
-    /// Drawn edges that bound the cloth and are no edge of the mesh.
+    /// Drawn edges that bound the cloth and have not exactly one triangle.
     pub lost: usize,
     /// Mesh area over the area of the sampled outline, minus one.
     pub area_error: f64,
@@ -54,8 +53,18 @@ pub fn quality(layout: &Layout, points: &[Vec2], triangles: &[[u32; 3]]) -> Qual
     }
     let drawn = layout.area();
     out.area_error = if drawn > 0.0 { area / drawn - 1.0 } else { 0.0 };
-    out.lost = regular::missing(triangles, &layout.boundary()).len();
+    out.lost = lost(triangles, &layout.boundary());
     out
+}
+
+/// Number of boundary edges that have no triangle, or one on either side.
+fn lost(triangles: &[[u32; 3]], boundary: &[[u32; 2]]) -> usize {
+    let in_order = |[a, b]: [u32; 2]| [a.min(b), a.max(b)];
+    let mut sides: Vec<[u32; 2]> =
+        triangles.iter().flat_map(|[a, b, c]| [[*a, *b], [*b, *c], [*c, *a]]).map(in_order).collect();
+    sides.sort_unstable();
+    let triangles_at = |edge: [u32; 2]| sides.partition_point(|s| *s <= edge) - sides.partition_point(|s| *s < edge);
+    boundary.iter().filter(|edge| triangles_at(in_order(**edge)) != 1).count()
 }
 
 /// Vertices at which two lines leave at a small angle.
