@@ -1,7 +1,7 @@
 //! Stages that make pieces or meshes anew: what was built on the old ones is gone, and nothing mixes the two.
 
 mod support;
-use support::bench::{Bench, HEAD};
+use support::bench::Bench;
 
 const IMPORT: &str = "[[stage]]
 use = \"import-dxf\"
@@ -23,15 +23,8 @@ fn mesh(triangles: usize) -> String {
 
 fn project(stages: &[&str]) -> Bench {
     let bench = Bench::new();
-    let samples = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples");
-    let folder = bench.pipeline_file().parent().expect("folder").to_path_buf();
-    let copy = |from: &str, name: &str| std::fs::copy(samples.join(from), folder.join(name)).map(drop).expect("copy");
-    copy("patterns/long-skirt.astm.dxf", "skirt.dxf");
-    copy("patterns/long-skirt.sewing.toml", "skirt.sewing.toml");
-    copy("bodies/size-38.obj", "body.obj");
-    copy("bodies/size-38.toml", "body.toml");
-    copy("fabrics/wool-suiting.toml", "fabric.toml");
-    bench.text(&format!("{HEAD}{}", stages.concat()));
+    bench.sample_skirt().sample("bodies/size-38.obj", "body.obj");
+    bench.stages(&stages.concat());
     bench
 }
 

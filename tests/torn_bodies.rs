@@ -1,7 +1,7 @@
 //! Bodies that end or are torn near an edge's attachment: a refusal with words or a sewn garment, never a panic.
 
 mod support;
-use support::bench::{Bench, HEAD};
+use support::bench::Bench;
 
 const STAGES: &str = "[[stage]]
 use = \"import-dxf\"
@@ -22,14 +22,9 @@ with.fabric = \"fabric.toml\"
 /// A project with the sample skirt and the faces of the sample body that a rule keeps.
 fn project(keep: impl Fn(usize, [[f64; 3]; 3]) -> bool) -> Bench {
     let bench = Bench::new();
-    let samples = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples");
-    let folder = bench.pipeline_file().parent().expect("folder").to_path_buf();
-    let copy = |from: &str, name: &str| std::fs::copy(samples.join(from), folder.join(name)).map(drop).expect("copy");
-    copy("patterns/long-skirt.astm.dxf", "skirt.dxf");
-    copy("patterns/long-skirt.sewing.toml", "skirt.sewing.toml");
-    copy("bodies/size-38.toml", "body.toml");
-    copy("fabrics/wool-suiting.toml", "fabric.toml");
-    let text = std::fs::read_to_string(samples.join("bodies/size-38.obj")).expect("body");
+    bench.sample_skirt().sample("bodies/size-38.obj", "body.obj");
+    let file = bench.path("pipelines/test/body.obj");
+    let text = std::fs::read_to_string(&file).expect("body");
     let place = |line: &str| {
         let mut numbers = line.split_whitespace().skip(1).map(|n| n.parse::<f64>().expect("number"));
         [0; 3].map(|_| numbers.next().expect("coordinate"))
@@ -44,8 +39,8 @@ fn project(keep: impl Fn(usize, [[f64; 3]; 3]) -> bool) -> Bench {
         keep(faces, [0; 3].map(|_| points[corner(words.next().expect("corner")) - 1]))
     });
     let body: String = kept.flat_map(|line| [line, "\n"]).collect();
-    std::fs::write(folder.join("body.obj"), body).expect("body");
-    bench.text(&format!("{HEAD}{STAGES}"));
+    std::fs::write(file, body).expect("body");
+    bench.stages(STAGES);
     bench
 }
 
@@ -103,10 +98,10 @@ fn check_reads_the_files_and_tells_all_that_is_wrong() {
     assert_eq!(bench.check(&[]).code, 3);
     assert!(codes(&bench).contains(&"fabric-value".to_owned()), "{:?}", codes(&bench));
     let wrong_size = STAGES.replace("\"38\"", "\"52\"");
-    bench.text(&format!("{HEAD}{wrong_size}"));
+    bench.stages(&wrong_size);
     let found = codes(&bench);
     assert!(["size-not-found", "fabric-value"].iter().all(|c| found.iter().any(|f| f == c)), "{found:?}");
-    bench.text(&format!("{HEAD}{STAGES}"));
+    bench.stages(STAGES);
     let samples = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/fabrics/wool-suiting.toml");
     std::fs::copy(samples, folder.join("fabric.toml")).expect("fabric");
     let millimetres = |line: &str| {
@@ -142,7 +137,7 @@ fn hopeless_work_is_refused_with_its_forecast() {
     assert!(said.err.contains("over-limit") && said.err.contains("foreseen"), "{}", said.err);
     assert!(!bench.out().exists(), "nothing was begun");
     let fine = STAGES.replace("with.triangles = 150", "with.edge_length = \"1 mm\"");
-    bench.text(&format!("{HEAD}{fine}[[stage]]\nuse = \"drape\"\n"));
+    bench.stages(&format!("{fine}[[stage]]\nuse = \"drape\"\n"));
     let said = bench.run(&[]);
     assert_eq!(said.code, 5, "{said:?}");
     assert!(said.err.contains("--max-seconds"), "{}", said.err);

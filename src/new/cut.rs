@@ -10,8 +10,8 @@ const COUNTERPART: f64 = 0.03;
 
 /// Copies and pieces that are left out, as the pattern tells them. `more` are pieces that a person leaves out.
 ///
-/// Interlinings are fused to other pieces. A piece with the quantity 0 is not cut: it is another version of a piece, or
-/// a mere construction.
+/// Interlinings are fused to other pieces. A piece with the quantity 0 is not cut: it is an alternative, or only helps to
+/// draw another one.
 pub fn plan(garment: &Garment, more: &[String]) -> SewingPlan {
     let roles = roles_of_names(&garment.pieces);
     let is_any_cut = garment.pieces.iter().any(is_cut);
@@ -89,7 +89,7 @@ mod tests {
     }
 
     #[test]
-    fn pieces_that_are_cut_no_time_are_left_out() {
+    fn pieces_of_quantity_zero_are_left_out() {
         let both = |long: u32| plan_of(vec![piece(0, "short sleeve", 0.4, 2), piece(1, "long sleeve", 0.7, long)]);
         assert_eq!(both(0).1, ["long sleeve"]);
         assert!(both(2).1.is_empty());

@@ -1,4 +1,4 @@
-//! What a folder holds from before: the sewing file, which belongs to the person, and the pieces proposed on until now.
+//! A folder's earlier content: the sewing file, which belongs to the person, and the pieces that had a proposal.
 //!
 //! `proposal.json` lists the pieces that were looked at. A person has seen what was proposed for them, and has kept it
 //! or taken it out. So no seam between two of them is proposed anew.
@@ -48,7 +48,7 @@ impl Earlier {
         Ok(Some(Self { text, plan, pieces }))
     }
 
-    /// What the person decided: the seams of the sewing file, and the pieces that were proposed on.
+    /// The person's decisions: the seams of the sewing file, and the pieces that had a proposal.
     ///
     /// # Errors
     /// Seams of the sewing file that are not on the outlines.

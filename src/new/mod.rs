@@ -34,7 +34,7 @@ pub struct Order<'a> {
     pub body: Body,
     /// The fabric.
     pub fabric: Fabric,
-    /// What the folder holds already.
+    /// The folder's earlier content.
     pub earlier: Option<&'a Earlier>,
     /// Are the names of the pieces left out of account?
     pub is_anonymous: bool,

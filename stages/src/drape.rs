@@ -57,7 +57,7 @@ codes! {
     TOO_TIGHT = "too-tight";
 }
 
-/// Stitches that are wider after sewing stay open in the drape, m. So do those whose cloth would cross if it were joined.
+/// Widest stitch that the drape joins, m. Stitches whose cloth would cross then stay open, too.
 const JOINED_GAP_MOST: f64 = 5e-3;
 
 /// Settles the garment and certifies the result.
@@ -126,11 +126,11 @@ impl Stage for Drape {
         };
         let shown = |x: &[Vec3]| Garment { drape: Some(shape(x)), ..garment.clone() };
         let outcome = toile_cloth::drape(&welded.scene, &settings, &mut Follow::showing(cx, &shown));
-        let outcome = outcome.map_err(|e| hindered(&e, open).unwrap_or_else(|| told(e)))?;
+        let outcome = outcome.map_err(|e| failure_of_open_stitches(&e, open).unwrap_or_else(|| told(e)))?;
         let stored: Vec<Vec3> = outcome.positions.iter().map(to_f32).collect();
         let figures = toile_cloth::certify(&welded.scene, &settings, &stored).map_err(failure)?;
-        let slip = slip(&garment, &stitched, &layout.split(&welded.spread(&stored)));
         let now = layout.split(&welded.spread(&stored));
+        let slip = slip(&garment, &stitched, &now);
         let (bands, folds) = (lines::bands(&garment, &layout, &now), lines::folds(&garment, &layout, &now));
         garment.certificate = Some(certificate::certificate(&garment, params, &outcome, &figures, &now, slip));
         if let Some(certificate) = &mut garment.certificate {
@@ -155,12 +155,13 @@ impl Stage for Drape {
     }
 }
 
-/// The failure of a drape with open stitches: cloth lies between their sides so closely that nothing can move.
-fn hindered(error: &ClothError, open: usize) -> Option<StageError> {
+/// The failure of a drape that cannot take a step and has open stitches. They are its cause: cloth lies between their
+/// sides.
+fn failure_of_open_stitches(error: &ClothError, open: usize) -> Option<StageError> {
     let message = format!("{open} stitches stay open after sewing, and cloth would cross if they were joined");
     let hint = "correct the seams that `seam-open` or `seam-reversed` name, or place their pieces nearer";
-    let is_hindered = open > 0 && matches!(error, ClothError::Unstable { .. });
-    is_hindered.then(|| StageError::input(Diagnostic::error(START_CROSSES, message).hint(hint)))
+    let is_their_failure = open > 0 && matches!(error, ClothError::Unstable { .. });
+    is_their_failure.then(|| StageError::input(Diagnostic::error(START_CROSSES, message).hint(hint)))
 }
 
 /// How far the top of a sewn garment that nothing holds sank on its body, m.

@@ -42,6 +42,21 @@ impl Bench {
         self.path("result")
     }
 
+    /// Copies a file of the samples beside the pipeline.
+    pub fn sample(&self, from: &str, name: &str) -> &Self {
+        let samples = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples");
+        std::fs::copy(samples.join(from), self.path("pipelines/test").join(name)).expect("copy");
+        self
+    }
+
+    /// Copies the pattern, the sewing file, the fabric and the side file of the body of the sample skirt.
+    pub fn sample_skirt(&self) -> &Self {
+        self.sample("patterns/long-skirt.astm.dxf", "skirt.dxf")
+            .sample("patterns/long-skirt.sewing.toml", "skirt.sewing.toml")
+            .sample("bodies/size-38.toml", "body.toml")
+            .sample("fabrics/wool-suiting.toml", "fabric.toml")
+    }
+
     /// Writes the pipeline: the head and these stages.
     pub fn stages(&self, stages: &str) -> &Self {
         self.text(&format!("{HEAD}{stages}"))

@@ -41,7 +41,7 @@ pub enum Aspect {
 }
 
 impl Aspect {
-    /// What it was made from, nearest last. It is outdated when one of these is made anew.
+    /// The aspects that this one is made from, the nearest last. A change of one of them outdates it.
     #[must_use]
     pub fn bases(self) -> &'static [Self] {
         const ORDER: [Aspect; 5] = [Aspect::Pieces, Aspect::Mesh, Aspect::Seams, Aspect::Stitched, Aspect::Drape];
@@ -56,7 +56,7 @@ impl Aspect {
         &ORDER[..count]
     }
 
-    /// Is it outdated once these are made anew?
+    /// Returns `true` if making these aspects anew outdates this one.
     #[must_use]
     pub fn is_outdated_by(self, renewed: &[Self]) -> bool {
         self.bases().iter().any(|base| renewed.contains(base))
@@ -351,7 +351,7 @@ impl Garment {
         }
     }
 
-    /// Takes away what is outdated once these aspects are made anew: its vertices are those of another mesh.
+    /// Removes what becomes outdated when these aspects are made anew. Its vertices would be those of another mesh.
     pub fn forget_outdated(&mut self, renewed: &[Aspect]) {
         let gone = |aspect: Aspect| aspect.is_outdated_by(renewed);
         if gone(Aspect::Mesh) {

@@ -44,8 +44,6 @@ pub struct Figures {
     pub penetration_max: f64,
     /// Smallest distance of a cloth vertex to the body, m (infinite without a body).
     pub body_distance_min: f64,
-    /// Largest gap of a stitched pair, m.
-    pub seam_gap_max: f64,
 }
 
 /// Strains of one triangle.
@@ -94,8 +92,6 @@ fn figures(scene: &Scene, settings: &Settings) -> Result<Figures, ClothError> {
     if let Some(b) = &body {
         against_body(&mut figures, x, &topology, b);
     }
-    figures.seam_gap_max =
-        scene.stitches.iter().map(|s| (x[s[0] as usize] - x[s[1] as usize]).norm()).fold(0.0, f64::max);
     figures.energy = elastic(&model(scene, settings, &topology, &masses(scene)), x);
     Ok(figures)
 }

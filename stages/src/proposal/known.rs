@@ -1,4 +1,4 @@
-//! What a person decided before: seams that are given, and pieces whose open edges stay open.
+//! A person's earlier decisions: seams that are given, and pieces whose open edges stay open.
 
 use super::atoms::{Atom, Layout};
 use super::pairs::Pair;

@@ -1,4 +1,4 @@
-//! Openings that a piece closes which is set on there: a sleeve on an armhole, a collar on a neckline, a cuff on a sleeve.
+//! Openings that are closed by one piece: a sleeve closes an armhole, a collar a neckline, a cuff the end of a sleeve.
 //!
 //! The search sews stretches between marks to each other, one to one. Where one side lacks a mark, or a band goes all
 //! round an opening, its stretches stay open. The names then tell what is set on where, and the surface tells the rest:
@@ -18,8 +18,10 @@ pub struct Closing {
     pub b: Vec<usize>,
 }
 
-/// The closings of a garment whose other seams are found, and those other seams. A band that was sewn on in parts is sewn
-/// on as a whole. `is_given` names atoms that a person sewed; their pieces are left as they are.
+/// The closings of a garment whose other seams are found, and those other seams.
+///
+/// A band that was sewn on in parts is sewn on as a whole. Pieces with atoms that a person sewed (`is_given`) stay as
+/// they are.
 pub fn closings(
     layout: &Layout,
     of: &Assignment,
@@ -31,17 +33,18 @@ pub fn closings(
     for panel in layout.panels.iter().filter(|p| !p.atoms.clone().any(&is_given)) {
         let without = of.without(panel.atoms.clone());
         let search = Openings { layout, of: &without, names, weights: OpeningWeights::default() };
-        let ring = search.ringed(panel, &of, &found);
-        if !ring.is_empty() {
+        let around = search.closed_by_band(panel, &of, &found);
+        if !around.is_empty() {
             of = without;
         }
-        found.extend(ring);
+        found.extend(around);
     }
     let is_used = |o: &[usize]| o.iter().any(|a| found.iter().any(|c| c.has(*a)));
     let search = Openings { layout, of: &of, names, weights: OpeningWeights::default() };
     let openings = search.openings();
-    let zipped: Vec<Closing> = openings.iter().filter(|o| !is_used(o)).filter_map(|o| search.zipped(o)).collect();
-    found.extend(zipped);
+    let two_sided: Vec<Closing> =
+        openings.iter().filter(|o| !is_used(o)).filter_map(|o| search.closed_by_sides(o)).collect();
+    found.extend(two_sided);
     (found, of)
 }
 
@@ -72,7 +75,7 @@ impl Openings<'_> {
         atoms.iter().map(|a| self.layout.atoms[*a].length).sum()
     }
 
-    /// The free atom that follows another one along the edge of the sewn cloth. `None` at a piece that lies turned over.
+    /// The free atom after another one along the edge of the sewn cloth. `None` at a piece that lies turned over.
     fn after(&self, atom: usize) -> Option<usize> {
         let mut next = self.layout.atoms[atom].next;
         for _ in 0..self.layout.atoms.len() {
@@ -104,7 +107,7 @@ impl Openings<'_> {
     }
 
     /// An opening of two sides, one on pieces that are set on the other.
-    fn zipped(&self, opening: &[usize]) -> Option<Closing> {
+    fn closed_by_sides(&self, opening: &[usize]) -> Option<Closing> {
         let is_set_on = |a: usize| opening.iter().any(|b| self.names.is_set_on(self.piece(a), self.piece(*b)));
         let set_on: Vec<bool> = opening.iter().map(|a| is_set_on(*a)).collect();
         let n = opening.len();
@@ -113,14 +116,14 @@ impl Openings<'_> {
         let turned: Vec<(usize, bool)> = (0..n).map(|k| (opening[(start + k) % n], set_on[(start + k) % n])).collect();
         let side = |which: bool| turned.iter().filter(|(_, s)| *s == which).map(|(a, _)| *a).collect::<Vec<_>>();
         let (mut on, base) = (side(true), side(false));
-        let fits = self.weights.zip.contains(&(self.length(&on) / self.length(&base)));
+        let fits = self.weights.set_on_ratio.contains(&(self.length(&on) / self.length(&base)));
         on.reverse();
         fits.then_some(Closing { a: base, b: on })
     }
 
-    /// A band around an opening, its ends sewn to each other. It is nothing where a long side is sewn on already, by the
-    /// partners `before`, and fits. No opening of `closed` is taken.
-    fn ringed(&self, panel: &Panel, before: &Assignment, closed: &[Closing]) -> Vec<Closing> {
+    /// Sews a band around an opening, and its ends to each other. A band of which a long side is sewn on by the partners
+    /// `before`, and fits, is left as it is. Openings of `closed` are taken already.
+    fn closed_by_band(&self, panel: &Panel, before: &Assignment, closed: &[Closing]) -> Vec<Closing> {
         let Some([first, end, long, other_end]) = self.sides_of_band(panel) else { return Vec::new() };
         if [&first, &long].iter().any(|side| self.is_sewn_whole(side, before)) {
             return Vec::new();

@@ -47,7 +47,7 @@ impl Names for Nameless {
     }
 }
 
-/// What is known beside the shapes: names, and decisions of a person.
+/// Knowledge beside the shapes: names, and decisions of a person.
 struct Knowledge<'a> {
     names: &'a dyn Names,
     decisions: Decisions,

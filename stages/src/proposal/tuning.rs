@@ -36,7 +36,7 @@ pub const CORNER_SUM_MOST: f64 = 7.2;
 /// Edges that are both shorter are not gathered (metres).
 pub const GATHERED_LEAST: f64 = 0.04;
 
-/// What is set on an opening is gathered by no more: logarithm of the ratio.
+/// A piece that is set on an opening is gathered by no more: logarithm of the ratio.
 pub const SET_ON_GATHER: f64 = 0.5;
 /// Edges of such a seam are no shorter (metres).
 pub const SET_ON_LEAST: f64 = 0.03;
@@ -361,11 +361,11 @@ impl Default for NameWeights {
     }
 }
 
-/// What closes an opening.
+/// Limits for the pieces that close openings.
 #[derive(Clone, Debug)]
 pub struct OpeningWeights {
-    /// Length of what is set on an opening over that of the rest of the opening: sleeves are eased in, ribs are stretched.
-    pub zip: std::ops::Range<f64>,
+    /// Length of what is set on an opening over that of the rest of the opening: sleeves are eased in, ribs stretched.
+    pub set_on_ratio: std::ops::Range<f64>,
     /// Usual length of a band over that of the opening it goes around.
     pub band_usual: f64,
     /// Most that it differs from that.
@@ -383,7 +383,7 @@ pub struct OpeningWeights {
 impl Default for OpeningWeights {
     fn default() -> Self {
         Self {
-            zip: 0.85..1.2,
+            set_on_ratio: 0.85..1.2,
             band_usual: 0.9,
             band_spread: 0.2,
             band_ends: 0.1,

@@ -48,7 +48,7 @@ codes! {
     PLACE_SIDE_UNKNOWN = "place-side-unknown";
 
     /// A seam did not close: something is in the way, or the pieces do not reach. Place them nearer to where they are
-    /// sewn. The drape joins what is open; its certificate says whether the cloth bears it.
+    /// sewn. The drape joins what it can; its certificate tells the gap of what stays open.
     SEAM_OPEN = "seam-open";
 
     /// The sides of a seam are farther apart than threads can draw them together. Place the pieces beside each other,

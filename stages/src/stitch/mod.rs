@@ -280,7 +280,7 @@ fn tell(garment: &Garment, outcome: &Outcome, distance: f64, cx: &mut StageConte
                     outcome.stop_reason.words()
                 ),
             )
-            .hint("place the pieces nearer to where they are sewn; the drape joins what is open"),
+            .hint("place the pieces nearer to where they are sewn; the drape joins what it can"),
         );
     }
 }

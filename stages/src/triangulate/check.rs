@@ -1,6 +1,7 @@
-//! What a mesh must hold before it leaves the stage.
+//! Checks of a mesh before it leaves the stage.
 
 use super::codes;
+use super::edge_use::triangles_at;
 use super::layout::Layout;
 use super::smooth::{cross, least_angle};
 use crate::sewing::shapes::mm;
@@ -53,18 +54,8 @@ pub fn quality(layout: &Layout, points: &[Vec2], triangles: &[[u32; 3]]) -> Qual
     }
     let drawn = layout.area();
     out.area_error = if drawn > 0.0 { area / drawn - 1.0 } else { 0.0 };
-    out.lost = lost(triangles, &layout.boundary());
+    out.lost = triangles_at(triangles, &layout.boundary()).into_iter().filter(|count| *count != 1).count();
     out
-}
-
-/// Number of boundary edges that have no triangle, or one on either side.
-fn lost(triangles: &[[u32; 3]], boundary: &[[u32; 2]]) -> usize {
-    let in_order = |[a, b]: [u32; 2]| [a.min(b), a.max(b)];
-    let mut sides: Vec<[u32; 2]> =
-        triangles.iter().flat_map(|[a, b, c]| [[*a, *b], [*b, *c], [*c, *a]]).map(in_order).collect();
-    sides.sort_unstable();
-    let triangles_at = |edge: [u32; 2]| sides.partition_point(|s| *s <= edge) - sides.partition_point(|s| *s < edge);
-    boundary.iter().filter(|edge| triangles_at(in_order(**edge)) != 1).count()
 }
 
 /// Vertices at which two lines leave at a small angle.

@@ -10,6 +10,7 @@ pub(crate) mod codes;
 mod counts;
 mod crossing;
 mod curve;
+mod edge_use;
 mod forecast;
 mod lattice;
 mod layout;

@@ -2,6 +2,7 @@
 
 use super::cdt::{CdtError, Spade, Triangulator};
 use super::check::sharp_vertices;
+use super::edge_use::triangles_at;
 use super::lattice;
 use super::layout::Layout;
 use super::region;
@@ -87,13 +88,8 @@ pub fn cloth(points: &[Vec2], edges: &[[u32; 2]], layout: &Layout) -> Result<Vec
 
 /// Edges that are no edge of any triangle.
 pub fn missing(triangles: &[[u32; 3]], edges: &[[u32; 2]]) -> Vec<[u32; 2]> {
-    let mut sides: Vec<[u32; 2]> = triangles
-        .iter()
-        .flat_map(|t| [[t[0], t[1]], [t[1], t[2]], [t[2], t[0]]])
-        .map(|[a, b]| [a.min(b), a.max(b)])
-        .collect();
-    sides.sort_unstable();
-    edges.iter().copied().filter(|[a, b]| sides.binary_search(&[(*a).min(*b), (*a).max(*b)]).is_err()).collect()
+    let counts = triangles_at(triangles, edges);
+    edges.iter().zip(counts).filter(|(_, count)| *count == 0).map(|(edge, _)| *edge).collect()
 }
 
 /// Middle of the bounding box; the origin where there is no point.

@@ -7,10 +7,10 @@ use crate::scene::weld::groups;
 use crate::{Scene, Settings, Vec3};
 use std::collections::BTreeSet;
 
-/// Rounds in which stitches are given up whose joining makes cloth cross.
+/// Largest number of rounds in which stitches are left open because their cloth crosses.
 const ROUNDS_MOST: usize = 8;
 
-/// What joined cloth must not cross.
+/// The triangles that joined cloth must not cross.
 pub(crate) struct Obstacles<'a> {
     /// Triangles of the cloth.
     pub faces: &'a [[u32; 3]],
@@ -89,8 +89,8 @@ fn crossing_vertices(x: &[Vec3], before: &BTreeSet<[u32; 2]>, near: &Obstacles<'
 mod tests {
     use super::*;
 
-    /// Two pairs of triangles, each with one above the other and a stitch at a corner. A fifth triangle lies between those
-    /// of the second pair. Their stitch stays open, the other one is joined in the middle.
+    /// There are two pairs of triangles, each with one above the other and a stitch at a corner. A fifth triangle lies
+    /// between those of the second pair. Their stitch stays open, and the other one is joined in the middle.
     #[test]
     fn stitches_whose_cloth_would_cross_stay_open() {
         let triangle =

@@ -1,21 +1,21 @@
-//! Edges inside a mesh are turned so that its triangles are as wide as they can be.
+//! Edge flips and inner vertices for the triangles of lyon.
 //!
-//! lyon takes three vertices of one straight line for a triangle. It has no area, so its cloth has no stiffness. Its
-//! triangles reach across the whole piece, and such a triangle cannot be laid around a body.
+//! lyon makes a triangle of three vertices on one straight line. Such a triangle has no area, so its cloth has no
+//! stiffness. Others reach across the whole piece, and cannot be laid around a body.
 
 use super::super::smooth::{cross, least_angle};
 use std::collections::{BTreeMap, BTreeSet};
 use toile_garment::Vec2;
 
-/// Rounds over all edges; a draft needs about ten.
+/// Largest number of rounds over all edges; a draft needs about ten.
 const ROUNDS: usize = 100;
 
-/// Halves of long edges; each round makes them half as long.
+/// Largest number of rounds in which long edges are halved.
 const HALVINGS: usize = 24;
-/// An inner edge is halved while it is longer than this many edge lengths.
+/// An inner edge is halved while it is longer than so many edge lengths.
 const LONG: f64 = 1.5;
 
-/// Inner vertices: inner edges that are long beside the edge length `h` are halved, and turned. Drawn `edges` stay.
+/// Halves inner edges that are long beside the edge length `h`, m, and flips edges. Drawn `edges` stay.
 pub fn refine(points: &mut Vec<Vec2>, edges: &[[u32; 2]], triangles: &mut Vec<[u32; 3]>, h: f64) {
     widen(points, edges, triangles);
     for _ in 0..HALVINGS {
@@ -54,7 +54,7 @@ fn halve(points: &mut Vec<Vec2>, edges: &[[u32; 2]], triangles: &mut Vec<[u32; 3
     }
 }
 
-/// Turns every edge between two triangles whose least angle grows so. Drawn `edges` stay.
+/// Flips every edge between two triangles whose least angle grows so. Drawn `edges` stay.
 fn widen(points: &[Vec2], edges: &[[u32; 2]], triangles: &mut [[u32; 3]]) {
     let mut drawn: Vec<[u32; 2]> = edges.iter().copied().map(in_order).collect();
     drawn.sort_unstable();

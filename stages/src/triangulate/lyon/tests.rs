@@ -4,6 +4,7 @@ use super::*;
 use crate::testing::{one, piece, rectangle, run};
 use crate::triangulate::check::{findings, quality};
 use crate::triangulate::curve::CurveKind;
+use crate::triangulate::edge_use::triangles_at;
 use crate::triangulate::layout::Layout;
 use crate::triangulate::{Mesher, Params, Triangulate, regular};
 
@@ -53,10 +54,7 @@ fn the_tessellation_loses_an_edge_beside_a_narrow_slit() {
     let layout = slashed();
     let (edges, repeated) = layout.all_edges();
     assert!(repeated.is_empty());
-    let lost = |triangles: &[[u32; 3]]| {
-        let sides = |[a, b]: [u32; 2]| triangles.iter().filter(|t| t.contains(&a) && t.contains(&b)).count();
-        edges.iter().filter(|edge| sides(**edge) != 1).count()
-    };
+    let lost = |triangles: &[[u32; 3]]| triangles_at(triangles, &edges).into_iter().filter(|n| *n != 1).count();
     assert_eq!(lost(&regular::cloth(&layout.points, &edges, &layout).expect("mesh")), 0);
     let draft = fill(&layout, 0.05).expect("draft");
     assert!(lost(&draft.1) > 0, "lyon can be what the mesher starts from");

@@ -41,24 +41,25 @@ pub fn free_pieces(scene: &mut Scene, settings: &Settings) -> Result<Vec<PieceMo
     let body = Body::of_scene(scene);
     let meets_cloth = SELF_CONTACT.is_on(&Facts::of_scene(scene, settings), settings);
     let pieces = pieces_of(scene);
-    let mut room = Room { x: scene.positions.clone(), body: body.as_ref(), standing: pieces.iter().collect() };
-    let crosses: Vec<bool> = pieces.iter().map(|p| !room.is_free(p, Vec3::zeros())).collect();
-    room.standing.clear();
-    let mut order: Vec<usize> = (0..pieces.len()).collect();
-    order.sort_by(|a, b| crosses[*a].cmp(&crosses[*b]).then(pieces[*b].area.total_cmp(&pieces[*a].area)));
+    let others = if meets_cloth { pieces.iter().collect() } else { Vec::new() };
+    let mut placed = Placed { x: scene.positions.clone(), body: body.as_ref(), others };
+    let (free, mut crossing): (Vec<&Piece>, Vec<&Piece>) =
+        pieces.iter().partition(|p| placed.is_free(p, Vec3::zeros()));
+    placed.others.retain(|p| free.iter().any(|f| std::ptr::eq(*f, *p)));
+    crossing.sort_by(|a, b| b.area.total_cmp(&a.area));
     let mut moves = Vec::new();
-    for piece in order.into_iter().map(|k| &pieces[k]) {
+    for piece in crossing {
         if !piece.is_held
-            && let Some(by) = room.shortest_move(piece).filter(|by| by.norm() > 0.0)
+            && let Some(by) = placed.shortest_move(piece)
         {
-            piece.vertices.iter().for_each(|v| room.x[*v as usize] += by);
+            piece.vertices.iter().for_each(|v| placed.x[*v as usize] += by);
             moves.push(PieceMove { vertex: piece.vertices[0], by });
         }
         if meets_cloth {
-            room.standing.push(piece);
+            placed.others.push(piece);
         }
     }
-    scene.positions = room.x;
+    scene.positions = placed.x;
     moves.sort_by_key(|m| m.vertex);
     Ok(moves)
 }
@@ -125,31 +126,31 @@ impl Piece {
     }
 }
 
-/// Places of all cloth, and what a piece has to be free of.
-struct Room<'a> {
+/// Places of all cloth, m, with the body and the pieces that must not be crossed.
+struct Placed<'a> {
     x: Vec<Vec3>,
     body: Option<&'a Body>,
-    standing: Vec<&'a Piece>,
+    others: Vec<&'a Piece>,
 }
 
-impl Room<'_> {
-    /// The shortest of the moves tried that frees a piece, m; zero where it is free. A little more is taken where there
-    /// is room.
+impl Placed<'_> {
+    /// The shortest of the moves tried that frees a piece, m, and a little more where there is room. `None` where the
+    /// piece is free, or no move frees it.
     fn shortest_move(&self, piece: &Piece) -> Option<Vec3> {
         if self.is_free(piece, Vec3::zeros()) {
-            return Some(Vec3::zeros());
+            return None;
         }
         let by = piece.moves(&self.x).into_iter().find(|by| self.is_free(piece, *by))?;
         let farther = by + by.normalize() * PIECE_MOVE_FIRST.get();
         Some(if self.is_free(piece, farther) { farther } else { by })
     }
 
-    /// Is a piece free of the body, and of all others that stand, after a move, m?
+    /// Returns `true` if a piece is free of the body and of the other pieces after a move, m.
     fn is_free(&self, piece: &Piece, by: Vec3) -> bool {
         let mut moved = self.x.clone();
         piece.vertices.iter().for_each(|v| moved[*v as usize] += by);
         self.body.is_none_or(|body| is_off_body(piece, &moved, body))
-            && !self.standing.iter().any(|other| other.vertices != piece.vertices && do_cross(&moved, piece, other))
+            && !self.others.iter().any(|other| !std::ptr::eq(*other, piece) && do_cross(&moved, piece, other))
     }
 }
 
