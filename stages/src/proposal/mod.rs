@@ -10,6 +10,7 @@ pub(crate) mod confidence;
 mod known;
 pub mod mirror;
 mod names;
+mod bands;
 mod openings;
 pub mod pairs;
 mod profile;
@@ -17,6 +18,7 @@ mod propose;
 mod random;
 mod seams;
 pub mod search;
+mod sleeves;
 pub mod tuning;
 pub mod whole;
 

@@ -12,6 +12,8 @@ pub struct RoleNames {
     roles: Vec<Role>,
     /// Pieces and their mirrored copies.
     twins: Vec<[usize; 2]>,
+    /// Number of sleeves that are sewn.
+    sleeves: usize,
     weights: NameWeights,
 }
 
@@ -22,7 +24,11 @@ impl RoleNames {
         let find = |name: &str| garment.pieces.iter().position(|p| p.name == name);
         let mirrored = garment.plan.copies.iter().filter(|c| c.mirror);
         let twins = mirrored.filter_map(|c| Some([find(&c.piece)?, find(&c.name)?])).collect();
-        Self { roles: roles_of_names(&garment.pieces), twins, weights: NameWeights::default() }
+        let roles = roles_of_names(&garment.pieces);
+        let is_sewn = |name: &String| !garment.plan.leave_out.iter().any(|n| n.eq_ignore_ascii_case(name));
+        let is_sleeve = |p: &usize| roles[*p].part == Some(Part::Sleeve) && is_sewn(&garment.pieces[*p].name);
+        let sleeves = (0..roles.len()).filter(is_sleeve).count();
+        Self { roles, twins, sleeves, weights: NameWeights::default() }
     }
 
     /// Is one of two pieces the mirrored copy of the other?
@@ -65,6 +71,18 @@ impl Names for RoleNames {
         let height = |p: usize| self.roles[p].part.and_then(height);
         use Height::{Arm, Neck, Trunk, Wrist};
         matches!((height(piece), height(other)), (Some(Arm | Neck), Some(Trunk)) | (Some(Wrist), Some(Arm)))
+    }
+
+    fn is_sleeve(&self, piece: usize) -> bool {
+        self.roles[piece].part == Some(Part::Sleeve)
+    }
+
+    fn is_off_arm(&self, piece: usize) -> bool {
+        self.roles[piece].part.and_then(height).is_some_and(|h| !matches!(h, Height::Arm | Height::Wrist))
+    }
+
+    fn is_whole_sleeve(&self, piece: usize) -> bool {
+        self.is_sleeve(piece) && self.sleeves <= 2
     }
 
     fn are_namesakes(&self, a: usize, b: usize) -> bool {

@@ -136,7 +136,7 @@ pub fn closing_seam(garment: &Garment, shapes: &Shapes, layout: &Layout, closing
         length_a: length(&closing.a),
         length_b: length(&closing.b),
         fold_over: false,
-        confidence: tuning::OpeningWeights::default().confidence,
+        confidence: closing.confidence,
         atoms: (0..count).map(|k| [nth(&closing.a, k), nth(&closing.b, k)]).collect(),
         instead: Vec::new(),
         a,

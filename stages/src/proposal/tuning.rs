@@ -162,6 +162,8 @@ pub struct WholeWeights {
     pub handle: f64,
     /// A part without an opening.
     pub closed: f64,
+    /// Every opening beyond two of a sleeve.
+    pub not_a_tube: f64,
     /// Every piece that would have to lie on both sides at once.
     pub one_sided: f64,
     /// Every half of a piece that is joined to its mirror image otherwise than on the middle.
@@ -195,6 +197,7 @@ impl Default for WholeWeights {
             part: -12.13,
             handle: -12.00,
             closed: -6.00,
+            not_a_tube: -6.00,
             one_sided: -12.00,
             crossed: -8.00,
             second_middle: -5.00,
@@ -212,6 +215,11 @@ impl Default for WholeWeights {
 }
 
 impl WholeWeights {
+    /// Weights for a garment with open armholes: corners and marks of open edges say nothing.
+    pub fn open_marks() -> Self {
+        Self { bare_corner: 0.0, bare_notch: 0.0, ..Self::default() }
+    }
+
     /// The corners round the edge of the garment.
     pub fn open_fan(&self, corners: usize, sum: f64, mark: Mark) -> f64 {
         match (corners, mark) {
@@ -361,11 +369,9 @@ impl Default for NameWeights {
     }
 }
 
-/// Limits for the pieces that close openings.
+/// Limits for the bands that close openings.
 #[derive(Clone, Debug)]
-pub struct OpeningWeights {
-    /// Length of what is set on an opening over that of the rest of the opening: sleeves are eased in, ribs stretched.
-    pub set_on_ratio: std::ops::Range<f64>,
+pub struct BandWeights {
     /// Usual length of a band over that of the opening it goes around.
     pub band_usual: f64,
     /// Most that it differs from that.
@@ -380,16 +386,70 @@ pub struct OpeningWeights {
     pub confidence: f64,
 }
 
-impl Default for OpeningWeights {
+impl Default for BandWeights {
     fn default() -> Self {
         Self {
-            set_on_ratio: 0.85..1.2,
             band_usual: 0.9,
             band_spread: 0.2,
             band_ends: 0.1,
             band_least: 3.0,
             corner_most: 2.3,
             confidence: 0.7,
+        }
+    }
+}
+
+/// Limits and weights for sleeves that are sewn around their armholes as a whole.
+#[derive(Clone, Debug)]
+pub struct SleeveWeights {
+    /// Score of a sleeve that is sewn to the trunk, or of a sleeve of one piece that is sewn to itself, where those seams
+    /// are found later.
+    pub apart: f64,
+    /// The two sides of a sleeve of one piece differ by less: logarithm of the ratio.
+    pub sides: f64,
+    /// Such sides are at least as long (metres).
+    pub side_least: f64,
+    /// Cost of the square of that logarithm.
+    pub sides_uneven: f64,
+    /// Cost of the share by which the hem of such a sleeve is longer than its chord.
+    pub hem_bent: f64,
+    /// Length of a cap over that of an armhole. Caps are eased in, or gathered.
+    pub ratio: std::ops::Range<f64>,
+    /// Cost of the square of the logarithm of that ratio.
+    pub ease: f64,
+    /// Cost of a start that is at no seam, for each side.
+    pub start_beside_seam: f64,
+    /// Height of a cap or an armhole over its length, at least.
+    pub least_height: f64,
+    /// Mean square of the difference of the heights of both sides, each over its range, that is allowed.
+    pub most: f64,
+    /// Cost of what the names say against such a seam.
+    pub names: f64,
+    /// Marks that lie nearer to each other are sewn to each other (metres).
+    pub marks_meet: f64,
+    /// Stretches between such marks are at least as long (metres).
+    pub stretch_least: f64,
+    /// Likelihood that such a seam is right.
+    pub confidence: f64,
+}
+
+impl Default for SleeveWeights {
+    fn default() -> Self {
+        Self {
+            apart: -40.0,
+            sides: 0.1,
+            side_least: 0.01,
+            sides_uneven: 4.0,
+            hem_bent: 0.2,
+            ratio: 0.85..2.6,
+            ease: 0.5,
+            start_beside_seam: 0.05,
+            least_height: 0.12,
+            most: 0.1,
+            names: 0.01,
+            marks_meet: 8e-3,
+            stretch_least: 0.03,
+            confidence: 0.8,
         }
     }
 }

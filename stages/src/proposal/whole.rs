@@ -37,6 +37,8 @@ pub struct Whole<'a> {
     /// Scores of pairs.
     pub pairs: &'a Pairs,
     weights: &'a WholeWeights,
+    /// Panels of sleeves that are apart from the trunk: two parts of their own.
+    apart: Vec<bool>,
     /// For every atom the half of its panel on which it lies, and the half that mirrors it.
     half: Vec<[u32; 2]>,
 }
@@ -63,7 +65,13 @@ struct Fan {
 impl<'a> Whole<'a> {
     /// For one garment.
     pub fn new(layout: &'a Layout, mirror: &'a Mirror, pairs: &'a Pairs, weights: &'a WholeWeights) -> Self {
-        Self { layout, mirror, pairs, weights, half: halves(layout, mirror) }
+        let apart = vec![false; layout.panels.len()];
+        Self { layout, mirror, pairs, weights, apart, half: halves(layout, mirror) }
+    }
+
+    /// The same with some panels apart from the others, in two parts of their own.
+    pub fn with_apart(self, apart: Vec<bool>) -> Self {
+        Self { apart, ..self }
     }
 
     /// The score of an assignment: what may be traded, and the surface, which must be right in the end.
@@ -234,17 +242,21 @@ impl<'a> Whole<'a> {
             let root = find(&mut room.parent, self.layout.atoms[first].panel as u32);
             room.open[root as usize] += 1;
         }
-        let mut parts = 0;
+        let (mut parts, mut parts_apart) = (0, 0);
         for panel in 0..panels {
             if find(&mut room.parent, panel as u32) as usize != panel {
                 continue;
             }
-            parts += 1;
+            let count = if self.apart[panel] { &mut parts_apart } else { &mut parts };
+            *count += 1;
             let (chi, open) = (room.chi[panel], room.open[panel] as i32);
             let handles = f64::from(2 - chi - open) / 2.0;
             sum += w.handle * handles.max(0.0) + if open == 0 { w.closed } else { 0.0 };
+            // Cap and hem.
+            sum += if self.apart[panel] { w.not_a_tube * f64::from((open - 2).max(0)) } else { 0.0 };
         }
-        sum + w.part * f64::from(parts - 1) + self.turned_over(of, room)
+        let expected = if self.apart.contains(&true) { 2 } else { 0 };
+        sum + w.part * f64::from((parts - 1).max(0) + i32::abs(parts_apart - expected)) + self.turned_over(of, room)
     }
 
     /// Counts panels that lie turned over, and seams that make the surface one-sided.

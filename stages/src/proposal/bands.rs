@@ -1,0 +1,102 @@
+//! Bands that close an opening: a collar a neckline, a cuff the end of a sleeve.
+//!
+//! The search sews stretches between marks to each other, one to one. Where a band goes all round an opening without
+//! marks, its stretches stay open. The names then tell what is set on where. The opening that the band fits is taken.
+
+use super::assignment::Assignment;
+use super::atoms::{Layout, Panel};
+use super::openings::{Closing, Sewn};
+use super::propose::Names;
+use super::tuning::BandWeights;
+
+/// The closings by bands, beside those of `closed`, and the seams that are left. A band that was sewn on in parts is
+/// sewn on as a whole. Pieces with atoms that a person sewed (`is_given`) stay as they are.
+pub fn bands(
+    layout: &Layout,
+    of: &Assignment,
+    names: &dyn Names,
+    is_given: impl Fn(usize) -> bool,
+    closed: &[Closing],
+) -> (Vec<Closing>, Assignment) {
+    let mut of = of.clone();
+    let mut found = closed.to_vec();
+    let is_band = |p: &&Panel| !names.is_sleeve(p.piece) && !p.atoms.clone().any(&is_given);
+    for panel in layout.panels.iter().filter(is_band) {
+        let without = of.without(panel.atoms.clone());
+        let sewn = Sewn { layout, of: &without };
+        let around = Bands { sewn, names, weights: BandWeights::default() }.closed_by(panel, &of, &found);
+        if !around.is_empty() {
+            of = without;
+        }
+        found.extend(around);
+    }
+    (found, of)
+}
+
+struct Bands<'a> {
+    sewn: Sewn<'a>,
+    names: &'a dyn Names,
+    weights: BandWeights,
+}
+
+impl Bands<'_> {
+    /// Sews a band around an opening, and its ends to each other. A band of which a long side is sewn on by the partners
+    /// `before`, and fits, is left as it is. Openings of `closed` are taken already.
+    fn closed_by(&self, panel: &Panel, before: &Assignment, closed: &[Closing]) -> Vec<Closing> {
+        let Some([first, end, long, other_end]) = self.sides_of_band(panel) else { return Vec::new() };
+        if [&first, &long].iter().any(|side| self.is_sewn_whole(side, before)) {
+            return Vec::new();
+        }
+        let piece = panel.piece;
+        let edge = if self.is_low(&long) && !self.is_low(&first) { long } else { first };
+        let off = |opening: &[usize]| (self.sewn.length(&edge) / self.sewn.length(opening) - self.weights.band_usual).abs();
+        let is_place = |o: &[usize]| o.iter().all(|a| self.names.is_set_on(piece, self.sewn.piece(*a)));
+        let is_open = |a: &usize| !self.sewn.layout.atoms[*a].is_low() && !closed.iter().any(|c| c.has(*a));
+        let openings = self.sewn.openings();
+        let places = openings.iter().map(Vec::as_slice).filter(|o| is_place(o) && o.iter().all(is_open));
+        let best = places.min_by(|p, q| off(p).total_cmp(&off(q))).filter(|o| off(o) < self.weights.band_spread);
+        let Some(opening) = best else { return Vec::new() };
+        // The ends of the band meet where two pieces of the opening do.
+        let n = opening.len();
+        let start = (0..n).find(|k| self.sewn.piece(opening[*k]) != self.sewn.piece(opening[(*k + n - 1) % n])).unwrap_or(0);
+        let around: Vec<usize> = (0..n).map(|k| opening[(start + k) % n]).collect();
+        let backward = |atoms: Vec<usize>| atoms.into_iter().rev().collect::<Vec<usize>>();
+        let confidence = self.weights.confidence;
+        let closing = |a: Vec<usize>, b: Vec<usize>| Closing { a, b: backward(b), confidence };
+        vec![closing(around, edge), closing(end, other_end)]
+    }
+
+    /// Is a side sewn to stretches as long as itself?
+    fn is_sewn_whole(&self, side: &[usize], by: &Assignment) -> bool {
+        let partners: Option<Vec<usize>> = side.iter().map(|a| by.partner(*a)).collect();
+        let ratio = partners.map(|p| self.sewn.length(&p) / self.sewn.length(side));
+        ratio.is_some_and(|r| libm::log(r).abs() < self.weights.band_ends)
+    }
+
+    fn is_low(&self, atoms: &[usize]) -> bool {
+        let low: f64 = atoms.iter().filter(|a| self.sewn.layout.atoms[**a].is_low()).map(|a| self.sewn.length(&[*a])).sum();
+        2.0 * low > self.sewn.length(atoms)
+    }
+
+    /// The sides of a panel with four corners, of which two are long and two short: long, short, long, short.
+    fn sides_of_band(&self, panel: &Panel) -> Option<[Vec<usize>; 4]> {
+        let atoms: Vec<usize> = panel.atoms.clone().collect();
+        let is_corner = |a: &usize| self.sewn.layout.atoms[*a].joint.angle < self.weights.corner_most;
+        let n = atoms.len();
+        let first = (0..n).find(|k| is_corner(&atoms[*k]))?;
+        let mut sides: Vec<Vec<usize>> = Vec::new();
+        for atom in (0..n).map(|k| atoms[(first + k) % n]) {
+            match sides.last_mut() {
+                Some(side) if !is_corner(&atom) => side.push(atom),
+                _ => sides.push(vec![atom]),
+            }
+        }
+        let [mut a, mut b, mut c, mut d]: [Vec<usize>; 4] = sides.try_into().ok()?;
+        if self.sewn.length(&a) < self.sewn.length(&b) {
+            (a, b, c, d) = (b, c, d, a);
+        }
+        let short = self.sewn.length(&b).max(self.sewn.length(&d));
+        let is_even = libm::log(self.sewn.length(&b) / self.sewn.length(&d)).abs() < self.weights.band_ends;
+        (is_even && self.sewn.length(&a).min(self.sewn.length(&c)) > self.weights.band_least * short).then_some([a, b, c, d])
+    }
+}

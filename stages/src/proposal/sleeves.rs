@@ -1,0 +1,342 @@
+//! Sleeves sewn as a whole: the edge of the cap around the edge of the armhole.
+//!
+//! The search sews stretches between marks to each other. Where a cap or an armhole lacks marks, that leaves parts of
+//! both open. Here the trunk and the sleeves are sewn each for themselves, and both openings are known whole. The
+//! heights along them tell how they meet: the underarm is the lowest place of both, the shoulder the highest.
+
+use super::atoms::{Layout, Panel};
+use super::openings::{Closing, Sewn};
+use super::propose::Names;
+use super::tuning::{self, SleeveWeights};
+use std::f64::consts::PI;
+use toile_garment::Vec2;
+
+/// Stations at which the heights of two openings are compared.
+const STATIONS: usize = 64;
+
+/// Cosine of the angle up to which a direction is nearly that of the grain.
+const NEARLY_ALONG: f64 = 0.9;
+
+/// An opening with its heights.
+struct Opening {
+    /// Its atoms, in order.
+    atoms: Vec<usize>,
+    /// Where each atom starts, as a share of the length.
+    starts: Vec<f64>,
+    /// Heights at shares of the length: points (share, height in metres).
+    heights: Vec<[f64; 2]>,
+    /// Length, metres.
+    length: f64,
+    /// For every atom: does a seam end at its start?
+    is_seam: Vec<bool>,
+}
+
+/// Sleeves that are set into armholes.
+#[derive(Clone, Debug, Default)]
+pub struct SetIn {
+    /// Their seams.
+    pub seams: Vec<Closing>,
+    /// Number of sleeves.
+    pub count: usize,
+}
+
+/// How a sleeve meets an armhole.
+struct Fit {
+    sleeve: usize,
+    armhole: usize,
+    /// Numbers of the atoms at whose starts both begin.
+    begin: [usize; 2],
+    cost: f64,
+}
+
+/// Are all sleeves sewn to the trunk without a gap in the edge of the cap?
+pub fn are_whole(sewn: Sewn<'_>, names: &dyn Names) -> bool {
+    let atoms = || 0..sewn.layout.atoms.len();
+    let is_between = |a: usize| {
+        sewn.of.partner(a).is_some_and(|b| {
+            let pieces = [sewn.piece(a), sewn.piece(b)];
+            names.is_sleeve_of(pieces[0], pieces[1]) || names.is_sleeve_of(pieces[1], pieces[0])
+        })
+    };
+    let mut apart = sewn.of.clone();
+    atoms().filter(|a| is_between(*a)).for_each(|a| apart = apart.without(a..a + 1));
+    let openings = Sewn { of: &apart, ..sewn }.openings();
+    let is_whole = |panel: &std::ops::Range<usize>| {
+        let has = |o: &&Vec<usize>| o.iter().any(|a| panel.contains(a));
+        openings.iter().filter(has).any(|o| o.iter().all(|a| is_between(*a)))
+    };
+    let is_sleeve = |p: usize| names.is_sleeve(sewn.layout.panels[p].piece);
+    (0..sewn.layout.panels.len()).filter(|p| is_sleeve(*p)).all(|p| is_whole(&sewn.layout.panels[p].atoms))
+}
+
+/// The seams of the sleeves of a garment whose trunk and sleeves are sewn each for themselves. `up` tells which way is
+/// up on the pieces of the trunk.
+pub fn sleeves(sewn: Sewn<'_>, names: &dyn Names, up: Vec2) -> SetIn {
+    let weights = SleeveWeights::default();
+    let all = sewn.openings();
+    let on = |o: &[usize], holds: &dyn Fn(usize) -> bool| o.iter().all(|a| holds(sewn.piece(*a)));
+    let layout = sewn.layout;
+    let is_under = |p: usize| layout.panels.iter().any(|s| names.is_sleeve_of(s.piece, p));
+    let is_half = |p: usize| names.is_sleeve(p) && !names.is_whole_sleeve(p);
+    let upright = |panel: usize, _: &[usize]| along(layout.panels[panel].warp, up);
+    let armholes: Vec<Opening> =
+        all.iter().filter(|o| on(o, &is_under)).map(|o| Opening::new(sewn, o, &upright)).collect();
+    let parts = parts(sewn);
+    let part = |atom: usize| parts[layout.atoms[atom].panel];
+    let halves = all.iter().filter(|o| on(o, &is_half)).map(|o| Sleeve::sewn(sewn, o, part(o[0])));
+    let singles = layout.panels.iter().filter(|p| names.is_whole_sleeve(p.piece));
+    let singles = singles.flat_map(|p| Sleeve::shapes(sewn, p, part(p.atoms.start), &weights));
+    let sleeves: Vec<Sleeve> = halves.chain(singles).collect();
+    let mut fits: Vec<Fit> = Vec::new();
+    for (number, sleeve) in sleeves.iter().enumerate() {
+        for (armhole, other) in armholes.iter().enumerate() {
+            let fit = |(begin, cost): ([usize; 2], f64)| {
+                let pieces = other.pieces(sewn, begin[0], false).into_iter().zip(sleeve.cap.pieces(sewn, begin[1], true));
+                let names: f64 = pieces.map(|(p, q)| names.seam(p, q, false, other.length)).sum();
+                let cost = cost + sleeve.cost - weights.names * names / STATIONS as f64;
+                Fit { sleeve: number, armhole, begin, cost }
+            };
+            fits.extend(best_fit(&sleeve.cap, other, &weights).map(fit));
+        }
+    }
+    fits.sort_by(|x, y| x.cost.total_cmp(&y.cost).then((x.sleeve, x.armhole).cmp(&(y.sleeve, y.armhole))));
+    let (mut out, mut taken): (SetIn, Vec<&Fit>) = (SetIn::default(), Vec::new());
+    for fit in &fits {
+        let sleeve = &sleeves[fit.sleeve];
+        if taken.iter().any(|t| t.armhole == fit.armhole || sleeves[t.sleeve].part == sleeve.part) {
+            continue;
+        }
+        out.seams.extend(sewn_on(&sleeve.cap, &armholes[fit.armhole], fit.begin, &weights));
+        out.seams.extend(sleeve.closed(&weights));
+        out.count += 1;
+        taken.push(fit);
+    }
+    out
+}
+
+/// A sleeve: its cap, and its sides where they are not sewn yet.
+struct Sleeve {
+    cap: Opening,
+    /// The sides of a sleeve of one piece, each walked forward.
+    sides: Option<[Vec<usize>; 2]>,
+    /// Number of the part of the garment that it is.
+    part: usize,
+    /// Cost of its shape.
+    cost: f64,
+}
+
+impl Sleeve {
+    /// A sleeve whose sides are sewn. The cap is one of its openings.
+    fn sewn(sewn: Sewn<'_>, cap: &[usize], part: usize) -> Self {
+        let up = |panel: usize, cap: &[usize]| to_cap(sewn.layout, panel, cap);
+        Self { cap: Opening::new(sewn, cap, &up), sides: None, part, cost: 0.0 }
+    }
+
+    /// All likely ways to part the outline of one piece at four corners into cap, side, hem and side.
+    fn shapes(sewn: Sewn<'_>, panel: &Panel, part: usize, weights: &SleeveWeights) -> Vec<Self> {
+        let layout = sewn.layout;
+        let atoms: Vec<usize> = panel.atoms.clone().collect();
+        let n = atoms.len();
+        let is_corner = |k: &usize| (layout.atoms[atoms[*k]].joint.angle - PI).abs() > tuning::CLEAR_CORNER;
+        let corners: Vec<usize> = (0..n).filter(is_corner).collect();
+        let run = |from: usize, to: usize| {
+            let count = (to + n - from - 1) % n + 1;
+            (0..count).map(|k| atoms[(from + k) % n]).collect::<Vec<usize>>()
+        };
+        let mut out = Vec::new();
+        for four in fours(&corners) {
+            let [cap, side, hem, other] = [0, 1, 2, 3].map(|k| run(four[k], four[(k + 1) % 4]));
+            let uneven = libm::log(sewn.length(&side) / sewn.length(&other)).abs();
+            if uneven > weights.sides || sewn.length(&side) < weights.side_least {
+                continue;
+            }
+            let ends = [hem[0], hem[hem.len() - 1]].map(|a| &layout.atoms[a].points);
+            let chord = (ends[1][ends[1].len() - 1] - ends[0][0]).norm();
+            let bent = 1.0 - chord / sewn.length(&hem);
+            let cost = weights.sides_uneven * uneven * uneven + weights.hem_bent * bent;
+            let cap = Self::sewn(sewn, &cap, part).cap;
+            out.push(Self { cap, sides: Some([side, other]), part, cost });
+        }
+        out
+    }
+
+    /// The seam of its sides.
+    fn closed(&self, weights: &SleeveWeights) -> Option<Closing> {
+        let [a, b] = self.sides.clone()?;
+        Some(Closing { a, b: b.into_iter().rev().collect(), confidence: weights.confidence })
+    }
+}
+
+/// All choices of four numbers out of a list, in its cyclic order, from each of them on.
+fn fours(list: &[usize]) -> Vec<[usize; 4]> {
+    let n = list.len();
+    let mut out = Vec::new();
+    for a in 0..n {
+        for b in a + 1..n {
+            for c in b + 1..n {
+                for d in c + 1..n {
+                    let four = [list[a], list[b], list[c], list[d]];
+                    out.extend((0..4).map(|k| [four[k], four[(k + 1) % 4], four[(k + 2) % 4], four[(k + 3) % 4]]));
+                }
+            }
+        }
+    }
+    out
+}
+
+/// For every panel the number of the part of the garment that it belongs to.
+fn parts(sewn: Sewn<'_>) -> Vec<usize> {
+    let mut parts: Vec<usize> = (0..sewn.layout.panels.len()).collect();
+    for pair in sewn.of.pairs() {
+        let [p, q] = [pair.a, pair.b].map(|a| parts[sewn.layout.atoms[a].panel]);
+        parts.iter_mut().filter(|part| **part == p.max(q)).for_each(|part| *part = p.min(q));
+    }
+    parts
+}
+
+/// A direction or its opposite, whichever runs along another one.
+fn along(direction: Vec2, other: Vec2) -> Vec2 {
+    if direction.dot(&other) < 0.0 { -direction } else { direction }
+}
+
+/// Up on a sleeve, a unit vector: from the middle of the panel to its part of the cap, along the grain where that is
+/// nearly so.
+fn to_cap(layout: &Layout, panel: usize, cap: &[usize]) -> Vec2 {
+    let own = |a: &usize| layout.atoms[*a].panel == panel;
+    let middle = |atoms: &[usize]| {
+        let points: Vec<Vec2> = atoms.iter().flat_map(|a| layout.atoms[*a].points.iter().copied()).collect();
+        points.iter().sum::<Vec2>() / points.len().max(1) as f64
+    };
+    let all: Vec<usize> = layout.panels[panel].atoms.clone().collect();
+    let upper: Vec<usize> = cap.iter().copied().filter(own).collect();
+    let up = (middle(&upper) - middle(&all)).try_normalize(1e-9).unwrap_or(layout.panels[panel].warp);
+    let grain = along(layout.panels[panel].warp, up);
+    if grain.dot(&up) > NEARLY_ALONG { grain } else { up }
+}
+
+impl Opening {
+    /// Measures an opening. `up` gives the upward direction on a panel.
+    fn new(sewn: Sewn<'_>, atoms: &[usize], up: &dyn Fn(usize, &[usize]) -> Vec2) -> Self {
+        let length = sewn.length(atoms);
+        let n = atoms.len();
+        let (mut at, mut height) = (0.0, 0.0);
+        let (mut starts, mut heights) = (Vec::new(), vec![[0.0, 0.0]]);
+        for a in atoms {
+            let atom = &sewn.layout.atoms[*a];
+            let up = up(atom.panel, atoms);
+            starts.push(at / length);
+            for step in atom.points.windows(2).map(|w| w[1] - w[0]) {
+                at += step.norm();
+                height += step.dot(&up);
+                heights.push([at / length, height]);
+            }
+        }
+        // The way round ends at the height where it began.
+        heights.iter_mut().for_each(|[share, h]| *h -= *share * height);
+        let is_seam = (0..n).map(|k| sewn.layout.atoms[atoms[(k + n - 1) % n]].next != atoms[k]).collect();
+        Self { atoms: atoms.to_vec(), starts, heights, length, is_seam }
+    }
+
+    /// Its lowest and highest height, metres.
+    fn range(&self) -> [f64; 2] {
+        let far = [f64::INFINITY, f64::NEG_INFINITY];
+        self.heights.iter().fold(far, |[low, high], [_, h]| [low.min(*h), high.max(*h)])
+    }
+
+    /// Even shares of the length from the start of an atom on, walked backward or forward.
+    fn stations(&self, from: usize, is_backward: bool) -> impl Iterator<Item = f64> {
+        let start = self.starts[from];
+        (0..STATIONS).map(move |k| {
+            let way = (k as f64 + 0.5) / STATIONS as f64;
+            let share = start + if is_backward { 1.0 - way } else { way };
+            share - share.floor()
+        })
+    }
+
+    /// The pieces at the stations.
+    fn pieces(&self, sewn: Sewn<'_>, from: usize, is_backward: bool) -> Vec<usize> {
+        let at = |share: f64| self.starts.partition_point(|s| *s <= share).max(1) - 1;
+        self.stations(from, is_backward).map(|share| sewn.piece(self.atoms[at(share)])).collect()
+    }
+
+    /// Heights over the range, 0 to 1, at the stations.
+    fn course(&self, from: usize, is_backward: bool) -> Vec<f64> {
+        let [low, high] = self.range();
+        let at = |share: f64| {
+            let after = self.heights.partition_point(|[s, _]| *s < share).clamp(1, self.heights.len() - 1);
+            let ([s0, h0], [s1, h1]) = (self.heights[after - 1], self.heights[after]);
+            let h = h0 + (h1 - h0) * (share - s0) / (s1 - s0).max(1e-12);
+            (h - low) / (high - low).max(1e-9)
+        };
+        self.stations(from, is_backward).map(at).collect()
+    }
+
+    /// Shares of its length from the start of an atom to the starts of the others in walking order.
+    fn marks(&self, from: usize, is_backward: bool) -> Vec<f64> {
+        let n = self.atoms.len();
+        let share = |k: usize| {
+            let to = if is_backward { (from + n - k) % n } else { (from + k) % n };
+            let way = self.starts[to] - self.starts[from];
+            let way = if is_backward { -way } else { way };
+            way - way.floor()
+        };
+        (1..n).map(share).collect()
+    }
+}
+
+/// The beginning at which a cap fits an armhole best, and its cost.
+fn best_fit(cap: &Opening, armhole: &Opening, weights: &SleeveWeights) -> Option<([usize; 2], f64)> {
+    let ratio = cap.length / armhole.length;
+    let is_curved = |o: &Opening| o.range()[1] - o.range()[0] > weights.least_height * o.length;
+    if !weights.ratio.contains(&ratio) || !is_curved(cap) || !is_curved(armhole) {
+        return None;
+    }
+    let ease = weights.ease * libm::log(ratio) * libm::log(ratio);
+    let starts = |o: &Opening| 0..o.atoms.len();
+    let caps: Vec<Vec<f64>> = starts(cap).map(|j| cap.course(j, true)).collect();
+    let mut best: Option<([usize; 2], f64)> = None;
+    for i in starts(armhole) {
+        let course = armhole.course(i, false);
+        for (j, other) in caps.iter().enumerate() {
+            let square: f64 = course.iter().zip(other).map(|(a, b)| (a - b) * (a - b)).sum();
+            let beside = [armhole.is_seam[i], cap.is_seam[j]].iter().filter(|is_seam| !**is_seam).count() as f64;
+            let cost = square / STATIONS as f64 + weights.start_beside_seam * beside + ease;
+            if best.is_none_or(|(_, b)| cost < b) {
+                best = Some(([i, j], cost));
+            }
+        }
+    }
+    best.filter(|(_, cost)| *cost < weights.most)
+}
+
+/// The seams of a cap on an armhole, parted where marks of both meet.
+fn sewn_on(cap: &Opening, armhole: &Opening, begin: [usize; 2], weights: &SleeveWeights) -> Vec<Closing> {
+    let [i, j] = begin;
+    let (n, m) = (armhole.atoms.len(), cap.atoms.len());
+    let around: Vec<usize> = (0..n).map(|k| armhole.atoms[(i + k) % n]).collect();
+    let back: Vec<usize> = (0..m).map(|k| cap.atoms[(j + m - 1 - k) % m]).collect();
+    let (of_armhole, of_cap) = (armhole.marks(i, false), cap.marks(j, true));
+    let nearest = |s: f64, list: &[f64]| {
+        (0..list.len()).min_by(|x, y| (list[*x] - s).abs().total_cmp(&(list[*y] - s).abs()))
+    };
+    let meets = |k: usize| {
+        let other = nearest(of_armhole[k], &of_cap)?;
+        let is_near = (of_armhole[k] - of_cap[other]).abs() * armhole.length < weights.marks_meet;
+        (is_near && nearest(of_cap[other], &of_armhole) == Some(k)).then_some([k + 1, other + 1])
+    };
+    // Stretches between marks are no shorter than allowed.
+    let mut cuts: Vec<[usize; 2]> = vec![[0, 0]];
+    let way = |k: usize| if k == 0 { 0.0 } else { of_armhole[k - 1] * armhole.length };
+    for cut in (0..of_armhole.len()).filter_map(meets) {
+        let last = cuts.last().map_or(0, |c| c[0]);
+        if way(cut[0]) - way(last) > weights.stretch_least && armhole.length - way(cut[0]) > weights.stretch_least {
+            cuts.push(cut);
+        }
+    }
+    cuts.push([n, m]);
+    let closing = |w: &[[usize; 2]]| {
+        let (a, b) = (around[w[0][0]..w[1][0]].to_vec(), back[w[0][1]..w[1][1]].to_vec());
+        Closing { a, b, confidence: weights.confidence }
+    };
+    cuts.windows(2).map(closing).collect()
+}
