@@ -10,6 +10,8 @@ use toile_garment::{Vec2, Vec3};
 const AROUND: f64 = 0.015;
 /// Least distance of sheets that lie over each other, m.
 const LAYER: f64 = 0.02;
+/// Most by which a piece around the neck is opened, m. What lies farther out is no part of the neck.
+const WIDER: f64 = 0.08;
 /// Step by which sheets are moved apart, m, and the most steps.
 const STEP: f64 = 0.004;
 const STEPS: usize = 100;
@@ -62,6 +64,31 @@ fn over_shoulder(d: &Dresser<'_>, i: usize, sheet: &Sheet, by: Vec3) -> f64 {
     }
     let points = d.outlines[i].points.iter().map(|p| sheet.at(*p) + by);
     points.map(|p| d.form.shoulder(p.x) + LAYER - p.y).fold(0.0, f64::max)
+}
+
+/// Lifts a piece that is bent around the neck until it lies over the shoulders, and opens it where the neck is wider.
+pub fn over_shoulders(d: &mut Dresser<'_>, i: usize) {
+    let Some(mut sheet) = d.sheets[i].clone().filter(|s| s.bend.is_some() && d.segments[i] == Segment::Neck) else { return };
+    let neck = &d.form.neck;
+    let axis = (neck.to - neck.from).normalize();
+    let radius = |p: Vec3| (p - neck.from - axis * (p - neck.from).dot(&axis)).norm();
+    let far = [f64::INFINITY, f64::NEG_INFINITY];
+    let spread = |sheet: &Sheet, of: &dyn Fn(Vec3) -> f64| {
+        let values = d.outlines[i].points.iter().map(|p| of(sheet.at(*p)));
+        values.fold(far, |[low, high], v| [low.min(v), high.max(v)])
+    };
+    let [inner, outer] = spread(&sheet, &radius);
+    let is_under = |p: &&Vec3| p.y < neck.from.y && (inner - LAYER..outer + LAYER).contains(&radius(**p));
+    let shoulder = d.form.surface.iter().filter(is_under).map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
+    let by = shoulder + LAYER - spread(&sheet, &|p| p.y)[0];
+    if by.is_finite() && by > 0.0 {
+        sheet.shift(-axis * by);
+    }
+    let [low, high] = spread(&sheet, &|p| p.y);
+    let beside = d.form.surface.iter().filter(|p| (low..high).contains(&p.y)).map(|p| radius(*p));
+    let widest = beside.filter(|r| *r < inner + WIDER).fold(0.0, f64::max);
+    sheet.widen((widest + AROUND - inner).max(0.0));
+    d.sheets[i] = Some(sheet);
 }
 
 /// The outline of a piece in its sheet's plane.

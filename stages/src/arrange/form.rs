@@ -40,7 +40,7 @@ impl Form {
             torso: segment("torso", &usual.torso),
             arms: [segment("arm-left", &usual.arms[0]), segment("arm-right", &usual.arms[1])],
             legs: [segment("leg-left", &usual.legs[0]), segment("leg-right", &usual.legs[1])],
-            neck: segment("neck", &usual.neck),
+            neck: as_wide_as_deep(segment("neck", &usual.neck)),
             waist,
             surface,
         }
@@ -86,6 +86,11 @@ impl Form {
     pub fn armpit(&self) -> f64 {
         self.arms[0].from.y - 2.5 * self.arms[0].half_width.max(self.arms[0].half_depth)
     }
+}
+
+/// The neck without the slope of the shoulders, which its segment reaches down to: it is no wider than deep.
+fn as_wide_as_deep(neck: BodySegment) -> BodySegment {
+    BodySegment { half_width: neck.half_width.min(neck.half_depth), ..neck }
 }
 
 /// Height of the usual body, m.
