@@ -14,6 +14,7 @@ mod pipeline;
 mod samples;
 mod sewing;
 mod stock;
+mod unsewn;
 
 pub use earlier::Earlier;
 pub use folder::{Folder, Made};
@@ -23,7 +24,7 @@ pub use stock::{Body, Fabric};
 
 use serde_json::Value;
 use toile_garment::Diagnostic;
-use toile_stages::proposal::{Nameless, Names, RoleNames, propose};
+use toile_stages::proposal::{Known, Nameless, Names, Proposal, RoleNames, propose};
 
 /// The wishes of a person.
 #[derive(Debug)]
@@ -53,16 +54,28 @@ pub struct New {
     pub open: usize,
 }
 
-/// Puts a folder together from a pattern.
+fn proposed(source: &Source, is_anonymous: bool, known: &Known) -> Result<Proposal, Vec<Diagnostic>> {
+    let names: Box<dyn Names> =
+        if is_anonymous { Box::new(Nameless) } else { Box::new(RoleNames::new(&source.garment)) };
+    propose(&source.garment, names.as_ref(), known)
+}
+
+/// Puts a folder together from a pattern. Pieces without a sure seam are left out, and said.
 ///
 /// # Errors
 /// The pattern cannot be sewn, or the body or fabric is not there.
 pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
-    let source = order.source;
-    let names: Box<dyn Names> =
-        if order.is_anonymous { Box::new(Nameless) } else { Box::new(RoleNames::new(&source.garment)) };
-    let known = order.earlier.map(|e| e.decisions(source)).transpose()?.unwrap_or_default();
-    let proposal = propose(&source.garment, names.as_ref(), &known)?;
+    let known = order.earlier.map(|e| e.decisions(order.source)).transpose()?.unwrap_or_default();
+    let mut proposal = proposed(order.source, order.is_anonymous, &known)?;
+    let mut source = order.source.clone();
+    if order.earlier.is_none() && !proposal.seams.is_empty() {
+        let (more, doubtful) = unsewn::unsewn(&source, &proposal);
+        source = source.without(&more);
+        if doubtful > 0 {
+            proposal = proposed(&source, order.is_anonymous, &known)?;
+        }
+    }
+    let source = &source;
     let body = order.body.model()?;
     let dressed = dress::dress(source, &proposal, body.as_ref(), order.is_anonymous);
     let document = document::document(source, &proposal, &dressed, order.is_anonymous);

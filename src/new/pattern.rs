@@ -19,7 +19,7 @@ pub struct Wishes {
 }
 
 /// A pattern as it was read.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Source {
     /// Name of the file, without its ending.
     pub stem: String,
@@ -33,6 +33,8 @@ pub struct Source {
     pub copies: Vec<CopySpec>,
     /// Pieces that are not sewn.
     pub left_out: Vec<String>,
+    /// Those of them for which no sure seam was found.
+    pub without_seam: Vec<String>,
     /// The unit of the coordinates, where a person gave it.
     pub unit: Option<FileUnit>,
     /// Findings of the reader.
@@ -40,6 +42,22 @@ pub struct Source {
 }
 
 impl Source {
+    /// The same pattern, without pieces for which no sure seam was found.
+    #[must_use]
+    pub fn without(&self, names: &[String]) -> Self {
+        let mut out = self.clone();
+        let is_copy = |name: &String| self.copies.iter().any(|c| c.name == *name);
+        let drawn: Vec<String> = names.iter().filter(|n| !is_copy(n)).cloned().collect();
+        // A copy is not left out alone: what is drawn once is sewn twice or not at all.
+        let is_out = |c: &CopySpec| drawn.contains(&c.piece);
+        out.garment.plan.leave_out.extend(self.copies.iter().filter(|c| is_out(c)).map(|c| c.name.clone()));
+        out.garment.plan.leave_out.extend(drawn.iter().cloned());
+        out.copies.retain(|c| !is_out(c));
+        out.left_out.extend(drawn.iter().cloned());
+        out.without_seam.extend(drawn);
+        out
+    }
+
     /// The piece that is an instance of a block, and whether it is turned over.
     #[must_use]
     pub fn find(&self, block: &str, instance: u64) -> Option<(usize, bool)> {
@@ -84,7 +102,7 @@ pub fn read(path: &Path, plan: Option<SewingPlan>, wishes: &Wishes) -> Result<So
     toile_stages::sewing::apply(&mut garment, plan, &mut report).map_err(|e| of_stage_error(e).0)?;
     findings.extend(report.findings);
     let rules = beside.map(|(_, bytes)| (format!("{stem}.rul"), bytes));
-    Ok(Source { stem, bytes, rules, garment, copies, left_out, unit: wishes.unit, findings })
+    Ok(Source { stem, bytes, rules, garment, copies, left_out, without_seam: Vec::new(), unit: wishes.unit, findings })
 }
 
 /// The rule table beside a pattern: the same name with `.rul`, upper and lower case not told apart.

@@ -67,7 +67,9 @@ fn head(source: &Source) -> String {
         String::new()
     } else {
         format!(
-            "\n# These pieces are not sewn: interlinings, and pieces with the quantity 0.\nleave_out = [{}]\n",
+            "\n# These pieces are not sewn: interlinings, pieces with the quantity 0, and alternatives.\n{}\
+             leave_out = [{}]\n",
+            without_seam(source),
             list.join(", ")
         )
     };
@@ -76,6 +78,17 @@ fn head(source: &Source) -> String {
          # `toile inspect {file} --svg pieces.svg` draws the numbers of the edges. `proposed` says how sure the program\n\
          # is: 1 is certain. Correct what is wrong, and remove `proposed` from what is right.\n{left_out}"
     )
+}
+
+/// The pieces for which no sure seam was found, as a comment.
+fn without_seam(source: &Source) -> String {
+    match source.without_seam.as_slice() {
+        [] => String::new(),
+        names => format!(
+            "# No sure seam was found for {}. Take what you want sewn out of the list, and write its seams.\n",
+            names.join(", ")
+        ),
+    }
 }
 
 /// One seam.

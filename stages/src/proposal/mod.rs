@@ -7,6 +7,7 @@
 pub mod assignment;
 pub mod atoms;
 pub(crate) mod confidence;
+mod knowledge;
 mod known;
 pub mod mirror;
 mod names;
@@ -19,6 +20,7 @@ mod random;
 mod seams;
 pub mod search;
 mod sleeves;
+mod task;
 pub mod tuning;
 pub mod whole;
 

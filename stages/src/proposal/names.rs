@@ -12,8 +12,6 @@ pub struct RoleNames {
     roles: Vec<Role>,
     /// Pieces and their mirrored copies.
     twins: Vec<[usize; 2]>,
-    /// Number of sleeves that are sewn.
-    sleeves: usize,
     weights: NameWeights,
 }
 
@@ -25,10 +23,7 @@ impl RoleNames {
         let mirrored = garment.plan.copies.iter().filter(|c| c.mirror);
         let twins = mirrored.filter_map(|c| Some([find(&c.piece)?, find(&c.name)?])).collect();
         let roles = roles_of_names(&garment.pieces);
-        let is_sewn = |name: &String| !garment.plan.leave_out.iter().any(|n| n.eq_ignore_ascii_case(name));
-        let is_sleeve = |p: &usize| roles[*p].part == Some(Part::Sleeve) && is_sewn(&garment.pieces[*p].name);
-        let sleeves = (0..roles.len()).filter(is_sleeve).count();
-        Self { roles, twins, sleeves, weights: NameWeights::default() }
+        Self { roles, twins, weights: NameWeights::default() }
     }
 
     /// Is one of two pieces the mirrored copy of the other?
@@ -79,10 +74,6 @@ impl Names for RoleNames {
 
     fn is_off_arm(&self, piece: usize) -> bool {
         self.roles[piece].part.and_then(height).is_some_and(|h| !matches!(h, Height::Arm | Height::Wrist))
-    }
-
-    fn is_whole_sleeve(&self, piece: usize) -> bool {
-        self.is_sleeve(piece) && self.sleeves <= 2
     }
 
     fn are_namesakes(&self, a: usize, b: usize) -> bool {

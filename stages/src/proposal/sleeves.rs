@@ -71,20 +71,23 @@ pub fn are_whole(sewn: Sewn<'_>, names: &dyn Names) -> bool {
 
 /// The seams of the sleeves of a garment whose trunk and sleeves are sewn each for themselves. `up` tells which way is
 /// up on the pieces of the trunk.
-pub fn sleeves(sewn: Sewn<'_>, names: &dyn Names, up: Vec2) -> SetIn {
+///
+/// With `are_single`, every sleeve is a piece of its own, and the first fitting one is set in with its namesake. Other
+/// sleeves are alternatives.
+pub fn sleeves(sewn: Sewn<'_>, names: &dyn Names, up: Vec2, are_single: bool) -> SetIn {
     let weights = SleeveWeights::default();
     let all = sewn.openings();
     let on = |o: &[usize], holds: &dyn Fn(usize) -> bool| o.iter().all(|a| holds(sewn.piece(*a)));
     let layout = sewn.layout;
     let is_under = |p: usize| layout.panels.iter().any(|s| names.is_sleeve_of(s.piece, p));
-    let is_half = |p: usize| names.is_sleeve(p) && !names.is_whole_sleeve(p);
+    let is_half = |p: usize| names.is_sleeve(p) && !are_single;
     let upright = |panel: usize, _: &[usize]| along(layout.panels[panel].warp, up);
     let armholes: Vec<Opening> =
         all.iter().filter(|o| on(o, &is_under)).map(|o| Opening::new(sewn, o, &upright)).collect();
     let parts = parts(sewn);
     let part = |atom: usize| parts[layout.atoms[atom].panel];
     let halves = all.iter().filter(|o| on(o, &is_half)).map(|o| Sleeve::sewn(sewn, o, part(o[0])));
-    let singles = layout.panels.iter().filter(|p| names.is_whole_sleeve(p.piece));
+    let singles = layout.panels.iter().filter(|p| names.is_sleeve(p.piece) && are_single);
     let singles = singles.flat_map(|p| Sleeve::shapes(sewn, p, part(p.atoms.start), &weights));
     let sleeves: Vec<Sleeve> = halves.chain(singles).collect();
     let mut fits: Vec<Fit> = Vec::new();
@@ -100,9 +103,19 @@ pub fn sleeves(sewn: Sewn<'_>, names: &dyn Names, up: Vec2) -> SetIn {
         }
     }
     fits.sort_by(|x, y| x.cost.total_cmp(&y.cost).then((x.sleeve, x.armhole).cmp(&(y.sleeve, y.armhole))));
+    let piece = |s: &Sleeve| sewn.piece(s.cap.atoms[0]);
+    let all_single: Vec<usize> = layout.panels.iter().map(|p| p.piece).filter(|p| names.is_sleeve(*p)).collect();
+    let has_namesake = |p: usize| all_single.iter().any(|q| names.are_namesakes(p, *q));
+    let is_other = |first: &Sleeve, second: &Sleeve| {
+        let (p, q) = (piece(first), piece(second));
+        names.are_namesakes(p, q) || !has_namesake(p) && !has_namesake(q)
+    };
     let (mut out, mut taken): (SetIn, Vec<&Fit>) = (SetIn::default(), Vec::new());
     for fit in &fits {
         let sleeve = &sleeves[fit.sleeve];
+        if are_single && taken.first().is_some_and(|t| !is_other(&sleeves[t.sleeve], sleeve)) {
+            continue;
+        }
         if taken.iter().any(|t| t.armhole == fit.armhole || sleeves[t.sleeve].part == sleeve.part) {
             continue;
         }

@@ -1,0 +1,35 @@
+//! Pieces that a first garment does without: alternatives, and small pieces of which no sure seam is found.
+
+use super::pattern::Source;
+use toile_garment::Piece;
+use toile_stages::proposal::{Proposal, ProposedSeam, Run};
+
+/// A piece is small if its area is a smaller share of all that is sewn.
+const SMALL: f64 = 0.03;
+/// A small piece is sewn if a seam to a larger one is at least as sure.
+const SURE: f64 = 0.75;
+
+/// Names of the pieces without a seam, and of the small pieces that hang on doubtful seams alone. With them, the number
+/// of the latter.
+pub fn unsewn(source: &Source, proposal: &Proposal) -> (Vec<String>, usize) {
+    let pieces = &source.garment.pieces;
+    let is_in = |p: &&Piece| proposal.layout.panels.iter().any(|panel| panel.piece == p.id.index());
+    let sewn: Vec<&Piece> = pieces.iter().filter(is_in).collect();
+    let area = |p: &Piece| p.outline.signed_area().abs();
+    let least = SMALL * sewn.iter().map(|p| area(p)).sum::<f64>();
+    let is_large = |p: usize| area(&pieces[p]) >= least;
+    let holds = |s: &ProposedSeam, p: usize| {
+        let has = |runs: &[Run]| runs.iter().any(|r| r.piece == p);
+        let others = |runs: &[Run]| runs.iter().any(|r| is_large(r.piece));
+        s.confidence >= SURE && (has(&s.a) && others(&s.b) || has(&s.b) && others(&s.a))
+    };
+    let has_seam = |p: usize| proposal.seams.iter().any(|s| s.a.iter().chain(&s.b).any(|r| r.piece == p));
+    let is_held = |p: usize| is_large(p) || proposal.seams.iter().any(|s| holds(s, p));
+    let names = |holds: &dyn Fn(usize) -> bool| -> Vec<String> {
+        sewn.iter().filter(|p| holds(p.id.index())).map(|p| p.name.clone()).collect()
+    };
+    let doubtful = names(&|p| has_seam(p) && !is_held(p));
+    let alone = names(&|p| !has_seam(p));
+    let count = doubtful.len();
+    (alone.into_iter().chain(doubtful).collect(), count)
+}

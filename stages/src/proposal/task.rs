@@ -1,0 +1,158 @@
+//! The way to a garment: a search over all pieces, or one without the sleeves, which are set in afterwards.
+
+use super::assignment::Assignment;
+use super::atoms::{Layout, Panel};
+use super::confidence::margins;
+use super::knowledge::{Knowledge, Sleeves};
+use super::known::{Decisions, Known};
+use super::mirror::{Mirror, maps};
+use super::openings::{Closing, Sewn};
+use super::pairs::Pairs;
+use super::propose::Names;
+use super::seams::{ProposedSeam, seams};
+use super::search::{Found, best};
+use super::sleeves::{are_whole, sleeves};
+use super::tuning::{self, PairWeights, SleeveWeights, WholeWeights};
+use super::whole::Whole;
+use crate::roles::Upright;
+use crate::roles::outline::turned;
+use crate::sewing::shapes::Shapes;
+use toile_garment::{Garment, Vec2};
+
+/// Sleeves of a garment.
+const SLEEVES: usize = 2;
+
+/// A garment to be sewn.
+pub struct Task<'a> {
+    /// The garment.
+    pub garment: &'a Garment,
+    /// Its sewn outlines.
+    pub shapes: &'a Shapes,
+    /// Its outlines, cut.
+    pub layout: &'a Layout,
+    /// Names of the pieces.
+    pub names: &'a dyn Names,
+    /// Decisions of a person.
+    pub known: &'a Known,
+}
+
+/// A sewn garment.
+pub struct Made {
+    /// Partners of atoms.
+    pub assignment: Assignment,
+    /// Their seams.
+    pub seams: Vec<ProposedSeam>,
+    /// Seams of sleeves that are set in as a whole.
+    pub sleeves: Vec<Closing>,
+}
+
+/// What one search found, and what it was found with.
+struct Search {
+    how: Sleeves,
+    weights: WholeWeights,
+    /// Mirror images and scores of pairs.
+    scores: (Mirror, Pairs),
+    found: Found,
+}
+
+impl Task<'_> {
+    /// The best garment; `None` where nothing can be sewn. Sleeves that are one piece each, or whose caps are not sewn
+    /// all round, are set in as a whole.
+    pub fn made(&self, decisions: &Decisions) -> Option<Made> {
+        let is_given = (0..self.layout.atoms.len()).any(|a| decisions.is_given(a));
+        let sleeves = self.layout.panels.iter().filter(|p| self.names.is_sleeve(p.piece)).count();
+        if is_given || sleeves == 0 {
+            return self.with_trunk();
+        }
+        if sleeves <= SLEEVES {
+            return self.set_in(Sleeves::Single).or_else(|| self.with_trunk());
+        }
+        let made = self.with_trunk()?;
+        if are_whole(Sewn { layout: self.layout, of: &made.assignment }, self.names) {
+            return Some(made);
+        }
+        self.set_in(Sleeves::Single).or_else(|| self.set_in(Sleeves::Halves)).or(Some(made))
+    }
+
+    /// A garment whose sleeves are sewn like all other pieces.
+    fn with_trunk(&self) -> Option<Made> {
+        let search = self.search(WholeWeights::default(), Sleeves::WithTrunk)?;
+        let (assignment, seams) = self.seams(search);
+        Some(Made { assignment, seams, sleeves: Vec::new() })
+    }
+
+    /// A garment whose sleeves are set in as a whole; `None` where not both find an armhole.
+    fn set_in(&self, how: Sleeves) -> Option<Made> {
+        let up = turned(Vec2::y(), -Upright::of(&self.garment.pieces, &[]).turn);
+        let set_in = |of: &Assignment| {
+            let set_in = sleeves(Sewn { layout: self.layout, of }, self.names, up, how == Sleeves::Single);
+            (set_in.count == SLEEVES).then_some(set_in.seams)
+        };
+        for weights in [WholeWeights::default(), WholeWeights::open_marks()] {
+            let search = self.search(weights, how)?;
+            if set_in(&search.found.assignment).is_none() {
+                continue;
+            }
+            // How sure the seams are takes much longer to find. It may find better ones.
+            let (assignment, seams) = self.seams(search);
+            if let Some(sleeves) = set_in(&assignment) {
+                return Some(Made { assignment, seams, sleeves });
+            }
+        }
+        None
+    }
+
+    fn search(&self, weights: WholeWeights, how: Sleeves) -> Option<Search> {
+        let (layout, names) = (self.layout, self.names);
+        let decisions = Decisions::new(layout, self.known);
+        let knowledge = Knowledge { names, decisions, how, sleeve: SleeveWeights::default() };
+        let mut scores = scores(layout, &knowledge);
+        let wholes: Vec<Whole<'_>> = scores.iter().map(|scores| self.whole(scores, &weights, how)).collect();
+        let (map, found) = search_all(layout, &wholes)?;
+        Some(Search { how, scores: scores.swap_remove(map), weights, found })
+    }
+
+    fn whole<'b>(&'b self, scores: &'b (Mirror, Pairs), weights: &'b WholeWeights, how: Sleeves) -> Whole<'b> {
+        let is_apart = |p: &Panel| how == Sleeves::Halves && self.names.is_sleeve(p.piece);
+        let apart = self.layout.panels.iter().map(is_apart).collect();
+        Whole::new(self.layout, &scores.0, &scores.1, weights).with_apart(apart)
+    }
+
+    /// The seams of what was found, each with how sure it is.
+    fn seams(&self, mut search: Search) -> (Assignment, Vec<ProposedSeam>) {
+        let whole = self.whole(&search.scores, &search.weights, search.how);
+        let margins = margins(self.layout, &whole, &mut search.found);
+        (search.found.assignment, seams(self.garment, self.shapes, self.layout, &margins))
+    }
+}
+
+/// The maps of mirror images, and the scores of pairs under each.
+fn scores(layout: &Layout, knowledge: &Knowledge<'_>) -> Vec<(Mirror, Pairs)> {
+    let piece = |panel: usize| layout.panels[panel].piece;
+    let maps = maps(layout, &|p, q| knowledge.names.are_namesakes(piece(p), piece(q)));
+    let weights = PairWeights::default();
+    let scored = |mirror: Mirror| {
+        let pairs = Pairs::new(layout, &mirror, knowledge, &weights);
+        (mirror, pairs)
+    };
+    maps.into_iter().map(scored).collect()
+}
+
+/// A short search on every map, a long one on the best: the number of the map, and what was found on it.
+fn search_all(layout: &Layout, wholes: &[Whole<'_>]) -> Option<(usize, Found)> {
+    let effort = if wholes.len() > 1 { tuning::SHORT } else { 1.0 };
+    let short = |whole| best(layout, whole, effort);
+    let mut tried: Vec<(usize, Found)> = wholes.iter().map(short).enumerate().collect();
+    tried.sort_by(|a, b| b.1.score.total().total_cmp(&a.1.score.total()));
+    tried.truncate(tuning::LONG_TRIES);
+    let mut chosen: Option<(usize, Found)> = None;
+    for (map, short) in tried {
+        let long = best(layout, &wholes[map], 1.0);
+        let found = if long.score.total() >= short.score.total() { long } else { short };
+        if chosen.as_ref().is_none_or(|(_, c)| found.score.total() > c.score.total()) {
+            chosen = Some((map, found));
+        }
+    }
+    chosen
+}
+
