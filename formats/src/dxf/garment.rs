@@ -154,7 +154,7 @@ pub fn to_piece(drawn: &DrawnPiece, file: &str) -> Piece {
             .map(|d| DrillHole { at: d.at * M, diameter: d.diameter.map(|d| d * M), source: source(d.line, "13") })
             .collect(),
         grain: drawn.axes.grain.map(|g| g.map(|p| p * M)),
-        fold: drawn.axes.fold.map(|f| f.map(|p| p * M)),
+        fold: fold.map(|f| f.with_left(&drawn.boundary.positions()).map(|p| p * M)),
         internal_lines: internals(drawn, fold).into_iter().map(|p| open_line(&p, &kind, source(p.line, "8"))).collect(),
         cutouts: cutouts(drawn, fold)
             .into_iter()

@@ -156,3 +156,42 @@ fn a_mark_on_the_fold_is_no_notch_inside_the_piece() {
     }));
     assert_eq!(hem.pieces[0].notches[0].on, "boundary");
 }
+
+#[test]
+fn a_half_piece_goes_out_as_the_half_that_was_drawn() {
+    // The fold is on the left or on the right of the half, and is drawn upwards or downwards.
+    for (sign, ends) in [(1.0, [0.0, 520.0]), (-1.0, [0.0, 520.0]), (1.0, [520.0, 0.0]), (-1.0, [520.0, 0.0])] {
+        let [corners, curve] = front(0.0).map(|list| list.into_iter().map(|(x, y)| (sign * x, y)).collect::<Vec<_>>());
+        let line: Vec<_> = outline(0.0).into_iter().map(|(x, y)| (sign * x, y)).collect();
+        let text = file(|w| {
+            let w = w.polyline("1", true, &line).points("2", &corners).points("3", &curve);
+            let w = w.line("6", (0.0, ends[0]), (0.0, ends[1])).point("13", sign * 90.0, 200.0);
+            w.point("4", sign * 300.0, 150.0).pair(30, "4")
+        });
+        let first = good(&text);
+        let whole = garment(&first);
+        let options = PieceOptions { half_on_fold: true, ..PieceOptions::default() };
+        for dialect in Dialect::ALL {
+            let (again, _) = written(&whole, options, dialect);
+            let (a, b) = (&first.pieces[0], &good(&again).pieces[0]);
+            let side = |p: &piece::DrawnPiece| vertices(p).iter().all(|(at, _)| at.x * sign > -1e-4);
+            assert!(side(a) && side(b), "{dialect:?} {sign} {ends:?}");
+            assert_eq!(a.boundary.drawn.len(), b.boundary.drawn.len(), "{dialect:?}");
+            let drills = |p: &piece::DrawnPiece| p.inside.drills.iter().map(|d| d.at).collect::<Vec<_>>();
+            assert!(drills(a).iter().zip(drills(b)).all(|(p, q)| (p - q).norm() < 1e-4), "{dialect:?}");
+            assert!((a.notches[0].at - b.notches[0].at).norm() < 1e-4, "{dialect:?}");
+        }
+    }
+}
+
+#[test]
+fn curve_points_that_no_line_uses_are_said() {
+    let square = [(0.0, 0.0), (300.0, 0.0), (300.0, 520.0), (0.0, 520.0)];
+    let read = good(&file(|w| {
+        let w = w.polyline("1", true, &outline(0.0)).points("2", &front(0.0)[0]).points("3", &front(0.0)[1]);
+        w.polyline("84", true, &square).points("3", &[(150.0, 610.0), (40.0, 610.0)])
+    }));
+    let said: Vec<&Diagnostic> = read.findings.iter().filter(|f| f.code.as_str() == "curve-points-unused").collect();
+    assert_eq!(said.len(), 1);
+    assert!(said[0].message.starts_with("2 of the 9 curve points"), "{}", said[0].message);
+}
