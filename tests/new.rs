@@ -138,6 +138,30 @@ fn the_seams_of_the_samples_are_found_as_far_as_their_marks_tell() {
 }
 
 #[test]
+fn a_folder_that_was_made_in_part_is_completed_with_the_same_bytes() {
+    let (_dir, out) = folder();
+    let (said, _) = new("fitted-bodice", &out, &[]);
+    let names: Vec<String> =
+        said.out.lines().filter_map(|l| Path::new(l).file_name()?.to_str().map(str::to_owned)).collect();
+    let whole: Vec<Vec<u8>> = names.iter().map(|n| std::fs::read(out.join(n)).expect("file")).collect();
+    assert!(names.len() > 5 && names.last().is_some_and(|n| n == "sewing.toml"), "{names:?}");
+    // The files got their names in this order. A kill leaves the first few, and a file under a temporary name.
+    for count in 1..names.len() {
+        let (_dir, part) = folder();
+        std::fs::create_dir_all(&part).expect("folder");
+        for name in &names[..count] {
+            std::fs::copy(out.join(name), part.join(name)).expect("copied");
+        }
+        std::fs::write(part.join(".4711-0.tmp-toile"), "half").expect("file");
+        new("fitted-bodice", &part, &[]);
+        for (name, bytes) in names.iter().zip(&whole) {
+            assert_eq!(&std::fs::read(part.join(name)).expect("file"), bytes, "{name} after {count} files");
+        }
+        assert_eq!(std::fs::read_dir(&part).expect("folder").count(), names.len(), "{count}");
+    }
+}
+
+#[test]
 fn a_folder_keeps_what_a_person_wrote() {
     let (_dir, out) = folder();
     new("long-skirt", &out, &[]);
