@@ -2,6 +2,7 @@
 
 mod support;
 use serde_json::Value;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use support::bench::{Said, command};
 use toile_formats::dxf::{self, ReadOptions};
@@ -159,6 +160,21 @@ fn a_folder_that_was_made_in_part_is_completed_with_the_same_bytes() {
         }
         assert_eq!(std::fs::read_dir(&part).expect("folder").count(), names.len(), "{count}");
     }
+}
+
+#[test]
+fn a_seam_that_nobody_confirmed_is_no_surer_when_asked_again() {
+    let sure = |proposal: &Value| -> BTreeMap<String, String> {
+        let seams = proposal["seams"].as_array().expect("seams").iter();
+        seams.map(|s| (s["name"].as_str().expect("name").to_owned(), s["confidence"].to_string())).collect()
+    };
+    let (_dir, out) = folder();
+    let (_, first) = new("fitted-bodice", &out, &[]);
+    let (_, again) = new("fitted-bodice", &out, &[]);
+    let (first, again) = (sure(&first), sure(&again));
+    let both: Vec<&String> = first.keys().filter(|k| again.contains_key(*k)).collect();
+    assert!(both.len() > 3, "{first:?} {again:?}");
+    assert!(both.iter().all(|k| first[*k] == again[*k]), "{first:?} {again:?}");
 }
 
 #[test]

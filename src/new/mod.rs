@@ -62,7 +62,11 @@ pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
     let names: Box<dyn Names> =
         if order.is_anonymous { Box::new(Nameless) } else { Box::new(RoleNames::new(&source.garment)) };
     let known = order.earlier.map(|e| e.decisions(source)).transpose()?.unwrap_or_default();
-    let proposal = propose(&source.garment, names.as_ref(), &known)?;
+    let mut proposal = propose(&source.garment, names.as_ref(), &known)?;
+    for seam in &mut proposal.seams {
+        let doubt = order.earlier.and_then(|e| e.doubt(&seam.name));
+        seam.confidence = doubt.unwrap_or(seam.confidence);
+    }
     let body = order.body.model()?;
     let dressed = dress::dress(source, &proposal, body.as_ref(), order.is_anonymous);
     let document = document::document(source, &proposal, &dressed, order.is_anonymous);
