@@ -185,6 +185,31 @@ fn a_half_piece_goes_out_as_the_half_that_was_drawn() {
 }
 
 #[test]
+fn lines_that_pass_the_fold_of_a_half_piece_are_not_lost() {
+    // Internal lines that reach 5 mm over the fold, cutouts and stripes on it and beside it.
+    let text = file(|w| {
+        let w = w.polyline("1", true, &RECTANGLE).line("6", (0.0, 0.0), (0.0, 600.0));
+        let w = w.line("8", (-5.0, 100.0), (90.0, 100.0)).line("8", (-5.0, 200.0), (90.0, 200.0));
+        let w = w.line("8", (20.0, 300.0), (40.0, 350.0));
+        let w = w.polyline("11", true, &[(-20.0, 400.0), (20.0, 400.0), (20.0, 440.0), (-20.0, 440.0)]);
+        let w = w.polyline("11", true, &[(60.0, 400.0), (80.0, 400.0), (80.0, 440.0), (60.0, 440.0)]);
+        w.line("9", (-50.0, 500.0), (50.0, 500.0)).line("9", (100.0, 100.0), (100.0, 500.0))
+    });
+    let counts = |p: &piece::DrawnPiece| [p.inside.internal.len(), p.inside.cutouts.len(), p.inside.stripes.len()];
+    let first = good(&text);
+    assert_eq!(counts(&first.pieces[0]), [3, 2, 2]);
+    let whole = garment(&first);
+    let of = |g: &Garment| [&g.pieces[0].internal_lines, &g.pieces[0].cutouts, &g.pieces[0].match_lines].map(Vec::len);
+    assert_eq!(of(&whole), [6, 3, 3], "what is its own mirror image stands once");
+    let options = PieceOptions { half_on_fold: true, ..PieceOptions::default() };
+    for dialect in Dialect::ALL {
+        let second = good(&written(&whole, options, dialect).0);
+        assert_eq!(counts(&second.pieces[0]), [3, 2, 2], "{dialect:?}");
+        assert_eq!(of(&garment(&second)), [6, 3, 3], "{dialect:?}");
+    }
+}
+
+#[test]
 fn curve_points_that_no_line_uses_are_said() {
     let square = [(0.0, 0.0), (300.0, 0.0), (300.0, 520.0), (0.0, 520.0)];
     let read = good(&file(|w| {
