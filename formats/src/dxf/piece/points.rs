@@ -42,17 +42,19 @@ fn at_vertices(sheet: &Sheet) -> (usize, usize) {
 }
 
 impl DrawnPiece {
-    /// Curve points classify vertices of the lines that are kept. Others have no meaning here and are not written again.
+    /// Curve points classify vertices of the lines that are kept, unless a turn point does. Others have no meaning here and are not written again.
     pub(super) fn say_unused_curve_points(&self, desk: &mut Desk<'_>) {
         let outlines = std::iter::once(&self.boundary).chain(&self.sew).flat_map(|o| o.drawn.iter().map(|n| n.at));
         let inner = self.inside.internal.iter().chain(&self.inside.cutouts);
         let inner = inner.chain(self.inside.stripes.iter().map(|s| &s.1)).flat_map(|p| p.points.iter().map(|q| q.0));
         let kept = PointIndex::new(AT, outlines.chain(inner).enumerate().map(|(i, p)| (p, i)));
-        let unused: Vec<&Vec2> = self.points.curve_list.iter().filter(|p| !kept.has(**p, AT)).collect();
+        let turns = PointIndex::new(AT, self.points.turn_list.iter().enumerate().map(|(i, p)| (*p, i)));
+        let is_unused = |p: &&Vec2| !kept.has(**p, AT) || turns.has(**p, AT);
+        let unused: Vec<&Vec2> = self.points.curve_list.iter().filter(is_unused).collect();
         let Some(first) = unused.first() else { return };
         let text = format!(
-            "{} of the {} curve points of `{}` stand at no vertex of a line that is kept, the first at {}; they are not \
-             used and not written again",
+            "{} of the {} curve points of `{}` stand at no vertex of a line that is kept, or where a turn point \
+             stands, the first at {}; they are not used and not written again",
             unused.len(),
             self.points.curve_list.len(),
             self.label(),

@@ -214,9 +214,10 @@ fn curve_points_that_no_line_uses_are_said() {
     let square = [(0.0, 0.0), (300.0, 0.0), (300.0, 520.0), (0.0, 520.0)];
     let read = good(&file(|w| {
         let w = w.polyline("1", true, &outline(0.0)).points("2", &front(0.0)[0]).points("3", &front(0.0)[1]);
-        w.polyline("84", true, &square).points("3", &[(150.0, 610.0), (40.0, 610.0)])
+        // A turn point decides where both kinds stand.
+        w.polyline("84", true, &square).points("3", &[(150.0, 610.0), (40.0, 610.0), (300.0, 0.0)])
     }));
     let said: Vec<&Diagnostic> = read.findings.iter().filter(|f| f.code.as_str() == "curve-points-unused").collect();
     assert_eq!(said.len(), 1);
-    assert!(said[0].message.starts_with("2 of the 9 curve points"), "{}", said[0].message);
+    assert!(said[0].message.starts_with("3 of the 10 curve points"), "{}", said[0].message);
 }
