@@ -122,6 +122,7 @@ fn what_it_answers_is_read_as_hostile() {
             "plugin-protocol",
         ),
         ("ln -s /etc/passwd out/garment.json", "wrote no garment.json"),
+        ("mv out elsewhere; ln -s elsewhere out; cp in/garment.json out", "its output folder is gone"),
         ("yes '{\"kind\":\"progress\"}'", "wrote more than"),
         ("kill -9 $$", "plugin-failed"),
     ] {

@@ -2,6 +2,7 @@
 
 mod support;
 use serde_json::Value;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use support::bench::{Said, command};
 use toile_formats::dxf::{self, ReadOptions};
@@ -135,6 +136,45 @@ fn the_seams_of_the_samples_are_found_as_far_as_their_marks_tell() {
         }
         assert!(page.contains("data-toile-page") && !page.contains("http") && !page.contains("<script"));
     }
+}
+
+#[test]
+fn a_folder_that_was_made_in_part_is_completed_with_the_same_bytes() {
+    let (_dir, out) = folder();
+    let (said, _) = new("fitted-bodice", &out, &[]);
+    let names: Vec<String> =
+        said.out.lines().filter_map(|l| Path::new(l).file_name()?.to_str().map(str::to_owned)).collect();
+    let whole: Vec<Vec<u8>> = names.iter().map(|n| std::fs::read(out.join(n)).expect("file")).collect();
+    assert!(names.len() > 5 && names.last().is_some_and(|n| n == "sewing.toml"), "{names:?}");
+    // The files got their names in this order. A kill leaves the first few, and a file under a temporary name.
+    for count in 1..names.len() {
+        let (_dir, part) = folder();
+        std::fs::create_dir_all(&part).expect("folder");
+        for name in &names[..count] {
+            std::fs::copy(out.join(name), part.join(name)).expect("copied");
+        }
+        std::fs::write(part.join(".4711-0.tmp-toile"), "half").expect("file");
+        new("fitted-bodice", &part, &[]);
+        for (name, bytes) in names.iter().zip(&whole) {
+            assert_eq!(&std::fs::read(part.join(name)).expect("file"), bytes, "{name} after {count} files");
+        }
+        assert_eq!(std::fs::read_dir(&part).expect("folder").count(), names.len(), "{count}");
+    }
+}
+
+#[test]
+fn a_seam_that_nobody_confirmed_is_no_surer_when_asked_again() {
+    let sure = |proposal: &Value| -> BTreeMap<String, String> {
+        let seams = proposal["seams"].as_array().expect("seams").iter();
+        seams.map(|s| (s["name"].as_str().expect("name").to_owned(), s["confidence"].to_string())).collect()
+    };
+    let (_dir, out) = folder();
+    let (_, first) = new("fitted-bodice", &out, &[]);
+    let (_, again) = new("fitted-bodice", &out, &[]);
+    let (first, again) = (sure(&first), sure(&again));
+    let both: Vec<&String> = first.keys().filter(|k| again.contains_key(*k)).collect();
+    assert!(both.len() > 3, "{first:?} {again:?}");
+    assert!(both.iter().all(|k| first[*k] == again[*k]), "{first:?} {again:?}");
 }
 
 #[test]

@@ -27,9 +27,7 @@ pub(super) fn run(args: &BodyArgs, console: &mut Console<'_>) -> Exit {
         Ok(measures) => match parametric(&measures) {
             Ok(body) => {
                 let (mesh, text) = write(&body);
-                let mesh = results.write(out, mesh.as_bytes(), console);
-                let text = results.write(&side, text.as_bytes(), console);
-                return if mesh == Exit::Good { text } else { mesh };
+                return results.write_all(&[(out, mesh.as_bytes()), (&side, text.as_bytes())], console);
             }
             Err(findings) => findings,
         },

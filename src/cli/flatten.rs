@@ -42,8 +42,8 @@ pub(super) fn run(args: &FlattenArgs, registry: &Registry, stop: &Arc<Stop>, con
         Ok((summary, files)) => {
             console.findings(&report.findings, None);
             console.result(&crate::render::safe(&summary));
-            let all = files.iter().map(|(path, bytes)| results.write(path, bytes, console));
-            all.fold(Exit::Good, |worst, exit| if worst == Exit::Good { exit } else { worst })
+            let files: Vec<(&Path, &[u8])> = files.iter().map(|(path, bytes)| (path.as_path(), &bytes[..])).collect();
+            results.write_all(&files, console)
         }
         Err(error) => {
             let (findings, exit) = of_stage_error(error);

@@ -3,7 +3,7 @@
 use super::console::Console;
 use crate::codes::{PATH_REFUSED, WRITE_FAILED};
 use crate::engine::codes::OUTPUTS_COLLIDE;
-use crate::engine::{Exit, clean, refuse_input, write_whole};
+use crate::engine::{Exit, Temps, clean, refuse_input};
 use std::path::{Path, PathBuf};
 use toile_garment::{Code, Diagnostic};
 
@@ -58,11 +58,29 @@ impl Results {
 
     /// The same without a word on stdout.
     pub fn write_silently(&self, path: &Path, bytes: &[u8], console: &mut Console<'_>) -> Exit {
-        if !self.is_free(path, console) {
+        self.put(&[(path, bytes)], console)
+    }
+
+    /// Writes results that belong together and names them on stdout. New ones never lie beside old ones: those go first.
+    pub fn write_all(&self, files: &[(&Path, &[u8])], console: &mut Console<'_>) -> Exit {
+        let exit = self.put(files, console);
+        if exit == Exit::Good {
+            files.iter().for_each(|(path, _)| console.result(&format!("{}\n", clean(path))));
+        }
+        exit
+    }
+
+    fn put(&self, files: &[(&Path, &[u8])], console: &mut Console<'_>) -> Exit {
+        let paths: Vec<&Path> = files.iter().map(|(path, _)| *path).collect();
+        if !self.are_free(&paths, console) {
             return Exit::Usage;
         }
-        if let Err(error) = write_whole(path, bytes) {
-            tell(WRITE_FAILED, &format!("cannot write `{}`: {error}", clean(path)), console);
+        let mut temps = Temps::default();
+        let staged = files.iter().try_for_each(|(path, bytes)| temps.add(path, bytes));
+        // One file takes the place of the old one in a single step.
+        let ready = staged.and_then(|()| if files.len() > 1 { temps.retire_old() } else { Ok(()) });
+        if let Err((path, error)) = ready.and_then(|()| temps.name()) {
+            tell(WRITE_FAILED, &format!("cannot write `{}`: {error}", clean(&path)), console);
             return Exit::System;
         }
         Exit::Good

@@ -4,7 +4,7 @@ use super::earlier::Earlier;
 use super::gate::{clean, output_below, refused};
 use super::same::{is_same, refuse_input};
 use super::stop::Stop;
-use super::whole::{self, Lock, is_temp_name, sync_folder, temp_path, write_new};
+use super::whole::{self, Lock, Temp, sweep, sync_folder, temp_path};
 use std::collections::BTreeSet;
 use std::fs::File;
 use std::path::{Path, PathBuf};
@@ -18,9 +18,14 @@ const LEAST_SPACE: u64 = 4 << 20;
 
 struct Staged {
     shown: String,
-    target: PathBuf,
-    temp: PathBuf,
+    temp: Temp,
     digest: String,
+}
+
+impl Staged {
+    fn target(&self) -> &Path {
+        self.temp.target()
+    }
 }
 
 /// The outputs and inputs of a run, and its rights.
@@ -48,7 +53,6 @@ pub struct Outputs {
     /// Outputs of an earlier run that somebody changed since; they stay.
     changed: Vec<String>,
     staged: Vec<Staged>,
-    swept: BTreeSet<PathBuf>,
     stop: Arc<Stop>,
     lock: Option<File>,
 }
@@ -76,13 +80,12 @@ impl Outputs {
             planned: Vec::new(),
             changed: Vec::new(),
             staged: Vec::new(),
-            swept: BTreeSet::new(),
             stop,
             lock: Some(lock),
         };
         outputs.stop.add_litter(&lock_path(&outputs.root));
         outputs.check_free(folder)?;
-        outputs.sweep(&outputs.root.clone());
+        sweep(&outputs.root);
         outputs.planned = plan.outputs.iter().map(|path| outputs.target(path)).collect::<Result<_, _>>()?;
         outputs.planned.push(outputs.root.join(RECORD_NAME));
         for target in &outputs.planned {
@@ -114,7 +117,7 @@ impl Outputs {
     /// # Errors
     /// [`FileError::Refused`] when an output of this run is to take its place.
     pub fn note_input(&mut self, given: &Path, real: &Path) -> Result<(), FileError> {
-        let mut targets = self.planned.iter().chain(self.staged.iter().map(|s| &s.target));
+        let mut targets = self.planned.iter().map(PathBuf::as_path).chain(self.staged.iter().map(Staged::target));
         if targets.any(|target| is_same(target, real)) {
             let reason = "an output of this run has its name, and an output never replaces an input";
             return Err(refused(given, reason));
@@ -192,7 +195,7 @@ impl Outputs {
             return Err(refused(path, "this name is kept for the run's own record"));
         }
         let folded = target.to_string_lossy().to_lowercase();
-        if self.staged.iter().any(|s| s.target.to_string_lossy().to_lowercase() == folded) {
+        if self.staged.iter().any(|s| s.target().to_string_lossy().to_lowercase() == folded) {
             return Err(refused(path, "two outputs of this run have this name; give each its own"));
         }
         refuse_input(&target, &self.inputs)?;
@@ -202,15 +205,10 @@ impl Outputs {
         let folder = target.parent().unwrap_or(&self.root).to_path_buf();
         std::fs::create_dir_all(&folder).map_err(|e| write_error(path, &e))?;
         self.check_folder(path, &folder)?;
-        self.sweep(&folder);
-        let temp = temp_path(&folder, self.staged.len());
-        self.stop.add_litter(&temp);
-        if let Err(error) = write_new(&temp, bytes) {
-            drop(std::fs::remove_file(&temp));
-            return Err(write_error(path, &error));
-        }
+        let temp = Temp::write(&target, bytes).map_err(|e| write_error(path, &e))?;
+        self.stop.add_litter(temp.path());
         let digest = blake3::hash(bytes).to_hex().to_string();
-        self.staged.push(Staged { shown, target, temp, digest });
+        self.staged.push(Staged { shown, temp, digest });
         Ok(())
     }
 
@@ -221,19 +219,6 @@ impl Outputs {
         if inside { Ok(()) } else { Err(refused(path, "a link on the way leads out of the output folder")) }
     }
 
-    /// Removes what a killed run left in a folder. The lock makes sure that no living run owns it.
-    fn sweep(&mut self, folder: &Path) {
-        if !self.swept.insert(folder.to_path_buf()) {
-            return;
-        }
-        let Ok(entries) = std::fs::read_dir(folder) else { return };
-        for entry in entries.flatten() {
-            if is_temp_name(&entry.file_name().to_string_lossy()) {
-                drop(std::fs::remove_file(entry.path()));
-            }
-        }
-    }
-
     /// Gives all staged files their final names, and the record last: who finds the record finds the rest. The record
     /// is safe on the disk before the first output takes its name. Where one cannot, none of them has.
     ///
@@ -242,16 +227,10 @@ impl Outputs {
     pub fn commit(&mut self, record: &[u8]) -> Result<(), FileError> {
         let stop = Arc::clone(&self.stop);
         let _whole = stop.commit_guard();
-        let temp = temp_path(&self.root, "record");
-        let kept = write_new(&temp, record).map_err(|e| write_error(Path::new(RECORD_NAME), &e));
-        let named = kept.and_then(|()| self.name_all()).and_then(|()| {
-            let path = self.root.join(RECORD_NAME);
-            std::fs::rename(&temp, path).map_err(|e| write_error(Path::new(RECORD_NAME), &e))
-        });
-        if let Err(error) = named {
-            drop(std::fs::remove_file(&temp));
-            return Err(error);
-        }
+        let failed = |e| write_error(Path::new(RECORD_NAME), &e);
+        let mut kept = Temp::write(&self.root.join(RECORD_NAME), record).map_err(failed)?;
+        self.name_all()?;
+        kept.name().map_err(failed)?;
         sync_folder(&self.root);
         self.stop.set_last_words(None);
         self.staged.clear();
@@ -259,17 +238,16 @@ impl Outputs {
     }
 
     /// Renames all staged files, or none.
-    fn name_all(&self) -> Result<(), FileError> {
-        let mut folders = BTreeSet::new();
-        for (k, staged) in self.staged.iter().enumerate() {
-            if let Err(error) = std::fs::rename(&staged.temp, &staged.target) {
+    fn name_all(&mut self) -> Result<(), FileError> {
+        for k in 0..self.staged.len() {
+            if let Err(error) = self.staged[k].temp.name() {
                 // They are incomplete without this one.
-                self.staged[..k].iter().for_each(|s| drop(std::fs::remove_file(&s.target)));
-                return Err(write_error(Path::new(&staged.shown), &error));
+                self.staged[..k].iter().for_each(|s| drop(std::fs::remove_file(s.target())));
+                return Err(write_error(Path::new(&self.staged[k].shown), &error));
             }
-            self.stop.forget_litter(&staged.temp);
-            folders.extend(staged.target.parent());
+            self.stop.forget_litter(self.staged[k].temp.path());
         }
+        let folders: BTreeSet<&Path> = self.staged.iter().filter_map(|s| s.target().parent()).collect();
         folders.into_iter().for_each(sync_folder);
         Ok(())
     }
@@ -292,9 +270,8 @@ impl Outputs {
 
 impl Drop for Outputs {
     fn drop(&mut self) {
-        for staged in &self.staged {
-            drop(std::fs::remove_file(&staged.temp));
-            self.stop.forget_litter(&staged.temp);
+        for staged in self.staged.drain(..) {
+            self.stop.forget_litter(staged.temp.path());
         }
         let lock = lock_path(&self.root);
         // Removed while held, so that nobody removes the lock of a run that came after.

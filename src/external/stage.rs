@@ -259,8 +259,12 @@ impl Ready<'_> {
     }
 
     pub(super) fn read_back(&self, path: &Path) -> Result<Garment, StageError> {
-        let real = std::fs::symlink_metadata(path).is_ok_and(|m| m.is_file());
-        if !real {
+        let kind = |path: &Path| std::fs::symlink_metadata(path).map(|m| m.file_type()).ok();
+        if !path.parent().and_then(kind).is_some_and(|k| k.is_dir()) {
+            let reason = "its output folder is gone, or something else has taken its place; write into it as it is";
+            return Err(self.input(codes::PLUGIN_PROTOCOL, reason.to_owned()));
+        }
+        if !kind(path).is_some_and(|k| k.is_file()) {
             return Err(self.input(codes::PLUGIN_PROTOCOL, format!("it wrote no {FILE_NAME} into its output folder")));
         }
         let bytes = read_limited(Path::new(FILE_NAME), path, MAX_INPUT)?;

@@ -25,6 +25,8 @@ pub struct Earlier {
     pub plan: SewingPlan,
     /// Pieces that were proposed on earlier, as `proposal.json` has them.
     pieces: Vec<Value>,
+    /// Seams that were proposed earlier, as `proposal.json` has them.
+    seams: Vec<Value>,
 }
 
 impl Earlier {
@@ -44,8 +46,16 @@ impl Earlier {
         let proposal = folder.join("proposal.json");
         let json = read_limited(&proposal, &proposal, MAX_INPUT).ok();
         let json: Value = json.and_then(|b| serde_json::from_slice(&b).ok()).unwrap_or_default();
-        let pieces = json["pieces"].as_array().cloned().unwrap_or_default();
-        Ok(Some(Self { text, plan, pieces }))
+        let list = |key: &str| json[key].as_array().cloned().unwrap_or_default();
+        Ok(Some(Self { text, plan, pieces: list("pieces"), seams: list("seams") }))
+    }
+
+    /// Likelihood of a seam that the person has not confirmed yet: it is no surer for lying in the sewing file.
+    pub fn doubt(&self, name: &str) -> Option<f64> {
+        let told = self.plan.seams.iter().find(|s| s.name == name)?.proposed?;
+        let exact = self.seams.iter().find(|s| s["name"] == name).and_then(|s| s["confidence"].as_f64());
+        // The sewing file has two digits.
+        Some(exact.filter(|c| (c - told).abs() <= 0.006).unwrap_or(told))
     }
 
     /// The person's decisions: the seams of the sewing file, and the pieces that had a proposal.

@@ -1,6 +1,6 @@
 //! The files of a working folder; those that are there already are kept.
 
-use crate::engine::write_whole;
+use crate::engine::Temps;
 use std::path::{Path, PathBuf};
 
 /// Files by their names.
@@ -43,22 +43,24 @@ impl Folder {
         self.files.iter().find(|f| f.name == name).map(|f| f.bytes.as_slice())
     }
 
-    /// Writes the files into a folder, which is made if it is not there.
+    /// Writes the files into a folder, which is made if it is not there. They get their names in the order in which they
+    /// were added, once all of them are written.
     ///
     /// # Errors
     /// The path that could not be written, and why.
     pub fn write(&self, folder: &Path) -> Result<Made, (PathBuf, std::io::Error)> {
         std::fs::create_dir_all(folder).map_err(|e| (folder.to_owned(), e))?;
-        let mut made = Made::default();
+        let (mut made, mut temps) = (Made::default(), Temps::default());
         for file in &self.files {
             let path = folder.join(&file.name);
             if std::fs::symlink_metadata(&path).is_ok() && !file.is_ours {
                 made.kept.push(path);
                 continue;
             }
-            write_whole(&path, &file.bytes).map_err(|e| (path.clone(), e))?;
+            temps.add(&path, &file.bytes)?;
             made.written.push(path);
         }
+        temps.name()?;
         Ok(made)
     }
 }

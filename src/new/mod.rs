@@ -76,6 +76,10 @@ pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
         }
     }
     let source = &source;
+    for seam in &mut proposal.seams {
+        let doubt = order.earlier.and_then(|e| e.doubt(&seam.name));
+        seam.confidence = doubt.unwrap_or(seam.confidence);
+    }
     let body = order.body.model()?;
     let dressed = dress::dress(source, &proposal, body.as_ref(), order.is_anonymous);
     let document = document::document(source, &proposal, &dressed, order.is_anonymous);
@@ -88,20 +92,22 @@ pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
     for (name, bytes) in order.body.files()?.into_iter().chain(order.fabric.files()?) {
         folder.add(&name, bytes);
     }
-    match order.earlier {
-        None => folder.add("sewing.toml", sewing::text(source, &proposal).into_bytes()),
-        Some(earlier) => {
-            let text = sewing::filled(source, &proposal, &earlier.text);
-            if text != earlier.text {
-                folder.replace("sewing.toml", text.into_bytes());
-            } else {
-                folder.add("sewing.toml", text.into_bytes());
-            }
+    // Seams are in the person's file before `proposal.json` says that they were proposed.
+    if let Some(earlier) = order.earlier {
+        let text = sewing::filled(source, &proposal, &earlier.text);
+        if text != earlier.text {
+            folder.replace("sewing.toml", text.into_bytes());
+        } else {
+            folder.add("sewing.toml", text.into_bytes());
         }
     }
     folder.add("pipeline.toml", pipeline::text(source, &order.body, &order.fabric).into_bytes());
     let json = serde_json::to_string_pretty(&document).unwrap_or_default();
     folder.replace("proposal.json", format!("{}\n", toile_garment::text::json(&json)).into_bytes());
     folder.replace("start.html", page::page(source, &proposal, &dressed).into_bytes());
+    // A first sewing file comes last: where it lies, the folder is complete, and what it says are decisions.
+    if order.earlier.is_none() {
+        folder.add("sewing.toml", sewing::text(source, &proposal).into_bytes());
+    }
     Ok(New { folder, proposal: document, seams: sewing::missing(&proposal).count(), open })
 }

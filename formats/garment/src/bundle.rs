@@ -74,6 +74,7 @@ pub fn from_text(text: &str) -> Result<Garment, BundleError> {
     check_head(&head)?;
     let garment = serde_json::from_str::<Envelope>(text)?.garment;
     check_indices(&garment)?;
+    check_places(&garment)?;
     Ok(garment)
 }
 
@@ -86,6 +87,7 @@ pub fn from_value(value: serde_json::Value) -> Result<Garment, BundleError> {
     check_head(&head)?;
     let garment = serde_json::from_value::<Envelope>(value)?.garment;
     check_indices(&garment)?;
+    check_places(&garment)?;
     Ok(garment)
 }
 
@@ -145,9 +147,63 @@ fn check_indices(garment: &Garment) -> Result<(), BundleError> {
     Ok(())
 }
 
+/// No place of a garment is as far from the origin as this, metres.
+const FARTHEST: f64 = 1e4;
+
+/// Lines, marks and vertices are where a garment can be.
+fn check_places(garment: &Garment) -> Result<(), BundleError> {
+    // A number that is not finite is too far as well.
+    let is_far = |x: &f64| !(x.abs() <= FARTHEST);
+    let damaged = |name: &str, what: &str, x: f64| {
+        let reason = format!("{what} of piece `{name}` is at {x:e} m, and no garment reaches as far as {FARTHEST:e} m");
+        Err(BundleError::Damaged(reason))
+    };
+    for piece in &garment.pieces {
+        let inner = piece.internal_lines.iter().chain(&piece.cutouts).chain(&piece.match_lines);
+        let lines = std::iter::once(&piece.outline).chain(&piece.cut_line).chain(inner);
+        let drawn = piece.drawn.iter().flat_map(|d| d.outline.iter().chain(&d.cut_line));
+        let on_lines = lines.flat_map(|l| &l.points).chain(drawn).map(|p| p.at);
+        let marks = piece.notches.iter().map(|n| n.at).chain(piece.drill_holes.iter().map(|d| d.at));
+        let axes = piece.grain.iter().chain(&piece.fold).flatten().copied().chain(piece.texts.iter().map(|t| t.at));
+        let darts = piece.darts.iter().flat_map(|d| d.apexes.iter().chain(&d.mouth).chain(d.legs.iter().flatten()));
+        let mesh = piece.mesh.iter().flat_map(|m| &m.rest);
+        let mut flat =
+            on_lines.chain(marks).chain(axes).chain(darts.copied()).chain(mesh.copied()).flat_map(|p| [p.x, p.y]);
+        if let Some(x) = flat.find(is_far) {
+            return damaged(&piece.name, "a point", x);
+        }
+    }
+    let shapes = [&garment.stitched, &garment.drape, &garment.drape_before_edit].into_iter().flatten();
+    let frames = garment.animation.iter().flat_map(|a| &a.frames);
+    for positions in shapes.map(|s| &s.positions).chain(frames) {
+        for (piece, positions) in garment.pieces.iter().zip(positions) {
+            if let Some(x) = positions.iter().flat_map(|p| [p.x, p.y, p.z]).find(is_far) {
+                return damaged(&piece.name, "a vertex", x);
+            }
+        }
+    }
+    Ok(())
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::outline::{LinePoint, PieceLine, PointKind};
+    use crate::{Piece, Vec2};
+
+    #[test]
+    fn a_place_where_no_garment_can_be_is_refused() {
+        for (x, good) in [(9e3, true), (1.1e4, false), (-1e308, false)] {
+            let mut piece = Piece { name: "front".into(), ..Piece::default() };
+            let point = LinePoint { at: Vec2::new(0.0, x), kind: PointKind::Turn };
+            piece.internal_lines.push(PieceLine { points: vec![point], ..PieceLine::default() });
+            let garment = Garment { pieces: vec![piece], ..Garment::default() };
+            let read = from_text(&to_text(&garment).expect("text"));
+            assert_eq!(read.is_ok(), good, "{x}");
+            let said = read.err().map(|e| e.to_string()).unwrap_or_default();
+            assert!(good || said.contains("a point of piece `front`"), "{said}");
+        }
+    }
 
     #[test]
     fn round_trip_keeps_the_document() {

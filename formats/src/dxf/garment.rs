@@ -154,7 +154,7 @@ pub fn to_piece(drawn: &DrawnPiece, file: &str) -> Piece {
             .map(|d| DrillHole { at: d.at * M, diameter: d.diameter.map(|d| d * M), source: source(d.line, "13") })
             .collect(),
         grain: drawn.axes.grain.map(|g| g.map(|p| p * M)),
-        fold: drawn.axes.fold.map(|f| f.map(|p| p * M)),
+        fold: fold.map(|f| f.with_left(&drawn.boundary.positions()).map(|p| p * M)),
         internal_lines: internals(drawn, fold).into_iter().map(|p| open_line(&p, &kind, source(p.line, "8"))).collect(),
         cutouts: cutouts(drawn, fold)
             .into_iter()
@@ -345,7 +345,7 @@ fn match_lines(
     let mut out = Vec::new();
     for (layer, path) in &drawn.inside.stripes {
         let name = if layer.trim() == "10" { "plaid" } else { "stripe" };
-        let twin = fold.filter(|f| beside(*f, &path.positions())).map(|f| mirrored_path(path, f));
+        let twin = fold.and_then(|f| mirrored_path(path, f));
         for path in std::iter::once(path).chain(twin.as_ref()) {
             out.push(PieceLine { name: Some(name.into()), ..open_line(path, &plain, source(path.line, layer)) });
         }
@@ -353,8 +353,17 @@ fn match_lines(
     out
 }
 
-fn mirrored_path(path: &Path, fold: Fold) -> Path {
-    Path { points: path.points.iter().map(|(p, own)| (fold.mirror(*p), *own)).collect(), ..path.clone() }
+/// A line counts as its own mirror image if each of its points has an image among them within this, mm.
+const SAME_IMAGE: f64 = 0.05;
+
+/// The mirror image of a line; none for a line on the fold and for one that is its own image.
+fn mirrored_path(path: &Path, fold: Fold) -> Option<Path> {
+    let points = path.positions();
+    let has_image = |p: &Vec2| points.iter().any(|q| (fold.mirror(*p) - q).norm() <= SAME_IMAGE);
+    if !beside(fold, &points) || points.iter().all(has_image) {
+        return None;
+    }
+    Some(Path { points: path.points.iter().map(|(p, own)| (fold.mirror(*p), *own)).collect(), ..path.clone() })
 }
 
 fn internals(drawn: &DrawnPiece, fold: Option<Fold>) -> Vec<Path> {
@@ -363,9 +372,7 @@ fn internals(drawn: &DrawnPiece, fold: Option<Fold>) -> Vec<Path> {
     for (i, path) in drawn.inside.internal.iter().enumerate().filter(|(_, p)| !is_leg(p)) {
         list.push(path.clone());
         let once = drawn.inside.not_mirrored.get(i).copied().unwrap_or(false);
-        if let Some(fold) = fold.filter(|f| !once && beside(*f, &path.positions())) {
-            list.push(mirrored_path(path, fold));
-        }
+        list.extend(fold.filter(|_| !once).and_then(|f| mirrored_path(path, f)));
     }
     list
 }
@@ -375,9 +382,7 @@ fn cutouts(drawn: &DrawnPiece, fold: Option<Fold>) -> Vec<Path> {
     let mut list = Vec::new();
     for path in drawn.inside.cutouts.iter().filter(|p| !is_leg(p)) {
         list.push(path.clone());
-        if let Some(fold) = fold.filter(|f| beside(*f, &path.positions())) {
-            list.push(mirrored_path(path, fold));
-        }
+        list.extend(fold.and_then(|f| mirrored_path(path, f)));
     }
     list
 }

@@ -29,6 +29,15 @@ impl Fold {
         geom::cross(d, p - self.0[0]).abs() / d.norm().max(1e-9)
     }
 
+    /// The ends of the fold in the order in which these points lie to its left: so the half that was drawn is known
+    /// again when the piece is whole.
+    #[must_use]
+    pub fn with_left(&self, half: &[Vec2]) -> [Vec2; 2] {
+        let [from, to] = self.0;
+        let side: f64 = half.iter().map(|p| geom::cross(to - from, p - from)).sum();
+        if side < 0.0 { [to, from] } else { [from, to] }
+    }
+
     /// Does a place lie on the fold?
     #[must_use]
     pub fn passes(&self, p: Vec2) -> bool {

@@ -92,6 +92,10 @@ codes! {
     /// holes and notches on these layers; map them with `layers` of `import-dxf`.
     POINTS_OFF_VERTICES = "points-off-vertices";
 
+    /// Some curve points (layer 3) stand at no vertex of a line that is kept, or where a turn point stands, so they are
+    /// not used and not written again. They often belong to the dense copy of an outline.
+    CURVE_POINTS_UNUSED = "curve-points-unused";
+
     /// The text `Quantity` of a piece is no number and no pair of numbers, so 1 was taken. Write `2`, or `1,1` for one
     /// as drawn and one mirrored.
     QUANTITY_UNCLEAR = "quantity-unclear";

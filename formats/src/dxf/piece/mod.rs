@@ -327,6 +327,7 @@ impl DrawnPiece {
     /// Third step, once notches cut into the outline are known in every size: working lines, notches, darts.
     pub(crate) fn finish(&mut self, desk: &mut Desk<'_>) {
         self.say_cut_notches(desk);
+        self.say_unused_curve_points(desk);
         self.make_work(desk);
         self.find_notches(desk);
         self.find_darts(desk);

@@ -156,3 +156,68 @@ fn a_mark_on_the_fold_is_no_notch_inside_the_piece() {
     }));
     assert_eq!(hem.pieces[0].notches[0].on, "boundary");
 }
+
+#[test]
+fn a_half_piece_goes_out_as_the_half_that_was_drawn() {
+    // The fold is on the left or on the right of the half, and is drawn upwards or downwards.
+    for (sign, ends) in [(1.0, [0.0, 520.0]), (-1.0, [0.0, 520.0]), (1.0, [520.0, 0.0]), (-1.0, [520.0, 0.0])] {
+        let [corners, curve] = front(0.0).map(|list| list.into_iter().map(|(x, y)| (sign * x, y)).collect::<Vec<_>>());
+        let line: Vec<_> = outline(0.0).into_iter().map(|(x, y)| (sign * x, y)).collect();
+        let text = file(|w| {
+            let w = w.polyline("1", true, &line).points("2", &corners).points("3", &curve);
+            let w = w.line("6", (0.0, ends[0]), (0.0, ends[1])).point("13", sign * 90.0, 200.0);
+            w.point("4", sign * 300.0, 150.0).pair(30, "4")
+        });
+        let first = good(&text);
+        let whole = garment(&first);
+        let options = PieceOptions { half_on_fold: true, ..PieceOptions::default() };
+        for dialect in Dialect::ALL {
+            let (again, _) = written(&whole, options, dialect);
+            let (a, b) = (&first.pieces[0], &good(&again).pieces[0]);
+            let side = |p: &piece::DrawnPiece| vertices(p).iter().all(|(at, _)| at.x * sign > -1e-4);
+            assert!(side(a) && side(b), "{dialect:?} {sign} {ends:?}");
+            assert_eq!(a.boundary.drawn.len(), b.boundary.drawn.len(), "{dialect:?}");
+            let drills = |p: &piece::DrawnPiece| p.inside.drills.iter().map(|d| d.at).collect::<Vec<_>>();
+            assert!(drills(a).iter().zip(drills(b)).all(|(p, q)| (p - q).norm() < 1e-4), "{dialect:?}");
+            assert!((a.notches[0].at - b.notches[0].at).norm() < 1e-4, "{dialect:?}");
+        }
+    }
+}
+
+#[test]
+fn lines_that_pass_the_fold_of_a_half_piece_are_not_lost() {
+    // Internal lines that reach 5 mm over the fold, cutouts and stripes on it and beside it.
+    let text = file(|w| {
+        let w = w.polyline("1", true, &RECTANGLE).line("6", (0.0, 0.0), (0.0, 600.0));
+        let w = w.line("8", (-5.0, 100.0), (90.0, 100.0)).line("8", (-5.0, 200.0), (90.0, 200.0));
+        let w = w.line("8", (20.0, 300.0), (40.0, 350.0));
+        let w = w.polyline("11", true, &[(-20.0, 400.0), (20.0, 400.0), (20.0, 440.0), (-20.0, 440.0)]);
+        let w = w.polyline("11", true, &[(60.0, 400.0), (80.0, 400.0), (80.0, 440.0), (60.0, 440.0)]);
+        w.line("9", (-50.0, 500.0), (50.0, 500.0)).line("9", (100.0, 100.0), (100.0, 500.0))
+    });
+    let counts = |p: &piece::DrawnPiece| [p.inside.internal.len(), p.inside.cutouts.len(), p.inside.stripes.len()];
+    let first = good(&text);
+    assert_eq!(counts(&first.pieces[0]), [3, 2, 2]);
+    let whole = garment(&first);
+    let of = |g: &Garment| [&g.pieces[0].internal_lines, &g.pieces[0].cutouts, &g.pieces[0].match_lines].map(Vec::len);
+    assert_eq!(of(&whole), [6, 3, 3], "what is its own mirror image stands once");
+    let options = PieceOptions { half_on_fold: true, ..PieceOptions::default() };
+    for dialect in Dialect::ALL {
+        let second = good(&written(&whole, options, dialect).0);
+        assert_eq!(counts(&second.pieces[0]), [3, 2, 2], "{dialect:?}");
+        assert_eq!(of(&garment(&second)), [6, 3, 3], "{dialect:?}");
+    }
+}
+
+#[test]
+fn curve_points_that_no_line_uses_are_said() {
+    let square = [(0.0, 0.0), (300.0, 0.0), (300.0, 520.0), (0.0, 520.0)];
+    let read = good(&file(|w| {
+        let w = w.polyline("1", true, &outline(0.0)).points("2", &front(0.0)[0]).points("3", &front(0.0)[1]);
+        // A turn point decides where both kinds stand.
+        w.polyline("84", true, &square).points("3", &[(150.0, 610.0), (40.0, 610.0), (300.0, 0.0)])
+    }));
+    let said: Vec<&Diagnostic> = read.findings.iter().filter(|f| f.code.as_str() == "curve-points-unused").collect();
+    assert_eq!(said.len(), 1);
+    assert!(said[0].message.starts_with("3 of the 10 curve points"), "{}", said[0].message);
+}

@@ -36,18 +36,18 @@ pub fn half(drawing: PieceDrawing, fold: [Vec2; 2], findings: &mut Vec<Diagnosti
         line.closed = false;
         line
     });
-    let keep = |line: &DrawLine| line.points.iter().all(|p| axis.side(p.at) > -SAME);
+    let keep = |lines: &[DrawLine]| axis.without_images(lines).into_iter().cloned().collect();
     let (internal, texts) = axis.half_of_lines(&drawing);
     PieceDrawing {
         boundary,
         sew_line,
         internal,
         texts,
-        boundary_cutouts: drawing.boundary_cutouts.iter().filter(|l| keep(l)).cloned().collect(),
-        cutouts: drawing.cutouts.iter().filter(|l| keep(l)).cloned().collect(),
+        boundary_cutouts: keep(&drawing.boundary_cutouts),
+        cutouts: keep(&drawing.cutouts),
         notches: drawing.notches.iter().filter(|n| axis.side(n.at) > -SAME).copied().collect(),
         drill_holes: drawing.drill_holes.iter().filter(|d| axis.side(d.at) > -SAME).copied().collect(),
-        stripes: drawing.stripes.iter().filter(|(_, l)| keep(l)).cloned().collect(),
+        stripes: axis.stripes(&drawing.stripes),
         rules: drawing.rules.iter().filter(|r| axis.side(r.at) > -SAME).copied().collect(),
         fold: Some(ends),
         ..drawing
@@ -87,21 +87,41 @@ impl Axis {
         })
     }
 
-    /// The internal lines of the half, and the texts of the piece. The left one of a line and its mirror image stays. A
-    /// line without an image, and not on the axis, stays as it is; the text `NM` (not mirrored) at its start says so.
+    /// The place of the mirror image of a line among the others.
+    fn image_of(&self, i: usize, lines: &[&DrawLine]) -> Option<usize> {
+        (0..lines.len()).find(|j| *j != i && self.is_image(lines[i], lines[*j]))
+    }
+
+    /// Does the half hold this line? Of a line and its mirror image it holds the one that lies more to the left, and
+    /// every line without an image: nothing is lost.
+    fn holds(&self, i: usize, lines: &[&DrawLine]) -> bool {
+        let Some(image) = self.image_of(i, lines) else { return true };
+        let to_left: f64 = lines[i].points.iter().map(|p| self.side(p.at)).sum();
+        if to_left.abs() > SAME { to_left > 0.0 } else { i < image }
+    }
+
+    /// The lines that the half holds.
+    fn without_images<'a>(&self, lines: &'a [DrawLine]) -> Vec<&'a DrawLine> {
+        let all: Vec<&DrawLine> = lines.iter().collect();
+        (0..all.len()).filter(|i| self.holds(*i, &all)).map(|i| all[i]).collect()
+    }
+
+    /// The stripes that the half holds, each with its layer.
+    fn stripes(&self, stripes: &[(&'static str, DrawLine)]) -> Vec<(&'static str, DrawLine)> {
+        let all: Vec<&DrawLine> = stripes.iter().map(|s| &s.1).collect();
+        (0..all.len()).filter(|i| self.holds(*i, &all)).map(|i| stripes[i].clone()).collect()
+    }
+
+    /// The internal lines of the half, and the texts of the piece. A line without an image, and not on the axis, stays
+    /// as it is; the text `NM` (not mirrored) at its start says so.
     fn half_of_lines(&self, drawing: &PieceDrawing) -> (Vec<DrawLine>, Vec<LayerText>) {
         let (mut kept, mut texts) = (Vec::new(), drawing.texts.clone());
-        for (i, line) in drawing.internal.iter().enumerate() {
-            let others = drawing.internal.iter().enumerate().filter(|(j, _)| *j != i);
-            let mirrored = others.map(|(_, l)| l).any(|l| self.is_image(line, l));
-            let own = self.is_image(line, line);
-            let left = line.points.iter().all(|p| self.side(p.at) > -SAME);
-            if mirrored && !own && !left {
-                continue;
-            }
-            kept.push(line.clone());
+        let lines: Vec<&DrawLine> = drawing.internal.iter().collect();
+        for (i, line) in lines.iter().enumerate().filter(|(i, _)| self.holds(*i, &lines)) {
+            kept.push((*line).clone());
+            let is_alone = self.image_of(i, &lines).is_none();
             let on_axis = line.points.iter().all(|p| self.side(p.at).abs() <= SAME);
-            let Some(start) = line.points.first().filter(|_| !on_axis && (own || !mirrored)) else { continue };
+            let Some(start) = line.points.first().filter(|_| is_alone && !on_axis) else { continue };
             let marked = texts.iter().any(|t| t.text.eq_ignore_ascii_case("nm") && (t.at - start.at).norm() <= SAME);
             if !marked {
                 texts.push(LayerText { at: start.at, layer: "8".into(), text: "NM".into() });
