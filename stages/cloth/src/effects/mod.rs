@@ -1,4 +1,4 @@
-//! The table of effects: what a scene may call for beside stretch, bending and weight. One small file each, and one line in
+//! The table of effects: what a scene may call for beside stretch, bending and weight. One small file each, a `mod` line and a line in
 //! [`EFFECTS`]. The build check, the plan and the reports of both solvers read it.
 
 mod bending_hysteresis;
@@ -17,9 +17,16 @@ use crate::report::cost::Work;
 use crate::{ClothError, EffectReport, Scene, Settings, Switch};
 
 /// Every effect, in the order of plans and reports.
-pub const EFFECTS: [&Effect; 6] =
-    [&SELF_CONTACT, &BODY_CONTACT, &FRICTION, &STRAIN_LIMIT, &BENDING_HYSTERESIS, &PRESSURE];
+pub const EFFECTS: &[&Effect] = &[
+    &self_contact::EFFECT,
+    &body_contact::EFFECT,
+    &friction::EFFECT,
+    &strain_limit::EFFECT,
+    &bending_hysteresis::EFFECT,
+    &pressure::EFFECT,
+];
 
+// What the solver asks by name; an effect that nobody asks for has no line here.
 pub(crate) use bending_hysteresis::EFFECT as BENDING_HYSTERESIS;
 pub(crate) use body_contact::EFFECT as BODY_CONTACT;
 pub(crate) use friction::EFFECT as FRICTION;
