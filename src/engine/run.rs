@@ -19,6 +19,7 @@ use crate::progress::Teller;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use toile_formats::report::{Language, verdict};
 use toile_garment::garment::EffectRecord;
 use toile_garment::provenance::{InputRecord, StageRecord};
 use toile_garment::{Diagnostic, Garment, Report};
@@ -348,18 +349,11 @@ impl<'a> Run<'a> {
     }
 
     fn gate(&mut self) -> Exit {
-        let Some(certificate) = self.garment.certificate.as_ref().filter(|c| !c.passed) else { return Exit::Good };
-        let message = format!(
-            "the certificate did not pass: {}residual {:.3e}, largest strain {:.1} %, seam gap {:.3} mm, dart gap \
-             {:.3} mm, {} crossings with itself and {} with the body",
-            if certificate.settled { "" } else { "not settled, " },
-            certificate.residual_rel,
-            certificate.strain_max * 100.0,
-            certificate.seam_gap_max_mm,
-            certificate.dart_gap_max_mm,
-            certificate.self_crossings,
-            certificate.body_crossings,
-        );
+        if self.garment.certificate.as_ref().is_none_or(|c| c.passed) {
+            return Exit::Good;
+        }
+        let why = verdict(&self.garment, &[], Language::English).why;
+        let message = format!("the certificate did not pass: {}", why.trim_end_matches('.'));
         let hint = "the outputs are written for looking at; `limits` in run.json says what was asked";
         self.report.push(Diagnostic::error(codes::CERTIFICATE_FAILED, message).hint(hint));
         self.tell_findings();

@@ -7,7 +7,7 @@ use toile_stages::proposal::{Proposal, ProposedSeam, Run};
 /// A piece is small if its area is a smaller share of all that is sewn.
 const SMALL: f64 = 0.03;
 /// A small piece is sewn if a seam to a larger one is at least as sure.
-const SURE: f64 = 0.75;
+const SURE: f64 = 0.65;
 
 /// Names of the pieces without a seam, and of the small pieces that hang on doubtful seams alone. With them, the number
 /// of the latter.

@@ -76,7 +76,7 @@ impl Task<'_> {
 
     /// A garment whose sleeves are sewn like all other pieces.
     fn with_trunk(&self) -> Option<Made> {
-        let search = self.search(WholeWeights::default(), Sleeves::WithTrunk)?;
+        let search = self.search(WholeWeights::default(), Sleeves::WithTrunk, 1.0)?;
         let (assignment, seams) = self.seams(search);
         Some(Made { assignment, seams, sleeves: Vec::new() })
     }
@@ -88,8 +88,12 @@ impl Task<'_> {
             let set_in = sleeves(Sewn { layout: self.layout, of }, self.names, up, how == Sleeves::Single);
             (set_in.count == SLEEVES).then_some(set_in.seams)
         };
-        for weights in [WholeWeights::default(), WholeWeights::open_marks()] {
-            let search = self.search(weights, how)?;
+        // A search takes the square of the number of atoms.
+        let is_large = self.layout.atoms.len() > tuning::MANY_ATOMS;
+        let effort = if is_large { tuning::SHORT } else { 1.0 };
+        let tries = [WholeWeights::default(), WholeWeights::open_marks()];
+        for weights in tries.into_iter().take(if is_large { 1 } else { 2 }) {
+            let search = self.search(weights, how, effort)?;
             if set_in(&search.found.assignment).is_none() {
                 continue;
             }
@@ -102,13 +106,13 @@ impl Task<'_> {
         None
     }
 
-    fn search(&self, weights: WholeWeights, how: Sleeves) -> Option<Search> {
+    fn search(&self, weights: WholeWeights, how: Sleeves, effort: f64) -> Option<Search> {
         let (layout, names) = (self.layout, self.names);
         let decisions = Decisions::new(layout, self.known);
         let knowledge = Knowledge { names, decisions, how, sleeve: SleeveWeights::default() };
         let mut scores = scores(layout, &knowledge);
         let wholes: Vec<Whole<'_>> = scores.iter().map(|scores| self.whole(scores, &weights, how)).collect();
-        let (map, found) = search_all(layout, &wholes)?;
+        let (map, found) = search_all(layout, &wholes, effort)?;
         Some(Search { how, scores: scores.swap_remove(map), weights, found })
     }
 
@@ -139,15 +143,15 @@ fn scores(layout: &Layout, knowledge: &Knowledge<'_>) -> Vec<(Mirror, Pairs)> {
 }
 
 /// A short search on every map, a long one on the best: the number of the map, and what was found on it.
-fn search_all(layout: &Layout, wholes: &[Whole<'_>]) -> Option<(usize, Found)> {
-    let effort = if wholes.len() > 1 { tuning::SHORT } else { 1.0 };
-    let short = |whole| best(layout, whole, effort);
+fn search_all(layout: &Layout, wholes: &[Whole<'_>], effort: f64) -> Option<(usize, Found)> {
+    let first = if wholes.len() > 1 { tuning::SHORT * effort } else { effort };
+    let short = |whole| best(layout, whole, first);
     let mut tried: Vec<(usize, Found)> = wholes.iter().map(short).enumerate().collect();
     tried.sort_by(|a, b| b.1.score.total().total_cmp(&a.1.score.total()));
     tried.truncate(tuning::LONG_TRIES);
     let mut chosen: Option<(usize, Found)> = None;
     for (map, short) in tried {
-        let long = best(layout, &wholes[map], 1.0);
+        let long = best(layout, &wholes[map], effort);
         let found = if long.score.total() >= short.score.total() { long } else { short };
         if chosen.as_ref().is_none_or(|(_, c)| found.score.total() > c.score.total()) {
             chosen = Some((map, found));

@@ -160,3 +160,39 @@ fn a_band_without_marks_goes_around_the_neckline_and_is_closed() {
     let ends = of_band.iter().find(|s| s.a.iter().all(|r| r.piece == 2)).expect("the ends of the band");
     assert!((ends.length_a - 0.03).abs() < 1e-9 && !ends.fold_over);
 }
+
+/// A sleeve of one piece without marks, mm: hem, sides of 104 mm, and a cap.
+fn sleeve(name: &str) -> Piece {
+    let corners = [(0.0, 0.0), (300.0, 0.0), (330.0, 100.0)];
+    let cap = [(270.0, 160.0), (200.0, 215.0), (150.0, 225.0), (100.0, 215.0), (30.0, 160.0)];
+    let turns = corners.iter().chain(&[(-30.0, 100.0)]).map(|(x, y)| (*x, *y, 't'));
+    let mut all: Vec<(f64, f64, char)> = turns.collect();
+    all.splice(3..3, cap.iter().map(|(x, y)| (*x, *y, 'c')));
+    piece(0, name, &all)
+}
+
+#[test]
+fn a_sleeve_without_marks_is_sewn_to_a_tube_and_all_round_its_armhole() {
+    let pieces = vec![top("front bodice", 120.0), top("back bodice", 60.0), sleeve("left sleeve"), sleeve("right sleeve")];
+    let top = garment(pieces);
+    let proposal = propose(&top, &RoleNames::new(&top), &Known::default()).expect("proposal");
+    let has = |runs: &[Run], p: usize| runs.iter().any(|r| r.piece == p);
+    let armhole = 4.0 * (libm::hypot(50.0, 80.0) + libm::hypot(10.0, 140.0)) * 0.5e-3;
+    for sleeve in [2, 3] {
+        let own: Vec<_> = proposal.seams.iter().filter(|s| has(&s.a, sleeve) && has(&s.b, sleeve)).collect();
+        assert_eq!(own.len(), 1);
+        assert!((own[0].length_a - libm::hypot(30.0, 100.0) * 1e-3).abs() < 1e-6, "{}", own[0].length_a);
+        let on: Vec<_> = proposal.seams.iter().filter(|s| has(&s.b, sleeve) && !has(&s.a, sleeve)).collect();
+        assert!((on.iter().map(|s| s.length_a).sum::<f64>() - armhole).abs() < 1e-6);
+        let points = |s: &&super::ProposedSeam| s.b.iter().flat_map(|r| r.points.clone()).collect::<Vec<_>>();
+        assert!(on.iter().flat_map(|s| points(s)).all(|p| p.y > 0.0999), "only the cap is sewn to the trunk");
+        // The underarm of the sleeve meets the side seams, the lowest place of the armhole.
+        let meets = |s: &&super::ProposedSeam| {
+            let at = |runs: &[Run], last: bool| {
+                if last { runs[runs.len() - 1].ends[1] } else { runs[0].ends[0] }
+            };
+            [false, true].iter().any(|end| (at(&s.a, *end).y - 0.4).abs() < 1e-6 && (at(&s.b, *end).y - 0.1).abs() < 1e-6)
+        };
+        assert_eq!(on.iter().filter(|s| meets(s)).count(), on.len().min(2));
+    }
+}

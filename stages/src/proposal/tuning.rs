@@ -355,6 +355,8 @@ pub const AS_SURE: f64 = 0.1;
 
 /// Effort of the short search on every map of mirror images.
 pub const SHORT: f64 = 0.3;
+/// Garments of more atoms have one short search for sleeves that are set in.
+pub const MANY_ATOMS: usize = 150;
 /// Maps that are searched at length.
 pub const LONG_TRIES: usize = 2;
 
