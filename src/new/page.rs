@@ -35,7 +35,8 @@ pub fn page(source: &Source, proposal: &Proposal, dressed: &Dressed) -> String {
     order.sort_by(|i, j| proposal.seams[*i].confidence.total_cmp(&proposal.seams[*j].confidence));
     if !source.left_out.is_empty() {
         let names = escaped(&source.left_out.join(", "));
-        let _ = writeln!(out, "<h2>Not sewn</h2>\n<p>{names}. The list <code>leave_out</code> in the file has them.</p>");
+        let _ =
+            writeln!(out, "<h2>Not sewn</h2>\n<p>{names}. The list <code>leave_out</code> in the file has them.</p>");
     }
     table(&mut out, source, proposal, &order);
     out.push_str("<h2>Pieces</h2>\n");

@@ -153,7 +153,7 @@ const FARTHEST: f64 = 1e4;
 /// Lines, marks and vertices are where a garment can be.
 fn check_places(garment: &Garment) -> Result<(), BundleError> {
     // A number that is not finite is too far as well.
-    let is_far = |x: &f64| !(x.abs() <= FARTHEST);
+    let is_far = |x: &f64| x.is_nan() || x.abs() > FARTHEST;
     let damaged = |name: &str, what: &str, x: f64| {
         let reason = format!("{what} of piece `{name}` is at {x:e} m, and no garment reaches as far as {FARTHEST:e} m");
         Err(BundleError::Damaged(reason))

@@ -68,7 +68,9 @@ fn over_shoulder(d: &Dresser<'_>, i: usize, sheet: &Sheet, by: Vec3) -> f64 {
 
 /// Lifts a piece that is bent around the neck until it lies over the shoulders, and opens it where the neck is wider.
 pub fn over_shoulders(d: &mut Dresser<'_>, i: usize) {
-    let Some(mut sheet) = d.sheets[i].clone().filter(|s| s.bend.is_some() && d.segments[i] == Segment::Neck) else { return };
+    let Some(mut sheet) = d.sheets[i].clone().filter(|s| s.bend.is_some() && d.segments[i] == Segment::Neck) else {
+        return;
+    };
     let neck = &d.form.neck;
     let axis = (neck.to - neck.from).normalize();
     let radius = |p: Vec3| (p - neck.from - axis * (p - neck.from).dot(&axis)).norm();

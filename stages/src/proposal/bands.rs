@@ -49,7 +49,8 @@ impl Bands<'_> {
         }
         let piece = panel.piece;
         let edge = if self.is_low(&long) && !self.is_low(&first) { long } else { first };
-        let off = |opening: &[usize]| (self.sewn.length(&edge) / self.sewn.length(opening) - self.weights.band_usual).abs();
+        let off =
+            |opening: &[usize]| (self.sewn.length(&edge) / self.sewn.length(opening) - self.weights.band_usual).abs();
         let is_place = |o: &[usize]| o.iter().all(|a| self.names.is_set_on(piece, self.sewn.piece(*a)));
         let is_open = |a: &usize| !self.sewn.layout.atoms[*a].is_low() && !closed.iter().any(|c| c.has(*a));
         let openings = self.sewn.openings();
@@ -58,7 +59,8 @@ impl Bands<'_> {
         let Some(opening) = best else { return Vec::new() };
         // The ends of the band meet where two pieces of the opening do.
         let n = opening.len();
-        let start = (0..n).find(|k| self.sewn.piece(opening[*k]) != self.sewn.piece(opening[(*k + n - 1) % n])).unwrap_or(0);
+        let start =
+            (0..n).find(|k| self.sewn.piece(opening[*k]) != self.sewn.piece(opening[(*k + n - 1) % n])).unwrap_or(0);
         let around: Vec<usize> = (0..n).map(|k| opening[(start + k) % n]).collect();
         let backward = |atoms: Vec<usize>| atoms.into_iter().rev().collect::<Vec<usize>>();
         let confidence = self.weights.confidence;
@@ -74,7 +76,8 @@ impl Bands<'_> {
     }
 
     fn is_low(&self, atoms: &[usize]) -> bool {
-        let low: f64 = atoms.iter().filter(|a| self.sewn.layout.atoms[**a].is_low()).map(|a| self.sewn.length(&[*a])).sum();
+        let low: f64 =
+            atoms.iter().filter(|a| self.sewn.layout.atoms[**a].is_low()).map(|a| self.sewn.length(&[*a])).sum();
         2.0 * low > self.sewn.length(atoms)
     }
 
@@ -97,6 +100,7 @@ impl Bands<'_> {
         }
         let short = self.sewn.length(&b).max(self.sewn.length(&d));
         let is_even = libm::log(self.sewn.length(&b) / self.sewn.length(&d)).abs() < self.weights.band_ends;
-        (is_even && self.sewn.length(&a).min(self.sewn.length(&c)) > self.weights.band_least * short).then_some([a, b, c, d])
+        (is_even && self.sewn.length(&a).min(self.sewn.length(&c)) > self.weights.band_least * short)
+            .then_some([a, b, c, d])
     }
 }

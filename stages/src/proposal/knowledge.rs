@@ -60,4 +60,3 @@ impl Prior for Knowledge<'_> {
         sum + self.decisions.score(pair)
     }
 }
-

@@ -6,12 +6,12 @@
 
 pub mod assignment;
 pub mod atoms;
+mod bands;
 pub(crate) mod confidence;
 mod knowledge;
 mod known;
 pub mod mirror;
 mod names;
-mod bands;
 mod openings;
 pub mod pairs;
 mod profile;

@@ -49,13 +49,15 @@ struct Fit {
     cost: f64,
 }
 
-/// Are all sleeves sewn to the trunk without a gap in the edge of the cap?
-pub fn are_whole(sewn: Sewn<'_>, names: &dyn Names) -> bool {
+/// Are all sleeves sewn to the trunk without a gap in the edge of the cap, and no stretch eased by more than `ease`: the
+/// logarithm of the ratio of the lengths?
+pub fn are_whole(sewn: Sewn<'_>, names: &dyn Names, ease: f64) -> bool {
     let atoms = || 0..sewn.layout.atoms.len();
     let is_between = |a: usize| {
         sewn.of.partner(a).is_some_and(|b| {
             let pieces = [sewn.piece(a), sewn.piece(b)];
-            names.is_sleeve_of(pieces[0], pieces[1]) || names.is_sleeve_of(pieces[1], pieces[0])
+            let ratio = libm::log(sewn.length(&[a]) / sewn.length(&[b])).abs();
+            ratio < ease && (names.is_sleeve_of(pieces[0], pieces[1]) || names.is_sleeve_of(pieces[1], pieces[0]))
         })
     };
     let mut apart = sewn.of.clone();
@@ -94,7 +96,8 @@ pub fn sleeves(sewn: Sewn<'_>, names: &dyn Names, up: Vec2, are_single: bool) ->
     for (number, sleeve) in sleeves.iter().enumerate() {
         for (armhole, other) in armholes.iter().enumerate() {
             let fit = |(begin, cost): ([usize; 2], f64)| {
-                let pieces = other.pieces(sewn, begin[0], false).into_iter().zip(sleeve.cap.pieces(sewn, begin[1], true));
+                let pieces =
+                    other.pieces(sewn, begin[0], false).into_iter().zip(sleeve.cap.pieces(sewn, begin[1], true));
                 let names: f64 = pieces.map(|(p, q)| names.seam(p, q, false, other.length)).sum();
                 let cost = cost + sleeve.cost - weights.names * names / STATIONS as f64;
                 Fit { sleeve: number, armhole, begin, cost }
@@ -329,9 +332,8 @@ fn sewn_on(cap: &Opening, armhole: &Opening, begin: [usize; 2], weights: &Sleeve
     let around: Vec<usize> = (0..n).map(|k| armhole.atoms[(i + k) % n]).collect();
     let back: Vec<usize> = (0..m).map(|k| cap.atoms[(j + m - 1 - k) % m]).collect();
     let (of_armhole, of_cap) = (armhole.marks(i, false), cap.marks(j, true));
-    let nearest = |s: f64, list: &[f64]| {
-        (0..list.len()).min_by(|x, y| (list[*x] - s).abs().total_cmp(&(list[*y] - s).abs()))
-    };
+    let nearest =
+        |s: f64, list: &[f64]| (0..list.len()).min_by(|x, y| (list[*x] - s).abs().total_cmp(&(list[*y] - s).abs()));
     let meets = |k: usize| {
         let other = nearest(of_armhole[k], &of_cap)?;
         let is_near = (of_armhole[k] - of_cap[other]).abs() * armhole.length < weights.marks_meet;

@@ -64,12 +64,14 @@ impl Task<'_> {
         if is_given || sleeves == 0 {
             return self.with_trunk();
         }
-        if sleeves <= SLEEVES {
-            return self.set_in(Sleeves::Single).or_else(|| self.with_trunk());
-        }
         let made = self.with_trunk()?;
-        if are_whole(Sewn { layout: self.layout, of: &made.assignment }, self.names) {
+        // Halves of sleeves may be gathered; marks of a sleeve that is one piece meet within its ease.
+        let ease = if sleeves <= SLEEVES { SleeveWeights::default().whole_ease } else { f64::INFINITY };
+        if are_whole(Sewn { layout: self.layout, of: &made.assignment }, self.names, ease) {
             return Some(made);
+        }
+        if sleeves <= SLEEVES {
+            return self.set_in(Sleeves::Single).or(Some(made));
         }
         self.set_in(Sleeves::Single).or_else(|| self.set_in(Sleeves::Halves)).or(Some(made))
     }
@@ -159,4 +161,3 @@ fn search_all(layout: &Layout, wholes: &[Whole<'_>], effort: f64) -> Option<(usi
     }
     chosen
 }
-

@@ -173,7 +173,8 @@ fn sleeve(name: &str) -> Piece {
 
 #[test]
 fn a_sleeve_without_marks_is_sewn_to_a_tube_and_all_round_its_armhole() {
-    let pieces = vec![top("front bodice", 120.0), top("back bodice", 60.0), sleeve("left sleeve"), sleeve("right sleeve")];
+    let pieces =
+        vec![top("front bodice", 120.0), top("back bodice", 60.0), sleeve("left sleeve"), sleeve("right sleeve")];
     let top = garment(pieces);
     let proposal = propose(&top, &RoleNames::new(&top), &Known::default()).expect("proposal");
     let has = |runs: &[Run], p: usize| runs.iter().any(|r| r.piece == p);
@@ -185,13 +186,15 @@ fn a_sleeve_without_marks_is_sewn_to_a_tube_and_all_round_its_armhole() {
         let on: Vec<_> = proposal.seams.iter().filter(|s| has(&s.b, sleeve) && !has(&s.a, sleeve)).collect();
         assert!((on.iter().map(|s| s.length_a).sum::<f64>() - armhole).abs() < 1e-6);
         let points = |s: &&super::ProposedSeam| s.b.iter().flat_map(|r| r.points.clone()).collect::<Vec<_>>();
-        assert!(on.iter().flat_map(|s| points(s)).all(|p| p.y > 0.0999), "only the cap is sewn to the trunk");
+        assert!(on.iter().flat_map(points).all(|p| p.y > 0.0999), "only the cap is sewn to the trunk");
         // The underarm of the sleeve meets the side seams, the lowest place of the armhole.
         let meets = |s: &&super::ProposedSeam| {
             let at = |runs: &[Run], last: bool| {
                 if last { runs[runs.len() - 1].ends[1] } else { runs[0].ends[0] }
             };
-            [false, true].iter().any(|end| (at(&s.a, *end).y - 0.4).abs() < 1e-6 && (at(&s.b, *end).y - 0.1).abs() < 1e-6)
+            [false, true]
+                .iter()
+                .any(|end| (at(&s.a, *end).y - 0.4).abs() < 1e-6 && (at(&s.b, *end).y - 0.1).abs() < 1e-6)
         };
         assert_eq!(on.iter().filter(|s| meets(s)).count(), on.len().min(2));
     }

@@ -426,14 +426,7 @@ pub struct BandWeights {
 
 impl Default for BandWeights {
     fn default() -> Self {
-        Self {
-            band_usual: 0.9,
-            band_spread: 0.2,
-            band_ends: 0.1,
-            band_least: 3.0,
-            corner_most: 2.3,
-            confidence: 0.7,
-        }
+        Self { band_usual: 0.9, band_spread: 0.2, band_ends: 0.1, band_least: 3.0, corner_most: 2.3, confidence: 0.7 }
     }
 }
 
@@ -451,6 +444,8 @@ pub struct SleeveWeights {
     pub sides_uneven: f64,
     /// Cost of the share by which the hem of such a sleeve is longer than its chord.
     pub hem_bent: f64,
+    /// A sleeve of one piece whose stretches are eased by more is set in as a whole: logarithm of the ratio.
+    pub whole_ease: f64,
     /// Length of a cap over that of an armhole. Caps are eased in, or gathered.
     pub ratio: std::ops::Range<f64>,
     /// Cost of the square of the logarithm of that ratio.
@@ -479,11 +474,12 @@ impl Default for SleeveWeights {
             side_least: 0.01,
             sides_uneven: 4.0,
             hem_bent: 0.2,
+            whole_ease: 0.08,
             ratio: 0.85..2.6,
             ease: 0.5,
             start_beside_seam: 0.05,
             least_height: 0.12,
-            most: 0.1,
+            most: 0.05,
             names: 0.01,
             marks_meet: 8e-3,
             stretch_least: 0.03,
