@@ -69,7 +69,7 @@ pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
     let mut proposal = proposed(order.source, order.is_anonymous, &known)?;
     let mut source = order.source.clone();
     if order.earlier.is_none() && !proposal.seams.is_empty() {
-        let (more, doubtful) = unsewn::unsewn(&source, &proposal);
+        let (more, doubtful) = unsewn::unsewn(&source, &proposal, order.is_anonymous);
         source = source.without(&more);
         if doubtful > 0 {
             proposal = proposed(&source, order.is_anonymous, &known)?;

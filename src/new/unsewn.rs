@@ -3,6 +3,7 @@
 use super::pattern::Source;
 use toile_garment::Piece;
 use toile_stages::proposal::{Proposal, ProposedSeam, Run};
+use toile_stages::roles::{Part, Role, roles_of_names};
 
 /// A piece is small if its area is a smaller share of all that is sewn.
 const SMALL: f64 = 0.03;
@@ -10,9 +11,10 @@ const SMALL: f64 = 0.03;
 const SURE: f64 = 0.65;
 
 /// Names of the pieces without a seam, and of the small pieces that hang on doubtful seams alone. With them, the number
-/// of the latter.
-pub fn unsewn(source: &Source, proposal: &Proposal) -> (Vec<String>, usize) {
+/// of the latter. Names that say nothing make no piece doubtful.
+pub fn unsewn(source: &Source, proposal: &Proposal, is_anonymous: bool) -> (Vec<String>, usize) {
     let pieces = &source.garment.pieces;
+    let roles = roles_of_names(pieces);
     let is_in = |p: &&Piece| proposal.layout.panels.iter().any(|panel| panel.piece == p.id.index());
     let sewn: Vec<&Piece> = pieces.iter().filter(is_in).collect();
     let area = |p: &Piece| p.outline.signed_area().abs();
@@ -28,8 +30,14 @@ pub fn unsewn(source: &Source, proposal: &Proposal) -> (Vec<String>, usize) {
     let names = |holds: &dyn Fn(usize) -> bool| -> Vec<String> {
         sewn.iter().filter(|p| holds(p.id.index())).map(|p| p.name.clone()).collect()
     };
-    let doubtful = names(&|p| has_seam(p) && !is_held(p));
+    let doubtful = names(&|p| !is_anonymous && is_trimming(&roles[p]) && has_seam(p) && !is_held(p));
     let alone = names(&|p| !has_seam(p));
     let count = doubtful.len();
     (alone.into_iter().chain(doubtful).collect(), count)
+}
+
+/// Does a garment drape much the same without such a piece? A small yoke is the facing of a slit.
+fn is_trimming(role: &Role) -> bool {
+    use Part::{BeltLoop, Facing, Placket, Pocket, Yoke};
+    role.part.is_none_or(|part| matches!(part, BeltLoop | Facing | Placket | Pocket | Yoke))
 }
