@@ -92,20 +92,7 @@ pub fn sleeves(sewn: Sewn<'_>, names: &dyn Names, up: Vec2, are_single: bool) ->
     let singles = layout.panels.iter().filter(|p| names.is_sleeve(p.piece) && are_single);
     let singles = singles.flat_map(|p| Sleeve::shapes(sewn, p, part(p.atoms.start), &weights));
     let sleeves: Vec<Sleeve> = halves.chain(singles).collect();
-    let mut fits: Vec<Fit> = Vec::new();
-    for (number, sleeve) in sleeves.iter().enumerate() {
-        for (armhole, other) in armholes.iter().enumerate() {
-            let fit = |(begin, cost): ([usize; 2], f64)| {
-                let pieces =
-                    other.pieces(sewn, begin[0], false).into_iter().zip(sleeve.cap.pieces(sewn, begin[1], true));
-                let names: f64 = pieces.map(|(p, q)| names.seam(p, q, false, other.length)).sum();
-                let cost = cost + sleeve.cost - weights.names * names / STATIONS as f64;
-                Fit { sleeve: number, armhole, begin, cost }
-            };
-            fits.extend(best_fit(&sleeve.cap, other, &weights).map(fit));
-        }
-    }
-    fits.sort_by(|x, y| x.cost.total_cmp(&y.cost).then((x.sleeve, x.armhole).cmp(&(y.sleeve, y.armhole))));
+    let fits = fits(sewn, names, &sleeves, &armholes, &weights);
     let piece = |s: &Sleeve| sewn.piece(s.cap.atoms[0]);
     let all_single: Vec<usize> = layout.panels.iter().map(|p| p.piece).filter(|p| names.is_sleeve(*p)).collect();
     let has_namesake = |p: usize| all_single.iter().any(|q| names.are_namesakes(p, *q));
@@ -128,6 +115,31 @@ pub fn sleeves(sewn: Sewn<'_>, names: &dyn Names, up: Vec2, are_single: bool) ->
         taken.push(fit);
     }
     out
+}
+
+/// How sleeves meet armholes, the best fit first.
+fn fits(
+    sewn: Sewn<'_>,
+    names: &dyn Names,
+    sleeves: &[Sleeve],
+    armholes: &[Opening],
+    weights: &SleeveWeights,
+) -> Vec<Fit> {
+    let mut fits: Vec<Fit> = Vec::new();
+    for (number, sleeve) in sleeves.iter().enumerate() {
+        for (armhole, other) in armholes.iter().enumerate() {
+            let fit = |(begin, cost): ([usize; 2], f64)| {
+                let pieces =
+                    other.pieces(sewn, begin[0], false).into_iter().zip(sleeve.cap.pieces(sewn, begin[1], true));
+                let names: f64 = pieces.map(|(p, q)| names.seam(p, q, false, other.length)).sum();
+                let cost = cost + sleeve.cost - weights.names * names / STATIONS as f64;
+                Fit { sleeve: number, armhole, begin, cost }
+            };
+            fits.extend(best_fit(&sleeve.cap, other, weights).map(fit));
+        }
+    }
+    fits.sort_by(|x, y| x.cost.total_cmp(&y.cost).then((x.sleeve, x.armhole).cmp(&(y.sleeve, y.armhole))));
+    fits
 }
 
 /// A sleeve: its cap, and its sides where they are not sewn yet.

@@ -67,13 +67,20 @@ impl Task<'_> {
         let made = self.with_trunk()?;
         // Halves of sleeves may be gathered; marks of a sleeve that is one piece meet within its ease.
         let ease = if sleeves <= SLEEVES { SleeveWeights::default().whole_ease } else { f64::INFINITY };
-        if are_whole(Sewn { layout: self.layout, of: &made.assignment }, self.names, ease) {
+        let are_closed = sleeves > SLEEVES || self.are_tubes(&made.assignment);
+        if are_closed && are_whole(Sewn { layout: self.layout, of: &made.assignment }, self.names, ease) {
             return Some(made);
         }
         if sleeves <= SLEEVES {
             return self.set_in(Sleeves::Single).or(Some(made));
         }
         self.set_in(Sleeves::Single).or_else(|| self.set_in(Sleeves::Halves)).or(Some(made))
+    }
+
+    /// Is every sleeve sewn to itself?
+    fn are_tubes(&self, of: &Assignment) -> bool {
+        let is_tube = |p: &Panel| p.atoms.clone().any(|a| of.partner(a).is_some_and(|b| p.atoms.contains(&b)));
+        self.layout.panels.iter().filter(|p| self.names.is_sleeve(p.piece)).all(is_tube)
     }
 
     /// A garment whose sleeves are sewn like all other pieces.

@@ -479,7 +479,7 @@ impl Default for SleeveWeights {
             ease: 0.5,
             start_beside_seam: 0.05,
             least_height: 0.12,
-            most: 0.05,
+            most: 0.06,
             names: 0.01,
             marks_meet: 8e-3,
             stretch_least: 0.03,
