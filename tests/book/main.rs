@@ -4,7 +4,6 @@
 #![allow(clippy::expect_used, clippy::unwrap_used)]
 
 mod commands;
-mod energies;
 mod links;
 mod reference;
 mod schemas;

@@ -158,9 +158,13 @@ pub struct LayerText {
     pub text: String,
 }
 
-/// Texts of a piece about its cutting.
+/// One piece in one size, millimetres.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct CutNotes {
+pub struct PieceDrawing {
+    /// Piece name, the same in all sizes.
+    pub name: String,
+    /// Size label.
+    pub size: Option<String>,
     /// How often it is cut.
     pub quantity: Quantity,
     /// Material.
@@ -169,17 +173,6 @@ pub struct CutNotes {
     pub category: Option<String>,
     /// Annotation.
     pub annotation: Option<String>,
-}
-
-/// One piece in one size, millimetres.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct PieceDrawing {
-    /// Piece name, the same in all sizes.
-    pub name: String,
-    /// Size label.
-    pub size: Option<String>,
-    /// What the cutter is told.
-    pub cut: CutNotes,
     /// The line that is cut (layer 1).
     pub boundary: DrawLine,
     /// The line that is sewn (layer 14), where it differs; open on a half piece.

@@ -1,8 +1,6 @@
 //! Friction at contacts, of cloth with itself and with the body.
 
-use super::body_contact::EFFECT as BODY_CONTACT;
-use super::self_contact::EFFECT as SELF_CONTACT;
-use super::{Effect, Facts};
+use super::{BODY_CONTACT, Effect, Facts, SELF_CONTACT};
 use crate::Settings;
 use crate::report::cost::Work;
 
