@@ -1,7 +1,7 @@
 //! From a drafted sew line to the drawing of a piece: seam allowance, marks, place on the sheet.
 
 use crate::draft::{Edge, left};
-use toile_formats::dxf::write::{DrawDrill, DrawLine, DrawNotch, DrawPoint, NotchLine, PieceDrawing};
+use toile_formats::dxf::write::{CutNotes, DrawDrill, DrawLine, DrawNotch, DrawPoint, NotchLine, PieceDrawing};
 use toile_garment::Vec2;
 use toile_garment::notch::NotchKind;
 use toile_garment::outline::PointKind;
@@ -156,10 +156,12 @@ impl Draft {
         PieceDrawing {
             name: self.name.to_owned(),
             size: Some(size.to_owned()),
-            quantity: self.quantity,
-            material: Some("MAIN".to_owned()),
-            category: Some("SHELL".to_owned()),
-            annotation: (!self.annotation.is_empty()).then(|| self.annotation.to_owned()),
+            cut: CutNotes {
+                quantity: self.quantity,
+                material: Some("MAIN".to_owned()),
+                category: Some("SHELL".to_owned()),
+                annotation: (!self.annotation.is_empty()).then(|| self.annotation.to_owned()),
+            },
             boundary: self.line(&cut),
             sew_line: Some(self.line(&self.ring(true))),
             internal: internal.collect(),

@@ -17,9 +17,12 @@ use toile_stage_api::Files as _;
 pub fn program() -> &'static str {
     static PROGRAM: OnceLock<String> = OnceLock::new();
     PROGRAM.get_or_init(|| {
-        let own = std::env::current_exe().and_then(std::fs::read);
-        let digest = own.map(|bytes| blake3::hash(&bytes).to_hex()[..16].to_owned());
-        digest.map_or_else(|_| VERSION.to_owned(), |digest| format!("{VERSION}+{digest}"))
+        let own = std::env::current_exe().and_then(std::fs::File::open);
+        // Piece by piece: the whole file would be 30 MB of memory.
+        let digest = own.and_then(|file| Ok(blake3::Hasher::new().update_reader(file)?.finalize().to_hex()));
+        digest
+            .map(|digest| digest[..16].to_owned())
+            .map_or_else(|_| VERSION.to_owned(), |digest| format!("{VERSION}+{digest}"))
     })
 }
 

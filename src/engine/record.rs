@@ -53,9 +53,9 @@ pub struct GarmentCounts {
     pub darts: usize,
 }
 
-/// The whole record.
+/// The program and the content of a run.
 #[derive(Clone, Debug, Serialize)]
-pub struct RunRecord {
+pub struct RunIdentity {
     /// Program version.
     pub toile: String,
     /// The program: its version and a digest of its file.
@@ -65,6 +65,14 @@ pub struct RunRecord {
     pub key: Option<String>,
     /// Product line and version.
     pub pipeline: String,
+}
+
+/// The whole record.
+#[derive(Clone, Debug, Serialize)]
+pub struct RunRecord {
+    /// The program and the content.
+    #[serde(flatten)]
+    pub identity: RunIdentity,
     /// Status in a word.
     pub status: &'static str,
     /// Exit code.

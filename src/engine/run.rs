@@ -11,7 +11,7 @@ use super::meter::{Meter, peak_mb};
 use super::outputs::{Outputs, Plan, RECORD_NAME};
 use super::preflight::planned_outputs;
 use super::preview::{PREVIEW_NAME, Preview};
-use super::record::{GarmentCounts, OutputRecord, RunRecord, StageRun};
+use super::record::{GarmentCounts, OutputRecord, RunIdentity, RunRecord, StageRun};
 use super::same::known_inputs;
 use super::stop::Stop;
 use crate::pipeline::{Pipeline, Step};
@@ -143,12 +143,18 @@ impl<'a> Run<'a> {
         teller: &'a mut Teller,
         report: Report,
     ) -> Self {
-        let name = format!("{} v{}", pipeline.line, pipeline.version);
-        let record = RunRecord {
+        let identity = RunIdentity {
             toile: env!("CARGO_PKG_VERSION").to_owned(),
             program: program().to_owned(),
             key: options.foreseen.as_ref().map(|(key, _)| key.clone()),
-            pipeline: name,
+            pipeline: format!("{} v{}", pipeline.line, pipeline.version),
+        };
+        let mut garment = Garment::default();
+        garment.provenance.toile.clone_from(&identity.toile);
+        garment.provenance.pipeline.clone_from(&identity.pipeline);
+        garment.provenance.seed = pipeline.seed;
+        let record = RunRecord {
+            identity,
             status: Exit::Stopped.word(),
             exit_code: Exit::Stopped.code(),
             set: options.set.clone(),
@@ -164,10 +170,6 @@ impl<'a> Run<'a> {
             garment: GarmentCounts::default(),
             outputs: Vec::new(),
         };
-        let mut garment = Garment::default();
-        garment.provenance.toile.clone_from(&record.toile);
-        garment.provenance.pipeline.clone_from(&record.pipeline);
-        garment.provenance.seed = pipeline.seed;
         let (path, bytes) = &options.pipeline_file;
         let pipeline_file = InputRecord { path: path.clone(), blake3: blake3::hash(bytes).to_hex().to_string() };
         let foreseen = options.foreseen.as_ref().map(|(_, reads)| reads.clone()).unwrap_or_default();
@@ -363,7 +365,7 @@ impl<'a> Run<'a> {
         self.record.inputs.extend_from_slice(self.files.inputs());
         let is_foreseen = |i: &InputRecord| self.foreseen.iter().any(|f| Gate::shown(&f.path) == i.path);
         if !self.files.inputs().iter().all(is_foreseen) {
-            self.record.key = None;
+            self.record.identity.key = None;
         }
         self.record.findings.clone_from(&self.report.findings);
         self.record.certificate.clone_from(&self.garment.certificate);

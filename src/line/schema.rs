@@ -5,13 +5,6 @@ use serde_json::{Value, json};
 /// The schema.
 #[must_use]
 pub fn schema() -> Value {
-    let name = |about: &str| json!({ "description": about, "type": "string", "pattern": "^[a-z][a-z0-9-]{0,63}$" });
-    let text = |about: &str| json!({ "description": about, "type": "string" });
-    let sets = json!({
-        "description": "Inputs of the pipeline, and parameters as stage-id.key; as `--set` takes them.",
-        "type": "object"
-    });
-    let bound = |about: &str| json!({ "description": about, "type": ["number", "string"] });
     json!({
         "$schema": "http://json-schema.org/draft-07/schema#",
         "title": "toile line",
@@ -29,55 +22,95 @@ pub fn schema() -> Value {
                 "time": text("Longest time of a job, e.g. 60 s."),
                 "memory": text("Most memory of a job, e.g. 800 MB.")
             })),
-            "style": list(table("A style.", &["name", "pipeline"], json!({
-                "name": name("Name of the style."),
-                "pipeline": text("Pipeline file, from the folder of the line."),
-                "pattern": text("Value of the input `pattern`."),
-                "set": sets,
-                "matrix": { "$ref": "#/definitions/matrix" }
-            }))),
+            "style": list(style()),
             "matrix": { "$ref": "#/definitions/matrix" },
             "exclude": list(json!({
                 "description": "Jobs with all these choices are left out. Keys are axes and `style`.",
                 "type": "object",
-                "additionalProperties": {
-                    "anyOf": [
-                        { "$ref": "#/definitions/value" },
-                        { "type": "array", "items": { "$ref": "#/definitions/value" } }
-                    ]
-                }
+                "additionalProperties": value_or_values()
             })),
-            "include": list(json!({
-                "description": "A single job: its style, a choice for each axis, and further values.",
-                "type": "object",
-                "required": ["style"],
-                "properties": {
-                    "style": text("Style of the job."),
-                    "name": name("A word that is added to its name."),
-                    "set": sets
-                },
-                "additionalProperties": { "$ref": "#/definitions/value" }
-            })),
-            "gate": list(table("Bounds of a figure; a job outside them fails.", &["figure"], json!({
-                "figure": text("A key of the certificate, or a measure as NAME.on.method."),
-                "min": bound("Least value; a length such as 20 mm for a measure."),
-                "max": bound("Largest value; a length such as 20 mm for a measure.")
-            })))
+            "include": list(single_job()),
+            "gate": list(gate())
         },
         "definitions": {
             "value": { "type": ["string", "number", "boolean"] },
-            "matrix": {
-                "description": "Axes. A list sets the input of its name; a table names choices that set more.",
-                "type": "object",
-                "additionalProperties": {
-                    "anyOf": [
-                        { "type": "array", "items": { "$ref": "#/definitions/value" } },
-                        { "type": "object", "additionalProperties": sets }
-                    ]
-                }
-            }
+            "matrix": matrix()
         }
     })
+}
+
+fn style() -> Value {
+    table(
+        "A style.",
+        &["name", "pipeline"],
+        json!({
+            "name": name("Name of the style."),
+            "pipeline": text("Pipeline file, from the folder of the line."),
+            "pattern": text("Value of the input `pattern`."),
+            "set": sets(),
+            "matrix": { "$ref": "#/definitions/matrix" }
+        }),
+    )
+}
+
+fn single_job() -> Value {
+    json!({
+        "description": "A single job: its style, a choice for each axis, and further values.",
+        "type": "object",
+        "required": ["style"],
+        "properties": {
+            "style": text("Style of the job."),
+            "name": name("A word that is added to its name."),
+            "set": sets()
+        },
+        "additionalProperties": { "$ref": "#/definitions/value" }
+    })
+}
+
+fn gate() -> Value {
+    let bound = |about: &str| json!({ "description": about, "type": ["number", "string"] });
+    table(
+        "Bounds of a figure; a job outside them fails.",
+        &["figure"],
+        json!({
+            "figure": text("A key of the certificate, or a measure as NAME.on.method."),
+            "min": bound("Least value; a length such as 20 mm for a measure."),
+            "max": bound("Largest value; a length such as 20 mm for a measure.")
+        }),
+    )
+}
+
+fn matrix() -> Value {
+    json!({
+        "description": "Axes. A list sets the input of its name; a table names choices that set more.",
+        "type": "object",
+        "additionalProperties": {
+            "anyOf": [values(), { "type": "object", "additionalProperties": sets() }]
+        }
+    })
+}
+
+fn value_or_values() -> Value {
+    json!({ "anyOf": [{ "$ref": "#/definitions/value" }, values()] })
+}
+
+fn values() -> Value {
+    json!({ "type": "array", "items": { "$ref": "#/definitions/value" } })
+}
+
+fn sets() -> Value {
+    json!({
+        "description": "Inputs of the pipeline, and parameters as stage-id.key; as `--set` takes them.",
+        "type": "object"
+    })
+}
+
+fn name(about: &str) -> Value {
+    json!({ "description": about, "type": "string", "pattern": "^[a-z][a-z0-9-]{0,63}$" })
+}
+
+fn text(about: &str) -> Value {
+    json!({ "description": about, "type": "string" })
 }
 
 fn table(about: &str, required: &[&str], properties: Value) -> Value {

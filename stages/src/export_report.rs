@@ -91,7 +91,7 @@ impl Stage for ExportReport {
         cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
         asked(params, cx)?;
-        Ok(forecast.by_triangles(0.7, 0.05, 6.0))
+        Ok(forecast.by_triangles(0.6 + 0.024 * forecast.body_thousands(), 0.03, 6.0))
     }
 
     fn run(&self, params: &Self::Params, garment: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {

@@ -144,9 +144,9 @@ fn pierces(body: &Body, a: &[u32; 3], b: &[u32; 3]) -> bool {
 
 fn tape_agrees(m: &BodyMeasures, body: &Body) {
     for (what, height, want) in [
-        ("hip", m.hip_height, m.hip_girth),
-        ("waist", m.waist_height, m.waist_girth),
-        ("bust", m.bust_height, m.bust_girth),
+        ("hip", m.hip_height, m.girths.hip),
+        ("waist", m.waist_height, m.girths.waist),
+        ("bust", m.bust_height, m.girths.bust),
         ("under bust", m.bust_height - 0.075, m.under_bust()),
     ] {
         near(&m.name, what, girth_at(body, height), want, 0.002);
@@ -156,15 +156,15 @@ fn tape_agrees(m: &BodyMeasures, body: &Body) {
     for side in ["left", "right"] {
         let arm = &body.segments[&format!("arm-{side}")];
         let along = arm.to - arm.from;
-        near(&m.name, "upper arm", around(arm.from + along * 0.29, along), m.upper_arm_girth, 0.002);
-        near(&m.name, "wrist", around(arm.to, along), m.wrist_girth, 0.002);
+        near(&m.name, "upper arm", around(arm.from + along * 0.29, along), m.girths.upper_arm, 0.002);
+        near(&m.name, "wrist", around(arm.to, along), m.girths.wrist, 0.002);
         let leg = &body.segments[&format!("leg-{side}")];
         let thigh = Vec3::new(leg.from.x, m.crotch_height - 0.035, leg.from.z);
-        near(&m.name, "thigh", around(thigh, Vec3::y()), m.thigh_girth, 0.002);
+        near(&m.name, "thigh", around(thigh, Vec3::y()), m.girths.thigh, 0.002);
     }
     let neck = &body.segments["neck"];
     let up = (neck.from - neck.to).normalize();
-    near(&m.name, "neck", around(neck.to + up * 0.055, up), m.neck_girth, 0.002);
+    near(&m.name, "neck", around(neck.to + up * 0.055, up), m.girths.neck, 0.002);
     for (name, want) in m.entries() {
         near(&m.name, name, body.measures[name], want, 0.01);
     }
@@ -189,8 +189,8 @@ fn heights_agree(m: &BodyMeasures, body: &Body) {
     // The waist is a waist: between ribs and hips nothing is smaller by more than a hair.
     let slim =
         (0..12).map(|i| girth_at(body, m.waist_height - 0.055 + 0.01 * f64::from(i))).fold(f64::INFINITY, f64::min);
-    if m.waist_girth < 0.95 * m.under_bust() {
-        near(&m.name, "smallest girth near the waist", slim, m.waist_girth, 0.01);
+    if m.girths.waist < 0.95 * m.under_bust() {
+        near(&m.name, "smallest girth near the waist", slim, m.girths.waist, 0.01);
     }
 }
 

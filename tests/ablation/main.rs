@@ -1,18 +1,19 @@
-//! What each mechanism of the solver is worth, and each tuned number: a suite of cases is run with one mechanism switched off, or
-//! one number scaled, and compared with the same cases run plainly.
+//! The worth of each mechanism and each tuned number of the solver. A suite of cases runs with one mechanism switched
+//! off, or one number scaled, and is compared with the same cases run plainly.
 //!
 //! ```text
-//! cargo test --release --features experiments --test ablation -- [--projects FOLDER]… [--numbers] [--only NAME]… [--cases WORD]
-//!     [--harnesses] [--limit SECONDS]
+//! cargo test --release --features experiments --test ablation -- [--projects FOLDER]… [--numbers] [--only NAME]…
+//!     [--cases WORD] [--harnesses] [--limit SECONDS] [--jobs N]
 //! ```
 //!
-//! The samples are always in the suite. `--projects` adds every sub-folder that holds a `pipeline.toml` (garments, scenes of the
-//! comparison). `--numbers` also halves and doubles every tuned number; otherwise only mechanisms are switched off. `--only` takes
-//! some mechanisms or numbers, `--cases` the cases whose name holds the word. `--harnesses` also runs the quick cases of the
-//! physics and the stability harness. `--limit` ends a case after so much time (120 s).
+//! The samples are always in the suite. `--projects` adds every sub-folder that holds a `pipeline.toml` (garments,
+//! scenes of the comparison). `--numbers` also halves and doubles every tuned number; otherwise only mechanisms are
+//! switched off. `--only` takes some mechanisms or numbers, `--cases` the cases whose name holds the word.
+//! `--harnesses` also runs the quick cases of the physics and the stability harness. `--limit` ends a case after this
+//! many seconds (120). `--jobs` runs cases side by side (1).
 //!
-//! The table tells failures beside those of the plain run, and medians of ratios to the plain run: CPU time of sewing, of draping,
-//! and elastic energy. Ratios of one run on one machine are comparable; times of different runs are not.
+//! The table tells failures beside those of the plain run, and medians of ratios to the plain run: CPU time of sewing,
+//! of draping, and elastic energy. Ratios of one run on one machine are comparable; times of different runs are not.
 #![allow(clippy::print_stdout, clippy::print_stderr)]
 
 mod options;
@@ -69,7 +70,7 @@ fn main() -> std::process::ExitCode {
         }
     };
     let cases = suite::cases(&options);
-    let run = |experiment: &str| cases.iter().map(|c| c.run(experiment, &options)).collect::<Vec<_>>();
+    let run = |experiment: &str| suite::run(&cases, experiment, &options);
     let plain = run("");
     for (case, f) in cases.iter().zip(&plain) {
         let seconds = f.sewing.unwrap_or(0.0) + f.draping.unwrap_or(0.0);

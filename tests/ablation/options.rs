@@ -15,6 +15,8 @@ pub struct Options {
     pub harnesses: bool,
     /// Longest time of a case, s.
     pub limit: f64,
+    /// Cases that run side by side.
+    pub jobs: usize,
 }
 
 impl Options {
@@ -26,6 +28,7 @@ impl Options {
             cases: String::new(),
             harnesses: false,
             limit: 120.0,
+            jobs: 1,
         };
         while let Some(switch) = arguments.next() {
             let mut value = || arguments.next().ok_or(format!("{switch} needs a value"));
@@ -36,6 +39,7 @@ impl Options {
                 "--cases" => options.cases = value()?,
                 "--harnesses" => options.harnesses = true,
                 "--limit" => options.limit = value()?.parse().map_err(|_| "--limit takes seconds".to_owned())?,
+                "--jobs" => options.jobs = value()?.parse().map_err(|_| "--jobs takes a number".to_owned())?,
                 other => return Err(format!("unknown switch {other}; the head of tests/ablation/main.rs lists all")),
             }
         }

@@ -4,6 +4,8 @@ use crate::options::Options;
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
 /// A case: a pipeline, or one of the other harnesses.
@@ -18,7 +20,7 @@ enum Kind {
     Harness(&'static str),
 }
 
-/// What came of a case.
+/// The figures of a case.
 #[derive(Clone, Debug, Default)]
 pub struct Figures {
     pub passed: bool,
@@ -52,9 +54,25 @@ pub fn cases(options: &Options) -> Vec<Case> {
     all
 }
 
+/// Runs all cases with the text of an experiment file, as many side by side as the options say.
+pub fn run(cases: &[Case], experiment: &str, options: &Options) -> Vec<Figures> {
+    let next = AtomicUsize::new(0);
+    let results = Mutex::new(vec![Figures::default(); cases.len()]);
+    let work = || {
+        while let Some((i, case)) = Some(next.fetch_add(1, Ordering::Relaxed)).and_then(|i| Some((i, cases.get(i)?))) {
+            let figures = case.run(experiment, options);
+            if let Ok(mut results) = results.lock() {
+                results[i] = figures;
+            }
+        }
+    };
+    std::thread::scope(|scope| (0..options.jobs.max(1)).for_each(|_| drop(scope.spawn(work))));
+    results.into_inner().unwrap_or_default()
+}
+
 impl Case {
     /// Runs the case with the text of an experiment file.
-    pub fn run(&self, experiment: &str, options: &Options) -> Figures {
+    fn run(&self, experiment: &str, options: &Options) -> Figures {
         let Ok(folder) = tempfile::tempdir() else { return Figures::default() };
         let file = folder.path().join("experiment.toml");
         if std::fs::write(&file, experiment).is_err() {

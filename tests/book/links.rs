@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 
 #[test]
 fn no_link_is_dead() {
+    crate::energies::chapters();
     let pages = pages();
     assert!(pages.len() > 20, "{} pages", pages.len());
     let mut dead = Vec::new();
@@ -22,6 +23,7 @@ fn no_link_is_dead() {
 
 #[test]
 fn every_chapter_stands_in_the_summary() {
+    crate::energies::chapters();
     let book = root().join("docs/book/src");
     let summary = std::fs::read_to_string(book.join("SUMMARY.md")).expect("summary");
     let listed: BTreeSet<PathBuf> = targets(&summary).iter().map(|t| book.join(t)).collect();

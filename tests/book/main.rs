@@ -4,6 +4,7 @@
 #![allow(clippy::expect_used, clippy::unwrap_used)]
 
 mod commands;
+mod energies;
 mod links;
 mod reference;
 mod schemas;

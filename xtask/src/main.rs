@@ -20,7 +20,7 @@ const COMMANDS: [Command; 13] = [
     ("doc", "the documentation of all packages, warnings fail", doc),
     ("test", "all tests; the solver's with overflow checks", test),
     ("golden", "the golden cases", |more| cargo(&["test", "--release", "--locked", "--test", "golden"], more)),
-    ("bless", "writes schemas and the book's reference anew", bless),
+    ("bless", "writes schemas, the tuning table and the book's reference anew", bless),
     ("validate", "all physics cases, as a table", |more| harness("validation", more)),
     ("stability", "all hard cases, as a table", |more| harness("stability", more)),
     ("book", "builds the book with the pinned mdBook, warnings fail", book::build),
@@ -65,8 +65,10 @@ fn test(more: &[String]) -> Done {
 }
 
 fn bless(more: &[String]) -> Done {
-    let words = ["test", "--release", "--locked", "--test", "pipelines", "--test", "book"];
-    run::program("cargo", &words, more, &[("TOILE_BLESS", "1")])
+    let tuning = ["test", "--release", "--locked", "--package", "toile-cloth", "--lib", "the_tuning_page"];
+    let pages = ["test", "--release", "--locked", "--test", "pipelines", "--test", "book"];
+    run::program("cargo", &tuning, more, &[("TOILE_BLESS", "1")])?;
+    run::program("cargo", &pages, more, &[("TOILE_BLESS", "1")])
 }
 
 fn harness(name: &str, more: &[String]) -> Done {

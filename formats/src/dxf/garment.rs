@@ -122,11 +122,9 @@ pub fn to_piece(drawn: &DrawnPiece, file: &str) -> Piece {
     let outline = closed_line(&nodes, source(sewn.line, sewn_layer));
     let cut_nodes = drawn.sew.as_ref().map(|_| whole(&drawn.boundary, fold));
     let cut_line = cut_nodes.as_ref().map(|nodes| closed_line(nodes, source(drawn.boundary.line, "1")));
-    let vertices = DrawnVertices {
-        outline: untold(drawn.sewn(), &nodes, fold),
-        cut_line: cut_nodes.as_ref().map(|nodes| untold(&drawn.boundary, nodes, fold)).unwrap_or_default(),
-    };
+    let vertices = drawn_vertices(drawn, &nodes, cut_nodes.as_deref(), fold);
     let marks = Marks::new(&drawn.points.turn_list, &drawn.points.curve_list, &Tolerances::default());
+    let source_of_cutout = |p: &Path| source(p.line, cutout_layer(drawn, &p.ids));
     let kind = |p: Vec2| match (marks.kind(p), fold) {
         (PointKind::Plain, Some(fold)) => marks.kind(fold.mirror(p)),
         (kind, _) => kind,
@@ -135,6 +133,7 @@ pub fn to_piece(drawn: &DrawnPiece, file: &str) -> Piece {
         let mirrored: Vec<DrawnDart> = darts.iter().filter(|d| !on_fold(fold, d)).map(|d| fold.dart(d)).collect();
         darts.extend(mirrored);
     }
+    let layer_of_dart = |d: &DrawnDart| if d.form == Form::Wedge { sewn_layer } else { dart_layer(drawn, d) };
     let text = |key: &str| drawn.texts.keys.get(key).filter(|v| !v.is_empty()).cloned();
     Piece {
         name: drawn.label().to_owned(),
@@ -149,28 +148,28 @@ pub fn to_piece(drawn: &DrawnPiece, file: &str) -> Piece {
         cut_line,
         drawn: Some(vertices).filter(|v| *v != DrawnVertices::default()),
         notches: notches(drawn, fold).into_iter().map(|n| notch(&n, source(n.line, "4"))).collect(),
-        drill_holes: drills(drawn, fold)
-            .into_iter()
-            .map(|d| DrillHole { at: d.at * M, diameter: d.diameter.map(|d| d * M), source: source(d.line, "13") })
-            .collect(),
+        drill_holes: drills(drawn, fold).iter().map(|d| drill_hole(d, source(d.line, "13"))).collect(),
         grain: drawn.axes.grain.map(|g| g.map(|p| p * M)),
         fold: fold.map(|f| f.with_left(&drawn.boundary.positions()).map(|p| p * M)),
         internal_lines: internals(drawn, fold).into_iter().map(|p| open_line(&p, &kind, source(p.line, "8"))).collect(),
-        cutouts: cutouts(drawn, fold)
-            .into_iter()
-            .map(|p| open_line(&p, &kind, source(p.line, cutout_layer(drawn, &p.ids))))
-            .collect(),
+        cutouts: cutouts(drawn, fold).iter().map(|p| open_line(p, &kind, source_of_cutout(p))).collect(),
         match_lines: match_lines(drawn, fold, &source),
-        darts: darts
-            .iter()
-            .enumerate()
-            .map(|(i, d)| {
-                dart(d, i, source(d.line, if d.form == Form::Wedge { sewn_layer } else { dart_layer(drawn, d) }))
-            })
-            .collect(),
+        darts: darts.iter().zip(0..).map(|(d, i)| dart(d, i, source(d.line, layer_of_dart(d)))).collect(),
         texts: texts(drawn),
         source: Some(SourceRef { block: Some(drawn.block.clone()), ..SourceRef::file(file).at_line(drawn.line) }),
         ..Piece::default()
+    }
+}
+
+fn drill_hole(drill: &Drill, source: Option<SourceRef>) -> DrillHole {
+    DrillHole { at: drill.at * M, diameter: drill.diameter.map(|d| d * M), source }
+}
+
+/// The vertices of the drawing that a file told, on the sewn outline and on the cut line.
+fn drawn_vertices(drawn: &DrawnPiece, sewn: &[Node], cut: Option<&[Node]>, fold: Option<Fold>) -> DrawnVertices {
+    DrawnVertices {
+        outline: untold(drawn.sewn(), sewn, fold),
+        cut_line: cut.map(|nodes| untold(&drawn.boundary, nodes, fold)).unwrap_or_default(),
     }
 }
 

@@ -51,6 +51,14 @@ pub struct Note {
     pub text: String,
 }
 
+/// Straight strokes that turn or mirror a piece.
+#[derive(Clone, Debug, Default)]
+pub struct SheetAxes {
+    pub reference: Vec<Stroke>,
+    pub mirror: Vec<Stroke>,
+    pub grain: Vec<Stroke>,
+}
+
 /// A block by layers.
 #[derive(Clone, Debug, Default)]
 pub struct Sheet {
@@ -64,9 +72,7 @@ pub struct Sheet {
     pub curve: Vec<Vec2>,
     pub marks: Vec<Mark>,
     pub notch_strokes: Vec<Stroke>,
-    pub reference: Vec<Stroke>,
-    pub mirror: Vec<Stroke>,
-    pub grain: Vec<Stroke>,
+    pub axes: SheetAxes,
     pub drills: Vec<Drill>,
     /// Stripe and plaid lines with their layer.
     pub stripes: Vec<(String, Path)>,
@@ -427,9 +433,9 @@ impl Sheet {
     /// The list of straight lines for the role of a layer.
     fn strokes(&mut self, role: Role) -> &mut Vec<Stroke> {
         match role {
-            Role::GradeReference => &mut self.reference,
-            Role::Mirror => &mut self.mirror,
-            Role::Grain => &mut self.grain,
+            Role::GradeReference => &mut self.axes.reference,
+            Role::Mirror => &mut self.axes.mirror,
+            Role::Grain => &mut self.axes.grain,
             _ => &mut self.notch_strokes,
         }
     }

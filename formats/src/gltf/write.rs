@@ -6,12 +6,12 @@ use crate::picture::linear;
 use gltf_json as json;
 use json::accessor::{ComponentType, GenericComponentType, Type};
 use json::buffer::Target;
-use json::validation::Checked::Valid;
+use json::validation::Checked::{self, Valid};
 use json::validation::USize64;
 use std::collections::BTreeMap;
 use toile_garment::bundle::BundleError;
 use toile_garment::garment::Shape;
-use toile_garment::texture::Material;
+use toile_garment::texture::{Material, PieceTexture};
 use toile_garment::{Garment, Piece, Vec3};
 
 /// Why a garment cannot be written as GLB.
@@ -339,31 +339,8 @@ fn push_piece(
     normals: &[Vec3],
     wishes: &Wishes<'_>,
 ) -> Result<(), WriteError> {
-    use json::mesh::Semantic;
-    let mut attributes = BTreeMap::new();
-    let p = floats(piece, "the position", positions.iter().map(|p| [p.x, p.y, p.z]))?;
-    attributes.insert(Valid(Semantic::Positions), buffer.floats(root, &p, Type::Vec3, true));
-    let n = floats(piece, "the normal", normals.iter().map(|n| [n.x, n.y, n.z]))?;
-    attributes.insert(Valid(Semantic::Normals), buffer.floats(root, &n, Type::Vec3, false));
     let texture = garment.textures.as_ref().and_then(|t| t.pieces.get(piece.id.index()));
-    if let Some(texture) = texture {
-        if texture.uv_cloth.len() != positions.len() || texture.uv_packed.len() != positions.len() {
-            let message = format!("piece `{}` has texture coordinates for another mesh", piece.name);
-            return Err(WriteError::Damaged(message));
-        }
-        // glTF counts v downwards from the top of the image.
-        let cloth = floats(piece, "the texture coordinate", texture.uv_cloth.iter().map(|[u, v]| [*u, -v]))?;
-        attributes.insert(Valid(Semantic::TexCoords(0)), buffer.floats(root, &cloth, Type::Vec2, false));
-        let packed = floats(piece, "the packed coordinate", texture.uv_packed.iter().map(|[u, v]| [*u, 1.0 - v]))?;
-        attributes.insert(Valid(Semantic::TexCoords(1)), buffer.shares(root, &packed, Type::Vec2));
-    }
-    if let Some(field) = wishes.field {
-        let values = field.values.get(piece.id.index()).map_or(&[][..], Vec::as_slice);
-        let value = |v: usize| values.get(v).copied().unwrap_or(f64::NAN);
-        let colours: Vec<[f32; 3]> =
-            (0..positions.len()).map(|v| field.colour(value(v)).map(|c| linear(c) as f32)).collect();
-        attributes.insert(Valid(Semantic::Colors(0)), buffer.shares(root, &colours, Type::Vec3));
-    }
+    let attributes = attributes(root, buffer, piece, positions, normals, texture, wishes)?;
     let painted = wishes.field.map(|_| root.materials.len() as u32 - 1);
     let material = painted.unwrap_or_else(|| texture.map_or(0, |t| t.material));
     if material as usize >= root.materials.len() {
@@ -394,4 +371,41 @@ fn push_piece(
         ..Default::default()
     });
     Ok(())
+}
+
+/// Positions, normals, texture coordinates and colours of the vertices of a piece.
+fn attributes(
+    root: &mut json::Root,
+    buffer: &mut Buffer,
+    piece: &Piece,
+    positions: &[Vec3],
+    normals: &[Vec3],
+    texture: Option<&PieceTexture>,
+    wishes: &Wishes<'_>,
+) -> Result<BTreeMap<Checked<json::mesh::Semantic>, json::Index<json::Accessor>>, WriteError> {
+    use json::mesh::Semantic;
+    let mut attributes = BTreeMap::new();
+    let p = floats(piece, "the position", positions.iter().map(|p| [p.x, p.y, p.z]))?;
+    attributes.insert(Valid(Semantic::Positions), buffer.floats(root, &p, Type::Vec3, true));
+    let n = floats(piece, "the normal", normals.iter().map(|n| [n.x, n.y, n.z]))?;
+    attributes.insert(Valid(Semantic::Normals), buffer.floats(root, &n, Type::Vec3, false));
+    if let Some(texture) = texture {
+        if texture.uv_cloth.len() != positions.len() || texture.uv_packed.len() != positions.len() {
+            let message = format!("piece `{}` has texture coordinates for another mesh", piece.name);
+            return Err(WriteError::Damaged(message));
+        }
+        // glTF counts v downwards from the top of the image.
+        let cloth = floats(piece, "the texture coordinate", texture.uv_cloth.iter().map(|[u, v]| [*u, -v]))?;
+        attributes.insert(Valid(Semantic::TexCoords(0)), buffer.floats(root, &cloth, Type::Vec2, false));
+        let packed = floats(piece, "the packed coordinate", texture.uv_packed.iter().map(|[u, v]| [*u, 1.0 - v]))?;
+        attributes.insert(Valid(Semantic::TexCoords(1)), buffer.shares(root, &packed, Type::Vec2));
+    }
+    if let Some(field) = wishes.field {
+        let values = field.values.get(piece.id.index()).map_or(&[][..], Vec::as_slice);
+        let value = |v: usize| values.get(v).copied().unwrap_or(f64::NAN);
+        let colours: Vec<[f32; 3]> =
+            (0..positions.len()).map(|v| field.colour(value(v)).map(|c| linear(c) as f32)).collect();
+        attributes.insert(Valid(Semantic::Colors(0)), buffer.shares(root, &colours, Type::Vec3));
+    }
+    Ok(attributes)
 }

@@ -55,6 +55,12 @@ impl Forecast {
         let thousands = self.mesh?.triangles * 1e-3;
         Some(Cost { seconds: fixed + seconds * thousands, mb: mb * thousands })
     }
+
+    /// The number of triangles of the body over 1000; 0 without a body.
+    #[must_use]
+    pub fn body_thousands(&self) -> f64 {
+        self.garment.body.as_ref().map_or(0.0, |body| body.triangles.len() as f64 * 1e-3)
+    }
 }
 
 #[cfg(test)]

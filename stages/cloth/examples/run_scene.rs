@@ -100,19 +100,40 @@ fn show(name: &str, o: &Outcome, t: Instant) {
     }
 }
 
-fn main() {
-    let args: Vec<String> = std::env::args().collect();
-    let dir = Path::new(&args[1]);
-    let option = |name: &str| args.iter().find_map(|a| a.strip_prefix(&format!("{name}=")).map(str::to_owned));
-    let number = |name: &str, or: f64| option(name).map_or(or, |v| v.parse().unwrap());
-    let (v, vt, f) = obj(&dir.join("garment.obj")).unwrap();
-    let mut material = match option("fabric").as_deref() {
-        Some("cotton") => cotton(),
-        _ => Material { strain_limit: [0.012; 3], ..Material::isotropic(0.15, 500.0, 0.3, 1e-5) },
-    };
-    if let Some(l) = option("limit") {
-        material.strain_limit = [l.parse().unwrap(); 3];
+/// The words `NAME=VALUE` of the command line.
+struct Words(Vec<String>);
+
+impl Words {
+    fn text(&self, name: &str) -> Option<&str> {
+        self.0.iter().find_map(|a| a.strip_prefix(name)?.strip_prefix('='))
     }
+
+    fn number(&self, name: &str, or: f64) -> f64 {
+        self.text(name).map_or(or, |v| v.parse().unwrap())
+    }
+
+    fn is(&self, name: &str, value: &str) -> bool {
+        self.text(name) == Some(value)
+    }
+
+    fn switch(&self, name: &str, or: Switch) -> Switch {
+        if self.is(name, "off") { Switch::Off } else { or }
+    }
+}
+
+fn fabric(words: &Words) -> Material {
+    let mut material = if words.is("fabric", "cotton") {
+        cotton()
+    } else {
+        Material { strain_limit: [0.012; 3], ..Material::isotropic(0.15, 500.0, 0.3, 1e-5) }
+    };
+    material.strain_limit = material.strain_limit.map(|l| words.number("limit", l));
+    material.friction = words.number("friction", material.friction);
+    material
+}
+
+fn scene(dir: &Path, words: &Words) -> Scene {
+    let (v, vt, f) = obj(&dir.join("garment.obj")).unwrap();
     let triangles = f
         .iter()
         .map(|t| Element {
@@ -121,10 +142,6 @@ fn main() {
             material: 0,
         })
         .collect();
-    if let Some(f) = option("friction") {
-        material.friction = f.parse().unwrap();
-    }
-    let z_up = option("up").as_deref() != Some("y");
     let mut scene = Scene {
         pins: numbers(&dir.join("pins.txt")).iter().map(|p| Pin { vertex: p[0], at: v[p[0] as usize] }).collect(),
         stitches: numbers(&dir.join("stitches.txt")).iter().map(|p| [p[0], p[1]]).collect(),
@@ -132,59 +149,63 @@ fn main() {
             let triangles = f.iter().map(|t| t.map(|c| u32::try_from(c[0]).unwrap())).collect();
             BodyMesh { positions, triangles }.into()
         }),
-        gravity: if z_up { Vec3::new(0.0, 0.0, -9.81) } else { Vec3::new(0.0, -9.81, 0.0) },
+        gravity: if words.is("up", "y") { Vec3::new(0.0, -9.81, 0.0) } else { Vec3::new(0.0, 0.0, -9.81) },
         positions: v,
         triangles,
-        materials: vec![material],
+        materials: vec![fabric(words)],
         ..Scene::default()
     };
-    if let Some(seed) = option("jitter") {
+    if let Some(seed) = words.text("jitter") {
         jitter(&mut scene, seed.parse().unwrap());
     }
+    let (vertices, triangles) = (scene.positions.len(), scene.triangles.len());
     println!(
-        "{} vertices, {} triangles, {} stitches, {} pins",
-        scene.positions.len(),
-        scene.triangles.len(),
+        "{vertices} vertices, {triangles} triangles, {} stitches, {} pins",
         scene.stitches.len(),
         scene.pins.len()
     );
-    let model = if option("model").as_deref() == Some("springs") { Model::Springs } else { Model::Coupled };
-    let integrator = if option("integrator").as_deref() == Some("explicit") {
-        Integrator::CentralDifference
-    } else {
-        Integrator::Static
-    };
-    let switch = |name: &str, or: Switch| if option(name).as_deref() == Some("off") { Switch::Off } else { or };
-    let with = |s: Settings| Settings {
-        model,
-        integrator,
+    scene
+}
+
+/// The settings of a run, changed by the words.
+fn settings(s: Settings, words: &Words) -> Settings {
+    let explicit = words.is("integrator", "explicit");
+    Settings {
+        model: if words.is("model", "springs") { Model::Springs } else { Model::Coupled },
+        integrator: if explicit { Integrator::CentralDifference } else { Integrator::Static },
         explicit: ExplicitSteps {
-            stiffness_cap: number("cap", s.explicit.stiffness_cap),
-            damping: number("damping", s.explicit.damping),
+            stiffness_cap: words.number("cap", s.explicit.stiffness_cap),
+            damping: words.number("damping", s.explicit.damping),
             ..s.explicit
         },
-        threads: number("threads", 1.0) as usize,
+        threads: words.number("threads", 1.0) as usize,
         equilibrium: Equilibrium {
-            decrement_tolerance: number("decrement", s.equilibrium.decrement_tolerance),
-            move_tolerance: number("move", s.equilibrium.move_tolerance),
-            residual_tolerance: number("residual", s.equilibrium.residual_tolerance),
+            decrement_tolerance: words.number("decrement", s.equilibrium.decrement_tolerance),
+            move_tolerance: words.number("move", s.equilibrium.move_tolerance),
+            residual_tolerance: words.number("residual", s.equilibrium.residual_tolerance),
             ..s.equilibrium
         },
         effects: Effects {
-            self_contact: switch("self", s.effects.self_contact),
-            body_contact: switch("body", s.effects.body_contact),
+            self_contact: words.switch("self", s.effects.self_contact),
+            body_contact: words.switch("body", s.effects.body_contact),
             ..s.effects
         },
         ..s
-    };
-    let verbose = option("verbose").is_some();
+    }
+}
+
+fn main() {
+    let args: Vec<String> = std::env::args().collect();
+    let words = Words(args.clone());
+    let scene = scene(Path::new(&args[1]), &words);
+    let verbose = words.text("verbose").is_some();
     let mut place = scene.positions.clone();
     let mut finish = scene.clone();
     let mut map: Vec<u32> = (0..u32::try_from(place.len()).unwrap()).collect();
     if !scene.stitches.is_empty() {
         let t = Instant::now();
-        let mut settings = with(Settings::sewing());
-        settings.explicit.max_seconds = number("sew", 6.0);
+        let mut settings = settings(Settings::sewing(), &words);
+        settings.explicit.max_seconds = words.number("sew", 6.0);
         match sew(&scene, &settings, &mut Print(t, verbose)) {
             Ok(o) => {
                 show("sew", &o, t);
@@ -197,8 +218,8 @@ fn main() {
         (finish, map) = (w.scene, w.map);
     }
     let t = Instant::now();
-    let mut settings = with(Settings::default());
-    settings.explicit.max_seconds = number("seconds", 20.0);
+    let mut settings = settings(Settings::default(), &words);
+    settings.explicit.max_seconds = words.number("seconds", 20.0);
     match drape(&finish, &settings, &mut Print(t, verbose)) {
         Ok(o) => {
             show("drape", &o, t);

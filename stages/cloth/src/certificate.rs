@@ -68,12 +68,12 @@ pub struct Tightest {
 pub fn certify(scene: &Scene, settings: &Settings, positions: &[Vec3]) -> Result<Figures, ClothError> {
     validate::scene(scene)?;
     // The frame is that of the drape: the trees over the body are the same, and so are the figures of a turned scene.
-    let mut canon = CanonicalScene::of(scene);
-    canon.scene.positions = canon.told(positions);
-    canon.scene.contact_filter = ContactFilter::default();
-    let mut figures = figures(&canon.scene, settings)?;
+    let mut canonical = CanonicalScene::of(scene);
+    canonical.scene.positions = canonical.told(positions);
+    canonical.scene.contact_filter = ContactFilter::default();
+    let mut figures = figures(&canonical.scene, settings)?;
     if let Some(t) = &mut figures.tightest {
-        t.place.at = canon.there(t.place.at);
+        t.place.at = canonical.there(t.place.at);
     }
     Ok(figures)
 }

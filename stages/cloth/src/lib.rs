@@ -45,12 +45,12 @@ pub use report::outcome::{EffectReport, Outcome, Reaction, StopReason};
 pub use report::watch::{Silent, Watch};
 pub use scene::contact_filter::ContactFilter;
 pub use scene::curve::Curve;
-pub use scene::elements::Elements;
+pub use scene::elements::{Element, Elements};
 pub use scene::lines::{Band, FoldLine};
 pub use scene::settings::{Effects, Equilibrium, ExplicitSteps, Integrator, Model, Settings, Stitches, Switch};
-pub use scene::shared_body::SharedBody;
+pub use scene::shared_body::{BodyMesh, SharedBody};
 pub use scene::weld::{Welded, weld};
-pub use scene::{BodyMesh, Element, Load, Material, Pin, Scene};
+pub use scene::{Load, Material, Pin, Scene};
 pub use sewing::joining::joinable_stitches;
 pub use solve::{animate, check_settings, drape, sew};
 

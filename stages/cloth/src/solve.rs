@@ -24,9 +24,9 @@ const FILTERED_WORK: f64 = 0.8;
 /// An unusable scene or setting, a start that crosses, instability, or a stop on request.
 pub fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     validate::scene(scene)?;
-    let canon = CanonicalScene::of(scene);
-    let sewn = sew_canonical(&canon.scene, settings, &mut Part::new(watch, WHOLE, &|x| canon.given(x)));
-    shown(canon.back(sewn)?, scene, watch)
+    let canonical = CanonicalScene::of(scene);
+    let sewn = sew_canonical(&canonical.scene, settings, &mut Part::new(watch, WHOLE, &|x| canonical.given(x)));
+    shown(canonical.back(sewn)?, scene, watch)
 }
 
 fn sew_canonical(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
@@ -91,18 +91,18 @@ pub fn animate(
 
 /// Settles parts of the cloth that may meet each other.
 fn drape_group(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
-    let canon = CanonicalScene::of(scene);
-    let given = |x: &[Vec3]| canon.given(x);
+    let canonical = CanonicalScene::of(scene);
+    let given = |x: &[Vec3]| canonical.given(x);
     let mut part = Part::new(watch, WHOLE, &given);
-    let draped = match CollapsedEdges::of(&canon.scene) {
+    let draped = match CollapsedEdges::of(&canonical.scene) {
         Some(narrow) => {
             let apart = |x: &[Vec3]| narrow.parted(x);
             let mut part = Part::new(&mut part, WHOLE, &apart);
             drape_canonical(&narrow.scene, settings, &mut part).map(|o| narrow.back(o))
         }
-        None => drape_canonical(&canon.scene, settings, &mut part),
+        None => drape_canonical(&canonical.scene, settings, &mut part),
     };
-    shown(canon.back(draped)?, scene, watch)
+    shown(canonical.back(draped)?, scene, watch)
 }
 
 /// Shows what came of it.

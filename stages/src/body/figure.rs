@@ -120,8 +120,8 @@ fn spread(scale: f64) -> (f64, f64) {
 }
 
 fn torso(m: &BodyMeasures, [hip, waist, under, bust]: [f64; 4], crotch: f64) -> Sweep {
-    let (h, w) = (hip * m.hip_girth / 0.960, waist * m.waist_girth / 0.700);
-    let (u, b) = (under * m.under_bust() / 0.7612, bust * m.bust_girth / 0.880);
+    let (h, w) = (hip * m.girths.hip / 0.960, waist * m.girths.waist / 0.700);
+    let (u, b) = (under * m.under_bust() / 0.7612, bust * m.girths.bust / 0.880);
     let ((hw, hd), (ww, wd), (uw, ud)) = (spread(h), spread(w), spread(u));
     let (mw, md) = spread(0.5 * (h + w));
     let (bw, bd) = spread(0.6 * u + 0.4 * b);
@@ -167,7 +167,7 @@ fn neck_sweep(m: &BodyMeasures, factor: f64) -> Sweep {
     let tilt = 16.0_f64.to_radians();
     let along = Vec3::new(0.0, libm::cos(tilt), libm::sin(tilt));
     let forward = Vec3::new(0.0, -libm::sin(tilt), libm::cos(tilt));
-    let r = factor * m.neck_girth / (2.0 * std::f64::consts::PI);
+    let r = factor * m.girths.neck / (2.0 * std::f64::consts::PI);
     let row = |s: f64| [s * r * 0.97, s * r * 1.03, 0.0, 0.0];
     let rise = m.stature - m.neck_height - 0.10;
     let keys = [(-0.02, row(1.12)), (0.055, row(1.0)), (rise, row(0.97))];
@@ -186,9 +186,9 @@ fn head(m: &BodyMeasures, rise: f64) -> Egg {
 }
 
 fn bust_egg(m: &BodyMeasures, factor: f64, rise: f64) -> Egg {
-    let size = factor * m.bust_girth / 0.880;
+    let size = factor * m.girths.bust / 0.880;
     let ribs = m.under_bust() / 0.7612;
-    let cup = ((m.bust_girth - m.under_bust()) / (0.135 * m.bust_girth)).clamp(0.2, 2.0);
+    let cup = ((m.girths.bust - m.under_bust()) / (0.135 * m.girths.bust)).clamp(0.2, 2.0);
     let r = libm::sqrt(size) * (0.7 + 0.3 * cup);
     Egg {
         centre: Vec3::new(0.086 * ribs.min(1.15), m.bust_height + rise, 0.056 * ribs + 0.012 * (size - 1.0)),
@@ -199,7 +199,7 @@ fn bust_egg(m: &BodyMeasures, factor: f64, rise: f64) -> Egg {
 
 /// Larger bodies hold their arms wider, so that the armpits stay above the bust.
 fn arm_angle(m: &BodyMeasures) -> f64 {
-    ARM_ANGLE + (35.0 * (m.bust_girth / 0.95 - 1.0)).clamp(0.0, 15.0)
+    ARM_ANGLE + (35.0 * (m.girths.bust / 0.95 - 1.0)).clamp(0.0, 15.0)
 }
 
 /// The arm with the positions where it is measured.
@@ -214,8 +214,8 @@ impl ArmPlan {
         let (sin, cos) = libm::sincos(arm_angle(m).to_radians());
         let along = Vec3::new(sin, -cos, 0.0);
         let out = Vec3::new(cos, sin, 0.0);
-        let ru = upper * m.upper_arm_girth / (2.0 * std::f64::consts::PI);
-        let rw = wrist * m.wrist_girth / (2.0 * std::f64::consts::PI);
+        let ru = upper * m.girths.upper_arm / (2.0 * std::f64::consts::PI);
+        let rw = wrist * m.girths.wrist / (2.0 * std::f64::consts::PI);
         let joint = 0.050;
         let reach = libm::sqrt(m.arm_length * m.arm_length - (joint - rw) * (joint - rw));
         let elbow = 0.54 * reach;
@@ -240,7 +240,7 @@ impl ArmPlan {
 }
 
 fn leg(m: &BodyMeasures, factor: f64) -> Sweep {
-    let s = factor * m.thigh_girth / 0.550;
+    let s = factor * m.girths.thigh / 0.550;
     let slim = libm::sqrt(s);
     let c = m.crotch_height;
     let top = 0.080 * s;

@@ -84,14 +84,14 @@ fn turn(m: &BodyMeasures, tune: &mut Tune, taken: &Taken) {
 pub fn wanted(m: &BodyMeasures) -> Taken {
     Taken {
         girths: [
-            m.hip_girth,
-            m.waist_girth,
+            m.girths.hip,
+            m.girths.waist,
             m.under_bust(),
-            m.bust_girth,
-            m.neck_girth,
-            m.upper_arm_girth,
-            m.wrist_girth,
-            m.thigh_girth,
+            m.girths.bust,
+            m.girths.neck,
+            m.girths.upper_arm,
+            m.girths.wrist,
+            m.girths.thigh,
         ],
         heights: [m.stature, m.crotch_height, m.shoulder_height, m.bust_height, 0.0],
     }

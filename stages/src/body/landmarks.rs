@@ -79,7 +79,7 @@ pub fn landmarks(figure: &Figure, m: &BodyMeasures) -> BTreeMap<String, Vec3> {
     let back = |y: f64| hit(figure, Vec3::new(0.0, y, -0.6), Vec3::z());
     let side = |y: f64, z: f64, from: f64| hit(figure, Vec3::new(from, y, z), -Vec3::x());
     let gap = |y: f64| m.bust_height.min(y);
-    let neck_x = m.neck_girth / (2.0 * std::f64::consts::PI) + 0.008;
+    let neck_x = m.girths.neck / (2.0 * std::f64::consts::PI) + 0.008;
     let (arm, along) = figure.arm_axis();
     let out = Vec3::new(-along.y, along.x, 0.0);
     let on_arm = |t: f64| hit(figure, arm + along * t + out * 0.2, -out);

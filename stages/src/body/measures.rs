@@ -26,22 +26,29 @@ pub struct BodyMeasures {
     pub shoulder_width: f64,
     /// Acromion to wrist, straight arm.
     pub arm_length: f64,
+    /// Girths.
+    pub girths: BodyGirths,
+}
+
+/// Girths of a body as a tape gives them, metres.
+#[derive(Clone, Debug, PartialEq)]
+pub struct BodyGirths {
     /// Bust girth.
-    pub bust_girth: f64,
+    pub bust: f64,
     /// Girth of the rib cage under the bust; a usual cup when `None`.
-    pub under_bust_girth: Option<f64>,
+    pub under_bust: Option<f64>,
     /// Waist girth.
-    pub waist_girth: f64,
+    pub waist: f64,
     /// Hip girth.
-    pub hip_girth: f64,
+    pub hip: f64,
     /// Neck girth, across the neck's axis.
-    pub neck_girth: f64,
+    pub neck: f64,
     /// Upper arm girth, half way between shoulder and elbow.
-    pub upper_arm_girth: f64,
+    pub upper_arm: f64,
     /// Wrist girth.
-    pub wrist_girth: f64,
+    pub wrist: f64,
     /// Thigh girth, just under the crotch.
-    pub thigh_girth: f64,
+    pub thigh: f64,
 }
 
 /// The sizes the samples are cut for: label, then bust, waist, hip, neck, upper arm, thigh and wrist girth in mm.
@@ -65,14 +72,16 @@ impl Default for BodyMeasures {
             crotch_height: 0.770,
             shoulder_width: 0.380,
             arm_length: 0.580,
-            bust_girth: 0.880,
-            under_bust_girth: None,
-            waist_girth: 0.700,
-            hip_girth: 0.960,
-            neck_girth: 0.360,
-            upper_arm_girth: 0.280,
-            wrist_girth: 0.160,
-            thigh_girth: 0.550,
+            girths: BodyGirths {
+                bust: 0.880,
+                under_bust: None,
+                waist: 0.700,
+                hip: 0.960,
+                neck: 0.360,
+                upper_arm: 0.280,
+                wrist: 0.160,
+                thigh: 0.550,
+            },
         }
     }
 }
@@ -83,23 +92,14 @@ impl BodyMeasures {
     pub fn size(label: &str) -> Option<Self> {
         let (label, girths) = SIZES.iter().find(|(l, _)| *l == label)?;
         let [bust, waist, hip, neck, upper_arm, thigh, wrist] = girths.map(|mm| mm / 1000.0);
-        Some(Self {
-            name: format!("size-{label}"),
-            bust_girth: bust,
-            waist_girth: waist,
-            hip_girth: hip,
-            neck_girth: neck,
-            upper_arm_girth: upper_arm,
-            thigh_girth: thigh,
-            wrist_girth: wrist,
-            ..Self::default()
-        })
+        let girths = BodyGirths { bust, under_bust: None, waist, hip, neck, upper_arm, wrist, thigh };
+        Some(Self { name: format!("size-{label}"), girths, ..Self::default() })
     }
 
     /// The girth under the bust: as given, or that of a usual cup.
     #[must_use]
     pub fn under_bust(&self) -> f64 {
-        self.under_bust_girth.unwrap_or(0.865 * self.bust_girth)
+        self.girths.under_bust.unwrap_or(0.865 * self.girths.bust)
     }
 
     /// All measures by name, in a fixed order.
@@ -115,14 +115,14 @@ impl BodyMeasures {
             ("crotch_height", self.crotch_height),
             ("shoulder_width", self.shoulder_width),
             ("arm_length", self.arm_length),
-            ("bust_girth", self.bust_girth),
+            ("bust_girth", self.girths.bust),
             ("under_bust_girth", self.under_bust()),
-            ("waist_girth", self.waist_girth),
-            ("hip_girth", self.hip_girth),
-            ("neck_girth", self.neck_girth),
-            ("upper_arm_girth", self.upper_arm_girth),
-            ("wrist_girth", self.wrist_girth),
-            ("thigh_girth", self.thigh_girth),
+            ("waist_girth", self.girths.waist),
+            ("hip_girth", self.girths.hip),
+            ("neck_girth", self.girths.neck),
+            ("upper_arm_girth", self.girths.upper_arm),
+            ("wrist_girth", self.girths.wrist),
+            ("thigh_girth", self.girths.thigh),
         ]
     }
 
@@ -138,14 +138,14 @@ impl BodyMeasures {
             "crotch_height" => &mut self.crotch_height,
             "shoulder_width" => &mut self.shoulder_width,
             "arm_length" => &mut self.arm_length,
-            "bust_girth" => &mut self.bust_girth,
-            "under_bust_girth" => self.under_bust_girth.insert(value),
-            "waist_girth" => &mut self.waist_girth,
-            "hip_girth" => &mut self.hip_girth,
-            "neck_girth" => &mut self.neck_girth,
-            "upper_arm_girth" => &mut self.upper_arm_girth,
-            "wrist_girth" => &mut self.wrist_girth,
-            "thigh_girth" => &mut self.thigh_girth,
+            "bust_girth" => &mut self.girths.bust,
+            "under_bust_girth" => self.girths.under_bust.insert(value),
+            "waist_girth" => &mut self.girths.waist,
+            "hip_girth" => &mut self.girths.hip,
+            "neck_girth" => &mut self.girths.neck,
+            "upper_arm_girth" => &mut self.girths.upper_arm,
+            "wrist_girth" => &mut self.girths.wrist,
+            "thigh_girth" => &mut self.girths.thigh,
             _ => return false,
         };
         *slot = value;
@@ -184,15 +184,15 @@ impl BodyMeasures {
         let rel = |small, value, most, large, whole| Share { small, value, most, large, whole };
         let under = self.under_bust();
         [
-            rel("waist_girth", self.waist_girth, 1.2, "hip_girth", self.hip_girth),
-            rel("waist_girth", self.waist_girth, 1.2, "bust_girth", self.bust_girth),
-            rel("under_bust_girth", under, 0.97, "bust_girth", self.bust_girth),
-            rel("bust_girth", self.bust_girth, 1.35, "under_bust_girth", under),
-            rel("thigh_girth", self.thigh_girth, 0.66, "hip_girth", self.hip_girth),
-            rel("neck_girth", self.neck_girth, 0.55, "bust_girth", self.bust_girth),
-            rel("upper_arm_girth", self.upper_arm_girth, 0.42, "bust_girth", self.bust_girth),
-            rel("wrist_girth", self.wrist_girth, 0.85, "upper_arm_girth", self.upper_arm_girth),
-            rel("shoulder_width", self.shoulder_width, 0.55, "bust_girth", self.bust_girth),
+            rel("waist_girth", self.girths.waist, 1.2, "hip_girth", self.girths.hip),
+            rel("waist_girth", self.girths.waist, 1.2, "bust_girth", self.girths.bust),
+            rel("under_bust_girth", under, 0.97, "bust_girth", self.girths.bust),
+            rel("bust_girth", self.girths.bust, 1.35, "under_bust_girth", under),
+            rel("thigh_girth", self.girths.thigh, 0.66, "hip_girth", self.girths.hip),
+            rel("neck_girth", self.girths.neck, 0.55, "bust_girth", self.girths.bust),
+            rel("upper_arm_girth", self.girths.upper_arm, 0.42, "bust_girth", self.girths.bust),
+            rel("wrist_girth", self.girths.wrist, 0.85, "upper_arm_girth", self.girths.upper_arm),
+            rel("shoulder_width", self.shoulder_width, 0.55, "bust_girth", self.girths.bust),
         ]
     }
 }

@@ -18,7 +18,7 @@ pub(crate) mod section;
 mod segments;
 
 pub use found::with_segments;
-pub use measures::{BodyMeasures, SIZES};
+pub use measures::{BodyGirths, BodyMeasures, SIZES};
 pub use section::{Section, girth_at, hull, section_at, section_near, sections};
 
 use figure::Figure;

@@ -101,15 +101,15 @@ impl<'a> Judge<'a> {
     fn length(&self, p: Pair) -> f64 {
         let (w, a, b) = (self.weights, &self.layout.atoms[p.a], &self.layout.atoms[p.b]);
         let n = libm::log(a.length / b.length).abs();
-        let mut sum = w.bias + w.ratio * n.min(1.2);
-        sum += if n < 0.1 { w.within_tenth } else { 0.0 };
-        sum += if n < 0.01 { w.within_hundredth } else { 0.0 };
-        sum += if n < 0.003 { w.within_thousandth } else { 0.0 };
+        let mut sum = w.lengths.bias + w.lengths.ratio * n.min(1.2);
+        sum += if n < 0.1 { w.lengths.within_tenth } else { 0.0 };
+        sum += if n < 0.01 { w.lengths.within_hundredth } else { 0.0 };
+        sum += if n < 0.003 { w.lengths.within_thousandth } else { 0.0 };
         let is_short = n > 0.1 && a.length.max(b.length) < tuning::GATHERED_LEAST;
         sum += if is_short || n > tuning::GATHER_MOST { tuning::TOO_GATHERED } else { 0.0 };
         let rivals = f64::max(self.rivals[p.a], self.rivals[p.b]).max(1.0);
-        sum += if n < 0.01 { w.rare / rivals } else { 0.0 };
-        if p.opposite { sum } else { sum + w.fold_over }
+        sum += if n < 0.01 { w.lengths.rare / rivals } else { 0.0 };
+        if p.opposite { sum } else { sum + w.lengths.fold_over }
     }
 
     fn course(&self, p: Pair) -> f64 {
@@ -118,8 +118,8 @@ impl<'a> Judge<'a> {
         let fit = apart(&a.profile, &other);
         let alike = apart(&a.profile, &mirrored(&b.profile));
         let unit = |off: f64| (off.to_degrees() / 20.0).min(2.0);
-        let sum = w.course_fit * unit(fit) + w.course_alike * unit(fit.min(alike));
-        sum + if a.straight != b.straight { w.straight_to_curved } else { 0.0 }
+        let sum = w.courses.course_fit * unit(fit) + w.courses.course_alike * unit(fit.min(alike));
+        sum + if a.straight != b.straight { w.courses.straight_to_curved } else { 0.0 }
     }
 
     fn grain(&self, p: Pair) -> f64 {
@@ -127,12 +127,12 @@ impl<'a> Judge<'a> {
         let mut sum = 0.0;
         if a.is_along() && b.is_along() {
             let same = (a.along[0] > 0.0) == (b.along[0] > 0.0);
-            sum += if same == p.opposite { w.same_way } else { 0.0 };
+            sum += if same == p.opposite { w.courses.same_way } else { 0.0 };
         }
-        sum += if a.is_low() && b.is_low() { w.low_to_low } else { 0.0 };
-        sum += if p.opposite && self.is_level_pair(p) { w.level_to_level } else { 0.0 };
+        sum += if a.is_low() && b.is_low() { w.courses.low_to_low } else { 0.0 };
+        sum += if p.opposite && self.is_level_pair(p) { w.courses.level_to_level } else { 0.0 };
         let crossed = a.is_along() && b.is_across() || a.is_across() && b.is_along();
-        sum + if crossed { w.along_to_across } else { 0.0 }
+        sum + if crossed { w.courses.along_to_across } else { 0.0 }
     }
 
     /// Do both edges run across the middle of their pieces, and both below or both above? Hems, necklines and waists do: a
@@ -155,22 +155,22 @@ impl<'a> Judge<'a> {
             .iter()
             .map(|[x, y]| {
                 let marks = match (x.mark, y.mark) {
-                    (Mark::Dart, Mark::Dart) => w.dart_dart,
-                    (Mark::Dart, Mark::Notch) | (Mark::Notch, Mark::Dart) => w.dart_notch,
-                    (Mark::Dart, Mark::Corner) | (Mark::Corner, Mark::Dart) => w.dart_corner,
-                    (Mark::Corner, Mark::Corner) => w.corner_corner,
-                    (Mark::Notch, Mark::Notch) => w.notch_notch,
-                    _ => w.corner_notch,
+                    (Mark::Dart, Mark::Dart) => w.ends.dart_dart,
+                    (Mark::Dart, Mark::Notch) | (Mark::Notch, Mark::Dart) => w.ends.dart_notch,
+                    (Mark::Dart, Mark::Corner) | (Mark::Corner, Mark::Dart) => w.ends.dart_corner,
+                    (Mark::Corner, Mark::Corner) => w.ends.corner_corner,
+                    (Mark::Notch, Mark::Notch) => w.ends.notch_notch,
+                    _ => w.ends.corner_notch,
                 };
                 let near = |angle: f64| (x.angle + y.angle - angle).abs() < tuning::CORNER_SUM;
                 let sum = if x.angle + y.angle > tuning::CORNER_SUM_MOST {
-                    w.sum_more
+                    w.ends.sum_more
                 } else if near(PI) {
-                    w.sum_180
+                    w.ends.sum_180
                 } else if near(1.5 * PI) {
-                    w.sum_270
+                    w.ends.sum_270
                 } else if near(2.0 * PI) {
-                    w.sum_360
+                    w.ends.sum_360
                 } else {
                     0.0
                 };
@@ -193,23 +193,23 @@ impl<'a> Judge<'a> {
         let other = self.mirror.panel[a.panel];
         let mut sum = 0.0;
         if a.panel == b.panel {
-            sum += if images || is_tube(a, b) { w.tube } else { w.itself };
+            sum += if images || is_tube(a, b) { w.mirrors.tube } else { w.mirrors.itself };
         } else if other == b.panel && other != ALONE && !images {
-            sum += w.left_to_right;
+            sum += w.mirrors.left_to_right;
         }
         if images && a.panel != b.panel {
-            sum += w.images;
+            sum += w.mirrors.images;
         }
         if images && !a.straight {
-            sum += w.images_curved;
+            sum += w.mirrors.images_curved;
         }
         if images && a.is_across() {
-            sum += w.images_across;
+            sum += w.mirrors.images_across;
         }
         let (x, y) = (self.on_axis(p.a), self.on_axis(p.b));
         sum + match (x, y) {
-            (true, true) => w.axis_to_axis,
-            (true, false) | (false, true) => w.axis_to_none,
+            (true, true) => w.mirrors.axis_to_axis,
+            (true, false) | (false, true) => w.mirrors.axis_to_none,
             (false, false) => 0.0,
         }
     }

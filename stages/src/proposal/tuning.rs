@@ -48,6 +48,19 @@ pub const GATHER_MOST: f64 = 1.15;
 /// Weights of the properties of a pair of atoms, in natural logarithms of odds.
 #[derive(Clone, Debug)]
 pub struct PairWeights {
+    /// Weights of the lengths of a pair.
+    pub lengths: LengthWeights,
+    /// Weights of how the edges of a pair run.
+    pub courses: CourseWeights,
+    /// Weights of the marks and corners at the ends of a pair.
+    pub ends: EndWeights,
+    /// Weights of mirror images and of edges of one piece.
+    pub mirrors: MirrorWeights,
+}
+
+/// Weights of the lengths of a pair.
+#[derive(Clone, Debug)]
+pub struct LengthWeights {
     /// Every pair.
     pub bias: f64,
     /// Per unit of |ln(length / length)|, up to 1.2.
@@ -62,6 +75,11 @@ pub struct PairWeights {
     pub rare: f64,
     /// One piece lies turned over on the other.
     pub fold_over: f64,
+}
+
+/// Weights of how the edges of a pair run.
+#[derive(Clone, Debug)]
+pub struct CourseWeights {
     /// Per 20 degrees by which the courses of the edges do not complement each other, up to 2.
     pub course_fit: f64,
     /// Per 20 degrees by which they neither complement nor mirror each other, up to 2.
@@ -76,6 +94,11 @@ pub struct PairWeights {
     pub level_to_level: f64,
     /// An edge along the warp to one across.
     pub along_to_across: f64,
+}
+
+/// Weights of the marks and corners at the ends of a pair.
+#[derive(Clone, Debug)]
+pub struct EndWeights {
     /// Mouth of a dart to mouth of a dart, per end.
     pub dart_dart: f64,
     /// Mouth of a dart to notch.
@@ -96,6 +119,11 @@ pub struct PairWeights {
     pub sum_360: f64,
     /// Corners that are too much for a flat place.
     pub sum_more: f64,
+}
+
+/// Weights of mirror images and of edges of one piece.
+#[derive(Clone, Debug)]
+pub struct MirrorWeights {
     /// Mirror edges of one piece: a tube.
     pub tube: f64,
     /// Other edges of one piece.
@@ -117,38 +145,46 @@ pub struct PairWeights {
 impl Default for PairWeights {
     fn default() -> Self {
         Self {
-            bias: -1.95,
-            ratio: -2.57,
-            within_tenth: 0.90,
-            within_hundredth: -0.08,
-            within_thousandth: 0.41,
-            rare: 2.26,
-            fold_over: -0.97,
-            course_fit: -0.81,
-            course_alike: -0.18,
-            straight_to_curved: -1.27,
-            same_way: -3.40,
-            low_to_low: -2.75,
-            level_to_level: -6.00,
-            along_to_across: 0.25,
-            dart_dart: -4.60,
-            dart_notch: 1.90,
-            dart_corner: -2.70,
-            corner_corner: 0.80,
-            corner_notch: 1.33,
-            notch_notch: 0.81,
-            sum_180: 0.24,
-            sum_270: 0.12,
-            sum_360: -0.60,
-            sum_more: -3.00,
-            tube: -5.00,
-            itself: -7.50,
-            left_to_right: -3.50,
-            images: -1.95,
-            images_curved: -0.73,
-            images_across: -2.23,
-            axis_to_axis: 1.68,
-            axis_to_none: -1.20,
+            lengths: LengthWeights {
+                bias: -1.95,
+                ratio: -2.57,
+                within_tenth: 0.90,
+                within_hundredth: -0.08,
+                within_thousandth: 0.41,
+                rare: 2.26,
+                fold_over: -0.97,
+            },
+            courses: CourseWeights {
+                course_fit: -0.81,
+                course_alike: -0.18,
+                straight_to_curved: -1.27,
+                same_way: -3.40,
+                low_to_low: -2.75,
+                level_to_level: -6.00,
+                along_to_across: 0.25,
+            },
+            ends: EndWeights {
+                dart_dart: -4.60,
+                dart_notch: 1.90,
+                dart_corner: -2.70,
+                corner_corner: 0.80,
+                corner_notch: 1.33,
+                notch_notch: 0.81,
+                sum_180: 0.24,
+                sum_270: 0.12,
+                sum_360: -0.60,
+                sum_more: -3.00,
+            },
+            mirrors: MirrorWeights {
+                tube: -5.00,
+                itself: -7.50,
+                left_to_right: -3.50,
+                images: -1.95,
+                images_curved: -0.73,
+                images_across: -2.23,
+                axis_to_axis: 1.68,
+                axis_to_none: -1.20,
+            },
         }
     }
 }

@@ -126,8 +126,8 @@ impl Stage for Stitch {
         if !wrong.is_empty() {
             return Err(StageError::Parameter(wrong));
         }
-        // Fitted to the same garments as the cost of `drape`.
-        Ok(forecast.by_triangles(0.06, 0.16, 4.3))
+        // Fitted to `pipelines/`, also with a body of four times as many triangles, and to GarmentCode garments.
+        Ok(forecast.by_triangles(0.4, 0.107 + 0.0045 * forecast.body_thousands(), 4.3))
     }
 
     fn run(

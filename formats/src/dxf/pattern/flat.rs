@@ -182,11 +182,11 @@ fn say_stray(stray: &[Path], sorter: &mut Sorter<'_>) {
 fn share_out(all: Sheet, outer: &mut [Outer]) {
     let home = |p: Vec2, outer: &[Outer]| outer.iter().position(|o| o.holds(p));
     macro_rules! share {
-        ($($field:ident by $at:expr),+) => {$(
-            for item in all.$field {
+        ($($($field:ident).+ by $at:expr),+) => {$(
+            for item in all.$($field).+ {
                 let at: Vec2 = $at(&item);
                 if let Some(i) = home(at, outer) {
-                    outer[i].sheet.$field.push(item);
+                    outer[i].sheet.$($field).+.push(item);
                 }
             }
         )+};
@@ -196,7 +196,8 @@ fn share_out(all: Sheet, outer: &mut [Outer]) {
     share!(
         stripes by |s: &(String, Path)| first(&s.1), dense by first, sew by first, dense_sew by first, internal by first, cutouts by first,
         turn by |p: &Vec2| *p, curve by |p: &Vec2| *p, marks by |m: &Mark| m.at,
-        notch_strokes by start, reference by start, mirror by start, grain by start, drills by |d: &Drill| d.at,
+        notch_strokes by start, axes.reference by start, axes.mirror by start, axes.grain by start,
+        drills by |d: &Drill| d.at,
         notes by |n: &Note| n.at
     );
 }

@@ -47,18 +47,7 @@ pub(super) fn sheets(
             // What is on it is read where it is inserted; an assembly holds nothing but INSERTs of pieces.
             continue;
         }
-        let mut sheet = sorter.block(i, &how.placings(block, rule));
-        sheet.inserted = (how.plain + how.mirrored > 1).then_some([how.plain, how.mirrored]);
-        let within = |f: &Diagnostic| f.source.as_ref().and_then(|s| s.line).is_some_and(|l| block.holds(l));
-        let faults = sorter.findings.take_errors(within);
-        if !sheet.boundary.is_empty() || !faults.is_empty() {
-            out.push(Draft { block: block.name.clone(), line: block.line, sheet, faults });
-        } else if !block.entities.is_empty() {
-            let text = format!("block `{}` has no outline on layer 1; it is no piece", block.name);
-            let place = sorter.findings.place_in(&block.name, None, block.line);
-            let hint = LayerNames::of(block.entities.iter()).remedy();
-            sorter.findings.push(Diagnostic::warning(codes::BLOCK_WITHOUT_OUTLINE, text).at(place).hint(hint));
-        }
+        out.extend(draft(i, block, how, sorter, rule));
     }
     for e in &drawing.entities {
         match &e.shape {
@@ -74,6 +63,31 @@ pub(super) fn sheets(
     if out.is_empty() {
         return flat(drawing, sorter, tolerances);
     }
+    loose_lines(drawing, sorter);
+    loose_marks(drawing, sorter);
+    out
+}
+
+/// The draft of a block. A block with entities and no outline is told, and is no piece.
+fn draft(i: usize, block: &Block, how: &Inserted, sorter: &mut Sorter<'_>, rule: InsertRule) -> Option<Draft> {
+    let mut sheet = sorter.block(i, &how.placings(block, rule));
+    sheet.inserted = (how.plain + how.mirrored > 1).then_some([how.plain, how.mirrored]);
+    let within = |f: &Diagnostic| f.source.as_ref().and_then(|s| s.line).is_some_and(|l| block.holds(l));
+    let faults = sorter.findings.take_errors(within);
+    if !sheet.boundary.is_empty() || !faults.is_empty() {
+        return Some(Draft { block: block.name.clone(), line: block.line, sheet, faults });
+    }
+    if !block.entities.is_empty() {
+        let text = format!("block `{}` has no outline on layer 1; it is no piece", block.name);
+        let place = sorter.findings.place_in(&block.name, None, block.line);
+        let hint = LayerNames::of(block.entities.iter()).remedy();
+        sorter.findings.push(Diagnostic::warning(codes::BLOCK_WITHOUT_OUTLINE, text).at(place).hint(hint));
+    }
+    None
+}
+
+/// Lines of ENTITIES belong to no piece.
+fn loose_lines(drawing: &Drawing, sorter: &mut Sorter<'_>) {
     let loose = drawing.entities.iter().filter(|e| !e.shape.extent().is_empty());
     let mut count = 0_usize;
     for e in loose {
@@ -85,8 +99,6 @@ pub(super) fn sheets(
         let place = sorter.findings.place(1);
         sorter.findings.push(Diagnostic::warning(codes::LINES_OUTSIDE_BLOCKS, text).at(place));
     }
-    loose_marks(drawing, sorter);
-    out
 }
 
 /// Points and attributes of ENTITIES belong to no piece.

@@ -140,7 +140,7 @@ fn close_at_fold(open: &mut Vec<Path>, closed: &mut Vec<Path>, sheet: &Sheet) {
         let [a, b] = *ends;
         [path.points[0].0, path.points[path.points.len() - 1].0].iter().all(|p| geom::point_segment(*p, a, b).0 <= 1.0)
     };
-    if path.points.len() >= 3 && (ends[0] - ends[1]).norm() > 5.0 && sheet.mirror.iter().any(|m| on(&m.ends)) {
+    if path.points.len() >= 3 && (ends[0] - ends[1]).norm() > 5.0 && sheet.axes.mirror.iter().any(|m| on(&m.ends)) {
         closed.extend(open.pop().map(|path| Path { closed: true, ..path }));
     }
 }

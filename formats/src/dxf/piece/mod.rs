@@ -175,9 +175,9 @@ impl Axes {
         let length = |ends: &[Vec2; 2]| (ends[1] - ends[0]).norm();
         Self {
             fold: None,
-            grain: sheet.grain.iter().map(|s| s.ends).max_by(|a, b| length(a).total_cmp(&length(b))),
-            reference: sheet.reference.first().map(|s| s.ends),
-            alternates: sheet.reference.iter().skip(1).map(|s| (None, s.ends)).collect(),
+            grain: sheet.axes.grain.iter().map(|s| s.ends).max_by(|a, b| length(a).total_cmp(&length(b))),
+            reference: sheet.axes.reference.first().map(|s| s.ends),
+            alternates: sheet.axes.reference.iter().skip(1).map(|s| (None, s.ends)).collect(),
         }
     }
 }
@@ -261,7 +261,7 @@ impl DrawnPiece {
         };
         piece.read_notes(sheet.notes, desk);
         piece.check_rules(desk);
-        piece.find_fold(&sheet.mirror, desk);
+        piece.find_fold(&sheet.axes.mirror, desk);
         piece.find_sew_line(sheet.sew, desk);
         if let Some(sew) = &mut piece.sew {
             sew.classify(&marks);

@@ -36,7 +36,7 @@ fn at_vertices(sheet: &Sheet) -> (usize, usize) {
     let lines = [&sheet.boundary, &sheet.dense, &sheet.sew, &sheet.dense_sew, &sheet.internal, &sheet.cutouts];
     let paths = lines.into_iter().flatten().chain(sheet.stripes.iter().map(|s| &s.1));
     paths.flat_map(|p| &p.points).for_each(|p| look(p.0));
-    let strokes = [&sheet.reference, &sheet.mirror, &sheet.grain, &sheet.notch_strokes];
+    let strokes = [&sheet.axes.reference, &sheet.axes.mirror, &sheet.axes.grain, &sheet.notch_strokes];
     strokes.into_iter().flatten().flat_map(|s| s.ends).for_each(look);
     (met.iter().filter(|m| **m).count(), points.len())
 }

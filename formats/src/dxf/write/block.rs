@@ -126,7 +126,7 @@ fn draw(tags: &mut Tags, piece: &PieceDrawing, name: &PieceName, dialect: Dialec
 }
 
 fn texts(tags: &mut Tags, piece: &PieceDrawing, name: &PieceName, dialect: Dialect, findings: &mut Vec<Diagnostic>) {
-    let quantity = &piece.quantity;
+    let quantity = &piece.cut.quantity;
     let count = if !dialect.is_astm() {
         if quantity.mirrored > 0 {
             findings.push(Diagnostic::info(
@@ -148,9 +148,9 @@ fn texts(tags: &mut Tags, piece: &PieceDrawing, name: &PieceName, dialect: Diale
         ("Piece Name", Some(name.piece.as_str())),
         ("Size", name.size.as_deref()),
         ("Quantity", Some(count.as_str())),
-        ("Material", piece.material.as_deref()),
-        ("Category", piece.category.as_deref()),
-        ("Annotation", piece.annotation.as_deref()),
+        ("Material", piece.cut.material.as_deref()),
+        ("Category", piece.cut.category.as_deref()),
+        ("Annotation", piece.cut.annotation.as_deref()),
     ];
     let [lo, hi] = piece.bounds();
     let mut at = (lo + hi) / 2.0;

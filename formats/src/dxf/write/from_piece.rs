@@ -2,7 +2,7 @@
 
 use super::codes;
 use super::fold::half;
-use super::model::{DrawDrill, DrawLine, DrawNotch, DrawPoint, LayerText, NotchLine, PieceDrawing};
+use super::model::{CutNotes, DrawDrill, DrawLine, DrawNotch, DrawPoint, LayerText, NotchLine, PieceDrawing};
 use super::sparse;
 use crate::dxf::outline::SPARSE;
 use toile_garment::dart::{Dart, DartKind};
@@ -36,10 +36,12 @@ pub fn piece_drawing(piece: &Piece, options: PieceOptions, findings: &mut Vec<Di
     let drawing = PieceDrawing {
         name: base_name(piece),
         size: piece.size.clone(),
-        quantity: piece.quantity,
-        material: piece.material.clone(),
-        category: piece.category.clone(),
-        annotation: piece.annotation.clone(),
+        cut: CutNotes {
+            quantity: piece.quantity,
+            material: piece.material.clone(),
+            category: piece.category.clone(),
+            annotation: piece.annotation.clone(),
+        },
         boundary: closed_line(boundary, if piece.cut_line.is_some() { &drawn.cut_line } else { &drawn.outline }),
         sew_line: piece.cut_line.is_some().then(|| closed_line(&piece.outline, &drawn.outline)),
         internal,

@@ -25,8 +25,8 @@ pub(crate) use tags::decimals;
 
 pub use from_piece::{PieceOptions, drawn_vertices, piece_drawing};
 pub use model::{
-    Dialect, DrawDrill, DrawLine, DrawNotch, DrawPoint, DrawRule, Drawing, LayerText, NotchLine, PieceDrawing,
-    StyleText,
+    CutNotes, Dialect, DrawDrill, DrawLine, DrawNotch, DrawPoint, DrawRule, Drawing, LayerText, NotchLine,
+    PieceDrawing, StyleText,
 };
 
 pub use size_run::{SizeRun, Sizes};

@@ -158,13 +158,9 @@ pub struct LayerText {
     pub text: String,
 }
 
-/// One piece in one size, millimetres.
+/// Texts of a piece about its cutting.
 #[derive(Clone, Debug, Default, PartialEq)]
-pub struct PieceDrawing {
-    /// Piece name, the same in all sizes.
-    pub name: String,
-    /// Size label.
-    pub size: Option<String>,
+pub struct CutNotes {
     /// How often it is cut.
     pub quantity: Quantity,
     /// Material.
@@ -173,6 +169,17 @@ pub struct PieceDrawing {
     pub category: Option<String>,
     /// Annotation.
     pub annotation: Option<String>,
+}
+
+/// One piece in one size, millimetres.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PieceDrawing {
+    /// Piece name, the same in all sizes.
+    pub name: String,
+    /// Size label.
+    pub size: Option<String>,
+    /// What the cutter is told.
+    pub cut: CutNotes,
     /// The line that is cut (layer 1).
     pub boundary: DrawLine,
     /// The line that is sewn (layer 14), where it differs; open on a half piece.

@@ -67,7 +67,7 @@ fn piece() -> PieceDrawing {
     PieceDrawing {
         name: "FRONT".into(),
         size: Some("38".into()),
-        quantity: Quantity { plain: 1, mirrored: 1 },
+        cut: CutNotes { quantity: Quantity { plain: 1, mirrored: 1 }, ..CutNotes::default() },
         boundary,
         sew_line: Some(closed(&[(10.0, 10.0), (90.0, 10.0), (90.0, 190.0), (10.0, 190.0)])),
         internal: vec![DrawLine { closed: false, ..closed(&[(20.0, 20.0), (80.0, 20.0)]) }],

@@ -129,8 +129,8 @@ impl Stepper<'_> {
             None => 1.0,
         };
         let part = free * untorn;
-        let inert = if part < 1.0 { self.take_plain(stage) } else { None };
-        self.arrive(&step, way.as_deref(), free, inert);
+        let plain = if part < 1.0 { self.take_plain(stage) } else { None };
+        self.arrive(&step, way.as_deref(), free, plain);
         part
     }
 

@@ -1,6 +1,8 @@
 //! Friction at contacts, of cloth with itself and with the body.
 
-use super::{BODY_CONTACT, Effect, Facts, SELF_CONTACT};
+use super::body_contact::EFFECT as BODY_CONTACT;
+use super::self_contact::EFFECT as SELF_CONTACT;
+use super::{Effect, Facts};
 use crate::Settings;
 use crate::report::cost::Work;
 

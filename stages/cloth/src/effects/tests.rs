@@ -1,5 +1,5 @@
 use super::*;
-use crate::{Effects, Integrator, Material};
+use crate::{Effects, Integrator, Material, Switch};
 
 fn facts() -> Facts {
     Facts::new(&[], &Settings::default(), "cloth".into(), None)

@@ -15,7 +15,7 @@ pub(crate) mod tuning;
 
 use crate::scene::bending_length;
 use crate::scene::measures::mean_edge;
-use crate::{Element, Scene};
+use crate::{Element, Scene, Vec3};
 use charts::Charts;
 use collapse::Mesh;
 use prolong::{Anchor, anchors};
@@ -49,6 +49,11 @@ impl Level {
         membrane_softening::soften_membrane(&mut level.scene, longer);
         perturb::perturb(&mut level.scene);
         Some(level)
+    }
+
+    /// Positions of the finer scene from those of the level, m.
+    pub fn spread(&self, x: &[Vec3]) -> Vec<Vec3> {
+        prolong::prolong(&self.anchors, x)
     }
 
     /// Returns `true` if there may be a level for a drape, before its mesh is tried.

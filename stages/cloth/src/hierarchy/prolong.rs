@@ -1,7 +1,6 @@
 //! Prolongation: the shape of a coarser level is carried to the finer cloth by barycentric weights.
 
 use crate::Vec3;
-use crate::hierarchy::Level;
 use crate::hierarchy::collapse::Mesh;
 use crate::hierarchy::rest_places::weights;
 
@@ -12,12 +11,10 @@ pub(crate) struct Anchor {
     weights: [f64; 3],
 }
 
-impl Level {
-    /// Positions of the finer scene from those of the level (prolongation), m.
-    pub fn spread(&self, x: &[Vec3]) -> Vec<Vec3> {
-        let place = |a: &Anchor| (0..3).map(|k| x[a.vertices[k] as usize] * a.weights[k]).sum::<Vec3>();
-        self.anchors.iter().map(|all| all.iter().map(place).sum::<Vec3>() / all.len().max(1) as f64).collect()
-    }
+/// Positions of the finer vertices from those of the coarser cloth (prolongation), m.
+pub(crate) fn prolong(anchors: &[Vec<Anchor>], x: &[Vec3]) -> Vec<Vec3> {
+    let place = |a: &Anchor| (0..3).map(|k| x[a.vertices[k] as usize] * a.weights[k]).sum::<Vec3>();
+    anchors.iter().map(|all| all.iter().map(place).sum::<Vec3>() / all.len().max(1) as f64).collect()
 }
 
 /// Places of all vertices on the triangles of a collapsed mesh.

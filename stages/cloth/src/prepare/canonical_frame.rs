@@ -129,9 +129,9 @@ mod tests {
     #[test]
     fn a_turned_scene_is_the_same_scene() {
         for k in 0..4 {
-            let canon = CanonicalScene::of(&turn(&scene(), k));
-            assert_eq!(canon.scene, CanonicalScene::of(&scene()).scene, "{k} quarters");
-            let back: Vec<Vec3> = canon.scene.positions.iter().map(|p| canon.there(*p)).collect();
+            let canonical = CanonicalScene::of(&turn(&scene(), k));
+            assert_eq!(canonical.scene, CanonicalScene::of(&scene()).scene, "{k} quarters");
+            let back: Vec<Vec3> = canonical.scene.positions.iter().map(|p| canonical.there(*p)).collect();
             assert_eq!(back, turn(&scene(), k).positions);
         }
     }

@@ -1,9 +1,20 @@
-//! A body that scenes have in common.
+//! The body that the cloth meets, and its trees that scenes have in common.
 
-use crate::{BodyMesh, Vec3};
+use crate::Vec3;
 use std::any::Any;
 use std::ops::Deref;
 use std::sync::{Arc, OnceLock};
+
+/// The body that the cloth meets: a triangle mesh at rest.
+///
+/// The orientation of its triangles does not matter. Closed meshes have an inside.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct BodyMesh {
+    /// Positions of the vertices, m.
+    pub positions: Vec<Vec3>,
+    /// Triangles.
+    pub triangles: Vec<[u32; 3]>,
+}
 
 /// A body that any number of scenes share. A clone copies nothing.
 ///

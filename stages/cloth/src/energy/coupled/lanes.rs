@@ -3,7 +3,9 @@
 //! Every triangle has its own sums, so the width of the registers changes no bit.
 
 use crate::Vec3;
-use crate::energy::coupled::{SHEAR_SERIES_SINE_MAX, SHEAR_STRETCH_MIN, Triangle, series_angle, stress_and_energy};
+use crate::energy::coupled::triangle::{
+    SHEAR_SERIES_SINE_MAX, SHEAR_STRETCH_MIN, Triangle, series_angle, stress_and_energy,
+};
 use crate::energy::law::Fabric;
 use crate::energy::strain_limit::Bias;
 use pulp::{Arch, Simd, WithSimd};

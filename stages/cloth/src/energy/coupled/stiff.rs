@@ -3,9 +3,11 @@
 //! Forces are in [`crate::energy::coupled::lanes`]. Every triangle has its own sums, so the number of lanes changes no
 //! bit.
 
-use crate::Vec3;
-use crate::energy::coupled::{Coupled, Triangle, tangent, tensile_part};
+use crate::energy::coupled::lanes::TriangleBlocks;
+use crate::energy::coupled::triangle::{Triangle, tangent, tensile_part};
+use crate::energy::law::Fabric;
 use crate::linear::hessian::Hessian;
+use crate::{Element, Vec3};
 use nalgebra::Matrix3;
 use pulp::{Simd, WithSimd};
 
@@ -21,7 +23,10 @@ const PAIRS: [[usize; 2]; 6] = [[0, 0], [1, 0], [1, 1], [2, 0], [2, 1], [2, 2]];
 
 /// The assembly of the Hessian. It is a named type, because only such a type is compiled for the widest registers.
 pub(crate) struct AssembleHessian<'a> {
-    pub of: &'a Coupled,
+    pub triangles: &'a TriangleBlocks,
+    /// The elements of the scene, for their shape gradients.
+    pub elements: &'a [Element],
+    pub fabrics: &'a [Fabric],
     pub x: &'a [Vec3],
     /// Leaves out the terms that may be negative.
     pub convex: bool,
@@ -34,8 +39,8 @@ impl WithSimd for AssembleHessian<'_> {
     #[inline(always)]
     fn with_simd<S: Simd>(self, _: S) {
         let (mut state, mut vertices, mut count) = (BlockState::default(), [[0; 3]; HESSIAN_LANES], 0);
-        for (t, w) in self.of.shapes() {
-            state.take(count, &t, &w, self.of, self.x, self.convex);
+        for (t, w) in self.triangles.triangles().zip(self.elements.iter().map(Element::gradients)) {
+            state.take(count, &t, &w, &self.fabrics[t.fabric as usize], self.x, self.convex);
             vertices[count] = t.vertices;
             count += 1;
             if count == HESSIAN_LANES {
@@ -75,8 +80,8 @@ struct BlockState {
 impl BlockState {
     /// Takes in a triangle: the part of the work that needs tables.
     #[inline(always)]
-    fn take(&mut self, l: usize, t: &Triangle, w: &[[f64; 2]; 3], of: &Coupled, x: &[Vec3], convex: bool) {
-        let (stress, law) = tangent(&t.green(&t.edges(x)), &of.fabrics[t.fabric as usize], convex);
+    fn take(&mut self, l: usize, t: &Triangle, w: &[[f64; 2]; 3], fabric: &Fabric, x: &[Vec3], convex: bool) {
+        let (stress, law) = tangent(&t.green(&t.edges(x)), fabric, convex);
         let stress = if convex { tensile_part(&stress) } else { stress };
         let places = crate::pick3(x, &t.vertices);
         self.area[l] = t.area;
