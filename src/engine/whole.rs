@@ -5,12 +5,15 @@ use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{ErrorKind, Result, Write as _};
 use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
 
 /// Ending of temporary files.
 const TEMP_ENDING: &str = ".tmp-toile";
 /// Temporary files that this process has named so far.
 static NAMED: AtomicU64 = AtomicU64::new(0);
+/// Folders that this process has swept.
+static SWEPT: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 /// Names that are tried for a temporary file.
 const TRIES: usize = 64;
 
@@ -32,7 +35,7 @@ impl Temp {
     /// Writes a file that must last into the folder of `target`, after what dead processes left there is gone.
     pub fn write(target: &Path, bytes: &[u8]) -> Result<Self> {
         let folder = folder_of(target);
-        sweep(folder);
+        sweep_once(folder);
         for _ in 0..TRIES {
             let word = format!("{}-{}", std::process::id(), NAMED.fetch_add(1, Ordering::Relaxed));
             let path = temp_path(folder, word);
@@ -95,6 +98,15 @@ fn is_temp_name(name: &str) -> bool {
     let word = name.strip_prefix('.').and_then(|n| n.strip_suffix(TEMP_ENDING));
     let is_number = |w: &str| !w.is_empty() && w.bytes().all(|b| b.is_ascii_digit() || b == b'-');
     word.is_some_and(|w| matches!(w, "record" | "lock") || is_number(w))
+}
+
+/// Sweeps a folder before this process writes its first file there. To sweep before every file would try the locks of
+/// all files that the process itself holds.
+fn sweep_once(folder: &Path) {
+    let mut swept = SWEPT.lock().unwrap_or_else(PoisonError::into_inner);
+    if swept.insert(folder.to_path_buf()) {
+        sweep(folder);
+    }
 }
 
 /// Removes the temporary files and locks that dead processes left in a folder. What a living process holds stays.

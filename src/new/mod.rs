@@ -69,9 +69,10 @@ pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
     let mut proposal = proposed(order.source, order.is_anonymous, &known)?;
     let mut source = order.source.clone();
     if order.earlier.is_none() && !proposal.seams.is_empty() {
-        let (more, doubtful) = unsewn::unsewn(&source, &proposal, order.is_anonymous);
-        source = source.without(&more);
-        if doubtful > 0 {
+        let [alone, doubtful] = unsewn::unsewn(&source, &proposal, order.is_anonymous);
+        source = source.without(&[&alone[..], &doubtful[..]].concat());
+        // Others may be sewn to the edges that the doubtful pieces had.
+        if !doubtful.is_empty() {
             proposal = proposed(&source, order.is_anonymous, &known)?;
         }
     }

@@ -5,14 +5,15 @@ use toile_garment::Piece;
 use toile_stages::proposal::{Proposal, ProposedSeam, Run};
 use toile_stages::roles::{Part, Role, roles_of_names};
 
-/// A piece is small if its area is a smaller share of all that is sewn.
+/// A piece is small if its area is a smaller share of all that is sewn. This limit and the next were set on 37 public
+/// files: `docs/lab/2026-11-27-seam-proposals.md`.
 const SMALL: f64 = 0.03;
 /// A small piece is sewn if a seam to a larger one is at least as sure.
 const SURE: f64 = 0.65;
 
-/// Names of the pieces without a seam, and of the small pieces that hang on doubtful seams alone. With them, the number
-/// of the latter. Names that say nothing make no piece doubtful.
-pub fn unsewn(source: &Source, proposal: &Proposal, is_anonymous: bool) -> (Vec<String>, usize) {
+/// Names of the pieces without a seam, and of the trimmings that hang on doubtful seams alone. Names that say nothing
+/// make no piece a trimming.
+pub fn unsewn(source: &Source, proposal: &Proposal, is_anonymous: bool) -> [Vec<String>; 2] {
     let pieces = &source.garment.pieces;
     let roles = roles_of_names(pieces);
     let is_in = |p: &&Piece| proposal.layout.panels.iter().any(|panel| panel.piece == p.id.index());
@@ -32,8 +33,7 @@ pub fn unsewn(source: &Source, proposal: &Proposal, is_anonymous: bool) -> (Vec<
     };
     let doubtful = names(&|p| !is_anonymous && is_trimming(&roles[p]) && has_seam(p) && !is_held(p));
     let alone = names(&|p| !has_seam(p));
-    let count = doubtful.len();
-    (alone.into_iter().chain(doubtful).collect(), count)
+    [alone, doubtful]
 }
 
 /// Does a garment drape much the same without such a piece? A small yoke is the facing of a slit.

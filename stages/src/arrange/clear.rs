@@ -67,7 +67,7 @@ fn over_shoulder(d: &Dresser<'_>, i: usize, sheet: &Sheet, by: Vec3) -> f64 {
 }
 
 /// Lifts a piece that is bent around the neck until it lies over the shoulders, and opens it where the neck is wider.
-pub fn over_shoulders(d: &mut Dresser<'_>, i: usize) {
+pub fn around_neck(d: &mut Dresser<'_>, i: usize) {
     let Some(mut sheet) = d.sheets[i].clone().filter(|s| s.bend.is_some() && d.segments[i] == Segment::Neck) else {
         return;
     };

@@ -196,7 +196,7 @@ fn place_group(d: &mut Dresser<'_>, group: &[usize], is_first: bool) {
     clear::side_by_side(d, &flat);
     for (i, azimuth) in bent {
         lay_bent(d, i, azimuth, is_first);
-        clear::over_shoulders(d, i);
+        clear::around_neck(d, i);
     }
 }
 

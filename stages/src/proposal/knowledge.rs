@@ -1,4 +1,4 @@
-//! What speaks for a pair beside its shape: names, decisions of a person, and when sleeves are sewn.
+//! Scores of pairs that do not come from shapes: from names, from a person's decisions, and from the order of sewing.
 
 use super::atoms::Layout;
 use super::known::Decisions;

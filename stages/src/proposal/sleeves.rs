@@ -8,6 +8,7 @@ use super::atoms::{Layout, Panel};
 use super::openings::{Closing, Sewn};
 use super::propose::Names;
 use super::tuning::{self, SleeveWeights};
+use super::whole::{find, join};
 use std::f64::consts::PI;
 use toile_garment::Vec2;
 
@@ -148,20 +149,20 @@ struct Sleeve {
     /// The sides of a sleeve of one piece, each walked forward.
     sides: Option<[Vec<usize>; 2]>,
     /// Number of the part of the garment that it is.
-    part: usize,
+    part: u32,
     /// Cost of its shape.
     cost: f64,
 }
 
 impl Sleeve {
     /// A sleeve whose sides are sewn. The cap is one of its openings.
-    fn sewn(sewn: Sewn<'_>, cap: &[usize], part: usize) -> Self {
+    fn sewn(sewn: Sewn<'_>, cap: &[usize], part: u32) -> Self {
         let up = |panel: usize, cap: &[usize]| to_cap(sewn.layout, panel, cap);
         Self { cap: Opening::new(sewn, cap, &up), sides: None, part, cost: 0.0 }
     }
 
     /// All likely ways to part the outline of one piece at four corners into cap, side, hem and side.
-    fn shapes(sewn: Sewn<'_>, panel: &Panel, part: usize, weights: &SleeveWeights) -> Vec<Self> {
+    fn shapes(sewn: Sewn<'_>, panel: &Panel, part: u32, weights: &SleeveWeights) -> Vec<Self> {
         let layout = sewn.layout;
         let atoms: Vec<usize> = panel.atoms.clone().collect();
         let n = atoms.len();
@@ -213,13 +214,14 @@ fn fours(list: &[usize]) -> Vec<[usize; 4]> {
 }
 
 /// For every panel the number of the part of the garment that it belongs to.
-fn parts(sewn: Sewn<'_>) -> Vec<usize> {
-    let mut parts: Vec<usize> = (0..sewn.layout.panels.len()).collect();
+fn parts(sewn: Sewn<'_>) -> Vec<u32> {
+    let panels = sewn.layout.panels.len() as u32;
+    let mut parent: Vec<u32> = (0..panels).collect();
     for pair in sewn.of.pairs() {
-        let [p, q] = [pair.a, pair.b].map(|a| parts[sewn.layout.atoms[a].panel]);
-        parts.iter_mut().filter(|part| **part == p.max(q)).for_each(|part| *part = p.min(q));
+        let [p, q] = [pair.a, pair.b].map(|a| sewn.layout.atoms[a].panel as u32);
+        join(&mut parent, p, q);
     }
-    parts
+    (0..panels).map(|panel| find(&mut parent, panel)).collect()
 }
 
 /// A direction or its opposite, whichever runs along another one.

@@ -13,14 +13,11 @@ use super::seams::{ProposedSeam, seams};
 use super::search::{Found, best};
 use super::sleeves::{are_whole, sleeves};
 use super::tuning::{self, PairWeights, SleeveWeights, WholeWeights};
-use super::whole::Whole;
+use super::whole::{SLEEVES, Whole};
 use crate::roles::Upright;
 use crate::roles::outline::turned;
 use crate::sewing::shapes::Shapes;
 use toile_garment::{Garment, Vec2};
-
-/// Sleeves of a garment.
-const SLEEVES: usize = 2;
 
 /// A garment to be sewn.
 pub struct Task<'a> {
@@ -46,7 +43,7 @@ pub struct Made {
     pub sleeves: Vec<Closing>,
 }
 
-/// What one search found, and what it was found with.
+/// The result of one search, with the scores it was found by.
 struct Search {
     how: Sleeves,
     weights: WholeWeights,

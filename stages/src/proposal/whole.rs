@@ -6,6 +6,9 @@ use super::mirror::{ALONE, Mirror};
 use super::pairs::Pairs;
 use super::tuning::WholeWeights;
 
+/// Sleeves of a garment.
+pub const SLEEVES: usize = 2;
+
 const NONE: u32 = u32::MAX;
 
 /// The score of an assignment.
@@ -255,7 +258,7 @@ impl<'a> Whole<'a> {
             // Cap and hem.
             sum += if self.apart[panel] { w.not_a_tube * f64::from((open - 2).max(0)) } else { 0.0 };
         }
-        let expected = if self.apart.contains(&true) { 2 } else { 0 };
+        let expected = if self.apart.contains(&true) { SLEEVES as i32 } else { 0 };
         sum + w.part * f64::from((parts - 1).max(0) + i32::abs(parts_apart - expected)) + self.turned_over(of, room)
     }
 
@@ -302,7 +305,8 @@ impl<'a> Whole<'a> {
     }
 }
 
-fn find(parent: &mut [u32], mut x: u32) -> u32 {
+/// The root of an element in a forest of parents.
+pub fn find(parent: &mut [u32], mut x: u32) -> u32 {
     while parent[x as usize] != x {
         parent[x as usize] = parent[parent[x as usize] as usize];
         x = parent[x as usize];
@@ -310,7 +314,8 @@ fn find(parent: &mut [u32], mut x: u32) -> u32 {
     x
 }
 
-fn join(parent: &mut [u32], x: u32, y: u32) {
+/// Joins the trees of two elements.
+pub fn join(parent: &mut [u32], x: u32, y: u32) {
     let (x, y) = (find(parent, x), find(parent, y));
     if x != y {
         parent[x.max(y) as usize] = x.min(y);

@@ -42,7 +42,8 @@ fn at_vertices(sheet: &Sheet) -> (usize, usize) {
 }
 
 impl DrawnPiece {
-    /// Curve points classify vertices of the lines that are kept, unless a turn point does. Others have no meaning here and are not written again.
+    /// Curve points classify vertices of the lines that are kept, unless a turn point does. Others have no meaning here
+    /// and are not written again.
     pub(super) fn say_unused_curve_points(&self, desk: &mut Desk<'_>) {
         let outlines = std::iter::once(&self.boundary).chain(&self.sew).flat_map(|o| o.drawn.iter().map(|n| n.at));
         let inner = self.inside.internal.iter().chain(&self.inside.cutouts);
