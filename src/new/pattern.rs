@@ -94,7 +94,7 @@ pub fn read(path: &Path, plan: Option<SewingPlan>, wishes: &Wishes) -> Result<So
     };
     let pattern = dxf::read(&bytes, &name, &options)?;
     let (mut garment, more) = pattern.to_garment(None, table.as_ref())?;
-    let mut findings = pattern.all_findings();
+    let mut findings = pattern.told_findings();
     findings.extend(more);
     let plan = plan.unwrap_or_else(|| cut::plan(&garment, &wishes.leave_out));
     let (copies, left_out) = (plan.copies.clone(), plan.leave_out.clone());

@@ -176,8 +176,9 @@ impl Stage for ImportDxf {
         }
         // What is undecided is told once the sewing file is known, and of one size alone.
         let is_single = !matches!(params.size, Some(SizeChoice::Many(_)));
-        let is_told_now = |f: &&Diagnostic| !(is_single && f.code == DART_UNDECIDED);
-        cx.report.findings.extend(pattern.findings.iter().filter(is_told_now).cloned());
+        let is_told_now = |f: &Diagnostic| !(is_single && f.code == DART_UNDECIDED);
+        let told = pattern.findings_of_size(one_size(params.size.as_ref()));
+        cx.report.findings.extend(told.into_iter().filter(is_told_now));
         cx.report.findings.extend(table.iter().flat_map(|t| pattern.check_rules(t)));
         let (mut read, findings) = in_sizes(params, &pattern, table.as_ref())?;
         cx.report.findings.extend(findings);

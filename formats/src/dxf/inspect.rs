@@ -390,7 +390,7 @@ fn text(pattern: &Pattern) -> String {
             l.count(Verdict::Refused)
         ),
     );
-    for finding in pattern.all_findings() {
+    for finding in pattern.told_findings() {
         say(&mut out, finding.to_string());
     }
     out

@@ -11,18 +11,17 @@ codes! {
     /// `edge_length` or `triangles` is impossible: both were given, or the value is out of range. Exit code 2.
     EDGE_LENGTH = "edge-length";
 
+    /// A part of a fold line lies outside the cloth; that part is not folded.
+    FOLD_LINE_CLIPPED = "fold-line-clipped";
+
+    /// A fold line runs so close to the outline or to another line that no triangle fits between. It is not folded.
+    FOLD_LINE_TOO_CLOSE = "fold-line-too-close";
+
+    /// A fold line is too short for the mesh and is not folded.
+    FOLD_LINE_TOO_SHORT = "fold-line-too-short";
+
     /// A cutout lies outside its piece, or crosses the outline. Exit code 3.
     HOLE_MISPLACED = "hole-misplaced";
-
-    /// A part of an internal line lies outside the cloth; that part is not in the mesh.
-    INTERNAL_LINE_CLIPPED = "internal-line-clipped";
-
-    /// An internal line runs so close to the outline or to another line that no triangle fits between. It is left out of
-    /// the mesh; the cloth is the same without it.
-    INTERNAL_LINE_TOO_CLOSE = "internal-line-too-close";
-
-    /// An internal line is too short for the mesh and was left out.
-    INTERNAL_LINE_TOO_SHORT = "internal-line-too-short";
 
     /// Lines of a piece cross or touch when they are cut into edges of the mesh. Use a shorter edge_length, or redraw
     /// the lines apart. Exit code 3.

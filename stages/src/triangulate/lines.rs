@@ -3,6 +3,7 @@
 use super::codes;
 use super::crossing::{Segment, TooComplex, meetings, segments};
 use super::curve::{Curve, CurveKind};
+use super::lattice::distance;
 use super::lyon::covers;
 use crate::codes::OUTLINE_TOO_SMALL;
 use crate::sewing::ring::{SAME, clean, snap};
@@ -15,6 +16,8 @@ use toile_garment::{Code, Diagnostic, Piece, Report, Vec2};
 const JOIN: f64 = 0.2;
 /// A line nearer to the outline than this share of the edge length, all along, is the outline drawn twice.
 const ON_OUTLINE: f64 = 0.1;
+/// A line whose points lie this near to a fold is drawn for it, m.
+const ON_FOLD: f64 = 1e-3;
 /// A piece smaller than this is a drawing mistake (4 mm²).
 const NO_AREA: f64 = 4e-6;
 /// So many places are named per piece.
@@ -54,7 +57,7 @@ fn what(piece: &Piece, kind: CurveKind) -> String {
         CurveKind::Cutout(k) => format!("cutout {k}"),
         CurveKind::FishEye(k) => format!("dart `{}`", piece.darts.get(k).map_or("", |d| &d.name)),
         CurveKind::PleatLeg(k, _) => format!("pleat `{}`", piece.darts.get(k).map_or("", |d| &d.name)),
-        CurveKind::Line(k) => format!("internal line {k}"),
+        CurveKind::Line(k) => format!("fold line {k}"),
     }
 }
 
@@ -131,7 +134,8 @@ pub fn signed_area(points: &[Vec2]) -> f64 {
         .sum()
 }
 
-/// Adds pleat legs and internal lines to the curves, breaking all where they meet. Lines that are left out are reported.
+/// Adds pleat legs, and internal lines along which the cloth is folded, to the curves, and breaks all where they meet.
+/// Lines that are left out are reported. No other internal line acts on the cloth: it lies on the triangles.
 pub fn add_lines(
     piece: &Piece,
     curves: &mut Vec<Curve>,
@@ -144,21 +148,25 @@ pub fn add_lines(
             add(piece, curves, CurveKind::PleatLeg(k, leg), points, false, h, report);
         }
     }
-    for (k, line) in piece.internal_lines.iter().enumerate() {
+    for (k, line) in piece.internal_lines.iter().enumerate().filter(|(_, line)| is_folded(piece, &line.positions())) {
         if is_left_out(k) {
-            let message = format!(
-                "piece `{}`: internal line {k} runs too close to another line and is not in the mesh",
-                piece.name
-            );
+            let message =
+                format!("piece `{}`: fold line {k} runs too close to another line and is not folded", piece.name);
             report.push(
-                Diagnostic::info(codes::INTERNAL_LINE_TOO_CLOSE, message).at(line.source.clone()).hint(
-                    "the cloth is the same without it; redraw it apart, or use a shorter edge_length, to keep it",
-                ),
+                Diagnostic::info(codes::FOLD_LINE_TOO_CLOSE, message)
+                    .at(line.source.clone())
+                    .hint("draw it farther from the other line, or use a shorter edge_length"),
             );
             continue;
         }
         add(piece, curves, CurveKind::Line(k), &line.positions(), line.closed, h, report);
     }
+}
+
+/// Is the cloth folded along a line?
+fn is_folded(piece: &Piece, line: &[Vec2]) -> bool {
+    let on = |fold: &[Vec2], p: &Vec2| fold.windows(2).any(|w| distance(w[0], w[1], *p) < ON_FOLD);
+    piece.folds.iter().any(|fold| line.iter().all(|p| on(&fold.line, p)))
 }
 
 fn add(
@@ -181,7 +189,7 @@ fn add(
     let points = tidy(points, closed);
     let closed = closed && points.len() > 2;
     if points.len() < 2 || length(&points) < 0.05 * h {
-        drop(codes::INTERNAL_LINE_TOO_SHORT, "is too short to be meshed and is left out");
+        drop(codes::FOLD_LINE_TOO_SHORT, "is too short to be meshed and is left out");
         return;
     }
     let (line, cuts) = cut_at_boundary(curves, kind, points, closed);
@@ -199,10 +207,7 @@ fn add(
         place(curves, Curve::line(kind, part, whole_ring), h);
     }
     if left_out > 1e-3 {
-        drop(
-            codes::INTERNAL_LINE_CLIPPED,
-            &format!("lies outside the cloth or on its edge for {:.1} mm", left_out * 1e3),
-        );
+        drop(codes::FOLD_LINE_CLIPPED, &format!("lies outside the cloth or on its edge for {:.1} mm", left_out * 1e3));
     }
 }
 

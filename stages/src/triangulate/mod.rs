@@ -1,6 +1,6 @@
-//! `triangulate`: pieces become meshes whose lines are chains of mesh edges.
+//! `triangulate`: pieces become meshes. Outlines, darts and folds are chains of mesh edges.
 //!
-//! Corners, notches, mouths, apexes and seam ends become vertices; both sides of a seam and both legs of a dart get
+//! Other internal lines do not act on the cloth, so the mesh does not follow them; they lie on its triangles. Corners, notches, mouths, apexes and seam ends become vertices; both sides of a seam and both legs of a dart get
 //! equal counts between them. Inside, a hexagonal lattice turned off the grain, joined by a constrained Delaunay
 //! triangulation and smoothed.
 
@@ -49,7 +49,7 @@ pub enum Mesher {
     /// Near-equilateral triangles: for draping.
     #[default]
     Regular,
-    /// lyon's fill, its triangles halved: narrower triangles, internal lines are not kept; a draft to look at.
+    /// lyon's fill, its triangles halved: narrower triangles, fold lines are not kept; a draft to look at.
     Lyon,
 }
 
@@ -80,7 +80,7 @@ impl Stage for Triangulate {
     type Params = Params;
     const INFO: StageInfo = StageInfo::new(
         "triangulate",
-        "meshes every piece; lines become chains of edges, seam sides and dart legs get equal counts",
+        "meshes every piece; outlines, darts and folds become chains of edges, seam sides and dart legs get equal counts",
         &[Aspect::Pieces],
         &[Aspect::Mesh],
         2,
@@ -119,7 +119,7 @@ impl Stage for Triangulate {
     }
 }
 
-/// Meshes all pieces. Internal lines that cannot be told from their neighbours at any sampling are left out, and said.
+/// Meshes all pieces. Fold lines that cannot be told from their neighbours at any sampling are left out, and said.
 fn mesh_with_lines(
     garment: &Garment,
     shapes: &Shapes,
@@ -154,7 +154,7 @@ fn mesh_with_lines(
 enum Meshed {
     /// Layout and triangles of every piece.
     All(Vec<(Layout, Filled)>),
-    /// Crossings that finer edges do not part, and the internal lines among them: piece and line.
+    /// Crossings that finer edges do not part, and the fold lines among them: piece and line.
     Crossed { errors: Vec<Diagnostic>, lines: BTreeSet<(usize, usize)> },
 }
 

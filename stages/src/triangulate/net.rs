@@ -90,7 +90,7 @@ impl TrackSpan {
     }
 }
 
-/// Builds the net and carries every break to the other sides. Internal lines that are left out are named by piece and
+/// Builds the net and carries every break to the other sides. Fold lines that are left out are named by piece and
 /// number.
 ///
 /// # Errors

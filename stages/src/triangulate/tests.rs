@@ -7,6 +7,7 @@ use toile_garment::dart::DartKind;
 use toile_garment::mesh::ChainKind;
 use toile_garment::notch::{Notch, NotchKind};
 use toile_garment::outline::{LinePoint, PieceLine, PointKind};
+use toile_garment::piece::PressedFold;
 use toile_garment::sewing::RunSpec;
 use toile_garment::{PieceId, Report, SeamId};
 
@@ -42,14 +43,20 @@ fn bodice(marked: bool) -> Piece {
         dart("waist", kind, &[(84.0, 150.0)], [(70.0, 0.0), (98.0, 0.0)]),
         dart("back", DartKind::FishEye, &[(165.0, 40.0), (165.0, 190.0)], [(156.0, 115.0), (174.0, 115.0)]),
     ];
-    out.internal_lines =
-        vec![line(&[(30.0, 200.0), (60.0, 260.0), (110.0, 250.0)]), line(&[(0.0, 300.0), (120.0, 310.0)])];
+    fold(&mut out, vec![line(&[(30.0, 200.0), (60.0, 260.0), (110.0, 250.0)]), line(&[(0.0, 300.0), (120.0, 310.0)])]);
     let hole = (0..48).map(|i| {
         let (s, c) = libm::sincos(f64::from(i) / 48.0 * std::f64::consts::TAU);
         LinePoint { at: v(110.0 + 15.0 * c, 350.0 + 15.0 * s), kind: PointKind::Curve }
     });
     out.cutouts = vec![PieceLine { points: hole.collect(), closed: true, ..PieceLine::default() }];
     out
+}
+
+/// Folds a piece along lines that are drawn on it.
+fn fold(piece: &mut Piece, lines: Vec<PieceLine>) {
+    let pressed = |l: &PieceLine| PressedFold { name: "fold".into(), line: l.positions(), angle: 1.0 };
+    piece.folds = lines.iter().map(pressed).collect();
+    piece.internal_lines = lines;
 }
 
 /// Edges of all chains that no triangle has.
@@ -270,7 +277,7 @@ fn a_line_that_ends_beside_the_end_of_a_seam_leaves_the_seam_its_counts() {
                 let [low, high] = if whole { [0.0, 300.0] } else { [80.0, 220.0] };
                 let (from, to) = (f64::max(low + beside, 0.0), f64::min(high - beside, 300.0));
                 let mut front = rectangle(0, "front", 200.0, 300.0);
-                front.internal_lines = vec![line(&[(200.0, to), (120.0, 200.0), (200.0, from)])];
+                fold(&mut front, vec![line(&[(200.0, to), (120.0, 200.0), (200.0, from)])]);
                 let pieces = vec![front, rectangle(1, "back", 200.0, 300.0)];
                 let mut garment = Garment { pieces, ..Garment::default() };
                 let side = |piece: &str, x: f64| vec![two_points(piece, (x, low), (x, high))];
@@ -501,7 +508,7 @@ fn random_outlines_never_panic() {
         let points: Vec<_> = (0..n).map(&mut spot).collect();
         let mut p = piece(0, "random", &points);
         let mut place = || ((dice.next() * 300.0 - 150.0).round(), (dice.next() * 300.0 - 150.0).round());
-        p.internal_lines = vec![line(&[place(), place(), place()]), line(&[place(), place()])];
+        fold(&mut p, vec![line(&[place(), place(), place()]), line(&[place(), place()])]);
         if round % 3 == 0 {
             p.cutouts = vec![PieceLine { closed: true, ..line(&[place(), place(), place()]) }];
         }
@@ -586,19 +593,34 @@ fn seam_ends_a_hair_apart_give_both_sides_equal_counts() {
 }
 
 #[test]
-fn internal_lines_that_hug_each_other_are_left_out_and_said() {
+fn fold_lines_that_hug_each_other_are_left_out_and_said() {
     // Two lines are the same curve, drawn through other points: whatever the sampling, their chords cross.
     let curve = |from: f64| -> Vec<(f64, f64)> {
         let at = |k: u32| from + 5.0 * f64::from(k);
         (0..40).map(|k| (at(k), 200.0 + 30.0 * libm::sin(at(k) / 60.0))).collect()
     };
     let mut front = rectangle(0, "front", 300.0, 400.0);
-    front.internal_lines = vec![line(&curve(50.0)), line(&curve(52.5))];
-    let (meshed, report) = mesh(one(front), 20.0).expect("cloth is not refused for a line nobody asked for");
+    fold(&mut front, vec![line(&curve(50.0)), line(&curve(52.5))]);
+    let (meshed, report) = mesh(one(front), 20.0).expect("cloth is not refused for a line");
     let told: Vec<&str> = report.findings.iter().map(|f| f.code.as_str()).collect();
-    assert!(told.contains(&"internal-line-too-close"), "{told:?}");
+    assert!(told.contains(&"fold-line-too-close"), "{told:?}");
     let chains = &meshed.pieces[0].mesh.as_ref().expect("mesh").chains;
     let lines: Vec<u32> = chains.iter().filter(|c| c.kind == ChainKind::InternalLine).map(|c| c.index).collect();
     assert!(lines.len() < 2, "{lines:?}");
     assert_eq!(missing(&meshed.pieces[0]), 0);
+}
+
+#[test]
+fn a_line_without_a_fold_does_not_change_the_mesh() {
+    let plain = rectangle(0, "sleeve", 300.0, 400.0);
+    let mut striped = plain.clone();
+    // Three stripes 4 mm apart, a short line in the corner and one that runs along the outline.
+    let stripe = |x: f64| line(&[(x, -20.0), (x, 420.0)]);
+    let corner = line(&[(299.0, 3.0), (297.0, 0.0)]);
+    striped.internal_lines =
+        vec![stripe(100.0), stripe(104.0), stripe(108.0), corner, line(&[(0.5, 0.0), (2.0, 400.0)])];
+    let [meshed, drawn] = [plain, striped].map(|p| mesh(one(p), 20.0).expect("mesh"));
+    assert_eq!(meshed.0.pieces[0].mesh, drawn.0.pieces[0].mesh);
+    assert!(drawn.1.findings.is_empty(), "{:?}", drawn.1.findings);
+    assert_eq!(drawn.0.pieces[0].internal_lines.len(), 5, "the lines stay on the piece");
 }

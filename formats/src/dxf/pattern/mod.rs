@@ -6,6 +6,7 @@ pub(crate) mod codes;
 mod flat;
 mod inserts;
 mod layer_names;
+mod nest_findings;
 mod sheets;
 
 pub use inserts::InsertRule;
@@ -100,6 +101,13 @@ impl Pattern {
     pub fn all_findings(&self) -> Vec<Diagnostic> {
         let faults = self.refused.iter().flat_map(|p| &p.faults);
         faults.chain(&self.findings).cloned().collect()
+    }
+
+    /// The findings to be read by a person: as all, but those of the file in the sample size alone.
+    #[must_use]
+    pub fn told_findings(&self) -> Vec<Diagnostic> {
+        let faults = self.refused.iter().flat_map(|p| &p.faults);
+        faults.cloned().chain(self.findings_of_size(None)).collect()
     }
 
     /// Says which pieces cannot be used, whether they are asked for or not.

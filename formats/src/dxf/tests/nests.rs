@@ -112,3 +112,18 @@ fn a_notch_cut_into_one_size_is_one_in_all() {
     assert_eq!(cut(&sizes([1.5, 1.5])), [0, 0]);
     assert_eq!(cut(&sizes([5.0, 0.2])), [1, 0]);
 }
+
+#[test]
+fn a_finding_of_all_sizes_is_told_once_in_the_size_asked_for() {
+    // 1.4 to 2.9 degrees, without a dart in any size: each size is undecided.
+    let pattern = good(&nest([5.0, 8.0, 10.0]));
+    let of = |size: Option<&str>| -> Vec<String> {
+        let of_block = |f: &Diagnostic| f.source.as_ref().and_then(|s| s.block.clone());
+        pattern.findings_of_size(size).iter().filter(|f| f.code == "dart-undecided").filter_map(of_block).collect()
+    };
+    assert_eq!(pattern.findings.iter().filter(|f| f.code == "dart-undecided").count(), 3, "{:?}", pattern.findings);
+    assert_eq!(of(None), ["BACK_36"]);
+    assert_eq!(of(Some("38")), ["BACK_38"]);
+    let told = pattern.findings_of_size(None);
+    assert!(told.iter().any(|f| f.message.ends_with("(and alike in 2 other sizes)")), "{told:?}");
+}
