@@ -7,6 +7,7 @@ use super::random::Random;
 use super::search::{Found, Schedule, Search};
 use super::tuning;
 use super::whole::Whole;
+use rayon::prelude::*;
 
 /// A sewn pair and what speaks for it against the next best garment.
 #[derive(Clone, Debug)]
@@ -32,31 +33,49 @@ pub fn margins(layout: &Layout, whole: &Whole<'_>, found: &mut Found) -> Vec<Mar
     one_round(layout, whole, found, Schedule { steps: 0, ..schedule }).unwrap_or_default()
 }
 
+/// Seams that are looked at side by side, before a better garment ends the round.
+const AT_ONCE: usize = 8;
+
 fn one_round(layout: &Layout, whole: &Whole<'_>, found: &Found, schedule: Schedule) -> Result<Vec<Margin>, Found> {
-    let mut search = Search::new(layout, whole);
-    let mut out: Vec<Margin> = Vec::new();
+    let image = |pair: Pair| super::assignment::image(pair, whole.mirror);
+    let mut asked: Vec<Pair> = Vec::new();
     for pair in found.assignment.pairs() {
-        let image = super::assignment::image(pair, whole.mirror);
-        let known = image.and_then(|i| out.iter().find(|m| is_same(m.pair, i)).cloned());
-        if let Some(known) = known {
-            let atom = |a: Option<usize>| a.map(|a| whole.mirror.of(a).unwrap_or(a));
-            let swapped = whole.mirror.of(known.pair.a) != Some(pair.a);
-            let [x, y] = known.instead.map(atom);
-            out.push(Margin { pair, margin: known.margin, instead: if swapped { [y, x] } else { [x, y] } });
-            continue;
+        if !image(pair).is_some_and(|i| asked.iter().any(|known| is_same(*known, i))) {
+            asked.push(pair);
         }
-        search.forbidden = std::iter::once(pair).chain(image).collect();
+    }
+    let without = |pair: &Pair| {
+        let mut search = Search::new(layout, whole);
+        search.forbidden = std::iter::once(*pair).chain(image(*pair)).collect();
         let mut assignment = found.assignment.clone();
         assignment.remove(pair.a, whole.mirror);
         let start = Found { score: search.score(&assignment), assignment };
-        let other = search.anneal(start, schedule, &mut Random::new(tuning::SEED));
-        let margin = found.score.total() - other.score.total();
-        if margin < -1e-6 {
-            return Err(other);
+        search.anneal(start, schedule, &mut Random::new(tuning::SEED))
+    };
+    let mut known: Vec<Margin> = Vec::new();
+    for pairs in asked.chunks(AT_ONCE) {
+        let others: Vec<Found> = pairs.par_iter().map(without).collect();
+        for (pair, other) in pairs.iter().zip(others) {
+            let margin = found.score.total() - other.score.total();
+            if margin < -1e-6 {
+                return Err(other);
+            }
+            known.push(Margin { pair: *pair, margin, instead: partners(&other.assignment, *pair) });
         }
-        out.push(Margin { pair, margin, instead: partners(&other.assignment, pair) });
     }
-    Ok(out)
+    let of = |pair: Pair| {
+        let own = known.iter().find(|m| m.pair == pair).cloned();
+        own.or_else(|| mirrored(known.iter().find(|m| image(pair).is_some_and(|i| is_same(m.pair, i)))?, pair, whole))
+    };
+    Ok(found.assignment.pairs().filter_map(of).collect())
+}
+
+/// The margin of a pair from that of its mirror image.
+fn mirrored(known: &Margin, pair: Pair, whole: &Whole<'_>) -> Option<Margin> {
+    let atom = |a: Option<usize>| a.map(|a| whole.mirror.of(a).unwrap_or(a));
+    let swapped = whole.mirror.of(known.pair.a) != Some(pair.a);
+    let [x, y] = known.instead.map(atom);
+    Some(Margin { pair, margin: known.margin, instead: if swapped { [y, x] } else { [x, y] } })
 }
 
 fn is_same(x: Pair, y: Pair) -> bool {

@@ -6,6 +6,7 @@ use super::pairs::Pair;
 use super::random::Random;
 use super::tuning;
 use super::whole::{Room, Score, Whole};
+use rayon::prelude::*;
 
 /// A garment and its score.
 #[derive(Clone, Debug)]
@@ -31,7 +32,27 @@ struct Candidates {
     /// Sums of their weights.
     sums: Vec<f64>,
     /// Those of every panel.
-    of_panel: Vec<Vec<Pair>>,
+    of_panel: Vec<Vec<Scored>>,
+}
+
+/// A pair with its score, and the number from 0 to 1 above which noise makes the score positive.
+#[derive(Clone, Copy)]
+struct Scored {
+    pair: Pair,
+    score: f64,
+    positive_from: f64,
+}
+
+impl Scored {
+    fn new(pair: Pair, score: f64) -> Self {
+        Self { pair, score, positive_from: libm::exp(-libm::exp(score / tuning::ANEW_NOISE)) }
+    }
+
+    /// The score with noise, where it is positive.
+    fn with_noise(&self, random: &mut Random) -> Option<f64> {
+        let unit = random.unit();
+        (unit > self.positive_from).then(|| self.score + tuning::ANEW_NOISE * gumbel(unit))
+    }
 }
 
 impl Candidates {
@@ -45,10 +66,11 @@ impl Candidates {
         let sums = pairs.iter().map(&mut weight).collect();
         let mut of_panel = vec![Vec::new(); layout.panels.len()];
         for p in &pairs {
+            let scored = Scored::new(*p, whole.pairs.score(p.a, p.b, p.opposite));
             let (x, y) = (layout.atoms[p.a].panel, layout.atoms[p.b].panel);
-            of_panel[x].push(*p);
+            of_panel[x].push(scored);
             if x != y {
-                of_panel[y].push(*p);
+                of_panel[y].push(scored);
             }
         }
         Self { pairs, sums, of_panel }
@@ -188,11 +210,8 @@ impl<'a> Search<'a> {
         for a in self.layout.panels[panel].atoms.clone() {
             of.remove(a, self.whole.mirror);
         }
-        let mut list: Vec<(f64, Pair)> = candidates.of_panel[panel]
-            .iter()
-            .map(|p| (self.whole.pairs.score(p.a, p.b, p.opposite) + tuning::ANEW_NOISE * noise(random), *p))
-            .filter(|(score, _)| *score > 0.0)
-            .collect();
+        let noisy = |scored: &Scored| Some((scored.with_noise(random)?, scored.pair));
+        let mut list: Vec<(f64, Pair)> = candidates.of_panel[panel].iter().filter_map(noisy).collect();
         list.sort_by(|x, y| y.0.total_cmp(&x.0));
         for (_, pair) in list {
             if of.partner(pair.a).is_none() && of.partner(pair.b).is_none() {
@@ -203,35 +222,69 @@ impl<'a> Search<'a> {
     }
 }
 
-/// A number that is the largest of many by chance, with mean 0.58 (Gumbel).
-fn noise(random: &mut Random) -> f64 {
-    -libm::log((-libm::log(random.unit().max(1e-12))).max(1e-12))
+/// The number that is the largest of many by chance, of an even one from 0 to 1; its mean is 0.58 (Gumbel).
+fn gumbel(unit: f64) -> f64 {
+    -libm::log((-libm::log(unit.max(1e-12))).max(1e-12))
 }
 
 /// The best garment of several searches.
 pub fn best(layout: &Layout, whole: &Whole<'_>, effort: f64) -> Found {
     let atoms = layout.atoms.len();
-    let mut search = Search::new(layout, whole);
     let empty = Assignment::empty(atoms);
-    let start = Found { score: search.score(&empty), assignment: empty };
+    let start = Found { score: Search::new(layout, whole).score(&empty), assignment: empty };
     let steps = (effort * (tuning::STEPS_LEAST + tuning::STEPS_PER_ATOM * atoms as f64)) as usize;
     let schedule = Schedule { steps, hottest: tuning::HOTTEST };
+    let anneal = |seed: u64| Search::new(layout, whole).anneal(start.clone(), schedule, &mut Random::new(seed));
     let mut best: Option<Found> = None;
     let mut agreed = 0;
-    for restart in 0..tuning::RESTARTS {
-        let found = search.anneal(start.clone(), schedule, &mut Random::new(tuning::SEED + restart));
-        match &best {
-            Some(b) if found.score.total() <= b.score.total() + 1e-6 => {
-                agreed += u32::from(found.score.total() > b.score.total() - 1e-6);
+    for restarts in at_once() {
+        let seeds: Vec<u64> = restarts.map(|restart| tuning::SEED + restart).collect();
+        let all: Vec<Found> = seeds.into_par_iter().map(anneal).collect();
+        // They are judged in their order, so that the result is that of one after the other.
+        for found in all {
+            match &best {
+                Some(b) if found.score.total() <= b.score.total() + 1e-6 => {
+                    agreed += u32::from(found.score.total() > b.score.total() - 1e-6);
+                }
+                _ => {
+                    best = Some(found);
+                    agreed = 0;
+                }
             }
-            _ => {
-                best = Some(found);
-                agreed = 0;
+            if agreed >= tuning::AGREED {
+                return best.unwrap_or(start);
             }
-        }
-        if agreed >= tuning::AGREED {
-            break;
         }
     }
     best.unwrap_or(start)
+}
+
+/// The restarts that run side by side: first as many as may agree, then two by two.
+fn at_once() -> impl Iterator<Item = std::ops::Range<u64>> {
+    let first = u64::from(tuning::AGREED) + 1;
+    let rest = (first..tuning::RESTARTS).step_by(2).map(|from| from..(from + 2).min(tuning::RESTARTS));
+    std::iter::once(0..first).chain(rest)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn noise_is_left_out_only_where_the_score_stays_below_zero() {
+        for score in [-6.0, -2.0, -0.3, 0.0, 1.5, 4.0] {
+            let scored = Scored::new(Pair { a: 0, b: 1, opposite: true }, score);
+            let (mut random, mut again) = (Random::new(7), Random::new(7));
+            for _ in 0..20_000 {
+                let direct = score + tuning::ANEW_NOISE * gumbel(again.unit());
+                let told = scored.with_noise(&mut random);
+                assert_eq!(told, (direct > 0.0).then_some(direct), "{score}");
+            }
+        }
+    }
+
+    #[test]
+    fn every_restart_runs_once_and_in_order() {
+        assert_eq!(at_once().flatten().collect::<Vec<_>>(), (0..tuning::RESTARTS).collect::<Vec<_>>());
+    }
 }

@@ -17,6 +17,7 @@ use super::whole::{SLEEVES, Whole};
 use crate::roles::Upright;
 use crate::roles::outline::turned;
 use crate::sewing::shapes::Shapes;
+use rayon::prelude::*;
 use toile_garment::{Garment, Vec2};
 
 /// A garment to be sewn.
@@ -152,12 +153,13 @@ fn scores(layout: &Layout, knowledge: &Knowledge<'_>) -> Vec<(Mirror, Pairs)> {
 fn search_all(layout: &Layout, wholes: &[Whole<'_>], effort: f64) -> Option<(usize, Found)> {
     let first = if wholes.len() > 1 { tuning::SHORT * effort } else { effort };
     let short = |whole| best(layout, whole, first);
-    let mut tried: Vec<(usize, Found)> = wholes.iter().map(short).enumerate().collect();
+    let mut tried: Vec<(usize, Found)> = wholes.par_iter().map(short).enumerate().collect();
     tried.sort_by(|a, b| b.1.score.total().total_cmp(&a.1.score.total()));
     tried.truncate(tuning::LONG_TRIES);
     let mut chosen: Option<(usize, Found)> = None;
-    for (map, short) in tried {
-        let long = best(layout, &wholes[map], effort);
+    let long = |(map, short): (usize, Found)| (map, short, best(layout, &wholes[map], effort));
+    let tried: Vec<(usize, Found, Found)> = tried.into_par_iter().map(long).collect();
+    for (map, short, long) in tried {
         let found = if long.score.total() >= short.score.total() { long } else { short };
         if chosen.as_ref().is_none_or(|(_, c)| found.score.total() > c.score.total()) {
             chosen = Some((map, found));

@@ -1,7 +1,7 @@
 //! Scores of whole garments: pairs, the corners that meet, and the surface that comes out.
 
 use super::assignment::Assignment;
-use super::atoms::{Layout, Mark};
+use super::atoms::{Atom, Layout, Mark};
 use super::mirror::{ALONE, Mirror};
 use super::pairs::Pairs;
 use super::tuning::WholeWeights;
@@ -32,9 +32,24 @@ impl Score {
     }
 }
 
+/// What a score asks of an atom, close together in memory.
+struct Stretch {
+    next: u32,
+    before: u32,
+    panel: u32,
+    /// The mark and the angle at its start.
+    mark: Mark,
+    angle: f64,
+    /// Length, metres, and its logarithm.
+    length: f64,
+    log_length: f64,
+}
+
 /// Scores assignments of one garment.
 pub struct Whole<'a> {
     layout: &'a Layout,
+    /// For every atom.
+    stretches: Vec<Stretch>,
     /// Mirror images.
     pub mirror: &'a Mirror,
     /// Scores of pairs.
@@ -52,6 +67,8 @@ pub struct Room {
     seen: Vec<bool>,
     across: Vec<u32>,
     parent: Vec<u32>,
+    /// For every panel the number of the part that it belongs to.
+    part: Vec<u32>,
     half_parent: Vec<u32>,
     chi: Vec<i32>,
     open: Vec<u32>,
@@ -69,7 +86,17 @@ impl<'a> Whole<'a> {
     /// For one garment.
     pub fn new(layout: &'a Layout, mirror: &'a Mirror, pairs: &'a Pairs, weights: &'a WholeWeights) -> Self {
         let apart = vec![false; layout.panels.len()];
-        Self { layout, mirror, pairs, weights, apart, half: halves(layout, mirror) }
+        let stretch = |a: &Atom| Stretch {
+            next: a.next as u32,
+            before: a.before as u32,
+            panel: a.panel as u32,
+            mark: a.joint.mark,
+            angle: a.joint.angle,
+            length: a.length,
+            log_length: libm::log(a.length),
+        };
+        let stretches = layout.atoms.iter().map(stretch).collect();
+        Self { layout, stretches, mirror, pairs, weights, apart, half: halves(layout, mirror) }
     }
 
     /// The same with some panels apart from the others, in two parts of their own.
@@ -91,7 +118,7 @@ impl<'a> Whole<'a> {
             if self.mirror.panel[p] == ALONE {
                 continue;
             }
-            let starts = panel.atoms.clone().filter(|a| is_image(*a) && !is_image(self.layout.atoms[*a].before));
+            let starts = panel.atoms.clone().filter(|a| is_image(*a) && !is_image(self.stretches[*a].before as usize));
             more += starts.count().saturating_sub(if self.mirror.panel[p] == p { 2 } else { 1 });
         }
         self.weights.second_middle * more as f64
@@ -103,7 +130,7 @@ impl<'a> Whole<'a> {
         room.ratios.clear();
         for p in of.pairs() {
             sum += self.pairs.score(p.a, p.b, p.opposite);
-            let ratio = libm::log(self.layout.atoms[p.a].length / self.layout.atoms[p.b].length).abs();
+            let ratio = (self.stretches[p.a].log_length - self.stretches[p.b].log_length).abs();
             if ratio > self.weights.gather_from {
                 room.ratios.push(ratio);
             }
@@ -128,10 +155,10 @@ impl<'a> Whole<'a> {
     fn across_corner(&self, end: u32) -> (u32, usize) {
         let atom = (end / 2) as usize;
         if end.is_multiple_of(2) {
-            (2 * self.layout.atoms[atom].before as u32 + 1, atom)
+            (2 * self.stretches[atom].before + 1, atom)
         } else {
-            let next = self.layout.atoms[atom].next;
-            (2 * next as u32, next)
+            let next = self.stretches[atom].next;
+            (2 * next, next as usize)
         }
     }
 
@@ -143,11 +170,11 @@ impl<'a> Whole<'a> {
             let (other, joint) = self.across_corner(end);
             room.seen[joint] = true;
             fan.corners += 1;
-            fan.sum += self.layout.atoms[joint].joint.angle;
-            fan.mark = self.layout.atoms[joint].joint.mark;
+            fan.sum += self.stretches[joint].angle;
+            fan.mark = self.stretches[joint].mark;
             match self.across_seam(of, other) {
                 None => return (fan, Some(other)),
-                Some(next) if next == start || fan.corners > self.layout.atoms.len() => return (fan, None),
+                Some(next) if next == start || fan.corners > self.stretches.len() => return (fan, None),
                 Some(next) => end = next,
             }
         }
@@ -155,7 +182,7 @@ impl<'a> Whole<'a> {
 
     /// Scores all places at which corners meet; notes them for the surface.
     fn vertices(&self, of: &Assignment, room: &mut Room) -> f64 {
-        let n = self.layout.atoms.len();
+        let n = self.stretches.len();
         room.seen.clear();
         room.seen.resize(n, false);
         room.across.clear();
@@ -185,29 +212,26 @@ impl<'a> Whole<'a> {
     }
 
     fn count_vertex(&self, end: u32, room: &mut Room) {
-        let panel = self.layout.atoms[(end / 2) as usize].panel;
-        let root = find(&mut room.parent, panel as u32);
-        room.chi[root as usize] += 1;
+        let panel = self.stretches[(end / 2) as usize].panel;
+        room.chi[room.part[panel as usize] as usize] += 1;
     }
 
     /// Joins panels that are sewn, and begins to count vertices − edges + faces.
     fn components(&self, of: &Assignment, room: &mut Room) {
-        let panels = self.layout.panels.len();
+        let panels = self.layout.panels.len() as u32;
         room.parent.clear();
-        room.parent.extend(0..panels as u32);
+        room.parent.extend(0..panels);
         for p in of.pairs() {
-            join(&mut room.parent, self.layout.atoms[p.a].panel as u32, self.layout.atoms[p.b].panel as u32);
+            join(&mut room.parent, self.stretches[p.a].panel, self.stretches[p.b].panel);
         }
+        room.part.clear();
+        room.part.extend((0..panels).map(|panel| find(&mut room.parent, panel)));
         room.chi.clear();
-        room.chi.resize(panels, 0);
-        for panel in 0..panels {
-            let root = find(&mut room.parent, panel as u32);
-            room.chi[root as usize] += 1;
-        }
-        for (a, atom) in self.layout.atoms.iter().enumerate() {
+        room.chi.resize(panels as usize, 0);
+        room.part.iter().for_each(|part| room.chi[*part as usize] += 1);
+        for (a, stretch) in self.stretches.iter().enumerate() {
             if of.partner(a).is_none_or(|b| a < b) {
-                let root = find(&mut room.parent, atom.panel as u32);
-                room.chi[root as usize] -= 1;
+                room.chi[room.part[stretch.panel as usize] as usize] -= 1;
             }
         }
     }
@@ -215,7 +239,7 @@ impl<'a> Whole<'a> {
     /// Scores components, openings and handles of the surface.
     fn surface(&self, of: &Assignment, room: &mut Room) -> f64 {
         let w = self.weights;
-        let n = self.layout.atoms.len();
+        let n = self.stretches.len();
         let panels = self.layout.panels.len();
         room.open.clear();
         room.open.resize(panels, 0);
@@ -234,7 +258,7 @@ impl<'a> Whole<'a> {
                     break;
                 }
                 room.seen[atom] = true;
-                length += self.layout.atoms[atom].length;
+                length += self.stretches[atom].length;
                 let across = room.across[end as usize];
                 if across == NONE {
                     break;
@@ -242,12 +266,11 @@ impl<'a> Whole<'a> {
                 end = across ^ 1;
             }
             sum += w.opening(length);
-            let root = find(&mut room.parent, self.layout.atoms[first].panel as u32);
-            room.open[root as usize] += 1;
+            room.open[room.part[self.stretches[first].panel as usize] as usize] += 1;
         }
         let (mut parts, mut parts_apart) = (0, 0);
         for panel in 0..panels {
-            if find(&mut room.parent, panel as u32) as usize != panel {
+            if room.part[panel] as usize != panel {
                 continue;
             }
             let count = if self.apart[panel] { &mut parts_apart } else { &mut parts };
@@ -272,7 +295,7 @@ impl<'a> Whole<'a> {
         room.half_parent.clear();
         room.half_parent.extend(0..2 * panels);
         for p in of.pairs() {
-            let (x, y) = (self.layout.atoms[p.a].panel as u32, self.layout.atoms[p.b].panel as u32);
+            let (x, y) = (self.stretches[p.a].panel, self.stretches[p.b].panel);
             let shift = if p.opposite { 0 } else { panels };
             join(&mut room.half_parent, x, y + shift);
             join(&mut room.half_parent, x + panels, y + panels - shift);
