@@ -94,21 +94,23 @@ pub fn arrange(
     given: Vec<Option<Sheet>>,
 ) -> Arrangement {
     // Everything is worked out with upright pieces. The sheets take in the turn at the end.
-    let Upright { turn, outlines, joins } = Upright::of(pieces, joins);
-    let upright = |mut sheet: Sheet| {
+    let Upright { turns, outlines, joins } = Upright::of(pieces, joins);
+    let upright = |mut sheet: Sheet, turn: &f64| {
         sheet.turn -= turn;
         sheet
     };
-    let given = given.into_iter().map(|sheet| sheet.map(upright)).collect();
+    let given = given.into_iter().zip(&turns).map(|(sheet, turn)| Some(upright(sheet?, turn))).collect();
     let mut d = Dresser::new(outlines, roles, &joins, Form::of(body), given);
     let mut order: Vec<usize> = (0..pieces.len()).filter(|i| d.is_given[*i]).collect();
     for i in order.clone() {
         d.segments[i] = facing::segment_of(&d, i);
     }
     let mut is_first = order.is_empty();
+    let mut first_bent: Vec<usize> = Vec::new();
     while let Some(group) = next_group(&d, is_first) {
         let before = order.len();
-        place_group(&mut d, &group, is_first);
+        let bent = place_group(&mut d, &group, is_first);
+        first_bent.extend(bent.into_iter().filter(|_| is_first));
         order.extend(group.iter().filter(|i| d.sheets[**i].is_some()));
         // A second garment, sewn to nothing of the first, hangs by itself.
         is_first = next_group(&d, false).is_none();
@@ -116,9 +118,12 @@ pub fn arrange(
             break;
         }
     }
+    first_bent.iter().for_each(|i| turn_to_threads(&mut d, *i));
     clear::layers(&mut d, &order);
-    let mut arrangement = told(&d, pieces, turn);
-    arrangement.places.iter_mut().flatten().for_each(|place| place.sheet.turn += turn);
+    let mut arrangement = told(&d, pieces, &turns);
+    for (place, turn) in arrangement.places.iter_mut().zip(&turns) {
+        place.iter_mut().for_each(|place| place.sheet.turn += turn);
+    }
     arrangement
 }
 
@@ -155,7 +160,8 @@ fn next_group(d: &Dresser<'_>, is_first: bool) -> Option<Vec<usize>> {
     Some(group)
 }
 
-fn place_group(d: &mut Dresser<'_>, group: &[usize], is_first: bool) {
+/// Places a group of pieces. Gives those that are bent around their segments, with no way to face that is known.
+fn place_group(d: &mut Dresser<'_>, group: &[usize], is_first: bool) -> Vec<usize> {
     for i in group {
         d.segments[*i] = facing::segment_of(d, *i);
     }
@@ -194,10 +200,11 @@ fn place_group(d: &mut Dresser<'_>, group: &[usize], is_first: bool) {
         clear::ring_room(d, &ring);
     }
     clear::side_by_side(d, &flat);
-    for (i, azimuth) in bent {
-        lay_bent(d, i, azimuth, is_first);
-        clear::around_neck(d, i);
+    for (i, azimuth) in &bent {
+        lay_bent(d, *i, *azimuth, is_first);
+        clear::around_neck(d, *i);
     }
+    bent.into_iter().filter(|(_, azimuth)| azimuth.is_none()).map(|(i, _)| i).collect()
 }
 
 /// A flat piece on the axis of its segment, facing an azimuth.
@@ -230,19 +237,46 @@ fn lay_bent(d: &mut Dresser<'_>, i: usize, azimuth: Option<f64>, is_first: bool)
     let width = d.outlines[i].map(|p| turned(p, turn)).size().x;
     let short = width + RING_GAP - sheet.girth().unwrap_or(0.0);
     sheet.widen(short.max(0.0) / std::f64::consts::TAU * 1.05);
+    let threads = threads_around(d, i, &sheet);
+    let angle = azimuth.or(threads.map(|t| t.angle)).unwrap_or(0.0);
+    let axial = threads.map_or_else(|| axial_at_start(d, i, turn, is_first), |t| t.axial);
+    let clearance = BENT + short.max(0.0) / std::f64::consts::TAU * 1.05;
+    d.sheets[i] = Sheet::around(&segment, clearance, turn, middle, angle, axial);
+}
+
+/// The place of the middle of a bent piece at which its threads are short.
+#[derive(Clone, Copy)]
+struct Around {
+    /// Angle about the axis of its segment, rad.
+    angle: f64,
+    /// Distance along that axis, m.
+    axial: f64,
+}
+
+/// Where the threads of a bent piece lead it; `None` where nothing that it is sewn to has a place.
+fn threads_around(d: &Dresser<'_>, i: usize, sheet: &Sheet) -> Option<Around> {
+    let segment = d.segment(i);
     let axis = (segment.to - segment.from).normalize();
-    let radius = sheet.girth().unwrap_or(0.0) / std::f64::consts::TAU;
+    let radius = sheet.girth()? / std::f64::consts::TAU;
+    let middle = d.middle(i, sheet.turn);
     let (mut axial, mut sin, mut cos, mut all) = (0.0, 0.0, 0.0, 0.0);
     for (t, p) in d.hung(i) {
-        let q = turned(t.at, turn) - middle;
+        let q = turned(t.at, sheet.turn) - middle;
         axial += t.share * ((p - segment.from).dot(&axis) + q.y);
         let (s, c) = libm::sincos(facing::azimuth_of(d, i, p) - q.x / radius);
         (sin, cos, all) = (sin + t.share * s, cos + t.share * c, all + t.share);
     }
-    let angle = azimuth.unwrap_or_else(|| if all > 0.0 { libm::atan2(sin, cos) } else { 0.0 });
-    let axial = if all > 0.0 { axial / all } else { axial_at_start(d, i, turn, is_first) };
-    let clearance = BENT + short.max(0.0) / std::f64::consts::TAU * 1.05;
-    d.sheets[i] = Sheet::around(&segment, clearance, turn, middle, angle, axial);
+    (all > 0.0).then(|| Around { angle: libm::atan2(sin, cos), axial: axial / all })
+}
+
+/// Turns a piece, that was bent around its segment before anything that it is sewn to was placed, to where its threads
+/// are short.
+fn turn_to_threads(d: &mut Dresser<'_>, i: usize) {
+    let Some(sheet) = &d.sheets[i] else { return };
+    let Some(around) = threads_around(d, i, sheet) else { return };
+    if let Some(sheet) = &mut d.sheets[i] {
+        sheet.turn_to(around.angle);
+    }
 }
 
 /// Distance of the middle along the axis of a piece that is sewn to nothing yet: its top is at the waist.
@@ -253,12 +287,12 @@ fn axial_at_start(d: &Dresser<'_>, i: usize, turn: f64, is_first: bool) -> f64 {
     top + half
 }
 
-/// Places with their confidence, and how long the threads are. `turn` brought the pieces upright.
-fn told(d: &Dresser<'_>, pieces: &[Piece], turn: f64) -> Arrangement {
+/// Places with their confidence, and how long the threads are. `turns` brought the pieces upright.
+fn told(d: &Dresser<'_>, pieces: &[Piece], turns: &[f64]) -> Arrangement {
     let mut arrangement = Arrangement {
         places: Vec::new(),
         unplaced: Vec::new(),
-        held: held(d, pieces, turn),
+        held: held(d, pieces, turns),
         mean_thread: 0.0,
         longest_thread: 0.0,
     };
@@ -295,7 +329,7 @@ fn reason(d: &Dresser<'_>, i: usize) -> String {
 }
 
 /// The free upper edges of a skirt or of trousers, where nothing above holds them.
-fn held(d: &Dresser<'_>, pieces: &[Piece], turn: f64) -> Vec<Held> {
+fn held(d: &Dresser<'_>, pieces: &[Piece], turns: &[f64]) -> Vec<Held> {
     let has = |parts: &[Part]| (0..pieces.len()).any(|i| d.part(i).is_some_and(|p| parts.contains(&p)));
     if has(&[Part::Bodice, Part::Strap, Part::Sleeve]) {
         return Vec::new();
@@ -305,7 +339,8 @@ fn held(d: &Dresser<'_>, pieces: &[Piece], turn: f64) -> Vec<Held> {
     for piece in pieces.iter().filter(|p| Some(rank(d.part(p.id.index()))) == lowest) {
         let free = anchors::free_upper_points(d, piece.id.index());
         for edge in &piece.edges {
-            let line: Vec<Vec2> = edge_line(piece, edge).into_iter().map(|p| turned(p, turn)).collect();
+            let line: Vec<Vec2> =
+                edge_line(piece, edge).into_iter().map(|p| turned(p, turns[piece.id.index()])).collect();
             let length: f64 = line.windows(2).map(|w| (w[1] - w[0]).norm()).sum();
             let on_edge = |p: &Vec2| line.windows(2).any(|w| distance(*p, w[0], w[1]) < ON_EDGE);
             let covered: f64 = free.iter().filter(|(p, _)| on_edge(p)).map(|(_, l)| l).sum();

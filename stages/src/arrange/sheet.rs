@@ -122,6 +122,14 @@ impl Sheet {
         self.touch();
     }
 
+    /// Turns a bent piece around its segment until its middle lies at an angle from the front, rad.
+    pub fn turn_to(&mut self, angle: f64) {
+        if let Some(b) = &mut self.bend {
+            b.angle = angle;
+            self.touch();
+        }
+    }
+
     /// Length once around the cylinder of a bent piece, m.
     #[must_use]
     pub fn girth(&self) -> Option<f64> {

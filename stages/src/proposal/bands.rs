@@ -23,8 +23,8 @@ pub fn bands(
     let is_band = |p: &&Panel| !names.is_sleeve(p.piece) && !p.atoms.clone().any(&is_given);
     for panel in layout.panels.iter().filter(is_band) {
         let without = of.without(panel.atoms.clone());
-        let sewn = Sewn { layout, of: &without };
-        let around = Bands { sewn, names, weights: BandWeights::default() }.closed_by(panel, &of, &found);
+        let sewn = Sewn { layout, of: &without, closed: &found };
+        let around = Bands { sewn, names, weights: BandWeights::default() }.closed_by(panel, &of);
         if !around.is_empty() {
             of = without;
         }
@@ -41,18 +41,20 @@ struct Bands<'a> {
 
 impl Bands<'_> {
     /// Sews a band around an opening, and its ends to each other. A band of which a long side is sewn on by the partners
-    /// `before`, and fits, is left as it is. Openings of `closed` are taken already.
-    fn closed_by(&self, panel: &Panel, before: &Assignment, closed: &[Closing]) -> Vec<Closing> {
+    /// `before`, and fits, is left as it is.
+    fn closed_by(&self, panel: &Panel, before: &Assignment) -> Vec<Closing> {
         let Some([first, end, long, other_end]) = self.sides_of_band(panel) else { return Vec::new() };
-        if [&first, &long].iter().any(|side| self.is_sewn_whole(side, before)) {
+        let piece = panel.piece;
+        // Cloth is often gathered to a waistband.
+        let any_ease = self.names.is_waistband(piece);
+        if [&first, &long].iter().any(|side| self.is_sewn_whole(side, before, any_ease)) {
             return Vec::new();
         }
-        let piece = panel.piece;
         let edge = if self.is_low(&long) && !self.is_low(&first) { long } else { first };
         let off =
             |opening: &[usize]| (self.sewn.length(&edge) / self.sewn.length(opening) - self.weights.band_usual).abs();
-        let is_place = |o: &[usize]| o.iter().all(|a| self.names.is_set_on(piece, self.sewn.piece(*a)));
-        let is_open = |a: &usize| !self.sewn.layout.atoms[*a].is_low() && !closed.iter().any(|c| c.has(*a));
+        let is_place = |o: &[usize]| o.iter().all(|a| self.names.goes_around(piece, self.sewn.piece(*a)));
+        let is_open = |a: &usize| !self.sewn.layout.atoms[*a].is_low();
         let openings = self.sewn.openings();
         let places = openings.iter().map(Vec::as_slice).filter(|o| is_place(o) && o.iter().all(is_open));
         let best = places.min_by(|p, q| off(p).total_cmp(&off(q))).filter(|o| off(o) < self.weights.band_spread);
@@ -68,11 +70,11 @@ impl Bands<'_> {
         vec![closing(around, edge), closing(end, other_end)]
     }
 
-    /// Is a side sewn to stretches as long as itself?
-    fn is_sewn_whole(&self, side: &[usize], by: &Assignment) -> bool {
+    /// Is a side sewn all along, and to stretches as long as itself, or with any ease?
+    fn is_sewn_whole(&self, side: &[usize], by: &Assignment, any_ease: bool) -> bool {
         let partners: Option<Vec<usize>> = side.iter().map(|a| by.partner(*a)).collect();
         let ratio = partners.map(|p| self.sewn.length(&p) / self.sewn.length(side));
-        ratio.is_some_and(|r| libm::log(r).abs() < self.weights.band_ends)
+        ratio.is_some_and(|r| any_ease || libm::log(r).abs() < self.weights.band_ends)
     }
 
     fn is_low(&self, atoms: &[usize]) -> bool {

@@ -12,6 +12,7 @@ mod knowledge;
 mod known;
 pub mod mirror;
 mod names;
+mod onward;
 mod openings;
 pub mod pairs;
 mod profile;

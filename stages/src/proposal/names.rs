@@ -68,6 +68,19 @@ impl Names for RoleNames {
         matches!((height(piece), height(other)), (Some(Arm | Neck), Some(Trunk)) | (Some(Wrist), Some(Arm)))
     }
 
+    fn hangs_from_waistband(&self, piece: usize) -> bool {
+        let role = &self.roles[piece];
+        match role.part {
+            Some(part) => height(part) == Some(Height::Below),
+            // The name of a front or a back does not tell trousers from a skirt.
+            None => matches!(role.facing, Some(Facing::Front | Facing::Back)),
+        }
+    }
+
+    fn is_waistband(&self, piece: usize) -> bool {
+        self.roles[piece].part == Some(Part::Waistband)
+    }
+
     fn is_sleeve(&self, piece: usize) -> bool {
         self.roles[piece].part == Some(Part::Sleeve)
     }
@@ -149,6 +162,14 @@ mod tests {
         assert!(names.seam(0, 1, false, 0.3) < -4.0);
         assert!(names.seam(2, 3, true, 0.3) < -4.0);
         assert!(names.are_namesakes(0, 1) && !names.are_namesakes(0, 2));
+    }
+
+    #[test]
+    fn a_waistband_goes_around_what_hangs_from_it() {
+        let names = named(&["waistband", "front", "skirt back", "sleeve", "pocket"]);
+        let around: Vec<usize> = (1..5).filter(|other| names.goes_around(0, *other)).collect();
+        assert_eq!(around, [1, 2]);
+        assert!(!names.goes_around(1, 2));
     }
 
     #[test]

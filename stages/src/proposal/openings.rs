@@ -28,6 +28,8 @@ pub struct Sewn<'a> {
     pub layout: &'a Layout,
     /// The partners.
     pub of: &'a Assignment,
+    /// Stretches that are sewn beside those.
+    pub closed: &'a [Closing],
 }
 
 impl Sewn<'_> {
@@ -45,8 +47,10 @@ impl Sewn<'_> {
     fn after(&self, atom: usize) -> Option<usize> {
         let mut next = self.layout.atoms[atom].next;
         for _ in 0..self.layout.atoms.len() {
-            let Some(partner) = self.of.partner(next) else { return Some(next) };
-            if !self.of.is_opposite(next) {
+            let Some(partner) = self.of.partner(next).or_else(|| self.across_closing(next)) else {
+                return (!self.is_closed(next)).then_some(next);
+            };
+            if self.of.partner(next).is_some() && !self.of.is_opposite(next) {
                 return None;
             }
             next = self.layout.atoms[partner].next;
@@ -54,12 +58,25 @@ impl Sewn<'_> {
         None
     }
 
+    /// The atom whose end meets the start of an atom where a closing begins or ends.
+    fn across_closing(&self, atom: usize) -> Option<usize> {
+        self.closed.iter().find_map(|c| {
+            let is_first = c.a.first() == Some(&atom);
+            let is_last = c.b.last() == Some(&atom);
+            if is_first { c.b.first() } else { c.a.last().filter(|_| is_last) }.copied()
+        })
+    }
+
+    fn is_closed(&self, atom: usize) -> bool {
+        self.closed.iter().any(|c| c.has(atom))
+    }
+
     /// All openings.
     pub fn openings(&self) -> Vec<Vec<usize>> {
         let mut seen = vec![false; self.layout.atoms.len()];
         let mut out = Vec::new();
         for first in 0..seen.len() {
-            if seen[first] || self.of.partner(first).is_some() {
+            if seen[first] || self.of.partner(first).is_some() || self.is_closed(first) {
                 continue;
             }
             let (mut opening, mut here) = (Vec::new(), Some(first));

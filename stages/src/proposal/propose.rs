@@ -17,6 +17,14 @@ pub trait Names {
     fn to_lower_edge(&self, piece: usize) -> f64;
     /// Is a piece set on an opening of another one: a sleeve or a collar on a bodice, a cuff on a sleeve?
     fn is_set_on(&self, piece: usize, other: usize) -> bool;
+    /// Is a piece a waistband?
+    fn is_waistband(&self, piece: usize) -> bool;
+    /// May a piece hang from a waistband?
+    fn hangs_from_waistband(&self, piece: usize) -> bool;
+    /// May a band go all around an opening of another piece?
+    fn goes_around(&self, band: usize, other: usize) -> bool {
+        self.is_set_on(band, other) || self.is_waistband(band) && self.hangs_from_waistband(other)
+    }
     /// Is a piece a sleeve?
     fn is_sleeve(&self, piece: usize) -> bool;
     /// Is a piece a sleeve that is set on another piece?
@@ -42,6 +50,14 @@ impl Names for Nameless {
     }
 
     fn is_set_on(&self, _: usize, _: usize) -> bool {
+        false
+    }
+
+    fn is_waistband(&self, _: usize) -> bool {
+        false
+    }
+
+    fn hangs_from_waistband(&self, _: usize) -> bool {
         false
     }
 
@@ -94,7 +110,7 @@ pub fn propose(garment: &Garment, names: &dyn Names, known: &Known) -> Result<Pr
     let task = Task { garment, shapes: &shapes, layout: &layout, names, known };
     let Some(made) = task.made(&decisions) else { return Ok(Proposal { layout, ..Proposal::default() }) };
     let mut seams = made.seams;
-    let (closings, left) = bands(&layout, &made.assignment, names, |a| decisions.is_given(a), &made.sleeves);
+    let (closings, left) = bands(&layout, &made.assignment, names, |a| decisions.is_given(a), &made.closings);
     let is_closed = |a: usize| closings.iter().any(|c| c.has(a));
     seams.retain(|s| s.atoms.iter().all(|[a, b]| left.partner(*a) == Some(*b)));
     seams.extend(closings.iter().map(|c| closing_seam(garment, &shapes, &layout, c)));

@@ -73,18 +73,18 @@ pub fn are_whole(sewn: Sewn<'_>, names: &dyn Names, ease: f64) -> bool {
 }
 
 /// The seams of the sleeves of a garment whose trunk and sleeves are sewn each for themselves. `up` tells which way is
-/// up on the pieces of the trunk.
+/// up on a piece of the trunk.
 ///
 /// With `are_single`, every sleeve is a piece of its own, and the first fitting one is set in with its namesake. Other
 /// sleeves are alternatives.
-pub fn sleeves(sewn: Sewn<'_>, names: &dyn Names, up: Vec2, are_single: bool) -> SetIn {
+pub fn sleeves(sewn: Sewn<'_>, names: &dyn Names, up: &dyn Fn(usize) -> Vec2, are_single: bool) -> SetIn {
     let weights = SleeveWeights::default();
     let all = sewn.openings();
     let on = |o: &[usize], holds: &dyn Fn(usize) -> bool| o.iter().all(|a| holds(sewn.piece(*a)));
     let layout = sewn.layout;
     let is_under = |p: usize| layout.panels.iter().any(|s| names.is_sleeve_of(s.piece, p));
     let is_half = |p: usize| names.is_sleeve(p) && !are_single;
-    let upright = |panel: usize, _: &[usize]| along(layout.panels[panel].warp, up);
+    let upright = |panel: usize, _: &[usize]| along(layout.panels[panel].warp, up(layout.panels[panel].piece));
     let armholes: Vec<Opening> =
         all.iter().filter(|o| on(o, &is_under)).map(|o| Opening::new(sewn, o, &upright)).collect();
     let parts = parts(sewn);

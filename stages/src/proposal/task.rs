@@ -6,6 +6,7 @@ use super::confidence::margins;
 use super::knowledge::{Knowledge, Sleeves};
 use super::known::{Decisions, Known};
 use super::mirror::{Mirror, maps};
+use super::onward::onward;
 use super::openings::{Closing, Sewn};
 use super::pairs::Pairs;
 use super::propose::Names;
@@ -40,8 +41,8 @@ pub struct Made {
     pub assignment: Assignment,
     /// Their seams.
     pub seams: Vec<ProposedSeam>,
-    /// Seams of sleeves that are set in as a whole.
-    pub sleeves: Vec<Closing>,
+    /// Stretches that are sewn beside those: seams that go on, and sleeves that are set in as a whole.
+    pub closings: Vec<Closing>,
 }
 
 /// The result of one search, with the scores it was found by.
@@ -66,13 +67,23 @@ impl Task<'_> {
         // Halves of sleeves may be gathered; marks of a sleeve that is one piece meet within its ease.
         let ease = if sleeves <= SLEEVES { SleeveWeights::default().whole_ease } else { f64::INFINITY };
         let are_closed = sleeves > SLEEVES || self.are_tubes(&made.assignment);
-        if are_closed && are_whole(Sewn { layout: self.layout, of: &made.assignment }, self.names, ease) {
+        if are_closed && are_whole(self.sewn(&made.assignment, &[]), self.names, ease) {
             return Some(made);
         }
         if sleeves <= SLEEVES {
             return self.set_in(Sleeves::Single).or(Some(made));
         }
         self.set_in(Sleeves::Single).or_else(|| self.set_in(Sleeves::Halves)).or(Some(made))
+    }
+
+    fn sewn<'b>(&'b self, of: &'b Assignment, closed: &'b [Closing]) -> Sewn<'b> {
+        Sewn { layout: self.layout, of, closed }
+    }
+
+    /// Stretches by which the seams of an assignment go on.
+    fn onward(&self, of: &Assignment) -> Vec<Closing> {
+        let decisions = Decisions::new(self.layout, self.known);
+        onward(self.sewn(of, &[]), |a| decisions.is_given(a))
     }
 
     /// Is every sleeve sewn to itself?
@@ -85,15 +96,19 @@ impl Task<'_> {
     fn with_trunk(&self) -> Option<Made> {
         let search = self.search(WholeWeights::default(), Sleeves::WithTrunk, 1.0)?;
         let (assignment, seams) = self.seams(search);
-        Some(Made { assignment, seams, sleeves: Vec::new() })
+        let closings = self.onward(&assignment);
+        Some(Made { assignment, seams, closings })
     }
 
     /// A garment whose sleeves are set in as a whole; `None` where not both find an armhole.
     fn set_in(&self, how: Sleeves) -> Option<Made> {
-        let up = turned(Vec2::y(), -Upright::of(&self.garment.pieces, &[]).turn);
+        let turns = Upright::of(&self.garment.pieces, &[]).turns;
+        let up = |piece: usize| turned(Vec2::y(), -turns[piece]);
         let set_in = |of: &Assignment| {
-            let set_in = sleeves(Sewn { layout: self.layout, of }, self.names, up, how == Sleeves::Single);
-            (set_in.count == SLEEVES).then_some(set_in.seams)
+            let mut closings = self.onward(of);
+            let set_in = sleeves(self.sewn(of, &closings), self.names, &up, how == Sleeves::Single);
+            closings.extend(set_in.seams);
+            (set_in.count == SLEEVES).then_some(closings)
         };
         // A search takes the square of the number of atoms.
         let is_large = self.layout.atoms.len() > tuning::MANY_ATOMS;
@@ -106,8 +121,8 @@ impl Task<'_> {
             }
             // How sure the seams are takes much longer to find. It may find better ones.
             let (assignment, seams) = self.seams(search);
-            if let Some(sleeves) = set_in(&assignment) {
-                return Some(Made { assignment, seams, sleeves });
+            if let Some(closings) = set_in(&assignment) {
+                return Some(Made { assignment, seams, closings });
             }
         }
         None

@@ -407,6 +407,23 @@ impl Default for NameWeights {
     }
 }
 
+/// Limits for seams that go on past a mark of one side. They were chosen; one pair of trousers needs them.
+#[derive(Clone, Debug)]
+pub struct OnwardWeights {
+    /// The lengths that are left differ by less: logarithm of their ratio.
+    pub even: f64,
+    /// They are at least as long (metres).
+    pub least: f64,
+    /// Likelihood that such a seam is right.
+    pub confidence: f64,
+}
+
+impl Default for OnwardWeights {
+    fn default() -> Self {
+        Self { even: 0.01, least: 0.02, confidence: 0.7 }
+    }
+}
+
 /// Limits for the bands that close openings.
 #[derive(Clone, Debug)]
 pub struct BandWeights {

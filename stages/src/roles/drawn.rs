@@ -1,7 +1,7 @@
 //! Pieces and seams of a file, turned upright.
 //!
 //! Many systems draw their pieces lying, with the grain along x, as they lie on the cutting table. All pieces of a
-//! file are turned alike.
+//! file are turned alike. A piece that is mirrored, x to −x, is turned the other way.
 
 use super::Join;
 use super::outline::{Polygon, turned};
@@ -12,8 +12,8 @@ use toile_garment::{Piece, Vec2};
 /// The outlines and the seams of a file after the turn that brings its pieces upright.
 #[derive(Clone, Debug)]
 pub struct Upright {
-    /// The turn of all pieces, rad, counter-clockwise: 0 or a quarter to either side.
-    pub turn: f64,
+    /// The turn of every piece, rad, counter-clockwise: 0 or a quarter to either side.
+    pub turns: Vec<f64>,
     /// Turned outlines, in the order of the pieces.
     pub outlines: Vec<Polygon>,
     /// Seams between the turned pieces.
@@ -21,18 +21,24 @@ pub struct Upright {
 }
 
 impl Upright {
-    /// Turns all pieces and seams alike.
+    /// Turns pieces and seams.
     #[must_use]
     pub fn of(pieces: &[Piece], joins: &[Join]) -> Self {
         let drawn: Vec<Polygon> = pieces.iter().map(Polygon::of).collect();
         let turn = turn(pieces, &drawn);
-        let outlines = drawn.iter().map(|outline| outline.map(|p| turned(p, turn))).collect();
+        let turns: Vec<f64> = pieces.iter().map(|p| turn * side(p)).collect();
+        let outlines = drawn.iter().zip(&turns).map(|(outline, turn)| outline.map(|p| turned(p, *turn))).collect();
         let mut joins = joins.to_vec();
         for point in joins.iter_mut().flat_map(|j| &mut j.pairs).flatten() {
-            point.at = turned(point.at, turn);
+            point.at = turned(point.at, turns[point.piece]);
         }
-        Self { turn, outlines, joins }
+        Self { turns, outlines, joins }
     }
+}
+
+/// −1 for a mirrored piece, whose top lies on the other side.
+fn side(piece: &Piece) -> f64 {
+    if piece.mirrored { -1.0 } else { 1.0 }
 }
 
 /// The turn that brings pieces upright.
@@ -48,7 +54,7 @@ fn turn(pieces: &[Piece], outlines: &[Polygon]) -> f64 {
     if area(true) <= area(false) {
         return 0.0;
     }
-    let to_the_right: f64 = outlines.iter().map(|outline| hollows(outline).x).sum();
+    let to_the_right: f64 = pieces.iter().zip(outlines).map(|(p, outline)| side(p) * hollows(outline).x).sum();
     if to_the_right < 0.0 { -FRAC_PI_2 } else { FRAC_PI_2 }
 }
 
@@ -81,10 +87,26 @@ mod tests {
     #[test]
     fn lying_pieces_are_turned_by_a_quarter_and_upright_ones_are_not() {
         let quarter = FRAC_PI_2;
-        let turn = |piece: Piece| Upright::of(&[piece], &[]).turn;
+        let turn = |piece: Piece| Upright::of(&[piece], &[]).turns[0];
         assert_eq!(turn(front(quarter)), 0.0);
         assert_eq!(turn(front(0.0)), quarter);
         assert_eq!(turn(front(2.0 * quarter)), -quarter);
         assert_eq!(turn(Piece::default()), 0.0);
+    }
+
+    #[test]
+    fn a_mirrored_copy_of_a_lying_piece_is_turned_the_other_way() {
+        let flip = |p: Vec2| Vec2::new(-p.x, p.y);
+        let drawn = front(0.0);
+        let mut copy = drawn.clone();
+        copy.outline.points.iter_mut().for_each(|p| p.at = flip(p.at));
+        copy.outline.points.reverse();
+        (copy.grain, copy.mirrored) = (copy.grain.map(|g| g.map(flip)), true);
+        let upright = Upright::of(&[drawn, copy], &[]);
+        assert_eq!(upright.turns, [FRAC_PI_2, -FRAC_PI_2]);
+        // Both hems are below, and both tops above.
+        let [low, high] = upright.outlines[0].bounds();
+        let [other_low, other_high] = upright.outlines[1].bounds();
+        assert!((low.y - other_low.y).abs() < 1e-12 && (high.y - other_high.y).abs() < 1e-12);
     }
 }
