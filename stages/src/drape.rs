@@ -6,6 +6,7 @@ mod lines;
 mod params;
 mod repeats;
 mod tightness;
+mod unheld;
 mod unused;
 
 pub use params::{AccuracyName, DrapeParams, EffectsParam, IntegratorName, ModelName, SwitchName};
@@ -51,6 +52,10 @@ codes! {
     /// The fabric gives constants of springs ([springs]), and the model of the drape is not `springs`: it went by the
     /// fabric's laws.
     SPRINGS_UNUSED = "springs-unused";
+
+    /// Pieces fell, because nothing holds them. They were left where they were sewn, and the rest of the garment came to
+    /// rest without them. The certificate fails.
+    UNHELD = "unheld";
 
     /// The strain of the drape is above its gate. The message names the piece and the place, the strains along warp, weft
     /// and bias, and the girths of body and cloth there.
@@ -116,23 +121,27 @@ impl Stage for Drape {
         let joined = toile_cloth::joinable_stitches(&start, &settings, &sewn, JOINED_GAP_MOST);
         let open = start.stitches.len() - joined.len();
         start.stitches = joined;
-        let welded = toile_cloth::weld(&start, &sewn);
+        let mut welded = toile_cloth::weld(&start, &sewn);
         drop((start, sewn));
+        let map = welded.map.clone();
         let shape = |x: &[Vec3]| Shape {
-            positions: layout.split(&welded.spread(x)),
+            positions: layout.split(&map.iter().map(|i| x[*i as usize]).collect::<Vec<_>>()),
             sewn: true,
             welded: open == 0,
             ..Shape::default()
         };
         let shown = |x: &[Vec3]| Garment { drape: Some(shape(x)), ..garment.clone() };
-        let outcome = toile_cloth::drape(&welded.scene, &settings, &mut Follow::showing(cx, &shown));
-        let outcome = outcome.map_err(|e| failure_of_open_stitches(&e, open).unwrap_or_else(|| told(e)))?;
+        let draped = unheld::drape(&mut welded.scene, &settings, &mut Follow::showing(cx, &shown));
+        let (outcome, held) = draped.map_err(|e| failure_of_open_stitches(&e, open).unwrap_or_else(|| told(e)))?;
         let stored: Vec<Vec3> = outcome.positions.iter().map(to_f32).collect();
         let figures = toile_cloth::certify(&welded.scene, &settings, &stored).map_err(failure)?;
         let now = layout.split(&welded.spread(&stored));
         let slip = slip(&garment, &stitched, &now);
         let (bands, folds) = (lines::bands(&garment, &layout, &now), lines::folds(&garment, &layout, &now));
-        garment.certificate = Some(certificate::certificate(&garment, params, &outcome, &figures, &now, slip));
+        let unheld = unheld::names(&garment, &layout, &map, &held);
+        cx.report.findings.extend(unheld::finding(&unheld));
+        let certificate = certificate::certificate(&garment, params, &outcome, &figures, &now, slip);
+        garment.certificate = Some(certificate.with_unheld(unheld));
         if let Some(certificate) = &mut garment.certificate {
             (certificate.bands, certificate.folds) = (bands, folds);
             cx.report.findings.extend(lines::findings(certificate));

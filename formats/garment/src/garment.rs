@@ -88,6 +88,9 @@ pub struct Certificate {
     /// How far the top of a sewn garment that nothing holds sank while it came to rest on its body, mm.
     #[serde(default)]
     pub slip_mm: f64,
+    /// Pieces that nothing holds. They stay where they were sewn, and the certificate does not pass.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub unheld: Vec<String>,
     /// Largest gap of a sewn pair, mm.
     pub seam_gap_max_mm: f64,
     /// Largest gap of a dart pair, mm.
@@ -109,6 +112,14 @@ pub struct Certificate {
     /// How far apart the rests from shaken starts lie, where it was asked.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rests: Option<Rests>,
+}
+
+impl Certificate {
+    /// The certificate of a garment of which nothing holds some pieces.
+    #[must_use]
+    pub fn with_unheld(self, unheld: Vec<String>) -> Self {
+        Self { passed: self.passed && unheld.is_empty(), unheld, ..self }
+    }
 }
 
 /// An elastic band at rest.

@@ -65,6 +65,9 @@ fn reasons(c: &Certificate, language: Language) -> Vec<String> {
         Some(language.fill(words, &[x, limit].map(|v| fixed(v * times, *decimals))))
     };
     let mut out: Vec<String> = gates.iter().filter_map(broken).collect();
+    if !c.unheld.is_empty() {
+        out.insert(0, language.fill("nothing holds {0}", &[c.unheld.join(", ")]));
+    }
     if !c.settled {
         out.insert(0, language.say("the garment did not come to rest").to_owned());
     }

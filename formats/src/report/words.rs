@@ -53,6 +53,7 @@ const CATALOGUE: &[(&str, &str)] = &[
         "There is no drape and so no certificate; this page shows the garment as far as it was made.",
         "没有悬垂结果，因此没有检验结论；本页显示已完成的部分。",
     ),
+    ("nothing holds {0}", "{0} 没有任何支撑"),
     ("the garment did not come to rest", "服装未达到静止"),
     ("a gate of the certificate did not hold", "有一项检验指标未通过"),
     ("forces of {0} of a particle's weight are left, {1} are allowed", "剩余受力为质点重量的 {0}，允许 {1}"),

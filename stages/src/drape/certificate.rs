@@ -51,6 +51,7 @@ pub fn certificate(
         strain_over_limit: figures.strain_over_limit,
         strain_gate,
         slip_mm: slip * 1e3,
+        unheld: Vec::new(),
         // Sewn vertices are one vertex now; a stitch that sewing could not close is open.
         seam_gap_max_mm: gap(garment, rest, false),
         dart_gap_max_mm: gap(garment, rest, true),

@@ -7,7 +7,8 @@ use super::{Known, Nameless, Proposal, RoleNames, Run, propose};
 use crate::sewing::shapes::shapes;
 use crate::testing::{dart, piece, rectangle};
 use toile_garment::dart::DartKind;
-use toile_garment::{Garment, Piece, PieceId};
+use toile_garment::notch::{Notch, NotchKind};
+use toile_garment::{Garment, Piece, PieceId, Vec2};
 
 fn garment(pieces: Vec<Piece>) -> Garment {
     let pieces = pieces.into_iter().enumerate().map(|(i, p)| Piece { id: PieceId::from(i), ..p }).collect();
@@ -198,4 +199,30 @@ fn a_sleeve_without_marks_is_sewn_to_a_tube_and_all_round_its_armhole() {
         };
         assert_eq!(on.iter().filter(|s| meets(s)).count(), on.len().min(2));
     }
+}
+
+#[test]
+fn a_seam_goes_on_past_a_mark_that_one_side_alone_has() {
+    let mark = |at: (f64, f64)| Notch {
+        kind: NotchKind::Slit,
+        at: Vec2::new(at.0, at.1) * 1e-3,
+        depth: 4e-3,
+        width: 0.0,
+        angle: None,
+        on: "boundary".into(),
+        name: None,
+        source: None,
+    };
+    let right = |top: f64, share: f64| (top + 150.0 - 75.0 * share, 600.0 * share);
+    let left = |share: f64| (75.0 * share, 600.0 * share);
+    let mut skirt = skirt();
+    // Both have a mark at the hip. The front has another one above it, at the mouth of a pocket.
+    skirt.pieces[0].notches = [right(350.0, 0.6), left(0.6), right(350.0, 0.64), left(0.64)].map(mark).to_vec();
+    skirt.pieces[1].notches = [right(390.0, 0.6), left(0.6)].map(mark).to_vec();
+    let proposal = propose(&skirt, &Nameless, &Known::default()).expect("proposal");
+    let length = libm::hypot(0.075, 0.6);
+    let count = |share: f64| proposal.seams.iter().filter(|s| (s.length_a - share * length).abs() < 1e-6).count();
+    let told: Vec<[f64; 2]> = proposal.seams.iter().map(|s| [s.length_a, s.length_b]).collect();
+    assert_eq!((count(0.6), count(0.4)), (2, 2), "{told:?}");
+    assert!(proposal.bare.iter().all(|b| b.edge % 2 == 0), "no side is free: {:?}", proposal.bare);
 }

@@ -177,6 +177,19 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// For every vertex the first vertex of the connected cloth that it belongs to. Stitches connect nothing.
+    #[must_use]
+    pub fn parts(&self) -> Vec<u32> {
+        topology::components(self.positions.len(), self.triangles.iter().map(|t| &t.vertices))
+    }
+
+    /// Carries the weight of some vertices by loads, so that they do not fall.
+    pub fn carry(&mut self, vertices: &[u32]) {
+        let masses = measures::masses(self);
+        let load = |v: &u32| Load { vertex: *v, force: self.gravity * -masses[*v as usize] };
+        self.loads.extend(vertices.iter().map(load));
+    }
+
     /// A scene of the vertices `kept` alone, with its own triangles.
     ///
     /// `number` gives the new numbers of all vertices, `u32::MAX` for those left out. Pins, loads and stitches of these
