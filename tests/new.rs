@@ -232,6 +232,25 @@ fn a_unit_that_the_person_gives_reaches_the_pipeline() {
 }
 
 #[test]
+fn a_pattern_too_small_for_any_garment_is_refused_until_its_unit_is_said() {
+    let (dir, out) = folder();
+    let text = std::fs::read_to_string(root().join("samples/patterns/long-skirt.aama.dxf")).expect("text");
+    // The same drawing in decimetres, which still says that it is in millimetres.
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    for pair in lines.chunks_mut(2).filter(|p| matches!(p[0].trim(), "10" | "20")) {
+        pair[1] = (pair[1].trim().parse::<f64>().expect("number") / 100.0).to_string();
+    }
+    let pattern = dir.path().join("small.dxf");
+    std::fs::write(&pattern, lines.join("\n") + "\n").expect("written");
+    let places = ["new", pattern.to_str().expect("path"), "--out", out.to_str().expect("path")];
+    let said = toile(&places);
+    assert_eq!(said.code, 3, "{said:?}");
+    assert!(said.err.contains("error[pattern-tiny]") && said.err.contains("`--units cm` makes it"), "{said:?}");
+    assert!(!out.exists());
+    assert_eq!(toile(&[&places[..], &["--units", "mm"]].concat()).code, 0);
+}
+
+#[test]
 fn samples_are_made_without_the_repository_and_can_be_checked() {
     for word in ["skirt", "bodice", "t-shirt"] {
         let (_dir, out) = folder();

@@ -1,12 +1,13 @@
 //! The pattern that a folder is made from.
 
+use super::codes::PATTERN_TINY;
 use super::cut;
 use crate::engine::{MAX_INPUT, of_file_error, of_stage_error, read_limited};
 use std::path::{Path, PathBuf};
 use toile_formats::dxf::{self, ReadOptions};
 use toile_formats::rul;
 use toile_garment::sewing::{CopySpec, SewingPlan};
-use toile_garment::{Diagnostic, Garment, Report};
+use toile_garment::{Diagnostic, Garment, Piece, Report, Vec2};
 use toile_stages::import_dxf::FileUnit;
 
 /// How a person wants a pattern to be read.
@@ -94,6 +95,9 @@ pub fn read(path: &Path, plan: Option<SewingPlan>, wishes: &Wishes) -> Result<So
     };
     let pattern = dxf::read(&bytes, &name, &options)?;
     let (mut garment, more) = pattern.to_garment(None, table.as_ref())?;
+    if wishes.unit.is_none() {
+        check_size(&garment, pattern.units.mm_per_unit)?;
+    }
     let mut findings = pattern.told_findings();
     findings.extend(more);
     let plan = plan.unwrap_or_else(|| cut::plan(&garment, &wishes.leave_out));
@@ -103,6 +107,29 @@ pub fn read(path: &Path, plan: Option<SewingPlan>, wishes: &Wishes) -> Result<So
     findings.extend(report.findings);
     let rules = beside.map(|(_, bytes)| (format!("{stem}.rul"), bytes));
     Ok(Source { stem, bytes, rules, garment, copies, left_out, without_seam: Vec::new(), unit: wishes.unit, findings })
+}
+
+/// The largest piece of a garment is larger, m. The mitten of a baby measures 0.1 m.
+const LARGEST_PIECE_LEAST: f64 = 0.09;
+
+/// Refuses a pattern whose largest piece is smaller than any garment's. `mm` is the unit that it was read in.
+fn check_size(garment: &Garment, mm: f64) -> Result<(), Vec<Diagnostic>> {
+    let span = |p: &Piece| {
+        let far = Vec2::repeat(f64::INFINITY);
+        let bounds = |[low, high]: [Vec2; 2], p: Vec2| [low.inf(&p), high.sup(&p)];
+        let [low, high] = p.outline.positions().into_iter().fold([far, -far], bounds);
+        (high - low).max()
+    };
+    let largest = garment.pieces.iter().map(span).fold(0.0, f64::max);
+    if largest >= LARGEST_PIECE_LEAST || largest <= 0.0 {
+        return Ok(());
+    }
+    let in_unit =
+        |(word, unit): (&str, f64)| format!("`--units {word}` makes it {:.0} mm long", largest * 1e3 / mm * unit);
+    let choices = [("mm", 1.0), ("cm", 10.0), ("inch", 25.4)].map(in_unit).join(", ");
+    let message =
+        format!("the largest piece is {:.0} mm long, which no garment's is: the unit is wrong", largest * 1e3);
+    Err(vec![Diagnostic::error(PATTERN_TINY, message).hint(format!("say the unit: {choices}"))])
 }
 
 /// The rule table beside a pattern: the same name with `.rul`, upper and lower case not told apart.
