@@ -10,6 +10,8 @@ use toile_garment::notch::NotchKind;
 const DOUBLED: f64 = 0.05;
 /// A notch lies on a line within this, mm.
 const ON: f64 = 0.5;
+/// A notch this near an edge stands on it, so that it stands on both edges of a corner, mm.
+const AT_CORNER: f64 = 0.05;
 /// Strokes this near each other belong to one notch, mm.
 const ONE_NOTCH: f64 = 1.5;
 
@@ -69,10 +71,23 @@ impl Ground<'_> {
 
     /// Inward normal at the boundary point nearest to `p`, radians.
     fn inward(&self, p: Vec2) -> Option<f64> {
-        let foot = geom::nearest(p, self.boundary, true)?;
-        let n = self.boundary.len();
-        let d = self.boundary[(foot.segment + 1) % n] - self.boundary[foot.segment];
+        geom::nearest(p, self.boundary, true).and_then(|foot| self.normal(foot.segment))
+    }
+
+    /// Inward normal of a segment of the boundary, radians.
+    fn normal(&self, segment: usize) -> Option<f64> {
+        let d = self.boundary[(segment + 1) % self.boundary.len()] - self.boundary[segment];
         (d.norm() > 0.0).then(|| libm::atan2(d.x, -d.y))
+    }
+
+    /// Does an angle at `p` point out of the piece? At a corner it does if both edges say so: either of them may be
+    /// the edge that the notch belongs to.
+    fn is_outward(&self, p: Vec2, angle: f64) -> bool {
+        let n = self.boundary.len();
+        let meets = |i: &usize| geom::point_segment(p, self.boundary[*i], self.boundary[(i + 1) % n]).0 <= AT_CORNER;
+        let mut normals: Vec<f64> = (0..n).filter(meets).filter_map(|i| self.normal(i)).collect();
+        normals.extend(self.inward(p).filter(|_| normals.is_empty()));
+        !normals.is_empty() && normals.iter().all(|normal| libm::cos(angle - normal) < -1e-9)
     }
 }
 
@@ -90,11 +105,9 @@ pub fn from_marks(marks: &[Mark], ground: &Ground<'_>, scale: f64) -> (Vec<Drawn
         let width = mark.width.unwrap_or(0.0).abs() * scale;
         let kind = mark.kind.unwrap_or(if width > 0.0 { NotchKind::V } else { NotchKind::Slit });
         let (on, off) = ground.place(mark.at);
-        let inward = if on == "boundary" || on == "sew" { ground.inward(mark.at) } else { None };
-        let angle = match (mark.angle, inward) {
-            (Some(a), Some(inward)) if libm::cos(a - inward) < -1e-9 => Some(inward),
-            (angle, inward) => angle.or(inward),
-        };
+        let is_on_edge = on == "boundary" || on == "sew";
+        let told = mark.angle.filter(|a| !(is_on_edge && ground.is_outward(mark.at, *a)));
+        let angle = told.or_else(|| ground.inward(mark.at).filter(|_| is_on_edge));
         let depth = mark.depth.unwrap_or(0.0).abs() * scale;
         out.push(DrawnNotch {
             kind,
@@ -245,6 +258,28 @@ mod tests {
         assert!((notches[0].angle.expect("angle") - std::f64::consts::PI).abs() < 1e-9);
         assert_eq!((notches[0].kind, notches[0].depth, notches[0].on), (NotchKind::V, 4.0, "boundary"));
         assert_eq!((notches[1].on, notches[1].off), ("off", 40.0));
+    }
+
+    /// The reader gives the same angle wherever the outline begins, so that a file that is written keeps it.
+    #[test]
+    fn a_notch_at_a_corner_may_be_square_to_either_edge() {
+        let half_turn = std::f64::consts::PI;
+        // A corner of 91 degrees: the normal of one edge points a little out of the other.
+        let corner = Vec2::new(98.0, 100.0);
+        for first in 0..4 {
+            let mut line = square();
+            line[2] = corner;
+            line.rotate_left(first);
+            let ground = Ground { boundary: &line, sew: None, internal: &[] };
+            let side = ground.normal((5 - first) % 4).expect("side");
+            for (given, wanted) in [(-half_turn / 2.0, -half_turn / 2.0), (side, side)] {
+                let (notches, _) = from_marks(&[mark(corner.x, corner.y, Some(given))], &ground, 1.0);
+                assert!((notches[0].angle.expect("angle") - wanted).abs() < 1e-12, "{first} {given}");
+            }
+            let (notches, _) = from_marks(&[mark(corner.x, corner.y, Some(half_turn / 4.0))], &ground, 1.0);
+            let turned = notches[0].angle.expect("angle");
+            assert!([-half_turn / 2.0, side].iter().any(|a| (a - turned).abs() < 1e-12), "{first}: {turned}");
+        }
     }
 
     #[test]

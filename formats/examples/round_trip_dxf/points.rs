@@ -1,0 +1,46 @@
+//! Marks of vertices and keys of texts, as the file has them.
+
+use crate::compare::Difference;
+use toile_formats::dxf::Pattern;
+use toile_formats::dxf::piece::DrawnPiece;
+use toile_garment::Vec2;
+
+/// A point that comes back lies this near, mm.
+const SAME: f64 = 0.001;
+
+/// Points of layers 2 and 3, and texts with keys, that do not come back.
+pub fn lost(first: &Pattern, second: &Pattern, size: Option<&str>) -> Vec<Difference> {
+    let in_size = |p: &&DrawnPiece| p.size.is_none() || size.is_none() || p.size.as_deref() == size;
+    let mut out = Vec::new();
+    let mut taken = vec![false; second.pieces.len()];
+    for piece in first.pieces.iter().filter(in_size) {
+        let twin = (0..taken.len()).find(|i| !taken[*i] && second.pieces[*i].name.as_deref() == Some(piece.label()));
+        let Some(twin) = twin else { continue };
+        taken[twin] = true;
+        let twin = &second.pieces[twin];
+        let gone = |a: &[Vec2], b: &[Vec2]| {
+            a.iter().filter(|p| b.iter().all(|q| (*p - q).norm() > SAME)).copied().collect::<Vec<_>>()
+        };
+        // Ends of the grain line and of the fold stand in the line itself.
+        let axes = [piece.axes.grain, piece.axes.fold, piece.axes.reference];
+        let ends: Vec<Vec2> = axes.into_iter().flatten().flatten().collect();
+        let there: Vec<Vec2> = twin.points.turn_list.iter().chain(&ends).copied().collect();
+        let turns = gone(&piece.points.turn_list, &there);
+        if let Some(at) = turns.first() {
+            let text = format!("{} of {}, the first at {at:?}", turns.len(), piece.points.turn_list.len());
+            out.push(Difference::new("turn points", piece.label(), text));
+        }
+        let curves = gone(&piece.points.curve_list, &twin.points.curve_list);
+        if let Some(at) = curves.first() {
+            let text = format!("{} of {}, the first at {at:?}", curves.len(), piece.points.curve_list.len());
+            out.push(Difference::new("curve points", piece.label(), text));
+        }
+        for (key, value) in piece.texts.keys.iter().filter(|(_, value)| !value.is_empty()) {
+            let key = if key == "fabric" { "material" } else { key };
+            if twin.texts.keys.get(key) != Some(value) {
+                out.push(Difference::new("keys", piece.label(), format!("{key}: {value}")));
+            }
+        }
+    }
+    out
+}
