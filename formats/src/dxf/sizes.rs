@@ -4,6 +4,8 @@ use super::codes;
 use super::grade::{self, GradeError};
 use super::pattern::Pattern;
 use super::piece::{DrawnPiece, RefusedPiece};
+use super::texts;
+use super::write::PRODUCT;
 use crate::codes::SIZE_NOT_FOUND;
 use crate::rul::RuleTable;
 use std::borrow::Cow;
@@ -143,8 +145,21 @@ impl Pattern {
             return Err(vec![self.size_not_found(wanted, rul)]);
         }
         findings.extend(lacking.iter().map(|group| self.left_out(group, wanted.as_deref().unwrap_or_default())));
+        findings.extend(self.style_texts_not_kept());
         picked.sort_by_key(|p| p.0);
         Ok(Chosen { size: wanted, pieces: picked.into_iter().map(|p| p.1).collect(), findings })
+    }
+
+    /// Says which texts of the style a garment does not hold. Texts that every writer makes anew are none of them.
+    fn style_texts_not_kept(&self) -> Option<Diagnostic> {
+        let is_ours = |text: &str| text.split([';', ' ']).any(|word| word.trim() == PRODUCT);
+        let lost = self.style_texts.iter().filter(|(key, value)| {
+            !value.is_empty() && !texts::is_made_anew(key) && !(texts::is_of_writer(key) && is_ours(value))
+        });
+        let list: Vec<String> = lost.map(|(key, _)| format!("`{key}`")).collect();
+        let text = format!("the garment does not keep these texts of the style: {}", list.join(", "));
+        let hint = "`author` and `date` of export-dxf write such texts";
+        (!list.is_empty()).then(|| Diagnostic::info(codes::STYLE_TEXT_NOT_KEPT, text).at(self.place()).hint(hint))
     }
 
     fn size_not_found(&self, wanted: &str, rul: Option<&RuleTable>) -> Diagnostic {

@@ -55,6 +55,29 @@ pub fn is_known(key: &str) -> bool {
     KEYS.contains(&key) || foreign_key(key).is_some()
 }
 
+/// Is this a text of the style that a writer makes of what it writes?
+#[must_use]
+pub fn is_made_anew(key: &str) -> bool {
+    const KEYS: [&str; 9] = [
+        "style name",
+        "sample size",
+        "grade rule table",
+        "units",
+        "tolerance",
+        "curve tolerance",
+        "version",
+        "ansi/aama version",
+        "astm/d13proposal 1 version",
+    ];
+    KEYS.contains(&key)
+}
+
+/// Does this text of the style name the program that wrote it?
+#[must_use]
+pub fn is_of_writer(key: &str) -> bool {
+    matches!(key, "author" | "product")
+}
+
 /// Grade rule number of `# n` and `# n, m`; `m` is the alternate reference line.
 #[must_use]
 pub fn rule_number(text: &str) -> Option<(u32, Option<u32>)> {

@@ -119,8 +119,8 @@ codes! {
     /// A line on layer 14 inside the outline is no closed sew line. It was kept as an internal line.
     STITCH_LINE = "stitch-line";
 
-    /// Two texts of a piece give the same key different values. The first one counts; take the wrong one out of the
-    /// block.
+    /// Two texts of a piece give the same key different values. The message says which one counts; take the wrong one
+    /// out of the block.
     TEXT_CONTRADICTS = "text-contradicts";
 
     /// A piece has more marks than the limit. Exit code 3.

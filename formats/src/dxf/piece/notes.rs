@@ -32,6 +32,10 @@ impl DrawnPiece {
         );
         self.inside.not_mirrored =
             self.inside.internal.iter().map(|p| starts(p).iter().any(|s| not_mirrored.has(*s, 0.05))).collect();
+        self.check_quantities(&notes, desk);
+        let fabric =
+            notes.iter().find(|n| texts::key_value(&n.text).is_some_and(|(key, v)| key == "fabric" && !v.is_empty()));
+        let fabric = fabric.cloned();
         for note in notes {
             if let Some((rule, line)) = texts::rule_number(&note.text) {
                 if note.layer.trim() == "5" && self.name_alternate(note.at, rule) {
@@ -44,6 +48,28 @@ impl DrawnPiece {
             } else if !note.text.is_empty() {
                 self.texts.others.push((note.at, note.layer, note.text));
             }
+        }
+        // A piece has one material: a fabric beside it stays a text.
+        let beside = fabric.filter(|_| self.texts.keys.get("material").is_some_and(|m| !m.is_empty()));
+        if let Some(note) = beside
+            && self.texts.keys.remove("fabric") != self.texts.keys.get("material").cloned()
+        {
+            self.texts.others.push((note.at, note.layer, note.text));
+        }
+    }
+
+    /// Says that texts of a piece give different quantities.
+    fn check_quantities(&self, notes: &[Note], desk: &mut Desk<'_>) {
+        let said = notes.iter().filter_map(|n| texts::key_value(&n.text)).filter(|(key, _)| key == "quantity");
+        let mut values: Vec<String> = said.map(|(_, value)| value).filter(|v| texts::quantity(v).is_some()).collect();
+        let Some(last) = values.pop() else { return };
+        if let Some(other) = values.iter().find(|v| texts::quantity(v) != texts::quantity(&last)) {
+            let text = format!(
+                "block `{}` has two texts `Quantity` that differ: `{other}` and `{last}`; the last one counts",
+                self.block
+            );
+            let hint = "take the wrong one out of the block";
+            desk.say(Diagnostic::warning(codes::TEXT_CONTRADICTS, text).hint(hint), &self.block, "1", self.line);
         }
     }
 
@@ -201,7 +227,15 @@ impl DrawnPiece {
                 self.texts.foreign.insert(key.to_owned());
             }
             "category" | "annotation" | "material" | "fabric" => {
-                self.texts.keys.entry(key.to_owned()).or_insert(value);
+                let had = self.texts.keys.get(key).filter(|had| !had.is_empty());
+                match had {
+                    // The first one counts, the others stay texts.
+                    Some(had) if *had != value && !value.is_empty() => {
+                        self.texts.others.push((at, layer, text.to_owned()));
+                    }
+                    Some(_) => {}
+                    None => drop(self.texts.keys.insert(key.to_owned(), value)),
+                }
             }
             _ => self.texts.others.push((at, layer, text.to_owned())),
         }

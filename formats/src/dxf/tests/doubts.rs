@@ -150,6 +150,9 @@ fn texts_that_say_nothing_or_two_things() {
         assert_eq!(said(&with(|w| w.text("1", &format!("Quantity: {quantity}")))), expected, "{quantity}");
     }
     assert_eq!(said(&with(|w| w.text("1", "Piece Name: BACK"))), ["text-contradicts"]);
+    let twice = |other: &str| with(|w| w.text("1", "Quantity: 2").text("1", &format!("Quantity: {other}")));
+    assert_eq!(said(&twice("3")), ["text-contradicts"]);
+    assert_eq!(said(&twice("2,0")), [] as [&str; 0]);
     assert_eq!(said(&with(|w| w).replace("Piece Name: FRONT", "none")), ["piece-name-missing"]);
     let m_text =
         with(|w| w.pair(0, "MTEXT").pair(8, "1").xy(0.0, 0.0).pair(1, r"{\fArial;Material: SILK\PQuantity: 3}"));

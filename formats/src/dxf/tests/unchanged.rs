@@ -221,3 +221,47 @@ fn curve_points_that_no_line_uses_are_said() {
     assert_eq!(said.len(), 1);
     assert!(said[0].message.starts_with("3 of the 10 curve points"), "{}", said[0].message);
 }
+
+/// A second annotation and a fabric beside the material stay texts of the piece, in every dialect.
+#[test]
+fn texts_that_repeat_a_key_are_kept() {
+    let text = file(|w| {
+        let w =
+            w.polyline("1", true, &RECTANGLE).text_at("1", "Fabric: LINING", 20.0, 30.0).text("1", "Material: SILK");
+        w.text("1", "Annotation: PRESS").text_at("8", "ANNOTATION: TURN", 40.0, 50.0).text("1", "Annotation: PRESS")
+    });
+    let first = garment(&good(&text));
+    let piece = &first.pieces[0];
+    assert_eq!((piece.material.as_deref(), piece.annotation.as_deref()), (Some("SILK"), Some("PRESS")));
+    let mut others: Vec<(&str, &str)> = piece.texts.iter().map(|t| (t.layer.as_str(), t.text.as_str())).collect();
+    others.sort_unstable();
+    assert_eq!(others, [("1", "Fabric: LINING"), ("8", "ANNOTATION: TURN")]);
+    for dialect in Dialect::ALL {
+        let again = garment(&good(&written(&first, PieceOptions::default(), dialect).0));
+        let twin = &again.pieces[0];
+        assert_eq!((&twin.material, &twin.annotation), (&piece.material, &piece.annotation), "{dialect:?}");
+        let mut texts = twin.texts.clone();
+        texts.sort_by(|a, b| a.layer.cmp(&b.layer));
+        let places: Vec<Vec2> = texts.iter().map(|t| t.at * 1e3).collect();
+        assert!((places[0] - Vec2::new(20.0, 30.0)).norm() < 1e-4 && (places[1] - Vec2::new(40.0, 50.0)).norm() < 1e-4);
+    }
+    // An empty text says nothing, so that the next one counts.
+    let empty = file(|w| w.polyline("1", true, &RECTANGLE).text("1", "Material: ").text("1", "Material: WOOL"));
+    assert_eq!(garment(&good(&empty)).pieces[0].material.as_deref(), Some("WOOL"));
+}
+
+#[test]
+fn texts_of_the_style_that_are_not_kept_are_said() {
+    let body = |w: Writer| w.polyline("1", true, &RECTANGLE);
+    let said = |author: &str| {
+        let more = |w: Writer| {
+            let w = w.text("1", "Units: METRIC").text("1", &format!("Author: {author}")).text("1", "Product: toile 1");
+            w.text("1", "Creation Date: 27-11-2026").text("1", "Creation Time: ")
+        };
+        let (_, findings) = good(&file_with(body, more)).to_garment(None, None).expect("garment");
+        findings.iter().map(|f| f.message.clone()).collect::<Vec<_>>()
+    };
+    let lost = |keys: &str| vec![format!("the garment does not keep these texts of the style: {keys}")];
+    assert_eq!(said("Anna;Drafter;3"), lost("`author`, `creation date`"));
+    assert_eq!(said("toile;toile;1"), lost("`creation date`"));
+}

@@ -21,6 +21,7 @@ mod tags;
 mod tests;
 
 pub(crate) use names::escaped;
+pub(crate) use style::PRODUCT;
 pub(crate) use tags::decimals;
 
 pub use from_piece::{PieceOptions, drawn_vertices, piece_drawing};

@@ -8,7 +8,7 @@ use crate::codes::TEXT_NOT_ASCII;
 use toile_garment::{Diagnostic, Vec2};
 
 /// Vendor, application and release of the `Author` text; the release is the writer's own, raised with its output.
-const PRODUCT: &str = "toile";
+pub(crate) const PRODUCT: &str = "toile";
 const RELEASE: &str = "1";
 /// Closeness of the drawn curves: millimetres, inches.
 const TOLERANCE: [&str; 2] = ["0.2", "0.008"];
