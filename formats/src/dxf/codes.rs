@@ -174,6 +174,10 @@ codes! {
     /// file can be: other pieces (`with.pieces`) or other sizes (`with.size`).
     SOUND_PARTS = "sound-parts";
 
+    /// The garment holds the name of the style and its size. Other texts of the style, such as author and date, are not
+    /// kept. `author` and `date` of `export-dxf` write such texts.
+    STYLE_TEXT_NOT_KEPT = "style-text-not-kept";
+
     /// A spline has knots, weights or points that do not fit each other. Exit code 3.
     SPLINE_DAMAGED = "spline-damaged";
 
@@ -209,6 +213,10 @@ codes! {
     /// The file does not state its unit. It was taken from the size of the pieces; set `units` of `import-dxf` to be
     /// sure.
     UNITS_GUESSED = "units-guessed";
+
+    /// The file does not state its unit, and the likeliest one gives a garment of a size that none has. Set `units` of
+    /// `import-dxf`. Exit code 3.
+    UNITS_UNCONFIRMED = "units-unconfirmed";
 
     /// The file states a unit that is neither metric nor English, and the pieces fit none. Set `units` of `import-dxf`.
     /// Exit code 3.

@@ -25,6 +25,21 @@ pub struct Units {
     pub declared: Option<String>,
     /// The unit that was used, mm.
     pub mm_per_unit: f64,
+    /// Length of the largest piece, mm, where the unit is a guess that gives no garment of a usual size.
+    pub unlikely_guess: Option<f64>,
+}
+
+impl Units {
+    /// The unit has to be confirmed before anything is made of the pieces.
+    pub(crate) fn unconfirmed(&self) -> Option<Diagnostic> {
+        let largest = self.unlikely_guess?;
+        let text = format!(
+            "the file names no unit, and in {} its largest piece is {largest:.0} mm long, which no garment is",
+            name(self.mm_per_unit)
+        );
+        let hint = "give the unit: units = \"mm\", \"cm\", \"inch\" or \"m\"";
+        Some(Diagnostic::error(codes::UNITS_UNCONFIRMED, text).hint(hint))
+    }
 }
 
 /// The evidence to judge by.
@@ -49,14 +64,21 @@ pub(crate) struct Evidence<'a> {
 pub(crate) fn decide(evidence: &Evidence<'_>, findings: &mut Findings) -> Units {
     let place = findings.place(1);
     let mut say = |f: Diagnostic| findings.push(f.at(place.clone()));
+    let mut unlikely_guess = None;
     let mm_per_unit = match evidence.asked {
         Some(asked) => asked,
         None => match stated(evidence, &mut say) {
             Some(mm) => checked(mm, evidence.side, &mut say),
-            None => guessed(evidence, &mut say),
+            None => {
+                let guess = guessed(evidence, &mut say);
+                let largest = evidence.side * guess;
+                let is_usual = (LARGEST_LEAST..=SIDE_MOST).contains(&largest);
+                unlikely_guess = Some(largest).filter(|_| evidence.side > 0.0 && !is_usual);
+                guess
+            }
         },
     };
-    Units { declared: evidence.text.map(str::to_owned), mm_per_unit }
+    Units { declared: evidence.text.map(str::to_owned), mm_per_unit, unlikely_guess }
 }
 
 /// Millimetres per unit as the file states it: by its text, else by its header.
@@ -102,14 +124,14 @@ fn guessed(evidence: &Evidence<'_>, say: &mut impl FnMut(Diagnostic)) -> f64 {
         name(guess),
         evidence.side * guess
     );
-    let others: Vec<String> = [1.0, 10.0, 25.4]
+    let others: Vec<String> = [1.0, 10.0, 25.4, 1000.0]
         .into_iter()
         .filter(|u| *u != guess && SIDE.contains(&(evidence.side * u)))
         .map(|u| format!("{:.0} mm in {}", evidence.side * u, name(u)))
         .collect();
     let or = if others.is_empty() { String::new() } else { format!("; it would be {}", others.join(", ")) };
     let finding = Diagnostic::warning(codes::UNITS_GUESSED, format!("{text}{or}"));
-    say(finding.hint("give the unit: units = \"mm\", \"cm\" or \"inch\""));
+    say(finding.hint("give the unit: units = \"mm\", \"cm\", \"inch\" or \"m\""));
     guess
 }
 
@@ -151,7 +173,7 @@ fn checked(mm: f64, side: f64, say: &mut impl FnMut(Diagnostic)) -> f64 {
 }
 
 /// The largest piece of a file in inches or centimetres measures 50 to 100 units, in millimetres hardly ever. The
-/// tolerance of the curves tells the three apart; without one it is centimetres.
+/// tolerance of the curves tells the three apart; without one it is centimetres. In metres it measures less than 2.
 fn guess(side: f64, tolerance: Option<f64>) -> f64 {
     let inch = |t: f64| t > 0.0 && t < INCH_TOLERANCE;
     let small = side < LARGEST_LEAST && SIDE.contains(&side);
@@ -162,6 +184,7 @@ fn guess(side: f64, tolerance: Option<f64>) -> f64 {
         _ if small => 10.0,
         _ if SIDE.contains(&side) => 1.0,
         _ if SIDE.contains(&(side * 25.4)) => 25.4,
+        _ if SIDE.contains(&(side * 1000.0)) => 1000.0,
         _ => 1.0,
     }
 }
@@ -200,6 +223,30 @@ mod tests {
         assert_eq!(decided(Some("ENGLISH"), None, 26.0), (25.4, "units-from-rules".into()));
         assert_eq!(decided(Some("METRIC"), None, 600.0), (1.0, "units-from-rules".into()));
         assert_eq!(decided(Some("CM"), None, 66.0), (10.0, "units-from-rules".into()));
+    }
+
+    #[test]
+    fn a_guess_that_gives_no_garment_must_be_confirmed() {
+        let decided = |asked: Option<f64>, text: Option<&str>, tolerance: Option<f64>, side: f64| {
+            let e = Evidence { asked, text, other: None, insunits: None, rules: None, tolerance, side };
+            decide(&e, &mut Findings::new("t.dxf"))
+        };
+        // Metres are as likely as any unit.
+        for side in [0.3, 0.66, 1.08] {
+            let units = decided(None, None, None, side);
+            assert_eq!((units.mm_per_unit, units.unlikely_guess), (1000.0, None), "{side}");
+        }
+        // A tolerance in millimetres makes a garment 66 mm long; feet are too rare to be guessed.
+        let small = decided(None, None, Some(0.152), 66.0);
+        assert_eq!((small.mm_per_unit, small.unlikely_guess), (1.0, Some(66.0)));
+        let finding = small.unconfirmed().expect("an error");
+        assert_eq!((finding.code.as_str(), finding.severity), ("units-unconfirmed", toile_garment::Severity::Error));
+        for side in [3.5, 0.01, 8000.0] {
+            assert!(decided(None, None, None, side).unconfirmed().is_some(), "{side}");
+        }
+        // The user's word and that of the file are taken.
+        assert!(decided(Some(1.0), None, Some(0.152), 66.0).unconfirmed().is_none());
+        assert!(decided(None, Some("METRIC"), Some(0.152), 66.0).unconfirmed().is_none());
     }
 
     #[test]

@@ -28,7 +28,7 @@ pub(super) fn dxf(source: &Source<'_>) -> Result<Inspected, Vec<Diagnostic>> {
     let table = bytes.as_deref().and_then(|b| rul::read(b, source.name).ok());
     let svg = source.draw.then(|| drawing(&inspection, table.as_ref(), source.name));
     let findings = inspection.pattern.told_findings();
-    let is_usable = !inspection.pattern.pieces.is_empty();
+    let is_usable = inspection.pattern.is_usable();
     // The findings go to stderr, so that a table piped elsewhere is a table.
     let listed: String = findings.iter().map(|f| format!("{f}\n")).collect();
     let text = inspection.text.strip_suffix(&listed).unwrap_or(&inspection.text).to_owned();

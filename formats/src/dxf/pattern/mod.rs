@@ -91,7 +91,7 @@ pub struct Pattern {
     pub vertices: u64,
     /// How many curves the library read.
     pub census: Census,
-    /// Findings; none is an error: those stand with the pieces that are refused.
+    /// Findings; none is an error but that of a unit to be confirmed. Others stand with the pieces that are refused.
     pub findings: Vec<Diagnostic>,
 }
 
@@ -108,6 +108,12 @@ impl Pattern {
     pub fn told_findings(&self) -> Vec<Diagnostic> {
         let faults = self.refused.iter().flat_map(|p| &p.faults);
         faults.cloned().chain(self.findings_of_size(None)).collect()
+    }
+
+    /// Can any piece of it be imported?
+    #[must_use]
+    pub fn is_usable(&self) -> bool {
+        !self.pieces.is_empty() && self.units.unlikely_guess.is_none()
     }
 
     /// Says which pieces cannot be used, whether they are asked for or not.
@@ -132,7 +138,7 @@ impl Pattern {
 /// All findings, at least one of them an error: the file cannot be read, or no piece of it can be used.
 pub fn read(bytes: &[u8], file: &str, options: &ReadOptions) -> Result<Pattern, Vec<Diagnostic>> {
     let pattern = read_all(bytes, file, options)?;
-    if !pattern.pieces.is_empty() {
+    if pattern.is_usable() {
         return Ok(pattern);
     }
     let faults = pattern.refused.into_iter().flat_map(|p| p.faults);
@@ -144,7 +150,8 @@ pub(crate) fn read_all(bytes: &[u8], file: &str, options: &ReadOptions) -> Resul
     let mut findings = Findings::new(file);
     match read_into(bytes, file, options, &mut findings) {
         Ok(mut pattern) if !findings.has_errors() => {
-            pattern.findings = findings.finish();
+            let unconfirmed = pattern.units.unconfirmed().map(|f| f.at(SourceRef::file(file).at_line(1)));
+            pattern.findings = findings.finish().into_iter().chain(unconfirmed).collect();
             Ok(pattern)
         }
         Ok(pattern) => {
