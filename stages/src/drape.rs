@@ -64,6 +64,8 @@ codes! {
 
 /// Widest stitch that the drape joins, m. Stitches whose cloth would cross then stay open, too.
 const JOINED_GAP_MOST: f64 = 5e-3;
+/// A held vertex this near its place is there, m.
+const PIN_PLACED: f64 = 1e-5;
 
 /// Settles the garment and certifies the result.
 #[derive(Clone, Copy, Debug, Default)]
@@ -158,7 +160,8 @@ impl Stage for Drape {
         let tight = certificate.and_then(|c| tightness::finding(&garment, c, figures.tightest.as_ref()));
         cx.report.findings.extend(tight);
         cx.report.findings.extend(certificate.and_then(slid));
-        tell(&mut garment, &outcome, cx);
+        let way = way_of_pins(&garment, &layout, &welded.spread(&stored));
+        tell(&mut garment, &outcome, way, cx);
         cx.report.findings.extend(unused::findings(&garment, params));
         Ok(garment)
     }
@@ -212,7 +215,13 @@ fn reactions(garment: &Garment, layout: &Layout, map: &[u32], outcome: &Outcome)
     places.iter().map(|p| p.map_or_else(Vec3::zeros, |v| force(v) / sharing(v))).collect()
 }
 
-fn tell(garment: &mut Garment, outcome: &Outcome, cx: &mut StageContext<'_>) {
+/// Longest way of a held vertex to its place, m.
+fn way_of_pins(garment: &Garment, layout: &Layout, x: &[Vec3]) -> f64 {
+    let way = |at: Vec3, vertex: u32| x.get(vertex as usize).map_or(0.0, |p| (at - p).norm());
+    garment.pins.iter().map(|p| way(p.at, layout.index(p.vertex))).fold(0.0, f64::max)
+}
+
+fn tell(garment: &mut Garment, outcome: &Outcome, way: f64, cx: &mut StageContext<'_>) {
     garment.effects = effects(&outcome.effects);
     if outcome.joined > 0 {
         let message = format!(
@@ -226,10 +235,11 @@ fn tell(garment: &mut Garment, outcome: &Outcome, cx: &mut StageContext<'_>) {
             Diagnostic::warning(
                 DRAPE_NOT_SETTLED,
                 format!(
-                    "the drape is not at rest: {}; net force up to {:.2} of a vertex's weight{}",
+                    "the drape is not at rest: {}; net force up to {:.2} of a vertex's weight{}{}",
                     outcome.stop_reason.words(),
                     outcome.residual_rel,
-                    speed(outcome)
+                    speed(outcome),
+                    still_led(way)
                 ),
             )
             .hint(remedy(outcome.stop_reason)),
@@ -249,6 +259,15 @@ fn slid(certificate: &Certificate) -> Option<Diagnostic> {
 /// Only motion in time has a speed.
 fn speed(outcome: &Outcome) -> String {
     if outcome.seconds > 0.0 { format!(", fastest {:.1} mm/s", outcome.speed_max * 1e3) } else { String::new() }
+}
+
+/// Words for held vertices that are still on their way, m.
+fn still_led(way: f64) -> String {
+    if way > PIN_PLACED {
+        format!(", held vertices up to {:.1} mm from their places", way * 1e3)
+    } else {
+        String::new()
+    }
 }
 
 fn remedy(reason: StopReason) -> &'static str {

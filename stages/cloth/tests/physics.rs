@@ -403,6 +403,35 @@ fn cloth_is_not_led_farther_than_any_would_bear() {
     }
 }
 
+/// A sheet that is pulled by one edge over a rough table, over more than its own length. It follows, lies straight
+/// behind the edge, and rests there.
+#[test]
+fn a_sheet_is_led_over_a_rough_table_as_far_as_asked() {
+    let (length, friction, areal_mass) = (0.2, 0.3, 0.08);
+    let mut m = linear(areal_mass, 20_000.0, 20_000.0, 8_000.0);
+    (m.friction, m.bend_warp, m.bend_weft) = (friction, 3e-4, 3e-4);
+    let height = 1.2e-3;
+    let mut scene = sheet(0.1, length, 6, 12, m, |x, y| Vec3::new(x, height, y));
+    let at = |x: f64, z: f64| Vec3::new(x, 0.0, z);
+    scene.body = Some(
+        BodyMesh {
+            positions: vec![at(-1.0, -1.0), at(1.0, -1.0), at(1.0, 2.0), at(-1.0, 2.0)],
+            triangles: vec![[0, 2, 1], [0, 3, 2]],
+        }
+        .into(),
+    );
+    scene.gravity = Vec3::new(0.0, -G, 0.0);
+    let edge: Vec<u32> = (84..91).collect();
+    let target = |v: u32| scene.positions[v as usize] + Vec3::z() * 1.5 * length;
+    scene.pins = edge.iter().map(|v| Pin { vertex: *v, at: target(*v) }).collect();
+    let out = drape(&scene, &still(), &mut Silent).unwrap();
+    assert_eq!(out.stop_reason, StopReason::Settled);
+    for (p, start) in out.positions.iter().zip(&scene.positions) {
+        assert!((p.z - start.z - 1.5 * length).abs() < 1e-4, "{p} from {start}");
+        assert!(p.y > 0.0 && p.y < 2.0 * height, "{p}");
+    }
+}
+
 /// A strip clamped below that stands exactly upright: all forces vanish, however tall it is. Above its critical height,
 /// (7.837 B / (ρ g))^⅓ (Greenhill 1881), that is only a saddle.
 #[test]

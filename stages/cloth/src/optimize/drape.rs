@@ -180,7 +180,7 @@ fn settle_unchecked(
     let mut surrogate_hessian = SurrogateHessian;
     let mut factor_reuse = FactorReuse;
     let mut convergence_test = ConvergenceTest;
-    let mut step_limit = StepLimit;
+    let mut step_limit = StepLimit::default();
     let mut slow_strain_limits = SlowStrainLimits;
     let mut stagnation_limit = StagnationLimit;
     let mut block_end = BlockEnd;

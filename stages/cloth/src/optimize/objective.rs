@@ -22,6 +22,9 @@ use crate::scene::measures::{areas, held, masses};
 use crate::{Scene, Settings, Switch, Vec3};
 use nalgebra::Matrix3;
 
+/// A held vertex this near its place is there, m.
+pub(crate) const PIN_PLACED: f64 = 1e-6;
+
 /// The terms of the energy.
 pub(crate) struct Terms {
     /// Energies of the cloth itself, and its weight.
@@ -276,7 +279,12 @@ impl Objective {
 
     /// Are all held vertices at their places?
     pub fn pins_placed(&self, x: &[Vec3]) -> bool {
-        self.unknowns.pins.iter().all(|(v, at)| (at - x[*v as usize]).norm() <= 1e-6)
+        self.way_of_pins(x) <= PIN_PLACED
+    }
+
+    /// Longest way of a held vertex to its place, m.
+    pub fn way_of_pins(&self, x: &[Vec3]) -> f64 {
+        self.unknowns.pins.iter().map(|(v, at)| (at - x[*v as usize]).norm()).fold(0.0, f64::max)
     }
 
     /// Widest gap of a stitch, m.

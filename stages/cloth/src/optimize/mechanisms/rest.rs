@@ -2,8 +2,11 @@
 
 use crate::optimize::descent::Descent;
 use crate::optimize::mechanism::{Block, Mechanism, StepVerdict, Verdict};
+use crate::optimize::objective::PIN_PLACED;
 use crate::optimize::strain_limit_phase::StrainLimitPhase;
-use crate::optimize::tuning::{BLOCK_END_PART, FALL_DISTANCE_SIZES, NEARLY_AT_REST_RESIDUAL, STUCK_BLOCKS_MOST};
+use crate::optimize::tuning::{
+    BLOCK_END_PART, FALL_DISTANCE_SIZES, NEARLY_AT_REST_RESIDUAL, PIN_WAY_PART, STUCK_BLOCKS_MOST,
+};
 use crate::report::watch::Watch;
 use crate::{ClothError, StopReason, Vec3};
 
@@ -80,12 +83,33 @@ impl Mechanism for FallLimit {
     }
 }
 
-/// Ends a descent after the most steps of the settings.
-pub(crate) struct StepLimit;
+/// Ends a descent after the most steps of the settings. Held vertices that are led to their places take their time:
+/// the steps count anew whenever a part of their way is done.
+#[derive(Debug)]
+pub(crate) struct StepLimit {
+    /// The longest way that was left when the steps began to count, m.
+    way_left: f64,
+    /// Steps until then.
+    since: u64,
+}
+
+impl Default for StepLimit {
+    fn default() -> Self {
+        Self { way_left: f64::INFINITY, since: 0 }
+    }
+}
 
 impl Mechanism for StepLimit {
+    fn begin(&mut self, d: &mut Descent<'_>) {
+        self.way_left = d.objective().way_of_pins(&d.x);
+    }
+
     fn before_block(&mut self, d: &mut Descent<'_>, _: &mut dyn Watch) -> Result<Verdict, ClothError> {
-        let over = d.steps >= d.settings.equilibrium.max_descents;
+        let left = d.objective().way_of_pins(&d.x);
+        if self.way_left > PIN_PLACED && left < (1.0 - PIN_WAY_PART.get()) * self.way_left {
+            (self.way_left, self.since) = (left, d.steps);
+        }
+        let over = d.steps >= self.since + d.settings.equilibrium.max_descents;
         Ok(if over { Verdict::Stop(StopReason::MaxSteps) } else { Verdict::Go })
     }
 }
