@@ -31,6 +31,7 @@ pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, con
         console.findings(&[finding], None);
         return Exit::System;
     }
+    let forecast = forecast(content.foresight.seconds(), content.foresight.mb());
     let inputs = known_inputs(&pipeline, &gate, &args.pipeline.pipeline);
     let events = match open_events(args, &inputs) {
         Ok(events) => events,
@@ -55,11 +56,26 @@ pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, con
     // A pool that is there already (a library user's) is taken as it is: results do not depend on it.
     drop(rayon::ThreadPoolBuilder::new().num_threads(threads).build_global());
     let mut teller = Teller::new(if args.quiet { Voice::Quiet } else { Voice::Auto }, events);
+    if let Some(words) = forecast {
+        teller.note(&words);
+    }
     let watchdog = Watchdog::watch(limits, stop);
     let outcome = engine::run(&pipeline, gate, &options, stop, &mut teller, report);
     drop((teller, watchdog));
     console.result(&summary(&outcome, &out));
     outcome.exit
+}
+
+/// Foreseen seconds from which a run tells its forecast before it begins.
+const TELL_SECONDS: f64 = 20.0;
+
+/// Words for work that takes its time, so that nobody waits for a mesh that is finer than meant.
+fn forecast(seconds: f64, mb: f64) -> Option<String> {
+    (seconds >= TELL_SECONDS).then(|| {
+        format!(
+            "this is foreseen to take about {seconds:.0} s and {mb:.0} MB; `toile plan` shows what each stage takes"
+        )
+    })
 }
 
 /// How many threads: as asked, else as the environment says, else one for each core.
@@ -99,4 +115,15 @@ fn summary(outcome: &Outcome, out: &Path) -> String {
     }
     text.push_str(&format!("{}\n", crate::render::safe(&out.join(engine::RECORD_NAME).to_string_lossy())));
     text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn long_work_is_told_before_it_begins() {
+        assert_eq!(forecast(3.0, 5000.0), None);
+        assert!(forecast(87.4, 12_941.0).is_some_and(|words| words.contains("about 87 s and 12941 MB")));
+    }
 }

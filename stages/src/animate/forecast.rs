@@ -7,7 +7,7 @@ use toile_garment::garment::EffectRecord;
 pub(super) fn effects(params: &AnimateParams) -> [EffectRecord; 3] {
     let dynamics = params.dynamics();
     let body = params.body.as_ref();
-    let steps = format!("steps of {} ms at most", dynamics.step * 1e3);
+    let steps = format!("steps of {:.3} ms at most", dynamics.step * 1e3);
     let drag = format!("{} kg/m³ against the square of the speed across the cloth", dynamics.drag);
     let frames = body
         .map_or_else(|| "no `body` is given: it stands still".to_owned(), |b| format!("frames of `{}`", b.display()));
