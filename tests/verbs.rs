@@ -186,6 +186,53 @@ fn flattens_from_the_glb_alone() {
     assert!(said.err.starts_with("error[glb-damaged]"), "{}", said.err);
 }
 
+/// Stretches all places of a GLB upwards in its binary chunk, as an editor does.
+fn stretch_upwards(glb: &mut [u8], factor: f32) {
+    let word = |bytes: &[u8], at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().expect("4")) as usize;
+    let binary = 20 + word(glb, 12) + 8;
+    let document: Value = serde_json::from_slice(&glb[20..binary - 8]).expect("JSON");
+    let number = |v: &Value| v.as_u64().unwrap_or(0) as usize;
+    let mut places = std::collections::BTreeSet::new();
+    for mesh in document["meshes"].as_array().expect("meshes") {
+        let parts = mesh["primitives"].as_array().expect("parts");
+        places.extend(parts.iter().map(|part| number(&part["attributes"]["POSITION"])));
+    }
+    for accessor in places.into_iter().map(|i| &document["accessors"][i]) {
+        let view = &document["bufferViews"][number(&accessor["bufferView"])];
+        let first = binary + number(&view["byteOffset"]) + number(&accessor["byteOffset"]);
+        let stride = number(&view["byteStride"]).max(12);
+        for y in (0..number(&accessor["count"])).map(|i| first + i * stride + 4) {
+            let height = f32::from_le_bytes(glb[y..y + 4].try_into().expect("4"));
+            glb[y..y + 4].copy_from_slice(&(height * factor).to_le_bytes());
+        }
+    }
+}
+
+/// A bodice with upright darts at the waist. Its cloth is nearly upright, so it grows by nearly as much as it is
+/// stretched, and its flat pieces cover as much as the stretched surface.
+#[test]
+fn a_bodice_that_is_stretched_upwards_is_flattened_as_stretched() {
+    let dir = tempfile::tempdir().expect("folder");
+    let pipeline = root().join("pipelines/fitted-bodice/v1.toml");
+    let out = dir.path().join("out");
+    let said = toile(&[&"run", &pipeline, &"--out", &out, &"--set", &"triangulate.edge_length=24 mm", &"--quiet"]);
+    assert_eq!(said.code, 0, "{said:?}");
+    let glb = out.join("fitted-bodice.glb");
+    let mut bytes = std::fs::read(&glb).expect("GLB");
+    stretch_upwards(&mut bytes, 1.05);
+    std::fs::write(&glb, bytes).expect("GLB");
+    let flat = dir.path().join("flat.json");
+    let said = toile(&[&"flatten", &glb, &"--json", &flat]);
+    assert_eq!(said.code, 0, "{said:?}");
+    let flat: Value = serde_json::from_slice(&std::fs::read(flat).expect("flat")).expect("JSON");
+    assert_eq!(flat["metric"], "carried");
+    for piece in flat["pieces"].as_array().expect("pieces") {
+        let area = |key: &str| piece["figures"]["area"][key].as_f64().expect(key);
+        assert!((3.0..5.0).contains(&area("flat_vs_original_pct")), "{}", piece["figures"]["area"]);
+        assert!(area("flat_vs_surface_pct").abs() < 0.2, "{}", piece["figures"]["area"]);
+    }
+}
+
 /// Mesh, effects, seconds and memory from the files alone.
 #[test]
 fn a_plan_foresees_mesh_effects_and_cost() {
