@@ -162,6 +162,51 @@ fn a_folder_that_was_made_in_part_is_completed_with_the_same_bytes() {
     }
 }
 
+/// A name that turns the order of letters is written out in every file that a person opens, and still means the same.
+#[test]
+fn a_name_that_turns_letters_is_escaped_in_every_file() {
+    let dir = tempfile::tempdir().expect("folder");
+    let name = "F\u{202e}RONT";
+    let sample = root().join("samples/patterns/long-skirt.aama.dxf");
+    let text = std::fs::read_to_string(sample).expect("pattern").replace("FRONT", name);
+    let pattern = dir.path().join("turned.dxf");
+    std::fs::write(&pattern, text).expect("pattern");
+    let (folder, out) = (dir.path().join("folder"), dir.path().join("out"));
+    let path = |path: &Path| path.to_str().expect("path").to_owned();
+    let said = toile(&["new", &path(&pattern), "--out", &path(&folder)]);
+    assert!(said.code <= 1, "{said:?}");
+    let pipeline = path(&folder.join("pipeline.toml"));
+    let more = format!(
+        "{}\n[[stage]]\nuse = \"export-obj\"\nwith.file = \"{{out}}/a.obj\"\n\
+         [[stage]]\nuse = \"export-dxf\"\nwith.file = \"{{out}}/a.dxf\"\nwith.code_page = \"utf-8\"\n\
+         with.sewing = \"{{out}}/a.sewing.toml\"\n",
+        std::fs::read_to_string(&pipeline).expect("pipeline")
+    );
+    std::fs::write(&pipeline, more).expect("pipeline");
+    let coarse = ["--set", "triangulate.edge_length=40 mm", "--quiet"];
+    let said = toile(&[&["run", &pipeline, "--out", &path(&out)][..], &coarse].concat());
+    assert!(said.code <= 1, "{said:?}");
+    let mut looked_at = 0;
+    for file in [&folder, &out].into_iter().flat_map(|f| std::fs::read_dir(f).expect("folder")) {
+        let file = file.expect("file").path();
+        if file.ends_with("turned.dxf") || file.is_dir() {
+            continue;
+        }
+        let bytes = std::fs::read(&file).expect("file");
+        let turn = "\u{202e}".as_bytes();
+        assert!(!bytes.windows(turn.len()).any(|w| w == turn), "{}", file.display());
+        looked_at += 1;
+    }
+    assert!(looked_at >= 14, "{looked_at} files");
+    let plan = std::fs::read_to_string(folder.join("sewing.toml")).expect("sewing");
+    assert!(plan.contains("F\\u202eRONT"), "{plan}");
+    let plan = toile_formats::sewing::read(&plan, "sewing.toml").expect("sewing file");
+    assert!(format!("{plan:?}").contains(&format!("{name:?}").trim_matches('"').to_owned()), "{plan:?}");
+    let again = std::fs::read(out.join("a.dxf")).expect("DXF");
+    let again = dxf::read(&again, "a.dxf", &ReadOptions::default()).expect("DXF");
+    assert!(again.pieces.iter().any(|p| p.label() == name));
+}
+
 #[test]
 fn a_seam_that_nobody_confirmed_is_no_surer_when_asked_again() {
     let sure = |proposal: &Value| -> BTreeMap<String, String> {

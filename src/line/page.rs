@@ -28,7 +28,8 @@ pub fn html(results: &Results) -> String {
     for row in in_order(results) {
         card(&mut out, row);
     }
-    let data = serde_json::to_string(&data(results)).unwrap_or_default().replace('<', "\\u003c");
+    let data = serde_json::to_string(&data(results)).unwrap_or_default();
+    let data = toile_garment::text::json(&data).replace('<', "\\u003c");
     // Writing to a String cannot fail.
     let _ = write!(
         out,
@@ -120,7 +121,7 @@ fn data(results: &Results) -> serde_json::Value {
 pub fn csv(results: &Results) -> String {
     let axes: BTreeSet<&String> = results.jobs.iter().flat_map(|j| j.choices.keys()).collect();
     let figures: BTreeSet<&String> = results.jobs.iter().flat_map(|j| j.figures.keys()).collect();
-    let cell = |text: &str| format!("\"{}\"", text.replace('"', "\"\""));
+    let cell = toile_garment::text::csv_cell;
     let mut head: Vec<String> = ["job", "style"].map(cell).to_vec();
     head.extend(axes.iter().map(|a| cell(a)));
     head.extend(["status", "exit_code", "cpu_seconds", "peak_mb", "triangles"].map(cell));

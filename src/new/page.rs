@@ -4,6 +4,7 @@ use super::dress::Dressed;
 use super::pattern::Source;
 use super::sewing::LEAST_SURE;
 use std::fmt::Write as _;
+use toile_formats::svg::canvas::escape as escaped;
 use toile_garment::{Piece, Vec2};
 use toile_stages::proposal::{Proposal, ProposedSeam, Run};
 
@@ -171,8 +172,4 @@ fn middle(points: &[Vec2], from: usize, to: usize) -> Option<Vec2> {
         1 => Some((points.get(from)? + points.get(to)?) / 2.0),
         _ => points.get((from + steps / 2) % n).copied(),
     }
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

@@ -6,7 +6,7 @@ use super::stock::{Body, Fabric};
 /// Text of the pipeline.
 pub fn text(source: &Source, body: &Body, fabric: &Fabric) -> String {
     let line = line(&source.stem);
-    let q = |text: &str| serde_json::to_string(text).unwrap_or_default();
+    let q = toile_garment::text::quoted;
     let (file, body, fabric) = (q(&source.file_name()), q(&body.file_name()), q(&fabric.file_name()));
     let (glb, flat) = (q(&format!("{{out}}/{line}.glb")), q(&format!("{{out}}/{line}-flat.dxf")));
     let unit = source.unit.and_then(|u| serde_json::to_string(&u).ok());

@@ -3,6 +3,7 @@
 use super::pattern::Source;
 use std::fmt::Write as _;
 use toile_garment::Vec2;
+use toile_garment::text::{quoted, shown};
 use toile_stages::proposal::{Proposal, ProposedSeam, Run};
 
 /// A seam less sure than this is written as a comment, and a person decides.
@@ -61,7 +62,7 @@ pub fn text(source: &Source, proposal: &Proposal) -> String {
 }
 
 fn head(source: &Source) -> String {
-    let file = source.file_name();
+    let file = shown(&source.file_name(), &[]);
     let list: Vec<String> = source.left_out.iter().map(String::as_str).map(quoted).collect();
     let left_out = if list.is_empty() {
         String::new()
@@ -86,7 +87,7 @@ fn without_seam(source: &Source) -> String {
         [] => String::new(),
         names => format!(
             "# No sure seam was found for {}. Take what you want sewn out of the list, and write its seams.\n",
-            names.join(", ")
+            shown(&names.join(", "), &[])
         ),
     }
 }
@@ -149,14 +150,9 @@ fn atom(source: &Source, proposal: &Proposal, atom: usize) -> String {
     let atom = &proposal.layout.atoms[atom];
     let piece = &source.garment.pieces[proposal.layout.panels[atom.panel].piece].name;
     let (from, to) = (atom.points[0], atom.points[atom.points.len() - 1]);
-    format!("{piece} from {} to {}, {:.0} mm", mm(from), mm(to), atom.length * 1e3)
+    format!("{} from {} to {}, {:.0} mm", shown(piece, &[]), mm(from), mm(to), atom.length * 1e3)
 }
 
 fn mm(p: Vec2) -> String {
     format!("({:.0}, {:.0}) mm", p.x * 1e3, p.y * 1e3)
-}
-
-/// A text of TOML.
-fn quoted(text: &str) -> String {
-    serde_json::to_string(text).unwrap_or_default()
 }

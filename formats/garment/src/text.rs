@@ -34,6 +34,29 @@ pub fn json(text: &str) -> String {
     out
 }
 
+/// The text in double quotes, as TOML and JSON have it, with every steering character as `\uXXXX`.
+#[must_use]
+pub fn quoted(text: &str) -> String {
+    let mut out = String::with_capacity(text.len() + 2);
+    out.push('"');
+    for c in text.chars() {
+        match c {
+            '"' | '\\' => out.extend(['\\', c]),
+            // All of them lie in the plane that four digits reach.
+            c if steers(c) => out.push_str(&format!("\\u{:04x}", c as u32)),
+            c => out.push(c),
+        }
+    }
+    out.push('"');
+    out
+}
+
+/// The text as a cell of comma-separated values, fit to be shown.
+#[must_use]
+pub fn csv_cell(text: &str) -> String {
+    format!("\"{}\"", shown(text, &[]).replace('"', "\"\""))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -47,5 +70,11 @@ mod tests {
         let text = json(&serde_json::to_string(&[name]).expect("JSON"));
         assert!(!text.chars().any(steers), "{text}");
         assert_eq!(serde_json::from_str::<Vec<String>>(&text).expect("JSON"), [name]);
+        assert_eq!(csv_cell("a \"b\"\n\u{202e}"), "\"a \"\"b\"\"\\n\\u{202e}\"");
+        for name in [name, "a \"b\" \\ c", "line\nend\u{2028}\t"] {
+            let text = quoted(name);
+            assert!(!text.chars().any(steers), "{text}");
+            assert_eq!(serde_json::from_str::<String>(&text).expect("JSON"), name);
+        }
     }
 }

@@ -246,5 +246,5 @@ fn quoted(text: &str) -> String {
     if !text.is_empty() && text.chars().all(bare) {
         return text.to_owned();
     }
-    toml::Value::String(text.to_owned()).to_string()
+    toile_garment::text::quoted(text)
 }

@@ -125,6 +125,6 @@ fn finish(mut root: json::Root, buffer: &Buffer) -> Result<Vec<u8>, WriteError> 
         extras: None,
     });
     root.asset.generator = Some("toile".to_owned());
-    let text = root.to_string()?;
+    let text = toile_garment::text::json(&root.to_string()?);
     container::join(text.as_bytes(), buffer.bytes()).ok_or(WriteError::TooLarge)
 }

@@ -241,7 +241,7 @@ pub fn write_garment_with(garment: &Garment, wishes: &Wishes<'_>) -> Result<Vec<
     });
     root.asset.generator = Some("toile".to_owned());
     root.asset.extras = document::extras(garment, wishes.document)?.and_then(|document| extras("toile", &document));
-    let text = root.to_string()?;
+    let text = toile_garment::text::json(&root.to_string()?);
     container::join(text.as_bytes(), &buffer.bytes).ok_or(WriteError::TooLarge)
 }
 

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 use toile_garment::garment::UpAxis;
+use toile_garment::text::shown;
 use toile_garment::{Garment, Vec3};
 
 /// Why a garment cannot be written as OBJ.
@@ -38,8 +39,7 @@ impl MeshText {
     /// Adds a group. Indices count from 0 inside the group. Numbers are written so that they read back bit-equal.
     pub fn group(&mut self, name: &str, positions: &[Vec3], uv: Option<&[[f64; 2]]>, triangles: &[[u32; 3]]) {
         if !name.is_empty() {
-            let name: String = name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-            let _ = writeln!(self.text, "g {}", name.replace('#', "_"));
+            let _ = writeln!(self.text, "g {}", shown(name, &[]).replace('#', "_"));
         }
         for p in positions {
             // −0 becomes 0: equal numbers give equal bytes.

@@ -2,6 +2,7 @@
 
 use super::tables::{Cell, Table};
 use crate::picture::Field;
+use toile_garment::text::csv_cell;
 
 /// Girths of body and cloth at one height.
 #[derive(Clone, Debug, PartialEq)]
@@ -123,21 +124,21 @@ impl Fit {
         let mut out = String::from("name,on,method,length_mm,height_mm\n");
         let mm = |x: f64| crate::svg::canvas::fixed(1e3 * x, 1);
         for m in self.measures() {
-            let name = m.name.replace('"', "\"\"");
+            let name = csv_cell(&m.name);
             let [length, height] = [m.length, m.height].map(mm);
-            out.push_str(&format!("\"{name}\",{},{},{length},{height}\n", m.on, m.method));
+            out.push_str(&format!("{name},{},{},{length},{height}\n", m.on, m.method));
         }
         if !self.points.is_empty() {
             out.push_str("\nname,on,method,length_mm,height_mm,expected_mm,tolerance_mm,passed\n");
         }
         for p in &self.points {
-            let name = p.name.replace('"', "\"\"");
+            let name = csv_cell(&p.name);
             let known = |x: Option<f64>| x.map(mm).unwrap_or_default();
             let passed = p.passed.map(|p| p.to_string()).unwrap_or_default();
             let (length, height) = (mm(p.length), mm(p.height));
             let (expected, tolerance) = (known(p.expected), known(p.tolerance));
             let row = [p.on, p.method, &length, &height, &expected, &tolerance, &passed].join(",");
-            out.push_str(&format!("\"{name}\",{row}\n"));
+            out.push_str(&format!("{name},{row}\n"));
         }
         out
     }

@@ -7,6 +7,7 @@ use toile_garment::sewing::{
     AttachStrength, BandLength, DartSpec, EdgeNameSpec, ElasticSpec, FoldSpec, InterliningSpec, PlaceSpec, Placement,
     PleatPress, RunSpec, RunWay, SeamSpec, SewingPlan,
 };
+use toile_garment::text::quoted;
 use toile_garment::units::tidy;
 
 /// The text of a sewing file that says this; `head` stands above it as a comment.
@@ -197,11 +198,6 @@ fn length(metres: f64) -> String {
     // Minus zero has no sign in a text for people.
     let mm = 1e3 * metres;
     format!("\"{:.4} mm\"", if mm.abs() < 5e-5 { 0.0 } else { mm })
-}
-
-/// A text of TOML.
-fn quoted(text: &str) -> String {
-    toml::Value::String(text.to_owned()).to_string()
 }
 
 #[cfg(test)]

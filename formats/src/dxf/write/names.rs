@@ -4,6 +4,7 @@ use super::codes;
 use super::model::{Dialect, Drawing};
 use crate::encoding::TextEncoding;
 use std::collections::{BTreeMap, BTreeSet};
+use toile_garment::text::steers;
 use toile_garment::{Code, Diagnostic};
 
 /// Longest name that all readers keep.
@@ -90,9 +91,10 @@ pub fn escaped(text: &str) -> String {
     escaped_in(None, text)
 }
 
-/// Must a letter be escaped in a code page, or in ASCII without one?
+/// Must a letter be escaped in a code page, or in ASCII without one? Letters that turn the order of others always are.
 pub fn is_escaped_in(page: Option<TextEncoding>, letter: char) -> bool {
-    !(' '..='~').contains(&letter) && !letter.is_control() && page.is_none_or(|p| p.encode(letter).is_none())
+    let is_held = || page.is_some_and(|p| p.encode(letter).is_some()) && !steers(letter);
+    !(' '..='~').contains(&letter) && !letter.is_control() && !is_held()
 }
 
 /// A text with the letters of a code page, or of ASCII without one; all else as `\U+XXXX`.
