@@ -261,6 +261,18 @@ fn a_sewing_file_is_filled_and_what_a_person_took_out_stays_out() {
     assert_eq!(filled.matches("\nproposed = ").count(), 1);
 }
 
+/// A pattern in millimetres with all places in metres.
+fn in_metres(pattern: &Path) -> String {
+    let text = std::fs::read_to_string(pattern).expect("pattern");
+    let lines: Vec<&str> = text.lines().collect();
+    let pair = |pair: &[&str]| {
+        let is_place = matches!(pair[0].trim(), "10" | "20" | "11" | "21" | "30" | "39");
+        let value = pair[1].trim().parse::<f64>().ok().filter(|_| is_place);
+        format!("{}\n{}\n", pair[0], value.map_or_else(|| pair[1].to_owned(), |v| format!("{:.7}", v * 1e-3)))
+    };
+    lines.chunks_exact(2).map(pair).collect()
+}
+
 #[test]
 fn a_unit_that_the_person_gives_reaches_the_pipeline() {
     let (_dir, out) = folder();
@@ -270,6 +282,17 @@ fn a_unit_that_the_person_gives_reaches_the_pipeline() {
     let (_dir, out) = folder();
     let (_, plain) = new("long-skirt", &out, &[]);
     assert_eq!(in_mm["seams"], plain["seams"]);
+    // The same pattern in metres, and its unit said.
+    let (dir, out) = folder();
+    let pattern = dir.path().join("metres.dxf");
+    std::fs::write(&pattern, in_metres(&root().join("samples/patterns/long-skirt.aama.dxf"))).expect("pattern");
+    let arguments = ["new", pattern.to_str().expect("path"), "--out", out.to_str().expect("path"), "--units", "m"];
+    assert_eq!(toile(&arguments).code, 0);
+    assert!(std::fs::read_to_string(out.join("pipeline.toml")).expect("text").contains("with.units  = \"m\""));
+    let proposal = std::fs::read_to_string(out.join("proposal.json")).expect("proposal");
+    let proposal: Value = serde_json::from_str(&proposal).expect("JSON");
+    let ends = |v: &Value| v["seams"].as_array().expect("seams").len();
+    assert_eq!(ends(&proposal), ends(&plain));
     let (_dir, out) = folder();
     let pattern = root().join("samples/patterns/long-skirt.aama.dxf");
     let places = [pattern.to_str().expect("path"), "--out", out.to_str().expect("path"), "--units", "ell"];

@@ -203,7 +203,7 @@ impl CacheArgs {
 
 fn unit(text: &str) -> Result<FileUnit, String> {
     let word = serde_json::Value::from(text.to_lowercase());
-    serde_json::from_value(word).map_err(|_| "a unit is mm, cm or inch".to_owned())
+    serde_json::from_value(word).map_err(|_| "a unit is mm, cm, inch or m".to_owned())
 }
 
 pub(super) fn positive(text: &str) -> Result<f64, String> {
@@ -393,7 +393,7 @@ pub struct NewArgs {
     /// A piece that is not sewn, such as a facing or a second sleeve; may be given more than once.
     #[arg(long, value_name = "PIECE")]
     pub leave_out: Vec<String>,
-    /// Unit of the coordinates, overruling the file: mm, cm or inch.
+    /// Unit of the coordinates, overruling the file: mm, cm, inch or m.
     #[arg(long, value_name = "UNIT", value_parser = unit)]
     pub units: Option<FileUnit>,
     /// Propose from the shapes alone, as if the pieces had no names.

@@ -47,6 +47,8 @@ pub enum FileUnit {
     Cm,
     /// Inches.
     Inch,
+    /// Metres.
+    M,
 }
 
 impl FileUnit {
@@ -57,6 +59,7 @@ impl FileUnit {
             Self::Mm => 1.0,
             Self::Cm => 10.0,
             Self::Inch => 25.4,
+            Self::M => 1000.0,
         }
     }
 }
