@@ -149,7 +149,7 @@ fn near(p: Vec2, q: Vec2) -> bool {
     (p - q).norm() <= SAME
 }
 
-/// What the one list has and the other has not, as the first of each.
+/// The first entry that only the one list has, and the first that only the other has.
 fn unmatched<'a, T>(a: &'a [T], b: &'a [T], same: impl Fn(&T, &T) -> bool) -> Option<(Option<&'a T>, Option<&'a T>)> {
     let mut rest: Vec<&T> = b.iter().collect();
     let mut missing = None;
