@@ -5,7 +5,7 @@ use toile_formats::dxf::write::{Dialect, drawn_vertices};
 use toile_formats::dxf::{Pattern, geom};
 use toile_garment::dart::Dart;
 use toile_garment::notch::{Notch, NotchKind};
-use toile_garment::outline::{LinePoint, PieceLine};
+use toile_garment::outline::{LinePoint, PieceLine, PointKind};
 use toile_garment::{Diagnostic, Garment, Piece, Vec2};
 
 /// Places that are one, metres: files hold 0.0001 mm.
@@ -200,12 +200,17 @@ fn lines(a: &Piece, b: &Piece, say: &mut impl FnMut(&'static str, String)) {
         (None, None) => {}
         _ => say("sew line", format!("{} against {}", a.cut_line.is_some(), b.cut_line.is_some())),
     }
-    // A point of layer 2 or 3 says the kind of every vertex at its place, so outer lines decide where lines meet.
-    let outer: Vec<&PieceLine> = std::iter::once(&b.outline).chain(&b.cut_line).collect();
+    // A point of layer 2 or 3 says the kind of every vertex at its place. Where lines meet, outer lines decide, and a
+    // corner of any inner line before a plain vertex.
+    let outer: Vec<&LinePoint> = std::iter::once(&b.outline).chain(&b.cut_line).flat_map(|l| &l.points).collect();
+    let inner = b.internal_lines.iter().chain(&b.cutouts).chain(&b.match_lines).flat_map(|l| &l.points);
+    let marked: Vec<&LinePoint> = inner.filter(|p| p.kind != PointKind::Plain).collect();
     let settled = |line: &PieceLine| {
         let mut line = line.clone();
         for point in &mut line.points {
-            let met = outer.iter().flat_map(|l| &l.points).find(|p| near(p.at, point.at));
+            let at = point.at;
+            let met = outer.iter().find(|p| near(p.at, at));
+            let met = met.or_else(|| marked.iter().find(|p| near(p.at, at) && point.kind == PointKind::Plain));
             point.kind = met.map_or(point.kind, |p| p.kind);
         }
         line

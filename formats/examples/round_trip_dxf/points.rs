@@ -7,6 +7,8 @@ use toile_garment::Vec2;
 
 /// A point that comes back lies this near, mm.
 const SAME: f64 = 0.001;
+/// A point says the kind of a vertex within this, mm.
+const AT: f64 = 0.05;
 
 /// Points of layers 2 and 3, and texts with keys, that do not come back.
 pub fn lost(first: &Pattern, second: &Pattern, size: Option<&str>) -> Vec<Difference> {
@@ -21,11 +23,13 @@ pub fn lost(first: &Pattern, second: &Pattern, size: Option<&str>) -> Vec<Differ
         let gone = |a: &[Vec2], b: &[Vec2]| {
             a.iter().filter(|p| b.iter().all(|q| (*p - q).norm() > SAME)).copied().collect::<Vec<_>>()
         };
-        // Ends of the grain line and of the fold stand in the line itself.
+        // Ends of the grain line and of the fold, and drill holes, stand in the line or the hole itself.
         let axes = [piece.axes.grain, piece.axes.fold, piece.axes.reference];
-        let ends: Vec<Vec2> = axes.into_iter().flatten().flatten().collect();
-        let there: Vec<Vec2> = twin.points.turn_list.iter().chain(&ends).copied().collect();
-        let turns = gone(&piece.points.turn_list, &there);
+        let themselves = axes.into_iter().flatten().flatten().chain(piece.inside.drills.iter().map(|d| d.at));
+        let there: Vec<Vec2> = twin.points.turn_list.iter().copied().chain(themselves).collect();
+        // A point says the kind of the vertices around it: where another point stands beside it, that one does.
+        let beside = |p: &Vec2| twin.points.curve_list.iter().any(|q| (p - q).norm() <= AT);
+        let turns: Vec<Vec2> = gone(&piece.points.turn_list, &there).into_iter().filter(|p| !beside(p)).collect();
         if let Some(at) = turns.first() {
             let text = format!("{} of {}, the first at {at:?}", turns.len(), piece.points.turn_list.len());
             out.push(Difference::new("turn points", piece.label(), text));
