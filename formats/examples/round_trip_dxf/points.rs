@@ -28,7 +28,8 @@ pub fn lost(first: &Pattern, second: &Pattern, size: Option<&str>) -> Vec<Differ
         let themselves = axes.into_iter().flatten().flatten().chain(piece.inside.drills.iter().map(|d| d.at));
         let there: Vec<Vec2> = twin.points.turn_list.iter().copied().chain(themselves).collect();
         // A point says the kind of the vertices around it: where another point stands beside it, that one does.
-        let beside = |p: &Vec2| twin.points.curve_list.iter().any(|q| (p - q).norm() <= AT);
+        let marks = &twin.points;
+        let beside = |p: &Vec2| marks.turn_list.iter().chain(&marks.curve_list).any(|q| (p - q).norm() <= AT);
         let turns: Vec<Vec2> = gone(&piece.points.turn_list, &there).into_iter().filter(|p| !beside(p)).collect();
         if let Some(at) = turns.first() {
             let text = format!("{} of {}, the first at {at:?}", turns.len(), piece.points.turn_list.len());
