@@ -133,8 +133,11 @@ fn pieces(a: &Piece, b: &Piece, dialect: Dialect, half_on_fold: bool) -> Vec<Dif
     if let Some((x, y)) = unmatched(&a.darts, &b.darts, same_dart) {
         say("dart", format!("{x:?} against {y:?}"));
     }
+    // The half of a piece says `NM` at the lines that have no mirror image.
+    let texts = |p: &Piece| p.texts.iter().filter(|t| t.text != "NM").cloned().collect::<Vec<_>>();
+    let (texts_a, texts_b) = (texts(a), texts(b));
     if let Some((x, y)) =
-        unmatched(&a.texts, &b.texts, |x, y| near(x.at, y.at) && x.layer == y.layer && x.text == y.text)
+        unmatched(&texts_a, &texts_b, |x, y| near(x.at, y.at) && x.layer == y.layer && x.text == y.text)
     {
         say("text", format!("{x:?} against {y:?}"));
     }

@@ -154,7 +154,8 @@ impl Pattern {
     fn style_texts_not_kept(&self) -> Option<Diagnostic> {
         let is_ours = |text: &str| text.split([';', ' ']).any(|word| word.trim() == PRODUCT);
         let lost = self.style_texts.iter().filter(|(key, value)| {
-            !value.is_empty() && !texts::is_made_anew(key) && !(texts::is_of_writer(key) && is_ours(value))
+            let is_written_again = texts::is_made_anew(key) || texts::is_of_writer(key) && is_ours(value);
+            !(value.is_empty() || is_written_again)
         });
         let list: Vec<String> = lost.map(|(key, _)| format!("`{key}`")).collect();
         let text = format!("the garment does not keep these texts of the style: {}", list.join(", "));
@@ -242,17 +243,19 @@ impl Pattern {
             if rul.size_index(wanted).is_some() {
                 faults(&|r| is_sample(r.size.as_deref()))?;
             }
+            let is_in_sizes = list.iter().any(|i| !is_sample(self.pieces[*i].size.as_deref()));
             if let Some(base) = list.iter().find(|i| is_sample(self.pieces[**i].size.as_deref())) {
                 let piece = &self.pieces[*base];
                 match grade::grade(piece, rul, wanted) {
                     Ok(graded) => return Ok(vec![(*base, Cow::Owned(graded))]),
-                    Err(GradeError::NoRules) => return Ok(vec![borrowed(base)]),
+                    // Drawn in one size alone, it is the same in all. Drawn in others, it would have been drawn in this.
+                    Err(GradeError::NoRules) if !is_in_sizes => return Ok(vec![borrowed(base)]),
                     Err(GradeError::Rule(n)) => {
                         let text =
                             format!("`{}` uses grade rule {n}, which the rule table does not have", piece.label());
                         return Err(vec![Diagnostic::error(codes::RULE_MISSING, text).at(self.place())]);
                     }
-                    Err(GradeError::Size) => {}
+                    Err(GradeError::NoRules | GradeError::Size) => {}
                 }
             }
         }

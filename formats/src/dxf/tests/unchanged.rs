@@ -265,3 +265,31 @@ fn texts_of_the_style_that_are_not_kept_are_said() {
     assert_eq!(said("Anna;Drafter;3"), lost("`author`, `creation date`"));
     assert_eq!(said("toile;toile;1"), lost("`creation date`"));
 }
+
+/// A pocket that is not drawn in the largest size is not in that size of the written run either, with its rule table.
+#[test]
+fn a_piece_that_a_size_lacks_is_lacking_in_a_written_size_run() {
+    let pocket = |w: Writer, size: &str, k: f64| {
+        let w = w.block(&format!("POCKET_{size}")).text("1", "Piece Name: POCKET").text("1", &format!("Size: {size}"));
+        let w = w.polyline("1", true, &[(400.0, 0.0), (500.0 + k, 0.0), (500.0 + k, 100.0), (400.0, 100.0)]);
+        w.line("7", (420.0, 20.0), (420.0, 80.0)).pair(0, "ENDBLK")
+    };
+    let w = Writer::default().pair(0, "SECTION").pair(2, "BLOCKS");
+    let sizes = [("36", -9.0), ("38", 0.0), ("40", 60.0)];
+    let w = sizes.iter().fold(w, |w, (size, k)| block(w, size, *k, *size == "38", false));
+    let w = pocket(pocket(w, "36", -5.0), "38", 0.0).pair(0, "ENDSEC").pair(0, "SECTION").pair(2, "ENTITIES");
+    let w = w.text("1", "Units: METRIC").text("1", "Sample Size: 38").pair(0, "ENDSEC").pair(0, "EOF");
+    let run = Sizes::new(&good(&w.0), None).expect("sizes").draw(PieceOptions::default());
+    assert_eq!(codes(&run.findings), ["piece-not-in-size", "sizes-without-rules"]);
+    let rules = run.table.as_ref().expect("rules");
+    for dialect in Dialect::ALL {
+        let bytes = write(&run.drawing, dialect).expect("written").bytes;
+        let again = good(&String::from_utf8(bytes).expect("ascii"));
+        let table = crate::rul::write(rules, dialect.is_astm(), dialect != Dialect::Clo);
+        let table = crate::rul::read(&table, "t.rul").expect("rules");
+        for (size, count) in [("36", 2), ("38", 2), ("40", 1)] {
+            let (garment, _) = again.to_garment(Some(size), Some(&table)).expect("garment");
+            assert_eq!(garment.pieces.len(), count, "{dialect:?} {size}");
+        }
+    }
+}
