@@ -105,7 +105,7 @@ fn film(
 
 /// Figures of the motion's certificate that are beyond their gates.
 fn tell_failures(certificate: &MotionCertificate, params: &AnimateParams, cx: &mut StageContext<'_>) {
-    for (name, value, limit) in certificate::failures(certificate) {
+    for (name, value, limit) in certificate.failures() {
         let message = format!("`{name}` of the motion is {value:.3e}, over its gate of {limit:.3e}");
         let hint = if params.fixed_step {
             "leave out with.fixed_step, so that steps are as long as the cloth bears"
