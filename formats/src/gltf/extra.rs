@@ -1,6 +1,6 @@
 //! Parts that a GLB may show beside the pieces: the body, the wrong side of the cloth, and its lines.
 
-use super::normals;
+use crate::normals;
 use super::write::{Buffer, Mesh, WriteError, floats};
 use gltf_json as json;
 use json::accessor::Type;

@@ -1,7 +1,7 @@
 //! Frames of a motion as morph targets: each mesh gets one target for each frame. One animation lets the weight of each
 //! rise to 1 at its time and fall again. So a viewer goes straight from frame to frame.
 
-use super::normals;
+use crate::normals;
 use super::write::{Buffer, Mesh, WriteError, floats};
 use gltf_json as json;
 use json::accessor::Type;

@@ -1,6 +1,5 @@
 //! 2D to 3D: pieces placed around the body and sewn by the dynamic system (Liu, Chen, Shi 2003, §1.3.2).
 
-pub mod around;
 mod arranged;
 mod attach;
 pub(crate) mod codes;

@@ -262,6 +262,11 @@ impl Mechanism for StageEnd {
             return Ok(Verdict::Stop(StopReason::MaxSteps));
         }
         self.rounds_left -= 1;
+        // A contact that is far tighter than its gap cuts every step to a few hundredths. What is left of it lowers the
+        // energy no more, and the cloth would hang on it while the body goes on.
+        if self.stuck > 0 {
+            d.stiffen_tight_contacts();
+        }
         d.regularization.tau = if self.stuck > 1 { STAGE_STUCK_TAU_FACTOR.get() * self.tau } else { self.tau };
         Ok(Verdict::Go)
     }
