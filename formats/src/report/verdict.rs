@@ -21,7 +21,9 @@ pub struct Verdict {
 pub fn verdict(garment: &Garment, findings: &[Diagnostic], language: Language) -> Verdict {
     let error = findings.iter().find(|f| f.severity == Severity::Error);
     let (passed, word, why) = match (&garment.certificate, error) {
-        (Some(c), _) if !c.passed => (Some(false), "Not passed.", format!("{}.", reasons(c, garment, language).join("; "))),
+        (Some(c), _) if !c.passed => {
+            (Some(false), "Not passed.", format!("{}.", reasons(c, garment, language).join("; ")))
+        }
         (_, Some(error)) => (Some(false), "Failed.", error.message.clone()),
         (Some(c), None) => {
             let strain = fixed(100.0 * c.strain_over_limit, 0);
