@@ -14,6 +14,7 @@ pub mod garment_file;
 pub mod garmentcode;
 pub mod gltf;
 pub mod measures;
+pub mod normals;
 pub mod obj;
 pub mod picture;
 pub mod plot;

@@ -41,4 +41,5 @@ pub use record::{GarmentCounts, OutputRecord, RunIdentity, RunRecord, StageRun};
 pub use run::{Outcome, RunOptions, default_out, run};
 pub use same::{is_same, known_inputs, refuse_input};
 pub use stop::Stop;
+pub(crate) use stop::kill_group;
 pub(crate) use whole::{Lock, Temps, take_lock, temp_path, write_whole};

@@ -117,7 +117,7 @@ impl Stop {
     fn leave(&self) -> ! {
         let _whole = self.commit_guard();
         for group in lock(&self.groups).iter() {
-            crate::external::kill_group(*group);
+            kill_group(*group);
         }
         for path in lock(&self.litter).iter() {
             // What cannot be removed is swept by the next run.
@@ -134,3 +134,16 @@ impl Stop {
 fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
+
+/// Ends a process group.
+#[cfg(unix)]
+pub(crate) fn kill_group(id: i32) {
+    if let Some(pid) = rustix::process::Pid::from_raw(id).filter(|_| id > 1) {
+        // It may be gone already, which is as good.
+        let _gone = rustix::process::kill_process_group(pid, rustix::process::Signal::KILL);
+    }
+}
+
+/// Ends a process group: not on this system.
+#[cfg(not(unix))]
+pub(crate) fn kill_group(_: i32) {}

@@ -10,7 +10,6 @@ mod process;
 mod protocol;
 mod stage;
 
-pub use process::kill_group;
 pub use protocol::{Description, Line, OLDEST_PROTOCOL, PROTOCOL, Request, StageDescription};
 pub use stage::ExternalStage;
 

@@ -1,6 +1,6 @@
 //! Starts a program without a shell, in its own process group, with limits, and listens to it.
 
-use crate::engine::Stop;
+use crate::engine::{Stop, kill_group};
 use crate::pipeline::Plugin;
 use std::io::{Read, Write as _};
 use std::path::{Path, PathBuf};
@@ -307,16 +307,3 @@ fn own_group(command: &mut Command) {
 
 #[cfg(not(unix))]
 fn own_group(_: &mut Command) {}
-
-/// Ends a process group.
-#[cfg(unix)]
-pub fn kill_group(id: i32) {
-    if let Some(pid) = rustix::process::Pid::from_raw(id).filter(|_| id > 1) {
-        // It may be gone already, which is as good.
-        let _gone = rustix::process::kill_process_group(pid, rustix::process::Signal::KILL);
-    }
-}
-
-/// Ends a process group: not on this system.
-#[cfg(not(unix))]
-pub fn kill_group(_: i32) {}

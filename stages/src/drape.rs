@@ -99,8 +99,8 @@ impl Stage for Drape {
         repeats::check(params)?;
         forecast.advice.extend(repeats::advice(params, &forecast.garment));
         forecast.effects = forecast::effects(params, forecast);
-        // Fitted to `pipelines/` and a GarmentCode skirt of 550 to 25,000 triangles. A finer body costs no more.
-        let once = forecast.by_triangles(0.04, 0.11, 4.3);
+        // Fitted to the samples and to garments of 800 to 12,000 triangles on bodies of 12,000 and 48,000 triangles.
+        let once = forecast.by_triangles(0.04, 0.08 + 0.003 * forecast.body_thousands(), 4.3);
         Ok(once.map(|c| Cost { seconds: c.seconds * f64::from(1 + params.repeats), ..c }))
     }
 

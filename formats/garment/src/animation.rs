@@ -25,6 +25,22 @@ pub struct MotionCertificate {
     pub limits: BTreeMap<String, f64>,
 }
 
+impl MotionCertificate {
+    /// The figures beyond their gates: name, figure, gate. A figure that is no number never passes.
+    #[must_use]
+    pub fn failures(&self) -> Vec<(&'static str, f64, f64)> {
+        let figures = [
+            ("stretch_max", Some(self.stretch_max)),
+            ("crossings", Some(self.crossings as f64)),
+            ("energy_gain", Some(self.energy_gain)),
+            ("fall_error", self.fall_error),
+        ];
+        let gate = |name: &str| self.limits.get(name).copied().unwrap_or(f64::INFINITY);
+        let known = figures.into_iter().filter_map(|(name, value)| Some((name, value?, gate(name))));
+        known.filter(|(_, value, limit)| value.is_nan() || value > limit).collect()
+    }
+}
+
 /// Frames at equal times, and the worst that was counted in any of them.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Animation {

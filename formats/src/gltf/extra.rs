@@ -1,7 +1,7 @@
 //! Parts that a GLB may show beside the pieces: the body, the wrong side of the cloth, and its lines.
 
-use super::normals;
 use super::write::{Buffer, Mesh, WriteError, floats};
+use crate::normals;
 use gltf_json as json;
 use json::accessor::Type;
 use json::mesh::{Mode, Semantic};

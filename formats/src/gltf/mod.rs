@@ -13,7 +13,6 @@ mod inspect;
 mod material;
 mod motion;
 mod moving;
-pub(crate) mod normals;
 mod pack;
 mod read;
 #[cfg(test)]
@@ -27,7 +26,6 @@ mod write;
 use crate::codes::GARMENT_FILE;
 pub use inspect::inspect;
 pub use moving::{Moving, read_moving};
-pub use normals::smooth as smooth_normals;
 pub use read::{ReadGarment, read_garment, read_garment_with_findings};
 pub use view::{ViewPiece, write_view};
 pub use wishes::{Carried, Wishes};

@@ -1,8 +1,8 @@
 //! Frames of a motion as morph targets: each mesh gets one target for each frame. One animation lets the weight of each
 //! rise to 1 at its time and fall again. So a viewer goes straight from frame to frame.
 
-use super::normals;
 use super::write::{Buffer, Mesh, WriteError, floats};
+use crate::normals;
 use gltf_json as json;
 use json::accessor::Type;
 use json::animation::{Channel, Interpolation, Property, Sampler, Target};

@@ -1,7 +1,8 @@
 //! A GLB for looking only: the garment with its body, its place in the flat lay and numbers per vertex, and no document.
 
 use super::write::{Buffer, WriteError, floats, materials, meshes};
-use super::{container, material, normals};
+use super::{container, material};
+use crate::normals;
 use gltf_json as json;
 use json::accessor::Type;
 use json::mesh::Semantic;

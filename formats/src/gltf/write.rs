@@ -1,7 +1,8 @@
 //! From the garment to a GLB.
 
 use super::wishes::Wishes;
-use super::{container, document, extra, material, motion, normals, variants};
+use super::{container, document, extra, material, motion, variants};
+use crate::normals;
 use crate::picture::linear;
 use gltf_json as json;
 use json::accessor::{ComponentType, GenericComponentType, Type};

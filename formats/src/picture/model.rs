@@ -2,7 +2,7 @@
 
 use super::cloth::{Look, linear};
 use super::field::Field;
-use crate::gltf::normals;
+use crate::normals;
 use std::collections::BTreeMap;
 use toile_garment::mesh::PieceMesh;
 use toile_garment::{Garment, Piece, Vec2, Vec3};

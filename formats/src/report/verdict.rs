@@ -21,7 +21,9 @@ pub struct Verdict {
 pub fn verdict(garment: &Garment, findings: &[Diagnostic], language: Language) -> Verdict {
     let error = findings.iter().find(|f| f.severity == Severity::Error);
     let (passed, word, why) = match (&garment.certificate, error) {
-        (Some(c), _) if !c.passed => (Some(false), "Not passed.", format!("{}.", reasons(c, language).join("; "))),
+        (Some(c), _) if !c.passed => {
+            (Some(false), "Not passed.", format!("{}.", reasons(c, garment, language).join("; ")))
+        }
         (_, Some(error)) => (Some(false), "Failed.", error.message.clone()),
         (Some(c), None) => {
             let strain = fixed(100.0 * c.strain_over_limit, 0);
@@ -40,8 +42,26 @@ const NOTHING: &str = "There is no drape and so no certificate; this page shows 
 /// A figure, the name of its limit, the words for both, what they are multiplied by, and their decimals.
 type Gate = (f64, &'static str, &'static str, f64, usize);
 
-/// In words, which gates did not hold.
-fn reasons(c: &Certificate, language: Language) -> Vec<String> {
+/// The words for each gate of a motion. Its crossings are counted with those of the drape.
+const MOTION_GATES: [(&str, &str); 3] = [
+    ("stretch_max", "in motion the largest strain is {0} %, {1} % are allowed"),
+    ("energy_gain", "in motion {0} % of the energy come from nothing, {1} % are allowed"),
+    ("fall_error", "a free fall is off by {0} % of its length, {1} % are allowed"),
+];
+
+/// The gates of the garment's motion that did not hold, in words.
+fn reasons_of_motion(garment: &Garment, language: Language) -> Vec<String> {
+    let certificate = garment.animation.as_ref().and_then(|a| a.certificate.as_ref());
+    let failures = certificate.map(|c| c.failures()).unwrap_or_default();
+    let in_words = |(name, value, limit): (&str, f64, f64)| {
+        let words = MOTION_GATES.iter().find(|(gate, _)| *gate == name)?.1;
+        Some(language.fill(words, &[value, limit].map(|v| fixed(100.0 * v, 0))))
+    };
+    failures.into_iter().filter_map(in_words).collect()
+}
+
+/// The gates of the drape and of the motion that did not hold, in words.
+fn reasons(c: &Certificate, garment: &Garment, language: Language) -> Vec<String> {
     let [crossings, body] = [c.self_crossings, c.body_crossings].map(|n| n as f64);
     let gates: [Gate; 9] = [
         (c.residual_rel, "residual_rel", "forces of {0} of a particle's weight are left, {1} are allowed", 1.0, 3),
@@ -65,6 +85,7 @@ fn reasons(c: &Certificate, language: Language) -> Vec<String> {
         Some(language.fill(words, &[x, limit].map(|v| fixed(v * times, *decimals))))
     };
     let mut out: Vec<String> = gates.iter().filter_map(broken).collect();
+    out.extend(reasons_of_motion(garment, language));
     if !c.unheld.is_empty() {
         out.insert(0, language.fill("nothing holds {0}", &[c.unheld.join(", ")]));
     }
@@ -81,6 +102,7 @@ fn reasons(c: &Certificate, language: Language) -> Vec<String> {
 mod tests {
     use super::*;
     use crate::codes::OUT_OF_RANGE;
+    use toile_garment::animation::{Animation, MotionCertificate};
 
     #[test]
     fn a_verdict_names_what_failed() {
@@ -93,5 +115,16 @@ mod tests {
         let error = [Diagnostic::error(OUT_OF_RANGE, "no start was found")];
         assert_eq!(verdict(&Garment::default(), &error, Language::English).why, "no start was found");
         assert_eq!(verdict(&Garment::default(), &[], Language::English).passed, None);
+    }
+
+    #[test]
+    fn a_verdict_names_the_gate_of_a_motion() {
+        let limits = [("stretch_max".to_owned(), 0.42)].into();
+        let motion = MotionCertificate { stretch_max: 1.83, limits, ..MotionCertificate::default() };
+        let animation = Animation { certificate: Some(motion), ..Animation::default() };
+        let drape = Certificate { settled: true, ..Certificate::default() };
+        let garment = Garment { certificate: Some(drape), animation: Some(animation), ..Garment::default() };
+        let why = verdict(&garment, &[], Language::English).why;
+        assert_eq!(why, "in motion the largest strain is 183 %, 42 % are allowed.");
     }
 }

@@ -68,6 +68,9 @@ const CATALOGUE: &[(&str, &str)] = &[
     ("the cloth crosses itself at {0} places", "布料自身有 {0} 处穿插"),
     ("cloth and body cross at {0} places", "布料与人体有 {0} 处穿插"),
     ("cloth lies {0} mm deep in the body", "布料陷入人体 {0} mm"),
+    ("in motion the largest strain is {0} %, {1} % are allowed", "运动中最大应变为 {0} %，允许 {1} %"),
+    ("in motion {0} % of the energy come from nothing, {1} % are allowed", "运动中有 {0} % 的能量凭空产生，允许 {1} %"),
+    ("a free fall is off by {0} % of its length, {1} % are allowed", "自由下落偏差为落程的 {0} %，允许 {1} %"),
     // Facts.
     ("Size", "尺码"),
     ("Fabric", "面料"),

@@ -13,6 +13,14 @@ pub struct MeshSize {
     pub edge: f64,
 }
 
+impl MeshSize {
+    /// Area of the cloth, m²: that of equilateral triangles with these edges.
+    #[must_use]
+    pub fn area(&self) -> f64 {
+        0.25 * 3.0_f64.sqrt() * self.triangles * self.edge * self.edge
+    }
+}
+
 /// The cost that a stage expects of its own work.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Cost {
@@ -73,5 +81,8 @@ mod tests {
         assert_eq!(forecast.by_triangles(0.25, 0.5, 2.0), None);
         forecast.mesh = Some(MeshSize { triangles: 4000.0, edge: 0.01 });
         assert_eq!(forecast.by_triangles(0.25, 0.5, 2.0), Some(Cost { seconds: 2.25, mb: 8.0 }));
+        // A square metre in triangles of 1 cm.
+        let square = MeshSize { triangles: 23_094.010_767_585_03, edge: 0.01 };
+        assert!((square.area() - 1.0).abs() < 1e-12);
     }
 }

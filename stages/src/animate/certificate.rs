@@ -100,20 +100,7 @@ impl Watched {
             fall_error: if undamped && free { self.fall_error(params.gravity.0) } else { None },
             limits: BTreeMap::from(limits.map(|(name, limit)| (name.to_owned(), limit))),
         };
-        certificate.passed = failures(&certificate).is_empty();
+        certificate.passed = certificate.failures().is_empty();
         certificate
     }
-}
-
-/// Figures beyond their gates, with the gates. A figure that is no number never passes.
-pub(super) fn failures(c: &MotionCertificate) -> Vec<(&'static str, f64, f64)> {
-    let figures = [
-        ("stretch_max", Some(c.stretch_max)),
-        ("crossings", Some(c.crossings as f64)),
-        ("energy_gain", Some(c.energy_gain)),
-        ("fall_error", c.fall_error),
-    ];
-    let gate = |name: &str| c.limits.get(name).copied().unwrap_or(f64::INFINITY);
-    let told = figures.into_iter().filter_map(|(name, value)| Some((name, value?, gate(name))));
-    told.filter(|(_, value, limit)| value.is_nan() || value > limit).collect()
 }

@@ -105,7 +105,7 @@ fn film(
 
 /// Figures of the motion's certificate that are beyond their gates.
 fn tell_failures(certificate: &MotionCertificate, params: &AnimateParams, cx: &mut StageContext<'_>) {
-    for (name, value, limit) in certificate::failures(certificate) {
+    for (name, value, limit) in certificate.failures() {
         let message = format!("`{name}` of the motion is {value:.3e}, over its gate of {limit:.3e}");
         let hint = if params.fixed_step {
             "leave out with.fixed_step, so that steps are as long as the cloth bears"
@@ -154,10 +154,10 @@ fn tell(
             format!("{} of {} stages of time steps were not solved to the end", trip.unfinished, 2 * trip.steps);
         warn(codes::MOTION_NOT_SOLVED, message, "shorten the time step (with.step)");
     }
-    if trip.led > FAR {
+    if trip.lead_in_distance > FAR {
         let message = format!(
             "the body's first frame is up to {:.0} mm from the pose the garment was draped on; it is led there in {:.1} s",
-            trip.led * 1e3,
+            trip.lead_in_distance * 1e3,
             motion.lead_in
         );
         warn(

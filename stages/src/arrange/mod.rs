@@ -5,6 +5,7 @@
 //! threads are short.
 
 mod anchors;
+mod around;
 mod clear;
 mod dresser;
 mod facing;
@@ -13,6 +14,7 @@ mod pull;
 mod sheet;
 mod upright;
 
+pub(crate) use around::{Cylinder, side_angle};
 pub use dresser::Segment;
 pub use form::Form;
 pub use sheet::Sheet;

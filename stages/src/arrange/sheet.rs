@@ -1,7 +1,7 @@
 //! A piece in space: a flat sheet, or bent around a segment of the body. Both keep its lengths.
 
+use super::around::Cylinder;
 use crate::roles::outline::turned;
-use crate::stitch::around::Cylinder;
 use toile_garment::body::BodySegment;
 use toile_garment::{Vec2, Vec3};
 

@@ -6,7 +6,7 @@
 
 use super::maps::{ease, shape};
 use std::collections::BTreeMap;
-use toile_formats::gltf::smooth_normals;
+use toile_formats::normals;
 use toile_formats::picture::{Field, Scale};
 use toile_garment::fabric::Fabric;
 use toile_garment::mesh::PieceMesh;
@@ -72,7 +72,7 @@ fn per_vertex(garment: &Garment, number: impl Fn(&Bend, Option<&Fabric>) -> f64)
     let meshes: Vec<PieceMesh> = pieces.iter().map(|(piece, at)| mesh(piece, at)).collect();
     let surfaces: Vec<_> =
         pieces.iter().zip(&meshes).map(|((_, at), m)| (at.as_slice(), m.triangles.as_slice())).collect();
-    let normals = smooth_normals(&surfaces);
+    let normals = normals::smooth(&surfaces);
     let of = |i: usize| {
         let ((piece, at), mesh) = (&pieces[i], &meshes[i]);
         let mut sums = vec![[0.0; 2]; at.len()];

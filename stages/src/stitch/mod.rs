@@ -1,10 +1,10 @@
 //! 2D to 3D: pieces placed around the body and sewn by the dynamic system (Liu, Chen, Shi 2003, §1.3.2).
 
-pub mod around;
 mod arranged;
 mod attach;
 pub(crate) mod codes;
 mod cone;
+mod forecast;
 mod ignored_parts;
 pub(crate) mod load;
 pub mod place;
@@ -126,8 +126,7 @@ impl Stage for Stitch {
         if !wrong.is_empty() {
             return Err(StageError::Parameter(wrong));
         }
-        // Fitted to `pipelines/`, also with a body of four times as many triangles, and to GarmentCode garments.
-        Ok(forecast.by_triangles(0.4, 0.107 + 0.0045 * forecast.body_thousands(), 4.3))
+        Ok(forecast::cost(forecast))
     }
 
     fn run(

@@ -1,9 +1,8 @@
 //! Where every piece starts in 3D.
 
-use super::around::{Cylinder, side_angle};
 use super::arranged::Arranged;
 use super::codes;
-use crate::arrange::Sheet;
+use crate::arrange::{Cylinder, Sheet, side_angle};
 use crate::codes::BODY_MISSING;
 use toile_garment::body::Body;
 use toile_garment::sewing::{PlaceSpec, Placement};

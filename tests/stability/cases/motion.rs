@@ -15,7 +15,7 @@ pub fn cases() -> Vec<Case> {
     vec![
         case("E5-balls-close-to-4mm", |lab: &mut Lab| pressed(lab, 4e-3, true)),
         case("E5-balls-close-to-0.2mm", |lab: &mut Lab| pressed(lab, 2e-4, false)),
-        case("E13-ball-at-10m-s", shot),
+        case("E13-ball-at-10m-s", shot).quick(),
         case("E13-held-cloth-is-taken-along", taken_along),
         case("E27-slope-without-friction", slope).quick(),
         case("E27-slope-friction-1", held_on_slope).quick(),

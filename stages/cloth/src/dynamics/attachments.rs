@@ -12,17 +12,17 @@ pub(crate) struct Path {
     frames: Vec<Vec<Vec3>>,
     fps: f64,
     /// Time before frame 0, s.
-    pub lead: f64,
+    pub lead_in: f64,
     /// Largest distance from the pose to frame 0, m.
-    pub led: f64,
+    pub lead_in_distance: f64,
 }
 
 impl Path {
     pub fn new(motion: &Motion, pose: &[Vec3]) -> Option<Self> {
         let first = motion.body.first()?;
-        let led = crate::farthest(pose, first);
-        let lead = if led > 1e-6 { motion.lead_in } else { 0.0 };
-        Some(Self { pose: pose.to_vec(), frames: motion.body.clone(), fps: motion.fps, lead, led })
+        let lead_in_distance = crate::farthest(pose, first);
+        let lead_in = if lead_in_distance > 1e-6 { motion.lead_in } else { 0.0 };
+        Some(Self { pose: pose.to_vec(), frames: motion.body.clone(), fps: motion.fps, lead_in, lead_in_distance })
     }
 
     /// Time at which the body stops, s.
@@ -33,7 +33,7 @@ impl Path {
     /// Places at a time (frame 0 at 0): cubic through the frames, so that the velocity does not jump at them.
     pub fn at(&self, seconds: f64) -> Vec<Vec3> {
         if seconds < 0.0 {
-            let s = if self.lead > 0.0 { (1.0 + seconds / self.lead).clamp(0.0, 1.0) } else { 0.0 };
+            let s = if self.lead_in > 0.0 { (1.0 + seconds / self.lead_in).clamp(0.0, 1.0) } else { 0.0 };
             let ease = s * s * (3.0 - 2.0 * s);
             return self.pose.iter().zip(&self.frames[0]).map(|(p, q)| p + (q - p) * ease).collect();
         }
@@ -62,7 +62,7 @@ impl Path {
 }
 
 /// A held vertex: where it is, or how it hangs on a body triangle.
-pub(crate) struct Hook {
+pub(crate) struct Attachment {
     pub vertex: u32,
     at: Vec3,
     hangs: Option<(u32, [f64; 3], Vec3)>,
@@ -73,7 +73,7 @@ fn axes(t: &[Vec3; 3]) -> Matrix3<f64> {
     Rotation3::face_towards(&(t[1] - t[0]).cross(&(t[2] - t[0])), &(t[1] - t[0])).into_inner()
 }
 
-impl Hook {
+impl Attachment {
     pub fn new(vertex: u32, at: Vec3, body: Option<&Body>) -> Self {
         let mut best: Option<(f64, u32, [f64; 3], Vec3)> = None;
         for g in body.iter().flat_map(|b| (0u32..).take(b.topology.faces.len())) {

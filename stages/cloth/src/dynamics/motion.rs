@@ -107,7 +107,7 @@ pub struct Trip {
     /// Fastest vertex in the last frame, m/s.
     pub speed: f64,
     /// Largest distance of a body vertex between the scene's pose and the first frame, m.
-    pub led: f64,
+    pub lead_in_distance: f64,
     /// Effects.
     pub effects: Vec<EffectReport>,
 }

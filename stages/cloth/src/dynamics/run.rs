@@ -1,6 +1,6 @@
 //! The walk through the frames.
 
-use crate::dynamics::attachments::{Hook, Path};
+use crate::dynamics::attachments::{Attachment, Path};
 use crate::dynamics::drag::viscous;
 use crate::dynamics::motion::{Dynamics, Frame, Motion, Trip};
 use crate::dynamics::step::Stepper;
@@ -8,7 +8,7 @@ use crate::dynamics::tr_bdf2;
 use crate::dynamics::tr_bdf2::State;
 use crate::dynamics::tuning::BODY_STEP_EDGES;
 use crate::dynamics::{figures, impact};
-use crate::energy::inertia::Inert;
+use crate::energy::inertia::Inertia;
 use crate::optimize::descent::Descent;
 use crate::optimize::task::Task;
 use crate::prepare::start::Start;
@@ -60,7 +60,8 @@ impl<'a> Walk<'a> {
             body.begin_motion();
         }
         let body = start.body.as_ref().filter(|_| path.is_some());
-        let hooks = crate::scene::measures::held(scene).into_iter().map(|(v, at)| Hook::new(v, at, body)).collect();
+        let attachments =
+            crate::scene::measures::held(scene).into_iter().map(|(v, at)| Attachment::new(v, at, body)).collect();
         // The shift of the regularisation is the inertia of a time step.
         let mut descent = Descent::new(scene, settings, start, Task::Settle);
         descent.regularization.unit = 1.0;
@@ -73,16 +74,22 @@ impl<'a> Walk<'a> {
         let n = descent.x.len();
         let v = if motion.velocities.is_empty() { vec![Vec3::zeros(); n] } else { motion.velocities.clone() };
         let state = State { x: descent.x.clone(), v };
-        let stepper =
-            Stepper { descent, hooks, free: free.clone(), tolerance: dynamics.tolerance, unfinished: 0, parted: 0 };
-        let trip = Trip { led: path.as_ref().map_or(0.0, |p| p.led), ..Trip::default() };
+        let stepper = Stepper {
+            descent,
+            attachments,
+            free: free.clone(),
+            tolerance: dynamics.tolerance,
+            unfinished: 0,
+            parted: 0,
+        };
+        let trip = Trip { lead_in_distance: path.as_ref().map_or(0.0, |p| p.lead_in_distance), ..Trip::default() };
         Ok(Self { scene, dynamics, motion, stepper, path, state, last: None, free, trip })
     }
 
     fn go(&mut self, watch: &mut dyn Watch, each: &mut dyn FnMut(&Frame<'_>)) -> Result<(), ClothError> {
-        let lead = self.path.as_ref().map_or(0.0, |p| p.lead);
-        if lead > 0.0 {
-            self.span(-lead, 0.0, watch)?;
+        let lead_in = self.path.as_ref().map_or(0.0, |p| p.lead_in);
+        if lead_in > 0.0 {
+            self.span(-lead_in, 0.0, watch)?;
         }
         self.show(0, each);
         let frame = |k: usize| k as f64 / self.motion.fps;
@@ -169,15 +176,15 @@ impl<'a> Walk<'a> {
     /// one.
     fn stage(
         &mut self,
-        inert: Inert,
-        plain: Option<Inert>,
+        inertia: Inertia,
+        plain: Option<Inertia>,
         v: &[Vec3],
         [now, span]: [f64; 2],
     ) -> Result<(State, bool), ClothError> {
         let body = self.path.as_ref().map(|p| p.at(now + span));
         let before = self.path.as_ref().map(|p| p.at(now));
         let guess = v.iter().map(|v| v * span).collect();
-        let rough = self.stepper.solve(inert, plain, guess, body.as_deref(), now)?;
+        let rough = self.stepper.solve(inertia, plain, guess, body.as_deref(), now)?;
         let objective = self.stepper.descent.objective();
         let x = self.stepper.descent.x.clone();
         let mut v = objective.terms.inertia.as_ref().map_or_else(Vec::new, |i| tr_bdf2::velocities(i, &x));

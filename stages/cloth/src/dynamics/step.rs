@@ -5,13 +5,13 @@ use crate::collision::narrow_phase::candidates::PairGeometry;
 use crate::collision::narrow_phase::pair_kind::PairKind;
 use crate::contact::barrier::Barrier;
 use crate::contact::tuning::EDGE_GAP_SHARE;
-use crate::dynamics::attachments::Hook;
+use crate::dynamics::attachments::Attachment;
 use crate::dynamics::tuning::{
     BODY_IDLE_PARTS_MOST, BODY_PART_LEAST, BODY_PARTS_MOST, GIVING_WAY_STEPS, OFF_COURSE_EDGES, STAGE_BLOCK_END_PART,
     STAGE_FACTORISATIONS_MOST, STAGE_NEARLY_ENDED, STAGE_SHORT_STEP_SHARE, STAGE_STUCK_BLOCKS_MOST,
     STAGE_STUCK_TAU_FACTOR, UNTORN_PART_LEAST,
 };
-use crate::energy::inertia::Inert;
+use crate::energy::inertia::Inertia;
 use crate::optimize::descent::{Change, Descent};
 use crate::optimize::driver::{Blocks, Detection, drive};
 use crate::optimize::mechanism::{Mechanism, StepVerdict, Verdict};
@@ -23,7 +23,7 @@ use crate::{ClothError, Place, StopReason, Vec3};
 /// A descent that goes on from stage to stage.
 pub(crate) struct Stepper<'a> {
     pub descent: Descent<'a>,
-    pub hooks: Vec<Hook>,
+    pub attachments: Vec<Attachment>,
     /// Neither held nor without mass.
     pub free: Vec<bool>,
     /// m/s.
@@ -39,7 +39,7 @@ type StageGoal = (f64, f64);
 struct Stage {
     goal: StageGoal,
     /// The step of implicit Euler, until it is taken.
-    plain: Option<Inert>,
+    plain: Option<Inertia>,
     /// Has it taken the place of the stage?
     rough: bool,
 }
@@ -53,16 +53,16 @@ impl Stepper<'_> {
     /// Cloth that is caught by the body, or instability.
     pub fn solve(
         &mut self,
-        inert: Inert,
-        plain: Option<Inert>,
+        inertia: Inertia,
+        plain: Option<Inertia>,
         mut guess: Vec<Vec3>,
         body: Option<&[Vec3]>,
         now: f64,
     ) -> Result<bool, ClothError> {
-        let mut stage = Stage { goal: self.goal(&inert), plain, rough: false };
+        let mut stage = Stage { goal: self.goal(&inertia), plain, rough: false };
         self.descent.refresh_lagged_forces();
-        self.set_inertia(inert);
-        if self.descent.factorisations() == 0 && !self.hooks.is_empty() {
+        self.set_inertia(inertia);
+        if self.descent.factorisations() == 0 && !self.attachments.is_empty() {
             self.descent.regularization.tau = stage.goal.1;
             self.descent.check_energy()?;
             self.descent.precondition()?;
@@ -96,19 +96,19 @@ impl Stepper<'_> {
     }
 
     /// The step of implicit Euler takes the place of the stage, if it has not yet.
-    fn take_plain(&self, stage: &mut Stage) -> Option<Inert> {
+    fn take_plain(&self, stage: &mut Stage) -> Option<Inertia> {
         let plain = stage.plain.take()?;
         (stage.goal, stage.rough) = (self.goal(&plain), true);
         Some(plain)
     }
 
-    fn goal(&self, inert: &Inert) -> StageGoal {
-        (self.tolerance * inert.h, 1.0 / inert.rate)
+    fn goal(&self, inertia: &Inertia) -> StageGoal {
+        (self.tolerance * inertia.h, 1.0 / inertia.rate)
     }
 
-    fn set_inertia(&mut self, inert: Inert) {
+    fn set_inertia(&mut self, inertia: Inertia) {
         self.descent.change(|o, _| {
-            o.terms.inertia = Some(inert);
+            o.terms.inertia = Some(inertia);
             Change::Energy
         });
     }
@@ -116,8 +116,8 @@ impl Stepper<'_> {
     /// Moves cloth, held vertices and body together as far as nothing crosses, and with `care` as far as nothing tears. Where
     /// that is only a part of the way, the step of implicit Euler takes the place of the stage. Returns the part.
     fn come(&mut self, mut step: Vec<Vec3>, to: Option<&[Vec3]>, care: bool, stage: &mut Stage) -> f64 {
-        let led = self.take_along(&mut step, to);
-        let untorn = led.filter(|_| care).map_or(1.0, |far| self.untorn(&step, far));
+        let off_course = self.take_along(&mut step, to);
+        let untorn = off_course.filter(|_| care).map_or(1.0, |far| self.untorn(&step, far));
         step.iter_mut().for_each(|s| *s *= untorn);
         let way = self.depart(&mut step, to, untorn);
         let free = match self.descent.objective().terms.barrier {
@@ -153,7 +153,7 @@ impl Stepper<'_> {
     }
 
     /// Takes a part of a step of cloth and body, and the inertia of another stage if there is one.
-    fn arrive(&mut self, step: &[Vec3], way: Option<&[Vec3]>, part: f64, inert: Option<Inert>) {
+    fn arrive(&mut self, step: &[Vec3], way: Option<&[Vec3]>, part: f64, inertia: Option<Inertia>) {
         let from = self.descent.x.clone();
         self.descent.x.iter_mut().zip(step).for_each(|(x, s)| *x += s * part);
         self.descent.change(|o, x| {
@@ -166,8 +166,8 @@ impl Stepper<'_> {
                 }
                 barrier.step_taken(x);
             }
-            if inert.is_some() {
-                o.terms.inertia = inert;
+            if inertia.is_some() {
+                o.terms.inertia = inertia;
             }
             Change::Energy
         });
@@ -179,14 +179,14 @@ impl Stepper<'_> {
     fn take_along(&mut self, step: &mut [Vec3], to: Option<&[Vec3]>) -> Option<f64> {
         let ways = self.ways(to);
         let much = OFF_COURSE_EDGES.get() * self.descent.objective().edge;
-        let led = ways.iter().any(|(_, way)| way.norm() > much);
-        if led && self.stretches(step, crate::longest(step)) {
+        let is_off_course = ways.iter().any(|(_, way)| way.norm() > much);
+        if is_off_course && self.stretches(step, crate::longest(step)) {
             step.fill(Vec3::zeros());
         }
         let mut off = vec![Vec3::zeros(); step.len()];
         ways.iter().for_each(|(v, way)| off[*v] = way - step[*v]);
         let far = crate::longest(&off);
-        let along = led && far > much;
+        let along = is_off_course && far > much;
         if along {
             let x = self.descent.x.clone();
             if let Some(b) = self.descent.detection() {
@@ -203,8 +203,8 @@ impl Stepper<'_> {
         let d = &self.descent;
         let body = d.objective().body();
         let faces = body.map_or(&[][..], |b| &b.topology.faces);
-        let way = |h: &Hook| to.map_or_else(Vec3::zeros, |to| h.place(faces, to) - d.x[h.vertex as usize]);
-        self.hooks.iter().map(|h| (h.vertex as usize, way(h))).collect()
+        let way = |h: &Attachment| to.map_or_else(Vec3::zeros, |to| h.place(faces, to) - d.x[h.vertex as usize]);
+        self.attachments.iter().map(|h| (h.vertex as usize, way(h))).collect()
     }
 
     /// The part of a step after which the cloth is not torn; `far`: see [`Self::stretches`].
@@ -262,6 +262,11 @@ impl Mechanism for StageEnd {
             return Ok(Verdict::Stop(StopReason::MaxSteps));
         }
         self.rounds_left -= 1;
+        // A contact that is far tighter than its gap cuts every step to a few hundredths. What is left of it lowers the
+        // energy no more, and the cloth would hang on it while the body goes on.
+        if self.stuck > 0 {
+            d.stiffen_tight_contacts();
+        }
         d.regularization.tau = if self.stuck > 1 { STAGE_STUCK_TAU_FACTOR.get() * self.tau } else { self.tau };
         Ok(Verdict::Go)
     }

@@ -4,7 +4,7 @@
 //! Contact and friction act at the end of each stage only: their force belongs to where the cloth gets to.
 
 use crate::Vec3;
-use crate::energy::inertia::Inert;
+use crate::energy::inertia::Inertia;
 use nalgebra::Matrix3;
 use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 
@@ -28,34 +28,34 @@ fn join(a: &[Vec3], b: &[Vec3], f: impl Fn(&Vec3, &Vec3) -> Vec3) -> Vec<Vec3> {
 }
 
 /// The trapezoidal stage from `s` under the forces `f` there (contact left out, damping included).
-pub(crate) fn first(s: &State, f: &[Vec3], mass: &[f64], viscous: Vec<Matrix3<f64>>, dt: f64) -> Inert {
+pub(crate) fn first(s: &State, f: &[Vec3], mass: &[f64], viscous: Vec<Matrix3<f64>>, dt: f64) -> Inertia {
     let h = HALF * dt;
     let mut target = join(&s.x, &s.v, |x, v| x + v * (2.0 * h));
     for ((t, f), m) in target.iter_mut().zip(f).zip(mass).filter(|(_, m)| **m > 0.0) {
         *t += f * (h * h / m);
     }
     let base = join(&s.x, &s.v, |x, v| x + v * h);
-    Inert { mass: mass.to_vec(), rate: 0.5 / (h * h), share: 0.5, target, base, h, viscous }
+    Inertia { mass: mass.to_vec(), rate: 0.5 / (h * h), share: 0.5, target, base, h, viscous }
 }
 
 /// The second stage, from the start and what the first stage gave.
-pub(crate) fn second(s: &State, middle: &State, mass: &[f64], viscous: Vec<Matrix3<f64>>, dt: f64) -> Inert {
+pub(crate) fn second(s: &State, middle: &State, mass: &[f64], viscous: Vec<Matrix3<f64>>, dt: f64) -> Inertia {
     let h = HALF * dt;
     let base = join(&middle.x, &s.x, |m, s| m * MIDDLE - s * START);
     let pace = join(&middle.v, &s.v, |m, s| m * MIDDLE - s * START);
     let target = join(&base, &pace, |b, v| b + v * h);
-    Inert { mass: mass.to_vec(), rate: 1.0 / (h * h), share: 1.0, target, base, h, viscous }
+    Inertia { mass: mass.to_vec(), rate: 1.0 / (h * h), share: 1.0, target, base, h, viscous }
 }
 
 /// A step of implicit Euler from `s`, for what is no smooth motion: an impact, or forces no stage comes to an end with. It
 /// takes nothing over from the forces before, so that none can kick back.
-pub(crate) fn plain(s: &State, mass: &[f64], viscous: Vec<Matrix3<f64>>, span: f64) -> Inert {
+pub(crate) fn plain(s: &State, mass: &[f64], viscous: Vec<Matrix3<f64>>, span: f64) -> Inertia {
     let target = join(&s.x, &s.v, |x, v| x + v * span);
-    Inert { mass: mass.to_vec(), rate: 1.0 / (span * span), share: 1.0, target, base: s.x.clone(), h: span, viscous }
+    Inertia { mass: mass.to_vec(), rate: 1.0 / (span * span), share: 1.0, target, base: s.x.clone(), h: span, viscous }
 }
 
 /// Velocities at the end of a stage.
-pub(crate) fn velocities(stage: &Inert, x: &[Vec3]) -> Vec<Vec3> {
+pub(crate) fn velocities(stage: &Inertia, x: &[Vec3]) -> Vec<Vec3> {
     join(x, &stage.base, |x, b| (x - b) / stage.h)
 }
 
@@ -66,7 +66,7 @@ mod tests {
     /// One step of a free spring by hand: both stages are linear in x.
     fn step(s: &State, w2: f64, dt: f64) -> State {
         let none = || vec![Matrix3::zeros()];
-        let solve = |i: &Inert| {
+        let solve = |i: &Inertia| {
             let x = i.target[0] * i.rate / (i.rate + i.share * w2);
             State { v: velocities(i, &[x]), x: vec![x] }
         };

@@ -18,6 +18,9 @@ use crate::scene::topology::Topology;
 use crate::{Element, Material, Scene, Vec3, power_of_two};
 use nalgebra::{Vector2, Vector3};
 
+/// Springs between the six vertices of a patch.
+const PATCH_SPRINGS: usize = 15;
+
 /// A triangle and the corners across its edges.
 pub(crate) struct Patch {
     pub vertices: [u32; 6],
@@ -30,7 +33,7 @@ pub(crate) struct Flexion {
     /// All patches but the slim ones, summed as springs.
     springs: Springs,
     /// Patches of slim triangles, summed by themselves.
-    slim: Vec<Patch>,
+    slim: Box<[Patch]>,
     /// The slim patches as springs, for all but energy and forces.
     slim_springs: Springs,
     /// The surrogate Hessian: springs for wide triangles, their patches for the others.
@@ -93,22 +96,28 @@ impl Bend {
     }
 }
 
-/// Factor on the bending stiffness of each triangle with which its mesh bends like the cloth.
-fn firmness(bends: &[Bend], areas: &[f64], hinges: usize) -> Vec<f64> {
+/// The shares of all folds in the firmness; `None` where that mechanism is off.
+fn shares_of_hinges<'a>(
+    bends: impl Iterator<Item = Bend>,
+    areas: impl Iterator<Item = &'a f64>,
+    hinges: usize,
+) -> Option<Vec<Share>> {
     if !BENDING_FIRMNESS.is_on() {
-        return vec![1.0; bends.len()];
+        return None;
     }
     let mut shares = vec![Share::default(); hinges];
-    for (bend, area) in bends.iter().zip(areas) {
+    for (bend, area) in bends.zip(areas) {
         bend.whole().into_iter().flatten().for_each(|(h, _, part)| shares[h].add(*area, part));
     }
-    let of = |(bend, area): (&Bend, &f64)| {
-        let softer: f64 =
-            bend.whole().into_iter().flatten().map(|(h, f, _)| 0.5 * shares[h].softening(f.length, f.normal)).sum();
-        let softer = (softer / area).min(FIRMNESS_SOFTENING_MAX.get());
-        1.0 + softer * (FIRMNESS_LINEAR.get() + FIRMNESS_QUADRATIC.get() * softer)
-    };
-    bends.iter().zip(areas).map(of).collect()
+    Some(shares)
+}
+
+/// Factor on the bending stiffness of a triangle of this area, m², with which its mesh bends like the cloth.
+fn firmness(bend: &Bend, area: f64, shares: &[Share]) -> f64 {
+    let softer: f64 =
+        bend.whole().into_iter().flatten().map(|(h, f, _)| 0.5 * shares[h].softening(f.length, f.normal)).sum();
+    let softer = (softer / area).min(FIRMNESS_SOFTENING_MAX.get());
+    1.0 + softer * (FIRMNESS_LINEAR.get() + FIRMNESS_QUADRATIC.get() * softer)
 }
 
 impl Patch {
@@ -186,20 +195,23 @@ fn half_square(bend: &[Vec3; 3]) -> f64 {
 
 /// The patches of all triangles that have neighbours, with the number of their triangle.
 ///
-/// `rigidities` are those of each material against (κ₀₀, κ₁₁, 2 κ₀₁), N·m.
+/// `rigidities` are those of each material against (κ₀₀, κ₁₁, 2 κ₀₁), N·m. The folds of all triangles together would take
+/// several times the memory of the patches, so they are computed twice and never kept.
 pub(crate) fn patches(scene: &Scene, topology: &Topology, rigidities: &[Vector3<f64>]) -> Vec<(usize, Patch)> {
     let of_faces = hinges_of_faces(scene, topology);
-    let faces = scene.triangles.iter().zip(&of_faces);
-    let bends: Vec<Bend> = faces.map(|(e, sides)| Bend::new(e, sides, topology, scene)).collect();
+    let bends = || scene.triangles.iter().zip(&of_faces).map(|(e, sides)| Bend::new(e, sides, topology, scene));
     let areas: Vec<f64> = scene.triangles.iter().map(|e| e.area().abs()).collect();
-    let firmness = firmness(&bends, &areas, topology.hinges.len());
-    let patch = |f: usize| {
+    let shares = shares_of_hinges(bends(), areas.iter(), topology.hinges.len());
+    let mut patches = Vec::with_capacity(areas.len());
+    for (f, (bend, area)) in bends().zip(&areas).enumerate() {
         let e = &scene.triangles[f];
         let stiffness = &rigidities[e.material as usize];
-        let stands = !bends[f].folds.is_empty() && stiffness.amax() > 0.0;
-        stands.then(|| (f, Patch::new(e, &bends[f], areas[f] * firmness[f], stiffness)))
-    };
-    (0..bends.len()).filter_map(patch).collect()
+        if !bend.folds.is_empty() && stiffness.amax() > 0.0 {
+            let firmness = shares.as_ref().map_or(1.0, |shares| firmness(&bend, *area, shares));
+            patches.push((f, Patch::new(e, &bend, area * firmness, stiffness)));
+        }
+    }
+    patches
 }
 
 /// The surrogate Hessian; `None` where too many triangles are narrow.
@@ -263,12 +275,16 @@ impl Flexion {
         rigidities.iter_mut().for_each(|r| *r /= size);
         let patches = patches(scene, topology, &rigidities);
         let surrogate = surrogate(scene, topology, &rigidities, &patches);
-        let (slim, others): (Vec<_>, Vec<_>) = patches.into_iter().partition(|p| is_slim(&scene.triangles[p.0]));
-        let springs = |some: &[(usize, Patch)]| {
-            Springs::new(scene.positions.len(), some.iter().flat_map(|(_, p)| p.springs()).collect())
+        let is_slim = |p: &&(usize, Patch)| is_slim(&scene.triangles[p.0]);
+        let springs_of = |slim: bool| {
+            let some = || patches.iter().filter(|p| is_slim(p) == slim);
+            let mut all = Vec::with_capacity(PATCH_SPRINGS * some().count());
+            all.extend(some().flat_map(|(_, p)| p.springs()));
+            Springs::new(scene.positions.len(), all)
         };
-        let (springs, slim_springs) = (springs(&others), springs(&slim));
-        Self { springs, slim: slim.into_iter().map(|p| p.1).collect(), slim_springs, surrogate, size }
+        let (springs, slim_springs) = (springs_of(false), springs_of(true));
+        let slim: Vec<Patch> = patches.into_iter().filter(|p| is_slim(&p)).map(|p| p.1).collect();
+        Self { springs, slim: slim.into_boxed_slice(), slim_springs, surrogate, size }
     }
 }
 

@@ -8,7 +8,7 @@ use crate::linear::hessian::Hessian;
 use nalgebra::Matrix3;
 
 /// The inertia term of a stage.
-pub(crate) struct Inert {
+pub(crate) struct Inertia {
     /// Mass of every vertex, kg.
     pub mass: Vec<f64>,
     /// Factor r of the inertia, 1/s².
@@ -25,7 +25,7 @@ pub(crate) struct Inert {
     pub viscous: Vec<Matrix3<f64>>,
 }
 
-impl Inert {
+impl Inertia {
     /// Scales energy and forces of the cloth, adds those of inertia and damping, and returns the energy, J.
     pub fn evaluate(&self, x: &[Vec3], energy: f64, f: &mut [Vec3]) -> f64 {
         let mut sum = self.share * energy;

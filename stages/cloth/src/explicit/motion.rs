@@ -109,7 +109,7 @@ impl<'a> MotionRun<'a> {
         let mut plain = settings.clone();
         plain.explicit.damping = damping;
         plain.explicit.stiffness_damping = 0.0;
-        plain.explicit.even_inertia = false;
+        plain.explicit.mass_scaling = false;
         let mut problem = Problem::new(scene, &plain, false)?;
         let stable = problem.stable_step(&problem.start.clone());
         let steps = steps_in_frame(dynamics, frame, stable)?;

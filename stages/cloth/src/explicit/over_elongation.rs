@@ -25,13 +25,13 @@ struct Yarn {
 pub(crate) struct OverElongation {
     yarns: Vec<Yarn>,
     /// Yarns near their limits, by number.
-    watched: Vec<u32>,
+    near_limit: Vec<u32>,
     /// Steps since all yarns were tested.
     steps_since_test: u32,
     /// Corrections so far.
     pub corrected: u64,
     /// Largest number of yarns that were watched at once.
-    pub most_watched: usize,
+    pub most_near_limit: usize,
 }
 
 /// The yarn of a triangle along a direction (weft, warp) of unit length, with its allowed elongation.
@@ -67,10 +67,10 @@ impl OverElongation {
         let none = yarns.is_empty();
         (!none).then_some(Self {
             yarns,
-            watched: Vec::new(),
+            near_limit: Vec::new(),
             steps_since_test: ELONGATION_WATCH_STEPS.get(),
             corrected: 0,
-            most_watched: 0,
+            most_near_limit: 0,
         })
     }
 
@@ -103,14 +103,14 @@ impl OverElongation {
     fn test_all(&mut self, x: &[Vec3]) {
         let share = ELONGATION_WATCH_SHARE.get();
         self.steps_since_test = 0;
-        self.watched.clear();
+        self.near_limit.clear();
         for (i, y) in (0u32..).zip(&self.yarns) {
             let near = 1.0 + share * (y.limit - 1.0);
             if y.stretch(x).0.norm_squared() > near * near {
-                self.watched.push(i);
+                self.near_limit.push(i);
             }
         }
-        self.most_watched = self.most_watched.max(self.watched.len());
+        self.most_near_limit = self.most_near_limit.max(self.near_limit.len());
     }
 
     /// Passes over the watched yarns, forwards and backwards in turn so that a correction travels both ways.
@@ -125,9 +125,9 @@ impl OverElongation {
     /// One pass over the watched yarns. Returns `true` if any was corrected.
     fn pass(&mut self, backwards: bool, x: &mut [Vec3], v: &mut [Vec3], inverse_mass: &[f64], dt: f64) -> bool {
         let mut any = false;
-        for k in 0..self.watched.len() {
-            let k = if backwards { self.watched.len() - 1 - k } else { k };
-            let y = &self.yarns[self.watched[k] as usize];
+        for k in 0..self.near_limit.len() {
+            let k = if backwards { self.near_limit.len() - 1 - k } else { k };
+            let y = &self.yarns[self.near_limit[k] as usize];
             let (d, stretch) = y.stretch(x);
             if stretch <= y.limit {
                 continue;

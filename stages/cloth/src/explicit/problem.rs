@@ -89,7 +89,7 @@ impl Problem {
             e.add_stiffness(&start, &mut stiffness_rows);
         }
         let pins = held(scene);
-        let masses = Masses::new(cloth, &stiffness_rows, s.explicit.even_inertia, &pins);
+        let masses = Masses::new(cloth, &stiffness_rows, s.explicit.mass_scaling, &pins);
         let sewing = SewingForces::new(scene, s, &stiffness_rows, &masses.inertia, pulls);
         Self {
             energies,

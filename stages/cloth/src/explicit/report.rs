@@ -109,10 +109,10 @@ fn friction(problem: &Problem, scene: &Scene) -> (bool, String) {
 
 fn strain_limit(problem: &Problem, scene: &Scene) -> (bool, String) {
     let evidence = match &problem.over_elongation {
-        Some(l) if l.most_watched > 0 => {
+        Some(l) if l.most_near_limit > 0 => {
             format!(
                 "up to {} yarn directions of triangles near their limit, {} corrections",
-                l.most_watched, l.corrected
+                l.most_near_limit, l.corrected
             )
         }
         Some(_) => "no triangle came near its limit".into(),
@@ -126,8 +126,9 @@ fn strain_limit(problem: &Problem, scene: &Scene) -> (bool, String) {
 
 /// Report of stretch curves that were used softer than measured, with the strain that this adds.
 fn softened_stretch(scene: &Scene, s: &Settings) -> EffectReport {
-    let steepest = |c: &Curve| c.tangent(0.0);
-    let rest = scene.materials.iter().map(|m| steepest(&m.warp).max(steepest(&m.weft))).fold(0.0, f64::max);
+    let initial_stiffness = |c: &Curve| c.tangent(0.0);
+    let rest =
+        scene.materials.iter().map(|m| initial_stiffness(&m.warp).max(initial_stiffness(&m.weft))).fold(0.0, f64::max);
     let on = rest > s.explicit.stiffness_cap;
     let evidence = if on {
         format!(

@@ -229,8 +229,8 @@ impl<'a> Run<'a> {
             && (!pulling || sewing.is_fully_grown())
             && self.problem.are_pins_placed(&self.state.x);
         self.rest.quiet_windows = if quiet { self.rest.quiet_windows + 1 } else { 0 };
-        let trembling = speed <= TREMBLING_SPEED.get() * tolerance;
-        if !quiet && !pulling && trembling && energy_rests && DAMPING_RAISE.is_on() {
+        let is_oscillating = speed <= TREMBLING_SPEED.get() * tolerance;
+        if !quiet && !pulling && is_oscillating && energy_rests && DAMPING_RAISE.is_on() {
             // Single vertices still tremble at a contact. Damping does not move the rest shape.
             let rate = &mut self.problem.damping.rate;
             *rate = (*rate * DAMPING_GROWTH.get()).min(DAMPING_RATE_MAX.get());

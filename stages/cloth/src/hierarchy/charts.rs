@@ -20,9 +20,9 @@ pub(crate) struct Charts {
     /// Set where these are places in space, of a curved rest shape.
     pub curved: bool,
     /// Knot of every copy.
-    pub knot: Vec<u32>,
+    pub seam_class: Vec<u32>,
     /// Number of knots.
-    pub knots: usize,
+    pub seam_classes: usize,
     /// Knots that must stay because of a load, or because lines meet there.
     pub fixed: Vec<bool>,
     /// Knots with a held vertex.
@@ -48,15 +48,15 @@ impl Charts {
         let at = |i: usize| number[group[i] as usize];
         let corners = (0..scene.triangles.len()).map(|f| [at(3 * f), at(3 * f + 1), at(3 * f + 2)]).collect();
         let sewn = groups(scene.positions.len(), &scene.stitches);
-        let knots = scene.positions.len();
+        let seam_classes = scene.positions.len();
         let mark = |vertices: &mut dyn Iterator<Item = u32>| {
-            let mut marked = vec![false; knots];
+            let mut marked = vec![false; seam_classes];
             vertices.for_each(|v| marked[sewn[v as usize] as usize] = true);
             marked
         };
         let mut fixed = mark(&mut scene.loads.iter().map(|l| l.vertex));
         let pinned = mark(&mut scene.pins.iter().map(|p| p.vertex));
-        let mut line = vec![0; knots];
+        let mut line = vec![0; seam_classes];
         let lines = scene.bands.iter().map(|b| &b.vertices).chain(scene.folds.iter().map(|f| &f.vertices));
         for (n, vertices) in (1u32..).zip(lines) {
             for v in vertices {
@@ -66,8 +66,8 @@ impl Charts {
                 line[k] = n;
             }
         }
-        let knot = vertex.iter().map(|v| sewn[*v as usize]).collect();
-        Self { corners, vertex, rest, places, curved, knot, knots, fixed, pinned, line }
+        let seam_class = vertex.iter().map(|v| sewn[*v as usize]).collect();
+        Self { corners, vertex, rest, places, curved, seam_class, seam_classes, fixed, pinned, line }
     }
 }
 

@@ -29,8 +29,8 @@ struct Queue {
 }
 
 impl Queue {
-    fn new(knots: usize) -> Self {
-        Self { heap: BinaryHeap::new(), waiting: vec![Vec::new(); knots] }
+    fn new(seam_classes: usize) -> Self {
+        Self { heap: BinaryHeap::new(), waiting: vec![Vec::new(); seam_classes] }
     }
 
     fn push(&mut self, length: f64, a: u32, b: u32) {
@@ -52,15 +52,15 @@ impl Mesh {
     /// The mesh of a scene before any collapse.
     pub fn new(scene: &Scene, charts: Charts) -> Self {
         let triangles: Vec<_> = charts.corners.iter().map(|c| Some(*c)).collect();
-        let mut stars = vec![Vec::new(); charts.knots];
+        let mut stars = vec![Vec::new(); charts.seam_classes];
         for (f, c) in (0u32..).zip(&charts.corners) {
-            c.iter().for_each(|c| stars[charts.knot[*c as usize] as usize].push(f));
+            c.iter().for_each(|c| stars[charts.seam_class[*c as usize] as usize].push(f));
         }
         Self { carried: vec![Vec::new(); scene.triangles.len()], charts, triangles, stars }
     }
 
-    fn knot(&self, copy: u32) -> u32 {
-        self.charts.knot[copy as usize]
+    fn seam_class(&self, copy: u32) -> u32 {
+        self.charts.seam_class[copy as usize]
     }
 
     fn length(&self, a: u32, b: u32) -> f64 {
@@ -68,13 +68,13 @@ impl Mesh {
     }
 
     /// Triangles around a knot with their corners.
-    fn around(&self, knot: u32) -> impl Iterator<Item = (u32, [u32; 3])> + '_ {
-        self.stars[knot as usize].iter().filter_map(|f| self.triangles[*f as usize].map(|c| (*f, c)))
+    fn around(&self, seam_class: u32) -> impl Iterator<Item = (u32, [u32; 3])> + '_ {
+        self.stars[seam_class as usize].iter().filter_map(|f| self.triangles[*f as usize].map(|c| (*f, c)))
     }
 
     /// Knots of the triangles around a knot, itself among them, ascending.
-    fn ring(&self, knot: u32) -> Vec<u32> {
-        let mut ring: Vec<u32> = self.around(knot).flat_map(|(_, c)| c).map(|c| self.knot(c)).collect();
+    fn ring(&self, seam_class: u32) -> Vec<u32> {
+        let mut ring: Vec<u32> = self.around(seam_class).flat_map(|(_, c)| c).map(|c| self.seam_class(c)).collect();
         ring.sort_unstable();
         ring.dedup();
         ring
@@ -82,9 +82,9 @@ impl Mesh {
 
     /// Collapses until edges are about `edge` long, m.
     pub fn collapse(&mut self, edge: f64) {
-        let mut queue = Queue::new(self.charts.knots);
-        for knot in (0u32..).take(self.charts.knots) {
-            self.offer(knot, edge, &mut queue);
+        let mut queue = Queue::new(self.charts.seam_classes);
+        for seam_class in (0u32..).take(self.charts.seam_classes) {
+            self.offer(seam_class, edge, &mut queue);
         }
         while let Some((a, b)) = queue.pop() {
             let Some(moves) = self.moves(a, b, edge) else { continue };
@@ -97,8 +97,8 @@ impl Mesh {
     fn offer(&self, a: u32, edge: f64, queue: &mut Queue) {
         let mut seen: Vec<(u32, f64)> = Vec::new();
         for (_, corners) in self.around(a) {
-            let Some(mine) = corners.into_iter().find(|c| self.knot(*c) == a) else { continue };
-            seen.extend(corners.iter().filter(|c| **c != mine).map(|c| (self.knot(*c), self.length(mine, *c))));
+            let Some(mine) = corners.into_iter().find(|c| self.seam_class(*c) == a) else { continue };
+            seen.extend(corners.iter().filter(|c| **c != mine).map(|c| (self.seam_class(*c), self.length(mine, *c))));
         }
         seen.sort_by(|p, q| p.0.cmp(&q.0).then(p.1.total_cmp(&q.1)));
         seen.dedup_by_key(|s| s.0);
@@ -115,9 +115,9 @@ impl Mesh {
         let mut moves: Vec<(u32, u32)> = Vec::new();
         let mut mine: Vec<u32> = Vec::new();
         for (_, c) in self.around(a) {
-            let own = c.into_iter().find(|c| self.knot(*c) == a)?;
+            let own = c.into_iter().find(|c| self.seam_class(*c) == a)?;
             mine.push(own);
-            moves.extend(c.iter().filter(|c| self.knot(**c) == b).map(|c| (own, *c)));
+            moves.extend(c.iter().filter(|c| self.seam_class(**c) == b).map(|c| (own, *c)));
         }
         mine.sort_unstable();
         mine.dedup();
@@ -134,9 +134,9 @@ impl Mesh {
         let shared = first.iter().filter(|k| **k != a && **k != b && second.binary_search(k).is_ok()).count();
         let mut across: Vec<u32> = self
             .around(a)
-            .filter(|(_, c)| c.iter().any(|c| self.knot(*c) == b))
+            .filter(|(_, c)| c.iter().any(|c| self.seam_class(*c) == b))
             .flat_map(|(_, c)| c)
-            .map(|c| self.knot(c))
+            .map(|c| self.seam_class(c))
             .filter(|k| *k != a && *k != b)
             .collect();
         across.sort_unstable();
@@ -165,13 +165,13 @@ impl Mesh {
     fn lines(&self, a: u32) -> Vec<(u32, usize)> {
         let mut sides: Vec<(u32, [u32; 2], bool)> = Vec::new();
         for (_, c) in self.around(a) {
-            let Some(k) = (0..3).find(|k| self.knot(c[*k]) == a) else { continue };
+            let Some(k) = (0..3).find(|k| self.seam_class(c[*k]) == a) else { continue };
             for (other, third) in [(c[(k + 1) % 3], c[(k + 2) % 3]), (c[(k + 2) % 3], c[(k + 1) % 3])] {
-                let pinned = |c: u32| self.charts.pinned[self.knot(c) as usize];
+                let pinned = |c: u32| self.charts.pinned[self.seam_class(c) as usize];
                 let limit = pinned(c[k]) && pinned(other) && !pinned(third);
-                let line = |c: u32| self.charts.line[self.knot(c) as usize];
+                let line = |c: u32| self.charts.line[self.seam_class(c) as usize];
                 let along = line(other) != 0 && line(other) == line(c[k]);
-                sides.push((self.knot(other), [c[k], other], limit || along));
+                sides.push((self.seam_class(other), [c[k], other], limit || along));
             }
         }
         sides.sort_unstable();
@@ -187,8 +187,13 @@ impl Mesh {
     fn straight(&self, a: u32, b: u32, c: u32, edge: f64) -> bool {
         let mut ends: Vec<(u32, u32, u32)> = Vec::new();
         for (_, corners) in self.around(a) {
-            let Some(own) = corners.into_iter().find(|c| self.knot(*c) == a) else { continue };
-            ends.extend(corners.iter().filter(|k| [b, c].contains(&self.knot(**k))).map(|k| (own, self.knot(*k), *k)));
+            let Some(own) = corners.into_iter().find(|c| self.seam_class(*c) == a) else { continue };
+            ends.extend(
+                corners
+                    .iter()
+                    .filter(|k| [b, c].contains(&self.seam_class(**k)))
+                    .map(|k| (own, self.seam_class(*k), *k)),
+            );
         }
         ends.sort_unstable();
         ends.dedup();
@@ -207,7 +212,7 @@ impl Mesh {
     fn shaped(&self, a: u32, moves: &[(u32, u32)], edge: f64) -> bool {
         let mut left = vec![0; moves.len()];
         for (_, c) in self.around(a) {
-            let Some(k) = (0..3).find(|k| self.knot(c[*k]) == a) else { continue };
+            let Some(k) = (0..3).find(|k| self.seam_class(c[*k]) == a) else { continue };
             let Ok(m) = moves.binary_search_by_key(&c[k], |m| m.0) else { return false };
             let target = moves[m].1;
             if c.contains(&target) {

@@ -35,7 +35,7 @@ pub(crate) struct Factor {
     /// Right-hand side, and then the solution, in the order of elimination.
     right: Vec<f32>,
     /// Updates of the right-hand side above the halves by the second half.
-    aside: Vec<f32>,
+    second_update: Vec<f32>,
     /// Work arrays of the elimination, for each half.
     workspaces: [Workspace; 2],
     /// Work arrays of the solves, for each half.
@@ -83,7 +83,7 @@ impl Factor {
         let [own, second, above] = halves.cut(start, &mut self.values[..*length]);
         let ([workspace, spare], from) = (&mut self.workspaces, start(b));
         // This is not kept, because most memory is in use while the next system is put together.
-        let aside = &mut vec![0.0; above.len()];
+        let second_update = &mut vec![0.0; above.len()];
         let (arch, failed) = (self.arch, AtomicBool::new(false));
         let go = |part: Range<usize>, values: PartView<'_>, workspace: &mut Workspace| {
             arch.dispatch(Eliminate { all: nodes, part, values, workspace, failed: &failed });
@@ -91,9 +91,9 @@ impl Factor {
         self.second_thread_seconds += fork_join(
             threads,
             || go(0..a, PartView { own, first: 0, above, from }, workspace),
-            || go(a..b, PartView { own: second, first: start(a), above: aside, from }, spare),
+            || go(a..b, PartView { own: second, first: start(a), above: second_update, from }, spare),
         );
-        above.iter_mut().zip(&*aside).for_each(|(v, s)| *v += s);
+        above.iter_mut().zip(&*second_update).for_each(|(v, s)| *v += s);
         go(b..nodes.len(), PartView { own: above, first: from, above: &mut [], from: *length }, workspace);
         !failed.into_inner()
     }
@@ -169,9 +169,9 @@ impl Factor {
         let all = self.right.len();
         let start = |k: usize| nodes.get(k).map_or(all, |n| 3 * n.first as usize);
         let [own, second, above] = self.symbolic.halves.cut(start, &mut self.right);
-        let (aside, from) = (&mut self.aside, start(b));
-        aside.clear();
-        aside.resize(above.len(), 0.0);
+        let (second_update, from) = (&mut self.second_update, start(b));
+        second_update.clear();
+        second_update.resize(above.len(), 0.0);
         let (arch, threads) = (
             self.arch,
             if values.len() < PARALLEL_SOLVE_SCALARS_MIN.get() {
@@ -184,21 +184,22 @@ impl Factor {
             arch.dispatch(Substitute { way, nodes: &nodes[part], values, right, local });
         };
         let mut seconds = 0.0;
-        let mut halves = |way: Way, above: &mut [f32], aside: &mut [f32], [local, spare]: &mut [Vec<f32>; 2]| {
-            seconds += fork_join(
-                threads,
-                || go(way, 0..a, PartView { own, first: 0, above, from }, local),
-                || go(way, a..b, PartView { own: second, first: start(a), above: aside, from }, spare),
-            );
-        };
-        halves(Way::Down, above, aside, &mut self.locals);
-        above.iter_mut().zip(&*aside).for_each(|(v, s)| *v += s);
+        let mut solve_halves =
+            |way: Way, above: &mut [f32], second_update: &mut [f32], [local, spare]: &mut [Vec<f32>; 2]| {
+                seconds += fork_join(
+                    threads,
+                    || go(way, 0..a, PartView { own, first: 0, above, from }, local),
+                    || go(way, a..b, PartView { own: second, first: start(a), above: second_update, from }, spare),
+                );
+            };
+        solve_halves(Way::Down, above, second_update, &mut self.locals);
+        above.iter_mut().zip(&*second_update).for_each(|(v, s)| *v += s);
         for way in [Way::Down, Way::Up] {
             let right = PartView { own: above, first: from, above: &mut [], from: all };
             go(way, b..nodes.len(), right, &mut self.locals[0]);
         }
-        aside.copy_from_slice(above);
-        halves(Way::Up, above, aside, &mut self.locals);
+        second_update.copy_from_slice(above);
+        solve_halves(Way::Up, above, second_update, &mut self.locals);
         self.second_thread_seconds += seconds;
     }
 

@@ -94,8 +94,8 @@ impl Descent<'_> {
             let gains = rise <= -armijo * part * slope;
             // Where the gain is lost in the digits of the energy, the slopes still show it (Hager and Zhang 2005, eq. 4.1).
             let rounding = ENERGY_ROUNDING * energy.abs() + self.objective().noise;
-            let unseen = rise <= rounding && on >= (2.0 * armijo - 1.0) * slope;
-            if self.energy.is_finite() && (gains || unseen) {
+            let lost_in_rounding = rise <= rounding && on >= (2.0 * armijo - 1.0) * slope;
+            if self.energy.is_finite() && (gains || lost_in_rounding) {
                 self.accept(&force, moved, part);
                 return Some(part);
             }

@@ -8,7 +8,7 @@ use crate::contact::lagged_friction::LaggedFriction;
 use crate::contact::parameters::{ContactParameters, contact_parameters};
 use crate::effects::{BENDING_HYSTERESIS, Facts};
 use crate::energy::hysteresis::held::Hysteresis;
-use crate::energy::inertia::Inert;
+use crate::energy::inertia::Inertia;
 use crate::energy::model::model;
 use crate::energy::pressure::Pressure;
 use crate::energy::stitch_penalty::Seams;
@@ -36,7 +36,7 @@ pub(crate) struct Terms {
     /// The stitch penalty, while pieces are sewn.
     pub stitches: Option<Seams>,
     /// Inertia and damping of a stage of a time step; `None` at rest.
-    pub inertia: Option<Inert>,
+    pub inertia: Option<Inertia>,
 }
 
 /// The vertices, and which of them are unknowns.

@@ -154,7 +154,7 @@ fn bending_hysteresis(d: &Descent<'_>, scene: &Scene) -> (bool, String) {
     let share = scene.materials.iter().map(Material::bend_friction_share).fold(0.0, f64::max);
     let part = format!("HB c/B is at most {share:.2}");
     let evidence = match (&d.objective().terms.hysteresis, share > 0.0) {
-        (Some(h), _) => format!("{part}; {} of {} holds slid at the last look", h.slid(), h.len()),
+        (Some(h), _) => format!("{part}; {} of {} holds slid at the last look", h.slip(), h.len()),
         (None, false) => "no fabric has friction in bending".into(),
         (None, true) if switch == Switch::Off => "switched off".into(),
         (None, true) => format!("{part}: the drape coefficient would change by less than a point"),

@@ -84,7 +84,7 @@ pub struct ExplicitSteps {
     /// Fraction of the stable time step that is used, 0..1.
     pub step_fraction: f64,
     /// Elements much smaller than the rest get inertia (not weight) so that they do not rule the time step.
-    pub even_inertia: bool,
+    pub mass_scaling: bool,
     /// Stop condition b: relative change of the elastic energy over a check interval.
     pub energy_tolerance: f64,
     /// No free vertex may be faster than this for the state to be called settled, m/s.
@@ -103,7 +103,7 @@ impl Default for ExplicitSteps {
             contact_stiffness: 0.0,
             stiffness_cap: 2000.0,
             step_fraction: 0.6,
-            even_inertia: true,
+            mass_scaling: true,
             energy_tolerance: 1e-3,
             speed_tolerance: 2e-3,
             max_steps: 2_000_000,

@@ -74,7 +74,7 @@ fn sew(d: &mut Descent<'_>, scene: &Scene, watch: &mut dyn Watch) -> Result<Opti
     let mut pinned = PinnedTargets::sewing();
     let reason = gather(d, scene, &mut threads, &mut pinned, watch)?;
     let apart = (reason != StopReason::Settled).then(|| d.x.clone());
-    tighten(d, &mut threads, &mut pinned, watch)?;
+    close_tightly(d, &mut threads, &mut pinned, watch)?;
     let drawn = Scene { positions: d.x.clone(), ..scene.clone() };
     Ok(apart.filter(|_| strain_over_limit(&drawn, d.settings) > SEWN_STRAIN_MOST.get()))
 }
@@ -107,7 +107,7 @@ struct Threads {
     /// Largest distance to the body as it should be in the end, m.
     gap: f64,
     /// Distance at which cloth feels the body for now, m. Cloth that feels the body early slides round it.
-    stand_off: f64,
+    contact_distance: f64,
     /// Force per length of seam, N/m.
     force: f64,
 }
@@ -116,9 +116,9 @@ impl Threads {
     fn new(d: &mut Descent<'_>) -> Self {
         let barrier = d.objective().terms.barrier.as_ref();
         let gap = barrier.map_or(0.0, |b| b.parameters.body_gap.iter().copied().fold(0.0, f64::max));
-        let mut threads = Self { gap, stand_off: 0.0, force: SEWING_FORCE_FIRST.get() };
+        let mut threads = Self { gap, contact_distance: 0.0, force: SEWING_FORCE_FIRST.get() };
         let first = (STAND_OFF_EDGES.get() * d.objective().edge).min(STAND_OFF_MOST.get());
-        threads.set_stand_off(d, if STAND_OFF.is_on() { first } else { 0.0 });
+        threads.set_contact_distance(d, if STAND_OFF.is_on() { first } else { 0.0 });
         threads
     }
 
@@ -132,8 +132,8 @@ impl Threads {
         });
     }
 
-    fn set_stand_off(&mut self, d: &mut Descent<'_>, distance: f64) {
-        self.stand_off = distance;
+    fn set_contact_distance(&mut self, d: &mut Descent<'_>, distance: f64) {
+        self.contact_distance = distance;
         d.change(|o, x| {
             if let Some(b) = &mut o.terms.barrier {
                 b.body_activation_distance = distance;
@@ -182,9 +182,9 @@ impl Mechanism for Gathering<'_> {
     fn begin_round(&mut self, d: &mut Descent<'_>, watch: &mut dyn Watch) -> Result<Verdict, ClothError> {
         self.before = d.objective().widest_stitch(&d.x);
         watch.done(GATHERING_WORK * ((self.first - self.before) / self.first.max(1e-12)).max(0.0));
-        if self.before < self.threads.stand_off {
+        if self.before < self.threads.contact_distance {
             // The seams are nearly closed: the distance to the body shrinks with the gaps.
-            self.threads.set_stand_off(d, self.before.max(0.5 * self.threads.stand_off));
+            self.threads.set_contact_distance(d, self.before.max(0.5 * self.threads.contact_distance));
         }
         if self.before <= GATHERED_GAP.get() * self.edge {
             return Ok(Verdict::Stop(StopReason::Settled));
@@ -207,19 +207,19 @@ impl Gathering<'_> {
     /// The gaps no longer shrink by themselves: pulls harder, lets the cloth nearer to the body, or counts the block as idle.
     fn press_on(&mut self, d: &mut Descent<'_>, b: &Block) {
         let (force_most, threads) = (SEWING_FORCE_MOST.get(), &mut *self.threads);
-        let may_come_nearer = threads.stand_off > STAND_OFF_EDGES_LEAST.get() * self.edge;
+        let may_come_nearer = threads.contact_distance > STAND_OFF_EDGES_LEAST.get() * self.edge;
         if threads.force < force_most
             && b.steps > SEWING_FORCE_BLOCK_STEPS.get()
             && b.mean > SEWING_FORCE_MEAN_PART.get()
         {
             threads.pull(d, SEWING_FORCE_FACTOR.get() * threads.force, self.reach);
             if threads.force >= STAND_OFF_CRAMPED_FORCE.get() && may_come_nearer {
-                threads.set_stand_off(d, STAND_OFF_FACTOR.get() * threads.stand_off);
+                threads.set_contact_distance(d, STAND_OFF_FACTOR.get() * threads.contact_distance);
             }
         } else if threads.force >= force_most && self.before < STAND_OFF_NARROW_GAP.get() * self.edge && may_come_nearer
         {
             // In a narrow place the body itself may hold the gap open.
-            threads.set_stand_off(d, STAND_OFF_FACTOR.get() * threads.stand_off);
+            threads.set_contact_distance(d, STAND_OFF_FACTOR.get() * threads.contact_distance);
         } else {
             // Short steps are no standstill yet; a block without a step is.
             self.idle += if b.steps == 0 || threads.force >= force_most { 4 } else { 1 };
@@ -228,7 +228,7 @@ impl Gathering<'_> {
 }
 
 /// Draws the threads tight while the cloth comes to its distance from the body.
-fn tighten(
+fn close_tightly(
     d: &mut Descent<'_>,
     threads: &mut Threads,
     pinned: &mut PinnedTargets,
@@ -266,9 +266,9 @@ impl Mechanism for Tightening<'_> {
     }
 
     fn after_block(&mut self, d: &mut Descent<'_>, b: &Block) -> Verdict {
-        if self.threads.stand_off > 0.0 {
-            let next = 0.5 * self.threads.stand_off;
-            self.threads.set_stand_off(d, if next <= self.threads.gap { 0.0 } else { next });
+        if self.threads.contact_distance > 0.0 {
+            let next = 0.5 * self.threads.contact_distance;
+            self.threads.set_contact_distance(d, if next <= self.threads.gap { 0.0 } else { next });
             self.last_energy = f64::INFINITY;
             return Verdict::Go;
         }

@@ -38,6 +38,9 @@ pub(crate) struct Joined {
 pub(crate) fn join(x: &[Vec3], stitches: &[[u32; 2]], gap_most: f64, near: &Obstacles<'_>) -> Joined {
     let is_near = |s: &&[u32; 2]| (x[s[0] as usize] - x[s[1] as usize]).norm() <= gap_most;
     let mut chosen: Vec<[u32; 2]> = stitches.iter().filter(is_near).copied().collect();
+    if chosen.is_empty() {
+        return Joined { x: x.to_vec(), stitches: chosen };
+    }
     let before: BTreeSet<[u32; 2]> = near.self_crossings(x).into_iter().collect();
     for _ in 0..ROUNDS_MOST {
         let group = groups(x.len(), &chosen);
@@ -59,6 +62,9 @@ pub(crate) fn join(x: &[Vec3], stitches: &[[u32; 2]], gap_most: f64, near: &Obst
 /// The stitches of a scene that can be joined, of those that are not wider than `gap_most`, m, at `positions`, m.
 #[must_use]
 pub fn joinable_stitches(scene: &Scene, settings: &Settings, positions: &[Vec3], gap_most: f64) -> Vec<[u32; 2]> {
+    if scene.stitches.is_empty() {
+        return Vec::new();
+    }
     let faces: Vec<[u32; 3]> = scene.triangles.iter().map(|t| t.vertices).collect();
     let facts = Facts::of_scene(scene, settings);
     let has_self_contact = SELF_CONTACT.is_on(&facts, settings);
@@ -110,5 +116,7 @@ mod tests {
         let free = Obstacles { has_self_contact: false, ..near };
         assert_eq!(join(&x, &stitches, 0.005, &free).stitches.len(), 2);
         assert_eq!(join(&x, &stitches, 0.003, &free).stitches.len(), 0);
+        // Without stitches the cloth stays as it is, and no crossing is looked for.
+        assert_eq!(join(&x, &[], 0.005, &near).x, x);
     }
 }

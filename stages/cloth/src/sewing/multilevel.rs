@@ -84,8 +84,8 @@ impl SewnLevel<'_> {
     fn settle_in_place(self, x: &[Vec3], watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
         let heavy = Settings { gravity_scale: 1.0, ..self.settings.clone() };
         let settled = SewnLevel { settings: &heavy, ..self }.smooth(x, watch)?;
-        let slid = |o: &Outcome| crate::farthest(x, &o.positions);
-        if settled.as_ref().is_some_and(|o| slid(o) > SETTLING_SLIDE_MOST.get()) {
+        let moved = |o: &Outcome| crate::farthest(x, &o.positions);
+        if settled.as_ref().is_some_and(|o| moved(o) > SETTLING_SLIDE_MOST.get()) {
             self.smooth(x, watch)
         } else {
             Ok(settled)

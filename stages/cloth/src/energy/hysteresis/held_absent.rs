@@ -25,7 +25,7 @@ impl Hysteresis {
         match *self {}
     }
 
-    pub fn slid(&self) -> usize {
+    pub fn slip(&self) -> usize {
         match *self {}
     }
 

@@ -48,7 +48,7 @@ impl Descent<'_> {
         }
         s.next_wait = (2 * s.next_wait).clamp(SPECULATION_WAIT_FIRST.get(), SPECULATION_WAIT_MOST.get());
         (s.wait, s.most_blocks) = (s.next_wait, SPECULATION_BLOCKS_FIRST.get());
-        self.return_to(checkpoint);
+        self.roll_back_to(checkpoint);
         false
     }
 
@@ -99,7 +99,7 @@ impl Descent<'_> {
 
     /// Takes the cloth back. Contacts that were stiffened on the way stay so. The history is cleared: keeping the one from
     /// before would take as much memory as all other vectors.
-    fn return_to(&mut self, checkpoint: Checkpoint) {
+    fn roll_back_to(&mut self, checkpoint: Checkpoint) {
         let Checkpoint { x, tau, isotropic, steps, friction, hysteresis } = checkpoint;
         (self.x, self.steps) = (x, steps);
         (self.regularization.tau, self.regularization.isotropic) = (tau, isotropic);

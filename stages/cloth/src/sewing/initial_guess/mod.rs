@@ -132,7 +132,7 @@ mod tests {
     }
 
     /// The positions after the initial guess, and the root mean square of the gaps before and after it, m.
-    fn laid(scene: &Scene) -> (Vec<Vec3>, [f64; 2]) {
+    fn bent_piece(scene: &Scene) -> (Vec<Vec3>, [f64; 2]) {
         let settings = Settings::sewing();
         let mut d = Descent::begin(scene, &settings, Task::Sew).unwrap();
         let gap = |x: &[Vec3]| {
@@ -160,7 +160,7 @@ mod tests {
     fn two_flat_pieces_come_together_round_what_is_between_them() {
         let mut scene = two();
         scene.body = Some(block(Vec3::new(-0.1, -0.1, -0.3), Vec3::new(0.1, 0.1, 0.3)).into());
-        let (x, [before, after]) = laid(&scene);
+        let (x, [before, after]) = bent_piece(&scene);
         assert!((before - APART).abs() < 1e-9 && after < 0.25 * before, "{before} {after}");
         assert_eq!(crossings(&scene, &x), 0);
         // One bends as the other does, and neither is drawn out.
@@ -176,11 +176,11 @@ mod tests {
 
     #[test]
     fn what_is_in_the_way_stops_them() {
-        let free = laid(&two()).1[1];
+        let free = bent_piece(&two()).1[1];
         let mut scene = two();
         // A wall beside the body, where one side of the pieces would come down.
         scene.body = Some(block(Vec3::new(0.15, -0.12, -0.3), Vec3::new(0.26, 0.12, 0.3)).into());
-        let (x, [before, after]) = laid(&scene);
+        let (x, [before, after]) = bent_piece(&scene);
         assert_eq!(crossings(&scene, &x), 0);
         assert!(after < before && after > 1.5 * free, "{before} {after} {free}");
     }
@@ -189,9 +189,9 @@ mod tests {
     fn what_is_held_or_lies_in_folds_stays_as_it_is() {
         let mut scene = two();
         scene.pins = [0, EACH].map(|v| Pin { vertex: v, at: scene.positions[v as usize] }).to_vec();
-        assert_eq!(laid(&scene).0, scene.positions);
+        assert_eq!(bent_piece(&scene).0, scene.positions);
         let mut scene = two();
         scene.positions.iter_mut().for_each(|p| p.y += 0.01 * libm::sin(20.0 * p.x));
-        assert_eq!(laid(&scene).0, scene.positions);
+        assert_eq!(bent_piece(&scene).0, scene.positions);
     }
 }

@@ -31,7 +31,7 @@ struct Hold {
 #[derive(Clone)]
 pub(crate) struct Hysteresis {
     holds: Vec<Hold>,
-    slid: usize,
+    slip: usize,
     largest: f64,
 }
 
@@ -67,9 +67,9 @@ impl Hold {
         self.normal = crate::unit_normal(corners).unwrap_or_else(Vec3::zeros);
         let s = self.at(x);
         let held = self.place.clamp(s - self.reach, s + self.reach);
-        let slid = (held - self.place).abs();
+        let slip = (held - self.place).abs();
         self.place = held;
-        0.5 * slid * self.size
+        0.5 * slip * self.size
     }
 }
 
@@ -88,12 +88,12 @@ impl Hysteresis {
             let used = (0..3).filter(|r| rubs(m) && patch.rows[*r].iter().any(|w| *w != 0.0));
             holds.extend(used.map(|r| Hold::new(&patch, r, e.area().abs(), m)));
         }
-        Some(Self { holds, slid: 0, largest: 0.0 })
+        Some(Self { holds, slip: 0, largest: 0.0 })
     }
 
     /// Number of springs that slid at the last refresh.
-    pub fn slid(&self) -> usize {
-        self.slid
+    pub fn slip(&self) -> usize {
+        self.slip
     }
 
     /// Largest slide at the last refresh as a height over the triangle, m.
@@ -108,11 +108,11 @@ impl Hysteresis {
 
     /// Lets all springs slide to `x`.
     pub fn refresh(&mut self, x: &[Vec3]) {
-        (self.slid, self.largest) = (0, 0.0);
+        (self.slip, self.largest) = (0, 0.0);
         for h in &mut self.holds {
-            let slid = h.refresh(x);
-            self.slid += usize::from(slid > 0.0);
-            self.largest = self.largest.max(slid);
+            let slip = h.refresh(x);
+            self.slip += usize::from(slip > 0.0);
+            self.largest = self.largest.max(slip);
         }
     }
 

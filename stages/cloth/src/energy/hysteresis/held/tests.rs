@@ -77,7 +77,7 @@ fn friction_holds_what_bends_little() {
     let little = 0.5 * FRICTION_BUILD_UP.get() / scene.materials[0].bending_length();
     assert!((moment(&scene, &held, little) / (0.5 * FRICTION) - 1.0).abs() < 0.02);
     held.refresh(&rolled(&scene, little));
-    assert_eq!((held.slid, held.largest), (0, 0.0));
+    assert_eq!((held.slip, held.largest), (0, 0.0));
 }
 
 #[test]

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use toile_garment::Vec3;
 
 /// Unit normals per piece and vertex. Vertices at bit-equal places share one, so a welded seam shows no crease.
+#[must_use]
 pub fn smooth(pieces: &[(&[Vec3], &[[u32; 3]])]) -> Vec<Vec<Vec3>> {
     // Sums of doubled area vectors: first per vertex, then per place.
     let mut own: Vec<Vec<Vec3>> = pieces.iter().map(|(p, _)| vec![Vec3::zeros(); p.len()]).collect();
