@@ -68,13 +68,14 @@ pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
     let known = order.earlier.map(|e| e.decisions(order.source)).transpose()?.unwrap_or_default();
     let mut proposal = proposed(order.source, order.is_anonymous, &known)?;
     let mut source = order.source.clone();
-    if order.earlier.is_none() && !proposal.seams.is_empty() {
+    while order.earlier.is_none() && !proposal.seams.is_empty() {
         let [alone, doubtful] = unsewn::unsewn(&source, &proposal, order.is_anonymous);
         source = source.without(&[&alone[..], &doubtful[..]].concat());
-        // Others may be sewn to the edges that the doubtful pieces had.
-        if !doubtful.is_empty() {
-            proposal = proposed(&source, order.is_anonymous, &known)?;
+        if doubtful.is_empty() {
+            break;
         }
+        // Others may be sewn to the edges that the doubtful pieces had. They may be doubtful in their turn.
+        proposal = proposed(&source, order.is_anonymous, &known)?;
     }
     let source = &source;
     for seam in &mut proposal.seams {
