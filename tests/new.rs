@@ -313,7 +313,10 @@ fn a_pattern_too_small_for_any_garment_is_refused_until_its_unit_is_said() {
     let places = ["new", pattern.to_str().expect("path"), "--out", out.to_str().expect("path")];
     let said = toile(&places);
     assert_eq!(said.code, 3, "{said:?}");
-    assert!(said.err.contains("error[pattern-tiny]") && said.err.contains("`--units cm` makes it"), "{said:?}");
+    assert!(
+        said.err.contains("error[pattern-tiny]") && said.err.contains("`--units inch` makes it 220 mm long"),
+        "{said:?}"
+    );
     assert!(!out.exists());
     assert_eq!(toile(&[&places[..], &["--units", "mm"]].concat()).code, 0);
 }

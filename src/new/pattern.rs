@@ -111,8 +111,10 @@ pub fn read(path: &Path, plan: Option<SewingPlan>, wishes: &Wishes) -> Result<So
 
 /// The largest piece of a garment is larger, m. The mitten of a baby measures 0.1 m.
 const LARGEST_PIECE_LEAST: f64 = 0.09;
+/// Lengths of the largest piece of a garment that are named as likely, mm.
+const GARMENT: std::ops::Range<f64> = 90.0..2500.0;
 
-/// Refuses a pattern whose largest piece is smaller than any garment's. `mm` is the unit that it was read in.
+/// Refuses a pattern whose largest piece is smaller than any garment's. `mm` is the unit that it was read in, millimetres.
 fn check_size(garment: &Garment, mm: f64) -> Result<(), Vec<Diagnostic>> {
     let span = |p: &Piece| {
         let far = Vec2::repeat(f64::INFINITY);
@@ -124,12 +126,17 @@ fn check_size(garment: &Garment, mm: f64) -> Result<(), Vec<Diagnostic>> {
     if largest >= LARGEST_PIECE_LEAST || largest <= 0.0 {
         return Ok(());
     }
-    let in_unit =
-        |(word, unit): (&str, f64)| format!("`--units {word}` makes it {:.0} mm long", largest * 1e3 / mm * unit);
-    let choices = [("mm", 1.0), ("cm", 10.0), ("inch", 25.4)].map(in_unit).join(", ");
+    let long = |unit: f64| largest * 1e3 / mm * unit;
+    let is_likely = |(_, unit): &(&str, f64)| GARMENT.contains(&long(*unit));
+    let units = [("cm", 10.0), ("inch", 25.4), ("m", 1e3)].into_iter().filter(is_likely);
+    let in_unit = |(word, unit): (&str, f64)| format!("`--units {word}` makes it {:.0} mm long, ", long(unit));
+    let choices: String = units.map(in_unit).collect();
     let message =
         format!("the largest piece is {:.0} mm long, which no garment's is: the unit is wrong", largest * 1e3);
-    Err(vec![Diagnostic::error(PATTERN_TINY, message).hint(format!("say the unit: {choices}"))])
+    Err(vec![
+        Diagnostic::error(PATTERN_TINY, message)
+            .hint(format!("say the unit: {choices}`--units mm` {:.0} mm", long(1.0))),
+    ])
 }
 
 /// The rule table beside a pattern: the same name with `.rul`, upper and lower case not told apart.

@@ -60,6 +60,9 @@ fn reasons_of_motion(garment: &Garment, language: Language) -> Vec<String> {
     failures.into_iter().filter_map(in_words).collect()
 }
 
+/// So many times its limit is as much as is told of a figure.
+const WILD: f64 = 1e4;
+
 /// The gates of the drape and of the motion that did not hold, in words.
 fn reasons(c: &Certificate, garment: &Garment, language: Language) -> Vec<String> {
     let [crossings, body] = [c.self_crossings, c.body_crossings].map(|n| n as f64);
@@ -82,7 +85,14 @@ fn reasons(c: &Certificate, garment: &Garment, language: Language) -> Vec<String
     ];
     let broken = |(x, name, words, times, decimals): &Gate| {
         let limit = c.limits.get(*name).filter(|l| *x > **l)?;
-        Some(language.fill(words, &[x, limit].map(|v| fixed(v * times, *decimals))))
+        // A wild figure says no more than that.
+        let most = limit * WILD;
+        let told = if most > 0.0 && *x > most {
+            format!("over {}", fixed(most * times, 0))
+        } else {
+            fixed(x * times, *decimals)
+        };
+        Some(language.fill(words, &[told, fixed(limit * times, *decimals)]))
     };
     let mut out: Vec<String> = gates.iter().filter_map(broken).collect();
     out.extend(reasons_of_motion(garment, language));
@@ -110,6 +120,10 @@ mod tests {
         let c = Certificate { settled: true, self_crossings: 3, slip_mm: 20.0, limits, ..Certificate::default() };
         let garment = Garment { certificate: Some(c.clone()), ..Garment::default() };
         assert_eq!(verdict(&garment, &[], Language::English).why, "the cloth crosses itself at 3 places.");
+        let limits = [("residual_rel".to_owned(), 0.1)].into();
+        let wild = Certificate { settled: true, residual_rel: 127_288_814.563, limits, ..Certificate::default() };
+        let why = verdict(&Garment { certificate: Some(wild), ..Garment::default() }, &[], Language::English).why;
+        assert_eq!(why, "forces of over 1000 of a particle's weight are left, 0.100 are allowed.");
         let good = Garment { certificate: Some(Certificate { passed: true, ..c }), ..Garment::default() };
         assert_eq!(verdict(&good, &[], Language::English).passed, Some(true));
         let error = [Diagnostic::error(OUT_OF_RANGE, "no start was found")];

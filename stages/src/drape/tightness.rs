@@ -14,10 +14,14 @@ pub fn finding(garment: &Garment, certificate: &Certificate, tightest: Option<&T
     let worst = tightest.filter(|_| certificate.strain_over_limit > limit)?;
     let at = worst.place.at;
     let piece = nearest(garment, &garment.drape.as_ref()?.positions, &at)?;
+    let girths = girths(garment, &at);
+    // Cloth that is longer than the way round is stretched by something else than the body.
+    let is_loose = girths.is_some_and(|[body, cloth]| cloth > body * LOOSE);
     let message = format!(
-        "piece `{}` is too tight near ({:.0}, {:.0}, {:.0}) mm: strain {:.1} % along the warp, {:.1} % along the weft, \
+        "piece `{}` is {} near ({:.0}, {:.0}, {:.0}) mm: strain {:.1} % along the warp, {:.1} % along the weft, \
          {:.1} % along the bias, {:.2} of the fabric's limit{}",
         piece.name,
+        if is_loose { "stretched" } else { "too tight" },
         at.x * 1e3,
         at.y * 1e3,
         at.z * 1e3,
@@ -25,15 +29,20 @@ pub fn finding(garment: &Garment, certificate: &Certificate, tightest: Option<&T
         worst.weft * 1e2,
         worst.bias * 1e2,
         certificate.strain_over_limit,
-        girths(garment, &at).map_or_else(String::new, |[body, cloth]| {
+        girths.map_or_else(String::new, |[body, cloth]| {
             format!("; at this height the body measures {:.0} mm round and the cloth {:.0} mm", body * 1e3, cloth * 1e3)
         })
     );
-    let finding = Diagnostic::warning(super::TOO_TIGHT, message).at(piece.source.clone());
-    Some(
-        finding.hint("widen the pattern there, take a larger size, a fabric that stretches further, or a smaller body"),
-    )
+    let hint = if is_loose {
+        "the cloth is wider than the body there, so a seam pulls it: look for a seam beside it that is open or wrong"
+    } else {
+        "widen the pattern there, take a larger size, a fabric that stretches further, or a smaller body"
+    };
+    Some(Diagnostic::warning(super::TOO_TIGHT, message).at(piece.source.clone()).hint(hint))
 }
+
+/// Cloth that is so many times as long as the way round the body is not stretched by the body.
+const LOOSE: f64 = 1.1;
 
 /// Girth of the body by a tape, and length of the cloth around it before it is stretched, m, in the level plane of a place.
 fn girths(garment: &Garment, at: &Vec3) -> Option<[f64; 2]> {

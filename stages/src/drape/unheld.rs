@@ -1,4 +1,4 @@
-//! Pieces that nothing holds: their weight is carried, so that they stay about where they were sewn, and the rest of the
+//! Pieces that nothing holds: their weight is borne, so that they stay about where they were sewn, and the rest of the
 //! garment comes to rest without them.
 
 use super::UNHELD;
@@ -10,8 +10,8 @@ use toile_garment::{Diagnostic, Garment, MeshVertex, Piece};
 /// Cloth that moved by a larger share of the longest way fell.
 const FALLEN: f64 = 0.5;
 
-/// Drapes the cloth of a scene. The weight of parts that fall is carried, and all is draped again. Says for every vertex
-/// whether its weight is carried. Where all falls, the places are those of the start, and the reason of the stop tells it.
+/// Drapes the cloth of a scene. The weight of parts that fall is borne, and all is draped again. Says for every vertex
+/// whether its weight is borne. Where all falls, the places are those of the start, and the reason of the stop tells it.
 ///
 /// # Errors
 /// As [`toile_cloth::drape`].
@@ -35,7 +35,7 @@ pub fn drape(
             // All of it falls. It is of more use where it was sewn.
             return Ok((Outcome { positions: scene.positions.clone(), ..outcome }, held));
         }
-        scene.carry(&new);
+        scene.bear_weight(&new);
         fallen.iter().for_each(|number| pin_triangle(scene, &part, *number));
         new.iter().for_each(|v| held[*v as usize] = true);
     }

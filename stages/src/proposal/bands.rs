@@ -59,15 +59,41 @@ impl Bands<'_> {
         let places = openings.iter().map(Vec::as_slice).filter(|o| is_place(o) && o.iter().all(is_open));
         let best = places.min_by(|p, q| off(p).total_cmp(&off(q))).filter(|o| off(o) < self.weights.band_spread);
         let Some(opening) = best else { return Vec::new() };
-        // The ends of the band meet where two pieces of the opening do.
+        let is_collar = !any_ease && self.sewn.length(&end) > self.weights.collar_height * self.sewn.length(&edge);
+        let front = (any_ease || is_collar).then(|| self.front_middle(opening)).flatten();
+        let (start, lead) = front.unwrap_or_else(|| (self.joint_of_pieces(opening), 0.0));
         let n = opening.len();
-        let start =
-            (0..n).find(|k| self.sewn.piece(opening[*k]) != self.sewn.piece(opening[(*k + n - 1) % n])).unwrap_or(0);
         let around: Vec<usize> = (0..n).map(|k| opening[(start + k) % n]).collect();
         let backward = |atoms: Vec<usize>| atoms.into_iter().rev().collect::<Vec<usize>>();
         let confidence = self.weights.confidence;
-        let closing = |a: Vec<usize>, b: Vec<usize>| Closing { a, b: backward(b), confidence };
-        vec![closing(around, edge), closing(end, other_end)]
+        let ring = Closing { a: around, b: backward(edge), lead, confidence };
+        // A collar stands open in front.
+        let ends = Closing { a: end, b: backward(other_end), lead: 0.0, confidence };
+        if front.is_some() && is_collar { vec![ring] } else { vec![ring, ends] }
+    }
+
+    /// The first atom of an opening before which two pieces meet.
+    fn joint_of_pieces(&self, opening: &[usize]) -> usize {
+        let n = opening.len();
+        let meet = |k: &usize| self.sewn.piece(opening[*k]) != self.sewn.piece(opening[(*k + n - 1) % n]);
+        (0..n).find(meet).unwrap_or(0)
+    }
+
+    /// The middle of the front on a symmetric opening: an atom, and the length of it that lies before the middle.
+    fn front_middle(&self, opening: &[usize]) -> Option<(usize, f64)> {
+        let n = opening.len();
+        let length = |k: usize| self.sewn.length(&opening[k..=k]);
+        let total = self.sewn.length(opening);
+        let starts: Vec<f64> = (0..n).map(|k| self.sewn.length(&opening[..k])).collect();
+        let piece = |k: usize| self.sewn.piece(opening[k % n]);
+        let joints: Vec<f64> = (0..n).filter(|k| piece(*k) != piece(k + n - 1)).map(|k| starts[k]).collect();
+        let apart = |x: f64, y: f64| (x - y).rem_euclid(total).min((y - x).rem_euclid(total));
+        let has_joint = |at: f64| joints.iter().any(|j| apart(*j, at) < self.weights.symmetric);
+        let is_middle = |at: f64| joints.iter().all(|j| has_joint(2.0 * at - j));
+        let is_front = |k: usize| self.names.faces_front(piece(k));
+        let ends = (0..n).filter(|k| is_front(*k) && is_front(k + n - 1)).map(|k| (k, 0.0));
+        let halves = (0..n).filter(|k| is_front(*k)).map(|k| (k, 0.5 * length(k)));
+        ends.chain(halves).find(|(k, lead)| !joints.is_empty() && is_middle(starts[*k] + lead))
     }
 
     /// Is a side sewn all along, and to stretches as long as itself, or with any ease?

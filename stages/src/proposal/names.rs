@@ -77,6 +77,10 @@ impl Names for RoleNames {
         }
     }
 
+    fn faces_front(&self, piece: usize) -> bool {
+        self.roles[piece].facing == Some(Facing::Front)
+    }
+
     fn is_waistband(&self, piece: usize) -> bool {
         self.roles[piece].part == Some(Part::Waistband)
     }

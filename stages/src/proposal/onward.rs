@@ -21,7 +21,7 @@ pub fn onward(sewn: Sewn<'_>, is_given: impl Fn(usize) -> bool) -> Vec<Closing> 
             let is_even = is_long && libm::log(lengths[0] / lengths[1]).abs() < weights.even;
             // One stretch against one has been weighed by the search.
             if a.len() + b.len() > 2 && is_even && a.iter().all(is_free) && b.iter().all(|atom| !is_given(*atom)) {
-                found.push(Closing { a, b, confidence: weights.confidence });
+                found.push(Closing { a, b, lead: 0.0, confidence: weights.confidence });
             }
         }
     }

@@ -10,6 +10,8 @@ pub struct Closing {
     pub a: Vec<usize>,
     /// Atoms of the other side, walked backward, in the order in which they meet side a.
     pub b: Vec<usize>,
+    /// Length of the first atom of side a that is sewn last, metres.
+    pub lead: f64,
     /// Likelihood that it is right, 0 to 1.
     pub confidence: f64,
 }

@@ -17,6 +17,8 @@ pub trait Names {
     fn to_lower_edge(&self, piece: usize) -> f64;
     /// Is a piece set on an opening of another one: a sleeve or a collar on a bodice, a cuff on a sleeve?
     fn is_set_on(&self, piece: usize, other: usize) -> bool;
+    /// Is a piece a front?
+    fn faces_front(&self, piece: usize) -> bool;
     /// Is a piece a waistband?
     fn is_waistband(&self, piece: usize) -> bool;
     /// May a piece hang from a waistband?
@@ -50,6 +52,10 @@ impl Names for Nameless {
     }
 
     fn is_set_on(&self, _: usize, _: usize) -> bool {
+        false
+    }
+
+    fn faces_front(&self, _: usize) -> bool {
         false
     }
 

@@ -126,7 +126,7 @@ fn seam(garment: &Garment, shapes: &Shapes, layout: &Layout, chain: &[Stitch]) -
 
 /// A seam of stretches that are sewn to each other as a whole.
 pub fn closing_seam(garment: &Garment, shapes: &Shapes, layout: &Layout, closing: &Closing) -> ProposedSeam {
-    let a = runs(garment, shapes, layout, closing.a.iter().copied(), true);
+    let a = turned_by(runs(garment, shapes, layout, closing.a.iter().copied(), true), closing.lead);
     let b = runs(garment, shapes, layout, closing.b.iter().copied(), false);
     let length = |atoms: &[usize]| atoms.iter().map(|a| layout.atoms[*a].length).sum();
     let count = closing.a.len().max(closing.b.len());
@@ -144,11 +144,44 @@ pub fn closing_seam(garment: &Garment, shapes: &Shapes, layout: &Layout, closing
     }
 }
 
-/// A side in words: the piece, and the edge where it is one.
+/// The runs of a side that starts `lead` metres on, within its first run. That much is walked last.
+fn turned_by(mut runs: Vec<Run>, lead: f64) -> Vec<Run> {
+    if lead <= 0.0 || runs.is_empty() {
+        return runs;
+    }
+    let first = runs.remove(0);
+    let (mut walked, mut points) = (0.0, vec![first.points[0]]);
+    for (k, ends) in first.points.windows(2).enumerate() {
+        let step = (ends[1] - ends[0]).norm();
+        if walked + step > lead {
+            let at = ends[0] + (ends[1] - ends[0]) * ((lead - walked) / step);
+            let rest: Vec<Vec2> = std::iter::once(at).chain(first.points[k + 1..].iter().copied()).collect();
+            points.push(at);
+            let part = |points: Vec<Vec2>| Run {
+                ends: [points[0], points[points.len() - 1]],
+                edges: Vec::new(),
+                points,
+                ..first.clone()
+            };
+            runs.insert(0, part(rest));
+            runs.push(part(points));
+            return runs;
+        }
+        walked += step;
+        points.push(ends[1]);
+    }
+    runs.insert(0, first);
+    runs
+}
+
+/// A side in words: the pieces, and their edges where it covers them.
 fn label(garment: &Garment, runs: &[Run]) -> String {
-    let name = &garment.pieces[runs[0].piece].name;
-    let edges: Vec<String> = runs.iter().flat_map(|r| &r.edges).map(u32::to_string).collect();
-    if edges.is_empty() { name.clone() } else { format!("{name}.{}", edges.join("+")) }
+    let of_piece = |runs: &[Run]| {
+        let name = &garment.pieces[runs[0].piece].name;
+        let edges: Vec<String> = runs.iter().flat_map(|r| &r.edges).map(u32::to_string).collect();
+        if edges.is_empty() { name.clone() } else { format!("{name}.{}", edges.join("+")) }
+    };
+    runs.chunk_by(|r, s| r.piece == s.piece).map(of_piece).collect::<Vec<_>>().join("+")
 }
 
 /// Atoms that follow one another become runs; a dart between them begins a new one.

@@ -192,7 +192,7 @@ impl Sleeve {
     /// The seam of its sides.
     fn closed(&self, weights: &SleeveWeights) -> Option<Closing> {
         let [a, b] = self.sides.clone()?;
-        Some(Closing { a, b: b.into_iter().rev().collect(), confidence: weights.confidence })
+        Some(Closing { a, b: b.into_iter().rev().collect(), lead: 0.0, confidence: weights.confidence })
     }
 }
 
@@ -365,7 +365,7 @@ fn sewn_on(cap: &Opening, armhole: &Opening, begin: [usize; 2], weights: &Sleeve
     cuts.push([n, m]);
     let closing = |w: &[[usize; 2]]| {
         let (a, b) = (around[w[0][0]..w[1][0]].to_vec(), back[w[0][1]..w[1][1]].to_vec());
-        Closing { a, b, confidence: weights.confidence }
+        Closing { a, b, lead: 0.0, confidence: weights.confidence }
     };
     cuts.windows(2).map(closing).collect()
 }

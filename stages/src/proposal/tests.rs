@@ -8,6 +8,7 @@ use crate::sewing::shapes::shapes;
 use crate::testing::{dart, piece, rectangle};
 use toile_garment::dart::DartKind;
 use toile_garment::notch::{Notch, NotchKind};
+use toile_garment::outline::PointKind;
 use toile_garment::{Garment, Piece, PieceId, Vec2};
 
 fn garment(pieces: Vec<Piece>) -> Garment {
@@ -160,6 +161,38 @@ fn a_band_without_marks_goes_around_the_neckline_and_is_closed() {
     assert!(pieces.contains(&0) && pieces.contains(&1));
     let ends = of_band.iter().find(|s| s.a.iter().all(|r| r.piece == 2)).expect("the ends of the band");
     assert!((ends.length_a - 0.03).abs() < 1e-9 && !ends.fold_over);
+}
+
+#[test]
+fn a_collar_stands_open_in_the_middle_of_the_front() {
+    // The second front has a round neckline: no mark tells its middle.
+    let round = |mut front: Piece| {
+        front
+            .outline
+            .points
+            .iter_mut()
+            .filter(|p| (p.at.x - 0.24).abs() < 1e-9 && p.at.y > 0.1)
+            .for_each(|p| p.kind = PointKind::Curve);
+        front
+    };
+    for is_round in [false, true] {
+        let front = top("front bodice", if is_round { 20.0 } else { 120.0 });
+        let front = if is_round { round(front) } else { front };
+        let back = top("back bodice", 60.0);
+        let around = 2.0 * (libm::hypot(60.0, if is_round { 20.0 } else { 120.0 }) + libm::hypot(60.0, 60.0));
+        let garment = garment(vec![front, back, rectangle(0, "collar", 0.95 * around, 70.0)]);
+        let proposal = propose(&garment, &RoleNames::new(&garment), &Known::default()).expect("proposal");
+        let of_collar: Vec<_> = proposal.seams.iter().filter(|s| s.b.iter().any(|r| r.piece == 2)).collect();
+        let [ring] = of_collar[..] else { panic!("its ends are free: {}", of_collar.len()) };
+        assert!((ring.length_a - around * 1e-3).abs() < 1e-6, "{}", ring.length_a);
+        let (first, last) = (&ring.a[0], &ring.a[ring.a.len() - 1]);
+        assert_eq!((first.piece, last.piece), (0, 0));
+        assert!(
+            (first.ends[0].x - 0.24).abs() < 1e-6 && (first.ends[0] - last.ends[1]).norm() < 1e-9,
+            "{:?}",
+            first.ends
+        );
+    }
 }
 
 /// A sleeve of one piece without marks, mm: hem, sides of 104 mm, and a cap.

@@ -435,6 +435,10 @@ pub struct BandWeights {
     pub band_ends: f64,
     /// A long side of a band is at least so many times as long as its ends.
     pub band_least: f64,
+    /// A band at the neck whose ends are longer, as a share of its long side, is a collar. A rib is narrower.
+    pub collar_height: f64,
+    /// The middle of an opening is found where the joints of both sides lie alike, within this (metres).
+    pub symmetric: f64,
     /// A corner of a band has a smaller angle (radians).
     pub corner_most: f64,
     /// Likelihood that such a seam is right.
@@ -443,7 +447,16 @@ pub struct BandWeights {
 
 impl Default for BandWeights {
     fn default() -> Self {
-        Self { band_usual: 0.9, band_spread: 0.2, band_ends: 0.1, band_least: 3.0, corner_most: 2.3, confidence: 0.7 }
+        Self {
+            band_usual: 0.9,
+            band_spread: 0.2,
+            band_ends: 0.1,
+            band_least: 3.0,
+            collar_height: 0.13,
+            symmetric: 5e-3,
+            corner_most: 2.3,
+            confidence: 0.7,
+        }
     }
 }
 

@@ -183,8 +183,8 @@ impl Scene {
         topology::components(self.positions.len(), self.triangles.iter().map(|t| &t.vertices))
     }
 
-    /// Carries the weight of some vertices by loads, so that they do not fall.
-    pub fn carry(&mut self, vertices: &[u32]) {
+    /// Bears the weight of some vertices by loads, so that they do not fall.
+    pub fn bear_weight(&mut self, vertices: &[u32]) {
         let masses = measures::masses(self);
         let load = |v: &u32| Load { vertex: *v, force: self.gravity * -masses[*v as usize] };
         self.loads.extend(vertices.iter().map(load));
