@@ -87,11 +87,8 @@ fn reasons(c: &Certificate, garment: &Garment, language: Language) -> Vec<String
         let limit = c.limits.get(*name).filter(|l| *x > **l)?;
         // A wild figure says no more than that.
         let most = limit * WILD;
-        let told = if most > 0.0 && *x > most {
-            format!("over {}", fixed(most * times, 0))
-        } else {
-            fixed(x * times, *decimals)
-        };
+        let told =
+            if most > 0.0 && *x > most { format!("> {}", fixed(most * times, 0)) } else { fixed(x * times, *decimals) };
         Some(language.fill(words, &[told, fixed(limit * times, *decimals)]))
     };
     let mut out: Vec<String> = gates.iter().filter_map(broken).collect();
@@ -123,7 +120,7 @@ mod tests {
         let limits = [("residual_rel".to_owned(), 0.1)].into();
         let wild = Certificate { settled: true, residual_rel: 127_288_814.563, limits, ..Certificate::default() };
         let why = verdict(&Garment { certificate: Some(wild), ..Garment::default() }, &[], Language::English).why;
-        assert_eq!(why, "forces of over 1000 of a particle's weight are left, 0.100 are allowed.");
+        assert_eq!(why, "forces of > 1000 of a particle's weight are left, 0.100 are allowed.");
         let good = Garment { certificate: Some(Certificate { passed: true, ..c }), ..Garment::default() };
         assert_eq!(verdict(&good, &[], Language::English).passed, Some(true));
         let error = [Diagnostic::error(OUT_OF_RANGE, "no start was found")];

@@ -332,16 +332,24 @@ fn share(piece: &Piece, placed: &[Vec3], edges: &[usize], intake: &[u32], ring: 
             stations.push((*v, length));
         }
     }
-    if let (Some((first, _)), Some((last, _))) = (stations.first(), stations.last()) {
-        let turn = bearing(placed[*last as usize]) - bearing(placed[*first as usize]);
-        if (turn + std::f64::consts::PI).rem_euclid(std::f64::consts::TAU) < std::f64::consts::PI {
-            // The ring runs to the wearer's left; a top edge walked counter-clockwise runs to the right.
-            stations.iter_mut().for_each(|(_, along)| *along = length - *along);
-        }
+    let turn = turn(&stations, placed);
+    if turn < 0.0 {
+        // The ring runs to the wearer's left; a top edge walked counter-clockwise runs to the right.
+        stations.iter_mut().for_each(|(_, along)| *along = length - *along);
     }
-    let sum: Vec3 = stations.iter().map(|(v, _)| placed[*v as usize]).sum();
-    let middle = ring.arc_towards(sum / (stations.len().max(1) as f64));
+    // The mean of an edge that goes more than half round lies near the axis, and tells no direction.
+    let is_half_round = turn.abs() > std::f64::consts::PI;
+    let shown = if is_half_round { &stations[stations.len() / 2..=stations.len() / 2] } else { &stations[..] };
+    let sum: Vec3 = shown.iter().map(|(v, _)| placed[*v as usize]).sum();
+    let middle = ring.arc_towards(sum / (shown.len().max(1) as f64));
     Share { piece: piece.id.index(), stations, length, middle }
+}
+
+/// The turn about the body's axis along stations, rad, to the wearer's left. An edge of a whole ring turns by a full circle.
+fn turn(stations: &[(u32, f64)], placed: &[Vec3]) -> f64 {
+    let at = |s: &(u32, f64)| bearing(placed[s.0 as usize]);
+    let wrapped = |x: f64| (x + std::f64::consts::PI).rem_euclid(std::f64::consts::TAU) - std::f64::consts::PI;
+    stations.windows(2).map(|w| wrapped(at(&w[1]) - at(&w[0]))).sum()
 }
 
 /// Attached edges from the first after a gap, so that a run over the outline's start stays together.
@@ -413,4 +421,31 @@ fn lay(shares: &[Share], ring: &Ring) -> (Vec<Laid>, f64) {
     }
     laid.sort_by(|a, b| a.arc.total_cmp(&b.arc).then(a.pin.vertex.cmp(&b.pin.vertex)));
     (laid, cut)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Places on a circle of 0.14 m, at bearings in degrees.
+    fn around(bearings: impl Iterator<Item = i32>) -> (Vec<(u32, f64)>, Vec<Vec3>) {
+        let place = |b: i32| {
+            let (sin, cos) = libm::sincos(f64::from(b).to_radians());
+            Vec3::new(0.14 * sin, 1.05, 0.14 * cos)
+        };
+        let placed: Vec<Vec3> = bearings.map(place).collect();
+        ((0..placed.len() as u32).map(|v| (v, f64::from(v))).collect(), placed)
+    }
+
+    #[test]
+    fn an_edge_round_the_whole_body_turns_as_it_is_walked() {
+        // A waistband whose ends lie 20 degrees apart at the back, walked to the right and to the left.
+        let (stations, placed) = around((-17..=17).map(|k| -10 * k));
+        assert!((turn(&stations, &placed).to_degrees() + 340.0).abs() < 1e-9);
+        let (stations, placed) = around((-17..=17).map(|k| 10 * k));
+        assert!((turn(&stations, &placed).to_degrees() - 340.0).abs() < 1e-9);
+        // The upper edge of a back, over the bearing where the angle jumps.
+        let (stations, placed) = around((0..=12).map(|k| 240 - 10 * k));
+        assert!((turn(&stations, &placed).to_degrees() + 120.0).abs() < 1e-9);
+    }
 }
