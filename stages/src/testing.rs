@@ -5,6 +5,7 @@ use std::sync::atomic::AtomicBool;
 use toile_garment::body::{Body, BodySegment};
 use toile_garment::dart::{Dart, DartEvidence, DartKind};
 use toile_garment::fabric::{Fabric, StretchLaw};
+use toile_garment::notch::{Notch, NotchKind};
 use toile_garment::outline::{LinePoint, OutlineEdge, PieceLine, PointKind};
 use toile_garment::sewing::{RunSpec, RunWay, SeamSpec};
 use toile_garment::{Garment, Piece, PieceId, Report, Vec2};
@@ -61,6 +62,20 @@ pub fn piece(id: usize, name: &str, points: &[(f64, f64, char)]) -> Piece {
         .collect();
     let outline = PieceLine { points: line, closed: true, ..PieceLine::default() };
     Piece { id: PieceId::from(id), name: name.into(), outline, edges, ..Piece::default() }
+}
+
+/// A slit notch on the boundary, at a place in mm.
+pub fn notch(x: f64, y: f64) -> Notch {
+    Notch {
+        kind: NotchKind::Slit,
+        at: v(x, y),
+        depth: 4e-3,
+        width: 0.0,
+        angle: None,
+        on: "boundary".into(),
+        name: None,
+        source: None,
+    }
 }
 
 /// A rectangle with its corner at the origin, mm.

@@ -5,11 +5,10 @@ use super::mirror::{ALONE, maps};
 use super::tuning::{CALIBRATION, confidence};
 use super::{Known, Nameless, Proposal, RoleNames, Run, propose};
 use crate::sewing::shapes::shapes;
-use crate::testing::{dart, piece, rectangle};
+use crate::testing::{dart, notch, piece, rectangle};
 use toile_garment::dart::DartKind;
-use toile_garment::notch::{Notch, NotchKind};
 use toile_garment::outline::PointKind;
-use toile_garment::{Garment, Piece, PieceId, Vec2};
+use toile_garment::{Garment, Piece, PieceId};
 
 fn garment(pieces: Vec<Piece>) -> Garment {
     let pieces = pieces.into_iter().enumerate().map(|(i, p)| Piece { id: PieceId::from(i), ..p }).collect();
@@ -236,16 +235,7 @@ fn a_sleeve_without_marks_is_sewn_to_a_tube_and_all_round_its_armhole() {
 
 #[test]
 fn a_seam_goes_on_past_a_mark_that_one_side_alone_has() {
-    let mark = |at: (f64, f64)| Notch {
-        kind: NotchKind::Slit,
-        at: Vec2::new(at.0, at.1) * 1e-3,
-        depth: 4e-3,
-        width: 0.0,
-        angle: None,
-        on: "boundary".into(),
-        name: None,
-        source: None,
-    };
+    let mark = |at: (f64, f64)| notch(at.0, at.1);
     let right = |top: f64, share: f64| (top + 150.0 - 75.0 * share, 600.0 * share);
     let left = |share: f64| (75.0 * share, 600.0 * share);
     let mut skirt = skirt();

@@ -32,7 +32,7 @@ impl Score {
     }
 }
 
-/// What a score asks of an atom, close together in memory.
+/// The properties of an atom that the score of a garment reads. They lie close together in memory.
 struct Stretch {
     next: u32,
     before: u32,

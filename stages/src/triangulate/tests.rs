@@ -2,10 +2,9 @@
 
 use super::*;
 use crate::assemble::Assemble;
-use crate::testing::{dart, line, one, piece, rectangle, run, seam, two_points, v};
+use crate::testing::{dart, line, notch, one, piece, rectangle, run, seam, two_points, v};
 use toile_garment::dart::DartKind;
 use toile_garment::mesh::ChainKind;
-use toile_garment::notch::{Notch, NotchKind};
 use toile_garment::outline::{LinePoint, PieceLine, PointKind};
 use toile_garment::piece::PressedFold;
 use toile_garment::sewing::RunSpec;
@@ -217,16 +216,6 @@ fn waistband_skips_the_darts() {
 /// Matching notches meet, and the ease stays between them.
 #[test]
 fn notches_split_the_ease() {
-    let notch = |x: f64, y: f64| Notch {
-        kind: NotchKind::Slit,
-        at: v(x, y),
-        depth: 4e-3,
-        width: 0.0,
-        angle: None,
-        on: "boundary".into(),
-        name: None,
-        source: None,
-    };
     let mut a = rectangle(0, "front", 200.0, 300.0);
     let mut b = rectangle(1, "back", 200.0, 306.0);
     a.notches = vec![notch(200.0, 100.0)];

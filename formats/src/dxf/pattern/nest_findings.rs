@@ -8,8 +8,8 @@ use toile_garment::Diagnostic;
 type Kind<'a> = (&'a str, &'a str);
 
 impl Pattern {
-    /// All findings of the file, where those of one code are told of each piece in a single size: in the one given (`None`
-    /// is the sample size), or else in the first that has any. The text says in how many other sizes there are more.
+    /// The findings of the file. Those of one code are told of each piece in a single size. It is the one given (`None` is
+    /// the sample size), or else the first that has any. The text says in how many other sizes there are more.
     #[must_use]
     pub fn findings_of_size(&self, size: Option<&str>) -> Vec<Diagnostic> {
         let wanted = size.or(self.sample_size.as_deref());
