@@ -125,22 +125,22 @@ impl Stage for Drape {
         start.stitches = joined;
         let mut welded = toile_cloth::weld(&start, &sewn);
         drop((start, sewn));
-        let map = welded.map.clone();
+        let mut sewn_scene = std::mem::take(&mut welded.scene);
         let shape = |x: &[Vec3]| Shape {
-            positions: layout.split(&map.iter().map(|i| x[*i as usize]).collect::<Vec<_>>()),
+            positions: layout.split(&welded.spread(x)),
             sewn: true,
             welded: open == 0,
             ..Shape::default()
         };
         let shown = |x: &[Vec3]| Garment { drape: Some(shape(x)), ..garment.clone() };
-        let draped = unheld::drape(&mut welded.scene, &settings, &mut Follow::showing(cx, &shown));
+        let draped = unheld::drape(&mut sewn_scene, &settings, &mut Follow::showing(cx, &shown));
         let (outcome, held) = draped.map_err(|e| failure_of_open_stitches(&e, open).unwrap_or_else(|| told(e)))?;
         let stored: Vec<Vec3> = outcome.positions.iter().map(to_f32).collect();
-        let figures = toile_cloth::certify(&welded.scene, &settings, &stored).map_err(failure)?;
+        let figures = toile_cloth::certify(&sewn_scene, &settings, &stored).map_err(failure)?;
         let now = layout.split(&welded.spread(&stored));
         let slip = slip(&garment, &stitched, &now);
         let (bands, folds) = (lines::bands(&garment, &layout, &now), lines::folds(&garment, &layout, &now));
-        let unheld = unheld::names(&garment, &layout, &map, &held);
+        let unheld = unheld::names(&garment, &layout, &welded.map, &held);
         cx.report.findings.extend(unheld::finding(&unheld));
         let certificate = certificate::certificate(&garment, params, &outcome, &figures, &now, slip);
         garment.certificate = Some(certificate.with_unheld(unheld));
@@ -151,7 +151,7 @@ impl Stage for Drape {
         garment.drape = Some(shape(&stored));
         garment.reactions = reactions(&garment, &layout, &welded.map, &outcome);
         garment.stitched = Some(stitched);
-        let rests = repeats::measure(&welded, &settings, &outcome, params.repeats, cx).map_err(failure)?;
+        let rests = repeats::measure(&sewn_scene, &settings, &outcome, params.repeats, cx).map_err(failure)?;
         cx.report.findings.extend(rests.as_ref().map(repeats::finding));
         if let Some(certificate) = &mut garment.certificate {
             certificate.rests = rests;

@@ -5,7 +5,7 @@
 
 use super::{DrapeParams, RESTS_APART, SETTING_OUT_OF_RANGE};
 use crate::solve::Follow;
-use toile_cloth::{ClothError, Outcome, Settings, Welded};
+use toile_cloth::{ClothError, Outcome, Scene, Settings};
 use toile_garment::garment::Rests;
 use toile_garment::{Diagnostic, Garment, Vec3};
 use toile_stage_api::{StageContext, StageError};
@@ -26,7 +26,7 @@ pub(super) fn check(params: &DrapeParams) -> Result<(), StageError> {
 
 /// Drapes again from shaken starts and measures every vertex against the first rest.
 pub(super) fn measure(
-    welded: &Welded,
+    scene: &Scene,
     settings: &Settings,
     first: &Outcome,
     repeats: u32,
@@ -35,7 +35,7 @@ pub(super) fn measure(
     let mut apart: Vec<f64> = Vec::new();
     let mut settled = 0;
     for draw in 1..=repeats {
-        let start = toile_cloth::shaken(&welded.scene, SHAKE, draw);
+        let start = toile_cloth::shaken(scene, SHAKE, draw);
         let again = toile_cloth::drape(&start, settings, &mut Follow::new(cx))?;
         settled += u32::from(again.settled);
         apart.extend(again.positions.iter().zip(&first.positions).map(|(p, q): (&Vec3, &Vec3)| (p - q).norm() * 1e3));
