@@ -50,7 +50,7 @@ pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, con
         allow_write: args.allow_write.clone(),
         set: args.pipeline.set.clone(),
         pipeline_file: (source.file().to_owned(), source.text().as_bytes().to_vec()),
-        foreseen: Some((content.key(&pipeline), content.reads)),
+        foreseen: Some(content.into_foreseen(&pipeline)),
         cache: args.cache.options(),
     };
     // A pool that is there already (a library user's) is taken as it is: results do not depend on it.

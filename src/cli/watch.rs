@@ -74,7 +74,7 @@ fn once(
         allow_write: Vec::new(),
         set: args.pipeline.set.clone(),
         pipeline_file: (source.file().to_owned(), source.text().as_bytes().to_vec()),
-        foreseen: Some((content.key(&pipeline), content.reads)),
+        foreseen: Some(content.into_foreseen(&pipeline)),
         cache: Some(cache(args, &out)),
     };
     let mut teller = Teller::new(if args.quiet { Voice::Quiet } else { Voice::Auto }, None);

@@ -49,6 +49,12 @@ impl Content {
         Self { foresight, reads: files.into_seen() }
     }
 
+    /// Key and files for the record. The pieces, the mesh and the body that were foreseen are given up.
+    #[must_use]
+    pub fn into_foreseen(self, pipeline: &Pipeline<'_>) -> (String, Vec<FileRead>) {
+        (self.key(pipeline), self.reads)
+    }
+
     /// Key of the outputs: two runs with one key write the same bytes.
     #[must_use]
     pub fn key(&self, pipeline: &Pipeline<'_>) -> String {

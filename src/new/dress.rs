@@ -5,7 +5,7 @@ use toile_garment::Piece;
 use toile_garment::body::Body;
 use toile_stages::arrange::{Arrangement, arrange};
 use toile_stages::proposal::{Proposal, ProposedSeam, Run};
-use toile_stages::roles::{Join, PiecePoint, Role, roles};
+use toile_stages::roles::{Join, PiecePoint, Role, roles, seam_names};
 
 /// Distance of pairs of points along a seam, metres.
 const STEP: f64 = 0.02;
@@ -18,6 +18,8 @@ pub struct Dressed {
     pub roles: Vec<Role>,
     /// Places.
     pub arrangement: Arrangement,
+    /// What the proposed seams are called in a workroom; `None` where that is not known.
+    pub seam_names: Vec<Option<String>>,
 }
 
 /// Dresses a body with a proposed garment.
@@ -30,7 +32,9 @@ pub fn dress(source: &Source, proposal: &Proposal, body: Option<&Body>, is_anony
     let roles = roles(&pieces, &joins);
     let given = vec![None; pieces.len()];
     let arrangement = arrange(&pieces, &roles, &joins, body, given);
-    Dressed { roles, arrangement }
+    let on_body = |p: PiecePoint| Some(arrangement.places.get(p.piece)?.as_ref()?.sheet.at(p.at));
+    let seam_names = seam_names(&roles, &joins, on_body);
+    Dressed { roles, arrangement, seam_names }
 }
 
 /// A seam as pairs of points that meet.

@@ -7,14 +7,18 @@ use super::pattern::Source;
 use crate::engine::{MAX_INPUT, of_file_error, read_limited};
 use serde_json::Value;
 use std::path::Path;
-use toile_garment::Diagnostic;
-use toile_garment::sewing::SewingPlan;
-use toile_stages::proposal::Known;
-use toile_stages::roles::{PiecePoint, joins_of_plan};
+use toile_garment::sewing::{SeamSpec, SewingPlan};
+use toile_garment::{Diagnostic, Vec2};
+use toile_stages::proposal::{Known, ProposedSeam, Run};
+use toile_stages::roles::{Join, PiecePoint, joins_of_plan};
+use toile_stages::sewing::ring::{arcs, nearest_on};
 use toile_stages::sewing::{resolve, shapes};
 
 /// Copies of one piece that are looked for at most.
 const MOST_COPIES: u64 = 2;
+
+/// A point nearer to a run lies on it, metres: points of the sewing file are snapped to the outline.
+const ON_RUN: f64 = 1e-3;
 
 /// The files of a folder that are looked at.
 #[derive(Debug)]
@@ -51,24 +55,42 @@ impl Earlier {
     }
 
     /// Likelihood of a seam that the person has not confirmed yet: it is no surer for lying in the sewing file.
-    pub fn doubt(&self, name: &str) -> Option<f64> {
-        let told = self.plan.seams.iter().find(|s| s.name == name)?.proposed?;
-        let exact = self.seams.iter().find(|s| s["name"] == name).and_then(|s| s["confidence"].as_f64());
+    pub fn doubt(&self, seam: &SeamSpec) -> Option<f64> {
+        let told = seam.proposed?;
+        let exact = self.seams.iter().find(|s| s["name"] == seam.name).and_then(|s| s["confidence"].as_f64());
         // The sewing file has two digits.
         Some(exact.filter(|c| (c - told).abs() <= 0.006).unwrap_or(told))
     }
 
-    /// The person's decisions: the seams of the sewing file, and the pieces that had a proposal.
+    /// The seams of the sewing file, as points that meet.
     ///
     /// # Errors
-    /// Seams of the sewing file that are not on the outlines.
-    pub fn decisions(&self, source: &Source) -> Result<Known, Vec<Diagnostic>> {
+    /// Seams that are not on the outlines.
+    pub fn joins(&self, source: &Source) -> Result<Vec<Join>, Vec<Diagnostic>> {
         let rings = shapes::shapes(&source.garment)?;
         let seams = resolve::placed(resolve::find(&source.garment, &rings))?;
-        let given: Vec<[PiecePoint; 2]> = joins_of_plan(&seams, &rings).into_iter().flat_map(|j| j.pairs).collect();
+        Ok(joins_of_plan(&seams, &rings))
+    }
+
+    /// The seam of the sewing file whose points a proposed one sews to each other.
+    pub fn told(&self, joins: &[Join], seam: &ProposedSeam) -> Option<&SeamSpec> {
+        let lies = |runs: &[Run], p: &PiecePoint| runs.iter().any(|r| r.piece == p.piece && is_near(r, p.at));
+        let meets =
+            |[p, q]: &[PiecePoint; 2]| lies(&seam.a, p) && lies(&seam.b, q) || lies(&seam.a, q) && lies(&seam.b, p);
+        let same = joins.iter().find(|j| 2 * j.pairs.iter().filter(|pair| meets(pair)).count() > j.pairs.len())?;
+        self.plan.seams.iter().find(|s| s.name == same.name)
+    }
+
+    /// The person's decisions: the seams of the sewing file, and the pieces that had a proposal.
+    pub fn decisions(&self, source: &Source, joins: &[Join]) -> Known {
+        let given: Vec<[PiecePoint; 2]> = joins.iter().flat_map(|j| j.pairs.iter().copied()).collect();
         let copies = |p: &Value| p["copies"].as_u64().unwrap_or(1).min(MOST_COPIES);
         let instances = |p: &Value| (0..copies(p)).filter_map(|i| source.find(p["block"].as_str()?, i)).collect();
         let decided = self.pieces.iter().flat_map(|p| -> Vec<(usize, bool)> { instances(p) }).map(|(piece, _)| piece);
-        Ok(Known { given, decided: decided.collect() })
+        Known { given, decided: decided.collect() }
     }
+}
+
+fn is_near(run: &Run, at: Vec2) -> bool {
+    nearest_on(&run.points, &arcs(&run.points, false), false, at).1 < ON_RUN
 }

@@ -65,7 +65,8 @@ fn proposed(source: &Source, is_anonymous: bool, known: &Known) -> Result<Propos
 /// # Errors
 /// The pattern cannot be sewn, or the body or fabric is not there.
 pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
-    let known = order.earlier.map(|e| e.decisions(order.source)).transpose()?.unwrap_or_default();
+    let joins = order.earlier.map(|e| e.joins(order.source)).transpose()?.unwrap_or_default();
+    let known = order.earlier.map(|e| e.decisions(order.source, &joins)).unwrap_or_default();
     let mut proposal = proposed(order.source, order.is_anonymous, &known)?;
     let mut source = order.source.clone();
     while order.earlier.is_none() && !proposal.seams.is_empty() {
@@ -78,12 +79,15 @@ pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
         proposal = proposed(&source, order.is_anonymous, &known)?;
     }
     let source = &source;
-    for seam in &mut proposal.seams {
-        let doubt = order.earlier.and_then(|e| e.doubt(&seam.name));
-        seam.confidence = doubt.unwrap_or(seam.confidence);
-    }
     let body = order.body.model()?;
     let dressed = dress::dress(source, &proposal, body.as_ref(), order.is_anonymous);
+    for (seam, name) in proposal.seams.iter_mut().zip(&dressed.seam_names) {
+        let told = order.earlier.and_then(|e| Some((e, e.told(&joins, seam)?)));
+        seam.confidence = told.and_then(|(e, told)| e.doubt(told)).unwrap_or(seam.confidence);
+        if let Some(name) = told.map(|(_, told)| &told.name).or(name.as_ref()) {
+            seam.name.clone_from(name);
+        }
+    }
     let document = document::document(source, &proposal, &dressed, order.is_anonymous);
     let open = sewing::missing(&proposal).filter(|s| s.confidence < sewing::LEAST_SURE).count();
     let mut folder = Folder::default();

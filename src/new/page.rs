@@ -63,8 +63,8 @@ fn table(out: &mut String, source: &Source, proposal: &Proposal, order: &[usize]
         }
         let _ = writeln!(
             out,
-            "<h2>{heading}</h2>\n<table><tr><th></th><th>side a</th><th>side b</th><th>lengths</th><th>sure</th>\
-             <th>notes</th></tr>"
+            "<h2>{heading}</h2>\n<table><tr><th></th><th>seam</th><th>side a</th><th>side b</th><th>lengths</th>\
+             <th>sure</th><th>notes</th></tr>"
         );
         for k in rows {
             row(out, source, proposal, k);
@@ -78,9 +78,10 @@ fn row(out: &mut String, source: &Source, proposal: &Proposal, k: usize) {
     let class = if seam.confidence < SURE { " class=\"open\"" } else { "" };
     let _ = writeln!(
         out,
-        "<tr{class}><td><span class=\"swatch\" style=\"background:{}\"></span></td><td>{}</td><td>{}</td>\
+        "<tr{class}><td><span class=\"swatch\" style=\"background:{}\"></span></td><td>{}</td><td>{}</td><td>{}</td>\
          <td>{:.0} and {:.0} mm</td><td>{:.0} %</td><td>{}</td></tr>",
         colour(k),
+        escaped(&seam.name),
         side(source, &seam.a),
         side(source, &seam.b),
         seam.length_a * 1e3,

@@ -6,12 +6,14 @@ mod drawn;
 mod joins;
 mod names;
 pub(crate) mod outline;
+mod seam_names;
 mod seams;
 mod words;
 
 pub use drawn::Upright;
 pub use joins::{Join, PiecePoint, joins_of_meshes, joins_of_plan};
 pub use names::{folded, role_of_text, roles_of_names};
+pub use seam_names::seam_names;
 pub use words::{Meaning, WORDS};
 
 use toile_garment::Piece;
