@@ -4,9 +4,10 @@ use super::dress::Dressed;
 use super::pattern::Source;
 use super::sewing::LEAST_SURE;
 use std::fmt::Write as _;
+use toile_formats::sewing::place_text;
 use toile_formats::svg::canvas::escape as escaped;
 use toile_garment::{Piece, Vec2};
-use toile_stages::proposal::{Proposal, ProposedSeam, Run};
+use toile_stages::proposal::{EdgePart, Proposal, ProposedSeam, Run};
 
 /// From this confidence on a seam needs no second look.
 const SURE: f64 = 0.9;
@@ -103,6 +104,12 @@ fn notes(source: &Source, proposal: &Proposal, seam: &ProposedSeam) -> String {
     notes.join("; ")
 }
 
+/// An edge in words, or a part of it.
+fn edge(piece: &str, edge: &EdgePart) -> String {
+    let part = edge.places.map(|[from, to]| format!(" from {} to {}", place_text(from), place_text(to)));
+    format!("{piece}.{}{}", edge.number, part.unwrap_or_default())
+}
+
 /// A side in words.
 fn side(source: &Source, runs: &[Run]) -> String {
     let word = |r: &Run| {
@@ -110,7 +117,7 @@ fn side(source: &Source, runs: &[Run]) -> String {
         if r.edges.is_empty() {
             format!("part of {name}")
         } else {
-            r.edges.iter().map(|e| format!("{name}.{e}")).collect::<Vec<_>>().join(", ")
+            r.edges.iter().map(|e| edge(name, e)).collect::<Vec<_>>().join(", ")
         }
     };
     escaped(&runs.iter().map(word).collect::<Vec<_>>().join(", "))

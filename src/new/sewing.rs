@@ -2,9 +2,10 @@
 
 use super::pattern::Source;
 use std::fmt::Write as _;
+use toile_formats::sewing::place_text;
 use toile_garment::Vec2;
 use toile_garment::text::{quoted, shown};
-use toile_stages::proposal::{Proposal, ProposedSeam, Run};
+use toile_stages::proposal::{EdgePart, Proposal, ProposedSeam, Run};
 
 /// A seam less sure than this is written as a comment, and a person decides.
 pub const LEAST_SURE: f64 = 0.3;
@@ -130,7 +131,7 @@ fn side(source: &Source, runs: &[Run]) -> String {
 fn run(source: &Source, run: &Run) -> Vec<String> {
     let piece = &source.garment.pieces[run.piece].name;
     if !run.edges.is_empty() {
-        return run.edges.iter().map(|e| quoted(&format!("{piece}.{e}"))).collect();
+        return run.edges.iter().map(|e| edge(piece, e)).collect();
     }
     let way = if run.forward { "left" } else { "right" };
     vec![format!(
@@ -139,6 +140,12 @@ fn run(source: &Source, run: &Run) -> Vec<String> {
         point(run.ends[0]),
         point(run.ends[1])
     )]
+}
+
+fn edge(piece: &str, edge: &EdgePart) -> String {
+    let Some(places) = edge.places else { return quoted(&format!("{piece}.{}", edge.number)) };
+    let [from, to] = places.map(|p| quoted(&place_text(p)));
+    format!("{{ piece = {}, edge = {}, from = {from}, to = {to} }}", quoted(piece), edge.number)
 }
 
 fn point(p: Vec2) -> String {

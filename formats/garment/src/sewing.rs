@@ -17,6 +17,17 @@ pub enum RunSpec {
         /// Edge name, or its number in decimal.
         edge: String,
     },
+    /// A part of an outline edge, between two places on it.
+    Part {
+        /// Piece name.
+        piece: String,
+        /// Edge name, or its number in decimal.
+        edge: String,
+        /// One end of the part.
+        from: EdgePlace,
+        /// The other end.
+        to: EdgePlace,
+    },
     /// Two points in piece coordinates, snapped to the nearest corner or vertex within 1 mm.
     Points {
         /// Piece name.
@@ -30,6 +41,53 @@ pub enum RunSpec {
         /// Which way along the outline.
         way: RunWay,
     },
+}
+
+impl RunSpec {
+    /// Name of the piece.
+    #[must_use]
+    pub fn piece(&self) -> &str {
+        match self {
+            Self::Edge { piece, .. } | Self::Part { piece, .. } | Self::Points { piece, .. } => piece,
+        }
+    }
+
+    /// Name of the piece, to be changed.
+    pub fn piece_mut(&mut self) -> &mut String {
+        match self {
+            Self::Edge { piece, .. } | Self::Part { piece, .. } | Self::Points { piece, .. } => piece,
+        }
+    }
+}
+
+/// A place on an outline edge. An edge starts where a walk round the outline, with the cloth on the left, comes to it.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct EdgePlace {
+    /// The way from the start of the edge.
+    pub way: EdgeWay,
+    /// Is it the way from the end of the edge instead?
+    #[serde(default)]
+    pub from_end: bool,
+}
+
+/// A way along an outline edge.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum EdgeWay {
+    /// A share of its length, from 0 to 1.
+    Share(f64),
+    /// A length, metres.
+    Length(f64),
+    /// Up to its n-th notch, counted from 1.
+    Notch(u32),
+}
+
+impl EdgePlace {
+    /// The same place on the mirrored edge, which is walked the other way.
+    #[must_use]
+    pub fn mirrored(self) -> Self {
+        Self { from_end: !self.from_end, ..self }
+    }
 }
 
 /// Which way along the outline a run of two points goes.

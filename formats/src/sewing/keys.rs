@@ -27,6 +27,8 @@ pub enum Form {
     Word(fn() -> Vec<&'static str>),
     /// Two lengths.
     Point,
+    /// Two lengths, or a place on an edge.
+    RunEnd,
     /// A list of points.
     Points,
     /// Two points.
@@ -357,11 +359,13 @@ pub static COPY: Keys = Keys {
 
 const RUN_FROM: Key = may(
     "from",
-    Form::Point,
-    "[\"12 mm\", \"340 mm\"]",
-    "Start of the run, within 1 mm of a corner or vertex of the outline.",
+    Form::RunEnd,
+    "\"notch 1\"",
+    "One end of the run. Beside `edge` it is a place on it: `start`, `middle`, `end`, `notch 1`, `40 %`, `120 mm` or \
+     `120 mm from end`; an edge starts where the picture of the piece has its dot. Without `edge` it is a point within \
+     1 mm of a corner or vertex of the outline, such as [\"12 mm\", \"340 mm\"].",
 );
-const RUN_TO: Key = may("to", Form::Point, "[\"12 mm\", \"20 mm\"]", "End of the run.");
+const RUN_TO: Key = may("to", Form::RunEnd, "\"end\"", "The other end of the run, in the same form.");
 const RUN_WAY: Key =
     may("way", Form::Word(run::ways), "\"short\"", "Which way around the piece from `from` to `to`. Default: `short`.");
 
@@ -369,7 +373,7 @@ const RUN_WAY: Key =
 pub static RUN: Keys = Keys {
     name: "run",
     heading: "a run",
-    about: "A run of outline edges: `edge`, or `from` and `to`.",
+    about: "A run of outline edges: an `edge`, a part of one, or two points.",
     keys: &[
         must("piece", Form::Text, "\"front\"", PIECE),
         RUN_FROM,
@@ -384,7 +388,7 @@ pub static RUN: Keys = Keys {
 pub static EDGE: Keys = Keys {
     name: "edge",
     heading: "[[edge]]",
-    about: "A name for a run of outline edges: `number`, or `from` and `to`.",
+    about: "A name for a run of outline edges: an edge, a part of one, or two points.",
     keys: &[
         must("piece", Form::Text, "\"front\"", PIECE),
         must("name", Form::Text, "\"side-left\"", "The name."),

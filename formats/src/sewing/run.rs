@@ -1,10 +1,12 @@
-//! Runs of outline edges: `"front.side-left"`, `"front.3"`, two points, or a list of those.
+//! Runs of outline edges: `"front.side-left"`, `"front.3"`, a part of an edge, two points, or a list of those.
 
 use super::codes;
 use super::keys;
 use super::walk::{Table, Value, Walk};
 use std::ops::Range;
-use toile_garment::sewing::{EdgeNameSpec, RunSpec, RunWay};
+use toile_garment::Vec2;
+use toile_garment::sewing::{EdgeNameSpec, EdgePlace, EdgeWay, RunSpec, RunWay};
+use toile_garment::units::{Length, Share, parse};
 use toml::de::{DeTable, DeValue};
 
 const WAYS: &[(&str, RunWay)] =
@@ -56,19 +58,91 @@ fn run_table(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Op
     run
 }
 
-/// The run part of a table: `edge`, or `from` and `to`.
+/// The run part of a table: `edge`, `edge` with places on it, or two points.
 fn body(t: &mut Table<'_>, piece: Option<String>, walk: &mut Walk<'_>) -> Option<RunSpec> {
     if let Some(value) = t.take("edge").or_else(|| t.take("number")) {
         let edge = walk.label(value, "edge");
-        return Some(RunSpec::Edge { piece: piece?, edge: edge? });
+        let ends = [t.take("from"), t.take("to")];
+        if ends.iter().all(Option::is_none) {
+            return Some(RunSpec::Edge { piece: piece?, edge: edge? });
+        }
+        let [from, to] = [("from", START, ends[0]), ("to", END, ends[1])]
+            .map(|(key, default, value)| value.map_or(Some(default), |v| place(v, key, walk)));
+        return Some(RunSpec::Part { piece: piece?, edge: edge?, from: from?, to: to? });
     }
-    let from = t.need("from", walk).and_then(|v| walk.point(v, "from"));
-    let to = t.need("to", walk).and_then(|v| walk.point(v, "to"));
+    let from = t.need("from", walk).and_then(|v| point(v, "from", walk));
+    let to = t.need("to", walk).and_then(|v| point(v, "to", walk));
     let way = match t.take("way") {
         Some(value) => walk.word(value, "way", WAYS),
         None => Some(RunWay::Short),
     };
     Some(RunSpec::Points { piece: piece?, from: from?, to: to?, way: way? })
+}
+
+/// A point. A place on an edge needs the edge beside it.
+fn point(value: Value<'_>, key: &str, walk: &mut Walk<'_>) -> Option<Vec2> {
+    let Some(text) = value.get_ref().as_str() else { return walk.point(value, key) };
+    let message = format!("`{key} = \"{text}\"` is a place on an edge, and no edge is named");
+    walk.error(codes::SEWING_BAD_RUN, value.span().start, message, |d| d.hint("add edge = 3, the number of the edge"));
+    None
+}
+
+const START: EdgePlace = EdgePlace { way: EdgeWay::Share(0.0), from_end: false };
+const END: EdgePlace = EdgePlace { way: EdgeWay::Share(0.0), from_end: true };
+const MIDDLE: EdgePlace = EdgePlace { way: EdgeWay::Share(0.5), from_end: false };
+
+/// A place on an edge: `start`, `middle`, `end`, `notch 2`, `40 %` or `120 mm`, the last three also `from end`.
+fn place(value: Value<'_>, key: &str, walk: &mut Walk<'_>) -> Option<EdgePlace> {
+    let text = value.get_ref().as_str().unwrap_or_default();
+    let found = place_of(text);
+    if found.is_none() {
+        let written = if text.is_empty() { "this".to_owned() } else { format!("`{text}`") };
+        let message = format!("`{key}`: {written} is no place on an edge");
+        walk.error(codes::SEWING_BAD_RUN, value.span().start, message, |d| {
+            d.hint(
+                "write \"start\", \"middle\", \"end\", \"notch 1\", \"40 %\" or \"120 mm\"; \"120 mm from end\" counts \
+                 from the other end; two points stand beside `piece` without `edge`",
+            )
+        });
+    }
+    found
+}
+
+fn place_of(text: &str) -> Option<EdgePlace> {
+    let words = text.split_whitespace().collect::<Vec<_>>().join(" ").to_lowercase();
+    match words.as_str() {
+        "start" => return Some(START),
+        "middle" => return Some(MIDDLE),
+        "end" => return Some(END),
+        _ => {}
+    }
+    let (way, from_end) = words.strip_suffix(" from end").map_or((words.as_str(), false), |way| (way, true));
+    let way = match way.strip_prefix("notch ") {
+        Some(number) => EdgeWay::Notch(number.parse().ok().filter(|n| *n > 0)?),
+        None => match parse::<Length>(way) {
+            Ok(length) => EdgeWay::Length(Some(length).filter(|l| *l >= 0.0)?),
+            Err(_) => EdgeWay::Share(parse::<Share>(way).ok().filter(|s| (0.0..=1.0).contains(s))?),
+        },
+    };
+    Some(EdgePlace { way, from_end })
+}
+
+/// A place on an edge as the file has it.
+pub fn place_text(place: EdgePlace) -> String {
+    let end = if place.from_end { " from end" } else { "" };
+    match place.way {
+        _ if place == START => "start".to_owned(),
+        _ if place == END => "end".to_owned(),
+        _ if place == MIDDLE => "middle".to_owned(),
+        EdgeWay::Share(share) => format!("{} %{end}", four_digits(share * 100.0)),
+        EdgeWay::Length(length) => format!("{} mm{end}", four_digits(length * 1e3)),
+        EdgeWay::Notch(number) => format!("notch {number}{end}"),
+    }
+}
+
+/// A number with at most four digits after the point.
+fn four_digits(value: f64) -> f64 {
+    (value * 1e4).round() / 1e4
 }
 
 /// A `[[edge]]`: a name for a run.

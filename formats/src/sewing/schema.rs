@@ -51,6 +51,7 @@ fn value(key: &Key) -> Value {
         Form::Flag => json!({ "type": "boolean" }),
         Form::Word(words) => json!({ "enum": words() }),
         Form::Point => point(),
+        Form::RunEnd => json!({ "anyOf": [text("A place on the edge."), point()] }),
         Form::Points => json!({ "type": "array", "items": point() }),
         Form::TwoPoints => list("", point(), 2),
         Form::Vector => list("", quantity::<Length>(), 3),

@@ -1,7 +1,7 @@
 use super::*;
 use toile_garment::Vec2;
 use toile_garment::dart::DartKind;
-use toile_garment::sewing::{AttachStrength, Placement, RunSpec, RunWay};
+use toile_garment::sewing::{AttachStrength, EdgePlace, Placement, RunSpec, RunWay};
 
 const WHOLE: &str = r#"
 leave_out = ["LINING"]
@@ -168,5 +168,34 @@ fn survives_mangled_text() {
         for with in ["[", "\"", "=", "\n", "é"] {
             let _ = read(&format!("{}{with}{}", &WHOLE[..at], &WHOLE[at + 1..]), "f");
         }
+    }
+}
+
+/// The ends of the part in a sewing file.
+fn part(from: &str, to: &str) -> Result<[EdgePlace; 2], Vec<Diagnostic>> {
+    let text = format!("[[edge]]\npiece = \"front\"\nname = \"slit\"\nedge = 3\nfrom = \"{from}\"\nto = \"{to}\"\n");
+    read(&text, "s.toml").map(|plan| match &plan.edge_names[0].run {
+        RunSpec::Part { piece, edge, from, to } if piece == "front" && edge == "3" => [*from, *to],
+        other => panic!("{other:?}"),
+    })
+}
+
+#[test]
+fn places_on_an_edge_are_read_and_written() {
+    let texts = ["start", "middle", "end", "notch 2", "notch 1 from end", "40 %", "120.5 mm", "33.25 mm from end"];
+    for text in texts {
+        let [place, end] = part(text, "end").expect("reads");
+        assert_eq!((place_text(place), place_text(end)), (text.to_owned(), "end".to_owned()));
+    }
+    assert_eq!(place_text(part("5 cm", "end").expect("reads")[0]), "50 mm");
+}
+
+#[test]
+fn a_place_that_is_none_is_told_with_the_words_that_are() {
+    for text in ["halfway", "notch", "notch 0", "120 %", "-3 mm", "", "40"] {
+        let found = part(text, "end").expect_err(text);
+        assert_eq!(found[0].code, codes::SEWING_BAD_RUN);
+        let place = found[0].source.as_ref().and_then(|s| s.line);
+        assert!(found[0].hint.as_ref().is_some_and(|h| h.contains("\"middle\"")) && place == Some(5), "{found:?}");
     }
 }

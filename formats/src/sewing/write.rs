@@ -1,5 +1,6 @@
 //! A sewing plan as the text of a sewing file.
 
+use super::run::place_text;
 use std::fmt::Write as _;
 use toile_garment::Vec2;
 use toile_garment::dart::DartKind;
@@ -75,7 +76,9 @@ fn side(runs: &[RunSpec]) -> String {
 fn run(run: &RunSpec) -> String {
     match run {
         RunSpec::Edge { piece, edge } => quoted(&format!("{piece}.{edge}")),
-        RunSpec::Points { piece, .. } => format!("{{ piece = {}, {} }}", quoted(piece), ends(run, ", ")),
+        RunSpec::Part { piece, .. } | RunSpec::Points { piece, .. } => {
+            format!("{{ piece = {}, {} }}", quoted(piece), ends(run, ", "))
+        }
     }
 }
 
@@ -83,6 +86,10 @@ fn run(run: &RunSpec) -> String {
 fn ends(run: &RunSpec, between: &str) -> String {
     match run {
         RunSpec::Edge { edge, .. } => format!("edge = {}", quoted(edge)),
+        RunSpec::Part { edge, from, to, .. } => {
+            let [from, to] = [*from, *to].map(|p| quoted(&place_text(p)));
+            format!("edge = {}{between}from = {from}{between}to = {to}", quoted(edge))
+        }
         RunSpec::Points { from, to, way, .. } => {
             let way = match way {
                 RunWay::Short => "short",
@@ -96,11 +103,10 @@ fn ends(run: &RunSpec, between: &str) -> String {
 }
 
 fn edge(out: &mut String, edge: &EdgeNameSpec) {
-    let (RunSpec::Edge { piece, .. } | RunSpec::Points { piece, .. }) = &edge.run;
     let _ = write!(
         out,
         "\n[[edge]]\npiece = {}\nname = {}\n{}\n",
-        quoted(piece),
+        quoted(edge.run.piece()),
         quoted(&edge.name),
         ends(&edge.run, "\n")
     );

@@ -143,6 +143,10 @@ fn fold(garment: &Garment, pieces: &[Piece], spec: &FoldSpec) -> Option<FoldSpec
 fn elastic(garment: &Garment, pieces: &[Piece], spec: &ElasticSpec) -> ElasticSpec {
     let along = spec.along.iter().map(|run| match run {
         RunSpec::Edge { piece, edge } => RunSpec::Edge { piece: piece.clone(), edge: edge_name(garment, piece, edge) },
+        RunSpec::Part { piece, edge, from, to } => {
+            let edge = edge_name(garment, piece, edge);
+            RunSpec::Part { piece: piece.clone(), edge, from: *from, to: *to }
+        }
         RunSpec::Points { piece, from, to, way } => {
             let carried = named(garment, pieces, piece).map(|(before, after)| {
                 let follow = Follow::new(before, &after.outline.positions());
@@ -158,11 +162,9 @@ fn elastic(garment: &Garment, pieces: &[Piece], spec: &ElasticSpec) -> ElasticSp
 /// Names of edges as runs between points, since numbers may change.
 fn edge_names(garment: &Garment, pieces: &[Piece]) -> Vec<EdgeNameSpec> {
     let mut out: Vec<EdgeNameSpec> = Vec::new();
+    let mut parts: Vec<EdgeNameSpec> = Vec::new();
     let mut add = |piece: &str, name: &str, from: Vec2, to: Vec2, way: RunWay| {
-        let is_same = |e: &EdgeNameSpec| {
-            let (RunSpec::Edge { piece: p, .. } | RunSpec::Points { piece: p, .. }) = &e.run;
-            p.eq_ignore_ascii_case(piece) && e.name.eq_ignore_ascii_case(name)
-        };
+        let is_same = |e: &EdgeNameSpec| e.run.piece().eq_ignore_ascii_case(piece) && e.name.eq_ignore_ascii_case(name);
         if !out.iter().any(is_same) {
             let run = RunSpec::Points { piece: piece.to_owned(), from, to, way };
             out.push(EdgeNameSpec { run, name: name.to_owned() });
@@ -171,9 +173,13 @@ fn edge_names(garment: &Garment, pieces: &[Piece]) -> Vec<EdgeNameSpec> {
     for (before, after) in garment.pieces.iter().zip(pieces) {
         let attached = |label: &str| {
             let same = |a: &&AttachSpec| a.piece.eq_ignore_ascii_case(&before.name) && a.edge == label;
-            let on_band = |run: &RunSpec| matches!(run, RunSpec::Edge { piece, edge } if piece.eq_ignore_ascii_case(&before.name) && edge == label);
+            let has = |run: &RunSpec| {
+                let (RunSpec::Edge { piece, edge } | RunSpec::Part { piece, edge, .. }) = run else { return false };
+                piece.eq_ignore_ascii_case(&before.name) && edge == label
+            };
             garment.plan.attachments.iter().any(|a| same(&a))
-                || garment.plan.elastics.iter().any(|e| e.along.iter().any(on_band))
+                || garment.plan.elastics.iter().any(|e| e.along.iter().any(has))
+                || garment.plan.edge_names.iter().any(|n| matches!(n.run, RunSpec::Part { .. }) && has(&n.run))
         };
         for edge in &before.edges {
             let number = edge.index.to_string();
@@ -189,6 +195,11 @@ fn edge_names(garment: &Garment, pieces: &[Piece]) -> Vec<EdgeNameSpec> {
         }
     }
     for spec in &garment.plan.edge_names {
+        if let RunSpec::Part { piece, edge, from, to } = &spec.run {
+            let run =
+                RunSpec::Part { piece: piece.clone(), edge: edge_name(garment, piece, edge), from: *from, to: *to };
+            parts.push(EdgeNameSpec { run, name: spec.name.clone() });
+        }
         if let RunSpec::Points { piece, from, to, way } = &spec.run
             && let Some((before, after)) = named(garment, pieces, piece)
         {
@@ -196,6 +207,7 @@ fn edge_names(garment: &Garment, pieces: &[Piece]) -> Vec<EdgeNameSpec> {
             add(piece, &spec.name, follow.carry(*from).0, follow.carry(*to).0, *way);
         }
     }
+    out.extend(parts);
     out
 }
 

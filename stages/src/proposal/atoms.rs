@@ -5,7 +5,7 @@
 
 use super::profile::{Profile, bow, heading, profile, turn, wrapped};
 use super::tuning;
-use crate::sewing::resolve::on_rings;
+use crate::sewing::marks::on_rings;
 use crate::sewing::ring::{Gap, Ring};
 use crate::sewing::shapes::{PieceShape, Shapes};
 use std::f64::consts::PI;

@@ -8,6 +8,7 @@ pub mod assignment;
 pub mod atoms;
 mod bands;
 pub(crate) mod confidence;
+mod edge_parts;
 mod knowledge;
 mod known;
 pub mod mirror;
@@ -25,6 +26,7 @@ mod task;
 pub mod tuning;
 pub mod whole;
 
+pub use edge_parts::EdgePart;
 pub use known::Known;
 pub use names::RoleNames;
 pub use propose::{Bare, Nameless, Names, Proposal, own_images, propose};

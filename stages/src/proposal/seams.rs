@@ -2,9 +2,9 @@
 
 use super::atoms::Layout;
 use super::confidence::Margin;
+use super::edge_parts::{EdgePart, edge_parts};
 use super::openings::Closing;
 use super::tuning;
-use crate::sewing::ring::Ring;
 use crate::sewing::shapes::Shapes;
 use toile_garment::{Garment, Vec2};
 
@@ -19,8 +19,8 @@ pub struct Run {
     pub forward: bool,
     /// Points in sewing order.
     pub points: Vec<Vec2>,
-    /// The numbers of the edges that it covers, in sewing order; empty where it covers parts of edges.
-    pub edges: Vec<u32>,
+    /// The edges that it covers, in sewing order; empty where they cannot be named.
+    pub edges: Vec<EdgePart>,
 }
 
 /// A proposed seam.
@@ -126,7 +126,11 @@ fn seam(garment: &Garment, shapes: &Shapes, layout: &Layout, chain: &[Stitch]) -
 
 /// A seam of stretches that are sewn to each other as a whole.
 pub fn closing_seam(garment: &Garment, shapes: &Shapes, layout: &Layout, closing: &Closing) -> ProposedSeam {
-    let a = turned_by(runs(garment, shapes, layout, closing.a.iter().copied(), true), closing.lead);
+    let mut a = turned_by(runs(garment, shapes, layout, closing.a.iter().copied(), true), closing.lead);
+    for run in a.iter_mut().filter(|r| r.edges.is_empty()) {
+        let shape = &shapes[run.piece];
+        run.edges = edge_parts(&garment.pieces[run.piece], shape, run.ends.map(|p| shape.rings[0].project(p).0), true);
+    }
     let b = runs(garment, shapes, layout, closing.b.iter().copied(), false);
     let length = |atoms: &[usize]| atoms.iter().map(|a| layout.atoms[*a].length).sum();
     let count = closing.a.len().max(closing.b.len());
@@ -178,7 +182,7 @@ fn turned_by(mut runs: Vec<Run>, lead: f64) -> Vec<Run> {
 fn label(garment: &Garment, runs: &[Run]) -> String {
     let of_piece = |runs: &[Run]| {
         let name = &garment.pieces[runs[0].piece].name;
-        let edges: Vec<String> = runs.iter().flat_map(|r| &r.edges).map(u32::to_string).collect();
+        let edges: Vec<String> = runs.iter().flat_map(|r| &r.edges).map(|e| e.number.to_string()).collect();
         if edges.is_empty() { name.clone() } else { format!("{name}.{}", edges.join("+")) }
     };
     runs.chunk_by(|r, s| r.piece == s.piece).map(of_piece).collect::<Vec<_>>().join("+")
@@ -214,31 +218,8 @@ fn runs(
         .into_iter()
         .map(|(panel, from, to, points)| {
             let piece = layout.panels[panel].piece;
-            let ring = &shapes[piece].rings[0];
-            let edges = edges(garment, ring, piece, from, to, forward);
+            let edges = edge_parts(&garment.pieces[piece], &shapes[piece], [from, to], forward);
             Run { piece, ends: [points[0], points[points.len() - 1]], forward, points, edges }
         })
         .collect()
-}
-
-/// The edges that a run covers wholly.
-fn edges(garment: &Garment, ring: &Ring, piece: usize, from: f64, to: f64, forward: bool) -> Vec<u32> {
-    let (start, end) = if forward { (from, to) } else { (to, from) };
-    let at = |vertex: u32| ring.of_line.get(vertex as usize).copied().flatten().map(|i| ring.arc[i]);
-    let near = |s: f64, t: f64| f64::min(ring.ahead(s, t), ring.ahead(t, s)) < 1e-6;
-    let edges = &garment.pieces[piece].edges;
-    let (mut out, mut here) = (Vec::new(), start);
-    for _ in 0..edges.len() {
-        let next = edges.iter().find(|e| at(e.from).is_some_and(|s| near(s, here)));
-        let Some((edge, stop)) = next.and_then(|e| Some((e, at(e.to)?))) else { return Vec::new() };
-        out.push(edge.index);
-        here = stop;
-        if near(here, end) {
-            if !forward {
-                out.reverse();
-            }
-            return out;
-        }
-    }
-    Vec::new()
 }

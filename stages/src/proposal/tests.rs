@@ -33,7 +33,9 @@ fn skirt() -> Garment {
 /// The seams as pairs of `piece.edges`, in alphabetical order.
 fn sewn(garment: &Garment, proposal: &Proposal) -> Vec<String> {
     let side = |runs: &[Run]| {
-        let one = |r: &Run| r.edges.iter().map(|e| format!("{}.{e}", garment.pieces[r.piece].name)).collect::<Vec<_>>();
+        let one = |r: &Run| {
+            r.edges.iter().map(|e| format!("{}.{}", garment.pieces[r.piece].name, e.number)).collect::<Vec<_>>()
+        };
         runs.iter().flat_map(one).collect::<Vec<_>>().join("+")
     };
     let mut out: Vec<String> = proposal

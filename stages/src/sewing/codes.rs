@@ -25,6 +25,10 @@ codes! {
     /// Exit code 2.
     EDGE_NAME_SCATTERED = "edge-name-scattered";
 
+    /// A part of an edge is to begin or end where the edge has no such place: beyond its length, or at a notch that it does
+    /// not have. The message tells length and notches. Exit code 2.
+    EDGE_PLACE_UNKNOWN = "edge-place-unknown";
+
     /// The name fits two pieces but for upper and lower case. Write it as the pattern does. Exit code 2.
     PIECE_AMBIGUOUS = "piece-ambiguous";
 

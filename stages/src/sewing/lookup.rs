@@ -1,6 +1,7 @@
 //! Names of pieces and edges, points on outlines.
 
 use super::codes;
+use super::edge_part;
 use super::ring::SAME;
 use super::shapes::{PieceShape, Shapes, mm};
 use crate::codes::{OUTLINE_TOO_SMALL, PIECE_UNKNOWN};
@@ -94,6 +95,12 @@ pub fn run(garment: &Garment, shapes: &Shapes, spec: &RunSpec, at: Option<&Sourc
             let id = piece(garment, name, at)?;
             edge_run(garment, shapes, id, edge, at)
         }
+        RunSpec::Part { piece: name, edge, from, to } => {
+            let id = piece(garment, name, at)?;
+            let whole = edge_run(garment, shapes, id, edge, at)?;
+            edge_part::run(&garment.pieces[id.index()], &shapes[id.index()], edge, &whole, [*from, *to])
+                .map_err(|d| d.at(at.cloned()))
+        }
         RunSpec::Points { piece: name, from, to, way } => {
             let id = piece(garment, name, at)?;
             points_run(&garment.pieces[id.index()], &shapes[id.index()], *from, *to, *way, at)
@@ -134,15 +141,17 @@ fn overlay<'p>(plan: &'p SewingPlan, piece: &str, edge: &str) -> Option<&'p RunS
     plan.edge_names
         .iter()
         .find(|n| {
-            let RunSpec::Points { piece: p, .. } = &n.run else { return false };
-            p.eq_ignore_ascii_case(piece) && n.name.eq_ignore_ascii_case(edge)
+            let is_whole = matches!(&n.run, RunSpec::Edge { .. });
+            // A name for a part of the edge that has the same name is no other edge.
+            let is_own = matches!(&n.run, RunSpec::Part { edge: e, .. } if e.eq_ignore_ascii_case(edge));
+            !is_whole && !is_own && n.run.piece().eq_ignore_ascii_case(piece) && n.name.eq_ignore_ascii_case(edge)
         })
         .map(|n| &n.run)
 }
 
 fn unknown_edge(plan: &SewingPlan, p: &Piece, edge: &str) -> Diagnostic {
     let mut known: Vec<&str> = p.edges.iter().filter_map(|e| e.name.as_deref()).collect();
-    known.extend(plan.edge_names.iter().filter(|n| run_piece(&n.run) == p.name).map(|n| n.name.as_str()));
+    known.extend(plan.edge_names.iter().filter(|n| n.run.piece() == p.name).map(|n| n.name.as_str()));
     known.dedup();
     let numbers = format!("its edges are numbered 0 to {}", p.edges.len().saturating_sub(1));
     let hint = if known.is_empty() { numbers } else { format!("{}; {numbers}", nearest(edge, &known)) };
@@ -155,13 +164,6 @@ fn scattered(p: &Piece, edge: &str) -> Diagnostic {
         format!("piece `{}`: the edges called `{edge}` do not follow one another", p.name),
     )
     .hint("name them apart, or give the run by two points")
-}
-
-/// Piece name of a run.
-pub fn run_piece(run: &RunSpec) -> &str {
-    match run {
-        RunSpec::Edge { piece, .. } | RunSpec::Points { piece, .. } => piece,
-    }
 }
 
 /// One run over edges that follow one another, darts between them allowed.

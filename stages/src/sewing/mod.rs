@@ -5,8 +5,10 @@
 
 mod apply;
 pub(crate) mod codes;
+mod edge_part;
 mod file;
 mod lookup;
+pub mod marks;
 pub mod resolve;
 pub mod ring;
 pub mod sewn_points;

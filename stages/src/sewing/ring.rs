@@ -177,6 +177,20 @@ impl Ring {
         d - self.gaps_between(from, d).iter().map(|(start, end, _)| end - start).sum::<f64>()
     }
 
+    /// Arc position after a sewn length walking forward; intakes on the way are skipped.
+    #[must_use]
+    pub fn after_sewn(&self, from: f64, length: f64) -> f64 {
+        let mut way = length;
+        for (start, end, _) in self.gaps_between(from, self.total()) {
+            if way <= start + SAME {
+                break;
+            }
+            way += end - start;
+        }
+        let total = self.total();
+        if total > 0.0 { (from + way).rem_euclid(total) } else { from }
+    }
+
     /// Gaps wholly inside a forward walk of length `d`: start, end (distances from the start of the walk), gap.
     #[must_use]
     pub fn gaps_between(&self, from: f64, d: f64) -> Vec<(f64, f64, &Gap)> {

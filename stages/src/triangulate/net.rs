@@ -3,7 +3,8 @@
 use super::codes;
 use super::curve::{Curve, CurveKind};
 use super::lines;
-use crate::sewing::resolve::{ResolvedSeam, Side, on_rings};
+use crate::sewing::marks::on_rings;
+use crate::sewing::resolve::{ResolvedSeam, Side};
 use crate::sewing::ring::SAME;
 use crate::sewing::shapes::Shapes;
 use std::collections::BTreeSet;

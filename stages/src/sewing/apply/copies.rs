@@ -35,24 +35,42 @@ fn one(garment: &Garment, spec: &CopySpec) -> Result<(Piece, Vec<EdgeNameSpec>),
     }
     piece.name.clone_from(&spec.name);
     piece.quantity = Quantity::default();
-    let names = garment.plan.edge_names.iter().filter_map(|n| inherited(n, &source.name, spec)).collect();
+    let names = garment.plan.edge_names.iter().filter_map(|n| inherited(n, source, spec)).collect();
     Ok((piece, names))
 }
 
-/// A name given by two points, on the copy.
-fn inherited(name: &EdgeNameSpec, source: &str, spec: &CopySpec) -> Option<EdgeNameSpec> {
-    let RunSpec::Points { piece, from, to, way } = &name.run else { return None };
-    if !piece.eq_ignore_ascii_case(source) {
+/// A name for a part of an edge, or for a run between two points, on the copy. Names of whole edges go with the edges.
+fn inherited(name: &EdgeNameSpec, source: &Piece, spec: &CopySpec) -> Option<EdgeNameSpec> {
+    if !name.run.piece().eq_ignore_ascii_case(&source.name) {
         return None;
     }
-    let image = |p: &Vec2| if spec.mirror { flip(*p) } else { *p };
-    let way = match way {
-        RunWay::Left if spec.mirror => RunWay::Right,
-        RunWay::Right if spec.mirror => RunWay::Left,
-        same => *same,
+    let piece = spec.name.clone();
+    let run = match &name.run {
+        RunSpec::Edge { .. } => return None,
+        RunSpec::Part { edge, from, to, .. } if spec.mirror => {
+            RunSpec::Part { piece, edge: mirrored_label(edge, source), from: from.mirrored(), to: to.mirrored() }
+        }
+        RunSpec::Points { from, to, way, .. } if spec.mirror => {
+            let way = match way {
+                RunWay::Left => RunWay::Right,
+                RunWay::Right => RunWay::Left,
+                same => *same,
+            };
+            RunSpec::Points { piece, from: flip(*from), to: flip(*to), way }
+        }
+        same => {
+            let mut run = same.clone();
+            *run.piece_mut() = piece;
+            run
+        }
     };
-    let run = RunSpec::Points { piece: spec.name.clone(), from: image(from), to: image(to), way };
     Some(EdgeNameSpec { run, name: name.name.clone() })
+}
+
+/// The label of an edge on the mirrored piece, whose numbers run the other way. Names stay.
+fn mirrored_label(edge: &str, source: &Piece) -> String {
+    let number = edge.parse::<usize>().ok().and_then(|k| source.edges.len().checked_sub(1 + k));
+    number.map_or_else(|| edge.to_owned(), |k| k.to_string())
 }
 
 fn flip(p: Vec2) -> Vec2 {

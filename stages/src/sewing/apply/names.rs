@@ -9,8 +9,7 @@ use toile_garment::{Diagnostic, Garment, SourceRef};
 /// Names the edges that `[[edge]]` tables of these pieces cover. A run that covers no whole edges keeps its name in the
 /// plan and is found there.
 pub fn edges(garment: &mut Garment, wanted: impl Fn(&str) -> bool, errors: &mut Vec<Diagnostic>) {
-    let specs: Vec<EdgeNameSpec> =
-        garment.plan.edge_names.iter().filter(|s| wanted(lookup::run_piece(&s.run))).cloned().collect();
+    let specs: Vec<EdgeNameSpec> = garment.plan.edge_names.iter().filter(|s| wanted(s.run.piece())).cloned().collect();
     for spec in specs {
         if let Err(e) = name(garment, &spec) {
             errors.push(e);
@@ -19,7 +18,7 @@ pub fn edges(garment: &mut Garment, wanted: impl Fn(&str) -> bool, errors: &mut 
 }
 
 fn name(garment: &mut Garment, spec: &EdgeNameSpec) -> Result<(), Diagnostic> {
-    let id = lookup::piece(garment, lookup::run_piece(&spec.run), None)?;
+    let id = lookup::piece(garment, spec.run.piece(), None)?;
     let mut shape_errors = Vec::new();
     let mut shapes = vec![Default::default(); garment.pieces.len()];
     shapes[id.index()] = shape(&garment.pieces[id.index()], &mut shape_errors);
@@ -73,7 +72,7 @@ pub fn canonical(garment: &mut Garment, errors: &mut Vec<Diagnostic>) {
     };
     for seam in &mut plan.seams {
         for run in seam.a.iter_mut().chain(&mut seam.b) {
-            fix(run_piece_mut(run), seam.source.as_ref());
+            fix(RunSpec::piece_mut(run), seam.source.as_ref());
         }
     }
     for dart in &mut plan.darts {
@@ -91,13 +90,7 @@ pub fn canonical(garment: &mut Garment, errors: &mut Vec<Diagnostic>) {
         fix(&mut attach.piece, attach.source.as_ref());
     }
     for edge in &mut plan.edge_names {
-        fix(run_piece_mut(&mut edge.run), None);
+        fix(edge.run.piece_mut(), None);
     }
     garment.plan = plan;
-}
-
-fn run_piece_mut(run: &mut RunSpec) -> &mut String {
-    match run {
-        RunSpec::Edge { piece, .. } | RunSpec::Points { piece, .. } => piece,
-    }
 }

@@ -10,7 +10,9 @@ use toile_garment::dart::DartKind;
 use toile_garment::notch::{Notch, NotchKind};
 use toile_garment::outline::PieceLine;
 use toile_garment::piece::PressedFold;
-use toile_garment::sewing::{CopySpec, DartSpec, EdgeNameSpec, FoldSpec, PleatPress, RunSpec, SeamSpec};
+use toile_garment::sewing::{
+    CopySpec, DartSpec, EdgeNameSpec, EdgePlace, EdgeWay, FoldSpec, PleatPress, RunSpec, SeamSpec,
+};
 
 fn edge(piece: &str, edge: &str) -> Vec<RunSpec> {
     vec![RunSpec::Edge { piece: piece.into(), edge: edge.into() }]
@@ -436,4 +438,75 @@ fn a_needle_that_nobody_found_is_an_error_with_its_place_and_its_lines() {
     let hint = errors[0].hint.as_deref().expect("hint");
     assert!(hint.contains("apex = [\"150.000 mm\", \"410.000 mm\"]"), "{hint}");
     assert!(hint.contains("[\"148.500 mm\", \"600.000 mm\"]") && hint.contains("[\"151.500 mm\""), "{hint}");
+}
+
+/// A part of an edge, with places such as `notch 1` as a sewing file has them.
+fn part(piece: &str, edge: &str, from: EdgePlace, to: EdgePlace) -> RunSpec {
+    RunSpec::Part { piece: piece.into(), edge: edge.into(), from, to }
+}
+
+const fn at(way: EdgeWay) -> EdgePlace {
+    EdgePlace { way, from_end: false }
+}
+
+const fn before_end(way: EdgeWay) -> EdgePlace {
+    EdgePlace { way, from_end: true }
+}
+
+/// A piece 200 mm high whose right edge, number 1, has notches at 60 and 150 mm. Its mirrored copy is `twin`.
+fn notched() -> Garment {
+    let mut front = rectangle(0, "front", 100.0, 200.0);
+    front.notches = vec![notch(100.0, 60.0), notch(100.0, 150.0)];
+    let copy = CopySpec { piece: "front".into(), name: "twin".into(), mirror: true, source: None };
+    let mut garment = one(front);
+    let run = part("front", "1", at(EdgeWay::Notch(1)), before_end(EdgeWay::Share(0.0)));
+    let slit = EdgeNameSpec { run, name: "slit".into() };
+    let plan = SewingPlan { copies: vec![copy], edge_names: vec![slit], ..SewingPlan::default() };
+    apply(&mut garment, plan, &mut Report::default()).expect("plan");
+    garment
+}
+
+/// Heights of both ends of a run, mm.
+fn ends(garment: &Garment, run: &RunSpec) -> Result<[f64; 2], Diagnostic> {
+    let shapes = crate::sewing::shapes::shapes(garment).expect("shapes");
+    let found = crate::sewing::lookup::run(garment, &shapes, run, None)?;
+    assert!(!found.stated && found.forward);
+    let ring = &shapes[found.piece.index()].rings[found.ring];
+    Ok([found.from, found.to].map(|s| (ring.at(s).y * 1e6).round() / 1e3))
+}
+
+#[test]
+fn a_part_of_an_edge_lies_between_its_places() {
+    let garment = notched();
+    let cases = [
+        (at(EdgeWay::Share(0.0)), at(EdgeWay::Share(0.5)), [0.0, 100.0]),
+        (at(EdgeWay::Notch(1)), at(EdgeWay::Notch(2)), [60.0, 150.0]),
+        (before_end(EdgeWay::Notch(1)), before_end(EdgeWay::Share(0.0)), [150.0, 200.0]),
+        (before_end(EdgeWay::Length(0.03)), at(EdgeWay::Length(0.01)), [10.0, 170.0]),
+    ];
+    for (from, to, want) in cases {
+        assert_eq!(ends(&garment, &part("front", "1", from, to)).expect("found"), want);
+    }
+}
+
+#[test]
+fn a_named_part_of_an_edge_is_on_the_mirrored_copy_too() {
+    let garment = notched();
+    let named = |piece: &str| RunSpec::Edge { piece: piece.into(), edge: "slit".into() };
+    assert_eq!(ends(&garment, &named("front")).expect("found"), [60.0, 200.0]);
+    // The outline of the copy is walked the other way, so the edge comes down there.
+    assert_eq!(ends(&garment, &named("twin")).expect("found"), [200.0, 60.0]);
+}
+
+#[test]
+fn a_place_beyond_an_edge_is_told_with_length_and_notches() {
+    let garment = notched();
+    for way in [EdgeWay::Length(0.2001), EdgeWay::Notch(3)] {
+        let found = ends(&garment, &part("front", "1", at(way), before_end(EdgeWay::Share(0.0)))).expect_err("beyond");
+        let hint = found.hint.clone().expect("hint");
+        assert_eq!(found.code, crate::sewing::codes::EDGE_PLACE_UNKNOWN);
+        assert_eq!(hint, "it is 200.0 mm long; its notches are at 60.0 mm, 150.0 mm from its start");
+    }
+    let same = ends(&garment, &part("front", "1", at(EdgeWay::Length(0.06)), at(EdgeWay::Notch(1))));
+    assert_eq!(same.expect_err("no length").code, crate::sewing::codes::RUN_WITHOUT_LENGTH);
 }

@@ -7,7 +7,6 @@ mod notches;
 mod side;
 
 pub use lengths::Limits;
-pub use notches::on_rings;
 pub use side::{Side, Span};
 
 use super::lookup;

@@ -2,40 +2,15 @@
 
 use super::side::Side;
 use crate::sewing::codes;
+use crate::sewing::marks::{AT_END, on_rings};
 use crate::sewing::shapes::Shapes;
 use toile_garment::sewing::SeamSpec;
-use toile_garment::{Diagnostic, Garment, Piece};
+use toile_garment::{Diagnostic, Garment};
 
 /// Matching notches may differ by this share of the side's length …
 pub const TOLERANCE: f64 = 0.03;
 /// … or by this length, metres.
 const NEAR: f64 = 8e-3;
-/// A notch this far off the sewn line still marks it when the piece has no seam allowance.
-const OFF_LINE: f64 = 3e-3;
-/// The widest seam allowance a notch on the cut line is carried over.
-const ALLOWANCE: f64 = 30e-3;
-/// Notches this near to an end of the seam or to a dart's mouth mark that, and not the run.
-const AT_END: f64 = 1.5e-3;
-
-/// Ring positions of the notches of a piece: (ring, arc position).
-pub fn on_rings(piece: &Piece, shapes: &crate::sewing::shapes::PieceShape) -> Vec<(usize, f64)> {
-    let reach = if piece.cut_line.is_some() { ALLOWANCE } else { OFF_LINE };
-    let Some(ring) = shapes.rings.first() else { return Vec::new() };
-    let mut out = Vec::new();
-    for notch in piece.notches.iter().filter(|n| n.is_on_edge()) {
-        let reach = if notch.on == "sew" { OFF_LINE } else { reach };
-        let (s, distance) = ring.project(notch.at);
-        let at_mouth = || {
-            let p = ring.at(s);
-            ring.gaps.iter().any(|g| [g.from, g.to].iter().any(|i| (ring.points[*i] - p).norm() < AT_END))
-                || ring.gap_around(s).is_some()
-        };
-        if distance <= reach && !at_mouth() {
-            out.push((0, s));
-        }
-    }
-    out
-}
 
 /// Distances of the notches along a side, its ends left out.
 fn along(garment: &Garment, shapes: &Shapes, side: &Side) -> Vec<f64> {
