@@ -15,12 +15,14 @@ const SURE: f64 = 0.9;
 const SCALE: f64 = 420.0;
 /// Room around a piece, pixels.
 const EDGE: f64 = 26.0;
+/// Length of the arrow on an edge, pixels.
+const ARROW: f64 = 8.0;
 
 const STYLE: &str = "body{font:15px/1.45 system-ui,sans-serif;margin:2rem;max-width:75rem;color:#222}\
 h1{font-size:1.5rem}h2{font-size:1.15rem;margin-top:2rem}figure{display:inline-block;margin:0 1rem 1rem 0;\
 vertical-align:top}figcaption{font-weight:600}td,th{padding:.2rem .7rem;text-align:left;vertical-align:top}\
 tr{border-top:1px solid #ddd}.swatch{display:inline-block;width:1.6rem;height:.7rem}\
-.open{background:#fff4e0}code{background:#f2f2f2}";
+td:nth-child(2),td:nth-child(5),td:nth-child(6){white-space:nowrap}.open{background:#fff4e0}code{background:#f2f2f2}";
 
 /// The page.
 pub fn page(source: &Source, proposal: &Proposal, dressed: &Dressed) -> String {
@@ -29,7 +31,8 @@ pub fn page(source: &Source, proposal: &Proposal, dressed: &Dressed) -> String {
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{title}</title>\n\
          <style>{STYLE}</style></head>\n<body data-toile-page=\"1\">\n<h1>{title}: what the program proposes</h1>\n\
          <p>Lines of the same colour are sewn to each other. Grey lines stay open. The small numbers are those of the \
-         edges, as <code>sewing.toml</code> writes them: <code>PIECE.3</code> is edge 3 of PIECE. Correct there what is \
+         edges, as <code>sewing.toml</code> writes them: <code>PIECE.3</code> is edge 3 of PIECE. The arrow beside a \
+         number shows where the edge goes; its notches, the small dots, count from its start. Correct there what is \
          wrong, and remove <code>proposed</code> from what is right. Then <code>toile run pipeline.toml</code> sews and \
          drapes the garment.</p>\n"
     );
@@ -154,15 +157,26 @@ fn figure(out: &mut String, proposal: &Proposal, index: usize, piece: &Piece, ro
             );
         }
     }
+    for notch in piece.notches.iter().filter(|n| n.is_on_edge()) {
+        let (x, y) = at(notch.at);
+        let _ = writeln!(out, "<circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"3\" fill=\"#7a1fa2\"/>");
+    }
     for edge in &piece.edges {
-        if let Some((x, y)) = middle(&points, edge.from as usize, edge.to as usize).map(at) {
-            let _ = writeln!(
-                out,
-                "<text x=\"{x:.1}\" y=\"{y:.1}\" font-size=\"12\" text-anchor=\"middle\" paint-order=\"stroke\" \
-                 stroke=\"#fff\" stroke-width=\"3\">{}</text>",
-                edge.index
-            );
-        }
+        let Some((middle, along)) = middle(&points, edge.from as usize, edge.to as usize) else { continue };
+        let ((x, y), (dx, dy)) = (at(middle), (along.x * ARROW, -along.y * ARROW));
+        let _ = writeln!(
+            out,
+            "<path d=\"M{:.1} {:.1}L{x:.1} {y:.1}L{:.1} {:.1}\" fill=\"none\" stroke=\"#222\"/>\n\
+             <text x=\"{:.1}\" y=\"{:.1}\" font-size=\"12\" text-anchor=\"middle\" paint-order=\"stroke\" \
+             stroke=\"#fff\" stroke-width=\"3\">{}</text>",
+            x - dx - dy * 0.5,
+            y - dy + dx * 0.5,
+            x - dx + dy * 0.5,
+            y - dy - dx * 0.5,
+            x + dy * 1.6,
+            y - dx * 1.6 + 4.0,
+            edge.index
+        );
     }
     out.push_str("</svg></figure>\n");
 }
@@ -171,13 +185,18 @@ fn extreme(points: &[Vec2], choose: fn(f64, f64) -> f64) -> Option<Vec2> {
     points.iter().copied().reduce(|a, b| Vec2::new(choose(a.x, b.x), choose(a.y, b.y)))
 }
 
-/// The middle vertex of an edge, or the middle of its chord where it has no vertex between its ends.
-fn middle(points: &[Vec2], from: usize, to: usize) -> Option<Vec2> {
+/// The middle vertex of an edge, or the middle of its chord where it has no vertex between its ends, and the unit vector
+/// of its way there.
+fn middle(points: &[Vec2], from: usize, to: usize) -> Option<(Vec2, Vec2)> {
     let n = points.len();
     let steps = (to + n).checked_sub(from)? % n.max(1);
-    match steps {
-        0 => None,
-        1 => Some((points.get(from)? + points.get(to)?) / 2.0),
-        _ => points.get((from + steps / 2) % n).copied(),
-    }
+    let point = |k: usize| points.get((from + k) % n).copied();
+    let half = steps / 2;
+    let (before, after) = match steps {
+        0 => return None,
+        1 => (point(0)?, point(1)?),
+        _ => (point(half - 1)?, point(half + 1)?),
+    };
+    let middle = if steps == 1 { (before + after) / 2.0 } else { point(half)? };
+    (after - before).try_normalize(0.0).map(|along| (middle, along))
 }

@@ -17,6 +17,9 @@ path{fill:none;stroke-linejoin:round;vector-effect:non-scaling-stroke}\
 text{font-family:'DejaVu Sans',Arial,Helvetica,sans-serif;text-anchor:middle;paint-order:stroke;stroke:#fff;stroke-width:.25em;stroke-linejoin:round}\
 .label{fill:#333}.name{fill:#111;font-weight:bold}.edge{fill:#0b3d91}.dartname{fill:#a01810}";
 
+/// The way of every edge, which a person needs who writes a sewing file.
+const WAY_STYLE: &str = ".way{stroke:#0b3d91;stroke-width:1.2px}";
+
 /// Seams are seen when they are picked, and take clicks near them.
 const SEAM_STYLE: &str = "\
 .seam{stroke:#e8590c;stroke-width:9px;stroke-opacity:0;stroke-linecap:round;pointer-events:stroke;cursor:pointer}\
@@ -45,9 +48,12 @@ fn sheet(pieces: &[Piece], picks: Option<&[Seam]>, title: &str) -> String {
             if picks.is_some() {
                 canvas.open(&format!("piece:{k}"));
             }
-            Pen { canvas: &mut canvas, move_by: place - bounds.min, size }.piece(piece, bounds);
+            let mut pen = Pen { canvas: &mut canvas, move_by: place - bounds.min, size };
+            pen.piece(piece, bounds);
             if picks.is_some() {
                 canvas.close();
+            } else {
+                piece.edges.iter().for_each(|e| pen.way(piece, e));
             }
         }
     }
@@ -66,9 +72,10 @@ fn sheet(pieces: &[Piece], picks: Option<&[Seam]>, title: &str) -> String {
     }
     let foot = Vec2::new(sheet.min.x + size, sheet.min.y - 3.5 * size);
     canvas.scale_bar(foot, 0.4 * sheet.size().x, size);
-    let legend = legend(&mut canvas, Vec2::new(sheet.min.x + size, foot.y - 2.4 * size), sheet.size().x, size);
+    let at = Vec2::new(sheet.min.x + size, foot.y - 2.4 * size);
+    let legend = legend(&mut canvas, at, sheet.size().x, size, picks.is_none());
     let all = Bounds { min: Vec2::new(sheet.min.x, legend), ..sheet };
-    let style = if picks.is_none() { STYLE.to_owned() } else { format!("{STYLE}{SEAM_STYLE}") };
+    let style = if picks.is_none() { format!("{STYLE}{WAY_STYLE}") } else { format!("{STYLE}{SEAM_STYLE}") };
     canvas.finish(all.grown(2.0 * size), title, &style)
 }
 
@@ -236,6 +243,14 @@ impl Pen<'_> {
         self.canvas.text("edge", at, self.size, &label);
     }
 
+    /// An arrow in the middle of an edge.
+    fn way(&mut self, piece: &Piece, edge: &OutlineEdge) {
+        let Some((middle, inward)) = middle(&piece.outline, edge) else { return };
+        let (tip, along) = (self.at(middle), Vec2::new(inward.y, -inward.x) * (0.45 * self.size));
+        let across = inward * (0.25 * self.size);
+        self.canvas.line("way", &[tip - along + across, tip, tip - along - across], false);
+    }
+
     fn name(&mut self, piece: &Piece, bounds: &Bounds) {
         let centre = (bounds.min + bounds.max) * 0.5 + self.move_by;
         let below = Vec2::new(0.0, -1.4 * self.size);
@@ -293,7 +308,7 @@ fn inward_normal(line: &PieceLine, at: Vec2) -> Vec2 {
 }
 
 /// Draws the key in rows; gives the lowest y it used.
-fn legend(canvas: &mut Canvas, at: Vec2, width: f64, size: f64) -> f64 {
+fn legend(canvas: &mut Canvas, at: Vec2, width: f64, size: f64, has_ways: bool) -> f64 {
     let entries = [
         ("cut", "cut line"),
         ("sew", "sew line"),
@@ -304,7 +319,8 @@ fn legend(canvas: &mut Canvas, at: Vec2, width: f64, size: f64) -> f64 {
         ("fold", "fold"),
     ];
     let (mut x, mut y) = (at.x, at.y);
-    for (class, words) in entries {
+    let ways = has_ways.then_some(("way", "arrow: way of an edge from its start"));
+    for (class, words) in entries.into_iter().chain(ways) {
         let room = (4.0 + 0.62 * words.len() as f64) * size;
         if x > at.x && x + room > at.x + width {
             (x, y) = (at.x, y - 1.8 * size);

@@ -1,6 +1,6 @@
 //! Pattern files: DXF with its rule table, and the rule table alone.
 
-use super::{Inspected, Source};
+use super::{Inspected, Source, edges};
 use crate::engine::{MAX_INPUT, read_limited};
 use serde_json::{Map, Value, json};
 use std::fmt::Write as _;
@@ -31,8 +31,14 @@ pub(super) fn dxf(source: &Source<'_>) -> Result<Inspected, Vec<Diagnostic>> {
     let is_usable = inspection.pattern.is_usable();
     // The findings go to stderr, so that a table piped elsewhere is a table.
     let listed: String = findings.iter().map(|f| format!("{f}\n")).collect();
-    let text = inspection.text.strip_suffix(&listed).unwrap_or(&inspection.text).to_owned();
-    Ok(Inspected { json: inspection.json, text, svg, findings, is_usable })
+    let mut text = inspection.text.strip_suffix(&listed).unwrap_or(&inspection.text).to_owned();
+    let mut json = inspection.json;
+    let garment = inspection.pattern.to_garment(None, table.as_ref()).ok();
+    if let Some((rows, values)) = garment.and_then(|(garment, _)| edges::table(&garment)) {
+        text.push_str(&rows);
+        json["edges"] = values;
+    }
+    Ok(Inspected { json, text, svg, findings, is_usable })
 }
 
 /// The garment's pieces in the sample size; all drawn pieces when no size can be chosen.

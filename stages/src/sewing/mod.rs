@@ -6,6 +6,7 @@
 mod apply;
 pub(crate) mod codes;
 mod edge_part;
+pub mod edges;
 mod file;
 mod lookup;
 pub mod marks;

@@ -468,7 +468,7 @@ fn notched() -> Garment {
 
 /// Heights of both ends of a run, mm.
 fn ends(garment: &Garment, run: &RunSpec) -> Result<[f64; 2], Diagnostic> {
-    let shapes = crate::sewing::shapes::shapes(garment).expect("shapes");
+    let shapes = shapes(garment).expect("shapes");
     let found = crate::sewing::lookup::run(garment, &shapes, run, None)?;
     assert!(!found.stated && found.forward);
     let ring = &shapes[found.piece.index()].rings[found.ring];

@@ -1,24 +1,14 @@
 //! The free edges of a garment that are as long as one side of a seam: the remedy where a seam names the wrong edge.
 
 use super::{Found, ResolvedSeam, Side};
-use crate::sewing::lookup;
-use crate::sewing::ring::SAME;
+use crate::sewing::edges::{Edge, edges};
 use crate::sewing::shapes::Shapes;
-use toile_garment::sewing::RunSpec;
-use toile_garment::{Garment, PieceId};
+use toile_garment::Garment;
 
 /// Sides that differ by more than this share of the shorter are hardly meant to be sewn to each other.
 const WRONG_EDGE: f64 = 0.15;
 /// Most edges that are named for one side.
 const NAMED: usize = 3;
-
-/// An edge of a piece with its sewn length.
-struct Edge {
-    name: String,
-    piece: PieceId,
-    middle: f64,
-    length: f64,
-}
 
 /// Words for the edges that would fit the sides of this seam; `None` where its own sides may well be meant.
 pub fn fitting(garment: &Garment, shapes: &Shapes, all: &[Found], seam: &ResolvedSeam, limit: f64) -> Option<String> {
@@ -39,18 +29,4 @@ pub fn fitting(garment: &Garment, shapes: &Shapes, all: &[Found], seam: &Resolve
         if named.is_empty() { "no free edge".to_owned() } else { named.join(", ") }
     };
     Some(format!("to {:.1} mm fits {}; to {:.1} mm fits {}", a * 1e3, of(&seam.a), b * 1e3, of(&seam.b)))
-}
-
-/// All edges of all pieces, by name where they have one.
-fn edges(garment: &Garment, shapes: &Shapes) -> Vec<Edge> {
-    let one = |piece: &toile_garment::Piece, edge: &toile_garment::outline::OutlineEdge| -> Option<Edge> {
-        let label = edge.name.clone().unwrap_or_else(|| edge.index.to_string());
-        let spec = RunSpec::Edge { piece: piece.name.clone(), edge: label.clone() };
-        let run = lookup::run(garment, shapes, &spec, None).ok()?;
-        let ring = shapes.get(run.piece.index())?.rings.get(run.ring)?;
-        let length = ring.sewn_ahead(run.from, run.to);
-        let middle = run.from + 0.5 * ring.ahead(run.from, run.to);
-        (length > SAME).then(|| Edge { name: format!("{}.{label}", piece.name), piece: run.piece, middle, length })
-    };
-    garment.pieces.iter().flat_map(|p| p.edges.iter().filter_map(move |e| one(p, e))).collect()
 }
