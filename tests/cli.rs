@@ -157,3 +157,21 @@ fn looks_into_a_garment_document() {
     assert_eq!(wrong.code, 3);
     assert!(wrong.err.contains("no-reader"));
 }
+
+/// The table of edges names them as a sewing file does, with notches from their start and the edges that are as long.
+#[test]
+fn inspect_lists_the_edges_of_a_pattern() {
+    let file = concat!(env!("CARGO_MANIFEST_DIR"), "/samples/patterns/fitted-bodice.aama.dxf");
+    let said = toile(&["inspect", file, "--json"]);
+    let found: Value = serde_json::from_str(&said.out).expect("JSON");
+    let edges = found["edges"].as_array().expect("edges");
+    let edge = |name: &str| edges.iter().find(|e| e["edge"] == name).unwrap_or_else(|| panic!("{name}: {edges:?}"));
+    assert_eq!(edge("BACK.7")["length_mm"], edge("BACK.1")["length_mm"]);
+    assert_eq!(edge("FRONT.9")["as_long"], serde_json::json!(["BACK.5", "BACK.3"]));
+    let [down, up] = ["BACK.7", "BACK.1"].map(|e| edge(e)["notches_mm"][0].as_f64().expect("notch"));
+    assert!((down + up - edge("BACK.7")["length_mm"].as_f64().expect("length")).abs() < 0.01, "{down} {up}");
+    // The legs of a dart are sewn to each other, and no seam names them.
+    assert!(edges.iter().all(|e| e["edge"] != "FRONT.1" && e["edge"] != "FRONT.2"));
+    let table = toile(&["inspect", file]).out;
+    assert!(table.contains("BACK.7") && table.contains("186.8"), "{table}");
+}

@@ -126,6 +126,9 @@ fn the_seams_of_the_samples_are_found_as_far_as_their_marks_tell() {
         let checked = toile(&["check", pipeline.to_str().expect("path")]);
         // Every seam is told until somebody confirms it.
         assert!(checked.err.contains("seam-proposed"), "{}", checked.err);
+        // Sides are edges and parts of edges, never points; seams have the names of the workroom.
+        let sewing = std::fs::read_to_string(out.join("sewing.toml")).expect("sewing file");
+        assert!(!sewing.contains("from = [") && sewing.contains("name = \"side seam left"), "{sewing}");
         let page = std::fs::read_to_string(out.join("start.html")).expect("page");
         if drapes {
             let folder = out.join("out");

@@ -81,7 +81,7 @@ pub enum ClothError {
         effect: &'static str,
     },
     /// The cloth crosses itself or the body before the first step and could not be freed.
-    #[error("the start is not free: {self_crossings} cloth-cloth and {body_crossings} cloth-body crossings, {inside} vertices inside the body, first near ({:.0}, {:.0}, {:.0}) mm", 1e3 * .place.at.x, 1e3 * .place.at.y, 1e3 * .place.at.z)]
+    #[error("the start is not free: cloth goes through cloth at {self_crossings} places and through the body at {body_crossings}, {inside} vertices lie in the body, first near ({:.0}, {:.0}, {:.0}) mm", 1e3 * .place.at.x, 1e3 * .place.at.y, 1e3 * .place.at.z)]
     StartCrosses {
         /// Crossing pairs of cloth triangles.
         self_crossings: usize,

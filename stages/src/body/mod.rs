@@ -16,6 +16,7 @@ mod polygonise;
 mod remesh;
 pub(crate) mod section;
 mod segments;
+pub(crate) mod where_on;
 
 pub use found::with_segments;
 pub use measures::{BodyGirths, BodyMeasures, SIZES};

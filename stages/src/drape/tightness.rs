@@ -2,7 +2,7 @@
 
 use crate::body::{Section, sections};
 use crate::solve::level_cut::level_cut;
-use crate::solve::place::nearest;
+use crate::solve::place::{nearest, on_body};
 use toile_cloth::Tightest;
 use toile_garment::garment::Certificate;
 use toile_garment::{Diagnostic, Garment, Vec3};
@@ -18,13 +18,14 @@ pub fn finding(garment: &Garment, certificate: &Certificate, tightest: Option<&T
     // Cloth that is longer than the way round is stretched by something else than the body.
     let is_loose = girths.is_some_and(|[body, cloth]| cloth > body * LOOSE);
     let message = format!(
-        "piece `{}` is {} near ({:.0}, {:.0}, {:.0}) mm: strain {:.1} % along the warp, {:.1} % along the weft, \
+        "piece `{}` is {} near ({:.0}, {:.0}, {:.0}) mm{}: strain {:.1} % along the warp, {:.1} % along the weft, \
          {:.1} % along the bias, {:.2} of the fabric's limit{}",
         piece.name,
         if is_loose { "stretched" } else { "too tight" },
         at.x * 1e3,
         at.y * 1e3,
         at.z * 1e3,
+        on_body(garment, at),
         worst.warp * 1e2,
         worst.weft * 1e2,
         worst.bias * 1e2,

@@ -3,6 +3,7 @@
 use super::codes;
 use super::failure;
 use super::watch::MESH_ANEW;
+use crate::body::where_on;
 use toile_cloth::ClothError;
 use toile_garment::{Diagnostic, Garment, Piece, Vec3};
 use toile_stage_api::StageError;
@@ -17,10 +18,22 @@ pub fn failure_in(error: ClothError, garment: &Garment, at: &[Vec<Vec3>]) -> Sta
     };
     match (failure(error), nearest(garment, at, &place)) {
         (StageError::Input(findings), Some(piece)) => {
-            StageError::Input(findings.into_iter().map(|f| named(f, piece)).collect())
+            let told = |f: Diagnostic| {
+                let mut finding = named(f, piece);
+                finding.message.push_str(&on_body(garment, place));
+                finding
+            };
+            StageError::Input(findings.into_iter().map(told).collect())
         }
         (other, _) => other,
     }
+}
+
+/// Words that follow the coordinates of a place, such as `, at the left front, 40 mm above the waist`; empty without a body.
+#[must_use]
+pub fn on_body(garment: &Garment, at: Vec3) -> String {
+    let words = garment.body.as_ref().and_then(|body| where_on::words(body, at));
+    words.map_or_else(String::new, |words| format!(", {words}"))
 }
 
 /// A triangle so narrow that single precision loses it beside the others: height over longest edge.

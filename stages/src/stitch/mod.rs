@@ -13,6 +13,7 @@ mod raise;
 
 use crate::sewing::turned::Lengths;
 use crate::solve::body_parts::contact_filter;
+use crate::solve::place::on_body;
 use crate::solve::{Follow, Layout, effects, failure_in, scene};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -270,12 +271,14 @@ fn tell(garment: &Garment, outcome: &Outcome, distance: f64, cx: &mut StageConte
             Diagnostic::warning(
                 codes::SEAM_OPEN,
                 format!(
-                    "seam `{name}` is still {:.1} mm open after sewing, {} stitches of it, widest at ({:.0}, {:.0}, {:.0}) mm ({})",
+                    "seam `{name}` is still {:.1} mm open after sewing, {} stitches of it, widest at ({:.0}, {:.0}, {:.0}) mm{} \
+                     ({})",
                     open.gap * 1e3,
                     open.count,
                     at.x,
                     at.y,
                     at.z,
+                    on_body(garment, open.at),
                     outcome.stop_reason.words()
                 ),
             )
