@@ -120,6 +120,7 @@ fn the_seams_of_the_samples_are_found_as_far_as_their_marks_tell() {
         let (_dir, out) = folder();
         let (said, proposal) = new(name, &out, &[]);
         assert_eq!(said.code, 0, "{said:?}");
+        assert!(said.err.contains("start.html") && said.err.contains("toile watch"), "{said:?}");
         let share = found(name, &proposal);
         assert!(share >= least, "{name}: {share}");
         let pipeline = out.join("pipeline.toml");

@@ -76,8 +76,11 @@ fn tell(args: &NewArgs, new: &New, console: &mut Console<'_>) -> Exit {
     if args.json {
         console.json(&new.proposal);
     }
-    let pipeline = clean(&args.out.join("pipeline.toml"));
+    let [page, pipeline, out] = ["start.html", "pipeline.toml", "out"].map(|name| clean(&args.out.join(name)));
     console.say(&format!("{} seams are proposed, {} of them too unsure to be sewn\n", new.seams, new.open));
-    console.say(&format!("next: toile run {pipeline}\n"));
+    console.say(&format!(
+        "look at {page}\nnext: toile run {pipeline} --out {out}\n\
+         or:   toile watch {pipeline} --out {out}, which runs it again whenever one of its files is saved\n"
+    ));
     if new.open == 0 { Exit::Good } else { Exit::Gate }
 }

@@ -63,6 +63,9 @@ pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, con
     let outcome = engine::run(&pipeline, gate, &options, stop, &mut teller, report);
     drop((teller, watchdog));
     console.result(&summary(&outcome, &out));
+    if let Some(page) = page(&outcome).filter(|_| !args.quiet) {
+        console.say(&format!("look at {}\n", crate::render::safe(&out.join(page).to_string_lossy())));
+    }
     outcome.exit
 }
 
@@ -107,6 +110,12 @@ fn open_events(args: &RunArgs, inputs: &[PathBuf]) -> Result<Option<Box<dyn Writ
 }
 
 /// The result: one line per output.
+/// The page among the outputs, if there is one.
+fn page(outcome: &Outcome) -> Option<&str> {
+    let outputs = outcome.record.as_ref()?.outputs.iter();
+    outputs.map(|o| o.path.as_str()).find(|path| path.ends_with(".html"))
+}
+
 fn summary(outcome: &Outcome, out: &Path) -> String {
     let Some(record) = &outcome.record else { return String::new() };
     let mut text = String::new();
