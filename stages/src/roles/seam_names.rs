@@ -1,4 +1,4 @@
-//! What seams are called in a workroom, from the parts that they join and from where they lie on the body.
+//! Names of seams as a workroom has them, from the parts that they join and from where they lie on the body.
 
 use super::{Facing, Join, Lateral, Part, PiecePoint, Role};
 use toile_garment::Vec3;
