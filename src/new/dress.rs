@@ -18,6 +18,8 @@ pub struct Dressed {
     pub roles: Vec<Role>,
     /// Places.
     pub arrangement: Arrangement,
+    /// The proposed seams as points that meet.
+    pub joins: Vec<Join>,
     /// What the proposed seams are called in a workroom; `None` where that is not known.
     pub seam_names: Vec<Option<String>>,
 }
@@ -34,7 +36,7 @@ pub fn dress(source: &Source, proposal: &Proposal, body: Option<&Body>, is_anony
     let arrangement = arrange(&pieces, &roles, &joins, body, given);
     let on_body = |p: PiecePoint| Some(arrangement.places.get(p.piece)?.as_ref()?.sheet.at(p.at));
     let seam_names = seam_names(&roles, &joins, on_body);
-    Dressed { roles, arrangement, seam_names }
+    Dressed { roles, arrangement, joins, seam_names }
 }
 
 /// A seam as pairs of points that meet.

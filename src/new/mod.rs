@@ -11,6 +11,7 @@ mod folder;
 mod page;
 mod pattern;
 mod pipeline;
+mod placed;
 mod samples;
 mod sewing;
 mod stock;
@@ -110,7 +111,7 @@ pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
     folder.add("pipeline.toml", pipeline::text(source, &order.body, &order.fabric).into_bytes());
     let json = serde_json::to_string_pretty(&document).unwrap_or_default();
     folder.replace("proposal.json", format!("{}\n", toile_garment::text::json(&json)).into_bytes());
-    folder.replace("start.html", page::page(source, &proposal, &dressed).into_bytes());
+    folder.replace("start.html", page::page(source, &proposal, &dressed, body.as_ref()).into_bytes());
     // A first sewing file comes last: where it lies, the folder is complete, and what it says are decisions.
     if order.earlier.is_none() {
         folder.add("sewing.toml", sewing::text(source, &proposal).into_bytes());

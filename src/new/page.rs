@@ -2,10 +2,12 @@
 
 use super::dress::Dressed;
 use super::pattern::Source;
+use super::placed;
 use super::sewing::LEAST_SURE;
 use std::fmt::Write as _;
 use toile_formats::sewing::place_text;
 use toile_formats::svg::canvas::escape as escaped;
+use toile_garment::body::Body;
 use toile_garment::{Piece, Vec2};
 use toile_stages::proposal::{EdgePart, Proposal, ProposedSeam, Run};
 
@@ -25,7 +27,7 @@ tr{border-top:1px solid #ddd}.swatch{display:inline-block;width:1.6rem;height:.7
 td:nth-child(2),td:nth-child(5),td:nth-child(6){white-space:nowrap}.open{background:#fff4e0}code{background:#f2f2f2}";
 
 /// The page.
-pub fn page(source: &Source, proposal: &Proposal, dressed: &Dressed) -> String {
+pub fn page(source: &Source, proposal: &Proposal, dressed: &Dressed, body: Option<&Body>) -> String {
     let title = escaped(&source.file_name());
     let mut out = format!(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>{title}</title>\n\
@@ -44,6 +46,7 @@ pub fn page(source: &Source, proposal: &Proposal, dressed: &Dressed) -> String {
             writeln!(out, "<h2>Not sewn</h2>\n<p>{names}. The list <code>leave_out</code> in the file has them.</p>");
     }
     table(&mut out, source, proposal, &order);
+    out.push_str(&placed::views(&source.garment, proposal, dressed, body));
     out.push_str("<h2>Pieces</h2>\n");
     for (index, piece) in source.garment.pieces.iter().enumerate() {
         let role = dressed.roles.get(index).map(|r| r.words()).unwrap_or_default();
@@ -127,7 +130,7 @@ fn side(source: &Source, runs: &[Run]) -> String {
 }
 
 /// Colours that follow one another are far apart on the circle of hues.
-fn colour(k: usize) -> String {
+pub fn colour(k: usize) -> String {
     format!("hsl({},75%,{}%)", (k * 137) % 360, if k.is_multiple_of(2) { 42 } else { 54 })
 }
 
