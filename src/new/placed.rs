@@ -56,7 +56,8 @@ pub fn views(garment: &Garment, proposal: &Proposal, dressed: &Dressed, body: Op
     }
     let mut out = String::from(
         "<h2>On the body</h2>\n<p>The pieces as they lie before they are sewn. Thin lines lead to the points that they \
-         are sewn to. A <code>[[place]]</code> in the file puts a piece elsewhere.</p>\n",
+         are sewn to. A <code>[[place]]</code> with <code>piece</code> and <code>move = [\"0 mm\", \"30 mm\", \"0 mm\"]\
+         </code> in the file moves a piece to the wearer's left, up and to the front.</p>\n",
     );
     let threads = threads(dressed);
     View::all().iter().for_each(|view| draw(&mut out, view, &pieces, &threads, body));

@@ -225,6 +225,7 @@ const FOLD: &str =
     "fold=[{ piece = \"BACK\", line = [[\"-100 mm\", \"40 mm\"], [\"100 mm\", \"40 mm\"]], angle = \"40 deg\" }]";
 const INTERLINING: &str = "interlining=[{ pieces = [\"BACK\"], areal_mass = \"60 g/m2\", bending = \"100 uN.m\" }]";
 const PLEAT: &str = "dart=[{ piece = \"BACK\", kind = \"pleat\", mouth = [[\"-10 mm\", \"151 mm\"], [\"10 mm\", \"151 mm\"]], apexes = [[\"-10 mm\", \"60 mm\"], [\"10 mm\", \"60 mm\"]], press = \"inverted\", sewn = \"30 mm\" }]";
+const MOVED: &str = "place[0]={ piece = \"FRONT\", move = [\"0 mm\", \"0 mm\", \"10 mm\"] }";
 const PUT: &str = "place[0]={ piece = \"FRONT\", rotation = [[1, 0, 0], [0, 1, 0], [0, 0, 1]], translation = [\"-100 mm\", \"850 mm\", \"80 mm\"] }";
 
 /// Keys of the sewing file.
@@ -275,6 +276,7 @@ const SEWING: &[Flip] = &[
     row("pattern", "place[0].height", "\"880 mm\""),
     row("pattern", "place[0].turn", "\"20 deg\""),
     row("pattern", "place[0].ignores", "[\"torso\"]"),
+    given("pattern", &[MOVED], "place[0].move", "[\"0 mm\", \"30 mm\", \"0 mm\"]"),
     given("pattern", &[PUT], "place[0].rotation", "[[0, 0, 1], [0, 1, 0], [-1, 0, 0]]"),
     given("pattern", &[PUT], "place[0].translation", "[\"-100 mm\", \"870 mm\", \"80 mm\"]"),
 ];

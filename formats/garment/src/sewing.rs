@@ -229,6 +229,12 @@ pub enum Placement {
         #[schemars(with = "[f64; 3]")]
         translation: Vec3,
     },
+    /// Beside the place that the program finds.
+    Moved {
+        /// Way from that place, metres: to the wearer's left, up, to the front.
+        #[schemars(with = "[f64; 3]")]
+        by: Vec3,
+    },
     /// Wrapped around a segment of the body.
     Around {
         /// `torso`, `arm-left`, `arm-right`, `leg-left`, `leg-right`, `neck`.

@@ -221,9 +221,15 @@ const HEIGHT: Key = may(
     "height",
     Form::Length,
     "\"914 mm\"",
-    "Height of the origin of the piece over the floor; on an arm, the way from the joint (default 0). Required elsewhere.",
+    "Height of the top of the piece over the floor; on an arm, the way of its top from the joint (default 0). Required \
+     elsewhere.",
 );
-const TURN: Key = may("turn", Form::Angle, "\"15 deg\"", "Turn about the axis of the segment. Default: 0.");
+const TURN: Key = may(
+    "turn",
+    Form::Angle,
+    "\"15 deg\"",
+    "Turn of the piece in its plane before it is placed, counter-clockwise. Default: 0.",
+);
 
 const IGNORES: Key = may(
     "ignores",
@@ -233,12 +239,38 @@ const IGNORES: Key = may(
      ends with all of the body. Default: forearms that stand in the way of cloth which does not lie on the arm.",
 );
 
-/// `[[place]]`, in either form.
+const MOVE: Key = must(
+    "move",
+    Form::Vector,
+    "[\"0 mm\", \"20 mm\", \"0 mm\"]",
+    "How far the piece starts from where the program would put it: to the wearer's left, up, and to the front.",
+);
+
+/// `[[place]]`, in any form.
 pub static PLACE: Keys = Keys {
     name: "place",
     heading: "[[place]]",
-    about: "Where a piece starts: by rotation and translation, or wrapped around a segment of the body.",
-    keys: &[must("piece", Form::Text, "\"front\"", PIECE), AROUND, SIDE, HEIGHT, TURN, ROTATION, TRANSLATION, IGNORES],
+    about: "Where a piece starts: beside the place that the program finds, wrapped around a segment of the body, or by \
+            rotation and translation.",
+    keys: &[
+        must("piece", Form::Text, "\"front\"", PIECE),
+        MOVE,
+        AROUND,
+        SIDE,
+        HEIGHT,
+        TURN,
+        ROTATION,
+        TRANSLATION,
+        IGNORES,
+    ],
+};
+
+/// `[[place]]` beside the place that the program finds.
+pub static PLACE_MOVED: Keys = Keys {
+    name: "place",
+    heading: "[[place]]",
+    about: "A piece moved from the place that the program finds.",
+    keys: &[must("piece", Form::Text, "\"front\"", PIECE), MOVE, IGNORES],
 };
 
 /// `[[place]]` around a segment of the body.

@@ -41,21 +41,26 @@ pub fn place(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Op
     let at = span.start;
     let mut t = Table::new(table, span, &keys::PLACE);
     let piece = t.need("piece", walk).and_then(|v| walk.text(v, "piece"));
-    let around = t.take("around");
-    let rotation = t.take("rotation");
-    let placement = match (around, rotation) {
-        (Some(around), None) => {
+    let placement = match [t.take("move"), t.take("around"), t.take("rotation")] {
+        [Some(by), None, None] => {
+            t.keys = &keys::PLACE_MOVED;
+            vector(by, "move", walk).map(|by| Placement::Moved { by })
+        }
+        [None, Some(around), None] => {
             t.keys = &keys::PLACE_AROUND;
             wrapped(around, &mut t, walk)
         }
-        (None, Some(rotation)) => {
+        [None, None, Some(rotation)] => {
             t.keys = &keys::PLACE_EXPLICIT;
             explicit(rotation, &mut t, walk)
         }
-        (both, _) => {
-            let words = if both.is_some() { "`around` and `rotation`" } else { "neither `around` nor `rotation`" };
+        found => {
+            let words = match found.iter().flatten().count() {
+                0 => "none of `move`, `around` and `rotation`",
+                _ => "more than one of `move`, `around` and `rotation`",
+            };
             walk.error(codes::SEWING_PLACE, at, format!("a place has {words}"), |d| {
-                d.hint("give rotation and translation, or around, side and height")
+                d.hint("give move; or around, side and height; or rotation and translation")
             });
             return None;
         }
@@ -84,14 +89,15 @@ fn wrapped(around: Value<'_>, t: &mut Table<'_>, walk: &mut Walk<'_>) -> Option<
 }
 
 fn explicit(rotation: Value<'_>, t: &mut Table<'_>, walk: &mut Walk<'_>) -> Option<Placement> {
-    let example = "[\"0 mm\", \"914 mm\", \"250 mm\"]";
-    let translation = t.need("translation", walk).and_then(|v| {
-        let items = walk.list(v, "translation", 3, example)?;
-        let parts: Vec<_> = items.iter().map(|i| walk.quantity::<Length>(i, "translation")).collect();
-        Some(Vec3::new(parts[0]?, parts[1]?, parts[2]?))
-    });
+    let translation = t.need("translation", walk).and_then(|v| vector(v, "translation", walk));
     let rotation = rows(rotation, walk);
     Some(Placement::Explicit { rotation: rotation?, translation: translation? })
+}
+
+fn vector(value: Value<'_>, key: &str, walk: &mut Walk<'_>) -> Option<Vec3> {
+    let items = walk.list(value, key, 3, "[\"0 mm\", \"914 mm\", \"250 mm\"]")?;
+    let parts: Vec<_> = items.iter().map(|i| walk.quantity::<Length>(i, key)).collect();
+    Some(Vec3::new(parts[0]?, parts[1]?, parts[2]?))
 }
 
 fn rows(value: Value<'_>, walk: &mut Walk<'_>) -> Option<[[f64; 3]; 3]> {

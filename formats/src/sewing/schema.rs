@@ -1,6 +1,6 @@
 //! The JSON schema of a sewing file, built from the tables of keys that the reader uses.
 
-use super::keys::{Form, Key, Keys, PLACE_AROUND, PLACE_EXPLICIT, RUN, TOP};
+use super::keys::{Form, Key, Keys, PLACE_AROUND, PLACE_EXPLICIT, PLACE_MOVED, RUN, TOP};
 use crate::schema::{document, list, quantity, table, text, with_about};
 use serde_json::{Map, Value, json};
 use toile_garment::units::{Angle, ArealMass, Bending, Force, Length, Share};
@@ -22,10 +22,13 @@ fn of_table(keys: &Keys) -> Value {
     table(keys.about, &required, properties(keys))
 }
 
-/// A place has one of two forms; all other tables have one.
+/// A place has one of three forms; all other tables have one.
 fn rows(keys: &'static Keys) -> Value {
     match keys.name {
-        "place" => json!({ "description": keys.about, "oneOf": [of_table(&PLACE_AROUND), of_table(&PLACE_EXPLICIT)] }),
+        "place" => {
+            let forms = [&PLACE_MOVED, &PLACE_AROUND, &PLACE_EXPLICIT].map(of_table);
+            json!({ "description": keys.about, "oneOf": forms })
+        }
         _ => of_table(keys),
     }
 }

@@ -179,6 +179,10 @@ fn place(out: &mut String, place: &PlaceSpec) {
             let [x, y, z] = [translation.x, translation.y, translation.z].map(length);
             let _ = write!(out, "rotation = [{}]\ntranslation = [{x}, {y}, {z}]\n", rows.join(", "));
         }
+        Placement::Moved { by } => {
+            let [x, y, z] = [by.x, by.y, by.z].map(length);
+            let _ = writeln!(out, "move = [{x}, {y}, {z}]");
+        }
         Placement::Around { segment, side, height, turn } => {
             let _ = write!(
                 out,
@@ -264,6 +268,12 @@ mod tests {
             }],
             places: vec![
                 PlaceSpec {
+                    piece: "collar".to_owned(),
+                    placement: Placement::Moved { by: Vec3::new(0.0, 0.02, -0.005) },
+                    ignores: None,
+                    source: None,
+                },
+                PlaceSpec {
                     piece: "back".to_owned(),
                     placement: Placement::Around {
                         segment: "torso".to_owned(),
@@ -319,8 +329,9 @@ mod tests {
         assert!((fold.angle - 1.5).abs() < 1e-12 && (fold.line[1] - Vec2::new(0.5, 0.04)).norm() < 1e-12);
         assert_eq!((band.length, band.stretch, band.along.len()), (BandLength::Share(0.9), 30.0, 1));
         assert!((stiff.areal_mass - 0.06).abs() < 1e-12 && (stiff.bending - 4e-5).abs() < 1e-15);
-        assert_eq!((read.edge_names.len(), read.places.len()), (1, 2));
-        let Placement::Around { turn, height, .. } = &read.places[0].placement else { panic!("around") };
+        assert_eq!((read.edge_names.len(), read.places.len()), (1, 3));
+        assert_eq!(read.places[0].placement, plan.places[0].placement);
+        let Placement::Around { turn, height, .. } = &read.places[1].placement else { panic!("around") };
         assert!((turn - 0.25).abs() < 1e-12 && (height - 1.46).abs() < 1e-12);
         assert_eq!(read.places[1].placement, plan.places[1].placement);
     }

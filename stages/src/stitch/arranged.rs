@@ -1,7 +1,7 @@
 //! Pieces that the sewing file does not place: they are arranged by their roles and seams.
 
 use super::codes;
-use super::place::{Wrap, spec_of};
+use super::place::{Wrap, is_arranged, spec_of};
 use crate::arrange::{Arrangement, Sheet, arrange};
 use crate::body::with_segments;
 use crate::roles::{Join, joins_of_meshes, joins_of_plan, roles};
@@ -15,7 +15,7 @@ const SURE: f64 = 0.5;
 /// Where the pieces without a place of their own start; nothing where all have one.
 #[derive(Clone, Debug, Default)]
 pub struct Arranged {
-    sheets: Vec<Option<Sheet>>,
+    pub(super) sheets: Vec<Option<Sheet>>,
 }
 
 impl Arranged {
@@ -31,7 +31,7 @@ impl Arranged {
 /// # Errors
 /// All pieces that cannot be placed, each with the reason.
 pub fn arranged(garment: &mut Garment, report: &mut Report) -> Result<Arranged, Vec<Diagnostic>> {
-    if garment.pieces.iter().all(|p| spec_of(garment, p).is_some()) {
+    if !garment.pieces.iter().any(|p| is_arranged(garment, p)) {
         return Ok(Arranged::default());
     }
     if let Some(body) = &garment.body {
@@ -59,7 +59,7 @@ pub fn arranged(garment: &mut Garment, report: &mut Report) -> Result<Arranged, 
 
 /// Pieces that cannot be placed, as far as the sewing file tells.
 pub fn unplaced(garment: &Garment) -> Vec<Diagnostic> {
-    if garment.pieces.iter().all(|p| spec_of(garment, p).is_some()) {
+    if !garment.pieces.iter().any(|p| is_arranged(garment, p)) {
         return Vec::new();
     }
     let Ok(shapes) = crate::sewing::shapes::shapes(garment) else { return Vec::new() };
@@ -78,6 +78,7 @@ fn arrangement_of(garment: &Garment, joins: &[Join]) -> Arrangement {
 /// The sheet of a piece that the sewing file places.
 fn given(garment: &Garment, piece: &Piece) -> Option<Sheet> {
     match &spec_of(garment, piece)?.placement {
+        Placement::Moved { .. } => None,
         Placement::Explicit { rotation, translation } => {
             let column = |k: usize| Vec3::new(rotation[0][k], rotation[1][k], rotation[2][k]);
             Some(Sheet { origin: *translation, ..Sheet::facing(column(2), column(1), 0.0) })
@@ -103,7 +104,7 @@ fn faults<'a>(garment: &'a Garment, arrangement: &'a Arrangement) -> impl Iterat
 }
 
 fn finding(garment: &Garment, arrangement: &Arrangement) -> Diagnostic {
-    let own = |p: &&Piece| spec_of(garment, p).is_none();
+    let own = |p: &&Piece| is_arranged(garment, p);
     let count = garment.pieces.iter().filter(own).count();
     let place = |p: &Piece| arrangement.places[p.id.index()].as_ref();
     let doubtful: Vec<String> = garment
@@ -121,7 +122,8 @@ fn finding(garment: &Garment, arrangement: &Arrangement) -> Diagnostic {
         arrangement.mean_thread * 1e3,
         arrangement.longest_thread * 1e3
     );
-    Diagnostic::info(codes::ARRANGED, message).hint("a [[place]] in the sewing file puts a piece elsewhere")
+    Diagnostic::info(codes::ARRANGED, message)
+        .hint("a [[place]] in the sewing file moves a piece, or puts it elsewhere")
 }
 
 fn finding_of_segments(body: &Body, whole: &Body, found: &[&str]) -> Diagnostic {

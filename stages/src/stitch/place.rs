@@ -33,8 +33,12 @@ pub fn place(garment: &Garment, arranged: &Arranged, clearance: f64) -> Result<V
                     placed.push(rest.iter().map(|p| wrap.at(*p)).collect());
                 }
             }
-            None => match arranged.sheet(piece) {
-                Some(sheet) => placed.push(rest.iter().map(|p| sheet.at(*p)).collect()),
+            moved => match arranged.sheet(piece) {
+                Some(sheet) => {
+                    let by = if let Some(Placement::Moved { by }) = moved { Some(by) } else { None };
+                    let at = |p: &Vec2| by.map_or(sheet.at(*p), |by| sheet.at(*p) + by);
+                    placed.push(rest.iter().map(at).collect());
+                }
                 None => errors.push(not_placed(piece)),
             },
         }
@@ -49,6 +53,11 @@ pub(super) fn spec_of<'a>(garment: &'a Garment, piece: &Piece) -> Option<&'a Pla
         .iter()
         .find(|s| s.piece == piece.name)
         .or_else(|| places.iter().find(|s| s.piece.eq_ignore_ascii_case(&piece.name)))
+}
+
+/// Does the program look for the place of a piece?
+pub(super) fn is_arranged(garment: &Garment, piece: &Piece) -> bool {
+    spec_of(garment, piece).is_none_or(|s| matches!(s.placement, Placement::Moved { .. }))
 }
 
 fn not_placed(piece: &Piece) -> Diagnostic {
@@ -289,6 +298,20 @@ mod tests {
         assert!(placed[0].iter().all(|p| p.z > -0.01), "{:?}", placed[0]);
         let gap = (placed[0][1] - placed[1][0]).norm();
         assert!(gap > 0.005, "front's left edge to back's right edge: {gap}");
+    }
+
+    #[test]
+    fn a_moved_piece_starts_beside_the_place_that_is_found() {
+        let (mut g, by) = (garment(0.4), Vec3::new(0.01, 0.03, -0.02));
+        let sheet = Sheet { origin: Vec3::new(0.0, 0.9, 0.2), ..Sheet::facing(Vec3::z(), Vec3::y(), 0.0) };
+        let arranged = Arranged { sheets: vec![Some(sheet), None] };
+        let front = |g: &Garment| place(g, &arranged, 0.02).expect("placed").remove(0);
+        g.plan.places.remove(0);
+        let found = front(&g);
+        let moved = PlaceSpec { placement: Placement::Moved { by }, piece: "front".into(), ..g.plan.places[0].clone() };
+        g.plan.places.push(moved);
+        assert!(found.iter().zip(front(&g)).all(|(p, q)| (p + by - q).norm() < 1e-12));
+        assert!(is_arranged(&g, &g.pieces[0]) && !is_arranged(&g, &g.pieces[1]));
     }
 
     #[test]
