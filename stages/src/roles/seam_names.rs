@@ -39,10 +39,12 @@ impl Course {
 #[must_use]
 pub fn seam_names(roles: &[Role], joins: &[Join], at: impl Fn(PiecePoint) -> Option<Vec3>) -> Vec<Option<String>> {
     let spans: Vec<Option<[Vec3; 3]>> = joins.iter().map(|j| span(j, &at)).collect();
-    let widest = spans.iter().flatten().map(|s| s[0].x.abs()).fold(0.0, f64::max);
-    let named = |(join, span): (&Join, &Option<[Vec3; 3]>)| {
-        let [a, b] = [0, 1].map(|side| kind(roles, join, side));
-        let (a, b, [middle, low, high]) = (a?, b?, (*span)?);
+    let kinds: Vec<[Option<Kind>; 2]> = joins.iter().map(|j| [0, 1].map(|side| kind(roles, j, side))).collect();
+    let is_on_arm = |k: &Option<Kind>| k.is_some_and(|k| matches!(k.part, Part::Sleeve | Part::Cuff));
+    let trunk = spans.iter().zip(&kinds).filter(|(_, kinds)| !kinds.iter().any(is_on_arm));
+    let widest = trunk.filter_map(|(s, _)| Some(s.as_ref()?[0].x.abs())).fold(0.0, f64::max);
+    let named = |((join, span), kinds): ((&Join, &Option<[Vec3; 3]>), &[Option<Kind>; 2])| {
+        let (a, b, [middle, low, high]) = (kinds[0]?, kinds[1]?, (*span)?);
         let width = libm::hypot(high.x - low.x, high.z - low.z);
         let is_upright = high.y - low.y >= UPRIGHT_RISE * width;
         let course = Course { left: middle.x, is_upright, is_outside: middle.x.abs() > OUTSIDE_SHARE * widest };
@@ -50,7 +52,7 @@ pub fn seam_names(roles: &[Role], joins: &[Join], at: impl Fn(PiecePoint) -> Opt
         let lateral = a.lateral.filter(|l| *l != Lateral::Centre && b.lateral == Some(*l));
         Some((word(a, b, join.is_own(), course)?, lateral.or_else(|| course.lateral()), facing))
     };
-    apart(&joins.iter().zip(&spans).map(named).collect::<Vec<_>>())
+    apart(&joins.iter().zip(&spans).zip(&kinds).map(named).collect::<Vec<_>>())
 }
 
 /// Middle, lowest and highest coordinates of a seam; the two sides may still lie apart.
@@ -189,7 +191,7 @@ mod tests {
             join(1, 0, [-0.25, 0.9], [-0.24, 1.3]),
             join(0, 1, [0.07, 1.44], [0.19, 1.4]),
             join(0, 2, [0.2, 1.3], [0.2, 1.4]),
-            join(2, 2, [0.25, 1.3], [0.4, 1.1]),
+            join(2, 2, [0.45, 1.2], [0.65, 1.0]),
             join(3, 0, [-0.07, 1.42], [0.07, 1.42]),
             join(0, 0, [0.0, 0.9], [0.0, 1.3]),
         ];
