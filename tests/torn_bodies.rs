@@ -141,6 +141,19 @@ fn hopeless_work_is_refused_with_its_forecast() {
     let said = bench.run(&[]);
     assert_eq!(said.code, 5, "{said:?}");
     assert!(said.err.contains("--max-seconds"), "{}", said.err);
+    let plan = |more: &[&str]| {
+        let file = bench.pipeline_file();
+        let words = [&["plan", file.to_str().expect("text"), "--json"], more].concat();
+        support::bench::command(words.into_iter().map(Into::into).collect())
+    };
+    let told = plan(&[]);
+    assert!(told.code == 5 && told.err.contains("over-limit"), "{told:?}");
+    let plan_of = |said: &str| serde_json::from_str::<serde_json::Value>(said).expect("the plan is told all the same");
+    assert!(plan_of(&told.out)["expected"]["seconds"].as_f64() > Some(500.0), "{told:?}");
+    let most = ["--max-seconds", "1e6", "--max-memory"];
+    assert_eq!(plan(&[&most[..], &["1e6"]].concat()).code, 0, "it may be allowed");
+    let told = plan(&[&most[..], &["1000"]].concat());
+    assert!(told.code == 5 && told.err.contains("--max-memory"), "{told:?}");
 }
 
 /// Rust ends a program that gets no memory without a word, so what does not fit is refused before.
