@@ -113,7 +113,8 @@ fn check<'r>(
     };
     tuning.extend(request.repeats.map(|n| (Meaning::Repeats, n.to_string())));
     pipeline::tune(&mut document, registry, &tuning);
-    let pipeline = pipeline::link(&document, registry, &mut report);
+    let mut pipeline = pipeline::link(&document, registry, &mut report);
+    pipeline.contents = external::contents(&document, &folder_of(&request.file), &request.allow_run);
     let repeats = |s: &pipeline::Step<'_>| pipeline::knob(s.ready.knobs(), Meaning::Repeats).is_some();
     if request.repeats.is_some() && !pipeline.steps.iter().any(repeats) {
         let message = "--repeats was given, and no stage of this chain can be repeated";

@@ -94,7 +94,7 @@ fn head_schema() -> Value {
 
 fn plugin_schema() -> Value {
     json!({
-        "description": "Programs that hold stages; run only with --allow-run NAME.",
+        "description": "Programs that hold stages; run only with --allow-run NAME, and only with the stated content.",
         "type": "object",
         "additionalProperties": {
             "type": "object",
@@ -102,7 +102,12 @@ fn plugin_schema() -> Value {
             "additionalProperties": false,
             "properties": {
                 "command": { "type": "array", "minItems": 1, "items": { "type": "string" } },
-                "timeout": { "description": "Longest time for one stage, e.g. 10 min.", "type": "string" }
+                "timeout": { "description": "Longest time for one stage, e.g. 10 min.", "type": "string" },
+                "content": {
+                    "description": "Digest of the command and of the files it names, or its first digits. Another content is refused.",
+                    "type": "string",
+                    "pattern": "^[0-9a-f]{16,64}$"
+                }
             }
         }
     })

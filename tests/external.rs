@@ -323,3 +323,57 @@ fn a_program_that_changes_during_the_run_is_not_started_again() {
     let finding = bench.record()["findings"][0].clone();
     assert!(finding["message"].as_str().is_some_and(|m| m.contains("changed since")), "{finding}");
 }
+
+/// The content of the program of plugin `acme`, as `plan` tells it.
+fn content(bench: &Bench) -> String {
+    let (_, plan) = plan(bench, &[]);
+    plan["programs"][0]["content"].as_str().expect("content").to_owned()
+}
+
+#[test]
+fn a_content_that_the_pipeline_states_must_be_there() {
+    let bench = Bench::new();
+    let program = script(&bench, WORK);
+    let text = pipeline(&program, "[[stage]]\nuse = \"acme.x\"\n");
+    bench.text(&text);
+    let content = content(&bench);
+    assert_eq!(bench.run(&["--allow-run", "acme"]).code, 0);
+    assert_eq!(bench.record()["programs"][0]["content"], content.as_str(), "the record holds what was run");
+    assert_eq!(bench.record()["programs"][0]["stated"], false);
+    let key = bench.record()["key"].clone();
+    let stated = text.replace("timeout =", &format!("content = \"{}\"\ntimeout =", &content[..20]));
+    bench.text(&stated);
+    assert_eq!(bench.run(&["--force"]).code, 2, "a pipeline does not allow itself");
+    assert_eq!(bench.run(&["--force", "--allow-run", "acme"]).code, 0);
+    assert_eq!(bench.record()["programs"][0]["stated"], true);
+    assert_eq!(bench.record()["key"], key);
+    let marker = bench.path("ran");
+    let body = std::fs::read_to_string(&program).expect("script");
+    std::fs::write(&program, body.replace("#!/bin/sh", &format!("#!/bin/sh\ntouch {}", marker.display())))
+        .expect("script");
+    for allowed in ["acme", &format!("acme={}", &content[..16])] {
+        let found = bench.findings(&["--allow-run", allowed]);
+        assert_eq!((found[0].0.as_str(), found[0].1, found[0].2), ("plugin-changed", 7, 11), "{found:?}");
+        assert!(found[0].3.contains("write content = "), "{found:?}");
+    }
+    assert!(!marker.exists(), "the changed program ran");
+    bench.text(&stated.replace(&content[..20], "1234"));
+    assert_eq!(bench.findings(&["--allow-run", "acme"])[0].0, "out-of-range");
+}
+
+#[test]
+fn a_script_beside_the_pipeline_belongs_to_the_content() {
+    let bench = Bench::new();
+    let script = script(&bench, WORK);
+    let beside = bench.pipeline_file().with_file_name("plugin.sh");
+    std::fs::rename(script, &beside).expect("script");
+    let command =
+        pipeline(Path::new("sh"), "[[stage]]\nuse = \"acme.x\"\n").replace("[\"sh\"]", "[\"sh\", \"plugin.sh\"]");
+    bench.text(&command);
+    let allowed = format!("acme={}", content(&bench));
+    assert_eq!(bench.run(&["--allow-run", &allowed]).code, 0, "it runs from any folder");
+    let text = std::fs::read_to_string(&beside).expect("script");
+    std::fs::write(&beside, text + "# changed\n").expect("script");
+    let said = bench.run(&["--force", "--allow-run", &allowed]);
+    assert!(said.code == 2 && said.err.contains("plugin-changed"), "{said:?}");
+}

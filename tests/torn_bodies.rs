@@ -141,6 +141,42 @@ fn hopeless_work_is_refused_with_its_forecast() {
     let said = bench.run(&[]);
     assert_eq!(said.code, 5, "{said:?}");
     assert!(said.err.contains("--max-seconds"), "{}", said.err);
+    let plan = |more: &[&str]| {
+        let file = bench.pipeline_file();
+        let words = [&["plan", file.to_str().expect("text"), "--json"], more].concat();
+        support::bench::command(words.into_iter().map(Into::into).collect())
+    };
+    let told = plan(&[]);
+    assert!(told.code == 5 && told.err.contains("over-limit"), "{told:?}");
+    let plan_of = |said: &str| serde_json::from_str::<serde_json::Value>(said).expect("the plan is told all the same");
+    assert!(plan_of(&told.out)["expected"]["seconds"].as_f64() > Some(500.0), "{told:?}");
+    let most = ["--max-seconds", "1e6", "--max-memory"];
+    assert_eq!(plan(&[&most[..], &["1e6"]].concat()).code, 0, "it may be allowed");
+    let told = plan(&[&most[..], &["1000"]].concat());
+    assert!(told.code == 5 && told.err.contains("--max-memory"), "{told:?}");
+}
+
+#[test]
+fn values_of_any_size_are_refused_in_short_words() {
+    let bench = project(|_, _| true);
+    let messages = || {
+        let findings = bench.record()["findings"].as_array().cloned().unwrap_or_default();
+        findings.iter().filter_map(|f| f["message"].as_str().map(str::to_owned)).collect::<Vec<_>>()
+    };
+    for value in ["-1 mm", "1e300 mm", "99999999999 m"] {
+        let said = bench.run(&["--force", "--set", &format!("stitch.clearance={value}")]);
+        assert_eq!((said.code, codes(&bench).last().map(String::as_str)), (2, Some("setting-out-of-range")), "{value}");
+    }
+    let girth = ["waist_girth = \"700 mm\"", "waist_girth = \"1e99 mm\""];
+    for (file, [from, to]) in [("body.toml", girth), ("body.obj", ["v ", "v 1e200 "])] {
+        let path = bench.pipeline_file().with_file_name(file);
+        let sound = std::fs::read_to_string(&path).expect("file");
+        std::fs::write(&path, sound.replacen(from, to, 1)).expect("file");
+        assert!(bench.run(&["--force"]).code > 1, "{file}");
+        assert!(messages().iter().any(|m| m.contains("1.000e")), "{file}: {:?}", messages());
+        assert!(messages().iter().all(|m| m.len() < 300), "{file}: {:?}", messages());
+        std::fs::write(&path, sound).expect("file");
+    }
 }
 
 /// Rust ends a program that gets no memory without a word, so what does not fit is refused before.

@@ -2,7 +2,7 @@
 
 use super::fabric::FabricArgs;
 use super::line::LineArgs;
-use crate::engine::CacheOptions;
+use crate::engine::{CacheOptions, Limits};
 use crate::load::Request;
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use std::path::PathBuf;
@@ -157,12 +157,9 @@ pub struct RunArgs {
     /// Let the pipeline write into this folder too; may be repeated.
     #[arg(long, value_name = "DIR")]
     pub allow_write: Vec<PathBuf>,
-    /// Longest time of the run, s: refused when more is foreseen [500], stopped when it takes more.
-    #[arg(long, value_name = "SECONDS", value_parser = positive)]
-    pub max_seconds: Option<f64>,
-    /// Most memory of the run, MB: refused when more is foreseen [what the system can give], stopped when it takes more.
-    #[arg(long, value_name = "MB", value_parser = positive)]
-    pub max_memory: Option<f64>,
+    /// How long and how much.
+    #[command(flatten)]
+    pub limits: LimitArgs,
     /// Cache.
     #[command(flatten)]
     pub cache: CacheArgs,
@@ -175,6 +172,25 @@ pub struct RunArgs {
     /// End as soon as the standard input is closed.
     #[arg(long, hide = true)]
     pub tied: bool,
+}
+
+/// Limits of a run.
+#[derive(Args, Debug)]
+pub struct LimitArgs {
+    /// Longest time of the run, s: refused when more is foreseen [500], stopped when it takes more.
+    #[arg(long, value_name = "SECONDS", value_parser = positive)]
+    pub max_seconds: Option<f64>,
+    /// Most memory of the run, MB: refused when more is foreseen [half of what the system can give], stopped when it
+    /// takes more.
+    #[arg(long, value_name = "MB", value_parser = positive)]
+    pub max_memory: Option<f64>,
+}
+
+impl LimitArgs {
+    /// The limits that are asked for.
+    pub fn limits(&self) -> Limits {
+        Limits { seconds: self.max_seconds, mb: self.max_memory }
+    }
 }
 
 /// Where results of stages are kept.
@@ -243,6 +259,9 @@ pub struct PlanArgs {
     /// How exact.
     #[command(flatten)]
     pub accuracy: AccuracyArgs,
+    /// How long and how much.
+    #[command(flatten)]
+    pub limits: LimitArgs,
     /// For programs.
     #[arg(long)]
     pub json: bool,

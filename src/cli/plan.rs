@@ -20,7 +20,15 @@ pub(super) fn run(args: &PlanArgs, registry: &mut Registry, stop: &Arc<Stop>, co
     console.findings(&seen.findings, loaded.text());
     if seen.exit == Exit::Good {
         let plan = plan(pipeline, gate, &seen);
-        if args.json { console.json(&plan) } else { console.result(&text(pipeline, &plan, &seen)) }
+        if args.json {
+            console.json(&plan)
+        } else {
+            console.result(&text(pipeline, &plan, &seen))
+        }
+        if let Some(refusal) = args.limits.limits().refuse(&seen) {
+            console.findings(&[refusal], None);
+            return Exit::System;
+        }
     }
     seen.exit
 }
@@ -52,6 +60,7 @@ fn plan(pipeline: &Pipeline<'_>, gate: &Gate, seen: &Foresight) -> Value {
             "stages_not_foreseen": seen.stages.iter().filter(|e| e.is_none()).count(),
         },
         "advice": seen.forecast.advice,
+        "programs": pipeline.contents,
         "inputs": inputs,
         "outputs": outputs,
     })
@@ -95,6 +104,10 @@ fn text(pipeline: &Pipeline<'_>, plan: &Value, seen: &Foresight) -> String {
     }
     for advice in &seen.forecast.advice {
         let _ = writeln!(text, "advice {advice}");
+    }
+    for program in &pipeline.contents {
+        let stated = if program.is_stated { "stated" } else { "not stated" };
+        let _ = writeln!(text, "plugin {:<14} content {} ({stated})", program.plugin, program.content);
     }
     for input in plan["inputs"].as_array().into_iter().flatten() {
         let _ = writeln!(text, "reads  {} ({} bytes)", input["path"].as_str().unwrap_or(""), input["bytes"]);

@@ -4,8 +4,9 @@ use super::args::RunArgs;
 use super::console::Console;
 use crate::codes::WRITE_FAILED;
 use crate::engine::{self, Exit, Outcome, RunOptions, Stop, clean, default_out};
-use crate::engine::{Content, Limits, Watchdog, known_inputs, of_file_error, refuse_input};
+use crate::engine::{Content, Watchdog, known_inputs, of_file_error, refuse_input};
 use crate::load::{self, Loaded};
+use crate::pipeline::ProgramContent;
 use crate::progress::{Teller, Voice};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -25,7 +26,7 @@ pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, con
     if args.tied {
         stop.leave_with_parent();
     }
-    let limits = Limits { seconds: args.max_seconds, mb: args.max_memory };
+    let limits = args.limits.limits();
     let content = Content::of(&pipeline, &gate, stop);
     if let Some(finding) = limits.refuse(&content.foresight) {
         console.findings(&[finding], None);
@@ -56,7 +57,7 @@ pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, con
     // A pool that is there already (a library user's) is taken as it is: results do not depend on it.
     drop(rayon::ThreadPoolBuilder::new().num_threads(threads).build_global());
     let mut teller = Teller::new(if args.quiet { Voice::Quiet } else { Voice::Auto }, events);
-    if let Some(words) = forecast {
+    for words in forecast.into_iter().chain(pipeline.contents.iter().filter_map(unstated)) {
         teller.note(&words);
     }
     let watchdog = Watchdog::watch(limits, stop);
@@ -67,6 +68,13 @@ pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, con
         console.say(&format!("look at {}\n", crate::render::safe(&out.join(page).to_string_lossy())));
     }
     outcome.exit
+}
+
+/// Words for a program that runs on its name alone.
+fn unstated(program: &ProgramContent) -> Option<String> {
+    let ProgramContent { plugin, content, is_stated } = program;
+    let words = "was allowed by its name alone; to be refused whenever its files change, write";
+    (!is_stated).then(|| format!("plugin `{plugin}` {words} content = \"{}\" in [plugin.{plugin}]", &content[..16]))
 }
 
 /// Foreseen seconds from which a run tells its forecast before it begins.

@@ -63,7 +63,8 @@ impl Content {
     }
 }
 
-/// The parts of a chain that decide its outputs, apart from files: names, revisions and full parameters of the stages.
+/// The parts of a chain that decide its outputs, apart from files: names, revisions and full parameters of the stages,
+/// and the contents of programs.
 #[must_use]
 pub fn chain(pipeline: &Pipeline<'_>) -> Value {
     let step = |s: &crate::pipeline::Step<'_>| {
@@ -71,7 +72,8 @@ pub fn chain(pipeline: &Pipeline<'_>) -> Value {
         json!({ "use": info.name, "id": s.id, "revision": info.revision, "params": s.ready.params() })
     };
     let steps: Vec<Value> = pipeline.steps.iter().map(step).collect();
-    json!([format!("{} v{}", pipeline.line, pipeline.version), pipeline.seed, steps])
+    let programs: Vec<[&String; 2]> = pipeline.contents.iter().map(|c| [&c.plugin, &c.content]).collect();
+    json!([format!("{} v{}", pipeline.line, pipeline.version), pipeline.seed, steps, programs])
 }
 
 /// Digest of a JSON value, hex.

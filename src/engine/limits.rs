@@ -12,8 +12,11 @@ use std::time::{Duration, Instant};
 use toile_garment::Diagnostic;
 
 /// Foreseen seconds from which a run begins only if it is told so. Forecasts are fitted to meshes of up to 25,000
-/// triangles, which take seconds. Two million are foreseen to take this long, and take hours.
+/// triangles, which take seconds. Half a million are foreseen to take this long, and may take hours.
 const ASK_SECONDS: f64 = 500.0;
+/// Share of the memory that the system can give which a run may be foreseen to need, if it is not told more. The forecast
+/// may be too low, and other programs run beside it.
+const ASK_MEMORY_SHARE: f64 = 0.5;
 /// How often a run is looked at.
 const TICK: Duration = Duration::from_millis(100);
 
@@ -44,9 +47,11 @@ impl Limits {
             );
             return Some(Diagnostic::error(codes::OVER_LIMIT, message).hint(hint));
         }
-        let most = self.mb.or_else(available_mb).filter(|most| mb > *most)?;
-        let message = format!("this is foreseen to need about {mb:.0} MB, over {most:.0} MB");
-        let hint = "make the mesh coarser, or allow more with --max-memory";
+        let free = available_mb();
+        let most = self.mb.or(free.map(|free| ASK_MEMORY_SHARE * free)).filter(|most| mb > *most)?;
+        let free = free.map_or_else(String::new, |free| format!(" (the system can give {free:.0} MB)"));
+        let message = format!("this is foreseen to need about {mb:.0} MB, over {most:.0} MB{free}");
+        let hint = format!("make the mesh coarser, or allow it with --max-memory {:.0}", 1.5 * mb);
         Some(Diagnostic::error(codes::OVER_LIMIT, message).hint(hint))
     }
 

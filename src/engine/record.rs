@@ -1,6 +1,7 @@
 //! `run.json`: what ran, how long, with which result. The only output that may hold times and machine facts.
 
 use super::exit::Exit;
+use crate::pipeline::ProgramContent;
 use serde::Serialize;
 use toile_garment::animation::MotionCertificate;
 use toile_garment::garment::{Certificate, EffectRecord};
@@ -87,6 +88,9 @@ pub struct RunRecord {
     pub threads: usize,
     /// Wall time of the whole run.
     pub seconds: f64,
+    /// Programs of plugins.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub programs: Vec<ProgramContent>,
     /// Stages.
     pub stages: Vec<StageRun>,
     /// Effects of the drape.

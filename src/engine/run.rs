@@ -162,6 +162,7 @@ impl<'a> Run<'a> {
             seed: pipeline.seed,
             threads: options.threads,
             seconds: 0.0,
+            programs: pipeline.contents.clone(),
             stages: Vec::new(),
             effects: Vec::new(),
             findings: Vec::new(),

@@ -5,6 +5,10 @@ use toile_garment::Code;
 codes! {
     pub(crate) list CODES;
 
+    /// The program of a plugin has another content than the pipeline (`content`) or `--allow-run NAME=CONTENT` states. See
+    /// what changed in it before you write the new content, which the message tells. Exit code 2.
+    PLUGIN_CHANGED = "plugin-changed";
+
     /// The program behind a plugin's stage ended with an error, took too long or wrote too much. What it said on stderr
     /// is in the message.
     PLUGIN_FAILED = "plugin-failed";

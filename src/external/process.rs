@@ -79,7 +79,7 @@ impl Program {
         program
     }
 
-    /// Digest of the command and of all files that its words name.
+    /// Digest of the command and of all files that its words name. What these load besides is not in it.
     #[must_use]
     pub fn digest(&self) -> &str {
         &self.digest
@@ -94,6 +94,7 @@ impl Program {
     fn content(&self) -> String {
         let mut hasher = blake3::Hasher::new();
         let words = self.arguments.iter().map(|word| (word.as_str(), self.folder.join(word)));
+        // The path of the program itself differs between machines; its bytes count.
         for (word, path) in std::iter::once(("", self.path.clone())).chain(words) {
             hasher.update(&(word.len() as u64).to_le_bytes()).update(word.as_bytes());
             let mut one = blake3::Hasher::new();
@@ -187,12 +188,20 @@ impl Program {
         }
     }
 
+    /// A word of the command. The program starts in another folder, so the name of a file beside the pipeline is given
+    /// as its full path: what is run is what the digest was made of.
+    fn argument(&self, word: &str) -> PathBuf {
+        let path = self.folder.join(word);
+        if path.is_file() { path } else { PathBuf::from(word) }
+    }
+
     fn start(&self, verb: &str, folder: &Path) -> Result<Child, ProcessError> {
         if self.content() != self.digest {
             return Err(ProcessError::Changed);
         }
         let mut command = Command::new(&self.path);
-        command.args(&self.arguments).arg(verb).current_dir(folder).env_clear();
+        command.args(self.arguments.iter().map(|word| self.argument(word))).arg(verb);
+        command.current_dir(folder).env_clear();
         command.env("PATH", PLAIN_PATH).env("LC_ALL", "C");
         command.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
         own_group(&mut command);

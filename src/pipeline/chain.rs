@@ -7,6 +7,7 @@ use super::inputs::{Values, settle};
 use super::nearest::remedy;
 use super::overrides::{self, Overrides};
 use super::params::configure;
+use super::plugins::ProgramContent;
 use super::schema_walk::{FileRole, SchemaTree};
 use crate::codes::NEEDS_NOT_GIVEN;
 use std::collections::{BTreeMap, BTreeSet};
@@ -28,6 +29,8 @@ pub struct Pipeline<'r> {
     pub steps: Vec<Step<'r>>,
     /// Files that the commands of plugins may name: every word of them, as a path.
     pub programs: Vec<PathBuf>,
+    /// The programs that the chain uses, as they are now.
+    pub contents: Vec<ProgramContent>,
     /// Folders behind `{name}/…`, for paths given on the command line.
     pub mounts: BTreeMap<String, PathBuf>,
 }
@@ -83,6 +86,7 @@ pub fn link<'r>(document: &Document<'_>, registry: &'r Registry, report: &mut Re
         seed: document.seed,
         steps,
         programs: document.plugins.iter().flat_map(|p| &p.command).map(PathBuf::from).collect(),
+        contents: Vec::new(),
         mounts: values.mounts,
     }
 }
@@ -96,6 +100,7 @@ fn make_step<'r>(
     values: &Values,
 ) -> Option<Step<'r>> {
     let mut table = entry.with.get_ref().clone();
+    overrides::make_way(entry, &overrides.params, stage.knobs(), &mut table);
     overrides::apply(cx, entry, &overrides.params, schema, &mut table);
     let filled = fill_table(cx, values, &mut table);
     let ready = configure(cx, stage, schema, table.clone(), &entry.with.span(), entry.name.get_ref())?;

@@ -5,6 +5,7 @@ use super::inputs::refuse_unknown_set;
 use super::schema_walk::SchemaTree;
 use crate::codes::SET_FORM;
 use std::ops::Range;
+use toile_stage_api::Knob;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -69,6 +70,19 @@ fn stage_key<'t>(document: &Document<'_>, key: &'t str) -> Option<(String, Vec<&
         .max_by_key(|(id, _)| id.len())
         .map(|(id, rest)| (id, rest.split('.').collect::<Vec<_>>()))
         .filter(|(_, path)| path.len() <= MAX_DEPTH && path.iter().all(|k| !k.is_empty()))
+}
+
+/// Takes out what the file says in another word than an override: of two parameters that say the same, such as the edge
+/// length and the number of triangles, the one of the command line counts.
+pub(super) fn make_way(entry: &StageEntry<'_>, sets: &[ParamSet<'_>], knobs: &[Knob], table: &mut DeTable<'_>) {
+    let is_set = |key: &str| sets.iter().any(|s| s.stage == entry.id && s.path == [key]);
+    for (key, other) in knobs.iter().filter_map(|k| Some((k.key.as_ref(), k.instead_of.as_deref()?))) {
+        match [is_set(key), is_set(other)] {
+            [true, false] => drop(table.remove(other)),
+            [false, true] => drop(table.remove(key)),
+            _ => {}
+        }
+    }
 }
 
 /// Puts the overrides of one stage into its parameters.

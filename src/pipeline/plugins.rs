@@ -9,6 +9,10 @@ use toile_garment::units::Duration;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
+/// Fewest digits of a digest that name a content: 64 bits.
+const LEAST_DIGITS: usize = 16;
+/// Digits of a whole digest.
+const MOST_DIGITS: usize = 64;
 /// Longest time a plugin may run when the file says nothing, seconds.
 pub const DEFAULT_TIMEOUT: f64 = 600.0;
 
@@ -21,8 +25,22 @@ pub struct Plugin {
     pub command: Vec<String>,
     /// Longest time for one stage, seconds.
     pub timeout: f64,
+    /// Digest of its files, or the beginning of it, where the pipeline states which content it means.
+    pub content: Option<Spanned<String>>,
     /// Where it is declared.
     pub span: Range<usize>,
+}
+
+/// The program of a plugin as its files are now.
+#[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
+pub struct ProgramContent {
+    /// Name of the plugin.
+    pub plugin: String,
+    /// Digest of its command and of the files that the command names.
+    pub content: String,
+    /// Does the pipeline or the caller state its content?
+    #[serde(rename = "stated")]
+    pub is_stated: bool,
 }
 
 pub(super) fn read_plugins(cx: &mut Reader<'_>, root: &DeTable<'_>) -> Vec<Plugin> {
@@ -40,11 +58,11 @@ fn read_plugin(cx: &mut Reader<'_>, name: &str, span: Range<usize>, value: &Span
         cx.wrong_type(value, name, "a table with `command = [\"program\", …]`");
         return None;
     };
-    cx.refuse_unknown(table, &["command", "timeout"], &format!("[plugin.{name}]"));
+    cx.refuse_unknown(table, &["command", "timeout", "content"], &format!("[plugin.{name}]"));
     cx.require(table, "command", &span, "command = [\"program\", \"argument\", …]");
-    let timeout = read_timeout(cx, table);
+    let (timeout, content) = (read_timeout(cx, table), read_content(cx, table));
     let command = read_command(cx, table.get("command")?)?;
-    Some(Plugin { name: name.to_owned(), command, timeout, span })
+    Some(Plugin { name: name.to_owned(), command, timeout, content, span })
 }
 
 fn read_command(cx: &mut Reader<'_>, value: &Spanned<DeValue<'_>>) -> Option<Vec<String>> {
@@ -57,6 +75,22 @@ fn read_command(cx: &mut Reader<'_>, value: &Spanned<DeValue<'_>>) -> Option<Vec
         cx.wrong_type(value, "command", "a list of texts: [\"program\", \"argument\", …]; no shell is involved");
     }
     good
+}
+
+/// Is this a digest in lower-case digits, long enough that nobody makes another program of it?
+fn names_content(text: &str) -> bool {
+    let is_digit = |b: u8| b.is_ascii_digit() || (b'a'..=b'f').contains(&b);
+    (LEAST_DIGITS..=MOST_DIGITS).contains(&text.len()) && text.bytes().all(is_digit)
+}
+
+fn read_content(cx: &mut Reader<'_>, table: &DeTable<'_>) -> Option<Spanned<String>> {
+    let text = cx.text(table, "content")?;
+    if !names_content(text.get_ref()) {
+        let message =
+            format!("`content` must be {LEAST_DIGITS} to {MOST_DIGITS} digits of a digest, 0 to 9 and a to f");
+        cx.push(OUT_OF_RANGE, &text.span(), message, "leave it out: `toile plan` tells the content to write");
+    }
+    Some(text)
 }
 
 fn read_timeout(cx: &mut Reader<'_>, table: &DeTable<'_>) -> f64 {

@@ -72,6 +72,28 @@ mod tests {
     use toile_garment::Report;
 
     #[test]
+    fn an_override_takes_the_place_of_what_the_file_says_in_another_word() {
+        let meshed = |size: &str, sets: &[&str]| {
+            let text = format!(
+                "toile = 1\n[pipeline]\nline = \"test\"\nversion = 1\n[[stage]]\nuse = \"triangulate\"\nwith.{size}\n"
+            );
+            let source = SourceText::new("p.toml", &text, sets.iter().map(|s| (*s).to_owned()).collect());
+            let mut report = Report::default();
+            let document = parse(&source, &mut report).expect("a pipeline");
+            let registry = toile_stages::builtin();
+            let pipeline = link(&document, &registry, &mut report);
+            pipeline
+                .steps
+                .first()
+                .map(|s| [s.ready.params()["edge_length"].clone(), s.ready.params()["triangles"].clone()])
+        };
+        let null = serde_json::Value::Null;
+        let by_edge = Some(["16 mm".into(), null.clone()]);
+        assert_eq!(meshed("triangles = 2200", &["triangulate.edge_length=16 mm"]), by_edge);
+        assert_eq!(meshed("edge_length = \"16 mm\"", &["triangulate.triangles=300"]), Some([null, 300.into()]));
+    }
+
+    #[test]
     fn settings_take_the_place_of_what_the_pipeline_says() {
         let text = "toile = 1\n[pipeline]\nline = \"test\"\nversion = 1\n[[stage]]\nuse = \"triangulate\"\n\
                     with.triangles = 2200\n[[stage]]\nuse = \"drape\"\nwith.effects.friction = \"off\"\n";

@@ -100,7 +100,8 @@ impl Stage for Drape {
         forecast.advice.extend(repeats::advice(params, &forecast.garment));
         forecast.effects = forecast::effects(params, forecast);
         // Fitted to the samples and to garments of 800 to 12,000 triangles on bodies of 12,000 and 48,000 triangles.
-        let once = forecast.by_triangles(0.04, 0.08 + 0.003 * forecast.body_thousands(), 4.3);
+        let seconds = forecast::growth(forecast) * (0.08 + 0.003 * forecast.body_thousands());
+        let once = forecast.by_triangles(0.04, seconds, 4.3);
         Ok(once.map(|c| Cost { seconds: c.seconds * f64::from(1 + params.repeats), ..c }))
     }
 

@@ -2,6 +2,7 @@
 
 use crate::code::Code;
 use crate::source::SourceRef;
+use crate::text::short_numbers;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -42,7 +43,13 @@ impl Diagnostic {
     /// A finding without place and remedy; add them with [`Self::at`] and [`Self::hint`].
     #[must_use]
     pub fn new(severity: Severity, code: Code, message: impl Into<String>) -> Self {
-        Self { severity, code: code.name().to_owned(), message: message.into(), source: None, hint: None }
+        Self {
+            severity,
+            code: code.name().to_owned(),
+            message: short_numbers(message.into()),
+            source: None,
+            hint: None,
+        }
     }
 
     /// An error.

@@ -34,6 +34,31 @@ pub fn json(text: &str) -> String {
     out
 }
 
+/// Most digits of a number in a sentence. No measure of cloth has as many.
+const MOST_DIGITS: usize = 18;
+
+/// A sentence in which numbers of many digits, such as a damaged coordinate of 10²⁰⁰ m, are written as `1.000e200`. Digits
+/// of a name stay: those beside a letter, or after a backtick.
+#[must_use]
+pub fn short_numbers(text: String) -> String {
+    let is_of_number = |c: char| c.is_ascii_digit() || c == '.';
+    if !text.split(|c| !is_of_number(c)).any(|run| run.len() > MOST_DIGITS) {
+        return text;
+    }
+    let (mut out, mut rest) = (String::new(), text.as_str());
+    while let Some(start) = rest.find(is_of_number) {
+        let end = rest[start..].find(|c| !is_of_number(c)).map_or(rest.len(), |n| start + n);
+        let run = &rest[start..end];
+        let in_name = rest[..start].chars().next_back().is_some_and(|c| c.is_alphanumeric() || "_`".contains(c))
+            || rest[end..].chars().next().is_some_and(char::is_alphanumeric);
+        let short = (run.len() > MOST_DIGITS && !in_name).then(|| run.parse::<f64>().ok()).flatten();
+        out.push_str(&rest[..start]);
+        out.push_str(&short.map_or_else(|| run.to_owned(), |x| format!("{x:.3e}")));
+        rest = &rest[end..];
+    }
+    out + rest
+}
+
 /// The text in double quotes, as TOML and JSON have it, with every steering character as `\uXXXX`.
 #[must_use]
 pub fn quoted(text: &str) -> String {
@@ -76,5 +101,16 @@ mod tests {
             assert!(!text.chars().any(steers), "{text}");
             assert_eq!(serde_json::from_str::<String>(&text).expect("JSON"), name);
         }
+    }
+
+    #[test]
+    fn numbers_of_many_digits_are_short_and_names_stay() {
+        let long = "1".to_owned() + &"0".repeat(200);
+        let told =
+            short_numbers(format!("`height = {long} mm` is -0.{}7 m off, 12.5 mm and `{long}` stay", "0".repeat(40)));
+        assert_eq!(told, format!("`height = 1.000e200 mm` is -7.000e-41 m off, 12.5 mm and `{long}` stay"));
+        let digest = "0123456789012345678901234567ab";
+        assert_eq!(short_numbers(format!("its content is {digest}.")), format!("its content is {digest}."));
+        assert_eq!(short_numbers("at 1050 mm".to_owned()), "at 1050 mm");
     }
 }

@@ -11,6 +11,7 @@ pub mod place;
 mod plan_check;
 mod raise;
 
+use crate::codes::SETTING_OUT_OF_RANGE;
 use crate::sewing::turned::Lengths;
 use crate::solve::body_parts::contact_filter;
 use crate::solve::place::on_body;
@@ -118,6 +119,7 @@ impl Stage for Stitch {
         forecast: &mut Forecast,
         cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
+        check_clearance(params)?;
         load::fabrics(params, &mut forecast.garment, cx)?;
         if let Some(body) = &params.body {
             forecast.garment.body = Some(load::body(body, cx)?);
@@ -136,6 +138,7 @@ impl Stage for Stitch {
         mut garment: Garment,
         cx: &mut StageContext<'_>,
     ) -> Result<Garment, StageError> {
+        check_clearance(params)?;
         load::fabrics(params, &mut garment, cx)?;
         if let Some(body) = &params.body {
             garment.body = Some(load::body(body, cx)?);
@@ -186,6 +189,18 @@ impl Stage for Stitch {
         garment.stitched = Some(shape(&outcome.positions));
         Ok(garment)
     }
+}
+
+/// Largest clearance, m: a piece farther out than this is placed around nothing.
+const CLEARANCE_MOST: f64 = 0.5;
+
+/// Refuses a clearance that is none.
+fn check_clearance(params: &StitchParams) -> Result<(), StageError> {
+    if (0.0..=CLEARANCE_MOST).contains(&params.clearance.0) {
+        return Ok(());
+    }
+    let message = format!("`clearance` is {}; it must lie in 0 to {} mm", params.clearance, 1e3 * CLEARANCE_MOST);
+    Err(StageError::parameter(Diagnostic::error(SETTING_OUT_OF_RANGE, message)))
 }
 
 /// Refuses what cannot be sewn from its places. A viewer of the run is shown the start.
