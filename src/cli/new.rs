@@ -37,6 +37,7 @@ pub(super) fn run(args: &NewArgs, console: &mut Console<'_>) -> Exit {
     let order = Order { source: &source, body, fabric, earlier: earlier.as_ref(), is_anonymous: args.anonymous };
     match from_pattern(&order) {
         Ok(new) => {
+            console.findings(&new.findings, None);
             let exit = write(args, &new.folder, console);
             if exit != Exit::Good {
                 return exit;

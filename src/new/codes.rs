@@ -5,6 +5,17 @@ use toile_garment::Code;
 codes! {
     pub(crate) list CODES;
 
+    /// The mesh of a body does not stand as a body has to: metres, +y up, front to +z, the feet at 0. `toile body measure
+    /// FILE.obj --out UPRIGHT.obj` stands it so. Where no way to stand it shows two legs under a trunk, nothing can be
+    /// found on it.
+    BODY_NOT_STANDING = "body-not-standing";
+
+    /// A part of a body was not found on its mesh. Write it into the side file; what stands there is kept.
+    BODY_PART_NOT_FOUND = "body-part-not-found";
+
+    /// A part of a body is not seen on its mesh, so it was put where it usually is. A line in the side file says otherwise.
+    BODY_PART_USUAL = "body-part-usual";
+
     /// `toile new` knows no fabric of this name, and there is no such file. The hint lists the fabrics that come with
     /// the program. Exit code 2.
     FABRIC_NOT_KNOWN = "fabric-not-known";

@@ -13,6 +13,7 @@ mod pattern;
 mod pipeline;
 mod samples;
 mod sewing;
+mod stand;
 mod stock;
 mod unsewn;
 
@@ -20,6 +21,9 @@ pub use earlier::Earlier;
 pub use folder::{Folder, Made};
 pub use pattern::{Source, Wishes, read};
 pub use samples::{SAMPLES, Sample};
+pub(crate) use codes::BODY_NOT_STANDING;
+pub(crate) use stand::{told, upright};
+pub(crate) use stock::no_size;
 pub use stock::{Body, Fabric};
 
 use serde_json::Value;
@@ -52,6 +56,8 @@ pub struct New {
     pub seams: usize,
     /// Seams that are too unsure to be sewn.
     pub open: usize,
+    /// What there is to say of the body.
+    pub findings: Vec<Diagnostic>,
 }
 
 fn proposed(source: &Source, is_anonymous: bool, known: &Known) -> Result<Proposal, Vec<Diagnostic>> {
@@ -82,8 +88,8 @@ pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
         let doubt = order.earlier.and_then(|e| e.doubt(&seam.name));
         seam.confidence = doubt.unwrap_or(seam.confidence);
     }
-    let body = order.body.model()?;
-    let dressed = dress::dress(source, &proposal, body.as_ref(), order.is_anonymous);
+    let body = order.body.open()?;
+    let dressed = dress::dress(source, &proposal, body.model.as_ref(), order.is_anonymous);
     let document = document::document(source, &proposal, &dressed, order.is_anonymous);
     let open = sewing::missing(&proposal).filter(|s| s.confidence < sewing::LEAST_SURE).count();
     let mut folder = Folder::default();
@@ -91,7 +97,7 @@ pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
     if let Some((name, bytes)) = &source.rules {
         folder.add(name, bytes.clone());
     }
-    for (name, bytes) in order.body.files()?.into_iter().chain(order.fabric.files()?) {
+    for (name, bytes) in body.files.into_iter().chain(order.fabric.files()?) {
         folder.add(&name, bytes);
     }
     // Seams are in the person's file before `proposal.json` says that they were proposed.
@@ -111,5 +117,5 @@ pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
     if order.earlier.is_none() {
         folder.add("sewing.toml", sewing::text(source, &proposal).into_bytes());
     }
-    Ok(New { folder, proposal: document, seams: sewing::missing(&proposal).count(), open })
+    Ok(New { folder, proposal: document, seams: sewing::missing(&proposal).count(), open, findings: body.findings })
 }

@@ -1,6 +1,9 @@
-//! `toile body`: a body from measures, as OBJ with its side file.
+//! `toile body`: a body from measures, as OBJ with its side file, and the measures of a mesh.
 
-use super::args::BodyArgs;
+mod measure;
+mod picture;
+
+use super::args::{BodyArgs, BodyVerb};
 use super::codes;
 use super::console::Console;
 use super::results::Results;
@@ -10,14 +13,17 @@ use crate::pipeline::remedy;
 use std::fmt::Write as _;
 use std::path::Path;
 use toile_formats::body::write;
-use toile_formats::codes::SIZE_NOT_FOUND;
 use toile_garment::units::Length;
 use toile_garment::{Code, Diagnostic};
-use toile_stages::body::{BodyMeasures, SIZES, parametric};
+use toile_stages::body::{BodyMeasures, SIZE_TABLES, SizeTable, parametric};
 
 pub(super) fn run(args: &BodyArgs, console: &mut Console<'_>) -> Exit {
+    if let Some(BodyVerb::Measure(args)) = &args.verb {
+        return measure::run(args, console);
+    }
     let Some(out) = &args.out else {
-        console.result(&sizes());
+        let tables: Vec<String> = SIZE_TABLES.iter().map(table).collect();
+        console.result(&tables.join("\n"));
         return Exit::Good;
     };
     let side = out.with_extension("toml");
@@ -46,10 +52,7 @@ fn measures(args: &BodyArgs, out: &Path) -> Result<BodyMeasures, Vec<Diagnostic>
     }
     let label = args.size.as_deref().unwrap_or("38");
     let mut measures = BodyMeasures::size(label).unwrap_or_else(|| {
-        let labels: Vec<&str> = SIZES.iter().map(|(l, _)| *l).collect();
-        let message = format!("there is no body of size `{label}`");
-        let hint = format!("sizes are {}; others are made with --set", labels.join(", "));
-        wrong.push(Diagnostic::error(SIZE_NOT_FOUND, message).hint(hint));
+        wrong.push(crate::new::no_size(label));
         BodyMeasures::default()
     });
     for set in &args.set {
@@ -81,22 +84,24 @@ fn apply(measures: &mut BodyMeasures, set: &str) -> Result<(), Box<Diagnostic>> 
     Err(error(codes::UNKNOWN_MEASURE, format!("a body has no measure `{name}`"), hint))
 }
 
-/// Sizes side by side, one measure a line.
-fn sizes() -> String {
-    let bodies: Vec<BodyMeasures> = SIZES.iter().filter_map(|(label, _)| BodyMeasures::size(label)).collect();
-    let mut text = format!("{:<18}", "measure in mm");
-    for (label, _) in SIZES {
-        let _ = write!(text, "{label:>8}");
-    }
-    text.push('\n');
+/// A table of sizes, one size a line.
+fn table(table: &SizeTable) -> String {
+    let bodies: Vec<(String, BodyMeasures)> = table.sizes.iter().map(|s| (table.name(s), table.measures(s))).collect();
     let names = BodyMeasures::default().entries().map(|(name, _)| name);
-    for (row, name) in names.iter().enumerate() {
-        let _ = write!(text, "{name:<18}");
-        for body in &bodies {
-            let value = body.entries().get(row).map_or(0.0, |e| e.1);
-            let _ = write!(text, "{:>8.1}", 1000.0 * value);
-        }
+    let mut text = format!("{}, {}; measures in mm\n", table.word, table.about);
+    for part in names.chunks(9) {
+        let _ = write!(text, "{:<10}", "");
+        part.iter().for_each(|name| {
+            let _ = write!(text, "{name:>17}");
+        });
         text.push('\n');
+        for (size, body) in &bodies {
+            let _ = write!(text, "{size:<10}");
+            for (_, value) in body.entries().iter().filter(|(name, _)| part.contains(name)) {
+                let _ = write!(text, "{:>17.0}", 1000.0 * value);
+            }
+            text.push('\n');
+        }
     }
     text
 }
