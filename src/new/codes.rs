@@ -5,6 +5,13 @@ use toile_garment::Code;
 codes! {
     pub(crate) list CODES;
 
+    /// No body was asked for, and one of the pattern's own size was chosen by its girths. --body takes another one.
+    BODY_CHOSEN = "body-chosen";
+
+    /// The pattern is narrower around the chest or hips than its body and than cloth stretches, or hangs on it like a tent.
+    /// The finding names sizes of the usual ease. Another body is chosen with --body.
+    BODY_DOES_NOT_FIT = "body-does-not-fit";
+
     /// The mesh of a body does not stand as a body has to: metres, +y up, front to +z, the feet at 0. `toile body measure
     /// FILE.obj --out UPRIGHT.obj` stands it so. Where no way to stand it shows two legs under a trunk, nothing can be
     /// found on it.

@@ -7,6 +7,7 @@ mod cut;
 mod document;
 mod dress;
 mod earlier;
+mod fits;
 mod folder;
 mod page;
 mod pattern;
@@ -26,6 +27,8 @@ pub(crate) use stand::{told, upright};
 pub(crate) use stock::no_size;
 pub use stock::{Body, Fabric};
 
+use stock::Opened;
+
 use serde_json::Value;
 use toile_garment::Diagnostic;
 use toile_stages::proposal::{Known, Nameless, Names, Proposal, RoleNames, propose};
@@ -37,6 +40,8 @@ pub struct Order<'a> {
     pub source: &'a Source,
     /// The body.
     pub body: Body,
+    /// Did a person ask for this body?
+    pub is_body_asked: bool,
     /// The fabric.
     pub fabric: Fabric,
     /// The folder's earlier content.
@@ -66,6 +71,36 @@ fn proposed(source: &Source, is_anonymous: bool, known: &Known) -> Result<Propos
     propose(&source.garment, names.as_ref(), known)
 }
 
+/// A pattern on its body.
+struct Worn {
+    body: Body,
+    opened: Opened,
+    dressed: dress::Dressed,
+    findings: Vec<Diagnostic>,
+}
+
+/// Lays a pattern on the body that was asked for, or on the one of its own size, and questions the body.
+fn worn(order: &Order<'_>, source: &Source, proposal: &Proposal) -> Result<Worn, Vec<Diagnostic>> {
+    let lay = |body: &Body| -> Result<(Opened, dress::Dressed), Vec<Diagnostic>> {
+        let opened = body.open()?;
+        let dressed = dress::dress(source, proposal, opened.model.as_ref(), order.is_anonymous);
+        Ok((opened, dressed))
+    };
+    let garment = &source.garment;
+    let mut body = order.body.clone();
+    let (mut opened, mut dressed) = lay(&body)?;
+    let mut findings = std::mem::take(&mut opened.findings);
+    if !order.is_body_asked
+        && let Some((other, finding)) = opened.model.as_ref().and_then(|b| fits::better(garment, &dressed, b))
+    {
+        (opened, dressed) = lay(&other)?;
+        body = other;
+        findings.push(finding);
+    }
+    findings.extend(opened.model.as_ref().and_then(|b| fits::question(garment, &dressed, &body, b)));
+    Ok(Worn { body, opened, dressed, findings })
+}
+
 /// Puts a folder together from a pattern. Pieces without a sure seam are left out, and said.
 ///
 /// # Errors
@@ -88,8 +123,7 @@ pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
         let doubt = order.earlier.and_then(|e| e.doubt(&seam.name));
         seam.confidence = doubt.unwrap_or(seam.confidence);
     }
-    let body = order.body.open()?;
-    let dressed = dress::dress(source, &proposal, body.model.as_ref(), order.is_anonymous);
+    let Worn { body: own, opened: body, dressed, findings } = worn(order, source, &proposal)?;
     let document = document::document(source, &proposal, &dressed, order.is_anonymous);
     let open = sewing::missing(&proposal).filter(|s| s.confidence < sewing::LEAST_SURE).count();
     let mut folder = Folder::default();
@@ -109,7 +143,7 @@ pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
             folder.add("sewing.toml", text.into_bytes());
         }
     }
-    folder.add("pipeline.toml", pipeline::text(source, &order.body, &order.fabric).into_bytes());
+    folder.add("pipeline.toml", pipeline::text(source, &own, &order.fabric).into_bytes());
     let json = serde_json::to_string_pretty(&document).unwrap_or_default();
     folder.replace("proposal.json", format!("{}\n", toile_garment::text::json(&json)).into_bytes());
     folder.replace("start.html", page::page(source, &proposal, &dressed).into_bytes());
@@ -117,5 +151,5 @@ pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
     if order.earlier.is_none() {
         folder.add("sewing.toml", sewing::text(source, &proposal).into_bytes());
     }
-    Ok(New { folder, proposal: document, seams: sewing::missing(&proposal).count(), open, findings: body.findings })
+    Ok(New { folder, proposal: document, seams: sewing::missing(&proposal).count(), open, findings })
 }

@@ -84,23 +84,27 @@ fn apply(measures: &mut BodyMeasures, set: &str) -> Result<(), Box<Diagnostic>> 
     Err(error(codes::UNKNOWN_MEASURE, format!("a body has no measure `{name}`"), hint))
 }
 
-/// A table of sizes, one size a line.
+/// A table of sizes, one size a line: lengths, then girths.
 fn table(table: &SizeTable) -> String {
     let bodies: Vec<(String, BodyMeasures)> = table.sizes.iter().map(|s| (table.name(s), table.measures(s))).collect();
     let names = BodyMeasures::default().entries().map(|(name, _)| name);
     let mut text = format!("{}, {}; measures in mm\n", table.word, table.about);
-    for part in names.chunks(9) {
-        let _ = write!(text, "{:<10}", "");
-        part.iter().for_each(|name| {
-            let _ = write!(text, "{name:>17}");
-        });
-        text.push('\n');
-        for (size, body) in &bodies {
-            let _ = write!(text, "{size:<10}");
-            for (_, value) in body.entries().iter().filter(|(name, _)| part.contains(name)) {
-                let _ = write!(text, "{:>17.0}", 1000.0 * value);
-            }
+    for part in names.chunk_by(|a, b| a.ends_with("girth") == b.ends_with("girth")) {
+        let halves: Vec<(&str, &str)> = part.iter().map(|name| name.rsplit_once('_').unwrap_or(("", name))).collect();
+        let width = |k: usize| 1 + halves[k].0.len().max(halves[k].1.len()).max(5);
+        let mut row = |first: &str, cell: &dyn Fn(usize) -> String| {
+            let _ = write!(text, "{first:<10}");
+            (0..part.len()).for_each(|k| {
+                let _ = write!(text, "{:>1$}", cell(k), width(k));
+            });
             text.push('\n');
+        };
+        row("", &|k| halves[k].0.to_owned());
+        row("", &|k| halves[k].1.to_owned());
+        for (size, body) in &bodies {
+            let entries = body.entries();
+            let value = |k: usize| entries.iter().find(|e| e.0 == part[k]).map_or(0.0, |e| 1000.0 * e.1);
+            row(size, &|k| format!("{:.0}", value(k)));
         }
     }
     text

@@ -10,9 +10,9 @@ const ROW: f64 = 1.0 / 600.0;
 const LINE: f64 = 0.022;
 const LETTERS: f64 = 0.0145;
 
-const STYLE: &str = "path{fill:none;stroke-linejoin:round}.body{stroke:#d9dde6}.girth{stroke:#b3261e;stroke-width:2}\
+const STYLE: &str = "path{fill:none;stroke-linejoin:round}.body{stroke:#d9dde6}.girth{stroke:#b3261e;stroke-width:2;}\
 .height{stroke:#5a6475;stroke-width:1;stroke-dasharray:8 6}.lead{stroke:#9aa3b2;stroke-width:1}\
-.point{fill:#1f4e9e}text{font-family:system-ui,sans-serif;fill:#222}.start{text-anchor:start}.end{text-anchor:end}\
+.scale{stroke:#222;stroke-width:2}.label{text-anchor:middle}.point{fill:#1f4e9e}text{font-family:system-ui,sans-serif;fill:#222}.start{text-anchor:start}.end{text-anchor:end}\
 .middle{text-anchor:middle;font-weight:600}";
 
 /// A way to look at the body, and where it is drawn, millimetres.
@@ -53,8 +53,8 @@ pub fn draw(found: &Found) -> String {
     let size = LETTERS * height;
     column(&mut canvas, girths(found, &front), -half - 0.03 * height, "end", size, height);
     column(&mut canvas, landmarks(found, &front), half + 0.03 * height, "start", size, height);
-    dots(&mut canvas, found, &front);
-    dots(&mut canvas, found, &side);
+    dots(&mut canvas, found, &front, 0.2 * size);
+    dots(&mut canvas, found, &side, 0.2 * size);
     let right = side.shift + deep + 0.03 * height;
     for (y, _) in heights(found, &slices) {
         canvas.line("height", &[Vec2::new(side.shift - deep, y), Vec2::new(side.shift + deep, y)], false);
@@ -150,10 +150,10 @@ fn landmarks(found: &Found, view: &View) -> Vec<(Vec2, String)> {
     seen.map(|(name, p)| (view.at(*p), words(name))).collect()
 }
 
-fn dots(canvas: &mut Canvas, found: &Found, view: &View) {
+fn dots(canvas: &mut Canvas, found: &Found, view: &View, size: f64) {
     let hidden = if view.from_front { "-back" } else { "-right" };
     for (_, p) in found.body.landmarks.iter().filter(|(name, _)| !name.ends_with(hidden)) {
-        canvas.dot("point", view.at(*p), 5.0);
+        canvas.dot("point", view.at(*p), size);
     }
 }
 

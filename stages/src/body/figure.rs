@@ -183,10 +183,12 @@ fn head(m: &BodyMeasures, rise: f64) -> Egg {
     let tall = m.stature - m.neck_height;
     let r = tall / 0.240;
     let (down, up) = (0.105 * r, 0.085 * r);
+    // The heads of children are larger, not only taller.
+    let wide = 1.0 + 0.8 * (r - 1.05).max(0.0);
     Egg {
         centre: Vec3::new(0.0, m.stature + rise - up, 0.018),
-        minus: Vec3::new(0.072, down, 0.092) * 1.0,
-        plus: Vec3::new(0.072, up, 0.088),
+        minus: Vec3::new(0.072 * wide, down, 0.092 * wide),
+        plus: Vec3::new(0.072 * wide, up, 0.088 * wide),
     }
 }
 

@@ -140,7 +140,7 @@ pub fn like(text: &str) -> Vec<String> {
         let near = sizes.into_iter().take(2).filter(|s| number.is_some_and(|n| 10 * off(s) <= n));
         near.map(|s| t.name(s)).collect::<Vec<_>>()
     };
-    let is_named = |t: &&SizeTable| !word.is_empty() && (t.word.starts_with(&word) || word.starts_with(t.word));
+    let is_named = |t: &&SizeTable| word.starts_with(t.word) || strsim::normalized_levenshtein(t.word, &word) > 0.6;
     let named = SIZE_TABLES.iter().find(is_named).map(of).unwrap_or_default();
     if named.is_empty() { SIZE_TABLES.iter().flat_map(of).collect() } else { named }
 }

@@ -27,6 +27,8 @@ mod share {
 const WAIST: f64 = 0.58;
 /// Share of the stature from the middle at which every shoulder has left the neck.
 const SHOULDER: f64 = 0.085;
+/// The axis of a neck leans by so much at most, degrees.
+const LEAN: f64 = 20.0;
 /// Angles of the arms to the vertical: from the first on the pose is A, from the second on T, degrees.
 const POSES: [f64; 2] = [20.0, 70.0];
 /// Angle between shoulder and arm under which no corner is seen between them, degrees.
@@ -330,7 +332,10 @@ impl<'a> Tape<'a> {
         let step = (0.5 * rise).max(0.004 * self.slices.height);
         let centre = |y: f64| self.slices.trunk(y).map(|s| s.centre());
         let (Some(at), Some(over)) = (centre(y), centre(y + step)) else { return };
-        let outline = section_near(&self.body.positions, &self.body.triangles, at, over - at);
+        let lean = (over - at) / (over - at).y.max(1e-9);
+        let most = libm::tan(LEAN.to_radians()) / libm::sqrt(lean.x * lean.x + lean.z * lean.z).max(1e-9);
+        let along = Vec3::y() + Vec3::new(lean.x, 0.0, lean.z) * most.min(1.0);
+        let outline = section_near(&self.body.positions, &self.body.triangles, at, along);
         self.girth("neck_girth", outline.as_ref());
     }
 
