@@ -47,7 +47,7 @@ pub enum Verb {
     Flatten(FlattenArgs),
     /// Show what accuracy costs in time for one garment: error against seconds and memory.
     Study(StudyArgs),
-    /// Make a body from measures; without options: list sizes and measures.
+    /// Make a body of a size or from measures, or measure a mesh; without options: list sizes and measures.
     Body(BodyArgs),
     /// Do a laboratory's test of a fabric on the solver.
     Fabric(FabricArgs),
@@ -403,7 +403,7 @@ pub struct NewArgs {
     /// Folder to write; what lies there already is kept.
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
-    /// Body: an OBJ file, or a size to make one of [default: 38]
+    /// Body: an OBJ file, or a size to make one of, such as 38, men-50 or child-128; `toile body` lists all [default: 38]
     #[arg(long, value_name = "FILE|SIZE")]
     pub body: Option<String>,
     /// Fabric: a file, or one of those that come with the program [default: cotton-shirting]
@@ -460,8 +460,12 @@ pub struct FlattenArgs {
 
 /// `body`
 #[derive(Args, Debug)]
+#[command(args_conflicts_with_subcommands = true)]
 pub struct BodyArgs {
-    /// Size to start from [default: 38]
+    /// What to do besides.
+    #[command(subcommand)]
+    pub verb: Option<BodyVerb>,
+    /// Size to start from, such as 38, men-50 or child-128 [default: 38]
     #[arg(long, value_name = "SIZE", requires = "out")]
     pub size: Option<String>,
     /// Set a measure, e.g. waist_girth="700 mm"; may be repeated.
@@ -472,6 +476,34 @@ pub struct BodyArgs {
     pub out: Option<PathBuf>,
     /// Replace files that are there.
     #[arg(long, requires = "out")]
+    pub force: bool,
+}
+
+/// Verbs of `body`.
+#[derive(Debug, Subcommand)]
+pub enum BodyVerb {
+    /// Find unit, pose, segments, landmarks, girths and heights on a mesh, and write its side file.
+    Measure(BodyMeasureArgs),
+}
+
+/// `body measure`
+#[derive(Args, Debug)]
+pub struct BodyMeasureArgs {
+    /// The mesh; what a side file beside it names stays.
+    #[arg(value_name = "FILE.obj")]
+    pub mesh: PathBuf,
+    /// Write the side file here; with FILE.obj, the mesh upright in metres, and its side file beside it [default: beside
+    /// the mesh]
+    #[arg(long, value_name = "FILE.toml|FILE.obj")]
+    pub out: Option<PathBuf>,
+    /// Draw what was found, for checking.
+    #[arg(long, value_name = "FILE.svg")]
+    pub picture: Option<PathBuf>,
+    /// Unit of the mesh: mm, cm, inch or m [default: the one that makes it as high as a person]
+    #[arg(long, value_name = "UNIT", value_parser = unit)]
+    pub units: Option<FileUnit>,
+    /// Replace files that are there.
+    #[arg(long)]
     pub force: bool,
 }
 

@@ -34,9 +34,17 @@ pub(super) fn run(args: &NewArgs, console: &mut Console<'_>) -> Exit {
     let told: Vec<Diagnostic> = source.findings.iter().filter(|f| f.severity != Severity::Info).cloned().collect();
     console.findings(&told, None);
     let fabric = Fabric::of(args.fabric.as_deref().unwrap_or(FABRIC));
-    let order = Order { source: &source, body, fabric, earlier: earlier.as_ref(), is_anonymous: args.anonymous };
+    let order = Order {
+        source: &source,
+        body,
+        is_body_asked: args.body.is_some(),
+        fabric,
+        earlier: earlier.as_ref(),
+        is_anonymous: args.anonymous,
+    };
     match from_pattern(&order) {
         Ok(new) => {
+            console.findings(&new.findings, None);
             let exit = write(args, &new.folder, console);
             if exit != Exit::Good {
                 return exit;

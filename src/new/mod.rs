@@ -7,6 +7,7 @@ mod cut;
 mod document;
 mod dress;
 mod earlier;
+mod fits;
 mod folder;
 mod page;
 mod pattern;
@@ -14,6 +15,7 @@ mod pipeline;
 mod placed;
 mod samples;
 mod sewing;
+mod stand;
 mod stock;
 mod unsewn;
 
@@ -21,7 +23,12 @@ pub use earlier::Earlier;
 pub use folder::{Folder, Made};
 pub use pattern::{Source, Wishes, read};
 pub use samples::{SAMPLES, Sample};
+pub(crate) use codes::BODY_NOT_STANDING;
+pub(crate) use stand::{told, upright};
+pub(crate) use stock::no_size;
 pub use stock::{Body, Fabric};
+
+use stock::Opened;
 
 use serde_json::Value;
 use toile_garment::Diagnostic;
@@ -34,6 +41,8 @@ pub struct Order<'a> {
     pub source: &'a Source,
     /// The body.
     pub body: Body,
+    /// Did a person ask for this body?
+    pub is_body_asked: bool,
     /// The fabric.
     pub fabric: Fabric,
     /// The folder's earlier content.
@@ -53,12 +62,44 @@ pub struct New {
     pub seams: usize,
     /// Seams that are too unsure to be sewn.
     pub open: usize,
+    /// What there is to say of the body.
+    pub findings: Vec<Diagnostic>,
 }
 
 fn proposed(source: &Source, is_anonymous: bool, known: &Known) -> Result<Proposal, Vec<Diagnostic>> {
     let names: Box<dyn Names> =
         if is_anonymous { Box::new(Nameless) } else { Box::new(RoleNames::new(&source.garment)) };
     propose(&source.garment, names.as_ref(), known)
+}
+
+/// A pattern on its body.
+struct Worn {
+    body: Body,
+    opened: Opened,
+    dressed: dress::Dressed,
+    findings: Vec<Diagnostic>,
+}
+
+/// Lays a pattern on the body that was asked for, or on the one of its own size, and questions the body.
+fn worn(order: &Order<'_>, source: &Source, proposal: &Proposal) -> Result<Worn, Vec<Diagnostic>> {
+    let lay = |body: &Body| -> Result<(Opened, dress::Dressed), Vec<Diagnostic>> {
+        let opened = body.open()?;
+        let dressed = dress::dress(source, proposal, opened.model.as_ref(), order.is_anonymous);
+        Ok((opened, dressed))
+    };
+    let garment = &source.garment;
+    let mut body = order.body.clone();
+    let (mut opened, mut dressed) = lay(&body)?;
+    let mut findings = std::mem::take(&mut opened.findings);
+    if !order.is_body_asked
+        && let Some((other, finding)) = opened.model.as_ref().and_then(|b| fits::better(garment, &dressed, b))
+    {
+        (opened, dressed) = lay(&other)?;
+        body = other;
+        findings.push(finding);
+    }
+    findings.extend(opened.model.as_ref().and_then(|b| fits::question(garment, &dressed, &body, b)));
+    Ok(Worn { body, opened, dressed, findings })
 }
 
 /// Puts a folder together from a pattern. Pieces without a sure seam are left out, and said.
@@ -80,8 +121,7 @@ pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
         proposal = proposed(&source, order.is_anonymous, &known)?;
     }
     let source = &source;
-    let body = order.body.model()?;
-    let dressed = dress::dress(source, &proposal, body.as_ref(), order.is_anonymous);
+    let Worn { body: own, opened: body, dressed, findings } = worn(order, source, &proposal)?;
     for (seam, name) in proposal.seams.iter_mut().zip(&dressed.seam_names) {
         let told = order.earlier.and_then(|e| Some((e, e.told(&joins, seam)?)));
         seam.confidence = told.and_then(|(e, told)| e.doubt(told)).unwrap_or(seam.confidence);
@@ -96,7 +136,7 @@ pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
     if let Some((name, bytes)) = &source.rules {
         folder.add(name, bytes.clone());
     }
-    for (name, bytes) in order.body.files()?.into_iter().chain(order.fabric.files()?) {
+    for (name, bytes) in body.files.into_iter().chain(order.fabric.files()?) {
         folder.add(&name, bytes);
     }
     // Seams are in the person's file before `proposal.json` says that they were proposed.
@@ -108,13 +148,13 @@ pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
             folder.add("sewing.toml", text.into_bytes());
         }
     }
-    folder.add("pipeline.toml", pipeline::text(source, &order.body, &order.fabric).into_bytes());
+    folder.add("pipeline.toml", pipeline::text(source, &own, &order.fabric).into_bytes());
     let json = serde_json::to_string_pretty(&document).unwrap_or_default();
     folder.replace("proposal.json", format!("{}\n", toile_garment::text::json(&json)).into_bytes());
-    folder.replace("start.html", page::page(source, &proposal, &dressed, body.as_ref()).into_bytes());
+    folder.replace("start.html", page::page(source, &proposal, &dressed, body.model.as_ref()).into_bytes());
     // A first sewing file comes last: where it lies, the folder is complete, and what it says are decisions.
     if order.earlier.is_none() {
         folder.add("sewing.toml", sewing::text(source, &proposal).into_bytes());
     }
-    Ok(New { folder, proposal: document, seams: sewing::missing(&proposal).count(), open })
+    Ok(New { folder, proposal: document, seams: sewing::missing(&proposal).count(), open, findings })
 }

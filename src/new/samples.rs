@@ -46,6 +46,10 @@ pub const SAMPLES: &[Sample] = &[
     },
 ];
 
+/// Sizes of the samples, and the one for other bodies.
+const SIZES: [&str; 3] = ["36", "38", "40"];
+const SIZE: &str = "38";
+
 impl Sample {
     /// The sample of a word.
     #[must_use]
@@ -60,7 +64,7 @@ impl Sample {
     pub fn folder(&self, body: &Body, fabric: &Fabric) -> Result<Folder, Vec<Diagnostic>> {
         let mut folder = Folder::default();
         folder.add(&format!("{}.dxf", self.name), self.pattern.to_vec());
-        for (name, bytes) in body.files()?.into_iter().chain(fabric.files()?) {
+        for (name, bytes) in body.open()?.files.into_iter().chain(fabric.files()?) {
             folder.add(&name, bytes);
         }
         folder.add("sewing.toml", self.sewing.as_bytes().to_vec());
@@ -70,10 +74,13 @@ impl Sample {
 
     /// The pipeline of the sample with the paths of the folder. Textures stay out, and a plain colour stands in.
     fn pipeline(&self, body: &Body, fabric: &Fabric) -> String {
-        let size = match body {
-            Body::Size(size) => format!("with.size   = {size:?}"),
-            Body::File(_) => "with.size   = \"38\"".to_owned(),
+        let own = match body {
+            Body::Size(size) => size.trim_start_matches("women-"),
+            Body::File(_) => SIZE,
         };
+        // The samples are graded in these sizes.
+        let size = SIZES.into_iter().find(|size| *size == own).unwrap_or(SIZE);
+        let size = format!("with.size   = {size:?}");
         let line = |text: &str| -> Option<String> {
             let key = text.split('=').next().unwrap_or_default().trim();
             Some(match key {

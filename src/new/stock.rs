@@ -4,8 +4,9 @@ use super::codes;
 use crate::engine::{MAX_INPUT, of_file_error, read_limited};
 use std::path::{Path, PathBuf};
 use toile_formats::codes::SIZE_NOT_FOUND;
-use toile_garment::Diagnostic;
-use toile_stages::body::{BodyMeasures, SIZES, parametric};
+use super::stand::{told, upright};
+use toile_garment::{Diagnostic, Severity};
+use toile_stages::body::{BodyMeasures, like, measured, parametric, range};
 
 /// Name and content of files.
 type Files = Vec<(String, Vec<u8>)>;
@@ -85,27 +86,18 @@ impl Body {
         }
     }
 
-    /// The body itself; `None` where the mesh cannot be read as one, which a run tells.
+    /// The body, its files, and what there is to say of it. A mesh without a side file is measured, and stood upright in
+    /// metres if it stands otherwise.
     ///
     /// # Errors
     /// There is no such size or file.
-    pub fn model(&self) -> Result<Option<toile_garment::body::Body>, Vec<Diagnostic>> {
-        let files = self.files()?;
-        let side = files.get(1).and_then(|(_, bytes)| std::str::from_utf8(bytes).ok());
-        Ok(toile_formats::body::read(&files[0].1, &files[0].0, side).ok().map(|read| read.body))
-    }
-
-    /// The mesh, and the file of measures beside it.
-    ///
-    /// # Errors
-    /// There is no such size or file.
-    pub fn files(&self) -> Result<Files, Vec<Diagnostic>> {
+    pub fn open(&self) -> Result<Opened, Vec<Diagnostic>> {
         match self {
             Self::Size(size) => {
                 let measures = BodyMeasures::size(size).ok_or_else(|| vec![no_size(size)])?;
-                let (mesh, side) = toile_formats::body::write(&parametric(&measures)?);
-                let name = self.file_name();
-                Ok(vec![(name.clone(), mesh.into_bytes()), (name.replace(".obj", ".toml"), side.into_bytes())])
+                let body = parametric(&measures)?;
+                let files = written(&body, &self.file_name());
+                Ok(Opened { files, model: Some(body), findings: Vec::new() })
             }
             Self::File(path) => {
                 let mut files = vec![(name_of(path), load(path)?)];
@@ -113,15 +105,72 @@ impl Body {
                 if side.is_file() {
                     files.push((name_of(&side), load(&side)?));
                 }
-                Ok(files)
+                Ok(Opened::of(files))
             }
         }
     }
 }
 
-fn no_size(size: &str) -> Diagnostic {
-    let labels: Vec<&str> = SIZES.iter().map(|(l, _)| *l).collect();
-    let hint = format!("sizes are {}; a mesh is named FILE.obj", labels.join(", "));
+/// The files of a body, with names that begin as that of its mesh.
+fn written(body: &toile_garment::body::Body, name: &str) -> Files {
+    let (mesh, side) = toile_formats::body::write(body);
+    vec![
+        (name.to_owned(), mesh.into_bytes()),
+        (toile_formats::body::sidecar_name(name), side.into_bytes()),
+    ]
+}
+
+/// A body that was opened.
+#[derive(Debug)]
+pub struct Opened {
+    /// Its files.
+    pub files: Files,
+    /// The body itself; `None` where the mesh cannot be read as one, which a run tells.
+    pub model: Option<toile_garment::body::Body>,
+    /// What there is to say.
+    pub findings: Vec<Diagnostic>,
+}
+
+impl Opened {
+    /// From a mesh and, perhaps, the side file beside it.
+    fn of(mut files: Files) -> Self {
+        let name = files[0].0.clone();
+        let side = files.get(1).and_then(|(_, bytes)| std::str::from_utf8(bytes).ok());
+        let is_named = files.len() > 1;
+        let model = toile_formats::body::read(&files[0].1, &name, side).ok().map(|read| read.body);
+        let (None, Some(body)) = (is_named.then_some(()), &model) else {
+            return Self { files, model, findings: Vec::new() };
+        };
+        let (stance, body) = match upright(body.clone(), None) {
+            Ok(stood) => stood,
+            Err(finding) => {
+                let mut finding = *finding;
+                finding.severity = Severity::Warning;
+                return Self { files, model, findings: vec![finding] };
+            }
+        };
+        let found = measured(&body);
+        let mut findings = Vec::new();
+        let mut new = written(&found.body, &name);
+        if stance.is_upright() {
+            files.extend(new.pop());
+        } else {
+            let message = format!("`{name}` stands {}: it was stood upright, in metres", stance.words());
+            findings.push(Diagnostic::warning(codes::BODY_NOT_STANDING, message).hint("look at it in start.html"));
+            files = new;
+        }
+        findings.extend(told(&found));
+        Self { files, model: Some(found.body), findings }
+    }
+}
+
+/// There is no size of this name; the nearest ones are named.
+pub fn no_size(size: &str) -> Diagnostic {
+    let near = match like(size).as_slice() {
+        [] => String::new(),
+        names => format!("nearest: {}; ", names.join(", ")),
+    };
+    let hint = format!("{near}sizes are {}, and `toile body` lists them; a mesh is named FILE.obj", range());
     Diagnostic::error(SIZE_NOT_FOUND, format!("there is no body of size `{size}`")).hint(hint)
 }
 

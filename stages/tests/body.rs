@@ -5,11 +5,12 @@ use std::collections::BTreeMap;
 use toile_formats::body::write;
 use toile_garment::Vec3;
 use toile_garment::body::Body;
-use toile_stages::body::{BodyMeasures, SIZES, girth_at, parametric, section_at, section_near, sections};
+use toile_stages::body::{BodyMeasures, SIZE_TABLES, SizeTable, girth_at, parametric, section_at, section_near, sections};
 
 /// A tall, a short, a large and a small figure, and one with a large cup.
 fn figures() -> Vec<BodyMeasures> {
-    let mut all: Vec<BodyMeasures> = SIZES.iter().map(|(label, _)| BodyMeasures::size(label).unwrap()).collect();
+    let of = |t: &SizeTable| t.sizes.iter().map(|s| t.measures(s)).collect::<Vec<_>>();
+    let mut all: Vec<BodyMeasures> = SIZE_TABLES.iter().flat_map(of).collect();
     let with = |name: &str, changes: &[(&str, f64)]| {
         let mut m = BodyMeasures { name: name.to_owned(), ..BodyMeasures::default() };
         for (measure, mm) in changes {

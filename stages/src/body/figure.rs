@@ -11,6 +11,9 @@ const ARM_ANGLE: f64 = 40.0;
 const SHOULDER_SLOPE: f64 = 21.0;
 /// Where the arm's girth is taken: share of the way from acromion to wrist.
 const UPPER_ARM_AT: f64 = 0.29;
+/// Girth of the usual hand, metres, and the least girth of a hand over that of its wrist.
+const HAND_GIRTH: f64 = 0.177;
+const HAND_OVER_WRIST: f64 = 1.07;
 /// Half the gap between the thighs at their widest, metres.
 const THIGH_GAP: f64 = 0.013;
 
@@ -124,7 +127,9 @@ fn torso(m: &BodyMeasures, [hip, waist, under, bust]: [f64; 4], crotch: f64) -> 
     let (u, b) = (under * m.under_bust() / 0.7612, bust * m.girths.bust / 0.880);
     let ((hw, hd), (ww, wd), (uw, ud)) = (spread(h), spread(w), spread(u));
     let (mw, md) = spread(0.5 * (h + w));
-    let (bw, bd) = spread(0.6 * u + 0.4 * b);
+    let flat = m.flatness();
+    let own = 0.4 + 0.6 * flat;
+    let (bw, bd) = spread((1.0 - own) * u + own * b);
     let wide = m.shoulder_width / 0.380;
     let chest = 0.5 * (wide + uw.min(bw));
     let top = m.shoulder_height;
@@ -137,8 +142,8 @@ fn torso(m: &BodyMeasures, [hip, waist, under, bust]: [f64; 4], crotch: f64) -> 
         section(m.hip_height + 0.5 * hip_to_waist, 0.156, 0.104, -0.108, mw, md),
         section(m.waist_height, 0.122, 0.092, -0.088, ww, wd),
         section(m.bust_height - 0.075, 0.134, 0.098, -0.102, uw, ud),
-        section(m.bust_height, 0.143, 0.090, -0.110, bw, bd),
-        section(m.bust_height + 0.5 * upper, 0.150, 0.084, -0.112, chest, ud),
+        section(m.bust_height, 0.143, 0.090 + 0.012 * flat, -0.110 + 0.006 * flat, bw, bd),
+        section(m.bust_height + 0.5 * upper, 0.150, 0.084 + 0.006 * flat, -0.112, chest, ud),
         section(m.bust_height + 0.78 * upper, 0.138, 0.060, -0.096, wide, 0.5 * (1.0 + ud)),
         section(top, 0.104, 0.030, -0.076, wide, 0.5 * (1.0 + ud)),
     ];
@@ -178,10 +183,12 @@ fn head(m: &BodyMeasures, rise: f64) -> Egg {
     let tall = m.stature - m.neck_height;
     let r = tall / 0.240;
     let (down, up) = (0.105 * r, 0.085 * r);
+    // The heads of children are larger, not only taller.
+    let wide = 1.0 + 0.8 * (r - 1.05).max(0.0);
     Egg {
         centre: Vec3::new(0.0, m.stature + rise - up, 0.018),
-        minus: Vec3::new(0.072, down, 0.092) * 1.0,
-        plus: Vec3::new(0.072, up, 0.088),
+        minus: Vec3::new(0.072 * wide, down, 0.092 * wide),
+        plus: Vec3::new(0.072 * wide, up, 0.088 * wide),
     }
 }
 
@@ -189,7 +196,7 @@ fn bust_egg(m: &BodyMeasures, factor: f64, rise: f64) -> Egg {
     let size = factor * m.girths.bust / 0.880;
     let ribs = m.under_bust() / 0.7612;
     let cup = ((m.girths.bust - m.under_bust()) / (0.135 * m.girths.bust)).clamp(0.2, 2.0);
-    let r = libm::sqrt(size) * (0.7 + 0.3 * cup);
+    let r = libm::sqrt(size) * (0.7 + 0.3 * cup) * (1.0 - 0.9 * m.flatness());
     Egg {
         centre: Vec3::new(0.086 * ribs.min(1.15), m.bust_height + rise, 0.056 * ribs + 0.012 * (size - 1.0)),
         minus: Vec3::new(0.062, 0.060, 0.060) * r,
@@ -221,6 +228,8 @@ impl ArmPlan {
         let elbow = 0.54 * reach;
         let girth_at = UPPER_ARM_AT * reach;
         let hand = m.stature / 1.68;
+        // A hand is larger around than its wrist.
+        let palm = (HAND_OVER_WRIST * m.girths.wrist / HAND_GIRTH).max(1.0);
         let keys = [
             (0.020, [0.047, 0.052, 0.0, 0.0]),
             (0.070, [0.5 * (ru + 0.047), 0.4 * ru + 0.033, 0.0, 0.0]),
@@ -228,9 +237,9 @@ impl ArmPlan {
             (elbow, [0.45 * ru + 0.58 * rw, 0.45 * ru + 0.62 * rw, 0.0, 0.0]),
             (elbow + 0.07, [0.43 * ru + 0.62 * rw, 0.43 * ru + 0.70 * rw, 0.0, 0.0]),
             (reach, [rw * 0.88, rw * 1.12, 0.0, 0.0]),
-            (reach + 0.05 * hand, [0.019, 0.036, 0.0, 0.0]),
-            (reach + 0.10 * hand, [0.019, 0.039, 0.0, 0.0]),
-            (reach + 0.140 * hand, [0.018, 0.030, 0.0, 0.0]),
+            (reach + 0.05 * hand, [0.019 * palm, 0.036 * palm, 0.0, 0.0]),
+            (reach + 0.10 * hand, [0.019 * palm, 0.039 * palm, 0.0, 0.0]),
+            (reach + 0.140 * hand, [0.018 * palm, 0.030 * palm, 0.0, 0.0]),
         ];
         let origin = acromion - out * joint;
         let axes = [out, Vec3::z(), along];

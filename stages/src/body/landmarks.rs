@@ -42,10 +42,13 @@ pub fn shoulder(figure: &Figure) -> Vec3 {
     hit(figure, Vec3::new(a.x, a.y + 0.15, a.z), -Vec3::y())
 }
 
-/// The left bust point: the foremost point of the bust.
+/// The left bust point: the foremost point of the bust; on a flat chest the middle of its half.
 pub fn bust(figure: &Figure, m: &BodyMeasures) -> Vec3 {
     let front = |x: f64, y: f64| hit(figure, Vec3::new(x, y, 0.5), -Vec3::z());
     let mut best = front(0.085, m.bust_height);
+    if m.flatness() == 1.0 {
+        return best;
+    }
     let mut step = 0.016;
     while step > 1e-4 {
         let around = [(step, 0.0), (-step, 0.0), (0.0, step), (0.0, -step)];

@@ -51,12 +51,12 @@ pub struct BodyGirths {
     pub thigh: f64,
 }
 
-/// The sizes the samples are cut for: label, then bust, waist, hip, neck, upper arm, thigh and wrist girth in mm.
-pub const SIZES: [(&str, [f64; 7]); 3] = [
-    ("36", [840.0, 660.0, 920.0, 350.0, 270.0, 530.0, 155.0]),
-    ("38", [880.0, 700.0, 960.0, 360.0, 280.0, 550.0, 160.0]),
-    ("40", [920.0, 740.0, 1000.0, 370.0, 290.0, 570.0, 165.0]),
-];
+/// Girths under the bust, as shares of the bust girth, from which a chest begins to be flat, and from which it is flat.
+const FLAT: [f64; 2] = [0.90, 0.94];
+/// Persons of a smaller stature are drawn by shrinking a figure of [`FIGURE`], metres.
+const SMALL: f64 = 1.5;
+/// Stature of the figure, metres.
+const FIGURE: f64 = 1.68;
 
 impl Default for BodyMeasures {
     /// Size 38.
@@ -87,19 +87,33 @@ impl Default for BodyMeasures {
 }
 
 impl BodyMeasures {
-    /// One of [`SIZES`] by its label.
+    /// The person's share of the figure, which is drawn as large as an adult: smaller ones are shrunk.
     #[must_use]
-    pub fn size(label: &str) -> Option<Self> {
-        let (label, girths) = SIZES.iter().find(|(l, _)| *l == label)?;
-        let [bust, waist, hip, neck, upper_arm, thigh, wrist] = girths.map(|mm| mm / 1000.0);
-        let girths = BodyGirths { bust, under_bust: None, waist, hip, neck, upper_arm, wrist, thigh };
-        Some(Self { name: format!("size-{label}"), girths, ..Self::default() })
+    pub(super) fn scale(&self) -> f64 {
+        if self.stature < SMALL { self.stature.max(STATURE.0) / FIGURE } else { 1.0 }
+    }
+
+    /// The measures of a person who is larger by a factor.
+    #[must_use]
+    pub(super) fn times(&self, factor: f64) -> Self {
+        let mut out = self.clone();
+        for (name, value) in self.entries() {
+            out.set(name, value * factor);
+        }
+        out
     }
 
     /// The girth under the bust: as given, or that of a usual cup.
     #[must_use]
     pub fn under_bust(&self) -> f64 {
         self.girths.under_bust.unwrap_or(0.865 * self.girths.bust)
+    }
+
+    /// How flat the chest is: 0 with a bust, 1 where the rib cage is nearly as large as the chest.
+    #[must_use]
+    pub(super) fn flatness(&self) -> f64 {
+        let share = self.under_bust() / self.girths.bust;
+        ((share - FLAT[0]) / (FLAT[1] - FLAT[0])).clamp(0.0, 1.0)
     }
 
     /// All measures by name, in a fixed order.
@@ -155,11 +169,15 @@ impl BodyMeasures {
     /// The impossible ones among these measures: every finding, not only the first.
     #[must_use]
     pub fn check(&self) -> Vec<Diagnostic> {
+        let scale = self.scale();
         let mut found: Vec<Diagnostic> = self
             .entries()
             .into_iter()
             .zip(RANGES)
-            .filter_map(|((name, value), range)| outside(name, value, range))
+            .filter_map(|((name, value), (low, high))| match name {
+                "stature" => outside(name, value, STATURE),
+                _ => outside(name, value, (low * scale, high * scale)),
+            })
             .collect();
         if found.is_empty() {
             found.extend(self.height_gaps().into_iter().filter_map(Gap::broken));
@@ -169,7 +187,8 @@ impl BodyMeasures {
     }
 
     fn height_gaps(&self) -> [Gap; 6] {
-        let gap = |lower, low, least, upper, high| Gap { lower, low, least, upper, high };
+        let scale = self.scale();
+        let gap = |lower, low, least: f64, upper, high| Gap { lower, low, least: least * scale, upper, high };
         [
             gap("crotch_height", self.crotch_height, 0.03, "hip_height", self.hip_height),
             gap("hip_height", self.hip_height, 0.10, "waist_height", self.waist_height),
@@ -197,7 +216,9 @@ impl BodyMeasures {
     }
 }
 
-/// Smallest and largest sane value of each measure, in the order of [`BodyMeasures::entries`], metres.
+/// Smallest and largest stature, metres.
+const STATURE: (f64, f64) = (0.75, 2.10);
+/// Smallest and largest sane value of each measure of an adult, in the order of [`BodyMeasures::entries`], metres.
 const RANGES: [(f64, f64); 17] = [
     (1.30, 2.10),
     (1.05, 1.85),

@@ -16,11 +16,13 @@ mod polygonise;
 mod remesh;
 pub(crate) mod section;
 mod segments;
+mod sizes;
 pub(crate) mod where_on;
 
-pub use found::with_segments;
-pub use measures::{BodyGirths, BodyMeasures, SIZES};
+pub use found::{Found, GirthLine, MESH_UNITS, MeshUnit, Pose, Slices, Stance, measured, with_segments};
+pub use measures::{BodyGirths, BodyMeasures};
 pub use section::{Section, girth_at, hull, section_at, section_near, sections};
+pub use sizes::{SIZE_TABLES, Size, SizeTable, like, range};
 
 use figure::Figure;
 use fit::{Fitted, Taken, fit, take, wanted};
@@ -42,6 +44,23 @@ pub fn parametric(m: &BodyMeasures) -> Result<Body, Vec<Diagnostic>> {
     if !found.is_empty() {
         return Err(found);
     }
+    let scale = m.scale();
+    if scale == 1.0 {
+        return drawn(m);
+    }
+    let mut body = drawn(&m.times(1.0 / scale))?;
+    let shrunk = |x: f64| to_micrometres(x * scale);
+    body.positions.iter_mut().chain(body.landmarks.values_mut()).for_each(|p| *p = p.map(shrunk));
+    body.measures.values_mut().for_each(|x| *x = shrunk(*x));
+    for s in body.segments.values_mut() {
+        (s.from, s.to) = (s.from.map(shrunk), s.to.map(shrunk));
+        (s.half_width, s.half_depth) = (shrunk(s.half_width), shrunk(s.half_depth));
+    }
+    Ok(body)
+}
+
+/// The body of a person as large as an adult.
+fn drawn(m: &BodyMeasures) -> Result<Body, Vec<Diagnostic>> {
     let Fitted { figure, mut net } = fit(m);
     for p in &mut net.positions {
         *p = p.map(to_micrometres);
@@ -59,7 +78,7 @@ pub fn parametric(m: &BodyMeasures) -> Result<Body, Vec<Diagnostic>> {
         name: m.name.clone(),
         positions,
         triangles,
-        measures: measured(m, &taken),
+        measures: measures_of(m, &taken),
         landmarks: landmarks.into_iter().map(|(name, p)| (name, p.map(to_micrometres))).collect(),
         segments,
         digest: String::new(),
@@ -72,7 +91,7 @@ fn to_micrometres(x: f64) -> f64 {
 }
 
 /// The measures a tape finds on the mesh; heights and lengths of construction as asked for.
-fn measured(m: &BodyMeasures, taken: &Taken) -> BTreeMap<String, f64> {
+fn measures_of(m: &BodyMeasures, taken: &Taken) -> BTreeMap<String, f64> {
     let mut all: BTreeMap<String, f64> =
         m.entries().into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
     for (name, value) in GIRTHS.iter().zip(taken.girths).chain(HEIGHTS.iter().zip(taken.heights)) {

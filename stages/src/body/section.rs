@@ -74,6 +74,13 @@ impl Section {
         hull.iter().zip(turned).map(|(a, b)| (b - a).norm()).sum()
     }
 
+    /// The part of the outline that lies within a distance of a plane between left and right.
+    #[must_use]
+    pub fn within(&self, middle: f64, half: f64) -> Self {
+        let points = self.points.iter().filter(|p| (p.x - middle).abs() <= half).copied().collect();
+        Self { points, closed: self.closed, across: self.across }
+    }
+
     /// Distance between the ends of an open outline, metres; 0 for a closed one.
     #[must_use]
     pub fn gap(&self) -> f64 {

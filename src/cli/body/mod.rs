@@ -1,6 +1,9 @@
-//! `toile body`: a body from measures, as OBJ with its side file.
+//! `toile body`: a body from measures, as OBJ with its side file, and the measures of a mesh.
 
-use super::args::BodyArgs;
+mod measure;
+mod picture;
+
+use super::args::{BodyArgs, BodyVerb};
 use super::codes;
 use super::console::Console;
 use super::results::Results;
@@ -10,14 +13,17 @@ use crate::pipeline::remedy;
 use std::fmt::Write as _;
 use std::path::Path;
 use toile_formats::body::write;
-use toile_formats::codes::SIZE_NOT_FOUND;
 use toile_garment::units::Length;
 use toile_garment::{Code, Diagnostic};
-use toile_stages::body::{BodyMeasures, SIZES, parametric};
+use toile_stages::body::{BodyMeasures, SIZE_TABLES, SizeTable, parametric};
 
 pub(super) fn run(args: &BodyArgs, console: &mut Console<'_>) -> Exit {
+    if let Some(BodyVerb::Measure(args)) = &args.verb {
+        return measure::run(args, console);
+    }
     let Some(out) = &args.out else {
-        console.result(&sizes());
+        let tables: Vec<String> = SIZE_TABLES.iter().map(table).collect();
+        console.result(&tables.join("\n"));
         return Exit::Good;
     };
     let side = out.with_extension("toml");
@@ -46,10 +52,7 @@ fn measures(args: &BodyArgs, out: &Path) -> Result<BodyMeasures, Vec<Diagnostic>
     }
     let label = args.size.as_deref().unwrap_or("38");
     let mut measures = BodyMeasures::size(label).unwrap_or_else(|| {
-        let labels: Vec<&str> = SIZES.iter().map(|(l, _)| *l).collect();
-        let message = format!("there is no body of size `{label}`");
-        let hint = format!("sizes are {}; others are made with --set", labels.join(", "));
-        wrong.push(Diagnostic::error(SIZE_NOT_FOUND, message).hint(hint));
+        wrong.push(crate::new::no_size(label));
         BodyMeasures::default()
     });
     for set in &args.set {
@@ -81,22 +84,28 @@ fn apply(measures: &mut BodyMeasures, set: &str) -> Result<(), Box<Diagnostic>> 
     Err(error(codes::UNKNOWN_MEASURE, format!("a body has no measure `{name}`"), hint))
 }
 
-/// Sizes side by side, one measure a line.
-fn sizes() -> String {
-    let bodies: Vec<BodyMeasures> = SIZES.iter().filter_map(|(label, _)| BodyMeasures::size(label)).collect();
-    let mut text = format!("{:<18}", "measure in mm");
-    for (label, _) in SIZES {
-        let _ = write!(text, "{label:>8}");
-    }
-    text.push('\n');
+/// A table of sizes, one size a line: lengths, then girths.
+fn table(table: &SizeTable) -> String {
+    let bodies: Vec<(String, BodyMeasures)> = table.sizes.iter().map(|s| (table.name(s), table.measures(s))).collect();
     let names = BodyMeasures::default().entries().map(|(name, _)| name);
-    for (row, name) in names.iter().enumerate() {
-        let _ = write!(text, "{name:<18}");
-        for body in &bodies {
-            let value = body.entries().get(row).map_or(0.0, |e| e.1);
-            let _ = write!(text, "{:>8.1}", 1000.0 * value);
+    let mut text = format!("{}, {}; measures in mm\n", table.word, table.about);
+    for part in names.chunk_by(|a, b| a.ends_with("girth") == b.ends_with("girth")) {
+        let halves: Vec<(&str, &str)> = part.iter().map(|name| name.rsplit_once('_').unwrap_or(("", name))).collect();
+        let width = |k: usize| 1 + halves[k].0.len().max(halves[k].1.len()).max(5);
+        let mut row = |first: &str, cell: &dyn Fn(usize) -> String| {
+            let _ = write!(text, "{first:<10}");
+            (0..part.len()).for_each(|k| {
+                let _ = write!(text, "{:>1$}", cell(k), width(k));
+            });
+            text.push('\n');
+        };
+        row("", &|k| halves[k].0.to_owned());
+        row("", &|k| halves[k].1.to_owned());
+        for (size, body) in &bodies {
+            let entries = body.entries();
+            let value = |k: usize| entries.iter().find(|e| e.0 == part[k]).map_or(0.0, |e| 1000.0 * e.1);
+            row(size, &|k| format!("{:.0}", value(k)));
         }
-        text.push('\n');
     }
     text
 }

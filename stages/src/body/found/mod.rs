@@ -1,0 +1,50 @@
+//! Segments, landmarks, girths and heights of a body that nobody named: found on its mesh, upright and facing +z, in an A
+//! or T pose or with hanging arms.
+
+mod limbs;
+mod marks;
+mod measure;
+mod points;
+mod slices;
+mod stance;
+
+pub use measure::{Found, GirthLine, Pose, measured};
+pub use slices::Slices;
+pub use stance::{MESH_UNITS, MeshUnit, Stance};
+
+use marks::Marks;
+use std::collections::BTreeMap;
+use toile_garment::Vec3;
+use toile_garment::body::{Body, BodySegment};
+
+/// The body with the segments and the waist that it does not name. What it names stays; what cannot be found is left
+/// out.
+#[must_use]
+pub fn with_segments(body: &Body) -> Body {
+    let mut whole = body.clone();
+    let slices = Slices::new(body);
+    let Some(marks) = Marks::of(&slices, measure::named(body, slices.low, "crotch")) else { return whole };
+    for (name, segment) in segments(body, &slices, &marks) {
+        whole.segments.entry(name).or_insert(segment);
+    }
+    let named = ["waist", "waist-front"].iter().any(|n| whole.landmarks.contains_key(*n))
+        || whole.measures.contains_key("waist_height");
+    if !named {
+        whole.landmarks.insert("waist".to_owned(), Vec3::new(slices.middle, marks.waist, 0.0));
+    }
+    whole
+}
+
+/// The segments of a body that are seen on its mesh.
+fn segments(body: &Body, slices: &Slices<'_>, marks: &Marks) -> BTreeMap<String, BodySegment> {
+    let mut found = BTreeMap::new();
+    found.insert("torso".to_owned(), marks.torso());
+    found.insert("neck".to_owned(), marks.neck(slices.height));
+    for (side, sign) in [("left", 1.0), ("right", -1.0)] {
+        let seen = limbs::arm(body, slices, marks.half, sign).filter(|arm| !limbs::hangs(arm));
+        let arm = seen.or_else(|| limbs::hanging_arm(slices, marks, sign));
+        found.extend(arm.map(|s| (format!("arm-{side}"), s)));
+        found.extend(limbs::leg(slices, marks, sign).map(|s| (format!("leg-{side}"), s)));
+    }
+    found
+}
