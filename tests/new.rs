@@ -350,3 +350,69 @@ fn what_is_not_there_is_named() {
     assert!(!Path::new(out).exists());
     assert_eq!(toile(&["new", "no-such.dxf", "--out", out]).code, 3);
 }
+
+/// Makes a folder from the bodice, of which the size has another name.
+fn bodice_of_size(label: &str, more: &[&str]) -> (Said, Vec<String>) {
+    let folder = tempfile::tempdir().expect("folder");
+    let text = std::fs::read_to_string(root().join("samples/patterns/fitted-bodice.aama.dxf")).expect("pattern");
+    let pattern = folder.path().join("bodice.dxf");
+    std::fs::write(&pattern, text.replace("SIZE: 38", &format!("SIZE: {label}"))).expect("pattern");
+    let out = folder.path().join("out");
+    let mut arguments = vec!["new", pattern.to_str().expect("path"), "--out", out.to_str().expect("path")];
+    arguments.extend(more);
+    let said = toile(&arguments);
+    let names =
+        std::fs::read_dir(&out).expect("folder").map(|e| e.expect("entry").file_name().into_string().expect("name"));
+    let bodies = names.filter(|n| n.ends_with(".obj")).collect();
+    (said, bodies)
+}
+
+#[test]
+fn the_body_is_questioned() {
+    // 914 mm around the bust: 34 mm ease on 38, and 114 mm on 34.
+    let (said, bodies) = bodice_of_size("38", &[]);
+    assert!(!said.err.contains("[body-") && bodies == ["body-38.obj"], "{said:?}");
+    let (said, bodies) = bodice_of_size("34", &[]);
+    assert!(said.err.contains("note[body-chosen]") && bodies == ["body-women-34.obj"], "{said:?}");
+    let (said, bodies) = bodice_of_size("34", &["--body", "38"]);
+    assert!(said.err.contains("warning[body-does-not-fit]") && said.err.contains("--body women-34"), "{said:?}");
+    assert_eq!(bodies, ["body-38.obj"]);
+    let (said, _) = bodice_of_size("38", &["--body", "men-56"]);
+    assert!(said.err.contains("mm too narrow"), "{said:?}");
+    let (said, _) = bodice_of_size("38", &["--body", "child-110"]);
+    assert!(said.err.contains("mm ease") && said.err.contains("--body women-38"), "{said:?}");
+    let (said, _) = bodice_of_size("M", &[]);
+    assert!(!said.err.contains("[body-"), "{said:?}");
+}
+
+#[test]
+fn a_mesh_that_stands_otherwise_is_stood_upright() {
+    let folder = tempfile::tempdir().expect("folder");
+    let at = |name: &str| folder.path().join(name).to_str().expect("path").to_owned();
+    let text = std::fs::read_to_string(root().join("samples/bodies/size-38.obj")).expect("body");
+    let turned = |line: &str| match line.strip_prefix("v ") {
+        None => format!("{line}\n"),
+        Some(numbers) => {
+            let p: Vec<f64> = numbers.split_whitespace().map(|n| 1e3 * n.parse::<f64>().expect("number")).collect();
+            format!("v {} {} {}\n", p[0], -p[2], p[1])
+        }
+    };
+    std::fs::write(at("scan.obj"), text.lines().map(turned).collect::<String>()).expect("mesh");
+    let said = toile(&["body", "measure", &at("scan.obj"), "--picture", &at("scan.svg")]);
+    assert_eq!(said.code, 3, "{said:?}");
+    assert!(said.err.contains("error[body-not-standing]") && said.out.contains("+z up, front to -y, mm; A pose"));
+    assert!(!folder.path().join("scan.toml").exists() && folder.path().join("scan.svg").exists());
+    let said = toile(&["body", "measure", &at("scan.obj"), "--out", &at("upright.obj")]);
+    assert_eq!(said.code, 0, "{said:?}");
+    let said = toile(&["body", "measure", &at("upright.obj"), "--force"]);
+    assert!(said.code == 0 && said.out.contains("+y up, front to +z, m; A pose"), "{said:?}");
+    let pattern = root().join("samples/patterns/fitted-bodice.aama.dxf");
+    let arguments = ["new", pattern.to_str().expect("path"), "--out", &at("out"), "--body", &at("scan.obj")];
+    let said = toile(&arguments);
+    assert!(said.err.contains("warning[body-not-standing]") && !said.err.contains("body-does-not-fit"), "{said:?}");
+    let side = std::fs::read_to_string(folder.path().join("out/scan.toml")).expect("side file");
+    assert!(side.contains("waist_height") && side.contains("[segments.torso]"), "{side}");
+    // Asked again, the folder keeps its body.
+    let said = toile(&["new", pattern.to_str().expect("path"), "--out", &at("out")]);
+    assert!(said.code <= 1 && !folder.path().join("out/body-38.obj").exists(), "{said:?}");
+}

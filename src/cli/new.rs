@@ -34,10 +34,11 @@ pub(super) fn run(args: &NewArgs, console: &mut Console<'_>) -> Exit {
     let told: Vec<Diagnostic> = source.findings.iter().filter(|f| f.severity != Severity::Info).cloned().collect();
     console.findings(&told, None);
     let fabric = Fabric::of(args.fabric.as_deref().unwrap_or(FABRIC));
+    let own = earlier.as_ref().filter(|_| args.body.is_none()).and_then(|e| e.body.clone());
     let order = Order {
         source: &source,
-        body,
-        is_body_asked: args.body.is_some(),
+        is_body_asked: args.body.is_some() || own.is_some(),
+        body: own.unwrap_or(body),
         fabric,
         earlier: earlier.as_ref(),
         is_anonymous: args.anonymous,

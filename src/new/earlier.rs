@@ -4,6 +4,7 @@
 //! or taken it out. So no seam between two of them is proposed anew.
 
 use super::pattern::Source;
+use super::stock::Body;
 use crate::engine::{MAX_INPUT, of_file_error, read_limited};
 use serde_json::Value;
 use std::path::Path;
@@ -31,6 +32,17 @@ pub struct Earlier {
     pieces: Vec<Value>,
     /// Seams that were proposed earlier, as `proposal.json` has them.
     seams: Vec<Value>,
+    /// The body that its pipeline sews on.
+    pub body: Option<Body>,
+}
+
+/// The mesh in a folder that its pipeline names.
+fn body_of(folder: &Path) -> Option<Body> {
+    let text = std::fs::read_to_string(folder.join("pipeline.toml")).ok()?;
+    let table: toml::Table = text.parse().ok()?;
+    let name = table.get("stage")?.as_array()?.iter().find_map(|stage| stage.get("with")?.get("body")?.as_str())?;
+    let path = folder.join(name);
+    path.is_file().then_some(Body::File(path))
 }
 
 impl Earlier {
@@ -51,7 +63,7 @@ impl Earlier {
         let json = read_limited(&proposal, &proposal, MAX_INPUT).ok();
         let json: Value = json.and_then(|b| serde_json::from_slice(&b).ok()).unwrap_or_default();
         let list = |key: &str| json[key].as_array().cloned().unwrap_or_default();
-        Ok(Some(Self { text, plan, pieces: list("pieces"), seams: list("seams") }))
+        Ok(Some(Self { text, plan, pieces: list("pieces"), seams: list("seams"), body: body_of(folder) }))
     }
 
     /// Likelihood of a seam that the person has not confirmed yet: it is no surer for lying in the sewing file.

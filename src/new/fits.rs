@@ -34,15 +34,20 @@ struct Pair {
 }
 
 /// What there is to ask of a body that a pattern was laid on.
-pub fn question(garment: &Garment, dressed: &Dressed, own: &Body, body: &toile_garment::body::Body) -> Option<Diagnostic> {
+pub fn question(
+    garment: &Garment,
+    dressed: &Dressed,
+    own: &Body,
+    body: &toile_garment::body::Body,
+) -> Option<Diagnostic> {
     pairs(garment, dressed, body).into_iter().find_map(|pair| ask(garment, &pair, own))
 }
 
 /// The body of the pattern's own size, where the pattern has its usual ease on it and not on the usual body.
 pub fn better(garment: &Garment, dressed: &Dressed, body: &toile_garment::body::Body) -> Option<(Body, Diagnostic)> {
     let label = garment.size.as_deref()?;
-    let pair = pairs(garment, dressed, body).into_iter().next()?;
-    let (name, girth) = of_label(&pair, label)?;
+    let of = |pair: Pair| of_label(&pair, label).map(|own| (pair, own));
+    let (pair, (name, girth)) = pairs(garment, dressed, body).into_iter().find_map(of)?;
     let message = format!(
         "the pattern is of size {} and measures {} around the {}; body {name} has {}: it was chosen",
         shown(label, &[]),
@@ -84,15 +89,16 @@ fn mm(x: f64) -> String {
 /// The girths that can be compared.
 fn pairs(garment: &Garment, dressed: &Dressed, body: &toile_garment::body::Body) -> Vec<Pair> {
     let height = |name: &str| body.measures.get(&format!("{name}_height")).copied();
-    let (Some(bust), Some(waist), Some(hip)) = (height("bust"), height("waist"), height("hip")) else { return Vec::new() };
+    let (Some(bust), Some(waist), Some(hip)) = (height("bust"), height("waist"), height("hip")) else {
+        return Vec::new();
+    };
     let own = |name: &str, y: f64| body.measures.get(name).copied().unwrap_or_else(|| girth_at(body, y));
     let cloth = Cloth::of(garment, dressed);
+    let upper = cloth.above_the_waist();
     let mut out = Vec::new();
     // The armholes of a pattern may be deeper than the body's.
-    let chest = cloth.most(bust - 0.4 * (bust - waist), bust + 0.02);
-    // What is held at the waist has no chest.
-    let hangs = dressed.arrangement.held.is_empty();
-    if let Some(garment) = chest.filter(|_| hangs && cloth.is_around(bust - 0.1 * (bust - waist))) {
+    let chest = upper.most(bust - 0.4 * (bust - waist), bust + 0.02);
+    if let Some(garment) = chest.filter(|_| upper.is_around(bust - 0.1 * (bust - waist))) {
         let body = own("bust_girth", bust);
         out.push(Pair { place: "chest", measure: "bust_girth", garment, body, usual: CHEST, may_hang: false });
     }
@@ -122,11 +128,14 @@ fn ask(garment: &Garment, pair: &Pair, own: &Body) -> Option<Diagnostic> {
         pair.place,
         mm(pair.body)
     );
-    let label = garment.size.as_deref().map_or(String::new(), |s| format!("the pattern is of size {}; ", shown(s, &[])));
+    let label =
+        garment.size.as_deref().map_or(String::new(), |s| format!("the pattern is of size {}; ", shown(s, &[])));
     let [least, most] = pair.usual.map(|x| 1e3 * x);
     let hint = match fitting(pair, garment.size.as_deref()).as_slice() {
         [] => format!("{label}no size has the usual ease of {least:.0} to {most:.0} mm; --body FILE.obj takes a mesh"),
-        sizes => format!("{label}bodies of the usual ease ({least:.0} to {most:.0} mm): --body {}", sizes.join(", --body ")),
+        sizes => {
+            format!("{label}bodies of the usual ease ({least:.0} to {most:.0} mm): --body {}", sizes.join(", --body "))
+        }
     };
     Some(Diagnostic::warning(BODY_DOES_NOT_FIT, message).hint(hint))
 }
@@ -138,7 +147,8 @@ fn fitting(pair: &Pair, label: Option<&str>) -> Vec<String> {
     let mut usual: Vec<(String, f64)> = easy.filter(|(_, ease)| pair.is_usual(*ease)).collect();
     usual.sort_by(|a, b| pair.off(a.1).total_cmp(&pair.off(b.1)));
     let own = label.and_then(|label| of_label(pair, label)).map(|(name, _)| name);
-    let others: Vec<String> = usual.into_iter().map(|(name, _)| name).filter(|name| Some(name) != own.as_ref()).collect();
+    let others: Vec<String> =
+        usual.into_iter().map(|(name, _)| name).filter(|name| Some(name) != own.as_ref()).collect();
     own.into_iter().chain(others).take(NAMED).collect()
 }
 
@@ -148,7 +158,15 @@ fn value(measures: &BodyMeasures, name: &str) -> f64 {
 
 /// The pieces around the trunk, where they were laid.
 struct Cloth {
-    outlines: Vec<(bool, Vec<Vec3>)>,
+    outlines: Vec<Outline>,
+}
+
+#[derive(Clone)]
+struct Outline {
+    is_front: bool,
+    /// Does it hang from the waist?
+    is_low: bool,
+    points: Vec<Vec3>,
 }
 
 impl Cloth {
@@ -156,14 +174,21 @@ impl Cloth {
         let laid = garment.pieces.iter().zip(&dressed.roles).zip(&dressed.arrangement.places);
         let around = laid.filter_map(|((piece, role), place)| {
             let place = place.as_ref().filter(|p| is_around(role, p))?;
-            Some((is_front(place), outline(piece, place)))
+            let is_low =
+                matches!(role.part, Some(Part::Skirt | Part::Leg | Part::Tier | Part::Waistband | Part::Godet));
+            Some(Outline { is_front: is_front(place), is_low, points: points(piece, place) })
         });
         Self { outlines: around.collect() }
     }
 
+    /// Without the pieces that hang from the waist.
+    fn above_the_waist(&self) -> Self {
+        Self { outlines: self.outlines.iter().filter(|o| !o.is_low).cloned().collect() }
+    }
+
     /// Length of the pieces around at a height, metres.
     fn girth(&self, y: f64) -> f64 {
-        self.outlines.iter().map(|(_, outline)| width(outline, y)).sum()
+        self.outlines.iter().map(|o| width(&o.points, y)).sum()
     }
 
     /// The largest girth between two heights.
@@ -175,7 +200,7 @@ impl Cloth {
 
     /// Is there cloth before and behind the body at a height?
     fn is_around(&self, y: f64) -> bool {
-        let has = |front: bool| self.outlines.iter().any(|(is_front, outline)| *is_front == front && width(outline, y) > 0.0);
+        let has = |front: bool| self.outlines.iter().any(|o| o.is_front == front && width(&o.points, y) > 0.0);
         has(true) && has(false)
     }
 }
@@ -197,7 +222,7 @@ fn is_front(place: &Place) -> bool {
     place.rotation()[2][2] > 0.0
 }
 
-fn outline(piece: &Piece, place: &Place) -> Vec<Vec3> {
+fn points(piece: &Piece, place: &Place) -> Vec<Vec3> {
     let (r, t) = (place.rotation(), place.translation());
     let at = |p: Vec2| Vec3::from([0, 1, 2].map(|k| r[k][0] * p.x + r[k][1] * p.y + t[k]));
     piece.outline.positions().into_iter().map(at).collect()

@@ -19,11 +19,11 @@ mod stand;
 mod stock;
 mod unsewn;
 
+pub(crate) use codes::BODY_NOT_STANDING;
 pub use earlier::Earlier;
 pub use folder::{Folder, Made};
 pub use pattern::{Source, Wishes, read};
 pub use samples::{SAMPLES, Sample};
-pub(crate) use codes::BODY_NOT_STANDING;
 pub(crate) use stand::{told, upright};
 pub(crate) use stock::no_size;
 pub use stock::{Body, Fabric};

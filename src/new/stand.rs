@@ -1,8 +1,8 @@
 //! Bodies that are brought along: stood upright and measured.
 
 use super::codes;
-use toile_garment::body::Body;
 use toile_garment::Diagnostic;
+use toile_garment::body::Body;
 use toile_stages::body::{Found, MeshUnit, Stance};
 
 /// The stance of a mesh, and the mesh upright in metres.
@@ -12,7 +12,8 @@ use toile_stages::body::{Found, MeshUnit, Stance};
 pub fn upright(body: Body, unit: Option<MeshUnit>) -> Result<(Stance, Body), Box<Diagnostic>> {
     let Some(stance) = Stance::of(&body, unit) else {
         let message = format!("body `{}`: no way to stand it shows two legs under a trunk", body.name);
-        let hint = "it must be a whole person whose legs are apart; else write [segments] and [landmarks] in a side file";
+        let hint =
+            "it must be a whole person whose legs are apart; else write [segments] and [landmarks] in a side file";
         return Err(Box::new(Diagnostic::error(codes::BODY_NOT_STANDING, message).hint(hint)));
     };
     if stance.is_upright() {

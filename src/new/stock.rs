@@ -1,10 +1,10 @@
 //! Bodies and fabrics that come with the program, or are brought along.
 
 use super::codes;
+use super::stand::{told, upright};
 use crate::engine::{MAX_INPUT, of_file_error, read_limited};
 use std::path::{Path, PathBuf};
 use toile_formats::codes::SIZE_NOT_FOUND;
-use super::stand::{told, upright};
 use toile_garment::{Diagnostic, Severity};
 use toile_stages::body::{BodyMeasures, like, measured, parametric, range};
 
@@ -114,10 +114,7 @@ impl Body {
 /// The files of a body, with names that begin as that of its mesh.
 fn written(body: &toile_garment::body::Body, name: &str) -> Files {
     let (mesh, side) = toile_formats::body::write(body);
-    vec![
-        (name.to_owned(), mesh.into_bytes()),
-        (toile_formats::body::sidecar_name(name), side.into_bytes()),
-    ]
+    vec![(name.to_owned(), mesh.into_bytes()), (toile_formats::body::sidecar_name(name), side.into_bytes())]
 }
 
 /// A body that was opened.

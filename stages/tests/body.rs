@@ -5,7 +5,9 @@ use std::collections::BTreeMap;
 use toile_formats::body::write;
 use toile_garment::Vec3;
 use toile_garment::body::Body;
-use toile_stages::body::{BodyMeasures, SIZE_TABLES, SizeTable, girth_at, parametric, section_at, section_near, sections};
+use toile_stages::body::{
+    BodyMeasures, SIZE_TABLES, SizeTable, girth_at, parametric, section_at, section_near, sections,
+};
 
 /// A tall, a short, a large and a small figure, and one with a large cup.
 fn figures() -> Vec<BodyMeasures> {

@@ -78,7 +78,8 @@ fn take(args: &BodyMeasureArgs) -> Result<Taken, Vec<Diagnostic>> {
     let side = if side.is_file() { Some(load(&side)?) } else { None };
     let text = side.as_ref().map(|bytes| String::from_utf8_lossy(bytes).into_owned());
     let read = toile_formats::body::read(&bytes, &args.mesh.to_string_lossy(), text.as_deref())?;
-    let unit = args.units.and_then(|u| MESH_UNITS.into_iter().find(|m: &MeshUnit| (1e3 * m.metres - u.mm()).abs() < 1e-9));
+    let unit =
+        args.units.and_then(|u| MESH_UNITS.into_iter().find(|m: &MeshUnit| (1e3 * m.metres - u.mm()).abs() < 1e-9));
     let (stance, body) = upright(read.body, unit).map_err(|f| vec![*f])?;
     let found = measured(&body);
     let mut findings: Vec<Diagnostic> =
@@ -93,10 +94,7 @@ fn not_upright(args: &BodyMeasureArgs, stance: &Stance) -> Diagnostic {
         clean(&args.mesh),
         stance.words()
     );
-    let hint = format!(
-        "`toile body measure {} --out UPRIGHT.obj` writes it so, with its side file",
-        clean(&args.mesh)
-    );
+    let hint = format!("`toile body measure {} --out UPRIGHT.obj` writes it so, with its side file", clean(&args.mesh));
     Diagnostic::error(BODY_NOT_STANDING, message).hint(hint)
 }
 

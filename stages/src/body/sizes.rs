@@ -132,7 +132,8 @@ impl BodyMeasures {
 pub fn like(text: &str) -> Vec<String> {
     let label = text.trim_start_matches(|c: char| !c.is_ascii_digit());
     let number: Option<i32> = label.chars().take_while(char::is_ascii_digit).collect::<String>().parse().ok();
-    let word = text.get(..text.len() - label.len()).unwrap_or_default().trim_end_matches(['-', ' ', '_']).to_lowercase();
+    let word =
+        text.get(..text.len() - label.len()).unwrap_or_default().trim_end_matches(['-', ' ', '_']).to_lowercase();
     let of = |t: &SizeTable| {
         let off = |s: &Size| (s.label.parse::<i32>().unwrap_or(0) - number.unwrap_or(0)).abs();
         let mut sizes: Vec<&Size> = t.sizes.iter().collect();

@@ -49,8 +49,10 @@ pub fn arm(body: &Body, slices: &Slices<'_>, half: f64, sign: f64) -> Option<Bod
 pub fn hanging_arm(slices: &Slices<'_>, marks: &Marks, sign: f64) -> Option<BodySegment> {
     let step = 0.01 * slices.height;
     let beside = |y: f64| {
-        let trunk = slices.trunk(y).map_or(0.0, |s| s.bounds().1.x.max(2.0 * slices.middle - s.bounds().0.x) - slices.middle);
-        let out = slices.cut(y).into_iter().filter(|s| sign * (s.centre().x - slices.middle) > trunk.max(0.5 * marks.half));
+        let trunk =
+            slices.trunk(y).map_or(0.0, |s| s.bounds().1.x.max(2.0 * slices.middle - s.bounds().0.x) - slices.middle);
+        let out =
+            slices.cut(y).into_iter().filter(|s| sign * (s.centre().x - slices.middle) > trunk.max(0.95 * marks.half));
         out.max_by(|a, b| a.girth().total_cmp(&b.girth()))
     };
     let levels = (1..45).map(|k| marks.armpit - f64::from(k) * step);
@@ -62,7 +64,8 @@ pub fn hanging_arm(slices: &Slices<'_>, marks: &Marks, sign: f64) -> Option<Body
     let at = |share: f64| loops[((loops.len() - 1) as f64 * share) as usize].centre();
     let (a, b) = (at(0.1), at(0.7));
     let along = (b - a).try_normalize(1e-6)?;
-    let mut radii: Vec<f64> = loops.iter().take(7 * loops.len() / 10).map(|s| s.girth() / std::f64::consts::TAU).collect();
+    let mut radii: Vec<f64> =
+        loops.iter().take(7 * loops.len() / 10).map(|s| s.girth() / std::f64::consts::TAU).collect();
     radii.sort_by(f64::total_cmp);
     let radius = *radii.get(radii.len() * 3 / 4)?;
     Some(BodySegment { from: a - along * (0.06 * slices.height), to: b, half_width: radius, half_depth: radius })
@@ -103,12 +106,17 @@ pub struct ArmLine {
 
 impl ArmLine {
     /// The arm that a segment lies in, from its shoulder point on.
-    pub fn of(body: &Body, slices: &Slices<'_>, segment: &BodySegment, shoulder: Vec3) -> Option<Self> {
+    pub fn of(body: &Body, segment: &BodySegment, shoulder: Vec3) -> Option<Self> {
         let along = (segment.to - segment.from).try_normalize(1e-6)?;
         let onto = |p: Vec3| segment.from + along * (p - segment.from).dot(&along);
+        // The segment ends at the wrist; a leg may stand behind the finger tips.
+        let most = 1.5 * (segment.to - segment.from).norm();
+        // An elbow may be bent a little.
+        let wide = 2.1 * segment.half_width.max(segment.half_depth);
         let near = |v: &u32| {
             let p = body.positions[*v as usize];
-            (p - onto(p)).norm() < 0.075 * slices.height && (p - segment.from).dot(&along) > 0.0
+            let way = (p - segment.from).dot(&along);
+            (p - onto(p)).norm() < wide && (0.0..most).contains(&way)
         };
         let triangles: Vec<[u32; 3]> = body.triangles.iter().filter(|t| t.iter().all(near)).copied().collect();
         let ends = triangles.iter().flatten().map(|v| (body.positions[*v as usize] - segment.from).dot(&along));

@@ -2,7 +2,7 @@
 
 use super::limbs::{ArmLine, ELBOW_AT, UPPER_ARM_AT, angle};
 use super::marks::{Marks, largest};
-use super::points::{hit, top};
+use super::points::{across, top};
 use super::slices::Slices;
 use crate::body::section::{Section, section_near};
 use crate::body::to_micrometres;
@@ -31,6 +31,8 @@ const SHOULDER: f64 = 0.085;
 const LEAN: f64 = 20.0;
 /// Angles of the arms to the vertical: from the first on the pose is A, from the second on T, degrees.
 const POSES: [f64; 2] = [20.0, 70.0];
+/// Width of a chest over that of the ribs under it, at most.
+const CHEST: f64 = 1.15;
 /// Angle between shoulder and arm under which no corner is seen between them, degrees.
 const CORNER: f64 = 18.0;
 
@@ -149,7 +151,8 @@ impl<'a> Tape<'a> {
         for (name, s) in self.segments {
             let steps = |p: Vec3| p.map(to_micrometres);
             let half = [s.half_width, s.half_depth].map(to_micrometres);
-            let segment = BodySegment { from: steps(s.from), to: steps(s.to), half_width: half[0], half_depth: half[1] };
+            let segment =
+                BodySegment { from: steps(s.from), to: steps(s.to), half_width: half[0], half_depth: half[1] };
             body.segments.entry(name).or_insert(segment);
         }
         let Self { girths, mut missing, mut guessed, pose, .. } = self;
@@ -198,15 +201,13 @@ impl<'a> Tape<'a> {
     /// Front, back and sides at a height of the trunk.
     fn around(&mut self, name: &str, outline: &Section) {
         let (low, high) = outline.bounds();
-        let y = low.y;
-        let middle = self.slices.middle;
-        let at = |p: Vec3, along: Vec3| hit(self.body, p, along);
         let z = 0.5 * (low.z + high.z);
+        let [back, front] = across(outline, self.slices.middle).map_or([None; 2], |ends| ends.map(Some));
         let places = [
-            ("front", at(Vec3::new(middle, y, high.z + 1.0), -Vec3::z())),
-            ("back", at(Vec3::new(middle, y, low.z - 1.0), Vec3::z())),
-            ("left", at(Vec3::new(high.x + 1e-6, y, z), -Vec3::x()).map(|p| Vec3::new(high.x, p.y, p.z))),
-            ("right", at(Vec3::new(low.x - 1e-6, y, z), Vec3::x()).map(|p| Vec3::new(low.x, p.y, p.z))),
+            ("front", front),
+            ("back", back),
+            ("left", Some(Vec3::new(high.x, low.y, z))),
+            ("right", Some(Vec3::new(low.x, low.y, z))),
         ];
         self.landmarks.extend(places.into_iter().filter_map(|(side, p)| Some((format!("{name}-{side}"), p?))));
     }
@@ -251,7 +252,9 @@ impl<'a> Tape<'a> {
 
     fn bust(&mut self, waist: f64, armpit: f64) {
         let (height, middle) = (self.slices.height, self.slices.middle);
-        let half = self.slices.trunk(armpit - 1e-4).map_or(0.1 * height, |s| 0.5 * (s.bounds().1.x - s.bounds().0.x));
+        let width = |y: f64| self.slices.trunk(y).map_or(0.2 * height, |s| s.bounds().1.x - s.bounds().0.x);
+        // Skin that is drawn up by lifted arms is none of the chest.
+        let half = (0.5 * width(armpit - 1e-4)).min(0.5 * CHEST * width(armpit - 0.07 * height));
         let front = |y: f64| {
             let outline = self.chest(y, half)?;
             let ahead = outline.points.iter().filter(|p| ((p.x - middle).abs() / height - 0.04).abs() < 0.028);
@@ -260,7 +263,8 @@ impl<'a> Tape<'a> {
         let step = 0.003 * height;
         let [from, to] = [waist + 0.3 * (armpit - waist), armpit + 0.035 * height];
         let steps = ((to - from) / step) as usize;
-        let line: Vec<(f64, f64)> = (0..=steps).filter_map(|k| front(to - step * k as f64).map(|z| (to - step * k as f64, z))).collect();
+        let line: Vec<(f64, f64)> =
+            (0..=steps).filter_map(|k| front(to - step * k as f64).map(|z| (to - step * k as f64, z))).collect();
         // From above: the first place that lies before all within 25 mm of an adult.
         let is_near = |k: usize, l: &(f64, f64)| (l.0 - line[k].0).abs() < 5.5 * step;
         let is_peak = |k: &usize| {
@@ -275,7 +279,13 @@ impl<'a> Tape<'a> {
         let outline = self.chest(y, half);
         self.girth("bust_girth", outline.as_ref());
         for (side, sign) in SIDES {
-            let of = |s: &Section| s.points.iter().filter(|p| sign * (p.x - middle) > 0.02 * height).copied().max_by(|a, b| a.z.total_cmp(&b.z));
+            let of = |s: &Section| {
+                s.points
+                    .iter()
+                    .filter(|p| sign * (p.x - middle) > 0.02 * height)
+                    .copied()
+                    .max_by(|a, b| a.z.total_cmp(&b.z))
+            };
             self.landmarks.extend(outline.as_ref().and_then(of).map(|p| (format!("bust-{side}"), p)));
         }
         let under = self.chest(y - share::UNDER_BUST * height, half);
@@ -298,12 +308,13 @@ impl<'a> Tape<'a> {
         self.landmarks.insert("neck-side-right".to_owned(), right);
         let back = 0.5 * (left.y + right.y);
         self.height("neck_height", back);
-        let (middle, z) = (self.slices.middle, outline.centre().z);
-        let behind = hit(self.body, Vec3::new(middle, back, z - 1.0), Vec3::z());
-        self.landmarks.extend(behind.map(|p| ("neck-back".to_owned(), p)));
+        let middle = self.slices.middle;
+        let slices = self.slices;
+        let ends = |y: f64| slices.trunk(y).and_then(|s| across(&s, middle));
+        self.landmarks.extend(ends(back).map(|[behind, _]| ("neck-back".to_owned(), behind)));
         self.neck_girth(0.5 * (narrow + back), narrow - back);
         // The pit of the neck lies farthest behind a straight line from the narrowest place down to the chest.
-        let front = |y: f64| hit(self.body, Vec3::new(middle, y, z + 1.0), -Vec3::z());
+        let front = |y: f64| ends(y).map(|[_, before]| before);
         let (Some(a), Some(b)) = (front(narrow), front(back - 0.075 * height)) else { return };
         let depth = |y: f64| {
             let p = front(y)?;
@@ -367,7 +378,7 @@ impl<'a> Tape<'a> {
                 self.underarm(side, sign, armpit);
             }
             let Some(limb) = limb else { continue };
-            match ArmLine::of(self.body, self.slices, &limb, shoulder) {
+            match ArmLine::of(self.body, &limb, shoulder) {
                 Some(arm) => self.arm(side, &arm, shoulder),
                 None => self.missing.push(("wrist_girth", "the arm could not be followed to its end")),
             }
@@ -392,9 +403,10 @@ impl<'a> Tape<'a> {
         let line = self.shoulder_line(sign);
         let out = |p: &Vec3| sign * (p.x - self.slices.middle);
         let start = *self.landmarks.get(if sign > 0.0 { "neck-side-left" } else { "neck-side-right" })?;
-        let edge = self.slices.trunk(armpit - 1e-4).map_or(marks.half, |s| {
-            s.points.iter().map(out).fold(f64::NEG_INFINITY, f64::max)
-        });
+        let edge = self
+            .slices
+            .trunk(armpit - 1e-4)
+            .map_or(marks.half, |s| s.points.iter().map(out).fold(f64::NEG_INFINITY, f64::max));
         let fall = |a: &Vec3, b: &Vec3| libm::atan2(a.y - b.y, out(b) - out(a)).to_degrees();
         let middle = line.iter().find(|p| out(p) > 0.55 * out(&start) + 0.45 * edge)?;
         let near = line.iter().find(|p| out(p) > 0.8 * out(&start) + 0.2 * edge)?;

@@ -1,26 +1,17 @@
-//! Where rays meet a mesh, and how its outline runs from the side.
+//! Places on outlines of a body.
 
-use crate::body::section::sections;
+use crate::body::section::{Section, sections};
 use toile_garment::Vec3;
 use toile_garment::body::Body;
 
-/// The first place where a ray from outside meets the mesh.
-pub fn hit(body: &Body, from: Vec3, along: Vec3) -> Option<Vec3> {
-    let way = body.triangles.iter().filter_map(|t| {
-        let [a, b, c] = t.map(|v| body.positions[v as usize]);
-        let (u, v) = (b - a, c - a);
-        let across = along.cross(&v);
-        let size = u.dot(&across);
-        if size == 0.0 {
-            return None;
-        }
-        let s = (from - a).dot(&across) / size;
-        let turned = (from - a).cross(&u);
-        let r = along.dot(&turned) / size;
-        let t = v.dot(&turned) / size;
-        (s >= 0.0 && r >= 0.0 && s + r <= 1.0 && t >= 0.0).then_some(t)
-    });
-    way.min_by(f64::total_cmp).map(|t| from + along * t)
+/// Where an outline around the body crosses the plane between left and right: behind and before.
+pub fn across(outline: &Section, middle: f64) -> Option<[Vec3; 2]> {
+    let next = outline.points.iter().cycle().skip(1);
+    let crossings = outline.points.iter().zip(next).filter(|(a, b)| (a.x < middle) != (b.x < middle));
+    let places: Vec<Vec3> = crossings.map(|(a, b)| a + (b - a) * ((middle - a.x) / (b.x - a.x))).collect();
+    let back = places.iter().copied().min_by(|a, b| a.z.total_cmp(&b.z))?;
+    let front = places.iter().copied().max_by(|a, b| a.z.total_cmp(&b.z))?;
+    Some([back, front])
 }
 
 /// The top of the body over a place between left and right, metres; `None` where there is nothing.

@@ -87,7 +87,9 @@ impl Stance {
         }
         let side = self.up.cross(&self.front);
         let steps = |x: f64| crate::body::to_micrometres(x * self.unit.metres);
-        let turn = |p: Vec3| Vec3::new(p.dot(&side) - self.middle, p.dot(&self.up) - self.floor, p.dot(&self.front)).map(steps);
+        let turn = |p: Vec3| {
+            Vec3::new(p.dot(&side) - self.middle, p.dot(&self.up) - self.floor, p.dot(&self.front)).map(steps)
+        };
         out.positions.iter_mut().for_each(|p| *p = turn(*p));
         out
     }
@@ -96,7 +98,8 @@ impl Stance {
     #[must_use]
     pub fn words(&self) -> String {
         let floor = (self.floor * self.unit.metres).abs() > FLOOR;
-        let floor = if floor { format!(", feet at {:.0} mm", 1e3 * self.floor * self.unit.metres) } else { String::new() };
+        let floor =
+            if floor { format!(", feet at {:.0} mm", 1e3 * self.floor * self.unit.metres) } else { String::new() };
         format!("{} up, front to {}, {}{floor}", axis(self.up), axis(self.front), self.unit.name)
     }
 }
@@ -120,7 +123,10 @@ fn across(up: Vec3) -> [Vec3; 2] {
 
 /// Lowest and highest place along an axis.
 fn span(body: &Body, along: Vec3) -> [f64; 2] {
-    body.positions.iter().map(|p| p.dot(&along)).fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], x| [l.min(x), h.max(x)])
+    body.positions
+        .iter()
+        .map(|p| p.dot(&along))
+        .fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], x| [l.min(x), h.max(x)])
 }
 
 /// The outlines at a share of the height.
@@ -143,7 +149,9 @@ fn legs_and_trunk(body: &Body, up: Vec3, side: Vec3) -> usize {
     let legs = |share: &&f64| {
         let found = spans(**share);
         // A shallow body lies around its middle from front to back, too: legs are apart.
-        found.iter().any(|s| s[1] <= middle) && found.iter().any(|s| s[0] >= middle) && !found.iter().any(|s| s[0] < middle && s[1] > middle)
+        found.iter().any(|s| s[1] <= middle)
+            && found.iter().any(|s| s[0] >= middle)
+            && !found.iter().any(|s| s[0] < middle && s[1] > middle)
     };
     let trunk = |share: &&f64| spans(**share).iter().any(|s| s[0] < middle && s[1] > middle);
     LEGS.iter().filter(legs).count() + TRUNK.iter().filter(trunk).count()
@@ -156,7 +164,10 @@ fn front(body: &Body, up: Vec3, side: Vec3) -> Vec3 {
     let height = high - low;
     let of = |share: f64| {
         let found = at_share(body, up, share);
-        found.iter().map(|s| reach(s, ahead)).fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], s| [l.min(s[0]), h.max(s[1])])
+        found
+            .iter()
+            .map(|s| reach(s, ahead))
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], s| [l.min(s[0]), h.max(s[1])])
     };
     let foot = body.positions.iter().filter(|p| p.dot(&up) - low < 0.035 * height).map(|p| p.dot(&ahead));
     let [heel, toe] = foot.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], x| [l.min(x), h.max(x)]);
