@@ -43,8 +43,9 @@ pub fn seam_names(roles: &[Role], joins: &[Join], at: impl Fn(PiecePoint) -> Opt
     let is_on_arm = |k: &Option<Kind>| k.is_some_and(|k| matches!(k.part, Part::Sleeve | Part::Cuff));
     let trunk = spans.iter().zip(&kinds).filter(|(_, kinds)| !kinds.iter().any(is_on_arm));
     let widest = trunk.filter_map(|(s, _)| Some(s.as_ref()?[0].x.abs())).fold(0.0, f64::max);
-    let named = |((join, span), kinds): ((&Join, &Option<[Vec3; 3]>), &[Option<Kind>; 2])| {
-        let (a, b, [middle, low, high]) = (kinds[0]?, kinds[1]?, (*span)?);
+    let named = |k: usize| {
+        let (join, [a, b], [middle, low, high]) = (&joins[k], kinds[k], spans[k]?);
+        let (a, b) = (a?, b?);
         let width = libm::hypot(high.x - low.x, high.z - low.z);
         let is_upright = high.y - low.y >= UPRIGHT_RISE * width;
         let course = Course { left: middle.x, is_upright, is_outside: middle.x.abs() > OUTSIDE_SHARE * widest };
@@ -52,7 +53,7 @@ pub fn seam_names(roles: &[Role], joins: &[Join], at: impl Fn(PiecePoint) -> Opt
         let lateral = a.lateral.filter(|l| *l != Lateral::Centre && b.lateral == Some(*l));
         Some((word(a, b, join.is_own(), course)?, lateral.or_else(|| course.lateral()), facing))
     };
-    apart(&joins.iter().zip(&spans).zip(&kinds).map(named).collect::<Vec<_>>())
+    apart(&(0..joins.len()).map(named).collect::<Vec<_>>())
 }
 
 /// Middle, lowest and highest coordinates of a seam; the two sides may still lie apart.
