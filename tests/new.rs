@@ -349,7 +349,7 @@ fn bodice_of_size(label: &str, more: &[&str]) -> (Said, Vec<String>) {
     let folder = tempfile::tempdir().expect("folder");
     let text = std::fs::read_to_string(root().join("samples/patterns/fitted-bodice.aama.dxf")).expect("pattern");
     let pattern = folder.path().join("bodice.dxf");
-    std::fs::write(&pattern, text.replace("SIZE: 38", &format!("SIZE: {label}"))).expect("pattern");
+    std::fs::write(&pattern, text.replace("Size: 38", &format!("Size: {label}"))).expect("pattern");
     let out = folder.path().join("out");
     let mut arguments = vec!["new", pattern.to_str().expect("path"), "--out", out.to_str().expect("path")];
     arguments.extend(more);
