@@ -197,8 +197,9 @@ fn heights_agree(m: &BodyMeasures, body: &Body) {
         assert!(gap < 0.022, "{}: {name} lies {:.1} mm off the mesh", m.name, gap * 1e3);
     }
     // The waist is a waist: between ribs and hips nothing is smaller by more than a hair.
-    let slim =
-        (0..12).map(|i| girth_at(body, m.waist_height + share(body) * (0.01 * f64::from(i) - 0.055))).fold(f64::INFINITY, f64::min);
+    let slim = (0..12)
+        .map(|i| girth_at(body, m.waist_height + share(body) * (0.01 * f64::from(i) - 0.055)))
+        .fold(f64::INFINITY, f64::min);
     if m.girths.waist < 0.95 * m.under_bust() {
         near(&m.name, "smallest girth near the waist", slim, m.girths.waist, 0.01);
     }
