@@ -83,7 +83,14 @@ fn closed_and_outwards(body: &Body) {
     let euler = body.positions.len() + body.triangles.len() - edges.len() / 2;
     assert_eq!(euler, 2, "{}: not one ball", body.name);
     let volume: f64 = body.triangles.iter().map(|t| corners(body, t)).map(|[a, b, c]| a.dot(&b.cross(&c)) / 6.0).sum();
-    assert!((0.03..0.2).contains(&volume), "{}: {volume} m³", body.name);
+    let adult = volume / (share(body) * share(body) * share(body));
+    assert!((0.03..0.2).contains(&adult), "{}: {volume} m³", body.name);
+}
+
+/// Children are shrunk: the share of the adult's size.
+fn share(body: &Body) -> f64 {
+    let stature = body.measures["stature"];
+    if stature < 1.5 { stature / 1.68 } else { 1.0 }
 }
 
 fn corners(body: &Body, t: &[u32; 3]) -> [Vec3; 3] {
@@ -97,7 +104,7 @@ fn even_triangles(body: &Body) {
             let (u, v) = (p[(i + 1) % 3] - p[i], p[(i + 2) % 3] - p[i]);
             let angle = u.angle(&v).to_degrees();
             assert!(angle > 20.0, "{}: angle {angle:.1}° at {:?}", body.name, p[i]);
-            assert!((0.004..0.036).contains(&u.norm()), "{}: edge {:.1} mm", body.name, u.norm() * 1e3);
+            assert!((0.004..0.036).contains(&(u.norm() / share(body))), "{}: edge {:.1} mm", body.name, u.norm() * 1e3);
         }
     }
 }
@@ -150,7 +157,7 @@ fn tape_agrees(m: &BodyMeasures, body: &Body) {
         ("hip", m.hip_height, m.girths.hip),
         ("waist", m.waist_height, m.girths.waist),
         ("bust", m.bust_height, m.girths.bust),
-        ("under bust", m.bust_height - 0.075, m.under_bust()),
+        ("under bust", m.bust_height - 0.075 * share(body), m.under_bust()),
     ] {
         near(&m.name, what, girth_at(body, height), want, 0.002);
     }
@@ -162,12 +169,12 @@ fn tape_agrees(m: &BodyMeasures, body: &Body) {
         near(&m.name, "upper arm", around(arm.from + along * 0.29, along), m.girths.upper_arm, 0.002);
         near(&m.name, "wrist", around(arm.to, along), m.girths.wrist, 0.002);
         let leg = &body.segments[&format!("leg-{side}")];
-        let thigh = Vec3::new(leg.from.x, m.crotch_height - 0.035, leg.from.z);
+        let thigh = Vec3::new(leg.from.x, m.crotch_height - 0.035 * share(body), leg.from.z);
         near(&m.name, "thigh", around(thigh, Vec3::y()), m.girths.thigh, 0.002);
     }
     let neck = &body.segments["neck"];
     let up = (neck.from - neck.to).normalize();
-    near(&m.name, "neck", around(neck.to + up * 0.055, up), m.girths.neck, 0.002);
+    near(&m.name, "neck", around(neck.to + up * (0.055 * share(body)), up), m.girths.neck, 0.002);
     for (name, want) in m.entries() {
         near(&m.name, name, body.measures[name], want, 0.01);
     }
@@ -190,8 +197,9 @@ fn heights_agree(m: &BodyMeasures, body: &Body) {
         assert!(gap < 0.022, "{}: {name} lies {:.1} mm off the mesh", m.name, gap * 1e3);
     }
     // The waist is a waist: between ribs and hips nothing is smaller by more than a hair.
-    let slim =
-        (0..12).map(|i| girth_at(body, m.waist_height - 0.055 + 0.01 * f64::from(i))).fold(f64::INFINITY, f64::min);
+    let slim = (0..12)
+        .map(|i| girth_at(body, m.waist_height + share(body) * (0.01 * f64::from(i) - 0.055)))
+        .fold(f64::INFINITY, f64::min);
     if m.girths.waist < 0.95 * m.under_bust() {
         near(&m.name, "smallest girth near the waist", slim, m.girths.waist, 0.01);
     }
@@ -200,17 +208,18 @@ fn heights_agree(m: &BodyMeasures, body: &Body) {
 /// Cloth fits between arm and torso right under the armpit, and between the legs under the crotch.
 fn gaps_are_open(m: &BodyMeasures, body: &Body) {
     let armpit = body.landmarks["underarm-left"].y;
-    assert!(m.shoulder_height - armpit > 0.08 && armpit > m.bust_height, "{}: armpit at {armpit}", m.name);
-    for (below, least) in [(0.02, 0.02), (0.05, 0.04)] {
+    let share = share(body);
+    assert!(m.shoulder_height - armpit > 0.08 * share && armpit > m.bust_height, "{}: armpit at {armpit}", m.name);
+    for (below, least) in [(0.02 * share, 0.02 * share), (0.05 * share, 0.04 * share)] {
         let torso = section_at(body, armpit - below).unwrap().bounds().1.x;
         let loops = sections(&body.positions, &body.triangles, Vec3::new(0.0, armpit - below, 0.0), Vec3::y());
         let arm = loops.iter().map(|s| s.bounds().0.x).fold(0.0, f64::max);
         assert!(arm - torso > least, "{}: {:.1} mm beside the torso", m.name, (arm - torso) * 1e3);
     }
-    for height in [m.crotch_height - 0.04, 0.6 * m.crotch_height, 0.05] {
+    for height in [m.crotch_height - 0.04 * share, 0.6 * m.crotch_height, 0.05 * share] {
         let loops = sections(&body.positions, &body.triangles, Vec3::new(0.0, height, 0.0), Vec3::y());
         let inner = loops.iter().map(|s| s.bounds().0.x).filter(|x| *x > 0.0).fold(1.0, f64::min);
-        assert!(2.0 * inner > 0.015, "{}: {:.1} mm between the legs at {height}", m.name, 2e3 * inner);
+        assert!(2.0 * inner > 0.015 * share, "{}: {:.1} mm between the legs at {height}", m.name, 2e3 * inner);
     }
 }
 

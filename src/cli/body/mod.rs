@@ -23,7 +23,8 @@ pub(super) fn run(args: &BodyArgs, console: &mut Console<'_>) -> Exit {
     }
     let Some(out) = &args.out else {
         let tables: Vec<String> = SIZE_TABLES.iter().map(table).collect();
-        console.result(&tables.join("\n"));
+        let names = BodyMeasures::default().entries().map(|(name, _)| name).join(", ");
+        console.result(&format!("{}\nmeasures for --set: {names}\n", tables.join("\n")));
         return Exit::Good;
     };
     let side = out.with_extension("toml");

@@ -84,7 +84,7 @@ pub fn hangs(limb: &BodySegment) -> bool {
 
 /// The leg of a side, between the crotch and the ankle.
 pub fn leg(slices: &Slices<'_>, marks: &Marks, sign: f64) -> Option<BodySegment> {
-    let (under, over) = (0.06_f64.min(0.035 * slices.height), 0.1_f64.min(0.06 * slices.height));
+    let (under, over) = (0.06_f64.min(0.036 * slices.height), 0.1_f64.min(0.06 * slices.height));
     let (thigh, ankle) = (slices.beside(marks.crotch - under, sign)?, slices.beside(slices.low + over, sign)?);
     let (low, high) = thigh.bounds();
     Some(BodySegment {
