@@ -131,7 +131,7 @@ fn makes_bodies_from_measures() {
     }
     assert_eq!(toile(&[&"body", &"--size", &"38", &"--out", &out]).code, 2, "nothing is replaced without --force");
     let list = toile(&[&"body"]);
-    let row = |size: &str| list.out.lines().filter(|l| l.starts_with(size)).next_back().unwrap_or_default();
+    let row = |size: &str| list.out.lines().rfind(|l| l.starts_with(size)).unwrap_or_default();
     let cells: Vec<&str> = row("women-38").split_whitespace().collect();
     assert_eq!(cells[1..], ["880", "761", "700", "960", "360", "280", "160", "550"], "{}", list.out);
     assert!(row("men-50").contains("1000") && row("child-104").contains("560"), "{}", list.out);

@@ -48,3 +48,37 @@ fn segments(body: &Body, slices: &Slices<'_>, marks: &Marks) -> BTreeMap<String,
     }
     found
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::body::{BodyMeasures, parametric};
+
+    #[test]
+    fn segments_are_found_where_the_parametric_body_has_them() {
+        let known = parametric(&BodyMeasures::default()).expect("a body");
+        let bare = Body {
+            segments: Default::default(),
+            landmarks: Default::default(),
+            measures: Default::default(),
+            ..known.clone()
+        };
+        let found = with_segments(&bare);
+        assert!((found.landmarks["waist"].y - known.measures["waist_height"]).abs() < 0.03);
+        for (name, segment) in &known.segments {
+            let own = &found.segments[name];
+            // On an arm the middle of its length is compared: where it begins is a matter of taste.
+            let middle = |s: &BodySegment| (s.from + s.to) * 0.5;
+            let off = (middle(own) - middle(segment)).norm();
+            assert!(off < 0.08, "{name}: {off} {own:?} {segment:?}");
+            let way = |s: &BodySegment| (s.to - s.from).normalize();
+            assert!(way(own).dot(&way(segment)) > 0.95, "{name}: {own:?} {segment:?}");
+        }
+    }
+
+    #[test]
+    fn what_a_body_names_stays() {
+        let known = parametric(&BodyMeasures::default()).expect("a body");
+        assert_eq!(with_segments(&known), known);
+    }
+}
