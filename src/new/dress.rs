@@ -20,7 +20,7 @@ pub struct Dressed {
     pub arrangement: Arrangement,
     /// The proposed seams as points that meet.
     pub joins: Vec<Join>,
-    /// What the proposed seams are called in a workroom; `None` where that is not known.
+    /// Names of the proposed seams in a workroom; `None` where that is not known.
     pub seam_names: Vec<Option<String>>,
 }
 

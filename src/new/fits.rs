@@ -33,7 +33,7 @@ struct Pair {
     may_hang: bool,
 }
 
-/// What there is to ask of a body that a pattern was laid on.
+/// The doubt of a body that a pattern was laid on, if there is one.
 pub fn question(
     garment: &Garment,
     dressed: &Dressed,

@@ -62,7 +62,7 @@ pub struct New {
     pub seams: usize,
     /// Seams that are too unsure to be sewn.
     pub open: usize,
-    /// What there is to say of the body.
+    /// Findings on the body.
     pub findings: Vec<Diagnostic>,
 }
 

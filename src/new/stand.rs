@@ -25,7 +25,7 @@ pub fn upright(body: Body, unit: Option<MeshUnit>) -> Result<(Stance, Body), Box
     Ok((stance, turned))
 }
 
-/// What was not found on a mesh, with the lines that say it.
+/// Findings on parts that the mesh does not show, with the lines that say them.
 pub fn told(found: &Found) -> Vec<Diagnostic> {
     let name = &found.body.name;
     let line = |part: &str| match part {

@@ -124,7 +124,7 @@ pub struct Opened {
     pub files: Files,
     /// The body itself; `None` where the mesh cannot be read as one, which a run tells.
     pub model: Option<toile_garment::body::Body>,
-    /// What there is to say.
+    /// Findings on the mesh.
     pub findings: Vec<Diagnostic>,
 }
 

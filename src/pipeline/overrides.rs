@@ -72,8 +72,8 @@ fn stage_key<'t>(document: &Document<'_>, key: &'t str) -> Option<(String, Vec<&
         .filter(|(_, path)| path.len() <= MAX_DEPTH && path.iter().all(|k| !k.is_empty()))
 }
 
-/// Takes out what the file says in another word than an override: of two parameters that say the same, such as the edge
-/// length and the number of triangles, the one of the command line counts.
+/// Takes out what the file says in another word than an override. Edge length and number of triangles, for example, say
+/// the same, and the one of the command line counts.
 pub(super) fn make_way(entry: &StageEntry<'_>, sets: &[ParamSet<'_>], knobs: &[Knob], table: &mut DeTable<'_>) {
     let is_set = |key: &str| sets.iter().any(|s| s.stage == entry.id && s.path == [key]);
     for (key, other) in knobs.iter().filter_map(|k| Some((k.key.as_ref(), k.instead_of.as_deref()?))) {

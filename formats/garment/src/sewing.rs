@@ -65,7 +65,7 @@ impl RunSpec {
 pub struct EdgePlace {
     /// The way from the start of the edge.
     pub way: EdgeWay,
-    /// Is it the way from the end of the edge instead?
+    /// True where the way is counted from the end of the edge.
     #[serde(default)]
     pub from_end: bool,
 }

@@ -28,7 +28,7 @@ pub(super) fn effects(params: &DrapeParams, forecast: &Forecast) -> Vec<EffectRe
     EFFECTS.iter().filter_map(record).collect()
 }
 
-/// What the files tell of the scene to come.
+/// Facts of the scene to come, as the files tell them.
 fn facts(settings: &Settings, forecast: &Forecast) -> Facts {
     let garment = &forecast.garment;
     let pieces = garment.pieces.len();

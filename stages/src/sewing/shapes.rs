@@ -78,7 +78,7 @@ fn check_numbers(piece: &Piece, errors: &mut Vec<Diagnostic>) {
     }
 }
 
-/// What a dart does to the outline.
+/// The effect of a dart on the outline.
 struct Splice {
     dart: usize,
     kind: DartKind,

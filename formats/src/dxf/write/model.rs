@@ -178,7 +178,7 @@ pub struct PieceDrawing {
     pub name: String,
     /// Size label.
     pub size: Option<String>,
-    /// What the cutter is told.
+    /// Notes for the cutter.
     pub cut: CutNotes,
     /// The line that is cut (layer 1).
     pub boundary: DrawLine,

@@ -82,9 +82,9 @@ pub struct Found {
     pub pose: Pose,
     /// The outlines that were measured.
     pub girths: Vec<GirthLine>,
-    /// What was not found, by its name, and why.
+    /// Names of the parts that were not found, and why.
     pub missing: Vec<(&'static str, &'static str)>,
-    /// What was found by a usual share of the stature, and why.
+    /// Names of the parts that stand at a usual share of the stature, and why.
     pub guessed: Vec<(&'static str, &'static str)>,
 }
 
