@@ -19,6 +19,7 @@
 //! ```
 
 pub(crate) mod codes;
+mod handover;
 mod mesh;
 mod sidecar;
 #[cfg(test)]
@@ -48,6 +49,25 @@ pub struct ReadBody {
 /// # Errors
 /// All mistakes of both files. Triangles that face both ways in one part are refused.
 pub fn read(obj_bytes: &[u8], obj_name: &str, sidecar_toml: Option<&str>) -> Result<ReadBody, Vec<Diagnostic>> {
+    let files = handover::Files {
+        digest: blake3::hash(obj_bytes).to_hex().to_string(),
+        name: obj_name.to_owned(),
+        side: sidecar_toml.map(str::to_owned),
+    };
+    if let Some(read) = handover::take(&files) {
+        return Ok(read);
+    }
+    let read = read_anew(obj_bytes, obj_name, sidecar_toml, &files.digest)?;
+    handover::keep(files, &read);
+    Ok(read)
+}
+
+fn read_anew(
+    obj_bytes: &[u8],
+    obj_name: &str,
+    sidecar_toml: Option<&str>,
+    digest: &str,
+) -> Result<ReadBody, Vec<Diagnostic>> {
     let mut errors = Vec::new();
     let toml_name = sidecar_name(obj_name);
     let said = sidecar_toml.map(|text| sidecar::read(text, &toml_name)).transpose().unwrap_or_else(|e| {
@@ -79,7 +99,7 @@ pub fn read(obj_bytes: &[u8], obj_name: &str, sidecar_toml: Option<&str>) -> Res
         measures: said.measures,
         landmarks: said.landmarks,
         segments: said.segments,
-        digest: blake3::hash(obj_bytes).to_hex().to_string(),
+        digest: digest.to_owned(),
     };
     Ok(ReadBody { body, findings })
 }

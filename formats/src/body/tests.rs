@@ -134,3 +134,16 @@ fn mistakes_of_the_side_file_are_collected() {
     assert!(found.iter().all(|d| d.source.as_ref().is_some_and(|s| s.line.is_some() && s.file == "b.toml")));
     assert!(found.iter().any(|d| d.hint.as_deref() == Some("did you mean `torso`?")));
 }
+
+/// The second reading of the same files is handed over; another side file, or another name in messages, is read anew.
+#[test]
+fn a_body_is_read_again_with_the_same_result() {
+    let mesh = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+    let side = "[measures]\nwaist_girth = \"700 mm\"\n";
+    let first = read(mesh.as_bytes(), "ball.obj", Some(side)).expect("reads");
+    for _ in 0..3 {
+        assert_eq!(read(mesh.as_bytes(), "ball.obj", Some(side)).expect("reads"), first);
+    }
+    let bare = read(mesh.as_bytes(), "other.obj", None).expect("reads");
+    assert!(bare.body.measures.is_empty() && bare.body.name == "other" && first.body.measures.len() == 1);
+}
