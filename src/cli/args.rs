@@ -403,8 +403,8 @@ pub struct NewArgs {
     /// Folder to write; what lies there already is kept.
     #[arg(long, value_name = "DIR")]
     pub out: PathBuf,
-    /// Body: an OBJ file, or a size to make one of, such as 38, men-50 or child-128; `toile body` lists all [default: by the size of the
-    /// pattern, else 38]
+    /// Body: an OBJ file, or a size to make one of, such as 38, men-50 or child-128; `toile body` lists all [default: by
+    /// the size of the pattern, else 38]
     #[arg(long, value_name = "FILE|SIZE")]
     pub body: Option<String>,
     /// Fabric: a file, or one of those that come with the program [default: cotton-shirting]

@@ -6,7 +6,7 @@ use std::fmt::Write as _;
 use toile_formats::svg::canvas::escape as escaped;
 use toile_garment::body::Body;
 use toile_garment::{Garment, Piece, Vec2, Vec3};
-use toile_stages::body::sections;
+use toile_stages::body::Slices;
 use toile_stages::proposal::Proposal;
 use toile_stages::roles::PiecePoint;
 
@@ -117,16 +117,10 @@ fn draw(out: &mut String, view: &View, pieces: &[Placed<'_>], threads: &[(usize,
     let depth = |p: &Placed<'_>| p.outline.iter().map(|q| q.dot(&view.to_eye)).sum::<f64>() / p.outline.len() as f64;
     let mut order: Vec<&Placed<'_>> = pieces.iter().collect();
     order.sort_by(|a, b| depth(a).total_cmp(&depth(b)));
-    let behind = order.iter().position(|p| depth(p) > 0.0).unwrap_or(order.len());
-    for (k, placed) in order.iter().enumerate() {
-        if k == behind {
-            silhouette(out, view, body, pixel);
-        }
-        draw_piece(out, placed, path);
-    }
-    if behind == order.len() {
-        silhouette(out, view, body, pixel);
-    }
+    let (behind, before) = order.split_at(order.partition_point(|p| depth(p) <= 0.0));
+    behind.iter().for_each(|placed| draw_piece(out, placed, path));
+    silhouette(out, view, body, pixel);
+    before.iter().for_each(|placed| draw_piece(out, placed, path));
     for (k, ends) in threads {
         let _ = writeln!(
             out,
@@ -158,12 +152,11 @@ fn draw_piece(out: &mut String, placed: &Placed<'_>, path: impl Fn(&[Vec3]) -> S
 /// The body as rows, each as wide as it is seen.
 fn silhouette(out: &mut String, view: &View, body: Option<&Body>, pixel: impl Fn(Vec2) -> (f64, f64)) {
     let Some(body) = body else { return };
-    let heights = || body.positions.iter().map(|p| p.y);
-    let (low, high) = (heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max));
+    let slices = Slices::new(body);
     let mut rows = String::new();
-    for k in 0..((high - low) / ROW) as usize {
-        let y = low + (k as f64 + 0.5) * ROW;
-        for section in sections(&body.positions, &body.triangles, Vec3::new(0.0, y, 0.0), Vec3::y()) {
+    for k in 0..(slices.height / ROW) as usize {
+        let y = slices.low + (k as f64 + 0.5) * ROW;
+        for section in slices.cut(y) {
             let (near, far) = section.bounds();
             let (x, bottom) = pixel(Vec2::new(view.at(near).x.min(view.at(far).x), y - 0.5 * ROW));
             let (to, top) = pixel(Vec2::new(view.at(near).x.max(view.at(far).x), y + 0.6 * ROW));
