@@ -138,10 +138,11 @@ fn the_seams_of_the_samples_are_found_as_far_as_their_marks_tell() {
             let run = toile(&[&["run"], &places[..], &more[..]].concat());
             assert_eq!(run.code, 0, "{name}: {run:?}");
         }
-        assert!(page.contains("data-toile-page") && !page.contains("http") && !page.contains("<script"));
-        // Three views of the pieces on the body, and one drawing for each piece.
-        let pieces = page.split("<h2>Pieces</h2>").nth(1).map_or(0, |p| p.matches("<svg").count());
-        assert!(pieces >= 2 && page.matches("<svg").count() == pieces + 3, "{name}: {pieces}");
+        assert!(page.contains("data-toile-page") && page.contains("id=\"toile-model\"") && !page.contains("http:"));
+        // Three views of the pieces on the body, one drawing for each piece, and every edge can be clicked.
+        let count = |text: &str| page.matches(text).count();
+        let pieces = page.split("<div class=\"pieces\">").nth(1).map_or(0, |p| p.matches("<svg").count());
+        assert!(pieces >= 2 && count("<svg") == pieces + 3 && count("data-edge=") >= 4 * pieces, "{name}: {pieces}");
     }
 }
 

@@ -14,6 +14,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 const CHECK: &str = include_str!("page/check.js");
+const CHECK_START: &str = include_str!("page/check_start.js");
 
 /// Runs a pipeline; gives the exit code.
 fn run(pipeline: &Path, out: &Path, more: &[&str]) -> Option<i32> {
@@ -36,10 +37,15 @@ fn program() -> Option<PathBuf> {
     found
 }
 
-/// Opens a page, runs the check in it, and gives what it saw.
+/// Opens a report, runs its check, and gives what it saw.
 fn opened(browser: &mut Browser, page: &Path, size: [u32; 2]) -> Value {
+    checked(browser, page, size, CHECK)
+}
+
+/// Opens a page, runs a check in it, and gives what it saw.
+fn checked(browser: &mut Browser, page: &Path, size: [u32; 2], check: &str) -> Value {
     browser.open(page, size);
-    let saw: Value = serde_json::from_str(browser.value(CHECK).as_str().expect("text")).expect("JSON");
+    let saw: Value = serde_json::from_str(browser.value(check).as_str().expect("text")).expect("JSON");
     assert_eq!(saw["errors"], json!([]), "{saw}");
     assert_eq!(saw["requests"], json!([]), "{saw}");
     assert_eq!(browser.problems(), [""; 0]);
@@ -141,4 +147,37 @@ fn a_failed_start_leaves_a_page_that_shows_where() {
     put("crossed.toml", &text.replace("[[stage]]\nuse = \"drape\"\n", ""));
     assert_eq!(run(&pipeline, &out, &[]), Some(0));
     assert!(!page.exists());
+}
+
+/// The page of a proposal shows the pieces on the body, and makes lines for the sewing file of edges that are clicked.
+#[test]
+fn the_page_of_a_proposal_shows_the_pieces_on_the_body() {
+    let Some(program) = program() else { return };
+    let folder = tempfile::tempdir().expect("folder");
+    let out = folder.path().join("new");
+    let pattern = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/patterns/long-skirt.aama.dxf");
+    let mut new = Command::new(env!("CARGO_BIN_EXE_toile"));
+    let made = new.arg("new").arg(pattern).args(["--body", "38", "--out"]).arg(&out).output().expect("program");
+    assert!(made.status.success(), "{made:?}");
+    let (mut browser, page) = (Browser::start(&program, &[]), out.join("start.html"));
+    for window in [[1400, 1000], [390, 844]] {
+        let saw = checked(&mut browser, &page, window, CHECK_START);
+        assert_eq!((&saw["ready"], &saw["pieces"], &saw["nameless"]), (&json!(true), &json!(2), &json!(0)));
+        // The body, the pieces on it, and the flat pieces are seen, and threads go from one to the other.
+        assert!(number(&saw, "/worn") > number(&saw, "/bare") + 0.01 && number(&saw, "/bare") > 0.05, "{saw}");
+        assert!(number(&saw, "/flat") > 0.05, "{saw}");
+        // A row of the table marks its seam in the view and in both drawings.
+        assert_eq!((&saw["row"]["name"], &saw["row"]["marked"]), (&json!("seam:0"), &json!(2)));
+        assert_ne!(saw["row"]["before"], saw["row"]["after"]);
+        says(&saw, "/row/words", "% sure");
+        let lines = saw["lines"].as_str().expect("lines");
+        assert!(
+            lines.starts_with("[[seam]]\nname = \"my seam\"\na = \"FRONT.") && lines.contains("\nb = \"BACK."),
+            "{lines}"
+        );
+    }
+    drop(browser);
+    let still = checked(&mut Browser::start(&program, &["--disable-3d-apis"]), &page, [1024, 768], CHECK_START);
+    assert_eq!((&still["ready"], &still["stills"]), (&json!(false), &json!(3)));
+    assert!(still["lines"].as_str().is_some_and(|l| l.starts_with("[[seam]]")), "{still}");
 }

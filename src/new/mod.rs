@@ -12,7 +12,6 @@ mod folder;
 mod page;
 mod pattern;
 mod pipeline;
-mod placed;
 mod samples;
 mod sewing;
 mod stand;

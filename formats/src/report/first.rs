@@ -3,6 +3,7 @@
 use super::fit::Fit;
 use super::live;
 use super::verdict::verdict;
+use super::viewer::{self, Figure};
 use super::words::Language;
 use crate::picture::{self, View, Wishes};
 use crate::svg::canvas::{escape, fixed};
@@ -38,49 +39,21 @@ fn view(out: &mut String, garment: &Garment, fit: &Fit, language: Language) {
     let wishes =
         Wishes { views: vec![View::Front, View::Back], width: STILL[0], height: STILL[1], body: true, field: None };
     let Ok(png) = picture::png(garment, &wishes) else { return };
-    let say = |words: &str| escape(language.say(words));
     let name = if garment.style.is_empty() { "garment" } else { &garment.style };
-    let named = |words: &str| escape(&language.fill(words, &[name.to_owned()]));
-    let _ = write!(
-        out,
-        "<figure class=\"view\">\n<div class=\"stage\"><img alt=\"{}\" width=\"{}\" height=\"{}\" src=\"{}\">\
-         <canvas data-view tabindex=\"0\" role=\"img\" aria-label=\"{}\"></canvas>\
-         <div id=\"spot\" hidden data-words=\"{}\"></div></div>\n<div class=\"tools\">\n",
-        named("{0}, from the front and from the back"),
-        2 * STILL[0],
-        STILL[1],
-        live::image(&png),
-        named("{0} in 3D. Arrow keys turn it, plus and minus change its size, 1 to 5 are fixed views."),
-        say("show the place"),
-    );
-    let looks = [("front", "Front"), ("back", "Back"), ("left", "Left"), ("right", "Right"), ("three-quarter", "¾")];
-    for (look, words) in looks {
-        let _ = write!(out, "<button type=\"button\" data-look=\"{look}\">{}</button>", say(words));
-    }
-    if garment.body.as_ref().is_some_and(|b| !b.triangles.is_empty()) {
-        let _ = write!(out, "<label><input type=\"checkbox\" id=\"body\" checked> {}</label>", say("body"));
-    }
-    let _ =
-        write!(out, "<label>{} <select id=\"map\"><option value=\"cloth\">{}</option>", say("colours"), say("cloth"));
-    for map in &fit.maps {
-        let _ = write!(out, "<option value=\"{}\">{}</option>", map.key, say(map.name));
-    }
-    let _ = write!(
-        out,
-        "</select></label>\n<label>{} <input type=\"range\" id=\"worn\" min=\"0\" max=\"100\" value=\"100\" \
-         aria-label=\"{}\"> {}</label>\n\
-         <label>{} <input type=\"range\" id=\"cut\" min=\"0\" max=\"100\" value=\"100\"></label>\n\
-         </div>\n<div id=\"legend\" hidden></div>\n<figure id=\"section\" hidden data-words=\"{}\">\
-         <svg role=\"img\" aria-label=\"{}\"><path class=\"body\"/><path class=\"cloth\"/></svg>\
-         <figcaption></figcaption></figure>\n<p id=\"picked\" role=\"status\" data-empty=\"{}\"></p>\n</figure>\n",
-        say("pattern"),
-        say("from the flat pattern to the garment"),
-        say("garment"),
-        say("cut at height"),
-        say("Section at {height} mm, seen from above. All cloth: {length} mm."),
-        say("section"),
-        say("Click a piece, a seam or a dart, here, in the drawing or in a table."),
-    );
+    let words = escape(&language.fill("{0}, from the front and from the back", &[name.to_owned()]));
+    let [width, height] = [2 * STILL[0], STILL[1]];
+    let still = format!("<img alt=\"{words}\" width=\"{width}\" height=\"{height}\" src=\"{}\">", live::image(&png));
+    let maps: Vec<(&str, &str)> = fit.maps.iter().map(|m| (m.key, m.name)).collect();
+    let figure = Figure {
+        name,
+        still: &still,
+        has_body: garment.body.as_ref().is_some_and(|b| !b.triangles.is_empty()),
+        maps: &maps,
+        has_section: true,
+        ways: ["pattern", "garment"],
+        invitation: "Click a piece, a seam or a dart, here, in the drawing or in a table.",
+    };
+    viewer::figure(out, &figure, language);
 }
 
 fn facts(out: &mut String, garment: &Garment, language: Language) {

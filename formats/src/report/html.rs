@@ -4,6 +4,7 @@ use super::first;
 use super::fit::Fit;
 use super::live;
 use super::tables::{Cell, Table, metric_words, tables};
+use super::viewer;
 use super::words::Language;
 use crate::svg;
 use crate::svg::canvas::{escape, fixed};
@@ -11,18 +12,6 @@ use std::fmt::Write as _;
 use toile_garment::flat::FlatMetric;
 use toile_garment::seam::SeamKind;
 use toile_garment::{Diagnostic, Garment};
-
-const STYLE: &str = include_str!("page/page.css");
-const SCRIPTS: [&str; 5] = [
-    include_str!("page/glb.js"),
-    include_str!("page/unfold.js"),
-    include_str!("page/shaders.js"),
-    include_str!("page/viewer.js"),
-    include_str!("page/page.js"),
-];
-
-/// The page may not fetch anything, whatever stands in it.
-const POLICY: &str = "default-src 'none'; img-src data: blob:; style-src 'unsafe-inline'; script-src 'unsafe-inline'";
 
 /// Tables that stand open in the page; the others are folded.
 const OPEN: [&str; 1] = ["ease"];
@@ -36,30 +25,15 @@ const FLATTENED: [&str; 7] =
 pub fn html(garment: &Garment, findings: &[Diagnostic], fit: &Fit, language: Language) -> String {
     let title = if garment.style.is_empty() { "garment" } else { &garment.style };
     let model = live::model(garment, fit);
-    let mut out = format!(
-        "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n\
-         <meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n\
-         <meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n<title>{}</title>\n\
-         <style>\n{STYLE}</style>\n</head>\n<body data-toile-page=\"1\">\n<main>\n",
-        language.tag(),
-        escape(title)
-    );
+    let mut out = String::new();
+    viewer::open(&mut out, title, language, "");
     first::screen(&mut out, garment, findings, fit, language);
     let all = shown_tables(garment, findings, fit);
     let (open, folded): (Vec<_>, Vec<_>) = all.iter().partition(|t| OPEN.contains(&t.key));
     open.iter().for_each(|t| table(&mut out, t, garment, language));
     drawings(&mut out, garment, language);
     folded.iter().for_each(|t| table(&mut out, t, garment, language));
-    out.push_str("</main>\n");
-    let _ = writeln!(
-        out,
-        "<script type=\"application/json\" id=\"toile-data\">{}</script>",
-        live::data(garment, fit, language)
-    );
-    if let Some(model) = model {
-        let _ = writeln!(out, "<script type=\"application/octet-stream\" id=\"toile-model\">{model}</script>");
-    }
-    let _ = writeln!(out, "<script>\n{}</script>\n</body>\n</html>", SCRIPTS.concat());
+    viewer::close(&mut out, &live::scene(garment, fit, language), model.as_deref(), "");
     out
 }
 

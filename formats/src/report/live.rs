@@ -1,13 +1,14 @@
 //! The data for the viewer of the page: the model as a GLB, and names, seams and maps as JSON.
 
 use super::fit::Fit;
+use super::viewer::{Line, Scene, Stretch};
 use super::words::Language;
 use crate::gltf::{self, ViewPiece};
-use crate::picture::{lay, openness};
+use crate::picture::{Field, lay, openness};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
-use serde_json::{Value, json};
-use toile_garment::seam::{Seam, SeamKind};
+use serde_json::{Map, Value, json};
+use toile_garment::seam::{Seam, SeamKind, SeamRun};
 use toile_garment::{Garment, Vec2};
 
 /// The model in base64. `None` without positions in 3D or with a mesh that cannot be written.
@@ -22,7 +23,7 @@ pub fn model(garment: &Garment, fit: &Fit) -> Option<String> {
         if let Some(mesh) = garment.pieces.get(k).and_then(|p| p.mesh.as_ref()) {
             let by = places.get(k).copied().unwrap_or_else(Vec2::zeros);
             view.flat = mesh.rest.iter().map(|p| [p.x + by.x, p.y + by.y]).collect();
-            let of_map = |f: &crate::picture::Field| Some((f.key.to_owned(), f.values.get(k)?.clone()));
+            let of_map = |f: &Field| Some((f.key.to_owned(), f.values.get(k)?.clone()));
             view.values.extend(fit.maps.iter().filter_map(of_map));
         }
         pieces.push(view);
@@ -31,15 +32,15 @@ pub fn model(garment: &Garment, fit: &Fit) -> Option<String> {
 }
 
 /// Names for people by the names that pick: `piece:NUMBER` and `seam:NUMBER`.
-fn names(garment: &Garment, language: Language) -> Value {
-    let mut out = serde_json::Map::new();
+fn names(garment: &Garment, language: Language) -> Map<String, Value> {
+    let mut out = Map::new();
     for (k, piece) in garment.pieces.iter().enumerate() {
         out.insert(format!("piece:{k}"), json!(format!("{} {}", language.say("piece"), piece.name)));
     }
     for (k, seam) in garment.seams.iter().enumerate() {
         out.insert(format!("seam:{k}"), json!(label(seam, language)));
     }
-    Value::Object(out)
+    out
 }
 
 fn label(seam: &Seam, language: Language) -> String {
@@ -49,21 +50,22 @@ fn label(seam: &Seam, language: Language) -> String {
     language.fill("{0} {1}: {2} mm on {3} mm", &values)
 }
 
-/// The data of the page, safe inside a script element.
+/// What the view knows of a garment besides its shape.
 #[must_use]
-pub fn data(garment: &Garment, fit: &Fit, language: Language) -> String {
-    let runs = |seam: &Seam| -> Value {
-        [&seam.a, &seam.b].iter().flat_map(|s| &s.runs).map(|r| json!([r.piece.index(), r.vertices])).collect()
+pub fn scene(garment: &Garment, fit: &Fit, language: Language) -> Scene {
+    let stretch = |r: &SeamRun| Stretch::Vertices(r.piece.index(), r.vertices.clone());
+    let line = |seam: &Seam| Line {
+        stretches: [&seam.a, &seam.b].iter().flat_map(|s| &s.runs).map(stretch).collect(),
+        colour: None,
     };
-    let field = |f: &crate::picture::Field| json!({ "key": f.key, "name": language.say(f.name), "unit": f.unit, "ends": f.ends(), "stops": f.stops() });
-    let value = json!({
-        "pieces": garment.pieces.len(),
-        "names": names(garment, language),
-        "seams": garment.seams.iter().map(|s| json!({ "runs": runs(s) })).collect::<Vec<_>>(),
-        "fields": fit.maps.iter().map(field).collect::<Vec<_>>(),
-    });
-    // A text that closes the element, or steers a reader, cannot stand in it.
-    toile_garment::text::json(&value.to_string()).replace('<', "\\u003c")
+    let field = |f: &Field| json!({ "key": f.key, "name": language.say(f.name), "unit": f.unit, "ends": f.ends(), "stops": f.stops() });
+    Scene {
+        pieces: garment.pieces.len(),
+        names: names(garment, language),
+        lines: garment.seams.iter().map(line).collect(),
+        fields: fit.maps.iter().map(field).collect(),
+        threads: Vec::new(),
+    }
 }
 
 /// PNG as the source of an image.

@@ -11,11 +11,13 @@ mod live;
 mod stats;
 mod tables;
 mod verdict;
+pub mod viewer;
 mod words;
 
 pub use fit::{Fit, FreeEdge, Level, Measure, Point};
 pub use html::html;
 pub use json::json;
+pub use live::model;
 pub use tables::{Cell, Table, tables};
 pub use verdict::{Verdict, verdict};
 pub use words::Language;

@@ -61,6 +61,11 @@
   };
   if (!viewer) return;
 
+  // A tool that a page may have.
+  const tool = (selector, event, use) => {
+    const found = one(selector);
+    if (found) found.addEventListener(event, use);
+  };
   const legend = one("#legend"), cutter = one("#cut"), inset = one("#section");
   function show() {
     const map = viewer.map;
@@ -101,18 +106,17 @@
   }
 
   all("[data-look]").forEach((b) => b.addEventListener("click", () => viewer.look(b.dataset.look)));
-  const body = one("#body");
-  if (body) body.addEventListener("change", () => { viewer.withBody = body.checked; viewer.draw(); });
-  one("#map").addEventListener("change", (e) => {
+  tool("#body", "change", (e) => { viewer.withBody = e.target.checked; viewer.draw(); });
+  tool("#map", "change", (e) => {
     viewer.setMap(data.fields.find((f) => f.key === e.target.value) || null);
     show();
   });
-  one("#worn").addEventListener("input", (e) => {
+  tool("#worn", "input", (e) => {
     viewer.share = Number(e.target.value) / 100;
     if (viewer.share < 0.5 && viewer.view !== "front") viewer.look("front");
     viewer.draw();
   });
-  cutter.addEventListener("input", cut);
+  tool("#cut", "input", cut);
 
   // Places that findings name can be shown.
   const spot = one("#spot");

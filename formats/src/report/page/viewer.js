@@ -22,15 +22,17 @@ function program(gl, vertex, fragment) {
 
 function attribute(gl, p, name, data, size) {
   const where = gl.getAttribLocation(p.made, name);
-  if (where < 0) return;
+  if (where < 0) return null;
   if (!data) {
     gl.vertexAttrib4f(where, 1, 1, 0, 0);
-    return;
+    return null;
   }
-  gl.bindBuffer(gl.ARRAY_BUFFER, gl.createBuffer());
+  const buffer = gl.createBuffer();
+  gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
   gl.bufferData(gl.ARRAY_BUFFER, data, gl.STATIC_DRAW);
   gl.enableVertexAttribArray(where);
   gl.vertexAttribPointer(where, size, gl.FLOAT, false, 0, 0);
+  return buffer;
 }
 
 function bounds(surfaces, name, size) {
@@ -62,7 +64,8 @@ class Viewer {
     this.ids = program(gl, VERTEX, PICK_FRAGMENT);
     this.line = program(gl, LINE_VERTEX, LINE_FRAGMENT);
     this.upload();
-    this.seams = data.seams.map((seam) => seam.runs.map(([piece, vertices]) => this.strip(piece, vertices)));
+    this.seams = data.seams.map((seam) => seam.runs.map((run) => this.strip(...this.points(run))));
+    this.threads = data.threads ? new Threads(this, data.threads) : null;
   }
 
   upload() {
@@ -100,18 +103,23 @@ class Viewer {
     }
   }
 
-  // A run of vertices as strips of two triangles for each segment.
-  strip(piece, vertices) {
-    const gl = this.gl, out = { from: [], to: [], fromFlat: [], toFlat: [], corner: [] };
-    const at = this.model.surfaces[piece].at;
-    const place = (v) => [...at.POSITION.subarray(3 * v, 3 * v + 3)];
+  // A run is vertices of a piece, or points of it: its piece, and each point worn and flat.
+  points(run) {
+    if (run.points) return [run.piece, run.points.map(([x, y, z, u, v]) => [[x, y, z], [u, v]])];
+    const [piece, vertices] = run, at = this.model.surfaces[piece].at;
     const flat = (v) => (at._FLAT ? [...at._FLAT.subarray(2 * v, 2 * v + 2)] : [0, 0]);
-    for (let i = 0; i + 1 < vertices.length; i++) {
+    return [piece, vertices.map((v) => [[...at.POSITION.subarray(3 * v, 3 * v + 3)], flat(v)])];
+  }
+
+  // A run as strips of two triangles for each segment.
+  strip(piece, points) {
+    const gl = this.gl, out = { from: [], to: [], fromFlat: [], toFlat: [], corner: [] };
+    for (let i = 0; i + 1 < points.length; i++) {
       for (const corner of [[0, -1], [1, -1], [1, 1], [0, -1], [1, 1], [0, 1]]) {
-        out.from.push(...place(vertices[i]));
-        out.to.push(...place(vertices[i + 1]));
-        out.fromFlat.push(...flat(vertices[i]));
-        out.toFlat.push(...flat(vertices[i + 1]));
+        out.from.push(...points[i][0]);
+        out.to.push(...points[i + 1][0]);
+        out.fromFlat.push(...points[i][1]);
+        out.toFlat.push(...points[i + 1][1]);
         out.corner.push(...corner);
       }
     }
@@ -121,7 +129,7 @@ class Viewer {
       attribute(gl, this.line, name, new Float32Array(out[name]), size);
     }
     gl.bindVertexArray(null);
-    return { piece, vao, count: out.corner.length / 2, points: vertices.map((v) => [place(v), flat(v)]) };
+    return { piece, vao, count: out.corner.length / 2, points };
   }
 
   setMap(field) {
@@ -245,15 +253,16 @@ class Viewer {
     gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
     this.seams.forEach((seam, k) => {
       const isPicked = this.picked === "seam:" + k;
-      gl.uniform4fv(p.at.colour, isPicked ? [0.91, 0.35, 0.05, 1] : [0, 0, 0, 0.4]);
-      const thin = Math.max(1.2, 0.0022 * camera.scale);
-      gl.uniform1f(p.at.width, isPicked ? Math.max(5, 2.5 * thin) : thin);
+      const own = this.data.seams[k].colour, thin = Math.max(1.2, 0.0022 * camera.scale) * (own ? 3 : 1);
+      gl.uniform4fv(p.at.colour, own ? [...own, 1] : isPicked ? [0.91, 0.35, 0.05, 1] : [0, 0, 0, 0.4]);
+      gl.uniform1f(p.at.width, isPicked ? Math.max(own ? 12 : 5, 2.5 * thin) : thin);
       for (const run of seam) {
         this.pose(p, this.model.surfaces[run.piece]);
         gl.bindVertexArray(run.vao);
         gl.drawArrays(gl.TRIANGLES, 0, run.count);
       }
     });
+    if (this.threads) this.threads.draw(p);
     gl.bindVertexArray(null);
     gl.disable(gl.BLEND);
   }

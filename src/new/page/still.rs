@@ -1,7 +1,8 @@
 //! The pieces around the body as they are before they are sewn, seen from three sides, with threads where seams will be.
 
-use super::dress::Dressed;
-use super::page::colour;
+use super::colour::colour;
+use super::on_body::fine;
+use crate::new::dress::Dressed;
 use std::fmt::Write as _;
 use toile_formats::svg::canvas::escape as escaped;
 use toile_garment::body::Body;
@@ -14,8 +15,6 @@ use toile_stages::roles::PiecePoint;
 const SCALE: f64 = 330.0;
 /// Room around a view, pixels.
 const EDGE: f64 = 12.0;
-/// Longest stretch of an outline that is drawn straight: pieces are bent around the body, m.
-const STRAIGHT: f64 = 0.01;
 /// Distance of the rows of which the picture of the body consists, m.
 const ROW: f64 = 0.008;
 
@@ -54,11 +53,7 @@ pub fn views(garment: &Garment, proposal: &Proposal, dressed: &Dressed, body: Op
     if pieces.is_empty() {
         return String::new();
     }
-    let mut out = String::from(
-        "<h2>On the body</h2>\n<p>The pieces as they lie before they are sewn. Thin lines lead to the points that they \
-         are sewn to. A <code>[[place]]</code> with <code>piece</code> and <code>move = [\"0 mm\", \"30 mm\", \"0 mm\"]\
-         </code> in the file moves a piece to the wearer's left, up and to the front.</p>\n",
-    );
+    let mut out = String::new();
     let threads = threads(dressed);
     View::all().iter().for_each(|view| draw(&mut out, view, &pieces, &threads, body));
     out
@@ -67,7 +62,7 @@ pub fn views(garment: &Garment, proposal: &Proposal, dressed: &Dressed, body: Op
 fn placed<'a>(garment: &'a Garment, proposal: &Proposal, dressed: &Dressed) -> Vec<Placed<'a>> {
     let one = |(index, piece): (usize, &'a Piece)| {
         let sheet = &dressed.arrangement.places.get(index)?.as_ref()?.sheet;
-        let line = |points: Vec<Vec2>| fine(points).into_iter().map(|p| sheet.at(p)).collect::<Vec<Vec3>>();
+        let line = |points: Vec<Vec2>| fine(&points).into_iter().map(|p| sheet.at(p)).collect::<Vec<Vec3>>();
         let mut outline = piece.outline.positions();
         outline.extend(outline.first().copied());
         let runs = proposal.seams.iter().enumerate().flat_map(|(k, s)| s.a.iter().chain(&s.b).map(move |r| (k, r)));
@@ -75,16 +70,6 @@ fn placed<'a>(garment: &'a Garment, proposal: &Proposal, dressed: &Dressed) -> V
         Some(Placed { piece, outline: line(outline), seams })
     };
     garment.pieces.iter().enumerate().filter_map(one).collect()
-}
-
-/// A line with points no further apart than [`STRAIGHT`].
-fn fine(points: Vec<Vec2>) -> Vec<Vec2> {
-    let mut out: Vec<Vec2> = points.first().copied().into_iter().collect();
-    for ends in points.windows(2) {
-        let parts = ((ends[1] - ends[0]).norm() / STRAIGHT).ceil().max(1.0);
-        out.extend((1..=parts as usize).map(|k| ends[0] + (ends[1] - ends[0]) * (k as f64 / parts)));
-    }
-    out
 }
 
 /// Pairs of points that are sewn to each other, with the number of their seam.
@@ -108,10 +93,11 @@ fn draw(out: &mut String, view: &View, pieces: &[Placed<'_>], threads: &[(usize,
     let size = (high - low) * SCALE;
     let _ = writeln!(
         out,
-        "<figure><figcaption>{}</figcaption>\n<svg width=\"{:.0}\" height=\"{:.0}\" role=\"img\">",
+        "<figure><figcaption>{}</figcaption>\n<svg viewBox=\"0 0 {:.0} {:.0}\" role=\"img\" aria-label=\"{}\">",
         view.name,
         size.x + 2.0 * EDGE,
-        size.y + 2.0 * EDGE
+        size.y + 2.0 * EDGE,
+        view.name
     );
     // What lies behind the body is drawn before it.
     let depth = |p: &Placed<'_>| p.outline.iter().map(|q| q.dot(&view.to_eye)).sum::<f64>() / p.outline.len() as f64;

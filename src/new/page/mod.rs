@@ -1,0 +1,115 @@
+//! `start.html`: the pieces on the body in 3D, the proposed seams, the least sure first, and all pieces with numbered
+//! edges. Edges that are clicked become the lines of a seam for the sewing file.
+
+mod colour;
+mod drawings;
+mod on_body;
+mod still;
+mod table;
+
+use super::dress::Dressed;
+use super::pattern::Source;
+use super::sewing::LEAST_SURE;
+use on_body::{OnBody, on_body};
+use std::fmt::Write as _;
+use toile_formats::report::Language;
+use toile_formats::report::viewer::{self, Figure};
+use toile_formats::svg::canvas::escape as escaped;
+use toile_garment::body::Body;
+use toile_stages::proposal::Proposal;
+
+/// From this confidence on a seam needs no second look.
+const SURE: f64 = 0.9;
+
+const STYLE: &str = include_str!("start.css");
+const SCRIPT: &str = include_str!("start.js");
+
+/// The page.
+pub fn page(source: &Source, proposal: &Proposal, dressed: &Dressed, body: Option<&Body>) -> String {
+    let piece_words = |k: usize| piece_words(source, dressed, k);
+    let seam_words = |k: usize| seam_words(proposal, k);
+    let view = on_body(&source.garment, proposal, dressed, body, [&piece_words, &seam_words]);
+    let title = source.file_name();
+    let mut out = String::new();
+    viewer::open(&mut out, &title, Language::English, STYLE);
+    out.push_str("<div class=\"first\">\n");
+    figure(&mut out, source, proposal, dressed, body);
+    let _ = writeln!(out, "<section>\n<h1>{}: what the program proposes</h1>", escaped(&title));
+    verdict(&mut out, source, proposal);
+    table::seams(&mut out, source, proposal);
+    out.push_str("</section>\n</div>\n");
+    pieces(&mut out, source, proposal, dressed, &view);
+    viewer::close(&mut out, &view.scene, view.model.as_deref(), SCRIPT);
+    out
+}
+
+/// A piece with its role, for people.
+fn piece_words(source: &Source, dressed: &Dressed, k: usize) -> String {
+    let role = dressed.roles.get(k).map(|r| r.words()).filter(|w| !w.is_empty());
+    let name = &source.garment.pieces[k].name;
+    role.map_or_else(|| name.clone(), |role| format!("{name} ({role})"))
+}
+
+/// A seam with its lengths, for people.
+fn seam_words(proposal: &Proposal, k: usize) -> String {
+    let seam = &proposal.seams[k];
+    let [a, b] = [seam.length_a, seam.length_b].map(|x| x * 1e3);
+    format!("{}: {a:.0} mm on {b:.0} mm, {:.0} % sure", seam.name, seam.confidence * 100.0)
+}
+
+fn figure(out: &mut String, source: &Source, proposal: &Proposal, dressed: &Dressed, body: Option<&Body>) {
+    let still = still::views(&source.garment, proposal, dressed, body);
+    if still.is_empty() {
+        out.push_str("<p>No piece has a place on the body yet.</p>\n");
+        return;
+    }
+    let figure = Figure {
+        name: &source.stem,
+        still: &format!("<div class=\"stills\">{still}</div>"),
+        has_body: body.is_some_and(|b| !b.triangles.is_empty()),
+        maps: &[],
+        has_section: false,
+        ways: ["flat pieces", "on the body"],
+        invitation: "Click a piece or a seam, here, in the table or in a drawing. Drag turns the view.",
+    };
+    viewer::figure(out, &figure, Language::English);
+}
+
+/// What a person should do next.
+fn verdict(out: &mut String, source: &Source, proposal: &Proposal) {
+    let count = |holds: &dyn Fn(f64) -> bool| proposal.seams.iter().filter(|s| holds(s.confidence)).count();
+    let (open, look) = (count(&|c| c < LEAST_SURE), count(&|c| (LEAST_SURE..SURE).contains(&c)));
+    let class = if open > 0 { "bad" } else { "good" };
+    let _ = write!(out, "<p class=\"verdict {class}\"><b>Seams: {}.</b>", proposal.seams.len());
+    let _ = match (open, look) {
+        (0, 0) => write!(out, "All are likely right."),
+        (0, look) => write!(out, "Please look at {look} of them."),
+        (open, 0) => write!(out, "{open} of them are too unsure to be sewn; a person decides."),
+        (open, look) => write!(out, "{open} of them are too unsure to be sewn; please look at {look} others."),
+    };
+    out.push_str(
+        "</p>\n<p>Lines of one colour are sewn to each other, grey lines stay open. Correct what is wrong in \
+         <code>sewing.toml</code>, and remove <code>proposed</code> from what is right. Then <code>toile run \
+         pipeline.toml</code> sews and drapes the garment.</p>\n",
+    );
+    if !source.left_out.is_empty() {
+        let names = escaped(&source.left_out.join(", "));
+        let _ = writeln!(out, "<p>Not sewn: {names}. The list <code>leave_out</code> in the file has them.</p>");
+    }
+}
+
+fn pieces(out: &mut String, source: &Source, proposal: &Proposal, dressed: &Dressed, view: &OnBody) {
+    out.push_str(
+        "<h2>Pieces</h2>\n<p>The small numbers are those of the edges: <code>PIECE.3</code> is edge 3 of PIECE. The \
+         arrow beside a number shows where the edge goes; its notches, the purple dots, count from its start. A \
+         <code>[[place]]</code> with <code>piece</code> and <code>move = [\"0 mm\", \"30 mm\", \"0 mm\"]</code> in the \
+         file moves a piece to the wearer's left, up and to the front.</p>\n",
+    );
+    out.push_str(include_str!("composer.html"));
+    out.push_str("<div class=\"pieces\">\n");
+    for (index, piece) in source.garment.pieces.iter().enumerate() {
+        let words = piece_words(source, dressed, index);
+        drawings::figure(out, proposal, piece, &words, view.numbers.get(index).copied().flatten());
+    }
+    out.push_str("</div>\n");
+}
