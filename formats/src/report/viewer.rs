@@ -82,12 +82,12 @@ pub struct Scene {
 
 /// The beginning of a page, up to its content.
 pub fn open(out: &mut String, title: &str, language: Language, more_style: &str) {
-    let _ = write!(
+    let _ = writeln!(
         out,
         "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n\
          <meta name=\"viewport\" content=\"width=device-width,initial-scale=1\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n<title>{}</title>\n\
-         <style>\n{STYLE}{more_style}</style>\n</head>\n<body data-toile-page=\"1\">\n<main>\n",
+         <style>\n{STYLE}{more_style}</style>\n</head>\n<body data-toile-page=\"1\">\n<main>",
         language.tag(),
         escape(title)
     );
@@ -140,11 +140,11 @@ fn rounded(points: &[[f64; 5]]) -> Vec<[f64; 5]> {
 pub fn figure(out: &mut String, figure: &Figure<'_>, language: Language) {
     let say = |words: &str| escape(language.say(words));
     let in_space = "{0} in 3D. Arrow keys turn it, plus and minus change its size, 1 to 5 are fixed views.";
-    let _ = write!(
+    let _ = writeln!(
         out,
         "<figure class=\"view\">\n<div class=\"stage\">{}\
          <canvas data-view tabindex=\"0\" role=\"img\" aria-label=\"{}\"></canvas>\
-         <div id=\"spot\" hidden data-words=\"{}\"></div></div>\n<div class=\"tools\">\n",
+         <div id=\"spot\" hidden data-words=\"{}\"></div></div>\n<div class=\"tools\">",
         figure.still,
         escape(&language.fill(in_space, &[figure.name.to_owned()])),
         say("show the place"),
@@ -160,17 +160,17 @@ pub fn figure(out: &mut String, figure: &Figure<'_>, language: Language) {
         maps(out, figure.maps, language);
     }
     let [flat, worn] = figure.ways;
-    let _ = write!(
+    let _ = writeln!(
         out,
-        "<label>{} <input type=\"range\" id=\"worn\" min=\"0\" max=\"100\" value=\"100\" aria-label=\"{}\"> {}</label>\n",
+        "<label>{} <input type=\"range\" id=\"worn\" min=\"0\" max=\"100\" value=\"100\" aria-label=\"{}\"> {}</label>",
         say(flat),
         say("from the flat pattern to the garment"),
         say(worn)
     );
     if figure.has_section {
-        let _ = write!(
+        let _ = writeln!(
             out,
-            "<label>{} <input type=\"range\" id=\"cut\" min=\"0\" max=\"100\" value=\"100\"></label>\n",
+            "<label>{} <input type=\"range\" id=\"cut\" min=\"0\" max=\"100\" value=\"100\"></label>",
             say("cut at height")
         );
     }
@@ -194,11 +194,11 @@ fn maps(out: &mut String, maps: &[(&str, &str)], language: Language) {
 
 fn section(out: &mut String, language: Language) {
     let say = |words: &str| escape(language.say(words));
-    let _ = write!(
+    let _ = writeln!(
         out,
         "<figure id=\"section\" hidden data-words=\"{}\">\
          <svg role=\"img\" aria-label=\"{}\"><path class=\"body\"/><path class=\"cloth\"/></svg>\
-         <figcaption></figcaption></figure>\n",
+         <figcaption></figcaption></figure>",
         say("Section at {height} mm, seen from above. All cloth: {length} mm."),
         say("section"),
     );
