@@ -151,7 +151,7 @@ fn move_pair(d: &mut Dresser<'_>, [i, k]: [usize; 2], by: Vec3) {
 }
 
 /// Moves sheets that lie over each other in nearly one plane apart along their normals. `order` is that of placing;
-/// what is placed later goes outside, but sleeves stay inside.
+/// what is placed later goes outside, but sleeves stay inside. A lapel that folds over goes outside from behind, too.
 pub fn layers(d: &mut Dresser<'_>, order: &[usize]) {
     for _ in 0..4 {
         let mut moved = false;
@@ -162,7 +162,7 @@ pub fn layers(d: &mut Dresser<'_>, order: &[usize]) {
                 // The one that goes outside, and how far outside it is already.
                 let (outer, already) = match (is_on_arm(*i), is_on_arm(*k)) {
                     (false, true) => (*i, -before),
-                    _ if before < -LAYER => continue,
+                    _ if before < -LAYER && !d.folds_over(*k, *i) => continue,
                     _ => (*k, before),
                 };
                 if already < LAYER

@@ -135,6 +135,17 @@ impl<'a> Dresser<'a> {
         })
     }
 
+    /// Returns `true` if a piece lies turned over on another: where they are sewn, both outlines go the same way round.
+    pub fn folds_over(&self, i: usize, on: usize) -> bool {
+        let own: Vec<&Thread> = self.threads[i].iter().filter(|t| t.other.piece == on).collect();
+        let pairs = own.windows(2).filter(|w| w[0].join == w[1].join);
+        let sense = |w: &[&Thread]| {
+            let own = side(w[1].at - w[0].at, w[0].outwards);
+            own * side(w[1].other.at - w[0].other.at, w[0].other_outwards) * w[0].share
+        };
+        pairs.map(sense).sum::<f64>() > 0.0
+    }
+
     /// Middle of a piece after a turn, m.
     pub fn middle(&self, i: usize, turn: f64) -> Vec2 {
         let [low, high] = self.outlines[i].map(|p| turned(p, turn)).bounds();
@@ -147,6 +158,11 @@ impl<'a> Dresser<'a> {
         let (sum, weight) = on.fold((Vec2::zeros(), 0.0), |(s, w), t| (s + t.at * t.share, w + t.share));
         (weight > 0.0).then(|| sum / weight)
     }
+}
+
+/// On which side of a way a direction points: 1 to its left, −1 to its right.
+fn side(way: Vec2, direction: Vec2) -> f64 {
+    way.perp(&direction).signum()
 }
 
 /// Mean distance of the points that a seam of a piece with itself joins, m.

@@ -163,6 +163,23 @@ fn places_that_a_person_gives_stay_and_the_rest_follows() {
 }
 
 #[test]
+fn a_lapel_that_folds_over_lies_outside_and_a_facing_that_does_not_stays_inside() {
+    // Both outlines go the same way round along the neckline where the lapel lies turned over on the front.
+    for (sign, is_outside) in [(1.0, true), (-1.0, false)] {
+        let (mut pieces, mut joins) = shirt(["FRONT", "BACK", "SLEEVE", "SLEEVE-2"]);
+        let mut lapel = vec![[0.0, 0.0], [sign * 50.0, 40.0], [sign * 50.0, 87.0], [0.0, 87.0]];
+        if sign < 0.0 {
+            lapel.reverse();
+        }
+        pieces.push(piece(4, "COLLAR-FRONT-LEFT", &corners(&lapel)));
+        joins.push(join("lapel", (0, [[75.0, 590.0], [40.0, 510.0]]), (4, [[0.0, 87.0], [0.0, 0.0]])));
+        let a = arranged(&pieces, &joins);
+        let (front, lapel) = (middle(&a, &pieces, 0), middle(&a, &pieces, 4));
+        assert_eq!(lapel.z > front.z, is_outside, "{front} {lapel}");
+    }
+}
+
+#[test]
 fn a_piece_that_is_sewn_to_nothing_has_no_place() {
     let (mut pieces, joins) = shirt(["FRONT", "BACK", "SLEEVE", "SLEEVE-2"]);
     pieces.push(piece(4, "LABEL", &corners(&[[0.0, 0.0], [40.0, 0.0], [40.0, 20.0], [0.0, 20.0]])));
