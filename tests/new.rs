@@ -269,6 +269,38 @@ fn a_sewing_file_is_filled_and_what_a_person_took_out_stays_out() {
     assert_eq!(filled.matches("\nproposed = ").count(), 1);
 }
 
+/// The page and the proposal show a person's seams to the millimetre, also where no notch marks their ends.
+#[test]
+fn seams_of_the_file_are_shown_as_they_were_written() {
+    let (_dir, out) = folder();
+    let (_, proposed) = new("long-skirt", &out, &[]);
+    let length = |of: &Value| {
+        let points = of["runs"][0]["points_mm"].as_array().expect("points");
+        let at = |p: &Value| [0, 1].map(|k| p[k].as_f64().expect("number"));
+        points.windows(2).map(|w| (at(&w[1])[0] - at(&w[0])[0]).hypot(at(&w[1])[1] - at(&w[0])[1])).sum::<f64>()
+    };
+    let side = |p: &Value, name: &str| {
+        let seams = p["seams"].as_array().expect("seams").clone();
+        seams.into_iter().find(|s| s["name"] == name).unwrap_or_else(|| panic!("{name}"))
+    };
+    let whole = length(&side(&proposed, "side seam left")["a"]);
+    let part = |edge: &str| {
+        let (piece, number) = edge.split_once('.').expect("edge");
+        format!("{{ piece = \"{piece}\", edge = {number}, from = \"30 %\", to = \"90 %\" }}")
+    };
+    let text = std::fs::read_to_string(out.join("sewing.toml")).expect("text");
+    let seam = text.split("[[seam]]").find(|t| t.contains("\"side seam left\"")).expect("seam");
+    let edges: Vec<&str> = seam.lines().filter_map(|l| l.split('"').nth(1)).filter(|e| e.contains('.')).collect();
+    let mine = format!("[[seam]]\nname = \"slit\"\na = {}\nb = {}\n", part(edges[0]), part(edges[1]));
+    let mine = mine.replacen("\"30 %\", to = \"90 %\"", "\"10 %\", to = \"70 %\"", 1);
+    std::fs::write(out.join("sewing.toml"), &mine).expect("written");
+    let (_, again) = new("long-skirt", &out, &[]);
+    let shown = side(&again, "slit");
+    assert!((length(&shown["a"]) - 0.6 * whole).abs() < 0.5 && shown["confidence"] == 1.0, "{shown} {whole}");
+    let page = std::fs::read_to_string(out.join("start.html")).expect("page");
+    assert!(page.contains("Yours, from sewing.toml") && page.contains("slit: "), "{mine}");
+}
+
 /// A pattern in millimetres with all places in metres.
 fn in_metres(pattern: &Path) -> String {
     let text = std::fs::read_to_string(pattern).expect("pattern");

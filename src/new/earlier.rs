@@ -8,18 +8,14 @@ use super::stock::Body;
 use crate::engine::{MAX_INPUT, of_file_error, read_limited};
 use serde_json::Value;
 use std::path::Path;
-use toile_garment::sewing::{SeamSpec, SewingPlan};
-use toile_garment::{Diagnostic, Vec2};
-use toile_stages::proposal::{Known, ProposedSeam, Run};
-use toile_stages::roles::{Join, PiecePoint, joins_of_plan};
-use toile_stages::sewing::ring::{arcs, nearest_on};
+use toile_garment::Diagnostic;
+use toile_garment::sewing::SewingPlan;
+use toile_stages::proposal::{Known, written};
+use toile_stages::roles::joins_of_plan;
 use toile_stages::sewing::{resolve, shapes};
 
 /// Copies of one piece that are looked for at most.
 const MOST_COPIES: u64 = 2;
-
-/// A point nearer to a run lies on it, metres: points of the sewing file are snapped to the outline.
-const ON_RUN: f64 = 1e-3;
 
 /// The files of a folder that are looked at.
 #[derive(Debug)]
@@ -66,43 +62,26 @@ impl Earlier {
         Ok(Some(Self { text, plan, pieces: list("pieces"), seams: list("seams"), body: body_of(folder) }))
     }
 
-    /// Likelihood of a seam that the person has not confirmed yet: it is no surer for lying in the sewing file.
-    pub fn doubt(&self, seam: &SeamSpec) -> Option<f64> {
-        let told = seam.proposed?;
-        let exact = self.seams.iter().find(|s| s["name"] == seam.name).and_then(|s| s["confidence"].as_f64());
+    /// Likelihood of a seam. One that the person has not confirmed yet is no surer for lying in the sewing file.
+    fn confidence(&self, name: &str) -> f64 {
+        let Some(told) = self.plan.seams.iter().find(|s| s.name == name).and_then(|s| s.proposed) else { return 1.0 };
+        let exact = self.seams.iter().find(|s| s["name"] == name).and_then(|s| s["confidence"].as_f64());
         // The sewing file has two digits.
-        Some(exact.filter(|c| (c - told).abs() <= 0.006).unwrap_or(told))
-    }
-
-    /// The seams of the sewing file, as points that meet.
-    ///
-    /// # Errors
-    /// Seams that are not on the outlines.
-    pub fn joins(&self, source: &Source) -> Result<Vec<Join>, Vec<Diagnostic>> {
-        let rings = shapes::shapes(&source.garment)?;
-        let seams = resolve::placed(resolve::find(&source.garment, &rings))?;
-        Ok(joins_of_plan(&seams, &rings))
-    }
-
-    /// The seam of the sewing file whose points a proposed one sews to each other.
-    pub fn told(&self, joins: &[Join], seam: &ProposedSeam) -> Option<&SeamSpec> {
-        let lies = |runs: &[Run], p: &PiecePoint| runs.iter().any(|r| r.piece == p.piece && is_near(r, p.at));
-        let meets =
-            |[p, q]: &[PiecePoint; 2]| lies(&seam.a, p) && lies(&seam.b, q) || lies(&seam.a, q) && lies(&seam.b, p);
-        let same = joins.iter().find(|j| 2 * j.pairs.iter().filter(|pair| meets(pair)).count() > j.pairs.len())?;
-        self.plan.seams.iter().find(|s| s.name == same.name)
+        exact.filter(|c| (c - told).abs() <= 0.006).unwrap_or(told)
     }
 
     /// The person's decisions: the seams of the sewing file, and the pieces that had a proposal.
-    pub fn decisions(&self, source: &Source, joins: &[Join]) -> Known {
-        let given: Vec<[PiecePoint; 2]> = joins.iter().flat_map(|j| j.pairs.iter().copied()).collect();
+    ///
+    /// # Errors
+    /// Seams that are not on the outlines.
+    pub fn decisions(&self, source: &Source) -> Result<Known, Vec<Diagnostic>> {
+        let rings = shapes::shapes(&source.garment)?;
+        let seams = resolve::placed(resolve::find(&source.garment, &rings))?;
+        let given = joins_of_plan(&seams, &rings).into_iter().flat_map(|j| j.pairs).collect();
         let copies = |p: &Value| p["copies"].as_u64().unwrap_or(1).min(MOST_COPIES);
         let instances = |p: &Value| (0..copies(p)).filter_map(|i| source.find(p["block"].as_str()?, i)).collect();
         let decided = self.pieces.iter().flat_map(|p| -> Vec<(usize, bool)> { instances(p) }).map(|(piece, _)| piece);
-        Known { given, decided: decided.collect() }
+        let decided = decided.collect();
+        Ok(Known { given, decided, written: written(&source.garment, &rings, &seams, |name| self.confidence(name)) })
     }
-}
-
-fn is_near(run: &Run, at: Vec2) -> bool {
-    nearest_on(&run.points, &arcs(&run.points, false), false, at).1 < ON_RUN
 }

@@ -106,8 +106,7 @@ fn worn(order: &Order<'_>, source: &Source, proposal: &Proposal) -> Result<Worn,
 /// # Errors
 /// The pattern cannot be sewn, or the body or fabric is not there.
 pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
-    let joins = order.earlier.map(|e| e.joins(order.source)).transpose()?.unwrap_or_default();
-    let known = order.earlier.map(|e| e.decisions(order.source, &joins)).unwrap_or_default();
+    let known = order.earlier.map(|e| e.decisions(order.source)).transpose()?.unwrap_or_default();
     let mut proposal = proposed(order.source, order.is_anonymous, &known)?;
     let mut source = order.source.clone();
     while order.earlier.is_none() && !proposal.seams.is_empty() {
@@ -121,12 +120,10 @@ pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
     }
     let source = &source;
     let Worn { body: own, opened: body, dressed, findings } = worn(order, source, &proposal)?;
-    for (seam, name) in proposal.seams.iter_mut().zip(&dressed.seam_names) {
-        let told = order.earlier.and_then(|e| Some((e, e.told(&joins, seam)?)));
-        seam.confidence = told.and_then(|(e, told)| e.doubt(told)).unwrap_or(seam.confidence);
-        if let Some(name) = told.map(|(_, told)| &told.name).or(name.as_ref()) {
-            seam.name.clone_from(name);
-        }
+    let new =
+        proposal.seams.iter_mut().zip(&proposal.given).zip(&dressed.seam_names).filter(|((_, given), _)| !**given);
+    for ((seam, _), name) in new {
+        seam.name = name.clone().unwrap_or_else(|| seam.name.clone());
     }
     let document = document::document(source, &proposal, &dressed, order.is_anonymous);
     let open = sewing::missing(&proposal).filter(|s| s.confidence < sewing::LEAST_SURE).count();

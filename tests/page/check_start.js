@@ -50,9 +50,10 @@
       out.stills = [...document.querySelectorAll(".stills svg")].filter((e) => e.getBoundingClientRect().width > 50).length;
     }
     document.getElementById("composing").click();
-    const edge = (piece) => [...document.querySelectorAll(".edge")].find((e) => e.dataset.edge.startsWith(piece));
-    press(edge("FRONT"));
-    press(edge("BACK"));
+    const edges = (name) => [...document.querySelectorAll(".edge")].filter((e) => e.dataset.edge === name);
+    edges("FRONT.0").forEach(press);
+    document.querySelector("input[name=side][value=b]").click();
+    edges("BACK.0").forEach(press);
     out.lines = document.getElementById("lines").textContent;
     const named = (e) => e.getAttribute("aria-label") || e.labels?.length || e.textContent.trim() || e.title;
     out.nameless = [...document.querySelectorAll("button, input, select, canvas, summary, [role=button]")].filter((e) => !named(e)).length;

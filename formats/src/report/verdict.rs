@@ -26,8 +26,9 @@ pub fn verdict(garment: &Garment, findings: &[Diagnostic], language: Language) -
         }
         (_, Some(error)) => (Some(false), "Failed.", error.message.clone()),
         (Some(c), None) => {
-            let strain = fixed(100.0 * c.strain_over_limit, 0);
-            (Some(true), "Passed.", language.fill(SOUND, &[strain]))
+            let allowed = c.limits.get("strain_over_limit").copied().unwrap_or(1.0);
+            let [strain, allowed] = [c.strain_over_limit, allowed].map(|x| fixed(100.0 * x, 0));
+            (Some(true), "Passed.", language.fill(SOUND, &[strain, allowed]))
         }
         (None, None) => (None, "Not draped.", language.say(NOTHING).to_owned()),
     };
@@ -35,7 +36,7 @@ pub fn verdict(garment: &Garment, findings: &[Diagnostic], language: Language) -
 }
 
 const SOUND: &str = "The garment came to rest, its seams and darts are closed, nothing crosses, and the largest strain \
-                     is {0} % of what the fabric bears.";
+                     is {0} % of what the fabric bears ({1} % are allowed).";
 
 const NOTHING: &str = "There is no drape and so no certificate; this page shows the garment as far as it was made.";
 

@@ -46,8 +46,8 @@ const CATALOGUE: &[(&str, &str)] = &[
     ("Not draped.", "未模拟。"),
     (
         "The garment came to rest, its seams and darts are closed, nothing crosses, and the largest strain is {0} % of \
-         what the fabric bears.",
-        "服装已静止，缝线和省道均已闭合，没有穿插，最大应变为面料允许值的 {0} %。",
+         what the fabric bears ({1} % are allowed).",
+        "服装已静止，缝线和省道均已闭合，没有穿插，最大应变为面料允许值的 {0} %（上限 {1} %）。",
     ),
     (
         "There is no drape and so no certificate; this page shows the garment as far as it was made.",

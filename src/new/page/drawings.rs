@@ -5,12 +5,18 @@ use std::fmt::Write as _;
 use toile_formats::svg::canvas::escape as escaped;
 use toile_garment::outline::OutlineEdge;
 use toile_garment::{Piece, Vec2};
-use toile_stages::proposal::Proposal;
+use toile_stages::proposal::{Proposal, ProposedSeam};
+use toile_stages::sewing::edges::Edge;
+use toile_stages::sewing::ring::{along as line_point, arcs};
 
 /// Pixels for a metre of cloth.
 const SCALE: f64 = 420.0;
+/// Longest side of a small piece, pixels: it is drawn larger, so that its numbers can be read.
+const SMALL: f64 = 240.0;
 /// Room around a piece, pixels.
 const MARGIN: f64 = 26.0;
+/// Lengths that differ by less are one, metres.
+const SAME_LENGTH: f64 = 1e-5;
 /// Length of the arrow on an edge, pixels.
 const ARROW: f64 = 8.0;
 
@@ -18,6 +24,7 @@ const ARROW: f64 = 8.0;
 struct Frame {
     low: Vec2,
     high: Vec2,
+    scale: f64,
 }
 
 impl Frame {
@@ -25,15 +32,16 @@ impl Frame {
         let extreme = |choose: fn(f64, f64) -> f64| {
             points.iter().copied().reduce(|a, b| Vec2::new(choose(a.x, b.x), choose(a.y, b.y)))
         };
-        Some(Self { low: extreme(f64::min)?, high: extreme(f64::max)? })
+        let (low, high) = (extreme(f64::min)?, extreme(f64::max)?);
+        Some(Self { low, high, scale: SCALE.max(SMALL / (high - low).max().max(1e-3)) })
     }
 
     fn size(&self) -> Vec2 {
-        (self.high - self.low) * SCALE + Vec2::repeat(2.0 * MARGIN)
+        (self.high - self.low) * self.scale + Vec2::repeat(2.0 * MARGIN)
     }
 
     fn at(&self, p: Vec2) -> (f64, f64) {
-        (MARGIN + (p.x - self.low.x) * SCALE, MARGIN + (self.high.y - p.y) * SCALE)
+        (MARGIN + (p.x - self.low.x) * self.scale, MARGIN + (self.high.y - p.y) * self.scale)
     }
 
     fn path(&self, points: &[Vec2]) -> String {
@@ -42,8 +50,34 @@ impl Frame {
     }
 }
 
-/// Writes the drawing of a piece. `number` is that of the piece in the view.
-pub fn figure(out: &mut String, proposal: &Proposal, piece: &Piece, words: &str, number: Option<usize>) {
+/// A piece to be drawn.
+pub struct Drawn<'a> {
+    /// All seams.
+    pub proposal: &'a Proposal,
+    /// The piece.
+    pub piece: &'a Piece,
+    /// The edges of all pieces, as they are sewn.
+    pub edges: &'a [Edge],
+    /// Its name and role.
+    pub words: String,
+    /// Its number in the view.
+    pub number: Option<usize>,
+}
+
+impl Drawn<'_> {
+    /// Names of the seams that have an edge, or a part of it.
+    fn seams_of(&self, edge: &OutlineEdge) -> Vec<&str> {
+        let has = |seam: &&ProposedSeam| {
+            let mut runs = seam.a.iter().chain(&seam.b).filter(|r| r.piece == self.piece.id.index());
+            runs.any(|r| r.edges.iter().any(|e| e.number == edge.index))
+        };
+        self.proposal.seams.iter().filter(has).map(|s| s.name.as_str()).collect()
+    }
+}
+
+/// Writes the drawing of a piece.
+pub fn figure(out: &mut String, drawn: &Drawn<'_>) {
+    let Drawn { proposal, piece, words, number, .. } = drawn;
     let points = piece.outline.positions();
     let Some(frame) = Frame::of(&points) else { return };
     let size = frame.size();
@@ -68,7 +102,7 @@ pub fn figure(out: &mut String, proposal: &Proposal, piece: &Piece, words: &str,
     }
     for edge in &piece.edges {
         let along = along(&points, edge);
-        clickable(out, proposal, piece, edge, &along, &frame);
+        clickable(out, drawn, &frame, edge, &along);
         label(out, edge, &along, &frame);
     }
     out.push_str("</svg></figure>\n");
@@ -96,27 +130,47 @@ fn along(outline: &[Vec2], edge: &OutlineEdge) -> Vec<Vec2> {
     (0..=steps % n.max(1)).filter_map(|k| outline.get((from + k) % n).copied()).collect()
 }
 
-/// An unseen wide line over an edge, for the pointer and the keyboard.
-fn clickable(out: &mut String, proposal: &Proposal, piece: &Piece, edge: &OutlineEdge, along: &[Vec2], frame: &Frame) {
-    let length: f64 = along.windows(2).map(|w| (w[1] - w[0]).norm()).sum();
-    let has = |seam: &&toile_stages::proposal::ProposedSeam| {
-        let mut runs = seam.a.iter().chain(&seam.b).filter(|r| r.piece == piece.id.index());
-        runs.any(|r| r.edges.iter().any(|e| e.number == edge.index))
+/// Unseen wide lines over an edge, one from notch to notch, for the pointer and the keyboard.
+fn clickable(out: &mut String, drawn: &Drawn<'_>, frame: &Frame, edge: &OutlineEdge, along: &[Vec2]) {
+    let arcs = arcs(along, false);
+    let length = arcs.last().copied().unwrap_or_default();
+    let name = escaped(&format!("{}.{}", drawn.piece.name, edge.index));
+    let seams = escaped(&drawn.seams_of(edge).join("|"));
+    // Where an intake lies on the edge, its notches are not where the drawing has them.
+    let sewn = drawn.edges.iter().find(|e| e.piece == drawn.piece.id && e.number == edge.index);
+    let sewn = sewn.filter(|e| (e.length - length).abs() < SAME_LENGTH);
+    let notches: &[f64] = sewn.map_or(&[], |e| &e.notches);
+    let ends: Vec<f64> = [&[0.0], notches, &[length]].concat();
+    let parts = ends.len() - 1;
+    let place = |k: usize| match k {
+        0 => "start".to_owned(),
+        k if k == parts => "end".to_owned(),
+        k => format!("notch {k}"),
     };
-    let seams: Vec<&str> = proposal.seams.iter().filter(has).map(|s| s.name.as_str()).collect();
-    let name = escaped(&format!("{}.{}", piece.name, edge.index));
-    let _ = writeln!(
-        out,
-        "<polyline class=\"edge\" points=\"{}\" data-edge=\"{name}\" data-mm=\"{:.2}\" data-seams=\"{}\" role=\"button\" \
-         tabindex=\"-1\" aria-label=\"edge {name}, {:.0} mm\"/>",
-        frame.path(along),
-        length * 1e3,
-        escaped(&seams.join("|")),
-        length * 1e3
-    );
+    for k in 0..parts {
+        let (from, to) = (place(k), place(k + 1));
+        let mm = (ends[k + 1] - ends[k]) * 1e3;
+        let _ = writeln!(
+            out,
+            "<polyline class=\"edge\" points=\"{}\" data-edge=\"{name}\" data-part=\"{k}\" data-from=\"{from}\" \
+             data-to=\"{to}\" data-mm=\"{mm:.2}\" data-seams=\"{seams}\" role=\"button\" tabindex=\"-1\" \
+             aria-label=\"edge {name} from {from} to {to}, {mm:.0} mm\"/>",
+            frame.path(&between(along, &arcs, [ends[k], ends[k + 1]])),
+        );
+    }
 }
 
-/// The number of an edge, and an arrow along it.
+/// The points of a line between two distances from its start.
+fn between(points: &[Vec2], arcs: &[f64], [from, to]: [f64; 2]) -> Vec<Vec2> {
+    let at = |s: f64| {
+        let k = arcs.partition_point(|a| *a < s).clamp(1, arcs.len() - 1);
+        line_point(points[k - 1], points[k], arcs[k - 1], arcs[k], s)
+    };
+    let inside = points.iter().zip(arcs).filter(|(_, s)| (from..to).contains(*s) && **s > from).map(|(p, _)| *p);
+    std::iter::once(at(from)).chain(inside).chain(std::iter::once(at(to))).collect()
+}
+
+/// The number of an edge, outside the piece, and an arrow along it.
 fn label(out: &mut String, edge: &OutlineEdge, along: &[Vec2], frame: &Frame) {
     let Some((middle, way)) = middle(along) else { return };
     let ((x, y), (dx, dy)) = (frame.at(middle), (way.x * ARROW, -way.y * ARROW));
@@ -129,8 +183,8 @@ fn label(out: &mut String, edge: &OutlineEdge, along: &[Vec2], frame: &Frame) {
         y - dy + dx * 0.5,
         x - dx + dy * 0.5,
         y - dy - dx * 0.5,
-        x + dy * 1.6,
-        y - dx * 1.6 + 4.0,
+        x - dy * 1.6,
+        y + dx * 1.6 + 4.0,
         edge.index
     );
 }

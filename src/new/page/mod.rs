@@ -10,6 +10,7 @@ mod table;
 use super::dress::Dressed;
 use super::pattern::Source;
 use super::sewing::LEAST_SURE;
+use drawings::Drawn;
 use on_body::{OnBody, on_body};
 use std::fmt::Write as _;
 use toile_formats::report::Language;
@@ -17,6 +18,8 @@ use toile_formats::report::viewer::{self, Figure};
 use toile_formats::svg::canvas::escape as escaped;
 use toile_garment::body::Body;
 use toile_stages::proposal::Proposal;
+use toile_stages::sewing::edges::edges;
+use toile_stages::sewing::shapes::shapes;
 
 /// From this confidence on a seam needs no second look.
 const SURE: f64 = 0.9;
@@ -107,9 +110,12 @@ fn pieces(out: &mut String, source: &Source, proposal: &Proposal, dressed: &Dres
     );
     out.push_str(include_str!("composer.html"));
     out.push_str("<div class=\"pieces\">\n");
-    for (index, piece) in source.garment.pieces.iter().enumerate() {
+    let garment = &source.garment;
+    let edges = shapes(garment).map(|s| edges(garment, &s)).unwrap_or_default();
+    for (index, piece) in garment.pieces.iter().enumerate() {
         let words = piece_words(source, dressed, index);
-        drawings::figure(out, proposal, piece, &words, view.numbers.get(index).copied().flatten());
+        let number = view.numbers.get(index).copied().flatten();
+        drawings::figure(out, &Drawn { proposal, piece, edges: &edges, words, number });
     }
     out.push_str("</div>\n");
 }

@@ -9,14 +9,40 @@
 
   const side = () => one("input[name=side]:checked").value;
   const long = (list) => list.reduce((sum, e) => sum + Number(e.dataset.mm), 0);
-  const names = (list) => list.map((e) => JSON.stringify(e.dataset.edge));
-  const written = (list) => (list.length === 1 ? names(list)[0] : `[${names(list).join(", ")}]`);
+  const parts = (name) => edges.filter((e) => e.dataset.edge === name);
+
+  // The stretches of a side as edges and parts of edges, in the order of the first click on each.
+  function named(list) {
+    const names = [...new Set(list.map((e) => e.dataset.edge))];
+    return names.flatMap((name) => {
+      const all = parts(name), taken = all.map((e) => list.includes(e)), out = [];
+      for (let k = 0; k < all.length; k++) {
+        if (!taken[k]) continue;
+        const from = k;
+        while (taken[k + 1]) k++;
+        out.push({ name, from: all[from].dataset.from, to: all[k].dataset.to });
+      }
+      // Stretches that were clicked from the end of the edge are sewn from there.
+      const clicked = list.filter((e) => e.dataset.edge === name).map((e) => Number(e.dataset.part));
+      return clicked[0] > clicked[clicked.length - 1] ? out.reverse() : out;
+    });
+  }
+
+  const isWhole = (e) => e.from === "start" && e.to === "end";
+  function written(e) {
+    if (isWhole(e)) return JSON.stringify(e.name);
+    const dot = e.name.lastIndexOf(".");
+    return `{ piece = ${JSON.stringify(e.name.slice(0, dot))}, edge = ${e.name.slice(dot + 1)}, from = "${e.from}", to = "${e.to}" }`;
+  }
+  const words = (e) => (isWhole(e) ? e.name : `${e.name} from ${e.from} to ${e.to}`);
 
   // The lines, as `toile new` would write them.
   function lines() {
     const [a, b] = [long(sides.a), long(sides.b)], ratio = Math.max(a, b) / Math.min(a, b);
-    const out = ["[[seam]]", 'name = "my seam"', `a = ${written(sides.a)}`, `b = ${written(sides.b)}`];
-    if (sides.a.length + sides.b.length > 2) out.push("reverse = true");
+    const [onA, onB] = [named(sides.a).map(written), named(sides.b).map(written)];
+    const list = (all) => (all.length === 1 ? all[0] : `[\n  ${all.join(",\n  ")},\n]`);
+    const out = ["[[seam]]", `name = ${JSON.stringify(one("#seam-name").value || "my seam")}`, `a = ${list(onA)}`, `b = ${list(onB)}`];
+    if (onA.length + onB.length > 2) out.push("reverse = true");
     if (ratio > GATHERED) out.push(`gather = ${ratio.toFixed(3)}`);
     else if (Math.abs(a - b) > EQUAL) out.push(`ease = "${(a - b).toFixed(1)} mm"`);
     return out.join("\n") + "\n";
@@ -27,7 +53,8 @@
     const taken = [...new Set([...sides.a, ...sides.b].flatMap((e) => (e.dataset.seams ? e.dataset.seams.split("|") : [])))];
     const out = [`${a.toFixed(1)} mm on ${b.toFixed(1)} mm.`];
     if (Math.max(a, b) / Math.min(a, b) > GATHERED) out.push("The longer side is gathered.");
-    if (taken.length) out.push(`Remove from the file: ${taken.join(", ")}, which has these edges.`);
+    if (taken.length) out.push(`These seams of the file are on the same edges; remove those that are wrong: ${taken.join(", ")}.`);
+    if (sides.a.length + sides.b.length > 2) out.push("If `toile check` says that the order contradicts, list the edges of one side the other way round.");
     return out.join(" ");
   }
 
@@ -36,7 +63,7 @@
       e.classList.toggle("side-a", sides.a.includes(e));
       e.classList.toggle("side-b", sides.b.includes(e));
     }
-    for (const k of ["a", "b"]) one(`#side-${k}`).textContent = sides[k].map((e) => e.dataset.edge).join(", ") || "–";
+    for (const k of ["a", "b"]) one(`#side-${k}`).textContent = named(sides[k]).map(words).join(", ") || "–";
     const whole = sides.a.length > 0 && sides.b.length > 0;
     one("#lines").textContent = whole ? lines() : "";
     one("#lines").hidden = !whole;
@@ -49,9 +76,7 @@
     if (had) {
       sides[had] = sides[had].filter((e) => e !== edge);
     } else {
-      const to = side();
-      sides[to].push(edge);
-      if (to === "a" && !sides.b.length) one("input[name=side][value=b]").checked = true;
+      sides[side()].push(edge);
     }
     show();
   }
@@ -64,6 +89,7 @@
       choose(edge);
     });
   }
+  one("#seam-name").addEventListener("input", show);
   one("#composing").addEventListener("change", (e) => {
     document.body.classList.toggle("composing", e.target.checked);
     one("#composed").hidden = !e.target.checked;

@@ -14,13 +14,16 @@ use toile_stages::proposal::{EdgePart, Proposal, ProposedSeam, Run};
 pub fn seams(out: &mut String, source: &Source, proposal: &Proposal) {
     let mut order: Vec<usize> = (0..proposal.seams.len()).collect();
     order.sort_by(|i, j| proposal.seams[*i].confidence.total_cmp(&proposal.seams[*j].confidence));
-    let groups: [(&str, &dyn Fn(f64) -> bool); 3] = [
-        ("Too unsure to be sewn", &|c| c < LEAST_SURE),
-        ("Please look at these", &|c| (LEAST_SURE..SURE).contains(&c)),
-        ("Likely right", &|c| c >= SURE),
+    let sure = |k: usize| proposal.seams[k].confidence;
+    let is_confirmed = |k: usize| proposal.given[k] && sure(k) >= 1.0;
+    let groups: [(&str, &dyn Fn(usize) -> bool); 4] = [
+        ("Too unsure to be sewn", &|k| sure(k) < LEAST_SURE),
+        ("Please look at these", &|k| (LEAST_SURE..SURE).contains(&sure(k))),
+        ("Likely right", &|k| sure(k) >= SURE && !is_confirmed(k)),
+        ("Yours, from sewing.toml", &is_confirmed),
     ];
     for (heading, holds) in groups {
-        let rows: Vec<usize> = order.iter().copied().filter(|k| holds(proposal.seams[*k].confidence)).collect();
+        let rows: Vec<usize> = order.iter().copied().filter(|k| holds(*k)).collect();
         if rows.is_empty() {
             continue;
         }

@@ -2,6 +2,7 @@
 
 use super::atoms::{Atom, Layout};
 use super::pairs::Pair;
+use super::seams::ProposedSeam;
 use super::tuning::DecisionWeights;
 use crate::roles::PiecePoint;
 use crate::sewing::ring::{arcs, nearest_on};
@@ -11,6 +12,8 @@ use crate::sewing::ring::{arcs, nearest_on};
 pub struct Known {
     /// Points that are sewn to each other.
     pub given: Vec<[PiecePoint; 2]>,
+    /// The seams that sew them, as a person wrote them.
+    pub written: Vec<ProposedSeam>,
     /// Pieces that a person decided on, by number. No seam between two of them is new.
     pub decided: Vec<usize>,
 }

@@ -25,12 +25,14 @@ mod sleeves;
 mod task;
 pub mod tuning;
 pub mod whole;
+mod written;
 
 pub use edge_parts::EdgePart;
 pub use known::Known;
 pub use names::RoleNames;
 pub use propose::{Bare, Nameless, Names, Proposal, own_images, propose};
 pub use seams::{ProposedSeam, Run};
+pub use written::written;
 
 #[cfg(test)]
 mod tests;

@@ -96,7 +96,7 @@ pub struct Bare {
 pub struct Proposal {
     /// Seams.
     pub seams: Vec<ProposedSeam>,
-    /// For every seam: does the sewing file have it, or a part of it, already?
+    /// For every seam: is it one of the sewing file? Those come first, as they were written.
     pub given: Vec<bool>,
     /// Edges that are sewn to nothing.
     pub bare: Vec<Bare>,
@@ -114,16 +114,23 @@ pub fn propose(garment: &Garment, names: &dyn Names, known: &Known) -> Result<Pr
     let layout = Layout::new(garment, &shapes, &garment.plan.leave_out);
     let decisions = Decisions::new(&layout, known);
     let task = Task { garment, shapes: &shapes, layout: &layout, names, known };
-    let Some(made) = task.made(&decisions) else { return Ok(Proposal { layout, ..Proposal::default() }) };
+    let written = known.written.clone();
+    let Some(made) = task.made(&decisions) else {
+        let given = vec![true; written.len()];
+        return Ok(Proposal { seams: written, given, layout, ..Proposal::default() });
+    };
     let mut seams = made.seams;
     let (closings, left) = bands(&layout, &made.assignment, names, |a| decisions.is_given(a), &made.closings);
     let is_closed = |a: usize| closings.iter().any(|c| c.has(a));
     seams.retain(|s| s.atoms.iter().all(|[a, b]| left.partner(*a) == Some(*b)));
     seams.extend(closings.iter().map(|c| closing_seam(garment, &shapes, &layout, c)));
-    let bare = bare(garment, &layout, |a| left.partner(a).is_none() && !is_closed(a));
-    let is_given = |s: &ProposedSeam| s.atoms.iter().flatten().any(|a| decisions.is_given(*a));
-    seams.retain(|s| is_given(s) || !decisions.are_decided(s.atoms.iter().flatten()));
-    let given = seams.iter().map(is_given).collect();
+    let is_open = |a: usize| left.partner(a).is_none() && !is_closed(a) && !decisions.is_given(a);
+    let bare = bare(garment, &layout, is_open);
+    // What the sewing file has stands as it was written; the search only went on from there.
+    seams.retain(|s| !s.atoms.iter().flatten().any(|a| decisions.is_given(*a)));
+    seams.retain(|s| !decisions.are_decided(s.atoms.iter().flatten()));
+    let given = [vec![true; written.len()], vec![false; seams.len()]].concat();
+    let seams = [written, seams].concat();
     Ok(Proposal { seams, given, bare, layout })
 }
 

@@ -79,4 +79,7 @@ codes! {
 
     /// A seam uses the edges of a wedge that was taken for a dart, so it is none.
     WEDGE_IS_NO_DART = "wedge-is-no-dart";
+
+    /// Two seams sew the same stretch of a piece, and their pieces lie in one layer. Remove the one that is wrong.
+    SEWN_TWICE = "sewn-twice";
 }

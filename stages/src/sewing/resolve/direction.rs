@@ -192,7 +192,11 @@ fn both_readings(
         "seam `{}` {why}. One reading: {a0} meets {b0} and {a1} meets {b1}. The other: {a0} meets {b1} and {a1} meets {b0}",
         spec.name
     );
-    Diagnostic::error(codes::SEAM_DIRECTION_AMBIGUOUS, message)
-        .at(spec.source.clone())
-        .hint("give both sides by two points (a.from meets b.from), or state reverse = true or false")
+    Diagnostic::error(codes::SEAM_DIRECTION_AMBIGUOUS, message).at(spec.source.clone()).hint(
+        if spec.reverse.is_some() {
+            "list the edges of one side the other way round, or give both sides by two points (a.from meets b.from)"
+        } else {
+            "state reverse = true or false, or give both sides by two points (a.from meets b.from)"
+        },
+    )
 }

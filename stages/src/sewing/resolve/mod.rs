@@ -5,6 +5,7 @@ mod fitting;
 mod lengths;
 mod notches;
 mod side;
+mod twice;
 
 pub use lengths::Limits;
 pub use side::{Side, Span};
@@ -83,7 +84,9 @@ pub fn judged(
         f.notches.iter().for_each(|note| report.push(note.clone()));
         Ok(seam)
     };
-    collect(found.iter().zip(&garment.plan.seams).map(judge))
+    let seams = collect(found.iter().zip(&garment.plan.seams).map(judge))?;
+    twice::sewn_twice(garment, shapes, &seams).into_iter().for_each(|warning| report.push(warning));
+    Ok(seams)
 }
 
 /// All seams, or all that is wrong with any.
