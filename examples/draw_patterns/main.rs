@@ -4,10 +4,12 @@
 //! `samples/patterns` when none is given. The same program gives the same bytes.
 
 mod body;
+mod circle_skirt;
 mod draft;
 mod fitted_bodice;
 mod long_skirt;
 mod plain_skirts;
+mod pocket_skirt;
 mod sheet;
 mod t_shirt;
 #[cfg(test)]
@@ -31,6 +33,8 @@ const STYLES: &[Style] = &[
     Style { file: "t-shirt", pieces: t_shirt::pieces },
     Style { file: "gathered-skirt", pieces: plain_skirts::gathered },
     Style { file: "pleated-skirt", pieces: plain_skirts::pleated },
+    Style { file: "circle-skirt", pieces: circle_skirt::pieces },
+    Style { file: "pocket-skirt", pieces: pocket_skirt::pieces },
 ];
 
 /// File names and bytes of all samples.
