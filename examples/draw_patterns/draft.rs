@@ -151,15 +151,9 @@ impl Edge {
         })
     }
 
-    /// The same edge elsewhere.
-    pub fn moved(mut self, by: Vec2) -> Self {
-        self.dense.iter_mut().for_each(|p| *p += by);
-        self
-    }
-
-    /// The same edge under another name.
-    pub fn named(mut self, name: &'static str) -> Self {
-        self.name = name;
+    /// The same edge turned about a point, degrees counter-clockwise.
+    pub fn turned(mut self, about: Vec2, degrees: f64) -> Self {
+        self.dense.iter_mut().for_each(|p| *p = turned(*p, about, degrees));
         self
     }
 
