@@ -22,9 +22,9 @@ fn piece(m: &Measures, name: &'static str, x: f64) -> Draft {
     let centre = at(0.0, WAIST_HEIGHT + waist);
     let side = |x: f64| centre + at(x, 0.0);
     let half = [
-        Edge::start("hem", centre - at(0.0, hem)).arc(centre, 90.0, 34),
+        Edge::start("hem", centre - at(0.0, hem)).arc(centre, 90.0, 48),
         Edge::start("side", side(hem)).line(side(waist), 4),
-        Edge::start("waist", side(waist)).arc(centre, -90.0, 14),
+        Edge::start("waist", side(waist)).arc(centre, -90.0, 20),
     ];
     let edges = whole(&half, |name| if name == "side" { "side-2" } else { name });
     let middle = |e: &Edge| e.length() / 2.0;

@@ -41,7 +41,7 @@ pub fn pieces(m: &Measures) -> Vec<Draft> {
     let back = bodice(1447.0, [0.2, 0.52], m.bust / 8.0 + 86.0).half(m);
     let caps = [&front, &back].map(|half| half[2].length() + CAP_EASE / 2.0);
     let wrist = 1.25 * (m.upper_arm - 70.0);
-    let sleeve = Sleeve { caps, width: m.upper_arm + 120.0, hem: wrist, length: 400.0, bow: 0.0 };
+    let sleeve = Sleeve { caps, width: m.upper_arm + 120.0, hem: wrist, length: 400.0, bow: 0.0, steps: 32 };
     let hem = 2.0 * (front[0].length() + back[0].length());
     let rib = |name, length: f64, x, pair: bool| Draft {
         name,
@@ -66,16 +66,16 @@ fn hood(front: f64, back: f64) -> Draft {
     let neck =
         |x: f64| {
             Edge::start("neck", at(0.0, 0.0))
-                .curve(at(0.95, 0.3), at(0.5 * x, 22.0), at(1.0, 0.0), [0.35; 2], 12)
-                .curve(at(1.0, 0.0), at(x, 0.0), at(0.93, -0.36), [0.35; 2], 12)
+                .curve(at(0.95, 0.3), at(0.5 * x, 22.0), at(1.0, 0.0), [0.35; 2], 15)
+                .curve(at(1.0, 0.0), at(x, 0.0), at(0.93, -0.36), [0.35; 2], 15)
         };
     let lower = neck(solve(100.0, 400.0, |x| neck(x).length() - front - back));
     let end = lower.last();
     let crown = at(0.42 * end.x, HOOD + 12.0);
     let centre = Edge::start("centre", end)
-        .curve(at(0.36, 0.93), at(end.x + 22.0, 0.55 * HOOD), at(0.0, 1.0), [0.35; 2], 18)
-        .curve(at(0.0, 1.0), crown, at(-1.0, 0.0), [0.52, 0.45], 28)
-        .curve(at(-1.0, 0.0), at(-12.0, HOOD - 4.0), at(-1.0, -0.04), [0.35; 2], 8);
+        .curve(at(0.36, 0.93), at(end.x + 22.0, 0.55 * HOOD), at(0.0, 1.0), [0.35; 2], 21)
+        .curve(at(0.0, 1.0), crown, at(-1.0, 0.0), [0.52, 0.45], 32)
+        .curve(at(-1.0, 0.0), at(-12.0, HOOD - 4.0), at(-1.0, -0.04), [0.35; 2], 11);
     let face = Edge::start("face", centre.last()).line(at(0.0, 0.0), 8);
     Draft {
         name: "HOOD",

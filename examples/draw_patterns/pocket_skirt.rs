@@ -68,12 +68,12 @@ fn shell(name: &'static str, half: &[Edge], x: f64) -> Draft {
 /// The curve of the bag, from the waist around to the end of the opening.
 fn bag(waist: toile_garment::Vec2, end: toile_garment::Vec2) -> Edge {
     let low = at(0.6 * waist.x + 0.4 * end.x, end.y - DEPTH);
-    Edge::start("bag", waist).line(at(waist.x, end.y), 4).curve(at(0.0, -1.0), low, at(1.0, 0.0), [0.4; 2], 12).curve(
+    Edge::start("bag", waist).line(at(waist.x, end.y), 4).curve(at(0.0, -1.0), low, at(1.0, 0.0), [0.4; 2], 17).curve(
         at(1.0, 0.0),
         end,
         at(0.55, 0.83),
         [0.4; 2],
-        12,
+        18,
     )
 }
 

@@ -89,7 +89,7 @@ impl Half {
         };
         let up = towards(90.0 - 9.0);
         let [armhole, shoulder, neck] = upper.edges(at(bust, underarm), up);
-        let [lower, armhole] = armhole.cut(ARMHOLE * armhole.length(), ["armhole-low", "armhole"], [12, 20]);
+        let [lower, armhole] = armhole.cut(ARMHOLE * armhole.length(), ["armhole-low", "armhole"], [18, 24]);
         let seam = self.seam(1.0, HEM, armhole.first());
         let low =
             Edge::start("hem", at(0.0, HEM - 4.0)).curve(at(1.0, 0.0), seam[0].first(), -left(lean(1.0)), [0.33; 2], 6);
@@ -123,9 +123,9 @@ impl Half {
         let end = (top - at(SEAM, BUST)).normalize();
         let upper = Edge::start("princess", open)
             .line(hip, 8)
-            .curve(lean(s), waist, up, [0.33; 2], 13)
-            .curve(up, at(SEAM, BUST), above, [0.33; 2], 13)
-            .curve(above, top, end, [0.33; 2], 18);
+            .curve(lean(s), waist, up, [0.33; 2], 16)
+            .curve(up, at(SEAM, BUST), above, [0.33; 2], 16)
+            .curve(above, top, end, [0.33; 2], 22);
         [Edge::start("godet", low).line(open, 8), upper]
     }
 
@@ -134,8 +134,8 @@ impl Half {
         let low = hip - side_lean() * ((HIP_HEIGHT - HEM - 14.0) / side_lean().y);
         Edge::start("side", low)
             .line(hip, 10)
-            .curve(side_lean(), at(waist, WAIST_HEIGHT), at(0.0, 1.0), [0.33; 2], 15)
-            .curve(at(0.0, 1.0), underarm, up, [0.33; 2], 15)
+            .curve(side_lean(), at(waist, WAIST_HEIGHT), at(0.0, 1.0), [0.33; 2], 19)
+            .curve(at(0.0, 1.0), underarm, up, [0.33; 2], 19)
     }
 }
 

@@ -42,7 +42,7 @@ pub fn pieces(m: &Measures) -> Vec<Draft> {
     let cuff = m.upper_arm + CUFF_EASE;
     let hem = CUFF_GATHER * cuff;
     let caps = [&front, &back].map(|half| CAP_GATHER * half[2].length());
-    let sleeve = Sleeve { caps, width: hem + 20.0, hem, length: SLEEVE, bow: 0.0 };
+    let sleeve = Sleeve { caps, width: hem + 20.0, hem, length: SLEEVE, bow: 0.0, steps: 40 };
     let scaled = |d: &f64| CAP_GATHER * d;
     let [back_notches, front_notch] = [BACK_NOTCH.map(|d| scaled(&d)), [scaled(&FRONT_NOTCH); 2]];
     vec![

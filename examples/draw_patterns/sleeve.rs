@@ -17,12 +17,14 @@ pub struct Sleeve {
     pub length: f64,
     /// How far the middle of the hem lies above its ends; the hem is straight at 0.
     pub bow: f64,
+    /// Vertices of each half of the cap.
+    pub steps: usize,
 }
 
 /// One half of the cap, from the underarm at `x` to the top at height `h`.
-fn half_cap(x: f64, h: f64) -> Edge {
+fn half_cap(x: f64, h: f64, n: usize) -> Edge {
     let s = if x > 0.0 { -1.0 } else { 1.0 };
-    Edge::start("cap", at(x, 0.0)).curve(towards(90.0 - s * 84.0), at(0.0, h), at(s, 0.0), [0.48, 0.42], 32)
+    Edge::start("cap", at(x, 0.0)).curve(towards(90.0 - s * 84.0), at(0.0, h), at(s, 0.0), [0.48, 0.42], n)
 }
 
 impl Sleeve {
@@ -31,8 +33,8 @@ impl Sleeve {
         let [front, back] = self.caps;
         let width = self.width;
         let cap = |split: f64| {
-            let h = solve(40.0, 220.0, |h| half_cap(width - split, h).length() - back);
-            (half_cap(width - split, h), half_cap(-split, h), h)
+            let h = solve(40.0, 220.0, |h| half_cap(width - split, h, self.steps).length() - back);
+            (half_cap(width - split, h, self.steps), half_cap(-split, h, self.steps), h)
         };
         let split = solve(0.4 * width, 0.6 * width, |s| cap(s).1.length() - front);
         cap(split)

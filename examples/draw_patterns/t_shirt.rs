@@ -63,7 +63,7 @@ fn body(m: &Measures, neck_centre: f64, neck_reach: [f64; 2], across: f64) -> Ve
 fn sleeve(m: &Measures, [front, back]: [f64; 2]) -> Draft {
     let width = m.upper_arm + ARM_EASE;
     let caps = [front + CAP_EASE / 2.0, back + CAP_EASE / 2.0];
-    let sleeve = Sleeve { caps, width, hem: width - 2.0 * 14.0, length: SLEEVE, bow: 10.0 };
+    let sleeve = Sleeve { caps, width, hem: width - 2.0 * 14.0, length: SLEEVE, bow: 10.0, steps: 32 };
     // Notches at the same distance from the underarm as on the armhole.
     sleeve.draft("SLEEVE", &[BACK_NOTCH[0], BACK_NOTCH[1]], &[FRONT_NOTCH], at(1250.0, 1200.0))
 }
