@@ -104,7 +104,7 @@ fn run(command: &mut Command) {
 fn passes(folder: &Path, style: &str, size: &str, fabric: &str) -> bool {
     let out = folder.join("out").join(format!("{style}-{size}-{fabric}"));
     let mut command = toile();
-    command.arg("run").arg(folder.join("pipelines").join(style).join("v1.toml"));
+    command.arg("run").arg("--allow-read").arg(folder).arg(folder.join("pipelines").join(style).join("v1.toml"));
     command
         .args(["--quiet", "--set", &format!("size={size}"), "--set", &format!("fabric={fabric}"), "--out"])
         .arg(&out);
