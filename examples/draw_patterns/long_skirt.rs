@@ -34,13 +34,13 @@ struct Quarter {
 
 /// All pieces of one size.
 pub fn pieces(m: &Measures) -> Vec<Draft> {
-    let [front, back] = halves(m, LENGTH);
+    let [front, back] = halves(m, LENGTH, WAIST_EASE);
     vec![piece("FRONT", &front, 0.0), piece("BACK", &back, 900.0)]
 }
 
 /// The right halves of front and back: hem, side, waist beside the dart, its legs, waist at the centre.
-pub fn halves(m: &Measures, length: f64) -> [Vec<Edge>; 2] {
-    let finished = (m.waist + WAIST_EASE) / 4.0;
+pub fn halves(m: &Measures, length: f64, waist_ease: f64) -> [Vec<Edge>; 2] {
+    let finished = (m.waist + waist_ease) / 4.0;
     let hip = (m.hip + HIP_EASE) / 4.0;
     let front = Quarter { waist: finished + SHIFT, hip, centre: WAIST_HEIGHT, dart: [20.0, 95.0], length };
     let back = Quarter { waist: finished - SHIFT, hip, centre: WAIST_HEIGHT - 8.0, dart: [30.0, 130.0], length };

@@ -8,6 +8,10 @@ use toile_garment::piece::Quantity;
 
 /// Waist to hem at the centre.
 const LENGTH: f64 = 560.0;
+/// Ease of the waist: the shell lies around the lining, which lies around the body.
+pub const WAIST_EASE: f64 = 16.0;
+/// Ease of the waist of the lining.
+pub const LINING_EASE: f64 = 8.0;
 /// How much shorter the lining is.
 const LINING_SHORTER: f64 = 40.0;
 /// Where the opening of the pocket begins at the waist, from the side seam.
@@ -21,8 +25,8 @@ const DEPTH: f64 = 90.0;
 
 /// Front, back, both sides of the pocket bag, and the lining.
 pub fn pieces(m: &Measures) -> Vec<Draft> {
-    let [front, back] = halves(m, LENGTH);
-    let [lining_front, lining_back] = halves(m, LENGTH - LINING_SHORTER);
+    let [front, back] = halves(m, LENGTH, WAIST_EASE);
+    let [lining_front, lining_back] = halves(m, LENGTH - LINING_SHORTER, LINING_EASE);
     let [side, upper] = front[1].cut(front[1].length() - DOWN, ["side", "side-top"], [16, 8]);
     let [outer, inner] = front[2].cut(ACROSS, ["waist-bag", "waist-side"], [6, 6]);
     let [lap, _] = inner.cut(LAP, ["waist-bag", "waist-side"], [4, 4]);
