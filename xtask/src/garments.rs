@@ -12,8 +12,8 @@ const PICTURE: &str = "[[stage]]
 use = \"export-picture\"
 with.file = \"{out}/garment.png\"
 with.view = [\"front\", \"back\"]
-with.width = 150
-with.height = 220
+with.width = 112
+with.height = 164
 ";
 
 /// Runs every pipeline up to its looks and draws the garment from the front and from the back.
