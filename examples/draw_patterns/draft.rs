@@ -74,6 +74,16 @@ impl Edge {
         self
     }
 
+    /// Goes on along a circle about a centre, in `n` steps, by degrees counter-clockwise.
+    pub fn arc(mut self, about: Vec2, degrees: f64, n: usize) -> Self {
+        let from = self.last();
+        let steps = n * DENSE;
+        for i in 1..=steps {
+            self.push(turned(from, about, degrees * i as f64 / steps as f64), i % DENSE == 0);
+        }
+        self
+    }
+
     fn push(&mut self, point: Vec2, marked: bool) {
         if marked {
             self.marked.push(self.dense.len());
@@ -119,6 +129,34 @@ impl Edge {
         (0, 0.0)
     }
 
+    /// The point at a distance from the start.
+    fn point(&self, distance: f64) -> Vec2 {
+        let (i, share) = self.locate(distance);
+        self.dense[i] + (self.dense[i + 1] - self.dense[i]) * share
+    }
+
+    /// The parts before and after a distance from the start, with names and steps of their own: sizes are then alike.
+    pub fn cut(&self, distance: f64, names: [&'static str; 2], steps: [usize; 2]) -> [Self; 2] {
+        let ends = [[0.0, distance], [distance, self.length()]];
+        [0, 1].map(|k| {
+            let ([from, to], n) = (ends[k], steps[k] * DENSE);
+            let first = if k == 0 { self.first() } else { self.point(from) };
+            let mut part = Self::start(names[k], first);
+            for i in 1..=n {
+                let last = k == 1 && i == n;
+                let p = if last { self.last() } else { self.point(from + (to - from) * i as f64 / n as f64) };
+                part.push(p, i % DENSE == 0);
+            }
+            part
+        })
+    }
+
+    /// The same edge turned about a point, degrees counter-clockwise.
+    pub fn turned(mut self, about: Vec2, degrees: f64) -> Self {
+        self.dense.iter_mut().for_each(|p| *p = turned(*p, about, degrees));
+        self
+    }
+
     /// The same edge walked the other way.
     pub fn reversed(mut self) -> Self {
         let n = self.dense.len();
@@ -155,6 +193,13 @@ pub fn whole(half: &[Edge], left_name: impl Fn(&'static str) -> &'static str) ->
     out.push(last.clone().then(last.clone().mirrored(last.name)));
     out.extend(inner.iter().rev().map(|e| e.clone().mirrored(left_name(e.name))));
     out
+}
+
+/// A band from its lower left corner: lower edge, right end, upper edge, left end.
+pub fn band(names: [&'static str; 4], length: f64, height: f64) -> Vec<Edge> {
+    let corners = [at(0.0, 0.0), at(length, 0.0), at(length, height), at(0.0, height)];
+    let edge = |i: usize| Edge::straight(names[i], corners[i], corners[(i + 1) % 4]);
+    (0..4).map(edge).collect()
 }
 
 /// The x in `lo..hi` at which a rising or falling function is zero.

@@ -18,6 +18,7 @@ const FLARE: f64 = 8.0;
 const SHIFT: f64 = 5.0;
 
 /// The differences between front and back.
+#[derive(Clone, Copy)]
 struct Quarter {
     /// Finished waist.
     waist: f64,
@@ -27,21 +28,30 @@ struct Quarter {
     centre: f64,
     /// Dart: intake and length of a leg.
     dart: [f64; 2],
+    /// Waist to hem at the centre.
+    length: f64,
 }
 
 /// All pieces of one size.
 pub fn pieces(m: &Measures) -> Vec<Draft> {
-    let finished = (m.waist + WAIST_EASE) / 4.0;
+    let [front, back] = halves(m, LENGTH, WAIST_EASE);
+    vec![piece("FRONT", &front, 0.0), piece("BACK", &back, 900.0)]
+}
+
+/// The right halves of front and back: hem, side, waist beside the dart, its legs, waist at the centre.
+pub fn halves(m: &Measures, length: f64, waist_ease: f64) -> [Vec<Edge>; 2] {
+    let finished = (m.waist + waist_ease) / 4.0;
     let hip = (m.hip + HIP_EASE) / 4.0;
-    let front = Quarter { waist: finished + SHIFT, hip, centre: WAIST_HEIGHT, dart: [20.0, 95.0] };
-    let back = Quarter { waist: finished - SHIFT, hip, centre: WAIST_HEIGHT - 8.0, dart: [30.0, 130.0] };
+    let front = Quarter { waist: finished + SHIFT, hip, centre: WAIST_HEIGHT, dart: [20.0, 95.0], length };
+    let back = Quarter { waist: finished - SHIFT, hip, centre: WAIST_HEIGHT - 8.0, dart: [30.0, 130.0], length };
     let front_half = front.half(WAIST_HEIGHT + 16.0);
     let side = front_half[1].length();
     let rise = solve(WAIST_HEIGHT - 20.0, WAIST_HEIGHT + 50.0, |y| back.half(y)[1].length() - side);
-    vec![piece("FRONT", &front_half, 0.0), piece("BACK", &back.half(rise), 900.0)]
+    [front_half, back.half(rise)]
 }
 
-fn piece(name: &'static str, half: &[Edge], x: f64) -> Draft {
+/// A whole piece from its right half.
+pub fn piece(name: &'static str, half: &[Edge], x: f64) -> Draft {
     let edges = whole(half, left_name);
     let hip = WAIST_HEIGHT - HIP_HEIGHT;
     let (right, left) = (edges[1].length(), 9);
@@ -100,7 +110,7 @@ impl Quarter {
         let top = towards(90.0 + 2.0 * chord - FLARE);
         let third = [1.0 / 3.0; 2];
         vec![
-            Edge::start("hem", at(0.0, WAIST_HEIGHT - LENGTH)).curve(at(1.0, 0.0), hem, -left(up), third, 10),
+            Edge::start("hem", at(0.0, WAIST_HEIGHT - self.length)).curve(at(1.0, 0.0), hem, -left(up), third, 10),
             Edge::start("side", hem).line(hip, 16).curve(up, side, top, third, 10),
             Edge::start("waist-side", side).curve(left(top), b, towards(180.0 - slant), third, 10),
             Edge::straight("leg", b, apex),
@@ -119,9 +129,9 @@ impl Quarter {
     fn hem_corner(&self, hip: Vec2) -> Vec2 {
         let down = -towards(90.0 + FLARE);
         let rise = libm::tan((FLARE / 2.0).to_radians());
-        let l = solve(0.0, 2.0 * LENGTH, |l| {
+        let l = solve(0.0, 2.0 * self.length, |l| {
             let p = hip + down * l;
-            WAIST_HEIGHT - LENGTH + rise * p.x - p.y
+            WAIST_HEIGHT - self.length + rise * p.x - p.y
         });
         hip + down * l
     }

@@ -36,6 +36,8 @@ pub struct Draft {
     pub grain: [Vec2; 2],
     /// How often it is cut.
     pub quantity: Quantity,
+    /// What it is cut of, `MAIN` when empty.
+    pub material: &'static str,
     /// Words for the cutter.
     pub annotation: &'static str,
     /// Where the piece lies on the sheet.
@@ -139,6 +141,10 @@ impl Draft {
     /// The drawing of the piece in one size.
     pub fn drawing(&self, size: &str) -> PieceDrawing {
         let cut = self.cut_ring();
+        let (material, category) = match self.material {
+            "" => ("MAIN", "SHELL"),
+            other => (other, other),
+        };
         let mut notches: Vec<_> = self.notches.iter().map(|(e, d)| self.notch(&cut, *e, *d)).collect();
         let mut drill_holes = Vec::new();
         for wedge in &self.wedges {
@@ -158,8 +164,8 @@ impl Draft {
             size: Some(size.to_owned()),
             cut: CutNotes {
                 quantity: self.quantity,
-                material: Some("MAIN".to_owned()),
-                category: Some("SHELL".to_owned()),
+                material: Some(material.to_owned()),
+                category: Some(category.to_owned()),
                 annotation: (!self.annotation.is_empty()).then(|| self.annotation.to_owned()),
             },
             boundary: self.line(&cut),

@@ -60,8 +60,8 @@ fn all() -> Vec<(&'static str, Draft, PieceDrawing)> {
 #[test]
 fn committed_files_are_what_is_drawn_here() {
     let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("samples").join("patterns");
-    let files = files().expect("drawn");
-    assert_eq!(files.len(), 10);
+    let files = files(&SIZES).expect("drawn");
+    assert_eq!(files.len(), 2 * STYLES.len());
     for (name, bytes) in files {
         let committed = std::fs::read(folder.join(&name)).expect("committed file");
         assert!(committed == bytes, "{name} is stale: run cargo run --release --example draw_patterns");
@@ -143,7 +143,8 @@ fn dart_legs_are_equal_and_darts_can_be_found() {
             count += 1;
         }
     }
-    assert_eq!(count, 3 * (2 + 2 + 4 + 2));
+    // Long skirt, bodice, and shell and lining of the skirt with pockets.
+    assert_eq!(count, 3 * (2 + 2 + 4 + 2 + 4 + 4));
 }
 
 /// When a dart is closed the lines on both sides of its mouth run smoothly into each other.
@@ -238,5 +239,77 @@ fn t_shirt_fits_and_its_seams_match() {
         let notch = |d: &Draft, edge, k| d.notches.iter().filter(|n| n.0 == edge).nth(k).expect("notch").1;
         near(run(sleeve, &[2]) - notch(sleeve, 2, 3), notch(front, 2, 0), 1e-6, "front notch");
         near(notch(sleeve, 2, 0), run(back, &[6]) - notch(back, 6, 0), 1e-6, "back notch");
+    }
+}
+
+#[test]
+fn circle_skirt_is_two_half_circles() {
+    for m in &SIZES {
+        for piece in circle_skirt::pieces(m) {
+            near(run(&piece, &[2]), (m.waist + circle_skirt::WAIST_EASE) / 2.0, 1e-2, "waist");
+            near(run(&piece, &[1]), run(&piece, &[3]), 1e-9, "sides");
+            near(run(&piece, &[0]) - run(&piece, &[2]), std::f64::consts::PI * run(&piece, &[1]), 0.1, "hem");
+        }
+    }
+}
+
+#[test]
+fn pockets_and_lining_fit_the_skirt() {
+    for m in &SIZES {
+        let pieces = pocket_skirt::pieces(m);
+        let [front, back, bag_back, bag_front, lining_front, lining_back] = pieces.as_slice() else { panic!("six") };
+        near(run(front, &[1]) + run(bag_back, &[0]), run(back, &[9]), 1e-2, "side");
+        near(run(front, &[2]), run(bag_front, &[0]), 1e-9, "opening");
+        near(run(bag_back, &[3]), run(bag_front, &[2]), 1e-9, "bag");
+        near(run(bag_back, &[2]), run(bag_front, &[1]), 1e-9, "waist of the bag");
+        let front_waist = run(front, &[3, 6, 9]) + 2.0 * run(bag_back, &[1]);
+        near(front_waist + run(back, &[2, 5, 8]), m.waist + pocket_skirt::WAIST_EASE, 1e-2, "waist");
+        let lining: f64 = [lining_front, lining_back].map(|d| run(d, &[2, 5, 8])).iter().sum();
+        near(lining, m.waist + pocket_skirt::LINING_EASE, 1e-6, "waist of the lining");
+        near(run(lining_front, &[1]), run(lining_back, &[9]), 1e-6, "side of the lining");
+    }
+}
+
+#[test]
+fn puff_sleeves_are_as_full_as_their_gathers() {
+    for m in &SIZES {
+        let pieces = puff_blouse::pieces(m);
+        let [front, back, sleeve, cuff] = pieces.as_slice() else { panic!("four pieces") };
+        near(run(front, &[1]), run(back, &[7]), 1e-6, "side");
+        near(run(front, &[3]), run(back, &[5]), 1e-6, "shoulder");
+        let armhole = run(front, &[2]) + run(back, &[6]);
+        near(run(sleeve, &[2]), puff_blouse::CAP_GATHER * armhole, 1e-3, "sleeve cap");
+        near(run(sleeve, &[0]), puff_blouse::CUFF_GATHER * run(cuff, &[0]), 1e-6, "cuff");
+        near(run(sleeve, &[1]), run(sleeve, &[3]), 1e-6, "underarm seam");
+    }
+}
+
+#[test]
+fn princess_seams_and_godets_match() {
+    for m in &SIZES {
+        let pieces = princess_dress::pieces(m);
+        let [front, side_front, back, side_back, godet] = pieces.as_slice() else { panic!("five pieces") };
+        for (centre, side) in [(front, side_front), (back, side_back)] {
+            near(run(centre, &[2]), run(side, &[3]), 1e-3, "princess seam");
+            near(run(centre, &[1]), run(side, &[4]), 1e-6, "godet");
+            near(run(centre, &[1]), run(godet, &[1]), 1e-6, "side of the godet");
+        }
+        near(run(godet, &[1]), run(godet, &[2]), 1e-9, "sides of the godet");
+        near(run(side_front, &[1]), run(side_back, &[1]), 1e-3, "side");
+        near(run(front, &[4]), run(back, &[6]), 1e-6, "shoulder");
+    }
+}
+
+#[test]
+fn hoodie_fits_and_its_seams_match() {
+    for m in &SIZES {
+        let pieces = hoodie::pieces(m);
+        let [front, back, sleeve, cuff, waistband, hood] = pieces.as_slice() else { panic!("six pieces") };
+        near(run(front, &[1]), run(back, &[7]), 1e-6, "side");
+        near(run(front, &[3]), run(back, &[5]), 1e-6, "shoulder");
+        near(run(sleeve, &[2]), run(front, &[2]) + run(back, &[6]) + hoodie::CAP_EASE, 1e-3, "sleeve cap");
+        near(run(sleeve, &[0]), hoodie::CUFF_STRETCH * run(cuff, &[2]), 1e-6, "cuff");
+        near(run(front, &[0]) + run(back, &[0]), hoodie::HEM_STRETCH * run(waistband, &[2]), 1e-6, "hem");
+        near(2.0 * run(hood, &[0]), run(front, &[4]) + run(back, &[4]), 1e-3, "hood");
     }
 }

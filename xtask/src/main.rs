@@ -4,6 +4,7 @@
 
 mod book;
 mod dependencies;
+mod garments;
 mod licences;
 mod notices;
 mod run;
@@ -14,7 +15,7 @@ use std::process::ExitCode;
 /// One command: its name, what it does, and its work.
 type Command = (&'static str, &'static str, fn(&[String]) -> Done);
 
-const COMMANDS: [Command; 13] = [
+const COMMANDS: [Command; 14] = [
     ("fmt", "writes all sources in the one form", |more| cargo(&["fmt", "--all"], more)),
     ("lint", "clippy over all packages, warnings fail", lint),
     ("doc", "the documentation of all packages, warnings fail", doc),
@@ -24,6 +25,7 @@ const COMMANDS: [Command; 13] = [
     ("validate", "all physics cases, as a table", |more| harness("validation", more)),
     ("stability", "all hard cases, as a table", |more| harness("stability", more)),
     ("book", "builds the book with the pinned mdBook, warnings fail", book::build),
+    ("garments", "runs every sample garment and draws its picture for the book", garments::draw),
     ("deny", "licences, bans and sources of all dependencies, by deny.toml", licences::check),
     ("notices", "third-party notices of the program, into target/THIRD-PARTY.md", notices::write),
     ("fuzz", "type-checks the fuzz targets", fuzz),
