@@ -80,6 +80,6 @@ codes! {
     /// A seam uses the edges of a wedge that was taken for a dart, so it is none.
     WEDGE_IS_NO_DART = "wedge-is-no-dart";
 
-    /// Two seams sew the same stretch of a piece, and their pieces lie in one layer. Remove the one that is wrong.
+    /// Two seams sew the same stretch of a piece to places of the same other piece. Remove the one that is wrong.
     SEWN_TWICE = "sewn-twice";
 }
