@@ -188,8 +188,8 @@ impl Fit {
         let mut t = Table::new(
             "ease",
             "Measures and ease",
-            "Girths in level planes. Pattern: the cloth at rest. Worn: along every fold of the draped cloth; the tape \
-             bridges folds. Ease: pattern less body.",
+            "Girths in level planes, below the armholes where sleeves hang on the cloth. Pattern: the cloth at rest. \
+             Worn: along every fold of the draped cloth; the tape bridges folds. Ease: pattern less body.",
             &[
                 ("name", "at"),
                 ("height_mm", "height mm"),

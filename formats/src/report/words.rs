@@ -143,9 +143,10 @@ const CATALOGUE: &[(&str, &str)] = &[
     ),
     ("Measures and ease", "尺寸与放松量"),
     (
-        "Girths in level planes. Pattern: the cloth at rest. Worn: along every fold of the draped cloth; the tape \
-         bridges folds. Ease: pattern less body.",
-        "水平面内的围度。纸样：未受力的布料。穿着：沿悬垂布料的每个褶皱；软尺跨过褶皱。放松量：纸样减人体。",
+        "Girths in level planes, below the armholes where sleeves hang on the cloth. Pattern: the cloth at rest. \
+         Worn: along every fold of the draped cloth; the tape bridges folds. Ease: pattern less body.",
+        "水平面内的围度；该高度与袖子相连时，在袖窿以下测量。纸样：未受力的布料。\
+         穿着：沿悬垂布料的每个褶皱；软尺跨过褶皱。放松量：纸样减人体。",
     ),
     ("at", "部位"),
     ("height mm", "高度 mm"),

@@ -5,7 +5,7 @@ use super::rings::{Ring, rings};
 use super::surface::Surface;
 use crate::body::section_near;
 use toile_formats::report::{Fit, FreeEdge, Level};
-use toile_garment::body::Body;
+use toile_garment::body::{Body, BodySegment};
 use toile_garment::{Garment, Vec2, Vec3};
 
 /// A part of the body that a girth is taken around, and where.
@@ -43,6 +43,10 @@ const INSIDE: f64 = 0.004;
 /// A level that lies further than this beside the garment is not taken, metres.
 const BESIDE: f64 = 0.02;
 
+/// Steps in which cloth is looked for below an armhole, metres, and the most of them.
+const BELOW_ARMHOLE: f64 = 0.005;
+const STEPS_BELOW: u32 = 40;
+
 /// Measures a garment for its report.
 #[must_use]
 pub fn measure(garment: &Garment) -> Fit {
@@ -72,15 +76,9 @@ fn level(place: &Place, body: &Body, surface: &Surface, rest: &Rest, [low, high]
     if (wanted - height).abs() > BESIDE {
         return None;
     }
-    let axis = axis(body, place.segment, height);
-    let around = rings(surface, height).into_iter().filter(|r| r.closed && r.holds(axis));
-    // The outermost of several layers. A skirt lies around both legs, and is no girth of one.
-    let ring = around.max_by(|a, b| a.tape().total_cmp(&b.tape()))?;
-    let other = if place.segment == "leg-left" { "leg-right" } else { "leg-left" };
-    if place.segment != "torso" && ring.holds(self::axis(body, other, height)) {
-        return None;
-    }
-    let skin = section_near(&body.positions, &body.triangles, Vec3::new(axis.x, height, axis.y), Vec3::y());
+    let at = axis(body, place.segment, height);
+    let skin = section_near(&body.positions, &body.triangles, Vec3::new(at.x, height, at.y), Vec3::y());
+    let (height, ring) = around(place, body, surface, height)?;
     Some(Level {
         name: place.name.to_owned(),
         height,
@@ -89,6 +87,36 @@ fn level(place: &Place, body: &Body, surface: &Surface, rest: &Rest, [low, high]
         along: ring.along(),
         tape: ring.tape(),
     })
+}
+
+/// The cloth around a part of the body at a height, and that height. Where sleeves hang on the cloth there, it is taken
+/// below the armholes, as the chest of a shirt is measured.
+fn around(place: &Place, body: &Body, surface: &Surface, height: f64) -> Option<(f64, Ring)> {
+    for step in 0..=STEPS_BELOW {
+        let height = height - f64::from(step) * BELOW_ARMHOLE;
+        let ring = outermost(place, body, surface, height)?;
+        if place.segment != "torso"
+            || !["arm-left", "arm-right"].iter().any(|arm| goes_around(&ring, body, arm, height))
+        {
+            return Some((height, ring));
+        }
+    }
+    None
+}
+
+/// The outermost of several layers around a part. A skirt lies around both legs, and is no girth of one.
+fn outermost(place: &Place, body: &Body, surface: &Surface, height: f64) -> Option<Ring> {
+    let at = axis(body, place.segment, height);
+    let around = rings(surface, height).into_iter().filter(|r| r.closed && r.holds(at));
+    let ring = around.max_by(|a, b| a.tape().total_cmp(&b.tape()))?;
+    let other = if place.segment == "leg-left" { "leg-right" } else { "leg-left" };
+    (place.segment == "torso" || !ring.holds(axis(body, other, height))).then_some(ring)
+}
+
+/// Does a ring go around a part of the body that reaches this height?
+fn goes_around(ring: &Ring, body: &Body, segment: &str, height: f64) -> bool {
+    let reaches = |s: &BodySegment| (s.from.y.min(s.to.y)..=s.from.y.max(s.to.y)).contains(&height);
+    body.segments.get(segment).is_some_and(reaches) && ring.holds(axis(body, segment, height))
 }
 
 /// The height of a place: by its measure, its landmark, or the lower end of the torso, which is the crotch.
@@ -197,5 +225,20 @@ mod tests {
         assert_eq!((hip.height, hip.body), (0.84, None));
         assert_eq!(fit.edges.len(), 2);
         assert!(fit.edges[0].height < fit.edges[1].height && (fit.edges[0].length - 0.99).abs() < 1e-3);
+    }
+
+    /// A plane through the sleeves cuts one ring around trunk and arms, which is no girth of the bust.
+    #[test]
+    fn cloth_with_sleeves_is_measured_below_the_armholes() {
+        let mut garment = garment();
+        let arm = BodySegment {
+            from: Vec3::new(0.1, 0.95, 0.0),
+            to: Vec3::new(0.1, 0.8, 0.0),
+            half_width: 0.04,
+            half_depth: 0.04,
+        };
+        garment.body.as_mut().expect("body").segments.insert("arm-left".to_owned(), arm);
+        let height = measure(&garment).levels[0].height;
+        assert!((0.79..0.8).contains(&height), "{height}");
     }
 }
