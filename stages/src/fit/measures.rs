@@ -92,16 +92,16 @@ fn level(place: &Place, body: &Body, surface: &Surface, rest: &Rest, [low, high]
 /// The cloth around a part of the body at a height, and that height. Where sleeves hang on the cloth there, it is taken
 /// below the armholes, as the chest of a shirt is measured.
 fn around(place: &Place, body: &Body, surface: &Surface, height: f64) -> Option<(f64, Ring)> {
-    for step in 0..=STEPS_BELOW {
-        let height = height - f64::from(step) * BELOW_ARMHOLE;
-        let ring = outermost(place, body, surface, height)?;
-        if place.segment != "torso"
-            || !["arm-left", "arm-right"].iter().any(|arm| goes_around(&ring, body, arm, height))
-        {
-            return Some((height, ring));
-        }
-    }
-    None
+    let mut heights = (0..=STEPS_BELOW).map(|step| height - f64::from(step) * BELOW_ARMHOLE);
+    let height = heights.find(|height| place.segment != "torso" || !has_sleeves(body, surface, *height))?;
+    Some((height, outermost(place, body, surface, height)?))
+}
+
+/// Does cloth go around the trunk and an arm at once? A plane may cut the open end of a sleeve, too.
+fn has_sleeves(body: &Body, surface: &Surface, height: f64) -> bool {
+    let trunk = axis(body, "torso", height);
+    let mut around = rings(surface, height).into_iter().filter(|r| r.holds(trunk));
+    around.any(|r| ["arm-left", "arm-right"].iter().any(|arm| goes_around(&r, body, arm, height)))
 }
 
 /// The outermost of several layers around a part. A skirt lies around both legs, and is no girth of one.
