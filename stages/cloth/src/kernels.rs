@@ -1,15 +1,14 @@
 //! The hot kernels of a descent by themselves, for the bench that times and counts them (`benches/kernels.rs`).
 
-use crate::linear::hessian::Pattern;
+use crate::linear::system::System;
 use crate::optimize::descent::Descent;
 use crate::optimize::task::Task;
 use crate::{ClothError, Scene, Settings};
-use nalgebra::Matrix3;
 
 /// A descent at its start, and a system to solve.
 pub struct Kernels<'a> {
     descent: Descent<'a>,
-    system: (Pattern, Vec<Matrix3<f64>>),
+    system: System,
 }
 
 impl<'a> Kernels<'a> {
@@ -35,8 +34,8 @@ impl<'a> Kernels<'a> {
 
     /// Factorises it; says whether it is positive definite.
     pub fn factor(&mut self) -> bool {
-        let (shift, (pattern, values)) = (self.descent.shift().collect::<Vec<_>>(), &self.system);
-        self.descent.preconditioner.factor.take_in(pattern, values, &shift)
+        let shift: Vec<f64> = self.descent.shift().collect();
+        self.descent.preconditioner.factor.take_in(&self.system, &shift)
             && self.descent.preconditioner.factor.eliminate()
     }
 

@@ -10,7 +10,6 @@ use crate::energy::tuning::{
     BENDING_FIRMNESS, FIRMNESS_LINEAR, FIRMNESS_QUADRATIC, FIRMNESS_SOFTENING_MAX, SLIM_ALTITUDE_SHARE,
     SURROGATE_ALTITUDE_MIN, SURROGATE_NARROW_PARTS, SURROGATE_SPRING_SHARE,
 };
-use crate::linear::hessian::Hessian;
 use crate::scene::bending_length;
 use crate::scene::lines::folded_edges;
 use crate::scene::measures::or_earth;
@@ -316,27 +315,17 @@ impl Energy for Flexion {
         [&self.springs, &self.slim_springs].iter().for_each(|s| s.add_stiffness(self.size, k));
     }
 
-    fn add_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
-        [&self.springs, &self.slim_springs].iter().for_each(|s| s.add_pairs(pairs));
-    }
-
-    fn add_hessian(&self, _: &[Vec3], _: bool, h: &mut Hessian) {
-        [&self.springs, &self.slim_springs].iter().for_each(|s| s.add_hessian(self.size, h));
+    fn springs(&self, add: &mut dyn FnMut([u32; 2], f64)) {
+        for s in [&self.springs, &self.slim_springs] {
+            s.all().for_each(|(ends, k)| add(ends, self.size * k));
+        }
     }
 
     fn has_surrogate(&self) -> bool {
         self.surrogate.is_some()
     }
 
-    fn add_surrogate_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
-        self.surrogate.iter().for_each(|r| r.add_pairs(pairs));
-    }
-
-    fn add_surrogate_hessian(&self, _: &[Vec3], _: bool, h: &mut Hessian) {
-        self.surrogate.iter().for_each(|r| r.add_hessian(self.size, h));
-    }
-
-    fn quadratic(&self) -> bool {
-        true
+    fn surrogate_springs(&self, add: &mut dyn FnMut([u32; 2], f64)) {
+        self.surrogate.iter().flat_map(Springs::all).for_each(|(ends, k)| add(ends, self.size * k));
     }
 }

@@ -44,8 +44,7 @@ impl Inertia {
     /// The inertia is the shift of the preconditioner.
     pub fn add_hessian(&self, h: &mut Hessian) {
         if self.share != 1.0 {
-            h.values.iter_mut().for_each(|v| *v *= self.share);
-            h.extra.iter_mut().for_each(|e| e.2 *= self.share);
+            h.scale(self.share);
         }
         let k = self.share / self.h;
         for (v, c) in (0u32..).zip(&self.viscous) {

@@ -53,25 +53,24 @@ pub(crate) trait Energy: Send + Sync {
     /// Adds to every vertex a bound of its row sum of the stiffness, N/m, as the cloth stands now. The largest ratio
     /// of these to the masses bounds the square of the highest frequency.
     fn add_stiffness(&self, x: &[Vec3], k: &mut [f64]);
-    /// Pairs of vertices that the second derivatives couple.
-    fn add_pairs(&self, pairs: &mut Vec<[u32; 2]>);
-    /// Adds the second derivatives, N/m.
-    ///
-    /// Where `convex`, they are made positive semi-definite element by element, for the preconditioner of a descent.
-    /// They are full otherwise, for the test of a minimum.
-    fn add_hessian(&self, x: &[Vec3], convex: bool, h: &mut Hessian);
-    /// Adds the pairs of a surrogate Hessian, which has fewer pairs, for meshes too coarse for the full one to matter.
-    fn add_surrogate_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
-        self.add_pairs(pairs);
-    }
-    /// Adds the surrogate Hessian, N/m.
-    fn add_surrogate_hessian(&self, x: &[Vec3], convex: bool, h: &mut Hessian) {
-        self.add_hessian(x, convex, h);
+    /// Emits springs between pairs of vertices, N/m: the part of the second derivatives that is the same everywhere and
+    /// in all directions.
+    fn springs(&self, _add: &mut dyn FnMut([u32; 2], f64)) {}
+    /// Emits the springs of a surrogate Hessian, which has fewer pairs, for meshes too coarse for the full one to matter.
+    fn surrogate_springs(&self, add: &mut dyn FnMut([u32; 2], f64)) {
+        self.springs(add);
     }
     /// Returns `true` if there is a surrogate Hessian.
     fn has_surrogate(&self) -> bool {
         false
     }
+    /// Pairs of vertices that the other second derivatives couple.
+    fn add_pairs(&self, _pairs: &mut Vec<[u32; 2]>) {}
+    /// Adds the second derivatives that are no springs, N/m.
+    ///
+    /// Where `convex`, they are made positive semi-definite element by element, for the preconditioner of a descent.
+    /// They are full otherwise, for the test of a minimum.
+    fn add_hessian(&self, _x: &[Vec3], _convex: bool, _h: &mut Hessian) {}
     /// Returns `true` if cloth at `x` locks anywhere at its strain limits and so carries more than its curves.
     fn is_locking(&self, _x: &[Vec3]) -> bool {
         false
@@ -79,10 +78,6 @@ pub(crate) trait Energy: Send + Sync {
     /// Lets cloth lock over this share of its strain limits, or never if it is infinite. Returns `true` if that is a
     /// change.
     fn lock_over(&mut self, _locking: f64) -> bool {
-        false
-    }
-    /// Returns `true` if the second derivatives are the same everywhere.
-    fn quadratic(&self) -> bool {
         false
     }
 }

@@ -3,8 +3,6 @@
 //! The stiffness k is below 0 where the two push apart. It takes a third of the sums of the squares one by one.
 
 use crate::Vec3;
-use crate::linear::hessian::Hessian;
-use nalgebra::Matrix3;
 
 /// Springs between pairs of vertices.
 #[derive(Default)]
@@ -89,18 +87,6 @@ impl Springs {
     pub fn noise(&self, size: f64, x: &[Vec3]) -> f64 {
         let sizes = self.all().map(|([a, b], k)| (size * k).abs() * (x[b as usize] - x[a as usize]).norm_squared());
         f64::EPSILON * sizes.sum::<f64>()
-    }
-
-    /// Adds the pairs of all springs.
-    pub fn add_pairs(&self, pairs: &mut Vec<[u32; 2]>) {
-        pairs.extend(self.all().map(|s| s.0));
-    }
-
-    /// Adds the second derivatives, times `size`.
-    pub fn add_hessian(&self, size: f64, h: &mut Hessian) {
-        for (ends, k) in self.all() {
-            h.spread(&ends, &[1.0, -1.0], &(Matrix3::identity() * (size * k)));
-        }
     }
 
     /// Adds a bound of every vertex's row sum.

@@ -119,21 +119,6 @@ fn forces_are_minus_the_gradient() {
     }
 }
 
-/// H·d of the assembled matrix.
-fn times(h: &Hessian, d: &[Vec3]) -> Vec<Vec3> {
-    let mut out = vec![Vec3::zeros(); d.len()];
-    for j in 0..h.pattern.unknowns() {
-        for k in h.pattern.start[j] as usize..h.pattern.start[j + 1] as usize {
-            let i = h.pattern.rows[k] as usize;
-            out[i] += h.values[k] * d[j];
-            if i != j {
-                out[j] += h.values[k].transpose() * d[i];
-            }
-        }
-    }
-    out
-}
-
 #[test]
 fn hessians_are_the_derivative_of_the_forces_and_convex_ones_are_never_negative() {
     let scene = scene(fabric());
@@ -142,7 +127,7 @@ fn hessians_are_the_derivative_of_the_forces_and_convex_ones_are_never_negative(
         let mut pairs = Vec::new();
         e.add_pairs(&mut pairs);
         let unknown: Vec<u32> = (0..n as u32).collect();
-        let mut h = Hessian::new(unknown, n, pairs.into_iter());
+        let mut h = Hessian::new(unknown, n, pairs, |add| e.springs(add));
         // Once pulled, once squeezed and buckled.
         for (trial, (u, v)) in [(1.03, 1.02), (0.97, 0.95)].into_iter().enumerate() {
             let mut x = scene.positions.clone();
@@ -160,10 +145,10 @@ fn hessians_are_the_derivative_of_the_forces_and_convex_ones_are_never_negative(
             let step = 1e-8;
             let slope: Vec<Vec3> =
                 forces(step).iter().zip(forces(-step)).map(|(p, q)| (q - p) / (2.0 * step)).collect();
-            let values = vec![nalgebra::Matrix3::zeros(); h.values.len()];
-            h.reset(values.iter().copied());
+            h.reset();
             e.add_hessian(&x, false, &mut h);
-            let got = times(&h, &d);
+            assert!(h.extra.is_empty());
+            let got = h.merged().times(&d);
             let size = slope.iter().map(|f| f.norm()).fold(0.0, f64::max);
             for i in 0..n {
                 assert!(
@@ -173,14 +158,14 @@ fn hessians_are_the_derivative_of_the_forces_and_convex_ones_are_never_negative(
                     slope[i]
                 );
             }
-            assert!(h.extra.is_empty());
-            h.reset(values.iter().copied());
+            h.reset();
             e.add_hessian(&x, true, &mut h);
+            let system = h.merged();
             for probe in 0..200u32 {
                 let d: Vec<Vec3> = (0..n as u32)
                     .map(|i| Vec3::new(noise(31 * i + probe), noise(17 * i + 3 * probe), noise(13 * i + 7 * probe)))
                     .collect();
-                let work: f64 = times(&h, &d).iter().zip(&d).map(|(p, q)| p.dot(q)).sum();
+                let work: f64 = system.times(&d).iter().zip(&d).map(|(p, q)| p.dot(q)).sum();
                 assert!(work >= -1e-9 * size, "energy {k}: {work}");
             }
         }
@@ -315,16 +300,16 @@ fn surrogate_bending_is_for_wide_triangles() {
     let (flexion, topology, scene) = of(0.004);
     assert!(flexion.has_surrogate());
     let mut pairs = Vec::new();
-    flexion.add_surrogate_pairs(&mut pairs);
+    flexion.surrogate_springs(&mut |ends, _| pairs.push(ends));
     let neighbours = |p: &[u32; 2]| topology.edges.contains(&[p[0].min(p[1]), p[0].max(p[1])]);
     assert!(!pairs.is_empty() && pairs.iter().all(neighbours));
     let n = scene.positions.len();
-    let mut h = Hessian::new((0u32..).take(n).collect(), n, pairs.into_iter());
-    flexion.add_surrogate_hessian(&scene.positions, true, &mut h);
-    let (pattern, values) = h.merged();
-    let along = pattern.times(&values, &vec![Vec3::new(1.0, 2.0, 3.0); n]);
+    let mut h = Hessian::new((0u32..).take(n).collect(), n, Vec::new(), |add| flexion.surrogate_springs(add));
+    h.reset();
+    let system = h.merged();
+    let along = system.times(&vec![Vec3::new(1.0, 2.0, 3.0); n]);
     let up: Vec<Vec3> = (0u32..).take(n).map(|i| Vec3::new(0.0, 0.0, noise(i))).collect();
-    let pushed = pattern.times(&values, &up);
+    let pushed = system.times(&up);
     let work: f64 = pushed.iter().zip(&up).map(|(f, d)| f.dot(d)).sum();
     assert!(work > 0.0 && along.iter().all(|f| f.norm() < 1e-9 * work), "{work}");
 }

@@ -4,7 +4,6 @@
 //! evenly.
 
 use crate::energy::Energy;
-use crate::linear::hessian::Hessian;
 use crate::{Scene, Vec3};
 
 /// Weight and dead loads of all vertices.
@@ -41,12 +40,4 @@ impl Energy for Weight {
     }
 
     fn add_stiffness(&self, _: &[Vec3], _: &mut [f64]) {}
-
-    fn add_pairs(&self, _: &mut Vec<[u32; 2]>) {}
-
-    fn add_hessian(&self, _: &[Vec3], _: bool, _: &mut Hessian) {}
-
-    fn quadratic(&self) -> bool {
-        true
-    }
 }

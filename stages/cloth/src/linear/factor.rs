@@ -15,8 +15,8 @@ use crate::linear::huge_pages::HugePageBuffer;
 use crate::linear::separator_halves::{PartView, SeparatorHalves};
 use crate::linear::substitute::{Substitute, Way};
 use crate::linear::symbolic::{EliminationOrder, Symbolic};
+use crate::linear::system::{Block, System};
 use crate::linear::tuning::PARALLEL_SOLVE_SCALARS_MIN;
-use nalgebra::Matrix3;
 use pulp::Arch;
 use std::ops::Range;
 use std::sync::atomic::AtomicBool;
@@ -59,17 +59,17 @@ impl Factor {
         Self { threads, ..Self::default() }
     }
 
-    /// Takes in the system of `values` on `pattern` plus `shift` on the diagonal.
+    /// Takes in a system plus `shift` on the diagonal.
     ///
     /// Returns `false` when there is no memory for its factor.
-    pub fn take_in(&mut self, pattern: &Pattern, values: &[Matrix3<f64>], shift: &[f64]) -> bool {
-        if self.pattern != *pattern {
-            self.analyse(pattern);
-            if self.pattern != *pattern {
+    pub fn take_in(&mut self, system: &System, shift: &[f64]) -> bool {
+        if self.pattern != system.pattern {
+            self.analyse(&system.pattern);
+            if self.pattern != system.pattern {
                 return false;
             }
         }
-        self.fill(values, shift);
+        self.fill(system, shift);
         true
     }
 
@@ -118,11 +118,10 @@ impl Factor {
 
     /// Rounds the blocks into their columns of the factor.
     #[allow(clippy::cast_possible_truncation)]
-    fn fill(&mut self, values: &[Matrix3<f64>], shift: &[f64]) {
-        let diagonal = self.pattern.start.iter().filter_map(|k| values.get(*k as usize));
-        let largest = diagonal.map(|m| m[(0, 0)].max(m[(1, 1)]).max(m[(2, 2)])).fold(0.0, f64::max);
+    fn fill(&mut self, system: &System, shift: &[f64]) {
+        let largest = system.diagonal().map(|m| m[(0, 0)].max(m[(1, 1)]).max(m[(2, 2)])).fold(0.0, f64::max);
         self.size = crate::power_of_two(largest);
-        let (floor, scale) = (floor(values), 1.0 / self.size);
+        let (floor, scale) = (floor(system), 1.0 / self.size);
         let numbers = &mut *self.values;
         for node in &self.symbolic.nodes {
             let panel = &mut numbers[node.start..][..node.height() * node.width()];
@@ -131,17 +130,21 @@ impl Factor {
                 scalars.as_chunks_mut().0.iter_mut().for_each(|rows| *rows = low);
             }
         }
-        for (value, target) in values.iter().zip(&self.symbolic.targets) {
-            for c in 0..3 {
-                for r in 0..3 {
-                    let v = if target.is_mirrored() { value[(c, r)] } else { value[(r, c)] };
-                    numbers[target.scalar(r, c)] = (v * scale) as f32 + floor[c][r];
+        system.blocks().zip(&self.symbolic.targets).for_each(|(block, target)| match block {
+            Block::Isotropic(k) => {
+                (0..3).for_each(|c| numbers[target.scalar(c, c)] = (k * scale) as f32 + floor[c][c]);
+            }
+            Block::General(value) => {
+                for c in 0..3 {
+                    for r in 0..3 {
+                        let v = if target.is_mirrored() { value[(c, r)] } else { value[(r, c)] };
+                        numbers[target.scalar(r, c)] = (v * scale) as f32 + floor[c][r];
+                    }
                 }
             }
-        }
-        for (start, shift) in self.pattern.start.iter().zip(shift) {
+        });
+        for ((start, block), shift) in self.pattern.start.iter().zip(system.diagonal()).zip(shift) {
             let target = self.symbolic.targets[*start as usize];
-            let block = &values[*start as usize];
             for c in 0..3 {
                 numbers[target.scalar(c, c)] = ((block[(c, c)] + shift) * scale) as f32;
             }
@@ -213,9 +216,8 @@ impl Factor {
 ///
 /// Fill-in far from the pattern is soon too small to be a normal number, and the processor takes a hundred times as
 /// long for such numbers. Axes that are not coupled keep their zeros, so that flat cloth stays flat.
-fn floor(values: &[Matrix3<f64>]) -> [[f32; 3]; 3] {
-    let mut coupled = Matrix3::<f64>::zeros();
-    values.iter().for_each(|m| coupled += m.abs());
+fn floor(system: &System) -> [[f32; 3]; 3] {
+    let coupled = system.absolute_sums();
     let low = |c: usize, r: usize| if coupled[(r, c)] + coupled[(c, r)] > 0.0 { ZERO_SUBSTITUTE } else { 0.0 };
     [0, 1, 2].map(|c| [low(c, 0), low(c, 1), low(c, 2)])
 }
@@ -224,9 +226,10 @@ fn floor(values: &[Matrix3<f64>]) -> [[f32; 3]; 3] {
 mod tests {
     use super::*;
     use crate::linear::hessian::grid_pairs;
+    use nalgebra::Matrix3;
 
     /// A square grid of blocks, whose elimination has many supernodes; its solution, and the right-hand side for that.
-    fn grid(side: u32) -> (Pattern, Vec<Matrix3<f64>>, Vec<Vec3>, Vec<Vec3>) {
+    fn grid(side: u32) -> (System, Vec<Vec3>, Vec<Vec3>) {
         let n = (side * side) as usize;
         let pairs = grid_pairs(side, &[(0, 1), (1, 0)]);
         let pattern = Pattern::new(n, pairs.clone());
@@ -239,19 +242,19 @@ mod tests {
             b[i] += off * x[j];
             b[j] += off.transpose() * x[i];
         }
-        (pattern, values, x, b)
+        (System::of_blocks(pattern, values), x, b)
     }
 
     #[test]
     fn solves_a_grid_of_blocks() {
-        let (pattern, values, x, mut b) = grid(13);
+        let (system, x, mut b) = grid(13);
         let mut factor = Factor::default();
-        assert!(factor.take_in(&pattern, &values, &vec![1.0; x.len()]) && factor.eliminate());
+        assert!(factor.take_in(&system, &vec![1.0; x.len()]) && factor.eliminate());
         factor.solve(&mut b);
         for (p, q) in x.iter().zip(&b) {
             assert!((p - q).norm() < 2e-5, "{p} {q}");
         }
-        assert!(factor.take_in(&pattern, &values, &vec![-10.0; x.len()]) && !factor.eliminate());
+        assert!(factor.take_in(&system, &vec![-10.0; x.len()]) && !factor.eliminate());
         assert_eq!(factor.analyses, 1);
     }
 
@@ -262,8 +265,9 @@ mod tests {
             let block = Matrix3::new(4.0, 1.0, 0.0, 1.0, 3.0, 0.5, 0.0, 0.5, 2.0);
             let x = Vec3::new(1.0, -2.0, 3.0);
             let mut b = vec![block * x + x; n];
+            let system = System::of_blocks(pattern, vec![block; n]);
             let mut factor = Factor::default();
-            assert!(factor.take_in(&pattern, &vec![block; n], &vec![1.0; n]) && factor.eliminate());
+            assert!(factor.take_in(&system, &vec![1.0; n]) && factor.eliminate());
             factor.solve(&mut b);
             b.iter().for_each(|y| assert!((x - y).norm() < 1e-5, "{y}"));
         }
@@ -271,9 +275,9 @@ mod tests {
 
     /// Bits of factor and solution of a grid.
     fn bits(side: u32, arch: Arch, threads: usize) -> (Vec<u32>, Vec<u64>) {
-        let (pattern, values, x, mut b) = grid(side);
+        let (system, x, mut b) = grid(side);
         let mut factor = Factor { arch, threads, ..Factor::default() };
-        assert!(factor.take_in(&pattern, &values, &vec![1.0; b.len()]) && factor.eliminate());
+        assert!(factor.take_in(&system, &vec![1.0; b.len()]) && factor.eliminate());
         factor.solve(&mut b);
         x.iter().zip(&b).for_each(|(p, q)| assert!((p - q).norm() < 1e-4, "{p} {q}"));
         (factor.values.iter().map(|v| v.to_bits()).collect(), b.iter().flatten().map(|v| v.to_bits()).collect())
@@ -298,14 +302,14 @@ mod tests {
 
     #[test]
     fn an_indefinite_system_is_reported_by_either_half() {
-        let (pattern, values, x, _) = grid(60);
+        let (system, x, _) = grid(60);
         let mut factor = Factor::by(2);
         for v in [0, x.len() / 2, x.len() - 1] {
             let mut shift = vec![1.0; x.len()];
             shift[v] = -20.0;
-            assert!(factor.take_in(&pattern, &values, &shift) && !factor.eliminate(), "{v}");
+            assert!(factor.take_in(&system, &shift) && !factor.eliminate(), "{v}");
         }
-        assert!(factor.take_in(&pattern, &values, &vec![1.0; x.len()]) && factor.eliminate());
+        assert!(factor.take_in(&system, &vec![1.0; x.len()]) && factor.eliminate());
     }
 
     /// All vector instruction sets of this processor.

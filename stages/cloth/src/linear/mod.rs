@@ -11,5 +11,6 @@ pub(crate) mod separator_halves;
 pub(crate) mod substitute;
 pub(crate) mod supernode;
 pub(crate) mod symbolic;
+pub(crate) mod system;
 pub(crate) mod triangular_solve;
 pub(crate) mod tuning;

@@ -134,6 +134,7 @@ impl Symbolic {
         let ordering = SymmetricOrdering::Custom(PermRef::new_checked(&order.unknowns, &order.place, n));
         let analysis = factorize_symbolic_cholesky(lower, Side::Lower, ordering, params).ok()?;
         let (nodes, length) = if pattern.rows.len() == n { uncoupled_nodes(n)? } else { nodes(&analysis)? };
+        drop(analysis);
         let targets = targets(pattern, &order.place, &nodes)?;
         let halves = if n >= LARGE_SYSTEM_UNKNOWNS.get() && SEPARATOR_HALVES.is_on() {
             SeparatorHalves::new(&nodes)

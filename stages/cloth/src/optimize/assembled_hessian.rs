@@ -4,43 +4,32 @@ use crate::Vec3;
 use crate::energy::Energy;
 use crate::energy::stitch_penalty::Seams;
 use crate::linear::hessian::Hessian;
-use nalgebra::Matrix3;
 
 /// The Hessian in use, and the other one once it was used.
 pub(crate) struct AssembledHessians {
     current: AssembledHessian,
     other: Option<AssembledHessian>,
+    /// Do other terms of the energy couple the ends of the springs, as friction in bending does?
+    springs_are_coupled: bool,
 }
 
-/// A sparse matrix, and the values of the energies that are quadratic.
+/// A sparse matrix with the springs of the whole bending Hessian or of the surrogate.
 struct AssembledHessian {
     hessian: Hessian,
-    constant: ConstantBlocks,
     surrogate: bool,
-}
-
-/// Blocks that stay the same wherever the cloth is.
-enum ConstantBlocks {
-    /// Every block is a multiple of the identity, as those of bending are. This takes a ninth of the memory.
-    Isotropic(Vec<f64>),
-    /// Blocks of any kind.
-    General(Vec<Matrix3<f64>>),
-}
-
-impl ConstantBlocks {
-    fn new(values: &[Matrix3<f64>]) -> Self {
-        let isotropic = |m: &Matrix3<f64>| *m == Matrix3::from_diagonal_element(m[(0, 0)]);
-        if values.iter().all(isotropic) {
-            return Self::Isotropic(values.iter().map(|m| m[(0, 0)]).collect());
-        }
-        Self::General(values.to_vec())
-    }
 }
 
 impl AssembledHessians {
     /// Starts with the whole Hessian of `n` unknowns; `index` gives the unknown of every vertex.
-    pub fn new(cloth: &[Box<dyn Energy>], stitches: Option<&Seams>, index: &[u32], n: usize) -> Self {
-        Self { current: AssembledHessian::new(cloth, stitches, index.to_vec(), n, false), other: None }
+    pub fn new(
+        cloth: &[Box<dyn Energy>],
+        stitches: Option<&Seams>,
+        springs_are_coupled: bool,
+        index: &[u32],
+        n: usize,
+    ) -> Self {
+        let current = AssembledHessian::new(cloth, stitches, springs_are_coupled, index.to_vec(), n, false);
+        Self { current, other: None, springs_are_coupled }
     }
 
     /// Uses the surrogate or the whole Hessian from now on.
@@ -55,7 +44,7 @@ impl AssembledHessians {
         if surrogate == self.current.surrogate {
             return;
         }
-        let make = || AssembledHessian::new(cloth, stitches, index.to_vec(), n, surrogate);
+        let make = || AssembledHessian::new(cloth, stitches, self.springs_are_coupled, index.to_vec(), n, surrogate);
         let next = self.other.take().unwrap_or_else(make);
         self.other = Some(std::mem::replace(&mut self.current, next));
     }
@@ -66,40 +55,31 @@ impl AssembledHessians {
 
     /// The Hessian of the cloth at `x`, projected to be convex or as it is; the other terms are still to be added.
     pub fn of_cloth(&mut self, cloth: &[Box<dyn Energy>], x: &[Vec3], convex: bool) -> &mut Hessian {
-        self.current.reset(cloth, x, convex);
-        &mut self.current.hessian
+        let hessian = &mut self.current.hessian;
+        hessian.reset();
+        cloth.iter().for_each(|e| e.add_hessian(x, convex, hessian));
+        hessian
     }
 }
 
 impl AssembledHessian {
-    fn new(cloth: &[Box<dyn Energy>], stitches: Option<&Seams>, index: Vec<u32>, n: usize, surrogate: bool) -> Self {
+    fn new(
+        cloth: &[Box<dyn Energy>],
+        stitches: Option<&Seams>,
+        springs_are_coupled: bool,
+        index: Vec<u32>,
+        n: usize,
+        surrogate: bool,
+    ) -> Self {
+        let each_spring = |add: &mut dyn FnMut([u32; 2], f64)| {
+            cloth.iter().for_each(|e| if surrogate { e.surrogate_springs(add) } else { e.springs(add) });
+        };
         let mut pairs = Vec::new();
-        cloth.iter().for_each(|e| if surrogate { e.add_surrogate_pairs(&mut pairs) } else { e.add_pairs(&mut pairs) });
+        cloth.iter().for_each(|e| e.add_pairs(&mut pairs));
         stitches.into_iter().for_each(|t| t.add_pairs(&mut pairs));
-        let hessian = Hessian::new(index, n, pairs.into_iter());
-        let mut assembled = Self { hessian, constant: ConstantBlocks::General(Vec::new()), surrogate };
-        // A quadratic energy has the same Hessian everywhere, so any place will do.
-        cloth.iter().filter(|e| e.quadratic()).for_each(|e| assembled.add(e.as_ref(), &[], true));
-        assembled.constant = ConstantBlocks::new(&assembled.hessian.values);
-        assembled.hessian.values = Vec::new();
-        assembled
-    }
-
-    fn add(&mut self, energy: &dyn Energy, x: &[Vec3], convex: bool) {
-        if self.surrogate {
-            energy.add_surrogate_hessian(x, convex, &mut self.hessian);
-        } else {
-            energy.add_hessian(x, convex, &mut self.hessian);
+        if springs_are_coupled {
+            each_spring(&mut |ends, _| pairs.push(ends));
         }
-    }
-
-    fn reset(&mut self, cloth: &[Box<dyn Energy>], x: &[Vec3], convex: bool) {
-        match &self.constant {
-            ConstantBlocks::Isotropic(k) => {
-                self.hessian.reset(k.iter().map(|k| Matrix3::from_diagonal_element(*k)));
-            }
-            ConstantBlocks::General(values) => self.hessian.reset(values.iter().copied()),
-        }
-        cloth.iter().filter(|e| !e.quadratic()).for_each(|e| self.add(e.as_ref(), x, convex));
+        Self { hessian: Hessian::new(index, n, pairs, each_spring), surrogate }
     }
 }

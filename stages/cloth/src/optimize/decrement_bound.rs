@@ -2,36 +2,33 @@
 //! rest, whose factorisation costs more than all coarser levels.
 
 use crate::Vec3;
-use crate::linear::hessian::Pattern;
+use crate::linear::system::System;
 use crate::optimize::descent::Descent;
 use crate::optimize::lbfgs::dot;
 use crate::optimize::tuning::{BOUND_MARGIN, BOUND_STEPS};
-use nalgebra::Matrix3;
 
 impl Descent<'_> {
     /// Does a Newton step surely gain more than this share of the elastic energy, with contacts and friction as at their last
     /// refresh?
     pub fn surely_gains(&mut self, share: f64) -> bool {
-        let (pattern, mut values) = self.assemble(true);
-        let shift = self.shift();
-        let diagonal = pattern.start.iter().zip(shift);
-        diagonal.for_each(|(k, s)| values[*k as usize] += Matrix3::from_diagonal_element(s));
+        let mut system = self.assemble(true);
+        system.add_to_diagonal(self.shift());
         let wanted = BOUND_MARGIN.get() * share * self.elastic_scale();
-        0.5 * decrement_bound(&pattern, &values, &self.f, 2.0 * wanted) > wanted
+        0.5 * decrement_bound(&system, &self.f, 2.0 * wanted) > wanted
     }
 }
 
 /// A lower bound of fᵀ A⁻¹ f. Each step of conjugate gradients (Hestenes and Stiefel 1952) raises it; it is not raised further
 /// once it is over `enough`. The blocks of the diagonal are the preconditioner.
-fn decrement_bound(pattern: &Pattern, values: &[Matrix3<f64>], f: &[Vec3], enough: f64) -> f64 {
-    let blocks = pattern.start.iter().take(f.len()).map(|k| values[*k as usize].try_inverse());
+fn decrement_bound(system: &System, f: &[Vec3], enough: f64) -> f64 {
+    let blocks = system.diagonal().map(|m| m.try_inverse());
     let Some(inverse) = blocks.collect::<Option<Vec<_>>>() else { return 0.0 };
     let preconditioned = |r: &[Vec3]| -> Vec<Vec3> { inverse.iter().zip(r).map(|(m, r)| m * r).collect() };
     let mut r = f.to_vec();
     let mut p = preconditioned(&r);
     let (mut gamma, mut bound) = (dot(&r, &p), 0.0);
     for _ in 0..BOUND_STEPS.get() {
-        let q = pattern.times(values, &p);
+        let q = system.times(&p);
         let curvature = dot(&p, &q);
         if gamma <= 0.0 || curvature <= 0.0 || bound > enough {
             break;
@@ -51,6 +48,8 @@ fn decrement_bound(pattern: &Pattern, values: &[Matrix3<f64>], f: &[Vec3], enoug
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::linear::hessian::Pattern;
+    use nalgebra::Matrix3;
 
     /// A chain of unit springs held at one end: the bound grows with the steps and never passes the truth.
     #[test]
@@ -65,13 +64,14 @@ mod tests {
                 values[at + 1] = Matrix3::from_diagonal_element(-1.0);
             }
         }
+        let system = System::of_blocks(pattern, values);
         let mut f = vec![Vec3::zeros(); n as usize];
         f[n as usize - 1] = Vec3::new(0.0, 2.0, 0.0);
         // A force of 2 at the end of 25 springs in a row.
         let truth = 4.0 * f64::from(n);
-        let whole = decrement_bound(&pattern, &values, &f, f64::INFINITY);
+        let whole = decrement_bound(&system, &f, f64::INFINITY);
         assert!((whole / truth - 1.0).abs() < 1e-12, "{whole}");
-        let part = decrement_bound(&pattern, &values, &f, 0.3 * truth);
+        let part = decrement_bound(&system, &f, 0.3 * truth);
         assert!(part > 0.3 * truth && part < 0.9 * truth, "{part}");
     }
 }

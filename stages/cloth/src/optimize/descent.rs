@@ -190,7 +190,7 @@ impl<'a> Descent<'a> {
     }
 
     /// The Hessian at the positions, projected to be convex or as it is.
-    pub fn assemble(&mut self, convex: bool) -> crate::linear::hessian::System {
+    pub fn assemble(&mut self, convex: bool) -> crate::linear::system::System {
         let mut lap = CpuTimer::start();
         let system = self.objective.assemble(&self.x, self.regularization.isotropic, convex);
         self.spend(&mut lap);

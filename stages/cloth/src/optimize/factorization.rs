@@ -1,7 +1,7 @@
 //! When the preconditioner is made anew, of which Hessian, and with which regularisation.
 
 use crate::ClothError;
-use crate::linear::hessian::System;
+use crate::linear::system::System;
 use crate::optimize::descent::Descent;
 use crate::optimize::preconditioner::FactorPlace;
 use crate::optimize::tuning::{
@@ -102,12 +102,12 @@ impl Descent<'_> {
         self.objective().unknowns.unknown_mass.iter().map(|m| m / (r.tau * r.unit))
     }
 
-    /// Factorises a system; its values are dropped before the elimination begins.
-    pub fn factorise(&mut self, (pattern, values): System) -> bool {
+    /// Factorises a system, which is dropped before the elimination begins.
+    pub fn factorise(&mut self, system: System) -> bool {
         let mut lap = CpuTimer::start();
         let shift: Vec<f64> = self.shift().collect();
-        let fits = self.preconditioner.factor.take_in(&pattern, &values, &shift);
-        drop(values);
+        let fits = self.preconditioner.factor.take_in(&system, &shift);
+        drop(system);
         let done = fits && self.preconditioner.factor.eliminate();
         self.spend(&mut lap);
         done

@@ -13,14 +13,14 @@ use crate::energy::model::model;
 use crate::energy::pressure::Pressure;
 use crate::energy::stitch_penalty::Seams;
 use crate::energy::{Energy, elastic};
-use crate::linear::hessian::{FIXED, Pattern};
+use crate::linear::hessian::FIXED;
+use crate::linear::system::System;
 use crate::optimize::assembled_hessian::AssembledHessians;
 use crate::optimize::task::Task;
 use crate::prepare::start::Start;
 use crate::report::cost::{Costs, CpuTimer, Work};
 use crate::scene::measures::{areas, held, masses};
 use crate::{Scene, Settings, Switch, Vec3};
-use nalgebra::Matrix3;
 
 /// A held vertex this near its place is there, m.
 pub(crate) const PIN_PLACED: f64 = 1e-6;
@@ -88,9 +88,10 @@ impl Objective {
         let cloth = model(scene, s, &topology, &mass);
         let (pins, stitches) = pins_and_stitches(scene, &positions, task);
         let unknowns = Unknowns::new(mass, pins);
-        let hessian = AssembledHessians::new(&cloth, stitches.as_ref(), &unknowns.index, unknowns.unknown_mass.len());
         let bends_back = BENDING_HYSTERESIS.is_wanted(&Facts::of_scene(scene, s), s);
         let hysteresis = bends_back.then(|| Hysteresis::new(scene, &topology)).flatten();
+        let (index, n) = (&unknowns.index, unknowns.unknown_mass.len());
+        let hessian = AssembledHessians::new(&cloth, stitches.as_ref(), hysteresis.is_some(), index, n);
         let frame = contact_parameters(scene, s, topology, &unknowns.mass, body.is_some(), own);
         let edge = frame.mean_edge;
         let meets = own || body.is_some();
@@ -244,7 +245,7 @@ impl Objective {
 
     /// Second derivatives at `x`, the place of the last evaluation, projected to be convex or as they are. A share
     /// `isotropic` of the stretch stiffness acts in all directions.
-    pub fn assemble(&mut self, x: &[Vec3], isotropic: f64, convex: bool) -> (Pattern, Vec<Matrix3<f64>>) {
+    pub fn assemble(&mut self, x: &[Vec3], isotropic: f64, convex: bool) -> System {
         let hessian = self.hessian.of_cloth(&self.terms.cloth, x, convex);
         if isotropic > 0.0 {
             hessian.add_isotropic_stiffness(isotropic);

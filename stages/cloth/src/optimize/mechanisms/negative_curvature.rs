@@ -40,15 +40,15 @@ impl Descent<'_> {
         }
         // Power iteration with C⁻¹ (C − H): its largest eigenvalue belongs to the direction in which H is least against C.
         // The full Hessian H is assembled again rather than kept beside its own factor.
-        let (pattern, mut less) = self.assemble(false);
+        let mut less = self.assemble(false);
         let convex = self.assemble(true);
-        less.iter_mut().zip(&convex.1).for_each(|(h, c)| *h = c - *h);
+        less.subtract_from(&convex);
         if !self.factorise(convex) {
             return false;
         }
         let mut v: Vec<Vec3> = (0u32..).take(self.f.len()).map(scrambled).collect();
         for _ in 0..CURVATURE_POWER_ROUNDS.get() {
-            let mut w = pattern.times(&less, &v);
+            let mut w = less.times(&v);
             self.preconditioner.factor.solve(&mut w);
             let longest = crate::longest(&w);
             if !(longest.is_finite() && longest > 0.0) {
