@@ -1,6 +1,5 @@
 //! Hand-built pieces and a way to run stages on them, for the tests of this package.
 
-use std::path::Path;
 use std::sync::atomic::AtomicBool;
 use toile_garment::body::{Body, BodySegment};
 use toile_garment::dart::{Dart, DartEvidence, DartKind};
@@ -9,22 +8,7 @@ use toile_garment::notch::{Notch, NotchKind};
 use toile_garment::outline::{LinePoint, OutlineEdge, PieceLine, PointKind};
 use toile_garment::sewing::{RunSpec, RunWay, SeamSpec};
 use toile_garment::{Garment, Piece, PieceId, Report, Vec2};
-use toile_stage_api::{FileError, Files, Stage, StageContext, StageError};
-
-/// No files.
-pub struct NoFiles;
-
-impl Files for NoFiles {
-    fn read(&mut self, path: &Path) -> Result<Vec<u8>, FileError> {
-        Err(FileError::Missing { path: path.display().to_string(), reason: "no files here".into() })
-    }
-    fn read_optional(&mut self, _: &Path) -> Result<Option<Vec<u8>>, FileError> {
-        Ok(None)
-    }
-    fn write(&mut self, _: &Path, _: &[u8]) -> Result<(), FileError> {
-        Ok(())
-    }
-}
+use toile_stage_api::{Stage, StageContext, StageError};
 
 /// Runs a stage.
 pub fn run<S: Stage>(stage: &S, params: &S::Params, garment: Garment) -> Result<(Garment, Report), StageError> {
@@ -39,7 +23,7 @@ pub fn lend<T>(work: impl FnOnce(&mut StageContext<'_>) -> T) -> (T, Report) {
     let done = work(&mut StageContext {
         report: &mut report,
         progress: &mut (),
-        files: &mut NoFiles,
+        files: &mut (),
         cancel: &cancel,
         seed: 0,
         threads: 1,

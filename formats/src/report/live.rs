@@ -50,7 +50,7 @@ fn label(seam: &Seam, language: Language) -> String {
     language.fill("{0} {1}: {2} mm on {3} mm", &values)
 }
 
-/// What the view knows of a garment besides its shape.
+/// Names, lines and quantities of a garment for the view.
 #[must_use]
 pub fn scene(garment: &Garment, fit: &Fit, language: Language) -> Scene {
     let stretch = |r: &SeamRun| Stretch::Vertices(r.piece.index(), r.vertices.clone());

@@ -41,7 +41,7 @@ pub struct Figure<'a> {
     pub invitation: &'a str,
 }
 
-/// A line on a piece, or a piece of it.
+/// A stretch of a line, on one piece.
 pub enum Stretch {
     /// Vertices of the mesh of a piece.
     Vertices(usize, Vec<u32>),
@@ -65,7 +65,7 @@ pub struct Thread {
     pub ends: [(usize, [f64; 5]); 2],
 }
 
-/// What a view knows besides its model.
+/// Names, lines, quantities and threads, which a view shows with its model.
 #[derive(Default)]
 pub struct Scene {
     /// How many pieces there are.

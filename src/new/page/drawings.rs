@@ -29,10 +29,8 @@ struct Frame {
 
 impl Frame {
     fn of(points: &[Vec2]) -> Option<Self> {
-        let extreme = |choose: fn(f64, f64) -> f64| {
-            points.iter().copied().reduce(|a, b| Vec2::new(choose(a.x, b.x), choose(a.y, b.y)))
-        };
-        let (low, high) = (extreme(f64::min)?, extreme(f64::max)?);
+        let low = points.iter().copied().reduce(|a, b| a.inf(&b))?;
+        let high = points.iter().copied().reduce(|a, b| a.sup(&b))?;
         Some(Self { low, high, scale: SCALE.max(SMALL / (high - low).max().max(1e-3)) })
     }
 

@@ -10,7 +10,7 @@ use toile_garment::body::Body;
 use toile_garment::garment::Shape;
 use toile_garment::units::Length;
 use toile_garment::{Garment, Report, Vec2, Vec3};
-use toile_stage_api::{FileError, Files, Stage as _, StageContext};
+use toile_stage_api::{Stage as _, StageContext};
 use toile_stages::arrange::Sheet;
 use toile_stages::proposal::Proposal;
 use toile_stages::roles::PiecePoint;
@@ -96,7 +96,7 @@ fn meshed(garment: Garment) -> Option<Garment> {
     let cx = &mut StageContext {
         report: &mut Report::default(),
         progress: &mut (),
-        files: &mut NoFiles,
+        files: &mut (),
         cancel: &AtomicBool::new(false),
         seed: 0,
         threads: 1,
@@ -138,19 +138,4 @@ pub fn fine(points: &[Vec2]) -> Vec<Vec2> {
         out.extend((1..=parts as usize).map(|k| ends[0] + (ends[1] - ends[0]) * (k as f64 / parts)));
     }
     out
-}
-
-/// Meshing opens no file.
-struct NoFiles;
-
-impl Files for NoFiles {
-    fn read(&mut self, path: &std::path::Path) -> Result<Vec<u8>, FileError> {
-        Err(FileError::Missing { path: path.display().to_string(), reason: "nothing is read".to_owned() })
-    }
-    fn read_optional(&mut self, _: &std::path::Path) -> Result<Option<Vec<u8>>, FileError> {
-        Ok(None)
-    }
-    fn write(&mut self, _: &std::path::Path, _: &[u8]) -> Result<(), FileError> {
-        Ok(())
-    }
 }

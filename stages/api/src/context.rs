@@ -77,6 +77,21 @@ pub trait Files {
     fn write(&mut self, path: &Path, bytes: &[u8]) -> Result<(), FileError>;
 }
 
+/// No files: nothing is there to be read, and what is written is dropped.
+impl Files for () {
+    fn read(&mut self, path: &Path) -> Result<Vec<u8>, FileError> {
+        Err(FileError::Missing { path: path.display().to_string(), reason: "no files here".to_owned() })
+    }
+
+    fn read_optional(&mut self, _path: &Path) -> Result<Option<Vec<u8>>, FileError> {
+        Ok(None)
+    }
+
+    fn write(&mut self, _path: &Path, _bytes: &[u8]) -> Result<(), FileError> {
+        Ok(())
+    }
+}
+
 /// Where a stage tells how far it is. Calls are cheap and may be many.
 pub trait Progress {
     /// `done` of `total` (0 = unknown), and a few words, e.g. `residual 0.03, goal 0.01`.

@@ -127,8 +127,8 @@ pub fn propose(garment: &Garment, names: &dyn Names, known: &Known) -> Result<Pr
     let is_open = |a: usize| left.partner(a).is_none() && !is_closed(a) && !decisions.is_given(a);
     let bare = bare(garment, &layout, is_open);
     // What the sewing file has stands as it was written; the search only went on from there.
-    seams.retain(|s| !s.atoms.iter().flatten().any(|a| decisions.is_given(*a)));
-    seams.retain(|s| !decisions.are_decided(s.atoms.iter().flatten()));
+    let is_open = |s: &ProposedSeam| !s.atoms.iter().flatten().any(|a| decisions.is_given(*a));
+    seams.retain(|s| is_open(s) && !decisions.are_decided(s.atoms.iter().flatten()));
     let given = [vec![true; written.len()], vec![false; seams.len()]].concat();
     let seams = [written, seams].concat();
     Ok(Proposal { seams, given, bare, layout })
