@@ -47,6 +47,8 @@ pub struct Joint {
     pub mark: Mark,
     /// Angle of the cloth there, radians; of both sides of a closed dart together.
     pub angle: f64,
+    /// Does a notch stand there?
+    pub is_notched: bool,
 }
 
 /// A stretch of outline that is sewn as a whole.
@@ -157,6 +159,7 @@ struct Cut {
     start: f64,
     mark: Mark,
     gap: Option<Gap>,
+    is_notched: bool,
 }
 
 /// The cuts of an outline in walking order, each once.
@@ -165,20 +168,28 @@ fn cuts(piece: &Piece, shape: &PieceShape) -> Vec<Cut> {
     let mut cuts: Vec<Cut> = ring
         .gaps
         .iter()
-        .map(|g| Cut { end: ring.arc[g.from], start: ring.arc[g.to], mark: Mark::Dart, gap: Some(g.clone()) })
+        .map(|g| Cut {
+            end: ring.arc[g.from],
+            start: ring.arc[g.to],
+            mark: Mark::Dart,
+            gap: Some(g.clone()),
+            is_notched: false,
+        })
         .collect();
     let ends = piece.edges.iter().filter_map(|e| ring.of_line.get(e.from as usize).copied().flatten());
     let corners = ends.map(|i| (ring.arc[i], Mark::Corner));
     let notches = on_rings(piece, shape).into_iter().filter(|(r, _)| *r == 0).map(|(_, s)| (s, Mark::Notch));
     for (s, mark) in corners.chain(notches) {
         let near = |t: f64| f64::min(ring.ahead(s, t), ring.ahead(t, s)) < tuning::SAME_MARK;
-        let is_known = ring.gap_around(s).is_some() || cuts.iter().any(|c| near(c.end) || near(c.start));
-        if !is_known {
-            cuts.push(Cut { end: s, start: s, mark, gap: None });
+        let is_notched = mark == Mark::Notch;
+        if let Some(known) = cuts.iter_mut().find(|c| near(c.end) || near(c.start)) {
+            known.is_notched |= is_notched;
+        } else if ring.gap_around(s).is_none() {
+            cuts.push(Cut { end: s, start: s, mark, gap: None, is_notched });
         }
     }
     if cuts.is_empty() {
-        cuts.push(Cut { end: 0.0, start: 0.0, mark: Mark::Corner, gap: None });
+        cuts.push(Cut { end: 0.0, start: 0.0, mark: Mark::Corner, gap: None, is_notched: false });
     }
     cuts.sort_by(|a, b| a.end.total_cmp(&b.end));
     cuts
@@ -206,7 +217,7 @@ fn walk(ring: &Ring, from: f64, to: f64) -> Vec<Vec2> {
 fn joint(ring: &Ring, cut: &Cut) -> Joint {
     let angle = corner(ring, cut);
     let is_flat = cut.mark == Mark::Corner && (angle - PI).abs() < tuning::FLAT_CORNER;
-    Joint { mark: if is_flat { Mark::Notch } else { cut.mark }, angle }
+    Joint { mark: if is_flat { Mark::Notch } else { cut.mark }, angle, is_notched: cut.is_notched }
 }
 
 /// Angle of the cloth at a cut.

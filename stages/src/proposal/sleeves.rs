@@ -30,6 +30,17 @@ struct Opening {
     length: f64,
     /// For every atom: does a seam end at its start?
     is_seam: Vec<bool>,
+    /// Groups of notches, in order.
+    notches: Vec<Notches>,
+}
+
+/// Notches that stand close together count as one mark: a double notch, for example, tells the back.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Notches {
+    /// Their middle, as a share of the length.
+    at: f64,
+    /// How many they are.
+    count: usize,
 }
 
 /// Sleeves that are set into armholes.
@@ -264,7 +275,9 @@ impl Opening {
         // The way round ends at the height where it began.
         heights.iter_mut().for_each(|[share, h]| *h -= *share * height);
         let is_seam = (0..n).map(|k| sewn.layout.atoms[atoms[(k + n - 1) % n]].next != atoms[k]).collect();
-        Self { atoms: atoms.to_vec(), starts, heights, length, is_seam }
+        let notched = (0..n).filter(|k| sewn.layout.atoms[atoms[*k]].joint.is_notched).map(|k| starts[k]);
+        let notches = groups(&notched.collect::<Vec<f64>>(), tuning::NOTCH_GROUP / length);
+        Self { atoms: atoms.to_vec(), starts, heights, length, is_seam, notches }
     }
 
     /// Its lowest and highest height, metres.
@@ -314,6 +327,39 @@ impl Opening {
     }
 }
 
+/// Notches at shares of a length that rise, in groups whose members stand no further apart than `reach`.
+fn groups(shares: &[f64], reach: f64) -> Vec<Notches> {
+    let middle = |group: &[f64]| Notches { at: (group[0] + group[group.len() - 1]) / 2.0, count: group.len() };
+    shares.chunk_by(|a, b| b - a < reach).map(middle).collect()
+}
+
+/// The share of the notches of both sides that meet none of the other side, if the sides begin at these atoms. Notches
+/// meet where they are as many. A single notch may also meet the end of a seam, such as a shoulder.
+fn unmet_notches(cap: &Opening, armhole: &Opening, begin: [usize; 2], reach: f64) -> f64 {
+    let [i, j] = begin;
+    let on_armhole = |share: f64| (share - armhole.starts[i]).rem_euclid(1.0);
+    let on_cap = |share: f64| (cap.starts[j] - share).rem_euclid(1.0);
+    let marks = |o: &Opening, way: &dyn Fn(f64) -> f64| -> Vec<Notches> {
+        let seams = o.is_seam.iter().zip(&o.starts).filter(|(is_seam, _)| **is_seam);
+        let seams = seams.map(|(_, start)| Notches { at: way(*start), count: 0 });
+        o.notches.iter().map(|m| Notches { at: way(m.at), ..*m }).chain(seams).collect()
+    };
+    let sides = [marks(armhole, &on_armhole), marks(cap, &on_cap)];
+    let is_met = |m: &Notches, others: &[Notches]| {
+        others.iter().any(|o| {
+            let apart = (m.at - o.at).abs();
+            let is_alike = m.count == o.count || m.count == 1 && o.count == 0;
+            is_alike && apart.min(1.0 - apart) * armhole.length < reach
+        })
+    };
+    let unmet = |own: &[Notches], others: &[Notches]| -> [usize; 2] {
+        let notches = own.iter().filter(|m| m.count > 0);
+        [notches.clone().filter(|m| !is_met(m, others)).count(), notches.count()]
+    };
+    let [a, b] = [unmet(&sides[0], &sides[1]), unmet(&sides[1], &sides[0])];
+    (a[0] + b[0]) as f64 / (a[1] + b[1]).max(1) as f64
+}
+
 /// The beginning at which a cap fits an armhole best, and its cost.
 fn best_fit(cap: &Opening, armhole: &Opening, weights: &SleeveWeights) -> Option<([usize; 2], f64)> {
     let ratio = cap.length / armhole.length;
@@ -330,13 +376,15 @@ fn best_fit(cap: &Opening, armhole: &Opening, weights: &SleeveWeights) -> Option
         for (j, other) in caps.iter().enumerate() {
             let square: f64 = course.iter().zip(other).map(|(a, b)| (a - b) * (a - b)).sum();
             let beside = [armhole.is_seam[i], cap.is_seam[j]].iter().filter(|is_seam| !**is_seam).count() as f64;
-            let cost = square / STATIONS as f64 + weights.start_beside_seam * beside + ease;
-            if best.is_none_or(|(_, b)| cost < b) {
+            let shape = square / STATIONS as f64 + weights.start_beside_seam * beside + ease;
+            let unmet = unmet_notches(cap, armhole, [i, j], weights.marks_meet);
+            let cost = shape + weights.notches_unmet * unmet;
+            if shape < weights.most && best.is_none_or(|(_, b)| cost < b) {
                 best = Some(([i, j], cost));
             }
         }
     }
-    best.filter(|(_, cost)| *cost < weights.most)
+    best
 }
 
 /// The seams of a cap on an armhole, parted where marks of both meet.
@@ -368,4 +416,33 @@ fn sewn_on(cap: &Opening, armhole: &Opening, begin: [usize; 2], weights: &Sleeve
         Closing { a, b, lead: 0.0, confidence: weights.confidence }
     };
     cuts.windows(2).map(closing).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// An opening of 0.5 m in one stretch, with notches at shares of it.
+    fn opening(notches: &[(f64, usize)]) -> Opening {
+        let notches = notches.iter().map(|(at, count)| Notches { at: *at, count: *count }).collect();
+        Opening { atoms: vec![0], starts: vec![0.0], heights: Vec::new(), length: 0.5, is_seam: vec![true], notches }
+    }
+
+    #[test]
+    fn double_notches_tell_front_from_back() {
+        // A cap is walked backward: what lies at 0.8 of it comes after a fifth of the way.
+        let armhole = opening(&[(0.2, 2), (0.7, 1)]);
+        let (right, exchanged) = (opening(&[(0.3, 1), (0.8, 2)]), opening(&[(0.3, 2), (0.8, 1)]));
+        let unmet = |cap: &Opening| unmet_notches(cap, &armhole, [0, 0], 8e-3);
+        assert!(unmet(&right) == 0.0 && unmet(&exchanged) == 1.0);
+        // Where one side has no notches, nothing speaks for a beginning.
+        assert!(unmet(&opening(&[])) == 1.0 && unmet_notches(&opening(&[]), &opening(&[]), [0, 0], 8e-3) == 0.0);
+    }
+
+    #[test]
+    fn notches_in_a_row_are_one_group() {
+        let found = groups(&[0.1, 0.12, 0.5, 0.9, 0.91, 0.92], 0.03);
+        assert_eq!(found.iter().map(|g| g.count).collect::<Vec<_>>(), [2, 1, 3]);
+        assert!((found[0].at - 0.11).abs() < 1e-12 && (found[2].at - 0.91).abs() < 1e-12);
+    }
 }

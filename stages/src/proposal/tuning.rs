@@ -8,6 +8,9 @@ pub const STATIONS: usize = 16;
 pub const STRAIGHT: f64 = 0.035;
 /// Two marks nearer than this along the outline are one (metres).
 pub const SAME_MARK: f64 = 2.5e-3;
+/// Notches that stand nearer to each other are one mark, such as a double notch (metres). Double notches stand 10 to 13 mm
+/// apart in factory files.
+pub const NOTCH_GROUP: f64 = 20e-3;
 /// Corners are measured between chords of this length (metres).
 pub const CORNER_REACH: f64 = 4e-3;
 /// A corner that turns less is a mark on an edge (radians).
@@ -486,6 +489,8 @@ pub struct SleeveWeights {
     pub least_height: f64,
     /// Mean square of the difference of the heights of both sides, each over its range, that is allowed.
     pub most: f64,
+    /// Cost of notches that all meet nothing. It decides where a cap fits with its front and its back exchanged, too.
+    pub notches_unmet: f64,
     /// Cost of what the names say against such a seam.
     pub names: f64,
     /// Marks that lie nearer to each other are sewn to each other (metres).
@@ -510,6 +515,7 @@ impl Default for SleeveWeights {
             start_beside_seam: 0.05,
             least_height: 0.12,
             most: 0.06,
+            notches_unmet: 0.03,
             names: 0.01,
             marks_meet: 8e-3,
             stretch_least: 0.03,
