@@ -1,5 +1,6 @@
 //! `toile inspect FILE`: the table of file forms that can be looked into.
 
+mod darts;
 mod edges;
 mod fabric;
 mod garment;

@@ -223,7 +223,9 @@ impl<'a> Run<'a> {
         let info = step.ready.info();
         let params = step.ready.params();
         let before = self.report.findings.len();
-        self.garment.forget_outdated(&info.gives);
+        if !info.reads_outdated {
+            self.garment.forget_outdated(&info.gives);
+        }
         step.ready.check(&self.garment, &mut self.report);
         if self.errors_since(before) {
             return Exit::Input;
@@ -314,7 +316,14 @@ impl<'a> Run<'a> {
             threads: self.record.threads,
         };
         let guarded = catch_unwind(AssertUnwindSafe(|| step.ready.run(garment, &mut cx)));
-        guarded.unwrap_or_else(|panic| Err(StageError::Internal(super::panic_text(panic.as_ref()))))
+        let result = guarded.unwrap_or_else(|panic| Err(StageError::Internal(super::panic_text(panic.as_ref()))));
+        let info = step.ready.info();
+        result.map(|mut garment| {
+            if info.reads_outdated {
+                garment.forget_outdated(&info.gives);
+            }
+            garment
+        })
     }
 
     fn take(&mut self, garment: Garment, before: usize) -> Exit {

@@ -65,6 +65,7 @@ impl ExternalStage {
             needs: described.needs.into(),
             gives: described.gives.into(),
             revision: described.revision,
+            reads_outdated: false,
         };
         // Protocol 1 has no words for these.
         let knobs = if protocol >= 2 { described.knobs } else { Vec::new() };

@@ -12,6 +12,7 @@ pub fn builtin() -> Registry {
         .with(crate::import_garment::ImportGarment)
         .with(crate::import_garmentcode::ImportGarmentcode)
         .with(crate::import_mesh::ImportMesh)
+        .with(crate::alter::Alter)
         .with(crate::triangulate::Triangulate)
         .with(crate::assemble::Assemble)
         .with(crate::stitch::Stitch)

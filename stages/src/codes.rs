@@ -42,6 +42,7 @@ codes! {
 pub const CODES: &[&[Code]] = &[
     SHARED,
     OWN,
+    crate::alter::CODES,
     crate::animate::codes::CODES,
     crate::assemble::codes::CODES,
     crate::body::codes::CODES,

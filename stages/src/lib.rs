@@ -8,6 +8,7 @@
 mod code_list;
 
 pub mod allowance;
+pub mod alter;
 pub mod animate;
 pub mod arrange;
 pub mod assemble;

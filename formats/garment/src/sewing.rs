@@ -236,17 +236,28 @@ pub enum Placement {
         by: Vec3,
     },
     /// Wrapped around a segment of the body.
-    Around {
-        /// `torso`, `arm-left`, `arm-right`, `leg-left`, `leg-right`, `neck`.
-        segment: String,
-        /// `front`, `back`, `left`, `right`: where the middle of the piece sits.
-        side: String,
-        /// Height of the piece's top edge above the floor (torso, legs) or distance of its top from the joint
-        /// (arms), metres.
-        height: f64,
-        /// Turn in the piece plane before placing, radians, counter-clockwise.
-        turn: f64,
-    },
+    Around(Around),
+}
+
+/// A place around a segment of the body.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Around {
+    /// `torso`, `arm-left`, `arm-right`, `leg-left`, `leg-right`, `neck`.
+    pub segment: String,
+    /// `front`, `back`, `left`, `right`: where the middle of the piece sits.
+    pub side: String,
+    /// Height of the piece's top edge above the floor (torso, legs) or distance of its top from the joint (arms), metres.
+    pub height: f64,
+    /// Turn in the piece plane before placing, radians, counter-clockwise.
+    pub turn: f64,
+    /// Way of the middle of the piece from there along the girth, metres, to the right of the piece as it is drawn.
+    #[serde(default, skip_serializing_if = "is_zero")]
+    pub shift: f64,
+}
+
+#[allow(clippy::trivially_copy_pass_by_ref, reason = "serde calls it with a reference")]
+fn is_zero(value: &f64) -> bool {
+    *value == 0.0
 }
 
 /// A declared placement.

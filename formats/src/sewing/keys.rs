@@ -230,6 +230,13 @@ const TURN: Key = may(
     "\"15 deg\"",
     "Turn of the piece in its plane before it is placed, counter-clockwise. Default: 0.",
 );
+const SHIFT: Key = may(
+    "shift",
+    Form::Length,
+    "\"120 mm\"",
+    "Way of the middle of the piece from the middle of that side along the girth, to the right of the piece as it is \
+     drawn. Default: 0.",
+);
 
 const IGNORES: Key = may(
     "ignores",
@@ -278,7 +285,7 @@ pub static PLACE_AROUND: Keys = Keys {
     name: "place",
     heading: "[[place]]",
     about: "A piece wrapped around a segment of the body.",
-    keys: &[must("piece", Form::Text, "\"front\"", PIECE), AROUND, SIDE, HEIGHT, TURN, IGNORES],
+    keys: &[must("piece", Form::Text, "\"front\"", PIECE), AROUND, SIDE, HEIGHT, TURN, SHIFT, IGNORES],
 };
 
 /// `[[place]]` by rotation and translation.

@@ -51,7 +51,7 @@ mod walk;
 pub mod write;
 
 use lines::Lines;
-pub use run::place_text;
+pub use run::{edge_place, place_text};
 pub use schema::schema;
 use serde_spanned::Spanned;
 use toile_garment::Diagnostic;

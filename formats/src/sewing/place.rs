@@ -5,7 +5,7 @@ use super::keys;
 use super::walk::{Table, Value, Walk};
 use std::ops::Range;
 use toile_garment::Vec3;
-use toile_garment::sewing::{AttachSpec, AttachStrength, CopySpec, LayerSpec, PlaceSpec, Placement};
+use toile_garment::sewing::{Around, AttachSpec, AttachStrength, CopySpec, LayerSpec, PlaceSpec, Placement};
 use toile_garment::units::{Angle, Length};
 use toml::de::{DeTable, DeValue};
 
@@ -85,7 +85,12 @@ fn wrapped(around: Value<'_>, t: &mut Table<'_>, walk: &mut Walk<'_>) -> Option<
         Some(value) => walk.quantity::<Angle>(value, "turn"),
         None => Some(0.0),
     };
-    Some(Placement::Around { segment: segment?.to_owned(), side: side?.to_owned(), height: height?, turn: turn? })
+    let shift = match t.take("shift") {
+        Some(value) => walk.quantity::<Length>(value, "shift"),
+        None => Some(0.0),
+    };
+    let (segment, side) = (segment?.to_owned(), side?.to_owned());
+    Some(Placement::Around(Around { segment, side, height: height?, turn: turn?, shift: shift? }))
 }
 
 fn explicit(rotation: Value<'_>, t: &mut Table<'_>, walk: &mut Walk<'_>) -> Option<Placement> {

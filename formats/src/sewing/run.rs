@@ -94,7 +94,7 @@ const MIDDLE: EdgePlace = EdgePlace { way: EdgeWay::Share(0.5), from_end: false 
 /// A place on an edge: `start`, `middle`, `end`, `notch 2`, `40 %` or `120 mm`, the last three also `from end`.
 fn place(value: Value<'_>, key: &str, walk: &mut Walk<'_>) -> Option<EdgePlace> {
     let text = value.get_ref().as_str().unwrap_or_default();
-    let found = place_of(text);
+    let found = edge_place(text);
     if found.is_none() {
         let written = if text.is_empty() { "this".to_owned() } else { format!("`{text}`") };
         let message = format!("`{key}`: {written} is no place on an edge");
@@ -108,7 +108,9 @@ fn place(value: Value<'_>, key: &str, walk: &mut Walk<'_>) -> Option<EdgePlace> 
     found
 }
 
-fn place_of(text: &str) -> Option<EdgePlace> {
+/// A place on an edge, as `40 mm from end`, `30 %`, `notch 1`, `start`; `None` for any other text.
+#[must_use]
+pub fn edge_place(text: &str) -> Option<EdgePlace> {
     let words = text.split_whitespace().collect::<Vec<_>>().join(" ").to_lowercase();
     match words.as_str() {
         "start" => return Some(START),

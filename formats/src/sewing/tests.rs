@@ -1,7 +1,7 @@
 use super::*;
 use toile_garment::Vec2;
 use toile_garment::dart::DartKind;
-use toile_garment::sewing::{AttachStrength, EdgePlace, Placement, RunSpec, RunWay};
+use toile_garment::sewing::{Around, AttachStrength, EdgePlace, Placement, RunSpec, RunWay};
 
 const WHOLE: &str = r#"
 leave_out = ["LINING"]
@@ -81,7 +81,7 @@ fn reads_every_table() {
     assert_eq!(kinds, [Some(DartKind::Wedge), Some(DartKind::FishEye), None]);
     let Placement::Explicit { translation, .. } = &plan.places[0].placement else { panic!("explicit") };
     assert_eq!(translation.z, 0.25);
-    let Placement::Around { height, turn, .. } = &plan.places[1].placement else { panic!("around") };
+    let Placement::Around(Around { height, turn, .. }) = &plan.places[1].placement else { panic!("around") };
     assert!(*height == 0.0 && (turn - std::f64::consts::FRAC_PI_2).abs() < 1e-15);
     assert_eq!(plan.layers[0].order, -1);
     assert_eq!(plan.attachments[0].strength, AttachStrength::Elastic(0.9));

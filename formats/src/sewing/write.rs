@@ -5,8 +5,8 @@ use std::fmt::Write as _;
 use toile_garment::Vec2;
 use toile_garment::dart::DartKind;
 use toile_garment::sewing::{
-    AttachStrength, BandLength, DartSpec, EdgeNameSpec, ElasticSpec, FoldSpec, InterliningSpec, PlaceSpec, Placement,
-    PleatPress, RunSpec, RunWay, SeamSpec, SewingPlan,
+    Around, AttachStrength, BandLength, DartSpec, EdgeNameSpec, ElasticSpec, FoldSpec, InterliningSpec, PlaceSpec,
+    Placement, PleatPress, RunSpec, RunWay, SeamSpec, SewingPlan,
 };
 use toile_garment::text::quoted;
 use toile_garment::units::tidy;
@@ -183,7 +183,7 @@ fn place(out: &mut String, place: &PlaceSpec) {
             let [x, y, z] = [by.x, by.y, by.z].map(length);
             let _ = writeln!(out, "move = [{x}, {y}, {z}]");
         }
-        Placement::Around { segment, side, height, turn } => {
+        Placement::Around(Around { segment, side, height, turn, shift }) => {
             let _ = write!(
                 out,
                 "around = {}\nside = {}\nheight = {}\nturn = \"{} deg\"\n",
@@ -192,6 +192,9 @@ fn place(out: &mut String, place: &PlaceSpec) {
                 length(*height),
                 turn.to_degrees()
             );
+            if *shift != 0.0 {
+                let _ = writeln!(out, "shift = {}", length(*shift));
+            }
         }
     }
     if let Some(ignores) = &place.ignores {
@@ -275,12 +278,13 @@ mod tests {
                 },
                 PlaceSpec {
                     piece: "back".to_owned(),
-                    placement: Placement::Around {
+                    placement: Placement::Around(Around {
                         segment: "torso".to_owned(),
                         side: "back".to_owned(),
                         height: 1.46,
                         turn: 0.25,
-                    },
+                        shift: -0.08,
+                    }),
                     ignores: Some(vec!["forearm-left".to_owned()]),
                     source: None,
                 },
@@ -331,7 +335,7 @@ mod tests {
         assert!((stiff.areal_mass - 0.06).abs() < 1e-12 && (stiff.bending - 4e-5).abs() < 1e-15);
         assert_eq!((read.edge_names.len(), read.places.len()), (1, 3));
         assert_eq!(read.places[0].placement, plan.places[0].placement);
-        let Placement::Around { turn, height, .. } = &read.places[1].placement else { panic!("around") };
+        let Placement::Around(Around { turn, height, .. }) = &read.places[1].placement else { panic!("around") };
         assert!((turn - 0.25).abs() < 1e-12 && (height - 1.46).abs() < 1e-12);
         assert_eq!(read.places[1].placement, plan.places[1].placement);
     }

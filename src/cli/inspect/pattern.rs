@@ -1,6 +1,6 @@
 //! Pattern files: DXF with its rule table, and the rule table alone.
 
-use super::{Inspected, Source, edges};
+use super::{Inspected, Source, darts, edges};
 use crate::engine::{MAX_INPUT, read_limited};
 use serde_json::{Map, Value, json};
 use std::fmt::Write as _;
@@ -34,9 +34,12 @@ pub(super) fn dxf(source: &Source<'_>) -> Result<Inspected, Vec<Diagnostic>> {
     let mut text = inspection.text.strip_suffix(&listed).unwrap_or(&inspection.text).to_owned();
     let mut json = inspection.json;
     let garment = inspection.pattern.to_garment(None, table.as_ref()).ok();
-    if let Some((rows, values)) = garment.and_then(|(garment, _)| edges::table(&garment)) {
-        text.push_str(&rows);
-        json["edges"] = values;
+    let tables = garment.map(|(g, _)| [("edges", edges::table(&g)), ("darts", darts::table(&g))]);
+    for (key, table) in tables.into_iter().flatten() {
+        if let Some((rows, values)) = table {
+            text.push_str(&rows);
+            json[key] = values;
+        }
     }
     Ok(Inspected { json, text, svg, findings, is_usable })
 }

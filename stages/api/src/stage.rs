@@ -23,6 +23,9 @@ pub struct StageInfo {
     pub gives: Cow<'static, [Aspect]>,
     /// Raised whenever the output changes for the same input.
     pub revision: u32,
+    /// Does it read what it outdates? Then that is forgotten once the stage has run, else before.
+    #[serde(skip)]
+    pub reads_outdated: bool,
 }
 
 impl StageInfo {
@@ -41,7 +44,15 @@ impl StageInfo {
             needs: Cow::Borrowed(needs),
             gives: Cow::Borrowed(gives),
             revision,
+            reads_outdated: false,
         }
+    }
+
+    /// The same stage, which reads what it outdates: shapes of pieces that it makes anew, for example.
+    #[must_use]
+    pub const fn reading_outdated(mut self) -> Self {
+        self.reads_outdated = true;
+        self
     }
 }
 

@@ -214,7 +214,9 @@ impl Stage for ExportDxf {
         }
         cx.files.write(Path::new(&params.file), &written.bytes)?;
         if let Some(file) = &params.sewing {
-            let plan = sewing::plan(&garment, &pieces);
+            // Before pieces are sewn there are no stitches to follow, and the pieces lie as the plan says.
+            let is_as_planned = params.source == DxfSource::Pattern && garment.seams.is_empty();
+            let plan = if is_as_planned { sewing::unsewn(&garment) } else { sewing::plan(&garment, &pieces) };
             cx.files.write(Path::new(file), toile_formats::sewing::write::text(&plan, sewing::HEAD).as_bytes())?;
         }
         Ok(garment)

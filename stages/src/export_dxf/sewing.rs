@@ -40,6 +40,14 @@ pub fn plan(garment: &Garment, pieces: &[Piece]) -> SewingPlan {
     }
 }
 
+/// The plan of a sewing file for the pieces of a garment that is not assembled yet. Copies are pieces of their own.
+pub fn unsewn(garment: &Garment) -> SewingPlan {
+    let edge_names = edge_names(garment, &garment.pieces);
+    let attachments = garment.plan.attachments.iter().map(|a| attachment(a, garment)).collect();
+    let plan = garment.plan.clone();
+    SewingPlan { edge_names, attachments, copies: Vec::new(), leave_out: Vec::new(), ..plan }
+}
+
 /// A piece by its name, before and after.
 fn named<'p>(garment: &'p Garment, pieces: &'p [Piece], name: &str) -> Option<(&'p Piece, &'p Piece)> {
     let k = garment.pieces.iter().position(|p| p.name.eq_ignore_ascii_case(name))?;

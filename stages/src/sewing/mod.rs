@@ -8,7 +8,7 @@ pub(crate) mod codes;
 mod edge_part;
 pub mod edges;
 mod file;
-mod lookup;
+pub(crate) mod lookup;
 pub mod marks;
 pub mod resolve;
 pub mod ring;

@@ -83,10 +83,8 @@ fn given(garment: &Garment, piece: &Piece) -> Option<Sheet> {
             let column = |k: usize| Vec3::new(rotation[0][k], rotation[1][k], rotation[2][k]);
             Some(Sheet { origin: *translation, ..Sheet::facing(column(2), column(1), 0.0) })
         }
-        Placement::Around { segment, side, height, turn } => {
-            // What is wrong with it is told where it is placed.
-            Wrap::new(garment, piece, segment, side, *height, *turn, 0.02).ok()?.sheet(garment)
-        }
+        // What is wrong with it is told where it is placed.
+        Placement::Around(place) => Wrap::new(garment, piece, place, 0.02).ok()?.sheet(garment),
     }
 }
 

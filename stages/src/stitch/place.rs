@@ -5,7 +5,7 @@ use super::codes;
 use crate::arrange::{Cylinder, Sheet, side_angle};
 use crate::codes::BODY_MISSING;
 use toile_garment::body::Body;
-use toile_garment::sewing::{PlaceSpec, Placement};
+use toile_garment::sewing::{Around, PlaceSpec, Placement};
 use toile_garment::{Diagnostic, Garment, Piece, Vec2, Vec3};
 
 /// Free arc left between neighbouring pieces on one cylinder, metres.
@@ -28,7 +28,7 @@ pub fn place(garment: &Garment, arranged: &Arranged, clearance: f64) -> Result<V
             Some(Placement::Explicit { rotation, translation }) => {
                 placed.push(rest.iter().map(|p| explicit(rotation, translation, *p)).collect());
             }
-            Some(Placement::Around { .. }) => {
+            Some(Placement::Around(_)) => {
                 if let Some(wrap) = wraps.iter().find(|w| w.piece == piece.id.index()) {
                     placed.push(rest.iter().map(|p| wrap.at(*p)).collect());
                 }
@@ -78,6 +78,8 @@ pub(super) struct Wrap {
     /// Angle of the middle, from the front.
     angle: f64,
     turn: f64,
+    /// Way of the middle along the girth, metres.
+    shift: f64,
     middle: Vec2,
     /// Half of the width, metres.
     half: f64,
@@ -94,28 +96,60 @@ impl Wrap {
     ///
     /// # Errors
     /// There is no body, or it has no such segment or side.
-    pub(super) fn new(
-        garment: &Garment,
-        piece: &Piece,
-        segment: &str,
-        side: &str,
-        height: f64,
-        turn: f64,
-        clearance: f64,
-    ) -> Result<Self, Diagnostic> {
-        wrap(garment, piece, segment, side, height, turn, clearance)
+    pub(super) fn new(garment: &Garment, piece: &Piece, place: &Around, clearance: f64) -> Result<Self, Diagnostic> {
+        let Around { segment, side, height, turn, shift } = place;
+        let body = garment.body.as_ref().ok_or_else(|| {
+            Diagnostic::error(
+                BODY_MISSING,
+                format!("piece `{}` is placed around `{segment}`, but there is no body", piece.name),
+            )
+            .hint("give the stage `stitch` a body: with.body = \"…obj\"")
+        })?;
+        let shape = body.segments.get(segment).ok_or_else(|| unknown_segment(body, piece, segment))?;
+        let angle = side_angle(side).ok_or_else(|| {
+            Diagnostic::error(codes::PLACE_SIDE_UNKNOWN, format!("piece `{}`: side `{side}` is not known", piece.name))
+                .hint("use front, back, left or right")
+        })?;
+        let cylinder = Cylinder::new(shape, clearance).ok_or_else(|| {
+            Diagnostic::error(codes::BODY_SEGMENT_FLAT, format!("the axis of body segment `{segment}` has no length"))
+        })?;
+        let (middle, size) = extent(piece, *turn);
+        let top = if segment.starts_with("arm") { Some(*height) } else { cylinder.axial_of_height(*height) };
+        let top = top.ok_or_else(|| {
+            Diagnostic::error(
+                codes::PLACE_HEIGHT,
+                format!("the axis of body segment `{segment}` lies level: a height says nothing"),
+            )
+        })?;
+        Ok(Wrap {
+            piece: piece.id.index(),
+            segment: segment.clone(),
+            angle,
+            turn: *turn,
+            shift: *shift,
+            middle,
+            half: 0.5 * size.x,
+            span: [top, top + size.y],
+            stack: 0,
+            cylinder,
+        })
     }
 
     /// The same as a sheet.
     pub(super) fn sheet(&self, garment: &Garment) -> Option<Sheet> {
         let segment = garment.body.as_ref()?.segments.get(&self.segment)?;
-        let middle = rotate(self.middle, self.turn);
+        let middle = rotate(self.middle, self.turn) - Vec2::new(self.shift, 0.0);
         Sheet::around(segment, 0.02, self.turn, middle, self.angle, 0.5 * (self.span[0] + self.span[1]))
+    }
+
+    /// How far it reaches from the middle of its side along the girth, metres.
+    fn reach(&self) -> f64 {
+        self.half + self.shift.abs()
     }
 
     fn at(&self, p: Vec2) -> Vec3 {
         let q = rotate(p - self.middle, self.turn);
-        self.cylinder.at(self.cylinder.arc_at(self.angle) + q.x, 0.5 * (self.span[0] + self.span[1]) - q.y)
+        self.cylinder.at(self.cylinder.arc_at(self.angle) + self.shift + q.x, 0.5 * (self.span[0] + self.span[1]) - q.y)
     }
 }
 
@@ -128,8 +162,8 @@ fn wraps(garment: &Garment, specs: &[Option<&PlaceSpec>], clearance: f64, errors
     let mut wraps = Vec::new();
     for (piece, spec) in garment.pieces.iter().zip(specs) {
         let Some(spec) = spec else { continue };
-        let Placement::Around { segment, side, height, turn } = &spec.placement else { continue };
-        match wrap(garment, piece, segment, side, *height, *turn, clearance) {
+        let Placement::Around(place) = &spec.placement else { continue };
+        match Wrap::new(garment, piece, place, clearance) {
             Ok(wrap) => wraps.push(wrap),
             Err(finding) => errors.push(finding.at(spec.source.clone())),
         }
@@ -137,51 +171,6 @@ fn wraps(garment: &Garment, specs: &[Option<&PlaceSpec>], clearance: f64, errors
     stack(&mut wraps);
     widen(garment.body.as_ref(), &mut wraps, clearance);
     wraps
-}
-
-fn wrap(
-    garment: &Garment,
-    piece: &Piece,
-    segment: &str,
-    side: &str,
-    height: f64,
-    turn: f64,
-    clearance: f64,
-) -> Result<Wrap, Diagnostic> {
-    let body = garment.body.as_ref().ok_or_else(|| {
-        Diagnostic::error(
-            BODY_MISSING,
-            format!("piece `{}` is placed around `{segment}`, but there is no body", piece.name),
-        )
-        .hint("give the stage `stitch` a body: with.body = \"…obj\"")
-    })?;
-    let shape = body.segments.get(segment).ok_or_else(|| unknown_segment(body, piece, segment))?;
-    let angle = side_angle(side).ok_or_else(|| {
-        Diagnostic::error(codes::PLACE_SIDE_UNKNOWN, format!("piece `{}`: side `{side}` is not known", piece.name))
-            .hint("use front, back, left or right")
-    })?;
-    let cylinder = Cylinder::new(shape, clearance).ok_or_else(|| {
-        Diagnostic::error(codes::BODY_SEGMENT_FLAT, format!("the axis of body segment `{segment}` has no length"))
-    })?;
-    let (middle, size) = extent(piece, turn);
-    let top = if segment.starts_with("arm") { Some(height) } else { cylinder.axial_of_height(height) };
-    let top = top.ok_or_else(|| {
-        Diagnostic::error(
-            codes::PLACE_HEIGHT,
-            format!("the axis of body segment `{segment}` lies level: a height says nothing"),
-        )
-    })?;
-    Ok(Wrap {
-        piece: piece.id.index(),
-        segment: segment.to_owned(),
-        angle,
-        turn,
-        middle,
-        half: 0.5 * size.x,
-        span: [top, top + size.y],
-        stack: 0,
-        cylinder,
-    })
 }
 
 fn unknown_segment(body: &Body, piece: &Piece, segment: &str) -> Diagnostic {
@@ -214,11 +203,12 @@ fn same_ring(a: &Wrap, b: &Wrap) -> bool {
     a.segment == b.segment && a.span[0] < b.span[1] && b.span[0] < a.span[1]
 }
 
-/// Pieces on the same side at the same height lie over each other, in the order they were named.
+/// Pieces on the same side at the same height lie over each other, in the order they were named, but for those that are
+/// shifted past each other.
 fn stack(wraps: &mut [Wrap]) {
     for i in 0..wraps.len() {
-        wraps[i].stack =
-            (0..i).filter(|j| same_ring(&wraps[i], &wraps[*j]) && wraps[i].angle == wraps[*j].angle).count();
+        let meets = |a: &Wrap, b: &Wrap| a.angle == b.angle && (a.shift - b.shift).abs() < a.half + b.half;
+        wraps[i].stack = (0..i).filter(|j| same_ring(&wraps[i], &wraps[*j]) && meets(&wraps[i], &wraps[*j])).count();
     }
 }
 
@@ -250,12 +240,12 @@ fn fits(body: &Body, wraps: &[Wrap], i: usize, away: f64) -> bool {
     for other in wraps.iter().filter(|o| same_ring(me, o) && o.angle != me.angle) {
         let apart = (cylinder.arc_at(other.angle) - cylinder.arc_at(me.angle)).abs();
         let apart = apart.min(cylinder.girth() - apart);
-        if me.half + other.half + SIDE_GAP > apart {
+        if me.reach() + other.reach() + SIDE_GAP > apart {
             return false;
         }
         room = room.min(cylinder.girth());
     }
-    2.0 * me.half + SIDE_GAP <= room
+    2.0 * me.reach() + SIDE_GAP <= room
 }
 
 #[cfg(test)]
@@ -280,7 +270,12 @@ mod tests {
         };
         let place = |piece: &str, side: &str| PlaceSpec {
             piece: piece.into(),
-            placement: Placement::Around { segment: "torso".into(), side: side.into(), height: 1.2, turn: 0.0 },
+            placement: Placement::Around(Around {
+                segment: "torso".into(),
+                side: side.into(),
+                height: 1.2,
+                ..Around::default()
+            }),
             ignores: None,
             source: None,
         };

@@ -1,0 +1,142 @@
+//! Pieces from changed outlines.
+
+use super::Seam;
+use super::contour::{Contour, Vertex};
+use super::marks::Region;
+use crate::sewing::ring::{Ring, arcs, nearest_on};
+use toile_formats::allowance::{Allowance, cut_line};
+use toile_garment::dart::{Dart, DartKind};
+use toile_garment::notch::Notch;
+use toile_garment::outline::{LinePoint, OutlineEdge, PieceLine, PointKind};
+use toile_garment::{Diagnostic, Piece, Vec2};
+
+/// Seam allowance of new edges where nothing is said, metres.
+pub const ALLOWANCE: f64 = 10e-3;
+
+/// Places nearer to each other are one, metres.
+const SAME_PLACE: f64 = 1e-6;
+
+/// One piece of what an old piece became.
+#[derive(Clone, Debug)]
+pub struct Part {
+    /// Name.
+    pub name: String,
+    /// Outline.
+    pub contour: Contour,
+    /// Its darts that are new or changed.
+    pub darts: Vec<Dart>,
+    /// Its new notches.
+    pub notches: Vec<Notch>,
+}
+
+/// What a change makes of a piece.
+#[derive(Clone, Debug)]
+pub struct Altered {
+    /// The parts.
+    pub parts: Vec<Part>,
+    /// How the cloth moved.
+    pub regions: Vec<Region>,
+    /// Numbers of the old darts that are gone or made anew.
+    pub gone: Vec<usize>,
+    /// The old outline.
+    pub ring: Ring,
+    /// The seam between the parts.
+    pub seam: Seam,
+    /// Seam allowance of new edges, metres.
+    pub allowance: f64,
+    /// What was done, in words.
+    pub told: String,
+    /// What is to be said beside that.
+    pub findings: Vec<Diagnostic>,
+}
+
+impl Altered {
+    /// The parts as pieces.
+    pub fn pieces(&self, old: &Piece) -> Vec<Piece> {
+        (0..self.parts.len()).map(|k| self.piece(old, k)).collect()
+    }
+
+    fn piece(&self, old: &Piece, k: usize) -> Piece {
+        let part = &self.parts[k];
+        let points = part.contour.vertices.iter().map(|v| LinePoint { at: v.at, kind: v.kind }).collect();
+        let outline = PieceLine { points, closed: true, ..old.outline.clone() };
+        let edges = edges(&outline);
+        let name = part.name.clone();
+        let mut piece = Piece { name, outline, edges, cut_line: None, drawn: None, mesh: None, ..old.clone() };
+        self.carry_marks(old, k, &mut piece);
+        piece.darts.extend(part.darts.iter().cloned());
+        piece.notches.extend(part.notches.iter().cloned());
+        if let Some(cut) = &old.cut_line {
+            piece.cut_line = self.cut_line(cut, k, &piece);
+        }
+        piece
+    }
+
+    /// The cut line: along every edge the allowance of the old one, along new edges what is asked for. It runs over the
+    /// mouths of darts.
+    fn cut_line(&self, cut: &PieceLine, k: usize, piece: &Piece) -> Option<PieceLine> {
+        let vertices = filled(&self.parts[k].contour.vertices, &piece.darts);
+        let points = vertices.iter().map(|v| LinePoint { at: v.at, kind: v.kind }).collect();
+        let outline = PieceLine { points, closed: true, ..piece.outline.clone() };
+        let edges = edges(&outline);
+        let cut = cut.positions();
+        let arc = arcs(&cut, true);
+        let width = |v: usize| {
+            let [a, b] = vertices[v].stretch?;
+            let middle = Some((a + b) / 2.0).filter(|s| self.ring.gap_around(*s).is_none())?;
+            Some((nearest_on(&cut, &arc, true, self.ring.at(middle)).1, b - a))
+        };
+        let n = vertices.len();
+        let of_edge = |e: &OutlineEdge| {
+            let count = (e.to as usize + n - e.from as usize - 1) % n + 1;
+            let mut widths: Vec<(f64, f64)> = (0..count).filter_map(|i| width((e.from as usize + i) % n)).collect();
+            widths.sort_by(|a, b| a.0.total_cmp(&b.0));
+            (e.index, median(&widths).unwrap_or(self.allowance))
+        };
+        let widths = edges.iter().map(of_edge).collect();
+        let allowance = Allowance { width: self.allowance, edges: widths, ..Allowance::default() };
+        let around = Piece { outline, edges, name: piece.name.clone(), ..Piece::default() };
+        cut_line(&around, &allowance).ok().map(|(line, _)| line)
+    }
+}
+
+/// An outline without the wedges of its darts.
+fn filled(vertices: &[Vertex], darts: &[Dart]) -> Vec<Vertex> {
+    let n = vertices.len();
+    let at = |p: Vec2| vertices.iter().position(|v| (v.at - p).norm() < SAME_PLACE);
+    let mut is_in_dart = vec![false; n];
+    for dart in darts.iter().filter(|d| d.kind == DartKind::Wedge) {
+        let (Some(first), Some(second)) = (at(dart.mouth[0]), at(dart.mouth[1])) else { continue };
+        (1..(second + n - first) % n).for_each(|k| is_in_dart[(first + k) % n] = true);
+    }
+    let kept = vertices.iter().zip(&is_in_dart).filter(|(_, is_in)| !**is_in);
+    kept.map(|(v, _)| *v).collect()
+}
+
+/// The value in the middle of sorted values with weights.
+fn median(values: &[(f64, f64)]) -> Option<f64> {
+    let half = values.iter().map(|v| v.1).sum::<f64>() / 2.0;
+    let mut sum = 0.0;
+    values
+        .iter()
+        .find(|v| {
+            sum += v.1;
+            sum >= half
+        })
+        .map(|v| v.0)
+}
+
+/// Edges between corners, from the first corner on.
+fn edges(outline: &PieceLine) -> Vec<OutlineEdge> {
+    let points = (0_u32..).zip(&outline.points);
+    let corners: Vec<u32> = points.filter(|(_, p)| p.kind == PointKind::Turn).map(|(i, _)| i).collect();
+    let corners = if corners.is_empty() { vec![0] } else { corners };
+    let next = corners.iter().cycle().skip(1);
+    let edge = |((index, from), to): ((u32, &u32), &u32)| OutlineEdge { index, name: None, from: *from, to: *to };
+    (0_u32..).zip(&corners).zip(next).map(edge).collect()
+}
+
+/// The middle of two points.
+pub fn middle(a: Vec2, b: Vec2) -> Vec2 {
+    (a + b) / 2.0
+}

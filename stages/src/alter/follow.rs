@@ -1,0 +1,278 @@
+//! How the sewing plan follows a changed piece.
+
+use super::build::Altered;
+use super::marks::Motion;
+use crate::sewing::lookup;
+use crate::sewing::resolve::{Side, Span, elastic_side, find, placed};
+use crate::sewing::ring::SAME;
+use crate::sewing::shapes::Shapes;
+use toile_garment::dart::DartKind;
+use toile_garment::sewing::{
+    Around, AttachSpec, DartSpec, EdgeNameSpec, ElasticSpec, FoldSpec, InterliningSpec, LayerSpec, PlaceSpec,
+    Placement, RunSpec, RunWay, SewingPlan,
+};
+use toile_garment::{Diagnostic, Garment, Piece, PieceId, Vec2};
+
+/// The plan for the parts of a piece.
+///
+/// # Errors
+/// Seams and bands of the old plan that are not on the outlines.
+pub fn plan(garment: &Garment, shapes: &Shapes, id: PieceId, altered: &Altered) -> Result<SewingPlan, Vec<Diagnostic>> {
+    let old = &garment.plan;
+    let follow = Follow { garment, shapes, id, altered, name: &garment.pieces[id.index()].name };
+    let seams = placed(find(garment, shapes))?;
+    let seams = old.seams.iter().zip(&seams).map(|(spec, found)| {
+        if !follow.touches(&found.a) && !follow.touches(&found.b) {
+            return spec.clone();
+        }
+        let [a, b] = [&found.a, &found.b].map(|side| follow.side(side));
+        toile_garment::sewing::SeamSpec { a, b, reverse: None, ..spec.clone() }
+    });
+    let seams = seams.collect();
+    let (edge_names, attachments) = follow.names()?;
+    Ok(SewingPlan {
+        seams,
+        darts: old.darts.clone(),
+        places: old.places.iter().flat_map(|p| follow.place(p)).collect(),
+        layers: old.layers.iter().map(|l| LayerSpec { pieces: follow.pieces(&l.pieces), ..l.clone() }).collect(),
+        attachments,
+        copies: Vec::new(),
+        edge_names,
+        elastics: old.elastics.iter().map(|e| follow.elastic(e)).collect::<Result<_, _>>()?,
+        folds: old.folds.iter().map(|f| follow.fold(f)).collect(),
+        interlinings: old
+            .interlinings
+            .iter()
+            .map(|i| InterliningSpec { pieces: follow.pieces(&i.pieces), ..i.clone() })
+            .collect(),
+        leave_out: Vec::new(),
+    })
+}
+
+/// The darts of a piece as a sewing file declares them, so that a file that is read again has them.
+pub fn declared(piece: &Piece) -> Vec<DartSpec> {
+    let is_wedge = |k: DartKind| matches!(k, DartKind::Wedge | DartKind::MarkedWedge | DartKind::FishEye);
+    let spec = |d: &toile_garment::dart::Dart| DartSpec {
+        piece: piece.name.clone(),
+        name: Some(d.name.clone()),
+        apexes: d.apexes.clone(),
+        mouth: d.mouth,
+        kind: Some(d.kind),
+        press: None,
+        sewn: None,
+        source: None,
+    };
+    piece.darts.iter().filter(|d| is_wedge(d.kind)).map(spec).collect()
+}
+
+struct Follow<'a> {
+    garment: &'a Garment,
+    shapes: &'a Shapes,
+    id: PieceId,
+    altered: &'a Altered,
+    name: &'a str,
+}
+
+impl Follow<'_> {
+    fn is_it(&self, name: &str) -> bool {
+        name.eq_ignore_ascii_case(self.name)
+    }
+
+    fn touches(&self, side: &Side) -> bool {
+        side.spans.iter().any(|s| s.piece == self.id)
+    }
+
+    /// The name of the piece, or those of its parts.
+    fn pieces(&self, names: &[String]) -> Vec<String> {
+        let parts = || self.altered.parts.iter().map(|p| p.name.clone());
+        let each = |n: &String| if self.is_it(n) { parts().collect() } else { vec![n.clone()] };
+        names.iter().flat_map(each).collect()
+    }
+
+    fn side(&self, side: &Side) -> Vec<RunSpec> {
+        let mut out: Vec<RunSpec> = Vec::new();
+        for run in side.spans.iter().flat_map(|span| self.span(span)) {
+            match out.last_mut().zip(as_points(&run)) {
+                // The halves of an edge beside a dart that is closed now are one.
+                Some((RunSpec::Points { piece, to, way, .. }, next))
+                    if piece == next.piece && *way == next.way && (*to - next.ends[0]).norm() < SAME =>
+                {
+                    *to = next.ends[1];
+                }
+                _ => out.push(run),
+            }
+        }
+        out
+    }
+
+    fn span(&self, span: &Span) -> Vec<RunSpec> {
+        let ring = &self.shapes[span.piece.index()].rings[span.ring];
+        let way = if span.forward { RunWay::Left } else { RunWay::Right };
+        let ends = [ring.at(span.from), ring.at(span.to)];
+        if span.piece != self.id {
+            let piece = self.garment.pieces[span.piece.index()].name.clone();
+            return vec![RunSpec::Points { piece, from: ends[0], to: ends[1], way }];
+        }
+        if span.ring != 0 {
+            let carried = self.altered.carried(&ends);
+            let run = carried.map(|(part, p)| self.points(part, [p[0], p[1]], way));
+            return run.into_iter().collect();
+        }
+        let [from, to] = if span.forward { [span.from, span.to] } else { [span.to, span.from] };
+        let ahead = ring.ahead(from, to);
+        let mut runs = self.runs(from, if ahead < SAME { ring.total() } else { ahead });
+        if span.forward {
+            return runs.into_iter().map(|(part, ends)| self.points(part, ends, way)).collect();
+        }
+        runs.reverse();
+        runs.into_iter().map(|(part, [a, b])| self.points(part, [b, a], way)).collect()
+    }
+
+    fn points(&self, part: usize, [from, to]: [Vec2; 2], way: RunWay) -> RunSpec {
+        RunSpec::Points { piece: self.altered.parts[part].name.clone(), from, to, way }
+    }
+
+    /// What a walk along the old outline covers on the parts, in its order: the part, and both ends walked forward.
+    fn runs(&self, from: f64, length: f64) -> Vec<(usize, [Vec2; 2])> {
+        let ring = &self.shapes[self.id.index()].rings[0];
+        let parts = self.altered.parts.iter().enumerate();
+        let mut all: Vec<_> =
+            parts.flat_map(|(k, p)| p.contour.carried(ring, from, length).into_iter().map(move |c| (k, c))).collect();
+        all.sort_by(|(_, a), (_, b)| a.way[0].total_cmp(&b.way[0]));
+        let mut out: Vec<(usize, [Vec2; 2])> = Vec::new();
+        let mut last: Option<(usize, usize)> = None;
+        for (part, c) in all {
+            let count = self.altered.parts[part].contour.vertices.len();
+            // One new segment between two old ones is cloth: an edge that spreads. A dart has two.
+            let is_next = |s: usize| (0..=2).any(|k| (s + k) % count == c.segment);
+            let goes_on = last.is_some_and(|(p, s)| p == part && is_next(s));
+            match out.last_mut().filter(|_| goes_on) {
+                Some(run) => run.1[1] = c.ends[1],
+                None => out.push((part, c.ends)),
+            }
+            last = Some((part, c.segment));
+        }
+        out
+    }
+
+    /// Named edges, and the attachments that speak of edges.
+    fn names(&self) -> Result<(Vec<EdgeNameSpec>, Vec<AttachSpec>), Vec<Diagnostic>> {
+        let plan = &self.garment.plan;
+        let mut names: Vec<EdgeNameSpec> =
+            plan.edge_names.iter().filter(|n| !self.is_it(n.run.piece())).cloned().collect();
+        let mut attachments: Vec<AttachSpec> = Vec::new();
+        let named = self.garment.pieces[self.id.index()].edges.iter().filter_map(|e| e.name.clone());
+        let named = named.map(|name| (name.clone(), name));
+        let tied = plan.attachments.iter().filter(|a| self.is_it(&a.piece)).map(|a| a.edge.clone());
+        let tied = tied.map(|edge| (edge.clone(), by_number(&edge)));
+        let mut given: Vec<(String, String)> = Vec::new();
+        for (label, name) in named.chain(tied) {
+            if given.iter().any(|(l, _)| l.eq_ignore_ascii_case(&label)) {
+                continue;
+            }
+            given.push((label.clone(), name.clone()));
+            let run = RunSpec::Edge { piece: self.name.to_owned(), edge: label };
+            let run = lookup::run(self.garment, self.shapes, &run, None).map_err(|e| vec![e])?;
+            let length = run.walk(&self.shapes[self.id.index()]);
+            for (part, ends) in self.runs(run.span().0, length) {
+                let run = self.points(part, ends, RunWay::Left);
+                let name = free_name(&names, run.piece(), &name);
+                names.push(EdgeNameSpec { run, name });
+            }
+        }
+        for attach in &plan.attachments {
+            let name = given.iter().find(|(l, _)| l.eq_ignore_ascii_case(&attach.edge)).map(|(_, n)| n);
+            let Some(name) = name.filter(|_| self.is_it(&attach.piece)) else {
+                attachments.push(attach.clone());
+                continue;
+            };
+            let is_part = |n: &&EdgeNameSpec| {
+                let is_here = self.altered.parts.iter().any(|p| p.name == n.run.piece());
+                is_here && (n.name == *name || n.name.strip_prefix(name.as_str()).is_some_and(|r| r.starts_with('.')))
+            };
+            let tied = names.iter().filter(is_part).map(|n| AttachSpec {
+                piece: n.run.piece().to_owned(),
+                edge: n.name.clone(),
+                ..attach.clone()
+            });
+            attachments.extend(tied);
+        }
+        Ok((names, attachments))
+    }
+
+    fn elastic(&self, spec: &ElasticSpec) -> Result<ElasticSpec, Vec<Diagnostic>> {
+        let side = elastic_side(self.garment, self.shapes, spec).map_err(|e| vec![e])?;
+        let along = if self.touches(&side) { self.side(&side) } else { spec.along.clone() };
+        Ok(ElasticSpec { along, ..spec.clone() })
+    }
+
+    fn fold(&self, spec: &FoldSpec) -> FoldSpec {
+        let carried = self.altered.carried(&spec.line).filter(|_| self.is_it(&spec.piece));
+        carried.map_or_else(
+            || spec.clone(),
+            |(part, line)| FoldSpec { piece: self.altered.parts[part].name.clone(), line, ..spec.clone() },
+        )
+    }
+
+    /// Where the parts start. Around the body a part lies where it lay in the whole piece.
+    fn place(&self, spec: &PlaceSpec) -> Vec<PlaceSpec> {
+        if !self.is_it(&spec.piece) {
+            return vec![spec.clone()];
+        }
+        let old = self.garment.pieces[self.id.index()].outline.positions();
+        let each = self.altered.parts.iter().map(|part| {
+            let placement = match &spec.placement {
+                Placement::Around(place) => Placement::Around(moved(place, &old, &part.contour.points())),
+                other => other.clone(),
+            };
+            PlaceSpec { piece: part.name.clone(), placement, ..spec.clone() }
+        });
+        each.collect()
+    }
+}
+
+/// The place of a part of a piece.
+fn moved(place: &Around, old: &[Vec2], part: &[Vec2]) -> Around {
+    let turned = |points: &[Vec2]| -> Vec<Vec2> {
+        let turn = Motion { about: Vec2::new(0.0, 0.0), angle: place.turn };
+        points.iter().map(|p| turn.apply(*p)).collect()
+    };
+    let [[left, right], [_, high]] = extent(&turned(old));
+    let [[part_left, part_right], [_, part_high]] = extent(&turned(part));
+    let is_arm = place.segment.starts_with("arm");
+    let lower = if is_arm { high - part_high } else { part_high - high };
+    let shift = (part_left + part_right - left - right) / 2.0;
+    Around { height: place.height + lower, shift: place.shift + shift, ..place.clone() }
+}
+
+/// Least and greatest x, and y, of points.
+fn extent(points: &[Vec2]) -> [[f64; 2]; 2] {
+    [0, 1].map(|k| {
+        let far = [f64::INFINITY, f64::NEG_INFINITY];
+        points.iter().fold(far, |[least, most], p| [least.min(p[k]), most.max(p[k])])
+    })
+}
+
+/// A run between two points.
+struct Points<'a> {
+    piece: &'a String,
+    ends: [Vec2; 2],
+    way: RunWay,
+}
+
+fn as_points(run: &RunSpec) -> Option<Points<'_>> {
+    let RunSpec::Points { piece, from, to, way } = run else { return None };
+    Some(Points { piece, ends: [*from, *to], way: *way })
+}
+
+/// The name that an edge gets which was meant by its number.
+fn by_number(label: &str) -> String {
+    if label.chars().all(|c| c.is_ascii_digit()) { format!("edge-{label}") } else { label.to_owned() }
+}
+
+/// The name, or the name with a number after a dot where another edge of the piece has it.
+fn free_name(names: &[EdgeNameSpec], piece: &str, name: &str) -> String {
+    let is_taken = |n: &str| names.iter().any(|e| e.run.piece() == piece && e.name == n);
+    let numbered = (2..).map(|k| format!("{name}.{k}"));
+    std::iter::once(name.to_owned()).chain(numbered).find(|n| !is_taken(n)).unwrap_or_default()
+}

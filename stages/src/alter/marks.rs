@@ -1,0 +1,173 @@
+//! How marks go with the cloth that they are on.
+
+use super::build::Altered;
+use crate::sewing::ring::{arcs, nearest_on};
+use toile_formats::dxf::geom::inside;
+use toile_garment::dart::{Dart, DartKind};
+use toile_garment::outline::PieceLine;
+use toile_garment::{Piece, Vec2};
+
+/// A drill hole this near to the point of a dart marks it, metres. They stand up to 15 mm before it.
+const NEAR_POINT: f64 = 16e-3;
+/// A point this near to a region lies on it, metres.
+const ON_REGION: f64 = 1e-4;
+/// A notch this near to the mouth of a dart marks it, metres.
+const AT_MOUTH: f64 = 2e-3;
+
+/// A turn about a point of the plane.
+#[derive(Clone, Copy, Debug)]
+pub struct Motion {
+    /// The point, metres.
+    pub about: Vec2,
+    /// The angle, radians, counter-clockwise.
+    pub angle: f64,
+}
+
+impl Motion {
+    /// No motion.
+    pub const NONE: Self = Self { about: Vec2::new(0.0, 0.0), angle: 0.0 };
+
+    /// Where a point comes to lie.
+    pub fn apply(&self, p: Vec2) -> Vec2 {
+        if self.angle == 0.0 {
+            return p;
+        }
+        let (s, c) = (libm::sin(self.angle), libm::cos(self.angle));
+        let d = p - self.about;
+        self.about + Vec2::new(c * d.x - s * d.y, s * d.x + c * d.y)
+    }
+}
+
+/// A region of the old piece that moves as a whole.
+#[derive(Clone, Debug)]
+pub struct Region {
+    /// Its outline.
+    pub polygon: Vec<Vec2>,
+    /// How it moves.
+    pub motion: Motion,
+    /// Number of the part that it becomes.
+    pub part: usize,
+}
+
+impl Region {
+    /// Distance of a point from it; 0 inside.
+    fn distance(&self, p: Vec2) -> f64 {
+        if inside(p, &self.polygon) {
+            return 0.0;
+        }
+        nearest_on(&self.polygon, &arcs(&self.polygon, true), true, p).1
+    }
+}
+
+impl Altered {
+    /// The region that a mark goes with: the one that holds its middle, or is nearest to it.
+    fn region(&self, points: &[Vec2]) -> Option<&Region> {
+        let middle = points.iter().sum::<Vec2>() / points.len().max(1) as f64;
+        self.regions.iter().min_by(|a, b| a.distance(middle).total_cmp(&b.distance(middle)))
+    }
+
+    /// The motion of a mark, if it goes with a part.
+    fn motion(&self, part: usize, points: &[Vec2]) -> Option<Motion> {
+        self.region(points).filter(|r| r.part == part).map(|r| r.motion)
+    }
+
+    /// Where points of a mark come to lie, with the number of the part.
+    pub fn carried(&self, points: &[Vec2]) -> Option<(usize, Vec<Vec2>)> {
+        let region = self.region(points)?;
+        Some((region.part, points.iter().map(|p| region.motion.apply(*p)).collect()))
+    }
+
+    /// A dart or pleat of the piece that lies on several regions: a line cuts through it.
+    pub fn cut_dart<'p>(&self, old: &'p Piece) -> Option<&'p Dart> {
+        let is_parted = |dart: &Dart| {
+            let place: Vec<Vec2> = dart.mouth.iter().chain(&dart.apexes).copied().collect();
+            self.region(&place).is_none_or(|r| place.iter().any(|p| r.distance(*p) > ON_REGION))
+        };
+        let kept = old.darts.iter().enumerate().filter(|(k, _)| !self.gone.contains(k));
+        kept.map(|(_, d)| d).find(|d| is_parted(d))
+    }
+
+    /// Gives a part the marks of the old piece that lie on it.
+    pub fn carry_marks(&self, old: &Piece, part: usize, piece: &mut Piece) {
+        let here = |points: &[Vec2]| self.motion(part, points);
+        let lines = |lines: &[PieceLine]| lines.iter().filter_map(|l| Some(line(l, here(&l.positions())?))).collect();
+        piece.internal_lines = lines(&old.internal_lines);
+        piece.cutouts = lines(&old.cutouts);
+        piece.match_lines = lines(&old.match_lines);
+        let notch = |n: &toile_garment::notch::Notch| {
+            let motion = here(&[n.at])?;
+            let angle = n.angle.map(|a| a + motion.angle);
+            Some(toile_garment::notch::Notch { at: motion.apply(n.at), angle, ..n.clone() })
+        };
+        piece.notches = old.notches.iter().filter(|n| !self.marks_gone_dart(old, n.at)).filter_map(notch).collect();
+        piece.drill_holes.retain(|h| !self.marks_gone_dart(old, h.at));
+        let carry = |points: &mut [Vec2]| {
+            let motion = here(points);
+            motion.inspect(|m| points.iter_mut().for_each(|p| *p = m.apply(*p))).is_some()
+        };
+        piece.drill_holes.retain_mut(|h| carry(std::slice::from_mut(&mut h.at)));
+        piece.texts.retain_mut(|t| carry(std::slice::from_mut(&mut t.at)));
+        piece.folds.retain_mut(|f| carry(&mut f.line));
+        let darts = old.darts.iter().enumerate().filter(|(k, _)| !self.gone.contains(k));
+        piece.darts = darts.filter_map(|(k, d)| self.dart(k, d, part)).collect();
+        piece.grain = old.grain.map(|g| self.grain(g, part, &piece.outline.positions()));
+        piece.fold = old.fold.filter(|f| here(f).is_some_and(|m| m.angle == 0.0) && self.parts.len() == 1);
+    }
+
+    /// Does a notch or a drill hole mark a dart that is gone? It stands at its mouth or near its point.
+    fn marks_gone_dart(&self, old: &Piece, at: Vec2) -> bool {
+        let gone = self.gone.iter().filter_map(|k| old.darts.get(*k));
+        let near = |points: &[Vec2], reach: f64| points.iter().any(|p| (p - at).norm() < reach);
+        let to_mouth = |d: &Dart| old.cut_line.as_ref().map_or(AT_MOUTH, |_| AT_MOUTH.max(0.6 * d.intake()));
+        gone.into_iter().any(|d| near(&d.apexes, NEAR_POINT) || near(&d.mouth, to_mouth(d)))
+    }
+
+    /// A dart that was not changed. What was only marked is notched out of the outline now.
+    fn dart(&self, number: usize, dart: &Dart, part: usize) -> Option<Dart> {
+        let place: Vec<Vec2> = dart.mouth.iter().chain(&dart.apexes).copied().collect();
+        let motion = self.motion(part, &place)?;
+        let mut dart = dart.clone();
+        if dart.kind == DartKind::MarkedWedge {
+            dart.kind = DartKind::Wedge;
+            "cut".clone_into(&mut dart.line);
+            if let Some(gap) = self.ring.gaps.iter().find(|g| g.dart == number) {
+                let walk = |from: usize, to: usize| self.ring.points.get(from..=to).map(<[Vec2]>::to_vec);
+                let legs = gap.apex.and_then(|a| Some([walk(gap.from, a)?, walk(a, gap.to)?]));
+                if let Some([down, mut up]) = legs {
+                    up.reverse();
+                    (dart.mouth, dart.apexes) = ([down[0], up[0]], vec![down[down.len() - 1]]);
+                    dart.legs = [down, up];
+                }
+            }
+        }
+        let points = dart.apexes.iter_mut().chain(&mut dart.mouth).chain(dart.legs.iter_mut().flatten());
+        points.for_each(|p| *p = motion.apply(*p));
+        dart.mesh = None;
+        Some(dart)
+    }
+
+    /// The grain: that of the old piece where it lies on the part. Else it runs the same way through the middle of the
+    /// part.
+    fn grain(&self, grain: [Vec2; 2], part: usize, outline: &[Vec2]) -> [Vec2; 2] {
+        if let Some(motion) = self.motion(part, &grain) {
+            let moved = grain.map(|p| motion.apply(p));
+            if moved.iter().all(|p| inside(*p, outline)) {
+                return moved;
+            }
+        }
+        let sum = |f: fn(f64, f64) -> f64, start: f64, of: fn(&Vec2) -> f64| outline.iter().map(of).fold(start, f);
+        let x = [sum(f64::min, f64::INFINITY, |p| p.x), sum(f64::max, f64::NEG_INFINITY, |p| p.x)];
+        let y = [sum(f64::min, f64::INFINITY, |p| p.y), sum(f64::max, f64::NEG_INFINITY, |p| p.y)];
+        let middle = Vec2::new((x[0] + x[1]) / 2.0, (y[0] + y[1]) / 2.0);
+        // Half as long as the piece is.
+        let along = (grain[1] - grain[0]).try_normalize(1e-9).unwrap_or(Vec2::new(0.0, 1.0));
+        let half = 0.25 * (along.x.abs() * (x[1] - x[0]) + along.y.abs() * (y[1] - y[0]));
+        [middle - along * half, middle + along * half]
+    }
+}
+
+fn line(line: &PieceLine, motion: Motion) -> PieceLine {
+    let mut line = line.clone();
+    line.points.iter_mut().for_each(|p| p.at = motion.apply(p.at));
+    line
+}

@@ -1,0 +1,177 @@
+//! `alter`: what a pattern maker does with paper and scissors. Darts are pivoted, closed and moved, pieces are cut apart
+//! along style lines. Seams, notches, grain and allowances follow.
+
+mod build;
+mod contour;
+mod cut;
+mod dart;
+mod follow;
+mod marks;
+mod params;
+mod pivot;
+mod spot;
+#[cfg(test)]
+mod tests;
+
+pub use params::AlterParams;
+
+use crate::codes::SEAM_PROPOSED;
+use crate::sewing::resolve::{find, placed};
+use crate::sewing::shapes::{Shapes, shapes};
+use build::Altered;
+use params::Change;
+use toile_garment::sewing::{DartSpec, SeamSpec};
+use toile_garment::{Aspect, Code, Diagnostic, Garment, PieceId, Report};
+use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
+
+codes! {
+    pub(crate) list CODES;
+
+    /// A change of a piece was made. The message says what became of it.
+    ALTERED = "altered";
+
+    /// A line along which a piece is to be cut leaves the piece, or crosses a dart. Exit code 2.
+    ALTER_LINE_LEAVES_PIECE = "alter-line-leaves-piece";
+
+    /// A place of a change is not where it has to be: a line must begin and end on the outline or at the point of a
+    /// wedge dart. Exit code 2.
+    ALTER_PLACE = "alter-place";
+
+    /// The piece has no dart of that name, or the dart cannot be changed so. The message lists the darts. Exit code 2.
+    ALTER_DART = "alter-dart";
+
+    /// The changed piece would lie over itself. Exit code 2.
+    ALTER_OVERLAPS = "alter-overlaps";
+
+    /// Both legs of a changed dart differ in length. The seam between them is eased.
+    ALTER_LEGS_DIFFER = "alter-legs-differ";
+}
+
+/// Sides whose lengths differ by less have no ease, metres.
+const NO_EASE: f64 = 5e-5;
+
+/// The stage.
+pub struct Alter;
+
+impl Stage for Alter {
+    type Params = AlterParams;
+
+    const INFO: StageInfo = StageInfo::new(
+        "alter",
+        "pivots, closes and moves darts, and cuts pieces apart along lines; the sewing file follows",
+        &[Aspect::Pieces],
+        &[Aspect::Pieces],
+        1,
+    )
+    .reading_outdated();
+
+    fn forecast(
+        &self,
+        params: &Self::Params,
+        forecast: &mut Forecast,
+        cx: &mut StageContext<'_>,
+    ) -> Result<Option<Cost>, StageError> {
+        if !forecast.garment.pieces.is_empty() {
+            forecast.garment = self.run(params, std::mem::take(&mut forecast.garment), cx)?;
+        }
+        Ok(Some(Cost::seconds(0.01)))
+    }
+
+    fn run(&self, params: &AlterParams, garment: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
+        // Places in space are looked up before the shapes are gone.
+        let changes = params.change.iter().map(|c| spot::flattened(&garment, c)).collect::<Result<Vec<Change>, _>>();
+        let changes = changes.map_err(StageError::parameter)?;
+        let numbered = (1..).zip(&changes);
+        numbered.into_iter().try_fold(garment, |garment, (number, change)| {
+            alter(garment, change, cx.report).map_err(|error| of_change(number, error))
+        })
+    }
+}
+
+/// Tells which change could not be made.
+fn of_change(number: usize, error: StageError) -> StageError {
+    let told = |list: Vec<Diagnostic>| {
+        let told = |mut d: Diagnostic| {
+            d.message.insert_str(0, &format!("change {number}: "));
+            d
+        };
+        list.into_iter().map(told).collect()
+    };
+    match error {
+        StageError::Parameter(list) => StageError::Parameter(told(list)),
+        StageError::Input(list) => StageError::Input(told(list)),
+        other => other,
+    }
+}
+
+/// Makes one change.
+fn alter(garment: Garment, change: &Change, report: &mut Report) -> Result<Garment, StageError> {
+    let shapes = shapes(&garment).map_err(StageError::Input)?;
+    let id = crate::sewing::lookup::piece(&garment, change.piece(), None).map_err(StageError::parameter)?;
+    let altered = match change {
+        Change::Pivot(p) => pivot::pivot(&garment, &shapes, id, p),
+        Change::Close(p) => pivot::close(&garment, &shapes, id, p),
+        Change::Point(p) => dart::point(&garment, &shapes, id, p),
+        Change::Cut(p) => cut::cut(&garment, &shapes, id, p),
+    };
+    let altered = altered.map_err(StageError::parameter)?;
+    let piece = &garment.pieces[id.index()];
+    if let Some(dart) = altered.cut_dart(piece) {
+        let message = format!("a line cuts through dart `{}` of piece `{}`", dart.name, piece.name);
+        let hint = "let it pass beside the dart, or end at the point of a wedge dart";
+        return Err(StageError::parameter(Diagnostic::error(ALTER_LINE_LEAVES_PIECE, message).hint(hint)));
+    }
+    report.push(Diagnostic::info(ALTERED, altered.told.clone()));
+    report.findings.extend(altered.findings.iter().cloned());
+    put_in(garment, &shapes, id, altered, report)
+}
+
+/// Puts the parts of a piece in its place, and lets the sewing plan follow.
+fn put_in(
+    mut garment: Garment,
+    shapes: &Shapes,
+    id: PieceId,
+    altered: Altered,
+    report: &mut Report,
+) -> Result<Garment, StageError> {
+    let mut plan = follow::plan(&garment, shapes, id, &altered).map_err(StageError::Parameter)?;
+    let old = garment.pieces.remove(id.index());
+    let parts = altered.pieces(&old);
+    let names: Vec<String> = parts.iter().map(|p| p.name.clone()).collect();
+    garment.pieces.splice(id.index()..id.index(), parts);
+    for (i, piece) in garment.pieces.iter_mut().enumerate() {
+        piece.id = PieceId::from(i);
+        piece.mesh = None;
+    }
+    plan.seams.extend(altered.seam);
+    // Darts and folds are in the pieces already. They stay in the plan for those who write it.
+    let kept = (std::mem::take(&mut plan.darts), std::mem::take(&mut plan.folds));
+    let mut again = Report::default();
+    crate::sewing::apply(&mut garment, plan, &mut again)?;
+    ease(&mut garment)?;
+    // What was told of the sewing file before is not told again.
+    report.findings.extend(again.findings.into_iter().filter(|f| f.code != SEAM_PROPOSED));
+    (garment.plan.darts, garment.plan.folds) = kept;
+    garment.plan.darts.retain(|d| !d.piece.eq_ignore_ascii_case(&old.name));
+    let declared = garment.pieces.iter().filter(|p| names.contains(&p.name)).flat_map(follow::declared);
+    let declared: Vec<DartSpec> = declared.collect();
+    garment.plan.darts.extend(declared);
+    Ok(garment)
+}
+
+/// Declares the ease of seams of which one side became longer, and changes their gathers.
+fn ease(garment: &mut Garment) -> Result<(), StageError> {
+    let shapes = shapes(garment).map_err(StageError::Input)?;
+    let seams = placed(find(garment, &shapes)).map_err(StageError::Parameter)?;
+    for (spec, seam) in garment.plan.seams.iter_mut().zip(seams) {
+        let [a, b] = [seam.a.length, seam.b.length];
+        match spec.gather {
+            Some(_) => spec.gather = Some(a.max(b) / a.min(b)),
+            None => spec.ease = spec.ease.or_else(|| ((a - b).abs() > NO_EASE).then_some(0.0)).map(|_| a - b),
+        }
+    }
+    Ok(())
+}
+
+/// The seam that a change adds.
+type Seam = Option<SeamSpec>;
