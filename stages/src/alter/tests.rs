@@ -98,8 +98,9 @@ fn a_closed_dart_lengthens_the_edge_that_spreads() {
     let text = "[[change]]\ndo = \"close\"\npiece = \"front\"\ndart = \"waist\"\nto = [100, 300]\n";
     let out = altered(garment(), text).expect("close");
     assert!(out.pieces[0].darts.is_empty());
-    let spread = 2.0 * 0.18 * 20.0 / (120.0_f64.powi(2) + 20.0_f64.powi(2)).sqrt();
-    let area = front().outline.signed_area() + 0.5 * spread * 0.18 * 120.0 / (120.0_f64.powi(2) + 400.0).sqrt();
+    let leg = (v(80.0, 0.0) - v(100.0, 120.0)).norm();
+    let spread = 2.0 * 0.18 * 0.02 / leg;
+    let area = front().outline.signed_area() + 0.5 * spread * 0.18 * 0.12 / leg;
     assert!((out.pieces[0].outline.signed_area() - area).abs() < GRID);
 }
 
