@@ -8,7 +8,7 @@ use support::project::Project;
 const CASES: &str = "toile = 1\n# Cases of the print.\n[[case]]\nname = \"print-38\"\npipeline = \"printed.toml\"\n\
     set = { size = \"38\" }\n[case.figures]\ngarment.pieces = { within = 0 } # both pieces\n\
     [case.hashes]\n\"pieces.svg\" = \"\"\n\n\
-    [[case]]\nname = \"no-size\"\npipeline = \"printed.toml\"\nset = { size = \"99\" }\nexit = 3\n\
+    [[case]]\nname = \"no-size\"\npipeline = \"printed.toml\"\nset = { size = \"99\" }\nexit = 2\n\
     findings = [\"size-not-found\"]\n";
 
 fn project() -> Project {
@@ -45,8 +45,7 @@ fn blessed_cases_pass_and_all_else_in_the_file_stays() {
         env!("CARGO_PKG_VERSION"),
         &digest[..12]
     );
-    let wanted =
-        CASES.replace("within = 0 }", "within = 0, value = 2.0 }").replace("\"\"\n", &format!("\"{digest}\"\n"));
+    let wanted = CASES.replace("within = 0 }", "within = 0, value = 2 }").replace("\"\"\n", &format!("\"{digest}\"\n"));
     assert_eq!(read(&project, "toile-test.toml"), wanted + &history);
     let (code, out, err) = project.toile("test");
     assert_eq!((code, err.as_str()), (0, "print-38 …\nno-size …\n"));
@@ -63,10 +62,10 @@ fn golden_values_are_not_written_without_a_reason_nor_for_runs_that_fail() {
         let (code, _, err) = project.toile(words.trim_end());
         assert!(code == 2 && err.contains("error[test-no-reason]"), "{words}: {code} {err}");
     }
-    project.change("toile-test.toml", "exit = 3", "exit = 0");
+    project.change("toile-test.toml", "exit = 2", "exit = 0");
     let (code, _, err) = project.toile("test --bless --reason another --quiet");
     assert!(
-        code == 1 && err.contains("error[test-not-blessed] `no-size`: the exit code is 3 (input), expected 0"),
+        code == 1 && err.contains("error[test-not-blessed] `no-size`: the exit code is 2 (usage), expected 0"),
         "{err}"
     );
     assert!(!read(&project, "toile-test.toml").contains("history"), "all files or none");
@@ -79,7 +78,7 @@ fn golden_values_are_not_written_without_a_reason_nor_for_runs_that_fail() {
 fn what_differs_is_told_with_both_values_in_every_form() {
     let project = project();
     bless(&project);
-    project.change("toile-test.toml", "value = 2.0", "value = 3.0");
+    project.change("toile-test.toml", "value = 2", "value = 3");
     project.change("printed.toml", "{out}/pieces.svg\"", "{out}/pieces.svg\"\nwith.width = \"600 mm\"");
     let (code, out, _) = project.toile("test --junit verdicts.xml --quiet");
     assert_eq!(code, 1);

@@ -97,7 +97,7 @@ fn values(table: &mut dyn TableLike, case: &GoldenCase, verdict: &Verdict) -> Ve
         let Some(inside) = inner(table, &keys) else { continue };
         let before = figure.value.map_or_else(|| "none".to_owned(), |v| figure.shown(v));
         changed.push(format!("{name} {before} → {}", figure.shown(value)));
-        put(inside, "value", if figure.is_length { figure.shown(value).into() } else { value.into() });
+        put(inside, "value", if figure.is_length { figure.shown(value).into() } else { number(value) });
     }
     for hash in &case.hashes {
         let Some(found) = verdict.outputs.get(&hash.path).filter(|f| hash.blake3.as_ref() != Some(*f)) else {
@@ -111,6 +111,13 @@ fn values(table: &mut dyn TableLike, case: &GoldenCase, verdict: &Verdict) -> Ve
     changed
 }
 
+/// A number as a person would write it: counts without a point.
+#[expect(clippy::cast_possible_truncation, reason = "whole and below 2^53")]
+fn number(value: f64) -> Value {
+    let is_whole = value.trunc() == value && value.abs() < 9e15;
+    if is_whole { Value::from(value as i64) } else { Value::from(value) }
+}
+
 /// Sets a value; blanks and comments around an old one stay.
 fn put(table: &mut dyn TableLike, key: &str, mut value: Value) {
     match table.get_mut(key).and_then(Item::as_value_mut) {
@@ -118,7 +125,16 @@ fn put(table: &mut dyn TableLike, key: &str, mut value: Value) {
             *value.decor_mut() = old.decor().clone();
             *old = value;
         }
-        None => drop(table.insert(key, Item::Value(value))),
+        None => {
+            // The blank before a closing brace belongs to the value that was the last.
+            if let Some(last) = table.iter_mut().last().and_then(|(_, item)| item.as_value_mut()) {
+                let is_blank = last.decor().suffix().and_then(|s| s.as_str()).is_some_and(|s| s.trim().is_empty());
+                if is_blank {
+                    last.decor_mut().set_suffix("");
+                }
+            }
+            table.insert(key, Item::Value(value));
+        }
     }
 }
 
