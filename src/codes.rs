@@ -38,6 +38,8 @@ codes! {
 /// The lists of the command's rooms.
 const OWN: &[&[Code]] = &[
     SHARED,
+    crate::acceptance::codes::CODES,
+    crate::bundle::codes::CODES,
     crate::cli::codes::CODES,
     crate::diff::codes::CODES,
     crate::engine::codes::CODES,

@@ -5,17 +5,22 @@
 #[path = "../formats/garment/src/code_list.rs"]
 mod code_list;
 
+pub mod acceptance;
+pub mod bundle;
 pub mod cli;
 pub mod codes;
 pub mod diff;
 pub mod engine;
 pub mod external;
+pub mod figures;
+pub mod junit;
 pub mod line;
 pub mod load;
 pub mod new;
 pub mod pipeline;
 pub mod progress;
 pub mod render;
+pub mod rerun;
 pub mod schema;
 pub mod study;
 pub mod watch;

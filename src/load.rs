@@ -3,8 +3,6 @@
 mod accuracy;
 pub(crate) mod codes;
 
-pub(crate) use codes::NOT_TEXT;
-
 use crate::codes::FILE_MISSING;
 use crate::engine::{Exit, Gate, Stop, check_paths, clean, read_limited};
 use crate::external;
@@ -81,6 +79,27 @@ pub fn reload<'r>(request: &Request, registry: &'r Registry) -> Loaded<'r> {
     }
 }
 
+/// Reads a file that a person writes; `what` names its kind. What is wrong goes to the report.
+pub(crate) fn read_text(path: &Path, what: &str, report: &mut Report) -> Option<SourceText> {
+    let name = clean(path);
+    let at = || SourceRef::file(name.clone());
+    let bytes = match read_limited(path, path, MAX_BYTES) {
+        Ok(bytes) => bytes,
+        Err(error) => {
+            report.findings.extend(crate::engine::of_file_error(&error).0.into_iter().map(|f| f.at(at())));
+            return None;
+        }
+    };
+    match String::from_utf8(bytes) {
+        Ok(text) => Some(SourceText::new(name, text, Vec::new())),
+        Err(_) => {
+            let finding = Diagnostic::error(codes::NOT_TEXT, format!("the {what} is no UTF-8 text"));
+            report.push(finding.at(at()).hint("save it as UTF-8"));
+            None
+        }
+    }
+}
+
 fn open(request: &Request) -> Result<SourceText, Vec<Diagnostic>> {
     let name = clean(&request.file);
     let at = |d: Diagnostic| vec![d.at(SourceRef::file(name.clone()))];
@@ -91,7 +110,7 @@ fn open(request: &Request) -> Result<SourceText, Vec<Diagnostic>> {
         .map_err(|e| crate::engine::of_file_error(&e).0.into_iter().flat_map(&at).collect::<Vec<_>>())?;
     let text = String::from_utf8(bytes).map_err(|e| {
         let message = format!("the pipeline is no UTF-8 text: byte {} is wrong", e.utf8_error().valid_up_to());
-        at(Diagnostic::error(NOT_TEXT, message).hint("save it as UTF-8"))
+        at(Diagnostic::error(codes::NOT_TEXT, message).hint("save it as UTF-8"))
     })?;
     Ok(SourceText::new(name, text, request.set.clone()))
 }

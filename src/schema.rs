@@ -1,5 +1,7 @@
 //! The schema of a pipeline file and the manual of the stages, both from the parameter types.
 
+pub(crate) mod parts;
+
 use crate::pipeline::SchemaTree;
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value, json};

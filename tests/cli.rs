@@ -20,6 +20,8 @@ fn help_and_version_are_results() {
         "plan",
         "study",
         "inspect",
+        "test",
+        "bundle",
         "flatten",
         "body",
         "fabric",

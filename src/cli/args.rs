@@ -1,7 +1,9 @@
 //! Verbs and their options.
 
+use super::bundle::BundleArgs;
 use super::fabric::FabricArgs;
 use super::line::LineArgs;
+use super::test::TestArgs;
 use crate::engine::{CacheOptions, Limits};
 use crate::load::Request;
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -39,6 +41,10 @@ pub enum Verb {
     Deps(DepsArgs),
     /// Tell what differs between two results: folders, records or GLBs. Exit code 1 if it is more than the tolerance.
     Diff(DiffArgs),
+    /// Run golden cases of your own: figures with tolerances, outputs, findings. Exit code 1 if one differs.
+    Test(TestArgs),
+    /// Pack all that a run read into one file, or verify such a file.
+    Bundle(BundleArgs),
     /// Sew a product line: styles in sizes, fabrics and other choices.
     Line(LineArgs),
     /// Show what is in a file.
@@ -82,6 +88,8 @@ pub enum FileKind {
     Body,
     /// A product line.
     Line,
+    /// Golden cases.
+    Test,
 }
 
 /// Which pipeline, and what it may do.
@@ -318,6 +326,24 @@ pub enum DiffFormat {
     Json,
     /// One page with pictures side by side.
     Html,
+}
+
+/// Limits of runs that nobody watches.
+#[derive(Args, Debug)]
+pub struct ForeseenArgs {
+    /// Longest time of a run, s: refused when more is foreseen [default: 500]
+    #[arg(long, value_name = "SECONDS", value_parser = positive)]
+    pub max_seconds: Option<f64>,
+    /// Most memory of a run, MB: refused when more is foreseen [default: half of what the system can give]
+    #[arg(long, value_name = "MB", value_parser = positive)]
+    pub max_memory: Option<f64>,
+}
+
+impl ForeseenArgs {
+    /// The limits that are asked for.
+    pub fn limits(&self) -> Limits {
+        Limits { seconds: self.max_seconds, mb: self.max_memory }
+    }
 }
 
 /// `deps`

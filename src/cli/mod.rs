@@ -2,6 +2,7 @@
 
 mod args;
 mod body;
+mod bundle;
 mod check;
 pub(crate) mod codes;
 mod completions;
@@ -20,6 +21,7 @@ mod run;
 mod schema;
 mod stages;
 mod study;
+mod test;
 mod watch;
 
 use crate::engine::{Exit, Stop};
@@ -90,6 +92,8 @@ fn dispatch(cli: Cli, mut registry: Registry, stop: &Arc<Stop>, console: &mut Co
         Verb::Plan(args) => plan::run(&args, &mut registry, stop, console),
         Verb::Diff(args) => diff::run(&args, console),
         Verb::Deps(args) => deps::run(&args, &mut registry, stop, console),
+        Verb::Test(args) => test::run(&args, &mut registry, stop, console),
+        Verb::Bundle(args) => bundle::run(&args, &mut registry, stop, console),
         Verb::Line(args) => line::run(&args, &mut registry, stop, console),
         Verb::Inspect(args) => inspect::run(&args, console),
         Verb::Flatten(args) => flatten::run(&args, &registry, stop, console),

@@ -50,6 +50,8 @@ pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, con
         threads,
         allow_write: args.allow_write.clone(),
         set: args.pipeline.set.clone(),
+        accuracy: args.accuracy.accuracy.clone(),
+        repeats: args.accuracy.repeats,
         pipeline_file: (source.file().to_owned(), source.text().as_bytes().to_vec()),
         foreseen: Some(content.into_foreseen(&pipeline)),
         cache: args.cache.options(),

@@ -13,6 +13,7 @@ pub(super) fn run(args: &SchemaArgs, registry: &Registry, console: &mut Console<
         FileKind::Fabric => toile_formats::fabric::schema(),
         FileKind::Body => toile_formats::body::schema(),
         FileKind::Line => crate::line::schema(),
+        FileKind::Test => crate::acceptance::schema(),
     });
     Exit::Good
 }

@@ -73,6 +73,8 @@ fn once(
         threads,
         allow_write: Vec::new(),
         set: args.pipeline.set.clone(),
+        accuracy: args.accuracy.accuracy.clone(),
+        repeats: args.accuracy.repeats,
         pipeline_file: (source.file().to_owned(), source.text().as_bytes().to_vec()),
         foreseen: Some(content.into_foreseen(&pipeline)),
         cache: Some(cache(args, &out)),

@@ -2,6 +2,7 @@
 
 use super::change::{Change, Group};
 use super::side::Side;
+use crate::figures::numbers;
 use serde_json::Value;
 use std::collections::BTreeMap;
 use toile_garment::Garment;
@@ -74,8 +75,7 @@ fn leaves(name: &str, value: &Value, found: &mut Words) {
 fn figures(side: &Side) -> BTreeMap<String, f64> {
     let own = side.garment.as_ref().and_then(|g| g.certificate.as_ref()).and_then(|c| serde_json::to_value(c).ok());
     let certificate = side.record.as_ref().map(|r| r["certificate"].clone()).or(own).unwrap_or_default();
-    let number = |v: &Value| v.as_f64().or_else(|| v.as_bool().map(|b| f64::from(u8::from(b))));
-    certificate.as_object().into_iter().flatten().filter_map(|(k, v)| Some((k.clone(), number(v)?))).collect()
+    numbers(&certificate)
 }
 
 fn certificate(a: &BTreeMap<String, f64>, b: &BTreeMap<String, f64>) -> Vec<Change> {

@@ -9,9 +9,11 @@ mod shape;
 mod side;
 mod tolerance;
 
+pub(crate) use change::exceeds;
 pub use change::{Change, Group};
 pub use page::html;
 pub use shape::{Motion, align};
+pub(crate) use side::glb_of;
 pub use side::{Side, open};
 pub use tolerance::{Tolerance, read_tolerance};
 

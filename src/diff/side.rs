@@ -1,7 +1,7 @@
 //! A result: a folder of a run, its record, or a GLB.
 
 use super::codes;
-use crate::engine::{RECORD_NAME, clean, output_below, read_limited};
+use crate::engine::{RECORD_NAME, clean, output_below, read_limited, read_record};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 use toile_formats::gltf;
@@ -35,11 +35,7 @@ pub fn open(path: &Path) -> Result<Side, Diagnostic> {
         Some(glb) => side.garment = Some(garment(glb).map_err(wrong)?),
         None => {
             let path = file.map_or_else(|| folder.join(RECORD_NAME), Path::to_path_buf);
-            let bytes = read_limited(&path, &path, MAX_FILE).map_err(|e| wrong(e.to_string()))?;
-            let record: Value = serde_json::from_slice(&bytes).map_err(|e| wrong(e.to_string()))?;
-            if record.get("toile").is_none() || record.get("stages").is_none() {
-                return Err(wrong("the file is no record of a run".to_owned()));
-            }
+            let record = read_record(&path).map_err(wrong)?;
             side.garment = glb_of(folder, &record).map(|glb| garment(&glb)).transpose().map_err(wrong)?;
             side.record = Some(record);
         }
@@ -48,7 +44,7 @@ pub fn open(path: &Path) -> Result<Side, Diagnostic> {
 }
 
 /// The first garment among the outputs.
-fn glb_of(folder: &Path, record: &Value) -> Option<PathBuf> {
+pub(crate) fn glb_of(folder: &Path, record: &Value) -> Option<PathBuf> {
     let mut outputs = record["outputs"].as_array()?.iter().filter_map(|o| o["path"].as_str());
     Some(folder.join(output_below(Path::new(outputs.find(|p| p.ends_with(".glb"))?)).ok()?))
 }

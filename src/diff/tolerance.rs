@@ -5,8 +5,15 @@ use serde::Deserialize;
 use toile_garment::units::Length;
 
 /// Tolerances. Without any, every difference is over.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Deserialize)]
+#[serde(from = "Stated")]
 pub struct Tolerance(Option<Stated>);
+
+impl From<Stated> for Tolerance {
+    fn from(stated: Stated) -> Self {
+        Self(Some(stated))
+    }
+}
 
 /// The file: lengths for what is measured in mm, `"same"` or `"any"` for words, a number for strain.
 #[derive(Clone, Debug, Default, Deserialize)]
@@ -37,10 +44,26 @@ enum Words {
 /// # Errors
 /// What is wrong, in words.
 pub fn read_tolerance(text: &str) -> Result<Tolerance, String> {
-    toml::from_str(text).map(|stated| Tolerance(Some(stated))).map_err(|e| e.to_string())
+    toml::from_str(text).map_err(|e| e.to_string())
 }
 
 impl Tolerance {
+    /// The tolerance of a kind in words; nothing where none is stated.
+    #[must_use]
+    pub fn stated(&self, group: Group) -> Option<String> {
+        let stated = self.0.as_ref()?;
+        let length = match group {
+            Group::Pieces => stated.pieces,
+            Group::Darts => stated.darts,
+            Group::Seams => stated.seams,
+            Group::Measures => stated.measures,
+            Group::Shape => stated.shape,
+            Group::Strain => return stated.strain.map(|x| x.to_string()),
+            Group::Inputs | Group::Parameters | Group::Fabric | Group::Findings => None,
+        };
+        length.map(|l| l.to_string())
+    }
+
     /// Is a difference larger than what is stated?
     #[must_use]
     pub fn is_over(&self, change: &Change) -> bool {

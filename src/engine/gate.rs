@@ -111,6 +111,14 @@ impl Gate {
         path.to_string_lossy().replace('\\', "/")
     }
 
+    /// Where a path leads, with `.` and `..` worked off and nothing looked up on disk.
+    ///
+    /// # Errors
+    /// [`FileError::Refused`] for a name that means something else on another system.
+    pub fn place(&self, path: &Path) -> Result<PathBuf, FileError> {
+        self.lexical(path)
+    }
+
     fn allows(&self, path: &Path) -> bool {
         self.roots.iter().any(|root| path.starts_with(root))
     }

@@ -37,7 +37,7 @@ pub use outputs::{Outputs, Plan, RECORD_NAME, is_locked};
 pub use panics::{panic_text, quiet_panics};
 pub use preflight::{check_paths, planned_inputs, planned_outputs};
 pub use preview::{PREVIEW_NAME, Preview};
-pub use record::{GarmentCounts, OutputRecord, RunIdentity, RunRecord, StageRun};
+pub use record::{GarmentCounts, OutputRecord, RunIdentity, RunRecord, StageRun, read_record};
 pub use run::{Outcome, RunOptions, default_out, run};
 pub use same::{is_same, known_inputs, refuse_input};
 pub use stop::Stop;

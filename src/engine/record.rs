@@ -1,8 +1,11 @@
 //! `run.json`: what ran, how long, with which result. The only output that may hold times and machine facts.
 
 use super::exit::Exit;
+use super::files::read_limited;
 use crate::pipeline::ProgramContent;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+use std::path::Path;
 use toile_garment::animation::MotionCertificate;
 use toile_garment::garment::{Certificate, EffectRecord};
 use toile_garment::provenance::InputRecord;
@@ -19,7 +22,7 @@ pub struct StageRun {
     /// Revision of the stage's code.
     pub revision: u32,
     /// Full parameters.
-    pub params: serde_json::Value,
+    pub params: Value,
     /// Wall time.
     pub seconds: f64,
     /// Time of all threads, where the system tells.
@@ -31,7 +34,7 @@ pub struct StageRun {
 }
 
 /// An output.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct OutputRecord {
     /// Below the output folder, forward slashes.
     pub path: String,
@@ -80,6 +83,12 @@ pub struct RunRecord {
     pub exit_code: u8,
     /// Overrides of the command line.
     pub set: Vec<String>,
+    /// Accuracy of the command line.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub accuracy: Option<String>,
+    /// Repeats of the command line.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub repeats: Option<u32>,
     /// Inputs.
     pub inputs: Vec<InputRecord>,
     /// Seed.
@@ -122,6 +131,20 @@ impl RunRecord {
         self.status = exit.word();
         self.exit_code = exit.code();
     }
+}
+
+/// Largest record that is read, bytes.
+const MAX_RECORD: u64 = 64 << 20;
+
+/// Reads the record of a run.
+///
+/// # Errors
+/// What is wrong with the file, in words.
+pub fn read_record(path: &Path) -> Result<Value, String> {
+    let bytes = read_limited(path, path, MAX_RECORD).map_err(|e| e.to_string())?;
+    let record: Value = serde_json::from_slice(&bytes).map_err(|e| e.to_string())?;
+    let is_record = record.get("toile").is_some() && record.get("stages").is_some();
+    is_record.then_some(record).ok_or_else(|| "the file is no record of a run".to_owned())
 }
 
 impl GarmentCounts {

@@ -40,6 +40,10 @@ pub struct RunOptions {
     pub allow_write: Vec<PathBuf>,
     /// Overrides, for the record.
     pub set: Vec<String>,
+    /// Accuracy that was asked for, for the record.
+    pub accuracy: Option<String>,
+    /// Repeats that were asked for, for the record.
+    pub repeats: Option<u32>,
     /// Name and bytes of the pipeline file, for the record.
     pub pipeline_file: (String, Vec<u8>),
     /// Key of the content that was foreseen, and the files that it counts.
@@ -158,6 +162,8 @@ impl<'a> Run<'a> {
             status: Exit::Stopped.word(),
             exit_code: Exit::Stopped.code(),
             set: options.set.clone(),
+            accuracy: options.accuracy.clone(),
+            repeats: options.repeats,
             inputs: Vec::new(),
             seed: pipeline.seed,
             threads: options.threads,

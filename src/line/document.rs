@@ -3,12 +3,13 @@
 use super::value::{Set, label, raw, sets};
 use crate::codes::WRONG_VALUE;
 use crate::engine::Limits;
+use crate::figures::Bounds;
 use crate::pipeline::{Reader, SourceText, parse_toml};
 use std::ops::Range;
 use std::path::PathBuf;
 use std::str::FromStr;
 use toile_garment::Report;
-use toile_garment::units::{Duration, Length, Memory, UnitError};
+use toile_garment::units::{Duration, Memory, UnitError};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -28,7 +29,7 @@ pub struct LineFile {
     /// Single jobs.
     pub includes: Vec<Include>,
     /// Figures that every job must keep to.
-    pub gates: Vec<GateRule>,
+    pub gates: Vec<Bounds>,
 }
 
 /// A style: a pipeline with what is set for all its jobs.
@@ -90,17 +91,6 @@ pub struct Include {
     pub span: Range<usize>,
 }
 
-/// Bounds of a figure of a job.
-#[derive(Clone, Debug, PartialEq)]
-pub struct GateRule {
-    /// The figure: a key of the certificate, or `NAME.on.method` of a measure.
-    pub figure: String,
-    /// Least value; lengths in mm.
-    pub min: Option<f64>,
-    /// Largest value; lengths in mm.
-    pub max: Option<f64>,
-}
-
 /// Reads the grammar. `None` only if the text is no TOML at all.
 pub(super) fn parse(source: &SourceText, report: &mut Report) -> Option<LineFile> {
     let root = parse_toml(source, report)?;
@@ -112,17 +102,15 @@ pub(super) fn parse(source: &SourceText, report: &mut Report) -> Option<LineFile
     Some(LineFile {
         name: read_name(&mut cx, root),
         limits: read_limits(&mut cx, root),
-        styles: tables(&mut cx, root, "style")
-            .into_iter()
-            .filter_map(|(t, span)| read_style(&mut cx, t, span))
-            .collect(),
+        styles: cx.tables(root, "style").into_iter().filter_map(|(t, span)| read_style(&mut cx, t, span)).collect(),
         axes: matrix.map(|table| read_axes(&mut cx, table)).unwrap_or_default(),
-        excludes: tables(&mut cx, root, "exclude").into_iter().map(|(t, span)| read_rule(&mut cx, t, span)).collect(),
-        includes: tables(&mut cx, root, "include")
+        excludes: cx.tables(root, "exclude").into_iter().map(|(t, span)| read_rule(&mut cx, t, span)).collect(),
+        includes: cx
+            .tables(root, "include")
             .into_iter()
             .filter_map(|(t, span)| read_include(&mut cx, t, span))
             .collect(),
-        gates: tables(&mut cx, root, "gate").into_iter().filter_map(|(t, span)| read_gate(&mut cx, t, &span)).collect(),
+        gates: cx.tables(root, "gate").into_iter().filter_map(|(t, span)| read_gate(&mut cx, t, &span)).collect(),
     })
 }
 
@@ -158,23 +146,6 @@ fn quantity<Q: FromStr<Err = UnitError>>(
         Err(error) => cx.push(WRONG_VALUE, &text.span(), error.message, "write a number and a unit"),
     }
     None
-}
-
-/// A list of tables: `[[key]]`.
-fn tables<'a, 't>(cx: &mut Reader<'_>, root: &'a DeTable<'t>, key: &str) -> Vec<(&'a DeTable<'t>, Range<usize>)> {
-    let Some(list) = root.get(key) else { return Vec::new() };
-    let DeValue::Array(items) = list.get_ref() else {
-        cx.wrong_type(list, key, &format!("a list: write [[{key}]], with two brackets"));
-        return Vec::new();
-    };
-    let mut found = Vec::new();
-    for item in items {
-        match item.get_ref() {
-            DeValue::Table(table) => found.push((table, item.span())),
-            _ => cx.wrong_type(item, key, &format!("a table: write [[{key}]]")),
-        }
-    }
-    found
 }
 
 fn read_style(cx: &mut Reader<'_>, table: &DeTable<'_>, span: Range<usize>) -> Option<Style> {
@@ -271,28 +242,13 @@ fn read_include(cx: &mut Reader<'_>, table: &DeTable<'_>, span: Range<usize>) ->
     Some(Include { cells, style: style?, sets, name, span })
 }
 
-fn read_gate(cx: &mut Reader<'_>, table: &DeTable<'_>, span: &Range<usize>) -> Option<GateRule> {
+fn read_gate(cx: &mut Reader<'_>, table: &DeTable<'_>, span: &Range<usize>) -> Option<Bounds> {
     cx.refuse_unknown(table, &["figure", "min", "max"], "[[gate]]");
     cx.require(table, "figure", span, "the figure, e.g. figure = \"strain_max\"");
-    let [min, max] = ["min", "max"].map(|key| bound(cx, table, key));
+    let [min, max] = ["min", "max"].map(|key| cx.bound(table, key));
     let figure = cx.text(table, "figure")?;
     if !table.contains_key("min") && !table.contains_key("max") {
         cx.require(table, "max", span, "a bound: min or max");
     }
-    Some(GateRule { figure: figure.into_inner(), min, max })
-}
-
-/// A bound: a number, or a length, which becomes mm.
-fn bound(cx: &mut Reader<'_>, table: &DeTable<'_>, key: &str) -> Option<f64> {
-    let value = table.get(key)?;
-    let number = match value.get_ref() {
-        DeValue::Integer(n) => n.to_string().parse().ok(),
-        DeValue::Float(n) => n.as_str().parse().ok().filter(|n: &f64| n.is_finite()),
-        DeValue::String(text) => text.parse::<Length>().ok().map(|l| 1e3 * l.0),
-        _ => None,
-    };
-    if number.is_none() {
-        cx.wrong_type(value, key, "a finite number, or a length such as \"20 mm\"");
-    }
-    number
+    Some(Bounds { figure: figure.into_inner(), min, max })
 }

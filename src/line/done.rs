@@ -2,20 +2,17 @@
 
 use super::run::Ran;
 use super::survey::Planned;
-use crate::engine::{RECORD_NAME, output_below, read_limited};
+use crate::engine::{RECORD_NAME, output_below, read_record};
 use serde_json::Value;
 use std::path::Path;
 
-/// Largest record that is read, bytes.
-const MAX_RECORD: u64 = 64 << 20;
 /// Ends that another try would not change. A full disk, a limit or a stop may go away.
 const FINAL: [&str; 5] = ["good", "gate-failed", "usage", "input", "unstable"];
 
 /// The record of a job, if it has one.
 #[must_use]
 pub fn record(folder: &Path) -> Option<Value> {
-    let path = folder.join(RECORD_NAME);
-    serde_json::from_slice(&read_limited(&path, &path, MAX_RECORD).ok()?).ok()
+    read_record(&folder.join(RECORD_NAME)).ok()
 }
 
 /// How the last run in the folder of a job ended, if it left a record.

@@ -31,7 +31,7 @@ mod survey;
 mod thumbnail;
 mod value;
 
-pub use document::{Axis, Choice, GateRule, Include, LineFile, Rule, Style};
+pub use document::{Axis, Choice, Include, LineFile, Rule, Style};
 pub use done::was_run;
 pub use expand::{Job, expand};
 pub use lock::Lock;
@@ -40,12 +40,12 @@ pub use run::{Order, Ran, arguments};
 pub use schema::schema;
 pub use survey::{Planned, Rights, Survey, Surveyed, survey};
 pub use value::Set;
+pub(crate) use value::sets;
 
-use crate::engine::{clean, of_file_error, read_limited};
-use crate::load::NOT_TEXT;
-use crate::pipeline::{MAX_BYTES, SourceText};
+use crate::load::read_text;
+use crate::pipeline::SourceText;
 use std::path::{Path, PathBuf};
-use toile_garment::{Diagnostic, Report, SourceRef};
+use toile_garment::Report;
 
 /// A product line as its file says, with its jobs.
 pub struct Line {
@@ -71,31 +71,11 @@ pub struct Opened {
 #[must_use]
 pub fn open(path: &Path) -> Opened {
     let mut report = Report::default();
-    let line = read(path, &mut report).and_then(|source| {
+    let line = read_text(path, "line", &mut report).and_then(|source| {
         let file = document::parse(&source, &mut report)?;
         let jobs = expand(&file, &source, &mut report);
         let folder = path.parent().unwrap_or(Path::new("")).to_path_buf();
         Some(Line { source, folder, file, jobs })
     });
     Opened { line, report }
-}
-
-fn read(path: &Path, report: &mut Report) -> Option<SourceText> {
-    let name = clean(path);
-    let at = || SourceRef::file(name.clone());
-    let bytes = match read_limited(path, path, MAX_BYTES) {
-        Ok(bytes) => bytes,
-        Err(error) => {
-            report.findings.extend(of_file_error(&error).0.into_iter().map(|f| f.at(at())));
-            return None;
-        }
-    };
-    match String::from_utf8(bytes) {
-        Ok(text) => Some(SourceText::new(name, text, Vec::new())),
-        Err(_) => {
-            let finding = Diagnostic::error(NOT_TEXT, "the line is no UTF-8 text");
-            report.push(finding.at(at()).hint("save it as UTF-8"));
-            None
-        }
-    }
 }

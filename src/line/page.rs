@@ -1,6 +1,7 @@
 //! The page of a line: a contact sheet with filters, tables of two axes and a chart, as one static file.
 
 use super::results::{Results, Row};
+use crate::junit::{Case, End};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write as _;
 use toile_formats::svg::canvas::escape;
@@ -142,35 +143,13 @@ pub fn csv(results: &Results) -> String {
 /// The verdicts in the form of JUnit.
 #[must_use]
 pub fn junit(results: &Results) -> String {
-    let failed = |r: &&Row| (1..=4).contains(&r.exit_code);
-    let broken = |r: &&Row| r.exit_code > 4;
-    let count = |is: &dyn Fn(&&Row) -> bool| results.jobs.iter().filter(|r| is(r)).count();
-    let mut out = format!(
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" tests=\"{}\" failures=\"{}\" errors=\"{}\" time=\"{:.3}\">\n",
-        escape(&results.line),
-        results.jobs.len(),
-        count(&failed),
-        count(&broken),
-        results.jobs.iter().map(|j| j.seconds).sum::<f64>()
-    );
-    for row in &results.jobs {
-        let why = escape(&row.why.join("\n"));
-        let status = escape(&row.status);
-        let inner = match row {
-            r if failed(&r) => format!("<failure message=\"{status}\">{why}</failure>"),
-            r if broken(&r) => format!("<error message=\"{status}\">{why}</error>"),
-            _ => String::new(),
-        };
-        // Writing to a String cannot fail.
-        let _ = writeln!(
-            out,
-            "  <testcase classname=\"{}\" name=\"{}\" time=\"{:.3}\">{inner}</testcase>",
-            escape(&row.style),
-            escape(&row.job),
-            row.seconds
-        );
-    }
-    out + "</testsuite>\n"
+    let end = |r: &Row| match r.exit_code {
+        0 => End::Passed,
+        1..=4 => End::Failed(r.status.clone(), r.why.join("\n")),
+        _ => End::Broken(r.status.clone(), r.why.join("\n")),
+    };
+    let case = |r: &Row| Case { class: r.style.clone(), name: r.job.clone(), seconds: Some(r.seconds), end: end(r) };
+    crate::junit::xml(&results.line, &results.jobs.iter().map(case).collect::<Vec<_>>())
 }
 
 #[cfg(test)]

@@ -1,9 +1,9 @@
 //! Results of the jobs of a line: verdict, figures and cost of each.
 
-use super::document::GateRule;
 use super::run::Ran;
 use super::{Job, Line};
-use crate::engine::{Exit, output_below, read_limited};
+use crate::engine::Exit;
+use crate::figures::{Bounds, of_record};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -11,8 +11,6 @@ use std::path::Path;
 
 /// Name of the results in the folder of a line.
 pub const RESULTS_NAME: &str = "line.json";
-/// Largest report that is read, bytes.
-const MAX_REPORT: u64 = 64 << 20;
 
 /// The results of a line.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -124,7 +122,7 @@ fn row(line: &Line, job: &Job, ran: Option<&Ran>, folder: &Path) -> Row {
     row
 }
 
-fn fill(row: &mut Row, record: &Value, folder: &Path, gates: &[GateRule]) {
+fn fill(row: &mut Row, record: &Value, folder: &Path, gates: &[Bounds]) {
     let number = |value: &Value| value.as_f64().unwrap_or(0.0);
     row.status = record["status"].as_str().unwrap_or("system").to_owned();
     row.key = record["key"].as_str().map(str::to_owned);
@@ -136,65 +134,15 @@ fn fill(row: &mut Row, record: &Value, folder: &Path, gates: &[GateRule]) {
     row.cached = stages().filter(|s| s["cached"] == true).count();
     let errors = record["findings"].as_array().into_iter().flatten().filter(|f| f["severity"] == "error");
     row.why = errors.filter_map(|f| f["message"].as_str()).map(str::to_owned).collect();
-    let outputs = || record["outputs"].as_array().into_iter().flatten().filter_map(|o| o["path"].as_str());
-    row.shown = outputs().filter(|p| p.ends_with(".png") || p.ends_with(".html")).map(str::to_owned).collect();
-    row.figures = certificate(&record["certificate"]);
-    row.figures.extend(outputs().filter(|p| p.ends_with(".json")).flat_map(|p| measures(folder, p)));
+    let outputs = record["outputs"].as_array().into_iter().flatten().filter_map(|o| o["path"].as_str());
+    row.shown = outputs.filter(|p| p.ends_with(".png") || p.ends_with(".html")).map(str::to_owned).collect();
+    row.figures = of_record(folder, record);
     if record["exit_code"] == 0 || record["exit_code"] == 1 {
-        let over: Vec<String> = gates.iter().filter_map(|gate| over(gate, &row.figures)).collect();
+        let over: Vec<String> = gates.iter().filter_map(|gate| gate.broken_by(&row.figures, "job")).collect();
         if !over.is_empty() && row.exit_code == 0 {
             row.exit_code = Exit::Gate.code();
             row.status = "gate-failed".to_owned();
         }
         row.why.extend(over);
-    }
-}
-
-/// Numbers of the certificate; true is 1.
-fn certificate(certificate: &Value) -> BTreeMap<String, f64> {
-    let number = |value: &Value| value.as_f64().or_else(|| value.as_bool().map(|b| f64::from(u8::from(b))));
-    let figures = certificate.as_object().into_iter().flatten();
-    figures.filter_map(|(key, value)| Some((key.clone(), number(value)?))).collect()
-}
-
-/// Measures of a report, mm.
-fn measures(folder: &Path, name: &str) -> Vec<(String, f64)> {
-    let read = || {
-        let path = folder.join(output_below(Path::new(name)).ok()?);
-        let report: Value = serde_json::from_slice(&read_limited(&path, &path, MAX_REPORT).ok()?).ok()?;
-        (report["kind"] == "toile-report").then_some(report)
-    };
-    let Some(report) = read() else { return Vec::new() };
-    let measure = |m: &Value| {
-        let name = [&m["name"], &m["on"], &m["method"]].map(|v| v.as_str().unwrap_or_default()).join(".");
-        Some((name, m["mm"].as_f64()?))
-    };
-    report["measures"].as_array().into_iter().flatten().filter_map(measure).collect()
-}
-
-/// Why a gate does not hold.
-fn over(gate: &GateRule, figures: &BTreeMap<String, f64>) -> Option<String> {
-    let name = &gate.figure;
-    let Some(value) = figures.get(name) else {
-        return Some(format!("the gate `{name}` has nothing to look at: the job has no such figure"));
-    };
-    if let Some(min) = gate.min.filter(|min| value < min) {
-        return Some(format!("`{name}` is {value}, at least {min} is asked"));
-    }
-    gate.max.filter(|max| value > max).map(|max| format!("`{name}` is {value}, at most {max} is allowed"))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_gate_looks_at_its_figure_and_misses_none() {
-        let figures = BTreeMap::from([("hip_girth.drape.tape".to_owned(), 1030.0)]);
-        let gate = |figure: &str, min, max| GateRule { figure: figure.to_owned(), min, max };
-        assert_eq!(over(&gate("hip_girth.drape.tape", Some(1000.0), Some(1040.0)), &figures), None);
-        let low = over(&gate("hip_girth.drape.tape", Some(1031.0), None), &figures).expect("too small");
-        assert_eq!(low, "`hip_girth.drape.tape` is 1030, at least 1031 is asked");
-        assert!(over(&gate("strain_max", None, Some(0.1)), &figures).expect("missing").contains("no such figure"));
     }
 }

@@ -1,5 +1,6 @@
 //! JSON schema (draft 7) of the file of a line.
 
+use crate::schema::parts::{bound, list, name, sets, table, text};
 use serde_json::{Value, json};
 
 /// The schema.
@@ -68,7 +69,6 @@ fn single_job() -> Value {
 }
 
 fn gate() -> Value {
-    let bound = |about: &str| json!({ "description": about, "type": ["number", "string"] });
     table(
         "Bounds of a figure; a job outside them fails.",
         &["figure"],
@@ -96,33 +96,4 @@ fn value_or_values() -> Value {
 
 fn values() -> Value {
     json!({ "type": "array", "items": { "$ref": "#/definitions/value" } })
-}
-
-fn sets() -> Value {
-    json!({
-        "description": "Inputs of the pipeline, and parameters as stage-id.key; as `--set` takes them.",
-        "type": "object"
-    })
-}
-
-fn name(about: &str) -> Value {
-    json!({ "description": about, "type": "string", "pattern": "^[a-z][a-z0-9-]{0,63}$" })
-}
-
-fn text(about: &str) -> Value {
-    json!({ "description": about, "type": "string" })
-}
-
-fn table(about: &str, required: &[&str], properties: Value) -> Value {
-    json!({
-        "description": about,
-        "type": "object",
-        "required": required,
-        "additionalProperties": false,
-        "properties": properties
-    })
-}
-
-fn list(items: Value) -> Value {
-    json!({ "type": "array", "items": items })
 }

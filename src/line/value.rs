@@ -28,7 +28,7 @@ impl Set {
 }
 
 /// All values of a table as overrides; keys of inner tables are joined by dots.
-pub(super) fn sets(table: &DeTable<'_>) -> Vec<Set> {
+pub(crate) fn sets(table: &DeTable<'_>) -> Vec<Set> {
     let mut found = Vec::new();
     collect(table, "", &mut found);
     found

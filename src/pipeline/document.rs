@@ -8,6 +8,7 @@ use super::text::{MAX_BYTES, SourceText};
 use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 use toile_formats::codes::{FILE_TOO_LARGE, UNKNOWN_KEY};
+use toile_garment::units::Length;
 use toile_garment::{Code, Report};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -243,6 +244,38 @@ impl Reader<'_> {
         }
         self.wrong_type(value, key, &format!("a table: [{key}]"));
         None
+    }
+
+    /// A list of tables: `[[key]]`.
+    pub fn tables<'a, 'i>(&mut self, table: &'a DeTable<'i>, key: &str) -> Vec<(&'a DeTable<'i>, Range<usize>)> {
+        let Some(list) = table.get(key) else { return Vec::new() };
+        let DeValue::Array(items) = list.get_ref() else {
+            self.wrong_type(list, key, &format!("a list: write [[{key}]], with two brackets"));
+            return Vec::new();
+        };
+        let mut found = Vec::new();
+        for item in items {
+            match item.get_ref() {
+                DeValue::Table(table) => found.push((table, item.span())),
+                _ => self.wrong_type(item, key, &format!("a table: write [[{key}]]")),
+            }
+        }
+        found
+    }
+
+    /// A bound: a number, or a length, which becomes mm.
+    pub fn bound(&mut self, table: &DeTable<'_>, key: &str) -> Option<f64> {
+        let value = table.get(key)?;
+        let number = match value.get_ref() {
+            DeValue::Integer(n) => n.to_string().parse().ok(),
+            DeValue::Float(n) => n.as_str().parse().ok().filter(|n: &f64| n.is_finite()),
+            DeValue::String(text) => text.parse::<Length>().ok().map(|l| 1e3 * l.0),
+            _ => None,
+        };
+        if number.is_none() {
+            self.wrong_type(value, key, "a finite number, or a length such as \"20 mm\"");
+        }
+        number
     }
 
     pub fn text(&mut self, table: &DeTable<'_>, key: &str) -> Option<Spanned<String>> {

@@ -17,7 +17,7 @@ mod text;
 mod tune;
 
 pub use chain::{PathText, Pipeline, Step, link, word};
-pub(crate) use codes::BAD_NAME;
+pub(crate) use codes::{BAD_NAME, MISSING_KEY};
 pub use document::{Document, GRAMMAR, MAX_ERRORS, StageEntry, parse};
 pub(crate) use document::{Reader, parse_toml};
 pub use inputs::{Input, InputKind};

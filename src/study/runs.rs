@@ -154,6 +154,8 @@ impl Bench<'_> {
             threads: self.threads,
             allow_write: Vec::new(),
             set: self.request.set.clone(),
+            accuracy: self.request.accuracy.clone(),
+            repeats: self.request.repeats,
             pipeline_file: (file, text.into_bytes()),
             foreseen: None,
             cache: None,

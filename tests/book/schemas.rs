@@ -1,14 +1,15 @@
-//! The committed schemas of the sewing, fabric and body files, and what they say of the samples.
+//! The committed schemas of files that a person writes, and what they say of the samples.
 
 use crate::{current, root};
 use serde_json::Value;
 
-fn schemas() -> [(&'static str, Value); 4] {
+fn schemas() -> [(&'static str, Value); 5] {
     [
         ("sewing", toile_formats::sewing::schema()),
         ("fabric", toile_formats::fabric::schema()),
         ("body", toile_formats::body::schema()),
         ("line", toile::line::schema()),
+        ("test", toile::acceptance::schema()),
     ]
 }
 
@@ -27,6 +28,7 @@ fn every_sample_fits_the_schema_of_its_kind() {
         ("samples/fabrics", ".toml", toile_formats::fabric::schema()),
         ("samples/bodies", ".toml", toile_formats::body::schema()),
         ("samples/lines", ".toml", toile::line::schema()),
+        ("samples/tests", ".toml", toile::acceptance::schema()),
     ];
     for (folder, ending, schema) in kinds {
         let mut count = 0;
