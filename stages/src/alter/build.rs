@@ -3,11 +3,12 @@
 use super::Seam;
 use super::contour::{Contour, Vertex};
 use super::marks::Region;
-use crate::sewing::ring::{Ring, arcs, nearest_on};
+use crate::sewing::ring::{Ring, along, arcs, nearest_on};
 use toile_formats::allowance::{Allowance, cut_line};
 use toile_garment::dart::{Dart, DartKind};
 use toile_garment::notch::Notch;
 use toile_garment::outline::{LinePoint, OutlineEdge, PieceLine, PointKind};
+use toile_garment::piece::DrillHole;
 use toile_garment::{Diagnostic, Piece, Vec2};
 
 /// Seam allowance of new edges where nothing is said, metres.
@@ -27,6 +28,8 @@ pub struct Part {
     pub darts: Vec<Dart>,
     /// Its new notches.
     pub notches: Vec<Notch>,
+    /// Its new drill holes.
+    pub holes: Vec<DrillHole>,
 }
 
 /// What a change makes of a piece.
@@ -38,6 +41,8 @@ pub struct Altered {
     pub regions: Vec<Region>,
     /// Numbers of the old darts that are gone or made anew.
     pub gone: Vec<usize>,
+    /// Are the marks of those darts gone, too?
+    pub is_unmarked: bool,
     /// The old outline.
     pub ring: Ring,
     /// The seam between the parts.
@@ -65,10 +70,12 @@ impl Altered {
         let mut piece = Piece { name, outline, edges, cut_line: None, drawn: None, mesh: None, ..old.clone() };
         self.carry_marks(old, k, &mut piece);
         piece.darts.extend(part.darts.iter().cloned());
-        piece.notches.extend(part.notches.iter().cloned());
+        piece.drill_holes.extend(part.holes.iter().cloned());
         if let Some(cut) = &old.cut_line {
             piece.cut_line = self.cut_line(cut, k, &piece);
         }
+        let cut = piece.cut_line.as_ref().map(PieceLine::positions);
+        piece.notches.extend(part.notches.iter().map(|n| on_cut_line(n, cut.as_deref())));
         piece
     }
 
@@ -98,6 +105,23 @@ impl Altered {
         let around = Piece { outline, edges, name: piece.name.clone(), ..Piece::default() };
         cut_line(&around, &allowance).ok().map(|(line, _)| line)
     }
+}
+
+/// A new notch where scissors clip it: on the cut line, square to it.
+fn on_cut_line(notch: &Notch, cut: Option<&[Vec2]>) -> Notch {
+    let Some(cut) = cut else { return notch.clone() };
+    let arc = arcs(cut, true);
+    let at = along_ring(cut, &arc, nearest_on(cut, &arc, true, notch.at).0);
+    let inward = notch.at - at;
+    let angle = (inward.norm() > SAME_PLACE).then(|| libm::atan2(inward.y, inward.x));
+    Notch { at, angle: angle.or(notch.angle), ..notch.clone() }
+}
+
+/// The point of a closed line at an arc position.
+fn along_ring(points: &[Vec2], arc: &[f64], s: f64) -> Vec2 {
+    let n = points.len();
+    let i = arc.partition_point(|a| *a <= s).clamp(1, n) - 1;
+    along(points[i], points[(i + 1) % n], arc[i], arc[i + 1], s)
 }
 
 /// An outline without the wedges of its darts.

@@ -72,6 +72,16 @@ impl Contour {
         Self { vertices: ring.points.iter().enumerate().map(vertex).collect() }
     }
 
+    /// The segments of every edge between corners.
+    pub fn edges(&self) -> Vec<Vec<usize>> {
+        let n = self.vertices.len();
+        let corners: Vec<usize> = (0..n).filter(|k| self.vertices[*k].kind == PointKind::Turn).collect();
+        let corners = if corners.is_empty() { vec![0] } else { corners };
+        let next = corners.iter().cycle().skip(1);
+        let segments = |(from, to): (&usize, &usize)| (0..=(to + n - from - 1) % n).map(|k| (from + k) % n).collect();
+        corners.iter().zip(next).map(segments).collect()
+    }
+
     /// Its area, m².
     pub fn area(&self) -> f64 {
         let points = self.points();
@@ -190,7 +200,7 @@ impl Contour {
 }
 
 /// Do two segments cross, each with its inner part?
-fn do_cross([a, b]: [Vec2; 2], [c, d]: [Vec2; 2]) -> bool {
+pub fn do_cross([a, b]: [Vec2; 2], [c, d]: [Vec2; 2]) -> bool {
     let side = |p: Vec2, q: Vec2, r: Vec2| {
         let (u, v) = (q - p, r - p);
         let area = u.x * v.y - u.y * v.x;

@@ -1,7 +1,7 @@
 //! A piece cut apart along a line.
 
 use super::build::{ALLOWANCE, Altered, Part, middle};
-use super::contour::{Contour, Vertex};
+use super::contour::{Contour, Vertex, do_cross};
 use super::marks::{Motion, Region};
 use super::params::{Cut, Parts, Spot};
 use super::{ALTER_LINE_LEAVES_PIECE, ALTER_PLACE, spot};
@@ -47,8 +47,12 @@ pub fn cut(garment: &Garment, shapes: &Shapes, id: PieceId, p: &Cut) -> Result<A
     let [from, to] = arcs.map(|s| contour.insert(s));
     let line = line(&contour, from, &inner, to, p.smooth);
     if from == to || !contour.holds_line(&line) {
-        let message =
-            format!("the line from {} to {} leaves piece `{}`", mm(line[0]), mm(line[line.len() - 1]), p.piece);
+        let ends = [line[0], line[line.len() - 1]].map(mm);
+        let what = match crossed_darts(piece, ring, &line) {
+            darts if darts.is_empty() => "leaves the piece".to_owned(),
+            darts => format!("crosses {}", darts.join(", ")),
+        };
+        let message = format!("the line on piece `{}` from {} to {} {what}", p.piece, ends[0], ends[1]);
         return Err(Diagnostic::error(ALTER_LINE_LEAVES_PIECE, message)
             .hint("give it more places, so that it stays inside; at a dart it may begin or end at the point alone"));
     }
@@ -67,6 +71,7 @@ pub fn cut(garment: &Garment, shapes: &Shapes, id: PieceId, p: &Cut) -> Result<A
         contour,
         darts: Vec::new(),
         notches: notches.clone(),
+        holes: Vec::new(),
     };
     let region = |k: usize, contour: &Contour| Region { polygon: contour.points(), motion: Motion::NONE, part: k };
     let length: f64 = line.windows(2).map(|w| (w[1] - w[0]).norm()).sum();
@@ -74,6 +79,7 @@ pub fn cut(garment: &Garment, shapes: &Shapes, id: PieceId, p: &Cut) -> Result<A
         regions: vec![region(0, &left), region(1, &right)],
         parts: vec![part(0, left), part(1, right)],
         gone: ends.iter().filter_map(|e| e.dart.map(|g| g.dart)).collect(),
+        is_unmarked: true,
         ring: ring.clone(),
         seam: Some(seam),
         allowance: p.allowance.map_or(ALLOWANCE, |a| a.0),
@@ -86,6 +92,16 @@ pub fn cut(garment: &Garment, shapes: &Shapes, id: PieceId, p: &Cut) -> Result<A
         ),
         findings: Vec::new(),
     })
+}
+
+/// The wedge darts whose legs a line crosses.
+fn crossed_darts(piece: &Piece, ring: &Ring, line: &[Vec2]) -> Vec<String> {
+    let legs = |g: &Gap| g.apex.map(|apex| [g.from, apex, g.to].map(|i| ring.points[i]));
+    let crosses = |g: &&Gap| {
+        legs(g).is_some_and(|p| line.windows(2).any(|w| p.windows(2).any(|l| do_cross([w[0], w[1]], [l[0], l[1]]))))
+    };
+    let name = |g: &Gap| piece.darts.get(g.dart).map(|d| format!("dart `{}`", d.name));
+    ring.gaps.iter().filter(crosses).filter_map(name).collect()
 }
 
 fn too_short(piece: &Piece) -> Diagnostic {
@@ -207,6 +223,21 @@ fn seam(ring: &Ring, p: &Cut, names: &[String; 2], ends: &[End<'_>; 2], line: &[
     }
 }
 
+/// A notch as the piece has others.
+pub fn new_notch(piece: &Piece, at: Vec2) -> Notch {
+    let like = piece.notches.first();
+    Notch {
+        kind: like.map_or(NotchKind::Slit, |n| n.kind),
+        at,
+        depth: like.map_or(NOTCH_DEPTH, |n| n.depth),
+        width: like.map_or(0.0, |n| n.width),
+        angle: None,
+        on: "boundary".to_owned(),
+        name: None,
+        source: None,
+    }
+}
+
 /// Notches of both parts: in the middle of the line, and at the points of the darts at its ends.
 fn notches(piece: &Piece, ends: &[End<'_>; 2], line: &[Vec2]) -> Vec<Notch> {
     let length: f64 = line.windows(2).map(|w| (w[1] - w[0]).norm()).sum();
@@ -220,17 +251,7 @@ fn notches(piece: &Piece, ends: &[End<'_>; 2], line: &[Vec2]) -> Vec<Notch> {
         }
         way -= step;
     }
-    let like = piece.notches.first();
-    let notch = |at: Vec2| Notch {
-        kind: like.map_or(NotchKind::Slit, |n| n.kind),
-        at,
-        depth: like.map_or(NOTCH_DEPTH, |n| n.depth),
-        width: like.map_or(0.0, |n| n.width),
-        angle: None,
-        on: "sew".to_owned(),
-        name: None,
-        source: None,
-    };
+    let notch = |at: Vec2| new_notch(piece, at);
     let points = [(0, line[0]), (1, line[line.len() - 1])].into_iter().filter(|(k, _)| ends[*k].dart.is_some());
     let points: Vec<Vec2> = points.map(|(_, at)| at).collect();
     // Points of darts that lie near each other need no notch between them.

@@ -42,9 +42,10 @@ pub fn point(garment: &Garment, shapes: &Shapes, id: PieceId, p: &MovePoint) -> 
     });
     let darts = vec![wedge(dart, dart.name.clone(), mouth, to)];
     Ok(Altered {
-        parts: vec![Part { name: piece.name.clone(), contour: outline, darts, notches: Vec::new() }],
+        parts: vec![Part { name: piece.name.clone(), contour: outline, darts, notches: Vec::new(), holes: Vec::new() }],
         regions: vec![Region { polygon: contour.points(), motion: Motion::NONE, part: 0 }],
         gone: vec![number],
+        is_unmarked: false,
         ring: ring.clone(),
         seam: None,
         allowance: ALLOWANCE,

@@ -1,6 +1,7 @@
 //! How the sewing plan follows a changed piece.
 
 use super::build::Altered;
+use super::contour::Carried;
 use super::marks::Motion;
 use crate::sewing::lookup;
 use crate::sewing::resolve::{Side, Span, elastic_side, find, placed};
@@ -155,6 +156,27 @@ impl Follow<'_> {
         out
     }
 
+    /// The edges of the parts that lie on a walk along the old outline for more than a quarter of their length: the part,
+    /// and both ends.
+    fn edges_on(&self, from: f64, length: f64) -> Vec<(usize, [Vec2; 2])> {
+        let ring = &self.shapes[self.id.index()].rings[0];
+        let mut out = Vec::new();
+        for (part, p) in self.altered.parts.iter().enumerate() {
+            let carried = p.contour.carried(ring, from, length);
+            for edge in p.contour.edges() {
+                let on = |c: &&Carried| edge.contains(&c.segment);
+                let covered: f64 = carried.iter().filter(on).map(|c| c.way[1] - c.way[0]).sum();
+                let at = |k: usize| p.contour.vertices[k].at;
+                let next = |k: usize| at((k + 1) % p.contour.vertices.len());
+                let whole: f64 = edge.iter().map(|k| (next(*k) - at(*k)).norm()).sum();
+                if covered > 0.25 * whole {
+                    out.push((part, [at(edge[0]), next(edge[edge.len() - 1])]));
+                }
+            }
+        }
+        out
+    }
+
     /// Named edges, and the attachments that speak of edges.
     fn names(&self) -> Result<(Vec<EdgeNameSpec>, Vec<AttachSpec>), Vec<Diagnostic>> {
         let plan = &self.garment.plan;
@@ -165,37 +187,37 @@ impl Follow<'_> {
         let named = named.map(|name| (name.clone(), name));
         let tied = plan.attachments.iter().filter(|a| self.is_it(&a.piece)).map(|a| a.edge.clone());
         let tied = tied.map(|edge| (edge.clone(), by_number(&edge)));
-        let mut given: Vec<(String, String)> = Vec::new();
+        let mut given: Vec<(String, usize)> = Vec::new();
         for (label, name) in named.chain(tied) {
             if given.iter().any(|(l, _)| l.eq_ignore_ascii_case(&label)) {
                 continue;
             }
-            given.push((label.clone(), name.clone()));
-            let run = RunSpec::Edge { piece: self.name.to_owned(), edge: label };
+            let run = RunSpec::Edge { piece: self.name.to_owned(), edge: label.clone() };
             let run = lookup::run(self.garment, self.shapes, &run, None).map_err(|e| vec![e])?;
-            let length = run.walk(&self.shapes[self.id.index()]);
-            for (part, ends) in self.runs(run.span().0, length) {
+            for (part, ends) in self.edges_on(run.span().0, run.walk(&self.shapes[self.id.index()])) {
                 let run = self.points(part, ends, RunWay::Left);
-                let name = free_name(&names, run.piece(), &name);
-                names.push(EdgeNameSpec { run, name });
+                let known = names.iter().position(|n| n.run == run);
+                let number = known.unwrap_or_else(|| {
+                    let name = free_name(&names, run.piece(), &name);
+                    names.push(EdgeNameSpec { run, name });
+                    names.len() - 1
+                });
+                given.push((label.clone(), number));
             }
         }
         for attach in &plan.attachments {
-            let name = given.iter().find(|(l, _)| l.eq_ignore_ascii_case(&attach.edge)).map(|(_, n)| n);
-            let Some(name) = name.filter(|_| self.is_it(&attach.piece)) else {
+            if !self.is_it(&attach.piece) {
                 attachments.push(attach.clone());
                 continue;
-            };
-            let is_part = |n: &&EdgeNameSpec| {
-                let is_here = self.altered.parts.iter().any(|p| p.name == n.run.piece());
-                is_here && (n.name == *name || n.name.strip_prefix(name.as_str()).is_some_and(|r| r.starts_with('.')))
-            };
-            let tied = names.iter().filter(is_part).map(|n| AttachSpec {
-                piece: n.run.piece().to_owned(),
-                edge: n.name.clone(),
-                ..attach.clone()
-            });
-            attachments.extend(tied);
+            }
+            for (_, number) in given.iter().filter(|(l, _)| l.eq_ignore_ascii_case(&attach.edge)) {
+                let edge = &names[*number];
+                let tied = AttachSpec { piece: edge.run.piece().to_owned(), edge: edge.name.clone(), ..attach.clone() };
+                // Edges that became one are held once.
+                if !attachments.iter().any(|a| a.piece == tied.piece && a.edge == tied.edge && a.to == tied.to) {
+                    attachments.push(tied);
+                }
+            }
         }
         Ok((names, attachments))
     }

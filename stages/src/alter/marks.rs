@@ -116,7 +116,7 @@ impl Altered {
 
     /// Does a notch or a drill hole mark a dart that is gone? It stands at its mouth or near its point.
     fn marks_gone_dart(&self, old: &Piece, at: Vec2) -> bool {
-        let gone = self.gone.iter().filter_map(|k| old.darts.get(*k));
+        let gone = self.gone.iter().filter(|_| self.is_unmarked).filter_map(|k| old.darts.get(*k));
         let near = |points: &[Vec2], reach: f64| points.iter().any(|p| (p - at).norm() < reach);
         let to_mouth = |d: &Dart| old.cut_line.as_ref().map_or(AT_MOUTH, |_| AT_MOUTH.max(0.6 * d.intake()));
         gone.into_iter().any(|d| near(&d.apexes, NEAR_POINT) || near(&d.mouth, to_mouth(d)))
@@ -155,15 +155,35 @@ impl Altered {
                 return moved;
             }
         }
-        let sum = |f: fn(f64, f64) -> f64, start: f64, of: fn(&Vec2) -> f64| outline.iter().map(of).fold(start, f);
-        let x = [sum(f64::min, f64::INFINITY, |p| p.x), sum(f64::max, f64::NEG_INFINITY, |p| p.x)];
-        let y = [sum(f64::min, f64::INFINITY, |p| p.y), sum(f64::max, f64::NEG_INFINITY, |p| p.y)];
-        let middle = Vec2::new((x[0] + x[1]) / 2.0, (y[0] + y[1]) / 2.0);
-        // Half as long as the piece is.
         let along = (grain[1] - grain[0]).try_normalize(1e-9).unwrap_or(Vec2::new(0.0, 1.0));
-        let half = 0.25 * (along.x.abs() * (x[1] - x[0]) + along.y.abs() * (y[1] - y[0]));
-        [middle - along * half, middle + along * half]
+        let [from, to] = inside_along(outline, along);
+        let (middle, reach) = ((from + to) / 2.0, (to - from) * 0.3);
+        [middle - reach, middle + reach]
     }
+}
+
+/// The longest stretch inside an outline of the line through its middle.
+fn inside_along(outline: &[Vec2], along: Vec2) -> [Vec2; 2] {
+    let middle = outline.iter().sum::<Vec2>() / outline.len().max(1) as f64;
+    let across = |p: Vec2| along.x * (p - middle).y - along.y * (p - middle).x;
+    let next = outline.iter().cycle().skip(1);
+    let crossed = |(a, b): (&Vec2, &Vec2)| {
+        let (x, y) = (across(*a), across(*b));
+        ((x < 0.0) != (y < 0.0)).then(|| (a + (b - a) * (x / (x - y)) - middle).dot(&along))
+    };
+    let mut ways: Vec<f64> = outline.iter().zip(next).filter_map(crossed).collect();
+    ways.sort_by(f64::total_cmp);
+    let stretch = ways.chunks_exact(2).max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])));
+    let [from, to] = stretch.map_or([-0.01, 0.01], |s| [s[0], s[1]]);
+    [middle + along * from, middle + along * to]
+}
+
+/// Does a notch stand at the mouth of a dart, and a drill hole near its point?
+pub fn marks_of(piece: &Piece, dart: &Dart) -> [bool; 2] {
+    let reach = piece.cut_line.as_ref().map_or(AT_MOUTH, |_| AT_MOUTH.max(0.6 * dart.intake()));
+    let at_mouth = |p: Vec2| dart.mouth.iter().any(|m| (m - p).norm() < reach);
+    let near_point = |p: Vec2| dart.apexes.iter().any(|a| (a - p).norm() < NEAR_POINT);
+    [piece.notches.iter().any(|n| at_mouth(n.at)), piece.drill_holes.iter().any(|h| near_point(h.at))]
 }
 
 fn line(line: &PieceLine, motion: Motion) -> PieceLine {

@@ -37,6 +37,9 @@ codes! {
     /// wedge dart. Exit code 2.
     ALTER_PLACE = "alter-place";
 
+    /// A piece is changed, and its copy is not. Write the same change for both.
+    ALTER_COPY = "alter-copy";
+
     /// The piece has no dart of that name, or the dart cannot be changed so. The message lists the darts. Exit code 2.
     ALTER_DART = "alter-dart";
 
@@ -81,10 +84,25 @@ impl Stage for Alter {
         // Places in space are looked up before the shapes are gone.
         let changes = params.change.iter().map(|c| spot::flattened(&garment, c)).collect::<Result<Vec<Change>, _>>();
         let changes = changes.map_err(StageError::parameter)?;
+        unchanged_copies(&garment, &changes, cx.report);
         let numbered = (1..).zip(&changes);
         numbered.into_iter().try_fold(garment, |garment, (number, change)| {
             alter(garment, change, cx.report).map_err(|error| of_change(number, error))
         })
+    }
+}
+
+/// Tells of pieces that are changed while their mirrored copy, or the piece that they are copies of, is not.
+fn unchanged_copies(garment: &Garment, changes: &[Change], report: &mut Report) {
+    let is_changed = |name: &str| changes.iter().any(|c| c.piece().eq_ignore_ascii_case(name));
+    for copy in &garment.plan.copies {
+        let (changed, other) = match [is_changed(&copy.piece), is_changed(&copy.name)] {
+            [true, false] => (&copy.piece, &copy.name),
+            [false, true] => (&copy.name, &copy.piece),
+            _ => continue,
+        };
+        let message = format!("piece `{changed}` is changed, and `{other}`, which is the same piece again, is not");
+        report.push(Diagnostic::warning(ALTER_COPY, message).hint("write the same change for both"));
     }
 }
 

@@ -3,17 +3,21 @@
 use super::ALTER_LINE_LEAVES_PIECE;
 use super::build::{ALLOWANCE, Altered, Part, middle};
 use super::contour::{Contour, Vertex};
-use super::marks::{Motion, Region};
+use super::cut::new_notch;
+use super::marks::{Motion, Region, marks_of};
 use super::params::{Close, Pivot, Spot};
 use super::{ALTER_DART, ALTER_LEGS_DIFFER, ALTER_OVERLAPS, ALTER_PLACE, spot};
 use crate::sewing::shapes::{Shapes, mm};
 use toile_formats::dxf::geom::inside;
 use toile_garment::dart::{Dart, DartEvidence, DartKind};
 use toile_garment::outline::PointKind;
+use toile_garment::piece::DrillHole;
 use toile_garment::{Diagnostic, Garment, PieceId, Vec2};
 
 /// How far the points of two darts are drawn back from each other where nothing is said, metres.
 const BACK: f64 = 20e-3;
+/// A drill hole stands so far before the point of its dart, metres.
+const HOLE: f64 = 10e-3;
 /// Legs that differ by more are told, metres.
 const LEGS_DIFFER: f64 = 0.5e-3;
 
@@ -94,6 +98,8 @@ fn turn(garment: &Garment, shapes: &Shapes, id: PieceId, t: &Turn<'_>) -> Result
     };
     let mut vertices = Vec::new();
     let mut darts = Vec::new();
+    let [is_notched, is_drilled] = marks_of(piece, dart);
+    let (mut notches, mut holes) = (Vec::new(), Vec::new());
     if t.share < 1.0 {
         let left = drawn_back(mouth);
         vertices.append(&mut before);
@@ -113,6 +119,11 @@ fn turn(garment: &Garment, shapes: &Shapes, id: PieceId, t: &Turn<'_>) -> Result
         vertices.push(Vertex::new(opened, PointKind::Turn));
         let name = if t.share < 1.0 { free_name(&piece.darts) } else { dart.name.clone() };
         darts.push(wedge(dart, name, [far, near], opened));
+        // The dart is marked at its new place as it was at the old one.
+        notches.extend([far, near].into_iter().filter(|_| is_notched).map(|at| new_notch(piece, at)));
+        let way = middle(far, near) - opened;
+        let at = opened + way * (HOLE / way.norm().max(1e-9)).min(0.5);
+        holes.extend(is_drilled.then_some(DrillHole { at, diameter: None, source: None }));
     }
     let mut outline = Contour { vertices }.cleaned();
     let joints: &[Vec2] = if t.opens { &mouth } else { &[mouth[0], mouth[1], far, near] };
@@ -133,11 +144,12 @@ fn turn(garment: &Garment, shapes: &Shapes, id: PieceId, t: &Turn<'_>) -> Result
         format!("{:.1} mm", 1e3 * (far - near).norm())
     };
     let told = format!("dart `{}` of piece `{}` was {what} {width} at {}", t.dart, t.piece, mm(cut));
-    let part = Part { name: piece.name.clone(), contour: outline, darts, notches: Vec::new() };
+    let part = Part { name: piece.name.clone(), contour: outline, darts, notches, holes };
     Ok(Altered {
         parts: vec![part],
         regions,
         gone: vec![number],
+        is_unmarked: t.share >= 1.0,
         ring: ring.clone(),
         seam: None,
         allowance: ALLOWANCE,

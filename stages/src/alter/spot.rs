@@ -100,6 +100,12 @@ fn edge(garment: &Garment, shapes: &Shapes, id: PieceId, spot: &EdgeSpot) -> Res
     let whole = lookup::run(garment, shapes, &RunSpec::Edge { piece: piece.clone(), edge: edge.clone() }, None)?;
     let end = EdgePlace { way: EdgeWay::Share(0.0), from_end: true };
     let shape = &shapes[id.index()];
+    let ring = &shape.rings[whole.ring];
+    let (start, length) = (whole.span().0, whole.walk(shape));
+    if ring.gap_around((start + length / 2.0).rem_euclid(ring.total())).is_some() {
+        let message = format!("edge `{}` is the leg of a dart", spot.edge.text());
+        return Err(Diagnostic::error(ALTER_PLACE, message).hint("give a place on an edge of the cloth"));
+    }
     // Any place begins a part that runs to the end of the edge. A part without length is the end.
     match lookup::run(garment, shapes, &RunSpec::Part { piece, edge, from: place, to: end }, None) {
         Ok(part) => Ok(shape.rings[part.ring].at(part.span().0)),

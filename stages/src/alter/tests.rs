@@ -3,8 +3,9 @@
 use super::params::{AlterParams, Change};
 use super::{Alter, shapes};
 use crate::sewing::resolve::{find, placed};
-use crate::testing::{dart, one, piece, run, seam, two_points, v};
+use crate::testing::{dart, notch, one, piece, run, seam, two_points, v};
 use toile_garment::dart::DartKind;
+use toile_garment::sewing::{AttachSpec, AttachStrength};
 use toile_garment::{Garment, Piece, Vec2};
 use toile_stage_api::StageError;
 
@@ -161,6 +162,38 @@ fn what_cannot_be_done_is_refused_in_words() {
     assert!(pivot("waist", "[20, 0, 0]").contains("has no shape in space yet"));
     let cut = "[[change]]\ndo = \"cut\"\npiece = \"front\"\nalong = [[10, 0], [190, 0]]\ninto = { upper = \"a\", lower = \"b\" }\n";
     assert!(refused(cut).starts_with("alter-line-leaves-piece"));
+    let across = "[[change]]\ndo = \"cut\"\npiece = \"front\"\nalong = [[0, 60], [200, 60]]\n\
+                  into = { upper = \"a\", lower = \"b\" }\n";
+    assert!(refused(across).ends_with("crosses dart `waist`"));
+    assert!(pivot("waist", "{ edge = 1, at = \"middle\" }").contains("edge `1` is the leg of a dart"));
     let same = "[[change]]\ndo = \"cut\"\npiece = \"front\"\nalong = [[0, 200], [200, 200]]\ninto = { upper = \"back\", lower = \"b\" }\n";
     assert!(refused(same).contains("cannot be called `back`"));
+}
+
+#[test]
+fn what_is_held_and_marked_stays_so() {
+    let mut held = garment();
+    let hold = |edge: &str| AttachSpec {
+        piece: "front".into(),
+        edge: edge.into(),
+        to: "waist".into(),
+        strength: AttachStrength::Hold,
+        source: None,
+    };
+    // Both halves of the lower edge, and marks at the dart.
+    held.plan.attachments = vec![hold("0"), hold("3")];
+    held.pieces[0].notches = vec![notch(80.0, 0.0), notch(120.0, 0.0)];
+    let close = "[[change]]\ndo = \"close\"\npiece = \"front\"\ndart = \"waist\"\nto = [100, 300]\n";
+    let out = altered(held.clone(), close).expect("close");
+    // The halves are one edge now, which is held once. The marks of the dart are gone.
+    assert_eq!(out.plan.attachments.len(), 1);
+    let (name, piece) = (&out.plan.attachments[0].edge, &out.pieces[0]);
+    assert!(piece.edges.iter().any(|e| e.name.as_ref() == Some(name)) && piece.notches.is_empty());
+    let half = "[[change]]\ndo = \"pivot\"\npiece = \"front\"\ndart = \"waist\"\nto = [200, 200]\nshare = \"50 %\"\n";
+    let out = altered(held, half).expect("pivot");
+    // Both darts have notches at their mouths.
+    let darts = &out.pieces[0].darts;
+    let marked = |m: &Vec2| out.pieces[0].notches.iter().any(|n| (n.at - m).norm() < 1e-6);
+    assert!(darts.len() == 2 && darts.iter().all(|d| d.mouth.iter().all(marked)), "{:?}", out.pieces[0].notches);
+    assert_eq!(out.plan.attachments.len(), 2);
 }
