@@ -261,7 +261,7 @@ mod tests {
     fn a_figure_is_told_with_both_values_and_its_tolerance() {
         let close = golden(Some(1000.0), Some(2.0), None);
         assert!(whys(&close, 1002.0).is_empty() && whys(&close, 998.0).is_empty());
-        let off = whys(&close, 1002.125);
+        let off = whys(&close, 1002.128);
         assert_eq!(off, ["`hip.drape.tape` is 1002.13 mm, expected 1000 mm ± 2 mm (+2.13 mm)"]);
         assert_eq!(whys(&close, f64::NAN).len(), 1, "what is no number is off");
         let both = whys(&golden(None, Some(2.0), Some(900.0)), 1000.0);
