@@ -8,7 +8,7 @@ use std::path::PathBuf;
 #[derive(Args, Debug)]
 #[command(args_conflicts_with_subcommands = true, subcommand_negates_reqs = true)]
 pub struct BundleArgs {
-    /// What to do besides.
+    /// It says what to do besides.
     #[command(subcommand)]
     pub verb: Option<BundleVerb>,
     /// Folder of a run, or its run.json. Give it in the folder where the run was started.

@@ -32,7 +32,7 @@ pub struct Part {
     pub holes: Vec<DrillHole>,
 }
 
-/// What a change makes of a piece.
+/// A changed piece: its parts, and how the cloth moved.
 #[derive(Clone, Debug)]
 pub struct Altered {
     /// The parts.
@@ -49,9 +49,9 @@ pub struct Altered {
     pub seam: Seam,
     /// Seam allowance of new edges, metres.
     pub allowance: f64,
-    /// What was done, in words.
+    /// The change in words.
     pub told: String,
-    /// What is to be said beside that.
+    /// Findings of the change.
     pub findings: Vec<Diagnostic>,
 }
 

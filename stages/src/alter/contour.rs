@@ -160,7 +160,7 @@ impl Contour {
         }
     }
 
-    /// What a walk along the old ring covers on this contour, in its order.
+    /// The stretches of this contour that a walk along the old ring covers, in its order.
     pub fn carried(&self, ring: &Ring, from: f64, length: f64) -> Vec<Carried> {
         let n = self.vertices.len();
         let total = ring.total();

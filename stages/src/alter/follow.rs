@@ -133,7 +133,7 @@ impl Follow<'_> {
         RunSpec::Points { piece: self.altered.parts[part].name.clone(), from, to, way }
     }
 
-    /// What a walk along the old outline covers on the parts, in its order: the part, and both ends walked forward.
+    /// The runs on the parts that a walk along the old outline covers, in its order: the part, and both ends walked forward.
     fn runs(&self, from: f64, length: f64) -> Vec<(usize, [Vec2; 2])> {
         let ring = &self.shapes[self.id.index()].rings[0];
         let parts = self.altered.parts.iter().enumerate();

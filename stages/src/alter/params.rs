@@ -184,7 +184,7 @@ pub enum EdgeLabel {
 }
 
 impl EdgeLabel {
-    /// As a sewing file has it.
+    /// The label that a sewing file has.
     pub fn text(&self) -> String {
         match self {
             Self::Number(n) => n.to_string(),

@@ -21,7 +21,7 @@ const HOLE: f64 = 10e-3;
 /// Legs that differ by more are told, metres.
 const LEGS_DIFFER: f64 = 0.5e-3;
 
-/// What happens to a dart.
+/// The way in which a dart is turned.
 struct Turn<'a> {
     piece: &'a str,
     dart: &'a str,

@@ -12,7 +12,7 @@ const FEWEST: usize = 3;
 /// Lengths of all stitches of an open seam together, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Lengths {
-    /// As named.
+    /// It runs as named.
     pub named: f64,
     /// With one side turned round.
     pub turned: f64,
@@ -32,7 +32,7 @@ impl Lengths {
         (turned < SHORTER * named).then_some(Self { named, turned })
     }
 
-    /// Of the seam called so.
+    /// The finding of the seam called so.
     #[must_use]
     pub fn finding(self, seam: &str) -> Diagnostic {
         let message = format!(
