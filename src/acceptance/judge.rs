@@ -270,8 +270,8 @@ mod tests {
 
     #[test]
     fn golden_values_have_the_digits_that_their_tolerance_asks_for() {
-        assert_eq!(golden(None, Some(2.0), None).shown(1012.394_857), "1012.39 mm");
-        assert_eq!(golden(None, Some(0.5), None).shown(1012.394_857), "1012.395 mm");
+        assert_eq!(golden(None, Some(2.0), None).shown(1_012.394_857), "1012.39 mm");
+        assert_eq!(golden(None, Some(0.5), None).shown(1_012.394_857), "1012.395 mm");
         assert_eq!(golden(None, Some(0.0), None).shown(0.1), "0.1 mm");
         assert_eq!(golden(None, Some(1e6), None).shown(1012.4), "1012 mm");
     }
