@@ -70,9 +70,19 @@ fn every_key_of_the_sewing_fabric_and_body_file_acts() {
 /// The circumstances that rows start from are sound.
 #[test]
 fn the_projects_run_to_their_end() {
-    for name in
-        ["pattern", "shown", "specification", "garment", "sheet", "kes", "fast", "curve", "isotropic", "springs"]
-    {
+    for name in [
+        "pattern",
+        "altered",
+        "shown",
+        "specification",
+        "garment",
+        "sheet",
+        "kes",
+        "fast",
+        "curve",
+        "isotropic",
+        "springs",
+    ] {
         let seen = Project::new(name).observe();
         assert!(seen.exit() == 0, "{name}: {seen:?}");
     }

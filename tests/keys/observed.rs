@@ -52,7 +52,11 @@ impl Project {
     /// With these changes, `key=value` in the words of TOML: overrides of the pipeline, or keys of a file.
     pub fn changed<'a>(mut self, file: &str, changes: impl Iterator<Item = &'a str>) -> Self {
         if file == "pipeline" {
-            self.set.extend(changes.map(str::to_owned));
+            // Overrides do not reach into lists; such a key is changed in the pipeline itself.
+            let is_in_list = |c: &&str| c.split_once('=').is_some_and(|(key, _)| key.contains('['));
+            let (in_lists, set): (Vec<&str>, Vec<&str>) = changes.partition(is_in_list);
+            self.set.extend(set.into_iter().map(str::to_owned));
+            in_lists.into_iter().for_each(|change| self.change_stage(change));
             return self;
         }
         let path = self.bench.pipeline_file().with_file_name(format!("{file}.toml"));
@@ -66,6 +70,20 @@ impl Project {
         }
         std::fs::write(path, toml::to_string(&table).expect("TOML")).expect("file");
         self
+    }
+
+    /// Changes a key of a stage in the pipeline, `stage.list[0].key=value`.
+    fn change_stage(&self, change: &str) {
+        let path = self.bench.pipeline_file();
+        let text = std::fs::read_to_string(&path).expect("pipeline");
+        let mut table: toml::Table = toml::from_str(&text).expect("TOML");
+        let (key, value) = change.split_once('=').expect("key=value");
+        let (name, key) = key.split_once('.').expect("stage.key");
+        let value: toml::Table = toml::from_str(&format!("v = {value}")).unwrap_or_else(|e| panic!("{change}: {e}"));
+        let stages = table["stage"].as_array_mut().expect("stages").iter_mut().filter_map(toml::Value::as_table_mut);
+        let stage = stages.into_iter().find(|s| s["use"].as_str() == Some(name)).expect("the stage");
+        put(stage["with"].as_table_mut().expect("parameters"), key, value["v"].clone());
+        std::fs::write(path, toml::to_string(&table).expect("TOML")).expect("pipeline");
     }
 
     /// Runs it.

@@ -34,6 +34,33 @@ use = "export-dxf"
 use = "export-print"
 "#;
 
+/// Changes of the pattern: a half of the dart of the front goes to the side, and a yoke is cut off the back.
+const ALTERED: &str = r#"
+[[stage]]
+use = "import-dxf"
+with.file = "pattern.dxf"
+with.sewing = "sewing.toml"
+[[stage]]
+use = "alter"
+[[stage.with.change]]
+do = "pivot"
+piece = "FRONT"
+dart = "dart-1"
+to = [0, 60]
+share = "50 %"
+back = "10 mm"
+[[stage.with.change]]
+do = "cut"
+piece = "BACK"
+along = [[-100, 60], [0, 50], [100, 60]]
+into = { upper = "YOKE", lower = "BACK" }
+seam = "yoke seam"
+[[stage]]
+use = "export-dxf"
+with.source = "pattern"
+with.sewing = "{out}/new.toml"
+"#;
+
 /// What shows the garment of a pattern: drawn in a project of its own, because pictures take most of the time.
 const SHOWN: &str = r#"
 [[stage]]
@@ -215,6 +242,7 @@ pub fn write(bench: &Bench, name: &str) {
     let put = |file: &str, text: &[u8]| std::fs::write(folder.join(file), text).expect("file");
     let stages = match name {
         "specification" => SPECIFICATION,
+        "altered" => ALTERED,
         "garment" => GARMENT,
         "sheet" => SHEET,
         _ => PATTERN,
