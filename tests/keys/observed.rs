@@ -82,7 +82,8 @@ impl Project {
         let value: toml::Table = toml::from_str(&format!("v = {value}")).unwrap_or_else(|e| panic!("{change}: {e}"));
         let stages = table["stage"].as_array_mut().expect("stages").iter_mut().filter_map(toml::Value::as_table_mut);
         let stage = stages.into_iter().find(|s| s["use"].as_str() == Some(name)).expect("the stage");
-        put(stage["with"].as_table_mut().expect("parameters"), key, value["v"].clone());
+        let with = stage.entry("with").or_insert(toml::Value::Table(toml::Table::new()));
+        put(with.as_table_mut().expect("parameters"), key, value["v"].clone());
         std::fs::write(path, toml::to_string(&table).expect("TOML")).expect("pipeline");
     }
 
