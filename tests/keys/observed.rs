@@ -52,8 +52,10 @@ impl Project {
     /// With these changes, `key=value` in the words of TOML: overrides of the pipeline, or keys of a file.
     pub fn changed<'a>(mut self, file: &str, changes: impl Iterator<Item = &'a str>) -> Self {
         if file == "pipeline" {
-            // Overrides do not reach into lists; such a key is changed in the pipeline itself.
-            let is_in_list = |c: &&str| c.split_once('=').is_some_and(|(key, _)| key.contains('['));
+            // A key in a list that the pipeline writes is changed there.
+            let text = std::fs::read_to_string(self.bench.pipeline_file()).expect("pipeline");
+            let has_lists = text.contains("[[stage.with.");
+            let is_in_list = |c: &&str| has_lists && c.split_once('=').is_some_and(|(key, _)| key.contains('['));
             let (in_lists, set): (Vec<&str>, Vec<&str>) = changes.partition(is_in_list);
             self.set.extend(set.into_iter().map(str::to_owned));
             in_lists.into_iter().for_each(|change| self.change_stage(change));
