@@ -20,6 +20,8 @@ const WOVEN: [&str; 3] = ["cotton-shirting", "wool-suiting", "silk-habotai"];
 const KNITTED: [&str; 3] = ["cotton-jersey", "cotton-interlock", "cotton-fleece"];
 /// Garments whose bands are stretched on, which only knitted cloth bears.
 const STRETCHED: [&str; 2] = ["t-shirt", "hoodie"];
+/// Garments whose pipeline changes the pattern of another one, so that they have none of their own.
+const CHANGED: [&str; 1] = ["princess-bodice"];
 
 fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
@@ -38,7 +40,7 @@ fn styles() -> Vec<String> {
 fn every_garment_has_its_files() {
     let styles = styles();
     assert!(styles.len() >= 10, "{styles:?}");
-    for style in styles {
+    for style in styles.iter().filter(|s| !CHANGED.contains(&s.as_str())) {
         for end in ["aama.dxf", "astm.dxf", "sewing.toml"] {
             let file = root().join("samples/patterns").join(format!("{style}.{end}"));
             assert!(file.is_file(), "{} is missing", file.display());

@@ -79,6 +79,18 @@ impl PieceLine {
             .sum()
     }
 
+    /// Edges of a closed line between its corners, from the first corner on. A line without a corner is one edge.
+    #[must_use]
+    pub fn edges(&self) -> Vec<OutlineEdge> {
+        let corners: Vec<u32> =
+            (0_u32..).zip(&self.points).filter(|(_, p)| p.kind == PointKind::Turn).map(|(i, _)| i).collect();
+        let corners = if corners.is_empty() { vec![0] } else { corners };
+        let n = corners.len();
+        (0..n)
+            .map(|i| OutlineEdge { index: i as u32, name: None, from: corners[i], to: corners[(i + 1) % n] })
+            .collect()
+    }
+
     /// Length of the line, metres, the closing segment included when closed.
     #[must_use]
     pub fn length(&self) -> f64 {

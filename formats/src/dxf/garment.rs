@@ -16,7 +16,7 @@ use std::borrow::Cow;
 use std::collections::BTreeSet;
 use toile_garment::dart::{Dart, DartEvidence, DartKind};
 use toile_garment::notch::Notch;
-use toile_garment::outline::{LinePoint, OutlineEdge, PieceLine, PointKind};
+use toile_garment::outline::{LinePoint, PieceLine, PointKind};
 use toile_garment::piece::{DrawnVertices, DrillHole, PieceText};
 use toile_garment::{Diagnostic, Garment, Piece, PieceId, SourceRef, Vec2};
 
@@ -143,7 +143,7 @@ pub fn to_piece(drawn: &DrawnPiece, file: &str) -> Piece {
         material: text("material").or_else(|| text("fabric")),
         category: text("category"),
         annotation: text("annotation"),
-        edges: edges(&outline),
+        edges: outline.edges(),
         outline,
         cut_line,
         drawn: Some(vertices).filter(|v| *v != DrawnVertices::default()),
@@ -276,15 +276,6 @@ fn smooth_over(fold: Fold, nodes: &mut [Node], work: &[Node]) {
             PointKind::Plain
         };
     }
-}
-
-/// Edges between corners, from the first corner on.
-fn edges(outline: &PieceLine) -> Vec<OutlineEdge> {
-    let corners: Vec<u32> =
-        (0_u32..).zip(&outline.points).filter(|(_, p)| p.kind == PointKind::Turn).map(|(i, _)| i).collect();
-    let corners = if corners.is_empty() { vec![0] } else { corners };
-    let n = corners.len();
-    (0..n).map(|i| OutlineEdge { index: i as u32, name: None, from: corners[i], to: corners[(i + 1) % n] }).collect()
 }
 
 /// Does a dart lie on the fold, so that it is its own mirror image?

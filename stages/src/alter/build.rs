@@ -1,21 +1,21 @@
 //! Pieces from changed outlines.
 
-use super::Seam;
-use super::contour::{Contour, Vertex};
+use super::contour::{self, Contour, Vertex};
 use super::marks::Region;
-use crate::sewing::ring::{Ring, along, arcs, nearest_on};
+use crate::sewing::ring::Ring;
 use toile_formats::allowance::{Allowance, cut_line};
 use toile_garment::dart::{Dart, DartKind};
 use toile_garment::notch::Notch;
-use toile_garment::outline::{LinePoint, OutlineEdge, PieceLine, PointKind};
+use toile_garment::outline::{OutlineEdge, PieceLine};
 use toile_garment::piece::DrillHole;
+use toile_garment::sewing::SeamSpec;
 use toile_garment::{Diagnostic, Piece, Vec2};
 
 /// Seam allowance of new edges where nothing is said, metres.
 pub const ALLOWANCE: f64 = 10e-3;
 
 /// Places nearer to each other are one, metres.
-const SAME_PLACE: f64 = 1e-6;
+pub const SAME_PLACE: f64 = 1e-6;
 
 /// One piece of what an old piece became.
 #[derive(Clone, Debug)]
@@ -46,7 +46,7 @@ pub struct Altered {
     /// The old outline.
     pub ring: Ring,
     /// The seam between the parts.
-    pub seam: Seam,
+    pub seam: Option<SeamSpec>,
     /// Seam allowance of new edges, metres.
     pub allowance: f64,
     /// The change in words.
@@ -63,9 +63,8 @@ impl Altered {
 
     fn piece(&self, old: &Piece, k: usize) -> Piece {
         let part = &self.parts[k];
-        let points = part.contour.vertices.iter().map(|v| LinePoint { at: v.at, kind: v.kind }).collect();
-        let outline = PieceLine { points, closed: true, ..old.outline.clone() };
-        let edges = edges(&outline);
+        let outline = PieceLine { points: contour::points(&part.contour.vertices), ..old.outline.clone() };
+        let edges = outline.edges();
         let name = part.name.clone();
         let mut piece = Piece { name, outline, edges, cut_line: None, drawn: None, mesh: None, ..old.clone() };
         self.carry_marks(old, k, &mut piece);
@@ -74,8 +73,8 @@ impl Altered {
         if let Some(cut) = &old.cut_line {
             piece.cut_line = self.cut_line(cut, k, &piece);
         }
-        let cut = piece.cut_line.as_ref().map(PieceLine::positions);
-        piece.notches.extend(part.notches.iter().map(|n| on_cut_line(n, cut.as_deref())));
+        let cut = piece.cut_line.as_ref().map(|c| Ring::new(c.positions(), Vec::new()));
+        piece.notches.extend(part.notches.iter().map(|n| on_cut_line(n, cut.as_ref())));
         piece
     }
 
@@ -83,15 +82,13 @@ impl Altered {
     /// mouths of darts.
     fn cut_line(&self, cut: &PieceLine, k: usize, piece: &Piece) -> Option<PieceLine> {
         let vertices = filled(&self.parts[k].contour.vertices, &piece.darts);
-        let points = vertices.iter().map(|v| LinePoint { at: v.at, kind: v.kind }).collect();
-        let outline = PieceLine { points, closed: true, ..piece.outline.clone() };
-        let edges = edges(&outline);
-        let cut = cut.positions();
-        let arc = arcs(&cut, true);
+        let outline = PieceLine { points: contour::points(&vertices), ..piece.outline.clone() };
+        let edges = outline.edges();
+        let cut = Ring::new(cut.positions(), Vec::new());
         let width = |v: usize| {
             let [a, b] = vertices[v].stretch?;
             let middle = Some((a + b) / 2.0).filter(|s| self.ring.gap_around(*s).is_none())?;
-            Some((nearest_on(&cut, &arc, true, self.ring.at(middle)).1, b - a))
+            Some((cut.project(self.ring.at(middle)).1, b - a))
         };
         let n = vertices.len();
         let of_edge = |e: &OutlineEdge| {
@@ -108,20 +105,12 @@ impl Altered {
 }
 
 /// A new notch where scissors clip it: on the cut line, square to it.
-fn on_cut_line(notch: &Notch, cut: Option<&[Vec2]>) -> Notch {
+fn on_cut_line(notch: &Notch, cut: Option<&Ring>) -> Notch {
     let Some(cut) = cut else { return notch.clone() };
-    let arc = arcs(cut, true);
-    let at = along_ring(cut, &arc, nearest_on(cut, &arc, true, notch.at).0);
+    let at = cut.at(cut.project(notch.at).0);
     let inward = notch.at - at;
     let angle = (inward.norm() > SAME_PLACE).then(|| libm::atan2(inward.y, inward.x));
     Notch { at, angle: angle.or(notch.angle), ..notch.clone() }
-}
-
-/// The point of a closed line at an arc position.
-fn along_ring(points: &[Vec2], arc: &[f64], s: f64) -> Vec2 {
-    let n = points.len();
-    let i = arc.partition_point(|a| *a <= s).clamp(1, n) - 1;
-    along(points[i], points[(i + 1) % n], arc[i], arc[i + 1], s)
 }
 
 /// An outline without the wedges of its darts.
@@ -148,16 +137,6 @@ fn median(values: &[(f64, f64)]) -> Option<f64> {
             sum >= half
         })
         .map(|v| v.0)
-}
-
-/// Edges between corners, from the first corner on.
-fn edges(outline: &PieceLine) -> Vec<OutlineEdge> {
-    let points = (0_u32..).zip(&outline.points);
-    let corners: Vec<u32> = points.filter(|(_, p)| p.kind == PointKind::Turn).map(|(i, _)| i).collect();
-    let corners = if corners.is_empty() { vec![0] } else { corners };
-    let next = corners.iter().cycle().skip(1);
-    let edge = |((index, from), to): ((u32, &u32), &u32)| OutlineEdge { index, name: None, from: *from, to: *to };
-    (0_u32..).zip(&corners).zip(next).map(edge).collect()
 }
 
 /// The middle of two points.

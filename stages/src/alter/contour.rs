@@ -1,8 +1,8 @@
 //! An outline that is being changed. Every vertex knows which stretch of the old outline begins at it.
 
 use crate::sewing::ring::{Gap, Ring};
-use toile_formats::dxf::geom::inside;
-use toile_garment::outline::PointKind;
+use toile_formats::dxf::geom::{self, inside};
+use toile_garment::outline::{LinePoint, OutlineEdge, PieceLine, PointKind};
 use toile_garment::{Piece, Vec2};
 
 /// A place this near to a vertex is the vertex, metres.
@@ -28,6 +28,11 @@ impl Vertex {
     pub fn new(at: Vec2, kind: PointKind) -> Self {
         Self { at, kind, stretch: None }
     }
+}
+
+/// Vertices as points of a line.
+pub fn points(vertices: &[Vertex]) -> Vec<LinePoint> {
+    vertices.iter().map(|v| LinePoint { at: v.at, kind: v.kind }).collect()
 }
 
 /// A closed outline, counter-clockwise.
@@ -75,18 +80,17 @@ impl Contour {
     /// The segments of every edge between corners.
     pub fn edges(&self) -> Vec<Vec<usize>> {
         let n = self.vertices.len();
-        let corners: Vec<usize> = (0..n).filter(|k| self.vertices[*k].kind == PointKind::Turn).collect();
-        let corners = if corners.is_empty() { vec![0] } else { corners };
-        let next = corners.iter().cycle().skip(1);
-        let segments = |(from, to): (&usize, &usize)| (0..=(to + n - from - 1) % n).map(|k| (from + k) % n).collect();
-        corners.iter().zip(next).map(segments).collect()
+        let line = PieceLine { points: points(&self.vertices), closed: true, ..PieceLine::default() };
+        let segments = |e: &OutlineEdge| {
+            let (from, to) = (e.from as usize, e.to as usize);
+            (0..=(to + n - from - 1) % n).map(|k| (from + k) % n).collect()
+        };
+        line.edges().iter().map(segments).collect()
     }
 
     /// Its area, m².
     pub fn area(&self) -> f64 {
-        let points = self.points();
-        let next = points.iter().cycle().skip(1);
-        0.5 * points.iter().zip(next).map(|(a, b)| a.x * b.y - a.y * b.x).sum::<f64>()
+        geom::area(&self.points())
     }
 
     /// Positions.
@@ -153,9 +157,8 @@ impl Contour {
         for i in 0..n {
             if at.iter().any(|p| (p - self.vertices[i].at).norm() < NOTHING) {
                 let [a, b, c] = [(i + n - 1) % n, i, (i + 1) % n].map(|k| self.vertices[k].at);
-                let (u, v) = (b - a, c - b);
-                let turn = libm::atan2(u.x * v.y - u.y * v.x, u.dot(&v)).abs();
-                self.vertices[i].kind = if turn > CORNER { PointKind::Turn } else { PointKind::Plain };
+                self.vertices[i].kind =
+                    if geom::turn(a, b, c).abs() > CORNER { PointKind::Turn } else { PointKind::Plain };
             }
         }
     }
@@ -202,10 +205,9 @@ impl Contour {
 /// Do two segments cross, each with its inner part?
 pub fn do_cross([a, b]: [Vec2; 2], [c, d]: [Vec2; 2]) -> bool {
     let side = |p: Vec2, q: Vec2, r: Vec2| {
-        let (u, v) = (q - p, r - p);
-        let area = u.x * v.y - u.y * v.x;
+        let area = geom::cross(q - p, r - p);
         // Points nearer than a thousandth of a millimetre lie on the line.
-        if area.abs() < 1e-6 * u.norm().max(1e-12) { 0.0 } else { area.signum() }
+        if area.abs() < 1e-6 * (q - p).norm().max(1e-12) { 0.0 } else { area.signum() }
     };
     side(a, b, c) * side(a, b, d) < 0.0 && side(c, d, a) * side(c, d, b) < 0.0
 }

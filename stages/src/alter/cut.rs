@@ -7,6 +7,7 @@ use super::params::{Cut, Parts, Spot};
 use super::{ALTER_LINE_LEAVES_PIECE, ALTER_PLACE, spot};
 use crate::sewing::ring::{Gap, Ring};
 use crate::sewing::shapes::{Shapes, mm};
+use toile_formats::dxf::{curve, geom};
 use toile_garment::notch::{Notch, NotchKind};
 use toile_garment::outline::PointKind;
 use toile_garment::sewing::{RunSpec, RunWay, SeamSpec};
@@ -16,8 +17,6 @@ use toile_garment::{Diagnostic, Garment, Piece, PieceId, Vec2};
 const AT_POINT: f64 = 1e-3;
 /// Chords keep this near a smooth line, metres.
 const CHORD: f64 = 0.1e-3;
-/// Most chords between two places of a smooth line.
-const CHORDS_MOST: usize = 64;
 /// Parts are at least as large, m².
 const LEAST_AREA: f64 = 1e-4;
 /// Depth of a new notch where the piece has none, metres.
@@ -42,8 +41,10 @@ pub fn cut(garment: &Garment, shapes: &Shapes, id: PieceId, p: &Cut) -> Result<A
     let inner = inner.collect::<Result<Vec<Vec2>, Diagnostic>>()?;
     let mut contour = Contour::of(piece, ring);
     let arcs = [ends[0].arc, ends[1].arc];
-    contour.insert(arcs[0]);
-    contour.insert(arcs[1]);
+    // The second vertex may change the number of the first.
+    arcs.into_iter().for_each(|s| {
+        contour.insert(s);
+    });
     let [from, to] = arcs.map(|s| contour.insert(s));
     let line = line(&contour, from, &inner, to, p.smooth);
     if from == to || !contour.holds_line(&line) {
@@ -74,7 +75,6 @@ pub fn cut(garment: &Garment, shapes: &Shapes, id: PieceId, p: &Cut) -> Result<A
         holes: Vec::new(),
     };
     let region = |k: usize, contour: &Contour| Region { polygon: contour.points(), motion: Motion::NONE, part: k };
-    let length: f64 = line.windows(2).map(|w| (w[1] - w[0]).norm()).sum();
     Ok(Altered {
         regions: vec![region(0, &left), region(1, &right)],
         parts: vec![part(0, left), part(1, right)],
@@ -86,7 +86,7 @@ pub fn cut(garment: &Garment, shapes: &Shapes, id: PieceId, p: &Cut) -> Result<A
         told: format!(
             "piece `{}` was cut along {:.0} mm into `{}` and `{}`",
             piece.name,
-            1e3 * length,
+            1e3 * geom::length(&line, false),
             names[0],
             names[1]
         ),
@@ -158,30 +158,7 @@ fn end<'s>(garment: &Garment, shapes: &'s Shapes, id: PieceId, at: &Spot) -> Res
 fn line(contour: &Contour, from: usize, inner: &[Vec2], to: usize, smooth: bool) -> Vec<Vec2> {
     let [a, b] = [from, to].map(|k| contour.vertices[k].at);
     let places: Vec<Vec2> = std::iter::once(a).chain(inner.iter().copied()).chain([b]).collect();
-    if smooth { smoothed(&places) } else { places }
-}
-
-/// A smooth curve through places: a cubic between each two, whose slopes follow from their neighbours (Catmull and Rom).
-fn smoothed(places: &[Vec2]) -> Vec<Vec2> {
-    let n = places.len();
-    let slope = |i: usize| match i {
-        0 => (places[1] - places[0]) * 0.5,
-        i if i + 1 == n => (places[i] - places[i - 1]) * 0.5,
-        i => (places[i + 1] - places[i - 1]) * 0.5,
-    };
-    let mut out = vec![places[0]];
-    for i in 0..n - 1 {
-        let (p, q, u, v) = (places[i], places[i + 1], slope(i), slope(i + 1));
-        let at = |t: f64| {
-            let (t2, t3) = (t * t, t * t * t);
-            p * (2.0 * t3 - 3.0 * t2 + 1.0) + u * (t3 - 2.0 * t2 + t) + q * (3.0 * t2 - 2.0 * t3) + v * (t3 - t2)
-        };
-        // A chord of a parabola leaves it by an eighth of its second difference.
-        let bend = (u - v).norm() + 2.0 * (q - p - (u + v) * 0.5).norm();
-        let count = (libm::sqrt(bend / (8.0 * CHORD)).ceil() as usize).clamp(1, CHORDS_MOST);
-        out.extend((1..=count).map(|k| at(k as f64 / count as f64)));
-    }
-    out
+    if smooth { curve::through(&places, false, CHORD) } else { places }
 }
 
 /// The part of the outline from one vertex forward to another, closed by the line.

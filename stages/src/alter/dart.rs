@@ -4,15 +4,12 @@ use super::build::{ALLOWANCE, Altered, Part};
 use super::contour::{Contour, Vertex};
 use super::marks::{Motion, Region};
 use super::params::MovePoint;
-use super::pivot::wedge;
+use super::pivot::{LEGS_DIFFER, wedge};
 use super::{ALTER_DART, ALTER_LEGS_DIFFER, ALTER_LINE_LEAVES_PIECE, spot};
 use crate::sewing::shapes::{Shapes, mm};
 use toile_formats::dxf::geom::inside;
 use toile_garment::outline::PointKind;
 use toile_garment::{Diagnostic, Garment, PieceId, Vec2};
-
-/// Legs that differ by more are told, metres.
-const LEGS_DIFFER: f64 = 0.5e-3;
 
 /// Moves the point of a wedge dart. Its mouth stays, and its legs become straight.
 pub fn point(garment: &Garment, shapes: &Shapes, id: PieceId, p: &MovePoint) -> Result<Altered, Diagnostic> {

@@ -2,11 +2,11 @@
 
 use super::build::Altered;
 use super::contour::Carried;
-use super::marks::Motion;
 use crate::sewing::lookup;
 use crate::sewing::resolve::{Side, Span, elastic_side, find, placed};
 use crate::sewing::ring::SAME;
 use crate::sewing::shapes::Shapes;
+use toile_formats::dxf::geom;
 use toile_garment::dart::DartKind;
 use toile_garment::sewing::{
     Around, AttachSpec, DartSpec, EdgeNameSpec, ElasticSpec, FoldSpec, InterliningSpec, LayerSpec, PlaceSpec,
@@ -93,12 +93,12 @@ impl Follow<'_> {
     fn side(&self, side: &Side) -> Vec<RunSpec> {
         let mut out: Vec<RunSpec> = Vec::new();
         for run in side.spans.iter().flat_map(|span| self.span(span)) {
-            match out.last_mut().zip(as_points(&run)) {
+            match (out.last_mut(), &run) {
                 // The halves of an edge beside a dart that is closed now are one.
-                Some((RunSpec::Points { piece, to, way, .. }, next))
-                    if piece == next.piece && *way == next.way && (*to - next.ends[0]).norm() < SAME =>
+                (Some(RunSpec::Points { piece, to, way, .. }), RunSpec::Points { piece: p, from, to: end, way: w })
+                    if piece == p && way == w && (*to - from).norm() < SAME =>
                 {
-                    *to = next.ends[1];
+                    *to = *end;
                 }
                 _ => out.push(run),
             }
@@ -255,36 +255,12 @@ impl Follow<'_> {
 
 /// The place of a part of a piece.
 fn moved(place: &Around, old: &[Vec2], part: &[Vec2]) -> Around {
-    let turned = |points: &[Vec2]| -> Vec<Vec2> {
-        let turn = Motion { about: Vec2::new(0.0, 0.0), angle: place.turn };
-        points.iter().map(|p| turn.apply(*p)).collect()
-    };
-    let [[left, right], [_, high]] = extent(&turned(old));
-    let [[part_left, part_right], [_, part_high]] = extent(&turned(part));
+    let extent = |points: &[Vec2]| geom::bounds(points.iter().map(|p| geom::rotate(*p, place.turn)));
+    let (Some((low, high)), Some((part_low, part_high))) = (extent(old), extent(part)) else { return place.clone() };
     let is_arm = place.segment.starts_with("arm");
-    let lower = if is_arm { high - part_high } else { part_high - high };
-    let shift = (part_left + part_right - left - right) / 2.0;
-    Around { height: place.height + lower, shift: place.shift + shift, ..place.clone() }
-}
-
-/// Least and greatest x, and y, of points.
-fn extent(points: &[Vec2]) -> [[f64; 2]; 2] {
-    [0, 1].map(|k| {
-        let far = [f64::INFINITY, f64::NEG_INFINITY];
-        points.iter().fold(far, |[least, most], p| [least.min(p[k]), most.max(p[k])])
-    })
-}
-
-/// A run between two points.
-struct Points<'a> {
-    piece: &'a String,
-    ends: [Vec2; 2],
-    way: RunWay,
-}
-
-fn as_points(run: &RunSpec) -> Option<Points<'_>> {
-    let RunSpec::Points { piece, from, to, way } = run else { return None };
-    Some(Points { piece, ends: [*from, *to], way: *way })
+    let higher = if is_arm { high.y - part_high.y } else { part_high.y - high.y };
+    let shift = (part_low.x + part_high.x - low.x - high.x) / 2.0;
+    Around { height: place.height + higher, shift: place.shift + shift, ..place.clone() }
 }
 
 /// The name that an edge gets which was meant by its number.

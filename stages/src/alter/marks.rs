@@ -1,8 +1,7 @@
 //! How marks go with the cloth that they are on.
 
 use super::build::Altered;
-use crate::sewing::ring::{arcs, nearest_on};
-use toile_formats::dxf::geom::inside;
+use toile_formats::dxf::geom::{self, inside};
 use toile_garment::dart::{Dart, DartKind};
 use toile_garment::outline::PieceLine;
 use toile_garment::{Piece, Vec2};
@@ -32,9 +31,7 @@ impl Motion {
         if self.angle == 0.0 {
             return p;
         }
-        let (s, c) = (libm::sin(self.angle), libm::cos(self.angle));
-        let d = p - self.about;
-        self.about + Vec2::new(c * d.x - s * d.y, s * d.x + c * d.y)
+        self.about + geom::rotate(p - self.about, self.angle)
     }
 }
 
@@ -55,7 +52,7 @@ impl Region {
         if inside(p, &self.polygon) {
             return 0.0;
         }
-        nearest_on(&self.polygon, &arcs(&self.polygon, true), true, p).1
+        geom::distance(p, &self.polygon, true)
     }
 }
 
@@ -117,9 +114,7 @@ impl Altered {
     /// Does a notch or a drill hole mark a dart that is gone? It stands at its mouth or near its point.
     fn marks_gone_dart(&self, old: &Piece, at: Vec2) -> bool {
         let gone = self.gone.iter().filter(|_| self.is_unmarked).filter_map(|k| old.darts.get(*k));
-        let near = |points: &[Vec2], reach: f64| points.iter().any(|p| (p - at).norm() < reach);
-        let to_mouth = |d: &Dart| old.cut_line.as_ref().map_or(AT_MOUTH, |_| AT_MOUTH.max(0.6 * d.intake()));
-        gone.into_iter().any(|d| near(&d.apexes, NEAR_POINT) || near(&d.mouth, to_mouth(d)))
+        gone.into_iter().any(|d| is_near_point(d, at) || is_at_mouth(old, d, at))
     }
 
     /// A dart that was not changed. What was only marked is notched out of the outline now.
@@ -180,10 +175,19 @@ fn inside_along(outline: &[Vec2], along: Vec2) -> [Vec2; 2] {
 
 /// Does a notch stand at the mouth of a dart, and a drill hole near its point?
 pub fn marks_of(piece: &Piece, dart: &Dart) -> [bool; 2] {
+    let is_notched = piece.notches.iter().any(|n| is_at_mouth(piece, dart, n.at));
+    [is_notched, piece.drill_holes.iter().any(|h| is_near_point(dart, h.at))]
+}
+
+/// Is a place at the mouth of a dart? On a cut line it lies off the sewn mouth.
+fn is_at_mouth(piece: &Piece, dart: &Dart, at: Vec2) -> bool {
     let reach = piece.cut_line.as_ref().map_or(AT_MOUTH, |_| AT_MOUTH.max(0.6 * dart.intake()));
-    let at_mouth = |p: Vec2| dart.mouth.iter().any(|m| (m - p).norm() < reach);
-    let near_point = |p: Vec2| dart.apexes.iter().any(|a| (a - p).norm() < NEAR_POINT);
-    [piece.notches.iter().any(|n| at_mouth(n.at)), piece.drill_holes.iter().any(|h| near_point(h.at))]
+    dart.mouth.iter().any(|m| (m - at).norm() < reach)
+}
+
+/// Is a place near the point of a dart?
+fn is_near_point(dart: &Dart, at: Vec2) -> bool {
+    dart.apexes.iter().any(|a| (a - at).norm() < NEAR_POINT)
 }
 
 fn line(line: &PieceLine, motion: Motion) -> PieceLine {

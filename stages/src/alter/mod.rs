@@ -20,7 +20,7 @@ use crate::sewing::resolve::{find, placed};
 use crate::sewing::shapes::{Shapes, shapes};
 use build::Altered;
 use params::Change;
-use toile_garment::sewing::{DartSpec, SeamSpec};
+use toile_garment::sewing::DartSpec;
 use toile_garment::{Aspect, Code, Diagnostic, Garment, PieceId, Report};
 use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
 
@@ -46,7 +46,7 @@ codes! {
     /// The changed piece would lie over itself. Exit code 2.
     ALTER_OVERLAPS = "alter-overlaps";
 
-    /// Both legs of a changed dart differ in length. The seam between them is eased.
+    /// The legs of a changed dart differ in length. A step is left in the outline where it is closed.
     ALTER_LEGS_DIFFER = "alter-legs-differ";
 }
 
@@ -190,6 +190,3 @@ fn ease(garment: &mut Garment) -> Result<(), StageError> {
     }
     Ok(())
 }
-
-/// The seam that a change adds.
-type Seam = Option<SeamSpec>;

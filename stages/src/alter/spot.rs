@@ -2,6 +2,7 @@
 
 use super::params::{Change, EdgeSpot, Spot};
 use super::{ALTER_DART, ALTER_PLACE};
+use crate::fit::nearest::closest;
 use crate::sewing::codes::RUN_WITHOUT_LENGTH;
 use crate::sewing::lookup;
 use crate::sewing::ring::{Gap, Ring};
@@ -127,11 +128,11 @@ fn in_space(garment: &Garment, id: PieceId, at: Vec3) -> Result<Vec2, Diagnostic
     let at = garment.file_up.from_file(at);
     let mut best: Option<(f64, Vec2)> = None;
     for t in &mesh.triangles {
-        let [a, b, c] = t.map(|v| places[v as usize]);
-        let [s, u] = nearest_on_triangle(at, a, b, c);
-        let near = a + (b - a) * s + (c - a) * u;
+        let corners = t.map(|v| places[v as usize]);
+        let near = closest(&at, corners);
         let d = (near - at).norm();
         if best.is_none_or(|(least, _)| d < least) {
+            let [s, u] = shares(near, corners);
             let [a, b, c] = t.map(|v| mesh.rest[v as usize]);
             best = Some((d, a + (b - a) * s + (c - a) * u));
         }
@@ -139,27 +140,12 @@ fn in_space(garment: &Garment, id: PieceId, at: Vec3) -> Result<Vec2, Diagnostic
     best.map(|(_, p)| p).ok_or_else(|| Diagnostic::error(ALTER_PLACE, format!("piece `{}` has no mesh", piece.name)))
 }
 
-/// The nearest point of a triangle, as shares of its first two sides.
-fn nearest_on_triangle(p: Vec3, a: Vec3, b: Vec3, c: Vec3) -> [f64; 2] {
+/// A point of a triangle as shares of its first two sides.
+fn shares(p: Vec3, [a, b, c]: [Vec3; 3]) -> [f64; 2] {
     let (u, v, d) = (b - a, c - a, p - a);
     let (uu, uv, vv, du, dv) = (u.dot(&u), u.dot(&v), v.dot(&v), d.dot(&u), d.dot(&v));
-    let det = uu * vv - uv * uv;
-    if det > 0.0 {
-        let (s, t) = ((vv * du - uv * dv) / det, (uu * dv - uv * du) / det);
-        if s >= 0.0 && t >= 0.0 && s + t <= 1.0 {
-            return [s, t];
-        }
-    }
-    // Outside, the nearest point lies on a side.
-    let on = |from: [f64; 2], to: [f64; 2]| {
-        let place = |w: [f64; 2]| u * w[0] + v * w[1];
-        let (o, e) = (place(from), place(to) - place(from));
-        let t = ((d - o).dot(&e) / e.dot(&e).max(1e-18)).clamp(0.0, 1.0);
-        let w = [from[0] + (to[0] - from[0]) * t, from[1] + (to[1] - from[1]) * t];
-        ((d - place(w)).norm(), w)
-    };
-    let sides = [on([0.0, 0.0], [1.0, 0.0]), on([1.0, 0.0], [0.0, 1.0]), on([0.0, 1.0], [0.0, 0.0])];
-    sides.into_iter().min_by(|x, y| x.0.total_cmp(&y.0)).map_or([0.0, 0.0], |s| s.1)
+    let det = (uu * vv - uv * uv).max(f64::MIN_POSITIVE);
+    [(vv * du - uv * dv) / det, (uu * dv - uv * du) / det]
 }
 
 /// The arc position of a place on the outline.

@@ -8,7 +8,7 @@ mod bent;
 mod girth;
 mod maps;
 mod measures;
-mod nearest;
+pub(crate) mod nearest;
 mod points;
 mod rings;
 mod surface;

@@ -98,7 +98,7 @@ impl<'s> Nearest<'s> {
 }
 
 /// The point of a triangle nearest to `p`: its foot inside, else the nearest of the three edges.
-fn closest(p: &Vec3, [a, b, c]: [Vec3; 3]) -> Vec3 {
+pub(crate) fn closest(p: &Vec3, [a, b, c]: [Vec3; 3]) -> Vec3 {
     let normal = (b - a).cross(&(c - a));
     let size = normal.norm_squared();
     if size > 0.0 {
