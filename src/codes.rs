@@ -44,6 +44,7 @@ const OWN: &[&[Code]] = &[
     crate::diff::codes::CODES,
     crate::engine::codes::CODES,
     crate::external::codes::CODES,
+    crate::fit::codes::CODES,
     crate::line::codes::CODES,
     crate::load::codes::CODES,
     crate::new::codes::CODES,

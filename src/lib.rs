@@ -13,6 +13,8 @@ pub mod diff;
 pub mod engine;
 pub mod external;
 pub mod figures;
+pub mod fit;
+pub mod halt;
 pub mod junit;
 pub mod line;
 pub mod load;

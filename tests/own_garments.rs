@@ -27,10 +27,10 @@ fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
 }
 
-/// The garments: a folder of pipelines each.
+/// The garments: a folder of pipelines each. Other folders hold no first version.
 fn styles() -> Vec<String> {
     let entries = std::fs::read_dir(root().join("pipelines")).expect("pipelines").flatten();
-    let folders = entries.filter(|e| e.path().is_dir());
+    let folders = entries.filter(|e| e.path().join("v1.toml").is_file());
     let mut names: Vec<String> = folders.filter_map(|e| e.file_name().into_string().ok()).collect();
     names.sort();
     names

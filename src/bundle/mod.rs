@@ -14,5 +14,5 @@ mod replay;
 
 pub use check::{Bundle, open};
 pub use manifest::{MANIFEST_NAME, Manifest, PackedFile};
-pub use pack::{Order, Packed, Refusal, pack};
+pub use pack::{Order, Packed, pack};
 pub use replay::replay;

@@ -7,6 +7,7 @@ use super::manifest::{FORM, MANIFEST_NAME, Manifest, PackedFile, ROOT_MARK};
 use crate::engine::{
     Content, Exit, Gate, MAX_INPUT, OutputRecord, RECORD_NAME, Stop, clean, read_limited, read_record,
 };
+use crate::halt::Halt;
 use crate::load::{self, Request};
 use crate::pipeline::Pipeline;
 use serde_json::Value;
@@ -40,22 +41,6 @@ pub struct Packed {
     pub inputs: Vec<PathBuf>,
 }
 
-/// Why nothing was packed.
-pub struct Refusal {
-    /// Findings.
-    pub findings: Vec<Diagnostic>,
-    /// The pipeline's text, to show them in.
-    pub source: Option<(String, String)>,
-    /// How the program ends.
-    pub exit: Exit,
-}
-
-impl Refusal {
-    fn new(findings: Vec<Diagnostic>, exit: Exit) -> Self {
-        Self { findings, source: None, exit }
-    }
-}
-
 /// The parts of a record that a bundle needs.
 struct Run {
     record: Value,
@@ -68,8 +53,8 @@ struct Run {
 ///
 /// # Errors
 /// When it is no run, its pipeline cannot be opened, or a file has changed since.
-pub fn pack(order: &Order, stop: &Arc<Stop>, registry: &mut Registry) -> Result<Packed, Refusal> {
-    let run = open_run(&order.run).map_err(|finding| Refusal::new(vec![finding], Exit::Input))?;
+pub fn pack(order: &Order, stop: &Arc<Stop>, registry: &mut Registry) -> Result<Packed, Halt> {
+    let run = open_run(&order.run).map_err(|finding| Halt::new(vec![finding], Exit::Input))?;
     let request = request(order, &run);
     let loaded = load::load(&request, stop, registry);
     let exit = loaded.exit();
@@ -78,7 +63,7 @@ pub fn pack(order: &Order, stop: &Arc<Stop>, registry: &mut Registry) -> Result<
         let hint = "paths of a run start where it was started: work there, or name the pipeline with --pipeline";
         let findings = loaded.report.findings.into_iter();
         let hinted = findings.map(|f| if f.hint.is_none() { f.hint(hint) } else { f });
-        return Err(Refusal { findings: hinted.collect(), source, exit });
+        return Err(Halt { findings: hinted.collect(), source, exit });
     };
     let content = Content::of(pipeline, gate, stop);
     let mut collected = Collected::new(gate, pipeline, &request.file);
@@ -88,7 +73,7 @@ pub fn pack(order: &Order, stop: &Arc<Stop>, registry: &mut Registry) -> Result<
     let (placed, wrong) = (collected.placed(), collected.wrong);
     if !wrong.is_empty() {
         let changed = wrong.iter().all(|f| f.code == codes::BUNDLE_INPUT_CHANGED);
-        return Err(Refusal::new(wrong, if changed { Exit::Input } else { Exit::Usage }));
+        return Err(Halt::new(wrong, if changed { Exit::Input } else { Exit::Usage }));
     }
     build(&run, &request, pipeline, placed)
 }
@@ -259,7 +244,7 @@ impl<'a> Collected<'a> {
 /// Folder of the files that were named by `--set`.
 const GIVEN: &str = "given";
 
-fn build(run: &Run, request: &Request, pipeline: &Pipeline<'_>, placed: Placed) -> Result<Packed, Refusal> {
+fn build(run: &Run, request: &Request, pipeline: &Pipeline<'_>, placed: Placed) -> Result<Packed, Halt> {
     let inputs = placed.files.values().filter_map(|t| t.real.clone()).collect();
     let mut files: BTreeMap<String, Taken> = placed.files;
     files.insert(ROOT_MARK.to_owned(), Taken::default());
@@ -281,7 +266,7 @@ fn build(run: &Run, request: &Request, pipeline: &Pipeline<'_>, placed: Placed) 
         exit_code: run.record["exit_code"].as_u64().and_then(|c| u8::try_from(c).ok()).unwrap_or(Exit::System.code()),
         outputs: run.outputs.clone(),
     };
-    let refused = |why: String, exit| Refusal::new(vec![Diagnostic::error(codes::BUNDLE_PATH, why)], exit);
+    let refused = |why: String, exit| Halt::new(vec![Diagnostic::error(codes::BUNDLE_PATH, why)], exit);
     let sum: u64 = manifest.files.iter().map(|f| f.bytes).sum();
     if files.len() > MAX_FILES || sum > MAX_BUNDLE {
         return Err(refused(format!("a bundle holds {MAX_FILES} files and 1 GiB at most"), Exit::Input));

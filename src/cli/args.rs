@@ -2,6 +2,7 @@
 
 use super::bundle::BundleArgs;
 use super::fabric::FabricArgs;
+use super::fit::FitArgs;
 use super::line::LineArgs;
 use super::test::TestArgs;
 use crate::engine::{CacheOptions, Limits};
@@ -49,6 +50,8 @@ pub enum Verb {
     Line(LineArgs),
     /// Show what is in a file.
     Inspect(InspectArgs),
+    /// Make the pattern of a garment for another body, with its ease.
+    Fit(FitArgs),
     /// Flatten a garment back to 2D, from its file alone.
     Flatten(FlattenArgs),
     /// Show what accuracy costs in time for one garment: error against seconds and memory.
@@ -462,7 +465,7 @@ pub struct FlattenArgs {
     /// Length of cloth over which a rough surface is averaged, e.g. "20 mm" [default: 0 mm]
     #[arg(long, value_name = "LENGTH")]
     pub smooth: Option<String>,
-    /// How pieces that mirror each other come back: auto, off [default: auto]
+    /// How pieces that mirror each other come back: auto, always, off [default: auto]
     #[arg(long, value_name = "WORD")]
     pub symmetry: Option<String>,
     /// What does not change: seams, grain, straight, right-angles, darts, or none [default: all but darts]

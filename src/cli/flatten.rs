@@ -3,10 +3,7 @@
 use super::args::FlattenArgs;
 use super::console::Console;
 use super::results::Results;
-use crate::codes::NEEDS_NOT_GIVEN;
-use crate::engine::{Exit, MAX_INPUT, Stop, clean, of_file_error, of_stage_error, read_limited};
-use crate::progress::Teller;
-use std::collections::BTreeMap;
+use crate::engine::{Exit, MAX_INPUT, Memory, Stop, clean, of_file_error, of_stage_error, read_limited, run_alone};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -14,9 +11,8 @@ use toile_formats::codes::UNKNOWN_KEY;
 use toile_formats::garment_file;
 use toile_garment::flat::Flat;
 use toile_garment::{Diagnostic, Garment, Report, SourceRef};
-use toile_stage_api::{FileError, Files, Registry, StageContext, StageError};
+use toile_stage_api::{Registry, StageError};
 use toile_stages::flatten::json as flatten_json;
-use toml::de::ValueDeserializer;
 
 /// The stage that flattens, and the tap that writes its result to the parameter `file`.
 const FLATTEN: &str = "flatten";
@@ -92,7 +88,7 @@ fn flatten(
     report: &mut Report,
 ) -> Result<Flattened, StageError> {
     let mut files = Memory::default();
-    let garment = run_stage(registry, FLATTEN, &parameters(args)?, garment, stop, report, &mut files)?;
+    let garment = run_alone(registry, (FLATTEN, &parameters(args)?), garment, stop, report, &mut files)?;
     let internal = |what: &str| StageError::Internal(what.to_owned());
     let flat = garment.flat.as_ref().ok_or_else(|| internal("`flatten` gave no flat pieces"))?;
     let summary = summary(&garment, flat);
@@ -107,11 +103,9 @@ fn flatten(
         let named: Vec<(&str, &PathBuf)> = given.iter().filter_map(|(key, path)| Some((*key, (*path)?))).collect();
         let parts: Vec<String> = named.iter().map(|(key, _)| format!("{key} = \"{{out}}/{key}\"")).collect();
         let params = format!("{{ {} }}", parts.join(", "));
-        run_stage(registry, DXF_TAP, &params, garment, stop, report, &mut files)?;
+        run_alone(registry, (DXF_TAP, &params), garment, stop, report, &mut files)?;
         for (key, path) in named {
-            let bytes = files.written.remove(Path::new(&format!("{{out}}/{key}")));
-            let bytes = bytes.ok_or_else(|| StageError::Internal(format!("`{DXF_TAP}` wrote no {key}")))?;
-            results.push((path.clone(), bytes));
+            results.push((path.clone(), files.take(key)?));
         }
     }
     Ok((summary, results))
@@ -147,54 +141,4 @@ fn summary(garment: &Garment, flat: &Flat) -> String {
         );
     }
     text
-}
-
-fn run_stage(
-    registry: &Registry,
-    name: &str,
-    params: &str,
-    garment: Garment,
-    stop: &Arc<Stop>,
-    report: &mut Report,
-    files: &mut Memory,
-) -> Result<Garment, StageError> {
-    let stage = registry.get(name).ok_or_else(|| StageError::Unsupported(format!("there is no stage `{name}`")))?;
-    let wrong = |message: &str| StageError::parameter(Diagnostic::error(UNKNOWN_KEY, message.to_owned()));
-    let params = ValueDeserializer::parse(params).map_err(|e| wrong(e.message()))?;
-    let ready = stage.configure(params).map_err(|e| wrong(e.message()))?;
-    if let Some(need) = ready.info().needs.iter().find(|n| !garment.has(**n)) {
-        let message = format!("the garment holds no {}, which `{name}` needs", crate::pipeline::word(*need));
-        return Err(StageError::input(Diagnostic::error(NEEDS_NOT_GIVEN, message)));
-    }
-    let mut cx = StageContext {
-        report,
-        progress: &mut Teller::silent(),
-        files,
-        cancel: stop.flag(),
-        seed: garment.provenance.seed,
-        threads: std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
-    };
-    ready.run(garment, &mut cx)
-}
-
-/// Keeps what a tap writes; lets it read nothing.
-#[derive(Default)]
-pub(super) struct Memory {
-    written: BTreeMap<PathBuf, Vec<u8>>,
-}
-
-impl Files for Memory {
-    fn read(&mut self, path: &Path) -> Result<Vec<u8>, FileError> {
-        let reason = "this command works from the file it was given alone".to_owned();
-        Err(FileError::Refused { path: clean(path), reason })
-    }
-
-    fn read_optional(&mut self, _: &Path) -> Result<Option<Vec<u8>>, FileError> {
-        Ok(None)
-    }
-
-    fn write(&mut self, path: &Path, bytes: &[u8]) -> Result<(), FileError> {
-        self.written.insert(path.to_path_buf(), bytes.to_vec());
-        Ok(())
-    }
 }

@@ -11,6 +11,7 @@ mod deps;
 mod diff;
 mod explain;
 mod fabric;
+mod fit;
 mod flatten;
 mod inspect;
 mod line;
@@ -96,6 +97,7 @@ fn dispatch(cli: Cli, mut registry: Registry, stop: &Arc<Stop>, console: &mut Co
         Verb::Bundle(args) => bundle::run(&args, &mut registry, stop, console),
         Verb::Line(args) => line::run(&args, &mut registry, stop, console),
         Verb::Inspect(args) => inspect::run(&args, console),
+        Verb::Fit(args) => fit::run(&args, &mut registry, stop, console),
         Verb::Flatten(args) => flatten::run(&args, &registry, stop, console),
         Verb::Study(args) => study::run(&args, &mut registry, stop, console),
         Verb::Body(args) => body::run(&args, console),

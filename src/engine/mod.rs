@@ -1,5 +1,6 @@
 //! Runs a chain: files through the gate, outputs whole or not at all, provenance, stopping, the record of the run.
 
+mod alone;
 mod cache;
 pub(crate) mod codes;
 mod content;
@@ -23,6 +24,7 @@ mod stop;
 mod store;
 mod whole;
 
+pub use alone::{Memory, run_alone};
 pub use cache::CacheOptions;
 pub use content::{Content, chain, digest, is_unchanged, program};
 pub use exit::{Exit, of_file_error, of_stage_error};

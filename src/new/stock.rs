@@ -66,11 +66,11 @@ pub enum Body {
 }
 
 impl Body {
-    /// The body that a text names: an OBJ file, or a size.
+    /// The body that a text names: a file, or a size.
     #[must_use]
     pub fn of(text: &str) -> Self {
         let path = Path::new(text);
-        if path.extension().is_some_and(|e| e.eq_ignore_ascii_case("obj")) {
+        if path.extension().is_some() || text.contains(['/', '\\']) {
             Self::File(path.to_owned())
         } else {
             Self::Size(text.to_owned())

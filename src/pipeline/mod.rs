@@ -25,4 +25,4 @@ pub use nearest::{nearest, remedy};
 pub use plugins::{Plugin, ProgramContent};
 pub use schema_walk::{FileRole, SchemaTree};
 pub use text::{MAX_BYTES, SourceText};
-pub use tune::{Tuning, knob, tune, turned_by};
+pub use tune::{Tuning, cut_behind_drape, knob, tune, turned_by};

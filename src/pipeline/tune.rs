@@ -1,5 +1,6 @@
 //! Settings that trade accuracy for time, put into a chain from outside: by `accuracy` of the head and by `study`.
 
+use super::chain::Pipeline;
 use super::document::{Document, StageEntry};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -36,6 +37,17 @@ pub fn turned_by(registry: &Registry, meaning: Meaning) -> (String, String) {
 #[must_use]
 pub fn knob(knobs: &[Knob], meaning: Meaning) -> Option<&Knob> {
     knobs.iter().find(|k| k.meaning == meaning)
+}
+
+/// Cuts the chain behind its drape, the last stage that can be told how near to rest, and takes out taps before it: they
+/// write files and change nothing. False where there is none.
+pub fn cut_behind_drape(pipeline: &mut Pipeline<'_>) -> bool {
+    let Some(last) = pipeline.steps.iter().rposition(|s| knob(s.ready.knobs(), Meaning::Tolerance).is_some()) else {
+        return false;
+    };
+    pipeline.steps.truncate(last + 1);
+    pipeline.steps.retain(|s| !s.ready.info().gives.is_empty());
+    true
 }
 
 fn turn<'a>(entry: &mut StageEntry<'a>, knob: &Knob, value: &'a str) {

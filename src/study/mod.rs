@@ -21,4 +21,4 @@ pub mod table;
 pub use grid::{Axes, Setting};
 pub use presets::{PRESETS, Preset};
 pub use report::{Row, Study, report};
-pub use runs::{Bench, Done, Halt, Ran};
+pub use runs::{Bench, Done, Ran};

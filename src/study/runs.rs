@@ -5,8 +5,9 @@ use super::codes;
 use super::grid::Setting;
 use crate::codes::WRITE_FAILED;
 use crate::engine::{self, Exit, Gate, RunOptions, RunRecord, Stop, is_unchanged, read_limited, write_whole};
+use crate::halt::Halt;
 use crate::load::{self, Request};
-use crate::pipeline::{Pipeline, knob, turned_by};
+use crate::pipeline::{Pipeline, cut_behind_drape, knob, turned_by};
 use crate::progress::{Teller, Voice};
 use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
@@ -58,16 +59,6 @@ pub struct Ran {
     pub garment: Option<Garment>,
     /// Was it there already?
     pub resumed: bool,
-}
-
-/// Why a study cannot go on.
-pub struct Halt {
-    /// Findings to show.
-    pub findings: Vec<Diagnostic>,
-    /// The pipeline's text, to show them in.
-    pub source: Option<(String, String)>,
-    /// How the program ends.
-    pub exit: Exit,
 }
 
 /// The data that all runs of a study share.
@@ -213,18 +204,14 @@ impl Done {
     }
 }
 
-/// Cuts the chain behind its drape, the last stage that can be told how near to rest, and takes out taps before it: they
-/// write files and change nothing. `drape` is the stage to tell of where there is none.
+/// Cuts the chain behind its drape. `drape` is the stage to tell of where there is none.
 fn cut(pipeline: &mut Pipeline<'_>, drape: &str) -> Result<(), Diagnostic> {
-    let last = pipeline.steps.iter().rposition(|s| knob(s.ready.knobs(), Meaning::Tolerance).is_some());
-    let Some(last) = last else {
-        let message = format!("`{}` drapes nothing: a study needs a stage `{drape}`", pipeline.line);
-        let hint = format!("add `use = \"{drape}\"` to the chain");
-        return Err(Diagnostic::error(codes::STUDY_NO_DRAPE, message).hint(hint));
-    };
-    pipeline.steps.truncate(last + 1);
-    pipeline.steps.retain(|s| !s.ready.info().gives.is_empty());
-    Ok(())
+    if cut_behind_drape(pipeline) {
+        return Ok(());
+    }
+    let message = format!("`{}` drapes nothing: a study needs a stage `{drape}`", pipeline.line);
+    let hint = format!("add `use = \"{drape}\"` to the chain");
+    Err(Diagnostic::error(codes::STUDY_NO_DRAPE, message).hint(hint))
 }
 
 /// An override must not hold fast what the study varies: all its rows would be one. The last stage with a knob decides

@@ -18,6 +18,7 @@ pub fn builtin() -> Registry {
         .with(crate::stitch::Stitch)
         .with(crate::drape::Drape)
         .with(crate::animate::Animate)
+        .with(crate::transfer::Transfer)
         .with(crate::texture::Texture)
         .with(crate::export_gltf::ExportGltf)
         .with(crate::export_obj::ExportObj)

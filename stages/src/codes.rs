@@ -61,5 +61,6 @@ pub const CODES: &[&[Code]] = &[
     crate::solve::codes::CODES,
     crate::stitch::codes::CODES,
     crate::texture::codes::CODES,
+    crate::transfer::CODES,
     crate::triangulate::codes::CODES,
 ];

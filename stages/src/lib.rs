@@ -41,6 +41,7 @@ pub mod stitch;
 #[cfg(test)]
 mod testing;
 pub mod texture;
+pub mod transfer;
 pub mod triangulate;
 
 pub use builtin::builtin;

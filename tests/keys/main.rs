@@ -73,6 +73,7 @@ fn the_projects_run_to_their_end() {
     for name in [
         "pattern",
         "altered",
+        "moved",
         "shown",
         "specification",
         "garment",

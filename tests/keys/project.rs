@@ -61,6 +61,32 @@ with.source = "pattern"
 with.sewing = "{out}/new.toml"
 "#;
 
+/// The tube on a wider body.
+const MOVED: &str = r#"
+[[stage]]
+use = "import-dxf"
+with.file = "pattern.dxf"
+with.sewing = "sewing.toml"
+[[stage]]
+use = "triangulate"
+with.edge_length = "20 mm"
+[[stage]]
+use = "assemble"
+[[stage]]
+use = "stitch"
+with.body = "body.obj"
+with.fabric = "fabric.toml"
+[[stage]]
+use = "drape"
+[[stage]]
+use = "transfer"
+with.body = "wide.obj"
+[[stage]]
+use = "flatten"
+[[stage]]
+use = "export-dxf"
+"#;
+
 /// What shows the garment of a pattern: drawn in a project of its own, because pictures take most of the time.
 const SHOWN: &str = r#"
 [[stage]]
@@ -243,6 +269,7 @@ pub fn write(bench: &Bench, name: &str) {
     let stages = match name {
         "specification" => SPECIFICATION,
         "altered" => ALTERED,
+        "moved" => MOVED,
         "garment" => GARMENT,
         "sheet" => SHEET,
         _ => PATTERN,
@@ -276,6 +303,8 @@ pub fn write(bench: &Bench, name: &str) {
         put(file, cylinder(radius).as_bytes());
     }
     put("body.toml", BODY.as_bytes());
+    put("cone.obj", cone().as_bytes());
+    put("cone.toml", BODY.as_bytes());
     put("wide.toml", BODY.replace("60 mm", "61 mm").as_bytes());
     put("fabric.toml", fabric.as_bytes());
     put("heavy.toml", fabric.replace("200 g/m2", "300 g/m2").as_bytes());
@@ -294,19 +323,26 @@ pub fn write(bench: &Bench, name: &str) {
 
 /// Vertices and faces of an upright cylinder that is closed above and below.
 fn cylinder(radius: f64) -> String {
-    upright(radius, 0.0, [0.0, 1.7], 12)
+    upright([radius, radius], 0.0, [0.0, 1.7], 12)
+}
+
+/// A cone on its tip, so steep that no right angle of cloth around it stays right.
+fn cone() -> String {
+    upright([0.01, 0.26], 0.0, [0.0, 1.7], 12)
 }
 
 /// A short lying stick for the sheet, moved forward.
 fn cylinder_at(radius: f64, forward: f64) -> String {
-    upright(radius, forward, [0.75, 0.8], 1)
+    upright([radius, radius], forward, [0.75, 0.8], 1)
 }
 
-fn upright(radius: f64, forward: f64, ends: [f64; 2], levels: u32) -> String {
+fn upright(radii: [f64; 2], forward: f64, ends: [f64; 2], levels: u32) -> String {
     const ROUND: u32 = 32;
     let mut text = String::new();
     for level in 0..=levels {
-        let y = ends[0] + (ends[1] - ends[0]) * f64::from(level) / f64::from(levels);
+        let share = f64::from(level) / f64::from(levels);
+        let y = ends[0] + (ends[1] - ends[0]) * share;
+        let radius = radii[0] + (radii[1] - radii[0]) * share;
         for k in 0..ROUND {
             let (sin, cos) = libm::sincos(std::f64::consts::TAU * f64::from(k) / f64::from(ROUND));
             writeln!(text, "v {:.6} {y:.6} {:.6}", radius * sin, radius * cos + forward).expect("text");

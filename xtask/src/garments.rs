@@ -24,7 +24,8 @@ pub fn draw(more: &[String]) -> Done {
         fs::create_dir_all(folder).map_err(|e| say(folder, e))?;
     }
     let entries = fs::read_dir("pipelines").map_err(|e| say(Path::new("pipelines"), e))?;
-    let mut styles: Vec<_> = entries.flatten().filter(|e| e.path().is_dir()).map(|e| e.file_name()).collect();
+    let mut styles: Vec<_> =
+        entries.flatten().filter(|e| e.path().join("v1.toml").is_file()).map(|e| e.file_name()).collect();
     styles.sort();
     for style in styles {
         let from = Path::new("pipelines").join(&style).join("v1.toml");

@@ -56,7 +56,10 @@ fn measures(args: &BodyArgs, out: &Path) -> Result<BodyMeasures, Vec<Diagnostic>
         wrong.push(crate::new::no_size(label));
         BodyMeasures::default()
     });
-    for set in &args.set {
+    // Heights go with the stature; what is set besides has the last word.
+    let (stature, others): (Vec<&String>, Vec<&String>) =
+        args.set.iter().partition(|s| s.trim().starts_with("stature"));
+    for set in stature.into_iter().chain(others) {
         if let Err(finding) = apply(&mut measures, set) {
             wrong.push(*finding);
         }
@@ -77,6 +80,10 @@ fn apply(measures: &mut BodyMeasures, set: &str) -> Result<(), Box<Diagnostic>> 
     let length: Length = text
         .parse()
         .map_err(|e| error(WRONG_VALUE, format!("{name}: {e}"), "write a number and a unit, e.g. 700 mm".to_owned()))?;
+    if name == "stature" && length.0 > 0.0 {
+        *measures = measures.grown(length.0);
+        return Ok(());
+    }
     if measures.set(name, length.0) {
         return Ok(());
     }

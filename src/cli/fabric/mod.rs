@@ -10,8 +10,8 @@ mod picture_frame;
 pub use args::FabricArgs;
 
 use super::console::Console;
-use super::flatten::Memory;
 use super::results::Results;
+use crate::engine::Memory;
 use crate::engine::{Exit, MAX_INPUT, Stop, clean, of_file_error, of_stage_error, read_limited};
 use crate::progress::{Teller, Voice};
 use args::{Common, FabricVerb, Test};

@@ -4,6 +4,7 @@
 mod colour;
 mod drawings;
 mod on_body;
+mod openings;
 mod still;
 mod table;
 
@@ -40,6 +41,7 @@ pub fn page(source: &Source, proposal: &Proposal, dressed: &Dressed, body: Optio
     let _ = writeln!(out, "<section>\n<h1>{}: what the program proposes</h1>", escaped(&title));
     verdict(&mut out, source, proposal);
     table::seams(&mut out, source, proposal);
+    openings::list(&mut out, source, proposal, dressed);
     out.push_str("</section>\n</div>\n");
     pieces(&mut out, source, proposal, dressed, &view);
     viewer::close(&mut out, &view.scene, view.model.as_deref(), SCRIPT);
@@ -82,7 +84,11 @@ fn figure(out: &mut String, source: &Source, proposal: &Proposal, dressed: &Dres
 fn verdict(out: &mut String, source: &Source, proposal: &Proposal) {
     let count = |holds: &dyn Fn(f64) -> bool| proposal.seams.iter().filter(|s| holds(s.confidence)).count();
     let (open, look) = (count(&|c| c < LEAST_SURE), count(&|c| (LEAST_SURE..SURE).contains(&c)));
-    let class = if open > 0 { "bad" } else { "good" };
+    let class = match (open, look) {
+        (0, 0) => "good",
+        (0, _) => "look",
+        _ => "bad",
+    };
     let _ = write!(out, "<p class=\"verdict {class}\"><b>Seams: {}.</b>", proposal.seams.len());
     let _ = match (open, look) {
         (0, 0) => write!(out, "All are likely right."),

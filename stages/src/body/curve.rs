@@ -1,20 +1,18 @@
-//! Monotone cubic interpolation of the numbers that describe a section along an axis.
+//! Monotone cubic interpolation of numbers along an axis.
 
-/// Number of values a key carries: half sizes along u and v, centre along u and v.
-pub const VALUES: usize = 4;
 /// Half width of the smoothing that takes the jumps of curvature at the keys away, metres.
 const SMOOTH: f64 = 0.014;
 
 /// A C1 curve through keys that never overshoots them (Fritsch and Butland's harmonic slopes, flat at both ends).
 #[derive(Clone, Debug)]
-pub struct Curve {
+pub struct Curve<const VALUES: usize> {
     keys: Vec<(f64, [f64; VALUES])>,
     slopes: Vec<[f64; VALUES]>,
     /// The largest absolute value of each component over the keys.
     pub largest: [f64; VALUES],
 }
 
-impl Curve {
+impl<const VALUES: usize> Curve<VALUES> {
     /// A curve through keys with rising positions; keys at or below the one before are left out.
     pub fn new(given: &[(f64, [f64; VALUES])]) -> Self {
         let mut keys: Vec<(f64, [f64; VALUES])> = Vec::new();

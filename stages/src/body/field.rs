@@ -36,7 +36,7 @@ pub struct Sweep {
     /// Unit axes u, v (across) and w (along).
     pub axes: [Vec3; 3],
     /// Half sizes along u and v and centre offsets along u and v, by position along w; metres.
-    pub keys: Curve,
+    pub keys: Curve<4>,
     /// Exponent of the section: 2 is an ellipse, larger is squarer.
     pub power: f64,
     /// Length of the rounded ends before the first and after the last key, metres.

@@ -103,6 +103,18 @@ impl BodyMeasures {
         out
     }
 
+    /// The same girths on a person of another stature: heights and the length of the arms are the same shares of it.
+    #[must_use]
+    pub fn grown(&self, stature: f64) -> Self {
+        let mut out = self.clone();
+        let is_length = |name: &str| name.ends_with("height") || name == "arm_length";
+        for (name, value) in self.entries().into_iter().filter(|(name, _)| is_length(name)) {
+            out.set(name, value * stature / self.stature);
+        }
+        out.stature = stature;
+        out
+    }
+
     /// The girth under the bust: as given, or that of a usual cup.
     #[must_use]
     pub fn under_bust(&self) -> f64 {

@@ -4,7 +4,7 @@
 //! symmetry and remeshed to even triangles. Then it is adjusted until a tape on the mesh gives the wanted measures.
 
 pub(crate) mod codes;
-mod curve;
+pub(crate) mod curve;
 mod field;
 mod figure;
 mod fit;

@@ -10,4 +10,8 @@ codes! {
 
     /// There are no flattened pieces to write. Put `flatten` before `export-dxf`, or set its `source` to "pattern".
     FLAT_MISSING = "flat-missing";
+
+    /// A piece is written with its copies as pieces of their own, so its quantity is shared among them. Texts such as
+    /// "cut 1 pair" stay as they were in the file; correct them where the cutting room reads them.
+    QUANTITY_SHARED = "quantity-shared";
 }

@@ -4,6 +4,7 @@ mod carry;
 pub(crate) mod codes;
 mod flat_piece;
 mod outline_map;
+mod quantities;
 mod sewing;
 #[cfg(test)]
 mod tests;
@@ -207,6 +208,7 @@ impl Stage for ExportDxf {
             DxfSource::Pattern => garment.pieces.clone(),
             DxfSource::Flat => flat_pieces(&garment)?,
         };
+        quantities::share(&garment, &mut pieces, cx.report);
         allowance::add(params.allowance.as_ref(), &mut pieces, Which::All, cx)?;
         let written = draw(&garment, &pieces, params).map_err(StageError::Input)?;
         for finding in written.findings {

@@ -57,18 +57,33 @@ fn named<'p>(garment: &'p Garment, pieces: &'p [Piece], name: &str) -> Option<(&
 fn seam(garment: &Garment, pieces: &[Piece], seam: &Seam) -> Option<SeamSpec> {
     let (a, length_a) = side(garment, pieces, &seam.a)?;
     let (b, length_b) = side(garment, pieces, &seam.b)?;
+    let reverse = faces(&a, &b).then(|| said_reverse(garment, &seam.name)).flatten();
     let gather = seam.gather.filter(|_| length_a.min(length_b) > 0.0);
     let ease = (gather.is_none() && (length_a - length_b).abs() > NO_EASE).then_some(length_a - length_b);
     Some(SeamSpec {
         name: seam.name.clone(),
         a,
         b,
-        reverse: None,
+        reverse,
         ease,
         gather: gather.map(|_| length_a.max(length_b) / length_a.min(length_b)),
         proposed: None,
         source: None,
     })
+}
+
+/// Are both sides one run, walked in the same sense? Then the pieces lie face to face.
+fn faces(a: &[RunSpec], b: &[RunSpec]) -> bool {
+    match (a, b) {
+        ([RunSpec::Points { way: x, .. }], [RunSpec::Points { way: y, .. }]) => x == y,
+        _ => false,
+    }
+}
+
+/// Where a person said how two sides meet, the written file says it, too. Both sides are written as they meet, so the
+/// second one is not reversed.
+fn said_reverse(garment: &Garment, name: &str) -> Option<bool> {
+    garment.plan.seams.iter().find(|s| s.name == name)?.reverse.map(|_| false)
 }
 
 /// The runs of a side and their length together.

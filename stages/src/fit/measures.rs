@@ -69,13 +69,9 @@ pub fn measure(garment: &Garment) -> Fit {
     fit
 }
 
-fn level(place: &Place, body: &Body, surface: &Surface, rest: &Rest, [low, high]: [f64; 2]) -> Option<Level> {
-    let wanted = named_height(place, body)? - place.below;
-    // An edge that lies on the level, such as a waistband, is measured just inside.
-    let height = wanted.clamp(low + INSIDE, (high - INSIDE).max(low + INSIDE));
-    if (wanted - height).abs() > BESIDE {
-        return None;
-    }
+fn level(place: &Place, body: &Body, surface: &Surface, rest: &Rest, range: [f64; 2]) -> Option<Level> {
+    let wanted = level_height(place.name, body)?;
+    let height = inside(wanted, range)?;
     let at = axis(body, place.segment, height);
     let skin = section_near(&body.positions, &body.triangles, Vec3::new(at.x, height, at.y), Vec3::y());
     let (height, ring) = around(place, body, surface, height)?;
@@ -117,6 +113,20 @@ fn outermost(place: &Place, body: &Body, surface: &Surface, height: f64) -> Opti
 fn goes_around(ring: &Ring, body: &Body, segment: &str, height: f64) -> bool {
     let reaches = |s: &BodySegment| (s.from.y.min(s.to.y)..=s.from.y.max(s.to.y)).contains(&height);
     body.segments.get(segment).is_some_and(reaches) && ring.holds(axis(body, segment, height))
+}
+
+/// The height at which cloth of this range is measured for a wanted height. An edge that lies on the level, such as a
+/// waistband, is measured just inside. `None` where the cloth does not reach the level.
+#[must_use]
+pub fn inside(wanted: f64, [low, high]: [f64; 2]) -> Option<f64> {
+    let height = wanted.clamp(low + INSIDE, (high - INSIDE).max(low + INSIDE));
+    ((wanted - height).abs() <= BESIDE).then_some(height)
+}
+
+/// The height of a girth of this name on a body, metres above the floor.
+#[must_use]
+pub fn level_height(name: &str, body: &Body) -> Option<f64> {
+    PLACES.iter().find(|p| p.name == name).and_then(|p| Some(named_height(p, body)? - p.below))
 }
 
 /// The height of a place: by its measure, its landmark, or the lower end of the torso, which is the crotch.

@@ -5,6 +5,7 @@ use super::energy::{EdgePair, Triangle};
 use super::features::{self, Features};
 use super::lock::Lock;
 use super::params::{FlattenParams, LockKind, MetricChoice};
+use super::point_location::PointLocation;
 use super::sewn::{self, MeshEdges, Station};
 use super::solve::{Flattened, Sheet, SolveError, Stop, solve};
 use super::source::{Source, bad_triangle, sources};
@@ -14,6 +15,9 @@ use nalgebra::Matrix2;
 use toile_garment::flat::{Flat, FlatMetric, FlatPiece};
 use toile_garment::{Garment, MeshVertex, Report, Vec2};
 use toile_stage_api::StageError;
+
+/// Largest change of length of a grain line that lies on the cloth. Edits stretch a piece less.
+const GRAIN_LENGTH_CHANGE: f64 = 0.5;
 
 /// How the solve tells its caller of round and motion (metres); `false` stops it.
 pub type Watch<'w> = dyn FnMut(u32, f64) -> bool + 'w;
@@ -44,8 +48,7 @@ pub fn flatten_garment(
     let mut fit = fitted(&sources, metric, Sheet { start, pairs, ..Sheet::default() }, params, watch)?;
     let features: Vec<Features> = sources.iter().map(|s| features::of(garment, s.piece, s.mesh)).collect();
     hold(garment, &sources, &features, metric, &mut fit, params, report, watch)?;
-    let mut flats: Vec<Vec<Vec2>> =
-        sources.iter().zip(&features).map(|(s, f)| laid(s, f, s.part(&fit.solved.positions), params)).collect();
+    let mut flats: Vec<Vec<Vec2>> = sources.iter().map(|s| laid(s, s.part(&fit.solved.positions), params)).collect();
     if metric != FlatMetric::Unedited {
         symmetry::make(&sources, &features, params, &mut flats, report);
     }
@@ -205,14 +208,14 @@ fn failure(error: SolveError) -> StageError {
 }
 
 /// A flattened piece laid where the stored one lies.
-fn laid(source: &Source<'_>, features: &Features, raw: &[Vec2], params: &FlattenParams) -> Vec<Vec2> {
+fn laid(source: &Source<'_>, raw: &[Vec2], params: &FlattenParams) -> Vec<Vec2> {
     let rest = &source.mesh.rest;
+    if raw == rest.as_slice() {
+        return raw.to_vec();
+    }
     let weight = figures::vertex_areas(rest, &source.mesh.triangles);
-    let motion = if params.locks(LockKind::Grain) {
-        on_grain(features, rest, raw, &weight)
-    } else {
-        Rigid::best(raw, rest, &weight)
-    };
+    let motion =
+        if params.locks(LockKind::Grain) { on_grain(source, raw, &weight) } else { Rigid::best(raw, rest, &weight) };
     raw.iter().map(|p| motion.apply(*p)).collect()
 }
 
@@ -241,12 +244,17 @@ fn measured(source: &Source<'_>, features: &Features, fit: &Fit, k: usize, flat:
     }
 }
 
-/// The grain line keeps its stored direction; a piece without one is laid by best fit.
-fn on_grain(features: &Features, rest: &[Vec2], flat: &[Vec2], weight: &[f64]) -> Rigid {
-    match features.grain.map(|g| g.map(|v| v as usize)) {
-        Some([a, b]) => Rigid::along(flat[b] - flat[a], rest[b] - rest[a], flat, rest, weight),
-        None => Rigid::best(flat, rest, weight),
-    }
+/// The grain line keeps its stored direction; a piece without one is laid by best fit. The line is taken where it is
+/// drawn, and not at the vertices nearest to its ends: so the written line has the direction, too.
+fn on_grain(source: &Source<'_>, flat: &[Vec2], weight: &[f64]) -> Rigid {
+    let (rest, triangles) = (&source.mesh.rest, &source.mesh.triangles);
+    let Some([a, b]) = source.piece.grain else { return Rigid::best(flat, rest, weight) };
+    let cloth = PointLocation::new(rest, triangles);
+    let [from, to] = [a, b].map(|p| cloth.interpolate(p, flat));
+    let share = (to - from).norm() / (b - a).norm();
+    // A line that is drawn beside the piece says nothing.
+    let is_on_cloth = (1.0 - GRAIN_LENGTH_CHANGE..=1.0 + GRAIN_LENGTH_CHANGE).contains(&share);
+    if is_on_cloth { Rigid::along(to - from, b - a, flat, rest, weight) } else { Rigid::best(flat, rest, weight) }
 }
 
 /// Mean and largest |stretch − 1| between the lengths asked for and the flat ones.

@@ -38,10 +38,10 @@ pub fn find(
     let mut out = Vec::new();
     let mut held = Held::default();
     if params.locks(LockKind::Straight) {
-        straight(source, features, free, params.pair_stiffness, &mut out, &mut held);
+        straight(source, features, free, params, &mut out, &mut held);
     }
     if params.locks(LockKind::RightAngles) {
-        right_angles(source, features, free, params.pair_stiffness, &mut out, &mut held);
+        right_angles(source, features, free, params, &mut out, &mut held);
     }
     findings::held(source.piece, &held, report);
     out
@@ -72,7 +72,7 @@ fn straight(
     source: &Source<'_>,
     features: &Features,
     free: &[Vec2],
-    stiffness: f64,
+    params: &FlattenParams,
     out: &mut Vec<Lock>,
     held: &mut Held,
 ) {
@@ -82,7 +82,8 @@ fn straight(
         if now - bow(rest, &edge.vertices) < BOW_UNTOUCHED {
             continue;
         }
-        if now > BOW_TAKEN_BACK[0] || now > BOW_TAKEN_BACK[1] * chord(free, &edge.vertices) {
+        let much = now > BOW_TAKEN_BACK[0] || now > BOW_TAKEN_BACK[1] * chord(free, &edge.vertices);
+        if much && params.let_go {
             held.curved.push((edge.name.clone(), now));
             continue;
         }
@@ -90,7 +91,11 @@ fn straight(
         let n = edge.vertices.len();
         let on = |v: u32| v + source.offset;
         let (a, b) = (on(edge.vertices[0]), on(edge.vertices[n - 1]));
-        out.extend(edge.vertices[1..n - 1].iter().map(|v| Lock::OnLine { v: [on(*v), a, b], stiffness }));
+        out.extend(
+            edge.vertices[1..n - 1]
+                .iter()
+                .map(|v| Lock::OnLine { v: [on(*v), a, b], stiffness: params.pair_stiffness }),
+        );
     }
 }
 
@@ -98,7 +103,7 @@ fn right_angles(
     source: &Source<'_>,
     features: &Features,
     free: &[Vec2],
-    stiffness: f64,
+    params: &FlattenParams,
     out: &mut Vec<Lock>,
     held: &mut Held,
 ) {
@@ -116,14 +121,14 @@ fn right_angles(
         if (stored.to_degrees() - 90.0).abs() > RIGHT_ANGLE_OFF || turned.abs() < TURN_UNTOUCHED {
             continue;
         }
-        if turned.abs() > TURN_TAKEN_BACK {
+        if turned.abs() > TURN_TAKEN_BACK && params.let_go {
             held.turned.push(turned);
             continue;
         }
         held.right.push(turned);
         let length = |v: u32| (rest[v as usize] - rest[*corner as usize]).norm();
         let arm = length(before).min(length(after));
-        out.push(Lock::Angle { v: v.map(|v| v + source.offset), angle: stored, arm, stiffness });
+        out.push(Lock::Angle { v: v.map(|v| v + source.offset), angle: stored, arm, stiffness: params.pair_stiffness });
     }
 }
 

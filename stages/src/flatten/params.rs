@@ -24,6 +24,8 @@ pub enum SymmetryChoice {
     /// They are made one where the edit was symmetric. Where it was not, they stay as they are, with a warning.
     #[default]
     Auto,
+    /// They are made one, whatever the edit: its two sides are averaged.
+    Always,
     /// They stay as they are.
     Off,
 }
@@ -84,6 +86,9 @@ pub struct FlattenParams {
     pub symmetry: SymmetryChoice,
     /// Things that the flattening does not change.
     pub lock: Vec<LockKind>,
+    /// Straight edges and right angles that the shape clearly asks to change are let go. With `false` they are held
+    /// whatever it asks.
+    pub let_go: bool,
     /// Changes that pass without a warning. Without it no change is judged.
     pub tolerance: FlattenTolerance,
     /// Stop when no vertex moves farther in a round, or when the energy no longer resolves a step.
@@ -112,6 +117,7 @@ impl Default for FlattenParams {
             smooth: Length(0.0),
             symmetry: SymmetryChoice::Auto,
             lock: vec![LockKind::Seams, LockKind::Grain, LockKind::Straight, LockKind::RightAngles],
+            let_go: true,
             tolerance: FlattenTolerance::default(),
             stop_motion: Length(1e-9),
             max_rounds: 300,

@@ -47,7 +47,7 @@ pub fn make(
         if apart <= SAME_ALREADY {
             continue;
         }
-        if apart > SAME_EDIT {
+        if apart > SAME_EDIT && params.symmetry != SymmetryChoice::Always {
             report.push(findings::asymmetric(names, apart));
             continue;
         }

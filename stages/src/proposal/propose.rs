@@ -3,6 +3,7 @@
 use super::atoms::Layout;
 use super::bands::bands;
 use super::known::{Decisions, Known};
+use super::openings::Sewn;
 use super::seams::{ProposedSeam, closing_seam};
 use super::task::Task;
 use crate::sewing::ring::nearest_on;
@@ -87,6 +88,8 @@ pub struct Bare {
     pub piece: usize,
     /// Number of the edge on which it lies.
     pub edge: u32,
+    /// Its middle on the piece.
+    pub middle: Vec2,
     /// Length, metres.
     pub length: f64,
 }
@@ -100,6 +103,8 @@ pub struct Proposal {
     pub given: Vec<bool>,
     /// Edges that are sewn to nothing.
     pub bare: Vec<Bare>,
+    /// Openings of the sewn garment, such as the neck or the hem: the edges around each, in their order.
+    pub openings: Vec<Vec<Bare>>,
     /// The outlines, cut.
     pub layout: Layout,
 }
@@ -125,13 +130,16 @@ pub fn propose(garment: &Garment, names: &dyn Names, known: &Known) -> Result<Pr
     seams.retain(|s| s.atoms.iter().all(|[a, b]| left.partner(*a) == Some(*b)));
     seams.extend(closings.iter().map(|c| closing_seam(garment, &shapes, &layout, c)));
     let is_open = |a: usize| left.partner(a).is_none() && !is_closed(a) && !decisions.is_given(a);
-    let bare = bare(garment, &layout, is_open);
+    let bare_atom = |a: usize| bare(garment, &layout, a);
+    let free = (0..layout.atoms.len()).filter(|a| is_open(*a)).map(bare_atom).collect();
+    let openings = Sewn { layout: &layout, of: &left, closed: &closings }.openings();
+    let openings = openings.iter().map(|atoms| atoms.iter().map(|a| bare_atom(*a)).collect()).collect();
     // What the sewing file has stands as it was written; the search only went on from there.
     let is_open = |s: &ProposedSeam| !s.atoms.iter().flatten().any(|a| decisions.is_given(*a));
     seams.retain(|s| is_open(s) && !decisions.are_decided(s.atoms.iter().flatten()));
     let given = [vec![true; written.len()], vec![false; seams.len()]].concat();
     let seams = [written, seams].concat();
-    Ok(Proposal { seams, given, bare, layout })
+    Ok(Proposal { seams, given, bare: free, openings, layout })
 }
 
 /// For every piece: is it its own mirror image? Pieces whose outlines cannot be sewn are not.
@@ -146,17 +154,13 @@ pub fn own_images(garment: &Garment) -> Vec<bool> {
     out
 }
 
-/// Edges that are sewn to nothing.
-fn bare(garment: &Garment, layout: &Layout, is_free: impl Fn(usize) -> bool) -> Vec<Bare> {
-    let free = (0..layout.atoms.len()).filter(|a| is_free(*a));
-    free.map(|a| {
-        let atom = &layout.atoms[a];
-        let piece = layout.panels[atom.panel].piece;
-        let k = (atom.points.len() - 1) / 2;
-        let middle = (atom.points[k] + atom.points[k + 1]) / 2.0;
-        Bare { piece, edge: edge_of(garment, piece, middle), length: atom.length }
-    })
-    .collect()
+/// A stretch that is sewn to nothing.
+fn bare(garment: &Garment, layout: &Layout, atom: usize) -> Bare {
+    let atom = &layout.atoms[atom];
+    let piece = layout.panels[atom.panel].piece;
+    let k = (atom.points.len() - 1) / 2;
+    let middle = (atom.points[k] + atom.points[k + 1]) / 2.0;
+    Bare { piece, edge: edge_of(garment, piece, middle), middle, length: atom.length }
 }
 
 /// The number of the edge nearest to a point.
