@@ -1,6 +1,6 @@
 """One job of the workflow: a plain `toile run` for each job of the line in a part, in the folders of `toile line run`.
 
-    python3 job.py OUT/workflow/done/PART THREADS
+    python3 job.py OUT/workflow/plan.jsonl PART THREADS MARKER
 
 What is done is not done again: its record has the same key, and its outputs are whole. The marker is written when all
 has passed. The exit code is the largest of all. The processes end with this one, and this one with its parent.
@@ -114,11 +114,9 @@ def one(name, key, arguments, head, out, threads, running):
     return running.run([head["toile"], *arguments, *options], head["folder"], os.path.join(out, "logs", name + ".txt"))
 
 
-def main(marker, threads):
-    marker = os.path.abspath(marker)
-    workflow = os.path.dirname(os.path.dirname(marker))
-    out = os.path.dirname(workflow)
-    head, part = plan.read_part(os.path.join(workflow, "plan.jsonl"), os.path.basename(marker))
+def main(file, name, threads, marker):
+    out = os.path.dirname(os.path.dirname(file))
+    head, part = plan.read_part(file, name)
     running = Running()
     worst = 0
     for name, key, arguments in zip(part["names"], part["keys"], part["arguments"]):
@@ -129,7 +127,7 @@ def main(marker, threads):
             sys.stderr.write(f"{name}: exit code {code}; see {os.path.join(out, 'jobs', name)}\n")
         worst = max(worst, code)
     if worst == 0:
-        begun = f"{marker}.tmp-toile"
+        begun = marker + ".tmp-toile"
         with open(begun, "w", encoding="utf-8") as file:
             file.write(plan.stamp(out, part["names"]))
         os.replace(begun, marker)

@@ -39,15 +39,21 @@ class Plan:
 
     @classmethod
     def of(cls, config, here):
+        """Makes the paths of the configuration absolute."""
         for key in ("line", "out"):
             if key not in config:
                 raise ValueError(f"say `--config {key}=...`")
-            # Snakemake gives its jobs the same configuration, but not always the same folder.
             config[key] = os.path.join(here, config[key])
         config["toile"] = os.path.abspath(shutil.which(config.get("toile", "toile")) or "")
         if not os.path.isfile(config["toile"]):
             raise ValueError("`toile` is not in the path: say `--config toile=...`")
         return cls(config["out"])
+
+    @classmethod
+    def found(cls, config, here):
+        """In a job of a cluster, which begins in the folder of the plan or where Snakemake was started."""
+        is_here = os.path.exists(os.path.join(here, "plan.jsonl"))
+        return cls(os.path.dirname(here) if is_here else os.path.join(here, config["out"]))
 
     def part(self, name):
         return self.parts[name] if name in self.parts else read_part(self.file, name)[1]
