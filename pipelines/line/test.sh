@@ -6,7 +6,8 @@
 #
 # Snakemake comes from PyPI into target/workflow/venv. With --slurm the script installs Debian's packages slurmctld,
 # slurmd and munge, writes /etc/slurm/slurm.conf and starts the daemons. So it wants root, on a machine to throw away.
-# FABRICS="wool-suiting linen-plain" SIZES="36 38" TRIANGLES=600 say what is sewn. TOILE is the program.
+# FABRICS="wool-suiting linen-plain" SIZES="36 38" TRIANGLES=600 say what is sewn. TOILE is the program. QUICK=40 prints
+# the skirt from 40 copies of its pattern and drapes nothing, so the engines alone are seen; CHUNK=10 makes chunks.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 here=$PWD/pipelines/line
@@ -14,6 +15,7 @@ work=$PWD/${CARGO_TARGET_DIR:-target}/workflow
 toile=${TOILE:-${CARGO_TARGET_DIR:-target}/release/toile}
 toile=$(realpath "$toile")
 fabrics=(${FABRICS:-wool-suiting linen-plain})
+quick=${QUICK:-0}
 sizes=(${SIZES:-36 38 40})
 
 fail() { echo "FAILED: $*" >&2; exit 1; }
@@ -61,6 +63,48 @@ project() {
     cp samples/patterns/long-skirt.* "$work/project/samples/patterns/"
     cp -r samples/{bodies,fabrics,textures} "$work/project/samples/"
     list() { printf '"%s", ' "$@"; }
+    if [ "$quick" != 0 ]; then prints; else skirts; fi
+}
+
+# A chain that drapes nothing; copies of the pattern stand for the fabrics.
+prints() {
+    local k
+    fabrics=()
+    for k in $(seq "$quick"); do
+        fabrics+=("pattern-$k")
+        cp samples/patterns/long-skirt.astm.dxf "$work/project/samples/patterns/pattern-$k.dxf"
+    done
+    cat >"$work/project/pipelines/prints.toml" <<END
+toile = 1
+[pipeline]
+line = "prints"
+version = 1
+[input]
+size = { kind = "text", default = "38" }
+fabric = { kind = "text", default = "pattern-1" }
+[[stage]]
+use = "import-dxf"
+with.file = "../samples/patterns/{fabric}.dxf"
+with.sewing = "../samples/patterns/long-skirt.sewing.toml"
+with.size = "{size}"
+[[stage]]
+use = "export-print"
+with.file = "{out}/pieces.svg"
+END
+    cat >"$work/project/lines/line.toml" <<END
+toile = 1
+[line]
+name = "prints"
+[[style]]
+name = "skirt"
+pipeline = "../pipelines/prints.toml"
+[matrix]
+size = [$(list "${sizes[@]}")]
+fabric = [$(list "${fabrics[@]}")]
+END
+}
+
+skirts() {
     cat >"$work/project/lines/line.toml" <<END
 toile = 1
 [line]
@@ -76,7 +120,8 @@ END
 }
 
 on_this_machine() {
-    local all=$((${#fabrics[@]} * ${#sizes[@]})) fabric=$work/project/samples/fabrics/${fabrics[0]}.toml
+    local fabric=$work/project/samples/fabrics/${fabrics[0]}.toml
+    [ "$quick" = 0 ] || fabric=$work/project/samples/patterns/${fabrics[0]}.dxf
     timed serial line run serial -j 1 --threads 1 --quiet
     local serial=$code
     timed local snake local local
@@ -88,6 +133,8 @@ on_this_machine() {
 
     cp "$fabric" "$work/fabric"
     sed -i 's/^areal_mass .*/areal_mass = "231 g\/m2"/' "$fabric"
+    # A pattern gets a comment, which is another content.
+    [ "$quick" = 0 ] || { printf '999\nchanged\n' && cat "$work/fabric"; } >"$fabric"
     cmp -s "$fabric" "$work/fabric" && fail "the fabric has no areal_mass"
     mark
     timed one-fabric snake local local
@@ -126,6 +173,9 @@ killed() {
 
 # A job that cannot run: its exit code is found, its record and its page stay, and the others run.
 failures() {
+    local refused="drape.limits.strain_max = 0.000001" expected=1
+    # A sheet that no piece fits on.
+    [ "$quick" = 0 ] || { refused='export-print.width = "40 mm"' && expected=3; }
     cp "$work/project/lines/line.toml" "$work/line.toml"
     cat >>"$work/project/lines/line.toml" <<END
 [[include]]
@@ -133,18 +183,18 @@ style = "skirt"
 size = "${sizes[0]}"
 fabric = "${fabrics[0]}"
 name = "tight"
-set = { drape.limits.strain_max = 0.000001 }
+set = { $refused }
 END
     timed failing snake local local
     [ "$code" != 0 ] || fail "Snakemake ended well"
     local folder
     folder=$(echo "$work"/local/jobs/*_tight)
-    grep -q '"exit_code": 1' "$folder/run.json" || fail "no record of the failure"
+    grep -q "\"exit_code\": $expected" "$folder/run.json" || fail "no record of the failure"
     [ -s "$folder/report.html" ] || [ -s "$folder/failure.html" ] || fail "no page of the failure"
     code=0
     line report local >/dev/null || code=$?
     echo "line report: exit code $code, page $(ls "$folder" | grep html | xargs)"
-    [ "$code" = 1 ] || fail "line report ended with $code"
+    [ "$code" = $expected ] || fail "line report ended with $code"
     mark
     timed failing-again snake local local
     count "a lasting failure, again" "$(ran local)" 0
