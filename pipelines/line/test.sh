@@ -38,7 +38,9 @@ snake() {
 }
 line() { "$toile" line "$1" "$work/project/lines/line.toml" --out "$work/$2" "${@:3}"; }
 # What the jobs wrote; times stand in the records alone.
-hashes() { (cd "$work/$1/jobs" && find . -type f ! -name run.json ! -name '.*' -print0 | sort -z | xargs -0 sha256sum); }
+hashes() {
+    (cd "$work/$1/jobs" && find . -type f ! -name run.json ! -name '.*' -print0 | sort -z | xargs -0 sha256sum)
+}
 same() {
     diff <(hashes "$1") <(hashes "$2") >"$work/differ.txt" || fail "$1 and $2 differ: $work/differ.txt"
     echo "same bytes: $(hashes "$1" | wc -l) files of $1 and $2"
