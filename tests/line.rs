@@ -3,6 +3,7 @@
 mod support;
 use serde_json::Value;
 use std::collections::{BTreeMap, BTreeSet};
+use std::process::Command;
 use std::time::Duration;
 use support::project::Project;
 
@@ -149,6 +150,29 @@ fn failures_carry_their_code_stay_to_look_at_and_are_not_tried_again() {
     let record = project.json("wrong/run.json");
     assert_eq!(record["exit_code"], code);
     assert!(record["key"].is_string(), "a failed run has its key, too");
+}
+
+/// The workflow in `pipelines/line` reads `toile line jobs` and starts what it says there.
+#[test]
+fn the_workflow_finds_its_facts_and_they_make_what_the_line_makes() {
+    let project = Project::new();
+    project.write("line.toml", &LINE.replace("[[style]]", "[limits]\ntime = \"60 s\"\n[[style]]"));
+    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+    let plan = std::fs::read_to_string(root.join("pipelines/line/plan.py")).expect("plan");
+    let job = &jobs(&project)["skirt_wide_38_loose"];
+    let facts: BTreeSet<&str> = plan.split("job[\"").skip(1).filter_map(|rest| rest.split('"').next()).collect();
+    assert_eq!(facts.into_iter().collect::<Vec<_>>(), ["arguments", "expected", "job", "key"]);
+    assert!(job["expected"]["mb"].is_number() && job["expected"]["seconds"].is_number());
+    let arguments: Vec<&str> = job["arguments"].as_array().expect("list").iter().filter_map(Value::as_str).collect();
+    assert_eq!(arguments.first(), Some(&"run"));
+    assert!(arguments.ends_with(&["--max-seconds", "60"]), "{arguments:?}");
+    let alone = ["--out", "alone/skirt_wide_38_loose", "--quiet", "--force"];
+    let mut command = Command::new(env!("CARGO_BIN_EXE_toile"));
+    command.current_dir(project.dir.path()).args(arguments).args(alone);
+    assert!(command.status().expect("program").success());
+    assert_eq!(project.toile("line run line.toml --out out --quiet --only job=skirt_wide_38_loose").0, 130);
+    assert_eq!(project.digests("alone"), project.digests("out/jobs"));
+    assert_eq!(project.json("alone/skirt_wide_38_loose/run.json")["key"], job["key"]);
 }
 
 #[cfg(unix)]

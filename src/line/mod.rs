@@ -39,6 +39,7 @@ pub use results::{RESULTS_NAME, Results, Row};
 pub use run::{Order, Ran, arguments};
 pub use schema::schema;
 pub use survey::{Planned, Rights, Survey, Surveyed, survey};
+pub use thumbnail::draw;
 pub use value::Set;
 pub(crate) use value::sets;
 

@@ -177,7 +177,7 @@ impl Survey {
 impl Planned {
     /// The plan of a job for programs.
     #[must_use]
-    pub fn json(&self, job: &Job) -> Value {
+    pub fn json(&self, line: &Line, job: &Job) -> Value {
         let reads = |r: &FileRead| json!({ "path": Gate::shown(&r.path), "blake3": r.blake3 });
         json!({
             "job": job.name,
@@ -185,6 +185,7 @@ impl Planned {
             "choices": job.choices,
             "pipeline": job.pipeline.to_string_lossy().replace('\\', "/"),
             "set": job.sets.iter().map(|s| &s.text).collect::<Vec<_>>(),
+            "arguments": super::arguments(line, job),
             "key": self.key,
             "inputs": self.reads.iter().map(reads).collect::<Vec<_>>(),
             "stages": self.chain[2],

@@ -21,7 +21,7 @@ pub(super) fn run(args: &LineArgs, registry: &mut Registry, stop: &Arc<Stop>, co
         LineVerb::Plan(args) => plan::plan(args, registry, stop, console),
         LineVerb::Jobs(args) => plan::jobs(args, registry, stop, console),
         LineVerb::Run(args) => run::run(args, registry, stop, console),
-        LineVerb::Report(args) => run::report(args, registry, stop, console),
+        LineVerb::Report(args) => run::report(args, console),
     }
 }
 
@@ -59,15 +59,20 @@ fn sound(
     stop: &Arc<Stop>,
     console: &mut Console<'_>,
 ) -> Result<(Line, Survey), Exit> {
-    let opened = open(&args.line);
-    let exit = Exit::of_findings(&opened.report.findings);
-    let source = opened.line.as_ref().map(|l| (l.source.file(), l.source.text()));
-    console.findings(&opened.report.findings, source);
-    let Some(line) = opened.line.filter(|_| exit == Exit::Good) else { return Err(exit) };
+    let line = opened(args, console)?;
     let survey = survey(&line, &args.rights(), stop, registry);
     console.findings(&survey.findings(&line).findings, Some((line.source.file(), line.source.text())));
     match survey.exit() {
         Exit::Good => Ok((line, survey)),
         exit => Err(exit),
     }
+}
+
+/// Opens a line; its jobs are not looked at.
+fn opened(args: &LineFileArgs, console: &mut Console<'_>) -> Result<Line, Exit> {
+    let opened = open(&args.line);
+    let exit = Exit::of_findings(&opened.report.findings);
+    let source = opened.line.as_ref().map(|l| (l.source.file(), l.source.text()));
+    console.findings(&opened.report.findings, source);
+    opened.line.filter(|_| exit == Exit::Good).ok_or(exit)
 }

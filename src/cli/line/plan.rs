@@ -31,7 +31,7 @@ pub(super) fn jobs(args: &JobsArgs, registry: &mut Registry, stop: &Arc<Stop>, c
     };
     for (job, surveyed) in line.jobs.iter().zip(&survey.jobs) {
         let Some(planned) = &surveyed.planned else { continue };
-        console.result(&format!("{}\n", toile_garment::text::json(&planned.json(job).to_string())));
+        console.result(&format!("{}\n", toile_garment::text::json(&planned.json(&line, job).to_string())));
     }
     Exit::Good
 }

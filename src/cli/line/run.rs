@@ -1,11 +1,12 @@
 //! `toile line run` and `toile line report`.
 
 use super::args::{ReportArgs, RunLineArgs};
-use super::sound;
+use super::{opened, sound};
 use crate::cli::console::Console;
 use crate::codes::{PATH_REFUSED, WRITE_FAILED};
 use crate::engine::{CacheOptions, Exit, Stop, available_mb, clean, write_whole};
-use crate::line::{Job, Line, Lock, Order, RESULTS_NAME, Ran, Results, Survey, page, was_run};
+use crate::line::{Job, Line, Lock, Order, RESULTS_NAME, Ran, Results, Survey, draw, page, was_run};
+use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toile_garment::Diagnostic;
@@ -51,17 +52,30 @@ pub(super) fn run(args: &RunLineArgs, registry: &mut Registry, stop: &Arc<Stop>,
     finish(&line, &out, ran, &format!("{kept} of {} were done before; ", wanted.len()), console)
 }
 
-pub(super) fn report(args: &ReportArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
-    let (line, _) = match sound(&args.file, registry, stop, console) {
-        Ok(both) => both,
+/// The records tell all, so no job is looked at: that would take longer than many a job.
+pub(super) fn report(args: &ReportArgs, console: &mut Console<'_>) -> Exit {
+    let line = match opened(&args.file, console) {
+        Ok(line) => line,
         Err(exit) => return exit,
     };
     let out = match folder(args.out.as_ref(), &line) {
         Ok(out) => out,
         Err(error) => return refuse(&error, console),
     };
-    let ran = line.jobs.iter().map(|job| was_run(&out.join("jobs").join(&job.name))).collect();
+    let ran = line.jobs.par_iter().map(|job| was_run_and_drawn(&out, job)).collect();
     finish(&line, &out, ran, "", console)
+}
+
+/// How a job ended that another program may have run. Such programs draw no picture.
+fn was_run_and_drawn(out: &Path, job: &Job) -> Option<Ran> {
+    let folder = out.join("jobs").join(&job.name);
+    let ran = was_run(&folder)?;
+    let picture = out.join("pictures").join(format!("{}.png", job.name));
+    if let Some(record) = ran.record.as_ref().filter(|_| !picture.exists()) {
+        // The page does without where nothing can be drawn.
+        let _ = draw(&folder, record, &picture);
+    }
+    Some(ran)
 }
 
 /// The folder of the results, with the folders that all jobs share.
