@@ -6,15 +6,19 @@
 
 pub mod changes;
 pub(crate) mod codes;
+mod folder;
+mod levels;
 mod page;
 mod pipeline;
 mod report;
 mod rounds;
+mod trial;
 mod wearing;
 
+pub use levels::{Level, Round};
 pub use page::html;
 pub use report::{json, text};
-pub use rounds::{Level, Round, fit};
+pub use rounds::fit;
 
 use crate::load::Request;
 use crate::new::Body;

@@ -1,6 +1,6 @@
 //! The result of a fitting for a person and for programs.
 
-use super::rounds::Level;
+use super::levels::Level;
 use super::{Fitted, Order};
 use serde_json::{Value, json};
 use std::fmt::Write as _;
