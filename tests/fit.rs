@@ -6,11 +6,11 @@ use std::ffi::OsString;
 use std::path::Path;
 use support::bench::{Bench, Said, command};
 
-/// Fits the long skirt on a coarse mesh into a folder of the bench.
+/// Fits the long skirt into a folder of the bench. On a much coarser mesh the girths themselves differ from mesh to mesh.
 fn fit(bench: &Bench, folder: &str, options: &[&str]) -> Said {
     let skirt = Path::new(env!("CARGO_MANIFEST_DIR")).join("pipelines/long-skirt/v1.toml");
     let mut words: Vec<OsString> = vec!["fit".into(), skirt.into()];
-    words.extend(["--quiet", "--set", "triangulate.triangles=500", "--out"].map(OsString::from));
+    words.extend(["--quiet", "--out"].map(OsString::from));
     words.push(bench.path(folder).into());
     words.extend(options.iter().map(OsString::from));
     command(words)
@@ -35,11 +35,12 @@ fn a_skirt_keeps_its_ease_or_gets_the_one_that_is_asked_for() {
         assert!((asked - got).abs() <= 5.0, "{name}: {got} instead of {asked}");
     }
     assert!((ease(&result, "hip", "asked_mm") - ease(&result, "hip", "own_ease_mm")).abs() < 1e-9);
-    // Both pieces together grow by the 40 mm of the body and by what the ease changes.
+    // Both pieces together grow by the 40 mm of the body and by what the ease changes. At the hip the girth hardly changes
+    // with the height, so that a little more or less of it does not matter.
     let changes = result["changes"].as_array().expect("changes");
-    let waists = changes.iter().filter(|c| c["what"] == "width at the waist");
-    let grown: f64 = waists.filter_map(|c| Some(c["mm"][1].as_f64()? - c["mm"][0].as_f64()?)).sum();
-    let wanted = 40.0 + ease(&result, "waist", "ease_mm") - ease(&result, "waist", "own_ease_mm");
+    let hips = changes.iter().filter(|c| c["what"] == "width at the hip");
+    let grown: f64 = hips.filter_map(|c| Some(c["mm"][1].as_f64()? - c["mm"][0].as_f64()?)).sum();
+    let wanted = 40.0 + ease(&result, "hip", "ease_mm") - ease(&result, "hip", "own_ease_mm");
     assert!((grown - wanted).abs() < 4.0, "{grown} instead of {wanted}");
     // The folder runs by itself, and to the same bytes.
     let pipeline = bench.path("fitted/pipeline.toml");

@@ -12,7 +12,7 @@ const LANDMARKS: [&str; 4] = ["crotch", "underarm", "shoulder", "neck-side"];
 /// Heights that lie nearer together on the first body are one, metres.
 const APART: f64 = 0.03;
 
-/// What changes over the height of the first body: the height itself, and the girth that is added; metres.
+/// Over the height of the first body it tells the height on the second one, and the girth that is added; metres.
 #[derive(Clone, Debug)]
 pub struct Heights(Curve<2>);
 
