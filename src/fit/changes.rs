@@ -5,7 +5,7 @@ use toile_garment::flat::{DartChange, FlatPiece, LengthChange};
 use toile_garment::mesh::PieceMesh;
 use toile_garment::seam::Seam;
 use toile_garment::{Garment, Vec2, Vec3};
-use toile_stages::fit::{inside, level_height};
+use toile_stages::fit::{cut_in_plane, inside, level_height};
 use toile_stages::flatten::features;
 use toile_stages::transfer::LEVELS;
 
@@ -19,7 +19,7 @@ const NO_TURN: f64 = 2e-3;
 pub struct Change {
     /// Name of the piece.
     pub piece: String,
-    /// The thing that changed, such as `width at the hip` or `dart-1`.
+    /// The thing that changed, such as `width at the hip` or `intake of dart-1`.
     pub what: String,
     /// Length before and after, metres.
     pub length: [f64; 2],
@@ -85,9 +85,7 @@ fn widths(garment: &Garment, flat: &FlatPiece) -> Vec<(String, [f64; 2])> {
     let at = flat.piece.index();
     let mesh = garment.pieces.get(at).and_then(|p| p.mesh.as_ref());
     let moved = garment.drape.as_ref().and_then(|s| s.positions.get(at));
-    let (Some(mesh), Some(moved), Some(body)) = (mesh, moved, &garment.body) else {
-        return Vec::new();
-    };
+    let (Some(mesh), Some(moved), Some(body)) = (mesh, moved, &garment.body) else { return Vec::new() };
     if !lies_on_trunk(moved, body) {
         return Vec::new();
     }
@@ -109,13 +107,6 @@ fn lies_on_trunk(worn: &[Vec3], body: &Body) -> bool {
 
 /// Length in the plane of the line in which a height cuts a piece.
 fn across(mesh: &PieceMesh, worn: &[Vec3], plane: &[Vec2], height: f64) -> f64 {
-    let cut = |t: &[u32; 3]| {
-        let mut ends = (0..3).filter_map(|k| {
-            let (a, b) = (t[k] as usize, t[(k + 1) % 3] as usize);
-            let share = (height - worn[a].y) / (worn[b].y - worn[a].y);
-            ((worn[a].y < height) != (worn[b].y < height)).then(|| plane[a].lerp(&plane[b], share))
-        });
-        Some((ends.next()? - ends.next()?).norm())
-    };
+    let cut = |t: &[u32; 3]| cut_in_plane(t.map(|v| worn[v as usize]), t.map(|v| plane[v as usize]), height);
     mesh.triangles.iter().filter_map(cut).sum()
 }

@@ -15,7 +15,7 @@ use toile_stage_api::Registry;
 pub struct Folder {
     /// The new body.
     pub body: Body,
-    /// What there is to say of the body.
+    /// Findings on the body.
     pub findings: Vec<Diagnostic>,
 }
 

@@ -15,6 +15,7 @@ mod rounds;
 mod trial;
 mod wearing;
 
+pub use folder::put;
 pub use levels::{Level, Round};
 pub use page::html;
 pub use report::{json, text};

@@ -1,5 +1,6 @@
 //! A fitting as one HTML page: pictures, ease, the new pattern over the old one, changes.
 
+use super::levels::is_reached;
 use super::report::word;
 use super::{Fitted, Order};
 use base64::Engine as _;
@@ -42,7 +43,7 @@ pub fn html(fitted: &Fitted, order: &Order) -> String {
 fn verdict(fitted: &Fitted, order: &Order) -> String {
     let within = 1e3 * order.within;
     let off = fitted.levels.iter().map(|l| (l.asked - l.ease).abs()).fold(0.0, f64::max);
-    let ease = if fitted.levels.iter().all(|l| l.is_followed && (l.asked - l.ease).abs() <= order.within) {
+    let ease = if fitted.levels.iter().all(|l| is_reached(l, order)) {
         format!("The ease is within {:.1} mm of what was asked for; {within:.1} mm are allowed.", 1e3 * off)
     } else {
         format!("The ease is <b>not</b> as asked: {:.1} mm off, {within:.1} mm are allowed.", 1e3 * off)
@@ -74,8 +75,7 @@ fn ease(out: &mut String, fitted: &Fitted, order: &Order) {
          <th>reached</th></tr>\n",
     );
     for l in &fitted.levels {
-        let off = (l.asked - l.ease).abs() > order.within || l.ease.is_nan();
-        let class = if off { " class=\"off\"" } else { "" };
+        let class = if is_reached(l, order) { "" } else { " class=\"off\"" };
         let _ = write!(out, "<tr{class}><td>{}</td>", escape(&word(l)));
         for length in [l.own_body, l.own_ease, l.body, l.asked, l.ease] {
             let _ = write!(out, "<td>{:.1}</td>", 1e3 * length);

@@ -34,7 +34,7 @@ pub fn fit(
     let mut rounds = Vec::new();
     let mut best: Option<Tried> = None;
     let mut broken = None;
-    while broken.is_none() && rounds.len() < order.rounds as usize {
+    while broken.is_none() {
         let tried = trial.tried(&own.garment, &folder.body, &add, &mut levels, registry);
         let tried = match tried {
             Ok(tried) => tried,
@@ -50,7 +50,7 @@ pub fn fit(
         if best.as_ref().is_none_or(|b| off < b.off) {
             best = Some(tried);
         }
-        if off <= order.within {
+        if off <= order.within || rounds.len() == order.rounds as usize {
             break;
         }
         // The measured ease scatters a little from drape to drape, so later corrections take half of what is missing.

@@ -30,7 +30,7 @@ pub struct Tried {
     pub passed: bool,
     /// Largest difference of an ease from what is asked, metres.
     pub off: f64,
-    /// What was told on the way.
+    /// Findings of the flattening and of the run.
     pub findings: Vec<Diagnostic>,
 }
 

@@ -66,8 +66,7 @@ impl Means<'_> {
             foreseen: None,
             cache: None,
         };
-        let mut teller = Teller::silent();
-        let outcome = engine::run(&pipeline, gate, &options, self.stop, &mut teller, report);
+        let outcome = engine::run(&pipeline, gate, &options, self.stop, &mut Teller::silent(), report);
         let findings = outcome.findings.into_iter().filter(|f| f.severity != Severity::Info).collect();
         match outcome.exit {
             Exit::Good | Exit::Gate => {

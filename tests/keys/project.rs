@@ -3,8 +3,8 @@
 use crate::support::bench::{Bench, HEAD};
 use std::fmt::Write as _;
 
-/// A tube of two pieces round a cylinder, held at its waist; every stage of a pattern.
-const PATTERN: &str = r#"
+/// A tube of two pieces round a cylinder, held at its waist.
+const DRAPED: &str = r#"
 [[stage]]
 use = "import-dxf"
 with.file = "pattern.dxf"
@@ -20,6 +20,10 @@ with.body = "body.obj"
 with.fabric = "fabric.toml"
 [[stage]]
 use = "drape"
+"#;
+
+/// Every stage that follows the drape of a pattern.
+const PATTERN: &str = r#"
 [[stage]]
 use = "texture"
 [[stage]]
@@ -63,21 +67,6 @@ with.sewing = "{out}/new.toml"
 
 /// The tube on a wider body.
 const MOVED: &str = r#"
-[[stage]]
-use = "import-dxf"
-with.file = "pattern.dxf"
-with.sewing = "sewing.toml"
-[[stage]]
-use = "triangulate"
-with.edge_length = "20 mm"
-[[stage]]
-use = "assemble"
-[[stage]]
-use = "stitch"
-with.body = "body.obj"
-with.fabric = "fabric.toml"
-[[stage]]
-use = "drape"
 [[stage]]
 use = "transfer"
 with.body = "wide.obj"
@@ -267,12 +256,12 @@ pub fn write(bench: &Bench, name: &str) {
     let folder = bench.pipeline_file().parent().expect("folder").to_path_buf();
     let put = |file: &str, text: &[u8]| std::fs::write(folder.join(file), text).expect("file");
     let stages = match name {
-        "specification" => SPECIFICATION,
-        "altered" => ALTERED,
-        "moved" => MOVED,
-        "garment" => GARMENT,
-        "sheet" => SHEET,
-        _ => PATTERN,
+        "specification" => SPECIFICATION.to_owned(),
+        "altered" => ALTERED.to_owned(),
+        "moved" => [DRAPED, MOVED].concat(),
+        "garment" => GARMENT.to_owned(),
+        "sheet" => SHEET.to_owned(),
+        _ => [DRAPED, PATTERN].concat(),
     };
     let springs = if name == "springs" { "[springs]\nyarn = \"500 N/m\"\nbias = \"300 N/m\"\n" } else { "" };
     let look = if name == "look" { "[look]\nweave = \"twill\"\nends_per_cm = 20\nsheen = 0.1\n" } else { "" };

@@ -6,7 +6,7 @@ pub use args::FitArgs;
 
 use super::console::Console;
 use crate::codes::{PATH_REFUSED, SET_FORM, UNKNOWN_VALUE, WRITE_FAILED, WRONG_VALUE};
-use crate::engine::{Exit, RECORD_NAME, Stop, clean, write_whole};
+use crate::engine::{Exit, RECORD_NAME, Stop, clean};
 use crate::fit::{self, Fitted, Level, OWN_NAME, Order, PIPELINE_NAME};
 use crate::halt::Halt;
 use crate::new::Body;
@@ -57,11 +57,7 @@ fn fitted(args: &FitArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &m
     let text = serde_json::to_string_pretty(&json).unwrap_or_default() + "\n";
     let files = [(JSON_NAME, text), (PAGE_NAME, fit::html(&fitted, &order))];
     for (name, text) in &files {
-        let path = args.out.join(name);
-        write_whole(&path, text.as_bytes()).map_err(|e| {
-            let message = format!("cannot write `{}`: {e}", clean(&path));
-            Halt::new(vec![Diagnostic::error(WRITE_FAILED, message)], Exit::System)
-        })?;
+        fit::put(&args.out.join(name), text.as_bytes())?;
     }
     console.findings(&fitted.findings, None);
     if args.json {

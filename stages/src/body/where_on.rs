@@ -36,7 +36,7 @@ pub fn words(body: &Body, at: Vec3) -> Option<String> {
 }
 
 /// Distance from the axis of a segment, m.
-fn distance(segment: &BodySegment, at: Vec3) -> f64 {
+pub fn distance(segment: &BodySegment, at: Vec3) -> f64 {
     let along = segment.to - segment.from;
     let share = ((at - segment.from).dot(&along) / along.norm_squared().max(f64::MIN_POSITIVE)).clamp(0.0, 1.0);
     (at - segment.from - along * share).norm()

@@ -1,15 +1,17 @@
 //! Copies that are drawn as pieces of their own share the quantity of their piece.
 
 use super::codes;
+use std::collections::BTreeSet;
 use toile_garment::piece::Quantity;
 use toile_garment::{Diagnostic, Garment, Piece, Report};
 
 /// Gives every piece that is drawn with its copies, and the copies, their share of its quantity. A mirrored copy is
 /// drawn mirrored, so none of them is cut mirrored.
 pub fn share(garment: &Garment, pieces: &mut [Piece], report: &mut Report) {
-    let mut sources: Vec<&str> = garment.plan.copies.iter().map(|c| c.piece.as_str()).collect();
-    sources.dedup();
-    for source in sources {
+    // In the order of the plan, each once, wherever its copies stand.
+    let mut seen = BTreeSet::new();
+    let sources = garment.plan.copies.iter().map(|c| c.piece.as_str());
+    for source in sources.filter(|source| seen.insert(*source)) {
         let copies = garment.plan.copies.iter().filter(|c| c.piece == source).map(|c| c.name.as_str());
         let names: Vec<&str> = std::iter::once(source).chain(copies).collect();
         let drawn: Vec<usize> = names.iter().filter_map(|n| pieces.iter().position(|p| p.name == *n)).collect();

@@ -144,6 +144,17 @@ fn axis(body: &Body, segment: &str, height: f64) -> Vec2 {
     Vec2::new(at.x, at.z)
 }
 
+/// Length in the plane of the line in which a height cuts a triangle, metres. `None` where it does not.
+#[must_use]
+pub fn cut_in_plane(worn: [Vec3; 3], plane: [Vec2; 3], height: f64) -> Option<f64> {
+    let mut ends = (0..3).filter_map(|k| {
+        let (p, q) = (worn[k], worn[(k + 1) % 3]);
+        let share = (height - p.y) / (q.y - p.y);
+        ((p.y < height) != (q.y < height)).then(|| plane[k].lerp(&plane[(k + 1) % 3], share))
+    });
+    Some((ends.next()? - ends.next()?).norm())
+}
+
 /// Rest shapes of all triangles, in the order of the surface.
 struct Rest(Vec<Option<[Vec2; 3]>>);
 
@@ -160,16 +171,7 @@ pub(super) fn rest_around(garment: &Garment, surface: &Surface, ring: &Ring, hei
 impl Rest {
     /// Length of the cloth at rest along a cut at a height, metres.
     fn around(&self, surface: &Surface, ring: &Ring, height: f64) -> f64 {
-        let length = |t: &usize| {
-            let rest = self.0.get(*t).copied().flatten()?;
-            let at = surface.corners(*t);
-            let mut ends = (0..3).filter_map(|k| {
-                let (p, q) = (at[k], at[(k + 1) % 3]);
-                let share = (height - p.y) / (q.y - p.y);
-                ((p.y < height) != (q.y < height)).then(|| rest[k].lerp(&rest[(k + 1) % 3], share))
-            });
-            Some((ends.next()? - ends.next()?).norm())
-        };
+        let length = |t: &usize| cut_in_plane(surface.corners(*t), self.0.get(*t).copied().flatten()?, height);
         ring.triangles.iter().filter_map(length).sum()
     }
 }

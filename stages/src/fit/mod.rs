@@ -16,7 +16,7 @@ mod surface;
 pub use bent::{PAD, bending, pressure};
 pub use girth::{along, tape};
 pub use maps::{ease, maps, strain};
-pub use measures::{inside, level_height, measure};
+pub use measures::{cut_in_plane, inside, level_height, measure};
 pub use nearest::Nearest;
 pub use points::point;
 pub use rings::{Ring, rings};

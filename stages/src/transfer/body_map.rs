@@ -2,7 +2,7 @@
 
 use super::chart::{Chart, Polar};
 use super::heights::Heights;
-use crate::body::with_segments;
+use crate::body::{where_on, with_segments};
 use crate::fit::level_height;
 use std::collections::BTreeMap;
 use toile_garment::Vec3;
@@ -20,6 +20,17 @@ const HIP_SHARE: f64 = 0.1;
 struct Part {
     from: Chart,
     to: Chart,
+}
+
+impl Part {
+    /// Where a point of the first body's chart comes to at a place along the axis of the second. Outside of the tape the
+    /// distance from it stays, and `added` is put to its radius; inside it scales.
+    fn moved(&self, p: Polar, along: f64, added: f64) -> Vec3 {
+        let own = self.from.radius(p.along, p.angle);
+        let wanted = self.to.radius(along, p.angle) + added;
+        let far = if p.far >= own { wanted + (p.far - own) } else { p.far * wanted / own.max(f64::MIN_POSITIVE) };
+        self.to.point(Polar { along, angle: p.angle, far })
+    }
 }
 
 /// An arm of both bodies: lengths along it scale.
@@ -71,37 +82,23 @@ impl BodyMap {
     /// The map of the trunk, and the distance of the point from it.
     fn on_trunk(&self, p: Vec3) -> (Vec3, f64) {
         let polar = self.trunk.from.polar(p);
-        let height = self.heights.moved(polar.along);
-        let own = self.trunk.from.radius(polar.along, polar.angle);
         let added = self.heights.added(polar.along) / std::f64::consts::TAU;
-        let wanted = self.trunk.to.radius(height, polar.angle) + added;
-        let to = Polar { along: height, angle: polar.angle, far: carried(polar.far, own, wanted) };
-        (self.trunk.to.point(to), polar.far - own)
+        let moved = self.trunk.moved(polar, self.heights.moved(polar.along), added);
+        (moved, polar.far - self.trunk.from.radius(polar.along, polar.angle))
     }
 }
 
 impl Arm {
     fn at(&self, p: Vec3) -> Vec3 {
         let polar = self.part.from.polar(p);
-        let along = polar.along * self.stretch;
-        let own = self.part.from.radius(polar.along, polar.angle);
-        let wanted = self.part.to.radius(along, polar.angle);
-        self.part.to.point(Polar { along, angle: polar.angle, far: carried(polar.far, own, wanted) })
+        self.part.moved(polar, polar.along * self.stretch, 0.0)
     }
 
     /// Distance from the skin of the arm, about.
     fn distance(&self, p: Vec3) -> f64 {
-        let along = self.axis.to - self.axis.from;
-        let share = ((p - self.axis.from).dot(&along) / along.norm_squared()).clamp(0.0, 1.0);
         let polar = self.part.from.polar(p);
-        (p - self.axis.from - along * share).norm() - self.part.from.radius(polar.along, polar.angle)
+        where_on::distance(&self.axis, p) - self.part.from.radius(polar.along, polar.angle)
     }
-}
-
-/// Distance from the centre after a tape of one radius became one of another. Outside of the tape the distance from it
-/// stays; inside it scales.
-fn carried(far: f64, own: f64, wanted: f64) -> f64 {
-    if far >= own { wanted + (far - own) } else { far * wanted / own.max(f64::MIN_POSITIVE) }
 }
 
 /// 0 below 0, 1 above 1, without a kink between.

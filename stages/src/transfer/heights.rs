@@ -21,17 +21,19 @@ impl Heights {
     pub fn new(from: &Body, to: &Body, add: &BTreeMap<String, f64>) -> Self {
         let mut keys = pairs(from, to);
         keys.sort_by(|a, b| a.0.total_cmp(&b.0));
+        let girths = girths(from, add);
         let mut kept: Vec<(f64, [f64; 2])> = Vec::new();
-        for (below, above, girth) in keys {
-            let own = girth.map_or(0.0, |name| add.get(name).copied().unwrap_or(0.0));
-            // A level decides over a landmark beside it.
-            match kept.last_mut() {
-                Some(last) if below - last.0 < APART && girth.is_some() => *last = (below, [above - below, own]),
-                Some(last) if below - last.0 < APART => {}
-                _ => kept.push((below, [above - below, own])),
+        for (own, other, is_level) in keys {
+            let is_near = kept.last().is_some_and(|last| own - last.0 < APART);
+            if is_near && !is_level {
+                continue;
             }
+            // A level decides over what lies beside it.
+            if is_near {
+                kept.pop();
+            }
+            kept.push((own, [other - own, girth_at(&girths, own)]));
         }
-        fill(&mut kept, from, add);
         Self(Curve::new(&kept))
     }
 
@@ -46,13 +48,13 @@ impl Heights {
     }
 }
 
-/// Heights on both bodies, with the name of the level.
-fn pairs(from: &Body, to: &Body) -> Vec<(f64, f64, Option<&'static str>)> {
-    let level = |name: &'static str| Some((level_height(name, from)?, level_height(name, to)?, Some(name)));
+/// Heights on both bodies. Is it a level, at which girth can be added?
+fn pairs(from: &Body, to: &Body) -> Vec<(f64, f64, bool)> {
+    let level = |name: &str| Some((level_height(name, from)?, level_height(name, to)?, true));
     let mark = |body: &Body, name: &str| {
         body.landmarks.iter().find(|(key, _)| key.starts_with(name)).map(|(_, place)| place.y)
     };
-    let landmark = |name: &'static str| Some((mark(from, name)?, mark(to, name)?, None));
+    let landmark = |name: &str| Some((mark(from, name)?, mark(to, name)?, false));
     let ends = |body: &Body| {
         let heights = || body.positions.iter().map(|p| p.y);
         [heights().fold(f64::INFINITY, f64::min), heights().fold(f64::NEG_INFINITY, f64::max)]
@@ -60,24 +62,26 @@ fn pairs(from: &Body, to: &Body) -> Vec<(f64, f64, Option<&'static str>)> {
     let (a, b) = (ends(from), ends(to));
     let mut pairs: Vec<_> = LEVELS.into_iter().filter_map(level).collect();
     pairs.extend(LANDMARKS.into_iter().filter_map(landmark));
-    pairs.extend([(a[0], b[0], None), (a[1], b[1], None)]);
+    pairs.extend([(a[0], b[0], false), (a[1], b[1], false)]);
     pairs
 }
 
-/// Girth between the levels: heights without a girth of their own get that of the levels around them, and those beyond
-/// the last level get its girth.
-fn fill(keys: &mut [(f64, [f64; 2])], from: &Body, add: &BTreeMap<String, f64>) {
+/// Heights of the first body with the girth that is added there, ascending.
+fn girths(from: &Body, add: &BTreeMap<String, f64>) -> Vec<(f64, f64)> {
     let known = LEVELS.iter().filter_map(|name| Some((level_height(name, from)?, add.get(*name).copied()?)));
     let mut known: Vec<(f64, f64)> = known.collect();
     known.sort_by(|a, b| a.0.total_cmp(&b.0));
-    for (height, [_, girth]) in keys {
-        let above = known.iter().find(|k| k.0 >= *height);
-        let below = known.iter().rev().find(|k| k.0 <= *height);
-        *girth = match (below, above) {
-            (Some(a), Some(b)) if b.0 > a.0 => a.1 + (b.1 - a.1) * (*height - a.0) / (b.0 - a.0),
-            (Some(a), _) => a.1,
-            (None, Some(b)) => b.1,
-            (None, None) => 0.0,
-        };
+    known
+}
+
+/// Girth at a height: even between two levels, and that of the last level beyond it.
+fn girth_at(known: &[(f64, f64)], height: f64) -> f64 {
+    let above = known.iter().find(|k| k.0 >= height);
+    let below = known.iter().rev().find(|k| k.0 <= height);
+    match (below, above) {
+        (Some(a), Some(b)) if b.0 > a.0 => a.1 + (b.1 - a.1) * (height - a.0) / (b.0 - a.0),
+        (Some(a), _) => a.1,
+        (None, Some(b)) => b.1,
+        (None, None) => 0.0,
     }
 }
