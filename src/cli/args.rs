@@ -468,7 +468,7 @@ pub struct FlattenArgs {
     /// How pieces that mirror each other come back: auto, always, off [default: auto]
     #[arg(long, value_name = "WORD")]
     pub symmetry: Option<String>,
-    /// What does not change: seams, grain, straight, right-angles, darts, or none [default: all but darts]
+    /// What does not change: seams, grain, straight, right-angles, pleats, darts, or none [default: all but darts]
     #[arg(long, value_name = "WORD,…", value_delimiter = ',')]
     pub lock: Vec<String>,
     /// Changes that pass without a warning: a TOML file with the keys of `tolerance` of the stage `flatten`.

@@ -7,6 +7,7 @@
 pub mod changes;
 pub(crate) mod codes;
 mod folder;
+mod hem;
 mod levels;
 mod page;
 mod pipeline;
@@ -24,6 +25,7 @@ pub use rounds::fit;
 use crate::load::Request;
 use crate::new::Body;
 use changes::Change;
+use hem::Hem;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use toile_garment::{Diagnostic, Garment};
@@ -66,6 +68,8 @@ pub struct Fitted {
     pub rounds: Vec<Round>,
     /// Changes of the pattern.
     pub changes: Vec<Change>,
+    /// Heights of the hem.
+    pub hems: Vec<Hem>,
     /// The garment on its own body, moved and laid flat: the new pattern over the old one.
     pub flat: Garment,
     /// The new pattern, sewn and draped on the body.

@@ -82,6 +82,10 @@ fn ease(out: &mut String, fitted: &Fitted, order: &Order) {
         }
         out.push_str("</tr>\n");
     }
+    out.push_str("</table>\n<h2>Hem above the floor</h2>\n<table>");
+    for hem in &fitted.hems {
+        let _ = writeln!(out, "<tr><td>{}</td><td>{}</td></tr>", hem.side, hem.words());
+    }
     out.push_str("</table>\n");
 }
 

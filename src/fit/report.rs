@@ -13,6 +13,9 @@ pub fn text(fitted: &Fitted) -> String {
         // Writing to a String cannot fail.
         let _ = writeln!(out, "{:<12} {:>7.1} {:>15.1} {:>15.1}", word(l), 1e3 * l.body, 1e3 * l.asked, 1e3 * l.ease);
     }
+    for hem in &fitted.hems {
+        let _ = writeln!(out, "hem above the floor, {:<21} {}", hem.side, hem.words());
+    }
     for piece in fitted.changes.chunk_by(|a, b| a.piece == b.piece) {
         let _ = writeln!(out, "{}", piece[0].piece);
         for change in piece {
@@ -53,6 +56,7 @@ pub fn json(fitted: &Fitted, order: &Order) -> Value {
         "ease": fitted.levels.iter().map(level).collect::<Vec<_>>(),
         "rounds": fitted.rounds.iter().map(round).collect::<Vec<_>>(),
         "changes": fitted.changes.iter().map(change).collect::<Vec<_>>(),
+        "hem": fitted.hems.iter().map(|h| json!({ "side": h.side, "mm": h.height.map(mm) })).collect::<Vec<_>>(),
         "findings": fitted.findings,
     })
 }

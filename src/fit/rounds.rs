@@ -3,6 +3,7 @@
 use super::changes::changes;
 use super::codes::FIT_NOT_SEWN;
 use super::folder::Folder;
+use super::hem::hems;
 use super::levels::{Level, Round, asked, is_reached, unreached};
 use super::trial::{Bench, Tried};
 use super::wearing::{Means, Worn};
@@ -68,7 +69,9 @@ pub fn fit(
     findings.extend(unreached(&levels, order, rounds.len()));
     findings.extend(broken.into_iter().flatten().take(1));
     let passed = best.passed && levels.iter().all(|l| is_reached(l, order));
-    Ok(Fitted { levels, rounds, changes: changes(&best.flat), flat: best.flat, worn: best.worn, findings, passed })
+    let hems = hems(&own.garment, &best.worn);
+    let changes = changes(&best.flat);
+    Ok(Fitted { levels, rounds, changes, hems, flat: best.flat, worn: best.worn, findings, passed })
 }
 
 /// The garment on its own body.

@@ -28,7 +28,7 @@ pub struct FitArgs {
     /// How pieces that mirror each other come back: auto, always, off [default: always]
     #[arg(long, value_name = "WORD", default_value = "always")]
     pub symmetry: String,
-    /// What does not change: seams, grain, straight, right-angles, darts, or none [default: all but darts]
+    /// What does not change: seams, grain, straight, right-angles, pleats, darts, or none [default: all but darts]
     #[arg(long, value_name = "WORD,…", value_delimiter = ',')]
     pub lock: Vec<String>,
     /// Working folder: pattern, sewing file, body, fabric, pipeline, and the page fit.html.

@@ -118,7 +118,7 @@ fn order(args: &FitArgs) -> Result<Order, Diagnostic> {
 fn check_locks(order: &Order, registry: &Registry) -> Result<(), Diagnostic> {
     let told = |e: toml::de::Error| {
         let finding = Diagnostic::error(UNKNOWN_VALUE, format!("--lock, --smooth or --symmetry: {}", e.message()));
-        finding.hint("locks are seams, grain, straight, right-angles, darts; a length reads \"40 mm\"")
+        finding.hint("locks are seams, grain, straight, right-angles, pleats, darts; a length reads \"40 mm\"")
     };
     let Some(stage) = registry.get("flatten") else { return Ok(()) };
     let params = ValueDeserializer::parse(&order.flatten).map_err(told)?;

@@ -19,7 +19,7 @@ codes! {
     /// would leave, too.
     FLATTEN_DART_KEPT = "flatten-dart-kept";
 
-    /// Straight edges or right angles were held, which the flattening would have changed. The message says by how much.
+    /// Straight edges, right angles or pleats were held, which the flattening would have changed. The message says by how much.
     FLATTEN_HELD = "flatten-held";
 
     /// Straight edges or right angles changed too much to be held: the shape asks for it.

@@ -10,7 +10,7 @@ use super::sewn::{self, MeshEdges, Station};
 use super::solve::{Flattened, Sheet, SolveError, Stop, solve};
 use super::source::{Source, bad_triangle, sources};
 use super::wanted::{REFINEMENTS, Wanted};
-use super::{dart_strain, figures, findings, held_lines, symmetry};
+use super::{dart_strain, figures, findings, held_lines, pleats, symmetry};
 use nalgebra::Matrix2;
 use toile_garment::flat::{Flat, FlatMetric, FlatPiece};
 use toile_garment::{Garment, MeshVertex, Report, Vec2};
@@ -169,6 +169,7 @@ fn hold(
     let mut locks: Vec<Lock> = Vec::new();
     for (source, features) in sources.iter().zip(features) {
         locks.extend(held_lines::find(source, features, source.part(&free), params, report));
+        locks.extend(pleats::find(source, source.part(&free), params, report));
     }
     let darts = dart_strain::find(garment, sources, features, metric, &fit.sheet, &free, params, watch)?;
     locks.extend(darts.iter().flat_map(|d| d.locks.iter().cloned()));

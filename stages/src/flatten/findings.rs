@@ -105,6 +105,20 @@ pub fn held(piece: &Piece, held: &Held, report: &mut Report) {
     }
 }
 
+/// Pleats that would have become deeper or shallower, with the largest change of their width, metres.
+pub fn held_pleats(piece: &Piece, held: &[(String, f64)], report: &mut Report) {
+    if held.is_empty() {
+        return;
+    }
+    let named: Vec<String> = held.iter().map(|(name, off)| format!("`{name}` by {:.2} mm", 1e3 * off)).collect();
+    let what = format!("piece `{}`: held in width what would change: {}", piece.name, named.join(", "));
+    report.push(
+        Diagnostic::info(codes::FLATTEN_HELD, what)
+            .at(piece.source.clone())
+            .hint("leave `pleats` out of `lock` to let them change"),
+    );
+}
+
 /// A dart that the strain of the cloth, or an edit, would have changed.
 pub fn held_dart(piece: &Piece, name: &str, [stored, free]: [f64; 2], kept: f64, is_locked: bool) -> Diagnostic {
     let [stored, free, kept] = [stored, free, kept].map(|l| 1e3 * l);

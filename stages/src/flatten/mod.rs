@@ -2,7 +2,7 @@
 //!
 //! Every piece is flattened on its own triangles: pieces and dart legs are separate vertex chains in the mesh, so
 //! nothing has to be cut or searched. Lengths asked for come from [`wanted`], and flat positions from [`solve`].
-//! Sewn edges are kept equal by [`sewn`]. [`held_lines`] and [`dart_strain`] say what is locked, and [`lock`] holds it.
+//! Sewn edges are kept equal by [`sewn`]. [`held_lines`], [`pleats`] and [`dart_strain`] say what is locked, and [`lock`] holds it.
 //! [`symmetry`] makes mirrored pieces one, [`align`] lays the pieces on their grain and [`figures`] measures.
 
 mod advice;
@@ -21,6 +21,7 @@ pub mod lock;
 pub mod metric;
 pub mod mirror;
 mod params;
+pub mod pleats;
 pub mod point_location;
 pub mod roughness;
 pub mod sewn;

@@ -42,6 +42,8 @@ pub enum LockKind {
     Straight,
     /// Right angles of the outline stay right, unless the shape clearly asks for others.
     RightAngles,
+    /// Pleats keep their depth.
+    Pleats,
     /// Darts keep their stored intake, whatever the edit.
     Darts,
 }
@@ -116,7 +118,7 @@ impl Default for FlattenParams {
             metric: MetricChoice::Auto,
             smooth: Length(0.0),
             symmetry: SymmetryChoice::Auto,
-            lock: vec![LockKind::Seams, LockKind::Grain, LockKind::Straight, LockKind::RightAngles],
+            lock: vec![LockKind::Seams, LockKind::Grain, LockKind::Straight, LockKind::RightAngles, LockKind::Pleats],
             let_go: true,
             tolerance: FlattenTolerance::default(),
             stop_motion: Length(1e-9),

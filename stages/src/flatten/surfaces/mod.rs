@@ -458,6 +458,40 @@ fn a_straight_edge_that_would_bow_a_little_is_held_and_told() {
 }
 
 #[test]
+fn a_pleat_keeps_its_depth_where_the_piece_grows() {
+    // The sheet grows by 5 % in width. Its pleat lies between two columns of vertices, 40 mm apart.
+    let grid = sheet(20, 30);
+    let mut g = edit(&grid, |p| Vec3::new(1.05 * p.x, p.y, 0.0));
+    let ends = |row: usize| [8, 12].map(|column| grid.points[grid.id(column, row) as usize]);
+    g.pieces[0].darts.push(Dart {
+        name: "pleat".to_owned(),
+        kind: DartKind::Pleat,
+        evidence: DartEvidence::Declared,
+        apexes: ends(0).to_vec(),
+        mouth: ends(30),
+        legs: ends(30).map(|p| vec![p]),
+        line: "internal".to_owned(),
+        depth: None,
+        mesh: None,
+        source: None,
+    });
+    let width = |flat: &Flat, row: usize, columns: [usize; 2]| {
+        let [a, b] = columns.map(|column| flat.pieces[0].positions[grid.id(column, row) as usize]);
+        1e3 * (b - a).norm()
+    };
+    let (flat, codes) = codes_of(&g, &FlattenParams::default());
+    let free = FlattenParams { lock: vec![LockKind::Seams, LockKind::Grain], ..FlattenParams::default() };
+    let (loose, _) = codes_of(&g, &free);
+    for row in [0, 15, 30] {
+        let [kept, grown, whole] =
+            [width(&flat, row, [8, 12]), width(&loose, row, [8, 12]), width(&flat, row, [0, 20])];
+        assert!((kept - 40.0).abs() < 0.01 && (grown - 42.0).abs() < 0.01, "row {row}: {kept}, free {grown}");
+        assert!((207.5..210.5).contains(&whole), "row {row}: the piece is {whole} mm wide");
+    }
+    assert!(codes.iter().any(|c| c == "flatten-held"), "{codes:?}");
+}
+
+#[test]
 fn a_symmetric_edit_gives_a_symmetric_piece_and_one_of_one_side_does_not() {
     // The diagonals of the grid are not symmetric, and so would the piece be.
     let grid = sheet(21, 30);

@@ -1,6 +1,7 @@
 //! Pressed folds: those of `[[fold]]`, and those of pleats.
 
 use crate::sewing::lookup;
+use crate::sewing::ring::Ring;
 use std::f64::consts::PI;
 use toile_garment::outline::{LinePoint, PieceLine, PointKind};
 use toile_garment::piece::PressedFold;
@@ -9,6 +10,8 @@ use toile_garment::{Diagnostic, Garment, Piece, SourceRef, Vec2};
 
 /// A line that ends this near to a fold's points is its line already, m.
 const ON_LINE: f64 = 1e-3;
+/// Two places nearer than this are one, m.
+const SAME_PLACE: f64 = 1e-9;
 
 /// Presses the folds of the `[[fold]]` tables into their pieces.
 pub fn declare(garment: &mut Garment, wanted: impl Fn(&str) -> bool, errors: &mut Vec<Diagnostic>) {
@@ -40,9 +43,9 @@ fn folds(press: PleatPress) -> Vec<Fold> {
 /// Presses a pleat of this name, whose lines run from its mouth to these ends. Its legs are sewn and drawn already.
 pub fn press(piece: &mut Piece, spec: &DartSpec, name: &str, ends: [Vec2; 2]) {
     let Some(press) = spec.press else { return };
-    let at = |points: [Vec2; 2], share: f64| points[0] + (points[1] - points[0]) * share;
+    let outline = Ring::from_line(&piece.outline.positions());
     for (n, (share, turn)) in (1..).zip(folds(press)) {
-        let line = vec![at(spec.mouth, share), at(ends, share)];
+        let line = vec![between(&outline, spec.mouth, share), between(&outline, ends, share)];
         let on_leg = share == 0.0 || share == 1.0;
         let from = match spec.sewn {
             Some(sewn) if on_leg => line[0] + (line[1] - line[0]) * (sewn / (line[1] - line[0]).norm()).min(1.0),
@@ -56,18 +59,29 @@ pub fn press(piece: &mut Piece, spec: &DartSpec, name: &str, ends: [Vec2; 2]) {
     }
 }
 
-/// Draws a line on a piece that has none there.
+/// The point at this share of the way between two points; where both lie on the outline, so does it.
+fn between(outline: &Ring, ends: [Vec2; 2], share: f64) -> Vec2 {
+    let straight = ends[0] + (ends[1] - ends[0]) * share;
+    let off = |p: Vec2| outline.project(p).1;
+    if outline.points.len() < 3 || off(straight) < SAME_PLACE || ends.iter().any(|p| off(*p) > ON_LINE) {
+        return straight;
+    }
+    outline.at(outline.project(straight).0)
+}
+
+/// Draws a line on a piece. One that is drawn there already is moved onto it.
 fn draw(piece: &mut Piece, points: &[Vec2], source: Option<&SourceRef>) {
     let near = |a: Option<&Vec2>, b: Option<&Vec2>| a.zip(b).is_some_and(|(a, b)| (a - b).norm() < ON_LINE);
-    let is_there = |line: &PieceLine| {
+    for line in piece.internal_lines.iter_mut().filter(|l| l.points.len() == points.len()) {
         let drawn = line.positions();
         let ends = [drawn.first(), drawn.last()];
         let same = near(ends[0], points.first()) && near(ends[1], points.last());
         let turned = near(ends[0], points.last()) && near(ends[1], points.first());
-        drawn.len() == points.len() && (same || turned)
-    };
-    if piece.internal_lines.iter().any(is_there) {
-        return;
+        if same || turned {
+            let last = points.len() - 1;
+            (0..=last).for_each(|i| line.points[i].at = points[if same { i } else { last - i }]);
+            return;
+        }
     }
     let points = points.iter().map(|p| LinePoint { at: *p, kind: PointKind::Plain }).collect();
     piece.internal_lines.push(PieceLine { points, closed: false, name: None, source: source.cloned() });

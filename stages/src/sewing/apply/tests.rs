@@ -8,7 +8,7 @@ use toile_garment::Piece;
 use toile_garment::Severity;
 use toile_garment::dart::DartKind;
 use toile_garment::notch::{Notch, NotchKind};
-use toile_garment::outline::PieceLine;
+use toile_garment::outline::{LinePoint, PieceLine, PointKind};
 use toile_garment::piece::PressedFold;
 use toile_garment::sewing::{
     CopySpec, DartSpec, EdgeNameSpec, EdgePlace, EdgeWay, FoldSpec, PleatPress, RunSpec, SeamSpec,
@@ -227,6 +227,30 @@ fn pressed_pleats_fold_at_their_lines_and_between() {
     assert_eq!(places(&inverted), [(120.0, 180.0), (140.0, -180.0), (180.0, -180.0), (200.0, 180.0)]);
     assert_eq!(inverted.internal_lines.len(), 2, "its legs are sewn down to their ends");
     assert!(folded(None, None).folds.is_empty());
+}
+
+/// A line that is drawn a little beside a fold is the fold, and folds of a curved edge end on it.
+#[test]
+fn folds_of_a_pleat_lie_on_their_lines_and_on_the_outline() {
+    let mut front = rectangle(0, "front", 300.0, 400.0);
+    let drawn = line(&[(160.2, 200.0), (160.2, 398.0)]);
+    front.internal_lines = vec![drawn];
+    let top = front.outline.points.iter().position(|p| p.at == v(0.0, 400.0)).expect("corner");
+    let curve = [(200.0, 400.0), (160.0, 398.0), (120.0, 400.0)];
+    let points = curve.map(|(x, y)| LinePoint { at: v(x, y), kind: PointKind::Plain });
+    front.outline.points.splice(top..top, points);
+    let mut garment = one(front);
+    let plan = SewingPlan { darts: vec![pleat(Some(PleatPress::Knife), Some(0.0))], ..SewingPlan::default() };
+    apply(&mut garment, plan, &mut Report::default()).expect("plan");
+    let piece = &garment.pieces[0];
+    let inner = &piece.folds[1].line;
+    assert!((inner[0] - v(160.0, 398.0)).norm() < 1e-4, "{inner:?}");
+    let lines: Vec<_> = piece.internal_lines.iter().map(PieceLine::positions).collect();
+    assert!(
+        piece.folds.iter().all(|f| lines.iter().any(|l| l.iter().rev().eq(f.line.iter()) || *l == f.line)),
+        "{lines:?}"
+    );
+    assert_eq!(lines.len(), 2, "the drawn line is the inner fold");
 }
 
 #[test]
