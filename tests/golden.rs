@@ -21,6 +21,7 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use support::bench::{command, list};
 use support::glb;
+use support::parallel::side_by_side;
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -58,7 +59,8 @@ fn yes() -> bool {
 #[test]
 fn every_golden_case_gives_what_it_gave() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/golden");
-    let wrong: Vec<String> = list(&folder).iter().filter_map(|name| look(&folder.join(name)).err()).collect();
+    let wrong = side_by_side(&list(&folder), |name| look(&folder.join(name)).err());
+    let wrong: Vec<String> = wrong.into_iter().flatten().collect();
     assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
 }
 

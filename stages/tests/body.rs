@@ -1,6 +1,7 @@
 //! The parametric body: closed, clean, symmetric, and true to the tape.
 #![allow(clippy::unwrap_used)]
 
+use rayon::prelude::*;
 use std::collections::BTreeMap;
 use toile_formats::body::write;
 use toile_garment::Vec3;
@@ -60,16 +61,16 @@ fn near(name: &str, what: &str, have: f64, want: f64, share: f64) {
 
 #[test]
 fn every_figure_is_closed_clean_symmetric_and_true_to_the_tape() {
-    for m in figures() {
-        let body = parametric(&m).unwrap_or_else(|found| panic!("{}: {found:?}", m.name));
+    figures().par_iter().for_each(|m| {
+        let body = parametric(m).unwrap_or_else(|found| panic!("{}: {found:?}", m.name));
         closed_and_outwards(&body);
         even_triangles(&body);
         symmetric(&body);
         assert_eq!(crossings(&body), 0, "{}", m.name);
-        tape_agrees(&m, &body);
-        heights_agree(&m, &body);
-        gaps_are_open(&m, &body);
-    }
+        tape_agrees(m, &body);
+        heights_agree(m, &body);
+        gaps_are_open(m, &body);
+    });
 }
 
 fn closed_and_outwards(body: &Body) {

@@ -8,6 +8,7 @@ pub mod draped;
 pub mod film;
 pub mod glb;
 pub mod mesh;
+pub mod parallel;
 pub mod program;
 pub mod project;
 pub mod stages;

@@ -15,11 +15,12 @@ use std::process::ExitCode;
 /// One command: its name, what it does, and its work.
 type Command = (&'static str, &'static str, fn(&[String]) -> Done);
 
-const COMMANDS: [Command; 14] = [
+const COMMANDS: [Command; 15] = [
     ("fmt", "writes all sources in the one form", |more| cargo(&["fmt", "--all"], more)),
     ("lint", "clippy over all packages, warnings fail", lint),
     ("doc", "the documentation of all packages, warnings fail", doc),
     ("test", "all tests; the solver's with overflow checks", test),
+    ("left-out", "the tests of a build without the effects that may be left out", left_out),
     ("golden", "the golden cases", |more| cargo(&["test", "--release", "--locked", "--test", "golden"], more)),
     ("bless", "writes schemas, the tuning table and the book's reference anew", bless),
     ("validate", "all physics cases, as a table", |more| harness("validation", more)),
@@ -64,6 +65,13 @@ fn test(more: &[String]) -> Done {
     let checks = "profile.release.package.toile-cloth.overflow-checks=true";
     cargo(&["test", "--release", "--locked", "--workspace", "--exclude", "toile-cloth"], more)?;
     cargo(&["test", "--release", "--locked", "--package", "toile-cloth", "--config", checks], more)
+}
+
+/// Only the solver is optimised in full: this build is made for a test of two seconds.
+fn left_out(more: &[String]) -> Done {
+    let quick = ["toile", "toile-stages"].map(|name| format!("profile.release.package.{name}.opt-level=1"));
+    let words = ["test", "--release", "--locked", "--no-default-features", "--test", "left_out"];
+    cargo(&[&words[..], &["--config", &quick[0], "--config", &quick[1]]].concat(), more)
 }
 
 fn bless(more: &[String]) -> Done {
