@@ -378,6 +378,9 @@ pub struct StudyArgs {
     /// Length error that the recommended setting must reach.
     #[arg(long, value_name = "LENGTH", default_value = "5 mm")]
     pub want: String,
+    /// Further drapes of every mesh from starts moved by up to 1 µm, which tell how far apart its rests lie; 0 for none
+    #[arg(long, value_name = "N", default_value_t = 2, value_parser = clap::value_parser!(u32).range(0..=20))]
+    pub starts: u32,
     /// Edge lengths [default: 32, 22, 16, 11 and 8 mm]
     #[arg(long, value_name = "LENGTH,…", value_delimiter = ',')]
     pub edges: Vec<String>,

@@ -11,7 +11,7 @@ use crate::pipeline::knob;
 use crate::progress::Voice;
 use crate::study::choose::millimetres;
 use crate::study::report::Head;
-use crate::study::{Axes, Bench, Ran, Setting, Study, chart, page, report, table};
+use crate::study::{Axes, Bench, Ran, Setting, Study, chart, finest_of, page, report, table};
 use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -55,6 +55,10 @@ fn study(args: &StudyArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &
     let mut runs =
         Runs { bench: &bench, budget: args.budget.unwrap_or(f64::INFINITY), ran: Vec::new(), left_out: Vec::new() };
     runs.all(&axes.settings(chain.has_mesh_stage), registry, args.quiet, console)?;
+    if args.starts > 0 {
+        runs.shaken(args.starts, registry, args.quiet, console)?;
+    }
+    runs.carried(registry, args.quiet, console)?;
     let head = Head { pipeline: chain.name, threads, wanted_mm: wanted, left_out: runs.left_out };
     let Some(study) = report(head, runs.ran) else {
         let message = "no setting gave a drape; nothing can be compared".to_owned();
@@ -122,7 +126,7 @@ impl Runs<'_> {
             if !quiet {
                 console.say(&format!("study {}/{} {}\n", number + 1, settings.len(), setting.name()));
             }
-            let ran = self.bench.run(setting, registry)?;
+            let ran = self.bench.run(setting, None, registry)?;
             if !ran.resumed {
                 spent += ran.done.cpu_seconds;
             }
@@ -132,6 +136,50 @@ impl Runs<'_> {
                 console.say(&format!("  {triangles} triangles, {seconds:.1} CPU s, {}{how}\n", ran.done.status));
             }
             self.ran.push(ran);
+        }
+        Ok(())
+    }
+
+    /// Drapes every mesh of the program's own choice again from shaken starts.
+    fn shaken(
+        &mut self,
+        starts: u32,
+        registry: &mut Registry,
+        quiet: bool,
+        console: &mut Console<'_>,
+    ) -> Result<(), Halt> {
+        let own = |s: &Setting| *s == Setting::plain(s.edge);
+        for i in (0..self.ran.len()).filter(|i| own(&self.ran[*i].done.setting)).collect::<Vec<_>>() {
+            let setting = self.ran[i].done.setting;
+            let spent: f64 = self.ran.iter().map(|r| r.done.cpu_seconds).sum();
+            if self.ran[i].garment.is_none()
+                || spent + f64::from(1 + starts) * self.ran[i].done.cpu_seconds > self.budget
+            {
+                continue;
+            }
+            if !quiet {
+                console.say(&format!("study {} from {starts} shaken starts\n", setting.name()));
+            }
+            let again = self.bench.run(&setting, Some(starts), registry)?;
+            self.ran[i].scatter = again.done.certificate.and_then(|c| c.rests);
+        }
+        Ok(())
+    }
+
+    /// Carries the finest drape onto every coarser mesh of the program's own choice.
+    fn carried(&mut self, registry: &mut Registry, quiet: bool, console: &mut Console<'_>) -> Result<(), Halt> {
+        let Some(finest) = finest_of(&self.ran) else { return Ok(()) };
+        let edge = self.ran[finest].done.setting.edge;
+        for i in 0..self.ran.len() {
+            let setting = self.ran[i].done.setting;
+            if !setting.is_own() || setting.edge == edge || self.ran[i].garment.is_none() {
+                continue;
+            }
+            if !quiet {
+                console.say(&format!("study {} in the folds of the finest\n", setting.name()));
+            }
+            let carried = self.bench.carry(&self.ran[i], &self.ran[finest], registry)?;
+            self.ran[i].carried = carried;
         }
         Ok(())
     }

@@ -160,7 +160,7 @@ fn axes(out: &mut String, x: &Axis, y: &Axis, title: &str, label: &str) {
         out,
         "<rect class=\"frame\" x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\"/>\n<text class=\"title\" x=\"{0}\" \
          y=\"{4}\">{title}</text>\n<text x=\"{5}\" y=\"{6}\" text-anchor=\"middle\">{label}</text>\n<text \
-         transform=\"translate({7} {8}) rotate(-90)\" text-anchor=\"middle\">length error, mm</text>",
+         transform=\"translate({7} {8}) rotate(-90)\" text-anchor=\"middle\">error, mm</text>",
         fixed(x.from, 1),
         fixed(y.to, 1),
         fixed(w, 1),

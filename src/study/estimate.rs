@@ -46,6 +46,16 @@ pub fn error_of(levels: &[Level<'_>], finest: Option<f64>) -> Option<f64> {
     }
 }
 
+/// Distance of the surface of the finest mesh from the limit of fine meshes, mm: its edge length, then edge length and
+/// distance from it of coarser meshes. The distances are supposed to follow `C (h^p − f^p)`. `None` without coarser ones.
+#[must_use]
+pub fn surface_to_limit(finest: f64, coarser: &[(f64, f64)]) -> Option<f64> {
+    let step = |edge: f64| power(edge) - power(finest);
+    let square: f64 = coarser.iter().map(|(edge, _)| step(*edge) * step(*edge)).sum();
+    let product: f64 = coarser.iter().map(|(edge, distance)| step(*edge) * distance).sum();
+    (square > 0.0).then(|| product / square * power(finest))
+}
+
 /// How lengths follow the edge length over a whole ladder of meshes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Trend {
@@ -126,6 +136,14 @@ mod tests {
         let to_finest = estimate(levels.0, levels.1, Some(8.0)).expect("levels");
         assert!((to_finest - 0.8 * (power(11.0) - power(8.0))).abs() < 1e-9);
         assert_eq!(estimate(levels.1, levels.0, None), None, "the coarser one comes first");
+    }
+
+    #[test]
+    fn the_surface_of_the_finest_is_as_far_off_as_the_ladder_says() {
+        let ladder = [32.0, 22.0, 16.0].map(|edge| (edge, 0.3 * (power(edge) - power(8.0))));
+        let off = surface_to_limit(8.0, &ladder).expect("a ladder");
+        assert!((off - 0.3 * power(8.0)).abs() < 1e-9);
+        assert_eq!(surface_to_limit(8.0, &[]), None);
     }
 
     #[test]

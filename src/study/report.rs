@@ -1,13 +1,16 @@
 //! The results of all runs put side by side.
 
-use super::estimate::{Level, Trend, error_of};
+use super::estimate::{Level, Trend, error_of, surface_to_limit};
 use super::front::{Place, front, recommend};
 use super::grid::Setting;
-use super::measure::{Error, Lengths, difference, distance, lengths, levels};
+use super::measure::{Error, Lengths, difference, distance, lengths, levels, nearer};
 use super::presets::Preset;
 use super::runs::{Done, Ran};
 use serde::{Deserialize, Serialize};
+use toile_garment::Garment;
+use toile_garment::garment::{Certificate, Rests};
 use toile_stages::fit::Surface;
+use toile_stages::flatten::is_symmetric;
 
 /// Version of the form of `study.json`.
 pub const VERSION: u32 = 1;
@@ -22,8 +25,15 @@ pub struct Row {
     pub done: Done,
     /// Hem heights and girths.
     pub lengths: Option<Lengths>,
+    /// How far apart rests from shaken starts lie on this mesh, where it was measured.
+    #[serde(default)]
+    pub scatter: Option<Rests>,
     /// How far it is from the finest; all zero for the finest itself.
     pub error: Option<Error>,
+    /// How far the finest drape is from itself after it was carried onto this mesh and came to rest there: the same folds
+    /// with other elements.
+    #[serde(default)]
+    pub carried: Option<Error>,
     /// Length error against the limit of fine meshes, estimated from this and coarser meshes, mm.
     pub estimate_mm: Option<f64>,
     /// The same against the finest mesh, mm: what `error.length_mm` should be.
@@ -71,6 +81,9 @@ pub struct Study {
     pub recommended: Option<usize>,
     /// Settings that were left out for lack of budget.
     pub left_out: Vec<String>,
+    /// Settings that gave the drape of another one to the last bit, each with that one.
+    #[serde(default)]
+    pub repeated: Vec<[String; 2]>,
 }
 
 /// Head of a study.
@@ -88,18 +101,28 @@ pub struct Head {
 /// Compares all runs with the finest. `None` when no run gave a drape.
 #[must_use]
 pub fn report(head: Head, ran: Vec<Ran>) -> Option<Study> {
+    let (ran, repeated) = without_repeats(ran);
+    let scatter: Vec<Option<Rests>> = ran.iter().map(|r| r.scatter.clone()).collect();
+    let carried: Vec<Option<Figures>> = ran.iter().map(|r| figures(r.carried.as_ref()?)).collect();
+    let symmetric: Vec<bool> = ran.iter().map(|r| r.garment.as_ref().is_some_and(is_symmetric)).collect();
     let (runs, surfaces): (Vec<Done>, Vec<Option<Surface>>) =
         ran.into_iter().map(|r| (r.done, r.garment.as_ref().and_then(Surface::of))).unzip();
-    let finest = finest(&runs, &surfaces)?;
+    let finest = finest(runs.len(), |i| &runs[i], |i| surfaces[i].is_some())?;
     let reference = surfaces[finest].as_ref()?;
     let at = levels(reference);
     let measured: Vec<Option<Lengths>> = surfaces.iter().map(|s| Some(lengths(s.as_ref()?, &at))).collect();
     let finest_edge = runs[finest].setting.edge;
     let rows = runs.iter().zip(&surfaces).enumerate().map(|(i, (done, surface))| {
-        let mut row = Row::plain(done, measured[i].clone());
+        let mut row = Row { scatter: scatter[i].clone(), ..Row::plain(done, measured[i].clone()) };
         row.error = surface.as_ref().and_then(|s| {
             let lengths = difference(measured[i].as_ref()?, measured[finest].as_ref()?)?;
-            Some(compare(done, &runs[finest], lengths, distance(s, reference)))
+            let by = [done, &runs[finest]].map(|d| d.certificate.as_ref());
+            Some(compare(by, lengths, nearer(s, reference, symmetric[finest])))
+        });
+        row.carried = carried[i].as_ref().and_then(|(s, certificate)| {
+            let lengths = difference(&lengths(s, &at), measured[finest].as_ref()?)?;
+            let by = [certificate.as_ref(), runs[finest].certificate.as_ref()];
+            Some(compare(by, lengths, distance(s, reference)))
         });
         let ladder = ladder(&runs, &measured, i);
         row.estimate_mm = error_of(&ladder, None);
@@ -118,18 +141,54 @@ pub fn report(head: Head, ran: Vec<Ran>) -> Option<Study> {
         finest,
         recommended: None,
         left_out: head.left_out,
+        repeated,
     };
     study.judge();
     Some(study)
 }
 
+/// The surface and the certificate of a drape.
+type Figures = (Surface, Option<Certificate>);
+
+fn figures(garment: &Garment) -> Option<Figures> {
+    Some((Surface::of(garment)?, garment.certificate.clone()))
+}
+
+/// The index of the finest of these runs, if one gave a drape.
+#[must_use]
+pub fn finest_of(ran: &[Ran]) -> Option<usize> {
+    let draped = |i: usize| ran[i].garment.as_ref().is_some_and(|g| g.drape.is_some());
+    finest(ran.len(), |i| &ran[i].done, draped)
+}
+
+/// Runs whose drapes differ, and the names of those that repeat another one. Of equal ones a preset is kept before the
+/// program's own choice, and that before others.
+fn without_repeats(ran: Vec<Ran>) -> (Vec<Ran>, Vec<[String; 2]>) {
+    let shape = |r: &Ran| r.garment.as_ref().and_then(|g| g.drape.as_ref()).map(|d| d.positions.clone());
+    let shapes: Vec<_> = ran.iter().map(shape).collect();
+    let rank = |i: &usize| (Preset::of(&ran[*i].done.setting).is_none(), !ran[*i].done.setting.is_own());
+    let mut order: Vec<usize> = (0..ran.len()).collect();
+    order.sort_by_key(rank);
+    let mut kept: Vec<usize> = Vec::new();
+    let mut repeated = Vec::new();
+    for i in order {
+        let same = |k: &&usize| shapes[i].is_some() && shapes[i] == shapes[**k];
+        match kept.iter().find(same) {
+            Some(k) => repeated.push([i, *k].map(|i| ran[i].done.setting.name())),
+            None => kept.push(i),
+        }
+    }
+    let all = ran.into_iter().enumerate().filter(|(i, _)| kept.contains(i)).map(|(_, r)| r);
+    (all.collect(), repeated)
+}
+
 /// The drape on the finest mesh; of several, the strictest. One that passed its certificate, if any did.
-fn finest(runs: &[Done], surfaces: &[Option<Surface>]) -> Option<usize> {
-    let passed = |i: usize| runs[i].certificate.as_ref().is_some_and(|c| c.passed);
-    let draped = (0..runs.len()).filter(|i| surfaces[*i].is_some() && runs[*i].setting.is_own());
+fn finest<'a>(count: usize, run: impl Fn(usize) -> &'a Done, is_draped: impl Fn(usize) -> bool) -> Option<usize> {
+    let passed = |i: usize| run(i).certificate.as_ref().is_some_and(|c| c.passed);
+    let draped = (0..count).filter(|i| is_draped(*i) && run(*i).setting.is_own());
     draped.min_by(|a, b| {
-        let edge = |i: &usize| runs[*i].setting.edge.unwrap_or(0.0);
-        let strict = |i: &usize| runs[*i].setting.accuracy as u8;
+        let edge = |i: &usize| run(*i).setting.edge.unwrap_or(0.0);
+        let strict = |i: &usize| run(*i).setting.accuracy as u8;
         passed(*b).cmp(&passed(*a)).then(edge(a).total_cmp(&edge(b))).then(strict(b).cmp(&strict(a)))
     })
 }
@@ -177,7 +236,9 @@ impl Row {
             name: done.setting.name(),
             done: done.clone(),
             lengths,
+            scatter: None,
             error: None,
+            carried: None,
             estimate_mm: None,
             estimate_to_finest_mm: None,
             on_front: false,
@@ -188,10 +249,14 @@ impl Row {
     }
 }
 
-fn compare(done: &Done, finest: &Done, [hem_mm, girth_mm, tape_mm]: [f64; 3], distance: [f64; 3]) -> Error {
-    let [distance_mean_mm, distance_p95_mm, distance_max_mm] = distance;
-    let of = |d: &Done| d.certificate.as_ref().map_or((0.0, 0.0), |c| (c.strain_p95, c.energy_j));
-    let ((strain, energy), (finest_strain, finest_energy)) = (of(done), of(finest));
+/// The figures of a drape and of the finest one, put against each other.
+fn compare(
+    certificates: [Option<&Certificate>; 2],
+    [hem_mm, girth_mm, tape_mm]: [f64; 3],
+    [distance_mean_mm, distance_p95_mm, distance_max_mm]: [f64; 3],
+) -> Error {
+    let of = |c: Option<&Certificate>| c.map_or((0.0, 0.0), |c| (c.strain_p95, c.energy_j));
+    let [(strain, energy), (finest_strain, finest_energy)] = certificates.map(of);
     Error {
         length_mm: hem_mm.max(girth_mm),
         hem_mm,
@@ -219,16 +284,47 @@ impl Study {
     /// The error of a row that may be stated, mm: its difference from the finest, and what the finest itself is off.
     #[must_use]
     pub fn stated(&self, row: usize) -> Option<f64> {
-        Some(self.rows[row].error.as_ref()?.length_mm + self.own_error()?)
+        Some(self.error_mm(row)? + self.own_error()?)
     }
 
-    /// Distance of the finest result from the limit of fine meshes, mm. The trend of all meshes gives it, or two meshes.
-    /// A single mesh gives none. A mesh from a file is the limit itself.
+    /// The error that counts, mm. Hem heights and girths along the cloth are those of the row's own drape. Girths by the
+    /// tape and the surface are compared in the same folds, where the finest drape was carried over.
+    #[must_use]
+    pub fn error_mm(&self, row: usize) -> Option<f64> {
+        let row = &self.rows[row];
+        let own = row.error.as_ref()?;
+        Some(row.carried.as_ref().unwrap_or(own).worst_mm().max(own.length_mm))
+    }
+
+    /// Distance of the finest result from the limit of fine meshes, mm: the larger of what its lengths and its surface
+    /// tell. The trend of all meshes tells it, or two meshes. A single mesh gives none. A mesh from a file is the limit
+    /// itself.
     #[must_use]
     pub fn own_error(&self) -> Option<f64> {
         let finest = &self.rows[self.finest];
         let Some(edge) = finest.done.setting.edge else { return Some(0.0) };
-        self.trend.map(|t| t.error(edge, None)).or(finest.estimate_mm)
+        let lengths = self.trend.map(|t| t.error(edge, None)).or(finest.estimate_mm)?;
+        let coarser =
+            self.rows.iter().filter_map(|r| Some((r.done.setting.edge?, r.carried.as_ref()?.distance_p95_mm)));
+        let surface = surface_to_limit(edge, &coarser.collect::<Vec<_>>());
+        Some(surface.map_or(lengths, |surface| lengths.max(surface)))
+    }
+
+    /// How far apart 95 % of the cloth lies on the mesh of a row after starts that were shaken, mm. Settings on one mesh
+    /// share it.
+    #[must_use]
+    pub fn scatter_mm(&self, row: usize) -> Option<f64> {
+        let edge = self.rows[row].done.setting.edge;
+        let same = self.rows.iter().filter(|r| r.done.setting.edge == edge);
+        same.filter_map(|r| r.scatter.as_ref()).map(|s| s.apart_p95_mm).reduce(f64::max)
+    }
+
+    /// Is the surface of a row no farther from the finest than two starts of one of their meshes are from each other?
+    #[must_use]
+    pub fn is_within_scatter(&self, row: usize) -> bool {
+        let scatter = [row, self.finest].into_iter().filter_map(|r| self.scatter_mm(r)).reduce(f64::max);
+        let error = self.rows[row].error.as_ref().filter(|_| row != self.finest);
+        error.zip(scatter).is_some_and(|(e, scatter)| e.distance_p95_mm <= scatter)
     }
 
     fn judge(&mut self) {
@@ -304,6 +400,7 @@ pub(super) mod tests {
             finest: 4,
             recommended: None,
             left_out: Vec::new(),
+            repeated: Vec::new(),
         };
         study.judge();
         study

@@ -1,10 +1,11 @@
 //! One run of the grid: the chain up to its drape, in a folder of its own; a run that is through is not done again.
 
+use super::carried::carried;
 use super::choose::tuning;
 use super::codes;
 use super::grid::Setting;
 use crate::codes::WRITE_FAILED;
-use crate::engine::{self, Exit, Gate, RunOptions, RunRecord, Stop, is_unchanged, read_limited, write_whole};
+use crate::engine::{self, Exit, Gate, Memory, RunOptions, RunRecord, Stop, is_unchanged, read_limited, write_whole};
 use crate::halt::Halt;
 use crate::load::{self, Request};
 use crate::pipeline::{Pipeline, cut_behind_drape, knob, turned_by};
@@ -13,15 +14,17 @@ use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toile_formats::gltf;
-use toile_garment::garment::Certificate;
+use toile_garment::garment::{Certificate, Rests};
 use toile_garment::provenance::InputRecord;
-use toile_garment::{Diagnostic, Garment, Severity};
-use toile_stage_api::{Meaning, Registry};
+use toile_garment::{Diagnostic, Garment, Report, Severity};
+use toile_stage_api::{Meaning, Registry, StageContext, StageError};
 
 /// File of the figures of a run, beside its garment.
 const RESULT_NAME: &str = "result.json";
 /// The draped garment.
 const GARMENT_NAME: &str = "garment.glb";
+/// The key of a garment that was carried.
+const KEY_NAME: &str = "key";
 /// Limits for reading these back.
 const MAX_RESULT: u64 = 4 << 20;
 const MAX_GARMENT: u64 = 1 << 30;
@@ -59,9 +62,14 @@ pub struct Ran {
     pub garment: Option<Garment>,
     /// Was it there already?
     pub resumed: bool,
+    /// How far apart rests from shaken starts lie, where it was measured.
+    pub scatter: Option<Rests>,
+    /// The garment after the finest drape was carried onto its mesh and came to rest there.
+    pub carried: Option<Garment>,
 }
 
 /// The data that all runs of a study share.
+#[derive(Clone)]
 pub struct Bench<'a> {
     /// The pipeline and what it may do.
     pub request: Request,
@@ -78,18 +86,20 @@ pub struct Bench<'a> {
 }
 
 impl Bench<'_> {
-    /// Folder of a run.
+    /// Folder of a run, and of the same with further starts.
     #[must_use]
-    pub fn folder(&self, setting: &Setting) -> PathBuf {
-        self.out.join("runs").join(setting.name())
+    pub fn folder(&self, setting: &Setting, starts: Option<u32>) -> PathBuf {
+        let name = setting.name() + if starts.is_some() { "-starts" } else { "" };
+        self.out.join("runs").join(name)
     }
 
-    /// Runs one setting, or takes what an earlier study left.
+    /// Runs one setting, or takes what an earlier study left. It is draped again from so many shaken `starts`.
     ///
     /// # Errors
     /// When the pipeline is wrong, the disk refuses, or the user stops.
-    pub fn run(&self, setting: &Setting, registry: &mut Registry) -> Result<Ran, Halt> {
-        let request = Request { tuning: tuning(setting), ..self.request.clone() };
+    pub fn run(&self, setting: &Setting, starts: Option<u32>, registry: &mut Registry) -> Result<Ran, Halt> {
+        let repeats = starts.or(self.request.repeats);
+        let request = Request { tuning: tuning(setting), repeats, ..self.request.clone() };
         let (drape, _) = turned_by(registry, Meaning::Tolerance);
         let mut loaded = load::load(&request, self.stop, registry);
         let text = loaded.text().map(|(file, text)| (file.to_owned(), text.to_owned()));
@@ -105,16 +115,76 @@ impl Bench<'_> {
         varies(&pipeline, setting).map_err(wrong)?;
         let key = key(&pipeline);
         if !self.force
-            && let Some(result) = self.resume(setting, &key, &gate)
+            && let Some(result) = self.resume(self.folder(setting, starts), &key, &gate)
         {
             return Ok(result);
         }
-        self.work(setting, key, &pipeline, gate, text.unwrap_or_default())
+        self.work((setting, starts), key, &pipeline, gate, text.unwrap_or_default())
+    }
+
+    /// Carries the finest drape onto the mesh of a run and lets it come to rest there, or takes what an earlier study left.
+    /// `None` where it cannot come to rest.
+    ///
+    /// # Errors
+    /// When the disk refuses, or the user stops.
+    pub fn carry(&self, coarse: &Ran, finest: &Ran, registry: &mut Registry) -> Result<Option<Garment>, Halt> {
+        let setting = coarse.done.setting;
+        let folder = self.out.join("runs").join(setting.name() + "-carried");
+        let key = engine::digest(&serde_json::json!([coarse.done.key, finest.done.key]));
+        if !self.force
+            && let Some(garment) = kept(&folder, &key)
+        {
+            return Ok(Some(garment));
+        }
+        // A garment that was read back has no body any more.
+        let again = if coarse.resumed {
+            Some(Self { force: true, ..self.clone() }.run(&setting, None, registry)?)
+        } else {
+            None
+        };
+        let (Some(cloth), Some(shape)) = (&again.as_ref().unwrap_or(coarse).garment, &finest.garment) else {
+            return Ok(None);
+        };
+        let Some(draped) =
+            carried(cloth, shape).map(|start| self.drape(&setting, start, registry)).transpose()?.flatten()
+        else {
+            return Ok(None);
+        };
+        let stored = std::fs::create_dir_all(&folder).map_err(|e| e.to_string()).and_then(|()| {
+            let bytes = gltf::write_garment(&draped).map_err(|e| e.to_string())?;
+            write_whole(&folder.join(GARMENT_NAME), &bytes).map_err(|e| e.to_string())?;
+            write_whole(&folder.join(KEY_NAME), key.as_bytes()).map_err(|e| e.to_string())
+        });
+        let refused = |why: String| {
+            let message = format!("cannot write the run into `{}`: {why}", engine::clean(&folder));
+            Halt::new(vec![Diagnostic::error(WRITE_FAILED, message)], Exit::System)
+        };
+        stored.map(|()| Some(draped)).map_err(refused)
+    }
+
+    /// Drapes a garment as the chain of a setting does. `None` where it does not come to rest.
+    fn drape(&self, setting: &Setting, start: Garment, registry: &mut Registry) -> Result<Option<Garment>, Halt> {
+        let request = Request { tuning: tuning(setting), ..self.request.clone() };
+        let mut loaded = load::load(&request, self.stop, registry);
+        let Some(mut pipeline) = loaded.pipeline.take() else { return Ok(None) };
+        let drapes = cut_behind_drape(&mut pipeline);
+        let Some(drape) = pipeline.steps.last().filter(|_| drapes) else { return Ok(None) };
+        let mut cx = StageContext {
+            report: &mut Report::default(),
+            progress: &mut Teller::silent(),
+            files: &mut Memory::default(),
+            cancel: self.stop.flag(),
+            seed: start.provenance.seed,
+            threads: self.threads,
+        };
+        match drape.ready.run(start, &mut cx) {
+            Err(StageError::Cancelled) => Err(Halt::new(Vec::new(), Exit::Stopped)),
+            other => Ok(other.ok()),
+        }
     }
 
     /// A result is taken only if settings, program version and every file it read are as they were.
-    fn resume(&self, setting: &Setting, key: &str, gate: &Gate) -> Option<Ran> {
-        let folder = self.folder(setting);
+    fn resume(&self, folder: PathBuf, key: &str, gate: &Gate) -> Option<Ran> {
         let path = folder.join(RESULT_NAME);
         let done: Done = serde_json::from_slice(&read_limited(&path, &path, MAX_RESULT).ok()?).ok()?;
         if done.key != key || !done.inputs.iter().all(|input| is_unchanged(input, gate)) {
@@ -122,31 +192,28 @@ impl Bench<'_> {
         }
         let garment = match done.failure {
             Some(_) => None,
-            None => {
-                let path = folder.join(GARMENT_NAME);
-                Some(gltf::read_garment(&read_limited(&path, &path, MAX_GARMENT).ok()?).ok()?)
-            }
+            None => Some(garment_in(&folder)?),
         };
-        Some(Ran { done, garment, resumed: true })
+        Some(Ran { done, garment, resumed: true, scatter: None, carried: None })
     }
 
     fn work(
         &self,
-        setting: &Setting,
+        (setting, starts): (&Setting, Option<u32>),
         key: String,
         pipeline: &Pipeline<'_>,
         gate: Gate,
         (file, text): (String, String),
     ) -> Result<Ran, Halt> {
         let options = RunOptions {
-            out: self.folder(setting),
+            out: self.folder(setting, starts),
             force: true,
             preview: false,
             threads: self.threads,
             allow_write: Vec::new(),
             set: self.request.set.clone(),
             accuracy: self.request.accuracy.clone(),
-            repeats: self.request.repeats,
+            repeats: starts.or(self.request.repeats),
             pipeline_file: (file, text.into_bytes()),
             foreseen: None,
             cache: None,
@@ -155,7 +222,7 @@ impl Bench<'_> {
         drop(std::fs::remove_file(options.out.join(RESULT_NAME)));
         let mut teller = Teller::new(self.voice, None);
         engine::reset_peak();
-        let outcome = engine::run(pipeline, gate, &options, self.stop, &mut teller, toile_garment::Report::default());
+        let outcome = engine::run(pipeline, gate, &options, self.stop, &mut teller, Report::default());
         drop(teller);
         let Some(record) = outcome.record.filter(|_| goes_on(outcome.exit)) else {
             return Err(Halt { findings: Vec::new(), source: None, exit: outcome.exit });
@@ -169,7 +236,7 @@ impl Bench<'_> {
             source: None,
             exit: Exit::System,
         })?;
-        Ok(Ran { done, garment, resumed: false })
+        Ok(Ran { done, garment, resumed: false, scatter: None, carried: None })
     }
 
     /// The garment first: who finds the result finds the garment.
@@ -182,6 +249,19 @@ impl Bench<'_> {
         let text = serde_json::to_string_pretty(done).map_err(|e| failed(&e))?;
         write_whole(&folder.join(RESULT_NAME), text.as_bytes()).map_err(|e| failed(&e))
     }
+}
+
+/// The garment of a folder.
+fn garment_in(folder: &Path) -> Option<Garment> {
+    let path = folder.join(GARMENT_NAME);
+    gltf::read_garment(&read_limited(&path, &path, MAX_GARMENT).ok()?).ok()
+}
+
+/// The garment of a folder, if it was made under this key.
+fn kept(folder: &Path, key: &str) -> Option<Garment> {
+    let path = folder.join(KEY_NAME);
+    let is_same = read_limited(&path, &path, MAX_RESULT).ok()? == key.as_bytes();
+    if is_same { garment_in(folder) } else { None }
 }
 
 impl Done {

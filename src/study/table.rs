@@ -11,11 +11,11 @@ pub const HEADS: [&str; 13] = [
     "CPU s",
     "MB",
     "error mm",
+    "same folds mm, mean/p95/max",
+    "own folds mm, mean/p95/max",
+    "scatter mm",
+    "hem/girth/tape mm",
     "estimate",
-    "hem mm",
-    "girth mm",
-    "tape mm",
-    "surface mm, mean/p95/max",
     "strain p95",
     "energy",
     "",
@@ -28,8 +28,7 @@ pub fn cells(study: &Study, number: usize) -> [String; 13] {
     let run = &row.done;
     let finest = number == study.finest;
     let error = row.error.as_ref().filter(|_| !finest);
-    let mm =
-        |f: &dyn Fn(&super::measure::Error) -> f64| error.map_or_else(|| "-".to_owned(), |e| format!("{:.1}", f(e)));
+    let lengths = |e: &super::measure::Error| format!("{:.1} / {:.1} / {:.1}", e.hem_mm, e.girth_mm, e.tape_mm);
     let distance = |e: &super::measure::Error| {
         format!("{:.1} / {:.1} / {:.0}", e.distance_mean_mm, e.distance_p95_mm, e.distance_max_mm)
     };
@@ -39,12 +38,12 @@ pub fn cells(study: &Study, number: usize) -> [String; 13] {
         if run.triangles == 0 { dash() } else { run.triangles.to_string() },
         format!("{:.1}", run.cpu_seconds),
         run.peak_mb.map_or_else(dash, |mb| format!("{mb:.0}")),
-        mm(&|e| e.length_mm),
-        row.estimate_to_finest_mm.filter(|_| !finest).map_or_else(dash, |g| format!("{g:.1}")),
-        mm(&|e| e.hem_mm),
-        mm(&|e| e.girth_mm),
-        mm(&|e| e.tape_mm),
+        study.error_mm(number).filter(|_| !finest).map_or_else(dash, |e| format!("{e:.1}")),
+        row.carried.as_ref().map_or_else(dash, distance),
         error.map_or_else(dash, distance),
+        study.scatter_mm(number).map_or_else(dash, |s| format!("{s:.1}")),
+        error.map_or_else(dash, lengths),
+        row.estimate_to_finest_mm.filter(|_| !finest).map_or_else(dash, |g| format!("{g:.1}")),
         error.map_or_else(dash, |e| format!("{:+.2} %", 1e2 * e.strain_p95)),
         error.map_or_else(dash, |e| format!("{:+.1} %", 1e2 * e.energy_rel)),
         remarks(study, row, number),
@@ -66,6 +65,9 @@ fn remarks(study: &Study, row: &Row, number: usize) -> String {
     }
     if row.on_front {
         words.push("on the front".to_owned());
+    }
+    if study.is_within_scatter(number) {
+        words.push("own folds within the scatter".to_owned());
     }
     match (&row.done.failure, row.is_good()) {
         (Some(why), _) => words.push(format!("no drape: {why}")),
@@ -106,7 +108,7 @@ pub fn text(study: &Study) -> String {
 /// The same as Markdown: only the columns that a buyer of accuracy needs.
 #[must_use]
 pub fn markdown(study: &Study) -> String {
-    const SHOWN: [usize; 9] = [0, 1, 2, 3, 4, 5, 9, 11, 12];
+    const SHOWN: [usize; 10] = [0, 1, 2, 3, 4, 5, 6, 7, 11, 12];
     let line = |cells: Vec<&str>| format!("| {} |\n", cells.join(" | "));
     let mut out = line(SHOWN.iter().map(|i| HEADS[*i]).collect());
     out.push_str(&line(SHOWN.iter().map(|i| if *i == 0 || *i == 12 { "---" } else { "---:" }).collect()));
@@ -126,13 +128,34 @@ pub fn markdown(study: &Study) -> String {
 pub fn words(study: &Study) -> Vec<String> {
     let finest = &study.rows[study.finest];
     let mut words = vec![format!(
-        "The error is the largest difference of a hem height or girth from `{}`; its estimate comes from this and \
-         coarser meshes alone. Folds find other places on other meshes: the surface distance shows that too.",
+        "The error is the largest difference from `{}`: of a hem height, of a girth along the cloth or by the tape, or the \
+         distance within which 95 % of the surface lies. Tape and surface are compared in the same folds: the finest drape \
+         is carried onto the mesh and comes to rest there. The estimate is of hem heights and girths along the cloth; it \
+         comes from this and coarser meshes alone.",
         finest.name
     )];
+    words.push(
+        "Own folds: the distance of the drape that the mesh found by itself. Where it is far larger than in the same folds, \
+         the mesh found other folds, which no setting can promise."
+            .to_owned(),
+    );
+    if let Some(rests) = study.rows.iter().find_map(|r| r.scatter.as_ref()) {
+        words.push(format!(
+            "The scatter is the distance within which 95 % of the cloth lies after {} further drapes of one mesh from starts \
+             that were moved by up to {} mm. What differs by less says nothing of the settings.",
+            rests.repeats, rests.shake_mm
+        ));
+    }
+    if !study.repeated.is_empty() {
+        let pairs: Vec<String> = study.repeated.iter().map(|[a, b]| format!("`{a}` as `{b}`")).collect();
+        words.push(format!("Not shown, because they gave another drape again: {}.", pairs.join(", ")));
+    }
     if let Some(own) = study.own_error().filter(|_| finest.done.setting.edge.is_some()) {
         let scatter = study.trend.map_or_else(String::new, |t| {
-            format!("; lengths follow the edge length to the power of {ORDER} within {:.1} mm", t.scatter_mm)
+            format!(
+                "; hem heights and girths follow the edge length to the power of {ORDER} within {:.1} mm",
+                t.scatter_mm
+            )
         });
         words.push(format!(
             "`{}` itself is estimated to be {own:.1} mm from the limit of fine meshes{scatter}. Promises, chart and \

@@ -39,3 +39,4 @@ pub use self::core::{Fit, Watch, fitted, flatten_garment};
 pub use json::json;
 pub use params::{FlattenParams, FlattenTolerance, LockKind, MetricChoice, SymmetryChoice};
 pub use stage::Flatten;
+pub use symmetry::is_symmetric;

@@ -1,6 +1,7 @@
 //! The triangle of a mesh that holds a point of the plane.
 
 use super::metric::edges2;
+use nalgebra::SVector;
 use std::collections::BTreeMap;
 use toile_garment::Vec2;
 
@@ -37,8 +38,8 @@ impl<'a> PointLocation<'a> {
 
     /// A field on the vertices at a point, linear in its triangle. Beside the mesh the nearest triangle goes on.
     #[must_use]
-    pub fn interpolate(&self, p: Vec2, field: &[Vec2]) -> Vec2 {
-        let Some((t, w)) = self.find(p) else { return Vec2::zeros() };
+    pub fn interpolate<const D: usize>(&self, p: Vec2, field: &[SVector<f64, D>]) -> SVector<f64, D> {
+        let Some((t, w)) = self.find(p) else { return SVector::zeros() };
         t.iter().zip(w).map(|(v, w)| field[*v as usize] * w).sum()
     }
 

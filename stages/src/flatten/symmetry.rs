@@ -5,15 +5,15 @@
 //! then averaged, so that they are the same.
 
 use super::align::Rigid;
-use super::features::Features;
+use super::features::{self, Features};
 use super::figures::vertex_areas;
 use super::findings;
 use super::metric::edges2;
 use super::mirror::{Reflection, between};
 use super::params::{FlattenParams, SymmetryChoice};
 use super::point_location::PointLocation;
-use super::source::Source;
-use toile_garment::{Report, Vec2, Vec3};
+use super::source::{Source, sources};
+use toile_garment::{Garment, Report, Vec2, Vec3};
 
 /// Largest difference of two sides that is taken for one, metres. Larger also evens out small edits of one side.
 const SAME_EDIT: f64 = 3e-3;
@@ -27,6 +27,16 @@ struct Image {
     p: usize,
     q: usize,
     reflection: Reflection,
+}
+
+/// Is a draped garment symmetric: does every piece have a mirror image, or is its own?
+#[must_use]
+pub fn is_symmetric(garment: &Garment) -> bool {
+    let Ok(sources) = sources(garment) else { return false };
+    let features: Vec<Features> = sources.iter().map(|s| features::of(garment, s.piece, s.mesh)).collect();
+    let images = images(&sources, &features);
+    let is_found = |p: usize| images.iter().any(|image| image.p == p || image.q == p);
+    !sources.is_empty() && (0..sources.len()).all(is_found)
 }
 
 /// Makes the flat pieces symmetric where the edit was, and reports both cases.

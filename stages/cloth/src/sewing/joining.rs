@@ -19,9 +19,17 @@ pub(crate) struct Obstacles<'a> {
     pub body: Option<&'a Body>,
 }
 
+/// Pairs of triangles that cross: of cloth, and of cloth and body.
+struct Crossings {
+    cloth: BTreeSet<[u32; 2]>,
+    body: BTreeSet<[u32; 2]>,
+}
+
 impl Obstacles<'_> {
-    fn self_crossings(&self, x: &[Vec3]) -> Vec<[u32; 2]> {
-        if self.has_self_contact { count::self_crossings(x, self.faces).pairs } else { Vec::new() }
+    fn crossings(&self, x: &[Vec3]) -> Crossings {
+        let cloth = if self.has_self_contact { count::self_crossings(x, self.faces).pairs } else { Vec::new() };
+        let body = self.body.map(|b| count::body_crossings(x, self.faces, b).pairs).unwrap_or_default();
+        Crossings { cloth: cloth.into_iter().collect(), body: body.into_iter().collect() }
     }
 }
 
@@ -34,14 +42,14 @@ pub(crate) struct Joined {
 }
 
 /// Joins the stitches that are not wider than `gap_most`, m, each group at the mean of its places. Stitches whose cloth
-/// crosses something then stay open.
+/// crosses something then stay open. What crossed before does not count: the stitches are not its cause.
 pub(crate) fn join(x: &[Vec3], stitches: &[[u32; 2]], gap_most: f64, near: &Obstacles<'_>) -> Joined {
     let is_near = |s: &&[u32; 2]| (x[s[0] as usize] - x[s[1] as usize]).norm() <= gap_most;
     let mut chosen: Vec<[u32; 2]> = stitches.iter().filter(is_near).copied().collect();
     if chosen.is_empty() {
         return Joined { x: x.to_vec(), stitches: chosen };
     }
-    let before: BTreeSet<[u32; 2]> = near.self_crossings(x).into_iter().collect();
+    let before = near.crossings(x);
     for _ in 0..ROUNDS_MOST {
         let group = groups(x.len(), &chosen);
         let joined = at_means(x, &group);
@@ -83,12 +91,12 @@ fn at_means(x: &[Vec3], group: &[u32]) -> Vec<Vec3> {
     x.iter().zip(group).map(|(x, g)| if sums[*g as usize].1 > 1.0 { mean(*g) } else { *x }).collect()
 }
 
-/// Vertices of the triangles that cross the body, or other cloth that they did not cross before.
-fn crossing_vertices(x: &[Vec3], before: &BTreeSet<[u32; 2]>, near: &Obstacles<'_>) -> BTreeSet<u32> {
-    let new = near.self_crossings(x).into_iter().filter(|pair| !before.contains(pair)).flatten();
-    let body = near.body.map(|b| count::body_crossings(x, near.faces, b).pairs).unwrap_or_default();
-    let crossing = new.chain(body.into_iter().map(|pair| pair[0]));
-    crossing.flat_map(|f| near.faces[f as usize]).collect()
+/// Vertices of the triangles that cross the body, or other cloth, that they did not cross before.
+fn crossing_vertices(x: &[Vec3], before: &Crossings, near: &Obstacles<'_>) -> BTreeSet<u32> {
+    let now = near.crossings(x);
+    let cloth = now.cloth.difference(&before.cloth).flatten();
+    let crossing = cloth.chain(now.body.difference(&before.body).map(|[cloth, _]| cloth));
+    crossing.flat_map(|f| near.faces[*f as usize]).collect()
 }
 
 #[cfg(test)]
