@@ -375,7 +375,7 @@ pub struct StudyArgs {
     /// Leave out what would take more CPU seconds than this in all.
     #[arg(long, value_name = "SECONDS")]
     pub budget: Option<f64>,
-    /// Length error that the recommended setting must reach.
+    /// Error that the recommended setting must reach.
     #[arg(long, value_name = "LENGTH", default_value = "5 mm")]
     pub want: String,
     /// Further drapes of every mesh from starts moved by up to 1 µm, which tell how far apart its rests lie; 0 for none
@@ -384,7 +384,7 @@ pub struct StudyArgs {
     /// Edge lengths [default: 32, 22, 16, 11 and 8 mm]
     #[arg(long, value_name = "LENGTH,…", value_delimiter = ',')]
     pub edges: Vec<String>,
-    /// Tolerances of the rest [default: draft,normal,fine]
+    /// Tolerances of the rest [default: normal; also draft, fine, reference]
     #[arg(long, value_name = "WORD,…", value_delimiter = ',')]
     pub accuracies: Vec<String>,
     /// In-plane models [default: coupled,springs]
