@@ -48,6 +48,16 @@ fn every_garment_has_its_files() {
     }
 }
 
+/// Its back clears the hip, and the back of a coarser mesh cuts it. So it is sewn without coarser cloth.
+#[test]
+fn a_finer_mesh_of_the_t_shirt_starts() {
+    let folder = tempfile::tempdir().expect("folder");
+    let pipeline = root().join("pipelines/t-shirt/v1.toml");
+    let mut command = toile();
+    command.arg("run").arg(pipeline).args(["--quiet", "--set", "triangulate.edge_length=10 mm", "--out"]);
+    run(command.arg(folder.path().join("out")));
+}
+
 #[test]
 #[ignore = "runs 150 garments"]
 fn every_garment_passes_on_five_bodies_in_three_fabrics() {

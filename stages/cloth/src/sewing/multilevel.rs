@@ -61,8 +61,8 @@ impl SewnLevel<'_> {
         })
     }
 
-    /// Sews the next coarser level first; `None` where there is none, or where cloth would cross something once its seams
-    /// are welded.
+    /// Sews the next coarser level first; `None` where there is none, or where its cloth would cross something at the start
+    /// or once its seams are welded.
     fn by_levels(self, watch: &mut dyn Watch) -> Result<Option<Outcome>, ClothError> {
         if self.scene.stitches.is_empty() || !MULTILEVEL_SEWING.is_on() {
             return Ok(None);
@@ -70,7 +70,12 @@ impl SewnLevel<'_> {
         let Some(level) = Level::below(self.scene) else { return Ok(None) };
         let below = SewnLevel { scene: &level.scene, finest: false, ..self };
         let spread = |x: &[Vec3]| level.spread(x);
-        let sewn = below.sew(&mut Part::new(watch, [0.0, COARSE_SEWING_WORK], &spread))?;
+        let sewn = match below.sew(&mut Part::new(watch, [0.0, COARSE_SEWING_WORK], &spread)) {
+            Ok(sewn) => sewn,
+            // Long edges may cut through a body that the cloth of this level passes.
+            Err(ClothError::StartCrosses { .. }) => return Ok(None),
+            Err(e) => return Err(e),
+        };
         let mut part = Part::new(watch, [COARSE_SEWING_WORK, COARSE_SETTLING_WORK], &spread);
         let Some(down) = below.settle_in_place(&sewn.positions, &mut part)? else { return Ok(None) };
         let x = level.spread(&down.positions);
