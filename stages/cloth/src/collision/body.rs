@@ -59,6 +59,10 @@ impl Body {
         let mut body = mesh.prepared(Self::new)?;
         let kept = mesh.triangles.iter().enumerate().filter(|(_, t)| has_area(&mesh.positions, t)).map(|(g, _)| g);
         body.met = MetParts::new(&scene.contact_filter, scene.triangles.iter().map(|t| t.vertices), kept);
+        if scene.contact_filter.ignores_any() {
+            let Self { features, topology, met, .. } = &mut body;
+            features.open_borders(topology, |g| met.parts_of(g));
+        }
         Some(body)
     }
 

@@ -85,6 +85,11 @@ impl MetParts {
         self.given.get(vertex).copied().unwrap_or(0)
     }
 
+    /// Parts that triangle `g` of the body belongs to.
+    pub fn parts_of(&self, g: u32) -> u32 {
+        self.body[g as usize]
+    }
+
     /// Is triangle `g` of the body met by cloth that ignores these parts?
     #[inline]
     pub fn is_met(&self, g: u32, ignored: u32) -> bool {

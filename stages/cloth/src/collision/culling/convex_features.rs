@@ -7,6 +7,7 @@ use crate::Vec3;
 use crate::collision::broad_phase::aabb::Aabb;
 use crate::collision::tuning::{CONVEX_FEATURES, FEATURE_CELL, FEATURE_DECIMATION, FEATURE_DEPTH};
 use crate::scene::topology::{Hinge, Topology};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// Features of the body: for each face one bit for each corner (bits 0 to 2) and edge (bits 3 to 5) that it owns and
@@ -18,13 +19,34 @@ pub(crate) struct ConvexFeatures {
     pressing: Arc<Vec<u8>>,
     /// Fewer features, for coarser cloth.
     decimated: Option<Vec<u8>>,
+    /// Edges between parts of the body, of which cloth may ignore one. Empty where all cloth meets all of the body.
+    borders: Vec<u32>,
 }
 
 impl ConvexFeatures {
     /// Features of a body. `flat` marks edges between coplanar faces; it may be empty.
     pub fn new(x: &[Vec3], topology: &Topology, flat: &[bool]) -> Self {
         let pressing = owned_bits(topology, &pressing_edges(x, topology, flat), x.len());
-        Self { pressing: Arc::new(pressing), decimated: None }
+        Self { pressing: Arc::new(pressing), decimated: None, borders: Vec::new() }
+    }
+
+    /// Adds the edges and corners between two parts of the body to the faces on both sides. Cloth that ignores one part
+    /// meets the open border of the other from within, where a hollow edge is touched first.
+    pub fn open_borders(&mut self, topology: &Topology, part_of: impl Fn(u32) -> u32) {
+        let pressing = Arc::make_mut(&mut self.pressing);
+        let own = |(f, bits): (usize, &u8)| (0..3).filter(|k| bits & (1 << k) != 0).map(|k| (f, k)).collect::<Vec<_>>();
+        let corner = |(f, k): (usize, usize)| (topology.faces[f][k], part_of(f as u32));
+        let mut known: BTreeSet<(u32, u32)> = pressing.iter().enumerate().flat_map(own).map(corner).collect();
+        for h in topology.hinges.iter().filter(|h| part_of(h.faces[0]) != part_of(h.faces[1])) {
+            self.borders.push(topology.edge_of(h) as u32);
+            for (face, side) in h.faces.into_iter().zip(h.sides) {
+                let (face, side) = (face as usize, usize::from(side));
+                pressing[face] |= 1 << (side + 3);
+                for k in [side, (side + 1) % 3].into_iter().filter(|k| known.insert(corner((face, *k)))) {
+                    pressing[face] |= 1 << k;
+                }
+            }
+        }
     }
 
     /// The bits of face `f`.
@@ -35,7 +57,7 @@ impl ConvexFeatures {
 
     /// Restores all features, for a body that moves: a hollow edge may open and a flat edge may bend.
     pub fn restore_all(&mut self, topology: &Topology) {
-        (self.pressing, self.decimated) = (Arc::new(topology.owned.clone()), None);
+        *self = Self { pressing: Arc::new(topology.owned.clone()), decimated: None, borders: Vec::new() };
     }
 
     /// Leaves out features for coarser cloth with this mean edge and gap to the body, m.
@@ -57,6 +79,7 @@ impl ConvexFeatures {
         for h in topology.hinges.iter().filter(|h| !is_smooth(x, h, cell, depth)) {
             stays[topology.edge_of(h)] = true;
         }
+        self.borders.iter().for_each(|e| stays[*e as usize] = true);
         let mut corners = end_vertices(topology, &stays, x.len());
         one_of_each_cell(x, self.corners(topology), cell, &mut corners);
         let counts = self.pressing.iter().enumerate().map(|(f, s)| s & marked_bits(topology, f, &corners, &stays));
@@ -179,6 +202,33 @@ mod tests {
         assert_eq!(pressing(1.0), [8, 12]);
         assert_eq!(pressing(1.2), [9, 16]);
         assert_eq!(pressing(0.8), [8, 12]);
+    }
+
+    /// A box of two parts: each has the four edges and four corners of its open border, though these lie in planes.
+    #[test]
+    fn the_border_of_an_ignored_part_presses() {
+        let corner = |k: u32| Vec3::new(f64::from(k & 1), f64::from(k >> 1 & 1), 0.5 * f64::from(k >> 2));
+        let sides = [[0, 1, 5, 4], [1, 3, 7, 5], [3, 2, 6, 7], [2, 0, 4, 6]];
+        let quads = [[0, 2, 3, 1], [8, 9, 11, 10]].into_iter().chain(sides).chain(sides.map(|q| q.map(|k| k + 4)));
+        let triangles = quads.flat_map(|q| [[q[0], q[1], q[2]], [q[0], q[2], q[3]]]).collect();
+        let mut body = Body::new(&BodyMesh { positions: (0..12).map(corner).collect(), triangles }).expect("a body");
+        let (corners, edges) = (counted(&body, 7), counted(&body, 7 << 3));
+        let topology = body.topology.clone();
+        let is_upper = |f: u32| topology.faces[f as usize].iter().any(|v| *v > 7);
+        body.features.open_borders(&topology, |f| u32::from(is_upper(f)));
+        // Four edges around the middle count once for each part, and so do the corners, of which one part had some.
+        assert_eq!(edges + 8, counted(&body, 7 << 3));
+        let added = counted(&body, 7) - corners;
+        assert!((4..=8).contains(&added), "{added}");
+        for upper in [false, true] {
+            let bits = |f: &u32| body.features.of(*f);
+            let own = (0..topology.faces.len() as u32).filter(|f| is_upper(*f) == upper);
+            let at_border = own.flat_map(|f| (0..3).filter(move |k| bits(&f) & (1 << k) != 0).map(move |k| (f, k)));
+            let mut met: Vec<u32> = at_border.map(|(f, k)| topology.faces[f as usize][k]).collect();
+            met.retain(|v| (4..8).contains(v));
+            met.sort_unstable();
+            assert_eq!(met, [4, 5, 6, 7], "upper: {upper}");
+        }
     }
 
     /// A lid of squares of 1 mm, bent over a tube of this radius. A point below closes its rim.
