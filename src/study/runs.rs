@@ -130,7 +130,8 @@ impl Bench<'_> {
     pub fn carry(&self, coarse: &Ran, finest: &Ran, registry: &mut Registry) -> Result<Option<Garment>, Halt> {
         let setting = coarse.done.setting;
         let folder = self.out.join("runs").join(setting.name() + "-carried");
-        let key = engine::digest(&serde_json::json!([coarse.done.key, finest.done.key]));
+        let read = |ran: &Ran| serde_json::json!([ran.done.key, ran.done.inputs]);
+        let key = engine::digest(&serde_json::json!([read(coarse), read(finest)]));
         if !self.force
             && let Some(garment) = kept(&folder, &key)
         {
