@@ -11,7 +11,7 @@ use crate::pipeline::knob;
 use crate::progress::Voice;
 use crate::study::choose::millimetres;
 use crate::study::report::Head;
-use crate::study::{Axes, Bench, Ran, Setting, Study, chart, finest_of, page, report, table};
+use crate::study::{Axes, Bench, Ran, Setting, Study, chart, finest, page, report, table};
 use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -126,7 +126,7 @@ impl Runs<'_> {
             if !quiet {
                 console.say(&format!("study {}/{} {}\n", number + 1, settings.len(), setting.name()));
             }
-            let ran = self.bench.run(setting, None, registry)?;
+            let ran = self.bench.run(setting, registry)?;
             if !ran.resumed {
                 spent += ran.done.cpu_seconds;
             }
@@ -160,7 +160,7 @@ impl Runs<'_> {
             if !quiet {
                 console.say(&format!("study {} from {starts} shaken starts\n", setting.name()));
             }
-            let again = self.bench.run(&setting, Some(starts), registry)?;
+            let again = self.bench.shaken(starts).run(&setting, registry)?;
             self.ran[i].scatter = again.done.certificate.and_then(|c| c.rests);
         }
         Ok(())
@@ -168,7 +168,7 @@ impl Runs<'_> {
 
     /// Carries the finest drape onto every coarser mesh of the program's own choice.
     fn carried(&mut self, registry: &mut Registry, quiet: bool, console: &mut Console<'_>) -> Result<(), Halt> {
-        let Some(finest) = finest_of(&self.ran) else { return Ok(()) };
+        let Some(finest) = finest(&self.ran) else { return Ok(()) };
         let edge = self.ran[finest].done.setting.edge;
         for i in 0..self.ran.len() {
             let setting = self.ran[i].done.setting;

@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toile_formats::codes::UNKNOWN_KEY;
 use toile_garment::{Diagnostic, Garment, Report};
-use toile_stage_api::{FileError, Files, Registry, StageContext, StageError};
+use toile_stage_api::{FileError, Files, ReadyStage, Registry, StageContext, StageError};
 use toml::de::ValueDeserializer;
 
 /// Runs one stage with its parameters as a TOML value. It reads no file; what it writes stays in memory.
@@ -32,15 +32,24 @@ pub fn run_alone(
         let message = format!("the garment holds no {}, which `{name}` needs", crate::pipeline::word(*need));
         return Err(StageError::input(Diagnostic::error(NEEDS_NOT_GIVEN, message)));
     }
-    let mut cx = StageContext {
-        report,
-        progress: &mut Teller::silent(),
-        files,
-        cancel: stop.flag(),
-        seed: garment.provenance.seed,
-        threads: std::thread::available_parallelism().map_or(1, std::num::NonZero::get),
-    };
-    ready.run(garment, &mut cx)
+    let threads = std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
+    run_ready(ready.as_ref(), garment, (stop, threads), report, files)
+}
+
+/// Runs a stage that has its parameters, as [`run_alone`] does, on this many threads.
+///
+/// # Errors
+/// Those of the stage.
+pub fn run_ready(
+    stage: &dyn ReadyStage,
+    garment: Garment,
+    (stop, threads): (&Arc<Stop>, usize),
+    report: &mut Report,
+    files: &mut Memory,
+) -> Result<Garment, StageError> {
+    let seed = garment.provenance.seed;
+    let progress = &mut Teller::silent();
+    stage.run(garment, &mut StageContext { report, progress, files, cancel: stop.flag(), seed, threads })
 }
 
 /// Keeps what a stage writes; lets it read nothing.

@@ -24,7 +24,7 @@ mod stop;
 mod store;
 mod whole;
 
-pub use alone::{Memory, run_alone};
+pub use alone::{Memory, run_alone, run_ready};
 pub use cache::CacheOptions;
 pub use content::{Content, chain, digest, is_unchanged, program};
 pub use exit::{Exit, of_file_error, of_stage_error};

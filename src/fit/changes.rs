@@ -70,7 +70,7 @@ fn of_piece(garment: &Garment, flat: &FlatPiece) -> Vec<Change> {
     all.into_iter().filter(is_one).collect()
 }
 
-/// What each edge of a piece is: the name of its seam, what it is attached to, or where it lies.
+/// Describes each edge of a piece by the name of its seam, by what it is attached to, or by where it lies.
 fn words_of_edges(garment: &Garment, flat: &FlatPiece) -> Vec<Option<String>> {
     let piece = garment.pieces.get(flat.piece.index());
     let Some((piece, mesh)) = piece.and_then(|p| Some((p, p.mesh.as_ref()?))) else {
@@ -97,11 +97,12 @@ fn free_edge(worn: &[Vec3], edge: &[u32]) -> Option<String> {
     let [low, high] = range(worn.iter().map(|p| p.y));
     let mean = edge.iter().filter_map(|v| worn.get(*v as usize)).map(|p| p.y).sum::<f64>() / edge.len() as f64;
     let share = (mean - low) / (high - low);
-    match share {
-        _ if share < EDGE_PART => Some("lower edge".to_owned()),
-        _ if share > 1.0 - EDGE_PART => Some("upper edge".to_owned()),
-        _ => None,
-    }
+    let word = match (share < EDGE_PART, share > 1.0 - EDGE_PART) {
+        (true, _) => "lower edge",
+        (_, true) => "upper edge",
+        _ => return None,
+    };
+    Some(word.to_owned())
 }
 
 fn range(values: impl Iterator<Item = f64>) -> [f64; 2] {

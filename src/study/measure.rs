@@ -1,9 +1,9 @@
 //! Measures of a drape, and the difference of two drapes.
 //!
-//! A drape is off by its largest difference from the finest one: of a hem height, of a girth along the cloth or by the
-//! tape, or of the surface within which 95 % of the cloth lies. Folded cloth has several states of rest, and two meshes can
-//! put the folds of one hem in different places. That counts: the garment is seen as it hangs. How far apart the rests of
-//! one mesh lie is measured from shaken starts, and stands beside the error.
+//! Folded cloth has several states of rest. Two meshes can put the folds of one hem in different places and both be right.
+//! Hem heights and girths along the cloth hardly depend on that. Folds dominate the girths by the tape and the distance of
+//! the surfaces, so these two count in the same folds alone (`carried.rs`). How far apart the rests of one mesh lie is
+//! measured from shaken starts.
 
 use serde::{Deserialize, Serialize};
 use toile_stages::fit::{Hem, Nearest, Surface, along, tape};
@@ -35,15 +35,6 @@ impl Lengths {
     }
 }
 
-impl Error {
-    /// The error that counts, mm: the largest of a hem height, a girth along the cloth, a girth by the tape, and the
-    /// distance within which 95 % of the surface lies.
-    #[must_use]
-    pub fn worst_mm(&self) -> f64 {
-        self.length_mm.max(self.tape_mm).max(self.distance_p95_mm)
-    }
-}
-
 /// How far a drape is from the finest one.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Error {
@@ -65,6 +56,15 @@ pub struct Error {
     pub strain_p95: f64,
     /// Difference of the elastic energy over that of the finest.
     pub energy_rel: f64,
+}
+
+impl Error {
+    /// The error that counts, mm: the largest of a hem height, a girth along the cloth, a girth by the tape, and the
+    /// distance within which 95 % of the surface lies.
+    #[must_use]
+    pub fn worst_mm(&self) -> f64 {
+        self.length_mm.max(self.tape_mm).max(self.distance_p95_mm)
+    }
 }
 
 /// Heights at which a garment is measured, metres: for each girth those around its level on the finest drape.

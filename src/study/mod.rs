@@ -22,5 +22,5 @@ pub mod table;
 
 pub use grid::{Axes, Setting};
 pub use presets::{PRESETS, Preset};
-pub use report::{Row, Study, finest_of, report};
+pub use report::{Row, Study, finest, report};
 pub use runs::{Bench, Done, Ran};

@@ -104,10 +104,10 @@ pub fn report(head: Head, ran: Vec<Ran>) -> Option<Study> {
     let (ran, repeated) = without_repeats(ran);
     let scatter: Vec<Option<Rests>> = ran.iter().map(|r| r.scatter.clone()).collect();
     let carried: Vec<Option<Figures>> = ran.iter().map(|r| figures(r.carried.as_ref()?)).collect();
-    let symmetric: Vec<bool> = ran.iter().map(|r| r.garment.as_ref().is_some_and(is_symmetric)).collect();
+    let finest = finest(&ran)?;
+    let is_symmetric = ran[finest].garment.as_ref().is_some_and(is_symmetric);
     let (runs, surfaces): (Vec<Done>, Vec<Option<Surface>>) =
         ran.into_iter().map(|r| (r.done, r.garment.as_ref().and_then(Surface::of))).unzip();
-    let finest = finest(runs.len(), |i| &runs[i], |i| surfaces[i].is_some())?;
     let reference = surfaces[finest].as_ref()?;
     let at = levels(reference);
     let measured: Vec<Option<Lengths>> = surfaces.iter().map(|s| Some(lengths(s.as_ref()?, &at))).collect();
@@ -117,7 +117,7 @@ pub fn report(head: Head, ran: Vec<Ran>) -> Option<Study> {
         row.error = surface.as_ref().and_then(|s| {
             let lengths = difference(measured[i].as_ref()?, measured[finest].as_ref()?)?;
             let by = [done, &runs[finest]].map(|d| d.certificate.as_ref());
-            Some(compare(by, lengths, nearer(s, reference, symmetric[finest])))
+            Some(compare(by, lengths, nearer(s, reference, is_symmetric)))
         });
         row.carried = carried[i].as_ref().and_then(|(s, certificate)| {
             let lengths = difference(&lengths(s, &at), measured[finest].as_ref()?)?;
@@ -154,25 +154,17 @@ fn figures(garment: &Garment) -> Option<Figures> {
     Some((Surface::of(garment)?, garment.certificate.clone()))
 }
 
-/// The index of the finest of these runs, if one gave a drape.
-#[must_use]
-pub fn finest_of(ran: &[Ran]) -> Option<usize> {
-    let draped = |i: usize| ran[i].garment.as_ref().is_some_and(|g| g.drape.is_some());
-    finest(ran.len(), |i| &ran[i].done, draped)
-}
-
 /// Runs whose drapes differ, and the names of those that repeat another one. Of equal ones a preset is kept before the
 /// program's own choice, and that before others.
 fn without_repeats(ran: Vec<Ran>) -> (Vec<Ran>, Vec<[String; 2]>) {
-    let shape = |r: &Ran| r.garment.as_ref().and_then(|g| g.drape.as_ref()).map(|d| d.positions.clone());
-    let shapes: Vec<_> = ran.iter().map(shape).collect();
+    let shape = |i: usize| ran[i].garment.as_ref()?.drape.as_ref().map(|d| &d.positions);
     let rank = |i: &usize| (Preset::of(&ran[*i].done.setting).is_none(), !ran[*i].done.setting.is_own());
     let mut order: Vec<usize> = (0..ran.len()).collect();
     order.sort_by_key(rank);
     let mut kept: Vec<usize> = Vec::new();
     let mut repeated = Vec::new();
     for i in order {
-        let same = |k: &&usize| shapes[i].is_some() && shapes[i] == shapes[**k];
+        let same = |k: &&usize| shape(i).is_some() && shape(i) == shape(**k);
         match kept.iter().find(same) {
             Some(k) => repeated.push([i, *k].map(|i| ran[i].done.setting.name())),
             None => kept.push(i),
@@ -182,13 +174,15 @@ fn without_repeats(ran: Vec<Ran>) -> (Vec<Ran>, Vec<[String; 2]>) {
     (all.collect(), repeated)
 }
 
-/// The drape on the finest mesh; of several, the strictest. One that passed its certificate, if any did.
-fn finest<'a>(count: usize, run: impl Fn(usize) -> &'a Done, is_draped: impl Fn(usize) -> bool) -> Option<usize> {
-    let passed = |i: usize| run(i).certificate.as_ref().is_some_and(|c| c.passed);
-    let draped = (0..count).filter(|i| is_draped(*i) && run(*i).setting.is_own());
+/// The index of the drape on the finest mesh; of several, the strictest. One that passed its certificate, if any did.
+#[must_use]
+pub fn finest(ran: &[Ran]) -> Option<usize> {
+    let passed = |i: usize| ran[i].done.certificate.as_ref().is_some_and(|c| c.passed);
+    let is_draped = |i: usize| ran[i].garment.as_ref().is_some_and(|g| g.drape.is_some());
+    let draped = (0..ran.len()).filter(|i| is_draped(*i) && ran[*i].done.setting.is_own());
     draped.min_by(|a, b| {
-        let edge = |i: &usize| run(*i).setting.edge.unwrap_or(0.0);
-        let strict = |i: &usize| run(*i).setting.accuracy as u8;
+        let edge = |i: &usize| ran[*i].done.setting.edge.unwrap_or(0.0);
+        let strict = |i: &usize| ran[*i].done.setting.accuracy as u8;
         passed(*b).cmp(&passed(*a)).then(edge(a).total_cmp(&edge(b))).then(strict(b).cmp(&strict(a)))
     })
 }

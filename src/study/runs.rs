@@ -5,7 +5,9 @@ use super::choose::tuning;
 use super::codes;
 use super::grid::Setting;
 use crate::codes::WRITE_FAILED;
-use crate::engine::{self, Exit, Gate, Memory, RunOptions, RunRecord, Stop, is_unchanged, read_limited, write_whole};
+use crate::engine::{
+    self, Exit, Gate, Memory, RunOptions, RunRecord, Stop, is_unchanged, read_limited, run_ready, write_whole,
+};
 use crate::halt::Halt;
 use crate::load::{self, Request};
 use crate::pipeline::{Pipeline, cut_behind_drape, knob, turned_by};
@@ -17,7 +19,7 @@ use toile_formats::gltf;
 use toile_garment::garment::{Certificate, Rests};
 use toile_garment::provenance::InputRecord;
 use toile_garment::{Diagnostic, Garment, Report, Severity};
-use toile_stage_api::{Meaning, Registry, StageContext, StageError};
+use toile_stage_api::{Meaning, Registry, StageError};
 
 /// File of the figures of a run, beside its garment.
 const RESULT_NAME: &str = "result.json";
@@ -86,20 +88,25 @@ pub struct Bench<'a> {
 }
 
 impl Bench<'_> {
-    /// Folder of a run, and of the same with further starts.
+    /// The bench on which every setting is draped again from so many shaken starts. It has a folder of its own.
     #[must_use]
-    pub fn folder(&self, setting: &Setting, starts: Option<u32>) -> PathBuf {
-        let name = setting.name() + if starts.is_some() { "-starts" } else { "" };
-        self.out.join("runs").join(name)
+    pub fn shaken(&self, starts: u32) -> Self {
+        let request = Request { repeats: Some(starts), ..self.request.clone() };
+        Self { request, out: self.out.join("starts"), ..self.clone() }
     }
 
-    /// Runs one setting, or takes what an earlier study left. It is draped again from so many shaken `starts`.
+    /// Folder of a run.
+    #[must_use]
+    pub fn folder(&self, setting: &Setting) -> PathBuf {
+        self.out.join("runs").join(setting.name())
+    }
+
+    /// Runs one setting, or takes what an earlier study left.
     ///
     /// # Errors
     /// When the pipeline is wrong, the disk refuses, or the user stops.
-    pub fn run(&self, setting: &Setting, starts: Option<u32>, registry: &mut Registry) -> Result<Ran, Halt> {
-        let repeats = starts.or(self.request.repeats);
-        let request = Request { tuning: tuning(setting), repeats, ..self.request.clone() };
+    pub fn run(&self, setting: &Setting, registry: &mut Registry) -> Result<Ran, Halt> {
+        let request = Request { tuning: tuning(setting), ..self.request.clone() };
         let (drape, _) = turned_by(registry, Meaning::Tolerance);
         let mut loaded = load::load(&request, self.stop, registry);
         let text = loaded.text().map(|(file, text)| (file.to_owned(), text.to_owned()));
@@ -115,11 +122,11 @@ impl Bench<'_> {
         varies(&pipeline, setting).map_err(wrong)?;
         let key = key(&pipeline);
         if !self.force
-            && let Some(result) = self.resume(self.folder(setting, starts), &key, &gate)
+            && let Some(result) = self.resume(setting, &key, &gate)
         {
             return Ok(result);
         }
-        self.work((setting, starts), key, &pipeline, gate, text.unwrap_or_default())
+        self.work(setting, key, &pipeline, gate, text.unwrap_or_default())
     }
 
     /// Carries the finest drape onto the mesh of a run and lets it come to rest there, or takes what an earlier study left.
@@ -138,29 +145,14 @@ impl Bench<'_> {
             return Ok(Some(garment));
         }
         // A garment that was read back has no body any more.
-        let again = if coarse.resumed {
-            Some(Self { force: true, ..self.clone() }.run(&setting, None, registry)?)
-        } else {
-            None
-        };
-        let (Some(cloth), Some(shape)) = (&again.as_ref().unwrap_or(coarse).garment, &finest.garment) else {
-            return Ok(None);
-        };
-        let Some(draped) =
-            carried(cloth, shape).map(|start| self.drape(&setting, start, registry)).transpose()?.flatten()
-        else {
-            return Ok(None);
-        };
-        let stored = std::fs::create_dir_all(&folder).map_err(|e| e.to_string()).and_then(|()| {
-            let bytes = gltf::write_garment(&draped).map_err(|e| e.to_string())?;
-            write_whole(&folder.join(GARMENT_NAME), &bytes).map_err(|e| e.to_string())?;
-            write_whole(&folder.join(KEY_NAME), key.as_bytes()).map_err(|e| e.to_string())
-        });
-        let refused = |why: String| {
-            let message = format!("cannot write the run into `{}`: {why}", engine::clean(&folder));
-            Halt::new(vec![Diagnostic::error(WRITE_FAILED, message)], Exit::System)
-        };
-        stored.map(|()| Some(draped)).map_err(refused)
+        let fresh = Self { force: true, ..self.clone() };
+        let again = coarse.resumed.then(|| fresh.run(&setting, registry)).transpose()?;
+        let start = again.as_ref().unwrap_or(coarse).garment.as_ref().zip(finest.garment.as_ref());
+        let Some(start) = start.and_then(|(cloth, shape)| carried(cloth, shape)) else { return Ok(None) };
+        let Some(draped) = self.drape(&setting, start, registry)? else { return Ok(None) };
+        std::fs::create_dir_all(&folder).map_err(|e| refused(&folder, &e))?;
+        store(&folder, Some(&draped), (KEY_NAME, &key))?;
+        Ok(Some(draped))
     }
 
     /// Drapes a garment as the chain of a setting does. `None` where it does not come to rest.
@@ -170,22 +162,16 @@ impl Bench<'_> {
         let Some(mut pipeline) = loaded.pipeline.take() else { return Ok(None) };
         let drapes = cut_behind_drape(&mut pipeline);
         let Some(drape) = pipeline.steps.last().filter(|_| drapes) else { return Ok(None) };
-        let mut cx = StageContext {
-            report: &mut Report::default(),
-            progress: &mut Teller::silent(),
-            files: &mut Memory::default(),
-            cancel: self.stop.flag(),
-            seed: start.provenance.seed,
-            threads: self.threads,
-        };
-        match drape.ready.run(start, &mut cx) {
+        let (report, files) = (&mut Report::default(), &mut Memory::default());
+        match run_ready(drape.ready.as_ref(), start, (self.stop, self.threads), report, files) {
             Err(StageError::Cancelled) => Err(Halt::new(Vec::new(), Exit::Stopped)),
             other => Ok(other.ok()),
         }
     }
 
     /// A result is taken only if settings, program version and every file it read are as they were.
-    fn resume(&self, folder: PathBuf, key: &str, gate: &Gate) -> Option<Ran> {
+    fn resume(&self, setting: &Setting, key: &str, gate: &Gate) -> Option<Ran> {
+        let folder = self.folder(setting);
         let path = folder.join(RESULT_NAME);
         let done: Done = serde_json::from_slice(&read_limited(&path, &path, MAX_RESULT).ok()?).ok()?;
         if done.key != key || !done.inputs.iter().all(|input| is_unchanged(input, gate)) {
@@ -200,21 +186,21 @@ impl Bench<'_> {
 
     fn work(
         &self,
-        (setting, starts): (&Setting, Option<u32>),
+        setting: &Setting,
         key: String,
         pipeline: &Pipeline<'_>,
         gate: Gate,
         (file, text): (String, String),
     ) -> Result<Ran, Halt> {
         let options = RunOptions {
-            out: self.folder(setting, starts),
+            out: self.folder(setting),
             force: true,
             preview: false,
             threads: self.threads,
             allow_write: Vec::new(),
             set: self.request.set.clone(),
             accuracy: self.request.accuracy.clone(),
-            repeats: starts.or(self.request.repeats),
+            repeats: self.request.repeats,
             pipeline_file: (file, text.into_bytes()),
             foreseen: None,
             cache: None,
@@ -232,24 +218,24 @@ impl Bench<'_> {
         let failure = (!draped).then(|| first_error(&outcome.findings));
         let done = Done::of(*setting, key, &record, failure);
         let garment = draped.then_some(outcome.garment);
-        self.store(&options.out, &done, garment.as_ref()).map_err(|reason| Halt {
-            findings: vec![Diagnostic::error(WRITE_FAILED, reason)],
-            source: None,
-            exit: Exit::System,
-        })?;
+        let figures = serde_json::to_string_pretty(&done).map_err(|e| refused(&options.out, &e))?;
+        store(&options.out, garment.as_ref(), (RESULT_NAME, &figures))?;
         Ok(Ran { done, garment, resumed: false, scatter: None, carried: None })
     }
+}
 
-    /// The garment first: who finds the result finds the garment.
-    fn store(&self, folder: &Path, done: &Done, garment: Option<&Garment>) -> Result<(), String> {
-        let failed = |e: &dyn std::fmt::Display| format!("cannot write the run into `{}`: {e}", engine::clean(folder));
-        if let Some(garment) = garment {
-            let bytes = gltf::write_garment(garment).map_err(|e| failed(&e))?;
-            write_whole(&folder.join(GARMENT_NAME), &bytes).map_err(|e| failed(&e))?;
-        }
-        let text = serde_json::to_string_pretty(done).map_err(|e| failed(&e))?;
-        write_whole(&folder.join(RESULT_NAME), text.as_bytes()).map_err(|e| failed(&e))
+/// Writes the garment of a run, then the file that says it is whole: who finds that file finds the garment.
+fn store(folder: &Path, garment: Option<&Garment>, (name, text): (&str, &str)) -> Result<(), Halt> {
+    if let Some(garment) = garment {
+        let bytes = gltf::write_garment(garment).map_err(|e| refused(folder, &e))?;
+        write_whole(&folder.join(GARMENT_NAME), &bytes).map_err(|e| refused(folder, &e))?;
     }
+    write_whole(&folder.join(name), text.as_bytes()).map_err(|e| refused(folder, &e))
+}
+
+fn refused(folder: &Path, why: &dyn std::fmt::Display) -> Halt {
+    let message = format!("cannot write the run into `{}`: {why}", engine::clean(folder));
+    Halt::new(vec![Diagnostic::error(WRITE_FAILED, message)], Exit::System)
 }
 
 /// The garment of a folder.

@@ -95,3 +95,17 @@ impl Dart {
         self.legs[leg].windows(2).map(|w| (w[1] - w[0]).norm()).sum()
     }
 }
+
+/// Ends of the two lines of a pleat, in the order of its mouth points. A pleat that is held at its mouth alone has none.
+#[must_use]
+pub fn pleat_ends(mouth: &[Vec2; 2], apexes: &[Vec2]) -> [Option<Vec2>; 2] {
+    match apexes {
+        [] => [None, None],
+        [one] => [Some(*one), Some(*one)],
+        [a, b, ..] => {
+            let straight = (a - mouth[0]).norm() + (b - mouth[1]).norm();
+            let crossed = (b - mouth[0]).norm() + (a - mouth[1]).norm();
+            if straight <= crossed { [Some(*a), Some(*b)] } else { [Some(*b), Some(*a)] }
+        }
+    }
+}

@@ -54,15 +54,17 @@ pub struct Held {
     pub turned: Vec<f64>,
 }
 
+/// Names, each with its change in mm.
+fn each(changes: &[(String, f64)]) -> String {
+    let named: Vec<String> = changes.iter().map(|(name, by)| format!("`{name}` by {:.2} mm", 1e3 * by)).collect();
+    named.join(", ")
+}
+
 /// Tells what was held of the outline of a piece, and what was let go.
 pub fn held(piece: &Piece, held: &Held, report: &mut Report) {
     let largest = |of: &[f64]| of.iter().map(|x| x.abs()).fold(0.0, f64::max);
-    let edges = |of: &[(String, f64)]| {
-        let named: Vec<String> = of.iter().map(|(name, bow)| format!("`{name}` by {:.2} mm", 1e3 * bow)).collect();
-        named.join(", ")
-    };
     if !held.straight.is_empty() {
-        let what = format!("piece `{}`: held straight what would bow: {}", piece.name, edges(&held.straight));
+        let what = format!("piece `{}`: held straight what would bow: {}", piece.name, each(&held.straight));
         report.push(
             Diagnostic::info(codes::FLATTEN_HELD, what)
                 .at(piece.source.clone())
@@ -83,7 +85,7 @@ pub fn held(piece: &Piece, held: &Held, report: &mut Report) {
         );
     }
     if !held.curved.is_empty() {
-        let what = format!("piece `{}`: straight edges became curves: {}", piece.name, edges(&held.curved));
+        let what = format!("piece `{}`: straight edges became curves: {}", piece.name, each(&held.curved));
         report.push(
             Diagnostic::warning(codes::FLATTEN_LET_GO, what)
                 .at(piece.source.clone())
@@ -110,8 +112,7 @@ pub fn held_pleats(piece: &Piece, held: &[(String, f64)], report: &mut Report) {
     if held.is_empty() {
         return;
     }
-    let named: Vec<String> = held.iter().map(|(name, off)| format!("`{name}` by {:.2} mm", 1e3 * off)).collect();
-    let what = format!("piece `{}`: held in width what would change: {}", piece.name, named.join(", "));
+    let what = format!("piece `{}`: held in width what would change: {}", piece.name, each(held));
     report.push(
         Diagnostic::info(codes::FLATTEN_HELD, what)
             .at(piece.source.clone())

@@ -5,12 +5,14 @@ use super::lock::Lock;
 use super::params::{FlattenParams, LockKind};
 use super::source::Source;
 use crate::solve::lines::fold_vertices;
-use toile_garment::dart::{Dart, DartKind};
+use toile_garment::dart::{Dart, DartKind, pleat_ends};
 use toile_garment::mesh::PieceMesh;
 use toile_garment::{Report, Vec2};
 
 /// Change of a width below which nothing is held, metres.
 const WIDTH_UNTOUCHED: f64 = 1e-5;
+/// Width that is none, metres: a lock of no length has no direction.
+const SHORTEST_WIDTH: f64 = 1e-6;
 
 /// The locks of the pleats of a piece; `free` are the positions of its vertices without locks.
 pub fn find(source: &Source<'_>, free: &[Vec2], params: &FlattenParams, report: &mut Report) -> Vec<Lock> {
@@ -28,7 +30,7 @@ pub fn find(source: &Source<'_>, free: &[Vec2], params: &FlattenParams, report: 
             continue;
         };
         held.push((pleat.name.clone(), most));
-        out.extend(pairs.iter().filter(|p| width(rest, **p) > 1e-6).map(|pair| Lock::Distance {
+        out.extend(pairs.iter().filter(|p| width(rest, **p) > SHORTEST_WIDTH).map(|pair| Lock::Distance {
             v: pair.map(|v| v + source.offset),
             length: width(rest, *pair),
             stiffness: params.pair_stiffness,
@@ -55,16 +57,8 @@ fn across(mesh: &PieceMesh, pleat: &Dart) -> Vec<[u32; 2]> {
 
 /// The vertices along a line of a pleat: those of its fold, or of the leg that is sewn.
 fn line(mesh: &PieceMesh, pleat: &Dart, side: usize) -> Vec<u32> {
-    let [mouth, other] = [pleat.mouth[side], pleat.mouth[1 - side]];
-    let end = match pleat.apexes.as_slice() {
-        [] => mouth,
-        [one] => *one,
-        [a, b, ..] => {
-            let straight = (a - mouth).norm() + (b - other).norm();
-            if straight <= (b - mouth).norm() + (a - other).norm() { *a } else { *b }
-        }
-    };
-    let fold = if end == mouth { Vec::new() } else { fold_vertices(mesh, &[mouth, end]) };
+    let end = pleat_ends(&pleat.mouth, &pleat.apexes)[side];
+    let fold = end.map(|end| fold_vertices(mesh, &[pleat.mouth[side], end])).unwrap_or_default();
     let leg = pleat.mesh.as_ref().map(|m| m.legs[side].clone()).unwrap_or_default();
     if fold.len() > leg.len() { fold } else { leg }
 }

@@ -7,7 +7,7 @@ use crate::sewing::lookup;
 use crate::sewing::ring::Ring;
 use crate::sewing::shapes::mm;
 use toile_formats::dxf::darts::UndecidedDart;
-use toile_garment::dart::{Dart, DartEvidence, DartKind};
+use toile_garment::dart::{Dart, DartEvidence, DartKind, pleat_ends};
 use toile_garment::outline::{LinePoint, PieceLine, PointKind};
 use toile_garment::sewing::DartSpec;
 use toile_garment::{Diagnostic, Garment, Piece, Report, Vec2};
@@ -68,7 +68,7 @@ pub fn declare_one(piece: &mut Piece, spec: &DartSpec, report: &mut Report, erro
         Ok(mut dart) => {
             dart.name = free_name(piece, spec, old.as_ref());
             if kind == DartKind::Pleat
-                && let [Some(a), Some(b)] = pleat_ends(spec)
+                && let [Some(a), Some(b)] = pleat_ends(&spec.mouth, &spec.apexes)
             {
                 folds::press(piece, spec, &dart.name, [a, b]);
             }
@@ -220,22 +220,9 @@ fn lens_half(piece: &Piece, ends: [Vec2; 2], mouth: Vec2) -> Option<Vec<Vec2>> {
     })
 }
 
-/// Ends of the lines of a pleat, in the order of its mouth points.
-fn pleat_ends(spec: &DartSpec) -> [Option<Vec2>; 2] {
-    match spec.apexes.as_slice() {
-        [] => [None, None],
-        [one] => [Some(*one), Some(*one)],
-        [a, b, ..] => {
-            let straight = (a - spec.mouth[0]).norm() + (b - spec.mouth[1]).norm();
-            let crossed = (b - spec.mouth[0]).norm() + (a - spec.mouth[1]).norm();
-            if straight <= crossed { [Some(*a), Some(*b)] } else { [Some(*b), Some(*a)] }
-        }
-    }
-}
-
 /// A pleat: its lines run from the mouth to their ends or as far as they are sewn, or it is held at the mouth only.
 fn pleat(spec: &DartSpec) -> Dart {
-    let ends = pleat_ends(spec);
+    let ends = pleat_ends(&spec.mouth, &spec.apexes);
     let sewn = |from: Vec2, to: Vec2| match spec.sewn {
         Some(sewn) if sewn < ON_LINE => None,
         Some(sewn) => Some(from + (to - from) * (sewn / (to - from).norm()).min(1.0)),
