@@ -41,6 +41,7 @@ const OWN: &[&[Code]] = &[
     crate::acceptance::codes::CODES,
     crate::bundle::codes::CODES,
     crate::cli::codes::CODES,
+    crate::compare::codes::CODES,
     crate::diff::codes::CODES,
     crate::engine::codes::CODES,
     crate::external::codes::CODES,

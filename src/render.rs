@@ -2,6 +2,7 @@
 
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
+use toile_formats::svg::canvas::escape;
 use toile_garment::{Diagnostic, Severity};
 
 /// Findings of one code that are shown one by one.
@@ -18,6 +19,13 @@ pub fn finding_line(finding: &Diagnostic) -> String {
 #[must_use]
 pub fn safe(text: &str) -> String {
     toile_garment::text::shown(text, &['\n'])
+}
+
+/// A sentence as HTML; what stands between backticks becomes code.
+#[must_use]
+pub fn html(sentence: &str) -> String {
+    let parts = sentence.split('`').enumerate();
+    parts.map(|(i, part)| if i % 2 == 1 { format!("<code>{}</code>", escape(part)) } else { escape(part) }).collect()
 }
 
 /// Findings as text: the line of the source below each, the first few of a code one by one, the rest counted.

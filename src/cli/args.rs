@@ -56,6 +56,8 @@ pub enum Verb {
     Flatten(FlattenArgs),
     /// Show what accuracy costs in time for one garment: error against seconds and memory.
     Study(StudyArgs),
+    /// Drape one garment by the paper's method, by its neighbours and by this program's own, side by side.
+    Compare(CompareArgs),
     /// Make a body of a size or from measures, or measure a mesh; without options: list sizes and measures.
     Body(BodyArgs),
     /// Do a laboratory's test of a fabric on the solver.
@@ -405,6 +407,29 @@ pub struct StudyArgs {
     /// Do finished runs again.
     #[arg(long)]
     pub force: bool,
+    /// Say nothing but errors.
+    #[arg(long)]
+    pub quiet: bool,
+}
+
+/// `compare`
+#[derive(Args, Debug)]
+pub struct CompareArgs {
+    /// Pipeline.
+    #[command(flatten)]
+    pub pipeline: PipelineArgs,
+    /// For programs.
+    #[arg(long)]
+    pub json: bool,
+    /// Folder of the comparison [default: out/LINE-vVERSION-compare].
+    #[arg(long, value_name = "DIR")]
+    pub out: Option<PathBuf>,
+    /// Methods [default: all: toile, springs, paper, provot, explicit-triangles, implicit, sewn-only]
+    #[arg(long, value_name = "WORD,…", value_delimiter = ',')]
+    pub methods: Vec<String>,
+    /// Threads [default: all cores, or TOILE_THREADS]; results never depend on it.
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    pub threads: Option<u16>,
     /// Say nothing but errors.
     #[arg(long)]
     pub quiet: bool,

@@ -5,6 +5,7 @@ mod body;
 mod bundle;
 mod check;
 pub(crate) mod codes;
+mod compare;
 mod completions;
 mod console;
 mod deps;
@@ -99,6 +100,7 @@ fn dispatch(cli: Cli, mut registry: Registry, stop: &Arc<Stop>, console: &mut Co
         Verb::Inspect(args) => inspect::run(&args, console),
         Verb::Fit(args) => fit::run(&args, &mut registry, stop, console),
         Verb::Flatten(args) => flatten::run(&args, &registry, stop, console),
+        Verb::Compare(args) => compare::run(&args, &mut registry, stop, console),
         Verb::Study(args) => study::run(&args, &mut registry, stop, console),
         Verb::Body(args) => body::run(&args, console),
         Verb::Fabric(args) => fabric::run(&args, stop, console),

@@ -1,6 +1,6 @@
 //! `toile study`: what accuracy costs in time, for one garment.
 
-use super::args::StudyArgs;
+use super::args::{PipelineArgs, StudyArgs};
 use super::codes;
 use super::console::Console;
 use crate::codes::{PATH_REFUSED, UNKNOWN_VALUE, WRITE_FAILED, WRONG_VALUE};
@@ -11,7 +11,7 @@ use crate::pipeline::knob;
 use crate::progress::Voice;
 use crate::study::choose::millimetres;
 use crate::study::report::Head;
-use crate::study::{Axes, Bench, Ran, Setting, Study, chart, finest, page, report, table};
+use crate::study::{Axes, Bench, Ran, Setting, Study, chart, finest, page, pictures, report, table};
 use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -25,25 +25,31 @@ pub(super) fn run(args: &StudyArgs, registry: &mut Registry, stop: &Arc<Stop>, c
     match study(args, registry, stop, console) {
         Ok(exit) => exit,
         Err(halt) => {
-            let source = halt.source.as_ref().map(|(file, text)| (file.as_str(), text.as_str()));
-            console.findings(&halt.findings, source);
-            if halt.exit == Exit::Stopped {
+            let exit = tell(&halt, console);
+            if exit == Exit::Stopped {
                 console.say("stopped; what is through is kept, and the same command goes on from there\n");
             }
-            halt.exit
+            exit
         }
     }
+}
+
+/// Tells why a verb halted.
+pub(super) fn tell(halt: &Halt, console: &mut Console<'_>) -> Exit {
+    let source = halt.source.as_ref().map(|(file, text)| (file.as_str(), text.as_str()));
+    console.findings(&halt.findings, source);
+    halt.exit
 }
 
 fn study(args: &StudyArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Result<Exit, Halt> {
     let axes = axes(args).map_err(usage)?;
     let wanted = length(&args.want, "--want").map_err(usage)?;
-    let chain = Chain::look(args, registry, stop)?;
+    let chain = Chain::look(&args.pipeline, registry, stop)?;
     let threads = super::run::threads(args.threads);
     // A pool that is there already (a library user's) is taken as it is: results do not depend on it.
     drop(rayon::ThreadPoolBuilder::new().num_threads(threads).build_global());
     let out = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(format!("{}-study", chain.file_name)));
-    check_folder(&out, &chain.name).map_err(usage)?;
+    check_folder(&out, (FILES[0], "toile_study"), &chain.name).map_err(usage)?;
     let bench = Bench {
         request: args.pipeline.request(),
         out: out.clone(),
@@ -60,13 +66,14 @@ fn study(args: &StudyArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &
     }
     runs.carried(registry, args.quiet, console)?;
     let head = Head { pipeline: chain.name, threads, wanted_mm: wanted, left_out: runs.left_out };
+    let pictures = pictures::of_presets(&runs.ran);
     let Some(study) = report(head, runs.ran) else {
         let message = "no setting gave a drape; nothing can be compared".to_owned();
         let finding =
             Diagnostic::error(codes::STUDY_EMPTY, message).hint("`toile run` with the same pipeline says why");
         return Err(Halt { findings: vec![finding], source: None, exit: Exit::Unstable });
     };
-    write(&study, &out)?;
+    write(&study, &pictures, &out)?;
     if args.json {
         console.result(&json(&study))
     } else {
@@ -79,15 +86,22 @@ fn study(args: &StudyArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &
 }
 
 /// The facts about the chain that are known before anything runs.
-struct Chain {
-    name: String,
-    file_name: String,
+pub(super) struct Chain {
+    /// Product line and version.
+    pub name: String,
+    /// The same as part of a file name.
+    pub file_name: String,
+    /// Does a stage set the length of mesh edges?
     has_mesh_stage: bool,
 }
 
 impl Chain {
-    fn look(args: &StudyArgs, registry: &mut Registry, stop: &Arc<Stop>) -> Result<Self, Halt> {
-        let loaded = load::load(&args.pipeline.request(), stop, registry);
+    /// Reads the pipeline.
+    ///
+    /// # Errors
+    /// When it is wrong.
+    pub fn look(pipeline: &PipelineArgs, registry: &mut Registry, stop: &Arc<Stop>) -> Result<Self, Halt> {
+        let loaded = load::load(&pipeline.request(), stop, registry);
         let exit = loaded.exit();
         let source = loaded.text().map(|(file, text)| (file.to_owned(), text.to_owned()));
         match loaded.pipeline {
@@ -223,19 +237,19 @@ fn length(text: &str, option: &str) -> Result<f64, Diagnostic> {
     millimetres(text).map_err(wrong)
 }
 
-fn usage(finding: Diagnostic) -> Halt {
+pub(super) fn usage(finding: Diagnostic) -> Halt {
     Halt { findings: vec![finding], source: None, exit: Exit::Usage }
 }
 
-/// A study goes on in its own folder, and in no other's.
-fn check_folder(out: &Path, name: &str) -> Result<(), Diagnostic> {
-    let path = out.join(FILES[0]);
+/// A study or a comparison goes into its own folder, and into no other's. Its file has the key.
+pub(super) fn check_folder(out: &Path, (file, key): (&str, &str), name: &str) -> Result<(), Diagnostic> {
+    let path = out.join(file);
     let Ok(bytes) = std::fs::read(&path) else { return Ok(()) };
     let there: Option<serde_json::Value> = serde_json::from_slice(&bytes).ok();
-    if there.is_some_and(|v| v.get("toile_study").is_some() && v["pipeline"] == name) {
+    if there.is_some_and(|v| v.get(key).is_some() && v["pipeline"] == name) {
         return Ok(());
     }
-    let message = format!("`{}` holds a `{}` that is not of a study of {name}", clean(out), FILES[0]);
+    let message = format!("`{}` holds a `{file}` that is not of {name}", clean(out));
     Err(Diagnostic::error(PATH_REFUSED, message).hint("choose another folder with --out"))
 }
 
@@ -243,9 +257,17 @@ fn json(study: &Study) -> String {
     toile_garment::text::json(&serde_json::to_string_pretty(study).unwrap_or_default()) + "\n"
 }
 
-fn write(study: &Study, out: &Path) -> Result<(), Halt> {
-    let texts = [json(study), chart::svg(study), page::html(study), table::markdown(study)];
-    for (name, text) in FILES.iter().zip(texts) {
+fn write(study: &Study, pictures: &[String], out: &Path) -> Result<(), Halt> {
+    let texts = [json(study), chart::svg(study), page::html(study, pictures), table::markdown(study)];
+    write_files(out, &FILES, &texts)
+}
+
+/// Writes files of these names.
+///
+/// # Errors
+/// When the disk refuses.
+pub(super) fn write_files(out: &Path, names: &[&str], texts: &[String]) -> Result<(), Halt> {
+    for (name, text) in names.iter().zip(texts) {
         write_whole(&out.join(name), text.as_bytes()).map_err(|e| Halt {
             findings: vec![Diagnostic::error(WRITE_FAILED, format!("cannot write `{}`: {e}", clean(&out.join(name))))],
             source: None,

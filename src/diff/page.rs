@@ -3,9 +3,9 @@
 use super::change::Change;
 use super::side::Side;
 use super::tolerance::Tolerance;
-use base64::Engine as _;
+use crate::figure::{figure, one_view};
 use std::fmt::Write as _;
-use toile_formats::picture::{View, Wishes, png};
+use toile_formats::picture::View;
 use toile_formats::svg::canvas::escape;
 
 const STYLE: &str = "\
@@ -27,7 +27,8 @@ pub fn html(a: &Side, b: &Side, changes: &[Change], tolerance: &Tolerance) -> St
     );
     for view in [View::Front, View::Back] {
         for side in [a, b] {
-            figure(&mut out, side, view);
+            let caption = format!("{}, {}", escape(&side.name), view.name());
+            out.extend(side.garment.as_ref().and_then(|g| figure(g, &one_view(view, SIZE), ("", &caption))));
         }
     }
     out.push_str("</div>\n");
@@ -45,18 +46,4 @@ pub fn html(a: &Side, b: &Side, changes: &[Change], tolerance: &Tolerance) -> St
         out.push_str("</table>\n");
     }
     out + "</body>\n</html>\n"
-}
-
-fn figure(out: &mut String, side: &Side, view: View) {
-    let [width, height] = SIZE;
-    let wishes = Wishes { views: vec![view], width, height, body: true, field: None };
-    let Some(bytes) = side.garment.as_ref().and_then(|g| png(g, &wishes).ok()) else { return };
-    let data = base64::engine::general_purpose::STANDARD.encode(bytes);
-    // Writing to a String cannot fail.
-    let _ = writeln!(
-        out,
-        "<figure><img alt=\"\" src=\"data:image/png;base64,{data}\"><figcaption>{}, {}</figcaption></figure>",
-        escape(&side.name),
-        view.name()
-    );
 }

@@ -3,9 +3,9 @@
 use super::levels::is_reached;
 use super::report::word;
 use super::{Fitted, Order};
-use base64::Engine as _;
+use crate::figure::{figure, one_view};
 use std::fmt::Write as _;
-use toile_formats::picture::{View, Wishes, png};
+use toile_formats::picture::View;
 use toile_formats::svg::canvas::escape;
 use toile_formats::svg::flat_sheet;
 
@@ -55,16 +55,9 @@ fn verdict(fitted: &Fitted, order: &Order) -> String {
 
 fn pictures(out: &mut String, fitted: &Fitted) {
     out.push_str("<div class=\"pictures\">\n");
-    let [width, height] = SIZE;
     for view in [View::Front, View::Left, View::Back] {
-        let wishes = Wishes { views: vec![view], width, height, body: true, field: None };
-        let Ok(bytes) = png(&fitted.worn, &wishes) else { continue };
-        let data = base64::engine::general_purpose::STANDARD.encode(bytes);
         let name = view.name();
-        let _ = writeln!(
-            out,
-            "<figure><img alt=\"the garment, {name}\" src=\"data:image/png;base64,{data}\"><figcaption>{name}</figcaption></figure>"
-        );
+        out.extend(figure(&fitted.worn, &one_view(view, SIZE), (&format!("the garment, {name}"), name)));
     }
     out.push_str("</div>\n");
 }

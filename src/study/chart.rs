@@ -24,14 +24,14 @@ const KINDS: [(&str, &str); 6] = [
     ("draft", "#6aa5d8"),
     ("fine, reference", "#7b3fa0"),
     ("springs", "#c77700"),
-    ("central differences", "#5b5b5b"),
+    ("steps in time", "#5b5b5b"),
     ("no self-contact", "#2e8b57"),
 ];
 
 fn kind(setting: &Setting) -> usize {
     let own = Setting::plain(setting.edge);
     match setting {
-        s if s.integrator == IntegratorName::CentralDifference => 4,
+        s if s.integrator != IntegratorName::Static => 4,
         s if s.model == ModelName::Springs => 3,
         s if s.self_contact == SwitchName::Off => 5,
         s if s.accuracy == AccuracyName::Draft => 1,

@@ -91,6 +91,7 @@ pub fn tuning(setting: &Setting) -> Tuning {
         (Meaning::Tolerance, word(&setting.accuracy)),
         (Meaning::Model, word(&setting.model)),
         (Meaning::Integrator, word(&setting.integrator)),
+        (Meaning::Correction, word(&setting.correction)),
         (Meaning::SelfContact, word(&setting.self_contact)),
     ];
     edge.into_iter().chain(rest).collect()

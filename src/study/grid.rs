@@ -2,7 +2,7 @@
 
 use super::presets::PRESETS;
 use serde::{Deserialize, Serialize};
-use toile_stages::drape::{AccuracyName, IntegratorName, ModelName, SwitchName};
+use toile_stages::drape::{AccuracyName, CorrectionName, IntegratorName, ModelName, SwitchName};
 
 /// One point of the grid: everything that trades accuracy for time.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -17,6 +17,9 @@ pub struct Setting {
     pub model: ModelName,
     /// Integrator.
     pub integrator: IntegratorName,
+    /// Correction of over-elongation, by central differences.
+    #[serde(default)]
+    pub correction: CorrectionName,
     /// Cloth against cloth.
     #[serde(rename = "self_contact")]
     pub self_contact: SwitchName,
@@ -31,6 +34,7 @@ impl Setting {
             accuracy: AccuracyName::default(),
             model: ModelName::default(),
             integrator: IntegratorName::default(),
+            correction: CorrectionName::default(),
             self_contact: SwitchName::default(),
         }
     }
@@ -59,6 +63,9 @@ impl Setting {
         }
         if self.integrator != own.integrator {
             name = format!("{name}-{}", word(&self.integrator));
+        }
+        if self.correction != own.correction {
+            name = format!("{name}-{}", word(&self.correction));
         }
         if self.self_contact != own.self_contact {
             name = format!("{name}-self-contact-{}", word(&self.self_contact));
@@ -190,6 +197,7 @@ impl Axes {
                             edge: *edge,
                             accuracy: *accuracy,
                             model: *model,
+                            correction: CorrectionName::default(),
                             integrator: *integrator,
                             self_contact: *self_contact,
                         }));

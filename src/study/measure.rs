@@ -6,6 +6,7 @@
 //! measured from shaken starts.
 
 use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 use toile_stages::fit::{Hem, Nearest, Surface, along, tape};
 
 /// Girths are looked for at every tenth of the garment's height.
@@ -106,20 +107,20 @@ pub fn difference(a: &Lengths, b: &Lengths) -> Option<[f64; 3]> {
     Some([hems, largest(&a.girths_mm, &b.girths_mm)?, largest(&a.tapes_mm, &b.tapes_mm)?])
 }
 
-/// Distance of two drapes of a garment, as [`distance`]. Where the garment is symmetric, its mirror image is as right as
-/// itself: the nearer one counts.
+/// A drape by which another one of the same garment is measured, and their [`distance`]. Where the garment is symmetric, the
+/// mirror image is as right: the nearer one is taken.
 #[must_use]
-pub fn nearer(a: &Surface, b: &Surface, is_symmetric: bool) -> [f64; 3] {
-    let straight = distance(a, b);
+pub fn nearer<'s>(drape: &Surface, from: &'s Surface, is_symmetric: bool) -> (Cow<'s, Surface>, [f64; 3]) {
+    let straight = distance(drape, from);
     if !is_symmetric || straight[2] == 0.0 {
-        return straight;
+        return (Cow::Borrowed(from), straight);
     }
-    let count = a.points.len().max(1) as f64;
-    let middle = a.points.iter().map(|p| p.x).sum::<f64>() / count;
-    let mut image = a.clone();
+    let count = from.points.len().max(1) as f64;
+    let middle = from.points.iter().map(|p| p.x).sum::<f64>() / count;
+    let mut image = from.clone();
     image.points.iter_mut().for_each(|p| p.x = 2.0 * middle - p.x);
-    let mirrored = distance(&image, b);
-    if mirrored[1] < straight[1] { mirrored } else { straight }
+    let mirrored = distance(drape, &image);
+    if mirrored[1] < straight[1] { (Cow::Owned(image), mirrored) } else { (Cow::Borrowed(from), straight) }
 }
 
 /// Distance of two surfaces, both ways: mean, 95th percentile and largest, mm. Every triangle counts by its area, at
@@ -191,7 +192,7 @@ mod tests {
         leans.points.iter_mut().for_each(|p| p.x += 0.2 * (p.y - 0.25));
         let mut other = leans.clone();
         other.points.iter_mut().for_each(|p| p.x = -p.x);
-        let [one, both] = [false, true].map(|symmetric| nearer(&leans, &other, symmetric)[1]);
+        let [one, both] = [false, true].map(|symmetric| nearer(&leans, &other, symmetric).1[1]);
         assert!(one > 5.0 && both < 2.0, "{one}, {both}");
     }
 

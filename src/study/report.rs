@@ -117,7 +117,7 @@ pub fn report(head: Head, ran: Vec<Ran>) -> Option<Study> {
         row.error = surface.as_ref().and_then(|s| {
             let lengths = difference(measured[i].as_ref()?, measured[finest].as_ref()?)?;
             let by = [done, &runs[finest]].map(|d| d.certificate.as_ref());
-            Some(compare(by, lengths, nearer(s, reference, is_symmetric)))
+            Some(compare(by, lengths, nearer(s, reference, is_symmetric).1))
         });
         row.carried = carried[i].as_ref().and_then(|(s, certificate)| {
             let lengths = difference(&lengths(s, &at), measured[finest].as_ref()?)?;
@@ -362,6 +362,7 @@ pub(super) mod tests {
             failure: None,
             seconds,
             cpu_seconds: seconds,
+            drape_cpu_seconds: seconds,
             peak_mb: Some(20.0 + seconds),
             triangles: 1000,
             certificate: Some(Certificate { passed: true, ..Certificate::default() }),

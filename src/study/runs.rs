@@ -48,6 +48,9 @@ pub struct Done {
     pub seconds: f64,
     /// Time of all threads, s; wall time where the system does not tell.
     pub cpu_seconds: f64,
+    /// The part of it that the drape took, s.
+    #[serde(default)]
+    pub drape_cpu_seconds: f64,
     /// Largest resident memory, MB, where the system tells.
     pub peak_mb: Option<f64>,
     /// Triangles of all pieces.
@@ -81,7 +84,7 @@ pub struct Bench<'a> {
     pub threads: usize,
     /// Do finished runs again?
     pub force: bool,
-    /// How progress is told.
+    /// How progress is told. Silent runs leave their findings to whom they halt for.
     pub voice: Voice,
     /// Stop.
     pub stop: &'a Arc<Stop>,
@@ -212,7 +215,8 @@ impl Bench<'_> {
         let outcome = engine::run(pipeline, gate, &options, self.stop, &mut teller, Report::default());
         drop(teller);
         let Some(record) = outcome.record.filter(|_| goes_on(outcome.exit)) else {
-            return Err(Halt { findings: Vec::new(), source: None, exit: outcome.exit });
+            let findings = if self.voice == Voice::Silent { outcome.findings } else { Vec::new() };
+            return Err(Halt { findings, source: None, exit: outcome.exit });
         };
         let draped = matches!(outcome.exit, Exit::Good | Exit::Gate);
         let failure = (!draped).then(|| first_error(&outcome.findings));
@@ -264,6 +268,7 @@ impl Done {
             failure,
             seconds: record.seconds,
             cpu_seconds: cpu.unwrap_or(record.seconds),
+            drape_cpu_seconds: record.stages.last().and_then(|s| s.cpu_seconds).unwrap_or_default(),
             peak_mb: peaks.fold(None, |most: Option<f64>, mb| Some(most.map_or(mb, |m| m.max(mb)))),
             triangles: record.garment.triangles,
             certificate: record.certificate.clone(),

@@ -2,6 +2,7 @@
 
 mod certificate;
 mod forecast;
+mod judge;
 mod lines;
 mod params;
 mod repeats;
@@ -9,13 +10,14 @@ mod tightness;
 mod unheld;
 mod unused;
 
-pub use params::{AccuracyName, DrapeParams, EffectsParam, IntegratorName, ModelName, SwitchName};
+pub use judge::{Judged, judge};
+pub use params::{AccuracyName, CorrectionName, DrapeParams, EffectsParam, IntegratorName, ModelName, SwitchName};
 
 use crate::codes::SETTING_OUT_OF_RANGE;
 use crate::solve::body_parts::contact_filter;
 use crate::solve::codes::START_CROSSES;
 use crate::solve::{Follow, Layout, MESH_ANEW, effects, failure, failure_in, scene};
-use toile_cloth::{ClothError, Outcome, Scene, Settings, StopReason};
+use toile_cloth::{ClothError, Outcome, Scene, Settings, StopReason, Welded};
 use toile_garment::garment::{Certificate, Shape};
 use toile_garment::{Aspect, Code, Diagnostic, Garment, Vec3};
 use toile_stage_api::{Cost, Forecast, Knob, Meaning, Stage, StageContext, StageError, StageInfo};
@@ -85,6 +87,7 @@ impl Stage for Drape {
         Knob::new(Meaning::Tolerance, "accuracy"),
         Knob::new(Meaning::Model, "model"),
         Knob::new(Meaning::Integrator, "integrator"),
+        Knob::new(Meaning::Correction, "correction"),
         Knob::new(Meaning::SelfContact, "effects.self-contact"),
         Knob::new(Meaning::Repeats, "repeats"),
     ];
@@ -121,11 +124,8 @@ impl Stage for Drape {
         let settings = params.settings(cx.threads);
         let told = |e| failure_in(e, &garment, &stitched.positions);
         let sewn = if stitched.sewn { start.positions.clone() } else { close(&start, params, cx).map_err(told)? };
-        let joined = toile_cloth::joinable_stitches(&start, &settings, &sewn, JOINED_GAP_MOST);
-        let open = start.stitches.len() - joined.len();
-        start.stitches = joined;
-        let mut welded = toile_cloth::weld(&start, &sewn);
-        drop((start, sewn));
+        let (mut welded, open) = weld(start, &sewn, &settings);
+        drop(sewn);
         let mut sewn_scene = std::mem::take(&mut welded.scene);
         let shape = |x: &[Vec3]| Shape {
             positions: layout.split(&welded.spread(x)),
@@ -166,6 +166,14 @@ impl Stage for Drape {
         cx.report.findings.extend(unused::findings(&garment, params));
         Ok(garment)
     }
+}
+
+/// Makes sewn vertices one, and counts the stitches that stay open.
+fn weld(mut start: Scene, sewn: &[Vec3], settings: &Settings) -> (Welded, usize) {
+    let joined = toile_cloth::joinable_stitches(&start, settings, sewn, JOINED_GAP_MOST);
+    let open = start.stitches.len() - joined.len();
+    start.stitches = joined;
+    (toile_cloth::weld(&start, sewn), open)
 }
 
 /// The failure of a drape that cannot take a step and has open stitches. They are its cause: cloth lies between their

@@ -120,6 +120,7 @@ pub const STAGES: &[Flip] = &[
     row("pattern", "drape.effects.strain-limit", "\"off\""),
     row("pattern", "drape.gravity", "\"4 m/s2\""),
     row("pattern", "drape.integrator", "\"central-difference\""),
+    given("pattern", &[EXPLICIT], "drape.correction", "\"provot\""),
     row("pattern", "drape.limits", "{ strain_max = 1e-9 }"),
     given("pattern", &[EXPLICIT], "drape.max_time", "\"10 ms\""),
     row("pattern", "drape.model", "\"springs\""),

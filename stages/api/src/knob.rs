@@ -13,8 +13,10 @@ pub enum Meaning {
     Tolerance,
     /// In-plane model of the cloth: `coupled` or `springs`.
     Model,
-    /// Way to the rest: `static` or `central-difference`.
+    /// Way to the rest: `static`, `implicit` or `central-difference`.
     Integrator,
+    /// Correction of over-elongation after a step of `central-difference`: `kang` or `provot`.
+    Correction,
     /// Contact of cloth with cloth: `auto`, `on` or `off`.
     SelfContact,
     /// How often the rest is sought again from shaken starts: a whole number.

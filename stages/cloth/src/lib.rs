@@ -47,7 +47,9 @@ pub use scene::contact_filter::ContactFilter;
 pub use scene::curve::Curve;
 pub use scene::elements::{Element, Elements};
 pub use scene::lines::{Band, FoldLine};
-pub use scene::settings::{Effects, Equilibrium, ExplicitSteps, Integrator, Model, Settings, Stitches, Switch};
+pub use scene::settings::{
+    Effects, ElongationCorrection, Equilibrium, ExplicitSteps, Integrator, Model, Settings, Stitches, Switch,
+};
 pub use scene::shared_body::{BodyMesh, SharedBody};
 pub use scene::weld::{Welded, weld};
 pub use scene::{Load, Material, Pin, Scene};

@@ -31,7 +31,7 @@ pub fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<
 
 fn sew_canonical(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     match settings.integrator {
-        Integrator::Static => sewing::sew(scene, settings, watch),
+        Integrator::Static | Integrator::Implicit => sewing::sew(scene, settings, watch),
         Integrator::CentralDifference => run::run(scene, settings, true, watch),
     }
 }
@@ -84,7 +84,7 @@ pub fn animate(
     dynamics.check()?;
     motion.check(scene.body.as_deref(), scene.positions.len())?;
     match settings.integrator {
-        Integrator::Static => dynamics::film(scene, settings, dynamics, motion, watch, each),
+        Integrator::Static | Integrator::Implicit => dynamics::film(scene, settings, dynamics, motion, watch, each),
         Integrator::CentralDifference => explicit::motion::animate(scene, settings, dynamics, motion, watch, each),
     }
 }
@@ -115,6 +115,7 @@ fn shown(outcome: Outcome, scene: &Scene, watch: &mut dyn Watch) -> Result<Outco
 fn drape_canonical(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     match settings.integrator {
         Integrator::Static => optimize::drape(scene, settings, watch),
+        Integrator::Implicit => dynamics::settle(scene, settings, watch),
         Integrator::CentralDifference => run::run(scene, settings, false, watch),
     }
 }

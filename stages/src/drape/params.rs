@@ -3,7 +3,7 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use toile_cloth::{Effects, Equilibrium, ExplicitSteps, Integrator, Model, Settings, Switch};
+use toile_cloth::{Effects, ElongationCorrection, Equilibrium, ExplicitSteps, Integrator, Model, Settings, Switch};
 use toile_garment::units::{Acceleration, Duration, Length, Pressure};
 
 /// In-plane model.
@@ -24,8 +24,21 @@ pub enum IntegratorName {
     /// No time: the least energy is sought by a descent.
     #[default]
     Static,
+    /// Implicit steps in time until nothing moves, after Baraff and Witkin 1998. Seams are closed as by `static`.
+    Implicit,
     /// The paper's explicit central differences with an adaptive step.
     CentralDifference,
+}
+
+/// Correction of over-elongation after every step of `central-difference` (paper §2.2).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum CorrectionName {
+    /// Yarns of the triangles along warp, weft and bias, in a few passes, after Kang et al. 2000.
+    #[default]
+    Kang,
+    /// Springs on the mesh edges, in one pass, after Provot 1995.
+    Provot,
 }
 
 /// How near to rest the drape is led.
@@ -86,6 +99,8 @@ pub struct DrapeParams {
     pub model: ModelName,
     /// Time stepping.
     pub integrator: IntegratorName,
+    /// Correction of over-elongation after every step of `central-difference`.
+    pub correction: CorrectionName,
     /// How near to rest.
     pub accuracy: AccuracyName,
     /// Effects, each `auto`, `on` or `off`.
@@ -117,6 +132,7 @@ impl Default for DrapeParams {
             pressure: None,
             model: ModelName::default(),
             integrator: IntegratorName::default(),
+            correction: CorrectionName::default(),
             accuracy: AccuracyName::default(),
             effects: EffectsParam::default(),
             body_gap: Length(1e-3),
@@ -162,6 +178,7 @@ impl DrapeParams {
                 energy_tolerance: base.explicit.energy_tolerance * share,
                 speed_tolerance: base.explicit.speed_tolerance * share,
                 max_seconds: self.max_time.0,
+                correction: self.correction.into(),
                 ..base.explicit
             },
             threads,
@@ -183,7 +200,17 @@ impl From<IntegratorName> for Integrator {
     fn from(name: IntegratorName) -> Self {
         match name {
             IntegratorName::Static => Self::Static,
+            IntegratorName::Implicit => Self::Implicit,
             IntegratorName::CentralDifference => Self::CentralDifference,
+        }
+    }
+}
+
+impl From<CorrectionName> for ElongationCorrection {
+    fn from(name: CorrectionName) -> Self {
+        match name {
+            CorrectionName::Kang => Self::Kang,
+            CorrectionName::Provot => Self::Provot,
         }
     }
 }

@@ -7,9 +7,11 @@ pub(crate) mod figures;
 pub(crate) mod impact;
 pub(crate) mod motion;
 pub(crate) mod run;
+pub(crate) mod settle;
 pub(crate) mod step;
 pub(crate) mod tr_bdf2;
 pub(crate) mod tuning;
 
 pub use motion::{Dynamics, Frame, Motion, Trip};
 pub(crate) use run::film;
+pub(crate) use settle::settle;

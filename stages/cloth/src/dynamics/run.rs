@@ -34,21 +34,25 @@ pub(crate) fn film(
     Ok(walk.end())
 }
 
-struct Walk<'a> {
-    scene: &'a Scene,
+pub(crate) struct Walk<'a> {
+    pub scene: &'a Scene,
     dynamics: &'a Dynamics,
     motion: &'a Motion,
-    stepper: Stepper<'a>,
+    pub stepper: Stepper<'a>,
     path: Option<Path>,
     state: State,
     /// Velocities one step before, m/s, and that step, s.
     last: Option<(Vec<Vec3>, f64)>,
     free: Vec<bool>,
-    trip: Trip,
+    pub trip: Trip,
 }
 
 impl<'a> Walk<'a> {
-    fn new(
+    /// Begins at the scene's positions.
+    ///
+    /// # Errors
+    /// An unusable scene, or a start that crosses.
+    pub fn new(
         scene: &'a Scene,
         settings: &'a Settings,
         dynamics: &'a Dynamics,
@@ -86,7 +90,11 @@ impl<'a> Walk<'a> {
         Ok(Self { scene, dynamics, motion, stepper, path, state, last: None, free, trip })
     }
 
-    fn go(&mut self, watch: &mut dyn Watch, each: &mut dyn FnMut(&Frame<'_>)) -> Result<(), ClothError> {
+    /// Goes through the frames.
+    ///
+    /// # Errors
+    /// Cloth caught by the body, instability, or a stop on request.
+    pub fn go(&mut self, watch: &mut dyn Watch, each: &mut dyn FnMut(&Frame<'_>)) -> Result<(), ClothError> {
         let lead_in = self.path.as_ref().map_or(0.0, |p| p.lead_in);
         if lead_in > 0.0 {
             self.span(-lead_in, 0.0, watch)?;

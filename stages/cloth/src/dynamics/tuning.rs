@@ -5,6 +5,23 @@ use crate::tuning::tuned;
 tuned! {
     room "dynamics";
 
+    /// Time step of a drape by implicit steps.
+    SETTLING_STEP: f64 = 1.0 / 60.0, {
+        unit: "s",
+        larger: "Fewer steps, each with more work, and more of the motion is lost.",
+        smaller: "More steps.",
+        tried: "not recorded",
+        evidence: "No measurement is kept.",
+    }
+    /// Velocity to which a step is solved over the speed at which the cloth is at rest.
+    SETTLING_TOLERANCE_SHARE: f64 = 0.5, {
+        unit: "speed tolerance",
+        larger: "What a step leaves over counts as motion, and the cloth comes to rest late or never.",
+        smaller: "More work in every step.",
+        tried: "not recorded",
+        evidence: "No measurement is kept.",
+    }
+
     /// Steps of the descent between two parts of the body's way, in which the cloth gives way.
     GIVING_WAY_STEPS: usize = 6, {
         unit: "steps",

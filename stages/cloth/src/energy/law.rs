@@ -138,7 +138,7 @@ pub(crate) struct Fabric {
 impl Fabric {
     /// The laws of a material for these settings.
     pub fn new(m: &Material, s: &Settings) -> Self {
-        let locks = s.integrator == Integrator::Static && s.effects.strain_limit != Switch::Off;
+        let locks = s.integrator != Integrator::CentralDifference && s.effects.strain_limit != Switch::Off;
         let lock = |limit: f64| if locks { limit } else { f64::INFINITY };
         // A straight curve has one cell whatever its limit, so a limit that is not reached changes no bit.
         let reach = |curve: &Curve, limit: f64| match curve {

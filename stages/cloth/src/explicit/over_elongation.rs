@@ -2,12 +2,16 @@
 //!
 //! Every triangle has yarns along warp, weft and both bias directions. A yarn that is longer than the limit of its
 //! fabric is brought back by moving the corners of the triangle; held corners stay.
+//!
+//! For comparison there is the inverse correction of Provot, *Deformation Constraints in a Mass-Spring Model to Describe
+//! Rigid Cloth Behavior*, 1995. It brings springs on mesh edges back, in one pass in their order.
 
 use crate::explicit::tuning::{
     ELONGATION_PASSES, ELONGATION_PASSES_AT_REST, ELONGATION_TARGET_SHARE, ELONGATION_WATCH_SHARE,
     ELONGATION_WATCH_STEPS,
 };
-use crate::{Element, Scene, Vec3};
+use crate::{Element, ElongationCorrection, Scene, Vec3};
+use std::collections::BTreeSet;
 
 /// Component of a bias direction along warp and along weft: cos 45°.
 const BIAS_COMPONENT: f64 = std::f64::consts::FRAC_1_SQRT_2;
@@ -24,6 +28,8 @@ struct Yarn {
 /// The correction of a cloth: its limited yarns, and those that are near their limits.
 pub(crate) struct OverElongation {
     yarns: Vec<Yarn>,
+    /// Passes over the yarns after a step, at most.
+    passes: usize,
     /// Yarns near their limits, by number.
     near_limit: Vec<u32>,
     /// Steps since all yarns were tested.
@@ -40,6 +46,39 @@ fn yarn(e: &Element, along: [f64; 2], elongation: f64) -> Yarn {
     Yarn { vertices: e.vertices, weights, limit: 1.0 + ELONGATION_TARGET_SHARE.get() * elongation }
 }
 
+/// The yarns of all triangles along warp, weft and bias.
+fn yarns(scene: &Scene) -> Vec<Yarn> {
+    let of_triangle = |e: &Element| {
+        let [warp, weft, bias] = scene.materials[e.material as usize].strain_limit;
+        let along = [
+            ([1.0, 0.0], weft),
+            ([0.0, 1.0], warp),
+            ([BIAS_COMPONENT, BIAS_COMPONENT], bias),
+            ([BIAS_COMPONENT, -BIAS_COMPONENT], bias),
+        ];
+        along.into_iter().filter(|(_, l)| l.is_finite()).map(|(along, limit)| yarn(e, along, limit)).collect::<Vec<_>>()
+    };
+    scene.triangles.iter().flat_map(of_triangle).collect()
+}
+
+/// The springs on all mesh edges. The limit of a spring between warp and weft follows an ellipse.
+fn springs(scene: &Scene) -> Vec<Yarn> {
+    let (mut all, mut seen) = (Vec::new(), BTreeSet::new());
+    for e in &scene.triangles {
+        let [warp, weft, _] = scene.materials[e.material as usize].strain_limit;
+        for [i, k] in [[0, 1], [1, 2], [2, 0]] {
+            let (a, b) = (e.vertices[i], e.vertices[k]);
+            let [u, v] = [e.rest[k][0] - e.rest[i][0], e.rest[k][1] - e.rest[i][1]];
+            let (length, inverse_limit) = (libm::hypot(u, v), libm::hypot(u / weft, v / warp));
+            if inverse_limit > 0.0 && seen.insert((a.min(b), a.max(b))) {
+                let limit = 1.0 + ELONGATION_TARGET_SHARE.get() * length / inverse_limit;
+                all.push(Yarn { vertices: [a, b, b], weights: [-1.0 / length, 1.0 / length, 0.0], limit });
+            }
+        }
+    }
+    all
+}
+
 impl Yarn {
     /// The deformed direction, and its length: the stretch.
     #[inline]
@@ -52,21 +91,15 @@ impl Yarn {
 
 impl OverElongation {
     /// The correction of a scene; `None` when no fabric has a limit.
-    pub fn new(scene: &Scene) -> Option<Self> {
-        let mut yarns = Vec::new();
-        for e in &scene.triangles {
-            let [warp, weft, bias] = scene.materials[e.material as usize].strain_limit;
-            let along = [
-                ([1.0, 0.0], weft),
-                ([0.0, 1.0], warp),
-                ([BIAS_COMPONENT, BIAS_COMPONENT], bias),
-                ([BIAS_COMPONENT, -BIAS_COMPONENT], bias),
-            ];
-            yarns.extend(along.iter().filter(|(_, l)| l.is_finite()).map(|(along, limit)| yarn(e, *along, *limit)));
-        }
+    pub fn new(scene: &Scene, correction: ElongationCorrection) -> Option<Self> {
+        let (yarns, passes) = match correction {
+            ElongationCorrection::Kang => (yarns(scene), ELONGATION_PASSES.get()),
+            ElongationCorrection::Provot => (springs(scene), 1),
+        };
         let none = yarns.is_empty();
         (!none).then_some(Self {
             yarns,
+            passes,
             near_limit: Vec::new(),
             steps_since_test: ELONGATION_WATCH_STEPS.get(),
             corrected: 0,
@@ -80,7 +113,7 @@ impl OverElongation {
         if self.steps_since_test >= ELONGATION_WATCH_STEPS.get() {
             self.test_all(x);
         }
-        self.pass_until_done(ELONGATION_PASSES.get(), x, v, inverse_mass, dt);
+        self.pass_until_done(self.passes, x, v, inverse_mass, dt);
     }
 
     /// Corrects a state at rest at `from` until nothing changes.
@@ -156,6 +189,28 @@ mod tests {
     use super::*;
     use crate::Material;
 
+    /// The middle one of two springs in a row is free, and both are too long: the first is brought back, which makes the
+    /// second longer, and it is brought back in its turn.
+    #[test]
+    fn springs_are_brought_back_one_after_the_other() {
+        let rest = [[0.0, 0.0], [0.1, 0.0], [0.0, 0.1]];
+        let mut material = Material::isotropic(0.15, 500.0, 0.3, 1e-5);
+        material.strain_limit = [0.1, 0.1, f64::INFINITY];
+        let scene = Scene {
+            triangles: vec![Element { vertices: [0, 1, 2], rest, material: 0 }].into_iter().collect(),
+            materials: vec![material],
+            ..Scene::default()
+        };
+        let mut correction = OverElongation::new(&scene, ElongationCorrection::Provot).expect("a limit");
+        assert_eq!(correction.yarns.len(), 3, "one spring on every edge");
+        let mut x: Vec<Vec3> = rest.map(|[u, v]| Vec3::new(1.3 * u, v, 0.0)).into();
+        correction.apply(&mut x, &mut [Vec3::zeros(); 3], &[0.0, 1.0, 0.0], 1e-3);
+        let along = (x[1] - x[0]).norm() / 0.1;
+        assert!(along <= 1.0 + 1e-9 + 0.1 * ELONGATION_TARGET_SHARE.get(), "{along}");
+        assert_eq!((x[0], x[2]), (Vec3::zeros(), Vec3::new(0.0, 0.1, 0.0)), "held ends stay");
+        assert!(correction.corrected >= 1);
+    }
+
     /// A shear by a tenth makes one bias direction 5 % longer, but neither warp nor weft.
     #[test]
     fn a_triangle_too_long_on_the_bias_is_brought_back() {
@@ -167,7 +222,7 @@ mod tests {
             materials: vec![material],
             ..Scene::default()
         };
-        let mut limit = OverElongation::new(&scene).expect("a limit");
+        let mut limit = OverElongation::new(&scene, ElongationCorrection::Kang).expect("a limit");
         let mut x: Vec<Vec3> = rest.map(|[u, v]| Vec3::new(u + 0.1 * v, v, 0.0)).into();
         limit.apply(&mut x, &mut [Vec3::zeros(); 3], &[1.0; 3], 1e-3);
         let bias = ((x[1] + x[2] - x[0] * 2.0) / (0.1 * 2f64.sqrt())).norm() - 1.0;

@@ -96,7 +96,11 @@ impl Problem {
             contact: None,
             has_friction: false,
             sewing,
-            over_elongation: if s.effects.strain_limit == Switch::Off { None } else { OverElongation::new(scene) },
+            over_elongation: if s.effects.strain_limit == Switch::Off {
+                None
+            } else {
+                OverElongation::new(scene, s.explicit.correction)
+            },
             masses,
             damping: Damping { rate: s.explicit.damping, stiffness_steps: s.explicit.stiffness_damping },
             start,

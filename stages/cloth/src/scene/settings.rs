@@ -19,8 +19,21 @@ pub enum Integrator {
     /// The least energy is sought by a descent, without time (docs/book/src/solver.md).
     #[default]
     Static,
+    /// Implicit steps in time until nothing moves, after Baraff and Witkin 1998 (docs/dynamics.md). Seams are closed as
+    /// by [`Self::Static`].
+    Implicit,
     /// Explicit central differences with an adaptive step (paper equations 8–14).
     CentralDifference,
+}
+
+/// The correction of over-elongation after an explicit step (paper §2.2).
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ElongationCorrection {
+    /// Yarns of the triangles along warp, weft and bias, in a few passes, after Kang et al. 2000.
+    #[default]
+    Kang,
+    /// Springs on the mesh edges, in one pass, after Provot 1995.
+    Provot,
 }
 
 /// A switch for an effect.
@@ -85,6 +98,8 @@ pub struct ExplicitSteps {
     pub step_fraction: f64,
     /// Elements much smaller than the rest get inertia (not weight) so that they do not rule the time step.
     pub mass_scaling: bool,
+    /// How over-elongation is corrected after a step.
+    pub correction: ElongationCorrection,
     /// Stop condition b: relative change of the elastic energy over a check interval.
     pub energy_tolerance: f64,
     /// No free vertex may be faster than this for the state to be called settled, m/s.
@@ -104,6 +119,7 @@ impl Default for ExplicitSteps {
             stiffness_cap: 2000.0,
             step_fraction: 0.6,
             mass_scaling: true,
+            correction: ElongationCorrection::default(),
             energy_tolerance: 1e-3,
             speed_tolerance: 2e-3,
             max_steps: 2_000_000,
@@ -204,6 +220,6 @@ impl Settings {
     /// The largest tangent stiffness used: only explicit steps need a cap.
     #[must_use]
     pub fn curve_cap(&self) -> f64 {
-        if self.integrator == Integrator::Static { f64::INFINITY } else { self.explicit.stiffness_cap }
+        if self.integrator == Integrator::CentralDifference { self.explicit.stiffness_cap } else { f64::INFINITY }
     }
 }

@@ -1,0 +1,112 @@
+//! The methods that are compared.
+
+use crate::study::Setting;
+use toile_stages::drape::{AccuracyName, CorrectionName, IntegratorName, ModelName};
+
+/// How a method comes to a shape.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Way {
+    /// The pieces are sewn, and that is all.
+    SewnOnly,
+    /// A model of the cloth, a way to the rest, and a correction of over-elongation.
+    Draped(ModelName, IntegratorName, CorrectionName),
+}
+
+/// A method.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Method {
+    /// Its name in the table.
+    pub name: &'static str,
+    /// Its source in the literature.
+    pub source: &'static str,
+    /// A sentence about it.
+    pub about: &'static str,
+    /// Its settings.
+    pub way: Way,
+}
+
+const fn draped(
+    name: &'static str,
+    source: &'static str,
+    about: &'static str,
+    (model, integrator, correction): (ModelName, IntegratorName, CorrectionName),
+) -> Method {
+    Method { name, source, about, way: Way::Draped(model, integrator, correction) }
+}
+
+/// All methods, in the order of the table.
+pub const METHODS: [Method; 7] = [
+    draped(
+        "toile",
+        "this program",
+        "Coupled triangles, and a descent to the least energy without time.",
+        (ModelName::Coupled, IntegratorName::Static, CorrectionName::Kang),
+    ),
+    draped(
+        "springs",
+        "Liu, Chen, Shi 2003, equations 2 and 3",
+        "Springs on the mesh edges as in the paper, and the descent of this program.",
+        (ModelName::Springs, IntegratorName::Static, CorrectionName::Kang),
+    ),
+    draped(
+        "paper",
+        "Liu, Chen, Shi 2003",
+        "Springs, sewing forces and central differences as in the paper; over-long yarns are corrected after Kang 2000.",
+        (ModelName::Springs, IntegratorName::CentralDifference, CorrectionName::Kang),
+    ),
+    draped(
+        "provot",
+        "Provot 1995",
+        "As `paper`, but over-long springs are corrected once a step in their order.",
+        (ModelName::Springs, IntegratorName::CentralDifference, CorrectionName::Provot),
+    ),
+    draped(
+        "explicit-triangles",
+        "this program",
+        "As `paper`, but with coupled triangles instead of springs.",
+        (ModelName::Coupled, IntegratorName::CentralDifference, CorrectionName::Kang),
+    ),
+    draped(
+        "implicit",
+        "Baraff, Witkin 1998",
+        "Coupled triangles, and implicit steps in time until nothing moves.",
+        (ModelName::Coupled, IntegratorName::Implicit, CorrectionName::Kang),
+    ),
+    Method {
+        name: "sewn-only",
+        source: "as systems for 2D to 3D alone",
+        about: "The garment of `paper` as it is sewn round the body, without weight.",
+        way: Way::SewnOnly,
+    },
+];
+
+/// The setting by whose drape the others are measured: the program's own method, twenty times nearer to rest.
+#[must_use]
+pub fn reference() -> Setting {
+    Setting { accuracy: AccuracyName::Reference, ..Setting::plain(None) }
+}
+
+impl Method {
+    /// The setting that is run for it, on the mesh of the pipeline.
+    #[must_use]
+    pub fn setting(&self) -> Setting {
+        let (model, integrator, correction) = match self.way {
+            Way::SewnOnly => (ModelName::Springs, IntegratorName::CentralDifference, CorrectionName::Kang),
+            Way::Draped(model, integrator, correction) => (model, integrator, correction),
+        };
+        Setting { model, integrator, correction, ..Setting::plain(None) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn every_drape_has_a_folder_of_its_own() {
+        let draped = METHODS.iter().filter(|m| m.way != Way::SewnOnly).map(Method::setting);
+        let names: BTreeSet<String> = draped.chain([reference()]).map(|s| s.name()).collect();
+        assert_eq!(names.len(), METHODS.len());
+    }
+}

@@ -1,0 +1,113 @@
+//! A comparison as a table: text for the terminal, Markdown for a page.
+
+use super::rows::{Comparison, Distance, Row};
+use std::fmt::Write as _;
+
+/// Heads of the columns.
+pub const HEADS: [&str; 11] = [
+    "method",
+    "sewing CPU s",
+    "drape CPU s",
+    "open seam mm",
+    "at rest",
+    "net force",
+    "energy above, mJ",
+    "strain, of limit",
+    "crossings, self/body",
+    "same folds mm, mean/p95",
+    "own folds mm, mean/p95",
+];
+
+/// The cells of a row, one for each head.
+#[must_use]
+pub fn cells(row: &Row) -> [String; HEADS.len()] {
+    let dash = || "-".to_owned();
+    let apart = |d: &Distance| format!("{:.1} / {:.1}", d.mean_mm, d.p95_mm);
+    let figures = row.figures.as_ref();
+    let rest = match (&row.failure, row.net_force) {
+        (Some(_), _) => "failed".to_owned(),
+        (None, None) => dash(),
+        (None, Some(_)) => if row.at_rest { "yes" } else { "no" }.to_owned(),
+    };
+    [
+        row.name.clone(),
+        format!("{:.1}", row.sewing_cpu_seconds),
+        if row.drape_cpu_seconds > 0.0 { format!("{:.1}", row.drape_cpu_seconds) } else { dash() },
+        row.open_seam_mm.map_or_else(dash, |g| format!("{g:.1}")),
+        rest,
+        row.net_force.map_or_else(dash, |f| format!("{f:.3}")),
+        figures.map_or_else(dash, |f| format!("{:+.1}", f.energy_above_mj)),
+        figures.map_or_else(dash, |f| format!("{:.1} %, {:.2}", 1e2 * f.strain_max, f.strain_over_limit)),
+        figures.map_or_else(dash, |f| format!("{} / {}", f.self_crossings, f.body_crossings)),
+        row.same_folds.as_ref().map_or_else(dash, apart),
+        row.own_folds.as_ref().map_or_else(dash, apart),
+    ]
+}
+
+/// The table for a terminal, and what it says.
+#[must_use]
+pub fn text(comparison: &Comparison) -> String {
+    let rows: Vec<[String; HEADS.len()]> = comparison.rows.iter().map(cells).collect();
+    let mut widths = HEADS.map(|h| h.chars().count());
+    for row in &rows {
+        for (width, cell) in widths.iter_mut().zip(row) {
+            *width = (*width).max(cell.chars().count());
+        }
+    }
+    let line = |cells: [&str; HEADS.len()]| {
+        let mut out = String::new();
+        for (i, (cell, width)) in cells.iter().zip(widths).enumerate() {
+            // Writing to a String cannot fail.
+            let _ = if i == 0 { write!(out, "{cell:<width$}  ") } else { write!(out, "{cell:>width$}  ") };
+        }
+        format!("{}\n", out.trim_end())
+    };
+    let mut out = format!("{}\n\n{}", title(comparison), line(HEADS));
+    rows.iter().for_each(|r| out.push_str(&line(r.each_ref().map(String::as_str))));
+    out.push('\n');
+    words(comparison).iter().for_each(|w| {
+        let _ = writeln!(out, "{w}");
+    });
+    crate::render::safe(&out)
+}
+
+/// The same as Markdown.
+#[must_use]
+pub fn markdown(comparison: &Comparison) -> String {
+    let line = |cells: [&str; HEADS.len()]| format!("| {} |\n", cells.join(" | "));
+    let mut out = line(HEADS);
+    out.push_str(&line(std::array::from_fn(|i| if i == 0 { "---" } else { "---:" })));
+    for row in &comparison.rows {
+        out.push_str(&line(cells(row).each_ref().map(String::as_str)));
+    }
+    out.push('\n');
+    words(comparison).iter().for_each(|w| {
+        let _ = writeln!(out, "{w}");
+    });
+    crate::render::safe(&out)
+}
+
+/// Its title.
+#[must_use]
+pub fn title(comparison: &Comparison) -> String {
+    format!("{}: one garment by several methods, {} triangles", comparison.pipeline, comparison.triangles)
+}
+
+/// Sentences that explain the figures.
+#[must_use]
+pub fn words(comparison: &Comparison) -> Vec<String> {
+    let mut words = vec![
+        "The reference is the drape of `toile`, twenty times nearer to rest, on the same mesh. Own folds: the distance of a \
+         method's shape from it. Same folds: the distance after the method began at the reference; it tells what the method \
+         itself changes. Cloth that friction holds has many rests side by side, so even `toile` may move there: a smaller \
+         distance says nothing. Net forces are those of the method's own law, over the mean weight of a vertex. Energy, strain and \
+         crossings are those of its shape by one law for all: coupled triangles."
+            .to_owned(),
+    ];
+    words.extend(comparison.rows.iter().map(|r| format!("`{}` ({}): {}", r.name, r.source, r.about)));
+    words.extend(comparison.rows.iter().filter_map(|r| {
+        let why = r.failure.as_ref()?;
+        Some(format!("`{}` gave no drape: {why}", r.name))
+    }));
+    words
+}
