@@ -180,13 +180,14 @@ impl Runs<'_> {
         Ok(())
     }
 
-    /// Carries the finest drape onto every coarser mesh of the program's own choice.
+    /// Carries the finest drape onto every coarser mesh of the program's own choice, and onto its own.
     fn carried(&mut self, registry: &mut Registry, quiet: bool, console: &mut Console<'_>) -> Result<(), Halt> {
         let Some(finest) = finest(&self.ran) else { return Ok(()) };
         let edge = self.ran[finest].done.setting.edge;
         for i in 0..self.ran.len() {
             let setting = self.ran[i].done.setting;
-            if !setting.is_own() || setting.edge == edge || self.ran[i].garment.is_none() {
+            let is_another = i != finest && setting.edge == edge;
+            if !setting.is_own() || is_another || self.ran[i].garment.is_none() {
                 continue;
             }
             if !quiet {

@@ -68,7 +68,7 @@ pub struct Row {
     pub figures: Option<Figures>,
     /// Distance of its shape from the reference.
     pub own_folds: Option<Distance>,
-    /// The same after it began at the reference: the same folds.
+    /// Distance from the reference that came to rest once more, after the method began at the reference, too.
     pub same_folds: Option<Distance>,
 }
 
@@ -113,7 +113,8 @@ pub fn compare(
 ) -> Result<(Vec<Shown>, usize), Halt> {
     say("the reference");
     let reference = bench.run(&reference(), registry)?;
-    let measure = Measure::new(&reference).ok_or_else(|| no_reference(&reference))?;
+    let again = bench.carry(&reference, &reference, registry)?;
+    let measure = Measure::new(&reference, again.as_ref()).ok_or_else(|| no_reference(&reference))?;
     let mut all = Vec::new();
     for method in methods {
         say(method.name);
@@ -129,7 +130,7 @@ pub fn compare(
             say(&format!("{} from the reference", method.name));
             let carried = bench.carry(ran, &reference, registry)?;
             let surface = carried.as_ref().and_then(Surface::of);
-            shown.row.same_folds = surface.map(|s| Distance::of(distance(&s, &measure.surface)));
+            shown.row.same_folds = surface.map(|s| Distance::of(distance(&s, &measure.again)));
         }
         all.push(shown);
     }
@@ -146,17 +147,21 @@ fn no_reference(ran: &Ran) -> Halt {
 /// The drape by which all are measured.
 struct Measure {
     surface: Surface,
+    /// The same after it came to rest once more.
+    again: Surface,
     is_symmetric: bool,
     /// Elastic energy and energy of the weight, J.
     energy: f64,
 }
 
 impl Measure {
-    fn new(reference: &Ran) -> Option<Self> {
+    fn new(reference: &Ran, again: Option<&Garment>) -> Option<Self> {
         let garment = reference.garment.as_ref()?;
         let judged = judge(garment, garment.drape.as_ref()?).ok()?;
         let energy = judged.figures.energy + judged.weight;
-        Some(Self { surface: Surface::of(garment)?, is_symmetric: is_symmetric(garment), energy })
+        let surface = Surface::of(garment)?;
+        let again = again.and_then(Surface::of).unwrap_or_else(|| surface.clone());
+        Some(Self { surface, again, is_symmetric: is_symmetric(garment), energy })
     }
 
     /// Measures the garment of a row.

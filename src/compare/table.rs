@@ -98,9 +98,8 @@ pub fn title(comparison: &Comparison) -> String {
 pub fn words(comparison: &Comparison) -> Vec<String> {
     let mut words = vec![
         "The reference is the drape of `toile`, twenty times nearer to rest, on the same mesh. Own folds: the distance of a \
-         method's shape from it. Same folds: the distance after the method began at the reference; it tells what the method \
-         itself changes. Cloth that friction holds has many rests side by side, so even `toile` may move there: a smaller \
-         distance says nothing. Net forces are those of the method's own law, over the mean weight of a vertex. Energy, strain and \
+         method's shape from it. Same folds: the method begins at the reference, and the reference itself comes to rest once \
+         more; the distance between both tells what the method itself changes. Net forces are those of the method's own law, over the mean weight of a vertex. Energy, strain and \
          crossings are those of its shape by one law for all: coupled triangles."
             .to_owned(),
     ];

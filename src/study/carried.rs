@@ -3,13 +3,16 @@
 //! A mesh that drapes by itself may find other folds than the finest one. The distance between both then tells of the folds
 //! and not of the mesh. So the finest drape is carried over, and the coarse cloth comes to rest from there, in the same
 //! folds. What is left is the error of its elements.
+//!
+//! The rest of cloth whose yarns rub depends on the way there, and the way is not carried over. So the finest drape comes to
+//! rest once more on its own mesh, and that is what the others are measured by.
 
 use toile_garment::garment::Shape;
 use toile_garment::{Garment, MeshVertex, Vec3};
 use toile_stages::flatten::point_location::PointLocation;
 use toile_stages::joined::Joined;
 
-/// The garment of a coarse mesh before its drape, in the shape of the finest. `None` where they have other pieces.
+/// The garment of a mesh before its drape, in the shape of the finest. `None` where they have other pieces.
 #[must_use]
 pub fn carried(coarse: &Garment, finest: &Garment) -> Option<Garment> {
     let drape = finest.drape.as_ref()?;

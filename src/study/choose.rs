@@ -8,6 +8,7 @@ use super::report::Study;
 use crate::pipeline::Tuning;
 use toile_garment::units::{Length, tidy};
 use toile_stage_api::Meaning;
+use toile_stages::drape::CorrectionName;
 
 /// The accuracy that a pipeline asks for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -91,10 +92,11 @@ pub fn tuning(setting: &Setting) -> Tuning {
         (Meaning::Tolerance, word(&setting.accuracy)),
         (Meaning::Model, word(&setting.model)),
         (Meaning::Integrator, word(&setting.integrator)),
-        (Meaning::Correction, word(&setting.correction)),
         (Meaning::SelfContact, word(&setting.self_contact)),
     ];
-    edge.into_iter().chain(rest).collect()
+    let other = setting.correction != CorrectionName::default();
+    let correction = other.then(|| (Meaning::Correction, word(&setting.correction)));
+    edge.into_iter().chain(rest).chain(correction).collect()
 }
 
 /// A preset's error is what the study of this garment found; without one it is what the preset promises.

@@ -31,7 +31,7 @@ pub struct Row {
     /// How far it is from the finest; all zero for the finest itself.
     pub error: Option<Error>,
     /// How far the finest drape is from itself after it was carried onto this mesh and came to rest there: the same folds
-    /// with other elements.
+    /// with other elements. The finest came to rest once more on its own mesh, so that both have the same history.
     #[serde(default)]
     pub carried: Option<Error>,
     /// Length error against the limit of fine meshes, estimated from this and coarser meshes, mm.
@@ -119,10 +119,10 @@ pub fn report(head: Head, ran: Vec<Ran>) -> Option<Study> {
             let by = [done, &runs[finest]].map(|d| d.certificate.as_ref());
             Some(compare(by, lengths, nearer(s, reference, is_symmetric).1))
         });
-        row.carried = carried[i].as_ref().and_then(|(s, certificate)| {
-            let lengths = difference(&lengths(s, &at), measured[finest].as_ref()?)?;
-            let by = [certificate.as_ref(), runs[finest].certificate.as_ref()];
-            Some(compare(by, lengths, distance(s, reference)))
+        row.carried = carried[i].as_ref().filter(|_| i != finest).and_then(|(s, certificate)| {
+            let (again, figures) = carried[finest].as_ref()?;
+            let lengths = difference(&lengths(s, &at), &lengths(again, &at))?;
+            Some(compare([certificate.as_ref(), figures.as_ref()], lengths, distance(s, again)))
         });
         let ladder = ladder(&runs, &measured, i);
         row.estimate_mm = error_of(&ladder, None);

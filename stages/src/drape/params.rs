@@ -100,6 +100,7 @@ pub struct DrapeParams {
     /// Time stepping.
     pub integrator: IntegratorName,
     /// Correction of over-elongation after every step of `central-difference`.
+    #[serde(skip_serializing_if = "is_default")]
     pub correction: CorrectionName,
     /// How near to rest.
     pub accuracy: AccuracyName,
@@ -113,7 +114,7 @@ pub struct DrapeParams {
     pub max_time: Duration,
     /// How often the rest is sought again from starts moved by up to 1 µm, 0 to 20: the certificate tells how far the
     /// rests lie apart. Each costs as much as the drape.
-    #[serde(skip_serializing_if = "is_zero")]
+    #[serde(skip_serializing_if = "is_default")]
     #[schemars(range(max = 20))]
     pub repeats: u32,
     /// Gates of the certificate by figure name; they replace the defaults.
@@ -121,8 +122,8 @@ pub struct DrapeParams {
 }
 
 /// Chains that ask for nothing keep their text.
-fn is_zero(number: &u32) -> bool {
-    *number == 0
+fn is_default<T: Default + PartialEq>(value: &T) -> bool {
+    *value == T::default()
 }
 
 impl Default for DrapeParams {

@@ -111,11 +111,11 @@ fn strain_limit(problem: &Problem, scene: &Scene) -> (bool, String) {
     let evidence = match &problem.over_elongation {
         Some(l) if l.most_near_limit > 0 => {
             format!(
-                "up to {} yarn directions of triangles near their limit, {} corrections",
+                "up to {} yarns of triangles, or springs, near their limit, {} corrections",
                 l.most_near_limit, l.corrected
             )
         }
-        Some(_) => "no triangle came near its limit".into(),
+        Some(_) => "nothing came near its limit".into(),
         None if scene.materials.iter().all(|m| m.strain_limit.iter().all(|l| l.is_infinite())) => {
             "no fabric has a limit".into()
         }
