@@ -28,6 +28,8 @@ struct Yarn {
 /// The correction of a cloth: its limited yarns, and those that are near their limits.
 pub(crate) struct OverElongation {
     yarns: Vec<Yarn>,
+    /// What is corrected, for the report.
+    pub what: &'static str,
     /// Passes over the yarns after a step, at most.
     passes: usize,
     /// Yarns near their limits, by number.
@@ -92,13 +94,14 @@ impl Yarn {
 impl OverElongation {
     /// The correction of a scene; `None` when no fabric has a limit.
     pub fn new(scene: &Scene, correction: ElongationCorrection) -> Option<Self> {
-        let (yarns, passes) = match correction {
-            ElongationCorrection::Kang => (yarns(scene), ELONGATION_PASSES.get()),
-            ElongationCorrection::Provot => (springs(scene), 1),
+        let (yarns, passes, what) = match correction {
+            ElongationCorrection::Kang => (yarns(scene), ELONGATION_PASSES.get(), "yarn directions of triangles"),
+            ElongationCorrection::Provot => (springs(scene), 1, "springs"),
         };
         let none = yarns.is_empty();
         (!none).then_some(Self {
             yarns,
+            what,
             passes,
             near_limit: Vec::new(),
             steps_since_test: ELONGATION_WATCH_STEPS.get(),

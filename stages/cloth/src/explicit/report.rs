@@ -110,12 +110,9 @@ fn friction(problem: &Problem, scene: &Scene) -> (bool, String) {
 fn strain_limit(problem: &Problem, scene: &Scene) -> (bool, String) {
     let evidence = match &problem.over_elongation {
         Some(l) if l.most_near_limit > 0 => {
-            format!(
-                "up to {} yarns of triangles, or springs, near their limit, {} corrections",
-                l.most_near_limit, l.corrected
-            )
+            format!("up to {} {} near their limit, {} corrections", l.most_near_limit, l.what, l.corrected)
         }
-        Some(_) => "nothing came near its limit".into(),
+        Some(l) => format!("none of the {} came near its limit", l.what),
         None if scene.materials.iter().all(|m| m.strain_limit.iter().all(|l| l.is_infinite())) => {
             "no fabric has a limit".into()
         }
