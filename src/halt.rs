@@ -22,6 +22,12 @@ impl Halt {
         Self { findings, source: None, exit }
     }
 
+    /// A mistake in what was asked for.
+    #[must_use]
+    pub fn usage(finding: Diagnostic) -> Self {
+        Self::new(vec![finding], Exit::Usage)
+    }
+
     /// A pipeline that cannot run.
     #[must_use]
     pub fn of(loaded: Loaded<'_>) -> Self {

@@ -27,4 +27,5 @@ pub mod render;
 pub mod rerun;
 pub mod schema;
 pub mod study;
+pub mod table;
 pub mod watch;

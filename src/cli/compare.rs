@@ -1,8 +1,8 @@
 //! `toile compare`: one garment by the paper's method, by its neighbours and by the program's own.
 
 use super::args::CompareArgs;
+use super::bench::{Chain, check_folder, write_files};
 use super::console::Console;
-use super::study::{Chain, check_folder, tell, usage, write_files};
 use crate::codes::UNKNOWN_VALUE;
 use crate::compare::rows::VERSION;
 use crate::compare::{Comparison, METHODS, Method, compare, page, table};
@@ -21,7 +21,7 @@ const FILES: [&str; 3] = ["compare.json", "compare.html", "compare.md"];
 pub(super) fn run(args: &CompareArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
     match work(args, registry, stop, console) {
         Ok(exit) => exit,
-        Err(halt) => tell(&halt, console),
+        Err(halt) => console.halted(&halt),
     }
 }
 
@@ -31,13 +31,11 @@ fn work(
     stop: &Arc<Stop>,
     console: &mut Console<'_>,
 ) -> Result<Exit, Halt> {
-    let methods = methods(&args.methods).map_err(usage)?;
+    let methods = methods(&args.methods).map_err(Halt::usage)?;
     let chain = Chain::look(&args.pipeline, registry, stop)?;
-    let threads = super::run::threads(args.threads);
-    // A pool that is there already (a library user's) is taken as it is: results do not depend on it.
-    drop(rayon::ThreadPoolBuilder::new().num_threads(threads).build_global());
+    let threads = super::run::pool(args.threads);
     let out = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(format!("{}-compare", chain.file_name)));
-    check_folder(&out, (FILES[0], "toile_compare"), &chain.name).map_err(usage)?;
+    check_folder(&out, (FILES[0], "toile_compare"), &chain.name).map_err(Halt::usage)?;
     // Times are to be those of this machine, and pictures need the body, which a kept garment has not: all is run anew.
     // A method that fails its certificate is a result here, and the table tells it.
     let (request, voice) = (args.pipeline.request(), Voice::Silent);

@@ -1,5 +1,7 @@
 //! stdout and stderr that may be closed at any time, as `| head` does.
 
+use crate::engine::Exit;
+use crate::halt::Halt;
 use std::io::Write;
 use toile_garment::Diagnostic;
 
@@ -35,5 +37,11 @@ impl<'a> Console<'a> {
     /// Findings, to stderr.
     pub fn findings(&mut self, findings: &[Diagnostic], source: Option<(&str, &str)>) {
         self.say(&crate::render::findings_text(findings, source));
+    }
+
+    /// Why a verb halted, to stderr, and how the program ends.
+    pub fn halted(&mut self, halt: &Halt) -> Exit {
+        self.findings(&halt.findings, halt.source.as_ref().map(|(file, text)| (file.as_str(), text.as_str())));
+        halt.exit
     }
 }

@@ -1,6 +1,7 @@
 //! The command line: one file per verb. stdout carries results only; progress and findings go to stderr.
 
 mod args;
+mod bench;
 mod body;
 mod bundle;
 mod check;

@@ -42,7 +42,7 @@ pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, con
         }
     };
     let out = args.out.clone().unwrap_or_else(|| default_out(&pipeline));
-    let threads = threads(args.threads);
+    let threads = pool(args.threads);
     let options = RunOptions {
         out: out.clone(),
         force: args.force,
@@ -56,8 +56,6 @@ pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, con
         foreseen: Some(content.into_foreseen(&pipeline)),
         cache: args.cache.options(),
     };
-    // A pool that is there already (a library user's) is taken as it is: results do not depend on it.
-    drop(rayon::ThreadPoolBuilder::new().num_threads(threads).build_global());
     let mut teller = Teller::new(if args.quiet { Voice::Quiet } else { Voice::Auto }, events);
     for words in forecast.into_iter().chain(pipeline.contents.iter().filter_map(unstated)) {
         teller.note(&words);
@@ -89,6 +87,14 @@ fn forecast(seconds: f64, mb: f64) -> Option<String> {
             "this is foreseen to take about {seconds:.0} s and {mb:.0} MB; `toile plan` shows what each stage takes"
         )
     })
+}
+
+/// Makes the pool of threads, and says how many it has.
+pub(super) fn pool(asked: Option<u16>) -> usize {
+    let threads = threads(asked);
+    // A pool that is there already (a library user's) is taken as it is: results do not depend on it.
+    drop(rayon::ThreadPoolBuilder::new().num_threads(threads).build_global());
+    threads
 }
 
 /// How many threads: as asked, else as the environment says, else one for each core.

@@ -1,13 +1,12 @@
 //! `toile study`: what accuracy costs in time, for one garment.
 
-use super::args::{PipelineArgs, StudyArgs};
+use super::args::StudyArgs;
+use super::bench::{Chain, check_folder, write_files};
 use super::codes;
 use super::console::Console;
-use crate::codes::{PATH_REFUSED, UNKNOWN_VALUE, WRITE_FAILED, WRONG_VALUE};
-use crate::engine::{Exit, Stop, clean, write_whole};
+use crate::codes::{UNKNOWN_VALUE, WRONG_VALUE};
+use crate::engine::{Exit, Stop};
 use crate::halt::Halt;
-use crate::load;
-use crate::pipeline::knob;
 use crate::progress::Voice;
 use crate::study::choose::millimetres;
 use crate::study::report::Head;
@@ -16,7 +15,7 @@ use serde::de::DeserializeOwned;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toile_garment::Diagnostic;
-use toile_stage_api::{Meaning, Registry};
+use toile_stage_api::Registry;
 
 /// Names of the results.
 const FILES: [&str; 4] = ["study.json", "study.svg", "study.html", "study.md"];
@@ -25,7 +24,7 @@ pub(super) fn run(args: &StudyArgs, registry: &mut Registry, stop: &Arc<Stop>, c
     match study(args, registry, stop, console) {
         Ok(exit) => exit,
         Err(halt) => {
-            let exit = tell(&halt, console);
+            let exit = console.halted(&halt);
             if exit == Exit::Stopped {
                 console.say("stopped; what is through is kept, and the same command goes on from there\n");
             }
@@ -34,22 +33,13 @@ pub(super) fn run(args: &StudyArgs, registry: &mut Registry, stop: &Arc<Stop>, c
     }
 }
 
-/// Tells why a verb halted.
-pub(super) fn tell(halt: &Halt, console: &mut Console<'_>) -> Exit {
-    let source = halt.source.as_ref().map(|(file, text)| (file.as_str(), text.as_str()));
-    console.findings(&halt.findings, source);
-    halt.exit
-}
-
 fn study(args: &StudyArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Result<Exit, Halt> {
-    let axes = axes(args).map_err(usage)?;
-    let wanted = length(&args.want, "--want").map_err(usage)?;
+    let axes = axes(args).map_err(Halt::usage)?;
+    let wanted = length(&args.want, "--want").map_err(Halt::usage)?;
     let chain = Chain::look(&args.pipeline, registry, stop)?;
-    let threads = super::run::threads(args.threads);
-    // A pool that is there already (a library user's) is taken as it is: results do not depend on it.
-    drop(rayon::ThreadPoolBuilder::new().num_threads(threads).build_global());
+    let threads = super::run::pool(args.threads);
     let out = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(format!("{}-study", chain.file_name)));
-    check_folder(&out, (FILES[0], "toile_study"), &chain.name).map_err(usage)?;
+    check_folder(&out, (FILES[0], "toile_study"), &chain.name).map_err(Halt::usage)?;
     let bench = Bench {
         request: args.pipeline.request(),
         out: out.clone(),
@@ -83,36 +73,6 @@ fn study(args: &StudyArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &
         console.say(&format!("{}\n", crate::render::safe(&out.join(name).to_string_lossy())));
     }
     Ok(Exit::Good)
-}
-
-/// The facts about the chain that are known before anything runs.
-pub(super) struct Chain {
-    /// Product line and version.
-    pub name: String,
-    /// The same as part of a file name.
-    pub file_name: String,
-    /// Does a stage set the length of mesh edges?
-    has_mesh_stage: bool,
-}
-
-impl Chain {
-    /// Reads the pipeline.
-    ///
-    /// # Errors
-    /// When it is wrong.
-    pub fn look(pipeline: &PipelineArgs, registry: &mut Registry, stop: &Arc<Stop>) -> Result<Self, Halt> {
-        let loaded = load::load(&pipeline.request(), stop, registry);
-        let exit = loaded.exit();
-        let source = loaded.text().map(|(file, text)| (file.to_owned(), text.to_owned()));
-        match loaded.pipeline {
-            Some(pipeline) if exit == Exit::Good => Ok(Self {
-                name: format!("{} v{}", pipeline.line, pipeline.version),
-                file_name: format!("{}-v{}", pipeline.line, pipeline.version),
-                has_mesh_stage: pipeline.steps.iter().any(|s| knob(s.ready.knobs(), Meaning::EdgeLength).is_some()),
-            }),
-            _ => Err(Halt { findings: loaded.report.findings, source, exit }),
-        }
-    }
 }
 
 /// The runs of a study, one after the other.
@@ -238,22 +198,6 @@ fn length(text: &str, option: &str) -> Result<f64, Diagnostic> {
     millimetres(text).map_err(wrong)
 }
 
-pub(super) fn usage(finding: Diagnostic) -> Halt {
-    Halt { findings: vec![finding], source: None, exit: Exit::Usage }
-}
-
-/// A study or a comparison goes into its own folder, and into no other's. Its file has the key.
-pub(super) fn check_folder(out: &Path, (file, key): (&str, &str), name: &str) -> Result<(), Diagnostic> {
-    let path = out.join(file);
-    let Ok(bytes) = std::fs::read(&path) else { return Ok(()) };
-    let there: Option<serde_json::Value> = serde_json::from_slice(&bytes).ok();
-    if there.is_some_and(|v| v.get(key).is_some() && v["pipeline"] == name) {
-        return Ok(());
-    }
-    let message = format!("`{}` holds a `{file}` that is not of {name}", clean(out));
-    Err(Diagnostic::error(PATH_REFUSED, message).hint("choose another folder with --out"))
-}
-
 fn json(study: &Study) -> String {
     toile_garment::text::json(&serde_json::to_string_pretty(study).unwrap_or_default()) + "\n"
 }
@@ -261,19 +205,4 @@ fn json(study: &Study) -> String {
 fn write(study: &Study, pictures: &[String], out: &Path) -> Result<(), Halt> {
     let texts = [json(study), chart::svg(study), page::html(study, pictures), table::markdown(study)];
     write_files(out, &FILES, &texts)
-}
-
-/// Writes files of these names.
-///
-/// # Errors
-/// When the disk refuses.
-pub(super) fn write_files(out: &Path, names: &[&str], texts: &[String]) -> Result<(), Halt> {
-    for (name, text) in names.iter().zip(texts) {
-        write_whole(&out.join(name), text.as_bytes()).map_err(|e| Halt {
-            findings: vec![Diagnostic::error(WRITE_FAILED, format!("cannot write `{}`: {e}", clean(&out.join(name))))],
-            source: None,
-            exit: Exit::System,
-        })?;
-    }
-    Ok(())
 }

@@ -15,9 +15,7 @@ use toile_stage_api::Registry;
 const TICK: Duration = Duration::from_millis(150);
 
 pub(super) fn run(args: &WatchArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
-    let threads = super::run::threads(args.threads);
-    // A pool that is there already (a library user's) is taken as it is: results do not depend on it.
-    drop(rayon::ThreadPoolBuilder::new().num_threads(threads).build_global());
+    let threads = super::run::pool(args.threads);
     let mut number = 0;
     let mut watched = Watched::default();
     while !stop.asked() && args.runs.is_none_or(|most| number < most) {

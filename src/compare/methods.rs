@@ -25,6 +25,7 @@ pub struct Method {
     pub way: Way,
 }
 
+/// A method that drapes.
 const fn draped(
     name: &'static str,
     source: &'static str,

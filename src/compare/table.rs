@@ -1,7 +1,7 @@
 //! A comparison as a table: text for the terminal, Markdown for a page.
 
 use super::rows::{Comparison, Distance, Row};
-use std::fmt::Write as _;
+use crate::table::Table;
 
 /// Heads of the columns.
 pub const HEADS: [&str; 11] = [
@@ -47,44 +47,25 @@ pub fn cells(row: &Row) -> [String; HEADS.len()] {
 /// The table for a terminal, and what it says.
 #[must_use]
 pub fn text(comparison: &Comparison) -> String {
-    let rows: Vec<[String; HEADS.len()]> = comparison.rows.iter().map(cells).collect();
-    let mut widths = HEADS.map(|h| h.chars().count());
-    for row in &rows {
-        for (width, cell) in widths.iter_mut().zip(row) {
-            *width = (*width).max(cell.chars().count());
-        }
-    }
-    let line = |cells: [&str; HEADS.len()]| {
-        let mut out = String::new();
-        for (i, (cell, width)) in cells.iter().zip(widths).enumerate() {
-            // Writing to a String cannot fail.
-            let _ = if i == 0 { write!(out, "{cell:<width$}  ") } else { write!(out, "{cell:>width$}  ") };
-        }
-        format!("{}\n", out.trim_end())
-    };
-    let mut out = format!("{}\n\n{}", title(comparison), line(HEADS));
-    rows.iter().for_each(|r| out.push_str(&line(r.each_ref().map(String::as_str))));
-    out.push('\n');
-    words(comparison).iter().for_each(|w| {
-        let _ = writeln!(out, "{w}");
-    });
-    crate::render::safe(&out)
+    let table = shown(comparison, |t| t.text());
+    crate::render::safe(&format!("{}\n\n{table}\n{}", title(comparison), lines(comparison)))
 }
 
 /// The same as Markdown.
 #[must_use]
 pub fn markdown(comparison: &Comparison) -> String {
-    let line = |cells: [&str; HEADS.len()]| format!("| {} |\n", cells.join(" | "));
-    let mut out = line(HEADS);
-    out.push_str(&line(std::array::from_fn(|i| if i == 0 { "---" } else { "---:" })));
-    for row in &comparison.rows {
-        out.push_str(&line(cells(row).each_ref().map(String::as_str)));
-    }
-    out.push('\n');
-    words(comparison).iter().for_each(|w| {
-        let _ = writeln!(out, "{w}");
-    });
-    crate::render::safe(&out)
+    crate::render::safe(&format!("{}\n{}", shown(comparison, |t| t.markdown()), lines(comparison)))
+}
+
+/// The table, written out.
+fn shown(comparison: &Comparison, write: impl Fn(&Table<'_>) -> String) -> String {
+    let cells: Vec<[String; HEADS.len()]> = comparison.rows.iter().map(cells).collect();
+    let rows = cells.iter().map(|row| row.iter().map(String::as_str).collect()).collect();
+    write(&Table { heads: HEADS.to_vec(), rows, left: &[0] })
+}
+
+fn lines(comparison: &Comparison) -> String {
+    words(comparison).into_iter().map(|sentence| sentence + "\n").collect()
 }
 
 /// Its title.

@@ -2,7 +2,6 @@
 
 use super::Order;
 use super::codes::{FIT_EASE, FIT_NO_MEASURE, FIT_NOT_REACHED};
-use crate::engine::Exit;
 use crate::halt::Halt;
 use std::collections::BTreeMap;
 use toile_garment::body::Body;
@@ -71,7 +70,7 @@ pub fn asked(order: &Order, own: &Garment, body: &Body) -> Result<Vec<Level>, Ha
             format!("an ease of {:.0} mm at the {} is asked, of {:.0} mm of body", 1e3 * l.asked, l.name, 1e3 * l.body);
         let hint =
             "cloth is stretched by a fourth of its length at most; write how much wider than the body it shall be";
-        return Err(Halt::new(vec![Diagnostic::error(FIT_EASE, message).hint(hint)], Exit::Usage));
+        return Err(Halt::usage(Diagnostic::error(FIT_EASE, message).hint(hint)));
     }
     let lost = order.ease.keys().find(|name| !levels.iter().any(|l| l.name == **name));
     if levels.is_empty() || lost.is_some() {
@@ -85,7 +84,7 @@ pub fn asked(order: &Order, own: &Garment, body: &Body) -> Result<Vec<Level>, Ha
         } else {
             format!("heights of this garment are {}", names.join(", "))
         };
-        return Err(Halt::new(vec![Diagnostic::error(FIT_NO_MEASURE, message).hint(hint)], Exit::Usage));
+        return Err(Halt::usage(Diagnostic::error(FIT_NO_MEASURE, message).hint(hint)));
     }
     Ok(levels)
 }

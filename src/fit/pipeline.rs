@@ -36,7 +36,7 @@ pub fn copied(request: &Request, body: &str, registry: &Registry) -> Result<Copi
         return Err(Halt::of(loaded));
     }
     let (Some(pipeline), Some(gate)) = (&loaded.pipeline, &loaded.gate) else { return Err(Halt::of(loaded)) };
-    let from = first_kept(pipeline).map_err(|finding| Halt::new(vec![finding], Exit::Usage))?;
+    let from = first_kept(pipeline).map_err(Halt::usage)?;
     let mut files = Vec::new();
     let mut stages = vec![json!({ "use": IMPORT, "with": { "file": PATTERN_NAME, "sewing": SEWING_NAME } })];
     for step in &pipeline.steps[from..] {

@@ -48,7 +48,7 @@ impl Means<'_> {
             return Err(Halt::of(loaded));
         };
         let text = (source.file().to_owned(), source.text().to_owned());
-        shorten(&mut pipeline).map_err(|finding| Halt::new(vec![finding], Exit::Usage))?;
+        shorten(&mut pipeline).map_err(Halt::usage)?;
         let content = Content::of(&pipeline, &gate, self.stop);
         if let Some(finding) = Limits::default().refuse(&content.foresight) {
             return Err(Halt::new(vec![finding], Exit::System));

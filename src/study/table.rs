@@ -2,7 +2,7 @@
 
 use super::estimate::ORDER;
 use super::report::{Row, Study};
-use std::fmt::Write as _;
+use crate::table::Table;
 
 /// Heads of the columns.
 pub const HEADS: [&str; 13] = [
@@ -23,7 +23,7 @@ pub const HEADS: [&str; 13] = [
 
 /// The cells of a row, one for each head.
 #[must_use]
-pub fn cells(study: &Study, number: usize) -> [String; 13] {
+pub fn cells(study: &Study, number: usize) -> [String; HEADS.len()] {
     let row = &study.rows[number];
     let run = &row.done;
     let finest = number == study.finest;
@@ -80,47 +80,28 @@ fn remarks(study: &Study, row: &Row, number: usize) -> String {
 /// The table for a terminal, and what it says.
 #[must_use]
 pub fn text(study: &Study) -> String {
-    let rows: Vec<[String; 13]> = (0..study.rows.len()).map(|i| cells(study, i)).collect();
-    let mut widths = HEADS.map(|h| h.chars().count());
-    for row in &rows {
-        for (width, cell) in widths.iter_mut().zip(row) {
-            *width = (*width).max(cell.chars().count());
-        }
-    }
-    let line = |cells: &[&str]| {
-        let mut out = String::new();
-        for (i, (cell, width)) in cells.iter().zip(widths).enumerate() {
-            let left = i == 0 || i == HEADS.len() - 1;
-            // Writing to a String cannot fail.
-            let _ = if left { write!(out, "{cell:<width$}  ") } else { write!(out, "{cell:>width$}  ") };
-        }
-        format!("{}\n", out.trim_end())
-    };
-    let mut out = format!("{}: what accuracy costs\n\n{}", study.pipeline, line(&HEADS));
-    rows.iter().for_each(|r| out.push_str(&line(&r.each_ref().map(String::as_str))));
-    out.push('\n');
-    words(study).iter().for_each(|w| {
-        let _ = writeln!(out, "{w}");
-    });
-    crate::render::safe(&out)
+    let all: Vec<usize> = (0..HEADS.len()).collect();
+    let table = shown(study, &all, |t| t.text());
+    crate::render::safe(&format!("{}: what accuracy costs\n\n{table}\n{}", study.pipeline, lines(study)))
 }
 
 /// The same as Markdown: only the columns that a buyer of accuracy needs.
 #[must_use]
 pub fn markdown(study: &Study) -> String {
-    const SHOWN: [usize; 10] = [0, 1, 2, 3, 4, 5, 6, 7, 11, 12];
-    let line = |cells: Vec<&str>| format!("| {} |\n", cells.join(" | "));
-    let mut out = line(SHOWN.iter().map(|i| HEADS[*i]).collect());
-    out.push_str(&line(SHOWN.iter().map(|i| if *i == 0 || *i == 12 { "---" } else { "---:" }).collect()));
-    for number in 0..study.rows.len() {
-        let cells = cells(study, number);
-        out.push_str(&line(SHOWN.iter().map(|i| cells[*i].as_str()).collect()));
-    }
-    out.push('\n');
-    words(study).iter().for_each(|w| {
-        let _ = writeln!(out, "{w}");
-    });
-    crate::render::safe(&out)
+    let table = shown(study, &[0, 1, 2, 3, 4, 5, 6, 7, 11, 12], |t| t.markdown());
+    crate::render::safe(&format!("{table}\n{}", lines(study)))
+}
+
+/// Some columns of the table, written out.
+fn shown(study: &Study, columns: &[usize], write: impl Fn(&Table<'_>) -> String) -> String {
+    let cells: Vec<[String; HEADS.len()]> = (0..study.rows.len()).map(|i| cells(study, i)).collect();
+    let rows = cells.iter().map(|row| columns.iter().map(|i| row[*i].as_str()).collect()).collect();
+    let heads = columns.iter().map(|i| HEADS[*i]).collect();
+    write(&Table { heads, rows, left: &[0, columns.len() - 1] })
+}
+
+fn lines(study: &Study) -> String {
+    words(study).into_iter().map(|sentence| sentence + "\n").collect()
 }
 
 /// Sentences that explain the figures and the recommendation.

@@ -93,9 +93,7 @@ fn again(
     registry: &mut Registry,
     stop: &Arc<Stop>,
 ) -> Result<Vec<Diagnostic>, (Vec<Diagnostic>, Exit)> {
-    let threads = super::run::threads(args.threads);
-    // A pool that is there already (a library user's) is taken as it is: results do not depend on it.
-    drop(rayon::ThreadPoolBuilder::new().num_threads(threads).build_global());
+    let threads = super::run::pool(args.threads);
     let folder = tempfile::tempdir().map_err(|e| {
         let message = format!("there is no folder for temporary files: {e}");
         (vec![Diagnostic::error(WRITE_FAILED, message)], Exit::System)

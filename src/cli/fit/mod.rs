@@ -31,23 +31,18 @@ const SMOOTH: &str = "40 mm";
 pub(super) fn run(args: &FitArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
     match fitted(args, registry, stop, console) {
         Ok(exit) => exit,
-        Err(halt) => {
-            let source = halt.source.as_ref().map(|(file, text)| (file.as_str(), text.as_str()));
-            console.findings(&halt.findings, source);
-            halt.exit
-        }
+        Err(halt) => console.halted(&halt),
     }
 }
 
 fn fitted(args: &FitArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Result<Exit, Halt> {
-    let order = order(args).map_err(|finding| Halt::new(vec![finding], Exit::Usage))?;
-    check_locks(&order, registry).map_err(|finding| Halt::new(vec![finding], Exit::Usage))?;
+    let order = order(args).map_err(Halt::usage)?;
+    check_locks(&order, registry).map_err(Halt::usage)?;
     if let Body::Size(_) = order.body {
         // A size that is not there is told before any work.
         order.body.open().map_err(|findings| Halt::new(findings, Exit::Usage))?;
     }
-    check_folder(&args.out, args.force).map_err(|finding| Halt::new(vec![finding], Exit::Usage))?;
-    drop(rayon::ThreadPoolBuilder::new().num_threads(order.threads).build_global());
+    check_folder(&args.out, args.force).map_err(Halt::usage)?;
     let fitted = fit::fit(&order, registry, stop, |round, levels| {
         if !args.quiet {
             console.say(&told(round, levels));
@@ -110,7 +105,7 @@ fn order(args: &FitArgs) -> Result<Order, Diagnostic> {
         within: within(args)?,
         rounds: args.rounds,
         flatten: flatten_params(args),
-        threads: super::run::threads(args.threads),
+        threads: super::run::pool(args.threads),
     })
 }
 

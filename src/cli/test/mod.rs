@@ -77,9 +77,7 @@ fn reason(args: &TestArgs) -> Result<Option<&str>, Diagnostic> {
 }
 
 fn bench(args: &TestArgs, temporary: &Path) -> Bench {
-    let threads = super::run::threads(args.threads);
-    // A pool that is there already (a library user's) is taken as it is: results do not depend on it.
-    drop(rayon::ThreadPoolBuilder::new().num_threads(threads).build_global());
+    let threads = super::run::pool(args.threads);
     let here = |dir: &PathBuf| std::path::absolute(dir).unwrap_or_else(|_| dir.clone());
     Bench {
         means: Means { threads, limits: args.limits.limits(), cache: args.cache.options() },

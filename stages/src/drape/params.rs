@@ -99,7 +99,7 @@ pub struct DrapeParams {
     pub model: ModelName,
     /// Time stepping.
     pub integrator: IntegratorName,
-    /// Correction of over-elongation after every step of `central-difference`.
+    /// Correction of over-elongation after every step of `central-difference`; `kang` when not given.
     #[serde(skip_serializing_if = "is_default")]
     pub correction: CorrectionName,
     /// How near to rest.

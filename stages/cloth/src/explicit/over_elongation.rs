@@ -28,7 +28,7 @@ struct Yarn {
 /// The correction of a cloth: its limited yarns, and those that are near their limits.
 pub(crate) struct OverElongation {
     yarns: Vec<Yarn>,
-    /// What is corrected, for the report.
+    /// Name of what is corrected, for the report.
     pub what: &'static str,
     /// Passes over the yarns after a step, at most.
     passes: usize,
