@@ -51,6 +51,7 @@ const OWN: &[&[Code]] = &[
     crate::new::codes::CODES,
     crate::pipeline::codes::CODES,
     crate::study::codes::CODES,
+    crate::validate::codes::CODES,
 ];
 
 /// All codes, in alphabetical order.

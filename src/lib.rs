@@ -28,4 +28,5 @@ pub mod rerun;
 pub mod schema;
 pub mod study;
 pub mod table;
+pub mod validate;
 pub mod watch;

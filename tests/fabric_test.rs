@@ -139,3 +139,56 @@ fn what_cannot_be_tested_is_refused_in_words() {
     refused(&[&"cusick", &wrong], 3, "error[text-not-utf8]");
     refused(&[&"cusick", &fabric, &"--svg", &wrong], 2, "--force");
 }
+
+/// Cloth that curls keeps more of its shadow where its hollow side lies upwards.
+#[test]
+fn cloth_that_curls_drapes_differently_with_its_wrong_side_upwards() {
+    let dir = tempfile::tempdir().expect("folder");
+    let text = std::fs::read_to_string(sample("cotton-shirting.toml")).expect("a sample");
+    let curled = dir.path().join("curled.toml");
+    let curls = "rest_curvature_warp = \"15 1/m\"\nrest_curvature_weft = \"15 1/m\"\nareal_mass";
+    std::fs::write(&curled, text.replacen("areal_mass", curls, 1)).expect("written");
+    let read = |more: &[&dyn AsRef<std::ffi::OsStr>]| {
+        let all: [&dyn AsRef<std::ffi::OsStr>; 7] =
+            [&"cusick", &curled, &"--edge", &"12 mm", &"--repeats", &"1", &"--json"];
+        number(&json(&test(&[&all, more].concat()))["drape_coefficient"])
+    };
+    let (right, wrong) = (read(&[]), read(&[&"--wrong-side"]));
+    assert!(right > wrong + 0.05, "{right} and {wrong}");
+}
+
+/// Captures that the solver made itself are foretold: the curl is found, and the second face with it.
+#[test]
+fn measured_drapes_are_foretold() {
+    let dir = tempfile::tempdir().expect("folder");
+    let table = dir.path().join("drapes.csv");
+    let captures = "fabric,face,dc_percent,rim_z_mean_mm,areal_mass_gsm,comment\n\
+                    denim,right,77,-31,200,a\ndenim,right,78,-30,,b\ndenim,right,74,-33,,c\n\
+                    denim,wrong,62,-40,,d\ndenim,wrong,60,-41,,e\ndenim,wrong,65,-38,,f\n";
+    std::fs::write(&table, captures).expect("written");
+    let out = dir.path().join("out");
+    let all: [&dyn AsRef<std::ffi::OsStr>; 9] =
+        [&"validate", &"drape", &table, &"--edge", &"12 mm", &"--falls", &"2", &"--json", &"--out"];
+    let run = || command(all.iter().copied().chain([&out as _]).map(OsString::from).collect());
+    let said = run();
+    assert!(said.err.contains("`comment` is not used"), "{said:?}");
+    let facts = json(&said);
+    let rows = facts["rows"].as_array().expect("rows");
+    let laws: Vec<&str> = rows.iter().filter_map(|r| r["law"].as_str()).collect();
+    assert_eq!(laws, ["elastic", "hysteresis", "rest-curvature"].repeat(2));
+    let [elastic, curled] = [&rows[3], &rows[5]];
+    let off = |row: &Value| {
+        let mean = |side: &str| number(&row[side]["coefficient"]["mean"]);
+        (mean("simulated") - mean("captured")).abs()
+    };
+    assert!(off(elastic) > 6.0 && off(curled) < 4.0, "{} and {}", off(elastic), off(curled));
+    assert!(number(&rows[2]["rest_curvature_per_m"]) > 1.0, "hollow on the face that keeps more of its shadow");
+    assert_eq!(number(&rows[2]["rest_curvature_per_m"]), -number(&curled["rest_curvature_per_m"]));
+    for name in ["validate.json", "validate.svg", "validate.md"] {
+        assert!(out.join(name).is_file(), "{name}");
+    }
+    // A table that cannot be read is refused with the line, and nothing is simulated.
+    std::fs::write(&table, captures.replace(",62,", ",162,")).expect("written");
+    let refused = run();
+    assert!(refused.code == 3 && refused.err.contains("drapes.csv:5"), "{refused:?}");
+}

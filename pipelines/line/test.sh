@@ -6,8 +6,9 @@
 #
 # Snakemake comes from PyPI into target/workflow/venv. With --slurm the script installs Debian's packages slurmctld,
 # slurmd and munge, writes /etc/slurm/slurm.conf and starts the daemons. So it wants root, on a machine to throw away.
-# FABRICS="wool-suiting linen-plain" SIZES="36 38" TRIANGLES=600 say what is sewn. TOILE is the program. QUICK=40 prints
-# the skirt from 40 copies of its pattern and drapes nothing, so the engines alone are seen; CHUNK=10 makes chunks.
+# FABRICS="wool-suiting linen-plain" SIZES="36 38" TRIANGLES=600 say what is sewn. TOILE is the program. VARIANTS=34 sews
+# each of STYLES="long-skirt t-shirt fitted-bodice" with so many meshes, and writes no reports. QUICK=40 prints the skirt
+# from 40 copies of its pattern and drapes nothing, so the engines alone are seen; CHUNK=10 makes chunks.
 set -euo pipefail
 cd "$(dirname "$0")/../.."
 here=$PWD/pipelines/line
@@ -17,6 +18,8 @@ toile=$(realpath "$toile")
 fabrics=(${FABRICS:-wool-suiting linen-plain})
 quick=${QUICK:-0}
 sizes=(${SIZES:-36 38 40})
+variants=${VARIANTS:-0}
+styles=(${STYLES:-long-skirt})
 
 fail() { echo "FAILED: $*" >&2; exit 1; }
 # timed NAME COMMAND…: runs it, tells its wall time, and keeps its exit code in `code`.
@@ -58,14 +61,19 @@ install() {
 
 # A project of its own, since a fabric in it is changed.
 project() {
-    rm -rf "$work"/{project,serial,local,broken,both,slurm}
+    rm -rf "$work"/{project,serial,pair,local,broken,both,slurm}
     mkdir -p "$work/project"/{lines,pipelines,samples/patterns}
     touch "$work/project/toile.root"
-    cp -r pipelines/long-skirt "$work/project/pipelines/"
-    cp samples/patterns/long-skirt.* "$work/project/samples/patterns/"
+    local style
+    for style in "${styles[@]}"; do
+        cp -r "pipelines/$style" "$work/project/pipelines/"
+        cp "samples/patterns/$style".* "$work/project/samples/patterns/"
+    done
     cp -r samples/{bodies,fabrics,textures} "$work/project/samples/"
     list() { printf '"%s", ' "$@"; }
-    if [ "$quick" != 0 ]; then prints; else skirts; fi
+    jobs=$((${#sizes[@]} * ${#fabrics[@]}))
+    if [ "$quick" != 0 ]; then prints; elif [ "$variants" != 0 ]; then drapes; else skirts; fi
+    changes=$((jobs / ${#fabrics[@]}))
 }
 
 # A chain that drapes nothing; copies of the pattern stand for the fabrics.
@@ -76,6 +84,7 @@ prints() {
         fabrics+=("pattern-$k")
         cp samples/patterns/long-skirt.astm.dxf "$work/project/samples/patterns/pattern-$k.dxf"
     done
+    jobs=$((${#sizes[@]} * quick))
     cat >"$work/project/pipelines/prints.toml" <<END
 toile = 1
 [pipeline]
@@ -121,11 +130,30 @@ fabric = [$(list "${fabrics[@]}")]
 END
 }
 
+# Each style with so many meshes.
+drapes() {
+    local style k set line=$work/project/lines/line.toml
+    printf 'toile = 1\n[line]\nname = "drapes"\n' >"$line"
+    printf '[matrix]\nsize = [%s]\nfabric = [%s]\n' "$(list "${sizes[@]}")" "$(list "${fabrics[@]}")" >>"$line"
+    for style in "${styles[@]}"; do
+        sed -i '/^\[\[stage\]\]$/{N;/export-report/d}' "$work/project/pipelines/$style/v1.toml"
+        printf '[[style]]\nname = "%s"\npipeline = "../pipelines/%s/v1.toml"\n[style.matrix.mesh]\n' "$style" "$style" >>"$line"
+        for k in $(seq "$variants"); do
+            set="edge_length = \"$((240 + 2 * k))e-1 mm\""
+            [ "$style" != long-skirt ] || set="triangles = $((600 + 20 * k))"
+            printf 'm%s = { triangulate.%s }\n' "$k" "$set" >>"$line"
+        done
+    done
+    jobs=$((jobs * variants * ${#styles[@]}))
+}
+
 on_this_machine() {
     local fabric=$work/project/samples/fabrics/${fabrics[0]}.toml
     [ "$quick" = 0 ] || fabric=$work/project/samples/patterns/${fabrics[0]}.dxf
     timed serial line run serial -j 1 --threads 1 --quiet
     local serial=$code
+    killed pair exec "$toile" line run "$work/project/lines/line.toml" --out "$work/pair" -j 2 --quiet
+    same serial pair
     timed local snake local local
     [ "$code" = "$serial" ] || fail "line run ended with $serial, Snakemake with $code"
     same serial local
@@ -140,40 +168,42 @@ on_this_machine() {
     cmp -s "$fabric" "$work/fabric" && fail "the fabric has no areal_mass"
     mark
     timed one-fabric snake local local
-    count "one fabric changed" "$(ran local)" ${#sizes[@]}
+    count "one fabric changed" "$(ran local)" $changes
     # The other engine goes on in the same folder: it finds all of it done, and does what is changed back.
     mark
-    line run local --quiet >/dev/null
+    line run local --quiet >/dev/null || [ $? = "$serial" ]
     count "line run after Snakemake" "$(ran local)" 0
     cp "$work/fabric" "$fabric"
     mark
-    line run local --quiet >/dev/null
-    count "line run, fabric as before" "$(ran local)" ${#sizes[@]}
+    line run local --quiet >/dev/null || [ $? = "$serial" ]
+    count "line run, fabric as before" "$(ran local)" $changes
     mark
     timed after-line-run snake local local
     count "Snakemake after line run" "$(ran local)" 0
     same serial local
 
-    killed
-    # A print that can fail is refused by `line jobs`.
-    [ "$quick" != 0 ] || failures
+    killed broken snake local broken
+    same serial broken
+    # A print that can fail is refused by `line jobs`, and with many meshes there are no reports.
+    [ "$quick$variants" != 00 ] || failures
 }
 
-# Killed at random moments after some of its jobs are done, and resumed.
+# killed FOLDER COMMAND…: killed at random moments after shares of its jobs are done, and resumed. The command has to
+# become one process.
 killed() {
-    local k pid
-    records() { find "$work/broken/jobs" -name run.json 2>/dev/null | wc -l; }
+    local folder=$1 k pid
+    shift
+    records() { find "$work/$folder/jobs" -name run.json 2>/dev/null | wc -l; }
     for k in 1 2 3; do
-        snake local broken >"$work/killed-$k.log" 2>&1 &
+        "$@" >"$work/killed-$folder-$k.log" 2>&1 &
         pid=$!
-        while kill -0 "$pid" 2>/dev/null && [ "$(records)" -lt $((2 * k - 1)) ]; do sleep 0.05; done
+        while kill -0 "$pid" 2>/dev/null && [ "$(records)" -lt $((2 * k - 1 + (k - 1) * jobs / 4)) ]; do sleep 0.05; done
         sleep 0.$((RANDOM % 10))
         kill -KILL "$pid" 2>/dev/null || true
         wait "$pid" 2>/dev/null || true
-        echo "killed; $(records) records"
+        echo "$folder killed; $(records) records"
     done
-    timed resumed snake local broken
-    same serial broken
+    timed "$folder-resumed" "$@"
 }
 
 # A job that cannot run: its exit code is found, its record and its page stay, and the others run.

@@ -5,6 +5,7 @@ use super::fabric::FabricArgs;
 use super::fit::FitArgs;
 use super::line::LineArgs;
 use super::test::TestArgs;
+use super::validate::ValidateArgs;
 use crate::engine::{CacheOptions, Limits};
 use crate::load::Request;
 use clap::{Args, Parser, Subcommand, ValueEnum};
@@ -58,6 +59,8 @@ pub enum Verb {
     Study(StudyArgs),
     /// Drape one garment by the paper's method, by its neighbours and by this program's own, side by side.
     Compare(CompareArgs),
+    /// Foretell measured drapes of real cloth, and tell where that fails.
+    Validate(ValidateArgs),
     /// Make a body of a size or from measures, or measure a mesh; without options: list sizes and measures.
     Body(BodyArgs),
     /// Do a laboratory's test of a fabric on the solver.
@@ -424,7 +427,7 @@ pub struct CompareArgs {
     /// Folder of the comparison [default: out/LINE-vVERSION-compare].
     #[arg(long, value_name = "DIR")]
     pub out: Option<PathBuf>,
-    /// Methods [default: all: toile, springs, paper, provot, explicit-triangles, implicit, sewn-only]
+    /// Methods: toile, springs, paper, penalty, provot, explicit-triangles, implicit, sewn-only [default: all but penalty]
     #[arg(long, value_name = "WORD,…", value_delimiter = ',')]
     pub methods: Vec<String>,
     /// Threads [default: all cores, or TOILE_THREADS]; results never depend on it.

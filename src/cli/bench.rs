@@ -1,4 +1,4 @@
-//! What `study` and `compare` share: the chain that they run, and the folder that they write.
+//! Parts that `study`, `compare` and `validate` share: the chain that they run, and the folder that they write.
 
 use super::args::PipelineArgs;
 use crate::codes::{PATH_REFUSED, WRITE_FAILED};
@@ -41,28 +41,35 @@ impl Chain {
     }
 }
 
-/// A study or a comparison goes into its own folder, and into no other's. Its file has the key.
-pub(super) fn check_folder(out: &Path, (file, key): (&str, &str), name: &str) -> Result<(), Diagnostic> {
+/// Results go into a folder of their own, and into no other's. Their file has the key `kind`, and under `subject` the name.
+pub(super) fn check_folder(
+    out: &Path,
+    (file, kind, subject): (&str, &str, &str),
+    name: &str,
+) -> Result<(), Diagnostic> {
     let path = out.join(file);
     let Ok(bytes) = std::fs::read(&path) else { return Ok(()) };
     let there: Option<serde_json::Value> = serde_json::from_slice(&bytes).ok();
-    if there.is_some_and(|v| v.get(key).is_some() && v["pipeline"] == name) {
+    if there.is_some_and(|v| v.get(kind).is_some() && v[subject] == name) {
         return Ok(());
     }
     let message = format!("`{}` holds a `{file}` that is not of {name}", clean(out));
     Err(Diagnostic::error(PATH_REFUSED, message).hint("choose another folder with --out"))
 }
 
-/// Writes files of these names.
+/// Writes files of these names into a folder, which is made where it is missing.
 ///
 /// # Errors
 /// When the disk refuses.
 pub(super) fn write_files(out: &Path, names: &[&str], texts: &[String]) -> Result<(), Halt> {
+    let refused = |path: &Path, e: &std::io::Error| {
+        let message = format!("cannot write `{}`: {e}", clean(path));
+        Halt::new(vec![Diagnostic::error(WRITE_FAILED, message)], Exit::System)
+    };
+    std::fs::create_dir_all(out).map_err(|e| refused(out, &e))?;
     for (name, text) in names.iter().zip(texts) {
-        write_whole(&out.join(name), text.as_bytes()).map_err(|e| {
-            let message = format!("cannot write `{}`: {e}", clean(&out.join(name)));
-            Halt::new(vec![Diagnostic::error(WRITE_FAILED, message)], Exit::System)
-        })?;
+        let path = out.join(name);
+        write_whole(&path, text.as_bytes()).map_err(|e| refused(&path, &e))?;
     }
     Ok(())
 }

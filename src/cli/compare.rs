@@ -35,7 +35,7 @@ fn work(
     let chain = Chain::look(&args.pipeline, registry, stop)?;
     let threads = super::run::pool(args.threads);
     let out = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(format!("{}-compare", chain.file_name)));
-    check_folder(&out, (FILES[0], "toile_compare"), &chain.name).map_err(Halt::usage)?;
+    check_folder(&out, (FILES[0], "toile_compare", "pipeline"), &chain.name).map_err(Halt::usage)?;
     // Times are to be those of this machine, and pictures need the body, which a kept garment has not: all is run anew.
     // A method that fails its certificate is a result here, and the table tells it.
     let (request, voice) = (args.pipeline.request(), Voice::Silent);
@@ -66,13 +66,15 @@ fn work(
     Ok(Exit::Good)
 }
 
-/// The methods of these names, in the order of the table; all without any name.
+/// The methods of these names, in the order of the table; without any name those that run by default.
 fn methods(names: &[String]) -> Result<Vec<&'static Method>, Diagnostic> {
     if let Some(unknown) = names.iter().find(|n| METHODS.iter().all(|m| m.name != n.as_str())) {
         let known = METHODS.map(|m| m.name).join(", ");
         let message = format!("--methods: there is no method `{}`", crate::render::safe(unknown));
         return Err(Diagnostic::error(UNKNOWN_VALUE, message).hint(format!("the methods are {known}")));
     }
-    let is_asked = |m: &&Method| names.is_empty() || names.iter().any(|n| n == m.name);
+    let is_asked = |m: &&Method| {
+        if names.is_empty() { m.by_default } else { names.iter().any(|n| n == m.name) }
+    };
     Ok(METHODS.iter().filter(is_asked).collect())
 }

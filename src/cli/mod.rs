@@ -25,6 +25,7 @@ mod schema;
 mod stages;
 mod study;
 mod test;
+mod validate;
 mod watch;
 
 use crate::engine::{Exit, Stop};
@@ -101,6 +102,7 @@ fn dispatch(cli: Cli, mut registry: Registry, stop: &Arc<Stop>, console: &mut Co
         Verb::Inspect(args) => inspect::run(&args, console),
         Verb::Fit(args) => fit::run(&args, &mut registry, stop, console),
         Verb::Flatten(args) => flatten::run(&args, &registry, stop, console),
+        Verb::Validate(args) => validate::run(&args, stop, console),
         Verb::Compare(args) => compare::run(&args, &mut registry, stop, console),
         Verb::Study(args) => study::run(&args, &mut registry, stop, console),
         Verb::Body(args) => body::run(&args, console),

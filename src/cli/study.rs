@@ -39,7 +39,7 @@ fn study(args: &StudyArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &
     let chain = Chain::look(&args.pipeline, registry, stop)?;
     let threads = super::run::pool(args.threads);
     let out = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(format!("{}-study", chain.file_name)));
-    check_folder(&out, (FILES[0], "toile_study"), &chain.name).map_err(Halt::usage)?;
+    check_folder(&out, (FILES[0], "toile_study", "pipeline"), &chain.name).map_err(Halt::usage)?;
     let bench = Bench {
         request: args.pipeline.request(),
         out: out.clone(),

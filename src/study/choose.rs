@@ -8,7 +8,6 @@ use super::report::Study;
 use crate::pipeline::Tuning;
 use toile_garment::units::{Length, tidy};
 use toile_stage_api::Meaning;
-use toile_stages::drape::CorrectionName;
 
 /// The accuracy that a pipeline asks for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,9 +93,10 @@ pub fn tuning(setting: &Setting) -> Tuning {
         (Meaning::Integrator, word(&setting.integrator)),
         (Meaning::SelfContact, word(&setting.self_contact)),
     ];
-    let other = setting.correction != CorrectionName::default();
-    let correction = other.then(|| (Meaning::Correction, word(&setting.correction)));
-    edge.into_iter().chain(rest).chain(correction).collect()
+    let own = Setting::plain(None);
+    let correction = (setting.correction != own.correction).then(|| (Meaning::Correction, word(&setting.correction)));
+    let penalty = (setting.penalty != own.penalty).then(|| (Meaning::Penalty, word(&setting.penalty)));
+    edge.into_iter().chain(rest).chain(correction).chain(penalty).collect()
 }
 
 /// A preset's error is what the study of this garment found; without one it is what the preset promises.

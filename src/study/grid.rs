@@ -2,7 +2,7 @@
 
 use super::presets::PRESETS;
 use serde::{Deserialize, Serialize};
-use toile_stages::drape::{AccuracyName, CorrectionName, IntegratorName, ModelName, SwitchName};
+use toile_stages::drape::{AccuracyName, CorrectionName, IntegratorName, ModelName, PenaltyName, SwitchName};
 
 /// One point of the grid: everything that trades accuracy for time.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
@@ -20,6 +20,9 @@ pub struct Setting {
     /// Correction of over-elongation, by central differences.
     #[serde(default)]
     pub correction: CorrectionName,
+    /// Force of a contact by its distance, by central differences.
+    #[serde(default)]
+    pub penalty: PenaltyName,
     /// Cloth against cloth.
     #[serde(rename = "self_contact")]
     pub self_contact: SwitchName,
@@ -35,6 +38,7 @@ impl Setting {
             model: ModelName::default(),
             integrator: IntegratorName::default(),
             correction: CorrectionName::default(),
+            penalty: PenaltyName::default(),
             self_contact: SwitchName::default(),
         }
     }
@@ -66,6 +70,9 @@ impl Setting {
         }
         if self.correction != own.correction {
             name = format!("{name}-{}", word(&self.correction));
+        }
+        if self.penalty != own.penalty {
+            name = format!("{name}-{}", word(&self.penalty));
         }
         if self.self_contact != own.self_contact {
             name = format!("{name}-self-contact-{}", word(&self.self_contact));
@@ -194,12 +201,11 @@ impl Axes {
                 for model in &self.models {
                     for integrator in &self.integrators {
                         all.extend(self.self_contact.iter().map(|self_contact| Setting {
-                            edge: *edge,
                             accuracy: *accuracy,
                             model: *model,
-                            correction: CorrectionName::default(),
                             integrator: *integrator,
                             self_contact: *self_contact,
+                            ..Setting::plain(*edge)
                         }));
                     }
                 }

@@ -11,7 +11,9 @@ mod unheld;
 mod unused;
 
 pub use judge::{Judged, judge};
-pub use params::{AccuracyName, CorrectionName, DrapeParams, EffectsParam, IntegratorName, ModelName, SwitchName};
+pub use params::{
+    AccuracyName, CorrectionName, DrapeParams, EffectsParam, IntegratorName, ModelName, PenaltyName, SwitchName,
+};
 
 use crate::codes::SETTING_OUT_OF_RANGE;
 use crate::solve::body_parts::contact_filter;
@@ -88,6 +90,7 @@ impl Stage for Drape {
         Knob::new(Meaning::Model, "model"),
         Knob::new(Meaning::Integrator, "integrator"),
         Knob::new(Meaning::Correction, "correction"),
+        Knob::new(Meaning::Penalty, "penalty"),
         Knob::new(Meaning::SelfContact, "effects.self-contact"),
         Knob::new(Meaning::Repeats, "repeats"),
     ];

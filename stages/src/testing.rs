@@ -126,6 +126,8 @@ pub fn cloth(areal_mass: f64, stretch: f64, shear: f64, bending: [f64; 2]) -> Fa
         bend_weft: bending[1],
         bend_bias: None,
         bend_hysteresis: None,
+        rest_curvature_warp: None,
+        rest_curvature_weft: None,
         bend_holds_friction: false,
         strain_limit_warp: 0.5,
         strain_limit_weft: 0.5,

@@ -22,6 +22,8 @@ pub struct Cloth {
     pub bending: f64,
     /// 2HB, N.
     pub hysteresis: f64,
+    /// Curvature without load along the warp, 1/m.
+    pub curl: f64,
     /// Constants of bare springs along the yarns and off them, N/m.
     pub springs: Option<[f64; 2]>,
     pub limit: f64,
@@ -44,6 +46,7 @@ impl Cloth {
             shear,
             bending,
             hysteresis: 0.0,
+            curl: 0.0,
             springs: None,
             // Far from any strain met, and no farther: the law may be tabulated up to here.
             limit: 0.2,
@@ -60,6 +63,9 @@ impl Cloth {
             100.0 * self.limit,
             100.0 * self.limit
         );
+        if self.curl != 0.0 {
+            text += &format!("rest_curvature_warp = \"{} 1/m\"\n", self.curl);
+        }
         let (mut linear, mut kes) = (String::new(), String::new());
         for (direction, law) in [("warp", self.warp), ("weft", self.weft)] {
             match law {

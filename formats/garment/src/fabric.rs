@@ -75,6 +75,12 @@ pub struct Fabric {
     /// Do the rigidities hold the friction of the yarns already? Those from bending lengths of a cantilever (FAST) do.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub bend_holds_friction: bool,
+    /// Curvature of unloaded cloth along the warp, 1/m, where measured: above 0 where the right side is hollow.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rest_curvature_warp: Option<f64>,
+    /// The same along the weft.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rest_curvature_weft: Option<f64>,
     /// Largest strain the cloth is used at, along the warp.
     pub strain_limit_warp: f64,
     /// Largest strain the cloth is used at, along the weft.
@@ -145,6 +151,17 @@ pub struct SpringConstants {
 }
 
 impl Fabric {
+    /// The same cloth with its wrong side for its right one: it curls the other way.
+    #[must_use]
+    pub fn turned(&self) -> Self {
+        let negative = |curvature: Option<f64>| curvature.map(|k| -k);
+        Self {
+            rest_curvature_warp: negative(self.rest_curvature_warp),
+            rest_curvature_weft: negative(self.rest_curvature_weft),
+            ..self.clone()
+        }
+    }
+
     /// Frictional moment HB per width that acts beside the elastic one, N: half of 2HB.
     #[must_use]
     pub fn bend_friction(&self) -> f64 {

@@ -157,6 +157,10 @@ quantity!(
     Hysteresis, "bending hysteresis", "0.4 mN", [("mN", 1e-3), ("N", 1.0), ("gf.cm/cm", 9.806_65e-3)]
 );
 quantity!(
+    /// Curvature, 1/m inside.
+    Curvature, "curvature", "20 1/m", [("1/m", 1.0), ("/m", 1.0), ("1/cm", 100.0), ("/cm", 100.0)]
+);
+quantity!(
     /// Time, seconds inside.
     Duration, "duration", "2 s", [("s", 1.0), ("ms", 1e-3), ("min", 60.0)]
 );

@@ -39,6 +39,8 @@ pub fn fabric(e: &mut Entries) -> Option<Fabric> {
     let bend_weft = bending(e, "weft", areal_mass, &mut sources);
     let bend_bias = bending(e, "bias", areal_mass, &mut sources);
     let bend_hysteresis = common(e, "bending_hysteresis", &mut sources);
+    let [rest_curvature_warp, rest_curvature_weft] =
+        ["rest_curvature_warp", "rest_curvature_weft"].map(|key| given(e, key, &mut sources));
     let springs = springs(e, &mut sources);
     let lengths = ["warp", "weft"].iter().any(|d| entry(e, "fast", &format!("bending_length_{d}")).is_some());
     Some(Fabric {
@@ -48,7 +50,7 @@ pub fn fabric(e: &mut Entries) -> Option<Fabric> {
         friction: friction?,
         strain_limit_warp: limit(e, "warp", &mut sources),
         strain_limit_weft: limit(e, "weft", &mut sources),
-        strain_limit_bias: given_limit(e, "strain_limit_bias", &mut sources),
+        strain_limit_bias: given(e, "strain_limit_bias", &mut sources),
         stretch_warp: warp?,
         stretch_weft: weft?,
         poisson,
@@ -58,6 +60,8 @@ pub fn fabric(e: &mut Entries) -> Option<Fabric> {
         bend_bias,
         bend_hysteresis,
         bend_holds_friction: lengths,
+        rest_curvature_warp,
+        rest_curvature_weft,
         springs,
         look: super::look::look(e),
         sources,
@@ -261,7 +265,8 @@ fn springs(e: &mut Entries, sources: &mut Sources) -> Option<SpringConstants> {
     }
 }
 
-fn given_limit(e: &Entries, key: &str, sources: &mut Sources) -> Option<f64> {
+/// A key at the top of the file that may be missing.
+fn given(e: &Entries, key: &str, sources: &mut Sources) -> Option<f64> {
     let given = entry(e, "", key)?;
     sources.insert(key.to_owned(), given.source);
     Some(given.value)
@@ -269,7 +274,7 @@ fn given_limit(e: &Entries, key: &str, sources: &mut Sources) -> Option<f64> {
 
 fn limit(e: &Entries, direction: &str, sources: &mut Sources) -> f64 {
     let key = format!("strain_limit_{direction}");
-    if let Some(given) = given_limit(e, &key, sources) {
+    if let Some(given) = given(e, &key, sources) {
         return given;
     }
     if let Some(emt) = entry(e, "kes", &format!("emt_{direction}")) {

@@ -1,7 +1,7 @@
 //! The keys of a fabric file with their units and allowed ranges.
 
 use toile_garment::units::{
-    ArealMass, Bending, Dimension, Hysteresis, Length, LineForce, Share, Shear, UnitError, parse,
+    ArealMass, Bending, Curvature, Dimension, Hysteresis, Length, LineForce, Share, Shear, UnitError, parse,
 };
 
 /// Unit of a value.
@@ -13,6 +13,7 @@ pub enum Unit {
     Shear,
     Bending,
     Hysteresis,
+    Curvature,
     Share,
     /// A plain number without dimension.
     Ratio,
@@ -53,6 +54,7 @@ pub const TEXTS: &[&str] = &["name", "method", "source", "note"];
 const STRETCH: &str = "1 N/m to 1e8 N/m";
 const BEND: &str = "0 N.m to 1 N.m";
 const STRAIN: &str = "0.05 % to 300 %";
+const CURL: &str = "-1000 1/m to 1000 1/m";
 const BEND_LENGTH: &str = "1 mm to 200 mm";
 
 macro_rules! fields {
@@ -77,6 +79,10 @@ fields! {
         "Largest stretch along the weft. Default: EMT where `[kes]` gives it, else 5 %.";
     TOP "strain_limit_bias" Share 5e-4 3.0 STRAIN
         "Largest stretch at 45° to warp and weft. Default: none.";
+    TOP "rest_curvature_warp" Curvature -1000.0 1000.0 CURL
+        "Curvature of unloaded cloth along the warp; above 0 where its right side is hollow. Default: it lies flat.";
+    TOP "rest_curvature_weft" Curvature -1000.0 1000.0 CURL
+        "Curvature of unloaded cloth along the weft; above 0 where its right side is hollow. Default: it lies flat.";
     LINEAR "stretch_warp" LineForce 1.0 1e8 STRETCH
         "Slope of tension over strain in a strip test along the warp, with free sides.";
     LINEAR "stretch_weft" LineForce 1.0 1e8 STRETCH
@@ -173,6 +179,7 @@ pub fn value(unit: Unit, text: &str) -> Result<f64, UnitError> {
         Unit::Shear => parse::<Shear>(&text),
         Unit::Bending => parse::<Bending>(&text),
         Unit::Hysteresis => parse::<Hysteresis>(&text),
+        Unit::Curvature => parse::<Curvature>(&text),
         Unit::Share => parse::<Share>(&text),
         Unit::Ratio => text.trim().parse::<f64>().ok().filter(|v| v.is_finite()).ok_or_else(|| UnitError {
             message: format!("`{text}` is not a finite number; write a plain ratio, e.g. 0.3"),
@@ -189,6 +196,7 @@ pub fn units(unit: Unit) -> Option<&'static [(&'static str, f64)]> {
         Unit::Shear => Some(Shear::UNITS),
         Unit::Bending => Some(Bending::UNITS),
         Unit::Hysteresis => Some(Hysteresis::UNITS),
+        Unit::Curvature => Some(Curvature::UNITS),
         Unit::Share => Some(Share::UNITS),
         Unit::Ratio => None,
     }
@@ -206,6 +214,7 @@ pub fn with_unit(unit: Unit, number: &str) -> String {
         Unit::Shear => first::<Shear>(),
         Unit::Bending => "N.m",
         Unit::Hysteresis => "N",
+        Unit::Curvature => first::<Curvature>(),
         Unit::Share => first::<Share>(),
         Unit::Ratio => "",
     };

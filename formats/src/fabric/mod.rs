@@ -17,6 +17,7 @@
 //!
 //! strain_limit_warp = "3.5 %"        # default: EMT where measured, else 5 %
 //! strain_limit_bias = "6 %"          # at 45° to warp and weft; default: none
+//! rest_curvature_warp = "30 1/m"     # how unloaded cloth curls, above 0 where its right side is hollow; default: flat
 //!
 //! [kes]                              # Kawabata: strain at 500 gf/cm and linearity
 //! method = "KES-F"

@@ -69,6 +69,9 @@ pub struct CusickArgs {
     /// Readings, each from another start; their mean is the result, as in a laboratory.
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=12))]
     pub repeats: u32,
+    /// Lay the wrong side upwards: cloth that curls without load drapes differently then.
+    #[arg(long)]
+    pub wrong_side: bool,
     /// The laboratory's drape coefficient, e.g. "62 %", to compare with.
     #[arg(long, value_name = "SHARE")]
     pub lab: Option<Share>,

@@ -18,7 +18,8 @@ const SCATTER: f64 = 0.05;
 pub(super) fn test(args: &CusickArgs, fabric: &Fabric, cx: &mut StageContext<'_>) -> Tested {
     let specimen = specimen(args)?;
     let params = |repeat| CusickParams { specimen, edge: args.edge.0, repeat };
-    let read = (0..args.repeats).map(|k| cusick(fabric, &params(k), cx)).collect::<Result<Vec<_>, _>>()?;
+    let laid = if args.wrong_side { fabric.turned() } else { fabric.clone() };
+    let read = (0..args.repeats).map(|k| cusick(&laid, &params(k), cx)).collect::<Result<Vec<_>, _>>()?;
     let all = Readings { read, lab: args.lab.map(|l| l.0) };
     all.compare(cx);
     let svg = all.read.first().map(|first| picture::cusick(&fabric.name, first)).unwrap_or_default();
@@ -138,6 +139,7 @@ fn reading(c: &Cusick) -> Value {
         "radius_max_mm": figure(1e3 * c.radius_max()),
         "radius_mean_mm": figure(1e3 * c.radius_mean()),
         "hem_drop_max_mm": figure(1e3 * c.drop_max),
+        "hem_drop_mean_mm": figure(1e3 * c.drop_mean),
         "energy_mJ": figure(1e3 * c.energy),
         "outline_radius_mm": c.outline.iter().step_by(every).map(|r| figure(1e3 * r)).collect::<Vec<_>>(),
     })

@@ -41,6 +41,8 @@ fn json(fabric: &Fabric, figures: &Figures) -> Value {
         "format": "fabric", "name": fabric.name, "areal_mass_g_m2": 1e3 * fabric.areal_mass,
         "thickness_mm": 1e3 * fabric.thickness, "friction": fabric.friction, "shear_N_m_rad": fabric.shear,
         "bending_uNm": [1e6 * fabric.bend_warp, 1e6 * fabric.bend_weft],
+        "rest_curvature_warp_per_m": fabric.rest_curvature_warp,
+        "rest_curvature_weft_per_m": fabric.rest_curvature_weft,
         "bending_hysteresis_mN": fabric.bend_hysteresis.map(|h| 1e3 * h),
         "bending_length_mm": figures.bending_length.map(|c| 1e3 * c),
         "drape_coefficient_estimate": figures.drape, "edge_mm": 1e3 * figures.edge,

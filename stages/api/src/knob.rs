@@ -17,6 +17,8 @@ pub enum Meaning {
     Integrator,
     /// Correction of over-elongation after a step of `central-difference`: `kang` or `provot`.
     Correction,
+    /// Force of a contact by its distance, in `central-difference`: `linear` or `exponential`.
+    Penalty,
     /// Contact of cloth with cloth: `auto`, `on` or `off`.
     SelfContact,
     /// How often the rest is sought again from shaken starts: a whole number.

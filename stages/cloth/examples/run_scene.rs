@@ -75,6 +75,7 @@ fn cotton() -> Material {
         bend_weft: 5e-6,
         bend_bias: None,
         bend_friction: 0.0,
+        rest_curvature: [0.0; 2],
         springs: None,
         strain_limit: [0.035, 0.08, f64::INFINITY],
     }

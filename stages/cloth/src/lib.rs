@@ -48,7 +48,8 @@ pub use scene::curve::Curve;
 pub use scene::elements::{Element, Elements};
 pub use scene::lines::{Band, FoldLine};
 pub use scene::settings::{
-    Effects, ElongationCorrection, Equilibrium, ExplicitSteps, Integrator, Model, Settings, Stitches, Switch,
+    ContactPenalty, Effects, ElongationCorrection, Equilibrium, ExplicitSteps, Integrator, Model, Settings, Stitches,
+    Switch,
 };
 pub use scene::shared_body::{BodyMesh, SharedBody};
 pub use scene::weld::{Welded, weld};

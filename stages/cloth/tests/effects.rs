@@ -129,6 +129,28 @@ fn bending_without_friction_has_no_hysteresis() {
     assert!(felt.positions != on.positions);
 }
 
+/// A strip without weight takes the curvature of its fabric, towards the right side or away from it.
+#[test]
+fn a_strip_curls_as_its_fabric_does() {
+    for curvature in [20.0, -35.0] {
+        let mut scene = sheet(0.02, 0.12, 4, 24, cotton(), |x, y| Vec3::new(x, y, 0.0));
+        scene.materials[0].rest_curvature = [curvature, 0.0];
+        scene.gravity = Vec3::zeros();
+        // The first two rows are held flat.
+        scene.pins = (0..10).map(|v| Pin { vertex: v, at: scene.positions[v as usize] }).collect();
+        let o = run(&scene, Effects::default());
+        assert!(o.settled && evidence(&o, "rest-curvature").0);
+        let row = |j: usize| o.positions[5 * j + 2];
+        for j in 4..23 {
+            let [a, b, c] = [row(j - 1), row(j), row(j + 1)];
+            let turn = libm::atan2((b - a).cross(&(c - b)).x, (b - a).dot(&(c - b)));
+            let bent = turn / (0.5 * (c - a).norm());
+            assert!((bent / curvature - 1.0).abs() < 0.02, "row {j}: {bent} of {curvature}");
+        }
+    }
+    assert!(run(&hanging(), Effects::default()).effects.iter().all(|e| e.name != "rest-curvature"));
+}
+
 #[test]
 fn explicit_steps_refuse_hysteresis_that_is_asked_for() {
     let effects = Effects { bending_hysteresis: Switch::On, ..Effects::default() };

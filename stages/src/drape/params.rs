@@ -3,7 +3,9 @@
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use toile_cloth::{Effects, ElongationCorrection, Equilibrium, ExplicitSteps, Integrator, Model, Settings, Switch};
+use toile_cloth::{
+    ContactPenalty, Effects, ElongationCorrection, Equilibrium, ExplicitSteps, Integrator, Model, Settings, Switch,
+};
 use toile_garment::units::{Acceleration, Duration, Length, Pressure};
 
 /// In-plane model.
@@ -39,6 +41,17 @@ pub enum CorrectionName {
     Kang,
     /// Springs on the mesh edges, in one pass, after Provot 1995.
     Provot,
+}
+
+/// The force of a contact by its distance, in `central-difference`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum PenaltyName {
+    /// A spring below the gap, as stiff as the time step bears.
+    #[default]
+    Linear,
+    /// c exp(1/d) with the distance d in gaps, as written in equation 6 of the paper.
+    Exponential,
 }
 
 /// How near to rest the drape is led.
@@ -102,6 +115,9 @@ pub struct DrapeParams {
     /// Correction of over-elongation after every step of `central-difference`; `kang` when not given.
     #[serde(skip_serializing_if = "is_default")]
     pub correction: CorrectionName,
+    /// Force of a contact by its distance, in `central-difference`; `linear` when not given.
+    #[serde(skip_serializing_if = "is_default")]
+    pub penalty: PenaltyName,
     /// How near to rest.
     pub accuracy: AccuracyName,
     /// Effects, each `auto`, `on` or `off`.
@@ -134,6 +150,7 @@ impl Default for DrapeParams {
             model: ModelName::default(),
             integrator: IntegratorName::default(),
             correction: CorrectionName::default(),
+            penalty: PenaltyName::default(),
             accuracy: AccuracyName::default(),
             effects: EffectsParam::default(),
             body_gap: Length(1e-3),
@@ -180,6 +197,7 @@ impl DrapeParams {
                 speed_tolerance: base.explicit.speed_tolerance * share,
                 max_seconds: self.max_time.0,
                 correction: self.correction.into(),
+                penalty: self.penalty.into(),
                 ..base.explicit
             },
             threads,
@@ -212,6 +230,15 @@ impl From<CorrectionName> for ElongationCorrection {
         match name {
             CorrectionName::Kang => Self::Kang,
             CorrectionName::Provot => Self::Provot,
+        }
+    }
+}
+
+impl From<PenaltyName> for ContactPenalty {
+    fn from(name: PenaltyName) -> Self {
+        match name {
+            PenaltyName::Linear => Self::Linear,
+            PenaltyName::Exponential => Self::Exponential,
         }
     }
 }

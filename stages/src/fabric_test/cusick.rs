@@ -66,6 +66,8 @@ pub struct Cusick {
     pub nodes: Vec<Node>,
     /// Lowest point of the hem under the disc, m.
     pub drop_max: f64,
+    /// Mean depth of the hem under the disc, m.
+    pub drop_mean: f64,
     /// Elastic energy and that of the weight, flat cloth 0, J.
     pub energy: f64,
     /// Triangles of the mesh.
@@ -127,9 +129,17 @@ pub(super) fn read(params: &CusickParams, fallen: &Fallen) -> Cusick {
         nodes: nodes(&shadow.outline, NODE * params.specimen),
         outline: shadow.outline,
         drop_max: at.iter().map(|p| -p.y).fold(0.0, f64::max),
+        drop_mean: hem_drop(params, fallen),
         energy: fallen.rest.energy,
         triangles: triangles.len(),
     }
+}
+
+/// Mean depth of the vertices on the rim.
+fn hem_drop(params: &CusickParams, fallen: &Fallen) -> f64 {
+    let is_hem = |p: [f64; 2]| libm::hypot(p[0], p[1]) > 0.5 * params.specimen - 1e-6;
+    let hem = fallen.cloth.pick(is_hem);
+    hem.iter().map(|v| -fallen.rest.at[*v as usize].y).sum::<f64>() / hem.len().max(1) as f64
 }
 
 /// The standard's rule of repeats: the next smaller specimen for limp cloth, the next larger one for stiff cloth.

@@ -103,6 +103,7 @@ fn another_specimen_is_asked_for_by_the_standard() {
             outline,
             nodes,
             drop_max: 0.0,
+            drop_mean: 0.0,
             energy: 0.0,
             triangles: 0,
         };

@@ -18,6 +18,7 @@ pub fn material(fabric: &Fabric) -> Material {
         bend_weft: fabric.bend_weft,
         bend_bias: fabric.bend_bias,
         bend_friction: fabric.bend_friction(),
+        rest_curvature: [fabric.rest_curvature_warp, fabric.rest_curvature_weft].map(|k| k.unwrap_or(0.0)),
         springs: fabric.springs.map(|s| [s.yarn, s.bias]),
         strain_limit: [
             fabric.strain_limit_warp,

@@ -22,6 +22,9 @@ pub fn cases() -> Vec<Case> {
     for (couple, gammas) in [(0.5, [5.0, 20.0]), (2.0, [20.0, 50.0])] {
         list.push(case(format!("cantilever-friction.{couple}"), move |lab: &mut Lab| friction(lab, couple, gammas)));
     }
+    for curl in [-1.5, 1.5] {
+        list.push(case(format!("cantilever-curl.{curl}"), move |lab: &mut Lab| curled(lab, curl)).quick());
+    }
     list.push(case("bending-length-0", bending_length));
     list
 }
@@ -43,8 +46,22 @@ const RISE: f64 = 0.02;
 fn friction(lab: &mut Lab, couple: f64, gammas: [f64; 2]) -> Result<(), String> {
     for gamma in gammas {
         let expected = elastica::rubbing(gamma, couple, RISE * libm::cbrt(gamma)).ratio();
-        let (drop, reach) = bend_with(lab, Family::Regular, gamma, couple)?;
+        let (drop, reach) = bend_with(lab, Family::Regular, gamma, |fabric| {
+            fabric.hysteresis = 2.0 * couple * fabric.bending / LENGTH
+        })?;
         lab.figure(format!("H/W at {gamma}"), drop / reach, expected, share(0.02, 0.1));
+    }
+    Ok(())
+}
+
+/// Cloth that bends up or down without load, by an angle `curl` over its free length.
+fn curled(lab: &mut Lab, curl: f64) -> Result<(), String> {
+    for gamma in [2.0, 10.0] {
+        let expected = elastica::curled(gamma, curl);
+        // The right side of the strip lies below.
+        let (drop, reach) = bend_with(lab, Family::Regular, gamma, |fabric| fabric.curl = curl / LENGTH)?;
+        lab.figure(format!("drop m at {gamma}"), drop, expected.drop * LENGTH, share(0.02, 0.1));
+        lab.figure(format!("reach m at {gamma}"), reach, expected.reach * LENGTH, share(0.01, 0.1));
     }
     Ok(())
 }
@@ -73,10 +90,10 @@ fn bending_length(lab: &mut Lab) -> Result<(), String> {
 /// Drop and reach of the tip. Two rows are held, and the hinge over the second of them bends over half a cell on each
 /// side, so the free length counts from half a cell behind it.
 fn bend(lab: &mut Lab, family: Family, gamma: f64) -> Result<(f64, f64), String> {
-    bend_with(lab, family, gamma, 0.0)
+    bend_with(lab, family, gamma, |_| {})
 }
 
-fn bend_with(lab: &mut Lab, family: Family, gamma: f64, couple: f64) -> Result<(f64, f64), String> {
+fn bend_with(lab: &mut Lab, family: Family, gamma: f64, more: impl Fn(&mut Cloth)) -> Result<(f64, f64), String> {
     let rows = if family == Family::Right { 40 } else { 44 };
     let cell = LENGTH / (rows as f64 + 0.5);
     let total = LENGTH + 0.5 * cell;
@@ -87,7 +104,7 @@ fn bend_with(lab: &mut Lab, family: Family, gamma: f64, couple: f64) -> Result<(
     let bending = W * LENGTH * LENGTH * LENGTH / gamma;
     // K ≥ 1e3 w L keeps the stretch out of the figure.
     let mut fabric = Cloth::linear(W / G, 1900.0, 190.0, bending);
-    fabric.hysteresis = 2.0 * couple * bending / LENGTH;
+    more(&mut fabric);
     let d = lab.drape(&Trial::new(mesh, fabric).hold(held))?;
     let tip = d.mean(tip);
     Ok((-tip.z, tip.x - 0.5 * cell))

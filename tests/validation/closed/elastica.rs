@@ -53,6 +53,18 @@ pub fn rubbing(gamma: f64, couple: f64, rise: f64) -> Cantilever {
     Cantilever { drop: y[3], reach: y[2] }
 }
 
+/// A cantilever that bends down by `curl`/L without load: the moment is `B (κ − curl/L)`. Sought by the slope of the free
+/// end.
+pub fn curled(gamma: f64, curl: f64) -> Cantilever {
+    let shoot = |slope: f64| {
+        let h = 1.0 / STEPS as f64;
+        let f = |u: f64, y: [f64; 4]| [-y[1] - curl, gamma * u * libm::cos(y[0]), libm::cos(y[0]), libm::sin(y[0])];
+        (0..STEPS).fold([slope, 0.0, 0.0, 0.0], |y, i| rk4(y, i as f64 * h, h, &f))
+    };
+    let y = shoot(root(-FRAC_PI_2, FRAC_PI_2 + curl.max(0.0), |slope| shoot(slope)[0]));
+    Cantilever { drop: y[3], reach: y[2] }
+}
+
 /// Γ at which the chord from the clamp to the tip slopes by this angle.
 pub fn gamma_at_chord(angle: f64) -> f64 {
     root(0.01, 1000.0, |g| cantilever(g).ratio() - libm::tan(angle))

@@ -15,6 +15,8 @@ pub struct Facts {
     pub strain_limit: f64,
     /// Largest share of friction in bending: HB/B times the bending length.
     pub bend_friction: f64,
+    /// Strongest curvature of the fabrics without load, 1/m.
+    pub rest_curvature: f64,
     /// Pressure behind the cloth, Pa.
     pub pressure: f64,
 }
@@ -30,6 +32,7 @@ impl Facts {
             friction: most(|m| m.friction),
             strain_limit: materials.iter().flat_map(|m| m.strain_limit).fold(f64::INFINITY, f64::min),
             bend_friction: most(Material::bend_friction_share),
+            rest_curvature: most(|m| m.rest_curvature[0].abs().max(m.rest_curvature[1].abs())),
             pressure: settings.pressure,
         }
     }

@@ -7,6 +7,7 @@ mod effect;
 mod facts;
 mod friction;
 mod pressure;
+mod rest_curvature;
 mod self_contact;
 mod strain_limit;
 #[cfg(test)]
@@ -25,6 +26,7 @@ pub const EFFECTS: &[&Effect] = &[
     &friction::EFFECT,
     &strain_limit::EFFECT,
     &bending_hysteresis::EFFECT,
+    &rest_curvature::EFFECT,
     &pressure::EFFECT,
 ];
 

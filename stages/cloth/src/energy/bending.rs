@@ -25,6 +25,8 @@ pub(crate) struct Patch {
     pub vertices: [u32; 6],
     /// Rows of the form E = ½ Σ |row · x|², √(N/m).
     pub rows: [[f64; 6]; 3],
+    /// Value of the rows for cloth with its curvature at rest, along its normal, √J.
+    pub rest: [f64; 3],
 }
 
 /// The bending energy of a cloth.
@@ -42,8 +44,14 @@ pub(crate) struct Flexion {
 }
 
 /// Rigidities against (κ₀₀, κ₁₁, 2 κ₀₁), N·m: weft, warp, twist; no coupling (a Poisson ratio of 0).
-fn rigidity(m: &Material) -> Vector3<f64> {
+pub(crate) fn rigidity(m: &Material) -> Vector3<f64> {
     Vector3::new(m.bend_weft, m.bend_warp, m.bend_twist())
+}
+
+/// Curvature without load as (κ₀₀, κ₁₁, 2 κ₀₁), 1/m: weft, warp, no twist.
+fn curvature_at_rest(m: &Material) -> Vector3<f64> {
+    let [warp, weft] = m.rest_curvature;
+    Vector3::new(weft, warp, 0.0)
 }
 
 /// The first hinge on each side of a face: number, and which of its two faces this is.
@@ -120,12 +128,13 @@ fn firmness(bend: &Bend, area: f64, shares: &[Share]) -> f64 {
 }
 
 impl Patch {
-    /// The patch of a triangle with this area, m².
-    fn new(e: &Element, bend: &Bend, area: f64, stiffness: &Vector3<f64>) -> Self {
+    /// The patch of a triangle with this area, m², whose cloth has the curvature `rest` without load.
+    fn new(e: &Element, bend: &Bend, area: f64, stiffness: &Vector3<f64>, rest: &Vector3<f64>) -> Self {
         let mut patch = Self::around(e, &bend.folds);
         match &bend.parts {
             Some(parts) => {
                 let scale = (stiffness * area).map(f64::sqrt);
+                patch.rest = scale.component_mul(rest).into();
                 for (fold, part) in bend.folds.iter().zip(parts) {
                     (0..3).for_each(|row| patch.add(row, scale[row] * part[row], fold));
                 }
@@ -133,7 +142,9 @@ impl Patch {
             // Each fold counts by itself and is shared with the other wing.
             None => {
                 for (row, fold) in bend.folds.iter().enumerate() {
-                    patch.add(row, across(fold, stiffness).sqrt(), fold);
+                    let scale = across(fold, stiffness).sqrt();
+                    patch.rest[row] = scale * fold.along.dot(rest);
+                    patch.add(row, scale, fold);
                 }
             }
         }
@@ -146,7 +157,7 @@ impl Patch {
         for (slot, fold) in vertices[3..].iter_mut().zip(folds) {
             *slot = if e.vertices.contains(&fold.vertices[2]) { fold.vertices[3] } else { fold.vertices[2] };
         }
-        Self { vertices, rows: [[0.0; 6]; 3] }
+        Self { vertices, rows: [[0.0; 6]; 3], rest: [0.0; 3] }
     }
 
     fn add(&mut self, row: usize, factor: f64, fold: &Fold) {
@@ -157,8 +168,9 @@ impl Patch {
         }
     }
 
+    /// The rows at `x`: vectors of curvature along weft, warp and twist, √J.
     #[inline]
-    fn bend(&self, x: &[Vec3]) -> [Vec3; 3] {
+    pub fn bend(&self, x: &[Vec3]) -> [Vec3; 3] {
         let mut bend = [Vec3::zeros(); 3];
         for (k, v) in self.vertices.iter().enumerate() {
             let p = x[*v as usize];
@@ -207,7 +219,8 @@ pub(crate) fn patches(scene: &Scene, topology: &Topology, rigidities: &[Vector3<
         let stiffness = &rigidities[e.material as usize];
         if !bend.folds.is_empty() && stiffness.amax() > 0.0 {
             let firmness = shares.as_ref().map_or(1.0, |shares| firmness(&bend, *area, shares));
-            patches.push((f, Patch::new(e, &bend, area * firmness, stiffness)));
+            let rest = curvature_at_rest(&scene.materials[e.material as usize]);
+            patches.push((f, Patch::new(e, &bend, area * firmness, stiffness, &rest)));
         }
     }
     patches

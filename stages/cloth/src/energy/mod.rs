@@ -14,6 +14,7 @@ pub(crate) mod pressure;
 #[cfg(not(feature = "pressure"))]
 #[path = "pressure_absent.rs"]
 pub(crate) mod pressure;
+pub(crate) mod rest_curvature;
 pub(crate) mod shear;
 pub(crate) mod springs;
 pub(crate) mod stitch_penalty;

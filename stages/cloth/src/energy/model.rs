@@ -5,6 +5,7 @@ use crate::energy::bending::Flexion;
 use crate::energy::coupled::Coupled;
 use crate::energy::elastic_band::Bands;
 use crate::energy::fold_line::Creases;
+use crate::energy::rest_curvature::RestCurvature;
 use crate::energy::shear::Shear;
 use crate::energy::structural::Structural;
 use crate::energy::weight::Weight;
@@ -20,6 +21,9 @@ pub(crate) fn model(scene: &Scene, s: &Settings, topology: &Topology, mass: &[f6
         Model::Coupled => vec![Box::new(Coupled::new(scene, s))],
     };
     list.push(Box::new(Flexion::new(scene, topology)));
+    if let Some(curl) = RestCurvature::new(scene, topology) {
+        list.push(Box::new(curl));
+    }
     if !scene.bands.is_empty() {
         list.push(Box::new(Bands::new(scene)));
     }

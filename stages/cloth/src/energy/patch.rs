@@ -17,7 +17,7 @@ pub(crate) struct Fold {
     /// Weights of the vertices, 1/m.
     pub weights: [f64; 4],
     /// Fold of the surface ½ κ(p, p) in the triangle's axes = along · (κ₀₀, κ₁₁, 2 κ₀₁), m.
-    along: Vector3<f64>,
+    pub along: Vector3<f64>,
     /// Unit normal of the edge.
     pub normal: Vector2<f64>,
     /// Length of the edge in this triangle, m.

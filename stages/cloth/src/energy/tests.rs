@@ -5,6 +5,7 @@ use crate::energy::bending::Flexion;
 use crate::energy::coupled::Coupled;
 use crate::energy::elastic_band::Bands;
 use crate::energy::fold_line::Creases;
+use crate::energy::rest_curvature::RestCurvature;
 use crate::energy::shear::Shear;
 use crate::energy::structural::Structural;
 use crate::energy::weight::Weight;
@@ -89,10 +90,19 @@ fn energies(scene: &Scene, s: &Settings) -> Vec<Box<dyn Energy>> {
     ]
 }
 
+/// Cloth that is hollow along one yarn and round along the other.
+fn curled(scene: &Scene) -> Box<dyn Energy> {
+    let t = Topology::of_elements(scene.positions.len(), &scene.triangles);
+    let mut curled = scene.clone();
+    curled.materials.iter_mut().for_each(|m| m.rest_curvature = [30.0, -12.0]);
+    Box::new(RestCurvature::new(&curled, &t).expect("a fabric that curls"))
+}
+
 #[test]
 fn forces_are_minus_the_gradient() {
     let scene = scene(fabric());
-    for (k, e) in energies(&scene, &Settings::default()).iter().enumerate() {
+    let all = energies(&scene, &Settings::default());
+    for (k, e) in all.iter().chain([&curled(&scene)]).enumerate() {
         let mut x = scene.positions.clone();
         for (i, p) in (0u32..).zip(&mut x) {
             // Stretched, sheared and buckled.

@@ -123,7 +123,7 @@ impl Problem {
         } else {
             ContactStiffness::PerMass(EXPLICIT_CONTACT_STIFFNESS.get() / (dt * dt))
         };
-        self.contact = Some(PenaltyContact::new(&self.start, frame, body, stiffness));
+        self.contact = Some(PenaltyContact::new(&self.start, frame, body, stiffness, s.explicit.penalty));
     }
 
     /// Largest stable step of the elastic forces as the cloth stands, s.

@@ -39,6 +39,9 @@ pub struct Material {
     pub bend_bias: Option<f64>,
     /// Friction HB against bending, as a moment per width, N: half of the hysteresis 2HB; 0 for none.
     pub bend_friction: f64,
+    /// Curvature without load along [warp, weft], 1/m: above 0 where the cloth is hollow on the side from which the corners
+    /// of its triangles run counter-clockwise.
+    pub rest_curvature: [f64; 2],
     /// Constants of the bare springs of `Model::Springs`, N/m, in place of those that the laws give.
     ///
     /// The first is for edges within 22.5° of a yarn, the second for all others.
@@ -78,6 +81,7 @@ impl Material {
             bend_weft: bending,
             bend_bias: None,
             bend_friction: 0.0,
+            rest_curvature: [0.0; 2],
             springs: None,
             strain_limit: [f64::INFINITY; 3],
         }
@@ -119,6 +123,12 @@ impl Material {
     pub fn bend_friction_share(&self) -> f64 {
         let least = self.bend_warp.min(self.bend_weft);
         if least > 0.0 { self.bend_friction / least * self.bending_length() } else { 0.0 }
+    }
+
+    /// Returns `true` for cloth that does not lie flat without load.
+    #[must_use]
+    pub fn curls(&self) -> bool {
+        self.rest_curvature != [0.0; 2]
     }
 
     /// The same cloth without bending stiffness, for tests in which it stays flat.

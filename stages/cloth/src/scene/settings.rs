@@ -36,6 +36,16 @@ pub enum ElongationCorrection {
     Provot,
 }
 
+/// The force of a contact by its distance, in explicit steps.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum ContactPenalty {
+    /// A spring below the gap.
+    #[default]
+    Linear,
+    /// c_p exp(1/d) with the distance d in gaps (paper equation 6).
+    Exponential,
+}
+
 /// A switch for an effect.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Switch {
@@ -91,6 +101,8 @@ pub struct ExplicitSteps {
     pub stiffness_damping: f64,
     /// Stiffness of every contact, a penalty, N/m; 0 for as stiff as the step bears.
     pub contact_stiffness: f64,
+    /// Law of that penalty.
+    pub penalty: ContactPenalty,
     /// Largest tangent stiffness of the stretch curves used, N/m; infinite for the curves as measured. A lower cap
     /// allows a longer time step and costs added strain, which the strain limit bounds and the report states.
     pub stiffness_cap: f64,
@@ -116,6 +128,7 @@ impl Default for ExplicitSteps {
             damping: 4.0,
             stiffness_damping: 0.2,
             contact_stiffness: 0.0,
+            penalty: ContactPenalty::default(),
             stiffness_cap: 2000.0,
             step_fraction: 0.6,
             mass_scaling: true,

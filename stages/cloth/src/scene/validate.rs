@@ -141,6 +141,9 @@ fn materials(scene: &Scene) -> Result<(), ClothError> {
                 return bad(SceneFault::Material, format!("material {i}: {name} is {v}, it must be ≥ 0"));
             }
         }
+        if let Some(k) = m.rest_curvature.iter().find(|k| !k.is_finite()) {
+            return bad(SceneFault::Material, format!("material {i}: rest_curvature is {k}, it must be finite"));
+        }
         if !(0.0..1.0).contains(&m.poisson) {
             return bad(
                 SceneFault::Material,

@@ -17,6 +17,7 @@ pub fn linear(areal_mass: f64, warp: f64, weft: f64, shear: f64) -> Material {
         bend_weft: 0.0,
         bend_bias: None,
         bend_friction: 0.0,
+        rest_curvature: [0.0; 2],
         springs: None,
         strain_limit: [f64::INFINITY; 3],
     }

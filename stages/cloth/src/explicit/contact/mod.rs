@@ -5,13 +5,14 @@
 //! and by 0.9 of a cloth–body distance. As long as every vertex stays in this ball nothing can cross, whatever the
 //! forces are.
 //!
-//! Linear springs inside the contact thickness keep the distances open, so the balls stay large. They stand in place of
-//! the penalty c_p exp(1/d) of equation 6, whose stiffness has no bound that an explicit step could keep.
+//! Linear springs inside the contact thickness keep the distances open, so the balls stay large. The penalty c_p exp(1/d) of
+//! equation 6 can be chosen instead. Its stiffness has no bound that an explicit step could keep, so the balls hold cloth
+//! then.
 
 pub(crate) mod pair;
+pub(crate) mod penalty;
 pub(crate) mod stiffness;
 
-use crate::Vec3;
 use crate::collision::body::Body;
 use crate::collision::body_candidates::BodyCandidates;
 use crate::collision::broad_phase::bvh::BoxTree;
@@ -25,6 +26,7 @@ use crate::explicit::tuning::{
     HARD_CONTACT_RELEASE_SPEED, HARD_CONTACT_SHARE, PAIR_LIST_SLACK_MAX, PAIR_LIST_SLACK_MIN, PAIR_LIST_STEPS,
     PAIR_REACH_GAPS, PAIR_REACH_MAX, PAIR_REACH_MIN, PAIR_REACH_STEPS,
 };
+use crate::{ContactPenalty, Vec3};
 
 /// Share of a ball's radius at which a vertex is put back: slightly inside, so that rounding cannot put it out.
 const INSIDE_BALL: f64 = 1.0 - 1e-12;
@@ -92,6 +94,7 @@ pub(crate) struct PenaltyContact {
     own_pairs: usize,
     steps_since_measure: u32,
     stiffness: ContactStiffness,
+    penalty: ContactPenalty,
     /// Work array of one number per vertex.
     work: Vec<f64>,
     pub tally: ContactTally,
@@ -99,7 +102,13 @@ pub(crate) struct PenaltyContact {
 
 impl PenaltyContact {
     /// Makes contact for cloth at `x` and measures all distances.
-    pub fn new(x: &[Vec3], frame: ContactParameters, body: Option<Body>, stiffness: ContactStiffness) -> Self {
+    pub fn new(
+        x: &[Vec3],
+        frame: ContactParameters,
+        body: Option<Body>,
+        stiffness: ContactStiffness,
+        penalty: ContactPenalty,
+    ) -> Self {
         let n = x.len();
         let tree = frame.has_self_contact.then(|| BoxTree::new(x, &frame.topology.faces));
         let mut contact = Self {
@@ -119,6 +128,7 @@ impl PenaltyContact {
             own_pairs: 0,
             steps_since_measure: DISTANCE_MEASURE_STEPS_MIN.get(),
             stiffness,
+            penalty,
             work: vec![0.0; n],
             tally: ContactTally { body_nearest: f64::INFINITY, ..ContactTally::default() },
         };
@@ -258,14 +268,14 @@ impl PenaltyContact {
         }
     }
 
-    /// Adds the contact forces at `x`, N, and keeps the normal loads for friction (in place of equation 6).
+    /// Adds the contact forces at `x`, N, and keeps the normal loads for friction (equation 6).
     pub fn add_forces(&mut self, x: &[Vec3], f: &mut [Vec3]) {
         for p in &mut self.pairs {
             let g = p.distance_at(x);
             p.load = 0.0;
             p.distance = g;
             if g < p.gap {
-                p.load = p.stiffness * (p.gap - g);
+                p.load = self.penalty.force(p.stiffness, p.gap, g);
                 let push = p.normal * p.load;
                 for k in 0..4 {
                     f[p.vertices[k] as usize] += push * p.weights[k];
@@ -308,10 +318,7 @@ impl PenaltyContact {
 
     /// Energy of the contact springs at `x`, J.
     pub fn energy(&self, x: &[Vec3]) -> f64 {
-        self.pairs
-            .iter()
-            .map(|p| 0.5 * p.stiffness * (p.gap - p.distance_at(x)).max(0.0) * (p.gap - p.distance_at(x)).max(0.0))
-            .sum()
+        self.pairs.iter().map(|p| self.penalty.energy(p.stiffness, p.gap, p.distance_at(x))).sum()
     }
 }
 

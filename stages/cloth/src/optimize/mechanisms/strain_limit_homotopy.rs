@@ -74,7 +74,8 @@ pub(crate) struct SlowStrainLimits;
 impl Mechanism for SlowStrainLimits {
     fn before_block(&mut self, d: &mut Descent<'_>, _: &mut dyn Watch) -> Result<Verdict, ClothError> {
         let StrainLimitPhase::Own(since) = d.strain_limits else { return Ok(Verdict::Go) };
-        if d.steps - since >= STRAIN_LIMIT_SLOW_STEPS.get() && d.objective().strain_limit_acts(&d.x) {
+        // Steps that were taken back make the count smaller than it was.
+        if d.steps.saturating_sub(since) >= STRAIN_LIMIT_SLOW_STEPS.get() && d.objective().strain_limit_acts(&d.x) {
             widen_partly(d);
         }
         Ok(Verdict::Go)

@@ -1,0 +1,79 @@
+//! `toile validate drape`: measured drapes of real cloth, foretold.
+
+mod args;
+
+pub use args::ValidateArgs;
+
+use super::bench::{check_folder, write_files};
+use super::console::Console;
+use crate::engine::{Exit, MAX_INPUT, Stop, clean, of_file_error, of_stage_error, read_limited};
+use crate::halt::Halt;
+use crate::validate::rows::{Order, VERSION};
+use crate::validate::{Captured, Validation, captured, chart, table, validate};
+use args::{ValidateVerb, ValidatedDrapeArgs};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use toile_garment::{Diagnostic, SourceRef};
+use toile_stages::codes::TEXT_NOT_UTF8;
+
+/// Names of the results.
+const FILES: [&str; 3] = ["validate.json", "validate.svg", "validate.md"];
+
+pub(super) fn run(args: &ValidateArgs, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
+    let ValidateVerb::Drape(args) = &args.verb;
+    match work(args, stop, console) {
+        Ok(exit) => exit,
+        Err(halt) => console.halted(&halt),
+    }
+}
+
+fn work(args: &ValidatedDrapeArgs, stop: &Arc<Stop>, console: &mut Console<'_>) -> Result<Exit, Halt> {
+    let (captures, warnings) = read(&args.captures)?;
+    console.findings(&warnings, None);
+    let name = args.captures.file_name().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
+    let stem = args.captures.file_stem().map_or_else(String::new, |n| n.to_string_lossy().into_owned());
+    let out = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(format!("{stem}-validate")));
+    check_folder(&out, (FILES[0], "toile_validate", "captures"), &name).map_err(Halt::usage)?;
+    super::run::pool(args.threads);
+    let order = Order { edge: args.edge.0, falls: args.falls, cancel: stop.flag() };
+    let mut say = |what: &str| {
+        if !args.quiet {
+            console.say(&format!("validate {what}\n"));
+        }
+    };
+    let (rows, costs) = validate(&captures, &order, &mut say).map_err(|error| {
+        let (findings, exit) = of_stage_error(error);
+        Halt::new(findings, exit)
+    })?;
+    let validation = Validation {
+        toile_validate: VERSION,
+        toile: env!("CARGO_PKG_VERSION").to_owned(),
+        captures: name,
+        edge_mm: 1e3 * args.edge.0,
+        falls: args.falls,
+        rows,
+        costs,
+    };
+    let json = toile_garment::text::json(&serde_json::to_string_pretty(&validation).unwrap_or_default()) + "\n";
+    let said = if args.json { json.clone() } else { table::text(&validation) };
+    write_files(&out, &FILES, &[json, chart::svg(&validation), table::markdown(&validation)])?;
+    console.result(&said);
+    for name in FILES {
+        console.say(&format!("{}\n", crate::render::safe(&out.join(name).to_string_lossy())));
+    }
+    Ok(Exit::Good)
+}
+
+/// The captures, and warnings.
+fn read(path: &Path) -> Result<(Vec<Captured>, Vec<Diagnostic>), Halt> {
+    let name = clean(path);
+    let bytes = read_limited(path, path, MAX_INPUT).map_err(|e| {
+        let (findings, exit) = of_file_error(&e);
+        Halt::new(findings, exit)
+    })?;
+    let text = String::from_utf8(bytes).map_err(|_| {
+        let finding = Diagnostic::error(TEXT_NOT_UTF8, format!("{name} is not UTF-8 text"));
+        Halt::new(vec![finding.at(SourceRef::file(name.clone()))], Exit::Input)
+    })?;
+    captured(&text, &name).map_err(|findings| Halt::new(findings, Exit::Input))
+}
