@@ -157,9 +157,9 @@ fn cloth_that_curls_drapes_differently_with_its_wrong_side_upwards() {
     assert!(right > wrong + 0.05, "{right} and {wrong}");
 }
 
-/// Captures that the solver made itself are foretold: the curl is found, and the second face with it.
+/// Of a cloth whose faces drape differently, one number predicts the first face, and a curl also the second.
 #[test]
-fn measured_drapes_are_foretold() {
+fn measured_drapes_are_predicted() {
     let dir = tempfile::tempdir().expect("folder");
     let table = dir.path().join("drapes.csv");
     let captures = "fabric,face,dc_percent,rim_z_mean_mm,areal_mass_gsm,comment\n\

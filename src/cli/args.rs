@@ -59,7 +59,7 @@ pub enum Verb {
     Study(StudyArgs),
     /// Drape one garment by the paper's method, by its neighbours and by this program's own, side by side.
     Compare(CompareArgs),
-    /// Foretell measured drapes of real cloth, and tell where that fails.
+    /// Predict measured drapes of real cloth, and tell where that fails.
     Validate(ValidateArgs),
     /// Make a body of a size or from measures, or measure a mesh; without options: list sizes and measures.
     Body(BodyArgs),

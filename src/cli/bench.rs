@@ -1,6 +1,7 @@
 //! Parts that `study`, `compare` and `validate` share: the chain that they run, and the folder that they write.
 
 use super::args::PipelineArgs;
+use super::console::Console;
 use crate::codes::{PATH_REFUSED, WRITE_FAILED};
 use crate::engine::{Exit, Stop, clean, write_whole};
 use crate::halt::Halt;
@@ -72,4 +73,12 @@ pub(super) fn write_files(out: &Path, names: &[&str], texts: &[String]) -> Resul
         write_whole(&path, text.as_bytes()).map_err(|e| refused(&path, &e))?;
     }
     Ok(())
+}
+
+/// The result on stdout, and the paths of the files on stderr.
+pub(super) fn tell(said: &str, out: &Path, names: &[&str], console: &mut Console<'_>) {
+    console.result(said);
+    for name in names {
+        console.say(&format!("{}\n", crate::render::safe(&out.join(name).to_string_lossy())));
+    }
 }

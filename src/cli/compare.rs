@@ -1,7 +1,7 @@
 //! `toile compare`: one garment by the paper's method, by its neighbours and by the program's own.
 
 use super::args::CompareArgs;
-use super::bench::{Chain, check_folder, write_files};
+use super::bench::{Chain, check_folder, tell, write_files};
 use super::console::Console;
 use crate::codes::UNKNOWN_VALUE;
 use crate::compare::rows::VERSION;
@@ -59,10 +59,7 @@ fn work(
     let said = if args.json { json.clone() } else { table::text(&comparison) };
     let texts = [json, page::html(&comparison, &shown), table::markdown(&comparison)];
     write_files(&out, &FILES, &texts)?;
-    console.result(&said);
-    for name in FILES {
-        console.say(&format!("{}\n", crate::render::safe(&out.join(name).to_string_lossy())));
-    }
+    tell(&said, &out, &FILES, console);
     Ok(Exit::Good)
 }
 
@@ -74,7 +71,7 @@ fn methods(names: &[String]) -> Result<Vec<&'static Method>, Diagnostic> {
         return Err(Diagnostic::error(UNKNOWN_VALUE, message).hint(format!("the methods are {known}")));
     }
     let is_asked = |m: &&Method| {
-        if names.is_empty() { m.by_default } else { names.iter().any(|n| n == m.name) }
+        if names.is_empty() { m.runs_by_default() } else { names.iter().any(|n| n == m.name) }
     };
     Ok(METHODS.iter().filter(is_asked).collect())
 }

@@ -1,7 +1,7 @@
 //! `toile study`: what accuracy costs in time, for one garment.
 
 use super::args::StudyArgs;
-use super::bench::{Chain, check_folder, write_files};
+use super::bench::{Chain, check_folder, tell, write_files};
 use super::codes;
 use super::console::Console;
 use crate::codes::{UNKNOWN_VALUE, WRONG_VALUE};
@@ -64,14 +64,8 @@ fn study(args: &StudyArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &
         return Err(Halt { findings: vec![finding], source: None, exit: Exit::Unstable });
     };
     write(&study, &pictures, &out)?;
-    if args.json {
-        console.result(&json(&study))
-    } else {
-        console.result(&table::text(&study))
-    }
-    for name in FILES {
-        console.say(&format!("{}\n", crate::render::safe(&out.join(name).to_string_lossy())));
-    }
+    let said = if args.json { json(&study) } else { table::text(&study) };
+    tell(&said, &out, &FILES, console);
     Ok(Exit::Good)
 }
 

@@ -23,8 +23,6 @@ pub struct Method {
     pub about: &'static str,
     /// Its settings.
     pub way: Way,
-    /// It runs where no methods are named.
-    pub by_default: bool,
 }
 
 /// A method that drapes.
@@ -34,9 +32,7 @@ const fn draped(
     about: &'static str,
     (model, integrator, correction, penalty): (ModelName, IntegratorName, CorrectionName, PenaltyName),
 ) -> Method {
-    let way = Way::Draped(model, integrator, correction, penalty);
-    // The force of equation 6 jumps at the gap, so cloth in contact never comes to rest, and minutes pass.
-    Method { name, source, about, way, by_default: matches!(penalty, PenaltyName::Linear) }
+    Method { name, source, about, way: Way::Draped(model, integrator, correction, penalty) }
 }
 
 /// All methods, in the order of the table.
@@ -88,7 +84,6 @@ pub const METHODS: [Method; 8] = [
         source: "as systems for 2D to 3D alone",
         about: "The garment of `paper` as it is sewn round the body, without weight.",
         way: Way::SewnOnly,
-        by_default: true,
     },
 ];
 
@@ -99,6 +94,13 @@ pub fn reference() -> Setting {
 }
 
 impl Method {
+    /// It runs where no methods are named. The force of equation 6 jumps at the gap, so cloth in contact never comes to rest,
+    /// and minutes pass.
+    #[must_use]
+    pub fn runs_by_default(&self) -> bool {
+        !matches!(self.way, Way::Draped(.., PenaltyName::Exponential))
+    }
+
     /// The setting that is run for it, on the mesh of the pipeline.
     #[must_use]
     pub fn setting(&self) -> Setting {

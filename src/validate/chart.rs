@@ -1,4 +1,4 @@
-//! The chart of a validation: foretold against captured, drape coefficients at the left and heights of the hem at the right.
+//! The chart of a validation: predicted against captured, drape coefficients at the left and heights of the hem at the right.
 
 use super::band::Band;
 use super::laws::LAWS;
@@ -90,7 +90,7 @@ fn panel(out: &mut String, validation: &Validation, quantity: &Quantity, left: f
         out,
         "<rect class=\"frame\" x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\"/>\n<path class=\"even\" d=\"M{0} {4}L{5} {1}\"/>\n\
          <text class=\"title\" x=\"{0}\" y=\"{6}\">{7}</text>\n<text x=\"{8}\" y=\"{9}\" text-anchor=\"middle\">captured</text>\n\
-         <text transform=\"translate({10} {middle}) rotate(-90)\" text-anchor=\"middle\">foretold</text>",
+         <text transform=\"translate({10} {middle}) rotate(-90)\" text-anchor=\"middle\">predicted</text>",
         x[0],
         y[1],
         x[1] - x[0],
@@ -117,7 +117,7 @@ fn mark(out: &mut String, quantity: &Quantity, row: &Row, x: [f64; 2], y: [f64; 
     let up = [-1.0, 1.0].map(|s| fixed(quantity.place(simulated.mean + s * simulated.scatter, y), 1));
     let paint = if row.was_set { format!("fill=\"{colour}\"") } else { format!("fill=\"#fff\" stroke=\"{colour}\"") };
     let words = format!(
-        "{} {}, {}: captured {:.1}, foretold {:.1}",
+        "{} {}, {}: captured {:.1}, predicted {:.1}",
         row.fabric, row.face, row.law, captured.mean, simulated.mean
     );
     let _ = writeln!(

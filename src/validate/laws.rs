@@ -10,7 +10,7 @@ use toile_stage_api::StageError;
 pub struct Law {
     /// Its name.
     pub name: &'static str,
-    /// What it simulates beside stretch, shear and weight.
+    /// Its physics beside stretch, shear and weight.
     pub about: &'static str,
     /// Coercive curvature HB/B of yarns that rub, 1/m; 0 for none.
     pub coercive_curvature: f64,

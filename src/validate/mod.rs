@@ -1,4 +1,4 @@
-//! `toile validate drape` foretells measured drapes of real cloth, and tells where it fails.
+//! `toile validate drape` predicts measured drapes of real cloth, and tells where it fails.
 //!
 //! `captures` reads what a laboratory measured. `laws` are ways of describing a cloth; each is set by one capture of a face.
 //! `rows` lets the cloth fall and judges it by all other captures. `table` and `chart` show the result.

@@ -69,7 +69,7 @@ pub struct Cost {
     pub cloths: usize,
 }
 
-/// Measured drapes beside foretold ones.
+/// Measured drapes beside predicted ones.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Validation {
     /// Version of this form.

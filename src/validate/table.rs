@@ -36,7 +36,7 @@ pub fn markdown(validation: &Validation) -> String {
 #[must_use]
 pub fn title(validation: &Validation) -> String {
     format!(
-        "{}: Cusick drapes foretold, {} falls each, edge {} mm",
+        "{}: Cusick drapes predicted, {} falls each, edge {} mm",
         validation.captures, validation.falls, validation.edge_mm
     )
 }

@@ -7,7 +7,7 @@ use toile_garment::units::Length;
 /// `validate`
 #[derive(Args, Debug)]
 pub struct ValidateArgs {
-    /// What is validated.
+    /// The thing to validate.
     #[command(subcommand)]
     pub verb: ValidateVerb,
 }

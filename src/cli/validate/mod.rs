@@ -1,10 +1,10 @@
-//! `toile validate drape`: measured drapes of real cloth, foretold.
+//! `toile validate drape`: measured drapes of real cloth, predicted.
 
 mod args;
 
 pub use args::ValidateArgs;
 
-use super::bench::{check_folder, write_files};
+use super::bench::{check_folder, tell, write_files};
 use super::console::Console;
 use crate::engine::{Exit, MAX_INPUT, Stop, clean, of_file_error, of_stage_error, read_limited};
 use crate::halt::Halt;
@@ -57,10 +57,7 @@ fn work(args: &ValidatedDrapeArgs, stop: &Arc<Stop>, console: &mut Console<'_>) 
     let json = toile_garment::text::json(&serde_json::to_string_pretty(&validation).unwrap_or_default()) + "\n";
     let said = if args.json { json.clone() } else { table::text(&validation) };
     write_files(&out, &FILES, &[json, chart::svg(&validation), table::markdown(&validation)])?;
-    console.result(&said);
-    for name in FILES {
-        console.say(&format!("{}\n", crate::render::safe(&out.join(name).to_string_lossy())));
-    }
+    tell(&said, &out, &FILES, console);
     Ok(Exit::Good)
 }
 

@@ -2,8 +2,8 @@
 
 use crate::ContactPenalty;
 
-/// Largest gap over distance in the exponential: closer, the force grows no more. exp(20) is 5 · 10⁸.
-const CLOSENESS_MOST: f64 = 20.0;
+/// Largest inverse distance, in gaps, in the exponential: closer, the force grows no more. exp(20) is 5 · 10⁸.
+const INVERSE_DISTANCE_MOST: f64 = 20.0;
 /// Panels of Simpson's rule for the energy of the exponential.
 const PANELS: u32 = 16;
 
@@ -16,7 +16,7 @@ impl ContactPenalty {
     pub(crate) fn force(self, stiffness: f64, gap: f64, distance: f64) -> f64 {
         match self {
             Self::Linear => stiffness * (gap - distance),
-            Self::Exponential => stiffness * gap * libm::exp(closeness(gap, distance) - 1.0),
+            Self::Exponential => stiffness * gap * libm::exp(inverse_distance(gap, distance) - 1.0),
         }
     }
 
@@ -36,9 +36,9 @@ impl ContactPenalty {
     }
 }
 
-/// Gap over distance, bounded.
-fn closeness(gap: f64, distance: f64) -> f64 {
-    if distance * CLOSENESS_MOST > gap { gap / distance } else { CLOSENESS_MOST }
+/// One over the distance in gaps, bounded.
+fn inverse_distance(gap: f64, distance: f64) -> f64 {
+    if distance * INVERSE_DISTANCE_MOST > gap { gap / distance } else { INVERSE_DISTANCE_MOST }
 }
 
 #[cfg(test)]
