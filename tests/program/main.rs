@@ -1,0 +1,30 @@
+//! What the program does, seen from outside: one module for each command or promise.
+
+#[path = "../support/mod.rs"]
+mod support;
+
+mod acceptance;
+mod altered;
+mod bad;
+mod bundle;
+mod cache;
+mod cli;
+mod compare;
+mod diff;
+mod drawn_bodies;
+mod drawn_textures;
+mod engine;
+mod external;
+mod fabric_test;
+mod faults;
+mod fit;
+mod line;
+mod motion;
+mod new;
+mod platform;
+mod renewed;
+mod study;
+mod torn_bodies;
+mod truncated;
+mod verbs;
+mod watch;
