@@ -7,12 +7,18 @@ use toile_garment::Garment;
 
 /// A picture of a garment as a figure of an HTML page, in itself. `caption` is HTML. `None` where there is nothing to draw.
 #[must_use]
-pub fn figure(garment: &Garment, wishes: &Wishes<'_>, (alt, caption): (&str, &str)) -> Option<String> {
-    let data = base64::engine::general_purpose::STANDARD.encode(png(garment, wishes).ok()?);
+pub fn figure(garment: &Garment, wishes: &Wishes<'_>, words: (&str, &str)) -> Option<String> {
+    Some(png_figure(&png(garment, wishes).ok()?, words))
+}
+
+/// A PNG as a figure of an HTML page, in itself. `caption` is HTML.
+#[must_use]
+pub fn png_figure(png: &[u8], (alt, caption): (&str, &str)) -> String {
+    let data = base64::engine::general_purpose::STANDARD.encode(png);
     let alt = escape(alt);
-    Some(format!(
+    format!(
         "<figure><img alt=\"{alt}\" src=\"data:image/png;base64,{data}\"><figcaption>{caption}</figcaption></figure>\n"
-    ))
+    )
 }
 
 /// One view of a garment on its body.

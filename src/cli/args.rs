@@ -312,7 +312,7 @@ pub struct WatchArgs {
 /// `diff`
 #[derive(Args, Debug)]
 pub struct DiffArgs {
-    /// Folder of a run, its run.json, or a GLB.
+    /// Folder of a run, its run.json, a GLB, or the folder of a line.
     pub a: PathBuf,
     /// The one to compare with it.
     pub b: PathBuf,

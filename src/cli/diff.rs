@@ -12,14 +12,6 @@ use toile_garment::{Diagnostic, SourceRef};
 const MAX_TOLERANCE: u64 = 1 << 20;
 
 pub(super) fn run(args: &DiffArgs, console: &mut Console<'_>) -> Exit {
-    let (a, b) = match (diff::open(&args.a), diff::open(&args.b)) {
-        (Ok(a), Ok(b)) => (a, b),
-        (a, b) => {
-            let findings: Vec<Diagnostic> = [a.err(), b.err()].into_iter().flatten().collect();
-            console.findings(&findings, None);
-            return Exit::Input;
-        }
-    };
     let tolerance = match args.tolerance.as_deref().map_or(Ok(Tolerance::default()), tolerance) {
         Ok(tolerance) => tolerance,
         Err(findings) => {
@@ -27,13 +19,56 @@ pub(super) fn run(args: &DiffArgs, console: &mut Console<'_>) -> Exit {
             return Exit::Usage;
         }
     };
+    let ended = if [&args.a, &args.b].iter().all(|path| diff::is_line(path)) {
+        lines(args, &tolerance, console)
+    } else {
+        results(args, &tolerance, console)
+    };
+    match ended {
+        Ok(is_over) => {
+            if is_over {
+                Exit::Gate
+            } else {
+                Exit::Good
+            }
+        }
+        Err(findings) => {
+            console.findings(&findings, None);
+            Exit::Input
+        }
+    }
+}
+
+/// Both sides, or all that is wrong with them.
+fn both<T>(a: Result<T, Diagnostic>, b: Result<T, Diagnostic>) -> Result<[T; 2], Vec<Diagnostic>> {
+    match (a, b) {
+        (Ok(a), Ok(b)) => Ok([a, b]),
+        (a, b) => Err([a.err(), b.err()].into_iter().flatten().collect()),
+    }
+}
+
+/// Two versions of a line. Gives whether a difference is over its tolerance.
+fn lines(args: &DiffArgs, tolerance: &Tolerance, console: &mut Console<'_>) -> Result<bool, Vec<Diagnostic>> {
+    let [a, b] = both(diff::open_line(&args.a), diff::open_line(&args.b))?;
+    let (sides, jobs) = ([&a, &b], diff::diff_lines(&a, &b));
+    match args.format {
+        DiffFormat::Text => console.result(&crate::render::safe(&diff::lines_text(sides, &jobs, tolerance))),
+        DiffFormat::Json => console.json(&diff::lines_json(sides, &jobs, tolerance)),
+        DiffFormat::Html => console.result(&diff::lines_html(sides, &jobs, tolerance)),
+    }
+    Ok(jobs.iter().any(|j| j.is_over(tolerance)))
+}
+
+/// Two results. Gives whether a difference is over its tolerance.
+fn results(args: &DiffArgs, tolerance: &Tolerance, console: &mut Console<'_>) -> Result<bool, Vec<Diagnostic>> {
+    let [a, b] = both(diff::open(&args.a), diff::open(&args.b))?;
     let changes = diff::diff(&a, &b);
     match args.format {
-        DiffFormat::Text => console.result(&crate::render::safe(&diff::text(&a, &b, &changes, &tolerance))),
-        DiffFormat::Json => console.json(&diff::to_json(&a, &b, &changes, &tolerance)),
-        DiffFormat::Html => console.result(&diff::html(&a, &b, &changes, &tolerance)),
+        DiffFormat::Text => console.result(&crate::render::safe(&diff::text(&a, &b, &changes, tolerance))),
+        DiffFormat::Json => console.json(&diff::to_json(&a, &b, &changes, tolerance)),
+        DiffFormat::Html => console.result(&diff::html(&a, &b, &changes, tolerance)),
     }
-    if changes.iter().any(|c| tolerance.is_over(c)) { Exit::Gate } else { Exit::Good }
+    Ok(changes.iter().any(|c| tolerance.is_over(c)))
 }
 
 fn tolerance(path: &Path) -> Result<Tolerance, Vec<Diagnostic>> {

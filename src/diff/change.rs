@@ -69,6 +69,18 @@ pub struct Change {
     pub unit: &'static str,
 }
 
+/// One difference in a table.
+pub(super) struct Row {
+    /// The table.
+    pub group: Group,
+    /// What differs.
+    pub what: String,
+    /// How.
+    pub words: String,
+    /// Is it more than is allowed?
+    pub is_over: bool,
+}
+
 impl Change {
     /// Words that differ; nothing if they are the same.
     pub fn of_words(

@@ -5,7 +5,8 @@ use toile_garment::Code;
 codes! {
     pub(crate) list CODES;
 
-    /// `toile diff` was given something that is no result. A result is the folder of a run, its run.json, or a GLB.
+    /// `toile diff` was given something that is no result. A result is the folder of a run, its run.json, a GLB,
+    /// or the folder of a line.
     /// Exit code 3.
     DIFF_NO_RESULT = "diff-no-result";
 }

@@ -57,9 +57,20 @@ fn fabrics(garment: &Garment) -> Words {
     let mut found = Words::new();
     for (name, fabric) in &garment.fabrics {
         let name = if name.is_empty() { "fabric" } else { name };
-        leaves(name, &serde_json::to_value(fabric).unwrap_or_default(), &mut found);
+        leaves(name, &as_written(serde_json::to_value(fabric).unwrap_or_default()), &mut found);
     }
     found
+}
+
+/// A fabric whose values stand as its file writes them, with their units.
+fn as_written(mut fabric: Value) -> Value {
+    let sources = fabric.as_object_mut().and_then(|f| f.remove("sources")).unwrap_or_default();
+    for (key, source) in sources.as_object().into_iter().flatten() {
+        if source["written"].is_string() {
+            fabric[key] = source["written"].clone();
+        }
+    }
+    fabric
 }
 
 /// All values of a document by their dotted keys.

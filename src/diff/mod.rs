@@ -3,6 +3,7 @@
 mod change;
 pub(crate) mod codes;
 mod documents;
+mod lines;
 mod page;
 mod patterns;
 mod shape;
@@ -11,7 +12,8 @@ mod tolerance;
 
 pub(crate) use change::exceeds;
 pub use change::{Change, Group};
-pub use page::html;
+pub use lines::{JobDiff, LineSide, diff_lines, is_line, lines_json, lines_text, open_line};
+pub use page::{html, lines_html};
 pub use shape::{Motion, align};
 pub(crate) use side::glb_of;
 pub use side::{Side, open};
@@ -55,16 +57,17 @@ pub fn text(a: &Side, b: &Side, changes: &[Change], tolerance: &Tolerance) -> St
 /// The differences for programs.
 #[must_use]
 pub fn to_json(a: &Side, b: &Side, changes: &[Change], tolerance: &Tolerance) -> Value {
-    let change = |c: &Change| {
-        json!({
-            "group": c.group.word(), "what": c.what, "before": c.before, "after": c.after,
-            "by": c.by, "unit": c.unit, "over": tolerance.is_over(c),
-        })
-    };
     json!({
         "a": a.name,
         "b": b.name,
         "over": changes.iter().filter(|c| tolerance.is_over(c)).count(),
-        "changes": changes.iter().map(change).collect::<Vec<_>>(),
+        "changes": changes.iter().map(|c| change_json(c, tolerance)).collect::<Vec<_>>(),
+    })
+}
+
+fn change_json(c: &Change, tolerance: &Tolerance) -> Value {
+    json!({
+        "group": c.group.word(), "what": c.what, "before": c.before, "after": c.after,
+        "by": c.by, "unit": c.unit, "over": tolerance.is_over(c),
     })
 }

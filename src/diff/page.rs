@@ -1,9 +1,10 @@
 //! The differences as one HTML page, with pictures side by side.
 
-use super::change::Change;
+use super::change::{Change, Row};
+use super::lines::{JobDiff, LineSide, rows, shown};
 use super::side::Side;
 use super::tolerance::Tolerance;
-use crate::figure::{figure, one_view};
+use crate::figure::{figure, one_view, png_figure};
 use std::fmt::Write as _;
 use toile_formats::picture::View;
 use toile_formats::svg::canvas::escape;
@@ -17,14 +18,19 @@ td{padding:3px 12px 3px 0;border-bottom:1px solid #e6e2d8;vertical-align:top}.ov
 /// Width and height of a picture, pixels.
 const SIZE: [u32; 2] = [480, 640];
 
-/// The page.
+/// The head of a page, up to its title.
+fn head(a: &str, b: &str) -> String {
+    let title = format!("{} against {}", escape(b), escape(a));
+    format!(
+        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>{title}</title>\n\
+         <style>{STYLE}</style>\n</head>\n<body data-toile-diff=\"1\">\n<h1>{title}</h1>\n"
+    )
+}
+
+/// The page of two results.
 #[must_use]
 pub fn html(a: &Side, b: &Side, changes: &[Change], tolerance: &Tolerance) -> String {
-    let title = format!("{} against {}", escape(&b.name), escape(&a.name));
-    let mut out = format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>{title}</title>\n\
-         <style>{STYLE}</style>\n</head>\n<body data-toile-diff=\"1\">\n<h1>{title}</h1>\n<div class=\"pictures\">\n"
-    );
+    let mut out = head(&a.name, &b.name) + "<div class=\"pictures\">\n";
     for view in [View::Front, View::Back] {
         for side in [a, b] {
             let caption = format!("{}, {}", escape(&side.name), view.name());
@@ -35,15 +41,47 @@ pub fn html(a: &Side, b: &Side, changes: &[Change], tolerance: &Tolerance) -> St
     if changes.is_empty() {
         out.push_str("<p>Nothing differs.</p>\n");
     }
-    for group in changes.chunk_by(|x, y| x.group == y.group) {
+    let row =
+        |c: &Change| Row { group: c.group, what: c.what.clone(), words: c.words(), is_over: tolerance.is_over(c) };
+    tables(&mut out, &changes.iter().map(row).collect::<Vec<_>>());
+    out + "</body>\n</html>\n"
+}
+
+/// A table for each group of rows.
+fn tables(out: &mut String, rows: &[Row]) {
+    for group in rows.chunk_by(|x, y| x.group == y.group) {
         // Writing to a String cannot fail.
         let _ = writeln!(out, "<h2>{}</h2>\n<table>", group[0].group.word());
-        for change in group {
-            let over = if tolerance.is_over(change) { " class=\"over\"" } else { "" };
-            let _ =
-                writeln!(out, "<tr{over}><td>{}</td><td>{}</td></tr>", escape(&change.what), escape(&change.words()));
+        for row in group {
+            let over = if row.is_over { " class=\"over\"" } else { "" };
+            let _ = writeln!(out, "<tr{over}><td>{}</td><td>{}</td></tr>", escape(&row.what), escape(&row.words));
         }
         out.push_str("</table>\n");
+    }
+}
+
+/// The page of two versions of a line: what differs over all jobs, then the jobs with their pictures side by side.
+#[must_use]
+pub fn lines_html(sides: [&LineSide; 2], jobs: &[JobDiff], tolerance: &Tolerance) -> String {
+    let [a, b] = sides.map(LineSide::name);
+    let mut out = head(&a, &b);
+    let shown = shown(sides, jobs, tolerance);
+    let over = shown.iter().filter(|j| j.is_over).count();
+    // Writing to a String cannot fail.
+    let _ = writeln!(out, "<p>{} jobs: {} differ, {over} over the tolerance.</p>", jobs.len(), shown.len());
+    tables(&mut out, &rows(jobs, tolerance));
+    for job in shown {
+        let over = if job.is_over { " class=\"over\"" } else { "" };
+        let _ = writeln!(
+            out,
+            "<h2>{}</h2>\n<table><tr{over}><td>{}</td></tr></table>\n<div class=\"pictures\">",
+            escape(&job.job),
+            escape(&job.words)
+        );
+        for (name, png) in [&a, &b].into_iter().zip(job.pictures) {
+            out.extend(png.map(|png| png_figure(&png, ("", &escape(name)))));
+        }
+        out.push_str("</div>\n");
     }
     out + "</body>\n</html>\n"
 }
