@@ -2,8 +2,8 @@
 
 use super::dart::DrawnDart;
 use super::thresholds::{
-    CORNERS_OF_INSERT, DIFFERENCE_OF_INSERT, DISTANCE_OF_INSERT, TURN_OF_INSERT_CORNER, TURN_OF_INSERT_POINT,
-    VERTICES_OF_INSERT,
+    CORNERS_OF_INSERT, DIFFERENCE_OF_INSERT, DISTANCE_OF_INSERT, DISTANCE_OF_MOUTH_VERTEX, TURN_OF_INSERT_CORNER,
+    TURN_OF_INSERT_POINT, VERTICES_OF_INSERT,
 };
 use crate::dxf::geom;
 use crate::dxf::piece::DrawnPiece;
@@ -33,7 +33,8 @@ impl Inserts {
     }
 }
 
-/// Lengths of the two edges at each sharp convex corner.
+/// Lengths of the two edges at each sharp convex corner. At the mouth of a wedge one of them is a leg, which is no side of
+/// an insert.
 fn convex_points(piece: &DrawnPiece) -> Vec<[f64; 2]> {
     let nodes = &piece.sewn().drawn;
     let n = nodes.len();
@@ -55,7 +56,10 @@ fn convex_points(piece: &DrawnPiece) -> Vec<[f64; 2]> {
         .filter_map(|k| {
             let (a, c, b) = (corners[(k + m - 1) % m], corners[k], corners[(k + 1) % m]);
             let turn = geom::turn(nodes[(c + n - 1) % n].at, nodes[c].at, nodes[(c + 1) % n].at).to_degrees();
-            (turn > TURN_OF_INSERT_POINT).then(|| [run(a, c), run(c, b)])
+            let at_mouth = || {
+                piece.darts.iter().flat_map(|d| d.mouth).any(|p| (p - nodes[c].at).norm() < DISTANCE_OF_MOUTH_VERTEX)
+            };
+            (turn > TURN_OF_INSERT_POINT && !at_mouth()).then(|| [run(a, c), run(c, b)])
         })
         .collect()
 }

@@ -164,6 +164,22 @@ fn a_place_for_a_godet_is_none_although_it_is_marked() {
     assert_eq!(outcome(&text), (vec!["wedge-not-a-dart".to_owned()], 0));
 }
 
+/// A lining with the same dart, whose leg is as long as the edge beside it. A corner of both is no point of an insert.
+#[test]
+fn a_dart_of_another_piece_is_no_insert() {
+    let dart = [(165.0, 600.0), (150.0, 500.0), (135.0, 600.0)];
+    let leg = libm::hypot(15.0, 100.0);
+    let shell = piece(&top(&dart), |w| w.point("13", 150.0, 510.0));
+    let lining =
+        [(500.0, 0.0), (665.0 + leg, 0.0), (665.0 + leg, 600.0), (665.0, 600.0), (650.0, 500.0), (635.0, 600.0)];
+    let lining = [&lining[..], &[(500.0, 600.0)]].concat();
+    let w = Writer::default().block("LINING").text("1", "Piece Name: LINING").text("1", "SIZE: 38");
+    let w = w.polyline("1", true, &lining).points("2", &lining).line("7", (560.0, 50.0), (560.0, 200.0));
+    let lining = w.pair(0, "ENDBLK").0;
+    let text = shell.replacen("  0\nENDBLK\n", &format!("  0\nENDBLK\n{lining}"), 1);
+    assert_eq!(outcome(&text), (vec![], 1));
+}
+
 #[test]
 fn a_nest_tells_the_undecided_darts_of_the_size_that_is_asked_for() {
     let small: Vec<Point> = top(&NEEDLE).iter().map(|(x, y)| (x * 0.9, y * 0.9)).collect();
