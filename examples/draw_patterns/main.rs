@@ -15,10 +15,12 @@ mod pocket_skirt;
 mod princess_dress;
 mod puff_blouse;
 mod sheet;
+mod shirt;
 mod sleeve;
 mod t_shirt;
 #[cfg(test)]
 mod tests;
+mod trousers;
 mod upper;
 
 use body::{Measures, RUN, SAMPLE_SIZE, SIZES};
@@ -43,6 +45,8 @@ const STYLES: &[Style] = &[
     Style { file: "puff-blouse", pieces: puff_blouse::pieces },
     Style { file: "princess-dress", pieces: princess_dress::pieces },
     Style { file: "hoodie", pieces: hoodie::pieces },
+    Style { file: "trousers", pieces: trousers::pieces },
+    Style { file: "shirt", pieces: shirt::pieces },
 ];
 
 /// File names and bytes of all samples in these sizes.

@@ -143,8 +143,8 @@ fn dart_legs_are_equal_and_darts_can_be_found() {
             count += 1;
         }
     }
-    // Long skirt, bodice, and shell and lining of the skirt with pockets.
-    assert_eq!(count, 3 * (2 + 2 + 4 + 2 + 4 + 4));
+    // Long skirt, bodice, shell and lining of the skirt with pockets, and trousers.
+    assert_eq!(count, 3 * (2 + 2 + 4 + 2 + 4 + 4 + 1));
 }
 
 /// When a dart is closed the lines on both sides of its mouth run smoothly into each other.
@@ -311,5 +311,34 @@ fn hoodie_fits_and_its_seams_match() {
         near(run(sleeve, &[0]), hoodie::CUFF_STRETCH * run(cuff, &[2]), 1e-6, "cuff");
         near(run(front, &[0]) + run(back, &[0]), hoodie::HEM_STRETCH * run(waistband, &[2]), 1e-6, "hem");
         near(2.0 * run(hood, &[0]), run(front, &[4]) + run(back, &[4]), 1e-3, "hood");
+    }
+}
+
+#[test]
+fn shirt_fits_and_its_seams_match() {
+    for m in &SIZES {
+        let pieces = shirt::pieces(m);
+        let [front, back, sleeve, cuff, stand, collar] = pieces.as_slice() else { panic!("six pieces") };
+        near(run(front, &[1]), run(back, &[7]), 1e-6, "side");
+        near(run(front, &[3]), run(back, &[5]), 1e-6, "shoulder");
+        near(run(sleeve, &[2]), run(front, &[2]) + run(back, &[6]) + shirt::CAP_EASE, 1e-3, "sleeve cap");
+        near(run(sleeve, &[0]), shirt::CUFF_GATHER * run(cuff, &[2]), 1e-6, "cuff");
+        let neckline = 2.0 * (run(front, &[4]) - shirt::EXTENSION) + run(back, &[4]);
+        near(run(stand, &[0]), neckline, 0.1, "stand");
+        near(run(stand, &[2]), run(collar, &[2]), 0.1, "collar");
+    }
+}
+
+#[test]
+fn trousers_fit_and_their_seams_match() {
+    for m in &SIZES {
+        let pieces = trousers::pieces(m);
+        let [front, back, waistband] = pieces.as_slice() else { panic!("three pieces") };
+        near(run(front, &[4]), run(back, &[7]), 1e-3, "inseam");
+        near(run(front, &[1]), run(back, &[1]), 12.0, "side, which is eased");
+        let waist = run(front, &[2]) - 2.0 * trousers::PLEAT + run(back, &[2, 5]);
+        near(run(waistband, &[0]), 2.0 * waist, 1e-3, "waistband");
+        near(run(waistband, &[0]), m.waist + trousers::WAIST_EASE, 1e-6, "waist");
+        near(run(back, &[3]), run(back, &[4]), 1e-6, "legs of the dart");
     }
 }

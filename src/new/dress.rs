@@ -56,11 +56,15 @@ fn at(runs: &[Run], mut way: f64) -> Option<PiecePoint> {
         for w in run.points.windows(2) {
             let length = (w[1] - w[0]).norm();
             if way <= length && length > 0.0 {
-                return Some(PiecePoint { piece: run.piece, at: w[0] + (w[1] - w[0]) * (way / length) });
+                return Some(PiecePoint {
+                    piece: run.piece,
+                    at: w[0] + (w[1] - w[0]) * (way / length),
+                    is_inside: false,
+                });
             }
             way -= length;
         }
     }
     let last = runs.last()?;
-    Some(PiecePoint { piece: last.piece, at: *last.points.last()? })
+    Some(PiecePoint { piece: last.piece, at: *last.points.last()?, is_inside: false })
 }

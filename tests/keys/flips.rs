@@ -239,6 +239,8 @@ const NAMED: &str = "edge[2]={ piece = \"BACK\", name = \"hem\", number = 0 }";
 const STRETCH: &str =
     "edge[2]={ piece = \"BACK\", name = \"hem\", from = [\"-100 mm\", \"0 mm\"], to = [\"100 mm\", \"0 mm\"] }";
 const HELD_HEM: &str = "attach[2]={ piece = \"BACK\", edge = \"hem\", to = \"hip\" }";
+const LINED: &str =
+    "edge[2]={ piece = \"BACK\", name = \"tab\", line = [[\"-40 mm\", \"60 mm\"], [\"40 mm\", \"60 mm\"]] }";
 const LAYERS: &str = "layer=[{ order = 1, pieces = [\"BACK\"] }]";
 const ELASTIC: &str = "elastic=[{ along = \"BACK.0\", length = \"80 %\" }]";
 const FOLD: &str =
@@ -287,6 +289,7 @@ const SEWING: &[Flip] = &[
     given("pattern", &[STRETCH, HELD_HEM], "edge[2].from", "[\"0 mm\", \"0 mm\"]"),
     given("pattern", &[STRETCH, HELD_HEM], "edge[2].to", "[\"0 mm\", \"0 mm\"]"),
     given("pattern", &[STRETCH, HELD_HEM], "edge[2].way", "\"long\""),
+    given("pattern", &[LINED], "edge[2].line", "[[\"-40 mm\", \"90 mm\"], [\"40 mm\", \"90 mm\"]]"),
     given("pattern", &[LAYERS], "layer[0].order", "-1"),
     given("pattern", &[LAYERS], "layer[0].pieces", "[\"FRONT\"]"),
     row("pattern", "leave_out", "[\"BACK\"]"),

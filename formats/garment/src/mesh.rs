@@ -16,6 +16,8 @@ pub enum ChainKind {
     DartLeg,
     /// An internal line, or a fold line of a pleat.
     InternalLine,
+    /// A line inside the piece to which another piece is sewn (open).
+    SeamLine,
 }
 
 /// A chain of mesh edges that a line of the piece became.
@@ -23,7 +25,7 @@ pub enum ChainKind {
 pub struct MeshChain {
     /// Kind of the chain.
     pub kind: ChainKind,
-    /// Index of the line it came from (outline 0, cutout k, dart k, internal line k).
+    /// Index of the line it came from (outline 0, cutout k, dart k, internal line k, seam line k).
     pub index: u32,
     /// Vertex ids in order; neighbours are joined by mesh edges. A closed chain does not repeat its first id.
     pub vertices: Vec<u32>,

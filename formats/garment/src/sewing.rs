@@ -6,7 +6,7 @@ use crate::{Vec2, Vec3};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// A run of outline edges of one piece, as written in the sewing file.
+/// A run of outline edges of one piece, or a line inside it, as written in the sewing file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum RunSpec {
@@ -41,6 +41,14 @@ pub enum RunSpec {
         /// Which way along the outline.
         way: RunWay,
     },
+    /// A line inside the piece, to which another piece is sewn: the place of a pocket, of a band, of a button.
+    Line {
+        /// Piece name.
+        piece: String,
+        /// Points of the line in sewing order, metres.
+        #[schemars(with = "Vec<[f64; 2]>")]
+        line: Vec<Vec2>,
+    },
 }
 
 impl RunSpec {
@@ -48,14 +56,20 @@ impl RunSpec {
     #[must_use]
     pub fn piece(&self) -> &str {
         match self {
-            Self::Edge { piece, .. } | Self::Part { piece, .. } | Self::Points { piece, .. } => piece,
+            Self::Edge { piece, .. }
+            | Self::Part { piece, .. }
+            | Self::Points { piece, .. }
+            | Self::Line { piece, .. } => piece,
         }
     }
 
     /// Name of the piece, to be changed.
     pub fn piece_mut(&mut self) -> &mut String {
         match self {
-            Self::Edge { piece, .. } | Self::Part { piece, .. } | Self::Points { piece, .. } => piece,
+            Self::Edge { piece, .. }
+            | Self::Part { piece, .. }
+            | Self::Points { piece, .. }
+            | Self::Line { piece, .. } => piece,
         }
     }
 }
@@ -388,6 +402,23 @@ pub struct SewingPlan {
 }
 
 impl SewingPlan {
+    /// The lines inside a piece to which other pieces or elastic bands are sewn, each once, in the order of the file.
+    #[must_use]
+    pub fn seam_lines(&self, piece: &str) -> Vec<&[Vec2]> {
+        let sides = self.seams.iter().flat_map(|s| s.a.iter().chain(&s.b));
+        let bands = self.elastics.iter().flat_map(|e| &e.along);
+        let runs = sides.chain(bands).chain(self.edge_names.iter().map(|n| &n.run));
+        let mut lines: Vec<&[Vec2]> = Vec::new();
+        for run in runs.filter(|r| r.piece().eq_ignore_ascii_case(piece)) {
+            if let RunSpec::Line { line, .. } = run
+                && !lines.contains(&line.as_slice())
+            {
+                lines.push(line);
+            }
+        }
+        lines
+    }
+
     /// Adds what another plan says; its places win over those of the same piece here.
     pub fn extend(&mut self, more: Self) {
         let Self {

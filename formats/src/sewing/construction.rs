@@ -7,7 +7,7 @@ use std::f64::consts::PI;
 use std::ops::Range;
 use toile_garment::sewing::{BAND_STRETCH, BandLength, ElasticSpec, FoldSpec, InterliningSpec};
 use toile_garment::units::{Angle, ArealMass, Bending, Force, Length, Share};
-use toml::de::{DeTable, DeValue};
+use toml::de::DeTable;
 
 /// One elastic band; `n` numbers those without a name.
 pub fn elastic(table: &DeTable<'_>, span: Range<usize>, n: usize, walk: &mut Walk<'_>) -> Option<ElasticSpec> {
@@ -65,23 +65,11 @@ pub fn fold(table: &DeTable<'_>, span: Range<usize>, n: usize, walk: &mut Walk<'
         Some(value) => walk.text(value, "name"),
         None => Some(format!("fold-{}", n + 1)),
     };
-    let line = t.need("line", walk).and_then(|v| points(v, walk));
+    let line = t.need("line", walk).and_then(|v| walk.points(v, "line"));
     let angle = t.need("angle", walk).and_then(|v| angle(v, walk));
     t.finish(walk);
     let source = Some(walk.source(at, Some("fold")));
     Some(FoldSpec { piece: piece?, name: name?, line: line?, angle: angle?, source })
-}
-
-fn points(value: Value<'_>, walk: &mut Walk<'_>) -> Option<Vec<toile_garment::Vec2>> {
-    let DeValue::Array(items) = value.get_ref() else {
-        walk.wrong_type(value, "line", "a list of points");
-        return None;
-    };
-    if items.len() < 2 {
-        walk.error(codes::SEWING_EMPTY_LIST, value.span().start, "`line` has fewer than two points", |d| d);
-        return None;
-    }
-    items.iter().map(|item| walk.point(item, "line")).collect()
 }
 
 fn angle(value: Value<'_>, walk: &mut Walk<'_>) -> Option<f64> {

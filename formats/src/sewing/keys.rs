@@ -407,12 +407,19 @@ const RUN_FROM: Key = may(
 const RUN_TO: Key = may("to", Form::RunEnd, "\"end\"", "The other end of the run, in the same form.");
 const RUN_WAY: Key =
     may("way", Form::Word(run::ways), "\"short\"", "Which way around the piece from `from` to `to`. Default: `short`.");
+const RUN_LINE: Key = may(
+    "line",
+    Form::Points,
+    "[[\"40 mm\", \"120 mm\"], [\"160 mm\", \"120 mm\"]]",
+    "Points of a line inside the piece, in sewing order: where a pocket, a band or a button is sewn on. It lies off the \
+     outline and off darts.",
+);
 
 /// One run of outline edges as a table.
 pub static RUN: Keys = Keys {
     name: "run",
     heading: "a run",
-    about: "A run of outline edges: an `edge`, a part of one, or two points.",
+    about: "A run of outline edges: an `edge`, a part of one, or two points. A `line` inside the piece is a run as well.",
     keys: &[
         must("piece", Form::Text, "\"front\"", PIECE),
         RUN_FROM,
@@ -420,6 +427,7 @@ pub static RUN: Keys = Keys {
         RUN_WAY,
         may("edge", Form::Label, "\"side-left\"", "The edge, by name or number."),
         may("number", Form::Label, "3", "The edge, by number; the same as `edge`."),
+        RUN_LINE,
     ],
 };
 
@@ -427,7 +435,7 @@ pub static RUN: Keys = Keys {
 pub static EDGE: Keys = Keys {
     name: "edge",
     heading: "[[edge]]",
-    about: "A name for a run of outline edges: an edge, a part of one, or two points.",
+    about: "A name for a run of outline edges (an edge, a part of one, or two points), or for a line inside the piece.",
     keys: &[
         must("piece", Form::Text, "\"front\"", PIECE),
         must("name", Form::Text, "\"side-left\"", "The name."),
@@ -436,5 +444,6 @@ pub static EDGE: Keys = Keys {
         RUN_TO,
         RUN_WAY,
         may("edge", Form::Label, "\"3\"", "The edge, by name or number; the same as `number`."),
+        RUN_LINE,
     ],
 };

@@ -1,4 +1,5 @@
-//! Runs of outline edges: `"front.side-left"`, `"front.3"`, a part of an edge, two points, or a list of those.
+//! Runs of outline edges: `"front.side-left"`, `"front.3"`, a part of an edge, two points, or a list of those. A line
+//! inside the piece is a run as well.
 
 use super::codes;
 use super::keys;
@@ -58,8 +59,12 @@ fn run_table(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Op
     run
 }
 
-/// The run part of a table: `edge`, `edge` with places on it, or two points.
+/// The run part of a table: `edge`, `edge` with places on it, two points, or a `line`.
 fn body(t: &mut Table<'_>, piece: Option<String>, walk: &mut Walk<'_>) -> Option<RunSpec> {
+    if let Some(value) = t.take("line") {
+        let line = walk.points(value, "line");
+        return Some(RunSpec::Line { piece: piece?, line: line? });
+    }
     if let Some(value) = t.take("edge").or_else(|| t.take("number")) {
         let edge = walk.label(value, "edge");
         let ends = [t.take("from"), t.take("to")];

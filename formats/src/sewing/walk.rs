@@ -230,4 +230,18 @@ impl<'a> Walk<'a> {
         let y = self.quantity::<Length>(items[1], key);
         Some(Vec2::new(x?, y?))
     }
+
+    /// A line: two points or more.
+    pub fn points(&mut self, value: Value<'_>, key: &str) -> Option<Vec<Vec2>> {
+        let DeValue::Array(items) = value.get_ref() else {
+            self.wrong_type(value, key, "a list of points");
+            return None;
+        };
+        if items.len() < 2 {
+            let message = format!("`{key}` has fewer than two points");
+            self.error(codes::SEWING_EMPTY_LIST, value.span().start, message, |d| d);
+            return None;
+        }
+        items.iter().map(|item| self.point(item, key)).collect()
+    }
 }

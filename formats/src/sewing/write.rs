@@ -76,7 +76,7 @@ fn side(runs: &[RunSpec]) -> String {
 fn run(run: &RunSpec) -> String {
     match run {
         RunSpec::Edge { piece, edge } => quoted(&format!("{piece}.{edge}")),
-        RunSpec::Part { piece, .. } | RunSpec::Points { piece, .. } => {
+        RunSpec::Part { piece, .. } | RunSpec::Points { piece, .. } | RunSpec::Line { piece, .. } => {
             format!("{{ piece = {}, {} }}", quoted(piece), ends(run, ", "))
         }
     }
@@ -99,6 +99,7 @@ fn ends(run: &RunSpec, between: &str) -> String {
             };
             format!("from = {}{between}to = {}{between}way = \"{way}\"", point(*from), point(*to))
         }
+        RunSpec::Line { line, .. } => format!("line = {}", points(line)),
     }
 }
 
@@ -149,9 +150,8 @@ fn dart(out: &mut String, dart: &DartSpec) {
 }
 
 fn fold(out: &mut String, fold: &FoldSpec) {
-    let line: Vec<String> = fold.line.iter().map(|p| point(*p)).collect();
     let _ = write!(out, "\n[[fold]]\npiece = {}\nname = {}\n", quoted(&fold.piece), quoted(&fold.name));
-    let _ = write!(out, "line = [{}]\nangle = \"{} deg\"\n", line.join(", "), fold.angle.to_degrees());
+    let _ = write!(out, "line = {}\nangle = \"{} deg\"\n", points(&fold.line), fold.angle.to_degrees());
 }
 
 fn elastic(out: &mut String, elastic: &ElasticSpec) {
@@ -207,6 +207,11 @@ fn point(p: Vec2) -> String {
     format!("[{}, {}]", length(p.x), length(p.y))
 }
 
+fn points(line: &[Vec2]) -> String {
+    let line: Vec<String> = line.iter().map(|p| point(*p)).collect();
+    format!("[{}]", line.join(", "))
+}
+
 fn length(metres: f64) -> String {
     // Minus zero has no sign in a text for people.
     let mm = 1e3 * metres;
@@ -228,6 +233,10 @@ mod tests {
             way,
         };
         let named = RunSpec::Edge { piece: "front \"A\"".to_owned(), edge: "3".to_owned() };
+        let line = RunSpec::Line {
+            piece: "back".to_owned(),
+            line: [[0.1, 0.2], [0.1, 0.05], [0.25, 0.2]].map(Vec2::from).to_vec(),
+        };
         let plan = SewingPlan {
             seams: vec![SeamSpec {
                 name: "side".to_owned(),
@@ -306,7 +315,10 @@ mod tests {
                 strength: AttachStrength::Elastic(0.9),
                 source: None,
             }],
-            edge_names: vec![EdgeNameSpec { run: points("back", RunWay::Short), name: "top".to_owned() }],
+            edge_names: vec![
+                EdgeNameSpec { run: points("back", RunWay::Short), name: "top".to_owned() },
+                EdgeNameSpec { run: line.clone(), name: "pocket".to_owned() },
+            ],
             leave_out: vec!["facing".to_owned()],
             copies: Vec::new(),
         };
@@ -333,7 +345,8 @@ mod tests {
         assert!((fold.angle - 1.5).abs() < 1e-12 && (fold.line[1] - Vec2::new(0.5, 0.04)).norm() < 1e-12);
         assert_eq!((band.length, band.stretch, band.along.len()), (BandLength::Share(0.9), 30.0, 1));
         assert!((stiff.areal_mass - 0.06).abs() < 1e-12 && (stiff.bending - 4e-5).abs() < 1e-15);
-        assert_eq!((read.edge_names.len(), read.places.len()), (1, 3));
+        assert_eq!((read.edge_names.len(), read.places.len()), (2, 3));
+        assert_eq!((&read.edge_names[1].run, read.seam_lines("BACK").len()), (&line, 1));
         assert_eq!(read.places[0].placement, plan.places[0].placement);
         let Placement::Around(Around { turn, height, .. }) = &read.places[1].placement else { panic!("around") };
         assert!((turn - 0.25).abs() < 1e-12 && (height - 1.46).abs() < 1e-12);

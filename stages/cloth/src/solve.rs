@@ -29,6 +29,24 @@ pub fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<
     shown(canonical.back(sewn)?, scene, watch)
 }
 
+/// [`sew`], but the pieces of the vertices in `last` are sewn on when all others are sewn, as a collar is. The scheme of the
+/// paper sews all pieces at once.
+///
+/// # Errors
+/// As [`sew`].
+pub fn sew_in_order(
+    scene: &Scene,
+    settings: &Settings,
+    last: &[bool],
+    watch: &mut dyn Watch,
+) -> Result<Outcome, ClothError> {
+    let is_ordered = last.iter().any(|l| *l) && !last.iter().all(|l| *l);
+    if !is_ordered || settings.integrator == Integrator::CentralDifference {
+        return sew(scene, settings, watch);
+    }
+    sewing::sew_in_order(scene, settings, last, watch, sew)
+}
+
 fn sew_canonical(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<Outcome, ClothError> {
     match settings.integrator {
         Integrator::Static | Integrator::Implicit => sewing::sew(scene, settings, watch),

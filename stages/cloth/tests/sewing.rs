@@ -4,7 +4,8 @@ mod common;
 
 use common::{add, cotton, linear, noise, post, sheet, sphere};
 use toile_cloth::{
-    Element, ExplicitSteps, Material, Scene, Settings, Silent, StopReason, Vec3, certify, drape, sew, weld,
+    Element, ExplicitSteps, Material, Scene, Settings, Silent, StopReason, Vec3, certify, drape, sew, sew_in_order,
+    weld,
 };
 
 #[test]
@@ -26,6 +27,31 @@ fn two_sheets_a_hand_apart_are_sewn() {
     assert_eq!(welded.scene.positions.len(), scene.positions.len() - 26);
     assert_eq!(certify(&welded.scene, &settings, &welded.scene.positions).unwrap().self_crossings, 0);
     assert_eq!(welded.spread(&welded.scene.positions), out.positions);
+}
+
+/// A tube of two sheets, and a band above it that is sewn to the upper edge of one when the sides are closed.
+#[test]
+fn what_is_sewn_last_is_not_in_the_way_before() {
+    let mut scene = sheet(0.2, 0.3, 8, 12, cotton(), |x, y| Vec3::new(x, y, 0.1));
+    let back = sheet(0.2, 0.3, 8, 12, cotton(), |x, y| Vec3::new(x, y, -0.1));
+    let shift = add(&mut scene, &back);
+    let band = sheet(0.2, 0.05, 8, 2, cotton(), |x, y| Vec3::new(x, y + 0.35, 0.0));
+    let first = add(&mut scene, &band);
+    for j in 0..=12 {
+        scene.stitches.extend([0, 8].map(|i| [j * 9 + i, j * 9 + i + shift]));
+    }
+    scene.stitches.extend((0..9).map(|i| [12 * 9 + i, first + i]));
+    let last: Vec<bool> = (0u32..).zip(&scene.positions).map(|(v, _)| v >= first).collect();
+    let settings = Settings::sewing();
+    let out = sew_in_order(&scene, &settings, &last, &mut Silent).unwrap();
+    assert_eq!((out.seam_gap_max, out.open_stitches.len()), (0.0, 0));
+    let welded = weld(&scene, &out.positions);
+    // The corners of the tube and of the band are one, too.
+    assert_eq!(welded.scene.positions.len(), scene.positions.len() - 26 - 9);
+    assert_eq!(certify(&welded.scene, &settings, &welded.scene.positions).unwrap().self_crossings, 0);
+    // Nothing in order is sewing as it was.
+    let none = sew_in_order(&scene, &settings, &vec![false; last.len()], &mut Silent).unwrap();
+    assert_eq!(none.positions, sew(&scene, &settings, &mut Silent).unwrap().positions);
 }
 
 /// A disc with a wedge of `degrees` cut out to its centre, flat, slightly buckled.

@@ -110,6 +110,9 @@ impl Follow<'_> {
         let ring = &self.shapes[span.piece.index()].rings[span.ring];
         let way = if span.forward { RunWay::Left } else { RunWay::Right };
         let ends = [ring.at(span.from), ring.at(span.to)];
+        if self.shapes[span.piece.index()].seam_line(span.ring).is_some() {
+            return self.line(span, ring.line()).into_iter().collect();
+        }
         if span.piece != self.id {
             let piece = self.garment.pieces[span.piece.index()].name.clone();
             return vec![RunSpec::Points { piece, from: ends[0], to: ends[1], way }];
@@ -127,6 +130,19 @@ impl Follow<'_> {
         }
         runs.reverse();
         runs.into_iter().map(|(part, [a, b])| self.points(part, [b, a], way)).collect()
+    }
+
+    /// A line inside a piece; `None` where no part has the whole of it.
+    fn line(&self, span: &Span, line: &[Vec2]) -> Option<RunSpec> {
+        let mut line = line.to_vec();
+        if !span.forward {
+            line.reverse();
+        }
+        if span.piece != self.id {
+            return Some(RunSpec::Line { piece: self.garment.pieces[span.piece.index()].name.clone(), line });
+        }
+        let (part, line) = self.altered.carried(&line)?;
+        Some(RunSpec::Line { piece: self.altered.parts[part].name.clone(), line })
     }
 
     fn points(&self, part: usize, [from, to]: [Vec2; 2], way: RunWay) -> RunSpec {

@@ -66,30 +66,39 @@ fn over_shoulder(d: &Dresser<'_>, i: usize, sheet: &Sheet, by: Vec3) -> f64 {
     points.map(|p| d.form.shoulder(p.x) + LAYER - p.y).fold(0.0, f64::max)
 }
 
-/// Lifts a piece that is bent around the neck until it lies over the shoulders, and opens it where the neck is wider.
+/// Distances of the corners of a piece from an axis, or their heights: least and largest, m.
+fn spread(d: &Dresser<'_>, i: usize, sheet: &Sheet, of: impl Fn(Vec3) -> f64) -> [f64; 2] {
+    let values = d.outlines[i].points.iter().map(|p| of(sheet.at(*p)));
+    values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)])
+}
+
+/// Lifts a piece that is bent around the neck until it lies over the shoulders, and opens it where the neck is wider. What
+/// is folded over a bent piece lies outside it, and takes it along.
 pub fn around_neck(d: &mut Dresser<'_>, i: usize) {
-    let Some(mut sheet) = d.sheets[i].clone().filter(|s| s.bend.is_some() && d.segments[i] == Segment::Neck) else {
+    let is_bent = |d: &Dresser<'_>, k: usize| d.sheets[k].as_ref().is_some_and(|s| s.bend.is_some());
+    let Some(mut sheet) = d.sheets[i].clone().filter(|_| is_bent(d, i) && d.segments[i] == Segment::Neck) else {
         return;
     };
     let neck = &d.form.neck;
     let axis = (neck.to - neck.from).normalize();
     let radius = |p: Vec3| (p - neck.from - axis * (p - neck.from).dot(&axis)).norm();
-    let far = [f64::INFINITY, f64::NEG_INFINITY];
-    let spread = |sheet: &Sheet, of: &dyn Fn(Vec3) -> f64| {
-        let values = d.outlines[i].points.iter().map(|p| of(sheet.at(*p)));
-        values.fold(far, |[low, high], v| [low.min(v), high.max(v)])
-    };
-    let [inner, outer] = spread(&sheet, &radius);
+    let under: Vec<usize> = d.folded_over(i).filter(|k| is_bent(d, *k) && !d.is_given[*k]).collect();
+    let outermost = |k: &usize| d.sheets[*k].as_ref().map_or(0.0, |s| spread(d, *k, s, radius)[1] + LAYER);
+    let outside = under.iter().map(outermost).fold(0.0, f64::max);
+    sheet.widen((outside - spread(d, i, &sheet, radius)[0]).max(0.0));
+    let [inner, outer] = spread(d, i, &sheet, radius);
     let is_under = |p: &&Vec3| p.y < neck.from.y && (inner - LAYER..outer + LAYER).contains(&radius(**p));
     let shoulder = d.form.surface.iter().filter(is_under).map(|p| p.y).fold(f64::NEG_INFINITY, f64::max);
-    let by = shoulder + LAYER - spread(&sheet, &|p| p.y)[0];
-    if by.is_finite() && by > 0.0 {
-        sheet.shift(-axis * by);
-    }
-    let [low, high] = spread(&sheet, &|p| p.y);
+    let by = shoulder + LAYER - spread(d, i, &sheet, |p| p.y)[0];
+    let lift = -axis * if by.is_finite() { by.max(0.0) } else { 0.0 };
+    sheet.shift(lift);
+    let [low, high] = spread(d, i, &sheet, |p| p.y);
     let beside = d.form.surface.iter().filter(|p| (low..high).contains(&p.y)).map(|p| radius(*p));
     let widest = beside.filter(|r| *r < inner + WIDER).fold(0.0, f64::max);
     sheet.widen((widest + AROUND - inner).max(0.0));
+    for k in under {
+        d.sheets[k].iter_mut().for_each(|s| s.shift(lift));
+    }
     d.sheets[i] = Some(sheet);
 }
 
@@ -121,23 +130,35 @@ fn overlap(d: &Dresser<'_>, i: usize, k: usize) -> Option<f64> {
 }
 
 /// Moves sheets of one group apart in their common plane until none overlaps: beside one another, or one under another.
+/// Sheets that are sewn flat onto each other stay over each other.
 pub fn side_by_side(d: &mut Dresser<'_>, group: &[usize]) {
+    let lie_over = |d: &Dresser<'_>, i, k| overlap(d, i, k).is_some_and(|before| before.abs() < LAYER);
     for (n, i) in group.iter().enumerate() {
         for k in &group[n + 1..] {
+            if d.are_sewn_flat(*i, *k) || !lie_over(d, *i, *k) {
+                continue;
+            }
+            // The last step is one more than is needed, or they would touch.
             for _ in 0..STEPS {
-                if overlap(d, *i, *k).is_none_or(|before| before.abs() >= LAYER) {
+                let goes_on = lie_over(d, *i, *k);
+                step_apart(d, *i, *k);
+                if !goes_on {
                     break;
                 }
-                let (Some(a), Some(b)) = (d.sheets[*i].clone(), d.sheets[*k].clone()) else { break };
-                let (own, other) = (upright(&d.outlines[*i], &a), seen_in(&d.outlines[*k], &b, &a));
-                let apart = other.centroid() - own.centroid();
-                let size = own.size() + other.size();
-                let is_level = apart.x.abs() * size.y > apart.y.abs() * size.x;
-                let way = if is_level { a.right * apart.x.signum() } else { a.up * apart.y.signum() };
-                move_pair(d, [*i, *k], way * (0.5 * STEP));
             }
         }
     }
+}
+
+/// Moves two sheets one step apart in their plane: beside one another, or one under another.
+fn step_apart(d: &mut Dresser<'_>, i: usize, k: usize) {
+    let (Some(a), Some(b)) = (d.sheets[i].clone(), d.sheets[k].clone()) else { return };
+    let (own, other) = (upright(&d.outlines[i], &a), seen_in(&d.outlines[k], &b, &a));
+    let apart = other.centroid() - own.centroid();
+    let size = own.size() + other.size();
+    let is_level = apart.x.abs() * size.y > apart.y.abs() * size.x;
+    let way = if is_level { a.right * apart.x.signum() } else { a.up * apart.y.signum() };
+    move_pair(d, [i, k], way * (0.5 * STEP));
 }
 
 fn move_pair(d: &mut Dresser<'_>, [i, k]: [usize; 2], by: Vec3) {
@@ -162,7 +183,7 @@ pub fn layers(d: &mut Dresser<'_>, order: &[usize]) {
                 // The one that goes outside, and how far outside it is already.
                 let (outer, already) = match (is_on_arm(*i), is_on_arm(*k)) {
                     (false, true) => (*i, -before),
-                    _ if before < -LAYER && !d.folds_over(*k, *i) => continue,
+                    _ if before < -LAYER && !d.folds_over(*k, *i) && !d.are_sewn_flat(*k, *i) => continue,
                     _ => (*k, before),
                 };
                 if already < LAYER

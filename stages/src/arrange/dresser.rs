@@ -13,11 +13,11 @@ use toile_garment::{Vec2, Vec3};
 pub struct Thread {
     /// Own point, in piece coordinates, m.
     pub at: Vec2,
-    /// Outward normal of the own outline there.
+    /// Outward normal of the own outline there; zero inside the piece.
     pub outwards: Vec2,
     /// The other end.
     pub other: PiecePoint,
-    /// Outward normal of the other outline there.
+    /// Outward normal of the other outline there; zero inside that piece.
     pub other_outwards: Vec2,
     /// Length of the seam that it stands for, m.
     pub share: f64,
@@ -135,6 +135,13 @@ impl<'a> Dresser<'a> {
         })
     }
 
+    /// Returns `true` if one of two pieces is sewn to a line inside the other, as a pocket is.
+    pub fn are_sewn_flat(&self, i: usize, k: usize) -> bool {
+        let inside = |v: &Vec2| *v == Vec2::zeros();
+        let between = self.threads[i].iter().filter(|t| t.other.piece == k);
+        between.into_iter().any(|t| inside(&t.outwards) || inside(&t.other_outwards))
+    }
+
     /// Returns `true` if a piece lies turned over on another: where they are sewn, both outlines go the same way round.
     pub fn folds_over(&self, i: usize, on: usize) -> bool {
         let own: Vec<&Thread> = self.threads[i].iter().filter(|t| t.other.piece == on).collect();
@@ -144,6 +151,11 @@ impl<'a> Dresser<'a> {
             own * side(w[1].other.at - w[0].other.at, w[0].other_outwards) * w[0].share
         };
         pairs.map(sense).sum::<f64>() > 0.0
+    }
+
+    /// The pieces over which a piece is turned down.
+    pub fn folded_over(&self, i: usize) -> impl Iterator<Item = usize> + '_ {
+        (0..self.sheets.len()).filter(move |k| *k != i && self.folds_over(i, *k))
     }
 
     /// Middle of a piece after a turn, m.
@@ -160,9 +172,10 @@ impl<'a> Dresser<'a> {
     }
 }
 
-/// On which side of a way a direction points: 1 to its left, −1 to its right.
+/// On which side of a way a direction points: 1 to its left, −1 to its right, 0 for none.
 fn side(way: Vec2, direction: Vec2) -> f64 {
-    way.perp(&direction).signum()
+    let across = way.perp(&direction);
+    if across == 0.0 { 0.0 } else { across.signum() }
 }
 
 /// Mean distance of the points that a seam of a piece with itself joins, m.
@@ -173,9 +186,10 @@ fn across(join: &Join) -> f64 {
 
 fn threads(outlines: &[Polygon], joins: &[Join]) -> Vec<Vec<Thread>> {
     let mut threads = vec![Vec::new(); outlines.len()];
+    let outwards = |p: &PiecePoint| if p.is_inside { Vec2::zeros() } else { outlines[p.piece].outwards(p.at).0 };
     for (join, j) in joins.iter().enumerate() {
         for [a, b] in &j.pairs {
-            let (na, nb) = (outlines[a.piece].outwards(a.at).0, outlines[b.piece].outwards(b.at).0);
+            let (na, nb) = (outwards(a), outwards(b));
             let share = j.share();
             threads[a.piece].push(Thread { at: a.at, outwards: na, other: *b, other_outwards: nb, share, join });
             threads[b.piece].push(Thread { at: b.at, outwards: nb, other: *a, other_outwards: na, share, join });

@@ -19,10 +19,11 @@ pub use dresser::Segment;
 pub use form::Form;
 pub use sheet::Sheet;
 
-use crate::roles::outline::turned;
+use crate::roles::outline::{Polygon, turned};
 use crate::roles::{Join, Part, Role, Upright};
-use dresser::Dresser;
+use dresser::{Dresser, Thread};
 use facing::Lie;
+use pull::GAP;
 use toile_garment::body::Body;
 use toile_garment::outline::OutlineEdge;
 use toile_garment::{Piece, Vec2, Vec3};
@@ -127,6 +128,17 @@ pub fn arrange(
         place.iter_mut().for_each(|place| place.sheet.turn += turn);
     }
     arrangement
+}
+
+/// The pieces that are sewn on when all others are sewn: collars that are folded over, and their stands.
+#[must_use]
+pub fn sewn_last(pieces: &[Piece], roles: &[Role], joins: &[Join]) -> Vec<usize> {
+    let outlines = pieces.iter().map(Polygon::of).collect();
+    let d = Dresser::new(outlines, roles, joins, Form::of(None), vec![None; pieces.len()]);
+    let is_folded = |i: &usize| d.part(*i) == Some(Part::Collar) && d.folded_over(*i).next().is_some();
+    let collars: Vec<usize> = (0..pieces.len()).filter(is_folded).collect();
+    let is_stand = |i: &usize| d.part(*i) == Some(Part::Stand) && collars.iter().any(|c| d.folds_over(*c, *i));
+    (0..pieces.len()).filter(|i| collars.contains(i) || is_stand(i)).collect()
 }
 
 /// The order in which parts are placed.
@@ -264,11 +276,20 @@ fn threads_around(d: &Dresser<'_>, i: usize, sheet: &Sheet) -> Option<Around> {
     let (mut axial, mut sin, mut cos, mut all) = (0.0, 0.0, 0.0, 0.0);
     for (t, p) in d.hung(i) {
         let q = turned(t.at, sheet.turn) - middle;
-        axial += t.share * ((p - segment.from).dot(&axis) + q.y);
+        axial += t.share * ((p - segment.from).dot(&axis) + q.y + gap_around(d, i, t, sheet.turn));
         let (s, c) = libm::sincos(facing::azimuth_of(d, i, p) - q.x / radius);
         (sin, cos, all) = (sin + t.share * s, cos + t.share * c, all + t.share);
     }
     (all > 0.0).then(|| Around { angle: libm::atan2(sin, cos), axial: axial / all })
+}
+
+/// How much farther along the axis a bent piece lies than its thread tells, m. It would touch the piece that it is sewn to if
+/// that is bent around the same segment, as a cuff and its sleeve are.
+fn gap_around(d: &Dresser<'_>, i: usize, thread: &Thread, turn: f64) -> f64 {
+    let other = thread.other.piece;
+    let is_bent = d.sheets[other].as_ref().is_some_and(|s| s.bend.is_some());
+    let would_touch = is_bent && d.segments[other] == d.segments[i] && !d.folds_over(i, other);
+    if would_touch { GAP * turned(thread.outwards, turn).y } else { 0.0 }
 }
 
 /// Turns a piece, that was bent around its segment before anything that it is sewn to was placed, to where its threads

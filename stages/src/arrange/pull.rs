@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use toile_garment::{Vec2, Vec3};
 
 /// Distance at which pieces that lie beside one another are left, m.
-const GAP: f64 = 0.01;
+pub const GAP: f64 = 0.01;
 /// Weight of the pull to the middle of the body against a seam of 1 m.
 const MIDDLE: f64 = 1e-4;
 /// Weight of an anchor against a seam of the same length.

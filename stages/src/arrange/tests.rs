@@ -11,7 +11,7 @@ fn join(name: &str, a: (usize, [[f64; 2]; 2]), b: (usize, [[f64; 2]; 2])) -> Joi
     let at = |(piece, [from, to]): (usize, [[f64; 2]; 2]), k: usize| {
         let share = k as f64 / 8.0;
         let [from, to] = [from, to].map(|[x, y]| v(x, y));
-        PiecePoint { piece, at: from + (to - from) * share }
+        PiecePoint { piece, at: from + (to - from) * share, is_inside: false }
     };
     let [from, to] = a.1.map(|[x, y]| v(x, y));
     Join { name: name.into(), pairs: (0..=8).map(|k| [at(a, k), at(b, k)]).collect(), length: (to - from).norm() }

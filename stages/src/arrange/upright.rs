@@ -14,12 +14,17 @@ pub fn turn_of(d: &Dresser<'_>, i: usize) -> f64 {
     match d.part(i) {
         Some(Part::Sleeve) => up_of_sleeve(d, i).map_or(0.0, turn_to_up),
         Some(Part::Cuff) => towards_seam(d, i, 1.0).unwrap_or(0.0),
-        Some(Part::Collar | Part::Stand | Part::Hood) => {
-            towards_seam(d, i, -1.0).filter(|t| t.abs() > 3.0).unwrap_or(0.0)
-        }
+        // A collar that is folded over its stand hangs from its seam.
+        Some(Part::Collar) if d.folded_over(i).next().is_some() => half_turn(towards_seam(d, i, 1.0)),
+        Some(Part::Collar | Part::Stand | Part::Hood) => half_turn(towards_seam(d, i, -1.0)),
         Some(Part::Waistband) if is_upright_strip(d, i) => FRAC_PI_2,
         _ => 0.0,
     }
+}
+
+/// A half turn, or none: bands around the neck are drawn level.
+fn half_turn(turn: Option<f64>) -> f64 {
+    turn.filter(|t| t.abs() > 3.0).unwrap_or(0.0)
 }
 
 /// The turn that brings a direction upwards.

@@ -12,9 +12,10 @@ const AT: f64 = 2.0 * crate::triangulate::ONE_PLACE;
 pub fn run_vertices(piece: &Piece, shape: &PieceShape, span: &Span) -> Option<Vec<u32>> {
     let mesh = piece.mesh.as_ref()?;
     let ring = shape.rings.get(span.ring)?;
-    let wanted = |c: &&MeshChain| match span.ring {
-        0 => c.kind == ChainKind::Outline,
-        k => c.kind == ChainKind::Cutout && c.index as usize == k - 1,
+    let wanted = |c: &&MeshChain| match (span.ring, shape.seam_line(span.ring)) {
+        (_, Some(line)) => c.kind == ChainKind::SeamLine && c.index as usize == line,
+        (0, None) => c.kind == ChainKind::Outline,
+        (k, None) => c.kind == ChainKind::Cutout && c.index as usize == k - 1,
     };
     let chain = &mesh.chains.iter().find(wanted)?.vertices;
     let find = |p: Vec2| {

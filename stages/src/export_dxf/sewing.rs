@@ -5,7 +5,7 @@
 
 use super::outline_map::Follow;
 use toile_garment::dart::Dart;
-use toile_garment::mesh::PieceMesh;
+use toile_garment::mesh::{ChainKind, PieceMesh};
 use toile_garment::seam::{Seam, SeamKind, SeamRun, SeamSide};
 use toile_garment::sewing::{
     AttachSpec, DartSpec, EdgeNameSpec, ElasticSpec, FoldSpec, RunSpec, RunWay, SeamSpec, SewingPlan,
@@ -95,6 +95,12 @@ fn side(garment: &Garment, pieces: &[Piece], side: &SeamSide) -> Option<(Vec<Run
         let mesh = before.mesh.as_ref()?;
         let follow = Follow::new(before, &after.outline.positions());
         let at = |v: u32| mesh.rest.get(v as usize).map(|p| follow.carry(*p).0);
+        if on_seam_line(mesh, run) {
+            let line = run.vertices.iter().map(|v| at(*v)).collect::<Option<Vec<Vec2>>>()?;
+            length += line.windows(2).map(|w| (w[1] - w[0]).norm()).sum::<f64>();
+            runs.push(RunSpec::Line { piece: before.name.clone(), line });
+            continue;
+        }
         for part in connected(mesh, run) {
             let (from, to) = (at(*part.first()?)?, at(*part.last()?)?);
             let places = part.iter().map(|v| at(*v)).collect::<Option<Vec<Vec2>>>()?;
@@ -103,6 +109,12 @@ fn side(garment: &Garment, pieces: &[Piece], side: &SeamSide) -> Option<(Vec<Run
         }
     }
     (!runs.is_empty()).then_some((runs, length))
+}
+
+/// Does a run follow a line inside the piece?
+fn on_seam_line(mesh: &PieceMesh, run: &SeamRun) -> bool {
+    let lines = mesh.chains.iter().filter(|c| c.kind == ChainKind::SeamLine);
+    lines.into_iter().any(|c| run.vertices.iter().all(|v| c.vertices.contains(v)))
 }
 
 /// The parts of a run that follow a chain of the mesh without a jump over a dart.
@@ -157,9 +169,9 @@ fn dart(garment: &Garment, pieces: &[Piece], spec: &DartSpec) -> Option<DartSpec
 
 /// A fold where its line went with the outline.
 fn fold(garment: &Garment, pieces: &[Piece], spec: &FoldSpec) -> Option<FoldSpec> {
-    let (before, after) = named(garment, pieces, &spec.piece)?;
-    let follow = Follow::new(before, &after.outline.positions());
-    Some(FoldSpec { line: spec.line.iter().map(|p| follow.carry(*p).0).collect(), source: None, ..spec.clone() })
+    named(garment, pieces, &spec.piece)?;
+    let line = carried(garment, pieces, &spec.piece, &spec.line);
+    Some(FoldSpec { line, source: None, ..spec.clone() })
 }
 
 /// A band along the edges where they are now.
@@ -178,8 +190,18 @@ fn elastic(garment: &Garment, pieces: &[Piece], spec: &ElasticSpec) -> ElasticSp
             let (from, to) = carried.unwrap_or((*from, *to));
             RunSpec::Points { piece: piece.clone(), from, to, way: *way }
         }
+        RunSpec::Line { piece, line } => {
+            RunSpec::Line { piece: piece.clone(), line: carried(garment, pieces, piece, line) }
+        }
     });
     ElasticSpec { along: along.collect(), source: None, ..spec.clone() }
+}
+
+/// The points of a line where they went with the outline of their piece.
+fn carried(garment: &Garment, pieces: &[Piece], piece: &str, line: &[Vec2]) -> Vec<Vec2> {
+    let Some((before, after)) = named(garment, pieces, piece) else { return line.to_vec() };
+    let follow = Follow::new(before, &after.outline.positions());
+    line.iter().map(|p| follow.carry(*p).0).collect()
 }
 
 /// Names of edges as runs between points, since numbers may change.
@@ -228,6 +250,10 @@ fn edge_names(garment: &Garment, pieces: &[Piece]) -> Vec<EdgeNameSpec> {
         {
             let follow = Follow::new(before, &after.outline.positions());
             add(piece, &spec.name, follow.carry(*from).0, follow.carry(*to).0, *way);
+        }
+        if let RunSpec::Line { piece, line } = &spec.run {
+            let run = RunSpec::Line { piece: piece.clone(), line: carried(garment, pieces, piece, line) };
+            parts.push(EdgeNameSpec { run, name: spec.name.clone() });
         }
     }
     out.extend(parts);

@@ -2,6 +2,7 @@
 
 use crate::sewing::resolve::{ResolvedSeam, Side};
 use crate::sewing::shapes::Shapes;
+use toile_garment::mesh::ChainKind;
 use toile_garment::seam::{Seam, SeamKind};
 use toile_garment::{Garment, MeshVertex, Vec2};
 
@@ -17,6 +18,8 @@ pub struct PiecePoint {
     pub piece: usize,
     /// In its coordinates, m.
     pub at: Vec2,
+    /// Whether it lies on a line inside the piece, and not on its outline.
+    pub is_inside: bool,
 }
 
 /// A seam between pieces or of a piece with itself: points that meet, evenly along it, in sewing order. No dart.
@@ -49,8 +52,10 @@ impl Join {
 #[must_use]
 pub fn joins_of_meshes(garment: &Garment) -> Vec<Join> {
     let at = |v: MeshVertex| {
-        let rest = &garment.pieces.get(v.piece.index())?.mesh.as_ref()?.rest;
-        Some(PiecePoint { piece: v.piece.index(), at: *rest.get(v.vertex as usize)? })
+        let mesh = garment.pieces.get(v.piece.index())?.mesh.as_ref()?;
+        let mut lines = mesh.chains.iter().filter(|c| c.kind == ChainKind::SeamLine);
+        let is_inside = lines.any(|c| c.vertices.contains(&v.vertex));
+        Some(PiecePoint { piece: v.piece.index(), at: *mesh.rest.get(v.vertex as usize)?, is_inside })
     };
     let join = |seam: &Seam| {
         let stitches: Vec<[PiecePoint; 2]> = seam.stitches.iter().filter_map(|s| Some([at(s.a)?, at(s.b)?])).collect();
@@ -64,7 +69,8 @@ pub fn joins_of_meshes(garment: &Garment) -> Vec<Join> {
 
 /// The point half way between two points of one piece.
 fn middle(a: &PiecePoint, b: &PiecePoint) -> Option<PiecePoint> {
-    (a.piece == b.piece).then(|| PiecePoint { piece: a.piece, at: (a.at + b.at) * 0.5 })
+    let is_inside = a.is_inside && b.is_inside;
+    (a.piece == b.piece).then(|| PiecePoint { piece: a.piece, at: (a.at + b.at) * 0.5, is_inside })
 }
 
 /// The seams of a sewing file, as they were found on the outlines.
@@ -88,8 +94,9 @@ fn point_on(side: &Side, shapes: &Shapes, share: f64) -> Option<PiecePoint> {
     let starts = side.starts();
     let k = starts.iter().rposition(|start| *start <= along)?;
     let span = &side.spans[k];
-    let ring = shapes.get(span.piece.index())?.rings.get(span.ring)?;
+    let shape = shapes.get(span.piece.index())?;
+    let ring = shape.rings.get(span.ring)?;
     let way = along - starts[k];
     let at = ring.at(if span.forward { span.from + way } else { span.from - way });
-    Some(PiecePoint { piece: span.piece.index(), at })
+    Some(PiecePoint { piece: span.piece.index(), at, is_inside: shape.seam_line(span.ring).is_some() })
 }

@@ -176,7 +176,7 @@ mod tests {
 
     fn join(a: usize, b: usize, from: [f64; 2], to: [f64; 2]) -> Join {
         let at = |t: f64| Vec2::new(from[0] + t * (to[0] - from[0]), from[1] + t * (to[1] - from[1]));
-        let pair = |t: f64| [a, b].map(|piece| PiecePoint { piece, at: at(t) });
+        let pair = |t: f64| [a, b].map(|piece| PiecePoint { piece, at: at(t), is_inside: false });
         Join { name: String::new(), pairs: [0.1, 0.5, 0.9].map(pair).to_vec(), length: 0.3 }
     }
 

@@ -105,6 +105,10 @@ pub fn run(garment: &Garment, shapes: &Shapes, spec: &RunSpec, at: Option<&Sourc
             let id = piece(garment, name, at)?;
             points_run(&garment.pieces[id.index()], &shapes[id.index()], *from, *to, *way, at)
         }
+        RunSpec::Line { piece: name, line } => {
+            let id = piece(garment, name, at)?;
+            line_run(garment, shapes, id, line).map_err(|d| d.at(at.cloned()))
+        }
     }
 }
 
@@ -124,7 +128,8 @@ fn edge_run(
     if found.is_empty()
         && let Some(spec) = overlay(&garment.plan, &p.name, edge)
     {
-        return run(garment, shapes, spec, at).map(|r| RawRun { stated: false, ..r });
+        let is_line = matches!(spec, RunSpec::Line { .. });
+        return run(garment, shapes, spec, at).map(|r| RawRun { stated: is_line, ..r });
     }
     if found.is_empty()
         && let Ok(number) = edge.parse::<u32>()
@@ -191,6 +196,20 @@ fn join_edges(p: &Piece, shape: &PieceShape, edges: &[&toile_garment::outline::O
         left -= 1;
     }
     Some(RawRun { piece: p.id, ring: 0, from, to: ends[at].1, forward: true, stated: false })
+}
+
+/// A line inside a piece.
+fn line_run(garment: &Garment, shapes: &Shapes, id: PieceId, line: &[Vec2]) -> Result<RawRun, Diagnostic> {
+    let (p, shape) = (&garment.pieces[id.index()], &shapes[id.index()]);
+    let number = garment.plan.seam_lines(&p.name).iter().position(|l| *l == line);
+    let ring = number.map_or(shape.rings.len(), |k| shape.rings.len() - shape.seam_lines + k);
+    let length = shape.rings.get(ring).map_or(0.0, |r| 0.5 * r.total());
+    if length > SAME {
+        return Ok(RawRun { piece: id, ring, from: 0.0, to: length, forward: true, stated: true });
+    }
+    let at = line.first().map_or_else(String::new, |p| format!(" at {}", mm(*p)));
+    let message = format!("piece `{}`: the seam line{at} has no length", p.name);
+    Err(Diagnostic::error(codes::RUN_WITHOUT_LENGTH, message).hint("give two different points inside the piece"))
 }
 
 /// A run by two points.

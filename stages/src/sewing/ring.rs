@@ -138,6 +138,22 @@ impl Ring {
         Self::new(points, map.into_iter().map(Some).collect())
     }
 
+    /// The ring around an open line: along it and back.
+    #[must_use]
+    pub fn around(line: &[Vec2]) -> Self {
+        let mut points: Vec<Vec2> = line.iter().map(|p| snap(*p)).collect();
+        points.dedup_by(|a, b| (*a - *b).norm() < SAME);
+        let back: Vec<Vec2> = points.iter().rev().skip(1).take(points.len().saturating_sub(2)).copied().collect();
+        points.extend(back);
+        Self::new(points, Vec::new())
+    }
+
+    /// The points of the line that the ring goes around.
+    #[must_use]
+    pub fn line(&self) -> &[Vec2] {
+        &self.points[..self.points.len().min(self.points.len() / 2 + 1)]
+    }
+
     /// Length of the whole ring, metres.
     #[must_use]
     pub fn total(&self) -> f64 {

@@ -1,10 +1,12 @@
-//! The rings of every piece: its outline with all wedge darts notched out, and its cutouts.
+//! The rings of every piece: its outline with all wedge darts notched out, its cutouts, and the lines inside it to which
+//! other pieces are sewn.
 
 use super::codes;
 use super::ring::{Gap, Ring, SAME, arcs, clean, snap};
 use crate::codes::OUTLINE_TOO_SMALL;
 use toile_formats::codes::COORDINATE_OUT_OF_RANGE;
 use toile_garment::dart::{Dart, DartKind};
+use toile_garment::sewing::SewingPlan;
 use toile_garment::{Diagnostic, Garment, Piece, Vec2};
 
 /// A mouth drawn this far off the outline is still taken to lie on it.
@@ -14,11 +16,13 @@ const VERTEX_TOLERANCE: f64 = 1e-4;
 /// An intake narrower than this sews nothing away.
 const NO_INTAKE: f64 = 1e-4;
 
-/// Rings of one piece: `rings[0]` is the outline, `rings[1 + k]` cutout `k`.
+/// Rings of one piece: `rings[0]` is the outline, `rings[1 + k]` cutout `k`, and the last ones go around seam lines.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PieceShape {
-    /// Outline first, then cutouts.
+    /// Outline first, then cutouts, then seam lines.
     pub rings: Vec<Ring>,
+    /// Number of seam lines.
+    pub seam_lines: usize,
     /// Darts that take nothing away: left out of the mesh.
     pub void_darts: Vec<usize>,
 }
@@ -32,14 +36,23 @@ pub type Shapes = Vec<PieceShape>;
 /// Every outline that is too small, and every dart whose mouth is not on its outline.
 pub fn shapes(garment: &Garment) -> Result<Shapes, Vec<Diagnostic>> {
     let mut errors = Vec::new();
-    let shapes: Shapes = garment.pieces.iter().map(|piece| shape(piece, &mut errors)).collect();
+    let shapes: Shapes = garment.pieces.iter().map(|piece| shape(piece, &garment.plan, &mut errors)).collect();
     if errors.is_empty() { Ok(shapes) } else { Err(errors) }
 }
 
+impl PieceShape {
+    /// The number of the seam line that a ring goes around.
+    #[must_use]
+    pub fn seam_line(&self, ring: usize) -> Option<usize> {
+        ring.checked_sub(self.rings.len() - self.seam_lines)
+    }
+}
+
 /// Rings of one piece.
-pub fn shape(piece: &Piece, errors: &mut Vec<Diagnostic>) -> PieceShape {
+pub fn shape(piece: &Piece, plan: &SewingPlan, errors: &mut Vec<Diagnostic>) -> PieceShape {
     let found = errors.len();
-    check_numbers(piece, errors);
+    let seam_lines = plan.seam_lines(&piece.name);
+    check_numbers(piece, &seam_lines, errors);
     let (base, map) = clean(&piece.outline.positions());
     if errors.len() == found && base.len() < 3 {
         errors.push(
@@ -56,17 +69,21 @@ pub fn shape(piece: &Piece, errors: &mut Vec<Diagnostic>) -> PieceShape {
     let mut void_darts = Vec::new();
     let mut rings = vec![outer(piece, base, &map, &mut void_darts, errors)];
     rings.extend(piece.cutouts.iter().map(|c| Ring::from_line(&c.positions())));
-    PieceShape { rings, void_darts }
+    rings.extend(seam_lines.iter().map(|line| Ring::around(line)));
+    PieceShape { rings, seam_lines: seam_lines.len(), void_darts }
 }
 
 /// Largest coordinate of a piece: a kilometre is no garment, and keeps every product of coordinates sound.
 const FARTHEST: f64 = 1e3;
 
-fn check_numbers(piece: &Piece, errors: &mut Vec<Diagnostic>) {
+fn check_numbers(piece: &Piece, seam_lines: &[&[Vec2]], errors: &mut Vec<Diagnostic>) {
     let sound = |p: &Vec2| p.x.is_finite() && p.y.is_finite() && p.x.abs() < FARTHEST && p.y.abs() < FARTHEST;
     let lines = std::iter::once(&piece.outline).chain(&piece.cutouts).chain(&piece.internal_lines);
     let darts = piece.darts.iter().flat_map(|d| d.legs.iter().flatten().chain(&d.mouth).chain(&d.apexes));
-    if let Some(p) = lines.flat_map(|l| l.points.iter().map(|p| &p.at)).chain(darts).find(|p| !sound(p)) {
+    let seam_lines = seam_lines.iter().copied().flatten();
+    if let Some(p) =
+        lines.flat_map(|l| l.points.iter().map(|p| &p.at)).chain(darts).chain(seam_lines).find(|p| !sound(p))
+    {
         errors.push(
             Diagnostic::error(
                 COORDINATE_OUT_OF_RANGE,

@@ -5,6 +5,7 @@ use super::place::{Wrap, is_arranged, spec_of};
 use crate::arrange::{Arrangement, Sheet, arrange};
 use crate::body::with_segments;
 use crate::roles::{Join, joins_of_meshes, joins_of_plan, roles};
+use crate::solve::Layout;
 use toile_garment::body::Body;
 use toile_garment::sewing::{AttachSpec, AttachStrength, Placement};
 use toile_garment::{Diagnostic, Garment, Piece, Report, Vec3};
@@ -73,6 +74,15 @@ pub fn unplaced(garment: &Garment) -> Vec<Diagnostic> {
 fn arrangement_of(garment: &Garment, joins: &[Join]) -> Arrangement {
     let given = garment.pieces.iter().map(|p| given(garment, p)).collect();
     arrange(&garment.pieces, &roles(&garment.pieces, joins), joins, garment.body.as_ref(), given)
+}
+
+/// For every vertex of a garment, whether its piece is sewn on when all others are sewn.
+pub fn sewn_last(garment: &Garment, layout: &Layout) -> Vec<bool> {
+    let joins = joins_of_meshes(garment);
+    let last = crate::arrange::sewn_last(&garment.pieces, &roles(&garment.pieces, &joins), &joins);
+    let vertices = garment.pieces.iter().map(|p| p.mesh.as_ref().map_or(0, |m| m.rest.len())).enumerate();
+    let each: Vec<Vec<bool>> = vertices.map(|(piece, count)| vec![last.contains(&piece); count]).collect();
+    layout.join(&each)
 }
 
 /// The sheet of a piece that the sewing file places.

@@ -181,7 +181,8 @@ impl Stage for Stitch {
         let shape =
             |x: &[Vec3]| Shape { positions: layout.split(x), sewn: true, welded: false, ignores: ignores.clone() };
         let shown = |x: &[Vec3]| Garment { stitched: Some(shape(x)), ..garment.clone() };
-        let sewn = toile_cloth::sew(&start, &settings, &mut Follow::showing(cx, &shown));
+        let last = arranged::sewn_last(&garment, &layout);
+        let sewn = toile_cloth::sew_in_order(&start, &settings, &last, &mut Follow::showing(cx, &shown));
         let outcome = sewn.map_err(|e| failure_in(e, &garment, &placed))?;
         tell(&garment, &outcome, settings.stitches.closed_distance, cx);
         garment.bands.extend(holds.bands);

@@ -12,6 +12,8 @@ pub enum CurveKind {
     Cutout(usize),
     /// The closed intake of the fish-eye dart of this index.
     FishEye(usize),
+    /// The line of this index to which another piece is sewn.
+    SeamLine(usize),
     /// Leg of a pleat: dart and leg.
     PleatLeg(usize, usize),
     /// Internal line of this index.

@@ -23,15 +23,19 @@ const NO_AREA: f64 = 4e-6;
 /// So many places are named per piece.
 const SHOWN: usize = 8;
 
-/// Boundary curves of a piece, checked. The outline is curve 0, cutout k is curve 1 + k.
+/// Curves of the rings of a piece, checked: the outline is curve 0, cutout k is curve 1 + k, then seam lines. Fish-eye
+/// darts follow.
 ///
 /// # Errors
 /// Self-crossing or too small outlines, cutouts outside the piece, with their places.
 pub fn boundary(piece: &Piece, shape: &PieceShape) -> Result<Vec<Curve>, Vec<Diagnostic>> {
     let mut curves = Vec::new();
     for (k, ring) in shape.rings.iter().enumerate() {
-        let kind = if k == 0 { CurveKind::Outline } else { CurveKind::Cutout(k - 1) };
-        curves.push(Curve::ring(kind, ring));
+        curves.push(match (k, shape.seam_line(k)) {
+            (_, Some(line)) => Curve::line(CurveKind::SeamLine(line), ring.line().to_vec(), false),
+            (0, None) => Curve::ring(CurveKind::Outline, ring),
+            (k, None) => Curve::ring(CurveKind::Cutout(k - 1), ring),
+        });
     }
     for (k, dart) in piece.darts.iter().enumerate() {
         if dart.kind == DartKind::FishEye && !shape.void_darts.contains(&k) {
@@ -58,13 +62,14 @@ fn what(piece: &Piece, kind: CurveKind) -> String {
         CurveKind::FishEye(k) => format!("dart `{}`", piece.darts.get(k).map_or("", |d| &d.name)),
         CurveKind::PleatLeg(k, _) => format!("pleat `{}`", piece.darts.get(k).map_or("", |d| &d.name)),
         CurveKind::Line(k) => format!("fold line {k}"),
+        CurveKind::SeamLine(k) => format!("seam line {k}"),
     }
 }
 
 fn check(piece: &Piece, curves: &[Curve]) -> Result<(), Vec<Diagnostic>> {
     let mut errors = Vec::new();
     let at = || piece.outline.source.clone().or_else(|| piece.source.clone());
-    for c in curves {
+    for c in curves.iter().filter(|c| c.closed) {
         let area = signed_area(&c.points);
         if c.points.len() < 3 || area.abs() < NO_AREA && c.kind == CurveKind::Outline || area == 0.0 {
             let message = format!("piece `{}`: the {} encloses {:.3} mm²", piece.name, what(piece, c.kind), area * 1e6);
@@ -78,7 +83,7 @@ fn check(piece: &Piece, curves: &[Curve]) -> Result<(), Vec<Diagnostic>> {
     if !errors.is_empty() {
         return Err(errors);
     }
-    let all: Vec<Segment> = curves.iter().enumerate().flat_map(|(k, c)| segments(&c.points, true, k)).collect();
+    let all: Vec<Segment> = curves.iter().enumerate().flat_map(|(k, c)| segments(&c.points, c.closed, k)).collect();
     let apart =
         |s: &Segment, t: &Segment| s.curve != t.curve || !neighbours(s.index, t.index, curves[s.curve].points.len());
     match meetings(all, apart, SHOWN) {
@@ -104,7 +109,8 @@ fn check(piece: &Piece, curves: &[Curve]) -> Result<(), Vec<Diagnostic>> {
     }
     if errors.is_empty() {
         for c in &curves[1..] {
-            let holes = curves[1..].iter().filter(|d| d.kind != c.kind).map(|d| d.points.as_slice());
+            let is_other_hole = |d: &&Curve| d.kind != c.kind && d.kind.bounds_cloth();
+            let holes = curves[1..].iter().filter(is_other_hole).map(|d| d.points.as_slice());
             let outside = !covers([curves[0].points.as_slice()], c.points[0]);
             if outside || covers(holes, c.points[0]) {
                 let where_ = if outside { "lies outside the outline" } else { "lies inside another hole" };

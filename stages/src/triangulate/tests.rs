@@ -613,3 +613,50 @@ fn a_line_without_a_fold_does_not_change_the_mesh() {
     assert!(drawn.1.findings.is_empty(), "{:?}", drawn.1.findings);
     assert_eq!(drawn.0.pieces[0].internal_lines.len(), 5, "the lines stay on the piece");
 }
+
+/// A patch pocket, 120 × 140 mm, sewn with three sides to a line on a front of 300 × 400 mm.
+fn pocket() -> Garment {
+    let around = RunSpec::Line {
+        piece: "front".into(),
+        line: [(90., 240.), (90., 100.), (210., 100.), (210., 240.)].map(|(x, y)| v(x, y)).to_vec(),
+    };
+    let edges = [3, 0, 1].map(|k| RunSpec::Edge { piece: "pocket".into(), edge: k.to_string() });
+    let mut garment = Garment {
+        pieces: vec![rectangle(0, "front", 300.0, 400.0), rectangle(1, "pocket", 120.0, 140.0)],
+        ..Garment::default()
+    };
+    garment.plan.seams = vec![seam("pocket", vec![around], edges.to_vec())];
+    garment
+}
+
+#[test]
+fn a_patch_pocket_is_sewn_to_a_line_inside_a_piece() {
+    let (garment, _) = mesh(pocket(), 25.0).expect("mesh");
+    let front = garment.pieces[0].mesh.as_ref().expect("mesh");
+    let line = front.chains.iter().find(|c| c.kind == ChainKind::SeamLine).expect("seam line");
+    assert_eq!((missing(&garment.pieces[0]), line.closed), (0, false));
+    let (sewn, report) = run(&Assemble, &Default::default(), garment).expect("sewn");
+    assert!(report.findings.is_empty(), "{report:?}");
+    let (seam, [front, pocket]) = (&sewn.seams[0], [0, 1].map(|k| sewn.pieces[k].mesh.as_ref().expect("mesh")));
+    assert!((seam.a.length - 0.4).abs() < 1e-9 && (seam.b.length - 0.4).abs() < 1e-9);
+    // The pocket lies 90 mm to the right and 100 mm up.
+    for stitch in &seam.stitches {
+        let [on, of] = [front.rest[stitch.a.vertex as usize], pocket.rest[stitch.b.vertex as usize]];
+        assert!((on - of - v(90.0, 100.0)).norm() < 1e-6, "{on} {of}");
+    }
+}
+
+#[test]
+fn a_seam_line_on_the_edge_of_its_piece_or_of_no_length_is_refused() {
+    let with = |points: &[(f64, f64)]| {
+        let mut garment = pocket();
+        let line = points.iter().map(|(x, y)| v(*x, *y)).collect();
+        garment.plan.seams[0].a = vec![RunSpec::Line { piece: "front".into(), line }];
+        let Err(error) = mesh(garment, 25.0) else { panic!("{points:?} is meshed") };
+        let (StageError::Input(found) | StageError::Parameter(found)) = error else { panic!("{error:?}") };
+        found[0].code.clone()
+    };
+    assert_eq!(with(&[(90.0, 240.0), (90.0, -20.0)]), "lines-cross");
+    assert_eq!(with(&[(400.0, 240.0), (400.0, 100.0)]), "hole-misplaced");
+    assert_eq!(with(&[(90.0, 240.0), (90.0, 240.0)]), "run-without-length");
+}

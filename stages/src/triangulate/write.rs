@@ -96,6 +96,7 @@ fn chains(piece: &Piece, layout: &Layout) -> Vec<MeshChain> {
             CurveKind::Outline => (ChainKind::Outline, 0),
             CurveKind::Cutout(c) => (ChainKind::Cutout, c),
             CurveKind::Line(l) => (ChainKind::InternalLine, l),
+            CurveKind::SeamLine(l) => (ChainKind::SeamLine, l),
             // Legs follow from the darts.
             CurveKind::FishEye(_) | CurveKind::PleatLeg(..) => continue,
         };

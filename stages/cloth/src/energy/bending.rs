@@ -13,7 +13,7 @@ use crate::energy::tuning::{
 use crate::scene::bending_length;
 use crate::scene::lines::folded_edges;
 use crate::scene::measures::or_earth;
-use crate::scene::topology::Topology;
+use crate::scene::topology::{Hinge, Topology};
 use crate::{Element, Material, Scene, Vec3, power_of_two};
 use nalgebra::{Vector2, Vector3};
 
@@ -57,20 +57,38 @@ fn curvature_at_rest(m: &Material) -> Vector3<f64> {
 /// The first hinge on each side of a face: number, and which of its two faces this is.
 type Sides = [Option<(usize, usize)>; 3];
 
-/// The hinges on the sides of every face. A pressed fold has an energy of its own and is an open side here.
+/// The hinges on the sides of every face over which the cloth goes on. A pressed fold has an energy of its own and is an
+/// open side here.
 fn hinges_of_faces(scene: &Scene, topology: &Topology) -> Vec<Sides> {
     let mut of_faces = vec![[None; 3]; topology.faces.len()];
     let folded = folded_edges(&scene.folds);
-    for (n, h) in topology.hinges.iter().enumerate() {
-        let [a, b] = [h.vertices[0].min(h.vertices[1]), h.vertices[0].max(h.vertices[1])];
-        if folded.binary_search(&[a, b]).is_ok() {
-            continue;
+    let mut first = 0;
+    for of_edge in topology.hinges.chunk_by(|g, h| g.edge() == h.edge()) {
+        for (n, h) in of_edge.iter().enumerate().filter(|(_, h)| folded.binary_search(&h.edge()).is_err()) {
+            let is_flat_seam = of_edge.len() == 1 && lies_flat(scene, h);
+            for own in (0..2).filter(|_| is_flat_seam || is_one_cloth(scene, h)) {
+                of_faces[h.faces[own] as usize][usize::from(h.sides[own])].get_or_insert((first + n, own));
+            }
         }
-        for own in 0..2 {
-            of_faces[h.faces[own] as usize][usize::from(h.sides[own])].get_or_insert((n, own));
-        }
+        first += of_edge.len();
     }
     of_faces
+}
+
+/// Returns `true` where both triangles of a hinge are one cloth: their edge has the same places at rest.
+fn is_one_cloth(scene: &Scene, h: &Hinge) -> bool {
+    let place = |wing: usize, vertex: u32| {
+        let e = &scene.triangles[h.faces[wing] as usize];
+        (0..3).find(|k| e.vertices[*k] == vertex).map(|k| e.rest[k])
+    };
+    h.vertices[..2].iter().all(|v| place(0, *v) == place(1, *v))
+}
+
+/// Returns `true` where two sheets that are sewn together lie beside each other. Their edge is walked in opposite senses.
+/// Sheets that are sewn face to face are folded back by the seam already.
+fn lies_flat(scene: &Scene, h: &Hinge) -> bool {
+    let start = |wing: usize| scene.triangles[h.faces[wing] as usize].vertices[usize::from(h.sides[wing])];
+    start(0) != start(1)
 }
 
 /// Direction of the only side without a hinge; `None` where there is none or more than one.

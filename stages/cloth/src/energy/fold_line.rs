@@ -32,18 +32,13 @@ impl Creases {
         edges.dedup_by_key(|e| e.0);
         let of = |hinges: &[Hinge]| {
             let [h] = hinges else { return None };
-            let at = edges.binary_search_by_key(&ends(h), |e| e.0).ok()?;
+            let at = edges.binary_search_by_key(&h.edge(), |e| e.0).ok()?;
             Some(crease(scene, h, edges[at].1))
         };
         // The hinges of one edge follow each other. Where a fold is sewn down, the seam holds it, and there are several.
-        let by_edge = topology.hinges.chunk_by(|p, q| ends(p) == ends(q));
+        let by_edge = topology.hinges.chunk_by(|p, q| p.edge() == q.edge());
         Self { creases: by_edge.filter_map(of).collect() }
     }
-}
-
-/// Ends of a hinge's edge, the lower first.
-fn ends(h: &Hinge) -> [u32; 2] {
-    [h.vertices[0].min(h.vertices[1]), h.vertices[0].max(h.vertices[1])]
 }
 
 fn crease(scene: &Scene, h: &Hinge, fold: &FoldLine) -> Crease {

@@ -323,3 +323,39 @@ fn surrogate_bending_is_for_wide_triangles() {
     let work: f64 = pushed.iter().zip(&up).map(|(f, d)| f.dot(d)).sum();
     assert!(work > 0.0 && along.iter().all(|f| f.norm() < 1e-9 * work), "{work}");
 }
+
+/// The bending energy of triangles on the edge from vertex 0 to vertex 1, whose third corners lie at an angle about it. An
+/// angle of 0 is to the left. `pieces` says which are cut in one piece.
+fn bending_at_edge(triangles: &[([u32; 3], f64, usize)]) -> f64 {
+    let mut scene = Scene { materials: vec![fabric()], gravity: Vec3::new(0.0, -9.81, 0.0), ..Scene::default() };
+    scene.positions = vec![Vec3::zeros(), Vec3::new(0.0, 0.01, 0.0)];
+    for (vertices, degrees, piece) in triangles {
+        let (s, c) = libm::sincos(degrees.to_radians());
+        scene.positions.push(Vec3::new(-0.01 * c, 0.005, 0.01 * s));
+        // The corner lies on the side of the edge that its sense tells.
+        let side = if vertices[0] == 0 { -0.01 } else { 0.01 };
+        let place = |v: u32| [[0.0, 0.0], [0.0, 0.01], [side, 0.005]][v.min(2) as usize];
+        let rest = vertices.map(place).map(|[x, y]| [x + *piece as f64, y]);
+        scene.triangles.push(Element { vertices: *vertices, rest, material: 0 });
+    }
+    let topology = Topology::of_elements(scene.positions.len(), &scene.triangles);
+    Flexion::new(&scene, &topology).energy(&scene.positions)
+}
+
+#[test]
+fn cloth_resists_bending_where_it_goes_on() {
+    let (left, right) = (|v| [0, 1, v], |v| [1, 0, v]);
+    let least = 1e-9;
+    // Two pieces that are sewn edge to edge: flat, and folded onto each other.
+    assert!(bending_at_edge(&[(left(2), 0.0, 0), (right(3), 180.0, 1)]) < least);
+    assert!(bending_at_edge(&[(left(2), 0.0, 0), (right(3), 0.0, 1)]) > 1e3 * least);
+    // Two pieces that are sewn face to face bend freely at their seam.
+    assert!(bending_at_edge(&[(left(2), 0.0, 0), (left(3), 0.0, 1)]) < least);
+    assert!(bending_at_edge(&[(left(2), 0.0, 0), (left(3), 120.0, 1)]) < least);
+    // A pocket on a front: the front resists where it is folded under the edge of the pocket, and the pocket does not.
+    let front_and_pocket =
+        |front: f64, pocket: f64| bending_at_edge(&[(left(2), 0.0, 0), (right(3), front, 0), (right(4), pocket, 1)]);
+    assert!(front_and_pocket(180.0, 180.0) < least && front_and_pocket(180.0, 60.0) < least);
+    let alone = bending_at_edge(&[(left(2), 0.0, 0), (right(3), 90.0, 0)]);
+    assert!(alone > 1e3 * least && (front_and_pocket(90.0, 170.0) - alone).abs() < 1e-9 * alone);
+}

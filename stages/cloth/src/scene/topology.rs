@@ -11,6 +11,14 @@ pub(crate) struct Hinge {
     pub sides: [u8; 2],
 }
 
+impl Hinge {
+    /// Ends of its edge, smaller index first.
+    pub fn edge(&self) -> [u32; 2] {
+        let [a, b, ..] = self.vertices;
+        [a.min(b), a.max(b)]
+    }
+}
+
 /// Faces as index triples with their edges; every vertex and every edge is owned by one face.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Topology {

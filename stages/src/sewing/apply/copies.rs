@@ -58,6 +58,9 @@ fn inherited(name: &EdgeNameSpec, source: &Piece, spec: &CopySpec) -> Option<Edg
             };
             RunSpec::Points { piece, from: flip(*from), to: flip(*to), way }
         }
+        RunSpec::Line { line, .. } if spec.mirror => {
+            RunSpec::Line { piece, line: line.iter().map(|p| flip(*p)).collect() }
+        }
         same => {
             let mut run = same.clone();
             *run.piece_mut() = piece;

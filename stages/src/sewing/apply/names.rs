@@ -21,7 +21,7 @@ fn name(garment: &mut Garment, spec: &EdgeNameSpec) -> Result<(), Diagnostic> {
     let id = lookup::piece(garment, spec.run.piece(), None)?;
     let mut shape_errors = Vec::new();
     let mut shapes = vec![Default::default(); garment.pieces.len()];
-    shapes[id.index()] = shape(&garment.pieces[id.index()], &mut shape_errors);
+    shapes[id.index()] = shape(&garment.pieces[id.index()], &garment.plan, &mut shape_errors);
     if !shape_errors.is_empty() {
         // The outline is bad: told with all its places when it is meshed.
         return Ok(());

@@ -4,6 +4,9 @@
 //! is walked in the order written. Two pieces that both lie right side out are sewn against each other's sense: one
 //! outline forward, the other backward. Only so does the right side stay outside. `reverse = false` states the opposite
 //! (a fold-over). Notches must agree with the reading, or both readings are shown.
+//!
+//! A line inside a piece has cloth on both sides, so no sense follows from it: an edge is sewn along it as both are
+//! drawn, unless `reverse` says otherwise.
 
 use super::super::lookup::RawRun;
 use super::super::ring::SAME;
@@ -23,7 +26,8 @@ pub fn settle(
     notes: &mut Vec<Diagnostic>,
 ) -> Result<(Vec<RawRun>, Vec<RawRun>), Diagnostic> {
     let (fixed_a, fixed_b) = (fixed(shapes, &a), fixed(shapes, &b));
-    let against = spec.reverse.unwrap_or(true);
+    let on_line = a.iter().chain(&b).any(|r| shapes[r.piece.index()].seam_line(r.ring).is_some());
+    let against = spec.reverse.unwrap_or(!on_line);
     let (way_a, way_b) = match (fixed_a, fixed_b) {
         (Some(x), Some(y)) => {
             contradiction(garment, shapes, spec, &a, &b, x, y)?;
@@ -42,7 +46,7 @@ pub fn settle(
         if a.iter().chain(&b).any(|r| !r.stated) {
             check_notches(garment, shapes, spec, &a, &b)?;
         }
-        if way_a == way_b && a.len() == 1 && b.len() == 1 {
+        if way_a == way_b && a.len() == 1 && b.len() == 1 && !on_line {
             let message = format!("seam `{}` folds over: both sides are walked in the same sense", spec.name);
             notes.push(
                 Diagnostic::warning(codes::SEAM_FOLDS_OVER, message)
