@@ -72,8 +72,8 @@ fn spread(d: &Dresser<'_>, i: usize, sheet: &Sheet, of: impl Fn(Vec3) -> f64) ->
     values.fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], v| [low.min(v), high.max(v)])
 }
 
-/// Lifts a piece that is bent around the neck until it lies over the shoulders, and opens it where the neck is wider. What
-/// is folded over a bent piece lies outside it, and takes it along.
+/// Lifts a piece that is bent around the neck until it lies over the shoulders, and opens it where the neck is wider. A
+/// collar that is folded over its stand lies outside it, and takes it along.
 pub fn around_neck(d: &mut Dresser<'_>, i: usize) {
     let is_bent = |d: &Dresser<'_>, k: usize| d.sheets[k].as_ref().is_some_and(|s| s.bend.is_some());
     let Some(mut sheet) = d.sheets[i].clone().filter(|_| is_bent(d, i) && d.segments[i] == Segment::Neck) else {
@@ -82,7 +82,7 @@ pub fn around_neck(d: &mut Dresser<'_>, i: usize) {
     let neck = &d.form.neck;
     let axis = (neck.to - neck.from).normalize();
     let radius = |p: Vec3| (p - neck.from - axis * (p - neck.from).dot(&axis)).norm();
-    let under: Vec<usize> = d.folded_over(i).filter(|k| is_bent(d, *k) && !d.is_given[*k]).collect();
+    let under: Vec<usize> = d.stands_under(i).filter(|k| is_bent(d, *k) && !d.is_given[*k]).collect();
     let outermost = |k: &usize| d.sheets[*k].as_ref().map_or(0.0, |s| spread(d, *k, s, radius)[1] + LAYER);
     let outside = under.iter().map(outermost).fold(0.0, f64::max);
     sheet.widen((outside - spread(d, i, &sheet, radius)[0]).max(0.0));

@@ -153,9 +153,11 @@ impl<'a> Dresser<'a> {
         pairs.map(sense).sum::<f64>() > 0.0
     }
 
-    /// The pieces over which a piece is turned down.
-    pub fn folded_over(&self, i: usize) -> impl Iterator<Item = usize> + '_ {
-        (0..self.sheets.len()).filter(move |k| *k != i && self.folds_over(i, *k))
+    /// The stands over which a collar is turned down; none for another piece.
+    pub fn stands_under(&self, i: usize) -> impl Iterator<Item = usize> + '_ {
+        let is_collar = self.part(i) == Some(Part::Collar);
+        let is_stand = move |k: &usize| is_collar && self.part(*k) == Some(Part::Stand) && self.folds_over(i, *k);
+        (0..self.sheets.len()).filter(is_stand)
     }
 
     /// Middle of a piece after a turn, m.

@@ -130,15 +130,16 @@ pub fn arrange(
     arrangement
 }
 
-/// The pieces that are sewn on when all others are sewn: collars that are folded over, and their stands.
+/// The pieces that are sewn on when all others are sewn: collars that are folded over stands, and these stands.
 #[must_use]
 pub fn sewn_last(pieces: &[Piece], roles: &[Role], joins: &[Join]) -> Vec<usize> {
     let outlines = pieces.iter().map(Polygon::of).collect();
     let d = Dresser::new(outlines, roles, joins, Form::of(None), vec![None; pieces.len()]);
-    let is_folded = |i: &usize| d.part(*i) == Some(Part::Collar) && d.folded_over(*i).next().is_some();
-    let collars: Vec<usize> = (0..pieces.len()).filter(is_folded).collect();
-    let is_stand = |i: &usize| d.part(*i) == Some(Part::Stand) && collars.iter().any(|c| d.folds_over(*c, *i));
-    (0..pieces.len()).filter(|i| collars.contains(i) || is_stand(i)).collect()
+    let with_stands = |i: usize| d.stands_under(i).flat_map(move |stand| [i, stand]);
+    let mut last: Vec<usize> = (0..pieces.len()).flat_map(with_stands).collect();
+    last.sort_unstable();
+    last.dedup();
+    last
 }
 
 /// The order in which parts are placed.
