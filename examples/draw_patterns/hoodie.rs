@@ -1,7 +1,7 @@
 //! The hooded sweatshirt: long sleeves with cuffs, a waistband of rib, and a hood of two halves.
 
 use crate::body::{Measures, WAIST_HEIGHT};
-use crate::draft::{Edge, at, band, solve};
+use crate::draft::{Edge, at, solve};
 use crate::loose::{Loose, torso};
 use crate::sheet::Draft;
 use crate::sleeve::Sleeve;
@@ -44,12 +44,9 @@ pub fn pieces(m: &Measures) -> Vec<Draft> {
     let sleeve = Sleeve { caps, width: m.upper_arm + 120.0, hem: wrist, length: 400.0, bow: 0.0, steps: 32 };
     let hem = 2.0 * (front[0].length() + back[0].length());
     let rib = |name, length: f64, x, pair: bool| Draft {
-        name,
-        edges: band(["top", "join", "low", "join-2"], length, RIB),
-        grain: [at(length * 0.3, RIB / 2.0), at(length * 0.7, RIB / 2.0)],
         quantity: Quantity { plain: 1, mirrored: u32::from(pair) },
         shift: at(x, 700.0),
-        ..Draft::default()
+        ..Draft::strip(name, ["top", "join", "low", "join-2"], length, RIB)
     };
     vec![
         torso("FRONT", &front, &[FRONT_NOTCH], 0.0),

@@ -1,7 +1,7 @@
 //! The puff-sleeve blouse: a loose bodice, sleeves that are gathered into the armhole and into a cuff.
 
 use crate::body::{Measures, WAIST_HEIGHT};
-use crate::draft::{at, band};
+use crate::draft::at;
 use crate::loose::{Loose, torso};
 use crate::sheet::Draft;
 use crate::sleeve::Sleeve;
@@ -50,13 +50,10 @@ pub fn pieces(m: &Measures) -> Vec<Draft> {
         torso("BACK", &back, &BACK_NOTCH, 700.0),
         sleeve.draft("SLEEVE", &back_notches, &front_notch[..1], at(1350.0, 1200.0)),
         Draft {
-            name: "CUFF",
-            edges: band(["sleeve", "join", "low", "join-2"], cuff, CUFF),
-            grain: [at(cuff * 0.3, CUFF / 2.0), at(cuff * 0.7, CUFF / 2.0)],
             quantity: Quantity { plain: 1, mirrored: 1 },
             annotation: "CUT 1 PAIR",
             shift: at(1100.0, 950.0),
-            ..Draft::default()
+            ..Draft::strip("CUFF", ["sleeve", "join", "low", "join-2"], cuff, CUFF)
         },
     ]
 }

@@ -1,6 +1,6 @@
 //! From a drafted sew line to the drawing of a piece: seam allowance, marks, place on the sheet.
 
-use crate::draft::{Edge, left};
+use crate::draft::{Edge, at, band, left};
 use toile_formats::dxf::write::{CutNotes, DrawDrill, DrawLine, DrawNotch, DrawPoint, NotchLine, PieceDrawing};
 use toile_garment::Vec2;
 use toile_garment::notch::NotchKind;
@@ -53,6 +53,12 @@ struct RingPoint {
 }
 
 impl Draft {
+    /// A straight band with the grain along it; edges as of [`band`].
+    pub fn strip(name: &'static str, edges: [&'static str; 4], length: f64, height: f64) -> Self {
+        let grain = [0.3, 0.7].map(|share| at(length * share, height / 2.0));
+        Self { name, edges: band(edges, length, height), grain, ..Self::default() }
+    }
+
     fn is_leg(&self, edge: usize) -> bool {
         self.wedges.iter().any(|w| edge == w.leg || edge == w.leg + 1)
     }

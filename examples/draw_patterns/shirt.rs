@@ -1,7 +1,7 @@
 //! The shirt: fronts that are buttoned over each other, sleeves with cuffs, and a collar on a stand.
 
 use crate::body::{Measures, WAIST_HEIGHT};
-use crate::draft::{Edge, at, band, turned};
+use crate::draft::{Edge, at, turned};
 use crate::loose::{Loose, torso};
 use crate::sheet::Draft;
 use crate::sleeve::Sleeve;
@@ -64,13 +64,10 @@ pub fn pieces(m: &Measures) -> Vec<Draft> {
         torso("BACK", &back, &BACK_NOTCH, 700.0),
         sleeve.draft("SLEEVE", &BACK_NOTCH, &[FRONT_NOTCH], at(1400.0, 1200.0)),
         Draft {
-            name: "CUFF",
-            edges: band(["low", "join", "sleeve", "join-2"], cuff, CUFF),
-            grain: [at(cuff * 0.3, CUFF / 2.0), at(cuff * 0.7, CUFF / 2.0)],
             quantity: Quantity { plain: 1, mirrored: 1 },
             annotation: "CUT 1 PAIR",
             shift: at(1300.0, 700.0),
-            ..Draft::default()
+            ..Draft::strip("CUFF", ["low", "join", "sleeve", "join-2"], cuff, CUFF)
         },
         Draft { shift: at(2000.0, 1400.0), ..stand },
         Draft { shift: at(2000.0, 1250.0), ..collar },

@@ -1,7 +1,7 @@
 //! Trousers with two pleats in each front, a dart in each back, and a waistband.
 
 use crate::body::{HIP_HEIGHT, Measures, WAIST_HEIGHT};
-use crate::draft::{Edge, at, band, left, solve, towards};
+use crate::draft::{Edge, at, left, solve, towards};
 use crate::sheet::{Draft, Wedge};
 use toile_garment::Vec2;
 use toile_garment::piece::Quantity;
@@ -23,7 +23,7 @@ const DART: [f64; 2] = [26.0, 110.0];
 /// Centre back at the waist: in from the hip, and up.
 const SEAT: [f64; 2] = [38.0, 22.0];
 
-/// What is different in front and back.
+/// Widths of one leg, which differ in front and back.
 struct Leg {
     /// Width from the centre at the hip.
     hip: f64,
@@ -154,12 +154,9 @@ fn piece(name: &'static str, edges: Vec<Edge>, wedges: Vec<Wedge>, x: f64) -> Dr
 /// The waistband, single. It is joined at the centre front.
 fn waistband(length: f64) -> Draft {
     Draft {
-        name: "WAISTBAND",
-        edges: band(["low", "join", "top", "join-2"], length, BAND),
         // Side seams and centre back.
         notches: [0.25, 0.5, 0.75].map(|share| (0, share * length)).to_vec(),
-        grain: [at(length * 0.3, BAND / 2.0), at(length * 0.7, BAND / 2.0)],
         shift: at(1200.0, 1100.0),
-        ..Draft::default()
+        ..Draft::strip("WAISTBAND", ["low", "join", "top", "join-2"], length, BAND)
     }
 }

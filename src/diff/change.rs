@@ -69,15 +69,15 @@ pub struct Change {
     pub unit: &'static str,
 }
 
-/// One difference in a table.
-pub(super) struct Row {
-    /// The table.
+/// A line in a table of a page.
+pub(super) struct Line {
+    /// The table in which it stands.
     pub group: Group,
-    /// What differs.
+    /// The thing that differs.
     pub what: String,
-    /// How.
+    /// The difference in words.
     pub words: String,
-    /// Is it more than is allowed?
+    /// True where the difference is larger than its tolerance.
     pub is_over: bool,
 }
 

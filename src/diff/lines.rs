@@ -1,12 +1,13 @@
 //! Two versions of a product line: the jobs that both have, by name, and what differs in them.
 
-use super::change::{Change, Group, Row};
+use super::change::{Change, Group, Line};
 use super::tolerance::Tolerance;
 use super::{Side, codes, diff, open};
 use crate::engine::{clean, read_limited};
-use crate::line::{self, RESULTS_NAME, Results};
+use crate::line::{RESULTS_NAME, Results, Row};
 use rayon::prelude::*;
 use serde_json::{Value, json};
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use toile_garment::{Diagnostic, SourceRef};
@@ -25,6 +26,10 @@ impl LineSide {
     #[must_use]
     pub fn name(&self) -> String {
         clean(&self.folder)
+    }
+
+    fn by_name(&self) -> BTreeMap<&str, &Row> {
+        self.results.jobs.iter().map(|r| (r.job.as_str(), r)).collect()
     }
 }
 
@@ -72,27 +77,23 @@ impl JobDiff {
     }
 
     fn words(&self) -> String {
-        let [a, b] = self.status.each_ref().map(Option::as_deref);
-        match (a, b) {
-            (Some(a), Some(b)) if a == b => a.to_owned(),
-            (Some(a), Some(b)) => format!("{a} → {b}"),
-            (Some(a), None) => format!("{a}, and is gone"),
-            (None, b) => format!("{}, and is new", b.unwrap_or("missing")),
-        }
+        let [a, b] = self.status.clone();
+        let same = a.clone().unwrap_or_default();
+        Change::of_words(Group::Findings, &self.job, a, b).map_or(same, |change| change.words())
     }
 }
 
 /// Compares all jobs of two lines: those of `a` in their order, then those that are new. Jobs of one content are equal.
 #[must_use]
 pub fn diff_lines(a: &LineSide, b: &LineSide) -> Vec<JobDiff> {
-    let of = |side: &'_ LineSide, job: &str| side.results.jobs.iter().find(|r| r.job == job).cloned();
-    let known = a.results.jobs.iter().map(|r| [Some(r.clone()), of(b, &r.job)]);
-    let new = b.results.jobs.iter().filter(|r| of(a, &r.job).is_none()).map(|r| [None, Some(r.clone())]);
-    let pairs: Vec<[Option<line::Row>; 2]> = known.chain(new).collect();
-    pairs.par_iter().map(|rows| job_diff([a, b], rows.each_ref().map(Option::as_ref))).collect()
+    let [of_a, of_b] = [a, b].map(LineSide::by_name);
+    let known = a.results.jobs.iter().map(|r| [Some(r), of_b.get(r.job.as_str()).copied()]);
+    let new = b.results.jobs.iter().filter(|r| !of_a.contains_key(r.job.as_str())).map(|r| [None, Some(r)]);
+    let pairs: Vec<[Option<&Row>; 2]> = known.chain(new).collect();
+    pairs.par_iter().map(|rows| job_diff([a, b], *rows)).collect()
 }
 
-fn job_diff(sides: [&LineSide; 2], rows: [Option<&line::Row>; 2]) -> JobDiff {
+fn job_diff(sides: [&LineSide; 2], rows: [Option<&Row>; 2]) -> JobDiff {
     let job = rows.iter().flatten().next().map(|r| r.job.clone()).unwrap_or_default();
     let status = rows.map(|r| r.map(|r| r.status.clone()));
     let is_same = matches!(rows, [Some(x), Some(y)] if x.key.is_some() && x.key == y.key);
@@ -180,10 +181,10 @@ pub fn lines_json([a, b]: [&LineSide; 2], jobs: &[JobDiff], tolerance: &Toleranc
     })
 }
 
-/// Rows of a page: what differs over all jobs.
-pub(super) fn rows(jobs: &[JobDiff], tolerance: &Tolerance) -> Vec<Row> {
-    let row = |k: &Kind<'_>| Row { group: k.group, what: k.what.to_owned(), words: k.words(), is_over: k.over > 0 };
-    kinds(jobs, tolerance).iter().map(row).collect()
+/// What differs over all jobs, as a page tells it.
+pub(super) fn told(jobs: &[JobDiff], tolerance: &Tolerance) -> Vec<Line> {
+    let line = |k: &Kind<'_>| Line { group: k.group, what: k.what.to_owned(), words: k.words(), is_over: k.over > 0 };
+    kinds(jobs, tolerance).iter().map(line).collect()
 }
 
 /// A job on a page.
@@ -192,7 +193,7 @@ pub(super) struct ShownJob {
     pub job: String,
     /// How it ended, and how much differs.
     pub words: String,
-    /// Is more different than is allowed?
+    /// True where it differs more than is allowed.
     pub is_over: bool,
     /// Its pictures in both versions, as PNG.
     pub pictures: [Option<Vec<u8>>; 2],

@@ -1,7 +1,7 @@
 //! The differences as one HTML page, with pictures side by side.
 
-use super::change::{Change, Row};
-use super::lines::{JobDiff, LineSide, rows, shown};
+use super::change::{Change, Line};
+use super::lines::{JobDiff, LineSide, shown, told};
 use super::side::Side;
 use super::tolerance::Tolerance;
 use crate::figure::{figure, one_view, png_figure};
@@ -41,20 +41,20 @@ pub fn html(a: &Side, b: &Side, changes: &[Change], tolerance: &Tolerance) -> St
     if changes.is_empty() {
         out.push_str("<p>Nothing differs.</p>\n");
     }
-    let row =
-        |c: &Change| Row { group: c.group, what: c.what.clone(), words: c.words(), is_over: tolerance.is_over(c) };
-    tables(&mut out, &changes.iter().map(row).collect::<Vec<_>>());
+    let line =
+        |c: &Change| Line { group: c.group, what: c.what.clone(), words: c.words(), is_over: tolerance.is_over(c) };
+    tables(&mut out, &changes.iter().map(line).collect::<Vec<_>>());
     out + "</body>\n</html>\n"
 }
 
-/// A table for each group of rows.
-fn tables(out: &mut String, rows: &[Row]) {
-    for group in rows.chunk_by(|x, y| x.group == y.group) {
+/// A table for each group of lines.
+fn tables(out: &mut String, lines: &[Line]) {
+    for group in lines.chunk_by(|x, y| x.group == y.group) {
         // Writing to a String cannot fail.
         let _ = writeln!(out, "<h2>{}</h2>\n<table>", group[0].group.word());
-        for row in group {
-            let over = if row.is_over { " class=\"over\"" } else { "" };
-            let _ = writeln!(out, "<tr{over}><td>{}</td><td>{}</td></tr>", escape(&row.what), escape(&row.words));
+        for line in group {
+            let over = if line.is_over { " class=\"over\"" } else { "" };
+            let _ = writeln!(out, "<tr{over}><td>{}</td><td>{}</td></tr>", escape(&line.what), escape(&line.words));
         }
         out.push_str("</table>\n");
     }
@@ -69,7 +69,7 @@ pub fn lines_html(sides: [&LineSide; 2], jobs: &[JobDiff], tolerance: &Tolerance
     let over = shown.iter().filter(|j| j.is_over).count();
     // Writing to a String cannot fail.
     let _ = writeln!(out, "<p>{} jobs: {} differ, {over} over the tolerance.</p>", jobs.len(), shown.len());
-    tables(&mut out, &rows(jobs, tolerance));
+    tables(&mut out, &told(jobs, tolerance));
     for job in shown {
         let over = if job.is_over { " class=\"over\"" } else { "" };
         let _ = writeln!(

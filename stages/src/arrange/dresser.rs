@@ -137,9 +137,9 @@ impl<'a> Dresser<'a> {
 
     /// Returns `true` if one of two pieces is sewn to a line inside the other, as a pocket is.
     pub fn are_sewn_flat(&self, i: usize, k: usize) -> bool {
-        let inside = |v: &Vec2| *v == Vec2::zeros();
-        let between = self.threads[i].iter().filter(|t| t.other.piece == k);
-        between.into_iter().any(|t| inside(&t.outwards) || inside(&t.other_outwards))
+        let ends_inside =
+            |from: usize, to: usize| self.threads[from].iter().any(|t| t.other.piece == to && t.other.is_inside);
+        ends_inside(i, k) || ends_inside(k, i)
     }
 
     /// Returns `true` if a piece lies turned over on another: where they are sewn, both outlines go the same way round.

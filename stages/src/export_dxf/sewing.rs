@@ -113,8 +113,8 @@ fn side(garment: &Garment, pieces: &[Piece], side: &SeamSide) -> Option<(Vec<Run
 
 /// Does a run follow a line inside the piece?
 fn on_seam_line(mesh: &PieceMesh, run: &SeamRun) -> bool {
-    let lines = mesh.chains.iter().filter(|c| c.kind == ChainKind::SeamLine);
-    lines.into_iter().any(|c| run.vertices.iter().all(|v| c.vertices.contains(v)))
+    let mut lines = mesh.chains.iter().filter(|c| c.kind == ChainKind::SeamLine);
+    lines.any(|c| run.vertices.iter().all(|v| c.vertices.contains(v)))
 }
 
 /// The parts of a run that follow a chain of the mesh without a jump over a dart.
@@ -183,12 +183,8 @@ fn elastic(garment: &Garment, pieces: &[Piece], spec: &ElasticSpec) -> ElasticSp
             RunSpec::Part { piece: piece.clone(), edge, from: *from, to: *to }
         }
         RunSpec::Points { piece, from, to, way } => {
-            let carried = named(garment, pieces, piece).map(|(before, after)| {
-                let follow = Follow::new(before, &after.outline.positions());
-                (follow.carry(*from).0, follow.carry(*to).0)
-            });
-            let (from, to) = carried.unwrap_or((*from, *to));
-            RunSpec::Points { piece: piece.clone(), from, to, way: *way }
+            let ends = carried(garment, pieces, piece, &[*from, *to]);
+            RunSpec::Points { piece: piece.clone(), from: ends[0], to: ends[1], way: *way }
         }
         RunSpec::Line { piece, line } => {
             RunSpec::Line { piece: piece.clone(), line: carried(garment, pieces, piece, line) }

@@ -15,8 +15,6 @@ use crate::{ClothError, Outcome, Scene, Settings, StopReason, Watch};
 
 /// Energy checks between two reports of progress.
 const CHECKS_OF_PROGRESS: u64 = 16;
-/// Largest number of open stitches that an outcome names.
-const OPEN_STITCHES_NAMED: usize = 20;
 
 /// Sews the cloth (`pulls`) or settles it, from the scene's positions.
 ///
@@ -243,7 +241,6 @@ impl<'a> Run<'a> {
         let gaps = measures::gaps(scene, &self.state.x);
         let energy = self.problem.elastic(&self.state.x);
         let balance = report::balance(self.problem, &self.state.x, self.gravity, self.clock.step);
-        let open = gaps.iter().copied().filter(|g| g.1 > self.settings.stitches.closed_distance);
         Outcome {
             steps: self.clock.steps,
             seconds: self.clock.seconds,
@@ -253,7 +250,7 @@ impl<'a> Run<'a> {
             speed_max: self.rest.speed,
             residual_rel: balance.residual_rel,
             seam_gap_max: gaps.first().map_or(0.0, |g| g.1),
-            open_stitches: open.take(OPEN_STITCHES_NAMED).collect(),
+            open_stitches: measures::open_stitches(gaps, self.settings.stitches.closed_distance),
             effects: report::effects(self.problem, scene, self.settings),
             reactions: balance.reactions,
             repaired: self.problem.repaired,

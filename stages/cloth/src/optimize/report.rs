@@ -7,7 +7,7 @@ use crate::effects::{
 use crate::energy::strain_limit::locks_from;
 use crate::optimize::descent::Descent;
 use crate::report::cost::Work;
-use crate::scene::measures::gaps;
+use crate::scene::measures::{gaps, open_stitches};
 use crate::{EffectReport, Material, Model, Outcome, Reaction, Scene, StopReason, Switch};
 
 /// Takes the places.
@@ -25,7 +25,7 @@ pub(crate) fn outcome(d: &mut Descent<'_>, scene: &Scene, stop_reason: StopReaso
         speed_max: 0.0,
         residual_rel: d.newton.residual,
         seam_gap_max: gaps.first().map_or(0.0, |g| g.1),
-        open_stitches: gaps.into_iter().filter(|g| g.1 > d.settings.stitches.closed_distance).take(20).collect(),
+        open_stitches: open_stitches(gaps, d.settings.stitches.closed_distance),
         effects: effects(d, scene),
         reactions,
         repaired: d.start.repaired,

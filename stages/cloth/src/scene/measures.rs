@@ -61,6 +61,14 @@ pub(crate) fn gaps(scene: &Scene, x: &[Vec3]) -> Vec<(u32, f64)> {
     gaps
 }
 
+/// Most open stitches that an outcome lists.
+pub(crate) const OPEN_STITCHES_MOST: usize = 20;
+
+/// The widest of these gaps that are not closed, as an outcome lists them.
+pub(crate) fn open_stitches(gaps: Vec<(u32, f64)>, closed_distance: f64) -> Vec<(u32, f64)> {
+    gaps.into_iter().filter(|g| g.1 > closed_distance).take(OPEN_STITCHES_MOST).collect()
+}
+
 /// Mean rest length of the triangles' sides, m.
 pub(crate) fn mean_edge(scene: &Scene) -> f64 {
     let sum: f64 = scene.triangles.iter().map(|t| (0..3).map(|k| t.rest_length(k)).sum::<f64>()).sum();

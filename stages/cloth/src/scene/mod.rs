@@ -200,6 +200,17 @@ impl Scene {
         self.loads.extend(vertices.iter().map(load));
     }
 
+    /// A scene of the vertices that `is_kept` names alone, and their numbers here. Each triangle has all of its vertices kept
+    /// or none.
+    pub(crate) fn only(&self, is_kept: impl Fn(u32) -> bool) -> (Self, Vec<u32>) {
+        let kept: Vec<u32> = (0u32..).take(self.positions.len()).filter(|v| is_kept(*v)).collect();
+        let mut number = vec![u32::MAX; self.positions.len()];
+        (0u32..).zip(&kept).for_each(|(new, v)| number[*v as usize] = new);
+        let own = self.triangles.iter().filter(|t| is_kept(t.vertices[0]));
+        let triangles = own.map(|t| t.renumbered(|v| number[v as usize])).collect();
+        (self.part(&kept, &number, triangles), kept)
+    }
+
     /// A scene of the vertices `kept` alone, with its own triangles.
     ///
     /// `number` gives the new numbers of all vertices, `u32::MAX` for those left out. Pins, loads and stitches of these

@@ -123,15 +123,10 @@ fn farthest(around: &Lengths, from: u32) -> f64 {
 
 impl Island {
     fn new(scene: &Scene, within: Aabb, mine: impl Fn(u32) -> bool) -> Self {
-        let vertices: Vec<u32> = (0u32..).take(scene.positions.len()).filter(|v| mine(*v)).collect();
-        let mut number = vec![u32::MAX; scene.positions.len()];
-        (0u32..).zip(&vertices).for_each(|(k, v)| number[*v as usize] = k);
-        let to = |v: u32| number[v as usize];
         let stitches: Vec<u32> = (0u32..).zip(&scene.stitches).filter(|(_, s)| mine(s[0])).map(|(k, _)| k).collect();
         let triangles: Vec<u32> =
             (0u32..).zip(&scene.triangles).filter(|(_, t)| mine(t.vertices[0])).map(|(k, _)| k).collect();
-        let element = |k: &u32| scene.triangles[*k as usize].renumbered(to);
-        let own = scene.part(&vertices, &number, triangles.iter().map(element).collect());
+        let (own, vertices) = scene.only(mine);
         Self { scene: own, vertices, triangles, stitches, within }
     }
 

@@ -4,10 +4,8 @@ use crate::collision::broad_phase::aabb::Aabb;
 use crate::prepare::islands::Island;
 use crate::prepare::islands::thread_pool;
 use crate::prepare::islands::thread_pool::Word;
+use crate::scene::measures::OPEN_STITCHES_MOST;
 use crate::{ClothError, EffectReport, Outcome, Place, Reaction, Scene, StopReason, Vec3, Watch};
-
-/// Largest number of open stitches that an outcome names.
-const OPEN_STITCHES_NAMED: usize = 20;
 
 /// Drapes every island by itself, `threads` at a time; `None` where one left its box.
 ///
@@ -104,7 +102,7 @@ fn joined(a: Outcome, b: Outcome) -> Outcome {
     let effects = effects.collect();
     let mut open_stitches = [a.open_stitches, b.open_stitches].concat();
     open_stitches.sort_by(|p, q| q.1.total_cmp(&p.1).then(p.0.cmp(&q.0)));
-    open_stitches.truncate(OPEN_STITCHES_NAMED);
+    open_stitches.truncate(OPEN_STITCHES_MOST);
     let mut reactions = [a.reactions, b.reactions].concat();
     reactions.sort_by_key(|r| r.vertex);
     Outcome {
