@@ -97,15 +97,19 @@ fn job_diff(sides: [&LineSide; 2], rows: [Option<&Row>; 2]) -> JobDiff {
     let job = rows.iter().flatten().next().map(|r| r.job.clone()).unwrap_or_default();
     let status = rows.map(|r| r.map(|r| r.status.clone()));
     let is_same = matches!(rows, [Some(x), Some(y)] if x.key.is_some() && x.key == y.key);
-    let result = |k: usize| -> Option<Side> {
-        rows[k].filter(|_| !is_same)?;
-        open(&sides[k].folder.join("jobs").join(&job)).ok()
-    };
-    let changes = match (result(0), result(1)) {
-        (Some(x), Some(y)) => diff(&x, &y),
-        _ => Vec::new(),
-    };
+    let is_in_both = rows.iter().all(Option::is_some);
+    let changes = if is_same || !is_in_both { Vec::new() } else { job_changes(sides, &job) };
     JobDiff { job, status, changes }
+}
+
+/// What differs in the results of a job. A result of one side alone that cannot be opened differs as well.
+fn job_changes(sides: [&LineSide; 2], job: &str) -> Vec<Change> {
+    let [a, b] = sides.map(|side| open(&side.folder.join("jobs").join(job)));
+    let closed = |result: &Result<Side, Diagnostic>| result.is_err().then(|| "cannot be opened".to_owned());
+    match (a, b) {
+        (Ok(a), Ok(b)) => diff(&a, &b),
+        (a, b) => Change::of_words(Group::Findings, "result of the job", closed(&a), closed(&b)).into_iter().collect(),
+    }
 }
 
 /// What differs in several jobs under one name.

@@ -159,6 +159,9 @@ fn two_versions_of_a_line_are_compared_job_by_job() {
     project.write("any.toml", "strain = 0.1\n");
     let (code, out, _) = project.toile("diff old new --tolerance any.toml");
     assert!(code == 1 && out.contains("6 jobs: 3 differ, 2 over"), "a job that is gone is over: {out}");
+    std::fs::write(project.path("new/jobs/skirt_wide_38/run.json"), "damaged").expect("damage");
+    let (_, out, _) = project.toile("diff old new");
+    assert!(out.contains("result of the job: cannot be opened, and is new (jobs: 1)"), "{out}");
 }
 
 #[test]

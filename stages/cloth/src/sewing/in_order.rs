@@ -35,6 +35,8 @@ pub(crate) fn sew_in_order(
     let spread = |x: &[Vec3]| joined.spread(x);
     let mut sewn = sew(&joined.scene, settings, &mut Part::new(watch, [FIRST_WORK, 1.0], &spread))?;
     sewn.positions = spread(&sewn.positions);
+    // Both starts are told as one.
+    sewn.repaired = (first.repaired.0 + sewn.repaired.0, first.repaired.1.max(sewn.repaired.1));
     sewn.open_stitches = open_stitches(gaps(scene, &sewn.positions), settings.stitches.closed_distance);
     Ok(sewn.after(&first))
 }
