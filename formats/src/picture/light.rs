@@ -27,22 +27,22 @@ pub struct Open {
 /// Adds the key light to the light around. `key` points to it, unit.
 #[must_use]
 pub fn look(model: &Model, around: &[[Vec<f64>; 2]], key: Vec3) -> Vec<Open> {
-    let key = gather(model, &cone(key, KEY));
+    let key = gather(model, &cone(key, KEY), Light::OneWay);
     around.iter().cloned().zip(key).map(|(around, key)| Open { around, key }).collect()
 }
 
 /// Shares of the light around that arrive at the two sides of every vertex.
 #[must_use]
 pub fn around(model: &Model) -> Vec<[Vec<f64>; 2]> {
-    gather(model, &sphere(AROUND))
+    gather(model, &half_sphere(AROUND / 2), Light::BothWays)
 }
 
-/// Directions spread evenly over the sphere, unit.
-fn sphere(count: usize) -> Vec<Vec3> {
+/// Directions spread evenly over the upper half of the sphere, unit.
+fn half_sphere(count: usize) -> Vec<Vec3> {
     let golden = PI * (3.0 - 5.0_f64.sqrt());
     (0..count)
         .map(|k| {
-            let y = 1.0 - (2 * k + 1) as f64 / count as f64;
+            let y = 1.0 - (k as f64 + 0.5) / count as f64;
             let r = (1.0 - y * y).sqrt();
             let (s, c) = libm::sincos(golden * k as f64);
             Vec3::new(r * c, y, r * s)
@@ -62,34 +62,54 @@ fn cone(axis: Vec3, count: usize) -> Vec<Vec3> {
     (0..count).map(direction).collect()
 }
 
-/// Shares of light from some directions that arrive at the two sides of every vertex.
-fn gather(model: &Model, directions: &[Vec3]) -> Vec<[Vec<f64>; 2]> {
-    let zero = |s: &Surface| [vec![[0.0; 2]; s.positions.len()], vec![[0.0; 2]; s.positions.len()]];
-    let mut sums: Vec<[Vec<[f64; 2]>; 2]> = model.surfaces.iter().map(zero).collect();
+/// Where light comes from along a direction.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Light {
+    /// From its end.
+    OneWay,
+    /// From both its ends.
+    BothWays,
+}
+
+/// Light that arrived, and all light that would arrive with nothing in its way.
+type Share = [f64; 2];
+
+fn add(share: &mut Share, weight: f64, arrives: bool) {
+    share[0] += if arrives { weight } else { 0.0 };
+    share[1] += weight;
+}
+
+/// Shares of light along some directions that arrive at the two sides of every vertex.
+fn gather(model: &Model, directions: &[Vec3], light: Light) -> Vec<[Vec<f64>; 2]> {
+    let none = |s: &Surface| [vec![[0.0; 2]; s.positions.len()], vec![[0.0; 2]; s.positions.len()]];
+    let mut sums: Vec<[Vec<Share>; 2]> = model.surfaces.iter().map(none).collect();
     for direction in directions {
         let Some(map) = DepthMap::new(model, *direction) else { continue };
-        for (surface, sum) in model.surfaces.iter().zip(&mut sums) {
-            for (i, (p, n)) in surface.positions.iter().zip(&surface.normals).enumerate() {
-                let facing = n.dot(direction);
-                let side = usize::from(facing < 0.0);
-                let out = if side == 0 { *n } else { -*n };
-                let weight = facing.abs();
-                let [got, all] = &mut sum[side][i];
-                *all += weight;
-                *got += if map.sees(p, &out) { weight } else { 0.0 };
+        for ((surface, at), sum) in model.surfaces.iter().zip(&map.places).zip(&mut sums) {
+            for (i, (at, normal)) in at.iter().zip(&surface.normals).enumerate() {
+                let facing = normal.dot(direction);
+                let lit = usize::from(facing < 0.0);
+                let out = if lit == 0 { *normal } else { -normal };
+                add(&mut sum[lit][i], facing.abs(), map.sees(at, &out, 1.0));
+                if light == Light::BothWays {
+                    add(&mut sum[1 - lit][i], facing.abs(), map.sees(at, &-out, -1.0));
+                }
             }
         }
     }
-    let share = |[got, all]: [f64; 2]| if all > 0.0 { got / all } else { 1.0 };
+    let share = |[got, all]: Share| if all > 0.0 { got / all } else { 1.0 };
     sums.into_iter().map(|sides| sides.map(|side| side.into_iter().map(share).collect())).collect()
 }
 
-/// How far the surfaces reach towards a direction.
+/// How far the surfaces reach along a direction, to both sides.
 struct DepthMap {
     axes: [Vec3; 3],
-    low: [f64; 2],
+    /// Size of a pixel, m.
     step: f64,
-    depth: Vec<f64>,
+    /// Places of the vertices of every surface: pixels across and down, and depth in m.
+    places: Vec<Vec<[f64; 3]>>,
+    /// Largest and least depth in each pixel, m.
+    depth: Vec<[f32; 2]>,
 }
 
 impl DepthMap {
@@ -97,13 +117,14 @@ impl DepthMap {
         let helper = if direction.y.abs() < 0.9 { Vec3::y() } else { Vec3::x() };
         let across = helper.cross(&direction).normalize();
         let axes = [across, direction.cross(&across), direction];
-        let far = [f64::INFINITY; 2];
-        let (mut low, mut high) = (far, far.map(|x| -x));
-        for p in model.surfaces.iter().flat_map(|s| &s.positions) {
+        let project = |p: &Vec3| [p.dot(&axes[0]), p.dot(&axes[1]), p.dot(&axes[2])];
+        let mut places: Vec<Vec<[f64; 3]>> =
+            model.surfaces.iter().map(|s| s.positions.iter().map(project).collect()).collect();
+        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for at in places.iter().flatten() {
             for k in 0..2 {
-                let x = p.dot(&axes[k]);
-                low[k] = if x < low[k] { x } else { low[k] };
-                high[k] = if x > high[k] { x } else { high[k] };
+                low[k] = if at[k] < low[k] { at[k] } else { low[k] };
+                high[k] = if at[k] > high[k] { at[k] } else { high[k] };
             }
         }
         let wide = if high[0] - low[0] > high[1] - low[1] { high[0] - low[0] } else { high[1] - low[1] };
@@ -111,34 +132,35 @@ impl DepthMap {
             return None;
         }
         let step = wide / (SIDE - 2) as f64;
-        let low = low.map(|x| x - step);
-        let mut map = Self { axes, low, step, depth: vec![f64::NEG_INFINITY; SIDE * SIDE] };
-        for surface in &model.surfaces {
-            let at: Vec<[f64; 3]> = surface.positions.iter().map(|p| map.place(p)).collect();
-            surface.triangles.iter().for_each(|t| map.draw(t.map(|i| at[i as usize])));
+        for at in places.iter_mut().flatten() {
+            (0..2).for_each(|k| at[k] = (at[k] - low[k]) / step + 1.0);
         }
+        let mut map = Self { axes, step, places, depth: vec![[f32::NEG_INFINITY, f32::INFINITY]; SIDE * SIDE] };
+        map.draw(model);
         Some(map)
     }
 
-    fn place(&self, p: &Vec3) -> [f64; 3] {
-        let [x, y] = [0, 1].map(|k| (p.dot(&self.axes[k]) - self.low[k]) / self.step);
-        [x, y, p.dot(&self.axes[2])]
-    }
-
-    fn draw(&mut self, corners: [[f64; 3]; 3]) {
+    fn draw(&mut self, model: &Model) {
         let depth = &mut self.depth;
-        super::raster::cover(corners, [0, SIDE as i64], SIDE as i64, |x, y, _, z| {
-            let cell = &mut depth[y * SIDE + x];
-            if z > *cell {
-                *cell = z;
+        for (surface, at) in model.surfaces.iter().zip(&self.places) {
+            for t in &surface.triangles {
+                super::raster::cover(t.map(|i| at[i as usize]), [0, SIDE as i64], SIDE as i64, |x, y, _, z| {
+                    let [most, least] = &mut depth[y * SIDE + x];
+                    let z = z as f32;
+                    *most = if z > *most { z } else { *most };
+                    *least = if z < *least { z } else { *least };
+                });
             }
-        });
+        }
     }
 
-    /// Is nothing in front of a point, seen a little off its surface?
-    fn sees(&self, p: &Vec3, out: &Vec3) -> bool {
-        let [x, y, z] = self.place(&(p + out * (1.3 * self.step)));
+    /// Is nothing in front of a point, seen a little off its surface? `way` is 1 for a look from the end of the direction
+    /// and -1 for one from its start.
+    fn sees(&self, at: &[f64; 3], out: &Vec3, way: f64) -> bool {
+        let moved = |k: usize| at[k] + 1.3 * out.dot(&self.axes[k]);
         let cell = |v: f64| (v as usize).min(SIDE - 1);
-        z + 0.8 * self.step >= self.depth[cell(y) * SIDE + cell(x)]
+        let [most, least] = self.depth[cell(moved(1)) * SIDE + cell(moved(0))].map(f64::from);
+        let front = if way > 0.0 { most } else { -least };
+        way * (at[2] + 1.3 * self.step * out.dot(&self.axes[2])) + 0.8 * self.step >= front
     }
 }

@@ -68,6 +68,18 @@ pub enum PictureError {
 /// # Errors
 /// See [`PictureError`].
 pub fn png(garment: &Garment, wishes: &Wishes<'_>) -> Result<Vec<u8>, PictureError> {
+    png_in_light(garment, wishes, None)
+}
+
+/// A picture of a garment on its body, whose light around is known already, as PNG.
+///
+/// # Errors
+/// See [`PictureError`].
+pub(crate) fn png_in_light(
+    garment: &Garment,
+    wishes: &Wishes<'_>,
+    worn: Option<&Openness>,
+) -> Result<Vec<u8>, PictureError> {
     let sides = SIDES[0]..=SIDES[1];
     if wishes.views.is_empty() || !sides.contains(&wishes.width) || !sides.contains(&wishes.height) {
         return Err(PictureError::Size);
@@ -75,7 +87,11 @@ pub fn png(garment: &Garment, wishes: &Wishes<'_>) -> Result<Vec<u8>, PictureErr
     let (width, height) = (wishes.width as usize, wishes.height as usize);
     let (models, cameras) = shots(garment, wishes)?;
     // The light around is the same from every side.
-    let around: Vec<_> = models.iter().map(|(_, model)| light::around(model)).collect();
+    let light = |(flat, model): &(bool, Model)| match worn {
+        Some(known) if !flat && wishes.body => known.clone(),
+        _ => light::around(model),
+    };
+    let around: Vec<Openness> = models.iter().map(light).collect();
     let mut panels: Vec<Canvas> = Vec::new();
     for (k, camera) in cameras {
         let model = &models[k].1;
@@ -90,9 +106,12 @@ pub fn png(garment: &Garment, wishes: &Wishes<'_>) -> Result<Vec<u8>, PictureErr
 }
 
 /// How open the right and the wrong side of every vertex is to the light around, 0 to 1: the meshed pieces in their
-/// order, then the body. `None` without positions in 3D.
+/// order, then the body.
+pub type Openness = Vec<[Vec<f64>; 2]>;
+
+/// The openness of a garment on its body. `None` without positions in 3D.
 #[must_use]
-pub fn openness(garment: &Garment) -> Option<Vec<[Vec<f64>; 2]>> {
+pub fn openness(garment: &Garment) -> Option<Openness> {
     Model::worn(garment, true, None).map(|model| light::around(&model))
 }
 

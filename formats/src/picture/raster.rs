@@ -51,7 +51,7 @@ pub fn cover(at: [[f64; 3]; 3], rows: [i64; 2], width: i64, mut hit: impl FnMut(
             from = if x < from { x } else { from };
             to = if x > to { x } else { to };
         }
-        [((from - 0.5).ceil() as i64).max(low), ((to - 0.5).floor() as i64 + 1).min(high)]
+        [upwards(from - 0.5).max(low), (-upwards(0.5 - to) + 1).min(high)]
     };
     let (columns, rows) = (span(0, 0, width), span(1, rows[0], rows[1]));
     for y in rows[0]..rows[1] {
@@ -65,6 +65,12 @@ pub fn cover(at: [[f64; 3]; 3], rows: [i64; 2], width: i64, mut hit: impl FnMut(
             }
         }
     }
+}
+
+/// The least integer that is not smaller. It is quicker than `ceil`, which calls a function on older processors.
+fn upwards(x: f64) -> i64 {
+    let whole = x as i64;
+    whole + i64::from(x > whole as f64)
 }
 
 /// Direction to the key light in the world, unit.
@@ -165,16 +171,41 @@ fn stroke(a: [f64; 3], b: [f64; 3], half: f64, rows: [i64; 2], width: i64, mut h
     }
 }
 
+/// The mean colour of the samples of a pixel. Samples of one triangle are one colour, at their mean place.
 fn pixel(samples: &[Sample], shader: &Shader<'_>, row: usize, column: usize, across: usize) -> [f64; 3] {
-    let mut sum = [0.0; 3];
+    let mut seen = [(NOTHING, 0_usize); FINE * FINE];
+    let mut kinds = 0;
     for y in 0..FINE {
         for x in 0..FINE {
             let sample = &samples[(row * FINE + y) * across + column * FINE + x];
-            let colour = shader.colour(sample);
-            (0..3).for_each(|c| sum[c] += colour[c]);
+            let same = |(s, _): &(Sample, usize)| (s.surface, s.triangle) == (sample.surface, sample.triangle);
+            let k = seen[..kinds].iter().position(same).unwrap_or(kinds);
+            if k == kinds {
+                seen[k] = (*sample, 1);
+                kinds += 1;
+            } else {
+                seen[k].0.add(sample);
+                seen[k].1 += 1;
+            }
         }
     }
+    let mut sum = [0.0; 3];
+    for (sample, count) in &seen[..kinds] {
+        let colour = shader.colour(&sample.over(*count as f64), *count as f64);
+        (0..3).for_each(|c| sum[c] += colour[c] * *count as f64);
+    }
     sum.map(|s| s / (FINE * FINE) as f64)
+}
+
+impl Sample {
+    fn add(&mut self, other: &Self) {
+        (0..2).for_each(|k| self.share[k] += other.share[k]);
+        self.dark += other.dark;
+    }
+
+    fn over(self, count: f64) -> Self {
+        Self { share: self.share.map(|s| s / count), dark: self.dark / count, ..self }
+    }
 }
 
 struct Shader<'m> {
@@ -186,8 +217,8 @@ struct Shader<'m> {
 }
 
 impl Shader<'_> {
-    /// Colour of a sample, sRGB.
-    fn colour(&self, sample: &Sample) -> [f64; 3] {
+    /// Colour at a place that stands for so many samples, sRGB.
+    fn colour(&self, sample: &Sample, samples: f64) -> [f64; 3] {
         let Some(surface) = self.model.surfaces.get(sample.surface as usize) else { return PAPER };
         let corners = surface.triangles[sample.triangle as usize].map(|i| i as usize);
         let [a, b] = sample.share;
@@ -212,12 +243,13 @@ impl Shader<'_> {
         let light = if matches!(surface.skin, Skin::Coloured(_)) { 0.45 + 0.55 * light } else { light };
         let rim = 1.0 - facing.abs().min(1.0);
         let sheen = if surface.cloth { 0.07 * rim * rim * rim * around } else { 0.0 };
-        let base = self.base(surface, corners, share);
+        let base = self.base(surface, corners, share, samples.sqrt() / self.camera.scale);
         let wrong = if surface.cloth && side == 1 { 0.82 } else { 1.0 };
         std::array::from_fn(|c| srgb((base[c] * light * wrong + sheen) * (1.0 - sample.dark)))
     }
 
-    fn base(&self, surface: &Surface, corners: [usize; 3], share: [f64; 3]) -> [f64; 3] {
+    /// Colour of the surface itself, linear, over a width in metres.
+    fn base(&self, surface: &Surface, corners: [usize; 3], share: [f64; 3], width: f64) -> [f64; 3] {
         match &surface.skin {
             Skin::Plain(colour) => *colour,
             Skin::Coloured(colours) => {
@@ -225,7 +257,7 @@ impl Shader<'_> {
             }
             Skin::Cloth(look, uv) => {
                 let at = std::array::from_fn(|c| (0..3).map(|k| uv[corners[k]][c] * share[k]).sum::<f64>());
-                self.model.looks[*look].at(at, 1.0 / self.camera.scale)
+                self.model.looks[*look].at(at, width)
             }
         }
     }

@@ -5,7 +5,7 @@ use super::live;
 use super::verdict::verdict;
 use super::viewer::{self, Figure};
 use super::words::Language;
-use crate::picture::{self, View, Wishes};
+use crate::picture::{self, Openness, View, Wishes};
 use crate::svg::canvas::{escape, fixed};
 use std::fmt::Write as _;
 use toile_garment::fabric::Fabric;
@@ -15,10 +15,19 @@ use toile_garment::{Diagnostic, Garment, Severity};
 /// Width and height of each of the two pictures that stand where there is no 3D view, pixels.
 const STILL: [u32; 2] = [420, 525];
 
-/// Writes the first screen.
-pub fn screen(out: &mut String, garment: &Garment, findings: &[Diagnostic], fit: &Fit, language: Language) {
+/// Writes the first screen. Without the light around the garment there is no picture of it.
+pub fn screen(
+    out: &mut String,
+    garment: &Garment,
+    findings: &[Diagnostic],
+    fit: &Fit,
+    light: Option<&Openness>,
+    language: Language,
+) {
     out.push_str("<div class=\"first\">\n");
-    view(out, garment, fit, language);
+    if let Some(png) = light.and_then(|light| still(garment, light)) {
+        view(out, garment, &png, fit, language);
+    }
     out.push_str("<section>\n");
     let title = if garment.style.is_empty() { "garment" } else { &garment.style };
     let _ = writeln!(out, "<h1>{}</h1>", escape(title));
@@ -35,14 +44,18 @@ pub fn screen(out: &mut String, garment: &Garment, findings: &[Diagnostic], fit:
     out.push_str("</section>\n</div>\n");
 }
 
-fn view(out: &mut String, garment: &Garment, fit: &Fit, language: Language) {
+/// The garment from the front and from the back.
+fn still(garment: &Garment, light: &Openness) -> Option<Vec<u8>> {
     let wishes =
         Wishes { views: vec![View::Front, View::Back], width: STILL[0], height: STILL[1], body: true, field: None };
-    let Ok(png) = picture::png(garment, &wishes) else { return };
+    picture::png_in_light(garment, &wishes, Some(light)).ok()
+}
+
+fn view(out: &mut String, garment: &Garment, png: &[u8], fit: &Fit, language: Language) {
     let name = if garment.style.is_empty() { "garment" } else { &garment.style };
     let words = escape(&language.fill("{0}, from the front and from the back", &[name.to_owned()]));
     let [width, height] = [2 * STILL[0], STILL[1]];
-    let still = format!("<img alt=\"{words}\" width=\"{width}\" height=\"{height}\" src=\"{}\">", live::image(&png));
+    let still = format!("<img alt=\"{words}\" width=\"{width}\" height=\"{height}\" src=\"{}\">", live::image(png));
     let maps: Vec<(&str, &str)> = fit.maps.iter().map(|m| (m.key, m.name)).collect();
     let figure = Figure {
         name,

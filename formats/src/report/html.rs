@@ -6,6 +6,7 @@ use super::live;
 use super::tables::{Cell, Table, metric_words, tables};
 use super::viewer;
 use super::words::Language;
+use crate::picture::openness;
 use crate::svg;
 use crate::svg::canvas::{escape, fixed};
 use std::fmt::Write as _;
@@ -24,10 +25,12 @@ const FLATTENED: [&str; 7] =
 #[must_use]
 pub fn html(garment: &Garment, findings: &[Diagnostic], fit: &Fit, language: Language) -> String {
     let title = if garment.style.is_empty() { "garment" } else { &garment.style };
-    let model = live::model(garment, fit);
+    // The view and the pictures are in the same light.
+    let light = openness(garment);
+    let model = light.as_ref().and_then(|light| live::model_in_light(garment, fit, light));
     let mut out = String::new();
     viewer::open(&mut out, title, language, "");
-    first::screen(&mut out, garment, findings, fit, language);
+    first::screen(&mut out, garment, findings, fit, light.as_ref(), language);
     let all = shown_tables(garment, findings, fit);
     let (open, folded): (Vec<_>, Vec<_>) = all.iter().partition(|t| OPEN.contains(&t.key));
     open.iter().for_each(|t| table(&mut out, t, garment, language));

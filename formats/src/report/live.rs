@@ -4,7 +4,7 @@ use super::fit::Fit;
 use super::viewer::{Line, Scene, Stretch};
 use super::words::Language;
 use crate::gltf::{self, ViewPiece};
-use crate::picture::{Field, lay, openness};
+use crate::picture::{Field, Openness, lay, openness};
 use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use serde_json::{Map, Value, json};
@@ -14,10 +14,14 @@ use toile_garment::{Garment, Vec2};
 /// The model in base64. `None` without positions in 3D or with a mesh that cannot be written.
 #[must_use]
 pub fn model(garment: &Garment, fit: &Fit) -> Option<String> {
-    let open = openness(garment)?;
+    model_in_light(garment, fit, &openness(garment)?)
+}
+
+/// The model in base64, where the light around it is known. `None` with a mesh that cannot be written.
+pub(super) fn model_in_light(garment: &Garment, fit: &Fit, light: &Openness) -> Option<String> {
     let places = lay(garment);
     let mut pieces = Vec::new();
-    for (k, open) in open.iter().enumerate() {
+    for (k, open) in light.iter().enumerate() {
         let [right, wrong] = open.clone();
         let mut view = ViewPiece { values: vec![("open".into(), right), ("shut".into(), wrong)], flat: Vec::new() };
         if let Some(mesh) = garment.pieces.get(k).and_then(|p| p.mesh.as_ref()) {
