@@ -3,7 +3,7 @@
 use super::pattern::Source;
 use toile_garment::Piece;
 use toile_garment::body::Body;
-use toile_stages::arrange::{Arrangement, arrange};
+use toile_stages::arrange::{Arrangement, Given, arrange};
 use toile_stages::proposal::{Proposal, ProposedSeam, Run};
 use toile_stages::roles::{Join, PiecePoint, Role, roles, seam_names};
 
@@ -32,8 +32,7 @@ pub fn dress(source: &Source, proposal: &Proposal, body: Option<&Body>, is_anony
         if is_anonymous { source.garment.pieces.iter().map(nameless).collect() } else { source.garment.pieces.clone() };
     let joins: Vec<Join> = proposal.seams.iter().map(join).collect();
     let roles = roles(&pieces, &joins);
-    let given = vec![None; pieces.len()];
-    let arrangement = arrange(&pieces, &roles, &joins, body, given);
+    let arrangement = arrange(&pieces, &roles, &joins, body, Given::nothing(pieces.len()));
     let on_body = |p: PiecePoint| Some(arrangement.places.get(p.piece)?.as_ref()?.sheet.at(p.at));
     let seam_names = seam_names(&roles, &joins, on_body);
     Dressed { roles, arrangement, joins, seam_names }

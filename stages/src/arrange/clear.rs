@@ -4,6 +4,7 @@ use super::dresser::{Dresser, Segment};
 use super::sheet::Sheet;
 use crate::roles::Part;
 use crate::roles::outline::Polygon;
+use std::cmp::Ordering;
 use toile_garment::{Vec2, Vec3};
 
 /// Distance around a piece within which the body counts, m.
@@ -130,12 +131,12 @@ fn overlap(d: &Dresser<'_>, i: usize, k: usize) -> Option<f64> {
 }
 
 /// Moves sheets of one group apart in their common plane until none overlaps: beside one another, or one under another.
-/// Sheets that are sewn flat onto each other stay over each other.
+/// Sheets that are sewn flat onto each other, and those of different layers, stay over each other.
 pub fn side_by_side(d: &mut Dresser<'_>, group: &[usize]) {
     let lie_over = |d: &Dresser<'_>, i, k| overlap(d, i, k).is_some_and(|before| before.abs() < LAYER);
     for (n, i) in group.iter().enumerate() {
         for k in &group[n + 1..] {
-            if d.are_sewn_flat(*i, *k) || !lie_over(d, *i, *k) {
+            if d.are_sewn_flat(*i, *k) || d.layers[*i] != d.layers[*k] || !lie_over(d, *i, *k) {
                 continue;
             }
             // The last step is one more than is needed, or they would touch.
@@ -172,7 +173,8 @@ fn move_pair(d: &mut Dresser<'_>, [i, k]: [usize; 2], by: Vec3) {
 }
 
 /// Moves sheets that lie over each other in nearly one plane apart along their normals. `order` is that of placing;
-/// what is placed later goes outside, but sleeves stay inside. A lapel that folds over goes outside from behind, too.
+/// what is placed later goes outside, but sleeves and lower layers stay inside. A lapel that folds over goes outside from behind,
+/// too.
 pub fn layers(d: &mut Dresser<'_>, order: &[usize]) {
     for _ in 0..4 {
         let mut moved = false;
@@ -181,10 +183,12 @@ pub fn layers(d: &mut Dresser<'_>, order: &[usize]) {
                 let Some(before) = overlap(d, *i, *k) else { continue };
                 let is_on_arm = |p: usize| matches!(d.segments[p], Segment::Arm(_));
                 // The one that goes outside, and how far outside it is already.
-                let (outer, already) = match (is_on_arm(*i), is_on_arm(*k)) {
-                    (false, true) => (*i, -before),
-                    _ if before < -LAYER && !d.folds_over(*k, *i) && !d.are_sewn_flat(*k, *i) => continue,
-                    _ => (*k, before),
+                let (outer, already) = match d.layers[*i].cmp(&d.layers[*k]) {
+                    Ordering::Less => (*k, before),
+                    Ordering::Greater => (*i, -before),
+                    Ordering::Equal if !is_on_arm(*i) && is_on_arm(*k) => (*i, -before),
+                    Ordering::Equal if before < -LAYER && !d.folds_over(*k, *i) && !d.are_sewn_flat(*k, *i) => continue,
+                    Ordering::Equal => (*k, before),
                 };
                 if already < LAYER
                     && !d.is_given[outer]

@@ -1,5 +1,6 @@
 //! The state of an arrangement while it is made.
 
+use super::Given;
 use super::form::Form;
 use super::sheet::Sheet;
 use crate::roles::outline::{Polygon, turned};
@@ -71,21 +72,20 @@ pub struct Dresser<'a> {
     pub sheets: Vec<Option<Sheet>>,
     /// Pieces that a person placed.
     pub is_given: Vec<bool>,
+    /// Layers; a lower one lies inside. A lining of which nothing is said lies inside.
+    pub layers: Vec<i32>,
 }
 
 impl<'a> Dresser<'a> {
-    /// A garment of which the pieces `given` are placed.
-    pub fn new(
-        outlines: Vec<Polygon>,
-        roles: &'a [Role],
-        joins: &'a [Join],
-        form: Form,
-        given: Vec<Option<Sheet>>,
-    ) -> Self {
+    /// A garment of which something is said.
+    pub fn new(outlines: Vec<Polygon>, roles: &'a [Role], joins: &'a [Join], form: Form, given: Given) -> Self {
         let threads = threads(&outlines, joins);
-        let is_given = given.iter().map(Option::is_some).collect();
+        let Given { sheets, layers } = given;
+        let is_given = sheets.iter().map(Option::is_some).collect();
+        let inside = |(role, layer): (&Role, i32)| layer - i32::from(layer == 0 && role.part == Some(Part::Lining));
+        let layers = roles.iter().zip(layers).map(inside).collect();
         let segments = vec![Segment::Torso; roles.len()];
-        Self { roles, joins, form, outlines, threads, segments, sheets: given, is_given }
+        Self { roles, joins, form, outlines, threads, segments, sheets, is_given, layers }
     }
 
     /// Part of a piece.

@@ -86,23 +86,34 @@ pub struct Arrangement {
     pub longest_thread: f64,
 }
 
-/// Arranges pieces around a body, or around a usual one where there is none. `given` are the places that a person
-/// chose.
+/// A person's own places and layers for the pieces.
+#[derive(Clone, Debug)]
+pub struct Given {
+    /// Places; `None` where the program looks for one.
+    pub sheets: Vec<Option<Sheet>>,
+    /// Layers; a lower one lies inside.
+    pub layers: Vec<i32>,
+}
+
+impl Given {
+    /// Nothing is said of so many pieces.
+    #[must_use]
+    pub fn nothing(pieces: usize) -> Self {
+        Self { sheets: vec![None; pieces], layers: vec![0; pieces] }
+    }
+}
+
+/// Arranges pieces around a body, or around a usual one where there is none.
 #[must_use]
-pub fn arrange(
-    pieces: &[Piece],
-    roles: &[Role],
-    joins: &[Join],
-    body: Option<&Body>,
-    given: Vec<Option<Sheet>>,
-) -> Arrangement {
+pub fn arrange(pieces: &[Piece], roles: &[Role], joins: &[Join], body: Option<&Body>, given: Given) -> Arrangement {
     // Everything is worked out with upright pieces. The sheets take in the turn at the end.
     let Upright { turns, outlines, joins } = Upright::of(pieces, joins);
     let upright = |mut sheet: Sheet, turn: &f64| {
         sheet.turn -= turn;
         sheet
     };
-    let given = given.into_iter().zip(&turns).map(|(sheet, turn)| Some(upright(sheet?, turn))).collect();
+    let sheets = given.sheets.into_iter().zip(&turns).map(|(sheet, turn)| Some(upright(sheet?, turn))).collect();
+    let given = Given { sheets, ..given };
     let mut d = Dresser::new(outlines, roles, &joins, Form::of(body), given);
     let mut order: Vec<usize> = (0..pieces.len()).filter(|i| d.is_given[*i]).collect();
     for i in order.clone() {
@@ -130,13 +141,15 @@ pub fn arrange(
     arrangement
 }
 
-/// The pieces that are sewn on when all others are sewn: collars that are folded over stands, and these stands.
+/// The pieces that are sewn on when all others are sewn: collars that are folded, over themselves or over stands, and these stands.
 #[must_use]
 pub fn sewn_last(pieces: &[Piece], roles: &[Role], joins: &[Join]) -> Vec<usize> {
     let outlines = pieces.iter().map(Polygon::of).collect();
-    let d = Dresser::new(outlines, roles, joins, Form::of(None), vec![None; pieces.len()]);
+    let d = Dresser::new(outlines, roles, joins, Form::of(None), Given::nothing(pieces.len()));
     let with_stands = |i: usize| d.stands_under(i).flat_map(move |stand| [i, stand]);
-    let mut last: Vec<usize> = (0..pieces.len()).flat_map(with_stands).collect();
+    let is_folded = |i: &usize| d.part(*i) == Some(Part::Collar) && !pieces[*i].folds.is_empty();
+    let all = 0..pieces.len();
+    let mut last: Vec<usize> = all.clone().flat_map(with_stands).chain(all.filter(is_folded)).collect();
     last.sort_unstable();
     last.dedup();
     last

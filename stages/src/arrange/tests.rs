@@ -5,6 +5,7 @@ use crate::roles::outline::Polygon;
 use crate::roles::{Facing, PiecePoint, roles};
 use crate::testing::{piece, v};
 use toile_garment::Vec2;
+use toile_garment::piece::PressedFold;
 
 /// A seam between two straight edges, mm, of which the first ends meet and the last.
 fn join(name: &str, a: (usize, [[f64; 2]; 2]), b: (usize, [[f64; 2]; 2])) -> Join {
@@ -89,7 +90,7 @@ fn trousers() -> (Vec<Piece>, Vec<Join>) {
 }
 
 fn arranged(pieces: &[Piece], joins: &[Join]) -> Arrangement {
-    arrange(pieces, &roles(pieces, joins), joins, None, vec![None; pieces.len()])
+    arrange(pieces, &roles(pieces, joins), joins, None, Given::nothing(pieces.len()))
 }
 
 fn middle(arrangement: &Arrangement, pieces: &[Piece], i: usize) -> Vec3 {
@@ -155,7 +156,8 @@ fn trousers_are_held_at_the_waist_and_their_legs_lie_side_by_side() {
 fn places_that_a_person_gives_stay_and_the_rest_follows() {
     let (pieces, joins) = shirt(["FRONT", "BACK", "SLEEVE", "SLEEVE-2"]);
     let given = Sheet { origin: Vec3::new(0.0, 0.6, 0.25), ..Sheet::facing(Vec3::z(), Vec3::y(), 0.0) };
-    let all = vec![Some(given.clone()), None, None, None];
+    let sheets = vec![Some(given.clone()), None, None, None];
+    let all = Given { sheets, ..Given::nothing(4) };
     let a = arrange(&pieces, &roles(&pieces, &joins), &joins, None, all);
     assert_eq!(a.places[0].as_ref().expect("front").translation(), given.origin);
     let (front, back) = (middle(&a, &pieces, 0), middle(&a, &pieces, 1));
@@ -185,4 +187,41 @@ fn a_piece_that_is_sewn_to_nothing_has_no_place() {
     pieces.push(piece(4, "LABEL", &corners(&[[0.0, 0.0], [40.0, 0.0], [40.0, 20.0], [0.0, 20.0]])));
     let a = arranged(&pieces, &joins);
     assert_eq!(a.unplaced, [(4, "it is sewn to nothing".to_owned())]);
+}
+
+/// The shirt with a lining of front and back, which is sewn in at the armholes.
+fn lined() -> (Vec<Piece>, Vec<Join>) {
+    let (mut pieces, mut joins) = shirt(["FRONT", "BACK", "SLEEVE", "SLEEVE-2"]);
+    for (k, name) in [(4, "LINING-FRONT"), (5, "LINING-BACK")] {
+        let points: Vec<[f64; 2]> = pieces[k - 4].outline.positions().iter().map(|p| [p.x * 1e3, p.y * 1e3]).collect();
+        pieces.push(piece(k, name, &corners(&points)));
+    }
+    for s in [1.0, -1.0] {
+        let side = |s: f64| [[s * 250.0, 0.0], [s * 250.0, 360.0]];
+        let armhole = |s: f64| [[s * 250.0, 360.0], [s * 195.0, 545.0]];
+        joins.push(join("side of the lining", (4, side(s)), (5, side(-s))));
+        joins.push(join("armhole of the lining", (0, armhole(s)), (4, armhole(s))));
+        joins.push(join("armhole of the lining", (1, armhole(s)), (5, armhole(s))));
+    }
+    (pieces, joins)
+}
+
+#[test]
+fn a_lining_starts_inside_and_a_folded_collar_is_sewn_last() {
+    let (pieces, joins) = lined();
+    let a = arranged(&pieces, &joins);
+    let outwards = |i: usize| middle(&a, &pieces, i).z;
+    assert!(outwards(0) > outwards(4) + 0.015, "{} {}", outwards(0), outwards(4));
+    assert!(outwards(1) < outwards(5) - 0.015, "{} {}", outwards(1), outwards(5));
+    // What a person says of the layers goes before.
+    let given = Given { layers: vec![0, 0, 0, 0, 1, 1], ..Given::nothing(6) };
+    let outside = arrange(&pieces, &roles(&pieces, &joins), &joins, None, given);
+    assert!(middle(&outside, &pieces, 4).z > middle(&outside, &pieces, 0).z + 0.015);
+
+    // A collar that is pressed over itself comes when all else is sewn.
+    let mut folded = pieces;
+    folded[5].name = "COLLAR".into();
+    let line = vec![v(-250.0, 300.0), v(250.0, 300.0)];
+    folded[5].folds.push(PressedFold { name: "roll".into(), line, angle: -3.1 });
+    assert_eq!(sewn_last(&folded, &roles(&folded, &joins), &joins), [5]);
 }

@@ -1,8 +1,8 @@
 //! Pieces that the sewing file does not place: they are arranged by their roles and seams.
 
-use super::codes;
 use super::place::{Wrap, is_arranged, spec_of};
-use crate::arrange::{Arrangement, Sheet, arrange};
+use super::{codes, layer_of};
+use crate::arrange::{Arrangement, Given, Sheet, arrange};
 use crate::body::with_segments;
 use crate::roles::{Join, joins_of_meshes, joins_of_plan, roles};
 use crate::solve::Layout;
@@ -72,7 +72,10 @@ pub fn unplaced(garment: &Garment) -> Vec<Diagnostic> {
 }
 
 fn arrangement_of(garment: &Garment, joins: &[Join]) -> Arrangement {
-    let given = garment.pieces.iter().map(|p| given(garment, p)).collect();
+    let given = Given {
+        sheets: garment.pieces.iter().map(|p| given(garment, p)).collect(),
+        layers: garment.pieces.iter().map(|p| layer_of(garment, p)).collect(),
+    };
     arrange(&garment.pieces, &roles(&garment.pieces, joins), joins, garment.body.as_ref(), given)
 }
 

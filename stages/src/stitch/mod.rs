@@ -4,6 +4,7 @@ mod arranged;
 mod attach;
 pub(crate) mod codes;
 mod cone;
+mod folded;
 mod forecast;
 mod ignored_parts;
 pub(crate) mod load;

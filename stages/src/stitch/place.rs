@@ -1,7 +1,7 @@
 //! Where every piece starts in 3D.
 
 use super::arranged::Arranged;
-use super::codes;
+use super::{codes, folded};
 use crate::arrange::{Cylinder, Sheet, side_angle};
 use crate::codes::BODY_MISSING;
 use toile_garment::body::Body;
@@ -23,21 +23,20 @@ pub fn place(garment: &Garment, arranged: &Arranged, clearance: f64) -> Result<V
     let wraps = wraps(garment, &specs, clearance, &mut errors);
     let mut placed = Vec::with_capacity(garment.pieces.len());
     for (piece, spec) in garment.pieces.iter().zip(&specs) {
-        let rest = piece.mesh.as_ref().map_or(&[][..], |m| &m.rest);
         match spec.map(|s| &s.placement) {
             Some(Placement::Explicit { rotation, translation }) => {
-                placed.push(rest.iter().map(|p| explicit(rotation, translation, *p)).collect());
+                placed.push(folded::start(piece, &garment.seams, |p| explicit(rotation, translation, p)));
             }
             Some(Placement::Around(_)) => {
                 if let Some(wrap) = wraps.iter().find(|w| w.piece == piece.id.index()) {
-                    placed.push(rest.iter().map(|p| wrap.at(*p)).collect());
+                    placed.push(folded::start(piece, &garment.seams, |p| wrap.at(p)));
                 }
             }
             moved => match arranged.sheet(piece) {
                 Some(sheet) => {
                     let by = if let Some(Placement::Moved { by }) = moved { Some(by) } else { None };
-                    let at = |p: &Vec2| by.map_or(sheet.at(*p), |by| sheet.at(*p) + by);
-                    placed.push(rest.iter().map(at).collect());
+                    placed
+                        .push(folded::start(piece, &garment.seams, |p| by.map_or(sheet.at(p), |by| sheet.at(p) + by)));
                 }
                 None => errors.push(not_placed(piece)),
             },
