@@ -1,7 +1,7 @@
-//! Pieces with flaps that are pressed back, as lapels, falls of collars and hems are: they start folded.
+//! Flaps that are pressed back onto their piece start folded, as lapels and hems do.
 //!
-//! A flap that started flat would have to pass what lies over it, and a front that overlaps another one would catch it. A flap
-//! that reaches beyond its piece, as the fall of a collar beyond its stand, starts flat: it would cover a seam there.
+//! A lapel that started flat would lie under the other front, which would hold it there. A flap that reaches beyond its
+//! piece starts flat: folded, the fall of a collar would cover the seam at the neck.
 
 use crate::joined::Joined;
 use crate::roles::outline::Polygon;
@@ -16,8 +16,8 @@ use toile_garment::{Piece, Vec2, Vec3};
 
 /// Distance of a flap from the piece that it lies on, m. Layers of a garment start farther apart.
 const FLAP_GAP: f64 = 5e-3;
-/// How far a flap may reach beyond its piece, m: the sides of a hem are seldom square to it.
-const BEYOND: f64 = 8e-3;
+/// How far a folded flap may reach beyond its piece, m: the sides of a hem are seldom square to it.
+const OVERHANG_MOST: f64 = 8e-3;
 /// Step along a piece by which its tangents are taken, m.
 const TANGENT_STEP: f64 = 1e-4;
 
@@ -29,13 +29,13 @@ pub fn start(piece: &Piece, seams: &[Seam], at: impl Fn(Vec2) -> Vec3) -> Vec<Ve
     let runs = seams.iter().flat_map(|s| s.a.runs.iter().chain(&s.b.runs)).filter(|r| r.piece == piece.id);
     let sewn: BTreeSet<u32> = runs.flat_map(|r| r.vertices.iter().copied()).collect();
     for fold in piece.folds.iter().filter(|f| f.angle.abs() > FRAC_PI_2 && !is_of_pleat(piece, f)) {
-        let flap: Vec<Flap> =
-            flap(mesh, &fold.line, &sewn).into_iter().map(|v| Flap::of(mesh, v, &fold.line)).collect();
-        let lies_beyond = |p: Vec2| !outline.contains(p) && outline.outwards(p).1 > BEYOND;
+        let flap: Vec<FlapVertex> =
+            flap_vertices(mesh, &fold.line, &sewn).into_iter().map(|v| FlapVertex::of(mesh, v, &fold.line)).collect();
+        let lies_beyond = |p: Vec2| !outline.contains(p) && outline.outwards(p).1 > OVERHANG_MOST;
         if flap.iter().any(|f| lies_beyond(f.mirrored)) {
             continue;
         }
-        for Flap { vertex, mirrored, width } in flap {
+        for FlapVertex { vertex, mirrored, width } in flap {
             places[vertex as usize] =
                 at(mirrored) - normal(&at, mirrored) * (width.min(FLAP_GAP) * fold.angle.signum());
         }
@@ -44,7 +44,7 @@ pub fn start(piece: &Piece, seams: &[Seam], at: impl Fn(Vec2) -> Vec3) -> Vec<Ve
 }
 
 /// A vertex of a flap.
-struct Flap {
+struct FlapVertex {
     vertex: u32,
     /// Where it lies on the piece when it is folded.
     mirrored: Vec2,
@@ -52,7 +52,7 @@ struct Flap {
     width: f64,
 }
 
-impl Flap {
+impl FlapVertex {
     fn of(mesh: &PieceMesh, vertex: u32, line: &[Vec2]) -> Self {
         let p = mesh.rest[vertex as usize];
         let off = p - foot(line, p);
@@ -86,7 +86,7 @@ fn normal(at: &impl Fn(Vec2) -> Vec3, p: Vec2) -> Vec3 {
 }
 
 /// Vertices of the part with fewer sewn vertices, where a fold line parts a mesh in two; of equal ones the smaller part.
-fn flap(mesh: &PieceMesh, line: &[Vec2], sewn: &BTreeSet<u32>) -> Vec<u32> {
+fn flap_vertices(mesh: &PieceMesh, line: &[Vec2], sewn: &BTreeSet<u32>) -> Vec<u32> {
     let parts = parts(mesh, &fold_vertices(mesh, line));
     if parts.iter().max() != Some(&1) {
         return Vec::new();
