@@ -8,7 +8,7 @@ use toile_garment::Vec2;
 use toile_garment::piece::Quantity;
 
 /// Slope of the shoulder seam, degrees.
-const SLOPE: f64 = 19.0;
+pub const SLOPE: f64 = 19.0;
 /// Height of the pitch of the armhole over the underarm.
 const PITCH: f64 = 92.0;
 

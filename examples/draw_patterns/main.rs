@@ -8,6 +8,7 @@ mod circle_skirt;
 mod draft;
 mod fitted_bodice;
 mod hoodie;
+mod jacket;
 mod long_skirt;
 mod loose;
 mod plain_skirts;
@@ -47,6 +48,7 @@ const STYLES: &[Style] = &[
     Style { file: "hoodie", pieces: hoodie::pieces },
     Style { file: "trousers", pieces: trousers::pieces },
     Style { file: "shirt", pieces: shirt::pieces },
+    Style { file: "jacket", pieces: jacket::pieces },
 ];
 
 /// File names and bytes of all samples in these sizes.

@@ -100,14 +100,14 @@ fn half_front(half: &[Edge]) -> Draft {
 }
 
 /// Lengths of a band that is cut from a ring, and its height.
-struct Curved {
-    low: f64,
-    top: f64,
-    height: f64,
+pub struct Curved {
+    pub low: f64,
+    pub top: f64,
+    pub height: f64,
 }
 
 /// A band whose longer edge lies below: lower edge, right end, upper edge, left end. The middle of the lower edge is at 0.
-fn curved(name: &'static str, names: [&'static str; 4], c: Curved) -> Draft {
+pub fn curved(name: &'static str, names: [&'static str; 4], c: Curved) -> Draft {
     let angle = (c.low - c.top) / c.height;
     let radius = c.low / angle;
     let (about, half) = (at(0.0, radius), 0.5 * angle.to_degrees());
