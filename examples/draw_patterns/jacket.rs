@@ -1,12 +1,12 @@
 //! The lined jacket: fronts with lapels that are folded over their roll lines, a collar on a stand, and a lining inside.
 //!
-//! Neck, lapel are the same in all sizes, so that one sewing file names the roll lines.
+//! Neck and lapel are the same in all sizes, so that one sewing file names the roll lines of all.
 
 use crate::body::{Measures, WAIST_HEIGHT};
+use crate::curved_band::{Curved, curved};
 use crate::draft::{Edge, at, left, solve, towards};
 use crate::loose::{Loose, SLOPE, torso};
 use crate::sheet::Draft;
-use crate::shirt::{Curved, curved};
 use crate::sleeve::Sleeve;
 use toile_garment::Vec2;
 use toile_garment::piece::Quantity;
@@ -113,18 +113,17 @@ fn half_front(half: &[Edge]) -> Draft {
 /// The stand of the collar, which runs out at both ends: neckline and roll line, two arcs.
 fn stand(neckline: f64) -> Draft {
     let (sin, cos) = libm::sincos((0.5 * ROLL).to_radians());
-    let corners = |radius: f64| [-radius * sin, radius * sin].map(|x| at(x, 0.0));
     // An arc from the left corner to the right one, which bulges upwards by so much.
-    let arc = |radius: f64, bulge: f64| {
-        let [left, right] = corners(radius);
-        let around = (right.x * right.x + bulge * bulge) / (2.0 * bulge);
-        let angle = 2.0 * libm::asin(right.x / around).to_degrees();
-        Edge::start("neck", left).arc(at(0.0, bulge - around), -angle, 24)
+    let arc = |name, radius: f64, bulge: f64| {
+        let half_chord = radius * sin;
+        let around = (half_chord * half_chord + bulge * bulge) / (2.0 * bulge);
+        let angle = 2.0 * libm::asin(half_chord / around).to_degrees();
+        Edge::start(name, at(-half_chord, 0.0)).arc(at(0.0, bulge - around), -angle, 24)
     };
     let bulge = |radius: f64| radius * (1.0 - cos);
-    let neck = |radius: f64| arc(radius, bulge(radius) - STAND);
+    let neck = |radius: f64| arc("neck", radius, bulge(radius) - STAND);
     let radius = solve(0.7 * neckline, 1.6 * neckline, |radius| neck(radius).length() - neckline);
-    let roll = arc(radius, bulge(radius)).reversed();
+    let roll = arc("roll", radius, bulge(radius)).reversed();
     let middle = bulge(radius) - 0.5 * STAND;
     Draft {
         name: "STAND",

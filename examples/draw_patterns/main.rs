@@ -5,6 +5,7 @@
 
 mod body;
 mod circle_skirt;
+mod curved_band;
 mod draft;
 mod fitted_bodice;
 mod hoodie;

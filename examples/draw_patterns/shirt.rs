@@ -1,11 +1,11 @@
 //! The shirt: fronts that are buttoned over each other, sleeves with cuffs, and a collar on a stand.
 
 use crate::body::{Measures, WAIST_HEIGHT};
-use crate::draft::{Edge, at, turned};
+use crate::curved_band::{Curved, curved};
+use crate::draft::{Edge, at};
 use crate::loose::{Loose, torso};
 use crate::sheet::Draft;
 use crate::sleeve::Sleeve;
-use toile_garment::Vec2;
 use toile_garment::piece::Quantity;
 
 /// Ease of the bust, all round.
@@ -95,36 +95,6 @@ fn half_front(half: &[Edge]) -> Draft {
         grain: [at(60.0, 920.0), at(60.0, 1250.0)],
         quantity: Quantity { plain: 1, mirrored: 1 },
         annotation: "CUT 1 PAIR",
-        ..Draft::default()
-    }
-}
-
-/// Lengths of a band that is cut from a ring, and its height.
-pub struct Curved {
-    pub low: f64,
-    pub top: f64,
-    pub height: f64,
-}
-
-/// A band whose longer edge lies below: lower edge, right end, upper edge, left end. The middle of the lower edge is at 0.
-pub fn curved(name: &'static str, names: [&'static str; 4], c: Curved) -> Draft {
-    let angle = (c.low - c.top) / c.height;
-    let radius = c.low / angle;
-    let (about, half) = (at(0.0, radius), 0.5 * angle.to_degrees());
-    let ends = |r: f64| [-half, half].map(|a| turned(about - at(0.0, r), about, a));
-    let ([low_left, low_right], [top_left, top_right]): ([Vec2; 2], [Vec2; 2]) =
-        (ends(radius), ends(radius - c.height));
-    Draft {
-        name,
-        edges: vec![
-            Edge::start(names[0], low_left).arc(about, 2.0 * half, 24),
-            Edge::straight(names[1], low_right, top_right),
-            Edge::start(names[2], top_right).arc(about, -2.0 * half, 24),
-            Edge::straight(names[3], top_left, low_left),
-        ],
-        grain: [at(-60.0, 0.5 * c.height + 4.0), at(60.0, 0.5 * c.height + 4.0)],
-        // The centre back.
-        notches: vec![(0, 0.5 * c.low), (2, 0.5 * c.top)],
         ..Draft::default()
     }
 }

@@ -173,8 +173,8 @@ fn move_pair(d: &mut Dresser<'_>, [i, k]: [usize; 2], by: Vec3) {
 }
 
 /// Moves sheets that lie over each other in nearly one plane apart along their normals. `order` is that of placing;
-/// what is placed later goes outside, but sleeves and lower layers stay inside. A lapel that folds over goes outside from behind,
-/// too.
+/// what is placed later goes outside, but sleeves and lower layers stay inside. A lapel that folds over goes outside from
+/// behind, too.
 pub fn layers(d: &mut Dresser<'_>, order: &[usize]) {
     for _ in 0..4 {
         let mut moved = false;

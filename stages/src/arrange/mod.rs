@@ -141,7 +141,8 @@ pub fn arrange(pieces: &[Piece], roles: &[Role], joins: &[Join], body: Option<&B
     arrangement
 }
 
-/// The pieces that are sewn on when all others are sewn: collars that are folded, over themselves or over stands, and these stands.
+/// The pieces that are sewn on when all others are sewn: collars that are folded over themselves or over stands, and these
+/// stands.
 #[must_use]
 pub fn sewn_last(pieces: &[Piece], roles: &[Role], joins: &[Join]) -> Vec<usize> {
     let outlines = pieces.iter().map(Polygon::of).collect();

@@ -48,7 +48,7 @@ fn damped(lab: &mut Lab) -> Result<(), String> {
     let (omega, zeta) = (10.0, 0.2);
     let expected = leapfrog::lagged_step(omega, zeta);
     let motion = |dt: f64| {
-        // Every frame is written, and there is at least one in a second.
+        // Writing the frames takes most of the time. A film has at least one frame in a second.
         let mut motion = explicit(4000, 4.0, dt);
         motion.calming = 0.5 / (zeta * omega);
         motion.more[0] = "integrator = \"leapfrog\"".to_owned();

@@ -1,8 +1,8 @@
 //! Resolution of intersections: cloth that crosses itself at a few places is drawn out of itself.
 //!
-//! Two parts of the cloth that cross meet in a curve, the intersection contour. Every edge that passes through a triangle is
-//! moved against it in the direction in which the contour becomes shorter, until no contour is left. The method is that of
-//! Volino, Magnenat-Thalmann 2006 (Resolving surface collisions through intersection contour minimization).
+//! Two parts of the cloth that cross meet in a curve, the intersection contour. Every edge that passes through a triangle
+//! is moved against it in the direction in which the contour becomes shorter, until no contour is left. The method is
+//! that of Volino, Magnenat-Thalmann 2006 (Resolving surface collisions through intersection contour minimization).
 
 use crate::Vec3;
 use crate::collision::crossings::count;
