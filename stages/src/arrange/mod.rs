@@ -10,6 +10,7 @@ mod clear;
 mod dresser;
 mod facing;
 mod form;
+mod lean;
 mod pull;
 mod sheet;
 mod upright;
@@ -229,6 +230,7 @@ fn place_group(d: &mut Dresser<'_>, group: &[usize], is_first: bool) -> Vec<usiz
         clear::ring_room(d, &ring);
     }
     clear::side_by_side(d, &flat);
+    flat.iter().for_each(|i| lean::over_leg(d, *i));
     for (i, azimuth) in &bent {
         lay_bent(d, *i, *azimuth, is_first);
         clear::around_neck(d, *i);

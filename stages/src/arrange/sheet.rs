@@ -112,6 +112,16 @@ impl Sheet {
         }
     }
 
+    /// A flat sheet that leans in its plane about a point of its piece, rad; its lower end goes to its right.
+    #[must_use]
+    pub fn leaning(self, by: f64, about: Vec2) -> Self {
+        let held = self.at(about);
+        let (s, c) = libm::sincos(by);
+        let mut sheet = Self { right: self.right * c + self.up * s, up: self.up * c - self.right * s, ..self };
+        sheet.origin += held - sheet.at(about);
+        sheet
+    }
+
     /// Bends the piece around a wider cylinder, m farther from the segment.
     pub fn widen(&mut self, by: f64) {
         let Some(b) = &mut self.bend else { return };

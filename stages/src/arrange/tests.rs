@@ -148,6 +148,13 @@ fn trousers_are_held_at_the_waist_and_their_legs_lie_side_by_side() {
         Polygon::of(&pieces[i]).map(|p| Vec2::new(sheet.at(p).x, sheet.at(p).y))
     };
     assert!(!seen(0).overlaps(&seen(1)));
+    // The inner ends of the hems come near to the middle, which the forks do not pass.
+    for (i, x) in [(0, 20.0), (1, -20.0), (2, -20.0), (3, 20.0)] {
+        let side = if i % 2 == 0 { 1.0 } else { -1.0 };
+        let hem = a.places[i].as_ref().expect("a place").sheet.at(v(x, 0.0));
+        let fork = seen(i).points.iter().map(|p| side * p.x).fold(f64::INFINITY, f64::min);
+        assert!(fork > 0.0 && side * hem.x < fork + 0.02, "{i}: {hem:?}");
+    }
     let top = a.places[4].as_ref().expect("band").sheet.at(v(0.0, 40.0)).y;
     assert!((top - Form::of(None).waist).abs() < 0.005, "{top}");
 }
