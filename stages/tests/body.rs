@@ -1,4 +1,10 @@
 //! The parametric body: closed, clean, symmetric, and true to the tape.
+//!
+//! ```text
+//! cargo test --release --package toile-stages --test body -- --ignored
+//! ```
+//!
+//! tries every size of every table, and not only the ends and middles of the tables.
 #![allow(clippy::unwrap_used)]
 
 use rayon::prelude::*;
@@ -10,9 +16,15 @@ use toile_stages::body::{
     BodyMeasures, SIZE_TABLES, SizeTable, girth_at, parametric, section_at, section_near, sections,
 };
 
-/// A tall, a short, a large and a small figure, and one with a large cup.
-fn figures() -> Vec<BodyMeasures> {
+/// Every size of every table.
+fn sizes() -> Vec<BodyMeasures> {
     let of = |t: &SizeTable| t.sizes.iter().map(|s| t.measures(s)).collect::<Vec<_>>();
+    SIZE_TABLES.iter().flat_map(of).collect()
+}
+
+/// The ends and the middle of every table, a tall, a short, a large and a small figure, and one with a large cup.
+fn figures() -> Vec<BodyMeasures> {
+    let of = |t: &SizeTable| [0, t.sizes.len() / 2, t.sizes.len() - 1].map(|i| t.measures(&t.sizes[i]));
     let mut all: Vec<BodyMeasures> = SIZE_TABLES.iter().flat_map(of).collect();
     let with = |name: &str, changes: &[(&str, f64)]| {
         let mut m = BodyMeasures { name: name.to_owned(), ..BodyMeasures::default() };
@@ -61,7 +73,17 @@ fn near(name: &str, what: &str, have: f64, want: f64, share: f64) {
 
 #[test]
 fn every_figure_is_closed_clean_symmetric_and_true_to_the_tape() {
-    figures().par_iter().for_each(|m| {
+    check(&figures());
+}
+
+#[test]
+#[ignore = "all sizes of all tables take two minutes"]
+fn every_size_is_closed_clean_symmetric_and_true_to_the_tape() {
+    check(&sizes());
+}
+
+fn check(figures: &[BodyMeasures]) {
+    figures.par_iter().for_each(|m| {
         let body = parametric(m).unwrap_or_else(|found| panic!("{}: {found:?}", m.name));
         closed_and_outwards(&body);
         even_triangles(&body);
