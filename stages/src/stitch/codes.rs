@@ -59,8 +59,7 @@ codes! {
     /// places.
     START_ON_CONE = "start-on-cone";
 
-    /// A piece started in the body or in another piece, or lay there when the others were sewn. It was moved along one of
-    /// its axes until it was free.
+    /// A piece started in the body. It was moved along its normal until it was free.
     START_MOVED = "start-moved";
 
     /// A waist seam started where the body is wider than it. All pieces that lie on no arm were raised or lowered.

@@ -178,14 +178,13 @@ impl Stage for Stitch {
         // A band is sewn on stretched, and pulls in the drape.
         start.bands.clear();
         let moves = toile_cloth::free_pieces(&mut start, &settings).map_err(|e| failure_in(e, &garment, &placed))?;
-        cx.report.findings.extend(moves.iter().filter_map(|m| moved_off(&garment, &layout, m, When::AtStart)));
+        cx.report.findings.extend(moves.iter().filter_map(|m| moved_off(&garment, &layout, m)));
         let shape =
             |x: &[Vec3]| Shape { positions: layout.split(x), sewn: true, welded: false, ignores: ignores.clone() };
         let shown = |x: &[Vec3]| Garment { stitched: Some(shape(x)), ..garment.clone() };
         let last = arranged::sewn_last(&garment, &layout);
         let sewn = toile_cloth::sew_in_order(&start, &settings, &last, &mut Follow::showing(cx, &shown));
-        let (outcome, moves) = sewn.map_err(|e| failure_in(e, &garment, &placed))?;
-        cx.report.findings.extend(moves.iter().filter_map(|m| moved_off(&garment, &layout, m, When::SewnOn)));
+        let outcome = sewn.map_err(|e| failure_in(e, &garment, &placed))?;
         tell(&garment, &outcome, settings.stitches.closed_distance, cx);
         garment.bands.extend(holds.bands);
         garment.effects = effects(&outcome.effects);
@@ -219,35 +218,24 @@ fn refuse_hopeless(garment: &Garment, placed: &[Vec<Vec3>], cx: &mut StageContex
     Err(StageError::Parameter(faults))
 }
 
-/// When a piece is moved.
-#[derive(Clone, Copy, PartialEq)]
-enum When {
-    /// Before the first step.
-    AtStart,
-    /// Before it is sewn on, when all other pieces are sewn.
-    SewnOn,
-}
-
-/// A finding on a piece that lay in the body or in another piece, and was moved.
-fn moved_off(garment: &Garment, layout: &Layout, moved: &PieceMove, when: When) -> Option<Diagnostic> {
+/// A finding on a piece that started in the body or in another piece, and was moved.
+fn moved_off(garment: &Garment, layout: &Layout, moved: &PieceMove) -> Option<Diagnostic> {
     let first = |p: &&Piece| layout.index(MeshVertex { piece: p.id, vertex: 0 });
     let piece = garment.pieces.iter().filter(|p| first(p) <= moved.vertex).max_by_key(first)?;
     let by = moved.by * 1e3;
-    let (lay, and_then) = match when {
-        When::AtStart => ("started", ""),
-        When::SewnOn => ("lay", " before it was sewn on"),
-    };
     let message = format!(
-        "piece `{}` {lay} in the body or in another piece; it was moved by {:.0} mm, ({:.0}, {:.0}, {:.0}) mm, until it was \
-         free{and_then}",
+        "piece `{}` started in the body or in another piece; it was moved by {:.0} mm, ({:.0}, {:.0}, {:.0}) mm, until it was free",
         piece.name,
         by.norm(),
         by.x,
         by.y,
         by.z
     );
-    let finding = Diagnostic::info(codes::START_MOVED, message).at(piece.source.clone());
-    Some(if when == When::AtStart { finding.hint("place it there in the sewing file") } else { finding })
+    Some(
+        Diagnostic::info(codes::START_MOVED, message)
+            .at(piece.source.clone())
+            .hint("place it there in the sewing file"),
+    )
 }
 
 /// The layer that the sewing file gives a piece.
