@@ -67,7 +67,7 @@ fn test(more: &[String]) -> Done {
     cargo(&["test", "--release", "--locked", "--package", "toile-cloth", "--config", checks], more)
 }
 
-/// Compiling is all that takes time here: this build is made for one short test.
+/// Hardly anything is optimised, for compiling takes most of the time of one short test.
 fn left_out(more: &[String]) -> Done {
     let quick =
         ["toile.opt-level=0", "toile-stages.opt-level=0", "toile-cloth.opt-level=1", "toile-cloth.codegen-units=16"];
