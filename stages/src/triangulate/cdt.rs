@@ -50,7 +50,7 @@ impl Triangulator for Spade {
 }
 
 /// The same triangle, its lowest vertex first.
-fn lowest_first(t: [u32; 3]) -> [u32; 3] {
+pub fn lowest_first(t: [u32; 3]) -> [u32; 3] {
     let [a, b, c] = t;
     if a < b && a < c {
         t

@@ -17,6 +17,7 @@ mod layout;
 mod lines;
 mod lyon;
 mod net;
+mod patch;
 mod region;
 mod regular;
 mod repair;

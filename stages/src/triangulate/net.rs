@@ -144,7 +144,7 @@ pub fn build(
     Ok(net)
 }
 
-/// Corners, mouths and apexes.
+/// Corners, mouths and apexes, and where fish-eye darts are widest.
 fn hard_breaks(piece: &Piece, shape: &crate::sewing::shapes::PieceShape, curves: &mut [Curve]) {
     for (k, curve) in curves.iter_mut().enumerate() {
         let drawn = match curve.kind {
@@ -176,8 +176,9 @@ fn hard_breaks(piece: &Piece, shape: &crate::sewing::shapes::PieceShape, curves:
             curve.add_break(s);
         }
         if let CurveKind::FishEye(d) = curve.kind {
-            let ends: Vec<f64> = piece.darts[d].apexes.iter().map(|a| curve.project(*a).0).collect();
-            for s in ends {
+            let dart = &piece.darts[d];
+            let places: Vec<f64> = dart.apexes.iter().chain(&dart.mouth).map(|p| curve.project(*p).0).collect();
+            for s in places {
                 curve.add_break(s);
             }
         }

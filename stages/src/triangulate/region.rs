@@ -27,6 +27,14 @@ pub fn cloth(points: &[Vec2], triangles: &[[u32; 3]], layout: &Layout) -> Result
     }
 }
 
+/// Keeps the triangles in the regions to the left of a boundary.
+pub fn left_of(triangles: &[[u32; 3]], boundary: &[[u32; 2]]) -> Vec<[u32; 3]> {
+    let regions = Regions::new(triangles, boundary);
+    let is_left = regions.with_hairs(boundary, vec![None; regions.count as usize]);
+    let marked = triangles.iter().zip(&regions.of);
+    marked.filter(|(_, region)| is_left[**region as usize]).map(|(t, _)| *t).collect()
+}
+
 /// Triangles that hang together without crossing the boundary.
 struct Regions {
     /// Directed sides of the triangles, sorted, with their triangle.

@@ -48,20 +48,23 @@ pub fn fill(layout: &Layout, edges: &[[u32; 2]], h: f64, rows: Vec2) -> Result<F
     cloth(&points, edges, layout)?;
     points.extend(lattice::hexagonal(&boundary, &lines, h, rows, middle(&layout.points)));
     let triangles = cloth(&points, edges, layout)?;
-    let mesh = smoothed(layout, edges, (points, triangles), CENTROID_PASSES, ANGLE_PASSES)?;
-    repair(layout, edges, &sharp_vertices(layout), mesh)
+    let fixed = layout.points.len();
+    let again = |points: &[Vec2]| cloth(points, edges, layout);
+    let mesh = smoothed(fixed, (points, triangles), CENTROID_PASSES, ANGLE_PASSES, again)?;
+    Ok(repair(edges, fixed, &sharp_vertices(layout), mesh))
 }
 
-/// Moves the inner vertices, triangulating again after every pass.
+/// Moves the vertices after the first `fixed`, and asks for the triangles again after every pass.
+///
+/// # Errors
+/// Those of `triangulate`.
 pub fn smoothed(
-    layout: &Layout,
-    edges: &[[u32; 2]],
-    mesh: Filled,
+    fixed: usize,
+    (mut points, mut triangles): Filled,
     centroids: usize,
     angles: usize,
+    triangulate: impl Fn(&[Vec2]) -> Result<Vec<[u32; 3]>, FillError>,
 ) -> Result<Filled, FillError> {
-    let fixed = layout.points.len();
-    let (mut points, mut triangles) = mesh;
     for pass in 0..centroids + angles {
         if points.len() == fixed {
             break;
@@ -71,7 +74,7 @@ pub fn smoothed(
         } else {
             smooth::widen_angles(&mut points, &triangles, fixed);
         }
-        triangles = cloth(&points, edges, layout)?;
+        triangles = triangulate(&points)?;
     }
     Ok((points, triangles))
 }

@@ -125,6 +125,19 @@ fn bench_piece_meets_the_goals() {
     }
 }
 
+/// Both points of a fish-eye dart at its widest place are vertices at any edge length, so the mesh sews its whole width.
+#[test]
+fn a_fish_eye_dart_keeps_its_width() {
+    for h in [8.0, 14.0, 20.0, 30.0, 45.0] {
+        let piece = &mesh(one(bodice(false)), h).expect("mesh").0.pieces[0];
+        let (rest, legs) =
+            (&piece.mesh.as_ref().expect("mesh").rest, &piece.darts[1].mesh.as_ref().expect("legs").legs);
+        let width = |k: usize| (rest[legs[0][k] as usize] - rest[legs[1][k] as usize]).norm();
+        let widest = (0..legs[0].len()).map(width).fold(0.0, f64::max);
+        assert!((widest - 18e-3).abs() < 1e-6, "{h} mm: {} mm", widest * 1e3);
+    }
+}
+
 /// The yoke line starts on a vertex of the outline, and all ends and corners of the outline are vertices.
 #[test]
 fn lines_share_vertices() {
@@ -261,7 +274,7 @@ fn a_seam_between_edges_that_do_not_belong_together_names_free_edges_that_fit() 
 #[test]
 fn a_line_that_ends_beside_the_end_of_a_seam_leaves_the_seam_its_counts() {
     for beside in [-6.0, -1.5, -0.5, -0.08, 0.0, 0.02, 0.08, 0.2, 0.5, 0.9, 1.5, 3.0, 6.0] {
-        for edge_length in [12.0, 25.0] {
+        for edge_length in [8.0, 12.0, 25.0] {
             for whole in [true, false] {
                 let [low, high] = if whole { [0.0, 300.0] } else { [80.0, 220.0] };
                 let (from, to) = (f64::max(low + beside, 0.0), f64::min(high - beside, 300.0));
