@@ -239,6 +239,32 @@ fn make_bar() -> ProgressBar {
     bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
 }
 
+/// A sign on a terminal that work goes on whose end cannot be foreseen. It is gone when dropped.
+pub struct Spinner(Option<ProgressBar>);
+
+impl Spinner {
+    /// Shows these words and the time since now.
+    #[must_use]
+    pub fn start(words: String) -> Self {
+        Self(std::io::stderr().is_terminal().then(|| {
+            let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr_with_hz(10));
+            let style = ProgressStyle::with_template("{spinner} {msg}, {elapsed}");
+            bar.set_style(style.unwrap_or_else(|_| ProgressStyle::default_spinner()));
+            bar.set_message(words);
+            bar.enable_steady_tick(EVENT_EVERY);
+            bar
+        }))
+    }
+}
+
+impl Drop for Spinner {
+    fn drop(&mut self) {
+        if let Some(bar) = &self.0 {
+            bar.finish_and_clear();
+        }
+    }
+}
+
 /// State of the plain lines, shared with the thread that prints them.
 #[derive(Default)]
 struct State {

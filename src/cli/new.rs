@@ -5,6 +5,7 @@ use super::console::Console;
 use crate::codes::WRITE_FAILED;
 use crate::engine::{Exit, clean};
 use crate::new::{Body, Earlier, Fabric, Folder, New, Order, Sample, Wishes, from_pattern, read};
+use crate::progress::Spinner;
 use toile_garment::{Diagnostic, Severity};
 
 /// Size of the body, where none is asked for.
@@ -43,7 +44,10 @@ pub(super) fn run(args: &NewArgs, console: &mut Console<'_>) -> Exit {
         earlier: earlier.as_ref(),
         is_anonymous: args.anonymous,
     };
-    match from_pattern(&order) {
+    let spinner = Spinner::start(format!("searching for seams between {} pieces", source.garment.pieces.len()));
+    let made = from_pattern(&order);
+    drop(spinner);
+    match made {
         Ok(new) => {
             console.findings(&new.findings, None);
             let exit = write(args, &new.folder, console);

@@ -2,6 +2,7 @@
 
 mod certificate;
 mod forecast;
+mod gated;
 mod judge;
 mod lines;
 mod params;
@@ -10,6 +11,7 @@ mod tightness;
 mod unheld;
 mod unused;
 
+pub use gated::GatedFigure;
 pub use judge::{Judged, judge};
 pub use params::{
     AccuracyName, CorrectionName, DrapeParams, EffectsParam, IntegratorName, ModelName, PenaltyName, SwitchName,
@@ -48,6 +50,9 @@ codes! {
     /// How far apart the garment comes to rest from starts that differ by 1 µm (`--repeats`). `plan` advises to measure it
     /// where nothing holds the cloth.
     RESTS_APART = "rests-apart";
+
+    /// A parameter acts in another integrator only, so it does nothing here. The message names it and the integrator.
+    SETTING_UNUSED = "setting-unused";
 
     /// The top of the garment sank on the body by more than its gate: nothing holds the garment where it was sewn. Hold an
     /// edge with [[attach]], or make it narrower there.
@@ -103,6 +108,7 @@ impl Stage for Drape {
     ) -> Result<Option<Cost>, StageError> {
         toile_cloth::check_settings(&params.settings(cx.threads)).map_err(failure)?;
         repeats::check(params)?;
+        cx.report.findings.extend(unused::settings(params));
         forecast.advice.extend(repeats::advice(params, &forecast.garment));
         forecast.effects = forecast::effects(params, forecast);
         // Fitted to the samples and to garments of 800 to 12,000 triangles on bodies of 12,000 and 48,000 triangles.
@@ -118,6 +124,7 @@ impl Stage for Drape {
         cx: &mut StageContext<'_>,
     ) -> Result<Garment, StageError> {
         repeats::check(params)?;
+        cx.report.findings.extend(unused::settings(params));
         let layout = Layout::of(&garment);
         let stitched = garment.stitched.take().ok_or_else(|| StageError::Internal("no stitched shape".to_owned()))?;
         let gravity = Vec3::new(0.0, -params.gravity.0, 0.0);

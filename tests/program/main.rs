@@ -23,6 +23,7 @@ mod motion;
 mod new;
 mod platform;
 mod renewed;
+mod silent_settings;
 mod study;
 mod torn_bodies;
 mod truncated;

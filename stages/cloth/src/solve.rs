@@ -7,7 +7,8 @@ use crate::prepare::islands;
 use crate::report::watch::Part;
 use crate::scene::validate;
 use crate::{
-    ClothError, ContactFilter, Dynamics, Frame, Integrator, Motion, Outcome, Scene, Settings, Trip, Vec3, Watch,
+    ClothError, ContactFilter, Dynamics, Frame, Integrator, Motion, Outcome, PieceMove, Scene, Settings, Trip, Vec3,
+    Watch,
 };
 use crate::{dynamics, explicit, optimize, sewing};
 
@@ -30,7 +31,7 @@ pub fn sew(scene: &Scene, settings: &Settings, watch: &mut dyn Watch) -> Result<
 }
 
 /// [`sew`], but the pieces of the vertices in `last` are sewn on when all others are sewn, as a collar is. The scheme of the
-/// paper sews all pieces at once.
+/// paper sews all pieces at once. Gives also the moves of pieces that what was sewn before would have crossed.
 ///
 /// # Errors
 /// As [`sew`].
@@ -39,10 +40,10 @@ pub fn sew_in_order(
     settings: &Settings,
     last: &[bool],
     watch: &mut dyn Watch,
-) -> Result<Outcome, ClothError> {
+) -> Result<(Outcome, Vec<PieceMove>), ClothError> {
     let is_ordered = last.iter().any(|l| *l) && !last.iter().all(|l| *l);
     if !is_ordered || settings.integrator == Integrator::CentralDifference {
-        return sew(scene, settings, watch);
+        return Ok((sew(scene, settings, watch)?, Vec::new()));
     }
     sewing::sew_in_order(scene, settings, last, watch, sew)
 }

@@ -1,6 +1,6 @@
 //! The certificate: figures counted afresh, each with its limit.
 
-use super::DrapeParams;
+use super::{DrapeParams, GatedFigure};
 use std::collections::BTreeMap;
 use toile_cloth::{Figures, Outcome};
 use toile_garment::garment::Certificate;
@@ -16,15 +16,15 @@ const STRAIN_MARGIN: f64 = 1.05;
 const SLIP_MOST_MM: f64 = 100.0;
 
 /// Default gates. The gate of the largest strain follows from the fabric.
-const GATES: [(&str, f64); 8] = [
-    ("slip_mm", SLIP_MOST_MM),
-    ("strain_over_limit", STRAIN_MARGIN),
-    ("residual_rel", 0.1),
-    ("seam_gap_max_mm", 0.1),
-    ("dart_gap_max_mm", 0.1),
-    ("self_crossings", 0.0),
-    ("body_crossings", 0.0),
-    ("penetration_max_mm", 0.0),
+const GATES: [(GatedFigure, f64); 8] = [
+    (GatedFigure::SlipMm, SLIP_MOST_MM),
+    (GatedFigure::StrainOverLimit, STRAIN_MARGIN),
+    (GatedFigure::ResidualRel, 0.1),
+    (GatedFigure::SeamGapMaxMm, 0.1),
+    (GatedFigure::DartGapMaxMm, 0.1),
+    (GatedFigure::SelfCrossings, 0.0),
+    (GatedFigure::BodyCrossings, 0.0),
+    (GatedFigure::PenetrationMaxMm, 0.0),
 ];
 
 /// Puts figures and limits together. `rest`: places of the vertices, per piece, m.
@@ -37,10 +37,10 @@ pub fn certificate(
     rest: &[Vec<Vec3>],
     slip: f64,
 ) -> Certificate {
-    let mut limits: BTreeMap<String, f64> = GATES.map(|(n, v)| (n.to_owned(), v)).into();
+    let mut gates = BTreeMap::from(GATES);
     let strain_gate = STRAIN_MARGIN * strain_limit(garment);
-    limits.insert("strain_max".to_owned(), strain_gate);
-    limits.extend(params.limits.clone());
+    gates.insert(GatedFigure::StrainMax, strain_gate);
+    gates.extend(&params.limits);
     let mut certificate = Certificate {
         passed: false,
         settled: outcome.settled,
@@ -58,7 +58,7 @@ pub fn certificate(
         self_crossings: figures.self_crossings as u64,
         body_crossings: figures.body_crossings as u64,
         penetration_max_mm: figures.penetration_max * 1e3,
-        limits,
+        limits: gates.iter().map(|(figure, gate)| (figure.name().to_owned(), *gate)).collect(),
         bands: Vec::new(),
         folds: Vec::new(),
         rests: None,
@@ -79,19 +79,7 @@ fn strain_limit(garment: &Garment) -> f64 {
     garment.fabrics.values().map(|f| f.strain_limit_warp.max(f.strain_limit_weft)).fold(0.0, f64::max)
 }
 
+/// Is every figure within its gate? A figure that is no number never passes.
 fn within(c: &Certificate) -> bool {
-    let figures = [
-        ("residual_rel", c.residual_rel),
-        ("strain_p95", c.strain_p95),
-        ("strain_max", c.strain_max),
-        ("strain_over_limit", c.strain_over_limit),
-        ("slip_mm", c.slip_mm),
-        ("seam_gap_max_mm", c.seam_gap_max_mm),
-        ("dart_gap_max_mm", c.dart_gap_max_mm),
-        ("self_crossings", c.self_crossings as f64),
-        ("body_crossings", c.body_crossings as f64),
-        ("penetration_max_mm", c.penetration_max_mm),
-    ];
-    // A figure that is no number never passes.
-    figures.iter().all(|(name, value)| c.limits.get(*name).is_none_or(|limit| value <= limit))
+    GatedFigure::ALL.iter().all(|figure| c.limits.get(figure.name()).is_none_or(|gate| figure.of(c) <= *gate))
 }

@@ -1,5 +1,6 @@
 //! Parameters of `drape` and their meaning for the solver.
 
+use super::GatedFigure;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -133,8 +134,8 @@ pub struct DrapeParams {
     #[serde(skip_serializing_if = "is_default")]
     #[schemars(range(max = 20))]
     pub repeats: u32,
-    /// Gates of the certificate by figure name; they replace the defaults.
-    pub limits: BTreeMap<String, f64>,
+    /// Gates of the certificate by figure; they replace the defaults.
+    pub limits: BTreeMap<GatedFigure, f64>,
 }
 
 /// Chains that ask for nothing keep their text.

@@ -1,7 +1,26 @@
-//! Values of a fabric that this drape has no use for: each is told.
+//! Values of a fabric and parameters that this drape has no use for: each is told.
 
-use super::{DrapeParams, HYSTERESIS_UNUSED, ModelName, SPRINGS_UNUSED};
+use super::{DrapeParams, HYSTERESIS_UNUSED, IntegratorName, ModelName, SETTING_UNUSED, SPRINGS_UNUSED};
 use toile_garment::{Diagnostic, Garment};
+
+/// A warning for each parameter that is set and acts in the scheme of the paper only.
+pub(super) fn settings(params: &DrapeParams) -> Vec<Diagnostic> {
+    if params.integrator == IntegratorName::CentralDifference {
+        return Vec::new();
+    }
+    let default = DrapeParams::default();
+    let set = [
+        ("correction", params.correction != default.correction),
+        ("penalty", params.penalty != default.penalty),
+        ("max_time", params.max_time != default.max_time),
+    ];
+    let told = |name: &str| {
+        let message = format!("with.{name} does nothing: it acts with the integrator `central-difference` only");
+        Diagnostic::warning(SETTING_UNUSED, message)
+            .hint(format!("leave with.{name} out, or set with.integrator = \"central-difference\""))
+    };
+    set.into_iter().filter(|(_, is_set)| *is_set).map(|(name, _)| told(name)).collect()
+}
 
 /// One note for each kind of value that was not used.
 pub(super) fn findings(garment: &Garment, params: &DrapeParams) -> Vec<Diagnostic> {

@@ -3,12 +3,14 @@
 use super::{codes, layer_of};
 use crate::body::{Section, hull, section_at};
 use crate::codes::BODY_MISSING;
+use crate::sewing::ring::SAME;
 use crate::sewing::sewn_points::SewnPoints;
 use toile_formats::codes::EDGE_UNKNOWN;
 use toile_garment::body::Body;
 use toile_garment::dart::{DartKind, DartMesh};
 use toile_garment::garment::{ElasticBand, Pin};
 use toile_garment::mesh::PieceMesh;
+use toile_garment::outline::OutlineEdge;
 use toile_garment::sewing::{AttachSpec, AttachStrength};
 use toile_garment::{Diagnostic, Garment, MeshVertex, Piece, PieceId, Vec2, Vec3};
 
@@ -82,11 +84,16 @@ pub fn holds(garment: &Garment, placed: &[Vec<Vec3>], gap: f64, thickness: f64) 
     if errors.is_empty() { Ok(holds) } else { Err(errors) }
 }
 
-/// Attachments that cannot be made on this body, whatever the mesh.
+/// Attachments that cannot be made, whatever the mesh: on this body, or of these edges.
 pub fn faults(garment: &Garment) -> Vec<Diagnostic> {
     let specs = &garment.plan.attachments;
     let first = specs.iter().enumerate().filter(|(k, a)| specs[..*k].iter().all(|b| b.to != a.to));
-    first.filter_map(|(_, a)| Some(section(garment, &a.to).err()?.at(a.source.clone()))).collect()
+    let of_body = first.filter_map(|(_, a)| Some(section(garment, &a.to).err()?.at(a.source.clone())));
+    let of_edges = specs.iter().filter_map(|spec| {
+        let piece = garment.pieces.iter().find(|p| spec.piece.eq_ignore_ascii_case(&p.name))?;
+        Some(edges_of_spec(piece, spec).err()?.at(spec.source.clone()))
+    });
+    of_body.chain(of_edges).collect()
 }
 
 /// Holds at one landmark. Each layer of the garment has a ring of its own, outside that of the layer below.
@@ -203,7 +210,10 @@ fn section(garment: &Garment, to: &str) -> Result<Section, Diagnostic> {
         Diagnostic::error(BODY_MISSING, format!("an edge is attached to `{to}`, but there is no body"))
             .hint("give the stage `stitch` a body: with.body = \"…obj\"")
     })?;
-    let known = || body.landmarks.keys().map(String::as_str).collect::<Vec<_>>().join(", ");
+    let known = || match body.landmarks.keys().map(String::as_str).collect::<Vec<_>>().join(", ") {
+        names if names.is_empty() => "no side file tells its landmarks; `toile body measure` writes one".to_owned(),
+        names => format!("this body has the landmarks {names}"),
+    };
     let height = body
         .landmarks
         .get(to)
@@ -212,7 +222,7 @@ fn section(garment: &Garment, to: &str) -> Result<Section, Diagnostic> {
         .or_else(|| body.measures.get(&format!("{to}_height")).copied())
         .ok_or_else(|| {
             Diagnostic::error(codes::ATTACH_TARGET_UNKNOWN, format!("the body has no landmark or height `{to}`"))
-                .hint(format!("this body has the landmarks {}", known()))
+                .hint(known())
         })?;
     let sound = |s: &Section| s.girth() > 0.0 && s.gap() <= LARGEST_GAP * s.girth();
     section_at(body, height).filter(sound).ok_or_else(|| {
@@ -294,24 +304,37 @@ fn bearing(p: Vec3) -> f64 {
 fn edges_of(piece: &Piece, specs: &[&AttachSpec]) -> Result<Vec<usize>, Diagnostic> {
     let mut edges = Vec::new();
     for spec in specs.iter().filter(|s| s.piece.eq_ignore_ascii_case(&piece.name)) {
-        let named: Vec<usize> = piece
-            .edges
-            .iter()
-            .filter(|e| e.name.as_deref() == Some(spec.edge.as_str()) || e.index.to_string() == spec.edge)
-            .map(|e| e.index as usize)
-            .collect();
-        if named.is_empty() {
-            return Err(Diagnostic::error(
-                EDGE_UNKNOWN,
-                format!("piece `{}` has no edge `{}` to attach", piece.name, spec.edge),
-            )
-            .hint("`toile inspect --svg` draws the numbers of all edges"));
-        }
-        edges.extend(named);
+        edges.extend(edges_of_spec(piece, spec)?);
     }
     edges.sort_unstable();
     edges.dedup();
     Ok(edges)
+}
+
+/// Outline edges that one attachment names. A leg of a dart cannot be held, because it is sewn to the other leg.
+fn edges_of_spec(piece: &Piece, spec: &AttachSpec) -> Result<Vec<usize>, Diagnostic> {
+    let is_named = |e: &&OutlineEdge| e.name.as_deref() == Some(spec.edge.as_str()) || e.index.to_string() == spec.edge;
+    let named: Vec<&OutlineEdge> = piece.edges.iter().filter(is_named).collect();
+    if named.is_empty() {
+        let message = format!("piece `{}` has no edge `{}` to attach", piece.name, spec.edge);
+        let hint = "`toile inspect --svg` draws the numbers of all edges";
+        return Err(Diagnostic::error(EDGE_UNKNOWN, message).hint(hint));
+    }
+    if let Some(dart) = named.iter().find_map(|e| dart_of_leg(piece, e)) {
+        let message =
+            format!("edge `{}` of `{}` is a leg of the dart `{dart}`, which is sewn shut", spec.edge, piece.name);
+        let hint = "attach the edges beside the dart's mouth";
+        return Err(Diagnostic::error(codes::ATTACH_DART_LEG, message).hint(hint));
+    }
+    Ok(named.iter().map(|e| e.index as usize).collect())
+}
+
+/// The dart whose point an edge ends in.
+fn dart_of_leg<'a>(piece: &'a Piece, edge: &OutlineEdge) -> Option<&'a str> {
+    let ends = [edge.from, edge.to].map(|v| piece.outline.points.get(v as usize).map(|p| p.at));
+    let at_end = |apex: &Vec2| ends.iter().flatten().any(|end| (apex - end).norm() < SAME);
+    let mut wedges = piece.darts.iter().filter(|d| d.kind == DartKind::Wedge);
+    wedges.find(|d| d.apexes.iter().any(at_end)).map(|d| d.name.as_str())
 }
 
 /// Vertices along the attached edges. Where the next attached edge starts at another vertex (a dart lies between),

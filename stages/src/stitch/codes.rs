@@ -13,6 +13,10 @@ codes! {
     /// at the start, and which places are least sure.
     ARRANGED = "arranged";
 
+    /// An [[attach]] names an edge that is a leg of a dart. The leg is sewn to the other one, so it cannot be held. Exit
+    /// code 2.
+    ATTACH_DART_LEG = "attach-dart-leg";
+
     /// The body does not go all the way round at the height an edge is attached to: its mesh ends or is torn there.
     /// Exit code 2.
     ATTACH_TARGET_EMPTY = "attach-target-empty";
@@ -29,6 +33,10 @@ codes! {
 
     /// A [[place]] names a segment that the body does not have. The message lists them. Exit code 2.
     BODY_SEGMENT_UNKNOWN = "body-segment-unknown";
+
+    /// `fabrics` names a material that no piece is of, so this fabric is not used. The hint lists the materials of the
+    /// pattern.
+    FABRIC_UNUSED = "fabric-unused";
 
     /// A skirt or trousers without shoulders and without an [[attach]] would fall: the upper edges are held at the
     /// waist.
@@ -59,7 +67,8 @@ codes! {
     /// places.
     START_ON_CONE = "start-on-cone";
 
-    /// A piece started in the body. It was moved along its normal until it was free.
+    /// A piece started in the body or in another piece, or lay there when the others were sewn. It was moved along one of
+    /// its axes until it was free.
     START_MOVED = "start-moved";
 
     /// A waist seam started where the body is wider than it. All pieces that lie on no arm were raised or lowered.

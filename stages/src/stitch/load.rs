@@ -1,24 +1,56 @@
 //! Body and fabrics from their files.
 
-use super::StitchParams;
+use super::{StitchParams, codes};
 use crate::codes::TEXT_NOT_UTF8;
+use std::collections::BTreeSet;
 use std::path::Path;
 use toile_garment::body::Body;
 use toile_garment::fabric::Fabric;
 use toile_garment::{Diagnostic, Garment, Severity};
 use toile_stage_api::{StageContext, StageError};
 
-/// Reads all fabrics of the parameters into the garment.
+/// Reads all fabrics and the body of the parameters into the garment. What is wrong with both is told at once.
 ///
 /// # Errors
 /// When a file is missing or wrong.
-pub fn fabrics(params: &StitchParams, garment: &mut Garment, cx: &mut StageContext<'_>) -> Result<(), StageError> {
+pub fn inputs(params: &StitchParams, garment: &mut Garment, cx: &mut StageContext<'_>) -> Result<(), StageError> {
+    let fabrics = fabrics(params, garment, cx);
+    match (fabrics, params.body.as_ref().map(|path| body(path, cx)).transpose()) {
+        (Ok(()), Ok(body)) => {
+            garment.body = body.or(garment.body.take());
+            Ok(())
+        }
+        (Err(StageError::Input(wrong)), Err(StageError::Input(more))) => {
+            Err(StageError::Input(wrong.into_iter().chain(more).collect()))
+        }
+        (Err(error), _) | (_, Err(error)) => Err(error),
+    }
+}
+
+/// Reads all fabrics of the parameters into the garment.
+///
+/// A fabric for a material that no piece is of gets a warning, as soon as there are pieces.
+fn fabrics(params: &StitchParams, garment: &mut Garment, cx: &mut StageContext<'_>) -> Result<(), StageError> {
     garment.fabrics.insert(String::new(), fabric(&params.fabric, cx)?);
     for (material, path) in &params.fabrics {
         let read = fabric(path, cx)?;
         garment.fabrics.insert(material.clone(), read);
     }
+    let materials: BTreeSet<&str> = garment.pieces.iter().filter_map(|p| p.material.as_deref()).collect();
+    let unused = params.fabrics.keys().filter(|m| !garment.pieces.is_empty() && !materials.contains(m.as_str()));
+    cx.report.findings.extend(unused.map(|material| no_such_material(material, &materials)));
     Ok(())
+}
+
+fn no_such_material(material: &str, known: &BTreeSet<&str>) -> Diagnostic {
+    let message = format!("with.fabrics names the material `{material}`, and no piece is of it");
+    let known = known.iter().map(|m| format!("`{m}`")).collect::<Vec<_>>().join(", ");
+    let hint = if known.is_empty() {
+        "no piece of the pattern names a material".to_owned()
+    } else {
+        format!("the pattern has {known}")
+    };
+    Diagnostic::warning(codes::FABRIC_UNUSED, message).hint(hint)
 }
 
 fn fabric(path: &Path, cx: &mut StageContext<'_>) -> Result<Fabric, StageError> {

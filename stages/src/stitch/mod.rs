@@ -121,10 +121,7 @@ impl Stage for Stitch {
         cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
         check_clearance(params)?;
-        load::fabrics(params, &mut forecast.garment, cx)?;
-        if let Some(body) = &params.body {
-            forecast.garment.body = Some(load::body(body, cx)?);
-        }
+        load::inputs(params, &mut forecast.garment, cx)?;
         let wrong: Vec<Diagnostic> =
             arranged::unplaced(&forecast.garment).into_iter().chain(attach::faults(&forecast.garment)).collect();
         if !wrong.is_empty() {
@@ -140,10 +137,7 @@ impl Stage for Stitch {
         cx: &mut StageContext<'_>,
     ) -> Result<Garment, StageError> {
         check_clearance(params)?;
-        load::fabrics(params, &mut garment, cx)?;
-        if let Some(body) = &params.body {
-            garment.body = Some(load::body(body, cx)?);
-        }
+        load::inputs(params, &mut garment, cx)?;
         let arranged = arranged::arranged(&mut garment, cx.report).map_err(StageError::Parameter)?;
         let mut placed = place::place(&garment, &arranged, params.clearance.0).map_err(StageError::Parameter)?;
         refuse_hopeless(&garment, &placed, cx)?;
@@ -178,13 +172,14 @@ impl Stage for Stitch {
         // A band is sewn on stretched, and pulls in the drape.
         start.bands.clear();
         let moves = toile_cloth::free_pieces(&mut start, &settings).map_err(|e| failure_in(e, &garment, &placed))?;
-        cx.report.findings.extend(moves.iter().filter_map(|m| moved_off(&garment, &layout, m)));
+        cx.report.findings.extend(moves.iter().filter_map(|m| moved_off(&garment, &layout, m, When::AtStart)));
         let shape =
             |x: &[Vec3]| Shape { positions: layout.split(x), sewn: true, welded: false, ignores: ignores.clone() };
         let shown = |x: &[Vec3]| Garment { stitched: Some(shape(x)), ..garment.clone() };
         let last = arranged::sewn_last(&garment, &layout);
         let sewn = toile_cloth::sew_in_order(&start, &settings, &last, &mut Follow::showing(cx, &shown));
-        let outcome = sewn.map_err(|e| failure_in(e, &garment, &placed))?;
+        let (outcome, moves) = sewn.map_err(|e| failure_in(e, &garment, &placed))?;
+        cx.report.findings.extend(moves.iter().filter_map(|m| moved_off(&garment, &layout, m, When::SewnOn)));
         tell(&garment, &outcome, settings.stitches.closed_distance, cx);
         garment.bands.extend(holds.bands);
         garment.effects = effects(&outcome.effects);
@@ -218,24 +213,35 @@ fn refuse_hopeless(garment: &Garment, placed: &[Vec<Vec3>], cx: &mut StageContex
     Err(StageError::Parameter(faults))
 }
 
-/// A finding on a piece that started in the body or in another piece, and was moved.
-fn moved_off(garment: &Garment, layout: &Layout, moved: &PieceMove) -> Option<Diagnostic> {
+/// When a piece is moved.
+#[derive(Clone, Copy, PartialEq)]
+enum When {
+    /// Before the first step.
+    AtStart,
+    /// Before it is sewn on, when all other pieces are sewn.
+    SewnOn,
+}
+
+/// A finding on a piece that lay in the body or in another piece, and was moved.
+fn moved_off(garment: &Garment, layout: &Layout, moved: &PieceMove, when: When) -> Option<Diagnostic> {
     let first = |p: &&Piece| layout.index(MeshVertex { piece: p.id, vertex: 0 });
     let piece = garment.pieces.iter().filter(|p| first(p) <= moved.vertex).max_by_key(first)?;
     let by = moved.by * 1e3;
+    let (lay, and_then) = match when {
+        When::AtStart => ("started", ""),
+        When::SewnOn => ("lay", " before it was sewn on"),
+    };
     let message = format!(
-        "piece `{}` started in the body or in another piece; it was moved by {:.0} mm, ({:.0}, {:.0}, {:.0}) mm, until it was free",
+        "piece `{}` {lay} in the body or in another piece; it was moved by {:.0} mm, ({:.0}, {:.0}, {:.0}) mm, until it was \
+         free{and_then}",
         piece.name,
         by.norm(),
         by.x,
         by.y,
         by.z
     );
-    Some(
-        Diagnostic::info(codes::START_MOVED, message)
-            .at(piece.source.clone())
-            .hint("place it there in the sewing file"),
-    )
+    let finding = Diagnostic::info(codes::START_MOVED, message).at(piece.source.clone());
+    Some(if when == When::AtStart { finding.hint("place it there in the sewing file") } else { finding })
 }
 
 /// The layer that the sewing file gives a piece.

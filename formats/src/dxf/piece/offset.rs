@@ -12,9 +12,10 @@ const VERTICES: usize = 20_000;
 /// The boxes of both lines lie at most this far apart on each side, in allowances. A mitre is longer than the
 /// allowance.
 const BOX: f64 = 1.5;
-/// Share of the cut line that must have the sew line an allowance away. Corners and sides without allowance take the
-/// rest.
+/// Share of the cut line that must have the sew line an allowance away, or on itself. Corners take the rest.
 const COVERED: f64 = 0.9;
+/// Share of the cut line that must have an allowance. Hems and other sides may be drawn without one.
+const WITH_ALLOWANCE: f64 = 0.5;
 /// Share of the sew line that must run along the cut line. The inner ends of darts take the rest.
 const ALONG: f64 = 0.6;
 /// Sine of the angle within which two lines run along each other.
@@ -28,7 +29,8 @@ struct Place {
     along: Vec2,
 }
 
-/// Does `sew` run inside the closed line `cut` all round, an allowance away? What lies on `fold` has no allowance.
+/// Does `sew` run inside the closed line `cut` all round, an allowance away? Sides may have no allowance, if others have
+/// one. What lies on `fold` has none.
 pub(super) fn is_offset(cut: &[Vec2], sew: &Path, fold: Option<[Vec2; 2]>, allowance: &RangeInclusive<f64>) -> bool {
     let line = sew.positions();
     if line.len() > VERTICES || !boxes_fit(cut, &line, *allowance.end()) {
@@ -39,16 +41,20 @@ pub(super) fn is_offset(cut: &[Vec2], sew: &Path, fold: Option<[Vec2; 2]>, allow
         return false;
     }
     let on_fold = |p: Vec2| fold.is_some_and(|[a, b]| geom::cross(b - a, p - a).abs() <= OUTSIDE * (b - a).norm());
-    let covered = |p: &Place| on_fold(p.at) || allowance.contains(&geom::distance(p.at, &line, true));
+    let with_allowance = |p: &Place| on_fold(p.at) || allowance.contains(&geom::distance(p.at, &line, true));
+    let covered = |p: &Place| with_allowance(p) || geom::distance(p.at, &line, true) <= OUTSIDE;
     let runs_along = |p: &Place| {
         geom::nearest(p.at, cut, true).is_some_and(|foot| {
             let away = p.at - foot.on(cut);
             // On the cut line itself there is no direction away from it.
             let square = away.norm() <= OUTSIDE || away.dot(&p.along).abs() <= PARALLEL * away.norm();
-            allowance.contains(&foot.distance) && square
+            (foot.distance <= OUTSIDE || allowance.contains(&foot.distance)) && square
         })
     };
-    share(&places(cut, true), covered) >= COVERED && share(&places(&line, sew.closed), runs_along) >= ALONG
+    let around = places(cut, true);
+    share(&around, covered) >= COVERED
+        && share(&around, with_allowance) >= WITH_ALLOWANCE
+        && share(&places(&line, sew.closed), runs_along) >= ALONG
 }
 
 /// May the one line be the other, moved inwards? The boxes of both must be alike.

@@ -1,6 +1,6 @@
 //! Sewing in order: some pieces are sewn on when all others are sewn, as a collar is.
 
-use crate::prepare::initial_feasibility::free_pieces::free_pieces;
+use crate::prepare::initial_feasibility::free_pieces::{PieceMove, free_pieces};
 use crate::report::watch::Part;
 use crate::scene::measures::{gaps, open_stitches};
 use crate::scene::weld::{Welded, weld};
@@ -12,7 +12,7 @@ use std::collections::BTreeSet;
 const FIRST_WORK: f64 = 0.6;
 
 /// Sews the pieces of the vertices in `last` on when all others are sewn; each time by `sew`. Until then they are not there,
-/// so nothing catches on them. Before they are sewn on, they are moved to where they are free.
+/// so nothing catches on them. Before they are sewn on, they are moved to where they are free. Gives these moves, too.
 ///
 /// # Errors
 /// Those of `sew`.
@@ -22,7 +22,7 @@ pub(crate) fn sew_in_order(
     last: &[bool],
     watch: &mut dyn Watch,
     sew: impl Fn(&Scene, &Settings, &mut dyn Watch) -> Result<Outcome, ClothError>,
-) -> Result<Outcome, ClothError> {
+) -> Result<(Outcome, Vec<PieceMove>), ClothError> {
     let (rest, kept) = scene.only(|v| !last[v as usize]);
     let whole = |x: &[Vec3]| {
         let mut all = scene.positions.clone();
@@ -31,14 +31,20 @@ pub(crate) fn sew_in_order(
     };
     let first = sew(&rest, settings, &mut Part::new(watch, [0.0, FIRST_WORK], &whole))?;
     let mut joined = joined(scene, settings, &whole(&first.positions));
-    free_pieces(&mut joined.scene, settings)?;
+    let moved = free_pieces(&mut joined.scene, settings)?;
     let spread = |x: &[Vec3]| joined.spread(x);
     let mut sewn = sew(&joined.scene, settings, &mut Part::new(watch, [FIRST_WORK, 1.0], &spread))?;
     sewn.positions = spread(&sewn.positions);
     // Both starts are told as one.
     sewn.repaired = (first.repaired.0 + sewn.repaired.0, first.repaired.1.max(sewn.repaired.1));
     sewn.open_stitches = open_stitches(gaps(scene, &sewn.positions), settings.stitches.closed_distance);
-    Ok(sewn.after(&first))
+    Ok((sewn.after(&first), moved.into_iter().filter_map(|m| unwelded(m, &joined)).collect()))
+}
+
+/// A move of welded cloth, with the first vertex as it was before it was welded.
+fn unwelded(moved: PieceMove, welded: &Welded) -> Option<PieceMove> {
+    let first = welded.map.iter().position(|v| *v == moved.vertex)?;
+    Some(PieceMove { vertex: first as u32, ..moved })
 }
 
 /// The scene at `x` with its closed stitches welded, as far as cloth crosses nothing then. The others are still to be sewn.

@@ -78,12 +78,12 @@ tuned! {
         evidence: "No measurement is kept.",
     }
     /// Blocks without much progress after which something must be in the way. A standstill counts four times.
-    GATHERING_IDLE_MOST: u32 = 160, {
+    GATHERING_IDLE_MOST: u32 = 80, {
         unit: "blocks",
         larger: "More work before sewing is given up.",
         smaller: "Garments are given up that would still close.",
-        tried: "not recorded",
-        evidence: "No measurement is kept.",
+        tried: "40, 80, 160",
+        evidence: "Ten garments pass with each. CPU time of sewing and draping, in the median: 0.90 with 80 and 0.91 with 40 of that with 160.",
     }
     /// Widest gap at which the pieces are together and the threads are drawn tight.
     GATHERED_GAP: f64 = 0.1, {
