@@ -19,7 +19,7 @@ const COMMANDS: [Command; 15] = [
     ("fmt", "writes all sources in the one form", |more| cargo(&["fmt", "--all"], more)),
     ("lint", "clippy over all packages, warnings fail", lint),
     ("doc", "the documentation of all packages, warnings fail", doc),
-    ("test", "all tests; the solver's with overflow checks", test),
+    ("test", "all tests", test),
     ("left-out", "the tests of a build without the effects that may be left out", left_out),
     ("golden", "the golden cases", |more| cargo(&["test", "--release", "--locked", "--test", "golden"], more)),
     ("bless", "writes schemas, the tuning table and the book's reference anew", bless),
@@ -60,11 +60,8 @@ fn doc(more: &[String]) -> Done {
     run::program("cargo", &words, more, &[("RUSTDOCFLAGS", "-D warnings")])
 }
 
-/// The shipped solver has no overflow checks, because they cost time; its own tests run with them.
 fn test(more: &[String]) -> Done {
-    let checks = "profile.release.package.toile-cloth.overflow-checks=true";
-    cargo(&["test", "--release", "--locked", "--workspace", "--exclude", "toile-cloth"], more)?;
-    cargo(&["test", "--release", "--locked", "--package", "toile-cloth", "--config", checks], more)
+    cargo(&["test", "--release", "--locked", "--workspace"], more)
 }
 
 /// Hardly anything is optimised, for compiling takes most of the time of one short test.
