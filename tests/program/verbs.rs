@@ -78,6 +78,37 @@ fn draws_the_sample_size_with_numbered_edges() {
     assert_eq!(mesh.code, 2, "a mesh has no pieces to draw");
 }
 
+/// A pattern in size 36 of pieces with these corners, as DXF.
+fn pattern(pieces: &[(&str, [[f64; 2]; 4])]) -> String {
+    let mut text = "0\nSECTION\n2\nBLOCKS\n".to_owned();
+    for (name, corners) in pieces {
+        text += &format!("0\nBLOCK\n8\n0\n2\n{name}\n");
+        for line in [format!("Piece Name: {name}"), "Size: 36".to_owned()] {
+            text += &format!("0\nTEXT\n8\n1\n10\n50\n20\n50\n40\n2\n1\n{line}\n");
+        }
+        text += "0\nPOLYLINE\n8\n1\n66\n1\n70\n1\n";
+        for [x, y] in corners {
+            text += &format!("0\nVERTEX\n8\n1\n10\n{x}\n20\n{y}\n");
+        }
+        text += "0\nSEQEND\n0\nENDBLK\n";
+    }
+    text + "0\nENDSEC\n0\nSECTION\n2\nENTITIES\n0\nTEXT\n8\n1\n10\n0\n20\n0\n40\n2\n1\nUnits: METRIC\n0\nENDSEC\n0\nEOF\n"
+}
+
+/// A piece that cannot be used does not hide the edges of the others.
+#[test]
+fn edges_of_good_pieces_are_listed_beside_a_bad_one() {
+    let dir = tempfile::tempdir().expect("folder");
+    let file = dir.path().join("pattern.dxf");
+    let good = [[0.0, 0.0], [300.0, 0.0], [300.0, 400.0], [0.0, 400.0]];
+    let bow = [[0.0, 0.0], [300.0, 400.0], [300.0, 0.0], [0.0, 400.0]];
+    std::fs::write(&file, pattern(&[("A", good), ("B", bow)])).expect("pattern");
+    let said = toile(&[&"inspect", &file]);
+    assert!(said.code == 0 && said.out.contains("\nA.0 ") && !said.out.contains("\nB.0 "), "{said:?}");
+    assert!(said.out.contains("cannot be used: outline-crosses-itself"), "{said:?}");
+    assert_eq!(json(&toile(&[&"inspect", &file, &"--json"]))["edges"].as_array().map(Vec::len), Some(4));
+}
+
 /// The rule table beside a pattern is found whatever the case of its name.
 #[test]
 fn the_rule_table_beside_a_pattern_counts() {

@@ -115,6 +115,12 @@ impl Pattern {
         Ok(())
     }
 
+    /// The pattern as if it held only what can be used.
+    #[must_use]
+    pub fn of_sound_pieces(&self) -> Self {
+        Self { refused: Vec::new(), ..self.clone() }
+    }
+
     pub(crate) fn choose(&self, size: Option<&str>, rul: Option<&RuleTable>) -> Result<Chosen<'_>, Vec<Diagnostic>> {
         let mut findings = Vec::new();
         let wanted = self.wanted(size, &mut findings);
@@ -142,7 +148,7 @@ impl Pattern {
             return Err(errors);
         }
         if let (true, Some(wanted)) = (picked.is_empty(), &wanted) {
-            return Err(vec![self.size_not_found(wanted, rul)]);
+            return Err(vec![self.none_in_size(&lacking, wanted)]);
         }
         findings.extend(lacking.iter().map(|group| self.left_out(group, wanted.as_deref().unwrap_or_default())));
         findings.extend(self.style_texts_not_kept());
@@ -170,13 +176,30 @@ impl Pattern {
         Diagnostic::error(SIZE_NOT_FOUND, text).at(self.place())
     }
 
-    /// Says that a piece is not drawn in the size that was asked for.
-    fn left_out(&self, group: &Group, wanted: &str) -> Diagnostic {
+    /// The label of a piece and the sizes it is drawn in.
+    fn drawn_in(&self, group: &Group) -> (&str, Vec<&str>) {
         let sound = group.sound.iter().map(|i| (self.pieces[*i].label(), &self.pieces[*i].size));
         let all: Vec<_> =
             sound.chain(group.refused.iter().map(|i| (self.refused[*i].label(), &self.refused[*i].size))).collect();
-        let label = all.first().map_or("", |p| p.0);
-        let have: Vec<&str> = all.iter().filter_map(|p| p.1.as_deref()).collect();
+        (all.first().map_or("", |p| p.0), all.iter().filter_map(|p| p.1.as_deref()).collect())
+    }
+
+    /// None of the pieces that were asked for has a size that the file has.
+    fn none_in_size(&self, groups: &[&Group], wanted: &str) -> Diagnostic {
+        let one = |group: &&Group| {
+            let (label, have) = self.drawn_in(group);
+            format!("`{label}` is in {}", have.join(", "))
+        };
+        let list: Vec<String> = groups.iter().map(one).collect();
+        let text =
+            format!("no piece is drawn in size `{wanted}`, and no grade rules make one in it; {}", list.join("; "));
+        let hint = "ask for a size that the pieces have, or draw them in this size too";
+        Diagnostic::error(SIZE_NOT_FOUND, text).at(self.place()).hint(hint)
+    }
+
+    /// Says that a piece is not drawn in the size that was asked for.
+    fn left_out(&self, group: &Group, wanted: &str) -> Diagnostic {
+        let (label, have) = self.drawn_in(group);
         let text = format!(
             "piece `{label}` is not drawn in size `{wanted}`, and no grade rules make it; the garment is without it; it is in {}",
             have.join(", ")

@@ -4,15 +4,16 @@ use serde_json::{Value, json};
 use std::fmt::Write as _;
 use toile_garment::Garment;
 use toile_stages::sewing::edges::{Edge, as_long, edges};
-use toile_stages::sewing::shapes::shapes;
+use toile_stages::sewing::shapes::{shape, shapes};
 
 /// Edges whose lengths differ by no more than this share may be sewn to each other.
 const AS_LONG: f64 = 0.01;
 /// Most edges that are named as fitting.
 const NAMED: usize = 3;
 
-/// The table and its values for programs; `None` where an outline cannot be sewn.
+/// The table and its values for programs, of all pieces that can be sewn; `None` where there are none.
 pub(super) fn table(garment: &Garment) -> Option<(String, Value)> {
+    let garment = &with_shape(garment);
     let all = edges(garment, &shapes(garment).ok()?);
     if all.is_empty() {
         return None;
@@ -29,6 +30,18 @@ pub(super) fn table(garment: &Garment) -> Option<(String, Value)> {
         let _ = writeln!(text, "{}", row.trim_end());
     }
     Some((text, all.iter().map(|e| value(&all, e)).collect()))
+}
+
+/// The garment without pieces whose outline cannot be sewn.
+fn with_shape(garment: &Garment) -> Garment {
+    let mut garment = garment.clone();
+    let plan = garment.plan.clone();
+    garment.pieces.retain(|piece| {
+        let mut errors = Vec::new();
+        shape(piece, &plan, &mut errors);
+        errors.is_empty()
+    });
+    garment
 }
 
 fn fits<'e>(all: &'e [Edge], edge: &Edge) -> impl Iterator<Item = &'e Edge> {

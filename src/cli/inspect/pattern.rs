@@ -33,8 +33,10 @@ pub(super) fn dxf(source: &Source<'_>) -> Result<Inspected, Vec<Diagnostic>> {
     let listed: String = findings.iter().map(|f| format!("{f}\n")).collect();
     let mut text = inspection.text.strip_suffix(&listed).unwrap_or(&inspection.text).to_owned();
     let mut json = inspection.json;
-    let garment = inspection.pattern.to_garment(None, table.as_ref()).ok();
-    let tables = garment.map(|(g, _)| [("edges", edges::table(&g)), ("darts", darts::table(&g))]);
+    let garment = inspection.pattern.to_garment(None, table.as_ref());
+    // A bad piece does not keep the others from being listed.
+    let garment = garment.or_else(|_| inspection.pattern.of_sound_pieces().to_garment(None, table.as_ref()));
+    let tables = garment.ok().map(|(g, _)| [("edges", edges::table(&g)), ("darts", darts::table(&g))]);
     for (key, table) in tables.into_iter().flatten() {
         if let Some((rows, values)) = table {
             text.push_str(&rows);

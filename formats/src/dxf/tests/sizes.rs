@@ -114,3 +114,31 @@ fn an_alternate_rule_stands_in_the_frame_of_its_own_line() {
         assert_eq!(told, findings, "{rule}");
     }
 }
+
+#[test]
+fn a_size_that_the_asked_pieces_lack_is_said_with_those_they_have() {
+    let w = Writer::default().pair(0, "SECTION").pair(2, "BLOCKS");
+    let w = [("A", "36"), ("A", "38"), ("C", "38")].into_iter().fold(w, |w, (name, size)| {
+        let w = w.block(&format!("{name}_{size}")).text("1", &format!("Piece Name: {name}"));
+        w.text("1", &format!("Size: {size}")).polyline("1", true, &RECTANGLE).pair(0, "ENDBLK")
+    });
+    let w = w.pair(0, "ENDSEC").pair(0, "SECTION").pair(2, "ENTITIES").text("1", "Units: METRIC");
+    let mut pattern = good(&w.text("1", "Sample Size: 36").pair(0, "ENDSEC").pair(0, "EOF").0);
+    pattern.keep_pieces(&["C".to_owned()]).expect("C is there");
+    let [error] = &pattern.to_garment(None, None).expect_err("not in 36")[..] else { panic!("one error") };
+    assert_eq!(error.code, "size-not-found");
+    assert!(error.message.contains("`36`") && error.message.ends_with("`C` is in 38"), "{}", error.message);
+}
+
+#[test]
+fn the_sound_pieces_of_a_size_can_be_used_without_the_bad_ones() {
+    let w = Writer::default().pair(0, "SECTION").pair(2, "BLOCKS");
+    let bow = [(0.0, 0.0), (300.0, 600.0), (300.0, 0.0), (0.0, 600.0)];
+    let w = w.block("A").text("1", "Piece Name: A").text("1", "Size: 36").polyline("1", true, &RECTANGLE);
+    let w = w.pair(0, "ENDBLK").block("B").text("1", "Piece Name: B").text("1", "Size: 36").polyline("1", true, &bow);
+    let w = w.pair(0, "ENDBLK").pair(0, "ENDSEC").pair(0, "SECTION").pair(2, "ENTITIES").text("1", "Units: METRIC");
+    let pattern = good(&w.pair(0, "ENDSEC").pair(0, "EOF").0);
+    assert!(pattern.to_garment(None, None).is_err());
+    let (garment, _) = pattern.of_sound_pieces().to_garment(None, None).expect("A");
+    assert_eq!(garment.pieces.iter().map(|p| p.name.as_str()).collect::<Vec<_>>(), ["A"]);
+}
