@@ -52,7 +52,7 @@ pub fn inspect_with(
     let table = rul.and_then(|r| companion(&mut pattern, r, &rul_name(file)));
     let pieces: Vec<Piece> = pattern.pieces.par_iter().map(|p| to_piece(p, file)).collect();
     let json = facts(&pattern, &pieces, table.as_ref());
-    let text = text(&pattern);
+    let text = text(&pattern, table.as_ref());
     let refused = pattern.refused.iter().filter_map(refused_piece).collect();
     Ok(Inspection { pattern, pieces, refused, json, text })
 }
@@ -347,7 +347,7 @@ fn edges(piece: &Piece) -> Vec<Value> {
         .collect()
 }
 
-fn text(pattern: &Pattern) -> String {
+fn text(pattern: &Pattern, table: Option<&RuleTable>) -> String {
     let mut out = String::new();
     let say = |out: &mut String, line: String| {
         let _ = writeln!(out, "{line}");
@@ -367,7 +367,10 @@ fn text(pattern: &Pattern) -> String {
     let p = &pattern.profile;
     let why = p.reasons.join("; ");
     say(&mut out, format!("written by {} ({:.0} %: {why})  {}", p.vendor.name(), p.confidence * 100.0, p.standard.0));
-    say(&mut out, format!("sizes {}  sample {}", pattern.sizes.join(" "), or(&pattern.sample_size)));
+    let graded: Vec<String> =
+        pattern.available_sizes(table).into_iter().filter(|size| !pattern.sizes.contains(size)).collect();
+    let graded = if graded.is_empty() { String::new() } else { format!("  by grade rules {}", graded.join(" ")) };
+    say(&mut out, format!("sizes {}{graded}  sample {}", pattern.sizes.join(" "), or(&pattern.sample_size)));
     say(
         &mut out,
         format!(

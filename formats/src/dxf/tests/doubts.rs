@@ -227,6 +227,9 @@ fn rule_tables_that_do_not_belong() {
         inspection.pattern.findings.iter().map(|f| f.code.clone()).collect::<Vec<_>>()
     };
     assert_eq!(look(rul), [] as [&str; 0]);
+    // Sizes that only the rules make are listed, as they can be asked for.
+    let shown = inspect(text.as_bytes(), "t.dxf", Some(rul.as_bytes())).expect("pieces").text;
+    assert!(shown.contains("\nsizes 38  by grade rules 40  sample 38\n"), "{shown}");
     let cases = [
         (rul.replace("TABLE: T", "TABLE: U"), vec!["rule-table-differs"]),
         (
