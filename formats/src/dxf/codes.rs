@@ -166,7 +166,7 @@ codes! {
     /// No size was asked for; the message names the one taken and why.
     SIZE_CHOSEN = "size-chosen";
 
-    /// The sizes of a piece have different numbers of points. Each is read on its own, but names of edges may not carry
+    /// The sizes of a piece have different numbers of points or corners. Each is read on its own, but names of edges may not carry
     /// over.
     SIZES_DIFFER_IN_VERTICES = "sizes-differ-in-vertices";
 

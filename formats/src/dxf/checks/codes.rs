@@ -43,6 +43,10 @@ codes! {
     /// size. Ask for a size by name.
     SAMPLE_SIZE_MISSING = "sample-size-missing";
 
+    /// The sizes of a piece have different numbers of notches. Each is read on its own, but numbers of notches may not
+    /// carry over from size to size. Export the nest again if they should not differ.
+    SIZES_DIFFER_IN_NOTCHES = "sizes-differ-in-notches";
+
     /// The sample size of a piece cannot be used, and it alone has the points that say corners and notches. The other
     /// sizes were read by their angles, and notches may be missing there.
     SIZES_WITHOUT_SAMPLE = "sizes-without-sample";

@@ -6,6 +6,7 @@ use crate::dxf::desk::Desk;
 use crate::dxf::piece::{DrawnPiece, RefusedPiece};
 use std::collections::BTreeMap;
 use toile_garment::Diagnostic;
+use toile_garment::outline::PointKind;
 
 type Group = BTreeMap<String, Vec<usize>>;
 
@@ -34,6 +35,7 @@ pub(super) fn check(pieces: &[DrawnPiece], refused: &[RefusedPiece], sample: Opt
         let group: Vec<&DrawnPiece> = list.iter().map(|i| &pieces[*i]).collect();
         twice(&group, desk);
         vertices(&group, sample, desk);
+        corners_and_notches(&group, sample, desk);
         let spoilt: Vec<&RefusedPiece> = refused.iter().filter(|r| r.name == group[0].name).collect();
         lacking(&group, &spoilt, &sizes, desk);
         without_sample(&group, &spoilt, desk);
@@ -102,7 +104,7 @@ fn alike(a: &DrawnPiece, b: &DrawnPiece) -> bool {
 /// Sizes with corners of their own need not have the vertices of the sample size; then nothing leads from one to the
 /// other.
 fn vertices(group: &[&DrawnPiece], sample: Option<&str>, desk: &mut Desk<'_>) {
-    let is_sample = |p: &&&DrawnPiece| p.size.as_deref().zip(sample).is_some_and(|(a, b)| tidy(a) == tidy(b));
+    let is_sample = |p: &&&DrawnPiece| is_in_size(p, sample);
     let marked = || group.iter().filter(|p| p.points.marked && p.size.is_some());
     let Some(base) = marked().find(is_sample).or_else(|| marked().next()) else { return };
     let n = base.boundary.drawn.len();
@@ -121,6 +123,46 @@ fn vertices(group: &[&DrawnPiece], sample: Option<&str>, desk: &mut Desk<'_>) {
     );
     let hint = "names and numbers of edges may differ between these sizes; export the nest again if they should not";
     desk.say(Diagnostic::warning(SIZES_DIFFER_IN_VERTICES, text).hint(hint), &base.block, "1", base.line);
+}
+
+/// Corners of sizes without points of their own, and notches of all sizes, should be as many as in the sample size.
+fn corners_and_notches(group: &[&DrawnPiece], sample: Option<&str>, desk: &mut Desk<'_>) {
+    let sized = || group.iter().copied().filter(|p| p.size.is_some());
+    let Some(base) = sized().find(|p| is_in_size(p, sample)).or_else(|| sized().next()) else { return };
+    let is_unmarked = sized().all(|p| !p.points.marked);
+    let corners = |p: &DrawnPiece| p.sewn().drawn.iter().filter(|n| n.kind == PointKind::Turn).count();
+    if is_unmarked && let Some((text, hint)) = uneven(base, sized(), "corners", corners) {
+        desk.say(Diagnostic::warning(SIZES_DIFFER_IN_VERTICES, text).hint(hint), &base.block, "1", base.line);
+    }
+    if let Some((text, hint)) = uneven(base, sized(), "notches", |p| p.notches.len()) {
+        desk.say(Diagnostic::warning(codes::SIZES_DIFFER_IN_NOTCHES, text).hint(hint), &base.block, "4", base.line);
+    }
+}
+
+/// Which sizes have another number of something than the base has, with the remedy.
+fn uneven<'a>(
+    base: &DrawnPiece,
+    sizes: impl Iterator<Item = &'a DrawnPiece>,
+    what: &str,
+    count: impl Fn(&DrawnPiece) -> usize,
+) -> Option<(String, &'static str)> {
+    let wanted = count(base);
+    let other: Vec<String> = sizes
+        .filter(|p| count(p) != wanted)
+        .map(|p| format!("{} ({})", p.size.as_deref().unwrap_or_default(), count(p)))
+        .collect();
+    let text = format!(
+        "the sizes {} of `{}` have another number of {what} than size {} ({wanted}); each was read on its own",
+        other.join(", "),
+        base.label(),
+        base.size.as_deref().unwrap_or_default()
+    );
+    let hint = "numbers of edges and notches may differ between these sizes; export the nest again if they should not";
+    (!other.is_empty()).then_some((text, hint))
+}
+
+fn is_in_size(piece: &DrawnPiece, size: Option<&str>) -> bool {
+    piece.size.as_deref().zip(size).is_some_and(|(a, b)| tidy(a) == tidy(b))
 }
 
 /// A piece that is not drawn in all sizes of the nest, and has no rules to make them.

@@ -1,6 +1,7 @@
 //! Statements of one size of a nest hold for all of them.
 
 use super::*;
+use crate::dxf::write::{PieceOptions, Sizes};
 use crate::rul;
 use toile_garment::Vec2;
 
@@ -126,4 +127,34 @@ fn a_finding_of_all_sizes_is_told_once_in_the_size_asked_for() {
     assert_eq!(of(Some("38")), ["BACK_38"]);
     let told = pattern.findings_of_size(None);
     assert!(told.iter().any(|f| f.message.ends_with("(and alike in 2 other sizes)")), "{told:?}");
+}
+
+/// Corners and notches of a size that are not as many as in the sample size are told with their counts.
+#[test]
+fn sizes_with_other_numbers_of_corners_or_notches_are_said() {
+    let w = Writer::default().pair(0, "SECTION").pair(2, "BLOCKS");
+    let w = [("34", 2), ("36", 2), ("38", 1)].into_iter().fold(w, |w, (size, notches)| {
+        let mut line = RECTANGLE.to_vec();
+        if size == "38" {
+            line.push((-200.0, 300.0));
+        }
+        let w = w.block(&format!("A_{size}")).text("1", "Piece Name: A").text("1", &format!("Size: {size}"));
+        let w = w.line("7", (60.0, 150.0), (60.0, 450.0)).polyline("1", true, &line);
+        (0..notches).fold(w, |w, k| w.point("4", 300.0, 100.0 + 200.0 * f64::from(k))).pair(0, "ENDBLK")
+    });
+    let w = w.pair(0, "ENDSEC").pair(0, "SECTION").pair(2, "ENTITIES").text("1", "Units: METRIC");
+    let pattern = good(&w.text("1", "Sample Size: 36").pair(0, "ENDSEC").pair(0, "EOF").0);
+    let mut told: Vec<&str> = pattern.findings.iter().map(|f| f.message.as_str()).collect();
+    told.sort_unstable();
+    assert_eq!(codes(&pattern.findings).len(), 2, "{told:?}");
+    let has = |what: &str, counts: [usize; 2]| {
+        let [other, base] = counts;
+        let text = format!("the sizes 38 ({other}) of `A` have another number of {what} than size 36 ({base})");
+        told.iter().any(|m| m.starts_with(&text))
+    };
+    assert!(has("corners", [5, 4]) && has("notches", [1, 2]), "{told:?}");
+    // A run that is written tells the counts, too.
+    let run = Sizes::new(&pattern, None).expect("sizes").draw(PieceOptions::default());
+    let counts = "(34, 36: 4 vertices, 2 notches; 38: 5 vertices, 1 notches)";
+    assert!(run.findings.iter().any(|f| f.message.ends_with(counts)), "{:?}", run.findings);
 }

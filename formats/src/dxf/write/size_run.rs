@@ -145,8 +145,9 @@ impl Sizes {
     ) -> Vec<DrawRule> {
         let Some(lines) = self.grown(sized).filter(|_| rules.list.len() <= RULES) else {
             let text = format!(
-                "`{}` has other vertices in other sizes, or is missing in one: it is written in every size it has, without grade rules",
-                sized.drawn.label()
+                "`{}` has other vertices in other sizes, or is missing in one: it is written in every size it has, without grade rules ({})",
+                sized.drawn.label(),
+                self.counts(sized.drawn.label())
             );
             let place = SourceRef::file(self.file.clone()).at_line(sized.drawn.line);
             findings.push(Diagnostic::warning(codes::SIZES_WITHOUT_RULES, text).at(place));
@@ -166,6 +167,20 @@ impl Sizes {
             }
         }
         out
+    }
+
+    /// How many vertices and notches a piece has in each size, sizes of the same counts together.
+    fn counts(&self, label: &str) -> String {
+        let mut sizes: BTreeMap<[usize; 2], Vec<&str>> = BTreeMap::new();
+        for (name, list) in self.names.iter().zip(&self.lists) {
+            for drawn in list.iter().map(|s| &s.drawn).filter(|d| d.label() == label) {
+                sizes.entry([drawn.boundary.drawn.len(), drawn.notches.len()]).or_default().push(name);
+            }
+        }
+        let one = |([vertices, notches], names): (&[usize; 2], &Vec<&str>)| {
+            format!("{}: {vertices} vertices, {notches} notches", names.join(", "))
+        };
+        sizes.iter().map(one).collect::<Vec<_>>().join("; ")
     }
 
     /// The vertices of the lines of a piece and where they go in each size; `None` when a size has others.
