@@ -283,9 +283,9 @@ fn on_fold(fold: Fold, dart: &DrawnDart) -> bool {
     dart.apexes.iter().all(|p| fold.passes(*p))
 }
 
-/// Away from the fold: what lies on it is its own mirror image.
+/// Away from the fold: what lies on it, or beside it by rounding, is its own mirror image. Marks are put onto it.
 fn beside(fold: Fold, points: &[Vec2]) -> bool {
-    points.iter().any(|p| fold.distance(*p) > 0.1)
+    points.iter().any(|p| !fold.passes(*p))
 }
 
 fn notches(drawn: &DrawnPiece, fold: Option<Fold>) -> Vec<DrawnNotch> {
@@ -293,6 +293,7 @@ fn notches(drawn: &DrawnPiece, fold: Option<Fold>) -> Vec<DrawnNotch> {
     if let Some(fold) = fold {
         let d = fold.0[1] - fold.0[0];
         let axis = libm::atan2(d.y, d.x);
+        list.iter_mut().filter(|n| fold.passes(n.at)).for_each(|n| n.at = fold.onto(n.at));
         let mirrored: Vec<DrawnNotch> = list
             .iter()
             .filter(|n| beside(fold, &[n.at]))
@@ -319,6 +320,7 @@ fn notch(n: &DrawnNotch, source: Option<SourceRef>) -> Notch {
 fn drills(drawn: &DrawnPiece, fold: Option<Fold>) -> Vec<Drill> {
     let mut list = drawn.inside.drills.clone();
     if let Some(fold) = fold {
+        list.iter_mut().filter(|d| fold.passes(d.at)).for_each(|d| d.at = fold.onto(d.at));
         let mirrored: Vec<Drill> =
             list.iter().filter(|d| beside(fold, &[d.at])).map(|d| Drill { at: fold.mirror(d.at), ..*d }).collect();
         list.extend(mirrored);

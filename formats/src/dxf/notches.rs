@@ -10,6 +10,8 @@ use toile_garment::notch::NotchKind;
 const DOUBLED: f64 = 0.05;
 /// A notch lies on a line within this, mm.
 const ON: f64 = 0.5;
+/// A notch belongs to the smooth line if that is nearer than the chords by more than this, mm.
+const CLEARLY: f64 = 0.1;
 /// A notch this near an edge stands on it, so that it stands on both edges of a corner, mm.
 const AT_CORNER: f64 = 0.05;
 /// Strokes this near each other belong to one notch, mm.
@@ -42,12 +44,46 @@ pub struct DrawnNotch {
     pub twin: Option<usize>,
 }
 
+/// A closed line that notches sit on: as it is drawn, and the smooth line through its points where that differs.
+#[derive(Clone, Copy, Debug)]
+pub struct EdgeLine<'a> {
+    /// As drawn, counter-clockwise.
+    pub drawn: &'a [Vec2],
+    /// The smooth line.
+    pub smooth: Option<&'a [Vec2]>,
+}
+
+impl<'a> EdgeLine<'a> {
+    /// A line that is used as it is drawn.
+    #[must_use]
+    pub fn as_drawn(drawn: &'a [Vec2]) -> Self {
+        Self { drawn, smooth: None }
+    }
+
+    /// Distance of the nearest of some points from the line as drawn and from the smooth line.
+    fn offs(&self, points: &[Vec2]) -> (f64, f64) {
+        let least = |line: &[Vec2]| points.iter().map(|p| geom::distance(*p, line, true)).fold(f64::INFINITY, f64::min);
+        (least(self.drawn), self.smooth.map_or(f64::INFINITY, least))
+    }
+
+    fn distance(&self, p: Vec2) -> f64 {
+        let (drawn, smooth) = self.offs(&[p]);
+        drawn.min(smooth)
+    }
+
+    /// The form of the line that some points belong to: the smooth one if they are clearly nearer to it.
+    fn form_at(&self, points: &[Vec2]) -> &'a [Vec2] {
+        let (drawn, smooth) = self.offs(points);
+        self.smooth.filter(|_| smooth + CLEARLY < drawn).unwrap_or(self.drawn)
+    }
+}
+
 /// The lines of a piece a notch can sit on.
 pub struct Ground<'a> {
-    /// Cut line, counter-clockwise.
-    pub boundary: &'a [Vec2],
+    /// Cut line.
+    pub boundary: EdgeLine<'a>,
     /// Sew line.
-    pub sew: Option<&'a [Vec2]>,
+    pub sew: Option<EdgeLine<'a>>,
     /// Internal lines and whether they are closed.
     pub internal: &'a [(Vec<Vec2>, bool)],
 }
@@ -56,10 +92,10 @@ impl Ground<'_> {
     /// Where a point sits, and how far from the boundary.
     #[must_use]
     pub fn place(&self, p: Vec2) -> (&'static str, f64) {
-        let off = geom::distance(p, self.boundary, true);
+        let off = self.boundary.distance(p);
         let on = if off <= ON {
             "boundary"
-        } else if self.sew.is_some_and(|s| geom::distance(p, s, true) <= ON) {
+        } else if self.sew.is_some_and(|s| s.distance(p) <= ON) {
             "sew"
         } else if self.internal.iter().any(|(l, closed)| geom::distance(p, l, *closed) <= ON) {
             "internal"
@@ -71,24 +107,26 @@ impl Ground<'_> {
 
     /// Inward normal at the boundary point nearest to `p`, radians.
     fn inward(&self, p: Vec2) -> Option<f64> {
-        geom::nearest(p, self.boundary, true).and_then(|foot| self.normal(foot.segment))
-    }
-
-    /// Inward normal of a segment of the boundary, radians.
-    fn normal(&self, segment: usize) -> Option<f64> {
-        let d = self.boundary[(segment + 1) % self.boundary.len()] - self.boundary[segment];
-        (d.norm() > 0.0).then(|| libm::atan2(d.x, -d.y))
+        let line = self.boundary.form_at(&[p]);
+        geom::nearest(p, line, true).and_then(|foot| normal(line, foot.segment))
     }
 
     /// Does an angle at `p` point out of the piece? At a corner it does if both edges say so: either of them may be
     /// the edge that the notch belongs to.
     fn is_outward(&self, p: Vec2, angle: f64) -> bool {
-        let n = self.boundary.len();
-        let meets = |i: &usize| geom::point_segment(p, self.boundary[*i], self.boundary[(i + 1) % n]).0 <= AT_CORNER;
-        let mut normals: Vec<f64> = (0..n).filter(meets).filter_map(|i| self.normal(i)).collect();
+        let line = self.boundary.drawn;
+        let n = line.len();
+        let meets = |i: &usize| geom::point_segment(p, line[*i], line[(i + 1) % n]).0 <= AT_CORNER;
+        let mut normals: Vec<f64> = (0..n).filter(meets).filter_map(|i| normal(line, i)).collect();
         normals.extend(self.inward(p).filter(|_| normals.is_empty()));
         !normals.is_empty() && normals.iter().all(|normal| libm::cos(angle - normal) < -1e-9)
     }
+}
+
+/// Inward normal of a segment of a counter-clockwise line, radians.
+fn normal(line: &[Vec2], segment: usize) -> Option<f64> {
+    let d = line[(segment + 1) % line.len()] - line[segment];
+    (d.norm() > 0.0).then(|| libm::atan2(d.x, -d.y))
 }
 
 /// Notches from points: doubled ones merged, direction made to point inwards.
@@ -195,7 +233,8 @@ fn near(a: &Stroke, b: &Stroke) -> bool {
 
 fn grouped(group: &[Stroke], ground: &Ground<'_>) -> Option<DrawnNotch> {
     let ends: Vec<Vec2> = group.iter().flat_map(|s| s.ends).collect();
-    let offs: Vec<f64> = ends.iter().map(|p| geom::distance(*p, ground.boundary, true)).collect();
+    let line = ground.boundary.form_at(&ends);
+    let offs: Vec<f64> = ends.iter().map(|p| geom::distance(*p, line, true)).collect();
     let nearest = offs.iter().copied().fold(f64::INFINITY, f64::min);
     let depth = offs.iter().copied().fold(0.0, f64::max) - nearest;
     let base: Vec<Vec2> = ends.iter().zip(&offs).filter(|(_, o)| **o <= nearest + 0.1).map(|(p, _)| *p).collect();
@@ -250,7 +289,7 @@ mod tests {
     #[test]
     fn doubled_points_merge_and_outward_angles_turn() {
         let line = square();
-        let ground = Ground { boundary: &line, sew: None, internal: &[] };
+        let ground = Ground { boundary: EdgeLine::as_drawn(&line), sew: None, internal: &[] };
         // On the right edge inwards is -x, 180 degrees; the file says 0.
         let marks = [mark(100.0, 50.0, Some(0.0)), mark(100.0, 50.03, None), mark(60.0, 50.0, None)];
         let (notches, doubled) = from_marks(&marks, &ground, 1.0);
@@ -270,8 +309,8 @@ mod tests {
             let mut line = square();
             line[2] = corner;
             line.rotate_left(first);
-            let ground = Ground { boundary: &line, sew: None, internal: &[] };
-            let side = ground.normal((5 - first) % 4).expect("side");
+            let ground = Ground { boundary: EdgeLine::as_drawn(&line), sew: None, internal: &[] };
+            let side = normal(&line, (5 - first) % 4).expect("side");
             for (given, wanted) in [(-half_turn / 2.0, -half_turn / 2.0), (side, side)] {
                 let (notches, _) = from_marks(&[mark(corner.x, corner.y, Some(given))], &ground, 1.0);
                 assert!((notches[0].angle.expect("angle") - wanted).abs() < 1e-12, "{first} {given}");
@@ -285,7 +324,7 @@ mod tests {
     #[test]
     fn strokes_group_into_notches() {
         let line = square();
-        let ground = Ground { boundary: &line, sew: None, internal: &[] };
+        let ground = Ground { boundary: EdgeLine::as_drawn(&line), sew: None, internal: &[] };
         let stroke =
             |a: (f64, f64), b: (f64, f64)| Stroke { id: 0, line: 1, ends: [Vec2::new(a.0, a.1), Vec2::new(b.0, b.1)] };
         let strokes = [

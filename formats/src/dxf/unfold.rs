@@ -44,6 +44,12 @@ impl Fold {
         self.distance(p) <= ON_FOLD
     }
 
+    /// The place on the fold's line nearest to this one.
+    #[must_use]
+    pub fn onto(&self, p: Vec2) -> Vec2 {
+        (p + self.mirror(p)) * 0.5
+    }
+
     /// Does a place of a closed half line lie on the fold alone, so that the whole line passes it nowhere?
     #[must_use]
     pub fn holds_alone(&self, p: Vec2, half: &[Vec2]) -> bool {

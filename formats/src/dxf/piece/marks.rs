@@ -5,7 +5,7 @@ use super::{Desk, DrawnPiece, mm};
 use crate::dxf::geom::{self, Crossing};
 use crate::dxf::ledger::Verdict;
 use crate::dxf::limits;
-use crate::dxf::notches::{self, Ground};
+use crate::dxf::notches::{self, EdgeLine, Ground};
 use crate::dxf::outline::{Making, Outline};
 use crate::dxf::unfold::Fold;
 use toile_garment::{Diagnostic, Vec2};
@@ -76,15 +76,14 @@ impl DrawnPiece {
             desk.say(Diagnostic::error(codes::TOO_MANY_NOTCHES, text), &self.block, "4", self.line);
             return;
         }
-        let boundary = self.boundary.positions();
-        let sew = self.sew.as_ref().map(Outline::positions);
+        let (boundary, sew) = (forms(&self.boundary), self.sew.as_ref().map(forms));
         let internal: Vec<(Vec<Vec2>, bool)> = self.inside.internal.iter().map(|p| (p.positions(), p.closed)).collect();
-        let ground = Ground { boundary: &boundary, sew: sew.as_deref(), internal: &internal };
+        let ground = Ground { boundary: edge(&boundary), sew: sew.as_ref().map(edge), internal: &internal };
         let (mut list, doubled) = notches::from_marks(&self.unfinished.marks, &ground, desk.rules.notch_scale);
         list.extend(notches::from_strokes(&self.unfinished.strokes, &ground));
         list.extend(self.boundary.cut.iter().map(|c| notches::cut_in(c, self.boundary.line)));
         if let Some(fold) = self.axes.fold.map(Fold) {
-            let line = |on: &str| if on == "sew" { sew.as_deref().unwrap_or(&boundary) } else { &boundary };
+            let line = |on: &str| &sew.as_ref().filter(|_| on == "sew").unwrap_or(&boundary).0;
             let on_edge = list.iter_mut().filter(|n| matches!(n.on, "boundary" | "sew"));
             on_edge.filter(|n| fold.holds_alone(n.at, line(n.on))).for_each(|n| n.on = "fold");
         }
@@ -99,4 +98,13 @@ impl DrawnPiece {
         }
         self.notches = list;
     }
+}
+
+/// A line as drawn, and the smooth line through its points where one was made.
+fn forms(outline: &Outline) -> (Vec<Vec2>, Option<Vec<Vec2>>) {
+    (outline.positions(), (outline.making != Making::AsDrawn).then(|| outline.work_positions()))
+}
+
+fn edge((drawn, smooth): &(Vec<Vec2>, Option<Vec<Vec2>>)) -> EdgeLine<'_> {
+    EdgeLine { drawn, smooth: smooth.as_deref() }
 }

@@ -80,3 +80,51 @@ fn unknown_keys_stay_as_they_are() {
     let expected = [("1", "Stretch  Direction: Both: ways"), ("1", "Rotation: 180"), ("8", "B")];
     assert_eq!(texts, expected.map(|(l, t)| (l.to_owned(), t.to_owned())));
 }
+
+/// Four curve points on a quarter of a circle of 150 mm: the chords leave it by 2.9 mm.
+fn sparse_curve() -> Vec<(f64, f64)> {
+    let on_arc = |k: i32| {
+        let angle = (-90.0 - 22.5 * f64::from(k)).to_radians();
+        (300.0 + 150.0 * libm::cos(angle), 400.0 + 150.0 * libm::sin(angle))
+    };
+    [(0.0, 0.0), (300.0, 0.0)].into_iter().chain((0..=4).map(on_arc)).chain([(0.0, 400.0)]).collect()
+}
+
+#[test]
+fn a_notch_on_a_sparse_curve_is_judged_by_the_curve() {
+    let outline = sparse_curve();
+    let angle = (-90.0_f64 - 11.25).to_radians();
+    let along = |radius: f64| (300.0 + radius * libm::cos(angle), 400.0 + radius * libm::sin(angle));
+    let (on, inner) = (along(150.0), along(154.0));
+    let piece = |body: &dyn Fn(Writer) -> Writer| {
+        let corners: Vec<(f64, f64)> = [0, 1, 2, 6, 7].map(|i| outline[i]).to_vec();
+        let text = file(|w| body(w.polyline("1", true, &outline).points("2", &corners).points("3", &outline[3..6])));
+        good(&text)
+    };
+    for (pattern, depth) in [
+        (piece(&|w| w.point("4", on.0, on.1).pair(30, "4")), 4.0),
+        // A stroke from the curve inwards: its base is on the curve, although its other end is near the chord.
+        (piece(&|w| w.line("4", inner, on)), 4.0),
+    ] {
+        assert_eq!(codes(&pattern.findings), ["curve-interpolated"]);
+        let notch = &pattern.pieces[0].notches[0];
+        assert!(notch.on == "boundary" && notch.off < 0.2, "{notch:?}");
+        assert!((notch.at - Vec2::new(on.0, on.1)).norm() < 1e-9 && (notch.depth - depth).abs() < 0.2, "{notch:?}");
+        let inwards = notch.angle.expect("angle");
+        assert!(libm::cos(inwards - angle) > 0.99, "{inwards} {angle}");
+    }
+}
+
+#[test]
+fn a_mark_beside_the_fold_is_one_mark_on_it() {
+    let half = [(0.0, 0.0), (150.0, 0.0), (150.0, 400.0), (0.0, 400.0)];
+    let text = file(|w| {
+        let w = w.polyline("1", true, &half).line("6", (0.0, 0.0), (0.0, 400.0));
+        let w = w.point("4", 0.4, 300.0).point("4", 0.4, 0.0).point("13", 0.3, 200.0).point("13", 40.0, 200.0);
+        w.polyline("8", false, &[(0.4, 100.0), (0.4, 150.0)])
+    });
+    let piece = &garment(&good(&text)).pieces[0];
+    let on_fold = piece.notches.iter().map(|n| n.at.x).chain(piece.drill_holes.iter().map(|d| d.at.x));
+    assert_eq!(on_fold.filter(|x| *x == 0.0).count(), 3);
+    assert_eq!((piece.notches.len(), piece.drill_holes.len(), piece.internal_lines.len()), (2, 3, 1));
+}
