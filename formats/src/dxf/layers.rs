@@ -64,6 +64,12 @@ impl Layers {
         tidy(layer) == IGNORE || Self::default().role(layer) != Role::Unknown
     }
 
+    /// Has neither the standard nor the user's table a word on this layer?
+    #[must_use]
+    pub(crate) fn is_without_word(&self, layer: &str) -> bool {
+        !self.remap.contains_key(tidy(layer)) && self.role(layer) == Role::Unknown
+    }
+
     /// Meaning of a layer of the file.
     #[must_use]
     pub fn role(&self, layer: &str) -> Role {

@@ -66,6 +66,8 @@ pub struct Sheet {
     pub dense: Vec<Path>,
     pub sew: Vec<Path>,
     pub dense_sew: Vec<Path>,
+    /// Dense copies of other lines (layers 85 and 86), each with its layer.
+    pub dense_other: Vec<(String, Path)>,
     pub internal: Vec<Path>,
     pub cutouts: Vec<Path>,
     pub turn: Vec<Vec2>,
@@ -418,6 +420,7 @@ impl<'a> Sorter<'a> {
                 Role::DenseOther => {
                     let rule = "dense copy of internal lines, not needed";
                     self.ledger.note(entity.id, Verdict::Interpreted, rule);
+                    sheet.dense_other.push((entity.layer.clone(), path(points())));
                 }
                 Role::Match => {
                     self.ledger.note(entity.id, Verdict::Accepted, "stripe or plaid line (layers 9 and 10)");

@@ -5,9 +5,37 @@ use toile_garment::piece::Quantity;
 /// Splits at the first colon; the key in lower case with single blanks.
 #[must_use]
 pub fn key_value(text: &str) -> Option<(String, String)> {
-    let (key, value) = text.split_once(':')?;
+    let (key, value) = text.split_once([':', '：'])?;
     let key = key.split_whitespace().collect::<Vec<_>>().join(" ").to_lowercase();
     (!key.is_empty()).then(|| (key, value.trim().to_owned()))
+}
+
+/// Key and value of a text that has a blank or an equals sign where the colon belongs, as `SIZE 36`. The value must be
+/// one that the key can have, since labels look alike: `SIZE CHART 2020` is none.
+#[must_use]
+pub fn without_colon(text: &str) -> Option<(&'static str, String)> {
+    const KEYS: [&str; 6] = ["sample size", "size name", "size", "quantity", "qty", "units"];
+    let words: Vec<&str> = text.split([' ', '\t', '=']).filter(|w| !w.is_empty()).collect();
+    let begins = |key: &&&str| {
+        let own: Vec<&str> = key.split(' ').collect();
+        words.len() > own.len() && own.iter().zip(&words).all(|(a, b)| a.eq_ignore_ascii_case(b))
+    };
+    let key = KEYS.iter().find(begins)?;
+    let value = words.get(key.split(' ').count()..)?.join(" ");
+    let fits = match *key {
+        "quantity" | "qty" => quantity(&value).is_some(),
+        "units" => unit(&value).is_some(),
+        _ => is_size(&value),
+    };
+    (text.split_once([':', '：']).is_none() && fits).then_some((*key, value))
+}
+
+/// Can this be the name of a size, one word that is short or has a digit: `36`, `XL`, `40R`?
+fn is_size(text: &str) -> bool {
+    let letters = text.trim_start_matches(|c: char| c.is_ascii_digit()).to_ascii_lowercase();
+    let known = ["", "s", "m", "l", "xs", "xl", "r", "t", "p", "w"];
+    let is_short = text.len() <= 6 && text.chars().all(|c| c.is_ascii_alphanumeric() || matches!(c, '/' | '-'));
+    is_short && (known.contains(&letters.trim_start_matches('x')) || text.chars().any(|c| c.is_ascii_digit()))
 }
 
 /// The key of the standard that a key of other programs stands for.
@@ -19,6 +47,23 @@ pub fn foreign_key(key: &str) -> Option<&'static str> {
         "mat" => Some("material"),
         _ => None,
     }
+}
+
+/// The key of the standard that a key of other programs stands for among the texts of the style.
+#[must_use]
+pub fn foreign_style_key(key: &str) -> Option<&'static str> {
+    match key {
+        "unit" | "unit of measure" | "measurement unit" => Some("units"),
+        "sample" | "base size" | "basic size" => Some("sample size"),
+        "style" | "style no" | "style number" | "model" => Some("style name"),
+        _ => None,
+    }
+}
+
+/// The key itself, or the key of the standard that it stands for.
+#[must_use]
+pub fn own_key(key: &str) -> &str {
+    foreign_key(key).unwrap_or(key)
 }
 
 /// Is this a key of the standards, or one of other programs that is understood?
@@ -144,6 +189,17 @@ mod tests {
     fn forms() {
         assert_eq!(key_value("Piece  NAME:FRONT: A"), Some(("piece name".into(), "FRONT: A".into())));
         assert_eq!(key_value("CATEGORY: "), Some(("category".into(), String::new())));
+        assert_eq!(key_value("尺码：36"), Some(("尺码".into(), "36".into())));
+        for (text, key, value) in
+            [("SIZE 36", "size", "36"), ("Size = XXL", "size", "XXL"), ("Sample  Size 40R", "sample size", "40R")]
+        {
+            assert_eq!(without_colon(text), Some((key, value.to_owned())), "{text}");
+        }
+        assert_eq!(without_colon("QTY 2"), Some(("qty", "2".to_owned())));
+        assert_eq!(without_colon("Units METRIC"), Some(("units", "METRIC".to_owned())));
+        for label in ["SIZE", "SIZE CHART", "Size: 36", "SIZE 36 FRONT", "QTY many", "UNITS OF CLOTH", "SIZES 36"] {
+            assert_eq!(without_colon(label), None, "{label}");
+        }
         assert_eq!(rule_number("# 12"), Some((12, None)));
         assert_eq!(rule_number("#3, 4"), Some((3, Some(4))));
         assert_eq!(rule_number("NM"), None);

@@ -42,12 +42,17 @@ codes! {
     /// for; `toile inspect` shows them with their faults.
     PIECES_REFUSED = "pieces-refused";
 
-    /// A flat drawing has an upright rectangle round all its pieces. It was taken for a plot frame and left out. If it
-    /// is a piece with cutouts, export it as a block of its own.
+    /// A flat drawing has an upright rectangle round pieces that fill it. It was taken for a plot frame and left out. If
+    /// it is a piece with cutouts, export every piece as a block of its own.
     PLOT_FRAME_LEFT_OUT = "plot-frame-left-out";
 
-    /// Texts of pieces have keys that are not those of the standards, as `PIECE:` or `QTY:`. They were read as the keys
-    /// they stand for.
+    /// A flat drawing has an upright rectangle round other closed lines, and nothing says whether it is a plot frame or
+    /// a piece. It was read as a piece, and what lies in it as lines of this piece. Delete the rectangle if it is a
+    /// frame, or export every piece as a block of its own.
+    PLOT_FRAME_UNDECIDED = "plot-frame-undecided";
+
+    /// Texts of pieces or of the style have keys that are not those of the standards, as `PIECE:`, `QTY:` or `Unit:`,
+    /// or no colon behind their key, as `SIZE 36`. They were read as the keys they stand for.
     TEXT_KEY_FOREIGN = "text-key-foreign";
 
     /// Texts of pieces have keys without a meaning for this program. The texts are kept and written again.

@@ -1,9 +1,10 @@
 //! A flat drawing: no block is a piece, so the closed lines of ENTITIES are.
 //!
-//! A plot frame round all pieces is left out. Open lines belong to the piece they lie in or touch: short ones at its
+//! Plot frames round pieces are left out. Open lines belong to the piece they lie in or touch: short ones at its
 //! outline are strokes of notches.
 
 use super::codes;
+use super::frames;
 use super::sheets::Draft;
 use crate::dxf::chain::{self, Path};
 use crate::dxf::codes::PIECES_FROM_ENTITIES;
@@ -14,19 +15,14 @@ use crate::dxf::limits;
 use crate::dxf::model::{Drawing, Entity, Shape};
 use crate::dxf::sheet::{Drill, Mark, Note, STROKE, Sheet, Sorter, Stroke};
 use crate::dxf::tolerances::Tolerances;
-use std::collections::BTreeMap;
 use toile_garment::{Diagnostic, Vec2};
 
 /// A line this near to an outline touches it, mm.
-const TOUCH: f64 = 0.5;
+pub(super) const TOUCH: f64 = 0.5;
 /// An open line is an outline with a gap only if the gap is no larger share of its length than this …
 const GAP: f64 = 0.25;
 /// … and it is at least this long, mm.
 const OUTLINE: f64 = 100.0;
-/// The pieces in a plot frame cover at least this share of it: pockets and buttonholes cover less of a piece.
-const FULL: f64 = 0.3;
-/// A piece in a plot frame is at least this large, mm.
-const PIECE: f64 = 30.0;
 
 /// A piece of a flat drawing.
 struct Outer {
@@ -53,10 +49,7 @@ pub(super) fn flat(drawing: &Drawing, sorter: &mut Sorter<'_>, tolerances: &Tole
     let mut loops = chained.closed;
     let area = |p: &Path| geom::area(&p.positions()).abs();
     loops.sort_by(|a, b| area(b).total_cmp(&area(a)));
-    while let Some(frame) = frame(&loops) {
-        leave_out_frame(&frame, sorter);
-        loops.retain(|l| l.ids != frame.ids);
-    }
+    frames::leave_out(&mut loops, sorter);
     let mut outer: Vec<Outer> = Vec::new();
     for path in loops.into_iter().take(limits::PIECES + 1) {
         match outer.iter().position(|o| geom::inside(path.points[0].0, &o.polygon)) {
@@ -89,56 +82,14 @@ pub(super) fn flat(drawing: &Drawing, sorter: &mut Sorter<'_>, tolerances: &Tole
 fn as_outlines(drawing: &Drawing, layers: &Layers) -> Vec<Entity> {
     let lines = |e: &Entity| !e.shape.extent().is_empty();
     let on_one = drawing.entities.iter().any(|e| layers.role(&e.layer) == Role::Boundary && lines(e));
-    let standard = Layers::new(&BTreeMap::new());
     let relabelled = |e: &Entity| {
         let mut e = e.clone();
-        if !on_one && lines(&e) && standard.role(&e.layer) == Role::Unknown {
+        if !on_one && lines(&e) && layers.is_without_word(&e.layer) {
             e.layer = "1".into();
         }
         e
     };
     drawing.entities.iter().filter(|e| !matches!(e.shape, Shape::Insert { .. })).map(relabelled).collect()
-}
-
-/// The largest closed line, if it is a plot frame: an upright rectangle round all others, which fill it as pieces do.
-fn frame(loops: &[Path]) -> Option<Path> {
-    let (first, others) = loops.split_first()?;
-    let (lo, hi) = geom::bounds(first.positions())?;
-    let size = hi - lo;
-    let on_edge =
-        |p: &Vec2| (p.x - lo.x).abs().min((hi.x - p.x).abs()).min((p.y - lo.y).abs()).min((hi.y - p.y).abs()) <= TOUCH;
-    let whole = size.x * size.y;
-    let points = first.positions();
-    let upright = points.iter().all(on_edge) && geom::area(&points).abs() >= 0.999 * whole;
-    let holds = |p: &Path| p.points.iter().all(|q| geom::inside(q.0, &points));
-    if !upright || !others.iter().all(holds) {
-        return None;
-    }
-    let mut top: Vec<Vec<Vec2>> = Vec::new();
-    for path in others {
-        let line = path.positions();
-        let large = geom::bounds(line.iter().copied()).is_some_and(|(lo, hi)| (hi.x - lo.x).min(hi.y - lo.y) >= PIECE);
-        if large && !top.iter().any(|t| geom::inside(line[0], t)) {
-            top.push(line);
-        }
-    }
-    let covered: f64 = top.iter().map(|t| geom::area(t).abs()).sum();
-    (top.len() >= 2 && covered >= FULL * whole).then(|| first.clone())
-}
-
-fn leave_out_frame(frame: &Path, sorter: &mut Sorter<'_>) {
-    for id in &frame.ids {
-        sorter.ledger.overrule(*id, Verdict::Refused, "plot frame round the pieces");
-    }
-    let (lo, hi) = geom::bounds(frame.positions()).unwrap_or_default();
-    let text = format!(
-        "a rectangle of {:.0} × {:.0} mm round all pieces was taken for a plot frame and left out",
-        hi.x - lo.x,
-        hi.y - lo.y
-    );
-    let hint = "if it is a piece with cutouts, export it as a block of its own";
-    let place = sorter.findings.place(frame.line);
-    sorter.findings.push(Diagnostic::warning(codes::PLOT_FRAME_LEFT_OUT, text).at(place).hint(hint));
 }
 
 /// Gives an open line to the piece it lies in or touches; gives it back where there is none.
@@ -194,7 +145,8 @@ fn share_out(all: Sheet, outer: &mut [Outer]) {
     let first = |p: &Path| p.points.first().map_or(Vec2::zeros(), |p| p.0);
     let start = |s: &Stroke| (s.ends[0] + s.ends[1]) * 0.5;
     share!(
-        stripes by |s: &(String, Path)| first(&s.1), dense by first, sew by first, dense_sew by first, internal by first, cutouts by first,
+        stripes by |s: &(String, Path)| first(&s.1), dense_other by |s: &(String, Path)| first(&s.1),
+        dense by first, sew by first, dense_sew by first, internal by first, cutouts by first,
         turn by |p: &Vec2| *p, curve by |p: &Vec2| *p, marks by |m: &Mark| m.at,
         notch_strokes by start, axes.reference by start, axes.mirror by start, axes.grain by start,
         drills by |d: &Drill| d.at,

@@ -4,6 +4,7 @@ mod attributes;
 mod block_names;
 pub(crate) mod codes;
 mod flat;
+mod frames;
 mod inserts;
 mod layer_names;
 mod nest_findings;
@@ -173,7 +174,7 @@ fn read_into(bytes: &[u8], file: &str, options: &ReadOptions, findings: &mut Fin
     let layer_names = LayerNames::of_file(&drawing);
     layer_names.check_table(&options.layers, findings);
     let mut ledger = Ledger::new(drawing.entity_count);
-    let style_texts = style_texts(&drawing);
+    let style_texts = style_texts(&drawing, findings);
     let profile = vendor::detect(&drawing, &layers, &style_texts, options.vendor);
     let mut blocks: Vec<Block> = std::mem::take(&mut drawing.blocks);
     let mut by_name: BTreeMap<String, Vec<usize>> = BTreeMap::new();
@@ -297,15 +298,40 @@ fn sizes_in_order(pieces: &[DrawnPiece], refused: &[RefusedPiece]) -> Vec<String
     all.into_iter().flatten().filter(|size| seen.insert(*size)).cloned().collect()
 }
 
-fn style_texts(drawing: &Drawing) -> BTreeMap<String, String> {
+/// The texts of the style by key. Keys of other programs, and texts without a colon, stand for those of the standard
+/// that the file does not have; they are told.
+fn style_texts(drawing: &Drawing, findings: &mut Findings) -> BTreeMap<String, String> {
     let mut map = BTreeMap::new();
-    for entity in &drawing.entities {
-        let Shape::Text { value, .. } = &entity.shape else { continue };
-        for (key, value) in value.lines().filter_map(texts::key_value) {
+    let mut foreign = BTreeMap::new();
+    for line in drawing.entities.iter().filter_map(text_of).flat_map(str::lines) {
+        if let Some((key, value)) = texts::key_value(line) {
+            if let Some(own) = texts::foreign_style_key(&key).filter(|_| !value.is_empty()) {
+                foreign.entry(own).or_insert((format!("`{key}`"), Some(key.clone()), value.clone()));
+            }
             map.entry(key).or_insert(value);
+        } else if let Some((own @ ("units" | "sample size"), value)) = texts::without_colon(line) {
+            foreign.entry(own).or_insert((format!("`{}`", line.trim()), None, value));
         }
     }
+    foreign.retain(|own, _| map.get(*own).is_none_or(String::is_empty));
+    let mut read = Vec::new();
+    for (own, (name, key, value)) in foreign {
+        read.push(format!("{name} as `{own}`"));
+        key.and_then(|k| map.remove(&k));
+        map.insert(own.to_owned(), value);
+    }
+    if !read.is_empty() {
+        let text = format!("texts of the style are not written as in the standards; read were {}", read.join(", "));
+        findings.push(Diagnostic::info(codes::TEXT_KEY_FOREIGN, text).at(findings.place(1)));
+    }
     map
+}
+
+fn text_of(entity: &Entity) -> Option<&str> {
+    match &entity.shape {
+        Shape::Text { value, .. } => Some(value.as_str()),
+        _ => None,
+    }
 }
 
 /// The evidence on how large the pieces are in file units.
@@ -342,11 +368,9 @@ impl Sides<'_> {
 
     /// A second text `Units` that says something else.
     fn other_unit(&self, first: &str) -> Option<String> {
-        let lines = self.drawing.entities.iter().filter_map(|e| match &e.shape {
-            Shape::Text { value, .. } => Some(value.as_str()),
-            _ => None,
-        });
-        let units = lines.flat_map(str::lines).filter_map(texts::key_value).filter(|(key, _)| key == "units");
+        let lines = self.drawing.entities.iter().filter_map(text_of);
+        let is_unit = |key: &str| key == "units" || texts::foreign_style_key(key) == Some("units");
+        let units = lines.flat_map(str::lines).filter_map(texts::key_value).filter(|(key, _)| is_unit(key));
         let mut others =
             units.map(|(_, value)| value).filter(|v| !v.is_empty() && texts::unit(v) != texts::unit(first));
         others.next()
@@ -447,6 +471,16 @@ fn report_keys(pieces: &[DrawnPiece], findings: &mut Findings) {
     let foreign: BTreeSet<String> = pieces.iter().flat_map(|p| p.texts.foreign.iter().cloned()).collect();
     if !foreign.is_empty() {
         let text = format!("the keys {} of piece texts are those of another standard; they were read", list(foreign));
+        let at = place(findings);
+        findings.push(Diagnostic::info(codes::TEXT_KEY_FOREIGN, text).at(at));
+    }
+    let without_colon: BTreeSet<String> =
+        pieces.iter().flat_map(|p| p.texts.without_colon.iter().cloned()).take(KEYS).collect();
+    if !without_colon.is_empty() {
+        let text = format!(
+            "the texts {} of pieces have no colon behind their key; they were read as if they had",
+            list(without_colon)
+        );
         let at = place(findings);
         findings.push(Diagnostic::info(codes::TEXT_KEY_FOREIGN, text).at(at));
     }

@@ -5,6 +5,10 @@ use toile_garment::Code;
 codes! {
     pub(crate) list CODES;
 
+    /// A line stands on a layer for dense copies (85 to 87), but the piece has no line that it is a copy of. It was left
+    /// out. If it is meant as a line of its own, map its layer with `layers` of `import-dxf`.
+    COPY_WITHOUT_ORIGINAL = "copy-without-original";
+
     /// Curve points were joined by a smooth curve, as the standard asks; the message says how far the curve leaves the
     /// chords.
     CURVE_INTERPOLATED = "curve-interpolated";
@@ -105,7 +109,8 @@ codes! {
     SEW_LINE_CROSSES = "sew-line-crosses";
 
     /// The sew line goes through itself, and not in a small loop at a corner. It was taken as drawn; the mesher refuses
-    /// it. Correct it in the pattern program.
+    /// it. One that encloses next to nothing, as a bow does, was kept as an internal line, and the cut line is sewn.
+    /// Correct it in the pattern program.
     SEW_LINE_CROSSES_ITSELF = "sew-line-crosses-itself";
 
     /// The sew line lies much farther inside the cut line than an allowance is wide. It was taken as drawn; make sure

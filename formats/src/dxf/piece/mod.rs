@@ -2,6 +2,7 @@
 
 mod border;
 pub(crate) mod codes;
+mod copies;
 mod folded;
 mod loops;
 mod marks;
@@ -12,6 +13,7 @@ mod refused;
 mod run_on;
 mod sew;
 
+pub(super) use offset::is_moved_inwards;
 pub use refused::RefusedPiece;
 pub(crate) use refused::in_file_order;
 
@@ -77,6 +79,8 @@ pub struct PieceTexts {
     pub quantity_told: bool,
     /// Keys of other programs that were read as those of the standard.
     pub foreign: BTreeSet<String>,
+    /// Texts that have no colon behind their key, and were read as if they had.
+    pub without_colon: BTreeSet<String>,
     /// Other piece texts by key, in lower case.
     pub keys: BTreeMap<String, String>,
     /// Texts without meaning: place, layer, text.
@@ -218,7 +222,8 @@ impl DrawnPiece {
     ///
     /// # Errors
     /// The outline is wrong, which is then a finding.
-    pub(crate) fn outline(block: &str, line: u64, sheet: Sheet, desk: &mut Desk<'_>) -> Result<Self, RefusedPiece> {
+    pub(crate) fn outline(block: &str, line: u64, mut sheet: Sheet, desk: &mut Desk<'_>) -> Result<Self, RefusedPiece> {
+        let without_colon = notes::add_colons(&mut sheet.notes);
         let names = notes::names(&sheet.notes);
         let (outline, inner, marks) = match Self::line_of_sheet(block, line, &sheet, desk) {
             Some(found) => found,
@@ -234,6 +239,7 @@ impl DrawnPiece {
             texts: PieceTexts {
                 quantity: quantity(sheet.inserted),
                 quantity_told: sheet.inserted.is_some(),
+                without_colon,
                 ..PieceTexts::default()
             },
             sew: None,
@@ -266,6 +272,7 @@ impl DrawnPiece {
         if let Some(sew) = &mut piece.sew {
             sew.classify(&marks);
         }
+        piece.say_copies_of_nothing(&sheet.dense_other, desk);
         piece.settle_rules(desk);
         if !piece.points.marked {
             let corners = piece.boundary.drawn.iter().filter(|n| n.kind == PointKind::Turn);

@@ -7,10 +7,13 @@ use crate::dxf::geom::PointIndex;
 use crate::dxf::grade;
 use crate::dxf::sheet::Note;
 use crate::dxf::texts;
+use std::collections::BTreeSet;
 use toile_garment::{Diagnostic, Vec2};
 
 /// A rule belongs to a vertex this far off if there is no other, mm.
 const RULE_OFF: f64 = 1.0;
+
+const QUANTITY_HINT: &str = "write a number, or two as `1,1`: as drawn, and mirrored";
 
 /// Name and size among the texts of a block: the first of each that says something; without one, what a key of other
 /// programs says.
@@ -21,6 +24,22 @@ pub(super) fn names(notes: &[Note]) -> [Option<String>; 2] {
     let name =
         first(&|key| key == "piece name").or_else(|| first(&|key| texts::foreign_key(key) == Some("piece name")));
     [name, first(&|key| matches!(key, "size" | "size name" | "sample size"))]
+}
+
+/// Puts the colon into texts that lack it, as `SIZE 36`, where no other text of the block says this. Tells which.
+pub(super) fn add_colons(notes: &mut [Note]) -> BTreeSet<String> {
+    let meaning =
+        |key: &str| if matches!(key, "size name" | "sample size") { "size" } else { texts::own_key(key) }.to_owned();
+    let told = notes.iter().filter_map(|n| texts::key_value(&n.text)).filter(|(_, value)| !value.is_empty());
+    let told: BTreeSet<String> = told.map(|(key, _)| meaning(&key)).collect();
+    let mut added = BTreeSet::new();
+    for note in notes {
+        let Some((key, value)) = texts::without_colon(&note.text) else { continue };
+        if key != "units" && !told.contains(&meaning(key)) {
+            added.insert(std::mem::replace(&mut note.text, format!("{key}: {value}")));
+        }
+    }
+    added
 }
 
 impl DrawnPiece {
@@ -58,19 +77,44 @@ impl DrawnPiece {
         }
     }
 
-    /// Says that texts of a piece give different quantities.
+    /// Says that texts of a piece give different quantities, and quantities that cannot be understood.
     fn check_quantities(&self, notes: &[Note], desk: &mut Desk<'_>) {
-        let said = notes.iter().filter_map(|n| texts::key_value(&n.text)).filter(|(key, _)| key == "quantity");
-        let mut values: Vec<String> = said.map(|(_, value)| value).filter(|v| texts::quantity(v).is_some()).collect();
-        let Some(last) = values.pop() else { return };
-        if let Some(other) = values.iter().find(|v| texts::quantity(v) != texts::quantity(&last)) {
+        let keyed = notes.iter().filter_map(|n| Some((texts::key_value(&n.text)?, n)));
+        let said = keyed.filter(|((key, _), _)| texts::own_key(key) == "quantity");
+        let (own, foreign): (Vec<_>, Vec<_>) =
+            said.map(|((key, value), n)| (key, value, n)).partition(|(key, _, _)| key == "quantity");
+        if own.is_empty() {
+            foreign.iter().for_each(|(_, value, note)| self.say_foreign_unclear(value, &note.text, desk));
+        }
+        let is_clear = |(_, value, _): &&(String, String, &Note)| texts::quantity(value).is_some();
+        let (own, foreign): (Vec<_>, Vec<_>) =
+            (own.iter().filter(is_clear).collect(), foreign.iter().filter(is_clear).collect());
+        let (counts, why) = match (own.last(), foreign.first()) {
+            (Some(last), _) if foreign.is_empty() => (last, "the last one counts"),
+            (Some(last), _) => (last, "that under the key `Quantity` counts"),
+            (None, Some(first)) => (first, "the first one counts"),
+            (None, None) => return,
+        };
+        let differs = |other: &&&(String, String, &Note)| texts::quantity(&other.1) != texts::quantity(&counts.1);
+        if let Some(other) = own.iter().chain(&foreign).find(differs) {
             let text = format!(
-                "block `{}` has two texts `Quantity` that differ: `{other}` and `{last}`; the last one counts",
-                self.block
+                "block `{}` has two texts `Quantity` that differ: `{}` and `{}`; {why}",
+                self.block, other.1, counts.1
             );
             let hint = "take the wrong one out of the block";
             desk.say(Diagnostic::warning(codes::TEXT_CONTRADICTS, text).hint(hint), &self.block, "1", self.line);
         }
+    }
+
+    /// Says that a quantity under a key of another program cannot be understood, where no other text says it.
+    fn say_foreign_unclear(&self, value: &str, whole: &str, desk: &mut Desk<'_>) {
+        if texts::quantity(value).is_some() {
+            return;
+        }
+        let taken = if self.texts.quantity_told { "the number of INSERTs" } else { "1" };
+        let text = format!("`{}`: `{}` cannot be understood; {taken} was taken", self.label(), whole.trim());
+        let finding = Diagnostic::warning(codes::QUANTITY_UNCLEAR, text).hint(QUANTITY_HINT);
+        desk.say(finding, &self.block, "1", self.line);
     }
 
     /// A number on layer 5 at an end of an alternate reference line is its name.
@@ -187,8 +231,7 @@ impl DrawnPiece {
                     format!("`{}`: the text `Quantity` is empty; 1 was taken", self.label()),
                 )
             } else {
-                Diagnostic::warning(codes::QUANTITY_UNCLEAR, text)
-                    .hint("write a number, or two as `1,1`: as drawn, and mirrored")
+                Diagnostic::warning(codes::QUANTITY_UNCLEAR, text).hint(QUANTITY_HINT)
             };
             desk.say(finding, &self.block, "1", self.line);
         }
@@ -198,12 +241,14 @@ impl DrawnPiece {
     fn take_foreign(&mut self, key: &str, value: &str) -> bool {
         match texts::foreign_key(key) {
             Some("piece name") => self.name.as_deref() == Some(value),
-            Some("quantity") if !self.texts.quantity_told => {
-                let understood = texts::quantity(value);
-                self.texts.quantity = understood.unwrap_or(self.texts.quantity);
-                understood.is_some()
-            }
-            Some(own) if own != "quantity" && !self.texts.keys.contains_key(own) && !value.is_empty() => {
+            Some("quantity") => match texts::quantity(value) {
+                Some(told) if !self.texts.quantity_told || told == self.texts.quantity => {
+                    (self.texts.quantity, self.texts.quantity_told) = (told, true);
+                    true
+                }
+                _ => false,
+            },
+            Some(own) if !self.texts.keys.contains_key(own) && !value.is_empty() => {
                 self.texts.keys.insert(own.to_owned(), value.to_owned());
                 true
             }

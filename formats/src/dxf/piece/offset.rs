@@ -5,6 +5,8 @@ use crate::dxf::geom;
 use std::ops::RangeInclusive;
 use toile_garment::Vec2;
 
+/// Width of a seam allowance, mm.
+pub(super) const ALLOWANCE: RangeInclusive<f64> = 3.0..=40.0;
 /// Places along each of the two lines that are looked at.
 const PLACES: usize = 400;
 /// Most vertices of a line that is looked at.
@@ -14,7 +16,8 @@ const VERTICES: usize = 20_000;
 const BOX: f64 = 1.5;
 /// Share of the cut line that must have the sew line an allowance away, or on itself. Corners take the rest.
 const COVERED: f64 = 0.9;
-/// Share of the cut line that must have an allowance. Hems and other sides may be drawn without one.
+/// Share of the cut line beside the fold that must have an allowance. Hems and other sides may be drawn without one. A
+/// facing along an edge shares three sides with its piece, so less of that has an allowance.
 const WITH_ALLOWANCE: f64 = 0.5;
 /// Share of the sew line that must run along the cut line. The inner ends of darts take the rest.
 const ALONG: f64 = 0.6;
@@ -29,6 +32,11 @@ struct Place {
     along: Vec2,
 }
 
+/// Is a line this closed cut line moved inwards by an allowance?
+pub(crate) fn is_moved_inwards(cut: &[Vec2], line: &Path) -> bool {
+    is_offset(cut, line, None, &ALLOWANCE)
+}
+
 /// Does `sew` run inside the closed line `cut` all round, an allowance away? Sides may have no allowance, if others have
 /// one. What lies on `fold` has none.
 pub(super) fn is_offset(cut: &[Vec2], sew: &Path, fold: Option<[Vec2; 2]>, allowance: &RangeInclusive<f64>) -> bool {
@@ -41,8 +49,8 @@ pub(super) fn is_offset(cut: &[Vec2], sew: &Path, fold: Option<[Vec2; 2]>, allow
         return false;
     }
     let on_fold = |p: Vec2| fold.is_some_and(|[a, b]| geom::cross(b - a, p - a).abs() <= OUTSIDE * (b - a).norm());
-    let with_allowance = |p: &Place| on_fold(p.at) || allowance.contains(&geom::distance(p.at, &line, true));
-    let covered = |p: &Place| with_allowance(p) || geom::distance(p.at, &line, true) <= OUTSIDE;
+    let with_allowance = |p: &Place| allowance.contains(&geom::distance(p.at, &line, true));
+    let covered = |p: &Place| on_fold(p.at) || with_allowance(p) || geom::distance(p.at, &line, true) <= OUTSIDE;
     let runs_along = |p: &Place| {
         geom::nearest(p.at, cut, true).is_some_and(|foot| {
             let away = p.at - foot.on(cut);
@@ -52,8 +60,10 @@ pub(super) fn is_offset(cut: &[Vec2], sew: &Path, fold: Option<[Vec2; 2]>, allow
         })
     };
     let around = places(cut, true);
-    share(&around, covered) >= COVERED
-        && share(&around, with_allowance) >= WITH_ALLOWANCE
+    let (folded, free): (Vec<Place>, Vec<Place>) = around.into_iter().partition(|p| on_fold(p.at));
+    let is_covered = |count: usize| count as f64 >= COVERED * (folded.len() + free.len()) as f64;
+    is_covered(folded.len() + free.iter().filter(|p| covered(p)).count())
+        && share(&free, with_allowance) >= WITH_ALLOWANCE
         && share(&places(&line, sew.closed), runs_along) >= ALONG
 }
 

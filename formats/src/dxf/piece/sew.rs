@@ -2,16 +2,14 @@
 
 use super::border::note_doubled;
 use super::codes;
-use super::offset::{OUTSIDE, is_offset};
+use super::offset::{ALLOWANCE, OUTSIDE, is_offset};
 use super::{Desk, DrawnPiece, loops, mm};
 use crate::dxf::chain::{self, Chained, Path};
-use crate::dxf::geom;
+use crate::dxf::geom::{self, Crossing};
 use crate::dxf::ledger::Verdict;
 use crate::dxf::outline::Outline;
 use toile_garment::{Diagnostic, Vec2};
 
-/// Width of a seam allowance, mm.
-const ALLOWANCE: std::ops::RangeInclusive<f64> = 3.0..=40.0;
 /// A closed line on layer 14 with a larger share of the area of the piece is meant for its sew line, however it runs.
 const SHARE_OF_NET: f64 = 0.3;
 /// Most open lines of layer 8 that are joined to see whether they are the sew line.
@@ -42,16 +40,35 @@ impl DrawnPiece {
             }
             stray.extend(closed);
             for path in stray {
-                let text = format!(
-                    "a line on layer 14 of `{}` is not the whole sew line; kept as an internal line",
-                    self.label()
-                );
-                desk.say(Diagnostic::info(codes::STITCH_LINE, text), &self.block, "14", path.line);
+                desk.say(self.stray(&path), &self.block, "14", path.line);
                 self.keep_inside(path, desk);
             }
         } else {
             self.find_inner_copy(desk);
         }
+    }
+
+    /// What is said of a line of layer 14 that is not taken as the sew line. A large one that crosses itself encloses
+    /// little, as a bow does, and is meant for it nevertheless.
+    fn stray(&self, path: &Path) -> Diagnostic {
+        let (label, line) = (self.label(), path.positions());
+        let extent = |points: &[Vec2]| {
+            geom::bounds(points.iter().copied()).map_or(0.0, |(lo, hi)| (hi.x - lo.x) * (hi.y - lo.y))
+        };
+        let is_large = extent(&line) >= SHARE_OF_NET * extent(&self.boundary.positions());
+        if path.closed
+            && self.sew.is_none()
+            && is_large
+            && let Crossing::At(_, _, at) = geom::crossing(&line)
+        {
+            let text = format!(
+                "the sew line of `{label}` intersects itself at {}, so that it encloses no piece; it was kept as an internal line, the cut line is sewn",
+                mm(at)
+            );
+            return Diagnostic::warning(codes::SEW_LINE_CROSSES_ITSELF, text).hint("correct the sew line there");
+        }
+        let text = format!("a line on layer 14 of `{label}` is not the whole sew line; kept as an internal line");
+        Diagnostic::info(codes::STITCH_LINE, text)
     }
 
     /// Makes the line on layer 8 that is the cut line moved inwards the sew line: drawn whole, or in runs.

@@ -79,3 +79,56 @@ fn a_plot_frame_is_left_out_and_said() {
     let facing = good(&flat(|w| w.polyline("0", true, &RECTANGLE).polyline("0", true, &hole)));
     assert_eq!(facing.pieces.len(), 1);
 }
+
+fn rectangle(x: f64, y: f64, w: f64, h: f64) -> [(f64, f64); 4] {
+    [(x, y), (x + w, y), (x + w, y + h), (x, y + h)]
+}
+
+/// A drawing of closed lines on layer 0.
+fn lines(list: &[&[(f64, f64)]]) -> Pattern {
+    good(&flat(|w| list.iter().fold(w, |w, line| w.polyline("0", true, line))))
+}
+
+fn said(pattern: &Pattern, code: &str) -> usize {
+    pattern.findings.iter().filter(|f| f.code == code).count()
+}
+
+#[test]
+fn a_double_frame_and_a_frame_with_a_piece_beside_it_are_left_out() {
+    let frame = rectangle(-50.0, -50.0, 900.0, 600.0);
+    let (second, beside) = (shifted(400.0), shifted(1000.0));
+    let double = lines(&[&rectangle(-60.0, -60.0, 920.0, 620.0), &frame, &FRONT, &second]);
+    assert_eq!((areas(&double), said(&double, "plot-frame-left-out")), (vec![113_400.0; 2], 2));
+    let one_outside = lines(&[&frame, &FRONT, &second, &beside]);
+    assert_eq!((areas(&one_outside), said(&one_outside, "plot-frame-left-out")), (vec![113_400.0; 3], 1));
+    // A back with two large pockets beside other pieces is no frame, and told.
+    let pockets = [rectangle(20.0, 300.0, 120.0, 260.0), rectangle(160.0, 300.0, 120.0, 260.0)];
+    let back = lines(&[&RECTANGLE, &pockets[0], &pockets[1], &second, &beside]);
+    assert_eq!((back.pieces.len(), said(&back, "plot-frame-undecided")), (3, 1));
+}
+
+#[test]
+fn what_may_be_a_frame_or_a_piece_is_said() {
+    let frame = rectangle(-50.0, -50.0, 900.0, 600.0);
+    let title = rectangle(640.0, -40.0, 200.0, 60.0);
+    for list in [vec![&frame[..], &FRONT], vec![&frame[..], &FRONT, &title]] {
+        let pattern = lines(&list);
+        assert_eq!((areas(&pattern), said(&pattern, "plot-frame-undecided")), (vec![540_000.0], 1));
+    }
+    // A rectangle with its sew line and small marks is a piece without doubt, and so is what lies in another piece.
+    let sewn = lines(&[&RECTANGLE, &rectangle(10.0, 10.0, 280.0, 580.0), &rectangle(50.0, 50.0, 20.0, 8.0)]);
+    assert_eq!((said(&sewn, "plot-frame-undecided"), sewn.pieces[0].sew.is_some()), (0, true));
+    let flap = [rectangle(60.0, 100.0, 150.0, 150.0), rectangle(100.0, 140.0, 60.0, 60.0)];
+    assert_eq!(said(&lines(&[&FRONT, &flap[0], &flap[1]]), "plot-frame-undecided"), 0);
+}
+
+/// The remedy of the warning works: without the frame, or with its layer left out, the piece is read.
+#[test]
+fn a_frame_on_a_layer_of_its_own_can_be_left_out() {
+    let frame = rectangle(-50.0, -50.0, 900.0, 600.0);
+    let text = flat(|w| w.polyline("FRAME", true, &frame).polyline("0", true, &FRONT));
+    let layers = [("FRAME".to_owned(), "ignore".to_owned())].into();
+    let pattern = read(text.as_bytes(), "t.dxf", &ReadOptions { layers, ..ReadOptions::default() }).expect("read");
+    assert_eq!((areas(&pattern), said(&pattern, "plot-frame-undecided")), (vec![113_400.0], 0));
+    assert_eq!(areas(&lines(&[&FRONT])), [113_400.0]);
+}

@@ -124,3 +124,56 @@ fn the_rule_table_tells_the_unit_of_a_pattern_without_one() {
     assert_eq!(unit(None), (10.0, "units-guessed".into()));
     assert_eq!(unit(Some("ENGLISH")), (25.4, "units-from-rules".into()));
 }
+
+fn said<'a>(pattern: &'a Pattern, code: &str) -> Vec<&'a str> {
+    pattern.findings.iter().filter(|f| f.code == code).map(|f| f.message.as_str()).collect()
+}
+
+#[test]
+fn a_quantity_under_a_foreign_key_is_never_lost_in_silence() {
+    let with = |texts: &[&str]| {
+        good(&file(|w| texts.iter().fold(w.polyline("1", true, &RECTANGLE), |w, text| w.text("1", text))))
+    };
+    let unclear = with(&["Qty: two pairs"]);
+    assert_eq!(said(&unclear, "quantity-unclear"), ["`FRONT`: `Qty: two pairs` cannot be understood; 1 was taken"]);
+    // The key of the standard says it.
+    let told = with(&["Qty: two pairs", "Quantity: 2"]);
+    assert_eq!((said(&told, "quantity-unclear").len(), told.pieces[0].texts.quantity.plain), (0, 2));
+    let differ = with(&["Qty: 3", "Quantity: 2"]);
+    assert_eq!((said(&differ, "text-contradicts").len(), differ.pieces[0].texts.quantity.plain), (1, 2));
+    let twice = with(&["Qty: 3", "Amount: 4"]);
+    assert_eq!((said(&twice, "text-contradicts").len(), twice.pieces[0].texts.quantity.plain), (1, 3));
+    assert_eq!(said(&with(&["Qty: 2", "Quantity: 2"]), "text-contradicts").len(), 0);
+}
+
+#[test]
+fn foreign_keys_of_the_style_are_understood_and_said() {
+    let small = RECTANGLE.map(|(x, y)| (0.1 * x, 0.1 * y));
+    let plain = file_with(|w| w.polyline("1", true, &small), |w| w.text("1", "Unit: CM"));
+    let text = plain.replace("Style Name: TEST", "Style: TEST").replace("Sample Size: 38", "Sample: 38");
+    let pattern = read(text.as_bytes(), "t.dxf", &ReadOptions::default()).expect("read");
+    assert_eq!((pattern.units.mm_per_unit, pattern.sample_size.as_deref()), (10.0, Some("38")));
+    assert_eq!(pattern.style.as_deref(), Some("TEST"));
+    let told = said(&pattern, "text-key-foreign");
+    assert_eq!(told.len(), 1);
+    assert!(["`unit` as `units`", "`sample` as", "`style` as"].iter().all(|part| told[0].contains(part)), "{told:?}");
+    assert!(said(&pattern, "units-guessed").is_empty());
+    // The keys of the standard go before.
+    let both = file_with(|w| w.polyline("1", true, &RECTANGLE), |w| w.text("1", "Model: X").text("1", "Units METRIC"));
+    let pattern = good(&both);
+    assert_eq!((pattern.style.as_deref(), pattern.units.mm_per_unit), (Some("TEST"), 1.0));
+    assert_eq!(pattern.units.declared.as_deref(), Some("METRIC"));
+}
+
+#[test]
+fn a_size_without_a_colon_is_read_and_said() {
+    let text = file(|w| w.polyline("1", true, &RECTANGLE).text("1", "QTY 2").text("1", "SIZE CHART"));
+    let pattern = good(&text.replace("SIZE: 38", "SIZE 38"));
+    let piece = &pattern.pieces[0];
+    assert_eq!((piece.size.as_deref(), piece.texts.quantity.plain), (Some("38"), 2));
+    assert!(said(&pattern, "text-key-foreign").iter().any(|m| m.contains("`QTY 2`, `SIZE 38`")));
+    assert_eq!(piece.texts.others.len(), 1, "a label stays a label");
+    // Where a text says the size, the label beside it stays a label.
+    let pattern = good(&file(|w| w.polyline("1", true, &RECTANGLE).text("1", "SIZE 40")));
+    assert_eq!((pattern.pieces[0].size.as_deref(), said(&pattern, "text-key-foreign").len()), (Some("38"), 0));
+}

@@ -234,3 +234,21 @@ fn a_closed_line_without_vertices_is_nothing() {
     assert_eq!(codes(&bad(&file(|w| w.polyline("1", true, &[])))), ["outline-missing"]);
     assert_eq!(codes(&bad(&file(|w| w.polyline("1", true, &[(5.0, 5.0)])))), ["outline-missing"]);
 }
+
+#[test]
+fn a_dense_copy_without_an_original_is_said() {
+    let hole = [(100.0, 100.0), (140.0, 100.0), (140.0, 140.0), (100.0, 140.0)];
+    let sew = [(10.0, 10.0), (290.0, 10.0), (290.0, 590.0), (10.0, 590.0)];
+    for (layer, original, line) in [("86", "11", &hole), ("85", "8", &hole), ("87", "14", &sew)] {
+        let alone = good(&file(|w| w.polyline("1", true, &RECTANGLE).polyline(layer, true, line)));
+        assert_eq!(codes(&alone.findings), ["copy-without-original"], "{layer}");
+        let text =
+            file(|w| w.polyline("1", true, &RECTANGLE).polyline(layer, true, line).polyline(original, true, line));
+        assert_eq!(codes(&good(&text).findings), [""; 0], "{layer}");
+        // The remedy works: the layer is mapped.
+        let layers = [(layer.to_owned(), original.to_owned())].into();
+        let text = file(|w| w.polyline("1", true, &RECTANGLE).polyline(layer, true, line));
+        let mapped = read(text.as_bytes(), "t.dxf", &ReadOptions { layers, ..ReadOptions::default() }).expect("read");
+        assert!(!codes(&mapped.findings).contains(&"copy-without-original"), "{layer}");
+    }
+}

@@ -75,3 +75,55 @@ fn a_loop_of_the_sew_line_is_cut_off_and_a_crossing_is_said() {
     let crossed = good(&inner(&[(10.0, 590.0), (250.0, 300.0), (250.0, 560.0), (10.0, 300.0)]));
     assert_eq!(codes(&crossed.findings), ["sew-line-crosses-itself"]);
 }
+
+/// A strap, a flap and a half belt have no allowance along one long side; the sew line lies on the cut line there.
+#[test]
+fn a_side_without_allowance_may_be_the_longest() {
+    let strap = rectangle(0.0, 0.0, 400.0, 24.0);
+    let flap = [(0.0, 0.0), (120.0, 0.0), (120.0, 40.0), (100.0, 60.0), (20.0, 60.0), (0.0, 40.0)];
+    let flap_sewn = [(8.0, 0.0), (112.0, 0.0), (112.0, 36.7), (96.7, 52.0), (23.3, 52.0), (8.0, 36.7)];
+    let cases: [[&[(f64, f64)]; 2]; 2] = [[&strap, &rectangle(10.0, 0.0, 380.0, 14.0)], [&flap, &flap_sewn]];
+    for [cut, sewn] in cases {
+        for layer in ["8", "14"] {
+            let piece = &good(&file(|w| w.polyline("1", true, cut).polyline(layer, true, sewn))).pieces[0];
+            assert!(piece.sew.is_some() && piece.inside.internal.is_empty(), "layer {layer}: {sewn:?}");
+        }
+    }
+}
+
+#[test]
+fn what_shares_most_of_the_outline_is_no_sew_line() {
+    let belt = rectangle(0.0, 0.0, 400.0, 40.0);
+    let cases: [[&[(f64, f64)]; 2]; 4] = [
+        // A facing along the upper edge, a copy of the outline, half of a belt, a pocket in a corner.
+        [&belt, &rectangle(0.0, 20.0, 400.0, 20.0)],
+        [&belt, &belt],
+        [&belt, &rectangle(0.0, 0.0, 200.0, 40.0)],
+        [&RECTANGLE, &rectangle(0.0, 0.0, 150.0, 150.0)],
+    ];
+    for [cut, inner] in cases {
+        let piece = &good(&file(|w| w.polyline("1", true, cut).polyline("8", true, inner))).pieces[0];
+        assert!(piece.sew.is_none() && piece.inside.internal.len() == 1, "{inner:?}");
+    }
+    // What lies on the fold has no allowance and proves none: a facing along the edge of a half belt.
+    let text = file(|w| {
+        let w = w.polyline("1", true, &belt).line("6", (0.0, 0.0), (400.0, 0.0));
+        w.polyline("8", true, &rectangle(0.0, 20.0, 400.0, 20.0))
+    });
+    let piece = &good(&text).pieces[0];
+    assert!(piece.axes.fold.is_some() && piece.sew.is_none(), "{:?}", piece.sew);
+}
+
+/// A bow encloses next to nothing, so its area does not say that it is meant for the sew line.
+#[test]
+fn a_sew_line_that_is_a_bow_is_said() {
+    let bow = [(10.0, 10.0), (290.0, 590.0), (290.0, 10.0), (10.0, 590.0)];
+    let pattern = good(&file(|w| w.polyline("1", true, &RECTANGLE).polyline("14", true, &bow)));
+    assert_eq!(codes(&pattern.findings), ["sew-line-crosses-itself"]);
+    assert!(pattern.findings[0].severity == Severity::Warning && pattern.findings[0].hint.is_some());
+    assert!(pattern.pieces[0].sew.is_none() && pattern.pieces[0].inside.internal.len() == 1);
+    // A small bow is a stitch, as before.
+    let small = bow.map(|(x, y)| (100.0 + 0.2 * x, 100.0 + 0.2 * y));
+    let pattern = good(&file(|w| w.polyline("1", true, &RECTANGLE).polyline("14", true, &small)));
+    assert_eq!(codes(&pattern.findings), ["stitch-line"]);
+}
