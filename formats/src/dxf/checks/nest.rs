@@ -125,16 +125,19 @@ fn vertices(group: &[&DrawnPiece], sample: Option<&str>, desk: &mut Desk<'_>) {
     desk.say(Diagnostic::warning(SIZES_DIFFER_IN_VERTICES, text).hint(hint), &base.block, "1", base.line);
 }
 
-/// Corners of sizes without points of their own, and notches of all sizes, should be as many as in the sample size.
+/// Corners and notches of all sizes should be as many as in the sample size. Sizes with other vertices are told by then.
 fn corners_and_notches(group: &[&DrawnPiece], sample: Option<&str>, desk: &mut Desk<'_>) {
     let sized = || group.iter().copied().filter(|p| p.size.is_some());
     let Some(base) = sized().find(|p| is_in_size(p, sample)).or_else(|| sized().next()) else { return };
-    let is_unmarked = sized().all(|p| !p.points.marked);
-    let corners = |p: &DrawnPiece| p.sewn().drawn.iter().filter(|n| n.kind == PointKind::Turn).count();
-    if is_unmarked && let Some((text, hint)) = uneven(base, sized(), "corners", corners) {
+    let is_marked = sized().any(|p| p.points.marked);
+    let is_told = |p: &DrawnPiece| is_marked && p.boundary.drawn.len() != base.boundary.drawn.len();
+    let corners = |p: &DrawnPiece| p.sewn().work.iter().filter(|n| n.kind == PointKind::Turn).count();
+    if let Some((text, hint)) = uneven(base, sized().filter(|p| !is_told(p)), "corners", corners) {
         desk.say(Diagnostic::warning(SIZES_DIFFER_IN_VERTICES, text).hint(hint), &base.block, "1", base.line);
     }
-    if let Some((text, hint)) = uneven(base, sized(), "notches", |p| p.notches.len()) {
+    // A notch that stands on both lines of a piece is one.
+    let notches = |p: &DrawnPiece| p.notches.iter().filter(|n| n.twin.is_none()).count();
+    if let Some((text, hint)) = uneven(base, sized(), "notches", notches) {
         desk.say(Diagnostic::warning(codes::SIZES_DIFFER_IN_NOTCHES, text).hint(hint), &base.block, "4", base.line);
     }
 }

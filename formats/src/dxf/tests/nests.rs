@@ -158,3 +158,19 @@ fn sizes_with_other_numbers_of_corners_or_notches_are_said() {
     let counts = "(34, 36: 4 vertices, 2 notches; 38: 5 vertices, 1 notches)";
     assert!(run.findings.iter().any(|f| f.message.ends_with(counts)), "{:?}", run.findings);
 }
+
+/// A program may draw the sew line, and the notches on it, in the sample size alone.
+#[test]
+fn notches_that_the_sample_size_shows_on_both_lines_are_not_more() {
+    let cut = [(-10.0, -10.0), (310.0, -10.0), (310.0, 610.0), (-10.0, 610.0)];
+    let w = Writer::default().pair(0, "SECTION").pair(2, "BLOCKS");
+    let w = ["34", "36"].into_iter().fold(w, |w, size| {
+        let w = w.block(&format!("A_{size}")).text("1", "Piece Name: A").text("1", &format!("Size: {size}"));
+        let w = w.line("7", (60.0, 150.0), (60.0, 450.0)).polyline("1", true, &cut).point("4", 310.0, 250.0);
+        let sample = |w: Writer| w.polyline("14", true, &RECTANGLE).point("4", 300.0, 250.0);
+        if size == "36" { sample(w) } else { w }.pair(0, "ENDBLK")
+    });
+    let w = w.pair(0, "ENDSEC").pair(0, "SECTION").pair(2, "ENTITIES").text("1", "Units: METRIC");
+    let pattern = good(&w.text("1", "Sample Size: 36").pair(0, "ENDSEC").pair(0, "EOF").0);
+    assert_eq!(codes(&pattern.findings), [""; 0]);
+}
