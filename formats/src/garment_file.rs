@@ -23,6 +23,34 @@ pub fn read(bytes: &[u8], file: &str, report: &mut Report) -> Result<Garment, Di
         .hint("give a GLB that `export-gltf` wrote, or a garment document"))
 }
 
+/// Reads the 3D shape of a GLB into the garment of another file, `document`: an editor that saves a GLB again may leave
+/// its document out. Both files come with their names for messages.
+///
+/// # Errors
+/// When either is not what it should be, or the shape belongs to another garment.
+pub fn read_by_document(
+    (bytes, file): (&[u8], &str),
+    (document, original): (&[u8], &str),
+    report: &mut Report,
+) -> Result<Garment, Diagnostic> {
+    if !bytes.trim_ascii_start().starts_with(b"glTF") {
+        let message = format!("`{file}` is no GLB, so no document of another file belongs to it");
+        return Err(Diagnostic::error(GARMENT_FILE, message).at(SourceRef::file(file.to_owned())));
+    }
+    let garment = stored(document, original)?;
+    let read = gltf::read_shape_of(garment, bytes).map_err(|e| gltf::refused(&e, file))?;
+    report.findings.extend(read.findings);
+    Ok(read.garment)
+}
+
+/// The garment of a document, or the one stored in a GLB without regard to its shape now.
+fn stored(bytes: &[u8], file: &str) -> Result<Garment, Diagnostic> {
+    if bytes.trim_ascii_start().starts_with(b"glTF") {
+        return gltf::read_stored_garment(bytes).map_err(|e| gltf::refused(&e, file));
+    }
+    read(bytes, file, &mut Report::default())
+}
+
 /// Reads a garment document.
 ///
 /// # Errors

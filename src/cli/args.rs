@@ -490,6 +490,9 @@ pub struct FlattenArgs {
     /// Garment: a GLB, also as an editor saved it again, or a garment document.
     #[arg(value_name = "GARMENT.glb")]
     pub garment: PathBuf,
+    /// The GLB that was edited, or its garment document, when the editor left the document out of GARMENT.glb.
+    #[arg(long, value_name = "ORIGINAL")]
+    pub document: Option<PathBuf>,
     /// Which lengths the pieces shall have: auto, carried, surface [default: auto]
     #[arg(long, value_name = "WORD")]
     pub metric: Option<String>,

@@ -20,13 +20,14 @@ const DXF_TAP: &str = "export-dxf";
 
 pub(super) fn run(args: &FlattenArgs, registry: &Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
     let mut report = Report::default();
-    let inputs: Vec<&Path> = std::iter::once(&args.garment).chain(&args.tolerance).map(PathBuf::as_path).collect();
+    let inputs: Vec<&Path> =
+        std::iter::once(&args.garment).chain(&args.document).chain(&args.tolerance).map(PathBuf::as_path).collect();
     let results = Results::new(args.force, &inputs);
     let wanted: Vec<&Path> = args.dxf.iter().chain(&args.sewing).chain(&args.json).map(PathBuf::as_path).collect();
     if !results.are_free(&wanted, console) {
         return Exit::Usage;
     }
-    let garment = match read(&args.garment, &mut report) {
+    let garment = match read(args, &mut report) {
         Ok(garment) => garment,
         Err((findings, exit)) => {
             console.findings(&findings, None);
@@ -50,9 +51,14 @@ pub(super) fn run(args: &FlattenArgs, registry: &Registry, stop: &Arc<Stop>, con
     }
 }
 
-fn read(path: &Path, report: &mut Report) -> Result<Garment, (Vec<Diagnostic>, Exit)> {
-    let bytes = read_limited(path, path, MAX_INPUT).map_err(|e| of_file_error(&e))?;
-    garment_file::read(&bytes, &clean(path), report).map_err(|finding| (vec![finding], Exit::Input))
+fn read(args: &FlattenArgs, report: &mut Report) -> Result<Garment, (Vec<Diagnostic>, Exit)> {
+    let bytes = |path: &Path| read_limited(path, path, MAX_INPUT).map_err(|e| of_file_error(&e));
+    let (garment, name) = (bytes(&args.garment)?, clean(&args.garment));
+    match &args.document {
+        None => garment_file::read(&garment, &name, report),
+        Some(path) => garment_file::read_by_document((&garment, &name), (&bytes(path)?, &clean(path)), report),
+    }
+    .map_err(|finding| (vec![finding], Exit::Input))
 }
 
 /// The parameters of the stage, as a pipeline writes them.
@@ -117,13 +123,13 @@ fn summary(garment: &Garment, flat: &Flat) -> String {
     for f in &flat.pieces {
         let name = garment.pieces.get(f.piece.index()).map_or("?", |p| p.name.as_str());
         let [original, new, _] = f.area.map(|a| 1e4 * a);
-        let change = if original > 0.0 { 100.0 * (new / original - 1.0) } else { 0.0 };
+        let change = if original > 0.0 { unsigned_zero(100.0 * (new / original - 1.0), 3) } else { 0.0 };
         let edges = f.edges.iter().map(|e| (e.flat - e.original).abs()).fold(0.0, f64::max);
         let _ = writeln!(
             text,
-            "{name:<20} {new:>9.2} cm2 ({change:+.3} %), edges within {:.3} mm, grain turned {:.3}°",
+            "{name:<20} {new:>9.2} cm2 ({change:+.3} %), edges within {:.3} mm, piece turned {:.3}° against its grain",
             1e3 * edges,
-            f.grain_shift.to_degrees()
+            unsigned_zero(f.grain_shift.to_degrees(), 3)
         );
         for d in &f.darts {
             let _ =
@@ -131,7 +137,7 @@ fn summary(garment: &Garment, flat: &Flat) -> String {
         }
     }
     for p in &flat.pairs {
-        let error = 1e3 * ((p.a[1] - p.b[1]) - (p.a[0] - p.b[0]));
+        let error = unsigned_zero(1e3 * ((p.a[1] - p.b[1]) - (p.a[0] - p.b[0])), 4);
         let _ = writeln!(
             text,
             "seam {:<15} {:.2} mm on {:.2} mm, ease changed {error:+.4} mm",
@@ -141,4 +147,10 @@ fn summary(garment: &Garment, flat: &Flat) -> String {
         );
     }
     text
+}
+
+/// A number as it is shown with so many digits: what rounds to nothing has no sign.
+fn unsigned_zero(x: f64, digits: i32) -> f64 {
+    let scale = 10f64.powi(digits);
+    if (x * scale).abs() < 0.5 { 0.0 } else { x }
 }

@@ -173,9 +173,10 @@ impl<'r> Chain<'r> {
 
     fn check(&mut self, cx: &mut Reader<'_>, entry: &StageEntry<'_>, stage: &dyn AnyStage) {
         let info = stage.info();
-        for need in info.needs.iter().filter(|n| !self.given.contains(n)) {
+        for need in info.needs.iter().filter(|n| !self.is_given(**n)) {
             if !self.unsure {
-                let lacking = match self.outdated.get(need) {
+                let renewer = ways(*need).find_map(|aspect| self.outdated.get(&aspect));
+                let lacking = match renewer {
                     Some(renewer) => format!("and what was there is outdated by the stage `{renewer}`"),
                     None => "which no earlier stage gives".to_owned(),
                 };
@@ -191,12 +192,16 @@ impl<'r> Chain<'r> {
         self.given.extend(info.gives.iter());
     }
 
+    fn is_given(&self, aspect: Aspect) -> bool {
+        ways(aspect).any(|a| self.given.contains(&a))
+    }
+
     fn givers(&self, aspect: Aspect) -> String {
         let givers: Vec<String> = self
             .registry
             .iter()
             .map(AnyStage::info)
-            .filter(|i| i.gives.contains(&aspect))
+            .filter(|i| ways(aspect).any(|a| i.gives.contains(&a)))
             .map(|i| format!("`{}`", i.name))
             .collect();
         if givers.is_empty() {
@@ -205,6 +210,11 @@ impl<'r> Chain<'r> {
             format!("put {} before it", givers.join(" or "))
         }
     }
+}
+
+/// The aspects that are enough where this one is needed.
+fn ways(aspect: Aspect) -> impl Iterator<Item = Aspect> {
+    std::iter::once(aspect).chain(aspect.any_of().iter().copied())
 }
 
 /// The aspect as the stages' manual writes it.

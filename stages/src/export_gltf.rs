@@ -61,7 +61,7 @@ impl Stage for ExportGltf {
     const INFO: StageInfo = StageInfo::new(
         "export-gltf",
         "writes the garment as GLB: a node for each piece, cloth coordinates, images, the document inside",
-        &[Aspect::Mesh, Aspect::Stitched],
+        &[Aspect::Mesh, Aspect::Shape],
         &[],
         2,
     );

@@ -46,7 +46,7 @@ impl Stage for ExportObj {
     const INFO: StageInfo = StageInfo::new(
         "export-obj",
         "writes the garment as OBJ in its own vertex order, and the forces on its pins",
-        &[Aspect::Mesh, Aspect::Stitched],
+        &[Aspect::Mesh, Aspect::Shape],
         &[],
         1,
     );

@@ -97,7 +97,7 @@ impl Stage for ExportPicture {
     const INFO: StageInfo = StageInfo::new(
         "export-picture",
         "writes a picture of the garment as PNG: cloth, strain, bending, pressure or distance to the body",
-        &[Aspect::Mesh, Aspect::Stitched],
+        &[Aspect::Mesh, Aspect::Shape],
         &[],
         1,
     );

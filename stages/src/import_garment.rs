@@ -23,6 +23,11 @@ pub struct ImportGarmentParams {
     /// be moved, sorted, split and welded; names and texture coordinates tell which is which.
     #[schemars(extend("format" = "input-file"))]
     pub file: PathBuf,
+    /// The GLB that was edited, or its garment document. Give it when the editor left the document out of `file`, as
+    /// Blender does.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("format" = "input-file"))]
+    pub document: Option<PathBuf>,
 }
 
 /// The stage.
@@ -57,7 +62,14 @@ impl Stage for ImportGarment {
     fn run(&self, params: &Self::Params, _: Garment, cx: &mut StageContext<'_>) -> Result<Garment, StageError> {
         let file = params.file.to_string_lossy().into_owned();
         let bytes = cx.files.read(&params.file)?;
-        let garment = garment_file::read(&bytes, &file, cx.report).map_err(StageError::input)?;
+        let garment = match &params.document {
+            None => garment_file::read(&bytes, &file, cx.report),
+            Some(path) => {
+                let document = cx.files.read(path)?;
+                garment_file::read_by_document((&bytes, &file), (&document, &path.to_string_lossy()), cx.report)
+            }
+        }
+        .map_err(StageError::input)?;
         for (aspect, what) in [(Aspect::Mesh, "meshes"), (Aspect::Drape, "drape")] {
             if !garment.has(aspect) {
                 return Err(StageError::input(
@@ -107,7 +119,7 @@ mod tests {
     }
 
     fn read(bytes: Vec<u8>) -> Result<Garment, StageError> {
-        let params = ImportGarmentParams { file: "g.glb".into() };
+        let params = ImportGarmentParams { file: "g.glb".into(), document: None };
         let (mut report, cancel) = (Report::default(), AtomicBool::new(false));
         let mut cx = StageContext {
             report: &mut report,

@@ -80,6 +80,7 @@ pub const STAGES: &[Flip] = &[
     row("pattern", "import-dxf.sewing", "\"loose.toml\""),
     row("pattern", "import-dxf.size", "\"40\""),
     row("pattern", "import-dxf.units", "\"cm\""),
+    row("garment", "import-garment.document", "\"absent.glb\""),
     row("garment", "import-garment.file", "\"absent.glb\""),
     row("specification", "import-garmentcode.allowance.width", "\"10 mm\""),
     given("specification", &[READ_WIDE], "import-garmentcode.allowance.corners", "\"bevel\""),

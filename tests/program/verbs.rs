@@ -221,6 +221,45 @@ fn flattens_from_the_glb_alone() {
     assert!(said.err.starts_with("error[glb-damaged]"), "{}", said.err);
 }
 
+/// A GLB whose document an editor left out is read by that of the original, and a saved garment has a picture.
+#[test]
+fn a_glb_without_its_document_is_flattened_by_the_original_and_drawn() {
+    let bench = Bench::new();
+    bench.stages(
+        "[[stage]]\nuse = \"test-sheet\"\nwith.side = \"1 m\"\n[[stage]]\nuse = \"test-drape\"\n\
+         [[stage]]\nuse = \"test-write\"\nwith = { file = \"{out}/g.json\", document = true }\n",
+    );
+    bench.run(&[]);
+    let document = bench.out().join("g.json");
+    let text = std::fs::read_to_string(&document).expect("document");
+    let garment = toile_garment::bundle::from_text(&text).expect("garment");
+    let (original, saved) = (bench.path("g.glb"), bench.path("saved.glb"));
+    std::fs::write(&original, toile_formats::gltf::write_garment(&garment).expect("GLB")).expect("file");
+    let nothing = toile_formats::gltf::Wishes { document: toile_formats::gltf::Carried::Nothing, ..Default::default() };
+    let bare = toile_formats::gltf::write_garment_with(&garment, &nothing).expect("GLB");
+    std::fs::write(&saved, bare).expect("file");
+    let said = toile(&[&"flatten", &saved]);
+    assert!(said.code == 3 && said.err.contains("--document ORIGINAL.glb"), "{said:?}");
+    for given in [&original, &document] {
+        let said = toile(&[&"flatten", &saved, &"--document", given]);
+        assert!(said.code == 0 && said.out.starts_with("front "), "{said:?}");
+    }
+    let said = toile(&[&"flatten", &original, &"--lock", &"dart"]);
+    assert!(said.code == 2 && said.err.contains("did you mean `darts`?"), "{said:?}");
+    let garment = "[[stage]]\nuse = \"import-garment\"\nwith = { file = \"saved.glb\", document = \"g.glb\" }\n";
+    let shown = "[[stage]]\nuse = \"export-picture\"\n[[stage]]\nuse = \"export-obj\"\n";
+    let second = Bench::new();
+    for file in ["saved.glb", "g.glb"] {
+        std::fs::copy(bench.path(file), second.path(file)).expect("copied");
+    }
+    second.stages(&[garment, shown].concat());
+    let said = second.run(&[]);
+    assert!(said.code == 0 && second.out().join("picture.png").exists(), "{said:?}");
+    // What is there was at rest, so nothing can be draped from it.
+    second.stages(&[garment, "[[stage]]\nuse = \"drape\"\n"].concat());
+    assert!(second.check(&[]).err.contains("`drape` needs stitched"));
+}
+
 /// Stretches all places of a GLB upwards in its binary chunk, as an editor does.
 fn stretch_upwards(glb: &mut [u8], factor: f32) {
     let word = |bytes: &[u8], at: usize| u32::from_le_bytes(bytes[at..at + 4].try_into().expect("4")) as usize;

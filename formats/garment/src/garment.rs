@@ -28,6 +28,8 @@ pub enum Aspect {
     Stitched,
     /// Positions in 3D at rest, with a certificate.
     Drape,
+    /// Positions in 3D, at rest or as they were sewn. No stage gives it by itself.
+    Shape,
     /// Frames of a motion.
     Animation,
     /// Texture coordinates and materials.
@@ -49,11 +51,20 @@ impl Aspect {
             Self::Pieces | Self::Fabric | Self::Body => 0,
             Self::Mesh => 1,
             Self::Seams | Self::Texture => 2,
-            Self::Stitched => 3,
+            Self::Stitched | Self::Shape => 3,
             Self::Drape => 4,
             Self::Animation | Self::Flat => 5,
         };
         &ORDER[..count]
+    }
+
+    /// The aspects any of which is enough where this one is needed.
+    #[must_use]
+    pub fn any_of(self) -> &'static [Self] {
+        match self {
+            Self::Shape => &[Self::Stitched, Self::Drape],
+            _ => &[],
+        }
     }
 
     /// Returns `true` if making these aspects anew outdates this one.
@@ -354,6 +365,7 @@ impl Garment {
             Aspect::Seams => !self.seams.is_empty(),
             Aspect::Stitched => self.stitched.is_some(),
             Aspect::Drape => self.drape.is_some(),
+            Aspect::Shape => aspect.any_of().iter().any(|a| self.has(*a)),
             Aspect::Animation => self.animation.is_some(),
             Aspect::Texture => self.textures.is_some(),
             Aspect::Flat => self.flat.is_some(),

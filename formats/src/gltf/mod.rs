@@ -26,12 +26,15 @@ mod write;
 use crate::codes::GARMENT_FILE;
 pub use inspect::inspect;
 pub use moving::{Moving, read_moving};
-pub use read::{ReadGarment, read_garment, read_garment_with_findings};
+pub use read::{ReadGarment, read_garment, read_garment_with_findings, read_shape_of, read_stored_garment};
 pub use view::{ViewPiece, write_view};
 pub use wishes::{Carried, Wishes};
 pub use write::{WriteError, write_garment, write_garment_with};
 
 use toile_garment::{Diagnostic, SourceRef};
+
+const NO_DOCUMENT_HELP: &str = "editors such as Blender leave the document out; name the GLB that was edited, or its \
+    garment document: `--document ORIGINAL.glb` of `toile flatten`, `document` of `import-garment`";
 
 /// A refused GLB as a finding; `file` is its name.
 #[must_use]
@@ -40,7 +43,11 @@ pub fn refused(error: &ReadError, file: &str) -> Diagnostic {
         ReadError::Container(_) | ReadError::Damaged(_) => codes::GLB_DAMAGED,
         _ => GARMENT_FILE,
     };
-    Diagnostic::error(code, error.to_string()).at(SourceRef::file(file))
+    let finding = Diagnostic::error(code, error.to_string()).at(SourceRef::file(file));
+    match error {
+        ReadError::NoDocument => finding.hint(NO_DOCUMENT_HELP),
+        _ => finding,
+    }
 }
 
 /// Largest GLB that is read, bytes.
@@ -57,7 +64,7 @@ pub enum ReadError {
     #[error("the glTF inside is damaged: {0}")]
     Damaged(String),
     /// It is sound, but not one of ours.
-    #[error("the GLB holds no garment document (extras.toile of the asset); export it with toile")]
+    #[error("the GLB holds no garment document (extras.toile of the asset)")]
     NoDocument,
     /// The garment document inside cannot be read.
     #[error("the garment document in the GLB cannot be read: {0}")]

@@ -44,10 +44,36 @@ pub fn read_garment(bytes: &[u8]) -> Result<Garment, ReadError> {
 /// See [`ReadError`].
 pub fn read_garment_with_findings(bytes: &[u8]) -> Result<ReadGarment, ReadError> {
     let sound = open(bytes)?;
-    let mut garment = document(&sound)?;
-    restore_images(&mut garment, &sound)?;
+    let garment = stored(&sound)?;
+    with_shape(garment, &sound)
+}
+
+/// Reads the garment that was stored in a GLB, whatever became of the shape there.
+///
+/// # Errors
+/// See [`ReadError`].
+pub fn read_stored_garment(bytes: &[u8]) -> Result<Garment, ReadError> {
+    stored(&open(bytes)?)
+}
+
+/// Gives a garment the 3D shape of a GLB, which need not hold a document.
+///
+/// # Errors
+/// See [`ReadError`].
+pub fn read_shape_of(garment: Garment, bytes: &[u8]) -> Result<ReadGarment, ReadError> {
     fits(&garment)?;
-    let (edited, mut findings) = take_shape(&mut garment, &placed(&sound)?)?;
+    with_shape(garment, &open(bytes)?)
+}
+
+fn stored(sound: &Sound<'_>) -> Result<Garment, ReadError> {
+    let mut garment = document(sound)?;
+    restore_images(&mut garment, sound)?;
+    fits(&garment)?;
+    Ok(garment)
+}
+
+fn with_shape(mut garment: Garment, sound: &Sound<'_>) -> Result<ReadGarment, ReadError> {
+    let (edited, mut findings) = take_shape(&mut garment, &placed(sound)?)?;
     if let Some(animation) = garment.animation.take() {
         let message = format!("the {} frames of the motion stay in the GLB and were not read back", animation.count);
         findings.push(Diagnostic::info(codes::ANIMATION_LEFT_OUT, message));
@@ -56,13 +82,18 @@ pub fn read_garment_with_findings(bytes: &[u8]) -> Result<ReadGarment, ReadError
 }
 
 /// The text of the stored document, if there is one.
+///
+/// `export-gltf` puts it into the extras of the asset. Editors keep extras of scenes and nodes, so these count, too.
 pub fn document_text(document: &gltf::Document) -> Option<Box<RawValue>> {
     #[derive(Deserialize)]
     struct Extras {
         toile: Option<Box<RawValue>>,
     }
-    let extras = document.as_json().asset.extras.as_ref()?;
-    serde_json::from_str::<Extras>(extras.get()).ok()?.toile
+    let root = document.as_json();
+    let places = std::iter::once(&root.asset.extras)
+        .chain(root.scenes.iter().map(|s| &s.extras))
+        .chain(root.nodes.iter().map(|n| &n.extras));
+    places.flatten().find_map(|extras| serde_json::from_str::<Extras>(extras.get()).ok()?.toile)
 }
 
 fn document(sound: &Sound<'_>) -> Result<Garment, ReadError> {

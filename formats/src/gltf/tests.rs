@@ -1,9 +1,10 @@
 use super::*;
+use crate::garment_file;
 use crate::picture::{Field, Scale};
 use crate::sample::two_pieces;
 use serde_json::Value;
 use toile_garment::texture::{Colourway, Sheen};
-use toile_garment::{Garment, Vec3};
+use toile_garment::{Garment, Report, Vec3, bundle};
 
 /// The chunks as JSON and bytes.
 fn open_glb(glb: &[u8]) -> (Value, Vec<u8>) {
@@ -202,11 +203,10 @@ fn node_transforms_are_applied() {
     assert_eq!(old.positions[1], new.positions[1]);
 }
 
-#[test]
-fn vertices_that_an_editor_sorted_and_split_are_matched_by_their_cloth() {
-    let garment = two_pieces();
-    let (mut json, mut bin) = open_glb(&write_garment(&garment).expect("GLB"));
-    // Mesh 0 becomes a soup: three vertices per triangle, triangles backwards, renamed as editors do.
+/// The GLB as an editor saves it: mesh 0 is a soup of three vertices for each triangle, triangles backwards and renamed,
+/// and its vertex 7 is 20 mm higher.
+fn as_an_editor_saves(garment: &Garment) -> (Value, Vec<u8>) {
+    let (mut json, mut bin) = open_glb(&write_garment(garment).expect("GLB"));
     let primitive = json["meshes"][0]["primitives"][0].clone();
     let mesh = garment.pieces[0].mesh.as_ref().expect("mesh");
     let order: Vec<u32> = mesh.triangles.iter().rev().flatten().copied().collect();
@@ -237,11 +237,51 @@ fn vertices_that_an_editor_sorted_and_split_are_matched_by_their_cloth() {
     json["nodes"][0]["name"] = "Front.001".into();
     json["meshes"][0]["name"] = "Front.001".into();
     json["buffers"][0]["byteLength"] = bin.len().into();
-    let read = read_garment_with_findings(&close_glb(&json, &bin)).expect("read");
+    (json, bin)
+}
+
+/// Vertex 7 of piece 0 is 20 mm higher, and its neighbour is where it was.
+fn is_edited(read: &ReadGarment, garment: &Garment) {
     assert!(read.edited);
-    let (old, new) = (garment.drape.expect("drape"), read.garment.drape.expect("drape"));
-    assert!((new.positions[0][7].y - old.positions[0][7].y - 0.02).abs() < 1e-6);
-    assert_eq!(old.positions[0][8], new.positions[0][8]);
+    let drape = |garment: &Garment| garment.drape.clone().expect("drape").positions.swap_remove(0);
+    let (old, new) = (drape(garment), drape(&read.garment));
+    assert!((new[7].y - old[7].y - 0.02).abs() < 1e-6);
+    assert_eq!(old[8], new[8]);
+}
+
+#[test]
+fn vertices_that_an_editor_sorted_and_split_are_matched_by_their_cloth() {
+    let garment = two_pieces();
+    let (json, bin) = as_an_editor_saves(&garment);
+    is_edited(&read_garment_with_findings(&close_glb(&json, &bin)).expect("read"), &garment);
+}
+
+#[test]
+fn a_glb_whose_document_an_editor_left_out_is_read_by_the_original() {
+    let garment = two_pieces();
+    let (mut json, bin) = as_an_editor_saves(&garment);
+    let document = json["asset"]["extras"].take();
+    let saved = close_glb(&json, &bin);
+    assert_eq!(read_garment(&saved), Err(ReadError::NoDocument));
+    let original = write_garment(&garment).expect("GLB");
+    let stored = read_stored_garment(&original).expect("stored");
+    is_edited(&read_shape_of(stored, &saved).expect("read"), &garment);
+    // Files by name, as stages and commands read them.
+    let text = bundle::to_value(&garment).expect("document").to_string();
+    for document in [&original[..], text.as_bytes()] {
+        let mut report = Report::default();
+        let read = garment_file::read_by_document((&saved, "saved.glb"), (document, "original"), &mut report);
+        let read = read.expect("read");
+        assert_eq!((read.drape_before_edit, report.findings.len()), (garment.drape.clone(), 1));
+    }
+    let mut report = Report::default();
+    let refused = garment_file::read_by_document((&saved, "saved.glb"), (&saved, "saved.glb"), &mut report);
+    assert!(refused.expect_err("no document").hint.is_some_and(|h| h.contains("--document")));
+    let refused = garment_file::read_by_document((text.as_bytes(), "g.json"), (&original, "g.glb"), &mut report);
+    assert!(refused.expect_err("no GLB").message.contains("`g.json` is no GLB"));
+    // Extras of nodes are kept by editors.
+    json["nodes"][0]["extras"] = document;
+    is_edited(&read_garment_with_findings(&close_glb(&json, &bin)).expect("read"), &garment);
 }
 
 #[test]
