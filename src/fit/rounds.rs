@@ -99,7 +99,8 @@ fn not_sewn(mut halt: Halt, levels: &[Level], order: &Order) -> Halt {
     );
     let finding = Diagnostic::error(FIT_NOT_SEWN, message);
     halt.findings.push(finding.hint(
-        "begin with a size whose body is nearer to it, e.g. --set size=42; run/failure.html in the folder shows where",
+        "run/failure.html in the folder shows where; if the pattern has a size whose body is nearer, begin with it \
+         (`toile inspect` lists the sizes)",
     ));
     halt
 }

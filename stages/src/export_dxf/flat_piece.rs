@@ -102,6 +102,11 @@ fn carry_dart(dart: &mut Dart, mesh: &PieceMesh, to: &[Vec2], outline: (&[Vec2],
     };
     let moved_legs = [0, 1].map(|leg| dart.legs[leg].iter().map(|p| carry(leg, *p)).collect::<Vec<_>>());
     let mouth = [0, 1].map(|leg| carry(leg, dart.mouth[leg]));
-    let apexes = dart.apexes.iter().map(|p| carry(0, *p)).collect();
+    // Ends of a pleat lie on the cloth, and its legs may be sewn for a shorter way.
+    let apex = |p: Vec2| match dart.kind {
+        DartKind::Pleat => by_triangle(mesh, to, p).unwrap_or(p),
+        _ => carry(0, p),
+    };
+    let apexes = dart.apexes.iter().map(|p| apex(*p)).collect();
     (dart.legs, dart.mouth, dart.apexes, dart.mesh) = (moved_legs, mouth, apexes, None);
 }

@@ -278,7 +278,11 @@ fn flat_pieces(garment: &Garment) -> Result<Vec<Piece>, StageError> {
             Err(fault) => faults.push(*fault),
         }
     }
-    if faults.is_empty() { Ok(pieces) } else { Err(StageError::Input(faults)) }
+    if !faults.is_empty() {
+        return Err(StageError::Input(faults));
+    }
+    sewing::redraw_pleats(garment, &mut pieces);
+    Ok(pieces)
 }
 
 /// The file: bytes and findings.

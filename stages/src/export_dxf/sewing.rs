@@ -4,7 +4,8 @@
 //! the new outline wherever it is. Copies of pieces are drawn as pieces of their own.
 
 use super::outline_map::Follow;
-use toile_garment::dart::Dart;
+use crate::sewing::{copies, darts, folds};
+use toile_garment::dart::{Dart, DartKind};
 use toile_garment::mesh::{ChainKind, PieceMesh};
 use toile_garment::seam::{Seam, SeamKind, SeamRun, SeamSide};
 use toile_garment::sewing::{
@@ -27,8 +28,8 @@ pub fn plan(garment: &Garment, pieces: &[Piece]) -> SewingPlan {
     let names = edge_names(garment, pieces);
     SewingPlan {
         seams: declared.filter_map(|s| seam(garment, pieces, s)).collect(),
-        darts: plan.darts.iter().filter_map(|d| dart(garment, pieces, d)).collect(),
-        folds: plan.folds.iter().filter_map(|f| fold(garment, pieces, f)).collect(),
+        darts: copies::darts(plan).iter().filter_map(|d| dart(garment, pieces, d)).collect(),
+        folds: copies::folds(plan).iter().filter_map(|f| fold(garment, pieces, f)).collect(),
         elastics: plan.elastics.iter().map(|e| elastic(garment, pieces, e)).collect(),
         interlinings: plan.interlinings.clone(),
         places: plan.places.clone(),
@@ -45,7 +46,8 @@ pub fn unsewn(garment: &Garment) -> SewingPlan {
     let edge_names = edge_names(garment, &garment.pieces);
     let attachments = garment.plan.attachments.iter().map(|a| attachment(a, garment)).collect();
     let plan = garment.plan.clone();
-    SewingPlan { edge_names, attachments, copies: Vec::new(), leave_out: Vec::new(), ..plan }
+    let (darts, folds) = (copies::darts(&plan), copies::folds(&plan));
+    SewingPlan { edge_names, attachments, darts, folds, copies: Vec::new(), leave_out: Vec::new(), ..plan }
 }
 
 /// A piece by its name, before and after.
@@ -155,22 +157,72 @@ fn dart(garment: &Garment, pieces: &[Piece], spec: &DartSpec) -> Option<DartSpec
     let (before, after) = named(garment, pieces, &spec.piece)?;
     let follow = Follow::new(before, &after.outline.positions());
     let carry = |p: &Vec2| follow.carry(*p).0;
-    let means = |d: &Dart| {
-        d.apexes.iter().zip(&spec.apexes).any(|(a, b)| (a - b).norm() < SAME_DART)
-            || d.mouth.iter().any(|m| spec.mouth.iter().any(|n| (m - n).norm() < SAME_DART))
-    };
-    let found = spec.kind.and_then(|_| before.darts.iter().position(means)).and_then(|k| after.darts.get(k));
+    let found = spec.kind.and_then(|_| meant(before, spec));
+    let found = found.and_then(|(k, is_turned)| Some((after.darts.get(k)?, is_turned)));
     let (apexes, mouth) = match found {
-        Some(d) if d.apexes.len() == spec.apexes.len() => (d.apexes.clone(), d.mouth),
+        Some((d, is_turned)) if d.apexes.len() == spec.apexes.len() => {
+            let [a, b] = d.mouth;
+            (d.apexes.clone(), if is_turned { [b, a] } else { [a, b] })
+        }
         _ => (spec.apexes.iter().map(carry).collect(), [carry(&spec.mouth[0]), carry(&spec.mouth[1])]),
     };
     Some(DartSpec { apexes, mouth, source: None, ..spec.clone() })
 }
 
-/// A fold where its line went with the outline.
+/// The dart of a piece that a table means, and whether its mouth points stand the other way round there. Pleats beside
+/// each other share a mouth point, so the nearest counts.
+fn meant(piece: &Piece, spec: &DartSpec) -> Option<(usize, bool)> {
+    let is_meant = |d: &Dart| {
+        d.apexes.iter().zip(&spec.apexes).any(|(a, b)| (a - b).norm() < SAME_DART)
+            || d.mouth.iter().any(|m| spec.mouth.iter().any(|n| (m - n).norm() < SAME_DART))
+    };
+    let [m, n] = spec.mouth;
+    let off = |d: &Dart| {
+        let [a, b] = d.mouth;
+        let (same, turned) = ((a - m).norm() + (b - n).norm(), (a - n).norm() + (b - m).norm());
+        if turned < same { (turned, true) } else { (same, false) }
+    };
+    let candidates = piece.darts.iter().enumerate().filter(|(_, d)| is_meant(d)).map(|(k, d)| (k, off(d)));
+    candidates.min_by(|(_, a), (_, b)| a.0.total_cmp(&b.0)).map(|(k, (_, is_turned))| (k, is_turned))
+}
+
+/// Draws pleats where the sewing file will have them: their legs, and the lines along which they are pressed. So lines
+/// of the old pleats do not stand beside the new ones.
+pub fn redraw_pleats(garment: &Garment, pieces: &mut [Piece]) {
+    let is_pleat = |d: &DartSpec| d.kind == Some(DartKind::Pleat);
+    for old in copies::darts(&garment.plan).into_iter().filter(is_pleat) {
+        let Some(new) = dart(garment, pieces, &old) else { continue };
+        let Some(k) = garment.pieces.iter().position(|p| p.name.eq_ignore_ascii_case(&old.piece)) else { continue };
+        let (Some(before), Some(after)) = (garment.pieces.get(k), pieces.get_mut(k)) else { continue };
+        if let Some((k, is_turned)) = meant(before, &old)
+            && let Some(drawn) = after.darts.get_mut(k)
+        {
+            let [a, b] = darts::pleat(&new).legs;
+            drawn.legs = if is_turned { [b, a] } else { [a, b] };
+        }
+        let lines = |piece: &Piece, spec: &DartSpec| folds::drawn_for(&piece.outline.positions(), spec);
+        for (from, to) in lines(before, &old).iter().zip(lines(after, &new)) {
+            if let (Some(from), Some(to)) = (from, to)
+                && let Some((line, is_turned)) = folds::find(before, from)
+                && let Some(line) = after.internal_lines.get_mut(line)
+            {
+                folds::put(line, &to, is_turned);
+            }
+        }
+    }
+}
+
+/// A fold where its line is drawn now, else where it went with the outline.
 fn fold(garment: &Garment, pieces: &[Piece], spec: &FoldSpec) -> Option<FoldSpec> {
-    named(garment, pieces, &spec.piece)?;
-    let line = carried(garment, pieces, &spec.piece, &spec.line);
+    let (before, after) = named(garment, pieces, &spec.piece)?;
+    let drawn = folds::find(before, &spec.line).and_then(|(k, is_turned)| {
+        let mut line = after.internal_lines.get(k)?.positions();
+        if is_turned {
+            line.reverse();
+        }
+        Some(line)
+    });
+    let line = drawn.unwrap_or_else(|| carried(garment, pieces, &spec.piece, &spec.line));
     Some(FoldSpec { line, source: None, ..spec.clone() })
 }
 

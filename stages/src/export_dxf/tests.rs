@@ -6,6 +6,7 @@ use toile_garment::mesh::{ChainKind, MeshChain, PieceMesh};
 use toile_garment::notch::{Notch, NotchKind};
 use toile_garment::outline::{LinePoint, PieceLine, PointKind};
 use toile_garment::piece::DrillHole;
+use toile_garment::sewing::{CopySpec, DartSpec, PleatPress, SewingPlan};
 use toile_garment::{PieceId, Report, Vec2};
 use toile_stage_api::{FileError, Files};
 
@@ -334,4 +335,68 @@ fn parameters_are_strict() {
     assert_eq!((params.dialect, params.source), (DxfDialect::Clo, DxfSource::Pattern));
     assert_eq!(params.file, "{out}/pattern.dxf");
     assert!(read("dilect = \"clo\"").is_err() && read("dialect = \"lectra\"").is_err());
+}
+
+/// A front with a pressed pleat, and its mirrored copy.
+fn pleated() -> Garment {
+    let corners = [(10.0, 0.0, 't'), (210.0, 0.0, 't'), (210.0, 300.0, 't'), (10.0, 300.0, 't')];
+    let plan = SewingPlan {
+        darts: vec![DartSpec {
+            piece: "FRONT".into(),
+            name: Some("pleat-1".into()),
+            apexes: vec![mm(90.0, 230.0), mm(120.0, 230.0)],
+            mouth: [mm(90.0, 300.0), mm(120.0, 300.0)],
+            kind: Some(DartKind::Pleat),
+            press: Some(PleatPress::Knife),
+            sewn: Some(0.04),
+            source: None,
+        }],
+        copies: vec![CopySpec { piece: "FRONT".into(), name: "FRONT-R".into(), mirror: true, source: None }],
+        ..SewingPlan::default()
+    };
+    let mut garment = Garment { pieces: vec![crate::testing::piece(0, "FRONT", &corners)], ..Garment::default() };
+    crate::sewing::apply(&mut garment, plan, &mut Report::default()).expect("applied");
+    for piece in &mut garment.pieces {
+        piece.mesh = Some(PieceMesh {
+            rest: piece.outline.positions(),
+            triangles: vec![[0, 1, 2], [0, 2, 3]],
+            chains: vec![MeshChain { kind: ChainKind::Outline, index: 0, vertices: (0..4).collect(), closed: true }],
+            outline_vertex: (0..4).map(Some).collect(),
+            rest_corners: None,
+        });
+    }
+    garment
+}
+
+/// The pieces as a reader of DXF finds them: lines, and nothing of darts and folds.
+fn as_drawn(piece: &Piece) -> Piece {
+    let legs = piece.darts.iter().flat_map(|d| d.legs.iter()).map(|leg| PieceLine { closed: false, ..closed(leg) });
+    let internal_lines = piece.internal_lines.iter().cloned().chain(legs).collect();
+    Piece { internal_lines, darts: Vec::new(), folds: Vec::new(), mesh: None, ..piece.clone() }
+}
+
+#[test]
+fn pleats_of_copies_are_written_and_their_lines_go_with_them() {
+    let mut garment = pleated();
+    assert_eq!(garment.pieces.iter().map(|p| p.internal_lines.len()).collect::<Vec<_>>(), [2, 2]);
+    let larger = |p: &Piece| p.outline.positions().iter().map(|x| x * 1.05).collect::<Vec<_>>();
+    let flats = garment.pieces.iter().map(|p| FlatPiece { piece: p.id, ..flat(larger(p)) }).collect();
+    garment.flat = Some(Flat { pieces: flats, ..Flat::default() });
+    let pieces = flat_pieces(&garment).expect("moved");
+    let plan = sewing::plan(&garment, &pieces);
+    let mouths: Vec<(&str, Vec2)> = plan.darts.iter().map(|d| (d.piece.as_str(), d.mouth[0] / 1.05)).collect();
+    assert_eq!(mouths.iter().map(|m| m.0).collect::<Vec<_>>(), ["FRONT", "FRONT-R"]);
+    assert!((mouths[0].1 - mm(90.0, 300.0)).norm() < 1e-9 && (mouths[1].1 - mm(-90.0, 300.0)).norm() < 1e-9);
+    let mut again = Garment { pieces: pieces.iter().map(as_drawn).collect(), ..Garment::default() };
+    crate::sewing::apply(&mut again, plan, &mut Report::default()).expect("applied");
+    for (piece, old) in again.pieces.iter().zip(&garment.pieces) {
+        // Neither the old legs nor the old folds stand beside the new ones.
+        assert_eq!((piece.darts.len(), piece.folds.len(), piece.internal_lines.len()), (1, 2, 2), "{}", piece.name);
+        for (new, old) in piece.folds.iter().zip(&old.folds) {
+            assert_eq!(new.angle, old.angle);
+            assert!((new.line[0] / 1.05 - old.line[0]).norm() < 1e-9, "{}: {:?}", piece.name, new.line);
+        }
+    }
+    // Before pieces are sewn the plan names copies, too.
+    assert_eq!(sewing::unsewn(&garment).darts.len(), 2);
 }

@@ -16,5 +16,5 @@ pub mod sewn_points;
 pub mod shapes;
 pub mod turned;
 
-pub use apply::{apply, apply_deciding};
+pub use apply::{apply, apply_deciding, copies, darts, folds};
 pub use file::file;

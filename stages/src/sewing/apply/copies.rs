@@ -5,7 +5,7 @@ use crate::sewing::codes;
 use crate::sewing::lookup;
 use toile_garment::outline::{OutlineEdge, PieceLine};
 use toile_garment::piece::Quantity;
-use toile_garment::sewing::{CopySpec, EdgeNameSpec, RunSpec, RunWay};
+use toile_garment::sewing::{CopySpec, DartSpec, EdgeNameSpec, FoldSpec, RunSpec, RunWay, SewingPlan};
 use toile_garment::{Diagnostic, Garment, Piece, Vec2};
 
 /// Adds the copies of the plan at the end of the list.
@@ -68,6 +68,49 @@ fn inherited(name: &EdgeNameSpec, source: &Piece, spec: &CopySpec) -> Option<Edg
         }
     };
     Some(EdgeNameSpec { run, name: name.name.clone() })
+}
+
+/// The darts that a plan declares, and those that copies of pieces have by it.
+pub fn darts(plan: &SewingPlan) -> Vec<DartSpec> {
+    let copied = |dart: &DartSpec, copy: &CopySpec| {
+        let mut dart = dart.clone();
+        dart.piece.clone_from(&copy.name);
+        if copy.mirror {
+            dart.apexes.iter_mut().chain(&mut dart.mouth).for_each(|p| *p = flip(*p));
+        }
+        dart
+    };
+    with_copies(plan, &plan.darts, |dart| &dart.piece, copied)
+}
+
+/// The folds that a plan declares, and those that copies of pieces have by it.
+pub fn folds(plan: &SewingPlan) -> Vec<FoldSpec> {
+    let copied = |fold: &FoldSpec, copy: &CopySpec| {
+        let mut fold = FoldSpec { piece: copy.name.clone(), ..fold.clone() };
+        if copy.mirror {
+            fold.line.iter_mut().for_each(|p| *p = flip(*p));
+        }
+        fold
+    };
+    with_copies(plan, &plan.folds, |fold| &fold.piece, copied)
+}
+
+/// What is said of drawn pieces, then what copies inherit from it in their order, then what is said of copies.
+fn with_copies<T: Clone>(
+    plan: &SewingPlan,
+    said: &[T],
+    piece: impl Fn(&T) -> &str,
+    copied: impl Fn(&T, &CopySpec) -> T,
+) -> Vec<T> {
+    let is_copy = |t: &&T| plan.copies.iter().any(|c| c.name.eq_ignore_ascii_case(piece(t)));
+    let mut out: Vec<T> = said.iter().filter(|t| !is_copy(t)).cloned().collect();
+    for copy in &plan.copies {
+        let of_source = |t: &&T| piece(t).eq_ignore_ascii_case(&copy.piece);
+        let inherited: Vec<T> = out.iter().filter(of_source).map(|t| copied(t, copy)).collect();
+        out.extend(inherited);
+    }
+    out.extend(said.iter().filter(is_copy).cloned());
+    out
 }
 
 /// The label of an edge on the mirrored piece, whose numbers run the other way. Names stay.

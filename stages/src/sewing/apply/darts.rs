@@ -61,7 +61,11 @@ pub fn declare_one(piece: &mut Piece, spec: &DartSpec, report: &mut Report, erro
     let old = known.map(|k| piece.darts.remove(k));
     let built = match kind {
         DartKind::FishEye => Ok(fish_eye(piece, spec, old.as_ref())),
-        DartKind::Pleat => Ok(pleat(spec)),
+        DartKind::Pleat => {
+            let dart = pleat(spec);
+            dart.legs.chunks(1).for_each(|leg| consume(piece, leg));
+            Ok(dart)
+        }
         DartKind::Wedge | DartKind::MarkedWedge => wedge(piece, spec, old.as_ref()),
     };
     match built {
@@ -189,7 +193,7 @@ fn between(line: &[Vec2], from: Vec2, to: Vec2) -> Option<Vec<Vec2>> {
 }
 
 /// Internal lines that became legs are lines no more.
-fn consume(piece: &mut Piece, legs: &[Vec<Vec2>; 2]) {
+fn consume(piece: &mut Piece, legs: &[Vec<Vec2>]) {
     let on_leg = |p: &LinePoint| legs.iter().flatten().any(|q| (q - p.at).norm() < ON_LINE);
     piece.internal_lines.retain(|line| line.points.is_empty() || !line.points.iter().all(on_leg));
 }
@@ -221,7 +225,7 @@ fn lens_half(piece: &Piece, ends: [Vec2; 2], mouth: Vec2) -> Option<Vec<Vec2>> {
 }
 
 /// A pleat: its lines run from the mouth to their ends or as far as they are sewn, or it is held at the mouth only.
-fn pleat(spec: &DartSpec) -> Dart {
+pub fn pleat(spec: &DartSpec) -> Dart {
     let ends = pleat_ends(&spec.mouth, &spec.apexes);
     let sewn = |from: Vec2, to: Vec2| match spec.sewn {
         Some(sewn) if sewn < ON_LINE => None,

@@ -3,6 +3,7 @@
 use crate::sewing::lookup;
 use crate::sewing::ring::Ring;
 use std::f64::consts::PI;
+use toile_garment::dart::pleat_ends;
 use toile_garment::outline::{LinePoint, PieceLine, PointKind};
 use toile_garment::piece::PressedFold;
 use toile_garment::sewing::{DartSpec, FoldSpec, PleatPress};
@@ -40,23 +41,44 @@ fn folds(press: PleatPress) -> Vec<Fold> {
     }
 }
 
-/// Presses a pleat of this name, whose lines run from its mouth to these ends. Its legs are sewn and drawn already.
+/// A pressed fold of a pleat.
+struct Pressed {
+    line: [Vec2; 2],
+    angle: f64,
+    /// The part of the line that is drawn for it. Legs are sewn, and drawn already.
+    drawn: Option<[Vec2; 2]>,
+}
+
+/// Presses a pleat of this name, whose lines run from its mouth to these ends.
 pub fn press(piece: &mut Piece, spec: &DartSpec, name: &str, ends: [Vec2; 2]) {
-    let Some(press) = spec.press else { return };
-    let outline = Ring::from_line(&piece.outline.positions());
-    for (n, (share, turn)) in (1..).zip(folds(press)) {
-        let line = vec![between(&outline, spec.mouth, share), between(&outline, ends, share)];
+    for (n, fold) in (1..).zip(pressed(&piece.outline.positions(), spec, ends)) {
+        if let Some(drawn) = fold.drawn {
+            draw(piece, &drawn, spec.source.as_ref());
+        }
+        piece.folds.push(PressedFold { name: format!("{name}-{n}"), line: fold.line.into(), angle: fold.angle });
+    }
+}
+
+/// The lines that are drawn for the folds of a pleat on a piece with this outline, in their order.
+pub fn drawn_for(outline: &[Vec2], spec: &DartSpec) -> Vec<Option<[Vec2; 2]>> {
+    let [Some(a), Some(b)] = pleat_ends(&spec.mouth, &spec.apexes) else { return Vec::new() };
+    pressed(outline, spec, [a, b]).into_iter().map(|fold| fold.drawn).collect()
+}
+
+fn pressed(outline: &[Vec2], spec: &DartSpec, ends: [Vec2; 2]) -> Vec<Pressed> {
+    let outline = Ring::from_line(outline);
+    let fold = |(share, turn): Fold| {
+        let line = [between(&outline, spec.mouth, share), between(&outline, ends, share)];
         let on_leg = share == 0.0 || share == 1.0;
         let from = match spec.sewn {
             Some(sewn) if on_leg => line[0] + (line[1] - line[0]) * (sewn / (line[1] - line[0]).norm()).min(1.0),
             None if on_leg => line[1],
             _ => line[0],
         };
-        if (line[1] - from).norm() > ON_LINE {
-            draw(piece, &[from, line[1]], spec.source.as_ref());
-        }
-        piece.folds.push(PressedFold { name: format!("{name}-{n}"), line, angle: turn * PI });
-    }
+        let drawn = ((line[1] - from).norm() > ON_LINE).then_some([from, line[1]]);
+        Pressed { line, angle: turn * PI, drawn }
+    };
+    spec.press.into_iter().flat_map(folds).map(fold).collect()
 }
 
 /// The point at this share of the way between two points; where both lie on the outline, so does it.
@@ -71,18 +93,33 @@ fn between(outline: &Ring, ends: [Vec2; 2], share: f64) -> Vec2 {
 
 /// Draws a line on a piece. One that is drawn there already is moved onto it.
 fn draw(piece: &mut Piece, points: &[Vec2], source: Option<&SourceRef>) {
-    let near = |a: Option<&Vec2>, b: Option<&Vec2>| a.zip(b).is_some_and(|(a, b)| (a - b).norm() < ON_LINE);
-    for line in piece.internal_lines.iter_mut().filter(|l| l.points.len() == points.len()) {
-        let drawn = line.positions();
-        let ends = [drawn.first(), drawn.last()];
-        let same = near(ends[0], points.first()) && near(ends[1], points.last());
-        let turned = near(ends[0], points.last()) && near(ends[1], points.first());
-        if same || turned {
-            let last = points.len() - 1;
-            (0..=last).for_each(|i| line.points[i].at = points[if same { i } else { last - i }]);
-            return;
+    match find(piece, points) {
+        Some((k, is_turned)) => put(&mut piece.internal_lines[k], points, is_turned),
+        None => {
+            let points = points.iter().map(|p| LinePoint { at: *p, kind: PointKind::Plain }).collect();
+            piece.internal_lines.push(PieceLine { points, closed: false, name: None, source: source.cloned() });
         }
     }
-    let points = points.iter().map(|p| LinePoint { at: *p, kind: PointKind::Plain }).collect();
-    piece.internal_lines.push(PieceLine { points, closed: false, name: None, source: source.cloned() });
+}
+
+/// The internal line of a piece that is this line, and whether it is drawn the other way round.
+pub fn find(piece: &Piece, points: &[Vec2]) -> Option<(usize, bool)> {
+    let near = |a: Option<&Vec2>, b: Option<&Vec2>| a.zip(b).is_some_and(|(a, b)| (a - b).norm() < ON_LINE);
+    let turned = |line: &PieceLine| {
+        let drawn = line.positions();
+        let ends = [drawn.first(), drawn.last()];
+        let is_same = near(ends[0], points.first()) && near(ends[1], points.last());
+        let is_turned = near(ends[0], points.last()) && near(ends[1], points.first());
+        (line.points.len() == points.len() && (is_same || is_turned)).then_some(!is_same)
+    };
+    piece.internal_lines.iter().enumerate().find_map(|(k, line)| Some((k, turned(line)?)))
+}
+
+/// Puts the points of a line onto others of the same number.
+pub fn put(line: &mut PieceLine, points: &[Vec2], is_turned: bool) {
+    let last = points.len().saturating_sub(1);
+    for (i, point) in line.points.iter_mut().enumerate() {
+        let onto = if is_turned { last.saturating_sub(i) } else { i };
+        point.at = points.get(onto).copied().unwrap_or(point.at);
+    }
 }

@@ -1,9 +1,9 @@
 //! The plan applied to freshly imported pieces.
 
 mod claims;
-mod copies;
-mod darts;
-mod folds;
+pub mod copies;
+pub mod darts;
+pub mod folds;
 mod names;
 mod undecided;
 
