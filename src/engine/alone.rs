@@ -7,7 +7,6 @@ use crate::progress::Teller;
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
-use toile_formats::codes::UNKNOWN_KEY;
 use toile_garment::{Diagnostic, Garment, Report};
 use toile_stage_api::{FileError, Files, ReadyStage, Registry, StageContext, StageError};
 use toml::de::ValueDeserializer;
@@ -25,7 +24,7 @@ pub fn run_alone(
     files: &mut Memory,
 ) -> Result<Garment, StageError> {
     let stage = registry.get(name).ok_or_else(|| StageError::Unsupported(format!("there is no stage `{name}`")))?;
-    let wrong = |message: &str| StageError::parameter(Diagnostic::error(UNKNOWN_KEY, message.to_owned()));
+    let wrong = |message: &str| StageError::parameter(crate::pipeline::refused_value(message));
     let params = ValueDeserializer::parse(params).map_err(|e| wrong(e.message()))?;
     let ready = stage.configure(params).map_err(|e| wrong(e.message()))?;
     if let Some(need) = ready.info().needs.iter().find(|n| !garment.has(**n)) {

@@ -22,6 +22,7 @@ pub use document::{Document, GRAMMAR, MAX_ERRORS, StageEntry, parse};
 pub(crate) use document::{Reader, parse_toml};
 pub use inputs::{Input, InputKind};
 pub use nearest::{nearest, remedy};
+pub use params::refused_value;
 pub use plugins::{Plugin, ProgramContent};
 pub use schema_walk::{FileRole, SchemaTree};
 pub use text::{MAX_BYTES, SourceText};

@@ -7,6 +7,7 @@ use super::schema_walk::SchemaTree;
 use crate::codes::{UNKNOWN_VALUE, WRONG_VALUE};
 use std::ops::Range;
 use toile_formats::codes::UNKNOWN_KEY;
+use toile_garment::{Code, Diagnostic};
 use toile_stage_api::{AnyStage, ReadyStage};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue, ValueDeserializer};
@@ -76,15 +77,27 @@ fn report_error(cx: &mut Reader<'_>, message: &str, span: &Range<usize>, schema:
         cx.push(codes::MISSING_KEY, span, format!("`{owner}` needs `{key}`"), hint);
         return;
     }
-    let code = if message.starts_with("unknown field") {
+    let hint = expected_hint(message).unwrap_or_else(|| format!("see `toile stages {owner}` for its parameters"));
+    cx.push(code_of(message), span, format!("`{owner}`: {message}"), hint);
+}
+
+/// The finding of a value that a parser refused in these words, outside a pipeline.
+pub fn refused_value(message: &str) -> Diagnostic {
+    let finding = Diagnostic::error(code_of(message), message.to_owned());
+    match expected_hint(message) {
+        Some(hint) => finding.hint(hint),
+        None => finding,
+    }
+}
+
+fn code_of(message: &str) -> Code {
+    if message.starts_with("unknown field") {
         UNKNOWN_KEY
     } else if message.starts_with("unknown variant") {
         UNKNOWN_VALUE
     } else {
         WRONG_VALUE
-    };
-    let hint = expected_hint(message).unwrap_or_else(|| format!("see `toile stages {owner}` for its parameters"));
-    cx.push(code, span, format!("`{owner}`: {message}"), hint);
+    }
 }
 
 /// The nearest of the names that the parser says it expected.
