@@ -15,8 +15,8 @@ codes! {
     /// The 3D shape was edited: the edit is carried into the pieces, and the strain of the drape stays in the cloth.
     FLATTEN_CARRIED = "flatten-carried";
 
-    /// A dart keeps the intake that the shape asks for. The message has the intake that the strain of the worn cloth
-    /// would leave, too.
+    /// A dart keeps the intake that the shape asks for, or its stored one where it is locked or no edit touched it. The
+    /// message has the intake that it would have else, too.
     FLATTEN_DART_KEPT = "flatten-dart-kept";
 
     /// Straight edges, right angles or pleats were held, which the flattening would have changed. The message says by how much.

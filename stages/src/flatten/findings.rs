@@ -1,5 +1,6 @@
 //! The findings of the flattening, in words.
 
+use super::dart_strain::Reason;
 use super::{advice, codes};
 use toile_garment::flat::{FlatMetric, FlatPiece};
 use toile_garment::mesh::PieceMesh;
@@ -121,16 +122,21 @@ pub fn held_pleats(piece: &Piece, held: &[(String, f64)], report: &mut Report) {
 }
 
 /// A dart that the strain of the cloth, or an edit, would have changed.
-pub fn held_dart(piece: &Piece, name: &str, [stored, free]: [f64; 2], kept: f64, is_locked: bool) -> Diagnostic {
+pub fn held_dart(piece: &Piece, name: &str, [stored, free]: [f64; 2], kept: f64, reason: Reason) -> Diagnostic {
     let [stored, free, kept] = [stored, free, kept].map(|l| 1e3 * l);
     let place = format!("piece `{}`, dart `{name}`", piece.name);
-    let what = if is_locked {
-        format!("{place}: its intake was held at {kept:.2} mm; without the lock it would be {free:.2} mm")
-    } else {
-        format!(
+    let what = match reason {
+        Reason::Locked => {
+            format!("{place}: its intake was held at {kept:.2} mm; without the lock it would be {free:.2} mm")
+        }
+        Reason::Untouched => format!(
+            "{place}: the edit did not touch it, so its intake was held at {kept:.2} mm; the strain of the edit elsewhere \
+             would make it {free:.2} mm"
+        ),
+        Reason::Strain => format!(
             "{place}: the worn surface alone gives {free:.2} mm of intake, which is the strain of the cloth; the shape \
              asks for {kept:.2} mm (stored {stored:.2} mm), and that is what the dart has"
-        )
+        ),
     };
     Diagnostic::info(codes::FLATTEN_DART_KEPT, what).at(piece.source.clone())
 }
@@ -149,11 +155,19 @@ pub fn symmetric(pieces: (&Piece, &Piece), apart: f64) -> Diagnostic {
     Diagnostic::info(codes::FLATTEN_SYMMETRIC, what).hint("use symmetry = \"off\" to keep both sides as they are")
 }
 
-/// Two sides that differ too much to be one.
-pub fn asymmetric(pieces: (&Piece, &Piece), apart: f64) -> Diagnostic {
-    let what = format!("{} differ by {:.1} mm: the edit was not symmetric", both(pieces), 1e3 * apart);
-    Diagnostic::warning(codes::FLATTEN_ASYMMETRIC, what)
-        .hint("edit both sides alike, or use symmetry = \"off\" where the difference is meant")
+/// Two sides that differ too much to be one. `moves` is the difference of an edit that moved mirrored points, metres.
+pub fn asymmetric(pieces: (&Piece, &Piece), apart: f64, moves: Option<f64>) -> Diagnostic {
+    let why = match moves {
+        Some(moves) => {
+            format!("the edit was not symmetric: it moved mirrored points by up to {:.1} mm apart", 1e3 * moves)
+        }
+        None => "the shape is not symmetric".to_owned(),
+    };
+    let what = format!("{} differ by {:.1} mm: {why}", both(pieces), 1e3 * apart);
+    Diagnostic::warning(codes::FLATTEN_ASYMMETRIC, what).hint(
+        "edit both sides alike, make them one by `--symmetry always` (symmetry = \"always\"), or say \"off\" where the \
+         difference is meant",
+    )
 }
 
 /// Names what would cure a piece whose curvature forces more strain than the limit.
@@ -162,10 +176,13 @@ pub fn developable(piece: &Piece, mesh: &PieceMesh, flat: &FlatPiece, limit: f64
     if largest <= limit {
         return;
     }
+    let curvature = match advice::enclosed(flat) {
+        0.0 => "curvature that adds up to none".to_owned(),
+        degrees => format!("{degrees:.1} degrees of curvature"),
+    };
     let what = format!(
-        "piece `{}` encloses {:.1} degrees of curvature: no flat piece avoids {:.2} % strain (mean {:.2} %)",
+        "piece `{}` encloses {curvature}: no flat piece avoids {:.2} % strain (mean {:.2} %)",
         piece.name,
-        flat.curvature.to_degrees(),
         100.0 * largest,
         100.0 * mean
     );

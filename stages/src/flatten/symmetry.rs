@@ -1,8 +1,8 @@
 //! Pieces that mirror each other, and pieces on the middle, come back as one.
 //!
 //! Two stored outlines that a reflection carries onto each other belong together if the reflection left to right of the
-//! garment in 3D agrees. Where the edit was symmetric, the flat pieces differ by little. The changes of both sides are
-//! then averaged, so that they are the same.
+//! garment in 3D agrees. Where the edit was symmetric, the changes of both sides are averaged, so that they are the
+//! same. Folds fall differently on both sides, so the edit alone is compared: how far it moved mirrored points.
 
 use super::align::Rigid;
 use super::features::{self, Features};
@@ -17,6 +17,8 @@ use toile_garment::{Garment, Report, Vec2, Vec3};
 
 /// Largest difference of two sides that is taken for one, metres. Larger also evens out small edits of one side.
 const SAME_EDIT: f64 = 3e-3;
+/// Difference of the moves of mirrored points, as a share of the largest move, up to which an edit is symmetric.
+const SAME_MOVE: f64 = 0.25;
 /// Difference below which the sides are the same already, metres.
 const SAME_ALREADY: f64 = 1e-9;
 /// Mean distance in 3D from the mirror image, as a share of the square root of the area, up to which pieces are images.
@@ -57,8 +59,9 @@ pub fn make(
         if apart <= SAME_ALREADY {
             continue;
         }
-        if apart > SAME_EDIT && params.symmetry != SymmetryChoice::Always {
-            report.push(findings::asymmetric(names, apart));
+        let moves = moves(sources, &image);
+        if apart > SAME_EDIT && params.symmetry != SymmetryChoice::Always && !moves.is_symmetric() {
+            report.push(findings::asymmetric(names, apart, (moves.largest > 0.0).then_some(moves.apart)));
             continue;
         }
         let mean = |a: &[Vec2], b: &[Vec2]| a.iter().zip(b).map(|(a, b)| (a + b) * 0.5).collect::<Vec<_>>();
@@ -69,6 +72,34 @@ pub fn make(
             (flats[image.p], flats[image.q]) = (p.clone(), if image.p == image.q { p } else { q });
         }
     }
+}
+
+/// What an edit did to the mirrored points of a piece and its image, metres.
+struct Moves {
+    /// Largest difference between the move of a point and the mirrored move of its image.
+    apart: f64,
+    /// Largest move.
+    largest: f64,
+}
+
+impl Moves {
+    /// Without any move there was no edit, and the shape itself is what differs.
+    fn is_symmetric(&self) -> bool {
+        self.largest > 0.0 && self.apart <= SAME_EDIT.max(SAME_MOVE * self.largest)
+    }
+}
+
+fn moves(sources: &[Source<'_>], image: &Image) -> Moves {
+    let of = |s: &Source<'_>| s.surface.iter().zip(s.before).map(|(now, before)| now - before).collect::<Vec<Vec3>>();
+    let (p, q) = (&sources[image.p], &sources[image.q]);
+    let (moved, other) = (of(p), of(q));
+    let location = PointLocation::new(&q.mesh.rest, &q.mesh.triangles);
+    let apart = p.mesh.rest.iter().zip(&moved).map(|(rest, moved)| {
+        let there = location.interpolate(image.reflection.of(*rest), &other);
+        (moved - Vec3::new(-there.x, there.y, there.z)).norm()
+    });
+    let largest = moved.iter().chain(&other).map(|m| m.norm()).fold(0.0, f64::max);
+    Moves { apart: apart.fold(0.0, f64::max), largest }
 }
 
 fn difference(a: &[Vec2], b: &[Vec2]) -> f64 {

@@ -516,6 +516,27 @@ fn a_symmetric_edit_gives_a_symmetric_piece_and_one_of_one_side_does_not() {
 }
 
 #[test]
+fn folds_that_fall_differently_make_a_symmetric_edit_no_less_symmetric() {
+    // Folds on one side only; the edit widens the sheet about the middle by a sixth, folds included.
+    let grid = sheet(21, 30);
+    let worn = |p: Vec2| Vec3::new(p.x, p.y, if p.x > 0.0 { 0.03 * libm::sin(40.0 * p.x) } else { 0.0 });
+    let wider = |p: Vec2| {
+        let at = worn(p);
+        Vec3::new(at.x * (1.0 + 0.5 * p.y), at.y, at.z * (1.0 + 0.5 * p.y))
+    };
+    let all = |f: &dyn Fn(Vec2) -> Vec3| grid.points.iter().map(|p| f(*p)).collect::<Vec<Vec3>>();
+    let g = edited(grid.piece(), all(&worn), all(&wider));
+    let off = FlattenParams { symmetry: SymmetryChoice::Off, ..FlattenParams::default() };
+    let [made, loose] = [&FlattenParams::default(), &off].map(|params| codes_of(&g, params));
+    let sides = |flat: &Flat| {
+        let at = |i: usize| flat.pieces[0].positions[grid.id(i, 30) as usize].x;
+        (1e3 * (at(0) + at(21))).abs()
+    };
+    println!("sides differ by {:.2} mm, made one {:.2} mm", sides(&loose.0), sides(&made.0));
+    assert!(made.1.iter().any(|c| c == "flatten-symmetric"), "{:?}", made.1);
+}
+
+#[test]
 fn the_strain_of_worn_cloth_does_not_close_a_dart() {
     // A cone with a dart, worn 4 % wider than it is cut around its tip: the surface alone asks for another dart.
     let s20 = 340f64.to_radians();
@@ -549,4 +570,24 @@ fn a_change_over_its_tolerance_is_told() {
     };
     // Hem and waist are 4 mm longer, the sides as long as before.
     assert_eq!((judged(3e-3), judged(5e-3)), (2, 0));
+}
+
+#[test]
+fn a_dart_that_the_edit_did_not_touch_keeps_its_intake() {
+    // The cone with a dart, and a bump in the cloth across from it.
+    let s20 = 340f64.to_radians();
+    let (polar, triangles, rings) = disc(0.15, 18, s20);
+    let before = cone(&polar, s20);
+    let bump = |([r, a], p): (&[f64; 2], &Vec3)| {
+        let (x, y) = (r * libm::cos(a - 0.5 * s20), r * libm::sin(a - 0.5 * s20));
+        let near = 1.0 - ((x - 0.09).powi(2) + y * y) / (0.05f64).powi(2);
+        p + Vec3::y() * (0.02 * near.max(0.0).powi(2))
+    };
+    let now: Vec<Vec3> = polar.iter().zip(&before).map(bump).collect();
+    let g = edited(dart_piece(&polar, &triangles, &rings), before, now);
+    let (flat, codes) = codes_of(&g, &FlattenParams::default());
+    let [stored, kept] = flat.pieces[0].darts[0].width.map(|w| 1e3 * w);
+    println!("stored {stored:.3} mm, kept {kept:.3} mm, {codes:?}");
+    assert!((kept - stored).abs() < 0.02, "{stored} mm became {kept} mm");
+    assert!(codes.iter().any(|c| c == "flatten-dart-kept"), "{codes:?}");
 }
