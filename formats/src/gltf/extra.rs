@@ -1,5 +1,6 @@
 //! Parts that a GLB may show beside the pieces: the body, the wrong side of the cloth, and its lines.
 
+use super::surface::{Attributes, Surface};
 use super::write::{Buffer, Mesh, WriteError, floats};
 use crate::normals;
 use gltf_json as json;
@@ -7,6 +8,7 @@ use json::accessor::Type;
 use json::mesh::{Mode, Semantic};
 use json::validation::Checked::Valid;
 use std::collections::BTreeMap;
+use toile_garment::texture::PieceTexture;
 use toile_garment::{Garment, Piece, Vec3};
 
 /// Colours of body and lines, linear RGB.
@@ -15,14 +17,19 @@ const THREAD: [f32; 3] = [0.05, 0.05, 0.05];
 /// Lines lie this far above the right side of the cloth, metres.
 const ABOVE: f64 = 4e-4;
 
-type Attributes = BTreeMap<json::validation::Checked<Semantic>, json::Index<json::Accessor>>;
-
 /// Adds a node `body`, where the garment has one with a mesh.
 pub fn body(root: &mut json::Root, buffer: &mut Buffer, garment: &Garment) -> Result<(), WriteError> {
     let Some(body) = garment.body.as_ref().filter(|b| !b.triangles.is_empty()) else { return Ok(()) };
     let normals = normals::smooth(&[(&body.positions, &body.triangles)]).remove(0);
     let named = Piece { name: "body".to_owned(), ..Piece::default() };
-    let attributes = surface(root, buffer, &named, &body.positions, &normals)?;
+    let surface = Surface {
+        positions: &body.positions,
+        normals: &normals,
+        triangles: &body.triangles,
+        texture: None,
+        material: None,
+    };
+    let attributes = surface.attributes(root, buffer, &named)?;
     let indices = buffer.indices(root, &body.triangles, body.positions.len());
     let material = plain(root, "body", BODY);
     node(root, "body", part(attributes, indices, Mode::Triangles, material));
@@ -30,33 +37,49 @@ pub fn body(root: &mut json::Root, buffer: &mut Buffer, garment: &Garment) -> Re
 }
 
 /// Adds a node for the wrong side of a piece: the mesh of the right side, a thickness behind it, and its edges.
+///
+/// Every vertex lies on the cloth where the vertex of the right side lies that it comes from.
 pub fn wrong_side(
     root: &mut json::Root,
     buffer: &mut Buffer,
     piece: &Piece,
-    (positions, triangles): Mesh<'_>,
-    normals: &[Vec3],
-    (thickness, material): (f64, u32),
+    right: &Surface<'_>,
+    thickness: f64,
 ) -> Result<(), WriteError> {
-    let n = positions.len();
+    let (positions, normals) = (right.positions, right.normals);
     let behind = positions.iter().zip(normals).map(|(p, n)| p - n * thickness);
     let (mut points, mut turned): (Vec<Vec3>, Vec<Vec3>) = (behind.collect(), normals.iter().map(|n| -n).collect());
-    let mut faces: Vec<[u32; 3]> = triangles.iter().map(|[a, b, c]| [*a, *c, *b]).collect();
-    for [a, b] in rim(triangles) {
+    let mut from: Vec<usize> = (0..positions.len()).collect();
+    let mut faces: Vec<[u32; 3]> = right.triangles.iter().map(|[a, b, c]| [*a, *c, *b]).collect();
+    for edge in rim(right.triangles) {
+        let [a, b] = edge.map(|i| i as usize);
         let first = points.len() as u32;
-        let along = positions[b as usize] - positions[a as usize];
-        let out = along.cross(&normals[a as usize]);
-        let out = if out.norm() > 0.0 { out.normalize() } else { normals[a as usize] };
-        points.extend([positions[a as usize], positions[b as usize], points[b as usize], points[a as usize]]);
+        let out = (positions[b] - positions[a]).cross(&normals[a]);
+        let out = if out.norm() > 0.0 { out.normalize() } else { normals[a] };
+        points.extend([positions[a], positions[b], points[b], points[a]]);
         turned.extend([out; 4]);
+        from.extend([a, b, b, a]);
         faces.extend([[first, first + 2, first + 1], [first, first + 3, first + 2]]);
     }
-    debug_assert!(n <= points.len());
-    let attributes = surface(root, buffer, piece, &points, &turned)?;
+    let texture = right.texture.map(|t| textured_as(t, &from));
+    let material = json::Index::new(right.texture.map_or(0, |t| t.material));
+    let shell = Surface {
+        positions: &points,
+        normals: &turned,
+        triangles: &faces,
+        texture: texture.as_ref(),
+        material: right.material,
+    };
+    let attributes = shell.attributes(root, buffer, piece)?;
     let indices = buffer.indices(root, &faces, points.len());
-    let name = format!("{} wrong side", piece.name);
-    node(root, &name, part(attributes, indices, Mode::Triangles, json::Index::new(material)));
+    node(root, &format!("{} wrong side", piece.name), part(attributes, indices, Mode::Triangles, material));
     Ok(())
+}
+
+/// The texture coordinates of vertices that come from those of a piece.
+fn textured_as(texture: &PieceTexture, from: &[usize]) -> PieceTexture {
+    let pick = |all: &[[f64; 2]]| from.iter().filter_map(|i| all.get(*i).copied()).collect();
+    PieceTexture { material: texture.material, uv_cloth: pick(&texture.uv_cloth), uv_packed: pick(&texture.uv_packed) }
 }
 
 /// Edges of one triangle only, in the direction of that triangle, by its first vertex.
@@ -117,21 +140,6 @@ pub fn lines(
     };
     node(root, "seams", primitive);
     Ok(())
-}
-
-fn surface(
-    root: &mut json::Root,
-    buffer: &mut Buffer,
-    piece: &Piece,
-    positions: &[Vec3],
-    normals: &[Vec3],
-) -> Result<Attributes, WriteError> {
-    let mut out = Attributes::new();
-    let p = floats(piece, "the position", positions.iter().map(|p| [p.x, p.y, p.z]))?;
-    out.insert(Valid(Semantic::Positions), buffer.floats(root, &p, Type::Vec3, true));
-    let n = floats(piece, "the normal", normals.iter().map(|n| [n.x, n.y, n.z]))?;
-    out.insert(Valid(Semantic::Normals), buffer.floats(root, &n, Type::Vec3, false));
-    Ok(out)
 }
 
 /// A plain, dull material.

@@ -1,15 +1,15 @@
 //! From the garment to a GLB.
 
+use super::surface::Surface;
 use super::wishes::Wishes;
 use super::{container, document, extra, material, motion, variants};
 use crate::normals;
-use crate::picture::linear;
+use crate::picture::{Field, linear};
 use gltf_json as json;
 use json::accessor::{ComponentType, GenericComponentType, Type};
 use json::buffer::Target;
-use json::validation::Checked::{self, Valid};
+use json::validation::Checked::Valid;
 use json::validation::USize64;
-use std::collections::BTreeMap;
 use toile_garment::bundle::BundleError;
 use toile_garment::garment::Shape;
 use toile_garment::texture::{Material, PieceTexture};
@@ -88,7 +88,7 @@ impl Buffer {
     }
 
     /// Numbers from 0 to 1 as whole 16-bit steps.
-    fn shares<const N: usize>(
+    pub(super) fn shares<const N: usize>(
         &mut self,
         root: &mut json::Root,
         values: &[[f32; N]],
@@ -258,8 +258,11 @@ fn beside(
     if wishes.thickness {
         for (k, piece) in garment.pieces.iter().enumerate() {
             let Some(fabric) = garment.fabric_of(piece) else { continue };
-            let material = garment.textures.as_ref().and_then(|t| t.pieces.get(k)).map_or(0, |t| t.material);
-            extra::wrong_side(root, buffer, piece, meshes[k], &normals[k], (fabric.thickness, material))?;
+            let texture = garment.textures.as_ref().and_then(|t| t.pieces.get(k));
+            let (positions, triangles) = meshes[k];
+            let material = material_of(garment, texture);
+            let right = Surface { positions, normals: &normals[k], triangles, texture, material };
+            extra::wrong_side(root, buffer, piece, &right, fabric.thickness)?;
         }
     }
     if wishes.lines {
@@ -341,7 +344,13 @@ fn push_piece(
     wishes: &Wishes<'_>,
 ) -> Result<(), WriteError> {
     let texture = garment.textures.as_ref().and_then(|t| t.pieces.get(piece.id.index()));
-    let attributes = attributes(root, buffer, piece, positions, normals, texture, wishes)?;
+    let own = material_of(garment, texture).filter(|_| wishes.field.is_none());
+    let surface = Surface { positions, normals, triangles, texture, material: own };
+    let mut attributes = surface.attributes(root, buffer, piece)?;
+    if let Some(field) = wishes.field {
+        let colours = colours(root, buffer, piece, positions.len(), field);
+        attributes.insert(Valid(json::mesh::Semantic::Colors(0)), colours);
+    }
     let painted = wishes.field.map(|_| root.materials.len() as u32 - 1);
     let material = painted.unwrap_or_else(|| texture.map_or(0, |t| t.material));
     if material as usize >= root.materials.len() {
@@ -374,39 +383,21 @@ fn push_piece(
     Ok(())
 }
 
-/// Positions, normals, texture coordinates and colours of the vertices of a piece.
-fn attributes(
+/// The material of a piece, if the garment has one for it.
+fn material_of<'a>(garment: &'a Garment, texture: Option<&PieceTexture>) -> Option<&'a Material> {
+    garment.textures.as_ref()?.materials.get(texture?.material as usize)
+}
+
+/// The colours of a field at the vertices of a piece.
+fn colours(
     root: &mut json::Root,
     buffer: &mut Buffer,
     piece: &Piece,
-    positions: &[Vec3],
-    normals: &[Vec3],
-    texture: Option<&PieceTexture>,
-    wishes: &Wishes<'_>,
-) -> Result<BTreeMap<Checked<json::mesh::Semantic>, json::Index<json::Accessor>>, WriteError> {
-    use json::mesh::Semantic;
-    let mut attributes = BTreeMap::new();
-    let p = floats(piece, "the position", positions.iter().map(|p| [p.x, p.y, p.z]))?;
-    attributes.insert(Valid(Semantic::Positions), buffer.floats(root, &p, Type::Vec3, true));
-    let n = floats(piece, "the normal", normals.iter().map(|n| [n.x, n.y, n.z]))?;
-    attributes.insert(Valid(Semantic::Normals), buffer.floats(root, &n, Type::Vec3, false));
-    if let Some(texture) = texture {
-        if texture.uv_cloth.len() != positions.len() || texture.uv_packed.len() != positions.len() {
-            let message = format!("piece `{}` has texture coordinates for another mesh", piece.name);
-            return Err(WriteError::Damaged(message));
-        }
-        // glTF counts v downwards from the top of the image.
-        let cloth = floats(piece, "the texture coordinate", texture.uv_cloth.iter().map(|[u, v]| [*u, -v]))?;
-        attributes.insert(Valid(Semantic::TexCoords(0)), buffer.floats(root, &cloth, Type::Vec2, false));
-        let packed = floats(piece, "the packed coordinate", texture.uv_packed.iter().map(|[u, v]| [*u, 1.0 - v]))?;
-        attributes.insert(Valid(Semantic::TexCoords(1)), buffer.shares(root, &packed, Type::Vec2));
-    }
-    if let Some(field) = wishes.field {
-        let values = field.values.get(piece.id.index()).map_or(&[][..], Vec::as_slice);
-        let value = |v: usize| values.get(v).copied().unwrap_or(f64::NAN);
-        let colours: Vec<[f32; 3]> =
-            (0..positions.len()).map(|v| field.colour(value(v)).map(|c| linear(c) as f32)).collect();
-        attributes.insert(Valid(Semantic::Colors(0)), buffer.shares(root, &colours, Type::Vec3));
-    }
-    Ok(attributes)
+    count: usize,
+    field: &Field,
+) -> json::Index<json::Accessor> {
+    let values = field.values.get(piece.id.index()).map_or(&[][..], Vec::as_slice);
+    let value = |v: usize| values.get(v).copied().unwrap_or(f64::NAN);
+    let colours: Vec<[f32; 3]> = (0..count).map(|v| field.colour(value(v)).map(|c| linear(c) as f32)).collect();
+    buffer.shares(root, &colours, Type::Vec3)
 }
