@@ -1,6 +1,6 @@
 //! A pattern piece.
 
-use crate::dart::Dart;
+use crate::dart::{Dart, DartKind};
 use crate::ids::PieceId;
 use crate::mesh::PieceMesh;
 use crate::notch::Notch;
@@ -158,9 +158,65 @@ pub struct Piece {
 }
 
 impl Piece {
+    /// Area of the cloth inside the sewn line, square metres: without cut-outs, and without the intakes of darts that
+    /// are cut out when the piece is meshed.
+    #[must_use]
+    pub fn cloth_area(&self) -> f64 {
+        if let Some(mesh) = &self.mesh {
+            return mesh.area();
+        }
+        let is_cut_out = |d: &&Dart| matches!(d.kind, DartKind::MarkedWedge | DartKind::FishEye);
+        let intake = |d: &Dart| area(&d.legs[0].iter().chain(d.legs[1].iter().rev()).copied().collect::<Vec<_>>());
+        let intakes: f64 = self.darts.iter().filter(is_cut_out).map(intake).sum();
+        let holes: f64 = self.cutouts.iter().map(|c| c.signed_area().abs()).sum();
+        self.outline.signed_area().abs() - intakes - holes
+    }
+
     /// Unit warp direction: the grain line where there is one, else +y.
     #[must_use]
     pub fn warp(&self) -> Vec2 {
         self.grain.map(|[a, b]| b - a).filter(|d| d.norm() > 1e-9).map_or_else(|| Vec2::new(0.0, 1.0), |d| d / d.norm())
+    }
+}
+
+/// Area inside a ring of points, square metres.
+fn area(ring: &[Vec2]) -> f64 {
+    let next = ring.iter().cycle().skip(1);
+    ring.iter().zip(next).map(|(a, b)| 0.5 * a.perp(b)).sum::<f64>().abs()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::dart::DartEvidence;
+    use crate::outline::PointKind;
+
+    /// A square of 1 m with a marked dart of 0.1 m × 0.5 m; its outline runs straight over the mouth.
+    fn darted(kind: DartKind) -> Piece {
+        let [a, apex, b] = [[0.45, 0.0], [0.5, 0.5], [0.55, 0.0]].map(Vec2::from);
+        let dart = Dart {
+            name: "dart-1".into(),
+            kind,
+            evidence: DartEvidence::InternalLine,
+            apexes: vec![apex],
+            mouth: [a, b],
+            legs: [vec![a, apex], vec![b, apex]],
+            line: "internal".into(),
+            depth: None,
+            mesh: None,
+            source: None,
+        };
+        let corner = |[x, y]: [f64; 2]| LinePoint { at: Vec2::new(x, y), kind: PointKind::Turn };
+        let points = [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(corner).to_vec();
+        let outline = PieceLine { points, closed: true, ..PieceLine::default() };
+        Piece { outline, darts: vec![dart], ..Piece::default() }
+    }
+
+    #[test]
+    fn the_area_of_cloth_is_without_the_intake_that_is_cut_out() {
+        let near = |kind, area: f64| assert!((darted(kind).cloth_area() - area).abs() < 1e-12);
+        near(DartKind::MarkedWedge, 0.975);
+        near(DartKind::Pleat, 1.0);
+        near(DartKind::Wedge, 1.0);
     }
 }

@@ -4,6 +4,7 @@
 
 pub mod canvas;
 mod flat;
+mod labels;
 pub(crate) mod pattern;
 
 pub use flat::{flat_piece, flat_sheet};

@@ -1,6 +1,7 @@
 //! The pattern as `toile inspect --svg` draws it: pieces side by side with numbered edges.
 
 use super::canvas::{Bounds, Canvas, fixed};
+use super::labels::Labels;
 use toile_garment::dart::{Dart, DartKind};
 use toile_garment::notch::Notch;
 use toile_garment::outline::{OutlineEdge, PieceLine};
@@ -25,6 +26,11 @@ const SEAM_STYLE: &str = "\
 .seam{stroke:#e8590c;stroke-width:9px;stroke-opacity:0;stroke-linecap:round;pointer-events:stroke;cursor:pointer}\
 .picked .seam{stroke-opacity:.85;stroke-width:5px}[data-pick]{cursor:pointer}.picked>.cloth{fill:#ffe2cc}";
 
+/// Places that are tried for the label of a dart on each of its three ways.
+const DART_PLACES: i32 = 6;
+/// Steps that the name of a piece may lie beside its middle, each way.
+const NAME_PLACES: i32 = 8;
+
 /// Draws pieces side by side: cut and sew line, numbered edges, darts, notches, grain, drill holes, internal lines.
 #[must_use]
 pub fn pattern(pieces: &[Piece], title: &str) -> String {
@@ -48,7 +54,7 @@ fn sheet(pieces: &[Piece], picks: Option<&[Seam]>, title: &str) -> String {
             if picks.is_some() {
                 canvas.open(&format!("piece:{k}"));
             }
-            let mut pen = Pen { canvas: &mut canvas, move_by: place - bounds.min, size };
+            let mut pen = Pen { canvas: &mut canvas, move_by: place - bounds.min, size, labels: Labels::default() };
             pen.piece(piece, bounds);
             if picks.is_some() {
                 canvas.close();
@@ -133,6 +139,7 @@ struct Pen<'a> {
     canvas: &'a mut Canvas,
     move_by: Vec2,
     size: f64,
+    labels: Labels,
 }
 
 impl Pen<'_> {
@@ -156,6 +163,11 @@ impl Pen<'_> {
         }
         piece.internal_lines.iter().for_each(|l| self.line("internal", l));
         self.grain(piece);
+        // The numbers of the edges have fixed places; the other labels make room for them.
+        let fixed: Vec<(Vec2, String)> = piece.edges.iter().filter_map(|e| self.edge_label(piece, e)).collect();
+        for (at, label) in fixed {
+            self.labels.take(at, self.size, &label);
+        }
         piece.darts.iter().for_each(|d| self.dart(d));
         piece.notches.iter().for_each(|n| self.notch(n, piece));
         piece.drill_holes.iter().for_each(|h| self.drill(h.at));
@@ -184,12 +196,19 @@ impl Pen<'_> {
         let middle = (dart.mouth[0] + dart.mouth[1]) * 0.5;
         let Some(apex) = dart.apexes.first() else { return };
         let beyond = (apex - middle) * 1e3;
-        let at = match dart.kind {
+        let along = beyond / beyond.norm().max(1e-9) * self.size;
+        let first = match dart.kind {
             DartKind::FishEye => self.at(middle),
-            _ => self.at(*apex) + beyond / beyond.norm().max(1e-9) * (2.6 * self.size),
+            _ => self.at(*apex) + along * 2.6,
         };
         let label = format!("{} {} mm", dart.name, fixed(1e3 * dart.intake(), 1));
-        self.canvas.text("dartname", at, 0.85 * self.size, &label);
+        let size = 0.85 * self.size;
+        let step = Vec2::new(0.0, 1.2 * size);
+        let aside =
+            |k: i32| [first + along * (1.3 * f64::from(k)), first + step * f64::from(k), first - step * f64::from(k)];
+        let places: Vec<Vec2> = (0..DART_PLACES).flat_map(aside).collect();
+        let at = self.labels.place(&places, &[(0.0, size, &label)]).unwrap_or(first);
+        self.canvas.text("dartname", at, size, &label);
     }
 
     fn notch(&mut self, notch: &Notch, piece: &Piece) {
@@ -236,11 +255,16 @@ impl Pen<'_> {
         let Some(from) = points.get(edge.from as usize) else { return };
         let corner = self.at(from.at);
         self.canvas.dot("corner", corner, 0.22 * self.size);
-        let Some((middle, inward)) = middle(&piece.outline, edge) else { return };
+        let Some((at, label)) = self.edge_label(piece, edge) else { return };
+        self.canvas.text("edge", at, self.size, &label);
+    }
+
+    /// The label of an edge and its place, inside the cloth.
+    fn edge_label(&self, piece: &Piece, edge: &OutlineEdge) -> Option<(Vec2, String)> {
+        let (middle, inward) = middle(&piece.outline, edge)?;
         let label = edge.name.as_ref().map_or_else(|| edge.index.to_string(), |n| format!("{} {n}", edge.index));
         let away = 1.1 + 0.28 * label.chars().count() as f64 * inward.x.abs();
-        let at = self.at(middle) + inward * (away * self.size);
-        self.canvas.text("edge", at, self.size, &label);
+        Some((self.at(middle) + inward * (away * self.size), label))
     }
 
     /// An arrow in the middle of an edge.
@@ -251,10 +275,8 @@ impl Pen<'_> {
         self.canvas.line("way", &[tip - along + across, tip, tip - along - across], false);
     }
 
+    /// Name, cut and area in the middle of a piece, or as near to it as there is room.
     fn name(&mut self, piece: &Piece, bounds: &Bounds) {
-        let centre = (bounds.min + bounds.max) * 0.5 + self.move_by;
-        let below = Vec2::new(0.0, -1.4 * self.size);
-        self.canvas.text("name", centre, 1.15 * self.size, &piece.name);
         let q = piece.quantity;
         let size = piece.size.as_ref().map_or_else(String::new, |s| format!("size {s}, "));
         let cut = if q.mirrored > 0 {
@@ -262,10 +284,26 @@ impl Pen<'_> {
         } else {
             format!("cut {}", q.plain)
         };
-        self.canvas.text("label", centre + below, 0.85 * self.size, &(size + &cut));
-        let area = fixed(1e4 * piece.outline.signed_area().abs(), 1);
-        self.canvas.text("label", centre + below * 1.9, 0.85 * self.size, &format!("{area} cm²"));
+        let area = format!("{} cm²", fixed(1e4 * piece.cloth_area(), 1));
+        let (below, small) = (-1.4 * self.size, 0.85 * self.size);
+        let cut = size + &cut;
+        let lines = [(0.0, 1.15 * self.size, piece.name.as_str()), (below, small, &cut), (1.9 * below, small, &area)];
+        let centre = (bounds.min + bounds.max) * 0.5 + self.move_by;
+        let places = around(centre, bounds.size(), 1.5 * self.size);
+        let at = self.labels.place(&places, &lines).unwrap_or(centre);
+        for ((above, size, text), class) in lines.into_iter().zip(["name", "label", "label"]) {
+            self.canvas.text(class, at + Vec2::new(0.0, above), size, text);
+        }
     }
+}
+
+/// Places around the middle of a rectangle, the nearest first, within its middle part.
+fn around(centre: Vec2, size: Vec2, step: f64) -> Vec<Vec2> {
+    let count = |length: f64| ((0.3 * length / step) as i32).min(NAME_PLACES);
+    let (wide, high) = (count(size.x), count(size.y));
+    let mut steps: Vec<(i32, i32)> = (-high..=high).flat_map(|y| (-wide..=wide).map(move |x| (x, y))).collect();
+    steps.sort_by_key(|(x, y)| (x * x + y * y, *y, *x));
+    steps.into_iter().map(|(x, y)| centre + Vec2::new(f64::from(x), f64::from(y)) * step).collect()
 }
 
 /// Half-way point of an edge and the direction into the cloth (the left of a counter-clockwise outline).
@@ -368,6 +406,37 @@ mod tests {
         let (at, inward) = middle(&square("a").outline, &square("a").edges[1]).expect("edge");
         assert!((at - Vec2::new(0.2, 0.15)).norm() < 1e-12 && (inward - Vec2::new(-1.0, 0.0)).norm() < 1e-12);
         assert!((inward_normal(&square("a").outline, Vec2::new(0.1, 0.301)) - Vec2::new(0.0, -1.0)).norm() < 1e-12);
+    }
+
+    /// Two darts whose points are near to each other, and a piece that is narrower than its name.
+    #[test]
+    fn labels_do_not_lie_on_each_other() {
+        let wedge = |name: &str, x: f64| {
+            let legs = [x - 0.01, x + 0.01].map(|mouth| vec![[mouth, 0.0], [0.1 + 0.2 * (x - 0.1), 0.12]]);
+            dart(name, DartKind::Wedge, &[[0.1 + 0.2 * (x - 0.1), 0.12]], legs)
+        };
+        let front = Piece { darts: vec![wedge("dart-1", 0.07), wedge("dart-2", 0.13)], ..square("front") };
+        let mut band = square("waistband");
+        band.outline.points.iter_mut().for_each(|p| p.at.x *= 0.15);
+        for piece in [front, band] {
+            let svg = pattern(&[piece], "t");
+            let labels: Vec<[f64; 4]> = svg.lines().filter_map(label).collect();
+            assert!(labels.len() >= 5, "{svg}");
+            for (k, [x, y, w, h]) in labels.iter().enumerate() {
+                let covers = |o: &&[f64; 4]| (o[0] - x).abs() < o[2] + w - 1e-6 && (o[1] - y).abs() < o[3] + h - 1e-6;
+                assert_eq!(labels[..k].iter().find(covers), None, "{svg}");
+            }
+        }
+    }
+
+    /// Place, half width and half height of a label on a piece; half letters are narrow here.
+    fn label(line: &str) -> Option<[f64; 4]> {
+        let value = |key: &str| line.split_once(&format!("{key}=\""))?.1.split_once('"')?.0.parse::<f64>().ok();
+        let is_one = ["edge", "dartname", "name"].iter().any(|c| line.contains(&format!("<text class=\"{c}\"")));
+        let text = line.split_once('>')?.1.split_once('<')?.0;
+        let size = value("font-size")?;
+        let half = 0.25 * size * text.chars().count() as f64;
+        is_one.then_some([value(" x")?, value(" y")? - 0.35 * size, half, 0.4 * size])
     }
 
     #[test]

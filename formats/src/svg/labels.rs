@@ -1,0 +1,63 @@
+//! Places of labels that do not lie on each other.
+
+use super::canvas::Bounds;
+use toile_garment::Vec2;
+
+/// Half the width of a letter and half the height of a line, as shares of the size of a text.
+const HALF_LETTER: f64 = 0.31;
+const HALF_LINE: f64 = 0.55;
+
+/// The room that labels take.
+#[derive(Clone, Debug, Default)]
+pub struct Labels {
+    taken: Vec<Bounds>,
+}
+
+impl Labels {
+    /// Takes the room of a text whose place is fixed.
+    pub fn take(&mut self, at: Vec2, size: f64, text: &str) {
+        self.taken.push(room(at, &[(0.0, size, text)]));
+    }
+
+    /// The first of several places at which lines of text lie on no other label, else the one where they cover least;
+    /// their room is taken. A line is told by its height above the place, its size and its text.
+    pub fn place(&mut self, places: &[Vec2], lines: &[(f64, f64, &str)]) -> Option<Vec2> {
+        let covered = |at: &Vec2| self.taken.iter().map(|t| shared(t, &room(*at, lines))).sum::<f64>();
+        let costs: Vec<(f64, Vec2)> = places.iter().map(|at| (covered(at), *at)).collect();
+        let free = costs.iter().find(|(cost, _)| *cost <= 0.0);
+        let (_, at) = free.or_else(|| costs.iter().min_by(|a, b| a.0.total_cmp(&b.0)))?;
+        self.taken.push(room(*at, lines));
+        Some(*at)
+    }
+}
+
+/// The rectangle around lines of text that are centred at a place.
+fn room(at: Vec2, lines: &[(f64, f64, &str)]) -> Bounds {
+    let corner = |(above, size, text): &(f64, f64, &str)| {
+        let half = Vec2::new(HALF_LETTER * text.chars().count() as f64, HALF_LINE) * *size;
+        let middle = at + Vec2::new(0.0, *above);
+        [middle - half, middle + half]
+    };
+    Bounds::of(lines.iter().flat_map(corner)).unwrap_or(Bounds { min: at, max: at })
+}
+
+/// The area that two rectangles share.
+fn shared(a: &Bounds, b: &Bounds) -> f64 {
+    let size = a.max.inf(&b.max) - a.min.sup(&b.min);
+    size.x.max(0.0) * size.y.max(0.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_label_goes_where_none_lies_or_where_it_covers_least() {
+        let mut labels = Labels::default();
+        let [here, beside, far] = [0.0, 4.0, 20.0].map(|x| Vec2::new(x, 0.0));
+        labels.take(here, 1.0, "dart-1 31.7 mm");
+        assert_eq!(labels.place(&[here, beside, far], &[(0.0, 1.0, "dart-2 28.0 mm")]), Some(far));
+        assert_eq!(labels.place(&[here, beside], &[(0.0, 1.0, "dart-3")]), Some(beside));
+        assert_eq!(labels.place(&[], &[(0.0, 1.0, "x")]), None);
+    }
+}
