@@ -266,7 +266,23 @@ fn a_seam_between_edges_that_do_not_belong_together_names_free_edges_that_fit() 
     let Err(StageError::Parameter(errors)) = run(&Assemble, &Default::default(), garment) else { panic!("refused") };
     // The edges of the first seam are taken; 300 mm is the other side of the front alone.
     let hint = errors[0].hint.as_deref().unwrap_or_default();
-    assert_eq!(hint, "to 300.0 mm fits `front.3` (300.0 mm); to 200.0 mm fits `back.0` (200.0 mm)");
+    let fits = "to 300.0 mm fits `front.3` (300.0 mm); to 200.0 mm fits `back.0` (200.0 mm)";
+    let declare = "; or if side a is gathered, write gather = 1.500; if it is eased, write ease = \"100.0 mm\" \
+                   (a minus b); or raise max_ease";
+    assert_eq!(hint, format!("{fits}{declare}"));
+}
+
+#[test]
+fn a_side_that_is_longer_by_a_plausible_gather_is_offered_the_line_to_write() {
+    let pieces = vec![rectangle(0, "skirt", 462.0, 500.0), rectangle(1, "band", 400.0, 40.0)];
+    let mut garment = Garment { pieces, ..Garment::default() };
+    let edge = |piece: &str, edge: &str| vec![RunSpec::Edge { piece: piece.into(), edge: edge.into() }];
+    garment.plan.seams = vec![seam("waist", edge("skirt", "2"), edge("band", "0"))];
+    let (garment, _) = mesh(garment, 20.0).expect("mesh");
+    let Err(StageError::Parameter(errors)) = run(&Assemble, &Default::default(), garment) else { panic!("refused") };
+    let hint = errors[0].hint.as_deref().unwrap_or_default();
+    assert!(hint.contains("if side a is gathered, write gather = 1.155"), "{hint}");
+    assert!(!hint.contains("no free edge"), "{hint}");
 }
 
 /// Lines drawn inside a piece that end on its outline beside the ends of a seam, on both sides of them, at corners of

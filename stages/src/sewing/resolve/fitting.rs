@@ -10,7 +10,8 @@ const WRONG_EDGE: f64 = 0.15;
 /// Most edges that are named for one side.
 const NAMED: usize = 3;
 
-/// Words for the edges that would fit the sides of this seam; `None` where its own sides may well be meant.
+/// Words for the edges that would fit the sides of this seam; `None` where its own sides may well be meant, and where no
+/// edge would.
 pub fn fitting(garment: &Garment, shapes: &Shapes, all: &[Found], seam: &ResolvedSeam, limit: f64) -> Option<String> {
     let (a, b) = (seam.a.length, seam.b.length);
     if (a - b).abs() <= WRONG_EDGE * a.min(b) {
@@ -20,13 +21,14 @@ pub fn fitting(garment: &Garment, shapes: &Shapes, all: &[Found], seam: &Resolve
     let on = |side: &Side, e: &Edge| !side.find(shapes, e.piece, 0, e.middle).is_empty();
     let is_free = |e: &Edge| !seams().any(|s| on(&s.a, e) || on(&s.b, e));
     let free: Vec<Edge> = edges(garment, shapes).into_iter().filter(is_free).collect();
-    let of = |side: &Side| -> String {
+    let of = |side: &Side| -> Option<String> {
         let mut fits: Vec<&Edge> =
             free.iter().filter(|e| (e.length - side.length).abs() <= limit * side.length.min(e.length)).collect();
         fits.sort_by(|x, y| (x.length - side.length).abs().total_cmp(&(y.length - side.length).abs()));
         let named: Vec<String> =
             fits.iter().take(NAMED).map(|e| format!("`{}` ({:.1} mm)", e.name, e.length * 1e3)).collect();
-        if named.is_empty() { "no free edge".to_owned() } else { named.join(", ") }
+        (!named.is_empty()).then(|| format!("to {:.1} mm fits {}", side.length * 1e3, named.join(", ")))
     };
-    Some(format!("to {:.1} mm fits {}; to {:.1} mm fits {}", a * 1e3, of(&seam.a), b * 1e3, of(&seam.b)))
+    let fits: Vec<String> = [&seam.a, &seam.b].into_iter().filter_map(of).collect();
+    (!fits.is_empty()).then(|| fits.join("; "))
 }

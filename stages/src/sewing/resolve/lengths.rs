@@ -9,6 +9,9 @@ const NOISE: f64 = 5e-4;
 /// A declared ease or gather may miss what is drawn by 1 mm or 1 %.
 const DECLARED: f64 = 1e-3;
 
+/// The longer side over the shorter, where it may be meant as a gather.
+const GATHERS: std::ops::RangeInclusive<f64> = 1.05..=3.0;
+
 /// How much two sides may differ.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Limits {
@@ -33,14 +36,25 @@ pub fn check(spec: &SeamSpec, a: f64, b: f64, limits: &Limits, report: &mut Repo
     if over.abs() > (limits.max_ease * shorter).max(DECLARED) {
         let share = over.abs() / shorter * 100.0;
         let declared = spec.ease.map_or(String::new(), |e| format!(", declared ease {:.1} mm", e * 1e3));
-        return Err(differ(spec, format!("has sides of {figures}{declared}: {share:.1} % undeclared"))
-            .hint(format!("write ease = \"{:.1} mm\" (a minus b) or gather, or raise max_ease", difference * 1e3)));
+        let found = differ(spec, format!("has sides of {figures}{declared}: {share:.1} % undeclared"));
+        return Err(found.hint(remedy(spec, a, b)));
     }
     if difference.abs() > NOISE {
         let message = format!("seam `{}` eases {:.1} mm ({figures})", spec.name, difference.abs() * 1e3);
         report.push(Diagnostic::info(codes::SEAM_EASED, message).at(spec.source.clone()));
     }
     Ok(())
+}
+
+/// The line to write where the difference may be meant: a gather, or an ease.
+fn remedy(spec: &SeamSpec, a: f64, b: f64) -> String {
+    let ease = format!("ease = \"{:.1} mm\" (a minus b)", (a - b) * 1e3);
+    let gather = a.max(b) / a.min(b);
+    if spec.ease.is_some() || !GATHERS.contains(&gather) {
+        return format!("write {ease}, or raise max_ease");
+    }
+    let longer = if a > b { "a" } else { "b" };
+    format!("if side {longer} is gathered, write gather = {gather:.3}; if it is eased, write {ease}; or raise max_ease")
 }
 
 fn differ(spec: &SeamSpec, what: String) -> Diagnostic {

@@ -77,7 +77,10 @@ pub fn judged(
         let seam = f.seam.clone()?;
         lengths::check(spec, seam.a.length, seam.b.length, limits, report).map_err(|error| {
             match fitting::fitting(garment, shapes, &found, &seam, limits.max_ease) {
-                Some(fits) => vec![error.hint(fits)],
+                Some(fits) => {
+                    let declare = error.hint.clone().map_or_else(String::new, |remedy| format!("; or {remedy}"));
+                    vec![error.hint(fits + &declare)]
+                }
                 None => vec![error],
             }
         })?;
