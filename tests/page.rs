@@ -84,6 +84,9 @@ fn the_page_shows_the_garment_and_what_is_picked() {
         assert_ne!(saw["map"]["mean"], saw["bare"]["mean"]);
         assert_eq!(saw["map"]["state"], "strain-warp");
         says(&saw, "/map/legend", "strain along warp, %");
+        assert_eq!(saw["onMap"]["mean"], saw["map"]["mean"]);
+        says(&saw, "/onMap/words", "strain along warp: ");
+        says(&saw, "/onMap/words", " %, piece FRONT");
         says(&saw, "/cut/words", "mm, seen from above");
         says(&saw, "/picked/words", "piece FRONT");
         let marked = saw["marked"].as_array().expect("list");

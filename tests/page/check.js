@@ -47,6 +47,12 @@
       set("map", "strain-warp", "change");
       await frame();
       out.map = { ...seen(), state: state().map, legend: document.getElementById("legend").innerText };
+      // A click on a map tells the value there, and leaves the colours as they are.
+      const view = canvas.getBoundingClientRect();
+      for (let y = 0.1; y < 0.95 && !(state().picked || "").startsWith("piece"); y += 0.05) click(view.left + 0.47 * view.width, view.top + y * view.height);
+      await frame();
+      out.onMap = { ...seen(), words: document.getElementById("picked").textContent };
+      window.toile.pick(null);
       set("map", "cloth", "change");
       set("worn", "0", "input");
       await frame();

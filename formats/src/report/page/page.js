@@ -57,6 +57,7 @@
     }),
     pick,
     at: (x, y) => (viewer ? viewer.at(x, y) : null),
+    value: (x, y) => (viewer ? viewer.valueAt(x, y) : null),
     section: (height) => (viewer ? viewer.section(height).length : null),
   };
   if (!viewer) return;
@@ -174,7 +175,10 @@
     const had = held.delete(e.pointerId);
     if (e.type !== "pointerup" || !had || moved > 4) return;
     const box = canvas.getBoundingClientRect();
-    pick(viewer.at((e.clientX - box.left) * ratio(), (e.clientY - box.top) * ratio()), "view");
+    const [x, y] = [(e.clientX - box.left) * ratio(), (e.clientY - box.top) * ratio()];
+    pick(viewer.at(x, y), "view");
+    const value = viewer.valueAt(x, y);
+    if (value !== null) said.textContent = `${viewer.map.name}: ${value.toFixed(2)} ${viewer.map.unit}, ${said.textContent}`;
   };
   canvas.addEventListener("pointerup", release);
   canvas.addEventListener("pointercancel", release);

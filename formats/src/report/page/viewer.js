@@ -136,7 +136,7 @@ class Viewer {
     this.map = field;
     const gl = this.gl, where = gl.getAttribLocation(this.surface.made, "value");
     for (const s of this.cloth) {
-      const values = field && s.at["_" + field.key.toUpperCase().replace("-", "_")];
+      const values = field && valuesOf(s, field);
       gl.bindVertexArray(s.arrays[0]);
       if (values) attribute(gl, this.surface, "value", values, 1);
       else gl.disableVertexAttribArray(where);
@@ -230,7 +230,8 @@ class Viewer {
         gl.uniform2fv(p.at.ends, this.map.ends);
         gl.uniform3fv(p.at.stops, this.map.stops.flat().map((x) => x / 255));
       }
-      const isPicked = this.picked === "piece:" + this.model.surfaces.indexOf(s);
+      // A tint would change the colours that the legend explains.
+      const isPicked = !mapped && this.picked === "piece:" + this.model.surfaces.indexOf(s);
       gl.uniform3fv(p.at.tint, isPicked ? [0.9, 0.42, 0.06] : [0, 0, 0]);
       this.pose(p, s);
       this.mesh(s, 0);
@@ -284,6 +285,35 @@ class Viewer {
       }
     });
     return best[1] || "piece:" + piece;
+  }
+
+  // The value of the map at a pixel of the canvas; null beside the cloth and where there is none.
+  valueAt(x, y) {
+    const piece = this.map && this.pieceAt(x, y), s = this.model.surfaces[piece];
+    const values = s && valuesOf(s, this.map);
+    if (!values) return null;
+    const camera = this.camera(), now = pose(s.frame, this.share, this.lay()), at = s.at;
+    const flat = (v) => (at._FLAT ? at._FLAT.subarray(2 * v, 2 * v + 2) : [0, 0]);
+    const seen = Array.from({ length: values.length }, (_, v) => {
+      const point = posed(now, [...at.POSITION.subarray(3 * v, 3 * v + 3)], [...flat(v)]);
+      return [...this.onScreen(point, camera), this.depth(point, camera)];
+    });
+    let best = [Infinity, null];
+    for (let t = 0; t < s.indices.length; t += 3) {
+      const corners = [0, 1, 2].map((k) => s.indices[t + k]), shares = inTriangle([x, y], ...corners.map((v) => seen[v]));
+      if (!shares) continue;
+      const sum = (of) => corners.reduce((total, v, k) => total + shares[k] * of(v), 0);
+      if (sum((v) => at.POSITION[3 * v + 1]) > this.cut) continue;
+      const depth = sum((v) => seen[v][2]);
+      if (depth < best[0]) best = [depth, sum((v) => values[v])];
+    }
+    return Number.isFinite(best[1]) ? best[1] : null;
+  }
+
+  // How far a point lies behind the screen.
+  depth([a, b, c], camera) {
+    const m = camera.matrix;
+    return m[2] * a + m[6] * b + m[10] * c + m[14];
   }
 
   // Pixels of the canvas at which a point is seen.
@@ -364,6 +394,17 @@ class Viewer {
     this.zoom = Math.max(0.3, Math.min(30, this.zoom * by));
     this.draw();
   }
+}
+
+// The values of a quantity at the vertices of a surface.
+function valuesOf(surface, field) { return surface.at["_" + field.key.toUpperCase().replace("-", "_")]; }
+
+// The shares of three corners at a point of the screen; null outside their triangle.
+function inTriangle([x, y], [ax, ay], [bx, by], [cx, cy]) {
+  const area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
+  const b = ((x - ax) * (cy - ay) - (cx - ax) * (y - ay)) / area, c = ((bx - ax) * (y - ay) - (x - ax) * (by - ay)) / area;
+  const shares = [1 - b - c, b, c];
+  return shares.every((s) => s >= 0) ? shares : null;
 }
 
 function distance([x, y], [ax, ay], [bx, by]) {
