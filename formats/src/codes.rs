@@ -38,6 +38,10 @@ codes! {
     /// named. Exit code 3.
     OUTLINE_CROSSES_ITSELF = "outline-crosses-itself";
 
+    /// Pieces are not in the garment because `leave_out` in the sewing file names them. The message names them. Take a
+    /// name out of the list, and write the seams of the piece, to have it sewn.
+    PIECES_LEFT_OUT = "pieces-left-out";
+
     /// The size asked for is neither drawn nor graded. The message lists the sizes that are there. Exit code 2.
     SIZE_NOT_FOUND = "size-not-found";
 

@@ -313,6 +313,9 @@ impl<'a> Run<'a> {
 
     fn work(&mut self, step: &Step<'_>) -> Result<Garment, StageError> {
         let garment = std::mem::take(&mut self.garment);
+        // A stage that moves the cloth may keep the certificate of the shape that it was given.
+        let certificate = garment.certificate.clone();
+        let drape = garment.drape.clone().filter(|_| certificate.is_some());
         let mut cx = StageContext {
             report: &mut self.report,
             progress: &mut *self.teller,
@@ -328,6 +331,7 @@ impl<'a> Run<'a> {
             if info.reads_outdated {
                 garment.forget_outdated(&info.gives);
             }
+            garment.forget_stale_certificate(drape.as_ref(), certificate.as_ref());
             garment
         })
     }

@@ -159,7 +159,7 @@ impl Stage for Drape {
             (certificate.bands, certificate.folds) = (bands, folds);
             cx.report.findings.extend(lines::findings(certificate));
         }
-        garment.drape = Some(shape(&stored));
+        (garment.drape, garment.drape_before_edit) = (Some(shape(&stored)), None);
         garment.reactions = reactions(&garment, &layout, &welded.map, &outcome);
         garment.stitched = Some(stitched);
         let rests = repeats::measure(&sewn_scene, &settings, &outcome, params.repeats, cx).map_err(failure)?;

@@ -107,4 +107,7 @@ pub struct Flat {
     pub pieces: Vec<FlatPiece>,
     /// Sewn pairs.
     pub pairs: Vec<PairChange>,
+    /// How many changes are over their tolerance, where a tolerance was asked for.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub over_tolerance: Option<usize>,
 }

@@ -398,6 +398,24 @@ impl Garment {
         }
     }
 
+    /// Takes a drape that no solver made: an edited shape, or one that was moved. The first shape before all such
+    /// changes stays known. What was measured on the shape before is gone, its certificate above all.
+    pub fn reshape(&mut self, drape: Shape) {
+        let before = self.drape.replace(drape).or_else(|| self.stitched.clone());
+        self.drape_before_edit = self.drape_before_edit.take().or(before);
+        (self.certificate, self.reactions, self.flat) = Default::default();
+    }
+
+    /// Removes a certificate that was given for another shape: the drape differs from `before`, and its certificate
+    /// does not.
+    pub fn forget_stale_certificate(&mut self, before: Option<&Shape>, certificate: Option<&Certificate>) {
+        let is_same = self.certificate.as_ref() == certificate;
+        let is_moved = self.drape.as_ref().map(|s| &s.positions) != before.map(|s| &s.positions);
+        if certificate.is_some() && is_same && is_moved {
+            self.certificate = None;
+        }
+    }
+
     /// A piece by its name.
     #[must_use]
     pub fn piece_named(&self, name: &str) -> Option<PieceId> {
@@ -408,5 +426,41 @@ impl Garment {
     #[must_use]
     pub fn fabric_of(&self, piece: &Piece) -> Option<&Fabric> {
         piece.material.as_deref().and_then(|m| self.fabrics.get(m)).or_else(|| self.fabrics.get(""))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn at(x: f64) -> Shape {
+        Shape { positions: vec![vec![Vec3::new(x, 0.0, 0.0)]], ..Shape::default() }
+    }
+
+    fn certified() -> Garment {
+        let certificate = Certificate { passed: true, ..Certificate::default() };
+        Garment { drape: Some(at(0.0)), certificate: Some(certificate), ..Garment::default() }
+    }
+
+    #[test]
+    fn a_changed_shape_has_no_certificate_and_knows_the_first_shape() {
+        let mut garment = certified();
+        garment.reshape(at(1.0));
+        garment.reshape(at(2.0));
+        assert_eq!((garment.certificate, garment.drape), (None, Some(at(2.0))));
+        assert_eq!(garment.drape_before_edit, Some(at(0.0)));
+    }
+
+    #[test]
+    fn a_certificate_of_another_shape_is_stale_and_one_that_was_renewed_is_not() {
+        let old = certified();
+        let forget = |mut garment: Garment| {
+            garment.forget_stale_certificate(old.drape.as_ref(), old.certificate.as_ref());
+            garment.certificate.is_some()
+        };
+        assert!(forget(old.clone()));
+        assert!(!forget(Garment { drape: Some(at(1.0)), ..old.clone() }));
+        let renewed = Certificate { energy_j: 1.0, ..Certificate::default() };
+        assert!(forget(Garment { drape: Some(at(1.0)), certificate: Some(renewed), ..old.clone() }));
     }
 }

@@ -3,9 +3,9 @@
 use super::ReadError;
 use super::document;
 use super::geometry::{open, placed};
-use super::read::document_text;
+use super::read::{ReadGarment, document_text, read_garment_with_findings};
 use serde_json::{Value, json};
-use toile_garment::{Vec3, bundle};
+use toile_garment::{Garment, Vec3, bundle};
 
 /// Facts about a GLB: counts, size in metres, names, materials, and whether it holds a garment document.
 ///
@@ -25,11 +25,7 @@ pub fn inspect(bytes: &[u8]) -> Result<Value, ReadError> {
         })
         .collect();
     let toile = document_text(&sound.document).map(|text| match document::read(text.get()) {
-        Ok(g) => json!({ "version": bundle::VERSION, "style": g.style, "size": g.size,
-                         "pieces": g.pieces.iter().map(|p| &p.name).collect::<Vec<_>>(),
-                         "darts": g.pieces.iter().map(|p| p.darts.len()).sum::<usize>(),
-                         "seams": g.seams.len(), "draped": g.drape.is_some(),
-                         "certificate_passed": g.certificate.as_ref().map(|c| c.passed) }),
+        Ok(g) => stored(&g, read_garment_with_findings(bytes).ok().as_ref()),
         Err(e) => json!({ "error": e }),
     });
     Ok(json!({
@@ -47,4 +43,15 @@ pub fn inspect(bytes: &[u8]) -> Result<Value, ReadError> {
         "extensions_used": root.extensions_used,
         "toile": toile,
     }))
+}
+
+/// Facts about the stored garment. `shown` is the garment with the shape of the file: a certificate holds for the shape
+/// alone that was certified.
+fn stored(g: &Garment, shown: Option<&ReadGarment>) -> Value {
+    let certificate = shown.and_then(|r| r.garment.certificate.as_ref());
+    json!({ "version": bundle::VERSION, "style": g.style, "size": g.size,
+            "pieces": g.pieces.iter().map(|p| &p.name).collect::<Vec<_>>(),
+            "darts": g.pieces.iter().map(|p| p.darts.len()).sum::<usize>(),
+            "seams": g.seams.len(), "draped": g.drape.is_some(), "edited": shown.map(|r| r.edited),
+            "certificate_passed": certificate.map(|c| c.passed) })
 }

@@ -20,7 +20,7 @@ const UV_ROUNDING: f64 = 2e-5;
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReadGarment {
     /// The garment. When its 3D shape was edited after the export, `drape` is the edited shape and
-    /// `drape_before_edit` the stored one.
+    /// `drape_before_edit` the stored one; the certificate of the stored one is gone.
     pub garment: Garment,
     /// Was the 3D shape edited?
     pub edited: bool,
@@ -165,7 +165,7 @@ fn take_shape(garment: &mut Garment, placed: &[Placed]) -> Result<(bool, Vec<Dia
     let Some(stored) = garment.drape.clone().or_else(|| garment.stitched.clone()) else {
         return Err(ReadError::Document("it holds no positions in 3D".to_owned()));
     };
-    let mut shape = stored.clone();
+    let mut shape = stored;
     let mut findings = Vec::new();
     for (i, piece) in garment.pieces.iter().enumerate() {
         let there = vertices_of(garment, i, piece, placed)?;
@@ -190,8 +190,7 @@ fn take_shape(garment: &mut Garment, placed: &[Placed]) -> Result<(bool, Vec<Dia
     let edited = !findings.is_empty();
     if edited {
         close_seams(garment, &mut shape);
-        garment.drape_before_edit = Some(stored);
-        garment.drape = Some(shape);
+        garment.reshape(shape);
     }
     Ok((edited, findings))
 }

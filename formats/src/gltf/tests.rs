@@ -154,7 +154,10 @@ fn flat_and_folded_triangles_still_have_unit_normals() {
 
 #[test]
 fn a_moved_vertex_is_found_and_the_stored_drape_kept() {
-    let garment = two_pieces();
+    let mut garment = two_pieces();
+    garment.certificate = Some(toile_garment::garment::Certificate { passed: true, ..Default::default() });
+    let whole = read_garment(&write_garment(&garment).expect("GLB")).expect("read");
+    assert_eq!(whole.certificate, garment.certificate, "the shape is the one that was certified");
     let (json, mut bin) = open_glb(&write_garment(&garment).expect("GLB"));
     let (start, p) = floats(&json, &bin, attribute(&json, 0, "POSITION"));
     let vertex = 9;
@@ -164,6 +167,9 @@ fn a_moved_vertex_is_found_and_the_stored_drape_kept() {
     assert!(read.edited);
     assert!(read.findings[0].message.contains("1 vertices moved") && read.findings[0].message.contains("10.000 mm"));
     assert_eq!(read.garment.drape_before_edit, garment.drape);
+    assert_eq!(read.garment.certificate, None, "nobody certified the edited shape");
+    let facts = inspect(&close_glb(&json, &bin)).expect("facts");
+    assert_eq!((&facts["toile"]["edited"], &facts["toile"]["certificate_passed"]), (&true.into(), &Value::Null));
     let (old, new) = (garment.drape.expect("drape"), read.garment.drape.expect("drape"));
     assert_eq!(new.positions[0][vertex].y, f64::from(y));
     for (i, (a, b)) in old.positions.iter().flatten().zip(new.positions.iter().flatten()).enumerate() {
@@ -530,6 +536,42 @@ fn what_is_wished_stands_beside_the_pieces_and_reading_goes_on() {
     assert!((0..front.len() / 3).all(|v| (away(v) - 0.5e-3).abs() < 1e-6));
     assert!(json["meshes"][0]["primitives"][0]["attributes"]["COLOR_0"].is_u64());
     assert_eq!(read_garment(&glb).expect("read"), without_body_mesh(garment));
+}
+
+/// Every texture of a material names coordinates that its primitives have, and a normal map comes with tangents.
+#[test]
+fn every_primitive_has_what_the_textures_of_its_material_name() {
+    let mut garment = two_pieces();
+    garment.fabrics.insert(String::new(), crate::fabric::read(FABRIC, "f.toml").expect("fabric"));
+    let textures = garment.textures.as_mut().expect("textures");
+    textures.materials[0].normal = textures.materials[0].image.clone();
+    let wishes = Wishes { body: true, thickness: true, lines: true, ..Wishes::default() };
+    let (json, bin) = open_glb(&write_garment_with(&garment, &wishes).expect("GLB"));
+    let mut textured = 0;
+    for (k, mesh) in json["meshes"].as_array().expect("meshes").iter().enumerate() {
+        let primitive = &mesh["primitives"][0];
+        let material = &json["materials"][primitive["material"].as_u64().expect("material") as usize];
+        let bitmaps = [&material["pbrMetallicRoughness"]["baseColorTexture"], &material["normalTexture"]];
+        for bitmap in bitmaps.into_iter().filter(|b| b.is_object()) {
+            let name = format!("TEXCOORD_{}", bitmap["texCoord"].as_u64().unwrap_or(0));
+            assert!(primitive["attributes"][&name].is_u64(), "mesh {k} has no {name}");
+            textured += 1;
+        }
+        if !material["normalTexture"].is_object() {
+            continue;
+        }
+        let tangents = floats(&json, &bin, attribute(&json, k, "TANGENT")).1;
+        let normals = floats(&json, &bin, attribute(&json, k, "NORMAL")).1;
+        for (t, n) in tangents.chunks_exact(4).zip(normals.chunks_exact(3)) {
+            let dot = |a: &[f32], b: &[f32]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f32>();
+            assert!((dot(&t[..3], &t[..3]) - 1.0).abs() < 1e-5 && t[3].abs() == 1.0, "{t:?}");
+            assert!(dot(&t[..3], n).abs() < 1e-5, "a tangent lies across its normal");
+        }
+        // The weft lies to the right of the warp, and on the wrong side to the left of it.
+        let side = if k < 2 { 1.0 } else { -1.0 };
+        assert!(tangents.chunks_exact(4).take(20).all(|t| t[3] == side), "mesh {k}");
+    }
+    assert_eq!(textured, 8, "both bitmaps on both sides of both pieces");
 }
 
 const FABRIC: &str = "name = \"t\"\nareal_mass = \"150 g/m2\"\nthickness = \"0.5 mm\"\nfriction = 0.3\n\

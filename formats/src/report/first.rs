@@ -5,6 +5,7 @@ use super::live;
 use super::verdict::verdict;
 use super::viewer::{self, Figure};
 use super::words::Language;
+use crate::codes::PIECES_LEFT_OUT;
 use crate::picture::{self, Openness, View, Wishes};
 use crate::svg::canvas::{escape, fixed};
 use std::fmt::Write as _;
@@ -84,10 +85,15 @@ fn facts(out: &mut String, garment: &Garment, language: Language) {
     fact("Fabric", &garment.fabrics.values().map(fabric).collect::<Vec<_>>().join("; "));
     fact("Body", garment.body.as_ref().map_or("", |b| b.name.as_str()));
     let darts: usize = garment.pieces.iter().map(|p| p.darts.len()).sum();
-    let seams = garment.seams.iter().filter(|s| s.kind == SeamKind::Seam).count();
-    let counts = [garment.pieces.len(), seams, darts].map(|n| n.to_string());
+    let counts = [garment.pieces.len(), seams(garment), darts].map(|n| n.to_string());
     fact("Pattern", &language.fill("pieces: {0}, seams: {1}, darts: {2}", &counts));
     out.push_str("</dl>\n");
+}
+
+/// The seams that are sewn; before they are, those of the sewing file.
+fn seams(garment: &Garment) -> usize {
+    let sewn = garment.seams.iter().filter(|s| s.kind == SeamKind::Seam).count();
+    if garment.seams.is_empty() { garment.plan.seams.len() } else { sewn }
 }
 
 fn key_measures(out: &mut String, fit: &Fit, language: Language) {
@@ -116,10 +122,14 @@ fn key_measures(out: &mut String, fit: &Fit, language: Language) {
 }
 
 fn found(out: &mut String, findings: &[Diagnostic], language: Language) {
+    let (left_out, others): (Vec<&Diagnostic>, Vec<&Diagnostic>) =
+        findings.iter().partition(|f| f.code == PIECES_LEFT_OUT);
     let (mut serious, notes): (Vec<&Diagnostic>, Vec<&Diagnostic>) =
-        findings.iter().partition(|f| f.severity > Severity::Info);
+        others.into_iter().partition(|f| f.severity > Severity::Info);
     serious.sort_by_key(|f| std::cmp::Reverse(f.severity));
     let _ = writeln!(out, "<h2>{}</h2>", escape(language.say("Findings")));
+    // What is not there cannot be seen in any picture, so it is told first.
+    list(out, &left_out, language);
     if serious.is_empty() {
         let _ = writeln!(out, "<p>{}</p>", escape(language.say("There are no warnings.")));
     }
@@ -158,4 +168,39 @@ fn list(out: &mut String, findings: &[&Diagnostic], language: Language) {
         );
     }
     out.push_str("</ul>\n");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use toile_garment::sewing::{SeamSpec, SewingPlan};
+
+    #[test]
+    fn seams_of_a_sewing_file_count_before_they_are_sewn() {
+        let (reverse, ease, gather, proposed) = Default::default();
+        let side =
+            SeamSpec { name: "side".into(), a: vec![], b: vec![], reverse, ease, gather, proposed, source: None };
+        let plan = SewingPlan { seams: vec![side.clone(), side.clone(), side], ..SewingPlan::default() };
+        let mut out = String::new();
+        facts(&mut out, &Garment { plan, ..Garment::default() }, Language::English);
+        assert!(out.contains("pieces: 0, seams: 3, darts: 0"), "{out}");
+    }
+
+    #[test]
+    fn pieces_that_are_left_out_are_told_first() {
+        let findings = [
+            Diagnostic::warning(crate::codes::OUT_OF_RANGE, "too far"),
+            Diagnostic::info(PIECES_LEFT_OUT, "pieces are left out: POCKET"),
+        ];
+        let mut out = String::new();
+        found(&mut out, &findings, Language::English);
+        assert!(at_of(&out, "POCKET") < at_of(&out, "too far") && !out.contains("<details"), "{out}");
+        out.clear();
+        found(&mut out, &findings[1..], Language::English);
+        assert!(at_of(&out, "POCKET") < at_of(&out, "There are no warnings."), "{out}");
+    }
+
+    fn at_of(text: &str, words: &str) -> usize {
+        text.find(words).expect("told")
+    }
 }

@@ -24,6 +24,8 @@ pub struct Level {
 /// A free edge of the worn garment: hem, neckline, opening of a sleeve.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FreeEdge {
+    /// Name, such as `hem`; no two edges of a garment have the same.
+    pub name: String,
     /// Names of the pieces it runs along.
     pub pieces: String,
     /// Mean height above the floor, metres.
@@ -107,7 +109,7 @@ impl Fit {
             add("drape", "tape", l.tape);
         }
         for e in &self.edges {
-            let name = format!("free_edge of {}", e.pieces);
+            let name = e.name.replace(' ', "_");
             out.push(Measure { name, on: "drape", method: "surface", length: e.length, height: e.height });
         }
         if let Some([low, high]) = self.range {
@@ -228,13 +230,15 @@ impl Fit {
             "lengths",
             "Lengths of the worn garment",
             "Free edges are hems, necklines and openings; their height is a mean.",
-            &[("name", "what"), ("length_mm", "length mm"), ("height_mm", "height mm")],
+            &[("name", "what"), ("length_mm", "length mm"), ("height_mm", "height mm"), ("pieces", "pieces")],
         );
         let mm = |x: f64| Cell::Number(1e3 * x, 0);
         if let Some([low, high]) = self.range {
-            t.rows.push(vec![Cell::Text("garment, top to bottom".to_owned()), mm(high - low), mm(low)]);
+            let name = Cell::Text("garment, top to bottom".to_owned());
+            t.rows.push(vec![name, mm(high - low), mm(low), Cell::Empty]);
         }
-        let row = |e: &FreeEdge| vec![Cell::Text(format!("free edge of {}", e.pieces)), mm(e.length), mm(e.height)];
+        let row =
+            |e: &FreeEdge| vec![Cell::Text(e.name.clone()), mm(e.length), mm(e.height), Cell::Text(e.pieces.clone())];
         t.rows.extend(self.edges.iter().map(row));
         t
     }
@@ -266,5 +270,13 @@ mod tests {
         assert!(csv.contains("\"hip_girth\",body,tape,960.0,840.0\n"), "{csv}");
         assert!(csv.ends_with("\"total_length\",drape,straight,700.0,300.0\n"), "{csv}");
         assert_eq!(csv.lines().count(), 1 + fit.table().rows.len());
+    }
+
+    #[test]
+    fn every_free_edge_has_a_measure_of_its_own() {
+        let edge = |name: &str, length| FreeEdge { name: name.into(), pieces: "A, B".into(), height: 1.0, length };
+        let fit = Fit { edges: vec![edge("hem", 1.3508), edge("waist edge", 0.7289)], ..Fit::default() };
+        let csv = fit.csv();
+        assert!(csv.contains("\"hem\",drape,surface,1350.8,") && csv.contains("\"waist_edge\",drape,surface,728.9,"));
     }
 }

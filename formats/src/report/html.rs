@@ -132,10 +132,7 @@ fn table(out: &mut String, table: &Table, garment: &Garment, language: Language)
 /// The name of a measure in the language of the page.
 fn translated(cell: &Cell, language: Language) -> Cell {
     match cell {
-        Cell::Text(t) => Cell::Text(match t.strip_prefix("free edge of ") {
-            Some(pieces) => language.fill("free edge of {0}", &[pieces.to_owned()]),
-            None => language.say(t).to_owned(),
-        }),
+        Cell::Text(t) => Cell::Text(language.measure(t)),
         other => other.clone(),
     }
 }

@@ -122,7 +122,7 @@ fn pieces(garment: &Garment) -> Table {
     let mut t = Table::new(
         "pieces",
         "Pieces",
-        "Areas inside the sewn line. Grain: turn of the grain line inside the flattened piece. Curvature: what a dart would have to take in.",
+        "Areas of cloth inside the sewn line, without the intakes of darts. Grain: turn of the grain line inside the flattened piece. Curvature: what a dart would have to take in.",
         &[
             ("name", "piece"),
             ("triangles", "triangles"),
@@ -146,8 +146,7 @@ fn pieces(garment: &Garment) -> Table {
                 row.extend([degrees(f.grain_shift), degrees(f.curvature), percent(f.forced_strain[1])]);
             }
             None => {
-                let area = piece.mesh.as_ref().map_or_else(|| piece.outline.signed_area().abs(), |m| m.area());
-                row.push(cm2(area));
+                row.push(cm2(piece.cloth_area()));
                 row.extend([Cell::Empty, Cell::Empty, Cell::Empty, Cell::Empty, Cell::Empty, Cell::Empty]);
             }
         }

@@ -30,7 +30,10 @@ pub fn verdict(garment: &Garment, findings: &[Diagnostic], language: Language) -
             let [strain, allowed] = [c.strain_over_limit, allowed].map(|x| fixed(100.0 * x, 0));
             (Some(true), "Passed.", language.fill(SOUND, &[strain, allowed]))
         }
-        (None, None) => (None, "Not draped.", language.say(NOTHING).to_owned()),
+        (None, None) => match origin(garment) {
+            Some(origin) => (None, "Not certified.", uncertified(garment, origin, language)),
+            None => (None, "Not draped.", language.say(NOTHING).to_owned()),
+        },
     };
     Verdict { passed, word: language.say(word).to_owned(), why }
 }
@@ -39,6 +42,28 @@ const SOUND: &str = "The garment came to rest, its seams and darts are closed, n
                      is {0} % of what the fabric bears ({1} % are allowed).";
 
 const NOTHING: &str = "There is no drape and so no certificate; this page shows the garment as far as it was made.";
+
+const EDITED: &str =
+    "This shape was edited or moved after its drape and was not draped again, so nothing certifies it.";
+
+const READ: &str = "This shape was read from a file and was not draped here, so nothing certifies it.";
+
+/// How a shape came about that no drape made.
+fn origin(garment: &Garment) -> Option<&'static str> {
+    let shape = if garment.drape_before_edit.is_some() { EDITED } else { READ };
+    garment.drape.as_ref().map(|_| shape)
+}
+
+/// Why there is no certificate, and what the flattening of the shape came to.
+fn uncertified(garment: &Garment, origin: &str, language: Language) -> String {
+    let flattened = garment.flat.as_ref().map(|flat| match flat.over_tolerance {
+        Some(0) => language.say("Its flattened pieces are within all tolerances that were asked for.").to_owned(),
+        Some(n) => language.fill("Its flattened pieces have {0} changes over their tolerance.", &[n.to_string()]),
+        None => language.say("Its pieces were flattened; no tolerance was asked for.").to_owned(),
+    });
+    let space = if language == Language::Chinese { "" } else { " " };
+    [Some(language.say(origin).to_owned()), flattened].into_iter().flatten().collect::<Vec<_>>().join(space)
+}
 
 /// A figure, the name of its limit, the words for both, what they are multiplied by, and their decimals.
 type Gate = (f64, &'static str, &'static str, f64, usize);
@@ -127,6 +152,23 @@ mod tests {
         let error = [Diagnostic::error(OUT_OF_RANGE, "no start was found")];
         assert_eq!(verdict(&Garment::default(), &error, Language::English).why, "no start was found");
         assert_eq!(verdict(&Garment::default(), &[], Language::English).passed, None);
+    }
+
+    #[test]
+    fn a_shape_that_was_edited_is_not_certified_and_its_flattening_is_told() {
+        use toile_garment::flat::Flat;
+        use toile_garment::garment::Shape;
+        let drape = Some(Shape::default());
+        let certificate = Some(Certificate { passed: true, ..Certificate::default() });
+        let mut garment = Garment { drape, certificate, ..Garment::default() };
+        garment.reshape(Shape::default());
+        let told = |garment: &Garment| verdict(garment, &[], Language::English);
+        assert_eq!((told(&garment).passed, told(&garment).word.as_str()), (None, "Not certified."));
+        assert_eq!(told(&garment).why, EDITED);
+        garment.flat = Some(Flat { over_tolerance: Some(2), ..Flat::default() });
+        assert!(told(&garment).why.ends_with("have 2 changes over their tolerance."));
+        garment.drape_before_edit = None;
+        assert!(told(&garment).why.starts_with(READ));
     }
 
     #[test]

@@ -29,6 +29,19 @@ impl Language {
         }
     }
 
+    /// The name of a measure: its words, and the side and number that may follow them.
+    #[must_use]
+    pub fn measure(self, english: &str) -> String {
+        let known = |words: &str| self == Self::English || self.say(words) != words;
+        match english.rsplit_once(' ') {
+            Some((words, last)) if !known(english) => {
+                let space = if self == Self::Chinese { "" } else { " " };
+                format!("{}{space}{}", self.measure(words), self.say(last))
+            }
+            _ => self.say(english).to_owned(),
+        }
+    }
+
     /// A sentence with numbers: `{0}`, `{1}` stand for the values.
     #[must_use]
     pub fn fill(self, english: &str, values: &[String]) -> String {
@@ -44,6 +57,18 @@ const CATALOGUE: &[(&str, &str)] = &[
     ("Not passed.", "不合格。"),
     ("Failed.", "失败。"),
     ("Not draped.", "未模拟。"),
+    ("Not certified.", "未检验。"),
+    (
+        "This shape was edited or moved after its drape and was not draped again, so nothing certifies it.",
+        "此形状在模拟之后被编辑或移动，未重新模拟，因此没有检验结论。",
+    ),
+    (
+        "This shape was read from a file and was not draped here, so nothing certifies it.",
+        "此形状读自文件，未在此模拟，因此没有检验结论。",
+    ),
+    ("Its flattened pieces are within all tolerances that were asked for.", "展平后的裁片均在所要求的公差之内。"),
+    ("Its flattened pieces have {0} changes over their tolerance.", "展平后的裁片有 {0} 处变化超出公差。"),
+    ("Its pieces were flattened; no tolerance was asked for.", "裁片已展平，未要求公差。"),
     (
         "The garment came to rest, its seams and darts are closed, nothing crosses, and the largest strain is {0} % of \
          what the fabric bears ({1} % are allowed).",
@@ -164,7 +189,23 @@ const CATALOGUE: &[(&str, &str)] = &[
     ("what", "项目"),
     ("length mm", "长度 mm"),
     ("garment, top to bottom", "服装全长"),
-    ("free edge of {0}", "{0} 的自由边"),
+    ("free edge", "自由边"),
+    ("hem", "下摆"),
+    ("leg hem", "裤脚口"),
+    ("sleeve hem", "袖口"),
+    ("armhole", "袖窿"),
+    ("neckline", "领口"),
+    ("waist edge", "腰口"),
+    ("top edge", "上口"),
+    ("front edge", "门襟边"),
+    ("collar edge", "领边"),
+    ("hood edge", "帽边"),
+    ("pocket edge", "袋边"),
+    ("lining edge", "里布边"),
+    ("facing edge", "贴边"),
+    ("left", "左"),
+    ("right", "右"),
+    ("pieces", "裁片"),
     ("Pieces", "裁片表"),
     ("triangles", "三角形"),
     ("outline mm", "轮廓 mm"),

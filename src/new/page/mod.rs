@@ -39,6 +39,7 @@ pub fn page(source: &Source, proposal: &Proposal, dressed: &Dressed, body: Optio
     out.push_str("<div class=\"first\">\n");
     figure(&mut out, source, proposal, dressed, body);
     let _ = writeln!(out, "<section>\n<h1>{}: what the program proposes</h1>", escaped(&title));
+    left_out(&mut out, source);
     verdict(&mut out, source, proposal);
     table::seams(&mut out, source, proposal);
     openings::list(&mut out, source, proposal, dressed);
@@ -85,7 +86,8 @@ fn verdict(out: &mut String, source: &Source, proposal: &Proposal) {
     let count = |holds: &dyn Fn(f64) -> bool| proposal.seams.iter().filter(|s| holds(s.confidence)).count();
     let (open, look) = (count(&|c| c < LEAST_SURE), count(&|c| (LEAST_SURE..SURE).contains(&c)));
     let class = match (open, look) {
-        (0, 0) => "good",
+        (0, 0) if source.left_out.is_empty() => "good",
+        (0, 0) => "look",
         (0, _) => "look",
         _ => "bad",
     };
@@ -101,10 +103,20 @@ fn verdict(out: &mut String, source: &Source, proposal: &Proposal) {
          <code>sewing.toml</code>, and remove <code>proposed</code> from what is right. Then <code>toile run \
          pipeline.toml</code> sews and drapes the garment.</p>\n",
     );
-    if !source.left_out.is_empty() {
-        let names = escaped(&source.left_out.join(", "));
-        let _ = writeln!(out, "<p>Not sewn: {names}. The list <code>leave_out</code> in the file has them.</p>");
+}
+
+/// Names the pieces that are not sewn. No picture shows what is not there.
+fn left_out(out: &mut String, source: &Source) {
+    if source.left_out.is_empty() {
+        return;
     }
+    let names = escaped(&source.left_out.join(", "));
+    let _ = writeln!(
+        out,
+        "<p class=\"verdict look\"><b>Not sewn: {}.</b>{names}. The list <code>leave_out</code> in \
+         <code>sewing.toml</code> has them. Take out of it what belongs to the garment, and write its seams.</p>",
+        source.left_out.len()
+    );
 }
 
 fn pieces(out: &mut String, source: &Source, proposal: &Proposal, dressed: &Dressed, view: &OnBody) {

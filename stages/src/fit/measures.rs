@@ -1,9 +1,11 @@
 //! Girths of garment and body at the heights that pattern makers name, and lengths of free edges.
 
+use super::edge_names::edge_names;
 use super::maps::maps;
 use super::rings::{Ring, rings};
-use super::surface::Surface;
+use super::surface::{Hem, Surface};
 use crate::body::section_near;
+use crate::roles::{Part, joins_of_meshes, roles};
 use toile_formats::report::{Fit, FreeEdge, Level};
 use toile_garment::body::{Body, BodySegment};
 use toile_garment::{Garment, Vec2, Vec3};
@@ -58,15 +60,23 @@ pub fn measure(garment: &Garment) -> Fit {
         let level = |p: &Place| level(p, body, &surface, &rest, range);
         fit.levels = PLACES.iter().filter_map(level).collect();
     }
-    let named = |pieces: &[u32]| {
-        let names = pieces.iter().filter_map(|p| garment.pieces.get(*p as usize)).map(|p| p.name.as_str());
-        names.collect::<Vec<_>>().join(", ")
-    };
-    let edge = |h: super::Hem| FreeEdge { pieces: named(&h.pieces), height: h.height, length: h.length };
-    fit.edges = surface.hems().into_iter().map(edge).collect();
-    fit.edges.sort_by(|a, b| a.height.total_cmp(&b.height).then_with(|| a.pieces.cmp(&b.pieces)));
+    fit.edges = free_edges(garment, surface.hems(), range);
     fit.range = Some(range);
     fit
+}
+
+/// The free edges with their names, from below to above.
+fn free_edges(garment: &Garment, mut hems: Vec<Hem>, range: [f64; 2]) -> Vec<FreeEdge> {
+    hems.sort_by(|a, b| a.height.total_cmp(&b.height).then_with(|| a.pieces.cmp(&b.pieces)));
+    let pieces = |hem: &Hem| {
+        let names = hem.pieces.iter().filter_map(|p| garment.pieces.get(*p as usize)).map(|p| p.name.as_str());
+        names.collect::<Vec<_>>().join(", ")
+    };
+    let parts: Vec<Option<Part>> =
+        roles(&garment.pieces, &joins_of_meshes(garment)).into_iter().map(|role| role.part).collect();
+    let waist = garment.body.as_ref().and_then(|body| level_height("waist", body));
+    let edge = |(h, name): (&Hem, String)| FreeEdge { name, pieces: pieces(h), height: h.height, length: h.length };
+    hems.iter().zip(edge_names(&hems, &parts, waist, range)).map(edge).collect()
 }
 
 fn level(place: &Place, body: &Body, surface: &Surface, rest: &Rest, range: [f64; 2]) -> Option<Level> {
@@ -237,6 +247,8 @@ mod tests {
         assert_eq!((hip.height, hip.body), (0.84, None));
         assert_eq!(fit.edges.len(), 2);
         assert!(fit.edges[0].height < fit.edges[1].height && (fit.edges[0].length - 0.99).abs() < 1e-3);
+        let names: Vec<String> = fit.measures().into_iter().map(|m| m.name).filter(|n| !n.contains("_girth")).collect();
+        assert_eq!(names, ["hem", "top_edge", "total_length"]);
     }
 
     /// A plane through the sleeves cuts one ring around trunk and arms, which is no girth of the bust.

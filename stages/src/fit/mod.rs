@@ -5,6 +5,7 @@
 //! that a report tells is put together by [`measure`].
 
 mod bent;
+mod edge_names;
 mod girth;
 mod maps;
 mod measures;

@@ -29,6 +29,10 @@ pub struct Hem {
     pub height: f64,
     /// Mean place to the side, metres; tells left from right.
     pub side: f64,
+    /// Least and largest place to the side, metres.
+    pub sides: [f64; 2],
+    /// Lowest and highest point, metres.
+    pub heights: [f64; 2],
     /// Length in 3D, metres.
     pub length: f64,
 }
@@ -117,7 +121,9 @@ impl Surface {
     }
 
     fn hem(&self, edges: &[&([u32; 2], u32)]) -> Hem {
-        let mut hem = Hem { pieces: Vec::new(), height: 0.0, side: 0.0, length: 0.0 };
+        const NOTHING: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
+        let wider = |[low, high]: [f64; 2], x: f64| [low.min(x), high.max(x)];
+        let mut hem = Hem { pieces: Vec::new(), height: 0.0, side: 0.0, sides: NOTHING, heights: NOTHING, length: 0.0 };
         for ([a, b], piece) in edges {
             let [a, b] = [a, b].map(|v| self.points[*v as usize]);
             let length = (b - a).norm();
@@ -125,6 +131,8 @@ impl Surface {
             hem.length += length;
             hem.height += length * middle.y;
             hem.side += length * middle.x;
+            hem.sides = [a, b].iter().fold(hem.sides, |sides, p| wider(sides, p.x));
+            hem.heights = [a, b].iter().fold(hem.heights, |heights, p| wider(heights, p.y));
             hem.pieces.push(*piece);
         }
         hem.pieces.sort_unstable();

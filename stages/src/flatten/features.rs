@@ -3,9 +3,14 @@
 //! All by stored ids; nothing is searched by position except the vertices next to the ends of the grain line, which
 //! the document keeps as points.
 
+use super::figures::length2;
 use std::collections::BTreeSet;
 use toile_garment::mesh::PieceMesh;
+use toile_garment::outline::{OutlineEdge, PieceLine};
 use toile_garment::{Garment, Piece, Vec2};
+
+/// A mesh cuts the curve of a drawn line short by a smaller share than this.
+const MESHED_SHORT: f64 = 0.02;
 
 /// A named chain of vertices of one piece.
 #[derive(Clone, Debug, PartialEq)]
@@ -14,6 +19,8 @@ pub struct Chain {
     pub name: String,
     /// Vertices in order.
     pub vertices: Vec<u32>,
+    /// Length as it is drawn for each length on the mesh, whose edges cut curves short.
+    pub scale: f64,
 }
 
 /// Two chains of one piece that are sewn to each other, station by station.
@@ -25,6 +32,8 @@ pub struct ChainPair {
     pub a: Vec<u32>,
     /// Side b.
     pub b: Vec<u32>,
+    /// Length of each side as it is drawn for each length on the mesh.
+    pub scale: [f64; 2],
 }
 
 /// A corner of the outline with its neighbours.
@@ -56,7 +65,7 @@ pub struct Features {
 pub fn of(garment: &Garment, piece: &Piece, mesh: &PieceMesh) -> Features {
     let legs = leg_sides(piece);
     let edges = edges(piece, mesh, &legs);
-    let (darts, mut pairs) = darts(piece);
+    let (darts, mut pairs) = darts(piece, mesh);
     pairs.extend(inner_seams(garment, piece));
     Features { corners: corners(piece, mesh), edges, pairs, darts, grain: grain(piece, mesh) }
 }
@@ -78,12 +87,34 @@ fn edges(piece: &Piece, mesh: &PieceMesh, legs: &BTreeSet<[u32; 2]>) -> Vec<Chai
         let Some(chain) = outline_run(mesh, edge.from, edge.to) else { continue };
         let runs = without_legs(&chain, legs);
         let many = runs.len() > 1;
+        let scale = match runs.as_slice() {
+            [whole] => drawn_scale(drawn_length(&piece.outline, edge), mesh, whole),
+            _ => 1.0,
+        };
         for (k, vertices) in runs.into_iter().enumerate() {
             let name = if many { format!("{name} ({})", k + 1) } else { name.clone() };
-            out.push(Chain { name, vertices });
+            out.push(Chain { name, vertices, scale });
         }
     }
     out
+}
+
+/// Length of an edge of the drawn outline, metres.
+fn drawn_length(outline: &PieceLine, edge: &OutlineEdge) -> f64 {
+    let n = outline.points.len();
+    let [from, to] = [edge.from, edge.to].map(|i| i as usize);
+    if from >= n || to >= n {
+        return 0.0;
+    }
+    let count = if to > from { to - from } else { to + n - from };
+    let point = |k: usize| outline.points[(from + k) % n].at;
+    (0..count).map(|k| (point(k + 1) - point(k)).norm()).sum()
+}
+
+/// Length as it is drawn for each length of a chain at rest. A chain that runs elsewhere keeps its own length.
+fn drawn_scale(drawn: f64, mesh: &PieceMesh, chain: &[u32]) -> f64 {
+    let share = drawn / length2(&mesh.rest, chain);
+    if (share - 1.0).abs() <= MESHED_SHORT { share } else { 1.0 }
 }
 
 /// The mesh vertices of the outline from one outline point to another, counter-clockwise.
@@ -121,7 +152,7 @@ fn without_legs(chain: &[u32], legs: &BTreeSet<[u32; 2]>) -> Vec<Vec<u32>> {
 }
 
 /// Darts with a common apex, and the leg pairs of everything that is sewn along legs.
-fn darts(piece: &Piece) -> (Vec<ChainPair>, Vec<ChainPair>) {
+fn darts(piece: &Piece, mesh: &PieceMesh) -> (Vec<ChainPair>, Vec<ChainPair>) {
     let (mut darts, mut pairs) = (Vec::new(), Vec::new());
     for dart in &piece.darts {
         let Some([a, b]) = dart.mesh.as_ref().map(|m| &m.legs) else { continue };
@@ -129,14 +160,16 @@ fn darts(piece: &Piece) -> (Vec<ChainPair>, Vec<ChainPair>) {
         if n < 2 {
             continue;
         }
-        pairs.push(ChainPair { name: dart.name.clone(), a: a.clone(), b: b.clone() });
+        let scale = [(0, a), (1, b)].map(|(leg, chain)| drawn_scale(dart.leg_length(leg), mesh, chain));
+        pairs.push(ChainPair { name: dart.name.clone(), a: a.clone(), b: b.clone(), scale });
         if dart.apexes.len() == 2 {
             let wide = widest(piece, a, b).clamp(1, n - 2.min(n - 1));
             let back = |leg: &[u32]| leg[..=wide].iter().rev().copied().collect::<Vec<_>>();
-            darts.push(ChainPair { name: format!("{} (1)", dart.name), a: back(a), b: back(b) });
-            darts.push(ChainPair { name: format!("{} (2)", dart.name), a: a[wide..].to_vec(), b: b[wide..].to_vec() });
+            darts.push(ChainPair { name: format!("{} (1)", dart.name), a: back(a), b: back(b), scale });
+            let [a, b] = [a, b].map(|leg| leg[wide..].to_vec());
+            darts.push(ChainPair { name: format!("{} (2)", dart.name), a, b, scale });
         } else if a.last() == b.last() {
-            darts.push(ChainPair { name: dart.name.clone(), a: a.clone(), b: b.clone() });
+            darts.push(ChainPair { name: dart.name.clone(), a: a.clone(), b: b.clone(), scale });
         }
     }
     (darts, pairs)
@@ -159,6 +192,7 @@ fn inner_seams<'a>(garment: &'a Garment, piece: &'a Piece) -> impl Iterator<Item
             name: s.name.clone(),
             a: s.stitches.iter().map(|t| t.a.vertex).collect(),
             b: s.stitches.iter().map(|t| t.b.vertex).collect(),
+            scale: [1.0; 2],
         })
 }
 

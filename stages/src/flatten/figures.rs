@@ -1,7 +1,7 @@
 //! The figures a pattern maker reads, from original, flat and surface positions.
 
 use super::align::{Rigid, angle_between};
-use super::features::{ChainPair, Features};
+use super::features::{Chain, ChainPair, Features};
 use super::metric::{edges2, edges3};
 use nalgebra::{Matrix2, Matrix3x2};
 use toile_garment::flat::{DartChange, LengthChange, StrainMap};
@@ -48,26 +48,32 @@ fn length3(p: &[Vec3], chain: &[u32]) -> f64 {
     chain.windows(2).map(|w| (p[w[1] as usize] - p[w[0] as usize]).norm()).sum()
 }
 
-/// Lengths of all edges.
+/// Lengths of all edges, as long as they are drawn.
 #[must_use]
 pub fn lengths(features: &Features, rest: &[Vec2], flat: &[Vec2], surface: &[Vec3]) -> Vec<LengthChange> {
-    let change = |name: String, chain: &[u32]| LengthChange {
-        name,
-        original: length2(rest, chain),
-        flat: length2(flat, chain),
-        surface: length3(surface, chain),
+    let change = |edge: &Chain| LengthChange {
+        name: edge.name.clone(),
+        original: edge.scale * length2(rest, &edge.vertices),
+        flat: edge.scale * length2(flat, &edge.vertices),
+        surface: edge.scale * length3(surface, &edge.vertices),
     };
-    features.edges.iter().map(|e| change(e.name.clone(), &e.vertices)).collect()
+    features.edges.iter().map(change).collect()
 }
 
 /// Angle, width and legs of a dart before and after.
 #[must_use]
 pub fn dart(legs: &ChainPair, rest: &[Vec2], flat: &[Vec2]) -> DartChange {
+    let [a, b] = legs.scale;
     DartChange {
         name: legs.name.clone(),
         angle: [opening(legs, rest), opening(legs, flat)],
         width: [mouth(legs, rest), mouth(legs, flat)],
-        legs: [length2(rest, &legs.a), length2(rest, &legs.b), length2(flat, &legs.a), length2(flat, &legs.b)],
+        legs: [
+            a * length2(rest, &legs.a),
+            b * length2(rest, &legs.b),
+            a * length2(flat, &legs.a),
+            b * length2(flat, &legs.b),
+        ],
     }
 }
 

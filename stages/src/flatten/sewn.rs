@@ -3,7 +3,7 @@
 use super::figures::length2;
 use std::collections::BTreeSet;
 use toile_garment::flat::PairChange;
-use toile_garment::seam::Seam;
+use toile_garment::seam::{Seam, SeamSide};
 use toile_garment::{Garment, MeshVertex, Vec2, Vec3};
 
 /// Relative change of the two edges of a station against each other from which only one of them was edited.
@@ -80,16 +80,16 @@ pub fn alike(station: &Station, before: &[&[Vec3]], now: &[&[Vec3]]) -> bool {
     changed <= ALIKE || changed.is_nan()
 }
 
-/// Lengths of both sides of a seam before and after.
+/// Lengths of both sides of a seam before and after: as long as they are drawn, up to the point of a dart.
 #[must_use]
-pub fn change(seam: &Seam, edges: &MeshEdges, rest: &[&[Vec2]], flat: &[&[Vec2]]) -> PairChange {
-    let steps = stations(seam, edges);
-    let length = |x: &[&[Vec2]], side: fn(&Station) -> [MeshVertex; 2]| -> f64 {
-        steps.iter().map(side).map(|[p, q]| length2(x[p.piece.index()], &[p.vertex, q.vertex])).sum()
+pub fn change(seam: &Seam, rest: &[&[Vec2]], flat: &[&[Vec2]]) -> PairChange {
+    let length = |x: &[&[Vec2]], side: &SeamSide| -> f64 {
+        side.runs.iter().filter_map(|r| Some(length2(x.get(r.piece.index())?, &r.vertices))).sum()
     };
-    PairChange {
-        name: seam.name.clone(),
-        a: [length(rest, |s| s.a), length(flat, |s| s.a)],
-        b: [length(rest, |s| s.b), length(flat, |s| s.b)],
-    }
+    let both = |side: &SeamSide| {
+        let [before, after] = [rest, flat].map(|x| length(x, side));
+        let drawn = if side.length > 0.0 { side.length } else { before };
+        [drawn, if before > 0.0 { drawn * (after / before) } else { after }]
+    };
+    PairChange { name: seam.name.clone(), a: both(&seam.a), b: both(&seam.b) }
 }

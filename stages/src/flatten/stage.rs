@@ -1,6 +1,7 @@
 //! `flatten` as a stage.
 
 use super::codes;
+use super::params::FlattenTolerance;
 use super::{FlattenParams, flatten_garment, tolerance};
 use toile_garment::{Aspect, Diagnostic, Garment};
 use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
@@ -36,8 +37,9 @@ impl Stage for Flatten {
             progress.update(u64::from(round), 0, &words);
             !cancel.load(std::sync::atomic::Ordering::Relaxed)
         };
-        let flat = flatten_garment(&garment, params, cx.report, &mut watch)?;
-        tolerance::judge(&garment, &flat, &params.tolerance, cx.report);
+        let mut flat = flatten_garment(&garment, params, cx.report, &mut watch)?;
+        let over = tolerance::judge(&garment, &flat, &params.tolerance, cx.report);
+        flat.over_tolerance = (params.tolerance != FlattenTolerance::default()).then_some(over);
         Ok(Garment { flat: Some(flat), ..garment })
     }
 }

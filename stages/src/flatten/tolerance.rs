@@ -13,18 +13,20 @@ struct Change {
     unit: &'static str,
 }
 
-/// Reports every change of a piece or seam that is larger than its tolerance.
-pub fn judge(garment: &Garment, flat: &Flat, tolerance: &FlattenTolerance, report: &mut Report) {
+/// Reports every change of a piece or seam that is larger than its tolerance, and says how many there are.
+pub fn judge(garment: &Garment, flat: &Flat, tolerance: &FlattenTolerance, report: &mut Report) -> usize {
+    let mut over = 0;
     for piece in &flat.pieces {
         let name = garment.pieces.get(piece.piece.index()).map_or("?", |p| p.name.as_str());
-        tell(&format!("piece `{name}`"), changes(piece, tolerance), report);
+        over += tell(&format!("piece `{name}`"), changes(piece, tolerance), report);
     }
-    let Some(limit) = tolerance.ease else { return };
+    let Some(limit) = tolerance.ease else { return over };
     for pair in &flat.pairs {
         let value = 1e3 * ((pair.a[1] - pair.b[1]) - (pair.a[0] - pair.b[0]));
         let change = Change { what: "ease".to_owned(), value, limit: 1e3 * limit.0, unit: "mm" };
-        tell(&format!("seam `{}`", pair.name), vec![change], report);
+        over += tell(&format!("seam `{}`", pair.name), vec![change], report);
     }
+    over
 }
 
 fn changes(piece: &FlatPiece, tolerance: &FlattenTolerance) -> Vec<Change> {
@@ -50,12 +52,14 @@ fn changes(piece: &FlatPiece, tolerance: &FlattenTolerance) -> Vec<Change> {
     out
 }
 
-fn tell(place: &str, changes: Vec<Change>, report: &mut Report) {
-    for c in changes.into_iter().filter(|c| c.value.abs() > c.limit) {
+fn tell(place: &str, changes: Vec<Change>, report: &mut Report) -> usize {
+    let over: Vec<Change> = changes.into_iter().filter(|c| c.value.abs() > c.limit).collect();
+    for c in &over {
         let what = format!("{place}: {} changed by {:+.2} {u}, over {:.2} {u}", c.what, c.value, c.limit, u = c.unit);
         report.push(
             Diagnostic::warning(codes::FLATTEN_OUT_OF_TOLERANCE, what)
                 .hint("lock it, take the 3D edit back there, or allow more"),
         );
     }
+    over.len()
 }

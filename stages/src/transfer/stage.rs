@@ -122,17 +122,12 @@ pub fn transferred(
         let finding = Diagnostic::error(TRANSFER_BODY_UNKNOWN, why);
         StageError::input(finding.hint("`toile body measure BODY.obj` says what is found on it"))
     })?;
-    let Some(before) = garment.drape else {
+    let Some(before) = garment.drape.clone() else {
         return Err(StageError::Internal("a transfer without a drape".to_owned()));
     };
     let moved = |piece: &Vec<_>| piece.iter().map(|p| map.at(*p)).collect();
-    let drape = Shape { positions: before.positions.iter().map(moved).collect(), ..before.clone() };
-    Ok(Garment {
-        drape: Some(drape),
-        drape_before_edit: Some(before),
-        body: Some(to),
-        certificate: None,
-        reactions: Vec::new(),
-        ..garment
-    })
+    let drape = Shape { positions: before.positions.iter().map(moved).collect(), ..before };
+    let mut garment = Garment { body: Some(to), ..garment };
+    garment.reshape(drape);
+    Ok(garment)
 }

@@ -16,7 +16,7 @@ use toile_garment::flat::{Flat, FlatMetric};
 use toile_garment::garment::Shape;
 use toile_garment::mesh::{ChainKind, MeshChain, PieceMesh};
 use toile_garment::outline::{LinePoint, OutlineEdge, PieceLine, PointKind};
-use toile_garment::seam::{Seam, SeamKind, SeamSide, Stitch};
+use toile_garment::seam::{Seam, SeamKind, SeamRun, SeamSide, Stitch};
 use toile_garment::units::Length;
 use toile_garment::{Garment, MeshVertex, Piece, PieceId, Report, SeamId, Vec2, Vec3};
 
@@ -297,14 +297,17 @@ fn sewn_edges_of_two_pieces_stay_equal_under_noise() {
             // The back lies elsewhere; only the lengths along the seam are shared.
             b[s.b.vertex as usize] = a[s.a.vertex as usize];
         }
-        let side = SeamSide::default();
+        let side = |of: fn(&Stitch) -> MeshVertex| {
+            let vertices = stitches.iter().map(|s| of(s).vertex).collect();
+            SeamSide { runs: vec![SeamRun { piece: of(&stitches[0]).piece, vertices }], length: 0.0 }
+        };
         let (name, kind) = (format!("side {k}"), SeamKind::Seam);
         seams.push(Seam {
             id: SeamId(k as u32),
             name,
             kind,
-            a: side.clone(),
-            b: side,
+            a: side(|s| s.a),
+            b: side(|s| s.b),
             ease: 0.0,
             gather: None,
             stitches,
@@ -326,8 +329,43 @@ fn sewn_edges_of_two_pieces_stay_equal_under_noise() {
     for p in &flat.pairs {
         println!("{}: {:.2e} mm apart, rounds {}", p.name, 1e3 * (p.a[1] - p.b[1]), flat.pieces[0].rounds);
         assert!(1e3 * (p.a[1] - p.b[1]).abs() <= 0.02);
-        assert!((p.a[0] - p.b[0]).abs() < 1e-12);
+        assert!(p.a[0] > 0.1 && (p.a[0] - p.b[0]).abs() < 1e-12);
     }
+}
+
+/// A seam, a dart and an edge are as long as they are drawn, whatever chords the mesh has, and a leg goes to its point.
+#[test]
+fn lengths_are_those_of_the_drawing_up_to_the_point_of_a_dart() {
+    let s20 = 340f64.to_radians();
+    let (polar, triangles, rings) = disc(0.15, 9, s20);
+    let mut piece = dart_piece(&polar, &triangles, &rings);
+    let surface = cone(&polar, s20);
+    // The leg is drawn a little longer than its chords.
+    let bowed = |leg: &mut Vec<Vec2>| leg.insert(1, (leg[0] + leg[1]) * 0.5 + Vec2::new(0.0, 1e-3));
+    piece.darts[0].legs.iter_mut().for_each(bowed);
+    let drawn = [0, 1].map(|leg| piece.darts[0].leg_length(leg));
+    let legs = piece.darts[0].mesh.clone().expect("mesh").legs;
+    let side = |leg: usize| SeamSide {
+        runs: vec![SeamRun { piece: PieceId(0), vertices: legs[leg].clone() }],
+        length: drawn[leg],
+    };
+    let seam = Seam {
+        id: SeamId(0),
+        name: "dart".into(),
+        kind: SeamKind::Dart { piece: PieceId(0), dart: 0_usize.into() },
+        a: side(0),
+        b: side(1),
+        ease: 0.0,
+        gather: None,
+        stitches: Vec::new(),
+        source: None,
+    };
+    let g = Garment { seams: vec![seam], ..edited(piece, surface.clone(), surface) };
+    let flat = flatten(&g, &FlattenParams::default());
+    let (pair, dart) = (&flat.pairs[0], &flat.pieces[0].darts[0]);
+    assert!(drawn[0] > 0.15 && (pair.a[0] - drawn[0]).abs() < 1e-12 && (dart.legs[0] - drawn[0]).abs() < 1e-12);
+    assert!((pair.b[0] - drawn[1]).abs() < 1e-12 && (dart.legs[1] - drawn[1]).abs() < 1e-12);
+    assert!((pair.a[1] - dart.legs[2]).abs() < 1e-12);
 }
 
 #[test]
@@ -565,8 +603,9 @@ fn a_change_over_its_tolerance_is_told() {
     let judged = |edge: f64| {
         let mut report = Report::default();
         let limits = FlattenTolerance { edge: Some(Length(edge)), ..FlattenTolerance::default() };
-        tolerance::judge(&g, &flat, &limits, &mut report);
-        report.findings.len()
+        let over = tolerance::judge(&g, &flat, &limits, &mut report);
+        assert_eq!(over, report.findings.len());
+        over
     };
     // Hem and waist are 4 mm longer, the sides as long as before.
     assert_eq!((judged(3e-3), judged(5e-3)), (2, 0));

@@ -10,6 +10,7 @@ mod undecided;
 use super::resolve::{elastic_side, find, placed};
 use super::shapes::{Shapes, shapes};
 use crate::codes::{PIECE_UNKNOWN, SEAM_PROPOSED};
+use toile_formats::codes::PIECES_LEFT_OUT;
 use toile_formats::dxf::darts::UndecidedDart;
 use toile_garment::sewing::{SeamSpec, SewingPlan};
 use toile_garment::{Diagnostic, Garment, PieceId, Report};
@@ -38,7 +39,7 @@ pub fn apply_deciding(
     let mut errors = Vec::new();
     report.findings.extend(plan.seams.iter().filter_map(proposed));
     garment.plan = plan;
-    leave_out(garment, &mut errors);
+    leave_out(garment, report, &mut errors);
     // Drawn pieces first, so that copies inherit names and darts; then what is said of the copies themselves.
     let copies = garment.plan.copies.clone();
     let is_copy = |name: &str| copies.iter().any(|c| c.name.eq_ignore_ascii_case(name));
@@ -85,7 +86,21 @@ fn check_seams(garment: &Garment, rings: &Shapes) -> Result<(), StageError> {
     if errors.is_empty() { Ok(()) } else { Err(StageError::Parameter(errors)) }
 }
 
-fn leave_out(garment: &mut Garment, errors: &mut Vec<Diagnostic>) {
+fn leave_out(garment: &mut Garment, report: &mut Report, errors: &mut Vec<Diagnostic>) {
+    let names = |garment: &Garment| garment.pieces.iter().map(|p| p.name.clone()).collect::<Vec<_>>();
+    let before = names(garment);
+    remove(garment, errors);
+    let left = names(garment);
+    let out: Vec<String> = before.into_iter().filter(|name| !left.contains(name)).map(|n| format!("`{n}`")).collect();
+    if !out.is_empty() {
+        let message = format!("{} pieces are left out of the garment: {}", out.len(), out.join(", "));
+        let remedy = "to have one sewn, take it out of `leave_out` in the sewing file, and write its seams";
+        report.push(Diagnostic::info(PIECES_LEFT_OUT, message).hint(remedy));
+    }
+}
+
+/// Removes the pieces that the list names.
+fn remove(garment: &mut Garment, errors: &mut Vec<Diagnostic>) {
     for word in &garment.plan.leave_out {
         let is = |text: &Option<String>| text.as_deref().is_some_and(|t| t.eq_ignore_ascii_case(word));
         let before = garment.pieces.len();

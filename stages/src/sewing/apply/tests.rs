@@ -113,7 +113,10 @@ fn left_out_pieces_are_gone_and_renumbered() {
     let pieces = vec![rectangle(0, "fusing", 50.0, 50.0), lining, rectangle(2, "front", 50.0, 50.0)];
     let mut garment = Garment { pieces, ..Garment::default() };
     let plan = SewingPlan { leave_out: vec!["LINING".into(), "Fusing".into()], ..SewingPlan::default() };
-    apply(&mut garment, plan, &mut Report::default()).expect("plan");
+    let mut report = Report::default();
+    apply(&mut garment, plan, &mut report).expect("plan");
+    let told: Vec<_> = report.findings.iter().map(|f| (f.code.as_str(), f.message.as_str())).collect();
+    assert_eq!(told, [("pieces-left-out", "2 pieces are left out of the garment: `fusing`, `pocket`")]);
     assert_eq!(garment.pieces.len(), 1);
     assert_eq!((garment.pieces[0].id, garment.pieces[0].name.as_str()), (PieceId(0), "front"));
     let plan = SewingPlan { leave_out: vec!["fornt".into()], ..SewingPlan::default() };
