@@ -52,6 +52,7 @@ pub fn make(
     if params.symmetry == SymmetryChoice::Off {
         return;
     }
+    let middle = middle_of(sources.iter().flat_map(|s| s.before));
     for image in images(sources, features) {
         let names = (sources[image.p].piece, sources[image.q].piece);
         let (there, back) = (mirrored(sources, flats, &image, false), mirrored(sources, flats, &image, true));
@@ -59,10 +60,12 @@ pub fn make(
         if apart <= SAME_ALREADY {
             continue;
         }
-        let moves = moves(sources, &image);
-        if apart > SAME_EDIT && params.symmetry != SymmetryChoice::Always && !moves.is_symmetric() {
-            report.push(findings::asymmetric(names, apart, (moves.largest > 0.0).then_some(moves.apart)));
-            continue;
+        if apart > SAME_EDIT && params.symmetry != SymmetryChoice::Always {
+            let moves = moves(sources, &image, middle);
+            if !moves.is_symmetric() {
+                report.push(findings::asymmetric(names, apart, (moves.largest > 0.0).then_some(moves.apart)));
+                continue;
+            }
         }
         let mean = |a: &[Vec2], b: &[Vec2]| a.iter().zip(b).map(|(a, b)| (a + b) * 0.5).collect::<Vec<_>>();
         let (p, q) = (mean(&there, &flats[image.p]), mean(&back, &flats[image.q]));
@@ -89,17 +92,32 @@ impl Moves {
     }
 }
 
-fn moves(sources: &[Source<'_>], image: &Image) -> Moves {
+/// Folds fall differently on both sides. So a point is compared with its image in the cloth, and where these moved
+/// differently with the cloth nearest to its mirrored place in 3D: an edit that is symmetric in space moves that alike.
+fn moves(sources: &[Source<'_>], image: &Image, middle: f64) -> Moves {
     let of = |s: &Source<'_>| s.surface.iter().zip(s.before).map(|(now, before)| now - before).collect::<Vec<Vec3>>();
     let (p, q) = (&sources[image.p], &sources[image.q]);
     let (moved, other) = (of(p), of(q));
-    let location = PointLocation::new(&q.mesh.rest, &q.mesh.triangles);
-    let apart = p.mesh.rest.iter().zip(&moved).map(|(rest, moved)| {
-        let there = location.interpolate(image.reflection.of(*rest), &other);
-        (moved - Vec3::new(-there.x, there.y, there.z)).norm()
-    });
     let largest = moved.iter().chain(&other).map(|m| m.norm()).fold(0.0, f64::max);
+    let location = PointLocation::new(&q.mesh.rest, &q.mesh.triangles);
+    let apart = p.mesh.rest.iter().zip(p.before).zip(&moved).map(|((rest, before), moved)| {
+        let mirrored = Vec3::new(-moved.x, moved.y, moved.z);
+        let in_cloth = (mirrored - location.interpolate(image.reflection.of(*rest), &other)).norm();
+        if in_cloth <= SAME_EDIT {
+            return in_cloth;
+        }
+        let place = Vec3::new(2.0 * middle - before.x, before.y, before.z);
+        let far = |k: &usize| (q.before[*k] - place).norm_squared();
+        let nearest = (0..q.before.len()).min_by(|a, b| far(a).total_cmp(&far(b)));
+        nearest.map_or(in_cloth, |k| in_cloth.min((mirrored - other[k]).norm()))
+    });
     Moves { apart: apart.fold(0.0, f64::max), largest }
+}
+
+/// The middle of the garment, left to right.
+fn middle_of<'a>(places: impl Iterator<Item = &'a Vec3>) -> f64 {
+    let (sum, count) = places.fold((0.0, 0.0), |(sum, count), p| (sum + p.x, count + 1.0));
+    sum / f64::max(count, 1.0)
 }
 
 fn difference(a: &[Vec2], b: &[Vec2]) -> f64 {
@@ -125,8 +143,7 @@ fn mirrored(sources: &[Source<'_>], flats: &[Vec<Vec2>], image: &Image, back: bo
 
 /// Every piece with its image, each piece once.
 fn images(sources: &[Source<'_>], features: &[Features]) -> Vec<Image> {
-    let count: usize = sources.iter().map(|s| s.surface.len()).sum();
-    let middle = sources.iter().flat_map(|s| s.surface).map(|p| p.x).sum::<f64>() / count.max(1) as f64;
+    let middle = middle_of(sources.iter().flat_map(|s| s.surface));
     let mut found: Vec<(f64, Image)> = Vec::new();
     for p in 0..sources.len() {
         for q in p..sources.len() {

@@ -555,12 +555,12 @@ fn a_symmetric_edit_gives_a_symmetric_piece_and_one_of_one_side_does_not() {
 
 #[test]
 fn folds_that_fall_differently_make_a_symmetric_edit_no_less_symmetric() {
-    // Folds on one side only; the edit widens the sheet about the middle by a sixth, folds included.
+    // Folds on one side only; the edit widens the sheet about the middle by a quarter, folds included.
     let grid = sheet(21, 30);
-    let worn = |p: Vec2| Vec3::new(p.x, p.y, if p.x > 0.0 { 0.03 * libm::sin(40.0 * p.x) } else { 0.0 });
+    let worn = |p: Vec2| Vec3::new(p.x, p.y, if p.x > 0.0 { 0.024 * libm::sin(40.0 * p.x) } else { 0.0 });
     let wider = |p: Vec2| {
         let at = worn(p);
-        Vec3::new(at.x * (1.0 + 0.5 * p.y), at.y, at.z * (1.0 + 0.5 * p.y))
+        Vec3::new(at.x * (1.0 + 0.8 * p.y), at.y, at.z * (1.0 + 0.8 * p.y))
     };
     let all = |f: &dyn Fn(Vec2) -> Vec3| grid.points.iter().map(|p| f(*p)).collect::<Vec<Vec3>>();
     let g = edited(grid.piece(), all(&worn), all(&wider));
