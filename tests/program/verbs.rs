@@ -250,7 +250,8 @@ fn a_glb_without_its_document_is_flattened_by_the_original_and_drawn() {
     let shown = "[[stage]]\nuse = \"export-picture\"\n[[stage]]\nuse = \"export-obj\"\n";
     let second = Bench::new();
     for file in ["saved.glb", "g.glb"] {
-        std::fs::copy(bench.path(file), second.path(file)).expect("copied");
+        let beside = second.path(&format!("pipelines/test/{file}"));
+        std::fs::copy(bench.path(file), beside).expect("copied");
     }
     second.stages(&[garment, shown].concat());
     let said = second.run(&[]);
