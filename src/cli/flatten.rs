@@ -123,13 +123,13 @@ fn summary(garment: &Garment, flat: &Flat) -> String {
     for f in &flat.pieces {
         let name = garment.pieces.get(f.piece.index()).map_or("?", |p| p.name.as_str());
         let [original, new, _] = f.area.map(|a| 1e4 * a);
-        let change = if original > 0.0 { unsigned_zero(100.0 * (new / original - 1.0), 3) } else { 0.0 };
+        let change = if original > 0.0 { unsigned_zero(100.0 * (new / original - 1.0), 1e-3) } else { 0.0 };
         let edges = f.edges.iter().map(|e| (e.flat - e.original).abs()).fold(0.0, f64::max);
         let _ = writeln!(
             text,
             "{name:<20} {new:>9.2} cm2 ({change:+.3} %), edges within {:.3} mm, piece turned {:.3}° against its grain",
             1e3 * edges,
-            unsigned_zero(f.grain_shift.to_degrees(), 3)
+            unsigned_zero(f.grain_shift.to_degrees(), 1e-3)
         );
         for d in &f.darts {
             let _ =
@@ -137,7 +137,7 @@ fn summary(garment: &Garment, flat: &Flat) -> String {
         }
     }
     for p in &flat.pairs {
-        let error = unsigned_zero(1e3 * ((p.a[1] - p.b[1]) - (p.a[0] - p.b[0])), 4);
+        let error = unsigned_zero(1e3 * ((p.a[1] - p.b[1]) - (p.a[0] - p.b[0])), 1e-4);
         let _ = writeln!(
             text,
             "seam {:<15} {:.2} mm on {:.2} mm, ease changed {error:+.4} mm",
@@ -149,8 +149,7 @@ fn summary(garment: &Garment, flat: &Flat) -> String {
     text
 }
 
-/// A number as it is shown with so many digits: what rounds to nothing has no sign.
-fn unsigned_zero(x: f64, digits: i32) -> f64 {
-    let scale = 10f64.powi(digits);
-    if (x * scale).abs() < 0.5 { 0.0 } else { x }
+/// A number that is shown in these steps: what rounds to nothing has no sign.
+fn unsigned_zero(x: f64, step: f64) -> f64 {
+    if x.abs() < 0.5 * step { 0.0 } else { x }
 }

@@ -70,7 +70,8 @@ fn bad_triangles(mesh: &Filled, sharp: &[u32]) -> Vec<(f64, u32)> {
 /// The best of all changes of a patch around a bad triangle, if one is better than none.
 fn mend(patch: &Patch, sharp: &[u32], bad: u32) -> Option<Filled> {
     let is_sharp = |v: u32| (v as usize) < patch.fixed && sharp.binary_search(&patch.vertices[v as usize]).is_ok();
-    let wrong = |m: &Filled| m.1.iter().map(|t| lack(&m.0, *t, is_sharp).powi(2)).sum::<f64>();
+    let squared = |x: f64| x * x;
+    let wrong = |m: &Filled| m.1.iter().map(|t| squared(lack(&m.0, *t, is_sharp))).sum::<f64>();
     let middle = patch.taken.binary_search(&bad).ok()?;
     let tries = changes(patch, patch.mesh.1[middle]);
     let mut best = (wrong(&patch.mesh) * (1.0 - GAIN_LEAST), None);

@@ -619,8 +619,8 @@ fn a_dart_that_the_edit_did_not_touch_keeps_its_intake() {
     let before = cone(&polar, s20);
     let bump = |([r, a], p): (&[f64; 2], &Vec3)| {
         let (x, y) = (r * libm::cos(a - 0.5 * s20), r * libm::sin(a - 0.5 * s20));
-        let near = 1.0 - ((x - 0.09).powi(2) + y * y) / (0.05f64).powi(2);
-        p + Vec3::y() * (0.02 * near.max(0.0).powi(2))
+        let near = (1.0 - ((x - 0.09) * (x - 0.09) + y * y) / (0.05 * 0.05)).max(0.0);
+        p + Vec3::y() * (0.02 * near * near)
     };
     let now: Vec<Vec3> = polar.iter().zip(&before).map(bump).collect();
     let g = edited(dart_piece(&polar, &triangles, &rings), before, now);
