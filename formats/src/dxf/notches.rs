@@ -47,7 +47,7 @@ pub struct DrawnNotch {
 /// A closed line that notches sit on: as it is drawn, and the smooth line through its points where that differs.
 #[derive(Clone, Copy, Debug)]
 pub struct EdgeLine<'a> {
-    /// As drawn, counter-clockwise.
+    /// The line as it is drawn, counter-clockwise.
     pub drawn: &'a [Vec2],
     /// The smooth line.
     pub smooth: Option<&'a [Vec2]>,

@@ -87,7 +87,6 @@ fn verdict(out: &mut String, source: &Source, proposal: &Proposal) {
     let (open, look) = (count(&|c| c < LEAST_SURE), count(&|c| (LEAST_SURE..SURE).contains(&c)));
     let class = match (open, look) {
         (0, 0) if source.left_out.is_empty() => "good",
-        (0, 0) => "look",
         (0, _) => "look",
         _ => "bad",
     };

@@ -92,8 +92,9 @@ impl Moves {
     }
 }
 
-/// Folds fall differently on both sides. So a point is compared with its image in the cloth, and where these moved
-/// differently with the cloth nearest to its mirrored place in 3D: an edit that is symmetric in space moves that alike.
+/// Compares the moves of each point and of its image in the cloth. Folds fall differently on both sides, so where these
+/// moves differ, the point is compared with the cloth nearest to its mirrored place in 3D. An edit that is symmetric in
+/// space moves both alike.
 fn moves(sources: &[Source<'_>], image: &Image, middle: f64) -> Moves {
     let of = |s: &Source<'_>| s.surface.iter().zip(s.before).map(|(now, before)| now - before).collect::<Vec<Vec3>>();
     let (p, q) = (&sources[image.p], &sources[image.q]);

@@ -1,8 +1,9 @@
 //! `triangulate`: pieces become meshes. Outlines, darts and folds are chains of mesh edges.
 //!
-//! Other internal lines do not act on the cloth, so the mesh does not follow them; they lie on its triangles. Corners, notches, mouths, apexes and seam ends become vertices; both sides of a seam and both legs of a dart get
-//! equal counts between them. Inside, a hexagonal lattice turned off the grain, joined by a constrained Delaunay
-//! triangulation and smoothed.
+//! Other internal lines do not act on the cloth, so the mesh does not follow them; they lie on its triangles. Corners,
+//! notches, mouths, apexes, the widest places of fish-eye darts and seam ends become vertices. Both sides of a seam and
+//! both legs of a dart get equal counts between them. Inside lies a hexagonal lattice turned off the grain. It is joined
+//! by a constrained Delaunay triangulation and smoothed, and what stays bad is mended in patches.
 
 mod cdt;
 mod check;

@@ -125,7 +125,8 @@ fn vertices(group: &[&DrawnPiece], sample: Option<&str>, desk: &mut Desk<'_>) {
     desk.say(Diagnostic::warning(SIZES_DIFFER_IN_VERTICES, text).hint(hint), &base.block, "1", base.line);
 }
 
-/// Corners and notches of all sizes should be as many as in the sample size. Sizes with other vertices are told by then.
+/// Corners and notches of all sizes should be as many as in the sample size. Sizes with other vertices are told
+/// already.
 fn corners_and_notches(group: &[&DrawnPiece], sample: Option<&str>, desk: &mut Desk<'_>) {
     let sized = || group.iter().copied().filter(|p| p.size.is_some());
     let Some(base) = sized().find(|p| is_in_size(p, sample)).or_else(|| sized().next()) else { return };

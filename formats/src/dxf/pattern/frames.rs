@@ -18,7 +18,7 @@ const PIECE: f64 = 30.0;
 /// Most rectangles that are looked at.
 const RECTANGLES: usize = 16;
 
-/// What a closed line is.
+/// The meaning of a closed line.
 #[derive(Clone, Copy, PartialEq)]
 enum Meaning {
     Frame,
@@ -80,7 +80,7 @@ fn outermost<'a, 'b>(lines: impl Iterator<Item = &'b Line<'a>>) -> Vec<&'b Line<
     top
 }
 
-/// What a line is among all lines of the drawing, sorted by area. A frame of a frame is a frame. Lines that lie outside
+/// Tells the meaning of a line among all lines of the drawing, sorted by area. A frame of a frame is one. Lines outside
 /// do not matter, unless there are more of them than inside: then it may be a piece beside other pieces.
 fn meaning(at: usize, lines: &[Line<'_>]) -> Meaning {
     let Some(line) = lines.get(at).filter(|l| l.is_upright_rectangle()) else { return Meaning::Piece };

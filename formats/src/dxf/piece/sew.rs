@@ -48,7 +48,7 @@ impl DrawnPiece {
         }
     }
 
-    /// What is said of a line of layer 14 that is not taken as the sew line. A large one that crosses itself encloses
+    /// The finding for a line of layer 14 that is not taken as the sew line. A large one that crosses itself encloses
     /// little, as a bow does, and is meant for it nevertheless.
     fn stray(&self, path: &Path) -> Diagnostic {
         let (label, line) = (self.label(), path.positions());
