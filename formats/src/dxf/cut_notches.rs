@@ -22,6 +22,9 @@ const RUN: f64 = 3.0;
 
 /// Where another size of the piece has a notch, every limit is wider by this factor.
 const IN_OTHER_SIZE: f64 = 2.0;
+/// Slits grow with the size. Where another size has a notch, the depth of a slit is wider by this factor: a slit takes
+/// no cloth away, so nothing else is drawn like it.
+const SLIT_IN_OTHER_SIZE: f64 = 4.0;
 
 /// A notch cut into a line.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -94,7 +97,9 @@ fn test(nodes: &[Node], from: usize, to: usize, steps: usize, slack: f64) -> Opt
     let tip = inner.iter().copied().max_by(|p, q| height(*p).abs().total_cmp(&height(*q).abs()))?;
     let depth = height(tip).abs();
     let inward = height(tip) > 0.0;
-    let deep = depth * slack >= *DEPTH.start() && depth <= *DEPTH.end() * slack;
+    let is_slit = width <= SLIT && inner.len() <= 3;
+    let deepest = *DEPTH.end() * if is_slit && slack > 1.0 { SLIT_IN_OTHER_SIZE } else { slack };
+    let deep = depth * slack >= *DEPTH.start() && depth <= deepest;
     if !deep || inner.iter().any(|p| height(*p) * height(tip) < 0.0) {
         return None;
     }
@@ -105,7 +110,7 @@ fn test(nodes: &[Node], from: usize, to: usize, steps: usize, slack: f64) -> Opt
         return None;
     }
     let kind = match (inner.len(), bottom.len()) {
-        _ if width <= SLIT && inner.len() <= 3 => NotchKind::Slit,
+        _ if is_slit => NotchKind::Slit,
         (1, 1) => NotchKind::V,
         (2, 2) => NotchKind::Castle,
         (_, 2..) if spread > 0.5 => NotchKind::T,

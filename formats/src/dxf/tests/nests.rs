@@ -95,23 +95,27 @@ fn grade_rules_a_little_beside_their_vertex_count() {
 /// both are written with the same vertices.
 #[test]
 fn a_notch_cut_into_one_size_is_one_in_all() {
-    let notched = |depth: f64| {
-        let top = [(300.0, 400.0), (153.0, 400.0), (150.0, 400.0 - depth), (147.0, 400.0), (0.0, 400.0)];
+    let notched = |depth: f64, half: f64| {
+        let top = [(300.0, 400.0), (150.0 + half, 400.0), (150.0, 400.0 - depth), (150.0 - half, 400.0), (0.0, 400.0)];
         [(0.0, 0.0), (300.0, 0.0)].into_iter().chain(top).collect::<Vec<(f64, f64)>>()
     };
-    let sizes = |depths: [f64; 2]| {
+    let sizes = |depths: [f64; 2], half: f64| {
         let w = Writer::default().pair(0, "SECTION").pair(2, "BLOCKS");
         let w = ["36", "38"].into_iter().zip(depths).fold(w, |w, (size, depth)| {
             let w = w.block(&format!("A_{size}")).text("1", "Piece Name: A").text("1", &format!("Size: {size}"));
-            w.line("7", (60.0, 50.0), (60.0, 150.0)).polyline("1", true, &notched(depth)).pair(0, "ENDBLK")
+            w.line("7", (60.0, 50.0), (60.0, 150.0)).polyline("1", true, &notched(depth, half)).pair(0, "ENDBLK")
         });
         let w = w.pair(0, "ENDSEC").pair(0, "SECTION").pair(2, "ENTITIES").text("1", "Units: METRIC");
         good(&w.text("1", "Sample Size: 36").pair(0, "ENDSEC").pair(0, "EOF").0)
     };
     let cut = |p: &Pattern| p.pieces.iter().map(|p| p.boundary.cut.len()).collect::<Vec<_>>();
-    assert_eq!(cut(&sizes([5.0, 1.5])), [1, 1]);
-    assert_eq!(cut(&sizes([1.5, 1.5])), [0, 0]);
-    assert_eq!(cut(&sizes([5.0, 0.2])), [1, 0]);
+    assert_eq!(cut(&sizes([5.0, 1.5], 3.0)), [1, 1]);
+    assert_eq!(cut(&sizes([1.5, 1.5], 3.0)), [0, 0]);
+    assert_eq!(cut(&sizes([5.0, 0.2], 3.0)), [1, 0]);
+    // A slit grows with the size. One that is deep in every size is a slit of the garment.
+    assert_eq!(cut(&sizes([10.0, 25.0], 0.03)), [1, 1]);
+    assert_eq!(cut(&sizes([25.0, 25.0], 0.03)), [0, 0]);
+    assert_eq!(cut(&sizes([10.0, 25.0], 3.0)), [1, 0]);
 }
 
 #[test]
