@@ -293,3 +293,20 @@ fn a_piece_that_a_size_lacks_is_lacking_in_a_written_size_run() {
         }
     }
 }
+
+/// A written size run holds all sizes and pieces: a choice of them is no remedy for one that crosses itself.
+#[test]
+fn a_size_run_does_not_advise_to_choose_sizes() {
+    let w = Writer::default().pair(0, "SECTION").pair(2, "BLOCKS");
+    let sizes = [("36", -9.0), ("38", 0.0)];
+    let w = sizes.iter().fold(w, |w, (size, k)| block(w, size, *k, *size == "38", false));
+    let w = w.block("BOW_38").text("1", "Piece Name: BOW").text("1", "Size: 38");
+    let w = w.polyline("1", true, &[(400.0, 0.0), (500.0, 100.0), (520.0, 0.0), (400.0, 120.0)]).pair(0, "ENDBLK");
+    let w = w.pair(0, "ENDSEC").pair(0, "SECTION").pair(2, "ENTITIES");
+    let w = w.text("1", "Units: METRIC").text("1", "Sample Size: 38").pair(0, "ENDSEC").pair(0, "EOF");
+    let pattern = read(w.0.as_bytes(), "t.dxf", &ReadOptions::default()).expect("a pattern");
+    let one = pattern.to_garment(Some("38"), None).expect_err("crosses itself");
+    assert_eq!(codes(&one), ["outline-crosses-itself", "sound-parts"]);
+    let run = Sizes::new(&pattern, None).err().expect("crosses itself");
+    assert_eq!(codes(&run), ["outline-crosses-itself"]);
+}

@@ -4,6 +4,7 @@ use super::codes;
 use super::from_piece::{PieceOptions, piece_drawing};
 use super::growth::{Grown, drawn_line, made_line};
 use super::model::{DrawLine, DrawRule, Drawing, PieceDrawing, StyleText};
+use crate::dxf::codes::SOUND_PARTS;
 use crate::dxf::garment::to_piece;
 use crate::dxf::geom::{self, PointIndex};
 use crate::dxf::pattern::Pattern;
@@ -18,6 +19,12 @@ use toile_garment::{Diagnostic, Piece, SourceRef, Vec2};
 const RULES: usize = 100_000;
 /// A rule belongs to a vertex within this, mm.
 const SAME: f64 = 0.02;
+
+/// Why a size cannot be made. A run holds all sizes and pieces, so that a choice of them is no remedy.
+fn of_run(mut findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    findings.retain(|f| f.code != SOUND_PARTS);
+    findings
+}
 
 /// All sizes of a style.
 #[derive(Clone, Debug)]
@@ -73,12 +80,12 @@ impl Sizes {
     /// A size that cannot be made.
     pub fn new(pattern: &Pattern, rul: Option<&RuleTable>) -> Result<Self, Vec<Diagnostic>> {
         let names = pattern.size_order(rul);
-        let first = pattern.choose(None, rul)?;
+        let first = pattern.choose(None, rul).map_err(of_run)?;
         let (sample, mut findings) = (first.size.clone(), first.findings.clone());
         let chosen: Vec<Chosen<'_>> = if names.is_empty() {
             vec![first]
         } else {
-            names.iter().map(|size| pattern.choose(Some(size), rul)).collect::<Result<_, _>>()?
+            names.iter().map(|size| pattern.choose(Some(size), rul)).collect::<Result<_, _>>().map_err(of_run)?
         };
         for finding in chosen.iter().flat_map(|c| &c.findings) {
             if !findings.contains(finding) {
