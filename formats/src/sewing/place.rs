@@ -3,6 +3,7 @@
 use super::codes;
 use super::keys;
 use super::walk::{Table, Value, Walk};
+use crate::codes::OUT_OF_RANGE;
 use std::ops::Range;
 use toile_garment::Vec3;
 use toile_garment::sewing::{Around, AttachSpec, AttachStrength, CopySpec, LayerSpec, PlaceSpec, Placement};
@@ -11,6 +12,8 @@ use toml::de::{DeTable, DeValue};
 
 const SEGMENTS: &[&str] = &["torso", "arm-left", "arm-right", "leg-left", "leg-right", "neck"];
 const SIDES: &[&str] = &["front", "back", "left", "right"];
+/// Largest distance of a start from the body or along it, m.
+const ROOM: f64 = 10.0;
 
 /// The segments of a body that a piece may be wrapped around.
 pub fn segments() -> Vec<&'static str> {
@@ -76,7 +79,7 @@ fn wrapped(around: Value<'_>, t: &mut Table<'_>, walk: &mut Walk<'_>) -> Option<
     let side = t.need("side", walk).and_then(|v| walk.word(v, "side", &words(SIDES)));
     let on_arm = segment.is_some_and(|s| s.starts_with("arm"));
     let height = match t.take("height") {
-        Some(value) => walk.quantity::<Length>(value, "height"),
+        Some(value) => in_room(value, "height", walk),
         // On an arm the height counts from the joint: zero is a sound default. Elsewhere there is none.
         None if on_arm => Some(0.0),
         None => t.need("height", walk).map(|_| 0.0),
@@ -86,7 +89,7 @@ fn wrapped(around: Value<'_>, t: &mut Table<'_>, walk: &mut Walk<'_>) -> Option<
         None => Some(0.0),
     };
     let shift = match t.take("shift") {
-        Some(value) => walk.quantity::<Length>(value, "shift"),
+        Some(value) => in_room(value, "shift", walk),
         None => Some(0.0),
     };
     let (segment, side) = (segment?.to_owned(), side?.to_owned());
@@ -101,8 +104,19 @@ fn explicit(rotation: Value<'_>, t: &mut Table<'_>, walk: &mut Walk<'_>) -> Opti
 
 fn vector(value: Value<'_>, key: &str, walk: &mut Walk<'_>) -> Option<Vec3> {
     let items = walk.list(value, key, 3, "[\"0 mm\", \"914 mm\", \"250 mm\"]")?;
-    let parts: Vec<_> = items.iter().map(|i| walk.quantity::<Length>(i, key)).collect();
+    let parts: Vec<_> = items.iter().map(|i| in_room(i, key, walk)).collect();
     Some(Vec3::new(parts[0]?, parts[1]?, parts[2]?))
+}
+
+/// A length that leaves a piece in the room around the body.
+fn in_room(value: Value<'_>, key: &str, walk: &mut Walk<'_>) -> Option<f64> {
+    let length = walk.quantity::<Length>(value, key)?;
+    if length.abs() <= ROOM {
+        return Some(length);
+    }
+    let message = format!("`{key}` is {length} m; a piece starts within {ROOM} m of the body");
+    walk.error(OUT_OF_RANGE, value.span().start, message, |d| d.hint("look at the unit: mm, cm or m"));
+    None
 }
 
 fn rows(value: Value<'_>, walk: &mut Walk<'_>) -> Option<[[f64; 3]; 3]> {

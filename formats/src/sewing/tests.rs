@@ -155,6 +155,12 @@ fn refuses_what_cannot_be() {
     let mirror =
         "[[place]]\npiece=\"f\"\nrotation=[[-1,0,0],[0,1,0],[0,0,1]]\ntranslation=[\"0 mm\",\"0 mm\",\"0 mm\"]";
     assert_eq!(one(mirror), "sewing-no-rotation");
+    let move_by = |by: &str| format!("[[place]]\npiece = \"f\"\nmove = [\"0 mm\", \"{by}\", \"0 mm\"]\n");
+    assert_eq!(one(&move_by("200 m")), "out-of-range");
+    assert!(read(&move_by("-200 mm"), "good.toml").is_ok());
+    let around = |rest: &str| format!("[[place]]\npiece = \"f\"\naround = \"torso\"\nside = \"front\"\n{rest}\n");
+    assert_eq!(one(&around("height = \"1050 m\"")), "out-of-range");
+    assert_eq!(one(&around("height = \"1 m\"\nshift = \"-80 m\"")), "out-of-range");
     assert_eq!(one("[[dart]]\npiece=\"f\"\nmouth=[[\"0 mm\",\"0 mm\"],[\"1 mm\",\"0 mm\"]]"), "sewing-dart-apexes");
 }
 
