@@ -23,6 +23,9 @@ const COEFFICIENTS: std::ops::RangeInclusive<f64> = 0.0..=100.0;
 /// Range of heights of the hem, mm: it hangs at most as far as the specimen reaches over the disc.
 const HEIGHTS: std::ops::RangeInclusive<f64> = -61.0..=61.0;
 
+/// Sides of a cloth.
+const FACES: usize = 2;
+
 /// One capture.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Capture {
@@ -78,6 +81,12 @@ pub fn captured(text: &str, file: &str) -> Result<(Vec<Captured>, Vec<Diagnostic
             Err(finding) => errors.push(finding),
         }
     }
+    if table.is_empty() && errors.is_empty() {
+        let finding = Diagnostic::error(CAPTURES, "the table has no captures");
+        errors.push(
+            finding.at(SourceRef::file(file)).hint("write a line for each of them below the names of the columns"),
+        );
+    }
     if errors.is_empty() { Ok((table, warnings)) } else { Err(errors) }
 }
 
@@ -118,6 +127,10 @@ fn add(
         return Err(wrong(format!("`{fabric}` has another areal mass above")));
     }
     let name = cell(1).unwrap_or_default();
+    if cloth.faces.len() == FACES && cloth.faces.iter().all(|f| f.name != name) {
+        let known = cloth.faces.iter().map(|f| format!("`{}`", f.name)).collect::<Vec<_>>().join(" and ");
+        return Err(wrong(format!("`{name}` would be a third face of `{fabric}`, beside {known}")));
+    }
     let face = found(&mut cloth.faces, |f| f.name == name, || Face { name: name.to_owned(), captures: Vec::new() });
     face.captures.push(capture);
     Ok(())
@@ -160,6 +173,13 @@ mod tests {
         for (error, line) in told.iter().zip([2, 3, 4, 5]) {
             assert!(error.contains(&format!("d.csv:{line}")), "{error}");
         }
+        for empty in ["fabric,dc_percent\n", "fabric,dc_percent"] {
+            let errors = captured(empty, "d.csv").expect_err("empty");
+            assert!(errors.len() == 1 && errors[0].message.contains("no captures"), "{errors:?}");
+        }
+        let errors = captured("fabric,face,dc_percent\nlawn,up,30\nlawn,down,31\nlawn,u p,30\n", "d.csv");
+        let errors = errors.expect_err("three faces");
+        assert!(errors[0].to_string().contains("d.csv:4") && errors[0].message.contains("third face"), "{errors:?}");
         let errors = captured("fabric,folds\nlawn,3\n", "d.csv").expect_err("no coefficient");
         assert!(errors[0].message.contains("`dc_percent`"));
     }
