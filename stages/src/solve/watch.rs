@@ -65,13 +65,13 @@ impl Watch for Follow<'_> {
 /// The remedy for a triangle without width.
 pub const MESH_ANEW: &str = "mesh the cloth anew there, or join the vertices of the short edge";
 
-/// How to run without an effect, or with it.
+/// How to run without an effect, or with it. `stitch` has no switch of effects, and sews with those of the build.
 fn do_without(effect: &str) -> String {
     let off = match effect {
-        "pressure" => "leave out with.pressure".to_owned(),
-        _ => format!("switch it off (with.effects.{effect} = \"off\")"),
+        "pressure" => "leave out with.pressure of `drape`, or".to_owned(),
+        _ => format!("`drape` and `animate` can leave it out (with.effects.{effect} = \"off\"); else"),
     };
-    format!("{off}, or take a build that has it (cargo build --features {effect})")
+    format!("{off} take a build that has it (cargo build --features {effect})")
 }
 
 /// The solver's failure as a stage's: by whose fault it is.
@@ -99,5 +99,17 @@ pub fn failure(error: ClothError) -> StageError {
         ),
         ClothError::Unstable { .. } => StageError::Unstable(error.to_string()),
         other => StageError::Internal(other.to_string()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::do_without;
+
+    #[test]
+    fn a_missing_effect_names_the_stages_that_can_leave_it_out() {
+        let remedy = do_without("self-contact");
+        assert!(remedy.starts_with("`drape` and `animate` can") && remedy.contains("with.effects.self-contact"));
+        assert!(do_without("pressure").contains("with.pressure of `drape`"));
     }
 }
