@@ -6,6 +6,7 @@ mod gated;
 mod judge;
 mod lines;
 mod params;
+mod ranges;
 mod repeats;
 mod tightness;
 mod unheld;
@@ -107,7 +108,7 @@ impl Stage for Drape {
         cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
         toile_cloth::check_settings(&params.settings(cx.threads)).map_err(failure)?;
-        repeats::check(params)?;
+        ranges::check(params)?;
         cx.report.findings.extend(unused::settings(params));
         forecast.advice.extend(repeats::advice(params, &forecast.garment));
         forecast.effects = forecast::effects(params, forecast);
@@ -123,7 +124,7 @@ impl Stage for Drape {
         mut garment: Garment,
         cx: &mut StageContext<'_>,
     ) -> Result<Garment, StageError> {
-        repeats::check(params)?;
+        ranges::check(params)?;
         cx.report.findings.extend(unused::settings(params));
         let layout = Layout::of(&garment);
         let stitched = garment.stitched.take().ok_or_else(|| StageError::Internal("no stitched shape".to_owned()))?;

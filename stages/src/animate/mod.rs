@@ -20,6 +20,10 @@ use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo
 /// Distance between the drape's body and the first frame from which a person should look, metres.
 const FAR: f64 = 0.2;
 
+fn check_gravity(params: &AnimateParams) -> Result<(), StageError> {
+    solve::ranges::gravity(params.gravity).map_or(Ok(()), |fault| Err(StageError::parameter(fault)))
+}
+
 /// Moves the garment.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Animate;
@@ -40,6 +44,7 @@ impl Stage for Animate {
         forecast: &mut Forecast,
         cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
+        check_gravity(params)?;
         toile_cloth::check_settings(&params.settings(cx.threads)).map_err(failure)?;
         params.dynamics().check().map_err(failure)?;
         params.motion(Vec::new(), true).check(None, 0).map_err(failure)?;
@@ -55,6 +60,7 @@ impl Stage for Animate {
         mut garment: Garment,
         cx: &mut StageContext<'_>,
     ) -> Result<Garment, StageError> {
+        check_gravity(params)?;
         let layout = Layout::of(&garment);
         let drape = garment.drape.take().ok_or_else(|| StageError::Internal("no draped shape".to_owned()))?;
         let gravity = Vec3::new(0.0, -params.gravity.0, 0.0);

@@ -8,20 +8,17 @@ use crate::solve::Follow;
 use toile_cloth::{ClothError, Outcome, Scene, Settings};
 use toile_garment::garment::Rests;
 use toile_garment::{Diagnostic, Garment, Vec3};
-use toile_stage_api::{StageContext, StageError};
+use toile_stage_api::StageContext;
 
 /// Largest move of a start along each axis, m.
 const SHAKE: f64 = 1e-6;
 /// Most repeats.
 const MOST: u32 = 20;
 
-/// Refuses more repeats than make sense.
-pub(super) fn check(params: &DrapeParams) -> Result<(), StageError> {
-    if params.repeats <= MOST {
-        return Ok(());
-    }
+/// More repeats than make sense.
+pub(super) fn fault(params: &DrapeParams) -> Option<Diagnostic> {
     let text = format!("`repeats` is {}; write a whole number from 0 to {MOST}", params.repeats);
-    Err(StageError::parameter(Diagnostic::error(SETTING_OUT_OF_RANGE, text)))
+    (params.repeats > MOST).then(|| Diagnostic::error(SETTING_OUT_OF_RANGE, text))
 }
 
 /// Drapes again from shaken starts and measures every vertex against the first rest.

@@ -7,6 +7,7 @@ mod fabric;
 pub mod level_cut;
 pub mod lines;
 pub mod place;
+pub mod ranges;
 pub mod scene;
 pub mod watch;
 
