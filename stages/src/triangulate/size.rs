@@ -14,6 +14,8 @@ const MOST: f64 = 5e6;
 
 /// The largest piece of anything that is worn or sat on is between these, metres.
 const PIECE: std::ops::RangeInclusive<f64> = 0.02..=3.5;
+/// Usual size of the largest piece, m.
+const USUAL: f64 = 0.8;
 /// What a file's unit may be and what it was taken for: factor on the lengths.
 const UNITS: [(&str, f64); 5] = [
     ("millimetres taken for metres", 1e-3),
@@ -39,8 +41,7 @@ pub fn check_pieces(garment: &Garment, shapes: &Shapes) -> Result<(), StageError
     if PIECE.contains(&largest) {
         return Ok(());
     }
-    let likely = UNITS.iter().find(|(_, f)| (0.2..=2.0).contains(&(largest * f)));
-    let likely = likely.map_or_else(String::new, |(words, _)| format!("; it looks like {words}"));
+    let likely = likely_unit(largest).map_or_else(String::new, |words| format!("; it looks like {words}"));
     let (low, high) = (PIECE.start() * 1e3, PIECE.end() * 1e3);
     let message = format!(
         "piece `{}`, the largest, measures {:.3} mm; the largest piece of a garment has {low} to {high} mm",
@@ -49,6 +50,13 @@ pub fn check_pieces(garment: &Garment, shapes: &Shapes) -> Result<(), StageError
     );
     let finding = Diagnostic::error(codes::PIECE_SIZE, message).at(piece.source.clone());
     Err(StageError::input(finding.hint(format!("say the pattern's unit{likely}"))))
+}
+
+/// The mistake of units that makes the largest piece nearest to a usual one; nothing where none does.
+fn likely_unit(largest: f64) -> Option<&'static str> {
+    let off = |f: f64| libm::log(largest * f / USUAL).abs();
+    let likely = UNITS.iter().filter(|(_, f)| (0.2..=2.0).contains(&(largest * f)));
+    likely.min_by(|a, b| off(a.1).total_cmp(&off(b.1))).map(|(words, _)| *words)
 }
 
 /// Edge length for the parameters.
@@ -126,4 +134,19 @@ pub fn cloth_area(garment: &Garment, shapes: &Shapes) -> f64 {
             (rings - fish).max(0.0)
         })
         .sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::likely_unit;
+
+    #[test]
+    fn the_likeliest_mistake_of_units_is_named() {
+        // A skirt of 866 mm, a T-shirt of 720 mm.
+        assert_eq!(likely_unit(8.66), Some("millimetres taken for centimetres"));
+        assert_eq!(likely_unit(0.72 * 25.4), Some("millimetres taken for inches"));
+        assert_eq!(likely_unit(720.0), Some("millimetres taken for metres"));
+        assert_eq!(likely_unit(0.72e-3), Some("metres taken for millimetres"));
+        assert_eq!(likely_unit(1e9), None);
+    }
 }
