@@ -2,8 +2,8 @@
 
 use super::args::PipelineArgs;
 use super::console::Console;
-use crate::codes::{PATH_REFUSED, WRITE_FAILED};
-use crate::engine::{Exit, Stop, clean, write_whole};
+use crate::codes::PATH_REFUSED;
+use crate::engine::{Exit, Stop, clean, unwritten, write_whole};
 use crate::halt::Halt;
 use crate::load;
 use crate::pipeline::knob;
@@ -63,10 +63,7 @@ pub(super) fn check_folder(
 /// # Errors
 /// When the disk refuses.
 pub(super) fn write_files(out: &Path, names: &[&str], texts: &[String]) -> Result<(), Halt> {
-    let refused = |path: &Path, e: &std::io::Error| {
-        let message = format!("cannot write `{}`: {e}", clean(path));
-        Halt::new(vec![Diagnostic::error(WRITE_FAILED, message)], Exit::System)
-    };
+    let refused = |path: &Path, e: &std::io::Error| Halt::new(vec![unwritten(path, e)], Exit::System);
     std::fs::create_dir_all(out).map_err(|e| refused(out, &e))?;
     for (name, text) in names.iter().zip(texts) {
         let path = out.join(name);

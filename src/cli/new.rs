@@ -2,8 +2,7 @@
 
 use super::args::NewArgs;
 use super::console::Console;
-use crate::codes::WRITE_FAILED;
-use crate::engine::{Exit, clean};
+use crate::engine::{Exit, clean, unwritten};
 use crate::new::{Body, Earlier, Fabric, Folder, New, Order, Sample, Wishes, from_pattern, read};
 use crate::progress::Spinner;
 use toile_garment::{Diagnostic, Severity};
@@ -77,10 +76,7 @@ fn write(args: &NewArgs, folder: &Folder, console: &mut Console<'_>) -> Exit {
             }
             Exit::Good
         }
-        Err((path, error)) => {
-            let message = format!("cannot write `{}`: {error}", clean(&path));
-            refuse(&[Diagnostic::error(WRITE_FAILED, message)], Exit::System, console)
-        }
+        Err((path, error)) => refuse(&[unwritten(&path, &error)], Exit::System, console),
     }
 }
 

@@ -1,9 +1,9 @@
 //! Files that a verb writes beside stdout: whole, never over a file without `--force`, never over what it reads.
 
 use super::console::Console;
-use crate::codes::{PATH_REFUSED, WRITE_FAILED};
+use crate::codes::PATH_REFUSED;
 use crate::engine::codes::OUTPUTS_COLLIDE;
-use crate::engine::{Exit, Temps, clean, refuse_input};
+use crate::engine::{Exit, Temps, clean, refuse_input, unwritten};
 use std::path::{Path, PathBuf};
 use toile_garment::{Code, Diagnostic};
 
@@ -22,6 +22,11 @@ impl Results {
 
     /// Says so when a file may not be written.
     pub fn is_free(&self, path: &Path, console: &mut Console<'_>) -> bool {
+        let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
+        if let Some(Err(error)) = folder.map(std::fs::metadata) {
+            console.findings(&[unwritten(path, &error)], None);
+            return false;
+        }
         if let Err(error) = refuse_input(path, &self.inputs) {
             tell(PATH_REFUSED, &error.to_string(), console);
             return false;
@@ -80,7 +85,7 @@ impl Results {
         // One file takes the place of the old one in a single step.
         let ready = staged.and_then(|()| if files.len() > 1 { temps.retire_old() } else { Ok(()) });
         if let Err((path, error)) = ready.and_then(|()| temps.name()) {
-            tell(WRITE_FAILED, &format!("cannot write `{}`: {error}", clean(&path)), console);
+            console.findings(&[unwritten(&path, &error)], None);
             return Exit::System;
         }
         Exit::Good

@@ -2,9 +2,8 @@
 
 use super::args::RunArgs;
 use super::console::Console;
-use crate::codes::WRITE_FAILED;
-use crate::engine::{self, Exit, Outcome, RunOptions, Stop, clean, default_out};
-use crate::engine::{Content, Watchdog, known_inputs, of_file_error, refuse_input};
+use crate::engine::{self, Exit, Outcome, RunOptions, Stop, default_out};
+use crate::engine::{Content, Watchdog, known_inputs, of_file_error, refuse_input, unwritten};
 use crate::load::{self, Loaded};
 use crate::pipeline::ProgramContent;
 use crate::progress::{Teller, Voice};
@@ -117,11 +116,7 @@ fn open_events(args: &RunArgs, inputs: &[PathBuf]) -> Result<Option<Box<dyn Writ
     };
     match options.open(path) {
         Ok(file) => Ok(Some(Box::new(file))),
-        Err(error) => {
-            let message = format!("cannot write events to `{}`: {error}", clean(path));
-            let hint = "choose another file, or pass --force to replace it";
-            Err(vec![Diagnostic::error(WRITE_FAILED, message).hint(hint)])
-        }
+        Err(error) => Err(vec![unwritten(path, &error)]),
     }
 }
 

@@ -44,4 +44,4 @@ pub use run::{Outcome, RunOptions, default_out, run};
 pub use same::{is_same, known_inputs, refuse_input};
 pub use stop::Stop;
 pub(crate) use stop::kill_group;
-pub(crate) use whole::{Lock, Temps, take_lock, temp_path, write_whole};
+pub(crate) use whole::{Lock, Temps, take_lock, temp_path, unwritten, write_whole};

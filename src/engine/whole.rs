@@ -1,5 +1,7 @@
 //! Files that are written whole: under a temporary name in the same folder, then renamed. No link is followed.
 
+use super::gate::clean;
+use crate::codes::WRITE_FAILED;
 use std::collections::BTreeSet;
 use std::fs::{File, OpenOptions, TryLockError};
 use std::io::{ErrorKind, Result, Write as _};
@@ -7,6 +9,7 @@ use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::time::Duration;
+use toile_garment::Diagnostic;
 
 /// Ending of temporary files.
 const TEMP_ENDING: &str = ".tmp-toile";
@@ -20,6 +23,23 @@ const TRIES: usize = 64;
 /// Name of the temporary file with this number or word in a folder.
 pub(crate) fn temp_path(folder: &Path, word: impl std::fmt::Display) -> PathBuf {
     folder.join(format!(".{word}{TEMP_ENDING}"))
+}
+
+/// Why a file cannot be written, with what helps.
+pub(crate) fn unwritten(path: &Path, error: &std::io::Error) -> Diagnostic {
+    let folder = clean(folder_of(path));
+    let hint = match error.kind() {
+        ErrorKind::NotFound => format!("there is no folder `{folder}`: make it, or correct the name"),
+        ErrorKind::NotADirectory => format!("`{folder}` is no folder: choose another name"),
+        ErrorKind::IsADirectory => "a folder has this name: choose another name".to_owned(),
+        ErrorKind::AlreadyExists => "choose another file, or pass --force to replace it".to_owned(),
+        ErrorKind::PermissionDenied | ErrorKind::ReadOnlyFilesystem => {
+            format!("nothing may be written into `{folder}`: choose another folder")
+        }
+        ErrorKind::StorageFull | ErrorKind::QuotaExceeded => "make room on this disk, or choose another".to_owned(),
+        _ => "choose another file".to_owned(),
+    };
+    Diagnostic::error(WRITE_FAILED, format!("cannot write `{}`: {error}", clean(path))).hint(hint)
 }
 
 /// A file under a temporary name, which becomes the file at `target` or is removed. While its process lives, the file is

@@ -3,8 +3,7 @@
 use super::codes::FIT_BODY;
 use super::pipeline::{Copied, copied};
 use super::{Order, PIPELINE_NAME};
-use crate::codes::WRITE_FAILED;
-use crate::engine::{Exit, clean, write_whole};
+use crate::engine::{Exit, unwritten, write_whole};
 use crate::halt::Halt;
 use std::path::Path;
 use toile_garment::Diagnostic;
@@ -45,8 +44,5 @@ impl Folder {
 /// # Errors
 /// When the disk refuses.
 pub fn put(path: &Path, bytes: &[u8]) -> Result<(), Halt> {
-    write_whole(path, bytes).map_err(|e| {
-        let message = format!("cannot write `{}`: {e}", clean(path));
-        Halt::new(vec![Diagnostic::error(WRITE_FAILED, message)], Exit::System)
-    })
+    write_whole(path, bytes).map_err(|e| Halt::new(vec![unwritten(path, &e)], Exit::System))
 }

@@ -192,6 +192,20 @@ fn events_are_json_lines_in_order() {
     assert_eq!(bench.run(&["--out", "elsewhere", "--events", &path]).code, 2, "events are not overwritten either");
 }
 
+/// A folder that is not there is named with what helps, for events and for the files of other verbs.
+#[test]
+fn a_missing_folder_of_an_output_is_named() {
+    let bench = Bench::new();
+    let lost = bench.path("og/x").display().to_string();
+    let said = bench.stages(WRITE).run(&["--events", &lost]);
+    let folder = "og`: make it, or correct the name";
+    assert!(said.code == 2 && said.err.contains(folder) && !said.err.contains("--force"), "{said:?}");
+    assert_eq!(bench.run(&["--events", &bench.path("").display().to_string()]).code, 2);
+    let pattern = concat!(env!("CARGO_MANIFEST_DIR"), "/samples/patterns/long-skirt.astm.dxf");
+    let said = support::bench::command(["inspect", pattern, "--svg", &lost].map(Into::into).to_vec());
+    assert!(said.code == 2 && said.err.contains(folder), "{said:?}");
+}
+
 const READ: &str = "[[stage]]\nuse = \"test-read\"\nwith.file = \"../../result/a.txt\"\n";
 
 #[test]

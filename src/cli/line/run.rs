@@ -4,7 +4,7 @@ use super::args::{ReportArgs, RunLineArgs};
 use super::{opened, sound};
 use crate::cli::console::Console;
 use crate::codes::{PATH_REFUSED, WRITE_FAILED};
-use crate::engine::{CacheOptions, Exit, Stop, available_mb, clean, write_whole};
+use crate::engine::{CacheOptions, Exit, Stop, available_mb, clean, unwritten, write_whole};
 use crate::line::{Job, Line, Lock, Order, RESULTS_NAME, Ran, Results, Survey, draw, page, was_run};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
@@ -133,8 +133,7 @@ fn finish(line: &Line, out: &Path, ran: Vec<Option<Ran>>, before: &str, console:
     for (name, text) in texts {
         let path = out.join(name);
         if let Err(error) = write_whole(&path, text.as_bytes()) {
-            let message = format!("cannot write `{}`: {error}", clean(&path));
-            return refuse(&Diagnostic::error(WRITE_FAILED, message), console);
+            return refuse(&unwritten(&path, &error), console);
         }
     }
     let counts: Vec<String> = results.counts().iter().map(|(status, count)| format!("{count} {status}")).collect();

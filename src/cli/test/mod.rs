@@ -7,7 +7,7 @@ pub use args::TestArgs;
 use super::console::Console;
 use crate::acceptance::{self, Bench, TestFile, Tested, Verdict, bless};
 use crate::codes::{PATH_REFUSED, WRITE_FAILED};
-use crate::engine::{Exit, Stop, clean, read_limited, write_whole};
+use crate::engine::{Exit, Stop, clean, read_limited, unwritten, write_whole};
 use crate::pipeline::remedy;
 use crate::render::findings_json;
 use crate::rerun::Means;
@@ -187,8 +187,7 @@ fn may_replace(path: &Path) -> Result<(), Diagnostic> {
 }
 
 fn write(path: &Path, text: &str) -> Result<(), Diagnostic> {
-    let failed = |e: std::io::Error| Diagnostic::error(WRITE_FAILED, format!("cannot write `{}`: {e}", clean(path)));
-    write_whole(path, text.as_bytes()).map_err(failed)
+    write_whole(path, text.as_bytes()).map_err(|error| unwritten(path, &error))
 }
 
 fn refuse(
