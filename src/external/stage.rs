@@ -11,7 +11,7 @@ use serde_json::Value;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toile_garment::bundle::{FILE_NAME, from_text, to_text};
-use toile_garment::{Code, Diagnostic, Garment, Report};
+use toile_garment::{Aspect, Code, Diagnostic, Garment, Report};
 use toile_stage_api::{AnyStage, Cost, Forecast, Knob, MeshSize, ReadyStage, StageContext, StageError, StageInfo};
 
 /// Most stages of one program.
@@ -115,7 +115,11 @@ impl ReadyStage for Ready<'_> {
     }
 
     fn forecast(&self, forecast: &mut Forecast, cx: &mut StageContext<'_>) -> Result<Option<Cost>, StageError> {
-        if self.stage.forecasts { forecast::ask(self, forecast, cx) } else { Ok(None) }
+        let asked = if self.stage.forecasts { forecast::ask(self, forecast, cx) } else { Ok(None) };
+        if self.stage.info.gives.contains(&Aspect::Flat) {
+            forecast.garment.flat.get_or_insert_default();
+        }
+        asked
     }
 
     fn check(&self, _: &Garment, _: &mut Report) {}

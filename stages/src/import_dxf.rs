@@ -10,6 +10,7 @@ use toile_formats::dxf::darts::UndecidedDart;
 use toile_formats::dxf::layers::Layers;
 use toile_formats::dxf::{self, InsertRule, ReadOptions, Tolerances, Vendor};
 use toile_formats::rul;
+use toile_garment::sewing::SewingPlan;
 use toile_garment::units::{Angle, Length};
 use toile_garment::{Aspect, Code, Diagnostic, Garment, SourceRef};
 use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
@@ -157,8 +158,20 @@ impl Stage for ImportDxf {
         forecast: &mut Forecast,
         cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
-        forecast.garment = self.run(params, Garment::default(), cx)?;
-        Ok(Some(Cost::seconds(0.01)))
+        match pattern(params, Garment::default(), cx) {
+            // Later stages look at what the sewing file says of a sound pattern, whatever else is wrong with it.
+            Ok((mut garment, undecided)) => {
+                let sewn = sew(params, &mut garment, undecided, cx);
+                forecast.garment = garment;
+                sewn.map(|()| Some(Cost::seconds(0.01)))
+            }
+            Err(error) => {
+                if let Some(Err(StageError::Parameter(wrong))) = plan(params, cx) {
+                    cx.report.findings.extend(wrong);
+                }
+                Err(error)
+            }
+        }
     }
 
     fn run(
@@ -167,37 +180,66 @@ impl Stage for ImportDxf {
         garment: Garment,
         cx: &mut StageContext<'_>,
     ) -> Result<Garment, StageError> {
-        let file = params.file.to_string_lossy().into_owned();
-        let bytes = cx.files.read(&params.file)?;
-        let table = rule_table(params, cx)?;
-        let rule_units = table.as_ref().and_then(|t| t.units.clone());
-        let options = ReadOptions { rule_units, ..options(params)? };
-        let mut pattern = dxf::read(&bytes, &file, &options).map_err(StageError::Input)?;
-        cx.report.findings.extend(pattern.set_aside());
-        if !params.pieces.is_empty() {
-            pattern.keep_pieces(&params.pieces).map_err(StageError::Parameter)?;
-        }
-        // What is undecided is told once the sewing file is known, and of one size alone.
-        let is_single = !matches!(params.size, Some(SizeChoice::Many(_)));
-        let is_told_now = |f: &Diagnostic| !(is_single && f.code == DART_UNDECIDED);
-        let told = pattern.findings_of_size(one_size(params.size.as_ref()));
-        cx.report.findings.extend(told.into_iter().filter(is_told_now));
-        cx.report.findings.extend(table.iter().flat_map(|t| pattern.check_rules(t)));
-        let (mut read, findings) = in_sizes(params, &pattern, table.as_ref())?;
-        cx.report.findings.extend(findings);
-        report_profile(&pattern, &file, cx);
-        report_ledger(&pattern, &file, cx);
-        allowance::add(params.allowance.as_ref(), &mut read.pieces, Which::Missing, cx)?;
-        let mut garment = Garment { style: read.style, size: read.size, pieces: read.pieces, ..garment };
-        let undecided = undecided(params, &pattern, table.as_ref())?;
-        match &params.sewing {
-            Some(path) => {
-                let plan = crate::sewing::file(path, cx)?;
-                crate::sewing::apply_deciding(&mut garment, plan, undecided, cx.report)?;
-            }
-            None => cx.report.findings.extend(undecided.into_iter().map(|u| u.finding)),
-        }
+        let (mut garment, undecided) = pattern(params, garment, cx)?;
+        sew(params, &mut garment, undecided, cx)?;
         Ok(garment)
+    }
+}
+
+/// The pieces as they are drawn, and the wedges that the drawing leaves undecided.
+fn pattern(
+    params: &ImportDxfParams,
+    garment: Garment,
+    cx: &mut StageContext<'_>,
+) -> Result<(Garment, Vec<UndecidedDart>), StageError> {
+    let file = params.file.to_string_lossy().into_owned();
+    let bytes = cx.files.read(&params.file)?;
+    let table = rule_table(params, cx)?;
+    let rule_units = table.as_ref().and_then(|t| t.units.clone());
+    let options = ReadOptions { rule_units, ..options(params)? };
+    let mut pattern = dxf::read(&bytes, &file, &options).map_err(StageError::Input)?;
+    cx.report.findings.extend(pattern.set_aside());
+    if !params.pieces.is_empty() {
+        pattern.keep_pieces(&params.pieces).map_err(StageError::Parameter)?;
+    }
+    // What is undecided is told once the sewing file is known, and of one size alone.
+    let is_single = !matches!(params.size, Some(SizeChoice::Many(_)));
+    let is_told_now = |f: &Diagnostic| !(is_single && f.code == DART_UNDECIDED);
+    let told = pattern.findings_of_size(one_size(params.size.as_ref()));
+    cx.report.findings.extend(told.into_iter().filter(is_told_now));
+    cx.report.findings.extend(table.iter().flat_map(|t| pattern.check_rules(t)));
+    let (mut read, findings) = in_sizes(params, &pattern, table.as_ref())?;
+    cx.report.findings.extend(findings);
+    report_profile(&pattern, &file, cx);
+    report_ledger(&pattern, &file, cx);
+    allowance::add(params.allowance.as_ref(), &mut read.pieces, Which::Missing, cx)?;
+    let undecided = undecided(params, &pattern, table.as_ref())?;
+    Ok((Garment { style: read.style, size: read.size, pieces: read.pieces, ..garment }, undecided))
+}
+
+/// The sewing file, where there is one.
+fn plan(params: &ImportDxfParams, cx: &mut StageContext<'_>) -> Option<Result<SewingPlan, StageError>> {
+    params.sewing.as_ref().map(|path| crate::sewing::file(path, cx))
+}
+
+/// Adds what the sewing file says. Without it the drawing has the last word.
+fn sew(
+    params: &ImportDxfParams,
+    garment: &mut Garment,
+    undecided: Vec<UndecidedDart>,
+    cx: &mut StageContext<'_>,
+) -> Result<(), StageError> {
+    match plan(params, cx) {
+        Some(Ok(plan)) => crate::sewing::apply_deciding(garment, plan, undecided, cx.report),
+        Some(Err(error)) => {
+            // Without their seams nothing can be said of the pieces.
+            garment.pieces.clear();
+            Err(error)
+        }
+        None => {
+            cx.report.findings.extend(undecided.into_iter().map(|u| u.finding));
+            Ok(())
+        }
     }
 }
 

@@ -1,7 +1,8 @@
 //! Walks `bad/`: input that must fail, with the exit code and the findings it must give, in order.
 //!
 //! A case is a folder with `case.toml` and `pipeline.toml`. `check` must give exactly the findings listed; with
-//! `run = true` the pipeline is run and must give exactly the errors listed, and leave no output but run.json.
+//! `run = true` the pipeline is run and must give exactly the errors listed, and leave no output but run.json. `check`
+//! must end with the same exit code then, but for cases with `only_run = true`, which only the work can find.
 
 use crate::support;
 
@@ -18,6 +19,8 @@ struct Case {
     exit: u8,
     #[serde(default)]
     run: bool,
+    #[serde(default)]
+    only_run: bool,
     #[serde(default)]
     set: Vec<String>,
     finding: Vec<Expected>,
@@ -48,6 +51,12 @@ fn look(folder: &Path) -> Result<(), String> {
     let text = std::fs::read_to_string(folder.join("case.toml")).map_err(|e| format!("{}: {e}", folder.display()))?;
     let case: Case = toml::from_str(&text).map_err(|e| format!("{}: {e}", folder.display()))?;
     let (said, found) = if case.run { run(folder, &case)? } else { check(folder, &case)? };
+    if case.run && !case.only_run {
+        let (foreseen, _) = check(folder, &case)?;
+        if foreseen.code != case.exit {
+            return Err(format!("{}: `check` ends with {}: {}", folder.display(), foreseen.code, foreseen.out));
+        }
+    }
     let fits = found.len() == case.finding.len() && case.finding.iter().zip(&found).all(|(e, f)| fits(e, f));
     if fits && said.code == case.exit {
         return Ok(());

@@ -185,10 +185,16 @@ impl Stage for ExportDxf {
 
     fn forecast(
         &self,
-        _: &Self::Params,
+        params: &Self::Params,
         forecast: &mut Forecast,
-        _: &mut StageContext<'_>,
+        cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
+        params.options().map_err(|f| StageError::parameter(*f))?;
+        match &params.size_run {
+            Some(pattern) => drop(sizes(pattern, cx)?),
+            None if params.source == DxfSource::Flat && forecast.garment.flat.is_none() => return Err(no_flat()),
+            None => {}
+        }
         Ok(forecast.by_triangles(0.01, 0.001, 1.0))
     }
 
@@ -225,15 +231,20 @@ impl Stage for ExportDxf {
     }
 }
 
-/// All sizes of a pattern file, and its grade rules.
-fn write_run(path: &Path, params: &ExportDxfParams, cx: &mut StageContext<'_>) -> Result<(), StageError> {
+/// All sizes of a pattern file, as drawn or as its rule table grades them.
+fn sizes(path: &Path, cx: &mut StageContext<'_>) -> Result<write::Sizes, StageError> {
     let name = path.to_string_lossy().into_owned();
     let bytes = cx.files.read(path)?;
     let pattern = dxf::read(&bytes, &name, &ReadOptions::default()).map_err(StageError::Input)?;
     let beside = path.with_extension("rul");
     let table = cx.files.read_optional(&beside)?;
     let table = table.map(|t| rul::read(&t, &beside.to_string_lossy())).transpose().map_err(StageError::Input)?;
-    let mut sizes = write::Sizes::new(&pattern, table.as_ref()).map_err(StageError::Input)?;
+    write::Sizes::new(&pattern, table.as_ref()).map_err(StageError::Input)
+}
+
+/// Writes all sizes of a pattern file, and its grade rules.
+fn write_run(path: &Path, params: &ExportDxfParams, cx: &mut StageContext<'_>) -> Result<(), StageError> {
+    let mut sizes = sizes(path, cx)?;
     if params.allowance.is_some() {
         sizes.recut(|pieces| allowance::add(params.allowance.as_ref(), pieces, Which::All, cx))?;
     }
@@ -252,14 +263,16 @@ fn write_run(path: &Path, params: &ExportDxfParams, cx: &mut StageContext<'_>) -
     Ok(())
 }
 
+fn no_flat() -> StageError {
+    StageError::parameter(
+        Diagnostic::error(codes::FLAT_MISSING, "there are no flattened pieces to write")
+            .hint("put `flatten` before `export-dxf`, or set with.source = \"pattern\""),
+    )
+}
+
 /// All pieces at their flattened places.
 fn flat_pieces(garment: &Garment) -> Result<Vec<Piece>, StageError> {
-    let Some(flat) = &garment.flat else {
-        return Err(StageError::parameter(
-            Diagnostic::error(codes::FLAT_MISSING, "there are no flattened pieces to write")
-                .hint("put `flatten` before `export-dxf`, or set with.source = \"pattern\""),
-        ));
-    };
+    let Some(flat) = &garment.flat else { return Err(no_flat()) };
     let mut faults = Vec::new();
     let mut pieces = Vec::with_capacity(garment.pieces.len());
     for piece in &garment.pieces {

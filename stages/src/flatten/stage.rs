@@ -25,6 +25,8 @@ impl Stage for Flatten {
         forecast: &mut Forecast,
         _: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
+        // Later stages are told that there will be flat pieces.
+        forecast.garment.flat.get_or_insert_default();
         check(params)?;
         Ok(forecast.by_triangles(0.005, 0.005, 1.0))
     }

@@ -1,10 +1,11 @@
 //! Pieces that the sewing file does not place: they are arranged by their roles and seams.
 
 use super::place::{Wrap, is_arranged, spec_of};
-use super::{codes, layer_of};
+use super::{codes, layer_of, plan_check};
 use crate::arrange::{Arrangement, Given, Sheet, arrange};
 use crate::body::with_segments;
-use crate::roles::{Join, joins_of_meshes, joins_of_plan, roles};
+use crate::roles::{Join, PiecePoint, joins_of_meshes, joins_of_plan, roles};
+use crate::sewing::resolve::ResolvedSeam;
 use crate::solve::Layout;
 use toile_garment::body::Body;
 use toile_garment::sewing::{AttachSpec, AttachStrength, Placement};
@@ -58,17 +59,31 @@ pub fn arranged(garment: &mut Garment, report: &mut Report) -> Result<Arranged, 
     Ok(Arranged { sheets })
 }
 
-/// Pieces that cannot be placed, as far as the sewing file tells.
-pub fn unplaced(garment: &Garment) -> Vec<Diagnostic> {
-    if !garment.pieces.iter().any(|p| is_arranged(garment, p)) {
-        return Vec::new();
-    }
+/// Pieces that cannot be placed, and seams that are out of reach, as far as the sewing file tells.
+pub fn foreseen(garment: &Garment) -> Vec<Diagnostic> {
     let Ok(shapes) = crate::sewing::shapes::shapes(garment) else { return Vec::new() };
     // Seams that cannot be found are told by the stage that sews.
     let Ok(seams) = crate::sewing::resolve::placed(crate::sewing::resolve::find(garment, &shapes)) else {
         return Vec::new();
     };
-    faults(garment, &arrangement_of(garment, &joins_of_plan(&seams, &shapes))).collect()
+    let joins = joins_of_plan(&seams, &shapes);
+    let mut found = out_of_reach(garment, &seams, &joins);
+    if garment.pieces.iter().any(|p| is_arranged(garment, p)) {
+        found.extend(faults(garment, &arrangement_of(garment, &joins)));
+    }
+    found
+}
+
+/// Seams between pieces that the sewing file places too far apart.
+fn out_of_reach(garment: &Garment, seams: &[ResolvedSeam], joins: &[Join]) -> Vec<Diagnostic> {
+    let sheets: Vec<Option<Sheet>> = garment.pieces.iter().map(|p| given(garment, p)).collect();
+    let at = |p: &PiecePoint| Some(sheets.get(p.piece)?.as_ref()?.at(p.at));
+    let beyond = |(seam, join): (&ResolvedSeam, &Join)| {
+        let threads: Vec<f64> = join.pairs.iter().filter_map(|[a, b]| Some((at(a)? - at(b)?).norm())).collect();
+        let pieces = seam.a.spans.iter().chain(&seam.b.spans).map(|span| span.piece);
+        plan_check::beyond_reach(garment, &seam.name, pieces, &threads, seam.source.as_ref())
+    };
+    seams.iter().zip(joins).filter_map(beyond).collect()
 }
 
 fn arrangement_of(garment: &Garment, joins: &[Join]) -> Arrangement {

@@ -91,7 +91,9 @@ pub fn faults(garment: &Garment) -> Vec<Diagnostic> {
     let of_body = first.filter_map(|(_, a)| Some(section(garment, &a.to).err()?.at(a.source.clone())));
     let of_edges = specs.iter().filter_map(|spec| {
         let piece = garment.pieces.iter().find(|p| spec.piece.eq_ignore_ascii_case(&p.name))?;
-        Some(edges_of_spec(piece, spec).err()?.at(spec.source.clone()))
+        // An edge that is not there is told where the sewing file is read.
+        let fault = edges_of_spec(piece, spec).err().filter(|f| f.code != EDGE_UNKNOWN)?;
+        Some(fault.at(spec.source.clone()))
     });
     of_body.chain(of_edges).collect()
 }

@@ -14,32 +14,49 @@ use toile_stage_api::{StageContext, StageError};
 /// # Errors
 /// When a file is missing or wrong.
 pub fn inputs(params: &StitchParams, garment: &mut Garment, cx: &mut StageContext<'_>) -> Result<(), StageError> {
-    let fabrics = fabrics(params, garment, cx);
-    match (fabrics, params.body.as_ref().map(|path| body(path, cx)).transpose()) {
-        (Ok(()), Ok(body)) => {
-            garment.body = body.or(garment.body.take());
-            Ok(())
+    let mut errors = fabrics(params, garment, cx);
+    garment.body = match params.body.as_ref().map(|path| body(path, cx)) {
+        Some(Ok(body)) => Some(body),
+        // Nothing is measured on another body instead.
+        Some(Err(error)) => {
+            errors.push(error);
+            None
         }
-        (Err(StageError::Input(wrong)), Err(StageError::Input(more))) => {
-            Err(StageError::Input(wrong.into_iter().chain(more).collect()))
-        }
-        (Err(error), _) | (_, Err(error)) => Err(error),
-    }
+        None => garment.body.take(),
+    };
+    together(errors)
 }
 
-/// Reads all fabrics of the parameters into the garment.
+/// All files that are wrong; else the first that could not be read.
+fn together(errors: Vec<StageError>) -> Result<(), StageError> {
+    let (mut wrong, mut unread) = (Vec::new(), None);
+    for error in errors {
+        match error {
+            StageError::Input(findings) => wrong.extend(findings),
+            other => unread = unread.or(Some(other)),
+        }
+    }
+    if wrong.is_empty() { unread.map_or(Ok(()), Err) } else { Err(StageError::Input(wrong)) }
+}
+
+/// Reads all fabrics of the parameters into the garment, and gives what is wrong with them.
 ///
 /// A fabric for a material that no piece is of gets a warning, as soon as there are pieces.
-fn fabrics(params: &StitchParams, garment: &mut Garment, cx: &mut StageContext<'_>) -> Result<(), StageError> {
-    garment.fabrics.insert(String::new(), fabric(&params.fabric, cx)?);
-    for (material, path) in &params.fabrics {
-        let read = fabric(path, cx)?;
-        garment.fabrics.insert(material.clone(), read);
+fn fabrics(params: &StitchParams, garment: &mut Garment, cx: &mut StageContext<'_>) -> Vec<StageError> {
+    let base = std::iter::once((String::new(), &params.fabric));
+    let mut errors = Vec::new();
+    for (material, path) in base.chain(params.fabrics.iter().map(|(material, path)| (material.clone(), path))) {
+        match fabric(path, cx) {
+            Ok(read) => {
+                garment.fabrics.insert(material, read);
+            }
+            Err(error) => errors.push(error),
+        }
     }
     let materials: BTreeSet<&str> = garment.pieces.iter().filter_map(|p| p.material.as_deref()).collect();
     let unused = params.fabrics.keys().filter(|m| !garment.pieces.is_empty() && !materials.contains(m.as_str()));
     cx.report.findings.extend(unused.map(|material| no_such_material(material, &materials)));
-    Ok(())
+    errors
 }
 
 fn no_such_material(material: &str, known: &BTreeSet<&str>) -> Diagnostic {
@@ -66,7 +83,9 @@ fn fabric(path: &Path, cx: &mut StageContext<'_>) -> Result<Fabric, StageError> 
 pub fn body(path: &Path, cx: &mut StageContext<'_>) -> Result<Body, StageError> {
     let bytes = cx.files.read(path)?;
     let side_path = path.with_extension("toml");
-    let side = cx.files.read_optional(&side_path)?.map(|b| text(&side_path, &b)).transpose()?;
+    // A file that ends in `.toml` is no side file of itself.
+    let beside = if side_path == path { None } else { cx.files.read_optional(&side_path)? };
+    let side = beside.map(|b| text(&side_path, &b)).transpose()?;
     let read =
         toile_formats::body::read(&bytes, &path.display().to_string(), side.as_deref()).map_err(StageError::Input)?;
     for finding in read.findings {

@@ -16,7 +16,7 @@ use crate::codes::SETTING_OUT_OF_RANGE;
 use crate::sewing::turned::Lengths;
 use crate::solve::body_parts::contact_filter;
 use crate::solve::place::on_body;
-use crate::solve::{Follow, Layout, effects, failure_in, scene};
+use crate::solve::{Follow, Layout, effects, failure, failure_in, scene};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -121,13 +121,20 @@ impl Stage for Stitch {
         cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
         check_clearance(params)?;
-        load::inputs(params, &mut forecast.garment, cx)?;
-        let wrong: Vec<Diagnostic> =
-            arranged::unplaced(&forecast.garment).into_iter().chain(attach::faults(&forecast.garment)).collect();
-        if !wrong.is_empty() {
-            return Err(StageError::Parameter(wrong));
+        toile_cloth::check_settings(&settings(params, cx.threads)).map_err(failure)?;
+        let read = load::inputs(params, &mut forecast.garment, cx);
+        let garment = &forecast.garment;
+        // On a body that could not be read nothing has a place.
+        let has_body = params.body.is_none() || garment.body.is_some();
+        let wrong = if has_body { plan_faults(garment, params.clearance.0) } else { Vec::new() };
+        match (read, wrong.is_empty()) {
+            (Ok(()), true) => Ok(forecast::cost(forecast)),
+            (Ok(()), false) => Err(StageError::Parameter(wrong)),
+            (Err(error), _) => {
+                cx.report.findings.extend(wrong);
+                Err(error)
+            }
         }
-        Ok(forecast::cost(forecast))
     }
 
     fn run(
@@ -198,6 +205,13 @@ fn check_clearance(params: &StitchParams) -> Result<(), StageError> {
     }
     let message = format!("`clearance` is {}; it must lie in 0 to {} mm", params.clearance, 1e3 * CLEARANCE_MOST);
     Err(StageError::parameter(Diagnostic::error(SETTING_OUT_OF_RANGE, message)))
+}
+
+/// What is wrong with the plan of sewing, as far as it can be told without a mesh.
+fn plan_faults(garment: &Garment, clearance: f64) -> Vec<Diagnostic> {
+    let placed = place::faults(garment, clearance);
+    let foreseen = if placed.is_empty() { arranged::foreseen(garment) } else { Vec::new() };
+    placed.into_iter().chain(foreseen).chain(attach::faults(garment)).collect()
 }
 
 /// Refuses what cannot be sewn from its places. A viewer of the run is shown the start.

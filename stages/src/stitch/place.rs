@@ -45,6 +45,16 @@ pub fn place(garment: &Garment, arranged: &Arranged, clearance: f64) -> Result<V
     if errors.is_empty() { Ok(placed) } else { Err(errors) }
 }
 
+/// Places around the body that it does not have.
+pub(super) fn faults(garment: &Garment, clearance: f64) -> Vec<Diagnostic> {
+    let specs = garment.pieces.iter().filter_map(|p| Some((p, spec_of(garment, p)?)));
+    let wrong = specs.filter_map(|(piece, spec)| {
+        let Placement::Around(place) = &spec.placement else { return None };
+        Some(Wrap::new(garment, piece, place, clearance).err()?.at(spec.source.clone()))
+    });
+    wrong.collect()
+}
+
 /// The place that the sewing file gives a piece.
 pub(super) fn spec_of<'a>(garment: &'a Garment, piece: &Piece) -> Option<&'a PlaceSpec> {
     let places = &garment.plan.places;
@@ -186,12 +196,14 @@ fn unknown_segment(body: &Body, piece: &Piece, segment: &str) -> Diagnostic {
     .hint(hint)
 }
 
-/// Middle and size of a piece's box after turning it, the middle in piece coordinates.
+/// Middle and size of a piece's box after turning it, the middle in piece coordinates. A piece without a mesh is as
+/// large as its outline.
 fn extent(piece: &Piece, turn: f64) -> (Vec2, Vec2) {
     let mut low = Vec2::repeat(f64::INFINITY);
     let mut high = Vec2::repeat(f64::NEG_INFINITY);
-    for p in piece.mesh.iter().flat_map(|m| &m.rest) {
-        let q = rotate(*p, turn);
+    let drawn = piece.outline.points.iter().filter(|_| piece.mesh.is_none()).map(|p| p.at);
+    for p in piece.mesh.iter().flat_map(|m| &m.rest).copied().chain(drawn) {
+        let q = rotate(p, turn);
         low = low.inf(&q);
         high = high.sup(&q);
     }

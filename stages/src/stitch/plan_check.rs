@@ -5,7 +5,7 @@ use super::ignored_parts::lies_on;
 use super::{codes, layer_of};
 use crate::solve::body_parts::body_parts;
 use toile_garment::seam::SeamKind;
-use toile_garment::{Diagnostic, Garment, MeshVertex, Vec3};
+use toile_garment::{Diagnostic, Garment, MeshVertex, PieceId, SourceRef, Vec3};
 
 /// Distance from the middle of the body at which what a sleeve is sewn to lies on one side, m.
 const ASIDE: f64 = 0.03;
@@ -122,29 +122,39 @@ fn out_of_reach(garment: &Garment, placed: &[Vec<Vec3>]) -> Vec<Diagnostic> {
     let mut found = Vec::new();
     for seam in &garment.seams {
         let ends = seam.stitches.iter().filter_map(|s| Some((at(placed, s.a)? - at(placed, s.b)?).norm()));
-        let lengths: Vec<f64> = ends.collect();
-        let mean = lengths.iter().sum::<f64>() / lengths.len().max(1) as f64;
-        if mean > OUT_OF_REACH {
-            let longest = lengths.iter().copied().fold(0.0, f64::max);
-            let mut pieces: Vec<&str> = Vec::new();
-            for run in seam.a.runs.iter().chain(&seam.b.runs) {
-                let name = garment.pieces[run.piece.index()].name.as_str();
-                if !pieces.contains(&name) {
-                    pieces.push(name);
-                }
-            }
-            let message = format!(
-                "seam `{}` of {} is out of reach: its threads are {:.0} mm long on average and {:.0} mm at most",
-                seam.name,
-                pieces.iter().map(|p| format!("`{p}`")).collect::<Vec<_>>().join(" and "),
-                mean * 1e3,
-                longest * 1e3
-            );
-            let finding = Diagnostic::error(codes::SEAM_OUT_OF_REACH, message).at(seam.source.clone());
-            found.push(finding.hint("place the pieces beside each other, or leave their [[place]] out"));
-        }
+        let pieces = seam.a.runs.iter().chain(&seam.b.runs).map(|run| run.piece);
+        found.extend(beyond_reach(garment, &seam.name, pieces, &ends.collect::<Vec<_>>(), seam.source.as_ref()));
     }
     found
+}
+
+/// The finding on a seam whose threads, m, are too long.
+pub fn beyond_reach(
+    garment: &Garment,
+    seam: &str,
+    pieces: impl Iterator<Item = PieceId>,
+    threads: &[f64],
+    source: Option<&SourceRef>,
+) -> Option<Diagnostic> {
+    let mean = threads.iter().sum::<f64>() / threads.len().max(1) as f64;
+    if mean <= OUT_OF_REACH {
+        return None;
+    }
+    let longest = threads.iter().copied().fold(0.0, f64::max);
+    let mut names: Vec<String> = Vec::new();
+    for name in pieces.filter_map(|p| Some(format!("`{}`", garment.pieces.get(p.index())?.name))) {
+        if !names.contains(&name) {
+            names.push(name);
+        }
+    }
+    let message = format!(
+        "seam `{seam}` of {} is out of reach: its threads are {:.0} mm long on average and {:.0} mm at most",
+        names.join(" and "),
+        mean * 1e3,
+        longest * 1e3
+    );
+    let finding = Diagnostic::error(codes::SEAM_OUT_OF_REACH, message).at(source.cloned());
+    Some(finding.hint("place the pieces beside each other, or leave their [[place]] out"))
 }
 
 #[cfg(test)]
@@ -154,7 +164,7 @@ mod tests {
     use toile_garment::body::Body;
     use toile_garment::mesh::PieceMesh;
     use toile_garment::seam::{Seam, SeamSide, Stitch};
-    use toile_garment::{Piece, PieceId, SeamId, Vec2};
+    use toile_garment::{Piece, SeamId, Vec2};
 
     fn body() -> Body {
         body_of(&[

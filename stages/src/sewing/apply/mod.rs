@@ -53,6 +53,9 @@ pub fn apply_deciding(
     folds::declare(garment, is_copy, &mut errors);
     names::canonical(garment, &mut errors);
     if !errors.is_empty() {
+        // Mistakes of seams and places would follow from these.
+        garment.pieces.clear();
+        garment.plan.seams.clear();
         return Err(StageError::Parameter(errors));
     }
     // Bad outlines are for the stage that needs them, with all their places.
