@@ -2,10 +2,11 @@
 
 use super::args::RunArgs;
 use super::console::Console;
-use crate::engine::{self, Exit, Outcome, RunOptions, Stop, default_out};
+use crate::engine::codes::OUTPUTS_COLLIDE;
+use crate::engine::{self, Exit, Outcome, RunOptions, Stop, clean, default_out, output_below};
 use crate::engine::{Content, Watchdog, known_inputs, of_file_error, refuse_input, unwritten};
 use crate::load::{self, Loaded};
-use crate::pipeline::ProgramContent;
+use crate::pipeline::{Pipeline, ProgramContent};
 use crate::progress::{Teller, Voice};
 use std::io::Write;
 use std::path::{Path, PathBuf};
@@ -33,14 +34,14 @@ pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, con
     }
     let forecast = forecast(content.foresight.seconds(), content.foresight.mb());
     let inputs = known_inputs(&pipeline, &gate, &args.pipeline.pipeline);
-    let events = match open_events(args, &inputs) {
+    let out = args.out.clone().unwrap_or_else(|| default_out(&pipeline));
+    let events = match refuse_output(args, &out, &pipeline).and_then(|()| open_events(args, &inputs)) {
         Ok(events) => events,
         Err(findings) => {
             console.findings(&findings, None);
             return Exit::Usage;
         }
     };
-    let out = args.out.clone().unwrap_or_else(|| default_out(&pipeline));
     let threads = pool(args.threads);
     let options = RunOptions {
         out: out.clone(),
@@ -102,6 +103,23 @@ pub(super) fn threads(asked: Option<u16>) -> usize {
     let from_environment = || std::env::var("TOILE_THREADS").ok()?.parse().ok().filter(|n| (1..=1024).contains(n));
     let cores = || std::thread::available_parallelism().map_or(1, std::num::NonZero::get);
     asked.or_else(from_environment).unwrap_or_else(cores)
+}
+
+/// Refuses events under the name of an output of the run, which would take their place.
+fn refuse_output(args: &RunArgs, out: &Path, pipeline: &Pipeline<'_>) -> Result<(), Vec<Diagnostic>> {
+    let Some(events) = args.events.as_deref() else { return Ok(()) };
+    let at_rest = |path: &Path| {
+        let folder = path.parent().filter(|f| !f.as_os_str().is_empty()).unwrap_or(Path::new("."));
+        Some(folder.canonicalize().ok()?.join(path.file_name()?))
+    };
+    let outputs = engine::planned_outputs(&pipeline.steps).into_iter().filter_map(|o| output_below(&o).ok());
+    let mut outputs = outputs.chain([PathBuf::from(engine::RECORD_NAME)]).map(|output| out.join(output));
+    if outputs.any(|output| at_rest(&output).is_some_and(|output| at_rest(events) == Some(output))) {
+        let message = format!("events and an output of the run are both called `{}`", clean(events));
+        let finding = Diagnostic::error(OUTPUTS_COLLIDE, message);
+        return Err(vec![finding.hint("give --events another name")]);
+    }
+    Ok(())
 }
 
 fn open_events(args: &RunArgs, inputs: &[PathBuf]) -> Result<Option<Box<dyn Write + Send>>, Vec<Diagnostic>> {

@@ -2,6 +2,7 @@
 
 use super::codes;
 use super::gate::{Gate, output_below};
+use super::outputs::RECORD_NAME;
 use crate::codes::{FILE_MISSING, PATH_REFUSED};
 use crate::pipeline::{PathText, Step, nearest};
 use std::collections::BTreeMap;
@@ -32,19 +33,34 @@ pub fn check_paths(steps: &[Step<'_>], gate: &Gate, report: &mut Report) {
             report.push(input_finding(gate, input, &error, &mut folders));
         }
     }
-    let mut seen: BTreeMap<String, SourceRef> = BTreeMap::new();
-    // Absolute outputs are those of --allow-write: the run looks at them.
+    check_outputs(steps, report);
+}
+
+/// Looks at the paths of outputs. Absolute ones are those of --allow-write: the run looks at them.
+fn check_outputs(steps: &[Step<'_>], report: &mut Report) {
+    let mut seen: BTreeMap<PathBuf, SourceRef> = BTreeMap::new();
     let below = |p: &&PathText| p.is_output() && !Path::new(&p.text).is_absolute();
     for output in steps.iter().flat_map(|s| &s.paths).filter(below) {
-        match output_below(Path::new(&output.text)) {
-            Err(error) => report.push(Diagnostic::error(PATH_REFUSED, error.to_string()).at(output.place.clone())),
-            Ok(below) => {
-                if let Some(first) = seen.insert(below.to_string_lossy().to_lowercase(), output.place.clone()) {
-                    let message = format!("two outputs are called `{}`; the other stands at {first}", output.text);
-                    let finding = Diagnostic::error(codes::OUTPUTS_COLLIDE, message);
-                    report.push(finding.at(output.place.clone()).hint("give each output its own name"));
-                }
+        let collide = |message: String| {
+            let finding = Diagnostic::error(codes::OUTPUTS_COLLIDE, message).at(output.place.clone());
+            finding.hint("give each output its own name")
+        };
+        let below = match output_below(Path::new(&output.text)) {
+            Ok(below) => PathBuf::from(below.to_string_lossy().to_lowercase()),
+            Err(error) => {
+                report.push(Diagnostic::error(PATH_REFUSED, error.to_string()).at(output.place.clone()));
+                continue;
             }
+        };
+        if below == Path::new(RECORD_NAME) {
+            report.push(collide(format!("`{}` is the name of the run's own record", output.text)));
+        }
+        let within = |other: &Path| other != below && (other.starts_with(&below) || below.starts_with(other));
+        if let Some((_, other)) = seen.iter().find(|(path, _)| within(path)) {
+            report.push(collide(format!("`{}` and the output at {other} are one within the other", output.text)));
+        }
+        if let Some(first) = seen.insert(below, output.place.clone()) {
+            report.push(collide(format!("two outputs are called `{}`; the other stands at {first}", output.text)));
         }
     }
 }

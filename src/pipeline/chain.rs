@@ -12,7 +12,7 @@ use super::schema_walk::{FileRole, SchemaTree};
 use crate::codes::NEEDS_NOT_GIVEN;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
-use toile_garment::{Aspect, Report, SourceRef};
+use toile_garment::{Aspect, Diagnostic, Report, SourceRef};
 use toile_stage_api::{AnyStage, ReadyStage, Registry};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
@@ -80,6 +80,7 @@ pub fn link<'r>(document: &Document<'_>, registry: &'r Registry, report: &mut Re
         let schema = schemas.entry(entry.name.get_ref()).or_insert_with(|| SchemaTree::of(stage));
         steps.extend(make_step(&mut cx, entry, stage, schema, &overrides, &values));
     }
+    unused_inputs(&mut cx, document);
     Pipeline {
         line: document.line.clone(),
         version: document.version,
@@ -88,6 +89,21 @@ pub fn link<'r>(document: &Document<'_>, registry: &'r Registry, report: &mut Re
         programs: document.plugins.iter().flat_map(|p| &p.command).map(PathBuf::from).collect(),
         contents: Vec::new(),
         mounts: values.mounts,
+    }
+}
+
+/// Tells of inputs that no text of a sound pipeline names: setting one would do nothing.
+fn unused_inputs(cx: &mut Reader<'_>, document: &Document<'_>) {
+    if cx.report.has_errors() {
+        return;
+    }
+    let texts = || std::iter::once(cx.source.text()).chain(cx.source.sets().iter().map(String::as_str));
+    let is_unused = |name: &str| !texts().any(|text| text.contains(&format!("{{{name}}}")));
+    for (name, input) in document.inputs.iter().filter(|(name, _)| is_unused(name)) {
+        let message = format!("the input `{name}` is used nowhere: setting it does nothing");
+        let hint = format!("write {{{name}}} where its value belongs, or leave the input out");
+        let finding = Diagnostic::warning(codes::INPUT_UNUSED, message).at(cx.source.place(&input.span));
+        cx.report.push(finding.hint(hint));
     }
 }
 

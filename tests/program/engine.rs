@@ -206,6 +206,40 @@ fn a_missing_folder_of_an_output_is_named() {
     assert!(said.code == 2 && said.err.contains(folder), "{said:?}");
 }
 
+/// Names that would take each other's place are refused before the work: events and outputs, the record, a file that would
+/// have to be a folder, too.
+#[test]
+fn outputs_under_one_name_are_refused() {
+    let bench = Bench::new();
+    std::fs::create_dir_all(bench.out()).expect("folder");
+    for name in ["a.txt", "run.json"] {
+        let events = bench.out().join(name).display().to_string();
+        let said = bench.stages(WRITE).run(&["--force", "--events", &events]);
+        assert!(said.code == 2 && said.err.contains("outputs-collide"), "{said:?}");
+    }
+    for name in ["run.json", "a.txt/b.txt"] {
+        let other = WRITE.split_once("[[stage]]\nuse = \"test-write\"").expect("a stage").1.replace("a.txt", name);
+        let said = bench.stages(&format!("{WRITE}[[stage]]\nuse = \"test-write\"{other}")).run(&[]);
+        assert!(said.code == 2 && said.err.contains("outputs-collide"), "{said:?}");
+    }
+    assert_eq!(bench.left(), Vec::<String>::new());
+}
+
+#[test]
+fn an_input_that_is_used_nowhere_is_told() {
+    let bench = Bench::new();
+    let with = |text: &str| {
+        let file = bench.stages(&WRITE.replace("hello", text)).pipeline_file();
+        let before = std::fs::read_to_string(&file).expect("text");
+        std::fs::write(&file, format!("{before}\n[input]\nsize = {{ kind = \"text\", default = \"38\" }}\n"))
+            .expect("file");
+        support::bench::command(["check".into(), file.into()].to_vec())
+    };
+    let said = with("hello");
+    assert!(said.code == 0 && said.err.contains("input-unused") && said.err.contains("`size`"), "{said:?}");
+    assert!(!with("{size}").err.contains("input-unused"));
+}
+
 const READ: &str = "[[stage]]\nuse = \"test-read\"\nwith.file = \"../../result/a.txt\"\n";
 
 #[test]
