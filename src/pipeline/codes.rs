@@ -16,8 +16,8 @@ codes! {
     /// Use the toile version the pipeline was made for, or write the pipeline anew.
     GRAMMAR_VERSION = "grammar-version";
 
-    /// The pipeline declares an input that none of its texts names as `{name}`, so setting it does nothing. Write it where
-    /// its value belongs, or leave it out.
+    /// The pipeline declares an input that none of its texts names as `{name}`, so setting it does nothing. Write it
+    /// where its value belongs, or leave it out.
     INPUT_UNUSED = "input-unused";
 
     /// The pipeline declares an input without default, and the call gave none. Add `--set name=value`.

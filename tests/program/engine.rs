@@ -206,8 +206,8 @@ fn a_missing_folder_of_an_output_is_named() {
     assert!(said.code == 2 && said.err.contains(folder), "{said:?}");
 }
 
-/// Names that would take each other's place are refused before the work: events and outputs, the record, a file that would
-/// have to be a folder, too.
+/// Names that would take each other's place are refused before the work: events and outputs, the record, a file that
+/// would have to be a folder, too.
 #[test]
 fn outputs_under_one_name_are_refused() {
     let bench = Bench::new();
