@@ -36,7 +36,7 @@ const MARGIN: f64 = 0.06;
 /// The wishes for a picture.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wishes<'f> {
-    /// Views, side by side at one scale.
+    /// Views, side by side: the worn ones at one scale, the flat lay at its own.
     pub views: Vec<View>,
     /// Width of one view, pixels.
     pub width: u32,
@@ -120,7 +120,8 @@ type Shots = (Vec<(bool, Model)>, Vec<(usize, Camera)>);
 
 fn shots(garment: &Garment, wishes: &Wishes<'_>) -> Result<Shots, PictureError> {
     let (mut models, mut cameras): Shots = (Vec::new(), Vec::new());
-    let mut scale = f64::INFINITY;
+    // Views of one model have one scale, so that sizes can be compared, and each model fills its frames.
+    let mut scales: Vec<f64> = Vec::new();
     for view in &wishes.views {
         let flat = *view == View::Flat;
         let known = models.iter().position(|(is_flat, _)| *is_flat == flat);
@@ -130,6 +131,7 @@ fn shots(garment: &Garment, wishes: &Wishes<'_>) -> Result<Shots, PictureError> 
                 if flat { Model::laid(garment, wishes.field) } else { Model::worn(garment, wishes.body, wishes.field) };
             let missing = if flat { "meshed pieces" } else { "positions in 3D" };
             models.push((flat, model.ok_or(PictureError::Missing(missing))?));
+            scales.push(f64::INFINITY);
         }
         let mut camera = Camera::of(*view);
         let cloth = models[number].1.surfaces.iter().filter(|s| s.cloth).flat_map(|s| &s.positions);
@@ -137,12 +139,12 @@ fn shots(garment: &Garment, wishes: &Wishes<'_>) -> Result<Shots, PictureError> 
         camera.centre = centre;
         for (size, side) in size.into_iter().zip([wishes.width, wishes.height]) {
             let fits = f64::from(side) * (1.0 - 2.0 * MARGIN) / size.max(1e-3);
-            scale = if fits < scale { fits } else { scale };
+            scales[number] = if fits < scales[number] { fits } else { scales[number] };
         }
         cameras.push((number, camera));
     }
-    for (_, camera) in &mut cameras {
-        camera.scale = scale;
+    for (number, camera) in &mut cameras {
+        camera.scale = scales[*number];
         camera.middle = [0.5 * f64::from(wishes.width), 0.5 * f64::from(wishes.height)];
     }
     Ok((models, cameras))

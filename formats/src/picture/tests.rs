@@ -56,11 +56,19 @@ fn a_quantity_is_seen_in_its_colour_with_a_legend_below() {
 }
 
 #[test]
-fn views_stand_side_by_side_at_one_scale() {
+fn views_stand_side_by_side_and_each_model_fills_its_frames() {
     let garment = garment();
     let both = Wishes { views: vec![View::Flat, View::Left], ..wishes(View::Front) };
     let picture = decoded(&png(&garment, &both).expect("picture"));
     assert_eq!(picture.dimensions(), (192, 128));
+    // Worn half as large as it is drawn, the cloth is as wide in the front view as it is in the flat lay.
+    let mut small = garment;
+    small.drape.iter_mut().flat_map(|d| &mut d.positions).flatten().for_each(|p| *p *= 0.5);
+    let both = Wishes { views: vec![View::Flat, View::Front], body: false, ..wishes(View::Front) };
+    let picture = decoded(&png(&small, &both).expect("picture"));
+    let paper = picture.get_pixel(0, 0).0;
+    let wide = [0, 96].map(|from| (from..from + 96).filter(|x| picture.get_pixel(*x, 64).0 != paper).count());
+    assert!(wide.iter().all(|w| (84..=86).contains(w)), "{wide:?}");
 }
 
 #[test]
