@@ -13,4 +13,10 @@ codes! {
 
     /// The image is larger than the limit. Exit code 3.
     IMAGE_SIZE = "image-size";
+
+    /// A material is a U3M archive (.u3ma). Unpack it, it is a ZIP, and give the .u3m file that lies in it. Exit code 3.
+    U3M_ARCHIVE = "u3m-archive";
+
+    /// A U3M material is no JSON, has no front side, or names a bitmap without its size. Export it again. Exit code 3.
+    U3M_FILE = "u3m-file";
 }

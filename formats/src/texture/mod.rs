@@ -8,9 +8,11 @@ mod color;
 mod strip;
 #[cfg(test)]
 mod tests;
+mod u3m;
 mod weave;
 
 pub use color::linear;
+pub use u3m::{Bitmap, U3m, read_u3m};
 pub use weave::{Drawn, draw};
 
 use crate::codes::FILE_TOO_LARGE;

@@ -16,4 +16,7 @@ codes! {
 
     /// A look was to be drawn from a fabric that does not tell its weave. Add a table `[look]` to the fabric file.
     LOOK_MISSING = "look-missing";
+
+    /// Parts of a U3M material are not used. The message names them. How cloth moves stands in a fabric file.
+    U3M_PARTS_UNUSED = "u3m-parts-unused";
 }

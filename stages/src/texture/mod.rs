@@ -10,6 +10,7 @@ mod pack;
 mod params;
 #[cfg(test)]
 mod tests;
+mod unified;
 
 use crate::codes::PIECE_UNKNOWN;
 use params::Look;
@@ -17,7 +18,7 @@ pub use params::TextureParams;
 use std::path::Path;
 use toile_formats::codes::FILE_TOO_LARGE;
 use toile_formats::texture::read_image;
-use toile_garment::texture::{Material, PieceTexture, Textures};
+use toile_garment::texture::{Image, Material, PieceTexture, Textures};
 use toile_garment::{Aspect, Diagnostic, Garment, Piece, Severity};
 use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
 
@@ -103,15 +104,7 @@ fn read(
 
 /// A look with its bitmap read.
 fn material(look: &Look<'_>, cx: &mut StageContext<'_>) -> Result<Result<Material, Box<Diagnostic>>, StageError> {
-    let image = match look.image {
-        None => None,
-        Some(file) => match read_image(&cx.files.read(Path::new(file))?, file) {
-            Ok(image) => Some(image),
-            Err(finding) if finding.code == FILE_TOO_LARGE => return Err(StageError::Limit(finding.to_string())),
-            Err(finding) => return Err(StageError::input(*finding)),
-        },
-    };
-    Ok(color::linear(look.color.unwrap_or(WHITE)).map(|color| Material {
+    let plain = |color, image| Material {
         name: look.name.to_owned(),
         color,
         image,
@@ -119,7 +112,30 @@ fn material(look: &Look<'_>, cx: &mut StageContext<'_>) -> Result<Result<Materia
         roughness: look.roughness,
         normal: None,
         sheen: None,
-    }))
+    };
+    let color = |text: Option<&str>| color::linear(text.unwrap_or(WHITE));
+    Ok(match look.image {
+        None => color(look.color).map(|color| plain(color, None)),
+        Some(file) if unified::is_u3m(file) => {
+            let asked = match look.color.map(color::linear).transpose() {
+                Ok(asked) => asked,
+                Err(finding) => return Ok(Err(finding)),
+            };
+            Ok(unified::material(file, plain(asked.unwrap_or([1.0; 3]), None), asked.is_some(), cx)?)
+        }
+        Some(file) => {
+            let image = bitmap(file, cx)?;
+            color(look.color).map(|color| plain(color, Some(image)))
+        }
+    })
+}
+
+/// A bitmap, read.
+fn bitmap(file: &str, cx: &mut StageContext<'_>) -> Result<Image, StageError> {
+    read_image(&cx.files.read(Path::new(file))?, file).map_err(|finding| match finding.code == FILE_TOO_LARGE {
+        true => StageError::Limit(finding.to_string()),
+        false => StageError::input(*finding),
+    })
 }
 
 /// Metres of cloth: u along the weft, v along the warp. A mesh whose rest shape has no flat layout uses its picture.

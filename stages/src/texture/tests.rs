@@ -1,6 +1,7 @@
 use super::*;
 use toile_garment::units::Length;
 use toile_garment::{Vec2, mesh::PieceMesh};
+use toile_stage_api::FileError;
 
 fn rect(name: &str, w: f64, h: f64) -> Piece {
     let rest = vec![Vec2::new(0.0, 0.0), Vec2::new(w, 0.0), Vec2::new(w, h), Vec2::new(0.0, h)];
@@ -96,4 +97,64 @@ fn wrong_numbers_and_names_are_collected() {
     }
     assert!(found.iter().any(|d| d.hint.as_deref() == Some("did you mean `front`?")));
     assert!(toml::from_str::<TextureParams>("repeat = [10, 10]").is_err(), "a bare number has no unit");
+}
+
+/// A black pixel as PNG.
+const PIXEL: &[u8] =
+    b"\x89\x50\x4e\x47\x0d\x0a\x1a\x0a\x00\x00\x00\x0d\x49\x48\x44\x52\x00\x00\x00\x01\x00\x00\x00\x01\x08\x02\x00\x00\
+    \x00\x90\x77\x53\xde\x00\x00\x00\x0c\x49\x44\x41\x54\x78\xda\x63\x60\x60\x60\x00\x00\x00\x04\x00\x01\xc8\xea\xeb\
+    \xf9\x00\x00\x00\x00\x49\x45\x4e\x44\xae\x42\x60\x82";
+
+/// Files in memory.
+struct Memory(Vec<(&'static str, Vec<u8>)>);
+
+impl toile_stage_api::Files for Memory {
+    fn read(&mut self, path: &Path) -> Result<Vec<u8>, FileError> {
+        let found = self.0.iter().find(|(name, _)| Path::new(name) == path).map(|(_, bytes)| bytes.clone());
+        let missing = || FileError::Missing { path: path.display().to_string(), reason: "no file".to_owned() };
+        found.ok_or_else(missing)
+    }
+
+    fn read_optional(&mut self, _: &Path) -> Result<Option<Vec<u8>>, FileError> {
+        Ok(None)
+    }
+
+    fn write(&mut self, _: &Path, _: &[u8]) -> Result<(), FileError> {
+        Ok(())
+    }
+}
+
+#[test]
+fn a_unified_material_gives_the_look_and_a_colour_that_is_asked_for_stays() {
+    let image = r#""image":{"path":"maps/base.png","width":20,"height":30}"#;
+    let text = format!(
+        r#"{{"schema":"1.1","material":{{"name":"twill","front":{{"basecolor":{{"texture":{{"mode":"multiply",
+        "factor":{{"r":0.5,"g":0.5,"b":0.5}},{image}}}}},"roughness":{{"constant":0.3}}}},"physics":{{}}}}}}"#
+    );
+    let mut files = Memory(vec![("cloth/twill.u3m", text.into_bytes()), ("cloth/maps/base.png", PIXEL.to_vec())]);
+    let mut looked = |color: Option<&str>| {
+        let params = TextureParams {
+            image: Some("cloth/twill.u3m".into()),
+            color: color.map(str::to_owned),
+            ..TextureParams::default()
+        };
+        let garment = Garment { pieces: vec![rect("front", 0.4, 0.7)], ..Garment::default() };
+        let (done, report) = crate::testing::lend(|cx| {
+            let mut cx = StageContext {
+                report: cx.report,
+                progress: &mut (),
+                files: &mut files,
+                cancel: cx.cancel,
+                seed: 0,
+                threads: 1,
+            };
+            Texture.run(&params, garment, &mut cx)
+        });
+        let garment = done.expect("a look");
+        (garment.textures.expect("textures").materials.remove(0), report)
+    };
+    let (material, report) = looked(None);
+    assert_eq!((material.color, material.repeat, material.roughness), ([0.5; 3], [0.02, 0.03], 0.3));
+    assert!(material.image.is_some() && report.findings.iter().any(|f| f.code == "u3m-parts-unused"));
+    assert_eq!(looked(Some("#ffffff")).0.color, [1.0; 3]);
 }
