@@ -68,3 +68,23 @@ pub fn all() -> Vec<Code> {
 pub fn find(name: &str) -> Option<Code> {
     all().into_iter().find(|c| c.name() == name)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use toile_formats::report::FINDINGS_IN_CHINESE;
+
+    /// Codes that may lack Chinese words. The number only falls.
+    const LACKING_MOST: usize = 430;
+
+    #[test]
+    fn chinese_words_belong_to_codes_and_few_codes_lack_them() {
+        let has = |name: &str| FINDINGS_IN_CHINESE.iter().any(|(code, ..)| *code == name);
+        for (code, ..) in FINDINGS_IN_CHINESE {
+            assert!(find(code).is_some(), "no finding has the code `{code}`");
+        }
+        let lacking: Vec<&str> = all().iter().map(|c| c.name()).filter(|name| !has(name)).collect();
+        let list = lacking.join(", ");
+        assert!(lacking.len() <= LACKING_MOST, "{} codes have no Chinese words: {list}", lacking.len());
+    }
+}
