@@ -34,7 +34,7 @@ pub enum ViewParam {
 pub enum ViewsParam {
     /// One view.
     One(ViewParam),
-    /// Several, side by side at one scale.
+    /// Several, side by side: the worn ones at one scale, the flat lay at its own.
     Many(Vec<ViewParam>),
 }
 
@@ -49,12 +49,16 @@ pub enum ColoursParam {
     StrainWarp,
     /// Strain along the weft.
     StrainWeft,
+    /// The larger strain of both bias directions.
+    StrainBias,
     /// Distance from the cloth to the body.
     Ease,
     /// How sharply the cloth is bent, as 1 over the radius.
     Bending,
     /// Pressure on the body, averaged over a pad of 20 mm as a sensor has it.
     Pressure,
+    /// The larger tension of warp and weft.
+    Tension,
 }
 
 /// Parameters of `export-picture`.
@@ -72,7 +76,8 @@ pub struct ExportPictureParams {
     pub height: u32,
     /// Draws the body, where there is one.
     pub body: bool,
-    /// Meaning of the colours: `cloth`, `strain-warp`, `strain-weft`, `ease`, `bending` or `pressure`.
+    /// Meaning of the colours: `cloth`, `strain-warp`, `strain-weft`, `strain-bias`, `ease`, `tension`, `pressure` or
+    /// `bending`.
     pub colours: ColoursParam,
 }
 
@@ -96,7 +101,7 @@ impl Stage for ExportPicture {
     type Params = ExportPictureParams;
     const INFO: StageInfo = StageInfo::new(
         "export-picture",
-        "writes a picture of the garment as PNG: cloth, strain, bending, pressure or distance to the body",
+        "writes a picture of the garment as PNG: cloth, strain, tension, pressure, bending or distance to the body",
         &[Aspect::Mesh, Aspect::Shape],
         &[],
         1,
@@ -166,13 +171,15 @@ impl ColoursParam {
     /// # Errors
     /// The quantity needs a body, and there is none.
     pub fn field(self, garment: &Garment) -> Result<Option<Field>, StageError> {
-        let strain = |k: usize| fit::strain(garment).and_then(|both| both.into_iter().nth(k));
+        let strain = |k: usize| fit::strain(garment).and_then(|all| all.into_iter().nth(k));
         Ok(match self {
             Self::Cloth => None,
             Self::StrainWarp => strain(0),
             Self::StrainWeft => strain(1),
+            Self::StrainBias => strain(2),
             Self::Ease => Some(fit::ease(garment).ok_or_else(no_body)?),
             Self::Bending => fit::bending(garment),
+            Self::Tension => fit::tension(garment),
             Self::Pressure => Some(fit::pressure(garment, fit::PAD).ok_or_else(no_body)?),
         })
     }

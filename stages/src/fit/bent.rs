@@ -14,6 +14,8 @@ use toile_garment::{Garment, Piece, Vec2, Vec3};
 
 /// Ends that a scale of bending may have, 1/m.
 const BENDING_ENDS: [f64; 6] = [10.0, 20.0, 50.0, 100.0, 200.0, 400.0];
+/// Ends that a scale of tension may have, N/m.
+const TENSION_ENDS: [f64; 9] = [5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0];
 /// Ends that a scale of pressure may have, kPa.
 const PRESSURE_ENDS: [f64; 7] = [0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0];
 /// Cloth nearer to the body than this touches it, millimetres: half a thickness of heavy cloth and the solver's gap.
@@ -43,6 +45,25 @@ pub fn bending(garment: &Garment) -> Option<Field> {
     Some(Field { key: "bending", name: "bending", unit: "1/m", scale: Scale::Rising, values, limit })
 }
 
+/// The larger tension of warp and weft, N/m, by the tensile curves of the fabric; 0 where the cloth is slack. `None`
+/// without positions in 3D.
+#[must_use]
+pub fn tension(garment: &Garment) -> Option<Field> {
+    let pull = |bend: &Bend, fabric: Option<&Fabric>| {
+        let Some([warp, weft]) = fabric.map(|f| tensions(bend, f)) else { return f64::NAN };
+        if warp > weft { warp } else { weft }
+    };
+    let values = per_vertex(garment, pull)?;
+    let limit = Field::round_limit(&values, &TENSION_ENDS);
+    Some(Field { key: "tension", name: "tension of the cloth", unit: "N/m", scale: Scale::Rising, values, limit })
+}
+
+/// Tension along warp and weft, N/m, never below 0.
+fn tensions(bend: &Bend, fabric: &Fabric) -> [f64; 2] {
+    let pulls = [fabric.stretch_warp.tension(bend.strain[0]), fabric.stretch_weft.tension(bend.strain[1])];
+    pulls.map(|pull| if pull > 0.0 { pull } else { 0.0 })
+}
+
 /// Pressure on the body, kPa, each value the mean over a round pad of this diameter, metres. `None` without a body or
 /// positions in 3D.
 #[must_use]
@@ -50,8 +71,8 @@ pub fn pressure(garment: &Garment, pad: f64) -> Option<Field> {
     let gap = ease(garment)?;
     let presses = |bend: &Bend, fabric: Option<&Fabric>| {
         let Some(f) = fabric else { return f64::NAN };
-        let pulls = [f.stretch_warp.tension(bend.strain[0]), f.stretch_weft.tension(bend.strain[1])];
-        1e-3 * (pulls[0].max(0.0) * bend.warp + pulls[1].max(0.0) * bend.weft)
+        let [warp, weft] = tensions(bend, f);
+        1e-3 * (warp * bend.warp + weft * bend.weft)
     };
     let mut bare = per_vertex(garment, presses)?;
     for (value, gap) in bare.iter_mut().zip(&gap.values).flat_map(|(v, g)| v.iter_mut().zip(g)) {
@@ -196,6 +217,10 @@ mod tests {
         // 500 N/m · 2 % / 0.1 m = 100 Pa.
         for p in inner(&field) {
             assert!((p / 0.1 - 1.0).abs() < 0.02, "{p} kPa");
+        }
+        // 500 N/m · 2 % along the weft; the warp is slack.
+        for t in inner(&tension(&garment).expect("3D")) {
+            assert!((t / 10.0 - 1.0).abs() < 0.02, "{t} N/m");
         }
         assert!(pressure(&Garment { body: None, ..garment }, PAD).is_none());
     }

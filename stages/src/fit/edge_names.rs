@@ -130,7 +130,15 @@ mod tests {
     /// An edge of piece 0, between two places to the side and two heights.
     fn edge(sides: [f64; 2], heights: [f64; 2]) -> Hem {
         let middle = |x: [f64; 2]| 0.5 * (x[0] + x[1]);
-        Hem { pieces: vec![0], height: middle(heights), side: middle(sides), sides, heights, length: 1.0 }
+        Hem {
+            pieces: vec![0],
+            height: middle(heights),
+            side: middle(sides),
+            sides,
+            heights,
+            length: 1.0,
+            edges: Vec::new(),
+        }
     }
 
     const AROUND: [f64; 2] = [-0.2, 0.2];

@@ -1,6 +1,6 @@
 //! Strain of the cloth and its distance to the body, per vertex.
 
-use super::bent::{PAD, bending, pressure};
+use super::bent::{PAD, bending, pressure, tension};
 use super::nearest::Nearest;
 use super::surface::Surface;
 use crate::flatten::figures;
@@ -20,20 +20,26 @@ const EASE_ENDS: [f64; 8] = [10.0, 20.0, 40.0, 60.0, 100.0, 200.0, 400.0, 600.0]
 #[must_use]
 pub fn maps(garment: &Garment) -> Vec<Field> {
     let strains = strain(garment).into_iter().flatten();
-    strains.chain(ease(garment)).chain(bending(garment)).chain(pressure(garment, PAD)).collect()
+    let pulls = tension(garment).into_iter().chain(pressure(garment, PAD));
+    strains.chain(ease(garment)).chain(pulls).chain(bending(garment)).collect()
 }
 
-/// Strain along warp and along weft, percent. `None` without positions in 3D.
+/// Strain along warp, weft and bias, percent. `None` without positions in 3D.
 #[must_use]
-pub fn strain(garment: &Garment) -> Option<[Field; 2]> {
+pub fn strain(garment: &Garment) -> Option<[Field; 3]> {
     let shape = shape(garment)?;
-    let both: Vec<[Vec<f64>; 2]> =
+    let all: Vec<[Vec<f64>; 3]> =
         garment.pieces.iter().zip(&shape.positions).map(|(piece, at)| of_piece(piece, at)).collect();
-    let [warp, weft]: [Vec<Vec<f64>>; 2] = [0, 1].map(|k| both.iter().map(|b| b[k].clone()).collect());
-    // One scale for both directions, so that their colours can be compared.
+    let [warp, weft, bias]: [Vec<Vec<f64>>; 3] = [0, 1, 2].map(|k| all.iter().map(|b| b[k].clone()).collect());
+    // One scale for both directions of the threads, so that their colours can be compared. The bias gives more.
     let limit = Field::round_limit(&warp, &STRAIN_ENDS).max(Field::round_limit(&weft, &STRAIN_ENDS));
-    let field = |key, name, values| Field { key, name, unit: "%", scale: Scale::Signed, values, limit };
-    Some([field("strain-warp", "strain along warp", warp), field("strain-weft", "strain along weft", weft)])
+    let slack = Field::round_limit(&bias, &STRAIN_ENDS);
+    let field = |key, name, values, limit| Field { key, name, unit: "%", scale: Scale::Signed, values, limit };
+    Some([
+        field("strain-warp", "strain along warp", warp, limit),
+        field("strain-weft", "strain along weft", weft, limit),
+        field("strain-bias", "strain along bias", bias, slack),
+    ])
 }
 
 /// Distance from the cloth to the nearest point of the body, millimetres. `None` without a body or positions in 3D.
@@ -52,14 +58,15 @@ pub(super) fn shape(garment: &Garment) -> Option<&Shape> {
     garment.drape.as_ref().or(garment.stitched.as_ref())
 }
 
-/// Strain along warp and weft of every vertex, percent: the mean of its triangles by their area.
-fn of_piece(piece: &Piece, at: &[Vec3]) -> [Vec<f64>; 2] {
+/// Strain along warp, weft and bias of every vertex, percent: the mean of its triangles by their area.
+fn of_piece(piece: &Piece, at: &[Vec3]) -> [Vec<f64>; 3] {
     let Some(mesh) = piece.mesh.as_ref().filter(|m| m.triangles.iter().flatten().all(|v| (*v as usize) < at.len()))
     else {
-        return [Vec::new(), Vec::new()];
+        return [Vec::new(), Vec::new(), Vec::new()];
     };
     let (map, area) = per_triangle(mesh, at, piece.warp());
-    [&map.warp, &map.weft].map(|values| {
+    let bias: Vec<f64> = (0..map.warp.len()).map(|t| bias(map.warp[t], map.weft[t], map.shear[t])).collect();
+    [&map.warp, &map.weft, &bias].map(|values| {
         let mut sums = vec![[0.0; 2]; at.len()];
         for ((t, value), area) in mesh.triangles.iter().zip(values).zip(&area) {
             for v in t {
@@ -69,6 +76,13 @@ fn of_piece(piece: &Piece, at: &[Vec3]) -> [Vec<f64>; 2] {
         }
         sums.iter().map(|[sum, area]| if *area > 0.0 { sum / area } else { f64::NAN }).collect()
     })
+}
+
+/// The larger strain of both directions half way between warp and weft; `shear` is the angle that is lost, radians.
+fn bias(warp: f64, weft: f64, shear: f64) -> f64 {
+    let (warp, weft) = (1.0 + warp, 1.0 + weft);
+    let longest = 0.5 * (warp * warp + weft * weft) + (warp * weft * libm::sin(shear)).abs();
+    longest.max(0.0).sqrt() - 1.0
 }
 
 /// Strain and rest area of every triangle.
@@ -109,16 +123,19 @@ mod tests {
         let all = |k: usize, x: f64| fields[k].values[0].iter().all(|v| (v - x).abs() < 1e-9);
         assert_eq!(
             fields.iter().map(|f| f.key).collect::<Vec<_>>(),
-            ["strain-warp", "strain-weft", "ease", "bending", "pressure"]
+            ["strain-warp", "strain-weft", "strain-bias", "ease", "tension", "pressure", "bending"]
         );
-        assert!(all(0, 4.0) && all(1, -1.0) && all(2, 30.0));
-        assert_eq!(fields.iter().map(|f| f.limit).collect::<Vec<_>>(), [5.0, 5.0, 40.0, 10.0, 0.05]);
+        assert!(all(0, 4.0) && all(1, -1.0) && all(3, 30.0));
+        // Without shear the bias is stretched by the mean square of both.
+        assert!(all(2, 100.0 * ((0.5 * (1.04 * 1.04 + 0.99 * 0.99)).sqrt() - 1.0)));
+        assert_eq!(fields.iter().map(|f| f.limit).collect::<Vec<_>>(), [5.0, 5.0, 2.0, 40.0, 5.0, 0.05, 10.0]);
+        assert!((bias(0.0, 0.0, std::f64::consts::FRAC_PI_6) - (1.5_f64.sqrt() - 1.0)).abs() < 1e-12);
     }
 
     #[test]
     fn without_a_body_there_is_no_ease() {
         let garment = Garment { body: None, ..garment() };
-        assert_eq!(maps(&garment).len(), 3);
+        assert_eq!(maps(&garment).len(), 5);
         assert!(maps(&Garment::default()).is_empty());
     }
 }

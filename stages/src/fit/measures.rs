@@ -4,6 +4,7 @@ use super::edge_names::edge_names;
 use super::maps::maps;
 use super::rings::{Ring, rings};
 use super::surface::{Hem, Surface};
+use super::tailor::{lengths, piece_sizes};
 use crate::body::section_near;
 use crate::roles::{Part, joins_of_meshes, roles};
 use toile_formats::report::{Fit, FreeEdge, Level};
@@ -60,13 +61,15 @@ pub fn measure(garment: &Garment) -> Fit {
         let level = |p: &Place| level(p, body, &surface, &rest, range);
         fit.levels = PLACES.iter().filter_map(level).collect();
     }
-    fit.edges = free_edges(garment, surface.hems(), range);
+    fit.edges = free_edges(garment, surface.hems(), &rest, range);
+    fit.lengths = lengths(garment);
+    fit.pieces = piece_sizes(garment);
     fit.range = Some(range);
     fit
 }
 
 /// The free edges with their names, from below to above.
-fn free_edges(garment: &Garment, mut hems: Vec<Hem>, range: [f64; 2]) -> Vec<FreeEdge> {
+fn free_edges(garment: &Garment, mut hems: Vec<Hem>, rest: &Rest, range: [f64; 2]) -> Vec<FreeEdge> {
     hems.sort_by(|a, b| a.height.total_cmp(&b.height).then_with(|| a.pieces.cmp(&b.pieces)));
     let pieces = |hem: &Hem| {
         let names = hem.pieces.iter().filter_map(|p| garment.pieces.get(*p as usize)).map(|p| p.name.as_str());
@@ -75,7 +78,10 @@ fn free_edges(garment: &Garment, mut hems: Vec<Hem>, range: [f64; 2]) -> Vec<Fre
     let parts: Vec<Option<Part>> =
         roles(&garment.pieces, &joins_of_meshes(garment)).into_iter().map(|role| role.part).collect();
     let waist = garment.body.as_ref().and_then(|body| level_height("waist", body));
-    let edge = |(h, name): (&Hem, String)| FreeEdge { name, pieces: pieces(h), height: h.height, length: h.length };
+    let edge = |(h, name): (&Hem, String)| {
+        let pattern = h.edges.iter().filter_map(|e| rest.edge(*e)).sum();
+        FreeEdge { name, pieces: pieces(h), height: h.height, pattern, length: h.length }
+    };
     hems.iter().zip(edge_names(&hems, &parts, waist, range)).map(edge).collect()
 }
 
@@ -179,6 +185,12 @@ pub(super) fn rest_around(garment: &Garment, surface: &Surface, ring: &Ring, hei
 }
 
 impl Rest {
+    /// Length of an edge of a triangle at rest, from the corner at which it begins, metres.
+    fn edge(&self, (triangle, corner): (usize, usize)) -> Option<f64> {
+        let corners = self.0.get(triangle).copied().flatten()?;
+        Some((corners[(corner + 1) % 3] - corners[corner]).norm())
+    }
+
     /// Length of the cloth at rest along a cut at a height, metres.
     fn around(&self, surface: &Surface, ring: &Ring, height: f64) -> f64 {
         let length = |t: &usize| cut_in_plane(surface.corners(*t), self.0.get(*t).copied().flatten()?, height);
@@ -248,7 +260,11 @@ mod tests {
         assert_eq!(fit.edges.len(), 2);
         assert!(fit.edges[0].height < fit.edges[1].height && (fit.edges[0].length - 0.99).abs() < 1e-3);
         let names: Vec<String> = fit.measures().into_iter().map(|m| m.name).filter(|n| !n.contains("_girth")).collect();
-        assert_eq!(names, ["hem", "top_edge", "total_length"]);
+        assert_eq!(names, ["hem", "hem", "top_edge", "top_edge", "total_length"]);
+        assert!(fit.edges.iter().all(|e| (e.pattern - 0.9).abs() < 1e-9));
+        // The middle of the tube as a piece: 0.9 m around, worn 0.99 m.
+        let width = fit.pieces[0].width;
+        assert!((width[0] - 0.9).abs() < 1e-9 && (width[1] - 0.99).abs() < 1e-3, "{width:?}");
     }
 
     /// A plane through the sleeves cuts one ring around trunk and arms, which is no girth of the bust.

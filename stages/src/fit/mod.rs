@@ -4,6 +4,7 @@
 //! The parts of a cut, such as trunk and sleeves, are [`rings`]. Quantities per vertex, for colours, are [`maps`]. All
 //! that a report tells is put together by [`measure`].
 
+mod along;
 mod bent;
 mod edge_names;
 mod girth;
@@ -13,8 +14,9 @@ pub(crate) mod nearest;
 mod points;
 mod rings;
 mod surface;
+mod tailor;
 
-pub use bent::{PAD, bending, pressure};
+pub use bent::{PAD, bending, pressure, tension};
 pub use girth::{along, tape};
 pub use maps::{ease, maps, strain};
 pub use measures::{cut_in_plane, inside, level_height, measure};

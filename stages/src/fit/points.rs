@@ -167,6 +167,11 @@ fn end(end: &End, on: On, garment: &Garment) -> Result<At, String> {
     })
 }
 
+/// Length of the shorter way along a surface between two points on it, metres.
+pub(super) fn surface_way(surface: &Surface, a: Vec3, b: Vec3) -> Option<f64> {
+    path(surface, a, b).map(|way| way.windows(2).map(|w| (w[1] - w[0]).norm()).sum())
+}
+
 /// The shorter way along a surface between two points on it, in the plane through them and the surface's normal.
 fn path(surface: &Surface, a: Vec3, b: Vec3) -> Option<Vec<Vec3>> {
     let out = normal_near(surface, a) + normal_near(surface, b);

@@ -35,7 +35,12 @@ pub struct Hem {
     pub heights: [f64; 2],
     /// Length in 3D, metres.
     pub length: f64,
+    /// Its edges, as numbers of triangles of the surface and of the corner at which each edge begins.
+    pub edges: Vec<(usize, usize)>,
 }
+
+/// An edge that only one triangle has: its ends, its piece, and that triangle with the corner at which it begins.
+type FreeEdge = ([u32; 2], u32, (usize, usize));
 
 impl Surface {
     /// The surface of a draped garment; `None` before the drape.
@@ -95,8 +100,8 @@ impl Surface {
     pub fn hems(&self) -> Vec<Hem> {
         let mut joined = Joined::new(self.points.len());
         let free = self.free_edges();
-        free.iter().for_each(|(e, _)| joined.join(e[0] as usize, e[1] as usize));
-        let mut by_part: BTreeMap<usize, Vec<&([u32; 2], u32)>> = BTreeMap::new();
+        free.iter().for_each(|(e, ..)| joined.join(e[0] as usize, e[1] as usize));
+        let mut by_part: BTreeMap<usize, Vec<&FreeEdge>> = BTreeMap::new();
         for edge in &free {
             by_part.entry(joined.root(edge.0[0] as usize)).or_default().push(edge);
         }
@@ -109,22 +114,34 @@ impl Surface {
         hems
     }
 
-    /// Edges of one triangle only, with its piece.
-    fn free_edges(&self) -> Vec<([u32; 2], u32)> {
-        let mut edges: Vec<([u32; 2], u32)> = Vec::with_capacity(3 * self.triangles.len());
-        for ([a, b, c], piece) in self.triangles.iter().zip(&self.piece) {
-            edges.extend([[a, b], [b, c], [c, a]].map(|[p, q]| ([*p.min(q), *p.max(q)], *piece)));
+    /// Edges of one triangle only.
+    fn free_edges(&self) -> Vec<FreeEdge> {
+        let mut edges: Vec<FreeEdge> = Vec::with_capacity(3 * self.triangles.len());
+        for (t, (corners, piece)) in self.triangles.iter().zip(&self.piece).enumerate() {
+            edges.extend((0..3).map(|k| {
+                let (p, q) = (corners[k], corners[(k + 1) % 3]);
+                ([p.min(q), p.max(q)], *piece, (t, k))
+            }));
         }
         edges.sort_unstable();
-        let alone = |(_, group): (usize, &[([u32; 2], u32)])| (group.len() == 1).then(|| group[0]);
-        edges.chunk_by(|a, b| a.0 == b.0).enumerate().filter_map(alone).collect()
+        let alone = |group: &[FreeEdge]| (group.len() == 1).then(|| group[0]);
+        edges.chunk_by(|a, b| a.0 == b.0).filter_map(alone).collect()
     }
 
-    fn hem(&self, edges: &[&([u32; 2], u32)]) -> Hem {
+    fn hem(&self, edges: &[&FreeEdge]) -> Hem {
         const NOTHING: [f64; 2] = [f64::INFINITY, f64::NEG_INFINITY];
         let wider = |[low, high]: [f64; 2], x: f64| [low.min(x), high.max(x)];
-        let mut hem = Hem { pieces: Vec::new(), height: 0.0, side: 0.0, sides: NOTHING, heights: NOTHING, length: 0.0 };
-        for ([a, b], piece) in edges {
+        let mut hem = Hem {
+            pieces: Vec::new(),
+            height: 0.0,
+            side: 0.0,
+            sides: NOTHING,
+            heights: NOTHING,
+            length: 0.0,
+            edges: Vec::new(),
+        };
+        for ([a, b], piece, place) in edges {
+            hem.edges.push(*place);
             let [a, b] = [a, b].map(|v| self.points[*v as usize]);
             let length = (b - a).norm();
             let middle = 0.5 * (a + b);
