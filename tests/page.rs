@@ -70,7 +70,7 @@ fn the_page_shows_the_garment_and_what_is_picked() {
     let (page, csv) = (out.join("report.html"), std::fs::read_to_string(out.join("measures.csv")).expect("measures"));
     let size = std::fs::metadata(&page).expect("page").len();
     assert!(size < 2 << 20, "{size} bytes");
-    assert!(csv.contains("\"hip_girth\",body,tape,960.0,840.0\n"), "{csv}");
+    assert!(csv.contains("\"hip_girth\",body,tape,960.0,mm,840.0,,,\r\n"), "{csv}");
     let Some(program) = program() else { return };
     let mut browser = Browser::start(&program, &[]);
     for window in [[1600, 1000], [1024, 768], [390, 844]] {
@@ -135,21 +135,61 @@ fn a_failed_start_leaves_a_page_that_shows_where() {
     put("body.obj", &body);
     let text = "toile = 1\n[pipeline]\nline = \"crossed\"\nversion = 1\n[[stage]]\nuse = \"import-mesh\"\n\
                 with.cloth = \"cloth.obj\"\nwith.rest = \"positions\"\nwith.fabric = \"wool.toml\"\n\
-                with.body = \"body.obj\"\nwith.pins = \"pins.txt\"\n[[stage]]\nuse = \"drape\"\n[[stage]]\nuse = \"export-report\"\n";
+                with.body = \"body.obj\"\nwith.pins = \"pins.txt\"\n[[stage]]\nuse = \"drape\"\n[[stage]]\nuse = \"export-report\"\n\
+                with.measures = \"measures.toml\"\n";
     put("crossed.toml", text);
+    // What cannot be measured on a failed garment is no news.
+    put("measures.toml", "[[measure]]\nname = \"hem\"\non = \"drape\"\nedges = [\"A.0\"]\n");
     assert_eq!(run(&pipeline, &out, &[]), Some(3));
     let page = out.join("failure.html");
     let said = std::fs::read_to_string(&page).expect("page");
     assert!(said.contains("<p class=\"verdict bad\"><b>Failed.</b>"), "the verdict");
+    assert!(!said.contains("measure-missing"), "the measures");
     assert!(!out.join("report.html").exists(), "a failed run has no outputs");
     if let Some(program) = program() {
         let saw = opened(&mut Browser::start(&program, &[]), &page, [1024, 768]);
-        assert_eq!((&saw["state"]["ready"], &saw["spot"]["hidden"]), (&json!(true), &json!(false)), "{saw}");
+        // The page opens at the place, which the view, the list and the drawing mark with one number.
+        assert_eq!((&saw["state"]["ready"], &saw["pins"]), (&json!(true), &json!(1)), "{saw}");
+        assert_eq!((&saw["marks"]["picked"], &saw["marks"]["shown"]), (&saw["state"]["picked"], &json!(true)), "{saw}");
+        assert_eq!((&saw["marks"]["list"], &saw["marks"]["drawing"]), (&json!(1), &json!(1)), "{saw}");
+        assert_eq!(saw["spot"]["hidden"], json!(false), "{saw}");
     }
     // The next run takes the page away.
     put("crossed.toml", &text.replace("[[stage]]\nuse = \"drape\"\n", ""));
     assert_eq!(run(&pipeline, &out, &[]), Some(0));
     assert!(!page.exists());
+}
+
+/// A square of cloth that hangs from two corners and swings, in two colourways.
+#[test]
+fn the_page_changes_colours_and_plays_the_motion() {
+    let Some(program) = program() else { return };
+    let folder = tempfile::tempdir().expect("folder");
+    let (out, pipeline) = (folder.path().join("out"), folder.path().join("swing.toml"));
+    let put = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).expect("file");
+    put("toile.root", "");
+    let fabric = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/fabrics/wool-suiting.toml");
+    std::fs::copy(fabric, folder.path().join("wool.toml")).expect("fabric");
+    put(
+        "cloth.obj",
+        "v -0.2 1 0\nv 0.2 1 0\nv 0.2 1 0.4\nv -0.2 1 0.4\nv 0 1 0.2\nf 1 5 2\nf 2 5 3\nf 3 5 4\nf 4 5 1\n",
+    );
+    put("pins.txt", "0\n1\n");
+    put(
+        "swing.toml",
+        "toile = 1\n[pipeline]\nline = \"swing\"\nversion = 1\n[[stage]]\nuse = \"import-mesh\"\nwith.cloth = \"cloth.obj\"\n\
+         with.rest = \"positions\"\nwith.fabric = \"wool.toml\"\nwith.pins = \"pins.txt\"\n[[stage]]\nuse = \"animate\"\n\
+         with.frames = 12\n[[stage]]\nuse = \"texture\"\nwith.color = \"#ffffff\"\n\
+         with.colourways = [{ name = \"navy\", color = \"#101a40\" }]\n[[stage]]\nuse = \"export-report\"\n",
+    );
+    assert_eq!(run(&pipeline, &out, &[]), Some(0));
+    let saw = opened(&mut Browser::start(&program, &[]), &out.join("report.html"), [1024, 768]);
+    let red = |what: &str| number(&saw, &format!("/{what}/mean/0"));
+    assert!(red("navy") < red("sewn") - 40.0, "{saw}");
+    let share = |what: &str| number(&saw, &format!("/{what}/share"));
+    assert!((share("begin") - share("end")).abs() > 0.01, "{saw}");
+    says(&saw, "/end/words", " s");
+    assert_eq!(saw["played"], json!(true), "{saw}");
 }
 
 /// The page of a proposal shows the pieces on the body, and makes lines for the sewing file of edges that are clicked.

@@ -37,13 +37,21 @@ fn is_page(path: &Path) -> bool {
 
 /// Writes the page of a garment and the findings of its run. `None` where there is nothing to show, the chain has no
 /// report, another file has the name, or the disk refuses: the run has failed already, and its record says why.
-pub fn write(steps: &[Step<'_>], garment: &Garment, report: &Report, folder: &Path) -> Option<PathBuf> {
+///
+/// Files that the report asks for, such as points of measure, are read from `below`.
+pub fn write(
+    steps: &[Step<'_>],
+    garment: &Garment,
+    report: &Report,
+    folder: &Path,
+    below: &mut dyn Files,
+) -> Option<PathBuf> {
     let step = steps.iter().find(|s| s.ready.info().name == REPORTS)?;
     let path = folder.join(FAILURE_NAME);
     if garment.pieces.is_empty() || path.symlink_metadata().is_ok() {
         return None;
     }
-    let (mut files, mut report) = (Kept::default(), report.clone());
+    let (mut files, mut report) = (Kept { below, written: Vec::new() }, report.clone());
     let mut cx = StageContext {
         report: &mut report,
         progress: &mut (),
@@ -53,27 +61,28 @@ pub fn write(steps: &[Step<'_>], garment: &Garment, report: &Report, folder: &Pa
         threads: 1,
     };
     step.ready.run(garment.clone(), &mut cx).ok()?;
-    let (_, page) = files.0.iter().find(|(name, _)| name.extension().is_some_and(|e| e == "html"))?;
+    let (_, page) = files.written.iter().find(|(name, _)| name.extension().is_some_and(|e| e == "html"))?;
     write_whole(&path, page).ok()?;
     Some(path)
 }
 
-/// Outputs in memory.
-#[derive(Default)]
-struct Kept(Vec<(PathBuf, Vec<u8>)>);
+/// Outputs in memory, over the files of the run.
+struct Kept<'a> {
+    below: &'a mut dyn Files,
+    written: Vec<(PathBuf, Vec<u8>)>,
+}
 
-impl Files for Kept {
+impl Files for Kept<'_> {
     fn read(&mut self, path: &Path) -> Result<Vec<u8>, FileError> {
-        let path = path.display().to_string();
-        Err(FileError::Missing { path, reason: "the page of a failed run reads nothing".to_owned() })
+        self.below.read(path)
     }
 
-    fn read_optional(&mut self, _: &Path) -> Result<Option<Vec<u8>>, FileError> {
-        Ok(None)
+    fn read_optional(&mut self, path: &Path) -> Result<Option<Vec<u8>>, FileError> {
+        self.below.read_optional(path)
     }
 
     fn write(&mut self, path: &Path, bytes: &[u8]) -> Result<(), FileError> {
-        self.0.push((path.to_path_buf(), bytes.to_vec()));
+        self.written.push((path.to_path_buf(), bytes.to_vec()));
         Ok(())
     }
 }

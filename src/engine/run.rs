@@ -212,7 +212,8 @@ impl<'a> Run<'a> {
         let Some(garment) = self.teller.last_look().or(before) else { return };
         if matches!(exit, Exit::Input | Exit::Usage | Exit::Unstable) {
             let folder = self.files.outputs().root().to_path_buf();
-            if let Some(page) = failure::write(&pipeline.steps, &garment, &self.report, &folder) {
+            let files = &mut self.files;
+            if let Some(page) = failure::write(&pipeline.steps, &garment, &self.report, &folder, files) {
                 self.teller.note(&format!("the garment as far as it came: {}", page.display()));
             }
         }

@@ -137,6 +137,8 @@ fn points(params: &ExportReportParams, garment: &Garment, cx: &mut StageContext<
                 }
                 out.push(point);
             }
+            // A run that failed has said what is wrong; what cannot be measured then is no news.
+            Err(_) if cx.report.has_errors() => {}
             Err(why) => {
                 let message = format!("the measure `{}` cannot be taken: {why}", wanted.name);
                 cx.report.push(Diagnostic::warning(MEASURE_MISSING, message));

@@ -37,6 +37,28 @@
     out.opened = performance.now();
     out.state = state();
     out.requests = performance.getEntriesByType("resource").map((e) => e.name).filter((n) => !n.startsWith("data:") && !n.startsWith("blob:"));
+    const listed = (selector) => document.querySelectorAll(selector).length;
+    out.pins = listed(".stage .pin");
+    out.marks = {
+      picked: out.state.picked, shown: !document.getElementById("spot").hidden,
+      list: listed(".findings .picked .pin"), drawing: listed("svg .found.picked"),
+    };
+    if (out.state.ready && document.getElementById("colourway")) {
+      out.sewn = seen();
+      set("colourway", "1", "change");
+      await frame();
+      out.navy = seen();
+      for (const [name, value] of [["begin", 0], ["end", 11]]) {
+        set("moment", value, "input");
+        await frame();
+        out[name] = { ...seen(), words: document.getElementById("seconds").textContent };
+      }
+      document.getElementById("play").click();
+      for (let i = 0; i < 4; i++) await frame();
+      const now = Number(document.getElementById("moment").value);
+      out.played = now > 0 && now < 11;
+      document.getElementById("play").click();
+    }
     if (out.state.ready) {
       document.querySelector("[data-look=front]").click();
       await frame();

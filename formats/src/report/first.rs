@@ -1,10 +1,11 @@
 //! The first screen: the garment, its facts, the verdict, the key measures, and what was found.
 
 use super::fit::Fit;
-use super::live;
+use super::places::{Place, finding_name};
 use super::verdict::verdict;
 use super::viewer::{self, Figure};
 use super::words::Language;
+use super::{live, motion};
 use crate::codes::PIECES_LEFT_OUT;
 use crate::picture::{self, Openness, View, Wishes};
 use crate::svg::canvas::{escape, fixed};
@@ -16,15 +17,23 @@ use toile_garment::{Diagnostic, Garment, Severity};
 /// Width and height of each of the two pictures that stand where there is no 3D view, pixels.
 const STILL: [u32; 2] = [420, 525];
 
-/// Writes the first screen. Without the light around the garment there is no picture of it.
-pub fn screen(
-    out: &mut String,
-    garment: &Garment,
-    findings: &[Diagnostic],
-    fit: &Fit,
-    light: Option<&Openness>,
-    language: Language,
-) {
+/// What the first screen shows.
+pub struct Content<'a> {
+    /// The garment.
+    pub garment: &'a Garment,
+    /// What was found.
+    pub findings: &'a [Diagnostic],
+    /// The places of the findings.
+    pub places: &'a [Place],
+    /// What was measured.
+    pub fit: &'a Fit,
+    /// The light around the garment; without it there is no picture.
+    pub light: Option<&'a Openness>,
+}
+
+/// Writes the first screen.
+pub fn screen(out: &mut String, content: &Content<'_>, language: Language) {
+    let Content { garment, findings, places, fit, light } = *content;
     out.push_str("<div class=\"first\">\n");
     if let Some(png) = light.and_then(|light| still(garment, light)) {
         view(out, garment, &png, fit, language);
@@ -41,7 +50,7 @@ pub fn screen(
     let _ = writeln!(out, "<p class=\"verdict {class}\"><b>{}</b>{}</p>", v.word, escape(&v.why));
     facts(out, garment, language);
     key_measures(out, fit, language);
-    found(out, findings, language);
+    found(out, findings, places, language);
     out.push_str("</section>\n</div>\n");
 }
 
@@ -58,11 +67,15 @@ fn view(out: &mut String, garment: &Garment, png: &[u8], fit: &Fit, language: La
     let [width, height] = [2 * STILL[0], STILL[1]];
     let still = format!("<img alt=\"{words}\" width=\"{width}\" height=\"{height}\" src=\"{}\">", live::image(png));
     let maps: Vec<(&str, &str)> = fit.maps.iter().map(|m| (m.key, m.name)).collect();
+    let others = garment.textures.iter().flat_map(|t| &t.colourways).map(|c| c.name.as_str());
+    let colourways: Vec<&str> = ["as sewn"].into_iter().chain(others).collect();
     let figure = Figure {
         name,
         still: &still,
         has_body: garment.body.as_ref().is_some_and(|b| !b.triangles.is_empty()),
         maps: &maps,
+        colourways: if colourways.len() > 1 { &colourways } else { &[] },
+        frames: motion::times(garment).len(),
         has_section: true,
         ways: ["pattern", "garment"],
         invitation: "Click a piece, a seam or a dart, here, in the drawing or in a table.",
@@ -121,12 +134,13 @@ fn key_measures(out: &mut String, fit: &Fit, language: Language) {
     }
 }
 
-fn found(out: &mut String, findings: &[Diagnostic], language: Language) {
-    let (left_out, others): (Vec<&Diagnostic>, Vec<&Diagnostic>) =
-        findings.iter().partition(|f| f.code == PIECES_LEFT_OUT);
-    let (mut serious, notes): (Vec<&Diagnostic>, Vec<&Diagnostic>) =
-        others.into_iter().partition(|f| f.severity > Severity::Info);
-    serious.sort_by_key(|f| std::cmp::Reverse(f.severity));
+fn found(out: &mut String, findings: &[Diagnostic], places: &[Place], language: Language) {
+    let all: Vec<Found<'_>> = findings.iter().enumerate().map(|(k, f)| Found::new(k, f, places)).collect();
+    let (left_out, others): (Vec<&Found<'_>>, Vec<&Found<'_>>) =
+        all.iter().partition(|f| f.finding.code == PIECES_LEFT_OUT);
+    let (mut serious, notes): (Vec<&Found<'_>>, Vec<&Found<'_>>) =
+        others.into_iter().partition(|f| f.finding.severity > Severity::Info);
+    serious.sort_by_key(|f| std::cmp::Reverse(f.finding.severity));
     let _ = writeln!(out, "<h2>{}</h2>", escape(language.say("Findings")));
     // What is not there cannot be seen in any picture, so it is told first.
     list(out, &left_out, language);
@@ -142,12 +156,41 @@ fn found(out: &mut String, findings: &[Diagnostic], language: Language) {
     }
 }
 
-fn list(out: &mut String, findings: &[&Diagnostic], language: Language) {
+/// A finding, with its place if it has one.
+struct Found<'a> {
+    finding: &'a Diagnostic,
+    place: Option<&'a Place>,
+}
+
+impl<'a> Found<'a> {
+    fn new(number: usize, finding: &'a Diagnostic, places: &'a [Place]) -> Self {
+        let pick = finding_name(number);
+        Self { finding, place: places.iter().find(|p| p.pick == pick) }
+    }
+
+    /// The element of the list, its number in the drawing, and the button that shows the place.
+    fn around(&self, language: Language) -> [String; 3] {
+        let Some(place) = self.place else { return ["<li>".to_owned(), String::new(), String::new()] };
+        let number = match place.number.as_str() {
+            "" => String::new(),
+            n => format!("<span class=\"pin\">{n}</span> "),
+        };
+        let words = escape(language.say("show the place"));
+        [
+            format!("<li data-pick=\"{}\">", escape(&place.pick)),
+            number,
+            format!("<button type=\"button\">{words}</button>"),
+        ]
+    }
+}
+
+fn list(out: &mut String, findings: &[&Found<'_>], language: Language) {
     if findings.is_empty() {
         return;
     }
     out.push_str("<ul class=\"findings\">\n");
-    for f in findings {
+    for found in findings {
+        let f = found.finding;
         let word = match f.severity {
             Severity::Error => "error",
             Severity::Warning => "warning",
@@ -158,16 +201,30 @@ fn list(out: &mut String, findings: &[&Diagnostic], language: Language) {
             word => format!("<span class=\"{word}\">{}</span> ", escape(language.say(word))),
         };
         let place = f.source.as_ref().map_or_else(String::new, |s| format!(" ({})", escape(&s.to_string())));
-        let remedy = escape(language.say("Remedy"));
-        let hint = f.hint.as_ref().map_or_else(String::new, |h| format!("<small>{remedy}: {}</small>", escape(h)));
-        let _ = writeln!(
-            out,
-            "<li>{word}{}<small><code>{}</code>{place}</small>{hint}</li>",
-            escape(&f.message),
-            escape(&f.code)
-        );
+        let (message, hint) = words_of(f, language);
+        let [item, number, button] = found.around(language);
+        let code = escape(&f.code);
+        let _ =
+            writeln!(out, "{item}{number}{word}{message}<small><code>{code}</code>{place}</small>{hint}{button}</li>");
     }
     out.push_str("</ul>\n");
+}
+
+/// Message and remedy of a finding as HTML. In another language than English its meaning stands first, and the sentence
+/// with names and figures follows in English.
+fn words_of(finding: &Diagnostic, language: Language) -> (String, String) {
+    let remedy = |words: &str| match words {
+        "" => String::new(),
+        words => format!("<small>{}: {}</small>", escape(language.say("Remedy")), escape(words)),
+    };
+    let (message, hint) = (escape(&finding.message), finding.hint.as_deref().unwrap_or_default());
+    match language.finding(&finding.code) {
+        Some([what, help]) => {
+            let help = if help.is_empty() { hint } else { help };
+            (format!("{}<small lang=\"en\">{message}</small>", escape(what)), remedy(help))
+        }
+        None => (message, remedy(hint)),
+    }
 }
 
 #[cfg(test)]
@@ -193,11 +250,26 @@ mod tests {
             Diagnostic::info(PIECES_LEFT_OUT, "pieces are left out: POCKET"),
         ];
         let mut out = String::new();
-        found(&mut out, &findings, Language::English);
+        found(&mut out, &findings, &[], Language::English);
         assert!(at_of(&out, "POCKET") < at_of(&out, "too far") && !out.contains("<details"), "{out}");
         out.clear();
-        found(&mut out, &findings[1..], Language::English);
+        found(&mut out, &findings[1..], &[], Language::English);
         assert!(at_of(&out, "POCKET") < at_of(&out, "There are no warnings."), "{out}");
+    }
+
+    #[test]
+    fn findings_have_their_meaning_in_the_language_of_the_page() {
+        let finding = [Diagnostic::warning(crate::codes::OUT_OF_RANGE, "9 is too far").hint("take less")];
+        let told = |language| {
+            let mut out = String::new();
+            found(&mut out, &finding, &[], language);
+            out
+        };
+        let chinese = told(Language::Chinese);
+        assert!(chinese.contains("数值超出合理范围。<small lang=\"en\">9 is too far</small>"), "{chinese}");
+        assert!(chinese.contains("处理办法: 按说明中的范围改正。") && !chinese.contains("take less"), "{chinese}");
+        let english = told(Language::English);
+        assert!(english.contains("</span> 9 is too far<small>") && english.contains("Remedy: take less"), "{english}");
     }
 
     fn at_of(text: &str, words: &str) -> usize {

@@ -30,8 +30,34 @@ pub struct FreeEdge {
     pub pieces: String,
     /// Mean height above the floor, metres.
     pub height: f64,
-    /// Length along the cloth, metres.
+    /// Length of the cloth at rest, as the pattern has it, metres.
+    pub pattern: f64,
+    /// Length along the worn cloth, metres.
     pub length: f64,
+}
+
+/// A length as pattern makers take it, such as that of a sleeve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Length {
+    /// Name, such as `sleeve length left`.
+    pub name: String,
+    /// Length of the cloth at rest, as the pattern has it, metres.
+    pub pattern: f64,
+    /// Length along the worn cloth, metres.
+    pub worn: f64,
+    /// The length of the body that it is compared with, metres, and how it is taken: `surface`, `tape` or `straight`.
+    pub body: Option<(f64, &'static str)>,
+}
+
+/// Length along the grain and width across it of a piece, through its middle.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PieceSize {
+    /// Name of the piece.
+    pub name: String,
+    /// Length along the grain, flat and worn, metres.
+    pub length: [f64; 2],
+    /// Width across the grain, flat and worn, metres.
+    pub width: [f64; 2],
 }
 
 /// A point of measure of a house, as it was measured.
@@ -64,6 +90,10 @@ pub struct Fit {
     pub levels: Vec<Level>,
     /// Free edges, from below to above.
     pub edges: Vec<FreeEdge>,
+    /// Lengths as pattern makers take them, where the parts of the garment are known.
+    pub lengths: Vec<Length>,
+    /// Sizes of the pieces.
+    pub pieces: Vec<PieceSize>,
     /// Lowest and highest point of the worn cloth, metres.
     pub range: Option<[f64; 2]>,
     /// Points of measure of the house, in the order of their file.
@@ -81,8 +111,18 @@ pub struct Measure {
     pub method: &'static str,
     /// The measure, metres.
     pub length: f64,
-    /// Height above the floor, metres.
-    pub height: f64,
+    /// Height above the floor, metres, where it is taken at one.
+    pub height: Option<f64>,
+}
+
+impl Measure {
+    fn new(name: &str, on: &'static str, method: &'static str, length: f64) -> Self {
+        Self { name: name.replace(' ', "_"), on, method, length, height: None }
+    }
+
+    fn at(self, height: f64) -> Self {
+        Self { height: Some(height), ..self }
+    }
 }
 
 impl Level {
@@ -99,48 +139,56 @@ impl Fit {
     pub fn measures(&self) -> Vec<Measure> {
         let mut out = Vec::new();
         for l in &self.levels {
-            let name = format!("{}_girth", l.name);
-            let mut add = |on, method, length| {
-                out.push(Measure { name: name.clone(), on, method, length, height: l.height });
-            };
-            l.body.into_iter().for_each(|girth| add("body", "tape", girth));
-            add("pattern", "surface", l.pattern);
-            add("drape", "surface", l.along);
-            add("drape", "tape", l.tape);
+            let girth =
+                |on, method, length| Measure::new(&format!("{}_girth", l.name), on, method, length).at(l.height);
+            out.extend(l.body.map(|body| girth("body", "tape", body)));
+            out.push(girth("pattern", "surface", l.pattern));
+            out.extend([("surface", l.along), ("tape", l.tape)].map(|(method, x)| girth("drape", method, x)));
+        }
+        for l in &self.lengths {
+            out.extend(l.body.map(|(body, method)| Measure::new(&l.name, "body", method, body)));
+            out.push(Measure::new(&l.name, "pattern", "surface", l.pattern));
+            out.push(Measure::new(&l.name, "drape", "surface", l.worn));
         }
         for e in &self.edges {
-            let name = e.name.replace(' ', "_");
-            out.push(Measure { name, on: "drape", method: "surface", length: e.length, height: e.height });
+            out.push(Measure::new(&e.name, "pattern", "surface", e.pattern));
+            out.push(Measure::new(&e.name, "drape", "surface", e.length).at(e.height));
         }
         if let Some([low, high]) = self.range {
-            let name = "total_length".to_owned();
-            out.push(Measure { name, on: "drape", method: "straight", length: high - low, height: low });
+            out.push(Measure::new("total_length", "drape", "straight", high - low).at(low));
         }
         out
     }
 
-    /// All measures as comma-separated values, lengths in millimetres. Points of measure of the house follow, with the
-    /// lengths that they should have, in a table of their own after an empty line.
+    /// The sizes of all pieces, one by one.
+    fn sizes(&self) -> impl Iterator<Item = Measure> {
+        self.pieces.iter().flat_map(|p| {
+            [("length", p.length), ("width", p.width)].into_iter().flat_map(move |(what, both)| {
+                let name = format!("piece {what} {}", p.name);
+                let on = ["pattern", "drape"].into_iter().zip(both);
+                on.map(move |(on, length)| Measure::new(&name, on, "surface", length))
+            })
+        })
+    }
+
+    /// All measures and sizes of pieces as one table of comma-separated values after RFC 4180, points of measure of the house last. Cells
+    /// that a measure does not have are empty.
     #[must_use]
     pub fn csv(&self) -> String {
-        let mut out = String::from("name,on,method,length_mm,height_mm\n");
+        let mut out = String::from("name,on,method,value,unit,height_mm,expected_mm,tolerance_mm,passed\r\n");
         let mm = |x: f64| crate::svg::canvas::fixed(1e3 * x, 1);
-        for m in self.measures() {
-            let name = csv_cell(&m.name);
-            let [length, height] = [m.length, m.height].map(mm);
-            out.push_str(&format!("{name},{},{},{length},{height}\n", m.on, m.method));
-        }
-        if !self.points.is_empty() {
-            out.push_str("\nname,on,method,length_mm,height_mm,expected_mm,tolerance_mm,passed\n");
+        let known = |x: Option<f64>| x.map(mm).unwrap_or_default();
+        for m in self.measures().into_iter().chain(self.sizes()) {
+            let (name, length) = (csv_cell(&m.name), mm(m.length));
+            out.push_str(&format!("{name},{},{},{length},mm,{},,,\r\n", m.on, m.method, known(m.height)));
         }
         for p in &self.points {
             let name = csv_cell(&p.name);
-            let known = |x: Option<f64>| x.map(mm).unwrap_or_default();
             let passed = p.passed.map(|p| p.to_string()).unwrap_or_default();
-            let (length, height) = (mm(p.length), mm(p.height));
-            let (expected, tolerance) = (known(p.expected), known(p.tolerance));
-            let row = [p.on, p.method, &length, &height, &expected, &tolerance, &passed].join(",");
-            out.push_str(&format!("{name},{row}\n"));
+            let height = known((p.on != "pattern").then_some(p.height));
+            let (length, expected, tolerance) = (mm(p.length), known(p.expected), known(p.tolerance));
+            let row = [p.on, p.method, &length, "mm", &height, &expected, &tolerance, &passed].join(",");
+            out.push_str(&format!("{name},{row}\r\n"));
         }
         out
     }
@@ -223,23 +271,71 @@ impl Fit {
         t
     }
 
-    /// Free edges and the length of the whole garment.
+    /// Lengths of garment and body, free edges, and the length of the whole garment.
     #[must_use]
     pub fn lengths(&self) -> Table {
         let mut t = Table::new(
             "lengths",
-            "Lengths of the worn garment",
-            "Free edges are hems, necklines and openings; their height is a mean.",
-            &[("name", "what"), ("length_mm", "length mm"), ("height_mm", "height mm"), ("pieces", "pieces")],
+            "Lengths",
+            "Sleeves and centre lines: along the straight grain from their highest point, without cuffs and bands. Seams: \
+             the side that is not eased. Free edges are hems, necklines and openings; their height is a mean.",
+            &[
+                ("name", "what"),
+                ("body_mm", "body mm"),
+                ("pattern_mm", "pattern mm"),
+                ("length_mm", "worn mm"),
+                ("height_mm", "height mm"),
+                ("pieces", "pieces"),
+            ],
         );
         let mm = |x: f64| Cell::Number(1e3 * x, 0);
         if let Some([low, high]) = self.range {
             let name = Cell::Text("garment, top to bottom".to_owned());
-            t.rows.push(vec![name, mm(high - low), mm(low), Cell::Empty]);
+            t.rows.push(vec![name, Cell::Empty, Cell::Empty, mm(high - low), mm(low), Cell::Empty]);
         }
-        let row =
-            |e: &FreeEdge| vec![Cell::Text(e.name.clone()), mm(e.length), mm(e.height), Cell::Text(e.pieces.clone())];
-        t.rows.extend(self.edges.iter().map(row));
+        let of_length = |l: &Length| {
+            let body = l.body.map_or(Cell::Empty, |(body, _)| mm(body));
+            vec![Cell::Text(l.name.clone()), body, mm(l.pattern), mm(l.worn), Cell::Empty, Cell::Empty]
+        };
+        t.rows.extend(self.lengths.iter().map(of_length));
+        let of_edge = |e: &FreeEdge| {
+            let pieces = Cell::Text(e.pieces.clone());
+            vec![Cell::Text(e.name.clone()), Cell::Empty, mm(e.pattern), mm(e.length), mm(e.height), pieces]
+        };
+        t.rows.extend(self.edges.iter().map(of_edge));
+        t
+    }
+
+    /// How much longer and wider every piece is when it is worn.
+    #[must_use]
+    pub fn piece_sizes(&self) -> Table {
+        let mut t = Table::new(
+            "piece_sizes",
+            "Pieces, flat and worn",
+            "Length along the grain and width across it, through the middle of the piece: what the cloth gives or shrinks \
+             when it is worn.",
+            &[
+                ("name", "piece"),
+                ("length_mm", "along mm"),
+                ("length_worn_mm", "worn mm"),
+                ("length_change_mm", "change mm"),
+                ("length_change_pct", "change %"),
+                ("width_mm", "across mm"),
+                ("width_worn_mm", "worn mm"),
+                ("width_change_mm", "change mm"),
+                ("width_change_pct", "change %"),
+            ],
+        );
+        let mm = |x: f64| Cell::Number(1e3 * x, 1);
+        let both = |[flat, worn]: [f64; 2]| {
+            [mm(flat), mm(worn), mm(worn - flat), Cell::Number(100.0 * (worn / flat - 1.0), 2)]
+        };
+        let row = |p: &PieceSize| {
+            let mut row = vec![Cell::Text(p.name.clone())];
+            row.extend([p.length, p.width].into_iter().flat_map(both));
+            row
+        };
+        t.rows = self.pieces.iter().map(row).collect();
         t
     }
 
@@ -250,7 +346,8 @@ impl Fit {
         let mut t = Table::new("measures", "Measures", "", &columns);
         let row = |m: Measure| {
             let [on, method] = [m.on, m.method].map(|x| Cell::Text(x.to_owned()));
-            vec![Cell::Text(m.name), on, method, Cell::Number(1e3 * m.length, 1), Cell::Number(1e3 * m.height, 1)]
+            let height = m.height.map_or(Cell::Empty, |h| Cell::Number(1e3 * h, 1));
+            vec![Cell::Text(m.name), on, method, Cell::Number(1e3 * m.length, 1), height]
         };
         t.rows = self.measures().into_iter().map(row).collect();
         t
@@ -267,16 +364,55 @@ mod tests {
         let fit = Fit { levels: vec![level], range: Some([0.3, 1.0]), ..Fit::default() };
         assert_eq!(fit.ease().rows[0][6], Cell::Number(1e3 * (1.0 - 0.96), 0));
         let csv = fit.csv();
-        assert!(csv.contains("\"hip_girth\",body,tape,960.0,840.0\n"), "{csv}");
-        assert!(csv.ends_with("\"total_length\",drape,straight,700.0,300.0\n"), "{csv}");
+        assert!(csv.contains("\"hip_girth\",body,tape,960.0,mm,840.0,,,\r\n"), "{csv}");
+        assert!(csv.ends_with("\"total_length\",drape,straight,700.0,mm,300.0,,,\r\n"), "{csv}");
         assert_eq!(csv.lines().count(), 1 + fit.table().rows.len());
     }
 
     #[test]
+    fn the_measures_are_one_table_whatever_is_in_it() {
+        let point = Point {
+            name: "a \"b\", c".into(),
+            on: "pattern",
+            method: "surface",
+            length: 1.0,
+            height: 0.0,
+            expected: Some(1.1),
+            tolerance: Some(0.01),
+            passed: Some(false),
+        };
+        let length =
+            Length { name: "sleeve length left".into(), pattern: 0.2, worn: 0.201, body: Some((0.58, "straight")) };
+        let size = PieceSize { name: "FRONT".into(), length: [0.5, 0.51], width: [0.4, 0.396] };
+        let fit = Fit { points: vec![point], lengths: vec![length], pieces: vec![size], ..Fit::default() };
+        let csv = fit.csv();
+        let commas = |line: &str| line.replace("\"a \"\"b\"\", c\"", "").matches(',').count();
+        assert!(csv.ends_with("\r\n") && csv.split_terminator("\r\n").all(|line| commas(line) == 8), "{csv}");
+        assert!(csv.contains("\"a \"\"b\"\", c\",pattern,surface,1000.0,mm,,1100.0,10.0,false\r\n"), "{csv}");
+        assert!(csv.contains("\"sleeve_length_left\",body,straight,580.0,mm,,,,\r\n"), "{csv}");
+        assert_eq!(
+            fit.piece_sizes().rows[0][3..5],
+            [Cell::Number(1e3 * (0.51 - 0.5), 1), Cell::Number(100.0 * (0.51 / 0.5 - 1.0), 2)]
+        );
+    }
+
+    #[test]
     fn every_free_edge_has_a_measure_of_its_own() {
-        let edge = |name: &str, length| FreeEdge { name: name.into(), pieces: "A, B".into(), height: 1.0, length };
+        let edge = |name: &str, length| FreeEdge {
+            name: name.into(),
+            pieces: "A, B".into(),
+            height: 1.0,
+            pattern: 1.25,
+            length,
+        };
         let fit = Fit { edges: vec![edge("hem", 1.3508), edge("waist edge", 0.7289)], ..Fit::default() };
         let csv = fit.csv();
-        assert!(csv.contains("\"hem\",drape,surface,1350.8,") && csv.contains("\"waist_edge\",drape,surface,728.9,"));
+        for row in [
+            "\"hem\",drape,surface,1350.8,mm,",
+            "\"hem\",pattern,surface,1250.0,mm,,",
+            "\"waist_edge\",drape,surface,728.9,",
+        ] {
+            assert!(csv.contains(row), "{csv}");
+        }
     }
 }

@@ -3,6 +3,7 @@
 use super::first;
 use super::fit::Fit;
 use super::live;
+use super::places::{Place, places};
 use super::tables::{Cell, Table, metric_words, tables};
 use super::viewer;
 use super::words::Language;
@@ -15,7 +16,7 @@ use toile_garment::seam::SeamKind;
 use toile_garment::{Diagnostic, Garment};
 
 /// Tables that stand open in the page; the others are folded.
-const OPEN: [&str; 1] = ["ease"];
+const OPEN: [&str; 2] = ["ease", "lengths"];
 
 /// Columns of flattened pieces; they say nothing where nothing was edited.
 const FLATTENED: [&str; 7] =
@@ -30,13 +31,16 @@ pub fn html(garment: &Garment, findings: &[Diagnostic], fit: &Fit, language: Lan
     let model = light.as_ref().and_then(|light| live::model_in_light(garment, fit, light));
     let mut out = String::new();
     viewer::open(&mut out, title, language, "");
-    first::screen(&mut out, garment, findings, fit, light.as_ref(), language);
+    let marked = places(garment, findings);
+    let content = first::Content { garment, findings, places: &marked, fit, light: light.as_ref() };
+    first::screen(&mut out, &content, language);
     let all = shown_tables(garment, findings, fit);
     let (open, folded): (Vec<_>, Vec<_>) = all.iter().partition(|t| OPEN.contains(&t.key));
     open.iter().for_each(|t| table(&mut out, t, garment, language));
-    drawings(&mut out, garment, language);
+    drawings(&mut out, garment, &marked, language);
     folded.iter().for_each(|t| table(&mut out, t, garment, language));
-    viewer::close(&mut out, &live::scene(garment, fit, language), model.as_deref(), "");
+    let scene = live::scene(garment, findings, &marked, fit, language);
+    viewer::close(&mut out, &scene, model.as_deref(), "");
     out
 }
 
@@ -46,7 +50,8 @@ fn is_flattened(garment: &Garment) -> bool {
 }
 
 fn shown_tables(garment: &Garment, findings: &[Diagnostic], fit: &Fit) -> Vec<Table> {
-    let measured = [fit.of_house(), fit.ease(), fit.lengths()].into_iter().filter(|t| !t.rows.is_empty());
+    let measured =
+        [fit.of_house(), fit.ease(), fit.lengths(), fit.piece_sizes()].into_iter().filter(|t| !t.rows.is_empty());
     let rest = tables(garment, findings).into_iter().filter(|t| t.key != "findings");
     let all = measured.chain(rest);
     if is_flattened(garment) { all.collect() } else { all.map(without_flattening).collect() }
@@ -69,7 +74,7 @@ fn without_flattening(mut table: Table) -> Table {
     table
 }
 
-fn drawings(out: &mut String, garment: &Garment, language: Language) {
+fn drawings(out: &mut String, garment: &Garment, places: &[Place], language: Language) {
     if garment.pieces.is_empty() {
         return;
     }
@@ -78,7 +83,8 @@ fn drawings(out: &mut String, garment: &Garment, language: Language) {
         let _ = writeln!(out, "<figure>{drawing}<figcaption>{words}</figcaption></figure>");
     };
     let words = "Pieces with the numbers of their edges. A click picks a piece, a seam or a dart.";
-    figure(&svg::pickable(garment), language.say(words));
+    let spots: Vec<_> = places.iter().map(Place::spot).collect();
+    figure(&svg::pickable(garment, &spots), language.say(words));
     for flat in garment.flat.iter().filter(|_| is_flattened(garment)).flat_map(|f| &f.pieces) {
         let name = garment.pieces.get(flat.piece.index()).map_or_else(String::new, |p| escape(&p.name));
         if let Some(drawing) = svg::flat_piece(garment, flat, &flat.flat_strain) {
@@ -147,7 +153,7 @@ fn picks(table: &str, number: usize, row: &[Cell], garment: &Garment) -> Option<
     match table {
         "pieces" => Some(format!("piece:{number}")),
         "seams" => Some(format!("seam:{number}")),
-        "edges" | "strain" => piece().map(|p| format!("piece:{p}")),
+        "edges" | "strain" | "piece_sizes" => piece().map(|p| format!("piece:{p}")),
         "darts" => {
             let p = piece()?;
             let dart = garment.pieces[p].darts.iter().position(|d| Some(d.name.as_str()) == text(1))?;

@@ -19,7 +19,9 @@ pub fn json(garment: &Garment, findings: &[Diagnostic], fit: &Fit) -> Value {
     out.insert("metric".into(), json!(garment.flat.as_ref().map(|f| f.metric)));
     let v = verdict(garment, findings, Language::English);
     out.insert("verdict".into(), json!({ "passed": v.passed, "why": v.why }));
-    let measured = [fit.table(), fit.of_house(), fit.ease(), fit.lengths()].into_iter().filter(|t| !t.rows.is_empty());
+    let measured = [fit.table(), fit.of_house(), fit.ease(), fit.lengths(), fit.piece_sizes()]
+        .into_iter()
+        .filter(|t| !t.rows.is_empty());
     for table in tables(garment, findings).into_iter().chain(measured) {
         let row = |cells: &Vec<Cell>| {
             let keys = table.columns.iter().map(|(key, _)| (*key).to_owned());

@@ -1,7 +1,10 @@
 //! The data for the viewer of the page: the model as a GLB, and names, seams and maps as JSON.
 
 use super::fit::Fit;
-use super::viewer::{Line, Scene, Stretch};
+use super::motion;
+use super::places::{Place, finding_name};
+use super::verdict::verdict;
+use super::viewer::{Line, Mark, Scene, Stretch};
 use super::words::Language;
 use crate::gltf::{self, ViewPiece};
 use crate::picture::{Field, Openness, lay, openness};
@@ -9,7 +12,7 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use serde_json::{Map, Value, json};
 use toile_garment::seam::{Seam, SeamKind, SeamRun};
-use toile_garment::{Garment, Vec2};
+use toile_garment::{Diagnostic, Garment, Vec2};
 
 /// The model in base64. `None` without positions in 3D or with a mesh that cannot be written.
 #[must_use]
@@ -54,22 +57,45 @@ fn label(seam: &Seam, language: Language) -> String {
     language.fill("{0} {1}: {2} mm on {3} mm", &values)
 }
 
-/// Names, lines and quantities of a garment for the view.
+/// Names, lines, quantities and marked places of a garment for the view.
 #[must_use]
-pub fn scene(garment: &Garment, fit: &Fit, language: Language) -> Scene {
+pub fn scene(garment: &Garment, findings: &[Diagnostic], places: &[Place], fit: &Fit, language: Language) -> Scene {
     let stretch = |r: &SeamRun| Stretch::Vertices(r.piece.index(), r.vertices.clone());
     let line = |seam: &Seam| Line {
         stretches: [&seam.a, &seam.b].iter().flat_map(|s| &s.runs).map(stretch).collect(),
         colour: None,
     };
     let field = |f: &Field| json!({ "key": f.key, "name": language.say(f.name), "unit": f.unit, "ends": f.ends(), "stops": f.stops() });
+    let mut names = names(garment, language);
+    for (k, finding) in findings.iter().enumerate() {
+        if places.iter().any(|p| p.pick == finding_name(k)) {
+            names.insert(finding_name(k), json!(finding.message));
+        }
+    }
+    let lay = lay(garment);
+    // A run that failed shows first where it did.
+    let is_bad = verdict(garment, findings, language).passed == Some(false);
+    let shown = places.iter().find(|p| is_bad && !p.number.is_empty()).map(|p| p.pick.clone());
     Scene {
         pieces: garment.pieces.len(),
-        names: names(garment, language),
+        names,
         lines: garment.seams.iter().map(line).collect(),
         fields: fit.maps.iter().map(field).collect(),
-        threads: Vec::new(),
+        marks: places.iter().map(|p| mark(p, garment, &lay)).collect(),
+        shown,
+        colourways: garment.textures.iter().flat_map(|t| &t.colourways).map(|c| c.colors.clone()).collect(),
+        motion: motion::motion(garment),
+        ..Scene::default()
     }
+}
+
+/// A place as the view marks it; `lay` tells where the pieces lie side by side.
+fn mark(place: &Place, garment: &Garment, lay: &[Vec2]) -> Mark {
+    let at = place.in_view(garment).map(|(piece, worn, flat)| {
+        let flat = flat + lay.get(piece).copied().unwrap_or_else(Vec2::zeros);
+        (piece, [worn.x, worn.y, worn.z, flat.x, flat.y])
+    });
+    Mark { pick: place.pick.clone(), number: place.number.clone(), target: place.target.clone(), at }
 }
 
 /// PNG as the source of an image.

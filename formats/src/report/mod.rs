@@ -3,18 +3,22 @@
 //! Millimetres, square centimetres, percent and degrees with fixed decimals; no clock, no machine facts. The page holds
 //! a model of the garment in 3D and a small viewer (`page/`), and pictures that stand where the viewer cannot run.
 
+mod chinese;
 mod first;
 mod fit;
 mod html;
 mod json;
 mod live;
+mod motion;
+mod places;
 mod stats;
 mod tables;
 mod verdict;
 pub mod viewer;
 mod words;
 
-pub use fit::{Fit, FreeEdge, Level, Measure, Point};
+pub use chinese::FINDINGS as FINDINGS_IN_CHINESE;
+pub use fit::{Fit, FreeEdge, Length, Level, Measure, PieceSize, Point};
 pub use html::html;
 pub use json::json;
 pub use live::model;

@@ -24,7 +24,10 @@ pub fn verdict(garment: &Garment, findings: &[Diagnostic], language: Language) -
         (Some(c), _) if !c.passed => {
             (Some(false), "Not passed.", format!("{}.", reasons(c, garment, language).join("; ")))
         }
-        (_, Some(error)) => (Some(false), "Failed.", error.message.clone()),
+        (_, Some(error)) => {
+            let what = language.finding(&error.code).map(|[what, _]| what);
+            (Some(false), "Failed.", what.unwrap_or(&error.message).to_owned())
+        }
         (Some(c), None) => {
             let allowed = c.limits.get("strain_over_limit").copied().unwrap_or(1.0);
             let [strain, allowed] = [c.strain_over_limit, allowed].map(|x| fixed(100.0 * x, 0));

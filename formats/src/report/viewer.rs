@@ -4,6 +4,7 @@
 //! all (`data-pick`).
 
 use super::words::Language;
+use crate::picture::Field;
 use crate::svg::canvas::escape;
 use serde_json::{Map, Value, json};
 use std::fmt::Write as _;
@@ -11,11 +12,12 @@ use std::fmt::Write as _;
 /// The style of a page with a view.
 pub const STYLE: &str = include_str!("page/page.css");
 
-const SCRIPTS: [&str; 6] = [
+const SCRIPTS: [&str; 7] = [
     include_str!("page/glb.js"),
     include_str!("page/unfold.js"),
     include_str!("page/shaders.js"),
     include_str!("page/threads.js"),
+    include_str!("page/motion.js"),
     include_str!("page/viewer.js"),
     include_str!("page/page.js"),
 ];
@@ -33,6 +35,10 @@ pub struct Figure<'a> {
     pub has_body: bool,
     /// Quantities that can be shown as colours: key and name.
     pub maps: &'a [(&'a str, &'a str)],
+    /// Names of the colourways, that of the garment itself first; empty where there is one only.
+    pub colourways: &'a [&'a str],
+    /// Frames of the motion that can be played.
+    pub frames: usize,
     /// Can a level plane cut the garment?
     pub has_section: bool,
     /// The ends of the slider: the flat pieces and the worn ones.
@@ -65,7 +71,35 @@ pub struct Thread {
     pub ends: [(usize, [f64; 5]); 2],
 }
 
-/// Names, lines, quantities and threads, which a view shows with its model.
+/// A place that a finding names.
+pub struct Mark {
+    /// The name that picks it.
+    pub pick: String,
+    /// Its number; empty where it is seen only when it is picked.
+    pub number: String,
+    /// The piece or line that it is about, by the name that picks it.
+    pub target: Option<String>,
+    /// Its piece, and the point in space and in the flat lay, metres. `None` without a place in space.
+    pub at: Option<(usize, [f64; 5])>,
+}
+
+/// A motion of the pieces: places as whole numbers of steps from a corner.
+pub struct Motion {
+    /// Frames in a second.
+    pub fps: f64,
+    /// Number of frames.
+    pub count: usize,
+    /// The corner, metres.
+    pub low: [f64; 3],
+    /// Length of a step, metres.
+    pub step: f64,
+    /// For each piece all frames, each vertex as three numbers of 16 bits, in base64.
+    pub pieces: Vec<String>,
+    /// Does the body stand where the model shows it?
+    pub body_stands: bool,
+}
+
+/// Names, lines, quantities, threads and marks, which a view shows with its model.
 #[derive(Default)]
 pub struct Scene {
     /// How many pieces there are.
@@ -78,6 +112,14 @@ pub struct Scene {
     pub fields: Vec<Value>,
     /// Threads.
     pub threads: Vec<Thread>,
+    /// Places that findings name.
+    pub marks: Vec<Mark>,
+    /// Colours of all materials in each colourway but the first, linear RGB.
+    pub colourways: Vec<Vec<[f64; 3]>>,
+    /// The motion.
+    pub motion: Option<Motion>,
+    /// The name that is picked when the page opens.
+    pub shown: Option<String>,
 }
 
 /// The beginning of a page, up to its content.
@@ -122,8 +164,23 @@ fn data(scene: &Scene) -> String {
         "seams": scene.lines.iter().map(line).collect::<Vec<_>>(),
         "fields": scene.fields,
     });
+    let end = |(piece, point): &(usize, [f64; 5])| json!([piece, rounded(&[*point])[0]]);
+    if let (false, Some(map)) = (scene.marks.is_empty(), value.as_object_mut()) {
+        let mark =
+            |m: &Mark| json!({ "pick": m.pick, "number": m.number, "target": m.target, "at": m.at.as_ref().map(end) });
+        map.insert("marks".to_owned(), scene.marks.iter().map(mark).collect());
+        map.insert("shown".to_owned(), json!(scene.shown));
+    }
+    if let (false, Some(map)) = (scene.colourways.is_empty(), value.as_object_mut()) {
+        map.insert("colourways".to_owned(), json!(scene.colourways));
+    }
+    if let (Some(m), Some(map)) = (&scene.motion, value.as_object_mut()) {
+        let motion = json!({
+            "fps": m.fps, "count": m.count, "low": m.low, "step": m.step, "pieces": m.pieces, "bodyStands": m.body_stands,
+        });
+        map.insert("motion".to_owned(), motion);
+    }
     if let (false, Some(map)) = (scene.threads.is_empty(), value.as_object_mut()) {
-        let end = |(piece, point): &(usize, [f64; 5])| json!([piece, rounded(&[*point])[0]]);
         let thread = |t: &Thread| json!([t.line, end(&t.ends[0]), end(&t.ends[1])]);
         map.insert("threads".to_owned(), scene.threads.iter().map(thread).collect());
     }
@@ -159,6 +216,12 @@ pub fn figure(out: &mut String, figure: &Figure<'_>, language: Language) {
     if !figure.maps.is_empty() {
         maps(out, figure.maps, language);
     }
+    if !figure.colourways.is_empty() {
+        colourways(out, figure.colourways, language);
+    }
+    if figure.frames > 1 {
+        player(out, figure.frames, language);
+    }
     let [flat, worn] = figure.ways;
     let _ = writeln!(
         out,
@@ -182,14 +245,42 @@ pub fn figure(out: &mut String, figure: &Figure<'_>, language: Language) {
     let _ = write!(out, "<p id=\"picked\" role=\"status\" data-empty=\"{asked}\"></p>\n</figure>\n");
 }
 
+/// The choice of a map, under the headings of what it tells.
 fn maps(out: &mut String, maps: &[(&str, &str)], language: Language) {
     let say = |words: &str| escape(language.say(words));
     let _ =
         write!(out, "<label>{} <select id=\"map\"><option value=\"cloth\">{}</option>", say("colours"), say("cloth"));
-    for (key, name) in maps {
-        let _ = write!(out, "<option value=\"{key}\">{}</option>", say(name));
+    for group in maps.chunk_by(|a, b| Field::heading(a.0) == Field::heading(b.0)) {
+        let heading = group.first().map_or("", |(key, _)| Field::heading(key));
+        let _ = write!(out, "<optgroup label=\"{}\">", say(heading));
+        for (key, name) in group {
+            let _ = write!(out, "<option value=\"{key}\">{}</option>", say(name));
+        }
+        out.push_str("</optgroup>");
     }
     out.push_str("</select></label>\n");
+}
+
+/// The choice of a colourway; the first is that of the garment itself.
+fn colourways(out: &mut String, names: &[&str], language: Language) {
+    let _ = write!(out, "<label>{} <select id=\"colourway\">", escape(language.say("colourway")));
+    for (k, name) in names.iter().enumerate() {
+        let name = if k == 0 { language.say(name) } else { name };
+        let _ = write!(out, "<option value=\"{k}\">{}</option>", escape(name));
+    }
+    out.push_str("</select></label>\n");
+}
+
+/// Plays the motion, or goes to a moment of it.
+fn player(out: &mut String, frames: usize, language: Language) {
+    let [play, pause, moment] = ["play", "pause", "moment of the motion"].map(|words| escape(language.say(words)));
+    let last = frames.saturating_sub(1);
+    let _ = writeln!(
+        out,
+        "<span class=\"player\"><button type=\"button\" id=\"play\" data-play=\"{play}\" data-pause=\"{pause}\">{play}</button>\
+         <input type=\"range\" id=\"moment\" min=\"0\" max=\"{last}\" step=\"any\" value=\"{last}\" aria-label=\"{moment}\">\
+         <output id=\"seconds\"></output></span>"
+    );
 }
 
 fn section(out: &mut String, language: Language) {

@@ -20,7 +20,7 @@ impl Language {
         }
     }
 
-    /// A phrase in this language. English stands for itself, and for what has no translation: names and findings.
+    /// A phrase in this language. English stands for itself, and for what has no translation, such as names.
     #[must_use]
     pub fn say(self, english: &str) -> &str {
         match self {
@@ -39,6 +39,16 @@ impl Language {
                 format!("{}{space}{}", self.measure(words), self.say(last))
             }
             _ => self.say(english).to_owned(),
+        }
+    }
+
+    /// Meaning and remedy of the findings of a code; the remedy may be empty. `None` where the finding's own words say
+    /// it, as in English.
+    #[must_use]
+    pub fn finding(self, code: &str) -> Option<[&'static str; 2]> {
+        match self {
+            Self::English => None,
+            Self::Chinese => super::chinese::of_code(code),
         }
     }
 
@@ -144,6 +154,18 @@ const CATALOGUE: &[(&str, &str)] = &[
     ("strain along weft", "纬向应变"),
     ("distance to the body", "与人体的距离"),
     ("bending", "弯曲"),
+    ("strain along bias", "斜向应变"),
+    ("tension of the cloth", "布料张力"),
+    ("surface strain", "表面应变"),
+    ("gap", "间隙"),
+    ("tension", "张力"),
+    ("wrinkles", "褶皱"),
+    ("cross-section", "截面"),
+    ("colourway", "配色"),
+    ("as sewn", "原色"),
+    ("play", "播放"),
+    ("pause", "暂停"),
+    ("moment of the motion", "动作时刻"),
     ("Points of measure", "测量点"),
     ("measure", "部位"),
     ("expected mm", "目标 mm"),
@@ -181,11 +203,36 @@ const CATALOGUE: &[(&str, &str)] = &[
     ("tape mm", "软尺 mm"),
     ("ease mm", "放松量 mm"),
     ("ease %", "放松量 %"),
-    ("Lengths of the worn garment", "穿着状态的长度"),
+    ("Lengths", "长度"),
     (
-        "Free edges are hems, necklines and openings; their height is a mean.",
-        "自由边指下摆、领口和开口；高度为平均值。",
+        "Sleeves and centre lines: along the straight grain from their highest point, without cuffs and bands. Seams: \
+         the side that is not eased. Free edges are hems, necklines and openings; their height is a mean.",
+        "袖长和中线：从最高点沿直丝缕，不含袖头和腰头。缝线：未归拢的一边。自由边指下摆、领口和开口；高度为平均值。",
     ),
+    ("Pieces, flat and worn", "裁片：平面与穿着"),
+    (
+        "Length along the grain and width across it, through the middle of the piece: what the cloth gives or shrinks \
+         when it is worn.",
+        "通过裁片中点，沿丝缕的长度和垂直丝缕的宽度：穿着时布料的伸缩。",
+    ),
+    ("along mm", "长 mm"),
+    ("across mm", "宽 mm"),
+    ("change mm", "变化 mm"),
+    ("change %", "变化 %"),
+    ("shoulder length", "肩长"),
+    ("sleeve length", "袖长"),
+    ("armhole girth", "袖窿围"),
+    ("sleeve seam", "袖底缝"),
+    ("neckline seam", "领口缝"),
+    ("side seam", "侧缝"),
+    ("inseam", "内裆缝"),
+    ("outseam", "外侧缝"),
+    ("front rise", "前裆"),
+    ("back rise", "后裆"),
+    ("front length", "前中长"),
+    ("back length", "后中长"),
+    ("skirt length front", "前裙长"),
+    ("skirt length back", "后裙长"),
     ("what", "项目"),
     ("length mm", "长度 mm"),
     ("garment, top to bottom", "服装全长"),

@@ -79,6 +79,11 @@ impl Canvas {
         let _ = writeln!(self.body, r#"<g data-pick="{}">"#, escape(pick));
     }
 
+    /// Begins a group of a style that a page can pick by this name.
+    pub fn open_as(&mut self, pick: &str, class: &str) {
+        let _ = writeln!(self.body, r#"<g data-pick="{}" class="{class}">"#, escape(pick));
+    }
+
     /// Ends the group.
     pub fn close(&mut self) {
         self.body.push_str("</g>\n");

@@ -6,6 +6,8 @@ pub mod canvas;
 mod flat;
 mod labels;
 pub(crate) mod pattern;
+mod spots;
 
 pub use flat::{flat_piece, flat_sheet};
 pub use pattern::{pattern, pickable};
+pub use spots::Spot;

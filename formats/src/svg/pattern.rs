@@ -2,6 +2,7 @@
 
 use super::canvas::{Bounds, Canvas, fixed};
 use super::labels::Labels;
+use super::spots::{self, SPOT_STYLE, Spot};
 use toile_garment::dart::{Dart, DartKind};
 use toile_garment::notch::Notch;
 use toile_garment::outline::{OutlineEdge, PieceLine};
@@ -34,17 +35,17 @@ const NAME_PLACES: i32 = 8;
 /// Draws pieces side by side: cut and sew line, numbered edges, darts, notches, grain, drill holes, internal lines.
 #[must_use]
 pub fn pattern(pieces: &[Piece], title: &str) -> String {
-    sheet(pieces, None, title)
+    sheet(pieces, None, &[], title)
 }
 
 /// Draws the pattern of a garment so that pieces, seams and darts can be picked in a page: groups with `data-pick`
-/// `piece:NUMBER` and `seam:NUMBER`.
+/// `piece:NUMBER` and `seam:NUMBER`. Marked places have names of their own.
 #[must_use]
-pub fn pickable(garment: &Garment) -> String {
-    sheet(&garment.pieces, Some(&garment.seams), &garment.style)
+pub fn pickable(garment: &Garment, spots: &[Spot<'_>]) -> String {
+    sheet(&garment.pieces, Some(&garment.seams), spots, &garment.style)
 }
 
-fn sheet(pieces: &[Piece], picks: Option<&[Seam]>, title: &str) -> String {
+fn sheet(pieces: &[Piece], picks: Option<&[Seam]>, spots: &[Spot<'_>], title: &str) -> String {
     let boxes: Vec<Option<Bounds>> = pieces.iter().map(bounds).collect();
     let size = text_size(&boxes);
     let (places, sheet) = shelves(&boxes, 6.0 * size);
@@ -76,12 +77,16 @@ fn sheet(pieces: &[Piece], picks: Option<&[Seam]>, title: &str) -> String {
         }
         canvas.close();
     }
+    let moved = |i: usize, at: Vec2| Some(mm(at) + (places.get(i)?.as_ref()? - boxes.get(i)?.as_ref()?.min));
+    spots::draw(&mut canvas, spots, size, moved);
+    let sheet = spots::room(sheet, spots, size);
     let foot = Vec2::new(sheet.min.x + size, sheet.min.y - 3.5 * size);
     canvas.scale_bar(foot, 0.4 * sheet.size().x, size);
     let at = Vec2::new(sheet.min.x + size, foot.y - 2.4 * size);
     let legend = legend(&mut canvas, at, sheet.size().x, size, picks.is_none());
     let all = Bounds { min: Vec2::new(sheet.min.x, legend), ..sheet };
-    let style = if picks.is_none() { format!("{STYLE}{WAY_STYLE}") } else { format!("{STYLE}{SEAM_STYLE}") };
+    let style =
+        if picks.is_none() { format!("{STYLE}{WAY_STYLE}") } else { format!("{STYLE}{SEAM_STYLE}{SPOT_STYLE}") };
     canvas.finish(all.grown(2.0 * size), title, &style)
 }
 

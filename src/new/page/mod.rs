@@ -74,6 +74,8 @@ fn figure(out: &mut String, source: &Source, proposal: &Proposal, dressed: &Dres
         still: &format!("<div class=\"stills\">{still}</div>"),
         has_body: body.is_some_and(|b| !b.triangles.is_empty()),
         maps: &[],
+        colourways: &[],
+        frames: 0,
         has_section: false,
         ways: ["flat pieces", "on the body"],
         invitation: "Click a piece or a seam, here, in the table or in a drawing. Drag turns the view.",

@@ -14,35 +14,42 @@
   document.body.classList.toggle("live", !!viewer);
 
   const state = { picked: null };
+  // Places that findings name. A mark stands for the piece or seam that it is about, too.
+  const marks = data.marks || [], markOf = (name) => marks.find((m) => m.pick === name);
   function pick(name, from) {
     const found = name && data.names[name] ? name : null;
+    const mark = markOf(found), target = mark ? mark.target : found;
     state.picked = found;
     if (viewer) {
-      viewer.picked = found;
+      viewer.picked = target;
       viewer.draw();
     }
     all(".picked").forEach((e) => e.classList.remove("picked"));
-    const marked = found ? all("[data-pick]").filter((e) => e.dataset.pick === found) : [];
+    const marked = found ? all("[data-pick]").filter((e) => [found, target].includes(e.dataset.pick)) : [];
     marked.forEach((e) => e.classList.add("picked"));
     said.textContent = found ? data.names[found] : said.dataset.empty;
-    const row = marked.find((e) => e.tagName === "TR");
-    if (row && from !== "table") {
+    const row = marked.find((e) => e.tagName === (mark ? "LI" : "TR"));
+    if (row && !["table", "list"].includes(from)) {
       const folded = row.closest("details");
       if (folded) folded.open = true;
     }
     if (row && from === "drawing") row.scrollIntoView({ block: "nearest" });
+    if (viewer) viewer.show(mark, from === "list");
+    else if (mark && from === "list") marked.find((e) => e.closest("svg"))?.scrollIntoView({ block: "nearest" });
   }
 
-  all("[data-pick]").forEach((e) => {
-    const isRow = e.tagName === "TR";
+  const LISTS = { TR: "table", LI: "list" };
+  function listen(e) {
+    const from = LISTS[e.tagName] || "drawing";
     const go = (event) => {
       event.stopPropagation();
-      pick(state.picked === e.dataset.pick ? null : e.dataset.pick, isRow ? "table" : "drawing");
+      pick(state.picked === e.dataset.pick ? null : e.dataset.pick, from);
     };
     e.addEventListener("click", go);
-    const key = isRow ? e.querySelector("button") : null;
+    const key = from === "table" ? e.querySelector("button") : null;
     if (key) key.addEventListener("click", go);
-  });
+  }
+  all("[data-pick]").forEach(listen);
   document.addEventListener("keydown", (e) => {
     if (e.key === "Escape") pick(null);
   });
@@ -60,7 +67,10 @@
     value: (x, y) => (viewer ? viewer.valueAt(x, y) : null),
     section: (height) => (viewer ? viewer.section(height).length : null),
   };
-  if (!viewer) return;
+  if (!viewer) {
+    pick(data.shown || null);
+    return;
+  }
 
   // A tool that a page may have.
   const tool = (selector, event, use) => {
@@ -112,37 +122,86 @@
     viewer.setMap(data.fields.find((f) => f.key === e.target.value) || null);
     show();
   });
+  tool("#colourway", "change", (e) => {
+    viewer.colours = (data.colourways || [])[Number(e.target.value) - 1] || null;
+    viewer.draw();
+  });
+
+  // The motion plays in its own time. The way from the flat pieces begins at rest.
+  const player = one("#play"), slider = one("#moment");
+  let playing = null;
+  const moment = (value) => {
+    viewer.motion.show(value);
+    if (value !== null) slider.value = value;
+    one("#seconds").textContent = value === null ? "" : `${(value / data.motion.fps).toFixed(2)} s`;
+  };
+  const stop = () => {
+    playing = null;
+    if (player) player.textContent = player.dataset.play;
+  };
+  const play = (last) => (now) => {
+    if (!playing) return;
+    const next = Number(slider.value) + ((now - last) / 1000) * data.motion.fps, end = data.motion.count - 1;
+    moment(Math.min(next, end));
+    if (next >= end) stop();
+    else requestAnimationFrame(play(now));
+  };
+  if (viewer.motion) {
+    slider.addEventListener("input", () => { stop(); moment(Number(slider.value)); });
+    player.addEventListener("click", () => {
+      if (playing) return stop();
+      playing = true;
+      player.textContent = player.dataset.pause;
+      viewer.share = 1;
+      one("#worn").value = 100;
+      if (Number(slider.value) >= data.motion.count - 1.001) moment(0);
+      requestAnimationFrame((now) => play(now)(now));
+    });
+  }
   tool("#worn", "input", (e) => {
+    if (viewer.motion && !viewer.atRest()) { stop(); moment(null); }
     viewer.share = Number(e.target.value) / 100;
     if (viewer.share < 0.5 && viewer.view !== "front") viewer.look("front");
     viewer.draw();
   });
   tool("#cut", "input", cut);
 
-  // Places that findings name can be shown.
-  const spot = one("#spot");
-  let shown = null;
-  viewer.painted = (camera) => {
-    spot.hidden = !shown;
-    if (!shown) return;
-    const [x, y] = viewer.onScreen(shown, camera);
-    spot.style.left = `${x / ratio()}px`;
-    spot.style.top = `${y / ratio()}px`;
-  };
-  all(".findings li").forEach((li) => {
-    const found = /\((-?[\d.]+), (-?[\d.]+), (-?[\d.]+)\) mm/.exec(li.textContent);
-    if (!found) return;
-    const button = Object.assign(document.createElement("button"), { type: "button", textContent: one("#spot").dataset.words });
-    button.addEventListener("click", () => {
-      shown = found.slice(1).map((x) => Number(x) / 1000);
-      // From the side on which the place lies, a little from above.
-      const [dx, , dz] = subtract(shown, viewer.worn.middle);
-      viewer.look("front");
-      Object.assign(viewer, { turn: (Math.atan2(dx, dz) * 180) / Math.PI, rise: 15, view: "free" });
-      canvas.scrollIntoView({ block: "nearest" });
-    });
-    li.append(button);
+  // Numbered pins stand on the places, and a ring around the one that is picked.
+  const spot = one("#spot"), stage = canvas.parentElement;
+  const pins = marks.filter((m) => m.at && m.number).map((mark) => {
+    const pin = Object.assign(document.createElement("button"), { type: "button", className: "pin", textContent: mark.number });
+    pin.dataset.pick = mark.pick;
+    pin.title = data.names[mark.pick];
+    listen(pin);
+    stage.append(pin);
+    return [pin, mark];
   });
+  let shown = null;
+  const put = (element, mark, camera) => {
+    const [piece, [x, y, z, u, v]] = mark.at;
+    const now = pose(viewer.model.surfaces[piece].frame, viewer.share, viewer.lay());
+    const [left, top] = viewer.onScreen(posed(now, [x, y, z], [u, v]), camera);
+    element.style.left = `${left / ratio()}px`;
+    element.style.top = `${top / ratio()}px`;
+    const { middle } = viewer.worn, out = [x - middle[0], 0, z - middle[2]];
+    element.classList.toggle("behind", viewer.share > 0.5 && dot(out, camera.toward) < 0);
+  };
+  viewer.painted = (camera) => {
+    pins.forEach(([pin, mark]) => put(pin, mark, camera));
+    spot.hidden = !shown;
+    if (shown) put(spot, shown, camera);
+  };
+  viewer.show = (mark, scroll) => {
+    shown = mark && mark.at ? mark : null;
+    if (shown) {
+      // From the side on which the place lies, a little from above.
+      const [x, , z] = shown.at[1], { middle } = viewer.worn;
+      viewer.look("front");
+      Object.assign(viewer, { turn: (Math.atan2(x - middle[0], z - middle[2]) * 180) / Math.PI, rise: 15, view: "free" });
+      if (scroll) canvas.scrollIntoView({ block: "nearest" });
+    }
+    viewer.draw();
+  };
 
   // Fingers and the mouse: one turns, two or the wheel change the size, with the shift key the garment is moved.
   const held = new Map();
@@ -200,5 +259,5 @@
   });
   new ResizeObserver(() => viewer.draw()).observe(canvas);
   viewer.look("three-quarter");
-  pick(null);
+  pick(data.shown || null);
 })();

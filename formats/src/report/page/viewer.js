@@ -66,6 +66,8 @@ class Viewer {
     this.upload();
     this.seams = data.seams.map((seam) => seam.runs.map((run) => this.strip(...this.points(run))));
     this.threads = data.threads ? new Threads(this, data.threads) : null;
+    this.motion = data.motion ? new Motion(this, data.motion) : null;
+    this.colours = null;
   }
 
   upload() {
@@ -73,11 +75,11 @@ class Viewer {
     for (const s of this.model.surfaces) {
       const open = s.at._OPEN && new Float32Array(s.at._OPEN.length * 2);
       if (open) s.at._OPEN.forEach((x, i) => { open[2 * i] = x; open[2 * i + 1] = s.at._SHUT[i]; });
+      s.buffers = [];
       s.arrays = [this.surface, this.ids].map((p) => {
         const vao = gl.createVertexArray();
         gl.bindVertexArray(vao);
-        attribute(gl, p, "position", s.at.POSITION, 3);
-        attribute(gl, p, "normal", s.at.NORMAL, 3);
+        s.buffers.push([attribute(gl, p, "position", s.at.POSITION, 3), attribute(gl, p, "normal", s.at.NORMAL, 3)]);
         attribute(gl, p, "flat_", s.at._FLAT, 2);
         attribute(gl, p, "uv", s.at.TEXCOORD_0, 2);
         attribute(gl, p, "open", open, 2);
@@ -102,6 +104,19 @@ class Viewer {
       });
     }
   }
+
+  // Vertices of a surface have moved.
+  move(s) {
+    const gl = this.gl, data = [s.at.POSITION, s.at.NORMAL];
+    for (const [k, buffer] of s.buffers.flatMap((both) => [...both.entries()])) {
+      if (!buffer) continue;
+      gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
+      gl.bufferSubData(gl.ARRAY_BUFFER, 0, data[k]);
+    }
+  }
+
+  // Is the garment at rest? Seams and frames of pieces are known there only.
+  atRest() { return !this.motion || this.motion.moment === null; }
 
   // A run is vertices of a piece, or points of it: its piece, and each point worn and flat.
   points(run) {
@@ -171,7 +186,7 @@ class Viewer {
       -dot(right) * sx + dx, -dot(up) * sy + dy, dot(toward) * sz, 1,
     ];
     const turn = [right[0], up[0], toward[0], right[1], up[1], toward[1], right[2], up[2], toward[2]];
-    return { matrix, turn, right, up, scale };
+    return { matrix, turn, right, up, toward, scale };
   }
 
   draw() {
@@ -215,10 +230,11 @@ class Viewer {
     this.common(p, camera);
     for (const s of this.model.surfaces) {
       const isBody = s === this.body;
-      if (isBody && (!this.withBody || this.share < 0.97)) continue;
+      if (isBody && !this.showsBody()) continue;
       const material = this.model.materials[s.material];
+      const own = this.colours && this.colours[s.material];
       const mapped = !isBody && !!this.map;
-      gl.uniform4fv(p.at.colour, isBody ? [0.6, 0.56, 0.52, 1] : material.colour);
+      gl.uniform4fv(p.at.colour, isBody ? [0.6, 0.56, 0.52, 1] : own ? [...own, 1] : material.colour);
       gl.uniform1i(p.at.isCloth, !isBody);
       gl.uniform1i(p.at.mapped, mapped);
       gl.uniform1i(p.at.textured, !isBody && !mapped && !!material.texture);
@@ -240,6 +256,12 @@ class Viewer {
     if (this.painted) this.painted(camera);
   }
 
+  // The body stands beside the worn garment only, and in a motion only where it does not move itself.
+  showsBody() {
+    const stands = this.atRest() || this.motion.told.bodyStands;
+    return this.withBody && this.share >= 0.97 && stands;
+  }
+
   mesh(s, which) {
     this.gl.bindVertexArray(s.arrays[which]);
     this.gl.drawElements(this.gl.TRIANGLES, s.indices.length, s.type, 0);
@@ -252,7 +274,7 @@ class Viewer {
     gl.uniform2f(p.at.size, this.canvas.width, this.canvas.height);
     gl.enable(gl.BLEND);
     gl.blendFuncSeparate(gl.SRC_ALPHA, gl.ONE_MINUS_SRC_ALPHA, gl.ONE, gl.ONE_MINUS_SRC_ALPHA);
-    this.seams.forEach((seam, k) => {
+    (this.atRest() ? this.seams : []).forEach((seam, k) => {
       const isPicked = this.picked === "seam:" + k;
       const own = this.data.seams[k].colour, thin = Math.max(1.2, 0.0022 * camera.scale) * (own ? 3 : 1);
       gl.uniform4fv(p.at.colour, own ? [...own, 1] : isPicked ? [0.91, 0.35, 0.05, 1] : [0, 0, 0, 0.4]);
@@ -274,7 +296,7 @@ class Viewer {
     if (piece === null) return null;
     const camera = this.camera(), near = (7 * this.canvas.width) / this.canvas.clientWidth;
     let best = [near, null];
-    this.seams.forEach((seam, k) => {
+    (this.atRest() ? this.seams : []).forEach((seam, k) => {
       for (const run of seam.filter((r) => r.piece === piece)) {
         const now = pose(this.model.surfaces[piece].frame, this.share, this.lay());
         const at = run.points.map(([worn, flat]) => this.onScreen(posed(now, worn, flat), camera));
@@ -340,7 +362,7 @@ class Viewer {
     this.common(p, this.camera());
     this.model.surfaces.forEach((s, k) => {
       const isBody = s === this.body;
-      if (isBody && (!this.withBody || this.share < 0.97)) return;
+      if (isBody && !this.showsBody()) return;
       const number = isBody ? 0 : k + 1;
       gl.uniform4f(p.at.colour, (number & 255) / 255, (number >> 8) / 255, 0, 1);
       this.pose(p, s);
@@ -376,6 +398,9 @@ class Viewer {
     const length = cloth.reduce((sum, [a, b]) => sum + Math.hypot(b[0] - a[0], b[1] - a[1]), 0);
     return { cloth, body: this.body ? cutOf(this.body) : [], length };
   }
+
+  // A page may mark places.
+  show() {}
 
   look(view) {
     [this.turn, this.rise] = VIEWS[view];
