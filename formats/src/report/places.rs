@@ -103,6 +103,11 @@ fn place(garment: &Garment, message: &str) -> Option<Place> {
         }
         _ => {}
     }
+    // A point says more than the outline of a whole piece.
+    if !place.points.is_empty() {
+        let whole = |t: &&Thing| !matches!(t, Thing::Piece(_));
+        place.lines = things.iter().filter(whole).flat_map(|t| t.lines(garment)).collect();
+    }
     if place.points.is_empty() {
         place.points = place.lines.iter().filter_map(|(p, line)| Some((*p, middle(line)?))).collect();
     }
@@ -218,6 +223,13 @@ fn thing(garment: &Garment, before: &str, name: &str, last: Option<usize>) -> Op
     match word.trim_end_matches('s') {
         "seam" => seam(garment, name),
         "edge" => edge(),
+        // A fold is named by its piece and by the pleat that it belongs to, with a number.
+        "fold" => {
+            let (piece, fold) = name.rsplit_once(' ')?;
+            let piece = piece_named(garment, piece)?;
+            let pleat = fold.rsplit_once('-').and_then(|(pleat, _)| dart(garment, (Some(piece), pleat)));
+            Some(pleat.unwrap_or(Thing::Piece(piece)))
+        }
         "dart" => dart(garment, in_piece().map_or((last, name), |(p, inner)| (Some(p), inner))),
         "of" => {
             let number = words.next().and_then(|n| n.parse::<u32>().ok());
@@ -390,6 +402,7 @@ mod tests {
             assert_eq!(edge.lines, [(0, vec![Vec2::new(0.2, 0.1), Vec2::new(0.0, 0.1)])], "{words}");
             assert_eq!(edge.points, [(0, Vec2::new(0.1, 0.1))], "{words}");
         }
+        assert_eq!(of("fold `FRONT pleat-1-2`: it lies open").expect("place").target.as_deref(), Some("piece:0"));
         let piece = of("nothing says where piece `BACK` starts in 3D").expect("place");
         assert_eq!((piece.lines[0].1.len(), piece.points), (5, vec![(1, Vec2::new(0.1, 0.05))]));
     }
