@@ -3,14 +3,19 @@
 use super::args::NewArgs;
 use super::console::Console;
 use crate::engine::{Exit, clean, unwritten};
-use crate::new::{Body, Earlier, Fabric, Folder, New, Order, Sample, Wishes, from_pattern, read};
+use crate::new::{
+    Body, Earlier, FABRIC_CHOSEN, Fabric, Folder, New, Order, Sample, Source, Wishes, from_pattern, read,
+};
 use crate::progress::Spinner;
+use toile_garment::text::shown;
 use toile_garment::{Diagnostic, Severity};
 
 /// Size of the body, where none is asked for.
 const SIZE: &str = "38";
 /// Fabric, where none is asked for.
 const FABRIC: &str = "cotton-shirting";
+/// Fabric of a pattern with ribs.
+const KNIT: &str = "cotton-jersey";
 
 pub(super) fn run(args: &NewArgs, console: &mut Console<'_>) -> Exit {
     let body = Body::of(args.body.as_deref().unwrap_or(SIZE));
@@ -33,7 +38,7 @@ pub(super) fn run(args: &NewArgs, console: &mut Console<'_>) -> Exit {
     };
     let told: Vec<Diagnostic> = source.findings.iter().filter(|f| f.severity != Severity::Info).cloned().collect();
     console.findings(&told, None);
-    let fabric = Fabric::of(args.fabric.as_deref().unwrap_or(FABRIC));
+    let fabric = fabric(args, &source, console);
     let own = earlier.as_ref().filter(|_| args.body.is_none()).and_then(|e| e.body.clone());
     let order = Order {
         source: &source,
@@ -57,6 +62,18 @@ pub(super) fn run(args: &NewArgs, console: &mut Console<'_>) -> Exit {
         }
         Err(findings) => refuse(&findings, Exit::Usage, console),
     }
+}
+
+/// The fabric that was asked for, else one that suits the pattern.
+fn fabric(args: &NewArgs, source: &Source, console: &mut Console<'_>) -> Fabric {
+    let rib = source.rib().filter(|_| args.fabric.is_none());
+    if let Some(rib) = rib {
+        let name = shown(&rib.name, &[]);
+        let message = format!("piece {name} is cut of a rib, so the garment is a knit: {KNIT} was chosen");
+        let finding = Diagnostic::info(FABRIC_CHOSEN, message).hint("--fabric NAME or --fabric FILE takes another one");
+        console.findings(&[finding], None);
+    }
+    Fabric::of(args.fabric.as_deref().unwrap_or(if rib.is_some() { KNIT } else { FABRIC }))
 }
 
 fn refuse(findings: &[Diagnostic], exit: Exit, console: &mut Console<'_>) -> Exit {

@@ -23,6 +23,10 @@ codes! {
     /// A part of a body is not seen on its mesh, so it was put where it usually is. A line in the side file says otherwise.
     BODY_PART_USUAL = "body-part-usual";
 
+    /// No fabric was asked for, and a piece of the pattern is cut of a rib. Garments with ribs are knits, so a knit was
+    /// chosen. --fabric takes another one.
+    FABRIC_CHOSEN = "fabric-chosen";
+
     /// `toile new` knows no fabric of this name, and there is no such file. The hint lists the fabrics that come with
     /// the program. Exit code 2.
     FABRIC_NOT_KNOWN = "fabric-not-known";

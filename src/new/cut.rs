@@ -1,5 +1,7 @@
 //! Which pieces of a pattern are sewn, and which are cut twice.
 
+use super::alternatives::{Known, count_told, drawn_over, is_under_layer};
+use toile_garment::piece::Quantity;
 use toile_garment::sewing::{CopySpec, SewingPlan};
 use toile_garment::{Garment, Piece};
 use toile_stages::proposal::own_images;
@@ -8,36 +10,70 @@ use toile_stages::roles::{Part, Role, roles_of_names};
 /// Areas of a piece and its counterpart differ by less, as a share.
 const COUNTERPART: f64 = 0.03;
 
+/// What a pattern tells of its pieces.
+#[derive(Debug, Default)]
+pub struct Cut {
+    /// Copies, and pieces that are left out.
+    pub plan: SewingPlan,
+    /// Those of them whose quantity is 0.
+    pub not_cut: Vec<String>,
+    /// Those of them for which another piece stands.
+    pub stood_for: Vec<String>,
+}
+
 /// Copies and pieces that are left out, as the pattern tells them. `more` are pieces that a person leaves out.
 ///
-/// Interlinings are fused to other pieces. A piece with the quantity 0 is not cut: it is an alternative, or only helps to
-/// draw another one.
-pub fn plan(garment: &Garment, more: &[String]) -> SewingPlan {
+/// Interlinings are fused to other pieces, and a lower collar lies under the upper one. A piece with the quantity 0 is
+/// not cut: it is an alternative, or only helps to draw another one. Where all quantities are 0 the file is a kit, and
+/// annotations tell them.
+pub fn plan(garment: &Garment, more: &[String]) -> Cut {
     let roles = roles_of_names(&garment.pieces);
-    let is_any_cut = garment.pieces.iter().any(is_cut);
+    let is_any_cut = garment.pieces.iter().any(|p| cut(p) != Quantity { plain: 0, mirrored: 0 });
+    let counts = |p: &Piece| if is_any_cut { cut(p) } else { told(p) };
     let is_left_out = |p: &Piece| {
         let is_fused = roles[p.id.index()].part == Some(Part::Interlining);
-        is_fused || (is_any_cut && !is_cut(p)) || more.contains(&p.name)
+        is_fused || counts(p).plain + counts(p).mirrored == 0 || more.contains(&p.name)
     };
     let (left_out, sewn): (Vec<&Piece>, Vec<&Piece>) = garment.pieces.iter().partition(|p| is_left_out(p));
+    let is_not_cut = |p: &&&Piece| counts(p).plain + counts(p).mirrored == 0;
+    let not_cut = left_out.iter().filter(is_not_cut).map(|p| p.name.clone()).collect();
     let mut leave_out: Vec<String> = left_out.iter().map(|p| p.name.clone()).collect();
     // A name that is not in the pattern is told later, where the plan is applied.
     leave_out.extend(more.iter().filter(|name| garment.pieces.iter().all(|p| p.name != **name)).cloned());
     let own = own_images(garment);
-    let is_double = |p: &&&Piece| is_pair(p, own[p.id.index()]) || is_half_of_pair(p, &sewn, &roles);
-    let copies = sewn.iter().filter(is_double).map(|p| mirrored(p)).collect();
-    SewingPlan { copies, leave_out, ..SewingPlan::default() }
+    let is_double = |p: &&&Piece| {
+        let (role, is_own) = (&roles[p.id.index()], own[p.id.index()]);
+        is_pair(counts(p), role, is_own) || is_half_of_pair(p, &sewn, &roles)
+    };
+    let known = sewn.iter().map(|p| {
+        let (role, is_own_image) = (&roles[p.id.index()], own[p.id.index()]);
+        Known { piece: p, role, is_double: is_double(&p), is_own_image }
+    });
+    let known: Vec<Known<'_>> = known.collect();
+    let (layers, known): (Vec<_>, Vec<_>) = known.iter().copied().partition(|k| is_under_layer(k, &known));
+    let others = drawn_over(&known);
+    let stood_for: Vec<String> = layers.iter().map(|k| k.piece.name.clone()).chain(others.iter().cloned()).collect();
+    let kept = known.iter().filter(|k| k.is_double && !others.contains(&k.piece.name));
+    let copies = kept.map(|k| mirrored(k.piece)).collect();
+    leave_out.extend(stood_for.iter().cloned());
+    Cut { plan: SewingPlan { copies, leave_out, ..SewingPlan::default() }, not_cut, stood_for }
 }
 
-fn is_cut(piece: &Piece) -> bool {
-    piece.quantity.plain + piece.quantity.mirrored > 0
+fn cut(piece: &Piece) -> Quantity {
+    piece.quantity
 }
 
-/// Is a piece cut once as drawn and once turned over? A count of two alone means so only where the piece is not its own
-/// mirror image.
-fn is_pair(piece: &Piece, is_own_image: bool) -> bool {
-    let both = piece.quantity.plain > 0 && piece.quantity.mirrored > 0;
-    both || (piece.quantity.plain == 2 && !is_own_image)
+/// The quantity that an annotation tells, else 1.
+fn told(piece: &Piece) -> Quantity {
+    Quantity { plain: count_told(piece).unwrap_or(1), mirrored: 0 }
+}
+
+/// Is a piece cut once as drawn and once turned over? A count of two alone means so where the piece is not its own
+/// mirror image, or lies on an arm or a leg. Two collars are two layers.
+fn is_pair(counts: Quantity, role: &Role, is_own_image: bool) -> bool {
+    let both = counts.plain > 0 && counts.mirrored > 0;
+    let is_on_limb = matches!(role.part, Some(Part::Sleeve | Part::Leg | Part::Cuff)) && role.lateral.is_none();
+    both || (counts.plain == 2 && (!is_own_image || is_on_limb))
 }
 
 /// Is a piece of an arm or a leg drawn alone, without its counterpart on the other side?
@@ -61,8 +97,8 @@ fn mirrored(piece: &Piece) -> CopySpec {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use toile_garment::outline::OutlineEdge;
     use toile_garment::outline::{LinePoint, PieceLine, PointKind};
-    use toile_garment::piece::Quantity;
     use toile_garment::{PieceId, Vec2};
 
     fn piece(id: usize, name: &str, width: f64, plain: u32) -> Piece {
@@ -74,7 +110,7 @@ mod tests {
     }
 
     fn plan_of(pieces: Vec<Piece>) -> (Vec<String>, Vec<String>) {
-        let plan = plan(&Garment { pieces, ..Garment::default() }, &[]);
+        let plan = plan(&Garment { pieces, ..Garment::default() }, &[]).plan;
         (plan.copies.iter().map(|c| c.name.clone()).collect(), plan.leave_out)
     }
 
@@ -86,6 +122,54 @@ mod tests {
         // Two sleeves of one size are the left and the right one.
         assert!(with(vec![piece(2, "sleeve", 0.4, 1), piece(3, "sleeve 1", 0.4, 1)]).is_empty());
         assert!(with(vec![piece(2, "left sleeve", 0.4, 1)]).is_empty());
+    }
+
+    /// A piece whose edges run from corner to corner, mm, with the annotation of a kit.
+    fn drawn(id: usize, name: &str, corners: &[(f64, f64)], told: &str) -> Piece {
+        let corner = |(x, y): &(f64, f64)| LinePoint { at: Vec2::new(*x, *y) * 1e-3, kind: PointKind::Turn };
+        let points: Vec<LinePoint> = corners.iter().map(corner).collect();
+        let n = corners.len() as u32;
+        let edges = (0..n).map(|k| OutlineEdge { index: k, from: k, to: (k + 1) % n, name: None }).collect();
+        let outline = PieceLine { points, closed: true, ..PieceLine::default() };
+        let annotation = Some(told.to_owned());
+        let quantity = Quantity { plain: 0, mirrored: 0 };
+        Piece { id: PieceId::from(id), name: name.to_owned(), outline, edges, annotation, quantity, ..Piece::default() }
+    }
+
+    /// A sleeve with a hem at a height, mm. Its cap is the same for all.
+    fn sleeve(id: usize, name: &str, hem: f64) -> Piece {
+        let cap = [(200.0, 0.0), (150.0, 60.0), (90.0, 110.0), (40.0, 80.0), (-10.0, 40.0), (-180.0, 0.0)];
+        let hem = [(-150.0, hem), (160.0, hem)];
+        drawn(id, name, &[&cap[..], &hem[..]].concat(), "2X FABRIC")
+    }
+
+    #[test]
+    fn of_a_kit_one_of_the_pieces_that_are_drawn_over_each_other_is_sewn() {
+        let kit = || vec![sleeve(0, "short sleeve", -200.0), sleeve(1, "long sleeve", -600.0)];
+        assert_eq!(plan_of(kit()), (vec!["short sleeve-M".to_owned()], vec!["long sleeve".to_owned()]));
+        // A front and a back of nearly one shape are both sewn.
+        let named = |piece: Piece, name: &str| Piece { name: name.to_owned(), ..piece };
+        let [front, back] = [named(sleeve(0, "", -400.0), "front"), named(sleeve(1, "", -401.0), "back")];
+        assert!(plan_of(vec![front, back]).1.is_empty());
+    }
+
+    #[test]
+    fn quantities_of_a_kit_stand_in_its_annotations_and_cuffs_are_cut_for_both_arms() {
+        let band = [(0.0, 0.0), (220.0, 0.0), (220.0, 60.0), (0.0, 60.0)];
+        let of = |name: &str, told: &str| plan_of(vec![drawn(0, name, &band, told)]).0;
+        assert_eq!(of("cuff", "2XRIB"), ["cuff-M"]);
+        assert_eq!(of("cuff", "10 X 2"), ["cuff-M"]);
+        // One band of each cuts one, and two collars are two layers.
+        assert!(of("cuff", "1XRIB").is_empty() && of("collar", "2X FABRIC").is_empty());
+    }
+
+    #[test]
+    fn a_lower_collar_lies_under_the_upper_one() {
+        let band = |width: f64| [(0.0, 0.0), (width, 0.0), (width, 60.0), (0.0, 60.0)];
+        let upper = drawn(0, "upper collar", &band(400.0), "1X");
+        let lower = drawn(1, "lower collar", &band(396.0), "1X");
+        assert_eq!(plan_of(vec![upper, lower.clone()]).1, ["lower collar"]);
+        assert!(plan_of(vec![Piece { id: PieceId::from(0), ..lower }]).1.is_empty());
     }
 
     #[test]

@@ -2,6 +2,7 @@
 //!
 //! Nothing that lies in the folder already is changed.
 
+mod alternatives;
 pub(crate) mod codes;
 mod cut;
 mod document;
@@ -18,10 +19,10 @@ mod stand;
 mod stock;
 mod unsewn;
 
-pub(crate) use codes::BODY_NOT_STANDING;
+pub(crate) use codes::{BODY_NOT_STANDING, FABRIC_CHOSEN};
 pub use earlier::Earlier;
 pub use folder::{Folder, Made};
-pub use pattern::{Source, Wishes, read};
+pub use pattern::{Source, Why, Wishes, read};
 pub use samples::{SAMPLES, Sample};
 pub(crate) use stand::{told, upright};
 pub(crate) use stock::no_size;
@@ -30,8 +31,9 @@ pub use stock::{Body, Fabric};
 use stock::Opened;
 
 use serde_json::Value;
-use toile_garment::Diagnostic;
-use toile_stages::proposal::{Known, Nameless, Names, Proposal, RoleNames, propose};
+use toile_garment::{Diagnostic, Piece};
+use toile_stages::proposal::{Known, Nameless, Names, Proposal, RoleNames, own_images, propose};
+use toile_stages::roles::{Role, roles_of_names};
 
 /// The wishes of a person.
 #[derive(Debug)]
@@ -71,6 +73,34 @@ fn proposed(source: &Source, is_anonymous: bool, known: &Known) -> Result<Propos
     propose(&source.garment, names.as_ref(), known)
 }
 
+/// A pattern of whose collars and hoods one is sewn: the one that fits the neckline of the garment without them.
+fn with_one_collar(order: &Order<'_>) -> Result<Source, Vec<Diagnostic>> {
+    let source = order.source;
+    let pieces = &source.garment.pieces;
+    let (roles, own) = (roles_of_names(pieces), own_images(&source.garment));
+    let is_sewn = |p: &&Piece| !source.garment.plan.leave_out.contains(&p.name);
+    let known = |p| known(source, p, &roles, &own);
+    let known: Vec<alternatives::Known<'_>> = pieces.iter().filter(is_sewn).map(known).collect();
+    let necks = alternatives::of_neck(&known);
+    if necks.is_empty() {
+        return Ok(source.clone());
+    }
+    let names = |keep: Option<usize>| -> Vec<String> {
+        let others = necks.iter().enumerate().filter(|(k, _)| Some(*k) != keep);
+        others.map(|(_, k)| k.piece.name.clone()).collect()
+    };
+    let bare = proposed(&source.without(&names(None), Why::StandsFor), order.is_anonymous, &Known::default())?;
+    let best = alternatives::best_at_neck(&necks, &bare);
+    Ok(source.without(&names(Some(best)), Why::StandsFor))
+}
+
+/// A piece with what names and copies say of it.
+fn known<'a>(source: &Source, piece: &'a Piece, roles: &'a [Role], own: &[bool]) -> alternatives::Known<'a> {
+    let at = piece.id.index();
+    let is_double = source.copies.iter().any(|c| c.piece == piece.name || c.name == piece.name);
+    alternatives::Known { piece, role: &roles[at], is_double, is_own_image: own[at] }
+}
+
 /// A pattern on its body.
 struct Worn {
     body: Body,
@@ -107,11 +137,12 @@ fn worn(order: &Order<'_>, source: &Source, proposal: &Proposal) -> Result<Worn,
 /// The pattern cannot be sewn, or the body or fabric is not there.
 pub fn from_pattern(order: &Order<'_>) -> Result<New, Vec<Diagnostic>> {
     let known = order.earlier.map(|e| e.decisions(order.source)).transpose()?.unwrap_or_default();
-    let mut proposal = proposed(order.source, order.is_anonymous, &known)?;
-    let mut source = order.source.clone();
+    let mut source =
+        if order.earlier.is_none() && !order.is_anonymous { with_one_collar(order)? } else { order.source.clone() };
+    let mut proposal = proposed(&source, order.is_anonymous, &known)?;
     while order.earlier.is_none() && !proposal.seams.is_empty() {
         let [alone, doubtful] = unsewn::unsewn(&source, &proposal, order.is_anonymous);
-        source = source.without(&[&alone[..], &doubtful[..]].concat());
+        source = source.without(&[&alone[..], &doubtful[..]].concat(), Why::NoSureSeam);
         if doubtful.is_empty() {
             break;
         }

@@ -1,5 +1,6 @@
 //! The pattern that a folder is made from.
 
+use super::alternatives::is_rib;
 use super::codes::PATTERN_TINY;
 use super::cut;
 use crate::engine::{MAX_INPUT, of_file_error, of_stage_error, read_limited};
@@ -19,6 +20,15 @@ pub struct Wishes {
     pub unit: Option<FileUnit>,
 }
 
+/// Why a piece is left out.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Why {
+    /// No sure seam was found for it.
+    NoSureSeam,
+    /// Another piece stands for it.
+    StandsFor,
+}
+
 /// A pattern as it was read.
 #[derive(Clone, Debug)]
 pub struct Source {
@@ -36,6 +46,10 @@ pub struct Source {
     pub left_out: Vec<String>,
     /// Those of them for which no sure seam was found.
     pub without_seam: Vec<String>,
+    /// Those of them that the pattern's own quantity does not count.
+    pub not_cut: Vec<String>,
+    /// Those of them for which another piece stands.
+    pub stood_for: Vec<String>,
     /// The unit of the coordinates, where a person gave it.
     pub unit: Option<FileUnit>,
     /// Findings of the reader.
@@ -43,9 +57,9 @@ pub struct Source {
 }
 
 impl Source {
-    /// The same pattern, without pieces for which no sure seam was found.
+    /// The same pattern, without some pieces.
     #[must_use]
-    pub fn without(&self, names: &[String]) -> Self {
+    pub fn without(&self, names: &[String], why: Why) -> Self {
         let mut out = self.clone();
         let is_copy = |name: &String| self.copies.iter().any(|c| c.name == *name);
         let drawn: Vec<String> = names.iter().filter(|n| !is_copy(n)).cloned().collect();
@@ -55,7 +69,10 @@ impl Source {
         out.garment.plan.leave_out.extend(drawn.iter().cloned());
         out.copies.retain(|c| !is_out(c));
         out.left_out.extend(drawn.iter().cloned());
-        out.without_seam.extend(drawn);
+        match why {
+            Why::NoSureSeam => out.without_seam.extend(drawn),
+            Why::StandsFor => out.stood_for.extend(drawn),
+        }
         out
     }
 
@@ -68,6 +85,12 @@ impl Source {
             None => (instance == 0).then_some((i, false)),
             Some(copy) => (instance > 0).then_some((i, copy.mirror)),
         })
+    }
+
+    /// A piece that is cut of a rib: its cloth is a knit, and so is what it is sewn to.
+    #[must_use]
+    pub fn rib(&self) -> Option<&Piece> {
+        self.garment.pieces.iter().find(|p| is_rib(p))
     }
 
     /// Name of the pattern in the folder.
@@ -100,13 +123,26 @@ pub fn read(path: &Path, plan: Option<SewingPlan>, wishes: &Wishes) -> Result<So
     }
     let mut findings = pattern.told_findings();
     findings.extend(more);
-    let plan = plan.unwrap_or_else(|| cut::plan(&garment, &wishes.leave_out));
+    let cut = plan.is_none().then(|| cut::plan(&garment, &wishes.leave_out)).unwrap_or_default();
+    let plan = plan.unwrap_or(cut.plan);
     let (copies, left_out) = (plan.copies.clone(), plan.leave_out.clone());
     let mut report = Report::default();
     toile_stages::sewing::apply(&mut garment, plan, &mut report).map_err(|e| of_stage_error(e).0)?;
     findings.extend(report.findings);
     let rules = beside.map(|(_, bytes)| (format!("{stem}.rul"), bytes));
-    Ok(Source { stem, bytes, rules, garment, copies, left_out, without_seam: Vec::new(), unit: wishes.unit, findings })
+    Ok(Source {
+        stem,
+        bytes,
+        rules,
+        garment,
+        copies,
+        left_out,
+        without_seam: Vec::new(),
+        not_cut: cut.not_cut,
+        stood_for: cut.stood_for,
+        unit: wishes.unit,
+        findings,
+    })
 }
 
 /// The largest piece of a garment is larger, m. The mitten of a baby measures 0.1 m.

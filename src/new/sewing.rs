@@ -71,7 +71,7 @@ fn head(source: &Source) -> String {
         format!(
             "\n# These pieces are not sewn: interlinings, pieces with the quantity 0, and alternatives.\n{}\
              leave_out = [{}]\n",
-            without_seam(source),
+            reasons(source),
             list.join(", ")
         )
     };
@@ -82,15 +82,19 @@ fn head(source: &Source) -> String {
     )
 }
 
-/// The pieces for which no sure seam was found, as a comment.
-fn without_seam(source: &Source) -> String {
-    match source.without_seam.as_slice() {
+/// The pieces that are left out, as comments by reason.
+fn reasons(source: &Source) -> String {
+    let line = |names: &[String], before: &str, after: &str| match names {
         [] => String::new(),
-        names => format!(
-            "# No sure seam was found for {}. Take what you want sewn out of the list, and write its seams.\n",
-            shown(&names.join(", "), &[])
-        ),
-    }
+        names => format!("# {before} {}. {after}\n", shown(&names.join(", "), &[])),
+    };
+    let take = "Take what you want sewn out of the list, and write its seams.";
+    [
+        line(&source.not_cut, "The quantity is 0 of", "Take one out of the list to have it sewn."),
+        line(&source.stood_for, "Another piece stands for", "To sew one of these, exchange the two in the list."),
+        line(&source.without_seam, "No sure seam was found for", take),
+    ]
+    .concat()
 }
 
 /// One seam.

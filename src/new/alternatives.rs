@@ -1,0 +1,165 @@
+//! Pieces that stand for each other: a long and a short sleeve, three hoods, two neckbands.
+//!
+//! A kit holds more pieces than one garment has. Two pieces of one kind that share a part of their outlines are drawn
+//! over one another, and one of them is sewn. A neck takes one collar or one hood.
+
+use toile_garment::{Piece, Vec2};
+use toile_stages::proposal::Proposal;
+use toile_stages::roles::{Facing, Part, Role};
+
+/// Edges and their chords differ by no more in two such pieces, metres.
+const SAME_EDGE: f64 = 2e-3;
+/// So many edges in a row are the same at least, with the share of the shorter outline that they make.
+const SHARED: [(usize, f64); 2] = [(4, 0.25), (2, 0.45)];
+/// Two outlines that share more are of one shape.
+const SAME_SHAPE: f64 = 0.97;
+/// Length of a rib over that of the neckline that it is stretched on.
+const RIB: f64 = 0.88;
+/// Two openings that differ by less are a pair, such as two armholes: metres.
+const PAIR_OF_OPENINGS: f64 = 3e-3;
+
+/// A piece of a garment, with what is known of it.
+#[derive(Clone, Copy)]
+pub struct Known<'a> {
+    /// The piece.
+    pub piece: &'a Piece,
+    /// Its role, as its name tells it.
+    pub role: &'a Role,
+    /// Is it cut for both sides?
+    pub is_double: bool,
+    /// Is it its own mirror image?
+    pub is_own_image: bool,
+}
+
+/// Names of the pieces that an earlier one stands for.
+pub fn drawn_over(pieces: &[Known<'_>]) -> Vec<String> {
+    let mut kept: Vec<Known<'_>> = Vec::new();
+    let mut out = Vec::new();
+    for piece in pieces {
+        if kept.iter().any(|k| stands_for(k, piece)) {
+            out.push(piece.piece.name.clone());
+        } else {
+            kept.push(*piece);
+        }
+    }
+    out
+}
+
+/// Does one piece stand for another one? Two of one shape that are cut once each are a left and a right one.
+fn stands_for(a: &Known<'_>, b: &Known<'_>) -> bool {
+    let part = a.role.part.or(b.role.part);
+    let is_one_of = matches!(part, Some(Part::Sleeve | Part::Leg | Part::Hood | Part::Collar | Part::Bodice));
+    let are_alike = [a, b].iter().all(|k| k.role.part.is_none() || k.role.part == part);
+    let is_told = part != Some(Part::Bodice) || a.role.facing.is_some();
+    if !is_one_of || !are_alike || !is_told || a.role.facing != b.role.facing || a.role.lateral != b.role.lateral {
+        return false;
+    }
+    let (count, share) = shared(a.piece, b.piece);
+    let is_same = share > SAME_SHAPE;
+    SHARED.iter().any(|(edges, least)| count >= *edges && share >= *least) && (!is_same || a.is_double && b.is_double)
+}
+
+/// Length and chord of every edge, counter-clockwise.
+fn edges(piece: &Piece) -> Vec<[f64; 2]> {
+    let points = piece.outline.positions();
+    let n = points.len();
+    let walk = |from: usize, to: usize| (0..=(to + n - from - 1) % n + 1).map(move |k| (from + k) % n);
+    let edge = |from: usize, to: usize| {
+        let points: Vec<Vec2> = walk(from, to).filter_map(|k| points.get(k).copied()).collect();
+        let length = points.windows(2).map(|w| (w[1] - w[0]).norm()).sum();
+        let chord = points.first().zip(points.last()).map_or(0.0, |(a, b)| (b - a).norm());
+        [length, chord]
+    };
+    let inside = |k: u32| (k as usize) < n;
+    piece
+        .edges
+        .iter()
+        .filter(|e| inside(e.from) && inside(e.to))
+        .map(|e| edge(e.from as usize, e.to as usize))
+        .collect()
+}
+
+/// The longest row of edges that two pieces share in the same order: their number, and their share of the shorter outline.
+fn shared(a: &Piece, b: &Piece) -> (usize, f64) {
+    let (p, q) = (edges(a), edges(b));
+    let length = |e: &[[f64; 2]]| e.iter().map(|[length, _]| length).sum::<f64>();
+    let is_same = |x: [f64; 2], y: [f64; 2]| x.iter().zip(y).all(|(x, y)| (x - y).abs() < SAME_EDGE);
+    let (n, m) = (p.len(), q.len());
+    let row = |i: usize, j: usize| (0..n.min(m)).take_while(|k| is_same(p[(i + k) % n], q[(j + k) % m])).count();
+    let rows = (0..n).flat_map(|i| (0..m).map(move |j| (i, j))).map(|(i, j)| (i, row(i, j)));
+    let sums = rows.map(|(i, count)| (count, (0..count).map(|k| p[(i + k) % n][0]).sum::<f64>()));
+    let (count, sum) = sums.max_by(|x, y| x.1.total_cmp(&y.1)).unwrap_or_default();
+    (count, sum / length(&p).min(length(&q)).max(1e-9))
+}
+
+/// Is a piece a layer that lies under another one: the lower collar under the upper one?
+pub fn is_under_layer(piece: &Known<'_>, all: &[Known<'_>]) -> bool {
+    let is = |k: &Known<'_>, facing: Facing| k.role.part == Some(Part::Collar) && k.role.facing == Some(facing);
+    is(piece, Facing::Under) && all.iter().any(|k| is(k, Facing::Upper))
+}
+
+/// The pieces of which a neck takes one: whole collars and hoods. None where there are no two kinds of them.
+pub fn of_neck<'a>(pieces: &[Known<'a>]) -> Vec<Known<'a>> {
+    let is_whole = |k: &&Known<'_>| match k.role.part {
+        Some(Part::Collar) => {
+            k.is_own_image && k.role.lateral.is_none() && !matches!(k.role.facing, Some(Facing::Front | Facing::Back))
+        }
+        Some(Part::Hood) => true,
+        _ => false,
+    };
+    let found: Vec<Known<'_>> = pieces.iter().filter(is_whole).copied().collect();
+    let collars = found.iter().filter(|k| k.role.part == Some(Part::Collar)).count();
+    let kinds = collars + usize::from(found.len() > collars);
+    if kinds < 2 { Vec::new() } else { found }
+}
+
+/// The piece at a neck that fits best, by its number among those: its long side against an opening that has no pair.
+/// `proposal` is one of the garment without them. The first one where no opening is found.
+pub fn best_at_neck(necks: &[Known<'_>], proposal: &Proposal) -> usize {
+    let lengths: Vec<f64> = proposal.openings.iter().map(|o| o.iter().map(|b| b.length).sum()).collect();
+    let is_single = |k: &usize| {
+        let others = lengths.iter().enumerate().filter(|(i, _)| i != k);
+        others.map(|(_, l)| (l - lengths[*k]).abs()).all(|off| off > PAIR_OF_OPENINGS)
+    };
+    let single: Vec<f64> = (0..lengths.len()).filter(is_single).map(|k| lengths[k]).collect();
+    let cost = |k: &Known<'_>| {
+        let usual = if is_rib(k.piece) { RIB } else { 1.0 };
+        let off = |opening: &f64| libm::log(long_side(k.piece) / (usual * opening)).abs();
+        if k.role.part == Some(Part::Hood) {
+            f64::INFINITY
+        } else {
+            single.iter().map(off).fold(f64::INFINITY, f64::min)
+        }
+    };
+    let costs: Vec<f64> = necks.iter().map(cost).collect();
+    (0..costs.len()).min_by(|i, j| costs[*i].total_cmp(&costs[*j])).unwrap_or(0)
+}
+
+/// Does a file say that a piece is cut of a rib?
+pub fn is_rib(piece: &Piece) -> bool {
+    let texts = [&piece.annotation, &piece.category];
+    let is_rib =
+        |word: &str| word.contains("RIB") && !["RIBB", "TRIB", "CRIB"].iter().any(|other| word.contains(other));
+    texts.into_iter().flatten().any(|t| t.to_uppercase().split(|c: char| !c.is_alphabetic()).any(is_rib))
+}
+
+/// The longer side of a band, metres: half of what is left of its outline without its two ends.
+fn long_side(piece: &Piece) -> f64 {
+    let points = piece.outline.positions();
+    let far = Vec2::repeat(f64::INFINITY);
+    let [low, high] = points.iter().fold([far, -far], |[low, high], p| [low.inf(p), high.sup(p)]);
+    let span = high - low;
+    let perimeter: f64 = edges(piece).iter().map(|[length, _]| length).sum();
+    (0.5 * perimeter - span.min()).max(span.max())
+}
+
+/// How often a piece is cut, as an annotation tells it: `2X FABRIC`, or `10 X 2` for ten sets.
+pub fn count_told(piece: &Piece) -> Option<u32> {
+    let text = piece.annotation.as_deref()?.trim().to_uppercase();
+    let digits = |text: &str| text.chars().take_while(char::is_ascii_digit).collect::<String>();
+    let first = digits(&text);
+    let rest = text.get(first.len()..)?.trim_start().strip_prefix('X')?.trim_start();
+    let second = digits(rest);
+    let count: u32 = if second.is_empty() { first } else { second }.parse().ok()?;
+    (1..=4).contains(&count).then_some(count)
+}
