@@ -53,7 +53,11 @@ impl Bands<'_> {
         let edge = if self.is_low(&long) && !self.is_low(&first) { long } else { first };
         let off =
             |opening: &[usize]| (self.sewn.length(&edge) / self.sewn.length(opening) - self.weights.band_usual).abs();
-        let is_place = |o: &[usize]| o.iter().all(|a| self.names.goes_around(piece, self.sewn.piece(*a)));
+        // The tops of raglan sleeves are a part of the neckline.
+        let is_around = |a: &usize| self.names.goes_around(piece, self.sewn.piece(*a));
+        let is_place = |o: &[usize]| {
+            o.iter().any(is_around) && o.iter().all(|a| is_around(a) || self.names.is_sleeve(self.sewn.piece(*a)))
+        };
         let is_open = |a: &usize| !self.sewn.layout.atoms[*a].is_low();
         let openings = self.sewn.openings();
         let places = openings.iter().map(Vec::as_slice).filter(|o| is_place(o) && o.iter().all(is_open));

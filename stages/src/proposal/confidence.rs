@@ -18,6 +18,8 @@ pub struct Margin {
     pub margin: f64,
     /// The next best partners of both atoms.
     pub instead: [Option<usize>; 2],
+    /// Likelihood that the pair itself allows at most, whatever the rest of the garment asks for.
+    pub most: f64,
 }
 
 /// Margins of all pairs. Where a garment without a pair turns out to be better, it is taken, and all begins again.
@@ -60,7 +62,7 @@ fn one_round(layout: &Layout, whole: &Whole<'_>, found: &Found, schedule: Schedu
             if margin < -1e-6 {
                 return Err(other);
             }
-            known.push(Margin { pair: *pair, margin, instead: partners(&other.assignment, *pair) });
+            known.push(Margin { pair: *pair, margin, instead: partners(&other.assignment, *pair), most: 1.0 });
         }
     }
     let of = |pair: Pair| {
@@ -75,7 +77,8 @@ fn mirrored(known: &Margin, pair: Pair, whole: &Whole<'_>) -> Option<Margin> {
     let atom = |a: Option<usize>| a.map(|a| whole.mirror.of(a).unwrap_or(a));
     let swapped = whole.mirror.of(known.pair.a) != Some(pair.a);
     let [x, y] = known.instead.map(atom);
-    Some(Margin { pair, margin: known.margin, instead: if swapped { [y, x] } else { [x, y] } })
+    let instead = if swapped { [y, x] } else { [x, y] };
+    Some(Margin { pair, instead, ..known.clone() })
 }
 
 fn is_same(x: Pair, y: Pair) -> bool {

@@ -89,6 +89,10 @@ impl Names for RoleNames {
         self.roles[piece].part == Some(Part::Sleeve)
     }
 
+    fn is_leg(&self, piece: usize) -> bool {
+        self.roles[piece].part == Some(Part::Leg)
+    }
+
     fn is_off_arm(&self, piece: usize) -> bool {
         self.roles[piece].part.and_then(height).is_some_and(|h| !matches!(h, Height::Arm | Height::Wrist))
     }

@@ -137,7 +137,7 @@ impl<'a> Judge<'a> {
 
     /// Do both edges run across the middle of their pieces, and both below or both above? Hems, necklines and waists do: a
     /// body has to pass between them.
-    fn is_level_pair(&self, p: Pair) -> bool {
+    pub fn is_level_pair(&self, p: Pair) -> bool {
         let (a, b) = (&self.layout.atoms[p.a], &self.layout.atoms[p.b]);
         let is_level = |x: usize| self.on_axis(x) && self.layout.atoms[x].is_across();
         is_level(p.a) && is_level(p.b) && a.panel != b.panel && (a.along[1] < 0.0) == (b.along[1] < 0.0)
@@ -187,6 +187,14 @@ impl<'a> Judge<'a> {
         }) && self.mirror.panel[self.layout.atoms[a].panel] == self.layout.atoms[a].panel
     }
 
+    /// Would two edges of one piece make a ring around nothing? They are short, lie apart, and the piece is no band.
+    fn is_short_tube(&self, p: Pair) -> bool {
+        let (a, b) = (&self.layout.atoms[p.a], &self.layout.atoms[p.b]);
+        let panel = &self.layout.panels[a.panel];
+        let is_short = a.length.max(b.length) < tuning::ACROSS_LEAST * panel.perimeter;
+        is_short && panel.slenderness > tuning::BAND && a.next != p.b && a.before != p.b
+    }
+
     fn sides(&self, p: Pair) -> f64 {
         let (w, a, b) = (self.weights, &self.layout.atoms[p.a], &self.layout.atoms[p.b]);
         let images = self.mirror.of(p.a) == Some(p.b);
@@ -194,6 +202,7 @@ impl<'a> Judge<'a> {
         let mut sum = 0.0;
         if a.panel == b.panel {
             sum += if images || is_tube(a, b) { w.mirrors.tube } else { w.mirrors.itself };
+            sum += if self.is_short_tube(p) { w.mirrors.short_tube } else { 0.0 };
         } else if other == b.panel && other != ALONE && !images {
             sum += w.mirrors.left_to_right;
         }
@@ -216,7 +225,7 @@ impl<'a> Judge<'a> {
 }
 
 /// Do two edges of one piece close it to a tube: as long as each other, along the warp, and running opposite ways?
-fn is_tube(a: &Atom, b: &Atom) -> bool {
+pub fn is_tube(a: &Atom, b: &Atom) -> bool {
     let is_equal = libm::log(a.length / b.length).abs() < 0.01;
     is_equal && a.is_along() && b.is_along() && a.along[0] * b.along[0] < 0.0
 }

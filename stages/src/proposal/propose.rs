@@ -30,6 +30,10 @@ pub trait Names {
     }
     /// Is a piece a sleeve?
     fn is_sleeve(&self, piece: usize) -> bool;
+    /// Is a piece one of a leg?
+    fn is_leg(&self, _piece: usize) -> bool {
+        false
+    }
     /// Is a piece a sleeve that is set on another piece?
     fn is_sleeve_of(&self, piece: usize, other: usize) -> bool {
         self.is_sleeve(piece) && self.is_set_on(piece, other)

@@ -71,7 +71,7 @@ pub fn seams(garment: &Garment, shapes: &Shapes, layout: &Layout, margins: &[Mar
             a: m.pair.a,
             b: m.pair.b,
             opposite: m.pair.opposite,
-            confidence: tuning::confidence(m.margin),
+            confidence: tuning::confidence(m.margin).min(m.most),
             instead: m.instead,
         })
         .collect();

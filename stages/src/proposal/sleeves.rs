@@ -83,6 +83,53 @@ pub fn are_whole(sewn: Sewn<'_>, names: &dyn Names, ease: f64) -> bool {
     (0..sewn.layout.panels.len()).filter(|p| is_sleeve(*p)).all(|p| is_whole(&sewn.layout.panels[p].atoms))
 }
 
+/// Do the sleeves reach up to the neckline? Then an opening of sleeves and trunk has a left and a right sleeve, where
+/// what is set on the trunk besides is taken off.
+pub fn are_raglan(sewn: Sewn<'_>, names: &dyn Names) -> bool {
+    let layout = sewn.layout;
+    let pieces: Vec<usize> = layout.panels.iter().map(|p| p.piece).collect();
+    let is_trunk = |p: usize| pieces.iter().any(|s| names.is_sleeve_of(*s, p));
+    let stays = |p: usize| names.is_sleeve(p) || is_trunk(p);
+    let taken_off = layout.panels.iter().filter(|p| !stays(p.piece)).flat_map(|p| p.atoms.clone());
+    let mut bare = sewn.of.clone();
+    taken_off.for_each(|a| bare = bare.without(a..a + 1));
+    let sewn = Sewn { of: &bare, ..sewn };
+    let is_neck = |opening: &Vec<usize>| {
+        let own: Vec<usize> = opening.iter().map(|a| sewn.piece(*a)).filter(|p| names.is_sleeve(*p)).collect();
+        own.iter().any(|p| *p != own[0]) && opening.iter().any(|a| is_trunk(sewn.piece(*a)))
+    };
+    sewn.openings().iter().any(is_neck)
+}
+
+/// The seams that close raglan sleeves to tubes where the search left both sides open, because one of them has a mark.
+/// A side goes from the underarm up to the next corner.
+pub fn raglan_sides(sewn: Sewn<'_>, names: &dyn Names) -> Vec<Closing> {
+    let is_tube = |p: &&Panel| p.atoms.clone().any(|a| sewn.of.partner(a).is_some_and(|b| p.atoms.contains(&b)));
+    let open = sewn.layout.panels.iter().filter(|p| names.is_sleeve(p.piece)).filter(|p| !is_tube(p));
+    open.filter_map(|p| raglan_side(sewn, p)).collect()
+}
+
+fn raglan_side(sewn: Sewn<'_>, panel: &Panel) -> Option<Closing> {
+    let atoms = &sewn.layout.atoms;
+    let is_free = |a: &usize| sewn.of.partner(*a).is_none();
+    let is_start = |a: &usize| is_free(a) && !is_free(&atoms[*a].before);
+    let stretch = |first: usize| {
+        let next = |a: &usize| Some(atoms[*a].next).filter(|b| *b != first);
+        std::iter::successors(Some(first), next).take_while(is_free).collect::<Vec<usize>>()
+    };
+    // The neckline is the shorter stretch that is free.
+    let length = |s: &Vec<usize>| sewn.length(s);
+    let lower = panel.atoms.clone().filter(is_start).map(stretch).max_by(|s, t| length(s).total_cmp(&length(t)))?;
+    let is_corner = |a: usize| (atoms[a].joint.angle - PI).abs() > tuning::CLEAR_CORNER;
+    let corners: Vec<usize> = (1..lower.len()).filter(|k| is_corner(lower[*k])).collect();
+    let (first, last) = (*corners.first()?, *corners.last()?);
+    let (a, b) = (lower[..first].to_vec(), lower[last..].iter().rev().copied().collect::<Vec<usize>>());
+    let weights = SleeveWeights::default();
+    let ratio = libm::log(length(&a) / length(&b)).abs();
+    let is_side = first < last && ratio < weights.sides && length(&a).min(length(&b)) > weights.side_least;
+    is_side.then_some(Closing { a, b, lead: 0.0, confidence: weights.confidence })
+}
+
 /// The seams of the sleeves of a garment whose trunk and sleeves are sewn each for themselves. `up` tells which way is
 /// up on a piece of the trunk.
 ///
@@ -121,8 +168,9 @@ pub fn sleeves(sewn: Sewn<'_>, names: &dyn Names, up: &dyn Fn(usize) -> Vec2, ar
         if taken.iter().any(|t| t.armhole == fit.armhole || sleeves[t.sleeve].part == sleeve.part) {
             continue;
         }
-        out.seams.extend(sewn_on(&sleeve.cap, &armholes[fit.armhole], fit.begin, &weights));
-        out.seams.extend(sleeve.closed(&weights));
+        let confidence = weights.confidence(fit.cost);
+        out.seams.extend(sewn_on(&sleeve.cap, &armholes[fit.armhole], fit.begin, &weights, confidence));
+        out.seams.extend(sleeve.closed(confidence));
         out.count += 1;
         taken.push(fit);
     }
@@ -201,9 +249,9 @@ impl Sleeve {
     }
 
     /// The seam of its sides.
-    fn closed(&self, weights: &SleeveWeights) -> Option<Closing> {
+    fn closed(&self, confidence: f64) -> Option<Closing> {
         let [a, b] = self.sides.clone()?;
-        Some(Closing { a, b: b.into_iter().rev().collect(), lead: 0.0, confidence: weights.confidence })
+        Some(Closing { a, b: b.into_iter().rev().collect(), lead: 0.0, confidence })
     }
 }
 
@@ -388,7 +436,13 @@ fn best_fit(cap: &Opening, armhole: &Opening, weights: &SleeveWeights) -> Option
 }
 
 /// The seams of a cap on an armhole, parted where marks of both meet.
-fn sewn_on(cap: &Opening, armhole: &Opening, begin: [usize; 2], weights: &SleeveWeights) -> Vec<Closing> {
+fn sewn_on(
+    cap: &Opening,
+    armhole: &Opening,
+    begin: [usize; 2],
+    weights: &SleeveWeights,
+    confidence: f64,
+) -> Vec<Closing> {
     let [i, j] = begin;
     let (n, m) = (armhole.atoms.len(), cap.atoms.len());
     let around: Vec<usize> = (0..n).map(|k| armhole.atoms[(i + k) % n]).collect();
@@ -413,7 +467,7 @@ fn sewn_on(cap: &Opening, armhole: &Opening, begin: [usize; 2], weights: &Sleeve
     cuts.push([n, m]);
     let closing = |w: &[[usize; 2]]| {
         let (a, b) = (around[w[0][0]..w[1][0]].to_vec(), back[w[0][1]..w[1][1]].to_vec());
-        Closing { a, b, lead: 0.0, confidence: weights.confidence }
+        Closing { a, b, lead: 0.0, confidence }
     };
     cuts.windows(2).map(closing).collect()
 }

@@ -8,11 +8,11 @@ use super::known::{Decisions, Known};
 use super::mirror::{Mirror, maps};
 use super::onward::onward;
 use super::openings::{Closing, Sewn};
-use super::pairs::Pairs;
+use super::pairs::{Judge, Pairs};
 use super::propose::Names;
 use super::seams::{ProposedSeam, seams};
 use super::search::{Found, best};
-use super::sleeves::{are_whole, sleeves};
+use super::sleeves::{are_raglan, are_whole, raglan_sides, sleeves};
 use super::tuning::{self, PairWeights, SleeveWeights, WholeWeights};
 use super::whole::{SLEEVES, Whole};
 use crate::roles::Upright;
@@ -63,11 +63,18 @@ impl Task<'_> {
         if is_given || sleeves == 0 {
             return self.with_trunk();
         }
-        let made = self.with_trunk()?;
+        let mut made = self.with_trunk()?;
         // Halves of sleeves may be gathered; marks of a sleeve that is one piece meet within its ease.
         let ease = if sleeves <= SLEEVES { SleeveWeights::default().whole_ease } else { f64::INFINITY };
         let are_closed = sleeves > SLEEVES || self.are_tubes(&made.assignment);
         if are_closed && are_whole(self.sewn(&made.assignment, &[]), self.names, ease) {
+            return Some(made);
+        }
+        if are_raglan(self.sewn(&made.assignment, &[]), self.names) {
+            let sides = raglan_sides(self.sewn(&made.assignment, &[]), self.names);
+            let is_new = |c: &Closing| !c.a.iter().chain(&c.b).any(|a| made.closings.iter().any(|old| old.has(*a)));
+            let sides: Vec<Closing> = sides.into_iter().filter(is_new).collect();
+            made.closings.extend(sides);
             return Some(made);
         }
         if sleeves <= SLEEVES {
@@ -147,7 +154,21 @@ impl Task<'_> {
     /// The seams of what was found, each with how sure it is.
     fn seams(&self, mut search: Search) -> (Assignment, Vec<ProposedSeam>) {
         let whole = self.whole(&search.scores, &search.weights, search.how);
-        let margins = margins(self.layout, &whole, &mut search.found);
+        let mut margins = margins(self.layout, &whole, &mut search.found);
+        let weights = PairWeights::default();
+        let judge = Judge::new(self.layout, &search.scores.0, &weights);
+        // The garment may need a seam that its two edges speak against. Then another one is missing.
+        for m in &mut margins {
+            let own = search.scores.1.score(m.pair.a, m.pair.b, m.pair.opposite);
+            let is_unlikely = own < tuning::UNLIKELY_PAIR;
+            m.most = if judge.is_level_pair(m.pair) {
+                tuning::LEVEL_MOST
+            } else if is_unlikely {
+                tuning::UNLIKELY_MOST
+            } else {
+                1.0
+            };
+        }
         (search.found.assignment, seams(self.garment, self.shapes, self.layout, &margins))
     }
 }

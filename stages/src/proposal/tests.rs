@@ -251,3 +251,72 @@ fn a_seam_goes_on_past_a_mark_that_one_side_alone_has() {
     assert_eq!((count(0.6), count(0.4)), (2, 2), "{told:?}");
     assert!(proposal.bare.iter().all(|b| b.edge % 2 == 0), "no side is free: {:?}", proposal.bare);
 }
+
+/// Half a leg whose waist, crotch and hem are all as long as those of its mirror image.
+fn leg(name: &str, side: f64) -> Piece {
+    let points = [(0.0, 0.0), (220.0, 0.0), (330.0, 600.0), (250.0, 680.0), (240.0, 860.0), (-10.0, 860.0)];
+    let points = [&points[..], &[(-20.0, 680.0), (-100.0, 600.0)]].concat();
+    let mut all: Vec<(f64, f64, char)> = points.iter().map(|(x, y)| (side * x, *y, 't')).collect();
+    if side < 0.0 {
+        all.reverse();
+    }
+    piece(0, name, &all)
+}
+
+#[test]
+fn legs_are_not_sewn_to_each_other_all_round() {
+    let legs = garment(vec![leg("leg left", 1.0), leg("leg right", -1.0)]);
+    let proposal = propose(&legs, &RoleNames::new(&legs), &Known::default()).expect("proposal");
+    let between = proposal.seams.iter().filter(|s| s.a[0].piece != s.b[0].piece);
+    let sewn: f64 = between.map(|s| s.length_a).sum();
+    let around: f64 = proposal.layout.panels[0].perimeter;
+    assert!(sewn > 0.0 && sewn < 0.6 * around, "{sewn} of {around}");
+}
+
+#[test]
+fn a_seam_between_two_hems_or_a_sleeve_that_fits_badly_is_not_sure() {
+    // Two boards without slanted sides: what holds them together can only be a guess, and an opening is one at most.
+    let boards = garment(vec![rectangle(0, "front", 400.0, 300.0), rectangle(0, "back", 400.0, 310.0)]);
+    let proposal = propose(&boards, &Nameless, &Known::default()).expect("proposal");
+    let is_level = |s: &&super::ProposedSeam| [&s.a, &s.b].iter().all(|side| side[0].edges[0].number % 2 == 0);
+    assert!(proposal.seams.iter().filter(is_level).all(|s| s.confidence <= 0.2), "{:?}", proposal.seams);
+    let weights = super::tuning::SleeveWeights::default();
+    assert_eq!(weights.confidence(0.01), weights.confidence);
+    assert!(weights.confidence(0.06) < 0.65 && weights.confidence(1.0) == weights.doubtful);
+}
+
+/// Half a raglan top, mm: hem, side, a slanted armhole up to the neckline, and a neckline of one depth.
+fn raglan_top(name: &str, neckline: f64, slant: f64) -> Piece {
+    let right = [(480.0, 0.0), (480.0, 400.0), (240.0 + 90.0, 400.0 + slant)];
+    let left = right.iter().rev().map(|(x, y)| (480.0 - x, *y));
+    let points = right.iter().copied().chain([(240.0, 400.0 + slant - neckline)]).chain(left);
+    piece(0, name, &points.map(|(x, y)| (x, y, 't')).collect::<Vec<_>>())
+}
+
+/// A sleeve whose two edges to the trunk end at a neckline of 80 mm. One side has a mark that the other has not.
+fn raglan_sleeve(name: &str, [front, back]: [f64; 2], side: f64) -> Piece {
+    let points =
+        [(0.0, 0.0), (300.0, 0.0), (340.0, 200.0), (190.0, 200.0 + front), (110.0, 200.0 + back), (-40.0, 200.0)];
+    let mut all = points.map(|(x, y)| (side * x, y, 't'));
+    if side < 0.0 {
+        all.reverse();
+    }
+    Piece { notches: vec![notch(side * 320.0, 100.0)], ..piece(0, name, &all) }
+}
+
+#[test]
+fn raglan_sleeves_end_at_the_neckline_and_their_sides_are_closed() {
+    let (front, back) = (raglan_top("front bodice", 80.0, 220.0), raglan_top("back bodice", 20.0, 250.0));
+    let slants = [220.0, 250.0];
+    let [left, right] = [("left sleeve", 1.0), ("right sleeve", -1.0)].map(|(n, side)| raglan_sleeve(n, slants, side));
+    let top = garment(vec![front, back, left, right]);
+    let proposal = propose(&top, &RoleNames::new(&top), &Known::default()).expect("proposal");
+    let told = sewn(&top, &proposal);
+    let between = |p: usize, q: usize| {
+        let has = |runs: &[Run], p: usize| runs.iter().any(|r| r.piece == p);
+        proposal.seams.iter().filter(|s| has(&s.a, p) && has(&s.b, q) || has(&s.a, q) && has(&s.b, p)).count()
+    };
+    for sleeve in [2, 3] {
+        assert!(between(0, sleeve) == 1 && between(1, sleeve) == 1 && between(sleeve, sleeve) >= 1, "{told:?}");
+    }
+}

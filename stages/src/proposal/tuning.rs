@@ -26,6 +26,14 @@ pub const BAND: f64 = 0.15;
 /// Most maps of mirror images that are tried.
 pub const MOST_MAPS: usize = 6;
 
+/// Two pieces that mirror each other and are sewn along a larger share of their outlines make a bag.
+pub const CLOSED_PAIR: f64 = 0.6;
+/// Edges of one piece that are shorter, as a share of its outline, are not sewn to each other across it.
+pub const ACROSS_LEAST: f64 = 0.008;
+
+/// Score of sewing one leg to the other where each closes to a tube by itself.
+pub const BETWEEN_LEGS: f64 = -8.0;
+
 /// Pairs that score less are not tried.
 pub const CANDIDATE_LEAST: f64 = -7.0;
 /// Pairs of one atom that are tried, the best ones.
@@ -131,6 +139,8 @@ pub struct MirrorWeights {
     pub tube: f64,
     /// Other edges of one piece.
     pub itself: f64,
+    /// Short edges of one piece that no band is, apart from each other: a tube that no limb goes through.
+    pub short_tube: f64,
     /// A piece to its mirror image, but not at mirror edges.
     pub left_to_right: f64,
     /// A piece to its mirror image, at mirror edges.
@@ -181,6 +191,7 @@ impl Default for PairWeights {
             mirrors: MirrorWeights {
                 tube: -5.00,
                 itself: -7.50,
+                short_tube: -6.00,
                 left_to_right: -3.50,
                 images: -1.95,
                 images_curved: -0.73,
@@ -209,6 +220,8 @@ pub struct WholeWeights {
     pub crossed: f64,
     /// Every run of edges beyond the first that sews a piece to its mirror image.
     pub second_middle: f64,
+    /// Every piece that is sewn to its mirror image along more than [`CLOSED_PAIR`] of its outline.
+    pub closed_pair: f64,
     /// Sides that differ by more are gathered: |ln(length / length)|.
     pub gather_from: f64,
     /// A gather whose ratio occurs once.
@@ -240,6 +253,7 @@ impl Default for WholeWeights {
             one_sided: -12.00,
             crossed: -8.00,
             second_middle: -5.00,
+            closed_pair: -24.00,
             gather_from: 0.04,
             single_gather: -1.07,
             bare_corner: -1.20,
@@ -350,6 +364,13 @@ pub fn confidence(margin: f64) -> f64 {
         (None, _) => table[0].1,
     }
 }
+
+/// Edges that score less for themselves are sewn only because the garment would be in parts without the seam.
+pub const UNLIKELY_PAIR: f64 = -6.0;
+/// Likelihood of such a seam at most.
+pub const UNLIKELY_MOST: f64 = 0.5;
+/// Likelihood at most of a seam between two edges that both are openings, such as two necklines.
+pub const LEVEL_MOST: f64 = 0.2;
 
 /// Stitches that follow one another are one seam if their eases differ by less: |ln(length / length)|.
 pub const SAME_EASE: f64 = 0.02;
@@ -499,6 +520,19 @@ pub struct SleeveWeights {
     pub stretch_least: f64,
     /// Likelihood that such a seam is right.
     pub confidence: f64,
+    /// Costs of a fit that is surely right, and of one that is as likely wrong.
+    pub doubt: [f64; 2],
+    /// Likelihood of the latter.
+    pub doubtful: f64,
+}
+
+impl SleeveWeights {
+    /// Likelihood that a sleeve which fits at a cost is set in rightly.
+    pub fn confidence(&self, cost: f64) -> f64 {
+        let [sure, doubtful] = self.doubt;
+        let share = ((cost - sure) / (doubtful - sure)).clamp(0.0, 1.0);
+        self.confidence + (self.doubtful - self.confidence) * share
+    }
 }
 
 impl Default for SleeveWeights {
@@ -520,6 +554,8 @@ impl Default for SleeveWeights {
             marks_meet: 8e-3,
             stretch_least: 0.03,
             confidence: 0.8,
+            doubt: [0.035, 0.08],
+            doubtful: 0.45,
         }
     }
 }

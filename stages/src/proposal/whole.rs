@@ -4,7 +4,7 @@ use super::assignment::Assignment;
 use super::atoms::{Atom, Layout, Mark};
 use super::mirror::{ALONE, Mirror};
 use super::pairs::Pairs;
-use super::tuning::WholeWeights;
+use super::tuning::{self, WholeWeights};
 
 /// Sleeves of a garment.
 pub const SLEEVES: usize = 2;
@@ -121,7 +121,19 @@ impl<'a> Whole<'a> {
             let starts = panel.atoms.clone().filter(|a| is_image(*a) && !is_image(self.stretches[*a].before as usize));
             more += starts.count().saturating_sub(if self.mirror.panel[p] == p { 2 } else { 1 });
         }
-        self.weights.second_middle * more as f64
+        self.weights.second_middle * more as f64 + self.weights.closed_pair * self.closed_pairs(of) as f64
+    }
+
+    /// Pieces that are sewn to their mirror images almost all round, so that nothing fits between the two.
+    fn closed_pairs(&self, of: &Assignment) -> usize {
+        let is_image = |a: &usize| of.partner(*a).is_some_and(|b| self.mirror.of(*a) == Some(b));
+        let is_closed = |p: &usize| {
+            let panel = &self.layout.panels[*p];
+            let sewn: f64 = panel.atoms.clone().filter(is_image).map(|a| self.stretches[a].length).sum();
+            sewn > tuning::CLOSED_PAIR * panel.perimeter
+        };
+        let has_image = |p: &usize| self.mirror.panel[*p] != ALONE && self.mirror.panel[*p] > *p;
+        (0..self.layout.panels.len()).filter(has_image).filter(is_closed).count()
     }
 
     /// Scores of the pairs, and of gathers that occur once.

@@ -8,6 +8,8 @@ use toile_garment::Piece;
 const STYLE_LEAST: usize = 3;
 /// Longest word that must be a whole word of a name, characters.
 const CODE_MOST: usize = 3;
+/// Longest category in some systems, characters.
+const CATEGORY_MOST: usize = 20;
 /// Confidence that a word gives.
 const WORD: f64 = 0.9;
 /// Confidence that a code of two or three letters gives.
@@ -20,7 +22,7 @@ const LETTER: f64 = 0.65;
 pub fn roles_of_names(pieces: &[Piece]) -> Vec<Role> {
     let style = style_end(pieces);
     let role = |piece: &Piece| {
-        let category = piece.category.as_deref().map(role_of_text).unwrap_or_default();
+        let category = piece.category.as_deref().map(role_of_category).unwrap_or_default();
         let role = role_after_style(&piece.name, style).filled_by(&category);
         // An annotation speaks of other pieces, too: which side the front lies on, what is sewn where.
         let silent = role == Role::default();
@@ -29,6 +31,16 @@ pub fn roles_of_names(pieces: &[Piece]) -> Vec<Role> {
     let mut roles: Vec<Role> = pieces.iter().map(role).collect();
     find_tops(&mut roles);
     roles
+}
+
+/// The role that a category tells. Some systems cut categories after 20 characters, within the word `interlining`.
+fn role_of_category(text: &str) -> Role {
+    let text = text.trim();
+    let last = text.rsplit(' ').next().unwrap_or_default().to_lowercase();
+    let is_cut = (CATEGORY_MOST - 1..=CATEGORY_MOST).contains(&text.chars().count());
+    let is_interlining = is_cut && last.len() >= CODE_MOST && "interlining".starts_with(&last);
+    let role = role_of_text(text);
+    if is_interlining { Role { part: Some(Part::Interlining), confidence: WORD, ..role } } else { role }
 }
 
 /// Fronts and backs in a garment with sleeves, a collar, a hood or a yoke, and without a part from the waist down: they
@@ -196,16 +208,19 @@ fn plain(c: char) -> char {
 
 impl Role {
     /// This role, completed by what the category of the piece says. A category makes a lining of a front, and no body
-    /// of a waistband.
+    /// of a waistband. Its word for a part outweighs a code in the name: `YP` with `PLACKET` is no yoke.
     fn filled_by(&self, other: &Self) -> Self {
         let is_layer = other.part.is_some_and(|p| matches!(p, Part::Lining | Part::Interlining | Part::Facing));
-        let part = other.part.filter(|_| is_layer || self.part.is_none());
+        let is_other = self.part.is_some() && other.part.is_some_and(|p| p != Part::Bodice);
+        let is_code = is_other && self.confidence < other.confidence;
+        let part = other.part.filter(|_| is_layer || is_code || self.part.is_none());
         let facing = other.facing.filter(|_| self.facing.is_none());
         let lateral = other.lateral.filter(|_| self.lateral.is_none());
         if part.is_none() && facing.is_none() && lateral.is_none() {
             return self.clone();
         }
-        self.or(&Self { part, facing, lateral, ..other.clone() })
+        let own = if is_code { Self { part: None, ..self.clone() } } else { self.clone() };
+        own.or(&Self { part, facing, lateral, ..other.clone() })
     }
 
     /// This role, and where it says nothing what another says. Of two parts the more special one holds.
@@ -230,6 +245,20 @@ mod tests {
     fn told(text: &str) -> (Option<Part>, Option<Facing>, Option<Lateral>) {
         let role = role_of_text(text);
         (role.part, role.facing, role.lateral)
+    }
+
+    #[test]
+    fn a_word_of_the_category_outweighs_a_code_and_is_known_where_it_is_cut_off() {
+        let piece = |name: &str, category: &str| Piece {
+            name: name.to_owned(),
+            category: Some(category.to_owned()),
+            ..Piece::default()
+        };
+        let told = |category: &str| roles_of_names(&[piece("X17YP", category), piece("X17FR", "FRONT")])[0].part;
+        assert_eq!(told("PLACKET"), Some(Part::Placket));
+        assert_eq!(told("BACK"), Some(Part::Yoke));
+        assert_eq!(told("COLLAR STAND UP INTE"), Some(Part::Interlining));
+        assert_eq!(told("INTE"), Some(Part::Yoke));
     }
 
     #[test]
