@@ -70,7 +70,7 @@ impl Task<'_> {
         if are_closed && are_whole(self.sewn(&made.assignment, &[]), self.names, ease) {
             return Some(made);
         }
-        if are_raglan(self.sewn(&made.assignment, &[]), self.names) {
+        if sleeves <= SLEEVES && are_raglan(self.sewn(&made.assignment, &[]), self.names) {
             let sides = raglan_sides(self.sewn(&made.assignment, &[]), self.names);
             let is_new = |c: &Closing| !c.a.iter().chain(&c.b).any(|a| made.closings.iter().any(|old| old.has(*a)));
             let sides: Vec<Closing> = sides.into_iter().filter(is_new).collect();
