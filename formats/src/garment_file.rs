@@ -1,7 +1,7 @@
 //! A garment from a file, whichever form it has: a GLB of this program, also edited, or a garment document.
 
 use crate::codes::GARMENT_FILE;
-use crate::gltf;
+use crate::gltf::{self, codes::SHAPE_EDITED};
 use toile_garment::{Diagnostic, Garment, Report, SourceRef, bundle};
 
 /// Reads a GLB or a garment document. `file` is its name for messages.
@@ -17,7 +17,13 @@ pub fn read(bytes: &[u8], file: &str, report: &mut Report) -> Result<Garment, Di
         return Ok(read.garment);
     }
     if body.starts_with(b"{") {
-        return document(bytes).map_err(wrong);
+        let read = document(bytes).map_err(wrong)?;
+        if read.is_edited {
+            let message =
+                "the positions of this document were edited after its certificate was given, which is left out";
+            report.push(Diagnostic::info(SHAPE_EDITED, message.to_owned()).at(SourceRef::file(file.to_owned())));
+        }
+        return Ok(read.garment);
     }
     Err(wrong(format!("`{file}` is no garment file"))
         .hint("give a GLB that `export-gltf` wrote, or a garment document"))
@@ -55,7 +61,7 @@ fn stored(bytes: &[u8], file: &str) -> Result<Garment, Diagnostic> {
 ///
 /// # Errors
 /// The reason in words.
-pub fn document(bytes: &[u8]) -> Result<Garment, String> {
+pub fn document(bytes: &[u8]) -> Result<bundle::Read, String> {
     let text = std::str::from_utf8(bytes).map_err(|e| format!("no UTF-8 text: {e}"))?;
-    bundle::from_text(text).map_err(|e| e.to_string())
+    bundle::read(text).map_err(|e| e.to_string())
 }

@@ -514,7 +514,11 @@ pub struct FlattenArgs {
     /// Write a sewing file whose points lie on the new outlines.
     #[arg(long, value_name = "OUT", requires = "dxf")]
     pub sewing: Option<PathBuf>,
-    /// Write the figures as JSON.
+    /// Carry the change to all sizes of the pattern that the garment was made of. Its rule table is the file of the same
+    /// name with `.rul`; the new one is written beside the DXF.
+    #[arg(long, value_name = "PATTERN.dxf", requires = "dxf")]
+    pub grade_from: Option<PathBuf>,
+    /// Write the figures and the verdict on every piece as JSON.
     #[arg(long, value_name = "OUT")]
     pub json: Option<PathBuf>,
     /// Replace OUT if it is there.

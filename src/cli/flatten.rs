@@ -10,6 +10,7 @@ use std::sync::Arc;
 use toile_formats::codes::UNKNOWN_KEY;
 use toile_formats::garment_file;
 use toile_garment::flat::Flat;
+use toile_garment::seam::SeamKind;
 use toile_garment::{Diagnostic, Garment, Report, SourceRef};
 use toile_stage_api::{Registry, StageError};
 use toile_stages::flatten::json as flatten_json;
@@ -20,10 +21,12 @@ const DXF_TAP: &str = "export-dxf";
 
 pub(super) fn run(args: &FlattenArgs, registry: &Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
     let mut report = Report::default();
-    let inputs: Vec<&Path> =
-        std::iter::once(&args.garment).chain(&args.document).chain(&args.tolerance).map(PathBuf::as_path).collect();
+    let inputs = std::iter::once(&args.garment).chain(&args.document).chain(&args.tolerance).chain(&args.grade_from);
+    let inputs: Vec<&Path> = inputs.map(PathBuf::as_path).collect();
     let results = Results::new(args.force, &inputs);
-    let wanted: Vec<&Path> = args.dxf.iter().chain(&args.sewing).chain(&args.json).map(PathBuf::as_path).collect();
+    let rules = rule_table(args);
+    let wanted: Vec<&Path> =
+        args.dxf.iter().chain(&args.sewing).chain(&rules).chain(&args.json).map(PathBuf::as_path).collect();
     if !results.are_free(&wanted, console) {
         return Exit::Usage;
     }
@@ -59,6 +62,26 @@ fn read(args: &FlattenArgs, report: &mut Report) -> Result<Garment, (Vec<Diagnos
         Some(path) => garment_file::read_by_document((&garment, &name), (&bytes(path)?, &clean(path)), report),
     }
     .map_err(|finding| (vec![finding], Exit::Input))
+}
+
+/// Where the rule table of the sizes is written.
+fn rule_table(args: &FlattenArgs) -> Option<PathBuf> {
+    args.grade_from.as_ref().and(args.dxf.as_ref()).map(|dxf| dxf.with_extension("rul"))
+}
+
+/// Gives the pattern whose sizes are carried to a stage, and the rule table beside it. The name that it is called by.
+fn give_sizes(pattern: &Path, files: &mut Memory) -> Result<String, StageError> {
+    let name = Path::new(pattern.file_name().unwrap_or_default());
+    let mut give = |from: &Path, name: &Path| -> Result<(), StageError> {
+        files.give(&name.to_string_lossy(), read_limited(from, from, MAX_INPUT).map_err(StageError::File)?);
+        Ok(())
+    };
+    give(pattern, name)?;
+    let table = pattern.with_extension("rul");
+    if table.is_file() {
+        give(&table, &name.with_extension("rul"))?;
+    }
+    Ok(name.to_string_lossy().into_owned())
 }
 
 /// The parameters of the stage, as a pipeline writes them.
@@ -107,11 +130,18 @@ fn flatten(
     if let Some(dxf) = &args.dxf {
         let given = [("file", Some(dxf)), ("sewing", args.sewing.as_ref())];
         let named: Vec<(&str, &PathBuf)> = given.iter().filter_map(|(key, path)| Some((*key, (*path)?))).collect();
-        let parts: Vec<String> = named.iter().map(|(key, _)| format!("{key} = \"{{out}}/{key}\"")).collect();
+        let mut parts: Vec<String> = named.iter().map(|(key, _)| format!("{key} = \"{{out}}/{key}\"")).collect();
+        if let Some(pattern) = &args.grade_from {
+            let name = give_sizes(pattern, &mut files)?;
+            parts.push(format!("grade_from = {}", toml::Value::String(name)));
+        }
         let params = format!("{{ {} }}", parts.join(", "));
         run_alone(registry, (DXF_TAP, &params), garment, stop, report, &mut files)?;
         for (key, path) in named {
             results.push((path.clone(), files.take(key)?));
+        }
+        if let Some(path) = rule_table(args) {
+            results.push((path, files.take("file.rul")?));
         }
     }
     Ok((summary, results))
@@ -131,12 +161,22 @@ fn summary(garment: &Garment, flat: &Flat) -> String {
             1e3 * edges,
             unsigned_zero(f.grain_shift.to_degrees(), 1e-3)
         );
+        if let Some(verdict) = flat.verdicts.iter().find(|v| v.piece == f.piece) {
+            let fails = verdict.fails();
+            let words = if fails.is_empty() { "passes".to_owned() } else { format!("fails: {}", fails.join("; ")) };
+            let _ = writeln!(text, "  {words}");
+        }
         for d in &f.darts {
-            let _ =
-                writeln!(text, "  {:<18} {:.2}° → {:.2}°", d.name, d.angle[0].to_degrees(), d.angle[1].to_degrees());
+            let [before, after] = [0, 1].map(|k| format!("{:.1} mm {:.2}°", 1e3 * d.width[k], d.angle[k].to_degrees()));
+            let legs = [d.legs[2], d.legs[3]].map(|l| 1e3 * l);
+            let intake =
+                if before == after { format!("intake {after}") } else { format!("intake {before} → {after}") };
+            let _ = writeln!(text, "  {:<18} {intake}, legs {:.1} and {:.1} mm", d.name, legs[0], legs[1]);
         }
     }
-    for p in &flat.pairs {
+    // The legs of darts stand beside their darts.
+    let is_seam = |k: usize| garment.seams.get(k).is_none_or(|s| s.kind == SeamKind::Seam);
+    for (_, p) in flat.pairs.iter().enumerate().filter(|(k, _)| is_seam(*k)) {
         let error = unsigned_zero(1e3 * ((p.a[1] - p.b[1]) - (p.a[0] - p.b[0])), 1e-4);
         let _ = writeln!(
             text,

@@ -11,7 +11,7 @@ use toile_garment::{Diagnostic, Garment, Report};
 use toile_stage_api::{FileError, Files, ReadyStage, Registry, StageContext, StageError};
 use toml::de::ValueDeserializer;
 
-/// Runs one stage with its parameters as a TOML value. It reads no file; what it writes stays in memory.
+/// Runs one stage with its parameters as a TOML value. It reads what `files` was given alone; what it writes stays in memory.
 ///
 /// # Errors
 /// Those of the stage, and of its parameters.
@@ -51,13 +51,19 @@ pub fn run_ready(
     stage.run(garment, &mut StageContext { report, progress, files, cancel: stop.flag(), seed, threads })
 }
 
-/// Keeps what a stage writes; lets it read nothing.
+/// Keeps what a stage writes; lets it read what it was given alone.
 #[derive(Default)]
 pub struct Memory {
+    given: BTreeMap<PathBuf, Vec<u8>>,
     written: BTreeMap<PathBuf, Vec<u8>>,
 }
 
 impl Memory {
+    /// Gives a stage a file to read.
+    pub fn give(&mut self, name: &str, bytes: Vec<u8>) {
+        self.given.insert(PathBuf::from(name), bytes);
+    }
+
     /// Takes out a file that was written as `{out}/NAME`.
     ///
     /// # Errors
@@ -70,12 +76,15 @@ impl Memory {
 
 impl Files for Memory {
     fn read(&mut self, path: &Path) -> Result<Vec<u8>, FileError> {
+        if let Some(bytes) = self.given.get(path) {
+            return Ok(bytes.clone());
+        }
         let reason = "this command works from the file it was given alone".to_owned();
         Err(FileError::Refused { path: clean(path), reason })
     }
 
-    fn read_optional(&mut self, _: &Path) -> Result<Option<Vec<u8>>, FileError> {
-        Ok(None)
+    fn read_optional(&mut self, path: &Path) -> Result<Option<Vec<u8>>, FileError> {
+        Ok(self.given.get(path).cloned())
     }
 
     fn write(&mut self, path: &Path, bytes: &[u8]) -> Result<(), FileError> {

@@ -36,6 +36,36 @@ struct EnvelopeRef<'a> {
     kind: &'static str,
     version: u32,
     garment: &'a Garment,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    certified: Option<Certified>,
+}
+
+/// The shape that a certificate was given for, so that a document whose positions were edited is known by itself.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+struct Certified {
+    certificate: String,
+    shape: String,
+}
+
+impl Certified {
+    fn of(garment: &Garment) -> Option<Self> {
+        let (certificate, drape) = (garment.certificate.as_ref()?, garment.drape.as_ref()?);
+        let coordinates = drape.positions.iter().flatten().flat_map(|p| [p.x, p.y, p.z]);
+        let shape = digest(coordinates.flat_map(|x| x.to_bits().to_le_bytes()));
+        let certificate = digest(serde_json::to_string(certificate).ok()?.bytes());
+        Some(Self { certificate, shape })
+    }
+
+    /// The certificate is the same, and the shape is not.
+    fn is_stale(&self, garment: &Garment) -> bool {
+        Self::of(garment).is_some_and(|now| now.certificate == self.certificate && now.shape != self.shape)
+    }
+}
+
+/// FNV-1a of 64 bits, in hexadecimal digits. It tells changes by chance and by editors, and is no signature.
+fn digest(bytes: impl Iterator<Item = u8>) -> String {
+    let step = |hash: u64, byte: u8| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
+    format!("{:016x}", bytes.fold(0xcbf2_9ce4_8422_2325, step))
 }
 
 #[derive(Deserialize)]
@@ -47,6 +77,8 @@ struct Head {
 #[derive(Deserialize)]
 struct Envelope {
     garment: Garment,
+    #[serde(default)]
+    certified: Option<Certified>,
 }
 
 /// The envelope as a JSON value.
@@ -54,28 +86,49 @@ struct Envelope {
 /// # Errors
 /// Never for a garment made by this program; a number that is not finite becomes `null` and is found on reading.
 pub fn to_value(garment: &Garment) -> Result<serde_json::Value, BundleError> {
-    Ok(serde_json::to_value(EnvelopeRef { kind: KIND, version: VERSION, garment })?)
+    Ok(serde_json::to_value(EnvelopeRef { kind: KIND, version: VERSION, garment, certified: None })?)
 }
 
-/// The envelope as text, the same bytes for the same garment.
+/// The envelope as text, the same bytes for the same garment. It tells the shape that the certificate was given for.
 ///
 /// # Errors
 /// As [`to_value`].
 pub fn to_text(garment: &Garment) -> Result<String, BundleError> {
-    Ok(serde_json::to_string(&EnvelopeRef { kind: KIND, version: VERSION, garment })?)
+    let certified = Certified::of(garment);
+    Ok(serde_json::to_string(&EnvelopeRef { kind: KIND, version: VERSION, garment, certified })?)
 }
 
-/// Reads an envelope and checks kind, version and every index.
+/// Reads an envelope and checks kind, version and every index. A certificate of another shape is left out.
 ///
 /// # Errors
 /// See [`BundleError`].
 pub fn from_text(text: &str) -> Result<Garment, BundleError> {
+    Ok(read(text)?.garment)
+}
+
+/// A garment as it was read.
+pub struct Read {
+    /// The garment.
+    pub garment: Garment,
+    /// Its positions were edited after its certificate was given, so it has none now.
+    pub is_edited: bool,
+}
+
+/// Reads an envelope as [`from_text`] does, and tells whether its shape was edited.
+///
+/// # Errors
+/// See [`BundleError`].
+pub fn read(text: &str) -> Result<Read, BundleError> {
     let head: Head = serde_json::from_str(text)?;
     check_head(&head)?;
-    let garment = serde_json::from_str::<Envelope>(text)?.garment;
+    let Envelope { mut garment, certified } = serde_json::from_str(text)?;
     check_indices(&garment)?;
     check_places(&garment)?;
-    Ok(garment)
+    let is_edited = certified.is_some_and(|c| c.is_stale(&garment));
+    if is_edited {
+        (garment.certificate, garment.reactions, garment.flat) = Default::default();
+    }
+    Ok(Read { garment, is_edited })
 }
 
 /// Reads an envelope from a JSON value.
@@ -190,6 +243,26 @@ mod tests {
     use super::*;
     use crate::outline::{LinePoint, PieceLine, PointKind};
     use crate::{Piece, Vec2};
+
+    #[test]
+    fn a_document_whose_positions_were_edited_has_no_certificate() {
+        use crate::garment::{Certificate, Shape};
+        use crate::mesh::PieceMesh;
+        let mesh = PieceMesh { rest: vec![Vec2::new(0.1, 0.2)], ..PieceMesh::default() };
+        let piece = Piece { name: "front".into(), mesh: Some(mesh), ..Piece::default() };
+        let drape = Shape { positions: vec![vec![crate::Vec3::new(0.1, 1.25, 0.3)]], ..Shape::default() };
+        let certificate = Some(Certificate { passed: true, ..Certificate::default() });
+        let garment = Garment { pieces: vec![piece], drape: Some(drape), certificate, ..Garment::default() };
+        let text = to_text(&garment).expect("text");
+        let same = read(&text).expect("read");
+        assert!(same.garment == garment && !same.is_edited);
+        let edited = text.replace("1.25", "1.26");
+        let read_back = read(&edited).expect("read");
+        assert!(read_back.is_edited && read_back.garment.certificate.is_none());
+        // A program that settles the shape and certifies it anew is believed.
+        let renewed = read(&edited.replace("\"passed\":true", "\"passed\":false")).expect("read");
+        assert!(!renewed.is_edited && renewed.garment.certificate.is_some());
+    }
 
     #[test]
     fn a_place_where_no_garment_can_be_is_refused() {

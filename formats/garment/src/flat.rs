@@ -84,6 +84,105 @@ pub struct PairChange {
     pub b: [f64; 2],
 }
 
+/// What a pattern maker checks of a flattened piece.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum CheckKind {
+    /// Change of its area, as a share.
+    Area,
+    /// Change of the length of an edge, metres.
+    Edge,
+    /// Change of a sewn edge beside its seam partner, from the start of the seam to the worst station, metres.
+    Seam,
+    /// Change of the intake of a dart, metres.
+    DartIntake,
+    /// Difference of the legs of a dart, metres.
+    DartLegs,
+    /// Change of the way of a notch from the start of its edge, metres.
+    Notch,
+    /// Change of the way of a notch beside the same place of the seam partner, metres.
+    NotchPartner,
+    /// Turn of a corner, radians.
+    Corner,
+    /// Bow of an edge that was straight, metres.
+    Bow,
+    /// Distance from the mirror image, metres.
+    Symmetry,
+    /// Turn of the grain line, radians.
+    Grain,
+}
+
+/// The largest change of one kind on a piece.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct Check {
+    /// What was checked.
+    pub kind: CheckKind,
+    /// Where: the name of an edge, a seam, a dart or another piece.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub place: String,
+    /// How far along the edge or seam, metres.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub along: Option<f64>,
+    /// The change: a share, metres or radians.
+    pub value: f64,
+    /// What is allowed; none where it was not judged.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub limit: Option<f64>,
+}
+
+impl Check {
+    /// Is the change within what is allowed?
+    #[must_use]
+    pub fn passes(&self) -> bool {
+        self.limit.is_none_or(|limit| self.value.abs() <= limit)
+    }
+
+    /// The change in the words of the trade: `side seam 1.8 mm off its partner at 212 mm`.
+    #[must_use]
+    pub fn words(&self) -> String {
+        let (place, mm) = (&self.place, 1e3 * self.value);
+        let (size, degrees) = (mm.abs(), self.value.to_degrees());
+        let at = self.along.map(|s| format!(", {:.0} mm from its start", 1e3 * s)).unwrap_or_default();
+        match self.kind {
+            CheckKind::Area => format!("area {:+.2} %", 100.0 * self.value),
+            CheckKind::Edge => format!("{place} {mm:+.2} mm"),
+            CheckKind::Seam => format!("seam `{place}` {size:.2} mm off its partner{at}"),
+            CheckKind::DartIntake => format!("intake of dart `{place}` {mm:+.2} mm"),
+            CheckKind::DartLegs => format!("legs of dart `{place}` differ by {size:.2} mm"),
+            CheckKind::Notch => format!("a notch on {place} moved by {mm:+.2} mm{at}"),
+            CheckKind::NotchPartner => format!("a notch of seam `{place}` {size:.2} mm off its partner{at}"),
+            CheckKind::Corner => format!("{place} turned by {degrees:+.2}°"),
+            CheckKind::Bow => format!("{place}, once straight, bows by {size:.2} mm"),
+            CheckKind::Symmetry if place.is_empty() => format!("{size:.2} mm off its own mirror image"),
+            CheckKind::Symmetry => format!("{size:.2} mm off the mirror image of `{place}`"),
+            CheckKind::Grain => format!("grain turned by {degrees:+.2}°"),
+        }
+    }
+}
+
+/// The verdict on a flattened piece.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct PieceVerdict {
+    /// Piece.
+    pub piece: PieceId,
+    /// The worst of every kind.
+    pub checks: Vec<Check>,
+}
+
+impl PieceVerdict {
+    /// Is every change within what is allowed?
+    #[must_use]
+    pub fn passes(&self) -> bool {
+        self.checks.iter().all(Check::passes)
+    }
+
+    /// What is over its limit, in words.
+    #[must_use]
+    pub fn fails(&self) -> Vec<String> {
+        self.checks.iter().filter(|c| !c.passes()).map(Check::words).collect()
+    }
+}
+
 /// Which lengths the flattened pieces were asked to have.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
@@ -110,4 +209,7 @@ pub struct Flat {
     /// How many changes are over their tolerance, where a tolerance was asked for.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub over_tolerance: Option<usize>,
+    /// A verdict on every piece; none where the stored pieces came back.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub verdicts: Vec<PieceVerdict>,
 }

@@ -16,7 +16,7 @@ use toile_garment::seam::SeamKind;
 use toile_garment::{Diagnostic, Garment};
 
 /// Tables that stand open in the page; the others are folded.
-const OPEN: [&str; 2] = ["ease", "lengths"];
+const OPEN: [&str; 3] = ["ease", "lengths", "flat_verdicts"];
 
 /// Columns of flattened pieces; they say nothing where nothing was edited.
 const FLATTENED: [&str; 7] =
@@ -153,7 +153,7 @@ fn picks(table: &str, number: usize, row: &[Cell], garment: &Garment) -> Option<
     match table {
         "pieces" => Some(format!("piece:{number}")),
         "seams" => Some(format!("seam:{number}")),
-        "edges" | "strain" | "piece_sizes" => piece().map(|p| format!("piece:{p}")),
+        "edges" | "strain" | "piece_sizes" | "flat_verdicts" => piece().map(|p| format!("piece:{p}")),
         "darts" => {
             let p = piece()?;
             let dart = garment.pieces[p].darts.iter().position(|d| Some(d.name.as_str()) == text(1))?;

@@ -1,7 +1,7 @@
 //! The tables of the report, from whatever the garment holds.
 
 use super::stats::{Spread, areas, spread};
-use toile_garment::flat::{FlatMetric, FlatPiece, StrainMap};
+use toile_garment::flat::{Check, FlatMetric, FlatPiece, StrainMap};
 use toile_garment::seam::SeamKind;
 use toile_garment::{Diagnostic, Garment, Piece, Severity};
 
@@ -51,6 +51,7 @@ impl Table {
 pub fn tables(garment: &Garment, findings: &[Diagnostic]) -> Vec<Table> {
     let all = [
         self::findings(findings),
+        verdicts(garment),
         pieces(garment),
         edges(garment),
         darts(garment),
@@ -151,6 +152,24 @@ fn pieces(garment: &Garment) -> Table {
             }
         }
         t.rows.push(row);
+    }
+    t
+}
+
+fn verdicts(garment: &Garment) -> Table {
+    let mut t = Table::new(
+        "flat_verdicts",
+        "Flattened pieces",
+        "One line a piece: what is over its tolerance, and the largest changes of every kind. Sewn edges and notches \
+         beside their partner, and the legs of darts, are always judged; all else where a tolerance was given.",
+        &[("piece", "piece"), ("passes", "passes"), ("fails", "what fails"), ("changes", "largest changes")],
+    );
+    for verdict in garment.flat.iter().flat_map(|f| &f.verdicts) {
+        let name = garment.pieces.get(verdict.piece.index()).map_or(Cell::Empty, |p| text(&p.name));
+        let fails = verdict.fails();
+        let fails = if fails.is_empty() { Cell::Empty } else { text(fails.join("; ")) };
+        let changes: Vec<String> = verdict.checks.iter().filter(|c| c.passes()).map(Check::words).collect();
+        t.rows.push(vec![name, Cell::Verdict(verdict.passes()), fails, text(changes.join("; "))]);
     }
     t
 }

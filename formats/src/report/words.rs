@@ -257,6 +257,15 @@ const CATALOGUE: &[(&str, &str)] = &[
     ("triangles", "三角形"),
     ("outline mm", "轮廓 mm"),
     ("original cm²", "面积 cm²"),
+    ("Flattened pieces", "展平后的裁片"),
+    (
+        "One line a piece: what is over its tolerance, and the largest changes of every kind. Sewn edges and notches \
+         beside their partner, and the legs of darts, are always judged; all else where a tolerance was given.",
+        "每片一行：超出公差之处，以及各类的最大变化。缝合边与剪口相对其缝合对边、省道两边始终检查；其余仅在给出公差时检查。",
+    ),
+    ("passes", "合格"),
+    ("what fails", "不合格之处"),
+    ("largest changes", "最大变化"),
     ("Edges", "边"),
     ("edge", "边"),
     ("original mm", "原长 mm"),

@@ -15,7 +15,7 @@ pub(super) fn is_json(bytes: &[u8]) -> bool {
 pub(super) fn document(source: &Source<'_>) -> Result<Inspected, Vec<Diagnostic>> {
     let place = SourceRef::file(clean(source.path));
     let wrong = |message| vec![Diagnostic::error(GARMENT_FILE, message).at(place)];
-    let garment = garment_file::document(source.bytes).map_err(wrong)?;
+    let garment = garment_file::document(source.bytes).map_err(wrong)?.garment;
     let json = json!({
         "style": garment.style,
         "size": garment.size,

@@ -32,6 +32,24 @@ pub struct Part {
     pub holes: Vec<DrillHole>,
 }
 
+/// An old dart that is gone, or made anew in another form.
+#[derive(Clone, Copy, Debug)]
+pub struct Gone {
+    /// Its number.
+    pub dart: usize,
+    /// Are the marks of its mouth gone, too?
+    pub has_no_mouth: bool,
+    /// Are the marks of its point gone, too?
+    pub has_no_point: bool,
+}
+
+impl Gone {
+    /// A dart with its marks, or without them.
+    pub fn new(dart: usize, is_unmarked: bool) -> Self {
+        Self { dart, has_no_mouth: is_unmarked, has_no_point: is_unmarked }
+    }
+}
+
 /// A changed piece: its parts, and how the cloth moved.
 #[derive(Clone, Debug)]
 pub struct Altered {
@@ -39,14 +57,12 @@ pub struct Altered {
     pub parts: Vec<Part>,
     /// How the cloth moved.
     pub regions: Vec<Region>,
-    /// Numbers of the old darts that are gone or made anew.
-    pub gone: Vec<usize>,
-    /// Are the marks of those darts gone, too?
-    pub is_unmarked: bool,
+    /// The old darts that are gone or made anew.
+    pub gone: Vec<Gone>,
     /// The old outline.
     pub ring: Ring,
-    /// The seam between the parts.
-    pub seam: Option<SeamSpec>,
+    /// The seams between the parts.
+    pub seams: Vec<SeamSpec>,
     /// Seam allowance of new edges, metres.
     pub allowance: f64,
     /// The change in words.

@@ -1,5 +1,6 @@
 //! An outline that is being changed. Every vertex knows which stretch of the old outline begins at it.
 
+use super::motion::Motion;
 use crate::sewing::ring::{Gap, Ring};
 use toile_formats::dxf::geom::{self, inside};
 use toile_garment::outline::{LinePoint, OutlineEdge, PieceLine, PointKind};
@@ -27,6 +28,11 @@ impl Vertex {
     /// A vertex at which a new segment begins.
     pub fn new(at: Vec2, kind: PointKind) -> Self {
         Self { at, kind, stretch: None }
+    }
+
+    /// The vertex where its cloth has moved.
+    pub fn moved(&self, motion: &Motion) -> Self {
+        Self { at: motion.apply(self.at), ..*self }
     }
 }
 
@@ -131,6 +137,15 @@ impl Contour {
             last.stretch = None;
         }
         chain
+    }
+
+    /// The vertices between those nearest to two places, walked forward, both included.
+    pub fn between(&self, from: Vec2, to: Vec2) -> Vec<Vertex> {
+        let nearest = |p: Vec2| {
+            let far = |k: &usize| (self.vertices[*k].at - p).norm();
+            (0..self.vertices.len()).min_by(|a, b| far(a).total_cmp(&far(b))).unwrap_or_default()
+        };
+        self.chain(nearest(from), nearest(to))
     }
 
     /// Drops vertices that lie on the vertex before them. It begins where the old outline began, or soon after, so that

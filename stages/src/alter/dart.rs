@@ -1,8 +1,9 @@
 //! The point of a dart moved.
 
-use super::build::{ALLOWANCE, Altered, Part};
+use super::build::{ALLOWANCE, Altered, Gone, Part};
 use super::contour::{Contour, Vertex};
-use super::marks::{Motion, Region};
+use super::marks::Region;
+use super::motion::Motion;
 use super::params::MovePoint;
 use super::pivot::{LEGS_DIFFER, wedge};
 use super::{ALTER_DART, ALTER_LEGS_DIFFER, ALTER_LINE_LEAVES_PIECE, spot};
@@ -41,10 +42,9 @@ pub fn point(garment: &Garment, shapes: &Shapes, id: PieceId, p: &MovePoint) -> 
     Ok(Altered {
         parts: vec![Part { name: piece.name.clone(), contour: outline, darts, notches: Vec::new(), holes: Vec::new() }],
         regions: vec![Region { polygon: contour.points(), motion: Motion::NONE, part: 0 }],
-        gone: vec![number],
-        is_unmarked: false,
+        gone: vec![Gone::new(number, false)],
         ring: ring.clone(),
-        seam: None,
+        seams: Vec::new(),
         allowance: ALLOWANCE,
         told: format!("the point of dart `{}` of piece `{}` lies at {} now", p.dart, piece.name, mm(to)),
         findings: differ.into_iter().collect(),

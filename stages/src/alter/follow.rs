@@ -155,6 +155,12 @@ impl Follow<'_> {
         let parts = self.altered.parts.iter().enumerate();
         let mut all: Vec<_> =
             parts.flat_map(|(k, p)| p.contour.carried(ring, from, length).into_iter().map(move |c| (k, c))).collect();
+        // Seams skip the legs of darts. Where a dart is gone, its legs are edges of their own.
+        let is_leg = |c: &Carried| {
+            let gap = ring.gap_around((from + (c.way[0] + c.way[1]) / 2.0).rem_euclid(ring.total()));
+            gap.is_some_and(|g| self.altered.is_gone(g.dart))
+        };
+        all.retain(|(_, c)| !is_leg(c));
         all.sort_by(|(_, a), (_, b)| a.way[0].total_cmp(&b.way[0]));
         let mut out: Vec<(usize, [Vec2; 2])> = Vec::new();
         let mut last: Option<(usize, usize)> = None;

@@ -1,6 +1,7 @@
 //! How marks go with the cloth that they are on.
 
-use super::build::Altered;
+use super::build::{Altered, Gone};
+use super::motion::Motion;
 use toile_formats::dxf::geom::{self, inside};
 use toile_garment::dart::{Dart, DartKind};
 use toile_garment::outline::PieceLine;
@@ -12,28 +13,6 @@ const NEAR_POINT: f64 = 16e-3;
 const ON_REGION: f64 = 1e-4;
 /// A notch this near to the mouth of a dart marks it, metres.
 const AT_MOUTH: f64 = 2e-3;
-
-/// A turn about a point of the plane.
-#[derive(Clone, Copy, Debug)]
-pub struct Motion {
-    /// The point, metres.
-    pub about: Vec2,
-    /// The angle, radians, counter-clockwise.
-    pub angle: f64,
-}
-
-impl Motion {
-    /// No motion.
-    pub const NONE: Self = Self { about: Vec2::new(0.0, 0.0), angle: 0.0 };
-
-    /// Where a point comes to lie.
-    pub fn apply(&self, p: Vec2) -> Vec2 {
-        if self.angle == 0.0 {
-            return p;
-        }
-        self.about + geom::rotate(p - self.about, self.angle)
-    }
-}
 
 /// A region of the old piece that moves as a whole.
 #[derive(Clone, Debug)]
@@ -80,7 +59,7 @@ impl Altered {
             let place: Vec<Vec2> = dart.mouth.iter().chain(&dart.apexes).copied().collect();
             self.region(&place).is_none_or(|r| place.iter().any(|p| r.distance(*p) > ON_REGION))
         };
-        let kept = old.darts.iter().enumerate().filter(|(k, _)| !self.gone.contains(k));
+        let kept = old.darts.iter().enumerate().filter(|(k, _)| !self.is_gone(*k));
         kept.map(|(_, d)| d).find(|d| is_parted(d))
     }
 
@@ -105,16 +84,23 @@ impl Altered {
         piece.drill_holes.retain_mut(|h| carry(std::slice::from_mut(&mut h.at)));
         piece.texts.retain_mut(|t| carry(std::slice::from_mut(&mut t.at)));
         piece.folds.retain_mut(|f| carry(&mut f.line));
-        let darts = old.darts.iter().enumerate().filter(|(k, _)| !self.gone.contains(k));
+        let darts = old.darts.iter().enumerate().filter(|(k, _)| !self.is_gone(*k));
         piece.darts = darts.filter_map(|(k, d)| self.dart(k, d, part)).collect();
         piece.grain = old.grain.map(|g| self.grain(g, part, &piece.outline.positions()));
         piece.fold = old.fold.filter(|f| here(f).is_some_and(|m| m.angle == 0.0) && self.parts.len() == 1);
     }
 
-    /// Does a notch or a drill hole mark a dart that is gone? It stands at its mouth or near its point.
+    /// Is a dart gone, or made anew?
+    pub fn is_gone(&self, dart: usize) -> bool {
+        self.gone.iter().any(|g| g.dart == dart)
+    }
+
+    /// Does a notch or a drill hole mark what is gone of a dart? It stands at its mouth or near its point.
     fn marks_gone_dart(&self, old: &Piece, at: Vec2) -> bool {
-        let gone = self.gone.iter().filter(|_| self.is_unmarked).filter_map(|k| old.darts.get(*k));
-        gone.into_iter().any(|d| is_near_point(d, at) || is_at_mouth(old, d, at))
+        let marks = |gone: &Gone, dart: &Dart| {
+            (gone.has_no_point && is_near_point(dart, at)) || (gone.has_no_mouth && is_at_mouth(old, dart, at))
+        };
+        self.gone.iter().any(|gone| old.darts.get(gone.dart).is_some_and(|dart| marks(gone, dart)))
     }
 
     /// A dart that was not changed. What was only marked is notched out of the outline now.

@@ -7,6 +7,7 @@ mod cut;
 mod dart;
 mod follow;
 mod marks;
+mod motion;
 mod params;
 mod pivot;
 mod spot;
@@ -30,7 +31,7 @@ codes! {
     /// A change of a piece was made. The message says what became of it.
     ALTERED = "altered";
 
-    /// A line along which a piece is to be cut leaves the piece, or crosses a dart. Exit code 2.
+    /// A line along which a piece is to be cut leaves the piece, or cuts through a pleat. Exit code 2.
     ALTER_LINE_LEAVES_PIECE = "alter-line-leaves-piece";
 
     /// A place of a change is not where it has to be: a line must begin and end on the outline or at the point of a
@@ -136,7 +137,7 @@ fn alter(garment: Garment, change: &Change, report: &mut Report) -> Result<Garme
     let piece = &garment.pieces[id.index()];
     if let Some(dart) = altered.cut_dart(piece) {
         let message = format!("a line cuts through dart `{}` of piece `{}`", dart.name, piece.name);
-        let hint = "let it pass beside the dart, or end at the point of a wedge dart";
+        let hint = "let it pass beside it, or cross its legs; a pleat cannot be cut apart";
         return Err(StageError::parameter(Diagnostic::error(ALTER_LINE_LEAVES_PIECE, message).hint(hint)));
     }
     report.push(Diagnostic::info(ALTERED, altered.told.clone()));
@@ -161,7 +162,7 @@ fn put_in(
         piece.id = PieceId::from(i);
         piece.mesh = None;
     }
-    plan.seams.extend(altered.seam);
+    plan.seams.extend(altered.seams);
     // Darts and folds are in the pieces already. They stay in the plan for those who write it.
     let kept = (std::mem::take(&mut plan.darts), std::mem::take(&mut plan.folds));
     let mut again = Report::default();

@@ -1,10 +1,11 @@
 //! Darts turned into another place of the outline, and darts closed while an edge spreads.
 
 use super::ALTER_LINE_LEAVES_PIECE;
-use super::build::{ALLOWANCE, Altered, Part, SAME_PLACE, middle};
+use super::build::{ALLOWANCE, Altered, Gone, Part, SAME_PLACE, middle};
 use super::contour::{Contour, Vertex};
 use super::cut::new_notch;
-use super::marks::{Motion, Region, marks_of};
+use super::marks::{Region, marks_of};
+use super::motion::Motion;
 use super::params::{Close, Pivot, Spot};
 use super::{ALTER_DART, ALTER_LEGS_DIFFER, ALTER_OVERLAPS, ALTER_PLACE, spot};
 use crate::sewing::ring::Gap;
@@ -61,7 +62,7 @@ fn turn(garment: &Garment, shapes: &Shapes, id: PieceId, t: &Turn<'_>) -> Result
     let angle = t.share * slash.angle();
     let mut motions = [Motion::NONE; 2];
     let turned = 1 - stays(piece, &polygons);
-    motions[turned] = Motion { about: slash.point, angle: if turned == 1 { angle } else { -angle } };
+    motions[turned] = Motion::turn(slash.point, if turned == 1 { angle } else { -angle });
     let Joined { outline, darts, opened } = slash.joined(piece, dart, t, motions);
     if let Some(place) = outline.crossing() {
         let message = format!("piece `{}` would lie over itself at {}", t.piece, mm(place));
@@ -77,10 +78,9 @@ fn turn(garment: &Garment, shapes: &Shapes, id: PieceId, t: &Turn<'_>) -> Result
     Ok(Altered {
         parts: vec![Part { name: piece.name.clone(), contour: outline, darts, notches, holes }],
         regions: regions.collect(),
-        gone: vec![number],
-        is_unmarked: t.share >= 1.0,
+        gone: vec![Gone::new(number, t.share >= 1.0)],
         ring: shapes[id.index()].rings[0].clone(),
-        seam: None,
+        seams: Vec::new(),
         allowance: ALLOWANCE,
         told: format!("dart `{}` of piece `{}` was {what} at {}", t.dart, t.piece, mm(slash.place)),
         findings: legs_differ(piece.name.as_str(), dart).into_iter().collect(),

@@ -1,5 +1,7 @@
 //! Changes of small pieces: areas, lengths and seams.
 
+mod across;
+
 use super::params::{AlterParams, Change};
 use super::{Alter, shapes};
 use crate::sewing::resolve::{find, placed};
@@ -162,9 +164,13 @@ fn what_cannot_be_done_is_refused_in_words() {
     assert!(pivot("waist", "[20, 0, 0]").contains("has no shape in space yet"));
     let cut = "[[change]]\ndo = \"cut\"\npiece = \"front\"\nalong = [[10, 0], [190, 0]]\ninto = { upper = \"a\", lower = \"b\" }\n";
     assert!(refused(cut).starts_with("alter-line-leaves-piece"));
-    let across = "[[change]]\ndo = \"cut\"\npiece = \"front\"\nalong = [[0, 60], [200, 60]]\n\
+    // With the dart closed this line would run below its mouth.
+    let below = "[[change]]\ndo = \"cut\"\npiece = \"front\"\nalong = [[0, 2], [200, 2]]\n\
                   into = { upper = \"a\", lower = \"b\" }\n";
-    assert!(refused(across).ends_with("crosses dart `waist`"));
+    assert!(refused(below).contains("meets the point or the mouth of dart `waist`"));
+    let in_dart = "[[change]]\ndo = \"cut\"\npiece = \"front\"\nalong = [[0, 60], [100, 60], [200, 60]]\n\
+                  into = { upper = \"a\", lower = \"b\" }\n";
+    assert!(refused(in_dart).contains("lies in dart `waist`"));
     assert!(pivot("waist", "{ edge = 1, at = \"middle\" }").contains("edge `1` is the leg of a dart"));
     let same = "[[change]]\ndo = \"cut\"\npiece = \"front\"\nalong = [[0, 200], [200, 200]]\ninto = { upper = \"back\", lower = \"b\" }\n";
     assert!(refused(same).contains("cannot be called `back`"));

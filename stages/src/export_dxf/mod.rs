@@ -125,6 +125,11 @@ pub struct ExportDxfParams {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("format" = "input-file"))]
     pub size_run: Option<PathBuf>,
+    /// The pattern file that the garment was made of. All its sizes are written for the pieces as they were changed in
+    /// one size, with their grade rules in a `.rul` file beside the output.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(extend("format" = "input-file"))]
+    pub grade_from: Option<PathBuf>,
 }
 
 impl Default for ExportDxfParams {
@@ -142,6 +147,7 @@ impl Default for ExportDxfParams {
             mark_darts: false,
             allowance: None,
             size_run: None,
+            grade_from: None,
         }
     }
 }
@@ -216,11 +222,14 @@ impl Stage for ExportDxf {
         };
         quantities::share(&garment, &mut pieces, cx.report);
         allowance::add(params.allowance.as_ref(), &mut pieces, Which::All, cx)?;
-        let written = draw(&garment, &pieces, params).map_err(StageError::Input)?;
-        for finding in written.findings {
-            cx.report.push(finding);
+        match &params.grade_from {
+            Some(pattern) => write_carried(pattern, &garment, &pieces, params, cx)?,
+            None => {
+                let written = draw(&garment, &pieces, params).map_err(StageError::Input)?;
+                written.findings.into_iter().for_each(|f| cx.report.push(f));
+                cx.files.write(Path::new(&params.file), &written.bytes)?;
+            }
         }
-        cx.files.write(Path::new(&params.file), &written.bytes)?;
         if let Some(file) = &params.sewing {
             // Before pieces are sewn there are no stitches to follow, and the pieces lie as the plan says.
             let is_as_planned = params.source == DxfSource::Pattern && garment.seams.is_empty();
@@ -232,7 +241,7 @@ impl Stage for ExportDxf {
 }
 
 /// All sizes of a pattern file, as drawn or as its rule table grades them.
-fn sizes(path: &Path, cx: &mut StageContext<'_>) -> Result<write::Sizes, StageError> {
+fn sizes_of(path: &Path, cx: &mut StageContext<'_>) -> Result<write::Sizes, StageError> {
     let name = path.to_string_lossy().into_owned();
     let bytes = cx.files.read(path)?;
     let pattern = dxf::read(&bytes, &name, &ReadOptions::default()).map_err(StageError::Input)?;
@@ -244,11 +253,30 @@ fn sizes(path: &Path, cx: &mut StageContext<'_>) -> Result<write::Sizes, StageEr
 
 /// Writes all sizes of a pattern file, and its grade rules.
 fn write_run(path: &Path, params: &ExportDxfParams, cx: &mut StageContext<'_>) -> Result<(), StageError> {
-    let mut sizes = sizes(path, cx)?;
+    let mut sizes = sizes_of(path, cx)?;
     if params.allowance.is_some() {
         sizes.recut(|pieces| allowance::add(params.allowance.as_ref(), pieces, Which::All, cx))?;
     }
-    let mut run = sizes.draw(params.piece_options());
+    write_sizes(sizes.draw(params.piece_options()), params, cx)
+}
+
+/// The pieces as they were changed, in all sizes of the pattern that they were made of.
+fn write_carried(
+    path: &Path,
+    garment: &Garment,
+    pieces: &[Piece],
+    params: &ExportDxfParams,
+    cx: &mut StageContext<'_>,
+) -> Result<(), StageError> {
+    let before = garment.pieces.iter().cloned();
+    let changed: Vec<write::Changed> =
+        before.zip(pieces.iter().cloned()).map(|(before, after)| write::Changed { before, after }).collect();
+    let run = sizes_of(path, cx)?.carried(garment.size.as_deref(), &changed, params.piece_options());
+    write_sizes(run.map_err(StageError::Input)?, params, cx)
+}
+
+/// Writes a size run: the drawing, and its rules beside it.
+fn write_sizes(mut run: write::SizeRun, params: &ExportDxfParams, cx: &mut StageContext<'_>) -> Result<(), StageError> {
     run.drawing.style = params.signed(run.drawing.style);
     let dialect = params.dialect.written();
     let options = params.options().map_err(|f| StageError::parameter(*f))?;

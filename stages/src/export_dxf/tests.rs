@@ -400,3 +400,62 @@ fn pleats_of_copies_are_written_and_their_lines_go_with_them() {
     // Before pieces are sewn the plan names copies, too.
     assert_eq!(sewing::unsewn(&garment).darts.len(), 2);
 }
+
+/// The sample T-shirt in a size.
+fn shirt(size: &str) -> Garment {
+    let bytes = include_bytes!("../../../samples/patterns/t-shirt.aama.dxf");
+    let pattern = dxf::read(bytes, "t-shirt.dxf", &ReadOptions::default()).expect("pattern");
+    pattern.to_garment(Some(size), None).expect("size").0
+}
+
+fn named<'g>(garment: &'g Garment, name: &str) -> &'g Piece {
+    garment.pieces.iter().find(|p| p.name == name).expect("piece")
+}
+
+/// The garment that was written, in a size.
+fn written_in(files: &Memory, size: &str) -> Garment {
+    let pattern = dxf::read(&files.0[0].1, "run.dxf", &ReadOptions::default()).expect("pattern");
+    pattern.to_garment(Some(size), None).expect("size").0
+}
+
+#[test]
+fn a_change_in_one_size_is_carried_to_all_sizes() {
+    // Unchanged pieces come back in every size as they were drawn.
+    let text = "source = \"pattern\"\nfile = \"out/run.dxf\"\ngrade_from = \"t-shirt.dxf\"";
+    for size in ["38", "40"] {
+        let (result, files, report) = run(shirt(size), &toml::from_str(text).expect("params"));
+        result.expect("written");
+        assert!(report.findings.iter().all(|f| f.code == "sizes-carried"), "{:?}", report.findings);
+        let table = rul::read(&files.0[1].1, "run.rul").expect("rules");
+        assert_eq!((table.sizes.len(), table.sample.as_deref()), (3, Some(size)));
+        for other in ["36", "38", "40"] {
+            let there = written_in(&files, other);
+            for piece in shirt(other).pieces {
+                let line = named(&there, &piece.name).outline.positions();
+                let off = piece.outline.points.iter().map(|p| dxf::geom::distance(p.at, &line, true));
+                let off = off.fold(0.0, f64::max);
+                assert!(off < 1e-4, "{size} to {other}, {}: {off}", piece.name);
+            }
+        }
+    }
+}
+
+#[test]
+fn a_piece_that_was_cut_apart_is_cut_apart_in_all_sizes() {
+    let change = "[[change]]\ndo = \"cut\"\npiece = \"FRONT\"\nalong = [{ edge = \"1\", at = \"50 %\" }, { edge = \"7\", at = \"50 %\" }]\n\
+                  into = { upper = \"YOKE\", lower = \"FRONT\" }\n";
+    let before = shirt("38");
+    let params: crate::alter::AlterParams = toml::from_str(change).expect("change");
+    let (garment, _) = crate::testing::run(&crate::alter::Alter, &params, before.clone()).expect("cut");
+    let text = "source = \"pattern\"\nfile = \"out/run.dxf\"\ngrade_from = \"t-shirt.dxf\"";
+    let (result, files, report) = run(garment.clone(), &toml::from_str(text).expect("params"));
+    result.expect("written");
+    assert!(report.findings.iter().all(|f| f.code == "sizes-carried"), "{:?}", report.findings);
+    for size in ["36", "40"] {
+        let (there, whole) = (written_in(&files, size), shirt(size));
+        let area = |g: &Garment, name: &str| named(g, name).outline.signed_area().abs();
+        let [parts, drawn] = [area(&there, "YOKE") + area(&there, "FRONT"), area(&whole, "FRONT")];
+        assert!((parts / drawn - 1.0).abs() < 1e-4, "{size}: {parts} {drawn}");
+        assert!((area(&there, "YOKE") / area(&garment, "YOKE") - 1.0).abs() > 1e-3);
+    }
+}

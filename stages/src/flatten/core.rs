@@ -65,7 +65,7 @@ pub fn flatten_garment(
     let rest: Vec<&[Vec2]> = sources.iter().map(|s| s.mesh.rest.as_slice()).collect();
     let flat: Vec<&[Vec2]> = pieces.iter().map(|p| p.positions.as_slice()).collect();
     let changes = garment.seams.iter().map(|s| sewn::change(s, &rest, &flat)).collect();
-    Ok(Flat { metric, pieces, pairs: changes, over_tolerance: None })
+    Ok(Flat { metric, pieces, pairs: changes, over_tolerance: None, verdicts: Vec::new() })
 }
 
 /// The strain of the cloth is known when the shape before an edit is, or when the drape is our own (it carries a

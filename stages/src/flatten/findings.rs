@@ -14,7 +14,7 @@ pub fn metric(garment: &Garment, metric: FlatMetric, report: &mut Report) {
             codes::FLATTEN_UNEDITED,
             "the drape was not edited: its strain is elastic and stays in the cloth, so the stored pieces come back by construction",
         )
-        .hint("use metric = \"surface\" to flatten the worn lengths, or edit the 3D shape first"),
+        .hint("edit the 3D shape first, or flatten the worn lengths: `--metric surface` (metric = \"surface\")"),
         FlatMetric::Carried => Diagnostic::info(
             codes::FLATTEN_CARRIED,
             "flattened on the stored lengths changed by the 3D edit; the strain the drape had before stays in the cloth",
@@ -69,7 +69,7 @@ pub fn held(piece: &Piece, held: &Held, report: &mut Report) {
         report.push(
             Diagnostic::info(codes::FLATTEN_HELD, what)
                 .at(piece.source.clone())
-                .hint("leave `straight` out of `lock` to let it bow"),
+                .hint("leave `straight` out of `--lock` (`lock` in a pipeline) to let it bow"),
         );
     }
     if !held.right.is_empty() {
@@ -82,7 +82,7 @@ pub fn held(piece: &Piece, held: &Held, report: &mut Report) {
         report.push(
             Diagnostic::info(codes::FLATTEN_HELD, what)
                 .at(piece.source.clone())
-                .hint("leave `right-angles` out of `lock` to let them turn"),
+                .hint("leave `right-angles` out of `--lock` (`lock` in a pipeline) to let them turn"),
         );
     }
     if !held.curved.is_empty() {
@@ -117,7 +117,7 @@ pub fn held_pleats(piece: &Piece, held: &[(String, f64)], report: &mut Report) {
     report.push(
         Diagnostic::info(codes::FLATTEN_HELD, what)
             .at(piece.source.clone())
-            .hint("leave `pleats` out of `lock` to let them change"),
+            .hint("leave `pleats` out of `--lock` (`lock` in a pipeline) to let them change"),
     );
 }
 
@@ -152,7 +152,8 @@ fn both((p, q): (&Piece, &Piece)) -> String {
 /// Two sides that were made one.
 pub fn symmetric(pieces: (&Piece, &Piece), apart: f64) -> Diagnostic {
     let what = format!("{} differed by {:.3} mm at most and were made one", both(pieces), 1e3 * apart);
-    Diagnostic::info(codes::FLATTEN_SYMMETRIC, what).hint("use symmetry = \"off\" to keep both sides as they are")
+    Diagnostic::info(codes::FLATTEN_SYMMETRIC, what)
+        .hint("keep both sides as they are with `--symmetry off` (symmetry = \"off\")")
 }
 
 /// Two sides that differ too much to be one. `moves` is the difference of an edit that moved mirrored points, metres.

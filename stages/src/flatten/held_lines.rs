@@ -3,7 +3,7 @@
 //! The free answer says what would become of them. An edge that bows a little is held straight. One that bows much was
 //! asked to be a curve by the shape, and is let go. So it is with right angles. Both are told.
 
-use super::features::Features;
+use super::features::{Chain, Features};
 use super::findings::{self, Held};
 use super::lock::Lock;
 use super::params::{FlattenParams, LockKind};
@@ -64,7 +64,8 @@ fn chord(p: &[Vec2], chain: &[u32]) -> f64 {
     chain.first().map(at).zip(chain.last().map(at)).map_or(0.0, |(a, b)| (b - a).norm())
 }
 
-fn is_straight(rest: &[Vec2], chain: &[u32]) -> bool {
+/// Does a chain of the stored piece lie on its chord?
+pub fn is_straight(rest: &[Vec2], chain: &[u32]) -> bool {
     chord(rest, chain) > 1e-6 && bow(rest, chain) <= STRAIGHT_BOW
 }
 
@@ -108,14 +109,8 @@ fn right_angles(
     held: &mut Held,
 ) {
     let rest = &source.mesh.rest;
-    // The edge that ends at a vertex meets the one that begins there.
-    let begins: BTreeMap<u32, &Vec<u32>> =
-        features.edges.iter().filter_map(|e| Some((*e.vertices.first()?, &e.vertices))).collect();
-    for edge in &features.edges {
-        let Some((corner, next)) = edge.vertices.last().and_then(|v| begins.get_key_value(v)) else { continue };
-        let back: Vec<u32> = edge.vertices.iter().rev().copied().collect();
-        let (before, after) = (arm(rest, &back), arm(rest, next));
-        let v = [before, *corner, after];
+    for (_, v) in corners(rest, features) {
+        let [before, corner, after] = v;
         let stored = angle(rest, v);
         let turned = (angle(free, v) - stored).to_degrees();
         if (stored.to_degrees() - 90.0).abs() > RIGHT_ANGLE_OFF || turned.abs() < TURN_UNTOUCHED {
@@ -126,10 +121,29 @@ fn right_angles(
             continue;
         }
         held.right.push(turned);
-        let length = |v: u32| (rest[v as usize] - rest[*corner as usize]).norm();
+        let length = |v: u32| (rest[v as usize] - rest[corner as usize]).norm();
         let arm = length(before).min(length(after));
         out.push(Lock::Angle { v: v.map(|v| v + source.offset), angle: stored, arm, stiffness: params.pair_stiffness });
     }
+}
+
+/// The corners where two edges meet: names of the edges, and the vertices before, at and after.
+fn corners<'f>(rest: &[Vec2], features: &'f Features) -> Vec<([&'f str; 2], [u32; 3])> {
+    // The edge that ends at a vertex meets the one that begins there.
+    let begins: BTreeMap<u32, &Chain> = features.edges.iter().filter_map(|e| Some((*e.vertices.first()?, e))).collect();
+    let corner = |edge: &'f Chain| {
+        let (corner, next) = edge.vertices.last().and_then(|v| begins.get_key_value(v))?;
+        let back: Vec<u32> = edge.vertices.iter().rev().copied().collect();
+        Some(([edge.name.as_str(), next.name.as_str()], [arm(rest, &back), *corner, arm(rest, &next.vertices)]))
+    };
+    features.edges.iter().filter_map(corner).collect()
+}
+
+/// Every corner in words, with its angle in two positions of the piece, radians.
+pub fn corner_angles(rest: &[Vec2], features: &Features, both: [&[Vec2]; 2]) -> Vec<(String, [f64; 2])> {
+    let told =
+        |names: [&str; 2], v| (format!("the corner of {} and {}", names[0], names[1]), both.map(|p| angle(p, v)));
+    corners(rest, features).into_iter().map(|(names, v)| told(names, v)).collect()
 }
 
 /// The vertex at the end of a straight chain, or a little way along a curved one.

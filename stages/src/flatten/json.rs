@@ -2,13 +2,21 @@
 
 use super::features::{self, Chain, ChainPair, Corner};
 use serde_json::{Value, json};
-use toile_garment::flat::{DartChange, Flat, FlatPiece, LengthChange, PairChange, StrainMap};
+use toile_garment::flat::{
+    Check, CheckKind, DartChange, Flat, FlatPiece, LengthChange, PairChange, PieceVerdict, StrainMap,
+};
 use toile_garment::{Garment, Piece, Vec2, Vec3};
 
 /// The result of [`super::flatten_garment`] for other programs.
 #[must_use]
 pub fn json(garment: &Garment, flat: &Flat) -> Value {
-    let pieces: Vec<Value> = flat.pieces.iter().filter_map(|f| piece(garment, f)).collect();
+    let verdict = |f: &FlatPiece| flat.verdicts.iter().find(|v| v.piece == f.piece).map_or(Value::Null, verdict);
+    let with_verdict = |f: &FlatPiece| {
+        let mut told = piece(garment, f)?;
+        told["verdict"] = verdict(f);
+        Some(told)
+    };
+    let pieces: Vec<Value> = flat.pieces.iter().filter_map(with_verdict).collect();
     json!({
         "metric": flat.metric,
         "pieces": pieces,
@@ -29,6 +37,23 @@ fn piece(garment: &Garment, flat: &FlatPiece) -> Option<Value> {
         "features": named(garment, piece),
         "figures": figures(flat),
     }))
+}
+
+/// The verdict on a piece: every check in the unit that its key tells, and in words.
+fn verdict(v: &PieceVerdict) -> Value {
+    let check = |c: &Check| {
+        let (key, unit) = match c.kind {
+            CheckKind::Area => ("pct", 100.0),
+            CheckKind::Corner | CheckKind::Grain => ("deg", 1f64.to_degrees()),
+            _ => ("mm", 1e3),
+        };
+        let mut told = json!({ "kind": c.kind, "place": c.place, "passes": c.passes(), "words": c.words() });
+        told[format!("change_{key}")] = json!(unit * c.value);
+        told[format!("limit_{key}")] = json!(c.limit.map(|l| unit * l));
+        told["along_mm"] = json!(c.along.map(|a| 1e3 * a));
+        told
+    };
+    json!({ "passed": v.passes(), "fails": v.fails(), "checks": v.checks.iter().map(check).collect::<Vec<_>>() })
 }
 
 fn named(garment: &Garment, piece: &Piece) -> Value {

@@ -24,6 +24,7 @@ mod params;
 pub mod pleats;
 pub mod point_location;
 pub mod roughness;
+mod seam_stations;
 pub mod sewn;
 pub mod solve;
 pub mod source;
@@ -33,6 +34,7 @@ mod surfaces;
 pub mod symmetry;
 pub mod system;
 mod tolerance;
+mod verdict;
 pub mod wanted;
 
 pub use self::core::{Fit, Watch, fitted, flatten_garment};

@@ -73,6 +73,24 @@ pub struct FlattenTolerance {
     /// Turn of the grain.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub grain: Option<Angle>,
+    /// Change of a sewn edge beside its seam partner, at the station where they differ most (1 mm).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub seam: Option<Length>,
+    /// Change of the way of a notch from the start of its edge.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub notch: Option<Length>,
+    /// Change of a notch beside the same place of the seam partner (1 mm).
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub notch_partner: Option<Length>,
+    /// Turn of a corner.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub corner: Option<Angle>,
+    /// Bow of an edge that was straight.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bow: Option<Length>,
+    /// Distance from the mirror image.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub symmetry: Option<Length>,
 }
 
 /// Parameters of `flatten`.

@@ -2,7 +2,7 @@
 
 use super::codes;
 use super::params::FlattenTolerance;
-use super::{FlattenParams, flatten_garment, tolerance};
+use super::{FlattenParams, flatten_garment, tolerance, verdict};
 use toile_garment::{Aspect, Diagnostic, Garment};
 use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo};
 
@@ -40,6 +40,7 @@ impl Stage for Flatten {
             !cancel.load(std::sync::atomic::Ordering::Relaxed)
         };
         let mut flat = flatten_garment(&garment, params, cx.report, &mut watch)?;
+        flat.verdicts = verdict::verdicts(&garment, &flat, &params.tolerance)?;
         let over = tolerance::judge(&garment, &flat, &params.tolerance, cx.report);
         flat.over_tolerance = (params.tolerance != FlattenTolerance::default()).then_some(over);
         Ok(Garment { flat: Some(flat), ..garment })

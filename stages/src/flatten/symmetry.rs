@@ -77,6 +77,13 @@ pub fn make(
     }
 }
 
+/// How far the flat pieces differ from the mirror images of each other, metres: numbers of both pieces, and the distance.
+#[must_use]
+pub fn apart(sources: &[Source<'_>], features: &[Features], flats: &[Vec<Vec2>]) -> Vec<(usize, usize, f64)> {
+    let off = |image: Image| (image.p, image.q, difference(&mirrored(sources, flats, &image, false), &flats[image.p]));
+    images(sources, features).into_iter().map(off).collect()
+}
+
 /// What an edit did to the mirrored points of a piece and its image, metres.
 struct Moves {
     /// Largest difference between the move of a point and the mirrored move of its image.

@@ -2,8 +2,11 @@
 
 use super::codes;
 use super::params::FlattenTolerance;
-use toile_garment::flat::{Flat, FlatPiece};
+use toile_garment::flat::{Check, CheckKind, Flat, FlatPiece, PieceVerdict};
 use toile_garment::{Diagnostic, Garment, Report};
+
+/// What to do about a change that is too large.
+const REMEDY: &str = "lock it, take the 3D edit back there, or allow more";
 
 /// One change against its limit; both in the unit of the text.
 struct Change {
@@ -20,6 +23,7 @@ pub fn judge(garment: &Garment, flat: &Flat, tolerance: &FlattenTolerance, repor
         let name = garment.pieces.get(piece.piece.index()).map_or("?", |p| p.name.as_str());
         over += tell(&format!("piece `{name}`"), changes(piece, tolerance), report);
     }
+    over += flat.verdicts.iter().map(|v| of_verdict(garment, v, tolerance, report)).sum::<usize>();
     let Some(limit) = tolerance.ease else { return over };
     for pair in &flat.pairs {
         let value = 1e3 * ((pair.a[1] - pair.b[1]) - (pair.a[0] - pair.b[0]));
@@ -27,6 +31,26 @@ pub fn judge(garment: &Garment, flat: &Flat, tolerance: &FlattenTolerance, repor
         over += tell(&format!("seam `{}`", pair.name), vec![change], report);
     }
     over
+}
+
+/// What the verdict alone knows, as far as it was asked for.
+fn of_verdict(garment: &Garment, verdict: &PieceVerdict, t: &FlattenTolerance, report: &mut Report) -> usize {
+    let name = garment.pieces.get(verdict.piece.index()).map_or("?", |p| p.name.as_str());
+    let is_asked = |kind: CheckKind| match kind {
+        CheckKind::Seam => t.seam.is_some(),
+        CheckKind::Notch => t.notch.is_some(),
+        CheckKind::NotchPartner => t.notch_partner.is_some(),
+        CheckKind::Corner => t.corner.is_some(),
+        CheckKind::Bow => t.bow.is_some(),
+        CheckKind::Symmetry => t.symmetry.is_some(),
+        _ => false,
+    };
+    let over: Vec<&Check> = verdict.checks.iter().filter(|c| is_asked(c.kind) && !c.passes()).collect();
+    for check in &over {
+        let what = format!("piece `{name}`: {}", check.words());
+        report.push(Diagnostic::warning(codes::FLATTEN_OUT_OF_TOLERANCE, what).hint(REMEDY));
+    }
+    over.len()
 }
 
 fn changes(piece: &FlatPiece, tolerance: &FlattenTolerance) -> Vec<Change> {
@@ -56,10 +80,7 @@ fn tell(place: &str, changes: Vec<Change>, report: &mut Report) -> usize {
     let over: Vec<Change> = changes.into_iter().filter(|c| c.value.abs() > c.limit).collect();
     for c in &over {
         let what = format!("{place}: {} changed by {:+.2} {u}, over {:.2} {u}", c.what, c.value, c.limit, u = c.unit);
-        report.push(
-            Diagnostic::warning(codes::FLATTEN_OUT_OF_TOLERANCE, what)
-                .hint("lock it, take the 3D edit back there, or allow more"),
-        );
+        report.push(Diagnostic::warning(codes::FLATTEN_OUT_OF_TOLERANCE, what).hint(REMEDY));
     }
     over.len()
 }

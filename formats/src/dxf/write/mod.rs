@@ -30,7 +30,7 @@ pub use model::{
     PieceDrawing, StyleText,
 };
 
-pub use size_run::{SizeRun, Sizes};
+pub use size_run::{Changed, SizeRun, Sizes};
 pub use tags::WriteOptions;
 
 use names::Names;

@@ -1,5 +1,7 @@
 //! A whole size run: every size as drawn or graded, and the grade rules that lead from the sample size to each.
 
+mod carried;
+
 use super::codes;
 use super::from_piece::{PieceOptions, piece_drawing};
 use super::growth::{Grown, drawn_line, made_line};
@@ -14,6 +16,8 @@ use crate::rul::RuleTable;
 use std::collections::BTreeMap;
 use toile_garment::outline::PointKind;
 use toile_garment::{Diagnostic, Piece, SourceRef, Vec2};
+
+pub use carried::Changed;
 
 /// Most rules of a table.
 const RULES: usize = 100_000;
@@ -190,12 +194,20 @@ impl Sizes {
         sizes.iter().map(one).collect::<Vec<_>>().join("; ")
     }
 
+    /// A piece in every size; `None` where one has none of that name.
+    fn in_all_sizes(&self, sample: &Sized) -> Option<Vec<&Sized>> {
+        let like = |list: &'_ Vec<Sized>| list.iter().position(|s| s.drawn.label() == sample.drawn.label());
+        self.lists.iter().map(|list| like(list).map(|i| &list[i])).collect()
+    }
+
+    /// The same as it is drawn.
+    fn of_all_sizes(&self, sample: &Sized) -> Option<Vec<&DrawnPiece>> {
+        Some(self.in_all_sizes(sample)?.into_iter().map(|s| &s.drawn).collect())
+    }
+
     /// The vertices of the lines of a piece and where they go in each size; `None` when a size has others.
     fn grown(&self, sample: &Sized) -> Option<Vec<(&'static str, Vec<Grown>)>> {
-        let like = |list: &'_ Vec<Sized>| list.iter().position(|s| s.drawn.label() == sample.drawn.label());
-        let same: Vec<&Sized> =
-            self.lists.iter().map(|list| like(list).map(|i| &list[i])).collect::<Option<Vec<_>>>()?;
-        let drawn: Vec<&DrawnPiece> = same.iter().map(|s| &s.drawn).collect();
+        let drawn = self.of_all_sizes(sample)?;
         if !self.recut {
             let mut lines = vec![("1", drawn_line(&sample.drawn, &drawn, |p| Some(&p.boundary))?)];
             if sample.drawn.sew.is_some() {
@@ -204,6 +216,7 @@ impl Sizes {
             return Some(lines);
         }
         let sewn = drawn_line(&sample.drawn, &drawn, |p| Some(p.sewn()))?;
+        let same = self.in_all_sizes(sample)?;
         let cuts: Vec<_> = same.iter().map(|s| s.piece.cut_line.as_ref()).collect::<Option<_>>()?;
         Some(vec![("14", sewn), ("1", made_line(sample.piece.cut_line.as_ref()?, &cuts)?)])
     }

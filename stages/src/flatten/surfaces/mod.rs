@@ -4,6 +4,7 @@
 //! for cones and caps that need even triangles.
 
 mod shapes;
+mod verdicts;
 
 use super::align::Rigid;
 use super::figures::vertex_areas;
@@ -241,8 +242,8 @@ fn a_hemisphere_comes_to_rest_without_a_flip() {
 }
 
 /// Two skirt halves sewn at one side; the front alone is made 3 % shorter along its rulings.
-#[test]
-fn an_edit_of_one_side_of_a_seam_is_not_shared_with_the_other() {
+/// Two halves of a skirt, of which an edit makes the front smaller by 3 %.
+fn one_sided() -> (Garment, [Grid; 2]) {
     let half = || skirt(0.0, 1.4, 24, 16, 0.0);
     let (front, back) = (half(), half());
     let mut pieces = vec![front.piece(), back.piece()];
@@ -268,6 +269,12 @@ fn an_edit_of_one_side_of_a_seam_is_not_shared_with_the_other() {
     let now = vec![shorter, before[1].clone()];
     let mut g = Garment { seams: vec![seam], ..garment(pieces, now) };
     g.drape_before_edit = Some(Shape { positions: before, sewn: true, welded: true, ..Shape::default() });
+    (g, [front, back])
+}
+
+#[test]
+fn an_edit_of_one_side_of_a_seam_is_not_shared_with_the_other() {
+    let (g, [front, back]) = one_sided();
     let mut report = Report::default();
     let flat = flatten_garment(&g, &FlattenParams::default(), &mut report, &mut |_, _| true).expect("flattens");
     assert!(report.findings.iter().any(|d| d.code == "flatten-one-sided"));
