@@ -12,6 +12,7 @@ codes! {
     /// The file is no sound GLB: its header, lengths or JSON break the format. Export it again. Exit code 3.
     GLB_DAMAGED = "glb-damaged";
 
-    /// Vertices of the GLB were moved since the export. The flattening carries the edit into the pieces.
+    /// Vertices of the GLB were moved since the export, and the flattening carries the edit into the pieces. Or positions of
+    /// a garment document were edited after its certificate was given, which is left out then.
     SHAPE_EDITED = "shape-edited";
 }
