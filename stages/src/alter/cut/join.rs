@@ -1,5 +1,5 @@
-//! The cloth on one side of a line. Where a dart is cut in two, the cloth at its mouth is laid together, and so the dart is
-//! closed there. Legs that do not fit each other are sewn instead.
+//! The cloth on one side of a line. Where a dart is cut in two, the cloth at its mouth is laid together, and so the dart
+//! is closed there. Legs that do not fit each other are sewn instead.
 
 use super::line::Crossing;
 use super::sides::Beside;

@@ -32,8 +32,8 @@ impl Crossing<'_> {
         [self.first, 1 - self.first].map(|k| self.open.legs[k].at(self.share))
     }
 
-    /// The legs of what stays of the dart left (0) or right (1) of the line, from the line to its point, as they follow each
-    /// other along the line.
+    /// The legs of what stays of the dart left (0) or right (1) of the line, from the line to its point, as they follow
+    /// each other along the line.
     pub fn tip(&self, side: usize) -> [Vec<Vec2>; 2] {
         let [leaves, goes_on] = self.ends();
         let point = self.open.legs[0].at(1.0);

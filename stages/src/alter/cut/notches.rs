@@ -24,7 +24,8 @@ pub fn new_notch(piece: &Piece, at: Vec2) -> Notch {
 }
 
 impl Sides<'_, '_> {
-    /// The notches of a part: at the points of the darts at the ends of the line, where it crosses darts, and in its middle.
+    /// The notches of a part: at the points of the darts at the ends of the line, where it crosses darts, and in its
+    /// middle.
     pub fn notches(&self, group: &Group) -> Vec<Notch> {
         let points = self.marked();
         // Places that lie near each other need no notch between them.

@@ -20,8 +20,8 @@ impl Sides<'_, '_> {
     fn runs(&self, side: usize, names: &[String]) -> Vec<RunSpec> {
         let last = self.paths.len() - 1;
         let mouth = |end: usize| self.ends[end].dart.map(|g| [self.ring.points[g.from], self.ring.points[g.to]]);
-        // A walk along the left part comes to the line at its start. There it leaves the old outline by the first leg of
-        // the dart, if one lies there, and at the end it goes on along the second leg of the other.
+        // A walk along the left part comes to the line at its start. There it leaves the old outline by the first leg
+        // of the dart, if one lies there, and at the end it goes on along the second leg of the other.
         let place = |path: usize, end: usize| {
             let at = &self.contour.vertices;
             let vertex = if end == 0 { at[self.paths[path].from].at } else { at[self.paths[path].to].at };

@@ -25,8 +25,8 @@ pub struct Beside {
     pub contour: Contour,
 }
 
-/// The paths of a line from one vertex to another. `at_leg` has the vertices where it crosses the legs of every dart that
-/// begins at the outline.
+/// The paths of a line from one vertex to another. `at_leg` has the vertices where it crosses the legs of every dart
+/// that begins at the outline.
 pub fn paths(drawn: &Drawn<'_>, [from, to]: [usize; 2], at_leg: &[Option<[usize; 2]>]) -> Vec<Path> {
     let begin = |from: usize| Path { from, to, sides: Default::default(), stretches: Vec::new() };
     let mut out: Vec<Path> = Vec::new();
