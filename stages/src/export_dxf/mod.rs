@@ -197,7 +197,7 @@ impl Stage for ExportDxf {
     ) -> Result<Option<Cost>, StageError> {
         params.options().map_err(|f| StageError::parameter(*f))?;
         match &params.size_run {
-            Some(pattern) => drop(sizes(pattern, cx)?),
+            Some(pattern) => drop(sizes_of(pattern, cx)?),
             None if params.source == DxfSource::Flat && forecast.garment.flat.is_none() => return Err(no_flat()),
             None => {}
         }

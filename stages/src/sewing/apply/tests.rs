@@ -96,7 +96,7 @@ fn names_are_found_without_case_and_missed_names_are_suggested() {
         ],
         ..SewingPlan::default()
     };
-    let errors = parameter_errors(apply(&mut garment, plan, &mut Report::default()));
+    let errors = parameter_errors(apply(&mut garment.clone(), plan, &mut Report::default()));
     assert_eq!(errors[0].code, "piece-unknown");
     assert!(errors[0].hint.as_deref().is_some_and(|h| h.contains("`FRONT`")));
     let plan = SewingPlan { seams: vec![seam("y", edge("front", "sied"), edge("back", "9"))], ..SewingPlan::default() };
