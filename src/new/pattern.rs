@@ -123,7 +123,7 @@ pub fn read(path: &Path, plan: Option<SewingPlan>, wishes: &Wishes) -> Result<So
     }
     let mut findings = pattern.told_findings();
     findings.extend(more);
-    let cut = plan.is_none().then(|| cut::plan(&garment, &wishes.leave_out)).unwrap_or_default();
+    let cut = if plan.is_none() { cut::plan(&garment, &wishes.leave_out) } else { cut::Cut::default() };
     let plan = plan.unwrap_or(cut.plan);
     let (copies, left_out) = (plan.copies.clone(), plan.leave_out.clone());
     let mut report = Report::default();

@@ -127,7 +127,7 @@ mod tests {
         );
         assert!(all(0, 4.0) && all(1, -1.0) && all(3, 30.0));
         // Without shear the bias is stretched by the mean square of both.
-        assert!(all(2, 100.0 * ((0.5 * (1.04 * 1.04 + 0.99 * 0.99)).sqrt() - 1.0)));
+        assert!(all(2, 100.0 * ((0.5 * (1.04 * 1.04 + 0.99 * 0.99_f64)).sqrt() - 1.0)));
         assert_eq!(fields.iter().map(|f| f.limit).collect::<Vec<_>>(), [5.0, 5.0, 2.0, 40.0, 5.0, 0.05, 10.0]);
         assert!((bias(0.0, 0.0, std::f64::consts::FRAC_PI_6) - (1.5_f64.sqrt() - 1.0)).abs() < 1e-12);
     }
