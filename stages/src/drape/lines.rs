@@ -2,11 +2,16 @@
 
 use super::{ELASTIC_AT_REST, FOLD_OPEN};
 use crate::solve::{Layout, lines, scene};
+use std::f64::consts::PI;
 use toile_garment::garment::{BandAtRest, Certificate, FoldAtRest};
 use toile_garment::{Diagnostic, Garment, Vec3};
 
 /// Share of its pressed angle below which a fold counts as open somewhere.
 const OPEN: f64 = 0.5;
+
+/// Cloth that is sewn flat onto itself lies folded by half a turn, and the sign of that angle says nothing. So it is from
+/// this far below half a turn on, rad.
+const FLAT_ONTO_ITSELF: f64 = 0.01;
 
 /// The bands of a garment whose vertices are at `now`, m.
 pub(super) fn bands(garment: &Garment, layout: &Layout, now: &[Vec<Vec3>]) -> Vec<BandAtRest> {
@@ -25,8 +30,10 @@ pub(super) fn folds(garment: &Garment, layout: &Layout, now: &[Vec<Vec3>]) -> Ve
     let x = layout.join(now);
     let Ok(scene) = scene(garment, layout, x.clone(), Vec3::zeros()) else { return Vec::new() };
     let names = garment.pieces.iter().flat_map(|p| p.folds.iter().map(move |f| format!("{} {}", p.name, f.name)));
-    let state = |(name, fold)| {
-        let angles = toile_cloth::fold_angles(&scene, fold, &x);
+    let state = |(name, fold): (String, &toile_cloth::FoldLine)| {
+        let lies = |a: f64| if PI - a.abs() < FLAT_ONTO_ITSELF { a.abs().copysign(fold.angle) } else { a };
+        let angles: Vec<[f64; 2]> =
+            toile_cloth::fold_angles(&scene, fold, &x).into_iter().map(|[a, length]| [lies(a), length]).collect();
         let length: f64 = angles.iter().map(|a| a[1]).sum();
         let mean = angles.iter().map(|a| a[0] * a[1]).sum::<f64>() / length.max(1e-9);
         let least = angles.iter().map(|a| a[0] / fold.angle).fold(f64::INFINITY, f64::min);

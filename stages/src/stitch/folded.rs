@@ -1,14 +1,17 @@
-//! Flaps that are pressed back onto their piece start folded, as lapels and hems do.
+//! Flaps that are pressed back onto their piece start folded, as lapels and hems do. Pleats start bent a little.
 //!
 //! A lapel that started flat would lie under the other front, which would hold it there. A flap that reaches beyond its
 //! piece starts flat: folded, the fall of a collar would cover the seam at the neck.
+//!
+//! Sewing the mouth of a flat pleat pushes its cloth to either side by chance, and mostly away from the body. So the
+//! vertices on its folds start a little to the side to which they are pressed.
 
 use crate::joined::Joined;
 use crate::roles::outline::Polygon;
 use crate::solve::lines::fold_vertices;
 use std::collections::BTreeSet;
 use std::f64::consts::FRAC_PI_2;
-use toile_garment::dart::DartKind;
+use toile_garment::dart::{Dart, DartKind};
 use toile_garment::mesh::PieceMesh;
 use toile_garment::piece::PressedFold;
 use toile_garment::seam::Seam;
@@ -18,6 +21,9 @@ use toile_garment::{Piece, Vec2, Vec3};
 const FLAP_GAP: f64 = 5e-3;
 /// How far a folded flap may reach beyond its piece, m: the sides of a hem are seldom square to it.
 const OVERHANG_MOST: f64 = 8e-3;
+/// How far the folds of a pleat stand out at the start, as a share of the width of its mouth. With half of it, a pleat
+/// may turn to the other side; with twice of it, cloth starts with twice the slope.
+const PLEAT_RISE: f64 = 0.1;
 /// Step along a piece by which its tangents are taken, m.
 const TANGENT_STEP: f64 = 1e-4;
 
@@ -28,7 +34,14 @@ pub fn start(piece: &Piece, seams: &[Seam], at: impl Fn(Vec2) -> Vec3) -> Vec<Ve
     let outline = Polygon::of(piece);
     let runs = seams.iter().flat_map(|s| s.a.runs.iter().chain(&s.b.runs)).filter(|r| r.piece == piece.id);
     let sewn: BTreeSet<u32> = runs.flat_map(|r| r.vertices.iter().copied()).collect();
-    for fold in piece.folds.iter().filter(|f| f.angle.abs() > FRAC_PI_2 && !is_of_pleat(piece, f)) {
+    for fold in piece.folds.iter().filter(|f| f.angle.abs() > FRAC_PI_2) {
+        if let Some(pleat) = pleat_of(piece, fold) {
+            let rise = PLEAT_RISE * (pleat.mouth[1] - pleat.mouth[0]).norm() * fold.angle.signum();
+            for v in fold_vertices(mesh, &fold.line) {
+                places[v as usize] += normal(&at, mesh.rest[v as usize]) * rise;
+            }
+            continue;
+        }
         let flap: Vec<FlapVertex> =
             flap_vertices(mesh, &fold.line, &sewn).into_iter().map(|v| FlapVertex::of(mesh, v, &fold.line)).collect();
         let lies_beyond = |p: Vec2| !outline.contains(p) && outline.outwards(p).1 > OVERHANG_MOST;
@@ -73,10 +86,11 @@ fn foot(line: &[Vec2], p: Vec2) -> Vec2 {
     feet.min_by(|a, b| (p - a).norm_squared().total_cmp(&(p - b).norm_squared())).unwrap_or(p)
 }
 
-/// The folds of a pleat lie over one another in cloth that is sewn at its mouth. Sewing brings them there.
-fn is_of_pleat(piece: &Piece, fold: &PressedFold) -> bool {
+/// The pleat to which a fold belongs. Its folds lie over one another in cloth that is sewn at its mouth, and sewing brings
+/// them there.
+fn pleat_of<'a>(piece: &'a Piece, fold: &PressedFold) -> Option<&'a Dart> {
     let of = |name: &str| fold.name.strip_prefix(name).is_some_and(|rest| rest.starts_with('-'));
-    piece.darts.iter().any(|d| d.kind == DartKind::Pleat && of(&d.name))
+    piece.darts.iter().find(|d| d.kind == DartKind::Pleat && of(&d.name))
 }
 
 /// The direction in which the right side looks, unit.

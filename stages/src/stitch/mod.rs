@@ -178,6 +178,7 @@ impl Stage for Stitch {
         start.pins.extend(holds.while_sewing.iter().map(|p| Pin { vertex: layout.index(p.vertex), at: p.at }));
         // A band is sewn on stretched, and pulls in the drape.
         start.bands.clear();
+        start.folds.iter_mut().for_each(|f| f.stiffness *= FOLD_FIRMNESS_WHILE_SEWN);
         let moves = toile_cloth::free_pieces(&mut start, &settings).map_err(|e| failure_in(e, &garment, &placed))?;
         cx.report.findings.extend(moves.iter().filter_map(|m| moved_off(&garment, &layout, m, When::AtStart)));
         let shape =
@@ -195,6 +196,10 @@ impl Stage for Stitch {
     }
 }
 
+/// How many times firmer folds are while they are sewn: a sewer holds pleats pressed until they are closed. With 1 the
+/// pleats of the trousers open below their seams, and their drape has 18 % more energy. With 100 it has 3 % less than with
+/// 30, and sewing and draping the pleated skirt take half as long again.
+const FOLD_FIRMNESS_WHILE_SEWN: f64 = 30.0;
 /// Largest clearance, m: a piece farther out than this is placed around nothing.
 const CLEARANCE_MOST: f64 = 0.5;
 
