@@ -5,6 +5,7 @@ use serde_json::Value;
 use std::collections::BTreeMap;
 use std::path::Path;
 use toile_garment::Garment;
+use toile_garment::garment::Certificate;
 use toile_stages::fit;
 
 /// Figures by name. Lengths are in mm.
@@ -12,6 +13,41 @@ pub type Figures = BTreeMap<String, f64>;
 
 /// Largest report that is read, bytes.
 const MAX_REPORT: u64 = 64 << 20;
+
+/// Things on which a measure is taken, and ways to take it.
+const ON: [&str; 3] = ["pattern", "drape", "body"];
+const METHODS: [&str; 3] = ["surface", "tape", "straight"];
+/// Figures that may lie below 0; no other one does.
+const BELOW_ZERO: [&str; 2] = ["energy_J", "slip_mm"];
+
+/// What a figure is counted in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A measure: a length with its unit.
+    Measure,
+    /// A length whose name says that it is in mm.
+    Millimetres,
+    /// A share, a count, or a quantity whose name tells its unit.
+    Number,
+}
+
+/// The kind of a figure of a run; nothing for a figure that no run has.
+#[must_use]
+pub fn kind(figure: &str) -> Option<Kind> {
+    let parts: Vec<&str> = figure.rsplitn(3, '.').collect();
+    if let [method, on, name] = parts[..] {
+        let is_measure = !name.is_empty() && ON.contains(&on) && METHODS.contains(&method);
+        return is_measure.then_some(Kind::Measure);
+    }
+    let is_key = certificate_keys().iter().any(|key| key == figure);
+    is_key.then_some(if figure.ends_with("_mm") { Kind::Millimetres } else { Kind::Number })
+}
+
+/// The figures of every certificate.
+#[must_use]
+pub fn certificate_keys() -> Vec<String> {
+    numbers(&serde_json::to_value(Certificate::default()).unwrap_or_default()).into_keys().collect()
+}
 
 /// Bounds of a figure.
 #[derive(Clone, Debug, PartialEq)]
@@ -25,6 +61,19 @@ pub struct Bounds {
 }
 
 impl Bounds {
+    /// Why no figure can keep to them, in words.
+    #[must_use]
+    pub fn impossible(&self) -> Option<String> {
+        let name = &self.figure;
+        if let (Some(min), Some(max)) = (self.min, self.max)
+            && min > max
+        {
+            return Some(format!("no `{name}` is at least {min} and at most {max}"));
+        }
+        let below = self.max.filter(|max| *max < 0.0 && !BELOW_ZERO.contains(&name.as_str()))?;
+        Some(format!("no `{name}` is at most {below}: it is never below 0"))
+    }
+
     /// Why they do not hold. `owner` is the thing that has the figures, for the message.
     #[must_use]
     pub fn broken_by(&self, figures: &Figures, owner: &str) -> Option<String> {
@@ -84,6 +133,16 @@ fn measures(folder: &Path, name: &str) -> Vec<(String, f64)> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn figures_have_kinds_and_bounds_have_room() {
+        let kinds = ["strain_max", "seam_gap_max_mm", "hip_girth.drape.tape", "side.seam.pattern.surface"].map(kind);
+        assert_eq!(kinds, [Kind::Number, Kind::Millimetres, Kind::Measure, Kind::Measure].map(Some));
+        assert_eq!(["strain_mix", "hip_girth", "hip_girth.drape.tap", ".drape.tape"].map(kind), [None; 4]);
+        let why = |figure: &str, min, max| Bounds { figure: figure.to_owned(), min, max }.impossible();
+        assert!(why("strain_max", Some(0.2), Some(0.1)).is_some() && why("body_crossings", None, Some(-1.0)).is_some());
+        assert!(why("strain_max", Some(0.1), Some(0.1)).is_none() && why("slip_mm", None, Some(-1.0)).is_none());
+    }
 
     #[test]
     fn bounds_look_at_their_figure_and_miss_none() {

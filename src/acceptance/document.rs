@@ -243,5 +243,9 @@ fn read_figure(
         cx.push(WRONG_VALUE, &place.span(), "`within` must be 0 or more".to_owned(), "write how far it may be off");
     }
     let is_length = table.values().any(|v| matches!(v.get_ref(), DeValue::String(_)));
-    Some(GoldenFigure { keys, bounds: Bounds { figure, min, max }, value, within, is_length, span })
+    let bounds = Bounds { figure, min, max };
+    if let Some(why) = bounds.impossible() {
+        cx.push(WRONG_VALUE, &span, why, "correct `min` and `max`");
+    }
+    Some(GoldenFigure { keys, bounds, value, within, is_length, span })
 }

@@ -5,8 +5,8 @@ use toile_garment::Code;
 codes! {
     pub(crate) list CODES;
 
-    /// An exclude, or a job of a product line, names a size, fabric or other choice that the matrix does not have.
-    /// Write one of the names in the message, or add the choice to the matrix.
+    /// An exclude, a job of a product line, or `--only` names a size, fabric or other choice that the matrix does not
+    /// have. Write one of the names in the message, or add the choice to the matrix.
     LINE_CHOICE_UNKNOWN = "line-choice-unknown";
 
     /// A product line has no job at all: there is no style, or everything is excluded.

@@ -1,10 +1,10 @@
 //! The grammar of a line: TOML text → styles, matrix, rules, limits and gates as written, with their places.
 
 use super::value::{Set, label, raw, sets};
-use crate::codes::WRONG_VALUE;
+use crate::codes::{UNKNOWN_VALUE, WRONG_VALUE};
 use crate::engine::Limits;
-use crate::figures::Bounds;
-use crate::pipeline::{Reader, SourceText, parse_toml};
+use crate::figures::{Bounds, Kind, certificate_keys, kind};
+use crate::pipeline::{Reader, SourceText, parse_toml, remedy};
 use std::ops::Range;
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -250,5 +250,30 @@ fn read_gate(cx: &mut Reader<'_>, table: &DeTable<'_>, span: &Range<usize>) -> O
     if !table.contains_key("min") && !table.contains_key("max") {
         cx.require(table, "max", span, "a bound: min or max");
     }
-    Some(Bounds { figure: figure.into_inner(), min, max })
+    check_figure(cx, table, &figure);
+    let bounds = Bounds { figure: figure.into_inner(), min, max };
+    if let Some(why) = bounds.impossible() {
+        cx.push(WRONG_VALUE, span, why, "correct `min` and `max`");
+    }
+    Some(bounds)
+}
+
+/// A gate must name a figure that runs have, and its bounds must be of the kind of the figure.
+fn check_figure(cx: &mut Reader<'_>, table: &DeTable<'_>, figure: &Spanned<String>) {
+    let name = figure.get_ref();
+    let Some(kind) = kind(name) else {
+        let keys = certificate_keys();
+        let hint = format!("{}; a measure is NAME.on.method", remedy(name, keys.iter().map(String::as_str)));
+        cx.push(UNKNOWN_VALUE, &figure.span(), format!("no run has a figure `{name}`"), hint);
+        return;
+    };
+    for value in ["min", "max"].iter().filter_map(|key| table.get(*key)) {
+        let has_unit = matches!(value.get_ref(), DeValue::String(_));
+        if kind == Kind::Measure && !has_unit {
+            let message = format!("`{name}` is a length, and its bound has no unit");
+            cx.push(WRONG_VALUE, &value.span(), message, "write a length such as \"980 mm\"");
+        } else if kind == Kind::Number && has_unit {
+            cx.push(WRONG_VALUE, &value.span(), format!("`{name}` is no length"), "write a plain number");
+        }
+    }
 }

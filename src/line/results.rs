@@ -77,11 +77,11 @@ impl Results {
         Self { toile_line: 1, line: line.file.name.clone(), jobs: line.jobs.iter().zip(ran).map(row).collect() }
     }
 
-    /// How the line ends: the largest exit code of a job.
+    /// How the line ends: the largest exit code of the jobs that are judged.
     #[must_use]
-    pub fn exit(&self) -> Exit {
+    pub fn exit(&self, judged: &[usize]) -> Exit {
         let all = [Exit::Gate, Exit::Usage, Exit::Input, Exit::Unstable, Exit::System, Exit::Stopped];
-        let worst = self.jobs.iter().map(|j| j.exit_code).max().unwrap_or(0);
+        let worst = judged.iter().filter_map(|k| self.jobs.get(*k)).map(|j| j.exit_code).max().unwrap_or(0);
         all.into_iter().find(|e| e.code() == worst).unwrap_or(if worst == 0 { Exit::Good } else { Exit::System })
     }
 

@@ -206,7 +206,7 @@ fn the_workflow_finds_its_facts_and_they_make_what_the_line_makes() {
     let mut command = Command::new(env!("CARGO_BIN_EXE_toile"));
     command.current_dir(project.dir.path()).args(arguments).args(alone);
     assert!(command.status().expect("program").success());
-    assert_eq!(project.toile("line run line.toml --out out --quiet --only job=skirt_wide_38_loose").0, 130);
+    assert_eq!(project.toile("line run line.toml --out out --quiet --only job=skirt_wide_38_loose").0, 0);
     assert_eq!(project.digests("alone"), project.digests("out/jobs"));
     assert_eq!(project.json("alone/skirt_wide_38_loose/run.json")["key"], job["key"]);
 }
@@ -247,8 +247,45 @@ fn one_folder_belongs_to_one_line_at_a_time() {
     assert_eq!(code, 2);
     assert!(err.contains("another line is run there"), "{err}");
     drop(lock);
-    assert_eq!(project.toile("line run line.toml --out out --only size=38").0, 130, "what was not run is not good");
+    assert_eq!(project.toile("line run line.toml --out out --only size=38").0, 0, "judged by its own jobs");
     assert_eq!(project.digests("out/jobs").len(), 3);
+    assert_eq!(project.toile("line report line.toml --out out").0, 130, "two jobs were never run");
+}
+
+#[test]
+fn gates_that_nothing_can_pass_are_refused_before_any_job() {
+    let project = Project::new();
+    for (gate, told) in [
+        ("figure = \"strain_mix\"\nmax = 0.1", "did you mean `strain_max`?"),
+        ("figure = \"body_crossings\"\nmax = -1", "never below 0"),
+        ("figure = \"strain_max\"\nmin = 0.2\nmax = 0.1", "at least 0.2 and at most 0.1"),
+        ("figure = \"hip_girth.drape.tape\"\nmax = 980", "its bound has no unit"),
+        ("figure = \"strain_max\"\nmax = \"2 mm\"", "is no length"),
+    ] {
+        project.write("line.toml", &format!("{LINE}[[gate]]\n{gate}\n"));
+        let (code, out, err) = project.toile("line check line.toml");
+        assert!(code == 2 && err.contains(told), "{gate}: {out}{err}");
+    }
+    let good = "[[gate]]\nfigure = \"hip_girth.drape.tape\"\nmin = \"980 mm\"\n[[gate]]\nfigure = \"strain_max\"\nmax = 1\n";
+    project.write("line.toml", &format!("{LINE}{good}"));
+    assert_eq!(project.toile("line check line.toml").0, 0);
+}
+
+#[test]
+fn a_part_that_no_line_has_and_a_folder_without_results_are_refused() {
+    let project = Project::new();
+    project.write("line.toml", LINE);
+    for (asked, told) in [
+        ("--only sise=38", "did you mean `size`?"),
+        ("--only size=39", "`size` has no `39`"),
+        ("--only size=36 --only paper=wide", "no job has all of"),
+    ] {
+        let (code, out, err) = project.toile(&format!("line run line.toml --out out {asked}"));
+        assert!(code == 2 && out.is_empty() && err.contains(told), "{asked}: {out}{err}");
+    }
+    let (code, out, err) = project.toile("line report line.toml --out out");
+    assert!(code == 2 && out.is_empty() && err.contains("there are no results of a line in `out`"), "{out}{err}");
+    assert!(!project.path("out").exists(), "nothing is made for it");
 }
 
 #[test]

@@ -3,9 +3,9 @@
 use super::args::{ReportArgs, RunLineArgs};
 use super::{opened, sound};
 use crate::cli::console::Console;
-use crate::codes::{PATH_REFUSED, WRITE_FAILED};
+use crate::codes::{FILE_MISSING, PATH_REFUSED, WRITE_FAILED};
 use crate::engine::{CacheOptions, Exit, Stop, available_mb, clean, unwritten, write_whole};
-use crate::line::{Job, Line, Lock, Order, RESULTS_NAME, Ran, Results, Survey, draw, page, was_run};
+use crate::line::{Job, Line, Lock, Order, RESULTS_NAME, Ran, Results, Survey, draw, only, page, was_run};
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -20,7 +20,11 @@ pub(super) fn run(args: &RunLineArgs, registry: &mut Registry, stop: &Arc<Stop>,
         Ok(both) => both,
         Err(exit) => return exit,
     };
-    let out = match folder(args.out.as_ref(), &line) {
+    let wanted = match only(&line.jobs, &args.only) {
+        Ok(wanted) => wanted,
+        Err(error) => return refuse(&error, console),
+    };
+    let out = match made(&folder(args.out.as_ref(), &line)) {
         Ok(out) => out,
         Err(error) => return refuse(&error, console),
     };
@@ -32,7 +36,6 @@ pub(super) fn run(args: &RunLineArgs, registry: &mut Registry, stop: &Arc<Stop>,
         Ok(order) => order,
         Err(error) => return refuse(&error, console),
     };
-    let wanted: Vec<usize> = (0..line.jobs.len()).filter(|k| is_wanted(&line.jobs[*k], &args.only)).collect();
     let mut told = |done: usize, job: &Job, ran: &Ran| {
         if !args.quiet && !ran.kept {
             let status = ran.record.as_ref().and_then(|r| r["status"].as_str()).unwrap_or("no-record");
@@ -47,9 +50,9 @@ pub(super) fn run(args: &RunLineArgs, registry: &mut Registry, stop: &Arc<Stop>,
         return Exit::Stopped;
     }
     let kept = ran.iter().flatten().filter(|r| r.kept).count();
-    // What was not wanted this time may be done all the same.
+    // What was not wanted this time may be done all the same. It is shown and not judged.
     let ran = (0..line.jobs.len()).map(|k| ran[k].clone().or_else(|| was_run(&order.folder(&line.jobs[k])))).collect();
-    finish(&line, &out, ran, &format!("{kept} of {} were done before; ", wanted.len()), console)
+    finish(&line, &out, ran, (&wanted, &format!("{kept} of {} were done before; ", wanted.len())), console)
 }
 
 /// The records tell all, so no job is looked at: that would take longer than many a job.
@@ -58,12 +61,15 @@ pub(super) fn report(args: &ReportArgs, console: &mut Console<'_>) -> Exit {
         Ok(line) => line,
         Err(exit) => return exit,
     };
-    let out = match folder(args.out.as_ref(), &line) {
-        Ok(out) => out,
-        Err(error) => return refuse(&error, console),
-    };
+    let out = folder(args.out.as_ref(), &line);
+    if !out.join("jobs").is_dir() {
+        let message = format!("there are no results of a line in `{}`", clean(&out));
+        let hint = "`toile line run` makes them; name their folder with --out";
+        return refuse(&Diagnostic::error(FILE_MISSING, message).hint(hint), console);
+    }
+    let all: Vec<usize> = (0..line.jobs.len()).collect();
     let ran = line.jobs.par_iter().map(|job| was_run_and_drawn(&out, job)).collect();
-    finish(&line, &out, ran, "", console)
+    finish(&line, &out, ran, (&all, ""), console)
 }
 
 /// How a job ended that another program may have run. Such programs draw no picture.
@@ -78,11 +84,15 @@ fn was_run_and_drawn(out: &Path, job: &Job) -> Option<Ran> {
     Some(ran)
 }
 
-/// The folder of the results, with the folders that all jobs share.
-fn folder(asked: Option<&PathBuf>, line: &Line) -> Result<PathBuf, Diagnostic> {
-    let out = asked.cloned().unwrap_or_else(|| PathBuf::from("out").join(format!("{}-line", line.file.name)));
+/// The folder of the results.
+fn folder(asked: Option<&PathBuf>, line: &Line) -> PathBuf {
+    asked.cloned().unwrap_or_else(|| PathBuf::from("out").join(format!("{}-line", line.file.name)))
+}
+
+/// Makes the folder of the results with the folders that all jobs share.
+fn made(out: &Path) -> Result<PathBuf, Diagnostic> {
     let failed = |e: std::io::Error| {
-        let message = format!("cannot write into `{}`: {e}", clean(&out));
+        let message = format!("cannot write into `{}`: {e}", clean(out));
         Diagnostic::error(WRITE_FAILED, message).hint("choose another folder with --out")
     };
     for name in ["jobs", "logs"] {
@@ -113,16 +123,14 @@ fn order<'a>(args: &RunLineArgs, line: &'a Line, survey: &'a Survey, out: PathBu
     })
 }
 
-/// Does a job have all the choices of `--only`?
-fn is_wanted(job: &Job, only: &[(String, String)]) -> bool {
-    only.iter().all(|(axis, choice)| match axis.as_str() {
-        "job" => job.name == *choice,
-        "style" => job.style == *choice,
-        _ => job.choices.get(axis) == Some(choice),
-    })
-}
-
-fn finish(line: &Line, out: &Path, ran: Vec<Option<Ran>>, before: &str, console: &mut Console<'_>) -> Exit {
+/// Writes the results of all jobs. The exit is that of the judged ones.
+fn finish(
+    line: &Line,
+    out: &Path,
+    ran: Vec<Option<Ran>>,
+    (judged, before): (&[usize], &str),
+    console: &mut Console<'_>,
+) -> Exit {
     let results = Results::collect(line, &ran, out);
     let texts = [
         (RESULTS_NAME, results.to_text()),
@@ -140,7 +148,7 @@ fn finish(line: &Line, out: &Path, ran: Vec<Option<Ran>>, before: &str, console:
     let page = out.join("index.html");
     let text = format!("{} jobs: {before}{}\n{}\n", line.jobs.len(), counts.join(", "), page.to_string_lossy());
     console.result(&crate::render::safe(&text));
-    results.exit()
+    results.exit(judged)
 }
 
 fn refuse(finding: &Diagnostic, console: &mut Console<'_>) -> Exit {
