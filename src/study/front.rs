@@ -24,12 +24,21 @@ pub fn front(places: &[Option<Place>]) -> Vec<bool> {
     places.iter().map(on_front).collect()
 }
 
-/// The cheapest place that is as exact as `wanted` (mm); where there is none, the most exact.
+/// The cheapest place that is as exact as `wanted` (mm).
 #[must_use]
 pub fn recommend(places: &[Option<Place>], wanted: f64) -> Option<usize> {
-    let known = || places.iter().enumerate().filter_map(|(i, p)| Some((i, (*p)?)));
-    let good = known().filter(|(_, p)| p.error <= wanted).min_by(|a, b| a.1.seconds.total_cmp(&b.1.seconds));
-    good.or_else(|| known().min_by(|a, b| a.1.error.total_cmp(&b.1.error))).map(|(i, _)| i)
+    let good = known(places).filter(|(_, p)| p.error <= wanted);
+    good.min_by(|a, b| a.1.seconds.total_cmp(&b.1.seconds)).map(|(i, _)| i)
+}
+
+/// The most exact place.
+#[must_use]
+pub fn nearest(places: &[Option<Place>]) -> Option<usize> {
+    known(places).min_by(|a, b| a.1.error.total_cmp(&b.1.error)).map(|(i, _)| i)
+}
+
+fn known(places: &[Option<Place>]) -> impl Iterator<Item = (usize, Place)> + '_ {
+    places.iter().enumerate().filter_map(|(i, p)| Some((i, (*p)?)))
 }
 
 #[cfg(test)]
@@ -49,7 +58,7 @@ mod tests {
     #[test]
     fn recommends_the_cheapest_that_is_good_enough() {
         assert_eq!(recommend(&places(), 15.0), Some(1));
-        assert_eq!(recommend(&places(), 1.0), Some(6), "else the most exact");
-        assert_eq!(recommend(&[None], 1.0), None);
+        assert_eq!(recommend(&places(), 1.0), None, "none reaches it");
+        assert_eq!((nearest(&places()), nearest(&[None])), (Some(6), None));
     }
 }

@@ -1,7 +1,7 @@
 //! The results of all runs put side by side.
 
 use super::estimate::{Level, Trend, error_of, surface_to_limit};
-use super::front::{Place, front, recommend};
+use super::front::{Place, front, nearest, recommend};
 use super::grid::Setting;
 use super::measure::{Error, Lengths, difference, distance, lengths, levels, nearer};
 use super::presets::Preset;
@@ -77,7 +77,7 @@ pub struct Study {
     pub rows: Vec<Row>,
     /// Index of the finest row, by which the others are measured.
     pub finest: usize,
-    /// Index of the recommended row.
+    /// Index of the recommended row; none where no setting reaches the wanted error.
     pub recommended: Option<usize>,
     /// Settings that were left out for lack of budget.
     pub left_out: Vec<String>,
@@ -275,6 +275,20 @@ impl Study {
         self.rows.iter().enumerate().map(place).collect()
     }
 
+    /// The places of the program's own method, which alone are recommended.
+    fn own_places(&self) -> Vec<Option<Place>> {
+        let own = |(p, row): (Option<Place>, &Row)| p.filter(|_| row.done.setting.is_own());
+        self.places().into_iter().zip(&self.rows).map(own).collect()
+    }
+
+    /// The most exact row of the program's own method, with its error, mm.
+    #[must_use]
+    pub fn nearest(&self) -> Option<(&Row, f64)> {
+        let places = self.own_places();
+        let at = nearest(&places)?;
+        Some((&self.rows[at], places[at]?.error))
+    }
+
     /// The error of a row that may be stated, mm: its difference from the finest, and what the finest itself is off.
     #[must_use]
     pub fn stated(&self, row: usize) -> Option<f64> {
@@ -324,8 +338,7 @@ impl Study {
     fn judge(&mut self) {
         let places = self.places();
         let marks = front(&places);
-        let own = places.iter().zip(&self.rows).map(|(p, row)| p.filter(|_| row.done.setting.is_own()));
-        self.recommended = recommend(&own.collect::<Vec<_>>(), self.wanted_mm);
+        self.recommended = recommend(&self.own_places(), self.wanted_mm);
         for ((row, mark), place) in self.rows.iter_mut().zip(marks).zip(&places) {
             row.on_front = mark;
             // Nothing is promised for a drape that fails its certificate, and nothing is held either.
@@ -408,6 +421,18 @@ pub(super) mod tests {
         let front: Vec<bool> = study.rows.iter().map(|r| r.on_front).collect();
         assert_eq!(front, [true, true, false, false, true], "but it is shown as it is");
         assert_eq!(study.estimates_within_two(), (1, 2), "0.0 for 1.0 is no estimate");
+    }
+
+    #[test]
+    fn what_misses_the_wanted_error_is_not_recommended() {
+        let mut study = sample();
+        study.wanted_mm = 0.1;
+        study.judge();
+        assert_eq!(study.recommended, None);
+        let words = super::super::table::words(&study);
+        let told = "None of these settings reaches 0.1 mm. The nearest is `8mm-normal` with 0.5 mm";
+        assert!(words.iter().any(|w| w.starts_with(told)), "{words:?}");
+        assert!(!super::super::table::text(&study).contains("ecommended"), "{words:?}");
     }
 
     #[test]

@@ -155,6 +155,12 @@ pub fn words(study: &Study) -> Vec<String> {
             "Recommended for {} mm: `{}`, {:.1} CPU seconds.",
             study.wanted_mm, row.name, row.done.cpu_seconds
         ));
+    } else if let Some((row, error)) = study.nearest() {
+        words.push(format!(
+            "None of these settings reaches {} mm. The nearest is `{}` with {error:.1} mm; finer meshes are tried with \
+             `--edges`.",
+            study.wanted_mm, row.name
+        ));
     }
     if !study.left_out.is_empty() {
         words.push(format!("Left out to keep to the budget: {}.", study.left_out.join(", ")));
