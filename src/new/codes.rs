@@ -23,6 +23,11 @@ codes! {
     /// A part of a body is not seen on its mesh, so it was put where it usually is. A line in the side file says otherwise.
     BODY_PART_USUAL = "body-part-usual";
 
+    /// The side file of a body says another measure than its mesh shows, or a landmark of it stands at another height
+    /// than its measure. The mesh is what a garment lies on. Take the line out of the side file and measure again, or
+    /// correct the mesh.
+    BODY_SIDE_FILE_DIFFERS = "body-side-file-differs";
+
     /// No fabric was asked for, and a piece of the pattern is cut of a rib. Garments with ribs are knits, so a knit was
     /// chosen. --fabric takes another one.
     FABRIC_CHOSEN = "fabric-chosen";

@@ -24,7 +24,7 @@ pub use earlier::Earlier;
 pub use folder::{Folder, Made};
 pub use pattern::{Source, Why, Wishes, read};
 pub use samples::{SAMPLES, Sample};
-pub(crate) use stand::{told, upright};
+pub(crate) use stand::{differing, told, upright};
 pub(crate) use stock::no_size;
 pub use stock::{Body, Fabric};
 

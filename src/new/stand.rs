@@ -1,6 +1,7 @@
 //! Bodies that are brought along: stood upright and measured.
 
 use super::codes;
+use std::collections::BTreeMap;
 use toile_garment::Diagnostic;
 use toile_garment::body::Body;
 use toile_stages::body::{Found, MeshUnit, Stance};
@@ -43,4 +44,32 @@ pub fn told(found: &Found) -> Vec<Diagnostic> {
         Diagnostic::info(codes::BODY_PART_USUAL, message).hint(hint)
     });
     missing.chain(usual).collect()
+}
+
+/// How far a girth of a side file may be from that of the mesh, and how far a length, metres. Where shoulder and neck
+/// begin is a matter of taste.
+const GIRTH_OFF: f64 = 0.012;
+const LENGTH_OFF: f64 = 0.03;
+
+/// Findings on measures of a side file that the mesh does not show.
+pub fn differing(found: &Found, named: &BTreeMap<String, f64>) -> Vec<Diagnostic> {
+    let name = &found.body.name;
+    let differs = |(measure, said): (&String, &f64)| {
+        let mesh = *found.mesh.get(measure.as_str())?;
+        let most = if measure.ends_with("girth") { GIRTH_OFF } else { LENGTH_OFF };
+        let is_held = found.body.measures.get(measure) == Some(said);
+        (is_held && (mesh - said).abs() > most).then(|| {
+            let (mesh, said) = (1e3 * mesh, 1e3 * said);
+            let message =
+                format!("body `{name}`: the side file says {measure} {said:.0} mm, and the mesh has {mesh:.0} mm");
+            let hint = "take the line out of the side file and measure again, if the mesh is right";
+            Diagnostic::warning(codes::BODY_SIDE_FILE_DIFFERS, message).hint(hint)
+        })
+    };
+    let moved = found.moved.iter().map(|height| {
+        let level = height.trim_end_matches("_height");
+        let message = format!("body `{name}`: {height} was edited: girth and landmarks of the {level} are measured there");
+        Diagnostic::info(codes::BODY_SIDE_FILE_DIFFERS, message).hint("--force writes them into the side file")
+    });
+    named.iter().filter_map(differs).chain(moved).collect()
 }

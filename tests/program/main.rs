@@ -19,6 +19,7 @@ mod fabric_test;
 mod faults;
 mod fit;
 mod line;
+mod measured_bodies;
 mod motion;
 mod new;
 mod platform;

@@ -6,18 +6,25 @@ use crate::cli::console::Console;
 use crate::cli::results::Results;
 use crate::codes::WRONG_VALUE;
 use crate::engine::{Exit, MAX_INPUT, clean, of_file_error, read_limited};
-use crate::new::{BODY_NOT_STANDING, told, upright};
+use crate::new::{BODY_NOT_STANDING, differing, told, upright};
+use std::collections::BTreeMap;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use toile_garment::Diagnostic;
+use toile_garment::body::Body;
 use toile_stages::body::{Found, MESH_UNITS, MeshUnit, Stance, measured};
 
 /// A mesh and what was found on it.
 struct Taken {
     stance: Stance,
     found: Found,
+    /// Measures that the side file names.
+    named: BTreeMap<String, f64>,
     findings: Vec<Diagnostic>,
 }
+
+/// Heights of bodies, metres, as in runs.
+const STATURES: std::ops::RangeInclusive<f64> = 0.2..=3.0;
 
 pub(super) fn run(args: &BodyMeasureArgs, console: &mut Console<'_>) -> Exit {
     let taken = match take(args) {
@@ -42,13 +49,12 @@ pub(super) fn run(args: &BodyMeasureArgs, console: &mut Console<'_>) -> Exit {
     files.extend(is_usable.then(|| (side, text.into_bytes())));
     let picture = args.picture.as_ref().map(|path| (path.clone(), picture::draw(&taken.found).into_bytes()));
     files.extend(picture);
-    let results = Results::new(args.force, &[&args.mesh]);
-    let paths: Vec<&Path> = files.iter().map(|(path, _)| path.as_path()).collect();
-    if !results.are_free(&paths, console) {
-        return Exit::Usage;
-    }
+    // The figures are told whatever happens to the files.
     console.result(&table(args, &taken));
     console.findings(&taken.findings, None);
+    // What is there already, byte by byte, needs no writing.
+    files.retain(|(path, bytes)| std::fs::read(path).ok().as_ref() != Some(bytes));
+    let results = Results::new(args.force, &[&args.mesh]);
     let files: Vec<(&Path, &[u8])> = files.iter().map(|(path, bytes)| (path.as_path(), bytes.as_slice())).collect();
     match results.write_all(&files, console) {
         Exit::Good if !is_usable => {
@@ -81,11 +87,30 @@ fn take(args: &BodyMeasureArgs) -> Result<Taken, Vec<Diagnostic>> {
     let unit =
         args.units.and_then(|u| MESH_UNITS.into_iter().find(|m: &MeshUnit| (1e3 * m.metres - u.mm()).abs() < 1e-9));
     let (stance, body) = upright(read.body, unit).map_err(|f| vec![*f])?;
+    is_person(args, &body, &stance).map_err(|f| vec![f])?;
     let found = measured(&body);
     let mut findings: Vec<Diagnostic> =
         read.findings.into_iter().filter(|f| f.code != toile_formats::codes::BODY_SIZE).collect();
     findings.extend(told(&found));
-    Ok(Taken { stance, found, findings })
+    findings.extend(differing(&found, &body.measures));
+    Ok(Taken { stance, found, named: body.measures, findings })
+}
+
+/// Refuses a mesh that is no person in its unit.
+fn is_person(args: &BodyMeasureArgs, body: &Body, stance: &Stance) -> Result<(), Diagnostic> {
+    let ends = body.positions.iter().map(|p| p.y);
+    let [low, high] = ends.fold([f64::INFINITY, f64::NEG_INFINITY], |[l, h], y| [l.min(y), h.max(y)]);
+    let stature = high - low;
+    if STATURES.contains(&stature) {
+        return Ok(());
+    }
+    let message = format!("in {} `{}` is {:.1} mm tall, which is no person", stance.unit.name, clean(&args.mesh), 1e3 * stature);
+    let likely = MESH_UNITS.iter().find(|u| STATURES.contains(&(stature / stance.unit.metres * u.metres)));
+    let hint = match likely.filter(|u| **u != stance.unit) {
+        Some(unit) => format!("leave --units out, or say --units {}", unit.name),
+        None => "scale the mesh to metres".to_owned(),
+    };
+    Err(Diagnostic::error(toile_formats::codes::BODY_SIZE, message).hint(hint))
 }
 
 fn not_upright(args: &BodyMeasureArgs, stance: &Stance) -> Diagnostic {
@@ -104,10 +129,23 @@ fn table(args: &BodyMeasureArgs, taken: &Taken) -> String {
     let (stance, pose) = (taken.stance.words(), found.pose.words());
     let mut text = format!("{}: {stance}; {pose}; measures in mm\n", clean(&args.mesh));
     for (name, length) in &found.body.measures {
-        let guess = found.guessed.iter().any(|(n, _)| n == name);
-        let _ = writeln!(text, "{name:<20}{:>8.1}{}", 1e3 * length, if guess { "  by a usual share" } else { "" });
+        let shown = found.mesh.get(name.as_str()).copied().unwrap_or(*length);
+        let _ = writeln!(text, "{name:<20}{:>8.1}{}", 1e3 * shown, source(taken, name));
     }
     let (landmarks, segments) = (found.body.landmarks.len(), found.body.segments.len());
     let _ = writeln!(text, "{landmarks} landmarks, {segments} segments");
     text
+}
+
+/// Where a measure comes from, if the mesh alone does not show it, and what the side file says instead.
+fn source(taken: &Taken, name: &str) -> String {
+    let found = &taken.found;
+    let said = taken.named.get(name);
+    match (found.mesh.get(name), said) {
+        (None, _) => "  by the side file".to_owned(),
+        (_, Some(_)) if found.led.iter().any(|n| n == name) => "  by the side file".to_owned(),
+        (Some(mesh), Some(said)) if 1e3 * (mesh - said).abs() >= 0.05 => format!("  {:.1} in the side file", 1e3 * said),
+        _ if found.guessed.iter().any(|(n, _)| *n == name) => "  by a usual share".to_owned(),
+        _ => String::new(),
+    }
 }

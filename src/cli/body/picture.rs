@@ -139,7 +139,7 @@ fn girths(found: &Found, view: &View) -> Vec<(Vec2, String)> {
         let Some(end) = points.min_by(|a, b| a.x.total_cmp(&b.x)) else { continue };
         // The right limb comes last.
         out.retain(|(_, name, _)| *name != girth.name);
-        let length = found.body.measures.get(girth.name).copied().unwrap_or(girth.length);
+        let length = found.mesh.get(girth.name).copied().unwrap_or(girth.length);
         out.push((end, girth.name, format!("{} {:.0}", words(girth.name), 1e3 * length)));
     }
     out.into_iter().map(|(at, _, words)| (at, words)).collect()

@@ -2,6 +2,7 @@
 
 use super::limbs::{ArmLine, ELBOW_AT, UPPER_ARM_AT, angle};
 use super::marks::{Marks, largest};
+use super::moved::{LEVELS, without_moved};
 use super::points::{across, top};
 use super::slices::Slices;
 use crate::body::section::{Section, section_near};
@@ -76,8 +77,14 @@ pub struct GirthLine {
 /// A body with all that was found on its mesh.
 #[derive(Clone, Debug)]
 pub struct Found {
-    /// The body. What it named before stays.
+    /// The body. What it named before stays, but for what belongs to heights that were edited.
     pub body: Body,
+    /// Measures of the mesh, metres, also where the body names others.
+    pub mesh: BTreeMap<&'static str, f64>,
+    /// Heights at which the tape lies because the body names them.
+    pub led: Vec<String>,
+    /// Those of them that were edited: the landmarks of the body stand at other heights.
+    pub moved: Vec<String>,
     /// How it holds its arms.
     pub pose: Pose,
     /// The outlines that were measured.
@@ -92,12 +99,13 @@ pub struct Found {
 #[must_use]
 pub fn measured(body: &Body) -> Found {
     let slices = Slices::new(body);
-    let mut tape = Tape::new(body, &slices);
+    let (kept, moved) = without_moved(body, slices.low);
+    let mut tape = Tape::new(&kept, &slices);
     match Marks::of(&slices, named(body, slices.low, "crotch")) {
         Some(marks) => tape.all(&marks),
         None => tape.missing.push(("crotch", "no height was found at which two legs meet under a trunk")),
     }
-    tape.finish()
+    Found { moved, ..tape.finish() }
 }
 
 /// A height that a body names, by a measure or by a landmark.
@@ -142,8 +150,11 @@ impl<'a> Tape<'a> {
 
     fn finish(self) -> Found {
         let mut body = self.body.clone();
-        for (name, length) in self.measures {
-            body.measures.entry(name.to_owned()).or_insert(to_micrometres(length));
+        let led = LEVELS.iter().map(|(level, _)| format!("{level}_height"));
+        let led = led.filter(|name| body.measures.contains_key(name)).collect();
+        let mesh: BTreeMap<_, _> = self.measures.into_iter().map(|(name, x)| (name, to_micrometres(x))).collect();
+        for (name, length) in &mesh {
+            body.measures.entry((*name).to_owned()).or_insert(*length);
         }
         for (name, p) in self.landmarks {
             body.landmarks.entry(name).or_insert(p.map(to_micrometres));
@@ -159,7 +170,7 @@ impl<'a> Tape<'a> {
         // What both sides lack is said once.
         missing.dedup();
         guessed.dedup();
-        Found { body, pose, girths, missing, guessed }
+        Found { body, mesh, led, moved: Vec::new(), pose, girths, missing, guessed }
     }
 
     fn all(&mut self, marks: &Marks) {

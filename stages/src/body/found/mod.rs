@@ -4,6 +4,7 @@
 mod limbs;
 mod marks;
 mod measure;
+mod moved;
 mod points;
 mod slices;
 mod stance;
@@ -74,6 +75,23 @@ mod tests {
             let way = |s: &BodySegment| (s.to - s.from).normalize();
             assert!(way(own).dot(&way(segment)) > 0.95, "{name}: {own:?} {segment:?}");
         }
+    }
+
+    #[test]
+    fn an_edited_height_takes_girth_and_landmarks_with_it() {
+        let known = parametric(&BodyMeasures::default()).expect("a body");
+        let same = measured(&known);
+        assert!(same.moved.is_empty(), "{:?}", same.moved);
+        assert!(known.measures.iter().all(|(name, x)| same.body.measures.get(name) == Some(x)), "what is named stays");
+        let mut edited = known.clone();
+        edited.measures.insert("waist_height".to_owned(), known.measures["waist_height"] + 0.05);
+        edited.measures.insert("hip_girth".to_owned(), 0.9);
+        let found = measured(&edited);
+        assert_eq!(found.moved, ["waist_height"]);
+        assert!(found.body.measures["waist_girth"] > known.measures["waist_girth"] + 0.01, "the tape moved");
+        assert!((found.body.landmarks["waist-front"].y - known.landmarks["waist-front"].y - 0.05).abs() < 1e-3);
+        assert_eq!(found.body.measures["hip_girth"], 0.9, "what a person names stays");
+        assert!((found.mesh["hip_girth"] - known.measures["hip_girth"]).abs() < 0.008, "and the mesh is told beside it");
     }
 
     #[test]
