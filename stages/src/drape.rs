@@ -17,6 +17,7 @@ pub use judge::{Judged, judge};
 pub use params::{
     AccuracyName, CorrectionName, DrapeParams, EffectsParam, IntegratorName, ModelName, PenaltyName, SwitchName,
 };
+pub(crate) use unused::act_elsewhere;
 
 use crate::codes::SETTING_OUT_OF_RANGE;
 use crate::solve::body_parts::contact_filter;

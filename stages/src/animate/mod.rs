@@ -6,9 +6,11 @@ pub(crate) mod codes;
 mod forecast;
 mod params;
 mod store;
+mod unused;
 
 pub use params::{AnimateParams, SteppingName};
 
+use crate::codes::SETTING_OUT_OF_RANGE;
 use crate::solve::{self, Follow, Layout, failure, scene};
 use store::Store;
 use toile_cloth::{Motion, Scene, Trip};
@@ -20,8 +22,16 @@ use toile_stage_api::{Cost, Forecast, Stage, StageContext, StageError, StageInfo
 /// Distance between the drape's body and the first frame from which a person should look, metres.
 const FAR: f64 = 0.2;
 
-fn check_gravity(params: &AnimateParams) -> Result<(), StageError> {
-    solve::ranges::gravity(params.gravity).map_or(Ok(()), |fault| Err(StageError::parameter(fault)))
+/// Refuses values that no motion can have.
+fn check(params: &AnimateParams) -> Result<(), StageError> {
+    let no_frame = (params.frames == Some(0)).then(|| {
+        let hint = "write how many frames the result has, or leave it out";
+        Diagnostic::error(SETTING_OUT_OF_RANGE, "`frames` is 0; a motion has one frame or more").hint(hint)
+    });
+    match solve::ranges::gravity(params.gravity).or(no_frame) {
+        Some(fault) => Err(StageError::parameter(fault)),
+        None => Ok(()),
+    }
 }
 
 /// Moves the garment.
@@ -44,7 +54,8 @@ impl Stage for Animate {
         forecast: &mut Forecast,
         cx: &mut StageContext<'_>,
     ) -> Result<Option<Cost>, StageError> {
-        check_gravity(params)?;
+        check(params)?;
+        cx.report.findings.extend(unused::settings(params));
         toile_cloth::check_settings(&params.settings(cx.threads)).map_err(failure)?;
         params.dynamics().check().map_err(failure)?;
         params.motion(Vec::new(), true).check(None, 0).map_err(failure)?;
@@ -60,7 +71,8 @@ impl Stage for Animate {
         mut garment: Garment,
         cx: &mut StageContext<'_>,
     ) -> Result<Garment, StageError> {
-        check_gravity(params)?;
+        check(params)?;
+        cx.report.findings.extend(unused::settings(params));
         let layout = Layout::of(&garment);
         let drape = garment.drape.take().ok_or_else(|| StageError::Internal("no draped shape".to_owned()))?;
         let gravity = Vec3::new(0.0, -params.gravity.0, 0.0);

@@ -14,12 +14,20 @@ pub(super) fn settings(params: &DrapeParams) -> Vec<Diagnostic> {
         ("penalty", params.penalty != default.penalty),
         ("max_time", params.max_time != default.max_time),
     ];
+    act_elsewhere(&set, &["central-difference"])
+}
+
+/// A warning for each parameter that is set and acts with other integrators only.
+pub(crate) fn act_elsewhere(set: &[(&str, bool)], integrators: &[&str]) -> Vec<Diagnostic> {
+    let names: Vec<String> = integrators.iter().map(|name| format!("`{name}`")).collect();
+    let names = names.join(" or ");
+    let first = integrators.first().copied().unwrap_or_default();
     let told = |name: &str| {
-        let message = format!("with.{name} does nothing: it acts with the integrator `central-difference` only");
-        Diagnostic::warning(SETTING_UNUSED, message)
-            .hint(format!("leave with.{name} out, or set with.integrator = \"central-difference\""))
+        let message = format!("with.{name} does nothing: it acts with the integrator {names} only");
+        let hint = format!("leave with.{name} out, or set with.integrator = \"{first}\"");
+        Diagnostic::warning(SETTING_UNUSED, message).hint(hint)
     };
-    set.into_iter().filter(|(_, is_set)| *is_set).map(|(name, _)| told(name)).collect()
+    set.iter().filter(|(_, is_set)| *is_set).map(|(name, _)| told(name)).collect()
 }
 
 /// One note for each kind of value that was not used.
