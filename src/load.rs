@@ -2,6 +2,7 @@
 
 mod accuracy;
 pub(crate) mod codes;
+mod overruled;
 
 use crate::codes::FILE_MISSING;
 use crate::engine::{Exit, Gate, Stop, check_paths, clean, read_limited};
@@ -133,6 +134,7 @@ fn check<'r>(
     tuning.extend(request.repeats.map(|n| (Meaning::Repeats, n.to_string())));
     pipeline::tune(&mut document, registry, &tuning);
     let mut pipeline = pipeline::link(&document, registry, &mut report);
+    overruled::tell(&pipeline, &tuning, request, &mut report);
     pipeline.contents = external::contents(&document, &folder_of(&request.file), &request.allow_run);
     let repeats = |s: &pipeline::Step<'_>| pipeline::knob(s.ready.knobs(), Meaning::Repeats).is_some();
     if request.repeats.is_some() && !pipeline.steps.iter().any(repeats) {

@@ -17,6 +17,10 @@ codes! {
     /// put beside the pipeline as NAME.study.json, is then chosen from. Exit code 2.
     ACCURACY_OUT_OF_REACH = "accuracy-out-of-reach";
 
+    /// `--accuracy` or `--repeats` chose a value, and the chain has another one, which `--set` gave. `--set` has the last
+    /// word. An accuracy promises nothing then. Leave out one of both.
+    CHOICE_OVERRULED = "choice-overruled";
+
     /// The file is not UTF-8 text. Save it as UTF-8.
     NOT_TEXT = "not-text";
 
