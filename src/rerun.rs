@@ -1,6 +1,6 @@
 //! One run into a folder of its own, as `toile run` does it: what `test` and `bundle verify` have in common.
 
-use crate::engine::{self, CacheOptions, Content, Exit, Limits, RECORD_NAME, RunOptions, Stop, read_record};
+use crate::engine::{self, Allow, CacheOptions, Content, Exit, Limits, RECORD_NAME, RunOptions, Stop, read_record};
 use crate::load::{self, Loaded, Request};
 use crate::progress::Teller;
 use serde_json::Value;
@@ -41,7 +41,7 @@ pub fn rerun(request: &Request, out: PathBuf, means: &Means, stop: &Arc<Stop>, r
         return Ended { exit, findings: report.findings, record: None };
     }
     let content = Content::of(&pipeline, &gate, stop);
-    if let Some(finding) = means.limits.refuse(&content.foresight) {
+    if let Some(finding) = means.limits.refuse(&content.foresight, Allow::Options) {
         return Ended { exit: Exit::System, findings: vec![finding], record: None };
     }
     let options = RunOptions {

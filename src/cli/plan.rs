@@ -2,7 +2,7 @@
 
 use super::args::PlanArgs;
 use super::console::Console;
-use crate::engine::{Exit, Foresight, Gate, Stop, foresee, planned_inputs};
+use crate::engine::{Allow, Exit, Foresight, Gate, Stop, foresee, planned_inputs};
 use crate::load;
 use crate::pipeline::{Pipeline, Step, word};
 use serde_json::{Value, json};
@@ -25,7 +25,7 @@ pub(super) fn run(args: &PlanArgs, registry: &mut Registry, stop: &Arc<Stop>, co
         } else {
             console.result(&text(pipeline, &plan, &seen))
         }
-        if let Some(refusal) = args.limits.limits().refuse(&seen) {
+        if let Some(refusal) = args.limits.limits().refuse(&seen, Allow::Options) {
             console.findings(&[refusal], None);
             return Exit::System;
         }

@@ -3,7 +3,7 @@
 use super::args::RunArgs;
 use super::console::Console;
 use crate::engine::codes::OUTPUTS_COLLIDE;
-use crate::engine::{self, Exit, Outcome, RunOptions, Stop, clean, default_out, output_below};
+use crate::engine::{self, Allow, Exit, Outcome, RunOptions, Stop, clean, default_out, output_below};
 use crate::engine::{Content, Watchdog, known_inputs, of_file_error, refuse_input, unwritten};
 use crate::load::{self, Loaded};
 use crate::pipeline::{Pipeline, ProgramContent};
@@ -28,7 +28,7 @@ pub(super) fn run(args: &RunArgs, registry: &mut Registry, stop: &Arc<Stop>, con
     }
     let limits = args.limits.limits();
     let content = Content::of(&pipeline, &gate, stop);
-    if let Some(finding) = limits.refuse(&content.foresight) {
+    if let Some(finding) = limits.refuse(&content.foresight, Allow::Options) {
         console.findings(&[finding], None);
         return Exit::System;
     }

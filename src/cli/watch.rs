@@ -2,7 +2,7 @@
 
 use super::args::WatchArgs;
 use super::console::Console;
-use crate::engine::{CacheOptions, Content, Exit, Limits, RunOptions, Stop, default_out};
+use crate::engine::{Allow, CacheOptions, Content, Exit, Limits, RunOptions, Stop, default_out};
 use crate::load::{self, Loaded};
 use crate::progress::{Teller, Voice};
 use crate::watch::{PAGE_NAME, Watched, show};
@@ -17,10 +17,16 @@ const TICK: Duration = Duration::from_millis(150);
 pub(super) fn run(args: &WatchArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
     let threads = super::run::pool(args.threads);
     let mut number = 0;
+    let mut last = Exit::Good;
     let mut watched = Watched::default();
     while !stop.asked() && args.runs.is_none_or(|most| number < most) {
         number += 1;
         let (seen, exit) = once(args, registry, stop, console, (number, threads));
+        // Nothing will come of a name that no file has. A file that goes later comes again: editors save so.
+        if number == 1 && !args.pipeline.pipeline.is_file() {
+            return exit;
+        }
+        last = exit;
         // A pipeline with mistakes tells of no files: those of the run before are watched on.
         watched = seen.unwrap_or_else(|| watched.now());
         console.say(&format!("run {number}: {}\n", exit.word()));
@@ -36,7 +42,7 @@ pub(super) fn run(args: &WatchArgs, registry: &mut Registry, stop: &Arc<Stop>, c
             }
         }
     }
-    if stop.asked() { Exit::Stopped } else { Exit::Good }
+    if stop.asked() { Exit::Stopped } else { last }
 }
 
 /// One run; the files that it read, and how it ended.
@@ -59,7 +65,7 @@ fn once(
     };
     let content = Content::of(&pipeline, &gate, stop);
     let watched = Watched::of(file, &content.reads, Some(&gate));
-    if let Some(finding) = Limits::default().refuse(&content.foresight) {
+    if let Some(finding) = Limits::default().refuse(&content.foresight, Allow::Nowhere) {
         console.findings(&[finding], None);
         return (Some(watched), Exit::System);
     }

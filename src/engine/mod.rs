@@ -31,7 +31,7 @@ pub use exit::{Exit, of_file_error, of_stage_error};
 pub use files::{FileRead, MAX_INPUT, RunFiles, TracedFiles, read_limited};
 pub use foresight::{Foresight, foresee};
 pub use gate::{Gate, clean, output_below, project_root};
-pub use limits::{Limits, Watchdog};
+pub use limits::{Allow, Limits, Watchdog};
 pub use memory::available_mb;
 pub(crate) use meter::reset_peak;
 pub use meter::{Meter, peak_mb};

@@ -1,6 +1,6 @@
 //! A pipeline run up to its end, with the garment kept.
 
-use crate::engine::{self, Content, Exit, Limits, RunOptions, Stop};
+use crate::engine::{self, Allow, Content, Exit, Limits, RunOptions, Stop};
 use crate::halt::Halt;
 use crate::load::{self, Loaded, Request};
 use crate::pipeline::Pipeline;
@@ -50,7 +50,7 @@ impl Means<'_> {
         let text = (source.file().to_owned(), source.text().to_owned());
         shorten(&mut pipeline).map_err(Halt::usage)?;
         let content = Content::of(&pipeline, &gate, self.stop);
-        if let Some(finding) = Limits::default().refuse(&content.foresight) {
+        if let Some(finding) = Limits::default().refuse(&content.foresight, Allow::Nowhere) {
             return Err(Halt::new(vec![finding], Exit::System));
         }
         let options = RunOptions {

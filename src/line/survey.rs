@@ -1,7 +1,7 @@
 //! Looking at every job of a line before anything runs: its mistakes, its content, its cost.
 
 use super::{Job, Line};
-use crate::engine::{Content, Exit, FileRead, Gate, Stop};
+use crate::engine::{Allow, Content, Exit, FileRead, Gate, Stop};
 use crate::load::{self, Request};
 use rayon::prelude::*;
 use serde_json::{Value, json};
@@ -98,7 +98,7 @@ fn look(line: &Line, job: &Job, rights: &Rights, stop: &Arc<Stop>, registry: &Re
         let new: Vec<Diagnostic> = content.foresight.findings.iter().filter(is_new).cloned().collect();
         findings.extend(new);
         exit = if exit == Exit::Good { content.foresight.exit } else { exit };
-        if let Some(over) = line.file.limits.refuse(&content.foresight).filter(|_| exit == Exit::Good) {
+        if let Some(over) = line.file.limits.refuse(&content.foresight, Allow::Line).filter(|_| exit == Exit::Good) {
             findings.push(over);
             exit = Exit::System;
         }

@@ -35,5 +35,15 @@ fn a_change_is_run_again_and_only_what_changed_is_computed() {
     // A mistake ends no watch: the next change is seen.
     project.change("draped.toml", "use = \"drape\"", "use = \"drap\"");
     let ended = child.wait().expect("end");
-    assert_eq!(ended.code(), Some(0));
+    assert_eq!(ended.code(), Some(2), "as the last run");
+}
+
+#[test]
+fn a_watch_ends_as_its_last_run_and_never_waits_for_a_name_that_is_wrong() {
+    let project = Project::new();
+    assert_eq!(project.toile("watch printed.toml --out out --quiet --runs 1").0, 0);
+    let (code, _, err) = project.toile("watch printd.toml --out out --quiet");
+    assert!(code == 2 && err.contains("error[file-missing]"), "{err}");
+    project.change("printed.toml", "{size}", "none");
+    assert_eq!(project.toile("watch printed.toml --out out --quiet --runs 1").0, 3, "no such size");
 }
