@@ -10,7 +10,7 @@ use super::gate::{Gate, output_below, refused};
 use super::meter::{Meter, peak_mb};
 use super::outputs::{Outputs, Plan, RECORD_NAME};
 use super::preflight::planned_outputs;
-use super::preview::{PREVIEW_NAME, Preview};
+use super::preview::{self, PREVIEW_NAME, Preview};
 use super::record::{GarmentCounts, OutputRecord, RunIdentity, RunRecord, StageRun};
 use super::same::known_inputs;
 use super::stop::Stop;
@@ -101,6 +101,7 @@ pub fn run(
         teller.show_in(Preview::new(outputs.root().join(PREVIEW_NAME)));
     }
     failure::sweep(outputs.root());
+    preview::sweep(outputs.root(), &plan.inputs);
     let files = RunFiles::new(gate, outputs);
     let mut run = Run::new(pipeline, options, files, stop, teller, report);
     let exit = run.chain(pipeline);

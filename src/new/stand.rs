@@ -68,7 +68,8 @@ pub fn differing(found: &Found, named: &BTreeMap<String, f64>) -> Vec<Diagnostic
     };
     let moved = found.moved.iter().map(|height| {
         let level = height.trim_end_matches("_height");
-        let message = format!("body `{name}`: {height} was edited: girth and landmarks of the {level} are measured there");
+        let message =
+            format!("body `{name}`: {height} was edited: girth and landmarks of the {level} are measured there");
         Diagnostic::info(codes::BODY_SIDE_FILE_DIFFERS, message).hint("--force writes them into the side file")
     });
     named.iter().filter_map(differs).chain(moved).collect()

@@ -266,7 +266,8 @@ fn gates_that_nothing_can_pass_are_refused_before_any_job() {
         let (code, out, err) = project.toile("line check line.toml");
         assert!(code == 2 && err.contains(told), "{gate}: {out}{err}");
     }
-    let good = "[[gate]]\nfigure = \"hip_girth.drape.tape\"\nmin = \"980 mm\"\n[[gate]]\nfigure = \"strain_max\"\nmax = 1\n";
+    let good =
+        "[[gate]]\nfigure = \"hip_girth.drape.tape\"\nmin = \"980 mm\"\n[[gate]]\nfigure = \"strain_max\"\nmax = 1\n";
     project.write("line.toml", &format!("{LINE}{good}"));
     assert_eq!(project.toile("line check line.toml").0, 0);
 }

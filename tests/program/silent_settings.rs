@@ -2,6 +2,7 @@
 
 use crate::support;
 use support::bench::Bench;
+use support::project::Project;
 
 /// The sample skirt up to its drape, with more parameters of `stitch` and `drape`.
 fn skirt(stitch: &str, drape: &str) -> Bench {
@@ -80,4 +81,37 @@ fn a_gate_of_no_figure_is_refused() {
     let said = bench.check(&[]);
     assert!(said.code == 2 && said.err.contains("strain_max"), "{said:?}");
     assert_eq!(codes(&skirt("", "with.limits = { strain_max = 1e-7 }")), [""; 0]);
+}
+
+#[test]
+fn what_a_set_overrules_is_told_and_promises_nothing() {
+    let project = Project::new();
+    let (code, _, err) = project.toile("check draped.toml --accuracy draft");
+    assert!(code == 0 && err.contains("accuracy-chosen") && !err.contains("choice-overruled"), "{err}");
+    let (code, _, err) = project.toile("check draped.toml --accuracy draft --set triangulate.edge_length=60mm");
+    assert!(code == 0 && err.contains("warning[choice-overruled]") && !err.contains("[accuracy-chosen]"), "{err}");
+    assert!(err.contains("`triangulate.edge_length` is 60 mm"), "{err}");
+    let (_, _, err) = project.toile("check draped.toml --accuracy draft --set triangulate.triangles=300");
+    assert!(err.contains("`triangulate.edge_length` is not set"), "{err}");
+    let (_, _, err) = project.toile("check draped.toml --repeats 2 --set drape.repeats=5");
+    assert!(err.contains("--repeats is overruled: `drape.repeats` is 5, not 2"), "{err}");
+    let (_, _, err) = project.toile("check draped.toml --repeats 5 --set drape.repeats=5");
+    assert!(!err.contains("overruled"), "{err}");
+}
+
+#[test]
+fn settings_of_a_motion_that_do_nothing_are_told_and_no_frame_is_refused() {
+    let project = Project::new();
+    let animated = |with: &str| {
+        let chain = support::project::DRAPED.split("[[stage]]\nuse = \"texture\"").next().expect("a drape");
+        project.write("moved.toml", &format!("{chain}[[stage]]\nuse = \"animate\"\nwith.frames = 3\n{with}"));
+        project.toile("plan moved.toml")
+    };
+    let (code, _, err) = animated("with.fixed_step = true\nwith.contact_stiffness = \"5 N/m\"\n");
+    assert_eq!((code, err.matches("setting-unused").count()), (0, 2), "{err}");
+    let (_, _, err) = animated("with.fixed_step = true\nwith.integrator = \"leapfrog\"\n");
+    assert!(!err.contains("setting-unused"), "{err}");
+    project.change("moved.toml", "with.frames = 3", "with.frames = 0");
+    let (code, out, err) = project.toile("plan moved.toml");
+    assert!(code == 2 && err.contains("`frames` is 0"), "{out}{err}");
 }

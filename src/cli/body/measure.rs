@@ -104,7 +104,8 @@ fn is_person(args: &BodyMeasureArgs, body: &Body, stance: &Stance) -> Result<(),
     if STATURES.contains(&stature) {
         return Ok(());
     }
-    let message = format!("in {} `{}` is {:.1} mm tall, which is no person", stance.unit.name, clean(&args.mesh), 1e3 * stature);
+    let message =
+        format!("in {} `{}` is {:.1} mm tall, which is no person", stance.unit.name, clean(&args.mesh), 1e3 * stature);
     let likely = MESH_UNITS.iter().find(|u| STATURES.contains(&(stature / stance.unit.metres * u.metres)));
     let hint = match likely.filter(|u| **u != stance.unit) {
         Some(unit) => format!("leave --units out, or say --units {}", unit.name),
@@ -144,7 +145,9 @@ fn source(taken: &Taken, name: &str) -> String {
     match (found.mesh.get(name), said) {
         (None, _) => "  by the side file".to_owned(),
         (_, Some(_)) if found.led.iter().any(|n| n == name) => "  by the side file".to_owned(),
-        (Some(mesh), Some(said)) if 1e3 * (mesh - said).abs() >= 0.05 => format!("  {:.1} in the side file", 1e3 * said),
+        (Some(mesh), Some(said)) if 1e3 * (mesh - said).abs() >= 0.05 => {
+            format!("  {:.1} in the side file", 1e3 * said)
+        }
         _ if found.guessed.iter().any(|(n, _)| *n == name) => "  by a usual share".to_owned(),
         _ => String::new(),
     }

@@ -91,7 +91,10 @@ mod tests {
         assert!(found.body.measures["waist_girth"] > known.measures["waist_girth"] + 0.01, "the tape moved");
         assert!((found.body.landmarks["waist-front"].y - known.landmarks["waist-front"].y - 0.05).abs() < 1e-3);
         assert_eq!(found.body.measures["hip_girth"], 0.9, "what a person names stays");
-        assert!((found.mesh["hip_girth"] - known.measures["hip_girth"]).abs() < 0.008, "and the mesh is told beside it");
+        assert!(
+            (found.mesh["hip_girth"] - known.measures["hip_girth"]).abs() < 0.008,
+            "and the mesh is told beside it"
+        );
     }
 
     #[test]
