@@ -134,6 +134,7 @@ fn check<'r>(
     tuning.extend(request.repeats.map(|n| (Meaning::Repeats, n.to_string())));
     pipeline::tune(&mut document, registry, &tuning);
     let mut pipeline = pipeline::link(&document, registry, &mut report);
+    pipeline.beside = accuracy::looked_for(&document, request);
     overruled::tell(&pipeline, &tuning, request, &mut report);
     pipeline.contents = external::contents(&document, &folder_of(&request.file), &request.allow_run);
     let repeats = |s: &pipeline::Step<'_>| pipeline::knob(s.ready.knobs(), Meaning::Repeats).is_some();

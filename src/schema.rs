@@ -86,7 +86,7 @@ fn head_schema() -> Value {
             "version": { "description": "Version; a released file is never edited.", "type": "integer", "minimum": 0 },
             "seed": { "description": "Seed for anything random; 0 by default.", "type": "integer", "minimum": 0 },
             "accuracy": {
-                "description": "Hem heights and girths within this length, e.g. 2 mm, or a preset: draft, normal, fine, reference. Sets edge_length of triangulate and accuracy of drape.",
+                "description": "Hem heights and girths within this length, e.g. 10 mm, or a preset: draft, normal, fine, reference. Less than 6 mm needs a study. Sets edge_length of triangulate and accuracy of drape.",
                 "type": "string"
             },
             "about": { "description": "What it makes.", "type": "string" }

@@ -133,7 +133,8 @@ impl PipelineArgs {
 /// How exact.
 #[derive(Args, Debug)]
 pub struct AccuracyArgs {
-    /// Accuracy: a length such as "2 mm", or draft, normal, fine, reference; as `accuracy` in [pipeline].
+    /// Accuracy: a length such as "10 mm", less than 6 mm only with a study, or draft, normal, fine, reference; as
+    /// `accuracy` in [pipeline].
     #[arg(long, value_name = "LENGTH")]
     pub accuracy: Option<String>,
     /// Drape again from so many starts moved by up to 1 µm; the certificate tells how far the rests lie apart.
@@ -360,6 +361,9 @@ pub struct DepsArgs {
     /// Pipeline.
     #[command(flatten)]
     pub pipeline: PipelineArgs,
+    /// How exact.
+    #[command(flatten)]
+    pub accuracy: AccuracyArgs,
     /// For programs.
     #[arg(long)]
     pub json: bool,
@@ -430,6 +434,9 @@ pub struct CompareArgs {
     /// Methods: toile, springs, paper, penalty, provot, explicit-triangles, implicit, sewn-only [default: all but penalty]
     #[arg(long, value_name = "WORD,…", value_delimiter = ',')]
     pub methods: Vec<String>,
+    /// Replace an earlier comparison.
+    #[arg(long)]
+    pub force: bool,
     /// Threads [default: all cores, or TOILE_THREADS]; results never depend on it.
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     pub threads: Option<u16>,

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use toile_stage_api::Registry;
 
 pub(super) fn run(args: &DepsArgs, registry: &mut Registry, stop: &Arc<Stop>, console: &mut Console<'_>) -> Exit {
-    let loaded = load::load(&args.pipeline.request(), stop, registry);
+    let loaded = load::load(&args.accuracy.request(&args.pipeline), stop, registry);
     console.findings(&loaded.report.findings, loaded.text());
     let exit = loaded.exit();
     let (Exit::Good, Some(pipeline), Some(gate)) = (exit, &loaded.pipeline, &loaded.gate) else { return exit };

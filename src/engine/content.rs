@@ -46,6 +46,9 @@ impl Content {
             // A missing one is a finding already.
             drop(files.read(Path::new(&input.text)));
         }
+        for path in &pipeline.beside {
+            drop(files.read_optional(path));
+        }
         Self { foresight, reads: files.into_seen() }
     }
 

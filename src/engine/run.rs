@@ -102,7 +102,11 @@ pub fn run(
     }
     failure::sweep(outputs.root());
     preview::sweep(outputs.root(), &plan.inputs);
-    let files = RunFiles::new(gate, outputs);
+    let mut files = RunFiles::new(gate, outputs);
+    for path in &pipeline.beside {
+        // One that cannot be read chose nothing, and that is told.
+        drop(toile_stage_api::Files::read_optional(&mut files, path));
+    }
     let mut run = Run::new(pipeline, options, files, stop, teller, report);
     let exit = run.chain(pipeline);
     run.finish(exit)

@@ -7,7 +7,7 @@ use crate::engine::read_limited;
 use crate::pipeline::{Document, Tuning, knob, turned_by};
 use crate::study::Study;
 use crate::study::choose::{Choice, Refusal, Wanted};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use toile_garment::{Diagnostic, Report, SourceRef};
 use toile_stage_api::{AnyStage, Meaning, Registry};
 
@@ -34,6 +34,14 @@ pub(super) fn tuning(document: &Document<'_>, request: &Request, registry: &Regi
     }
 }
 
+/// The study beside the pipeline, where an accuracy is asked for: what it holds decides the settings.
+pub(super) fn looked_for(document: &Document<'_>, request: &Request) -> Vec<PathBuf> {
+    let is_asked = request.accuracy.is_some() || document.accuracy.is_some();
+    let study = request.file.with_extension("study.json");
+    let name = study.file_name().filter(|_| is_asked && request.tuning.is_empty());
+    name.map(PathBuf::from).into_iter().collect()
+}
+
 fn choose(
     text: &str,
     document: &Document<'_>,
@@ -42,7 +50,7 @@ fn choose(
     report: &mut Report,
 ) -> Result<(Choice, Diagnostic), Diagnostic> {
     let wanted = Wanted::read(text).map_err(|why| {
-        Diagnostic::error(WRONG_VALUE, format!("accuracy: {why}")).hint("write e.g. accuracy = \"2 mm\"")
+        Diagnostic::error(WRONG_VALUE, format!("accuracy: {why}")).hint("write e.g. accuracy = \"10 mm\"")
     })?;
     needs_knobs(document, registry)?;
     let file = request.file.with_extension("study.json");

@@ -33,6 +33,8 @@ pub struct Pipeline<'r> {
     pub contents: Vec<ProgramContent>,
     /// Folders behind `{name}/…`, for paths given on the command line.
     pub mounts: BTreeMap<String, PathBuf>,
+    /// Files beside the pipeline that choose its settings; they may be absent.
+    pub beside: Vec<PathBuf>,
 }
 
 /// One stage of the chain.
@@ -89,6 +91,7 @@ pub fn link<'r>(document: &Document<'_>, registry: &'r Registry, report: &mut Re
         programs: document.plugins.iter().flat_map(|p| &p.command).map(PathBuf::from).collect(),
         contents: Vec::new(),
         mounts: values.mounts,
+        beside: Vec::new(),
     }
 }
 

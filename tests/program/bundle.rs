@@ -185,9 +185,19 @@ fn hostile_entries_are_refused_and_nothing_is_written() {
 #[test]
 fn a_draped_skirt_comes_back_to_the_same_bytes() {
     let project = Project::new();
+    // A study beside the pipeline chooses the mesh, so it is an input as all others.
+    project.write("draped.study.json", "{}");
     let (code, _, err) = project.toile("run draped.toml --out out --quiet --set fabric=linen-plain --accuracy draft");
     assert!(code == 0 || code == 1, "{err}");
+    let record = project.json("out/run.json");
+    assert!(record["inputs"].to_string().contains("draped.study.json") && record["key"].is_string(), "{record}");
+    let (_, out, err) = project.toile("deps draped.toml --set fabric=linen-plain --accuracy draft --json");
+    let deps: Value = serde_json::from_str(&out).expect(&err);
+    assert!(deps["key"] == record["key"] && deps["inputs"].to_string().contains("draped.study.json"), "{deps}");
     good(&project, "bundle out --out skirt.tar");
     let out = good(&project, "bundle verify skirt.tar --run");
     assert!(out.contains("set      fabric=linen-plain\n") && out.ends_with("all the same\n"), "{out}");
+    project.write("draped.study.json", "{ }");
+    let (code, _, err) = project.toile("bundle out --out other.tar");
+    assert!(code == 3 && err.contains("`draped.study.json` has changed since the run"), "{err}");
 }
