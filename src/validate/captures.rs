@@ -20,8 +20,11 @@ const NEEDED: [&str; 2] = ["fabric", "dc_percent"];
 const MASSES: std::ops::RangeInclusive<f64> = 1.0..=10_000.0;
 /// Range of drape coefficients, %.
 const COEFFICIENTS: std::ops::RangeInclusive<f64> = 0.0..=100.0;
-/// Range of heights of the hem, mm: it hangs at most as far as the specimen reaches over the disc.
-const HEIGHTS: std::ops::RangeInclusive<f64> = -61.0..=61.0;
+/// Range of heights of the hem, mm: it hangs at most as far as the specimen reaches over the disc. Stiff cloth that curls
+/// stands a little over it.
+const HEIGHTS: std::ops::RangeInclusive<f64> = -61.0..=10.0;
+/// Coefficients that all lie under this are shares, and not percent.
+const SHARE: f64 = 0.01;
 
 /// Sides of a cloth.
 const FACES: usize = 2;
@@ -86,6 +89,11 @@ pub fn captured(text: &str, file: &str) -> Result<(Vec<Captured>, Vec<Diagnostic
         errors.push(
             finding.at(SourceRef::file(file)).hint("write a line for each of them below the names of the columns"),
         );
+    }
+    let captures = || table.iter().flat_map(|c: &Captured| &c.faces).flat_map(|f| &f.captures);
+    if errors.is_empty() && captures().all(|c| c.coefficient <= SHARE) {
+        let finding = Diagnostic::error(CAPTURES, "no `dc_percent` is above 1: they look like shares");
+        errors.push(finding.at(SourceRef::file(file)).hint("write percent, e.g. 62 for a coefficient of 0.62"));
     }
     if errors.is_empty() { Ok((table, warnings)) } else { Err(errors) }
 }
@@ -180,6 +188,10 @@ mod tests {
         let errors = captured("fabric,face,dc_percent\nlawn,up,30\nlawn,down,31\nlawn,u p,30\n", "d.csv");
         let errors = errors.expect_err("three faces");
         assert!(errors[0].to_string().contains("d.csv:4") && errors[0].message.contains("third face"), "{errors:?}");
+        let errors = captured("fabric,dc_percent\nlawn,0.62\nlawn,0.6\n", "d.csv").expect_err("shares");
+        assert!(errors.len() == 1 && errors[0].message.contains("look like shares"), "{errors:?}");
+        let errors = captured("fabric,dc_percent,rim_z_mean_mm\nlawn,30,50\n", "d.csv").expect_err("upwards");
+        assert!(errors[0].to_string().contains("d.csv:2"), "{errors:?}");
         let errors = captured("fabric,folds\nlawn,3\n", "d.csv").expect_err("no coefficient");
         assert!(errors[0].message.contains("`dc_percent`"));
     }

@@ -113,8 +113,8 @@ fn mark(out: &mut String, quantity: &Quantity, row: &Row, x: [f64; 2], y: [f64; 
     let Some((captured, simulated)) = bands else { return };
     let colour = LAWS.iter().position(|l| l.name == row.law).map_or("#333", |k| COLOURS[k]);
     let [cx, cy] = [quantity.place(captured.mean, x), quantity.place(simulated.mean, y)];
-    let across = [-1.0, 1.0].map(|s| fixed(quantity.place(captured.mean + s * captured.scatter, x), 1));
-    let up = [-1.0, 1.0].map(|s| fixed(quantity.place(simulated.mean + s * simulated.scatter, y), 1));
+    let across = [-1.0, 1.0].map(|s| fixed(quantity.place(captured.mean + s * captured.scatter.unwrap_or(0.0), x), 1));
+    let up = [-1.0, 1.0].map(|s| fixed(quantity.place(simulated.mean + s * simulated.scatter.unwrap_or(0.0), y), 1));
     let paint = if row.was_set { format!("fill=\"{colour}\"") } else { format!("fill=\"#fff\" stroke=\"{colour}\"") };
     let words = format!(
         "{} {}, {}: captured {:.1}, predicted {:.1}",

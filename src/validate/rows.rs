@@ -92,19 +92,28 @@ impl Row {
     /// Bands of the drape coefficient overlap; `None` where nothing can be judged.
     #[must_use]
     pub fn coefficient_agrees(&self) -> Option<bool> {
-        Some(self.captured.as_ref()?.coefficient.agrees_with(&self.simulated.coefficient))
+        self.captured.as_ref()?.coefficient.agrees_with(&self.simulated.coefficient)
     }
 
     /// The mean drape coefficient lies within the captures.
     #[must_use]
     pub fn coefficient_is_held(&self) -> Option<bool> {
-        Some(self.captured.as_ref()?.coefficient.holds(&self.simulated.coefficient))
+        self.captured.as_ref()?.coefficient.holds(&self.simulated.coefficient)
     }
 
     /// Bands of the height of the hem overlap.
     #[must_use]
     pub fn height_agrees(&self) -> Option<bool> {
-        Some(self.captured.as_ref()?.height?.agrees_with(&self.simulated.height?))
+        self.captured.as_ref()?.height?.agrees_with(&self.simulated.height?)
+    }
+}
+
+impl Validation {
+    /// Is a prediction judged by anything?
+    #[must_use]
+    pub fn judges(&self) -> bool {
+        let is_judged = |row: &Row| row.coefficient_agrees().or(row.coefficient_is_held()).or(row.height_agrees());
+        self.rows.iter().any(|row| is_judged(row).is_some())
     }
 }
 

@@ -49,9 +49,12 @@ fn shown(validation: &Validation, write: impl Fn(&Table<'_>) -> String) -> Strin
 
 fn cells(row: &Row) -> [String; HEADS.len()] {
     let dash = || "-".to_owned();
-    let band = |b: &Band| format!("{:.1} ± {:.1}", b.mean, b.scatter);
+    let band = |b: &Band| match b.scatter {
+        Some(scatter) => format!("{:.1} ± {scatter:.1}", b.mean),
+        None => format!("{:.1} ± –", b.mean),
+    };
     let judged = |b: Option<Band>, agrees: Option<bool>| {
-        b.map_or_else(dash, |b| band(&b) + if agrees == Some(true) { "" } else { " !" })
+        b.map_or_else(dash, |b| band(&b) + if agrees == Some(false) { " !" } else { "" })
     };
     let captured = row.captured.as_ref();
     [
@@ -89,17 +92,67 @@ pub fn words(validation: &Validation) -> Vec<String> {
             };
             let faces = if was_set { "faces that set it" } else { "other faces" };
             let agree = of(Row::coefficient_agrees);
-            (!agree.ends_with("of 0")).then(|| {
+            let held = of(Row::coefficient_is_held);
+            (!agree.ends_with("of 0") || !held.ends_with("of 0")).then(|| {
                 format!(
-                    "{faces}: drape coefficient in band {agree}, mean within the captures {}, hem height in band {}",
-                    of(Row::coefficient_is_held),
+                    "{faces}: drape coefficient in band {agree}, mean within the captures {held}, hem height in band {}",
                     of(Row::height_agrees)
                 )
             })
         });
-        let counts = counts.into_iter().flatten().collect::<Vec<_>>().join("; ");
+        let counts: Vec<String> = counts.into_iter().flatten().collect();
+        let counts = if counts.is_empty() { "nothing was judged".to_owned() } else { counts.join("; ") };
         let seconds = cost.cpu_seconds / cost.cloths as f64;
         Some(format!("`{}` ({}): {counts}. {seconds:.1} CPU s for each cloth.", law.name, law.about))
     }));
+    if !validation.judges() {
+        words.push(
+            "Nothing was judged: a face is judged by two captures or more beside the first, which sets the law. A single \
+             reading has no scatter."
+                .to_owned(),
+        );
+    }
     words
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::rows::{Cost, Readings};
+    use super::*;
+
+    /// A face with so many captures beside the first.
+    fn validation(captures: &[f64]) -> Validation {
+        let readings = |all: &[f64]| Band::of(all).map(|coefficient| Readings { coefficient, height: None });
+        let row = Row {
+            fabric: "lawn".to_owned(),
+            face: String::new(),
+            law: LAWS[0].name,
+            was_set: true,
+            bending_length_mm: 20.0,
+            bending_un_m: 8.0,
+            rest_curvature_per_m: 0.0,
+            captured: readings(captures),
+            simulated: readings(&[60.0, 62.0]).expect("falls"),
+        };
+        Validation {
+            toile_validate: 1,
+            toile: "0".to_owned(),
+            captures: "d.csv".to_owned(),
+            edge_mm: 8.0,
+            falls: 2,
+            rows: vec![row],
+            costs: vec![Cost { law: LAWS[0].name, cpu_seconds: 1.0, cloths: 1 }],
+        }
+    }
+
+    #[test]
+    fn a_single_reading_judges_nothing() {
+        for few in [&[][..], &[90.0]] {
+            let text = text(&validation(few));
+            assert!(text.contains("nothing was judged.") && text.contains("Nothing was judged: "), "{text}");
+            assert!(!text.contains(" !") && !text.contains("± 0.0"), "{text}");
+        }
+        let text = text(&validation(&[90.0, 91.0]));
+        assert!(text.contains("90.5 ± 0.7 !") && text.contains("in band 0 of 1"), "{text}");
+    }
 }

@@ -58,7 +58,7 @@ fn work(args: &ValidatedDrapeArgs, stop: &Arc<Stop>, console: &mut Console<'_>) 
     let said = if args.json { json.clone() } else { table::text(&validation) };
     write_files(&out, &FILES, &[json, chart::svg(&validation), table::markdown(&validation)])?;
     tell(&said, &out, &FILES, console);
-    Ok(Exit::Good)
+    Ok(if validation.judges() { Exit::Good } else { Exit::Gate })
 }
 
 /// The captures, and warnings.
