@@ -3,8 +3,9 @@
 use super::args::PipelineArgs;
 use super::console::Console;
 use crate::codes::PATH_REFUSED;
-use crate::engine::{Exit, Stop, clean, unwritten, write_whole};
+use crate::engine::{Exit, RECORD_NAME, Stop, clean, unwritten, write_whole};
 use crate::halt::Halt;
+use crate::line::RESULTS_NAME;
 use crate::load;
 use crate::pipeline::knob;
 use std::path::Path;
@@ -48,6 +49,10 @@ pub(super) fn check_folder(
     (file, kind, subject): (&str, &str, &str),
     name: &str,
 ) -> Result<(), Diagnostic> {
+    if let Some(other) = [RECORD_NAME, RESULTS_NAME].iter().find(|name| out.join(name).exists()) {
+        let message = format!("`{}` holds a `{other}`: it is the folder of another command", clean(out));
+        return Err(Diagnostic::error(PATH_REFUSED, message).hint("choose another folder with --out"));
+    }
     let path = out.join(file);
     let Ok(bytes) = std::fs::read(&path) else { return Ok(()) };
     let there: Option<serde_json::Value> = serde_json::from_slice(&bytes).ok();

@@ -3,14 +3,14 @@
 use super::args::CompareArgs;
 use super::bench::{Chain, check_folder, tell, write_files};
 use super::console::Console;
-use crate::codes::UNKNOWN_VALUE;
+use crate::codes::{PATH_REFUSED, UNKNOWN_VALUE};
 use crate::compare::rows::VERSION;
-use crate::compare::{Comparison, METHODS, Method, compare, page, table};
-use crate::engine::{Exit, Stop};
+use crate::compare::{Comparison, Listener, METHODS, Method, Shown, compare, page, table};
+use crate::engine::{Exit, Stop, clean};
 use crate::halt::Halt;
 use crate::progress::Voice;
 use crate::study::Bench;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use toile_garment::Diagnostic;
 use toile_stage_api::Registry;
@@ -36,6 +36,9 @@ fn work(
     let threads = super::run::pool(args.threads);
     let out = args.out.clone().unwrap_or_else(|| PathBuf::from("out").join(format!("{}-compare", chain.file_name)));
     check_folder(&out, (FILES[0], "toile_compare", "pipeline"), &chain.name).map_err(Halt::usage)?;
+    if !args.force {
+        is_new(&out).map_err(Halt::usage)?;
+    }
     // Times are to be those of this machine, and pictures need the body, which a kept garment has not: all is run anew.
     // A method that fails its certificate is a result here, and the table tells it.
     let (request, voice) = (args.pipeline.request(), Voice::Silent);
@@ -46,21 +49,33 @@ fn work(
             console.say(&format!("compare {what}\n"));
         }
     };
-    let (shown, triangles) = compare(&bench, &methods, registry, &mut say)?;
-    let comparison = Comparison {
-        toile_compare: VERSION,
-        toile: env!("CARGO_PKG_VERSION").to_owned(),
-        pipeline: chain.name,
-        threads,
-        triangles,
-        rows: shown.iter().map(|s| s.row.clone()).collect(),
+    let mut said = String::new();
+    // Rows that are through stay when the rest is stopped.
+    let mut keep = |shown: &[Shown], triangles: usize| {
+        let comparison = Comparison {
+            toile_compare: VERSION,
+            toile: env!("CARGO_PKG_VERSION").to_owned(),
+            pipeline: chain.name.clone(),
+            threads,
+            triangles,
+            rows: shown.iter().map(|s| s.row.clone()).collect(),
+        };
+        let json = toile_garment::text::json(&serde_json::to_string_pretty(&comparison).unwrap_or_default()) + "\n";
+        said = if args.json { json.clone() } else { table::text(&comparison) };
+        write_files(&out, &FILES, &[json, page::html(&comparison, shown), table::markdown(&comparison)])
     };
-    let json = toile_garment::text::json(&serde_json::to_string_pretty(&comparison).unwrap_or_default()) + "\n";
-    let said = if args.json { json.clone() } else { table::text(&comparison) };
-    let texts = [json, page::html(&comparison, &shown), table::markdown(&comparison)];
-    write_files(&out, &FILES, &texts)?;
+    compare(&bench, &methods, registry, Listener { say: &mut say, keep: &mut keep })?;
     tell(&said, &out, &FILES, console);
     Ok(Exit::Good)
+}
+
+/// Refuses the folder of an earlier comparison.
+fn is_new(out: &Path) -> Result<(), Diagnostic> {
+    if !out.join(FILES[0]).exists() {
+        return Ok(());
+    }
+    let message = format!("`{}` holds an earlier comparison", clean(out));
+    Err(Diagnostic::error(PATH_REFUSED, message).hint("replace it with --force, or choose another folder with --out"))
 }
 
 /// The methods of these names, in the order of the table; without any name those that run by default.

@@ -10,4 +10,4 @@ pub mod rows;
 pub mod table;
 
 pub use methods::{METHODS, Method, Way};
-pub use rows::{Comparison, Row, Shown, compare};
+pub use rows::{Comparison, Listener, Row, Shown, compare};

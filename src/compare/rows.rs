@@ -101,7 +101,16 @@ pub struct Shown {
     ran: Option<Ran>,
 }
 
-/// Runs the methods one after the other, and counts the triangles of the garment. `say` is told of every step.
+/// What hears of a comparison: every step in words, and all rows so far whenever there is a new one, with the triangles
+/// of the garment.
+pub struct Listener<'a> {
+    /// Hears of every step.
+    pub say: &'a mut dyn FnMut(&str),
+    /// Keeps the rows.
+    pub keep: &'a mut dyn FnMut(&[Shown], usize) -> Result<(), Halt>,
+}
+
+/// Runs the methods one after the other.
 ///
 /// # Errors
 /// When the pipeline is wrong, the program's own method gives no drape, the disk refuses, or the user stops.
@@ -109,8 +118,9 @@ pub fn compare(
     bench: &Bench<'_>,
     methods: &[&Method],
     registry: &mut Registry,
-    say: &mut dyn FnMut(&str),
-) -> Result<(Vec<Shown>, usize), Halt> {
+    listener: Listener<'_>,
+) -> Result<(), Halt> {
+    let Listener { say, keep } = listener;
     say("the reference");
     let reference = bench.run(&reference(), registry)?;
     let again = bench.carry(&reference, &reference, registry)?;
@@ -133,8 +143,9 @@ pub fn compare(
             shown.row.same_folds = surface.map(|s| Distance::of(distance(&s, &measure.again)));
         }
         all.push(shown);
+        keep(&all, reference.done.triangles)?;
     }
-    Ok((all, reference.done.triangles))
+    Ok(())
 }
 
 fn no_reference(ran: &Ran) -> Halt {

@@ -281,7 +281,7 @@ fn cut(pipeline: &mut Pipeline<'_>, drape: &str) -> Result<(), Diagnostic> {
     if cut_behind_drape(pipeline) {
         return Ok(());
     }
-    let message = format!("`{}` drapes nothing: a study needs a stage `{drape}`", pipeline.line);
+    let message = format!("`{}` drapes nothing: drapes are compared, and they need a stage `{drape}`", pipeline.line);
     let hint = format!("add `use = \"{drape}\"` to the chain");
     Err(Diagnostic::error(codes::STUDY_NO_DRAPE, message).hint(hint))
 }
@@ -296,7 +296,7 @@ fn varies(pipeline: &Pipeline<'_>, setting: &Setting) -> Result<(), Diagnostic> 
         let found = params.pointer(&format!("/{}", key.replace('.', "/")));
         let found = found.and_then(serde_json::Value::as_str).unwrap_or("");
         if found != value {
-            let message = format!("`{}.{key}` is held at `{found}`, but the study varies it", step.id);
+            let message = format!("`{}.{key}` is held at `{found}`, but this command varies it", step.id);
             return Err(Diagnostic::error(codes::STUDY_HELD, message).hint("leave out that --set"));
         }
     }

@@ -40,6 +40,8 @@ fn methods_are_measured_by_one_law() {
     let text = |name: &str| std::fs::read_to_string(dir.path().join(name)).expect(name);
     assert_eq!(text("compare.html").matches("<img").count(), 8);
     assert!(text("compare.md").contains("| paper |") && !text("compare.html").contains("<script"));
+    let said = compare(dir.path(), &[]);
+    assert!(said.code == 2 && said.err.contains("--force"), "{said:?}");
     std::fs::write(dir.path().join("compare.json"), "{}").expect("file");
     assert_eq!(compare(dir.path(), &[]).code, 2, "somebody's file is not replaced");
 }
@@ -49,4 +51,9 @@ fn an_unknown_method_is_refused_with_those_there_are() {
     let dir = tempfile::tempdir().expect("folder");
     let said = compare(dir.path(), &["--methods", "breen"]);
     assert!(said.code == 2 && said.err.contains("unknown-value") && said.err.contains("provot"), "{said:?}");
+    let said = compare(dir.path(), &["--set", "drape.integrator=central-difference", "--methods", "toile"]);
+    assert!(said.code == 2 && said.err.contains("this command varies it"), "{said:?}");
+    std::fs::write(dir.path().join("run.json"), "{}").expect("file");
+    let said = compare(dir.path(), &["--methods", "toile"]);
+    assert!(said.code == 2 && said.err.contains("the folder of another command"), "{said:?}");
 }
