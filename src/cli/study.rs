@@ -120,9 +120,11 @@ impl Runs<'_> {
         for i in (0..self.ran.len()).filter(|i| own(&self.ran[*i].done.setting)).collect::<Vec<_>>() {
             let setting = self.ran[i].done.setting;
             let spent: f64 = self.ran.iter().map(|r| r.done.cpu_seconds).sum();
-            if self.ran[i].garment.is_none()
-                || spent + f64::from(1 + starts) * self.ran[i].done.cpu_seconds > self.budget
-            {
+            if self.ran[i].garment.is_none() {
+                continue;
+            }
+            if spent + f64::from(1 + starts) * self.ran[i].done.cpu_seconds > self.budget {
+                self.left_out.push(format!("{} from shaken starts", setting.name()));
                 continue;
             }
             if !quiet {

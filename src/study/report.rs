@@ -450,6 +450,8 @@ pub(super) mod tests {
         study.rows[0].promised_mm = Some(1e3);
         study.judge();
         assert_eq!((study.stated(0), study.recommended, study.rows[0].promise_held), (None, None, Some(false)));
+        let words = super::super::table::words(&study);
+        assert!(words.iter().any(|w| w.contains("nothing was compared")), "{words:?}");
         study.rows[0].done.setting.edge = None;
         assert_eq!(study.stated(0), Some(0.0), "a mesh from a file is measured by itself");
     }

@@ -162,6 +162,9 @@ pub fn words(study: &Study) -> Vec<String> {
             study.wanted_mm, row.name
         ));
     }
+    if study.rows.len() == 1 {
+        words.push("There is one mesh alone, so nothing was compared: no error is known.".to_owned());
+    }
     if !study.left_out.is_empty() {
         words.push(format!("Left out to keep to the budget: {}.", study.left_out.join(", ")));
     }
