@@ -37,6 +37,15 @@ pub struct GoldenCase {
     pub span: Range<usize>,
 }
 
+impl GoldenCase {
+    /// Does the case look at anything but that its run ends well?
+    #[must_use]
+    pub fn judges(&self) -> bool {
+        let is_empty = self.figures.is_empty() && self.hashes.is_empty() && self.findings.is_empty();
+        !is_empty || self.like.is_some() || self.exit != 0
+    }
+}
+
 /// A golden garment.
 #[derive(Clone, Debug)]
 pub struct Like {
@@ -179,7 +188,14 @@ fn read_like(cx: &mut Reader<'_>, table: &DeTable<'_>, span: &Range<usize>) -> O
 
 fn read_tolerance(cx: &mut Reader<'_>, value: &Spanned<DeValue<'_>>, place: &Range<usize>) -> Option<Tolerance> {
     match serde::Deserialize::deserialize(ValueDeserializer::from(value.clone())) {
-        Ok(tolerance) => Some(tolerance),
+        Ok(tolerance) => {
+            let tolerance: Tolerance = tolerance;
+            if tolerance.is_empty() {
+                let message = "the tolerance states nothing, so the golden garment judges nothing".to_owned();
+                cx.push(WRONG_VALUE, place, message, "write e.g. tolerance = { shape = \"2 mm\" }");
+            }
+            Some(tolerance)
+        }
         Err(error) => {
             let at = error.span().unwrap_or_else(|| place.clone());
             let hint = "write e.g. shape = \"2 mm\", strain = 0.01 or inputs = \"same\"";

@@ -18,8 +18,13 @@ pub fn text(files: &[TestFile], tested: &[Tested]) -> String {
             let _ = writeln!(out, "{}", clean(&files[t.file].path));
             last = Some(t.file);
         }
-        let verdict = if t.verdict.has_passed() { "passed" } else { "failed" };
-        let _ = writeln!(out, "  {}: {verdict}", files[t.file].cases[t.case].name);
+        let case = &files[t.file].cases[t.case];
+        let verdict = match (t.verdict.has_passed(), case.judges()) {
+            (false, _) => "failed",
+            (true, true) => "passed",
+            (true, false) => "passed, but it judges nothing: its run ended well, and no figure or hash is asked for",
+        };
+        let _ = writeln!(out, "  {}: {verdict}", case.name);
         for why in whys(t) {
             let _ = writeln!(out, "    {why}");
         }
@@ -49,6 +54,7 @@ pub fn to_json(files: &[TestFile], tested: &[Tested]) -> Value {
             "line": file.source.place(&case.span).line,
             "case": case.name,
             "passed": t.verdict.has_passed(),
+            "judges": case.judges(),
             "exit_code": t.verdict.exit.code(),
             "differences": t.verdict.differences,
             "findings": t.verdict.findings,

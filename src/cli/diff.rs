@@ -19,6 +19,11 @@ pub(super) fn run(args: &DiffArgs, console: &mut Console<'_>) -> Exit {
             return Exit::Usage;
         }
     };
+    if tolerance.is_empty() {
+        let message = "the file states no tolerance, so nothing is judged";
+        let finding = Diagnostic::warning(diff::codes::TOLERANCE_EMPTY, message);
+        console.findings(&[finding.hint("write e.g. darts = \"2 mm\", or leave out --tolerance")], None);
+    }
     let ended = if [&args.a, &args.b].iter().all(|path| diff::is_line(path)) {
         lines(args, &tolerance, console)
     } else {

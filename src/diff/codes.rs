@@ -9,4 +9,8 @@ codes! {
     /// or the folder of a line.
     /// Exit code 3.
     DIFF_NO_RESULT = "diff-no-result";
+
+    /// The file of tolerances of `toile diff` states none, so no difference is judged. Without --tolerance every
+    /// difference is over.
+    TOLERANCE_EMPTY = "tolerance-empty";
 }

@@ -6,17 +6,32 @@ use toile_garment::units::Length;
 
 /// Tolerances. Without any, every difference is over.
 #[derive(Clone, Debug, Default, Deserialize)]
-#[serde(from = "Stated")]
+#[serde(try_from = "Stated")]
 pub struct Tolerance(Option<Stated>);
 
-impl From<Stated> for Tolerance {
-    fn from(stated: Stated) -> Self {
-        Self(Some(stated))
+impl TryFrom<Stated> for Tolerance {
+    type Error = String;
+
+    fn try_from(stated: Stated) -> Result<Self, String> {
+        let s = &stated;
+        let lengths = [
+            ("pieces", s.pieces),
+            ("darts", s.darts),
+            ("seams", s.seams),
+            ("measures", s.measures),
+            ("shape", s.shape),
+        ];
+        let numbers = lengths.into_iter().map(|(name, l)| (name, l.map(|l| l.0))).chain([("strain", s.strain)]);
+        let wrong = numbers.filter(|(_, x)| x.is_some_and(|x| x.is_nan() || x < 0.0)).map(|(name, _)| name).next();
+        match wrong {
+            Some(name) => Err(format!("`{name}` must be 0 or more")),
+            None => Ok(Self(Some(stated))),
+        }
     }
 }
 
 /// The file: lengths for what is measured in mm, `"same"` or `"any"` for words, a number for strain.
-#[derive(Clone, Debug, Default, Deserialize)]
+#[derive(Clone, Debug, Default, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 struct Stated {
     inputs: Option<Words>,
@@ -48,6 +63,12 @@ pub fn read_tolerance(text: &str) -> Result<Tolerance, String> {
 }
 
 impl Tolerance {
+    /// Was a file read that states none at all? Then nothing is judged.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.0.as_ref().is_some_and(|stated| *stated == Stated::default())
+    }
+
     /// The tolerance of a kind in words; nothing where none is stated.
     #[must_use]
     pub fn stated(&self, group: Group) -> Option<String> {
@@ -104,6 +125,11 @@ mod tests {
         assert!(!tolerance.is_over(&seam) && Tolerance::default().is_over(&seam));
         let input = Change::of_words(Group::Inputs, "a", Some("1".into()), Some("2".into())).expect("other");
         assert!(tolerance.is_over(&input));
+        assert!(read_tolerance("").is_ok_and(|t| t.is_empty()) && !tolerance.is_empty());
+        assert!(!Tolerance::default().is_empty(), "without a file everything is judged");
+        for negative in ["darts = \"-1 mm\"", "strain = -0.1"] {
+            assert!(read_tolerance(negative).is_err_and(|why| why.contains("must be 0 or more")), "{negative}");
+        }
         assert!(read_tolerance("dart = \"2 mm\"").is_err() && read_tolerance("darts = 2").is_err());
     }
 }

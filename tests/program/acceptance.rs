@@ -75,6 +75,19 @@ fn golden_values_are_not_written_without_a_reason_nor_for_runs_that_fail() {
 }
 
 #[test]
+fn a_case_that_judges_nothing_says_so() {
+    let project = Project::new();
+    project.write("toile-test.toml", "toile = 1\n[[case]]\nname = \"a\"\npipeline = \"printed.toml\"\n");
+    let (code, out, err) = project.toile("test --quiet");
+    assert!(code == 0 && out.contains("  a: passed, but it judges nothing"), "{out}{err}");
+    let like = "like = \"a.glb\"\ntolerance = {}\n";
+    project
+        .write("toile-test.toml", &format!("toile = 1\n[[case]]\nname = \"a\"\npipeline = \"printed.toml\"\n{like}"));
+    let (code, _, err) = project.toile("test --quiet");
+    assert!(code == 2 && err.contains("the tolerance states nothing"), "{err}");
+}
+
+#[test]
 fn what_differs_is_told_with_both_values_in_every_form() {
     let project = project();
     bless(&project);

@@ -73,6 +73,12 @@ fn a_moved_dart_and_another_fabric_are_told_exactly() {
 
     project.write("loose.toml", "darts = \"6 mm\"\npieces = \"6 mm\"\nparameters = \"same\"\n");
     assert_eq!(project.toile("diff a dart --tolerance loose.toml").0, 0);
+    project.write("none.toml", "");
+    let (code, _, err) = project.toile("diff a dart --tolerance none.toml");
+    assert!(code == 0 && err.contains("warning[tolerance-empty]"), "{err}");
+    project.write("none.toml", "darts = \"-1 mm\"\n");
+    let (code, _, err) = project.toile("diff a dart --tolerance none.toml");
+    assert!(code == 2 && err.contains("must be 0 or more"), "{err}");
     project.write("tight.toml", "darts = \"4 mm\"\n");
     let (code, out, _) = project.toile("diff a dart --tolerance tight.toml");
     assert_eq!((code, out.matches("over the tolerance").count()), (1, 2), "{out}");
