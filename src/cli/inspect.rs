@@ -5,6 +5,7 @@ mod edges;
 mod fabric;
 mod garment;
 mod meshes;
+mod others;
 mod pattern;
 
 use super::args::InspectArgs;
@@ -63,6 +64,10 @@ const FORMS: &[Form] = &[
 
 pub(super) fn run(args: &InspectArgs, console: &mut Console<'_>) -> Exit {
     let name = args.file.to_string_lossy().into_owned();
+    if args.file.is_dir() {
+        console.findings(&[others::folder(&args.file)], None);
+        return Exit::Input;
+    }
     let bytes = match read_limited(&args.file, &args.file, MAX_INPUT) {
         Ok(bytes) => bytes,
         Err(error) => {
@@ -72,9 +77,10 @@ pub(super) fn run(args: &InspectArgs, console: &mut Console<'_>) -> Exit {
         }
     };
     let source = Source { path: &args.file, name: &name, bytes: &bytes, draw: args.svg.is_some() };
-    let inspected = match find(&args.file, &bytes) {
-        Some(form) => (form.inspect)(&source),
-        None => Err(vec![no_reader(&name)]),
+    let inspected = match (others::told(&args.file, &bytes), find(&args.file, &bytes)) {
+        (Some(other), _) => Err(vec![other]),
+        (None, Some(form)) => (form.inspect)(&source),
+        (None, None) => Err(vec![no_reader(&name)]),
     };
     match inspected {
         Ok(inspected) => show(args, &inspected, console),
