@@ -4,7 +4,7 @@ use super::args::ExplainArgs;
 use super::console::Console;
 use crate::codes;
 use crate::engine::Exit;
-use crate::pipeline::remedy;
+use crate::pipeline::remedy_of_many;
 
 pub(super) fn run(args: &ExplainArgs, console: &mut Console<'_>) -> Exit {
     let Some(name) = &args.code else {
@@ -18,7 +18,10 @@ pub(super) fn run(args: &ExplainArgs, console: &mut Console<'_>) -> Exit {
         return Exit::Good;
     }
     let all = codes::all();
-    let hint = remedy(name, all.iter().map(|c| c.name()));
-    console.say(&format!("there is no code `{}`\n  help: {hint}\n", crate::render::safe(name)));
+    let hint = remedy_of_many(name, all.iter().map(|c| c.name()));
+    console.say(&format!(
+        "there is no code `{}`\n  help: {hint}; `toile explain` lists all codes\n",
+        crate::render::safe(name)
+    ));
     Exit::Usage
 }

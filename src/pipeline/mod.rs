@@ -21,7 +21,7 @@ pub(crate) use codes::{BAD_NAME, MISSING_KEY};
 pub use document::{Document, GRAMMAR, MAX_ERRORS, StageEntry, parse};
 pub(crate) use document::{Reader, parse_toml};
 pub use inputs::{Input, InputKind};
-pub use nearest::{nearest, remedy};
+pub use nearest::{nearest, remedy, remedy_of_many};
 pub use params::refused_value;
 pub use plugins::{Plugin, ProgramContent};
 pub use schema_walk::{FileRole, SchemaTree};

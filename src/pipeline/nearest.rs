@@ -24,6 +24,18 @@ pub fn remedy<'a>(name: &str, known: impl IntoIterator<Item = &'a str> + Clone) 
     if all.is_empty() { "there is none to choose from".to_owned() } else { format!("known are {}", all.join(", ")) }
 }
 
+/// The remedy for an unknown name where too many are known to list: the one that was meant, else the nearest three.
+#[must_use]
+pub fn remedy_of_many<'a>(name: &str, known: impl IntoIterator<Item = &'a str> + Clone) -> String {
+    if let Some(near) = nearest(name, known.clone()) {
+        return format!("did you mean `{near}`?");
+    }
+    let mut all: Vec<(usize, &str)> = known.into_iter().map(|k| (strsim::damerau_levenshtein(name, k), k)).collect();
+    all.sort_unstable();
+    let near: Vec<String> = all.iter().take(3).map(|(_, k)| format!("`{k}`")).collect();
+    format!("the nearest are {}", near.join(", "))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -35,5 +47,7 @@ mod tests {
         assert_eq!(nearest("import", stages), Some("import-dxf"));
         assert_eq!(nearest("weld", stages), None);
         assert!(remedy("weld", stages).contains("`drape`"));
+        assert_eq!(remedy_of_many("weld", stages).matches('`').count(), 6);
+        assert_eq!(remedy_of_many("drap", stages), "did you mean `drape`?");
     }
 }

@@ -17,6 +17,7 @@ const SCATTER: f64 = 0.05;
 
 pub(super) fn test(args: &CusickArgs, fabric: &Fabric, cx: &mut StageContext<'_>) -> Tested {
     let specimen = specimen(args)?;
+    check_lab(args)?;
     let params = |repeat| CusickParams { specimen, edge: args.edge.0, repeat };
     let laid = if args.wrong_side { fabric.turned() } else { fabric.clone() };
     let read = (0..args.repeats).map(|k| cusick(&laid, &params(k), cx)).collect::<Result<Vec<_>, _>>()?;
@@ -33,6 +34,13 @@ fn specimen(args: &CusickArgs) -> Result<f64, StageError> {
         let hint = "write \"24 cm\" (limp), \"30 cm\" (usual) or \"36 cm\" (stiff)";
         StageError::parameter(Diagnostic::error(WRONG_VALUE, message).hint(hint))
     })
+}
+
+/// A drape coefficient is a share of the ring around the disc.
+fn check_lab(args: &CusickArgs) -> Result<(), StageError> {
+    let Some(lab) = args.lab.filter(|lab| !(0.0..=1.0).contains(&lab.0)) else { return Ok(()) };
+    let message = format!("--lab: a drape coefficient of {lab} is none; it lies in 0 % to 100 %");
+    Err(StageError::parameter(Diagnostic::error(WRONG_VALUE, message).hint("write e.g. \"62 %\"")))
 }
 
 /// The readings of one specimen, and the laboratory's.
