@@ -105,13 +105,13 @@ fn settings_of_a_motion_that_do_nothing_are_told_and_no_frame_is_refused() {
     let animated = |with: &str| {
         let chain = support::project::DRAPED.split("[[stage]]\nuse = \"texture\"").next().expect("a drape");
         project.write("moved.toml", &format!("{chain}[[stage]]\nuse = \"animate\"\nwith.frames = 3\n{with}"));
-        project.toile("plan moved.toml")
+        project.toile("check moved.toml")
     };
     let (code, _, err) = animated("with.fixed_step = true\nwith.contact_stiffness = \"5 N/m\"\n");
     assert_eq!((code, err.matches("setting-unused").count()), (0, 2), "{err}");
     let (_, _, err) = animated("with.fixed_step = true\nwith.integrator = \"leapfrog\"\n");
     assert!(!err.contains("setting-unused"), "{err}");
     project.change("moved.toml", "with.frames = 3", "with.frames = 0");
-    let (code, out, err) = project.toile("plan moved.toml");
+    let (code, out, err) = project.toile("check moved.toml");
     assert!(code == 2 && err.contains("`frames` is 0"), "{out}{err}");
 }
