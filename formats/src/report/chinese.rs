@@ -103,6 +103,13 @@ pub const FINDINGS: &[(&str, &str, &str)] = &[
     ("flatten-dart-kept", "省道保持形状所需的省量，或其原有省量。", ""),
     ("piece-not-developable", "裁片无法在应变限值内展平。", "在说明指出的位置加省道。"),
     ("shape-edited", "导出后 GLB 的顶点被移动过；展平会把修改带入裁片。", ""),
+    (
+        "body-side-file-differs",
+        "人体附属文件中的尺寸与网格不符，或其中的标志点与所写高度不一致。",
+        "若网格正确，从附属文件中删去该行并重新测量。",
+    ),
+    ("choice-overruled", "--set 改变了由精度或 --repeats 选定的值；此时不承诺精度。", "两者只保留其一。"),
+    ("tolerance-empty", "容差文件没有写任何容差，因此没有作出任何判断。", "写入容差，或不使用 --tolerance。"),
 ];
 
 /// Meaning and remedy of a code.
