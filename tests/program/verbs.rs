@@ -452,6 +452,11 @@ fn a_preview_shows_every_level_and_events_tell_the_time_left() {
     let said = toile(&[&"run", &pipeline, &"--set", &name, &"--out", &other, &"--preview", &"--quiet"]);
     assert_eq!(said.code, 2, "{said:?}");
     assert!(!other.join("run.json").exists(), "found before any work");
+    // Beside the results of another run it would show the wrong garment.
+    let project = support::project::Project::new();
+    let printed = project.path("printed.toml");
+    let said = toile(&[&"run", &printed, &"--out", &out, &"--force", &"--quiet"]);
+    assert!(said.code == 0 && !out.join("preview.glb").exists(), "{said:?}");
 }
 
 /// No output replaces the file that its verb reads.
@@ -488,4 +493,20 @@ fn no_verb_replaces_what_it_reads() {
     let twice = toile(&[&"flatten", &garment, &"--dxf", &other, &"--json", &other]);
     assert_eq!(twice.code, 2);
     assert!(twice.err.contains("outputs-collide"), "{}", twice.err);
+}
+
+/// The page holds the body, so a plan with it needs more memory than one without.
+#[test]
+fn a_plan_foresees_the_memory_of_the_page() {
+    let project = support::project::Project::new();
+    let chain = support::project::DRAPED;
+    project.write("bare.toml", chain.split("[[stage]]\nuse = \"export-report\"").next().expect("a chain"));
+    let mb = |file: &str| {
+        let (code, out, err) = project.toile(&format!("plan {file} --json"));
+        assert_eq!(code, 0, "{err}");
+        let plan: Value = serde_json::from_str(&out).expect("JSON");
+        plan["expected"]["mb"].as_f64().expect("memory")
+    };
+    let [with, without] = ["draped.toml", "bare.toml"].map(mb);
+    assert!(with > without + 15.0, "{with} and {without} MB");
 }
