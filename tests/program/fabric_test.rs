@@ -129,6 +129,8 @@ fn what_cannot_be_tested_is_refused_in_words() {
     refused(&[&"cantilever", &fabric, &"--edge", &"30 mm"], 2, "error[setting-out-of-range]");
     refused(&[&"bias", &fabric, &"--extension", &"90 %"], 2, "0.5 % to 30 %");
     refused(&[&"picture-frame", &fabric, &"--angle", &"80 deg"], 2, "60 deg");
+    refused(&[&"picture-frame", &fabric, &"--angle", &"100 deg"], 2, "allowed is 0.573 deg to 60 deg");
+    refused(&[&"cusick", &fabric, &"--lab", &"600 %"], 2, "0 % to 100 %");
     let wrong = dir.path().join("wrong.toml");
     let text = std::fs::read_to_string(&fabric).expect("fabric");
     std::fs::write(&wrong, text.replace("\"0.28 mm\"", "0.28")).expect("file");

@@ -53,8 +53,10 @@ fn within<D: Dimension>(name: &str, value: f64, range: std::ops::RangeInclusive<
     }
     let (unit, factor) = D::UNITS[0];
     let shown = |x: f64| format!("{} {unit}", tidy(x / factor));
-    let message =
-        format!("{name} is {}; allowed is {} to {}", shown(value), shown(*range.start()), shown(*range.end()));
+    // Bounds in another unit have many digits.
+    let rounded = |x: f64| if (x / factor).abs() < 0.01 { x } else { (1e3 * x / factor).round() * factor * 1e-3 };
+    let [low, high] = [range.start(), range.end()].map(|x| shown(rounded(*x)));
+    let message = format!("{name} is {}; allowed is {low} to {high}", shown(value));
     Err(StageError::parameter(Diagnostic::error(SETTING_OUT_OF_RANGE, message).hint("choose a value inside the range")))
 }
 
