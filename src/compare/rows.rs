@@ -101,13 +101,16 @@ pub struct Shown {
     ran: Option<Ran>,
 }
 
+/// Keeps rows, with the triangles of the garment.
+pub type Keep<'a> = &'a mut dyn FnMut(&[Shown], usize) -> Result<(), Halt>;
+
 /// What hears of a comparison: every step in words, and all rows so far whenever there is a new one, with the triangles
 /// of the garment.
 pub struct Listener<'a> {
     /// Hears of every step.
     pub say: &'a mut dyn FnMut(&str),
     /// Keeps the rows.
-    pub keep: &'a mut dyn FnMut(&[Shown], usize) -> Result<(), Halt>,
+    pub keep: Keep<'a>,
 }
 
 /// Runs the methods one after the other.
