@@ -132,7 +132,7 @@ pub struct SeamSpec {
     /// unless `reverse` is given.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub reverse: Option<bool>,
-    /// Declared ease (length a minus length b), metres.
+    /// Declared ease, metres: length a minus length b, so over 0 where `a` is longer.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ease: Option<f64>,
     /// Declared gather ratio, longer over shorter.
@@ -294,8 +294,11 @@ pub struct PlaceSpec {
 pub struct LayerSpec {
     /// Piece names.
     pub pieces: Vec<String>,
-    /// Order: 0 is the default, smaller lies nearer to the body.
+    /// Order: 0 is the default, smaller lies nearer to the body. Only the order of the numbers counts.
     pub order: i32,
+    /// Origin, for findings while the file is read.
+    #[serde(skip)]
+    pub source: Option<SourceRef>,
 }
 
 /// Interlining that is fused or sewn to whole pieces.
@@ -361,6 +364,9 @@ pub struct EdgeNameSpec {
     pub run: RunSpec,
     /// Its name.
     pub name: String,
+    /// Origin, for findings while the file is read.
+    #[serde(skip)]
+    pub source: Option<SourceRef>,
 }
 
 /// Everything the sewing file says.
@@ -399,6 +405,9 @@ pub struct SewingPlan {
     /// Pieces of the DXF that are not part of this garment (linings, fusings).
     #[serde(default)]
     pub leave_out: Vec<String>,
+    /// Origin of `leave_out`, for findings while the file is read.
+    #[serde(skip)]
+    pub leave_out_source: Option<SourceRef>,
 }
 
 impl SewingPlan {
@@ -433,6 +442,7 @@ impl SewingPlan {
             folds,
             interlinings,
             leave_out,
+            leave_out_source,
         } = more;
         self.seams.extend(seams);
         self.darts.extend(darts);
@@ -446,5 +456,6 @@ impl SewingPlan {
         self.folds.extend(folds);
         self.interlinings.extend(interlinings);
         self.leave_out.extend(leave_out);
+        self.leave_out_source = leave_out_source.or(self.leave_out_source.take());
     }
 }

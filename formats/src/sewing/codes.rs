@@ -23,6 +23,9 @@ codes! {
     /// A length is a bare number, which hides its unit. Write it as a text, e.g. "12 mm". Exit code 2.
     SEWING_BARE_NUMBER = "sewing-bare-number";
 
+    /// The name of an [[edge]] is a whole number, as the numbers of edges are. Give it a letter. Exit code 2.
+    SEWING_EDGE_NAME = "sewing-edge-name";
+
     /// A fish-eye dart has two apexes, a wedge dart one. Exit code 2.
     SEWING_DART_APEXES = "sewing-dart-apexes";
 
@@ -66,6 +69,6 @@ codes! {
     /// The angle of a [[fold]] is 0 or over 180°. Exit code 2.
     SEWING_FOLD_ANGLE = "sewing-fold-angle";
 
-    /// `press` and `sewn` are for a pleat whose lines end at two `apexes`. Exit code 2.
+    /// `press` and `sewn` are for a pleat whose lines end at two `apexes`, and `sewn` is 0 or more. Exit code 2.
     SEWING_PRESS = "sewing-press";
 }

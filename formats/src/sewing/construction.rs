@@ -91,7 +91,7 @@ fn angle(value: Value<'_>, walk: &mut Walk<'_>) -> Option<f64> {
 pub fn interlining(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Option<InterliningSpec> {
     let at = span.start;
     let mut t = Table::new(table, span, &keys::INTERLINING);
-    let pieces = t.need("pieces", walk).and_then(|v| walk.texts(v, "pieces"));
+    let pieces = t.need("pieces", walk).and_then(|v| walk.names(v, "pieces"));
     let areal_mass = t.need("areal_mass", walk).and_then(|v| walk.quantity::<ArealMass>(v, "areal_mass"));
     let bending = t.need("bending", walk).and_then(|v| walk.quantity::<Bending>(v, "bending"));
     t.finish(walk);

@@ -49,7 +49,13 @@ pub fn dart(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Opt
     let (kind, apexes) = (kind?, apexes?);
     check_count(kind, apexes.len(), at, walk)?;
     let pleated = kind == Some(DartKind::Pleat) && apexes.len() == 2;
-    if (press.is_some() || sewn.is_some()) && !pleated || sewn.flatten().is_some_and(|s| s < 0.0) {
+    if sewn.flatten().is_some_and(|s| s < 0.0) {
+        walk.error(codes::SEWING_PRESS, at, "`sewn` is a length of 0 or more", |d| {
+            d.hint("write sewn = \"0 mm\" for a pleat that is held at its mouth alone, or a length over 0")
+        });
+        return None;
+    }
+    if (press.is_some() || sewn.is_some()) && !pleated {
         walk.error(codes::SEWING_PRESS, at, "`press` and `sewn` need a pleat with two apexes", |d| {
             d.hint("write kind = \"pleat\", apexes = [the ends of both lines], and sewn = \"80 mm\" or more")
         });
@@ -69,10 +75,17 @@ pub fn dart(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Opt
 }
 
 fn apexes(t: &mut Table<'_>, walk: &mut Walk<'_>) -> Option<Vec<Vec2>> {
-    if let Some(value) = t.take("apex") {
-        return Some(vec![walk.point(value, "apex")?]);
-    }
-    let Some(value) = t.take("apexes") else { return Some(Vec::new()) };
+    let value = match [t.take("apex"), t.take("apexes")] {
+        [Some(value), None] => return Some(vec![walk.point(value, "apex")?]),
+        [None, Some(value)] => value,
+        [None, None] => return Some(Vec::new()),
+        [Some(_), Some(value)] => {
+            walk.error(codes::SEWING_DART_APEXES, value.span().start, "a dart has `apex` or `apexes`, not both", |d| {
+                d.hint("keep `apex` for a wedge, and `apexes` for a fish-eye or a pleat")
+            });
+            return None;
+        }
+    };
     let DeValue::Array(items) = value.get_ref() else {
         walk.error(codes::SEWING_WRONG_TYPE, value.span().start, "`apexes` must be a list of points", |d| d);
         return None;

@@ -131,7 +131,8 @@ pub static SEAM: Keys = Keys {
             "ease",
             Form::Length,
             "\"4 mm\"",
-            "How much longer side `a` or `b` may be; the longer side is held in evenly.",
+            "Length of side `a` minus that of side `b`: over 0 where `a` is longer, below 0 where `b` is. The longer side is \
+             held in evenly.",
         ),
         may(
             "gather",
@@ -307,7 +308,8 @@ pub static LAYER: Keys = Keys {
             "order",
             Form::Integer,
             "-1",
-            "Their order: smaller lies nearer to the body. Pieces that no layer names have 0.",
+            "Their order: smaller lies nearer to the body. Pieces that no layer names have 0. Only the order of the numbers \
+             counts, not their size.",
         ),
     ],
 };
@@ -438,7 +440,7 @@ pub static EDGE: Keys = Keys {
     about: "A name for a run of outline edges (an edge, a part of one, or two points), or for a line inside the piece.",
     keys: &[
         must("piece", Form::Text, "\"front\"", PIECE),
-        must("name", Form::Text, "\"side-left\"", "The name."),
+        must("name", Form::Text, "\"side-left\"", "The name. It is no whole number."),
         may("number", Form::Label, "3", "The edge, by the number that `toile inspect --svg` draws."),
         RUN_FROM,
         RUN_TO,

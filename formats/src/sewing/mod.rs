@@ -116,6 +116,7 @@ fn plan(document: &DeTable<'_>, walk: &mut Walk<'_>) -> SewingPlan {
     }
     if let Some(value) = top.take("leave_out") {
         plan.leave_out = walk.texts(value, "leave_out").unwrap_or_default();
+        plan.leave_out_source = Some(walk.source(value.span().start, Some("leave_out")));
     }
     top.finish(walk);
     plan

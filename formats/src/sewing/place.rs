@@ -150,11 +150,12 @@ fn is_rotation(r: &[[f64; 3]; 3]) -> bool {
 
 /// A layer order.
 pub fn layer(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Option<LayerSpec> {
+    let at = span.start;
     let mut t = Table::new(table, span, &keys::LAYER);
-    let pieces = t.need("pieces", walk).and_then(|v| walk.texts(v, "pieces"));
+    let pieces = t.need("pieces", walk).and_then(|v| walk.names(v, "pieces"));
     let order = t.need("order", walk).and_then(|v| walk.integer(v, "order"));
     t.finish(walk);
-    Some(LayerSpec { pieces: pieces?, order: order? })
+    Some(LayerSpec { pieces: pieces?, order: order?, source: Some(walk.source(at, Some("layer"))) })
 }
 
 /// An edge tied to the body.

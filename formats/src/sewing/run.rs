@@ -154,10 +154,24 @@ fn four_digits(value: f64) -> f64 {
 
 /// A `[[edge]]`: a name for a run.
 pub fn edge_name(table: &DeTable<'_>, span: Range<usize>, walk: &mut Walk<'_>) -> Option<EdgeNameSpec> {
+    let at = span.start;
     let mut t = Table::new(table, span, &keys::EDGE);
     let piece = t.need("piece", walk).and_then(|v| walk.text(v, "piece"));
-    let name = t.need("name", walk).and_then(|v| walk.text(v, "name"));
+    let name = t.need("name", walk).and_then(|v| word(v, walk));
     let run = body(&mut t, piece, walk);
     t.finish(walk);
-    Some(EdgeNameSpec { run: run?, name: name? })
+    Some(EdgeNameSpec { run: run?, name: name?, source: Some(walk.source(at, Some("edge"))) })
+}
+
+/// A name that is no whole number: those are the numbers of edges.
+fn word(value: Value<'_>, walk: &mut Walk<'_>) -> Option<String> {
+    let name = walk.text(value, "name")?;
+    if name.parse::<i64>().is_err() {
+        return Some(name);
+    }
+    let message = format!("an edge cannot be called `{name}`: whole numbers are the numbers of edges");
+    walk.error(codes::SEWING_EDGE_NAME, value.span().start, message, |d| {
+        d.hint(format!("write a name with a letter in it, e.g. \"edge-{name}\""))
+    });
+    None
 }

@@ -165,6 +165,30 @@ fn refuses_what_cannot_be() {
 }
 
 #[test]
+fn refuses_tables_that_would_do_nothing_or_something_else() {
+    let one = |text: &str| {
+        let errors = read(text, "bad.toml").expect_err("a mistake");
+        assert_eq!(errors.len(), 1, "{errors:?}");
+        (errors[0].code.clone(), errors[0].source.as_ref().and_then(|s| s.line), errors[0].message.clone())
+    };
+    for table in ["[[layer]]\norder = 1", "[[interlining]]\nareal_mass = \"60 g/m2\"\nbending = \"40 uN.m\""] {
+        let (code, line, _) = one(&format!("{table}\npieces = []\n"));
+        assert_eq!((code.as_str(), line), ("sewing-empty-list", Some(table.lines().count() as u64 + 1)));
+    }
+    for name in ["2", "-3", "007"] {
+        let found = one(&format!("[[edge]]\npiece = \"front\"\nnumber = 0\nname = \"{name}\"\n"));
+        assert_eq!((found.0.as_str(), found.1), ("sewing-edge-name", Some(4)));
+    }
+    let dart = "[[dart]]\npiece = \"f\"\nmouth = [[\"0 mm\", \"0 mm\"], [\"20 mm\", \"0 mm\"]]\n";
+    let both = "apex = [\"9 mm\", \"80 mm\"]\napexes = [[\"0 mm\", \"80 mm\"], [\"20 mm\", \"80 mm\"]]\n";
+    let found = one(&format!("{dart}{both}"));
+    assert_eq!((found.0.as_str(), found.2.as_str()), ("sewing-dart-apexes", "a dart has `apex` or `apexes`, not both"));
+    let pleat = "kind = \"pleat\"\napexes = [[\"0 mm\", \"80 mm\"], [\"20 mm\", \"80 mm\"]]\nsewn = \"-10 mm\"\n";
+    let found = one(&format!("{dart}{pleat}"));
+    assert_eq!((found.0.as_str(), found.2.as_str()), ("sewing-press", "`sewn` is a length of 0 or more"));
+}
+
+#[test]
 fn survives_mangled_text() {
     // Every prefix, and every byte replaced by a bracket: an answer, never a panic.
     for end in (0..WHOLE.len()).step_by(7) {

@@ -131,6 +131,17 @@ impl<'a> Walk<'a> {
         Some(items.iter().filter_map(|item| self.text(item, key)).collect())
     }
 
+    /// A list of one text or more.
+    pub fn names(&mut self, value: Value<'_>, key: &str) -> Option<Vec<String>> {
+        if value.get_ref().as_array().is_some_and(|items| items.is_empty()) {
+            self.error(codes::SEWING_EMPTY_LIST, value.span().start, format!("`{key}` names no piece"), |d| {
+                d.hint("write at least one name, or leave the table out")
+            });
+            return None;
+        }
+        self.texts(value, key)
+    }
+
     /// A text or a whole number, as text: names and numbers of edges.
     pub fn label(&mut self, value: Value<'_>, key: &str) -> Option<String> {
         match value.get_ref() {

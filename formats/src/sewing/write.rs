@@ -307,7 +307,7 @@ mod tests {
                     source: None,
                 },
             ],
-            layers: vec![LayerSpec { pieces: vec!["back".to_owned()], order: -1 }],
+            layers: vec![LayerSpec { pieces: vec!["back".to_owned()], order: -1, source: None }],
             attachments: vec![AttachSpec {
                 piece: "back".to_owned(),
                 edge: "top".to_owned(),
@@ -316,10 +316,11 @@ mod tests {
                 source: None,
             }],
             edge_names: vec![
-                EdgeNameSpec { run: points("back", RunWay::Short), name: "top".to_owned() },
-                EdgeNameSpec { run: line.clone(), name: "pocket".to_owned() },
+                EdgeNameSpec { run: points("back", RunWay::Short), name: "top".to_owned(), source: None },
+                EdgeNameSpec { run: line.clone(), name: "pocket".to_owned(), source: None },
             ],
             leave_out: vec!["facing".to_owned()],
+            leave_out_source: None,
             copies: Vec::new(),
         };
         let read = crate::sewing::read(&text(&plan, "made for a test\nwith two lines"), "s.toml").expect("reads");
@@ -328,6 +329,7 @@ mod tests {
             plan.darts.iter_mut().for_each(|x| x.source = None);
             plan.places.iter_mut().for_each(|x| x.source = None);
             plan.attachments.iter_mut().for_each(|x| x.source = None);
+            plan.layers.iter_mut().for_each(|x| x.source = None);
             plan
         };
         let read = bare(read);

@@ -47,6 +47,7 @@ pub fn plan(garment: &Garment, shapes: &Shapes, id: PieceId, altered: &Altered) 
             .map(|i| InterliningSpec { pieces: follow.pieces(&i.pieces), ..i.clone() })
             .collect(),
         leave_out: Vec::new(),
+        leave_out_source: None,
     })
 }
 
@@ -221,7 +222,7 @@ impl Follow<'_> {
                 let known = names.iter().position(|n| n.run == run);
                 let number = known.unwrap_or_else(|| {
                     let name = free_name(&names, run.piece(), &name);
-                    names.push(EdgeNameSpec { run, name });
+                    names.push(EdgeNameSpec { run, name, source: None });
                     names.len() - 1
                 });
                 given.push((label.clone(), number));

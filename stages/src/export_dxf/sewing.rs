@@ -38,6 +38,7 @@ pub fn plan(garment: &Garment, pieces: &[Piece]) -> SewingPlan {
         copies: Vec::new(),
         edge_names: names,
         leave_out: Vec::new(),
+        leave_out_source: None,
     }
 }
 
@@ -260,7 +261,7 @@ fn edge_names(garment: &Garment, pieces: &[Piece]) -> Vec<EdgeNameSpec> {
         let is_same = |e: &EdgeNameSpec| e.run.piece().eq_ignore_ascii_case(piece) && e.name.eq_ignore_ascii_case(name);
         if !out.iter().any(is_same) {
             let run = RunSpec::Points { piece: piece.to_owned(), from, to, way };
-            out.push(EdgeNameSpec { run, name: name.to_owned() });
+            out.push(EdgeNameSpec { run, name: name.to_owned(), source: None });
         }
     };
     for (before, after) in garment.pieces.iter().zip(pieces) {
@@ -291,7 +292,7 @@ fn edge_names(garment: &Garment, pieces: &[Piece]) -> Vec<EdgeNameSpec> {
         if let RunSpec::Part { piece, edge, from, to } = &spec.run {
             let run =
                 RunSpec::Part { piece: piece.clone(), edge: edge_name(garment, piece, edge), from: *from, to: *to };
-            parts.push(EdgeNameSpec { run, name: spec.name.clone() });
+            parts.push(EdgeNameSpec { run, name: spec.name.clone(), source: None });
         }
         if let RunSpec::Points { piece, from, to, way } = &spec.run
             && let Some((before, after)) = named(garment, pieces, piece)
@@ -301,7 +302,7 @@ fn edge_names(garment: &Garment, pieces: &[Piece]) -> Vec<EdgeNameSpec> {
         }
         if let RunSpec::Line { piece, line } = &spec.run {
             let run = RunSpec::Line { piece: piece.clone(), line: carried(garment, pieces, piece, line) };
-            parts.push(EdgeNameSpec { run, name: spec.name.clone() });
+            parts.push(EdgeNameSpec { run, name: spec.name.clone(), source: None });
         }
     }
     out.extend(parts);

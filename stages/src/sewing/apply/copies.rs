@@ -67,7 +67,7 @@ fn inherited(name: &EdgeNameSpec, source: &Piece, spec: &CopySpec) -> Option<Edg
             run
         }
     };
-    Some(EdgeNameSpec { run, name: name.name.clone() })
+    Some(EdgeNameSpec { run, name: name.name.clone(), source: name.source.clone() })
 }
 
 /// The darts that a plan declares, and those that copies of pieces have by it.

@@ -18,7 +18,7 @@ pub fn edges(garment: &mut Garment, wanted: impl Fn(&str) -> bool, errors: &mut 
 }
 
 fn name(garment: &mut Garment, spec: &EdgeNameSpec) -> Result<(), Diagnostic> {
-    let id = lookup::piece(garment, spec.run.piece(), None)?;
+    let id = lookup::piece(garment, spec.run.piece(), spec.source.as_ref())?;
     let mut shape_errors = Vec::new();
     let mut shapes = vec![Default::default(); garment.pieces.len()];
     shapes[id.index()] = shape(&garment.pieces[id.index()], &garment.plan, &mut shape_errors);
@@ -26,7 +26,7 @@ fn name(garment: &mut Garment, spec: &EdgeNameSpec) -> Result<(), Diagnostic> {
         // The outline is bad: told with all its places when it is meshed.
         return Ok(());
     }
-    let run = lookup::run(garment, &shapes, &spec.run, None)?;
+    let run = lookup::run(garment, &shapes, &spec.run, spec.source.as_ref())?;
     if run.ring != 0 {
         return Ok(());
     }
@@ -83,14 +83,14 @@ pub fn canonical(garment: &mut Garment, errors: &mut Vec<Diagnostic>) {
     }
     for layer in &mut plan.layers {
         for piece in &mut layer.pieces {
-            fix(piece, None);
+            fix(piece, layer.source.as_ref());
         }
     }
     for attach in &mut plan.attachments {
         fix(&mut attach.piece, attach.source.as_ref());
     }
     for edge in &mut plan.edge_names {
-        fix(edge.run.piece_mut(), None);
+        fix(edge.run.piece_mut(), edge.source.as_ref());
     }
     garment.plan = plan;
 }
