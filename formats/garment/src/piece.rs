@@ -73,6 +73,9 @@ pub struct PressedFold {
     pub line: Vec<Vec2>,
     /// Angle by which the cloth is folded back from flat, radians, over 0 where the right side is outside.
     pub angle: f64,
+    /// Name of the pleat that it is a fold of.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub pleat: Option<String>,
 }
 
 /// A pattern piece: what is sewn (`outline`), what is cut (`cut_line`), and all marks on it.

@@ -229,6 +229,6 @@ fn a_lining_starts_inside_and_a_folded_collar_is_sewn_last() {
     let mut folded = pieces;
     folded[5].name = "COLLAR".into();
     let line = vec![v(-250.0, 300.0), v(250.0, 300.0)];
-    folded[5].folds.push(PressedFold { name: "roll".into(), line, angle: -3.1 });
+    folded[5].folds.push(PressedFold { name: "roll".into(), line, angle: -3.1, pleat: None });
     assert_eq!(sewn_last(&folded, &roles(&folded, &joins), &joins), [5]);
 }

@@ -21,6 +21,10 @@ codes! {
     /// Two darts share a part of the outline. Deny one with kind = "none". Exit code 3.
     DARTS_OVERLAP = "darts-overlap";
 
+    /// An apex of a declared dart or pleat lies outside the cloth of its piece. Give the point in the coordinates of the
+    /// piece. Exit code 2.
+    DART_OFF_CLOTH = "dart-off-cloth";
+
     /// Edges of one name do not follow one another, so they are no run. Name them apart, or give two points.
     /// Exit code 2.
     EDGE_NAME_SCATTERED = "edge-name-scattered";
@@ -34,6 +38,9 @@ codes! {
 
     /// A copy has the name of another piece. Exit code 2.
     PIECE_NAME_TAKEN = "piece-name-taken";
+
+    /// A pleat is to be sewn down beyond the ends of its lines. Exit code 2.
+    PLEAT_SEWN_BEYOND = "pleat-sewn-beyond";
 
     /// A point of a run lies farther than 1 mm from every corner and vertex of the outline. Take the coordinates from
     /// `toile inspect`. Exit code 2.
@@ -73,6 +80,10 @@ codes! {
 
     /// A side of a seam has no length once the darts in it are sewn. Exit code 2.
     SEAM_WITHOUT_LENGTH = "seam-without-length";
+
+    /// Two tables of the sewing file speak of one piece, edge, dart or line, and only one of them could hold. The message
+    /// tells the line of the other. Remove one. Exit code 2.
+    TABLES_CONTRADICT = "tables-contradict";
 
     /// The sewing file is not UTF-8 text. Exit code 2.
     SEWING_FILE = "sewing-file";

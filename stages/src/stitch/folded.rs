@@ -11,9 +11,7 @@ use crate::roles::outline::Polygon;
 use crate::solve::lines::fold_vertices;
 use std::collections::BTreeSet;
 use std::f64::consts::FRAC_PI_2;
-use toile_garment::dart::{Dart, DartKind};
 use toile_garment::mesh::PieceMesh;
-use toile_garment::piece::PressedFold;
 use toile_garment::seam::Seam;
 use toile_garment::{Piece, Vec2, Vec3};
 
@@ -35,9 +33,11 @@ pub fn start(piece: &Piece, seams: &[Seam], at: impl Fn(Vec2) -> Vec3) -> Vec<Ve
     let runs = seams.iter().flat_map(|s| s.a.runs.iter().chain(&s.b.runs)).filter(|r| r.piece == piece.id);
     let sewn: BTreeSet<u32> = runs.flat_map(|r| r.vertices.iter().copied()).collect();
     for fold in piece.folds.iter().filter(|f| f.angle.abs() > FRAC_PI_2) {
-        if let Some(pleat) = pleat_of(piece, fold) {
-            let rise = PLEAT_RISE * (pleat.mouth[1] - pleat.mouth[0]).norm() * fold.angle.signum();
+        // The folds of a pleat lie over one another in cloth that is sewn at its mouth, and sewing brings them there.
+        if let Some(pleat) = &fold.pleat {
+            let width = piece.darts.iter().find(|d| d.name == *pleat).map_or(0.0, |d| (d.mouth[1] - d.mouth[0]).norm());
             for v in fold_vertices(mesh, &fold.line) {
+                let rise = PLEAT_RISE * width * fold.angle.signum();
                 places[v as usize] += normal(&at, mesh.rest[v as usize]) * rise;
             }
             continue;
@@ -86,13 +86,6 @@ fn foot(line: &[Vec2], p: Vec2) -> Vec2 {
     feet.min_by(|a, b| (p - a).norm_squared().total_cmp(&(p - b).norm_squared())).unwrap_or(p)
 }
 
-/// The pleat to which a fold belongs. Its folds lie over one another in cloth that is sewn at its mouth, and sewing brings
-/// them there.
-fn pleat_of<'a>(piece: &'a Piece, fold: &PressedFold) -> Option<&'a Dart> {
-    let of = |name: &str| fold.name.strip_prefix(name).is_some_and(|rest| rest.starts_with('-'));
-    piece.darts.iter().find(|d| d.kind == DartKind::Pleat && of(&d.name))
-}
-
 /// The direction in which the right side looks, unit.
 fn normal(at: &impl Fn(Vec2) -> Vec3, p: Vec2) -> Vec3 {
     let tangent = |d: Vec2| at(p + d * TANGENT_STEP) - at(p - d * TANGENT_STEP);
@@ -138,6 +131,10 @@ fn parts(mesh: &PieceMesh, line: &[u32]) -> Vec<usize> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use toile_garment::dart::DartKind;
+    use toile_garment::piece::PressedFold;
+    use toile_garment::dart::DartKind;
+    use toile_garment::piece::PressedFold;
 
     /// A strip of three squares, 30 mm high, with a fold between the second and the third.
     fn strip(angle: f64) -> Piece {
@@ -148,7 +145,7 @@ mod tests {
         let outline = [(0.0, 0.0, 't'), (90.0, 0.0, 't'), (90.0, 30.0, 't'), (0.0, 30.0, 't')];
         Piece {
             mesh: Some(PieceMesh { rest, triangles, ..PieceMesh::default() }),
-            folds: vec![PressedFold { name: "hem".into(), line, angle }],
+            folds: vec![PressedFold { name: "hem".into(), line, angle, pleat: None }],
             ..crate::testing::piece(0, "STRIP", &outline)
         }
     }
@@ -161,6 +158,35 @@ mod tests {
             assert!((places[6] - Vec3::new(0.03, 0.0, z)).norm() < 1e-12, "{}", places[6]);
             assert!((places[4] - Vec3::new(0.06, 0.0, 0.2)).norm() < 1e-12, "the line stays");
             assert!((places[0] - Vec3::new(0.0, 0.0, 0.2)).norm() < 1e-12, "the larger part stays");
+        }
+    }
+
+    #[test]
+    fn a_fold_is_of_a_pleat_where_it_says_so_and_not_by_its_name() {
+        let at = |p: Vec2| Vec3::new(p.x, p.y, 0.2);
+        let flat: Vec<Vec3> = start(&strip(0.0), &[], at);
+        let mut pleated = strip(3.1);
+        let ends = [(60.0, 0.0), (90.0, 0.0)];
+        pleated.darts = vec![crate::testing::dart("pleat-1", DartKind::Pleat, &[(60.0, 10.0)], ends)];
+        pleated.folds[0].name = "pleat-1-hem".into();
+        assert_ne!(start(&pleated, &[], at), flat, "a hem that is called so starts folded");
+        pleated.folds[0].pleat = Some("pleat-1".into());
+        assert_eq!(start(&pleated, &[], at), flat);
+    }
+
+    #[test]
+    fn the_folds_of_a_pleat_start_beside_the_piece_on_the_side_to_which_they_are_pressed() {
+        for angle in [3.1, -3.1] {
+            let mut piece = strip(angle);
+            piece.folds[0].pleat = Some("pleat-1".into());
+            let mouth = [(30.0, 0.0), (90.0, 0.0)];
+            piece.darts.push(crate::testing::dart("pleat-1", DartKind::Pleat, &[], mouth));
+            let places = start(&piece, &[], |p| Vec3::new(p.x, p.y, 0.2));
+            let rise = PLEAT_RISE * 0.06 * f64::signum(angle);
+            for (v, p) in places.iter().enumerate() {
+                let on_fold = v == 4 || v == 5;
+                assert!((p.z - 0.2 - if on_fold { rise } else { 0.0 }).abs() < 1e-12, "{v}: {p}");
+            }
         }
     }
 

@@ -53,7 +53,7 @@ fn bodice(marked: bool) -> Piece {
 
 /// Folds a piece along lines that are drawn on it.
 fn fold(piece: &mut Piece, lines: Vec<PieceLine>) {
-    let pressed = |l: &PieceLine| PressedFold { name: "fold".into(), line: l.positions(), angle: 1.0 };
+    let pressed = |l: &PieceLine| PressedFold { name: "fold".into(), line: l.positions(), angle: 1.0, pleat: None };
     piece.folds = lines.iter().map(pressed).collect();
     piece.internal_lines = lines;
 }

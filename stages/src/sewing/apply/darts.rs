@@ -2,6 +2,7 @@
 
 use super::folds;
 use crate::codes::OUTLINE_TOO_SMALL;
+use crate::roles::outline::Polygon;
 use crate::sewing::codes;
 use crate::sewing::lookup;
 use crate::sewing::ring::Ring;
@@ -14,6 +15,8 @@ use toile_garment::{Diagnostic, Garment, Piece, Report, Vec2};
 
 /// A declared point is the found one within this distance.
 const SAME_POINT: f64 = 2e-3;
+/// An apex this far outside the outline is still taken to lie on it.
+const OFF_CLOTH: f64 = 3e-3;
 /// A line that ends this near to a dart's point gives its leg.
 const ON_LINE: f64 = 1e-3;
 
@@ -31,7 +34,14 @@ pub fn declare(
             continue;
         }
         match lookup::piece(garment, &spec.piece, spec.source.as_ref()) {
-            Ok(id) => declare_one(&mut garment.pieces[id.index()], spec, report, errors),
+            Ok(id) => {
+                let piece = &mut garment.pieces[id.index()];
+                let wrong = off_cloth(piece, spec).or_else(|| sewn_beyond(piece, spec));
+                match wrong {
+                    Some(found) => errors.push(found.at(spec.source.clone())),
+                    None => declare_one(piece, spec, report, errors),
+                }
+            }
             Err(e) => errors.push(e),
         }
     }
@@ -80,6 +90,34 @@ pub fn declare_one(piece: &mut Piece, spec: &DartSpec, report: &mut Report, erro
         }
         Err(e) => errors.push(e.at(spec.source.clone())),
     }
+}
+
+/// An apex that lies outside the cloth. Legs may end on the outline.
+fn off_cloth(piece: &Piece, spec: &DartSpec) -> Option<Diagnostic> {
+    let outline = Polygon::of(piece);
+    let ring = Ring::from_line(&piece.outline.positions());
+    // An outline that is none is told where it is needed.
+    let off = |p: &&Vec2| ring.points.len() > 2 && !outline.contains(**p) && ring.project(**p).1 > OFF_CLOTH;
+    let apex = spec.kind.and_then(|_| spec.apexes.iter().find(off))?;
+    let away = ring.project(*apex).1 * 1e3;
+    let message = format!("piece `{}`: the apex {} lies {away:.1} mm outside the cloth", piece.name, mm(*apex));
+    let hint = "give it in the coordinates of the piece, which `toile inspect --svg` draws";
+    Some(Diagnostic::error(codes::DART_OFF_CLOTH, message).hint(hint))
+}
+
+/// A pleat that is to be sewn down beyond its lines.
+fn sewn_beyond(piece: &Piece, spec: &DartSpec) -> Option<Diagnostic> {
+    let lines = spec.mouth.iter().zip(pleat_ends(&spec.mouth, &spec.apexes));
+    let shortest = lines.filter_map(|(from, to)| Some((to? - from).norm())).reduce(f64::min)?;
+    let sewn = spec.sewn.filter(|sewn| *sewn > shortest + ON_LINE)?;
+    let (sewn, shortest) = (sewn * 1e3, shortest * 1e3);
+    let message = format!(
+        "piece `{}`: a pleat is sewn down for {sewn:.1} mm, and its lines are {shortest:.1} mm long",
+        piece.name
+    );
+    let hint =
+        format!("write sewn = \"{shortest:.1} mm\" or less, or leave it out: the lines are sewn to their ends then");
+    Some(Diagnostic::error(codes::PLEAT_SEWN_BEYOND, message).hint(hint))
 }
 
 fn is_same((drawn, apexes): (&[Vec2; 2], &[Vec2]), spec: &DartSpec) -> bool {

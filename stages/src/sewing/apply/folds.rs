@@ -1,12 +1,14 @@
 //! Pressed folds: those of `[[fold]]`, and those of pleats.
 
+use super::contradictions;
+use crate::sewing::codes;
 use crate::sewing::lookup;
 use crate::sewing::ring::Ring;
 use std::f64::consts::PI;
 use toile_garment::dart::pleat_ends;
 use toile_garment::outline::{LinePoint, PieceLine, PointKind};
 use toile_garment::piece::PressedFold;
-use toile_garment::sewing::{DartSpec, FoldSpec, PleatPress};
+use toile_garment::sewing::{DartSpec, FoldSpec, PleatPress, SewingPlan};
 use toile_garment::{Diagnostic, Garment, Piece, SourceRef, Vec2};
 
 /// A line that ends this near to a fold's points is its line already, m.
@@ -21,12 +23,47 @@ pub fn declare(garment: &mut Garment, wanted: impl Fn(&str) -> bool, errors: &mu
         match lookup::piece(garment, &spec.piece, spec.source.as_ref()) {
             Ok(id) => {
                 let piece = &mut garment.pieces[id.index()];
+                if let Some(other) = piece.folds.iter().find(|f| share_a_stretch(&f.line, &spec.line)) {
+                    errors.push(on_one_line(&garment.plan, &piece.name, spec, other));
+                    continue;
+                }
                 draw(piece, &spec.line, spec.source.as_ref());
-                piece.folds.push(PressedFold { name: spec.name.clone(), line: spec.line.clone(), angle: spec.angle });
+                let (name, line) = (spec.name.clone(), spec.line.clone());
+                piece.folds.push(PressedFold { name, line, angle: spec.angle, pleat: None });
             }
             Err(e) => errors.push(e),
         }
     }
+}
+
+/// Do two lines run along each other for more than their tolerance?
+fn share_a_stretch(a: &[Vec2], b: &[Vec2]) -> bool {
+    let along = |p: &[Vec2], q: &[Vec2]| {
+        let way = (p[1] - p[0]).try_normalize(SAME_PLACE).unwrap_or_else(Vec2::zeros);
+        let (on, length) = (|x: Vec2| (x - p[0]).dot(&way), (p[1] - p[0]).norm());
+        let is_near = q.iter().all(|x| (x - p[0]).perp(&way).abs() < ON_LINE);
+        let (low, high) = (on(q[0]).min(on(q[1])), on(q[0]).max(on(q[1])));
+        is_near && high.min(length) - low.max(0.0) > ON_LINE
+    };
+    a.windows(2).any(|p| b.windows(2).any(|q| along(p, q) || along(q, p)))
+}
+
+/// The finding on a fold whose line is that of another fold, which alone would be pressed.
+fn on_one_line(plan: &SewingPlan, piece: &str, spec: &FoldSpec, other: &PressedFold) -> Diagnostic {
+    let of_fold = || plan.folds.iter().find(|f| f.name == other.name).and_then(|f| f.source.as_ref());
+    let of_pleat = |name: &String| {
+        let named = |d: &&DartSpec| d.piece.eq_ignore_ascii_case(piece) && d.name.as_ref() == Some(name);
+        plan.darts.iter().find(named).and_then(|d| d.source.as_ref())
+    };
+    let at = other.pleat.as_ref().map_or_else(of_fold, of_pleat);
+    let message = format!(
+        "piece `{piece}`: fold `{}` lies on the line of fold `{}`{}, and a line has one angle",
+        spec.name,
+        other.name,
+        contradictions::written(at)
+    );
+    let remedy = "remove one of them, or move its line; a pleat has the folds that `press` says";
+    Diagnostic::error(codes::TABLES_CONTRADICT, message).at(spec.source.clone()).hint(remedy)
 }
 
 /// A fold line of a pleat: the share of the way from its first line to its second, and the angle over 180°.
@@ -55,7 +92,8 @@ pub fn press(piece: &mut Piece, spec: &DartSpec, name: &str, ends: [Vec2; 2]) {
         if let Some(drawn) = fold.drawn {
             draw(piece, &drawn, spec.source.as_ref());
         }
-        piece.folds.push(PressedFold { name: format!("{name}-{n}"), line: fold.line.into(), angle: fold.angle });
+        let (pleat, line) = (Some(name.to_owned()), fold.line.into());
+        piece.folds.push(PressedFold { name: format!("{name}-{n}"), line, angle: fold.angle, pleat });
     }
 }
 

@@ -1,6 +1,7 @@
 //! The plan applied to freshly imported pieces.
 
 mod claims;
+mod contradictions;
 pub mod copies;
 pub mod darts;
 pub mod folds;
@@ -52,6 +53,7 @@ pub fn apply_deciding(
     darts::declare(garment, is_copy, &[], report, &mut errors);
     folds::declare(garment, is_copy, &mut errors);
     names::canonical(garment, &mut errors);
+    errors.extend(contradictions::check(&garment.plan));
     if !errors.is_empty() {
         // Mistakes of seams and places would follow from these.
         garment.pieces.clear();
@@ -115,7 +117,8 @@ fn remove(garment: &mut Garment, errors: &mut Vec<Diagnostic>) {
         if garment.pieces.len() == before {
             let names: Vec<_> = garment.pieces.iter().map(|p| p.name.as_str()).collect();
             let message = format!("leave_out: no piece, material or category is called `{word}`");
-            errors.push(Diagnostic::error(PIECE_UNKNOWN, message).hint(super::lookup::nearest(word, &names)));
+            let found = Diagnostic::error(PIECE_UNKNOWN, message).at(garment.plan.leave_out_source.clone());
+            errors.push(found.hint(super::lookup::nearest(word, &names)));
         }
     }
     number(garment);

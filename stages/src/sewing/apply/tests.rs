@@ -6,12 +6,14 @@ use toile_formats::codes::DART_UNDECIDED;
 use toile_formats::dxf::darts::UndecidedDart;
 use toile_garment::Piece;
 use toile_garment::Severity;
+use toile_garment::SourceRef;
 use toile_garment::dart::DartKind;
 use toile_garment::notch::{Notch, NotchKind};
 use toile_garment::outline::{LinePoint, PieceLine, PointKind};
 use toile_garment::piece::PressedFold;
 use toile_garment::sewing::{
-    CopySpec, DartSpec, EdgeNameSpec, EdgePlace, EdgeWay, FoldSpec, PleatPress, RunSpec, SeamSpec,
+    Around, CopySpec, DartSpec, EdgeNameSpec, EdgePlace, EdgeWay, FoldSpec, LayerSpec, PlaceSpec, Placement,
+    PleatPress, RunSpec, SeamSpec,
 };
 
 fn edge(piece: &str, edge: &str) -> Vec<RunSpec> {
@@ -78,7 +80,7 @@ fn names_are_found_without_case_and_missed_names_are_suggested() {
         pieces: vec![rectangle(0, "FRONT", 100.0, 200.0), rectangle(1, "BACK", 100.0, 200.0)],
         ..Garment::default()
     };
-    let name = EdgeNameSpec { run: edge("front", "1").remove(0), name: "side".into() };
+    let name = EdgeNameSpec { run: edge("front", "1").remove(0), name: "side".into(), source: None };
     let plan = SewingPlan {
         edge_names: vec![name],
         seams: vec![seam("side", edge("front", "Side"), edge("back", "3"))],
@@ -487,7 +489,7 @@ fn notched() -> Garment {
     let copy = CopySpec { piece: "front".into(), name: "twin".into(), mirror: true, source: None };
     let mut garment = one(front);
     let run = part("front", "1", at(EdgeWay::Notch(1)), before_end(EdgeWay::Share(0.0)));
-    let slit = EdgeNameSpec { run, name: "slit".into() };
+    let slit = EdgeNameSpec { run, name: "slit".into(), source: None };
     let plan = SewingPlan { copies: vec![copy], edge_names: vec![slit], ..SewingPlan::default() };
     apply(&mut garment, plan, &mut Report::default()).expect("plan");
     garment
@@ -536,4 +538,122 @@ fn a_place_beyond_an_edge_is_told_with_length_and_notches() {
     }
     let same = ends(&garment, &part("front", "1", at(EdgeWay::Length(0.06)), at(EdgeWay::Notch(1))));
     assert_eq!(same.expect_err("no length").code, crate::sewing::codes::RUN_WITHOUT_LENGTH);
+}
+
+fn in_line(line: u64) -> Option<SourceRef> {
+    Some(SourceRef::file("s.toml").at_line(line))
+}
+
+/// Codes, lines and messages of what is wrong with a plan for a rectangle of 300 × 400 mm called `front`.
+fn wrong(plan: SewingPlan) -> Vec<(String, Option<u64>, String)> {
+    let errors = parameter_errors(apply(&mut one(rectangle(0, "front", 300.0, 400.0)), plan, &mut Report::default()));
+    errors.into_iter().map(|e| (e.code, e.source.and_then(|s| s.line), e.message)).collect()
+}
+
+#[test]
+fn two_tables_of_one_piece_or_dart_are_refused_with_both_places() {
+    let place = |piece: &str, line| PlaceSpec {
+        piece: piece.into(),
+        placement: Placement::Around(Around { segment: "torso".into(), ..Around::default() }),
+        ignores: None,
+        source: in_line(line),
+    };
+    let layer = |order, line| LayerSpec { pieces: vec!["Front".into()], order, source: in_line(line) };
+    let dart = |name: &str, kind, line| DartSpec {
+        name: Some(name.into()),
+        kind,
+        source: in_line(line),
+        ..pleat(Some(PleatPress::Knife), None)
+    };
+    let elsewhere = |dart: DartSpec| DartSpec {
+        mouth: [v(20.0, 400.0), v(60.0, 400.0)],
+        apexes: vec![v(20.0, 200.0), v(60.0, 200.0)],
+        ..dart
+    };
+    let pleated = Some(DartKind::Pleat);
+    let none = SewingPlan::default;
+    let plans = [
+        (SewingPlan { places: vec![place("front", 5), place("FRONT", 9)], ..none() }, "second [[place]]"),
+        (SewingPlan { layers: vec![layer(1, 5), layer(-1, 9)], ..none() }, "second [[layer]]"),
+        (SewingPlan { darts: vec![dart("a", pleated, 5), dart("b", None, 9)], ..none() }, "declared and denied"),
+        (SewingPlan { darts: vec![dart("a", pleated, 5), dart("b", pleated, 9)], ..none() }, "have one mouth"),
+        (
+            SewingPlan { darts: vec![dart("a", pleated, 5), elsewhere(dart("a", pleated, 9))], ..none() },
+            "two darts called `a`",
+        ),
+    ];
+    for (plan, words) in plans {
+        let found = wrong(plan);
+        assert_eq!((found.len(), found[0].0.as_str(), found[0].1), (1, "tables-contradict", Some(9)), "{found:?}");
+        assert!(found[0].2.contains(words) && found[0].2.contains("line 5"), "{found:?}");
+    }
+    // What is said of a copy overrules what it has from its piece.
+    let copy = CopySpec { piece: "front".into(), name: "other".into(), mirror: false, source: None };
+    let denied = DartSpec { piece: "other".into(), ..dart("b", None, 9) };
+    let plan = SewingPlan { copies: vec![copy], darts: vec![dart("a", pleated, 5), denied], ..none() };
+    apply(&mut one(rectangle(0, "front", 300.0, 400.0)), plan, &mut Report::default()).expect("plan");
+}
+
+#[test]
+fn a_fold_on_the_line_of_another_is_refused_with_both_places() {
+    let fold = |name: &str, from: f64, to: f64, y: f64, line| FoldSpec {
+        piece: "front".into(),
+        name: name.into(),
+        line: vec![v(from, y), v(to, y)],
+        angle: 1.5,
+        source: in_line(line),
+    };
+    let folds = |folds: Vec<FoldSpec>| SewingPlan { folds, ..SewingPlan::default() };
+    for second in [fold("down", 0.0, 300.0, 40.0, 9), fold("down", 300.0, 200.0, 40.5, 9)] {
+        let found = wrong(folds(vec![fold("up", 0.0, 300.0, 40.0, 5), second]));
+        assert_eq!((found.len(), found[0].0.as_str(), found[0].1), (1, "tables-contradict", Some(9)), "{found:?}");
+        assert!(found[0].2.contains("fold `up` (line 5)"), "{found:?}");
+    }
+    // On the fold of a pleat.
+    let crease = FoldSpec { line: vec![v(160.0, 400.0), v(160.0, 0.0)], ..fold("crease", 0.0, 0.0, 0.0, 9) };
+    let knife = DartSpec { source: in_line(5), ..pleat(Some(PleatPress::Knife), None) };
+    let found = wrong(SewingPlan { darts: vec![knife], ..folds(vec![crease]) });
+    assert!(found[0].2.contains("fold `pleat-2` (line 5)"), "{found:?}");
+    // Beside each other and across each other they are two folds.
+    let across = FoldSpec { line: vec![v(100.0, 0.0), v(100.0, 400.0)], ..fold("across", 0.0, 0.0, 0.0, 9) };
+    let beside = fold("beside", 0.0, 300.0, 44.0, 9);
+    let plan = folds(vec![fold("up", 0.0, 300.0, 40.0, 5), across, beside]);
+    apply(&mut one(rectangle(0, "front", 300.0, 400.0)), plan, &mut Report::default()).expect("plan");
+}
+
+#[test]
+fn a_pleat_beyond_its_lines_or_its_cloth_is_refused() {
+    let darts = |dart: DartSpec| SewingPlan { darts: vec![dart], ..SewingPlan::default() };
+    let sewn = DartSpec { source: in_line(7), ..pleat(None, Some(8.0)) };
+    let found = wrong(darts(sewn));
+    assert_eq!((found.len(), found[0].0.as_str(), found[0].1), (1, "pleat-sewn-beyond", Some(7)));
+    assert!(found[0].2.contains("8000.0 mm") && found[0].2.contains("200.0 mm"), "{found:?}");
+    let off = DartSpec { apexes: vec![v(120.0, -190.0), v(200.0, -190.0)], source: in_line(7), ..pleat(None, None) };
+    let found = wrong(darts(off));
+    assert_eq!((found.len(), found[0].0.as_str(), found[0].1), (1, "dart-off-cloth", Some(7)));
+    assert!(found[0].2.contains("190.0 mm outside"), "{found:?}");
+    // Lines that end on the lower edge.
+    let hem = DartSpec { apexes: vec![v(120.0, 0.0), v(200.0, -0.5)], ..pleat(None, Some(0.4)) };
+    apply(&mut one(rectangle(0, "front", 300.0, 400.0)), darts(hem), &mut Report::default()).expect("plan");
+}
+
+#[test]
+fn wrong_names_in_layers_edges_and_leave_out_are_told_where_they_stand() {
+    let none = SewingPlan::default;
+    let layer = LayerSpec { pieces: vec!["frnot".into()], order: 1, source: in_line(9) };
+    let edge_name = |piece: &str, number: &str| EdgeNameSpec {
+        run: edge(piece, number).remove(0),
+        name: "x".into(),
+        source: in_line(9),
+    };
+    let plans = [
+        SewingPlan { layers: vec![layer], ..none() },
+        SewingPlan { edge_names: vec![edge_name("frnt", "0")], ..none() },
+        SewingPlan { edge_names: vec![edge_name("front", "9")], ..none() },
+        SewingPlan { leave_out: vec!["linnig".into()], leave_out_source: in_line(9), ..none() },
+    ];
+    for plan in plans {
+        let found = wrong(plan);
+        assert!(!found.is_empty() && found.iter().all(|f| f.1 == Some(9)), "{found:?}");
+    }
 }
