@@ -14,5 +14,5 @@ pub mod watch;
 pub use effects::effects;
 pub use fabric::material;
 pub use place::failure_in;
-pub use scene::{Layout, scene};
+pub use scene::{Layout, layer_of, scene};
 pub use watch::{Follow, MESH_ANEW, failure};

@@ -3,9 +3,11 @@
 use super::codes;
 use super::fabric::material;
 use super::lines;
+use std::collections::BTreeSet;
 use toile_cloth::{BodyMesh, ContactFilter, Element, Load, Material, Pin, Scene};
 use toile_garment::mesh::PieceMesh;
 use toile_garment::seam::Seam;
+use toile_garment::sewing::LayerSpec;
 use toile_garment::{Diagnostic, Garment, MeshVertex, Piece, Vec2, Vec3};
 
 /// Where each piece's vertices stand in the solver's list: pieces by name, so that the order in which a file lists them
@@ -160,11 +162,39 @@ fn layers(garment: &Garment, layout: &Layout) -> Vec<i32> {
         return Vec::new();
     }
     let mut layers = vec![0; layout.count as usize];
-    for spec in &garment.plan.layers {
-        for piece in garment.pieces.iter().filter(|p| spec.pieces.iter().any(|n| n.eq_ignore_ascii_case(&p.name))) {
-            let (first, n) = layout.spans[piece.id.index()];
-            layers[first as usize..(first + n) as usize].fill(spec.order);
-        }
+    for piece in &garment.pieces {
+        let (first, n) = layout.spans[piece.id.index()];
+        layers[first as usize..(first + n) as usize].fill(layer_of(garment, piece));
     }
     layers
+}
+
+/// The layer of a piece: the rank of the order that the sewing file gives it. 0 is the layer of pieces that no table names;
+/// the orders over it are 1, 2 and so on, those below it -1, -2 and so on.
+#[must_use]
+pub fn layer_of(garment: &Garment, piece: &Piece) -> i32 {
+    let specs = &garment.plan.layers;
+    let named = |l: &&LayerSpec| l.pieces.iter().any(|n| n.eq_ignore_ascii_case(&piece.name));
+    let order = specs.iter().rev().find(named).map_or(0, |l| l.order);
+    let up_to = |o: &i32| if order > 0 { (1..=order).contains(o) } else { (order..0).contains(o) };
+    let ranks: BTreeSet<i32> = specs.iter().map(|l| l.order).filter(up_to).collect();
+    i32::try_from(ranks.len()).unwrap_or(i32::MAX) * order.signum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::testing::rectangle;
+
+    #[test]
+    fn only_the_order_of_layers_counts_not_the_size_of_their_numbers() {
+        let names = ["vest", "shirt", "jacket", "coat", "lining"];
+        let orders = [0, 10, 20, 100_000, -7];
+        let pieces: Vec<Piece> = (0..5).map(|i| rectangle(i, names[i], 100.0, 100.0)).collect();
+        let mut garment = Garment { pieces, ..Garment::default() };
+        let spec = |i: usize| LayerSpec { pieces: vec![names[i].to_owned()], order: orders[i], source: None };
+        garment.plan.layers = (1..5).map(spec).collect();
+        let ranks: Vec<i32> = garment.pieces.iter().map(|p| layer_of(&garment, p)).collect();
+        assert_eq!(ranks, [0, 1, 2, 3, -1]);
+    }
 }

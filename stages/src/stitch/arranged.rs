@@ -1,12 +1,13 @@
 //! Pieces that the sewing file does not place: they are arranged by their roles and seams.
 
 use super::place::{Wrap, is_arranged, spec_of};
-use super::{codes, layer_of, plan_check};
+use super::{codes, plan_check};
 use crate::arrange::{Arrangement, Given, Sheet, arrange};
 use crate::body::with_segments;
 use crate::roles::{Join, PiecePoint, joins_of_meshes, joins_of_plan, roles};
 use crate::sewing::resolve::ResolvedSeam;
 use crate::solve::Layout;
+use crate::solve::layer_of;
 use toile_garment::body::Body;
 use toile_garment::sewing::{AttachSpec, AttachStrength, Placement};
 use toile_garment::{Diagnostic, Garment, Piece, Report, Vec3};

@@ -13,6 +13,23 @@ codes! {
     /// at the start, and which places are least sure.
     ARRANGED = "arranged";
 
+    /// Attached edges go only part of the way round the body: what is sewn to their ends is not attached. Attach it,
+    /// too. Exit code 2.
+    ATTACH_PART_OF_RING = "attach-part-of-ring";
+
+    /// An [[attach]] names a part of an edge, or a line inside a piece. Whole edges alone can be held. Exit code 2.
+    ATTACH_NO_EDGE = "attach-no-edge";
+
+    /// Two [[attach]] tables name one edge. Keep one. Exit code 2.
+    ATTACHED_TWICE = "attached-twice";
+
+    /// An [[attach]] names a landmark on an arm or a leg. Edges are held around trunk and neck alone. Exit code 2.
+    ATTACH_TO_LIMB = "attach-to-limb";
+
+    /// An elastic band is sewn to edges that are held on the body for good, so it draws nothing in. Attach them with
+    /// `strength = "while-sewing"`.
+    BAND_HELD = "band-held";
+
     /// An [[attach]] names an edge that is a leg of a dart. The leg is sewn to the other one, so it cannot be held. Exit
     /// code 2.
     ATTACH_DART_LEG = "attach-dart-leg";

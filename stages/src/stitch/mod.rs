@@ -6,8 +6,10 @@ pub(crate) mod codes;
 mod cone;
 mod folded;
 mod forecast;
+mod held_bands;
 mod ignored_parts;
 pub(crate) mod load;
+mod part_of_ring;
 pub mod place;
 mod plan_check;
 mod raise;
@@ -24,7 +26,6 @@ use std::path::PathBuf;
 use toile_cloth::{ExplicitSteps, Outcome, PieceMove, Pin, Settings, Stitches};
 use toile_garment::garment::Shape;
 use toile_garment::seam::Seam;
-use toile_garment::sewing::LayerSpec;
 use toile_garment::units::{Duration, Length};
 use toile_garment::{Aspect, Diagnostic, Garment, MeshVertex, Piece, SeamId, Vec3};
 use toile_stage_api::{Cost, Forecast, Knob, Meaning, Stage, StageContext, StageError, StageInfo};
@@ -145,6 +146,10 @@ impl Stage for Stitch {
     ) -> Result<Garment, StageError> {
         check_clearance(params)?;
         load::inputs(params, &mut garment, cx)?;
+        let wrong = attach::faults(&garment);
+        if !wrong.is_empty() {
+            return Err(StageError::Parameter(wrong));
+        }
         let arranged = arranged::arranged(&mut garment, cx.report).map_err(StageError::Parameter)?;
         let mut placed = place::place(&garment, &arranged, params.clearance.0).map_err(StageError::Parameter)?;
         refuse_hopeless(&garment, &placed, cx)?;
@@ -157,6 +162,7 @@ impl Stage for Stitch {
         let thickness = garment.fabrics.values().map(|f| f.thickness).fold(params.self_gap.0, f64::max);
         let holds = attach::holds(&garment, &placed, params.body_gap.0, thickness).map_err(StageError::Parameter)?;
         garment.pins.extend(holds.lasting);
+        cx.report.findings.extend(held_bands::findings(&garment));
         let turned = garment.seams.iter().filter_map(|seam| turned(seam, &placed));
         cx.report.findings.extend(turned);
         let settings = settings(params, cx.threads);
@@ -261,12 +267,6 @@ fn moved_off(garment: &Garment, layout: &Layout, moved: &PieceMove, when: When) 
     );
     let finding = Diagnostic::info(codes::START_MOVED, message).at(piece.source.clone());
     Some(if when == When::AtStart { finding.hint("place it there in the sewing file") } else { finding })
-}
-
-/// The layer that the sewing file gives a piece.
-fn layer_of(garment: &Garment, piece: &Piece) -> i32 {
-    let named = |l: &&LayerSpec| l.pieces.iter().any(|n| n.eq_ignore_ascii_case(&piece.name));
-    garment.plan.layers.iter().rev().find(named).map_or(0, |l| l.order)
 }
 
 /// A finding on a seam that is named the wrong way round, as its pieces are placed.

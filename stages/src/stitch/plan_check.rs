@@ -1,9 +1,10 @@
 //! The plan is judged before the first step: what cannot be sewn from its places is refused, with the names of the
 //! pieces.
 
+use super::codes;
 use super::ignored_parts::lies_on;
-use super::{codes, layer_of};
 use crate::solve::body_parts::body_parts;
+use crate::solve::layer_of;
 use toile_garment::seam::SeamKind;
 use toile_garment::{Diagnostic, Garment, MeshVertex, PieceId, SourceRef, Vec3};
 
