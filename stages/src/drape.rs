@@ -159,8 +159,8 @@ impl Stage for Drape {
         garment.certificate = Some(certificate.with_unheld(unheld));
         if let Some(certificate) = &mut garment.certificate {
             (certificate.bands, certificate.folds) = (bands, folds);
-            cx.report.findings.extend(lines::findings(certificate));
         }
+        cx.report.findings.extend(garment.certificate.iter().flat_map(|c| lines::findings(&garment, c)));
         (garment.drape, garment.drape_before_edit) = (Some(shape(&stored)), None);
         garment.reactions = reactions(&garment, &layout, &welded.map, &outcome);
         garment.stitched = Some(stitched);

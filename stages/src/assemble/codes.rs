@@ -8,6 +8,9 @@ codes! {
     /// An elastic band ends where the mesh has no vertex. Let it run along whole edges. Exit code 3.
     BAND_NOT_IN_MESH = "band-not-in-mesh";
 
+    /// An elastic band is longer than the cloth that it is sewn to, so it never pulls. Make it shorter.
+    BAND_SLACK = "band-slack";
+
     /// A fold runs where the mesh has no edges, so that nothing is folded. Exit code 3.
     FOLD_NOT_IN_MESH = "fold-not-in-mesh";
 

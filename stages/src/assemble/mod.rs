@@ -91,7 +91,7 @@ impl Stage for Assemble {
         for (i, seam) in seams.iter_mut().enumerate() {
             seam.id = SeamId::from(i);
         }
-        garment.bands = bands::bands(&garment, &shapes, &seams).map_err(StageError::Input)?;
+        garment.bands = bands::bands(&garment, &shapes, &seams, cx.report).map_err(StageError::Input)?;
         garment.seams = seams;
         Ok(garment)
     }
