@@ -133,8 +133,6 @@ mod tests {
     use super::*;
     use toile_garment::dart::DartKind;
     use toile_garment::piece::PressedFold;
-    use toile_garment::dart::DartKind;
-    use toile_garment::piece::PressedFold;
 
     /// A strip of three squares, 30 mm high, with a fold between the second and the third.
     fn strip(angle: f64) -> Piece {
@@ -180,7 +178,7 @@ mod tests {
             let mut piece = strip(angle);
             piece.folds[0].pleat = Some("pleat-1".into());
             let mouth = [(30.0, 0.0), (90.0, 0.0)];
-            piece.darts.push(crate::testing::dart("pleat-1", DartKind::Pleat, &[], mouth));
+            piece.darts.push(crate::testing::dart("pleat-1", DartKind::Pleat, &[(60.0, 30.0)], mouth));
             let places = start(&piece, &[], |p| Vec3::new(p.x, p.y, 0.2));
             let rise = PLEAT_RISE * 0.06 * f64::signum(angle);
             for (v, p) in places.iter().enumerate() {
