@@ -31,7 +31,7 @@ fn pipelines_cut_short_are_refused_in_words() {
             std::fs::write(bench.pipeline_file(), cut).expect("cut");
             let said = bench.check(&[]);
             assert!(matches!(said.code, 0 | 2 | 3), "{}: {said:?}", file.display());
-            assert!(said.code == 0 || said.err.starts_with("error["), "{}: {said:?}", file.display());
+            assert!(said.code == 0 || said.err.contains("error["), "{}: {said:?}", file.display());
         }
     }
 }

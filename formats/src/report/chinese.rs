@@ -1,4 +1,4 @@
-//! What findings say in Chinese, by their codes: what is the matter, and what to do about it.
+//! The words of findings in Chinese, by their codes. Each has a message and a remedy.
 //!
 //! Names and figures stand in the sentence of the finding itself, which follows in English. A code that is missing here
 //! is told in English alone.
@@ -46,6 +46,27 @@ pub const FINDINGS: &[(&str, &str, &str)] = &[
     ("start-on-cone", "宽幅布环从环绕躯干的锥面开始。", ""),
     ("sewn-past-limb", "缝制时未与挡路的前臂接触；悬垂时与整个人体接触。", ""),
     ("fold-open", "服装上有压烫折线张开超过其角度的一半。", "检查折线旁的裁片和缝线。"),
+    (
+        "attach-part-of-ring",
+        "固定在人体一圈上的边没有绕满整圈，会单独拉满全周。",
+        "用 [[attach]] 把缝在两端的边也固定在同一位置。",
+    ),
+    (
+        "attach-to-limb",
+        "[[attach]] 指定了手臂或腿上的位置；只能固定在躯干和颈部。",
+        "改用 [[elastic]]，或固定在躯干上。",
+    ),
+    ("attach-no-edge", "[[attach]] 指定的是边的一部分或裁片内的线；只能固定整条边。", "指定整条边的名称或编号。"),
+    ("attached-twice", "两个 [[attach]] 指定了同一条边。", "保留其中一个。"),
+    ("band-held", "松紧带缝在一直固定于人体的边上，不起作用。", "把固定方式改为 strength = \"while-sewing\"。"),
+    ("band-slack", "松紧带比所缝的布料长，永远不会收紧。", "缩短松紧带。"),
+    ("tables-contradict", "缝制文件中有两个表说的是同一对象，只能有一个成立。", "删去其中一个。"),
+    ("pleat-sewn-beyond", "褶裥的缝合长度超出褶线末端。", "减小 sewn，或加长褶线。"),
+    ("dart-off-cloth", "声明的省道或褶裥的省尖不在裁片的布料上。", "按裁片坐标给出省尖。"),
+    ("fabric-chosen", "未指定面料；纸样中有罗纹裁片，因此选用了针织面料。", "用 --fabric 指定其他面料。"),
+    ("sizes-carried", "一个尺码的改动已带到纸样的所有尺码。", ""),
+    ("sizes-not-carried", "有改动未能带到其他尺码，说明中已列出。", "在其他尺码中另行修改。"),
+    ("input-unused", "流水线声明的输入没有在任何文本中使用，设置它不起作用。", "在需要的地方写入该输入，或删去它。"),
     ("rests-apart", "起点相差 1 µm 时，服装静止位置的差异。", ""),
     ("elastic-at-rest", "静止服装上的松紧带：拉伸前后的长度及张力。", ""),
     ("motion-gate", "运动检验有指标超限。", "查看运动检验表。"),

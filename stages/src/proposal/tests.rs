@@ -274,12 +274,7 @@ fn legs_are_not_sewn_to_each_other_all_round() {
 }
 
 #[test]
-fn a_seam_between_two_hems_or_a_sleeve_that_fits_badly_is_not_sure() {
-    // Two boards without slanted sides: what holds them together can only be a guess, and an opening is one at most.
-    let boards = garment(vec![rectangle(0, "front", 400.0, 300.0), rectangle(0, "back", 400.0, 310.0)]);
-    let proposal = propose(&boards, &Nameless, &Known::default()).expect("proposal");
-    let is_level = |s: &&super::ProposedSeam| [&s.a, &s.b].iter().all(|side| side[0].edges[0].number % 2 == 0);
-    assert!(proposal.seams.iter().filter(is_level).all(|s| s.confidence <= 0.2), "{:?}", proposal.seams);
+fn a_sleeve_that_fits_badly_is_not_sure() {
     let weights = super::tuning::SleeveWeights::default();
     assert_eq!(weights.confidence(0.01), weights.confidence);
     assert!(weights.confidence(0.06) < 0.65 && weights.confidence(1.0) == weights.doubtful);
