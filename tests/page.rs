@@ -178,8 +178,8 @@ fn the_page_changes_colours_and_plays_the_motion() {
     put(
         "swing.toml",
         "toile = 1\n[pipeline]\nline = \"swing\"\nversion = 1\n[[stage]]\nuse = \"import-mesh\"\nwith.cloth = \"cloth.obj\"\n\
-         with.rest = \"positions\"\nwith.fabric = \"wool.toml\"\nwith.pins = \"pins.txt\"\n[[stage]]\nuse = \"animate\"\n\
-         with.frames = 12\n[[stage]]\nuse = \"texture\"\nwith.color = \"#ffffff\"\n\
+         with.rest = \"positions\"\nwith.fabric = \"wool.toml\"\nwith.pins = \"pins.txt\"\n[[stage]]\nuse = \"drape\"\n\
+         with.gravity = \"0 m/s2\"\n[[stage]]\nuse = \"animate\"\nwith.frames = 12\n[[stage]]\nuse = \"texture\"\nwith.color = \"#ffffff\"\n\
          with.colourways = [{ name = \"navy\", color = \"#101a40\" }]\n[[stage]]\nuse = \"export-report\"\n",
     );
     assert_eq!(run(&pipeline, &out, &[]), Some(0));
