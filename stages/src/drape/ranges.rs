@@ -37,6 +37,6 @@ mod tests {
         assert!(words.iter().all(|w| all.contains(w)), "{all}");
         assert!(told(DrapeParams { limits: gated(f64::NAN), ..DrapeParams::default() }).contains("strain_max"));
         // Millimetres that were taken for metres.
-        assert!(told(DrapeParams { gravity: Acceleration(9810.0), ..DrapeParams::default() }).contains("0 to 100"));
+        assert!(told(DrapeParams { gravity: Acceleration(9810.0), ..DrapeParams::default() }).contains("0 to 5000"));
     }
 }

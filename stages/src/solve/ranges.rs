@@ -4,8 +4,8 @@ use crate::codes::SETTING_OUT_OF_RANGE;
 use toile_garment::Diagnostic;
 use toile_garment::units::Acceleration;
 
-/// Largest gravity, m/s².
-const GRAVITY: f64 = 100.0;
+/// Largest gravity, m/s². Hard cases go to 1,000; 9,810 are the earth's in millimetres.
+const GRAVITY: f64 = 5000.0;
 
 /// What is wrong with a gravity.
 pub fn gravity(gravity: Acceleration) -> Option<Diagnostic> {
