@@ -20,7 +20,7 @@ const METHODS: [&str; 3] = ["surface", "tape", "straight"];
 /// Figures that may lie below 0; no other one does.
 const BELOW_ZERO: [&str; 2] = ["energy_J", "slip_mm"];
 
-/// What a figure is counted in.
+/// The unit of a figure.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A measure: a length with its unit.

@@ -21,7 +21,7 @@ pub fn only(jobs: &[Job], asked: &[(String, String)]) -> Result<Vec<usize>, Diag
     Ok(wanted)
 }
 
-/// What a job has on an axis; `job` and `style` count as axes.
+/// The choice of a job on an axis. `job` and `style` count as axes.
 fn word<'a>(job: &'a Job, axis: &str) -> Option<&'a String> {
     match axis {
         "job" => Some(&job.name),

@@ -25,9 +25,9 @@ pub struct Known<'a> {
     pub piece: &'a Piece,
     /// Its role, as its name tells it.
     pub role: &'a Role,
-    /// Is it cut for both sides?
+    /// True where it is cut for both sides.
     pub is_double: bool,
-    /// Is it its own mirror image?
+    /// True where it is its own mirror image.
     pub is_own_image: bool,
 }
 
@@ -61,22 +61,11 @@ fn stands_for(a: &Known<'_>, b: &Known<'_>) -> bool {
 
 /// Length and chord of every edge, counter-clockwise.
 fn edges(piece: &Piece) -> Vec<[f64; 2]> {
-    let points = piece.outline.positions();
-    let n = points.len();
-    let walk = |from: usize, to: usize| (0..=(to + n - from - 1) % n + 1).map(move |k| (from + k) % n);
-    let edge = |from: usize, to: usize| {
-        let points: Vec<Vec2> = walk(from, to).filter_map(|k| points.get(k).copied()).collect();
+    let edge = |points: &[Vec2]| {
         let length = points.windows(2).map(|w| (w[1] - w[0]).norm()).sum();
-        let chord = points.first().zip(points.last()).map_or(0.0, |(a, b)| (b - a).norm());
-        [length, chord]
+        Some([length, (points.last()? - points.first()?).norm()])
     };
-    let inside = |k: u32| (k as usize) < n;
-    piece
-        .edges
-        .iter()
-        .filter(|e| inside(e.from) && inside(e.to))
-        .map(|e| edge(e.from as usize, e.to as usize))
-        .collect()
+    piece.edges.iter().filter_map(|e| edge(&piece.outline.edge_points(e))).collect()
 }
 
 /// The longest row of edges that two pieces share in the same order: their number, and their share of the shorter outline.

@@ -10,7 +10,10 @@ use toile_stages::roles::{Part, Role, roles_of_names};
 /// Areas of a piece and its counterpart differ by less, as a share.
 const COUNTERPART: f64 = 0.03;
 
-/// What a pattern tells of its pieces.
+/// The quantity of a piece that is not cut.
+const NONE: Quantity = Quantity { plain: 0, mirrored: 0 };
+
+/// The pieces that a pattern asks for twice or not at all.
 #[derive(Debug, Default)]
 pub struct Cut {
     /// Copies, and pieces that are left out.
@@ -28,15 +31,15 @@ pub struct Cut {
 /// annotations tell them.
 pub fn plan(garment: &Garment, more: &[String]) -> Cut {
     let roles = roles_of_names(&garment.pieces);
-    let is_any_cut = garment.pieces.iter().any(|p| cut(p) != Quantity { plain: 0, mirrored: 0 });
-    let counts = |p: &Piece| if is_any_cut { cut(p) } else { told(p) };
+    let is_any_cut = garment.pieces.iter().any(|p| p.quantity != NONE);
+    let counts = |p: &Piece| if is_any_cut { p.quantity } else { told(p) };
+    let is_not_cut = |p: &Piece| counts(p) == NONE;
     let is_left_out = |p: &Piece| {
         let is_fused = roles[p.id.index()].part == Some(Part::Interlining);
-        is_fused || counts(p).plain + counts(p).mirrored == 0 || more.contains(&p.name)
+        is_fused || is_not_cut(p) || more.contains(&p.name)
     };
     let (left_out, sewn): (Vec<&Piece>, Vec<&Piece>) = garment.pieces.iter().partition(|p| is_left_out(p));
-    let is_not_cut = |p: &&&Piece| counts(p).plain + counts(p).mirrored == 0;
-    let not_cut = left_out.iter().filter(is_not_cut).map(|p| p.name.clone()).collect();
+    let not_cut = left_out.iter().filter(|p| is_not_cut(p)).map(|p| p.name.clone()).collect();
     let mut leave_out: Vec<String> = left_out.iter().map(|p| p.name.clone()).collect();
     // A name that is not in the pattern is told later, where the plan is applied.
     leave_out.extend(more.iter().filter(|name| garment.pieces.iter().all(|p| p.name != **name)).cloned());
@@ -57,10 +60,6 @@ pub fn plan(garment: &Garment, more: &[String]) -> Cut {
     let copies = kept.map(|k| mirrored(k.piece)).collect();
     leave_out.extend(stood_for.iter().cloned());
     Cut { plan: SewingPlan { copies, leave_out, ..SewingPlan::default() }, not_cut, stood_for }
-}
-
-fn cut(piece: &Piece) -> Quantity {
-    piece.quantity
 }
 
 /// The quantity that an annotation tells, else 1.

@@ -84,7 +84,7 @@ pub struct PairChange {
     pub b: [f64; 2],
 }
 
-/// What a pattern maker checks of a flattened piece.
+/// A property of a flattened piece that a pattern maker checks.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum CheckKind {
@@ -115,7 +115,7 @@ pub enum CheckKind {
 /// The largest change of one kind on a piece.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Check {
-    /// What was checked.
+    /// The property that was checked.
     pub kind: CheckKind,
     /// Where: the name of an edge, a seam, a dart or another piece.
     #[serde(default, skip_serializing_if = "String::is_empty")]
@@ -125,7 +125,7 @@ pub struct Check {
     pub along: Option<f64>,
     /// The change: a share, metres or radians.
     pub value: f64,
-    /// What is allowed; none where it was not judged.
+    /// The largest change that is allowed. `None` where it was not judged.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub limit: Option<f64>,
 }
@@ -176,7 +176,7 @@ impl PieceVerdict {
         self.checks.iter().all(Check::passes)
     }
 
-    /// What is over its limit, in words.
+    /// Words for the checks that are over their limits.
     #[must_use]
     pub fn fails(&self) -> Vec<String> {
         self.checks.iter().filter(|c| !c.passes()).map(Check::words).collect()

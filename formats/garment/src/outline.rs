@@ -91,6 +91,18 @@ impl PieceLine {
             .collect()
     }
 
+    /// Points of an edge of a closed line, both ends included. An edge that ends where it begins is the whole line. Empty
+    /// where the line lacks its ends.
+    #[must_use]
+    pub fn edge_points(&self, edge: &OutlineEdge) -> Vec<Vec2> {
+        let (n, from, to) = (self.points.len(), edge.from as usize, edge.to as usize);
+        if from.max(to) >= n {
+            return Vec::new();
+        }
+        let steps = (to + n - from - 1) % n + 1;
+        (0..=steps).map(|k| self.points[(from + k) % n].at).collect()
+    }
+
     /// Length of the line, metres, the closing segment included when closed.
     #[must_use]
     pub fn length(&self) -> f64 {

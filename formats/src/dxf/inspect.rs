@@ -11,6 +11,7 @@ use crate::rul::{self, RuleTable};
 use rayon::iter::{IndexedParallelIterator, IntoParallelRefIterator, ParallelIterator};
 use serde_json::{Map, Value, json};
 use std::fmt::Write as _;
+use toile_garment::outline::OutlineEdge;
 use toile_garment::{Diagnostic, Piece, Vec2};
 
 /// The contents of a file.
@@ -330,21 +331,15 @@ fn pleat(p: &Pleat) -> Value {
 }
 
 fn edges(piece: &Piece) -> Vec<Value> {
-    let points = piece.outline.positions();
-    let n = points.len();
-    piece
-        .edges
-        .iter()
-        .map(|e| {
-            let (from, to) = (e.from as usize, e.to as usize);
-            let steps = if from == to { n } else { (to + n - from) % n };
-            let length: f64 = (0..steps).map(|k| (points[(from + k + 1) % n] - points[(from + k) % n]).norm()).sum();
-            json!({
-                "index": e.index, "name": e.name, "from_mm": xy(points[from] * 1e3), "to_mm": xy(points[to] * 1e3),
-                "length_mm": round(length * 1e3),
-            })
-        })
-        .collect()
+    let edge = |e: &OutlineEdge| {
+        let points = piece.outline.edge_points(e);
+        let length: f64 = points.windows(2).map(|w| (w[1] - w[0]).norm()).sum();
+        Some(json!({
+            "index": e.index, "name": e.name, "from_mm": xy(*points.first()? * 1e3), "to_mm": xy(*points.last()? * 1e3),
+            "length_mm": round(length * 1e3),
+        }))
+    };
+    piece.edges.iter().filter_map(edge).collect()
 }
 
 fn text(pattern: &Pattern, table: Option<&RuleTable>) -> String {

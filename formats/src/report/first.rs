@@ -17,15 +17,15 @@ use toile_garment::{Diagnostic, Garment, Severity};
 /// Width and height of each of the two pictures that stand where there is no 3D view, pixels.
 const STILL: [u32; 2] = [420, 525];
 
-/// What the first screen shows.
+/// The content of the first screen.
 pub struct Content<'a> {
     /// The garment.
     pub garment: &'a Garment,
-    /// What was found.
+    /// All findings.
     pub findings: &'a [Diagnostic],
     /// The places of the findings.
     pub places: &'a [Place],
-    /// What was measured.
+    /// All measures.
     pub fit: &'a Fit,
     /// The light around the garment; without it there is no picture.
     pub light: Option<&'a Openness>,

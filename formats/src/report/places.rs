@@ -5,7 +5,6 @@
 
 use crate::svg::Spot;
 use toile_garment::mesh::PieceMesh;
-use toile_garment::outline::OutlineEdge;
 use toile_garment::seam::{SeamKind, SeamSide};
 use toile_garment::sewing::RunSpec;
 use toile_garment::{Diagnostic, Garment, Piece, Severity, Vec2, Vec3};
@@ -179,11 +178,7 @@ fn planned(garment: &Garment, run: &RunSpec) -> Option<(usize, Vec<Vec2>)> {
 }
 
 fn edge_line(piece: &Piece, edge: usize) -> Vec<Vec2> {
-    let points = &piece.outline.points;
-    let OutlineEdge { from, to, .. } = piece.edges[edge];
-    let count = points.len().max(1);
-    let steps = (to as usize + count - from as usize % count - 1) % count + 1;
-    (0..=steps).filter_map(|k| points.get((from as usize + k) % count)).map(|p| p.at).collect()
+    piece.outline.edge_points(&piece.edges[edge])
 }
 
 fn piece_named(garment: &Garment, name: &str) -> Option<usize> {
@@ -335,6 +330,7 @@ mod tests {
     use super::*;
     use crate::codes::OUT_OF_RANGE;
     use toile_garment::garment::Shape;
+    use toile_garment::outline::OutlineEdge;
     use toile_garment::outline::{LinePoint, PieceLine, PointKind};
     use toile_garment::seam::{Seam, SeamRun};
 

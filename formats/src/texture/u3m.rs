@@ -28,7 +28,7 @@ pub struct U3m {
     pub roughness: Option<f64>,
     /// Strength of the sheen 0–1.
     pub sheen: Option<f64>,
-    /// What stands in the file and is not used, in words.
+    /// Words for the parts of the file that are not used.
     pub unused: Vec<String>,
 }
 

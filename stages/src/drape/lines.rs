@@ -5,7 +5,7 @@ use crate::solve::{Layout, lines, scene};
 use std::f64::consts::PI;
 use toile_garment::garment::{BandAtRest, Certificate, FoldAtRest};
 use toile_garment::piece::PressedFold;
-use toile_garment::{Diagnostic, Garment, Vec3};
+use toile_garment::{Diagnostic, Garment, Piece, Vec3};
 
 /// Share of its pressed angle below which a fold counts as open somewhere.
 const OPEN: f64 = 0.5;
@@ -30,7 +30,7 @@ pub(super) fn bands(garment: &Garment, layout: &Layout, now: &[Vec<Vec3>]) -> Ve
 pub(super) fn folds(garment: &Garment, layout: &Layout, now: &[Vec<Vec3>]) -> Vec<FoldAtRest> {
     let x = layout.join(now);
     let Ok(scene) = scene(garment, layout, x.clone(), Vec3::zeros()) else { return Vec::new() };
-    let names = garment.pieces.iter().flat_map(|p| p.folds.iter().map(move |f| format!("{} {}", p.name, f.name)));
+    let names = all_folds(garment).map(|(p, f)| format!("{} {}", p.name, f.name));
     let state = |(name, fold): (String, &toile_cloth::FoldLine)| {
         let lies = |a: f64| if PI - a.abs() < FLAT_ONTO_ITSELF { a.abs().copysign(fold.angle) } else { a };
         let angles: Vec<[f64; 2]> =
@@ -57,10 +57,13 @@ fn at_worst(fold: &FoldAtRest) -> String {
     format!("opens to {:.0} % of its angle", fold.least_share * 1e2)
 }
 
-/// Words on a pleat whose folds lie nearer to each other than the mesh is fine. `name` is piece and fold.
-fn too_coarse(garment: &Garment, name: &str) -> Option<String> {
-    let all = garment.pieces.iter().flat_map(|p| p.folds.iter().map(move |f| (p, f)));
-    let (piece, fold) = all.into_iter().find(|(p, f)| format!("{} {}", p.name, f.name) == name)?;
+/// All folds of a garment with their pieces, in the order of its certificate.
+fn all_folds(garment: &Garment) -> impl Iterator<Item = (&Piece, &PressedFold)> {
+    garment.pieces.iter().flat_map(|p| p.folds.iter().map(move |f| (p, f)))
+}
+
+/// Words on a pleat whose folds lie nearer to each other than the edges of the mesh are long.
+fn too_coarse(piece: &Piece, fold: &PressedFold) -> Option<String> {
     let middle = |f: &PressedFold| Some((f.line.first()? + f.line.last()?) * 0.5);
     let others = piece.folds.iter().filter(|f| f.pleat.is_some() && f.pleat == fold.pleat && f.name != fold.name);
     let between = others.filter_map(|f| Some((middle(f)? - middle(fold)?).norm())).reduce(f64::min)?;
@@ -84,7 +87,7 @@ pub(super) fn findings(garment: &Garment, certificate: &Certificate) -> Vec<Diag
         );
         Diagnostic::info(ELASTIC_AT_REST, message)
     };
-    let fold = |f: &FoldAtRest| {
+    let fold = |(f, (piece, pressed)): (&FoldAtRest, (&Piece, &PressedFold))| {
         let message = format!(
             "fold `{}`: pressed to {:.0}°, it lies at {:.0}° in the mean and {}",
             f.name,
@@ -93,10 +96,11 @@ pub(super) fn findings(garment: &Garment, certificate: &Certificate) -> Vec<Diag
             at_worst(f)
         );
         let remedy = "give it more room, or sew it down further";
-        let coarse = too_coarse(garment, &f.name).map_or_else(String::new, |words| format!("; {words}"));
+        let coarse = too_coarse(piece, pressed).map_or_else(String::new, |words| format!("; {words}"));
         Diagnostic::warning(FOLD_OPEN, message).hint(format!("{remedy}{coarse}"))
     };
-    let open = certificate.folds.iter().filter(|f| f.least_share < OPEN).map(fold);
+    let folds = certificate.folds.iter().zip(all_folds(garment));
+    let open = folds.filter(|(f, _)| f.least_share < OPEN).map(fold);
     certificate.bands.iter().map(band).chain(open).collect()
 }
 

@@ -19,8 +19,8 @@ use toile_garment::{Piece, Vec2, Vec3};
 const FLAP_GAP: f64 = 5e-3;
 /// How far a folded flap may reach beyond its piece, m: the sides of a hem are seldom square to it.
 const OVERHANG_MOST: f64 = 8e-3;
-/// How far the folds of a pleat stand out at the start, as a share of the width of its mouth. With half of it, a pleat
-/// may turn to the other side; with twice of it, cloth starts with twice the slope.
+/// How far the folds of a pleat stand out at the start, as a share of the width of its mouth. Only 0 was tried beside it:
+/// with 0 the drape of the pleated skirt has half as much energy again.
 const PLEAT_RISE: f64 = 0.1;
 /// Step along a piece by which its tangents are taken, m.
 const TANGENT_STEP: f64 = 1e-4;

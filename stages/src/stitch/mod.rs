@@ -204,8 +204,10 @@ impl Stage for Stitch {
 
 /// How many times firmer folds are while they are sewn: a sewer holds pleats pressed until they are closed. With 1 the
 /// pleats of the trousers open below their seams, and their drape has 18 % more energy. With 100 it has 3 % less than with
-/// 30, and sewing and draping the pleated skirt take half as long again.
+/// 30, and sewing and draping the pleated skirt take half as long again. On a finer mesh the energies are in another order
+/// (`docs/lab/2026-11-30-pleats-pressed-while-sewn.md`).
 const FOLD_FIRMNESS_WHILE_SEWN: f64 = 30.0;
+
 /// Largest clearance, m: a piece farther out than this is placed around nothing.
 const CLEARANCE_MOST: f64 = 0.5;
 

@@ -1,11 +1,9 @@
 //! Tables of a sewing file that speak of one thing twice. One would be left out in silence, so they are refused.
 
+use super::darts::is_one_mouth;
 use crate::sewing::codes;
 use toile_garment::sewing::{DartSpec, SewingPlan};
 use toile_garment::{Diagnostic, SourceRef};
-
-/// Two points of the file nearer than this are one, m.
-const SAME_POINT: f64 = 2e-3;
 
 /// All tables that say of a piece or dart what another table says already. Names of pieces are those of the pieces.
 pub fn check(plan: &SewingPlan) -> Vec<Diagnostic> {
@@ -38,9 +36,9 @@ fn darts(darts: &[DartSpec]) -> Vec<Diagnostic> {
     let again = |(k, dart): (usize, &DartSpec)| {
         let mut before = darts[..k].iter().filter(|d| d.piece == dart.piece);
         let named = |d: &&DartSpec| d.name.is_some() && d.name == dart.name;
-        let first = before.find(|d| is_one_mouth(d, dart) || named(d))?;
+        let first = before.find(|d| is_one_mouth(&d.mouth, &dart.mouth) || named(d))?;
         let line = written(first.source.as_ref());
-        let message = match is_one_mouth(first, dart) {
+        let message = match is_one_mouth(&first.mouth, &dart.mouth) {
             true if first.kind.is_some() != dart.kind.is_some() => {
                 format!(
                     "piece `{}`: a dart is declared and denied: two [[dart]] tables have its mouth{line}",
@@ -57,9 +55,4 @@ fn darts(darts: &[DartSpec]) -> Vec<Diagnostic> {
         Some(Diagnostic::error(codes::TABLES_CONTRADICT, message).at(dart.source.clone()).hint(hint))
     };
     darts.iter().enumerate().filter_map(again).collect()
-}
-
-fn is_one_mouth(a: &DartSpec, b: &DartSpec) -> bool {
-    let near = |k: usize, l: usize| (a.mouth[k] - b.mouth[l]).norm() < SAME_POINT;
-    near(0, 0) && near(1, 1) || near(0, 1) && near(1, 0)
 }

@@ -121,11 +121,17 @@ fn sewn_beyond(piece: &Piece, spec: &DartSpec) -> Option<Diagnostic> {
 }
 
 fn is_same((drawn, apexes): (&[Vec2; 2], &[Vec2]), spec: &DartSpec) -> bool {
-    let near = |a: &Vec2, b: &Vec2| (a - b).norm() < SAME_POINT;
-    let [m0, m1] = &spec.mouth;
-    let mouth = near(&drawn[0], m0) && near(&drawn[1], m1) || near(&drawn[0], m1) && near(&drawn[1], m0);
-    let apex = !spec.apexes.is_empty() && spec.apexes.iter().all(|a| apexes.iter().any(|d| near(a, d)));
-    mouth || apex
+    let apex = !spec.apexes.is_empty() && spec.apexes.iter().all(|a| apexes.iter().any(|d| is_near(a, d)));
+    is_one_mouth(drawn, &spec.mouth) || apex
+}
+
+/// Do two mouths have the same points, in either order?
+pub fn is_one_mouth([a0, a1]: &[Vec2; 2], [b0, b1]: &[Vec2; 2]) -> bool {
+    is_near(a0, b0) && is_near(a1, b1) || is_near(a0, b1) && is_near(a1, b0)
+}
+
+fn is_near(a: &Vec2, b: &Vec2) -> bool {
+    (a - b).norm() < SAME_POINT
 }
 
 /// A denied dart is cloth: what marked it stays as lines.
