@@ -10,7 +10,7 @@ use toile_stages::roles::{Facing, Part, Role};
 /// Edges and their chords differ by no more in two such pieces, metres.
 const SAME_EDGE: f64 = 2e-3;
 /// So many edges in a row are the same at least, with the share of the shorter outline that they make.
-const SHARED: [(usize, f64); 2] = [(4, 0.25), (2, 0.45)];
+const SHARED: [(usize, f64); 2] = [(4, 0.2), (2, 0.45)];
 /// Two outlines that share more are of one shape.
 const SAME_SHAPE: f64 = 0.97;
 /// Length of a rib over that of the neckline that it is stretched on.
@@ -45,7 +45,8 @@ pub fn drawn_over(pieces: &[Known<'_>]) -> Vec<String> {
     out
 }
 
-/// Does one piece stand for another one? Two of one shape that are cut once each are a left and a right one.
+/// Does one piece stand for another one? Two of one shape, or of mirrored ones, that are cut once each are a left and a
+/// right one.
 fn stands_for(a: &Known<'_>, b: &Known<'_>) -> bool {
     let part = a.role.part.or(b.role.part);
     let is_one_of = matches!(part, Some(Part::Sleeve | Part::Leg | Part::Hood | Part::Collar | Part::Bodice));
@@ -54,8 +55,10 @@ fn stands_for(a: &Known<'_>, b: &Known<'_>) -> bool {
     if !is_one_of || !are_alike || !is_told || a.role.facing != b.role.facing || a.role.lateral != b.role.lateral {
         return false;
     }
-    let (count, share) = shared(a.piece, b.piece);
-    let is_same = share > SAME_SHAPE;
+    let (p, q) = (edges(a.piece), edges(b.piece));
+    let (count, share) = shared(&p, &q);
+    let mirrored: Vec<[f64; 2]> = q.iter().rev().copied().collect();
+    let is_same = share > SAME_SHAPE || shared(&p, &mirrored).1 > SAME_SHAPE;
     SHARED.iter().any(|(edges, least)| count >= *edges && share >= *least) && (!is_same || a.is_double && b.is_double)
 }
 
@@ -68,9 +71,8 @@ fn edges(piece: &Piece) -> Vec<[f64; 2]> {
     piece.edges.iter().filter_map(|e| edge(&piece.outline.edge_points(e))).collect()
 }
 
-/// The longest row of edges that two pieces share in the same order: their number, and their share of the shorter outline.
-fn shared(a: &Piece, b: &Piece) -> (usize, f64) {
-    let (p, q) = (edges(a), edges(b));
+/// The longest row of edges that two outlines share in the same order: their number, and their share of the shorter one.
+fn shared(p: &[[f64; 2]], q: &[[f64; 2]]) -> (usize, f64) {
     let length = |e: &[[f64; 2]]| e.iter().map(|[length, _]| length).sum::<f64>();
     let is_same = |x: [f64; 2], y: [f64; 2]| x.iter().zip(y).all(|(x, y)| (x - y).abs() < SAME_EDGE);
     let (n, m) = (p.len(), q.len());
@@ -78,7 +80,7 @@ fn shared(a: &Piece, b: &Piece) -> (usize, f64) {
     let rows = (0..n).flat_map(|i| (0..m).map(move |j| (i, j))).map(|(i, j)| (i, row(i, j)));
     let sums = rows.map(|(i, count)| (count, (0..count).map(|k| p[(i + k) % n][0]).sum::<f64>()));
     let (count, sum) = sums.max_by(|x, y| x.1.total_cmp(&y.1)).unwrap_or_default();
-    (count, sum / length(&p).min(length(&q)).max(1e-9))
+    (count, sum / length(p).min(length(q)).max(1e-9))
 }
 
 /// Is a piece a layer that lies under another one: the lower collar under the upper one?

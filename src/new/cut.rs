@@ -10,6 +10,9 @@ use toile_stages::roles::{Part, Role, roles_of_names};
 /// Areas of a piece and its counterpart differ by less, as a share.
 const COUNTERPART: f64 = 0.03;
 
+/// Areas and lengths around differ by less between a piece and its mirror image, as a share.
+const SAME_OUTLINE: f64 = 1e-3;
+
 /// The quantity of a piece that is not cut.
 const NONE: Quantity = Quantity { plain: 0, mirrored: 0 };
 
@@ -80,8 +83,13 @@ fn is_half_of_pair(piece: &Piece, sewn: &[&Piece], roles: &[Role]) -> bool {
     let role = |p: &Piece| &roles[p.id.index()];
     let is_on_limb = matches!(role(piece).part, Some(Part::Sleeve | Part::Leg));
     let area = |p: &Piece| p.outline.signed_area().abs();
+    // A counterpart has the same role, or the same outline whatever it is called.
+    let is_same = |p: &Piece| {
+        let [a, b] = [p, piece].map(|p| p.outline.length());
+        [(area(p), area(piece)), (a, b)].iter().all(|(x, y)| (x - y).abs() < SAME_OUTLINE * x.max(*y))
+    };
     let is_counterpart =
-        |p: &&Piece| p.id != piece.id && role(p).part == role(piece).part && near(area(p), area(piece));
+        |p: &&Piece| p.id != piece.id && (is_same(p) || role(p).part == role(piece).part && near(area(p), area(piece)));
     is_on_limb && role(piece).lateral.is_none() && !sewn.iter().any(is_counterpart)
 }
 
@@ -140,6 +148,19 @@ mod tests {
         let cap = [(200.0, 0.0), (150.0, 60.0), (90.0, 110.0), (40.0, 80.0), (-10.0, 40.0), (-180.0, 0.0)];
         let hem = [(-150.0, hem), (160.0, hem)];
         drawn(id, name, &[&cap[..], &hem[..]].concat(), "2X FABRIC")
+    }
+
+    #[test]
+    fn a_sleeve_with_its_mirror_image_is_cut_once_whatever_the_other_is_called() {
+        let left = Piece { quantity: Quantity { plain: 1, mirrored: 0 }, ..sleeve(0, "short sleeve", -200.0) };
+        let mut right = Piece { id: PieceId::from(1usize), name: "cuff".to_owned(), ..left.clone() };
+        right.outline.points.iter_mut().for_each(|p| p.at.x = -p.at.x);
+        right.outline.points.reverse();
+        assert!(plan_of(vec![left.clone(), right.clone()]).0.is_empty());
+        assert_eq!(plan_of(vec![left.clone()]).0, ["short sleeve-M"]);
+        // Both are sewn: they are a left and a right one, although they share a part of their edges.
+        let named = Piece { name: "sleeve with cuff".to_owned(), ..right };
+        assert_eq!(plan_of(vec![left, named]), (vec![], vec![]));
     }
 
     #[test]

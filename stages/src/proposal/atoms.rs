@@ -3,25 +3,14 @@
 //! A seam of a garment joins atoms to atoms. The legs of a dart belong to no atom: the atoms on both sides of its mouth
 //! are neighbours, and the corner between them is measured with the dart closed.
 
-use super::profile::{Profile, bow, heading, profile, turn, wrapped};
+pub use super::cuts::Mark;
+use super::cuts::{Cut, Outline, without_unpaired};
+use super::profile::{Profile, bow, heading, profile, wrapped};
 use super::tuning;
-use crate::sewing::marks::on_rings;
-use crate::sewing::ring::{Gap, Ring};
-use crate::sewing::shapes::{PieceShape, Shapes};
-use std::f64::consts::PI;
+use crate::sewing::ring::Ring;
+use crate::sewing::shapes::Shapes;
 use std::ops::Range;
 use toile_garment::{Garment, Piece, Vec2};
-
-/// The mark between two atoms.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Mark {
-    /// A corner of the outline.
-    Corner,
-    /// A notch.
-    Notch,
-    /// The mouth of a dart.
-    Dart,
-}
 
 impl Atom {
     /// Does it run along the warp?
@@ -105,19 +94,20 @@ pub struct Layout {
 impl Layout {
     /// Cuts the outlines of a garment. Pieces in `left_out` get no panel.
     pub fn new(garment: &Garment, shapes: &Shapes, left_out: &[String]) -> Self {
+        let is_sewn = |piece: &Piece| !left_out.iter().any(|n| n.eq_ignore_ascii_case(&piece.name));
+        let all = garment.pieces.iter().zip(shapes).enumerate();
+        let sewn = all.filter(|(_, (piece, shape))| is_sewn(piece) && !shape.rings.is_empty());
+        let mut outlines: Vec<Outline<'_>> =
+            sewn.map(|(index, (piece, shape))| Outline::new(index, piece, shape)).collect();
+        without_unpaired(&mut outlines);
         let mut out = Self::default();
-        for (index, (piece, shape)) in garment.pieces.iter().zip(shapes).enumerate() {
-            if left_out.iter().any(|n| n.eq_ignore_ascii_case(&piece.name)) || shape.rings.is_empty() {
-                continue;
-            }
-            out.add(index, piece, shape);
-        }
+        outlines.iter().for_each(|o| out.add(o));
         out
     }
 
-    fn add(&mut self, index: usize, piece: &Piece, shape: &PieceShape) {
-        let (ring, first, panel) = (&shape.rings[0], self.atoms.len(), self.panels.len());
-        let cuts = cuts(piece, shape);
+    fn add(&mut self, outline: &Outline<'_>) {
+        let Outline { index, piece, ring, cuts } = outline;
+        let (index, first, panel) = (*index, self.atoms.len(), self.panels.len());
         let n = cuts.len();
         let warp = piece.warp();
         for k in 0..n {
@@ -152,49 +142,6 @@ impl Layout {
     }
 }
 
-/// A place at which the outline is cut: one atom ends, the next starts, and a dart may lie between.
-#[derive(Clone, Debug)]
-struct Cut {
-    end: f64,
-    start: f64,
-    mark: Mark,
-    gap: Option<Gap>,
-    is_notched: bool,
-}
-
-/// The cuts of an outline in walking order, each once.
-fn cuts(piece: &Piece, shape: &PieceShape) -> Vec<Cut> {
-    let ring = &shape.rings[0];
-    let mut cuts: Vec<Cut> = ring
-        .gaps
-        .iter()
-        .map(|g| Cut {
-            end: ring.arc[g.from],
-            start: ring.arc[g.to],
-            mark: Mark::Dart,
-            gap: Some(g.clone()),
-            is_notched: false,
-        })
-        .collect();
-    let ends = piece.edges.iter().filter_map(|e| ring.of_line.get(e.from as usize).copied().flatten());
-    let corners = ends.map(|i| (ring.arc[i], Mark::Corner));
-    let notches = on_rings(piece, shape).into_iter().filter(|(r, _)| *r == 0).map(|(_, s)| (s, Mark::Notch));
-    for (s, mark) in corners.chain(notches) {
-        let near = |t: f64| f64::min(ring.ahead(s, t), ring.ahead(t, s)) < tuning::SAME_MARK;
-        let is_notched = mark == Mark::Notch;
-        if let Some(known) = cuts.iter_mut().find(|c| near(c.end) || near(c.start)) {
-            known.is_notched |= is_notched;
-        } else if ring.gap_around(s).is_none() {
-            cuts.push(Cut { end: s, start: s, mark, gap: None, is_notched });
-        }
-    }
-    if cuts.is_empty() {
-        cuts.push(Cut { end: 0.0, start: 0.0, mark: Mark::Corner, gap: None, is_notched: false });
-    }
-    cuts.sort_by(|a, b| a.end.total_cmp(&b.end));
-    cuts
-}
-
 /// The points of a ring from one position to another; the whole ring where they are one.
 fn walk(ring: &Ring, from: f64, to: f64) -> Vec<Vec2> {
     let length = match ring.ahead(from, to) {
@@ -215,22 +162,8 @@ fn walk(ring: &Ring, from: f64, to: f64) -> Vec<Vec2> {
 
 /// The joint at a cut. A corner that hardly turns marks a place on an edge, like a notch.
 fn joint(ring: &Ring, cut: &Cut) -> Joint {
-    let angle = corner(ring, cut);
-    let is_flat = cut.mark == Mark::Corner && (angle - PI).abs() < tuning::FLAT_CORNER;
-    Joint { mark: if is_flat { Mark::Notch } else { cut.mark }, angle, is_notched: cut.is_notched }
-}
-
-/// Angle of the cloth at a cut.
-fn corner(ring: &Ring, cut: &Cut) -> f64 {
-    let d = tuning::CORNER_REACH.min(0.1 * ring.total());
-    let into = |s: f64| ring.at(s) - ring.at(s - d);
-    let out = |s: f64| ring.at(s + d) - ring.at(s);
-    match &cut.gap {
-        Some(g) if g.apex.is_some() => {
-            2.0 * PI - turn(into(cut.end), out(cut.end)) - turn(into(cut.start), out(cut.start))
-        }
-        _ => PI - turn(into(cut.end), out(cut.start)),
-    }
+    let mark = if cut.is_flat_corner(ring) { Mark::Notch } else { cut.mark };
+    Joint { mark, angle: cut.angle(ring), is_notched: cut.is_notched }
 }
 
 /// Cosine and sine of the chord of an atom against the warp.

@@ -60,7 +60,10 @@ impl Bands<'_> {
         };
         let is_open = |a: &usize| !self.sewn.layout.atoms[*a].is_low();
         let openings = self.sewn.openings();
+        let is_single = !self.has_twin(panel);
+        let is_one_of_pair = |o: &[usize]| self.is_one_of_pair(o, &openings);
         let places = openings.iter().map(Vec::as_slice).filter(|o| is_place(o) && o.iter().all(is_open));
+        let places = places.filter(|o| !(is_single && is_one_of_pair(o)));
         let best = places.min_by(|p, q| off(p).total_cmp(&off(q))).filter(|o| off(o) < self.weights.band_spread);
         let Some(opening) = best else { return Vec::new() };
         let is_collar = !any_ease && self.sewn.length(&end) > self.weights.collar_height * self.sewn.length(&edge);
@@ -74,6 +77,23 @@ impl Bands<'_> {
         // A collar stands open in front.
         let ends = Closing { a: end, b: backward(other_end), lead: 0.0, confidence };
         if front.is_some() && is_collar { vec![ring] } else { vec![ring, ends] }
+    }
+
+    /// Is there another piece of the same shape? One of the two is sewn on the left, and one on the right.
+    fn has_twin(&self, panel: &Panel) -> bool {
+        let is_alike = |p: &Panel| {
+            (p.perimeter - panel.perimeter).abs() < self.weights.twin
+                && (p.slenderness / panel.slenderness - 1.0).abs() < self.weights.band_ends
+        };
+        self.sewn.layout.panels.iter().filter(|p| is_alike(p)).count() > 1
+    }
+
+    /// Is an opening one of a pair, such as two armholes? Another one, open or closed by a band, is as long.
+    fn is_one_of_pair(&self, opening: &[usize], openings: &[Vec<usize>]) -> bool {
+        let is_other =
+            |o: &&[usize]| *o != opening && (self.sewn.length(o) - self.sewn.length(opening)).abs() < self.weights.twin;
+        let rings = self.sewn.closed.iter().map(|c| c.a.as_slice());
+        openings.iter().map(Vec::as_slice).chain(rings).any(|o| is_other(&o))
     }
 
     /// The first atom of an opening before which two pieces meet.

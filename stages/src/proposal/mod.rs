@@ -8,6 +8,7 @@ pub mod assignment;
 pub mod atoms;
 mod bands;
 pub(crate) mod confidence;
+mod cuts;
 mod edge_parts;
 mod knowledge;
 mod known;

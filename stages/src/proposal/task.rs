@@ -71,6 +71,12 @@ impl Task<'_> {
             return Some(made);
         }
         if sleeves <= SLEEVES && are_raglan(self.sewn(&made.assignment, &[]), self.names) {
+            // A mistake of the search looks alike. Caps that fit armholes of a trunk sewn by itself tell it.
+            if let Some((set_in, _)) =
+                self.set_in(Sleeves::Single).filter(|(_, likely)| *likely >= tuning::SURELY_SET_IN)
+            {
+                return Some(set_in);
+            }
             let sides = raglan_sides(self.sewn(&made.assignment, &[]), self.names);
             let is_new = |c: &Closing| !c.a.iter().chain(&c.b).any(|a| made.closings.iter().any(|old| old.has(*a)));
             let sides: Vec<Closing> = sides.into_iter().filter(is_new).collect();
@@ -78,9 +84,10 @@ impl Task<'_> {
             return Some(made);
         }
         if sleeves <= SLEEVES {
-            return self.set_in(Sleeves::Single).or(Some(made));
+            return self.set_in(Sleeves::Single).map(|(set_in, _)| set_in).or(Some(made));
         }
-        self.set_in(Sleeves::Single).or_else(|| self.set_in(Sleeves::Halves)).or(Some(made))
+        let set_in = self.set_in(Sleeves::Single).or_else(|| self.set_in(Sleeves::Halves));
+        set_in.map(|(set_in, _)| set_in).or(Some(made))
     }
 
     fn sewn<'b>(&'b self, of: &'b Assignment, closed: &'b [Closing]) -> Sewn<'b> {
@@ -107,15 +114,17 @@ impl Task<'_> {
         Some(Made { assignment, seams, closings })
     }
 
-    /// A garment whose sleeves are set in as a whole; `None` where not both find an armhole.
-    fn set_in(&self, how: Sleeves) -> Option<Made> {
+    /// A garment whose sleeves are set in as a whole, and how likely that of the less sure one is right; `None` where not
+    /// both find an armhole.
+    fn set_in(&self, how: Sleeves) -> Option<(Made, f64)> {
         let turns = Upright::of(&self.garment.pieces, &[]).turns;
         let up = |piece: usize| turned(Vec2::y(), -turns[piece]);
         let set_in = |of: &Assignment| {
             let mut closings = self.onward(of);
             let set_in = sleeves(self.sewn(of, &closings), self.names, &up, how == Sleeves::Single);
+            let likely = set_in.seams.iter().map(|c| c.confidence).fold(1.0, f64::min);
             closings.extend(set_in.seams);
-            (set_in.count == SLEEVES).then_some(closings)
+            (set_in.count == SLEEVES).then_some((closings, likely))
         };
         // A search takes the square of the number of atoms.
         let is_large = self.layout.atoms.len() > tuning::MANY_ATOMS;
@@ -128,8 +137,8 @@ impl Task<'_> {
             }
             // How sure the seams are takes much longer to find. It may find better ones.
             let (assignment, seams) = self.seams(search);
-            if let Some(closings) = set_in(&assignment) {
-                return Some(Made { assignment, seams, closings });
+            if let Some((closings, likely)) = set_in(&assignment) {
+                return Some((Made { assignment, seams, closings }, likely));
             }
         }
         None

@@ -78,6 +78,23 @@ fn a_skirt_is_sewn_at_its_sides_and_to_its_bands_and_stays_open_at_hem_and_waist
 }
 
 #[test]
+fn a_place_of_grading_on_one_side_of_a_seam_does_not_part_it() {
+    // The sides of the back have a corner that does not turn. The sides of the front have none.
+    let marked = |name: &str, top: f64| {
+        let right = |share: f64| (top + 150.0 - 75.0 * share, 600.0 * share, 't');
+        let left = |share: f64| (75.0 * share, 600.0 * share, 't');
+        piece(0, name, &[left(0.0), right(0.0), right(0.36), right(1.0), left(1.0), left(0.36)])
+    };
+    let skirt = garment(vec![panel("front", 350.0), marked("back", 390.0)]);
+    let proposal = propose(&skirt, &Nameless, &Known::default()).expect("proposal");
+    assert_eq!(sewn(&skirt, &proposal), ["back.1+back.2 = front.3", "back.4+back.5 = front.1"]);
+    // Where both have one it is a mark that meets its like.
+    let skirt = garment(vec![marked("front", 350.0), marked("back", 390.0)]);
+    let layout = Layout::new(&skirt, &shapes(&skirt).expect("shapes"), &[]);
+    assert_eq!(layout.panels.iter().map(|p| p.atoms.len()).collect::<Vec<_>>(), [6, 6]);
+}
+
+#[test]
 fn the_same_pieces_give_the_same_proposal() {
     let skirt = skirt();
     let (one, two) = (
@@ -162,6 +179,18 @@ fn a_band_without_marks_goes_around_the_neckline_and_is_closed() {
     assert!(pieces.contains(&0) && pieces.contains(&1));
     let ends = of_band.iter().find(|s| s.a.iter().all(|r| r.piece == 2)).expect("the ends of the band");
     assert!((ends.length_a - 0.03).abs() < 1e-9 && !ends.fold_over);
+}
+
+#[test]
+fn a_single_band_goes_around_no_opening_of_a_pair() {
+    // It is a better length for an armhole: 0.9 of it, and 0.96 of the neckline.
+    let armhole = 2.0 * (libm::hypot(50.0, 80.0) + libm::hypot(10.0, 140.0));
+    let band = || rectangle(0, "neck band", 0.9 * armhole, 30.0);
+    let top = garment(vec![top("front bodice", 120.0), top("back bodice", 60.0), band()]);
+    let proposal = propose(&top, &RoleNames::new(&top), &Known::default()).expect("proposal");
+    let ring = proposal.seams.iter().find(|s| s.b[0].piece == 2 && s.a[0].piece != 2).expect("a ring");
+    let around = 2.0 * (libm::hypot(60.0, 120.0) + libm::hypot(60.0, 60.0));
+    assert!((ring.length_a - around * 1e-3).abs() < 1e-6, "{}", ring.length_a);
 }
 
 #[test]

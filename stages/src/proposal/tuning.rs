@@ -15,6 +15,10 @@ pub const NOTCH_GROUP: f64 = 20e-3;
 pub const CORNER_REACH: f64 = 4e-3;
 /// A corner that turns less is a mark on an edge (radians).
 pub const FLAT_CORNER: f64 = 0.17;
+/// Stretches are as long as each other where their lengths differ by less: |ln(length / length)|.
+pub const AS_LONG: f64 = 0.01;
+/// Outlines whose lengths differ by less, as a share, are of one piece and its mirror image or copy.
+pub const SAME_PIECE: f64 = 1e-3;
 /// The outlines of a piece and of its mirror image lie apart by no more (metres).
 pub const SAME_OUTLINE: f64 = 0.8e-3;
 /// A notch and its mirror image lie apart by no more (metres).
@@ -369,6 +373,8 @@ pub fn confidence(margin: f64) -> f64 {
 pub const UNLIKELY_PAIR: f64 = -6.0;
 /// Likelihood of such a seam at most.
 pub const UNLIKELY_MOST: f64 = 0.5;
+/// Sleeves that are set in with this likelihood are none that reach up to the neckline.
+pub const SURELY_SET_IN: f64 = 0.6;
 /// Likelihood at most of a seam between two edges that both are openings, such as two necklines.
 pub const LEVEL_MOST: f64 = 0.2;
 
@@ -459,6 +465,8 @@ pub struct BandWeights {
     pub band_ends: f64,
     /// A long side of a band is at least so many times as long as its ends.
     pub band_least: f64,
+    /// Two bands, or two openings, whose lengths differ by less are a left and a right one (metres).
+    pub twin: f64,
     /// A band at the neck whose ends are longer, as a share of its long side, is a collar. A rib is narrower.
     pub collar_height: f64,
     /// The middle of an opening is found where the joints of both sides lie alike, within this (metres).
@@ -476,6 +484,7 @@ impl Default for BandWeights {
             band_spread: 0.2,
             band_ends: 0.1,
             band_least: 3.0,
+            twin: 3e-3,
             collar_height: 0.13,
             symmetric: 5e-3,
             corner_most: 2.3,

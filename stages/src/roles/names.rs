@@ -10,6 +10,8 @@ const STYLE_LEAST: usize = 3;
 const CODE_MOST: usize = 3;
 /// Longest category in some systems, characters.
 const CATEGORY_MOST: usize = 20;
+/// Words after which a text speaks of what a piece has besides.
+const WITH: [&str; 6] = ["with", "w/", "mit", "avec", "con", "com"];
 /// Confidence that a word gives.
 const WORD: f64 = 0.9;
 /// Confidence that a code of two or three letters gives.
@@ -96,7 +98,17 @@ fn role_of_ending(name: &str) -> Role {
 /// The role that one text tells.
 #[must_use]
 pub fn role_of_text(text: &str) -> Role {
-    role_of_words(text, |_| true)
+    let all = |_: &str| true;
+    let own = role_of_words(before_addition(text), all);
+    if own == Role::default() { role_of_words(text, all) } else { own }
+}
+
+/// The part of a text that speaks of the piece itself: a `sleeve with cuff` is a sleeve.
+fn before_addition(text: &str) -> &str {
+    let is_with = |word: &str| WITH.iter().any(|with| word.eq_ignore_ascii_case(with));
+    let mut starts = text.char_indices().filter(|(at, _)| *at > 0 && text[..*at].ends_with(' ')).map(|(at, _)| at);
+    let added = starts.find(|at| text[*at..].split(' ').next().is_some_and(is_with));
+    added.map_or(text, |at| &text[..at])
 }
 
 /// The role that a text tells by the words of the table for which `counts` is true.
@@ -208,11 +220,12 @@ fn plain(c: char) -> char {
 
 impl Role {
     /// This role, completed by what the category of the piece says. A category makes a lining of a front, and no body
-    /// of a waistband. Its word for a part outweighs a code in the name: `YP` with `PLACKET` is no yoke.
+    /// of a waistband. Its word for a part outweighs a code in the name: `YP` with `PLACKET` is no yoke, and `LS` with
+    /// `LEG SHORT` no long sleeve.
     fn filled_by(&self, other: &Self) -> Self {
         let is_layer = other.part.is_some_and(|p| matches!(p, Part::Lining | Part::Interlining | Part::Facing));
         let is_other = self.part.is_some() && other.part.is_some_and(|p| p != Part::Bodice);
-        let is_code = is_other && self.confidence < other.confidence;
+        let is_code = is_other && self.confidence <= CODE.min(other.confidence);
         let part = other.part.filter(|_| is_layer || is_code || self.part.is_none());
         let facing = other.facing.filter(|_| self.facing.is_none());
         let lateral = other.lateral.filter(|_| self.lateral.is_none());
@@ -257,8 +270,20 @@ mod tests {
         let told = |category: &str| roles_of_names(&[piece("X17YP", category), piece("X17FR", "FRONT")])[0].part;
         assert_eq!(told("PLACKET"), Some(Part::Placket));
         assert_eq!(told("BACK"), Some(Part::Yoke));
+        let legs = [piece("X48LS", "TIGHT LEG SHORT"), piece("X48S19LL", "TIGHT LEG LONG")];
+        assert!(roles_of_names(&legs).iter().all(|r| r.part == Some(Part::Leg)));
         assert_eq!(told("COLLAR STAND UP INTE"), Some(Part::Interlining));
         assert_eq!(told("INTE"), Some(Part::Yoke));
+    }
+
+    #[test]
+    fn what_a_piece_has_besides_is_not_its_role() {
+        for text in ["SLEEVE WITH CUFF", "Ärmel mit Manschette", "MANCHE AVEC POIGNET", "manica con polsino"] {
+            assert_eq!(told(text).0, Some(Part::Sleeve), "{text}");
+        }
+        assert_eq!(told("SLEEVE CUFF").0, Some(Part::Cuff));
+        // The word stands alone.
+        assert_eq!(told("with collar").0, Some(Part::Collar));
     }
 
     #[test]

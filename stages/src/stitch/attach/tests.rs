@@ -1,10 +1,13 @@
+use super::lay::turn;
 use super::*;
 use crate::assemble::Assemble;
 use crate::import_dxf::{ImportDxf, ImportDxfParams};
 use crate::testing::{piece, rectangle, run, seam};
 use crate::triangulate::Triangulate;
 use std::path::Path;
-use toile_garment::sewing::{EdgePlace, EdgeWay, SewingPlan};
+use toile_garment::Vec2;
+use toile_garment::body::Body;
+use toile_garment::sewing::{EdgeNameSpec, EdgePlace, EdgeWay, RunSpec, SewingPlan};
 use toile_stage_api::{FileError, Files, Stage, StageContext};
 
 /// Places on a circle of 0.14 m, at bearings in degrees.

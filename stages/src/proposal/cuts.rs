@@ -1,0 +1,145 @@
+//! The places at which outlines are cut into atoms.
+
+use super::profile::turn;
+use super::tuning;
+use crate::sewing::marks::on_rings;
+use crate::sewing::ring::{Gap, Ring};
+use crate::sewing::shapes::PieceShape;
+use std::f64::consts::PI;
+use toile_garment::Piece;
+
+/// The mark between two atoms.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mark {
+    /// A corner of the outline.
+    Corner,
+    /// A notch.
+    Notch,
+    /// The mouth of a dart.
+    Dart,
+}
+
+/// A place at which the outline is cut: one atom ends, the next starts, and a dart may lie between.
+#[derive(Clone, Debug)]
+pub struct Cut {
+    /// Where the atom before it ends, metres of arc.
+    pub end: f64,
+    /// Where the atom after it starts.
+    pub start: f64,
+    /// Kind.
+    pub mark: Mark,
+    gap: Option<Gap>,
+    /// Does a notch stand there?
+    pub is_notched: bool,
+}
+
+impl Cut {
+    /// Angle of the cloth there, radians.
+    pub fn angle(&self, ring: &Ring) -> f64 {
+        let d = tuning::CORNER_REACH.min(0.1 * ring.total());
+        let into = |s: f64| ring.at(s) - ring.at(s - d);
+        let out = |s: f64| ring.at(s + d) - ring.at(s);
+        match &self.gap {
+            Some(g) if g.apex.is_some() => {
+                2.0 * PI - turn(into(self.end), out(self.end)) - turn(into(self.start), out(self.start))
+            }
+            _ => PI - turn(into(self.end), out(self.start)),
+        }
+    }
+
+    /// Is it a corner that hardly turns? It marks a place on an edge, like a notch.
+    pub fn is_flat_corner(&self, ring: &Ring) -> bool {
+        self.mark == Mark::Corner && (self.angle(ring) - PI).abs() < tuning::FLAT_CORNER
+    }
+}
+
+/// The outline of a piece with its cuts.
+pub struct Outline<'a> {
+    /// Index of the piece in the garment.
+    pub index: usize,
+    /// The piece.
+    pub piece: &'a Piece,
+    /// Its outline.
+    pub ring: &'a Ring,
+    /// Its cuts in walking order.
+    pub cuts: Vec<Cut>,
+}
+
+impl<'a> Outline<'a> {
+    /// The outline of a piece, cut at its corners, notches and darts.
+    pub fn new(index: usize, piece: &'a Piece, shape: &'a PieceShape) -> Self {
+        Self { index, piece, ring: &shape.rings[0], cuts: cuts(piece, shape) }
+    }
+
+    /// Lengths of the stretches that begin at the cuts, metres.
+    fn lengths(&self) -> Vec<f64> {
+        let n = self.cuts.len();
+        let ahead = |k: usize| self.ring.ahead(self.cuts[k].start, self.cuts[(k + 1) % n].end);
+        (0..n).map(|k| if n == 1 { self.ring.total() } else { ahead(k) }).collect()
+    }
+
+    /// Runs of stretches that only corners part which hardly turn, each by the numbers of its stretches.
+    fn smooth_runs(&self) -> Vec<Vec<usize>> {
+        let n = self.cuts.len();
+        let goes_on = |k: &usize| !self.cuts[*k].is_notched && self.cuts[*k].is_flat_corner(self.ring);
+        let run = |first: usize| {
+            let more = (first + 1..first + n).map(|k| k % n).take_while(goes_on);
+            std::iter::once(first).chain(more).collect::<Vec<usize>>()
+        };
+        (0..n).filter(|k| !goes_on(k)).map(run).filter(|run| run.len() > 1).collect()
+    }
+}
+
+/// Takes away corners that hardly turn, where no other piece has stretches of the lengths that they part, and one has a
+/// stretch of the whole length. Such a corner is a place of grading on one side of a seam.
+pub fn without_unpaired(outlines: &mut [Outline<'_>]) {
+    let lengths: Vec<Vec<f64>> = outlines.iter().map(Outline::lengths).collect();
+    let totals: Vec<f64> = outlines.iter().map(|o| o.ring.total()).collect();
+    for (own, outline) in outlines.iter_mut().enumerate() {
+        // A piece and its mirror image have the same marks.
+        let is_other = |k: &usize| (totals[*k] / totals[own] - 1.0).abs() > tuning::SAME_PIECE;
+        let others: Vec<f64> = (0..totals.len()).filter(is_other).flat_map(|k| lengths[k].iter().copied()).collect();
+        let has = |length: f64| others.iter().any(|l| libm::log(l / length).abs() < tuning::AS_LONG);
+        let is_unpaired = |run: &Vec<usize>| {
+            let parts: Vec<f64> = run.iter().map(|k| lengths[own][*k]).collect();
+            !parts.iter().any(|l| has(*l)) && has(parts.iter().sum())
+        };
+        let unpaired: Vec<usize> =
+            outline.smooth_runs().into_iter().filter(is_unpaired).flat_map(|run| run[1..].to_vec()).collect();
+        let mut number = 0..;
+        outline.cuts.retain(|_| number.next().is_none_or(|k| !unpaired.contains(&k)));
+    }
+}
+
+/// The cuts of an outline in walking order, each once.
+fn cuts(piece: &Piece, shape: &PieceShape) -> Vec<Cut> {
+    let ring = &shape.rings[0];
+    let mut cuts: Vec<Cut> = ring
+        .gaps
+        .iter()
+        .map(|g| Cut {
+            end: ring.arc[g.from],
+            start: ring.arc[g.to],
+            mark: Mark::Dart,
+            gap: Some(g.clone()),
+            is_notched: false,
+        })
+        .collect();
+    let ends = piece.edges.iter().filter_map(|e| ring.of_line.get(e.from as usize).copied().flatten());
+    let corners = ends.map(|i| (ring.arc[i], Mark::Corner));
+    let notches = on_rings(piece, shape).into_iter().filter(|(r, _)| *r == 0).map(|(_, s)| (s, Mark::Notch));
+    for (s, mark) in corners.chain(notches) {
+        let near = |t: f64| f64::min(ring.ahead(s, t), ring.ahead(t, s)) < tuning::SAME_MARK;
+        let is_notched = mark == Mark::Notch;
+        if let Some(known) = cuts.iter_mut().find(|c| near(c.end) || near(c.start)) {
+            known.is_notched |= is_notched;
+        } else if ring.gap_around(s).is_none() {
+            cuts.push(Cut { end: s, start: s, mark, gap: None, is_notched });
+        }
+    }
+    if cuts.is_empty() {
+        cuts.push(Cut { end: 0.0, start: 0.0, mark: Mark::Corner, gap: None, is_notched: false });
+    }
+    cuts.sort_by(|a, b| a.end.total_cmp(&b.end));
+    cuts
+}
