@@ -42,6 +42,13 @@ codes! {
     /// name out of the list, and write the seams of the piece, to have it sewn.
     PIECES_LEFT_OUT = "pieces-left-out";
 
+    /// What was changed in one size was carried to all sizes of the pattern. The message lists them.
+    SIZES_CARRIED = "sizes-carried";
+
+    /// Something of a changed piece could not be carried to the other sizes; the message tells what. Exit code 3 where
+    /// the pattern has no other sizes.
+    SIZES_NOT_CARRIED = "sizes-not-carried";
+
     /// The size asked for is neither drawn nor graded. The message lists the sizes that are there. Exit code 2.
     SIZE_NOT_FOUND = "size-not-found";
 

@@ -2,7 +2,8 @@
 //!
 //! The garment is draped on its own body once. Each round moves this drape to the other body (`transfer`), lays it flat
 //! (`flatten`), writes the pattern, and sews and drapes the pattern on the body. The ease that is missing there is added
-//! in the next round. The result is a working folder: pattern, sewing file, body, fabric and a pipeline that sews them.
+//! in the next round. The result is a working folder: pattern, sewing file, body, fabric and a pipeline that sews them. A pattern of
+//! several sizes is also written in all of them.
 
 pub mod changes;
 pub(crate) mod codes;
@@ -13,6 +14,7 @@ mod page;
 mod pipeline;
 mod report;
 mod rounds;
+mod sizes;
 mod trial;
 mod wearing;
 
@@ -34,6 +36,10 @@ use toile_garment::{Diagnostic, Garment};
 pub const PATTERN_NAME: &str = "pattern.dxf";
 /// Its sewing file.
 pub const SEWING_NAME: &str = "pattern.sewing.toml";
+/// The new pattern in all sizes of the old one, where it has several.
+pub const ALL_SIZES_NAME: &str = "all-sizes.dxf";
+/// Its grade rules.
+pub const ALL_SIZES_RULES_NAME: &str = "all-sizes.rul";
 /// The pipeline of the folder.
 pub const PIPELINE_NAME: &str = "pipeline.toml";
 

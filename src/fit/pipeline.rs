@@ -7,7 +7,7 @@ use crate::halt::Halt;
 use crate::load::{self, Request};
 use crate::pipeline::{FileRole, Pipeline, SchemaTree, Step};
 use serde_json::{Map, Value, json};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use toile_garment::{Aspect, Diagnostic};
 use toile_stage_api::{AnyStage, Registry};
 use toml::de::ValueDeserializer;
@@ -15,7 +15,7 @@ use toml::de::ValueDeserializer;
 /// The key of the stage that reads the body.
 const BODY_KEY: &str = "body";
 /// The stage that reads the written pattern.
-const IMPORT: &str = "import-dxf";
+pub const IMPORT: &str = "import-dxf";
 
 /// The text of the pipeline, and the files that it reads beside pattern and body.
 pub struct Copied {
@@ -101,14 +101,23 @@ fn copied_step(
     Ok(table)
 }
 
-/// Puts a file beside the pipeline; two of one name get numbers.
-fn copied_file(text: &str, gate: &Gate, files: &mut Vec<(String, Vec<u8>)>) -> Result<String, Halt> {
+/// A file that the pipeline reads: its full path, and its content.
+///
+/// # Errors
+/// When the gate or the disk refuses it.
+pub fn input_of(path: &Path, gate: &Gate) -> Result<(PathBuf, Vec<u8>), Halt> {
     let refused = |error| {
         let (findings, exit) = of_file_error(&error);
         Halt::new(findings.into_iter().collect(), exit)
     };
-    let real = gate.input(Path::new(text)).map_err(refused)?;
-    let bytes = read_limited(Path::new(text), &real, MAX_INPUT).map_err(refused)?;
+    let real = gate.input(path).map_err(refused)?;
+    let bytes = read_limited(path, &real, MAX_INPUT).map_err(refused)?;
+    Ok((real, bytes))
+}
+
+/// Puts a file beside the pipeline; two of one name get numbers.
+fn copied_file(text: &str, gate: &Gate, files: &mut Vec<(String, Vec<u8>)>) -> Result<String, Halt> {
+    let (real, bytes) = input_of(Path::new(text), gate)?;
     let own = real.file_name().map_or_else(|| "file".to_owned(), |n| n.to_string_lossy().into_owned());
     let free = (1..).map(|k| if k == 1 { own.clone() } else { format!("{k}-{own}") });
     for name in free {

@@ -68,6 +68,7 @@ pub fn fit(
     let mut findings: Vec<Diagnostic> = [folder.findings, best.findings].concat();
     findings.extend(unreached(&levels, order, rounds.len()));
     findings.extend(broken.into_iter().flatten().take(1));
+    findings.extend(super::sizes::carry(order, &own.garment, &best.flat, registry, stop)?);
     let passed = best.passed && levels.iter().all(|l| is_reached(l, order));
     let hems = hems(&own.garment, &best.worn);
     let changes = changes(&best.flat);

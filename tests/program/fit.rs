@@ -5,6 +5,7 @@ use serde_json::Value;
 use std::ffi::OsString;
 use std::path::Path;
 use support::bench::{Bench, Said, command};
+use toile_formats::dxf::{self, ReadOptions};
 
 /// Fits the long skirt into a folder of the bench. On a much coarser mesh the girths themselves differ from mesh to mesh.
 fn fit(bench: &Bench, folder: &str, options: &[&str]) -> Said {
@@ -50,6 +51,40 @@ fn a_skirt_keeps_its_ease_or_gets_the_one_that_is_asked_for() {
     let glb = |folder: &str| std::fs::read(bench.path(folder).join("long-skirt.glb")).expect("GLB");
     assert!(glb("fitted/run") == glb("again"));
     assert!(bench.path("fitted/fit.html").is_file());
+    the_change_is_in_all_sizes(&bench, &result);
+}
+
+/// Every size of the pattern grows by what it did before, and the one that was fitted is the pattern of the result.
+fn the_change_is_in_all_sizes(bench: &Bench, result: &Value) {
+    let told = result["findings"].as_array().expect("findings").iter().find(|f| f["code"] == "sizes-carried");
+    assert!(told.is_some_and(|f| f["message"].as_str().is_some_and(|m| m.contains("36, 38, 40"))), "{told:?}");
+    let all = std::fs::read(bench.path("fitted/all-sizes.dxf")).expect("all sizes");
+    let rules = std::fs::read(bench.path("fitted/all-sizes.rul")).expect("rules");
+    let rules = toile_formats::rul::read(&rules, "all-sizes.rul").expect("rules");
+    assert_eq!((rules.sizes.len(), rules.sample.as_deref()), (3, Some("38")));
+    let old = Path::new(env!("CARGO_MANIFEST_DIR")).join("samples/patterns/long-skirt.astm.dxf");
+    let old = std::fs::read(old).expect("pattern");
+    let fitted = std::fs::read(bench.path("fitted/pattern.dxf")).expect("pattern");
+    // Widths of the pieces, millimetres.
+    let widths = |bytes: &[u8], size: Option<&str>| -> Vec<f64> {
+        let pattern = dxf::read(bytes, "pattern.dxf", &ReadOptions::default()).expect("pattern");
+        let (garment, _) = pattern.to_garment(size, None).expect("size");
+        let width = |p: &toile_garment::Piece| {
+            let x: Vec<f64> = p.outline.points.iter().map(|p| 1e3 * p.at.x).collect();
+            x.iter().copied().fold(f64::MIN, f64::max) - x.iter().copied().fold(f64::MAX, f64::min)
+        };
+        garment.pieces.iter().map(width).collect()
+    };
+    let near = |a: &[f64], b: &[f64]| a.len() == b.len() && a.iter().zip(b).all(|(a, b)| (a - b).abs() < 0.01);
+    assert!(near(&widths(&all, Some("38")), &widths(&fitted, None)));
+    let growth = |bytes: &[u8], size: &str| -> Vec<f64> {
+        let [base, other] = ["38", size].map(|s| widths(bytes, Some(s)));
+        other.iter().zip(&base).map(|(o, b)| o - b).collect()
+    };
+    for size in ["36", "40"] {
+        let [before, after] = [&old, &all].map(|bytes| growth(bytes, size));
+        assert!(near(&before, &after) && before.iter().all(|g| g.abs() > 1.0), "{size}: {before:?} {after:?}");
+    }
 }
 
 #[test]

@@ -7,7 +7,7 @@ pub use args::FitArgs;
 use super::console::Console;
 use crate::codes::{PATH_REFUSED, SET_FORM, UNKNOWN_VALUE, WRITE_FAILED, WRONG_VALUE};
 use crate::engine::{Exit, RECORD_NAME, Stop, clean};
-use crate::fit::{self, Fitted, Level, OWN_NAME, Order, PIPELINE_NAME};
+use crate::fit::{self, ALL_SIZES_NAME, ALL_SIZES_RULES_NAME, Fitted, Level, OWN_NAME, Order, PIPELINE_NAME};
 use crate::halt::Halt;
 use crate::new::Body;
 use crate::pipeline::remedy;
@@ -163,7 +163,7 @@ fn check_folder(out: &Path, force: bool) -> Result<(), Diagnostic> {
             .map_err(|e| Diagnostic::error(WRITE_FAILED, format!("cannot make the folder `{}`: {e}", clean(out)))),
     }?;
     // What an earlier fitting found must not lie beside a new one that fails.
-    for name in [JSON_NAME, PAGE_NAME] {
+    for name in [JSON_NAME, PAGE_NAME, ALL_SIZES_NAME, ALL_SIZES_RULES_NAME] {
         drop(std::fs::remove_file(out.join(name)));
     }
     Ok(())

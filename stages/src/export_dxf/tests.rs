@@ -190,6 +190,10 @@ impl Files for Memory {
         if name == "t-shirt.dxf" {
             return Ok(include_bytes!("../../../samples/patterns/t-shirt.aama.dxf").to_vec());
         }
+        if name == "one-size.dxf" {
+            let only = shirt("38");
+            return Ok(draw(&only, &only.pieces, &ExportDxfParams::default()).expect("drawn").bytes);
+        }
         Err(FileError::Missing { path: name, reason: "none here".into() })
     }
     fn read_optional(&mut self, _: &Path) -> Result<Option<Vec<u8>>, FileError> {
@@ -458,4 +462,42 @@ fn a_piece_that_was_cut_apart_is_cut_apart_in_all_sizes() {
         assert!((parts / drawn - 1.0).abs() < 1e-4, "{size}: {parts} {drawn}");
         assert!((area(&there, "YOKE") / area(&garment, "YOKE") - 1.0).abs() > 1e-3);
     }
+}
+
+#[test]
+fn what_cannot_be_carried_to_other_sizes_is_told() {
+    let params = |pattern: &str| {
+        let text = format!("source = \"pattern\"\nfile = \"out/run.dxf\"\ngrade_from = \"{pattern}\"");
+        toml::from_str::<ExportDxfParams>(&text).expect("params")
+    };
+    // A pattern of one size, and a size that the pattern has not.
+    let unknown = Garment { size: Some("99".into()), ..shirt("38") };
+    for (garment, pattern, sizes) in [(shirt("38"), "one-size.dxf", "38"), (unknown, "t-shirt.dxf", "36, 38, 40")] {
+        let (result, files, _) = run(garment, &params(pattern));
+        let Err(StageError::Input(wrong)) = result else { panic!("{result:?}") };
+        assert_eq!((wrong.len(), wrong[0].code.as_str()), (1, "sizes-not-carried"));
+        assert!(wrong[0].message.ends_with(&format!("its sizes are: {sizes}")), "{}", wrong[0].message);
+        assert!(files.0.is_empty());
+    }
+    // A corner that was moved off the outline, and a piece that is none of the pattern.
+    let mut changed = shirt("38");
+    let front = changed.pieces.iter().position(|p| p.name == "FRONT").expect("front");
+    let corner = changed.pieces[front].outline.points.iter_mut().find(|p| p.kind == PointKind::Turn).expect("corner");
+    corner.at += (corner.at - mm(0.0, 300.0)).normalize() * 0.03;
+    let far = |piece: &mut Piece| piece.outline.points.iter_mut().for_each(|p| p.at.x += 2.0);
+    let strange = changed.pieces.iter_mut().find(|p| p.name != "FRONT").expect("another piece");
+    far(strange);
+    let strange = strange.name.clone();
+    let (result, files, report) = run(changed, &params("t-shirt.dxf"));
+    result.expect("written");
+    let told: Vec<&str> =
+        report.findings.iter().filter(|f| f.code == "sizes-not-carried").map(|f| f.message.as_str()).collect();
+    assert_eq!(told.len(), 2, "{told:?}");
+    assert!(told.iter().any(|t| t.starts_with(&format!("`{strange}` lies on no piece of the pattern"))), "{told:?}");
+    assert!(told.iter().any(|t| t.starts_with("1 corner(s) of `FRONT` are new")), "{told:?}");
+    // What has no growth is the same in all sizes, and the rest still grows.
+    let [small, large] = ["36", "40"].map(|size| written_in(&files, size));
+    let area = |g: &Garment, name: &str| named(g, name).outline.signed_area().abs();
+    assert!((area(&small, &strange) / area(&large, &strange) - 1.0).abs() < 1e-9);
+    assert!(area(&large, "FRONT") / area(&small, "FRONT") > 1.02);
 }

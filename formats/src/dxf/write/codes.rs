@@ -35,13 +35,6 @@ codes! {
     /// A size's name cannot be written in DXF as it is and was written differently.
     SIZE_NAME_CHANGED = "size-name-changed";
 
-    /// What was changed in one size was carried to all sizes of the pattern. The message lists them.
-    SIZES_CARRIED = "sizes-carried";
-
-    /// Something of a changed piece could not be carried to the other sizes; the message tells what. Exit code 3 where
-    /// the pattern has no other sizes.
-    SIZES_NOT_CARRIED = "sizes-not-carried";
-
     /// The sizes of a piece have different vertices, so no grade rules lead from one to the other. All sizes are
     /// written as drawn.
     SIZES_WITHOUT_RULES = "sizes-without-rules";

@@ -3,8 +3,9 @@
 
 use super::super::from_piece::{PieceOptions, piece_drawing};
 use super::super::model::{Dialect, DrawRule, Drawing, PieceDrawing, StyleText};
-use super::super::{codes, write};
+use super::super::write;
 use super::{Rules, SAME, SizeRun, Sized, Sizes};
+use crate::codes::{SIZES_CARRIED, SIZES_NOT_CARRIED};
 use crate::dxf::geom;
 use crate::dxf::{ReadOptions, read};
 use crate::rul::RuleTable;
@@ -86,7 +87,7 @@ impl Sizes {
                 wanted.unwrap_or("?"),
                 self.names.join(", ")
             );
-            return Err(vec![Diagnostic::error(codes::SIZES_NOT_CARRIED, text).at(SourceRef::file(self.file.clone()))]);
+            return Err(vec![Diagnostic::error(SIZES_NOT_CARRIED, text).at(SourceRef::file(self.file.clone()))]);
         };
         let (mut rules, mut findings) = (Rules::default(), self.findings.clone());
         let whole = PieceOptions { half_on_fold: false, ..options };
@@ -125,7 +126,7 @@ impl Sizes {
         let name = &piece.before.name;
         let told = |text: String| {
             let hint = "grade these places in the new file, or make the change in every size";
-            Diagnostic::warning(codes::SIZES_NOT_CARRIED, text).hint(hint)
+            Diagnostic::warning(SIZES_NOT_CARRIED, text).hint(hint)
         };
         let line = self.like(base, &piece.before).and_then(|o| self.grown_outline(o)).map(|line| {
             let points = |l: &PieceLine| l.points.iter().map(|p| p.at * MM).collect::<Vec<_>>();
@@ -203,7 +204,7 @@ fn graded(
         table.sample.as_deref().unwrap_or("?"),
         table.sizes.join(", ")
     );
-    findings.push(Diagnostic::info(codes::SIZES_CARRIED, text));
+    findings.push(Diagnostic::info(SIZES_CARRIED, text));
     run.findings = findings;
     Ok(run)
 }
