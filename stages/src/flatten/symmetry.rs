@@ -21,6 +21,10 @@ const SAME_EDIT: f64 = 3e-3;
 const SAME_MOVE: f64 = 0.25;
 /// Difference below which the sides are the same already, metres.
 const SAME_ALREADY: f64 = 1e-9;
+/// Difference up to which averaged sides are one, metres; a pattern is cut to far less than that.
+const SAME_AFTER: f64 = 2e-6;
+/// Averages at most. More bring the sides nearer to each other.
+const AVERAGES: usize = 12;
 /// Mean distance in 3D from the mirror image, as a share of the square root of the area, up to which pieces are images.
 const IMAGE_IN_3D: f64 = 0.25;
 
@@ -55,7 +59,7 @@ pub fn make(
     let middle = middle_of(sources.iter().flat_map(|s| s.before));
     for image in images(sources, features) {
         let names = (sources[image.p].piece, sources[image.q].piece);
-        let (there, back) = (mirrored(sources, flats, &image, false), mirrored(sources, flats, &image, true));
+        let there = mirrored(sources, flats, &image, false);
         let apart = difference(&there, &flats[image.p]);
         if apart <= SAME_ALREADY {
             continue;
@@ -67,14 +71,32 @@ pub fn make(
                 continue;
             }
         }
-        let mean = |a: &[Vec2], b: &[Vec2]| a.iter().zip(b).map(|(a, b)| (a + b) * 0.5).collect::<Vec<_>>();
-        let (p, q) = (mean(&there, &flats[image.p]), mean(&back, &flats[image.q]));
-        let upright = |s: &Source<'_>, x: &[Vec2]| s.mesh.triangles.iter().all(|t| edges2(x, *t).determinant() > 0.0);
-        if upright(&sources[image.p], &p) && upright(&sources[image.q], &q) {
+        if average(sources, flats, &image) {
             report.push(findings::symmetric(names, apart));
-            (flats[image.p], flats[image.q]) = (p.clone(), if image.p == image.q { p } else { q });
         }
     }
+}
+
+/// Averages a piece and its image. The meshes do not mirror each other, so one average is not symmetric to the last
+/// bit; some more are. `false` when a triangle would be flipped, and nothing is changed then.
+fn average(sources: &[Source<'_>], flats: &mut [Vec<Vec2>], image: &Image) -> bool {
+    let stored = [image.p, image.q].map(|k| flats[k].clone());
+    for _ in 0..AVERAGES {
+        let (there, back) = (mirrored(sources, flats, image, false), mirrored(sources, flats, image, true));
+        if difference(&there, &flats[image.p]) <= SAME_AFTER {
+            break;
+        }
+        let mean = |a: &[Vec2], b: &[Vec2]| a.iter().zip(b).map(|(a, b)| (a + b) * 0.5).collect::<Vec<_>>();
+        let (p, q) = (mean(&there, &flats[image.p]), mean(&back, &flats[image.q]));
+        (flats[image.q], flats[image.p]) = (q, p);
+    }
+    let upright = |k: usize| sources[k].mesh.triangles.iter().all(|t| edges2(&flats[k], *t).determinant() > 0.0);
+    let is_sound = upright(image.p) && upright(image.q);
+    if !is_sound {
+        let [p, q] = stored;
+        (flats[image.q], flats[image.p]) = (q, p);
+    }
+    is_sound
 }
 
 /// How far the flat pieces differ from the mirror images of each other, metres: numbers of both pieces, and the distance.
