@@ -121,6 +121,7 @@ pub const FINDINGS: &[(&str, &str, &str)] = &[
     ("flatten-unedited", "悬垂后未编辑三维形状，裁片保持原样；悬垂应变留在布料中。", ""),
     ("flatten-out-of-tolerance", "有裁片的变化超出公差。", "检查该裁片，或放宽公差。"),
     ("flatten-open-seams", "悬垂有张开的缝线，展平的不是缝好的服装。", "先使缝线闭合。"),
+    ("flatten-not-at-rest", "展平在静止之前结束，裁片是当时最好的结果。", "检查裁片，或增大 `max_rounds`。"),
     ("flatten-dart-kept", "省道保持形状所需的省量，或其原有省量。", ""),
     ("piece-not-developable", "裁片无法在应变限值内展平。", "在说明指出的位置加省道。"),
     ("shape-edited", "导出后 GLB 的顶点被移动过；展平会把修改带入裁片。", ""),

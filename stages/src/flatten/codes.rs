@@ -25,6 +25,10 @@ codes! {
     /// Straight edges or right angles changed too much to be held: the shape asks for it.
     FLATTEN_LET_GO = "flatten-let-go";
 
+    /// The solve ended before it came to rest. The pieces are the best that it had. The message says how far a vertex still
+    /// moved.
+    FLATTEN_NOT_AT_REST = "flatten-not-at-rest";
+
     /// The garment has no drape or no meshes, so there is nothing to flatten. Exit code 3.
     FLATTEN_NOTHING = "flatten-nothing";
 

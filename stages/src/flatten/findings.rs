@@ -1,6 +1,7 @@
 //! The findings of the flattening, in words.
 
 use super::dart_strain::Reason;
+use super::solve::Flattened;
 use super::{advice, codes};
 use toile_garment::flat::{FlatMetric, FlatPiece};
 use toile_garment::mesh::PieceMesh;
@@ -154,6 +155,19 @@ pub fn symmetric(pieces: (&Piece, &Piece), apart: f64) -> Diagnostic {
     let what = format!("{} differed by {:.3} mm at most and were made one", both(pieces), 1e3 * apart);
     Diagnostic::info(codes::FLATTEN_SYMMETRIC, what)
         .hint("keep both sides as they are with `--symmetry off` (symmetry = \"off\")")
+}
+
+/// The solve ended before it was at rest; what it had is what is written.
+pub fn not_at_rest(solved: &Flattened, goal: f64) -> Diagnostic {
+    let what = format!(
+        "flattening was ended before it came to rest: after {} rounds a vertex still moved {:.1e} mm a round (goal \
+         {:.0e} mm)",
+        solved.rounds,
+        1e3 * solved.last_motion,
+        1e3 * goal
+    );
+    Diagnostic::warning(codes::FLATTEN_NOT_AT_REST, what)
+        .hint("the pieces are the best that were found and none is flipped; look at them, or allow more `max_rounds`")
 }
 
 /// Two sides that differ too much to be one. `moves` is the difference of an edit that moved mirrored points, metres.

@@ -12,6 +12,7 @@ pub(crate) mod codes;
 mod core;
 pub mod dart_strain;
 pub mod energy;
+mod factor;
 pub mod features;
 pub mod figures;
 mod findings;

@@ -16,39 +16,81 @@ const FILTER_EDGES: f64 = 1.0;
 
 type Gradient = Vec<Matrix3x2<f64>>;
 
+/// Width of the smoothing of an edit, in sizes of the roughness. Larger takes real edits for roughness.
+const EDIT_WIDTH: f64 = 10.0;
+
 /// The metric of a surface over the stored piece, smoothed by `blur`.
+///
+/// What is left of the roughness of a fine mesh is the larger, the finer the mesh is: its square is averaged, and that
+/// is not small. Where the shape `before` an edit is known, the edit alone is rough. So it is smoothed first, over a
+/// length of cloth that comes from the size of the roughness. On a mesh whose edges are longer than that, and without
+/// roughness, the edit stays as it is.
 ///
 /// # Errors
 /// When memory runs out.
-pub fn smooth_metric(source: &Source<'_>, p: &[Vec3], blur: &mut Blur) -> Result<Vec<Matrix2<f64>>, SystemError> {
+pub fn smooth_metric(
+    source: &Source<'_>,
+    surface: &[Vec3],
+    before: Option<&[Vec3]>,
+    blur: &mut Blur,
+) -> Result<Vec<Matrix2<f64>>, SystemError> {
     let (rest, triangles) = (&source.mesh.rest, &source.mesh.triangles);
-    let stored = source.stored();
-    let inverse: Vec<Matrix2<f64>> = stored.iter().map(|e| e.try_inverse().unwrap_or_default()).collect();
-    let unit: Vec<Vec3> = (0..p.len()).map(|k| unit_roughness(k as u64)).collect();
+    let inverse: Vec<Matrix2<f64>> = source.stored().iter().map(|e| e.try_inverse().unwrap_or_default()).collect();
     let of = |p: &[Vec3]| -> Gradient { triangles.iter().zip(&inverse).map(|(t, i)| edges3(p, *t) * i).collect() };
-    let (rough, known) = (of(p), of(&unit));
-    let mut filter = Blur::new(rest, triangles, FILTER_EDGES * mean_edge(rest, triangles))?;
-    let passed = |f: &Gradient, filter: &mut Blur| -> Result<f64, SystemError> {
-        let soft = softened(f, filter)?;
-        Ok(trimmed_mean(f.iter().zip(&soft).zip(&inverse).map(|((f, s), i)| (f - s).norm_squared() / i.norm_squared())))
-    };
-    let unit_passed = passed(&known, &mut filter)?;
-    let variance = if unit_passed > 0.0 { passed(&rough, &mut filter)? / unit_passed } else { 0.0 };
+    let unit: Vec<Vec3> = (0..surface.len()).map(|k| unit_roughness(k as u64)).collect();
+    let edge = mean_edge(rest, triangles);
+    let mut gauge = Gauge::new(Blur::new(rest, triangles, FILTER_EDGES * edge)?, &inverse, &of(&unit));
+    let mut gradient = of(surface);
+    let mut variance = gauge.variance(&gradient);
+    let width = EDIT_WIDTH * libm::sqrt(variance);
+    if let Some(before) = before.map(of).filter(|_| width >= edge) {
+        let edit: Gradient = gradient.iter().zip(&before).map(|(now, before)| now - before).collect();
+        let soft = softened(&edit, &mut Blur::new(rest, triangles, width)?);
+        gradient = before.iter().zip(&soft).map(|(before, edit)| before + edit).collect();
+        variance = gauge.variance(&gradient);
+    }
     let added = Matrix2::new(6.0, 3.0, 3.0, 6.0) * variance;
     let metric: Vec<Matrix2<f64>> =
-        rough.iter().zip(&inverse).map(|(f, i)| f.transpose() * f - i.transpose() * added * i).collect();
-    blur.tensors(&metric)
+        gradient.iter().zip(&inverse).map(|(f, i)| f.transpose() * f - i.transpose() * added * i).collect();
+    Ok(blur.tensors(&metric))
 }
 
-fn softened(gradient: &Gradient, blur: &mut Blur) -> Result<Gradient, SystemError> {
+/// Measures roughness by a filter.
+struct Gauge<'a> {
+    filter: Blur,
+    inverse: &'a [Matrix2<f64>],
+    /// How much of the roughness of variance 1 passes.
+    unit: f64,
+}
+
+impl<'a> Gauge<'a> {
+    fn new(filter: Blur, inverse: &'a [Matrix2<f64>], unit: &Gradient) -> Self {
+        let mut gauge = Self { filter, inverse, unit: 0.0 };
+        gauge.unit = gauge.passed(unit);
+        gauge
+    }
+
+    /// The variance of every coordinate of the vertices, m².
+    fn variance(&mut self, gradient: &Gradient) -> f64 {
+        if self.unit > 0.0 { self.passed(gradient) / self.unit } else { 0.0 }
+    }
+
+    fn passed(&mut self, gradient: &Gradient) -> f64 {
+        let soft = softened(gradient, &mut self.filter);
+        let each = gradient.iter().zip(&soft).zip(self.inverse);
+        trimmed_mean(each.map(|((f, s), i)| (f - s).norm_squared() / i.norm_squared()))
+    }
+}
+
+fn softened(gradient: &Gradient, blur: &mut Blur) -> Gradient {
     let mut out = vec![Matrix3x2::zeros(); gradient.len()];
     for row in 0..3 {
         let field: Vec<Vec2> = gradient.iter().map(|f| f.row(row).transpose()).collect();
-        for (out, soft) in out.iter_mut().zip(blur.pair(&field)?) {
+        for (out, soft) in out.iter_mut().zip(blur.pair(&field)) {
             out.set_row(row, &soft.transpose());
         }
     }
-    Ok(out)
+    out
 }
 
 /// A normal vector of variance 1 in each coordinate, always the same for a vertex (the mixing of SplitMix64).

@@ -20,6 +20,8 @@ const ENERGY_RESOLUTION: f64 = 1e-13;
 const ENERGY_SHARE_AT_REST: f64 = 1e-8;
 /// Share of the energy that the next step gains, from which on the exact Hessian is tried: smaller means later.
 const EXACT_HESSIAN_FROM: f64 = 0.05;
+/// Rounds after which the energy must have fallen by more than its share at rest; else the solve ends as it is.
+const STALLED_ROUNDS: u32 = 40;
 /// Share of the decrement that a step must gain at least (Armijo).
 const SUFFICIENT_DECREASE: f64 = 1e-4;
 
@@ -73,7 +75,8 @@ pub enum SolveError {
 
 /// Flattens a sheet. `watch` is told round and motion after every round and says whether to go on.
 ///
-/// A start that is already at rest is given back bit for bit.
+/// A start that is already at rest is given back bit for bit. Where the rounds run out, or the energy no longer falls, the
+/// best positions so far are given back; the energy only falls, so they are the last ones.
 ///
 /// # Errors
 /// See [`SolveError`].
@@ -84,6 +87,7 @@ pub fn solve(sheet: &Sheet, stop: Stop, watch: &mut dyn FnMut(u32, f64) -> bool)
     let mut system = System::new(held(sheet), groups.chain(sheet.locks.iter().map(Lock::vertices)))?;
     let mut last_motion = f64::INFINITY;
     let mut curvature = Curvature::Projected;
+    let mut energy_before = energy;
     for round in 1..=stop.rounds {
         let decrement = newton_direction(sheet, &x, &mut system, curvature)?;
         let motion = largest(&system.rhs);
@@ -103,6 +107,12 @@ pub fn solve(sheet: &Sheet, stop: Stop, watch: &mut dyn FnMut(u32, f64) -> bool)
         if resting || stuck {
             let converged = resting || decrement <= ENERGY_SHARE_AT_REST * energy;
             return Ok(Flattened { positions: x, rounds: round, last_motion, energy, converged });
+        }
+        if round % STALLED_ROUNDS == 0 {
+            if energy >= (1.0 - ENERGY_SHARE_AT_REST) * energy_before {
+                return Ok(Flattened { positions: x, rounds: round, last_motion, energy, converged: false });
+            }
+            energy_before = energy;
         }
         let near = decrement < EXACT_HESSIAN_FROM * energy && last_motion > 0.0;
         curvature = if near { Curvature::Exact } else { Curvature::Projected };
@@ -130,7 +140,7 @@ fn newton_direction(sheet: &Sheet, x: &[Vec2], system: &mut System, curvature: C
         }
     }
     for lock in &sheet.locks {
-        lock.assemble(x, |v, term| system.add(v, term));
+        lock.assemble(x, curvature, |v, term| system.add(v, term));
     }
     match system.factorize() {
         Err(SystemError::NotPositive) if curvature == Curvature::Exact => {
@@ -139,7 +149,7 @@ fn newton_direction(sheet: &Sheet, x: &[Vec2], system: &mut System, curvature: C
         other => other?,
     }
     let downhill = system.rhs.clone();
-    system.substitute()?;
+    system.substitute();
     Ok(0.5 * downhill.iter().zip(&system.rhs).map(|(g, d)| g.dot(d)).sum::<f64>())
 }
 

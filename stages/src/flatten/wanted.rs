@@ -51,15 +51,12 @@ impl Wanted {
 
     /// Target edges of every triangle. `x` is the answer so far: what the smoothing took from its own metric is given
     /// back, so that a metric which can be flat is not blurred. Without it the wanted metric is the target.
-    ///
-    /// # Errors
-    /// When memory runs out.
-    pub fn targets(&mut self, source: &Source<'_>, x: Option<&[Vec2]>) -> Result<Vec<Matrix2<f64>>, SystemError> {
+    pub fn targets(&mut self, source: &Source<'_>, x: Option<&[Vec2]>) -> Vec<Matrix2<f64>> {
         let stored = source.stored();
         let shaped = |metric: &[Matrix2<f64>]| metric.iter().zip(&stored).map(|(c, e)| sqrt_spd(c) * e).collect();
         match (self, x) {
-            (Self::Stored, _) => Ok(stored),
-            (Self::Metric(metric), _) | (Self::Smooth(metric, _), None) => Ok(shaped(metric)),
+            (Self::Stored, _) => stored,
+            (Self::Metric(metric), _) | (Self::Smooth(metric, _), None) => shaped(metric),
             (Self::Smooth(metric, blur), Some(x)) => {
                 let own: Vec<Matrix2<f64>> = source
                     .mesh
@@ -71,12 +68,12 @@ impl Wanted {
                         f.transpose() * f
                     })
                     .collect();
-                let soft = blur.tensors(&own)?;
+                let soft = blur.tensors(&own);
                 let given_back = |k: usize| {
                     let c = own[k] + metric[k] - soft[k];
                     if is_positive(&c) { c } else { own[k] }
                 };
-                Ok(shaped(&(0..own.len()).map(given_back).collect::<Vec<_>>()))
+                shaped(&(0..own.len()).map(given_back).collect::<Vec<_>>())
             }
         }
     }
@@ -113,10 +110,11 @@ fn sharp(source: &Source<'_>, metric: FlatMetric, stored: &[Matrix2<f64>]) -> Re
 fn blurred(source: &Source<'_>, metric: FlatMetric, smooth: f64) -> Result<Wanted, SystemError> {
     let (rest, triangles) = (&source.mesh.rest, &source.mesh.triangles);
     let mut blur = Blur::new(rest, triangles, WIDTH_SHARE * smooth)?;
-    let now = smooth_metric(source, source.surface, &mut blur)?;
+    let is_edited = source.before != source.surface;
+    let now = smooth_metric(source, source.surface, is_edited.then_some(source.before), &mut blur)?;
     let wanted = match metric {
-        FlatMetric::Carried if source.before != source.surface => {
-            let before = smooth_metric(source, source.before, &mut blur)?;
+        FlatMetric::Carried if is_edited => {
+            let before = smooth_metric(source, source.before, None, &mut blur)?;
             let edit = |(b, n)| carried(b, n).map_or(*n, |h| h.transpose() * h);
             before.iter().zip(&now).map(edit).collect()
         }
