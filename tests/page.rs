@@ -15,6 +15,15 @@ use std::process::Command;
 
 const CHECK: &str = include_str!("page/check.js");
 const CHECK_START: &str = include_str!("page/check_start.js");
+const COMPARE: &str = include_str!("page/compare.js");
+
+/// Looks at the page with all its tables open. Gives what axe finds serious or critical.
+const ACCESSIBLE: &str = "(async () => {
+  document.querySelectorAll('details').forEach((d) => { d.open = true; });
+  const { violations } = await axe.run(document);
+  const bad = violations.filter((v) => ['serious', 'critical'].includes(v.impact));
+  return JSON.stringify(bad.map((v) => [v.id, v.nodes.map((n) => n.html.slice(0, 200))]));
+})()";
 
 /// Runs a pipeline; gives the exit code.
 fn run(pipeline: &Path, out: &Path, more: &[&str]) -> Option<i32> {
@@ -35,6 +44,17 @@ fn program() -> Option<PathBuf> {
         eprintln!("NOT CHECKED in a browser, because there is none; `tests/page/install` installs one");
     }
     found
+}
+
+/// Looks at the open page with axe, where `tests/page/axe` installed it.
+fn is_accessible(browser: &mut Browser) {
+    let Some(axe) = std::env::var_os("TOILE_AXE").filter(|path| !path.is_empty()) else {
+        eprintln!("NOT CHECKED with axe; `tests/page/axe` installs it, and TOILE_AXE names it");
+        return;
+    };
+    browser.value(&format!("{};0", std::fs::read_to_string(axe).expect("axe")));
+    let found = browser.value(ACCESSIBLE);
+    assert_eq!(found, json!("[]"));
 }
 
 /// Opens a report, runs its check, and gives what it saw.
@@ -86,7 +106,7 @@ fn the_page_shows_the_garment_and_what_is_picked() {
         says(&saw, "/map/legend", "strain along warp, %");
         assert_eq!(saw["onMap"]["mean"], saw["map"]["mean"]);
         says(&saw, "/onMap/words", "strain along warp: ");
-        says(&saw, "/onMap/words", " %, piece FRONT");
+        says(&saw, "/onMap/words", "° to the warp, piece FRONT");
         says(&saw, "/cut/words", "mm, seen from above");
         says(&saw, "/picked/words", "piece FRONT");
         let marked = saw["marked"].as_array().expect("list");
@@ -95,6 +115,7 @@ fn the_page_shows_the_garment_and_what_is_picked() {
         assert_eq!((&saw["fromTable"]["marked"], &saw["fromDrawing"]), (&json!(1), &json!("piece:0")));
         assert_eq!((&saw["key"], &saw["nameless"]), (&json!("left"), &json!(0)));
     }
+    is_accessible(&mut browser);
     assert!(browser.sheets() <= 4);
     // The viewer measures the hip anew, from the model in single precision.
     let hip: Option<f64> =
@@ -106,6 +127,43 @@ fn the_page_shows_the_garment_and_what_is_picked() {
     let still = opened(&mut Browser::start(&program, &["--disable-3d-apis"]), &page, [1024, 768]);
     assert_eq!((&still["state"]["ready"], &still["state"]["view"]), (&json!(false), &json!("still")));
     assert_eq!(still["pictures"][0][1], 840);
+}
+
+/// The view draws what `export-picture` draws: the same outline of the cloth and the same colours.
+#[test]
+fn the_view_shows_what_the_pictures_of_the_command_line_show() {
+    let Some(program) = program() else { return };
+    let folder = tempfile::tempdir().expect("folder");
+    let (out, pipeline) = (folder.path().join("out"), folder.path().join("pictures.toml"));
+    let root = env!("CARGO_MANIFEST_DIR");
+    let skirt = std::fs::read_to_string(Path::new(root).join("pipelines/long-skirt/v1.toml")).expect("pipeline");
+    let mut text = skirt.replace("../../samples", &format!("{root}/samples"));
+    let maps = ["cloth", "strain-warp", "ease"];
+    for map in maps {
+        text += &format!(
+            "\n[[stage]]\nuse = \"export-picture\"\nwith.file = \"{{out}}/{map}.png\"\nwith.body = false\n\
+             with.colours = \"{map}\"\nwith.width = 600\nwith.height = 800\n"
+        );
+    }
+    std::fs::write(folder.path().join("toile.root"), "").expect("file");
+    std::fs::write(&pipeline, text).expect("file");
+    let more = ["--set", "triangulate.triangles=700", "--set", "export-report.language=zh", "--allow-read", root];
+    assert_eq!(run(&pipeline, &out, &more), Some(0));
+    let mut browser = Browser::start(&program, &[]);
+    browser.open(&out.join("report.html"), [1024, 768]);
+    for map in maps {
+        let png = std::fs::read(out.join(format!("{map}.png"))).expect("picture");
+        let picture = format!("const PICTURE = \"data:image/png;base64,{}\"", browser::encoded(&png));
+        let script = COMPARE.replacen(
+            "(async () => {",
+            &format!("(async () => {{ {picture}, HEIGHT = 800, MAP = \"{map}\";"),
+            1,
+        );
+        let saw: Value = serde_json::from_str(browser.value(&script).as_str().expect("text")).expect("JSON");
+        assert!(number(&saw, "/overlap") > 0.97 && number(&saw, "/fields") > 300.0, "{map}: {saw}");
+        assert!(number(&saw, "/median") < 12.0 && number(&saw, "/high") < 40.0, "{map}: {saw}");
+    }
+    is_accessible(&mut browser);
 }
 
 #[test]

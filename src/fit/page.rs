@@ -6,6 +6,7 @@ use super::{Fitted, Order};
 use crate::figure::{figure, one_view};
 use std::fmt::Write as _;
 use toile_formats::picture::View;
+use toile_formats::report::Language;
 use toile_formats::svg::canvas::escape;
 use toile_formats::svg::flat_sheet;
 
@@ -32,7 +33,7 @@ pub fn html(fitted: &Fitted, order: &Order) -> String {
     let _ = writeln!(out, "<p>{}</p>", verdict(fitted, order));
     pictures(&mut out, fitted);
     ease(&mut out, fitted, order);
-    if let Some(sheet) = flat_sheet(&fitted.flat) {
+    if let Some(sheet) = flat_sheet(&fitted.flat, Language::English) {
         let note = "Green: the new pattern. Dashed: the pattern before. Colours: strain of the new pattern on the moved garment.";
         let _ = writeln!(out, "<h2>Pattern</h2>\n<figure>{sheet}<figcaption>{note}</figcaption></figure>");
     }

@@ -51,6 +51,8 @@ pub enum ColoursParam {
     StrainWeft,
     /// The larger strain of both bias directions.
     StrainBias,
+    /// The larger strain of warp and weft, each beside the limit of its fabric.
+    StrainLimit,
     /// Distance from the cloth to the body.
     Ease,
     /// How sharply the cloth is bent, as 1 over the radius.
@@ -76,8 +78,8 @@ pub struct ExportPictureParams {
     pub height: u32,
     /// Draws the body, where there is one.
     pub body: bool,
-    /// Meaning of the colours: `cloth`, `strain-warp`, `strain-weft`, `strain-bias`, `ease`, `tension`, `pressure` or
-    /// `bending`.
+    /// Meaning of the colours: `cloth`, `strain-warp`, `strain-weft`, `strain-bias`, `strain-limit`, `ease`, `tension`,
+    /// `pressure` or `bending`.
     pub colours: ColoursParam,
 }
 
@@ -177,6 +179,7 @@ impl ColoursParam {
             Self::StrainWarp => strain(0),
             Self::StrainWeft => strain(1),
             Self::StrainBias => strain(2),
+            Self::StrainLimit => fit::strain_beside_limit(garment),
             Self::Ease => Some(fit::ease(garment).ok_or_else(no_body)?),
             Self::Bending => fit::bending(garment),
             Self::Tension => fit::tension(garment),

@@ -39,7 +39,8 @@ pub struct ExportReportParams {
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("format" = "input-file"))]
     pub measures: Option<PathBuf>,
-    /// Language of the page: `en` (English) or `zh` (Chinese). Names and findings stay as they are.
+    /// Language of page and drawing: `en` (English) or `zh` (Chinese). Names stay as they are. Findings are told in
+    /// both: what one means in Chinese, its figures in English.
     pub language: LanguageParam,
 }
 
@@ -109,7 +110,7 @@ impl Stage for ExportReport {
             cx.files.write(&params.json, text.as_bytes())?;
         }
         if given(&params.svg) {
-            cx.files.write(&params.svg, report::drawing(&garment).as_bytes())?;
+            cx.files.write(&params.svg, report::drawing(&garment, params.language.language()).as_bytes())?;
         }
         if given(&params.csv) {
             cx.files.write(&params.csv, fit.csv().as_bytes())?;

@@ -142,3 +142,14 @@ fn decoded(base64: &str) -> Vec<u8> {
     });
     bytes.collect()
 }
+
+/// Bytes in base64.
+pub fn encoded(bytes: &[u8]) -> String {
+    const DIGITS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    let four = |three: &[u8]| {
+        let whole = (0..3).fold(0, |sum, k| sum << 8 | u32::from(three.get(k).copied().unwrap_or(0)));
+        let digit = |k: usize| char::from(DIGITS[(whole >> (18 - 6 * k) & 63) as usize]);
+        (0..4).map(|k| if k <= three.len() { digit(k) } else { '=' }).collect::<String>()
+    };
+    bytes.chunks(3).map(four).collect()
+}

@@ -49,6 +49,15 @@ pub struct Length {
     pub body: Option<(f64, &'static str)>,
 }
 
+/// How far the garment hangs out of its balance somewhere.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Balance {
+    /// Name, such as `hem front above back` and `side seam forward left`.
+    pub name: String,
+    /// How far, metres; 0 in balance.
+    pub value: f64,
+}
+
 /// Length along the grain and width across it of a piece, through its middle.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PieceSize {
@@ -96,6 +105,8 @@ pub struct Fit {
     pub pieces: Vec<PieceSize>,
     /// Lowest and highest point of the worn cloth, metres.
     pub range: Option<[f64; 2]>,
+    /// How level the hems hang, and how plumb the side seams.
+    pub balance: Vec<Balance>,
     /// Points of measure of the house, in the order of their file.
     pub points: Vec<Point>,
 }
@@ -157,6 +168,7 @@ impl Fit {
         if let Some([low, high]) = self.range {
             out.push(Measure::new("total_length", "drape", "straight", high - low).at(low));
         }
+        out.extend(self.balance.iter().map(|b| Measure::new(&b.name, "drape", "straight", b.value)));
         out
     }
 

@@ -4,7 +4,7 @@ use super::first;
 use super::fit::Fit;
 use super::live;
 use super::places::{Place, places};
-use super::tables::{Cell, Table, metric_words, tables};
+use super::tables::{Cell, Table, metric_words, tables, word};
 use super::viewer;
 use super::words::Language;
 use crate::picture::openness;
@@ -50,8 +50,8 @@ fn is_flattened(garment: &Garment) -> bool {
 }
 
 fn shown_tables(garment: &Garment, findings: &[Diagnostic], fit: &Fit) -> Vec<Table> {
-    let measured =
-        [fit.of_house(), fit.ease(), fit.lengths(), fit.piece_sizes()].into_iter().filter(|t| !t.rows.is_empty());
+    let measured = [fit.of_house(), fit.ease(), fit.lengths(), fit.standard(), fit.piece_sizes()];
+    let measured = measured.into_iter().filter(|t| !t.rows.is_empty());
     let rest = tables(garment, findings).into_iter().filter(|t| t.key != "findings");
     let all = measured.chain(rest);
     if is_flattened(garment) { all.collect() } else { all.map(without_flattening).collect() }
@@ -63,7 +63,7 @@ fn without_flattening(mut table: Table) -> Table {
     let keep: Vec<bool> = table.columns.iter().map(|(key, _)| kept(key)).collect();
     let from = table.columns.iter().position(|(key, _)| *key == "from");
     if let Some(from) = from {
-        table.rows.retain(|row| row[from] != Cell::Text("flat".to_owned()));
+        table.rows.retain(|row| row[from] != word("flat"));
     }
     let mut columns = keep.iter();
     table.columns.retain(|_| *columns.next().unwrap_or(&true));
@@ -84,27 +84,27 @@ fn drawings(out: &mut String, garment: &Garment, places: &[Place], language: Lan
     };
     let words = "Pieces with the numbers of their edges. A click picks a piece, a seam or a dart.";
     let spots: Vec<_> = places.iter().map(Place::spot).collect();
-    figure(&svg::pickable(garment, &spots), language.say(words));
+    figure(&svg::pickable(garment, &spots, language), &escape(language.say(words)));
     for flat in garment.flat.iter().filter(|_| is_flattened(garment)).flat_map(|f| &f.pieces) {
-        let name = garment.pieces.get(flat.piece.index()).map_or_else(String::new, |p| escape(&p.name));
-        if let Some(drawing) = svg::flat_piece(garment, flat, &flat.flat_strain) {
-            figure(&drawing, &format!("<b>{name}</b>: flattened over the original; strain of the flat cut when worn"));
+        let name = garment.pieces.get(flat.piece.index()).map_or_else(String::new, |p| p.name.clone());
+        let words = |english: &str| escape(&language.fill(english, std::slice::from_ref(&name)));
+        if let Some(drawing) = svg::flat_piece(garment, flat, &flat.flat_strain, language) {
+            figure(&drawing, &words("{0}: flattened over the original; strain of the flat cut when worn"));
         }
         if garment.flat.as_ref().is_some_and(|f| f.metric == FlatMetric::Carried)
-            && let Some(drawing) = svg::flat_piece(garment, flat, &flat.drape_strain)
+            && let Some(drawing) = svg::flat_piece(garment, flat, &flat.drape_strain, language)
         {
-            figure(&drawing, &format!("<b>{name}</b>: strain from the original piece to the edited shape"));
+            figure(&drawing, &words("{0}: strain from the original piece to the edited shape"));
         }
     }
     out.push_str("</div>\n");
     if let Some(flat) = garment.flat.as_ref().filter(|f| f.metric != FlatMetric::Unedited) {
-        let _ = writeln!(out, "<p>{}</p>", metric_words(flat.metric));
+        let _ = writeln!(out, "<p>{}</p>", escape(language.say(metric_words(flat.metric))));
     }
 }
 
 fn table(out: &mut String, table: &Table, garment: &Garment, language: Language) {
     let open = OPEN.contains(&table.key);
-    let measures = matches!(table.key, "ease" | "lengths");
     let title = escape(language.say(table.title));
     let _ = match open {
         true => writeln!(out, "<h2 id=\"{}\">{title}</h2>", table.key),
@@ -114,7 +114,8 @@ fn table(out: &mut String, table: &Table, garment: &Garment, language: Language)
         let _ = writeln!(out, "<p class=\"note\">{}</p>", escape(language.say(&table.note)));
     }
     let _ = write!(out, "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"{title}\"><table>\n<tr>");
-    for (_, heading) in &table.columns {
+    // Columns without a heading are for programs.
+    for (_, heading) in table.columns.iter().filter(|(_, heading)| !heading.is_empty()) {
         let _ = write!(out, "<th scope=\"col\">{}</th>", escape(language.say(heading)));
     }
     out.push_str("</tr>\n");
@@ -124,22 +125,29 @@ fn table(out: &mut String, table: &Table, garment: &Garment, language: Language)
             Some(name) => write!(out, "<tr data-pick=\"{name}\">"),
             None => write!(out, "<tr>"),
         };
-        for (i, ((key, _), cell)) in table.columns.iter().zip(row).enumerate() {
+        let shown = table.columns.iter().zip(row).enumerate().filter(|(_, ((_, heading), _))| !heading.is_empty());
+        for (i, ((key, _), cell)) in shown {
             // The cell with the name can be reached and pressed by the keyboard.
             let named = usize::from(table.key == "darts" || table.key == "edges");
-            let cell = if measures && *key == "name" { &translated(cell, language) } else { cell };
-            out.push_str(&html_cell(key, cell, picks.is_some() && i == named));
+            let cell = in_words(table.key, key, cell, language);
+            out.push_str(&html_cell(key, &cell, picks.is_some() && i == named, language));
         }
         out.push_str("</tr>\n");
     }
     out.push_str(if open { "</table></div>\n" } else { "</table></div></details>\n" });
 }
 
-/// The name of a measure in the language of the page.
-fn translated(cell: &Cell, language: Language) -> Cell {
-    match cell {
-        Cell::Text(t) => Cell::Text(language.measure(t)),
-        other => other.clone(),
+/// A cell in the language of the page. Names of measures, edges and effects are words of this program.
+fn in_words(table: &str, column: &str, cell: &Cell, language: Language) -> Cell {
+    match (table, column, cell) {
+        (_, _, Cell::Phrases(phrases)) => Cell::Text(language.phrases(phrases)),
+        ("ease" | "lengths", "name", Cell::Text(t)) | ("fit_standard", "what", Cell::Text(t)) => {
+            Cell::Text(language.measure(t))
+        }
+        ("edges", "edge", Cell::Text(t)) => Cell::Text(language.edge(t)),
+        ("effects", "name" | "rule", Cell::Text(t)) => Cell::Text(language.say(t).to_owned()),
+        ("points_of_measure", "on" | "method", Cell::Text(t)) => Cell::Text(language.say(t).to_owned()),
+        (_, _, other) => other.clone(),
     }
 }
 
@@ -164,7 +172,7 @@ fn picks(table: &str, number: usize, row: &[Cell], garment: &Garment) -> Option<
     }
 }
 
-fn html_cell(key: &str, cell: &Cell, pressed: bool) -> String {
+fn html_cell(key: &str, cell: &Cell, pressed: bool, language: Language) -> String {
     match cell {
         Cell::Text(t) if pressed => format!("<td><button class=\"row\" type=\"button\">{}</button></td>", escape(t)),
         Cell::Text(t) if matches!(key, "params" | "blake3" | "code") => {
@@ -173,8 +181,9 @@ fn html_cell(key: &str, cell: &Cell, pressed: bool) -> String {
         Cell::Text(t) => format!("<td>{}</td>", escape(t)),
         Cell::Number(x, decimals) => format!("<td class=\"n\">{}</td>", fixed(*x, *decimals)),
         Cell::Count(n) => format!("<td class=\"n\">{n}</td>"),
-        Cell::Verdict(true) => "<td class=\"good\">yes</td>".to_owned(),
-        Cell::Verdict(false) => "<td class=\"bad\">no</td>".to_owned(),
+        Cell::Phrases(phrases) => format!("<td>{}</td>", escape(&language.phrases(phrases))),
+        Cell::Verdict(true) => format!("<td class=\"good\">{}</td>", language.say("yes")),
+        Cell::Verdict(false) => format!("<td class=\"bad\">{}</td>", language.say("no")),
         Cell::Empty => "<td></td>".to_owned(),
     }
 }
@@ -184,7 +193,9 @@ mod tests {
     use super::*;
     use crate::codes::OUT_OF_RANGE;
     use crate::report::json;
+    use crate::report::tables::all;
     use toile_garment::Piece;
+    use toile_garment::garment::Certificate;
 
     fn garment() -> Garment {
         let piece = Piece { name: "<script>alert(1)</script>".into(), ..Piece::default() };
@@ -214,6 +225,30 @@ mod tests {
             page.contains("<html lang=\"zh-Hans\">") && page.contains("<b>未模拟。</b>") && page.contains("检查结果")
         );
         assert!(!page.contains("There are no warnings."));
+    }
+
+    /// Titles, notes and headings are in the catalogue, and so are the words on the drawing and in the cells.
+    #[test]
+    fn every_word_of_the_tables_can_be_told_in_chinese() {
+        let fit = Fit::default();
+        let measured = [fit.of_house(), fit.ease(), fit.lengths(), fit.standard(), fit.piece_sizes()];
+        let deep = all(&garment(), &[]).into_iter().filter(|t| t.key != "findings");
+        for table in deep.chain(measured) {
+            let words = [table.title, &table.note].into_iter().chain(table.columns.iter().map(|c| c.1));
+            // Units are the same everywhere.
+            for english in words.filter(|w| !w.is_empty() && *w != "mm") {
+                assert_ne!(Language::Chinese.say(english), english, "table `{}`", table.key);
+            }
+        }
+        let mut draped = garment();
+        draped.certificate = Some(Certificate { passed: true, ..Certificate::default() });
+        let page = html(&draped, &[], &Fit::default(), Language::Chinese);
+        for words in ["<td>布料自身穿插</td>", "<td class=\"good\">是</td>", ">净线<"] {
+            assert!(page.contains(words), "{words}");
+        }
+        for words in ["self_crossings", "sew line", ">yes<"] {
+            assert!(!page.contains(words), "{words}");
+        }
     }
 
     #[test]

@@ -19,7 +19,7 @@ pub fn json(garment: &Garment, findings: &[Diagnostic], fit: &Fit) -> Value {
     out.insert("metric".into(), json!(garment.flat.as_ref().map(|f| f.metric)));
     let v = verdict(garment, findings, Language::English);
     out.insert("verdict".into(), json!({ "passed": v.passed, "why": v.why }));
-    let measured = [fit.table(), fit.of_house(), fit.ease(), fit.lengths(), fit.piece_sizes()]
+    let measured = [fit.table(), fit.of_house(), fit.ease(), fit.lengths(), fit.standard(), fit.piece_sizes()]
         .into_iter()
         .filter(|t| !t.rows.is_empty());
     for table in tables(garment, findings).into_iter().chain(measured) {
@@ -35,6 +35,7 @@ pub fn json(garment: &Garment, findings: &[Diagnostic], fit: &Fit) -> Value {
 fn value(cell: &Cell) -> Value {
     match cell {
         Cell::Text(t) => json!(t),
+        Cell::Phrases(p) => json!(Language::English.phrases(p)),
         Cell::Number(x, decimals) => fixed(*x, *decimals).parse::<f64>().map_or(Value::Null, |x| json!(x)),
         Cell::Count(n) => json!(n),
         Cell::Verdict(v) => json!(v),

@@ -12,7 +12,7 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use serde_json::{Map, Value, json};
 use toile_garment::seam::{Seam, SeamKind, SeamRun};
-use toile_garment::{Diagnostic, Garment, Vec2};
+use toile_garment::{Diagnostic, Garment, Piece, Vec2};
 
 /// The model in base64. `None` without positions in 3D or with a mesh that cannot be written.
 #[must_use]
@@ -69,7 +69,8 @@ pub fn scene(garment: &Garment, findings: &[Diagnostic], places: &[Place], fit: 
     let mut names = names(garment, language);
     for (k, finding) in findings.iter().enumerate() {
         if places.iter().any(|p| p.pick == finding_name(k)) {
-            names.insert(finding_name(k), json!(finding.message));
+            let told = language.finding(&finding.code).map_or(finding.message.as_str(), |[what, _]| what);
+            names.insert(finding_name(k), json!(told));
         }
     }
     let lay = lay(garment);
@@ -81,12 +82,19 @@ pub fn scene(garment: &Garment, findings: &[Diagnostic], places: &[Place], fit: 
         names,
         lines: garment.seams.iter().map(line).collect(),
         fields: fit.maps.iter().map(field).collect(),
+        warps: garment.pieces.iter().map(warp).collect(),
         marks: places.iter().map(|p| mark(p, garment, &lay)).collect(),
         shown,
         colourways: garment.textures.iter().flat_map(|t| &t.colourways).map(|c| c.colors.clone()).collect(),
         motion: motion::motion(garment),
         ..Scene::default()
     }
+}
+
+/// The warp of a piece in its flat lay. A rest shape with cuts is none that lies flat.
+fn warp(piece: &Piece) -> Option<[f64; 2]> {
+    let is_flat = piece.mesh.as_ref().is_some_and(|m| m.rest_corners.is_none());
+    is_flat.then(|| piece.warp().into())
 }
 
 /// A place as the view marks it; `lay` tells where the pieces lie side by side.

@@ -3,6 +3,8 @@
 //! Millimetres, square centimetres, percent and degrees with fixed decimals; no clock, no machine facts. The page holds
 //! a model of the garment in 3D and a small viewer (`page/`), and pictures that stand where the viewer cannot run.
 
+mod catalogue;
+mod checks;
 mod chinese;
 mod first;
 mod fit;
@@ -11,26 +13,27 @@ mod json;
 mod live;
 mod motion;
 mod places;
+mod standard;
 mod stats;
 mod tables;
 mod verdict;
 pub mod viewer;
 mod words;
 
-pub use chinese::FINDINGS as FINDINGS_IN_CHINESE;
-pub use fit::{Fit, FreeEdge, Length, Level, Measure, PieceSize, Point};
+pub use chinese::findings as findings_in_chinese;
+pub use fit::{Balance, Fit, FreeEdge, Length, Level, Measure, PieceSize, Point};
 pub use html::html;
 pub use json::json;
 pub use live::model;
 pub use tables::{Cell, Table, tables};
 pub use verdict::{Verdict, verdict};
-pub use words::Language;
+pub use words::{Language, Phrase};
 
 use crate::svg;
 use toile_garment::Garment;
 
 /// The drawing of the report: flattened pieces over the originals, or the pattern where nothing was flattened.
 #[must_use]
-pub fn drawing(garment: &Garment) -> String {
-    svg::flat_sheet(garment).unwrap_or_else(|| svg::pattern(&garment.pieces, &garment.style))
+pub fn drawing(garment: &Garment, language: Language) -> String {
+    svg::flat_sheet(garment, language).unwrap_or_else(|| svg::pattern_in(&garment.pieces, &garment.style, language))
 }

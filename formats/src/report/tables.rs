@@ -1,15 +1,19 @@
 //! The tables of the report, from whatever the garment holds.
 
+use super::checks;
 use super::stats::{Spread, areas, spread};
-use toile_garment::flat::{Check, FlatMetric, FlatPiece, StrainMap};
+use super::words::Phrase;
+use toile_garment::flat::{FlatMetric, FlatPiece, StrainMap};
 use toile_garment::seam::SeamKind;
 use toile_garment::{Diagnostic, Garment, Piece, Severity};
 
 /// One cell.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Cell {
-    /// Words.
+    /// Names, and all that stands in no catalogue.
     Text(String),
+    /// Words of this program, which are told in the language of the reader.
+    Phrases(Vec<Phrase>),
     /// A number with its decimals.
     Number(f64, usize),
     /// A whole number.
@@ -49,7 +53,12 @@ impl Table {
 /// All tables that have something to say.
 #[must_use]
 pub fn tables(garment: &Garment, findings: &[Diagnostic]) -> Vec<Table> {
-    let all = [
+    all(garment, findings).into_iter().filter(|t| !t.rows.is_empty()).collect()
+}
+
+/// All tables, those without a row, too.
+pub(super) fn all(garment: &Garment, findings: &[Diagnostic]) -> [Table; 11] {
+    [
         self::findings(findings),
         verdicts(garment),
         pieces(garment),
@@ -61,12 +70,16 @@ pub fn tables(garment: &Garment, findings: &[Diagnostic]) -> Vec<Table> {
         effects(garment),
         stages(garment),
         inputs(garment),
-    ];
-    all.into_iter().filter(|t| !t.rows.is_empty()).collect()
+    ]
 }
 
 fn text(t: impl Into<String>) -> Cell {
     Cell::Text(t.into())
+}
+
+/// A word of this program.
+pub(super) fn word(words: &'static str) -> Cell {
+    Cell::Phrases(vec![Phrase::new(words, [])])
 }
 
 fn mm(metres: f64) -> Cell {
@@ -166,10 +179,10 @@ fn verdicts(garment: &Garment) -> Table {
     );
     for verdict in garment.flat.iter().flat_map(|f| &f.verdicts) {
         let name = garment.pieces.get(verdict.piece.index()).map_or(Cell::Empty, |p| text(&p.name));
-        let fails = verdict.fails();
-        let fails = if fails.is_empty() { Cell::Empty } else { text(fails.join("; ")) };
-        let changes: Vec<String> = verdict.checks.iter().filter(|c| c.passes()).map(Check::words).collect();
-        t.rows.push(vec![name, Cell::Verdict(verdict.passes()), fails, text(changes.join("; "))]);
+        let (changes, fails): (Vec<_>, Vec<_>) = verdict.checks.iter().partition(|c| c.passes());
+        let [changes, fails] = [changes, fails].map(|all| all.into_iter().map(checks::phrase).collect::<Vec<_>>());
+        let fails = if fails.is_empty() { Cell::Empty } else { Cell::Phrases(fails) };
+        t.rows.push(vec![name, Cell::Verdict(verdict.passes()), fails, Cell::Phrases(changes)]);
     }
     t
 }
@@ -252,7 +265,7 @@ fn seams(garment: &Garment) -> Table {
             ("stitches", "stitches"),
             ("a_original_mm", "a mm"),
             ("b_original_mm", "b mm"),
-            ("ease_original_mm", "ease mm"),
+            ("ease_original_mm", "seam ease mm"),
             ("a_flat_mm", "flat a mm"),
             ("b_flat_mm", "flat b mm"),
             ("ease_flat_mm", "flat ease mm"),
@@ -261,7 +274,7 @@ fn seams(garment: &Garment) -> Table {
     let pairs = garment.flat.as_ref().map_or(&[][..], |f| &f.pairs);
     for (k, seam) in garment.seams.iter().enumerate() {
         let kind = if seam.kind == SeamKind::Seam { "seam" } else { "dart" };
-        let mut row = vec![text(&seam.name), text(kind), count(seam.stitches.len())];
+        let mut row = vec![text(&seam.name), word(kind), count(seam.stitches.len())];
         match pairs.get(k) {
             Some(p) => {
                 row.extend([mm(p.a[0]), mm(p.b[0]), mm(p.a[0] - p.b[0]), mm(p.a[1]), mm(p.b[1]), mm(p.a[1] - p.b[1])]);
@@ -303,7 +316,7 @@ fn strain(garment: &Garment) -> Table {
         let area = areas(garment, flat);
         for (from, map) in [("original", &flat.drape_strain), ("flat", &flat.flat_strain)] {
             for (direction, spread, unit, factor) in directions(map, &area) {
-                let mut row = vec![name_of(garment, flat), text(from), text(direction)];
+                let mut row = vec![name_of(garment, flat), word(from), word(direction)];
                 row.extend(
                     [spread.min, spread.p5, spread.mean, spread.p95, spread.max].map(|x| Cell::Number(x * factor, 3)),
                 );
@@ -328,26 +341,41 @@ fn certificate(garment: &Garment) -> Table {
         "certificate",
         "Certificate of the drape",
         "",
-        &[("figure", "figure"), ("value", "value"), ("limit", "limit"), ("unit", "unit")],
+        &[("figure", ""), ("meaning", "figure"), ("value", "value"), ("limit", "limit"), ("unit", "unit")],
     );
     let Some(c) = &garment.certificate else { return t };
     let limit = |name: &str, factor: f64| c.limits.get(name).map_or(Cell::Empty, |l| Cell::Number(l * factor, 4));
-    let mut row = |name: &str, value: Cell, limit: Cell, unit: &str| {
-        t.rows.push(vec![text(name), value, limit, text(unit)]);
+    let mut row = |[name, meaning, unit]: [&'static str; 3], value: Cell, limit: Cell| {
+        t.rows.push(vec![text(name), word(meaning), value, limit, word(unit)]);
     };
-    row("passed", Cell::Verdict(c.passed), Cell::Empty, "");
-    row("settled", Cell::Verdict(c.settled), Cell::Empty, "");
-    row("residual_rel", Cell::Number(c.residual_rel, 7), limit("residual_rel", 1.0), "particle weights");
-    row("energy_J", Cell::Number(c.energy_j, 6), limit("energy_J", 1.0), "J");
-    row("strain_p95", percent(c.strain_p95), limit("strain_p95", 100.0), "%");
-    row("strain_max", percent(c.strain_max), limit("strain_max", 100.0), "%");
-    row("strain_over_limit", Cell::Number(c.strain_over_limit, 4), limit("strain_over_limit", 1.0), "of the limit");
-    row("slip_mm", Cell::Number(c.slip_mm, 1), limit("slip_mm", 1.0), "mm");
-    row("seam_gap_max_mm", Cell::Number(c.seam_gap_max_mm, 4), limit("seam_gap_max_mm", 1.0), "mm");
-    row("dart_gap_max_mm", Cell::Number(c.dart_gap_max_mm, 4), limit("dart_gap_max_mm", 1.0), "mm");
-    row("self_crossings", Cell::Count(c.self_crossings), limit("self_crossings", 1.0), "");
-    row("body_crossings", Cell::Count(c.body_crossings), limit("body_crossings", 1.0), "");
-    row("penetration_max_mm", Cell::Number(c.penetration_max_mm, 4), limit("penetration_max_mm", 1.0), "mm");
+    row(["passed", "passed", ""], Cell::Verdict(c.passed), Cell::Empty);
+    row(["settled", "at rest", ""], Cell::Verdict(c.settled), Cell::Empty);
+    let crossings = |n: u64| Cell::Count(n);
+    let mm = |x: f64| Cell::Number(x, 4);
+    let figures = [
+        (
+            ["residual_rel", "force that is left on a particle", "particle weights"],
+            Cell::Number(c.residual_rel, 7),
+            1.0,
+        ),
+        (["energy_J", "energy of the cloth", "J"], Cell::Number(c.energy_j, 6), 1.0),
+        (["strain_p95", "strain that 95 % of the cloth stay below", "%"], percent(c.strain_p95), 100.0),
+        (["strain_max", "largest strain of the threads", "%"], percent(c.strain_max), 100.0),
+        (
+            ["strain_over_limit", "largest strain beside the limit of its fabric", "of the limit"],
+            Cell::Number(c.strain_over_limit, 4),
+            1.0,
+        ),
+        (["slip_mm", "how far the garment slid down", "mm"], Cell::Number(c.slip_mm, 1), 1.0),
+        (["seam_gap_max_mm", "widest gap of a seam", "mm"], mm(c.seam_gap_max_mm), 1.0),
+        (["dart_gap_max_mm", "widest gap of a dart", "mm"], mm(c.dart_gap_max_mm), 1.0),
+        (["self_crossings", "crossings of the cloth with itself", ""], crossings(c.self_crossings), 1.0),
+        (["body_crossings", "crossings of cloth and body", ""], crossings(c.body_crossings), 1.0),
+        (["penetration_max_mm", "depth of the cloth in the body", "mm"], mm(c.penetration_max_mm), 1.0),
+    ];
+    for (words, value, factor) in figures {
+        row(words, value, limit(words[0], factor));
+    }
     t
 }
 
@@ -358,7 +386,7 @@ fn effects(garment: &Garment) -> Table {
         "What was simulated, by which rule and on what evidence.",
         &[("name", "effect"), ("on", "on"), ("rule", "rule"), ("evidence", "evidence")],
     );
-    let on = |on: bool| text(if on { "on" } else { "off" });
+    let on = |on: bool| word(if on { "on" } else { "off" });
     t.rows = garment.effects.iter().map(|e| vec![text(&e.name), on(e.on), text(&e.rule), text(&e.evidence)]).collect();
     t
 }

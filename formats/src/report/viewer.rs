@@ -110,6 +110,8 @@ pub struct Scene {
     pub lines: Vec<Line>,
     /// Quantities on the cloth.
     pub fields: Vec<Value>,
+    /// The warp of every piece in its flat lay, where that is what the piece is at rest.
+    pub warps: Vec<Option<[f64; 2]>>,
     /// Threads.
     pub threads: Vec<Thread>,
     /// Places that findings name.
@@ -163,6 +165,7 @@ fn data(scene: &Scene) -> String {
         "names": scene.names,
         "seams": scene.lines.iter().map(line).collect::<Vec<_>>(),
         "fields": scene.fields,
+        "warps": scene.warps,
     });
     let end = |(piece, point): &(usize, [f64; 5])| json!([piece, rounded(&[*point])[0]]);
     if let (false, Some(map)) = (scene.marks.is_empty(), value.as_object_mut()) {
@@ -242,7 +245,8 @@ pub fn figure(out: &mut String, figure: &Figure<'_>, language: Language) {
         section(out, language);
     }
     let asked = say(figure.invitation);
-    let _ = write!(out, "<p id=\"picked\" role=\"status\" data-empty=\"{asked}\"></p>\n</figure>\n");
+    let way = say("largest strain {value} % at {angle}° to the warp");
+    let _ = write!(out, "<p id=\"picked\" role=\"status\" data-empty=\"{asked}\" data-way=\"{way}\"></p>\n</figure>\n");
 }
 
 /// The choice of a map, under the headings of what it tells.
@@ -290,7 +294,7 @@ fn section(out: &mut String, language: Language) {
         "<figure id=\"section\" hidden data-words=\"{}\">\
          <svg role=\"img\" aria-label=\"{}\"><path class=\"body\"/><path class=\"cloth\"/></svg>\
          <figcaption></figcaption></figure>",
-        say("Section at {height} mm, seen from above. All cloth: {length} mm."),
-        say("section"),
+        say("Cross-section at {height} mm, seen from above. All cloth: {length} mm."),
+        say("cross-section"),
     );
 }

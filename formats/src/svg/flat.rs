@@ -1,6 +1,7 @@
 //! Flattened pieces over their originals, coloured by the strain of the cloth.
 
 use super::canvas::{Bounds, Canvas, fixed};
+use crate::report::Language;
 use toile_garment::flat::{FlatPiece, StrainMap};
 use toile_garment::mesh::PieceMesh;
 use toile_garment::{Garment, Piece, Vec2};
@@ -17,19 +18,19 @@ const STEPS: i32 = 10;
 
 /// One flattened piece over its original. `None` when the piece has no mesh that fits.
 #[must_use]
-pub fn flat_piece(garment: &Garment, flat: &FlatPiece, strain: &StrainMap) -> Option<String> {
+pub fn flat_piece(garment: &Garment, flat: &FlatPiece, strain: &StrainMap, language: Language) -> Option<String> {
     let (piece, mesh) = fitting(garment, flat)?;
     let bounds = bounds(mesh, flat)?;
     let size = (bounds.size().x.max(bounds.size().y) / 42.0).clamp(1.0, 40.0);
     let limit = limit(strain);
     let mut canvas = Canvas::default();
     Pen { canvas: &mut canvas, move_by: Vec2::zeros(), size }.piece(piece, mesh, flat, strain, limit);
-    Some(finish(canvas, bounds, size, limit, &piece.name))
+    Some(finish(canvas, bounds, [size, limit], &piece.name, language))
 }
 
 /// All flattened pieces side by side, coloured by the strain that the flat cut has when worn.
 #[must_use]
-pub fn flat_sheet(garment: &Garment) -> Option<String> {
+pub fn flat_sheet(garment: &Garment, language: Language) -> Option<String> {
     let flat = garment.flat.as_ref()?;
     let drawn: Vec<_> = flat
         .pieces
@@ -57,7 +58,7 @@ pub fn flat_sheet(garment: &Garment) -> Option<String> {
         canvas.text("name", Vec2::new(corner.x + 0.5 * bounds.size().x, top.y - size), size, &piece.name);
         used = Bounds::of(used.into_iter().flat_map(|b| [b.min, b.max]).chain([corner, top]));
     }
-    Some(finish(canvas, used?, size, limit, &garment.style))
+    Some(finish(canvas, used?, [size, limit], &garment.style, language))
 }
 
 fn fitting<'a>(garment: &'a Garment, flat: &FlatPiece) -> Option<(&'a Piece, &'a PieceMesh)> {
@@ -158,7 +159,7 @@ impl Pen<'_> {
     }
 }
 
-fn finish(mut canvas: Canvas, bounds: Bounds, size: f64, limit: f64, title: &str) -> String {
+fn finish(mut canvas: Canvas, bounds: Bounds, [size, limit]: [f64; 2], title: &str, language: Language) -> String {
     let left = bounds.min - Vec2::new(0.0, 3.0 * size);
     let width = bounds.size().x.max(24.0 * size);
     canvas.scale_bar(left, 0.5 * width, size);
@@ -177,7 +178,7 @@ fn finish(mut canvas: Canvas, bounds: Bounds, size: f64, limit: f64, title: &str
     for (k, (class, words)) in entries.into_iter().enumerate() {
         let at = key + Vec2::new((k % 2) as f64 * 12.0 * size, -((k / 2) as f64) * 1.6 * size);
         canvas.line(class, &[at, at + Vec2::new(3.0 * size, 0.0)], false);
-        canvas.text("label", at + Vec2::new(6.6 * size, 0.0), 0.9 * size, words);
+        canvas.text("label", at + Vec2::new(6.6 * size, 0.0), 0.9 * size, language.say(words));
     }
     let all = Bounds {
         min: Vec2::new(bounds.min.x, key.y - 2.5 * size),

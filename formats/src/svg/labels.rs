@@ -7,6 +7,15 @@ use toile_garment::Vec2;
 const HALF_LETTER: f64 = 0.31;
 const HALF_LINE: f64 = 0.55;
 
+/// The first of the wide letters, which are those of China, Japan and Korea, and how many narrow ones are as wide.
+const WIDE_FROM: char = '\u{2e80}';
+const WIDE: f64 = 1.65;
+
+/// How many narrow letters a text is as wide as.
+pub fn letters(text: &str) -> f64 {
+    text.chars().map(|c| if c >= WIDE_FROM { WIDE } else { 1.0 }).sum()
+}
+
 /// The room that labels take.
 #[derive(Clone, Debug, Default)]
 pub struct Labels {
@@ -34,7 +43,7 @@ impl Labels {
 /// The rectangle around lines of text that are centred at a place.
 fn room(at: Vec2, lines: &[(f64, f64, &str)]) -> Bounds {
     let corner = |(above, size, text): &(f64, f64, &str)| {
-        let half = Vec2::new(HALF_LETTER * text.chars().count() as f64, HALF_LINE) * *size;
+        let half = Vec2::new(HALF_LETTER * letters(text), HALF_LINE) * *size;
         let middle = at + Vec2::new(0.0, *above);
         [middle - half, middle + half]
     };

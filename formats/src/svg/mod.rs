@@ -9,5 +9,5 @@ pub(crate) mod pattern;
 mod spots;
 
 pub use flat::{flat_piece, flat_sheet};
-pub use pattern::{pattern, pickable};
+pub use pattern::{pattern, pattern_in, pickable};
 pub use spots::Spot;

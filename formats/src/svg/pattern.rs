@@ -1,8 +1,9 @@
 //! The pattern as `toile inspect --svg` draws it: pieces side by side with numbered edges.
 
 use super::canvas::{Bounds, Canvas, fixed};
-use super::labels::Labels;
+use super::labels::{Labels, letters};
 use super::spots::{self, SPOT_STYLE, Spot};
+use crate::report::Language;
 use toile_garment::dart::{Dart, DartKind};
 use toile_garment::notch::Notch;
 use toile_garment::outline::{OutlineEdge, PieceLine};
@@ -35,17 +36,23 @@ const NAME_PLACES: i32 = 8;
 /// Draws pieces side by side: cut and sew line, numbered edges, darts, notches, grain, drill holes, internal lines.
 #[must_use]
 pub fn pattern(pieces: &[Piece], title: &str) -> String {
-    sheet(pieces, None, &[], title)
+    pattern_in(pieces, title, Language::English)
+}
+
+/// The same in a language.
+#[must_use]
+pub fn pattern_in(pieces: &[Piece], title: &str, language: Language) -> String {
+    sheet(pieces, None, &[], title, language)
 }
 
 /// Draws the pattern of a garment so that pieces, seams and darts can be picked in a page: groups with `data-pick`
 /// `piece:NUMBER` and `seam:NUMBER`. Marked places have names of their own.
 #[must_use]
-pub fn pickable(garment: &Garment, spots: &[Spot<'_>]) -> String {
-    sheet(&garment.pieces, Some(&garment.seams), spots, &garment.style)
+pub fn pickable(garment: &Garment, spots: &[Spot<'_>], language: Language) -> String {
+    sheet(&garment.pieces, Some(&garment.seams), spots, &garment.style, language)
 }
 
-fn sheet(pieces: &[Piece], picks: Option<&[Seam]>, spots: &[Spot<'_>], title: &str) -> String {
+fn sheet(pieces: &[Piece], picks: Option<&[Seam]>, spots: &[Spot<'_>], title: &str, language: Language) -> String {
     let boxes: Vec<Option<Bounds>> = pieces.iter().map(bounds).collect();
     let size = text_size(&boxes);
     let (places, sheet) = shelves(&boxes, 6.0 * size);
@@ -55,7 +62,8 @@ fn sheet(pieces: &[Piece], picks: Option<&[Seam]>, spots: &[Spot<'_>], title: &s
             if picks.is_some() {
                 canvas.open(&format!("piece:{k}"));
             }
-            let mut pen = Pen { canvas: &mut canvas, move_by: place - bounds.min, size, labels: Labels::default() };
+            let (move_by, labels) = (place - bounds.min, Labels::default());
+            let mut pen = Pen { canvas: &mut canvas, move_by, size, labels, language };
             pen.piece(piece, bounds);
             if picks.is_some() {
                 canvas.close();
@@ -83,7 +91,7 @@ fn sheet(pieces: &[Piece], picks: Option<&[Seam]>, spots: &[Spot<'_>], title: &s
     let foot = Vec2::new(sheet.min.x + size, sheet.min.y - 3.5 * size);
     canvas.scale_bar(foot, 0.4 * sheet.size().x, size);
     let at = Vec2::new(sheet.min.x + size, foot.y - 2.4 * size);
-    let legend = legend(&mut canvas, at, sheet.size().x, size, picks.is_none());
+    let legend = legend(&mut canvas, at, sheet.size().x, size, picks.is_none(), language);
     let all = Bounds { min: Vec2::new(sheet.min.x, legend), ..sheet };
     let style =
         if picks.is_none() { format!("{STYLE}{WAY_STYLE}") } else { format!("{STYLE}{SEAM_STYLE}{SPOT_STYLE}") };
@@ -145,6 +153,7 @@ struct Pen<'a> {
     move_by: Vec2,
     size: f64,
     labels: Labels,
+    language: Language,
 }
 
 impl Pen<'_> {
@@ -268,7 +277,7 @@ impl Pen<'_> {
     fn edge_label(&self, piece: &Piece, edge: &OutlineEdge) -> Option<(Vec2, String)> {
         let (middle, inward) = middle(&piece.outline, edge)?;
         let label = edge.name.as_ref().map_or_else(|| edge.index.to_string(), |n| format!("{} {n}", edge.index));
-        let away = 1.1 + 0.28 * label.chars().count() as f64 * inward.x.abs();
+        let away = 1.1 + 0.28 * letters(&label) * inward.x.abs();
         Some((self.at(middle) + inward * (away * self.size), label))
     }
 
@@ -283,15 +292,12 @@ impl Pen<'_> {
     /// Name, cut and area in the middle of a piece, or as near to it as there is room.
     fn name(&mut self, piece: &Piece, bounds: &Bounds) {
         let q = piece.quantity;
-        let size = piece.size.as_ref().map_or_else(String::new, |s| format!("size {s}, "));
-        let cut = if q.mirrored > 0 {
-            format!("cut {} + {} mirrored", q.plain, q.mirrored)
-        } else {
-            format!("cut {}", q.plain)
-        };
+        let size = piece.size.as_ref().map(|s| self.language.fill("size {0}", std::slice::from_ref(s)));
+        let words = if q.mirrored > 0 { "cut {0} + {1} mirrored" } else { "cut {0}" };
+        let cut = self.language.fill(words, &[q.plain, q.mirrored].map(|n| n.to_string()));
+        let cut = size.into_iter().chain([cut]).collect::<Vec<_>>().join(", ");
         let area = format!("{} cm²", fixed(1e4 * piece.cloth_area(), 1));
         let (below, small) = (-1.4 * self.size, 0.85 * self.size);
-        let cut = size + &cut;
         let lines = [(0.0, 1.15 * self.size, piece.name.as_str()), (below, small, &cut), (1.9 * below, small, &area)];
         let centre = (bounds.min + bounds.max) * 0.5 + self.move_by;
         let places = around(centre, bounds.size(), 1.5 * self.size);
@@ -351,7 +357,7 @@ fn inward_normal(line: &PieceLine, at: Vec2) -> Vec2 {
 }
 
 /// Draws the key in rows; gives the lowest y it used.
-fn legend(canvas: &mut Canvas, at: Vec2, width: f64, size: f64, has_ways: bool) -> f64 {
+fn legend(canvas: &mut Canvas, at: Vec2, width: f64, size: f64, has_ways: bool, language: Language) -> f64 {
     let entries = [
         ("cut", "cut line"),
         ("sew", "sew line"),
@@ -364,12 +370,13 @@ fn legend(canvas: &mut Canvas, at: Vec2, width: f64, size: f64, has_ways: bool) 
     let (mut x, mut y) = (at.x, at.y);
     let ways = has_ways.then_some(("way", "arrow: way of an edge from its start"));
     for (class, words) in entries.into_iter().chain(ways) {
-        let room = (4.0 + 0.62 * words.len() as f64) * size;
+        let words = language.say(words);
+        let room = (4.0 + 0.62 * letters(words)) * size;
         if x > at.x && x + room > at.x + width {
             (x, y) = (at.x, y - 1.8 * size);
         }
         canvas.line(class, &[Vec2::new(x, y), Vec2::new(x + 2.5 * size, y)], false);
-        canvas.text("label", Vec2::new(x + 3.0 * size + 0.29 * words.len() as f64 * size, y), 0.85 * size, words);
+        canvas.text("label", Vec2::new(x + 3.0 * size + 0.29 * letters(words) * size, y), 0.85 * size, words);
         x += room;
     }
     y - size
@@ -411,6 +418,15 @@ mod tests {
         let (at, inward) = middle(&square("a").outline, &square("a").edges[1]).expect("edge");
         assert!((at - Vec2::new(0.2, 0.15)).norm() < 1e-12 && (inward - Vec2::new(-1.0, 0.0)).norm() < 1e-12);
         assert!((inward_normal(&square("a").outline, Vec2::new(0.1, 0.301)) - Vec2::new(0.0, -1.0)).norm() < 1e-12);
+    }
+
+    #[test]
+    fn a_drawing_speaks_the_language_of_its_page() {
+        let piece = Piece { size: Some("38".into()), ..square("前片") };
+        let svg = pattern_in(&[piece], "t", Language::Chinese);
+        assert!(svg.contains(">尺码 38, 裁 ") && svg.contains(">净线<") && svg.contains(">前片<"), "{svg}");
+        assert!(!svg.contains("sew line") && !svg.contains("size 38"), "{svg}");
+        assert!(letters("前片") > 3.0 && letters("ab") == 2.0);
     }
 
     /// Two darts whose points are near to each other, and a piece that is narrower than its name.

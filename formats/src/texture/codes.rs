@@ -14,7 +14,8 @@ codes! {
     /// The image is larger than the limit. Exit code 3.
     IMAGE_SIZE = "image-size";
 
-    /// A material is a U3M archive (.u3ma). Unpack it, it is a ZIP, and give the .u3m file that lies in it. Exit code 3.
+    /// A U3M archive (.u3ma) is damaged, holds no material or several, or lacks a bitmap of its material. Export it
+    /// again, or unpack it, it is a ZIP, and give the .u3m file that lies in it. Exit code 3.
     U3M_ARCHIVE = "u3m-archive";
 
     /// A U3M material is no JSON, has no front side, or names a bitmap without its size. Export it again. Exit code 3.

@@ -10,9 +10,10 @@ mod strip;
 mod tests;
 mod u3m;
 mod weave;
+mod zip;
 
 pub use color::linear;
-pub use u3m::{Bitmap, U3m, read_u3m};
+pub use u3m::{Bitmap, U3m, U3ma, read_u3m};
 pub use weave::{Drawn, draw};
 
 use crate::codes::FILE_TOO_LARGE;

@@ -1,15 +1,14 @@
 //! A material as U3M (Unified 3D Material, `.u3m`): its front side, with bitmaps that lie beside it.
 //!
 //! Read are the base colour with its bitmap and size, the normal map, roughness and sheen. Colours are linear, sizes
-//! millimetres. Back and side, other maps, and the curves of measuring devices are not used. An archive (`.u3ma`) has
-//! to be unpacked.
+//! millimetres. Back and side, other maps, and the curves of measuring devices are not used. An archive (`.u3ma`) holds
+//! the material with its bitmaps.
 
 use super::codes::{U3M_ARCHIVE, U3M_FILE};
+use super::zip::{ARCHIVE, Archive};
 use serde_json::Value;
 use toile_garment::{Diagnostic, SourceRef};
 
-/// The beginning of a ZIP archive.
-const ARCHIVE: &[u8] = b"PK\x03\x04";
 /// Sizes of bitmaps that are one, as a share.
 const SAME_SIZE: f64 = 0.01;
 
@@ -41,16 +40,78 @@ pub struct Bitmap {
     pub repeat: [f64; 2],
 }
 
+/// A material in an archive, with the files beside it.
+#[derive(Clone, Debug)]
+pub struct U3ma {
+    archive: Archive,
+    material: String,
+    file: String,
+}
+
+impl U3ma {
+    /// Opens an archive. `None`: these are the bytes of something else. `file` is its name for messages.
+    ///
+    /// # Errors
+    /// A damaged archive, or one without a material or with several.
+    pub fn open(bytes: &[u8], file: &str) -> Option<Result<Self, Box<Diagnostic>>> {
+        let opened = |bytes: &[u8]| {
+            let archive = Archive::open(bytes.to_vec())?;
+            let material = material_of(&archive)?;
+            Ok(Self { archive, material, file: file.to_owned() })
+        };
+        bytes.starts_with(ARCHIVE).then(|| opened(bytes).map_err(|what| bad_archive(file, what)))
+    }
+
+    /// The material.
+    ///
+    /// # Errors
+    /// As [`read_u3m`], and a damaged archive.
+    pub fn material(&self) -> Result<U3m, Box<Diagnostic>> {
+        read_u3m(&self.archive.read(&self.material).map_err(|what| bad_archive(&self.file, what))?, &self.file)
+    }
+
+    /// The bytes of a file by its path from the folder of the material.
+    ///
+    /// # Errors
+    /// A file that is not there or is damaged.
+    pub fn beside(&self, path: &str) -> Result<Vec<u8>, Box<Diagnostic>> {
+        let folder = self.material.rsplit_once('/').map_or("", |(folder, _)| folder);
+        let mut parts = Vec::new();
+        for part in folder.split('/').chain(path.split(['/', '\\'])) {
+            match part {
+                "" | "." => {}
+                ".." => drop(parts.pop()),
+                name => parts.push(name),
+            }
+        }
+        self.archive.read(&parts.join("/")).map_err(|what| bad_archive(&self.file, what))
+    }
+}
+
+fn bad_archive(file: &str, what: String) -> Box<Diagnostic> {
+    let finding = Diagnostic::error(U3M_ARCHIVE, format!("of the archive `{file}` {what}")).at(SourceRef::file(file));
+    Box::new(finding.hint("export it again, or unpack it and give the .u3m file that lies in it"))
+}
+
+/// The material of an archive: the one that lies least deep in folders.
+fn material_of(archive: &Archive) -> Result<String, String> {
+    let is_material = |name: &&str| name.to_ascii_lowercase().ends_with(".u3m") && !name.starts_with("__MACOSX/");
+    let deep = |name: &str| name.matches('/').count();
+    let all: Vec<&str> = archive.names().filter(is_material).collect();
+    let least = all.iter().map(|n| deep(n)).min().ok_or_else(|| "no file is a material (.u3m)".to_owned())?;
+    let mut first = all.into_iter().filter(|n| deep(n) == least);
+    match (first.next(), first.next()) {
+        (Some(name), None) => Ok(name.to_owned()),
+        _ => Err("several files are materials (.u3m), and one is needed".to_owned()),
+    }
+}
+
 /// Reads a material. `file` is its name for messages.
 ///
 /// # Errors
-/// An archive, text that is no JSON, or a material without a front side.
+/// Text that is no JSON, or a material without a front side.
 pub fn read_u3m(bytes: &[u8], file: &str) -> Result<U3m, Box<Diagnostic>> {
     let place = || SourceRef::file(file);
-    if bytes.starts_with(ARCHIVE) {
-        let finding = Diagnostic::error(U3M_ARCHIVE, format!("`{file}` is an archive")).at(place());
-        return Err(Box::new(finding.hint("unpack it, it is a ZIP, and give the .u3m file that lies in it")));
-    }
     let bad = |what: String| Box::new(Diagnostic::error(U3M_FILE, format!("`{file}`: {what}")).at(place()));
     let value: Value = serde_json::from_slice(bytes).map_err(|e| bad(format!("this is no JSON: {e}")))?;
     let material = value.get("material").filter(|m| m.is_object());
@@ -134,6 +195,7 @@ fn rgb(value: &Value) -> Option<[f64; 3]> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::zip::tests::archive;
     use super::*;
 
     const IMAGE: &str = r#"{"path":"maps/base.png","width":24.5,"height":12,"dpi":{"x":300,"y":300},
@@ -173,8 +235,27 @@ mod tests {
     }
 
     #[test]
-    fn an_archive_and_a_damaged_file_are_refused_with_a_remedy() {
-        let archive = read_u3m(b"PK\x03\x04rest", "twill.u3ma").expect_err("an archive");
+    fn an_archive_gives_its_material_and_the_bitmaps_beside_it() {
+        let front = format!(r#"{{"basecolor":{{"texture":{{"image":{IMAGE}}}}}}}"#);
+        let text = format!(r#"{{"material":{{"name":"twill","front":{front}}}}}"#);
+        let files =
+            [("readme.txt", b"".as_slice()), ("Twill/twill.u3m", text.as_bytes()), ("Twill/maps/base.png", b"PNG")];
+        let open = |files: &[(&str, &[u8])]| U3ma::open(&archive(files), "twill.u3ma").expect("an archive");
+        let found = open(&files).expect("a material");
+        let image = found.material().expect("a material").image.expect("a bitmap");
+        assert_eq!(found.beside(&image.path).expect("a bitmap"), b"PNG");
+        assert_eq!(found.beside("./x/../maps/base.png").expect("a bitmap"), b"PNG");
+        assert!(U3ma::open(text.as_bytes(), "twill.u3m").is_none());
+        let missing = found.beside("maps/normal.png").expect_err("missing");
+        assert!(missing.code == "u3m-archive" && missing.message.contains("`Twill/maps/normal.png`"), "{missing:?}");
+        assert!(open(&files[..1]).expect_err("none").message.contains("no file is a material"));
+        let twice = open(&[files[1], ("Other/wool.u3m", b"{}")]).expect_err("two");
+        assert!(twice.message.contains("several files"), "{twice:?}");
+    }
+
+    #[test]
+    fn a_damaged_file_is_refused_with_a_remedy() {
+        let archive = U3ma::open(b"PK\x03\x04rest", "twill.u3ma").expect("an archive").expect_err("damaged");
         assert!(archive.code == "u3m-archive" && archive.hint.is_some_and(|h| h.contains("unpack it")));
         for (text, why) in [
             ("{", "no JSON"),

@@ -14,6 +14,8 @@ use toile_garment::{Garment, Piece, Vec2, Vec3};
 
 /// Ends that a scale of bending may have, 1/m.
 const BENDING_ENDS: [f64; 6] = [10.0, 20.0, 50.0, 100.0, 200.0, 400.0];
+/// Ends that a scale of strain beside its limit may have, percent.
+const SHARE_ENDS: [f64; 5] = [10.0, 20.0, 50.0, 100.0, 200.0];
 /// Ends that a scale of tension may have, N/m.
 const TENSION_ENDS: [f64; 9] = [5.0, 10.0, 20.0, 50.0, 100.0, 200.0, 500.0, 1000.0, 2000.0];
 /// Ends that a scale of pressure may have, kPa.
@@ -43,6 +45,24 @@ pub fn bending(garment: &Garment) -> Option<Field> {
     let values = per_vertex(garment, largest)?;
     let limit = Field::round_limit(&values, &BENDING_ENDS);
     Some(Field { key: "bending", name: "bending", unit: "1/m", scale: Scale::Rising, values, limit })
+}
+
+/// The larger strain of warp and weft, each beside the limit of its fabric, percent; 0 where the cloth is slack. `None`
+/// without positions in 3D, or where no fabric has a limit.
+#[must_use]
+pub fn strain_beside_limit(garment: &Garment) -> Option<Field> {
+    let share = |bend: &Bend, fabric: Option<&Fabric>| {
+        let Some(fabric) = fabric else { return f64::NAN };
+        let limits = [fabric.strain_limit_warp, fabric.strain_limit_weft];
+        let of = |k: usize| if limits[k] > 0.0 { 100.0 * bend.strain[k].max(0.0) / limits[k] } else { f64::NAN };
+        let [warp, weft] = [of(0), of(1)];
+        if warp > weft || weft.is_nan() { warp } else { weft }
+    };
+    let values = per_vertex(garment, share)?;
+    let is_known = values.iter().flatten().any(|x| x.is_finite());
+    let limit = Field::round_limit(&values, &SHARE_ENDS);
+    let (key, name) = ("strain-limit", "strain beside the limit");
+    is_known.then_some(Field { key, name, unit: "%", scale: Scale::Rising, values, limit })
 }
 
 /// The larger tension of warp and weft, N/m, by the tensile curves of the fabric; 0 where the cloth is slack. `None`
@@ -223,5 +243,20 @@ mod tests {
             assert!((t / 10.0 - 1.0).abs() < 0.02, "{t} N/m");
         }
         assert!(pressure(&Garment { body: None, ..garment }, PAD).is_none());
+    }
+
+    #[test]
+    fn strain_is_shown_beside_the_limit_of_the_fabric() {
+        let mut garment = sleeve();
+        for fabric in garment.fabrics.values_mut() {
+            fabric.strain_limit_weft = 0.04;
+        }
+        let field = strain_beside_limit(&garment).expect("a limit");
+        // 2 % along the weft of 4 % that it bears; the warp is slack.
+        for share in inner(&field) {
+            assert!((share / 50.0 - 1.0).abs() < 0.02, "{share} %");
+        }
+        garment.fabrics.clear();
+        assert!(strain_beside_limit(&garment).is_none());
     }
 }

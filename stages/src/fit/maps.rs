@@ -1,6 +1,6 @@
 //! Strain of the cloth and its distance to the body, per vertex.
 
-use super::bent::{PAD, bending, pressure, tension};
+use super::bent::{PAD, bending, pressure, strain_beside_limit, tension};
 use super::nearest::Nearest;
 use super::surface::Surface;
 use crate::flatten::figures;
@@ -21,6 +21,7 @@ const EASE_ENDS: [f64; 8] = [10.0, 20.0, 40.0, 60.0, 100.0, 200.0, 400.0, 600.0]
 pub fn maps(garment: &Garment) -> Vec<Field> {
     let strains = strain(garment).into_iter().flatten();
     let pulls = tension(garment).into_iter().chain(pressure(garment, PAD));
+    let strains = strains.chain(strain_beside_limit(garment));
     strains.chain(ease(garment)).chain(pulls).chain(bending(garment)).collect()
 }
 

@@ -1,10 +1,11 @@
 //! Girths of garment and body at the heights that pattern makers name, and lengths of free edges.
 
+use super::balance;
 use super::edge_names::edge_names;
 use super::maps::maps;
 use super::rings::{Ring, rings};
 use super::surface::{Hem, Surface};
-use super::tailor::{lengths, piece_sizes};
+use super::tailor::{leaning_seams, lengths, piece_sizes};
 use crate::body::section_near;
 use crate::roles::{Part, joins_of_meshes, roles};
 use toile_formats::report::{Fit, FreeEdge, Level};
@@ -61,7 +62,12 @@ pub fn measure(garment: &Garment) -> Fit {
         let level = |p: &Place| level(p, body, &surface, &rest, range);
         fit.levels = PLACES.iter().filter_map(level).collect();
     }
-    fit.edges = free_edges(garment, surface.hems(), &rest, range);
+    let hems = free_edges(garment, surface.hems(), &rest, range);
+    let is_level = |name: &str| name == "hem" || name.starts_with("leg hem");
+    let balances =
+        hems.iter().filter(|(_, e)| is_level(&e.name)).flat_map(|(h, e)| balance::of_hem(&e.name, h, &surface));
+    fit.balance = balances.chain(leaning_seams(garment)).collect();
+    fit.edges = hems.into_iter().map(|(_, edge)| edge).collect();
     fit.lengths = lengths(garment);
     fit.pieces = piece_sizes(garment);
     fit.range = Some(range);
@@ -69,7 +75,7 @@ pub fn measure(garment: &Garment) -> Fit {
 }
 
 /// The free edges with their names, from below to above.
-fn free_edges(garment: &Garment, mut hems: Vec<Hem>, rest: &Rest, range: [f64; 2]) -> Vec<FreeEdge> {
+fn free_edges(garment: &Garment, mut hems: Vec<Hem>, rest: &Rest, range: [f64; 2]) -> Vec<(Hem, FreeEdge)> {
     hems.sort_by(|a, b| a.height.total_cmp(&b.height).then_with(|| a.pieces.cmp(&b.pieces)));
     let pieces = |hem: &Hem| {
         let names = hem.pieces.iter().filter_map(|p| garment.pieces.get(*p as usize)).map(|p| p.name.as_str());
@@ -82,7 +88,8 @@ fn free_edges(garment: &Garment, mut hems: Vec<Hem>, rest: &Rest, range: [f64; 2
         let pattern = h.edges.iter().filter_map(|e| rest.edge(*e)).sum();
         FreeEdge { name, pieces: pieces(h), height: h.height, pattern, length: h.length }
     };
-    hems.iter().zip(edge_names(&hems, &parts, waist, range)).map(edge).collect()
+    let edges: Vec<FreeEdge> = hems.iter().zip(edge_names(&hems, &parts, waist, range)).map(edge).collect();
+    hems.into_iter().zip(edges).collect()
 }
 
 fn level(place: &Place, body: &Body, surface: &Surface, rest: &Rest, range: [f64; 2]) -> Option<Level> {
@@ -260,7 +267,9 @@ mod tests {
         assert_eq!(fit.edges.len(), 2);
         assert!(fit.edges[0].height < fit.edges[1].height && (fit.edges[0].length - 0.99).abs() < 1e-3);
         let names: Vec<String> = fit.measures().into_iter().map(|m| m.name).filter(|n| !n.contains("_girth")).collect();
-        assert_eq!(names, ["hem", "hem", "top_edge", "top_edge", "total_length"]);
+        let level = ["hem_front_above_back", "hem_left_above_right"];
+        assert_eq!(names, [&["hem", "hem", "top_edge", "top_edge", "total_length"][..], &level].concat());
+        assert!(fit.balance.iter().all(|b| b.value.abs() < 1e-9));
         assert!(fit.edges.iter().all(|e| (e.pattern - 0.9).abs() < 1e-9));
         // The middle of the tube as a piece: 0.9 m around, worn 0.99 m.
         let width = fit.pieces[0].width;

@@ -5,6 +5,7 @@
 //! that a report tells is put together by [`measure`].
 
 mod along;
+mod balance;
 mod bent;
 mod edge_names;
 mod girth;
@@ -16,7 +17,7 @@ mod rings;
 mod surface;
 mod tailor;
 
-pub use bent::{PAD, bending, pressure, tension};
+pub use bent::{PAD, bending, pressure, strain_beside_limit, tension};
 pub use girth::{along, tape};
 pub use maps::{ease, maps, strain};
 pub use measures::{cut_in_plane, inside, level_height, measure};

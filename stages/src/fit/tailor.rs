@@ -5,12 +5,13 @@
 //! length along a piece lies on the straight grain through its highest point.
 
 use super::along::{Cloth, Lengths};
+use super::balance;
 use super::maps::shape;
 use super::points::surface_way;
 use super::surface::Surface;
 use crate::roles::{Facing, Part, PiecePoint, Role, joins_of_meshes, roles, seam_names};
 use std::collections::{BTreeMap, BTreeSet};
-use toile_formats::report::{Length, PieceSize};
+use toile_formats::report::{Balance, Length, PieceSize};
 use toile_garment::body::Body;
 use toile_garment::seam::{Seam, SeamKind, SeamSide};
 use toile_garment::{Garment, Piece, Vec2, Vec3};
@@ -33,6 +34,9 @@ const SEAMS: [(&str, &str); 9] = [
     ("back crotch seam", "back rise"),
 ];
 
+/// Seams that hang plumb in a garment that is in balance: words in their names.
+const SIDE_SEAMS: [&str; 2] = ["side seam", "outseam"];
+
 /// The worn garment with what is known of its parts.
 struct Worn<'a> {
     garment: &'a Garment,
@@ -40,15 +44,37 @@ struct Worn<'a> {
     roles: Vec<Role>,
 }
 
-/// All lengths that the garment has. Empty without positions in 3D.
-#[must_use]
-pub fn lengths(garment: &Garment) -> Vec<Length> {
-    let Some(shape) = shape(garment) else { return Vec::new() };
+/// The worn garment, and its seams with their names in the trade. `None` without positions in 3D.
+fn worn(garment: &Garment) -> Option<(Worn<'_>, Vec<(String, &Seam)>)> {
+    let shape = shape(garment)?;
     let joins = joins_of_meshes(garment);
     let worn = Worn { garment, at: &shape.positions, roles: roles(&garment.pieces, &joins) };
     let names = seam_names(&worn.roles, &joins, |p| worn.place(p));
-    let seams: Vec<&Seam> = garment.seams.iter().filter(|s| s.kind == SeamKind::Seam).collect();
-    let named: Vec<(&str, &Seam)> = names.iter().zip(seams).filter_map(|(n, s)| Some((n.as_deref()?, s))).collect();
+    let seams = garment.seams.iter().filter(|s| s.kind == SeamKind::Seam);
+    let named = names.into_iter().zip(seams).filter_map(|(name, seam)| Some((name?, seam))).collect();
+    Some((worn, named))
+}
+
+/// How far the lower ends of the side seams hang before their upper ends. Empty without positions in 3D.
+#[must_use]
+pub fn leaning_seams(garment: &Garment) -> Vec<Balance> {
+    let Some((worn, named)) = worn(garment) else { return Vec::new() };
+    let mut out = Vec::new();
+    for (word, side) in SIDE_SEAMS.into_iter().flat_map(|word| ["left", "right"].map(|side| (word, side))) {
+        let of_side = named.iter().filter(|(name, _)| name.contains(word) && lateral(name) == side);
+        let runs = of_side.flat_map(|(_, seam)| &seam.a.runs);
+        let points = runs.flat_map(|run| run.vertices.iter().map(move |v| (run.piece.index(), *v as usize)));
+        let places = points.filter_map(|(p, v)| worn.at.get(p)?.get(v).copied());
+        out.extend(balance::of_seam(format!("{word} forward {side}"), places));
+    }
+    out
+}
+
+/// All lengths that the garment has. Empty without positions in 3D.
+#[must_use]
+pub fn lengths(garment: &Garment) -> Vec<Length> {
+    let Some((worn, seams)) = worn(garment) else { return Vec::new() };
+    let named: Vec<(&str, &Seam)> = seams.iter().map(|(name, seam)| (name.as_str(), *seam)).collect();
     let mut out = worn.of_seams(&named);
     out.extend(worn.of_sleeves(&named));
     out.extend(worn.of_centre());

@@ -132,7 +132,12 @@ fn material(look: &Look<'_>, cx: &mut StageContext<'_>) -> Result<Result<Materia
 
 /// A bitmap, read.
 fn bitmap(file: &str, cx: &mut StageContext<'_>) -> Result<Image, StageError> {
-    read_image(&cx.files.read(Path::new(file))?, file).map_err(|finding| match finding.code == FILE_TOO_LARGE {
+    picture(&cx.files.read(Path::new(file))?, file)
+}
+
+/// A bitmap from its bytes; `file` is its name for messages.
+fn picture(bytes: &[u8], file: &str) -> Result<Image, StageError> {
+    read_image(bytes, file).map_err(|finding| match finding.code == FILE_TOO_LARGE {
         true => StageError::Limit(finding.to_string()),
         false => StageError::input(*finding),
     })

@@ -13,8 +13,8 @@ use toile_garment::{Diagnostic, Garment, Piece};
 #[derive(Clone, Debug, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct TextureParams {
-    /// Fabric bitmap, PNG or JPEG; without one the colour alone. A U3M material (.u3m) gives colour, bitmap, its size,
-    /// normal map, roughness and sheen at once.
+    /// Fabric bitmap, PNG or JPEG; without one the colour alone. A U3M material (.u3m, .u3ma) gives colour, bitmap, its
+    /// size, normal map, roughness and sheen at once.
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("format" = "input-file"))]
     pub image: Option<String>,
@@ -60,7 +60,7 @@ pub struct Override {
     /// Pieces that take it, whatever their material.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub pieces: Vec<String>,
-    /// Fabric bitmap, PNG or JPEG, or a U3M material (.u3m).
+    /// Fabric bitmap, PNG or JPEG, or a U3M material (.u3m, .u3ma).
     #[serde(skip_serializing_if = "Option::is_none")]
     #[schemars(extend("format" = "input-file"))]
     pub image: Option<String>,

@@ -1,10 +1,10 @@
 //! Looks from U3M materials.
 
-use super::bitmap;
 use super::codes::U3M_PARTS_UNUSED;
+use super::{bitmap, picture};
 use std::path::Path;
-use toile_formats::texture::read_u3m;
-use toile_garment::texture::{Material, Sheen};
+use toile_formats::texture::{U3ma, read_u3m};
+use toile_garment::texture::{Image, Material, Sheen};
 use toile_garment::{Diagnostic, SourceRef};
 use toile_stage_api::{StageContext, StageError};
 
@@ -28,29 +28,41 @@ pub fn material(
     has_color: bool,
     cx: &mut StageContext<'_>,
 ) -> Result<Material, StageError> {
-    let found = read_u3m(&cx.files.read(Path::new(file))?, file).map_err(|finding| StageError::input(*finding))?;
+    let refused = |finding: Box<Diagnostic>| StageError::input(*finding);
+    let bytes = cx.files.read(Path::new(file))?;
+    let archive = U3ma::open(&bytes, file).transpose().map_err(refused)?;
+    let found = archive.as_ref().map_or_else(|| read_u3m(&bytes, file), U3ma::material).map_err(refused)?;
     if !found.unused.is_empty() {
         let message = format!("of the material `{}` these are not used: {}", found.name, found.unused.join(", "));
         cx.report.push(Diagnostic::info(U3M_PARTS_UNUSED, message).at(SourceRef::file(file)));
     }
-    let beside = |path: &str| {
-        let folder = Path::new(file).parent().unwrap_or(Path::new(""));
-        folder.join(path).to_string_lossy().into_owned()
+    let mut beside = |path: &str| match &archive {
+        Some(archive) => in_archive(archive, file, path),
+        None => {
+            let folder = Path::new(file).parent().unwrap_or(Path::new(""));
+            bitmap(&folder.join(path).to_string_lossy(), cx)
+        }
     };
     let mut out = look;
     if let Some(color) = found.color.filter(|_| !has_color) {
         out.color = color;
     }
     if let Some(image) = &found.image {
-        out.image = Some(bitmap(&beside(&image.path), cx)?);
+        out.image = Some(beside(&image.path)?);
         out.repeat = image.repeat;
     }
     if let Some(normal) = &found.normal {
-        out.normal = Some(bitmap(&beside(&normal.path), cx)?);
+        out.normal = Some(beside(&normal.path)?);
         out.repeat = normal.repeat;
     }
     out.roughness = found.roughness.unwrap_or(out.roughness);
     let shine = |strength: f64| Sheen { color: out.color.map(|c| strength * c), roughness: SHEEN_ROUGHNESS };
     out.sheen = found.sheen.filter(|s| *s > 0.0).map(shine);
     Ok(out)
+}
+
+/// A bitmap of a material in an archive.
+fn in_archive(archive: &U3ma, file: &str, path: &str) -> Result<Image, StageError> {
+    let bytes = archive.beside(path).map_err(|finding| StageError::input(*finding))?;
+    picture(&bytes, &format!("{file}/{path}"))
 }

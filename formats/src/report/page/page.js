@@ -237,7 +237,11 @@
     const [x, y] = [(e.clientX - box.left) * ratio(), (e.clientY - box.top) * ratio()];
     pick(viewer.at(x, y), "view");
     const value = viewer.valueAt(x, y);
-    if (value !== null) said.textContent = `${viewer.map.name}: ${value.toFixed(2)} ${viewer.map.unit}, ${said.textContent}`;
+    if (value === null) return;
+    const words = [`${viewer.map.name}: ${value.toFixed(2)} ${viewer.map.unit}`];
+    const way = /^(strain|tension)/.test(viewer.map.key) ? viewer.strainAt(x, y) : null;
+    if (way) words.push(said.dataset.way.replace("{value}", way.strain.toFixed(2)).replace("{angle}", way.angle.toFixed(0)));
+    said.textContent = [...words, said.textContent].join(", ");
   };
   canvas.addEventListener("pointerup", release);
   canvas.addEventListener("pointercancel", release);

@@ -311,12 +311,38 @@ class Viewer {
 
   // The value of the map at a pixel of the canvas; null beside the cloth and where there is none.
   valueAt(x, y) {
-    const piece = this.map && this.pieceAt(x, y), s = this.model.surfaces[piece];
-    const values = s && valuesOf(s, this.map);
+    const found = this.map && this.triangleAt(x, y), values = found && valuesOf(this.model.surfaces[found.piece], this.map);
     if (!values) return null;
+    const value = found.corners.reduce((sum, v, k) => sum + found.shares[k] * values[v], 0);
+    return Number.isFinite(value) ? value : null;
+  }
+
+  // The largest strain of the cloth at a pixel, percent, and its angle to the warp, degrees; null where it is not known.
+  strainAt(x, y) {
+    const found = this.triangleAt(x, y), warp = found && (this.data.warps || [])[found.piece];
+    if (!warp) return null;
+    const { POSITION, _FLAT } = this.model.surfaces[found.piece].at;
+    if (!_FLAT) return null;
+    const [p, q, r] = found.corners.map((v) => POSITION.subarray(3 * v, 3 * v + 3));
+    const [a, b, c] = found.corners.map((v) => _FLAT.subarray(2 * v, 2 * v + 2));
+    const cross = (d, e) => d[0] * e[1] - d[1] * e[0];
+    const [u, v] = [b, c].map((e) => [e[0] - a[0], e[1] - a[1]]), twice = cross(u, v);
+    // A step of one metre along a direction of the cloth, in space.
+    const step = (d) => [0, 1, 2].map((k) => ((q[k] - p[k]) * cross(d, v) + (r[k] - p[k]) * cross(u, d)) / twice);
+    const [along, across] = [warp, [-warp[1], warp[0]]].map(step);
+    const [long, wide, both] = [dot(along, along), dot(across, across), dot(along, across)];
+    const stretch = Math.sqrt(0.5 * (long + wide) + Math.hypot(0.5 * (long - wide), both));
+    const angle = Math.abs(Math.atan2(2 * both, long - wide) * 90) / Math.PI;
+    return Number.isFinite(stretch) ? { strain: 100 * (stretch - 1), angle } : null;
+  }
+
+  // The triangle at a pixel of the canvas: its piece, its corners, and their shares; null beside the cloth.
+  triangleAt(x, y) {
+    const piece = this.pieceAt(x, y), s = this.model.surfaces[piece];
+    if (!s) return null;
     const camera = this.camera(), now = pose(s.frame, this.share, this.lay()), at = s.at;
     const flat = (v) => (at._FLAT ? at._FLAT.subarray(2 * v, 2 * v + 2) : [0, 0]);
-    const seen = Array.from({ length: values.length }, (_, v) => {
+    const seen = Array.from({ length: at.POSITION.length / 3 }, (_, v) => {
       const point = posed(now, [...at.POSITION.subarray(3 * v, 3 * v + 3)], [...flat(v)]);
       return [...this.onScreen(point, camera), this.depth(point, camera)];
     });
@@ -327,9 +353,9 @@ class Viewer {
       const sum = (of) => corners.reduce((total, v, k) => total + shares[k] * of(v), 0);
       if (sum((v) => at.POSITION[3 * v + 1]) > this.cut) continue;
       const depth = sum((v) => seen[v][2]);
-      if (depth < best[0]) best = [depth, sum((v) => values[v])];
+      if (depth < best[0]) best = [depth, { piece, corners, shares }];
     }
-    return Number.isFinite(best[1]) ? best[1] : null;
+    return best[1];
   }
 
   // How far a point lies behind the screen.

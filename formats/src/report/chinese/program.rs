@@ -1,0 +1,93 @@
+//! Pipelines, lines, studies, bundles and the program itself.
+
+use super::Words;
+
+/// Code, meaning and remedy.
+pub const WORDS: &[Words] = &[
+    ("write-failed", "无法写出结果：磁盘已满、没有权限或文件夹不存在；没有留下不完整的文件。", "检查磁盘和权限。"),
+    ("internal-error", "程序自身的错误，已在造成损害前截获。", "请连同流水线和说明一并报告。"),
+    ("more-findings", "同类的检查结果多于所列。", "全部列在 run.json 中。"),
+    (
+        "path-refused",
+        "路径指向流水线不允许的位置：项目之外、设备，或已存在的文件。",
+        "用 --allow-read、--allow-write 放宽，或用 --force 覆盖。",
+    ),
+    ("outputs-collide", "一次运行的两个输出同名（不区分大小写）。", "分别命名。"),
+    ("out-not-first", "{out} 代表输出文件夹，只能写在路径开头。", "例如 \"{out}/name.glb\"。"),
+    ("open-brace", "文字中的 { 没有闭合。", "普通花括号写成 {{。"),
+    ("earlier-output-changed", "以前运行的输出在其后被修改过，因此保留；它不属于本次运行。", ""),
+    // Pipeline.
+    (
+        "bad-name",
+        "产品线、编号、输入或插件的名称不能用于文件名和命令行。",
+        "用小写字母、数字和连字符，以字母开头，最多 64 个字符。",
+    ),
+    ("duplicate-id", "两个步骤的 id 相同。", "分别命名。"),
+    ("grammar-version", "流水线开头的 toile = N 与本程序的语法版本不同。", "用相应版本的程序，或改写流水线。"),
+    ("missing-input", "流水线声明的输入没有默认值，调用时也没有给出。", "加上 --set 名称=值。"),
+    ("missing-key", "缺少必需的键。", "用 toile stages 名称 查看该步骤的参数。"),
+    ("needs-not-given", "步骤需要的内容在它之前没有步骤给出，例如 drape 在 stitch 之前。", "调整步骤的次序。"),
+    ("set-form", "--set 的写法应为 名称=值 或 步骤.键=值。", "按此改写。"),
+    ("setting-out-of-range", "求解器或试验的设置超出可用范围。", "按说明中的范围改正。"),
+    ("setting-unused", "该参数只在另一种积分方法中起作用，此处无效。", "删去该参数，或换用该方法。"),
+    ("unknown-input", "文字中的 {名称} 不是声明过的输入。", "声明该输入；普通花括号写成 {{。"),
+    ("unknown-key", "有程序不认识的键。", "检查拼写。"),
+    ("unknown-kind", "输入的种类只能是 text、path、number 或 length。", "改正种类。"),
+    ("unknown-set", "--set 指定的既不是输入，也不是步骤的 id。", "检查名称。"),
+    ("unknown-stage", "没有此名称的步骤。", "toile stages 可列出全部；其他程序的步骤需要 [plugin.NAME]。"),
+    ("unknown-value", "参数只能取几个固定的词，现在的不在其中。", "从说明列出的词中选择。"),
+    ("wrong-type", "值的类型与键不符；数量须为带单位的文字。", "例如 \"8 mm\"。"),
+    ("wrong-value", "参数的值无法读取；数量须为带单位的文字。", "例如 \"8 mm\"。"),
+    ("repeats-no-stage", "给出了 --repeats，但流程中没有可重复的步骤。", "删去 --repeats。"),
+    // Accuracy and study.
+    ("accuracy-chosen", "此设置由流水线的 accuracy 或 --accuracy 按其误差选定。", ""),
+    (
+        "accuracy-no-stage",
+        "精度同时决定网格和悬垂，流程中须有 triangulate 和 drape。",
+        "加入这些步骤，或用 drape 的 with.accuracy。",
+    ),
+    ("accuracy-out-of-reach", "没有已知的设置能达到所要求的精度。", "用 toile study 测量此服装更细的网格。"),
+    ("study-empty", "研究中没有一个设置得到悬垂，无法比较。", "用同一流水线运行 toile run 查看原因。"),
+    ("study-held", "--set 固定了研究要变化的参数，各行会相同。", "删去该 --set。"),
+    ("study-no-drape", "研究比较的是悬垂，而流程中没有。", "加入 drape 步骤。"),
+    (
+        "study-unfit",
+        "流水线旁的研究结果不能使用：损坏、版本不同或属于其他流水线；精度取自预设。",
+        "用 toile study 重新生成。",
+    ),
+    ("compare-no-drape", "本程序的方法没有得到悬垂，无法衡量其他方法。", "先使服装能悬垂。"),
+    // Lines, tests, bundles, cache.
+    (
+        "line-choice-unknown",
+        "排除项、任务或 --only 指定了矩阵中没有的尺码、面料或其他选项。",
+        "从说明列出的名称中选择，或加入矩阵。",
+    ),
+    ("line-empty", "产品线没有任何任务：没有款式，或全部被排除。", "加入款式，或减少排除项。"),
+    ("line-job-twice", "产品线的两个任务名称和文件夹相同。", "名称应有符号以外的差别。"),
+    ("line-rule-unused", "产品线的排除项没有排除任何任务。", "改正或删去。"),
+    ("line-too-large", "产品线的任务多于一次可计划的数目。", "分成几个文件。"),
+    ("test-case-twice", "一个文件中有两个同名的用例。", "分别命名。"),
+    ("test-empty", "toile test 没有找到用例，或没有 --only 指定的用例。", "用例写在名为 toile-test.toml 的文件中。"),
+    ("test-no-reason", "写入基准数值必须给出理由。", "toile test --bless --reason \"理由\"。"),
+    ("test-not-blessed", "用例的结束方式与文件所写不同或超出界限，基准数值未写入。", "先改正该用例。"),
+    ("bundle-damaged", "打包文件与其清单不符：字节改变或缺少文件。", "重新索取该文件。"),
+    ("bundle-differs", "重新运行打包的内容，结果不同。", "先检查程序版本。"),
+    ("bundle-input-changed", "要打包的运行之后有文件被修改或删除，无法复现。", "重新运行流水线，再打包。"),
+    ("bundle-no-run", "toile bundle 得到的不是一次运行。", "给出运行的文件夹或其 run.json。"),
+    ("bundle-path", "运行的某个文件不能以流水线所给的名称放入打包文件，例如绝对路径。", "用 path 类输入给出该文件。"),
+    (
+        "bundle-refused",
+        "打包文件含有不允许的内容：链接、指向文件夹之外的路径或清单外的文件；均未使用。",
+        "不要使用此文件。",
+    ),
+    ("cache-damaged", "缓存的文件与写入时不同，已删除且未使用；结果是正确的。", "检查存放缓存的磁盘。"),
+    ("cache-not-written", "结果未能写入缓存：磁盘已满或没有权限；运行本身完整。", "检查磁盘和权限。"),
+    ("diff-no-result", "toile diff 得到的不是结果。", "给出运行的文件夹、run.json、GLB 或产品线的文件夹。"),
+    // Stages in other processes.
+    ("plugin-changed", "插件程序的内容与流水线或 --allow-run 所写的不同。", "确认改动后再写入新的内容。"),
+    ("plugin-failed", "插件步骤的程序出错结束、超时或输出过多。", "查看说明中其错误输出。"),
+    ("plugin-findings-left-out", "插件的检查结果多于一个步骤允许的数目，其余略去。", ""),
+    ("plugin-needs-consent", "流水线指定了自己的程序，不会仅凭文件就运行。", "信任时加上 --allow-run 名称。"),
+    ("plugin-protocol", "插件的程序不遵守协议。", "用参数 describe 手工运行它。"),
+    ("plugin-rejected", "插件步骤的程序没有接受该服装。", "查看其说明。"),
+];
