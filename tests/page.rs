@@ -115,8 +115,9 @@ fn the_page_shows_the_garment_and_what_is_picked() {
         assert_eq!((&saw["fromTable"]["marked"], &saw["fromDrawing"]), (&json!(1), &json!("piece:0")));
         assert_eq!((&saw["key"], &saw["nameless"]), (&json!("left"), &json!(0)));
     }
-    is_accessible(&mut browser);
+    // Paper shows the tables that are open, and axe looks at all of them.
     assert!(browser.sheets() <= 4);
+    is_accessible(&mut browser);
     // The viewer measures the hip anew, from the model in single precision.
     let hip: Option<f64> =
         csv.lines().find_map(|l| l.strip_prefix("\"hip_girth\",drape,surface,")?.split(',').next()?.parse().ok());
@@ -160,8 +161,8 @@ fn the_view_shows_what_the_pictures_of_the_command_line_show() {
             1,
         );
         let saw: Value = serde_json::from_str(browser.value(&script).as_str().expect("text")).expect("JSON");
-        assert!(number(&saw, "/overlap") > 0.97 && number(&saw, "/fields") > 300.0, "{map}: {saw}");
-        assert!(number(&saw, "/median") < 12.0 && number(&saw, "/high") < 40.0, "{map}: {saw}");
+        assert!(number(&saw, "/overlap") > 0.93 && number(&saw, "/fields") > 300.0, "{map}: {saw}");
+        assert!(number(&saw, "/median") < 12.0 && number(&saw, "/high") < 20.0, "{map}: {saw}");
     }
     is_accessible(&mut browser);
 }

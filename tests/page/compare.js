@@ -52,7 +52,7 @@
   const paper = sheet.getImageData(0, 0, image.width, HEIGHT).data, empty = paper.slice(0, 3);
   const picture = fields(image.width, HEIGHT, (x, y) => {
     const i = 4 * (y * image.width + x), colour = paper.slice(i, i + 3);
-    return empty.every((c, k) => Math.abs(c - colour[k]) < 8) ? null : colour;
+    return empty.every((c, k) => c === colour[k]) ? null : colour;
   });
 
   const sum = (of) => view.reduce((total, v, k) => total + of(v, picture[k]), 0);
