@@ -71,7 +71,8 @@ impl Language {
     /// Sentences one after the other, as a cell of a table holds them.
     #[must_use]
     pub fn phrases(self, phrases: &[Phrase]) -> String {
-        let told: Vec<String> = phrases.iter().map(|p| self.fill(p.words, &p.values)).collect();
+        let values = |p: &Phrase| p.values.iter().map(|v| self.edge(v)).collect::<Vec<_>>();
+        let told: Vec<String> = phrases.iter().map(|p| self.fill(p.words, &values(p))).collect();
         told.join(if self == Self::Chinese { "；" } else { "; " })
     }
 
@@ -119,5 +120,8 @@ mod tests {
             "布料自身有 3 处穿插"
         );
         assert_eq!(Language::Chinese.say("FRONT"), "FRONT");
+        let moved = Phrase::new("a notch on {0} moved by {1} mm", ["edge 4".to_owned(), "{0}".to_owned()]);
+        assert_eq!(Language::English.phrases(std::slice::from_ref(&moved)), "a notch on edge 4 moved by {0} mm");
+        assert_eq!(Language::Chinese.phrases(&[moved]), "边 4 上的剪口移动 {0} mm");
     }
 }

@@ -164,8 +164,9 @@ pub(super) mod tests {
             let method = if k % 2 == 0 { STORED } else { DEFLATED };
             let mut head = Vec::new();
             let mut put = |n: usize, count: usize| head.extend_from_slice(&n.to_le_bytes()[..count]);
-            [(20, 2), (0, 2), (method, 2), (0, 4), (sum(data) as usize, 4)].map(|(n, count)| put(n, count));
-            [(packed.len(), 4), (data.len(), 4), (name.len(), 2), (0, 2)].map(|(n, count)| put(n, count));
+            let first = [(20, 2), (0, 2), (method, 2), (0, 4), (sum(data) as usize, 4)];
+            let second = [(packed.len(), 4), (data.len(), 4), (name.len(), 2), (0, 2)];
+            first.into_iter().chain(second).for_each(|(n, count)| put(n, count));
             list.extend_from_slice(&[LISTED, &[20, 0], &head, &[0; 10], &(out.len() as u32).to_le_bytes()].concat());
             list.extend_from_slice(name.as_bytes());
             out.extend_from_slice(&[ARCHIVE, &head, name.as_bytes(), &packed].concat());
