@@ -52,7 +52,7 @@ mod tests {
             for (place, along) in [("side", Some(0.212)), ("", None)] {
                 let check = Check { kind, place: place.into(), along, value: -0.0018, limit: None };
                 let phrase = phrase(&check);
-                assert_eq!(Language::English.phrases(&[phrase.clone()]), check.words());
+                assert_eq!(Language::English.phrases(std::slice::from_ref(&phrase)), check.words());
                 let chinese = Language::Chinese.say(phrase.words);
                 assert!(kind == K::Edge || chinese != phrase.words, "{}", phrase.words);
             }
