@@ -4,7 +4,7 @@ use super::atoms::{Atom, Joint, Layout, Mark};
 use super::mirror::{ALONE, Mirror};
 use super::profile::{apart, mirrored, reversed};
 use super::tuning::{self, PairWeights};
-use std::f64::consts::PI;
+use std::f64::consts::{FRAC_1_SQRT_2, PI};
 
 /// Two atoms that may be sewn to each other.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -135,11 +135,11 @@ impl<'a> Judge<'a> {
         sum + if crossed { w.courses.along_to_across } else { 0.0 }
     }
 
-    /// Do both edges run over the middle of their pieces, and both below or both above? Hems, necklines and waists do: a
-    /// body has to pass between them.
+    /// Do both edges run over the middle of their pieces, nearer to the weft than to the warp, and both below or both
+    /// above? Hems, necklines and waists do: a body has to pass between them.
     pub fn is_level_pair(&self, p: Pair) -> bool {
         let (a, b) = (&self.layout.atoms[p.a], &self.layout.atoms[p.b]);
-        let is_level = |x: usize| self.on_axis(x) && !self.layout.atoms[x].is_along();
+        let is_level = |x: usize| self.on_axis(x) && self.layout.atoms[x].along[0].abs() < FRAC_1_SQRT_2;
         is_level(p.a) && is_level(p.b) && a.panel != b.panel && (a.along[1] < 0.0) == (b.along[1] < 0.0)
     }
 
