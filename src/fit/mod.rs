@@ -2,8 +2,8 @@
 //!
 //! The garment is draped on its own body once. Each round moves this drape to the other body (`transfer`), lays it flat
 //! (`flatten`), writes the pattern, and sews and drapes the pattern on the body. The ease that is missing there is added
-//! in the next round. The result is a working folder: pattern, sewing file, body, fabric and a pipeline that sews them. A pattern of
-//! several sizes is also written in all of them.
+//! in the next round. The result is a working folder: pattern, sewing file, body, fabric and a pipeline that sews them.
+//! A pattern of several sizes is also written in all of them.
 
 pub mod changes;
 pub(crate) mod codes;

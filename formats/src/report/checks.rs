@@ -1,4 +1,4 @@
-//! What was checked on a flattened piece, in words that can be told in every language.
+//! Checks of a flattened piece are told here in words that exist in every language of the page.
 
 use super::words::Phrase;
 use toile_garment::flat::{Check, CheckKind};

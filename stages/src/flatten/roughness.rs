@@ -21,8 +21,7 @@ const EDIT_WIDTH: f64 = 10.0;
 
 /// The metric of a surface over the stored piece, smoothed by `blur`.
 ///
-/// What is left of the roughness of a fine mesh is the larger, the finer the mesh is: its square is averaged, and that
-/// is not small. Where the shape `before` an edit is known, the edit alone is rough. So it is smoothed first, over a
+/// The square of the roughness is averaged, so what is left of it grows with the fineness of the mesh. Where the shape `before` an edit is known, the edit alone is rough. So it is smoothed first, over a
 /// length of cloth that comes from the size of the roughness. On a mesh whose edges are longer than that, and without
 /// roughness, the edit stays as it is.
 ///

@@ -106,7 +106,7 @@ pub fn apart(sources: &[Source<'_>], features: &[Features], flats: &[Vec<Vec2>])
     images(sources, features).into_iter().map(off).collect()
 }
 
-/// What an edit did to the mirrored points of a piece and its image, metres.
+/// The moves of mirrored points of a piece and its image by an edit, metres.
 struct Moves {
     /// Largest difference between the move of a point and the mirrored move of its image.
     apart: f64,

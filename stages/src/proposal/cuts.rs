@@ -90,8 +90,8 @@ impl<'a> Outline<'a> {
     }
 }
 
-/// Takes away corners that hardly turn, where no other piece has stretches of the lengths that they part, and one has a
-/// stretch of the whole length. Such a corner is a place of grading on one side of a seam.
+/// Takes away grade points: corners that hardly turn and that one side of a seam alone has. No other piece has a
+/// stretch as long as one of those that they part, but some other piece has a stretch of the whole length.
 pub fn without_unpaired(outlines: &mut [Outline<'_>]) {
     let lengths: Vec<Vec<f64>> = outlines.iter().map(Outline::lengths).collect();
     let totals: Vec<f64> = outlines.iter().map(|o| o.ring.total()).collect();

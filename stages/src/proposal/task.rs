@@ -71,7 +71,7 @@ impl Task<'_> {
             return Some(made);
         }
         if sleeves <= SLEEVES && are_raglan(self.sewn(&made.assignment, &[]), self.names) {
-            // A mistake of the search looks alike. Caps that fit armholes of a trunk sewn by itself tell it.
+            // A wrong assignment can look like a raglan. Then the caps fit the armholes of a trunk that is sewn alone.
             if let Some((set_in, _)) =
                 self.set_in(Sleeves::Single).filter(|(_, likely)| *likely >= tuning::SURELY_SET_IN)
             {

@@ -15,7 +15,8 @@ pub const NOTCH_GROUP: f64 = 20e-3;
 pub const CORNER_REACH: f64 = 4e-3;
 /// A corner that turns less is a mark on an edge (radians).
 pub const FLAT_CORNER: f64 = 0.17;
-/// Stretches are as long as each other where their lengths differ by less: |ln(length / length)|.
+/// Stretches are as long as each other where their lengths differ by less: |ln(length / length)|. The
+/// proposals of 34 known garments are the same with and without the rule that uses it.
 pub const AS_LONG: f64 = 0.01;
 /// Outlines whose lengths differ by less, as a share, are of one piece and its mirror image or copy.
 pub const SAME_PIECE: f64 = 1e-3;
@@ -373,7 +374,8 @@ pub fn confidence(margin: f64) -> f64 {
 pub const UNLIKELY_PAIR: f64 = -6.0;
 /// Likelihood of such a seam at most.
 pub const UNLIKELY_MOST: f64 = 0.5;
-/// Sleeves that are set in with this likelihood are none that reach up to the neckline.
+/// Sleeves that are set in with this likelihood are none that reach up to the neckline. Two T-shirts
+/// that the search took for raglans have 0.8 (GMH1006). Four raglans stay raglans (GMH1406, GMX1406, GMX1416).
 pub const SURELY_SET_IN: f64 = 0.6;
 /// Likelihood at most of a seam between two edges that both are openings, such as two necklines.
 pub const LEVEL_MOST: f64 = 0.2;
