@@ -66,14 +66,14 @@ pub(super) fn run(args: &NewArgs, console: &mut Console<'_>) -> Exit {
 
 /// The fabric that was asked for, else one that suits the pattern.
 fn fabric(args: &NewArgs, source: &Source, console: &mut Console<'_>) -> Fabric {
-    let rib = source.rib().filter(|_| args.fabric.is_none());
-    if let Some(rib) = rib {
-        let name = shown(&rib.name, &[]);
-        let message = format!("piece {name} is cut of a rib, so the garment is a knit: {KNIT} was chosen");
+    let knit = source.knit().filter(|_| args.fabric.is_none());
+    if let Some((piece, word)) = &knit {
+        let [name, word] = [&piece.name, word].map(|text| shown(text, &[]));
+        let message = format!("the text {word} of piece {name} tells that the garment is a knit: {KNIT} was chosen");
         let finding = Diagnostic::info(FABRIC_CHOSEN, message).hint("--fabric NAME or --fabric FILE takes another one");
         console.findings(&[finding], None);
     }
-    Fabric::of(args.fabric.as_deref().unwrap_or(if rib.is_some() { KNIT } else { FABRIC }))
+    Fabric::of(args.fabric.as_deref().unwrap_or(if knit.is_some() { KNIT } else { FABRIC }))
 }
 
 fn refuse(findings: &[Diagnostic], exit: Exit, console: &mut Console<'_>) -> Exit {

@@ -15,6 +15,8 @@ const SHARED: [(usize, f64); 2] = [(4, 0.2), (2, 0.45)];
 const SAME_SHAPE: f64 = 0.97;
 /// Length of a rib over that of the neckline that it is stretched on.
 const RIB: f64 = 0.88;
+/// Words of garments and cloths that are knits, beside ribs.
+const KNITS: [&str; 6] = ["JERSEY", "KNIT", "LEGGING", "LEGGINGS", "TIGHT", "TIGHTS"];
 /// Two openings that differ by less are a pair, such as two armholes: metres.
 const PAIR_OF_OPENINGS: f64 = 3e-3;
 
@@ -128,10 +130,22 @@ pub fn best_at_neck(necks: &[Known<'_>], proposal: &Proposal) -> usize {
 
 /// Does a file say that a piece is cut of a rib?
 pub fn is_rib(piece: &Piece) -> bool {
-    let texts = [&piece.annotation, &piece.category];
-    let is_rib =
-        |word: &str| word.contains("RIB") && !["RIBB", "TRIB", "CRIB"].iter().any(|other| word.contains(other));
-    texts.into_iter().flatten().any(|t| t.to_uppercase().split(|c: char| !c.is_alphabetic()).any(is_rib))
+    word_of(piece, is_word_of_rib).is_some()
+}
+
+/// A word of a file that tells that a piece is cut of a knit.
+pub fn word_of_knit(piece: &Piece) -> Option<String> {
+    word_of(piece, |word| KNITS.contains(&word) || is_word_of_rib(word))
+}
+
+fn is_word_of_rib(word: &str) -> bool {
+    word.contains("RIB") && !["RIBB", "TRIB", "CRIB"].iter().any(|other| word.contains(other))
+}
+
+/// The first word of the texts of a piece that holds, in capital letters.
+fn word_of(piece: &Piece, holds: impl Fn(&str) -> bool) -> Option<String> {
+    let texts = [&piece.annotation, &piece.category].into_iter().flatten().map(|t| t.to_uppercase());
+    texts.into_iter().find_map(|t| t.split(|c: char| !c.is_alphabetic()).find(|w| holds(w)).map(str::to_owned))
 }
 
 /// The longer side of a band, metres: half of what is left of its outline without its two ends.
@@ -153,4 +167,21 @@ pub fn count_told(piece: &Piece) -> Option<u32> {
     let second = digits(rest);
     let count: u32 = if second.is_empty() { first } else { second }.parse().ok()?;
     (1..=4).contains(&count).then_some(count)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn texts_tell_ribs_and_other_knits() {
+        let word = |category: &str| {
+            let piece = Piece { category: Some(category.to_owned()), ..Piece::default() };
+            (word_of_knit(&piece), is_rib(&piece))
+        };
+        assert_eq!(word("neckrib x"), (Some("NECKRIB".to_owned()), true));
+        assert_eq!(word("Tight leg short"), (Some("TIGHT".to_owned()), false));
+        // A ribbon is no rib, and a tightener no legging.
+        assert_eq!([word("RIBBON"), word("TIGHTENER"), word("")], [(None, false), (None, false), (None, false)]);
+    }
 }

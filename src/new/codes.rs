@@ -28,8 +28,8 @@ codes! {
     /// correct the mesh.
     BODY_SIDE_FILE_DIFFERS = "body-side-file-differs";
 
-    /// No fabric was asked for, and a piece of the pattern is cut of a rib. Garments with ribs are knits, so a knit was
-    /// chosen. --fabric takes another one.
+    /// No fabric was asked for, and a text of a piece tells that the garment is a knit: that it is cut of a rib, or is a
+    /// legging. So a knit was chosen. --fabric takes another one.
     FABRIC_CHOSEN = "fabric-chosen";
 
     /// `toile new` knows no fabric of this name, and there is no such file. The hint lists the fabrics that come with

@@ -1,6 +1,6 @@
 //! The pattern that a folder is made from.
 
-use super::alternatives::is_rib;
+use super::alternatives::word_of_knit;
 use super::codes::PATTERN_TINY;
 use super::cut;
 use crate::engine::{MAX_INPUT, of_file_error, of_stage_error, read_limited};
@@ -30,7 +30,7 @@ pub enum Why {
 }
 
 /// A pattern as it was read.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Source {
     /// Name of the file, without its ending.
     pub stem: String,
@@ -87,10 +87,10 @@ impl Source {
         })
     }
 
-    /// A piece that is cut of a rib: its cloth is a knit, and so is what it is sewn to.
+    /// A piece that is cut of a knit, such as a rib, and the word that tells it. What it is sewn to is a knit, too.
     #[must_use]
-    pub fn rib(&self) -> Option<&Piece> {
-        self.garment.pieces.iter().find(|p| is_rib(p))
+    pub fn knit(&self) -> Option<(&Piece, String)> {
+        self.garment.pieces.iter().find_map(|p| Some((p, word_of_knit(p)?)))
     }
 
     /// Name of the pattern in the folder.

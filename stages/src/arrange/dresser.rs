@@ -135,6 +135,11 @@ impl<'a> Dresser<'a> {
         })
     }
 
+    /// Returns `true` if a piece is the whole of a trouser leg. Left and right lie around the trunk, half of it each.
+    pub fn is_whole_leg(&self, i: usize) -> bool {
+        self.part(i) == Some(Part::Leg) && self.segments[i] == Segment::Torso && self.is_tube(i)
+    }
+
     /// Returns `true` if one of two pieces is sewn to a line inside the other, as a pocket is.
     pub fn are_sewn_flat(&self, i: usize, k: usize) -> bool {
         let ends_inside =

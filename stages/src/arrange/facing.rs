@@ -44,6 +44,19 @@ fn side_of(d: &Dresser<'_>, i: usize) -> Option<usize> {
     by_sign(x).or_else(|| by_sign(beside)).or(named)
 }
 
+/// The side of a leg in one piece: 0 left, 1 right. Its back rise is longer than its front rise, and lies to the right as
+/// drawn on a left leg.
+fn leg_side(d: &Dresser<'_>, i: usize) -> usize {
+    let middle = d.outlines[i].centroid().x;
+    let rises = d.threads[i].iter().filter(|t| t.other.piece != i && d.part(t.other.piece) == Some(Part::Leg));
+    let longer: f64 = rises.map(|t| t.share * (t.at.x - middle).signum()).sum();
+    match d.roles[i].lateral {
+        Some(Lateral::Left) => 0,
+        Some(Lateral::Right) => 1,
+        _ => usize::from(longer < 0.0),
+    }
+}
+
 /// The segment of most of what a piece is sewn to; a leg where that is a piece of trousers.
 fn segment_of_partner(d: &Dresser<'_>, i: usize) -> Segment {
     let mut best: Option<(Segment, f64)> = None;
@@ -65,6 +78,9 @@ fn segment_of_partner(d: &Dresser<'_>, i: usize) -> Segment {
 /// How a piece lies, as far as its name and what is placed tell; `None` where nothing does.
 pub fn lie_of(d: &Dresser<'_>, i: usize) -> Option<Lie> {
     let on_arm = matches!(d.segments[i], Segment::Arm(_));
+    if d.is_whole_leg(i) {
+        return Some(Lie::Bent(Some(if leg_side(d, i) == 0 { FRAC_PI_2 } else { -FRAC_PI_2 })));
+    }
     if d.is_tube(i) {
         return Some(Lie::Bent(d.named_azimuth(i).filter(|_| !on_arm)));
     }

@@ -265,7 +265,8 @@ fn lay_bent(d: &mut Dresser<'_>, i: usize, azimuth: Option<f64>, is_first: bool)
     let middle = d.middle(i, turn);
     let segment = d.segment(i).clone();
     let Some(mut sheet) = Sheet::around(&segment, BENT, turn, middle, azimuth.unwrap_or(0.0), 0.0) else { return };
-    let width = d.outlines[i].map(|p| turned(p, turn)).size().x;
+    let halves = if d.is_whole_leg(i) { 2.0 } else { 1.0 };
+    let width = halves * d.outlines[i].map(|p| turned(p, turn)).size().x;
     let short = width + RING_GAP - sheet.girth().unwrap_or(0.0);
     sheet.widen(short.max(0.0) / std::f64::consts::TAU * 1.05);
     let threads = threads_around(d, i, &sheet);

@@ -160,6 +160,34 @@ fn trousers_are_held_at_the_waist_and_their_legs_lie_side_by_side() {
 }
 
 #[test]
+fn legs_in_one_piece_lie_around_the_left_and_the_right_half_of_the_body() {
+    // The back rise is longer. It lies to the right as drawn on a left leg.
+    let leg = |s: f64| {
+        let points = [[-200.0, 0.0], [200.0, 0.0], [260.0, 600.0], [220.0, 900.0], [-220.0, 850.0], [-260.0, 600.0]];
+        let all = points.map(|[x, y]| [s * x, y]);
+        if s > 0.0 { all.to_vec() } else { all.into_iter().rev().collect() }
+    };
+    let pieces = vec![piece(0, "LEG", &corners(&leg(-1.0))), piece(1, "LEG-M", &corners(&leg(1.0)))];
+    let inner = |s: f64| [[s * 200.0, 0.0], [s * 260.0, 600.0]];
+    let back = |s: f64| [[s * 260.0, 600.0], [s * 220.0, 900.0]];
+    let front = |s: f64| [[s * -260.0, 600.0], [s * -220.0, 850.0]];
+    let joins = vec![
+        join("inner right", (0, inner(1.0)), (0, inner(-1.0))),
+        join("inner left", (1, inner(1.0)), (1, inner(-1.0))),
+        join("back crotch", (0, back(-1.0)), (1, back(1.0))),
+        join("front crotch", (0, front(-1.0)), (1, front(1.0))),
+    ];
+    let arrangement = arranged(&pieces, &joins);
+    let at = |i: usize, [x, y]: [f64; 2]| arrangement.places[i].as_ref().expect("a place").sheet.at(v(x, y));
+    assert!(at(0, [0.0, 500.0]).x < -0.1 && at(1, [0.0, 500.0]).x > 0.1, "right and left");
+    // The rises of both meet before and behind the body.
+    for (own, other, is_front) in [([220.0, 850.0], [-220.0, 850.0], true), ([-220.0, 900.0], [220.0, 900.0], false)] {
+        let (p, q) = (at(0, own), at(1, other));
+        assert!((p - q).norm() < 0.15 && (p.z > 0.05) == is_front && (q.z > 0.05) == is_front, "{p} {q}");
+    }
+}
+
+#[test]
 fn places_that_a_person_gives_stay_and_the_rest_follows() {
     let (pieces, joins) = shirt(["FRONT", "BACK", "SLEEVE", "SLEEVE-2"]);
     let given = Sheet { origin: Vec3::new(0.0, 0.6, 0.25), ..Sheet::facing(Vec3::z(), Vec3::y(), 0.0) };

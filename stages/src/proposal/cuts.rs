@@ -91,7 +91,8 @@ impl<'a> Outline<'a> {
 }
 
 /// Takes away grade points: corners that hardly turn and that one side of a seam alone has. No other piece has a
-/// stretch as long as one of those that they part, but some other piece has a stretch of the whole length.
+/// stretch as long as one of those that they part, but some other stretch has the whole length. It may be one of the same
+/// piece, because a leg in one piece is sewn to itself.
 pub fn without_unpaired(outlines: &mut [Outline<'_>]) {
     let lengths: Vec<Vec<f64>> = outlines.iter().map(Outline::lengths).collect();
     let totals: Vec<f64> = outlines.iter().map(|o| o.ring.total()).collect();
@@ -99,10 +100,13 @@ pub fn without_unpaired(outlines: &mut [Outline<'_>]) {
         // A piece and its mirror image have the same marks.
         let is_other = |k: &usize| (totals[*k] / totals[own] - 1.0).abs() > tuning::SAME_PIECE;
         let others: Vec<f64> = (0..totals.len()).filter(is_other).flat_map(|k| lengths[k].iter().copied()).collect();
-        let has = |length: f64| others.iter().any(|l| libm::log(l / length).abs() < tuning::AS_LONG);
         let is_unpaired = |run: &Vec<usize>| {
             let parts: Vec<f64> = run.iter().map(|k| lengths[own][*k]).collect();
-            !parts.iter().any(|l| has(*l)) && has(parts.iter().sum())
+            let is = |length: f64, other: f64| libm::log(other / length).abs() < tuning::AS_LONG;
+            let has = |length: f64| others.iter().any(|l| is(length, *l));
+            let whole: f64 = parts.iter().sum();
+            let of_own = |k: usize| !run.contains(&k) && is(whole, lengths[own][k]);
+            !parts.iter().any(|l| has(*l)) && (has(whole) || (0..lengths[own].len()).any(of_own))
         };
         let unpaired: Vec<usize> =
             outline.smooth_runs().into_iter().filter(is_unpaired).flat_map(|run| run[1..].to_vec()).collect();

@@ -1,8 +1,9 @@
 //! Scores of pairs that do not come from shapes: from names, from a person's decisions, and from the order of sewing.
 
-use super::atoms::{Atom, Layout};
+use super::atoms::Layout;
 use super::known::Decisions;
-use super::pairs::{Pair, Prior, is_tube};
+use super::legs::Legs;
+use super::pairs::{Pair, Prior};
 use super::propose::Names;
 use super::tuning::{self, SleeveWeights};
 
@@ -23,6 +24,8 @@ pub struct Knowledge<'a> {
     pub names: &'a dyn Names,
     /// Decisions of a person.
     pub decisions: Decisions,
+    /// Where legs may meet.
+    pub legs: Legs,
     /// How the sleeves are sewn.
     pub how: Sleeves,
     /// Weights for that.
@@ -43,16 +46,6 @@ impl Knowledge<'_> {
     }
 }
 
-impl Knowledge<'_> {
-    /// Would a pair sew a leg to the other one where it closes to a tube by itself? Legs meet at the crotch alone.
-    fn is_between_legs(&self, layout: &Layout, pair: Pair) -> bool {
-        let [a, b] = [pair.a, pair.b].map(|a| &layout.atoms[a]);
-        let [p, q] = [a, b].map(|a| layout.panels[a.panel].piece);
-        let closes = |atom: &Atom| layout.panels[atom.panel].atoms.clone().any(|c| is_tube(atom, &layout.atoms[c]));
-        self.names.is_leg(p) && self.names.are_namesakes(p, q) && closes(a) && closes(b)
-    }
-}
-
 impl Prior for Knowledge<'_> {
     fn score(&self, layout: &Layout, pair: Pair, images: bool) -> f64 {
         let (a, b) = (&layout.atoms[pair.a], &layout.atoms[pair.b]);
@@ -66,7 +59,7 @@ impl Prior for Knowledge<'_> {
         let gather = libm::log(a.length / b.length).abs();
         let is_unlikely = gather > tuning::SET_ON_GATHER || a.length.min(b.length) < tuning::SET_ON_LEAST;
         sum += if is_set_on && is_unlikely { tuning::TOO_GATHERED } else { 0.0 };
-        sum += if self.is_between_legs(layout, pair) { tuning::BETWEEN_LEGS } else { 0.0 };
+        sum += self.legs.score(layout, self.names, pair, images);
         sum += if self.is_later(layout, pair) { self.sleeve.apart } else { 0.0 };
         sum + self.decisions.score(pair)
     }

@@ -12,6 +12,7 @@ mod cuts;
 mod edge_parts;
 mod knowledge;
 mod known;
+mod legs;
 pub mod mirror;
 mod names;
 mod onward;

@@ -225,7 +225,7 @@ impl<'a> Judge<'a> {
 }
 
 /// Do two edges of one piece close it to a tube: as long as each other, along the warp, and running opposite ways?
-pub fn is_tube(a: &Atom, b: &Atom) -> bool {
+fn is_tube(a: &Atom, b: &Atom) -> bool {
     let is_equal = libm::log(a.length / b.length).abs() < 0.01;
     is_equal && a.is_along() && b.is_along() && a.along[0] * b.along[0] < 0.0
 }

@@ -26,6 +26,14 @@ pub struct Schedule {
     pub hottest: f64,
 }
 
+/// The score that a change has to reach, with the share of the surface in it; lower ones are taken by chance.
+#[derive(Clone, Copy)]
+struct Least {
+    score: f64,
+    share: f64,
+    temperature: f64,
+}
+
 /// The pairs that are tried, the likely ones more often.
 struct Candidates {
     pairs: Vec<Pair>,
@@ -123,10 +131,9 @@ impl<'a> Search<'a> {
             if !self.change(&mut trial, &candidates, random) || trial == here.assignment {
                 continue;
             }
-            let score = self.score(&trial);
             let share = tuning::surface_share(step as f64 / schedule.steps as f64);
-            let gain = score.with(share) - here.score.with(share);
-            if gain >= 0.0 || random.unit() < libm::exp(gain / temperature) {
+            let least = Least { score: here.score.with(share), share, temperature };
+            if let Some(score) = self.accepted(&trial, least, random) {
                 std::mem::swap(&mut here.assignment, &mut trial);
                 here.score = score;
                 if score.total() > best.score.total() + 1e-9 {
@@ -135,6 +142,22 @@ impl<'a> Search<'a> {
             }
         }
         best
+    }
+
+    /// The score of a change, if it is taken (Metropolis' rule). The surface only takes from a score: a change that is
+    /// refused without it needs no look at the surface.
+    fn accepted(&mut self, trial: &Assignment, least: Least, random: &mut Random) -> Option<Score> {
+        let soft = self.whole.soft(trial, &mut self.room);
+        let is_worse = soft < least.score;
+        let chance = if is_worse { random.unit() } else { 0.0 };
+        let is_refused = |gain: f64, chance: f64| gain < 0.0 && chance >= libm::exp(gain / least.temperature);
+        if is_refused(soft - least.score, chance) {
+            return None;
+        }
+        let score = Score { soft, hard: self.whole.surface(trial, &mut self.room) };
+        let gain = score.with(least.share) - least.score;
+        let chance = if !is_worse && gain < 0.0 { random.unit() } else { chance };
+        (!is_refused(gain, chance)).then_some(score)
     }
 
     /// Makes one change. False if it cannot be made.

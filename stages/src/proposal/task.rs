@@ -5,6 +5,7 @@ use super::atoms::{Layout, Panel};
 use super::confidence::margins;
 use super::knowledge::{Knowledge, Sleeves};
 use super::known::{Decisions, Known};
+use super::legs::Legs;
 use super::mirror::{Mirror, maps};
 use super::onward::onward;
 use super::openings::{Closing, Sewn};
@@ -117,8 +118,7 @@ impl Task<'_> {
     /// A garment whose sleeves are set in as a whole, and how likely that of the less sure one is right; `None` where not
     /// both find an armhole.
     fn set_in(&self, how: Sleeves) -> Option<(Made, f64)> {
-        let turns = Upright::of(&self.garment.pieces, &[]).turns;
-        let up = |piece: usize| turned(Vec2::y(), -turns[piece]);
+        let up = self.up();
         let set_in = |of: &Assignment| {
             let mut closings = self.onward(of);
             let set_in = sleeves(self.sewn(of, &closings), self.names, &up, how == Sleeves::Single);
@@ -144,10 +144,17 @@ impl Task<'_> {
         None
     }
 
+    /// Tells which way is up on a piece, as a unit vector.
+    fn up(&self) -> impl Fn(usize) -> Vec2 {
+        let turns = Upright::of(&self.garment.pieces, &[]).turns;
+        move |piece| turned(Vec2::y(), -turns[piece])
+    }
+
     fn search(&self, weights: WholeWeights, how: Sleeves, effort: f64) -> Option<Search> {
         let (layout, names) = (self.layout, self.names);
         let decisions = Decisions::new(layout, self.known);
-        let knowledge = Knowledge { names, decisions, how, sleeve: SleeveWeights::default() };
+        let legs = Legs::new(layout, names, &self.up());
+        let knowledge = Knowledge { names, decisions, legs, how, sleeve: SleeveWeights::default() };
         let mut scores = scores(layout, &knowledge);
         let wholes: Vec<Whole<'_>> = scores.iter().map(|scores| self.whole(scores, &weights, how)).collect();
         let (map, found) = search_all(layout, &wholes, effort)?;

@@ -302,6 +302,45 @@ fn legs_are_not_sewn_to_each_other_all_round() {
     assert!(sewn > 0.0 && sewn < 0.6 * around, "{sewn} of {around}");
 }
 
+/// A leg in one piece, mm: both inseams are as long, and one of them has a place of grading. The back rise is longer.
+fn whole_leg(name: &str, side: f64) -> Piece {
+    let right = [(-106.0, 0.0, 't'), (106.0, 0.0, 't'), (260.0, 700.0, 't'), (216.0, 745.0, 'c'), (205.0, 880.0, 't')];
+    let left = [(-155.0, 960.0, 't'), (-185.0, 790.0, 'c'), (-200.0, 750.0, 'c'), (-260.0, 700.0, 't')];
+    let mut all: Vec<(f64, f64, char)> = [&right[..], &left, &[(-235.0, 582.0, 't')]].concat();
+    all.iter_mut().for_each(|p| p.0 *= side);
+    if side < 0.0 {
+        all.reverse();
+    }
+    piece(0, name, &all)
+}
+
+#[test]
+fn legs_in_one_piece_are_sewn_to_themselves_below_the_crotch_and_to_each_other_above_it() {
+    let waist = libm::hypot(360.0, 80.0);
+    let band = rectangle(0, "waistband", 2.0 * waist, 50.0);
+    let legs = garment(vec![whole_leg("leg left", 1.0), whole_leg("leg right", -1.0), band]);
+    let proposal = propose(&legs, &RoleNames::new(&legs), &Known::default()).expect("proposal");
+    let told = sewn(&legs, &proposal);
+    let piece = |runs: &[Run]| runs[0].piece;
+    let lowest = |runs: &[Run]| runs.iter().flat_map(|r| &r.points).map(|p| p.y).fold(f64::INFINITY, f64::min);
+    for seam in &proposal.seams {
+        match (piece(&seam.a), piece(&seam.b)) {
+            (0, 1) | (1, 0) => assert!(lowest(&seam.a) > 0.6999 && lowest(&seam.b) > 0.6999, "{told:?}"),
+            (a, b) if a == b && a < 2 => assert!((seam.length_a - seam.length_b).abs() < 2e-3, "{told:?}"),
+            (_, leg) | (leg, _) if leg < 2 => assert!(lowest(&seam.b).max(lowest(&seam.a)) > 0.87, "{told:?}"),
+            _ => {}
+        }
+    }
+    let length = |p: usize, q: usize| -> f64 {
+        let joins =
+            |s: &&super::ProposedSeam| [piece(&s.a), piece(&s.b)] == [p, q] || [piece(&s.b), piece(&s.a)] == [p, q];
+        proposal.seams.iter().filter(joins).map(|s| s.length_a).sum()
+    };
+    let inseam = libm::hypot(0.154, 0.7);
+    assert!((length(0, 0) - inseam).abs() < 2e-3 && (length(1, 1) - inseam).abs() < 2e-3, "{told:?}");
+    assert!(length(0, 1) > 0.45, "both rises are sewn: {told:?}");
+}
+
 #[test]
 fn a_sleeve_that_fits_badly_is_not_sure() {
     let weights = super::tuning::SleeveWeights::default();

@@ -31,13 +31,8 @@ pub const BAND: f64 = 0.15;
 /// Most maps of mirror images that are tried.
 pub const MOST_MAPS: usize = 6;
 
-/// Two pieces that mirror each other and are sewn along a larger share of their outlines make a bag.
-pub const CLOSED_PAIR: f64 = 0.6;
 /// Edges of one piece that are shorter, as a share of its outline, are not sewn to each other across it.
 pub const ACROSS_LEAST: f64 = 0.008;
-
-/// Score of sewing one leg to the other where each closes to a tube by itself.
-pub const BETWEEN_LEGS: f64 = -8.0;
 
 /// Pairs that score less are not tried.
 pub const CANDIDATE_LEAST: f64 = -7.0;
@@ -225,8 +220,6 @@ pub struct WholeWeights {
     pub crossed: f64,
     /// Every run of edges beyond the first that sews a piece to its mirror image.
     pub second_middle: f64,
-    /// Every piece that is sewn to its mirror image along more than [`CLOSED_PAIR`] of its outline.
-    pub closed_pair: f64,
     /// Sides that differ by more are gathered: |ln(length / length)|.
     pub gather_from: f64,
     /// A gather whose ratio occurs once.
@@ -258,7 +251,6 @@ impl Default for WholeWeights {
             one_sided: -12.00,
             crossed: -8.00,
             second_middle: -5.00,
-            closed_pair: -24.00,
             gather_from: 0.04,
             single_gather: -1.07,
             bare_corner: -1.20,
@@ -492,6 +484,25 @@ impl Default for BandWeights {
             corner_most: 2.3,
             confidence: 0.7,
         }
+    }
+}
+
+/// Limits and weights for trouser legs. Three files of leggings (GLX4802, ORILEG) call for them.
+#[derive(Clone, Debug)]
+pub struct LegWeights {
+    /// Score of sewing the rise of one leg to that of the other, its mirror image.
+    pub rise: f64,
+    /// Score of sewing one leg to the other below the crotch or at the waist.
+    pub off_rise: f64,
+    /// Score of sewing a waistband to another place than the waist, or of gathering it by [`SET_ON_GATHER`] there.
+    pub off_waist: f64,
+    /// The widest place of a flared leg lies lower, as a share of the height of the piece.
+    pub flared: f64,
+}
+
+impl Default for LegWeights {
+    fn default() -> Self {
+        Self { rise: 3.0, off_rise: -12.0, off_waist: -12.0, flared: 0.15 }
     }
 }
 

@@ -4,7 +4,7 @@ use super::assignment::Assignment;
 use super::atoms::{Atom, Layout, Mark};
 use super::mirror::{ALONE, Mirror};
 use super::pairs::Pairs;
-use super::tuning::{self, WholeWeights};
+use super::tuning::WholeWeights;
 
 /// Sleeves of a garment.
 pub const SLEEVES: usize = 2;
@@ -106,11 +106,17 @@ impl<'a> Whole<'a> {
 
     /// The score of an assignment: what may be traded, and the surface, which must be right in the end.
     pub fn score(&self, of: &Assignment, room: &mut Room) -> Score {
-        let soft = self.sewn(of, room) + self.vertices(of, room) + self.crossings(of, room) + self.middles(of);
+        let soft = self.soft(of, room);
         Score { soft, hard: self.surface(of, room) }
     }
 
-    /// Runs of edges beyond the first that sew a piece to its mirror image.
+    /// What may be traded. It notes in `room` what [`Self::surface`] reads.
+    pub fn soft(&self, of: &Assignment, room: &mut Room) -> f64 {
+        self.sewn(of, room) + self.vertices(of, room) + self.crossings(of, room) + self.middles(of)
+    }
+
+    /// Runs of edges beyond the first that sew a piece to its mirror image. A piece that is sewn to itself, such as a
+    /// trouser leg in one piece, has a middle in front and one in the back.
     fn middles(&self, of: &Assignment) -> f64 {
         let is_image = |a: usize| of.partner(a).is_some_and(|b| self.mirror.of(a) == Some(b));
         let mut more = 0;
@@ -118,22 +124,11 @@ impl<'a> Whole<'a> {
             if self.mirror.panel[p] == ALONE {
                 continue;
             }
+            let goes_round = panel.atoms.clone().any(|a| of.partner(a).is_some_and(|b| panel.atoms.contains(&b)));
             let starts = panel.atoms.clone().filter(|a| is_image(*a) && !is_image(self.stretches[*a].before as usize));
-            more += starts.count().saturating_sub(if self.mirror.panel[p] == p { 2 } else { 1 });
+            more += starts.count().saturating_sub(if goes_round || self.mirror.panel[p] == p { 2 } else { 1 });
         }
-        self.weights.second_middle * more as f64 + self.weights.closed_pair * self.closed_pairs(of) as f64
-    }
-
-    /// Pieces that are sewn to their mirror images almost all round, so that nothing fits between the two.
-    fn closed_pairs(&self, of: &Assignment) -> usize {
-        let is_image = |a: &usize| of.partner(*a).is_some_and(|b| self.mirror.of(*a) == Some(b));
-        let is_closed = |p: &usize| {
-            let panel = &self.layout.panels[*p];
-            let sewn: f64 = panel.atoms.clone().filter(is_image).map(|a| self.stretches[a].length).sum();
-            sewn > tuning::CLOSED_PAIR * panel.perimeter
-        };
-        let has_image = |p: &usize| self.mirror.panel[*p] != ALONE && self.mirror.panel[*p] > *p;
-        (0..self.layout.panels.len()).filter(has_image).filter(is_closed).count()
+        self.weights.second_middle * more as f64
     }
 
     /// Scores of the pairs, and of gathers that occur once.
@@ -248,8 +243,8 @@ impl<'a> Whole<'a> {
         }
     }
 
-    /// Scores components, openings and handles of the surface.
-    fn surface(&self, of: &Assignment, room: &mut Room) -> f64 {
+    /// Scores components, openings and handles of the surface: no more than 0. `room` is that of [`Self::soft`].
+    pub fn surface(&self, of: &Assignment, room: &mut Room) -> f64 {
         let w = self.weights;
         let n = self.stretches.len();
         let panels = self.layout.panels.len();

@@ -113,11 +113,14 @@ fn word(a: Kind, b: Kind, is_own: bool, course: Course) -> Option<&'static str> 
 
 /// Seams between pieces of trousers.
 fn leg(a: Kind, b: Kind, is_own: bool, course: Course) -> &'static str {
-    match a.facing.filter(|f| b.facing == Some(*f)) {
-        _ if is_own => "inseam",
-        Some(_) => "crotch seam",
-        _ if course.is_outside => "outseam",
-        _ => "inseam",
+    // Legs in one piece face nowhere, and meet in the middle.
+    let is_crotch = a.facing == b.facing && (a.facing.is_some() || course.lateral().is_none());
+    if is_crotch && !is_own {
+        "crotch seam"
+    } else if course.is_outside && !is_own {
+        "outseam"
+    } else {
+        "inseam"
     }
 }
 
@@ -171,6 +174,8 @@ mod tests {
             role(Part::Collar, None),
             role(Part::Leg, Some(Facing::Front)),
             role(Part::Leg, Some(Facing::Back)),
+            role(Part::Leg, None),
+            role(Part::Leg, None),
         ]
     }
 
@@ -210,6 +215,13 @@ mod tests {
             join(5, 5, [0.0, 0.8], [0.0, 1.0]),
         ];
         assert_eq!(names(&joins)[..2], ["outseam left", "inseam left"]);
+        // Legs in one piece are sewn to themselves, and to each other in the middle.
+        let whole = [
+            join(6, 6, [0.05, 0.1], [0.05, 0.8]),
+            join(7, 7, [-0.05, 0.1], [-0.05, 0.8]),
+            join(6, 7, [0.0, 0.8], [0.0, 1.0]),
+        ];
+        assert_eq!(names(&whole), ["inseam left", "inseam right", "crotch seam"]);
     }
 
     #[test]
