@@ -65,6 +65,12 @@ pub enum Body {
     File(PathBuf),
 }
 
+/// The usual size. Its body comes with the program, for drawing one takes most of the time of `toile new`. A test draws it
+/// anew and compares the bytes.
+const DRAWN: &str = "38";
+const DRAWN_MESH: &str = include_str!("../../samples/bodies/size-38.obj");
+const DRAWN_SIDE: &str = include_str!("../../samples/bodies/size-38.toml");
+
 impl Body {
     /// The body that a text names: a file, or a size.
     #[must_use]
@@ -93,6 +99,13 @@ impl Body {
     /// There is no such size or file.
     pub fn open(&self) -> Result<Opened, Vec<Diagnostic>> {
         match self {
+            Self::Size(size) if size == DRAWN => {
+                let name = self.file_name();
+                let model = toile_formats::body::read(DRAWN_MESH.as_bytes(), &name, Some(DRAWN_SIDE))?.body;
+                let side = (toile_formats::body::sidecar_name(&name), DRAWN_SIDE.as_bytes().to_vec());
+                let files = vec![(name, DRAWN_MESH.as_bytes().to_vec()), side];
+                Ok(Opened { files, model: Some(model), findings: Vec::new() })
+            }
             Self::Size(size) => {
                 let measures = BodyMeasures::size(size).ok_or_else(|| vec![no_size(size)])?;
                 let body = parametric(&measures)?;
