@@ -5,7 +5,7 @@ use toile_garment::piece::Quantity;
 use toile_garment::sewing::{CopySpec, SewingPlan};
 use toile_garment::{Garment, Piece};
 use toile_stages::proposal::own_images;
-use toile_stages::roles::{Part, Role, roles_of_names};
+use toile_stages::roles::{Facing, Part, Role, roles_of_names};
 
 /// Areas of a piece and its counterpart differ by less, as a share.
 const COUNTERPART: f64 = 0.03;
@@ -25,13 +25,15 @@ pub struct Cut {
     pub not_cut: Vec<String>,
     /// Those of them for which another piece stands.
     pub stood_for: Vec<String>,
+    /// Plackets of a slit that is not cut.
+    pub without_slit: Vec<String>,
 }
 
 /// Copies and pieces that are left out, as the pattern tells them. `more` are pieces that a person leaves out.
 ///
 /// Interlinings are fused to other pieces, and a lower collar lies under the upper one. A piece with the quantity 0 is
 /// not cut: it is an alternative, or only helps to draw another one. Where all quantities are 0 the file is a kit, and
-/// annotations tell them.
+/// annotations tell them. Plackets are left out where every front is whole: a slit in its middle is a drawn line at most.
 pub fn plan(garment: &Garment, more: &[String]) -> Cut {
     let roles = roles_of_names(&garment.pieces);
     let is_any_cut = garment.pieces.iter().any(|p| p.quantity != NONE);
@@ -56,13 +58,24 @@ pub fn plan(garment: &Garment, more: &[String]) -> Cut {
         Known { piece: p, role, is_double: is_double(&p), is_own_image }
     });
     let known: Vec<Known<'_>> = known.collect();
+    let without_slit = plackets_without_slit(&known);
+    let known: Vec<Known<'_>> = known.into_iter().filter(|k| !without_slit.contains(&k.piece.name)).collect();
     let (layers, known): (Vec<_>, Vec<_>) = known.iter().copied().partition(|k| is_under_layer(k, &known));
     let others = drawn_over(&known);
     let stood_for: Vec<String> = layers.iter().map(|k| k.piece.name.clone()).chain(others.iter().cloned()).collect();
     let kept = known.iter().filter(|k| k.is_double && !others.contains(&k.piece.name));
     let copies = kept.map(|k| mirrored(k.piece)).collect();
-    leave_out.extend(stood_for.iter().cloned());
-    Cut { plan: SewingPlan { copies, leave_out, ..SewingPlan::default() }, not_cut, stood_for }
+    leave_out.extend(stood_for.iter().chain(&without_slit).cloned());
+    Cut { plan: SewingPlan { copies, leave_out, ..SewingPlan::default() }, not_cut, stood_for, without_slit }
+}
+
+/// The plackets of a garment whose fronts are all whole, from side to side.
+fn plackets_without_slit(known: &[Known<'_>]) -> Vec<String> {
+    let is_front = |k: &&Known<'_>| k.role.part == Some(Part::Bodice) && k.role.facing == Some(Facing::Front);
+    let mut fronts = known.iter().filter(is_front).peekable();
+    let are_whole = fronts.peek().is_some() && fronts.all(|k| k.is_own_image);
+    let plackets = known.iter().filter(|k| are_whole && k.role.part == Some(Part::Placket));
+    plackets.map(|k| k.piece.name.clone()).collect()
 }
 
 /// The quantity that an annotation tells, else 1.
@@ -181,6 +194,15 @@ mod tests {
         assert_eq!(of("cuff", "10 X 2"), ["cuff-M"]);
         // One band of each cuts one, and two collars are two layers.
         assert!(of("cuff", "1XRIB").is_empty() && of("collar", "2X FABRIC").is_empty());
+    }
+
+    #[test]
+    fn plackets_are_left_out_where_no_front_is_cut_open() {
+        let placket = || drawn(1, "placket", &[(0.0, 0.0), (30.0, 0.0), (30.0, 155.0), (0.0, 155.0)], "1X");
+        let front = |right: f64| drawn(0, "front", &[(0.0, 0.0), (600.0, 0.0), (right, 700.0), (60.0, 700.0)], "1X");
+        assert_eq!(plan_of(vec![front(540.0), placket()]).1, ["placket"]);
+        // Half a front has an edge for it.
+        assert!(plan_of(vec![front(600.0), placket()]).1.is_empty());
     }
 
     #[test]

@@ -137,7 +137,7 @@ pub fn read(path: &Path, plan: Option<SewingPlan>, wishes: &Wishes) -> Result<So
         garment,
         copies,
         left_out,
-        without_seam: Vec::new(),
+        without_seam: cut.without_slit,
         not_cut: cut.not_cut,
         stood_for: cut.stood_for,
         unit: wishes.unit,

@@ -14,6 +14,7 @@ mod lean;
 mod pull;
 mod sheet;
 mod upright;
+mod whole_leg;
 
 pub(crate) use around::{Cylinder, side_angle};
 pub use dresser::Segment;
@@ -274,6 +275,7 @@ fn lay_bent(d: &mut Dresser<'_>, i: usize, azimuth: Option<f64>, is_first: bool)
     let axial = threads.map_or_else(|| axial_at_start(d, i, turn, is_first), |t| t.axial);
     let clearance = BENT + short.max(0.0) / std::f64::consts::TAU * 1.05;
     d.sheets[i] = Sheet::around(&segment, clearance, turn, middle, angle, axial);
+    whole_leg::lay_on_cone(d, i);
 }
 
 /// The place of the middle of a bent piece at which its threads are short.

@@ -1,6 +1,7 @@
 //! A piece in space: a flat sheet, or bent around a segment of the body. Both keep its lengths.
 
 use super::around::Cylinder;
+use super::whole_leg::Cone;
 use crate::roles::outline::turned;
 use toile_garment::body::BodySegment;
 use toile_garment::{Vec2, Vec3};
@@ -22,6 +23,8 @@ pub struct Bend {
     pub axial: f64,
     /// Middle of the piece after its turn, m.
     pub middle: Vec2,
+    /// The cone that it lies on instead of the cylinder.
+    cone: Option<Cone>,
 }
 
 /// Where a piece starts.
@@ -61,10 +64,20 @@ impl Sheet {
         axial: f64,
     ) -> Option<Self> {
         let cylinder = Cylinder::new(segment, clearance)?;
-        let bend = Bend { cylinder, segment: segment.clone(), clearance, angle, axial, middle };
+        let bend = Bend { cylinder, segment: segment.clone(), clearance, angle, axial, middle, cone: None };
         let mut sheet = Self { bend: Some(bend), ..Self::facing(Vec3::z(), Vec3::y(), turn) };
         sheet.touch();
         Some(sheet)
+    }
+
+    /// A bent piece on a cone instead of its cylinder.
+    #[must_use]
+    pub fn on_cone(mut self, cone: Cone) -> Self {
+        if let Some(b) = &mut self.bend {
+            b.cone = Some(cone);
+        }
+        self.touch();
+        self
     }
 
     /// Where a point of the piece lies, m.
@@ -159,7 +172,8 @@ impl Sheet {
 impl Bend {
     /// A point at a distance from the middle, to the right and up along the cloth, m.
     fn at(&self, d: Vec2) -> Vec3 {
-        self.cylinder.at(self.cylinder.arc_at(self.angle) + d.x, self.axial - d.y)
+        let on_cylinder = || self.cylinder.at(self.cylinder.arc_at(self.angle) + d.x, self.axial - d.y);
+        self.cone.as_ref().map_or_else(on_cylinder, |cone| cone.at(d))
     }
 }
 
