@@ -130,7 +130,10 @@ impl Worn<'_> {
         for (word, name) in SEAMS {
             let mut sides: BTreeMap<&str, BTreeSet<(usize, [u32; 2])>> = BTreeMap::new();
             for (seam_name, seam) in named.iter().filter(|(n, _)| n.contains(word)) {
-                sides.entry(lateral(seam_name)).or_default().extend(edges(self.side(seam)));
+                // Both inseams meet in the middle, and their names may be one.
+                let by_place = || if word == "inseam" { side_of(self.middle(seam)) } else { "" };
+                let side = Some(lateral(seam_name)).filter(|side| !side.is_empty()).unwrap_or_else(by_place);
+                sides.entry(side).or_default().extend(edges(self.side(seam)));
             }
             for (lateral, edges) in sides {
                 let mut sum = Lengths::default();
@@ -139,6 +142,14 @@ impl Worn<'_> {
             }
         }
         out
+    }
+
+    /// How far the middle of a seam lies to the wearer's left, metres.
+    fn middle(&self, seam: &Seam) -> f64 {
+        let runs = [&seam.a, &seam.b].into_iter().flat_map(|side| &side.runs);
+        let points = runs.flat_map(|run| run.vertices.iter().map(move |v| (run.piece.index(), *v as usize)));
+        let xs: Vec<f64> = points.filter_map(|(p, v)| Some(self.at.get(p)?.get(v)?.x)).collect();
+        xs.iter().sum::<f64>() / xs.len().max(1) as f64
     }
 
     /// The side of a seam that is measured.
@@ -246,6 +257,15 @@ fn lateral(name: &str) -> &'static str {
         "right"
     } else {
         ""
+    }
+}
+
+/// The wearer's side on which a line lies whose middle is so far to the left, metres; none for one on both legs.
+fn side_of(left: f64) -> &'static str {
+    match left {
+        x if x > ON_CENTRE => "left",
+        x if x < -ON_CENTRE => "right",
+        _ => "",
     }
 }
 
